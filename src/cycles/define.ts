@@ -1,0 +1,46 @@
+import type { Issue } from "../kernel/issue.ts";
+import type { Plan, Setting } from "../kernel/plan.ts";
+import type { Pt, Segment } from "../kernel/point.ts";
+import type { Evidence, Params, Values } from "./params.ts";
+
+export type Group = "shoulder" | "contour" | "recessTurning";
+
+/** A dimension in the help picture, belonging to one Q. Positions in part space; the view draws arrowheads and text. */
+export type Dimension =
+  | { readonly q: string; readonly form: "diameter"; readonly at: Pt }
+  | { readonly q: string; readonly form: "z" | "r" | "along"; readonly from: Pt; readonly to: Pt }
+  | { readonly q: string; readonly form: "angle"; readonly vertex: Pt; readonly from: Pt; readonly to: Pt }
+  | { readonly q: string; readonly form: "leader"; readonly at: Pt; readonly towards: Pt };
+
+/** The finished contour that values describe, and the dimension of every parameter that has a place on it. */
+export interface Outline {
+  readonly contour: readonly Segment[];
+  readonly dimensions: readonly Dimension[];
+  readonly issues: readonly Issue[];
+}
+
+/** What a free-contour cycle is given: the contour of its subprogram, in programmed order. */
+export interface Given {
+  readonly contour: readonly Segment[] | null;
+}
+
+export interface Cycle<P extends Params = Params> {
+  readonly number: number;
+  readonly group: Group;
+  /** Section and document of the manual page this follows. */
+  readonly manual: { readonly section: string; readonly document: string; readonly page?: number };
+  readonly evidence: Evidence;
+  /** "own": from its Q values; "free": from a contour subprogram named by cycle 14. */
+  readonly contour: "own" | "free";
+  /** In the printed order, which is the order of form and NC text. */
+  readonly params: P;
+  /** Steps of the printed sequences, for "step 3 of 6". */
+  readonly steps: { readonly rough: number; readonly finish: number };
+  /** Pure geometry of the values: contour, help-picture dimensions, and cross-field issues. */
+  outline(values: Values<P>, given: Given): Outline;
+  /** Values against the tool, and the path. Never throws on values of the right type. */
+  plan(values: Values<P>, setting: Setting, given: Given): Plan;
+}
+
+/** Keeps the literal types of the parameters, so that `values.Q493` is a Diameter by inference. */
+export const defineCycle = <const P extends Params>(cycle: Cycle<P>): Cycle<P> => cycle;

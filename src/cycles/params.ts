@@ -1,0 +1,97 @@
+import { z } from "zod";
+import type { Axial, Degrees, Diameter, Feed, Length, Radius } from "../kernel/units.ts";
+
+/** How far a fact can be trusted. A printed for this control; B sibling; L lathe; I inferred; K recalled, unconfirmed. */
+export type Evidence = "A" | "B" | "L" | "I" | "K1" | "K2" | "K3";
+
+/** What a value measures. It belongs to cycle and Q together: Q463 is radial in one cycle and axial in another. */
+export type Kind =
+  | "choice" | "diameter" | "oversizeDiameter" | "radial" | "axial" | "axialDepth" | "length" | "angle" | "feed";
+
+/** The value a kind yields. A feed is a number or "auto" (FAUTO). */
+interface ValueOf {
+  choice: number;
+  diameter: Diameter;
+  oversizeDiameter: Diameter;
+  radial: Radius;
+  axial: Axial;
+  axialDepth: Axial;
+  length: Length;
+  angle: Degrees;
+  feed: Feed | "auto";
+}
+
+export interface Param<K extends Kind = Kind, T extends string = string> {
+  readonly kind: K;
+  /** Key of prompt, explanation and NC label in `i18n`. */
+  readonly text: T;
+  readonly range: readonly [min: number, max: number];
+  /** Where the range comes from. */
+  readonly rangeEvidence: Evidence;
+  /** Value of the printed example. */
+  readonly example: number;
+  /** NO ENT is allowed: a missing value then counts as `example`-independent 0. */
+  readonly optional: boolean;
+  readonly incremental: boolean;
+  readonly choices?: readonly number[];
+  readonly evidence: Evidence;
+  /** Decimals that the control keeps of this value. */
+  readonly decimals: number;
+  /** The value says nothing in this cycle (printed as reserved). */
+  readonly reserved: boolean;
+  readonly schema: z.ZodType<ValueOf[K]>;
+}
+
+export type Params = Readonly<Record<string, Param>>;
+export type Values<P extends Params> = { readonly [Q in keyof P]: P[Q] extends Param<infer K, string> ? ValueOf[K] : never };
+
+interface Options {
+  evidence?: Evidence;
+  rangeEvidence?: Evidence;
+  optional?: boolean;
+  incremental?: boolean;
+  reserved?: boolean;
+  decimals?: number;
+}
+
+function param<K extends Kind, T extends string>(
+  kind: K, text: T, range: readonly [number, number], example: number, o: Options, choices?: readonly number[],
+): Param<K, T> {
+  const number = z.number().min(range[0]).max(range[1]);
+  const base = choices ? number.refine((n) => choices.includes(n)) : number;
+  const schema = kind === "feed" ? z.union([base, z.literal("auto")]) : base;
+  return {
+    kind, text, range, example,
+    rangeEvidence: o.rangeEvidence ?? "A",
+    optional: o.optional ?? false,
+    incremental: o.incremental ?? false,
+    ...(choices ? { choices } : {}),
+    evidence: o.evidence ?? "A",
+    decimals: o.decimals ?? (kind === "angle" ? 4 : 3),
+    reserved: o.reserved ?? false,
+    schema: schema as unknown as z.ZodType<ValueOf[K]>,
+  };
+}
+
+/** One of a few printed meanings; texts are `choices` of the text key. */
+export const choice = <T extends string>(text: T, choices: readonly number[], example: number, o: Options = {}) =>
+  param("choice", text, [Math.min(...choices), Math.max(...choices)], example, o, choices);
+type Range = readonly [number, number];
+const maker = <K extends Kind>(kind: K) => <T extends string>(text: T, range: Range, example: number, o: Options = {}) =>
+  param(kind, text, range, example, o);
+/** X position, ⌀ mm. */
+export const diameterParam = maker("diameter");
+/** Oversize on the diameter, ⌀ mm. */
+export const oversizeDiameter = maker("oversizeDiameter");
+/** A depth across the axis, on the radius, mm. */
+export const radial = maker("radial");
+/** Z position or signed length along Z, mm. */
+export const axialParam = maker("axial");
+/** A depth along Z, mm, positive. */
+export const axialDepth = maker("axialDepth");
+/** A length without direction, mm. */
+export const lengthParam = maker("length");
+/** Degrees. */
+export const angle = maker("angle");
+/** mm/rev or mm/min, or FAUTO. */
+export const feedParam = maker("feed");

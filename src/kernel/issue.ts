@@ -1,0 +1,72 @@
+/**
+ * What can be wrong with values, tools and paths: a code with its data, never a sentence. Languages make the sentences
+ * (`i18n`), so a new code is a compile error in every language until it has its text. All lengths mm; diameters say so.
+ */
+export type Severity = "error" | "warning" | "info";
+
+/** Why material stays. */
+export type Reason =
+  | "insertRadius" | "mainEdge" | "secondaryEdge" | "toolWidth" | "cutLength" | "limit" | "plunging" | "oversize";
+
+/** The data of each code. `nearest` is the nearest value that works, in the units of the field at `at`. */
+interface Data {
+  /* single values */
+  missing: {};
+  notANumber: { text: string };
+  badExpression: { text: string };
+  unknownParameter: { name: string };
+  outOfRange: { value: number; min: number; max: number; nearest: number };
+  notAChoice: { value: number; choices: readonly number[]; nearest: number };
+  /* values against each other */
+  startEqualsEnd: { other: string; value: number; nearest: number };
+  wrongDirection: { other: string; value: number; nearest: number };
+  elementTooLong: { size: number; max: number; nearest: number };
+  cornersTooWide: { radius: number; max: number; nearest: number };
+  wallsMeet: { angle: number; max: number; nearest: number };
+  /* values against the tool */
+  cornerSmallerThanInsert: { radius: number; insert: number; nearest: number };
+  recessNarrowerThanTool: { width: number; tool: number; nearest: number };
+  angleNotFollowed: { angle: number; max: number; nearest: number; edge: "mainEdge" | "secondaryEdge" };
+  infeedOverCutLength: { infeed: number; cutLength: number; nearest: number };
+  depthOverCutLength: { depth: number; cutLength: number; nearest: number };
+  offsetReduced: { offset: number; nearest: number; passes: number };
+  offsetOverLimit: { offset: number; max: number; passes: number; nearest: number };
+  toolOnWrongSide: { orientation: number };
+  toolCannotCutSideways: { type: string };
+  flanksNotChecked: {};
+  toolColumn: { column: string; value: number | null; max?: number; min?: number };
+  unknownTool: { tool: string };
+  betterTool: { tool: number; name: string };
+  /* start point and limits */
+  startInArea: { x: number; z: number };
+  startInMaterial: { x: number; z: number };
+  startBelowContour: { z: number; contour: number };
+  startInsideEnvelope: { clearance: number };
+  limitOnWrongSide: { limit: number; nearest: number };
+  nothingToCut: {};
+  /* contour subprogram; `element` counts from 1 */
+  contourMissing: { label: string };
+  contourTooShort: {};
+  contourPoint: { element: number };
+  cornerElementAlone: { element: number };
+  cornerElementTooLong: { element: number; size: number; max: number; nearest: number };
+  arcOffCircle: { element: number; gap: number; nearest: number };
+  arcTooSmall: { element: number; radius: number; nearest: number };
+  contourCrossesItself: { element: number; other: number };
+  /* proof */
+  materialLeft: { reason: Reason; area: number; x: number; z: number };
+  gouge: { area: number; x: number; z: number };
+  rapidInStock: { area: number; x: number; z: number };
+  holderContact: { x: number; z: number };
+}
+
+export type Code = keyof Data;
+/** One finding. `at` names the field: a Q number, a tool column, "tool", "start.x", "start.z", "contour". */
+export type Issue = {
+  [C in Code]: { readonly code: C; readonly severity: Severity; readonly at?: string; readonly data: Readonly<Data[C]> };
+}[Code];
+
+/** Makes one issue; the compiler checks that the data fit the code. */
+export function issue<C extends Code>(code: C, severity: Severity, data: Data[C], at?: string): Issue {
+  return (at === undefined ? { code, severity, data } : { code, severity, at, data }) as Issue;
+}

@@ -1,0 +1,33 @@
+import type { Pt, Turn } from "./point.ts";
+import type { Axial, Feed } from "./units.ts";
+
+/** What a move is for. */
+export type Phase = "position" | "rough" | "smooth" | "finish" | "thread";
+export type FeedUnit = "mm/rev" | "mm/min";
+
+interface Purpose {
+  readonly phase: Phase;
+  /** Roughing or threading pass, from 1. */
+  readonly pass?: number;
+  /** Which printed sequence of the manual runs, and the number of the step in it; 0 before step 1. */
+  readonly run: "rough" | "finish";
+  readonly step: number;
+  /** True on an element that falls into the material (Q488 applies). */
+  readonly plunging?: true;
+}
+
+/** A cutting feed with its unit. */
+export interface Feeding {
+  readonly feed: Feed;
+  readonly feedUnit: FeedUnit;
+}
+
+/**
+ * One motion of the theoretical tool tip, from where the tip stands to `to`. Plain data: picture, simulation,
+ * time, warnings and goldens all read the same list.
+ */
+export type Move =
+  | ({ readonly kind: "rapid"; readonly to: Pt } & Purpose)
+  | ({ readonly kind: "feed"; readonly to: Pt } & Feeding & Purpose)
+  | ({ readonly kind: "arc"; readonly to: Pt; readonly centre: Pt; readonly turn: Turn } & Feeding & Purpose)
+  | ({ readonly kind: "thread"; readonly to: Pt; readonly pitch: Axial } & Purpose);

@@ -1,0 +1,38 @@
+import type { Issue, Reason } from "./issue.ts";
+import type { FeedUnit, Move } from "./move.ts";
+import type { Pt, Ring, Segment } from "./point.ts";
+import type { Tool } from "./tool.ts";
+import type { Feed, Length } from "./units.ts";
+
+/** What a plan needs beside the cycle's own values. */
+export interface Setting {
+  readonly tool: Tool;
+  /** Theoretical tip at the cycle call. */
+  readonly start: Pt;
+  readonly feedUnit: FeedUnit;
+  /** What FAUTO stands for: the feed of the tool call; null when none was given. */
+  readonly autoFeed: Feed | null;
+}
+
+/** A stretch of the finishing path, with what keeps the insert from going deeper there (null: it lies on the contour). */
+export interface Reach {
+  readonly path: Segment;
+  readonly reason: Reason | null;
+}
+
+/** What a cycle makes of its values: moves plus issues, and what can be planned is planned. */
+export interface Plan {
+  readonly moves: readonly Move[];
+  readonly issues: readonly Issue[];
+  /** Finished contour in machining direction, part space, arcs kept. */
+  readonly contour: readonly Segment[];
+  /** Roughing passes at distinct levels, and the infeed as divided. */
+  readonly passes: number;
+  readonly infeed: Length;
+  /** What this cycle takes away when it is perfect: between contour and start point (polygon, arcs flattened to CHORD). */
+  readonly area: Ring;
+  /** The finished part as far as this cycle knows it (polygon): nothing may cut here. */
+  readonly part: Ring;
+  /** The deepest path of this tool along the drawn contour; explains what stays. */
+  readonly reach: readonly Reach[];
+}

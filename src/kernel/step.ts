@@ -1,0 +1,24 @@
+import type { Move } from "./move.ts";
+import type { Pt } from "./point.ts";
+import type { Tool } from "./tool.ts";
+
+/** Spindle set-up: constant speed in rpm, or constant cutting speed in m/min with a limit in rpm. */
+export type Spindle =
+  | { readonly kind: "constant"; readonly speed: number }
+  | { readonly kind: "surface"; readonly cuttingSpeed: number; readonly limit: number };
+
+/**
+ * One motion of a running program: a move, where it starts, with which tool, from which block. This list is what the
+ * simulation, the animation, the time and the report share.
+ */
+export interface Step {
+  readonly from: Pt;
+  readonly move: Move;
+  readonly tool: Tool;
+  /** Number of the block that is executed (the cycle call for moves of a cycle). */
+  readonly block: number;
+  /** Index into the operations of the run; null outside cycles. */
+  readonly operation: number | null;
+  /** Duration from feed, spindle and rapid rate. */
+  readonly seconds: number;
+}

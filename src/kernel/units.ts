@@ -1,0 +1,38 @@
+/**
+ * Lengths and angles as types, so that a diameter can never stand where a radius is meant.
+ * The casts live here and in the cycle parameters; every other file receives typed values.
+ */
+declare const unit: unique symbol;
+type Of<U extends string> = number & { readonly [unit]: U };
+
+/** X as programs and prompts write it: a diameter, mm. */
+export type Diameter = Of<"diameter">;
+/** X as the kernel works with it: distance from the spindle axis, mm. */
+export type Radius = Of<"radius">;
+/** Position along the spindle axis, mm, positive away from the chuck. */
+export type Axial = Of<"axial">;
+/** A length without a direction: clearance, chamfer leg, corner radius, infeed, mm. */
+export type Length = Of<"length">;
+/** An angle in degrees. */
+export type Degrees = Of<"degrees">;
+/** A feed; its unit (mm/rev or mm/min) travels beside it. */
+export type Feed = Of<"feed">;
+
+export const diameter = (n: number) => n as Diameter;
+export const radius = (n: number) => n as Radius;
+export const axial = (n: number) => n as Axial;
+export const length = (n: number) => n as Length;
+export const degrees = (n: number) => n as Degrees;
+export const feed = (n: number) => n as Feed;
+
+/** The only place where X is halved. */
+export const toRadius = (d: Diameter) => (d / 2) as Radius;
+/** The only place where X is doubled. */
+export const toDiameter = (r: Radius) => (r * 2) as Diameter;
+/** A diameter oversize as the length it leaves on each side. */
+export const perSide = (d: Diameter) => (d / 2) as Length;
+
+/** Degrees to radians, for trigonometry inside the kernel. */
+export const radians = (a: number) => (a * Math.PI) / 180;
+/** Radians to degrees. */
+export const inDegrees = (a: number) => degrees((a * 180) / Math.PI);
