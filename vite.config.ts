@@ -1,0 +1,40 @@
+import react from "@vitejs/plugin-react";
+import type { Plugin } from "vite";
+import { configDefaults, defineConfig } from "vitest/config";
+
+/**
+ * The static site (paths relative, so that it runs from any folder) and the tests. Tests run in a random order whose
+ * seed is printed; where CI is set a missing golden is an error and never written. Repeat an order with SEED=number.
+ */
+const seed = process.env["SEED"] ? Number(process.env["SEED"]) : Date.now();
+const shared = { extends: true, test: { exclude: [...configDefaults.exclude, "e2e/**"] } } as const;
+
+/** What the built page may load: itself only. Style attributes come from the editor and the drawings. */
+const policy = [
+  "default-src 'none'", "script-src 'self'", "worker-src 'self'", "style-src 'self' 'unsafe-inline'", "img-src 'self' data: blob:",
+  "font-src 'self'", "connect-src 'self'", "manifest-src 'self'", "base-uri 'none'", "form-action 'none'",
+].join("; ");
+
+/** Only in the build: the development server needs inline scripts and a web socket. */
+const contentPolicy: Plugin = {
+  name: "content-policy",
+  apply: "build",
+  transformIndexHtml: () => [{ tag: "meta", attrs: { "http-equiv": "Content-Security-Policy", content: policy }, injectTo: "head-prepend" }],
+};
+
+export default defineConfig({
+  base: "./",
+  plugins: [react(), contentPolicy],
+  worker: { format: "es" },
+  build: { target: "es2023", sourcemap: false, manifest: true, assetsInlineLimit: 0, chunkSizeWarningLimit: 900 },
+  server: { host: "127.0.0.1", port: 5173 },
+  preview: { host: "127.0.0.1", port: 4173 },
+  test: {
+    sequence: { shuffle: { files: false, tests: true }, seed },
+    testTimeout: 60_000,
+    projects: [
+      { ...shared, test: { ...shared.test, name: "node", environment: "node", include: ["src/**/*.test.ts", "tests/**/*.test.ts"] } },
+      { ...shared, test: { ...shared.test, name: "jsdom", environment: "jsdom", include: ["src/**/*.test.tsx"] } },
+    ],
+  },
+});
