@@ -1,0 +1,3 @@
+import type { DialogTexts } from "../en/dialog.ts";
+
+export const dialog = {} satisfies DialogTexts;

@@ -1,0 +1,11 @@
+import { page } from "./page.ts";
+import { dialog } from "./dialog.ts";
+import { setup } from "./setup.ts";
+import { lathe } from "./lathe.ts";
+import { help } from "./help.ts";
+import { contour } from "./contour.ts";
+import { messages } from "./messages.ts";
+import { params } from "./params.ts";
+import { cycles } from "./cycles.ts";
+
+export const de = { page, dialog, setup, lathe, help, contour, messages, params, cycles };

@@ -1,0 +1,5 @@
+import type { Shape } from "../shape.ts";
+
+export const cycles = {};
+
+export type CyclesTexts = Shape<typeof cycles>;

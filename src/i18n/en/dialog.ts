@@ -1,0 +1,5 @@
+import type { Shape } from "../shape.ts";
+
+export const dialog = {};
+
+export type DialogTexts = Shape<typeof dialog>;

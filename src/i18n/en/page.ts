@@ -1,0 +1,5 @@
+import type { Shape } from "../shape.ts";
+
+export const page = {};
+
+export type PageTexts = Shape<typeof page>;

@@ -1,0 +1,3 @@
+import type { ContourTexts } from "../en/contour.ts";
+
+export const contour = {} satisfies ContourTexts;

@@ -1,0 +1,3 @@
+import type { CyclesTexts } from "../en/cycles.ts";
+
+export const cycles = {} satisfies CyclesTexts;

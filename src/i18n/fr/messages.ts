@@ -1,0 +1,3 @@
+import type { MessagesTexts } from "../en/messages.ts";
+
+export const messages = {} satisfies MessagesTexts;

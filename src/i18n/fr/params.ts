@@ -1,0 +1,3 @@
+import type { ParamsTexts } from "../en/params.ts";
+
+export const params = {} satisfies ParamsTexts;

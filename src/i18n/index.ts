@@ -1,0 +1,32 @@
+import { de } from "./de/index.ts";
+import type { ContourTexts } from "./en/contour.ts";
+import type { CyclesTexts } from "./en/cycles.ts";
+import type { DialogTexts } from "./en/dialog.ts";
+import type { HelpTexts } from "./en/help.ts";
+import { en } from "./en/index.ts";
+import type { LatheTexts } from "./en/lathe.ts";
+import type { MessagesTexts } from "./en/messages.ts";
+import type { PageTexts } from "./en/page.ts";
+import type { ParamsTexts } from "./en/params.ts";
+import type { SetupTexts } from "./en/setup.ts";
+import { fr } from "./fr/index.ts";
+import type { Language } from "./languages.ts";
+import { zh } from "./zh/index.ts";
+
+/** All texts of one screen language, by area. A text missing in a language is a compile error. */
+export interface Texts {
+  readonly page: PageTexts;
+  readonly dialog: DialogTexts;
+  readonly setup: SetupTexts;
+  readonly lathe: LatheTexts;
+  readonly help: HelpTexts;
+  readonly contour: ContourTexts;
+  readonly messages: MessagesTexts;
+  readonly params: ParamsTexts;
+  readonly cycles: CyclesTexts;
+}
+
+const all: Readonly<Record<Language, Texts>> = { en, de, fr, zh };
+
+/** The texts of a screen language. */
+export const texts = (language: Language): Texts => all[language];

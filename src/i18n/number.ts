@@ -1,0 +1,37 @@
+import type { Language } from "./languages.ts";
+
+const COMMA: Readonly<Record<Language, boolean>> = { en: false, de: true, fr: true, zh: false };
+
+const sign = (language: Language, text: string) => (COMMA[language] ? text.replace(".", ",") : text);
+
+/** A fixed number that never shows "-0" nor an exponent. */
+function fixed(value: number, decimals: number): string {
+  if (!Number.isFinite(value)) return "–";
+  const text = Math.abs(value) < 1e21 ? value.toFixed(decimals) : String(Math.sign(value) * 1e21);
+  return /^-0(\.0*)?$/.test(text) ? text.slice(1) : text;
+}
+
+/** The decimal sign of a screen language. */
+export const decimalSign = (language: Language): "." | "," => (COMMA[language] ? "," : ".");
+
+/** A number for running text: at most `decimals`, no trailing zeros: 25.4, 0,5. */
+export function formatNumber(language: Language, value: number, decimals = 3): string {
+  const text = fixed(value, decimals);
+  return sign(language, text.includes(".") ? text.replace(/\.?0+$/, "") : text);
+}
+
+/** A number with a fixed count of decimals, for columns that must not jump: 25.400. */
+export const formatFixed = (language: Language, value: number, decimals: number): string =>
+  sign(language, fixed(value, decimals));
+
+/** As the control shows positions: sign and three decimals: +25.400. */
+export function formatPosition(language: Language, value: number, decimals = 3): string {
+  const text = fixed(value, decimals);
+  return sign(language, text.startsWith("-") || text === "–" ? text : `+${text}`);
+}
+
+/** Signed and without trailing zeros, as NC text writes values, but with the decimal sign of the language: +0,5. */
+export function formatSigned(language: Language, value: number, decimals = 3): string {
+  const text = formatNumber(language, value, decimals);
+  return text.startsWith("-") || text === "–" ? text : `+${text}`;
+}

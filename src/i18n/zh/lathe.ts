@@ -1,0 +1,3 @@
+import type { LatheTexts } from "../en/lathe.ts";
+
+export const lathe = {} satisfies LatheTexts;

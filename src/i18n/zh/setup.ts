@@ -1,0 +1,3 @@
+import type { SetupTexts } from "../en/setup.ts";
+
+export const setup = {} satisfies SetupTexts;
