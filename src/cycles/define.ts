@@ -24,8 +24,8 @@ export interface Given {
   readonly contour: readonly Segment[] | null;
 }
 
-export interface Cycle<P extends Params = Params> {
-  readonly number: number;
+export interface Cycle<P extends Params = Params, N extends number = number> {
+  readonly number: N;
   readonly group: Group;
   /** Section and document of the manual page this follows. */
   readonly manual: { readonly section: string; readonly document: string; readonly page?: number };
@@ -42,5 +42,5 @@ export interface Cycle<P extends Params = Params> {
   plan(values: Values<P>, setting: Setting, given: Given): Plan;
 }
 
-/** Keeps the literal types of the parameters, so that `values.Q493` is a Diameter by inference. */
-export const defineCycle = <const P extends Params>(cycle: Cycle<P>): Cycle<P> => cycle;
+/** Keeps the literal types of number and parameters, so that `values.Q493` is a Diameter by inference. */
+export const defineCycle = <const P extends Params, const N extends number>(cycle: Cycle<P, N>): Cycle<P, N> => cycle;

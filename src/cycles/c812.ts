@@ -1,0 +1,36 @@
+import { length } from "../kernel/units.ts";
+import { defineCycle } from "./define.ts";
+import { angle, axialParam, choice, diameterParam, feedParam, lengthParam, oversizeDiameter, radial } from "./params.ts";
+
+/** Shoulder, longitudinal, extended: circumferential surface, inner corner, face, with an element at either end. */
+export const c812 = defineCycle({
+  number: 812,
+  group: "shoulder",
+  manual: { section: "14.8", document: "TNC 640, cycle programming, 10/2019" },
+  evidence: "A",
+  contour: "own",
+  params: {
+    Q215: choice("operation", [0, 1, 2, 3], 0),
+    Q460: lengthParam("clearance", [0, 999.999], 2, { incremental: true, rangeEvidence: "I" }),
+    Q491: diameterParam("startDiameter", [-99999.999, 99999.999], 75, { rangeEvidence: "K2" }),
+    Q492: axialParam("startZ", [-99999.999, 99999.999], 0, { rangeEvidence: "K2" }),
+    Q493: diameterParam("endDiameter", [-99999.999, 99999.999], 50, { rangeEvidence: "K2" }),
+    Q494: axialParam("endZ", [-99999.999, 99999.999], -55, { rangeEvidence: "K2" }),
+    Q495: angle("surfaceAngle", [0, 89.9999], 5, { rangeEvidence: "K2" }),
+    Q501: choice("startElement", [0, 1, 2], 1),
+    Q502: lengthParam("startElementSize", [0, 999.999], 0.5, { rangeEvidence: "K2" }),
+    Q500: lengthParam("cornerRadius", [0, 999.999], 1.5, { rangeEvidence: "K2", optional: true }),
+    Q496: angle("faceAngle", [0, 89.9999], 0, { rangeEvidence: "K2" }),
+    Q503: choice("endElement", [0, 1, 2], 1),
+    Q504: lengthParam("endElementSize", [0, 999.999], 0.5, { rangeEvidence: "K2" }),
+    Q463: radial("infeedRadial", [0.001, 999.999], 3),
+    Q478: feedParam("roughingFeed", [0, 99999.999], 0.3, { rangeEvidence: "I" }),
+    Q483: oversizeDiameter("oversizeDiameter", [0, 99.999], 0.4, { incremental: true }),
+    Q484: lengthParam("oversizeZ", [0, 99.999], 0.2, { incremental: true, rangeEvidence: "I" }),
+    Q505: feedParam("finishingFeed", [0, 99999.999], 0.2, { rangeEvidence: "I" }),
+    Q506: choice("smoothing", [0, 1, 2], 0),
+  },
+  steps: { rough: 6, finish: 4 },
+  outline: () => ({ contour: [], dimensions: [], issues: [] }),
+  plan: () => ({ moves: [], issues: [], contour: [], passes: 0, infeed: length(0), area: [], part: [], reach: [] }),
+});

@@ -1,0 +1,22 @@
+import { c812 } from "./c812.ts";
+import { c820 } from "./c820.ts";
+import { c852 } from "./c852.ts";
+import type { Cycle } from "./define.ts";
+import type { Params } from "./params.ts";
+
+/** In menu order. A new cycle is one file and one entry here. */
+const list = [c812, c820, c852] as const;
+type Listed = (typeof list)[number];
+
+/** All cycles in menu order. */
+export const catalogue: readonly Cycle[] = list;
+
+/** The numbers of the catalogue: a cycle without texts is a compile error. */
+export type CycleNumber = Listed["number"];
+
+/** Every key that a parameter of the catalogue takes its texts from: a key without texts is a compile error. */
+export type ParamTextId = { [C in Listed as C["number"]]: TextOf<C["params"]> }[number];
+type TextOf<P extends Params> = P[keyof P]["text"];
+
+/** The cycle of a number; undefined when the catalogue does not have it. */
+export const cycleByNumber = (number: number): Cycle | undefined => catalogue.find((c) => c.number === number);
