@@ -15,7 +15,7 @@ export const catalogue: readonly Cycle[] = list;
 export type CycleNumber = Listed["number"];
 
 /** Every key that a parameter of the catalogue takes its texts from: a key without texts is a compile error. */
-export type ParamTextId = { [C in Listed as C["number"]]: TextOf<C["params"]> }[number];
+export type ParamTextId = { [N in CycleNumber]: TextOf<Extract<Listed, { number: N }>["params"]> }[CycleNumber];
 type TextOf<P extends Params> = P[keyof P]["text"];
 
 /** The cycle of a number; undefined when the catalogue does not have it. */
