@@ -1,0 +1,143 @@
+import { arcByRadius, arcTangential, line } from "./arc-forms.ts";
+import { cutCorner, direction, lengthOf, type CornerElement } from "./corner.ts";
+import { issue, type Issue } from "./issue.ts";
+import type { Pt, Segment, Turn } from "./point.ts";
+import { ARC_END, ROUND, SAME } from "./tolerance.ts";
+
+/** A motion of a programmed contour, in part space, with every coordinate filled in. */
+export type PathElement =
+  | { readonly kind: "line"; readonly to: Pt }
+  /** Radius in mm; negative takes the longer way round, as CR writes it. */
+  | { readonly kind: "radius"; readonly to: Pt; readonly radius: number; readonly turn: Turn }
+  | { readonly kind: "centre"; readonly to: Pt; readonly centre: Pt; readonly turn: Turn }
+  | { readonly kind: "tangent"; readonly to: Pt };
+/** One element of a contour subprogram. */
+export type ContourElement = PathElement | CornerElement;
+
+export interface Contour {
+  readonly segments: readonly Segment[];
+  /** For each segment, the element it came from, counted from 1. */
+  readonly elements: readonly number[];
+  readonly issues: readonly Issue[];
+}
+
+/** The kept size of a corner element is the largest that fits, on the grid a control prints. */
+const roundedDown = (size: number) => Math.floor(size * 1000 + 1e-6) / 1000;
+
+function largest(before: Segment, after: Segment, kind: CornerElement["kind"], tooBig: number): number {
+  let [low, high] = [0, tooBig];
+  for (let i = 0; i < 60; i += 1) {
+    const size = (low + high) / 2;
+    if (cutCorner(before, after, { kind, size })) low = size;
+    else high = size;
+  }
+  return low;
+}
+
+/**
+ * Puts chamfers and roundings on the corners of a chain of segments; `corners[i]` stands where segment i meets segment
+ * i + 1. An element that does not fit is left out and reported with the largest size that does.
+ */
+export function withCorners(
+  chain: readonly Segment[],
+  corners: readonly (CornerElement | null)[],
+  numbers: { readonly segments: readonly number[]; readonly corners: readonly number[] } = {
+    segments: chain.map((_, i) => i + 1), corners: chain.map((_, i) => i + 1),
+  },
+): Contour {
+  const issues: Issue[] = [];
+  const parts: { segment: Segment; element: number }[] = [];
+  let current = chain[0];
+  chain.forEach((_, i) => {
+    const next = chain[i + 1];
+    if (!current) return;
+    const own = numbers.segments[i] ?? i + 1;
+    const corner = corners[i];
+    if (!next || !corner || !(corner.size > 0)) {
+      parts.push({ segment: current, element: own });
+      current = next;
+      return;
+    }
+    const element = numbers.corners[i] ?? i + 1;
+    const cut = bends(current, next) ? cutCorner(current, next, corner) : null;
+    parts.push({ segment: cut?.before ?? current, element: own });
+    if (cut) parts.push({ segment: cut.between, element });
+    else if (corner.kind === "chamfer" && (current.kind === "arc" || next.kind === "arc"))
+      issues.push(issue("cornerElementAlone", "error", { element }, "contour"));
+    else if (bends(current, next)) {
+      const max = largest(current, next, corner.kind, corner.size);
+      issues.push(issue("cornerElementTooLong", "error", { element, size: corner.size, max, nearest: roundedDown(max) }, "contour"));
+    }
+    current = cut?.after ?? next;
+  });
+  const kept = parts.filter((p) => lengthOf(p.segment) > SAME);
+  return { segments: kept.map((p) => p.segment), elements: kept.map((p) => p.element), issues };
+}
+
+/** A tangential transition has no corner to break. */
+function bends(before: Segment, after: Segment): boolean {
+  const [a, b] = [direction(before, before.to), direction(after, after.from)];
+  return Math.abs(a.z * b.r - a.r * b.z) > ROUND || a.z * b.z + a.r * b.r < 0;
+}
+
+/** Lines between points, for contours that have no arcs before their corners. */
+export const chainOf = (points: readonly Pt[]): Segment[] => points.slice(1).map((to, i) => line(points[i] ?? to, to));
+
+function segmentTo(from: Pt, before: Segment | undefined, e: PathElement, element: number, issues: Issue[]): Segment {
+  switch (e.kind) {
+    case "line":
+      return line(from, e.to);
+    case "radius": {
+      const arc = arcByRadius(from, e.to, e.radius, e.turn);
+      if (arc.segment) return arc.segment;
+      issues.push(issue("arcTooSmall", "error", { element, radius: e.radius, nearest: arc.nearest }, "contour"));
+      return line(from, e.to);
+    }
+    case "centre": {
+      const [start, end] = [from, e.to].map((p) => Math.hypot(p.z - e.centre.z, p.r - e.centre.r)) as [number, number];
+      const gap = Math.abs(start - end);
+      if (gap <= ARC_END && start > SAME) return { kind: "arc", from, to: e.to, centre: e.centre, turn: e.turn };
+      issues.push(issue("arcOffCircle", "error", { element, gap, nearest: start }, "contour"));
+      return line(from, e.to);
+    }
+    case "tangent": {
+      const arc = before && arcTangential(before, e.to);
+      if (arc) return arc;
+      issues.push(issue("contourPoint", "error", { element }, "contour"));
+      return line(from, e.to);
+    }
+  }
+}
+
+/** Builds the segments of a programmed contour. Its first element only says where the contour starts. */
+export function contourFrom(programmed: readonly ContourElement[]): Contour {
+  const issues: Issue[] = [];
+  const chain: Segment[] = [];
+  const corners: (CornerElement | null)[] = [];
+  const numbers = { segments: [] as number[], corners: [] as number[] };
+  let from: Pt | null = null;
+  let waiting: { corner: CornerElement; element: number } | null = null;
+  programmed.forEach((e, i) => {
+    const element = i + 1;
+    if ("size" in e) {
+      if (chain.length === 0 || waiting) issues.push(issue("cornerElementAlone", "error", { element }, "contour"));
+      else waiting = { corner: e, element };
+      return;
+    }
+    const segment = from && segmentTo(from, chain.at(-1), e, element, issues);
+    from = e.to;
+    if (!segment || lengthOf(segment) <= SAME) return;
+    if (chain.length > 0) {
+      corners.push(waiting?.corner ?? null);
+      numbers.corners.push(waiting?.element ?? 0);
+    }
+    waiting = null;
+    chain.push(segment);
+    numbers.segments.push(element);
+  });
+  const left = waiting as { element: number } | null;
+  if (left) issues.push(issue("cornerElementAlone", "error", { element: left.element }, "contour"));
+  if (chain.length === 0) issues.push(issue("contourTooShort", "error", {}, "contour"));
+  const done = withCorners(chain, corners, numbers);
+  return { ...done, issues: [...issues, ...done.issues] };
+}
