@@ -7,7 +7,7 @@ import { configDefaults, defineConfig } from "vitest/config";
  * seed is printed; where CI is set a missing golden is an error and never written. Repeat an order with SEED=number.
  */
 const seed = process.env["SEED"] ? Number(process.env["SEED"]) : Date.now();
-const shared = { extends: true, test: { exclude: [...configDefaults.exclude, "e2e/**"] } } as const;
+const exclude = [...configDefaults.exclude, "e2e/**"];
 
 /** What the built page may load: itself only. Style attributes come from the editor and the drawings. */
 const policy = [
@@ -33,8 +33,8 @@ export default defineConfig({
     sequence: { shuffle: { files: false, tests: true }, seed },
     testTimeout: 60_000,
     projects: [
-      { ...shared, test: { ...shared.test, name: "node", environment: "node", include: ["src/**/*.test.ts", "tests/**/*.test.ts"] } },
-      { ...shared, test: { ...shared.test, name: "jsdom", environment: "jsdom", include: ["src/**/*.test.tsx"] } },
+      { extends: true, test: { name: "node", environment: "node", exclude, include: ["src/**/*.test.ts", "tests/**/*.test.ts"] } },
+      { extends: true, test: { name: "jsdom", environment: "jsdom", exclude, include: ["src/**/*.test.tsx"] } },
     ],
   },
 });

@@ -1,0 +1,53 @@
+import js from "@eslint/js";
+import reactHooks from "eslint-plugin-react-hooks";
+import { defineConfig } from "eslint/config";
+import tseslint from "typescript-eslint";
+
+/** No file is longer than this; tables of data and texts aside. */
+const LONGEST = 300;
+
+const form = [
+  { selector: "ExportAllDeclaration", message: "Name what is exported." },
+  { selector: "ExportDefaultDeclaration", message: "Named exports only." },
+  { selector: "TSEnumDeclaration", message: "Use a union of literals." },
+];
+const casts = [
+  { selector: "CallExpression[callee.name='diameter']", message: "A diameter is born in units.ts, in parameters or in a reader; convert with toDiameter()." },
+];
+const pure = {
+  globals: ["error", "Date", "localStorage", "sessionStorage", "indexedDB", "window", "document", "setTimeout", "setInterval", "performance"],
+  properties: ["error", { object: "Math", property: "random", message: "Pure layers repeat themselves exactly." }],
+};
+
+export default defineConfig([
+  { ignores: ["node_modules", "dist", "coverage", "test-results", "playwright-report"] },
+  js.configs.recommended,
+  tseslint.configs.recommended,
+  {
+    linterOptions: { reportUnusedDisableDirectives: "error" },
+    rules: {
+      "no-eval": "error",
+      "no-implied-eval": "error",
+      "no-new-func": "error",
+      "eqeqeq": "error",
+      "max-lines": ["error", LONGEST],
+      "@typescript-eslint/consistent-type-imports": "error",
+      "@typescript-eslint/no-empty-object-type": "off",
+      "@typescript-eslint/no-unused-vars": ["error", { argsIgnorePattern: "^_", varsIgnorePattern: "^_", destructuredArrayIgnorePattern: "^_", ignoreRestSiblings: true }],
+    },
+  },
+  { files: ["**/*.{js,mjs}"], languageOptions: { globals: { process: "readonly", console: "readonly", performance: "readonly", URL: "readonly" } }, rules: { "no-undef": "off" } },
+  { files: ["src/**/*.{ts,tsx}", "scripts/**/*.ts", "e2e/**/*.ts", "tests/**/*.ts"], rules: { "no-restricted-syntax": ["error", ...form] } },
+  {
+    files: ["src/{kernel,nc,cycles,program,sim,view,i18n}/**/*.ts"],
+    ignores: ["**/*.test.ts"],
+    rules: { "no-restricted-globals": pure.globals, "no-restricted-properties": pure.properties },
+  },
+  {
+    files: ["src/{kernel,cycles,sim,view}/**/*.ts"],
+    ignores: ["**/*.test.ts", "src/kernel/units.ts", "src/cycles/params.ts"],
+    rules: { "no-restricted-syntax": ["error", ...form, ...casts] },
+  },
+  { files: ["src/i18n/**"], rules: { "max-lines": "off" } },
+  { files: ["src/app/**/*.{ts,tsx}"], ...reactHooks.configs.flat["recommended-latest"] },
+]);

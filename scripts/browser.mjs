@@ -1,0 +1,45 @@
+/** Finds a Chromium for the end-to-end tests, or installs one. Uses nothing but Node itself. */
+import { spawnSync } from "node:child_process";
+import { existsSync } from "node:fs";
+import { createRequire } from "node:module";
+import { join } from "node:path";
+import { root } from "./packages.mjs";
+
+const runs = (path) => Boolean(path) && existsSync(path) && spawnSync(path, ["--version"], { stdio: "ignore" }).status === 0;
+
+/** The Chromium that Playwright would download, whether or not it is there. */
+function playwrightsOwn() {
+  try {
+    return createRequire(join(root, "package.json"))("@playwright/test").chromium.executablePath();
+  } catch {
+    return "";
+  }
+}
+
+/** Path of a Chromium that starts: the named one, Playwright's own, or the system's; null when there is none. */
+export function findBrowser() {
+  const system = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
+  return [process.env.CHROMIUM_PATH, playwrightsOwn(), ...system].find(runs) ?? null;
+}
+
+/** Finds or installs a Chromium and returns its path. */
+export function ensureBrowser() {
+  const found = findBrowser();
+  if (found) return found;
+  const run = (command, args) => spawnSync(command, args, { cwd: root, stdio: ["ignore", 2, 2], env: { ...process.env, DEBIAN_FRONTEND: "noninteractive" } }).status === 0;
+  console.error("Installing Chromium …");
+  if (process.getuid?.() === 0 && existsSync("/usr/bin/apt-get")) {
+    if (run("apt-get", ["update"])) run("apt-get", ["install", "--no-install-recommends", "-y", "chromium", "fonts-dejavu-core"]);
+  }
+  const system = findBrowser();
+  if (system) return system;
+  run(process.execPath, [join(root, "node_modules", "@playwright", "test", "cli.js"), "install", "chromium"]);
+  const own = findBrowser();
+  if (!own) throw new Error("No Chromium could be found or installed; name one in CHROMIUM_PATH.");
+  return own;
+}
+
+/** What Chromium needs to run as root and to stay off the network. */
+export const browserFlags = [
+  "--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update", "--disable-sync", "--no-first-run",
+];

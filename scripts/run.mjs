@@ -1,0 +1,64 @@
+/**
+ * `node scripts/run.mjs NAME …`: runs scripts/NAME.ts on plain Node. The script is bundled once with all it imports and
+ * kept in node_modules/.cache until a source file changes, so that it starts at once. It exports
+ * `main(args): exit status`. Only what the script prints goes to standard output.
+ */
+import { createHash } from "node:crypto";
+import { existsSync, mkdirSync, readdirSync, renameSync, rmSync, statSync } from "node:fs";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+import { ensurePackages, root } from "./packages.mjs";
+
+const [name = "", ...args] = process.argv.slice(2);
+
+/** Every file a bundle may come from, with its size and time. */
+function fingerprint() {
+  const hash = createHash("sha256");
+  const walk = (folder) => {
+    for (const entry of readdirSync(join(root, folder), { withFileTypes: true })) {
+      const path = join(folder, entry.name);
+      if (entry.isDirectory()) walk(path);
+      else if (/\.(tsx?|json)$/.test(entry.name) && !/\.test\.tsx?$/.test(entry.name)) note(path);
+    }
+  };
+  const note = (path) => {
+    const { size, mtimeMs } = statSync(join(root, path));
+    hash.update(`${path} ${size} ${mtimeMs}\n`);
+  };
+  for (const folder of ["src", "scripts"]) walk(folder);
+  for (const file of ["package-lock.json", "scripts/run.mjs"]) note(file);
+  return hash.digest("hex").slice(0, 16);
+}
+
+async function bundled() {
+  const cache = join(root, "node_modules", ".cache", "turnwise");
+  const path = join(cache, `${name}-${fingerprint()}.mjs`);
+  if (existsSync(path)) return path;
+  mkdirSync(cache, { recursive: true });
+  for (const old of readdirSync(cache)) {
+    const stale = old.startsWith(`${name}-`) && Date.now() - statSync(join(cache, old)).mtimeMs > 3_600_000;
+    if (stale) rmSync(join(cache, old), { recursive: true, force: true });
+  }
+  const { build } = await import("vite");
+  const fresh = join(cache, `${name}-building-${process.pid}`);
+  await build({
+    root, configFile: false, logLevel: "error", publicDir: false,
+    ssr: { noExternal: true, target: "node" },
+    build: {
+      ssr: join(root, "scripts", `${name}.ts`), outDir: fresh, emptyOutDir: true, target: "node20", minify: false,
+      rolldownOptions: { output: { entryFileNames: "bundle.mjs", codeSplitting: false } },
+    },
+  });
+  renameSync(join(fresh, "bundle.mjs"), path);
+  rmSync(fresh, { recursive: true, force: true });
+  return path;
+}
+
+try {
+  ensurePackages();
+  const { main } = await import(pathToFileURL(await bundled()).href);
+  process.exitCode = await main(args);
+} catch (error) {
+  console.error(`${name}: ${error instanceof Error ? error.message : String(error)}`);
+  process.exitCode = 2;
+}

@@ -1,0 +1,71 @@
+/**
+ * `npm test`: installs what is missing, then checks types, style, unit tests with goldens and laws, build, size and the
+ * journeys in Chromium. Stops after the first stage that fails; the last line says how many tests passed and failed.
+ */
+import { spawn } from "node:child_process";
+import { mkdirSync, readFileSync, rmSync } from "node:fs";
+import { join } from "node:path";
+import { ensureBrowser } from "./browser.mjs";
+import { ensurePackages, root } from "./packages.mjs";
+
+const results = join(root, "node_modules", ".cache", "turnwise");
+const bin = (...path) => join(root, "node_modules", ...path);
+const tsc = (project) => [bin("typescript", "bin", "tsc"), "--noEmit", "-p", project];
+
+/** Counts of one report file; a report that is missing counts nothing. */
+function counted(file, count) {
+  try {
+    return count(JSON.parse(readFileSync(file, "utf8")));
+  } catch {
+    return { passed: 0, failed: 0 };
+  }
+}
+const unitReport = join(results, "unit.json");
+const journeyReport = join(results, "journeys.json");
+const unitCount = () => counted(unitReport, (r) => ({ passed: r.numPassedTests, failed: r.numFailedTests }));
+const journeyCount = () => counted(journeyReport, (r) => ({ passed: r.stats.expected, failed: r.stats.unexpected + r.stats.flaky }));
+
+/** Stages run one after the other, the commands of one stage side by side. */
+const stages = [
+  [
+    { name: "types", args: tsc("tsconfig.json") },
+    { name: "types of the kernel alone", args: tsc("src/kernel/tsconfig.json") },
+    { name: "types of the pure layers alone", args: tsc("tsconfig.pure.json") },
+  ],
+  [{ name: "lint", args: [bin("eslint", "bin", "eslint.js"), "--max-warnings", "0", "."] }],
+  [{
+    name: "unit tests, goldens and laws", count: unitCount,
+    args: [bin("vitest", "vitest.mjs"), "run", "--reporter=default", "--reporter=json", `--outputFile.json=${unitReport}`],
+  }],
+  [{ name: "build", args: [bin("vite", "bin", "vite.js"), "build", "--logLevel", "warn"] }],
+  [{ name: "size", args: [join(root, "scripts", "size.mjs")] }],
+  [{ name: "journeys in Chromium", count: journeyCount, browser: true, args: [bin("@playwright", "test", "cli.js"), "test"] }],
+];
+
+function run({ name, args, browser }) {
+  const began = performance.now();
+  const env = { ...process.env, CI: "true", PLAYWRIGHT_JSON_OUTPUT_FILE: journeyReport, ...(browser ? { CHROMIUM_PATH: ensureBrowser() } : {}) };
+  const child = spawn(process.execPath, args, { cwd: root, env, stdio: ["ignore", "inherit", "inherit"] });
+  return new Promise((resolve) => child.on("exit", (code) => {
+    const seconds = ((performance.now() - began) / 1000).toFixed(1);
+    console.log(`${code === 0 ? "ok  " : "FAIL"} ${name} (${seconds} s)`);
+    resolve(code === 0);
+  }));
+}
+
+ensurePackages();
+mkdirSync(results, { recursive: true });
+for (const file of [unitReport, journeyReport]) rmSync(file, { force: true });
+let passed = 0;
+let failed = 0;
+for (const stage of stages) {
+  const good = await Promise.all(stage.map(run));
+  stage.forEach(({ count }, i) => {
+    const here = count?.() ?? { passed: 0, failed: 0 };
+    passed += here.passed;
+    failed += Math.max(here.failed, good[i] ? 0 : 1);
+  });
+  if (failed > 0) break;
+}
+console.log(`${passed} passed, ${failed} failed`);
+process.exitCode = failed > 0 ? 1 : 0;
