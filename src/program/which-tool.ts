@@ -1,0 +1,60 @@
+import type { Cycle, Given } from "../cycles/define.ts";
+import type { Params, Values } from "../cycles/params.ts";
+import type { Reason } from "../kernel/issue.ts";
+import type { Plan, Setting } from "../kernel/plan.ts";
+import type { Segment } from "../kernel/point.ts";
+import type { Tool } from "../kernel/tool.ts";
+import { checkTool } from "./check-tool.ts";
+
+/** A tool with what it leaves: length of contour, mm, that its shape keeps it from, its nose radius aside. */
+export interface ToolFit {
+  readonly tool: Tool;
+  readonly makesContour: boolean;
+  readonly unreached: number;
+}
+
+/** Length along the path, mm; a chord stands for an arc: it only ranks. */
+const chord = ({ from, to }: Segment) => Math.hypot(to.z - from.z, to.r - from.r);
+
+/** What another tool could do better. A limit, a forbidden plunge and an oversize are the cycle's own choice. */
+const OF_TOOL: ReadonlySet<Reason | null> = new Set<Reason | null>(["mainEdge", "secondaryEdge", "toolWidth", "cutLength"]);
+
+const unreached = (plan: Plan) =>
+  plan.reach.reduce((sum, { path, reason }) => sum + (OF_TOOL.has(reason) ? chord(path) : 0), 0);
+
+/** Shorter stretches are no reason to change the tool, mm. */
+const NEGLIGIBLE = 0.01;
+
+const AGAINST_TOOL = new Set([
+  "cornerSmallerThanInsert", "recessNarrowerThanTool", "angleNotFollowed", "toolOnWrongSide", "toolCannotCutSideways",
+  "flanksNotChecked", "toolColumn", "offsetOverLimit",
+]);
+
+/** What a plan says about its tool. A notice (a reduced infeed) is no obstacle; a warning about the tool is one. */
+export function fitOf(tool: Tool, plan: Plan): ToolFit {
+  const left = unreached(plan);
+  const refused = plan.issues.some(
+    ({ code, severity }) => severity === "error" || (severity === "warning" && AGAINST_TOOL.has(code)),
+  );
+  const cuts = plan.moves.some((move) => move.phase !== "position");
+  return { tool, makesContour: !refused && cuts && left < NEGLIGIBLE, unreached: left };
+}
+
+/** All tools, best first: those that make the contour, then by what they leave; equal ones keep the order given. */
+export function rankTools<P extends Params>(
+  cycle: Cycle<P>, values: Values<P>, given: Given, setting: Omit<Setting, "tool">, tools: readonly Tool[],
+): ToolFit[] {
+  return tools
+    .filter((tool) => checkTool(tool).length === 0)
+    .map((tool) => fitOf(tool, cycle.plan(values, { ...setting, tool }, given)))
+    .sort((a, b) => Number(b.makesContour) - Number(a.makesContour) || a.unreached - b.unreached);
+}
+
+/** A tool that makes the contour, other than the one chosen; null when none of them does. */
+export function betterTool<P extends Params>(
+  cycle: Cycle<P>, values: Values<P>, given: Given, setting: Setting, tools: readonly Tool[],
+): Tool | null {
+  const others = tools.filter((tool) => tool.T !== setting.tool.T);
+  const best = rankTools(cycle, values, given, setting, others)[0];
+  return best?.makesContour ? best.tool : null;
+}
