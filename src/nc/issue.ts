@@ -1,0 +1,51 @@
+/**
+ * What the reader finds in the text: a code with its data and its place, never a sentence. Languages make the sentences,
+ * so a new code is a compile error in every language until it has its text.
+ */
+export type NcSeverity = "error" | "warning" | "info";
+
+interface Data {
+  /** The block stays in the text; it is not executed. */
+  notUnderstood: { text: string };
+  /** A word of a block that is otherwise understood. */
+  wordNotUnderstood: { text: string };
+  /** A word stands twice in its block; the last one counts. */
+  wordTwice: { word: string };
+  /** A Q value without its equals sign, as some manuals print it. */
+  equalsMissing: { text: string };
+  /** A number that can not be read. */
+  badNumber: { text: string };
+  /** A block needs this word. */
+  wordMissing: { word: string };
+  /** A block number that does not follow the one before by one. */
+  blockNumber: { found: number; expected: number };
+  /** A Q line that belongs to no cycle definition. */
+  strayParameter: { text: string };
+  /** `~` on the last line of a block: the next line is not a continuation. */
+  continuationOpen: {};
+  /** The text does not end with END PGM, or does not start with BEGIN PGM. */
+  frameMissing: { which: "BEGIN PGM" | "END PGM" };
+}
+
+export type NcCode = keyof Data;
+
+/** Replace `length` characters from `offset` of the whole text by `text`. */
+export interface NcFix {
+  readonly offset: number;
+  readonly length: number;
+  readonly text: string;
+}
+
+/** One finding. Lines and columns count from 1; offsets from 0 over the whole text. */
+export type NcIssue = {
+  [C in NcCode]: {
+    readonly code: C;
+    readonly severity: NcSeverity;
+    readonly line: number;
+    readonly column: number;
+    readonly offset: number;
+    readonly length: number;
+    readonly data: Readonly<Data[C]>;
+    readonly fix?: NcFix;
+  };
+}[NcCode];

@@ -1,0 +1,43 @@
+import type { Severity } from "../kernel/issue.ts";
+
+/** What can be wrong when a program runs, beside its text (`nc`) and its cycles (`kernel`): code and data, no sentences. */
+interface Data {
+  /** The block is understood by the reader and left out by the simulation. */
+  notSimulated: { what: string };
+  cycleNotSimulated: { cycle: number; name: string };
+  /** A cycle call without a definition before it. */
+  noCycleDefined: {};
+  noToolCalled: {};
+  toolUnknown: { tool: string };
+  notInTurnMode: {};
+  labelMissing: { label: string };
+  labelTwice: { label: string };
+  labelNotClosed: { label: string };
+  contourNotNamed: { cycle: number };
+  feedMissing: {};
+  spindleMissing: {};
+  parameterUnset: { name: string };
+  divisionByZero: {};
+  notFinite: { text: string };
+  blankMissing: {};
+  blankNotTurned: { form: string };
+  blankImpossible: {};
+  poleMissing: {};
+  startUnknown: {};
+  arcImpossible: {};
+  radiusCompensation: { side: "RL" | "RR" };
+  programEndMissing: {};
+  tooManyBlocks: { limit: number };
+  tooManyMoves: { limit: number };
+  callsTooDeep: { limit: number };
+}
+
+export type ProgramCode = keyof Data;
+export type ProgramIssue = {
+  [C in ProgramCode]: { readonly code: C; readonly severity: Severity; readonly at?: string; readonly data: Readonly<Data[C]> };
+}[ProgramCode];
+
+/** Makes one issue; the compiler checks that the data fit the code. */
+export function programIssue<C extends ProgramCode>(code: C, severity: Severity, data: Data[C], at?: string): ProgramIssue {
+  return (at === undefined ? { code, severity, data } : { code, severity, at, data }) as ProgramIssue;
+}

@@ -1,0 +1,57 @@
+import type { Issue } from "../kernel/issue.ts";
+import type { FeedUnit } from "../kernel/move.ts";
+import type { Plan } from "../kernel/plan.ts";
+import type { Pt, Ring } from "../kernel/point.ts";
+import type { Spindle, Step } from "../kernel/step.ts";
+import type { Tool } from "../kernel/tool.ts";
+import type { NcIssue } from "../nc/issue.ts";
+import type { ProgramIssue } from "./issue.ts";
+
+/** A finding of any layer with its place in the program. */
+export interface Finding {
+  readonly issue: Issue | NcIssue | ProgramIssue;
+  /** Number of the block, as printed or counted on; null when it concerns the whole program. */
+  readonly block: number | null;
+  /** Line in the text, from 1; null when it concerns the whole program. */
+  readonly line: number | null;
+  /** Index into `Run.operations` when it belongs to a cycle call. */
+  readonly operation: number | null;
+}
+
+/** One executed cycle call. */
+export interface Operation {
+  /** Number of the block that calls the cycle. */
+  readonly block: number;
+  /** Number of the block that defines it, and that definition's line (from 1). */
+  readonly definedIn: number;
+  readonly definedLine: number;
+  readonly cycle: number;
+  readonly tool: Tool;
+  /** Theoretical tip at the call. */
+  readonly start: Pt;
+  readonly feedUnit: FeedUnit;
+  readonly spindle: Spindle | null;
+  readonly plan: Plan;
+  /** Cutting plus rapid time. */
+  readonly seconds: number;
+  /** Its steps in `Run.steps`, both included; `lastStep` is `firstStep - 1` when there are none. */
+  readonly firstStep: number;
+  readonly lastStep: number;
+  /** Issues of the values, the tool and the plan. */
+  readonly issues: readonly Issue[];
+}
+
+/** What a program does: everything that simulation, pictures and reports are made from. Plain data. */
+export interface Run {
+  readonly program: { readonly name: string; readonly unit: "mm" | "inch"; readonly blocks: number };
+  /** Outlines of the blank in the half plane, outer rings counter-clockwise; empty when the program states none. */
+  readonly blank: readonly Ring[];
+  readonly operations: readonly Operation[];
+  readonly steps: readonly Step[];
+  /** For each step the index of its block in the parsed program, which stays unique when block numbers do not. */
+  readonly stepBlocks: readonly number[];
+  /** All findings in the order of the text, those of operations included. */
+  readonly issues: readonly Finding[];
+  /** Whole running time. */
+  readonly seconds: number;
+}
