@@ -1,0 +1,60 @@
+import type { Pt, Segment } from "../kernel/point.ts";
+import type { Step } from "../kernel/step.ts";
+import { axial, radius, toDiameter, type Diameter } from "../kernel/units.ts";
+
+/** What lies between two places. */
+export interface Measure {
+  /** Difference of X as a diameter, mm, with its sign. */
+  readonly dx: Diameter;
+  /** Difference of Z, mm, with its sign. */
+  readonly dz: number;
+  /** Straight distance in the half plane, mm. */
+  readonly distance: number;
+}
+
+/** Measures from one place to another. */
+export const measure = (from: Pt, to: Pt): Measure => ({
+  dx: toDiameter(radius(to.r - from.r)),
+  dz: to.z - from.z,
+  distance: Math.hypot(to.z - from.z, to.r - from.r),
+});
+
+/** The places a ruler snaps to, in the order in which Tab would walk them: contour corners first, then ends of moves. */
+export function snapPoints(contours: readonly (readonly Segment[])[], steps: readonly Step[]): readonly Pt[] {
+  const seen = new Set<string>(), points: Pt[] = [];
+  const add = (p: Pt) => {
+    const key = `${Math.round(p.z * 1e3)},${Math.round(p.r * 1e3)}`;
+    if (seen.has(key)) return;
+    seen.add(key);
+    points.push(p);
+  };
+  for (const contour of contours) {
+    for (const s of contour) {
+      add(s.from);
+      add(s.to);
+      if (s.kind === "arc") add(s.centre);
+    }
+  }
+  for (const { from, move } of steps) {
+    add(from);
+    add(move.to);
+  }
+  return points;
+}
+
+/** The nearest snap point within `reach` mm, else the place itself. */
+export function snapped(place: Pt, points: readonly Pt[], reach: number): Pt {
+  let best = place, near = reach;
+  for (const p of points) {
+    const away = Math.hypot(p.z - place.z, p.r - place.r);
+    if (away < near) {
+      near = away;
+      best = p;
+    }
+  }
+  return best;
+}
+
+/** A place moved by so much of Z and r, mm, on whole thousandths. */
+export const nudged = (p: Pt, dz: number, dr: number): Pt =>
+  ({ z: axial(Math.round((p.z + dz) * 1e3) / 1e3), r: radius(Math.round((p.r + dr) * 1e3) / 1e3) });

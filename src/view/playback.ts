@@ -1,0 +1,142 @@
+/**
+ * Playing a run back, as a pure state machine. A position is a move and how much of it is done; seconds are machine
+ * time (feeds and rapids as programmed), and the rate says how many of them pass in one second of the clock.
+ */
+
+/** So much of move `step` (counted from 0) is done; `step` = number of moves, fraction 0, is the end. */
+export interface Position {
+  readonly step: number;
+  /** 0 up to, not including, 1. */
+  readonly fraction: number;
+}
+
+/** When each move ends, seconds from the start of the run. */
+export interface Track {
+  readonly ends: readonly number[];
+  readonly total: number;
+}
+
+export interface Playback {
+  readonly track: Track;
+  readonly position: Position;
+  readonly playing: boolean;
+  /** Machine seconds per second of the clock. */
+  readonly rate: number;
+}
+
+export type Action =
+  | { readonly do: "play" | "pause" | "toggle" | "forward" | "back" | "first" | "last" }
+  | { readonly do: "seek"; readonly position: Position }
+  | { readonly do: "seekSeconds"; readonly seconds: number }
+  | { readonly do: "rate"; readonly rate: number }
+  /** So many seconds of the clock have gone by. */
+  | { readonly do: "tick"; readonly seconds: number }
+  /** Another run takes the place of this one. */
+  | { readonly do: "load"; readonly track: Track };
+
+/** The offered rates. */
+export const RATES = [0.1, 0.25, 0.5, 1, 2, 5, 10, 25, 50, 100] as const;
+
+const START: Position = { step: 0, fraction: 0 };
+
+/** The track of moves that last so long; a duration that is no number counts as none. */
+export function trackOf(steps: readonly { readonly seconds: number }[]): Track {
+  let total = 0;
+  const ends = steps.map(s => (total += Number.isFinite(s.seconds) && s.seconds > 0 ? s.seconds : 0));
+  return { ends, total };
+}
+
+/** Where the playback stands before anything is loaded or played. */
+export const atStart = (track: Track, rate = 1): Playback => ({ track, position: START, playing: false, rate });
+
+const count = (track: Track) => track.ends.length;
+const begin = (track: Track, step: number) => (step > 0 ? track.ends[Math.min(step, count(track)) - 1] ?? 0 : 0);
+const endOf = (track: Track): Position => ({ step: count(track), fraction: 0 });
+const isEnd = (p: Playback) => p.position.step >= count(p.track);
+
+/** Machine seconds from the start of the run to a position. */
+export function secondsAt(track: Track, position: Position): number {
+  const from = begin(track, position.step), to = track.ends[position.step];
+  return to === undefined ? track.total : from + (to - from) * position.fraction;
+}
+
+/** The position after so many machine seconds; moves that take no time are passed at once. */
+export function positionAt(track: Track, seconds: number): Position {
+  if (!(seconds > 0)) return START;
+  if (seconds >= track.total) return endOf(track);
+  let low = 0, high = count(track) - 1;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if ((track.ends[middle] ?? 0) > seconds) high = middle;
+    else low = middle + 1;
+  }
+  const from = begin(track, low), lasts = (track.ends[low] ?? from) - from;
+  return inRange(track, { step: low, fraction: lasts > 0 ? (seconds - from) / lasts : 0 });
+}
+
+/** The nearest position that exists on a track. */
+export function inRange(track: Track, { step, fraction }: Position): Position {
+  const whole = Math.floor(step);
+  if (!(whole >= 0)) return START;
+  if (whole >= count(track)) return endOf(track);
+  if (!(fraction > 0)) return { step: whole, fraction: 0 };
+  return fraction >= 1 ? inRange(track, { step: whole + 1, fraction: 0 }) : { step: whole, fraction };
+}
+
+const moved = (p: Playback, position: Position): Playback => ({ ...p, position: inRange(p.track, position) });
+
+/** The same place in another run: its start stays the start, its end the end, else the same second. */
+function loaded(p: Playback, track: Track): Playback {
+  const same = p.track.ends.length === track.ends.length ? inRange(track, p.position) : positionAt(track, secondsAt(p.track, p.position));
+  const position = isEnd(p) && count(p.track) > 0 ? endOf(track) : same;
+  return { ...p, track, position, playing: p.playing && position.step < count(track) };
+}
+
+/** What the playback does next. */
+export function reduce(p: Playback, action: Action): Playback {
+  switch (action.do) {
+    case "play":
+      if (count(p.track) === 0) return p;
+      return { ...(isEnd(p) ? moved(p, START) : p), playing: true };
+    case "pause":
+      return { ...p, playing: false };
+    case "toggle":
+      return reduce(p, { do: p.playing ? "pause" : "play" });
+    case "forward":
+      return { ...moved(p, { step: p.position.step + 1, fraction: 0 }), playing: false };
+    case "back":
+      return { ...moved(p, { step: p.position.fraction > 0 ? p.position.step : p.position.step - 1, fraction: 0 }), playing: false };
+    case "first":
+      return { ...moved(p, START), playing: false };
+    case "last":
+      return { ...moved(p, endOf(p.track)), playing: false };
+    case "seek":
+      return moved(p, action.position);
+    case "seekSeconds":
+      return moved(p, positionAt(p.track, action.seconds));
+    case "rate":
+      return { ...p, rate: Math.min(100, Math.max(0.1, action.rate)) };
+    case "tick": {
+      if (!p.playing || !(action.seconds > 0)) return p;
+      const next = moved(p, later(p, action.seconds * p.rate));
+      return isEnd(next) ? { ...next, playing: false } : next;
+    }
+    case "load":
+      return loaded(p, action.track);
+  }
+}
+
+/** Time goes on from where it stands, and never back, even where rounding of long runs would have it. */
+function later(p: Playback, seconds: number): Position {
+  const next = positionAt(p.track, secondsAt(p.track, p.position) + seconds);
+  const back = next.step < p.position.step || (next.step === p.position.step && next.fraction < p.position.fraction);
+  return back ? p.position : next;
+}
+
+/** The move that runs at a position, or the last one at the end; null in an empty run. */
+export function runningStep(track: Track, position: Position): number | null {
+  return count(track) === 0 ? null : Math.min(position.step, count(track) - 1);
+}
+
+/** Without motion: what is shown while playing is the end of the last whole move. */
+export const settled = (position: Position): Position => ({ step: position.step, fraction: 0 });

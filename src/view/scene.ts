@@ -1,0 +1,94 @@
+import type { Move } from "../kernel/move.ts";
+import type { Pt, Ring, Segment } from "../kernel/point.ts";
+import type { Step } from "../kernel/step.ts";
+import { boundsOf, grown, joined, pointsOf } from "./bounds.ts";
+import type { Bounds } from "./camera.ts";
+import { chuckRings } from "./chuck.ts";
+import { moveData, ringData, segmentData, startData } from "./path.ts";
+
+/** What a line of the toolpath is for, which decides its form. */
+export const PATH_ROLES = ["rapid", "feed", "plunge", "smooth", "finish", "thread"] as const;
+export type PathRole = (typeof PATH_ROLES)[number];
+
+/** What a shape stands for. Its form and colour belong to whoever paints it. */
+export type Role = PathRole | "chuck" | "jaw" | "blank" | "contour" | "stock" | "residual" | "gouge";
+
+/** One shape of the display list: path data in part space (x = z, y = r, mm). */
+export interface Shape {
+  readonly role: Role;
+  readonly d: string;
+}
+
+/** What the still part of the picture is made of. */
+export interface SceneParts {
+  readonly blank: readonly Ring[];
+  readonly contours: readonly (readonly Segment[])[];
+  readonly steps: readonly Step[];
+}
+
+/** The still part of the picture, from back to front, and the box that shows all of it. */
+export interface Scene {
+  readonly shapes: readonly Shape[];
+  readonly bounds: Bounds;
+}
+
+/** The form of a move: plunging is told first, then the phase; positioning feeds look like feeds. */
+export function pathRole(move: Move): PathRole {
+  if (move.kind === "rapid") return "rapid";
+  if (move.kind === "thread") return "thread";
+  if (move.plunging) return "plunge";
+  if (move.phase === "finish" || move.phase === "smooth" || move.phase === "thread") return move.phase;
+  return "feed";
+}
+
+/** The whole toolpath as one path per form, so that thousands of moves are six elements. */
+export function toolpath(steps: readonly Step[]): readonly Shape[] {
+  const data = new Map<PathRole, string[]>();
+  let before: PathRole | null = null, last: Pt | null = null;
+  for (const { from, move } of steps) {
+    const role = pathRole(move);
+    const list = data.get(role) ?? [];
+    data.set(role, list);
+    const joins = role === before && last !== null && last.z === from.z && last.r === from.r;
+    list.push(joins ? moveData(from, move) : startData(from) + moveData(from, move));
+    before = role;
+    last = move.to;
+  }
+  return PATH_ROLES.flatMap(role => {
+    const list = data.get(role);
+    return list ? [{ role, d: list.join("") }] : [];
+  });
+}
+
+/** A stretch of single moves as one path, for the move or pass that is shown strong. */
+export const stretch = (steps: readonly Step[]): string =>
+  steps.map(({ from, move }) => startData(from) + moveData(from, move)).join("");
+
+function* pathPoints(steps: readonly Step[]): Generator<Pt> {
+  for (const { from, move } of steps) {
+    yield from;
+    yield move.to;
+  }
+}
+
+/** A picture of nothing still has a place: 100 mm of axis. */
+const EMPTY: Bounds = { left: -80, right: 20, low: 0, high: 40 };
+
+/** Space left round everything, mm per mm of its size. */
+const AIR = 0.02;
+
+/** Builds the still part of the picture. */
+export function sceneOf({ blank, contours, steps }: SceneParts): Scene {
+  const material = boundsOf(blank.flat());
+  const path = boundsOf(pathPoints(steps));
+  const outline = boundsOf(contours.flatMap(c => [...pointsOf(c)]));
+  const chuck = material ? chuckRings(material, joined(path, outline)) : null;
+  const shapes: Shape[] = [];
+  if (chuck) shapes.push({ role: "chuck", d: ringData([chuck.body]) }, { role: "jaw", d: ringData([chuck.jaw]) });
+  if (blank.length > 0) shapes.push({ role: "blank", d: ringData(blank) });
+  for (const contour of contours) shapes.push({ role: "contour", d: segmentData(contour) });
+  shapes.push(...toolpath(steps));
+  const all = joined(joined(material, joined(path, outline)), chuck ? boundsOf(chuck.jaw) : null) ?? EMPTY;
+  const axis = { ...all, low: Math.min(0, all.low) };
+  return { shapes, bounds: grown(axis, AIR * Math.max(axis.right - axis.left, axis.high - axis.low)) };
+}
