@@ -1,0 +1,94 @@
+import { Clipper64, ClipType, EndType, FillRule, inflatePaths, JoinType, PathType, simplifyPaths, type Path64 } from "clipper2-ts";
+import type { Pt, Ring } from "./point.ts";
+import { CHORD, GRID } from "./tolerance.ts";
+import { axial, radius } from "./units.ts";
+
+/*
+ * Areas as sets of rings, mm: outer rings run counter-clockwise, holes clockwise, and overlaps count once (non-zero rule).
+ * This is the only file that knows the polygon engine. It counts in integers of GRID, so every result lies on that grid
+ * and goes through it again unchanged.
+ */
+
+/** Rings as the engine's integers, for keeping and for sending to another thread: z, r, z, r … of one ring each. */
+export type PackedRings = readonly Int32Array[];
+
+/** Units per mm; a whole number, so that packing and unpacking are exact. */
+const UNITS = Math.round(1 / GRID);
+const toGrid = (mm: number) => Math.round(mm * UNITS);
+const fromGrid = (n: number) => n / UNITS;
+const point = (x: number, y: number): Pt => ({ z: axial(fromGrid(x)), r: radius(fromGrid(y)) });
+
+/** A ring that is not finite would silently make the engine forget everything else, so it is left out. */
+function paths(rings: readonly Ring[]): Path64[] {
+  const out: Path64[] = [];
+  for (const ring of rings) {
+    if (ring.length < 3) continue;
+    const path: Path64 = new Array<Path64[number]>(ring.length);
+    let finite = true;
+    for (let i = 0; i < ring.length; i += 1) {
+      const p = ring[i] as Pt;
+      const x = toGrid(p.z);
+      const y = toGrid(p.r);
+      finite &&= Number.isFinite(x) && Number.isFinite(y);
+      path[i] = { x, y };
+    }
+    if (finite) out.push(path);
+  }
+  return out;
+}
+
+const rings = (solution: readonly Path64[]): Ring[] => solution.filter((p) => p.length > 2).map((p) => p.map((q) => point(q.x, q.y)));
+
+function combine(type: ClipType, subject: readonly Ring[], clip: readonly Ring[]): Ring[] {
+  const engine = new Clipper64();
+  engine.preserveCollinear = false;
+  engine.addPaths(paths(subject), PathType.Subject);
+  if (clip.length > 0) engine.addPaths(paths(clip), PathType.Clip);
+  const solution: Path64[] = [];
+  engine.execute(type, FillRule.NonZero, solution);
+  return rings(solution);
+}
+
+/** What lies in `subject` and not in `clip`. */
+export const difference = (subject: readonly Ring[], clip: readonly Ring[]): Ring[] => combine(ClipType.Difference, subject, clip);
+
+/** What lies in both. */
+export const intersection = (subject: readonly Ring[], clip: readonly Ring[]): Ring[] =>
+  combine(ClipType.Intersection, subject, clip);
+
+/** What lies in any of the rings, overlaps merged. */
+export const union = (area: readonly Ring[], more: readonly Ring[] = []): Ring[] => combine(ClipType.Union, area, more);
+
+/** Grown (delta > 0) or shrunk (delta < 0) on all sides by a length in mm; grown corners are round to CHORD. */
+export function offset(area: readonly Ring[], delta: number): Ring[] {
+  if (!Number.isFinite(delta)) return [];
+  return rings(inflatePaths(paths(area), delta * UNITS, JoinType.Round, EndType.Polygon, 2, CHORD * UNITS));
+}
+
+/** Without what is thinner than `width` mm; kept areas stay as they are, but for corners rounded by half that width. */
+export const opened = (area: readonly Ring[], width: number): Ring[] => offset(offset(area, -width / 2), width / 2);
+
+/** Without points that leave the outline by less than `deviation` mm. */
+export const simplified = (area: readonly Ring[], deviation: number): Ring[] => rings(simplifyPaths(paths(area), deviation * UNITS, true));
+
+/** Signed area of one ring, mm²: positive counter-clockwise. */
+export function areaOfRing(ring: Ring): number {
+  let sum = 0;
+  let last = ring[ring.length - 1];
+  for (const p of ring) {
+    if (last) sum += last.z * p.r - p.z * last.r;
+    last = p;
+  }
+  return sum / 2;
+}
+
+/** Area of rings that do not overlap, mm²; holes count negative. */
+export const areaOf = (area: readonly Ring[]): number => area.reduce((sum, ring) => sum + areaOfRing(ring), 0);
+
+/** The compact form of rings that lie on the grid. */
+export const packed = (area: readonly Ring[]): PackedRings =>
+  area.map((ring) => Int32Array.from(ring.flatMap((p) => [toGrid(p.z), toGrid(p.r)])));
+
+/** Rings from their compact form. */
+export const unpacked = (area: PackedRings): Ring[] =>
+  area.map((numbers) => Array.from({ length: numbers.length / 2 }, (_, i) => point(numbers[2 * i] ?? 0, numbers[2 * i + 1] ?? 0)));

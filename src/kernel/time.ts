@@ -1,0 +1,90 @@
+import { pointOn, polarOf } from "./flatten.ts";
+import type { Move } from "./move.ts";
+import type { Pt, Segment } from "./point.ts";
+import type { Spindle } from "./step.ts";
+
+/** The path of the theoretical tip in one move. */
+export function pathOf(from: Pt, move: Move): Segment {
+  return move.kind === "arc"
+    ? { kind: "arc", from, to: move.to, centre: move.centre, turn: move.turn }
+    : { kind: "line", from, to: move.to };
+}
+
+/** Way of the tip in one move, mm. */
+export function travelOf(path: Segment): number {
+  if (path.kind === "line") return Math.hypot(path.to.z - path.from.z, path.to.r - path.from.r);
+  const p = polarOf(path);
+  return (Math.abs(p.sweep) * (p.startRadius + p.endRadius)) / 2;
+}
+
+/** Minutes per metre of surface for each mm of radius: the diameter and π of the cutting speed. */
+const surface = (cuttingSpeed: number) => (2 * Math.PI) / (1000 * cuttingSpeed);
+
+/** Minutes per revolution at a distance of `r` mm from the axis. */
+function minutesPerTurn(spindle: Spindle, r: number): number {
+  if (spindle.kind === "constant") return 1 / spindle.speed;
+  return Math.max(spindle.limit > 0 ? 1 / spindle.limit : 0, surface(spindle.cuttingSpeed) * Math.abs(r));
+}
+
+/** Spindle speed in rpm at a distance of `r` mm from the axis. */
+export const speedAt = (spindle: Spindle, r: number): number => 1 / minutesPerTurn(spindle, r);
+
+/** Distances from the axis where the speed stops following the diameter: its curve is straight between them. */
+function bends(spindle: Spindle): number[] {
+  if (spindle.kind === "constant") return [];
+  const knee = spindle.limit > 0 ? 1 / (spindle.limit * surface(spindle.cuttingSpeed)) : 0;
+  return [-knee, knee];
+}
+
+/** Mean minutes per revolution along a straight line between two distances from the axis: exact, piece by piece. */
+function meanAlongLine(spindle: Spindle, from: number, to: number): number {
+  if (Math.abs(to - from) < 1e-12) return minutesPerTurn(spindle, from);
+  const stops = [0, ...bends(spindle).map((r) => (r - from) / (to - from)).filter((t) => t > 0 && t < 1), 1].sort((a, b) => a - b);
+  let sum = 0;
+  for (let i = 1; i < stops.length; i += 1) {
+    const [a, b] = [stops[i - 1] ?? 0, stops[i] ?? 1];
+    const [start, end] = [a, b].map((t) => minutesPerTurn(spindle, from + (to - from) * t)) as [number, number];
+    sum += ((b - a) * (start + end)) / 2;
+  }
+  return sum;
+}
+
+/** Pieces of an arc in the numerical mean (Simpson's rule; even). */
+const PIECES = 32;
+
+function meanAlongArc(spindle: Spindle, path: Segment): number {
+  let sum = 0;
+  for (let i = 0; i <= PIECES; i += 1) {
+    const weight = i === 0 || i === PIECES ? 1 : i % 2 === 1 ? 4 : 2;
+    sum += weight * minutesPerTurn(spindle, pointOn(path, i / PIECES).r);
+  }
+  return sum / (3 * PIECES);
+}
+
+const meanOf = (spindle: Spindle, path: Segment) =>
+  path.kind === "line" ? meanAlongLine(spindle, path.from.r, path.to.r) : meanAlongArc(spindle, path);
+
+/**
+ * Seconds that a move takes. `rapidRate` in mm/min. A feed per revolution follows the spindle exactly, at constant
+ * cutting speed too; a thread runs at the speed of its start. What has no feed or no speed takes no time.
+ */
+export function secondsOf(from: Pt, move: Move, spindle: Spindle, rapidRate: number): number {
+  const path = pathOf(from, move);
+  const seconds = 60 * minutesOf(path, move, spindle, rapidRate);
+  return Number.isFinite(seconds) && seconds > 0 ? seconds : 0;
+}
+
+function minutesOf(path: Segment, move: Move, spindle: Spindle, rapidRate: number): number {
+  const travel = travelOf(path);
+  switch (move.kind) {
+    case "rapid":
+      return travel / rapidRate;
+    case "feed":
+    case "arc":
+      return move.feedUnit === "mm/min" ? travel / move.feed : (travel / move.feed) * meanOf(spindle, path);
+    case "thread": {
+      const lead = Math.abs(move.to.z - path.from.z) || travel;
+      return (lead / Math.abs(move.pitch)) * minutesPerTurn(spindle, path.from.r);
+    }
+  }
+}

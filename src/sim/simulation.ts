@@ -1,0 +1,75 @@
+import type { PackedRings } from "../kernel/clip.ts";
+import type { Reason } from "../kernel/issue.ts";
+import type { Plan } from "../kernel/plan.ts";
+import type { Pt, Ring } from "../kernel/point.ts";
+import type { Step } from "../kernel/step.ts";
+import type { Tool } from "../kernel/tool.ts";
+
+/** One executed cycle call: its plan and its steps, `firstStep` to `lastStep` included (none: lastStep < firstStep). */
+export interface SimulatedOperation {
+  readonly plan: Plan;
+  readonly tool: Tool;
+  readonly firstStep: number;
+  readonly lastStep: number;
+}
+
+/** What is simulated. The blank is what stands in the chuck at the first step. */
+export interface SimulationInput {
+  readonly blank: readonly Ring[];
+  readonly steps: readonly Step[];
+  readonly operations: readonly SimulatedOperation[];
+}
+
+/** A moment of the run: a fraction 0 … 1 of the way of a step. The end is `{ step: steps.length, fraction: 0 }`. */
+export interface Position {
+  readonly step: number;
+  readonly fraction: number;
+}
+
+/** The stock before step `step`; steps without a checkpoint are cut again from the nearest one before. */
+export interface Checkpoint {
+  readonly step: number;
+  readonly stock: PackedRings;
+}
+
+/** Something that must not happen, found by the stock: where the tool cut the finished part, or ran into material. */
+export interface Finding {
+  readonly kind: "gouge" | "rapidInStock" | "holderContact";
+  readonly step: number;
+  readonly block: number;
+  readonly operation: number | null;
+  /** A point inside the place, for the mark in the picture. */
+  readonly place: Pt;
+  /** mm² in the half plane. */
+  readonly area: number;
+  readonly rings: readonly Ring[];
+}
+
+/** Material inside the area of the operations that is still there at the end. */
+export interface Residual {
+  readonly area: number;
+  readonly reason: Reason;
+  readonly ring: Ring;
+  /** A point inside. */
+  readonly place: Pt;
+}
+
+/** Sums over the run in mm² of the half plane. */
+export interface Proof {
+  readonly gouge: number;
+  readonly rapidInStock: number;
+  readonly residual: readonly Residual[];
+}
+
+/** A simulated run: plain data, so it can be sent between threads. */
+export interface Simulation {
+  readonly blank: readonly Ring[];
+  readonly steps: readonly Step[];
+  readonly checkpoints: readonly Checkpoint[];
+  readonly final: readonly Ring[];
+  /** Seconds from the beginning to the start of each step, and to the end: one more than there are steps. */
+  readonly startTimes: Float64Array;
+  readonly totalSeconds: number;
+  readonly findings: readonly Finding[];
+  readonly proof: Proof;
+}
