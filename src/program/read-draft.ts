@@ -2,9 +2,7 @@ import type { Cycle } from "../cycles/define.ts";
 import type { Param, Params, Values } from "../cycles/params.ts";
 import { issue, type Issue } from "../kernel/issue.ts";
 import { type KnownParameters, readExpression } from "./expression.ts";
-
-/** What was typed, by Q number; exactly as typed. */
-export type Draft = Readonly<Record<string, string>>;
+import type { Draft } from "./job.ts";
 
 /** What one field holds. `null` while nothing usable stands there. */
 export interface FieldReading {
@@ -91,7 +89,3 @@ export function readDraft<P extends Params>(
   const values = issues.length === 0 ? (partial as Values<P>) : null;
   return { values, partial: partial as Partial<Values<P>>, perField, issues };
 }
-
-/** The values of the printed example, as one types them. */
-export const exampleDraft = (cycle: Pick<Cycle, "params">): Draft =>
-  Object.fromEntries(Object.entries(cycle.params).map(([q, param]) => [q, String(param.example)]));

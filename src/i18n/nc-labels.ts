@@ -1,0 +1,33 @@
+import { type Language, type NcLanguage, ncLanguage } from "./languages.ts";
+import { de } from "./nc/de.ts";
+import { en } from "./nc/en.ts";
+import { fr } from "./nc/fr.ts";
+import type { NcWord, NcWords } from "./nc-words.ts";
+
+const all: Readonly<Record<NcLanguage, NcWords>> = { en, de, fr };
+
+/** What a printer of NC text asks for. Nothing here is a sentence. */
+export interface NcLabels {
+  /** Name behind the number in the CYCL DEF line; empty for a cycle that has none. */
+  cycleName(cycle: number): string;
+  /** Label behind the semicolon, by the text key of the parameter in the catalogue; empty for an unknown key. */
+  label(text: string): string;
+  /** Cycle 14: `CYCL DEF 14.0 ${title}`, `CYCL DEF 14.1 ${label}2`. */
+  readonly contour: { readonly title: string; readonly label: string };
+}
+
+const wordIn = (words: object, key: string | number): NcWord | undefined =>
+  Object.hasOwn(words, key) ? (words as Readonly<Record<string, NcWord>>)[key] : undefined;
+
+/** The labels of NC text for a language setting; Chinese prints English ones. */
+export function ncLabels(language: Language): NcLabels {
+  const words = all[ncLanguage(language)];
+  return {
+    cycleName: (cycle) => wordIn(words.cycles, cycle)?.text ?? "",
+    label: (text) => wordIn(words.params, text)?.text ?? "",
+    contour: words.contour,
+  };
+}
+
+/** The words with their evidence, for the notice "not printed in the pages we have". */
+export const ncWords = (language: Language): NcWords => all[ncLanguage(language)];
