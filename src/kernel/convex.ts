@@ -1,0 +1,130 @@
+import { toFlat, mirrors, type Flat, type Frame } from "./flat.ts";
+import type { Pt } from "./point.ts";
+
+/** Which part of the insert an edge belongs to. */
+export type Feature = "nose" | "mainEdge" | "secondaryEdge" | "width" | "back";
+
+/** One boundary element of a convex shape, run counter-clockwise. Angles in radians; an arc runs from `start` by `sweep` > 0. */
+export type Edge =
+  | { readonly kind: "line"; readonly from: Flat; readonly to: Flat; readonly feature: Feature }
+  | { readonly kind: "arc"; readonly centre: Flat; readonly radius: number; readonly start: number; readonly sweep: number; readonly feature: Feature };
+
+/** A convex shape: closed boundary, counter-clockwise, lines and arcs. */
+export type Convex = readonly Edge[];
+
+const TURN = 2 * Math.PI;
+/** An angle brought into [0, 2π). */
+export const positive = (a: number) => ((a % TURN) + TURN) % TURN;
+
+export const onArc = (c: Flat, r: number, a: number): Flat => ({ u: c.u + r * Math.cos(a), v: c.v + r * Math.sin(a) });
+export const edgeStart = (e: Edge): Flat => (e.kind === "line" ? e.from : onArc(e.centre, e.radius, e.start));
+export const edgeEnd = (e: Edge): Flat => (e.kind === "line" ? e.to : onArc(e.centre, e.radius, e.start + e.sweep));
+
+/** Angle of the outward normal where an edge begins. */
+export const normalStart = (e: Edge) =>
+  e.kind === "arc" ? e.start : Math.atan2(-(e.to.u - e.from.u), e.to.v - e.from.v);
+/** Angle of the outward normal where an edge ends. */
+export const normalEnd = (e: Edge) => (e.kind === "arc" ? e.start + e.sweep : normalStart(e));
+
+/** The shape turned by 180° about the origin: {−q}. */
+export const negated = (k: Convex): Convex =>
+  k.map((e) =>
+    e.kind === "line"
+      ? { ...e, from: minus(e.from), to: minus(e.to) }
+      : { ...e, centre: minus(e.centre), start: e.start + Math.PI },
+  );
+const minus = (p: Flat): Flat => ({ u: -p.u, v: -p.v });
+
+/** The shape of part space (z as u, r as v) seen in a frame; a mirroring frame reverses the boundary to keep its turn. */
+export function inFrame(k: Convex, f: Frame): Convex {
+  const map = (p: Flat) => toFlat(f, { z: p.u, r: p.v } as Pt);
+  const angle = (a: number) => {
+    const d = map({ u: Math.cos(a), v: Math.sin(a) });
+    return Math.atan2(d.v, d.u);
+  };
+  if (!mirrors(f))
+    return k.map((e) =>
+      e.kind === "line" ? { ...e, from: map(e.from), to: map(e.to) } : { ...e, centre: map(e.centre), start: angle(e.start) },
+    );
+  return k
+    .map((e): Edge =>
+      e.kind === "line"
+        ? { ...e, from: map(e.to), to: map(e.from) }
+        : { ...e, centre: map(e.centre), start: angle(e.start + e.sweep) },
+    )
+    .reverse();
+}
+
+/** The shape moved by an offset. */
+export const moved = (k: Convex, by: Flat): Convex =>
+  k.map((e) =>
+    e.kind === "line"
+      ? { ...e, from: plus(e.from, by), to: plus(e.to, by) }
+      : { ...e, centre: plus(e.centre, by) },
+  );
+const plus = (a: Flat, b: Flat): Flat => ({ u: a.u + b.u, v: a.v + b.v });
+
+/** Minkowski sum with the rectangle ±a × ±b: arcs split at the axis directions and shift, straight bridges join them. */
+export function grown(k: Convex, a: number, b: number): Convex {
+  if (a === 0 && b === 0) return k;
+  const pieces: Edge[] = k.flatMap(splitAtAxes).map((e) => {
+    const middle = e.kind === "arc" ? e.start + e.sweep / 2 : normalStart(e) ;
+    const by = { u: sign(Math.cos(middle)) * a, v: sign(Math.sin(middle)) * b };
+    return moved([e], by)[0] as Edge;
+  });
+  const out: Edge[] = [];
+  pieces.forEach((e, i) => {
+    out.push(e);
+    const next = pieces[(i + 1) % pieces.length] as Edge;
+    const from = edgeEnd(e);
+    const to = edgeStart(next);
+    if (Math.hypot(to.u - from.u, to.v - from.v) > 1e-12) out.push({ kind: "line", from, to, feature: e.feature === "nose" ? next.feature : e.feature });
+  });
+  return out;
+}
+/** Zero for a direction along an axis: such an edge is bridged on both sides. */
+const sign = (x: number) => (Math.abs(x) < 1e-12 ? 0 : Math.sign(x));
+
+function splitAtAxes(e: Edge): Edge[] {
+  if (e.kind === "line") return [e];
+  const parts: Edge[] = [];
+  let start = e.start;
+  const end = e.start + e.sweep;
+  while (end - start > 1e-12) {
+    const next = Math.min(end, (Math.floor(start / (Math.PI / 2) + 1e-9) + 1) * (Math.PI / 2));
+    parts.push({ ...e, start, sweep: next - start });
+    start = next;
+  }
+  return parts;
+}
+
+/** The boundary point farthest in direction `n`, and what it belongs to. */
+export function support(k: Convex, n: Flat): { at: Flat; feature: Feature } {
+  let best = -Infinity;
+  let found: { at: Flat; feature: Feature } = { at: { u: 0, v: 0 }, feature: "nose" };
+  const angle = Math.atan2(n.v, n.u);
+  const offer = (at: Flat, feature: Feature, bonus = 0) => {
+    const d = at.u * n.u + at.v * n.v + bonus;
+    if (d > best + 1e-12) {
+      best = d;
+      found = { at, feature };
+    }
+  };
+  for (const e of k) if (e.kind === "arc" && e.radius > 0 && positive(angle - e.start + 1e-9) <= e.sweep + 2e-9)
+    offer(onArc(e.centre, e.radius, angle), e.feature, 1e-10);
+  for (const e of k) {
+    offer(edgeStart(e), e.feature);
+    offer(edgeEnd(e), e.feature);
+  }
+  return found;
+}
+
+/** Extent of the shape along an axis. */
+export const extent = (k: Convex) => ({
+  minU: -reach(k, { u: -1, v: 0 }), maxU: reach(k, { u: 1, v: 0 }),
+  minV: -reach(k, { u: 0, v: -1 }), maxV: reach(k, { u: 0, v: 1 }),
+});
+function reach(k: Convex, n: Flat) {
+  const { at } = support(k, n);
+  return at.u * n.u + at.v * n.v;
+}

@@ -1,0 +1,152 @@
+import { inFrame, moved, edgeEnd, type Convex, type Edge, type Feature } from "./convex.ts";
+import type { Flat } from "./flat.ts";
+import type { Pt, Ring } from "./point.ts";
+import type { TipOrientation, Tool } from "./tool.ts";
+import { axial, radians, radius } from "./units.ts";
+
+/** Edge length of an insert whose CUTLENGTH is empty, mm: 12, and 30 for the bar of a recessing tool. */
+const EDGE = 12;
+const BAR = 30;
+
+/** From the centre of the nose radius to the theoretical tip, in nose radii, for each tip orientation (−Z, +X …). */
+const TIP: Record<TipOrientation, Flat> = {
+  1: { u: -1, v: -1 }, 2: { u: 0, v: -1 }, 3: { u: 1, v: -1 }, 4: { u: 1, v: 0 }, 5: { u: 1, v: 1 },
+  6: { u: 0, v: 1 }, 7: { u: -1, v: 1 }, 8: { u: -1, v: 0 }, 9: { u: 0, v: 0 },
+};
+
+/** Nose or corner radius with its delta, mm, never negative. */
+export const noseRadius = (t: Tool) => Math.max(0, t.RS + (t.DRS ?? 0));
+/** Width of a recessing edge with its delta, mm. */
+export const cuttingWidth = (t: Tool) => Math.max(0, (t.CUTWIDTH ?? 0) + (t.DCW ?? 0));
+export const isBar = (t: Tool) => t.TYPE === "RECESS" || t.TYPE === "RECTURN";
+/** True when T-ANGLE or P-ANGLE is empty, so that the flanks of the insert are unknown. */
+export const flanksUnknown = (t: Tool) =>
+  (t.TYPE === "ROUGH" || t.TYPE === "FINISH") && (t["T-ANGLE"] === undefined || t["P-ANGLE"] === undefined);
+
+/**
+ * The insert as a convex boundary of lines and arcs, relative to the theoretical tip; u is z, v is r (mm).
+ * With unknown flanks it is the nose circle alone (`body`: drawn out away from the tip, so that it removes material).
+ */
+export function insertShape(t: Tool, body = false): Convex {
+  const r = noseRadius(t);
+  const tip = TIP[t.TO] ?? TIP[9];
+  if (isBar(t)) return bar(t, r);
+  const shift = { u: -tip.u * r, v: -tip.v * r };
+  if (t.TYPE === "BUTTON") return moved(circle(r), shift);
+  if (t.TYPE === "THREAD") return moved(wedge(r, Math.atan2(-tip.v, -tip.u), (t["P-ANGLE"] ?? 60) / 2, t.CUTLENGTH ?? EDGE), shift);
+  if (flanksUnknown(t)) return moved(body ? capsule(r, Math.atan2(-tip.v, -tip.u), t.CUTLENGTH ?? EDGE) : circle(r), shift);
+  return moved(oriented(parallelogram(t, r), t.TO), shift);
+}
+
+/** A main and a secondary edge from the nose, for orientation 1, about the centre of the nose. */
+function parallelogram(t: Tool, r: number): Convex {
+  const T = t["T-ANGLE"] ?? 0;
+  const P = Math.min(Math.max(t["P-ANGLE"] ?? 0, 1), 179);
+  const l = t.CUTLENGTH ?? EDGE;
+  return pointed(r, radians(180 - T - P), radians(180 - T), l, true);
+}
+
+/** A thread wedge about `axis` (from the tip inwards), half angle in degrees. */
+const wedge = (r: number, axis: number, half: number, l: number): Convex =>
+  pointed(r, axis - radians(half), axis + radians(half), l, false);
+
+/** Two edges in the directions `secondary` and `main` (radians, counter-clockwise in this order), joined by the nose. */
+function pointed(r: number, secondary: number, main: number, l: number, parallel: boolean): Convex {
+  const half = (main - secondary) / 2;
+  const dir = (a: number): Flat => ({ u: Math.cos(a), v: Math.sin(a) });
+  const at = (from: Flat, d: Flat, k: number): Flat => ({ u: from.u + d.u * k, v: from.v + d.v * k });
+  const s = dir(secondary);
+  const m = dir(main);
+  const apex = at({ u: 0, v: 0 }, dir(secondary + half), -r / Math.sin(half));
+  const tangent = r / Math.tan(half);
+  const far = Math.max(l, tangent * 1.001);
+  const onS = at(apex, s, tangent);
+  const onM = at(apex, m, tangent);
+  const endS = at(apex, s, far);
+  const endM = at(apex, m, far);
+  const nose: Edge = { kind: "arc", centre: { u: 0, v: 0 }, radius: r, start: main + Math.PI / 2, sweep: Math.PI - 2 * half, feature: "nose" };
+  const line = (from: Flat, to: Flat, feature: Feature): Edge => ({ kind: "line", from, to, feature });
+  const back = parallel ? [at(endS, m, far)] : [];
+  const corners = [endS, ...back, endM];
+  const sides = corners.slice(1).map((to, i) => line(corners[i] as Flat, to, "back"));
+  return [nose, line(onS, endS, "secondaryEdge"), ...sides, line(endM, onM, "mainEdge")];
+}
+
+const circle = (r: number): Convex => [{ kind: "arc", centre: { u: 0, v: 0 }, radius: r, start: 0, sweep: 2 * Math.PI, feature: "nose" }];
+
+/** The nose circle drawn out along `axis` by `l`. */
+function capsule(r: number, axis: number, l: number): Convex {
+  const end = { u: l * Math.cos(axis), v: l * Math.sin(axis) };
+  const near: Edge = { kind: "arc", centre: { u: 0, v: 0 }, radius: r, start: axis + Math.PI / 2, sweep: Math.PI, feature: "nose" };
+  const away: Edge = { kind: "arc", centre: end, radius: r, start: axis - Math.PI / 2, sweep: Math.PI, feature: "back" };
+  const join = (a: Edge, b: Edge, feature: Feature): Edge => ({ kind: "line", from: edgeEnd(a), to: { u: b.kind === "arc" ? b.centre.u + b.radius * Math.cos(b.start) : 0, v: b.kind === "arc" ? b.centre.v + b.radius * Math.sin(b.start) : 0 }, feature });
+  return [near, join(near, away, "secondaryEdge"), away, join(away, near, "mainEdge")];
+}
+
+/** A recessing bar with two rounded corners; the tip on its cutting edge, at a corner or in the middle. */
+function bar(t: Tool, r: number): Convex {
+  const w = cuttingWidth(t);
+  const l = t.CUTLENGTH ?? BAR;
+  const rr = Math.min(r, w / 2, l);
+  const tip = TIP[t.TO] ?? TIP[2];
+  const left = tip.v === 0 || tip.u === 0 ? -w / 2 : tip.u < 0 ? 0 : -w;
+  const corner = (u: number, start: number): Edge => ({ kind: "arc", centre: { u, v: rr }, radius: rr, start, sweep: Math.PI / 2, feature: "nose" });
+  const line = (fu: number, fv: number, tu: number, tv: number, feature: Feature): Edge => ({ kind: "line", from: { u: fu, v: fv }, to: { u: tu, v: tv }, feature });
+  const up: Convex = [
+    corner(left + rr, Math.PI), line(left + rr, 0, left + w - rr, 0, "width"), corner(left + w - rr, -Math.PI / 2),
+    line(left + w, rr, left + w, l, "secondaryEdge"), line(left + w, l, left, l, "back"), line(left, l, left, rr, "mainEdge"),
+  ];
+  if (tip.v < 0 || t.TO === 9) return up;
+  if (tip.v > 0) return inFrame(up, { transverse: false, signU: 1, signV: -1 });
+  return inFrame(up, { transverse: true, signU: 1, signV: tip.u > 0 ? -1 : 1 });
+}
+
+/** A shape for orientation 1 turned to another orientation: mirrored in z, in r, or with z and r swapped first. */
+function oriented(k: Convex, to: TipOrientation): Convex {
+  const inside = to === 5 || to === 6 || to === 7 || to === 4;
+  const left = to === 3 || to === 5;
+  if (to === 8 || to === 4)
+    return inFrame(inFrame(k, { transverse: false, signU: 1, signV: inside ? -1 : 1 }), { transverse: true, signU: 1, signV: 1 });
+  return inFrame(k, { transverse: false, signU: left ? -1 : 1, signV: inside ? -1 : 1 });
+}
+
+/** The insert as a polygon relative to the theoretical tip, counter-clockwise; arcs within `chord` mm, inside the true shape. */
+export function insertOutline(t: Tool, chord: number): Ring {
+  const out: Pt[] = [];
+  const add = (p: Flat) => {
+    const last = out[out.length - 1];
+    if (!last || Math.hypot(last.z - p.u, last.r - p.v) > 1e-7) out.push({ z: axial(p.u), r: radius(p.v) });
+  };
+  for (const e of insertShape(t, true)) {
+    if (e.kind === "line") add(e.from);
+    else {
+      const step = e.radius > chord ? 2 * Math.acos(1 - chord / e.radius) : e.sweep;
+      const n = Math.max(1, Math.ceil(e.sweep / step));
+      for (let i = 0; i <= n; i++) {
+        const a = e.start + (e.sweep * i) / n;
+        add({ u: e.centre.u + e.radius * Math.cos(a), v: e.centre.v + e.radius * Math.sin(a) });
+      }
+    }
+  }
+  const first = out[0];
+  const last = out[out.length - 1];
+  if (first && last && out.length > 1 && Math.hypot(first.z - last.z, first.r - last.r) <= 1e-7) out.pop();
+  return out;
+}
+
+/** The holder box relative to the theoretical tip, on the side away from where the tip points; null when the tool has none. */
+export function holderOutline(t: Tool): Ring | null {
+  const h = t.holder;
+  if (!h) return null;
+  const tip = TIP[t.TO] ?? TIP[9];
+  const z0 = h.offsetZ;
+  const r0 = h.offsetX;
+  const away = tip.v > 0 ? -1 : 1;
+  const axialBar = tip.v === 0 && tip.u !== 0;
+  const z1 = z0 + (axialBar ? (tip.u > 0 ? -h.length : h.length) : tip.u > 0 ? -h.width : h.width);
+  const r1 = r0 + (axialBar ? h.width : away * h.length);
+  const [za, zb] = [Math.min(z0, z1), Math.max(z0, z1)];
+  const [ra, rb] = [Math.min(r0, r1), Math.max(r0, r1)];
+  const at = (z: number, r: number): Pt => ({ z: axial(z), r: radius(r) });
+  return [at(za, ra), at(zb, ra), at(zb, rb), at(za, rb)];
+}
