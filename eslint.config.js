@@ -30,6 +30,7 @@ export default defineConfig([
       "no-implied-eval": "error",
       "no-new-func": "error",
       "eqeqeq": "error",
+      "no-warning-comments": "error",
       "max-lines": ["error", LONGEST],
       "@typescript-eslint/consistent-type-imports": "error",
       "@typescript-eslint/no-empty-object-type": "off",

@@ -75,7 +75,6 @@ describe("what is nowhere", () => {
     ["any", /:\s*any\b|<any>|\bas any\b/, () => true],
     ["React below app", /from "react/, (p) => layerOf(p) !== "app"],
     ["clock or chance below app", /\bDate\b|Math\.random|performance\.now/, (p) => layerOf(p) !== "app"],
-    ["work left for later", /\b(?:TODO|FIXME|XXX)\b/, () => true],
     ["vague file names", /^$/, (p) => /(?:^|\/)(?:utils?|helpers?|common|misc|manager)\.tsx?$/.test(p)],
   ];
   test.each(bans)("%s", (name, pattern, where) => {
