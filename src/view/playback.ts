@@ -1,14 +1,9 @@
+import type { Position } from "../sim/simulation.ts";
+
 /**
  * Playing a run back, as a pure state machine. A position is a move and how much of it is done; seconds are machine
  * time (feeds and rapids as programmed), and the rate says how many of them pass in one second of the clock.
  */
-
-/** So much of move `step` (counted from 0) is done; `step` = number of moves, fraction 0, is the end. */
-export interface Position {
-  readonly step: number;
-  /** 0 up to, not including, 1. */
-  readonly fraction: number;
-}
 
 /** When each move ends, seconds from the start of the run. */
 export interface Track {

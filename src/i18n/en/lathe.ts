@@ -1,5 +1,111 @@
 import type { Shape } from "../shape.ts";
 
-export const lathe = {};
+/** The lathe view: picture, playback, timeline, ruler, findings and the table of moves. Numbers arrive as text. */
+export const lathe = {
+  title: "Lathe view",
+  picture: (state: string) => `Section of the work, Z to the right. ${state}`,
+  pictureEmpty: "No path yet",
+  keys: "Space plays or pauses, arrow keys go move by move, Home and End go to the ends, plus and minus zoom, 0 fits.",
+  outdated: "Last picture that could be made",
+
+  /* the view */
+  viewTools: "View",
+  section: "Section",
+  halfSection: "Half section",
+  fullSection: "Full section",
+  xUp: "X up",
+  xDown: "X down",
+  zoomIn: "Zoom in",
+  zoomOut: "Zoom out",
+  fit: "Fit",
+  ruler: "Ruler",
+  legend: "Lines",
+  lines: {
+    rapid: "Rapid", feed: "Roughing", plunge: "Plunging", smooth: "Smoothing", finish: "Finishing", thread: "Thread",
+  },
+  shapes: { stock: "Material", contour: "Finished contour", residual: "Residual material", gouge: "Damage" },
+
+  /* playback */
+  playback: "Playback",
+  play: "Play",
+  pause: "Pause",
+  forward: "One move forward",
+  back: "One move back",
+  first: "To the start",
+  last: "To the end",
+  speed: "Speed",
+  timeline: "Timeline",
+  timeOf: (now: string, total: string) => `${now} of ${total}`,
+  operation: (cycle: string, tool: string) => `Cycle ${cycle}, tool ${tool}`,
+
+  /* the running move */
+  now: "Running move",
+  axisX: "X ⌀",
+  axisZ: "Z",
+  feedName: "F",
+  speedName: "S",
+  rapid: "Rapid",
+  perTurn: "mm/rev",
+  perMinute: "mm/min",
+  rpm: "rpm",
+  phases: { position: "Positioning", rough: "Roughing", smooth: "Smoothing", finish: "Finishing", thread: "Threading" },
+  plunging: "Plunging",
+  pass: (pass: string, of: string) => `Pass ${pass} of ${of}`,
+  step: (step: string, of: string, words: string) => `Step ${step} of ${of}: ${words}`,
+  stepOnly: (step: string, of: string) => `Step ${step} of ${of}`,
+  beforeStep: "Before step 1",
+  outside: "Between the cycles",
+  block: (block: string) => `Block ${block}`,
+  atStart: "At the start",
+  atEnd: "At the end",
+  status: (x: string, z: string, rest: string) => `X ${x}, Z ${z}. ${rest}`,
+
+  /* ruler */
+  rulerHint: "Pick two places. Arrow keys move the cross, N goes to the next point of the drawing, Enter sets a place, Escape leaves.",
+  rulerSecond: "Pick the second place.",
+  rulerResult: (dx: string, dz: string, distance: string) => `ΔX ⌀ ${dx} mm, ΔZ ${dz} mm, distance ${distance} mm`,
+  deltaX: "ΔX ⌀",
+  deltaZ: "ΔZ",
+  distance: "Distance",
+
+  /* findings and what stays */
+  findings: "Findings",
+  noFindings: "No damage, no rapid in material, no holder contact",
+  findingNames: { gouge: "Finished part damaged", rapidInStock: "Rapid in material", holderContact: "Holder touches material" },
+  findingLine: (name: string, x: string, z: string, block: string) => `${name} at X ⌀ ${x}, Z ${z}, block ${block}`,
+  residualTitle: "Residual material",
+  residualLine: (area: string, x: string, z: string, reason: string) => `${area} mm² at X ⌀ ${x}, Z ${z}: ${reason}`,
+  reasons: {
+    insertRadius: "insert radius", mainEdge: "main cutting edge", secondaryEdge: "secondary cutting edge", toolWidth: "tool width",
+    cutLength: "usable cutting length", limit: "limit set", plunging: "plunging not allowed", oversize: "oversize left",
+  },
+  edges: {
+    insertRadius: "The nose is too round to get in.",
+    mainEdge: "The main cutting edge stands in the way.",
+    secondaryEdge: "The secondary cutting edge stands in the way.",
+    toolWidth: "The tool is too wide to get in.",
+    cutLength: "The cutting edge is too short to reach it.",
+    limit: "It lies behind the limit.",
+    plunging: "Falling elements are not followed.",
+    oversize: "It was to be left.",
+  },
+
+  /* table of moves */
+  moves: (count: string) => `Moves (${count})`,
+  move: "Move",
+  moveKind: "Kind",
+  moveEnd: "To",
+  moveFeed: "Feed",
+  movePhase: "Phase",
+  moveBlock: "Block",
+  earlier: "Earlier moves",
+  later: "Later moves",
+  range: (from: string, to: string, of: string) => `${from} to ${to} of ${of}`,
+  kinds: { rapid: "Rapid", feed: "Straight", arc: "Arc", thread: "Thread" },
+  goTo: (move: string) => `Go to move ${move}`,
+
+  /* a tool's insert */
+  insert: (tool: string) => `Insert of tool ${tool}, to scale`,
+};
 
 export type LatheTexts = Shape<typeof lathe>;

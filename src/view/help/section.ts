@@ -1,0 +1,81 @@
+import { flattenedChain } from "../../kernel/flatten.ts";
+import type { Pt, Segment } from "../../kernel/point.ts";
+import { along, outward, pointAt, type Frame } from "./frame.ts";
+
+/** The drawn section: polygons in part space, and what bounds them. */
+export interface Section {
+  /** The contour as points. */
+  readonly line: readonly Pt[];
+  /** The finished part as far as the picture goes. */
+  readonly part: readonly Pt[];
+  /** Edge of the part that the cycle does not cut: from each contour end outwards. */
+  readonly edges: readonly (readonly [Pt, Pt])[];
+  /** Where the part is broken off, as lines. */
+  readonly breaks: readonly (readonly [Pt, Pt])[];
+  /** What is cut away, its first points being the contour. */
+  readonly area: readonly Pt[];
+  /** The part of the area's outline that is not contour. */
+  readonly blank: readonly Pt[];
+  /** Corner of the area next to the cycle start point. */
+  readonly corner: Pt;
+}
+
+/** Where the drawing ends, part space, mm. */
+export interface Reach {
+  readonly left: number;
+  readonly right: number;
+  readonly low: number;
+  readonly high: number;
+}
+
+/** Chord of a flattened arc against the size of the contour: invisible at any picture size. */
+const FINE = 1e-3;
+
+/** Points of a contour, fine enough for any picture. */
+export function lineOf(contour: readonly Segment[]): Pt[] {
+  let size = 1e-3;
+  const first = contour[0]?.from;
+  if (first) for (const s of contour) size = Math.max(size, Math.abs(s.to.z - first.z), Math.abs(s.to.r - first.r));
+  return flattenedChain(contour, size * FINE);
+}
+
+/** What the cycle cuts away, from contour and frame alone; its outline starts with the contour. */
+export function areaOf(f: Frame, line: readonly Pt[]): { readonly area: Pt[]; readonly blank: Pt[]; readonly corner: Pt } {
+  const start = line[0], end = line.at(-1);
+  if (!start || !end) return { area: [], blank: [], corner: pointAt(f, 0, 0) };
+  const top = Math.max(...line.map((p) => outward(f, p)));
+  const corner = pointAt(f, along(f, start), top);
+  const blank = [end, pointAt(f, along(f, end), top), corner, start].filter((p, i, all) => {
+    const before = all[i - 1];
+    return !before || Math.hypot(p.z - before.z, p.r - before.r) > 1e-9;
+  });
+  return { area: [...line, ...blank.slice(1, -1)], blank, corner };
+}
+
+/** How far the part reaches from a point in a direction of the frame, to the edge of the drawing. */
+function toEdge(f: Frame, p: Pt, way: "feed" | "back" | "in", reach: Reach): Pt {
+  const u = along(f, p), v = outward(f, p);
+  const box = [reach.left, reach.right].flatMap((z) => [reach.low, reach.high].map((r) => ({ z, r }) as Pt));
+  const us = box.map((c) => along(f, c)), vs = box.map((c) => outward(f, c));
+  if (way === "in") return pointAt(f, u, Math.min(...vs, v));
+  return way === "feed" ? pointAt(f, Math.max(...us, u), v) : pointAt(f, Math.min(...us, u), v);
+}
+
+/** The section of a contour inside a drawing. The part goes on behind it: to the axis, or to a break line. */
+export function sectionOf(f: Frame, line: readonly Pt[], reach: Reach): Section {
+  const { area, blank, corner } = areaOf(f, line);
+  const start = line[0], end = line.at(-1);
+  if (!start || !end) return { line, part: [], edges: [], breaks: [], area, blank, corner };
+  const first = toEdge(f, start, f.recess ? "back" : "in", reach);
+  const last = toEdge(f, end, "feed", reach);
+  const deepest = (p: Pt) => toEdge(f, p, "in", reach);
+  const far = [deepest(last), ...(f.recess ? [deepest(first)] : [])];
+  const part = [first, ...line, last, ...far];
+  const loop = [...part.slice(line.length + 1), first];
+  const onAxis = (a: Pt, b: Pt) => Math.abs(a.r) < 1e-6 && Math.abs(b.r) < 1e-6;
+  const breaks = loop.slice(1).flatMap((b, i) => {
+    const a = loop[i];
+    return a && Math.hypot(a.z - b.z, a.r - b.r) > 1e-6 && !onAxis(a, b) ? [[a, b] as const] : [];
+  });
+  return { line, part, edges: [[first, start], [end, last]], breaks, area, blank, corner };
+}
