@@ -1,3 +1,50 @@
 import type { DialogTexts } from "../en/dialog.ts";
 
-export const dialog = {} satisfies DialogTexts;
+export const dialog = {
+  title: (cycle, name) => `Zyklus ${cycle} ${name}`,
+  form: "Eingaben des Zyklus",
+  list: "Alle Eingaben",
+  active: "Aktive Eingabe",
+  position: (n, of) => `${n} von ${of}`,
+  value: (q, label) => `${q} ${label}`,
+  row: (q, label, value) => `${q} ${label}: ${value}`,
+  noValue: "leer",
+  noEntry: "ohne Eingabe",
+  auto: "FAUTO",
+  autoLong: "FAUTO: Vorschub aus dem Werkzeugaufruf",
+  range: (min, max) => `${min} bis ${max}`,
+  rangeLabel: "Bereich",
+  optional: "optional",
+  incremental: "inkremental",
+  reserved: "reserviert, hier ohne Funktion",
+  units: {
+    diameter: "mm ⌀", radius: "mm r", axial: "mm", degrees: "°", perRevolution: "mm/U", perMinute: "mm/min", none: "",
+  },
+  diameterMeaning: "Durchmessermaß",
+  radiusMeaning: "Radiusmaß",
+  evidence: {
+    mark: "nicht bestätigt",
+    range: "Dieser Bereich ist erinnert oder abgeleitet, nicht an einer gedruckten Seite geprüft. Die Steuerung kann einen anderen zulassen.",
+    parameter: "Dieser Parameter ist erinnert oder abgeleitet, nicht an einer gedruckten Seite geprüft. Bitte an der Steuerung prüfen.",
+  },
+  takeNearest: (value) => `${value} nehmen`,
+  keypad: "Tastenfeld",
+  keys: {
+    enter: "ENT", enterLong: "ENT: Wert übernehmen, nächste Eingabe",
+    noEnter: "NO ENT", noEnterLong: "NO ENT: Eingabe weglassen",
+    end: "END", endLong: "END: Rest lassen, wie er ist",
+    sign: "±", signLong: "Vorzeichen wechseln",
+    point: "Dezimalzeichen",
+    erase: "⌫", eraseLong: "Ein Zeichen löschen",
+    previous: "Vorherige Eingabe", next: "Nächste Eingabe",
+    cancel: "Abbrechen: Wert wie zuvor",
+  },
+  help: "Enter: weiter · ↑ ↓: wechseln · Entf: NO ENT · Ende: END · Esc: abbrechen · −: Vorzeichen",
+  done: {
+    title: "Alle Eingaben sind gemacht",
+    open: (n) => (n === 1 ? "1 Eingabe hat keinen brauchbaren Wert" : `${n} Eingaben haben keinen brauchbaren Wert`),
+    first: "Zurück zur ersten Eingabe",
+    firstOpen: "Dorthin",
+    copy: "Programm kopieren",
+  },
+} satisfies DialogTexts;

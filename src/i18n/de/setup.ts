@@ -1,3 +1,51 @@
 import type { SetupTexts } from "../en/setup.ts";
 
-export const setup = {} satisfies SetupTexts;
+export const setup = {
+  tool: {
+    title: "Werkzeug",
+    list: "Drehwerkzeuge",
+    name: (number, name) => `Werkzeug ${number} ${name}`,
+    types: { ROUGH: "Schruppen", FINISH: "Schlichten", RECESS: "Stechen", RECTURN: "Stechdrehen", BUTTON: "Pilz", THREAD: "Gewinde" },
+    radius: (value) => `Radius ${value}`,
+    width: (value) => `Breite ${value}`,
+    angles: (setting, point) => `${setting}° / ${point}°`,
+    cutLength: (value) => `Schneidenlänge ${value}`,
+    orientation: (value) => `Lage ${value}`,
+    makes: "fertigt die Kontur",
+    leaves: (length) => `lässt ${length} mm der Kontur stehen`,
+    cannot: "kann die Kontur nicht fertigen",
+    better: (number, name) => `Werkzeug ${number} ${name} fertigt diese Kontur.`,
+    noneMakes: "Kein Werkzeug der Tabelle fertigt die ganze Kontur.",
+    take: (number) => `Werkzeug ${number} nehmen`,
+    drawing: "Schneide maßstäblich",
+  },
+  blank: {
+    title: "Rohteil: Zylinder",
+    outside: "Außen-⌀",
+    bore: "Bohrung ⌀ (0: voll)",
+    length: "Länge",
+    allowance: "Vor Z0",
+  },
+  start: {
+    title: "Zyklus-Startpunkt",
+    x: "Start X",
+    z: "Start Z",
+    hint: "Hier steht die Werkzeugspitze beim Zyklusaufruf. Von hier aus zerspant der Zyklus.",
+  },
+  spindle: {
+    title: "Spindel",
+    mode: "Drehzahl",
+    constant: "Konstante Drehzahl",
+    surface: "Konstante Schnittgeschwindigkeit",
+    speed: "Drehzahl S",
+    cuttingSpeed: "Schnittgeschwindigkeit VC",
+    limit: "Drehzahlgrenze SMAX",
+  },
+  feed: {
+    title: "Vorschub und Eilgang",
+    perRevolution: "M136: Vorschübe in mm je Umdrehung",
+    rapid: "Eilgang (nur für die Zeit)",
+  },
+  units: { diameter: "mm ⌀", mm: "mm", rpm: "1/min", cuttingSpeed: "m/min", perMinute: "mm/min" },
+  wrong: { missing: "Wert eingeben.", notANumber: "Das ist keine Zahl.", negative: "Der Wert muss 0 oder größer sein.", positive: "Der Wert muss größer als 0 sein." },
+} satisfies SetupTexts;

@@ -1,5 +1,109 @@
 import type { Shape } from "../shape.ts";
 
-export const page = {};
+export const page = {
+  product: "Turnwise",
+  promise: "HEIDENHAIN turning cycles by prompts: see the cut, check it, copy the program.",
+  skipToPrompts: "Skip to the prompts",
+  header: "Work and settings",
+  undo: "Undo",
+  redo: "Redo",
+  newProgram: "New program",
+  settings: "Settings",
+  close: "Close",
+  screenLanguage: "Screen language",
+  theme: "Appearance",
+  themes: { system: "As the system", light: "Light", dark: "Dark" },
+  motion: "Motion",
+  motions: { system: "As the system", reduced: "None" },
+  disclaimer: "Built from the printed cycle pages; not a HEIDENHAIN product. Prove every program on your control before cutting.",
+  savedHere: "Saved on this device",
+
+  sections: "Parts of the program",
+  prompts: "Prompts",
+  setup: "Set-up",
+  contour: "Contour",
+  problems: "Problems",
+  program: "Program",
+  lathe: "Lathe",
+  timeline: "Timeline",
+  helpPicture: "Help picture",
+
+  start: {
+    title: "Which cycle?",
+    lead: "Choose a cycle, answer its prompts, watch the lathe, copy the program.",
+    withExample: "Start with example values",
+    empty: "Start empty",
+    cycle: (number: number, name: string) => `Cycle ${number}, ${name}`,
+    kept: "Saved on this device",
+    continueWork: (name: string) => `Continue ${name}`,
+    forget: (name: string) => `Remove ${name} from the list`,
+    changed: (when: string) => `changed ${when}`,
+    unconfirmed: "The parameter list of this cycle is recalled, not checked against a printed page.",
+  },
+
+  effect: {
+    title: "What these values do",
+    passes: "Passes",
+    infeed: "Infeed",
+    infeedUnit: "mm each",
+    time: "Time",
+    chip: "Chip area",
+    residual: "Residual",
+    proof: "Proof",
+    clean: "No gouge, no rapid in stock",
+    gouge: (area: string) => `Gouge ${area} mm²`,
+    rapid: (area: string) => `Rapid in stock ${area} mm²`,
+    holder: "Holder touches the part",
+    none: "none",
+    unknown: "–",
+    waiting: "The values make no path yet. The last possible picture stays.",
+    duration: (minutes: number, seconds: string) => (minutes > 0 ? `${minutes} min ${seconds} s` : `${seconds} s`),
+  },
+
+  problem: {
+    none: "No problems found.",
+    count: (n: number) => (n === 1 ? "1 problem" : `${n} problems`),
+    severities: { error: "Error", warning: "Warning", info: "Notice" },
+    goTo: (place: string) => `Go to ${place}`,
+    inBlock: (block: number) => `block ${block}`,
+    places: { tool: "Tool", startX: "Start X", startZ: "Start Z", contour: "Contour", blank: "Blank", spindle: "Spindle" },
+  },
+
+  text: {
+    title: "Program text",
+    name: "Program name",
+    layout: "Layout",
+    layouts: { tnc640: "TNC 640", tnc7: "TNC7" },
+    language: "Labels",
+    languageLong: "Language of the program text",
+    copy: "Copy",
+    copyLong: "Copy the program",
+    copied: "Copied",
+    copiedLong: (blocks: number) => `The program is on the clipboard: ${blocks} blocks.`,
+    download: (file: string) => `Download ${file}`,
+    fold: "Fold the program away",
+    unfold: "Show the program",
+    blocks: "Blocks of the program",
+    running: "running",
+    refusedTitle: "Copy by hand",
+    refused: "The browser does not allow access to the clipboard. The text below is selected: press Ctrl+C, or hold and choose Copy.",
+    incomplete: "Some prompts have no usable value yet; the program is not complete.",
+  },
+
+  notice: {
+    dismiss: "Dismiss",
+    damaged: (n: number) =>
+      n === 1
+        ? "One saved work could not be read. It was set aside, nothing was deleted."
+        : `${n} saved works could not be read. They were set aside, nothing was deleted.`,
+    notKept: "This browser does not keep work on the device. Copy or download the program before you close the page.",
+    copyOfOtherTab: "This work is open in another tab. Here you edit a copy; both are kept.",
+    engineFailed: "The calculation stopped and was started again. Your values are safe.",
+    crashTitle: "Something went wrong on this page",
+    crash: "Your work is saved on this device.",
+    reload: "Load the page again",
+    startOver: "Go to the start page",
+  },
+};
 
 export type PageTexts = Shape<typeof page>;

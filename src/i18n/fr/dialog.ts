@@ -1,3 +1,50 @@
 import type { DialogTexts } from "../en/dialog.ts";
 
-export const dialog = {} satisfies DialogTexts;
+export const dialog = {
+  title: (cycle, name) => `Cycle ${cycle} ${name}`,
+  form: "Questions du cycle",
+  list: "Toutes les questions",
+  active: "Question active",
+  position: (n, of) => `${n} sur ${of}`,
+  value: (q, label) => `${q} ${label}`,
+  row: (q, label, value) => `${q} ${label} : ${value}`,
+  noValue: "vide",
+  noEntry: "sans valeur",
+  auto: "FAUTO",
+  autoLong: "FAUTO : avance de l’appel d’outil",
+  range: (min, max) => `${min} à ${max}`,
+  rangeLabel: "Plage",
+  optional: "facultatif",
+  incremental: "incrémental",
+  reserved: "réservé, sans fonction ici",
+  units: {
+    diameter: "mm ⌀", radius: "mm r", axial: "mm", degrees: "°", perRevolution: "mm/tr", perMinute: "mm/min", none: "",
+  },
+  diameterMeaning: "Cote au diamètre",
+  radiusMeaning: "Cote au rayon",
+  evidence: {
+    mark: "non confirmé",
+    range: "Cette plage est citée de mémoire ou déduite, sans contrôle sur une page imprimée. La commande peut en admettre une autre.",
+    parameter: "Ce paramètre est cité de mémoire ou déduit, sans contrôle sur une page imprimée. À vérifier sur la commande.",
+  },
+  takeNearest: (value) => `Prendre ${value}`,
+  keypad: "Pavé numérique",
+  keys: {
+    enter: "ENT", enterLong: "ENT : valider, question suivante",
+    noEnter: "NO ENT", noEnterLong: "NO ENT : ne pas répondre",
+    end: "END", endLong: "END : laisser le reste tel quel",
+    sign: "±", signLong: "Changer le signe",
+    point: "Signe décimal",
+    erase: "⌫", eraseLong: "Effacer un caractère",
+    previous: "Question précédente", next: "Question suivante",
+    cancel: "Annuler : valeur précédente",
+  },
+  help: "Entrée : suite · ↑ ↓ : changer · Suppr : NO ENT · Fin : END · Échap : annuler · − : signe",
+  done: {
+    title: "Toutes les questions ont leur réponse",
+    open: (n) => (n === 1 ? "1 question n’a pas de valeur utilisable" : `${n} questions n’ont pas de valeur utilisable`),
+    first: "Retour à la première question",
+    firstOpen: "Y aller",
+    copy: "Copier le programme",
+  },
+} satisfies DialogTexts;

@@ -1,3 +1,51 @@
 import type { SetupTexts } from "../en/setup.ts";
 
-export const setup = {} satisfies SetupTexts;
+export const setup = {
+  tool: {
+    title: "Outil",
+    list: "Outils de tournage",
+    name: (number, name) => `Outil ${number} ${name}`,
+    types: { ROUGH: "ébauche", FINISH: "finition", RECESS: "gorge", RECTURN: "tournage de gorge", BUTTON: "plaquette ronde", THREAD: "filetage" },
+    radius: (value) => `rayon ${value}`,
+    width: (value) => `largeur ${value}`,
+    angles: (setting, point) => `${setting}° / ${point}°`,
+    cutLength: (value) => `longueur de coupe ${value}`,
+    orientation: (value) => `orientation ${value}`,
+    makes: "réalise le contour",
+    leaves: (length) => `laisse ${length} mm du contour`,
+    cannot: "ne peut pas réaliser le contour",
+    better: (number, name) => `L’outil ${number} ${name} réalise ce contour.`,
+    noneMakes: "Aucun outil du tableau ne réalise tout le contour.",
+    take: (number) => `Prendre l’outil ${number}`,
+    drawing: "Plaquette à l’échelle",
+  },
+  blank: {
+    title: "Brut : cylindre",
+    outside: "⌀ extérieur",
+    bore: "⌀ d’alésage (0 : plein)",
+    length: "Longueur",
+    allowance: "Devant Z0",
+  },
+  start: {
+    title: "Point de départ du cycle",
+    x: "Départ X",
+    z: "Départ Z",
+    hint: "Position de la pointe de l’outil à l’appel du cycle. Le cycle usine à partir d’ici.",
+  },
+  spindle: {
+    title: "Broche",
+    mode: "Vitesse",
+    constant: "Vitesse de rotation constante",
+    surface: "Vitesse de coupe constante",
+    speed: "Vitesse S",
+    cuttingSpeed: "Vitesse de coupe VC",
+    limit: "Limite de rotation SMAX",
+  },
+  feed: {
+    title: "Avance et rapide",
+    perRevolution: "M136 : avances en mm par tour",
+    rapid: "Avance rapide (pour le temps)",
+  },
+  units: { diameter: "mm ⌀", mm: "mm", rpm: "tr/min", cuttingSpeed: "m/min", perMinute: "mm/min" },
+  wrong: { missing: "Entrer une valeur.", notANumber: "Ce n’est pas un nombre.", negative: "La valeur doit être 0 ou plus.", positive: "La valeur doit être supérieure à 0." },
+} satisfies SetupTexts;

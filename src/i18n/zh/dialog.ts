@@ -1,3 +1,50 @@
 import type { DialogTexts } from "../en/dialog.ts";
 
-export const dialog = {} satisfies DialogTexts;
+export const dialog = {
+  title: (cycle, name) => `循环 ${cycle} ${name}`,
+  form: "循环的提问",
+  list: "全部提问",
+  active: "当前提问",
+  position: (n, of) => `第 ${n} 项，共 ${of} 项`,
+  value: (q, label) => `${q} ${label}`,
+  row: (q, label, value) => `${q} ${label}：${value}`,
+  noValue: "未输入",
+  noEntry: "不输入",
+  auto: "FAUTO",
+  autoLong: "FAUTO：使用刀具调用的进给速率",
+  range: (min, max) => `${min} 至 ${max}`,
+  rangeLabel: "范围",
+  optional: "可选",
+  incremental: "增量",
+  reserved: "保留，在此无作用",
+  units: {
+    diameter: "mm ⌀", radius: "mm r", axial: "mm", degrees: "°", perRevolution: "mm/转", perMinute: "mm/min", none: "",
+  },
+  diameterMeaning: "直径值",
+  radiusMeaning: "半径值",
+  evidence: {
+    mark: "未证实",
+    range: "此范围凭记忆或推断得出，未与印刷页核对。您的数控系统可能允许其他范围。",
+    parameter: "此参数凭记忆或推断得出，未与印刷页核对。请在数控系统上验证。",
+  },
+  takeNearest: (value) => `采用 ${value}`,
+  keypad: "数字键盘",
+  keys: {
+    enter: "ENT", enterLong: "ENT：接受值，下一提问",
+    noEnter: "NO ENT", noEnterLong: "NO ENT：此项不输入",
+    end: "END", endLong: "END：其余保持不变",
+    sign: "±", signLong: "改变正负号",
+    point: "小数点",
+    erase: "⌫", eraseLong: "删除一个字符",
+    previous: "上一提问", next: "下一提问",
+    cancel: "取消：恢复原值",
+  },
+  help: "Enter：下一项 · ↑ ↓：移动 · Del：NO ENT · End：END · Esc：取消 · −：正负号",
+  done: {
+    title: "所有提问已回答",
+    open: (n) => `${n} 项提问没有可用的值`,
+    first: "回到第一项提问",
+    firstOpen: "前往",
+    copy: "复制程序",
+  },
+} satisfies DialogTexts;

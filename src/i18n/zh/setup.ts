@@ -1,3 +1,51 @@
 import type { SetupTexts } from "../en/setup.ts";
 
-export const setup = {} satisfies SetupTexts;
+export const setup = {
+  tool: {
+    title: "刀具",
+    list: "车削刀具",
+    name: (number, name) => `刀具 ${number} ${name}`,
+    types: { ROUGH: "粗车", FINISH: "精车", RECESS: "切槽", RECTURN: "切槽车削", BUTTON: "圆刀片", THREAD: "螺纹" },
+    radius: (value) => `刀尖圆弧 ${value}`,
+    width: (value) => `刃宽 ${value}`,
+    angles: (setting, point) => `${setting}° / ${point}°`,
+    cutLength: (value) => `切削刃长 ${value}`,
+    orientation: (value) => `刀尖方位 ${value}`,
+    makes: "可加工该轮廓",
+    leaves: (length) => `有 ${length} mm 轮廓加工不到`,
+    cannot: "不能加工该轮廓",
+    better: (number, name) => `刀具 ${number} ${name} 可加工该轮廓。`,
+    noneMakes: "刀具表中没有能加工完整轮廓的刀具。",
+    take: (number) => `采用刀具 ${number}`,
+    drawing: "按比例的刀片",
+  },
+  blank: {
+    title: "毛坯：圆柱",
+    outside: "外径 ⌀",
+    bore: "内孔 ⌀（0：实心）",
+    length: "长度",
+    allowance: "Z0 前余量",
+  },
+  start: {
+    title: "循环起点",
+    x: "起点 X",
+    z: "起点 Z",
+    hint: "循环调用时刀尖所在位置，循环从这里开始切削。",
+  },
+  spindle: {
+    title: "主轴",
+    mode: "转速",
+    constant: "恒定转速",
+    surface: "恒定切削速度",
+    speed: "转速 S",
+    cuttingSpeed: "切削速度 VC",
+    limit: "转速上限 SMAX",
+  },
+  feed: {
+    title: "进给与快移",
+    perRevolution: "M136：进给按 mm/转",
+    rapid: "快移速度（仅用于时间）",
+  },
+  units: { diameter: "mm ⌀", mm: "mm", rpm: "转/分", cuttingSpeed: "m/min", perMinute: "mm/min" },
+  wrong: { missing: "请输入值。", notANumber: "这不是数字。", negative: "值须大于或等于 0。", positive: "值须大于 0。" },
+} satisfies SetupTexts;

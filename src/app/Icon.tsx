@@ -1,0 +1,29 @@
+/** Line icons drawn for this project, 24 units square; decoration only, the name stands beside or in the label. */
+const paths = {
+  undo: "M4 9h10a6 6 0 0 1 0 12H9M4 9l5-5M4 9l5 5",
+  redo: "M20 9H10a6 6 0 0 0 0 12h5M20 9l-5-5M20 9l-5 5",
+  copy: "M9 9h11v11H9zM5 15H4V4h11v1",
+  check: "M4 13l5 5L20 6",
+  download: "M12 4v11M7 11l5 5 5-5M4 20h16",
+  fold: "M9 5l7 7-7 7",
+  unfold: "M15 5l-7 7 7 7",
+  settings: "M4 7h9M19 7h1M4 17h1M11 17h9M16 4v6M8 14v6",
+  error: "M12 3l9.5 17h-19zM12 10v5M12 17.6v.4",
+  warning: "M12 3a9 9 0 1 0 0 18 9 9 0 0 0 0-18zM12 7v6M12 16.4v.4",
+  info: "M12 3a9 9 0 1 0 0 18 9 9 0 0 0 0-18zM12 11v6M12 7.4v.4",
+  question: "M12 3a9 9 0 1 0 0 18 9 9 0 0 0 0-18zM9.2 9.5a2.8 2.8 0 1 1 4 2.5c-.8.4-1.2.9-1.2 2M12 17v.2",
+  up: "M6 15l6-6 6 6",
+  down: "M6 9l6 6 6-6",
+  back: "M19 12H5M11 6l-6 6 6 6",
+  close: "M6 6l12 12M18 6L6 18",
+} as const;
+
+export type IconName = keyof typeof paths;
+
+export function Icon({ name }: { readonly name: IconName }) {
+  return (
+    <svg className="icon" viewBox="0 0 24 24" aria-hidden="true" focusable="false">
+      <path d={paths[name]} />
+    </svg>
+  );
+}

@@ -1,0 +1,48 @@
+/** The text of a prompt with its selection, as an input element holds it. */
+export interface Entry {
+  readonly text: string;
+  /** Selected characters: from, to; equal when it is only a caret. */
+  readonly from: number;
+  readonly to: number;
+  /** The minus key was the first one on a value that was selected as a whole: a digit now begins a negative number. */
+  readonly negative: boolean;
+}
+
+const plainNumber = /^\s*[+-]?\d*[.,]?\d*\s*$/;
+
+/** True when minus means "change the sign" here; in a sum it is an ordinary minus. */
+export const isPlainNumber = (text: string): boolean => plainNumber.test(text);
+
+const allSelected = ({ text, from, to }: Entry) => text !== "" && from === 0 && to === text.length;
+
+const caretAt = (text: string, at: number): Entry => ({ text, from: at, to: at, negative: false });
+
+/** The same number with the other sign; the caret stays at its digit. */
+export function toggleSign(entry: Entry): Entry {
+  const { text, from, to } = entry;
+  const old = /^\s*[+-]?/.exec(text)?.[0] ?? "";
+  const sign = old.includes("-") ? "" : "-";
+  const next = sign + text.slice(old.length);
+  if (allSelected(entry)) return { text: next, from: 0, to: next.length, negative: false };
+  const shift = (at: number) => Math.max(sign.length, at + sign.length - old.length);
+  return { text: next, from: shift(from), to: shift(to), negative: false };
+}
+
+/** The minus key: changes the sign of a number, is a minus in a sum. */
+export function minus(entry: Entry): Entry {
+  if (!isPlainNumber(entry.text)) return insert(entry, "-");
+  return { ...toggleSign(entry), negative: allSelected(entry) };
+}
+
+/** One character, or several, in place of what is selected. */
+export function insert(entry: Entry, characters: string): Entry {
+  if (entry.negative && allSelected(entry)) return caretAt(`-${characters}`, characters.length + 1);
+  const text = entry.text.slice(0, entry.from) + characters + entry.text.slice(entry.to);
+  return caretAt(text, entry.from + characters.length);
+}
+
+/** Takes away what is selected, or the character before the caret. */
+export function erase(entry: Entry): Entry {
+  const from = entry.from === entry.to ? Math.max(0, entry.from - 1) : entry.from;
+  return caretAt(entry.text.slice(0, from) + entry.text.slice(entry.to), from);
+}

@@ -1,0 +1,44 @@
+import type { BlankDraft, ContourRow, Draft, Job, SpindleDraft } from "../program/job.ts";
+import { edit } from "./store.ts";
+
+const noDraft: Draft = {};
+
+/** What was typed into the prompts of the job's cycle. */
+export const draftOf = (job: Job): Draft => job.drafts[job.cycle] ?? noDraft;
+
+/** The typed text of one prompt. */
+export function setPrompt(q: string, text: string): void {
+  edit((job) => {
+    const draft = draftOf(job);
+    return draft[q] === text ? job : { ...job, drafts: { ...job.drafts, [job.cycle]: { ...draft, [q]: text } } };
+  }, `prompt ${q}`);
+}
+
+/** Several prompts at once: one step of undo. */
+export const setPrompts = (draft: Draft): void =>
+  edit((job) => ({ ...job, drafts: { ...job.drafts, [job.cycle]: { ...draftOf(job), ...draft } } }));
+
+export const setTool = (tool: number): void => edit((job) => (job.tool === tool ? job : { ...job, tool }));
+
+export const setBlank = (field: keyof BlankDraft, text: string): void =>
+  edit((job) => ({ ...job, blank: { ...job.blank, [field]: text } }), `blank ${field}`);
+
+export const setStart = (field: "x" | "z", text: string): void =>
+  edit((job) => ({ ...job, start: { ...job.start, [field]: text } }), `start ${field}`);
+
+export const setSpindle = <F extends keyof SpindleDraft>(field: F, value: SpindleDraft[F]): void =>
+  edit((job) => ({ ...job, spindle: { ...job.spindle, [field]: value } }), field === "mode" ? null : `spindle ${field}`);
+
+export const setPerRevolution = (perRevolution: boolean): void => edit((job) => ({ ...job, perRevolution }));
+
+export const setRapid = (rapid: string): void => edit((job) => ({ ...job, rapid }), "rapid");
+
+export const setName = (name: string): void => edit((job) => ({ ...job, name }), "name");
+
+export const setLayout = (layout: Job["layout"]): void => edit((job) => ({ ...job, layout }));
+
+export const setNcLanguage = (ncLanguage: Job["ncLanguage"]): void => edit((job) => ({ ...job, ncLanguage }));
+
+/** The contour table; `place` names the cell, so that typing in it is one step of undo. */
+export const setContour = (contour: readonly ContourRow[], place: string | null = null): void =>
+  edit((job) => ({ ...job, contour }), place && `contour ${place}`);

@@ -1,0 +1,62 @@
+import { z } from "zod";
+import type { Job } from "../../program/job.ts";
+
+/** Counts up whenever the layout of a saved work changes; each step has its upgrade below. */
+export const SAVE_VERSION = 1;
+
+/** One work as it is kept on the device. */
+export interface SaveFile {
+  readonly version: number;
+  /** Milliseconds since 1970, for the order of the list. */
+  readonly savedAt: number;
+  readonly job: Job;
+}
+
+const text = z.string().max(500);
+const row = z.object({
+  id: text, kind: z.enum(["L", "RND", "CHF", "CR"]), x: text, z: text, r: text, turn: z.enum(["cw", "ccw"]),
+  incrementalX: z.boolean(), incrementalZ: z.boolean(),
+});
+const job = z.object({
+  name: text,
+  cycle: z.int(),
+  drafts: z.record(z.string().regex(/^\d+$/), z.record(z.string(), text)),
+  tool: z.number(),
+  blank: z.object({ outside: text, bore: text, length: text, allowance: text }),
+  start: z.object({ x: text, z: text }),
+  spindle: z.object({ mode: z.enum(["constant", "surface"]), speed: text, cuttingSpeed: text, limit: text }),
+  perRevolution: z.boolean(),
+  rapid: text,
+  contour: z.array(row),
+  layout: z.enum(["tnc640", "tnc7"]),
+  ncLanguage: z.enum(["en", "de", "fr", "zh"]),
+});
+const file = z.object({ version: z.literal(SAVE_VERSION), savedAt: z.number(), job });
+
+/** From version n to n + 1. A saved work passes all steps from its own version to the present one. */
+export type Upgrades = Readonly<Record<number, (old: Readonly<Record<string, unknown>>) => Readonly<Record<string, unknown>>>>;
+const upgrades: Upgrades = {};
+
+/** A saved work of any version in today's layout; anything else comes back as it was. */
+export function upgrade(raw: unknown, steps: Upgrades = upgrades, to = SAVE_VERSION): unknown {
+  let now = raw;
+  for (let step = 0; step < to; step++) {
+    if (typeof now !== "object" || now === null) return raw;
+    const old = now as Readonly<Record<string, unknown>>;
+    if (old["version"] === to) return old;
+    const next = typeof old["version"] === "number" ? steps[old["version"]] : undefined;
+    if (!next) return raw;
+    now = next(old);
+  }
+  return now;
+}
+
+/** A saved work, or null when it is damaged or from a newer edition. Never throws. */
+export function readSave(raw: unknown): SaveFile | null {
+  try {
+    const read = file.safeParse(upgrade(raw));
+    return read.success ? (read.data as SaveFile) : null;
+  } catch {
+    return null;
+  }
+}

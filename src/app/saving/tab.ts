@@ -1,0 +1,51 @@
+/**
+ * Each browser tab writes only works that are its own, so two tabs can never overwrite each other. Which work a tab
+ * has open survives a reload in the session storage; a lock that dies with the tab tells whose work it is now.
+ */
+const KEY = "turnwise/work";
+
+/** Names of works whose lock this tab holds. */
+const mine = new Set<string>();
+
+export const newWorkName = (): string => crypto.randomUUID?.() ?? `${Date.now()}-${Math.random().toString(36).slice(2)}`;
+
+/** What this tab had open before a reload: a work, "" for the start page, null in a new tab. */
+export function rememberedWork(): string | null {
+  try {
+    return sessionStorage.getItem(KEY);
+  } catch {
+    return null;
+  }
+}
+
+export function rememberWork(work: string | null): void {
+  try {
+    sessionStorage.setItem(KEY, work ?? "");
+  } catch {
+    return;
+  }
+}
+
+/**
+ * Claims a work for this tab until it is closed; false when another tab has it open. Without locks (old browsers, plain
+ * http) only a work that this tab remembers counts as its own.
+ */
+export async function claimWork(work: string): Promise<boolean> {
+  if (mine.has(work)) return true;
+  const locks = typeof navigator === "undefined" ? undefined : navigator.locks;
+  if (!locks) {
+    const own = rememberedWork() === work;
+    if (own) mine.add(work);
+    return own;
+  }
+  return new Promise((answer) => {
+    void locks
+      .request(`turnwise ${work}`, { ifAvailable: true }, (lock) => {
+        answer(lock !== null);
+        if (!lock) return undefined;
+        mine.add(work);
+        return new Promise<void>(() => undefined);
+      })
+      .catch(() => answer(false));
+  });
+}

@@ -1,0 +1,24 @@
+import { useSettings, type Settings } from "./settings.ts";
+
+const dark = () => matchMedia("(prefers-color-scheme: dark)");
+const still = () => matchMedia("(prefers-reduced-motion: reduce)");
+
+/** True when nothing should move by itself: asked for by the system or by the switch. */
+export const reducedMotion = (settings: Pick<Settings, "motion">): boolean =>
+  settings.motion === "reduced" || (typeof matchMedia === "function" && still().matches);
+
+function apply(settings: Settings): void {
+  const root = document.documentElement;
+  root.lang = settings.language;
+  root.dataset["theme"] = settings.theme === "system" ? (dark().matches ? "dark" : "light") : settings.theme;
+  root.dataset["motion"] = reducedMotion(settings) ? "reduced" : "full";
+}
+
+/** Keeps language, theme and motion of the document in step with the settings and the system. */
+export function followAppearance(): void {
+  const now = () => apply(useSettings.getState());
+  now();
+  useSettings.subscribe(now);
+  dark().addEventListener("change", now);
+  still().addEventListener("change", now);
+}

@@ -1,0 +1,81 @@
+import { create } from "zustand";
+import { isLanguage, type Language } from "../../i18n/languages.ts";
+
+/** Choices of this device, beside the work itself. Kept in the browser's local storage. */
+export interface Settings {
+  /** Language of the screen. */
+  readonly language: Language;
+  /** Light, dark, or as the system says. */
+  readonly theme: "system" | "light" | "dark";
+  /** Motion as the system says, or none. */
+  readonly motion: "system" | "reduced";
+  /** The program text takes part of the screen, or is folded away. */
+  readonly programFolded: boolean;
+  /** X grows downwards in the lathe view (tool behind the spindle axis seen from the operator). */
+  readonly xDown: boolean;
+  /** The lathe view shows both halves of the section. */
+  readonly fullSection: boolean;
+}
+
+const KEY = "turnwise/settings";
+
+/** The first screen language that the browser asks for and that we have. */
+function browserLanguage(): Language {
+  const asked = typeof navigator === "undefined" ? [] : navigator.languages ?? [];
+  for (const tag of asked) {
+    const name = tag.slice(0, 2).toLowerCase();
+    if (isLanguage(name)) return name;
+  }
+  return "en";
+}
+
+function initial(): Settings {
+  return {
+    language: browserLanguage(), theme: "system", motion: "system",
+    programFolded: false, xDown: false, fullSection: false,
+  };
+}
+
+/** Settings from untrusted text: what does not fit keeps its first value. */
+export function readSettings(text: string | null): Settings {
+  const first = initial();
+  let raw: unknown;
+  try {
+    raw = JSON.parse(text ?? "");
+  } catch {
+    return first;
+  }
+  if (typeof raw !== "object" || raw === null) return first;
+  const kept = raw as Readonly<Record<string, unknown>>;
+  const oneOf = <T extends string>(value: unknown, allowed: readonly T[], otherwise: T): T =>
+    allowed.find((each) => each === value) ?? otherwise;
+  const flag = (value: unknown, otherwise: boolean) => (typeof value === "boolean" ? value : otherwise);
+  return {
+    language: typeof kept["language"] === "string" && isLanguage(kept["language"]) ? kept["language"] : first.language,
+    theme: oneOf(kept["theme"], ["system", "light", "dark"], first.theme),
+    motion: oneOf(kept["motion"], ["system", "reduced"], first.motion),
+    programFolded: flag(kept["programFolded"], first.programFolded),
+    xDown: flag(kept["xDown"], first.xDown),
+    fullSection: flag(kept["fullSection"], first.fullSection),
+  };
+}
+
+function stored(): string | null {
+  try {
+    return localStorage.getItem(KEY);
+  } catch {
+    return null;
+  }
+}
+
+export const useSettings = create<Settings>(() => readSettings(stored()));
+
+/** Changes settings and keeps them; a browser that refuses storage keeps them for this visit only. */
+export function changeSettings(change: Partial<Settings>): void {
+  useSettings.setState(change);
+  try {
+    localStorage.setItem(KEY, JSON.stringify(useSettings.getState()));
+  } catch {
+    return;
+  }
+}
