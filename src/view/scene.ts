@@ -60,10 +60,6 @@ export function toolpath(steps: readonly Step[]): readonly Shape[] {
   });
 }
 
-/** A stretch of single moves as one path, for the move or pass that is shown strong. */
-export const stretch = (steps: readonly Step[]): string =>
-  steps.map(({ from, move }) => startData(from) + moveData(from, move)).join("");
-
 function* pathPoints(steps: readonly Step[]): Generator<Pt> {
   for (const { from, move } of steps) {
     yield from;

@@ -52,8 +52,7 @@ export function falling(f: Frame, line: readonly Pt[]): Pt[][] {
     const before = line[i - 1];
     if (!before) return;
     const falls = outward(f, p) < outward(f, before) - 1e-6 && along(f, p) > along(f, before) - 1e-6;
-    const square = Math.abs(along(f, p) - along(f, before)) < 1e-6;
-    if (falls && (!square || f.recess || run.length > 0)) run = run.length > 0 ? [...run, p] : [before, p];
+    if (falls) run = run.length > 0 ? [...run, p] : [before, p];
     else if (run.length > 0) {
       out.push(run);
       run = [];

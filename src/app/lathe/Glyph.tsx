@@ -1,0 +1,27 @@
+/** Line icons of the lathe view, 24 units square; decoration only, the name stands in the button's label. */
+const strokes = {
+  play: "M8 5l11 7-11 7z",
+  pause: "M8 5v14M16 5v14",
+  forward: "M7 5l9 7-9 7zM19 5v14",
+  back: "M17 5l-9 7 9 7zM5 5v14",
+  first: "M5 5v14M12 6l-5 6 5 6M19 6l-5 6 5 6",
+  last: "M19 5v14M12 6l5 6-5 6M5 6l5 6-5 6",
+  zoomIn: "M5 12h14M12 5v14",
+  zoomOut: "M5 12h14",
+  fit: "M4 9V4h5M15 4h5v5M20 15v5h-5M9 20H4v-5",
+  ruler: "M3 15L15 3l6 6L9 21zM7 11l2 2M10 8l3 3M13 5l2 2",
+  halfSection: "M3 12h18M5 12V6h8v3h6v3M7 12l4-6M12 12l2-3",
+  fullSection: "M2 12h20M5 18V6h8v3h6v6h-6v3zM7 10l3-4M7 18l5-4",
+  xUp: "M8 20V5M4 9l4-4 4 4M15 20l6-8M15 12l6 8",
+  xDown: "M8 4v15M4 15l4 4 4-4M15 12l6-8M15 4l6 8",
+} as const;
+
+export type GlyphName = keyof typeof strokes;
+
+export function Glyph({ name }: { readonly name: GlyphName }) {
+  return (
+    <svg className="icon" viewBox="0 0 24 24" aria-hidden="true" focusable="false">
+      <path d={strokes[name]} />
+    </svg>
+  );
+}

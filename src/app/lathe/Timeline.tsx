@@ -1,0 +1,51 @@
+import { useCallback, useMemo, useRef } from "react";
+import type { Run } from "../../program/run-types.ts";
+import { secondsAt, trackOf } from "../../view/playback.ts";
+import { timeBar } from "../../view/timeline.ts";
+import { useSettings } from "../settings/settings.ts";
+import { useTexts } from "../settings/use-texts.ts";
+import { clockText } from "./PlaybackBar.tsx";
+import type { PlaybackStore } from "./playback-store.ts";
+import { useEachPicture, usePlayback } from "./use-playback.ts";
+
+/** Time of the whole run: cutting and rapids, boundaries of moves, operations by name. Dragging it scrubs. */
+export function Timeline({ run, playback }: { readonly run: Run; readonly playback: PlaybackStore }) {
+  const t = useTexts().lathe, language = useSettings(s => s.language);
+  const bar = useMemo(() => timeBar(run.steps, trackOf(run.steps)), [run]);
+  const input = useRef<HTMLInputElement>(null), head = useRef<HTMLDivElement>(null);
+  const spoken = usePlayback(playback, store => {
+    const { track, position, playing } = store.get();
+    return playing ? "" : t.timeOf(clockText(language, secondsAt(track, position)), clockText(language, track.total));
+  });
+  useEachPicture(playback, useCallback(() => {
+    const { track, position } = playback.get(), part = track.total > 0 ? secondsAt(track, position) / track.total : 0;
+    if (input.current) input.current.value = String(part * 1000);
+    if (head.current) head.current.style.left = `${part * 100}%`;
+  }, [playback]));
+  const marks = bar.boundaries.map(b => `M${b * 1000} 0V1`).join("");
+  return (
+    <div className="lathe-timeline">
+      <div className="lathe-timeline-names" aria-hidden="true">
+        {bar.operations.map(({ operation, from, to }) => {
+          const named = run.operations[operation];
+          return named && (
+            <span key={`${operation}-${from}`} style={{ left: `${from * 100}%`, width: `${(to - from) * 100}%` }}>
+              {named.cycle} · T{named.tool.T}
+            </span>
+          );
+        })}
+      </div>
+      <svg className="lathe-timebar" viewBox="0 0 1 1" preserveAspectRatio="none" aria-hidden="true">
+        <path className="rapid" d={bar.rapid} />
+        <path className="cutting" d={bar.cutting} />
+      </svg>
+      <svg className="lathe-timemarks" viewBox="0 0 1000 1" preserveAspectRatio="none" aria-hidden="true"><path d={marks} /></svg>
+      <div ref={head} className="lathe-playhead" aria-hidden="true" />
+      <input
+        ref={input} type="range" min={0} max={1000} step={0.01} defaultValue={0} aria-label={t.timeline} {...(spoken && { "aria-valuetext": spoken })}
+        disabled={run.steps.length === 0}
+        onInput={event => playback.dispatch({ do: "seekSeconds", seconds: (Number(event.currentTarget.value) / 1000) * playback.get().track.total })}
+      />
+    </div>
+  );
+}

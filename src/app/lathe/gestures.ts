@@ -1,0 +1,71 @@
+import { panned, pinched, type Place } from "../../view/camera.ts";
+import type { Viewport } from "./viewport.ts";
+
+/** What the picture does with a pointer beside looking around. */
+export interface Touches {
+  /** A press without a drag. */
+  readonly tap: (at: Place) => void;
+  /** The pointer moves over the picture without pressing. */
+  readonly hover: (at: Place | null) => void;
+}
+
+/** A pointer that moved less than this was a tap, pixels. */
+const TAP = 6;
+/** Zoom per wheel pixel. */
+const WHEEL = 0.0015;
+
+/** Wheel zooms, one pointer drags, two pinch. Returns what takes it all off again. */
+export function listenToGestures(element: Element & GlobalEventHandlers, viewport: Viewport, touches: Touches): () => void {
+  const down = new Map<number, Place>();
+  let begun: Place | null = null;
+  let dragged = false;
+
+  const placeOf = (event: MouseEvent): Place => {
+    const box = element.getBoundingClientRect();
+    return { x: event.clientX - box.left, y: event.clientY - box.top };
+  };
+  const press = (event: PointerEvent) => {
+    if (event.pointerType === "mouse" && event.button !== 0 && event.button !== 1) return;
+    element.setPointerCapture(event.pointerId);
+    down.set(event.pointerId, placeOf(event));
+    if (down.size === 1) {
+      begun = placeOf(event);
+      dragged = false;
+    } else dragged = true;
+  };
+  const move = (event: PointerEvent) => {
+    const before = down.get(event.pointerId), here = placeOf(event);
+    if (!before) return touches.hover(here);
+    const [other] = [...down].filter(([id]) => id !== event.pointerId).map(([, place]) => place);
+    if (!dragged && begun && Math.hypot(here.x - begun.x, here.y - begun.y) < TAP) return;
+    const from = dragged || !begun ? before : begun;
+    dragged = true;
+    down.set(event.pointerId, here);
+    viewport.look(other ? pinched(viewport.get(), [before, other], [here, other]) : panned(viewport.get(), here.x - from.x, here.y - from.y));
+  };
+  const release = (event: PointerEvent) => {
+    if (!down.delete(event.pointerId)) return;
+    if (down.size === 0 && !dragged && event.type === "pointerup") touches.tap(placeOf(event));
+  };
+  const leave = () => touches.hover(null);
+  const wheel = (event: WheelEvent) => {
+    event.preventDefault();
+    const lines = event.deltaMode === 1 ? 33 : 1;
+    viewport.zoom(Math.exp(-event.deltaY * lines * WHEEL), placeOf(event));
+  };
+
+  element.addEventListener("pointerdown", press);
+  element.addEventListener("pointermove", move);
+  element.addEventListener("pointerup", release);
+  element.addEventListener("pointercancel", release);
+  element.addEventListener("pointerleave", leave);
+  element.addEventListener("wheel", wheel, { passive: false });
+  return () => {
+    element.removeEventListener("pointerdown", press);
+    element.removeEventListener("pointermove", move);
+    element.removeEventListener("pointerup", release);
+    element.removeEventListener("pointercancel", release);
+    element.removeEventListener("pointerleave", leave);
+    element.removeEventListener("wheel", wheel);
+  };
+}

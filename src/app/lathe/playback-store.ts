@@ -1,0 +1,62 @@
+import type { Position } from "../../sim/simulation.ts";
+import { atStart, reduce, settled, trackOf, type Action, type Playback } from "../../view/playback.ts";
+import type { Clock } from "../clock.ts";
+
+/** A playback that runs on a clock, for anything on the page that shows or moves it. */
+export interface PlaybackStore {
+  readonly get: () => Playback;
+  /** The position to show: without motion, only ends of moves while it plays. */
+  readonly shown: () => Position;
+  readonly dispatch: (action: Action) => void;
+  /** Calls after each change; returns what ends it. */
+  readonly subscribe: (listener: () => void) => () => void;
+  /** Motion as usual, or from end of move to end of move. */
+  readonly setStill: (still: boolean) => void;
+}
+
+/** A new playback of an empty run. Time passes only while it plays, by the clock's pictures. */
+export function createPlaybackStore(clock: Clock): PlaybackStore {
+  let state = atStart(trackOf([]));
+  let still = false;
+  let stop: (() => void) | null = null;
+  let last = 0;
+  const listeners = new Set<() => void>();
+
+  const picture = (now: number) => {
+    stop = null;
+    const seconds = (now - last) / 1000;
+    last = now;
+    set(reduce(state, { do: "tick", seconds }));
+    follow();
+  };
+  const follow = () => {
+    if (state.playing && !stop) stop = clock.frame(picture);
+    if (!state.playing && stop) {
+      stop();
+      stop = null;
+    }
+  };
+  const set = (next: Playback) => {
+    if (next === state) return;
+    state = next;
+    for (const listener of [...listeners]) listener();
+  };
+
+  return {
+    get: () => state,
+    shown: () => (still && state.playing ? settled(state.position) : state.position),
+    dispatch(action) {
+      const rested = !state.playing;
+      set(reduce(state, action));
+      if (rested && state.playing) last = clock.now();
+      follow();
+    },
+    subscribe(listener) {
+      listeners.add(listener);
+      return () => listeners.delete(listener);
+    },
+    setStill(next) {
+      still = next;
+    },
+  };
+}

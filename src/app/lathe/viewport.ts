@@ -1,0 +1,86 @@
+import { fitted, turnedOver, zoomed, type Bounds, type Camera, type Margin, type Place, type Size } from "../../view/camera.ts";
+
+/** Where the picture looks, shared by its layers. */
+export interface Viewport {
+  readonly get: () => Camera;
+  readonly size: () => Size;
+  readonly subscribe: (listener: () => void) => () => void;
+  /** Looks elsewhere, by hand: from now on the picture is not fitted by itself. */
+  readonly look: (camera: Camera) => void;
+  readonly zoom: (factor: number, at?: Place) => void;
+  readonly fit: () => void;
+  readonly setSize: (size: Size) => void;
+  /** What fitting shows. A picture that is still fitted follows, but not for every small change. */
+  readonly setBounds: (bounds: Bounds) => void;
+  readonly setXUp: (xUp: boolean) => void;
+}
+
+const START: Bounds = { left: -80, right: 20, low: 0, high: 40 };
+
+/** Scales along two edges and buttons along the top need their room, pixels. */
+const marginOf = (size: Size): Margin =>
+  size.width < 480 || size.height < 300 ? { left: 40, right: 8, top: 14, bottom: 26 } : { left: 60, right: 20, top: 24, bottom: 40 };
+
+/** A fitted picture keeps its camera while the new box still fills most of it. */
+const FILLS = 0.6;
+
+const holds = (outer: Bounds, inner: Bounds) =>
+  inner.left >= outer.left && inner.right <= outer.right && inner.low >= outer.low && inner.high <= outer.high;
+const measure = (b: Bounds) => Math.max(b.right - b.left, b.high - b.low);
+
+/** A new viewport that shows 100 mm of axis until it is told more. */
+export function createViewport(xUp: boolean): Viewport {
+  let size: Size = { width: 640, height: 400 };
+  let bounds = START;
+  let shown = START;
+  let byHand = false;
+  let camera = fitted(bounds, size, marginOf(size), xUp);
+  const listeners = new Set<() => void>();
+  const set = (next: Camera) => {
+    camera = next;
+    for (const listener of [...listeners]) listener();
+  };
+  const refit = () => {
+    shown = bounds;
+    set(fitted(bounds, size, marginOf(size), camera.xUp));
+  };
+
+  return {
+    get: () => camera,
+    size: () => size,
+    subscribe(listener) {
+      listeners.add(listener);
+      return () => listeners.delete(listener);
+    },
+    look(next) {
+      byHand = true;
+      set(next);
+    },
+    zoom(factor, at) {
+      byHand = true;
+      set(zoomed(camera, factor, at ?? { x: size.width / 2, y: size.height / 2 }));
+    },
+    fit() {
+      byHand = false;
+      refit();
+    },
+    setSize(next) {
+      if (next.width === size.width && next.height === size.height) return;
+      size = next;
+      if (byHand) set({ ...camera });
+      else refit();
+    },
+    setBounds(next) {
+      bounds = next;
+      if (!byHand && (!holds(shown, next) || measure(next) < FILLS * measure(shown))) refit();
+    },
+    setXUp(next) {
+      if (next === camera.xUp) return;
+      if (byHand) set(turnedOver(camera, size));
+      else {
+        camera = { ...camera, xUp: next };
+        refit();
+      }
+    },
+  };
+}

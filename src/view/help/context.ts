@@ -1,0 +1,50 @@
+import type { Outline } from "../../cycles/define.ts";
+import type { Params } from "../../cycles/params.ts";
+import type { Pt } from "../../kernel/point.ts";
+import { pointOn } from "../../kernel/flatten.ts";
+import type { Lettering } from "./dimensions.ts";
+import { along, outward, pointAt, type Frame } from "./frame.ts";
+import type { Numbers } from "./lettering.ts";
+import type { Layout } from "./layout.ts";
+import type { Pass } from "./passes.ts";
+import type { Section } from "./section.ts";
+
+/** Everything the explanations of the parameters draw from. */
+export interface Context {
+  readonly params: Params;
+  readonly values: Numbers;
+  readonly outline: Outline;
+  readonly frame: Frame;
+  readonly section: Section;
+  readonly layout: Layout;
+  readonly passes: readonly Pass[];
+  /** Distance between passes after even division, mm. */
+  readonly step: number;
+  /** Level of the surface before the first pass. */
+  readonly top: number;
+  readonly side: 1 | -1;
+  /** Text and strength of a parameter. */
+  readonly letter: (q: string) => Lettering;
+}
+
+/** A value as a number; FAUTO and missing values count as 0. */
+export const numberOf = (values: Numbers, q: string | null): number => {
+  const v = q === null ? undefined : values[q];
+  return typeof v === "number" && Number.isFinite(v) ? v : 0;
+};
+
+/** The cycle start point next to the area, at the set-up clearance, mm. */
+export function startPoint(f: Frame, corner: Pt, clearance: number): Pt {
+  return f.infeed === "r" && !f.recess
+    ? pointAt(f, along(f, corner) - clearance, outward(f, corner))
+    : pointAt(f, along(f, corner), outward(f, corner) + clearance);
+}
+
+/** Middle of the longest element of the contour that a test accepts; of any element when none is. */
+export function longest(context: Context, accepts: (dz: number, dr: number) => boolean): { readonly at: Pt; readonly found: boolean } {
+  const sized = context.outline.contour.map((s) => ({ s, dz: Math.abs(s.to.z - s.from.z), dr: Math.abs(s.to.r - s.from.r) }))
+    .sort((a, b) => Math.hypot(b.dz, b.dr) - Math.hypot(a.dz, a.dr));
+  const one = sized.find(({ dz, dr }) => accepts(dz, dr));
+  const any = one ?? sized[0];
+  return { at: any ? pointOn(any.s, 0.5) : context.section.corner, found: one !== undefined };
+}

@@ -1,0 +1,97 @@
+import type { Dimension } from "../../cycles/define.ts";
+import type { Pt } from "../../kernel/point.ts";
+import { axial, radius } from "../../kernel/units.ts";
+import { boundsOf } from "../bounds.ts";
+import { toScreen, type Bounds, type Camera, type Place, type Size } from "../camera.ts";
+import type { Frame } from "./frame.ts";
+import type { Box } from "./labels.ts";
+import type { Reach } from "./section.ts";
+
+/** Where everything goes: the camera, the drawing's box on the screen and the spindle axis. */
+export interface Layout {
+  readonly camera: Camera;
+  readonly size: Size;
+  /** The drawing without its dimensions, pixels. */
+  readonly box: Box;
+  /** Height of the spindle axis on the screen, pixels; with `broken` it stands nearer than it is. */
+  readonly axisY: number;
+  readonly broken: boolean;
+  /** Part space that the drawing shows, mm. */
+  readonly reach: Reach;
+}
+
+/** Distance between two dimension lines, pixels. */
+export const TRACK = 19;
+/** From the drawing to the first dimension line, pixels. */
+export const FIRST = 15;
+
+/** The axis is drawn where it is as long as it lies nearer to the contour than this many contour sizes. */
+const NEAR_AXIS = 1.6;
+/** How far the part goes on behind the contour, in contour sizes. */
+const BEHIND = 0.16;
+/** A dimension's far end is drawn where it is up to this many contour sizes away; farther ones end at the edge. */
+const NEAR_DATUM = 0.9;
+
+/** Bounds of contour and dimensions, leaving out far datums. */
+function subject(points: readonly Pt[], dimensions: readonly Dimension[]): { core: Bounds; span: number } {
+  const core = boundsOf(points) ?? { left: -50, right: 0, low: 0, high: 25 };
+  const span = Math.max(core.right - core.left, core.high - core.low, 1e-3);
+  const near = dimensions.flatMap((d) => (d.form === "z" ? [d.from, d.to] : []))
+    .filter((p) => p.z > core.left - NEAR_DATUM * span && p.z < core.right + NEAR_DATUM * span);
+  const wide = boundsOf([...points, ...near.map((p) => ({ ...p, r: points[0]?.r ?? p.r }))]) ?? core;
+  return { core: wide, span };
+}
+
+/** What the drawing shows of part space. */
+function reachOf(f: Frame, core: Bounds, span: number): Reach & { axis: number; broken: boolean } {
+  const ways = [
+    f.infeed === "r" ? { z: f.feed, r: 0 } : { z: 0, r: f.feed },
+    f.infeed === "r" ? { z: 0, r: -f.open } : { z: -f.open, r: 0 },
+    ...(f.recess ? [f.infeed === "r" ? { z: -f.feed, r: 0 } : { z: 0, r: -f.feed }] : []),
+  ];
+  const more = (z: number, r: number) => (ways.some((w) => w.z === z && w.r === r) ? BEHIND * span : 0.02 * span);
+  const broken = core.low > NEAR_AXIS * span || core.low < -1e-6;
+  const axis = core.low > NEAR_AXIS * span ? core.low - 0.5 * span : 0;
+  const low = axis > 0 ? core.low - 0.3 * span : Math.min(axis, core.low);
+  return { left: core.left - more(-1, 0), right: core.right + more(1, 0), low, high: core.high + more(0, 1), axis, broken: broken && axis > 0 };
+}
+
+/** How many dimension lines each side of the drawing will need, from the forms of the dimensions. */
+function tracks(dimensions: readonly Dimension[], more: { readonly top: number; readonly right: number }) {
+  const count = (form: Dimension["form"]) => dimensions.filter((d) => d.form === form).length;
+  return { top: Math.min(3, Math.max(1, count("z") + more.top)), right: Math.min(3, Math.max(1, count("diameter") + more.right)) };
+}
+
+/** Fits contour, part and dimension lines into a picture; the scale is the same both ways. */
+export function layoutOf(
+  f: Frame, points: readonly Pt[], dimensions: readonly Dimension[], size: Size, more: { readonly top: number; readonly right: number },
+): Layout {
+  const { core, span } = subject(points, dimensions);
+  const reach = reachOf(f, core, span);
+  const lines = tracks(dimensions, more);
+  const margin = {
+    top: Math.min(FIRST + TRACK * lines.top, size.height * 0.35), bottom: Math.min(20, size.height * 0.1),
+    left: Math.min(FIRST + TRACK * (lines.right > 1 ? 1.4 : 1), size.width * 0.25), right: Math.min(FIRST + TRACK * lines.right, size.width * 0.25),
+  };
+  const low = Math.min(reach.axis, reach.low);
+  const wide = Math.max(1, size.width - margin.left - margin.right), tall = Math.max(1, size.height - margin.top - margin.bottom);
+  const scale = Math.min(wide / (reach.right - reach.left), tall / (reach.high - low));
+  const spare = { x: wide - scale * (reach.right - reach.left), y: tall - scale * (reach.high - low) };
+  const camera: Camera = {
+    scale, xUp: true,
+    zero: { x: margin.left + spare.x / 2 - reach.left * scale, y: margin.top + spare.y / 2 + reach.high * scale },
+  };
+  const from = toScreen(camera, { z: axial(reach.left), r: radius(reach.high) });
+  const to = toScreen(camera, { z: axial(reach.right), r: radius(low) });
+  return {
+    camera, size, reach, broken: reach.broken,
+    box: { x: from.x, y: from.y, width: to.x - from.x, height: to.y - from.y },
+    axisY: toScreen(camera, { z: axial(0), r: radius(reach.axis) }).y,
+  };
+}
+
+/** A part point on the screen, kept inside the picture. */
+export function spot(layout: Layout, p: Pt): Place {
+  const { x, y } = toScreen(layout.camera, p);
+  return { x: Math.min(layout.size.width - 2, Math.max(2, x)), y: Math.min(layout.size.height - 2, Math.max(2, y)) };
+}

@@ -1,0 +1,184 @@
+import type { Pt } from "../../kernel/point.ts";
+import { axial, radius, toRadius, type Diameter } from "../../kernel/units.ts";
+import { toScreen, type Place } from "../camera.ts";
+import { grownLine } from "./band.ts";
+import { longest, numberOf, startPoint, type Context } from "./context.ts";
+import { dimensionItem, leader, type Lettering } from "./dimensions.ts";
+import { along, outward, pointAt } from "./frame.ts";
+import type { Item } from "./labels.ts";
+import { spot } from "./layout.ts";
+import { arrowHead, circle, polygon, polyline, segmentPath, type Mark } from "./marks.ts";
+import { falling } from "./passes.ts";
+import { filled, stroke, type Tag } from "./stroke.ts";
+import { qOf } from "./topics.ts";
+
+/** Marks that are always drawn, and a dimension that needs a place for its text. */
+export interface Explanation {
+  readonly under: readonly Mark[];
+  readonly item: Item | null;
+}
+
+/** A small length is drawn at least so wide while it is asked for, and so wide while it is not, pixels. */
+const SHOWN = { active: 8, quiet: 3 } as const;
+/** Distance of a drawn tool path from the contour, pixels. */
+const BESIDE = 6;
+
+const screen = (c: Context, points: readonly Pt[]): Place[] => points.map((p) => toScreen(c.layout.camera, p));
+const mm = (c: Context, pixels: number) => pixels / c.layout.camera.scale;
+const pointed = (c: Context, l: Lettering, at: Pt, towards: Pt): Item =>
+  ({ q: l.q, candidates: leader(l, spot(c.layout, at), spot(c.layout, towards)) });
+/** A point a little out of the material from another. */
+const outside = (c: Context, p: Pt): Pt => pointAt(c.frame, along(c.frame, p), outward(c.frame, p) + mm(c, 20));
+
+/** A tool path with an arrowhead at its end. */
+export function pathMarks(c: Context, tag: Tag, points: readonly Pt[]): Mark[] {
+  const places = screen(c, points);
+  const [tip, before] = [places.at(-1), [...places].reverse().find((p) => Math.hypot(p.x - (places.at(-1)?.x ?? 0), p.y - (places.at(-1)?.y ?? 0)) > 3)];
+  if (!tip || !before) return [];
+  return [stroke(tag, "path", polyline(places)), filled(tag, "arrow", arrowHead(tip, tip.x - before.x, tip.y - before.y, 9))];
+}
+
+/** The contour as the finishing cut runs, a little beside the drawn line; farther off where oversize is left. */
+export const besides = (c: Context, line: readonly Pt[], pixels: number = BESIDE): Pt[] =>
+  grownLine(line, c.side, mm(c, pixels), mm(c, pixels)).outer;
+
+/** The band that oversize leaves, drawn wider than it is; both components, or only the one asked for. */
+export function bandMarks(c: Context, tag: Tag, which: "diameter" | "z" | "both", pixels: number): Mark[] {
+  const size = mm(c, pixels);
+  const { outer, pieces } = grownLine(c.section.line, c.side, which === "diameter" ? 0 : size, which === "z" ? 0 : size);
+  const whole = pieces.map((p) => polygon(screen(c, p))).join("");
+  return [filled(tag, "oversize", whole), stroke(tag, "break", polyline(screen(c, outer)))];
+}
+
+export function clearance(c: Context, l: Lettering): Explanation {
+  const value = Math.max(numberOf(c.values, l.q), mm(c, 1));
+  const s = startPoint(c.frame, c.section.corner, value);
+  const centre = toScreen(c.layout.camera, s);
+  const cross = `${polyline([{ x: centre.x - 6, y: centre.y }, { x: centre.x + 6, y: centre.y }])}${polyline([{ x: centre.x, y: centre.y - 6 }, { x: centre.x, y: centre.y + 6 }])}`;
+  const form = c.frame.recess && c.frame.infeed === "r" ? "r" : "z";
+  return {
+    under: [stroke(l, "frame", circle(centre, 3.5) + cross)],
+    item: dimensionItem(c.layout, { q: l.q, form, from: c.section.corner, to: s }, l),
+  };
+}
+
+export function infeed(c: Context, l: Lettering): Explanation {
+  const u = along(c.frame, c.section.corner);
+  const [from, to] = [pointAt(c.frame, u, c.top), pointAt(c.frame, u, c.top - c.step)];
+  const lines = mm(c, 3) > c.step ? c.passes.slice(0, 3) : c.passes;
+  return {
+    under: lines.map((p) => stroke(l, "pass", polyline(screen(c, [p.from, p.to])))),
+    item: dimensionItem(c.layout, { q: l.q, form: c.frame.infeed, from, to }, l),
+  };
+}
+
+export function oversize(c: Context, l: Lettering, which: "diameter" | "z"): Explanation {
+  const pixels = l.active ? SHOWN.active : SHOWN.quiet;
+  const steep = (dz: number, dr: number) => dr > dz * 1.2;
+  const { at } = longest(c, which === "z" ? steep : (dz, dr) => dz > dr * 1.2);
+  const size = mm(c, pixels);
+  const way = grownLine(c.section.line, c.side, size, size);
+  const near = way.outer.reduce<Pt | null>((best, p) => (!best || Math.hypot(p.z - at.z, p.r - at.r) < Math.hypot(best.z - at.z, best.r - at.r) ? p : best), null);
+  const sign = which === "z" ? Math.sign((near?.z ?? 0) - at.z) || 1 : Math.sign((near?.r ?? 0) - at.r) || 1;
+  const off: Pt = which === "z" ? { z: axial(at.z + sign * size), r: at.r } : { z: at.z, r: radius(at.r + sign * size) };
+  return {
+    under: l.active ? bandMarks(c, l, which, pixels) : [],
+    item: l.active ? dimensionItem(c.layout, { q: l.q, form: which === "z" ? "z" : "r", from: at, to: off }, { ...l, underlined: true }) : pointed(c, l, off, outside(c, off)),
+  };
+}
+
+export function roughingFeed(c: Context, l: Lettering): Explanation {
+  const pass = c.passes[Math.min(1, c.passes.length - 1)];
+  if (!pass) return { under: [], item: pointed(c, l, c.section.corner, outside(c, c.section.corner)) };
+  const at = (t: number): Pt => ({ z: axial(pass.from.z + (pass.to.z - pass.from.z) * t), r: radius(pass.from.r + (pass.to.r - pass.from.r) * t) });
+  const lines = l.active ? c.passes.map((p) => stroke(l, "pass", polyline(screen(c, [p.from, p.to])))) : [];
+  return { under: [...lines, ...pathMarks(c, l, [at(0.25), at(0.7)])], item: pointed(c, l, at(0.5), outside(c, at(0.5))) };
+}
+
+export function finishingFeed(c: Context, l: Lettering): Explanation {
+  const path = besides(c, c.section.line);
+  const middle = path[Math.floor(path.length / 2)] ?? c.section.corner;
+  return { under: l.active ? pathMarks(c, l, path) : [], item: pointed(c, l, middle, outside(c, middle)) };
+}
+
+export function plungingFeed(c: Context, l: Lettering): Explanation {
+  const found = falling(c.frame, c.section.line);
+  const u = along(c.frame, c.section.corner);
+  const runs = found.length > 0 ? found.map((run) => besides(c, run)) : [[pointAt(c.frame, u, c.top + mm(c, 14)), pointAt(c.frame, u, c.top - c.step)]];
+  const first = runs[0] ?? [];
+  const middle = first[Math.floor(first.length / 2)] ?? c.section.corner;
+  return { under: l.active ? runs.flatMap((run) => pathMarks(c, l, run)) : [], item: pointed(c, l, middle, outside(c, middle)) };
+}
+
+/** A limit goes across the whole drawing; it is dashed while the limits are off. */
+export function limit(c: Context, l: Lettering, which: "diameter" | "z"): Explanation {
+  const on = numberOf(c.values, qOf(c.params, "limits")) === 1;
+  if (!on && !l.active) return { under: [], item: null };
+  const value = numberOf(c.values, l.q);
+  const { reach } = c.layout;
+  const at: Pt = which === "z" ? { z: axial(value), r: radius(reach.high) } : { z: axial(reach.right), r: toRadius(value as Diameter) };
+  const far: Pt = which === "z" ? { z: axial(value), r: radius(reach.low) } : { z: axial(reach.left), r: at.r };
+  const line = stroke(l, on ? "limit" : "break", polyline([spot(c.layout, at), spot(c.layout, far)]));
+  const form = which === "z"
+    ? dimensionItem(c.layout, { q: l.q, form: "z", from: at, to: at }, l)
+    : dimensionItem(c.layout, { q: l.q, form: "diameter", at }, l);
+  return { under: [line], item: form };
+}
+
+export function offsetWidth(c: Context, l: Lettering): Explanation {
+  if (!l.active) return { under: [], item: null };
+  const pass = c.passes[Math.min(1, c.passes.length - 1)];
+  if (!pass) return { under: [], item: pointed(c, l, c.section.corner, outside(c, c.section.corner)) };
+  const value = Math.max(numberOf(c.values, l.q), mm(c, SHOWN.active));
+  const end = pointAt(c.frame, along(c.frame, pass.to) - value, pass.level);
+  const form = c.frame.infeed === "r" ? "z" : "r";
+  return {
+    under: pathMarks(c, l, [pass.from, end]),
+    item: dimensionItem(c.layout, { q: l.q, form, from: end, to: pass.to }, { ...l, underlined: true }),
+  };
+}
+
+export function depthCompensation(c: Context, l: Lettering): Explanation {
+  if (!l.active) return { under: [], item: null };
+  const line = c.section.line, f = c.frame;
+  const low = Math.min(...line.map((p) => outward(f, p)));
+  const floor = line.filter((p) => outward(f, p) < low + 1e-6).map((p) => along(f, p));
+  const [a, b] = [Math.min(...floor), Math.max(...floor)];
+  const value = numberOf(c.values, l.q);
+  const by = (Math.sign(value) || 1) * mm(c, SHOWN.active);
+  const shift = c.values[l.q] === 0 ? 0 : by;
+  return {
+    under: pathMarks(c, l, [pointAt(f, a, low + shift), pointAt(f, b, low + shift)]),
+    item: dimensionItem(c.layout, { q: l.q, form: f.infeed, from: pointAt(f, (a + b) / 2, low), to: pointAt(f, (a + b) / 2, low + by) }, { ...l, underlined: true }),
+  };
+}
+
+/** A dimension of the outline; a parameter that has none on this contour points at the end it belongs to. */
+export function outlined(c: Context, l: Lettering, partner: string | null): Explanation {
+  const own = c.outline.dimensions.filter((d) => d.q === l.q || d.q === partner);
+  const d = own.find((o) => o.q === l.q) ?? own[0];
+  if (d) return { under: elementMarks(c, l, d), item: dimensionItem(c.layout, { ...d, q: l.q }, l) };
+  if (!l.active) return { under: [], item: null };
+  const text = c.params[l.q]?.text ?? "";
+  const end = text.startsWith("end") || text.startsWith("second") ? c.section.line.at(-1) : c.section.line[0];
+  const at = end ?? c.section.corner;
+  return { under: [stroke(l, "frame", circle(spot(c.layout, at), 6))], item: pointed(c, l, at, outside(c, at)) };
+}
+
+/** The element a leader points at, strong while it is asked for. */
+function elementMarks(c: Context, l: Lettering, d: Context["outline"]["dimensions"][number]): Mark[] {
+  if (!l.active || d.form !== "leader") return [];
+  const element = elementAt(c, d.at);
+  return element ? [stroke(l, "element", segmentPath([element], c.layout.camera))] : [];
+}
+
+/** The contour element nearest to a point: by its middle. */
+export function elementAt(c: Context, at: Pt): Context["outline"]["contour"][number] | null {
+  let best: Context["outline"]["contour"][number] | null = null;
+  let least = Infinity;
+  for (const s of c.outline.contour) {
+    const gap = Math.hypot((s.from.z + s.to.z) / 2 - at.z, (s.from.r + s.to.r) / 2 - at.r);
+    if (gap < least) [best, least] = [s, gap];
+  }
+  return best;
+}

@@ -1,0 +1,38 @@
+import type { Step } from "../kernel/step.ts";
+import type { Track } from "./playback.ts";
+
+/** The bar of a run: 0 to 1 is its whole time. */
+export interface TimeBar {
+  /** Cutting and rapid stretches, one path each, in a box 1 wide and 1 high. */
+  readonly cutting: string;
+  readonly rapid: string;
+  /** Boundaries of moves, those too near to the last one left out. */
+  readonly boundaries: readonly number[];
+  readonly operations: readonly { readonly operation: number; readonly from: number; readonly to: number }[];
+}
+
+/** Boundaries nearer than this part of the bar would only make it grey. */
+const NEAR = 0.006;
+
+const n = (v: number) => String(Math.round(v * 1e5) / 1e5);
+
+/** Merges the steps of a run into stretches: rapids low, cutting high. */
+export function timeBar(steps: readonly Step[], track: Track): TimeBar {
+  const whole = track.total > 0 ? track.total : 1;
+  const paths = { cutting: "", rapid: "" }, boundaries: number[] = [];
+  const operations: { operation: number; from: number; to: number }[] = [];
+  let from = 0, begun = 0;
+  steps.forEach((step, i) => {
+    const to = (track.ends[i] ?? 0) / whole, kind = step.move.kind === "rapid" ? "rapid" : "cutting", next = steps[i + 1];
+    if (!next || (next.move.kind === "rapid") !== (kind === "rapid")) {
+      if (to > begun) paths[kind] += `M${n(begun)} 0H${n(to)}V1H${n(begun)}Z`;
+      begun = to;
+    }
+    if (to - (boundaries.at(-1) ?? 0) > NEAR && to < 1) boundaries.push(to);
+    const open = operations.at(-1), joins = open && step.operation === open.operation && steps[i - 1]?.operation === step.operation;
+    if (joins) open.to = to;
+    else if (step.operation !== null) operations.push({ operation: step.operation, from, to });
+    from = to;
+  });
+  return { ...paths, boundaries, operations };
+}
