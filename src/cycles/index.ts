@@ -2,7 +2,7 @@ import { c812 } from "./c812.ts";
 import { c820 } from "./c820.ts";
 import { c852 } from "./c852.ts";
 import type { Cycle } from "./define.ts";
-import type { Params } from "./params.ts";
+import type { Param, Params } from "./params.ts";
 
 /** In menu order. A new cycle is one file and one entry here. */
 const list = [c812, c820, c852] as const;
@@ -16,6 +16,10 @@ export type CycleNumber = Listed["number"];
 
 /** Every key that a parameter of the catalogue takes its texts from: a key without texts is a compile error. */
 export type ParamTextId = { [N in CycleNumber]: TextOf<Extract<Listed, { number: N }>["params"]> }[CycleNumber];
+
+/** Those of them whose parameter is a choice: their texts say what each choice means. */
+export type ChoiceTextId = { [N in CycleNumber]: ChoiceTextOf<Extract<Listed, { number: N }>["params"]> }[CycleNumber];
+type ChoiceTextOf<P extends Params> = { [Q in keyof P]: P[Q] extends Param<"choice", infer T> ? T : never }[keyof P];
 type TextOf<P extends Params> = P[keyof P]["text"];
 
 /** The cycle of a number; undefined when the catalogue does not have it. */

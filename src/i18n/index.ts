@@ -1,13 +1,13 @@
 import { de } from "./de/index.ts";
 import type { ContourTexts } from "./en/contour.ts";
-import type { CyclesTexts } from "./en/cycles.ts";
+import type { CyclesTexts } from "./cycle-text.ts";
 import type { DialogTexts } from "./en/dialog.ts";
 import type { HelpTexts } from "./en/help.ts";
 import { en } from "./en/index.ts";
 import type { LatheTexts } from "./en/lathe.ts";
 import type { MessagesTexts } from "./en/messages.ts";
 import type { PageTexts } from "./en/page.ts";
-import type { ParamsTexts } from "./en/params.ts";
+import type { ParamsTexts } from "./param-text.ts";
 import type { SetupTexts } from "./en/setup.ts";
 import { fr } from "./fr/index.ts";
 import type { Language } from "./languages.ts";
