@@ -3,8 +3,7 @@ import type { Params } from "../cycles/params.ts";
 import type { Issue } from "../kernel/issue.ts";
 import type { Plan, Setting } from "../kernel/plan.ts";
 import type { KnownParameters } from "./expression.ts";
-import type { Draft } from "./job.ts";
-import { type DraftReading, readDraft } from "./read-draft.ts";
+import { type Draft, type DraftReading, readDraft } from "./read-draft.ts";
 
 /** What the dialog needs to know about a draft: its fields, its drawing, and its path where a tool is chosen. */
 export interface CheckedDraft<P extends Params = Params> {

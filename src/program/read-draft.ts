@@ -2,7 +2,9 @@ import type { Cycle } from "../cycles/define.ts";
 import type { Param, Params, Values } from "../cycles/params.ts";
 import { issue, type Issue } from "../kernel/issue.ts";
 import { type KnownParameters, readExpression } from "./expression.ts";
-import type { Draft } from "./job.ts";
+
+/** What was typed into the prompts of one cycle, by Q number, exactly as typed; a missing key is an empty field. */
+export type Draft = Readonly<Record<string, string>>;
 
 /** What one field holds. `null` while nothing usable stands there. */
 export interface FieldReading {
@@ -89,3 +91,7 @@ export function readDraft<P extends Params>(
   const values = issues.length === 0 ? (partial as Values<P>) : null;
   return { values, partial: partial as Partial<Values<P>>, perField, issues };
 }
+
+/** The values of the printed example, as one types them. */
+export const exampleDraft = (cycle: Pick<Cycle, "params">): Draft =>
+  Object.fromEntries(Object.entries(cycle.params).map(([q, param]) => [q, String(param.example)]));
