@@ -52,3 +52,5 @@ export const code = (text: string) => text.replace(/\/\*[\s\S]*?\*\//g, "").repl
 export const projectFile = (path: string) => readFileSync(join(root, path), "utf8");
 /** Names of the files in a folder of the project. */
 export const projectFolder = (path: string) => readdirSync(join(root, path));
+/** Where a path from the project folder is on the disk. */
+export const projectPath = (path: string) => join(root, path);

@@ -1,0 +1,34 @@
+import { existsSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { describe, expect, test } from "vitest";
+import { cyclePage } from "../scripts/cycle-page.ts";
+import { catalogue } from "../src/cycles/index.ts";
+import { projectFile, projectFolder, projectPath } from "./sources.ts";
+
+describe("pages written from the catalogue", () => {
+  test.each(catalogue.map((c) => [c.number, c] as const))("the page of %i is what `npm run docs` writes", (number, cycle) => {
+    expect(projectFile(`docs/cycles/${number}.md`)).toBe(cyclePage(cycle));
+  });
+
+  test("there is no page without its cycle", () => {
+    expect(projectFolder("docs/cycles").sort()).toEqual(catalogue.map((c) => `${c.number}.md`).sort());
+  });
+});
+
+describe("what documents name exists", () => {
+  const documents = ["README.md", ...["docs", "docs/decisions"].flatMap((folder) => projectFolder(folder).filter((n) => n.endsWith(".md")).map((n) => `${folder}/${n}`))];
+  test.each(documents)("%s", (path) => {
+    const text = projectFile(path);
+    const links = [...text.matchAll(/\]\(([^)#\s]+)[^)]*\)/g)].map(([, to = ""]) => to).filter((to) => !/^[a-z]+:/.test(to));
+    const files = [...text.matchAll(/`((?:src|tests|e2e|scripts|docs)\/[\w./-]+)`/g)].map(([, to = ""]) => to);
+    const missing = [...links.map((to) => join(dirname(path), to)), ...files].filter((to) => !existsSync(projectPath(to)));
+    expect(missing).toEqual([]);
+  });
+
+  test("the commands of the README are scripts of package.json", () => {
+    const { scripts } = JSON.parse(projectFile("package.json")) as { scripts: Record<string, string> };
+    const named = [...projectFile("README.md").matchAll(/npm (?:run )?(?:--silent )?(?:run )?(?:--silent )?([a-z0-9]+)/g)].map(([, name = ""]) => name);
+    expect(named.filter((name) => !(name in scripts))).toEqual([]);
+    expect(named.length).toBeGreaterThan(5);
+  });
+});
