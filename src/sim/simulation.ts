@@ -52,6 +52,8 @@ export interface Residual {
   readonly ring: Ring;
   /** A point inside. */
   readonly place: Pt;
+  /** The operation that should have taken it. */
+  readonly operation: number;
 }
 
 /** Sums over the run in mm² of the half plane. */

@@ -1,0 +1,64 @@
+import { areaOf, difference, intersection, opened } from "../kernel/clip.ts";
+import type { Ring } from "../kernel/point.ts";
+import type { Step } from "../kernel/step.ts";
+import { SLIVER } from "../kernel/tolerance.ts";
+import type { Cutting } from "./cutting.ts";
+import type { Edges } from "./edges.ts";
+import type { Outlines } from "./outlines.ts";
+import { largest, placeIn } from "./region.ts";
+import type { Finding } from "./simulation.ts";
+import { sweepOf } from "./sweep.ts";
+
+/** Smaller areas are chord and grid errors of two curves that touch, mm². */
+export const REAL_AREA = 0.001;
+/** A move is looked at in this many parts to tell whether the holder or the edge comes first. */
+const PARTS = 16;
+
+/** The finished part (shrunk) with its edges, to see gouges. */
+export interface Finished {
+  readonly rings: readonly Ring[];
+  readonly edges: Edges;
+}
+
+const real = (area: Ring[]): Ring[] => {
+  if (areaOf(area) < REAL_AREA) return [];
+  const thick = opened(area, SLIVER);
+  return areaOf(thick) < REAL_AREA ? [] : thick;
+};
+
+/** What pieces have in common with the stock as it is now. */
+function inStock(pieces: readonly Ring[], cut: Cutting, also: readonly Ring[] = []): Ring[] {
+  const near = pieces.filter((p) => cut.meets(p));
+  if (near.length === 0) return [];
+  const before = intersection(cut.initial, near);
+  const gone = [...cut.swept(), ...also];
+  return gone.length === 0 ? before : difference(before, gone);
+}
+
+/** The holder touches what neither the moves before nor this one, up to the same moment, have cut away. */
+function holderHits(step: Step, outlines: Outlines, cut: Cutting): Ring[] {
+  if (!outlines.holder) return [];
+  const whole = sweepOf(outlines.holder, step);
+  if (real(inStock(whole, cut)).length === 0) return [];
+  for (let i = 1; i <= PARTS; i += 1) {
+    const hit = real(inStock(sweepOf(outlines.holder, step, i / PARTS), cut, sweepOf(outlines.insert, step, i / PARTS)));
+    if (hit.length > 0) return hit;
+  }
+  return [];
+}
+
+/** What goes wrong in a step, before its sweep is taken from the stock. */
+export function check(
+  step: Step, index: number, outlines: Outlines, sweep: readonly Ring[], cut: Cutting, finished: Finished,
+): Finding[] {
+  const found: Finding[] = [];
+  const report = (kind: Finding["kind"], rings: Ring[]) => {
+    if (rings.length > 0)
+      found.push({ kind, step: index, block: step.block, operation: step.operation, place: placeIn(largest(rings)), area: areaOf(rings), rings });
+  };
+  if (step.move.kind === "rapid") report("rapidInStock", real(inStock(sweep, cut)));
+  const near = sweep.filter((p) => finished.edges.meets(p) && cut.meets(p));
+  if (near.length > 0) report("gouge", real(intersection(finished.rings, inStock(near, cut))));
+  report("holderContact", holderHits(step, outlines, cut));
+  return found;
+}

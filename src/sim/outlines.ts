@@ -1,0 +1,22 @@
+import { holderOutline, insertOutline } from "../kernel/insert.ts";
+import type { Ring } from "../kernel/point.ts";
+import { CHORD } from "../kernel/tolerance.ts";
+import type { Tool } from "../kernel/tool.ts";
+
+/** What a tool is for the simulation: convex polygons relative to the theoretical tip. */
+export interface Outlines {
+  readonly insert: Ring;
+  readonly holder: Ring | null;
+}
+
+/** A memory of outlines for one run, so that each tool is flattened once. */
+export function outlinesOf(): (tool: Tool) => Outlines {
+  const known = new Map<Tool, Outlines>();
+  return (tool) => {
+    const have = known.get(tool);
+    if (have) return have;
+    const made = { insert: insertOutline(tool, CHORD), holder: holderOutline(tool) };
+    known.set(tool, made);
+    return made;
+  };
+}

@@ -1,0 +1,84 @@
+import type { Reason } from "../kernel/issue.ts";
+import { isBar, noseRadius } from "../kernel/insert.ts";
+import type { Pt, Ring } from "../kernel/point.ts";
+import type { Outlines } from "./outlines.ts";
+import type { SimulatedOperation } from "./simulation.ts";
+import { sweepAlong } from "./sweep.ts";
+
+/** A region and a swept piece whose outlines are this near lie against each other, mm; regions are rounded by less. */
+const AGAINST = 0.02;
+/** Points looked at on the outline of a region. */
+const SAMPLES = 400;
+
+interface Sample {
+  readonly z: number;
+  readonly r: number;
+  readonly weight: number;
+}
+
+/** Points spread evenly over an outline, each with the length it stands for. */
+function samplesOf(ring: Ring): Sample[] {
+  const out: Sample[] = [];
+  const edge = (a: Pt, b: Pt) => Math.hypot(b.z - a.z, b.r - a.r);
+  const around = ring.reduce((sum, p, i) => sum + edge(p, ring[(i + 1) % ring.length] as Pt), 0);
+  ring.forEach((p, i) => {
+    const q = ring[(i + 1) % ring.length] as Pt;
+    const size = edge(p, q);
+    const count = Math.max(1, Math.ceil((size / around) * SAMPLES));
+    for (let k = 0; k < count; k += 1) {
+      const t = (k + 0.5) / count;
+      out.push({ z: p.z + (q.z - p.z) * t, r: p.r + (q.r - p.r) * t, weight: size / count });
+    }
+  });
+  return out;
+}
+
+/** How far a point lies outside a convex piece along its worst side, mm; negative inside. */
+function depthOutside(piece: Ring, s: Sample): number {
+  let worst = -Infinity;
+  let p = piece[piece.length - 1] as Pt;
+  for (const q of piece) {
+    const size = Math.hypot(q.z - p.z, q.r - p.r);
+    if (size > 0) worst = Math.max(worst, ((q.r - p.r) * (s.z - p.z) - (q.z - p.z) * (s.r - p.r)) / size);
+    p = q;
+  }
+  return worst;
+}
+
+/** Without any reach there is nothing to lie against: what the plan complains of, else the edge that leads. */
+function withoutReach(operation: SimulatedOperation): Reason {
+  if (isBar(operation.tool)) return "toolWidth";
+  return operation.plan.issues.some((i) => i.code === "limitOnWrongSide") ? "limit" : "secondaryEdge";
+}
+
+/** The corner of a nose leaves at most a square of its radius; what a wide bar leaves is larger. */
+function betweenContours(ring: Ring, operation: SimulatedOperation): Reason {
+  if (!isBar(operation.tool)) return "insertRadius";
+  const most = noseRadius(operation.tool) + 2 * AGAINST;
+  const span = (of: (p: Pt) => number) => Math.max(...ring.map(of)) - Math.min(...ring.map(of));
+  return span((p) => p.z) > most || span((p) => p.r) > most ? "toolWidth" : "insertRadius";
+}
+
+/**
+ * Why a region stays that the deepest path of an operation can not take. The stretches of that path against which the
+ * region lies decide, the longest first; where all of them lie on the contour, it is what the insert leaves between two.
+ */
+export function reasonFor(ring: Ring, operation: SimulatedOperation, outlines: Outlines): Reason {
+  const reach = operation.plan.reach;
+  if (reach.length === 0) return withoutReach(operation);
+  const samples = samplesOf(ring);
+  const length = new Map<Reason, number>();
+  let [nearest, nearestReason]: [number, Reason | null] = [Infinity, null];
+  for (const piece of reach) {
+    for (const swept of sweepAlong(outlines.insert, piece.path)) {
+      for (const s of samples) {
+        const distance = Math.abs(depthOutside(swept, s));
+        if (distance < nearest) [nearest, nearestReason] = [distance, piece.reason];
+        if (distance <= AGAINST && piece.reason) length.set(piece.reason, (length.get(piece.reason) ?? 0) + s.weight);
+      }
+    }
+  }
+  const longest = [...length].sort((a, b) => b[1] - a[1])[0];
+  if (longest) return longest[0];
+  return (nearest > AGAINST ? nearestReason : null) ?? betweenContours(ring, operation);
+}

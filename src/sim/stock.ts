@@ -1,0 +1,63 @@
+import { unpacked } from "../kernel/clip.ts";
+import type { Ring } from "../kernel/point.ts";
+import { cutting, type Cutting } from "./cutting.ts";
+import { outlinesOf } from "./outlines.ts";
+import type { Checkpoint, Position, Simulation } from "./simulation.ts";
+import { sweepOf } from "./sweep.ts";
+
+/** Gives the stock at any moment of a run. Going on from the last moment asked for is cheapest; the result is the same. */
+export interface Player {
+  at(position: Position): readonly Ring[];
+}
+
+/** The position inside the run that is nearest to the given one. */
+function within(simulation: Simulation, position: Position): Position {
+  const count = simulation.steps.length;
+  if (!(position.step >= 0)) return { step: 0, fraction: 0 };
+  const step = Math.floor(position.step);
+  if (step >= count) return { step: count, fraction: 0 };
+  const fraction = Math.min(1, Math.max(0, position.fraction || 0));
+  return fraction === 1 ? { step: step + 1, fraction: 0 } : { step, fraction };
+}
+
+function checkpointFor(checkpoints: readonly Checkpoint[], step: number): Checkpoint {
+  let [low, high] = [0, checkpoints.length - 1];
+  while (low < high) {
+    const middle = (low + high + 1) >> 1;
+    if ((checkpoints[middle]?.step ?? 0) <= step) low = middle;
+    else high = middle - 1;
+  }
+  return checkpoints[low] ?? { step: 0, stock: [] };
+}
+
+/**
+ * A player of one simulation. However a moment is reached, its stock is the nearest checkpoint before it less the
+ * same pieces in the same order, so playing, stepping and seeking give the same stock.
+ */
+export function playerOf(simulation: Simulation): Player {
+  const outlines = outlinesOf();
+  let now: { checkpoint: Checkpoint; next: number; cut: Cutting } | null = null;
+
+  function cutUpTo(step: number): Cutting {
+    const checkpoint = checkpointFor(simulation.checkpoints, step);
+    if (now?.checkpoint !== checkpoint || now.next > step)
+      now = { checkpoint, next: checkpoint.step, cut: cutting(unpacked(checkpoint.stock)) };
+    for (; now.next < step; now.next += 1) {
+      const s = simulation.steps[now.next];
+      if (s) now.cut.add(sweepOf(outlines(s.tool).insert, s));
+    }
+    return now.cut;
+  }
+
+  return {
+    at(asked) {
+      const { step, fraction } = within(simulation, asked);
+      const cut = cutUpTo(step);
+      const running = simulation.steps[step];
+      return cut.stock(running ? sweepOf(outlines(running.tool).insert, running, fraction) : []);
+    },
+  };
+}
+
+/** The stock at one moment. */
+export const stockAt = (simulation: Simulation, position: Position): readonly Ring[] => playerOf(simulation).at(position);
