@@ -13,12 +13,16 @@ interface Data {
   wordTwice: { word: string };
   /** A Q value without its equals sign, as some manuals print it. */
   equalsMissing: { text: string };
+  /** A blank between a Q number and its equals sign in a cycle. */
+  blankBeforeEquals: { text: string };
   /** A number that can not be read. */
   badNumber: { text: string };
   /** A block needs this word. */
   wordMissing: { word: string };
   /** A block number that does not follow the one before by one. */
   blockNumber: { found: number; expected: number };
+  /** A block without a number in a program that numbers its blocks. */
+  blockNumberMissing: { expected: number };
   /** A Q line that belongs to no cycle definition. */
   strayParameter: { text: string };
   /** `~` on the last line of a block: the next line is not a continuation. */

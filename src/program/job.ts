@@ -1,8 +1,6 @@
 import type { Cycle } from "../cycles/define.ts";
 import { setupExample, type SetupExample } from "../cycles/setup-example.ts";
-
-/** What was typed into the prompts of one cycle, by Q number; a missing key is an empty field. */
-export type Draft = Readonly<Record<string, string>>;
+import { exampleDraft, type Draft } from "./read-draft.ts";
 
 /** One row of the contour table, as typed: end point, radius, corner element. */
 export interface ContourRow {
@@ -53,10 +51,6 @@ export interface Job {
   readonly layout: "tnc640" | "tnc7";
   readonly ncLanguage: "en" | "de" | "fr" | "zh";
 }
-
-/** The printed example values of a cycle as typed text. */
-export const exampleDraft = (cycle: Cycle): Draft =>
-  Object.fromEntries(Object.entries(cycle.params).map(([q, p]) => [q, String(p.example)]));
 
 const row = (id: string, r: SetupExample["contour"][number]): ContourRow =>
   ({ x: "", z: "", r: "", turn: "cw", incrementalX: false, incrementalZ: false, ...r, id });

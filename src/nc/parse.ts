@@ -1,0 +1,53 @@
+import type { Block, BlockIssue, Program } from "./program.ts";
+import type { BlockLine } from "./read-cycle.ts";
+import { readStatement } from "./read-statement.ts";
+import { splitBlocks, splitLines, type Lines, type Slice } from "./split.ts";
+
+/** Where the comment of a line starts: the first `;` outside quotes, or -1. */
+function commentAt(text: string): number {
+  const first = text.indexOf(";");
+  if (first < 0 || !text.includes('"')) return first;
+  let quoted = false;
+  for (let i = 0; i < text.length; i += 1) {
+    const c = text.charCodeAt(i);
+    if (c === 34) quoted = !quoted;
+    else if (c === 59 && !quoted) return i;
+  }
+  // A quote that is never closed is no quote.
+  return quoted ? first : -1;
+}
+
+const unmarked = (text: string, marked: boolean) => {
+  const trimmed = text.trimEnd();
+  return marked && trimmed.endsWith("~") ? trimmed.slice(0, -1) : text;
+};
+
+function blockLine(text: string, from: number, to: number, offset: number): BlockLine {
+  const line = text.slice(from, to);
+  const marked = line.trimEnd().endsWith("~");
+  const comment = commentAt(line);
+  if (comment < 0) return { text: unmarked(line, marked), offset, comment: null };
+  return { text: line.slice(0, comment), offset, comment: unmarked(line.slice(comment + 1), marked).trimEnd() };
+}
+
+function readBlock(text: string, { starts, ends }: Lines, s: Slice): Block {
+  const lines: BlockLine[] = [];
+  for (let i = s.first; i <= s.last; i += 1) {
+    const from = i === s.first ? s.body : (starts[i] ?? 0);
+    lines.push(blockLine(text, from, ends[i] ?? from, from - s.from));
+  }
+  const read = readStatement(lines);
+  const issues: readonly BlockIssue[] = s.open
+    ? [...read.issues, { code: "continuationOpen", severity: "warning", offset: (ends[s.last] ?? s.from) - s.from, length: 0, data: {} }]
+    : read.issues;
+  const comment = read.statement.kind === "comment" || read.statement.kind === "cycle" ? null : (lines[0]?.comment ?? null);
+  return {
+    raw: text.slice(s.from, s.to), lines: s.last - s.first + 1, number: s.number, skip: s.skip, statement: read.statement, comment, issues,
+  };
+}
+
+/** Reads any text. Never throws; what is not understood stays in the text and is said. `print` gives the same text back. */
+export function parse(text: string): Program {
+  const lines = splitLines(text);
+  return { blocks: splitBlocks(text, lines).map((s) => readBlock(text, lines, s)) };
+}

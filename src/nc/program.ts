@@ -1,0 +1,100 @@
+import type { NcCode, NcIssue } from "./issue.ts";
+import type { Statement } from "./statement.ts";
+
+/** An issue before its block has a place: offsets count from the start of the block. */
+export type BlockIssue = { [C in NcCode]: Omit<Extract<NcIssue, { code: C }>, "line" | "column"> }[NcCode];
+
+/** One block with its exact text. Blocks hold no places of their own, so replacing one leaves all others as they are. */
+export interface Block {
+  /** Exactly as read: all lines with their line ends. */
+  readonly raw: string;
+  /** Number of text lines, at least 1. */
+  readonly lines: number;
+  /** As printed, null without one. */
+  readonly number: number | null;
+  /** Marked with `/`: optional on the control. */
+  readonly skip: boolean;
+  readonly statement: Statement;
+  /** Comment behind the statement, without `;`. */
+  readonly comment: string | null;
+  readonly issues: readonly BlockIssue[];
+}
+
+/** A program as text and meaning at once. */
+export interface Program {
+  readonly blocks: readonly Block[];
+}
+
+/** The text, byte for byte as it was read, edited blocks aside. */
+export const print = (program: Program): string => program.blocks.map((b) => b.raw).join("");
+
+/** Line (from 1) on which each block starts. */
+export function startLines(program: Program): number[] {
+  let line = 1;
+  return program.blocks.map((b) => {
+    const start = line;
+    line += b.lines;
+    return start;
+  });
+}
+
+/** Number of each block: as printed, or counted on from the one before. Comments and blank lines count only when numbered. */
+export function blockNumbers(program: Program): number[] {
+  let next = 0;
+  return program.blocks.map((b) => {
+    const silent = b.statement.kind === "empty" || b.statement.kind === "comment";
+    const own = b.number ?? (silent ? Math.max(0, next - 1) : next);
+    if (b.number !== null || !silent) next = own + 1;
+    return own;
+  });
+}
+
+/** Lines and columns (both from 0) of rising offsets inside a block, in one walk. */
+function places(raw: string, offsets: readonly number[]): { line: number; column: number }[] {
+  let [line, start, i] = [0, 0, 0];
+  return offsets.map((offset) => {
+    for (; i < offset; i += 1) {
+      const c = raw.charCodeAt(i);
+      if (c === 10 || (c === 13 && raw.charCodeAt(i + 1) !== 10)) {
+        line += 1;
+        start = i + 1;
+      }
+    }
+    return { line, column: offset - start };
+  });
+}
+
+/** All findings of the reader, those between blocks included, in the order of the text. */
+export function issuesOf(program: Program): NcIssue[] {
+  const found: NcIssue[] = [];
+  const { blocks } = program;
+  const numbered = blocks.some((b) => b.number !== null);
+  let [offset, line] = [0, 1];
+  let expected: number | null = null;
+  blocks.forEach((b) => {
+    const at = { line, column: 1, offset, length: 0, severity: "info" as const };
+    const { kind } = b.statement;
+    if (b.number !== null) {
+      if (expected !== null && b.number !== expected)
+        found.push({ code: "blockNumber", ...at, data: { found: b.number, expected } });
+      expected = b.number + 1;
+    } else if (numbered && kind !== "empty" && kind !== "comment") {
+      found.push({ code: "blockNumberMissing", ...at, data: { expected: expected ?? 0 } });
+    }
+    const rising = b.issues.length > 1 ? b.issues.toSorted((a, c) => a.offset - c.offset) : b.issues;
+    const at0 = rising.length > 0 ? places(b.raw, rising.map((i) => i.offset)) : [];
+    rising.forEach((i, k) => {
+      const fix = i.fix && { ...i.fix, offset: i.fix.offset + offset };
+      const place = { offset: i.offset + offset, line: line + (at0[k]?.line ?? 0), column: (at0[k]?.column ?? 0) + 1 };
+      found.push({ ...i, ...place, ...(fix && { fix }) } as NcIssue);
+    });
+    offset += b.raw.length;
+    line += b.lines;
+  });
+  const said = blocks.filter((b) => b.statement.kind !== "empty" && b.statement.kind !== "comment");
+  const missing = (which: "BEGIN PGM" | "END PGM", place: { line: number; offset: number }): NcIssue =>
+    ({ code: "frameMissing", severity: "warning", column: 1, length: 0, ...place, data: { which } });
+  if (said[0]?.statement.kind !== "begin") found.unshift(missing("BEGIN PGM", { line: 1, offset: 0 }));
+  if (said.at(-1)?.statement.kind !== "end") found.push(missing("END PGM", { line: Math.max(1, line - 1), offset }));
+  return found;
+}

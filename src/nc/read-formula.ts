@@ -1,0 +1,115 @@
+import type { Scan } from "./scan.ts";
+import type { Formula, Statement } from "./statement.ts";
+
+const TARGET = /(Q[LRS]?\d{1,6})[ \t]*=/iy;
+const NUMBER = /(?:\d+(?:[.,]\d*)?|[.,]\d+|Q[LRS]?\d{1,6}|PI(?![A-Z]))/iy;
+const CALL = /(SIN|COS|TAN|ASIN|ACOS|ATAN|SQRT|SQ|LN|LOG|EXP|NEG|INT|ABS|FRAC|SGN)(?![A-Z])/iy;
+const FN = /FN[ \t]*([0-5])[ \t]*:/iy;
+/** Signs between two values of FN 1 to FN 4. */
+const FN_SIGN: Readonly<Record<string, { readonly sign: RegExp; readonly kind: "sum" | "difference" | "product" | "quotient" }>> = {
+  1: { sign: /\+/y, kind: "sum" }, 2: { sign: /-/y, kind: "difference" },
+  3: { sign: /\*/y, kind: "product" }, 4: { sign: /DIV(?![A-Z])|\//iy, kind: "quotient" },
+};
+/** Deeper nesting than anyone writes is refused, so that the reader never runs out of stack. */
+const DEEPEST = 50;
+/** So are longer chains, since a chain nests as well. */
+const LONGEST = 500;
+
+/** Sum, product, power, sign, call and bracket, in the usual order; null when it makes no sense. */
+class FormulaReader {
+  private depth = 0;
+  private values = 0;
+  constructor(private readonly scan: Scan) {}
+
+  sum(): Formula | null {
+    let left = this.product();
+    for (let m = left && this.scan.take(/[+-]/y); left && m; m = this.scan.take(/[+-]/y)) {
+      const right = this.product();
+      left = right && { kind: m[0] === "+" ? "sum" : "difference", left, right };
+    }
+    return left;
+  }
+
+  private product(): Formula | null {
+    let left = this.power();
+    for (let m = left && this.scan.take(/[*/%]/y); left && m; m = this.scan.take(/[*/%]/y)) {
+      const right = this.power();
+      left = right && { kind: m[0] === "*" ? "product" : m[0] === "/" ? "quotient" : "remainder", left, right };
+    }
+    return left;
+  }
+
+  private power(): Formula | null {
+    let left = this.factor();
+    while (left && this.scan.take(/\^/y)) {
+      const right = this.factor();
+      left = right && { kind: "power", left, right };
+    }
+    return left;
+  }
+
+  factor(): Formula | null {
+    if (this.depth >= DEEPEST || this.values >= LONGEST) return null;
+    this.depth += 1;
+    this.values += 1;
+    const formula = this.bare();
+    this.depth -= 1;
+    return formula;
+  }
+
+  private bare(): Formula | null {
+    const sign = this.scan.take(/[+-]/y);
+    if (sign) {
+      const of = this.factor();
+      if (sign[0] === "+" || !of) return of;
+      return of.kind === "value" ? negated(of) : { kind: "negative", of };
+    }
+    if (this.scan.take(/\(/y)) {
+      const inner = this.sum();
+      return inner && this.scan.take(/\)/y) ? inner : null;
+    }
+    const call = this.scan.take(CALL);
+    if (call) {
+      const of = this.factor();
+      return of && { kind: "call", name: (call[1] ?? "").toUpperCase(), of };
+    }
+    const m = this.scan.take(NUMBER);
+    if (!m) return null;
+    if (/^pi/i.test(m[0])) return { kind: "value", value: Math.PI };
+    const value = this.scan.value(m[0]);
+    return value === null ? null : { kind: "value", value };
+  }
+}
+
+function negated(f: Extract<Formula, { kind: "value" }>): Formula {
+  const { value } = f;
+  if (typeof value === "number") return { kind: "value", value: value === 0 ? 0 : -value };
+  return { kind: "value", value: { ...value, negative: !value.negative } };
+}
+
+/** Reads `FN 1: Q1 = +Q2 + +5` and `Q1 = Q2 * ( 3 + Q4 )`; null when it is neither. Chains nest to the left. */
+export function readAssignment(scan: Scan): Statement | null {
+  const fn = scan.take(FN);
+  const target = scan.take(TARGET);
+  if (!target) return null;
+  const name = (target[1] ?? "").toUpperCase();
+  if (name.startsWith("QS")) return null;
+  const reader = new FormulaReader(scan);
+  const number = fn ? (Number(fn[1]) as 0 | 1 | 2 | 3 | 4 | 5) : null;
+  const formula = number === null ? reader.sum() : twoValues(scan, reader, number);
+  return formula && scan.done ? { kind: "assign", fn: number, target: name, formula } : null;
+}
+
+function twoValues(scan: Scan, reader: FormulaReader, fn: number): Formula | null {
+  if (fn === 5) {
+    scan.take(/SQRT(?![A-Z])/iy);
+    const of = reader.factor();
+    return of && { kind: "call", name: "SQRT", of };
+  }
+  const left = reader.factor();
+  const between = FN_SIGN[fn];
+  if (!left || !between) return left;
+  if (!scan.take(between.sign)) return null;
+  const right = reader.factor();
+  return right && { kind: between.kind, left, right };
+}

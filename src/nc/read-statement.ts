@@ -1,0 +1,153 @@
+import type { BlockIssue } from "./program.ts";
+import { readCycle, type BlockLine } from "./read-cycle.ts";
+import { readAssignment } from "./read-formula.ts";
+import { readBlank, readFrame, readNamedWords, readToolCall, readToolDefinition } from "./read-frame.ts";
+import { readFunction } from "./read-function.ts";
+import { readWords } from "./read-words.ts";
+import { Scan } from "./scan.ts";
+import { APPROACH_FORMS, type ApproachForm, type PathKind, type Statement } from "./statement.ts";
+import { readLabel, VALUE } from "./value.ts";
+
+const KEYWORD = /(?:(CYCL[ \t]+(?:DEF|CALL)|BEGIN[ \t]+PGM|END[ \t]+PGM|BLK[ \t]+FORM|TOOL[ \t]+(?:CALL|DEF)|CALL[ \t]+LBL|SEL[ \t]+CONTOUR|FUNCTION|LBL|STOP|APPR|DEP|UDC|GRV|RND|CHF|CTP|CR|CT|CC|CP|LP|L|C)(?![A-Z_]))/iy;
+const ASSIGNMENT = /(?:FN[ \t]*[0-5][ \t]*:|Q[LR]?\d{1,6}[ \t]*=)/iy;
+const FUNCTIONS = /M\d/iy;
+const LABEL = /(?:(\d{1,9})|"([^"]*)")/y;
+const PARAMETER = /(Q[LRS]?\d{1,6})/iy;
+const REPEAT = new RegExp(String.raw`REP[ \t]*(${VALUE})(?:[ \t]*/[ \t]*\d+)?`, "iy");
+const BARE = new RegExp(VALUE, "iy");
+const FORM = /(P?L?(?:LT|LN|CT))(?![A-Z])/iy;
+const UNDERCUT = /(TYPE[ \t]*_[ \t]*[A-Z]|THREAD)(?![A-Z])/iy;
+const GROOVE = /(RADIAL|AXIAL)(?![A-Z])/iy;
+const HOW = /(POS|PAT)(?![A-Z])/iy;
+const QUOTED = /"([^"]*)"/y;
+const PATHS: ReadonlySet<string> = new Set<PathKind>(["L", "C", "CR", "CT", "CTP", "LP", "CP", "CC"]);
+
+export interface Read {
+  readonly statement: Statement;
+  readonly issues: readonly BlockIssue[];
+}
+
+/** What a block says. Whatever is not understood is kept as `unknown` with one issue. */
+export function readStatement(lines: readonly BlockLine[]): Read {
+  const head = lines[0];
+  if (!head) return { statement: { kind: "empty" }, issues: [] };
+  const scan = new Scan(head.text, head.offset);
+  if (scan.done && lines.length === 1)
+    return { statement: head.comment === null ? { kind: "empty" } : { kind: "comment", text: head.comment }, issues: [] };
+  const issues: BlockIssue[] = [];
+  const statement = dispatch(scan, lines, issues);
+  const cycle = statement?.kind === "cycle";
+  if (!statement || (lines.length > 1 && !cycle)) {
+    const text = lines.map((l) => l.text.trim()).join(" ");
+    const whole: BlockIssue = {
+      code: "notUnderstood", severity: "info", offset: head.offset, length: head.text.trimEnd().length, data: { text: text.slice(0, 60) },
+    };
+    return { statement: { kind: "unknown", text }, issues: [whole] };
+  }
+  for (const i of scan.issues) issues.push(i);
+  return { statement, issues };
+}
+
+function dispatch(scan: Scan, lines: readonly BlockLine[], issues: BlockIssue[]): Statement | null {
+  const keyword = scan.take(KEYWORD);
+  if (!keyword) return withoutKeyword(scan);
+  const word = keyword[0].toUpperCase();
+  if (PATHS.has(word)) return path(scan, word as PathKind);
+  switch (word.replace(/[ \t]+/, " ")) {
+    case "CYCL DEF": return readCycle(scan, lines, issues);
+    case "CYCL CALL": {
+      const how = scan.take(HOW);
+      return { kind: "cycleCall", how: (how?.[1]?.toUpperCase() ?? "") as "" | "POS" | "PAT", words: readWords(scan) };
+    }
+    case "BEGIN PGM": return readFrame(scan, "begin");
+    case "END PGM": return readFrame(scan, "end");
+    case "BLK FORM": return readBlank(scan);
+    case "TOOL CALL": return readToolCall(scan);
+    case "TOOL DEF": return readToolDefinition(scan);
+    case "FUNCTION": return readFunction(scan);
+    case "RND": return rounding(scan);
+    case "CHF": return chamfer(scan);
+    case "APPR": return approach(scan, false);
+    case "DEP": return approach(scan, true);
+    case "UDC": {
+      const form = scan.take(UNDERCUT);
+      return form && { kind: "undercut", form: (form[1] ?? "").replace(/[ \t]/g, "").toUpperCase(), words: readNamedWords(scan) };
+    }
+    case "GRV": {
+      const form = scan.take(GROOVE);
+      return form && { kind: "groove", form: form[1]?.toUpperCase() === "AXIAL" ? "AXIAL" : "RADIAL", words: readNamedWords(scan) };
+    }
+    case "LBL": return label(scan);
+    case "CALL LBL": return call(scan);
+    case "SEL CONTOUR": {
+      const file = scan.take(QUOTED);
+      return file && { kind: "selectContour", file: file[1] ?? "" };
+    }
+    case "STOP": return { kind: "stop", words: readWords(scan) };
+    default: return null;
+  }
+}
+
+function withoutKeyword(scan: Scan): Statement | null {
+  if (scan.take(/\*/y)) {
+    scan.take(/-/y);
+    const text = scan.rest;
+    scan.at = scan.text.length;
+    return { kind: "structure", text };
+  }
+  const from = scan.at;
+  if (scan.take(ASSIGNMENT)) {
+    scan.at = from;
+    return readAssignment(scan);
+  }
+  if (!scan.take(FUNCTIONS)) return null;
+  scan.at = from;
+  return { kind: "functions", words: readWords(scan) };
+}
+
+function path(scan: Scan, kind: PathKind): Statement {
+  const words = readWords(scan, kind === "CR");
+  if (kind === "CR" && words.radius === undefined) scan.missing("R");
+  if ((kind === "CR" || kind === "C" || kind === "CP") && words.turn === undefined) scan.missing("DR");
+  return { kind: "path", path: kind, words };
+}
+
+function rounding(scan: Scan): Statement {
+  const bare = scan.take(BARE);
+  const value = bare && scan.value(bare[0]);
+  const words = readWords(scan, true);
+  if (value === null && words.radius === undefined) scan.missing("R");
+  return { kind: "path", path: "RND", words: value === null ? words : { ...words, radius: value } };
+}
+
+function chamfer(scan: Scan): Statement {
+  const bare = scan.take(BARE);
+  const length = bare && scan.value(bare[0]);
+  const words = readWords(scan);
+  if (length === null) scan.missing("CHF");
+  return { kind: "chamfer", length, words };
+}
+
+function approach(scan: Scan, departing: boolean): Statement | null {
+  const m = scan.take(FORM);
+  const form = APPROACH_FORMS.find((f) => f === m?.[1]?.toUpperCase()) as ApproachForm | undefined;
+  return form ? { kind: "approach", departing, form, words: readWords(scan) } : null;
+}
+
+function label(scan: Scan): Statement | null {
+  const m = scan.take(LABEL) ?? scan.take(/()(QS\d{1,6})/iy);
+  if (!m) return null;
+  scan.leftOver();
+  return { kind: "label", label: readLabel(m[1] || undefined, m[2]) };
+}
+
+function call(scan: Scan): Statement | null {
+  const m = scan.take(LABEL);
+  const parameter = m ? null : scan.take(PARAMETER);
+  if (!m && !parameter) return null;
+  const times = scan.take(REPEAT);
+  const repeat = times && scan.value(times[1] ?? "");
+  scan.leftOver();
+  const target = parameter ? { parameter: (parameter[1] ?? "").toUpperCase(), negative: false } : readLabel(m?.[1], m?.[2]);
+  return { kind: "call", label: target, repeat };
+}

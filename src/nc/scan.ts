@@ -1,0 +1,71 @@
+import type { BlockIssue } from "./program.ts";
+import { readValue } from "./value.ts";
+import type { Value } from "./statement.ts";
+
+/** One statement being read: its text without comment and continuation mark, and where it starts in its block. */
+export class Scan {
+  at = 0;
+  readonly issues: BlockIssue[] = [];
+
+  constructor(readonly text: string, readonly offset: number) {}
+
+  /** Takes what a sticky pattern matches here, behind blanks. */
+  take(pattern: RegExp): RegExpExecArray | null {
+    this.blanks();
+    pattern.lastIndex = this.at;
+    const m = pattern.exec(this.text);
+    if (m) this.at = pattern.lastIndex;
+    return m;
+  }
+
+  blanks(): void {
+    for (let c = this.text.charCodeAt(this.at); c === 32 || c === 9 || c === 0xa0; c = this.text.charCodeAt(this.at)) this.at += 1;
+  }
+
+  get done(): boolean {
+    this.blanks();
+    return this.at >= this.text.length;
+  }
+
+  get rest(): string {
+    return this.text.slice(this.at).trim();
+  }
+
+  /** Takes everything up to the next blank. */
+  word(): string {
+    this.blanks();
+    const from = this.at;
+    while (this.at < this.text.length && !/\s/.test(this.text.charAt(this.at))) this.at += 1;
+    if (this.at === from) this.at += 1;
+    return this.text.slice(from, this.at);
+  }
+
+  /** Reads a matched value; a number beyond counting becomes an issue. */
+  value(text: string): Value | null {
+    const value = readValue(text);
+    if (value === null) this.issue({ code: "badNumber", severity: "error", data: { text: text.slice(0, 40) } }, text.length);
+    return value;
+  }
+
+  /** Adds an issue over the `length` characters before the reading position. */
+  issue(i: Pick<BlockIssue, "code" | "severity" | "data">, length = 0, fix?: { readonly from: number; readonly length: number; readonly text: string }): void {
+    const offset = this.offset + this.at - length;
+    const put = fix && { fix: { offset: this.offset + fix.from, length: fix.length, text: fix.text } };
+    this.issues.push({ ...i, offset, length, ...put } as BlockIssue);
+  }
+
+  missing(word: string): void {
+    this.issues.push({ code: "wordMissing", severity: "error", offset: this.offset, length: this.text.length, data: { word } });
+  }
+
+  /** Everything that is left is kept and not understood. */
+  leftOver(): string[] {
+    const extra: string[] = [];
+    while (!this.done) {
+      const word = this.word();
+      extra.push(word);
+      this.issue({ code: "wordNotUnderstood", severity: "warning", data: { text: word.slice(0, 40) } }, word.length);
+    }
+    return extra;
+  }
+}

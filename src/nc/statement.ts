@@ -1,0 +1,139 @@
+/** A Q, QL, QR or QS parameter where a number may stand, with its sign. */
+export interface Parameter {
+  readonly parameter: string;
+  readonly negative: boolean;
+}
+/** A number, or the parameter that holds it. Units are those of the program. */
+export type Value = number | Parameter;
+/** A label by number or by name; `LBL 0` ends a subprogram. */
+export type Label = number | string;
+
+export type AxisName = "X" | "Y" | "Z" | "A" | "B" | "C" | "U" | "V" | "W";
+/** One coordinate of a block; X is a diameter while turning. */
+export interface AxisWord {
+  readonly axis: AxisName;
+  readonly value: Value;
+  readonly incremental: boolean;
+}
+/** PR or PA, absolute or incremental. */
+export interface PolarWord {
+  readonly value: Value;
+  readonly incremental: boolean;
+}
+/** FMAX, FAUTO, or a number with its unit as the letters say it. */
+export type Feed = "max" | "auto" | { readonly value: Value; readonly unit: "F" | "FU" | "FZ" };
+export type Compensation = "R0" | "RL" | "RR";
+
+/** The words that a path block may carry, each at most once except axes and M functions. */
+export interface Words {
+  readonly axes: readonly AxisWord[];
+  readonly polarRadius?: PolarWord;
+  readonly polarAngle?: PolarWord;
+  /** CCA, degrees. */
+  readonly centreAngle?: Value;
+  /** LEN. */
+  readonly length?: Value;
+  /** R of an arc, rounding or approach. */
+  readonly radius?: Value;
+  /** DR+ is "ccw". */
+  readonly turn?: "cw" | "ccw";
+  /** LIN_Z and the like: a third axis moved along with an arc. */
+  readonly linear: readonly AxisWord[];
+  readonly compensation?: Compensation;
+  readonly feed?: Feed;
+  /** M functions in their order. */
+  readonly functions: readonly number[];
+  /** MB of M140. */
+  readonly retract?: Value | "max";
+  /** Words that are kept and not understood. */
+  readonly extra: readonly string[];
+}
+
+export const PATH_KINDS = ["L", "C", "CR", "CT", "CTP", "LP", "CP", "CC", "RND"] as const;
+export type PathKind = (typeof PATH_KINDS)[number];
+export const APPROACH_FORMS = ["LT", "LN", "CT", "LCT", "PLT", "PLN", "PCT", "PLCT"] as const;
+export type ApproachForm = (typeof APPROACH_FORMS)[number];
+
+export interface CycleParameter {
+  /** "Q215". */
+  readonly q: string;
+  /** null when what stands there can not be read. */
+  readonly value: Value | "auto" | "max" | null;
+  /** Text behind `;`, without the continuation mark. */
+  readonly label: string | null;
+}
+
+/** Right side of an assignment. */
+export type Formula =
+  | { readonly kind: "value"; readonly value: Value }
+  | { readonly kind: "call"; readonly name: string; readonly of: Formula }
+  | { readonly kind: "negative"; readonly of: Formula }
+  | { readonly kind: "sum" | "difference" | "product" | "quotient" | "power" | "remainder"; readonly left: Formula; readonly right: Formula };
+
+/** A named word of an undercut, a groove or a correction. */
+export interface NamedWord {
+  readonly name: string;
+  readonly value: Value;
+}
+
+/** What one block says. */
+export type Statement =
+  | { readonly kind: "empty" }
+  | { readonly kind: "comment"; readonly text: string }
+  | { readonly kind: "structure"; readonly text: string }
+  | { readonly kind: "begin" | "end"; readonly name: string; readonly unit: "MM" | "INCH" }
+  /** Corner 1 names the tool axis. */
+  | { readonly kind: "blankBox"; readonly corner: 1 | 2; readonly axis: AxisName | null; readonly axes: readonly AxisWord[] }
+  | {
+      readonly kind: "blankCylinder";
+      readonly axis: AxisName;
+      readonly outside: { readonly measure: "D" | "R"; readonly value: Value } | null;
+      readonly length: Value | null;
+      readonly distance: Value | null;
+      readonly inside: { readonly measure: "DI" | "RI"; readonly value: Value } | null;
+    }
+  | { readonly kind: "blankRotation"; readonly axis: AxisName; readonly measure: "D" | "R"; readonly label: Label }
+  | { readonly kind: "toolDefinition"; readonly tool: Label; readonly length: Value | null; readonly radius: Value | null }
+  | {
+      readonly kind: "toolCall";
+      /** null: only speed, feed or deltas change. */
+      readonly tool: Label | Parameter | null;
+      readonly axis: AxisName | null;
+      readonly speed: Value | null;
+      readonly feed: Feed | null;
+      readonly deltaLength: Value | null;
+      readonly deltaRadius: Value | null;
+      readonly extra: readonly string[];
+    }
+  | { readonly kind: "mode"; readonly mode: "TURN" | "MILL"; readonly kinematics: string | null }
+  | {
+      readonly kind: "spin";
+      /** True: constant cutting speed. */
+      readonly constantSurface: boolean;
+      readonly cuttingSpeed: Value | null;
+      readonly speed: Value | null;
+      readonly limit: Value | null;
+    }
+  | { readonly kind: "turnCorrection"; readonly system: "TCS" | "WPL"; readonly plane: string; readonly words: readonly NamedWord[] }
+  | { readonly kind: "turnBlank"; readonly blank: { readonly file: string } | { readonly label: Label } | "off" }
+  | { readonly kind: "path"; readonly path: PathKind; readonly words: Words }
+  /** Chamfer with its side length. */
+  | { readonly kind: "chamfer"; readonly length: Value | null; readonly words: Words }
+  | { readonly kind: "approach"; readonly departing: boolean; readonly form: ApproachForm; readonly words: Words }
+  | { readonly kind: "undercut"; readonly form: string; readonly words: readonly NamedWord[] }
+  | { readonly kind: "groove"; readonly form: "RADIAL" | "AXIAL"; readonly words: readonly NamedWord[] }
+  | { readonly kind: "label"; readonly label: Label }
+  | { readonly kind: "call"; readonly label: Label | Parameter; readonly repeat: Value | null }
+  /** One of the numbered lines of an older cycle: 14.0, 14.1 … */
+  | { readonly kind: "cycleLine"; readonly cycle: number; readonly line: number; readonly text: string }
+  | { readonly kind: "cycle"; readonly cycle: number; readonly name: string; readonly parameters: readonly CycleParameter[] }
+  | { readonly kind: "cycleCall"; readonly how: "" | "POS" | "PAT"; readonly words: Words }
+  | { readonly kind: "selectContour"; readonly file: string }
+  /** `fn` is the number of the FN function, null for a formula. */
+  | { readonly kind: "assign"; readonly fn: 0 | 1 | 2 | 3 | 4 | 5 | null; readonly target: string; readonly formula: Formula }
+  /** M functions without a path. */
+  | { readonly kind: "functions"; readonly words: Words }
+  | { readonly kind: "stop"; readonly words: Words }
+  | { readonly kind: "unknown"; readonly text: string };
+
+export type StatementKind = Statement["kind"];
