@@ -1,3 +1,24 @@
 import type { HelpTexts } from "../en/help.ts";
 
-export const help = {} satisfies HelpTexts;
+export const help = {
+  picture: (cycle) => `Zeichnung der Kontur, Zyklus ${cycle}`,
+  highlighted: (parameter, label, value) => `Hervorgehoben: ${parameter} ${label}, ${value}`,
+  stale: "Diese Werte ergeben keine Kontur. Die letzte mögliche Zeichnung bleibt stehen.",
+  example: "Die Werte sind noch nicht vollständig. Gezeigt wird das gedruckte Beispiel.",
+  noValue: "noch kein Wert",
+  inWords: {
+    diameter: (value) => `Durchmesser ${value} mm`,
+    oversizeDiameter: (value) => `${value} mm im Durchmesser`,
+    radial: (value) => `${value} mm im Radius`,
+    axial: (value) => `Z ${value} mm`,
+    axialDepth: (value) => `${value} mm in Z`,
+    length: (value) => `${value} mm`,
+    angle: (value) => `${value} Grad`,
+    feed: (value) => `Vorschub ${value}`,
+    auto: "FAUTO, der Vorschub aus dem Werkzeugaufruf",
+    choice: (value, meaning) => `${value}, ${meaning}`,
+  },
+  element: { none: "ohne", chamfer: "Fase", radius: "Radius" },
+  reserved: "(ohne Funktion)",
+  notToScale: "nicht maßstäblich",
+} satisfies HelpTexts;

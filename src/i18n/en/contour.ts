@@ -1,5 +1,35 @@
 import type { Shape } from "../shape.ts";
 
-export const contour = {};
+export const contour = {
+  title: "Contour",
+  intro: "The first line is the start point. Lines and arcs go from point to point; RND and CHF stand between the two elements whose corner they break.",
+  table: "Contour subprogram",
+  empty: "No element yet. Add the start point of the contour first.",
+  drawing: (elements: number) => `Drawing of the contour with ${elements} elements`,
+  drawingElement: (element: number) => `element ${element} is highlighted`,
+  head: { number: "No.", element: "Element", x: "X ⌀", z: "Z", size: "R / length", turn: "Turn", actions: "Change" },
+  kinds: { L: "Line", RND: "Rounding", CHF: "Chamfer", CR: "Arc" },
+  kindOf: (element: number) => `Element ${element}, kind`,
+  xOf: (element: number) => `Element ${element}, X diameter`,
+  zOf: (element: number) => `Element ${element}, Z`,
+  radiusOf: (element: number) => `Element ${element}, radius`,
+  chamferOf: (element: number) => `Element ${element}, chamfer length`,
+  turnOf: (element: number) => `Element ${element}, turning direction`,
+  incrementalX: (element: number) => `Element ${element}, X incremental`,
+  incrementalZ: (element: number) => `Element ${element}, Z incremental`,
+  inherited: (value: string) => `stays at ${value}`,
+  clockwise: "clockwise (DR−)",
+  counterClockwise: "counter-clockwise (DR+)",
+  add: "Add element",
+  insertBefore: (element: number) => `Insert before element ${element}`,
+  duplicate: (element: number) => `Duplicate element ${element}`,
+  remove: (element: number) => `Delete element ${element}`,
+  moveUp: (element: number) => `Move element ${element} up`,
+  moveDown: (element: number) => `Move element ${element} down`,
+  keys: "Enter: next field · ↑ ↓: same field, next element · Alt+↑ ↓: move · Insert: new element · Ctrl+D: duplicate · Ctrl+Delete: delete",
+  done: { added: "Element added", removed: "Element deleted", moved: "Element moved", duplicated: "Element duplicated" },
+  notANumber: "This is not a number.",
+  missing: "A value is missing here.",
+};
 
 export type ContourTexts = Shape<typeof contour>;

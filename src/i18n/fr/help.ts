@@ -1,3 +1,24 @@
 import type { HelpTexts } from "../en/help.ts";
 
-export const help = {} satisfies HelpTexts;
+export const help = {
+  picture: (cycle) => `Dessin du contour, cycle ${cycle}`,
+  highlighted: (parameter, label, value) => `En évidence : ${parameter} ${label}, ${value}`,
+  stale: "Ces valeurs ne donnent aucun contour. Le dernier dessin possible reste affiché.",
+  example: "Les valeurs ne sont pas encore complètes. Le dessin montre l’exemple imprimé.",
+  noValue: "pas encore de valeur",
+  inWords: {
+    diameter: (value) => `diamètre ${value} mm`,
+    oversizeDiameter: (value) => `${value} mm au diamètre`,
+    radial: (value) => `${value} mm au rayon`,
+    axial: (value) => `Z ${value} mm`,
+    axialDepth: (value) => `${value} mm selon Z`,
+    length: (value) => `${value} mm`,
+    angle: (value) => `${value} degrés`,
+    feed: (value) => `avance ${value}`,
+    auto: "FAUTO, l’avance de l’appel d’outil",
+    choice: (value, meaning) => `${value}, ${meaning}`,
+  },
+  element: { none: "aucun", chamfer: "chanfrein", radius: "rayon" },
+  reserved: "(sans fonction)",
+  notToScale: "hors échelle",
+} satisfies HelpTexts;

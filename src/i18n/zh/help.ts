@@ -1,3 +1,24 @@
 import type { HelpTexts } from "../en/help.ts";
 
-export const help = {} satisfies HelpTexts;
+export const help = {
+  picture: (cycle) => `轮廓图,循环 ${cycle}`,
+  highlighted: (parameter, label, value) => `突出显示:${parameter} ${label},${value}`,
+  stale: "这些数值不能构成轮廓,保留最近一次可用的图形。",
+  example: "数值尚不完整,图中显示手册示例。",
+  noValue: "尚无数值",
+  inWords: {
+    diameter: (value) => `直径 ${value} mm`,
+    oversizeDiameter: (value) => `直径方向 ${value} mm`,
+    radial: (value) => `半径方向 ${value} mm`,
+    axial: (value) => `Z ${value} mm`,
+    axialDepth: (value) => `Z 向 ${value} mm`,
+    length: (value) => `${value} mm`,
+    angle: (value) => `${value} 度`,
+    feed: (value) => `进给 ${value}`,
+    auto: "FAUTO,即刀具调用的进给",
+    choice: (value, meaning) => `${value},${meaning}`,
+  },
+  element: { none: "无", chamfer: "倒角", radius: "圆角" },
+  reserved: "(无功能)",
+  notToScale: "未按比例",
+} satisfies HelpTexts;

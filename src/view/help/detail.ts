@@ -1,0 +1,83 @@
+import type { Pt } from "../../kernel/point.ts";
+import { toScreen, type Camera, type Place } from "../camera.ts";
+import { textBox, type Box, type Placed } from "./labels.ts";
+import { elementAt } from "./process.ts";
+import type { Context } from "./context.ts";
+import type { Lettering } from "./dimensions.ts";
+import { arrowHead, circle, polygon, polyline, segmentPath, type Mark } from "./marks.ts";
+import { filled, stroke, value } from "./stroke.ts";
+
+/** An element smaller than this on the screen is shown magnified while it is asked for, pixels. */
+const SMALL = 13;
+/** What share of the lens the element fills. */
+const SHARE = 0.75;
+
+/** Whether a length deserves the lens. */
+export const isSmall = (c: Context, mm: number): boolean => mm > 0 && mm * c.layout.camera.scale < SMALL;
+
+/** Where the lens covers least: over no text, off the contour, and not far from the element. */
+function lensPlace(c: Context, radius: number, text: Box, at: Place, placed: readonly Placed[]): Place {
+  const { width, height } = c.layout.size;
+  const line = c.section.line.map((p) => toScreen(c.layout.camera, p));
+  const blank = c.section.blank.map((p) => toScreen(c.layout.camera, p));
+  let best: Place = { x: width - radius - 2, y: radius + 2 };
+  let least = Infinity;
+  for (let x = radius + 3; x <= width - radius - 3; x += 8)
+    for (let y = radius + 3; y <= height - radius - text.height - 5; y += 8) {
+      const hit = (b: Box) => b.x < x + radius && b.x + b.width > x - radius && b.y < y + radius + text.height + 4 && b.y + b.height > y - radius;
+      const over = (p: Place) => Math.hypot(p.x - x, p.y - y) < radius + 3;
+      const gap = Math.hypot(at.x - x, at.y - y);
+      const cost = placed.filter((p) => hit(p.label)).length * 9 + line.filter(over).length * (40 / line.length) + blank.filter(over).length * 3
+        + gap / 30 + (gap < radius + 14 ? 60 : 0);
+      if (cost < least) [best, least] = [{ x, y }, cost];
+    }
+  return best;
+}
+
+/** An arc's radius from its centre, or the two legs of a chamfer, in the lens. */
+function measure(l: Lettering, element: NonNullable<ReturnType<typeof elementAt>>, camera: Camera): Mark[] {
+  const [from, to] = [toScreen(camera, element.from), toScreen(camera, element.to)];
+  const middle = { x: (from.x + to.x) / 2, y: (from.y + to.y) / 2 };
+  if (element.kind === "line") return [stroke(l, "thin", polyline([from, { x: from.x, y: to.y }, to])), stroke(l, "thin", polyline([from, { x: to.x, y: from.y }, to]))];
+  const centre = toScreen(camera, element.centre);
+  const long = Math.hypot(middle.x - centre.x, middle.y - centre.y) || 1;
+  const r = Math.hypot(from.x - centre.x, from.y - centre.y);
+  const tip = { x: centre.x + ((middle.x - centre.x) / long) * r, y: centre.y + ((middle.y - centre.y) / long) * r };
+  return [stroke(l, "thin", polyline([centre, tip])), filled(l, "arrow", arrowHead(tip, tip.x - centre.x, tip.y - centre.y))];
+}
+
+/** A lens over a small element, with its value below, and the texts it leaves uncovered. */
+export function detail(c: Context, l: Lettering, at: Pt, mm: number, placed: readonly Placed[]): { readonly marks: Mark[]; readonly rest: readonly Placed[]; readonly label: Box } {
+  const { width, height } = c.layout.size;
+  const radius = Math.min(52, 0.17 * Math.min(width, height));
+  const spot = toScreen(c.layout.camera, at);
+  const text = textBox({ x: 0, y: 0 }, l.text, 0);
+  const centre = lensPlace(c, radius, text, spot, placed);
+  const scale = (radius * SHARE) / mm;
+  const camera: Camera = { scale, xUp: true, zero: { x: centre.x - at.z * scale, y: centre.y + at.r * scale } };
+  const quiet = { q: l.q, active: false };
+  const element = elementAt(c, at);
+  const inside: Mark[] = [
+    filled(quiet, "paper", circle(centre, radius)),
+    filled(quiet, "part", polygon(c.section.part.map((p) => toScreen(camera, p)))),
+    stroke(quiet, "contour", segmentPath(c.outline.contour, camera)),
+    ...c.section.edges.map(([a, b]) => stroke(quiet, "edge", polyline([toScreen(camera, a), toScreen(camera, b)]))),
+    ...(element ? [stroke(l, "element", segmentPath([element], camera)), ...measure(l, element, camera)] : []),
+  ];
+  const away = Math.hypot(centre.x - spot.x, centre.y - spot.y) || 1;
+  const u = { x: (centre.x - spot.x) / away, y: (centre.y - spot.y) / away };
+  const place = { x: centre.x, y: centre.y + radius + text.height / 2 + 2 };
+  const box = { x: Math.min(centre.x - radius, place.x - text.width / 2), y: centre.y - radius, width: Math.max(2 * radius, text.width), height: 2 * radius + text.height + 4 };
+  const free = placed.filter((p) => !(p.label.x < box.x + box.width && p.label.x + p.label.width > box.x && p.label.y < box.y + box.height && p.label.y + p.label.height > box.y));
+  return {
+    marks: [
+      stroke(l, "thin", circle(spot, 7)),
+      stroke(l, "thin", polyline([{ x: spot.x + u.x * 7, y: spot.y + u.y * 7 }, { x: centre.x - u.x * radius, y: centre.y - u.y * radius }])),
+      { kind: "detail", q: l.q, active: l.active, centre, radius, marks: inside },
+      stroke(l, "frame", circle(centre, radius)),
+      value(l, place, l.text),
+    ],
+    rest: free,
+    label: textBox(place, l.text, 0),
+  };
+}

@@ -1,0 +1,170 @@
+import type { Group, Outline } from "../../cycles/define.ts";
+import type { Params } from "../../cycles/params.ts";
+import { radius } from "../../kernel/units.ts";
+import { toScreen, type Place, type Size } from "../camera.ts";
+import { openSide } from "./band.ts";
+import * as choices from "./choices.ts";
+import { numberOf, startPoint, type Context } from "./context.ts";
+import { detail, isSmall } from "./detail.ts";
+import type { Lettering } from "./dimensions.ts";
+import { frameOf } from "./frame.ts";
+import { arrange, overlap, textBox, type Box, type Item, type Placed } from "./labels.ts";
+import { FIRST, layoutOf } from "./layout.ts";
+import { letteringOf, type Numbers, type Speech } from "./lettering.ts";
+import { polygon, polyline, segmentPath, type Mark } from "./marks.ts";
+import { passesOf } from "./passes.ts";
+import * as explain from "./process.ts";
+import { areaOf, lineOf, sectionOf } from "./section.ts";
+import { caption, filled, stroke } from "./stroke.ts";
+import { hasTiles, STRIP, tiles } from "./tiles.ts";
+import { partnerOf, qOf, topicOf, type Topic } from "./topics.ts";
+
+/** What to draw, and how large. */
+export interface HelpRequest {
+  readonly group: Group;
+  readonly params: Params;
+  readonly values: Numbers;
+  readonly outline: Outline;
+  /** The Q that is asked for; null draws everything grey. */
+  readonly active: string | null;
+  /** CSS pixels. */
+  readonly size: Size;
+  readonly speech: Speech;
+}
+
+/** The display list of a help picture, from back to front, and the boxes of all its texts. */
+export interface HelpDrawing {
+  readonly size: Size;
+  readonly marks: readonly Mark[];
+  readonly labels: readonly Box[];
+}
+
+/** Topics whose dimension is drawn grey while another parameter is asked for. */
+const ALWAYS: readonly Topic[] = ["outline", "clearance", "infeed", "oversizeDiameter", "oversizeZ", "roughingFeed", "limitDiameter", "limitZ"];
+
+function explanation(c: Context, topic: Topic, l: Lettering): explain.Explanation {
+  switch (topic) {
+    case "outline": return explain.outlined(c, l, null);
+    case "element": return explain.outlined(c, l, partnerOf(c.params, l.q));
+    case "clearance": return explain.clearance(c, l);
+    case "infeed": return explain.infeed(c, l);
+    case "oversizeDiameter": return explain.oversize(c, l, "diameter");
+    case "oversizeZ": return explain.oversize(c, l, "z");
+    case "roughingFeed": return explain.roughingFeed(c, l);
+    case "finishingFeed": return explain.finishingFeed(c, l);
+    case "plungingFeed": return explain.plungingFeed(c, l);
+    case "limitDiameter": return explain.limit(c, l, "diameter");
+    case "limitZ": return explain.limit(c, l, "z");
+    case "offsetWidth": return explain.offsetWidth(c, l);
+    case "depthCompensation": return explain.depthCompensation(c, l);
+    case "operation": return choices.operation(c, l);
+    case "reverse": return choices.reverse(c, l);
+    case "smoothing": return choices.smoothing(c, l);
+    case "plunging": return choices.plunging(c, l);
+    case "limits": return choices.limits(c, l);
+    case "direction": return choices.direction(c, l);
+  }
+}
+
+function contextOf(request: HelpRequest, size: Size): Context {
+  const { params, values, outline, active, speech } = request;
+  const frame = frameOf(request.group, params, outline.contour);
+  const line = lineOf(outline.contour);
+  const { area, corner } = areaOf(frame, line);
+  const start = startPoint(frame, corner, Math.min(numberOf(values, qOf(params, "clearance")), 1e4));
+  const span = Math.max(1e-3, ...line.map((p) => Math.hypot(p.z - corner.z, p.r - corner.r)));
+  const near = Math.hypot(start.z - corner.z, start.r - corner.r) < span * 0.4 ? [start] : [];
+  const along = frame.infeed === "z" ? 2 : 1;
+  const layout = layoutOf(frame, [...line, ...area, ...near], outline.dimensions, size, { top: along, right: 0 });
+  const { passes, step, top } = passesOf(frame, area, numberOf(values, qOf(params, "infeed")));
+  const chamfer = outline.contour.some((s) => s.kind === "line" && Math.abs(Math.abs(s.to.z - s.from.z) - Math.abs(s.to.r - s.from.r)) < 1e-6);
+  return {
+    params, values, outline, frame, layout, passes, step, top,
+    section: sectionOf(frame, line, layout.reach), side: openSide(area),
+    letter: (q) => ({ q, active: q === active, text: letteringOf(params, q, values, speech, chamfer) }),
+  };
+}
+
+/** Part, contour, blank and axis: what is there whatever is asked. */
+function ground(c: Context): Mark[] {
+  const none = { q: null, active: false };
+  const at = (p: Parameters<typeof toScreen>[1]) => toScreen(c.layout.camera, p);
+  const { section, layout } = c;
+  const [left, right] = [Math.max(2, layout.box.x - 8), Math.min(layout.size.width - 2, layout.box.x + layout.box.width + 12)];
+  return [
+    filled(none, "part", polygon(section.part.map(at))),
+    ...section.edges.map(([a, b]) => stroke(none, "edge", polyline([at(a), at(b)]))),
+    ...section.breaks.map(([a, b]) => stroke(none, "break", polyline([at(a), at(b)]))),
+    stroke(none, "area", polyline(section.blank.map(at))),
+    stroke(none, "axis", polyline([{ x: left, y: layout.axisY }, { x: right, y: layout.axisY }])),
+  ];
+}
+
+/** Places on the drawing's strong lines, a few pixels apart, for texts to keep away from. */
+function strongPlaces(c: Context): Place[] {
+  const at = (p: Parameters<typeof toScreen>[1]) => toScreen(c.layout.camera, p);
+  const dense = (line: readonly Place[]) => line.flatMap((b, i) => {
+    const a = line[i - 1];
+    if (!a) return [b];
+    const n = Math.min(200, Math.ceil(Math.hypot(b.x - a.x, b.y - a.y) / 4));
+    return Array.from({ length: n }, (_, k) => ({ x: a.x + ((b.x - a.x) * (k + 1)) / n, y: a.y + ((b.y - a.y) * (k + 1)) / n }));
+  });
+  const axis = dense([{ x: c.layout.box.x, y: c.layout.axisY }, { x: c.layout.box.x + c.layout.box.width, y: c.layout.axisY }]);
+  return [...dense(c.section.line.map(at)), ...dense(c.section.blank.map(at)), ...axis];
+}
+
+/** Quiet dimensions keep their places; the active one comes first where it would otherwise find none. */
+function arranged(items: readonly Item[], active: string | null, sheet: Parameters<typeof arrange>[1]): Placed[] {
+  const placed = arrange(items, sheet);
+  if (active === null || placed.some((p) => p.q === active) || !items.some((i) => i.q === active)) return placed;
+  const first = arrange([...items.filter((i) => i.q === active), ...items.filter((i) => i.q !== active)], sheet);
+  return first;
+}
+
+/** Draws the contour of a cycle with its dimensions, the one of the active parameter strong. */
+export function helpDrawing(request: HelpRequest): HelpDrawing {
+  const { params, active, size, values, speech } = request;
+  const topic = active === null ? null : topicOf(params[active]?.text ?? "");
+  const choice = active === null ? undefined : params[active]?.choices;
+  const strip = topic && choice && hasTiles(topic) ? STRIP : 0;
+  const c = contextOf(request, { width: size.width, height: Math.max(60, size.height - strip) });
+  const shown = Object.keys(params).filter((q) => q === active || ALWAYS.includes(topicOf(params[q]?.text ?? "")));
+  const order = [...shown].sort((a, b) => ALWAYS.indexOf(topicOf(params[a]?.text ?? "")) - ALWAYS.indexOf(topicOf(params[b]?.text ?? "")));
+  const parts = order.map((q) => ({ q, ...explanation(c, topicOf(params[q]?.text ?? ""), c.letter(q)) }));
+  const strong = strongPlaces(c);
+  const row = active && topic && choice && strip > 0 ? tiles(c.frame, topic, choice, values[active] === undefined ? null : numberOf(values, active), active, size) : null;
+  const sheet = { width: c.layout.size.width, height: c.layout.size.height, avoid: strong, kept: [] as Box[] };
+  const small = active === null ? null : smallFeature(c, active);
+  const items = parts.flatMap((p) => (p.item && !(small && p.q === active) ? [p.item] : []));
+  let placed: readonly Placed[] = arranged(items, active, sheet);
+  const lens = small && active ? detail(c, c.letter(active), small.at, small.mm, placed) : null;
+  if (lens) placed = lens.rest;
+  const back = (strong: boolean) => parts.filter((p) => (p.q === active) === strong).flatMap((p) => p.under);
+  const marks: Mark[] = [
+    ...ground(c), ...back(false),
+    stroke({ q: null, active: false }, "contour", segmentPath(c.outline.contour, c.layout.camera)),
+    ...back(true),
+    ...placed.filter((p) => p.q !== active).flatMap((p) => p.marks), ...placed.filter((p) => p.q === active).flatMap((p) => p.marks),
+    ...(lens?.marks ?? []), ...(row?.marks ?? []),
+  ];
+  const labels = [...placed.map((p) => p.label), ...(lens ? [lens.label] : [])];
+  const scaled = marks.some((m) => m.kind === "text" && m.active && m.underlined);
+  const note = textBox({ x: 0, y: 0 }, speech.notToScale, 0, 12);
+  const corner = { x: size.width - note.width / 2 - 2, y: c.layout.size.height - FIRST / 2 };
+  const noted = scaled && !labels.some((b) => overlap(b, textBox(corner, speech.notToScale, 0, 12)));
+  return {
+    size,
+    marks: noted && active ? [...marks, caption({ q: active, active: true }, corner, speech.notToScale)] : marks,
+    labels: noted ? [...labels, textBox(corner, speech.notToScale, 0, 12)] : labels,
+  };
+}
+
+/** The element that the active parameter sizes, when it is too small to see. */
+function smallFeature(c: Context, active: string): { at: Parameters<typeof toScreen>[1]; mm: number } | null {
+  const partner = partnerOf(c.params, active);
+  const d = c.outline.dimensions.find((o) => o.q === active) ?? c.outline.dimensions.find((o) => o.q === partner);
+  if (d?.form !== "leader") return null;
+  const isType = c.params[active]?.kind === "choice";
+  const mm = numberOf(c.values, isType ? partner : active);
+  return isSmall(c, mm) ? { at: { z: d.at.z, r: radius(d.at.r) }, mm } : null;
+}

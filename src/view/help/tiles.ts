@@ -1,0 +1,100 @@
+import type { Place, Size } from "../camera.ts";
+import type { Frame } from "./frame.ts";
+import type { Box } from "./labels.ts";
+import { arrowHead, polygon, polyline, type Fill, type Line, type Mark } from "./marks.ts";
+import { filled, stroke, value, type Tag } from "./stroke.ts";
+import type { Topic } from "./topics.ts";
+
+/** A point of a small diagram: u with the cutting feed, v away from the material, both 0 … 1. */
+type Spot = readonly [u: number, v: number];
+type Stroke =
+  | { readonly line: Line; readonly at: readonly Spot[]; readonly arrow?: true }
+  | { readonly fill: Fill; readonly at: readonly Spot[] };
+
+/** One diagram and its drawing area, pixels. */
+const TILE = { width: 62, height: 50, gap: 8, top: 2 } as const;
+/** Height of the strip that holds the diagrams. */
+export const STRIP = TILE.height + 8;
+
+const STEP: readonly Spot[] = [[0, 0.22], [0.58, 0.22], [0.8, 0.8], [1, 0.8]];
+const VALLEY: readonly Spot[] = [[0, 0.75], [0.2, 0.75], [0.36, 0.25], [0.64, 0.25], [0.8, 0.75], [1, 0.75]];
+const below = (line: readonly Spot[]): Stroke => ({ fill: "part", at: [...line, [1, 0], [0, 0]] });
+const drawn = (line: readonly Spot[]): Stroke[] => [below(line), { line: "contour", at: line }];
+const raised = (line: readonly Spot[], by: number): Spot[] => line.map(([u, v]) => [u - by * 0.5, v + by]);
+const pass = (v: number): Stroke => ({ line: "pass", at: [[0, v], [0.58 + (v - 0.22) * 0.38, v]] });
+const cut: Stroke = { fill: "cut", at: [...STEP, [0, 0.8]] };
+const stock: Stroke[] = [cut, pass(0.42), pass(0.61)];
+const way = (at: readonly Spot[]): Stroke => ({ line: "path", at, arrow: true });
+
+const corner = (kind: 0 | 1 | 2): Stroke[] => {
+  const round: Spot[] = Array.from({ length: 7 }, (_, i) => [0.5 - 0.3 * Math.sin((i * Math.PI) / 12), 0.35 + 0.3 * Math.cos((i * Math.PI) / 12)] as const);
+  const at: readonly (readonly Spot[])[] = [[[0.2, 0.65]], [[0.2, 0.35], [0.5, 0.65]], [...round].reverse()];
+  const line: Spot[] = [[0.2, 0], ...(at[kind] ?? []), [1, 0.65]];
+  return [{ fill: "part", at: [...line, [1, 0]] }, { line: "contour", at: line }];
+};
+
+/** The diagrams of each choice, by its value. */
+const diagrams: Readonly<Partial<Record<Topic, readonly (readonly Stroke[])[]>>> = {
+  operation: [
+    [...stock, ...drawn(STEP), way(raised(STEP, 0.1))],
+    [...stock, ...drawn(raised(STEP, 0.1)).slice(1), ...drawn(STEP)],
+    [...drawn(STEP), way(raised(STEP, 0.1))],
+    [...drawn(STEP), { line: "break", at: raised(STEP, 0.1) }, way(raised(STEP, 0.2))],
+  ],
+  smoothing: [
+    [...drawn(STEP), pass(0.72), way([[0, 0.45], [0.65, 0.45], [0.74, 0.7], [0.74, 0.95]])],
+    [...drawn(STEP), pass(0.72), way([[0, 0.45], [0.62, 0.45], [0.42, 0.75]]), way(raised(STEP, 0.09))],
+    [below([[0, 0.22], [0.58, 0.22], [0.58, 0.45], [0.67, 0.45], [0.67, 0.8], [1, 0.8]]),
+      { line: "contour", at: [[0, 0.22], [0.58, 0.22], [0.58, 0.45], [0.67, 0.45], [0.67, 0.8], [1, 0.8]] }, way([[0, 0.48], [0.64, 0.48], [0.44, 0.78]])],
+  ],
+  plunging: [
+    [...drawn(VALLEY), { fill: "cut", at: [[0.2, 0.75], [0.36, 0.25], [0.64, 0.25], [0.8, 0.75]] }, way([[0, 0.82], [1, 0.82]])],
+    [...drawn(VALLEY), way([[0, 0.82], [0.22, 0.82], [0.4, 0.34], [0.62, 0.34], [0.78, 0.84], [1, 0.84]])],
+  ],
+  reverse: [
+    [...drawn(STEP), way(raised(STEP, 0.12))],
+    [...drawn(STEP), way([...raised(STEP, 0.12)].reverse())],
+    [...drawn(STEP), way([...raised(STEP, 0.12)].reverse()), { fill: "tool", at: [[0.28, 0.4], [0.2, 0.9], [0.42, 0.95], [0.5, 0.55]] }],
+  ],
+  limits: [
+    [...stock, ...drawn(STEP)],
+    [{ fill: "cut", at: [[0, 0.22], [0.4, 0.22], [0.4, 0.8], [0, 0.8]] }, ...drawn(STEP), { line: "limit", at: [[0.4, 0], [0.4, 1]] }],
+  ],
+  direction: [
+    [...drawn(VALLEY), way([[0.28, 0.62], [0.74, 0.62]]), way([[0.68, 0.42], [0.32, 0.42]])],
+    [...drawn(VALLEY), way([[0.28, 0.62], [0.74, 0.62]]), way([[0.32, 0.42], [0.68, 0.42]])],
+  ],
+  element: [corner(0), corner(1), corner(2)],
+};
+
+/** Whether a choice has small diagrams. */
+export const hasTiles = (topic: Topic): boolean => diagrams[topic] !== undefined;
+
+/** A row of small diagrams at the foot of the picture, one for each value; the chosen one strong, with its number. */
+export function tiles(f: Frame, topic: Topic, choices: readonly number[], chosen: number | null, q: string, size: Size): { readonly marks: Mark[]; readonly box: Box } {
+  const width = Math.min(TILE.width, (size.width - 8 - TILE.gap * (choices.length - 1)) / choices.length);
+  const whole = choices.length * width + (choices.length - 1) * TILE.gap;
+  const box: Box = { x: 0, y: size.height - STRIP, width: size.width, height: STRIP };
+  const marks = choices.flatMap((choice, i) => {
+    const tag: Tag = { q, active: choice === chosen };
+    const left = (size.width - whole) / 2 + i * (width + TILE.gap);
+    const top = box.y + TILE.top;
+    const inner = { x: left + 14, y: top + 4, width: width - 18, height: TILE.height - 8 };
+    const place = ([u, v]: Spot): Place => {
+      const [across, up] = f.infeed === "r"
+        ? [f.feed < 0 ? 1 - u : u, f.open > 0 ? v : 1 - v]
+        : [f.open > 0 ? v : 1 - v, f.feed < 0 ? 1 - u : u];
+      return { x: inner.x + across * inner.width, y: inner.y + (1 - up) * inner.height };
+    };
+    const edge = polygon([{ x: left, y: top }, { x: left + width, y: top }, { x: left + width, y: top + TILE.height }, { x: left, y: top + TILE.height }]);
+    const drawing = (diagrams[topic]?.[choice] ?? []).flatMap((s): Mark[] => {
+      const places = s.at.map(place);
+      if ("fill" in s) return [filled(tag, s.fill, polygon(places))];
+      const [a, b] = [places.at(-2), places.at(-1)];
+      const head = s.arrow && a && b ? [filled(tag, "arrow", arrowHead(b, b.x - a.x, b.y - a.y, 6))] : [];
+      return [stroke(tag, s.line, polyline(places)), ...head];
+    });
+    return [filled(tag, "paper", edge), stroke(tag, "frame", edge), ...drawing, value(tag, { x: left + 8, y: top + 11 }, String(choice))];
+  });
+  return { marks, box };
+}
