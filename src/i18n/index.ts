@@ -5,7 +5,7 @@ import type { DialogTexts } from "./en/dialog.ts";
 import type { HelpTexts } from "./en/help.ts";
 import { en } from "./en/index.ts";
 import type { LatheTexts } from "./en/lathe.ts";
-import type { MessagesTexts } from "./en/messages.ts";
+import type { MessagesTexts } from "./message-texts.ts";
 import type { PageTexts } from "./en/page.ts";
 import type { ParamsTexts } from "./param-text.ts";
 import type { SetupTexts } from "./en/setup.ts";

@@ -1,3 +1,110 @@
-import type { MessagesTexts } from "../en/messages.ts";
+import type { MessagesTexts } from "../message-texts.ts";
 
-export const messages = {} satisfies MessagesTexts;
+const nearest = (value: string) => `Nächster möglicher Wert: ${value}.`;
+
+const reasons: MessagesTexts["reasons"] = {
+  insertRadius: "Schneidenradius", mainEdge: "Hauptschneide", secondaryEdge: "Nebenschneide", toolWidth: "Werkzeugbreite", cutLength: "CUTLENGTH",
+  limit: "Schnittbegrenzung", plunging: "nicht erlaubtes Eintauchen", oversize: "Aufmaß",
+};
+
+export const messages = {
+  severity: { error: "Fehler", warning: "Warnung", info: "Hinweis" },
+  reasons,
+  of: {
+    missing: () => "Wert eingeben.",
+    notANumber: (d, w) => `„${w.text(d.text)}“ ist keine Zahl.`,
+    badExpression: (d, w) => `„${w.text(d.text)}“ lässt sich nicht berechnen.`,
+    unknownParameter: (d) => `${d.name} hat hier keinen Wert. Zahl eingeben.`,
+    outOfRange: (d, w) => `${w.value(d.value)} liegt außerhalb des Bereichs: ${w.value(d.min)} bis ${w.value(d.max)}. ${nearest(w.value(d.nearest))}`,
+    notAChoice: (d, w) => `${w.number(d.value)} steht nicht zur Wahl (${d.choices.join(", ")}). ${nearest(w.number(d.nearest))}`,
+    startEqualsEnd: (d, w) => `Start und Ende sind gleich: auch ${d.other} ist ${w.value(d.value)}. ${nearest(w.value(d.nearest))}`,
+    wrongDirection: (d, w) => `${w.value(d.value)} liegt auf der falschen Seite von ${d.other}. ${nearest(w.value(d.nearest))}`,
+    elementTooLong: (d, w) => `${w.number(d.size)} ist länger, als das Element erlaubt; ${w.number(d.max)} passt. ${nearest(w.number(d.nearest))}`,
+    cornersTooWide: (d, w) => `Zwei Eckenradien von ${w.number(d.radius)} sind breiter als der Grund; ${w.number(d.max)} passt. ${nearest(w.number(d.nearest))}`,
+    wallsMeet: (d, w) => `Mit ${w.angle(d.angle)} treffen sich die Flanken über dem Grund; ${w.angle(d.max)} passt. ${nearest(w.angle(d.nearest))}`,
+    cornerSmallerThanInsert: (d, w) =>
+      `Eckenradius ${w.number(d.radius)} ist kleiner als der Schneidenradius ${w.number(d.insert)}: Die Ecke behält ${w.number(d.insert)}. ${nearest(w.number(d.nearest))}`,
+    recessNarrowerThanTool: (d, w) =>
+      `Der Einstich ist ${w.number(d.width)} breit, das Werkzeug ${w.number(d.tool)}. ${nearest(w.value(d.nearest))}`,
+    angleNotFollowed: (d, w) =>
+      `Das Werkzeug kann ${w.angle(d.angle)} nicht folgen: Die ${reasons[d.edge]} lässt ${w.angle(d.max)} zu, Material bleibt stehen. ${nearest(w.angle(d.nearest))}`,
+    infeedOverCutLength: (d, w) =>
+      `Zustellung ${w.number(d.infeed)} ist größer als CUTLENGTH ${w.number(d.cutLength)}: Sie wird auf ${w.number(d.nearest)} verringert.`,
+    depthOverCutLength: (d, w) => `Tiefe ${w.number(d.depth)} ist größer als CUTLENGTH ${w.number(d.cutLength)}. Mögliche Tiefe: ${w.number(d.nearest)}.`,
+    offsetReduced: (d, w) =>
+      `Versatz ${w.number(d.offset)} wird auf ${w.number(d.nearest)} verringert: 80 % der wirksamen Breite müssen für ${d.passes === 1 ? "1 Schnitt" : `${d.passes} Schnitte`} reichen.`,
+    offsetOverLimit: (d, w) =>
+      `Der seitliche Versatz von ${d.passes === 1 ? "1 Schnitt" : `${d.passes} Schnitten`} ergibt ${w.number(d.offset)}; 80 % der wirksamen Breite sind ${w.number(d.max)}. ${nearest(w.number(d.nearest))}`,
+    toolOnWrongSide: (d) => `Spitzenlage ${d.orientation} zeigt vom Material weg: Das Werkzeug steht auf der falschen Seite.`,
+    toolCannotCutSideways: (d) => `Ein ${d.type}-Werkzeug sticht nur ein, dieser Zyklus schneidet auch seitlich. RECTURN-Werkzeug nehmen.`,
+    flanksNotChecked: () => "T-ANGLE oder P-ANGLE ist leer: Die Flanken der Schneide werden nicht geprüft.",
+    toolColumn: (d, w) => {
+      const what = d.value === null ? `${d.column} fehlt oder ist keine Zahl.` : `${d.column} ${w.number(d.value)} ist nicht möglich.`;
+      if (d.min !== undefined && d.max !== undefined) return `${what} Erlaubt: ${w.number(d.min)} bis ${w.number(d.max)}.`;
+      if (d.min !== undefined) return `${what} Der Wert muss ${d.column === "CUTWIDTH" ? "größer als" : "mindestens"} ${w.number(d.min)} sein.`;
+      return d.max === undefined ? what : `${what} Der Wert muss kleiner als ${w.number(d.max)} sein.`;
+    },
+    unknownTool: (d, w) => `Werkzeug ${w.text(d.tool)} steht nicht in der Tabelle.`,
+    betterTool: (d) => `Werkzeug ${d.tool} ${d.name} kann diese Kontur herstellen.`,
+    startInArea: (d, w) => `Der Startpunkt ${w.place(d.x, d.z)} liegt im Zerspanbereich: Das Werkzeug fährt zuerst auf Sicherheits-Abstand.`,
+    startInMaterial: (d, w) => `Der Startpunkt ${w.place(d.x, d.z)} steht im Material.`,
+    startBelowContour: (d, w) => `Z ${w.number(d.z)} des Startpunkts liegt unter dem Konturstart: Das Werkzeug fährt zuerst auf Z ${w.number(d.contour)}.`,
+    startInsideEnvelope: (d, w) =>
+      `Der Startpunkt liegt näher an der Kontur als der Abstand ${w.number(d.clearance)}: Das Werkzeug fährt mit Schlichtvorschub direkt zur Kontur.`,
+    limitOnWrongSide: (d, w) => `Mit der Grenze ${w.value(d.limit)} wird auf der Seite des Werkzeugs nichts zerspant. ${nearest(w.value(d.nearest))}`,
+    nothingToCut: () => "Zwischen Startpunkt und Kontur gibt es nichts zu zerspanen.",
+    contourMissing: (d, w) => `Die Kontur LBL ${w.text(d.label)} gibt es nicht.`,
+    contourTooShort: () => "Eine Kontur braucht mindestens zwei verschiedene Punkte.",
+    contourPoint: (d) => `Element ${d.element}: Der Endpunkt fehlt oder ist nicht erreichbar.`,
+    cornerElementAlone: (d) => `Element ${d.element}: Fase und Rundung brauchen ein Element davor und dahinter, eine Fase zwei Geraden.`,
+    cornerElementTooLong: (d, w) =>
+      `Element ${d.element}: ${w.number(d.size)} passt nicht zwischen seine Nachbarn, ${w.number(d.max)} passt. ${nearest(w.number(d.nearest))}`,
+    arcOffCircle: (d, w) => `Element ${d.element}: Der Endpunkt verfehlt den Kreis um ${w.number(d.gap)}. Möglicher Radius: ${w.number(d.nearest)}.`,
+    arcTooSmall: (d, w) => `Element ${d.element}: Radius ${w.number(d.radius)} ist zu klein für den Endpunkt. ${nearest(w.number(d.nearest))}`,
+    contourCrossesItself: (d) => `Element ${d.element} kreuzt Element ${d.other}.`,
+    materialLeft: (d, w) => `${w.area(d.area)} bleiben bei ${w.place(d.x, d.z)} stehen. Grund: ${reasons[d.reason]}.`,
+    gouge: (d, w) => `${w.area(d.area)} des Fertigteils werden bei ${w.place(d.x, d.z)} weggeschnitten.`,
+    rapidInStock: (d, w) => `Ein Eilgang fährt bei ${w.place(d.x, d.z)} durch ${w.area(d.area)} Material.`,
+    holderContact: (d, w) => `Der Halter berührt bei ${w.place(d.x, d.z)} Material.`,
+
+    notUnderstood: (d, w) => `„${w.text(d.text)}“ wird nicht verstanden: bleibt stehen, wird nicht simuliert.`,
+    wordNotUnderstood: (d, w) => `Das Wort „${w.text(d.text)}“ wird nicht verstanden.`,
+    wordTwice: (d, w) => `${w.text(d.word)} steht zweimal im Satz; das letzte gilt.`,
+    equalsMissing: (d, w) => `In „${w.text(d.text)}“ fehlt das Gleichheitszeichen. Es wird so gelesen, als stünde es da.`,
+    blankBeforeEquals: (d, w) => `In „${w.text(d.text)}“ steht ein Leerzeichen vor dem Gleichheitszeichen.`,
+    badNumber: (d, w) => `„${w.text(d.text)}“ ist keine Zahl.`,
+    wordMissing: (d, w) => `${w.text(d.word)} fehlt in diesem Satz.`,
+    blockNumber: (d) => `Satznummer ${d.found} folgt nicht; ${d.expected} wäre an der Reihe.`,
+    blockNumberMissing: (d) => `Der Satz hat keine Nummer; ${d.expected} wäre an der Reihe.`,
+    strayParameter: (d, w) => `„${w.text(d.text)}“ gehört zu keinem Zyklus.`,
+    continuationOpen: () => "Die Zeile endet mit ~, aber es folgt keine Fortsetzung.",
+    frameMissing: (d) => `Dem Programm fehlt ${d.which}.`,
+
+    notSimulated: (d, w) => `${w.text(d.what)}: bleibt stehen, wird nicht simuliert.`,
+    cycleNotSimulated: (d, w) => `Zyklus ${d.cycle} ${w.text(d.name)}: bleibt stehen, wird nicht simuliert.`,
+    noCycleDefined: () => "Vor dem Aufruf ist kein Zyklus definiert.",
+    noToolCalled: () => "Vor diesem Satz ist kein Werkzeug aufgerufen.",
+    toolUnknown: (d, w) => `Werkzeug ${w.text(d.tool)} steht nicht in der Tabelle.`,
+    notInTurnMode: () => "Der Zyklus läuft nur in FUNCTION MODE TURN.",
+    labelMissing: (d, w) => `LBL ${w.text(d.label)} gibt es nicht.`,
+    labelTwice: (d, w) => `LBL ${w.text(d.label)} steht zweimal im Programm.`,
+    labelNotClosed: (d, w) => `LBL ${w.text(d.label)} wird nicht mit LBL 0 geschlossen.`,
+    contourNotNamed: (d) => `Zyklus ${d.cycle} braucht vor dem Aufruf Zyklus 14 mit seiner Kontur.`,
+    feedMissing: () => "Es ist kein Vorschub programmiert.",
+    spindleMissing: () => "Es ist keine Spindeldrehzahl programmiert; Zeiten fehlen.",
+    parameterUnset: (d) => `${d.name} hat hier keinen Wert.`,
+    divisionByZero: () => "Division durch null.",
+    notFinite: (d, w) => `„${w.text(d.text)}“ ergibt keine brauchbare Zahl.`,
+    blankMissing: () => "Das Programm nennt kein Rohteil.",
+    blankNotTurned: (d, w) => `Ein Rohteil der Form ${w.text(d.form)} ist kein Drehkörper um die Achse.`,
+    blankImpossible: () => "Das Rohteil hat kein Volumen: Durchmesser, Bohrung und Länge prüfen.",
+    poleMissing: () => "Der Satz braucht vorher einen Pol CC.",
+    startUnknown: () => "Die Position vor diesem Satz ist nicht bekannt.",
+    arcImpossible: () => "Zu diesen Werten gibt es keinen Bogen.",
+    radiusCompensation: (d) => `${d.side} wird gelesen, die Bahn aber nicht korrigiert.`,
+    programEndMissing: () => "Am Ende des Hauptprogramms fehlt M30 oder M2.",
+    tooManyBlocks: (d) => `Mehr als ${d.limit} Sätze wurden ausgeführt: dort angehalten.`,
+    tooManyMoves: (d) => `Mehr als ${d.limit} Bewegungen: dort angehalten.`,
+    callsTooDeep: (d) => `Labels rufen sich mehr als ${d.limit}-fach verschachtelt auf.`,
+  },
+} satisfies MessagesTexts;

@@ -1,5 +1,113 @@
-import type { Shape } from "../shape.ts";
+import type { MessagesTexts } from "../message-texts.ts";
 
-export const messages = {};
+const nearest = (value: string) => `Nearest value that works: ${value}.`;
+/** "4 blocks", "1 block". */
+const count = (n: number, one: string, many: string) => `${n} ${n === 1 ? one : many}`;
 
-export type MessagesTexts = Shape<typeof messages>;
+const reasons: MessagesTexts["reasons"] = {
+  insertRadius: "the insert radius", mainEdge: "the main edge of the insert", secondaryEdge: "the secondary edge of the insert",
+  toolWidth: "the width of the tool", cutLength: "CUTLENGTH", limit: "the machining limit", plunging: "plunging not being allowed",
+  oversize: "the oversize",
+};
+
+export const messages = {
+  severity: { error: "Error", warning: "Warning", info: "Note" },
+  reasons,
+  of: {
+    missing: () => "Enter a value.",
+    notANumber: (d, w) => `“${w.text(d.text)}” is not a number.`,
+    badExpression: (d, w) => `“${w.text(d.text)}” cannot be calculated.`,
+    unknownParameter: (d) => `${d.name} has no value here. Enter a number.`,
+    outOfRange: (d, w) => `${w.value(d.value)} is out of range: ${w.value(d.min)} to ${w.value(d.max)}. ${nearest(w.value(d.nearest))}`,
+    notAChoice: (d, w) => `${w.number(d.value)} is not one of ${d.choices.join(", ")}. ${nearest(w.number(d.nearest))}`,
+    startEqualsEnd: (d, w) => `Start and end are the same: ${d.other} is ${w.value(d.value)} too. ${nearest(w.value(d.nearest))}`,
+    wrongDirection: (d, w) => `${w.value(d.value)} lies on the wrong side of ${d.other}. ${nearest(w.value(d.nearest))}`,
+    elementTooLong: (d, w) => `${w.number(d.size)} is longer than the element allows; ${w.number(d.max)} fits. ${nearest(w.number(d.nearest))}`,
+    cornersTooWide: (d, w) => `Two corner radii of ${w.number(d.radius)} are wider than the floor; ${w.number(d.max)} fits. ${nearest(w.number(d.nearest))}`,
+    wallsMeet: (d, w) => `With ${w.angle(d.angle)} the walls meet above the floor; ${w.angle(d.max)} fits. ${nearest(w.angle(d.nearest))}`,
+    cornerSmallerThanInsert: (d, w) =>
+      `Corner radius ${w.number(d.radius)} is smaller than the insert's ${w.number(d.insert)}: the corner will keep ${w.number(d.insert)}. ${nearest(w.number(d.nearest))}`,
+    recessNarrowerThanTool: (d, w) =>
+      `The recess is ${w.number(d.width)} wide, the tool ${w.number(d.tool)}. ${nearest(w.value(d.nearest))}`,
+    angleNotFollowed: (d, w) =>
+      `The tool cannot follow ${w.angle(d.angle)}: ${reasons[d.edge]} allows ${w.angle(d.max)}, material stays. ${nearest(w.angle(d.nearest))}`,
+    infeedOverCutLength: (d, w) =>
+      `Infeed ${w.number(d.infeed)} is more than CUTLENGTH ${w.number(d.cutLength)}: it is reduced to ${w.number(d.nearest)}.`,
+    depthOverCutLength: (d, w) => `Depth ${w.number(d.depth)} is more than CUTLENGTH ${w.number(d.cutLength)}. Depth that works: ${w.number(d.nearest)}.`,
+    offsetReduced: (d, w) =>
+      `Offset ${w.number(d.offset)} is reduced to ${w.number(d.nearest)}: ${count(d.passes, "pass shares", "passes share")} 80 % of the effective width.`,
+    offsetOverLimit: (d, w) =>
+      `The side offset of ${count(d.passes, "pass", "passes")} adds up to ${w.number(d.offset)}; 80 % of the effective width is ${w.number(d.max)}. ${nearest(w.number(d.nearest))}`,
+    toolOnWrongSide: (d) => `Tip orientation ${d.orientation} points away from the material: the tool stands on the wrong side.`,
+    toolCannotCutSideways: (d) => `A ${d.type} tool only plunges, this cycle also cuts sideways. Take a RECTURN tool.`,
+    flanksNotChecked: () => "T-ANGLE or P-ANGLE is empty: the flanks of the insert are not checked.",
+    toolColumn: (d, w) => {
+      const what = d.value === null ? `${d.column} is missing or no number.` : `${d.column} ${w.number(d.value)} is not possible.`;
+      if (d.min !== undefined && d.max !== undefined) return `${what} Allowed: ${w.number(d.min)} to ${w.number(d.max)}.`;
+      if (d.min !== undefined) return `${what} It must be ${d.column === "CUTWIDTH" ? "more than" : "at least"} ${w.number(d.min)}.`;
+      return d.max === undefined ? what : `${what} It must be less than ${w.number(d.max)}.`;
+    },
+    unknownTool: (d, w) => `Tool ${w.text(d.tool)} is not in the table.`,
+    betterTool: (d) => `Tool ${d.tool} ${d.name} can make this contour.`,
+    startInArea: (d, w) => `The start point ${w.place(d.x, d.z)} lies in the area to be cut: the tool first moves to the set-up clearance.`,
+    startInMaterial: (d, w) => `The start point ${w.place(d.x, d.z)} stands in the material.`,
+    startBelowContour: (d, w) => `Z ${w.number(d.z)} of the start point is below the contour start: the tool first moves to Z ${w.number(d.contour)}.`,
+    startInsideEnvelope: (d, w) =>
+      `The start point is nearer to the contour than the clearance of ${w.number(d.clearance)}: the tool goes straight to the contour at the finishing feed.`,
+    limitOnWrongSide: (d, w) => `With the limit ${w.value(d.limit)} nothing is cut on the side where the tool stands. ${nearest(w.value(d.nearest))}`,
+    nothingToCut: () => "Between start point and contour there is nothing to cut.",
+    contourMissing: (d, w) => `The contour LBL ${w.text(d.label)} does not exist.`,
+    contourTooShort: () => "A contour needs at least two different points.",
+    contourPoint: (d) => `Element ${d.element}: the end point is missing or cannot be reached.`,
+    cornerElementAlone: (d) => `Element ${d.element}: a chamfer or rounding needs an element before and behind it; a chamfer needs two lines.`,
+    cornerElementTooLong: (d, w) =>
+      `Element ${d.element}: ${w.number(d.size)} does not fit between its neighbours; ${w.number(d.max)} does. ${nearest(w.number(d.nearest))}`,
+    arcOffCircle: (d, w) => `Element ${d.element}: the end point misses its circle by ${w.number(d.gap)}. Radius that works: ${w.number(d.nearest)}.`,
+    arcTooSmall: (d, w) => `Element ${d.element}: radius ${w.number(d.radius)} is too small for its end point. ${nearest(w.number(d.nearest))}`,
+    contourCrossesItself: (d) => `Element ${d.element} crosses element ${d.other}.`,
+    materialLeft: (d, w) => `${w.area(d.area)} stay at ${w.place(d.x, d.z)}, left by ${reasons[d.reason]}.`,
+    gouge: (d, w) => `${w.area(d.area)} of the finished part are cut away at ${w.place(d.x, d.z)}.`,
+    rapidInStock: (d, w) => `A rapid runs through ${w.area(d.area)} of material at ${w.place(d.x, d.z)}.`,
+    holderContact: (d, w) => `The holder touches material at ${w.place(d.x, d.z)}.`,
+
+    notUnderstood: (d, w) => `“${w.text(d.text)}” is not understood: kept, not simulated.`,
+    wordNotUnderstood: (d, w) => `The word “${w.text(d.text)}” is not understood.`,
+    wordTwice: (d, w) => `${w.text(d.word)} stands twice in this block; the last one counts.`,
+    equalsMissing: (d, w) => `“${w.text(d.text)}” has no equals sign. It is read as if it had one.`,
+    blankBeforeEquals: (d, w) => `“${w.text(d.text)}” has a blank before the equals sign.`,
+    badNumber: (d, w) => `“${w.text(d.text)}” is not a number.`,
+    wordMissing: (d, w) => `${w.text(d.word)} is missing in this block.`,
+    blockNumber: (d) => `Block number ${d.found} does not follow; ${d.expected} would.`,
+    blockNumberMissing: (d) => `The block has no number; ${d.expected} would follow.`,
+    strayParameter: (d, w) => `“${w.text(d.text)}” belongs to no cycle.`,
+    continuationOpen: () => "The line ends in ~, but no continuation follows.",
+    frameMissing: (d) => `The program has no ${d.which}.`,
+
+    notSimulated: (d, w) => `${w.text(d.what)}: kept, not simulated.`,
+    cycleNotSimulated: (d, w) => `Cycle ${d.cycle} ${w.text(d.name)}: kept, not simulated.`,
+    noCycleDefined: () => "The call has no cycle definition before it.",
+    noToolCalled: () => "No tool is called before this block.",
+    toolUnknown: (d, w) => `Tool ${w.text(d.tool)} is not in the table.`,
+    notInTurnMode: () => "The cycle runs only in FUNCTION MODE TURN.",
+    labelMissing: (d, w) => `LBL ${w.text(d.label)} does not exist.`,
+    labelTwice: (d, w) => `LBL ${w.text(d.label)} stands twice in the program.`,
+    labelNotClosed: (d, w) => `LBL ${w.text(d.label)} is not closed by LBL 0.`,
+    contourNotNamed: (d) => `Cycle ${d.cycle} needs cycle 14 with its contour before the call.`,
+    feedMissing: () => "No feed is programmed.",
+    spindleMissing: () => "No spindle speed is programmed; times are missing.",
+    parameterUnset: (d) => `${d.name} has no value here.`,
+    divisionByZero: () => "Division by zero.",
+    notFinite: (d, w) => `“${w.text(d.text)}” gives no usable number.`,
+    blankMissing: () => "The program states no blank.",
+    blankNotTurned: (d, w) => `A blank of the form ${w.text(d.form)} is not turned round the axis.`,
+    blankImpossible: () => "The blank has no volume: check diameter, bore and length.",
+    poleMissing: () => "The block needs a pole CC before it.",
+    startUnknown: () => "The position before this block is not known.",
+    arcImpossible: () => "No arc fits these values.",
+    radiusCompensation: (d) => `${d.side} is read, but the path is not compensated.`,
+    programEndMissing: () => "M30 or M2 is missing at the end of the main program.",
+    tooManyBlocks: (d) => `More than ${d.limit} blocks were executed: stopped there.`,
+    tooManyMoves: (d) => `More than ${d.limit} moves: stopped there.`,
+    callsTooDeep: (d) => `Labels call each other more than ${d.limit} deep.`,
+  },
+} satisfies MessagesTexts;

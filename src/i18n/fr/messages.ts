@@ -1,3 +1,111 @@
-import type { MessagesTexts } from "../en/messages.ts";
+import type { MessagesTexts } from "../message-texts.ts";
 
-export const messages = {} satisfies MessagesTexts;
+const nearest = (value: string) => `Valeur possible la plus proche : ${value}.`;
+const count = (n: number, one: string, many: string) => `${n} ${n < 2 ? one : many}`;
+
+const reasons: MessagesTexts["reasons"] = {
+  insertRadius: "rayon de plaquette", mainEdge: "arête principale", secondaryEdge: "arête secondaire", toolWidth: "largeur de l'outil",
+  cutLength: "CUTLENGTH", limit: "limite d'usinage", plunging: "plongée non autorisée", oversize: "surépaisseur",
+};
+
+export const messages = {
+  severity: { error: "Erreur", warning: "Avertissement", info: "Remarque" },
+  reasons,
+  of: {
+    missing: () => "Saisir une valeur.",
+    notANumber: (d, w) => `« ${w.text(d.text)} » n'est pas un nombre.`,
+    badExpression: (d, w) => `« ${w.text(d.text)} » ne peut pas être calculé.`,
+    unknownParameter: (d) => `${d.name} n'a pas de valeur ici. Saisir un nombre.`,
+    outOfRange: (d, w) => `${w.value(d.value)} est hors de la plage ${w.value(d.min)} à ${w.value(d.max)}. ${nearest(w.value(d.nearest))}`,
+    notAChoice: (d, w) => `${w.number(d.value)} n'est pas un des choix ${d.choices.join(", ")}. ${nearest(w.number(d.nearest))}`,
+    startEqualsEnd: (d, w) => `Départ et fin sont identiques : ${d.other} vaut aussi ${w.value(d.value)}. ${nearest(w.value(d.nearest))}`,
+    wrongDirection: (d, w) => `${w.value(d.value)} est du mauvais côté de ${d.other}. ${nearest(w.value(d.nearest))}`,
+    elementTooLong: (d, w) => `${w.number(d.size)} est plus long que l'élément ne le permet ; ${w.number(d.max)} convient. ${nearest(w.number(d.nearest))}`,
+    cornersTooWide: (d, w) => `Deux rayons de coin de ${w.number(d.radius)} dépassent la largeur du fond ; ${w.number(d.max)} convient. ${nearest(w.number(d.nearest))}`,
+    wallsMeet: (d, w) => `Avec ${w.angle(d.angle)}, les flancs se rejoignent au-dessus du fond ; ${w.angle(d.max)} convient. ${nearest(w.angle(d.nearest))}`,
+    cornerSmallerThanInsert: (d, w) =>
+      `Le rayon de coin ${w.number(d.radius)} est inférieur à celui de la plaquette, ${w.number(d.insert)} : le coin gardera ${w.number(d.insert)}. ${nearest(w.number(d.nearest))}`,
+    recessNarrowerThanTool: (d, w) =>
+      `La gorge est large de ${w.number(d.width)}, l'outil de ${w.number(d.tool)}. ${nearest(w.value(d.nearest))}`,
+    angleNotFollowed: (d, w) =>
+      `L'outil ne peut pas suivre ${w.angle(d.angle)} : l'${reasons[d.edge]} permet ${w.angle(d.max)}, de la matière reste. ${nearest(w.angle(d.nearest))}`,
+    infeedOverCutLength: (d, w) =>
+      `La passe ${w.number(d.infeed)} dépasse CUTLENGTH ${w.number(d.cutLength)} : elle est réduite à ${w.number(d.nearest)}.`,
+    depthOverCutLength: (d, w) => `La profondeur ${w.number(d.depth)} dépasse CUTLENGTH ${w.number(d.cutLength)}. Profondeur possible : ${w.number(d.nearest)}.`,
+    offsetReduced: (d, w) =>
+      `Le décalage ${w.number(d.offset)} est réduit à ${w.number(d.nearest)} : ${count(d.passes, "passe se partage", "passes se partagent")} 80 % de la largeur effective.`,
+    offsetOverLimit: (d, w) =>
+      `Le décalage latéral de ${count(d.passes, "passe", "passes")} atteint ${w.number(d.offset)} ; 80 % de la largeur effective font ${w.number(d.max)}. ${nearest(w.number(d.nearest))}`,
+    toolOnWrongSide: (d) => `L'orientation de pointe ${d.orientation} tourne le dos à la matière : l'outil est du mauvais côté.`,
+    toolCannotCutSideways: (d) => `Un outil ${d.type} ne fait que plonger, ce cycle coupe aussi latéralement. Prendre un outil RECTURN.`,
+    flanksNotChecked: () => "T-ANGLE ou P-ANGLE est vide : les flancs de la plaquette ne sont pas contrôlés.",
+    toolColumn: (d, w) => {
+      const what = d.value === null ? `${d.column} manque ou n'est pas un nombre.` : `${d.column} ${w.number(d.value)} n'est pas possible.`;
+      if (d.min !== undefined && d.max !== undefined) return `${what} Permis : ${w.number(d.min)} à ${w.number(d.max)}.`;
+      if (d.min !== undefined) return `${what} La valeur doit être ${d.column === "CUTWIDTH" ? "supérieure à" : "au moins"} ${w.number(d.min)}.`;
+      return d.max === undefined ? what : `${what} La valeur doit être inférieure à ${w.number(d.max)}.`;
+    },
+    unknownTool: (d, w) => `L'outil ${w.text(d.tool)} n'est pas dans le tableau.`,
+    betterTool: (d) => `L'outil ${d.tool} ${d.name} peut réaliser ce contour.`,
+    startInArea: (d, w) => `Le point de départ ${w.place(d.x, d.z)} est dans la zone à usiner : l'outil va d'abord à la distance d'approche.`,
+    startInMaterial: (d, w) => `Le point de départ ${w.place(d.x, d.z)} est dans la matière.`,
+    startBelowContour: (d, w) => `Z ${w.number(d.z)} du point de départ est sous le départ du contour : l'outil va d'abord à Z ${w.number(d.contour)}.`,
+    startInsideEnvelope: (d, w) =>
+      `Le point de départ est plus près du contour que la distance ${w.number(d.clearance)} : l'outil va droit au contour à l'avance de finition.`,
+    limitOnWrongSide: (d, w) => `Avec la limite ${w.value(d.limit)}, rien n'est usiné du côté de l'outil. ${nearest(w.value(d.nearest))}`,
+    nothingToCut: () => "Entre le point de départ et le contour, il n'y a rien à usiner.",
+    contourMissing: (d, w) => `Le contour LBL ${w.text(d.label)} n'existe pas.`,
+    contourTooShort: () => "Un contour demande au moins deux points différents.",
+    contourPoint: (d) => `Élément ${d.element} : le point final manque ou ne peut pas être atteint.`,
+    cornerElementAlone: (d) => `Élément ${d.element} : un chanfrein ou un arrondi demande un élément avant et après, un chanfrein deux droites.`,
+    cornerElementTooLong: (d, w) =>
+      `Élément ${d.element} : ${w.number(d.size)} ne tient pas entre ses voisins, ${w.number(d.max)} tient. ${nearest(w.number(d.nearest))}`,
+    arcOffCircle: (d, w) => `Élément ${d.element} : le point final manque son cercle de ${w.number(d.gap)}. Rayon possible : ${w.number(d.nearest)}.`,
+    arcTooSmall: (d, w) => `Élément ${d.element} : le rayon ${w.number(d.radius)} est trop petit pour le point final. ${nearest(w.number(d.nearest))}`,
+    contourCrossesItself: (d) => `L'élément ${d.element} croise l'élément ${d.other}.`,
+    materialLeft: (d, w) => `Il reste ${w.area(d.area)} à ${w.place(d.x, d.z)}. Cause : ${reasons[d.reason]}.`,
+    gouge: (d, w) => `${w.area(d.area)} de la pièce finie sont enlevés à ${w.place(d.x, d.z)}.`,
+    rapidInStock: (d, w) => `Un rapide traverse ${w.area(d.area)} de matière à ${w.place(d.x, d.z)}.`,
+    holderContact: (d, w) => `Le porte-outil touche la matière à ${w.place(d.x, d.z)}.`,
+
+    notUnderstood: (d, w) => `« ${w.text(d.text)} » n'est pas compris : conservé, non simulé.`,
+    wordNotUnderstood: (d, w) => `Le mot « ${w.text(d.text)} » n'est pas compris.`,
+    wordTwice: (d, w) => `${w.text(d.word)} figure deux fois dans cette séquence ; le dernier compte.`,
+    equalsMissing: (d, w) => `« ${w.text(d.text)} » n'a pas de signe égal. Il est lu comme s'il y était.`,
+    blankBeforeEquals: (d, w) => `« ${w.text(d.text)} » a un espace avant le signe égal.`,
+    badNumber: (d, w) => `« ${w.text(d.text)} » n'est pas un nombre.`,
+    wordMissing: (d, w) => `${w.text(d.word)} manque dans cette séquence.`,
+    blockNumber: (d) => `Le numéro de séquence ${d.found} ne suit pas ; ce serait ${d.expected}.`,
+    blockNumberMissing: (d) => `La séquence n'a pas de numéro ; ce serait ${d.expected}.`,
+    strayParameter: (d, w) => `« ${w.text(d.text)} » n'appartient à aucun cycle.`,
+    continuationOpen: () => "La ligne finit par ~, mais aucune suite n'est là.",
+    frameMissing: (d) => `Il manque ${d.which} au programme.`,
+
+    notSimulated: (d, w) => `${w.text(d.what)} : conservé, non simulé.`,
+    cycleNotSimulated: (d, w) => `Cycle ${d.cycle} ${w.text(d.name)} : conservé, non simulé.`,
+    noCycleDefined: () => "Aucun cycle n'est défini avant l'appel.",
+    noToolCalled: () => "Aucun outil n'est appelé avant cette séquence.",
+    toolUnknown: (d, w) => `L'outil ${w.text(d.tool)} n'est pas dans le tableau.`,
+    notInTurnMode: () => "Le cycle ne s'exécute qu'en FUNCTION MODE TURN.",
+    labelMissing: (d, w) => `LBL ${w.text(d.label)} n'existe pas.`,
+    labelTwice: (d, w) => `LBL ${w.text(d.label)} figure deux fois dans le programme.`,
+    labelNotClosed: (d, w) => `LBL ${w.text(d.label)} n'est pas fermé par LBL 0.`,
+    contourNotNamed: (d) => `Le cycle ${d.cycle} demande, avant l'appel, le cycle 14 avec son contour.`,
+    feedMissing: () => "Aucune avance n'est programmée.",
+    spindleMissing: () => "Aucune vitesse de broche n'est programmée ; les temps manquent.",
+    parameterUnset: (d) => `${d.name} n'a pas de valeur ici.`,
+    divisionByZero: () => "Division par zéro.",
+    notFinite: (d, w) => `« ${w.text(d.text)} » ne donne pas de nombre utilisable.`,
+    blankMissing: () => "Le programme n'indique pas de pièce brute.",
+    blankNotTurned: (d, w) => `Une pièce brute de forme ${w.text(d.form)} n'est pas un corps de révolution autour de l'axe.`,
+    blankImpossible: () => "La pièce brute n'a pas de volume : vérifier diamètre, alésage et longueur.",
+    poleMissing: () => "La séquence demande un pôle CC avant elle.",
+    startUnknown: () => "La position avant cette séquence n'est pas connue.",
+    arcImpossible: () => "Aucun arc ne convient à ces valeurs.",
+    radiusCompensation: (d) => `${d.side} est lu, mais la trajectoire n'est pas corrigée.`,
+    programEndMissing: () => "Il manque M30 ou M2 à la fin du programme principal.",
+    tooManyBlocks: (d) => `Plus de ${d.limit} séquences exécutées : arrêt à cet endroit.`,
+    tooManyMoves: (d) => `Plus de ${d.limit} déplacements : arrêt à cet endroit.`,
+    callsTooDeep: (d) => `Les labels s'appellent sur plus de ${d.limit} niveaux.`,
+  },
+} satisfies MessagesTexts;

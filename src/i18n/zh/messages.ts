@@ -1,3 +1,103 @@
-import type { MessagesTexts } from "../en/messages.ts";
+import type { MessagesTexts } from "../message-texts.ts";
 
-export const messages = {} satisfies MessagesTexts;
+const nearest = (value: string) => `最接近的可用值:${value}。`;
+
+const reasons: MessagesTexts["reasons"] = {
+  insertRadius: "刀尖圆角半径", mainEdge: "刀片主切削刃", secondaryEdge: "刀片副切削刃", toolWidth: "刀具宽度", cutLength: "CUTLENGTH", limit: "加工极限",
+  plunging: "不允许切入", oversize: "余量",
+};
+
+export const messages = {
+  severity: { error: "错误", warning: "警告", info: "提示" },
+  reasons,
+  of: {
+    missing: () => "请输入数值。",
+    notANumber: (d, w) => `“${w.text(d.text)}”不是数字。`,
+    badExpression: (d, w) => `“${w.text(d.text)}”无法计算。`,
+    unknownParameter: (d) => `${d.name}在此处没有值,请输入数字。`,
+    outOfRange: (d, w) => `${w.value(d.value)}超出范围${w.value(d.min)}至${w.value(d.max)}。${nearest(w.value(d.nearest))}`,
+    notAChoice: (d, w) => `${w.number(d.value)}不在可选值${d.choices.join("、")}中。${nearest(w.number(d.nearest))}`,
+    startEqualsEnd: (d, w) => `起点与终点相同:${d.other}也是${w.value(d.value)}。${nearest(w.value(d.nearest))}`,
+    wrongDirection: (d, w) => `${w.value(d.value)}位于${d.other}的错误一侧。${nearest(w.value(d.nearest))}`,
+    elementTooLong: (d, w) => `${w.number(d.size)}大于该元素的长度,最大${w.number(d.max)}。${nearest(w.number(d.nearest))}`,
+    cornersTooWide: (d, w) => `两个半径${w.number(d.radius)}的圆角宽于槽底,最大${w.number(d.max)}。${nearest(w.number(d.nearest))}`,
+    wallsMeet: (d, w) => `角度为${w.angle(d.angle)}时两侧壁在槽底上方相交,最大${w.angle(d.max)}。${nearest(w.angle(d.nearest))}`,
+    cornerSmallerThanInsert: (d, w) =>
+      `角半径${w.number(d.radius)}小于刀尖圆角${w.number(d.insert)}:该角将保留${w.number(d.insert)}。${nearest(w.number(d.nearest))}`,
+    recessNarrowerThanTool: (d, w) => `槽宽${w.number(d.width)},刀具宽${w.number(d.tool)}。${nearest(w.value(d.nearest))}`,
+    angleNotFollowed: (d, w) => `刀具无法跟随${w.angle(d.angle)}:${reasons[d.edge]}允许${w.angle(d.max)},会残留材料。${nearest(w.angle(d.nearest))}`,
+    infeedOverCutLength: (d, w) => `进刀量${w.number(d.infeed)}大于CUTLENGTH ${w.number(d.cutLength)}:自动减小为${w.number(d.nearest)}。`,
+    depthOverCutLength: (d, w) => `深度${w.number(d.depth)}大于CUTLENGTH ${w.number(d.cutLength)}。可用深度:${w.number(d.nearest)}。`,
+    offsetReduced: (d, w) => `偏移${w.number(d.offset)}减小为${w.number(d.nearest)}:${d.passes}刀共用有效宽度的80%。`,
+    offsetOverLimit: (d, w) => `${d.passes}刀的侧向偏移共${w.number(d.offset)};有效宽度的80%为${w.number(d.max)}。${nearest(w.number(d.nearest))}`,
+    toolOnWrongSide: (d) => `刀尖方向${d.orientation}背离材料:刀具位于错误的一侧。`,
+    toolCannotCutSideways: (d) => `${d.type}刀具只能切入,本循环还需横向切削。请使用RECTURN刀具。`,
+    flanksNotChecked: () => "T-ANGLE或P-ANGLE为空:不检查刀片侧面。",
+    toolColumn: (d, w) => {
+      const what = d.value === null ? `${d.column}缺失或不是数字。` : `${d.column} ${w.number(d.value)}不可用。`;
+      if (d.min !== undefined && d.max !== undefined) return `${what}允许范围:${w.number(d.min)}至${w.number(d.max)}。`;
+      if (d.min !== undefined) return `${what}必须${d.column === "CUTWIDTH" ? "大于" : "不小于"}${w.number(d.min)}。`;
+      return d.max === undefined ? what : `${what}必须小于${w.number(d.max)}。`;
+    },
+    unknownTool: (d, w) => `刀具${w.text(d.tool)}不在刀具表中。`,
+    betterTool: (d) => `刀具${d.tool} ${d.name}可以加工该轮廓。`,
+    startInArea: (d, w) => `起点${w.place(d.x, d.z)}在加工区内:刀具先移至安全高度。`,
+    startInMaterial: (d, w) => `起点${w.place(d.x, d.z)}在材料中。`,
+    startBelowContour: (d, w) => `起点的Z坐标${w.number(d.z)}小于轮廓起点:刀具先移至Z ${w.number(d.contour)}。`,
+    startInsideEnvelope: (d, w) => `起点距轮廓小于安全距离${w.number(d.clearance)}:刀具以精加工进给直接移至轮廓。`,
+    limitOnWrongSide: (d, w) => `极限为${w.value(d.limit)}时,刀具所在一侧没有可加工的材料。${nearest(w.value(d.nearest))}`,
+    nothingToCut: () => "起点与轮廓之间没有可加工的材料。",
+    contourMissing: (d, w) => `轮廓LBL ${w.text(d.label)}不存在。`,
+    contourTooShort: () => "轮廓至少需要两个不同的点。",
+    contourPoint: (d) => `元素${d.element}:终点缺失或无法到达。`,
+    cornerElementAlone: (d) => `元素${d.element}:倒角或倒圆前后都需要有元素,倒角需要两条直线。`,
+    cornerElementTooLong: (d, w) => `元素${d.element}:${w.number(d.size)}在相邻元素之间放不下,最大${w.number(d.max)}。${nearest(w.number(d.nearest))}`,
+    arcOffCircle: (d, w) => `元素${d.element}:终点偏离圆${w.number(d.gap)}。可用半径:${w.number(d.nearest)}。`,
+    arcTooSmall: (d, w) => `元素${d.element}:半径${w.number(d.radius)}对该终点过小。${nearest(w.number(d.nearest))}`,
+    contourCrossesItself: (d) => `元素${d.element}与元素${d.other}相交。`,
+    materialLeft: (d, w) => `${w.place(d.x, d.z)}处残留${w.area(d.area)},原因:${reasons[d.reason]}。`,
+    gouge: (d, w) => `${w.place(d.x, d.z)}处精加工件被切掉${w.area(d.area)}。`,
+    rapidInStock: (d, w) => `快移在${w.place(d.x, d.z)}处穿过${w.area(d.area)}材料。`,
+    holderContact: (d, w) => `刀柄在${w.place(d.x, d.z)}处碰到材料。`,
+
+    notUnderstood: (d, w) => `无法识别“${w.text(d.text)}”:保留,不仿真。`,
+    wordNotUnderstood: (d, w) => `无法识别“${w.text(d.text)}”。`,
+    wordTwice: (d, w) => `${w.text(d.word)}在该程序段中出现两次,以最后一个为准。`,
+    equalsMissing: (d, w) => `“${w.text(d.text)}”缺少等号,按有等号读取。`,
+    blankBeforeEquals: (d, w) => `“${w.text(d.text)}”的等号前有空格。`,
+    badNumber: (d, w) => `“${w.text(d.text)}”不是数字。`,
+    wordMissing: (d, w) => `该程序段缺少${w.text(d.word)}。`,
+    blockNumber: (d) => `程序段号${d.found}不连续,应为${d.expected}。`,
+    blockNumberMissing: (d) => `该程序段没有编号,应为${d.expected}。`,
+    strayParameter: (d, w) => `“${w.text(d.text)}”不属于任何循环。`,
+    continuationOpen: () => "该行以~结尾,但没有续行。",
+    frameMissing: (d) => `程序缺少${d.which}。`,
+
+    notSimulated: (d, w) => `${w.text(d.what)}:保留,不仿真。`,
+    cycleNotSimulated: (d, w) => `循环${d.cycle} ${w.text(d.name)}:保留,不仿真。`,
+    noCycleDefined: () => "调用前没有定义循环。",
+    noToolCalled: () => "该程序段之前没有调用刀具。",
+    toolUnknown: (d, w) => `刀具${w.text(d.tool)}不在刀具表中。`,
+    notInTurnMode: () => "该循环只能在FUNCTION MODE TURN下执行。",
+    labelMissing: (d, w) => `LBL ${w.text(d.label)}不存在。`,
+    labelTwice: (d, w) => `LBL ${w.text(d.label)}在程序中出现两次。`,
+    labelNotClosed: (d, w) => `LBL ${w.text(d.label)}没有用LBL 0结束。`,
+    contourNotNamed: (d) => `循环${d.cycle}调用前需要循环14及其轮廓。`,
+    feedMissing: () => "没有编程进给速率。",
+    spindleMissing: () => "没有编程主轴转速,无法计算时间。",
+    parameterUnset: (d) => `${d.name}在此处没有值。`,
+    divisionByZero: () => "除数为零。",
+    notFinite: (d, w) => `“${w.text(d.text)}”得不到可用的数值。`,
+    blankMissing: () => "程序没有定义毛坯。",
+    blankNotTurned: (d, w) => `${w.text(d.form)}形式的毛坯不是绕轴的回转体。`,
+    blankImpossible: () => "毛坯没有体积:请检查直径、孔径和长度。",
+    poleMissing: () => "该程序段之前需要极点CC。",
+    startUnknown: () => "该程序段之前的位置未知。",
+    arcImpossible: () => "这些数值无法构成圆弧。",
+    radiusCompensation: (d) => `已读取${d.side},但不补偿路径。`,
+    programEndMissing: () => "主程序末尾缺少M30或M2。",
+    tooManyBlocks: (d) => `已执行超过${d.limit}个程序段:在该处停止。`,
+    tooManyMoves: (d) => `超过${d.limit}个运动:在该处停止。`,
+    callsTooDeep: (d) => `标签嵌套调用超过${d.limit}层。`,
+  },
+} satisfies MessagesTexts;

@@ -1,0 +1,20 @@
+import type { Issue, Reason, Severity } from "../kernel/issue.ts";
+import type { NcIssue } from "../nc/issue.ts";
+import type { ProgramIssue } from "../program/issue.ts";
+import type { Write } from "./write.ts";
+
+/** A finding of any layer. */
+export type AnyIssue = Issue | NcIssue | ProgramIssue;
+export type AnyCode = AnyIssue["code"];
+
+/** One sentence for each code, made from its data; a forgotten code is a compile error in each language. */
+export type Sentences = {
+  readonly [C in AnyCode]: (data: Extract<AnyIssue, { code: C }>["data"], write: Write) => string;
+};
+
+export interface MessagesTexts {
+  readonly severity: Readonly<Record<Severity, string>>;
+  /** Why material stays, as it follows "left by". */
+  readonly reasons: Readonly<Record<Reason, string>>;
+  readonly of: Sentences;
+}

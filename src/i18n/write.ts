@@ -1,0 +1,41 @@
+import type { Kind } from "../cycles/params.ts";
+import type { Language } from "./languages.ts";
+import { formatNumber, formatSigned } from "./number.ts";
+
+/** Numbers inside sentences, in the way of one language. X data are diameters, mm. */
+export interface Write {
+  /** Millimetres or a plain number. */
+  readonly number: (value: number) => string;
+  /** A value of the field in question: with ⌀ where it is a diameter, with ° where it is an angle. */
+  readonly value: (value: number) => string;
+  readonly diameter: (value: number) => string;
+  readonly angle: (value: number) => string;
+  /** mm² of the half plane. */
+  readonly area: (value: number) => string;
+  /** Typed or read text, cut short where it is long. */
+  readonly text: (text: string) => string;
+  /** A place: X⌀50 Z-20. */
+  readonly place: (x: number, z: number) => string;
+}
+
+/** Longer quotations say no more. */
+const LONGEST = 40;
+
+const isDiameter = (kind: Kind | undefined) => kind === "diameter" || kind === "oversizeDiameter";
+
+/** Formats numbers for a language; `kind` is what the field in question measures. */
+export function writer(language: Language, kind?: Kind): Write {
+  const number = (value: number) => formatNumber(language, value);
+  const diameter = (value: number) => `⌀${number(value)}`;
+  const angle = (value: number) => `${formatNumber(language, value, 4)}°`;
+  const plain = kind === "angle" ? angle : number;
+  return {
+    number,
+    value: isDiameter(kind) ? diameter : plain,
+    diameter,
+    angle,
+    area: (value) => `${formatNumber(language, value, value < 0.1 ? 3 : 2)} mm²`,
+    text: (text) => (text.length > LONGEST ? `${text.slice(0, LONGEST - 1)}…` : text),
+    place: (x, z) => `X⌀${number(x)} Z${formatSigned(language, z)}`,
+  };
+}
