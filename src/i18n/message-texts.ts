@@ -3,8 +3,8 @@ import type { NcIssue } from "../nc/issue.ts";
 import type { ProgramIssue } from "../program/issue.ts";
 import type { Write } from "./write.ts";
 
-/** A finding of any layer. */
-export type AnyIssue = Issue | NcIssue | ProgramIssue;
+/** A finding of any layer. Those of the text have a line and a column instead of a field. */
+export type AnyIssue = Issue | (NcIssue & { readonly at?: undefined }) | ProgramIssue;
 export type AnyCode = AnyIssue["code"];
 
 /** One sentence for each code, made from its data; a forgotten code is a compile error in each language. */
