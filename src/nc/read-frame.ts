@@ -44,7 +44,7 @@ export function readBlank(scan: Scan): Statement | null {
     label: readLabel(label[1], label[2]),
   };
 }
-const AXIS_ALONE = /([XYZABCUVW])(?=[ \t])/iy;
+const AXIS_ALONE = /([XYZABCUVW])(?=[ \t]|$)/iy;
 
 function readCylinder(scan: Scan): Statement | null {
   const axis = scan.take(AXIS);
@@ -118,7 +118,7 @@ export function readToolDefinition(scan: Scan): Statement | null {
   };
 }
 
-const NAMED = new RegExp(String.raw`([A-Z_]+)[ \t]*:?[ \t]*(${VALUE})`, "iy");
+const NAMED = new RegExp(String.raw`([A-Z_]+?)[ \t]*:?[ \t]*(${VALUE})`, "iy");
 
 /** Words of the form NAME and value, with or without a colon between them. */
 export function readNamedWords(scan: Scan): NamedWord[] {

@@ -28,6 +28,8 @@ export interface DraftReading<P extends Params = Params> {
 
 /** FAUTO as typed: with or without its F, in any case. */
 const AUTO = /^f?\s*auto$/i;
+/** True for FAUTO as typed. */
+export const isAuto = (typed: string) => AUTO.test(typed.trim());
 
 const rounded = (value: number, decimals: number) => {
   const scale = 10 ** decimals;
@@ -53,7 +55,7 @@ const unusable = (found: Issue, empty = false): FieldReading =>
 
 /** Reads one typed field against its parameter. */
 export function readField(q: string, param: Param, typed: string, known: KnownParameters = {}): FieldReading {
-  if (param.kind === "feed" && AUTO.test(typed.trim()))
+  if (param.kind === "feed" && isAuto(typed))
     return { value: "auto", empty: false, parameter: null, computed: false, issues: [] };
   const read = readExpression(typed, known);
   switch (read.kind) {

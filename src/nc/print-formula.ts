@@ -1,0 +1,36 @@
+import { valueText } from "./number-text.ts";
+import type { Formula, Statement } from "./statement.ts";
+import type { Style } from "./style.ts";
+
+const SIGNS = { sum: "+", difference: "-", product: "*", quotient: "/", remainder: "%", power: "^" } as const;
+const RANK = { sum: 1, difference: 1, product: 2, quotient: 2, remainder: 2, power: 3, negative: 4, call: 4, value: 4 } as const;
+
+function formulaText(f: Formula, style: Style, atLeast = 0): string {
+  const text = bare(f, style);
+  return RANK[f.kind] < atLeast ? `( ${text} )` : text;
+}
+
+function bare(f: Formula, style: Style): string {
+  switch (f.kind) {
+    case "value": return valueText(f.value, { ...style, plus: false });
+    case "negative": return `- ${formulaText(f.of, style, 4)}`;
+    case "call": return `${f.name} ${formulaText(f.of, style, 4)}`;
+    default: {
+      const rank = RANK[f.kind];
+      return `${formulaText(f.left, style, rank)} ${SIGNS[f.kind]} ${formulaText(f.right, style, rank + 1)}`;
+    }
+  }
+}
+
+/** `Q1 = Q2 * 3`, or with its FN number `FN 1: Q1 =+Q2 + +5`. */
+export function assignmentText(s: Extract<Statement, { kind: "assign" }>, style: Style): string {
+  if (s.fn === null) return `${s.target} = ${formulaText(s.formula, style)}`;
+  const signed = (f: Formula) => (f.kind === "value" ? valueText(f.value, { ...style, plus: true }) : formulaText(f, style, 4));
+  const right = (f: Formula): string => {
+    if (f.kind === "value") return signed(f);
+    if (f.kind === "call" && s.fn === 5) return `SQRT ${signed(f.of)}`;
+    if (f.kind === "sum" || f.kind === "difference" || f.kind === "product") return `${signed(f.left)} ${SIGNS[f.kind]} ${signed(f.right)}`;
+    return f.kind === "quotient" ? `${signed(f.left)} DIV ${signed(f.right)}` : formulaText(f, style);
+  };
+  return `FN ${s.fn}: ${s.target} = ${right(s.formula)}`;
+}

@@ -1,0 +1,25 @@
+import type { NumberStyle } from "./number-text.ts";
+
+/** How blocks are written. Every choice is one that printed or real programs show. */
+export interface Style extends NumberStyle {
+  /** The two-space forms of the TNC 640: `L  X+75`, `LBL  2`, `CYCL DEF 820  NAME`. */
+  readonly wide: boolean;
+  /** ` ~` at the end of each line of a cycle but the last. */
+  readonly continued: boolean;
+  /** In front of the parameter lines of a cycle. */
+  readonly indent: string;
+  readonly rapid: "FMAX" | "F MAX";
+  /** `LEN 15` and `CCA 180`, as older controls write it. */
+  readonly spacedWords: boolean;
+  readonly newLine: "\n" | "\r\n" | "\r";
+}
+
+export type LayoutName = "tnc640" | "tnc7";
+
+const common = { plus: true, decimal: ".", indent: "", rapid: "FMAX", spacedWords: false, newLine: "\n" } as const;
+
+/** What the two controls print. */
+export const LAYOUTS: Readonly<Record<LayoutName, Style>> = {
+  tnc640: { ...common, wide: true, continued: false },
+  tnc7: { ...common, wide: false, continued: true },
+};

@@ -1,0 +1,125 @@
+import type { Cycle } from "../cycles/define.ts";
+import { cycleByNumber } from "../cycles/index.ts";
+import type { Param } from "../cycles/params.ts";
+import { programText } from "../nc/print.ts";
+import type { AxisWord, CycleParameter, Statement, Value, Words } from "../nc/statement.ts";
+import { LAYOUTS } from "../nc/style.ts";
+import { readExpression, type KnownParameters } from "./expression.ts";
+import type { ContourRow, Job } from "./job.ts";
+import { isAuto } from "./read-draft.ts";
+
+/** The words of NC text in one language; `i18n` has them, since the printer knows no cycle by name. */
+export interface Labels {
+  cycleName(cycle: number): string;
+  /** Label behind `;`, by the text key of the parameter. */
+  label(text: string): string;
+  /** Cycle 14: behind 14.0, and before the label number behind 14.1. */
+  readonly contour: { readonly title: string; readonly label: string };
+}
+
+/** Label of the contour subprogram, as in the printed examples. */
+const CONTOUR_LABEL = 2;
+/** How far the safe position stands from blank and start point: ⌀ and Z, mm. */
+const AWAY = { x: 20, z: 50 };
+/** Decimals a control keeps of a position. */
+const POSITION_DECIMALS = 3;
+
+const noWords: Words = { axes: [], linear: [], functions: [], extra: [] };
+const path = (words: Partial<Words>, kind: "L" | "RND" | "CR" = "L"): Statement => ({ kind: "path", path: kind, words: { ...noWords, ...words } });
+
+const kept = (n: number, decimals: number) => Number(n.toFixed(decimals)) || 0;
+
+/** A typed number as a value of NC text, rounded to what the control keeps; null when it is none. */
+function value(typed: string, decimals = POSITION_DECIMALS): Value | null {
+  const named = /^\s*([+-]?)\s*(Q[LR]?\d{1,4})\s*$/i.exec(typed);
+  if (named) return { parameter: (named[2] ?? "").toUpperCase(), negative: named[1] === "-" };
+  const read = readExpression(typed, noParameters);
+  return read.kind === "number" ? kept(read.value, decimals) : null;
+}
+const noParameters: KnownParameters = {};
+const number = (typed: string, otherwise: number) => {
+  const read = value(typed);
+  return typeof read === "number" ? read : otherwise;
+};
+
+const axis = (name: "X" | "Y" | "Z", typed: string, incremental = false): AxisWord[] => {
+  const read = value(typed);
+  return read === null ? [] : [{ axis: name, value: read, incremental }];
+};
+
+function parameter(q: string, p: Param, typed: string, labels: Labels): CycleParameter {
+  const label = labels.label(p.text);
+  if (p.kind === "feed" && isAuto(typed)) return { q, value: "auto", label };
+  const read = value(typed, p.decimals);
+  return { q, value: read ?? (typed.trim() === "" && p.optional ? 0 : null), label };
+}
+
+function contourRow(row: ContourRow): Statement {
+  const axes = [...axis("X", row.x, row.incrementalX), ...axis("Z", row.z, row.incrementalZ)];
+  const size = value(row.r);
+  switch (row.kind) {
+    case "L": return path({ axes });
+    case "CR": return path({ axes, ...(size !== null && { radius: size }), turn: row.turn }, "CR");
+    case "RND": return path(size === null ? {} : { radius: size }, "RND");
+    case "CHF": return { kind: "chamfer", length: size, words: noWords };
+  }
+}
+
+function spin(job: Job): Statement {
+  const { mode, speed, cuttingSpeed, limit } = job.spindle;
+  const none = { cuttingSpeed: null, speed: null, limit: null };
+  return mode === "surface"
+    ? { kind: "spin", constantSurface: true, ...none, cuttingSpeed: value(cuttingSpeed), limit: value(limit) }
+    : { kind: "spin", constantSurface: false, ...none, speed: value(speed) };
+}
+
+/** Names of programs on the control: letters, digits and underscores. */
+const programName = (typed: string) => typed.trim().replace(/[^\p{L}\p{N}_+-]+/gu, "_").slice(0, 32) || "PROGRAM";
+
+function blank(job: Job): Statement {
+  const { outside, bore, length, allowance } = job.blank;
+  const [wide, hole] = [value(outside), value(bore)];
+  return {
+    kind: "blankCylinder", axis: "Z", length: value(length), distance: value(allowance) ?? 0,
+    outside: wide === null ? null : { measure: "D", value: wide },
+    inside: hole === null || hole === 0 ? null : { measure: "DI", value: hole },
+  };
+}
+
+/** The blocks of a job, from BEGIN PGM to END PGM. */
+export function jobStatements(job: Job, cycle: Cycle, labels: Labels): Statement[] {
+  const name = programName(job.name);
+  const safeX = kept(Math.max(number(job.blank.outside, 0), number(job.start.x, 0)) + AWAY.x, POSITION_DECIMALS);
+  const safeZ = kept(Math.max(number(job.blank.allowance, 0), number(job.start.z, 0), 0) + AWAY.z, POSITION_DECIMALS);
+  const at = (x: Value, z: Value): AxisWord[] => [{ axis: "X", value: x, incremental: false }, { axis: "Z", value: z, incremental: false }];
+  const free = cycle.contour === "free";
+  const draft = job.drafts[cycle.number] ?? {};
+  const cycleLine = (line: number, text: string): Statement => ({ kind: "cycleLine", cycle: 14, line, text });
+  const functions = (m: number): Statement => ({ kind: "functions", words: { ...noWords, functions: [m] } });
+  return [
+    { kind: "begin", name, unit: "MM" },
+    blank(job),
+    { kind: "mode", mode: "TURN", kinematics: null },
+    { kind: "toolCall", tool: job.tool, axis: null, speed: null, feed: null, deltaLength: null, deltaRadius: null, extra: [] },
+    spin(job),
+    functions(job.perRevolution ? 136 : 137),
+    path({ axes: at(safeX, safeZ), compensation: "R0", feed: "max" }),
+    ...(free ? [cycleLine(0, labels.contour.title), cycleLine(1, `${labels.contour.label}${CONTOUR_LABEL}`)] : []),
+    {
+      kind: "cycle", cycle: cycle.number, name: labels.cycleName(cycle.number),
+      parameters: Object.entries(cycle.params).map(([q, p]) => parameter(q, p, draft[q] ?? "", labels)),
+    },
+    path({ axes: [...axis("X", job.start.x), { axis: "Y", value: 0, incremental: false }, ...axis("Z", job.start.z)], feed: "max", functions: [303] }),
+    { kind: "cycleCall", how: "", words: noWords },
+    path({ axes: [{ axis: "Z", value: safeZ, incremental: false }], compensation: "R0", feed: "max" }),
+    functions(30),
+    ...(free ? [{ kind: "label" as const, label: CONTOUR_LABEL }, ...job.contour.map(contourRow), { kind: "label" as const, label: 0 }] : []),
+    { kind: "end", name, unit: "MM" },
+  ];
+}
+
+/** The complete program text of a job, as the control writes it; empty when its cycle is not in the catalogue. */
+export function printJob(job: Job, labels: Labels): string {
+  const cycle = cycleByNumber(job.cycle);
+  return cycle ? programText(jobStatements(job, cycle, labels), LAYOUTS[job.layout]) : "";
+}
