@@ -1,0 +1,90 @@
+import { describe, expect, test } from "vitest";
+import { catalogue } from "../cycles/index.ts";
+import { angle, axialParam, choice, diameterParam, feedParam, lengthParam, radial } from "../cycles/params.ts";
+import { exampleDraft, readDraft, readField } from "./read-draft.ts";
+
+const infeed = radial("infeedRadial", [0.001, 999.999], 3);
+const feed = feedParam("roughingFeed", [0, 99999.999], 0.3);
+const diameter = diameterParam("startDiameter", [-99999.999, 99999.999], 75);
+const lean = angle("surfaceAngle", [0, 89.9999], 5);
+const kind = choice("operation", [0, 1, 2, 3], 0);
+const corner = lengthParam("cornerRadius", [0, 999.999], 1.5, { optional: true });
+
+describe("readField", () => {
+  test("missing: empty is missing and never 0", () => {
+    expect(readField("Q491", diameter, "  ")).toMatchObject({ value: null, empty: true, issues: [{ code: "missing", at: "Q491", severity: "error" }] });
+    expect(readField("Q491", diameter, "0")).toMatchObject({ value: 0, empty: false, issues: [] });
+  });
+
+  test("an optional field may stay empty and is then 0", () => {
+    expect(readField("Q500", corner, "")).toMatchObject({ value: 0, empty: true, issues: [] });
+    expect(readField("Q500", corner, "x")).toMatchObject({ value: null, issues: [{ code: "notANumber", data: { text: "x" } }] });
+  });
+
+  test("notANumber", () => {
+    expect(readField("Q491", diameter, "seventy").issues).toMatchObject([{ code: "notANumber", data: { text: "seventy" } }]);
+    expect(readField("Q491", diameter, "70").issues).toEqual([]);
+  });
+
+  test("badExpression", () => {
+    expect(readField("Q491", diameter, "75/").issues).toMatchObject([{ code: "badExpression", data: { text: "75/" } }]);
+    expect(readField("Q491", diameter, "75/2+1")).toMatchObject({ value: 38.5, computed: true, issues: [] });
+  });
+
+  test("unknownParameter", () => {
+    expect(readField("Q491", diameter, "Q7").issues).toMatchObject([{ code: "unknownParameter", data: { name: "Q7" } }]);
+    expect(readField("Q491", diameter, "Q7", { Q7: 60 })).toMatchObject({ value: 60, parameter: "Q7", issues: [] });
+  });
+
+  test.each([
+    ["0", 0.001], ["-5", 0.001], ["0.0004", 0.001], ["1000", 999.999],
+  ])("outOfRange: %s of 0.001 to 999.999, the nearest is %d", (typed, nearest) => {
+    expect(readField("Q463", infeed, typed).issues).toMatchObject([{ code: "outOfRange", data: { min: 0.001, max: 999.999, nearest } }]);
+  });
+  test.each(["0.001", "999.999", "3", "999.9994"])("%s lies in 0.001 to 999.999", (typed) => {
+    expect(readField("Q463", infeed, typed).issues).toEqual([]);
+  });
+
+  test("notAChoice names the nearest one", () => {
+    expect(readField("Q215", kind, "7").issues).toMatchObject([{ code: "notAChoice", data: { value: 7, choices: [0, 1, 2, 3], nearest: 3 } }]);
+    expect(readField("Q215", kind, "1.4").issues).toMatchObject([{ code: "notAChoice", data: { nearest: 1 } }]);
+    expect(readField("Q215", kind, "2")).toMatchObject({ value: 2, issues: [] });
+  });
+
+  test.each(["FAUTO", "fauto", "auto", " F AUTO "])("a feed may be %s", (typed) => {
+    expect(readField("Q478", feed, typed)).toMatchObject({ value: "auto", issues: [] });
+  });
+  test("only a feed may be FAUTO", () => {
+    expect(readField("Q491", diameter, "FAUTO").issues).toMatchObject([{ code: "notANumber" }]);
+  });
+
+  test("values are rounded to what the control keeps", () => {
+    expect(readField("Q491", diameter, "10/3").value).toBe(3.333);
+    expect(readField("Q495", lean, "10/3").value).toBe(3.3333);
+    expect(readField("Q492", axialParam("startZ", [-9, 9], 0), "-0.0001")).toMatchObject({ value: 0 });
+    expect(Object.is(readField("Q492", axialParam("startZ", [-9, 9], 0), "-0.0001").value, -0)).toBe(false);
+  });
+});
+
+describe.each(catalogue.map((cycle) => [cycle.number, cycle] as const))("readDraft of cycle %i", (_, cycle) => {
+  test("takes the printed example as it is", () => {
+    const read = readDraft(cycle, exampleDraft(cycle));
+    expect(read.issues).toEqual([]);
+    expect(read.values).toEqual(Object.fromEntries(Object.entries(cycle.params).map(([q, p]) => [q, p.example])));
+  });
+
+  test("an empty draft misses every parameter that is not optional, in order", () => {
+    const read = readDraft(cycle, {});
+    const needed = Object.entries(cycle.params).filter(([, p]) => !p.optional).map(([q]) => q);
+    expect(read.values).toBeNull();
+    expect(read.issues.map((i) => [i.code, i.at])).toEqual(needed.map((q) => ["missing", q]));
+  });
+
+  test("one bad field keeps the others", () => {
+    const q = Object.keys(cycle.params)[1] ?? "";
+    const read = readDraft(cycle, { ...exampleDraft(cycle), [q]: "?" });
+    expect(read.values).toBeNull();
+    expect(Object.keys(read.partial)).toHaveLength(Object.keys(cycle.params).length - 1);
+    expect(read.perField[q]?.issues).toMatchObject([{ code: "notANumber", at: q }]);
+  });
+});
