@@ -1,0 +1,46 @@
+import type { Locator } from "@playwright/test";
+import type { Context } from "./turnwise.ts";
+
+/** The lathe view: picture, playback, timeline, findings and moves. */
+export class Lathe {
+  constructor(private readonly context: Context) {}
+
+  get view(): Locator {
+    return this.context.page.getByRole("region", { name: this.context.t.lathe.title, exact: true });
+  }
+
+  /** The picture; its name says in words what it shows. */
+  get picture(): Locator {
+    return this.view.getByRole("img").first();
+  }
+
+  button(name: "play" | "pause" | "forward" | "back" | "first" | "last" | "fullSection" | "xDown" | "ruler" | "zoomIn" | "zoomOut" | "fit"): Locator {
+    return this.view.getByRole("button", { name: this.context.t.lathe[name], exact: true });
+  }
+
+  get timeline(): Locator {
+    return this.view.getByRole("slider", { name: this.context.t.lathe.timeline, exact: true });
+  }
+
+  get speed(): Locator {
+    return this.view.getByRole("combobox", { name: this.context.t.lathe.speed, exact: true });
+  }
+
+  /** Position, feed, phase and the step of the manual that runs. */
+  get running(): Locator {
+    return this.view.getByRole("group", { name: this.context.t.lathe.now, exact: true });
+  }
+
+  get findings(): Locator {
+    return this.view.getByRole("region", { name: this.context.t.lathe.findings, exact: true });
+  }
+
+  get residual(): Locator {
+    return this.view.getByRole("region", { name: this.context.t.lathe.residualTitle, exact: true });
+  }
+
+  /** Moves the held clock on; the page has to be opened with `heldClock`. */
+  async advance(milliseconds: number): Promise<void> {
+    await this.context.page.evaluate((ms) => window.__turnwiseClock?.advance(ms), milliseconds);
+  }
+}

@@ -1,0 +1,63 @@
+import { expect, type Download, type Locator } from "@playwright/test";
+import type { Context } from "./turnwise.ts";
+
+/** The program as the control writes it. */
+export class ProgramText {
+  constructor(private readonly context: Context) {}
+
+  get panel(): Locator {
+    return this.context.page.getByRole("region", { name: this.context.t.page.text.title, exact: true });
+  }
+
+  /** The blocks; a cycle with all its lines is one. */
+  get blocks(): Locator {
+    return this.panel.getByRole("list", { name: this.context.t.page.text.blocks, exact: true }).getByRole("listitem");
+  }
+
+  /** The block of the move that is shown in the lathe view. */
+  get runningBlock(): Locator {
+    return this.panel.locator("[aria-current=step]");
+  }
+
+  get copyButton(): Locator {
+    return this.context.page.getByRole("button", { name: this.context.t.page.text.copyLong, exact: true }).first();
+  }
+
+  /** What is said once the program is on the clipboard. */
+  get confirmation(): Locator {
+    return this.context.page.getByRole("status").filter({ hasText: this.context.t.page.text.copied });
+  }
+
+  /** The text on the screen, line by line. */
+  async shown(): Promise<string[]> {
+    return (await this.panel.getByRole("code").allTextContents()).map((line) => line.trimEnd());
+  }
+
+  /** Presses the button and returns what is on the clipboard then. */
+  async copy(): Promise<string> {
+    await this.copyButton.click();
+    return this.clipboard();
+  }
+
+  /** What is on the clipboard, once it holds a program. */
+  async clipboard(): Promise<string> {
+    const read = () => this.context.page.evaluate(() => navigator.clipboard.readText());
+    await expect.poll(read).toContain("END PGM");
+    return read();
+  }
+
+  async download(): Promise<Download> {
+    const waiting = this.context.page.waitForEvent("download");
+    const name = new RegExp(`^${this.context.t.page.text.download("").trim()}`);
+    await this.panel.getByRole("button", { name }).click();
+    return waiting;
+  }
+
+  async chooseLayout(layout: "tnc640" | "tnc7"): Promise<void> {
+    await this.panel.getByRole("combobox", { name: this.context.t.page.text.layout, exact: true }).selectOption(layout);
+  }
+
+  async chooseLabels(language: "en" | "de" | "fr" | "zh"): Promise<void> {
+    await this.panel.getByRole("combobox", { name: this.context.t.page.text.languageLong, exact: true }).selectOption(language);
+  }
+}

@@ -1,0 +1,31 @@
+import type { Locator } from "@playwright/test";
+import { catalogue, type CycleNumber } from "../../src/cycles/index.ts";
+import type { Context } from "./turnwise.ts";
+
+/** The first screen: a card for every cycle, and earlier work. */
+export class Start {
+  constructor(private readonly context: Context) {}
+
+  /** Numbers of all cycles that can be chosen. */
+  readonly cycles: readonly number[] = catalogue.map((c) => c.number);
+
+  button(cycle: number, withExample: boolean): Locator {
+    const { page, t } = this.context;
+    const name = t.page.start.cycle(cycle, t.cycles.of[cycle as CycleNumber].name);
+    return page.getByRole("button", { name: `${name}: ${withExample ? t.page.start.withExample : t.page.start.empty}`, exact: true });
+  }
+
+  async beginEmpty(cycle: number): Promise<void> {
+    await this.button(cycle, false).click();
+  }
+
+  async beginWithExample(cycle: number): Promise<void> {
+    await this.button(cycle, true).click();
+  }
+
+  /** Earlier work of this name. */
+  kept(name: string): Locator {
+    const { page, t } = this.context;
+    return page.getByRole("button", { name: t.page.start.continueWork(name), exact: true });
+  }
+}

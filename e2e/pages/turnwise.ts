@@ -1,0 +1,82 @@
+import type { Page } from "@playwright/test";
+import { texts, type Texts } from "../../src/i18n/index.ts";
+import type { Language } from "../../src/i18n/languages.ts";
+import { ContourTable } from "./contour-table.ts";
+import { Dialog } from "./dialog.ts";
+import { Effect } from "./effect.ts";
+import { Lathe } from "./lathe.ts";
+import { Problems } from "./problems.ts";
+import { ProgramText } from "./program-text.ts";
+import { SettingsPage } from "./settings.ts";
+import { Setup } from "./setup.ts";
+import { Start } from "./start.ts";
+
+/** What every page object is made of: the browser page and the texts of its screen language. */
+export interface Context {
+  readonly page: Page;
+  readonly t: Texts;
+  readonly language: Language;
+}
+
+interface Options {
+  readonly language?: Language;
+  /** Time stands still until `lathe.advance(milliseconds)`. */
+  readonly heldClock?: boolean;
+  readonly theme?: "light" | "dark";
+}
+
+/** The whole page by role and accessible name, in any of its languages. Names come from the page's own texts. */
+export class Turnwise {
+  readonly start: Start;
+  readonly dialog: Dialog;
+  readonly setup: Setup;
+  readonly contour: ContourTable;
+  readonly effect: Effect;
+  readonly problems: Problems;
+  readonly lathe: Lathe;
+  readonly program: ProgramText;
+  readonly settings: SettingsPage;
+  readonly t: Texts;
+
+  private constructor(readonly page: Page, readonly language: Language) {
+    this.t = texts(language);
+    const context: Context = { page, t: this.t, language };
+    this.start = new Start(context);
+    this.dialog = new Dialog(context);
+    this.setup = new Setup(context);
+    this.contour = new ContourTable(context);
+    this.effect = new Effect(context);
+    this.problems = new Problems(context);
+    this.lathe = new Lathe(context);
+    this.program = new ProgramText(context);
+    this.settings = new SettingsPage(context);
+  }
+
+  /** Opens the page as a first-time visitor of this language would see it. */
+  static async open(page: Page, { language = "en", heldClock = false, theme = "light" }: Options = {}): Promise<Turnwise> {
+    await page.emulateMedia({ colorScheme: theme });
+    await page.goto(heldClock ? "./?clock=manual" : "./");
+    const turnwise = new Turnwise(page, language);
+    if (language !== "en") await new Turnwise(page, "en").settings.chooseLanguage(language);
+    return turnwise;
+  }
+
+  /** The page as it is now, in a language it already shows. */
+  static at(page: Page, language: Language = "en"): Turnwise {
+    return new Turnwise(page, language);
+  }
+
+  /** Shows one of the panels that take turns; on a wide screen some are always there. */
+  async show(section: "prompts" | "setup" | "contour" | "problems" | "program"): Promise<void> {
+    const tab = this.page.getByRole("tab", { name: new RegExp(`^${this.t.page[section]}`) });
+    if (await tab.count()) await tab.click();
+  }
+
+  async undo(): Promise<void> {
+    await this.page.getByRole("button", { name: this.t.page.undo, exact: true }).click();
+  }
+
+  async redo(): Promise<void> {
+    await this.page.getByRole("button", { name: this.t.page.redo, exact: true }).click();
+  }
+}
