@@ -1,6 +1,8 @@
+import { insertOutline } from "../kernel/insert.ts";
 import type { Move } from "../kernel/move.ts";
 import type { Pt, Ring, Segment } from "../kernel/point.ts";
 import type { Step } from "../kernel/step.ts";
+import type { Tool } from "../kernel/tool.ts";
 import { boundsOf, grown, joined, pointsOf } from "./bounds.ts";
 import type { Bounds } from "./camera.ts";
 import { chuckRings } from "./chuck.ts";
@@ -60,7 +62,29 @@ export function toolpath(steps: readonly Step[]): readonly Shape[] {
   });
 }
 
-function* pathPoints(steps: readonly Step[]): Generator<Pt> {
+/** Inserts are drawn with chords this fine when only their size counts, mm. */
+const COARSE = 0.2;
+
+/** The box round every place of every insert. */
+function workingBox(steps: readonly Step[]): Bounds | null {
+  const tips = new Map<Tool, Pt[]>();
+  for (const { from, move, tool } of steps) {
+    const list = tips.get(tool) ?? [];
+    list.push(from, move.to);
+    tips.set(tool, list);
+  }
+  let all: Bounds | null = null;
+  for (const [tool, list] of tips) {
+    const way = boundsOf(list), insert = boundsOf(insertOutline(tool, COARSE));
+    if (!way) continue;
+    all = joined(all, insert
+      ? { left: way.left + insert.left, right: way.right + insert.right, low: way.low + insert.low, high: way.high + insert.high }
+      : way);
+  }
+  return all;
+}
+
+function* tipsOf(steps: readonly Step[]): Generator<Pt> {
   for (const { from, move } of steps) {
     yield from;
     yield move.to;
@@ -76,7 +100,7 @@ const AIR = 0.02;
 /** Builds the still part of the picture. */
 export function sceneOf({ blank, contours, steps }: SceneParts): Scene {
   const material = boundsOf(blank.flat());
-  const path = boundsOf(pathPoints(steps));
+  const path = boundsOf(tipsOf(steps));
   const outline = boundsOf(contours.flatMap(c => [...pointsOf(c)]));
   const chuck = material ? chuckRings(material, joined(path, outline)) : null;
   const shapes: Shape[] = [];
@@ -84,7 +108,7 @@ export function sceneOf({ blank, contours, steps }: SceneParts): Scene {
   if (blank.length > 0) shapes.push({ role: "blank", d: ringData(blank) });
   for (const contour of contours) shapes.push({ role: "contour", d: segmentData(contour) });
   shapes.push(...toolpath(steps));
-  const all = joined(joined(material, joined(path, outline)), chuck ? boundsOf(chuck.jaw) : null) ?? EMPTY;
-  const axis = { ...all, low: Math.min(0, all.low) };
+  const all = joined(joined(material, joined(workingBox(steps), outline)), chuck ? boundsOf(chuck.jaw) : null) ?? EMPTY;
+  const axis = { ...all, low: Math.min(0, path?.low ?? 0) };
   return { shapes, bounds: grown(axis, AIR * Math.max(axis.right - axis.left, axis.high - axis.low)) };
 }

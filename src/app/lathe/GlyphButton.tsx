@@ -1,16 +1,18 @@
 import { Glyph, type GlyphName } from "./Glyph.tsx";
 
 /** A button that shows a glyph and is called by its name. */
-export function GlyphButton({ glyph, name, onPress, pressed, disabled }: {
+export function GlyphButton({ glyph, name, onPress, pressed, expanded, disabled }: {
   readonly glyph: GlyphName;
   readonly name: string;
   readonly onPress: () => void;
   /** For switches: on or off. */
   readonly pressed?: boolean;
+  /** For a button that folds something: open or closed. */
+  readonly expanded?: boolean;
   readonly disabled?: boolean;
 }) {
   return (
-    <button type="button" className="button icon" aria-label={name} title={name} aria-pressed={pressed} disabled={disabled} onClick={onPress}>
+    <button type="button" className="button icon" aria-label={name} title={name} aria-pressed={pressed} aria-expanded={expanded} disabled={disabled} onClick={onPress}>
       <Glyph name={glyph} />
     </button>
   );

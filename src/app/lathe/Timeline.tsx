@@ -4,7 +4,7 @@ import { secondsAt, trackOf } from "../../view/playback.ts";
 import { timeBar } from "../../view/timeline.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
-import { clockText } from "./PlaybackBar.tsx";
+import { clockText } from "./clock-text.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 import { useEachPicture, usePlayback } from "./use-playback.ts";
 
@@ -12,7 +12,7 @@ import { useEachPicture, usePlayback } from "./use-playback.ts";
 export function Timeline({ run, playback }: { readonly run: Run; readonly playback: PlaybackStore }) {
   const t = useTexts().lathe, language = useSettings(s => s.language);
   const bar = useMemo(() => timeBar(run.steps, trackOf(run.steps)), [run]);
-  const input = useRef<HTMLInputElement>(null), head = useRef<HTMLDivElement>(null);
+  const input = useRef<HTMLInputElement>(null), head = useRef<HTMLDivElement>(null), time = useRef<HTMLSpanElement>(null);
   const spoken = usePlayback(playback, store => {
     const { track, position, playing } = store.get();
     return playing ? "" : t.timeOf(clockText(language, secondsAt(track, position)), clockText(language, track.total));
@@ -21,7 +21,8 @@ export function Timeline({ run, playback }: { readonly run: Run; readonly playba
     const { track, position } = playback.get(), part = track.total > 0 ? secondsAt(track, position) / track.total : 0;
     if (input.current) input.current.value = String(part * 1000);
     if (head.current) head.current.style.left = `${part * 100}%`;
-  }, [playback]));
+    if (time.current) time.current.textContent = `${clockText(language, secondsAt(track, position))} / ${clockText(language, track.total)}`;
+  }, [playback, language]));
   const marks = bar.boundaries.map(b => `M${b * 1000} 0V1`).join("");
   return (
     <div className="lathe-timeline">
@@ -35,6 +36,7 @@ export function Timeline({ run, playback }: { readonly run: Run; readonly playba
           );
         })}
       </div>
+      <span ref={time} className="lathe-time number" aria-hidden="true" />
       <svg className="lathe-timebar" viewBox="0 0 1 1" preserveAspectRatio="none" aria-hidden="true">
         <path className="rapid" d={bar.rapid} />
         <path className="cutting" d={bar.cutting} />

@@ -8,14 +8,19 @@ import type { Viewport } from "./viewport.ts";
 export const ZOOM = 1.4;
 
 /** How the picture is looked at: half or full section, X up or down, ruler, zoom and fit. */
-export function ViewBar({ viewport, measuring }: { readonly viewport: Viewport; readonly measuring: Measuring }) {
+export function ViewBar({ viewport, measuring, children }: {
+  readonly viewport: Viewport;
+  readonly measuring: Measuring;
+  /** What stands between the switches and the zoom. */
+  readonly children: React.ReactNode;
+}) {
   const t = useTexts().lathe, full = useSettings(s => s.fullSection), down = useSettings(s => s.xDown);
   return (
     <div className="lathe-viewbar" role="toolbar" aria-label={t.viewTools}>
       <GlyphButton glyph={full ? "fullSection" : "halfSection"} name={t.fullSection} pressed={full} onPress={() => changeSettings({ fullSection: !full })} />
       <GlyphButton glyph={down ? "xDown" : "xUp"} name={t.xDown} pressed={down} onPress={() => changeSettings({ xDown: !down })} />
       <GlyphButton glyph="ruler" name={t.ruler} pressed={measuring.on} onPress={measuring.toggle} />
-      <span className="lathe-gap" />
+      <div className="lathe-gap">{children}</div>
       <GlyphButton glyph="zoomOut" name={t.zoomOut} onPress={() => viewport.zoom(1 / ZOOM)} />
       <GlyphButton glyph="zoomIn" name={t.zoomIn} onPress={() => viewport.zoom(ZOOM)} />
       <GlyphButton glyph="fit" name={t.fit} onPress={viewport.fit} />

@@ -26,6 +26,7 @@ export function listenToGestures(element: Element & GlobalEventHandlers, viewpor
   };
   const press = (event: PointerEvent) => {
     if (event.pointerType === "mouse" && event.button !== 0 && event.button !== 1) return;
+    if (event.target instanceof Element && event.target.closest("button")) return;
     element.setPointerCapture(event.pointerId);
     down.set(event.pointerId, placeOf(event));
     if (down.size === 1) {

@@ -21,7 +21,6 @@ export const lathe = {
   lines: {
     rapid: "Eilgang", feed: "Schruppen", plunge: "Eintauchen", smooth: "Glätten", finish: "Schlichten", thread: "Gewinde",
   },
-  shapes: { stock: "Material", contour: "Fertigkontur", residual: "Restmaterial", gouge: "Verletzung" },
 
   playback: "Ablauf",
   play: "Abspielen",
@@ -47,14 +46,11 @@ export const lathe = {
   phases: { position: "Positionieren", rough: "Schruppen", smooth: "Glätten", finish: "Schlichten", thread: "Gewinde" },
   plunging: "Eintauchen",
   pass: (pass, of) => `Schnitt ${pass} von ${of}`,
-  step: (step, of, words) => `Schritt ${step} von ${of}: ${words}`,
   stepOnly: (step, of) => `Schritt ${step} von ${of}`,
-  beforeStep: "Vor Schritt 1",
   outside: "Zwischen den Zyklen",
   block: (block) => `Satz ${block}`,
   atStart: "Am Anfang",
   atEnd: "Am Ende",
-  status: (x, z, rest) => `X ${x}, Z ${z}. ${rest}`,
 
   rulerHint: "Zwei Stellen wählen. Pfeiltasten bewegen das Kreuz, N springt zum nächsten Punkt der Zeichnung, Enter setzt, Esc beendet.",
   rulerSecond: "Zweite Stelle wählen.",
@@ -65,15 +61,14 @@ export const lathe = {
 
   findings: "Befunde",
   noFindings: "Keine Verletzung, kein Eilgang im Material, keine Halterberührung",
+  clear: "Bahn ist frei",
+  findingsCount: (count) => `Befunde: ${count}`,
+  residualCount: (count) => `Restmaterial: ${count}`,
   findingNames: { gouge: "Fertigteil verletzt", rapidInStock: "Eilgang im Material", holderContact: "Halter berührt Material" },
   findingLine: (name, x, z, block) => `${name} bei X ⌀ ${x}, Z ${z}, Satz ${block}`,
   residualTitle: "Restmaterial",
   residualLine: (area, x, z, reason) => `${area} mm² bei X ⌀ ${x}, Z ${z}: ${reason}`,
   reasons: {
-    insertRadius: "Schneidenradius", mainEdge: "Hauptschneide", secondaryEdge: "Nebenschneide", toolWidth: "Werkzeugbreite",
-    cutLength: "nutzbare Schneidenlänge", limit: "Begrenzung", plunging: "Eintauchen nicht erlaubt", oversize: "Aufmaß",
-  },
-  edges: {
     insertRadius: "Der Schneidenradius ist zu groß für die Ecke.",
     mainEdge: "Die Hauptschneide steht im Weg.",
     secondaryEdge: "Die Nebenschneide steht im Weg.",

@@ -23,7 +23,6 @@ export const lathe = {
   lines: {
     rapid: "Rapid", feed: "Roughing", plunge: "Plunging", smooth: "Smoothing", finish: "Finishing", thread: "Thread",
   },
-  shapes: { stock: "Material", contour: "Finished contour", residual: "Residual material", gouge: "Damage" },
 
   /* playback */
   playback: "Playback",
@@ -51,14 +50,11 @@ export const lathe = {
   phases: { position: "Positioning", rough: "Roughing", smooth: "Smoothing", finish: "Finishing", thread: "Threading" },
   plunging: "Plunging",
   pass: (pass: string, of: string) => `Pass ${pass} of ${of}`,
-  step: (step: string, of: string, words: string) => `Step ${step} of ${of}: ${words}`,
   stepOnly: (step: string, of: string) => `Step ${step} of ${of}`,
-  beforeStep: "Before step 1",
   outside: "Between the cycles",
   block: (block: string) => `Block ${block}`,
   atStart: "At the start",
   atEnd: "At the end",
-  status: (x: string, z: string, rest: string) => `X ${x}, Z ${z}. ${rest}`,
 
   /* ruler */
   rulerHint: "Pick two places. Arrow keys move the cross, N goes to the next point of the drawing, Enter sets a place, Escape leaves.",
@@ -71,15 +67,14 @@ export const lathe = {
   /* findings and what stays */
   findings: "Findings",
   noFindings: "No damage, no rapid in material, no holder contact",
+  clear: "Path is clear",
+  findingsCount: (count: string) => `Findings: ${count}`,
+  residualCount: (count: string) => `Residual material: ${count}`,
   findingNames: { gouge: "Finished part damaged", rapidInStock: "Rapid in material", holderContact: "Holder touches material" },
   findingLine: (name: string, x: string, z: string, block: string) => `${name} at X ⌀ ${x}, Z ${z}, block ${block}`,
   residualTitle: "Residual material",
   residualLine: (area: string, x: string, z: string, reason: string) => `${area} mm² at X ⌀ ${x}, Z ${z}: ${reason}`,
   reasons: {
-    insertRadius: "insert radius", mainEdge: "main cutting edge", secondaryEdge: "secondary cutting edge", toolWidth: "tool width",
-    cutLength: "usable cutting length", limit: "limit set", plunging: "plunging not allowed", oversize: "oversize left",
-  },
-  edges: {
     insertRadius: "The nose is too round to get in.",
     mainEdge: "The main cutting edge stands in the way.",
     secondaryEdge: "The secondary cutting edge stands in the way.",

@@ -21,7 +21,6 @@ export const lathe = {
   lines: {
     rapid: "Rapide", feed: "Ébauche", plunge: "Plongée", smooth: "Lissage", finish: "Finition", thread: "Filetage",
   },
-  shapes: { stock: "Matière", contour: "Contour fini", residual: "Matière résiduelle", gouge: "Pièce abîmée" },
 
   playback: "Lecture",
   play: "Lecture",
@@ -47,14 +46,11 @@ export const lathe = {
   phases: { position: "Positionnement", rough: "Ébauche", smooth: "Lissage", finish: "Finition", thread: "Filetage" },
   plunging: "Plongée",
   pass: (pass, of) => `Passe ${pass} sur ${of}`,
-  step: (step, of, words) => `Étape ${step} sur ${of} : ${words}`,
   stepOnly: (step, of) => `Étape ${step} sur ${of}`,
-  beforeStep: "Avant l’étape 1",
   outside: "Entre les cycles",
   block: (block) => `Séquence ${block}`,
   atStart: "Au début",
   atEnd: "À la fin",
-  status: (x, z, rest) => `X ${x}, Z ${z}. ${rest}`,
 
   rulerHint: "Choisir deux points. Les flèches déplacent la croix, N va au point suivant du dessin, Entrée pose le point, Échap quitte.",
   rulerSecond: "Choisir le deuxième point.",
@@ -65,15 +61,14 @@ export const lathe = {
 
   findings: "Constats",
   noFindings: "Pièce intacte, aucun rapide dans la matière, aucun contact du porte-outil",
+  clear: "Trajectoire libre",
+  findingsCount: (count) => `Constats : ${count}`,
+  residualCount: (count) => `Matière résiduelle : ${count}`,
   findingNames: { gouge: "Pièce finie abîmée", rapidInStock: "Rapide dans la matière", holderContact: "Le porte-outil touche la matière" },
   findingLine: (name, x, z, block) => `${name} en X ⌀ ${x}, Z ${z}, séquence ${block}`,
   residualTitle: "Matière résiduelle",
   residualLine: (area, x, z, reason) => `${area} mm² en X ⌀ ${x}, Z ${z} : ${reason}`,
   reasons: {
-    insertRadius: "rayon de la plaquette", mainEdge: "arête principale", secondaryEdge: "arête secondaire", toolWidth: "largeur de l’outil",
-    cutLength: "longueur de coupe utile", limit: "limite", plunging: "plongée interdite", oversize: "surépaisseur",
-  },
-  edges: {
     insertRadius: "Le rayon de la plaquette est trop grand pour l’angle.",
     mainEdge: "L’arête principale gêne.",
     secondaryEdge: "L’arête secondaire gêne.",

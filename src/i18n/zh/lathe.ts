@@ -19,7 +19,6 @@ export const lathe = {
   ruler: "测量",
   legend: "线型",
   lines: { rapid: "快移", feed: "粗加工", plunge: "切入", smooth: "修光", finish: "精加工", thread: "螺纹" },
-  shapes: { stock: "材料", contour: "精加工轮廓", residual: "残余材料", gouge: "过切" },
 
   playback: "播放",
   play: "播放",
@@ -45,14 +44,11 @@ export const lathe = {
   phases: { position: "定位", rough: "粗加工", smooth: "修光", finish: "精加工", thread: "车螺纹" },
   plunging: "切入",
   pass: (pass, of) => `第 ${pass} 刀，共 ${of} 刀`,
-  step: (step, of, words) => `第 ${step} 步，共 ${of} 步：${words}`,
   stepOnly: (step, of) => `第 ${step} 步，共 ${of} 步`,
-  beforeStep: "第 1 步之前",
   outside: "循环之间",
   block: (block) => `程序段 ${block}`,
   atStart: "在起点",
   atEnd: "在终点",
-  status: (x, z, rest) => `X ${x}，Z ${z}。${rest}`,
 
   rulerHint: "选择两点。方向键移动十字线，N 键到图中下一点，回车键确定，Esc 键退出。",
   rulerSecond: "选择第二点。",
@@ -63,15 +59,14 @@ export const lathe = {
 
   findings: "检查结果",
   noFindings: "无过切，材料中无快移，刀柄无接触",
+  clear: "路径无碰撞",
+  findingsCount: (count) => `检查结果：${count}`,
+  residualCount: (count) => `残余材料：${count}`,
   findingNames: { gouge: "过切成品", rapidInStock: "在材料中快移", holderContact: "刀柄接触材料" },
   findingLine: (name, x, z, block) => `${name}：X ⌀ ${x}，Z ${z}，程序段 ${block}`,
   residualTitle: "残余材料",
   residualLine: (area, x, z, reason) => `${area} mm²，X ⌀ ${x}，Z ${z}：${reason}`,
   reasons: {
-    insertRadius: "刀尖半径", mainEdge: "主切削刃", secondaryEdge: "副切削刃", toolWidth: "刀宽",
-    cutLength: "有效切削刃长度", limit: "限制", plunging: "不允许切入", oversize: "余量",
-  },
-  edges: {
     insertRadius: "刀尖半径过大，无法进入拐角。",
     mainEdge: "主切削刃妨碍加工。",
     secondaryEdge: "副切削刃妨碍加工。",

@@ -13,6 +13,12 @@ const only = (under: readonly Mark[]): Explanation => ({ under, item: null });
 const screen = (c: Context, points: readonly Pt[]) => points.map((p) => toScreen(c.layout.camera, p));
 const passMarks = (c: Context, l: Lettering): Mark[] => c.passes.map((p) => stroke(l, "pass", polyline(screen(c, [p.from, p.to]))));
 
+/** A few passes that stand for all, evenly spread, so that their ends can be told apart. */
+function some(c: Context, count: number): Context["passes"] {
+  const every = Math.max(1, Math.ceil(c.passes.length / count));
+  return c.passes.filter((_, i) => i % every === 0);
+}
+
 /** What is cut: the area, the contour, or the contour with its oversize. */
 export function operation(c: Context, l: Lettering): Explanation {
   const value = numberOf(c.values, l.q);
@@ -42,15 +48,17 @@ export function reverse(c: Context, l: Lettering): Explanation {
 export function smoothing(c: Context, l: Lettering): Explanation {
   const value = numberOf(c.values, l.q);
   const f = c.frame;
-  const lifts = c.passes.flatMap((pass, i) => {
+  const passes = some(c, 4);
+  const high = passes[1] ? Math.abs((passes[0]?.level ?? 0) - passes[1].level) : c.step;
+  const lifts = passes.flatMap((pass, i) => {
     const end = pass.to;
-    const level = pass.level + c.step;
+    const level = pass.level + high;
     if (value === 0) {
-      const before = c.passes[i - 1];
+      const before = passes[i - 1];
       const up = before && before.level > pass.level ? before.to : pointAt(f, along(f, end), level);
       return [pathMarks(c, l, [pass.from, end, up])];
     }
-    return [pathMarks(c, l, [pass.from, end, pointAt(f, along(f, end) - c.step, level)])];
+    return [pathMarks(c, l, [pass.from, end, pointAt(f, along(f, end) - high, level)])];
   });
   return only([...lifts.flat(), ...(value === 1 ? pathMarks(c, l, besides(c, c.section.line, 5)) : [])]);
 }
@@ -83,5 +91,5 @@ export function limits(c: Context, l: Lettering): Explanation {
 /** Cutting both ways in turn, or always the way of the contour. */
 export function direction(c: Context, l: Lettering): Explanation {
   const both = numberOf(c.values, l.q) === 0;
-  return only(c.passes.slice(0, 6).flatMap((p, i) => pathMarks(c, l, both && i % 2 === 1 ? [p.to, p.from] : [p.from, p.to])));
+  return only(some(c, 4).flatMap((p, i) => pathMarks(c, l, both && i % 2 === 1 ? [p.to, p.from] : [p.from, p.to])));
 }

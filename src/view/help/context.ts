@@ -25,6 +25,8 @@ export interface Context {
   readonly side: 1 | -1;
   /** Text and strength of a parameter. */
   readonly letter: (q: string) => Lettering;
+  /** Text of a position on the contour that is no parameter. */
+  readonly plain: (kind: "diameter" | "axial", at: Pt) => Lettering;
 }
 
 /** A value as a number; FAUTO and missing values count as 0. */

@@ -27,8 +27,8 @@ function lensPlace(c: Context, radius: number, text: Box, at: Place, placed: rea
       const hit = (b: Box) => b.x < x + radius && b.x + b.width > x - radius && b.y < y + radius + text.height + 4 && b.y + b.height > y - radius;
       const over = (p: Place) => Math.hypot(p.x - x, p.y - y) < radius + 3;
       const gap = Math.hypot(at.x - x, at.y - y);
-      const cost = placed.filter((p) => hit(p.label)).length * 9 + line.filter(over).length * (40 / line.length) + blank.filter(over).length * 3
-        + gap / 30 + (gap < radius + 14 ? 60 : 0);
+      const cost = placed.filter((p) => hit(p.label)).length * 6 + line.filter(over).length * (40 / line.length) + blank.filter(over).length * 3
+        + gap / 10 + (gap < radius + 14 ? 60 : 0);
       if (cost < least) [best, least] = [{ x, y }, cost];
     }
   return best;

@@ -25,9 +25,9 @@ function horizontal(layout: Layout, l: Lettering, a: Place, b: Place): Candidate
   const { box, size } = layout;
   const [left, right] = [Math.min(a.x, b.x), Math.max(a.x, b.x)];
   const half = width(l) / 2;
-  const middles = right - left > 2 * half + 26
-    ? [(left + right) / 2]
-    : right - left < 1 ? [left, right + half + 6, left - half - 6] : [right + half + 16, left - half - 16];
+  const point = right - left < 1;
+  const beside = point ? 5 : 16;
+  const middles = right - left > 2 * half + 26 ? [(left + right) / 2] : [right + half + beside, left - half - beside];
   const heights = [
     ...range(5).map((k) => ({ y: box.y - FIRST - k * TRACK, cost: k * 3 })),
     ...range(2).map((k) => ({ y: box.y + box.height + FIRST + k * TRACK, cost: 20 + k * 3 })),
@@ -36,11 +36,9 @@ function horizontal(layout: Layout, l: Lettering, a: Place, b: Place): Candidate
   return heights.filter(({ y }) => y > 8 && y < size.height - 8).flatMap(({ y, cost }) =>
     middles.map((x, i) => {
       const [p, q] = [{ x: a.x, y }, { x: b.x, y }];
-      const point = right - left < 1;
-      const middle = point && i === 0 ? { x, y: y - 2 } : { x, y };
-      const marks = [...extension(l, a, point && i === 0 ? { x: a.x, y: y + 10 } : p), ...(point ? [] : extension(l, b, q)), ...between(l, p, q)];
-      const lines = [lineBox(a, point && i === 0 ? { x: a.x, y: y + 10 } : p), ...(point ? [] : [lineBox(b, q), lineBox({ x: left, y }, { x: right, y })])];
-      return candidate(l, marks, middle, 0, lines, cost + i);
+      const marks = [...extension(l, a, p), ...(point ? [] : extension(l, b, q)), ...between(l, p, q)];
+      const lines = [lineBox(a, p), ...(point ? [] : [lineBox(b, q), lineBox(p, q)])];
+      return candidate(l, marks, { x, y }, 0, lines, cost + i);
     }));
 }
 

@@ -22,6 +22,8 @@ export interface Candidate {
 export interface Item {
   readonly q: string;
   readonly candidates: readonly Candidate[];
+  /** Left out rather than placed at a higher cost. */
+  readonly most?: number;
 }
 
 export interface Placed {
@@ -75,7 +77,7 @@ export function arrange(items: readonly Item[], sheet: Sheet): Placed[] {
   const lines: Box[] = [];
   for (const item of items) {
     let best: Candidate | null = null;
-    let least = Infinity;
+    let least = item.most ?? Infinity;
     for (const c of item.candidates) {
       if (!within(c.label, sheet.width, sheet.height)) continue;
       if (labels.some((l) => overlap(l, c.label)) || lines.some((l) => overlap(l, c.label))) continue;

@@ -64,14 +64,14 @@ function tracks(dimensions: readonly Dimension[], more: { readonly top: number; 
 
 /** Fits contour, part and dimension lines into a picture; the scale is the same both ways. */
 export function layoutOf(
-  f: Frame, points: readonly Pt[], dimensions: readonly Dimension[], size: Size, more: { readonly top: number; readonly right: number },
+  f: Frame, points: readonly Pt[], dimensions: readonly Dimension[], size: Size, more: { readonly top: number; readonly right: number; readonly indent: number },
 ): Layout {
   const { core, span } = subject(points, dimensions);
   const reach = reachOf(f, core, span);
   const lines = tracks(dimensions, more);
   const margin = {
     top: Math.min(FIRST + TRACK * lines.top, size.height * 0.35), bottom: Math.min(20, size.height * 0.1),
-    left: Math.min(FIRST + TRACK * (lines.right > 1 ? 1.4 : 1), size.width * 0.25), right: Math.min(FIRST + TRACK * lines.right, size.width * 0.25),
+    left: more.indent + Math.min(FIRST + TRACK * (lines.right > 1 ? 1.4 : 1), size.width * 0.25), right: Math.min(FIRST + TRACK * lines.right, size.width * 0.25),
   };
   const low = Math.min(reach.axis, reach.low);
   const wide = Math.max(1, size.width - margin.left - margin.right), tall = Math.max(1, size.height - margin.top - margin.bottom);

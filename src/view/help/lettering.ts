@@ -29,6 +29,10 @@ function plain(p: Param, number: (v: number) => string, value: number): string {
   }
 }
 
+/** The short text of a position: ⌀75, Z−55. */
+export const positionText = (kind: "diameter" | "axial", value: number, speech: Speech): string =>
+  (kind === "diameter" ? "⌀" : "Z") + signed(speech.number(value, 3));
+
 /** The short text of a value on the drawing: ⌀75, Z−55, 5°, R1.5, 0.5×45°, ≤3, F0.3. */
 export function letteringOf(params: Params, q: string, values: Numbers, speech: Speech, square: boolean): string {
   const p = params[q], value = values[q];

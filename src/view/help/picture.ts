@@ -1,6 +1,6 @@
 import type { Group, Outline } from "../../cycles/define.ts";
 import type { Params } from "../../cycles/params.ts";
-import { radius } from "../../kernel/units.ts";
+import { radius, toDiameter } from "../../kernel/units.ts";
 import { toScreen, type Place, type Size } from "../camera.ts";
 import { openSide } from "./band.ts";
 import * as choices from "./choices.ts";
@@ -8,15 +8,15 @@ import { numberOf, startPoint, type Context } from "./context.ts";
 import { detail, isSmall } from "./detail.ts";
 import type { Lettering } from "./dimensions.ts";
 import { frameOf } from "./frame.ts";
-import { arrange, overlap, textBox, type Box, type Item, type Placed } from "./labels.ts";
+import { arrange, overlap, SIZE, textBox, type Box, type Item, type Placed } from "./labels.ts";
 import { FIRST, layoutOf } from "./layout.ts";
-import { letteringOf, type Numbers, type Speech } from "./lettering.ts";
+import { letteringOf, positionText, type Numbers, type Speech } from "./lettering.ts";
 import { polygon, polyline, segmentPath, type Mark } from "./marks.ts";
 import { passesOf } from "./passes.ts";
 import * as explain from "./process.ts";
 import { areaOf, lineOf, sectionOf } from "./section.ts";
 import { caption, filled, stroke } from "./stroke.ts";
-import { hasTiles, STRIP, tiles } from "./tiles.ts";
+import { columnHeight, hasTiles, STRIP, tiles } from "./tiles.ts";
 import { partnerOf, qOf, topicOf, type Topic } from "./topics.ts";
 
 /** What to draw, and how large. */
@@ -40,7 +40,9 @@ export interface HelpDrawing {
 }
 
 /** Topics whose dimension is drawn grey while another parameter is asked for. */
-const ALWAYS: readonly Topic[] = ["outline", "clearance", "infeed", "oversizeDiameter", "oversizeZ", "roughingFeed", "limitDiameter", "limitZ"];
+const ALWAYS: readonly Topic[] = ["outline", "clearance", "infeed", "limitDiameter", "limitZ", "oversizeDiameter", "oversizeZ"];
+/** Of these, what stays when the diagrams of a choice need room. */
+const CALM: readonly Topic[] = ALWAYS.slice(0, 5);
 
 function explanation(c: Context, topic: Topic, l: Lettering): explain.Explanation {
   switch (topic) {
@@ -66,7 +68,7 @@ function explanation(c: Context, topic: Topic, l: Lettering): explain.Explanatio
   }
 }
 
-function contextOf(request: HelpRequest, size: Size): Context {
+function contextOf(request: HelpRequest, size: Size, indent: number): Context {
   const { params, values, outline, active, speech } = request;
   const frame = frameOf(request.group, params, outline.contour);
   const line = lineOf(outline.contour);
@@ -75,14 +77,24 @@ function contextOf(request: HelpRequest, size: Size): Context {
   const span = Math.max(1e-3, ...line.map((p) => Math.hypot(p.z - corner.z, p.r - corner.r)));
   const near = Math.hypot(start.z - corner.z, start.r - corner.r) < span * 0.4 ? [start] : [];
   const along = frame.infeed === "z" ? 2 : 1;
-  const layout = layoutOf(frame, [...line, ...area, ...near], outline.dimensions, size, { top: along, right: 0 });
+  const layout = layoutOf(frame, [...line, ...area, ...near], outline.dimensions, size, { top: along, right: 0, indent });
   const { passes, step, top } = passesOf(frame, area, numberOf(values, qOf(params, "infeed")));
   const chamfer = outline.contour.some((s) => s.kind === "line" && Math.abs(Math.abs(s.to.z - s.from.z) - Math.abs(s.to.r - s.from.r)) < 1e-6);
   return {
     params, values, outline, frame, layout, passes, step, top,
     section: sectionOf(frame, line, layout.reach), side: openSide(area),
     letter: (q) => ({ q, active: q === active, text: letteringOf(params, q, values, speech, chamfer) }),
+    plain: (kind, at) => ({ q: "", active: false, text: positionText(kind, kind === "axial" ? at.z : toDiameter(at.r), speech) }),
   };
+}
+
+/** The diagrams of a choice stand below the drawing or at its left, where they leave it larger. */
+function besideTiles(request: HelpRequest, count: number): { readonly c: Context; readonly column: boolean } {
+  const { width, height } = request.size;
+  const row = contextOf(request, { width, height: Math.max(60, height - STRIP.row) }, 0);
+  if (columnHeight(count) > height) return { c: row, column: false };
+  const column = contextOf(request, request.size, STRIP.column);
+  return column.layout.camera.scale > row.layout.camera.scale ? { c: column, column: true } : { c: row, column: false };
 }
 
 /** Part, contour, blank and axis: what is there whatever is asked. */
@@ -126,16 +138,18 @@ export function helpDrawing(request: HelpRequest): HelpDrawing {
   const { params, active, size, values, speech } = request;
   const topic = active === null ? null : topicOf(params[active]?.text ?? "");
   const choice = active === null ? undefined : params[active]?.choices;
-  const strip = topic && choice && hasTiles(topic) ? STRIP : 0;
-  const c = contextOf(request, { width: size.width, height: Math.max(60, size.height - strip) });
-  const shown = Object.keys(params).filter((q) => q === active || ALWAYS.includes(topicOf(params[q]?.text ?? "")));
+  const strip = topic !== null && choice !== undefined && hasTiles(topic);
+  const { c, column } = strip ? besideTiles(request, choice.length) : { c: contextOf(request, size, 0), column: false };
+  const shown = Object.keys(params).filter((q) => q === active || (strip ? CALM : ALWAYS).includes(topicOf(params[q]?.text ?? "")));
   const order = [...shown].sort((a, b) => ALWAYS.indexOf(topicOf(params[a]?.text ?? "")) - ALWAYS.indexOf(topicOf(params[b]?.text ?? "")));
   const parts = order.map((q) => ({ q, ...explanation(c, topicOf(params[q]?.text ?? ""), c.letter(q)) }));
   const strong = strongPlaces(c);
-  const row = active && topic && choice && strip > 0 ? tiles(c.frame, topic, choice, values[active] === undefined ? null : numberOf(values, active), active, size) : null;
-  const sheet = { width: c.layout.size.width, height: c.layout.size.height, avoid: strong, kept: [] as Box[] };
+  const chosen = active === null || values[active] === undefined ? null : numberOf(values, active);
+  const row = strip && active !== null ? tiles(c.frame, topic, choice, { q: active, chosen }, size, column) : [];
+  const kept: Box[] = column ? [{ x: 0, y: 0, width: STRIP.column, height: size.height }] : [];
+  const sheet = { width: c.layout.size.width, height: c.layout.size.height, avoid: strong, kept };
   const small = active === null ? null : smallFeature(c, active);
-  const items = parts.flatMap((p) => (p.item && !(small && p.q === active) ? [p.item] : []));
+  const items = [...parts.flatMap((p) => (p.item && !(small && p.q === active) ? [p.item] : [])), ...explain.plainDimensions(c)];
   let placed: readonly Placed[] = arranged(items, active, sheet);
   const lens = small && active ? detail(c, c.letter(active), small.at, small.mm, placed) : null;
   if (lens) placed = lens.rest;
@@ -145,17 +159,19 @@ export function helpDrawing(request: HelpRequest): HelpDrawing {
     stroke({ q: null, active: false }, "contour", segmentPath(c.outline.contour, c.layout.camera)),
     ...back(true),
     ...placed.filter((p) => p.q !== active).flatMap((p) => p.marks), ...placed.filter((p) => p.q === active).flatMap((p) => p.marks),
-    ...(lens?.marks ?? []), ...(row?.marks ?? []),
+    ...(lens?.marks ?? []), ...row,
   ];
   const labels = [...placed.map((p) => p.label), ...(lens ? [lens.label] : [])];
   const scaled = marks.some((m) => m.kind === "text" && m.active && m.underlined);
-  const note = textBox({ x: 0, y: 0 }, speech.notToScale, 0, 12);
-  const corner = { x: size.width - note.width / 2 - 2, y: c.layout.size.height - FIRST / 2 };
-  const noted = scaled && !labels.some((b) => overlap(b, textBox(corner, speech.notToScale, 0, 12)));
+  const note = textBox({ x: 0, y: 0 }, speech.notToScale, 0, SIZE.caption);
+  const corner = [[1, 1], [1, 0], [0, 1], [0, 0]].map(([right, low]) => ({
+    x: right ? size.width - note.width / 2 - 2 : note.width / 2 + 2, y: low ? c.layout.size.height - FIRST / 2 - 1 : FIRST / 2 + 1,
+  })).find((p) => !labels.some((b) => overlap(b, textBox(p, speech.notToScale, 0, SIZE.caption))));
+  const noted = scaled && active !== null && corner;
   return {
     size,
-    marks: noted && active ? [...marks, caption({ q: active, active: true }, corner, speech.notToScale)] : marks,
-    labels: noted ? [...labels, textBox(corner, speech.notToScale, 0, 12)] : labels,
+    marks: noted ? [...marks, caption({ q: active, active: true }, corner, speech.notToScale)] : marks,
+    labels: noted ? [...labels, textBox(corner, speech.notToScale, 0, SIZE.caption)] : labels,
   };
 }
 

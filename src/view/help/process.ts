@@ -83,7 +83,7 @@ export function oversize(c: Context, l: Lettering, which: "diameter" | "z"): Exp
   const off: Pt = which === "z" ? { z: axial(at.z + sign * size), r: at.r } : { z: at.z, r: radius(at.r + sign * size) };
   return {
     under: l.active ? bandMarks(c, l, which, pixels) : [],
-    item: l.active ? dimensionItem(c.layout, { q: l.q, form: which === "z" ? "z" : "r", from: at, to: off }, { ...l, underlined: true }) : pointed(c, l, off, outside(c, off)),
+    item: l.active ? dimensionItem(c.layout, { q: l.q, form: which === "z" ? "z" : "r", from: at, to: off }, { ...l, underlined: true }) : { ...pointed(c, l, at, outside(c, at)), most: 7 },
   };
 }
 
@@ -97,7 +97,9 @@ export function roughingFeed(c: Context, l: Lettering): Explanation {
 
 export function finishingFeed(c: Context, l: Lettering): Explanation {
   const path = besides(c, c.section.line);
-  const middle = path[Math.floor(path.length / 2)] ?? c.section.corner;
+  const { at } = longest(c, () => true);
+  const near = (p: Pt) => Math.hypot(p.z - at.z, p.r - at.r);
+  const middle = besides(c, [at, ...c.section.line.slice(-1)])[0] ?? path.reduce((best, p) => (near(p) < near(best) ? p : best), c.section.corner);
   return { under: l.active ? pathMarks(c, l, path) : [], item: pointed(c, l, middle, outside(c, middle)) };
 }
 
@@ -151,6 +153,17 @@ export function depthCompensation(c: Context, l: Lettering): Explanation {
     under: pathMarks(c, l, [pointAt(f, a, low + shift), pointAt(f, b, low + shift)]),
     item: dimensionItem(c.layout, { q: l.q, form: f.infeed, from: pointAt(f, (a + b) / 2, low), to: pointAt(f, (a + b) / 2, low + by) }, { ...l, underlined: true }),
   };
+}
+
+/** Where a free contour begins and ends: not values of the cycle, so they belong to no parameter. */
+export function plainDimensions(c: Context): Item[] {
+  if (c.outline.dimensions.length > 0) return [];
+  const [start, end] = [c.section.line[0], c.section.line.at(-1)];
+  const ends = [start, end].flatMap((p) => (p ? [p] : []));
+  return ends.flatMap((at) => [
+    dimensionItem(c.layout, { q: "", form: "diameter", at }, c.plain("diameter", at)),
+    dimensionItem(c.layout, { q: "", form: "z", from: { z: axial(0), r: at.r }, to: at }, c.plain("axial", at)),
+  ]);
 }
 
 /** A dimension of the outline; a parameter that has none on this contour points at the end it belongs to. */

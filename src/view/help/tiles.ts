@@ -1,6 +1,5 @@
 import type { Place, Size } from "../camera.ts";
 import type { Frame } from "./frame.ts";
-import type { Box } from "./labels.ts";
 import { arrowHead, polygon, polyline, type Fill, type Line, type Mark } from "./marks.ts";
 import { filled, stroke, value, type Tag } from "./stroke.ts";
 import type { Topic } from "./topics.ts";
@@ -13,8 +12,10 @@ type Stroke =
 
 /** One diagram and its drawing area, pixels. */
 const TILE = { width: 62, height: 50, gap: 8, top: 2 } as const;
-/** Height of the strip that holds the diagrams. */
-export const STRIP = TILE.height + 8;
+/** Height of the row, or width of the column, that holds the diagrams. */
+export const STRIP = { row: TILE.height + 8, column: TILE.width + 8 } as const;
+/** A column needs this height. */
+export const columnHeight = (count: number): number => count * (TILE.height + TILE.gap) - TILE.gap;
 
 const STEP: readonly Spot[] = [[0, 0.22], [0.58, 0.22], [0.8, 0.8], [1, 0.8]];
 const VALLEY: readonly Spot[] = [[0, 0.75], [0.2, 0.75], [0.36, 0.25], [0.64, 0.25], [0.8, 0.75], [1, 0.75]];
@@ -70,15 +71,14 @@ const diagrams: Readonly<Partial<Record<Topic, readonly (readonly Stroke[])[]>>>
 /** Whether a choice has small diagrams. */
 export const hasTiles = (topic: Topic): boolean => diagrams[topic] !== undefined;
 
-/** A row of small diagrams at the foot of the picture, one for each value; the chosen one strong, with its number. */
-export function tiles(f: Frame, topic: Topic, choices: readonly number[], chosen: number | null, q: string, size: Size): { readonly marks: Mark[]; readonly box: Box } {
-  const width = Math.min(TILE.width, (size.width - 8 - TILE.gap * (choices.length - 1)) / choices.length);
+/** Small diagrams in a row at the foot of the picture or in a column at its left, one for each value; the chosen one strong. */
+export function tiles(f: Frame, topic: Topic, choices: readonly number[], tag: { readonly q: string; readonly chosen: number | null }, size: Size, column: boolean): Mark[] {
+  const width = column ? TILE.width : Math.min(TILE.width, (size.width - 8 - TILE.gap * (choices.length - 1)) / choices.length);
   const whole = choices.length * width + (choices.length - 1) * TILE.gap;
-  const box: Box = { x: 0, y: size.height - STRIP, width: size.width, height: STRIP };
   const marks = choices.flatMap((choice, i) => {
-    const tag: Tag = { q, active: choice === chosen };
-    const left = (size.width - whole) / 2 + i * (width + TILE.gap);
-    const top = box.y + TILE.top;
+    const own: Tag = { q: tag.q, active: choice === tag.chosen };
+    const left = column ? 4 : (size.width - whole) / 2 + i * (width + TILE.gap);
+    const top = column ? (size.height - columnHeight(choices.length)) / 2 + i * (TILE.height + TILE.gap) : size.height - STRIP.row + TILE.top;
     const inner = { x: left + 14, y: top + 4, width: width - 18, height: TILE.height - 8 };
     const place = ([u, v]: Spot): Place => {
       const [across, up] = f.infeed === "r"
@@ -89,12 +89,12 @@ export function tiles(f: Frame, topic: Topic, choices: readonly number[], chosen
     const edge = polygon([{ x: left, y: top }, { x: left + width, y: top }, { x: left + width, y: top + TILE.height }, { x: left, y: top + TILE.height }]);
     const drawing = (diagrams[topic]?.[choice] ?? []).flatMap((s): Mark[] => {
       const places = s.at.map(place);
-      if ("fill" in s) return [filled(tag, s.fill, polygon(places))];
+      if ("fill" in s) return [filled(own, s.fill, polygon(places))];
       const [a, b] = [places.at(-2), places.at(-1)];
-      const head = s.arrow && a && b ? [filled(tag, "arrow", arrowHead(b, b.x - a.x, b.y - a.y, 6))] : [];
-      return [stroke(tag, s.line, polyline(places)), ...head];
+      const head = s.arrow && a && b ? [filled(own, "arrow", arrowHead(b, b.x - a.x, b.y - a.y, 6))] : [];
+      return [stroke(own, s.line, polyline(places)), ...head];
     });
-    return [filled(tag, "paper", edge), stroke(tag, "frame", edge), ...drawing, value(tag, { x: left + 8, y: top + 11 }, String(choice))];
+    return [filled(own, "paper", edge), stroke(own, "frame", edge), ...drawing, value(own, { x: left + 8, y: top + 11 }, String(choice))];
   });
-  return { marks, box };
+  return marks;
 }

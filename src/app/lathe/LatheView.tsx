@@ -1,0 +1,112 @@
+import { useEffect, useId, useMemo, useState } from "react";
+import type { Run } from "../../program/run-types.ts";
+import type { Simulation } from "../../sim/simulation.ts";
+import { playerOf } from "../../sim/stock.ts";
+import { mirrored } from "../../view/bounds.ts";
+import { snapPoints } from "../../view/measure.ts";
+import { trackOf } from "../../view/playback.ts";
+import { sceneOf } from "../../view/scene.ts";
+import type { Clock } from "../clock.ts";
+import { reducedMotion } from "../settings/appearance.ts";
+import { useSettings } from "../settings/settings.ts";
+import { useTexts } from "../settings/use-texts.ts";
+import { Findings } from "./Findings.tsx";
+import { GlyphButton } from "./GlyphButton.tsx";
+import { pressKey } from "./keys.ts";
+import { Legend } from "./Legend.tsx";
+import { Marks } from "./Marks.tsx";
+import { useMeasuring } from "./measuring.ts";
+import { MoveTable } from "./MoveTable.tsx";
+import { Picture } from "./Picture.tsx";
+import { PlaceButtons, PlaceLines } from "./PlaceButtons.tsx";
+import { PlaybackBar } from "./PlaybackBar.tsx";
+import type { PlaybackStore } from "./playback-store.ts";
+import { Readout, SpokenStatus, statusText } from "./Readout.tsx";
+import { RulerLines, RulerReading } from "./Ruler.tsx";
+import { Timeline } from "./Timeline.tsx";
+import { usePlayback } from "./use-playback.ts";
+import { useStage } from "./use-stage.ts";
+import { ViewBar } from "./ViewBar.tsx";
+import { createViewport } from "./viewport.ts";
+import "./lathe.css";
+
+/** A run with its simulation: what the worker sends. */
+export interface LatheResult {
+  readonly run: Run;
+  readonly simulation: Simulation;
+}
+
+const EMPTY_RUN: Run = { program: { name: "", unit: "mm", blocks: 0 }, blank: [], operations: [], steps: [], stepBlocks: [], issues: [], seconds: 0 };
+
+/** The lathe: picture, playback, timeline, findings. Keeps showing the last result it was given, dimmed when told so. */
+export function LatheView({ result, dimmed, playback, clock }: {
+  readonly result: LatheResult | null;
+  /** The picture is older than what was typed. */
+  readonly dimmed: boolean;
+  readonly playback: PlaybackStore;
+  readonly clock: Clock;
+}) {
+  const texts = useTexts(), t = texts.lathe, keysId = useId();
+  const { language, fullSection: full, xDown, motion } = useSettings();
+  const [kept, keep] = useState(result);
+  if (result && result !== kept) keep(result);
+  const shown = result ?? (dimmed ? kept : null), run = shown?.run ?? EMPTY_RUN, simulation = shown?.simulation ?? null;
+  const [viewport] = useState(() => createViewport(!xDown));
+  const [tools, showTools] = useState(false);
+  const [chosen, choose] = useState<string | null>(null);
+
+  const scene = useMemo(() => sceneOf({ blank: run.blank, contours: run.operations.map(o => o.plan.contour), steps: run.steps }), [run]);
+  const points = useMemo(() => snapPoints(run.operations.map(o => o.plan.contour), run.steps), [run]);
+  const starts = useMemo(() => run.operations.map(o => o.start), [run]);
+  const moving = useMemo(() => {
+    if (!simulation) return null;
+    const player = playerOf(simulation);
+    return { steps: simulation.steps, stockAt: player.at, playback };
+  }, [simulation, playback]);
+  const measuring = useMeasuring(viewport, points);
+  const stage = useStage(viewport, measuring);
+
+  useEffect(() => playback.dispatch({ do: "load", track: trackOf(run.steps) }), [run, playback]);
+  useEffect(() => playback.setStill(reducedMotion({ motion })), [motion, playback]);
+  useEffect(() => viewport.setBounds(full ? mirrored(scene.bounds) : scene.bounds), [scene, full, viewport]);
+  useEffect(() => viewport.setXUp(!xDown), [xDown, viewport]);
+  useEffect(() => choose(null), [run]);
+
+  const ended = usePlayback(playback, s => s.get().track.ends.length > 0 && s.get().position.step >= s.get().track.ends.length);
+  const resting = usePlayback(playback, s => (s.get().playing ? -1 : s.get().position.step));
+  const name = useMemo(() => t.picture(resting >= 0 ? statusText(texts, language, run, playback) : ""), [t, texts, language, run, playback, resting]);
+  const residual = ended && simulation ? simulation.proof.residual : [], findings = simulation?.findings ?? [];
+  return (
+    <section className="lathe" data-tools={tools} aria-label={t.title} onKeyDown={event => {
+      const target = event.target as HTMLElement;
+      if (event.ctrlKey || event.metaKey || event.altKey) return;
+      const typed = { key: event.key, shift: event.shiftKey, element: target.localName, picture: target === stage.current };
+      if (pressKey(typed, playback, viewport, measuring)) event.preventDefault();
+    }}>
+      <ViewBar viewport={viewport} measuring={measuring}><Legend shapes={scene.shapes} /></ViewBar>
+      <div ref={stage} className={`lathe-stage${dimmed ? " dimmed" : ""}${measuring.on ? " measuring" : ""}`} tabIndex={0} role="group" aria-label={t.title} aria-describedby={keysId}>
+        <Picture viewport={viewport} scene={scene} moving={moving} findings={findings} residual={residual} full={full} name={name}>
+          <Marks viewport={viewport} starts={starts} />
+          <PlaceLines viewport={viewport} findings={findings} residual={residual} />
+          <RulerLines viewport={viewport} measuring={measuring} />
+        </Picture>
+        <PlaceButtons viewport={viewport} findings={findings} residual={residual} chosen={chosen} choose={choose} />
+        <RulerReading measuring={measuring} />
+        {dimmed && run.steps.length > 0 && <p className="lathe-outdated small">{t.outdated}</p>}
+        <p id={keysId} className="unseen">{t.keys}</p>
+      </div>
+      <Readout run={run} playback={playback} />
+      <PlaybackBar playback={playback}>
+        <span className="lathe-fold"><GlyphButton glyph="view" name={t.viewTools} expanded={tools} onPress={() => showTools(!tools)} /></span>
+      </PlaybackBar>
+      <Timeline run={run} playback={playback} />
+      <SpokenStatus run={run} playback={playback} clock={clock} />
+      {simulation && (
+        <div className="lathe-more">
+          <Findings simulation={simulation} playback={playback} chosen={chosen} choose={choose} />
+          <MoveTable run={run} playback={playback} />
+        </div>
+      )}
+    </section>
+  );
+}

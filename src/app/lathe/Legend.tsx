@@ -1,0 +1,18 @@
+import { memo } from "react";
+import { PATH_ROLES, type Shape } from "../../view/scene.ts";
+import { useTexts } from "../settings/use-texts.ts";
+
+/** What the lines stand for: only those that are there. */
+export const Legend = memo(function Legend({ shapes }: { readonly shapes: readonly Shape[] }) {
+  const t = useTexts().lathe, there = PATH_ROLES.filter(role => shapes.some(shape => shape.role === role));
+  if (there.length === 0) return null;
+  return (
+    <ul className="lathe-legend small" aria-label={t.legend}>
+      {there.map(role => (
+        <li key={role}>
+          <svg width="26" height="8" aria-hidden="true"><path className={`shape-${role}`} d="M1 4H25" /></svg>{t.lines[role]}
+        </li>
+      ))}
+    </ul>
+  );
+});

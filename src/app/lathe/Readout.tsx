@@ -1,0 +1,62 @@
+import { useCallback, useEffect, useRef, useState } from "react";
+import type { Run } from "../../program/run-types.ts";
+import type { Clock } from "../clock.ts";
+import { useSettings } from "../settings/settings.ts";
+import { useTexts } from "../settings/use-texts.ts";
+import type { PlaybackStore } from "./playback-store.ts";
+import { runningText, type Running } from "./running.ts";
+import { useEachPicture, usePlayback } from "./use-playback.ts";
+
+const FIELDS = ["x", "z", "feed", "speed"] as const;
+
+/** Live position, feed, spindle speed, phase, pass and the manual's step; the numbers change without rendering. */
+export function Readout({ run, playback }: { readonly run: Run; readonly playback: PlaybackStore }) {
+  const texts = useTexts(), t = texts.lathe, language = useSettings(s => s.language);
+  const cells = useRef<Partial<Record<keyof Running, HTMLElement | null>>>({});
+  useEachPicture(playback, useCallback(() => {
+    const now = runningText(texts, language, run, playback.shown());
+    for (const [key, cell] of Object.entries(cells.current) as [keyof Running, HTMLElement | null][]) {
+      const said = now?.[key] ?? "";
+      if (cell && cell.textContent !== said) cell.textContent = said;
+    }
+  }, [texts, language, run, playback]));
+  const cell = (key: keyof Running) => (element: HTMLElement | null) => {
+    cells.current[key] = element;
+  };
+  const names = { x: t.axisX, z: t.axisZ, feed: t.feedName, speed: t.speedName };
+  return (
+    <div className="lathe-readout" role="group" aria-label={t.now}>
+      <dl className="number">
+        {FIELDS.map(key => <div key={key} className={`readout-${key}`}><dt>{names[key]}</dt><dd ref={cell(key)} /></div>)}
+      </dl>
+      <p className="lathe-step" ref={cell("step")} />
+      <p className="lathe-phase soft"><span ref={cell("phase")} /><span ref={cell("pass")} /><span ref={cell("block")} /></p>
+    </div>
+  );
+}
+
+/** Least time between two sentences for a screen reader while it plays, ms. */
+const PAUSE = 2500;
+
+/** The same in a sentence, read out: at once when something was pressed, now and then while it plays. */
+export function SpokenStatus({ run, playback, clock }: { readonly run: Run; readonly playback: PlaybackStore; readonly clock: Clock }) {
+  const texts = useTexts(), language = useSettings(s => s.language);
+  const step = usePlayback(playback, s => s.get().position.step), playing = usePlayback(playback, s => s.get().playing);
+  const [said, say] = useState("");
+  const last = useRef(-PAUSE);
+  useEffect(() => {
+    if (playing && clock.now() - last.current < PAUSE) return;
+    last.current = clock.now();
+    say(statusText(texts, language, run, playback));
+  }, [step, playing, texts, language, run, playback, clock]);
+  return <p className="unseen" role="status">{said}</p>;
+}
+
+/** One sentence about the moment that is shown. */
+export function statusText(texts: ReturnType<typeof useTexts>, language: Parameters<typeof runningText>[1], run: Run, playback: PlaybackStore): string {
+  const now = runningText(texts, language, run, playback.shown()), t = texts.lathe;
+  if (!now) return t.pictureEmpty;
+  const { position, track } = playback.get();
+  const where = position.step >= track.ends.length ? t.atEnd : position.step === 0 && position.fraction === 0 ? t.atStart : "";
+  return [where, now.step, `${t.axisX} ${now.x}`, `${t.axisZ} ${now.z}`, now.feed, now.pass, now.block].filter(part => part !== "").join(". ");
+}

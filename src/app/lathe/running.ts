@@ -1,0 +1,76 @@
+import { cycleByNumber } from "../../cycles/index.ts";
+import type { Texts } from "../../i18n/index.ts";
+import type { CyclesTexts } from "../../i18n/cycle-text.ts";
+import type { Language } from "../../i18n/languages.ts";
+import { formatNumber, formatPosition } from "../../i18n/number.ts";
+import type { Move } from "../../kernel/move.ts";
+import type { Pt } from "../../kernel/point.ts";
+import type { Spindle } from "../../kernel/step.ts";
+import { speedAt } from "../../kernel/time.ts";
+import { toDiameter } from "../../kernel/units.ts";
+import type { Operation, Run } from "../../program/run-types.ts";
+import type { Position } from "../../sim/simulation.ts";
+import { tipAt } from "../../view/tip.ts";
+
+/** What is said about a moment of a run, as words and numbers of the screen language. */
+export interface Running {
+  readonly x: string;
+  readonly z: string;
+  readonly feed: string;
+  readonly speed: string;
+  readonly phase: string;
+  readonly pass: string;
+  /** The manual's step: "Step 3 of 6: …". */
+  readonly step: string;
+  readonly block: string;
+}
+
+/** A place as the control shows it: X as diameter. */
+export const placeText = (language: Language, p: Pt) => ({ x: formatPosition(language, toDiameter(p.r)), z: formatPosition(language, p.z) });
+
+/** Feed with its unit, or that it is a rapid. */
+export function feedText(t: Texts["lathe"], language: Language, move: Move): string {
+  if (move.kind === "rapid") return t.rapid;
+  if (move.kind === "thread") return `${formatNumber(language, Math.abs(move.pitch))} ${t.perTurn}`;
+  return `${formatNumber(language, move.feed)} ${move.feedUnit === "mm/rev" ? t.perTurn : t.perMinute}`;
+}
+
+/** Phase in words; plunging is said with it. */
+export const phaseText = (t: Texts["lathe"], move: Move): string =>
+  move.plunging ? `${t.phases[move.phase]}, ${t.plunging}` : t.phases[move.phase];
+
+/** The sentence of the manual's step that a move belongs to. */
+export function stepText(t: Texts, operation: Operation | undefined, move: Move): string {
+  if (!operation) return t.lathe.outside;
+  if (move.step <= 0) return t.cycles.positioning;
+  const count = cycleByNumber(operation.cycle)?.steps[move.run];
+  const all: Partial<Record<number, CyclesTexts["of"][keyof CyclesTexts["of"]]>> = t.cycles.of;
+  const words = all[operation.cycle]?.[move.run][move.step - 1];
+  if (count === undefined || words === undefined) return t.lathe.stepOnly(String(move.step), String(count ?? move.step));
+  return (move.run === "rough" ? t.cycles.roughStep : t.cycles.finishStep)(move.step, count, words);
+}
+
+/** The spindle of a step: that of its operation, or of the nearest operation for moves between them. */
+function spindleOf(run: Run, index: number): Spindle | null {
+  const own = run.steps[index]?.operation;
+  const operation = typeof own === "number" ? run.operations[own] : run.operations.find(o => o.firstStep > index) ?? run.operations.at(-1);
+  return operation?.spindle ?? null;
+}
+
+/** What to say about a position; null when the run has no moves. */
+export function runningText(t: Texts, language: Language, run: Run, position: Position): Running | null {
+  const index = Math.min(position.step, run.steps.length - 1), step = run.steps[index], tip = tipAt(run.steps, position);
+  if (!step || !tip) return null;
+  const operation = step.operation === null ? undefined : run.operations[step.operation], spindle = spindleOf(run, index);
+  const speed = spindle ? speedAt(spindle, tip.r) : null;
+  const { pass } = step.move;
+  return {
+    ...placeText(language, tip),
+    feed: feedText(t.lathe, language, step.move),
+    speed: speed !== null && Number.isFinite(speed) ? `${formatNumber(language, speed, 0)} ${t.lathe.rpm}` : "–",
+    phase: phaseText(t.lathe, step.move),
+    pass: pass !== undefined && operation ? t.lathe.pass(String(pass), String(Math.max(pass, operation.plan.passes))) : "",
+    step: stepText(t, operation, step.move),
+    block: t.lathe.block(String(step.block)),
+  };
+}
