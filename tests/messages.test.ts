@@ -1,0 +1,92 @@
+import fc from "fast-check";
+import { describe, expect, test } from "vitest";
+import { message, stepSentence } from "../src/i18n/lookup.ts";
+import { LANGUAGES } from "../src/i18n/languages.ts";
+import type { AnyCode, AnyIssue } from "../src/i18n/message-texts.ts";
+import { formatFixed, formatNumber, formatPosition, formatSigned } from "../src/i18n/number.ts";
+
+type DataOf<C extends AnyCode> = Extract<AnyIssue, { code: C }>["data"];
+
+/** One case of every code there is; the compiler asks for the next one. */
+const SAMPLES: { readonly [C in AnyCode]: DataOf<C> } = {
+  missing: {}, notANumber: { text: "abc" }, badExpression: { text: "75/" }, unknownParameter: { name: "Q7" },
+  outOfRange: { value: 1000.5, min: 0.001, max: 999.999, nearest: 999.999 }, notAChoice: { value: 7, choices: [0, 1], nearest: 1 },
+  startEqualsEnd: { other: "Q493", value: 50.5, nearest: 50.501 }, wrongDirection: { other: "Q492", value: 5.5, nearest: -20.001 },
+  elementTooLong: { size: 30.5, max: 25.1, nearest: 25.1 }, cornersTooWide: { radius: 8.5, max: 6.25, nearest: 6.25 },
+  wallsMeet: { angle: 40.5, max: 22.6199, nearest: 22.6199 }, cornerSmallerThanInsert: { radius: 0.4, insert: 0.8, nearest: 0.8 },
+  recessNarrowerThanTool: { width: 2.5, tool: 3.1, nearest: 68.8 }, angleNotFollowed: { angle: 40.5, max: 32.25, nearest: 32.25, edge: "secondaryEdge" },
+  infeedOverCutLength: { infeed: 15.5, cutLength: 12.1, nearest: 12.1 }, depthOverCutLength: { depth: 40.5, cutLength: 35.1, nearest: 35.1 },
+  offsetReduced: { offset: 0.5, nearest: 0.148, passes: 14 }, offsetOverLimit: { offset: 2.5, max: 2.08, passes: 1, nearest: 0.148 },
+  toolOnWrongSide: { orientation: 3 }, toolCannotCutSideways: { type: "RECESS" }, flanksNotChecked: {},
+  toolColumn: { column: "P-ANGLE", value: 85.5, max: 84.5 }, unknownTool: { tool: "99" }, betterTool: { tool: 15, name: "FACE-DNMG-55-R08" },
+  startInArea: { x: 60.5, z: -5.5 }, startInMaterial: { x: 60.5, z: -5.5 }, startBelowContour: { z: -25.5, contour: -20.5 },
+  startInsideEnvelope: { clearance: 2.5 }, limitOnWrongSide: { limit: 10.5, nearest: 20.5 }, nothingToCut: {}, contourMissing: { label: "2" },
+  contourTooShort: {}, contourPoint: { element: 3 }, cornerElementAlone: { element: 3 }, cornerElementTooLong: { element: 3, size: 9.5, max: 4.25, nearest: 4.25 },
+  arcOffCircle: { element: 3, gap: 0.5, nearest: 9.75 }, arcTooSmall: { element: 3, radius: 2.5, nearest: 4.75 }, contourCrossesItself: { element: 3, other: 1 },
+  materialLeft: { reason: "mainEdge", area: 1.25, x: 60.5, z: -5.5 }, gouge: { area: 1.25, x: 60.5, z: -5.5 },
+  rapidInStock: { area: 1.25, x: 60.5, z: -5.5 }, holderContact: { x: 60.5, z: -5.5 },
+  notUnderstood: { text: "UDC TYPE_Z" }, wordNotUnderstood: { text: "B12" }, wordTwice: { word: "X" }, equalsMissing: { text: "Q493+50" },
+  blankBeforeEquals: { text: "Q499 =+0" }, badNumber: { text: "1.2.3" }, wordMissing: { word: "R" }, blockNumber: { found: 9, expected: 7 },
+  blockNumberMissing: { expected: 7 }, strayParameter: { text: "Q1=+2" }, continuationOpen: {}, frameMissing: { which: "END PGM" },
+  notSimulated: { what: "M140" }, cycleNotSimulated: { cycle: 200, name: "DRILLING" }, noCycleDefined: {}, noToolCalled: {}, toolUnknown: { tool: "99" },
+  notInTurnMode: {}, labelMissing: { label: "2" }, labelTwice: { label: "2" }, labelNotClosed: { label: "2" }, contourNotNamed: { cycle: 820 },
+  feedMissing: {}, spindleMissing: {}, parameterUnset: { name: "Q7" }, divisionByZero: {}, notFinite: { text: "SQRT -1" }, blankMissing: {},
+  blankNotTurned: { form: "0.1" }, blankImpossible: {}, poleMissing: {}, startUnknown: {}, arcImpossible: {}, radiusCompensation: { side: "RL" },
+  programEndMissing: {}, tooManyBlocks: { limit: 1000 }, tooManyMoves: { limit: 1000 }, callsTooDeep: { limit: 20 },
+};
+const found = (code: AnyCode): AnyIssue => ({ code, severity: "error", data: SAMPLES[code] }) as AnyIssue;
+const codes = Object.keys(SAMPLES) as AnyCode[];
+
+describe.each(LANGUAGES)("messages in %s", (language) => {
+  test.each(codes)("%s is a whole sentence with its data", (code) => {
+    const sentence = message(language, found(code));
+    expect(sentence).toMatch(/\S.*[.。]$/);
+    expect(sentence).not.toMatch(/undefined|NaN|\[object|null/);
+    const own = Object.entries(SAMPLES[code]).filter(([key]) => key !== "reason" && key !== "edge");
+    const shown = own.map(([, value]) => (typeof value === "number" ? formatNumber(language, value, 4) : String(value)));
+    for (const data of shown.filter((text) => !text.includes(","))) expect(sentence).toContain(data);
+    if ("nearest" in SAMPLES[code]) expect(sentence).toContain(formatNumber(language, (SAMPLES[code] as { nearest: number }).nearest, 4));
+  });
+
+  test("a diameter carries its sign, an angle its degrees", () => {
+    expect(message(language, found("outOfRange"), "diameter")).toContain(`⌀${formatNumber(language, 999.999)}`);
+    expect(message(language, found("outOfRange"), "angle")).toContain(`${formatNumber(language, 999.999)}°`);
+    expect(message(language, found("outOfRange"), "radial")).not.toContain("⌀");
+    expect(message(language, found("gouge"))).toContain(`X⌀${formatNumber(language, 60.5)} Z${formatNumber(language, -5.5)}`);
+  });
+
+  test("a long quotation is cut short", () => {
+    expect(message(language, { code: "notANumber", severity: "error", data: { text: "x".repeat(5000) } }).length).toBeLessThan(120);
+  });
+
+  test("the running step is counted as the manual counts", () => {
+    expect(stepSentence(language, 812, "rough", 3)).toMatch(/3.*6/);
+    expect(stepSentence(language, 852, "finish", 7)).toMatch(/7.*7/);
+    expect(stepSentence(language, 820, "rough", 0)).not.toMatch(/6/);
+  });
+});
+
+test("the running step reads as a status line", () => {
+  expect(stepSentence("en", 812, "rough", 3)).toBe("Step 3 of 6: retract by the infeed");
+});
+
+describe("numbers of a language", () => {
+  test.each([
+    ["en", 25.4, "25.4"], ["de", 25.4, "25,4"], ["fr", -0.5, "-0,5"], ["zh", 1000, "1000"], ["en", 0.0004, "0"], ["de", -0.0001, "0"], ["en", 100, "100"],
+    ["en", NaN, "–"], ["fr", Infinity, "–"],
+  ] as const)("%s writes %d as %s", (language, value, text) => expect(formatNumber(language, value)).toBe(text));
+
+  test("positions keep sign and decimals, as the control shows them", () => {
+    expect(formatPosition("en", 25.4)).toBe("+25.400");
+    expect(formatPosition("de", -25.4)).toBe("-25,400");
+    expect(formatPosition("en", -0.0001)).toBe("+0.000");
+    expect(formatSigned("fr", 0.5)).toBe("+0,5");
+    expect(formatSigned("en", 0)).toBe("+0");
+    expect(formatFixed("de", 1.25, 1)).toMatch(/^1,[23]$/);
+  });
+
+  test("law: what is written reads back within its decimals", () => {
+    fc.assert(fc.property(fc.double({ min: -1e6, max: 1e6, noNaN: true }), fc.constantFrom(...LANGUAGES), (value, language) =>
+      Math.abs(Number(formatNumber(language, value).replace(",", ".")) - value) <= 0.0005 + 1e-9), { numRuns: 2000 });
+  });
+});
