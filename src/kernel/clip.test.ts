@@ -61,6 +61,12 @@ test("area is kept: what is cut off and what stays make the whole", () => {
   }), { numRuns: 500 });
 });
 
+test("a stray ring of rounding does not turn an offset inside out", () => {
+  const dust = ring([3, 5], [3.00001, 5.01], [3.00001, 5]);
+  const turned = areaOfRing(dust) < 0 ? dust : [...dust].reverse();
+  expect(areaOf(offset([turned, box(0, 0, 2, 2)], -0.5))).toBeCloseTo(1, 6);
+});
+
 test("packing is exact for what comes from the engine", () => {
   fc.assert(fc.property(triangle, triangle, (a, b) => {
     const cut = difference([a], [b]);

@@ -37,7 +37,22 @@ function paths(rings: readonly Ring[]): Path64[] {
   return out;
 }
 
-const rings = (solution: readonly Path64[]): Ring[] => solution.filter((p) => p.length > 2).map((p) => p.map((q) => point(q.x, q.y)));
+/** Smaller rings are rounding of the engine, mm². */
+const DUST = 100 * GRID * GRID;
+
+const rings = (solution: readonly Path64[]): Ring[] => withoutDust(solution.map((p) => p.map((q) => point(q.x, q.y))));
+const withoutDust = (area: readonly Ring[]): Ring[] => area.filter((ring) => ring.length > 2 && Math.abs(areaOfRing(ring)) > DUST);
+
+/**
+ * The engine takes the ring that reaches farthest for an outer one and turns everything round when it runs clockwise.
+ * So outer rings come first, and a clockwise needle of rounding that sticks out beyond all of them goes.
+ */
+function outerFirst(area: readonly Ring[]): Ring[] {
+  const outer = area.filter((ring) => areaOfRing(ring) > 0);
+  const reach = (ring: Ring) => ring.reduce((most, p) => Math.max(most, p.r), -Infinity);
+  const farthest = Math.max(...outer.map(reach));
+  return [...outer, ...area.filter((ring) => areaOfRing(ring) < 0 && reach(ring) <= farthest)];
+}
 
 function combine(type: ClipType, subject: readonly Ring[], clip: readonly Ring[]): Ring[] {
   const engine = new Clipper64();
@@ -62,7 +77,7 @@ export const union = (area: readonly Ring[], more: readonly Ring[] = []): Ring[]
 /** Grown (delta > 0) or shrunk (delta < 0) on all sides by a length in mm; grown corners are round to CHORD. */
 export function offset(area: readonly Ring[], delta: number): Ring[] {
   if (!Number.isFinite(delta)) return [];
-  return rings(inflatePaths(paths(area), delta * UNITS, JoinType.Round, EndType.Polygon, 2, CHORD * UNITS));
+  return rings(inflatePaths(paths(outerFirst(area)), delta * UNITS, JoinType.Round, EndType.Polygon, 2, CHORD * UNITS));
 }
 
 /** Without what is thinner than `width` mm; kept areas stay as they are, but for corners rounded by half that width. */

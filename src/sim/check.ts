@@ -2,6 +2,7 @@ import { areaOf, difference, intersection, opened } from "../kernel/clip.ts";
 import type { Ring } from "../kernel/point.ts";
 import type { Step } from "../kernel/step.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
+import { boxAround, inBox } from "./box.ts";
 import type { Cutting } from "./cutting.ts";
 import type { Edges } from "./edges.ts";
 import type { Outlines } from "./outlines.ts";
@@ -26,13 +27,16 @@ const real = (area: Ring[]): Ring[] => {
   return areaOf(thick) < REAL_AREA ? [] : thick;
 };
 
-/** What pieces have in common with the stock as it is now. */
-function inStock(pieces: readonly Ring[], cut: Cutting, also: readonly Ring[] = []): Ring[] {
+/** What pieces have in common with an area and with the stock as it is now. */
+function inStock(pieces: readonly Ring[], cut: Cutting, within: readonly Ring[] | null = null, also: readonly Ring[] = []): Ring[] {
   const near = pieces.filter((p) => cut.meets(p));
   if (near.length === 0) return [];
-  const before = intersection(cut.initial, near);
-  const gone = [...cut.swept(), ...also];
-  return gone.length === 0 ? before : difference(before, gone);
+  const box = boxAround(near);
+  const area = within ? intersection(inBox(within, box), near) : near;
+  if (area.length === 0) return [];
+  const there = intersection(inBox(cut.initial, box), area);
+  const gone = inBox([...cut.swept(), ...also], box);
+  return gone.length === 0 || there.length === 0 ? there : difference(there, gone);
 }
 
 /** The holder touches what neither the moves before nor this one, up to the same moment, have cut away. */
@@ -41,7 +45,7 @@ function holderHits(step: Step, outlines: Outlines, cut: Cutting): Ring[] {
   const whole = sweepOf(outlines.holder, step);
   if (real(inStock(whole, cut)).length === 0) return [];
   for (let i = 1; i <= PARTS; i += 1) {
-    const hit = real(inStock(sweepOf(outlines.holder, step, i / PARTS), cut, sweepOf(outlines.insert, step, i / PARTS)));
+    const hit = real(inStock(sweepOf(outlines.holder, step, i / PARTS), cut, null, sweepOf(outlines.insert, step, i / PARTS)));
     if (hit.length > 0) return hit;
   }
   return [];
@@ -57,8 +61,8 @@ export function check(
       found.push({ kind, step: index, block: step.block, operation: step.operation, place: placeIn(largest(rings)), area: areaOf(rings), rings });
   };
   if (step.move.kind === "rapid") report("rapidInStock", real(inStock(sweep, cut)));
-  const near = sweep.filter((p) => finished.edges.meets(p) && cut.meets(p));
-  if (near.length > 0) report("gouge", real(intersection(finished.rings, inStock(near, cut))));
+  const deep = sweep.filter((p) => finished.edges.meets(p));
+  if (deep.length > 0) report("gouge", real(inStock(deep, cut, finished.rings)));
   report("holderContact", holderHits(step, outlines, cut));
   return found;
 }

@@ -1,6 +1,7 @@
-import type { Reason } from "../kernel/issue.ts";
 import { isBar, noseRadius } from "../kernel/insert.ts";
+import type { Reason } from "../kernel/issue.ts";
 import type { Pt, Ring } from "../kernel/point.ts";
+import { boxOf, gapBetween, type Box } from "./box.ts";
 import type { Outlines } from "./outlines.ts";
 import type { SimulatedOperation } from "./simulation.ts";
 import { sweepAlong } from "./sweep.ts";
@@ -8,7 +9,7 @@ import { sweepAlong } from "./sweep.ts";
 /** A region and a swept piece whose outlines are this near lie against each other, mm; regions are rounded by less. */
 const AGAINST = 0.02;
 /** Points looked at on the outline of a region. */
-const SAMPLES = 400;
+const SAMPLES = 200;
 
 interface Sample {
   readonly z: number;
@@ -33,16 +34,18 @@ function samplesOf(ring: Ring): Sample[] {
   return out;
 }
 
-/** How far a point lies outside a convex piece along its worst side, mm; negative inside. */
-function depthOutside(piece: Ring, s: Sample): number {
+/** Whether a point lies on the outline of a convex piece. */
+function against(piece: Ring, box: Box, s: Sample): boolean {
+  if (s.z < box.left - AGAINST || s.z > box.right + AGAINST || s.r < box.bottom - AGAINST || s.r > box.top + AGAINST) return false;
   let worst = -Infinity;
   let p = piece[piece.length - 1] as Pt;
   for (const q of piece) {
     const size = Math.hypot(q.z - p.z, q.r - p.r);
     if (size > 0) worst = Math.max(worst, ((q.r - p.r) * (s.z - p.z) - (q.z - p.z) * (s.r - p.r)) / size);
+    if (worst > AGAINST) return false;
     p = q;
   }
-  return worst;
+  return worst >= -AGAINST;
 }
 
 /** Without any reach there is nothing to lie against: what the plan complains of, else the edge that leads. */
@@ -52,11 +55,10 @@ function withoutReach(operation: SimulatedOperation): Reason {
 }
 
 /** The corner of a nose leaves at most a square of its radius; what a wide bar leaves is larger. */
-function betweenContours(ring: Ring, operation: SimulatedOperation): Reason {
+function betweenContours(box: Box, operation: SimulatedOperation): Reason {
   if (!isBar(operation.tool)) return "insertRadius";
   const most = noseRadius(operation.tool) + 2 * AGAINST;
-  const span = (of: (p: Pt) => number) => Math.max(...ring.map(of)) - Math.min(...ring.map(of));
-  return span((p) => p.z) > most || span((p) => p.r) > most ? "toolWidth" : "insertRadius";
+  return box.right - box.left > most || box.top - box.bottom > most ? "toolWidth" : "insertRadius";
 }
 
 /**
@@ -66,19 +68,20 @@ function betweenContours(ring: Ring, operation: SimulatedOperation): Reason {
 export function reasonFor(ring: Ring, operation: SimulatedOperation, outlines: Outlines): Reason {
   const reach = operation.plan.reach;
   if (reach.length === 0) return withoutReach(operation);
+  const around = boxOf(ring);
   const samples = samplesOf(ring);
   const length = new Map<Reason, number>();
   let [nearest, nearestReason]: [number, Reason | null] = [Infinity, null];
-  for (const piece of reach) {
-    for (const swept of sweepAlong(outlines.insert, piece.path)) {
-      for (const s of samples) {
-        const distance = Math.abs(depthOutside(swept, s));
-        if (distance < nearest) [nearest, nearestReason] = [distance, piece.reason];
-        if (distance <= AGAINST && piece.reason) length.set(piece.reason, (length.get(piece.reason) ?? 0) + s.weight);
-      }
+  for (const { path, reason } of reach) {
+    for (const swept of sweepAlong(outlines.insert, path)) {
+      const box = boxOf(swept);
+      const gap = gapBetween(around, box);
+      if (gap < nearest) [nearest, nearestReason] = [gap, reason];
+      if (gap > AGAINST || !reason) continue;
+      for (const s of samples) if (against(swept, box, s)) length.set(reason, (length.get(reason) ?? 0) + s.weight);
     }
   }
   const longest = [...length].sort((a, b) => b[1] - a[1])[0];
   if (longest) return longest[0];
-  return (nearest > AGAINST ? nearestReason : null) ?? betweenContours(ring, operation);
+  return (nearest > AGAINST ? nearestReason : null) ?? betweenContours(around, operation);
 }
