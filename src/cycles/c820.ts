@@ -1,6 +1,11 @@
-import { length } from "../kernel/units.ts";
+import { toFlat } from "../kernel/flat.ts";
+import { feedsOf } from "../kernel/strategy/feeds.ts";
+import { empty, planLeveled } from "../kernel/strategy/leveled.ts";
+import { perSide, toRadius } from "../kernel/units.ts";
 import { defineCycle } from "./define.ts";
 import { axialDepth, axialParam, choice, diameterParam, feedParam, lengthParam, oversizeDiameter } from "./params.ts";
+import { freeFrame, freeOutline, mirroredTool } from "./free-outline.ts";
+import { angleIssues } from "./tool-issues.ts";
 
 /** Free contour of a subprogram, cut across the axis. */
 export const c820 = defineCycle({
@@ -26,6 +31,20 @@ export const c820 = defineCycle({
     Q506: choice("smoothing", [0, 1, 2], 0),
   },
   steps: { rough: 6, finish: 4 },
-  outline: () => ({ contour: [], dimensions: [], issues: [] }),
-  plan: () => ({ moves: [], issues: [], contour: [], passes: 0, infeed: length(0), area: [], part: [], reach: [] }),
+  outline: (v, given) => freeOutline(v, given, true),
+  plan(v, setting, given) {
+    const outline = freeOutline(v, given, true);
+    if (outline.contour.length === 0 || outline.issues.length > 0) return empty(outline.issues);
+    const frame = freeFrame(outline.contour, setting, true);
+    const tool = v.Q499 === 2 ? mirroredTool(setting.tool, "r") : setting.tool;
+    const plan = planLeveled({
+      frame, contour: outline.contour, operation: v.Q215, clearance: v.Q460, infeed: v.Q463,
+      feeds: feedsOf({ rough: v.Q478, finish: v.Q505, plunge: v.Q488 }, setting.autoFeed),
+      oversize: { r: perSide(v.Q483), z: v.Q484 }, plunging: v.Q487 === 1, smoothing: v.Q506,
+      limit: v.Q479 === 1 ? toFlat(frame, { r: toRadius(v.Q480), z: v.Q482 }) : null,
+      outerHeight: null, startRule: "contour",
+    }, { ...setting, tool });
+    const found = angleIssues(outline.contour, outline.contour.map(() => "contour"), tool, frame, (_q, direction) => Math.abs(direction));
+    return { ...plan, ...(tool === setting.tool ? {} : { tool }), issues: [...plan.issues, ...found] };
+  },
 });

@@ -1,8 +1,16 @@
-import { length } from "../kernel/units.ts";
+import type { Frame } from "../kernel/flat.ts";
+import { cuttingWidth, isBar } from "../kernel/insert.ts";
+import { issue, type Issue } from "../kernel/issue.ts";
+import { feedsOf } from "../kernel/strategy/feeds.ts";
+import { empty } from "../kernel/strategy/leveled.ts";
+import { planRecess } from "../kernel/strategy/recess.ts";
+import { perSide, radius, toDiameter, type Diameter } from "../kernel/units.ts";
 import { defineCycle } from "./define.ts";
 import {
   angle, axialDepth, axialParam, choice, diameterParam, feedParam, lengthParam, oversizeDiameter,
 } from "./params.ts";
+import { recessOutline, type RecessOutline } from "./recess-outline.ts";
+import { angleIssues, cornerIssue } from "./tool-issues.ts";
 
 /**
  * Recess turning, axial, extended: a groove in a face with two walls, a floor, and an element at either edge.
@@ -39,6 +47,30 @@ export const c852 = defineCycle({
     Q488: feedParam("plungingFeed", [0, 99999.999], 0, { optional: true, rangeEvidence: "I" }),
   },
   steps: { rough: 8, finish: 7 },
-  outline: () => ({ contour: [], dimensions: [], issues: [] }),
-  plan: () => ({ moves: [], issues: [], contour: [], passes: 0, infeed: length(0), area: [], part: [], reach: [] }),
+  outline: (v) => recessOutline(v, true),
+  plan(v, setting) {
+    const outline = recessOutline(v, true);
+    if (outline.contour.length === 0 || outline.issues.length > 0) return empty(outline.issues);
+    const frame: Frame = { transverse: true, signU: v.Q491 > v.Q493 ? -1 : 1, signV: v.Q494 < v.Q492 ? 1 : -1 };
+    const { tool } = setting;
+    const plan = planRecess({
+      frame, contour: outline.contour, operation: v.Q215, infeed: v.Q463,
+      feeds: feedsOf({ rough: v.Q478, finish: v.Q505, plunge: v.Q488 }, setting.autoFeed),
+      oversize: { r: perSide(v.Q483), z: v.Q484 }, oneWay: v.Q507 === 1, offset: v.Q508, depthCompensation: v.Q509,
+      roundedFloor: v.Q500 > 0,
+    }, setting);
+    const value = (_q: string, direction: number) => 90 - Math.abs(direction);
+    const rough = v.Q215 !== 2;
+    const narrow = narrowIssue(outline, v, isBar(tool) ? cuttingWidth(tool) + (rough ? v.Q483 : 0) : 0);
+    const found = [...narrow, ...cornerIssue(v.Q500, tool), ...angleIssues(outline.contour, outline.names, tool, frame, value)];
+    return { ...plan, issues: [...plan.issues, ...found] };
+  },
 });
+
+/** A tool that is wider than the floor (with the oversize on both walls) cannot reach it; wider than the opening, not at all. */
+function narrowIssue(outline: RecessOutline, v: { Q491: Diameter; Q493: Diameter }, tool: number): Issue[] {
+  if (tool <= outline.floor + 1e-9) return [];
+  const missing = toDiameter(radius(tool - outline.floor));
+  const nearest = Math.round((v.Q493 + Math.sign(v.Q493 - v.Q491) * missing) * 1000) / 1000;
+  return [issue("recessNarrowerThanTool", tool > outline.opening ? "error" : "warning", { width: outline.floor, tool, nearest }, "Q493")];
+}

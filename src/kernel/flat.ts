@@ -84,3 +84,15 @@ export function normalAt(s: FlatSegment, end: "from" | "to"): Flat {
   const k = s.ccw ? -1 / l : 1 / l;
   return { u: (p.u - s.centre.u) * k, v: (p.v - s.centre.v) * k };
 }
+
+/** Lowest v of an element: of a valley arc that passes its bottom, the bottom. */
+export function lowestOf(s: FlatSegment): number {
+  const ends = Math.min(s.from.v, s.to.v);
+  if (s.kind === "line") return ends;
+  const r = distance(s.from, s.centre);
+  const way = s.ccw ? 1 : -1;
+  const angle = (p: Flat) => Math.atan2(p.v - s.centre.v, p.u - s.centre.u);
+  const turn = (a: number) => ((a % (2 * Math.PI)) + 2 * Math.PI) % (2 * Math.PI);
+  const sweep = turn(way * (angle(s.to) - angle(s.from))) || 2 * Math.PI;
+  return turn(way * (-Math.PI / 2 - angle(s.from))) <= sweep ? Math.min(ends, s.centre.v - r) : ends;
+}

@@ -98,7 +98,7 @@ function bar(t: Tool, r: number): Convex {
   ];
   if (tip.v < 0 || t.TO === 9) return up;
   if (tip.v > 0) return inFrame(up, { transverse: false, signU: 1, signV: -1 });
-  return inFrame(up, { transverse: true, signU: 1, signV: tip.u > 0 ? -1 : 1 });
+  return inFrame(up, { transverse: true, signU: tip.u > 0 ? -1 : 1, signV: 1 });
 }
 
 /** A shape for orientation 1 turned to another orientation: mirrored in z, in r, or with z and r swapped first. */

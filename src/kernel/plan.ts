@@ -22,6 +22,8 @@ export interface Reach {
 
 /** What a cycle makes of its values: moves plus issues, and what can be planned is planned. */
 export interface Plan {
+  /** The tool as the cycle adapts it (Q499 = 2 mirrors the tip); absent when it works as it is. */
+  readonly tool?: Tool;
   readonly moves: readonly Move[];
   readonly issues: readonly Issue[];
   /** Finished contour in machining direction, part space, arcs kept. */

@@ -1,0 +1,48 @@
+import type { CornerElement } from "../kernel/corner.ts";
+import { withCorners } from "../kernel/contour.ts";
+import { issue, type Issue } from "../kernel/issue.ts";
+import type { Pt, Segment } from "../kernel/point.ts";
+
+/** A chamfer (1) or a radius (2) of a start or end element; none for type 0. */
+export const elementOf = (type: number, size: number): CornerElement | null =>
+  type === 0 || !(size > 0) ? null : { kind: type === 1 ? "chamfer" : "round", size };
+
+/** A rounded inner corner; sharp when the radius is 0. */
+export const roundOf = (radius: number): CornerElement | null => (radius > 0 ? { kind: "round", size: radius } : null);
+
+/** A corner of a cycle's contour: the element on it, and the Q that sizes it. */
+export interface NamedCorner {
+  readonly element: CornerElement | null;
+  readonly q: string;
+}
+
+/** A contour with the Q that shapes each segment. */
+export interface NamedContour {
+  readonly contour: readonly Segment[];
+  readonly names: readonly string[];
+  readonly issues: readonly Issue[];
+}
+
+/**
+ * Joins points by lines, puts the elements on the inner points and drops the first and the last line, which only lead in
+ * and out. `sides[i]` names the line from point i to point i + 1.
+ */
+export function namedContour(points: readonly Pt[], sides: readonly string[], corners: readonly NamedCorner[]): NamedContour {
+  const chain = points.slice(1).map((to, i): Segment => ({ kind: "line", from: points[i] as Pt, to }));
+  const n = chain.length;
+  const built = withCorners(chain, corners.map((c) => c.element), {
+    segments: chain.map((_, i) => i), corners: corners.map((_, i) => n + i),
+  });
+  const names = built.elements.map((e) => (e < n ? (sides[e] ?? "") : (corners[e - n]?.q ?? "")));
+  const issues = built.issues.map((i) => {
+    if (i.code !== "cornerElementTooLong") return i;
+    const q = corners[i.data.element - n]?.q;
+    return issue("elementTooLong", "error", { size: i.data.size, max: i.data.max, nearest: i.data.nearest }, q);
+  });
+  const inner = built.segments.map((segment, i) => ({ segment, name: names[i] ?? "", element: built.elements[i] }))
+    .filter((s) => s.element !== 0 && s.element !== n - 1);
+  return { contour: inner.map((s) => s.segment), names: inner.map((s) => s.name), issues };
+}
+
+/** The largest angle that fits, below its limit, on the four decimals a control keeps. */
+export const angleBelow = (limit: number) => Math.max(0, Math.ceil(limit * 1e4 - 1e-6) / 1e4 - 1e-4);

@@ -1,0 +1,81 @@
+import { issue, type Issue } from "../kernel/issue.ts";
+import type { Pt } from "../kernel/point.ts";
+import { axial, inDegrees, radians, radius, toRadius } from "../kernel/units.ts";
+import { angleBelow, elementOf, namedContour, roundOf, type NamedContour } from "./corner-element.ts";
+import type { Dimension, Outline } from "./define.ts";
+import { equalEnds, type ShoulderValues } from "./shoulder-outline.ts";
+
+/** Longer than any part, mm. */
+const LEG = 1e5;
+const pt = (z: number, r: number): Pt => ({ z: axial(z), r: radius(r) });
+
+export interface RecessOutline extends Outline, NamedContour {
+  /** Width of the opening and of the flat floor, mm across the groove; 0 when there is no contour. */
+  readonly opening: number;
+  readonly floor: number;
+}
+
+/**
+ * Contour of an extended recess inside its box (decision "The box rule"): both walls hinge on the edges of the opening
+ * and lean inwards. `axialGroove`: the opening lies in the plane Q492 and the floor at Q494 (85x); else the opening lies
+ * on the diameter Q491 and the floor on Q493 (84x).
+ */
+export function recessOutline(v: ShoulderValues, axialGroove: boolean): RecessOutline {
+  const issues: Issue[] = equalEnds(v);
+  const none = { contour: [], names: [], dimensions: [], opening: 0, floor: 0 };
+  if (issues.length > 0) return { ...none, issues };
+  const [r1, r2, z1, z2] = [toRadius(v.Q491), toRadius(v.Q493), v.Q492, v.Q494];
+  const [W, D] = axialGroove ? [Math.abs(r2 - r1), Math.abs(z2 - z1)] : [Math.abs(z2 - z1), Math.abs(r2 - r1)];
+  const at = axialGroove
+    ? (w: number, d: number): Pt => pt(z1 + Math.sign(z2 - z1) * d, r1 + Math.sign(r2 - r1) * w)
+    : (w: number, d: number): Pt => pt(z1 + Math.sign(z2 - z1) * w, r1 + Math.sign(r2 - r1) * d);
+  const [t1, t2] = [Math.tan(radians(v.Q495)), Math.tan(radians(v.Q496))];
+  const [w1, w2] = [D * t1, W - D * t2];
+  if (w2 - w1 < 1e-9) {
+    const q = t1 >= t2 ? "Q495" : "Q496";
+    const room = Math.max(0, W - D * Math.min(t1, t2));
+    const max = inDegrees(Math.atan2(room, D));
+    return { ...none, issues: [issue("wallsMeet", "error", { angle: v[q], max, nearest: angleBelow(max) }, q)] };
+  }
+  const legs = Math.tan(radians(45 - v.Q495 / 2)) + Math.tan(radians(45 - v.Q496 / 2));
+  const widest = (w2 - w1) / legs;
+  const tooWide = v.Q500 > widest + 1e-9;
+  if (tooWide) issues.push(issue("cornersTooWide", "error", { radius: v.Q500, max: widest, nearest: Math.floor(widest * 1000 + 1e-6) / 1000 }, "Q500"));
+  const round = roundOf(tooWide ? 0 : v.Q500);
+  // Towards the axis a leg ends there: an outer element cannot be longer.
+  const start = axialGroove && r1 < r2 ? Math.max(r1, 1e-6) : LEG;
+  const end = axialGroove && r2 < r1 ? Math.max(r2, 1e-6) : LEG;
+  const built = namedContour(
+    [at(-start, 0), at(0, 0), at(w1, D), at(w2, D), at(W, 0), at(W + end, 0)],
+    ["Q492", "Q495", "Q494", "Q496", "Q492"],
+    [
+      { element: elementOf(v.Q501, v.Q502), q: "Q502" },
+      { element: round, q: "Q500" },
+      { element: round, q: "Q500" },
+      { element: elementOf(v.Q503, v.Q504), q: "Q504" },
+    ],
+  );
+  const shape = { a: at(0, 0), b: at(w1, D), c: at(w2, D), d: at(W, 0), footA: at(0, D), footD: at(W, D), out: (p: Pt) => beyond(p, at(W / 2, -D)) };
+  return { ...built, dimensions: dimensionsOf(v, shape, axialGroove), issues: [...issues, ...built.issues], opening: W, floor: w2 - w1 };
+}
+
+/** A point a little from `p` towards `q`: where a leader points from. */
+const beyond = (p: Pt, q: Pt): Pt => pt(p.z + (q.z - p.z) / 4, p.r + (q.r - p.r) / 4);
+
+function dimensionsOf(v: ShoulderValues, g: { a: Pt; b: Pt; c: Pt; d: Pt; footA: Pt; footD: Pt; out: (p: Pt) => Pt }, axialGroove: boolean): Dimension[] {
+  const [atQ493, atQ494] = axialGroove ? [g.d, g.b] : [g.b, g.d];
+  return [
+    { q: "Q491", form: "diameter", at: g.a },
+    { q: "Q492", form: "z", from: pt(0, g.a.r), to: g.a },
+    { q: "Q493", form: "diameter", at: atQ493 },
+    { q: "Q494", form: "z", from: pt(0, atQ494.r), to: atQ494 },
+    { q: "Q495", form: "angle", vertex: g.a, from: g.footA, to: g.b },
+    { q: "Q502", form: "leader", at: g.a, towards: g.out(g.a) },
+    { q: "Q500", form: "leader", at: g.b, towards: g.out(g.b) },
+    { q: "Q496", form: "angle", vertex: g.d, from: g.footD, to: g.c },
+    { q: "Q504", form: "leader", at: g.d, towards: g.out(g.d) },
+    ...(v.Q501 > 0 ? [{ q: "Q501", form: "leader", at: g.a, towards: g.out(g.a) } as const] : []),
+    ...(v.Q503 > 0 ? [{ q: "Q503", form: "leader", at: g.d, towards: g.out(g.d) } as const] : []),
+  ];
+}
+

@@ -1,0 +1,50 @@
+import { normalEnd, normalStart, positive } from "../kernel/convex.ts";
+import { normalAt, segmentToFlat, type Frame } from "../kernel/flat.ts";
+import { insertShape, noseRadius } from "../kernel/insert.ts";
+import { inFrame } from "../kernel/convex.ts";
+import { issue, type Issue } from "../kernel/issue.ts";
+import type { Segment } from "../kernel/point.ts";
+import type { Tool } from "../kernel/tool.ts";
+import { inDegrees, type Length } from "../kernel/units.ts";
+
+/** Rounding of angles, radians. */
+const ANGLE = 1e-6;
+
+/**
+ * Straight elements whose direction the nose cannot take, because a flank of the insert touches first. `names[i]` is the
+ * Q of segment i; `asValue` turns a direction (degrees against the cutting direction, positive rising) into a value of that Q.
+ */
+export function angleIssues(
+  contour: readonly Segment[], names: readonly string[], tool: Tool, frame: Frame, asValue: (q: string, direction: number) => number,
+): Issue[] {
+  const normals = inFrame(insertShape(tool), frame)
+    .filter((e) => e.kind === "arc" && e.feature === "nose")
+    .map((e) => ({ from: normalStart(e) + Math.PI, width: normalEnd(e) - normalStart(e) }));
+  const width = inFrame(insertShape(tool), frame).filter((e) => e.feature === "width").map((e) => normalStart(e) + Math.PI);
+  const reached = (a: number) =>
+    normals.some((n) => positive(a - n.from + ANGLE) <= n.width + 2 * ANGLE) || width.some((w) => Math.abs(Math.sin((a - w) / 2)) < ANGLE);
+  const found = new Map<string, Issue>();
+  contour.forEach((segment, i) => {
+    if (segment.kind !== "line") return;
+    const n = normalAt(segmentToFlat(frame, segment), "from");
+    const a = Math.atan2(n.v, n.u);
+    const name = names[i] ?? "contour";
+    if (reached(a) || found.has(name)) return;
+    const direction = inDegrees(a) - 90;
+    const bounds = normals.flatMap((x) => [x.from, x.from + x.width]).map((b) => inDegrees(Math.atan2(Math.sin(b), Math.cos(b))) - 90);
+    const max = bounds.reduce((best, b) => (Math.abs(b - direction) < Math.abs(best - direction) ? b : best), bounds[0] ?? 0);
+    const nearest = Math.round(asValue(name, max) * 1e4) / 1e4;
+    found.set(name, issue("angleNotFollowed", "warning", {
+      angle: asValue(name, direction), max: asValue(name, max), nearest, edge: direction > max ? "mainEdge" : "secondaryEdge",
+    }, name));
+  });
+  return [...found.values()];
+}
+
+/** A programmed corner radius that the insert is too round for. */
+export function cornerIssue(corner: Length, tool: Tool): Issue[] {
+  const insert = noseRadius(tool);
+  return corner > 0 && corner < insert - 1e-9
+    ? [issue("cornerSmallerThanInsert", "warning", { radius: corner, insert, nearest: insert }, "Q500")]
+    : [];
+}

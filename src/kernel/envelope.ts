@@ -1,0 +1,269 @@
+import type { Feature } from "./convex.ts";
+import type { Flat, FlatSegment } from "./flat.ts";
+import { ROUND } from "./tolerance.ts";
+
+/** Where a piece of the envelope comes from: the insert feature that touches, and the kind of contour element it touches. */
+export interface Origin {
+  readonly feature: Feature;
+  /** "contour": the drawn contour; the others are bounds of the area, not of the part. */
+  readonly on: "contour" | "bridge" | "limit" | "cutLength" | "edge";
+  /** True when a straight insert edge rests on a corner of the contour instead of the nose on its surface. */
+  readonly corner: boolean;
+}
+
+/** A graph over u: a straight line, or the upper (1) or lower (−1) half of a circle. */
+export type Piece = { readonly u0: number; readonly u1: number; readonly origin: Origin } & (
+  | { readonly arc: 0; readonly v0: number; readonly slope: number }
+  | { readonly arc: 1 | -1; readonly cu: number; readonly cv: number; readonly radius: number }
+);
+
+/** A stretch of the envelope: one piece, between u0 and u1. */
+export interface Span {
+  readonly piece: Piece;
+  readonly u0: number;
+  readonly u1: number;
+}
+
+/** The pieces that are uppermost, from left to right; between them there may be gaps (nothing there: −∞). */
+export type Envelope = readonly Span[];
+
+export function valueAt(p: Piece, u: number): number {
+  if (p.arc === 0) return p.v0 + p.slope * (u - p.u0);
+  const d = p.radius * p.radius - (u - p.cu) * (u - p.cu);
+  return p.cv + p.arc * (d > 0 ? Math.sqrt(d) : 0);
+}
+
+/** A straight piece between two points, in either order; null when it is vertical. */
+export function linePiece(a: Flat, b: Flat, origin: Origin): Piece | null {
+  const [p, q] = a.u <= b.u ? [a, b] : [b, a];
+  if (q.u - p.u < ROUND) return null;
+  return { arc: 0, u0: p.u, u1: q.u, v0: p.v, slope: (q.v - p.v) / (q.u - p.u), origin };
+}
+
+/** The upper envelope of any number of pieces; exact up to rounding, in O(n log n) for n pieces that cross little. */
+export function upperEnvelope(pieces: readonly Piece[]): Envelope {
+  let level: Span[][] = pieces.filter((p) => p.u1 - p.u0 > ROUND).map((piece) => [{ piece, u0: piece.u0, u1: piece.u1 }]);
+  level.sort((a, b) => (a[0] as Span).u0 - (b[0] as Span).u0);
+  while (level.length > 1) {
+    const next: Span[][] = [];
+    for (let i = 0; i < level.length; i += 2) {
+      const a = level[i] as Span[];
+      const b = level[i + 1];
+      next.push(b ? merge(a, b) : a);
+    }
+    level = next;
+  }
+  return level[0] ?? [];
+}
+
+function merge(a: readonly Span[], b: readonly Span[]): Span[] {
+  const out: Span[] = [];
+  let i = 0;
+  let j = 0;
+  let at = Math.min(a[0]?.u0 ?? Infinity, b[0]?.u0 ?? Infinity);
+  while (i < a.length || j < b.length) {
+    const f = a[i];
+    const g = b[j];
+    if (f && f.u1 <= at + ROUND) { i++; continue; }
+    if (g && g.u1 <= at + ROUND) { j++; continue; }
+    const inF = f !== undefined && f.u0 <= at + ROUND;
+    const inG = g !== undefined && g.u0 <= at + ROUND;
+    let end = Math.min(inF ? f.u1 : (f?.u0 ?? Infinity), inG ? g.u1 : (g?.u0 ?? Infinity));
+    if (!inF && !inG) { at = end; continue; }
+    if (inF && inG) higher(out, f.piece, g.piece, at, end);
+    else push(out, (inF ? f : (g as Span)).piece, at, end);
+    at = end;
+  }
+  return out;
+}
+
+function push(out: Span[], piece: Piece, u0: number, u1: number) {
+  if (u1 - u0 <= 0) return;
+  const last = out[out.length - 1];
+  if (last && last.piece === piece && u0 - last.u1 <= ROUND) out[out.length - 1] = { piece, u0: last.u0, u1 };
+  else out.push({ piece, u0, u1 });
+}
+
+/** Both pieces live on [u0, u1]: the higher one wins between their crossings. */
+function higher(out: Span[], f: Piece, g: Piece, u0: number, u1: number) {
+  let from = u0;
+  for (const cut of [...crossings(f, g, u0, u1), u1]) {
+    const middle = (from + cut) / 2;
+    push(out, valueAt(f, middle) >= valueAt(g, middle) ? f : g, from, cut);
+    from = cut;
+  }
+}
+
+/** The u, strictly inside (lo, hi), where two pieces have the same v; ascending. */
+export function crossings(f: Piece, g: Piece, lo: number, hi: number): number[] {
+  const found: number[] = [];
+  const offer = (u: number) => {
+    if (u > lo + ROUND && u < hi - ROUND) found.push(u);
+  };
+  if (f.arc === 0 && g.arc === 0) {
+    const k = f.slope - g.slope;
+    if (Math.abs(k) > 1e-12) offer((g.v0 - g.slope * g.u0 - (f.v0 - f.slope * f.u0)) / k);
+  } else if (f.arc === 0) lineArc(f, g as Arc, offer);
+  else if (g.arc === 0) lineArc(g, f as Arc, offer);
+  else arcArc(f as Arc, g as Arc, offer);
+  return found.sort((a, b) => a - b);
+}
+
+type Line = Extract<Piece, { arc: 0 }>;
+type Arc = Extract<Piece, { arc: 1 | -1 }>;
+
+function lineArc(l: Line, c: Arc, offer: (u: number) => void) {
+  const k = l.v0 - l.slope * (l.u0 - c.cu) - c.cv; // v of the line above the centre, at u = cu
+  const a = 1 + l.slope * l.slope;
+  const d = c.radius * c.radius * a - k * k;
+  if (d < -1e-9) return;
+  const root = Math.sqrt(Math.max(0, d));
+  for (const s of [-root, root]) {
+    const x = (-l.slope * k + s) / a;
+    if ((k + l.slope * x) * c.arc >= -1e-9) offer(c.cu + x);
+  }
+}
+
+function arcArc(f: Arc, g: Arc, offer: (u: number) => void) {
+  const du = g.cu - f.cu;
+  const dv = g.cv - f.cv;
+  const d = Math.hypot(du, dv);
+  if (d < 1e-12) return;
+  const along = (d * d + f.radius * f.radius - g.radius * g.radius) / (2 * d);
+  const h2 = f.radius * f.radius - along * along;
+  if (h2 < -1e-9) return;
+  const h = Math.sqrt(Math.max(0, h2));
+  for (const s of [-h, h]) {
+    const u = (along * du - s * dv) / d;
+    const v = (along * dv + s * du) / d;
+    if (v * f.arc >= -1e-9 && (v - dv) * g.arc >= -1e-9) offer(f.cu + u);
+  }
+}
+
+/** v of the envelope at u: the higher side at a jump, −∞ in a gap. */
+export function heightAt(e: Envelope, u: number): number {
+  let best = -Infinity;
+  for (let i = firstSpan(e, u); i < e.length; i++) {
+    const s = e[i] as Span;
+    if (s.u0 > u + ROUND) break;
+    if (s.u1 >= u - ROUND) best = Math.max(best, valueAt(s.piece, Math.min(Math.max(u, s.u0), s.u1)));
+  }
+  return best;
+}
+
+/** Index of the first span that ends at or after u. */
+export function firstSpan(e: Envelope, u: number): number {
+  let lo = 0;
+  let hi = e.length;
+  while (lo < hi) {
+    const m = (lo + hi) >> 1;
+    if ((e[m] as Span).u1 < u - ROUND) lo = m + 1;
+    else hi = m;
+  }
+  return lo;
+}
+
+/** Lowest v of the envelope over [u0, u1]; a gap inside counts as −∞. */
+export function lowest(e: Envelope, u0: number, u1: number): number {
+  let low = Infinity;
+  let covered = u0;
+  for (let i = firstSpan(e, u0); i < e.length; i++) {
+    const s = e[i] as Span;
+    if (s.u0 >= u1) break;
+    if (s.u0 > covered + ROUND) return -Infinity;
+    const a = Math.max(u0, s.u0);
+    const b = Math.min(u1, s.u1);
+    if (b < a) continue;
+    low = Math.min(low, valueAt(s.piece, a), valueAt(s.piece, b));
+    if (s.piece.arc === -1 && s.piece.cu > a && s.piece.cu < b) low = Math.min(low, s.piece.cv - s.piece.radius);
+    covered = Math.max(covered, s.u1);
+  }
+  return covered < u1 - ROUND ? -Infinity : low;
+}
+
+/** Highest v of the envelope over [u0, u1], and where; gaps do not count. */
+export function highest(e: Envelope, u0: number, u1: number): { u: number; v: number } {
+  let best = { u: u0, v: -Infinity };
+  const offer = (u: number, v: number) => { if (v > best.v) best = { u, v }; };
+  for (let i = firstSpan(e, u0); i < e.length; i++) {
+    const s = e[i] as Span;
+    if (s.u0 > u1) break;
+    const a = Math.max(u0, s.u0);
+    const b = Math.min(u1, s.u1);
+    if (b < a) continue;
+    offer(a, valueAt(s.piece, a));
+    offer(b, valueAt(s.piece, b));
+    if (s.piece.arc === 1 && s.piece.cu > a && s.piece.cu < b) offer(s.piece.cu, s.piece.cv + s.piece.radius);
+  }
+  return best;
+}
+
+/** A stretch of u. */
+export interface Interval {
+  readonly from: number;
+  readonly to: number;
+}
+
+/** Where the envelope lies at or below `level` within [u0, u1], as maximal intervals from left to right. */
+export function below(e: Envelope, level: number, u0: number, u1: number): Interval[] {
+  const out: Interval[] = [];
+  const add = (from: number, to: number) => {
+    if (to < from) return;
+    const last = out[out.length - 1];
+    if (last && from - last.to <= 1e-7) out[out.length - 1] = { from: last.from, to: Math.max(last.to, to) };
+    else out.push({ from, to });
+  };
+  const top = level + LEVEL;
+  let covered = u0;
+  for (let i = firstSpan(e, u0); i < e.length; i++) {
+    const s = e[i] as Span;
+    if (s.u0 > u1) break;
+    if (s.u0 > covered + ROUND) add(covered, Math.min(s.u0, u1));
+    const a = Math.max(u0, s.u0);
+    const b = Math.min(u1, s.u1);
+    covered = Math.max(covered, s.u1);
+    if (b < a) continue;
+    const flat: Piece = { arc: 0, u0: a, u1: b, v0: top, slope: 0, origin: s.piece.origin };
+    let from = a;
+    for (const cut of [...crossings(s.piece, flat, a, b), b]) {
+      if (valueAt(s.piece, (from + cut) / 2) <= top) add(from, cut);
+      from = cut;
+    }
+  }
+  if (covered < u1) add(covered, u1);
+  return out;
+}
+/** A level that lies on a flat of the envelope counts as on it, whatever rounding says. */
+const LEVEL = 1e-7;
+
+/** A stretch of path along the envelope, with the piece it runs on (null: a vertical step between two pieces). */
+export interface Stretch {
+  readonly segment: FlatSegment;
+  readonly origin: Origin | null;
+}
+
+/** The envelope as a path from u0 to u1 > u0, vertical steps included; gaps are bridged straight. */
+export function pathAlong(e: Envelope, u0: number, u1: number): Stretch[] {
+  const out: Stretch[] = [];
+  let at: Flat | null = null;
+  for (let i = firstSpan(e, u0); i < e.length; i++) {
+    const s = e[i] as Span;
+    if (s.u0 > u1 - ROUND) break;
+    const a = Math.max(u0, s.u0);
+    const b = Math.min(u1, s.u1);
+    if (b - a <= ROUND) continue;
+    const from: Flat = { u: a, v: valueAt(s.piece, a) };
+    const to: Flat = { u: b, v: valueAt(s.piece, b) };
+    if (at && Math.hypot(at.u - from.u, at.v - from.v) > 1e-7) out.push({ segment: { kind: "line", from: at, to: from }, origin: null });
+    const start = at && Math.hypot(at.u - from.u, at.v - from.v) <= 1e-7 ? at : from;
+    const p = s.piece;
+    out.push({
+      segment: p.arc === 0
+        ? { kind: "line", from: start, to }
+        : { kind: "arc", from: start, to, centre: { u: p.cu, v: p.cv }, ccw: p.arc === -1 },
+      origin: p.origin,
+    });
+    at = to;
+  }
+  return out;
+}

@@ -1,0 +1,72 @@
+import { heightAt, pathAlong } from "../envelope.ts";
+import { distance, type Flat, type FlatSegment } from "../flat.ts";
+import { issue, type Issue } from "../issue.ts";
+import { SAME } from "../tolerance.ts";
+import type { Purpose, Track } from "../track.ts";
+import type { Feeds } from "./feeds.ts";
+import type { Ground } from "./ground.ts";
+
+export interface Finish {
+  readonly ground: Ground;
+  /** The contour finished to, for the envelope of the set-up clearance. */
+  readonly contour: readonly FlatSegment[];
+  readonly start: Flat;
+  readonly clearance: number;
+  readonly feeds: Feeds;
+  /** The tip stays within this stretch of u. */
+  readonly from: number;
+  readonly to: number;
+  /** The smoothing cut runs as part of roughing, at its feeds. */
+  readonly smoothing: boolean;
+}
+
+/**
+ * The printed finishing steps: infeed at rapid to the clearance, the contour from start to end at feed, lift by the
+ * clearance at feed. Going back to the cycle start is the caller's.
+ */
+export function finishContour(track: Track, f: Finish, issues: Issue[]): void {
+  const p = (step: number): Purpose => f.smoothing
+    ? { phase: "smooth", run: "rough", step: 5 }
+    : { phase: "finish", run: "finish", step };
+  const feed = f.smoothing ? f.feeds.rough : f.feeds.finish;
+  const u0 = Math.max(f.ground.start.u, f.from);
+  const u1 = Math.min(f.ground.end.u, f.to);
+  if (!(u1 > u0)) return;
+  const path = pathAlong(f.ground.envelope, u0, u1);
+  const first = path[0]?.segment.from;
+  if (!first) return;
+  // A contour that begins with a rise is joined at its foot; one that the insert cannot touch there, where it can.
+  const left = heightAt(f.ground.envelope, u0 - SAME);
+  const low = f.ground.start.v;
+  const begin = { u: u0, v: first.v <= low + SAME ? first.v : Math.min(first.v, Math.max(low, left)) };
+  if (!f.smoothing && nearContour(f.start, f.contour) < f.clearance) {
+    issues.push(issue("startInsideEnvelope", "warning", { clearance: f.clearance }, "start"));
+  } else {
+    const above = begin.v + f.clearance;
+    if (track.at.v < above) track.rapid("v", above, p(1));
+    track.rapid("u", Math.min(Math.max(f.start.u, u0 - f.clearance), u0), p(1));
+    track.rapid("v", above, p(1));
+  }
+  track.feed(begin, feed, p(1));
+  track.feed(first, feed, p(2));
+  for (const s of path) {
+    const plunging = f.smoothing && s.segment.to.v < s.segment.from.v - 1e-9;
+    track.follow(s.segment, plunging ? f.feeds.plunge : feed, plunging ? { ...p(2), plunging: true } : p(2));
+  }
+  if (f.to >= f.ground.end.u - SAME) track.feed({ u: u1, v: Math.max(track.at.v, f.ground.end.v) }, feed, p(2));
+  track.feed({ u: track.at.u, v: track.at.v + f.clearance }, feed, p(3));
+}
+
+/** Distance from a point to a contour, mm; an arc is judged by its ends and its nearest point. */
+function nearContour(p: Flat, contour: readonly FlatSegment[]): number {
+  let near = Infinity;
+  for (const s of contour) {
+    if (s.kind === "line") {
+      const du = s.to.u - s.from.u;
+      const dv = s.to.v - s.from.v;
+      const k = Math.min(1, Math.max(0, ((p.u - s.from.u) * du + (p.v - s.from.v) * dv) / (du * du + dv * dv || 1)));
+      near = Math.min(near, Math.hypot(p.u - s.from.u - k * du, p.v - s.from.v - k * dv));
+    } else near = Math.min(near, distance(p, s.from), distance(p, s.to));
+  }
+  return near;
+}

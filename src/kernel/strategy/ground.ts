@@ -1,0 +1,103 @@
+import { extent, grown, inFrame, support, type Convex } from "../convex.ts";
+import { linePiece, pathAlong, type Envelope, type Origin, type Piece } from "../envelope.ts";
+import { normalAt, segmentToPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
+import { insertShape, isBar } from "../insert.ts";
+import type { Reason } from "../issue.ts";
+import type { Reach } from "../plan.ts";
+import { reachOver, type Bound } from "../reach.ts";
+import type { Tool } from "../tool.ts";
+import { roomOf } from "../track.ts";
+
+/** Longer than any part: how far bounds run on beyond the contour, mm. */
+export const FAR = 5000;
+
+/** What lies beyond the ends of a contour. */
+export interface Surroundings {
+  /** Beyond the last point: the part goes on at its height, or a wall closes the area up to `wall`. */
+  readonly wall: number | null;
+  /** In front of the first point: free air over the level of the first point, the part at that height, or a wall. */
+  readonly front: "free" | "part";
+  readonly frontWall: number | null;
+  /** Heights that the lowest point of the insert keeps above: a machining limit, the floor of the area. */
+  readonly floors: readonly { readonly v: number; readonly on: Origin["on"] }[];
+}
+
+/** The set of tip positions that leave the part alone: an envelope, and where the contour's ends are touched. */
+export interface Ground {
+  readonly envelope: Envelope;
+  /** Tip when the nose touches the first and the last point of the contour. */
+  readonly start: Flat;
+  readonly end: Flat;
+  readonly insert: Convex;
+}
+
+/**
+ * Builds the reach over a contour (machining direction, material on its right) for a tool, kept off by an axis-parallel
+ * oversize: the part is grown by the rectangle ±keepU × ±keepV.
+ */
+export function groundOver(
+  contour: readonly Bound[], tool: Tool, frame: Frame, keep: { readonly u: number; readonly v: number }, s: Surroundings,
+): Ground {
+  const insert = grown(insertIn(tool, frame), keep.u, keep.v);
+  const first = (contour[0] as Bound).segment;
+  const last = (contour[contour.length - 1] as Bound).segment;
+  const start = touch(insert, first, "from");
+  const end = touch(insert, last, "to");
+  const edge = (from: Flat, to: Flat): Bound => ({ segment: { kind: "line", from, to }, on: "edge" });
+  const chain: Bound[] = [...contour];
+  if (s.frontWall !== null) chain.unshift(edge({ u: first.from.u, v: s.frontWall }, first.from));
+  else if (s.front === "part") chain.unshift(edge({ u: first.from.u - FAR, v: first.from.v }, first.from));
+  if (s.wall !== null) chain.push(edge(last.to, { u: last.to.u, v: s.wall }), edge({ u: last.to.u, v: s.wall }, { u: last.to.u + FAR, v: s.wall }));
+  else chain.push(edge(last.to, { u: last.to.u + FAR, v: last.to.v }));
+  if (s.frontWall !== null) chain.unshift(edge({ u: first.from.u - FAR, v: s.frontWall }, { u: first.from.u, v: s.frontWall }));
+  const extra: Piece[] = [];
+  const level = (u0: number, u1: number, v: number, on: Origin["on"]) => {
+    const p = linePiece({ u: u0, v }, { u: u1, v }, { feature: "nose", on, corner: false });
+    if (p) extra.push(p);
+  };
+  const low = first.from.u - FAR;
+  const high = last.to.u + FAR;
+  const bottom = extent(insertIn(tool, frame)).minV;
+  if (s.front === "free") level(low, start.u, first.from.v + keep.v - bottom, "edge");
+  for (const f of s.floors) level(low, high, f.v - bottom, f.on);
+  const room = roomOf(frame);
+  if (room.minV > -Infinity) level(low, high, room.minV, "edge");
+  return { envelope: reachOver(chain, insert, extra), start, end, insert };
+}
+
+/** The insert in strategy space, relative to the tip. */
+export const insertIn = (tool: Tool, frame: Frame): Convex => inFrame(insertShape(tool), frame);
+
+/** How far the nose (or the corners of a bar) reaches before and behind the tip along u. */
+export function noseExtent(insert: Convex): { readonly trail: number; readonly lead: number } {
+  let trail = 0;
+  let lead = 0;
+  for (const e of insert) if (e.kind === "arc" && e.feature === "nose") {
+    trail = Math.min(trail, e.centre.u - e.radius);
+    lead = Math.max(lead, e.centre.u + e.radius);
+  }
+  return { trail, lead };
+}
+
+/** Tip position when the insert touches an end of an element with the normal it has there. */
+function touch(insert: Convex, s: FlatSegment, end: "from" | "to"): Flat {
+  const n = normalAt(s, end);
+  const { at } = support(insert, { u: -n.u, v: -n.v });
+  return { u: s[end].u - at.u, v: s[end].v - at.v };
+}
+
+/** The finishing path over a ground, as stretches with what keeps the insert from going deeper. */
+export function reachOf(g: Ground, u0: number, u1: number, frame: Frame, tool: Tool): Reach[] {
+  return pathAlong(g.envelope, u0, u1).map((s) => ({ path: segmentToPart(frame, s.segment), reason: reasonOf(s.origin, tool) }));
+}
+
+function reasonOf(o: Origin | null, tool: Tool): Reason | null {
+  if (o === null) return null;
+  if (o.on === "bridge") return "plunging";
+  if (o.on === "limit") return "limit";
+  if (o.on === "cutLength") return "cutLength";
+  if (o.feature === "nose") return null;
+  if (o.feature === "width") return o.corner ? "toolWidth" : null;
+  if (isBar(tool)) return "toolWidth";
+  return o.feature === "secondaryEdge" ? "secondaryEdge" : "mainEdge";
+}

@@ -1,0 +1,31 @@
+import { issue, type Issue } from "../issue.ts";
+import { SAME } from "../tolerance.ts";
+import type { Tool } from "../tool.ts";
+
+/** A depth divided evenly: as few passes as the greatest infeed allows, all of the same depth. */
+export interface Division {
+  readonly passes: number;
+  readonly infeed: number;
+}
+
+/** More passes than this is not a program but a slip of the finger; they are taken as this many. */
+const MOST_PASSES = 20000;
+
+/**
+ * Divides `depth` mm into equal infeeds of at most `most` mm; 0 means one pass. A depth of exactly k infeeds gives k
+ * passes, whatever rounding says (decision "Infeed").
+ */
+export function divide(depth: number, most: number): Division {
+  if (!(depth > SAME)) return { passes: 0, infeed: 0 };
+  const passes = most > 0 ? Math.min(MOST_PASSES, Math.max(1, Math.ceil(depth / most - SAME))) : 1;
+  return { passes, infeed: depth / passes };
+}
+
+/** A CUTLENGTH smaller than the programmed infeed lowers it, with a notice. */
+export function limitedInfeed(most: number, tool: Tool, depth: number, issues: Issue[]): number {
+  const edge = tool.CUTLENGTH;
+  const asked = most > 0 ? Math.min(most, Math.max(depth, 0)) : depth;
+  if (edge === undefined || !(edge > 0) || asked <= edge) return most;
+  issues.push(issue("infeedOverCutLength", "info", { infeed: most > 0 ? most : depth, cutLength: edge, nearest: edge }, "Q463"));
+  return edge;
+}

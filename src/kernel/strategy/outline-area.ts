@@ -1,0 +1,41 @@
+import { segmentToPart, toPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
+import { flattenedChain } from "../flatten.ts";
+import type { Pt, Ring } from "../point.ts";
+import { CHORD } from "../tolerance.ts";
+
+/** How far the finished part is drawn beyond the contour, mm. */
+const BEYOND = 2000;
+
+/** The finished part under a contour: closed far below it, and going on behind its last point (and before its first). */
+export function partUnder(contour: readonly FlatSegment[], frame: Frame, both: boolean): Ring {
+  const points = chain(contour, frame);
+  const first = contour[0]?.from;
+  const last = contour[contour.length - 1]?.to;
+  if (!first || !last) return [];
+  const deep = Math.min(first.v, last.v) - BEYOND;
+  const close: Flat[] = [{ u: last.u + BEYOND, v: last.v }, { u: last.u + BEYOND, v: deep }];
+  const start: Flat[] = both ? [{ u: first.u - BEYOND, v: deep }, { u: first.u - BEYOND, v: first.v }] : [{ u: first.u, v: deep }];
+  return turned([...points, ...[...close, ...start].map((p) => toPart(frame, p))]);
+}
+
+/** The area to be removed: between the contour and the level and place of the start point. */
+export function areaOver(contour: readonly FlatSegment[], frame: Frame, from: number, top: number): Ring {
+  const points = chain(contour, frame);
+  const first = contour[0]?.from;
+  const last = contour[contour.length - 1]?.to;
+  if (!first || !last) return [];
+  const corners: Flat[] = [{ u: last.u, v: Math.max(top, last.v) }, { u: Math.min(from, first.u), v: Math.max(top, last.v) }, { u: Math.min(from, first.u), v: first.v }];
+  return turned([...points, ...corners.map((p) => toPart(frame, p))]);
+}
+
+const chain = (contour: readonly FlatSegment[], frame: Frame) => flattenedChain(contour.map((s) => segmentToPart(frame, s)), CHORD);
+
+/** Counter-clockwise, whatever the frame mirrors. */
+function turned(ring: readonly Pt[]): Ring {
+  let twice = 0;
+  ring.forEach((p, i) => {
+    const q = ring[(i + 1) % ring.length] as Pt;
+    twice += p.z * q.r - q.z * p.r;
+  });
+  return twice < 0 ? [...ring].reverse() : ring;
+}

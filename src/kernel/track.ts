@@ -1,0 +1,81 @@
+import { segmentToPart, toPart, type Flat, type FlatSegment, type Frame } from "./flat.ts";
+import type { FeedUnit, Move, Phase } from "./move.ts";
+import { feed as asFeed } from "./units.ts";
+
+/** What the next moves are for; a track stamps it on each of them. */
+export interface Purpose {
+  readonly phase: Phase;
+  readonly run: "rough" | "finish";
+  readonly step: number;
+  readonly pass?: number;
+  readonly plunging?: true;
+}
+
+/** Limits of the tip in strategy space: the axis of rotation. */
+export interface Room {
+  readonly minU: number;
+  readonly maxU: number;
+  readonly minV: number;
+  readonly maxV: number;
+}
+
+/** Where the tip may be at all: r is never negative. */
+export function roomOf(f: Frame): Room {
+  const [lowU, highU] = f.transverse ? (f.signU > 0 ? [0, Infinity] : [-Infinity, 0]) : [-Infinity, Infinity];
+  const [lowV, highV] = f.transverse ? [-Infinity, Infinity] : f.signV > 0 ? [0, Infinity] : [-Infinity, 0];
+  return { minU: lowU, maxU: highU, minV: lowV, maxV: highV };
+}
+
+/** Moves shorter than this are rounding, mm. */
+const STILL = 2e-6;
+
+/** Collects the moves of a run in strategy space and hands them out in part space; moves of no length are dropped. */
+export class Track {
+  readonly moves: Move[] = [];
+  at: Flat;
+  private readonly frame: Frame;
+  private readonly feedUnit: FeedUnit;
+  private readonly room: Room;
+
+  constructor(frame: Frame, feedUnit: FeedUnit, start: Flat) {
+    this.frame = frame;
+    this.feedUnit = feedUnit;
+    this.room = roomOf(frame);
+    this.at = start;
+  }
+
+  /** Rapid along one axis only, so that a control whose rapid axes do not interpolate runs the same path. */
+  rapid(axis: "u" | "v", value: number, purpose: Purpose) {
+    const to = this.inside({ ...this.at, [axis]: value });
+    if (this.still(to)) return;
+    this.moves.push({ kind: "rapid", to: toPart(this.frame, to), ...purpose });
+    this.at = to;
+  }
+
+  /** Straight at feed. */
+  feed(point: Flat, value: number, purpose: Purpose) {
+    const to = this.inside(point);
+    if (this.still(to)) return;
+    this.moves.push({ kind: "feed", to: toPart(this.frame, to), feed: asFeed(value), feedUnit: this.feedUnit, ...purpose });
+    this.at = to;
+  }
+
+  /** Along an element at feed; an arc leaves as an arc. */
+  follow(segment: FlatSegment, value: number, purpose: Purpose) {
+    if (segment.kind === "line") return this.feed(segment.to, value, purpose);
+    if (this.still(segment.to)) return;
+    const part = segmentToPart(this.frame, segment);
+    if (part.kind === "arc")
+      this.moves.push({ kind: "arc", to: part.to, centre: part.centre, turn: part.turn, feed: asFeed(value), feedUnit: this.feedUnit, ...purpose });
+    this.at = segment.to;
+  }
+
+  private inside(p: Flat): Flat {
+    const r = this.room;
+    return { u: Math.min(Math.max(p.u, r.minU), r.maxU), v: Math.min(Math.max(p.v, r.minV), r.maxV) };
+  }
+
+  private still(p: Flat) {
+    return Math.abs(p.u - this.at.u) < STILL && Math.abs(p.v - this.at.v) < STILL;
+  }
+}
