@@ -1,4 +1,4 @@
-import type { Pt } from "../../kernel/point.ts";
+import type { Pt, Segment } from "../../kernel/point.ts";
 import { toScreen, type Camera, type Place } from "../camera.ts";
 import { textBox, type Box, type Placed } from "./labels.ts";
 import { elementAt } from "./process.ts";
@@ -16,7 +16,7 @@ const SHARE = 0.75;
 export const isSmall = (c: Context, mm: number): boolean => mm > 0 && mm * c.layout.camera.scale < SMALL;
 
 /** Where the lens covers least: over no text, off the contour, and not far from the element. */
-function lensPlace(c: Context, radius: number, text: Box, at: Place, placed: readonly Placed[]): Place {
+function lensPlace(c: Context, radius: number, text: Box, at: Place, placed: readonly Placed[], kept: readonly Box[]): Place {
   const { width, height } = c.layout.size;
   const line = c.section.line.map((p) => toScreen(c.layout.camera, p));
   const blank = c.section.blank.map((p) => toScreen(c.layout.camera, p));
@@ -28,14 +28,14 @@ function lensPlace(c: Context, radius: number, text: Box, at: Place, placed: rea
       const over = (p: Place) => Math.hypot(p.x - x, p.y - y) < radius + 3;
       const gap = Math.hypot(at.x - x, at.y - y);
       const cost = placed.filter((p) => hit(p.label)).length * 6 + line.filter(over).length * (40 / line.length) + blank.filter(over).length * 3
-        + gap / 10 + (gap < radius + 14 ? 60 : 0);
+        + gap / 10 + (gap < radius + 14 ? 60 : 0) + (kept.some(hit) ? 500 : 0);
       if (cost < least) [best, least] = [{ x, y }, cost];
     }
   return best;
 }
 
 /** An arc's radius from its centre, or the two legs of a chamfer, in the lens. */
-function measure(l: Lettering, element: NonNullable<ReturnType<typeof elementAt>>, camera: Camera): Mark[] {
+function measure(l: Lettering, element: Segment, camera: Camera): Mark[] {
   const [from, to] = [toScreen(camera, element.from), toScreen(camera, element.to)];
   const middle = { x: (from.x + to.x) / 2, y: (from.y + to.y) / 2 };
   if (element.kind === "line") return [stroke(l, "thin", polyline([from, { x: from.x, y: to.y }, to])), stroke(l, "thin", polyline([from, { x: to.x, y: from.y }, to]))];
@@ -47,16 +47,16 @@ function measure(l: Lettering, element: NonNullable<ReturnType<typeof elementAt>
 }
 
 /** A lens over a small element, with its value below, and the texts it leaves uncovered. */
-export function detail(c: Context, l: Lettering, at: Pt, mm: number, placed: readonly Placed[]): { readonly marks: Mark[]; readonly rest: readonly Placed[]; readonly label: Box } {
+export function detail(c: Context, l: Lettering, { at, mm }: { readonly at: Pt; readonly mm: number }, placed: readonly Placed[], kept: readonly Box[]): { readonly marks: Mark[]; readonly rest: readonly Placed[]; readonly label: Box } {
   const { width, height } = c.layout.size;
   const radius = Math.min(52, 0.17 * Math.min(width, height));
   const spot = toScreen(c.layout.camera, at);
   const text = textBox({ x: 0, y: 0 }, l.text, 0);
-  const centre = lensPlace(c, radius, text, spot, placed);
+  const centre = lensPlace(c, radius, text, spot, placed, kept);
   const scale = (radius * SHARE) / mm;
   const camera: Camera = { scale, xUp: true, zero: { x: centre.x - at.z * scale, y: centre.y + at.r * scale } };
   const quiet = { q: l.q, active: false };
-  const element = elementAt(c, at);
+  const element = elementAt(c, at)?.element;
   const inside: Mark[] = [
     filled(quiet, "paper", circle(centre, radius)),
     filled(quiet, "part", polygon(c.section.part.map((p) => toScreen(camera, p)))),

@@ -20,14 +20,15 @@ const signOf = (n: number, zero: 1 | -1): 1 | -1 => (n > 1e-9 ? 1 : n < -1e-9 ? 
 /** Whether the infeed goes along the axis: read from the parameters, where an axial depth says so. */
 const axialInfeed = (params: Params) => Object.values(params).some((p) => p.kind === "axialDepth");
 
-/** The frame of a contour in machining direction. */
+/** The frame of a contour in machining direction. A free contour is open towards +Z or away from the axis, whichever way it runs. */
 export function frameOf(group: Group, params: Params, contour: readonly Segment[]): Frame {
   const start = contour[0]?.from, end = contour.at(-1)?.to;
   if (!start || !end) return { infeed: "r", feed: -1, open: 1, recess: false };
   const infeed = axialInfeed(params) ? "z" : "r";
   const across = infeed === "z" ? end.r - start.r : end.z - start.z;
   const rise = infeed === "z" ? end.z - start.z : end.r - start.r;
-  if (group !== "recessTurning") return { infeed, feed: signOf(across, -1), open: signOf(rise, 1), recess: false };
+  if (group === "contour") return { infeed, feed: signOf(across, -1), open: 1, recess: false };
+  if (group === "shoulder") return { infeed, feed: signOf(across, -1), open: signOf(rise, 1), recess: false };
   const mouth = infeed === "z" ? start.z : start.r;
   const deepest = contour.map((s) => (infeed === "z" ? s.to.z : s.to.r) - mouth).reduce((a, b) => (Math.abs(b) > Math.abs(a) ? b : a), 0);
   return { infeed, feed: signOf(across, -1), open: signOf(-deepest, 1), recess: true };

@@ -5,7 +5,7 @@ import { boundsOf } from "../bounds.ts";
 import { toScreen, type Bounds, type Camera, type Place, type Size } from "../camera.ts";
 import type { Frame } from "./frame.ts";
 import type { Box } from "./labels.ts";
-import type { Reach } from "./section.ts";
+import { endWays, type Reach } from "./section.ts";
 
 /** Where everything goes: the camera, the drawing's box on the screen and the spindle axis. */
 export interface Layout {
@@ -43,13 +43,14 @@ function subject(points: readonly Pt[], dimensions: readonly Dimension[]): { cor
 }
 
 /** What the drawing shows of part space. */
-function reachOf(f: Frame, core: Bounds, span: number): Reach & { axis: number; broken: boolean } {
+function reachOf(f: Frame, line: readonly Pt[], core: Bounds, span: number): Reach & { axis: number; broken: boolean } {
+  const ends = endWays(f, line);
+  const feed = f.infeed === "r" ? { z: f.feed, r: 0 } : { z: 0, r: f.feed };
   const ways = [
-    f.infeed === "r" ? { z: f.feed, r: 0 } : { z: 0, r: f.feed },
     f.infeed === "r" ? { z: 0, r: -f.open } : { z: -f.open, r: 0 },
-    ...(f.recess ? [f.infeed === "r" ? { z: -f.feed, r: 0 } : { z: 0, r: -f.feed }] : []),
+    ...(ends.last === "feed" ? [feed] : []), ...(ends.first === "back" ? [{ z: -feed.z, r: -feed.r }] : []),
   ];
-  const more = (z: number, r: number) => (ways.some((w) => w.z === z && w.r === r) ? BEHIND * span : 0.02 * span);
+  const more = (z: number, r: number) => (ways.some((w) => Math.abs(w.z - z) + Math.abs(w.r - r) < 0.5) ? BEHIND * span : 0.02 * span);
   const broken = core.low > NEAR_AXIS * span || core.low < -1e-6;
   const axis = core.low > NEAR_AXIS * span ? core.low - 0.5 * span : 0;
   const low = axis > 0 ? core.low - 0.3 * span : Math.min(axis, core.low);
@@ -64,10 +65,10 @@ function tracks(dimensions: readonly Dimension[], more: { readonly top: number; 
 
 /** Fits contour, part and dimension lines into a picture; the scale is the same both ways. */
 export function layoutOf(
-  f: Frame, points: readonly Pt[], dimensions: readonly Dimension[], size: Size, more: { readonly top: number; readonly right: number; readonly indent: number },
+  f: Frame, line: readonly Pt[], points: readonly Pt[], dimensions: readonly Dimension[], size: Size, more: { readonly top: number; readonly right: number; readonly indent: number },
 ): Layout {
   const { core, span } = subject(points, dimensions);
-  const reach = reachOf(f, core, span);
+  const reach = reachOf(f, line, core, span);
   const lines = tracks(dimensions, more);
   const margin = {
     top: Math.min(FIRST + TRACK * lines.top, size.height * 0.35), bottom: Math.min(20, size.height * 0.1),

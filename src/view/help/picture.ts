@@ -1,6 +1,6 @@
 import type { Group, Outline } from "../../cycles/define.ts";
 import type { Params } from "../../cycles/params.ts";
-import { radius, toDiameter } from "../../kernel/units.ts";
+import { toDiameter } from "../../kernel/units.ts";
 import { toScreen, type Place, type Size } from "../camera.ts";
 import { openSide } from "./band.ts";
 import * as choices from "./choices.ts";
@@ -77,7 +77,7 @@ function contextOf(request: HelpRequest, size: Size, indent: number): Context {
   const span = Math.max(1e-3, ...line.map((p) => Math.hypot(p.z - corner.z, p.r - corner.r)));
   const near = Math.hypot(start.z - corner.z, start.r - corner.r) < span * 0.4 ? [start] : [];
   const along = frame.infeed === "z" ? 2 : 1;
-  const layout = layoutOf(frame, [...line, ...area, ...near], outline.dimensions, size, { top: along, right: 0, indent });
+  const layout = layoutOf(frame, line, [...line, ...area, ...near], outline.dimensions, size, { top: along, right: 0, indent });
   const { passes, step, top } = passesOf(frame, area, numberOf(values, qOf(params, "infeed")));
   const chamfer = outline.contour.some((s) => s.kind === "line" && Math.abs(Math.abs(s.to.z - s.from.z) - Math.abs(s.to.r - s.from.r)) < 1e-6);
   return {
@@ -151,7 +151,7 @@ export function helpDrawing(request: HelpRequest): HelpDrawing {
   const small = active === null ? null : smallFeature(c, active);
   const items = [...parts.flatMap((p) => (p.item && !(small && p.q === active) ? [p.item] : [])), ...explain.plainDimensions(c)];
   let placed: readonly Placed[] = arranged(items, active, sheet);
-  const lens = small && active ? detail(c, c.letter(active), small.at, small.mm, placed) : null;
+  const lens = small && active ? detail(c, c.letter(active), small, placed, kept) : null;
   if (lens) placed = lens.rest;
   const back = (strong: boolean) => parts.filter((p) => (p.q === active) === strong).flatMap((p) => p.under);
   const marks: Mark[] = [
@@ -182,5 +182,6 @@ function smallFeature(c: Context, active: string): { at: Parameters<typeof toScr
   if (d?.form !== "leader") return null;
   const isType = c.params[active]?.kind === "choice";
   const mm = numberOf(c.values, isType ? partner : active);
-  return isSmall(c, mm) ? { at: { z: d.at.z, r: radius(d.at.r) }, mm } : null;
+  const type = isType ? numberOf(c.values, active) : partner ? numberOf(c.values, partner) : 2;
+  return type !== 0 && isSmall(c, mm) ? { at: explain.elementAt(c, d.at)?.at ?? d.at, mm } : null;
 }

@@ -1,4 +1,6 @@
-import type { Pt } from "../../kernel/point.ts";
+import type { Dimension } from "../../cycles/define.ts";
+import { pointOn } from "../../kernel/flatten.ts";
+import type { Pt, Segment } from "../../kernel/point.ts";
 import { axial, radius, toRadius, type Diameter } from "../../kernel/units.ts";
 import { toScreen, type Place } from "../camera.ts";
 import { grownLine } from "./band.ts";
@@ -10,7 +12,7 @@ import { spot } from "./layout.ts";
 import { arrowHead, circle, polygon, polyline, segmentPath, type Mark } from "./marks.ts";
 import { falling } from "./passes.ts";
 import { filled, stroke, type Tag } from "./stroke.ts";
-import { qOf } from "./topics.ts";
+import { partnerOf, qOf } from "./topics.ts";
 
 /** Marks that are always drawn, and a dimension that needs a place for its text. */
 export interface Explanation {
@@ -170,7 +172,12 @@ export function plainDimensions(c: Context): Item[] {
 export function outlined(c: Context, l: Lettering, partner: string | null): Explanation {
   const own = c.outline.dimensions.filter((d) => d.q === l.q || d.q === partner);
   const d = own.find((o) => o.q === l.q) ?? own[0];
-  if (d) return { under: elementMarks(c, l, d), item: dimensionItem(c.layout, { ...d, q: l.q }, l) };
+  const type = partnerOf(c.params, l.q);
+  const without = type !== null && numberOf(c.values, c.params[l.q]?.kind === "choice" ? l.q : type) === 0;
+  if (d && (l.active || !without)) {
+    const snapped = d.form === "leader" && !without ? { ...d, at: elementAt(c, d.at)?.at ?? d.at } : d;
+    return { under: without ? [] : elementMarks(c, l, d), item: dimensionItem(c.layout, { ...snapped, q: l.q }, l) };
+  }
   if (!l.active) return { under: [], item: null };
   const text = c.params[l.q]?.text ?? "";
   const end = text.startsWith("end") || text.startsWith("second") ? c.section.line.at(-1) : c.section.line[0];
@@ -179,19 +186,20 @@ export function outlined(c: Context, l: Lettering, partner: string | null): Expl
 }
 
 /** The element a leader points at, strong while it is asked for. */
-function elementMarks(c: Context, l: Lettering, d: Context["outline"]["dimensions"][number]): Mark[] {
+function elementMarks(c: Context, l: Lettering, d: Dimension): Mark[] {
   if (!l.active || d.form !== "leader") return [];
-  const element = elementAt(c, d.at);
-  return element ? [stroke(l, "element", segmentPath([element], c.layout.camera))] : [];
+  const found = elementAt(c, d.at);
+  return found ? [stroke(l, "element", segmentPath([found.element], c.layout.camera))] : [];
 }
 
-/** The contour element nearest to a point: by its middle. */
-export function elementAt(c: Context, at: Pt): Context["outline"]["contour"][number] | null {
-  let best: Context["outline"]["contour"][number] | null = null;
+/** The contour element whose middle lies nearest to a point, and that middle. */
+export function elementAt(c: Context, at: Pt): { readonly element: Segment; readonly at: Pt } | null {
+  let best: { element: Segment; at: Pt } | null = null;
   let least = Infinity;
-  for (const s of c.outline.contour) {
-    const gap = Math.hypot((s.from.z + s.to.z) / 2 - at.z, (s.from.r + s.to.r) / 2 - at.r);
-    if (gap < least) [best, least] = [s, gap];
+  for (const element of c.outline.contour) {
+    const middle = pointOn(element, 0.5);
+    const gap = Math.hypot(middle.z - at.z, middle.r - at.r);
+    if (gap < least) [best, least] = [{ element, at: middle }, gap];
   }
   return best;
 }

@@ -52,6 +52,13 @@ export function areaOf(f: Frame, line: readonly Pt[]): { readonly area: Pt[]; re
   return { area: [...line, ...blank.slice(1, -1)], blank, corner };
 }
 
+/** Which way the part goes on behind the ends of a contour: the deeper end falls away from the open side, others go on along the cut. */
+export function endWays(f: Frame, line: readonly Pt[]): { readonly first: "back" | "in"; readonly last: "feed" | "in" } {
+  const start = line[0], end = line.at(-1);
+  const rise = start && end ? outward(f, end) - outward(f, start) : 0;
+  return { first: !f.recess && rise > 1e-6 ? "in" : "back", last: !f.recess && rise < -1e-6 ? "in" : "feed" };
+}
+
 /** How far the part reaches from a point in a direction of the frame, to the edge of the drawing. */
 function toEdge(f: Frame, p: Pt, way: "feed" | "back" | "in", reach: Reach): Pt {
   const u = along(f, p), v = outward(f, p);
@@ -66,10 +73,11 @@ export function sectionOf(f: Frame, line: readonly Pt[], reach: Reach): Section 
   const { area, blank, corner } = areaOf(f, line);
   const start = line[0], end = line.at(-1);
   if (!start || !end) return { line, part: [], edges: [], breaks: [], area, blank, corner };
-  const first = toEdge(f, start, f.recess ? "back" : "in", reach);
-  const last = toEdge(f, end, "feed", reach);
+  const ways = endWays(f, line);
+  const first = toEdge(f, start, ways.first, reach);
+  const last = toEdge(f, end, ways.last, reach);
   const deepest = (p: Pt) => toEdge(f, p, "in", reach);
-  const far = [deepest(last), ...(f.recess ? [deepest(first)] : [])];
+  const far = [...(ways.last === "in" ? [] : [deepest(last)]), ...(ways.first === "in" ? [] : [deepest(first)])];
   const part = [first, ...line, last, ...far];
   const loop = [...part.slice(line.length + 1), first];
   const onAxis = (a: Pt, b: Pt) => Math.abs(a.r) < 1e-6 && Math.abs(b.r) < 1e-6;

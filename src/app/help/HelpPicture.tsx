@@ -1,0 +1,79 @@
+import { useId, useMemo, useRef, useState } from "react";
+import type { Cycle, Given, Outline } from "../../cycles/define.ts";
+import { texts } from "../../i18n/index.ts";
+import type { Language } from "../../i18n/languages.ts";
+import { formatNumber } from "../../i18n/number.ts";
+import type { Numbers } from "../../view/help/lettering.ts";
+import { helpDrawing } from "../../view/help/picture.ts";
+import { Hatches, HelpMarks } from "./HelpMarks.tsx";
+import { pictureInWords } from "./spoken.ts";
+import { useSize } from "./use-size.ts";
+import "./help.css";
+
+interface Props {
+  readonly cycle: Cycle;
+  /** All values of the cycle; null while one is missing or no number. */
+  readonly values: Numbers | null;
+  /** Values that can be read so far: what the active prompt says. */
+  readonly partial?: Numbers;
+  readonly given: Given;
+  readonly activeQ: string | null;
+  readonly language: Language;
+}
+
+interface Drawn {
+  readonly cycle: Cycle;
+  readonly values: Numbers;
+  readonly outline: Outline;
+}
+
+const exampleOf = (cycle: Cycle): Numbers => Object.fromEntries(Object.entries(cycle.params).map(([q, p]) => [q, p.example]));
+const outlineOf = (cycle: Cycle, values: Numbers, given: Given) => cycle.outline(values as Parameters<Cycle["outline"]>[0], given);
+/** A contour that can be drawn: it has elements, and nothing in it is impossible. */
+const possible = (outline: Outline) => outline.contour.length > 0 && !outline.issues.some((found) => found.severity === "error");
+
+/** What these values draw; null while they draw nothing. */
+function drawnBy(cycle: Cycle, values: Numbers | null, given: Given): Drawn | null {
+  if (!values) return null;
+  const outline = outlineOf(cycle, values, given);
+  return possible(outline) ? { cycle, values, outline } : null;
+}
+
+/**
+ * A shop drawing of the contour that the values describe, the active prompt's dimension strong. Values that are missing
+ * or impossible leave the last possible drawing, dimmed; before there was one, the printed example.
+ */
+export function HelpPicture({ cycle, values, partial, given, activeQ, language }: Props) {
+  const box = useRef<HTMLDivElement>(null);
+  const id = useId();
+  const size = useSize(box, { width: 400, height: 280 });
+  const now = useMemo(() => drawnBy(cycle, values, given), [cycle, values, given]);
+  const [last, setLast] = useState<Drawn | null>(now);
+  if (now && now !== last) setLast(now);
+  const kept = now ?? (last?.cycle === cycle ? last : null);
+  const shown = useMemo(() => kept ?? { cycle, values: exampleOf(cycle), outline: outlineOf(cycle, exampleOf(cycle), given) }, [kept, cycle, given]);
+  const t = texts(language);
+  const drawing = useMemo(() => helpDrawing({
+    group: cycle.group, params: cycle.params, values: shown.values, outline: shown.outline, active: activeQ, size,
+    speech: {
+      number: (n, decimals) => formatNumber(language, n, decimals),
+      element: [t.help.element.none, t.help.element.chamfer, t.help.element.radius],
+      reserved: t.help.reserved, notToScale: t.help.notToScale,
+    },
+  }), [cycle, shown, activeQ, size, language, t]);
+  const said = partial ?? values ?? {};
+  const note = now ? null : kept ? t.help.stale : t.help.example;
+  return (
+    <div className="help-picture" ref={box}>
+      <svg
+        role="img" viewBox={`0 0 ${size.width} ${size.height}`}
+        aria-label={[pictureInWords(t, language, cycle, activeQ, said), note].filter((s) => s !== null).join(" ")}
+        {...(now ? {} : { className: "dimmed" })}
+      >
+        <Hatches id={id} />
+        <HelpMarks marks={drawing.marks} id={id} />
+      </svg>
+      {note && <p className="help-note" aria-hidden="true">{note}</p>}
+    </div>
+  );
+}
