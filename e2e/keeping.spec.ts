@@ -1,0 +1,63 @@
+import { expect, test } from "@playwright/test";
+import { Turnwise } from "./pages/turnwise.ts";
+
+test("a reload in the middle of typing loses nothing", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { dialog } = turnwise;
+  await turnwise.start.beginWithExample(852);
+  await dialog.open("Q494");
+  await dialog.type("-41.25");
+  await expect(dialog.line("Q494")).toContainText("-41.25");
+  await page.reload();
+  await expect(dialog.line("Q494")).toContainText("-41.25");
+});
+
+test("a second tab does not overwrite the first", async ({ page, context }) => {
+  const first = await Turnwise.open(page);
+  await first.start.beginWithExample(812);
+  await first.dialog.set("Q493", "51");
+  const second = Turnwise.at(await context.newPage());
+  await second.page.goto("./");
+  await expect(second.dialog.line("Q493")).toContainText("51");
+  await second.dialog.set("Q493", "52");
+  await first.dialog.set("Q494", "-44");
+  await page.reload();
+  await expect(first.dialog.line("Q494")).toContainText("-44");
+  await expect(first.dialog.line("Q493")).toContainText("51");
+  await second.page.reload();
+  await expect(second.dialog.line("Q493")).toContainText("52");
+});
+
+test("a damaged save is set aside with a message, and the page opens", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  await turnwise.start.beginWithExample(812);
+  await expect(turnwise.dialog.line("Q493")).toBeVisible();
+  await page.waitForTimeout(300);
+  const damaged = await page.evaluate(async () => {
+    let count = 0;
+    for (const { name } of await indexedDB.databases()) {
+      const db = await new Promise<IDBDatabase>((resolve, reject) => {
+        const opening = indexedDB.open(name ?? "");
+        opening.onsuccess = () => resolve(opening.result);
+        opening.onerror = () => reject(opening.error);
+      });
+      for (const storeName of db.objectStoreNames) {
+        const store = db.transaction(storeName, "readwrite").objectStore(storeName);
+        const keys = await new Promise<IDBValidKey[]>((resolve) => {
+          const asking = store.getAllKeys();
+          asking.onsuccess = () => resolve(asking.result);
+        });
+        for (const key of keys) {
+          store.put({ broken: true }, key);
+          count += 1;
+        }
+      }
+      db.close();
+    }
+    return count;
+  });
+  expect(damaged).toBeGreaterThan(0);
+  await page.reload();
+  await expect(page.getByText(turnwise.t.page.notice.damaged(1))).toBeVisible();
+  await expect(turnwise.start.button(812, true)).toBeVisible();
+});

@@ -1,0 +1,67 @@
+import { expect, test } from "@playwright/test";
+import { tabTo } from "./pages/keyboard.ts";
+import { Turnwise } from "./pages/turnwise.ts";
+import { answers, type Answers } from "./pages/values.ts";
+
+/** Values of our own, so that nothing can pass by showing the example. The contour is the printed one, deeper. */
+const JOBS: readonly { cycle: number; own: Answers; expected: readonly string[]; contour?: boolean }[] = [
+  { cycle: 812, own: { Q493: "48.5", Q494: "-42", Q463: "2,4", Q506: "1" }, expected: ["Q493=+48.5 ", "Q494=-42 ", "Q463=+2.4 ", "Q506=+1 "] },
+  { cycle: 820, own: { Q463: "75/30", Q488: "0.12" }, expected: ["Q463=+2.5 ", "Q488=+0.12 ", "L X+75 Z-20", "RND R2"], contour: true },
+  { cycle: 852, own: { Q494: "-38.5", Q505: "FAUTO", Q507: "1" }, expected: ["Q494=-38.5 ", "Q505=FAUTO", "Q507=+1 "] },
+];
+/** One row per element: what is typed into its fields. */
+const CONTOUR: readonly { kind: string; x?: string; z?: string; r?: string }[] = [
+  { kind: "L", x: "75", z: "-20" }, { kind: "L", x: "50" }, { kind: "RND", r: "2" }, { kind: "L", x: "20", z: "-25" }, { kind: "RND", r: "2" }, { kind: "L", z: "0" },
+];
+
+for (const { cycle, own, expected, contour } of JOBS) {
+  test(`cycle ${cycle} from the empty page to the copied program by keyboard alone`, async ({ page }) => {
+    const turnwise = await Turnwise.open(page);
+    const { dialog, program, effect } = turnwise;
+    const { keyboard } = page;
+    await tabTo(page, turnwise.start.button(cycle, false));
+    await keyboard.press("Enter");
+
+    if (contour) {
+      await tabTo(page, page.getByRole("tab", { selected: true }), "Shift+Tab");
+      const tab = page.getByRole("tab", { name: new RegExp(`^${turnwise.t.page.contour}`) });
+      for (let i = 0; i < 5 && (await tab.getAttribute("aria-selected")) !== "true"; i += 1) await keyboard.press("ArrowRight");
+      const table = turnwise.contour;
+      for (const [i, row] of CONTOUR.entries()) {
+        await tabTo(page, table.add, i === 0 ? "Tab" : "Tab");
+        await keyboard.press("Enter");
+        const n = i + 1;
+        if (row.kind !== "L") {
+          await tabTo(page, table.kind(n), "Shift+Tab");
+          await table.kind(n).press(row.kind === "RND" ? "R" : "C");
+          await expect(table.kind(n)).toHaveValue(row.kind);
+        }
+        for (const [field, text] of [[table.x(n), row.x], [table.z(n), row.z], [table.radius(n), row.r]] as const) {
+          if (text === undefined) continue;
+          await tabTo(page, field, await field.evaluate((e) => Boolean(document.activeElement && document.activeElement.compareDocumentPosition(e) & Node.DOCUMENT_POSITION_PRECEDING)) ? "Shift+Tab" : "Tab");
+          await keyboard.type(text);
+        }
+      }
+      await tabTo(page, page.getByRole("tab", { selected: true }), "Shift+Tab");
+      const prompts = page.getByRole("tab", { name: turnwise.t.page.prompts });
+      for (let i = 0; i < 5 && (await prompts.getAttribute("aria-selected")) !== "true"; i += 1) await keyboard.press("ArrowLeft");
+      await tabTo(page, dialog.value.or(dialog.active.getByRole("radio").first()));
+    }
+
+    for (const [q, value] of Object.entries(answers(cycle, own))) {
+      await expect(dialog.question).toHaveText(dialog.promptOf(cycle, q));
+      await keyboard.type(value);
+      await keyboard.press("Enter");
+    }
+    await expect(dialog.question).toHaveText(turnwise.t.dialog.done.title);
+    await expect(effect.cell("passes")).not.toHaveText(turnwise.t.page.effect.unknown);
+    await expect(effect.cell("proof")).toHaveText(turnwise.t.page.effect.clean);
+    await expect(program.copyButton).toBeFocused();
+    await keyboard.press("Enter");
+    const text = await program.clipboard();
+    await expect(program.confirmation).toBeVisible();
+    expect(text).toMatch(/^0\s+BEGIN PGM /);
+    for (const line of expected) expect(text).toContain(line);
+    expect(await program.shown()).toEqual(text.trimEnd().split(/\r?\n/).map((line) => line.trimEnd()));
+  });
+}

@@ -1,0 +1,58 @@
+import { expect, test } from "@playwright/test";
+import { Turnwise } from "./pages/turnwise.ts";
+
+/** What is drawn as stock, as text, to compare two moments. */
+const stock = (turnwise: Turnwise) => turnwise.lathe.picture.locator("path.shape-stock").first().getAttribute("d");
+
+test("playing with a held clock: time moves when the test says so, and the step of the manual is shown", async ({ page }) => {
+  const turnwise = await Turnwise.open(page, { heldClock: true });
+  const { lathe, program, effect, t } = turnwise;
+  await turnwise.start.beginWithExample(812);
+  await expect(effect.cell("proof")).toHaveText(t.page.effect.clean);
+  await lathe.button("play").click();
+  const before = await lathe.timeline.inputValue();
+  await page.waitForTimeout(100);
+  expect(await lathe.timeline.inputValue()).toBe(before);
+  await lathe.advance(5000);
+  expect(Number(await lathe.timeline.inputValue())).toBeGreaterThan(Number(before));
+  await lathe.button("pause").click();
+  for (let i = 0; i < 40 && !/Step 2 of 6/.test((await lathe.running.textContent()) ?? ""); i += 1) await lathe.button("forward").click();
+  await expect(lathe.running).toContainText("Step 2 of 6");
+  await expect(program.runningBlock).toContainText("CYCL CALL");
+});
+
+test("playing, stepping and seeking show the same stock", async ({ page }) => {
+  const turnwise = await Turnwise.open(page, { heldClock: true });
+  const { lathe, effect, t } = turnwise;
+  await turnwise.start.beginWithExample(812);
+  await expect(effect.cell("proof")).toHaveText(t.page.effect.clean);
+  for (let i = 0; i < 12; i += 1) await lathe.button("forward").click();
+  await lathe.advance(50);
+  const stepped = await stock(turnwise);
+  const place = await lathe.timeline.inputValue();
+  await lathe.button("last").click();
+  await lathe.advance(50);
+  expect(await stock(turnwise)).not.toBe(stepped);
+  await lathe.timeline.fill(place);
+  await lathe.advance(50);
+  const sought = await stock(turnwise);
+  await lathe.button("first").click();
+  await lathe.advance(50);
+  for (let i = 0; i < 12; i += 1) await lathe.button("forward").click();
+  await lathe.advance(50);
+  expect(await stock(turnwise)).toBe(stepped);
+  expect(sought).not.toBeNull();
+});
+
+test("keys of the lathe view, and reduced motion", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { lathe, effect, t } = turnwise;
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await turnwise.start.beginWithExample(812);
+  await expect(effect.cell("proof")).toHaveText(t.page.effect.clean);
+  await lathe.view.getByRole("group", { name: t.lathe.title }).focus();
+  await page.keyboard.press("End");
+  await expect(lathe.picture).toHaveAccessibleName(new RegExp(t.lathe.atEnd));
+  await page.keyboard.press("Home");
+  await expect(lathe.picture).toHaveAccessibleName(new RegExp(t.lathe.atStart));
+});

@@ -1,0 +1,64 @@
+import { expect, test } from "@playwright/test";
+import { Turnwise } from "./pages/turnwise.ts";
+
+test("wrong input says what is wrong and what would work, and the picture stays", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { dialog, effect, lathe, t } = turnwise;
+  await turnwise.start.beginWithExample(812);
+  await expect(effect.cell("proof")).toHaveText(t.page.effect.clean);
+  const passes = await effect.cell("passes").textContent();
+
+  await dialog.open("Q463");
+  await dialog.type("3 mm");
+  await expect(dialog.value).toHaveValue("3 mm");
+  await expect(dialog.value).toHaveAttribute("aria-invalid", "true");
+  await expect(dialog.messages).not.toBeEmpty();
+  await expect(lathe.view).toContainText(t.lathe.outdated);
+  await expect(effect.cell("passes")).toHaveText(passes ?? "");
+
+  await dialog.type("2000");
+  await expect(dialog.messages).toContainText("999.999");
+  await dialog.messages.getByRole("button", { name: /999\.999/ }).click();
+  await expect(dialog.value).toHaveValue("999.999");
+  await expect(dialog.value).toHaveAttribute("aria-invalid", "false");
+
+  await dialog.type("");
+  await expect(dialog.messages).not.toBeEmpty();
+  await page.keyboard.press("Escape");
+  await expect(dialog.value).toHaveValue("3");
+  await expect(effect.cell("passes")).toHaveText(passes ?? "");
+  await expect(lathe.view).not.toContainText(t.lathe.outdated);
+});
+
+test("a start diameter equal to the end diameter is named at its prompt and in the list, and leads there", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { dialog, problems, effect } = turnwise;
+  await turnwise.start.beginWithExample(812);
+  await dialog.set("Q493", "75");
+  await effect.problems.click();
+  await expect(problems.items.first()).toContainText(/Q49[13]/);
+  await problems.items.first().getByRole("button").click();
+  await expect(dialog.messages).not.toBeEmpty();
+});
+
+test("keys of the control: sign anywhere, NO ENT, END, undo and redo", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { dialog, t } = turnwise;
+  await turnwise.start.beginWithExample(812);
+  await dialog.open("Q494");
+  await dialog.type("12-");
+  await expect(dialog.value).toHaveValue("-12");
+  await page.keyboard.press("-");
+  await expect(dialog.value).toHaveValue("12");
+  await page.keyboard.press("Escape");
+  await dialog.open("Q500");
+  await page.keyboard.press("Delete");
+  await expect(dialog.line("Q500")).toContainText(t.dialog.noEntry);
+  await expect(dialog.question).toHaveText(dialog.promptOf(812, "Q496"));
+  await page.keyboard.press("End");
+  await expect(dialog.question).toHaveText(t.dialog.done.title);
+  await turnwise.undo();
+  await expect(dialog.line("Q500")).toContainText("1.5");
+  await turnwise.redo();
+  await expect(dialog.line("Q500")).toContainText(t.dialog.noEntry);
+});
