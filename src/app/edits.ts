@@ -1,4 +1,5 @@
-import type { BlankDraft, ContourRow, Draft, Job, SpindleDraft } from "../program/job.ts";
+import type { BlankDraft, ContourRow, Job, SpindleDraft } from "../program/job.ts";
+import type { Draft } from "../program/read-draft.ts";
 import { edit } from "./store.ts";
 
 const noDraft: Draft = {};

@@ -1,0 +1,55 @@
+import { useRef } from "react";
+import { useStore } from "zustand";
+import type { CycleNumber } from "../cycles/index.ts";
+import { Icon } from "./Icon.tsx";
+import { usePlace } from "./place.ts";
+import { useReading } from "./reading.ts";
+import { SettingsDialog } from "./settings/SettingsDialog.tsx";
+import { useTexts } from "./settings/use-texts.ts";
+import { redoStep, undoStep } from "./history.ts";
+import { open, useEditor } from "./store.ts";
+
+/** The top line: what is open, undo and redo, a new program, settings. */
+export function Header() {
+  const t = useTexts();
+  const read = useReading();
+  const settings = useRef<HTMLDialogElement>(null);
+  const past = useStore(useEditor.temporal, (s) => s.pastStates.length);
+  const future = useStore(useEditor.temporal, (s) => s.futureStates.length);
+  const words = read && t.cycles.of[read.cycle.number as CycleNumber];
+
+  return (
+    <header className="top" aria-label={t.page.header}>
+      <a className="skip" href="#panel-prompts">{t.page.skipToPrompts}</a>
+      <p className="brand"><b>{t.page.product}</b></p>
+      {read && words && (
+        <h1 className="open-cycle">
+          <span className="number">{read.cycle.number}</span> {words.name}
+        </h1>
+      )}
+      <div className="top-buttons">
+        <button type="button" className="button icon plain" aria-label={t.page.undo} title={`${t.page.undo} (Ctrl+Z)`} disabled={past === 0} onClick={undoStep}>
+          <Icon name="undo" />
+        </button>
+        <button type="button" className="button icon plain" aria-label={t.page.redo} title={`${t.page.redo} (Ctrl+Y)`} disabled={future === 0} onClick={redoStep}>
+          <Icon name="redo" />
+        </button>
+        {read && (
+          <button
+            type="button" className="button plain new-program"
+            onClick={() => {
+              usePlace.setState({ section: "prompts", prompt: null });
+              open(null, null);
+            }}
+          >
+            {t.page.newProgram}
+          </button>
+        )}
+        <button type="button" className="button icon plain" aria-label={t.page.settings} title={t.page.settings} onClick={() => settings.current?.showModal()}>
+          <Icon name="settings" />
+        </button>
+      </div>
+      <SettingsDialog dialog={settings} />
+    </header>
+  );
+}

@@ -1,0 +1,21 @@
+import { Icon } from "./Icon.tsx";
+import { dismiss, useKeeping } from "./saving/keep.ts";
+import { useTexts } from "./settings/use-texts.ts";
+
+/** What happened to saved work, until it is dismissed. */
+export function Notices() {
+  const t = useTexts().page.notice;
+  const { notices, damaged } = useKeeping();
+  const line = (key: (typeof notices)[number] | "damaged", text: string) => (
+    <p key={key} className="notice">
+      <Icon name="info" /> <span>{text}</span>
+      <button type="button" className="button icon plain" aria-label={t.dismiss} onClick={() => dismiss(key)}><Icon name="close" /></button>
+    </p>
+  );
+  return (
+    <div className="notices" role="status">
+      {damaged > 0 && line("damaged", t.damaged(damaged))}
+      {notices.map((key) => line(key, t[key]))}
+    </div>
+  );
+}

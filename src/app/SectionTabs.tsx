@@ -1,0 +1,46 @@
+import { useRef, type KeyboardEvent, type ReactNode } from "react";
+import { showSection, type Section } from "./place.ts";
+
+interface Tab {
+  readonly section: Section;
+  readonly name: string;
+  /** A count beside the name, with its colour. */
+  readonly badge?: { readonly count: number; readonly severity: "error" | "warning" | "info" };
+}
+
+/** Panels that take turns. Arrow keys move along the tabs, as everywhere. */
+export function SectionTabs({ name, tabs, open, children }: {
+  readonly name: string;
+  readonly tabs: readonly Tab[];
+  readonly open: Section;
+  readonly children: ReactNode;
+}) {
+  const list = useRef<HTMLDivElement>(null);
+  const at = tabs.findIndex((tab) => tab.section === open);
+  const onKeyDown = (event: KeyboardEvent) => {
+    const by = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
+    const next = tabs[(at + by + tabs.length) % tabs.length];
+    if (by === 0 || !next) return;
+    event.preventDefault();
+    showSection(next.section);
+    list.current?.querySelector<HTMLElement>(`#tab-${next.section}`)?.focus();
+  };
+  return (
+    <>
+      <div className="tabs" role="tablist" aria-label={name} ref={list} onKeyDown={onKeyDown}>
+        {tabs.map(({ section, name: label, badge }) => (
+          <button
+            key={section} type="button" role="tab" id={`tab-${section}`} className="tab" aria-selected={section === open}
+            aria-controls={`panel-${section}`} tabIndex={section === open ? 0 : -1} onClick={() => showSection(section)}
+          >
+            {label}
+            {badge && badge.count > 0 && <span className={`badge number ${badge.severity}`}>{badge.count}</span>}
+          </button>
+        ))}
+      </div>
+      <div className={`panel panel-${open}`} role="tabpanel" id={`panel-${open}`} aria-labelledby={`tab-${open}`}>
+        {children}
+      </div>
+    </>
+  );
+}

@@ -1,0 +1,68 @@
+import { clock } from "./clock.ts";
+import { CycleDialog } from "./dialog/CycleDialog.tsx";
+import { EffectStrip } from "./effect/EffectStrip.tsx";
+import { useOutcome } from "./engine/outcome.ts";
+import { Icon } from "./Icon.tsx";
+import { LatheView } from "./lathe/LatheView.tsx";
+import { usePlace, type Section } from "./place.ts";
+import { playback } from "./playback.ts";
+import { ProblemList } from "./problems/ProblemList.tsx";
+import { useProblems } from "./problems/problems.ts";
+import { ProgramPanel } from "./program/ProgramPanel.tsx";
+import type { JobReading } from "./reading.ts";
+import { SectionTabs } from "./SectionTabs.tsx";
+import { changeSettings, useSettings } from "./settings/settings.ts";
+import { useTexts } from "./settings/use-texts.ts";
+import { SetupPanel } from "./setup/SetupPanel.tsx";
+import { useMedia } from "./use-fingers.ts";
+
+/** Three columns have room for the program beside the view. The same width stands in `layout.css`. */
+const WIDE = "(min-width: 1280px)";
+
+/** Prompts, lathe and program of the open job. */
+export function Workplace({ read }: { readonly read: JobReading }) {
+  const t = useTexts().page;
+  const wide = useMedia(WIDE);
+  const folded = useSettings((s) => s.programFolded);
+  const asked = usePlace((p) => p.section);
+  const shown = useOutcome((s) => s.shown);
+  const dimmed = useOutcome((s) => s.dimmed);
+  const problems = useProblems();
+  const free = read.cycle.contour === "free";
+  const possible: readonly Section[] = ["prompts", "setup", ...(free ? ["contour" as const] : []), "problems", ...(wide ? [] : ["program" as const])];
+  const open = possible.includes(asked) ? asked : "prompts";
+
+  return (
+    <main className={`workplace${wide && folded ? " program-folded" : ""}`}>
+      <div className="left">
+        <SectionTabs
+          name={t.sections} open={open}
+          tabs={possible.map((section) => ({
+            section, name: t[section],
+            ...(section === "problems" && problems[0] ? { badge: { count: problems.length, severity: problems[0].issue.severity } } : {}),
+          }))}
+        >
+          {open === "prompts" && <CycleDialog read={read} />}
+          {open === "setup" && <SetupPanel read={read} />}
+          {open === "problems" && <ProblemList />}
+          {open === "program" && <ProgramPanel read={read} foldable={false} />}
+        </SectionTabs>
+        <EffectStrip read={read} />
+      </div>
+      <div className="centre">
+        <LatheView result={shown} dimmed={dimmed} playback={playback} clock={clock} />
+      </div>
+      {wide && (
+        <div className="right">
+          {folded
+            ? (
+              <button type="button" className="button plain unfold" aria-label={t.text.unfold} title={t.text.unfold} onClick={() => changeSettings({ programFolded: false })}>
+                <Icon name="unfold" /> <span>{t.program}</span>
+              </button>
+            )
+            : <ProgramPanel read={read} foldable />}
+        </div>
+      )}
+    </main>
+  );
+}

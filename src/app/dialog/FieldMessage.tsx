@@ -1,0 +1,37 @@
+import { Icon } from "../Icon.tsx";
+import type { Problem } from "../problems/problems.ts";
+import { useIssueText } from "../issue-text.ts";
+import { useSettings } from "../settings/settings.ts";
+import { useTexts } from "../settings/use-texts.ts";
+import { writeTyped } from "./write-value.ts";
+
+interface Props {
+  readonly problem: Problem;
+  /** Decimals that the control keeps of the value. */
+  readonly decimals: number;
+  /** Takes the nearest value that works. */
+  readonly onTake: (nearest: number) => void;
+}
+
+/** What is wrong with a field, and a button that takes the nearest value that works. */
+export function FieldMessage({ problem, decimals, onTake }: Props) {
+  const t = useTexts();
+  const say = useIssueText();
+  const language = useSettings((s) => s.language);
+  const { issue } = problem;
+  const nearest = "nearest" in issue.data && typeof issue.data.nearest === "number" ? issue.data.nearest : null;
+  return (
+    <div className={`field-message ${issue.severity}`}>
+      <Icon name={issue.severity} />
+      <p>
+        <span className="unseen">{t.page.problem.severities[issue.severity]}: </span>
+        {say(issue)}
+      </p>
+      {nearest !== null && (
+        <button type="button" className="button" onClick={() => onTake(nearest)}>
+          {t.dialog.takeNearest(writeTyped(language, nearest, decimals))}
+        </button>
+      )}
+    </div>
+  );
+}

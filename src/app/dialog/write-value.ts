@@ -1,0 +1,24 @@
+import type { Param } from "../../cycles/params.ts";
+import type { Language } from "../../i18n/languages.ts";
+import { decimalSign, formatFixed, formatNumber, formatPosition } from "../../i18n/number.ts";
+import type { FieldReading } from "../../program/read-draft.ts";
+
+/** Decimals shown of each value in the list of prompts. */
+const SHOWN = 3;
+
+/** A read value as the list of prompts shows it: positions with their sign, three decimals. */
+export function writeValue(language: Language, param: Param, field: FieldReading): string | null {
+  if (field.value === null) return null;
+  if (field.value === "auto") return "FAUTO";
+  if (field.parameter !== null) return field.parameter;
+  if (param.kind === "choice") return String(field.value);
+  const signed = param.range[0] < 0;
+  return signed ? formatPosition(language, field.value, SHOWN) : formatFixed(language, field.value, SHOWN);
+}
+
+/** A value as one types it. */
+export const writeTyped = (language: Language, value: number, decimals: number): string => formatNumber(language, value, decimals);
+
+/** Typed text with the decimal sign of the screen; sums and Q parameters stay as they are. */
+export const inScreenWriting = (language: Language, text: string): string =>
+  /^\s*[+-]?\d*\.?\d*\s*$/.test(text) ? text.replace(".", decimalSign(language)) : text;

@@ -1,0 +1,50 @@
+import { readExpression } from "../../program/expression.ts";
+import type { Outcome } from "../engine/outcome.ts";
+import type { JobReading } from "../reading.ts";
+
+/** What a program does, in numbers. */
+export interface Effect {
+  /** Roughing passes of all operations. */
+  readonly passes: number;
+  /** Infeed as divided, mm: of the first operation. */
+  readonly infeed: number;
+  readonly seconds: number;
+  /** mm² of the half plane. */
+  readonly residual: number;
+  readonly gouge: number;
+  readonly rapid: number;
+  readonly holder: boolean;
+}
+
+/** Smaller areas are rounding of the polygon engine, mm². */
+const NOTHING = 0.005;
+const area = (value: number) => (value < NOTHING ? 0 : value);
+
+const effects = new WeakMap<Outcome, Effect>();
+
+export function effectOf(outcome: Outcome): Effect {
+  const known = effects.get(outcome);
+  if (known) return known;
+  const { run, simulation } = outcome;
+  const effect: Effect = {
+    passes: run.operations.reduce((sum, o) => sum + o.plan.passes, 0),
+    infeed: run.operations[0]?.plan.infeed ?? 0,
+    seconds: run.seconds,
+    residual: area(simulation.proof.residual.reduce((sum, r) => sum + r.area, 0)),
+    gouge: area(simulation.proof.gouge),
+    rapid: area(simulation.proof.rapidInStock),
+    holder: simulation.findings.some((f) => f.kind === "holderContact"),
+  };
+  effects.set(outcome, effect);
+  return effect;
+}
+
+/** Infeed times roughing feed per revolution, mm²; null where the feed per revolution is not known. */
+export function chipArea({ job, cycle, reading }: JobReading, infeed: number): number | null {
+  const roughing = Object.entries(cycle.params).find(([, p]) => p.text === "roughingFeed")?.[0];
+  const feed = roughing === undefined ? undefined : reading.perField[roughing]?.value;
+  if (typeof feed !== "number") return null;
+  if (job.perRevolution) return infeed * feed;
+  const speed = job.spindle.mode === "constant" ? readExpression(job.spindle.speed) : null;
+  return speed?.kind === "number" && speed.value > 0 ? (infeed * feed) / speed.value : null;
+}

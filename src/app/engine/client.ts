@@ -1,0 +1,120 @@
+import { releaseProxy, wrap, type Remote } from "comlink";
+import type { Job } from "../../program/job.ts";
+import { readExpression } from "../../program/expression.ts";
+import type { ToolFit } from "../../program/which-tool.ts";
+import { printedText } from "../printed.ts";
+import { readJob } from "../reading.ts";
+import { notice } from "../saving/keep.ts";
+import { useEditor } from "../store.ts";
+import type { Engine, Request } from "./engine.ts";
+import { forgetOutcome, pause, takeOutcome, type Outcome } from "./outcome.ts";
+
+/** A calculation that takes longer has lost its way: the worker is replaced, ms. */
+const PATIENCE = 20_000;
+
+let worker: Worker | null = null;
+let engine: Remote<Engine> | null = null;
+
+function started(): Remote<Engine> {
+  if (engine) return engine;
+  worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module", name: "turnwise" });
+  engine = wrap<Engine>(worker);
+  return engine;
+}
+
+function stop(): void {
+  engine?.[releaseProxy]();
+  worker?.terminate();
+  engine = null;
+  worker = null;
+}
+
+/** The answer, or a failure when it does not come in time. */
+function inTime<T>(answer: Promise<T>): Promise<T> {
+  return new Promise((resolve, reject) => {
+    const timer = setTimeout(() => reject(new Error("no answer from the calculation")), PATIENCE);
+    const broken = () => reject(new Error("the calculation could not start"));
+    worker?.addEventListener("error", broken, { once: true });
+    answer.then(resolve, reject).finally(() => {
+      clearTimeout(timer);
+      worker?.removeEventListener("error", broken);
+    });
+  });
+}
+
+let version = 0;
+let waiting: Request | null = null;
+let busy = false;
+
+/** Calculates what waits; while one calculation runs only the newest request waits. */
+async function work(): Promise<void> {
+  if (busy) return;
+  busy = true;
+  while (waiting) {
+    const request = waiting;
+    waiting = null;
+    try {
+      takeOutcome(await inTime(started().update(request)));
+    } catch {
+      stop();
+      notice("engineFailed");
+    }
+  }
+  busy = false;
+}
+
+/** Rapid rate that times are estimated with when none can be read, mm/min. */
+const USUAL_RAPID = 10_000;
+
+function rapidOf(job: Job): number {
+  const read = readExpression(job.rapid);
+  return read.kind === "number" && read.value > 0 ? read.value : USUAL_RAPID;
+}
+
+let last: { readonly text: string; readonly rapid: number; readonly cycle: number; readonly work: string | null } | null = null;
+
+function follow(job: Job | null, name: string | null): void {
+  const read = job && readJob(job);
+  if (!job || !read) {
+    last = null;
+    waiting = null;
+    forgetOutcome();
+    return;
+  }
+  if (last && (last.cycle !== job.cycle || last.work !== name)) {
+    last = null;
+    forgetOutcome();
+  }
+  if (!read.reading.values) {
+    waiting = null;
+    pause(true);
+    return;
+  }
+  pause(false);
+  const text = printedText(job);
+  const rapid = rapidOf(job);
+  if (last?.text === text && last.rapid === rapid) return;
+  last = { text, rapid, cycle: job.cycle, work: name };
+  version += 1;
+  waiting = { version, text, rapid };
+  void work();
+}
+
+/** From now on each change of the job is calculated. */
+export function startEngine(): () => void {
+  const now = () => follow(useEditor.getState().job, useEditor.getState().work);
+  now();
+  return useEditor.subscribe(now);
+}
+
+/** What each shipped tool can do with the values of a job, best first; null when that cannot be said. */
+export async function fitsOf(job: Job, outcome: Outcome): Promise<readonly ToolFit[] | null> {
+  const { operations } = outcome.run;
+  const call = operations[0];
+  if (!call) return null;
+  try {
+    return await inTime(started().fits(job, { given: outcome.given, start: call.start, feedUnit: call.feedUnit }));
+  } catch {
+    return null;
+  }
+}

@@ -1,0 +1,48 @@
+import { create } from "zustand";
+import type { Given } from "../../cycles/define.ts";
+import type { Run } from "../../program/run-types.ts";
+import type { Simulation } from "../../sim/simulation.ts";
+
+/** What the worker makes of a program text. Plain data. */
+export interface Outcome {
+  /** Counts up with each text that was sent. */
+  readonly version: number;
+  readonly text: string;
+  readonly run: Run;
+  readonly simulation: Simulation;
+  /** The contour subprogram in programmed order, for a free-contour cycle. */
+  readonly given: Given;
+}
+
+export interface OutcomeState {
+  /** The newest result, possible or not: its issues are the ones to show. */
+  readonly newest: Outcome | null;
+  /** The newest result with a path: the picture to show. */
+  readonly shown: Outcome | null;
+  /** The picture is older than the values, because they make no path. */
+  readonly dimmed: boolean;
+  /** Prompts are incomplete; nothing is calculated until they can be read again. */
+  readonly paused: boolean;
+}
+
+const none: OutcomeState = { newest: null, shown: null, dimmed: false, paused: false };
+export const useOutcome = create<OutcomeState>(() => none);
+
+const makesPath = (outcome: Outcome | null) => outcome?.run.operations.some((o) => o.plan.moves.length > 0) ?? false;
+
+const settled = (s: OutcomeState): OutcomeState => ({ ...s, dimmed: s.shown !== null && (s.paused || !makesPath(s.newest)) });
+
+/** Takes a result in, unless a newer one is already there. */
+export function takeOutcome(outcome: Outcome): void {
+  useOutcome.setState((s) => {
+    if (s.newest && s.newest.version >= outcome.version) return s;
+    return settled({ ...s, newest: outcome, shown: makesPath(outcome) ? outcome : s.shown });
+  });
+}
+
+/** Values are incomplete: the last picture stays, dimmed; or they are complete again. */
+export const pause = (paused: boolean): void =>
+  useOutcome.setState((s) => (s.paused === paused ? s : settled({ ...s, paused })));
+
+/** Another cycle or program: its first picture must not be that of the one before. */
+export const forgetOutcome = (): void => useOutcome.setState(none);

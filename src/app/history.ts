@@ -1,0 +1,32 @@
+import { promptsOf } from "./dialog/prompts.ts";
+import { draftOf } from "./edits.ts";
+import { openPrompt, usePlace } from "./place.ts";
+import { readJob } from "./reading.ts";
+import { redo, undo, useEditor } from "./store.ts";
+
+/** Opens the prompt whose value has just been undone or redone, so that the change is seen. */
+function showChange(run: () => void): void {
+  const before = useEditor.getState().job;
+  run();
+  const after = useEditor.getState().job;
+  if (!before || !after || before === after) return;
+  if (before.cycle !== after.cycle) return;
+  const now = draftOf(after);
+  const then = draftOf(before);
+  const read = readJob(after);
+  const changed = read && promptsOf(read.cycle).find((q) => (now[q] ?? "") !== (then[q] ?? ""));
+  if (changed && (usePlace.getState().section === "prompts")) openPrompt(changed, now[changed] ?? "");
+}
+
+export const undoStep = (): void => showChange(undo);
+export const redoStep = (): void => showChange(redo);
+
+/** Ctrl+Z, Ctrl+Y, Ctrl+Shift+Z anywhere on the page; fields leave their own undo to this one. */
+export function onHistoryKey(event: KeyboardEvent): void {
+  if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
+  const key = event.key.toLowerCase();
+  if (key !== "z" && key !== "y") return;
+  event.preventDefault();
+  if (key === "y" || event.shiftKey) redoStep();
+  else undoStep();
+}

@@ -1,0 +1,32 @@
+import { StrictMode } from "react";
+import { createRoot } from "react-dom/client";
+import { z } from "zod";
+import { App } from "./App.tsx";
+import { CrashGuard } from "./CrashGuard.tsx";
+import { startEngine } from "./engine/client.ts";
+import { onHistoryKey } from "./history.ts";
+import { resume, startKeeping } from "./saving/keep.ts";
+import { followAppearance } from "./settings/appearance.ts";
+import "./styles/base.css";
+import "./styles/layout.css";
+import "./styles/dialog.css";
+import "./styles/panels.css";
+import "./styles/start.css";
+
+z.config({ jitless: true });
+followAppearance();
+document.addEventListener("keydown", onHistoryKey);
+void resume().then(() => {
+  startKeeping();
+  startEngine();
+});
+
+const root = document.getElementById("root");
+if (root)
+  createRoot(root).render(
+    <StrictMode>
+      <CrashGuard>
+        <App />
+      </CrashGuard>
+    </StrictMode>,
+  );

@@ -1,0 +1,29 @@
+import { create } from "zustand";
+
+/** The parts of the page that take turns where there is little room. */
+export type Section = "prompts" | "setup" | "contour" | "problems" | "program";
+
+/** Where the operator is: not part of the work, so undo does not touch it. */
+export interface Place {
+  readonly section: Section;
+  /** Q number of the open prompt; null when the dialog is at its end. */
+  readonly prompt: string | null;
+  /** Text of the open prompt as it was when it opened, for Escape. */
+  readonly before: string;
+  /** Counts up each time the open field should take the keyboard. */
+  readonly focus: number;
+  /** Field of the set-up or contour that should take the keyboard, with its own count. */
+  readonly field: string | null;
+}
+
+export const usePlace = create<Place>(() => ({ section: "prompts", prompt: null, before: "", focus: 0, field: null }));
+
+/** Opens a prompt with the text that stands in it now. */
+export const openPrompt = (prompt: string | null, before: string): void =>
+  usePlace.setState((p) => ({ section: "prompts", prompt, before, focus: p.focus + 1, field: null }));
+
+export const showSection = (section: Section): void => usePlace.setState({ section, field: null });
+
+/** Shows a section and puts the keyboard into one of its fields. */
+export const goToField = (section: Section, field: string): void =>
+  usePlace.setState((p) => ({ section, field, focus: p.focus + 1 }));

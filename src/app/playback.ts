@@ -1,0 +1,5 @@
+import { clock } from "./clock.ts";
+import { createPlaybackStore } from "./lathe/playback-store.ts";
+
+/** The playback of the page: lathe view, timeline and program text follow the same one. */
+export const playback = createPlaybackStore(clock);

@@ -1,0 +1,43 @@
+import type { Severity } from "../../kernel/issue.ts";
+import type { Finding } from "../../program/run-types.ts";
+import { useOutcome, type Outcome } from "../engine/outcome.ts";
+import { useReading, type JobReading } from "../reading.ts";
+
+/** One thing to tell the operator, with the place it belongs to. */
+export interface Problem {
+  readonly issue: Finding["issue"];
+  /** The field it belongs to: a Q number, "start.x", "tool", "contour" …; null when it belongs to none. */
+  readonly at: string | null;
+  readonly block: number | null;
+}
+
+const placeOf = (issue: Finding["issue"]): string | null => ("at" in issue ? (issue.at ?? null) : null);
+
+const weight: Readonly<Record<Severity, number>> = { error: 0, warning: 1, info: 2 };
+
+/**
+ * Everything found, worst first: what the prompts say at once, and what the last calculated program says. None twice.
+ */
+export function problemsOf(read: JobReading | null, newest: Outcome | null): readonly Problem[] {
+  const typed = read?.reading.issues.map((issue): Problem => ({ issue, at: placeOf(issue), block: null })) ?? [];
+  const found = typed.length > 0 ? [] : (newest?.run.issues ?? []).map(({ issue, block }): Problem => ({ issue, at: placeOf(issue), block }));
+  const all = new Map<string, Problem>();
+  for (const problem of [...typed, ...found]) {
+    const { code, data } = problem.issue;
+    const key = JSON.stringify([code, problem.at, data]);
+    if (!all.has(key)) all.set(key, problem);
+  }
+  return [...all.values()].sort((a, b) => weight[a.issue.severity] - weight[b.issue.severity]);
+}
+
+let last: { readonly read: JobReading | null; readonly newest: Outcome | null; readonly problems: readonly Problem[] } = {
+  read: null, newest: null, problems: [],
+};
+
+/** The problems of the open job; the same list as long as neither values nor results change. */
+export function useProblems(): readonly Problem[] {
+  const read = useReading();
+  const newest = useOutcome((s) => s.newest);
+  if (last.read !== read || last.newest !== newest) last = { read, newest, problems: problemsOf(read, newest) };
+  return last.problems;
+}

@@ -1,0 +1,69 @@
+import { LANGUAGE_NAMES, LANGUAGES, isLanguage } from "../../i18n/languages.ts";
+import { setLayout, setName, setNcLanguage } from "../edits.ts";
+import { Icon } from "../Icon.tsx";
+import { blockCount, printedText, programName } from "../printed.ts";
+import type { JobReading } from "../reading.ts";
+import { changeSettings } from "../settings/settings.ts";
+import { useTexts } from "../settings/use-texts.ts";
+import { closeStep } from "../store.ts";
+import { CopyButton } from "./CopyButton.tsx";
+import { downloadText, useCopying } from "./copy.ts";
+import { ProgramText } from "./ProgramText.tsx";
+import { useRunningBlock } from "./running-block.ts";
+
+/** The program as the control writes it: to read, to copy, to take along. */
+export function ProgramPanel({ read, foldable }: { readonly read: JobReading; readonly foldable: boolean }) {
+  const t = useTexts().page.text;
+  const { job } = read;
+  const text = printedText(job);
+  const file = `${programName(text)}.h`;
+  const running = useRunningBlock();
+  const copied = useCopying((c) => c.state === "copied");
+
+  return (
+    <section className="program" aria-label={t.title}>
+      <header>
+        <h2 className="panel-title">{t.title}</h2>
+        {foldable && (
+          <button type="button" className="button icon plain" aria-label={t.fold} title={t.fold} onClick={() => changeSettings({ programFolded: true })}>
+            <Icon name="fold" />
+          </button>
+        )}
+      </header>
+      <div className="program-options">
+        <label className="program-name">
+          <span>{t.name}</span>
+          <input
+            className="input" type="text" value={job.name} maxLength={32} spellCheck={false} autoComplete="off"
+            onChange={(e) => setName(e.currentTarget.value)} onBlur={closeStep}
+          />
+        </label>
+        <label>
+          <span>{t.layout}</span>
+          <select className="select" value={job.layout} onChange={(e) => setLayout(e.target.value === "tnc7" ? "tnc7" : "tnc640")}>
+            <option value="tnc640">{t.layouts.tnc640}</option>
+            <option value="tnc7">{t.layouts.tnc7}</option>
+          </select>
+        </label>
+        <label>
+          <span>{t.language}</span>
+          <select
+            className="select" aria-label={t.languageLong} value={job.ncLanguage}
+            onChange={(e) => isLanguage(e.target.value) && setNcLanguage(e.target.value)}
+          >
+            {LANGUAGES.map((language) => <option key={language} value={language} lang={language}>{LANGUAGE_NAMES[language]}</option>)}
+          </select>
+        </label>
+      </div>
+      {!read.reading.values && <p className="field-message warning"><Icon name="warning" /> {t.incomplete}</p>}
+      <ProgramText text={text} running={running} />
+      <div className="program-buttons">
+        <CopyButton className="primary" />
+        <button type="button" className="button" aria-label={t.download(file)} onClick={() => downloadText(text, file)}>
+          <Icon name="download" /> <span className="file-name">{file}</span>
+        </button>
+      </div>
+      <p role="status" className="small copy-status">{copied ? t.copiedLong(blockCount(text)) : ""}</p>
+    </section>
+  );
+}

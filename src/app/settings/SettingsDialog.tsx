@@ -1,0 +1,49 @@
+import type { RefObject } from "react";
+import { LANGUAGE_NAMES, LANGUAGES, isLanguage } from "../../i18n/languages.ts";
+import { changeSettings, useSettings } from "./settings.ts";
+import { useTexts } from "./use-texts.ts";
+
+/** Language, appearance and motion: choices of this device. */
+export function SettingsDialog({ dialog }: { readonly dialog: RefObject<HTMLDialogElement | null> }) {
+  const t = useTexts().page;
+  const settings = useSettings();
+  return (
+    <dialog ref={dialog} className="settings" aria-label={t.settings} onClick={(e) => e.target === e.currentTarget && dialog.current?.close()}>
+      <form method="dialog">
+        <h2>{t.settings}</h2>
+        <label>
+          <span>{t.screenLanguage}</span>
+          <select
+            className="select" value={settings.language}
+            onChange={(e) => isLanguage(e.target.value) && changeSettings({ language: e.target.value })}
+          >
+            {LANGUAGES.map((language) => <option key={language} value={language} lang={language}>{LANGUAGE_NAMES[language]}</option>)}
+          </select>
+        </label>
+        <label>
+          <span>{t.theme}</span>
+          <select
+            className="select" value={settings.theme}
+            onChange={(e) => changeSettings({ theme: e.target.value === "light" || e.target.value === "dark" ? e.target.value : "system" })}
+          >
+            <option value="system">{t.themes.system}</option>
+            <option value="light">{t.themes.light}</option>
+            <option value="dark">{t.themes.dark}</option>
+          </select>
+        </label>
+        <label>
+          <span>{t.motion}</span>
+          <select
+            className="select" value={settings.motion}
+            onChange={(e) => changeSettings({ motion: e.target.value === "reduced" ? "reduced" : "system" })}
+          >
+            <option value="system">{t.motions.system}</option>
+            <option value="reduced">{t.motions.reduced}</option>
+          </select>
+        </label>
+        <p className="small soft">{t.disclaimer}</p>
+        <button type="submit" className="button primary">{t.close}</button>
+      </form>
+    </dialog>
+  );
+}

@@ -1,0 +1,82 @@
+import { useEffect, useId, useRef } from "react";
+import { readExpression } from "../../program/expression.ts";
+import { FieldMessage } from "../dialog/FieldMessage.tsx";
+import { inScreenWriting } from "../dialog/write-value.ts";
+import { isPlainNumber, minus } from "../dialog/number-entry.ts";
+import { Icon } from "../Icon.tsx";
+import { usePlace } from "../place.ts";
+import { useProblems } from "../problems/problems.ts";
+import { useSettings } from "../settings/settings.ts";
+import { useTexts } from "../settings/use-texts.ts";
+import { closeStep } from "../store.ts";
+
+interface Props {
+  readonly name: string;
+  readonly unit: string;
+  readonly text: string;
+  readonly onText: (text: string) => void;
+  /** Place that findings name; also how the keyboard is sent here. */
+  readonly at: string;
+  readonly least?: "any" | "zero" | "aboveZero";
+  /** May stay empty. */
+  readonly optional?: boolean;
+}
+
+/** What is wrong with a typed number of the set-up; null when it can be used. */
+export function wrongNumber(text: string, least: "any" | "zero" | "aboveZero", optional: boolean): "missing" | "notANumber" | "negative" | "positive" | null {
+  const read = readExpression(text);
+  if (read.kind === "empty") return optional ? null : "missing";
+  if (read.kind !== "number") return "notANumber";
+  if (least === "zero" && read.value < 0) return "negative";
+  if (least === "aboveZero" && read.value <= 0) return "positive";
+  return null;
+}
+
+/** One number of the set-up: typed text goes to the work at each keystroke, sums are worked out when the field is left. */
+export function NumberField({ name, unit, text, onText, at, least = "any", optional = false }: Props) {
+  const t = useTexts();
+  const id = useId();
+  const input = useRef<HTMLInputElement>(null);
+  const language = useSettings((s) => s.language);
+  const asked = usePlace((p) => (p.field === at ? p.focus : 0));
+  const problems = useProblems().filter((p) => p.at === at);
+  const wrong = wrongNumber(text, least, optional);
+
+  useEffect(() => {
+    if (asked === 0) return;
+    input.current?.focus();
+    input.current?.select();
+  }, [asked]);
+
+  const commit = () => {
+    const read = readExpression(text);
+    if (read.kind === "number" && read.computed) onText(String(read.value));
+    closeStep();
+  };
+
+  return (
+    <div className="setup-field">
+      <label htmlFor={id}>{name}</label>
+      <span className="setup-value">
+        <input
+          id={id} ref={input} className="input number" type="text" inputMode="decimal" autoComplete="off" spellCheck={false} maxLength={200}
+          aria-invalid={wrong !== null || problems.some((p) => p.issue.severity === "error")} aria-describedby={`${id}-unit ${id}-wrong`}
+          value={inScreenWriting(language, text)} onChange={(e) => onText(e.currentTarget.value)} onBlur={commit}
+          onKeyDown={(e) => {
+            if (e.key !== "-" || !isPlainNumber(text) || least !== "any") return;
+            e.preventDefault();
+            const field = e.currentTarget;
+            const next = minus({ text, from: field.selectionStart ?? 0, to: field.selectionEnd ?? 0, negative: false });
+            onText(next.text);
+            requestAnimationFrame(() => field.setSelectionRange(next.from === next.to ? next.from : next.text.startsWith("-") ? 1 : 0, next.to));
+          }}
+        />
+        <span className="soft small" id={`${id}-unit`}>{unit}</span>
+      </span>
+      <div id={`${id}-wrong`} className="setup-wrong" role="status">
+        {wrong && <p className="field-message error"><Icon name="error" /> {t.setup.wrong[wrong]}</p>}
+        {!wrong && problems.map((p, i) => <FieldMessage key={i} problem={p} decimals={3} onTake={(n) => onText(String(n))} />)}
+      </div>
+    </div>
+  );
+}

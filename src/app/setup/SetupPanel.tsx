@@ -1,0 +1,56 @@
+import { setBlank, setPerRevolution, setRapid, setSpindle, setStart } from "../edits.ts";
+import type { JobReading } from "../reading.ts";
+import { useTexts } from "../settings/use-texts.ts";
+import { NumberField } from "./NumberField.tsx";
+import { ToolTable } from "./ToolTable.tsx";
+
+/** Everything round the cycle: tool, blank, start point, spindle, feed unit, rapid rate. */
+export function SetupPanel({ read }: { readonly read: JobReading }) {
+  const t = useTexts().setup;
+  const { blank, start, spindle, perRevolution, rapid } = read.job;
+  return (
+    <div className="setup">
+      <fieldset className="setup-group">
+        <legend>{t.start.title}</legend>
+        <p className="small soft">{t.start.hint}</p>
+        <NumberField at="start.x" name={t.start.x} unit={t.units.diameter} text={start.x} onText={(x) => setStart("x", x)} />
+        <NumberField at="start.z" name={t.start.z} unit={t.units.mm} text={start.z} onText={(z) => setStart("z", z)} />
+      </fieldset>
+      <fieldset className="setup-group">
+        <legend>{t.blank.title}</legend>
+        <NumberField at="blank.outside" name={t.blank.outside} unit={t.units.diameter} text={blank.outside} least="aboveZero" onText={(v) => setBlank("outside", v)} />
+        <NumberField at="blank.bore" name={t.blank.bore} unit={t.units.diameter} text={blank.bore} least="zero" optional onText={(v) => setBlank("bore", v)} />
+        <NumberField at="blank.length" name={t.blank.length} unit={t.units.mm} text={blank.length} least="aboveZero" onText={(v) => setBlank("length", v)} />
+        <NumberField at="blank.allowance" name={t.blank.allowance} unit={t.units.mm} text={blank.allowance} optional onText={(v) => setBlank("allowance", v)} />
+      </fieldset>
+      <fieldset className="setup-group">
+        <legend>{t.spindle.title}</legend>
+        <div className="choice-pair" role="radiogroup" aria-label={t.spindle.mode}>
+          {(["surface", "constant"] as const).map((mode) => (
+            <label key={mode} className="choice">
+              <input type="radio" name="spindle" checked={spindle.mode === mode} onChange={() => setSpindle("mode", mode)} />
+              <span>{t.spindle[mode]}</span>
+            </label>
+          ))}
+        </div>
+        {spindle.mode === "constant"
+          ? <NumberField at="spindle.speed" name={t.spindle.speed} unit={t.units.rpm} text={spindle.speed} least="aboveZero" onText={(v) => setSpindle("speed", v)} />
+          : (
+            <>
+              <NumberField at="spindle.cuttingSpeed" name={t.spindle.cuttingSpeed} unit={t.units.cuttingSpeed} text={spindle.cuttingSpeed} least="aboveZero" onText={(v) => setSpindle("cuttingSpeed", v)} />
+              <NumberField at="spindle.limit" name={t.spindle.limit} unit={t.units.rpm} text={spindle.limit} least="aboveZero" onText={(v) => setSpindle("limit", v)} />
+            </>
+          )}
+      </fieldset>
+      <fieldset className="setup-group">
+        <legend>{t.feed.title}</legend>
+        <label className="choice">
+          <input type="checkbox" checked={perRevolution} onChange={(e) => setPerRevolution(e.currentTarget.checked)} />
+          <span>{t.feed.perRevolution}</span>
+        </label>
+        <NumberField at="rapid" name={t.feed.rapid} unit={t.units.perMinute} text={rapid} least="aboveZero" onText={setRapid} />
+      </fieldset>
+      <ToolTable read={read} />
+    </div>
+  );
+}
