@@ -1,0 +1,76 @@
+import fc from "fast-check";
+import { expect, test } from "vitest";
+import { areaOf, intersection, union } from "../kernel/clip.ts";
+import type { Pt, Ring } from "../kernel/point.ts";
+import { axial, radius } from "../kernel/units.ts";
+import { inBox } from "./box.ts";
+import { edgesOf } from "./edges.ts";
+import { inside, placeIn, regionsOf } from "./region.ts";
+import { hullAlong } from "./sweep.ts";
+
+const at = (z: number, r: number): Pt => ({ z: axial(z), r: radius(r) });
+const box = (z0: number, r0: number, z1: number, r1: number): Ring => [at(z0, r0), at(z1, r0), at(z1, r1), at(z0, r1)];
+const mm = fc.integer({ min: -20_000, max: 20_000 }).map((n) => n / 1000);
+const spot = fc.tuple(mm, mm).map(([z, r]) => at(z, r));
+const areas = fc.array(spot, { minLength: 3, maxLength: 40 }).map((ring) => union([ring]));
+/** A regular convex polygon, counter-clockwise. */
+const convex = fc.tuple(mm, mm, fc.integer({ min: 3, max: 12 }), fc.integer({ min: 100, max: 8000 })).map(([z, r, count, size]): Ring =>
+  Array.from({ length: count }, (_, i) => {
+    const a = (2 * Math.PI * (i + 0.3)) / count;
+    return at(z + (size / 1000) * Math.cos(a), r + (size / 1000) * Math.sin(a));
+  }));
+
+test("a piece that has area in common with an area meets it, and one that is clear of it does not", () => {
+  fc.assert(fc.property(areas, convex, (area, piece) => {
+    const common = areaOf(intersection(area, [piece]));
+    const meets = edgesOf(area).meets(piece);
+    if (common > 0.01) expect(meets).toBe(true);
+    if (!meets) expect(common).toBeLessThan(0.01);
+    if (common === 0) expect(meets).toBe(false);
+  }), { numRuns: 1500 });
+});
+
+test("lying against an edge is not meeting", () => {
+  const edges = edgesOf([box(0, 0, 10, 10)]);
+  expect(edges.meets(box(10, 0, 20, 10))).toBe(false);
+  expect(edges.meets(box(-5, 10, 20, 20))).toBe(false);
+  expect(edges.meets(box(9.9, 0, 20, 10))).toBe(true);
+  expect(edges.meets(box(4, 4, 5, 5))).toBe(true);
+  expect(edges.meets(box(-5, -5, 15, 15))).toBe(true);
+  expect(edgesOf([]).meets(box(0, 0, 1, 1))).toBe(false);
+});
+
+test("what lies in a box keeps its area under the non-zero rule", () => {
+  fc.assert(fc.property(areas, spot, spot, (area, a, b) => {
+    const [left, right, bottom, top] = [Math.min(a.z, b.z), Math.max(a.z, b.z) + 0.1, Math.min(a.r, b.r), Math.max(a.r, b.r) + 0.1];
+    const ring = box(left, bottom, right, top);
+    const [fast, exact] = [union(inBox(area, { left, right, bottom, top })), intersection(area, [ring])];
+    expect(Math.abs(areaOf(fast) - areaOf(exact))).toBeLessThan(0.01);
+  }), { numRuns: 500 });
+});
+
+test("the hull along a way is the convex hull of both ends", () => {
+  fc.assert(fc.property(convex, spot, spot, (outline, from, to) => {
+    const hull = hullAlong(outline, from, to);
+    const moved = (p: Pt): Ring => outline.map((q) => at(q.z + p.z, q.r + p.r));
+    const middle = moved(at((from.z + to.z) / 2, (from.r + to.r) / 2));
+    for (const part of [moved(from), moved(to), middle]) expect(Math.abs(areaOf(intersection([hull], [part])) - areaOf([part]))).toBeLessThan(0.01);
+    hull.forEach((p, i) => {
+      const [q, s] = [hull[(i + 1) % hull.length]!, hull[(i + 2) % hull.length]!];
+      expect((q.z - p.z) * (s.r - q.r) - (q.r - p.r) * (s.z - q.z)).toBeGreaterThan(-1e-9);
+    });
+  }), { numRuns: 500 });
+});
+
+test("the place of a region lies inside it", () => {
+  fc.assert(fc.property(areas, (area) => {
+    for (const region of regionsOf(area, 0.05)) expect(inside(region.outline, placeIn(region.outline))).toBe(true);
+  }), { numRuns: 500 });
+});
+
+test("regions know their holes", () => {
+  const [frame, ...more] = regionsOf([box(0, 0, 10, 10), [...box(2, 2, 8, 8)].reverse(), box(20, 0, 20.1, 0.05)], 0.01);
+  expect(more).toEqual([]);
+  expect(frame!.area).toBeCloseTo(64, 9);
+  expect(frame!.holes).toHaveLength(1);
+});
