@@ -22,9 +22,10 @@ export interface Contour {
 }
 
 /** The kept size of a corner element is the largest that fits, on the grid a control prints. */
-const roundedDown = (size: number) => Math.floor(size * 1000 + 1e-6) / 1000;
+export const roundedDown = (size: number) => Math.floor(size * 1000 + 1e-6) / 1000;
 
-function largest(before: Segment, after: Segment, kind: CornerElement["kind"], tooBig: number): number {
+/** The largest element of a kind that fits on a corner, mm, when `tooBig` does not. */
+export function largestCorner(before: Segment, after: Segment, kind: CornerElement["kind"], tooBig: number): number {
   let [low, high] = [0, tooBig];
   for (let i = 0; i < 60; i += 1) {
     const size = (low + high) / 2;
@@ -65,7 +66,7 @@ export function withCorners(
     else if (corner.kind === "chamfer" && (current.kind === "arc" || next.kind === "arc"))
       issues.push(issue("cornerElementAlone", "error", { element }, "contour"));
     else if (bends(current, next)) {
-      const max = largest(current, next, corner.kind, corner.size);
+      const max = largestCorner(current, next, corner.kind, corner.size);
       issues.push(issue("cornerElementTooLong", "error", { element, size: corner.size, max, nearest: roundedDown(max) }, "contour"));
     }
     current = cut?.after ?? next;

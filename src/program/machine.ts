@@ -1,0 +1,167 @@
+import type { Issue } from "../kernel/issue.ts";
+import type { FeedUnit, Move } from "../kernel/move.ts";
+import type { Pt, Ring, Segment } from "../kernel/point.ts";
+import type { Spindle, Step } from "../kernel/step.ts";
+import { secondsOf } from "../kernel/time.ts";
+import type { Tool } from "../kernel/tool.ts";
+import { toRadius, axial, diameter, type Feed } from "../kernel/units.ts";
+import type { NcIssue } from "../nc/issue.ts";
+import { blockNumbers, issuesOf, startLines, type Block, type Program } from "../nc/program.ts";
+import type { CornerElement } from "../kernel/corner.ts";
+import type { Label, Statement, Value } from "../nc/statement.ts";
+import { formulaOf, valueOf, type Parameters, type Trouble } from "./formula.ts";
+import { programIssue, type ProgramIssue } from "./issue.ts";
+import type { Finding, Operation } from "./run-types.ts";
+
+/** What a run can use. */
+export interface Shop {
+  readonly tools: readonly Tool[];
+  /** Rapid rate for times, mm/min. */
+  readonly rapid: number;
+}
+
+/** A cycle definition waiting for its call. Numbers as they were when the definition was reached. */
+export interface Defined {
+  readonly index: number;
+  readonly cycle: number;
+  readonly values: ReadonlyMap<string, number | "auto" | null>;
+}
+
+/** A plain path element that waits for the corner behind it. */
+export interface Held {
+  readonly segment: Segment;
+  readonly feed: Feed | null;
+  readonly index: number;
+  readonly corner: { readonly element: CornerElement; readonly feed: Feed | null; readonly index: number } | null;
+}
+
+/** Highest number of moves a run may have. */
+const MOST_MOVES = 400_000;
+
+/** Everything that changes while a program runs. X is a diameter, mm. */
+export class Machine {
+  readonly blocks: readonly Block[];
+  readonly numbers: readonly number[];
+  readonly lines: readonly number[];
+  readonly labels = new Map<Label, number>();
+  readonly parameters: Parameters = new Map();
+  /** Millimetres in the program's unit of length. */
+  inch = false;
+  turning = false;
+  x: number | null = null;
+  z: number | null = null;
+  /** False after a tool change until the axis is programmed again: nobody knows where the change left it. */
+  sure = { x: false, z: false };
+  feed: Feed | null = null;
+  toolFeed: Feed | null = null;
+  perRevolution = false;
+  spindle: Spindle | null = null;
+  tool: Tool | null = null;
+  pole: Pt | null = null;
+  contourLabels: Label[] = [];
+  defined: Defined | null = null;
+  held: Held | null = null;
+  /** The last path element, for tangential arcs. */
+  last: Segment | null = null;
+  blank: readonly Ring[] = [];
+  readonly steps: Step[] = [];
+  readonly stepBlocks: number[] = [];
+  readonly operations: Operation[] = [];
+  readonly findings: Finding[] = [];
+  private readonly said = new Set<string>();
+  full = false;
+
+  constructor(readonly program: Program, readonly shop: Shop) {
+    this.blocks = program.blocks;
+    this.numbers = blockNumbers(program);
+    this.lines = startLines(program);
+    this.blocks.forEach((b, i) => {
+      if (b.statement.kind !== "label" || b.statement.label === 0) return;
+      const { label } = b.statement;
+      if (this.labels.has(label)) this.say(programIssue("labelTwice", "warning", { label: String(label) }), i);
+      else this.labels.set(label, i);
+    });
+  }
+
+  /** Notes a finding at a block, once however often the block runs. `within` counts lines inside the block. */
+  say(issue: Issue | ProgramIssue, index: number | null, within = 0, operation: number | null = null): void {
+    const key = `${index} ${issue.code} ${issue.at ?? ""} ${operation ?? ""} ${operation === null ? "" : JSON.stringify(issue.data)}`;
+    if (this.said.has(key)) return;
+    this.said.add(key);
+    const place = index === null ? { block: null, line: null } : { block: this.numbers[index] ?? 0, line: (this.lines[index] ?? 1) + within };
+    this.findings.push({ issue, ...place, operation });
+  }
+
+  notSimulated(what: string, index: number, severity: "info" | "warning" = "info"): void {
+    this.say(programIssue("notSimulated", severity, { what }), index);
+  }
+
+  /** The number of a value, or null with an issue at the block. */
+  number(value: Value, index: number): number | null {
+    return this.settle(valueOf(value, this.parameters), index);
+  }
+
+  assign(s: Extract<Statement, { kind: "assign" }>, index: number): void {
+    const result = this.settle(formulaOf(s.formula, this.parameters), index);
+    if (result !== null) this.parameters.set(s.target, result);
+  }
+
+  private settle(result: number | Trouble, index: number): number | null {
+    if (typeof result === "number") return result;
+    if (result.kind === "unset") this.say(programIssue("parameterUnset", "error", { name: result.name }, result.name), index);
+    else if (result.kind === "zero") this.say(programIssue("divisionByZero", "error", {}), index);
+    else this.say(programIssue("notFinite", "error", { text: this.blocks[index]?.raw.trim().slice(0, 60) ?? "" }), index);
+    return null;
+  }
+
+  /** A length of the program in mm. */
+  length(n: number): number {
+    return this.inch ? n * 25.4 : n;
+  }
+
+  /** A feed word as mm/rev or mm/min; inch programs count tenths of an inch per minute, or inches per revolution. */
+  feedOf(n: number): Feed {
+    return (this.inch ? n * (this.perRevolution ? 25.4 : 2.54) : n) as Feed;
+  }
+
+  get feedUnit(): FeedUnit {
+    return this.perRevolution ? "mm/rev" : "mm/min";
+  }
+
+  /** The tip, when both coordinates are known. */
+  get tip(): Pt | null {
+    return this.x === null || this.z === null ? null : { z: axial(this.z), r: toRadius(diameter(this.x)) };
+  }
+
+  /** Adds one motion of the current tool. */
+  step(from: Pt, move: Move, index: number, operation: number | null): number {
+    if (this.steps.length >= MOST_MOVES) {
+      if (!this.full) this.say(programIssue("tooManyMoves", "error", { limit: MOST_MOVES }), index);
+      this.full = true;
+      return 0;
+    }
+    if (!this.tool) return 0;
+    const spindle = this.spindle ?? { kind: "constant" as const, speed: 0 };
+    const seconds = secondsOf(from, move, spindle, this.shop.rapid);
+    this.steps.push({ from, move, tool: this.tool, block: this.numbers[index] ?? 0, operation, seconds });
+    this.stepBlocks.push(index);
+    return seconds;
+  }
+
+  /** All findings in the order of the text, those of the reader included. */
+  allFindings(): Finding[] {
+    const missing = new Set(this.findings.filter((f) => f.issue.code === "missing").map((f) => f.line));
+    const read = issuesOf(this.program).filter((i) => !(i.code === "wordMissing" && missing.has(i.line))).map((i) => this.located(i));
+    return [...read, ...this.findings].sort((a, b) => (a.line ?? 0) - (b.line ?? 0));
+  }
+
+  private located(issue: NcIssue): Finding {
+    let [low, high] = [0, this.lines.length - 1];
+    while (low < high) {
+      const middle = (low + high + 1) >> 1;
+      if ((this.lines[middle] ?? 0) <= issue.line) low = middle;
+      else high = middle - 1;
+    }
+    return { issue, block: this.numbers[low] ?? null, line: issue.line, operation: null };
+  }
+}
