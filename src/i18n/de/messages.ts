@@ -25,12 +25,12 @@ export const messages = {
     cornerSmallerThanInsert: (d, w) =>
       `Eckenradius ${w.number(d.radius)} ist kleiner als der Schneidenradius ${w.number(d.insert)}: Die Ecke behält ${w.number(d.insert)}. ${nearest(w.number(d.nearest))}`,
     recessNarrowerThanTool: (d, w) =>
-      `Der Einstich ist ${w.number(d.width)} breit, das Werkzeug ${w.number(d.tool)}. ${nearest(w.value(d.nearest))}`,
+      `Der Grund des Einstichs ist ${w.number(d.width)} breit, Werkzeug und Aufmaß brauchen ${w.number(d.tool)}. ${nearest(w.value(d.nearest))}`,
     angleNotFollowed: (d, w) =>
       `Das Werkzeug kann ${w.angle(d.angle)} nicht folgen: Die ${reasons[d.edge]} lässt ${w.angle(d.max)} zu, Material bleibt stehen. ${nearest(w.angle(d.nearest))}`,
     infeedOverCutLength: (d, w) =>
       `Zustellung ${w.number(d.infeed)} ist größer als CUTLENGTH ${w.number(d.cutLength)}: Sie wird auf ${w.number(d.nearest)} verringert.`,
-    depthOverCutLength: (d, w) => `Tiefe ${w.number(d.depth)} ist größer als CUTLENGTH ${w.number(d.cutLength)}. Mögliche Tiefe: ${w.number(d.nearest)}.`,
+    depthOverCutLength: (d, w) => `Tiefe ${w.number(d.depth)} ist größer als CUTLENGTH ${w.number(d.cutLength)}: Der Rest bleibt stehen. ${nearest(w.value(d.nearest))}`,
     offsetReduced: (d, w) =>
       `Versatz ${w.number(d.offset)} wird auf ${w.number(d.nearest)} verringert: 80 % der wirksamen Breite müssen für ${d.passes === 1 ? "1 Schnitt" : `${d.passes} Schnitte`} reichen.`,
     offsetOverLimit: (d, w) =>
@@ -53,7 +53,7 @@ export const messages = {
       `Der Startpunkt liegt näher an der Kontur als der Abstand ${w.number(d.clearance)}: Das Werkzeug fährt mit Schlichtvorschub direkt zur Kontur.`,
     limitOnWrongSide: (d, w) => `Mit der Grenze ${w.value(d.limit)} wird auf der Seite des Werkzeugs nichts zerspant. ${nearest(w.value(d.nearest))}`,
     nothingToCut: () => "Zwischen Startpunkt und Kontur gibt es nichts zu zerspanen.",
-    contourMissing: (d, w) => `Die Kontur LBL ${w.text(d.label)} gibt es nicht.`,
+    contourMissing: (d, w) => (d.label === "" ? "Die Kontur fehlt." : `Die Kontur LBL ${w.text(d.label)} gibt es nicht.`),
     contourTooShort: () => "Eine Kontur braucht mindestens zwei verschiedene Punkte.",
     contourPoint: (d) => `Element ${d.element}: Der Endpunkt fehlt oder ist nicht erreichbar.`,
     cornerElementAlone: (d) => `Element ${d.element}: Fase und Rundung brauchen ein Element davor und dahinter, eine Fase zwei Geraden.`,

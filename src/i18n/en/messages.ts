@@ -28,12 +28,12 @@ export const messages = {
     cornerSmallerThanInsert: (d, w) =>
       `Corner radius ${w.number(d.radius)} is smaller than the insert's ${w.number(d.insert)}: the corner will keep ${w.number(d.insert)}. ${nearest(w.number(d.nearest))}`,
     recessNarrowerThanTool: (d, w) =>
-      `The recess is ${w.number(d.width)} wide, the tool ${w.number(d.tool)}. ${nearest(w.value(d.nearest))}`,
+      `The floor of the recess is ${w.number(d.width)} wide, tool and oversize need ${w.number(d.tool)}. ${nearest(w.value(d.nearest))}`,
     angleNotFollowed: (d, w) =>
       `The tool cannot follow ${w.angle(d.angle)}: ${reasons[d.edge]} allows ${w.angle(d.max)}, material stays. ${nearest(w.angle(d.nearest))}`,
     infeedOverCutLength: (d, w) =>
       `Infeed ${w.number(d.infeed)} is more than CUTLENGTH ${w.number(d.cutLength)}: it is reduced to ${w.number(d.nearest)}.`,
-    depthOverCutLength: (d, w) => `Depth ${w.number(d.depth)} is more than CUTLENGTH ${w.number(d.cutLength)}. Depth that works: ${w.number(d.nearest)}.`,
+    depthOverCutLength: (d, w) => `Depth ${w.number(d.depth)} is more than CUTLENGTH ${w.number(d.cutLength)}: the rest stays. ${nearest(w.value(d.nearest))}`,
     offsetReduced: (d, w) =>
       `Offset ${w.number(d.offset)} is reduced to ${w.number(d.nearest)}: ${count(d.passes, "pass shares", "passes share")} 80 % of the effective width.`,
     offsetOverLimit: (d, w) =>
@@ -56,7 +56,7 @@ export const messages = {
       `The start point is nearer to the contour than the clearance of ${w.number(d.clearance)}: the tool goes straight to the contour at the finishing feed.`,
     limitOnWrongSide: (d, w) => `With the limit ${w.value(d.limit)} nothing is cut on the side where the tool stands. ${nearest(w.value(d.nearest))}`,
     nothingToCut: () => "Between start point and contour there is nothing to cut.",
-    contourMissing: (d, w) => `The contour LBL ${w.text(d.label)} does not exist.`,
+    contourMissing: (d, w) => (d.label === "" ? "The contour is missing." : `The contour LBL ${w.text(d.label)} does not exist.`),
     contourTooShort: () => "A contour needs at least two different points.",
     contourPoint: (d) => `Element ${d.element}: the end point is missing or cannot be reached.`,
     cornerElementAlone: (d) => `Element ${d.element}: a chamfer or rounding needs an element before and behind it; a chamfer needs two lines.`,

@@ -26,12 +26,12 @@ export const messages = {
     cornerSmallerThanInsert: (d, w) =>
       `Le rayon de coin ${w.number(d.radius)} est inférieur à celui de la plaquette, ${w.number(d.insert)} : le coin gardera ${w.number(d.insert)}. ${nearest(w.number(d.nearest))}`,
     recessNarrowerThanTool: (d, w) =>
-      `La gorge est large de ${w.number(d.width)}, l'outil de ${w.number(d.tool)}. ${nearest(w.value(d.nearest))}`,
+      `Le fond de la gorge est large de ${w.number(d.width)}, l'outil et la surépaisseur demandent ${w.number(d.tool)}. ${nearest(w.value(d.nearest))}`,
     angleNotFollowed: (d, w) =>
       `L'outil ne peut pas suivre ${w.angle(d.angle)} : l'${reasons[d.edge]} permet ${w.angle(d.max)}, de la matière reste. ${nearest(w.angle(d.nearest))}`,
     infeedOverCutLength: (d, w) =>
       `La passe ${w.number(d.infeed)} dépasse CUTLENGTH ${w.number(d.cutLength)} : elle est réduite à ${w.number(d.nearest)}.`,
-    depthOverCutLength: (d, w) => `La profondeur ${w.number(d.depth)} dépasse CUTLENGTH ${w.number(d.cutLength)}. Profondeur possible : ${w.number(d.nearest)}.`,
+    depthOverCutLength: (d, w) => `La profondeur ${w.number(d.depth)} dépasse CUTLENGTH ${w.number(d.cutLength)} : le reste demeure. ${nearest(w.value(d.nearest))}`,
     offsetReduced: (d, w) =>
       `Le décalage ${w.number(d.offset)} est réduit à ${w.number(d.nearest)} : ${count(d.passes, "passe se partage", "passes se partagent")} 80 % de la largeur effective.`,
     offsetOverLimit: (d, w) =>
@@ -54,7 +54,7 @@ export const messages = {
       `Le point de départ est plus près du contour que la distance ${w.number(d.clearance)} : l'outil va droit au contour à l'avance de finition.`,
     limitOnWrongSide: (d, w) => `Avec la limite ${w.value(d.limit)}, rien n'est usiné du côté de l'outil. ${nearest(w.value(d.nearest))}`,
     nothingToCut: () => "Entre le point de départ et le contour, il n'y a rien à usiner.",
-    contourMissing: (d, w) => `Le contour LBL ${w.text(d.label)} n'existe pas.`,
+    contourMissing: (d, w) => (d.label === "" ? "Le contour manque." : `Le contour LBL ${w.text(d.label)} n'existe pas.`),
     contourTooShort: () => "Un contour demande au moins deux points différents.",
     contourPoint: (d) => `Élément ${d.element} : le point final manque ou ne peut pas être atteint.`,
     cornerElementAlone: (d) => `Élément ${d.element} : un chanfrein ou un arrondi demande un élément avant et après, un chanfrein deux droites.`,
