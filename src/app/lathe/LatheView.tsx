@@ -19,6 +19,7 @@ import { useMeasuring } from "./measuring.ts";
 import { MoveTable } from "./MoveTable.tsx";
 import { Picture } from "./Picture.tsx";
 import { PlaceButtons, PlaceLines } from "./PlaceButtons.tsx";
+import { placesOf, type LookAt } from "./places.ts";
 import { PlaybackBar } from "./PlaybackBar.tsx";
 import type { PlaybackStore } from "./playback-store.ts";
 import { Readout, SpokenStatus, statusText } from "./Readout.tsx";
@@ -53,7 +54,7 @@ export function LatheView({ result, dimmed, playback, clock }: {
   const shown = result ?? (dimmed ? kept : null), run = shown?.run ?? EMPTY_RUN, simulation = shown?.simulation ?? null;
   const [viewport] = useState(() => createViewport(!xDown));
   const [tools, showTools] = useState(false);
-  const [chosen, choose] = useState<string | null>(null);
+  const [picked, pick] = useState<string | null>(null);
 
   const scene = useMemo(() => sceneOf({ blank: run.blank, contours: run.operations.map(o => o.plan.contour), steps: run.steps }), [run]);
   const points = useMemo(() => snapPoints(run.operations.map(o => o.plan.contour), run.steps), [run]);
@@ -70,11 +71,17 @@ export function LatheView({ result, dimmed, playback, clock }: {
   useEffect(() => playback.setStill(reducedMotion({ motion })), [motion, playback]);
   useEffect(() => viewport.setBounds(full ? mirrored(scene.bounds) : scene.bounds), [scene, full, viewport]);
   useEffect(() => viewport.setXUp(!xDown), [xDown, viewport]);
-  useEffect(() => choose(null), [run]);
 
   const ended = usePlayback(playback, s => s.get().track.ends.length > 0 && s.get().position.step >= s.get().track.ends.length);
   const resting = usePlayback(playback, s => (s.get().playing ? -1 : s.get().position.step));
   const name = useMemo(() => t.picture(resting >= 0 ? statusText(texts, language, run, playback) : ""), [t, texts, language, run, playback, resting]);
+  const places = useMemo(() => (simulation ? placesOf(simulation, t, language) : []), [simulation, t, language]);
+  const chosen = places.find(each => each.id === picked) ?? null;
+  const choose = (place: LookAt | null) => {
+    pick(place?.id ?? null);
+    if (place) playback.dispatch({ do: "seek", position: place.position });
+  };
+  const seen = places.filter(each => ended || each.kind === "finding" || each === chosen);
   const residual = ended && simulation ? simulation.proof.residual : [], findings = simulation?.findings ?? [];
   return (
     <section className="lathe" data-tools={tools} aria-label={t.title} onKeyDown={event => {
@@ -87,10 +94,10 @@ export function LatheView({ result, dimmed, playback, clock }: {
       <div ref={stage} className={`lathe-stage${dimmed ? " dimmed" : ""}${measuring.on ? " measuring" : ""}`} tabIndex={0} role="group" aria-label={t.title} aria-describedby={keysId}>
         <Picture viewport={viewport} scene={scene} moving={moving} findings={findings} residual={residual} full={full} name={name}>
           <Marks viewport={viewport} starts={starts} />
-          <PlaceLines viewport={viewport} findings={findings} residual={residual} />
+          <PlaceLines viewport={viewport} places={seen} />
           <RulerLines viewport={viewport} measuring={measuring} />
         </Picture>
-        <PlaceButtons viewport={viewport} findings={findings} residual={residual} chosen={chosen} choose={choose} />
+        <PlaceButtons viewport={viewport} places={seen} chosen={chosen} choose={choose} />
         <RulerReading measuring={measuring} />
         {dimmed && run.steps.length > 0 && <p className="lathe-outdated small">{t.outdated}</p>}
         <p id={keysId} className="unseen">{t.keys}</p>
@@ -103,7 +110,7 @@ export function LatheView({ result, dimmed, playback, clock }: {
       <SpokenStatus run={run} playback={playback} clock={clock} />
       {simulation && (
         <div className="lathe-more">
-          <Findings simulation={simulation} playback={playback} chosen={chosen} choose={choose} />
+          <Findings places={places} chosen={chosen} choose={choose} />
           <MoveTable run={run} playback={playback} />
         </div>
       )}

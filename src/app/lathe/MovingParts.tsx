@@ -28,7 +28,7 @@ function Stock({ moving: { stockAt, playback }, full, fill }: { readonly moving:
     path.current?.setAttribute("d", ringData(full ? [...rings, ...farSide(rings)] : rings));
   }, [stockAt, playback, full]);
   useEachPicture(playback, paint);
-  return <path ref={path} className="shape-stock" fill={fill} fillRule="evenodd" />;
+  return <path ref={path} className="shape-stock" style={{ fill }} fillRule="evenodd" />;
 }
 
 /** The step that runs at a position; the last one at the end. */
