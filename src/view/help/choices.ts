@@ -29,11 +29,10 @@ export function operation(c: Context, l: Lettering): Explanation {
   return only([...cut, ...left, ...finish]);
 }
 
-/** Which way the contour is run through; the mirrored tool is a small insert at the beginning of the cut. */
+/** Which way the contour is run through (the outline is already in machining direction); the mirrored tool is a small insert at the beginning of the cut. */
 export function reverse(c: Context, l: Lettering): Explanation {
   const value = numberOf(c.values, l.q);
-  const forward = besides(c, c.section.line, 8);
-  const path = value === 0 ? forward : [...forward].reverse();
+  const path = besides(c, c.section.line, 8);
   const at = path[0];
   const tool: Mark[] = [];
   if (value === 2 && at) {

@@ -1,3 +1,4 @@
+import { pointOn } from "../../kernel/flatten.ts";
 import type { Pt, Segment } from "../../kernel/point.ts";
 import { toScreen, type Camera, type Place } from "../camera.ts";
 import { textBox, type Box, type Placed } from "./labels.ts";
@@ -34,16 +35,17 @@ function lensPlace(c: Context, radius: number, text: Box, at: Place, placed: rea
   return best;
 }
 
-/** An arc's radius from its centre, or the two legs of a chamfer, in the lens. */
-function measure(l: Lettering, element: Segment, camera: Camera): Mark[] {
+/** An arc's radius from its centre, or the corner that a chamfer takes away, in the lens. */
+function measure(c: Context, l: Lettering, element: Segment, camera: Camera): Mark[] {
   const [from, to] = [toScreen(camera, element.from), toScreen(camera, element.to)];
-  const middle = { x: (from.x + to.x) / 2, y: (from.y + to.y) / 2 };
-  if (element.kind === "line") return [stroke(l, "thin", polyline([from, { x: from.x, y: to.y }, to])), stroke(l, "thin", polyline([from, { x: to.x, y: from.y }, to]))];
+  if (element.kind === "line") {
+    const [dz, dr] = [element.to.z - element.from.z, element.to.r - element.from.r];
+    const corner = dz * dr * c.side > 0 ? { x: from.x, y: to.y } : { x: to.x, y: from.y };
+    return [stroke(l, "break", polyline([from, corner, to]))];
+  }
+  const middle = toScreen(camera, pointOn(element, 0.5));
   const centre = toScreen(camera, element.centre);
-  const long = Math.hypot(middle.x - centre.x, middle.y - centre.y) || 1;
-  const r = Math.hypot(from.x - centre.x, from.y - centre.y);
-  const tip = { x: centre.x + ((middle.x - centre.x) / long) * r, y: centre.y + ((middle.y - centre.y) / long) * r };
-  return [stroke(l, "thin", polyline([centre, tip])), filled(l, "arrow", arrowHead(tip, tip.x - centre.x, tip.y - centre.y))];
+  return [stroke(l, "thin", polyline([centre, middle])), filled(l, "arrow", arrowHead(middle, middle.x - centre.x, middle.y - centre.y))];
 }
 
 /** A lens over a small element, with its value below, and the texts it leaves uncovered. */
@@ -62,7 +64,7 @@ export function detail(c: Context, l: Lettering, { at, mm }: { readonly at: Pt; 
     filled(quiet, "part", polygon(c.section.part.map((p) => toScreen(camera, p)))),
     stroke(quiet, "contour", segmentPath(c.outline.contour, camera)),
     ...c.section.edges.map(([a, b]) => stroke(quiet, "edge", polyline([toScreen(camera, a), toScreen(camera, b)]))),
-    ...(element ? [stroke(l, "element", segmentPath([element], camera)), ...measure(l, element, camera)] : []),
+    ...(element ? [stroke(l, "element", segmentPath([element], camera)), ...measure(c, l, element, camera)] : []),
   ];
   const away = Math.hypot(centre.x - spot.x, centre.y - spot.y) || 1;
   const u = { x: (centre.x - spot.x) / away, y: (centre.y - spot.y) / away };

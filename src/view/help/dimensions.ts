@@ -141,7 +141,7 @@ export function leader(l: Lettering, at: Place, towards: Place): Candidate[] {
     const shelf = { x: knee.x + side * 7, y: knee.y };
     const middle = { x: shelf.x + side * (width(l) / 2 + 3), y: shelf.y };
     const marks = [stroke(l, "thin", polyline([at, knee, shelf])), filled(l, "arrow", arrowHead(at, at.x - knee.x, at.y - knee.y))];
-    return [candidate(l, marks, middle, 0, stairs(at, knee), i * 1.2 + j * 1.4)];
+    return [candidate(l, marks, middle, 0, stairs(at, knee), i * 1.2 + j * 1.4 + (Math.min(Math.abs(Math.cos(a)), Math.abs(Math.sin(a))) < 0.25 ? 4 : 0))];
   }));
 }
 

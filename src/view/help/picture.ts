@@ -122,7 +122,8 @@ function strongPlaces(c: Context): Place[] {
     return Array.from({ length: n }, (_, k) => ({ x: a.x + ((b.x - a.x) * (k + 1)) / n, y: a.y + ((b.y - a.y) * (k + 1)) / n }));
   });
   const axis = dense([{ x: c.layout.box.x, y: c.layout.axisY }, { x: c.layout.box.x + c.layout.box.width, y: c.layout.axisY }]);
-  return [...dense(c.section.line.map(at)), ...dense(c.section.blank.map(at)), ...axis];
+  const edges = c.section.edges.flatMap(([a, b]) => dense([at(a), at(b)]));
+  return [...dense(c.section.line.map(at)), ...dense(c.section.blank.map(at)), ...edges, ...axis];
 }
 
 /** Quiet dimensions keep their places; the active one comes first where it would otherwise find none. */

@@ -12,7 +12,7 @@ import { spot } from "./layout.ts";
 import { arrowHead, circle, polygon, polyline, segmentPath, type Mark } from "./marks.ts";
 import { falling } from "./passes.ts";
 import { filled, stroke, type Tag } from "./stroke.ts";
-import { partnerOf, qOf } from "./topics.ts";
+import { partnerOf, qOf, topicOf } from "./topics.ts";
 
 /** Marks that are always drawn, and a dimension that needs a place for its text. */
 export interface Explanation {
@@ -159,7 +159,7 @@ export function depthCompensation(c: Context, l: Lettering): Explanation {
 
 /** Where a free contour begins and ends: not values of the cycle, so they belong to no parameter. */
 export function plainDimensions(c: Context): Item[] {
-  if (c.outline.dimensions.length > 0) return [];
+  if (c.outline.dimensions.some((d) => topicOf(c.params[d.q]?.text ?? "") === "outline")) return [];
   const [start, end] = [c.section.line[0], c.section.line.at(-1)];
   const ends = [start, end].flatMap((p) => (p ? [p] : []));
   return ends.flatMap((at) => [

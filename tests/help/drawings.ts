@@ -1,0 +1,35 @@
+import { catalogue } from "../../src/cycles/index.ts";
+import type { Cycle, Given } from "../../src/cycles/define.ts";
+import { contourFrom } from "../../src/kernel/contour.ts";
+import { axial, diameter, toRadius } from "../../src/kernel/units.ts";
+import type { Size } from "../../src/view/camera.ts";
+import type { Numbers, Speech } from "../../src/view/help/lettering.ts";
+import type { Mark } from "../../src/view/help/marks.ts";
+import { helpDrawing, type HelpDrawing } from "../../src/view/help/picture.ts";
+
+/** English lettering, independent of the page's texts. */
+export const speech: Speech = {
+  number: (value, decimals) => String(Number(value.toFixed(decimals))),
+  element: ["none", "chamfer", "radius"], reserved: "(no function)", notToScale: "not to scale",
+};
+
+const lineTo = (x: number, z: number) => ({ kind: "line", to: { z: axial(z), r: toRadius(diameter(x)) } }) as const;
+const round = (size: number) => ({ kind: "round", size }) as const;
+
+/** The contour printed for the free-contour cycle. */
+export const printedContour: Given = {
+  contour: contourFrom([lineTo(75, -20), lineTo(50, -20), round(2), lineTo(20, -25), round(2), lineTo(20, 0)]).segments,
+};
+
+export const cycles: readonly Cycle[] = catalogue;
+export const exampleOf = (cycle: Cycle): Numbers => Object.fromEntries(Object.entries(cycle.params).map(([q, p]) => [q, p.example]));
+
+/** Draws a cycle with values; null when they make no contour. */
+export function drawn(cycle: Cycle, values: Numbers, active: string | null, size: Size, given: Given = printedContour): HelpDrawing | null {
+  const outline = cycle.outline(values as Parameters<Cycle["outline"]>[0], given);
+  if (outline.contour.length === 0 || outline.issues.some((found) => found.severity === "error")) return null;
+  return helpDrawing({ group: cycle.group, params: cycle.params, values, outline, active, size, speech });
+}
+
+/** All marks, those inside a lens too. */
+export const flat = (marks: readonly Mark[]): Mark[] => marks.flatMap((m) => (m.kind === "detail" ? [m, ...flat(m.marks)] : [m]));
