@@ -1,7 +1,8 @@
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
-import { message, stepSentence } from "../src/i18n/lookup.ts";
+import { texts } from "../src/i18n/index.ts";
 import { LANGUAGES } from "../src/i18n/languages.ts";
+import { message } from "../src/i18n/message.ts";
 import type { AnyCode, AnyIssue } from "../src/i18n/message-texts.ts";
 import { formatFixed, formatNumber, formatPosition, formatSigned } from "../src/i18n/number.ts";
 
@@ -58,16 +59,11 @@ describe.each(LANGUAGES)("messages in %s", (language) => {
   test("a long quotation is cut short", () => {
     expect(message(language, { code: "notANumber", severity: "error", data: { text: "x".repeat(5000) } }).length).toBeLessThan(120);
   });
-
-  test("the running step is counted as the manual counts", () => {
-    expect(stepSentence(language, 812, "rough", 3)).toMatch(/3.*6/);
-    expect(stepSentence(language, 852, "finish", 7)).toMatch(/7.*7/);
-    expect(stepSentence(language, 820, "rough", 0)).not.toMatch(/6/);
-  });
 });
 
 test("the running step reads as a status line", () => {
-  expect(stepSentence("en", 812, "rough", 3)).toBe("Step 3 of 6: retract by the infeed");
+  const { cycles } = texts("en");
+  expect(cycles.roughStep(3, 6, cycles.of[812].rough[2] ?? "")).toBe("Step 3 of 6: retract by the infeed");
 });
 
 describe("numbers of a language", () => {

@@ -4,8 +4,7 @@ import { contourFrom, type ContourElement } from "../src/kernel/contour.ts";
 import type { Code, Issue, Severity } from "../src/kernel/issue.ts";
 import type { Tool } from "../src/kernel/tool.ts";
 import { axial, diameter, feed, length, toRadius } from "../src/kernel/units.ts";
-import { checkDraft } from "../src/program/check-draft.ts";
-import { type Draft, exampleDraft } from "../src/program/read-draft.ts";
+import { type Draft, exampleDraft, readDraft } from "../src/program/read-draft.ts";
 import { shippedTools } from "../src/program/shipped-tools.ts";
 import { betterTool } from "../src/program/which-tool.ts";
 
@@ -32,8 +31,12 @@ function check(number: number, { change = {}, tool, start = [75, 2], contour = p
   const base = shipped(tool?.T ?? usual[number] ?? 1);
   const built = contourFrom(contour);
   const setting = { tool: { ...base, ...tool }, start: at(start[0], start[1]), feedUnit: "mm/rev" as const, autoFeed: feed(0.25) };
-  const checked = checkDraft(cycle, { ...exampleDraft(cycle), ...change }, { given: { contour: built.segments }, setting });
-  return { ...checked, cycle, setting, given: { contour: built.segments }, issues: [...built.issues, ...checked.issues] };
+  const given = { contour: built.segments };
+  const reading = readDraft(cycle, { ...exampleDraft(cycle), ...change });
+  const outline = reading.values && cycle.outline(reading.values, given);
+  const plan = reading.values && cycle.plan(reading.values, setting, given);
+  const issues = [...built.issues, ...reading.issues, ...(outline?.issues ?? []), ...(plan?.issues ?? [])];
+  return { cycle, setting, given, reading, plan, issues };
 }
 
 const codes = (issues: readonly Issue[]) => issues.map((found) => `${found.code} ${found.at ?? ""}`.trim());
