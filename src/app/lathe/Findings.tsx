@@ -10,7 +10,7 @@ export function Findings({ places, chosen, choose }: {
   const t = useTexts().lathe;
   const found = places.filter(each => each.kind === "finding"), stays = places.filter(each => each.kind === "residual");
   const list = (name: string, all: readonly LookAt[]) => all.length > 0 && (
-    <ul aria-label={name}>
+    <section aria-label={name}><ul>
       {all.map(each => (
         <li key={each.id}>
           <button type="button" className="lathe-finding" aria-current={chosen?.id === each.id} onClick={() => choose(each)}>
@@ -19,7 +19,7 @@ export function Findings({ places, chosen, choose }: {
           </button>
         </li>
       ))}
-    </ul>
+    </ul></section>
   );
   return (
     <details className="lathe-findings" name="lathe-more">

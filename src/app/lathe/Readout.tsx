@@ -12,25 +12,22 @@ const FIELDS = ["x", "z", "feed", "speed"] as const;
 /** Live position, feed, spindle speed, phase, pass and the manual's step; the numbers change without rendering. */
 export function Readout({ run, playback }: { readonly run: Run; readonly playback: PlaybackStore }) {
   const texts = useTexts(), t = texts.lathe, language = useSettings(s => s.language);
-  const cells = useRef<Partial<Record<keyof Running, HTMLElement | null>>>({});
+  const group = useRef<HTMLDivElement>(null);
   useEachPicture(playback, useCallback(() => {
     const now = runningText(texts, language, run, playback.shown());
-    for (const [key, cell] of Object.entries(cells.current) as [keyof Running, HTMLElement | null][]) {
-      const said = now?.[key] ?? "";
-      if (cell && cell.textContent !== said) cell.textContent = said;
+    for (const cell of group.current?.querySelectorAll<HTMLElement>("[data-says]") ?? []) {
+      const said = now?.[cell.dataset["says"] as keyof Running] ?? "";
+      if (cell.textContent !== said) cell.textContent = said;
     }
   }, [texts, language, run, playback]));
-  const cell = (key: keyof Running) => (element: HTMLElement | null) => {
-    cells.current[key] = element;
-  };
   const names = { x: t.axisX, z: t.axisZ, feed: t.feedName, speed: t.speedName };
   return (
-    <div className="lathe-readout" role="group" aria-label={t.now}>
+    <div ref={group} className="lathe-readout" role="group" aria-label={t.now}>
       <dl className="number">
-        {FIELDS.map(key => <div key={key} className={`readout-${key}`}><dt>{names[key]}</dt><dd ref={cell(key)} /></div>)}
+        {FIELDS.map(key => <div key={key} className={`readout-${key}`}><dt>{names[key]}</dt><dd data-says={key} /></div>)}
       </dl>
-      <p className="lathe-step" ref={cell("step")} />
-      <p className="lathe-phase soft"><span ref={cell("phase")} /><span ref={cell("pass")} /><span ref={cell("block")} /></p>
+      <p className="lathe-step" data-says="step" />
+      <p className="lathe-phase soft"><span data-says="phase" /><span data-says="pass" /><span data-says="block" /></p>
     </div>
   );
 }

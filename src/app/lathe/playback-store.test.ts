@@ -1,0 +1,51 @@
+import { expect, test } from "vitest";
+import { trackOf } from "../../view/playback.ts";
+import { manualClock } from "../clock.ts";
+import { createPlaybackStore } from "./playback-store.ts";
+
+const track = trackOf([{ seconds: 2 }, { seconds: 1 }, { seconds: 3 }]);
+
+function playing(rate: number) {
+  const clock = manualClock(), store = createPlaybackStore(clock);
+  store.dispatch({ do: "load", track });
+  store.dispatch({ do: "rate", rate });
+  store.dispatch({ do: "play" });
+  return { clock, store };
+}
+
+test("machine time passes as the clock does, times the rate", () => {
+  const { clock, store } = playing(2);
+  clock.advance(1250);
+  expect(store.get().position.step).toBe(1);
+  expect(store.get().position.fraction).toBeCloseTo(0.5, 6);
+});
+
+test("it stops at the end and says so", () => {
+  const { clock, store } = playing(1);
+  let told = 0;
+  store.subscribe(() => (told += 1));
+  clock.advance(7000);
+  expect(store.get()).toMatchObject({ playing: false, position: { step: 3, fraction: 0 } });
+  const before = told;
+  clock.advance(1000);
+  expect(told).toBe(before);
+});
+
+test("a pause takes no time", () => {
+  const { clock, store } = playing(1);
+  clock.advance(500);
+  store.dispatch({ do: "pause" });
+  clock.advance(5000);
+  store.dispatch({ do: "play" });
+  clock.advance(500);
+  expect(store.get().position.fraction).toBeCloseTo(0.5, 6);
+});
+
+test("without motion only ends of moves are shown while it plays", () => {
+  const { clock, store } = playing(1);
+  store.setStill(true);
+  clock.advance(2500);
+  expect(store.shown()).toEqual({ step: 1, fraction: 0 });
+  store.dispatch({ do: "pause" });
+  expect(store.shown().fraction).toBeCloseTo(0.5, 6);
+});
