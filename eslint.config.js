@@ -40,7 +40,7 @@ export default defineConfig([
   { files: ["**/*.{js,mjs}"], languageOptions: { globals: { process: "readonly", console: "readonly", performance: "readonly", URL: "readonly" } }, rules: { "no-undef": "off" } },
   { files: ["src/**/*.{ts,tsx}", "scripts/**/*.ts", "e2e/**/*.ts", "tests/**/*.ts"], rules: { "no-restricted-syntax": ["error", ...form] } },
   {
-    files: ["src/{kernel,nc,cycles,program,sim,view,i18n}/**/*.ts"],
+    files: ["src/{kernel,nc,cycles,program,sim,view,i18n,report}/**/*.ts"],
     ignores: ["**/*.test.ts"],
     rules: { "no-restricted-globals": pure.globals, "no-restricted-properties": pure.properties },
   },

@@ -14,6 +14,7 @@ const RULES: Record<string, Rule> = {
   sim: { values: ["kernel"] },
   view: { values: ["kernel", "sim"], types: ["cycles"] },
   i18n: { values: [], types: ["kernel", "cycles", "nc", "program"] },
+  report: { values: ["kernel", "cycles", "program", "sim", "i18n"] },
 };
 const layerOf = (path: string) => path.split("/")[1] ?? "";
 const all = sources("src");

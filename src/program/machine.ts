@@ -16,6 +16,8 @@ import type { Finding, Operation } from "./run-types.ts";
 /** What a run can use. */
 export interface Shop {
   readonly tools: readonly Tool[];
+  /** Tools whose columns are impossible, with what is wrong. */
+  readonly refused?: ReadonlyMap<number, readonly Issue[]>;
   /** Rapid rate for times, mm/min. */
   readonly rapid: number;
 }

@@ -175,11 +175,13 @@ function toolCall(machine: Machine, s: Extract<Statement, { kind: "toolCall" }>,
   if (s.tool === null) return;
   const wanted = typeof s.tool === "object" ? machine.number(s.tool, index) : s.tool;
   if (wanted === null) return;
-  const tool = find(machine.shop.tools, wanted);
+  const tool = machine.shop.refused?.has(Number(wanted)) ? undefined : find(machine.shop.tools, wanted);
   machine.sure = { x: false, z: false };
   machine.last = null;
   machine.tool = tool ?? null;
-  if (!tool && (machine.turning || turnsLater(machine, index)))
+  const refused = typeof wanted === "number" ? machine.shop.refused?.get(wanted) : undefined;
+  if (refused) for (const i of refused) machine.say(i, index);
+  else if (!tool && (machine.turning || turnsLater(machine, index)))
     machine.say(programIssue("toolUnknown", "error", { tool: String(wanted) }, "tool"), index);
   const deltas = (["deltaLength", "deltaRadius"] as const).some((d) => s[d] !== null && s[d] !== 0);
   if (deltas && tool) machine.notSimulated("DL DR", index, "warning");

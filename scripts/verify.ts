@@ -1,0 +1,104 @@
+import { readFileSync } from "node:fs";
+import { parse } from "../src/nc/parse.ts";
+import { print } from "../src/nc/program.ts";
+import { over, readTools, type ToolTable } from "../src/program/read-tools.ts";
+import { run } from "../src/program/run.ts";
+import { shippedTools } from "../src/program/shipped-tools.ts";
+import { hasErrors, report, type Report } from "../src/report/report.ts";
+import { summary } from "../src/report/summary.ts";
+import { simulate } from "../src/sim/simulate.ts";
+
+/** Rapid rate of the times, mm/min. */
+const RAPID = 10_000;
+
+/** A command line that can not be carried out; its message is the one line on standard error. */
+class Refusal extends Error {}
+
+interface Command {
+  readonly files: readonly string[];
+  readonly tools: string | null;
+  readonly json: boolean;
+  readonly print: boolean;
+}
+
+function command(args: readonly string[]): Command {
+  const files: string[] = [];
+  let [tools, json, printing]: [string | null, boolean, boolean] = [null, false, false];
+  for (let i = 0; i < args.length; i += 1) {
+    const arg = args[i] ?? "";
+    if (arg === "--json") json = true;
+    else if (arg === "--print") printing = true;
+    else if (arg === "--tools") {
+      tools = args[(i += 1)] ?? null;
+      if (tools === null) throw new Refusal("--tools needs a file");
+    } else if (arg.startsWith("--")) throw new Refusal(`unknown option ${arg}`);
+    else files.push(arg);
+  }
+  if (files.length === 0) throw new Refusal("usage: npm run --silent verify -- FILE.h [FILE.h …] [--tools TOOLS.json] [--json] [--print]");
+  return { files, tools, json, print: printing };
+}
+
+function bytes(path: string): Buffer {
+  try {
+    return readFileSync(path);
+  } catch {
+    throw new Refusal(`cannot read ${path}`);
+  }
+}
+
+interface Decoded {
+  readonly text: string;
+  readonly encoding: "utf8" | "latin1";
+}
+
+/** Programs of older controls are not UTF-8: what can not be is read byte by byte. */
+function decoded(data: Buffer): Decoded {
+  try {
+    return { text: new TextDecoder("utf-8", { fatal: true, ignoreBOM: true }).decode(data), encoding: "utf8" };
+  } catch {
+    return { text: data.toString("latin1"), encoding: "latin1" };
+  }
+}
+
+function toolsOf(path: string | null): ToolTable {
+  if (path === null) return { tools: shippedTools, refused: new Map() };
+  const read = readTools(decoded(bytes(path)).text);
+  if ("problem" in read) throw new Refusal(`tools file ${path}: ${read.problem}`);
+  return over(shippedTools, read);
+}
+
+/** Reads, runs and simulates one program. */
+export function verified(file: string, text: string, shop: ToolTable): Report {
+  const started = performance.now();
+  const program = parse(text);
+  const read = performance.now();
+  const done = run(program, { ...shop, rapid: RAPID });
+  const planned = performance.now();
+  const simulation = simulate({ blank: done.blank, steps: done.steps, operations: done.operations });
+  const milliseconds = { parse: read - started, plan: planned - read, simulate: performance.now() - planned };
+  return report({ file, run: done, simulation, milliseconds }, "en");
+}
+
+/** `npm run --silent verify -- FILE.h …`: 0 no error, 1 an error in a program, 2 the command could not run. */
+export function main(args: readonly string[]): number {
+  try {
+    const { files, tools, json, print: printing } = command(args);
+    const shop = toolsOf(tools);
+    const programs = files.map((file) => ({ file, ...decoded(bytes(file)) }));
+    let status = 0;
+    for (const { file, text, encoding } of programs) {
+      if (printing) {
+        process.stdout.write(Buffer.from(print(parse(text)), encoding));
+        continue;
+      }
+      const made = verified(file, text, shop);
+      if (hasErrors(made)) status = 1;
+      process.stdout.write(json ? `${JSON.stringify(made)}\n` : summary(made));
+    }
+    return status;
+  } catch (error) {
+    if (!(error instanceof Refusal)) throw error;
+    process.stderr.write(`verify: ${error.message}\n`);
+    return 2;
+  }
+}

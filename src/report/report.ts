@@ -1,0 +1,170 @@
+import { message } from "../i18n/message.ts";
+import type { Language } from "../i18n/languages.ts";
+import type { AnyIssue } from "../i18n/message-texts.ts";
+import { cycleByNumber } from "../cycles/index.ts";
+import { flattened } from "../kernel/flatten.ts";
+import type { Severity } from "../kernel/issue.ts";
+import type { Move } from "../kernel/move.ts";
+import type { Pt, Segment } from "../kernel/point.ts";
+import type { Tool } from "../kernel/tool.ts";
+import { toDiameter } from "../kernel/units.ts";
+import type { Operation, Run } from "../program/run-types.ts";
+import { issuesOf, type ProofIssue } from "../sim/issues.ts";
+import type { Simulation } from "../sim/simulation.ts";
+
+/** [z, r], mm. */
+export type ReportPoint = readonly [z: number, r: number];
+export type ReportRing = readonly ReportPoint[];
+
+/** End points of the theoretical tip; X and the X of a centre are diameters. */
+export interface ReportMove {
+  readonly kind: Move["kind"];
+  readonly x: number;
+  readonly z: number;
+  readonly cx?: number;
+  readonly cz?: number;
+  readonly dir?: "cw" | "ccw";
+  readonly feed?: number;
+  readonly feedUnit?: "mm/rev" | "mm/min";
+  readonly phase: Move["phase"];
+  readonly pass?: number;
+  readonly block: number;
+}
+
+export interface ReportIssue {
+  readonly code: string;
+  readonly severity: Severity;
+  readonly at?: string;
+  readonly block?: number;
+  readonly data?: object;
+  readonly text: string;
+}
+
+export interface ReportOperation {
+  readonly block: number;
+  readonly cycle: number;
+  readonly tool: Readonly<Record<string, string | number>>;
+  readonly start: { readonly x: number; readonly z: number };
+  readonly contour: readonly ReportPoint[];
+  readonly passes: number;
+  readonly infeed: number;
+  readonly moves: readonly ReportMove[];
+  readonly seconds: number;
+  readonly issues: readonly ReportIssue[];
+}
+
+export interface Milliseconds {
+  readonly parse: number;
+  readonly plan: number;
+  readonly simulate: number;
+}
+
+/** What one program does, as data for other programs. Lengths mm, also of inch programs. */
+export interface Report {
+  readonly format: "turnwise-report/1";
+  readonly file: string;
+  readonly program: Run["program"];
+  readonly stock: { readonly initial: readonly ReportRing[]; readonly final: readonly ReportRing[] };
+  readonly operations: readonly ReportOperation[];
+  readonly moves: readonly ReportMove[];
+  readonly proof: {
+    readonly gouge: number;
+    readonly rapidInStock: number;
+    readonly residual: readonly { readonly area: number; readonly reason: string; readonly ring: ReportRing }[];
+  };
+  readonly issues: readonly ReportIssue[];
+  readonly milliseconds: Milliseconds;
+}
+
+/** Arcs of a reported contour stay this near to their circle: 1 µm. */
+const CONTOUR_CHORD = 0.001;
+/** Smaller rests are not reported, mm². */
+const LEAST_RESIDUAL = 0.01;
+
+const pointOf = (p: Pt): ReportPoint => [p.z, p.r];
+const ringOf = (ring: readonly Pt[]): ReportRing => ring.map(pointOf);
+
+function moveOf(move: Move, block: number): ReportMove {
+  const { phase, pass } = move;
+  const common = { x: toDiameter(move.to.r), z: move.to.z, phase, ...(pass !== undefined && { pass }), block };
+  switch (move.kind) {
+    case "rapid": return { kind: move.kind, ...common };
+    case "feed": return { kind: move.kind, ...common, feed: move.feed, feedUnit: move.feedUnit };
+    case "arc": return {
+      kind: move.kind, ...common, cx: toDiameter(move.centre.r), cz: move.centre.z, dir: move.turn, feed: move.feed, feedUnit: move.feedUnit,
+    };
+    case "thread": return { kind: move.kind, ...common, feed: Math.abs(move.pitch), feedUnit: "mm/rev" };
+  }
+}
+
+const columnsOf = (tool: Tool): Record<string, string | number> =>
+  Object.fromEntries(Object.entries(tool).filter((e): e is [string, string | number] => typeof e[1] !== "object"));
+
+function contourOf(contour: readonly Segment[]): ReportPoint[] {
+  const first = contour[0];
+  return first ? [pointOf(first.from), ...contour.flatMap((s) => flattened(s, CONTOUR_CHORD).slice(1).map(pointOf))] : [];
+}
+
+interface Place {
+  readonly at?: string | undefined;
+  readonly block: number | null;
+  readonly cycle: number | null;
+}
+
+function issueOf(found: AnyIssue, { at, block, cycle }: Place, language: Language): ReportIssue {
+  const field = at === undefined || cycle === null ? undefined : cycleByNumber(cycle)?.params[at]?.kind;
+  return {
+    code: found.code, severity: found.severity, ...(at !== undefined && { at }), ...(block !== null && { block }),
+    data: found.data, text: message(language, found, field),
+  };
+}
+
+/** Everything a check needs: what the program did and what became of the stock. */
+export interface Checked {
+  readonly file: string;
+  readonly run: Run;
+  readonly simulation: Pick<Simulation, "final" | "findings" | "proof">;
+  readonly milliseconds: Milliseconds;
+}
+
+/** Puts a run and its simulation into the form of the report, with sentences in one language. */
+export function report({ file, run, simulation, milliseconds }: Checked, language: Language): Report {
+  const proved = issuesOf(simulation);
+  const cycleOf = (operation: number | null) => (operation === null ? null : (run.operations[operation]?.cycle ?? null));
+  const proofIssue = (p: ProofIssue) => {
+    const block = p.block ?? (p.operation === null ? null : (run.operations[p.operation]?.block ?? null));
+    return issueOf(p.issue, { at: p.issue.at, block, cycle: null }, language);
+  };
+  const operation = (o: Operation, index: number): ReportOperation => ({
+    block: o.block, cycle: o.cycle, tool: columnsOf(o.tool), start: { x: toDiameter(o.start.r), z: o.start.z },
+    contour: contourOf(o.plan.contour), passes: o.plan.passes, infeed: o.plan.infeed,
+    moves: run.steps.slice(o.firstStep, o.lastStep + 1).map((s) => moveOf(s.move, s.block)), seconds: o.seconds,
+    issues: [
+      ...run.issues.filter((f) => f.operation === index).map((f) => issueOf(f.issue, { at: "at" in f.issue ? f.issue.at : undefined, block: f.block, cycle: o.cycle }, language)),
+      ...proved.filter((p) => p.operation === index).map(proofIssue),
+    ],
+  });
+  return {
+    format: "turnwise-report/1",
+    file,
+    program: run.program,
+    stock: { initial: run.blank.map(ringOf), final: simulation.final.map(ringOf) },
+    operations: run.operations.map(operation),
+    moves: run.steps.filter((s) => s.operation === null).map((s) => moveOf(s.move, s.block)),
+    proof: {
+      gouge: simulation.proof.gouge,
+      rapidInStock: simulation.proof.rapidInStock,
+      residual: simulation.proof.residual
+        .filter((r) => r.area > LEAST_RESIDUAL)
+        .map((r) => ({ area: r.area, reason: r.reason, ring: ringOf(r.ring) })),
+    },
+    issues: [
+      ...run.issues.map((f) => issueOf(f.issue, { at: "at" in f.issue ? f.issue.at : undefined, block: f.block, cycle: cycleOf(f.operation) }, language)),
+      ...proved.map(proofIssue),
+    ],
+    milliseconds,
+  };
+}
+
+/** True when a program has a fault that must not reach a machine. */
+export const hasErrors = (r: Report) => r.issues.some((i) => i.severity === "error");
