@@ -102,7 +102,14 @@ export const areaOf = (area: readonly Ring[]): number => area.reduce((sum, ring)
 
 /** The compact form of rings that lie on the grid. */
 export const packed = (area: readonly Ring[]): PackedRings =>
-  area.map((ring) => Int32Array.from(ring.flatMap((p) => [toGrid(p.z), toGrid(p.r)])));
+  area.map((ring) => {
+    const numbers = new Int32Array(2 * ring.length);
+    ring.forEach((p, i) => {
+      numbers[2 * i] = toGrid(p.z);
+      numbers[2 * i + 1] = toGrid(p.r);
+    });
+    return numbers;
+  });
 
 /** Rings from their compact form. */
 export const unpacked = (area: PackedRings): Ring[] =>

@@ -6,6 +6,7 @@ import { boxAround, inBox } from "./box.ts";
 import type { Cutting } from "./cutting.ts";
 import type { Edges } from "./edges.ts";
 import type { Outlines } from "./outlines.ts";
+import { piecesOf, type Piece } from "./piece.ts";
 import { largest, placeIn } from "./region.ts";
 import type { Finding } from "./simulation.ts";
 import { sweepOf } from "./sweep.ts";
@@ -28,8 +29,8 @@ const real = (area: Ring[]): Ring[] => {
 };
 
 /** What pieces have in common with an area and with the stock as it is now. */
-function inStock(pieces: readonly Ring[], cut: Cutting, within: readonly Ring[] | null = null, also: readonly Ring[] = []): Ring[] {
-  const near = pieces.filter((p) => cut.meets(p));
+function inStock(pieces: readonly Piece[], cut: Cutting, within: readonly Ring[] | null = null, also: readonly Ring[] = []): Ring[] {
+  const near = pieces.filter((p) => cut.meets(p)).map((p) => p.ring);
   if (near.length === 0) return [];
   const box = boxAround(near);
   const area = within ? intersection(inBox(within, box), near) : near;
@@ -42,10 +43,10 @@ function inStock(pieces: readonly Ring[], cut: Cutting, within: readonly Ring[] 
 /** The holder touches what neither the moves before nor this one, up to the same moment, have cut away. */
 function holderHits(step: Step, outlines: Outlines, cut: Cutting): Ring[] {
   if (!outlines.holder) return [];
-  const whole = sweepOf(outlines.holder, step);
+  const whole = piecesOf(sweepOf(outlines.holder, step));
   if (real(inStock(whole, cut)).length === 0) return [];
   for (let i = 1; i <= PARTS; i += 1) {
-    const hit = real(inStock(sweepOf(outlines.holder, step, i / PARTS), cut, null, sweepOf(outlines.insert, step, i / PARTS)));
+    const hit = real(inStock(piecesOf(sweepOf(outlines.holder, step, i / PARTS)), cut, null, sweepOf(outlines.insert, step, i / PARTS)));
     if (hit.length > 0) return hit;
   }
   return [];
@@ -53,7 +54,7 @@ function holderHits(step: Step, outlines: Outlines, cut: Cutting): Ring[] {
 
 /** What goes wrong in a step, before its sweep is taken from the stock. */
 export function check(
-  step: Step, index: number, outlines: Outlines, sweep: readonly Ring[], cut: Cutting, finished: Finished,
+  step: Step, index: number, outlines: Outlines, sweep: readonly Piece[], cut: Cutting, finished: Finished,
 ): Finding[] {
   const found: Finding[] = [];
   const report = (kind: Finding["kind"], rings: Ring[]) => {

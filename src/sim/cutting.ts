@@ -1,6 +1,7 @@
 import { difference, union } from "../kernel/clip.ts";
 import type { Ring } from "../kernel/point.ts";
 import { edgesOf } from "./edges.ts";
+import type { Piece } from "./piece.ts";
 
 /** Convex pieces, or merged groups of them, that are merged in one go. Many that overlap cost the square of their number. */
 const GROUP = 8;
@@ -15,13 +16,13 @@ export interface Cutting {
   /** Convex pieces added that met the stock. */
   readonly pieces: number;
   /** Takes away convex pieces. Those that do not meet the stock it began with are passed over. */
-  add(pieces: readonly Ring[]): void;
+  add(pieces: readonly Piece[]): void;
   /** Whether a convex piece met the stock it began with. */
-  meets(piece: Ring): boolean;
+  meets(piece: Piece): boolean;
   /** Everything added so far: merged groups and single pieces. */
   swept(): Ring[];
   /** The stock now, less further pieces that are not kept. */
-  stock(further?: readonly Ring[]): readonly Ring[];
+  stock(further?: readonly Piece[]): readonly Ring[];
 }
 
 /** Begins to cut a stock. */
@@ -48,13 +49,13 @@ export function cutting(initial: readonly Ring[]): Cutting {
       for (const piece of more) {
         if (!edges.meets(piece)) continue;
         pieces += 1;
-        keep([piece], 0);
+        keep([piece.ring], 0);
       }
     },
     meets: (piece) => edges.meets(piece),
     swept,
     stock(further = []) {
-      const gone = [...swept(), ...further.filter((piece) => edges.meets(piece))];
+      const gone = [...swept(), ...further.filter((piece) => edges.meets(piece)).map((piece) => piece.ring)];
       return gone.length === 0 ? initial : difference(initial, gone);
     },
   };

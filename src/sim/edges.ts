@@ -1,41 +1,10 @@
 import type { Pt, Ring } from "../kernel/point.ts";
-import { GRID } from "../kernel/tolerance.ts";
-
-/** A convex piece that goes less deep than this into an area only touches it: a step of the polygon grid each way. */
-const GLANCE = 2 * GRID;
-
-/** A convex piece as half planes n·p ≤ c with unit normals, and its bounding box. */
-interface Piece {
-  readonly planes: readonly { readonly z: number; readonly r: number; readonly c: number }[];
-  readonly low: { readonly z: number; readonly r: number };
-  readonly high: { readonly z: number; readonly r: number };
-}
-
-function pieceOf(ring: Ring): Piece {
-  const planes: { z: number; r: number; c: number }[] = [];
-  const low = { z: Infinity, r: Infinity };
-  const high = { z: -Infinity, r: -Infinity };
-  let p = ring[ring.length - 1] as Pt;
-  for (const q of ring) {
-    const size = Math.hypot(q.z - p.z, q.r - p.r);
-    if (size > GRID) {
-      const z = (q.r - p.r) / size;
-      const r = (p.z - q.z) / size;
-      planes.push({ z, r, c: z * p.z + r * p.r - GLANCE });
-    }
-    low.z = Math.min(low.z, q.z);
-    low.r = Math.min(low.r, q.r);
-    high.z = Math.max(high.z, q.z);
-    high.r = Math.max(high.r, q.r);
-    p = q;
-  }
-  return { planes, low, high };
-}
+import type { Piece } from "./piece.ts";
 
 /** The edges of an area in columns along z, to ask quickly whether a convex piece meets it. */
 export interface Edges {
   /** False when the piece surely has no area in common with this one. */
-  meets(convex: Ring): boolean;
+  meets(piece: Piece): boolean;
 }
 
 /** Edges per column that we aim at, and the most columns worth keeping. */
@@ -74,15 +43,19 @@ export function edgesOf(area: readonly Ring[]): Edges {
   const seen = new Int32Array(count).fill(-1);
   let question = 0;
 
-  /** Whether an edge runs through the inside of a piece: what stays of it after each half plane. */
-  function enters(e: number, piece: Piece): boolean {
+  /** Whether an edge runs through the inside of a piece: what stays of it after each side. */
+  function enters(e: number, { box, sides }: Piece): boolean {
     const [az, ar, bz, br] = [z0[e] as number, r0[e] as number, z1[e] as number, r1[e] as number];
-    if (Math.max(ar, br) < piece.low.r || Math.min(ar, br) > piece.high.r) return false;
-    if (Math.max(az, bz) < piece.low.z || Math.min(az, bz) > piece.high.z) return false;
-    let [start, end] = [0, 1];
-    for (const plane of piece.planes) {
-      const a = plane.z * az + plane.r * ar - plane.c;
-      const b = plane.z * bz + plane.r * br - plane.c;
+    if ((ar < box.bottom && br < box.bottom) || (ar > box.top && br > box.top)) return false;
+    if ((az < box.left && bz < box.left) || (az > box.right && bz > box.right)) return false;
+    let start = 0;
+    let end = 1;
+    for (let i = 0; i < sides.length; i += 3) {
+      const nz = sides[i] as number;
+      const nr = sides[i + 1] as number;
+      const c = sides[i + 2] as number;
+      const a = nz * az + nr * ar - c;
+      const b = nz * bz + nr * br - c;
       if (a >= 0 && b >= 0) return false;
       if (a > 0) start = Math.max(start, a / (a - b));
       else if (b > 0) end = Math.min(end, a / (a - b));
@@ -103,19 +76,18 @@ export function edgesOf(area: readonly Ring[]): Edges {
   }
 
   return {
-    meets(convex) {
-      if (count === 0 || convex.length < 3) return false;
-      const piece = pieceOf(convex);
-      if (!(piece.high.z > left && piece.low.z < right)) return false;
+    meets(piece) {
+      const { ring, box } = piece;
+      if (count === 0 || ring.length < 3 || !(box.right > left && box.left < right)) return false;
       question += 1;
-      const last = columnOf(piece.high.z);
-      for (let c = columnOf(piece.low.z); c <= last; c += 1)
+      const last = columnOf(box.right);
+      for (let c = columnOf(box.left); c <= last; c += 1)
         for (const e of lists[c] ?? []) {
           if (seen[e] === question) continue;
           seen[e] = question;
           if (enters(e, piece)) return true;
         }
-      const [p, q, s] = [convex[0] as Pt, convex[Math.floor(convex.length / 3)] as Pt, convex[Math.floor((2 * convex.length) / 3)] as Pt];
+      const [p, q, s] = [ring[0] as Pt, ring[Math.floor(ring.length / 3)] as Pt, ring[Math.floor((2 * ring.length) / 3)] as Pt];
       return holds((p.z + q.z + s.z) / 3, (p.r + q.r + s.r) / 3);
     },
   };

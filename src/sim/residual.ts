@@ -10,6 +10,7 @@ import { cutting } from "./cutting.ts";
 import { edgesOf } from "./edges.ts";
 import { machiningArea } from "./finished.ts";
 import type { Outlines } from "./outlines.ts";
+import { pieceOf, piecesOf } from "./piece.ts";
 import { reasonFor } from "./reason.ts";
 import { inside, placeIn, regionsOf, type Region } from "./region.ts";
 import type { Residual, SimulatedOperation } from "./simulation.ts";
@@ -55,7 +56,7 @@ function above(insert: Ring, operation: SimulatedOperation): Ring {
   const every = Math.max(1, Math.floor(places.length / TRIED));
   const ways = [at(0, side((p) => p.r)), at(side((p) => p.z), 0)].map((way) => {
     const cover = hullAlong(insert, ORIGIN, way);
-    const hits = places.filter((p, i) => i % every === 0 && body.meets(hullAlong(cover, p, p))).length;
+    const hits = places.filter((p, i) => i % every === 0 && body.meets(pieceOf(hullAlong(cover, p, p)))).length;
     return { cover, hits };
   });
   const [across, other] = ways as [(typeof ways)[0], (typeof ways)[0]];
@@ -69,7 +70,7 @@ function beyondReach(left: readonly Ring[], operations: readonly SimulatedOperat
     const insert = outlines(toolOf(operation)).insert;
     if (insert.length < 3 || operation.plan.reach.length === 0 || operation.plan.area.length < 3) continue;
     const cover = above(insert, operation);
-    for (const piece of operation.plan.reach) cut.add(sweepAlong(cover, piece.path));
+    for (const piece of operation.plan.reach) cut.add(piecesOf(sweepAlong(cover, piece.path)));
   }
   return [...cut.stock()];
 }

@@ -5,6 +5,7 @@ import { cutting } from "./cutting.ts";
 import { edgesOf } from "./edges.ts";
 import { finishedPart } from "./finished.ts";
 import { outlinesOf } from "./outlines.ts";
+import { piecesOf } from "./piece.ts";
 import { residualOf } from "./residual.ts";
 import type { Checkpoint, Finding, Simulation, SimulationInput } from "./simulation.ts";
 import { sweepOf } from "./sweep.ts";
@@ -42,7 +43,7 @@ export function simulate(input: SimulationInput): Simulation {
       last = i;
     }
     const shapes = outlines(step.tool);
-    const sweep = sweepOf(shapes.insert, step);
+    const sweep = piecesOf(sweepOf(shapes.insert, step));
     findings.push(...check(step, i, shapes, sweep, cut, finished));
     cut.add(sweep);
   });

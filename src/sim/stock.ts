@@ -2,6 +2,7 @@ import { unpacked } from "../kernel/clip.ts";
 import type { Ring } from "../kernel/point.ts";
 import { cutting, type Cutting } from "./cutting.ts";
 import { outlinesOf } from "./outlines.ts";
+import { piecesOf } from "./piece.ts";
 import type { Checkpoint, Position, Simulation } from "./simulation.ts";
 import { sweepOf } from "./sweep.ts";
 
@@ -44,7 +45,7 @@ export function playerOf(simulation: Simulation): Player {
       now = { checkpoint, next: checkpoint.step, cut: cutting(unpacked(checkpoint.stock)) };
     for (; now.next < step; now.next += 1) {
       const s = simulation.steps[now.next];
-      if (s) now.cut.add(sweepOf(outlines(s.tool).insert, s));
+      if (s) now.cut.add(piecesOf(sweepOf(outlines(s.tool).insert, s)));
     }
     return now.cut;
   }
@@ -54,7 +55,7 @@ export function playerOf(simulation: Simulation): Player {
       const { step, fraction } = within(simulation, asked);
       const cut = cutUpTo(step);
       const running = simulation.steps[step];
-      return cut.stock(running ? sweepOf(outlines(running.tool).insert, running, fraction) : []);
+      return cut.stock(running ? piecesOf(sweepOf(outlines(running.tool).insert, running, fraction)) : []);
     },
   };
 }

@@ -1,0 +1,39 @@
+import type { Pt, Ring } from "../kernel/point.ts";
+import { GRID } from "../kernel/tolerance.ts";
+import { boxOf, type Box } from "./box.ts";
+
+/** A convex piece that goes less deep than this into an area only touches it: two steps of the polygon grid. */
+const GLANCE = 2 * GRID;
+
+/** A convex ring (counter-clockwise) with its box and its sides, ready to be asked many times. */
+export interface Piece {
+  readonly ring: Ring;
+  readonly box: Box;
+  /** Half planes nz·z + nr·r < c with unit normals, moved inwards by GLANCE: nz, nr, c, nz, nr, c … */
+  readonly sides: Float64Array;
+}
+
+/** Prepares a convex ring. */
+export function pieceOf(ring: Ring): Piece {
+  const sides = new Float64Array(3 * ring.length);
+  let count = 0;
+  let p = ring[ring.length - 1] as Pt;
+  for (const q of ring) {
+    const dz = q.z - p.z;
+    const dr = q.r - p.r;
+    const size = Math.sqrt(dz * dz + dr * dr);
+    if (size > GRID) {
+      const nz = dr / size;
+      const nr = -dz / size;
+      sides[count] = nz;
+      sides[count + 1] = nr;
+      sides[count + 2] = nz * p.z + nr * p.r - GLANCE;
+      count += 3;
+    }
+    p = q;
+  }
+  return { ring, box: boxOf(ring), sides: sides.subarray(0, count) };
+}
+
+/** Prepares several convex rings. */
+export const piecesOf = (rings: readonly Ring[]): Piece[] => rings.map(pieceOf);
