@@ -98,21 +98,20 @@ function splitAtAxes(e: Edge): Edge[] {
   return parts;
 }
 
-/** The boundary point farthest in direction `n`, and what it belongs to. */
+/** The boundary point farthest in direction `n`, and what it belongs to; of a whole edge, the end lower in v. */
 export function support(k: Convex, n: Flat): { at: Flat; feature: Feature } {
   let best = -Infinity;
   let found: { at: Flat; feature: Feature } = { at: { u: 0, v: 0 }, feature: "nose" };
   const angle = Math.atan2(n.v, n.u);
-  const offer = (at: Flat, feature: Feature, bonus = 0) => {
-    const d = at.u * n.u + at.v * n.v + bonus;
-    if (d > best + 1e-12) {
-      best = d;
+  const offer = (at: Flat, feature: Feature) => {
+    const d = at.u * n.u + at.v * n.v;
+    if (d > best + 1e-10 || (d > best - 1e-10 && at.v < found.at.v - 1e-10)) {
+      best = Math.max(best, d);
       found = { at, feature };
     }
   };
-  for (const e of k) if (e.kind === "arc" && e.radius > 0 && positive(angle - e.start + 1e-9) <= e.sweep + 2e-9)
-    offer(onArc(e.centre, e.radius, angle), e.feature, 1e-10);
   for (const e of k) {
+    if (e.kind === "arc" && positive(angle - e.start + 1e-9) <= e.sweep + 2e-9) offer(onArc(e.centre, e.radius, angle), e.feature);
     offer(edgeStart(e), e.feature);
     offer(edgeEnd(e), e.feature);
   }

@@ -70,6 +70,15 @@ export class Track {
     this.at = segment.to;
   }
 
+  /** To the start of a path and along it; `how` gives feed and purpose of each element. */
+  along(path: readonly FlatSegment[], how: (s: FlatSegment) => { readonly feed: number; readonly purpose: Purpose }) {
+    path.forEach((s, i) => {
+      const step: FlatSegment = { kind: "line", from: this.at, to: s.from };
+      if (i === 0) this.feed(s.from, how(step).feed, how(step).purpose);
+      this.follow(s, how(s).feed, how(s).purpose);
+    });
+  }
+
   private inside(p: Flat): Flat {
     const r = this.room;
     return { u: Math.min(Math.max(p.u, r.minU), r.maxU), v: Math.min(Math.max(p.v, r.minV), r.maxV) };

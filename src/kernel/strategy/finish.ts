@@ -1,10 +1,11 @@
-import { heightAt, pathAlong } from "../envelope.ts";
+import { heightAt, highest, pathAlong } from "../envelope.ts";
 import { distance, type Flat, type FlatSegment } from "../flat.ts";
 import { issue, type Issue } from "../issue.ts";
 import { SAME } from "../tolerance.ts";
 import type { Purpose, Track } from "../track.ts";
 import type { Feeds } from "./feeds.ts";
 import type { Ground } from "./ground.ts";
+import { falls } from "./levels.ts";
 
 export interface Finish {
   readonly ground: Ground;
@@ -12,6 +13,8 @@ export interface Finish {
   readonly contour: readonly FlatSegment[];
   readonly start: Flat;
   readonly clearance: number;
+  /** What roughing has left above the contour, mm. */
+  readonly kept: number;
   readonly feeds: Feeds;
   /** The tip stays within this stretch of u. */
   readonly from: number;
@@ -42,17 +45,16 @@ export function finishContour(track: Track, f: Finish, issues: Issue[]): void {
   if (!f.smoothing && nearContour(f.start, f.contour) < f.clearance) {
     issues.push(issue("startInsideEnvelope", "warning", { clearance: f.clearance }, "start"));
   } else {
-    const above = begin.v + f.clearance;
+    const before = Math.min(Math.max(f.start.u, u0 - f.clearance), u0);
+    const above = Math.max(begin.v, highest(f.ground.envelope, before, u0).v) + Math.max(f.clearance, f.kept);
     if (track.at.v < above) track.rapid("v", above, p(1));
-    track.rapid("u", Math.min(Math.max(f.start.u, u0 - f.clearance), u0), p(1));
+    track.rapid("u", before, p(1));
     track.rapid("v", above, p(1));
   }
   track.feed(begin, feed, p(1));
-  track.feed(first, feed, p(2));
-  for (const s of path) {
-    const plunging = f.smoothing && s.segment.to.v < s.segment.from.v - 1e-9;
-    track.follow(s.segment, plunging ? f.feeds.plunge : feed, plunging ? { ...p(2), plunging: true } : p(2));
-  }
+  track.along(path.map((s) => s.segment), (s) => f.smoothing && falls(s)
+    ? { feed: f.feeds.plunge, purpose: { ...p(2), plunging: true } }
+    : { feed, purpose: p(2) });
   if (f.to >= f.ground.end.u - SAME) track.feed({ u: u1, v: Math.max(track.at.v, f.ground.end.v) }, feed, p(2));
   track.feed({ u: track.at.u, v: track.at.v + f.clearance }, feed, p(3));
 }

@@ -1,4 +1,4 @@
-import { extent, grown, inFrame, support, type Convex } from "../convex.ts";
+import { extent, grown, inFrame, onArc, positive, type Convex } from "../convex.ts";
 import { linePiece, pathAlong, type Envelope, type Origin, type Piece } from "../envelope.ts";
 import { normalAt, segmentToPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
 import { insertShape, isBar } from "../insert.ts";
@@ -79,12 +79,28 @@ export function noseExtent(insert: Convex): { readonly trail: number; readonly l
   return { trail, lead };
 }
 
-/** Tip position when the insert touches an end of an element with the normal it has there. */
+/**
+ * Tip position when the nose touches an end of an element with the normal it has there; an element that a flank keeps the
+ * nose from is touched with the normal nearest to its own. Of two corners that touch alike, the one that covers more.
+ */
 function touch(insert: Convex, s: FlatSegment, end: "from" | "to"): Flat {
   const n = normalAt(s, end);
-  const { at } = support(insert, { u: -n.u, v: -n.v });
-  return { u: s[end].u - at.u, v: s[end].v - at.v };
+  const wanted = Math.atan2(-n.v, -n.u);
+  let best = { off: Infinity, at: { u: 0, v: 0 } as Flat };
+  for (const e of insert) {
+    if (e.kind !== "arc" || e.feature !== "nose") continue;
+    const inside = positive(wanted - e.start + 1e-9) <= e.sweep + 2e-9;
+    const [a, b] = [e.start, e.start + e.sweep];
+    const angle = inside ? wanted : away(wanted, a) <= away(wanted, b) ? a : b;
+    const off = away(wanted, angle);
+    const at = onArc(e.centre, e.radius, angle);
+    const covers = end === "from" ? at.u > best.at.u : at.u < best.at.u;
+    if (off < best.off - 1e-9 || (off < best.off + 1e-9 && covers)) best = { off, at };
+  }
+  return { u: s[end].u - best.at.u, v: s[end].v - best.at.v };
 }
+/** Distance of two directions, radians. */
+const away = (a: number, b: number) => Math.min(positive(a - b), positive(b - a));
 
 /** The finishing path over a ground, as stretches with what keeps the insert from going deeper. */
 export function reachOf(g: Ground, u0: number, u1: number, frame: Frame, tool: Tool): Reach[] {

@@ -58,9 +58,9 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
   const wanted: Track = new Track(l.frame, setting.feedUnit, called);
   if (wrong) return { ...empty(issues), contour: l.contour, part: partUnder(flat, l.frame, false), area: areaOver(flat, l.frame, called.u, Math.max(called.v, outer)) };
 
-  const start = placed(l, wanted, called, { u: first.from.u, v: first.from.v }, last.to.u, Math.max(highest, outer), issues);
+  const start = placed(l, tool, wanted, called, { u: first.from.u, v: first.from.v }, last.to.u, Math.max(highest, outer), issues);
   const top = Math.max(start.v, outer);
-  const limits = limitsOf(l, start, issues);
+  const limits = limitsOf(l, called, issues);
   const floor = Math.min(...flat.map(lowestOf));
   const wall = (height: number) => (top > height + SAME ? top + FAR : null);
   const limit = limits.floor === null ? [] : [{ v: limits.floor, on: "limit" as const }];
@@ -72,6 +72,7 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
   const from = Math.max(start.u, limits.from - nose.trail, room.minU);
   const to = Math.min(last.to.u + FAR / 2, limits.to - nose.lead, room.maxU);
 
+  const grown = groundOver(bounds, tool, l.frame, keep, toFinish);
   const kept = groundOver(bounds, tool, l.frame, keep, { ...toFinish, wall: wall(last.to.v), floors: [...limit, { v: floor + keep.v, on: "edge" }] });
   const drawn = groundOver(bounds, tool, l.frame, none, toFinish);
   let division = { passes: 0, infeed: 0 };
@@ -83,13 +84,13 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
     roughByLevels(wanted, { envelope: kept.envelope, start, top: upper, ...division, from, to, smoothing: l.smoothing, feeds: l.feeds });
     if (l.smoothing === 1 && division.passes > 0) {
       back(wanted, start, "rough", 4);
-      finishContour(wanted, { ground: kept, contour: flat, start, clearance: l.clearance, feeds: l.feeds, from, to, smoothing: true }, issues);
+      finishContour(wanted, { ground: grown, contour: flat, start, clearance: l.clearance, kept: 0, feeds: l.feeds, from, to, smoothing: true }, issues);
     }
     back(wanted, start, "rough", 6);
   }
   if (l.operation !== 1) {
-    const ground = l.operation === 3 ? groundOver(bounds, tool, l.frame, keep, toFinish) : drawn;
-    finishContour(wanted, { ground, contour: flat, start, clearance: l.clearance, feeds: l.feeds, from, to, smoothing: false }, issues);
+    const ground = l.operation === 3 ? grown : drawn;
+    finishContour(wanted, { ground, contour: flat, start, clearance: l.clearance, kept: keep.v, feeds: l.feeds, from, to, smoothing: false }, issues);
     back(wanted, start, "finish", 4);
   }
   return {
@@ -116,10 +117,11 @@ export function wrongSide(tool: Setting["tool"], frame: Frame): Issue | null {
 }
 
 /** The cycle start as the manual places it before step 1: clear of the area, or up to the contour start. */
-function placed(l: Leveled, track: Track, called: Flat, first: Flat, end: number, height: number, issues: Issue[]): Flat {
+function placed(l: Leveled, tool: Setting["tool"], track: Track, called: Flat, first: Flat, end: number, height: number, issues: Issue[]): Flat {
   const finishing = l.operation > 1;
   const p = { phase: "position", run: finishing ? "finish" : "rough", step: 0 } as const;
-  const over = called.u > first.u + SAME;
+  const { lead } = noseExtent(insertIn(tool, l.frame));
+  const over = called.u + lead > first.u + SAME;
   const at = toPart(l.frame, called);
   const where = { x: toDiameter(at.r), z: at.z };
   if (l.startRule === "contour" && called.v < first.v - SAME) {
@@ -129,7 +131,7 @@ function placed(l: Leveled, track: Track, called: Flat, first: Flat, end: number
   if (over && called.u < end) {
     issues.push(issue("startInArea", "warning", where, "start"));
     if (!finishing || l.startRule === "contour") track.rapid("v", Math.max(track.at.v, height + l.clearance), p);
-    track.rapid("u", first.u - l.clearance, p);
+    track.rapid("u", first.u - lead - l.clearance, p);
   } else if (over) issues.push(issue("startInMaterial", "warning", where, "start"));
   return track.at;
 }
@@ -141,12 +143,12 @@ interface Limits {
   readonly ceiling: number;
 }
 
-/** The side of each limit on which the start point stands is machined, the other is not cut. */
-function limitsOf(l: Leveled, start: Flat, issues: Issue[]): Limits {
+/** The side of each limit on which the tool stands at the call is machined, the other is not cut. */
+function limitsOf(l: Leveled, called: Flat, issues: Issue[]): Limits {
   const none = { from: -Infinity, to: Infinity, floor: null, ceiling: Infinity };
   if (!l.limit) return none;
-  const before = start.u <= l.limit.u;
-  const above = start.v >= l.limit.v;
+  const before = called.u <= l.limit.u;
+  const above = called.v >= l.limit.v;
   const flat = l.contour.map((s) => segmentToFlat(l.frame, s));
   const q = (axis: "u" | "v") => ((axis === "u") === l.frame.transverse ? "Q480" : "Q482");
   const shown = (axis: "u" | "v", value: number) => {
@@ -157,7 +159,7 @@ function limitsOf(l: Leveled, start: Flat, issues: Issue[]): Limits {
   const vs = flat.flatMap((s) => [s.from.v, s.to.v]);
   if (before ? l.limit.u <= Math.min(...us) : l.limit.u >= Math.max(...us))
     issues.push(issue("limitOnWrongSide", "warning", { limit: shown("u", l.limit.u), nearest: shown("u", before ? Math.max(...us) : Math.min(...us)) }, q("u")));
-  if (!above && l.limit.v <= Math.min(...vs))
-    issues.push(issue("limitOnWrongSide", "warning", { limit: shown("v", l.limit.v), nearest: shown("v", Math.min(...vs)) }, q("v")));
+  if (above ? l.limit.v >= Math.max(...vs) : l.limit.v <= Math.min(...vs))
+    issues.push(issue("limitOnWrongSide", "warning", { limit: shown("v", l.limit.v), nearest: shown("v", above ? Math.min(...vs) : Math.max(...vs)) }, q("v")));
   return { from: before ? -Infinity : l.limit.u, to: before ? l.limit.u : Infinity, floor: above ? l.limit.v : null, ceiling: above ? Infinity : l.limit.v };
 }

@@ -37,6 +37,8 @@ export function roughByLevels(track: Track, l: Levels): void {
   const cut = (i: number, valley: Interval, entry: number | null) => {
     const height = level(i);
     const p = (step: number, plunging = false) => purpose(step, i, plunging);
+    // From another valley the way leads over the level where both were still one.
+    if (track.at.v < level(i - 1)) track.rapid("v", level(i - 2), p(4));
     if (entry === null) {
       track.rapid("u", valley.from, p(4));
       track.rapid("v", height, p(1));
@@ -44,8 +46,8 @@ export function roughByLevels(track: Track, l: Levels): void {
       track.rapid("u", entry, p(4));
       track.rapid("v", Math.max(level(i - 1), heightAt(l.envelope, entry)), p(1));
       track.feed({ u: entry, v: Math.max(height, heightAt(l.envelope, entry)) }, l.feeds.plunge, p(2, true));
-      for (const { segment } of pathAlong(l.envelope, entry, valley.from))
-        track.follow(segment, falls(segment) ? l.feeds.plunge : l.feeds.rough, p(2, falls(segment)));
+      track.along(pathAlong(l.envelope, entry, valley.from).map((s) => s.segment), (s) =>
+        ({ feed: falls(s) ? l.feeds.plunge : l.feeds.rough, purpose: p(2, falls(s)) }));
       track.feed({ u: valley.from, v: height }, l.feeds.plunge, p(2, true));
     }
     track.feed({ u: valley.to, v: height }, l.feeds.rough, p(2));
@@ -57,7 +59,7 @@ export function roughByLevels(track: Track, l: Levels): void {
     if (l.smoothing === 0) {
       const up = highest(l.envelope, valley.to, Math.max(valley.to, limit));
       const end = up.v > previous - ROUND ? riseTo(l.envelope, valley.to, limit, previous) : up.u;
-      for (const s of pathAlong(l.envelope, valley.to, end)) track.follow(s.segment, l.feeds.rough, p);
+      track.along(pathAlong(l.envelope, valley.to, end).map((s) => s.segment), () => ({ feed: l.feeds.rough, purpose: p }));
       track.feed({ u: end, v: previous }, l.feeds.rough, p);
       track.feed({ u: end, v: previous + l.infeed }, l.feeds.rough, p);
       return;

@@ -153,7 +153,7 @@ function rough(track: Track, l: Recess, r: Rough) {
 /** Along a wall to the next level; without a wall to follow, sideways first and then straight down. */
 function down(track: Track, wall: readonly FlatSegment[], target: Flat, feed: number, p: Purpose) {
   if (wall.length === 0) track.feed({ u: target.u, v: track.at.v }, feed, p);
-  for (const s of wall) track.follow(s, feed, p);
+  track.along(wall, () => ({ feed, purpose: p }));
   track.feed(target, feed, p);
 }
 
@@ -177,9 +177,7 @@ function wallCuts(track: Track, l: Recess, r: Rough, floor: Interval, shortened:
   const cut = (begin: number, path: readonly FlatSegment[], end: Flat, along: number, inwards: number) => {
     track.rapid("u", begin, p);
     track.rapid("v", Math.max(r.top, path[0]?.from.v ?? r.top), p);
-    const from = path[0]?.from;
-    if (from) track.feed(from, l.feeds.plunge, cutting);
-    for (const s of path) track.follow(s, l.feeds.plunge, cutting);
+    track.along(path, () => ({ feed: l.feeds.plunge, purpose: cutting }));
     track.feed(end, l.feeds.plunge, cutting);
     track.feed({ u: along, v: bottom }, l.feeds.rough, p);
     out(inwards);
