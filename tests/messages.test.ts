@@ -56,6 +56,11 @@ describe.each(LANGUAGES)("messages in %s", (language) => {
     expect(message(language, found("gouge"))).toContain(`X⌀${formatNumber(language, 60.5)} Z${formatNumber(language, -5.5)}`);
   });
 
+  test("a limit is not rounded past itself", () => {
+    const found: AnyIssue = { code: "outOfRange", severity: "error", data: { value: 10, min: -9.9999, max: 9.9999, nearest: 9.9999 } };
+    expect(message(language, found, "axial")).toContain(formatNumber(language, 9.9999, 4));
+  });
+
   test("a long quotation is cut short", () => {
     expect(message(language, { code: "notANumber", severity: "error", data: { text: "x".repeat(5000) } }).length).toBeLessThan(120);
   });

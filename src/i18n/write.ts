@@ -27,8 +27,10 @@ const isDiameter = (kind: Kind | undefined) => kind === "diameter" || kind === "
 export function writer(language: Language, kind?: Kind): Write {
   const number = (value: number) => formatNumber(language, value);
   const diameter = (value: number) => `⌀${number(value)}`;
-  const angle = (value: number) => `${formatNumber(language, value, 4)}°`;
-  const plain = kind === "angle" ? angle : number;
+  /** Four decimals: some limits have them, and they must not be rounded past themselves. */
+  const full = (value: number) => formatNumber(language, value, 4);
+  const angle = (value: number) => `${full(value)}°`;
+  const plain = kind === "angle" ? angle : full;
   return {
     number,
     value: isDiameter(kind) ? diameter : plain,
