@@ -1,12 +1,14 @@
 import { StrictMode } from "react";
 import { createRoot } from "react-dom/client";
-import { z } from "zod";
+import { z } from "zod/mini";
 import { App } from "./App.tsx";
 import { CrashGuard } from "./CrashGuard.tsx";
 import { startEngine } from "./engine/client.ts";
 import { onHistoryKey } from "./history.ts";
 import { resume, startKeeping } from "./saving/keep.ts";
 import { followAppearance } from "./settings/appearance.ts";
+import { fetchTexts } from "./settings/loaded-texts.ts";
+import { useSettings } from "./settings/settings.ts";
 import "./styles/base.css";
 import "./styles/layout.css";
 import "./styles/dialog.css";
@@ -22,7 +24,8 @@ void resume().then(() => {
 });
 
 const root = document.getElementById("root");
-if (root)
+void fetchTexts(useSettings.getState().language).then(() => {
+  if (!root) return;
   createRoot(root).render(
     <StrictMode>
       <CrashGuard>
@@ -30,3 +33,4 @@ if (root)
       </CrashGuard>
     </StrictMode>,
   );
+});

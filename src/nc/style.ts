@@ -2,7 +2,7 @@ import type { NumberStyle } from "./number-text.ts";
 
 /** How blocks are written. Every choice is one that printed or real programs show. */
 export interface Style extends NumberStyle {
-  /** The two-space forms of the TNC 640: `L  X+75`, `LBL  2`, `CYCL DEF 820  NAME`. */
+  /** The two-space forms of the TNC 640: `L  X+75`, `LBL  2`, `CYCL DEF 200  NAME`. */
   readonly wide: boolean;
   /** ` ~` at the end of each line of a cycle but the last. */
   readonly continued: boolean;

@@ -1,5 +1,5 @@
 import { expose } from "comlink";
-import { z } from "zod";
+import { z } from "zod/mini";
 import { engine } from "./engine.ts";
 
 z.config({ jitless: true });

@@ -1,4 +1,4 @@
-import { z } from "zod";
+import { z } from "zod/mini";
 import type { Job } from "../../program/job.ts";
 
 /** Counts up whenever the layout of a saved work changes; each step has its upgrade below. */
@@ -12,7 +12,7 @@ export interface SaveFile {
   readonly job: Job;
 }
 
-const text = z.string().max(500);
+const text = z.string().check(z.maxLength(500));
 const row = z.object({
   id: text, kind: z.enum(["L", "RND", "CHF", "CR"]), x: text, z: text, r: text, turn: z.enum(["cw", "ccw"]),
   incrementalX: z.boolean(), incrementalZ: z.boolean(),
@@ -20,7 +20,7 @@ const row = z.object({
 const job = z.object({
   name: text,
   cycle: z.int(),
-  drafts: z.record(z.string().regex(/^\d+$/), z.record(z.string(), text)),
+  drafts: z.record(z.string().check(z.regex(/^\d+$/)), z.record(z.string(), text)),
   tool: z.number(),
   blank: z.object({ outside: text, bore: text, length: text, allowance: text }),
   start: z.object({ x: text, z: text }),

@@ -1,0 +1,93 @@
+import { ncLabels } from "../src/i18n/nc-labels.ts";
+import { parse } from "../src/nc/parse.ts";
+import type { Job } from "../src/program/job.ts";
+import { printJob } from "../src/program/print-job.ts";
+import { run } from "../src/program/run.ts";
+import { shippedTools } from "../src/program/shipped-tools.ts";
+import { simulate } from "../src/sim/simulate.ts";
+import { stockAt } from "../src/sim/stock.ts";
+import { ringData } from "../src/view/path.ts";
+import { sceneOf } from "../src/view/scene.ts";
+import { longContour, printedExample } from "./long-contour.ts";
+
+/** Milliseconds. */
+interface Measured {
+  readonly median: number;
+  readonly p95: number;
+  readonly n: number;
+}
+
+/** How long one measurement goes on at most, and how often it is repeated at least and at most. */
+const PATIENCE = 4000;
+const [LEAST, MOST] = [20, 400];
+
+/** Repeats with a warm-up that is not counted. `work` is given a count that grows, so that no result can be kept. */
+function measured(work: (count: number) => unknown): Measured {
+  const times: number[] = [];
+  let count = 0;
+  for (; count < LEAST; count += 1) work(count);
+  for (const end = performance.now() + PATIENCE; times.length < LEAST || (times.length < MOST && performance.now() < end); count += 1) {
+    const began = performance.now();
+    work(count);
+    times.push(performance.now() - began);
+  }
+  times.sort((a, b) => a - b);
+  const at = (part: number) => Number((times[Math.min(times.length - 1, Math.floor(part * times.length))] ?? 0).toFixed(3));
+  return { median: at(0.5), p95: at(0.95), n: times.length };
+}
+
+const labels = ncLabels("en");
+/** The same job with its largest infeed changed a little: a real edit, another text each time. */
+const changed = (job: Job, count: number): Job => {
+  const draft = job.drafts[job.cycle] ?? {};
+  return { ...job, drafts: { [job.cycle]: { ...draft, Q463: (Number(draft["Q463"]) - (count % 200) * 0.001).toFixed(3) } } };
+};
+const planned = (text: string) => run(parse(text), { tools: shippedTools, rapid: 10_000 });
+const stock = (text: string) => {
+  const made = planned(text);
+  return { made, simulation: simulate(made) };
+};
+/** From a changed value to everything that is drawn: text, moves, stock, proof, picture. */
+const update = (job: Job, count: number) => {
+  const { made, simulation } = stock(printJob(changed(job, count), labels));
+  const scene = sceneOf({ blank: made.blank, contours: made.operations.map((o) => o.plan.contour), steps: made.steps });
+  return [scene, ringData(simulation.final)];
+};
+
+function all(): Record<string, Measured> {
+  const results: Record<string, Measured> = {};
+  for (const cycle of [812, 820, 852]) {
+    const job = printedExample(cycle);
+    const program = parse(printJob(job, labels));
+    results[`plan ${cycle}`] = measured(() => run(program, { tools: shippedTools, rapid: 10_000 }));
+    results[`update ${cycle}`] = measured((count) => update(job, count));
+  }
+  const long = parse(printJob(longContour(820, 1000), labels));
+  const longText = printJob(longContour(820, 1000), labels);
+  results["plan 820 1000"] = measured(() => run(long, { tools: shippedTools, rapid: 10_000 }));
+  results["stock 820 1000"] = measured(() => stock(longText));
+  for (const [name, job] of [["seek 820", printedExample(820)], ["seek 820 1000", longContour(820, 1000)]] as const) {
+    const { simulation } = stock(printJob(job, labels));
+    results[name] = measured((count) => stockAt(simulation, { step: (count * 7919) % simulation.steps.length, fraction: (count % 10) / 10 }));
+  }
+  return results;
+}
+
+/** What each time may be at most, ms (median). */
+const limit = (name: string) =>
+  name.startsWith("plan") ? (name.endsWith("1000") ? 50 : 5) : name.startsWith("stock") ? 250 : 16;
+
+/** `npm run bench`: a table of times; with --json one object on one line. */
+export function main(args: readonly string[]): number {
+  const results = all();
+  if (args.includes("--json")) {
+    console.log(JSON.stringify(results));
+    return 0;
+  }
+  const row = (cells: readonly string[]) => `| ${cells.map((c, i) => (i === 0 ? c.padEnd(15) : c.padStart(9))).join(" | ")} |`;
+  console.log(row(["", "median ms", "p95 ms", "n", "limit ms"]));
+  console.log("|---|---:|---:|---:|---:|");
+  for (const [name, { median, p95, n }] of Object.entries(results))
+    console.log(row([name, median.toFixed(2), p95.toFixed(2), String(n), String(limit(name))]));
+  return 0;
+}
