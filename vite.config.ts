@@ -34,7 +34,7 @@ export default defineConfig({
     testTimeout: 60_000,
     projects: [
       { extends: true, test: { name: "node", environment: "node", exclude, include: ["src/**/*.test.ts", "tests/**/*.test.ts"] } },
-      { extends: true, test: { name: "jsdom", environment: "jsdom", exclude, include: ["src/**/*.test.tsx"] } },
+      { extends: true, test: { name: "jsdom", environment: "jsdom", setupFiles: ["./tests/jsdom.ts"], exclude, include: ["src/**/*.test.tsx"] } },
     ],
   },
 });

@@ -1,6 +1,6 @@
 import { Component, type ReactNode } from "react";
-import { texts } from "../i18n/index.ts";
 import { rememberWork } from "./saving/tab.ts";
+import { texts } from "./settings/loaded-texts.ts";
 import { useSettings } from "./settings/settings.ts";
 
 interface State {

@@ -4,16 +4,18 @@ import { showSection, type Section } from "./place.ts";
 interface Tab {
   readonly section: Section;
   readonly name: string;
+  readonly content: ReactNode;
+  /** Stays in the page while another one is open, and keeps what it remembers. */
+  readonly stays?: boolean;
   /** A count beside the name, with its colour. */
   readonly badge?: { readonly count: number; readonly severity: "error" | "warning" | "info" };
 }
 
 /** Panels that take turns. Arrow keys move along the tabs, as everywhere. */
-export function SectionTabs({ name, tabs, open, children }: {
+export function SectionTabs({ name, tabs, open }: {
   readonly name: string;
   readonly tabs: readonly Tab[];
   readonly open: Section;
-  readonly children: ReactNode;
 }) {
   const list = useRef<HTMLDivElement>(null);
   const at = tabs.findIndex((tab) => tab.section === open);
@@ -38,9 +40,11 @@ export function SectionTabs({ name, tabs, open, children }: {
           </button>
         ))}
       </div>
-      <div className={`panel panel-${open}`} role="tabpanel" id={`panel-${open}`} aria-labelledby={`tab-${open}`}>
-        {children}
-      </div>
+      {tabs.filter(({ section, stays }) => stays === true || section === open).map(({ section, content }) => (
+        <div key={section} className={`panel panel-${section}`} role="tabpanel" id={`panel-${section}`} aria-labelledby={`tab-${section}`} hidden={section !== open}>
+          {content}
+        </div>
+      ))}
     </>
   );
 }

@@ -1,5 +1,8 @@
+import type { ReactNode } from "react";
 import { clock } from "./clock.ts";
+import { ContourTable } from "./contour/ContourTable.tsx";
 import { CycleDialog } from "./dialog/CycleDialog.tsx";
+import { setContour } from "./edits.ts";
 import { EffectStrip } from "./effect/EffectStrip.tsx";
 import { useOutcome } from "./engine/outcome.ts";
 import { Icon } from "./Icon.tsx";
@@ -22,6 +25,7 @@ const WIDE = "(min-width: 1280px)";
 /** Prompts, lathe and program of the open job. */
 export function Workplace({ read }: { readonly read: JobReading }) {
   const t = useTexts().page;
+  const language = useSettings((s) => s.language);
   const wide = useMedia(WIDE);
   const folded = useSettings((s) => s.programFolded);
   const asked = usePlace((p) => p.section);
@@ -32,21 +36,24 @@ export function Workplace({ read }: { readonly read: JobReading }) {
   const possible: readonly Section[] = ["prompts", "setup", ...(free ? ["contour" as const] : []), "problems", ...(wide ? [] : ["program" as const])];
   const open = possible.includes(asked) ? asked : "prompts";
 
+  const content: Readonly<Record<Section, ReactNode>> = {
+    prompts: <CycleDialog read={read} />,
+    setup: <SetupPanel read={read} />,
+    contour: <ContourTable rows={read.job.contour} onChange={setContour} language={language} />,
+    problems: <ProblemList />,
+    program: <ProgramPanel read={read} foldable={false} />,
+  };
+
   return (
     <main className={`workplace${wide && folded ? " program-folded" : ""}`}>
       <div className="left">
         <SectionTabs
           name={t.sections} open={open}
           tabs={possible.map((section) => ({
-            section, name: t[section],
+            section, name: t[section], content: content[section], stays: section === "prompts",
             ...(section === "problems" && problems[0] ? { badge: { count: problems.length, severity: problems[0].issue.severity } } : {}),
           }))}
-        >
-          {open === "prompts" && <CycleDialog read={read} />}
-          {open === "setup" && <SetupPanel read={read} />}
-          {open === "problems" && <ProblemList />}
-          {open === "program" && <ProgramPanel read={read} foldable={false} />}
-        </SectionTabs>
+        />
         <EffectStrip read={read} />
       </div>
       <div className="centre">

@@ -1,4 +1,4 @@
-import { useGiven } from "../engine/given.ts";
+import { givenOf } from "../engine/given.ts";
 import { HelpPicture } from "../help/HelpPicture.tsx";
 import type { Numbers } from "../../view/help/lettering.ts";
 import type { JobReading } from "../reading.ts";
@@ -7,11 +7,10 @@ import { useSettings } from "../settings/settings.ts";
 /** The help picture beside the prompts: this contour, the open prompt's dimension strong. */
 export function HelpSlot({ read, q }: { readonly read: JobReading; readonly q: string | null }) {
   const language = useSettings((s) => s.language);
-  const given = useGiven(read);
   return (
     <div className="help-slot">
       <HelpPicture
-        cycle={read.cycle} values={read.reading.values} partial={read.reading.partial as Numbers} given={given} activeQ={q} language={language}
+        cycle={read.cycle} values={read.reading.values} partial={read.reading.partial as Numbers} given={givenOf(read)} activeQ={q} language={language}
       />
     </div>
   );

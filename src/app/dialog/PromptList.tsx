@@ -19,13 +19,13 @@ export function PromptList({ read }: { readonly read: JobReading }) {
   const first = Object.keys(read.cycle.params)[0];
 
   useEffect(() => {
-    const row = list.current?.querySelector("[aria-current]");
     const box = list.current;
+    const row = box?.querySelector<HTMLElement>("[aria-current]")?.parentElement;
     if (!row || !box || box.scrollHeight <= box.clientHeight) return;
-    const place = row.getBoundingClientRect();
-    const frame = box.getBoundingClientRect();
-    if (place.top < frame.top) box.scrollTop -= frame.top - place.top + place.height;
-    else if (place.bottom > frame.bottom) box.scrollTop += place.bottom - frame.bottom + place.height;
+    const height = row.offsetHeight;
+    const top = row.offsetTop - box.offsetTop;
+    if (top - height < box.scrollTop) box.scrollTop = top - height;
+    else if (top + 2 * height > box.scrollTop + box.clientHeight) box.scrollTop = Math.ceil((top + 2 * height - box.clientHeight) / height) * height;
   }, [active]);
 
   return (

@@ -29,8 +29,8 @@ export function EffectStrip({ read }: { readonly read: JobReading }) {
   const minutes = effect ? Math.floor(Math.round(effect.seconds) / 60) : 0;
   const seconds = effect ? effect.seconds - (minutes > 0 ? minutes * 60 : 0) : 0;
   const worst = problems[0]?.issue.severity;
-  const bad = effect !== null && (effect.gouge > 0 || effect.rapid > 0 || effect.holder);
-  const proof = !effect ? t.effect.unknown
+  const bad = !dimmed && effect !== null && (effect.gouge > 0 || effect.rapid > 0 || effect.holder);
+  const proof = !effect || dimmed ? t.effect.unknown
     : effect.gouge > 0 ? t.effect.gouge(formatNumber(language, effect.gouge, 2))
     : effect.rapid > 0 ? t.effect.rapid(formatNumber(language, effect.rapid, 2))
     : effect.holder ? t.effect.holder : t.effect.clean;
@@ -43,19 +43,18 @@ export function EffectStrip({ read }: { readonly read: JobReading }) {
         {cell(t.effect.time, effect ? t.effect.duration(minutes, formatFixed(language, seconds, minutes > 0 ? 0 : 1)) : t.effect.unknown)}
         {cell(t.effect.chip, number(chip, 2), "mm²")}
         {cell(t.effect.residual, effect && effect.residual === 0 ? t.effect.none : number(effect?.residual, 2), effect && effect.residual > 0 ? "mm²" : "")}
-        <div className={`effect-cell proof ${bad ? "bad" : effect ? "good" : ""}`}>
+        <div className={`effect-cell proof ${bad ? "bad" : effect && !dimmed ? "good" : ""}`}>
           <dt>{t.effect.proof}</dt>
-          <dd>{effect && <Icon name={bad ? "error" : "check"} />}<span>{proof}</span></dd>
+          <dd>{effect && !dimmed && <Icon name={bad ? "error" : "check"} />}<span>{proof}</span></dd>
         </div>
       </dl>
       <p className="effect-status" role="status">
-        {problems.length === 0
-          ? (dimmed ? t.effect.waiting : "")
-          : (
-            <button type="button" className={`problem-button ${worst ?? ""}`} onClick={() => showSection("problems")}>
-              <Icon name={worst ?? "info"} /> {t.problem.count(problems.length)}
-            </button>
-          )}
+        {problems.length > 0 && (
+          <button type="button" className={`problem-button ${worst ?? ""}`} onClick={() => showSection("problems")}>
+            <Icon name={worst ?? "info"} /> {t.problem.count(problems.length)}
+          </button>
+        )}
+        {dimmed && <span className="small">{t.effect.waiting}</span>}
       </p>
     </section>
   );

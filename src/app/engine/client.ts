@@ -113,7 +113,7 @@ export async function fitsOf(job: Job, outcome: Outcome): Promise<readonly ToolF
   const call = operations[0];
   if (!call) return null;
   try {
-    return await inTime(started().fits(job, { given: outcome.given, start: call.start, feedUnit: call.feedUnit }));
+    return await inTime(started().fits(job, { start: call.start, feedUnit: call.feedUnit }));
   } catch {
     return null;
   }

@@ -1,5 +1,4 @@
 import { create } from "zustand";
-import type { Given } from "../../cycles/define.ts";
 import type { Run } from "../../program/run-types.ts";
 import type { Simulation } from "../../sim/simulation.ts";
 
@@ -10,8 +9,6 @@ export interface Outcome {
   readonly text: string;
   readonly run: Run;
   readonly simulation: Simulation;
-  /** The contour subprogram in programmed order, for a free-contour cycle. */
-  readonly given: Given;
 }
 
 export interface OutcomeState {

@@ -1,6 +1,6 @@
 import { useId, useMemo, useRef, useState } from "react";
 import type { Cycle, Given, Outline } from "../../cycles/define.ts";
-import { texts } from "../../i18n/index.ts";
+import { texts } from "../settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import type { Numbers } from "../../view/help/lettering.ts";

@@ -1,6 +1,6 @@
 import type { RefObject } from "react";
 import { LANGUAGE_NAMES, LANGUAGES, isLanguage } from "../../i18n/languages.ts";
-import { changeSettings, useSettings } from "./settings.ts";
+import { changeLanguage, changeSettings, useSettings } from "./settings.ts";
 import { useTexts } from "./use-texts.ts";
 
 /** Language, appearance and motion: choices of this device. */
@@ -15,7 +15,7 @@ export function SettingsDialog({ dialog }: { readonly dialog: RefObject<HTMLDial
           <span>{t.screenLanguage}</span>
           <select
             className="select" value={settings.language}
-            onChange={(e) => isLanguage(e.target.value) && changeSettings({ language: e.target.value })}
+            onChange={(e) => isLanguage(e.target.value) && void changeLanguage(e.target.value)}
           >
             {LANGUAGES.map((language) => <option key={language} value={language} lang={language}>{LANGUAGE_NAMES[language]}</option>)}
           </select>

@@ -1,5 +1,6 @@
 import { create } from "zustand";
 import { isLanguage, type Language } from "../../i18n/languages.ts";
+import { fetchTexts } from "./loaded-texts.ts";
 
 /** Choices of this device, beside the work itself. Kept in the browser's local storage. */
 export interface Settings {
@@ -69,6 +70,16 @@ function stored(): string | null {
 }
 
 export const useSettings = create<Settings>(() => readSettings(stored()));
+
+/** Changes the screen language once its texts are here; where they cannot be fetched it stays as it is. */
+export async function changeLanguage(language: Language): Promise<void> {
+  try {
+    await fetchTexts(language);
+    changeSettings({ language });
+  } catch {
+    return;
+  }
+}
 
 /** Changes settings and keeps them; a browser that refuses storage keeps them for this visit only. */
 export function changeSettings(change: Partial<Settings>): void {

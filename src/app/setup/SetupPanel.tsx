@@ -1,15 +1,19 @@
+import { useFits } from "../engine/fits.ts";
 import { setBlank, setPerRevolution, setRapid, setSpindle, setStart } from "../edits.ts";
 import type { JobReading } from "../reading.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { NumberField } from "./NumberField.tsx";
+import { ToolSummary } from "./ToolSummary.tsx";
 import { ToolTable } from "./ToolTable.tsx";
 
 /** Everything round the cycle: tool, blank, start point, spindle, feed unit, rapid rate. */
 export function SetupPanel({ read }: { readonly read: JobReading }) {
   const t = useTexts().setup;
+  const fits = useFits();
   const { blank, start, spindle, perRevolution, rapid } = read.job;
   return (
     <div className="setup">
+      <ToolSummary read={read} fits={fits} />
       <fieldset className="setup-group">
         <legend>{t.start.title}</legend>
         <p className="small soft">{t.start.hint}</p>
@@ -50,7 +54,7 @@ export function SetupPanel({ read }: { readonly read: JobReading }) {
         </label>
         <NumberField at="rapid" name={t.feed.rapid} unit={t.units.perMinute} text={rapid} least="aboveZero" onText={setRapid} />
       </fieldset>
-      <ToolTable read={read} />
+      <ToolTable read={read} fits={fits} />
     </div>
   );
 }

@@ -17,6 +17,7 @@ export const setup = {
     better: (number, name) => `Werkzeug ${number} ${name} fertigt diese Kontur.`,
     noneMakes: "Kein Werkzeug der Tabelle fertigt die ganze Kontur.",
     take: (number) => `Werkzeug ${number} nehmen`,
+    choose: "Anderes Werkzeug wählen",
     drawing: "Schneide maßstäblich",
   },
   blank: {

@@ -17,6 +17,7 @@ export const setup = {
     better: (number: number, name: string) => `Tool ${number} ${name} makes this contour.`,
     noneMakes: "No tool of the table makes the whole contour.",
     take: (number: number) => `Take tool ${number}`,
+    choose: "Choose another tool",
     drawing: "Insert to scale",
   },
   blank: {

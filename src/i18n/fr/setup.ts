@@ -17,6 +17,7 @@ export const setup = {
     better: (number, name) => `L’outil ${number} ${name} réalise ce contour.`,
     noneMakes: "Aucun outil du tableau ne réalise tout le contour.",
     take: (number) => `Prendre l’outil ${number}`,
+    choose: "Choisir un autre outil",
     drawing: "Plaquette à l’échelle",
   },
   blank: {

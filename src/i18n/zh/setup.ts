@@ -17,6 +17,7 @@ export const setup = {
     better: (number, name) => `刀具 ${number} ${name} 可加工该轮廓。`,
     noneMakes: "刀具表中没有能加工完整轮廓的刀具。",
     take: (number) => `采用刀具 ${number}`,
+    choose: "选择其他刀具",
     drawing: "按比例的刀片",
   },
   blank: {

@@ -1,0 +1,46 @@
+import { shippedTools } from "../../program/shipped-tools.ts";
+import type { ToolFit } from "../../program/which-tool.ts";
+import { setTool } from "../edits.ts";
+import { Icon } from "../Icon.tsx";
+import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
+import { goToField } from "../place.ts";
+import type { JobReading } from "../reading.ts";
+import { useTexts } from "../settings/use-texts.ts";
+import { ToolVerdict, useToolDetails } from "./tool-words.tsx";
+
+/** Edge length of the insert drawing, px. */
+const DRAWING = 64;
+
+/** The chosen tool, whether it can make the contour, and one that can where it cannot. */
+export function ToolSummary({ read, fits }: { readonly read: JobReading; readonly fits: readonly ToolFit[] | null }) {
+  const t = useTexts().setup.tool;
+  const details = useToolDetails();
+  const tool = shippedTools.find((each) => each.T === read.job.tool);
+  const own = fits?.find((f) => f.tool.T === read.job.tool);
+  const best = fits?.find((f) => f.makesContour);
+  return (
+    <section className="setup-group" aria-label={t.title}>
+      <h2>{t.title}</h2>
+      {tool && (
+        <div className="tool-chosen">
+          <InsertDrawing tool={tool} width={DRAWING} height={DRAWING} />
+          <span className="tool-words">
+            <span><b className="number">{tool.T}</b> <b>{tool.NAME}</b></span>
+            <span className="small soft">{details(tool)}</span>
+            {own && <ToolVerdict fit={own} />}
+          </span>
+        </div>
+      )}
+      <div role="status">
+        {own && !own.makesContour && (
+          <div className="field-message warning">
+            <Icon name="warning" />
+            <p>{best ? t.better(best.tool.T, best.tool.NAME) : t.noneMakes}</p>
+            {best && <button type="button" className="button" onClick={() => setTool(best.tool.T)}>{t.take(best.tool.T)}</button>}
+          </div>
+        )}
+      </div>
+      <button type="button" className="button choose-tool" onClick={() => goToField("setup", "tool")}>{t.choose} <Icon name="down" /></button>
+    </section>
+  );
+}
