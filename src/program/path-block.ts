@@ -5,7 +5,7 @@ import { issue } from "../kernel/issue.ts";
 import type { Move } from "../kernel/move.ts";
 import type { Pt, Segment } from "../kernel/point.ts";
 import { ARC_END, SAME } from "../kernel/tolerance.ts";
-import { axial, diameter, toDiameter, toRadius, type Feed as FeedNumber } from "../kernel/units.ts";
+import { axial, diameter, toDiameter, toRadius, feed as feedNumber, type Feed as FeedNumber } from "../kernel/units.ts";
 import type { AxisWord, Feed, PathKind, Words } from "../nc/statement.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
@@ -62,7 +62,8 @@ function blockFeed(machine: Machine, feed: Feed | undefined, index: number): Fee
     if (n !== null) machine.feed = machine.feedOf(n);
   }
   if (machine.feed === null) machine.say(programIssue("feedMissing", "error", {}), index);
-  return machine.feed;
+  // Without a feed the control stops; the path is shown all the same, and never as a rapid.
+  return machine.feed ?? feedNumber(0);
 }
 
 /** A chamfer or rounding between plain path blocks; its own feed counts for it alone. */
