@@ -5,6 +5,7 @@ import type { Kind } from "../src/cycles/params.ts";
 import { texts } from "../src/i18n/index.ts";
 import { type Language, LANGUAGES } from "../src/i18n/languages.ts";
 import { ncLabels, ncWords } from "../src/i18n/nc-labels.ts";
+import { projectFolder } from "./sources.ts";
 
 const cycles = catalogue.map((cycle) => [cycle.number, cycle] as const);
 
@@ -81,6 +82,10 @@ describe.each(cycles)("cycle %i", (number, cycle) => {
       expect(p.schema.safeParse("auto").success, q).toBe(p.kind === "feed");
       expect(p.schema.safeParse(NaN).success, q).toBe(false);
     }
+  });
+
+  test("has a printed program to hold it against", () => {
+    expect(projectFolder("tests/programs").filter((name) => name.startsWith(`cycle-${number}-`))).not.toEqual([]);
   });
 
   test("names the manual section and the steps that it follows", () => {
