@@ -97,6 +97,12 @@ const EMPTY: Bounds = { left: -80, right: 20, low: 0, high: 40 };
 /** Space left round everything, mm per mm of its size. */
 const AIR = 0.02;
 
+/** The picture frames the cycles; positioning from far away (a tool change) does not make the work small. */
+function framed(steps: readonly Step[]): readonly Step[] {
+  const cutting = steps.filter(step => step.operation !== null);
+  return cutting.length > 0 ? cutting : steps;
+}
+
 /** Builds the still part of the picture. */
 export function sceneOf({ blank, contours, steps }: SceneParts): Scene {
   const material = boundsOf(blank.flat());
@@ -108,7 +114,7 @@ export function sceneOf({ blank, contours, steps }: SceneParts): Scene {
   if (blank.length > 0) shapes.push({ role: "blank", d: ringData(blank) });
   for (const contour of contours) shapes.push({ role: "contour", d: segmentData(contour) });
   shapes.push(...toolpath(steps));
-  const all = joined(joined(material, joined(workingBox(steps), outline)), chuck ? boundsOf(chuck.jaw) : null) ?? EMPTY;
+  const all = joined(joined(material, joined(workingBox(framed(steps)), outline)), chuck ? boundsOf(chuck.jaw) : null) ?? EMPTY;
   const axis = { ...all, low: Math.min(0, path?.low ?? 0) };
   return { shapes, bounds: grown(axis, AIR * Math.max(axis.right - axis.left, axis.high - axis.low)) };
 }

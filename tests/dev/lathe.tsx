@@ -3,6 +3,8 @@ import { clock } from "../../src/app/clock.ts";
 import { LatheView } from "../../src/app/lathe/LatheView.tsx";
 import { createPlaybackStore } from "../../src/app/lathe/playback-store.ts";
 import { followAppearance } from "../../src/app/settings/appearance.ts";
+import { fetchTexts } from "../../src/app/settings/loaded-texts.ts";
+import { useSettings } from "../../src/app/settings/settings.ts";
 import "../../src/app/styles/base.css";
 import { exampleResult } from "./hand-made-run.ts";
 
@@ -12,6 +14,8 @@ followAppearance();
 const playback = createPlaybackStore(clock);
 const root = document.getElementById("root");
 const result = exampleResult({ fault: asked.has("fault"), many: asked.has("many") });
-if (root) createRoot(root).render(<LatheView result={result} dimmed={asked.has("dim")} playback={playback} clock={clock} />);
+void fetchTexts(useSettings.getState().language).then(() => {
+  if (root) createRoot(root).render(<LatheView result={result} dimmed={asked.has("dim")} playback={playback} clock={clock} />);
+});
 if (asked.has("end")) setTimeout(() => playback.dispatch({ do: "last" }), 100);
 if (asked.has("at")) setTimeout(() => playback.dispatch({ do: "seek", position: { step: Number(asked.get("at")), fraction: 0.5 } }), 100);

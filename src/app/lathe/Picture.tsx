@@ -55,6 +55,7 @@ function Hatches({ viewport, id }: { readonly viewport: Viewport; readonly id: s
   return <defs ref={defs}>{hatch("stock", 45)}{hatch("residual", -45)}</defs>;
 }
 
+/** Blank under the path; the contour over it as a thinner line, so that both are seen where the tip runs on the contour. */
 const UPPER: readonly Shape["role"][] = ["blank", "contour"];
 
 /**
@@ -76,7 +77,8 @@ export function Picture({ viewport, scene, moving, findings, residual, full, nam
   const id = useId();
   const sheets = useMemo(() => ({
     below: scene.shapes.filter(shape => !isPath(shape) && !UPPER.includes(shape.role)),
-    above: scene.shapes.filter(shape => UPPER.includes(shape.role)),
+    blank: scene.shapes.filter(shape => shape.role === "blank"),
+    contour: scene.shapes.filter(shape => shape.role === "contour"),
     path: scene.shapes.filter(isPath),
   }), [scene]);
   return (
@@ -92,8 +94,9 @@ export function Picture({ viewport, scene, moving, findings, residual, full, nam
       </svg>
       <svg className="sheet still">
         <World viewport={viewport}>
-          <Still shapes={sheets.above} mirror={full} />
+          <Still shapes={sheets.blank} mirror={full} />
           <Still shapes={sheets.path} mirror={false} />
+          <Still shapes={sheets.contour} mirror={full} />
           {findings.length > 0 && <Rings rings={findings.flatMap(each => [...each.rings])} role="gouge" />}
         </World>
       </svg>

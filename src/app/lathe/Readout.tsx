@@ -53,7 +53,7 @@ export function SpokenStatus({ run, playback, clock }: { readonly run: Run; read
 export function statusText(texts: ReturnType<typeof useTexts>, language: Parameters<typeof runningText>[1], run: Run, playback: PlaybackStore): string {
   const now = runningText(texts, language, run, playback.shown()), t = texts.lathe;
   if (!now) return t.pictureEmpty;
-  const { position, track } = playback.get();
-  const where = position.step >= track.ends.length ? t.atEnd : position.step === 0 && position.fraction === 0 ? t.atStart : "";
+  const { position } = playback.get();
+  const where = position.step >= run.steps.length ? t.atEnd : position.step === 0 && position.fraction === 0 ? t.atStart : "";
   return [where, now.step, `${t.axisX} ${now.x}`, `${t.axisZ} ${now.z}`, now.feed, now.pass, now.block].filter(part => part !== "").join(". ");
 }
