@@ -236,6 +236,25 @@ export function below(e: Envelope, level: number, u0: number, u1: number): Inter
 /** A level that lies on a flat of the envelope counts as on it, whatever rounding says. */
 const LEVEL = 1e-7;
 
+/** Whether the straight way between two points (not one above the other) stays on or above the envelope. */
+export function staysAbove(e: Envelope, a: Flat, b: Flat): boolean {
+  const way = linePiece(a, b, { feature: "nose", on: "edge", corner: false });
+  if (!way) return heightAt(e, a.u) <= Math.min(a.v, b.v) + LEVEL;
+  for (let i = firstSpan(e, way.u0); i < e.length; i++) {
+    const s = e[i] as Span;
+    if (s.u0 >= way.u1 - ROUND) break;
+    let from = Math.max(way.u0, s.u0);
+    const end = Math.min(way.u1, s.u1);
+    if (end - from <= ROUND) continue;
+    for (const cut of [...crossings(s.piece, way, from, end), end]) {
+      const middle = (from + cut) / 2;
+      if (valueAt(s.piece, middle) > valueAt(way, middle) + LEVEL) return false;
+      from = cut;
+    }
+  }
+  return true;
+}
+
 /** A stretch of path along the envelope, with the piece it runs on (null: a vertical step between two pieces). */
 export interface Stretch {
   readonly segment: FlatSegment;

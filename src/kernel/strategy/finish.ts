@@ -1,4 +1,4 @@
-import { heightAt, highest, pathAlong } from "../envelope.ts";
+import { heightAt, highest, pathAlong, staysAbove } from "../envelope.ts";
 import { distance, type Flat, type FlatSegment } from "../flat.ts";
 import { issue, type Issue } from "../issue.ts";
 import { SAME } from "../tolerance.ts";
@@ -13,8 +13,9 @@ export interface Finish {
   readonly contour: readonly FlatSegment[];
   readonly start: Flat;
   readonly clearance: number;
-  /** What roughing has left above the contour, mm. */
+  /** What roughing has left above the contour and beside it, mm. */
   readonly kept: number;
+  readonly aside: number;
   readonly feeds: Feeds;
   /** The tip stays within this stretch of u. */
   readonly from: number;
@@ -56,7 +57,19 @@ export function finishContour(track: Track, f: Finish, issues: Issue[]): void {
     ? { feed: f.feeds.plunge, purpose: { ...p(2), plunging: true } }
     : { feed, purpose: p(2) });
   if (f.to >= f.ground.end.u - SAME) track.feed({ u: u1, v: Math.max(track.at.v, f.ground.end.v) }, feed, p(2));
-  track.feed({ u: track.at.u, v: track.at.v + f.clearance }, feed, p(3));
+  lift(track, f, feed, p(3));
+}
+
+/**
+ * Lifts by the clearance: leaning back from what stands beyond the end of the contour, or straight up where the contour
+ * behind is in the way.
+ */
+function lift(track: Track, f: Finish, feed: number, purpose: Purpose) {
+  const { at } = track;
+  const back = Math.max(f.clearance, f.aside);
+  const leaning = { u: Math.max(at.u - back, f.from), v: at.v + back };
+  const straight = { u: at.u, v: at.v + f.clearance };
+  track.feed(staysAbove(f.ground.envelope, leaning, at) ? leaning : straight, feed, purpose);
 }
 
 /** Distance from a point to a contour, mm; an arc is judged by its ends and its nearest point. */

@@ -68,15 +68,10 @@ export function groundOver(
 /** The insert in strategy space, relative to the tip. */
 export const insertIn = (tool: Tool, frame: Frame): Convex => inFrame(insertShape(tool), frame);
 
-/** How far the nose (or the corners of a bar) reaches before and behind the tip along u. */
-export function noseExtent(insert: Convex): { readonly trail: number; readonly lead: number } {
-  let trail = 0;
-  let lead = 0;
-  for (const e of insert) if (e.kind === "arc" && e.feature === "nose") {
-    trail = Math.min(trail, e.centre.u - e.radius);
-    lead = Math.max(lead, e.centre.u + e.radius);
-  }
-  return { trail, lead };
+/** How far the nose (or the corner of a bar) reaches beyond the tip in the cutting direction. */
+export function leadOf(insert: Convex): number {
+  const noses = insert.filter((e) => e.kind === "arc" && e.feature === "nose");
+  return Math.max(0, ...noses.map((e) => (e.kind === "arc" ? e.centre.u + e.radius : 0)));
 }
 
 /**

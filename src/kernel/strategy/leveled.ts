@@ -9,10 +9,10 @@ import type { Segment } from "../point.ts";
 import type { Bound } from "../reach.ts";
 import { SAME } from "../tolerance.ts";
 import { Track, roomOf } from "../track.ts";
-import { length, toDiameter } from "../units.ts";
+import { axial, length, radius, toDiameter } from "../units.ts";
 import type { Feeds } from "./feeds.ts";
 import { finishContour } from "./finish.ts";
-import { FAR, groundOver, insertIn, noseExtent, reachOf, type Surroundings } from "./ground.ts";
+import { FAR, groundOver, insertIn, leadOf, reachOf, type Surroundings } from "./ground.ts";
 import { divide, limitedInfeed } from "./infeed.ts";
 import { roughByLevels } from "./levels.ts";
 import { areaOver, partUnder } from "./outline-area.ts";
@@ -68,9 +68,8 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
   const keep = l.frame.transverse ? { u: l.oversize.r, v: l.oversize.z } : { u: l.oversize.z, v: l.oversize.r };
   const none = { u: 0, v: 0 };
   const room = roomOf(l.frame);
-  const nose = noseExtent(insertIn(tool, l.frame));
-  const from = Math.max(start.u, limits.from - nose.trail, room.minU);
-  const to = Math.min(last.to.u + FAR / 2, limits.to - nose.lead, room.maxU);
+  const from = Math.max(start.u, limits.from, room.minU);
+  const to = Math.min(last.to.u + FAR / 2, limits.to - leadOf(insertIn(tool, l.frame)), room.maxU);
 
   const grown = groundOver(bounds, tool, l.frame, keep, toFinish);
   const kept = groundOver(bounds, tool, l.frame, keep, { ...toFinish, wall: wall(last.to.v), floors: [...limit, { v: floor + keep.v, on: "edge" }] });
@@ -84,19 +83,19 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
     roughByLevels(wanted, { envelope: kept.envelope, start, top: upper, ...division, from, to, smoothing: l.smoothing, feeds: l.feeds });
     if (l.smoothing === 1 && division.passes > 0) {
       back(wanted, start, "rough", 4);
-      finishContour(wanted, { ground: grown, contour: flat, start, clearance: l.clearance, kept: 0, feeds: l.feeds, from, to, smoothing: true }, issues);
+      finishContour(wanted, { ground: grown, contour: flat, start, clearance: l.clearance, kept: 0, aside: 0, feeds: l.feeds, from, to, smoothing: true }, issues);
     }
     back(wanted, start, "rough", 6);
   }
   if (l.operation !== 1) {
     const ground = l.operation === 3 ? grown : drawn;
-    finishContour(wanted, { ground, contour: flat, start, clearance: l.clearance, kept: keep.v, feeds: l.feeds, from, to, smoothing: false }, issues);
+    finishContour(wanted, { ground, contour: flat, start, clearance: l.clearance, kept: keep.v, aside: keep.u, feeds: l.feeds, from, to, smoothing: false }, issues);
     back(wanted, start, "finish", 4);
   }
   return {
     moves: wanted.moves, issues, contour: l.contour, ...division, infeed: length(division.infeed),
     area: areaOver(flat, l.frame, start.u, top), part: partUnder(flat, l.frame, false),
-    reach: reachOf(drawn, Math.max(drawn.start.u, from), Math.min(drawn.end.u, to), l.frame, tool),
+    openSide: toPart(l.frame, { u: 0, v: 1 }), reach: reachOf(drawn, Math.max(drawn.start.u, from), Math.min(drawn.end.u, to), l.frame, tool),
   };
 }
 
@@ -108,7 +107,7 @@ export function back(track: Track, start: Flat, run: "rough" | "finish", step: n
   track.rapid("v", start.v, p);
 }
 
-export const empty = (issues: readonly Issue[]): Plan => ({ moves: [], issues, contour: [], passes: 0, infeed: length(0), area: [], part: [], reach: [] });
+export const empty = (issues: readonly Issue[]): Plan => ({ moves: [], issues, contour: [], passes: 0, infeed: length(0), area: [], part: [], openSide: { z: axial(0), r: radius(0) }, reach: [] });
 
 /** The body of the insert lies on the material side: it cannot work here. */
 export function wrongSide(tool: Setting["tool"], frame: Frame): Issue | null {
@@ -120,7 +119,7 @@ export function wrongSide(tool: Setting["tool"], frame: Frame): Issue | null {
 function placed(l: Leveled, tool: Setting["tool"], track: Track, called: Flat, first: Flat, end: number, height: number, issues: Issue[]): Flat {
   const finishing = l.operation > 1;
   const p = { phase: "position", run: finishing ? "finish" : "rough", step: 0 } as const;
-  const { lead } = noseExtent(insertIn(tool, l.frame));
+  const lead = leadOf(insertIn(tool, l.frame));
   const over = called.u + lead > first.u + SAME;
   const at = toPart(l.frame, called);
   const where = { x: toDiameter(at.r), z: at.z };

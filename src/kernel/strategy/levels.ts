@@ -53,7 +53,7 @@ export function roughByLevels(track: Track, l: Levels): void {
     track.feed({ u: valley.to, v: height }, l.feeds.rough, p(2));
   };
 
-  const lift = (i: number, valley: Interval, limit: number) => {
+  const lift = (i: number, valley: Interval, limit: number, outer: Interval) => {
     const p = purpose(3, i);
     const previous = level(i - 1);
     if (l.smoothing === 0) {
@@ -67,6 +67,9 @@ export function roughByLevels(track: Track, l: Levels): void {
     const back = Math.min(l.infeed, valley.to - valley.from);
     track.feed({ u: valley.to - back, v: level(i) + back }, l.feeds.rough, p);
     track.feed({ u: track.at.u, v: previous }, l.feeds.rough, p);
+    // Too narrow to lean back: straight up first, and back where the valley is wide enough.
+    const rest = Math.min(l.infeed - back, track.at.u - outer.from);
+    track.feed({ u: track.at.u - rest, v: previous + rest }, l.feeds.rough, p);
   };
 
   /** The valleys of one level with where to enter each: in front (null), or where it falls from the level before. */
@@ -75,7 +78,7 @@ export function roughByLevels(track: Track, l: Levels): void {
       const before = valleys[k - 1];
       const after = valleys[k + 1];
       const entry = open(valley) ? null : before ? highest(l.envelope, before.to, valley.from).u : outer.from;
-      return { i, valley, entry, limit: after ? highest(l.envelope, valley.to, after.from).u : outer.to };
+      return { i, valley, outer, entry, limit: after ? highest(l.envelope, valley.to, after.from).u : outer.to };
     });
 
   if (l.passes === 0) return;
@@ -83,9 +86,9 @@ export function roughByLevels(track: Track, l: Levels): void {
   const reachable = below(l.envelope, level(1), l.from, l.to).filter((v) => open(v) || highest(l.envelope, l.from, v.from).v <= l.top + SAME);
   const pending = tasks(1, reachable, whole).reverse();
   for (let task = pending.pop(); task; task = pending.pop()) {
-    const { i, valley, entry, limit } = task;
+    const { i, valley, outer, entry, limit } = task;
     cut(i, valley, entry);
-    lift(i, valley, limit);
+    lift(i, valley, limit, outer);
     if (i < l.passes) pending.push(...tasks(i + 1, below(l.envelope, level(i + 1), valley.from, valley.to), valley).reverse());
   }
 }

@@ -46,7 +46,7 @@ export function planRecess(l: Recess, setting: Setting): Plan {
   const called = toFlat(l.frame, setting.start);
   const opening = Math.max(first.from.v, last.to.v);
   const top = Math.max(called.v, opening);
-  const sketch = { contour: l.contour, part: partUnder(flat, l.frame, true), area: areaOver(flat, l.frame, Infinity, top) };
+  const sketch = { contour: l.contour, part: partUnder(flat, l.frame, true), area: areaOver(flat, l.frame, Infinity, top), openSide: toPart(l.frame, { u: 0, v: 1 }) };
   const wrong = wrongSide(tool, l.frame);
   if (wrong) return { ...empty([wrong]), ...sketch };
   if (flanksUnknown(tool)) issues.push(issue("flanksNotChecked", "info", {}, "tool"));
