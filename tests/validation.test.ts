@@ -146,6 +146,11 @@ describe("the printed examples", () => {
 });
 
 describe("a tool that cannot make the contour", () => {
+  test.each([[812, 5, 1], [820, 1, 15], [852, 1, 8]])("cycle %i with tool %i: tool %i is the usual one", (number, T, usualOne) => {
+    const { cycle, reading, given, setting } = check(number, { tool: { T } });
+    expect(reading.values && betterTool(cycle, reading.values, given, setting, shippedTools)?.T).toBe(usualOne);
+  });
+
   test.each([[820, 1], [820, 5], [852, 1], [852, 10], [812, 5], [812, 8]])("cycle %i with tool %i: one that can is named", (number, T) => {
     const { cycle, reading, given, setting } = check(number, { tool: { T } });
     if (!reading.values) throw new Error("the example reads");

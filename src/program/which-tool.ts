@@ -1,15 +1,17 @@
-import type { Cycle, Given } from "../cycles/define.ts";
+import type { Cycle, Given, Group } from "../cycles/define.ts";
 import type { Params, Values } from "../cycles/params.ts";
 import type { Reason } from "../kernel/issue.ts";
 import type { Plan, Setting } from "../kernel/plan.ts";
 import type { Segment } from "../kernel/point.ts";
-import type { Tool } from "../kernel/tool.ts";
+import type { Tool, ToolType } from "../kernel/tool.ts";
 import { checkTool } from "./check-tool.ts";
 
 /** A tool with what it leaves: length of contour, mm, that its shape keeps it from, its nose radius aside. */
 export interface ToolFit {
   readonly tool: Tool;
   readonly makesContour: boolean;
+  /** False when no cutting move could be planned with it. */
+  readonly cuts: boolean;
   readonly unreached: number;
 }
 
@@ -37,17 +39,32 @@ export function fitOf(tool: Tool, plan: Plan): ToolFit {
     ({ code, severity }) => severity === "error" || (severity === "warning" && AGAINST_TOOL.has(code)),
   );
   const cuts = plan.moves.some((move) => move.phase !== "position");
-  return { tool, makesContour: !refused && cuts && left < NEGLIGIBLE, unreached: left };
+  return { tool, makesContour: !refused && cuts && left < NEGLIGIBLE, cuts, unreached: left };
 }
 
-/** All tools, best first: those that make the contour, then by what they leave; equal ones keep the order given. */
+/** Which tools a turner takes first for a kind of cycle; those not named come last. */
+const USUAL: Readonly<Record<Group, readonly ToolType[]>> = {
+  shoulder: ["ROUGH", "FINISH", "BUTTON", "RECTURN"],
+  contour: ["ROUGH", "FINISH", "BUTTON", "RECTURN"],
+  recessTurning: ["RECTURN", "RECESS"],
+};
+
+/** Place of a tool in the usual order of its cycle's group. */
+function usualRank(group: Group, { TYPE }: Tool): number {
+  const place = USUAL[group].indexOf(TYPE);
+  return place < 0 ? USUAL[group].length : place;
+}
+
+/** All tools, best first: those that make the contour in the usual order, then those that cut, by what they leave. */
 export function rankTools<P extends Params>(
   cycle: Cycle<P>, values: Values<P>, given: Given, setting: Omit<Setting, "tool">, tools: readonly Tool[],
 ): ToolFit[] {
   return tools
     .filter((tool) => checkTool(tool).length === 0)
     .map((tool) => fitOf(tool, cycle.plan(values, { ...setting, tool }, given)))
-    .sort((a, b) => Number(b.makesContour) - Number(a.makesContour) || a.unreached - b.unreached);
+    .sort((a, b) =>
+      Number(b.makesContour) - Number(a.makesContour) || Number(b.cuts) - Number(a.cuts)
+      || (a.makesContour ? usualRank(cycle.group, a.tool) - usualRank(cycle.group, b.tool) : a.unreached - b.unreached));
 }
 
 /** A tool that makes the contour, other than the one chosen; null when none of them does. */
