@@ -1,0 +1,67 @@
+import * as fc from "fast-check";
+import { describe, expect, test } from "vitest";
+import { renumbered, withBlock, withInserted, withoutBlocks } from "./edit.ts";
+import { parse } from "./parse.ts";
+import { print } from "./program.ts";
+import type { AxisWord, CycleParameter, Statement, Value } from "./statement.ts";
+
+const samples = Object.values(import.meta.glob<string>("../../tests/programs/*.h", { query: "?raw", import: "default", eager: true }));
+
+const line = (...axes: AxisWord[]): Statement => ({ kind: "path", path: "L", words: { axes, linear: [], functions: [], extra: [], feed: "max" } });
+const x = (value: Value): AxisWord => ({ axis: "X", value, incremental: false });
+
+/** Changes one value of the cycle in block `index`. */
+function set(text: string, index: number, q: string, value: CycleParameter["value"]): string {
+  const program = parse(text);
+  const s = program.blocks[index]?.statement;
+  if (s?.kind !== "cycle") throw new Error("no cycle");
+  return print(withBlock(program, index, { ...s, parameters: s.parameters.map((p) => (p.q === q ? { ...p, value } : p)) }));
+}
+
+describe("one block changes", () => {
+  test("a value of a cycle: only its characters", () => {
+    const text = "0 BEGIN PGM A MM\r\n  5 CYCL DEF 200 BOHREN ~\r\n    Q200=5   ;ABSTAND ~\r\n    Q201=-21,732 ;TIEFE\r\n6 L X10 Y10\r\n";
+    expect(set(text, 1, "Q201", -3.5)).toBe(text.replace("-21,732", "-3,5"));
+    expect(set(text, 1, "Q200", 7)).toBe(text.replace("Q200=5 ", "Q200=7 "));
+  });
+  test("a misprint in the line that changes is put right, others stay", () => {
+    const text = "1 CYCL DEF 99 N\nQ491+50 ;A\nQ492+1 ;B\nQ499 =+0 ;C\n";
+    expect(set(text, 0, "Q491", 20)).toBe("1 CYCL DEF 99 N\nQ491=+20 ;A\nQ492+1 ;B\nQ499 =+0 ;C\n");
+  });
+  test("in the style around it: two blanks, comma, no plus, F MAX", () => {
+    const wide = "7 L  X+75 Z-20\r\n8 L  X+50 ;here\r\n";
+    expect(print(withBlock(parse(wide), 1, line(x(12.5))))).toBe("7 L  X+75 Z-20\r\n8 L  X+12.5 FMAX ;here\r\n");
+    const cam = "7 L X10 Y10,5 R0 F MAX\n8 L Z5 F MAX\n";
+    expect(print(withBlock(parse(cam), 1, line(x(12.5))))).toBe("7 L X10 Y10,5 R0 F MAX\n8 L X12,5 F MAX\n");
+  });
+  test("skip mark and number stay as written", () =>
+    expect(print(withBlock(parse("/ 7  L X+1\n"), 0, line(x(2))))).toBe("/ 7  L X+2 FMAX\n"));
+});
+
+describe("blocks come and go", () => {
+  const text = "8 L X+1\n9 ; note\n10 L X+2\n; unnumbered\n11 L X+3";
+  test("insert counts on", () => expect(print(withInserted(parse(text), 1, line(x(9))))).toBe("8 L X+1\n9 L X+9 FMAX\n10 ; note\n11 L X+2\n; unnumbered\n12 L X+3"));
+  test("append after a last line without line end", () => expect(print(withInserted(parse(text), 5, line(x(9))))).toBe(`${text}\n12 L X+9 FMAX\n`));
+  test("delete counts on", () => expect(print(withoutBlocks(parse(text), 1))).toBe("8 L X+1\n9 L X+2\n; unnumbered\n10 L X+3"));
+  test("numbers that are right already are left alone", () => {
+    const program = parse(text);
+    expect(print(renumbered(program, 1))).toBe(text);
+  });
+});
+
+const statements = fc.constantFrom<Statement[]>(line(x(1.25)), { kind: "label", label: 7 }, { kind: "comment", text: " new" }, { kind: "functions", words: { axes: [], linear: [], functions: [3], extra: [] } });
+
+test("an edit touches no other block, and the text reads as the edit says", () => {
+  fc.assert(fc.property(fc.constantFrom(...samples), fc.double({ min: 0, max: 0.999, noNaN: true }), statements, fc.constantFrom("\n", "\r\n"), (sample, where, statement, end) => {
+    const program = parse(sample.replaceAll("\n", end));
+    const index = Math.floor(where * program.blocks.length);
+    const edited = withBlock(program, index, statement);
+    expect(edited.blocks).toHaveLength(program.blocks.length);
+    edited.blocks.forEach((b, i) => {
+      if (i !== index) expect(b).toBe(program.blocks[i]);
+    });
+    expect(edited.blocks[index]?.statement).toEqual(statement);
+    expect(parse(print(edited)).blocks.map((b) => b.statement)).toEqual(edited.blocks.map((b) => b.statement));
+    expect(withBlock(edited, index, statement)).toBe(edited);
+  }), { numRuns: 2000 });
+});

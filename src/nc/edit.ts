@@ -1,0 +1,105 @@
+import { valueText } from "./number-text.ts";
+import { parse } from "./parse.ts";
+import { statementLines } from "./print.ts";
+import type { Block, Program } from "./program.ts";
+import { styleAt } from "./read-style.ts";
+import type { Statement } from "./statement.ts";
+import type { Style } from "./style.ts";
+
+const same = (a: unknown, b: unknown) => JSON.stringify(a) === JSON.stringify(b);
+
+/** Number and skip mark exactly as they stand in front of a block. */
+const headOf = (raw: string) => /^[ \t\u00a0\ufeff]*\/?[ \t]*(?:\d+(?![\d.,])[ \t\u00a0]*\/?)?[ \t\u00a0]*/.exec(raw)?.[0] ?? "";
+const lineEndOf = (raw: string) => /(?:\r\n|\n|\r)$/.exec(raw)?.[0] ?? "";
+
+type CycleStatement = Extract<Statement, { kind: "cycle" }>;
+
+/** When only values of a cycle change, only their characters change: labels, columns and spacing stay. */
+function withValues(raw: string, before: CycleStatement, after: CycleStatement, style: Style): string | null {
+  const shape = (s: CycleStatement) => ({ ...s, parameters: s.parameters.map((p) => [p.q, p.label]) });
+  if (!same(shape(before), shape(after))) return null;
+  let text = raw;
+  for (const [i, p] of after.parameters.entries()) {
+    if (same(p.value, before.parameters[i]?.value)) continue;
+    const at = new RegExp(String.raw`((?:^|[\s])${p.q}[ \t]*=?[ \t]*)([^\s;~]*(?:(?<=[+-])[ \t]+[^\s;~]+)?)`, "i").exec(text);
+    if (!at) return null;
+    const written = p.value === null ? "" : p.value === "auto" ? "FAUTO" : p.value === "max" ? "FMAX" : valueText(p.value, style);
+    const front = (at[1] ?? "").includes("=") ? (at[1] ?? "") : `${(at[1] ?? "").trimEnd()}=`;
+    text = text.slice(0, at.index) + front + written + text.slice(at.index + at[0].length);
+  }
+  return text;
+}
+
+/** The text of a statement in the place of a block: its number, mark, comment and line end stay. */
+function rewritten(block: Block, statement: Statement, style: Style): string {
+  const end = lineEndOf(block.raw);
+  const body = block.raw.slice(0, block.raw.length - end.length);
+  if (block.statement.kind === "cycle" && statement.kind === "cycle") {
+    const patched = withValues(body, block.statement, statement, style);
+    if (patched !== null) return patched + end;
+  }
+  const lines = statementLines(statement, style);
+  const comment = block.comment !== null && statement.kind !== "comment" ? commentOf(body) : "";
+  const head = headOf(body);
+  const gap = head !== "" && /\d$/.test(head) && lines[0] ? " " : "";
+  return head + gap + (lines[0] ?? "") + comment + lines.slice(1).map((line) => style.newLine + line).join("") + end;
+}
+
+/** The comment of a block's first line with the blanks before it. */
+function commentOf(body: string): string {
+  const [first = ""] = body.split(/\r\n|\n|\r/);
+  let quoted = false;
+  for (let i = 0; i < first.length; i += 1) {
+    if (first[i] === '"') quoted = !quoted;
+    else if (first[i] === ";" && (!quoted || !first.includes('"', i))) {
+      const from = first.slice(0, i).trimEnd().length;
+      return first.slice(from).replace(/[ \t]*~[ \t]*$/, "");
+    }
+  }
+  return "";
+}
+
+/** Replaces what one block says. Only its text changes, in the style of its surroundings; the same statement changes nothing. */
+export function withBlock(program: Program, index: number, statement: Statement): Program {
+  const block = program.blocks[index];
+  if (!block || same(block.statement, statement)) return program;
+  const raw = rewritten(block, statement, styleAt(program, index));
+  return { blocks: program.blocks.toSpliced(index, 1, ...parse(raw).blocks) };
+}
+
+/** Puts a statement in front of the block at `index` (or at the end), numbered on when its neighbours are. */
+export function withInserted(program: Program, index: number, statement: Statement): Program {
+  const style = styleAt(program, Math.min(index, program.blocks.length - 1));
+  const numbered = program.blocks.some((b) => b.number !== null);
+  const number = program.blocks[index]?.number ?? nextNumber(program.blocks.slice(0, index));
+  const before = program.blocks[index - 1];
+  const open = before !== undefined && lineEndOf(before.raw) === "";
+  const text = (numbered && statement.kind !== "empty" ? `${number} ` : "") + statementLines(statement, style).join(style.newLine) + style.newLine;
+  const blocks = open ? program.blocks.with(index - 1, { ...before, raw: before.raw + style.newLine }) : program.blocks;
+  return renumbered({ blocks: blocks.toSpliced(index, 0, ...parse(text).blocks) }, index + 1);
+}
+
+/** Takes blocks out and counts the ones behind on. */
+export function withoutBlocks(program: Program, index: number, count = 1): Program {
+  return renumbered({ blocks: program.blocks.toSpliced(index, count) }, index);
+}
+
+const nextNumber = (blocks: readonly Block[]) => (blocks.findLast((b) => b.number !== null)?.number ?? -1) + 1;
+
+/** Counts block numbers on from `index`, up to the first that is right already; only the digits change. */
+export function renumbered(program: Program, index: number): Program {
+  let next = nextNumber(program.blocks.slice(0, index));
+  const blocks = [...program.blocks];
+  for (let i = index; i < blocks.length; i += 1) {
+    const b = blocks[i];
+    if (!b || b.number === null) continue;
+    if (b.number === next) break;
+    const head = headOf(b.raw);
+    blocks[i] = { ...b, number: next, raw: head.replace(/\d+/, String(next)) + b.raw.slice(head.length), issues: b.issues.map((x) => shifted(x, String(next).length - String(b.number).length)) };
+    next += 1;
+  }
+  return { blocks };
+}
+
+const shifted = <T extends Block["issues"][number]>(x: T, by: number): T =>
+  ({ ...x, offset: x.offset + by, ...(x.fix && { fix: { ...x.fix, offset: x.fix.offset + by } }) });

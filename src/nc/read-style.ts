@@ -1,0 +1,43 @@
+import type { Block, Program } from "./program.ts";
+import { LAYOUTS, type Style } from "./style.ts";
+
+/** How far round a block other blocks are asked for their style. */
+const NEIGHBOURS = 40;
+
+/** What the texts of blocks say about style, nearest first; the first that shows a choice decides it. */
+function seen<T>(texts: readonly string[], show: (raw: string) => T | null, otherwise: T): T {
+  for (const raw of texts) {
+    const found = show(raw);
+    if (found !== null) return found;
+  }
+  return otherwise;
+}
+
+const code = (raw: string) => raw.replace(/;[^\r\n]*/g, "");
+const newLine = (raw: string) => /\r\n|\n|\r/.exec(raw)?.[0] as Style["newLine"] | undefined ?? null;
+const wide = (raw: string) => (/^\/?\d+ +(?:CYCL DEF \d+(?:\.\d+)?|L|LBL|RND|CHF)  /m.test(code(raw)) ? true : /^\/?\d+ (?:CYCL DEF \d+|L|RND|CHF) \S/m.test(code(raw)) ? false : null);
+const continued = (raw: string) => (/CYCL DEF \d+(?!\.)[^\r\n]*[\r\n]/i.test(raw) && /[\r\n]\s*Q\d/.test(raw) ? /~[ \t]*(?:\r|\n)/.test(raw) : null);
+const plus = (raw: string) => (/(?:[XYZ=]|IX|IZ)\+[\d.,]/.test(code(raw)) ? true : /(?:[XYZ]|=)\d/.test(code(raw)) ? false : null);
+const decimal = (raw: string): "," | "." | null => (/\d,\d/.test(code(raw)) ? "," : /[A-Z=+-]\d*\.\d/.test(code(raw).replace(/CYCL DEF \d+\.\d+[^\r\n]*|BLK FORM 0\.[12]/g, "")) ? "." : null);
+const indent = (raw: string) => /[\r\n]([ \t]*)Q\d+[ \t]*=/.exec(raw)?.[1] ?? null;
+const rapid = (raw: string) => (/F MAX/.test(raw) ? "F MAX" as const : /FMAX/.test(raw) ? "FMAX" as const : null);
+const spacedWords = (raw: string) => (/(?:LEN|CCA) [\d+]/.test(raw) ? true : /(?:LEN|CCA)[\d+]/.test(raw) ? false : null);
+
+/** The style a block is written in: its own where it shows, else that of its surroundings, else the control's newest. */
+export function styleAt(program: Program, index: number): Style {
+  const { blocks } = program;
+  const near: Block[] = [];
+  for (let d = 0; d <= NEIGHBOURS; d += 1) for (const i of d === 0 ? [index] : [index - d, index + d]) if (blocks[i]) near.push(blocks[i]);
+  const texts = near.map((b) => b.raw);
+  const base = LAYOUTS.tnc7;
+  return {
+    newLine: seen(texts, newLine, base.newLine),
+    wide: seen(texts, wide, base.wide),
+    continued: seen(texts, continued, base.continued),
+    plus: seen(texts, plus, base.plus),
+    decimal: seen(texts, decimal, base.decimal),
+    indent: seen(texts, indent, base.indent),
+    rapid: seen(texts, rapid, base.rapid),
+    spacedWords: seen(texts, spacedWords, base.spacedWords),
+  };
+}
