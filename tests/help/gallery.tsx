@@ -1,3 +1,5 @@
+import { fetchTexts } from "../../src/app/settings/loaded-texts.ts";
+import type { Language } from "../../src/i18n/languages.ts";
 import { createRoot } from "react-dom/client";
 import "../../src/app/styles/base.css";
 import { HelpPicture } from "../../src/app/help/HelpPicture.tsx";
@@ -16,13 +18,15 @@ const contour = cycle.contour === "free"
 const values = { ...Object.fromEntries(Object.entries(cycle.params).map(([q, p]) => [q, p.example])), ...JSON.parse(ask.get("values") ?? "{}") };
 const list = ask.get("q") ? ask.get("q")!.split(",") : ["", ...Object.keys(cycle.params)];
 
+const language = (ask.get("language") ?? "en") as Language;
+await fetchTexts(language);
 createRoot(document.getElementById("root")!).render(
   <div style={{ display: "flex", flexWrap: "wrap", gap: 8, padding: 8 }}>
     {list.map((q) => (
       <figure key={q} style={{ border: "1px solid var(--line)" }}>
         <figcaption className="small">{q || "none"}</figcaption>
         <div style={{ width, height }}>
-          <HelpPicture cycle={cycle} values={values} given={{ contour }} activeQ={q || null} language={(ask.get("language") ?? "en") as "en"} />
+          <HelpPicture cycle={cycle} values={values} given={{ contour }} activeQ={q || null} language={language} />
         </div>
       </figure>
     ))}

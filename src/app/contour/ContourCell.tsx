@@ -1,0 +1,62 @@
+import { useId, type KeyboardEvent } from "react";
+import type { Language } from "../../i18n/languages.ts";
+import { readExpression } from "../../program/expression.ts";
+import type { RowField } from "../../program/contour-rows.ts";
+import { isPlainNumber, minus } from "../dialog/number-entry.ts";
+import { inScreenWriting } from "../dialog/write-value.ts";
+
+interface Props {
+  readonly row: string;
+  readonly field: RowField;
+  readonly name: string;
+  readonly language: Language;
+  readonly text: string;
+  /** Shown grey while the field is empty: what the coordinate stays at. */
+  readonly inherited: string | null;
+  readonly wrong: boolean;
+  readonly describedBy: string;
+  readonly onText: (text: string, leaving: boolean) => void;
+  /** The I key of the coordinate; absent where a value cannot be incremental. */
+  readonly incremental?: { readonly on: boolean; readonly name: string; readonly toggle: () => void };
+}
+
+/** One number of the contour table, with its I key where it is a coordinate. */
+export function ContourCell({ row, field, name, language, text, inherited, wrong, describedBy, onText, incremental }: Props) {
+  const id = useId();
+  const leave = () => {
+    const read = readExpression(text);
+    onText(read.kind === "number" && read.computed ? String(read.value) : text, true);
+  };
+  const onKey = (e: KeyboardEvent<HTMLInputElement>) => {
+    if (incremental && e.key.toLowerCase() === "i" && !e.ctrlKey && !e.metaKey) {
+      e.preventDefault();
+      incremental.toggle();
+      return;
+    }
+    if (e.key !== "-" || !isPlainNumber(text)) return;
+    e.preventDefault();
+    const input = e.currentTarget;
+    const next = minus({ text, from: input.selectionStart ?? 0, to: input.selectionEnd ?? 0, negative: false });
+    onText(next.text, false);
+    requestAnimationFrame(() => input.setSelectionRange(next.from === next.to ? next.from : next.text.startsWith("-") ? 1 : 0, next.to));
+  };
+  return (
+    <span className="contour-cell">
+      {incremental && (
+        <button
+          type="button" className="button plain contour-incremental number" aria-pressed={incremental.on} aria-label={incremental.name}
+          title={incremental.name} tabIndex={-1} onClick={incremental.toggle}
+        >
+          I
+        </button>
+      )}
+      <input
+        id={id} className="input number" type="text" inputMode="text" autoComplete="off" spellCheck={false} maxLength={200}
+        data-row={row} data-field={field} aria-label={name} aria-invalid={wrong} aria-describedby={inherited === null ? describedBy : `${describedBy} ${id}-stays`}
+        value={inScreenWriting(language, text)} placeholder={inherited ?? ""}
+        onChange={(e) => onText(e.currentTarget.value, false)} onBlur={leave} onFocus={(e) => e.currentTarget.select()} onKeyDown={onKey} {...(incremental ? { "aria-keyshortcuts": "I" } : {})}
+      />
+      {inherited !== null && <span id={`${id}-stays`} className="unseen">{inherited}</span>}
+    </span>
+  );
+}

@@ -1,0 +1,123 @@
+import { cleanup, render, screen, within } from "@testing-library/react";
+import userEvent from "@testing-library/user-event";
+import { useState } from "react";
+import { afterEach, beforeAll, expect, test, vi } from "vitest";
+import { catalogue } from "../../cycles/index.ts";
+import { exampleJob, type ContourRow } from "../../program/job.ts";
+import { fetchTexts } from "../settings/loaded-texts.ts";
+import { ContourTable } from "./ContourTable.tsx";
+
+beforeAll(() => fetchTexts("en"));
+afterEach(cleanup);
+
+const example = () => {
+  const cycle = catalogue.find((c) => c.contour === "free");
+  return cycle ? exampleJob(cycle).contour : [];
+};
+
+/** The table with a state of its own; `last` holds the rows after the newest change. */
+function shown(start: readonly ContourRow[] = example()) {
+  const last = { rows: start, places: [] as (string | null)[] };
+  function Page() {
+    const [rows, setRows] = useState(start);
+    const take = (next: readonly ContourRow[], place: string | null) => {
+      last.rows = next;
+      last.places.push(place);
+      setRows(next);
+    };
+    return <ContourTable rows={rows} onChange={take} language="en" />;
+  }
+  render(<Page />);
+  return last;
+}
+const field = (name: string) => screen.getByRole<HTMLInputElement>("textbox", { name });
+
+test("every element is a row whose fields have names, and omitted coordinates say what they stay at", () => {
+  shown();
+  expect(within(screen.getByRole("table", { name: "Contour subprogram" })).getAllByRole("row")).toHaveLength(7);
+  expect(field("Element 1, X diameter").value).toBe("75");
+  const omitted = field("Element 2, Z");
+  expect(omitted.placeholder).toBe("-20");
+  expect(document.getElementById(omitted.getAttribute("aria-describedby")?.split(" ")[1] ?? "")?.textContent).toBe("-20");
+});
+
+test("typing names its field for undo, and a sum is worked out when the field is left", async () => {
+  const user = userEvent.setup();
+  const last = shown();
+  await user.clear(field("Element 4, X diameter"));
+  await user.type(field("Element 4, X diameter"), "10+5/2");
+  expect(new Set(last.places)).toEqual(new Set([`${last.rows[3]?.id} x`]));
+  await user.tab();
+  expect(last.rows[3]?.x).toBe("12.5");
+});
+
+test("keys: enter walks on, arrows change the row, I makes incremental, alt and arrows move", async () => {
+  const user = userEvent.setup();
+  const last = shown();
+  await user.click(field("Element 1, X diameter"));
+  await user.keyboard("{Enter}");
+  expect(document.activeElement).toBe(field("Element 1, Z"));
+  await user.keyboard("{ArrowDown}i");
+  expect(document.activeElement).toBe(field("Element 2, Z"));
+  expect(last.rows[1]?.incrementalZ).toBe(true);
+  await user.keyboard("{Alt>}{ArrowDown}{/Alt}");
+  expect(last.rows.map((r) => r.kind)).toEqual(["L", "RND", "L", "L", "RND", "L"]);
+  expect(document.activeElement).toBe(field("Element 3, Z"));
+});
+
+test("keys: insert, duplicate and delete; enter behind the last field adds an element", async () => {
+  const user = userEvent.setup();
+  const last = shown();
+  await user.click(field("Element 6, Z"));
+  await user.keyboard("{Enter}-5");
+  expect(last.rows).toHaveLength(7);
+  expect(last.rows[6]?.x).toBe("-5");
+  await user.keyboard("{Control>}d{/Control}");
+  expect(last.rows).toHaveLength(8);
+  await user.keyboard("{Control>}{Delete}{/Control}{Control>}{Delete}{/Control}");
+  expect(last.rows).toHaveLength(6);
+  await user.keyboard("{Insert}");
+  expect(last.rows[5]?.x).toBe("");
+  expect(screen.getByRole("status").textContent).toBe("Element added");
+});
+
+test("buttons name the element they change", async () => {
+  const user = userEvent.setup();
+  const last = shown();
+  await user.click(field("Element 3, radius"));
+  await user.click(screen.getByRole("button", { name: "Delete element 3" }));
+  expect(last.rows.map((r) => r.kind)).toEqual(["L", "L", "L", "RND", "L"]);
+  await user.click(screen.getByRole("button", { name: "Move element 3 up" }));
+  expect(last.rows[1]?.x).toBe("20");
+});
+
+test("a fault stands at its field and in the drawing", async () => {
+  const user = userEvent.setup();
+  shown();
+  await user.clear(field("Element 3, radius"));
+  expect(field("Element 3, radius").getAttribute("aria-invalid")).toBe("true");
+  await user.type(field("Element 3, radius"), "200");
+  const wrong = field("Element 3, radius").getAttribute("aria-describedby") ?? "";
+  expect(document.getElementById(wrong)?.textContent).toContain("200");
+  expect(document.querySelectorAll(".contour-drawing .faulty").length).toBeGreaterThan(0);
+  expect(screen.getByRole("img").getAttribute("aria-label")).toBe("Drawing of the contour with 6 elements, element 3 is highlighted");
+});
+
+test("minus anywhere in a number changes its sign", async () => {
+  const user = userEvent.setup();
+  const last = shown();
+  vi.stubGlobal("requestAnimationFrame", (f: () => void) => { f(); return 0; });
+  const z = field("Element 4, Z");
+  await user.click(z);
+  z.setSelectionRange(3, 3);
+  await user.keyboard("-");
+  expect(last.rows[3]?.z).toBe("25");
+  vi.unstubAllGlobals();
+});
+
+test("an empty table asks for the start point", async () => {
+  const user = userEvent.setup();
+  const last = shown([]);
+  await user.click(screen.getByRole("button", { name: "Add element" }));
+  expect(last.rows).toHaveLength(1);
+});

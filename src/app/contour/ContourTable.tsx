@@ -1,0 +1,95 @@
+import { useMemo, useRef, useState } from "react";
+import { texts } from "../settings/loaded-texts.ts";
+import type { Language } from "../../i18n/languages.ts";
+import { readRows } from "../../program/contour-rows.ts";
+import type { ContourRow } from "../../program/job.ts";
+import { ContourDrawing } from "./ContourDrawing.tsx";
+import { ContourLine } from "./ContourLine.tsx";
+import { RowTools } from "./RowTools.tsx";
+import { changed, duplicated, inserted, moved, removed, type Edited } from "./row-edits.ts";
+import { useRowFocus, useTableKeys, type RowActions } from "./use-table-keys.ts";
+import "./contour.css";
+
+interface Props {
+  readonly rows: readonly ContourRow[];
+  /** `place` names the field that is typed into, so that typing is one step of undo; null for a change of its own. */
+  readonly onChange: (rows: readonly ContourRow[], place: string | null) => void;
+  readonly language: Language;
+}
+
+/** The contour subprogram as a table beside its drawing. */
+export function ContourTable({ rows, onChange, language }: Props) {
+  const t = texts(language).contour;
+  const table = useRef<HTMLTableElement>(null);
+  const [activeId, setActive] = useState<string | null>(rows[0]?.id ?? null);
+  const [said, setSaid] = useState({ text: "", times: 0 });
+  /** Says what was done, also when the same is done again. */
+  const say = (text: string) => setSaid((old) => ({ text, times: old.times + 1 }));
+  const reading = useMemo(() => readRows(rows), [rows]);
+  const focusRow = useRowFocus(table);
+  const found = rows.findIndex((r) => r.id === activeId);
+  const active = found < 0 ? null : found;
+
+  const edit = (edited: Edited, done: string, field?: string) => {
+    if (edited.rows === rows) return;
+    focusRow(edited.focus, field);
+    if (edited.focus !== null) setActive(edited.focus);
+    say(done);
+    onChange(edited.rows, null);
+  };
+  const actions: RowActions = {
+    add: () => edit(inserted(rows, rows.length), t.done.added),
+    insert: () => edit(inserted(rows, active ?? rows.length), t.done.added),
+    duplicate: () => active !== null && edit(duplicated(rows, active), t.done.duplicated),
+    remove: () => active !== null && edit(removed(rows, active), t.done.removed),
+    move: (by) => active !== null && edit(moved(rows, active, by), t.done.moved, fieldInUse(table.current)),
+  };
+  const onKeyDown = useTableKeys(table, actions);
+  const pick = (row: number) => {
+    const id = rows[row]?.id;
+    if (id === undefined) return;
+    focusRow(id);
+    setActive(id);
+    say("");
+  };
+
+  return (
+    <section className="contour-editor" aria-label={t.title}>
+      <div className="contour-layout">
+        <ContourDrawing reading={reading} active={active} language={language} onPick={pick} />
+        <div className="contour-fields">
+          <RowTools number={active === null ? null : active + 1} count={rows.length} actions={actions} language={language} />
+          {rows.length === 0 ? <p className="soft">{t.empty}</p> : (
+            <table role="table" ref={table} aria-label={t.table} className="contour-table" onKeyDown={onKeyDown}>
+              <thead role="rowgroup">
+                <tr role="row">
+                  <th role="columnheader" scope="col">{t.head.number}</th><th role="columnheader" scope="col">{t.head.element}</th>
+                  <th role="columnheader" scope="col">{t.head.x}</th><th role="columnheader" scope="col">{t.head.z}</th>
+                  <th role="columnheader" scope="col" className="wide">{t.head.size}</th><th role="columnheader" scope="col" className="wide">{t.head.turn}</th>
+                </tr>
+              </thead>
+              <tbody role="rowgroup">
+                {rows.map((row, i) => (
+                  <ContourLine
+                    key={row.id} row={row} number={i + 1} reading={reading.rows[i]} issues={reading.issues.filter((issue) => issue.row === i)}
+                    active={row.id === activeId} language={language} onFocus={() => setActive(row.id)}
+                    onChange={(change, place) => onChange(changed(rows, row.id, change), place)}
+                  />
+                ))}
+              </tbody>
+            </table>
+          )}
+          <p className="small soft contour-keys">{t.keys}</p>
+          <p className="small soft">{t.intro}</p>
+          <p role="status" className="unseen"><span key={said.times}>{said.text}</span></p>
+        </div>
+      </div>
+    </section>
+  );
+}
+
+/** The field that has the keyboard, so that it keeps it when its row moves. */
+function fieldInUse(table: HTMLElement | null): string | undefined {
+  const at = document.activeElement;
+  return at instanceof HTMLElement && table?.contains(at) ? at.dataset["field"] : undefined;
+}

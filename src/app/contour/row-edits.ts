@@ -1,0 +1,46 @@
+import type { ContourRow } from "../../program/job.ts";
+
+type Rows = readonly ContourRow[];
+
+/** An id that no row has. */
+const freshId = (rows: Rows): string => `e${1 + Math.max(0, ...rows.map((r) => Number(/^e(\d+)$/.exec(r.id)?.[1] ?? 0)))}`;
+
+const emptyRow = (id: string): ContourRow =>
+  ({ id, kind: "L", x: "", z: "", r: "", turn: "cw", incrementalX: false, incrementalZ: false });
+
+/** A table after an edit, and the row that should have the keyboard. */
+export interface Edited {
+  readonly rows: Rows;
+  readonly focus: string | null;
+}
+
+/** A new line at a place; what stands there moves down. */
+export function inserted(rows: Rows, at: number): Edited {
+  const row = emptyRow(freshId(rows));
+  return { rows: rows.toSpliced(at, 0, row), focus: row.id };
+}
+
+/** A copy right behind a row. */
+export function duplicated(rows: Rows, at: number): Edited {
+  const row = rows[at];
+  if (!row) return { rows, focus: null };
+  const copy = { ...row, id: freshId(rows) };
+  return { rows: rows.toSpliced(at + 1, 0, copy), focus: copy.id };
+}
+
+/** Without a row; the one that takes its place gets the keyboard. */
+export function removed(rows: Rows, at: number): Edited {
+  const left = rows.toSpliced(at, 1);
+  return { rows: left, focus: (left[at] ?? left.at(-1))?.id ?? null };
+}
+
+/** A row one place up or down; at either end nothing changes. */
+export function moved(rows: Rows, at: number, by: 1 | -1): Edited {
+  const row = rows[at], to = at + by;
+  if (!row || to < 0 || to >= rows.length) return { rows, focus: row?.id ?? null };
+  return { rows: rows.toSpliced(at, 1).toSpliced(to, 0, row), focus: row.id };
+}
+
+/** One row changed. */
+export const changed = (rows: Rows, id: string, change: Partial<ContourRow>): Rows =>
+  rows.map((r) => (r.id === id ? { ...r, ...change } : r));

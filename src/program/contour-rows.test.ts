@@ -1,0 +1,57 @@
+import { expect, test } from "vitest";
+import { readRows } from "./contour-rows.ts";
+import type { ContourRow } from "./job.ts";
+
+const row = (kind: ContourRow["kind"], given: Partial<ContourRow> = {}): ContourRow =>
+  ({ id: "e", kind, x: "", z: "", r: "", turn: "cw", incrementalX: false, incrementalZ: false, ...given });
+const codes = (rows: readonly ContourRow[]) => readRows(rows).issues.map((i) => [i.row + 1, i.field, i.issue.code]);
+
+const printed = [
+  row("L", { x: "75", z: "-20" }), row("L", { x: "50" }), row("RND", { r: "2" }),
+  row("L", { x: "20", z: "-25" }), row("RND", { r: "2" }), row("L", { z: "0" }),
+];
+
+test("reads the printed contour: three lines and two arcs, each from its row", () => {
+  const { contour, rowOfSegment, issues } = readRows(printed);
+  expect(issues).toEqual([]);
+  expect(contour.segments.map((s) => s.kind)).toEqual(["line", "arc", "line", "arc", "line"]);
+  expect(rowOfSegment).toEqual([1, 2, 3, 4, 5]);
+});
+
+test("a coordinate left out stays as it was, an incremental one adds to it", () => {
+  const { rows } = readRows([row("L", { x: "75", z: "-20" }), row("L", { x: "50" }), row("L", { x: "-10", z: "-5", incrementalX: true, incrementalZ: true })]);
+  expect(rows.map((r) => r.end)).toEqual([{ x: 75, z: -20 }, { x: 50, z: -20 }, { x: 40, z: -25 }]);
+  expect(rows[1]?.inherited).toEqual({ x: 75, z: -20 });
+});
+
+test("a sum and a decimal comma are read", () => {
+  expect(readRows([row("L", { x: "75/2+1", z: "-2,5" })]).rows[0]?.end).toEqual({ x: 38.5, z: -2.5 });
+});
+
+test("the start point needs both coordinates", () => {
+  expect(codes([row("L", { x: "75" }), row("L", { x: "50", z: "0" })])).toContainEqual([1, "z", "missing"]);
+});
+
+test("text that is no number is said at its field, and the rest is still drawn", () => {
+  const rows = [printed[0] ?? row("L"), row("L", { x: "abc", z: "-30" }), row("L", { x: "20" })];
+  expect(codes(rows)).toEqual([[2, "x", "notANumber"]]);
+  expect(readRows(rows).contour.segments).toHaveLength(2);
+});
+
+test("an element that goes nowhere, a lone corner and a corner too long are said at their row", () => {
+  expect(codes([...printed.slice(0, 2), row("L")])).toContainEqual([3, null, "contourPoint"]);
+  expect(codes([row("RND", { r: "2" }), ...printed.slice(0, 2)])).toContainEqual([1, null, "cornerElementAlone"]);
+  expect(codes([...printed.slice(0, 2), row("RND", { r: "200" }), ...printed.slice(3)])).toContainEqual([3, "r", "cornerElementTooLong"]);
+});
+
+test("an arc needs its radius, and one that reaches its end", () => {
+  const start = row("L", { x: "40", z: "0" });
+  expect(codes([start, row("CR", { x: "60", z: "-10" })])).toContainEqual([2, "r", "missing"]);
+  expect(codes([start, row("CR", { x: "60", z: "-10", r: "3" })])).toContainEqual([2, "r", "arcTooSmall"]);
+  expect(codes([start, row("CR", { x: "60", z: "-10", r: "10", turn: "ccw" })])).toEqual([]);
+});
+
+test("a single point is too short, and that belongs to no row", () => {
+  expect(codes([printed[0] ?? row("L")])).toEqual([]);
+  expect(readRows([]).contour.issues.map((i) => i.code)).toEqual(["contourTooShort"]);
+});

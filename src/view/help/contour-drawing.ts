@@ -1,0 +1,82 @@
+import { pointOn } from "../../kernel/flatten.ts";
+import type { Pt, Segment } from "../../kernel/point.ts";
+import { axial, diameter, radius, toRadius } from "../../kernel/units.ts";
+import { boundsOf } from "../bounds.ts";
+import { fitted, toScreen, type Camera, type Place, type Size } from "../camera.ts";
+import { overlap, textBox, type Box } from "./labels.ts";
+import { polyline, segmentPath } from "./marks.ts";
+import { lineOf } from "./section.ts";
+
+/** What the drawing beside the contour table shows. */
+export interface ContourRequest {
+  readonly contour: readonly Segment[];
+  readonly rowOfSegment: readonly number[];
+  /** Where each row ends (X as diameter), or null. */
+  readonly ends: readonly ({ readonly x: number; readonly z: number } | null)[];
+  readonly faulty: ReadonlySet<number>;
+  readonly active: number | null;
+  readonly size: Size;
+}
+
+/** The drawing as data: elements by row, numbered points, spindle axis; CSS pixels. */
+export interface ContourPicture {
+  readonly axis: string;
+  readonly elements: readonly { readonly row: number; readonly d: string; readonly faulty: boolean }[];
+  readonly points: readonly { readonly row: number; readonly place: Place; readonly label: Place | null; readonly faulty: boolean }[];
+}
+
+const MARGIN = { left: 26, right: 26, top: 22, bottom: 22 };
+/** Farther away than this many contour sizes the axis is left out, so that the contour stays large. */
+const NEAR_AXIS = 2;
+
+function cameraFor(points: readonly Pt[], size: Size): Camera {
+  const all = boundsOf(points) ?? { left: -50, right: 5, low: 0, high: 40 };
+  const span = Math.max(all.right - all.left, all.high - all.low, 1);
+  const low = all.low < NEAR_AXIS * span ? Math.min(0, all.low) : all.low;
+  const box = all.right - all.left + all.high - low < 1e-6 ? { left: all.left - 10, right: all.right + 10, low: 0, high: all.high + 10 } : { ...all, low };
+  return fitted(box, size, MARGIN, true);
+}
+
+/** A place for a number beside its point that covers no other number and no line. */
+function labelPlace(at: Place, text: string, taken: readonly Box[], line: readonly Place[], size: Size): Place | null {
+  let best: Place | null = null;
+  let least = Infinity;
+  for (const reach of text.endsWith("!") ? [20, 27] : [13, 19, 26])
+    for (let k = 0; k < 8; k += 1) {
+      const p = { x: at.x + reach * Math.cos((k * Math.PI) / 4 - Math.PI / 4), y: at.y + reach * Math.sin((k * Math.PI) / 4 - Math.PI / 4) };
+      const box = textBox(p, text, 0, 12);
+      if (box.x < 0 || box.y < 0 || box.x + box.width > size.width || box.y + box.height > size.height || taken.some((b) => overlap(b, box))) continue;
+      const cost = reach / 10 + k / 10 + line.filter((q) => q.x > box.x && q.x < box.x + box.width && q.y > box.y && q.y < box.y + box.height).length * 3;
+      if (cost < least) [best, least] = [p, cost];
+    }
+  return best;
+}
+
+/** Draws the contour of a table as data. */
+export function contourDrawing({ contour, rowOfSegment, ends, faulty, active, size }: ContourRequest): ContourPicture {
+  const stops = ends.flatMap((e, row) => (e ? [{ row, at: { z: axial(e.z), r: toRadius(diameter(e.x)) } }] : []));
+  const camera = cameraFor([...lineOf(contour), ...stops.map((s) => s.at)], size);
+  const rows = [...new Set(rowOfSegment)];
+  const elements = rows.map((row) => ({ row, faulty: faulty.has(row), d: segmentPath(contour.filter((_, i) => rowOfSegment[i] === row), camera) }));
+  const corners = contour.flatMap((s, i) => {
+    const row = rowOfSegment[i] ?? 0;
+    return ends[row] === null ? [{ row, at: pointOn(s, 0.5) }] : [];
+  });
+  const drawnRows = new Set([...stops, ...corners].map((s) => s.row));
+  const missing = [...faulty].filter((row) => !drawnRows.has(row)).flatMap((row) => {
+    const before = stops.filter((s) => s.row < row).at(-1) ?? stops[0];
+    return before ? [{ row, at: before.at }] : [];
+  });
+  const line = contour.flatMap((s) => Array.from({ length: 24 }, (_, k) => toScreen(camera, pointOn(s, k / 24))));
+  const taken: Box[] = [];
+  const marks = [...stops, ...corners, ...missing].sort((a, b) => Number(b.row === active) - Number(a.row === active) || a.row - b.row);
+  const points = marks.map(({ row, at }) => {
+    const place = toScreen(camera, at);
+    const text = faulty.has(row) ? `${row + 1}!` : String(row + 1);
+    const label = labelPlace(place, text, taken, line, size);
+    if (label) taken.push(textBox(label, text, 0, 12));
+    return { row, place, label, faulty: faulty.has(row) };
+  });
+  const y = toScreen(camera, { z: axial(0), r: radius(0) }).y;
+  return { axis: y > 0 && y < size.height ? polyline([{ x: 4, y }, { x: size.width - 4, y }]) : "", elements, points };
+}

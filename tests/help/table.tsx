@@ -1,0 +1,23 @@
+import { useState } from "react";
+import { fetchTexts } from "../../src/app/settings/loaded-texts.ts";
+import type { Language } from "../../src/i18n/languages.ts";
+import { createRoot } from "react-dom/client";
+import "../../src/app/styles/base.css";
+import { ContourTable } from "../../src/app/contour/ContourTable.tsx";
+import { cycleByNumber } from "../../src/cycles/index.ts";
+import { exampleJob, type ContourRow } from "../../src/program/job.ts";
+
+const ask = new URLSearchParams(location.search);
+if (ask.get("theme")) document.documentElement.dataset["theme"] = ask.get("theme") ?? "";
+const cycle = cycleByNumber(820);
+const example = cycle ? exampleJob(cycle).contour : [];
+const more = { id: "e9", kind: "CR", x: "0", z: "6", r: ask.get("r") ?? "14", turn: "ccw", incrementalX: false, incrementalZ: false } as const;
+const start = ask.get("more") ? [...example, more] : example;
+
+function Page() {
+  const [rows, setRows] = useState<readonly ContourRow[]>(start);
+  return <ContourTable rows={rows} onChange={setRows} language={language} />;
+}
+const language = (ask.get("language") ?? "en") as Language;
+await fetchTexts(language);
+createRoot(document.getElementById("root")!).render(<div style={{ padding: 12, width: Number(ask.get("width") ?? 400), boxSizing: "border-box", background: "var(--surface)" }}><Page /></div>);
