@@ -99,6 +99,7 @@ export function LatheView({ result, dimmed, playback, clock }: {
         </Picture>
         <PlaceButtons viewport={viewport} places={seen} chosen={chosen} choose={choose} />
         <RulerReading measuring={measuring} />
+        {run.steps.length === 0 && <p className="lathe-empty soft">{t.pictureEmpty}</p>}
         {dimmed && run.steps.length > 0 && <p className="lathe-outdated small">{t.outdated}</p>}
         <p id={keysId} className="unseen">{t.keys}</p>
       </div>

@@ -16,7 +16,7 @@ export function Readout({ run, playback }: { readonly run: Run; readonly playbac
   useEachPicture(playback, useCallback(() => {
     const now = runningText(texts, language, run, playback.shown());
     for (const cell of group.current?.querySelectorAll<HTMLElement>("[data-says]") ?? []) {
-      const said = now?.[cell.dataset["says"] as keyof Running] ?? "";
+      const said = now?.[cell.dataset["says"] as keyof Running] ?? (cell.localName === "dd" ? "–" : "");
       if (cell.textContent !== said) cell.textContent = said;
     }
   }, [texts, language, run, playback]));
