@@ -25,7 +25,7 @@ export class ProgramText {
 
   /** What is said once the program is on the clipboard. */
   get confirmation(): Locator {
-    return this.context.page.getByRole("status").filter({ hasText: this.context.t.page.text.copied });
+    return this.context.page.getByRole("status").filter({ hasText: this.context.t.page.text.copiedLong(0).split("0")[0] ?? "" });
   }
 
   /** The text on the screen, line by line. */

@@ -13,6 +13,7 @@ import { open, useEditor } from "./store.ts";
 export function Header() {
   const t = useTexts();
   const read = useReading();
+  const section = usePlace((p) => p.section);
   const settings = useRef<HTMLDialogElement>(null);
   const past = useStore(useEditor.temporal, (s) => s.pastStates.length);
   const future = useStore(useEditor.temporal, (s) => s.futureStates.length);
@@ -20,7 +21,7 @@ export function Header() {
 
   return (
     <header className="top" aria-label={t.page.header}>
-      <a className="skip" href="#panel-prompts">{t.page.skipToPrompts}</a>
+      {read && section === "prompts" && <a className="skip" href="#panel-prompts">{t.page.skipToPrompts}</a>}
       <p className="brand"><b>{t.page.product}</b></p>
       {read && words && (
         <h1 className="open-cycle">

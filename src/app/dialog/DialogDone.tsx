@@ -31,10 +31,12 @@ export function DialogDone({ read }: { readonly read: JobReading }) {
         step(-1);
       }}
     >
-      <h2 role="status" className={open.length > 0 ? "done-open" : "done-complete"}>
-        <Icon name={open.length > 0 ? "error" : "check"} />
-        {open.length > 0 ? t.open(open.length) : t.title}
-      </h2>
+      <div role="status">
+        <h2 className={open.length > 0 ? "done-open" : "done-complete"}>
+          <Icon name={open.length > 0 ? "error" : "check"} />
+          {open.length > 0 ? t.open(open.length) : t.title}
+        </h2>
+      </div>
       <div className="done-buttons">
         {open.length > 0
           ? <button type="button" className="button primary" onClick={() => goTo(open[0] ?? first)}>{t.firstOpen}: {open[0]}</button>
