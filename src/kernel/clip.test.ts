@@ -67,6 +67,11 @@ test("a stray ring of rounding does not turn an offset inside out", () => {
   expect(areaOf(offset([turned, box(0, 0, 2, 2)], -0.5))).toBeCloseTo(1, 6);
 });
 
+test("a blank larger than any lathe keeps its size when packed", () => {
+  const huge = [box(-99999.999, 0, 0, 50000)];
+  expect(unpacked(packed(huge))).toEqual(huge);
+});
+
 test("packing is exact for what comes from the engine", () => {
   fc.assert(fc.property(triangle, triangle, (a, b) => {
     const cut = difference([a], [b]);

@@ -10,7 +10,7 @@ import { axial, radius } from "./units.ts";
  */
 
 /** Rings as the engine's integers, for keeping and for sending to another thread: z, r, z, r … of one ring each. */
-export type PackedRings = readonly Int32Array[];
+export type PackedRings = readonly Float64Array[];
 
 /** Units per mm; a whole number, so that packing and unpacking are exact. */
 const UNITS = Math.round(1 / GRID);
@@ -103,7 +103,7 @@ export const areaOf = (area: readonly Ring[]): number => area.reduce((sum, ring)
 /** The compact form of rings that lie on the grid. */
 export const packed = (area: readonly Ring[]): PackedRings =>
   area.map((ring) => {
-    const numbers = new Int32Array(2 * ring.length);
+    const numbers = new Float64Array(2 * ring.length);
     ring.forEach((p, i) => {
       numbers[2 * i] = toGrid(p.z);
       numbers[2 * i + 1] = toGrid(p.r);
