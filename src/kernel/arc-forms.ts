@@ -1,12 +1,9 @@
-import { direction } from "./corner.ts";
+import { at, direction } from "./curve.ts";
 import type { Pt, Segment, Turn } from "./point.ts";
 import { ARC_END, ROUND, SAME } from "./tolerance.ts";
-import { axial, radius as asRadius } from "./units.ts";
 
 /** A straight segment. */
 export const line = (from: Pt, to: Pt): Segment => ({ kind: "line", from, to });
-
-const at = (z: number, r: number): Pt => ({ z: axial(z), r: asRadius(r) });
 
 /**
  * An arc by its end, radius (mm; negative: the longer way round) and turn. When the radius can not span the two points,

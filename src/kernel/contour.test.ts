@@ -1,7 +1,7 @@
 import * as fc from "fast-check";
 import { describe, expect, test } from "vitest";
 import { chainOf, contourFrom, withCorners, type ContourElement } from "./contour.ts";
-import { direction, lengthOf } from "./corner.ts";
+import { direction, lengthOf } from "./curve.ts";
 import type { Pt, Segment } from "./point.ts";
 import { axial, radius } from "./units.ts";
 
@@ -62,6 +62,14 @@ describe("programmed contours", () => {
   test("corner elements need a neighbour on both sides", () => {
     expect(codes(contourFrom([{ kind: "round", size: 1 }, { kind: "line", to: p(0, 10) }, { kind: "line", to: p(-5, 10) }, { kind: "chamfer", size: 1 }])))
       .toEqual(["cornerElementAlone", "cornerElementAlone"]);
+  });
+  test("a contour that crosses or meets itself names both elements; one that closes does not", () => {
+    const lines = (...points: Pt[]) => contourFrom(points.map((to) => ({ kind: "line", to }))).issues;
+    expect(lines(p(0, 0), p(-20, 0), p(-20, 10), p(-10, -5))[0]).toMatchObject({ code: "contourCrossesItself", data: { element: 4, other: 2 } });
+    expect(lines(p(0, 0), p(-20, 0), p(-20, 10), p(-10, 0))).toHaveLength(1);
+    expect(lines(p(0, 0), p(-20, 0), p(-20, 10), p(0, 0))).toEqual([]);
+    const arc = contourFrom([{ kind: "line", to: p(0, 10) }, { kind: "radius", to: p(-20, 10), radius: 10, turn: "ccw" }, { kind: "line", to: p(-20, 15) }, { kind: "line", to: p(0, 15) }]);
+    expect(arc.issues[0]).toMatchObject({ code: "contourCrossesItself", data: { element: 4, other: 2 } });
   });
   test("a tangential arc follows the element before it", () => {
     const c = contourFrom([{ kind: "line", to: p(0, 10) }, { kind: "line", to: p(-10, 10) }, { kind: "tangent", to: p(-20, 20) }]);

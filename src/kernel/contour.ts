@@ -1,5 +1,7 @@
 import { arcByRadius, arcTangential, line } from "./arc-forms.ts";
-import { cutCorner, direction, lengthOf, type CornerElement } from "./corner.ts";
+import { cutCorner, type CornerElement } from "./corner.ts";
+import { selfCrossing } from "./crossing.ts";
+import { direction, lengthOf } from "./curve.ts";
 import { issue, type Issue } from "./issue.ts";
 import type { Pt, Segment, Turn } from "./point.ts";
 import { ARC_END, ROUND, SAME } from "./tolerance.ts";
@@ -20,8 +22,7 @@ export interface Contour {
   readonly elements: readonly number[];
   readonly issues: readonly Issue[];
 }
-
-/** The kept size of a corner element is the largest that fits, on the grid a control prints. */
+/** A size on the grid that a control prints, never larger than it was. */
 export const roundedDown = (size: number) => Math.floor(size * 1000 + 1e-6) / 1000;
 
 /** The largest element of a kind that fits on a corner, mm, when `tooBig` does not. */
@@ -81,7 +82,7 @@ function bends(before: Segment, after: Segment): boolean {
   return Math.abs(a.z * b.r - a.r * b.z) > ROUND || a.z * b.z + a.r * b.r < 0;
 }
 
-/** Lines between points, for contours that have no arcs before their corners. */
+/** Lines between points. */
 export const chainOf = (points: readonly Pt[]): Segment[] => points.slice(1).map((to, i) => line(points[i] ?? to, to));
 
 function segmentTo(from: Pt, before: Segment | undefined, e: PathElement, element: number, issues: Issue[]): Segment {
@@ -136,9 +137,14 @@ export function contourFrom(programmed: readonly ContourElement[]): Contour {
     chain.push(segment);
     numbers.segments.push(element);
   });
-  const left = waiting as { element: number } | null;
-  if (left) issues.push(issue("cornerElementAlone", "error", { element: left.element }, "contour"));
+  const alone = (waiting as { element: number } | null)?.element;
+  if (alone) issues.push(issue("cornerElementAlone", "error", { element: alone }, "contour"));
   if (chain.length === 0) issues.push(issue("contourTooShort", "error", {}, "contour"));
   const done = withCorners(chain, corners, numbers);
+  const crossing = selfCrossing(done.segments);
+  if (crossing) {
+    const [element, other] = crossing.map((i) => done.elements[i] ?? 0) as [number, number];
+    issues.push(issue("contourCrossesItself", "error", { element, other }, "contour"));
+  }
   return { ...done, issues: [...issues, ...done.issues] };
 }

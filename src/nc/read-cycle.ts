@@ -66,7 +66,8 @@ function readParameters(line: BlockLine, parameters: CycleParameter[], issues: B
     const value = word ? (word === "MAX" ? "max" : "auto") : m ? scan.value(m[2] ?? "") : null;
     if (!m) {
       const text = scan.done ? "" : scan.word();
-      scan.issue({ code: "badNumber", severity: "error", data: { text: text.slice(0, 40) } }, Math.max(1, text.length));
+      if (text === "") scan.issue({ code: "wordMissing", severity: "error", data: { word: q } });
+      else scan.issue({ code: "badNumber", severity: "error", data: { text: text.slice(0, 40) } }, text.length);
     }
     parameters.push({ q, value, label: null });
   }

@@ -1,5 +1,6 @@
 import { arcByRadius, arcTangential, line } from "../kernel/arc-forms.ts";
-import { cutCorner, lengthOf, type CornerElement } from "../kernel/corner.ts";
+import { cutCorner, type CornerElement } from "../kernel/corner.ts";
+import { lengthOf } from "../kernel/curve.ts";
 import { largestCorner, roundedDown } from "../kernel/contour.ts";
 import { issue } from "../kernel/issue.ts";
 import type { Move } from "../kernel/move.ts";
