@@ -37,13 +37,13 @@ export function Header() {
         </button>
         {read && (
           <button
-            type="button" className="button plain new-program"
+            type="button" className="button plain new-program" aria-label={t.page.newProgram} title={t.page.newProgram}
             onClick={() => {
               usePlace.setState({ section: "prompts", prompt: null });
               open(null, null);
             }}
           >
-            {t.page.newProgram}
+            <Icon name="add" /> <span>{t.page.newProgram}</span>
           </button>
         )}
         <button type="button" className="button icon plain" aria-label={t.page.settings} title={t.page.settings} onClick={() => settings.current?.showModal()}>

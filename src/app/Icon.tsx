@@ -15,6 +15,7 @@ const paths = {
   up: "M6 15l6-6 6 6",
   down: "M6 9l6 6 6-6",
   back: "M19 12H5M11 6l-6 6 6 6",
+  add: "M12 5v14M5 12h14",
   close: "M6 6l12 12M18 6L6 18",
 } as const;
 

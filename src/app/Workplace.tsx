@@ -54,8 +54,8 @@ export function Workplace({ read }: { readonly read: JobReading }) {
             ...(section === "problems" && problems[0] ? { badge: { count: problems.length, severity: problems[0].issue.severity } } : {}),
           }))}
         />
-        <EffectStrip read={read} />
       </div>
+      <EffectStrip read={read} />
       <div className="centre">
         <LatheView result={shown} dimmed={dimmed} playback={playback} clock={clock} />
       </div>

@@ -25,18 +25,20 @@ export function CycleDialog({ read }: { readonly read: JobReading }) {
         ? <ActivePrompt read={read} q={prompt} param={param} ownKeypad={fingers} field={field} />
         : <DialogDone read={read} />}
       {fingers && prompt !== null && param && <Keypad q={prompt} param={param} field={field} />}
-      <HelpSlot read={read} q={prompt} />
-      <div
-        className="prompt-list-box"
-        onKeyDown={(event) => {
-          const by = event.key === "ArrowDown" ? 1 : event.key === "ArrowUp" ? -1 : 0;
-          if (by === 0) return;
-          event.preventDefault();
-          step(by);
-        }}
-      >
-        <PromptList read={read} />
-        {!fingers && <p className="small soft dialog-keys">{t.dialog.help}</p>}
+      <div className="below-prompt">
+        <HelpSlot read={read} q={prompt} />
+        <div
+          className="prompt-list-box"
+          onKeyDown={(event) => {
+            const by = event.key === "ArrowDown" ? 1 : event.key === "ArrowUp" ? -1 : 0;
+            if (by === 0) return;
+            event.preventDefault();
+            step(by);
+          }}
+        >
+          <PromptList read={read} />
+          {!fingers && <p className="small soft dialog-keys">{t.dialog.help}</p>}
+        </div>
       </div>
     </div>
   );

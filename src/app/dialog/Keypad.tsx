@@ -57,7 +57,7 @@ export function Keypad({ q, param, field }: Props) {
       {key(<Icon name="down" />, t.keys.next, () => step(1))}
       {key(t.keys.noEnter, t.keys.noEnterLong, noEntry, { className: "small", disabled: !param.optional })}
       {digits([1, 2, 3])}
-      {key(<Icon name="close" />, t.keys.cancel, cancel)}
+      {key("CE", t.keys.cancel, cancel)}
       {key(t.keys.end, t.keys.endLong, finish)}
       {key(t.keys.sign, t.keys.signLong, () => change(toggleSign), { className: "number", disabled: !numeric })}
       {digits([0])}

@@ -13,17 +13,21 @@ const plainNumber = /^\s*[+-]?\d*[.,]?\d*\s*$/;
 /** True when minus means "change the sign" here; in a sum it is an ordinary minus. */
 export const isPlainNumber = (text: string): boolean => plainNumber.test(text);
 
-const allSelected = ({ text, from, to }: Entry) => text !== "" && from === 0 && to === text.length;
+/** The whole number is selected, with or without its sign: what is typed next takes its place. */
+const allSelected = ({ text, from, to }: Entry) => from < to && to === text.length && /^[+-]?$/.test(text.slice(0, from));
 
 const caretAt = (text: string, at: number): Entry => ({ text, from: at, to: at, negative: false });
 
-/** The same number with the other sign; the caret stays at its digit. */
+/**
+ * The same number with the other sign; the caret stays at its digit. Of a number that was selected as a whole the digits
+ * stay selected, so that digits typed next take the place of its digits and keep the sign that is seen.
+ */
 export function toggleSign(entry: Entry): Entry {
   const { text, from, to } = entry;
   const old = /^\s*[+-]?/.exec(text)?.[0] ?? "";
   const sign = old.includes("-") ? "" : "-";
   const next = sign + text.slice(old.length);
-  if (allSelected(entry)) return { text: next, from: 0, to: next.length, negative: false };
+  if (allSelected(entry)) return { text: next, from: sign.length, to: next.length, negative: false };
   const shift = (at: number) => Math.max(sign.length, at + sign.length - old.length);
   return { text: next, from: shift(from), to: shift(to), negative: false };
 }

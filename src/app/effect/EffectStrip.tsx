@@ -54,7 +54,7 @@ export function EffectStrip({ read }: { readonly read: JobReading }) {
             <Icon name={worst ?? "info"} /> {t.problem.count(problems.length)}
           </button>
         )}
-        {dimmed && <span className="small">{t.effect.waiting}</span>}
+        {dimmed && problems.length === 0 && <span className="small">{t.effect.waiting}</span>}
       </p>
     </section>
   );

@@ -35,11 +35,14 @@ export const engine = {
     return { version, text, run: made, simulation };
   },
 
-  /** What each shipped tool can do with the values of a job, best first; null while they cannot be read. */
+  /** What each shipped tool can do with the values of a job, best first; null while they make no contour. */
   fits(job: Job, { start, feedUnit }: Circumstances): readonly ToolFit[] | null {
     const cycle = cycleByNumber(job.cycle);
     const values = cycle && readDraft(cycle, job.drafts[job.cycle] ?? {}).values;
-    return cycle && values ? rankTools(cycle, values, givenOf({ cycle, job }), { start, feedUnit, autoFeed: null }, shippedTools) : null;
+    if (!cycle || !values) return null;
+    const given = givenOf({ cycle, job });
+    if (cycle.outline(values, given).issues.some((found) => found.severity === "error")) return null;
+    return rankTools(cycle, values, given, { start, feedUnit, autoFeed: null }, shippedTools);
   },
 };
 

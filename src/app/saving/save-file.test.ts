@@ -1,0 +1,31 @@
+import { expect, test } from "vitest";
+import fc from "fast-check";
+import { catalogue } from "../../cycles/index.ts";
+import { exampleJob } from "../../program/job.ts";
+import { readSave, SAVE_VERSION, upgrade, type SaveFile } from "./save-file.ts";
+
+const saved = (): SaveFile[] => catalogue.map((cycle) => ({ version: SAVE_VERSION, savedAt: 1_700_000_000_000, job: exampleJob(cycle) }));
+
+test("what is saved comes back the same", () => {
+  for (const file of saved()) expect(readSave(JSON.parse(JSON.stringify(file)))).toEqual(file);
+});
+
+test.each<[string, unknown]>([
+  ["nothing", undefined], ["text", "{"], ["a list", []], ["another thing", { broken: true }],
+  ["a newer edition", { ...saved()[0], version: SAVE_VERSION + 1 }],
+  ["a job without a blank", { ...saved()[0], job: { ...saved()[0]?.job, blank: undefined } }],
+  ["a number where text was", { ...saved()[0], job: { ...saved()[0]?.job, rapid: 10000 } }],
+])("%s is damaged, not a reason to fail", (_, raw) => expect(readSave(raw)).toBeNull());
+
+test("no input makes reading fail", () =>
+  fc.assert(fc.property(fc.anything({ withBigInt: true, withDate: true, withMap: true }), (raw) => readSave(raw) === null)));
+
+test("an old save passes every step up to the present version", () => {
+  const steps = {
+    1: (old: Readonly<Record<string, unknown>>) => ({ ...old, version: 2, seen: [1] }),
+    2: (old: Readonly<Record<string, unknown>>) => ({ ...old, version: 3, seen: [...(old["seen"] as number[]), 2] }),
+  };
+  expect(upgrade({ version: 1 }, steps, 3)).toEqual({ version: 3, seen: [1, 2] });
+  expect(upgrade({ version: 2, seen: [] }, steps, 3)).toEqual({ version: 3, seen: [2] });
+  expect(upgrade({ version: 4 }, steps, 3)).toEqual({ version: 4 });
+});
