@@ -3,7 +3,7 @@ import type { Place } from "../camera.ts";
 import { lineBox, SIZE, textBox, textWidth, type Box, type Candidate, type Item } from "./labels.ts";
 import { FIRST, spot, TRACK, type Layout } from "./layout.ts";
 import { arcPath, arrowHead, polyline, type Mark } from "./marks.ts";
-import { between, extension, filled, stroke, value, type Tag } from "./stroke.ts";
+import { between, extension, filled, SHORT, stroke, TAIL, value, type Tag } from "./stroke.ts";
 
 /** What a dimension says, and how. */
 export interface Lettering extends Tag {
@@ -19,6 +19,14 @@ const candidate = (l: Lettering, marks: readonly Mark[], middle: Place, turn: 0 
 });
 const width = (l: Lettering) => textWidth(l.text, SIZE.strong);
 const range = (n: number) => Array.from({ length: n }, (_, i) => i);
+
+/** A dimension line with the tails that a short one has outside. */
+function tailed(p: Place, q: Place): Box {
+  const box = lineBox(p, q);
+  const long = Math.hypot(q.x - p.x, q.y - p.y);
+  if (long < 0.5 || long >= SHORT) return box;
+  return box.width > box.height ? { ...box, x: box.x - TAIL, width: box.width + 2 * TAIL } : { ...box, y: box.y - TAIL, height: box.height + 2 * TAIL };
+}
 
 /** Z dimensions: lines stacked above the drawing, then below it. */
 function horizontal(layout: Layout, l: Lettering, a: Place, b: Place): Candidate[] {
@@ -37,7 +45,7 @@ function horizontal(layout: Layout, l: Lettering, a: Place, b: Place): Candidate
     middles.map((x, i) => {
       const [p, q] = [{ x: a.x, y }, { x: b.x, y }];
       const marks = [...extension(l, a, p), ...(point ? [] : extension(l, b, q)), ...between(l, p, q)];
-      const lines = [lineBox(a, p), ...(point ? [] : [lineBox(b, q), lineBox(p, q)])];
+      const lines = [lineBox(a, p), ...(point ? [] : [lineBox(b, q), tailed(p, q)])];
       return candidate(l, marks, { x, y }, 0, lines, cost + i);
     }));
 }
@@ -81,7 +89,7 @@ function upright(layout: Layout, l: Lettering, a: Place, b: Place): Candidate[] 
   return columns.flatMap(({ x, side, cost }) => {
     const [p, q] = [{ x, y: a.y }, { x, y: b.y }];
     const marks = [...extension(l, a, p), ...extension(l, b, q), ...between(l, p, q)];
-    const boxes = [lineBox(a, p), lineBox(b, q), lineBox(p, q)];
+    const boxes = [lineBox(a, p), lineBox(b, q), tailed(p, q)];
     return [
       candidate(l, marks, { x: x + side * (width(l) / 2 + 7), y: (low + high) / 2 }, 0, boxes, cost),
       candidate(l, marks, { x, y: high - 22 }, 0, boxes, cost + 2),

@@ -27,6 +27,10 @@ export const FIRST = 15;
 
 /** The axis is drawn where it is as long as it lies nearer to the contour than this many contour sizes. */
 const NEAR_AXIS = 1.6;
+/** It may be drawn nearer from this many contour sizes on, where that makes the drawing larger by at least this factor. */
+const WORTH = { distance: 0.45, factor: 1.3 } as const;
+/** How far below the contour a nearer axis and the end of the part stand, in contour sizes. */
+const NEARER = { axis: 0.36, part: 0.22 } as const;
 /** How far the part goes on behind the contour, in contour sizes. */
 const BEHIND = 0.16;
 /** A dimension's far end is drawn where it is up to this many contour sizes away; farther ones end at the edge. */
@@ -43,7 +47,7 @@ function subject(points: readonly Pt[], dimensions: readonly Dimension[]): { cor
 }
 
 /** What the drawing shows of part space. */
-function reachOf(f: Frame, line: readonly Pt[], core: Bounds, span: number): Reach & { axis: number; broken: boolean } {
+function reachOf(f: Frame, line: readonly Pt[], core: Bounds, span: number, nearer: boolean): Reach & { axis: number; broken: boolean } {
   const ends = endWays(f, line);
   const feed = f.infeed === "r" ? { z: f.feed, r: 0 } : { z: 0, r: f.feed };
   const ways = [
@@ -51,10 +55,9 @@ function reachOf(f: Frame, line: readonly Pt[], core: Bounds, span: number): Rea
     ...(ends.last === "feed" ? [feed] : []), ...(ends.first === "back" ? [{ z: -feed.z, r: -feed.r }] : []),
   ];
   const more = (z: number, r: number) => (ways.some((w) => Math.abs(w.z - z) + Math.abs(w.r - r) < 0.5) ? BEHIND * span : 0.02 * span);
-  const broken = core.low > NEAR_AXIS * span || core.low < -1e-6;
-  const axis = core.low > NEAR_AXIS * span ? core.low - 0.5 * span : 0;
-  const low = axis > 0 ? core.low - 0.3 * span : Math.min(axis, core.low);
-  return { left: core.left - more(-1, 0), right: core.right + more(1, 0), low, high: core.high + more(0, 1), axis, broken: broken && axis > 0 };
+  const axis = nearer ? core.low - NEARER.axis * span : 0;
+  const low = nearer ? core.low - NEARER.part * span : Math.min(0, core.low);
+  return { left: core.left - more(-1, 0), right: core.right + more(1, 0), low, high: core.high + more(0, 1), axis, broken: nearer };
 }
 
 /** How many dimension lines each side of the drawing will need, from the forms of the dimensions. */
@@ -65,10 +68,22 @@ function tracks(dimensions: readonly Dimension[], more: { readonly top: number; 
 
 /** Fits contour, part and dimension lines into a picture; the scale is the same both ways. */
 export function layoutOf(
-  f: Frame, line: readonly Pt[], points: readonly Pt[], dimensions: readonly Dimension[], size: Size, more: { readonly top: number; readonly right: number; readonly indent: number },
+  f: Frame, line: readonly Pt[], points: readonly Pt[], dimensions: readonly Dimension[], size: Size,
+  more: { readonly top: number; readonly right: number; readonly indent: number },
 ): Layout {
   const { core, span } = subject(points, dimensions);
-  const reach = reachOf(f, line, core, span);
+  const fit = (nearer: boolean) => fitting(reachOf(f, line, core, span, nearer), dimensions, size, more);
+  if (core.low > NEAR_AXIS * span) return fit(true);
+  const real = fit(false);
+  if (core.low < WORTH.distance * span) return real;
+  const nearer = fit(true);
+  return nearer.camera.scale > WORTH.factor * real.camera.scale ? nearer : real;
+}
+
+function fitting(
+  reach: ReturnType<typeof reachOf>, dimensions: readonly Dimension[], size: Size,
+  more: { readonly top: number; readonly right: number; readonly indent: number },
+): Layout {
   const lines = tracks(dimensions, more);
   const margin = {
     top: Math.min(FIRST + TRACK * lines.top, size.height * 0.35), bottom: Math.min(20, size.height * 0.1),

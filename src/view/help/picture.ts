@@ -16,7 +16,7 @@ import { passesOf } from "./passes.ts";
 import * as explain from "./process.ts";
 import { areaOf, lineOf, sectionOf } from "./section.ts";
 import { caption, filled, stroke } from "./stroke.ts";
-import { columnHeight, hasTiles, STRIP, tiles } from "./tiles.ts";
+import { columnsFor, hasTiles, ROW, tiles } from "./tiles.ts";
 import { partnerOf, qOf, topicOf, type Topic } from "./topics.ts";
 
 /** What to draw, and how large. */
@@ -79,22 +79,27 @@ function contextOf(request: HelpRequest, size: Size, indent: number): Context {
   const along = frame.infeed === "z" ? 2 : 1;
   const layout = layoutOf(frame, line, [...line, ...area, ...near], outline.dimensions, size, { top: along, right: 0, indent });
   const { passes, step, top } = passesOf(frame, area, numberOf(values, qOf(params, "infeed")));
-  const chamfer = outline.contour.some((s) => s.kind === "line" && Math.abs(Math.abs(s.to.z - s.from.z) - Math.abs(s.to.r - s.from.r)) < 1e-6);
+  const square = (q: string) => {
+    const d = outline.dimensions.find((o) => o.q === q && o.form === "leader");
+    const s = d?.form === "leader" ? explain.nearestElement(outline.contour, d.at)?.element : undefined;
+    return s?.kind === "line" && Math.abs(Math.abs(s.to.z - s.from.z) - Math.abs(s.to.r - s.from.r)) < 1e-6;
+  };
   return {
     params, values, outline, frame, layout, passes, step, top,
     section: sectionOf(frame, line, layout.reach), side: openSide(area),
-    letter: (q) => ({ q, active: q === active, text: letteringOf(params, q, values, speech, chamfer) }),
+    letter: (q) => ({ q, active: q === active, text: letteringOf(params, q, values, speech, square(q)) }),
     plain: (kind, at) => ({ q: "", active: false, text: positionText(kind, kind === "axial" ? at.z : toDiameter(at.r), speech) }),
   };
 }
 
 /** The diagrams of a choice stand below the drawing or at its left, where they leave it larger. */
-function besideTiles(request: HelpRequest, count: number): { readonly c: Context; readonly column: boolean } {
+function besideTiles(request: HelpRequest, count: number): { readonly c: Context; readonly column: number } {
   const { width, height } = request.size;
-  const row = contextOf(request, { width, height: Math.max(60, height - STRIP.row) }, 0);
-  if (columnHeight(count) > height) return { c: row, column: false };
-  const column = contextOf(request, request.size, STRIP.column);
-  return column.layout.camera.scale > row.layout.camera.scale ? { c: column, column: true } : { c: row, column: false };
+  const row = contextOf(request, { width, height: Math.max(60, height - ROW) }, 0);
+  const beside = columnsFor(count, height);
+  if (beside.width > width * 0.45) return { c: row, column: 0 };
+  const column = contextOf(request, request.size, beside.width);
+  return column.layout.camera.scale > row.layout.camera.scale ? { c: column, column: beside.width } : { c: row, column: 0 };
 }
 
 /** Part, contour, blank and axis: what is there whatever is asked. */
@@ -140,14 +145,14 @@ export function helpDrawing(request: HelpRequest): HelpDrawing {
   const topic = active === null ? null : topicOf(params[active]?.text ?? "");
   const choice = active === null ? undefined : params[active]?.choices;
   const strip = topic !== null && choice !== undefined && hasTiles(topic);
-  const { c, column } = strip ? besideTiles(request, choice.length) : { c: contextOf(request, size, 0), column: false };
+  const { c, column } = strip ? besideTiles(request, choice.length) : { c: contextOf(request, size, 0), column: 0 };
   const shown = Object.keys(params).filter((q) => q === active || (strip ? CALM : ALWAYS).includes(topicOf(params[q]?.text ?? "")));
   const order = [...shown].sort((a, b) => ALWAYS.indexOf(topicOf(params[a]?.text ?? "")) - ALWAYS.indexOf(topicOf(params[b]?.text ?? "")));
   const parts = order.map((q) => ({ q, ...explanation(c, topicOf(params[q]?.text ?? ""), c.letter(q)) }));
   const strong = strongPlaces(c);
   const chosen = active === null || values[active] === undefined ? null : numberOf(values, active);
-  const row = strip && active !== null ? tiles(c.frame, topic, choice, { q: active, chosen }, size, column) : [];
-  const kept: Box[] = column ? [{ x: 0, y: 0, width: STRIP.column, height: size.height }] : [];
+  const row = strip && active !== null ? tiles(c.frame, topic, choice, { q: active, chosen }, size, column > 0) : [];
+  const kept: Box[] = column > 0 ? [{ x: 0, y: 0, width: column, height: size.height }] : [];
   const sheet = { width: c.layout.size.width, height: c.layout.size.height, avoid: strong, kept };
   const small = active === null ? null : smallFeature(c, active);
   const items = [...parts.flatMap((p) => (p.item && !(small && p.q === active) ? [p.item] : [])), ...explain.plainDimensions(c)];

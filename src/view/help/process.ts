@@ -192,14 +192,17 @@ function elementMarks(c: Context, l: Lettering, d: Dimension): Mark[] {
   return found ? [stroke(l, "element", segmentPath([found.element], c.layout.camera))] : [];
 }
 
-/** The contour element whose middle lies nearest to a point, and that middle. */
-export function elementAt(c: Context, at: Pt): { readonly element: Segment; readonly at: Pt } | null {
+/** The element whose middle lies nearest to a point, and that middle. */
+export function nearestElement(contour: readonly Segment[], at: Pt): { readonly element: Segment; readonly at: Pt } | null {
   let best: { element: Segment; at: Pt } | null = null;
   let least = Infinity;
-  for (const element of c.outline.contour) {
+  for (const element of contour) {
     const middle = pointOn(element, 0.5);
     const gap = Math.hypot(middle.z - at.z, middle.r - at.r);
     if (gap < least) [best, least] = [{ element, at: middle }, gap];
   }
   return best;
 }
+
+/** The contour element that a leader means. */
+export const elementAt = (c: Context, at: Pt) => nearestElement(c.outline.contour, at);

@@ -20,7 +20,9 @@ export const caption = (tag: Tag, place: Place, text: string): Mark =>
   ({ ...tag, kind: "text", place, text, size: SIZE.caption, turn: 0, underlined: false, role: "caption" });
 
 /** Under this length the arrows of a dimension stand outside and point inwards, pixels. */
-const SHORT = 20;
+export const SHORT = 20;
+/** Length of the tails that a short dimension has outside, pixels. */
+export const TAIL = 13;
 
 /** A dimension line between two places, with its arrowheads. */
 export function between(tag: Tag, a: Place, b: Place): Mark[] {
@@ -31,7 +33,7 @@ export function between(tag: Tag, a: Place, b: Place): Mark[] {
     return [stroke(tag, "thin", polyline([a, b])), filled(tag, "arrow", arrowHead(a, -u.x, -u.y)), filled(tag, "arrow", arrowHead(b, u.x, u.y))];
   const out = (p: Place, k: number): Place => ({ x: p.x + u.x * k, y: p.y + u.y * k });
   return [
-    stroke(tag, "thin", polyline([out(a, -13), out(b, 13)])),
+    stroke(tag, "thin", polyline([out(a, -TAIL), out(b, TAIL)])),
     filled(tag, "arrow", arrowHead(a, u.x, u.y)), filled(tag, "arrow", arrowHead(b, -u.x, -u.y)),
   ];
 }

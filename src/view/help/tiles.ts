@@ -12,10 +12,14 @@ type Stroke =
 
 /** One diagram and its drawing area, pixels. */
 const TILE = { width: 62, height: 50, gap: 8, top: 2 } as const;
-/** Height of the row, or width of the column, that holds the diagrams. */
-export const STRIP = { row: TILE.height + 8, column: TILE.width + 8 } as const;
-/** A column needs this height. */
-export const columnHeight = (count: number): number => count * (TILE.height + TILE.gap) - TILE.gap;
+/** Height of the row that holds the diagrams. */
+export const ROW = TILE.height + 8;
+/** How many columns the diagrams need in a height, and the width of those. */
+export function columnsFor(count: number, height: number): { readonly columns: number; readonly each: number; readonly width: number } {
+  const most = Math.max(1, Math.floor((height - 4 + TILE.gap) / (TILE.height + TILE.gap)));
+  const columns = Math.ceil(count / most);
+  return { columns, each: Math.ceil(count / columns), width: columns * (TILE.width + TILE.gap) };
+}
 
 const STEP: readonly Spot[] = [[0, 0.22], [0.58, 0.22], [0.8, 0.8], [1, 0.8]];
 const VALLEY: readonly Spot[] = [[0, 0.75], [0.2, 0.75], [0.36, 0.25], [0.64, 0.25], [0.8, 0.75], [1, 0.75]];
@@ -71,14 +75,17 @@ const diagrams: Readonly<Partial<Record<Topic, readonly (readonly Stroke[])[]>>>
 /** Whether a choice has small diagrams. */
 export const hasTiles = (topic: Topic): boolean => diagrams[topic] !== undefined;
 
-/** Small diagrams in a row at the foot of the picture or in a column at its left, one for each value; the chosen one strong. */
+/** Small diagrams in a row at the foot of the picture or in columns at its left, one for each value; the chosen one strong. */
 export function tiles(f: Frame, topic: Topic, choices: readonly number[], tag: { readonly q: string; readonly chosen: number | null }, size: Size, column: boolean): Mark[] {
   const width = column ? TILE.width : Math.min(TILE.width, (size.width - 8 - TILE.gap * (choices.length - 1)) / choices.length);
+  const { each } = columnsFor(choices.length, size.height);
   const whole = choices.length * width + (choices.length - 1) * TILE.gap;
   const marks = choices.flatMap((choice, i) => {
     const own: Tag = { q: tag.q, active: choice === tag.chosen };
-    const left = column ? 4 : (size.width - whole) / 2 + i * (width + TILE.gap);
-    const top = column ? (size.height - columnHeight(choices.length)) / 2 + i * (TILE.height + TILE.gap) : size.height - STRIP.row + TILE.top;
+    const left = column ? 4 + Math.floor(i / each) * (TILE.width + TILE.gap) : (size.width - whole) / 2 + i * (width + TILE.gap);
+    const top = column
+      ? (size.height - each * (TILE.height + TILE.gap) + TILE.gap) / 2 + (i % each) * (TILE.height + TILE.gap)
+      : size.height - ROW + TILE.top;
     const inner = { x: left + 14, y: top + 4, width: width - 18, height: TILE.height - 8 };
     const place = ([u, v]: Spot): Place => {
       const [across, up] = f.infeed === "r"
