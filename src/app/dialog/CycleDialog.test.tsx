@@ -1,0 +1,190 @@
+import { cleanup, render, screen, within } from "@testing-library/react";
+import userEvent from "@testing-library/user-event";
+import { afterEach, beforeEach, expect, test } from "vitest";
+import { catalogue } from "../../cycles/index.ts";
+import { exampleJob } from "../../program/job.ts";
+import { draftOf } from "../edits.ts";
+import { useReading } from "../reading.ts";
+import { changeSettings } from "../settings/settings.ts";
+import { begin, redo, undo, useEditor } from "../store.ts";
+import { CycleDialog } from "./CycleDialog.tsx";
+import { goTo } from "./prompts.ts";
+
+const cycle = catalogue.find((c) => c.contour === "own");
+if (!cycle) throw new Error("no cycle with a contour of its own");
+const prompts = Object.keys(cycle.params);
+const of = (kind: string) => Object.keys(cycle.params).find((q) => cycle.params[q]?.kind === kind) ?? "";
+const [diameter, axial, feed, choice, angle] = [of("diameter"), of("axial"), of("feed"), of("choice"), of("angle")];
+const optional = prompts.find((q) => cycle.params[q]?.optional) ?? "";
+const after = (q: string) => prompts[prompts.indexOf(q) + 1] ?? "";
+
+function Page() {
+  const read = useReading();
+  return read && <CycleDialog read={read} />;
+}
+const typed = (q: string) => draftOf(useEditor.getState().job ?? exampleJob(cycle))[q];
+const active = () => screen.getByRole("region", { name: "Active prompt" });
+const field = () => within(active()).getByRole<HTMLInputElement>("textbox");
+const question = () => within(active()).getByRole("heading").textContent;
+const shows = (q: string) => within(active()).queryByText(q) !== null;
+
+beforeEach(() => {
+  changeSettings({ language: "en" });
+  begin(exampleJob(cycle), "work");
+  goTo(prompts[0] ?? null);
+  render(<Page />);
+});
+afterEach(cleanup);
+
+test("ENT takes each value and ends with the copy button", async () => {
+  const user = userEvent.setup();
+  for (const q of prompts) {
+    expect(shows(q), q).toBe(true);
+    await user.keyboard("{Enter}");
+  }
+  expect(question()).toBe("All prompts are answered");
+  expect(document.activeElement).toBe(screen.getByRole("button", { name: "Copy the program" }));
+});
+
+test("arrows and Tab move, and the first prompt stays", async () => {
+  const user = userEvent.setup();
+  await user.keyboard("{ArrowDown}{ArrowDown}{ArrowUp}");
+  expect(shows(prompts[1] ?? "")).toBe(true);
+  await user.keyboard("{ArrowUp}{ArrowUp}");
+  expect(shows(prompts[0] ?? "")).toBe(true);
+  goTo(axial);
+  await user.keyboard("{Tab}");
+  while (shows(axial)) await user.keyboard("{Tab}");
+  expect(shows(after(axial))).toBe(true);
+  await user.keyboard("{Shift>}{Tab}{/Shift}");
+  expect(shows(axial)).toBe(true);
+});
+
+test("a value that is typed takes the place of the one that stood there, at once", async () => {
+  const user = userEvent.setup();
+  goTo(diameter);
+  await screen.findByDisplayValue(typed(diameter) ?? "");
+  await user.keyboard("62,5");
+  expect(typed(diameter)).toBe("62,5");
+  await user.keyboard("{Enter}");
+  expect(screen.getByRole("button", { name: new RegExp(`^${diameter} .*\\+62\\.500 mm ⌀`) })).toBeTruthy();
+});
+
+test("minus toggles the sign wherever the caret is", async () => {
+  const user = userEvent.setup();
+  goTo(axial);
+  await screen.findByDisplayValue(typed(axial) ?? "");
+  await user.keyboard("12");
+  await user.keyboard("-");
+  expect(field().value).toBe("-12");
+  await user.keyboard("-3");
+  expect(field().value).toBe("123");
+});
+
+test("a sum becomes its value when the field is left, a Q parameter stays", async () => {
+  const user = userEvent.setup();
+  goTo(diameter);
+  await screen.findByDisplayValue(typed(diameter) ?? "");
+  await user.keyboard("75/2+1");
+  expect(typed(diameter)).toBe("75/2+1");
+  await user.keyboard("{Enter}");
+  expect(typed(diameter)).toBe("38.5");
+});
+
+test("Escape brings back the value as it was when the prompt opened", async () => {
+  const user = userEvent.setup();
+  goTo(diameter);
+  const before = typed(diameter) ?? "";
+  await screen.findByDisplayValue(before);
+  await user.keyboard("1x{Escape}");
+  expect(typed(diameter)).toBe(before);
+  expect(shows(diameter)).toBe(true);
+});
+
+test("Delete is NO ENT where the prompt is optional, and a plain key elsewhere", async () => {
+  const user = userEvent.setup();
+  goTo(optional);
+  await screen.findByDisplayValue(typed(optional) ?? "");
+  await user.keyboard("{Delete}");
+  expect(typed(optional)).toBe("");
+  expect(shows(after(optional))).toBe(true);
+  goTo(diameter);
+  await screen.findByDisplayValue(typed(diameter) ?? "");
+  await user.keyboard("{Delete}");
+  expect(shows(diameter)).toBe(true);
+});
+
+test("End keeps the rest and closes the dialog; open values are counted", async () => {
+  const user = userEvent.setup();
+  goTo(diameter);
+  await screen.findByDisplayValue(typed(diameter) ?? "");
+  await user.keyboard("nothing{End}");
+  expect(question()).toBe("1 prompt has no usable value");
+  await user.keyboard("{Enter}");
+  expect(shows(diameter)).toBe(true);
+});
+
+test("a digit or an arrow takes a choice", async () => {
+  const user = userEvent.setup();
+  goTo(choice);
+  await within(active()).findByRole("radiogroup");
+  await user.keyboard("2");
+  expect(typed(choice)).toBe("2");
+  await user.keyboard("{ArrowLeft}");
+  expect(typed(choice)).toBe("1");
+  await user.keyboard("9");
+  expect(typed(choice)).toBe("1");
+});
+
+test("FAUTO stands in for a feed", async () => {
+  const user = userEvent.setup();
+  goTo(feed);
+  await screen.findByDisplayValue(typed(feed) ?? "");
+  await user.click(within(active()).getByRole("button", { name: /^FAUTO/ }));
+  expect(typed(feed)).toBe("FAUTO");
+  await user.keyboard("{Enter}");
+  expect(screen.getByRole("button", { name: new RegExp(`^${feed} .*FAUTO`) })).toBeTruthy();
+});
+
+test.each([
+  ["out of range", () => angle, "120", /Take 89\.9999/],
+  ["no number", () => diameter, "abc", null],
+  ["missing", () => diameter, "", null],
+])("%s is said at the field while it is typed, and never stops the typing", async (_, q, text, nearest) => {
+  const user = userEvent.setup();
+  goTo(q());
+  await screen.findByDisplayValue(typed(q()) ?? "");
+  await user.clear(field());
+  if (text !== "") await user.type(field(), text);
+  expect(field().value).toBe(text);
+  expect(field().getAttribute("aria-invalid")).toBe("true");
+  const said = within(active()).getByRole("status");
+  expect(said.textContent).not.toBe("");
+  if (!nearest) return;
+  await user.click(within(said).getByRole("button", { name: nearest }));
+  expect(field().getAttribute("aria-invalid")).toBe("false");
+  expect(document.activeElement).toBe(field());
+});
+
+test("typing is one step of undo, and the field follows undo and redo", async () => {
+  const user = userEvent.setup();
+  goTo(diameter);
+  const before = typed(diameter) ?? "";
+  await screen.findByDisplayValue(before);
+  await user.keyboard("61.75");
+  undo();
+  expect(typed(diameter)).toBe(before);
+  await screen.findByDisplayValue(before);
+  redo();
+  await screen.findByDisplayValue("61.75");
+});
+
+test("prompts are asked in the language of the screen, with its decimal sign", async () => {
+  const user = userEvent.setup();
+  changeSettings({ language: "de" });
+  goTo(feed);
+  const input = await screen.findByRole<HTMLInputElement>("textbox", { name: new RegExp(`^${feed} `) });
+  expect(input.value).toBe((typed(feed) ?? "").replace(".", ","));
+  await user.keyboard("0,25{Enter}");
+  expect(screen.getByRole("button", { name: new RegExp(`^${feed} .*0,250 mm/U`) })).toBeTruthy();
+});
