@@ -4,6 +4,7 @@ import { readExpression } from "../../program/expression.ts";
 import type { RowField } from "../../program/contour-rows.ts";
 import { isPlainNumber, minus } from "../dialog/number-entry.ts";
 import { inScreenWriting } from "../dialog/write-value.ts";
+import { closeStep } from "../store.ts";
 
 interface Props {
   readonly row: string;
@@ -15,7 +16,7 @@ interface Props {
   readonly inherited: string | null;
   readonly wrong: boolean;
   readonly describedBy: string;
-  readonly onText: (text: string, leaving: boolean) => void;
+  readonly onText: (text: string) => void;
   /** The I key of the coordinate; absent where a value cannot be incremental. */
   readonly incremental?: { readonly on: boolean; readonly name: string; readonly toggle: () => void };
 }
@@ -25,7 +26,8 @@ export function ContourCell({ row, field, name, language, text, inherited, wrong
   const id = useId();
   const leave = () => {
     const read = readExpression(text);
-    onText(read.kind === "number" && read.computed ? String(read.value) : text, true);
+    if (read.kind === "number" && read.computed) onText(String(read.value));
+    closeStep();
   };
   const onKey = (e: KeyboardEvent<HTMLInputElement>) => {
     if (incremental && e.key.toLowerCase() === "i" && !e.ctrlKey && !e.metaKey) {
@@ -37,7 +39,7 @@ export function ContourCell({ row, field, name, language, text, inherited, wrong
     e.preventDefault();
     const input = e.currentTarget;
     const next = minus({ text, from: input.selectionStart ?? 0, to: input.selectionEnd ?? 0, negative: false });
-    onText(next.text, false);
+    onText(next.text);
     requestAnimationFrame(() => input.setSelectionRange(next.from === next.to ? next.from : next.text.startsWith("-") ? 1 : 0, next.to));
   };
   return (
@@ -54,7 +56,7 @@ export function ContourCell({ row, field, name, language, text, inherited, wrong
         id={id} className="input number" type="text" inputMode="text" autoComplete="off" spellCheck={false} maxLength={200}
         data-row={row} data-field={field} aria-label={name} aria-invalid={wrong} aria-describedby={inherited === null ? describedBy : `${describedBy} ${id}-stays`}
         value={inScreenWriting(language, text)} placeholder={inherited ?? ""}
-        onChange={(e) => onText(e.currentTarget.value, false)} onBlur={leave} onFocus={(e) => e.currentTarget.select()} onKeyDown={onKey} {...(incremental ? { "aria-keyshortcuts": "I" } : {})}
+        onChange={(e) => onText(e.currentTarget.value)} onBlur={leave} onFocus={(e) => e.currentTarget.select()} onKeyDown={onKey} {...(incremental ? { "aria-keyshortcuts": "I" } : {})}
       />
       {inherited !== null && <span id={`${id}-stays`} className="unseen">{inherited}</span>}
     </span>

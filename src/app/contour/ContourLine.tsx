@@ -32,7 +32,7 @@ export function ContourLine({ row, number, reading, issues, active, language, on
     <ContourCell
       row={row.id} field={field} name={name} language={language} text={row[field]} inherited={inherited} describedBy={`${id}-wrong`}
       wrong={issues.some((found) => found.field === field)}
-      onText={(text, leaving) => (text !== row[field] || leaving) && onChange({ [field]: text }, `${row.id} ${field}`)}
+      onText={(text) => text !== row[field] && onChange({ [field]: text }, `${row.id} ${field}`)}
       {...(incremental ? { incremental } : {})}
     />
   );
