@@ -25,8 +25,17 @@ type Stores = { readonly works: ReturnType<typeof createStore>; readonly aside: 
 let stores: Stores | null = null;
 const open = (): Stores => (stores ??= { works: createStore("turnwise-works", "works"), aside: createStore("turnwise-damaged", "damaged") });
 
+/** A device that does not answer must not keep the page from opening, ms. */
+const PATIENCE = 4000;
+
+const none: Found = { works: [], setAside: 0, available: false };
+
+/** Reads all saved works, or says that the device keeps none. Always answers. */
+export const findWorks = (): Promise<Found> =>
+  Promise.race([readWorks(), new Promise<Found>((answer) => setTimeout(() => answer(none), PATIENCE))]);
+
 /** Reads all saved works. What cannot be read is moved to a place of its own and stays there. */
-export async function findWorks(): Promise<Found> {
+async function readWorks(): Promise<Found> {
   try {
     const { works, aside } = open();
     const good: Kept[] = [];
@@ -44,7 +53,7 @@ export async function findWorks(): Promise<Found> {
     await Promise.all(good.slice(MOST).map(({ work }) => del(work, works)));
     return { works: good.slice(0, MOST), setAside, available: true };
   } catch {
-    return { works: [], setAside: 0, available: false };
+    return none;
   }
 }
 

@@ -60,6 +60,7 @@ async function nameFor(work: string, job: Job): Promise<string> {
   for (let attempt = 0; attempt < patience; attempt++) {
     if (attempt > 0) await new Promise((done) => setTimeout(done, 60));
     if (!(await claimWork(work))) continue;
+    rememberWork(work);
     written.set(work, job);
     return work;
   }

@@ -1,17 +1,19 @@
+import { useState } from "react";
 import { catalogue } from "../../cycles/index.ts";
 import { Icon } from "../Icon.tsx";
 import { usePlace } from "../place.ts";
 import { openWork, refreshWorks, useKeeping } from "../saving/keep.ts";
-import { forgetWork } from "../saving/device.ts";
+import { forgetWork, keepWork, type Kept } from "../saving/device.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 
 /** Earlier programs on this device, newest first. */
 export function KeptWorks() {
-  const t = useTexts().page.start;
+  const { start: t, undo } = useTexts().page;
+  const [removed, setRemoved] = useState<Kept | null>(null);
   const language = useSettings((s) => s.language);
   const works = useKeeping((k) => k.works).filter(({ file }) => catalogue.some((c) => c.number === file.job.cycle));
-  if (works.length === 0) return null;
+  if (works.length === 0 && !removed) return null;
   const when = new Intl.DateTimeFormat(language, { dateStyle: "medium", timeStyle: "short" });
 
   return (
@@ -33,13 +35,32 @@ export function KeptWorks() {
             </button>
             <button
               type="button" className="button icon plain" aria-label={t.forget(file.job.name)}
-              onClick={() => void forgetWork(work).then(refreshWorks)}
+              onClick={() => {
+                setRemoved({ work, file });
+                void forgetWork(work).then(refreshWorks);
+              }}
             >
               <Icon name="close" />
             </button>
           </li>
         ))}
       </ul>
+      <p role="status" className="kept-removed">
+        {removed && (
+          <>
+            {t.removed(removed.file.job.name)}
+            <button
+              type="button" className="button"
+              onClick={() => {
+                setRemoved(null);
+                void keepWork(removed.work, removed.file.job).then(refreshWorks);
+              }}
+            >
+              <Icon name="undo" /> {undo}
+            </button>
+          </>
+        )}
+      </p>
     </section>
   );
 }

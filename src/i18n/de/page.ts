@@ -37,6 +37,7 @@ export const page = {
     kept: "Auf diesem Gerät gespeichert",
     continueWork: (name) => `${name} fortsetzen`,
     forget: (name) => `${name} aus der Liste nehmen`,
+    removed: (name) => `${name} wurde entfernt.`,
     changed: (when) => `geändert ${when}`,
     unconfirmed: "Die Parameterliste dieses Zyklus ist aus der Erinnerung, nicht an einer gedruckten Seite geprüft.",
   },

@@ -37,6 +37,7 @@ export const page = {
     kept: "Saved on this device",
     continueWork: (name: string) => `Continue ${name}`,
     forget: (name: string) => `Remove ${name} from the list`,
+    removed: (name: string) => `${name} was removed.`,
     changed: (when: string) => `changed ${when}`,
     unconfirmed: "The parameter list of this cycle is recalled, not checked against a printed page.",
   },

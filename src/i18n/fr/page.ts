@@ -37,6 +37,7 @@ export const page = {
     kept: "Enregistrés sur cet appareil",
     continueWork: (name) => `Continuer ${name}`,
     forget: (name) => `Retirer ${name} de la liste`,
+    removed: (name) => `${name} a été retiré.`,
     changed: (when) => `modifié ${when}`,
     unconfirmed: "La liste des paramètres de ce cycle est citée de mémoire, sans contrôle sur une page imprimée.",
   },

@@ -37,6 +37,7 @@ export const page = {
     kept: "保存在本设备",
     continueWork: (name) => `继续 ${name}`,
     forget: (name) => `从列表中移除 ${name}`,
+    removed: (name) => `已移除 ${name}。`,
     changed: (when) => `修改于 ${when}`,
     unconfirmed: "该循环的参数表凭记忆整理，未与印刷页核对。",
   },

@@ -1,0 +1,108 @@
+import { beforeEach, expect, test, vi } from "vitest";
+import { catalogue } from "../../cycles/index.ts";
+import { exampleJob, type Job } from "../../program/job.ts";
+import { setTool } from "../edits.ts";
+import { begin, useEditor } from "../store.ts";
+import type { Found } from "./device.ts";
+import { resume, startKeeping, startWork, useKeeping } from "./keep.ts";
+
+const device = vi.hoisted(() => ({ works: new Map<string, { savedAt: number; job: unknown }>(), refuses: false, setAside: 0, taken: new Set<string>() }));
+
+vi.mock("./device.ts", () => ({
+  findWorks: () => Promise.resolve({
+    works: [...device.works].map(([work, file]) => ({ work, file: { version: 1, ...file } })).sort((a, b) => b.file.savedAt - a.file.savedAt),
+    setAside: device.setAside, available: !device.refuses,
+  } as unknown as Found),
+  keepWork: (work: string, job: Job) => {
+    if (!device.refuses) device.works.set(work, { savedAt: device.works.size, job });
+    return Promise.resolve(!device.refuses);
+  },
+  readWork: (work: string) => Promise.resolve(device.works.get(work) ?? null),
+  forgetWork: () => Promise.resolve(),
+}));
+
+const [cycle] = catalogue;
+if (!cycle) throw new Error("the catalogue is empty");
+const job = exampleJob(cycle);
+const settle = () => new Promise((done) => setTimeout(done, 0));
+/** The locks of the browser, with the works that other tabs hold. */
+const locks = {
+  request: (name: string, _: unknown, callback: (lock: object | null) => unknown) =>
+    Promise.resolve(callback(device.taken.has(name) ? null : { name })),
+};
+
+beforeEach(() => {
+  device.works.clear();
+  device.taken.clear();
+  Object.assign(device, { refuses: false, setAside: 0 });
+  sessionStorage.clear();
+  begin(null, null);
+  useKeeping.setState({ works: [], notices: [], damaged: 0, ready: false });
+  Object.defineProperty(navigator, "locks", { value: locks, configurable: true });
+});
+
+test("an empty device opens the start page", async () => {
+  await resume();
+  expect(useEditor.getState().job).toBeNull();
+  expect(useKeeping.getState()).toMatchObject({ ready: true, notices: [] });
+});
+
+test("every change is kept under the name of the work", async () => {
+  const stop = startKeeping();
+  startWork(job);
+  setTool(7);
+  await settle();
+  stop();
+  const { work } = useEditor.getState();
+  expect(device.works.get(work ?? "")?.job).toMatchObject({ tool: 7 });
+  expect(sessionStorage.getItem("turnwise/work")).toBe(work);
+});
+
+test("a new program leaves the one before it on the device", async () => {
+  const stop = startKeeping();
+  startWork(job);
+  await settle();
+  startWork({ ...job, name: "SECOND" });
+  await settle();
+  stop();
+  expect([...device.works.values()].map((file) => (file.job as Job).name).sort()).toEqual([job.name, "SECOND"].sort());
+});
+
+test("a new tab continues the newest work", async () => {
+  device.works.set("old", { savedAt: 1, job });
+  device.works.set("new", { savedAt: 2, job: { ...job, name: "NEWEST" } });
+  await resume();
+  expect(useEditor.getState()).toMatchObject({ work: "new", job: { name: "NEWEST" } });
+});
+
+test("a work that another tab has open is continued as a copy, and both are kept", async () => {
+  device.works.set("shared", { savedAt: 1, job });
+  device.taken.add("turnwise shared");
+  await resume();
+  const { work } = useEditor.getState();
+  expect(work).not.toBe("shared");
+  expect(useKeeping.getState().notices).toEqual(["copyOfOtherTab"]);
+  const stop = startKeeping();
+  setTool(9);
+  await settle();
+  stop();
+  expect(device.works.get("shared")?.job).toEqual(job);
+  expect(device.works.get(work ?? "")?.job).toMatchObject({ tool: 9 });
+});
+
+test("a reload comes back to the work of this tab, or to its start page", async () => {
+  device.works.set("mine", { savedAt: 1, job });
+  device.works.set("other", { savedAt: 2, job });
+  sessionStorage.setItem("turnwise/work", "mine");
+  await resume();
+  expect(useEditor.getState().work).toBe("mine");
+  sessionStorage.setItem("turnwise/work", "");
+  await resume();
+  expect(useEditor.getState().job).toBeNull();
+});
+
+test("a device that keeps nothing, and damaged saves, are said and stop nothing", async () => {
+  Object.assign(device, { refuses: true, setAside: 2 });
+  await resume();
+  expect(useKeeping.getState()).toMatchObject({ ready: true, damaged: 2, notices: ["notKept"] });
+});
