@@ -1,4 +1,4 @@
-import { useLayoutEffect, useRef, type KeyboardEvent, type RefObject } from "react";
+import { useImperativeHandle, useLayoutEffect, useRef, type KeyboardEvent, type RefObject } from "react";
 import { useSettings } from "../settings/settings.ts";
 import { setPrompt } from "../edits.ts";
 import { usePlace } from "../place.ts";
@@ -55,12 +55,7 @@ export function ValueInput({ q, text, name, describedBy, invalid, ownKeypad, fie
     input.current?.select();
   }, [q, focus]);
 
-  useLayoutEffect(() => {
-    field.current = { read, write, focus: () => input.current?.focus({ preventScroll: true }) };
-    return () => {
-      field.current = null;
-    };
-  });
+  useImperativeHandle(field, () => ({ read, write, focus: () => input.current?.focus({ preventScroll: true }) }));
 
   const onKeyDown = (event: KeyboardEvent) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;

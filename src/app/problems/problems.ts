@@ -1,3 +1,4 @@
+import { useMemo } from "react";
 import type { Severity } from "../../kernel/issue.ts";
 import type { Finding } from "../../program/run-types.ts";
 import { useOutcome, type Outcome } from "../engine/outcome.ts";
@@ -30,14 +31,9 @@ export function problemsOf(read: JobReading | null, newest: Outcome | null): rea
   return [...all.values()].sort((a, b) => weight[a.issue.severity] - weight[b.issue.severity]);
 }
 
-let last: { readonly read: JobReading | null; readonly newest: Outcome | null; readonly problems: readonly Problem[] } = {
-  read: null, newest: null, problems: [],
-};
-
 /** The problems of the open job; the same list as long as neither values nor results change. */
 export function useProblems(): readonly Problem[] {
   const read = useReading();
   const newest = useOutcome((s) => s.newest);
-  if (last.read !== read || last.newest !== newest) last = { read, newest, problems: problemsOf(read, newest) };
-  return last.problems;
+  return useMemo(() => problemsOf(read, newest), [read, newest]);
 }

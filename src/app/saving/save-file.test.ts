@@ -29,3 +29,9 @@ test("an old save passes every step up to the present version", () => {
   expect(upgrade({ version: 2, seen: [] }, steps, 3)).toEqual({ version: 3, seen: [2] });
   expect(upgrade({ version: 4 }, steps, 3)).toEqual({ version: 4 });
 });
+
+test("a real file of each version still opens", () => {
+  const files = import.meta.glob<unknown>("../../../tests/saved/v*/*.json", { eager: true, import: "default" });
+  expect(Object.keys(files).length).toBeGreaterThan(0);
+  for (const [path, raw] of Object.entries(files)) expect(readSave(raw)?.version, path).toBe(SAVE_VERSION);
+});
