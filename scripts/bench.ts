@@ -37,10 +37,10 @@ function measured(work: (count: number) => unknown): Measured {
 }
 
 const labels = ncLabels("en");
-/** The same job with its largest infeed changed a little: a real edit, another text each time. */
+/** The same job with its oversize in Z changed a little: a real edit, another text and another path each time. */
 const changed = (job: Job, count: number): Job => {
   const draft = job.drafts[job.cycle] ?? {};
-  return { ...job, drafts: { [job.cycle]: { ...draft, Q463: (Number(draft["Q463"]) - (count % 200) * 0.001).toFixed(3) } } };
+  return { ...job, drafts: { [job.cycle]: { ...draft, Q484: (0.1 + (count % 200) * 0.001).toFixed(3) } } };
 };
 const planned = (text: string) => run(parse(text), { tools: shippedTools, rapid: 10_000 });
 const stock = (text: string) => {
