@@ -78,7 +78,7 @@ export function issuesOf(program: Program): NcIssue[] {
       if (expected !== null && b.number !== expected)
         found.push({ code: "blockNumber", ...at, data: { found: b.number, expected } });
       expected = b.number + 1;
-    } else if (numbered && kind !== "empty" && kind !== "comment") {
+    } else if (numbered && kind !== "empty" && kind !== "comment" && kind !== "unknown") {
       found.push({ code: "blockNumberMissing", ...at, data: { expected: expected ?? 0 } });
     }
     const rising = b.issues.length > 1 ? b.issues.toSorted((a, c) => a.offset - c.offset) : b.issues;

@@ -5,7 +5,7 @@ import { readBlank, readFrame, readNamedWords, readToolCall, readToolDefinition 
 import { readFunction } from "./read-function.ts";
 import { readWords } from "./read-words.ts";
 import { Scan } from "./scan.ts";
-import { APPROACH_FORMS, type ApproachForm, type PathKind, type Statement } from "./statement.ts";
+import { APPROACH_FORMS, type ApproachForm, type PathKind, type Statement, type Words } from "./statement.ts";
 import { readLabel, VALUE } from "./value.ts";
 
 const KEYWORD = /(?:(CYCL[ \t]+(?:DEF|CALL)|BEGIN[ \t]+PGM|END[ \t]+PGM|BLK[ \t]+FORM|TOOL[ \t]+(?:CALL|DEF)|CALL[ \t]+LBL|SEL[ \t]+CONTOUR|FUNCTION|LBL|STOP|APPR|DEP|UDC|GRV|RND|CHF|CTP|CR|CT|CC|CP|LP|L|C)(?![A-Z_]))/iy;
@@ -105,8 +105,13 @@ function withoutKeyword(scan: Scan): Statement | null {
   return { kind: "functions", words: readWords(scan) };
 }
 
-function path(scan: Scan, kind: PathKind): Statement {
+/** A line that starts with the letter of a path function and has none of its words is something else. */
+const saysNothing = (words: Words) =>
+  words.extra.length > 0 && words.axes.length + words.functions.length + words.linear.length === 0 && Object.keys(words).length === 4;
+
+function path(scan: Scan, kind: PathKind): Statement | null {
   const words = readWords(scan, kind === "CR");
+  if (saysNothing(words)) return null;
   if (kind === "CR" && words.radius === undefined) scan.missing("R");
   if ((kind === "CR" || kind === "C" || kind === "CP") && words.turn === undefined) scan.missing("DR");
   return { kind: "path", path: kind, words };
