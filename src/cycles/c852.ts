@@ -4,7 +4,7 @@ import { issue, type Issue } from "../kernel/issue.ts";
 import { feedsOf } from "../kernel/strategy/feeds.ts";
 import { empty } from "../kernel/strategy/leveled.ts";
 import { planRecess } from "../kernel/strategy/recess.ts";
-import { perSide, radius, toDiameter, type Diameter } from "../kernel/units.ts";
+import { axial, perSide, radius, toDiameter, type Diameter } from "../kernel/units.ts";
 import { defineCycle } from "./define.ts";
 import {
   angle, axialDepth, axialParam, choice, diameterParam, feedParam, lengthParam, oversizeDiameter,
@@ -57,6 +57,7 @@ export const c852 = defineCycle({
       frame, contour: outline.contour, operation: v.Q215, infeed: v.Q463,
       feeds: feedsOf({ rough: v.Q478, finish: v.Q505, plunge: v.Q488 }, setting.autoFeed),
       oversize: { r: perSide(v.Q483), z: v.Q484 }, oneWay: v.Q507 === 1, offset: v.Q508, depthCompensation: v.Q509,
+      compensated: v.Q509 === 0 ? outline.contour : recessOutline({ ...v, Q494: axial(v.Q494 + frame.signV * v.Q509) }, true).contour,
       roundedFloor: v.Q500 > 0,
     }, setting);
     const value = (_q: string, direction: number) => 90 - Math.abs(direction);

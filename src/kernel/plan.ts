@@ -36,7 +36,7 @@ export interface Plan {
   /** The finished part as far as this cycle knows it (polygon): nothing may cut here. */
   readonly part: Ring;
   /** Direction (unit offset) out of the material: whatever lies that way of a position on the path is free for the tool. */
-  readonly openSide?: Pt;
+  readonly openSide: Pt;
   /** The deepest path of this tool along the drawn contour; explains what stays. */
   readonly reach: readonly Reach[];
 }

@@ -2,15 +2,16 @@ import type { Given } from "../cycles/define.ts";
 import { cycleByNumber } from "../cycles/index.ts";
 import type { Issue } from "../kernel/issue.ts";
 import type { Plan } from "../kernel/plan.ts";
+import { empty } from "../kernel/strategy/leveled.ts";
 import type { Segment } from "../kernel/point.ts";
-import { length, toDiameter } from "../kernel/units.ts";
+import { toDiameter } from "../kernel/units.ts";
 import { readContour } from "./contour-subprogram.ts";
 import { cycleValues } from "./cycle-values.ts";
 import { programIssue } from "./issue.ts";
 import type { Defined, Machine } from "./machine.ts";
 import { rotation } from "./blank-form.ts";
 
-const nothing: Plan = { moves: [], issues: [], contour: [], passes: 0, infeed: length(0), area: [], part: [], reach: [] };
+const nothing: Plan = empty([]);
 
 const unique = (issues: readonly Issue[]) =>
   [...new Map(issues.map((i) => [JSON.stringify([i.code, i.at ?? "", i.data]), i])).values()];

@@ -3,9 +3,10 @@ import type { Pt, Ring } from "../kernel/point.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { axial, radius } from "../kernel/units.ts";
+import { boxOf } from "./box.ts";
 import { cutting } from "./cutting.ts";
 import { machiningArea } from "./finished.ts";
-import { freeWay } from "./free-way.ts";
+
 import type { Outlines } from "./outlines.ts";
 import { piecesOf } from "./piece.ts";
 import { reasonFor } from "./reason.ts";
@@ -25,7 +26,10 @@ function beyondReach(left: readonly Ring[], operations: readonly SimulatedOperat
   for (const operation of operations) {
     const insert = outlines(toolOf(operation)).insert;
     if (insert.length < 3 || operation.plan.reach.length === 0 || operation.plan.area.length < 3) continue;
-    const cover = hullAlong(insert, ORIGIN, freeWay(insert, operation.plan));
+    const { area, openSide } = operation.plan;
+    const box = boxOf(area);
+    const far = box.right - box.left + box.top - box.bottom;
+    const cover = hullAlong(insert, ORIGIN, at(openSide.z * far, openSide.r * far));
     for (const piece of operation.plan.reach) cut.add(piecesOf(sweepAlong(cover, piece.path)));
   }
   return [...cut.stock()];

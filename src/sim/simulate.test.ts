@@ -32,7 +32,7 @@ function steps(tool: Tool, start: Pt, moves: readonly Move[]): Step[] {
 }
 const run = (tool: Tool, start: Pt, moves: readonly Move[], plan?: Partial<Plan>) => {
   const list = steps(tool, start, moves);
-  const whole: Plan = { moves, issues: [], contour: [], passes: 1, infeed: length(1), area: [], part: [], reach: [], ...plan };
+  const whole: Plan = { moves, issues: [], contour: [], passes: 1, infeed: length(1), area: [], part: [], openSide: at(0, 1), reach: [], ...plan };
   return simulate({ blank, steps: list, operations: plan ? [{ plan: whole, tool, firstStep: 0, lastStep: list.length - 1 }] : [] });
 };
 const line = (from: Pt, to: Pt): Segment => ({ kind: "line", from, to });
@@ -105,7 +105,7 @@ describe("gouge", () => {
     expect(simulate({ blank, steps: list, operations: [turned] }).proof.gouge).toBeCloseTo(15, 0);
   });
 });
-const EMPTY: Plan = { moves: [], issues: [], contour: [], passes: 0, infeed: length(0), area: [], part: [], reach: [] };
+const EMPTY: Plan = { moves: [], issues: [], contour: [], passes: 0, infeed: length(0), area: [], part: [], openSide: at(0, 1), reach: [] };
 
 describe("holder", () => {
   const withHolder: Tool = { ...bar, holder: { width: length(20), length: length(80), offsetZ: length(-1), offsetX: length(10) } };

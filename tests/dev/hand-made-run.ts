@@ -53,7 +53,7 @@ export function exampleResult({ fault, many }: { readonly fault: boolean; readon
   ];
   const part: Ring = [at(0, -100), at(0, 0), at(24.2, 0), at(25, -0.8), at(25, -55), at(37.5, -55), at(37.5, -100)];
   const area: Ring = [at(24.2, 0), at(24.2, 2), at(40, 2), at(40, -55), at(25, -55), at(25, -0.8)];
-  const plan: Plan = { moves: steps.map(s => s.move), issues: [], contour, passes: many ? 1000 : 5, infeed: length(2.36), area, part, reach: [] };
+  const plan: Plan = { moves: steps.map(s => s.move), issues: [], contour, passes: many ? 1000 : 5, infeed: length(2.36), area, part, openSide: at(1, 0), reach: [] };
   const seconds = steps.reduce((sum, s) => sum + s.seconds, 0);
   const operation: Operation = {
     block: 12, definedIn: 10, definedLine: 11, cycle: 812, tool, start, feedUnit: "mm/rev", spindle, plan, seconds,

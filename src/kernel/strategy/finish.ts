@@ -35,7 +35,7 @@ export function finishContour(track: Track, f: Finish, issues: Issue[]): void {
   const feed = f.smoothing ? f.feeds.rough : f.feeds.finish;
   const u0 = Math.max(f.ground.start.u, f.from);
   const u1 = Math.min(f.ground.end.u, f.to);
-  if (!(u1 > u0)) return;
+  if (!(u1 > u0)) return void issues.push(issue("nothingToCut", "warning", {}, "tool"));
   const path = pathAlong(f.ground.envelope, u0, u1);
   const first = path[0]?.segment.from;
   if (!first) return;

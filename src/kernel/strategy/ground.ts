@@ -47,7 +47,9 @@ export function groundOver(
   const chain: Bound[] = [...contour];
   if (s.frontWall !== null) chain.unshift(edge({ u: first.from.u, v: s.frontWall }, first.from));
   else if (s.front === "part") chain.unshift(edge({ u: first.from.u - FAR, v: first.from.v }, first.from));
-  if (s.wall !== null) chain.push(edge(last.to, { u: last.to.u, v: s.wall }), edge({ u: last.to.u, v: s.wall }, { u: last.to.u + FAR, v: s.wall }));
+  // The wall closes the area and is no part of the part: it keeps no oversize.
+  const close = last.to.u + keep.u;
+  if (s.wall !== null) chain.push(edge(last.to, { u: close, v: last.to.v }), edge({ u: close, v: last.to.v }, { u: close, v: s.wall }), edge({ u: close, v: s.wall }, { u: close + FAR, v: s.wall }));
   else chain.push(edge(last.to, { u: last.to.u + FAR, v: last.to.v }));
   if (s.frontWall !== null) chain.unshift(edge({ u: first.from.u - FAR, v: s.frontWall }, { u: first.from.u, v: s.frontWall }));
   const extra: Piece[] = [];

@@ -53,7 +53,8 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
 
   const bounds: Bound[] = l.plunging ? flat.map((segment) => ({ segment, on: "contour" })) : bridged(flat);
   const highest = Math.max(...flat.flatMap((s) => [s.from.v, s.to.v]));
-  const outer = Math.max(l.outerHeight ?? first.from.v, first.from.v);
+  const bottom = extent(insertIn(tool, l.frame)).minV;
+  const outer = Math.max(l.outerHeight ?? first.from.v, first.from.v) - bottom;
   const called = toFlat(l.frame, setting.start);
   const wanted: Track = new Track(l.frame, setting.feedUnit, called);
   if (wrong) return { ...empty(issues), contour: l.contour, part: partUnder(flat, l.frame, false), area: areaOver(flat, l.frame, called.u, Math.max(called.v, outer)) };
@@ -62,7 +63,7 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
   const top = Math.max(start.v, outer);
   const limits = limitsOf(l, called, issues);
   const floor = Math.min(...flat.map(lowestOf));
-  const wall = (height: number) => (top > height + SAME ? top + FAR : null);
+  const wall = top + bottom > last.to.v + SAME ? top + FAR : null;
   const limit = limits.floor === null ? [] : [{ v: limits.floor, on: "limit" as const }];
   const toFinish: Surroundings = { wall: null, front: "free", frontWall: null, floors: limit };
   const keep = l.frame.transverse ? { u: l.oversize.r, v: l.oversize.z } : { u: l.oversize.z, v: l.oversize.r };
@@ -72,7 +73,7 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
   const to = Math.min(last.to.u + FAR / 2, limits.to - leadOf(insertIn(tool, l.frame)), room.maxU);
 
   const grown = groundOver(bounds, tool, l.frame, keep, toFinish);
-  const kept = groundOver(bounds, tool, l.frame, keep, { ...toFinish, wall: wall(last.to.v), floors: [...limit, { v: floor + keep.v, on: "edge" }] });
+  const kept = groundOver(bounds, tool, l.frame, keep, { ...toFinish, wall, floors: [...limit, { v: floor + keep.v, on: "edge" }] });
   const drawn = groundOver(bounds, tool, l.frame, none, toFinish);
   let division = { passes: 0, infeed: 0 };
   if (l.operation === 0 || l.operation === 1) {
@@ -83,13 +84,14 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
     roughByLevels(wanted, { envelope: kept.envelope, start, top: upper, ...division, from, to, smoothing: l.smoothing, feeds: l.feeds });
     if (l.smoothing === 1 && division.passes > 0) {
       back(wanted, start, "rough", 4);
-      finishContour(wanted, { ground: grown, contour: flat, start, clearance: l.clearance, kept: 0, aside: 0, feeds: l.feeds, from, to, smoothing: true }, issues);
+      finishContour(wanted, { ground: grown, contour: flat, start, clearance: l.clearance, kept: division.infeed, aside: 0, feeds: l.feeds, from, to, smoothing: true }, issues);
     }
     back(wanted, start, "rough", 6);
   }
   if (l.operation !== 1) {
     const ground = l.operation === 3 ? grown : drawn;
-    finishContour(wanted, { ground, contour: flat, start, clearance: l.clearance, kept: keep.v, aside: keep.u, feeds: l.feeds, from, to, smoothing: false }, issues);
+    const kept = keep.v + (l.smoothing === 2 ? division.infeed : 0);
+    finishContour(wanted, { ground, contour: flat, start, clearance: l.clearance, kept, aside: keep.u, feeds: l.feeds, from, to, smoothing: false }, issues);
     back(wanted, start, "finish", 4);
   }
   return {

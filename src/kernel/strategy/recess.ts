@@ -29,8 +29,9 @@ export interface Recess {
   readonly oneWay: boolean;
   /** Programmed shortening per pass, mm; 0: the control's own 0.1. */
   readonly offset: number;
-  /** Shift of the floor in the finishing cut, mm, positive out of the material. */
+  /** Shift of the floor in the finishing cut, mm, positive out of the material, and the contour that it makes. */
   readonly depthCompensation: number;
+  readonly compensated: readonly Segment[];
   /** A floor with rounded corners is finished in one go. */
   readonly roundedFloor: boolean;
 }
@@ -44,9 +45,11 @@ export function planRecess(l: Recess, setting: Setting): Plan {
   const last = flat[flat.length - 1];
   if (!first || !last) return empty(issues);
   const called = toFlat(l.frame, setting.start);
+  // The floor is meant to come out elsewhere than drawn: what is proved is the contour with that floor.
+  const proved = l.operation === 1 ? flat : l.compensated.map((s) => segmentToFlat(l.frame, s));
   const opening = Math.max(first.from.v, last.to.v);
   const top = Math.max(called.v, opening);
-  const sketch = { contour: l.contour, part: partUnder(flat, l.frame, true), area: areaOver(flat, l.frame, Infinity, top), openSide: toPart(l.frame, { u: 0, v: 1 }) };
+  const sketch = { contour: l.contour, part: partUnder(proved, l.frame, true), area: areaOver(proved, l.frame, Infinity, top), openSide: toPart(l.frame, { u: 0, v: 1 }) };
   const wrong = wrongSide(tool, l.frame);
   if (wrong) return { ...empty([wrong]), ...sketch };
   if (flanksUnknown(tool)) issues.push(issue("flanksNotChecked", "info", {}, "tool"));

@@ -1,0 +1,77 @@
+import fc from "fast-check";
+import { describe, expect, test } from "vitest";
+import { inFrame, onArc, type Convex } from "./convex.ts";
+import { heightAt } from "./envelope.ts";
+import type { Flat, FlatSegment } from "./flat.ts";
+import { insertShape } from "./insert.ts";
+import { reachOver } from "./reach.ts";
+import type { Tool } from "./tool.ts";
+import { degrees, length } from "./units.ts";
+
+const tools: Tool[] = [
+  { T: 1, NAME: "A", TYPE: "ROUGH", TO: 1, RS: length(0.8), "T-ANGLE": degrees(95), "P-ANGLE": degrees(80), CUTLENGTH: length(12) },
+  { T: 2, NAME: "B", TYPE: "FINISH", TO: 1, RS: length(0.4), "T-ANGLE": degrees(93), "P-ANGLE": degrees(35), CUTLENGTH: length(16) },
+  { T: 3, NAME: "C", TYPE: "BUTTON", TO: 2, RS: length(3) },
+  { T: 4, NAME: "D", TYPE: "RECTURN", TO: 2, RS: length(0.2), CUTWIDTH: length(3), CUTLENGTH: length(30) },
+  { T: 5, NAME: "E", TYPE: "THREAD", TO: 2, RS: length(0.1) },
+  { T: 6, NAME: "F", TYPE: "ROUGH", TO: 1, RS: length(0), "T-ANGLE": degrees(75), "P-ANGLE": degrees(60), CUTLENGTH: length(9) },
+];
+/** Longitudinal outside towards −Z. */
+const frame = { transverse: false, signU: -1, signV: 1 } as const;
+
+/** Points of the lower boundary of an insert, dense. */
+function dense(k: Convex): Flat[] {
+  return k.flatMap((e) => Array.from({ length: 101 }, (_, i): Flat => e.kind === "line"
+    ? { u: e.from.u + ((e.to.u - e.from.u) * i) / 100, v: e.from.v + ((e.to.v - e.from.v) * i) / 100 }
+    : onArc(e.centre, e.radius, e.start + (e.sweep * i) / 100)));
+}
+
+const contour = fc.array(fc.record({ du: fc.integer({ min: 50, max: 6000 }), dv: fc.integer({ min: -5000, max: 5000 }) }), { minLength: 1, maxLength: 6 })
+  .map((steps): FlatSegment[] => {
+    let at: Flat = { u: 0, v: 0 };
+    return steps.map((s) => {
+      const from = at;
+      at = { u: from.u + s.du / 1000, v: from.v + s.dv / 1000 };
+      return { kind: "line", from, to: at };
+    });
+  });
+
+describe("the reach of an insert over a contour", () => {
+  test.each(tools)("$NAME touches and never cuts: it agrees with trying every point", (tool) => {
+    const insert = inFrame(insertShape(tool), frame);
+    const edge = dense(insert);
+    fc.assert(fc.property(contour, fc.integer({ min: -3000, max: 20000 }), (chain, at) => {
+      const e = reachOver(chain.map((segment) => ({ segment, on: "contour" })), insert);
+      const u = at / 1000;
+      // The highest lift that any pair of a contour point and an insert point asks for.
+      const ground = (x: number) => {
+        const s = chain.find((c) => c.from.u <= x && x <= c.to.u);
+        return s ? s.from.v + ((s.to.v - s.from.v) * (x - s.from.u)) / (s.to.u - s.from.u) : -Infinity;
+      };
+      const tried = Math.max(...edge.map((q) => ground(u + q.u) - q.v), ...chain.flatMap((s) => [s.from, s.to]).flatMap((p) => edge.filter((q) => Math.abs(q.u + u - p.u) < 1e-9).map((q) => p.v - q.v)));
+      const exact = heightAt(e, u);
+      if (tried === -Infinity) return;
+      expect(exact).toBeGreaterThanOrEqual(tried - 1e-6);
+    }), { numRuns: 200 });
+  });
+
+  test("is the contour itself for a sharp needle, and its offset for a circle", () => {
+    const circle = inFrame(insertShape(tools[2] as Tool), frame);
+    const slope: FlatSegment[] = [{ kind: "line", from: { u: 0, v: 0 }, to: { u: 40, v: 30 } }];
+    const e = reachOver(slope.map((segment) => ({ segment, on: "contour" })), circle);
+    // The centre runs 3 mm off the slope 3:4, the tip 3 mm below the centre.
+    expect(heightAt(e, 20)).toBeCloseTo(15 + 3 / 0.8 - 3, 9);
+  });
+
+  test("a valley arc smaller than the nose is bridged, a larger one is followed by the difference of the radii", () => {
+    const circle = inFrame(insertShape(tools[2] as Tool), frame);
+    const bowl = (r: number): FlatSegment[] => [
+      { kind: "line", from: { u: -20, v: r }, to: { u: -r, v: r } },
+      { kind: "arc", from: { u: -r, v: r }, to: { u: r, v: r }, centre: { u: 0, v: r }, ccw: true },
+      { kind: "line", from: { u: r, v: r }, to: { u: 20, v: r } },
+    ];
+    const over = (r: number) => reachOver(bowl(r).map((segment) => ({ segment, on: "contour" })), circle);
+    expect(heightAt(over(5), 0)).toBeCloseTo(0, 9);
+    expect(heightAt(over(2), 0)).toBeCloseTo(2 - (3 - Math.sqrt(9 - 4)), 9);
+  });
+});
