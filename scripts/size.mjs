@@ -1,8 +1,8 @@
 /**
- * Fails when the first load has grown past its limit: all JavaScript that index.html reaches by static imports, and the
- * worker it starts, compressed as a server sends it.
+ * Fails when the first load has grown past its limit: all JavaScript that index.html reaches by static imports, the worker
+ * it starts, and the largest of the languages, compressed as a server sends it.
  */
-import { readFileSync } from "node:fs";
+import { readdirSync, readFileSync } from "node:fs";
 import { dirname, join, normalize } from "node:path";
 import { gzipSync } from "node:zlib";
 import { root } from "./packages.mjs";
@@ -27,8 +27,13 @@ function visit(path) {
 }
 const page = read("index.html");
 for (const path of found(page, /<(?:script|link)[^>]+(?:src|href)="\.?\/?([^"]+\.js)"/g)) visit(path);
+const languages = readdirSync(join(dist, "assets")).filter((name) => /^(de|en|fr|zh)-[\w-]+\.js$/.test(name)).map((name) => `assets/${name}`);
+const weight = (path) => gzipSync(read(path)).length;
+const largest = languages.sort((a, b) => weight(b) - weight(a))[0];
 
 if (seen.size === 0) throw new Error("index.html loads no script: build first.");
+if (!largest) throw new Error("The languages are not where they are looked for.");
+visit(largest);
 for (const [path, bytes] of seen) console.log(`${(bytes / 1000).toFixed(1).padStart(7)} kB  ${path}`);
 const total = [...seen.values()].reduce((sum, bytes) => sum + bytes, 0) / 1000;
 console.log(`${total.toFixed(1).padStart(7)} kB  first load, limit ${LIMIT} kB`);

@@ -68,7 +68,7 @@ function merge(a: readonly Span[], b: readonly Span[]): Span[] {
     if (g && g.u1 <= at + ROUND) { j++; continue; }
     const inF = f !== undefined && f.u0 <= at + ROUND;
     const inG = g !== undefined && g.u0 <= at + ROUND;
-    let end = Math.min(inF ? f.u1 : (f?.u0 ?? Infinity), inG ? g.u1 : (g?.u0 ?? Infinity));
+    const end = Math.min(inF ? f.u1 : (f?.u0 ?? Infinity), inG ? g.u1 : (g?.u0 ?? Infinity));
     if (!inF && !inG) { at = end; continue; }
     if (inF && inG) higher(out, f.piece, g.piece, at, end);
     else push(out, (inF ? f : (g as Span)).piece, at, end);
