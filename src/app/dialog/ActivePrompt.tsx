@@ -82,7 +82,7 @@ export function ActivePrompt({ read, q, param, ownKeypad, field }: Props) {
           </button>
         )}
       </p>
-      <div className="about" id={`${id}-about`}>
+      <div className="about" id={`${id}-about`} tabIndex={0} role="group" aria-label={t.dialog.aboutPrompt(q)}>
         <div role="status" aria-label={t.page.problems}>
           {problems.map((problem, i) => (
             <FieldMessage key={i} problem={problem} decimals={param.decimals} onTake={(n) => take(String(n))} />

@@ -51,8 +51,8 @@ test("every change is kept under the name of the work", async () => {
   const stop = startKeeping();
   startWork(job);
   setTool(7);
-  await settle();
   stop();
+  await settle();
   const { work } = useEditor.getState();
   expect(device.works.get(work ?? "")?.job).toMatchObject({ tool: 7 });
   expect(sessionStorage.getItem("turnwise/work")).toBe(work);
@@ -63,8 +63,8 @@ test("a new program leaves the one before it on the device", async () => {
   startWork(job);
   await settle();
   startWork({ ...job, name: "SECOND" });
-  await settle();
   stop();
+  await settle();
   expect([...device.works.values()].map((file) => (file.job as Job).name).sort()).toEqual([job.name, "SECOND"].sort());
 });
 
@@ -84,8 +84,8 @@ test("a work that another tab has open is continued as a copy, and both are kept
   expect(useKeeping.getState().notices).toEqual(["copyOfOtherTab"]);
   const stop = startKeeping();
   setTool(9);
-  await settle();
   stop();
+  await settle();
   expect(device.works.get("shared")?.job).toEqual(job);
   expect(device.works.get(work ?? "")?.job).toMatchObject({ tool: 9 });
 });
@@ -99,6 +99,22 @@ test("a reload comes back to the work of this tab, or to its start page", async 
   sessionStorage.setItem("turnwise/work", "");
   await resume();
   expect(useEditor.getState().job).toBeNull();
+});
+
+test("what could not be written before the page went away is there after a reload, unless something newer is", async () => {
+  const stop = startKeeping();
+  startWork(job);
+  setTool(8);
+  dispatchEvent(new Event("pagehide"));
+  const { work } = useEditor.getState();
+  device.works.clear();
+  stop();
+  device.works.clear();
+  await resume();
+  expect(useEditor.getState()).toMatchObject({ work, job: { tool: 8 } });
+  sessionStorage.setItem("turnwise/pending", JSON.stringify({ work, file: { version: 1, savedAt: -1, job } }));
+  await resume();
+  expect(useEditor.getState()).toMatchObject({ work, job: { tool: 8 } });
 });
 
 test("a device that keeps nothing, and damaged saves, are said and stop nothing", async () => {

@@ -2,7 +2,8 @@ import { create } from "zustand";
 import type { Job } from "../../program/job.ts";
 import { begin, open, useEditor } from "../store.ts";
 import { findWorks, keepWork, readWork, type Kept } from "./device.ts";
-import { claimWork, newWorkName, rememberedWork, rememberWork } from "./tab.ts";
+import { readSave, SAVE_VERSION } from "./save-file.ts";
+import { claimWork, leaveBehind, newWorkName, rememberedWork, rememberWork, takeBehind } from "./tab.ts";
 
 /** What the page says about saving. */
 export interface Keeping {
@@ -43,15 +44,40 @@ async function write(): Promise<void> {
   writing = false;
 }
 
-/** From now on each change of the work is kept on the device at once. */
+/** Rest before writing, so that writing never delays the picture of what is typed, ms. */
+const REST = 80;
+
+/** From now on each change of the work is kept on the device, a moment after it was made. */
 export function startKeeping(): () => void {
-  return useEditor.subscribe(({ job, work }) => {
-    rememberWork(job ? work : null);
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  let known: string | null | undefined;
+  const stop = useEditor.subscribe(({ job, work }) => {
+    const name = job ? work : null;
+    if (name !== known) rememberWork(name);
+    known = name;
     if (!job || !work || written.get(work) === job) return;
     if (waiting && waiting.work !== work) void keepWork(waiting.work, waiting.job);
     waiting = { work, job };
-    void write();
+    timer ??= setTimeout(() => {
+      timer = undefined;
+      void write();
+    }, REST);
   });
+  const rest = () => void write();
+  const leave = () => {
+    if (!waiting) return;
+    leaveBehind(waiting.work, { version: SAVE_VERSION, savedAt: Date.now(), job: waiting.job });
+    void write();
+  };
+  addEventListener("pagehide", leave);
+  document.addEventListener("visibilitychange", rest);
+  return () => {
+    stop();
+    clearTimeout(timer);
+    removeEventListener("pagehide", leave);
+    document.removeEventListener("visibilitychange", rest);
+    void write();
+  };
 }
 
 /** Takes a saved work into this tab: its own name when it is free, a name for a copy when another tab has it open. */
@@ -71,8 +97,18 @@ async function nameFor(work: string, job: Job): Promise<string> {
   return copy;
 }
 
+/** Writes what the page before could not write in time. */
+async function catchUp(): Promise<void> {
+  const behind = takeBehind();
+  const file = behind && readSave(behind.file);
+  if (!behind || !file) return;
+  const kept = await readWork(behind.work);
+  if (!kept || kept.savedAt <= file.savedAt) await keepWork(behind.work, file.job);
+}
+
 /** Opens what this tab had open, or the newest work in a new tab, or the start page. Never fails. */
 export async function resume(): Promise<void> {
+  await catchUp();
   const found = await findWorks();
   useKeeping.setState({ works: found.works, damaged: found.setAside });
   if (!found.available) notice("notKept");

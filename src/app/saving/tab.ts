@@ -4,6 +4,9 @@
  */
 const KEY = "turnwise/work";
 
+/** What could not be written before the page went away. */
+const PENDING = "turnwise/pending";
+
 /** Names of works whose lock this tab holds. */
 const mine = new Set<string>();
 
@@ -19,10 +22,34 @@ export function rememberedWork(): string | null {
 }
 
 export function rememberWork(work: string | null): void {
+  const name = work ?? "";
+  if (rememberedWork() === name) return;
   try {
-    sessionStorage.setItem(KEY, work ?? "");
+    sessionStorage.setItem(KEY, name);
   } catch {
     return;
+  }
+}
+
+/** Leaves the last state of a work for the next page of this tab: writing to the device takes longer than leaving. */
+export function leaveBehind(work: string, file: unknown): void {
+  try {
+    sessionStorage.setItem(PENDING, JSON.stringify({ work, file }));
+  } catch {
+    return;
+  }
+}
+
+/** What the page before left behind, once. */
+export function takeBehind(): { readonly work: string; readonly file: unknown } | null {
+  try {
+    const text = sessionStorage.getItem(PENDING);
+    sessionStorage.removeItem(PENDING);
+    const raw: unknown = JSON.parse(text ?? "null");
+    if (typeof raw !== "object" || raw === null || !("work" in raw) || !("file" in raw) || typeof raw.work !== "string") return null;
+    return { work: raw.work, file: raw.file };
+  } catch {
+    return null;
   }
 }
 

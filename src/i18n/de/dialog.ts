@@ -5,6 +5,7 @@ export const dialog = {
   form: "Eingaben des Zyklus",
   list: "Alle Eingaben",
   active: "Aktive Eingabe",
+  aboutPrompt: (q) => `Zu ${q}`,
   position: (n, of) => `${n} von ${of}`,
   value: (q, label) => `${q} ${label}`,
   row: (q, label, value) => `${q} ${label}: ${value}`,

@@ -5,6 +5,7 @@ export const dialog = {
   form: "Prompts of the cycle",
   list: "All prompts",
   active: "Active prompt",
+  aboutPrompt: (q: string) => `About ${q}`,
   position: (n: number, of: number) => `${n} of ${of}`,
   value: (q: string, label: string) => `${q} ${label}`,
   row: (q: string, label: string, value: string) => `${q} ${label}: ${value}`,

@@ -5,6 +5,7 @@ export const dialog = {
   form: "Questions du cycle",
   list: "Toutes les questions",
   active: "Question active",
+  aboutPrompt: (q) => `À propos de ${q}`,
   position: (n, of) => `${n} sur ${of}`,
   value: (q, label) => `${q} ${label}`,
   row: (q, label, value) => `${q} ${label} : ${value}`,

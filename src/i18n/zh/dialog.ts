@@ -5,6 +5,7 @@ export const dialog = {
   form: "循环的提问",
   list: "全部提问",
   active: "当前提问",
+  aboutPrompt: (q) => `关于 ${q}`,
   position: (n, of) => `第 ${n} 项，共 ${of} 项`,
   value: (q, label) => `${q} ${label}`,
   row: (q, label, value) => `${q} ${label}：${value}`,
