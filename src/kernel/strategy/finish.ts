@@ -61,14 +61,14 @@ export function finishContour(track: Track, f: Finish, issues: Issue[]): void {
 }
 
 /**
- * Lifts by the clearance: leaning back from what stands beyond the end of the contour, or straight up where the contour
- * behind is in the way.
+ * Lifts by the clearance: leaning back from what stands beyond the end of the contour, or, where the contour
+ * behind is in the way, straight up out of the area.
  */
 function lift(track: Track, f: Finish, feed: number, purpose: Purpose) {
   const { at } = track;
   const back = Math.max(f.clearance, f.aside);
   const leaning = { u: Math.max(at.u - back, f.from), v: at.v + back };
-  const straight = { u: at.u, v: at.v + f.clearance };
+  const straight = { u: at.u, v: Math.max(at.v + f.clearance, f.start.v) };
   track.feed(staysAbove(f.ground.envelope, leaning, at) ? leaning : straight, feed, purpose);
 }
 
