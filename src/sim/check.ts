@@ -61,9 +61,11 @@ export function check(
     if (rings.length > 0)
       found.push({ kind, step: index, block: step.block, operation: step.operation, place: placeIn(largest(rings)), area: areaOf(rings), rings });
   };
-  if (step.move.kind === "rapid") report("rapidInStock", real(inStock(sweep, cut)));
+  // The quick look joins many pieces at once; what it finds is looked at again in the stock itself.
+  const sure = (area: Ring[]) => (area.length === 0 ? area : real(intersection(cut.stock(), area)));
+  if (step.move.kind === "rapid") report("rapidInStock", sure(real(inStock(sweep, cut))));
   const deep = sweep.filter((p) => finished.edges.meets(p));
-  if (deep.length > 0) report("gouge", real(inStock(deep, cut, finished.rings)));
-  report("holderContact", holderHits(step, outlines, cut));
+  if (deep.length > 0) report("gouge", sure(real(inStock(deep, cut, finished.rings))));
+  report("holderContact", sure(holderHits(step, outlines, cut)));
   return found;
 }
