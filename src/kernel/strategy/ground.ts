@@ -45,13 +45,13 @@ export function groundOver(
   const end = touch(insert, last, "to");
   const edge = (from: Flat, to: Flat): Bound => ({ segment: { kind: "line", from, to }, on: "edge" });
   const chain: Bound[] = [...contour];
-  if (s.frontWall !== null) chain.unshift(edge({ u: first.from.u, v: s.frontWall }, first.from));
+  // The walls close the area and are no part of the part: they keep no oversize.
+  const open = first.from.u - keep.u;
+  if (s.frontWall !== null) chain.unshift(edge({ u: open - FAR, v: s.frontWall }, { u: open, v: s.frontWall }), edge({ u: open, v: s.frontWall }, { u: open, v: first.from.v }), edge({ u: open, v: first.from.v }, first.from));
   else if (s.front === "part") chain.unshift(edge({ u: first.from.u - FAR, v: first.from.v }, first.from));
-  // The wall closes the area and is no part of the part: it keeps no oversize.
   const close = last.to.u + keep.u;
   if (s.wall !== null) chain.push(edge(last.to, { u: close, v: last.to.v }), edge({ u: close, v: last.to.v }, { u: close, v: s.wall }), edge({ u: close, v: s.wall }, { u: close + FAR, v: s.wall }));
   else chain.push(edge(last.to, { u: last.to.u + FAR, v: last.to.v }));
-  if (s.frontWall !== null) chain.unshift(edge({ u: first.from.u - FAR, v: s.frontWall }, { u: first.from.u, v: s.frontWall }));
   const extra: Piece[] = [];
   const level = (u0: number, u1: number, v: number, on: Origin["on"]) => {
     const p = linePiece({ u: u0, v }, { u: u1, v }, { feature: "nose", on, corner: false });
