@@ -1,3 +1,4 @@
+import { useEffect } from "react";
 import { Header } from "./Header.tsx";
 import { Notices } from "./Notices.tsx";
 import { CopyByHand } from "./program/CopyByHand.tsx";
@@ -10,6 +11,11 @@ import { Workplace } from "./Workplace.tsx";
 export function App() {
   const ready = useKeeping((k) => k.ready);
   const read = useReading();
+  const name = read?.job.name;
+  useEffect(() => {
+    document.title = name ? `${name} · Turnwise` : "Turnwise";
+  }, [name]);
+
   return (
     <div className="page">
       <Header />

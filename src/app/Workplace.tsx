@@ -10,7 +10,7 @@ import { LatheView } from "./lathe/LatheView.tsx";
 import { usePlace, type Section } from "./place.ts";
 import { playback } from "./playback.ts";
 import { ProblemList } from "./problems/ProblemList.tsx";
-import { useProblems } from "./problems/problems.ts";
+import { isOpen, useProblems } from "./problems/problems.ts";
 import { ProgramPanel } from "./program/ProgramPanel.tsx";
 import type { JobReading } from "./reading.ts";
 import { SectionTabs } from "./SectionTabs.tsx";
@@ -31,7 +31,7 @@ export function Workplace({ read }: { readonly read: JobReading }) {
   const asked = usePlace((p) => p.section);
   const shown = useOutcome((s) => s.shown);
   const dimmed = useOutcome((s) => s.dimmed);
-  const problems = useProblems();
+  const problems = useProblems().filter((p) => !isOpen(p));
   const free = read.cycle.contour === "free";
   const possible: readonly Section[] = ["prompts", "setup", ...(free ? ["contour" as const] : []), "problems", ...(wide ? [] : ["program" as const])];
   const open = possible.includes(asked) ? asked : "prompts";

@@ -3,7 +3,8 @@ import type { Param } from "../../cycles/params.ts";
 import type { ParamTextId } from "../../cycles/index.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import { setPrompt } from "../edits.ts";
-import { useProblems } from "../problems/problems.ts";
+import { usePlace } from "../place.ts";
+import { isOpen, useProblems, type Problem } from "../problems/problems.ts";
 import type { JobReading } from "../reading.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
@@ -34,6 +35,8 @@ export function ActivePrompt({ read, q, param, ownKeypad, field }: Props) {
   const text = read.draft[q] ?? "";
   const unit = t.dialog.units[unitOf(param, read.job.perRevolution)];
   const doubtful = unconfirmed(param.evidence) ? "parameter" : unconfirmed(param.rangeEvidence) && !param.choices ? "range" : null;
+  const untouched = usePlace((p) => p.before.trim() === "");
+  const calm = (problem: Problem) => isOpen(problem) && untouched;
   const name = t.dialog.value(q, words.prompt);
   const take = (value: string) => {
     closeStep();
@@ -59,7 +62,7 @@ export function ActivePrompt({ read, q, param, ownKeypad, field }: Props) {
         <div className="value-row">
           <ValueInput
             q={q} text={text} name={name} describedBy={`${id}-range ${id}-about`} ownKeypad={ownKeypad} field={field}
-            invalid={problems.some((p) => p.issue.severity === "error")}
+            invalid={problems.some((p) => p.issue.severity === "error" && !calm(p))}
           />
           <span className="unit number">{unit}</span>
           {param.kind === "feed" && (
@@ -85,7 +88,7 @@ export function ActivePrompt({ read, q, param, ownKeypad, field }: Props) {
       <div className="about" id={`${id}-about`} tabIndex={0} role="group" aria-label={t.dialog.aboutPrompt(q)}>
         <div role="status" aria-label={t.page.problems}>
           {problems.map((problem, i) => (
-            <FieldMessage key={i} problem={problem} decimals={param.decimals} onTake={(n) => take(String(n))} />
+            <FieldMessage key={i} problem={problem} calm={calm(problem)} decimals={param.decimals} onTake={(n) => take(String(n))} />
           ))}
         </div>
         {doubtful && explained === q && <p className="evidence-text small">{t.dialog.evidence[doubtful]}</p>}

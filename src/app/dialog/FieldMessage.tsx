@@ -9,22 +9,25 @@ interface Props {
   readonly problem: Problem;
   /** Decimals that the control keeps of the value. */
   readonly decimals: number;
+  /** Not done wrong, only not done yet: said calmly. */
+  readonly calm?: boolean;
   /** Takes the nearest value that works. */
   readonly onTake: (nearest: number) => void;
 }
 
 /** What is wrong with a field, and a button that takes the nearest value that works. */
-export function FieldMessage({ problem, decimals, onTake }: Props) {
+export function FieldMessage({ problem, decimals, calm = false, onTake }: Props) {
   const t = useTexts();
   const say = useIssueText();
   const language = useSettings((s) => s.language);
   const { issue } = problem;
+  const shown = calm ? "info" : issue.severity;
   const nearest = "nearest" in issue.data && typeof issue.data.nearest === "number" ? issue.data.nearest : null;
   return (
-    <div className={`field-message ${issue.severity}`}>
-      <Icon name={issue.severity} />
+    <div className={`field-message ${shown}`}>
+      <Icon name={shown} />
       <p>
-        <span className="unseen">{t.page.problem.severities[issue.severity]}: </span>
+        <span className="unseen">{t.page.problem.severities[shown]}: </span>
         {say(issue)}
       </p>
       {nearest !== null && (

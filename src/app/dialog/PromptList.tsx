@@ -2,7 +2,7 @@ import { useEffect, useRef } from "react";
 import type { ParamTextId } from "../../cycles/index.ts";
 import { Icon } from "../Icon.tsx";
 import { usePlace } from "../place.ts";
-import { useProblems } from "../problems/problems.ts";
+import { isOpen, useProblems } from "../problems/problems.ts";
 import type { JobReading } from "../reading.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
@@ -36,7 +36,7 @@ export function PromptList({ read }: { readonly read: JobReading }) {
         const written = field ? writeValue(language, param, field) : null;
         const shown = field?.empty ? (param.optional ? t.dialog.noEntry : t.dialog.noValue) : (written ?? read.draft[q] ?? "");
         const unit = written === null || field?.empty || field?.value === "auto" ? "" : t.dialog.units[unitOf(param, read.job.perRevolution)];
-        const worst = problems.find((p) => p.at === q)?.issue.severity;
+        const worst = problems.find((p) => p.at === q && !isOpen(p))?.issue.severity;
         const note = worst ? `, ${t.page.problem.severities[worst]}` : "";
         return (
           <li key={q}>

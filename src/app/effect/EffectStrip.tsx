@@ -3,7 +3,7 @@ import { formatFixed, formatNumber } from "../../i18n/number.ts";
 import { Icon } from "../Icon.tsx";
 import { useOutcome } from "../engine/outcome.ts";
 import { showSection } from "../place.ts";
-import { useProblems } from "../problems/problems.ts";
+import { isOpen, useProblems } from "../problems/problems.ts";
 import type { JobReading } from "../reading.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
@@ -11,7 +11,7 @@ import { chipArea, effectOf } from "./effect.ts";
 
 /** What the values do, while they are typed: passes, real infeed, time, chip, what stays, and the proof. */
 export function EffectStrip({ read }: { readonly read: JobReading }) {
-  const t = useTexts().page;
+  const { page: t, dialog: { done: { open } } } = useTexts();
   const language = useSettings((s) => s.language);
   const shown = useOutcome((s) => s.shown);
   const dimmed = useOutcome((s) => s.dimmed);
@@ -28,7 +28,8 @@ export function EffectStrip({ read }: { readonly read: JobReading }) {
   );
   const minutes = effect ? Math.floor(Math.round(effect.seconds) / 60) : 0;
   const seconds = effect ? effect.seconds - (minutes > 0 ? minutes * 60 : 0) : 0;
-  const worst = problems[0]?.issue.severity;
+  const allOpen = problems.every(isOpen);
+  const worst = allOpen && problems.length > 0 ? "info" : problems[0]?.issue.severity;
   const bad = !dimmed && effect !== null && (effect.gouge > 0 || effect.rapid > 0 || effect.holder);
   const proof = !effect || dimmed ? t.effect.unknown
     : effect.gouge > 0 ? t.effect.gouge(formatNumber(language, effect.gouge, 2))
@@ -51,7 +52,7 @@ export function EffectStrip({ read }: { readonly read: JobReading }) {
       <p className="effect-status" role="status">
         {problems.length > 0 && (
           <button type="button" className={`problem-button ${worst ?? ""}`} onClick={() => showSection("problems")}>
-            <Icon name={worst ?? "info"} /> {t.problem.count(problems.length)}
+            <Icon name={worst ?? "info"} /> {allOpen ? open(problems.length) : t.problem.count(problems.length)}
           </button>
         )}
         {dimmed && problems.length === 0 && <span className="small">{t.effect.waiting}</span>}

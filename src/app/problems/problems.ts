@@ -14,6 +14,9 @@ export interface Problem {
 
 const placeOf = (issue: Finding["issue"]): string | null => ("at" in issue ? (issue.at ?? null) : null);
 
+/** A prompt that is still empty: something to do, not something done wrong. */
+export const isOpen = ({ issue }: Problem): boolean => issue.code === "missing";
+
 const weight: Readonly<Record<Severity, number>> = { error: 0, warning: 1, info: 2 };
 
 /**
