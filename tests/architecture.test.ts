@@ -15,6 +15,7 @@ const RULES: Record<string, Rule> = {
   view: { values: ["kernel", "sim"], types: ["cycles"] },
   report: { values: ["kernel", "cycles", "nc", "program", "sim", "i18n"] },
   i18n: { values: [], types: ["kernel", "cycles", "nc", "program"] },
+  examples: { values: [] },
 };
 const layerOf = (path: string) => path.split("/")[1] ?? "";
 const all = sources("src");

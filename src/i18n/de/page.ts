@@ -42,6 +42,19 @@ export const page = {
     unconfirmed: "Die Parameterliste dieses Zyklus ist aus der Erinnerung, nicht an einer gedruckten Seite geprüft.",
   },
 
+  examples: {
+    title: "Beispielprogramme",
+    open: (name) => `Beispiel öffnen: ${name}`,
+    names: {
+      flange: "Flansch: sechs Werkzeuge, vom Rohteil zum Fertigteil",
+      shoulder: "Absatz, Zyklus 812, wie für TNC 640 gedruckt (französische Texte)",
+      contour: "Kontur, Zyklus 820, wie für TNC 640 gedruckt (französische Texte)",
+      contourEnglish: "Kontur, Zyklus 820, wie für TNC7 gedruckt (englische Texte)",
+      groove: "Einstich, Zyklus 852, wie für TNC 640 gedruckt (französische Texte)",
+      plate: "Platte: An- und Wegfahren, gefräst",
+    },
+  },
+
   effect: {
     title: "Was diese Werte bewirken",
     passes: "Schnitte",

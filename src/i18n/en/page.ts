@@ -42,6 +42,19 @@ export const page = {
     unconfirmed: "The parameter list of this cycle is recalled, not checked against a printed page.",
   },
 
+  examples: {
+    title: "Example programs",
+    open: (name: string) => `Open the example: ${name}`,
+    names: {
+      flange: "Flange: six tools, from blank to finished part",
+      shoulder: "Shoulder, cycle 812, as printed for TNC 640 (French labels)",
+      contour: "Contour, cycle 820, as printed for TNC 640 (French labels)",
+      contourEnglish: "Contour, cycle 820, as printed for TNC7 (English labels)",
+      groove: "Groove, cycle 852, as printed for TNC 640 (French labels)",
+      plate: "Plate: approach and departure, milled",
+    },
+  },
+
   effect: {
     title: "What these values do",
     passes: "Passes",

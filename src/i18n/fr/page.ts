@@ -42,6 +42,19 @@ export const page = {
     unconfirmed: "La liste des paramètres de ce cycle est citée de mémoire, sans contrôle sur une page imprimée.",
   },
 
+  examples: {
+    title: "Programmes d’exemple",
+    open: (name) => `Ouvrir l’exemple : ${name}`,
+    names: {
+      flange: "Bride : six outils, du brut à la pièce finie",
+      shoulder: "Épaulement, cycle 812, tel qu’imprimé pour TNC 640 (textes français)",
+      contour: "Contour, cycle 820, tel qu’imprimé pour TNC 640 (textes français)",
+      contourEnglish: "Contour, cycle 820, tel qu’imprimé pour TNC7 (textes anglais)",
+      groove: "Gorge, cycle 852, tel qu’imprimé pour TNC 640 (textes français)",
+      plate: "Plaque : approche et sortie, en fraisage",
+    },
+  },
+
   effect: {
     title: "Effet de ces valeurs",
     passes: "Passes",

@@ -42,6 +42,19 @@ export const page = {
     unconfirmed: "该循环的参数表凭记忆整理，未与印刷页核对。",
   },
 
+  examples: {
+    title: "示例程序",
+    open: (name) => `打开示例：${name}`,
+    names: {
+      flange: "法兰：六把刀具，从毛坯到成品",
+      shoulder: "台阶，循环 812，TNC 640 手册原例（法语文本）",
+      contour: "轮廓，循环 820，TNC 640 手册原例（法语文本）",
+      contourEnglish: "轮廓，循环 820，TNC7 手册原例（英语文本）",
+      groove: "切槽，循环 852，TNC 640 手册原例（法语文本）",
+      plate: "平板：铣削的接近与离开",
+    },
+  },
+
   effect: {
     title: "这些值的效果",
     passes: "走刀次数",
