@@ -57,6 +57,8 @@ async function bundled() {
 try {
   ensurePackages();
   const { main } = await import(pathToFileURL(await bundled()).href);
+  // npm runs scripts in the project folder; files are named from where the command was typed.
+  if (name === "verify" && process.env.INIT_CWD) process.chdir(process.env.INIT_CWD);
   process.exitCode = await main(args);
 } catch (error) {
   console.error(`${name}: ${error instanceof Error ? error.message : String(error)}`);

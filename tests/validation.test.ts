@@ -103,10 +103,10 @@ const rules: readonly Rule[] = [
   { name: "a tool on the wrong side", cycle: 812, code: "toolOnWrongSide", field: "tool", severity: "error", trips: { tool: { T: 5 } }, passes: { tool: { T: 2 } } },
   { name: "a tool whose flanks are not known", cycle: 812, code: "flanksNotChecked", field: "tool", severity: "info", trips: { tool: { T: 11, TYPE: "ROUGH", RS: length(0.8) } }, passes: { tool: { T: 1 } } },
 
-  { name: "start point inside the area", cycle: 812, code: "startInArea", field: "start", severity: "warning", trips: { start: [60, -10] }, passes: { start: [75, 2] } },
+  { name: "start point inside the area", cycle: 812, code: "startInArea", field: "start.x", severity: "warning", trips: { start: [60, -10] }, passes: { start: [75, 2] } },
   { name: "start point below the contour start", cycle: 820, code: "startBelowContour", field: "start.z", severity: "info", trips: { start: [80, -30] }, passes: { start: [80, 2] } },
   { name: "start point below the opening of the recess", cycle: 852, code: "startBelowContour", field: "start.z", severity: "info", trips: { start: [75, -30] }, passes: { start: [75, -15] } },
-  { name: "start point inside the finishing envelope", cycle: 812, code: "startInsideEnvelope", field: "start", severity: "warning", trips: { change: finishing, start: [50, 1] }, passes: { change: finishing, start: [80, 5] } },
+  { name: "start point inside the finishing envelope", cycle: 812, code: "startInsideEnvelope", field: "start.x", severity: "warning", trips: { change: finishing, start: [50, 1] }, passes: { change: finishing, start: [80, 5] } },
   { name: "depth over CUTLENGTH", cycle: 852, code: "depthOverCutLength", field: "Q494", severity: "warning", trips: { tool: { T: 8, CUTLENGTH: length(20) } }, passes: { tool: { T: 8, CUTLENGTH: length(31) } } },
 
   { name: "contour without two points", cycle: 820, code: "contourTooShort", field: "contour", severity: "error", trips: { contour: [line(75, 0)] }, passes: {} },

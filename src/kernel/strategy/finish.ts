@@ -44,7 +44,7 @@ export function finishContour(track: Track, f: Finish, issues: Issue[]): void {
   const low = f.ground.start.v;
   const begin = { u: u0, v: first.v <= low + SAME ? first.v : Math.min(first.v, Math.max(low, left)) };
   if (!f.smoothing && nearContour(f.start, f.contour) < f.clearance) {
-    issues.push(issue("startInsideEnvelope", "warning", { clearance: f.clearance }, "start"));
+    issues.push(issue("startInsideEnvelope", "warning", { clearance: f.clearance }, "start.x"));
   } else {
     const before = Math.min(Math.max(f.start.u, u0 - f.clearance), u0);
     const above = Math.max(begin.v, highest(f.ground.envelope, before, u0).v) + Math.max(f.clearance, f.kept);

@@ -80,7 +80,7 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
     const upper = Math.min(top, limits.ceiling);
     const depth = upper - lowest(kept.envelope, from, to);
     division = divide(depth, limitedInfeed(l.infeed, tool, depth, issues));
-    if (division.passes === 0) issues.push(issue("nothingToCut", "warning", {}, "start"));
+    if (division.passes === 0) issues.push(issue("nothingToCut", "warning", {}, "start.x"));
     roughByLevels(wanted, { envelope: kept.envelope, start, top: upper, ...division, from, to, smoothing: l.smoothing, feeds: l.feeds });
     if (l.smoothing === 1 && division.passes > 0) {
       back(wanted, start, "rough", 4);
@@ -129,11 +129,11 @@ function placed(l: Leveled, tool: Setting["tool"], track: Track, called: Flat, f
     issues.push(issue("startBelowContour", "info", { z: at.z, contour: toPart(l.frame, first).z }, "start.z"));
     track.rapid("v", finishing ? first.v + l.clearance : first.v, p);
   }
-  if (over && called.u < end) {
-    issues.push(issue("startInArea", "warning", where, "start"));
+  if (over) {
+    issues.push(issue(called.u < end ? "startInArea" : "startInMaterial", "warning", where, "start"));
     if (!finishing || l.startRule === "contour") track.rapid("v", Math.max(track.at.v, height + l.clearance), p);
     track.rapid("u", first.u - lead - l.clearance, p);
-  } else if (over) issues.push(issue("startInMaterial", "warning", where, "start"));
+  }
   return track.at;
 }
 
