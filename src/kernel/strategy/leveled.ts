@@ -130,7 +130,7 @@ function placed(l: Leveled, tool: Setting["tool"], track: Track, called: Flat, f
     track.rapid("v", finishing ? first.v + l.clearance : first.v, p);
   }
   if (over) {
-    issues.push(issue(called.u < end ? "startInArea" : "startInMaterial", "warning", where, "start"));
+    issues.push(issue(called.u < end ? "startInArea" : "startInMaterial", "warning", where, "start.x"));
     if (!finishing || l.startRule === "contour") track.rapid("v", Math.max(track.at.v, height + l.clearance), p);
     track.rapid("u", first.u - lead - l.clearance, p);
   }
