@@ -1,0 +1,106 @@
+import { parse } from "./parse.ts";
+import type { Block, Program } from "./program.ts";
+
+/** A program that is read again piece by piece while its text is typed: blocks, and where each starts in the text. */
+export interface Reading {
+  readonly program: Program;
+  /** Offset of each block, and of the end of the text: one more than there are blocks. */
+  readonly starts: readonly number[];
+}
+
+/** Some characters of a text in the place of others: `from` to `to` of the old text became `length` characters. */
+export interface Change {
+  readonly from: number;
+  readonly to: number;
+  readonly length: number;
+}
+
+/** The splitter looks at most this many written blocks ahead of a boundary. */
+const LOOKS_AHEAD = 4;
+/** Blocks behind a change that are read again at first; doubled until old and new boundaries meet. */
+const BEHIND = 16;
+
+function startsOf(blocks: readonly Block[]): number[] {
+  let offset = 0;
+  const starts = blocks.map((b) => {
+    const start = offset;
+    offset += b.raw.length;
+    return start;
+  });
+  starts.push(offset);
+  return starts;
+}
+
+export function readingOf(text: string): Reading {
+  const program = parse(text);
+  return { program, starts: startsOf(program.blocks) };
+}
+
+/** Index of the block that holds an offset; the last block at the end of the text, -1 in an empty one. */
+export function blockAt({ starts }: Pick<Reading, "starts">, offset: number): number {
+  let [low, high] = [0, starts.length - 2];
+  if (high < 0) return -1;
+  while (low < high) {
+    const middle = (low + high + 1) >> 1;
+    if ((starts[middle] ?? 0) <= offset) low = middle;
+    else high = middle - 1;
+  }
+  return low;
+}
+
+const written = (b: Block | undefined) => b !== undefined && b.statement.kind !== "empty";
+
+/** The block from which reading again must begin so that everything that looks ahead to `index` is read too. */
+function beginning(blocks: readonly Block[], index: number): number {
+  let at = Math.max(0, index);
+  for (let seen = 0; at > 0 && seen < LOOKS_AHEAD;) {
+    at -= 1;
+    if (written(blocks[at])) seen += 1;
+  }
+  return at;
+}
+
+/**
+ * The reading after a change, with the same result as reading the whole text again. Only the blocks near the change are
+ * read; all others stay the same objects. `slice` gives a stretch of the new text.
+ */
+export function reread(old: Reading, change: Change, slice: (from: number, to: number) => string): Reading {
+  const { blocks } = old.program;
+  const by = change.length - (change.to - change.from);
+  const whole = (old.starts.at(-1) ?? 0) + by;
+  const first = beginning(blocks, blockAt(old, change.from));
+  const from = blocks.length === 0 ? 0 : (old.starts[first] ?? 0);
+  const touched = blockAt(old, change.to);
+  for (let behind = BEHIND; ; behind *= 2) {
+    const last = touched < 0 ? blocks.length : Math.min(blocks.length, touched + behind);
+    const to = last >= blocks.length ? whole : (old.starts[last] ?? 0) + by;
+    const fresh = parse(slice(from, to)).blocks;
+    if (to >= whole) return spliced(old, first, blocks.length, fresh);
+    const met = meeting(old, fresh, from, { ...change, by, last });
+    if (met) return spliced(old, first, met.old, fresh.slice(0, met.fresh));
+  }
+}
+
+/** The first boundary behind the change that old and new blocks share, far enough from where the slice was cut off. */
+function meeting(
+  old: Reading, fresh: readonly Block[], from: number, { to, by, last }: { readonly to: number; readonly by: number; readonly last: number },
+): { readonly old: number; readonly fresh: number } | null {
+  let safe = fresh.length;
+  for (let seen = 0; safe > 0 && seen < LOOKS_AHEAD;) {
+    safe -= 1;
+    if (written(fresh[safe])) seen += 1;
+  }
+  let o = blockAt(old, to) + 1;
+  let offset = from;
+  for (let f = 0; f < safe; f += 1) {
+    while (o < last && (old.starts[o] ?? 0) + by < offset) o += 1;
+    if (o < last && (old.starts[o] ?? 0) + by === offset && f > 0) return { old: o, fresh: f };
+    offset += fresh[f]?.raw.length ?? 0;
+  }
+  return null;
+}
+
+function spliced(old: Reading, first: number, end: number, fresh: readonly Block[]): Reading {
+  const blocks = [...old.program.blocks.slice(0, first), ...fresh, ...old.program.blocks.slice(end)];
+  return { program: { blocks }, starts: startsOf(blocks) };
+}
