@@ -1,0 +1,59 @@
+import { Scan } from "./scan.ts";
+
+/** What a stretch of a line is, for colouring. */
+export type TokenKind = "number" | "keyword" | "parameter" | "value" | "word" | "comment" | "structure" | "string" | "name" | "mark";
+
+/** A stretch of one line, from and to in characters. */
+export interface Token {
+  readonly kind: TokenKind;
+  readonly from: number;
+  readonly to: number;
+}
+
+const HEAD = /(\/)?[ \t]*(\d{1,9}(?![\d.,]))?[ \t]*(\/)?/y;
+const KEYWORD = /(?:CYCL[ \t]+(?:DEF|CALL)(?:[ \t]+(?:POS|PAT)(?![A-Z]))?|(?:BEGIN|END)[ \t]+PGM|BLK[ \t]+FORM(?:[ \t]+(?:CYLINDER|ROTATION))?|TOOL[ \t]+(?:CALL|DEF)|CALL[ \t]+LBL|SEL[ \t]+CONTOUR|FUNCTION(?:[ \t]+(?:MODE[ \t]+(?:TURN|MILL)|TURNDATA[ \t]+(?:SPIN|BLANK|CORR-(?:TCS|WPL)(?::[A-Z](?:\/[A-Z])?)?)))?|FN[ \t]*\d+[ \t]*:|LBL|STOP|APPR(?:[ \t]+[A-Z]+)?|DEP(?:[ \t]+[A-Z]+)?|UDC(?:[ \t]+[A-Z_]+)?|GRV(?:[ \t]+[A-Z]+)?|RND|CHF|CTP|CR|CT|CC|CP|LP|L|C)(?![A-Z_])/iy;
+const STRUCTURE = /\*[ \t]*-?.*/y;
+const COMMENT = /;.*/y;
+const STRING = /"[^"]*"?/y;
+const CYCLE_NUMBER = /\d+(?:\.\d+)?/y;
+const PARAMETER = /Q[LRS]?\d+/iy;
+const ADDRESS = /(?:DR(?=[+-](?![\d.,Q]))|F[ \t]*(?:MAX|AUTO)|VCONST|SMAX|DIST|LEN|CCA|REP|VC|I?P[RA]|R[0LR](?![\d.,])|DI|DL|DR|F[UZ]?|M|I?[A-Z](?=[ \t]*:?[+\-\d.,Q])|[A-Z_]{2,})/iy;
+const VALUE = /[+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)/y;
+const MARK = /[~=:+\-*/()%^]/y;
+/** Behind these a free name follows, not words with values. */
+const NAMES = /^(?:CYCL[ \t]+DEF|BEGIN|END)/i;
+
+/** Splits one line into stretches for colouring; never throws, and leaves out what says nothing. */
+export function tokensOf(line: string): Token[] {
+  const scan = new Scan(line, 0);
+  const tokens: Token[] = [];
+  const add = (kind: TokenKind, m: RegExpExecArray | null): boolean => {
+    if (!m || m[0] === "") return false;
+    tokens.push({ kind, from: scan.at - m[0].length, to: scan.at });
+    return true;
+  };
+  const head = scan.take(HEAD);
+  if (head && head[0].trim() !== "") {
+    const from = scan.at - head[0].length;
+    tokens.push({ kind: "number", from, to: from + head[0].trimEnd().length });
+  }
+  if (add("structure", scan.take(STRUCTURE))) return tokens;
+  const keyword = scan.take(KEYWORD);
+  add("keyword", keyword);
+  const named = keyword !== null && NAMES.test(keyword[0]);
+  if (named) add("value", scan.take(CYCLE_NUMBER));
+  while (!scan.done) {
+    if (add("comment", scan.take(COMMENT))) break;
+    if (add("string", scan.take(STRING)) || add("parameter", scan.take(PARAMETER))) continue;
+    if (named && !line.slice(scan.at).startsWith("~")) {
+      const from = scan.at;
+      const word = scan.word().replace(/[;~].*$/, "");
+      scan.at = from + Math.max(1, word.length);
+      tokens.push({ kind: "name", from, to: scan.at });
+      continue;
+    }
+    if (add("word", scan.take(ADDRESS)) || add("value", scan.take(VALUE)) || add("mark", scan.take(MARK))) continue;
+    scan.at += 1;
+  }
+  return tokens;
+}
