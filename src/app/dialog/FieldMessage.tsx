@@ -12,7 +12,7 @@ interface Props {
   /** Not done wrong, only not done yet: said calmly. */
   readonly calm?: boolean;
   /** Takes the nearest value that works. */
-  readonly onTake: (nearest: number) => void;
+  readonly onTake?: (nearest: number) => void;
 }
 
 /** What is wrong with a field, and a button that takes the nearest value that works. */
@@ -30,7 +30,7 @@ export function FieldMessage({ problem, decimals, calm = false, onTake }: Props)
         <span className="unseen">{t.page.problem.severities[shown]}: </span>
         {say(issue)}
       </p>
-      {nearest !== null && (
+      {nearest !== null && onTake && (
         <button type="button" className="button" onClick={() => onTake(nearest)}>
           {t.dialog.takeNearest(writeTyped(language, nearest, decimals))}
         </button>

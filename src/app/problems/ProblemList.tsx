@@ -5,7 +5,7 @@ import type { ParamTextId } from "../../cycles/index.ts";
 import { Icon } from "../Icon.tsx";
 import { useIssueText } from "../issue-text.ts";
 import { goToField, showSection } from "../place.ts";
-import { useProblems, type Problem } from "./problems.ts";
+import { isAboutTool, useProblems, type Problem } from "./problems.ts";
 import { useTexts } from "../settings/use-texts.ts";
 
 interface Target {
@@ -18,14 +18,16 @@ function useTarget(): (problem: Problem) => Target | null {
   const t = useTexts();
   const job = useEditor((s) => s.job);
   const read = job && readJob(job);
-  return ({ at, block }) => {
+  return ({ issue, at, block }) => {
     const param = at === null ? undefined : read?.cycle.params[at];
     const places = t.page.problem.places;
     if (at !== null && param) return { name: t.dialog.value(at, t.params[param.text as ParamTextId].label), go: () => goTo(at) };
     if (at === "start.x") return { name: places.startX, go: () => goToField("setup", "start.x") };
     if (at === "start.z") return { name: places.startZ, go: () => goToField("setup", "start.z") };
     if (at === "contour") return { name: places.contour, go: () => showSection("contour") };
-    if (at !== null) return { name: places.tool, go: () => goToField("setup", "tool") };
+    if (issue.code === "blankMissing" || issue.code === "blankImpossible") return { name: places.blank, go: () => goToField("setup", "blank.outside") };
+    if (issue.code === "spindleMissing") return { name: places.spindle, go: () => goToField("setup", job?.spindle.mode === "constant" ? "spindle.speed" : "spindle.cuttingSpeed") };
+    if (isAboutTool(at)) return { name: places.tool, go: () => goToField("setup", "tool") };
     if (block !== null) return { name: t.page.problem.inBlock(block), go: () => showSection("program") };
     return null;
   };

@@ -17,6 +17,12 @@ const placeOf = (issue: Finding["issue"]): string | null => ("at" in issue ? (is
 /** A prompt that is still empty: something to do, not something done wrong. */
 export const isOpen = ({ issue }: Problem): boolean => issue.code === "missing";
 
+/** Findings about a tool name it, or the column of the tool table. */
+const toolPlaces: ReadonlySet<string> = new Set([
+  "tool", "T", "NAME", "TYPE", "TO", "RS", "DRS", "ZL", "XL", "DZL", "DXL", "ORI", "T-ANGLE", "P-ANGLE", "CUTLENGTH", "CUTWIDTH", "DCW",
+]);
+export const isAboutTool = (at: string | null): boolean => at !== null && toolPlaces.has(at);
+
 const weight: Readonly<Record<Severity, number>> = { error: 0, warning: 1, info: 2 };
 
 /**

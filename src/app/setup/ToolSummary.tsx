@@ -1,9 +1,11 @@
 import { shippedTools } from "../../program/shipped-tools.ts";
 import type { ToolFit } from "../../program/which-tool.ts";
 import { setTool } from "../edits.ts";
+import { FieldMessage } from "../dialog/FieldMessage.tsx";
 import { Icon } from "../Icon.tsx";
 import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
 import { goToField } from "../place.ts";
+import { isAboutTool, useProblems } from "../problems/problems.ts";
 import type { JobReading } from "../reading.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { ToolVerdict, useToolDetails } from "./tool-words.tsx";
@@ -15,6 +17,7 @@ const DRAWING = 64;
 export function ToolSummary({ read, fits }: { readonly read: JobReading; readonly fits: readonly ToolFit[] | null }) {
   const t = useTexts().setup.tool;
   const details = useToolDetails();
+  const problems = useProblems().filter((p) => isAboutTool(p.at));
   const tool = shippedTools.find((each) => each.T === read.job.tool);
   const own = fits?.find((f) => f.tool.T === read.job.tool);
   const best = fits?.find((f) => f.makesContour);
@@ -32,6 +35,7 @@ export function ToolSummary({ read, fits }: { readonly read: JobReading; readonl
         </div>
       )}
       <div role="status">
+        {problems.map((problem, i) => <FieldMessage key={i} problem={problem} decimals={3} />)}
         {own && !own.makesContour && (
           <div className="field-message warning">
             <Icon name="warning" />
