@@ -1,10 +1,13 @@
 import { temporal } from "zundo";
 import { create } from "zustand";
 import type { Job } from "../program/job.ts";
+import { isProgram, type ProgramWork, type Work } from "./work.ts";
 
 /** What undo and redo go through: the work, and the name it is kept under on this device. */
 export interface Editor {
   readonly job: Job | null;
+  /** The open program; never together with a job. */
+  readonly program: ProgramWork | null;
   /** Key of the saved work; null while there is none. */
   readonly work: string | null;
 }
@@ -13,9 +16,9 @@ export interface Editor {
 const HISTORY = 500;
 
 export const useEditor = create<Editor>()(
-  temporal((): Editor => ({ job: null, work: null }), {
+  temporal((): Editor => ({ job: null, program: null, work: null }), {
     limit: HISTORY,
-    equality: (past, now) => past.job === now.job && past.work === now.work,
+    equality: (past, now) => past.job === now.job && past.program === now.program && past.work === now.work,
   }),
 );
 
@@ -45,15 +48,23 @@ export function edit(change: (job: Job) => Job, place: string | null = null): vo
 }
 
 /** Puts other work in place of this one, as one step of undo. */
-export function open(job: Job | null, work: string | null): void {
+export function open(content: Work | null, work: string | null): void {
   closeStep();
-  useEditor.setState({ job, work });
+  useEditor.setState(content && isProgram(content) ? { job: null, program: content, work } : { job: content, program: null, work });
 }
 
 /** Puts the first work in place: there is nothing before it that undo could go back to. */
-export function begin(job: Job | null, work: string | null): void {
-  open(job, work);
+export function begin(content: Work | null, work: string | null): void {
+  open(content, work);
   useEditor.temporal.getState().clear();
+}
+
+/** The text of the open program after a change. Its own history holds the steps, so this is none. */
+export function setProgram(program: ProgramWork): void {
+  const history = useEditor.temporal.getState();
+  history.pause();
+  useEditor.setState({ program });
+  history.resume();
 }
 
 export function undo(): void {

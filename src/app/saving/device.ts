@@ -1,6 +1,6 @@
 import { createStore, del, entries, get, set } from "idb-keyval";
 import { readSave, SAVE_VERSION, type SaveFile } from "./save-file.ts";
-import type { Job } from "../../program/job.ts";
+import type { Work } from "../work.ts";
 
 /** One saved work with its key. */
 export interface Kept {
@@ -67,7 +67,7 @@ export async function readWork(work: string): Promise<SaveFile | null> {
 }
 
 /** Keeps a work; false when the browser refuses. */
-export async function keepWork(work: string, job: Job): Promise<boolean> {
+export async function keepWork(work: string, job: Work): Promise<boolean> {
   try {
     const file: SaveFile = { version: SAVE_VERSION, savedAt: Date.now(), job };
     await set(work, file, open().works);

@@ -1,6 +1,6 @@
 import { create } from "zustand";
-import type { Job } from "../../program/job.ts";
 import { begin, open, useEditor } from "../store.ts";
+import type { Work } from "../work.ts";
 import { findWorks, keepWork, readWork, type Kept } from "./device.ts";
 import { readSave, SAVE_VERSION } from "./save-file.ts";
 import { claimWork, leaveBehind, newWorkName, rememberedWork, rememberWork, takeBehind } from "./tab.ts";
@@ -27,8 +27,8 @@ export const dismiss = (which: Notice | "damaged"): void =>
   useKeeping.setState((k) => (which === "damaged" ? { ...k, damaged: 0 } : { ...k, notices: k.notices.filter((n) => n !== which) }));
 
 /** The last state of each work that is already on the device. */
-const written = new Map<string, Job>();
-let waiting: { readonly work: string; readonly job: Job } | null = null;
+const written = new Map<string, Work>();
+let waiting: { readonly work: string; readonly job: Work } | null = null;
 let writing = false;
 
 /** Writes what waits; while one write runs only the newest state waits. */
@@ -51,7 +51,8 @@ const REST = 80;
 export function startKeeping(): () => void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   let known: string | null | undefined;
-  const stop = useEditor.subscribe(({ job, work }) => {
+  const stop = useEditor.subscribe(({ job: prompts, program, work }) => {
+    const job = prompts ?? program;
     const name = job ? work : null;
     if (name !== known) rememberWork(name);
     known = name;
@@ -81,7 +82,7 @@ export function startKeeping(): () => void {
 }
 
 /** Takes a saved work into this tab: its own name when it is free, a name for a copy when another tab has it open. */
-async function nameFor(work: string, job: Job): Promise<string> {
+async function nameFor(work: string, job: Work): Promise<string> {
   const patience = rememberedWork() === work ? 5 : 1;
   for (let attempt = 0; attempt < patience; attempt++) {
     if (attempt > 0) await new Promise((done) => setTimeout(done, 60));
@@ -120,7 +121,7 @@ export async function resume(): Promise<void> {
 }
 
 /** Begins new work under a name of its own; what was open stays on the device. */
-export function startWork(job: Job): void {
+export function startWork(job: Work): void {
   const work = newWorkName();
   rememberWork(work);
   void claimWork(work);

@@ -1,5 +1,5 @@
 import { z } from "zod/mini";
-import type { Job } from "../../program/job.ts";
+import type { Work } from "../work.ts";
 
 /** Counts up whenever the layout of a saved work changes; each step has its upgrade below. */
 export const SAVE_VERSION = 1;
@@ -9,7 +9,8 @@ export interface SaveFile {
   readonly version: number;
   /** Milliseconds since 1970, for the order of the list. */
   readonly savedAt: number;
-  readonly job: Job;
+  /** A job, or since whole programs exist a program. */
+  readonly job: Work;
 }
 
 const text = z.string().check(z.maxLength(500));
@@ -31,7 +32,8 @@ const job = z.object({
   layout: z.enum(["tnc640", "tnc7"]),
   ncLanguage: z.enum(["en", "de", "fr", "zh"]),
 });
-const file = z.object({ version: z.literal(SAVE_VERSION), savedAt: z.number(), job });
+const program = z.object({ name: text, text: z.string(), encoding: z.enum(["utf-8", "windows-1252"]) });
+const file = z.object({ version: z.literal(SAVE_VERSION), savedAt: z.number(), job: z.union([job, program]) });
 
 /** From version n to n + 1. A saved work passes all steps from its own version to the present one. */
 export type Upgrades = Readonly<Record<number, (old: Readonly<Record<string, unknown>>) => Readonly<Record<string, unknown>>>>;

@@ -1,18 +1,19 @@
 import { useState } from "react";
-import { catalogue } from "../../cycles/index.ts";
+import { cycleByNumber } from "../../cycles/index.ts";
 import { Icon } from "../Icon.tsx";
 import { usePlace } from "../place.ts";
 import { openWork, refreshWorks, useKeeping } from "../saving/keep.ts";
 import { forgetWork, keepWork, type Kept } from "../saving/device.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
+import { isProgram } from "../work.ts";
 
 /** Earlier programs on this device, newest first. */
 export function KeptWorks() {
   const { start: t, undo } = useTexts().page;
   const [removed, setRemoved] = useState<Kept | null>(null);
   const language = useSettings((s) => s.language);
-  const works = useKeeping((k) => k.works).filter(({ file }) => catalogue.some((c) => c.number === file.job.cycle));
+  const works = useKeeping((k) => k.works).filter(({ file }) => isProgram(file.job) || cycleByNumber(file.job.cycle));
   if (works.length === 0 && !removed) return null;
   const when = new Intl.DateTimeFormat(language, { dateStyle: "medium", timeStyle: "short" });
 
@@ -29,7 +30,7 @@ export function KeptWorks() {
                 void openWork(work);
               }}
             >
-              <span className="number card-number">{file.job.cycle}</span>
+              <span className="number card-number">{isProgram(file.job) ? ".h" : file.job.cycle}</span>
               <b>{file.job.name}</b>
               <span className="soft small">{t.changed(when.format(file.savedAt))}</span>
             </button>
