@@ -2,7 +2,7 @@ import { useEffect, useId, useRef } from "react";
 import { readExpression } from "../../program/expression.ts";
 import { FieldMessage } from "../dialog/FieldMessage.tsx";
 import { inScreenWriting } from "../dialog/write-value.ts";
-import { isPlainNumber, minus } from "../dialog/number-entry.ts";
+import { useNumberEntry } from "../dialog/use-number-entry.ts";
 import { Icon } from "../Icon.tsx";
 import { usePlace } from "../place.ts";
 import { useProblems } from "../problems/problems.ts";
@@ -38,6 +38,7 @@ export function NumberField({ name, unit, text, onText, at, least = "any", optio
   const id = useId();
   const input = useRef<HTMLInputElement>(null);
   const language = useSettings((s) => s.language);
+  const { onKeyDown, onTyped } = useNumberEntry(input, text, onText);
   const asked = usePlace((p) => (p.field === at ? p.focus : 0));
   const problems = useProblems().filter((p) => p.at === at);
   const wrong = wrongNumber(text, least, optional);
@@ -61,14 +62,10 @@ export function NumberField({ name, unit, text, onText, at, least = "any", optio
         <input
           id={id} ref={input} className="input number" type="text" inputMode="decimal" autoComplete="off" spellCheck={false} maxLength={200}
           aria-invalid={wrong !== null || problems.some((p) => p.issue.severity === "error")} aria-describedby={`${id}-unit ${id}-wrong`}
-          value={inScreenWriting(language, text)} onChange={(e) => onText(e.currentTarget.value)} onBlur={commit}
-          onKeyDown={(e) => {
-            if (e.key !== "-" || !isPlainNumber(text) || least !== "any") return;
-            e.preventDefault();
-            const field = e.currentTarget;
-            const next = minus({ text, from: field.selectionStart ?? 0, to: field.selectionEnd ?? 0, negative: false });
-            onText(next.text);
-            requestAnimationFrame(() => field.setSelectionRange(next.from === next.to ? next.from : next.text.startsWith("-") ? 1 : 0, next.to));
+          value={inScreenWriting(language, text)} onBlur={commit} onKeyDown={onKeyDown}
+          onChange={(e) => {
+            onTyped();
+            onText(e.currentTarget.value);
           }}
         />
         <span className="soft small" id={`${id}-unit`}>{unit}</span>

@@ -1,0 +1,50 @@
+import { useLayoutEffect, useRef, type KeyboardEvent, type RefObject } from "react";
+import { insert, minus, type Entry } from "./number-entry.ts";
+
+/** The typing of numbers in an input element: the minus key changes the sign, wherever the caret is. */
+export interface NumberEntry {
+  readonly read: () => Entry;
+  readonly write: (entry: Entry) => void;
+  readonly onKeyDown: (event: KeyboardEvent) => void;
+  /** The element's own change: what was begun by the minus key is over. */
+  readonly onTyped: () => void;
+}
+
+/** `text` is what the element shows; `onText` takes what it shall show. */
+export function useNumberEntry(input: RefObject<HTMLInputElement | null>, text: string, onText: (text: string) => void): NumberEntry {
+  const negative = useRef(false);
+  const pending = useRef<Entry | null>(null);
+
+  useLayoutEffect(() => {
+    const entry = pending.current;
+    pending.current = null;
+    if (entry) input.current?.setSelectionRange(entry.from, entry.to);
+  }, [input, text]);
+
+  const read = (): Entry => {
+    const element = input.current;
+    const value = element?.value ?? "";
+    return { text: value, from: element?.selectionStart ?? value.length, to: element?.selectionEnd ?? value.length, negative: negative.current };
+  };
+  const write = (entry: Entry) => {
+    negative.current = entry.negative;
+    pending.current = entry;
+    onText(entry.text);
+  };
+  return {
+    read,
+    write,
+    onKeyDown(event) {
+      if (event.ctrlKey || event.metaKey || event.altKey) return;
+      const entry = read();
+      const next = event.key === "-" || event.key === "−" ? minus(entry)
+        : entry.negative && /^[\d.,]$/.test(event.key) ? insert(entry, event.key) : null;
+      if (!next) return;
+      event.preventDefault();
+      write(next);
+    },
+    onTyped() {
+      negative.current = false;
+    },
+  };
+}
