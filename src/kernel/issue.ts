@@ -35,6 +35,8 @@ interface Data {
   toolCannotCutSideways: { type: string };
   flanksNotChecked: {};
   toolColumn: { column: string; value: number | null; max?: number; min?: number };
+  toolNumberTwice: { number: number; nearest: number };
+  toolName: { text: string; max: number };
   unknownTool: { tool: string };
   betterTool: { tool: number; name: string };
   /* start point and limits */
@@ -52,6 +54,11 @@ interface Data {
   cornerElementTooLong: { element: number; size: number; max: number; nearest: number };
   arcOffCircle: { element: number; gap: number; nearest: number };
   arcTooSmall: { element: number; radius: number; nearest: number };
+  /** Values still missing before an element is determined. */
+  elementFree: { element: number; freedom: number };
+  /** Something given does not agree with the rest; `nearest` does. Degrees for angles, mm otherwise. */
+  elementContradicts: { element: number; what: "angle" | "length" | "tangent" | "radius"; given: number; nearest: number };
+  elementUnreachable: { element: number };
   contourCrossesItself: { element: number; other: number };
   /* proof */
   materialLeft: { reason: Reason; area: number; x: number; z: number };

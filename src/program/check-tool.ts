@@ -19,6 +19,9 @@ const isEmpty = (row: ToolRow, column: keyof Tool) => row[column] === undefined 
 /** Smallest radius of a round insert: with none there is no insert. */
 const LEAST_ROUND = 0.001;
 
+/** Smallest point angle of a thread: a wedge of no angle is no wedge, degrees. */
+const LEAST_POINT = 1;
+
 function tip(row: ToolRow): Issue[] {
   const found: Issue[] = [];
   const orientation = numberIn(row, "TO");
@@ -50,6 +53,8 @@ function angles(row: ToolRow): Issue[] {
   }
   const setting = numberIn(row, "T-ANGLE");
   const point = numberIn(row, "P-ANGLE");
+  if (row.TYPE === "THREAD" && found.length === 0 && point !== null && point < LEAST_POINT)
+    found.push(wrong("P-ANGLE", point, { min: LEAST_POINT }));
   const straight = row.TYPE === "ROUGH" || row.TYPE === "FINISH";
   if (straight && found.length === 0 && setting !== null && point !== null && setting + point >= 180)
     found.push(wrong("P-ANGLE", point, { max: 180 - setting }));

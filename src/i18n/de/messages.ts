@@ -7,6 +7,8 @@ const reasons: MessagesTexts["reasons"] = {
   limit: "Schnittbegrenzung", plunging: "nicht erlaubtes Eintauchen", oversize: "Aufmaß",
 };
 
+const ELEMENT = { angle: "Winkel", length: "Länge", radius: "Radius" };
+
 export const messages = {
   severity: { error: "Fehler", warning: "Warnung", info: "Hinweis" },
   reasons,
@@ -44,6 +46,8 @@ export const messages = {
       if (d.min !== undefined) return `${what} Der Wert muss ${d.column === "CUTWIDTH" ? "größer als" : "mindestens"} ${w.number(d.min)} sein.`;
       return d.max === undefined ? what : `${what} Der Wert muss kleiner als ${w.number(d.max)} sein.`;
     },
+    toolNumberTwice: (d) => `Werkzeug ${d.number} steht schon in der Tabelle. ${nearest(String(d.nearest))}`,
+    toolName: (d, w) => `„${w.text(d.text)}“: Ein Name hat höchstens ${d.max} Zeichen, nur Großbuchstaben, Ziffern und # $ % & , - . sind erlaubt.`,
     unknownTool: (d, w) => `Werkzeug ${w.text(d.tool)} steht nicht in der Tabelle.`,
     betterTool: (d) => `Werkzeug ${d.tool} ${d.name} kann diese Kontur herstellen.`,
     startInArea: (d, w) => `Der Startpunkt ${w.place(d.x, d.z)} liegt im Zerspanbereich: Das Werkzeug fährt zuerst auf Sicherheits-Abstand.`,
@@ -61,6 +65,11 @@ export const messages = {
       `Element ${d.element}: ${w.number(d.size)} passt nicht zwischen seine Nachbarn, ${w.number(d.max)} passt. ${nearest(w.number(d.nearest))}`,
     arcOffCircle: (d, w) => `Element ${d.element}: Der Endpunkt verfehlt den Kreis um ${w.number(d.gap)}. Möglicher Radius: ${w.number(d.nearest)}.`,
     arcTooSmall: (d, w) => `Element ${d.element}: Radius ${w.number(d.radius)} ist zu klein für den Endpunkt. ${nearest(w.number(d.nearest))}`,
+    elementFree: (d) => (d.freedom === 0 ? `Element ${d.element}: davor fehlt ein Wert.` : d.freedom === 1 ? `Element ${d.element}: noch eine Angabe nötig.` : `Element ${d.element}: noch ${d.freedom} Angaben nötig.`),
+    elementContradicts: (d, w) => (d.what === "tangent"
+      ? `Element ${d.element} schließt nicht tangential an; die Abweichung ist ${w.number(d.nearest)}°.`
+      : `Element ${d.element}: ${ELEMENT[d.what]} ${w.number(d.given)} widerspricht den übrigen Angaben; ${w.number(d.nearest)} passt.`),
+    elementUnreachable: (d) => `Element ${d.element}: mit dieser Länge, diesem Radius oder Winkel erreicht es den Nachbarn nicht.`,
     contourCrossesItself: (d) => `Element ${d.element} kreuzt Element ${d.other}.`,
     materialLeft: (d, w) => `${w.area(d.area)} bleiben bei ${w.place(d.x, d.z)} stehen. Grund: ${reasons[d.reason]}.`,
     gouge: (d, w) => `${w.area(d.area)} des Fertigteils werden bei ${w.place(d.x, d.z)} weggeschnitten.`,

@@ -10,6 +10,8 @@ const reasons: MessagesTexts["reasons"] = {
   oversize: "the oversize",
 };
 
+const ELEMENT = { angle: "angle", length: "length", radius: "radius" };
+
 export const messages = {
   severity: { error: "Error", warning: "Warning", info: "Note" },
   reasons,
@@ -47,6 +49,8 @@ export const messages = {
       if (d.min !== undefined) return `${what} It must be ${d.column === "CUTWIDTH" ? "more than" : "at least"} ${w.number(d.min)}.`;
       return d.max === undefined ? what : `${what} It must be less than ${w.number(d.max)}.`;
     },
+    toolNumberTwice: (d) => `Tool ${d.number} stands in the table already. ${nearest(String(d.nearest))}`,
+    toolName: (d, w) => `“${w.text(d.text)}”: a name has at most ${d.max} characters: capital letters, digits and # $ % & , - . only.`,
     unknownTool: (d, w) => `Tool ${w.text(d.tool)} is not in the table.`,
     betterTool: (d) => `Tool ${d.tool} ${d.name} can make this contour.`,
     startInArea: (d, w) => `The start point ${w.place(d.x, d.z)} lies in the area to be cut: the tool first moves to the set-up clearance.`,
@@ -64,6 +68,11 @@ export const messages = {
       `Element ${d.element}: ${w.number(d.size)} does not fit between its neighbours; ${w.number(d.max)} does. ${nearest(w.number(d.nearest))}`,
     arcOffCircle: (d, w) => `Element ${d.element}: the end point misses its circle by ${w.number(d.gap)}. Radius that works: ${w.number(d.nearest)}.`,
     arcTooSmall: (d, w) => `Element ${d.element}: radius ${w.number(d.radius)} is too small for its end point. ${nearest(w.number(d.nearest))}`,
+    elementFree: (d) => (d.freedom === 0 ? `Element ${d.element}: a value before it is missing.` : d.freedom === 1 ? `Element ${d.element}: one more value is needed.` : `Element ${d.element}: ${d.freedom} more values are needed.`),
+    elementContradicts: (d, w) => (d.what === "tangent"
+      ? `Element ${d.element} does not leave the one before it tangentially; it is off by ${w.number(d.nearest)}°.`
+      : `Element ${d.element}: the ${ELEMENT[d.what]} ${w.number(d.given)} does not agree with the other values; ${w.number(d.nearest)} does.`),
+    elementUnreachable: (d) => `Element ${d.element}: with this length, radius or angle it does not reach its neighbour.`,
     contourCrossesItself: (d) => `Element ${d.element} crosses element ${d.other}.`,
     materialLeft: (d, w) => `${w.area(d.area)} stay at ${w.place(d.x, d.z)}, left by ${reasons[d.reason]}.`,
     gouge: (d, w) => `${w.area(d.area)} of the finished part are cut away at ${w.place(d.x, d.z)}.`,

@@ -8,6 +8,8 @@ const reasons: MessagesTexts["reasons"] = {
   cutLength: "CUTLENGTH", limit: "limite d'usinage", plunging: "plongée non autorisée", oversize: "surépaisseur",
 };
 
+const ELEMENT = { angle: "angle", length: "longueur", radius: "rayon" };
+
 export const messages = {
   severity: { error: "Erreur", warning: "Avertissement", info: "Remarque" },
   reasons,
@@ -45,6 +47,8 @@ export const messages = {
       if (d.min !== undefined) return `${what} La valeur doit être ${d.column === "CUTWIDTH" ? "supérieure à" : "au moins"} ${w.number(d.min)}.`;
       return d.max === undefined ? what : `${what} La valeur doit être inférieure à ${w.number(d.max)}.`;
     },
+    toolNumberTwice: (d) => `L'outil ${d.number} est déjà dans le tableau. ${nearest(String(d.nearest))}`,
+    toolName: (d, w) => `« ${w.text(d.text)} » : un nom a au plus ${d.max} caractères, en majuscules, chiffres et # $ % & , - . seulement.`,
     unknownTool: (d, w) => `L'outil ${w.text(d.tool)} n'est pas dans le tableau.`,
     betterTool: (d) => `L'outil ${d.tool} ${d.name} peut réaliser ce contour.`,
     startInArea: (d, w) => `Le point de départ ${w.place(d.x, d.z)} est dans la zone à usiner : l'outil va d'abord à la distance d'approche.`,
@@ -62,6 +66,11 @@ export const messages = {
       `Élément ${d.element} : ${w.number(d.size)} ne tient pas entre ses voisins, ${w.number(d.max)} tient. ${nearest(w.number(d.nearest))}`,
     arcOffCircle: (d, w) => `Élément ${d.element} : le point final manque son cercle de ${w.number(d.gap)}. Rayon possible : ${w.number(d.nearest)}.`,
     arcTooSmall: (d, w) => `Élément ${d.element} : le rayon ${w.number(d.radius)} est trop petit pour le point final. ${nearest(w.number(d.nearest))}`,
+    elementFree: (d) => (d.freedom === 0 ? `Élément ${d.element} : il manque une valeur avant lui.` : d.freedom === 1 ? `Élément ${d.element} : il manque une valeur.` : `Élément ${d.element} : il manque ${d.freedom} valeurs.`),
+    elementContradicts: (d, w) => (d.what === "tangent"
+      ? `L'élément ${d.element} ne se raccorde pas tangentiellement ; l'écart est de ${w.number(d.nearest)}°.`
+      : `Élément ${d.element} : ${ELEMENT[d.what]} ${w.number(d.given)} contredit les autres valeurs ; ${w.number(d.nearest)} convient.`),
+    elementUnreachable: (d) => `Élément ${d.element} : avec cette longueur, ce rayon ou cet angle, il n'atteint pas son voisin.`,
     contourCrossesItself: (d) => `L'élément ${d.element} croise l'élément ${d.other}.`,
     materialLeft: (d, w) => `Il reste ${w.area(d.area)} à ${w.place(d.x, d.z)}. Cause : ${reasons[d.reason]}.`,
     gouge: (d, w) => `${w.area(d.area)} de la pièce finie sont enlevés à ${w.place(d.x, d.z)}.`,

@@ -7,6 +7,8 @@ const reasons: MessagesTexts["reasons"] = {
   plunging: "不允许切入", oversize: "余量",
 };
 
+const ELEMENT = { angle: "角度", length: "长度", radius: "半径" };
+
 export const messages = {
   severity: { error: "错误", warning: "警告", info: "提示" },
   reasons,
@@ -39,6 +41,8 @@ export const messages = {
       if (d.min !== undefined) return `${what}必须${d.column === "CUTWIDTH" ? "大于" : "不小于"}${w.number(d.min)}。`;
       return d.max === undefined ? what : `${what}必须小于${w.number(d.max)}。`;
     },
+    toolNumberTwice: (d) => `刀具${d.number}已在刀具表中。${nearest(String(d.nearest))}`,
+    toolName: (d, w) => `“${w.text(d.text)}”:名称最多${d.max}个字符,仅限大写字母、数字和# $ % & , - .符号。`,
     unknownTool: (d, w) => `刀具${w.text(d.tool)}不在刀具表中。`,
     betterTool: (d) => `刀具${d.tool} ${d.name}可以加工该轮廓。`,
     startInArea: (d, w) => `起点${w.place(d.x, d.z)}在加工区内:刀具先移至安全高度。`,
@@ -54,6 +58,11 @@ export const messages = {
     cornerElementTooLong: (d, w) => `元素${d.element}:${w.number(d.size)}在相邻元素之间放不下,最大${w.number(d.max)}。${nearest(w.number(d.nearest))}`,
     arcOffCircle: (d, w) => `元素${d.element}:终点偏离圆${w.number(d.gap)}。可用半径:${w.number(d.nearest)}。`,
     arcTooSmall: (d, w) => `元素${d.element}:半径${w.number(d.radius)}对该终点过小。${nearest(w.number(d.nearest))}`,
+    elementFree: (d) => (d.freedom === 0 ? `元素${d.element}:之前缺少数值。` : `元素${d.element}:还需要${d.freedom}个数值。`),
+    elementContradicts: (d, w) => (d.what === "tangent"
+      ? `元素${d.element}与前一元素不相切,偏差${w.number(d.nearest)}°。`
+      : `元素${d.element}:${ELEMENT[d.what]}${w.number(d.given)}与其他数值矛盾,${w.number(d.nearest)}可用。`),
+    elementUnreachable: (d) => `元素${d.element}:按此长度、半径或角度无法到达相邻元素。`,
     contourCrossesItself: (d) => `元素${d.element}与元素${d.other}相交。`,
     materialLeft: (d, w) => `${w.place(d.x, d.z)}处残留${w.area(d.area)},原因:${reasons[d.reason]}。`,
     gouge: (d, w) => `${w.place(d.x, d.z)}处精加工件被切掉${w.area(d.area)}。`,

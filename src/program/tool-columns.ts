@@ -1,0 +1,63 @@
+import { TOOL_TYPES, type ToolType } from "../kernel/tool.ts";
+
+/** The columns of the turning-tool table, in the order of the table. */
+export const TOOL_COLUMNS = [
+  "T", "NAME", "ZL", "XL", "DZL", "DXL", "RS", "DRS", "TO", "ORI", "T-ANGLE", "P-ANGLE", "CUTLENGTH", "CUTWIDTH", "DCW", "TYPE",
+] as const;
+export type ToolColumn = (typeof TOOL_COLUMNS)[number];
+/** Cells of the holder, beside the columns of the control. */
+export const HOLDER_CELLS = ["width", "length", "offsetZ", "offsetX"] as const;
+export type HolderCell = (typeof HOLDER_CELLS)[number];
+export type NumberColumn = Exclude<ToolColumn, "NAME" | "TYPE">;
+export type CellName = ToolColumn | HolderCell;
+
+/** What a column of numbers holds. The ranges are recalled (tag K1, K2), not read on a printed page. */
+export interface ColumnRule {
+  readonly unit: "mm" | "degrees" | null;
+  readonly min: number;
+  readonly max: number;
+  /** Decimals that the control keeps. */
+  readonly decimals: number;
+}
+
+const FAR = 99999.9999;
+const anyLength: ColumnRule = { unit: "mm", min: -FAR, max: FAR, decimals: 4 };
+const size: ColumnRule = { unit: "mm", min: 0, max: FAR, decimals: 4 };
+const angle: ColumnRule = { unit: "degrees", min: 0, max: 179.999, decimals: 3 };
+
+export const COLUMN_RULES: Readonly<Record<NumberColumn, ColumnRule>> = {
+  T: { unit: null, min: 0, max: 32767.9, decimals: 1 },
+  ZL: anyLength, XL: anyLength, DZL: anyLength, DXL: anyLength,
+  RS: size, DRS: { ...anyLength, min: -999.9999, max: 999.9999 },
+  TO: { unit: null, min: 1, max: 9, decimals: 0 },
+  ORI: { unit: "degrees", min: -360, max: 360, decimals: 3 },
+  "T-ANGLE": angle, "P-ANGLE": angle,
+  CUTLENGTH: size, CUTWIDTH: size, DCW: anyLength,
+};
+
+/** The smallest side of a holder box, mm. */
+const LEAST_SIDE = 0.001;
+export const HOLDER_RULES: Readonly<Record<HolderCell, ColumnRule>> = {
+  width: { ...size, min: LEAST_SIDE }, length: { ...size, min: LEAST_SIDE }, offsetZ: anyLength, offsetX: anyLength,
+};
+
+const isHolderCell = (cell: NumberColumn | HolderCell): cell is HolderCell => HOLDER_CELLS.some((each) => each === cell);
+
+export const ruleOf = (cell: NumberColumn | HolderCell): ColumnRule => (isHolderCell(cell) ? HOLDER_RULES[cell] : COLUMN_RULES[cell]);
+
+export const isToolType = (text: string): text is ToolType => TOOL_TYPES.some((type) => type === text);
+
+/** Columns that shape the insert of some types only; all others hold for every type. */
+const SHAPING: Partial<Record<ToolColumn, readonly ToolType[]>> = {
+  "T-ANGLE": ["ROUGH", "FINISH"],
+  "P-ANGLE": ["ROUGH", "FINISH", "THREAD"],
+  CUTLENGTH: ["ROUGH", "FINISH", "RECESS", "RECTURN", "THREAD"],
+  CUTWIDTH: ["RECESS", "RECTURN"],
+  DCW: ["RECESS", "RECTURN"],
+};
+
+/** Whether a column means anything for a type; an unknown type leaves all of them open. */
+export function applies(column: ToolColumn, type: string): boolean {
+  const types = SHAPING[column];
+  return !types || !isToolType(type) || types.includes(type);
+}

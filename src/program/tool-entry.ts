@@ -1,0 +1,116 @@
+import { issue, type Issue } from "../kernel/issue.ts";
+import type { Tool } from "../kernel/tool.ts";
+import { checkTool } from "./check-tool.ts";
+import { readExpression } from "./expression.ts";
+import {
+  applies, HOLDER_CELLS, ruleOf, TOOL_COLUMNS, type CellName, type HolderCell, type NumberColumn, type ToolColumn,
+} from "./tool-columns.ts";
+
+/** One row of the tool table as typed: every cell is text, an empty or missing cell is empty. */
+export interface ToolEntry {
+  readonly id: string;
+  readonly cells: Readonly<Partial<Record<CellName, string>>>;
+}
+
+/** A row read: the tool when every cell can be used, and everything found, each at its column. */
+export interface EntryReading {
+  readonly tool: Tool | null;
+  /** Number of the tool; null while none can be read. */
+  readonly number: number | null;
+  readonly issues: readonly Issue[];
+}
+
+export const cellOf = (entry: ToolEntry, cell: CellName): string => entry.cells[cell] ?? "";
+
+/** A tool as a row that one would have typed. */
+export function entryOf(tool: Tool, id: string): ToolEntry {
+  const cells: Partial<Record<CellName, string>> = {};
+  for (const column of TOOL_COLUMNS) {
+    const value = tool[column];
+    if (value !== undefined) cells[column] = String(value);
+  }
+  for (const cell of HOLDER_CELLS) if (tool.holder) cells[cell] = String(tool.holder[cell]);
+  return { id, cells };
+}
+
+/** Longest name of the control, and the characters it takes; small letters are accepted when they come from a file. */
+const LONGEST_NAME = 32;
+const NAME = /^[A-Z0-9 #$%&,\-._]*$/;
+
+function nameIssues(text: string): Issue[] {
+  if (text.length > LONGEST_NAME) return [issue("toolName", "error", { text, max: LONGEST_NAME }, "NAME")];
+  return NAME.test(text) ? [] : [issue("toolName", "warning", { text, max: LONGEST_NAME }, "NAME")];
+}
+
+/** One number: its value, null when empty, or what is wrong with it. */
+function numberOf(cell: NumberColumn | HolderCell, text: string): number | null | Issue {
+  const read = readExpression(text);
+  switch (read.kind) {
+    case "empty": return null;
+    case "notANumber": return issue("notANumber", "error", { text: read.text }, cell);
+    case "badExpression": return issue("badExpression", "error", { text: read.text }, cell);
+    case "unknownParameter": return issue("unknownParameter", "error", { name: read.name }, cell);
+    case "number": {
+      const { min, max } = ruleOf(cell);
+      const { value } = read;
+      if (value >= min && value <= max) return value;
+      return issue("outOfRange", "error", { value, min, max, nearest: Math.min(max, Math.max(min, value)) }, cell);
+    }
+  }
+}
+
+interface Numbers {
+  readonly values: Partial<Record<NumberColumn | HolderCell, number>>;
+  readonly issues: readonly Issue[];
+}
+
+/** All numbers of a row. What its type has no use for is taken when it is sound and never complained about. */
+function numbersOf(entry: ToolEntry): Numbers {
+  const type = cellOf(entry, "TYPE");
+  const values: Partial<Record<NumberColumn | HolderCell, number>> = {};
+  const issues: Issue[] = [];
+  const columns = TOOL_COLUMNS.filter((column): column is NumberColumn => column !== "NAME" && column !== "TYPE");
+  for (const cell of [...columns, ...HOLDER_CELLS]) {
+    const read = numberOf(cell, cellOf(entry, cell));
+    if (read === null) continue;
+    if (typeof read === "number") values[cell] = read;
+    else if (HOLDER_CELLS.some((each) => each === cell) || applies(cell as ToolColumn, type)) issues.push(read);
+  }
+  if (values.CUTLENGTH === 0) delete values.CUTLENGTH;
+  return { values, issues };
+}
+
+/** A holder is there as soon as one of its cells is filled; its sides are then needed, its offsets are 0 when empty. */
+function holderIssues(entry: ToolEntry): Issue[] {
+  if (!HOLDER_CELLS.some((cell) => cellOf(entry, cell).trim() !== "")) return [];
+  return (["width", "length"] as const)
+    .filter((cell) => cellOf(entry, cell).trim() === "")
+    .map((cell) => issue("missing", "error", {}, cell));
+}
+
+/** Reads one row. Of several findings at a column the first one stays. */
+export function readEntry(entry: ToolEntry): EntryReading {
+  const { values, issues } = numbersOf(entry);
+  const { T, width, length, offsetZ = 0, offsetX = 0, ...columns } = values;
+  const row = {
+    ...(T !== undefined && { T }), NAME: cellOf(entry, "NAME"), TYPE: cellOf(entry, "TYPE"), ...columns,
+    ...(width !== undefined && length !== undefined && { holder: { width, length, offsetZ, offsetX } }),
+  };
+  const { holder: _, ...checked } = row;
+  const found = new Map<string | undefined, Issue>();
+  const all = [
+    ...issues,
+    ...(T === undefined ? [issue("missing", "error", {}, "T")] : []),
+    ...nameIssues(row.NAME), ...checkTool(checked), ...holderIssues(entry), ...flanks(row.TYPE, values),
+  ];
+  for (const each of all) if (!found.has(each.at)) found.set(each.at, each);
+  const kept = [...found.values()];
+  const sound = kept.every((each) => each.severity !== "error");
+  return { tool: sound ? (row as unknown as Tool) : null, number: T ?? null, issues: kept };
+}
+
+function flanks(type: string, values: Numbers["values"]): Issue[] {
+  if (type !== "ROUGH" && type !== "FINISH") return [];
+  const empty = (["T-ANGLE", "P-ANGLE"] as const).find((column) => values[column] === undefined);
+  return empty ? [issue("flanksNotChecked", "info", {}, empty)] : [];
+}

@@ -1,0 +1,97 @@
+import { issue, type Issue } from "../kernel/issue.ts";
+import type { Tool } from "../kernel/tool.ts";
+import type { ToolTable } from "./read-tools.ts";
+import { shippedTools } from "./shipped-tools.ts";
+import { cellOf, entryOf, readEntry, type EntryReading, type ToolEntry } from "./tool-entry.ts";
+
+/** All rows of the table, in its order. */
+export type ToolList = readonly ToolEntry[];
+
+/** A table read: what can be called, what is refused and why, and the reading of each row by its id. */
+export interface ToolListReading {
+  readonly table: ToolTable;
+  readonly rows: ReadonlyMap<string, EntryReading>;
+}
+
+/** The table that every installation starts with. */
+export const shippedList: ToolList = shippedTools.map((tool) => entryOf(tool, `r${tool.T}`));
+
+/** An id that no row has. */
+export function newId(list: ToolList): string {
+  const taken = new Set(list.map((entry) => entry.id));
+  let n = list.length + 1;
+  while (taken.has(`r${n}`)) n++;
+  return `r${n}`;
+}
+
+/** The lowest whole number above `from` that no row has. */
+export function freeNumber(list: ToolList, from = 0): number {
+  const taken = new Set(list.map((entry) => readEntry(entry).number));
+  let n = Math.floor(from) + 1;
+  while (taken.has(n)) n++;
+  return n;
+}
+
+/** Reads every row. Of two rows with one number the first keeps it. */
+export function readList(list: ToolList): ToolListReading {
+  const rows = new Map<string, EntryReading>();
+  const tools: Tool[] = [];
+  const refused = new Map<number, readonly Issue[]>();
+  const taken = new Set<number>();
+  const numbers = new Set<number>();
+  const readings = list.map((entry) => readEntry(entry));
+  for (const { number } of readings) if (number !== null) numbers.add(number);
+  list.forEach((entry, i) => {
+    const reading = readings[i] as EntryReading;
+    const { number, tool, issues } = reading;
+    if (number !== null && taken.has(number)) {
+      let nearest = Math.floor(number) + 1;
+      while (numbers.has(nearest)) nearest++;
+      const twice = issue("toolNumberTwice", "error", { number, nearest }, "T");
+      rows.set(entry.id, { tool: null, number, issues: [twice, ...issues] });
+      return;
+    }
+    rows.set(entry.id, reading);
+    if (number === null) return;
+    taken.add(number);
+    if (tool) tools.push(tool);
+    else refused.set(number, issues.filter((each) => each.severity === "error"));
+  });
+  return { table: { tools, refused }, rows };
+}
+
+/** Rows that come from a file, over the table: a row of the same number takes the place of the old one, others follow. */
+export function merged(list: ToolList, rows: readonly ToolEntry["cells"][]): { readonly list: ToolList; readonly replaced: number; readonly added: number } {
+  const next = [...list];
+  const places = new Map<number, number>();
+  list.forEach((entry, i) => {
+    const { number } = readEntry(entry);
+    if (number !== null && !places.has(number)) places.set(number, i);
+  });
+  const ids = new Set(list.map((entry) => entry.id));
+  let replaced = 0;
+  let n = list.length;
+  for (const cells of rows) {
+    const { number } = readEntry({ id: "", cells });
+    const at = number === null ? undefined : places.get(number);
+    const old = at === undefined ? undefined : next[at];
+    if (at !== undefined && old) {
+      next[at] = { id: old.id, cells };
+      if (at < list.length) replaced++;
+      continue;
+    }
+    do n++; while (ids.has(`r${n}`));
+    if (number !== null) places.set(number, next.length);
+    next.push({ id: `r${n}`, cells });
+  }
+  const added = next.length - list.length;
+  return { list: next, replaced, added };
+}
+
+/** The same table: the same cells in the same rows, whatever their ids. */
+export const sameList = (a: ToolList, b: ToolList): boolean =>
+  a === b || (a.length === b.length && a.every((entry, i) => {
+    const other = b[i] as ToolEntry;
+    return entry === other || [...new Set([...Object.keys(entry.cells), ...Object.keys(other.cells)])]
+      .every((cell) => cellOf(entry, cell as keyof ToolEntry["cells"]) === cellOf(other, cell as keyof ToolEntry["cells"]));
+  }));

@@ -1,0 +1,58 @@
+import type { Tool } from "../kernel/tool.ts";
+import { HOLDER_CELLS, TOOL_COLUMNS, type CellName } from "./tool-columns.ts";
+import type { ToolEntry } from "./tool-entry.ts";
+import { readTableText, type TableFile } from "./tool-table-text.ts";
+
+/** Writes tools as the tools file of the `verify` command, one tool a line. Nothing is rounded. */
+export function writeTableJson(tools: readonly Tool[]): string {
+  const lines = tools.map((tool) => {
+    const columns = TOOL_COLUMNS.filter((column) => tool[column] !== undefined).map((column) => [column, tool[column]]);
+    return `  ${JSON.stringify({ ...Object.fromEntries(columns), ...(tool.holder && { holder: tool.holder }) })}`;
+  });
+  return `{ "tools": [\n${lines.join(",\n")}\n] }\n`;
+}
+
+const isRecord = (value: unknown): value is Readonly<Record<string, unknown>> =>
+  typeof value === "object" && value !== null && !Array.isArray(value);
+
+/** A cell as text; what is neither text nor a number becomes text that its column complains about. */
+const asText = (value: unknown): string => (typeof value === "string" ? value : JSON.stringify(value) ?? "");
+
+function cellsOf(row: Readonly<Record<string, unknown>>, leftOut: Set<string>): ToolEntry["cells"] {
+  const cells: Partial<Record<CellName, string>> = {};
+  const take = (name: CellName, value: unknown) => {
+    if (value !== null && value !== undefined && value !== "") cells[name] = asText(value);
+  };
+  for (const [name, value] of Object.entries(row)) {
+    const column = TOOL_COLUMNS.find((each) => each === name);
+    if (column) take(column, value);
+    else if (name === "holder" && isRecord(value)) for (const cell of HOLDER_CELLS) take(cell, value[cell]);
+    else if (!(name === "holder" && value === null)) leftOut.add(name);
+  }
+  return cells;
+}
+
+/** Reads a tools file cell by cell, so that a row with a wrong cell comes in and shows it. */
+export function readTableJson(text: string): TableFile {
+  let json: unknown;
+  try {
+    json = JSON.parse(text.replace(/^\uFEFF/, ""));
+  } catch {
+    return { problem: "notATable" };
+  }
+  const tools = isRecord(json) ? json["tools"] : null;
+  if (!Array.isArray(tools) || !tools.every(isRecord)) return { problem: "notATable" };
+  if (tools.length === 0) return { problem: "noRows" };
+  const leftOut = new Set<string>();
+  const rows = tools.map((row) => cellsOf(row, leftOut));
+  return { rows, leftOut: [...leftOut], cutShort: false };
+}
+
+/** Most rows that a file may bring. */
+export const MOST_ROWS = 2000;
+
+/** Reads a file of either kind. Never throws. */
+export function readToolFile(text: string): TableFile | { readonly problem: "tooMany"; readonly most: number } {
+  const read = /^\s*[{[]/.test(text.replace(/^\uFEFF/, "")) ? readTableJson(text) : readTableText(text);
+  return "rows" in read && read.rows.length > MOST_ROWS ? { problem: "tooMany", most: MOST_ROWS } : read;
+}

@@ -1,0 +1,108 @@
+import type { Tool } from "../kernel/tool.ts";
+import { COLUMN_RULES, TOOL_COLUMNS, type ToolColumn } from "./tool-columns.ts";
+import type { ToolEntry } from "./tool-entry.ts";
+
+/*
+ * The turning-tool table as the control keeps it in a file: a BEGIN line, a line of column titles, one line a tool with
+ * every cell beginning under its title, and [END]. Nobody has printed this file in a manual; the layout is that of the
+ * other tables of the control. Reasons: docs/decisions, the tool-table layout.
+ */
+
+/** Characters of each column with the space behind it. */
+const WIDTHS: Readonly<Record<ToolColumn, number>> = {
+  T: 8, NAME: 33, ZL: 13, XL: 13, DZL: 13, DXL: 13, RS: 12, DRS: 11, TO: 4, ORI: 10, "T-ANGLE": 9, "P-ANGLE": 9,
+  CUTLENGTH: 12, CUTWIDTH: 12, DCW: 13, TYPE: 8,
+};
+const LINE_END = "\r\n";
+const MM_PER_INCH = 25.4;
+
+const rounded = (value: number, decimals: number) => {
+  const text = value.toFixed(decimals).replace(/\.?0+$/, "");
+  return text === "-0" ? "0" : text;
+};
+
+function written(tool: Tool, column: ToolColumn): string {
+  const value = tool[column];
+  if (value === undefined) return "";
+  if (typeof value === "string" || column === "NAME" || column === "TYPE") return String(value);
+  const { decimals, min } = COLUMN_RULES[column];
+  const text = decimals === 0 ? String(value) : rounded(value, decimals);
+  return min < 0 && !text.startsWith("-") ? `+${text}` : text;
+}
+
+/** Writes tools as the control's table, in millimetres; numbers are rounded to what its columns keep. A holder has no column. */
+export function writeTableText(tools: readonly Tool[]): string {
+  const line = (cells: (column: ToolColumn) => string) => TOOL_COLUMNS.map((column) => cells(column).padEnd(WIDTHS[column])).join("");
+  const rows = tools.map((tool) => line((column) => written(tool, column)));
+  return ["BEGIN TOOLTURN.TRN MM", line((column) => column), ...rows, "[END]", ""].join(LINE_END);
+}
+
+/** Rows of a file with the names of what has no place in this table; or why it is none. */
+export type TableFile =
+  | { readonly rows: readonly ToolEntry["cells"][]; readonly leftOut: readonly string[]; readonly cutShort: boolean }
+  | { readonly problem: "notATable" | "noRows" }
+  | { readonly problem: "columnsMissing"; readonly columns: readonly string[] };
+
+const NEEDED: readonly ToolColumn[] = ["T", "TYPE", "TO", "RS"];
+
+interface Title {
+  readonly name: string;
+  readonly from: number;
+  readonly to: number;
+}
+
+/** Titles with the characters that belong to them: from the title to the next one. */
+function titlesOf(line: string): Title[] {
+  const starts = [...line.matchAll(/\S+/g)];
+  return starts.map((match, i) => ({ name: match[0].toUpperCase(), from: match.index, to: starts[i + 1]?.index ?? Infinity }));
+}
+
+/** A description of the columns may stand between the first line and the titles. */
+function afterDescription(lines: readonly string[], at: number): number {
+  const first = lines[at] ?? "";
+  const close = /#STRUCTBEGIN/i.test(first) ? "#" : /TableDescription/i.test(first) ? ")" : null;
+  if (close === null) return at;
+  const end = lines.findIndex((line, i) => i > at && line.trimStart().startsWith(close));
+  return end < 0 ? lines.length : end + 1;
+}
+
+const isColumn = (name: string): name is ToolColumn => TOOL_COLUMNS.some((column) => column === name);
+
+/** A cell as one would have typed it: decimal point, no plus sign, millimetres; "-" stands for an empty one. */
+function typed(column: ToolColumn, cell: string, inch: boolean): string {
+  if (column === "NAME") return cell;
+  if (cell === "-") return "";
+  if (column === "TYPE") return cell.toUpperCase();
+  if (!/^[+-]?(\d+([.,]\d*)?|[.,]\d+)$/.test(cell)) return cell;
+  const value = Number(cell.replace(",", "."));
+  const { unit, decimals } = COLUMN_RULES[column];
+  if (unit === "mm" && inch) return rounded(value * MM_PER_INCH, decimals);
+  return String(value === 0 ? 0 : value);
+}
+
+/** Reads a table as the control keeps it, with other columns and in another order too; decimal comma and INCH included. */
+export function readTableText(text: string): TableFile {
+  const lines = text.replace(/^\uFEFF/, "").split(/\r\n|\n|\r/).map((line) => line.trimEnd());
+  const begin = lines.findIndex((line) => line !== "");
+  const header = /^BEGIN\s+\S.*?(?:\s(MM|INCH))?(?:\s+VERSION.*|\s+U)?$/i.exec(lines[begin] ?? "");
+  if (!header) return { problem: "notATable" };
+  let at = afterDescription(lines, begin + 1);
+  while (at < lines.length && lines[at] === "") at++;
+  const titles = titlesOf(lines[at] ?? "");
+  const columns = NEEDED.filter((column) => !titles.some((title) => title.name === column));
+  if (columns.length > 0) return { problem: "columnsMissing", columns };
+  const inch = header[1]?.toUpperCase() === "INCH";
+  const rows: ToolEntry["cells"][] = [];
+  const end = lines.findIndex((line, i) => i > at && /^\[END\]/i.test(line));
+  for (const line of lines.slice(at + 1, end < 0 ? undefined : end)) {
+    if (line === "") continue;
+    const cells: Partial<Record<ToolColumn, string>> = {};
+    for (const { name, from, to } of titles) {
+      const cell = line.slice(from, to).trim();
+      if (cell !== "" && isColumn(name)) cells[name] = typed(name, cell, inch);
+    }
+    rows.push(cells);
+  }
+  if (rows.length === 0) return { problem: "noRows" };
+  return { rows, leftOut: titles.map((title) => title.name).filter((name) => !isColumn(name)), cutShort: end < 0 };
+}

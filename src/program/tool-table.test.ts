@@ -1,0 +1,166 @@
+import fc from "fast-check";
+import { describe, expect, test } from "vitest";
+import { insertOutline } from "../kernel/insert.ts";
+import { CHORD } from "../kernel/tolerance.ts";
+import type { Tool } from "../kernel/tool.ts";
+import { TOOL_TYPES } from "../kernel/tool.ts";
+import { checkTool } from "./check-tool.ts";
+import { readTools } from "./read-tools.ts";
+import { shippedTools } from "./shipped-tools.ts";
+import { entryOf, readEntry, type ToolEntry } from "./tool-entry.ts";
+import { freeNumber, merged, newId, readList, sameList, shippedList } from "./tool-list.ts";
+import { readTableJson, readToolFile, writeTableJson } from "./tool-table-json.ts";
+import { readTableText, writeTableText } from "./tool-table-text.ts";
+
+const length = (min: number, max: number) => fc.integer({ min: min * 1e4, max: max * 1e4 }).map((n) => n / 1e4);
+const angle = fc.integer({ min: 0, max: 179_999 }).map((n) => n / 1e3);
+const cells = fc.record({
+  T: fc.integer({ min: 0, max: 32767 }), NAME: fc.stringMatching(/^[A-Z0-9#$%&,.-]{0,32}$/), TYPE: fc.constantFrom(...TOOL_TYPES),
+  TO: fc.integer({ min: 1, max: 9 }), RS: length(0, 10),
+  ZL: length(-999, 999), XL: length(-99999, 99999), DZL: length(-1, 1), DXL: length(-1, 1), DRS: length(-0.1, 1), ORI: fc.integer({ min: -360, max: 360 }),
+  "T-ANGLE": angle, "P-ANGLE": angle, CUTLENGTH: length(1, 100), CUTWIDTH: length(0, 50), DCW: length(-0.5, 0.5),
+}, { requiredKeys: ["T", "NAME", "TYPE", "TO", "RS"] });
+/** A sound tool with the decimals that the control keeps. */
+const tool = cells.filter((row) => checkTool(row).length === 0).map((row) => row as unknown as Tool);
+const holder = fc.record({ width: length(1, 50), length: length(1, 200), offsetZ: length(-50, 50), offsetX: length(-50, 50) });
+const withHolder = fc.tuple(tool, fc.option(holder)).map(([t, h]) => (h ? { ...t, holder: h } as unknown as Tool : t));
+const table = (one: fc.Arbitrary<Tool>) => fc.uniqueArray(one, { selector: (t) => t.T, minLength: 1, maxLength: 12 });
+const toolsOf = (rows: readonly ToolEntry["cells"][]) => rows.map((row) => readEntry({ id: "r", cells: row }).tool);
+
+describe("a row of the table", () => {
+  test("every tool is the tool of its row", () =>
+    fc.assert(fc.property(withHolder, (t) => {
+      expect(readEntry(entryOf(t, "r")).tool).toEqual(t);
+    }), { numRuns: 2000 }));
+
+  test("every row that is read as a tool can be drawn", () =>
+    fc.assert(fc.property(fc.dictionary(fc.constantFrom("T", "TYPE", "TO", "RS", "T-ANGLE", "P-ANGLE", "CUTLENGTH", "CUTWIDTH", "DRS", "DCW", "width"),
+      fc.oneof(fc.constantFrom("", "0", "1", "-1", "8", "95", "179,9", "ROUGH", "THREAD", "BUTTON", "RECTURN", "RECESS", "x", "1e9", "2*3", "Q5"), fc.string())), (row) => {
+      const read = readEntry({ id: "r", cells: row });
+      if (read.tool) for (const p of insertOutline(read.tool, CHORD)) expect(Number.isFinite(p.z) && Number.isFinite(p.r)).toBe(true);
+      else expect(read.issues.some((found) => found.severity === "error")).toBe(true);
+    }), { numRuns: 3000 }));
+
+  const columnsOf = (change: ToolEntry["cells"]) =>
+    readEntry({ id: "r", cells: { ...entryOf(shippedTools[0] as Tool, "r").cells, ...change } }).issues.map((found) => `${found.at} ${found.code}`);
+
+  test.each<[ToolEntry["cells"], string[]]>([
+    [{}, []], [{ RS: "0,8" }, []], [{ RS: "abc" }, ["RS notANumber"]], [{ RS: "-1" }, ["RS outOfRange"]], [{ RS: "" }, ["RS toolColumn"]],
+    [{ T: "" }, ["T missing"]], [{ T: "40000" }, ["T outOfRange"]], [{ TO: "" }, ["TO toolColumn"]], [{ TO: "11" }, ["TO outOfRange"]], [{ TO: "1.5" }, ["TO toolColumn"]],
+    [{ "P-ANGLE": "85" }, ["P-ANGLE toolColumn"]], [{ "P-ANGLE": "" }, ["P-ANGLE flanksNotChecked"]], [{ NAME: "a" }, ["NAME toolName"]],
+    [{ TYPE: "DRILL" }, ["TYPE toolColumn"]], [{ ORI: "361" }, ["ORI outOfRange"]], [{ CUTLENGTH: "1/" }, ["CUTLENGTH badExpression"]],
+    [{ width: "20" }, ["length missing"]], [{ width: "20", length: "100" }, []], [{ width: "0", length: "100" }, ["width outOfRange"]],
+    [{ TYPE: "BUTTON", RS: "3", "P-ANGLE": "abc", CUTWIDTH: "x" }, []], [{ TYPE: "THREAD", "P-ANGLE": "0" }, ["P-ANGLE toolColumn"]],
+  ])("%o: %s", (change, expected) => expect(columnsOf(change)).toEqual(expected));
+});
+
+describe("the list", () => {
+  test("the shipped rows are the shipped tools", () => expect(readList(shippedList).table).toEqual({ tools: shippedTools, refused: new Map() }));
+
+  test("of two rows with one number the first keeps it, the second is told a free one", () => {
+    const twice = [...shippedList, { id: newId(shippedList), cells: { ...shippedList[0]?.cells } }];
+    const { table: read, rows } = readList(twice);
+    expect(read.tools).toEqual(shippedTools);
+    expect(rows.get("r16")?.issues).toMatchObject([{ code: "toolNumberTwice", at: "T", data: { number: 1, nearest: 16 } }]);
+  });
+
+  test("a row with an error is refused with its reasons", () => {
+    const broken = shippedList.map((entry) => (entry.id === "r3" ? { ...entry, cells: { ...entry.cells, RS: "-1" } } : entry));
+    const { table: read } = readList(broken);
+    expect(read.tools).toHaveLength(14);
+    expect([...read.refused.keys()]).toEqual([3]);
+  });
+
+  test("rows of a file take the place of those with their number", () => {
+    const rows = [{ ...shippedList[2]?.cells, NAME: "NEW" }, { ...shippedList[0]?.cells, T: "40" }];
+    const { list, replaced, added } = merged(shippedList, rows);
+    expect([list.length, replaced, added]).toEqual([16, 1, 1]);
+    expect(list[2]).toEqual({ id: "r3", cells: rows[0] });
+    expect(freeNumber(list)).toBe(16);
+    expect(freeNumber(list, 39)).toBe(41);
+    expect(sameList(list, shippedList)).toBe(false);
+    expect(sameList(merged(shippedList, shippedList.map((entry) => entry.cells)).list, shippedList)).toBe(true);
+  });
+});
+
+describe("the tools file (JSON)", () => {
+  test("read(write(tools)) is tools, here and for the verify command", () =>
+    fc.assert(fc.property(table(withHolder), (tools) => {
+      const text = writeTableJson(tools);
+      const read = readTableJson(text);
+      expect("rows" in read && toolsOf(read.rows)).toEqual(tools);
+      expect(readTools(text)).toEqual({ tools, refused: new Map() });
+    }), { numRuns: 300 }));
+
+  test("a wrong cell comes in as text", () => {
+    const read = readToolFile('{ "tools": [ { "T": 1, "NAME": "A", "TYPE": "ROUGH", "TO": "one", "RS": null, "COLOUR": 3, "holder": { "width": true } } ] }');
+    expect(read).toEqual({ rows: [{ T: "1", NAME: "A", TYPE: "ROUGH", TO: "one", width: "true" }], leftOut: ["COLOUR"], cutShort: false });
+  });
+});
+
+describe("the control's column text", () => {
+  test("read(write(tools)) is tools", () =>
+    fc.assert(fc.property(table(tool), (tools) => {
+      const read = readTableText(writeTableText(tools));
+      expect("rows" in read && toolsOf(read.rows)).toEqual(tools);
+    }), { numRuns: 1000 }));
+
+  test("what is finer than the columns is rounded once", () => {
+    const text = writeTableText([{ ...shippedTools[0], RS: 0.79996, "T-ANGLE": 95.12345 } as Tool]);
+    const read = readTableText(text);
+    expect("rows" in read && toolsOf(read.rows)).toMatchObject([{ RS: 0.8, "T-ANGLE": 95.123 }]);
+    expect(writeTableText(("rows" in read ? toolsOf(read.rows) : []) as Tool[])).toBe(text);
+  });
+
+  test("the shipped table", () => expect(writeTableText(shippedTools)).toMatchInlineSnapshot(`
+    "BEGIN TOOLTURN.TRN MM
+    T       NAME                             ZL           XL           DZL          DXL          RS          DRS        TO  ORI       T-ANGLE  P-ANGLE  CUTLENGTH   CUTWIDTH    DCW          TYPE    
+    1       CNMG-80-R08                                                                          0.8                    1             95       80       12                                   ROUGH   
+    2       DNMG-55-R08                                                                          0.8                    1             93       55       12                                   ROUGH   
+    3       DNMG-55-R04                                                                          0.4                    1             93       55       12                                   FINISH  
+    4       VNMG-35-R04                                                                          0.4                    1             93       35       16                                   FINISH  
+    5       BORE-CCMT-80-R04                                                                     0.4                    7             95       80       9                                    ROUGH   
+    6       BORE-DCMT-55-R04                                                                     0.4                    7             93       55       9                                    FINISH  
+    7       LEFT-DNMG-55-R08                                                                     0.8                    3             93       55       12                                   ROUGH   
+    8       FACE-RECTURN-3                                                                       0.2                    8                               35          3                        RECTURN 
+    9       OD-RECTURN-3                                                                         0.2                    2                               30          3                        RECTURN 
+    10      OD-RECESS-2                                                                          0.1                    2                               20          2                        RECESS  
+    11      BUTTON-R3                                                                            3                      2                                                                    BUTTON  
+    12      THREAD-60-OD                                                                         0.1                    2                      60                                            THREAD  
+    13      THREAD-60-ID                                                                         0.1                    6                      60                                            THREAD  
+    14      ID-RECTURN-2                                                                         0.2                    6                               12          2                        RECTURN 
+    15      FACE-DNMG-55-R08                                                                     0.8                    1             120      55       12                                   ROUGH   
+    [END]
+    "
+  `));
+
+  test("a table of other widths, order and columns, with a description, comma and inches", () => {
+    const text = [
+      "BEGIN TOOLTURN.TRN INCH Version: 'Update:16.10'", "#STRUCTBEGIN", " NAME = T", "#STRUCTEND",
+      "T   TYPE   RS      TO YL   NAME     CUTLENGTH", "7   rough  +0,0315 1  +0   LEFT ONE -", "8   FINISH 0.1x    3", "[END]", "behind",
+    ].join("\n");
+    expect(readToolFile(text)).toEqual({
+      rows: [{ T: "7", TYPE: "ROUGH", RS: "0.8001", TO: "1", NAME: "LEFT ONE", CUTLENGTH: "" }, { T: "8", TYPE: "FINISH", RS: "0.1x", TO: "3" }],
+      leftOut: ["YL"], cutShort: false,
+    });
+  });
+
+  test.each([
+    ["", "notATable"], ["hello", "notATable"], ["{", "notATable"], ['{"tools":[]}', "noRows"], ['{"tools":[1]}', "notATable"], ["[]", "notATable"],
+    ["BEGIN TOOL.T MM\nT NAME L R\n1 A +0 +0\n[END]", "columnsMissing"], ["BEGIN TOOLTURN.TRN MM\nT TYPE TO RS\n[END]", "noRows"], ["BEGIN TOOLTURN.TRN MM", "columnsMissing"],
+  ])("%j: %s", (text, problem) => expect(readToolFile(text)).toMatchObject({ problem }));
+
+  test("no text makes it throw", () =>
+    fc.assert(fc.property(fc.oneof(fc.string(), fc.string().map((s) => `BEGIN TOOLTURN.TRN MM\nT TYPE TO RS NAME\n${s}`), fc.json()), (text) => {
+      const read = readToolFile(text);
+      if ("rows" in read) merged(shippedList, read.rows).list.forEach((entry) => readEntry(entry));
+    }), { numRuns: 1000 }));
+
+  test("a mutated file is still read or refused", () => {
+    const text = writeTableText(shippedTools);
+    fc.assert(fc.property(fc.nat(text.length), fc.nat(40), fc.string({ maxLength: 5 }), (at, cut, put) => {
+      const read = readToolFile(text.slice(0, at) + put + text.slice(at + cut));
+      if ("rows" in read) readList(merged([], read.rows).list);
+    }), { numRuns: 1000 });
+  });
+});
