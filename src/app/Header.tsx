@@ -3,6 +3,7 @@ import { useStore } from "zustand";
 import type { CycleNumber } from "../cycles/index.ts";
 import { Icon } from "./Icon.tsx";
 import { usePlace } from "./place.ts";
+import { useProgramHistory } from "./program-history.ts";
 import { useReading } from "./reading.ts";
 import { SettingsDialog } from "./settings/SettingsDialog.tsx";
 import { useTexts } from "./settings/use-texts.ts";
@@ -15,8 +16,11 @@ export function Header() {
   const read = useReading();
   const section = usePlace((p) => p.section);
   const settings = useRef<HTMLDialogElement>(null);
-  const past = useStore(useEditor.temporal, (s) => s.pastStates.length);
-  const future = useStore(useEditor.temporal, (s) => s.futureStates.length);
+  const program = useEditor((s) => s.program);
+  const typed = useProgramHistory();
+  const worksPast = useStore(useEditor.temporal, (s) => s.pastStates.length > 0);
+  const worksFuture = useStore(useEditor.temporal, (s) => s.futureStates.length > 0);
+  const { past, future } = program ? typed : { past: worksPast, future: worksFuture };
   const words = read && t.cycles.of[read.cycle.number as CycleNumber];
 
   return (
@@ -28,14 +32,15 @@ export function Header() {
           <span className="number">{read.cycle.number}</span> {words.name}
         </h1>
       )}
+      {program && <h1 className="open-cycle">{program.name}</h1>}
       <div className="top-buttons">
-        <button type="button" className="button icon plain" aria-label={t.page.undo} title={`${t.page.undo} (Ctrl+Z)`} disabled={past === 0} onClick={undoStep}>
+        <button type="button" className="button icon plain" aria-label={t.page.undo} title={`${t.page.undo} (Ctrl+Z)`} disabled={!past} onClick={undoStep}>
           <Icon name="undo" />
         </button>
-        <button type="button" className="button icon plain" aria-label={t.page.redo} title={`${t.page.redo} (Ctrl+Y)`} disabled={future === 0} onClick={redoStep}>
+        <button type="button" className="button icon plain" aria-label={t.page.redo} title={`${t.page.redo} (Ctrl+Y)`} disabled={!future} onClick={redoStep}>
           <Icon name="redo" />
         </button>
-        {read && (
+        {(read ?? program) && (
           <button
             type="button" className="button plain new-program" aria-label={t.page.newProgram} title={t.page.newProgram}
             onClick={() => {

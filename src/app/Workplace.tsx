@@ -7,7 +7,7 @@ import { EffectStrip } from "./effect/EffectStrip.tsx";
 import { useOutcome } from "./engine/outcome.ts";
 import { Icon } from "./Icon.tsx";
 import { LatheView } from "./lathe/LatheView.tsx";
-import { usePlace, type Section } from "./place.ts";
+import { usePlace, type JobSection } from "./place.ts";
 import { playback } from "./playback.ts";
 import { ProblemList } from "./problems/ProblemList.tsx";
 import { isOpen, useProblems } from "./problems/problems.ts";
@@ -33,10 +33,10 @@ export function Workplace({ read }: { readonly read: JobReading }) {
   const dimmed = useOutcome((s) => s.dimmed);
   const problems = useProblems().filter((p) => !isOpen(p));
   const free = read.cycle.contour === "free";
-  const possible: readonly Section[] = ["prompts", "setup", ...(free ? ["contour" as const] : []), "problems", ...(wide ? [] : ["program" as const])];
-  const open = possible.includes(asked) ? asked : "prompts";
+  const possible: readonly JobSection[] = ["prompts", "setup", ...(free ? ["contour" as const] : []), "problems", ...(wide ? [] : ["program" as const])];
+  const open = possible.find((section) => section === asked) ?? "prompts";
 
-  const content: Readonly<Record<Section, ReactNode>> = {
+  const content: Readonly<Record<JobSection, ReactNode>> = {
     prompts: <CycleDialog read={read} />,
     setup: <SetupPanel read={read} />,
     contour: <ContourTable rows={read.job.contour} onChange={setContour} language={language} />,

@@ -2,6 +2,7 @@ import { promptsOf } from "./dialog/prompts.ts";
 import { draftOf } from "./edits.ts";
 import { openPrompt, usePlace } from "./place.ts";
 import { readJob } from "./reading.ts";
+import { useProgramHistory } from "./program-history.ts";
 import { redo, undo, useEditor } from "./store.ts";
 
 /** Opens the prompt whose value has just been undone or redone, so that the change is seen. */
@@ -18,8 +19,16 @@ function showChange(run: () => void): void {
   if (changed && (usePlace.getState().section === "prompts")) openPrompt(changed, now[changed] ?? "");
 }
 
-export const undoStep = (): void => showChange(undo);
-export const redoStep = (): void => showChange(redo);
+/** One step back: in the open program by its own history, otherwise in the work. */
+export function undoStep(): void {
+  if (useEditor.getState().program) useProgramHistory.getState().undo();
+  else showChange(undo);
+}
+
+export function redoStep(): void {
+  if (useEditor.getState().program) useProgramHistory.getState().redo();
+  else showChange(redo);
+}
 
 /** Ctrl+Z, Ctrl+Y, Ctrl+Shift+Z anywhere on the page; fields leave their own undo to this one. */
 export function onHistoryKey(event: KeyboardEvent): void {

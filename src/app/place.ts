@@ -1,7 +1,10 @@
 import { create } from "zustand";
 
 /** The parts of the page that take turns where there is little room. */
-export type Section = "prompts" | "setup" | "contour" | "problems" | "program";
+export type JobSection = "prompts" | "setup" | "contour" | "problems" | "program";
+/** Those of a whole program: its text, the dialog of one block, the list of its parts. */
+export type ProgramSection = "text" | "block" | "structure" | "findings";
+export type Section = JobSection | ProgramSection;
 
 /** Where the operator is: not part of the work, so undo does not touch it. */
 export interface Place {

@@ -5,7 +5,8 @@ import type { ToolFit } from "../../program/which-tool.ts";
 import { printedText } from "../printed.ts";
 import { readJob } from "../reading.ts";
 import { notice } from "../saving/keep.ts";
-import { useEditor } from "../store.ts";
+import { useEditor, type Editor } from "../store.ts";
+import type { ProgramWork } from "../work.ts";
 import type { Engine, Request } from "./engine.ts";
 import { forgetOutcome, pause, takeOutcome, type Outcome } from "./outcome.ts";
 
@@ -71,9 +72,24 @@ function rapidOf(job: Job): number {
   return read.kind === "number" && read.value > 0 ? read.value : USUAL_RAPID;
 }
 
-let last: { readonly text: string; readonly rapid: number; readonly cycle: number; readonly work: string | null } | null = null;
+let last: { readonly text: string; readonly rapid: number; readonly cycle: number | null; readonly work: string | null } | null = null;
 
-function follow(job: Job | null, name: string | null): void {
+/** A whole program is calculated as it stands, right or wrong. */
+function followProgram({ text }: ProgramWork, name: string | null): void {
+  if (last && (last.cycle !== null || last.work !== name)) {
+    last = null;
+    forgetOutcome();
+  }
+  if (last?.text === text) return;
+  pause(false);
+  last = { text, rapid: USUAL_RAPID, cycle: null, work: name };
+  version += 1;
+  waiting = { version, text, rapid: USUAL_RAPID };
+  void work();
+}
+
+function follow({ job, program, work: name }: Editor): void {
+  if (program) return followProgram(program, name);
   const read = job && readJob(job);
   if (!job || !read) {
     last = null;
@@ -102,7 +118,7 @@ function follow(job: Job | null, name: string | null): void {
 
 /** From now on each change of the job is calculated. */
 export function startEngine(): () => void {
-  const now = () => follow(useEditor.getState().job, useEditor.getState().work);
+  const now = () => follow(useEditor.getState());
   now();
   return useEditor.subscribe(now);
 }
