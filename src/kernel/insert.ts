@@ -110,14 +110,18 @@ function oriented(k: Convex, to: TipOrientation): Convex {
   return inFrame(k, { transverse: false, signU: left ? -1 : 1, signV: inside ? -1 : 1 });
 }
 
-/** The insert as a polygon relative to the theoretical tip, counter-clockwise; arcs within `chord` mm, inside the true shape. */
-export function insertOutline(t: Tool, chord: number): Ring {
+/**
+ * The insert as a polygon relative to the theoretical tip, counter-clockwise; arcs within `chord` mm, inside the true
+ * shape. `body`: with unknown flanks, drawn out so that it removes material; else the nose alone, which is all that can be
+ * checked then.
+ */
+export function insertOutline(t: Tool, chord: number, body = true): Ring {
   const out: Pt[] = [];
   const add = (p: Flat) => {
     const last = out[out.length - 1];
     if (!last || Math.hypot(last.z - p.u, last.r - p.v) > 1e-7) out.push({ z: axial(p.u), r: radius(p.v) });
   };
-  for (const e of insertShape(t, true)) {
+  for (const e of insertShape(t, body)) {
     if (e.kind === "line") add(e.from);
     else {
       const step = e.radius > chord ? 2 * Math.acos(1 - chord / e.radius) : e.sweep;

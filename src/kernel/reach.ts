@@ -53,7 +53,9 @@ const angleOf = (n: Flat) => Math.atan2(n.v, n.u);
 
 /** Vertices of the hull with the cone of normals they carry, and what they belong to. */
 function vertices(k: readonly Edge[]): { at: Flat; from: number; to: number; feature: Feature }[] {
-  const ordered = [...k].sort((a, b) => normalStart(a) - normalStart(b));
+  // Along the boundary: an edge and the arc it runs into share a normal, so the middle of what each carries decides.
+  const middle = (e: Edge) => normalStart(e) + normalEnd(e);
+  const ordered = [...k].sort((a, b) => middle(a) - middle(b));
   const first = ordered[0];
   const last = ordered[ordered.length - 1];
   if (!first || !last) return [];

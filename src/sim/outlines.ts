@@ -1,4 +1,4 @@
-import { holderOutline, insertOutline } from "../kernel/insert.ts";
+import { flanksUnknown, holderOutline, insertOutline } from "../kernel/insert.ts";
 import type { Ring } from "../kernel/point.ts";
 import { CHORD } from "../kernel/tolerance.ts";
 import type { Tool } from "../kernel/tool.ts";
@@ -6,6 +6,8 @@ import type { Tool } from "../kernel/tool.ts";
 /** What a tool is for the simulation: convex polygons relative to the theoretical tip. */
 export interface Outlines {
   readonly insert: Ring;
+  /** What is checked for contact: the insert, or its nose alone while its flanks are unknown. */
+  readonly checked: Ring;
   readonly holder: Ring | null;
 }
 
@@ -15,7 +17,8 @@ export function outlinesOf(): (tool: Tool) => Outlines {
   return (tool) => {
     const have = known.get(tool);
     if (have) return have;
-    const made = { insert: insertOutline(tool, CHORD), holder: holderOutline(tool) };
+    const insert = insertOutline(tool, CHORD);
+    const made = { insert, checked: flanksUnknown(tool) ? insertOutline(tool, CHORD, false) : insert, holder: holderOutline(tool) };
     known.set(tool, made);
     return made;
   };

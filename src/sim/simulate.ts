@@ -44,7 +44,8 @@ export function simulate(input: SimulationInput): Simulation {
     }
     const shapes = outlines(step.tool);
     const sweep = piecesOf(sweepOf(shapes.insert, step));
-    findings.push(...check(step, i, shapes, sweep, cut, finished));
+    const touching = shapes.checked === shapes.insert ? sweep : piecesOf(sweepOf(shapes.checked, step));
+    findings.push(...check(step, i, shapes, touching, cut, finished));
     cut.add(sweep);
   });
   const final = cut.stock();

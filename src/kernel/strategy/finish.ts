@@ -51,6 +51,7 @@ export function finishContour(track: Track, f: Finish, issues: Issue[]): void {
     if (track.at.v < above) track.rapid("v", above, p(1));
     track.rapid("u", before, p(1));
     track.rapid("v", above, p(1));
+    if (!staysAbove(f.ground.envelope, track.at, begin)) track.feed({ u: begin.u, v: track.at.v }, feed, p(1));
   }
   track.feed(begin, feed, p(1));
   track.along(path.map((s) => s.segment), (s) => f.smoothing && falls(s)

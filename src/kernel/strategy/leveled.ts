@@ -70,11 +70,12 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
   const none = { u: 0, v: 0 };
   const room = roomOf(l.frame);
   const from = Math.max(start.u, limits.from, room.minU);
-  const to = Math.min(last.to.u + FAR / 2, limits.to - leadOf(insertIn(tool, l.frame)), room.maxU);
 
   const grown = groundOver(bounds, tool, l.frame, keep, toFinish);
   const kept = groundOver(bounds, tool, l.frame, keep, { ...toFinish, wall, floors: [...limit, { v: floor + keep.v, on: "edge" }] });
   const drawn = groundOver(bounds, tool, l.frame, none, toFinish);
+  const end = Math.max(kept.end.u, drawn.end.u, last.to.u + keep.u) + SAME;
+  const to = Math.min(end, limits.to - leadOf(insertIn(tool, l.frame)), room.maxU);
   let division = { passes: 0, infeed: 0 };
   if (l.operation === 0 || l.operation === 1) {
     const upper = Math.min(top, limits.ceiling);

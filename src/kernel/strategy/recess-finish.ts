@@ -1,4 +1,4 @@
-import { lowest, pathAlong } from "../envelope.ts";
+import { heightAt, lowest, pathAlong, staysAbove } from "../envelope.ts";
 import { reversed, type FlatSegment } from "../flat.ts";
 import { SAME } from "../tolerance.ts";
 import type { Purpose, Track } from "../track.ts";
@@ -34,7 +34,7 @@ export function finishRecess(track: Track, f: RecessFinish): void {
   const into = (u: number, height: number, step: number) => {
     if (track.at.v < clear) track.rapid("v", clear, p(step));
     track.rapid("u", u, p(step));
-    track.rapid("v", Math.min(clear, height + RECESS_CLEARANCE), p(step));
+    track.rapid("v", Math.min(clear, Math.max(height, heightAt(e, u)) + RECESS_CLEARANCE), p(step));
   };
   const cut = (path: readonly FlatSegment[], wallStep: number, floorStep: number) => {
     const first = path[0];
@@ -62,7 +62,8 @@ export function finishRecess(track: Track, f: RecessFinish): void {
   const meet = Math.max(floor.from + width / 2, floor.to - f.apart - RECESS_CLEARANCE / 2);
   const leave = (step: number) => {
     const d = Math.min(RECESS_CLEARANCE, meet - floor.from);
-    track.feed({ u: meet - d, v: bottom + d }, f.feed, p(step));
+    const leaning = { u: meet - d, v: bottom + d };
+    track.feed(staysAbove(e, leaning, track.at) ? leaning : { u: meet, v: bottom + d }, f.feed, p(step));
     track.rapid("v", clear, p(step));
   };
   cut(segments(left, meet), 2, 3);

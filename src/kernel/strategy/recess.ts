@@ -1,4 +1,4 @@
-import { lowest, pathAlong, type Interval } from "../envelope.ts";
+import { lowest, pathAlong, staysAbove, type Interval } from "../envelope.ts";
 import { lowestOf, reversed, segmentToFlat, shifted, toFlat, toPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
 import { cuttingWidth, flanksUnknown, isBar, noseRadius } from "../insert.ts";
 import { issue, type Issue } from "../issue.ts";
@@ -172,7 +172,8 @@ function wallCuts(track: Track, l: Recess, r: Rough, floor: Interval, shortened:
   const bottom = r.top - r.passes * r.infeed;
   const out = (towards: number) => {
     const d = Math.min(RECESS_CLEARANCE, Math.abs(towards - track.at.u));
-    track.feed({ u: track.at.u + Math.sign(towards - track.at.u) * d, v: bottom + d }, l.feeds.rough, p);
+    const leaning = { u: track.at.u + Math.sign(towards - track.at.u) * d, v: bottom + d };
+    track.feed(staysAbove(e, leaning, track.at) ? leaning : { u: track.at.u, v: bottom + d }, l.feeds.rough, p);
     track.rapid("v", clear, p);
   };
   track.feed({ u: track.at.u, v: bottom + Math.min(r.infeed, RECESS_CLEARANCE) }, l.feeds.rough, p);
