@@ -24,6 +24,8 @@ const SAMPLES: { readonly [C in AnyCode]: DataOf<C> } = {
   startInsideEnvelope: { clearance: 2.5 }, limitOnWrongSide: { limit: 10.5, nearest: 20.5 }, nothingToCut: {}, contourMissing: { label: "2" },
   contourTooShort: {}, contourPoint: { element: 3 }, cornerElementAlone: { element: 3 }, cornerElementTooLong: { element: 3, size: 9.5, max: 4.25, nearest: 4.25 },
   arcOffCircle: { element: 3, gap: 0.5, nearest: 9.75 }, arcTooSmall: { element: 3, radius: 2.5, nearest: 4.75 }, contourCrossesItself: { element: 3, other: 1 },
+  undercutNeighbours: { element: 3 }, recessWord: { element: 3, word: "BREADTH" }, undercutDefaults: { element: 3, words: "R0.6 DEPTH0.3" },
+  elementFree: { element: 3, freedom: 1 }, elementContradicts: { element: 3, what: "angle", given: 45, nearest: 30.5 }, elementUnreachable: { element: 3 },
   materialLeft: { reason: "mainEdge", area: 1.25, x: 60.5, z: -5.5 }, gouge: { area: 1.25, x: 60.5, z: -5.5 },
   rapidInStock: { area: 1.25, x: 60.5, z: -5.5 }, holderContact: { x: 60.5, z: -5.5 },
   notUnderstood: { text: "UDC TYPE_Z" }, wordNotUnderstood: { text: "B12" }, wordTwice: { word: "X" }, equalsMissing: { text: "Q493+50" },
@@ -33,7 +35,12 @@ const SAMPLES: { readonly [C in AnyCode]: DataOf<C> } = {
   notInTurnMode: {}, labelMissing: { label: "2" }, labelTwice: { label: "2" }, labelNotClosed: { label: "2" }, contourNotNamed: { cycle: 820 },
   feedMissing: {}, spindleMissing: {}, parameterUnset: { name: "Q7" }, divisionByZero: {}, notFinite: { text: "SQRT -1" }, blankMissing: {},
   blankNotTurned: { form: "0.1" }, blankImpossible: {}, poleMissing: {}, startUnknown: {}, arcImpossible: {}, radiusCompensation: { side: "RL" },
-  programEndMissing: {}, tooManyBlocks: { limit: 1000 }, tooManyMoves: { limit: 1000 }, callsTooDeep: { limit: 20 },
+  toolRadiusTooLarge: { element: 3, radius: 10.5, nearest: 4.25 }, approachNeedsSide: {}, approachSideAssumed: {},
+  approachInsideCircle: { point: "PS", radius: 10.5, nearest: 4.25 },
+  approachCutsContour: { point: "PS", depth: 1.25, x: 60.5, y: 5.5, freeX: -7.5, freeY: 8.25 },
+  approachValueCutsContour: { point: "PN", depth: 1.25, x: 60.5, z: -5.5, word: "LEN", nearest: 12.5 },
+  approachBlocked: { point: "PS", depth: 1.25, x: 60.5, y: 5.5 }, sideChanged: {}, approachWithoutContour: { form: "APPR LT" },
+  toolRadiusUnknown: { tool: "1" }, programEndMissing: {}, tooManyBlocks: { limit: 1000 }, tooManyMoves: { limit: 1000 }, callsTooDeep: { limit: 20 },
 };
 const found = (code: AnyCode): AnyIssue => ({ code, severity: "error", data: SAMPLES[code] }) as AnyIssue;
 const codes = Object.keys(SAMPLES) as AnyCode[];

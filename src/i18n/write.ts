@@ -16,6 +16,8 @@ export interface Write {
   readonly text: (text: string) => string;
   /** A place: X⌀50 Z-20. */
   readonly place: (x: number, z: number) => string;
+  /** A place of the working plane: X-5 Y+5 while milling, X⌀50 Z-20 in turning. */
+  readonly spot: (x: number, y: number | undefined, z: number | undefined) => string;
 }
 
 /** Longer quotations say no more. */
@@ -31,6 +33,7 @@ export function writer(language: Language, kind?: Kind): Write {
   const full = (value: number) => formatNumber(language, value, 4);
   const angle = (value: number) => `${full(value)}°`;
   const plain = kind === "angle" ? angle : full;
+  const place = (x: number, z: number) => `X⌀${number(x)} Z${formatSigned(language, z)}`;
   return {
     number,
     value: isDiameter(kind) ? diameter : plain,
@@ -38,6 +41,7 @@ export function writer(language: Language, kind?: Kind): Write {
     angle,
     area: (value) => `${formatNumber(language, value, value < 0.1 ? 3 : 2)} mm²`,
     text: (text) => (text.length > LONGEST ? `${text.slice(0, LONGEST - 1)}…` : text),
-    place: (x, z) => `X⌀${number(x)} Z${formatSigned(language, z)}`,
+    place,
+    spot: (x, y, z) => (y === undefined ? place(x, z ?? 0) : `X${formatSigned(language, x)} Y${formatSigned(language, y)}`),
   };
 }

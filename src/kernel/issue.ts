@@ -60,6 +60,23 @@ interface Data {
   elementContradicts: { element: number; what: "angle" | "length" | "tangent" | "radius"; given: number; nearest: number };
   elementUnreachable: { element: number };
   contourCrossesItself: { element: number; other: number };
+  /** An undercut needs a cylinder and a face that meet; a recess a straight element of its direction. */
+  undercutNeighbours: { element: number };
+  /** A word of an undercut or recess that is missing, or whose value makes no shape. */
+  recessWord: { element: number; word: string };
+  /** Words that the standard gave because the block has none. */
+  undercutDefaults: { element: number; words: string };
+  /* working plane: compensation, approach and departure. Of a place, milling has x and y; turning x (⌀) and z */
+  toolRadiusTooLarge: { element: number; radius: number; nearest: number };
+  approachNeedsSide: {};
+  approachSideAssumed: {};
+  approachInsideCircle: { point: "PS" | "PN"; radius: number; nearest: number };
+  /** On the way from PS or to PN; a point from where the way is free. */
+  approachCutsContour: { point: "PS" | "PN"; depth: number; x: number; y?: number; z?: number; freeX: number; freeY?: number; freeZ?: number };
+  /** The same where another LEN or R helps. */
+  approachValueCutsContour: { point: "PS" | "PN"; depth: number; x: number; y?: number; z?: number; word: "LEN" | "R"; nearest: number };
+  /** The same where nothing simple helps. */
+  approachBlocked: { point: "PS" | "PN"; depth: number; x: number; y?: number; z?: number };
   /* proof */
   materialLeft: { reason: Reason; area: number; x: number; z: number };
   gouge: { area: number; x: number; z: number };

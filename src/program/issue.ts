@@ -26,6 +26,14 @@ interface Data {
   startUnknown: {};
   arcImpossible: {};
   radiusCompensation: { side: "RL" | "RR" };
+  /** RL to RR or back without R0 between. */
+  sideChanged: {};
+  /** APPR without an element behind it, DEP without one before it. */
+  approachWithoutContour: { form: string };
+  /** The path is that of a tool of radius 0. */
+  toolRadiusUnknown: { tool: string };
+  /** The words of this block are recalled from the manual, not checked against a printed page. */
+  wordsRecalled: { what: string };
   programEndMissing: {};
   tooManyBlocks: { limit: number };
   tooManyMoves: { limit: number };

@@ -71,6 +71,20 @@ export const messages = {
       : `Element ${d.element}: ${ELEMENT[d.what]} ${w.number(d.given)} widerspricht den übrigen Angaben; ${w.number(d.nearest)} passt.`),
     elementUnreachable: (d) => `Element ${d.element}: mit dieser Länge, diesem Radius oder Winkel erreicht es den Nachbarn nicht.`,
     contourCrossesItself: (d) => `Element ${d.element} kreuzt Element ${d.other}.`,
+    toolRadiusTooLarge: (d, w) => `Element ${d.element}: Ein Werkzeugradius von ${w.number(d.radius)} passt nicht. ${nearest(w.number(d.nearest))}`,
+    approachNeedsSide: () => "CT braucht RL oder RR: Mit R0 hält die Steuerung hier an.",
+    approachSideAssumed: () => "R0 nennt keine Seite: Angenommen wird, dass das Werkzeug von links der Kontur kommt. An der Steuerung prüfen.",
+    approachInsideCircle: (d, w) =>
+      `${d.point} liegt im Kreis mit R ${w.number(d.radius)}: Keine Gerade von dort berührt ihn. ${nearest(w.number(d.nearest))}`,
+    approachCutsContour: (d, w) =>
+      `Zwischen ${d.point} und der Kontur schneidet das Werkzeug bei ${w.spot(d.x, d.y, d.z)} um ${w.number(d.depth)} mm in sie ein; die Steuerung prüft das nicht. Frei ist ${d.point} ${w.spot(d.freeX, d.freeY, d.freeZ)}.`,
+    approachValueCutsContour: (d, w) =>
+      `Zwischen ${d.point} und der Kontur schneidet das Werkzeug bei ${w.spot(d.x, d.y, d.z)} um ${w.number(d.depth)} mm in sie ein; die Steuerung prüft das nicht. Frei mit ${d.word} ${w.number(d.nearest)}.`,
+    approachBlocked: (d, w) =>
+      `Zwischen ${d.point} und der Kontur schneidet das Werkzeug bei ${w.spot(d.x, d.y, d.z)} um ${w.number(d.depth)} mm in sie ein; die Steuerung prüft das nicht.`,
+    undercutNeighbours: (d) => `Element ${d.element}: Ein Freistich braucht einen achsparallelen Zylinder und eine Planfläche dazu, ein Einstich ein gerades Element seiner Richtung.`,
+    recessWord: (d) => `Element ${d.element}: ${d.word} fehlt oder ergibt keine mögliche Form.`,
+    undercutDefaults: (d) => `Element ${d.element}: ${d.words} aus der Norm, aus der Erinnerung; die Wörter am besten selbst angeben.`,
     materialLeft: (d, w) => `${w.area(d.area)} bleiben bei ${w.place(d.x, d.z)} stehen. Grund: ${reasons[d.reason]}.`,
     gouge: (d, w) => `${w.area(d.area)} des Fertigteils werden bei ${w.place(d.x, d.z)} weggeschnitten.`,
     rapidInStock: (d, w) => `Ein Eilgang fährt bei ${w.place(d.x, d.z)} durch ${w.area(d.area)} Material.`,
@@ -111,6 +125,10 @@ export const messages = {
     startUnknown: () => "Die Position vor diesem Satz ist nicht bekannt.",
     arcImpossible: () => "Zu diesen Werten gibt es keinen Bogen.",
     radiusCompensation: (d) => `${d.side} wird gelesen, die Bahn aber nicht korrigiert.`,
+    sideChanged: () => "Zwischen RL und RR braucht die Steuerung einen Satz mit R0.",
+    approachWithoutContour: (d) => `${d.form} braucht ein Konturelement neben sich.`,
+    toolRadiusUnknown: (d, w) => `Der Radius von Werkzeug ${w.text(d.tool)} ist nicht bekannt: Die Bahn ist mit Radius 0 gerechnet.`,
+    wordsRecalled: (d, w) => `${w.text(d.what)}: Die Wörter sind aus der Erinnerung, nicht an einer gedruckten Seite geprüft. Bitte an der Steuerung prüfen.`,
     programEndMissing: () => "Am Ende des Hauptprogramms fehlt M30 oder M2.",
     tooManyBlocks: (d) => `Mehr als ${d.limit} Sätze wurden ausgeführt: dort angehalten.`,
     tooManyMoves: (d) => `Mehr als ${d.limit} Bewegungen: dort angehalten.`,

@@ -74,6 +74,20 @@ export const messages = {
       : `Element ${d.element}: the ${ELEMENT[d.what]} ${w.number(d.given)} does not agree with the other values; ${w.number(d.nearest)} does.`),
     elementUnreachable: (d) => `Element ${d.element}: with this length, radius or angle it does not reach its neighbour.`,
     contourCrossesItself: (d) => `Element ${d.element} crosses element ${d.other}.`,
+    toolRadiusTooLarge: (d, w) => `Element ${d.element}: a tool radius of ${w.number(d.radius)} does not fit. ${nearest(w.number(d.nearest))}`,
+    approachNeedsSide: () => "CT needs RL or RR: with R0 the control stops here.",
+    approachSideAssumed: () => "R0 names no side: the tool is taken to come from the left of the contour. Verify on your control.",
+    approachInsideCircle: (d, w) =>
+      `${d.point} lies inside the circle of R ${w.number(d.radius)}: no line from there touches it. ${nearest(w.number(d.nearest))}`,
+    approachCutsContour: (d, w) =>
+      `Between ${d.point} and the contour the tool cuts ${w.number(d.depth)} mm into it at ${w.spot(d.x, d.y, d.z)}; the control does not check this. Free ${d.point}: ${w.spot(d.freeX, d.freeY, d.freeZ)}.`,
+    approachValueCutsContour: (d, w) =>
+      `Between ${d.point} and the contour the tool cuts ${w.number(d.depth)} mm into it at ${w.spot(d.x, d.y, d.z)}; the control does not check this. Free with ${d.word} ${w.number(d.nearest)}.`,
+    approachBlocked: (d, w) =>
+      `Between ${d.point} and the contour the tool cuts ${w.number(d.depth)} mm into it at ${w.spot(d.x, d.y, d.z)}; the control does not check this.`,
+    undercutNeighbours: (d) => `Element ${d.element}: an undercut needs a cylinder parallel to the axis and a face square to it; a recess needs a straight element of its direction.`,
+    recessWord: (d) => `Element ${d.element}: ${d.word} is missing or makes no possible shape.`,
+    undercutDefaults: (d) => `Element ${d.element}: ${d.words} taken from the standard as recalled; write the words to be sure.`,
     materialLeft: (d, w) => `${w.area(d.area)} stay at ${w.place(d.x, d.z)}, left by ${reasons[d.reason]}.`,
     gouge: (d, w) => `${w.area(d.area)} of the finished part are cut away at ${w.place(d.x, d.z)}.`,
     rapidInStock: (d, w) => `A rapid runs through ${w.area(d.area)} of material at ${w.place(d.x, d.z)}.`,
@@ -114,6 +128,10 @@ export const messages = {
     startUnknown: () => "The position before this block is not known.",
     arcImpossible: () => "No arc fits these values.",
     radiusCompensation: (d) => `${d.side} is read, but the path is not compensated.`,
+    sideChanged: () => "Between RL and RR the control needs a block with R0.",
+    approachWithoutContour: (d) => `${d.form} needs a contour element next to it.`,
+    toolRadiusUnknown: (d, w) => `The radius of tool ${w.text(d.tool)} is not known: the path is calculated with radius 0.`,
+    wordsRecalled: (d, w) => `${w.text(d.what)}: its words are recalled, not checked against a printed page. Verify on your control.`,
     programEndMissing: () => "M30 or M2 is missing at the end of the main program.",
     tooManyBlocks: (d) => `More than ${d.limit} blocks were executed: stopped there.`,
     tooManyMoves: (d) => `More than ${d.limit} moves: stopped there.`,

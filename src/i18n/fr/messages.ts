@@ -72,6 +72,20 @@ export const messages = {
       : `Élément ${d.element} : ${ELEMENT[d.what]} ${w.number(d.given)} contredit les autres valeurs ; ${w.number(d.nearest)} convient.`),
     elementUnreachable: (d) => `Élément ${d.element} : avec cette longueur, ce rayon ou cet angle, il n'atteint pas son voisin.`,
     contourCrossesItself: (d) => `L'élément ${d.element} croise l'élément ${d.other}.`,
+    toolRadiusTooLarge: (d, w) => `Élément ${d.element} : un rayon d’outil de ${w.number(d.radius)} ne passe pas. ${nearest(w.number(d.nearest))}`,
+    approachNeedsSide: () => "CT demande RL ou RR : avec R0, la commande s’arrête ici.",
+    approachSideAssumed: () => "R0 ne dit pas de quel côté : l’outil est supposé venir de la gauche du contour. À vérifier sur la commande.",
+    approachInsideCircle: (d, w) =>
+      `${d.point} est à l’intérieur du cercle de R ${w.number(d.radius)} : aucune droite ne le touche depuis ce point. ${nearest(w.number(d.nearest))}`,
+    approachCutsContour: (d, w) =>
+      `Entre ${d.point} et le contour, l’outil l’entame de ${w.number(d.depth)} mm en ${w.spot(d.x, d.y, d.z)} ; la commande ne le contrôle pas. ${d.point} libre : ${w.spot(d.freeX, d.freeY, d.freeZ)}.`,
+    approachValueCutsContour: (d, w) =>
+      `Entre ${d.point} et le contour, l’outil l’entame de ${w.number(d.depth)} mm en ${w.spot(d.x, d.y, d.z)} ; la commande ne le contrôle pas. Libre avec ${d.word} ${w.number(d.nearest)}.`,
+    approachBlocked: (d, w) =>
+      `Entre ${d.point} et le contour, l’outil l’entame de ${w.number(d.depth)} mm en ${w.spot(d.x, d.y, d.z)} ; la commande ne le contrôle pas.`,
+    undercutNeighbours: (d) => `Élément ${d.element} : un dégagement demande un cylindre parallèle à l’axe et une face perpendiculaire, une gorge un élément droit de sa direction.`,
+    recessWord: (d) => `Élément ${d.element} : ${d.word} manque ou ne donne aucune forme possible.`,
+    undercutDefaults: (d) => `Élément ${d.element} : ${d.words} repris de la norme, de mémoire ; mieux vaut écrire ces mots.`,
     materialLeft: (d, w) => `Il reste ${w.area(d.area)} à ${w.place(d.x, d.z)}. Cause : ${reasons[d.reason]}.`,
     gouge: (d, w) => `${w.area(d.area)} de la pièce finie sont enlevés à ${w.place(d.x, d.z)}.`,
     rapidInStock: (d, w) => `Un rapide traverse ${w.area(d.area)} de matière à ${w.place(d.x, d.z)}.`,
@@ -112,6 +126,10 @@ export const messages = {
     startUnknown: () => "La position avant cette séquence n'est pas connue.",
     arcImpossible: () => "Aucun arc ne convient à ces valeurs.",
     radiusCompensation: (d) => `${d.side} est lu, mais la trajectoire n'est pas corrigée.`,
+    sideChanged: () => "Entre RL et RR, la commande demande une séquence avec R0.",
+    approachWithoutContour: (d) => `${d.form} demande un élément de contour voisin.`,
+    toolRadiusUnknown: (d, w) => `Le rayon de l’outil ${w.text(d.tool)} n’est pas connu : la trajectoire est calculée avec le rayon 0.`,
+    wordsRecalled: (d, w) => `${w.text(d.what)} : ses mots sont cités de mémoire, sans contrôle sur une page imprimée. Vérifiez sur votre commande.`,
     programEndMissing: () => "Il manque M30 ou M2 à la fin du programme principal.",
     tooManyBlocks: (d) => `Plus de ${d.limit} séquences exécutées : arrêt à cet endroit.`,
     tooManyMoves: (d) => `Plus de ${d.limit} déplacements : arrêt à cet endroit.`,

@@ -64,6 +64,20 @@ export const messages = {
       : `元素${d.element}:${ELEMENT[d.what]}${w.number(d.given)}与其他数值矛盾,${w.number(d.nearest)}可用。`),
     elementUnreachable: (d) => `元素${d.element}:按此长度、半径或角度无法到达相邻元素。`,
     contourCrossesItself: (d) => `元素${d.element}与元素${d.other}相交。`,
+    toolRadiusTooLarge: (d, w) => `第 ${d.element} 个元素：刀具半径 ${w.number(d.radius)} 过大。${nearest(w.number(d.nearest))}`,
+    approachNeedsSide: () => "CT 需要 RL 或 RR：编程 R0 时数控系统在此停止。",
+    approachSideAssumed: () => "R0 没有指明侧面：这里假定刀具从轮廓左侧接近。请在机床上核对。",
+    approachInsideCircle: (d, w) =>
+      `${d.point} 位于 R ${w.number(d.radius)} 的圆内：从该点没有直线与圆相切。${nearest(w.number(d.nearest))}`,
+    approachCutsContour: (d, w) =>
+      `在 ${d.point} 与轮廓之间，刀具在 ${w.spot(d.x, d.y, d.z)} 切入轮廓 ${w.number(d.depth)} mm；数控系统不检查此处。可用的 ${d.point}：${w.spot(d.freeX, d.freeY, d.freeZ)}。`,
+    approachValueCutsContour: (d, w) =>
+      `在 ${d.point} 与轮廓之间，刀具在 ${w.spot(d.x, d.y, d.z)} 切入轮廓 ${w.number(d.depth)} mm；数控系统不检查此处。可用值：${d.word} ${w.number(d.nearest)}。`,
+    approachBlocked: (d, w) =>
+      `在 ${d.point} 与轮廓之间，刀具在 ${w.spot(d.x, d.y, d.z)} 切入轮廓 ${w.number(d.depth)} mm；数控系统不检查此处。`,
+    undercutNeighbours: (d) => `元素${d.element}:退刀槽需要相接的圆柱面和端面,凹槽需要与其方向一致的直线元素。`,
+    recessWord: (d) => `元素${d.element}:${d.word}缺失,或无法构成形状。`,
+    undercutDefaults: (d) => `元素${d.element}:${d.words}按记忆取自标准,建议写明。`,
     materialLeft: (d, w) => `${w.place(d.x, d.z)}处残留${w.area(d.area)},原因:${reasons[d.reason]}。`,
     gouge: (d, w) => `${w.place(d.x, d.z)}处精加工件被切掉${w.area(d.area)}。`,
     rapidInStock: (d, w) => `快移在${w.place(d.x, d.z)}处穿过${w.area(d.area)}材料。`,
@@ -104,6 +118,10 @@ export const messages = {
     startUnknown: () => "该程序段之前的位置未知。",
     arcImpossible: () => "这些数值无法构成圆弧。",
     radiusCompensation: (d) => `已读取${d.side},但不补偿路径。`,
+    sideChanged: () => "RL 与 RR 之间需要一个 R0 程序段。",
+    approachWithoutContour: (d) => `${d.form} 需要相邻的轮廓元素。`,
+    toolRadiusUnknown: (d, w) => `刀具 ${w.text(d.tool)} 的半径未知：路径按半径 0 计算。`,
+    wordsRecalled: (d, w) => `${w.text(d.what)}:其参数字凭记忆整理,未与印刷页核对,请在数控系统上验证。`,
     programEndMissing: () => "主程序末尾缺少M30或M2。",
     tooManyBlocks: (d) => `已执行超过${d.limit}个程序段:在该处停止。`,
     tooManyMoves: (d) => `超过${d.limit}个运动:在该处停止。`,
