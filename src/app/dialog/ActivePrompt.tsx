@@ -1,4 +1,4 @@
-import { useId, useState, type RefObject } from "react";
+import { useId, useLayoutEffect, useRef, useState, type RefObject } from "react";
 import type { Param } from "../../cycles/params.ts";
 import type { ParamTextId } from "../../cycles/index.ts";
 import { formatNumber } from "../../i18n/number.ts";
@@ -28,13 +28,24 @@ export function ActivePrompt({ read, q, param, ownKeypad, field }: Props) {
   const t = useTexts();
   const id = useId();
   const language = useSettings((s) => s.language);
-  const problems = useProblems().filter((p) => p.at === q);
+  const every = useProblems();
+  const problems = every.filter((p) => p.at === q);
+  const elsewhere = every.filter((p) => p.at !== null && p.at !== q && "other" in p.issue.data && p.issue.data.other === q);
+  const card = useRef<HTMLElement>(null);
+  const focus = usePlace((p) => p.focus);
+  useLayoutEffect(() => {
+    card.current?.scrollIntoView?.({ block: "nearest" });
+  }, [q, focus]);
   const [explained, explain] = useState<string | null>(null);
   const words = t.params[param.text as ParamTextId];
   const all = promptsOf(read.cycle);
   const text = read.draft[q] ?? "";
   const unit = t.dialog.units[unitOf(param, read.job.perRevolution)];
   const doubtful = unconfirmed(param.evidence) ? "parameter" : unconfirmed(param.rangeEvidence) && !param.choices ? "range" : null;
+  const labelOf = (at: string) => {
+    const other = read.cycle.params[at];
+    return t.dialog.value(at, other ? t.params[other.text as ParamTextId].label : "");
+  };
   const untouched = usePlace((p) => p.before.trim() === "");
   const calm = (problem: Problem) => isOpen(problem) && untouched;
   const name = t.dialog.value(q, words.prompt);
@@ -47,7 +58,7 @@ export function ActivePrompt({ read, q, param, ownKeypad, field }: Props) {
   const number = (n: number) => formatNumber(language, n, param.decimals);
 
   return (
-    <section className="active-prompt" aria-label={t.dialog.active} onKeyDown={onPromptKey}>
+    <section className="active-prompt" ref={card} aria-label={t.dialog.active} onKeyDown={onPromptKey}>
       <header>
         <span className="number prompt-q">{q}</span>
         <h2>{words.prompt}</h2>
@@ -89,6 +100,9 @@ export function ActivePrompt({ read, q, param, ownKeypad, field }: Props) {
         <div role="status" aria-label={t.page.problems}>
           {problems.map((problem, i) => (
             <FieldMessage key={i} problem={problem} calm={calm(problem)} decimals={param.decimals} onTake={(n) => take(String(n))} />
+          ))}
+          {elsewhere.map((problem) => (
+            <FieldMessage key={problem.at} problem={problem} place={labelOf(problem.at ?? "")} decimals={param.decimals} />
           ))}
         </div>
         {doubtful && explained === q && <p className="evidence-text small">{t.dialog.evidence[doubtful]}</p>}

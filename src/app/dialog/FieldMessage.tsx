@@ -9,6 +9,8 @@ interface Props {
   readonly problem: Problem;
   /** Decimals that the control keeps of the value. */
   readonly decimals: number;
+  /** The field it belongs to, where that is another one than the one it stands at. */
+  readonly place?: string;
   /** Not done wrong, only not done yet: said calmly. */
   readonly calm?: boolean;
   /** Takes the nearest value that works. */
@@ -16,7 +18,7 @@ interface Props {
 }
 
 /** What is wrong with a field, and a button that takes the nearest value that works. */
-export function FieldMessage({ problem, decimals, calm = false, onTake }: Props) {
+export function FieldMessage({ problem, decimals, place, calm = false, onTake }: Props) {
   const t = useTexts();
   const say = useIssueText();
   const language = useSettings((s) => s.language);
@@ -28,6 +30,7 @@ export function FieldMessage({ problem, decimals, calm = false, onTake }: Props)
       <Icon name={shown} />
       <p>
         <span className="unseen">{t.page.problem.severities[shown]}: </span>
+        {place !== undefined && <b>{place}: </b>}
         {say(issue)}
       </p>
       {nearest !== null && onTake && (
