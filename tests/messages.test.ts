@@ -25,7 +25,7 @@ const SAMPLES: { readonly [C in AnyCode]: DataOf<C> } = {
   contourTooShort: {}, contourPoint: { element: 3 }, cornerElementAlone: { element: 3 }, cornerElementTooLong: { element: 3, size: 9.5, max: 4.25, nearest: 4.25 },
   arcOffCircle: { element: 3, gap: 0.5, nearest: 9.75 }, arcTooSmall: { element: 3, radius: 2.5, nearest: 4.75 }, contourCrossesItself: { element: 3, other: 1 },
   undercutNeighbours: { element: 3 }, recessWord: { element: 3, word: "BREADTH" }, undercutDefaults: { element: 3, words: "R0.6 DEPTH0.3" },
-  elementFree: { element: 3, freedom: 1 }, elementContradicts: { element: 3, what: "angle", given: 45, nearest: 30.5 }, elementUnreachable: { element: 3 },
+  elementFree: { element: 3, freedom: 2 }, elementContradicts: { element: 3, quantity: "angle", given: 45, nearest: 30.5 }, elementUnreachable: { element: 3 },
   materialLeft: { reason: "mainEdge", area: 1.25, x: 60.5, z: -5.5 }, gouge: { area: 1.25, x: 60.5, z: -5.5 },
   rapidInStock: { area: 1.25, x: 60.5, z: -5.5 }, holderContact: { x: 60.5, z: -5.5 },
   notUnderstood: { text: "UDC TYPE_Z" }, wordNotUnderstood: { text: "B12" }, wordTwice: { word: "X" }, equalsMissing: { text: "Q493+50" },
@@ -50,7 +50,7 @@ describe.each(LANGUAGES)("messages in %s", (language) => {
     const sentence = message(language, found(code));
     expect(sentence).toMatch(/\S.*[.。]$/);
     expect(sentence).not.toMatch(/undefined|NaN|\[object|null/);
-    const own = Object.entries(SAMPLES[code]).filter(([key]) => key !== "reason" && key !== "edge");
+    const own = Object.entries(SAMPLES[code]).filter(([key]) => !["reason", "edge", "quantity"].includes(key));
     const shown = own.map(([, value]) => (typeof value === "number" ? formatNumber(language, value, 4) : String(value)));
     for (const data of shown.filter((text) => !text.includes(","))) expect(sentence).toContain(data);
     if ("nearest" in SAMPLES[code]) expect(sentence).toContain(formatNumber(language, (SAMPLES[code] as { nearest: number }).nearest, 4));

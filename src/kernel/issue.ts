@@ -57,7 +57,7 @@ interface Data {
   /** Values still missing before an element is determined. */
   elementFree: { element: number; freedom: number };
   /** Something given does not agree with the rest; `nearest` does. Degrees for angles, mm otherwise. */
-  elementContradicts: { element: number; what: "angle" | "length" | "tangent" | "radius"; given: number; nearest: number };
+  elementContradicts: { element: number; quantity: "angle" | "length" | "tangent" | "radius"; given: number; nearest: number };
   elementUnreachable: { element: number };
   contourCrossesItself: { element: number; other: number };
   /** An undercut needs a cylinder and a face that meet; a recess a straight element of its direction. */

@@ -66,9 +66,9 @@ export const messages = {
     arcOffCircle: (d, w) => `Element ${d.element}: Der Endpunkt verfehlt den Kreis um ${w.number(d.gap)}. Möglicher Radius: ${w.number(d.nearest)}.`,
     arcTooSmall: (d, w) => `Element ${d.element}: Radius ${w.number(d.radius)} ist zu klein für den Endpunkt. ${nearest(w.number(d.nearest))}`,
     elementFree: (d) => (d.freedom === 0 ? `Element ${d.element}: davor fehlt ein Wert.` : d.freedom === 1 ? `Element ${d.element}: noch eine Angabe nötig.` : `Element ${d.element}: noch ${d.freedom} Angaben nötig.`),
-    elementContradicts: (d, w) => (d.what === "tangent"
+    elementContradicts: (d, w) => (d.quantity === "tangent"
       ? `Element ${d.element} schließt nicht tangential an; die Abweichung ist ${w.number(d.nearest)}°.`
-      : `Element ${d.element}: ${ELEMENT[d.what]} ${w.number(d.given)} widerspricht den übrigen Angaben; ${w.number(d.nearest)} passt.`),
+      : `Element ${d.element}: ${ELEMENT[d.quantity]} ${w.number(d.given)} widerspricht den übrigen Angaben; ${w.number(d.nearest)} passt.`),
     elementUnreachable: (d) => `Element ${d.element}: mit dieser Länge, diesem Radius oder Winkel erreicht es den Nachbarn nicht.`,
     contourCrossesItself: (d) => `Element ${d.element} kreuzt Element ${d.other}.`,
     toolRadiusTooLarge: (d, w) => `Element ${d.element}: Ein Werkzeugradius von ${w.number(d.radius)} passt nicht. ${nearest(w.number(d.nearest))}`,

@@ -69,9 +69,9 @@ export const messages = {
     arcOffCircle: (d, w) => `Element ${d.element}: the end point misses its circle by ${w.number(d.gap)}. Radius that works: ${w.number(d.nearest)}.`,
     arcTooSmall: (d, w) => `Element ${d.element}: radius ${w.number(d.radius)} is too small for its end point. ${nearest(w.number(d.nearest))}`,
     elementFree: (d) => (d.freedom === 0 ? `Element ${d.element}: a value before it is missing.` : d.freedom === 1 ? `Element ${d.element}: one more value is needed.` : `Element ${d.element}: ${d.freedom} more values are needed.`),
-    elementContradicts: (d, w) => (d.what === "tangent"
+    elementContradicts: (d, w) => (d.quantity === "tangent"
       ? `Element ${d.element} does not leave the one before it tangentially; it is off by ${w.number(d.nearest)}°.`
-      : `Element ${d.element}: the ${ELEMENT[d.what]} ${w.number(d.given)} does not agree with the other values; ${w.number(d.nearest)} does.`),
+      : `Element ${d.element}: the ${ELEMENT[d.quantity]} ${w.number(d.given)} does not agree with the other values; ${w.number(d.nearest)} does.`),
     elementUnreachable: (d) => `Element ${d.element}: with this length, radius or angle it does not reach its neighbour.`,
     contourCrossesItself: (d) => `Element ${d.element} crosses element ${d.other}.`,
     toolRadiusTooLarge: (d, w) => `Element ${d.element}: a tool radius of ${w.number(d.radius)} does not fit. ${nearest(w.number(d.nearest))}`,

@@ -67,9 +67,9 @@ export const messages = {
     arcOffCircle: (d, w) => `Élément ${d.element} : le point final manque son cercle de ${w.number(d.gap)}. Rayon possible : ${w.number(d.nearest)}.`,
     arcTooSmall: (d, w) => `Élément ${d.element} : le rayon ${w.number(d.radius)} est trop petit pour le point final. ${nearest(w.number(d.nearest))}`,
     elementFree: (d) => (d.freedom === 0 ? `Élément ${d.element} : il manque une valeur avant lui.` : d.freedom === 1 ? `Élément ${d.element} : il manque une valeur.` : `Élément ${d.element} : il manque ${d.freedom} valeurs.`),
-    elementContradicts: (d, w) => (d.what === "tangent"
+    elementContradicts: (d, w) => (d.quantity === "tangent"
       ? `L'élément ${d.element} ne se raccorde pas tangentiellement ; l'écart est de ${w.number(d.nearest)}°.`
-      : `Élément ${d.element} : ${ELEMENT[d.what]} ${w.number(d.given)} contredit les autres valeurs ; ${w.number(d.nearest)} convient.`),
+      : `Élément ${d.element} : ${ELEMENT[d.quantity]} ${w.number(d.given)} contredit les autres valeurs ; ${w.number(d.nearest)} convient.`),
     elementUnreachable: (d) => `Élément ${d.element} : avec cette longueur, ce rayon ou cet angle, il n'atteint pas son voisin.`,
     contourCrossesItself: (d) => `L'élément ${d.element} croise l'élément ${d.other}.`,
     toolRadiusTooLarge: (d, w) => `Élément ${d.element} : un rayon d’outil de ${w.number(d.radius)} ne passe pas. ${nearest(w.number(d.nearest))}`,

@@ -59,9 +59,9 @@ export const messages = {
     arcOffCircle: (d, w) => `元素${d.element}:终点偏离圆${w.number(d.gap)}。可用半径:${w.number(d.nearest)}。`,
     arcTooSmall: (d, w) => `元素${d.element}:半径${w.number(d.radius)}对该终点过小。${nearest(w.number(d.nearest))}`,
     elementFree: (d) => (d.freedom === 0 ? `元素${d.element}:之前缺少数值。` : `元素${d.element}:还需要${d.freedom}个数值。`),
-    elementContradicts: (d, w) => (d.what === "tangent"
+    elementContradicts: (d, w) => (d.quantity === "tangent"
       ? `元素${d.element}与前一元素不相切,偏差${w.number(d.nearest)}°。`
-      : `元素${d.element}:${ELEMENT[d.what]}${w.number(d.given)}与其他数值矛盾,${w.number(d.nearest)}可用。`),
+      : `元素${d.element}:${ELEMENT[d.quantity]}${w.number(d.given)}与其他数值矛盾,${w.number(d.nearest)}可用。`),
     elementUnreachable: (d) => `元素${d.element}:按此长度、半径或角度无法到达相邻元素。`,
     contourCrossesItself: (d) => `元素${d.element}与元素${d.other}相交。`,
     toolRadiusTooLarge: (d, w) => `第 ${d.element} 个元素：刀具半径 ${w.number(d.radius)} 过大。${nearest(w.number(d.nearest))}`,

@@ -1,0 +1,118 @@
+import { at, meet, type Vector } from "./curve.ts";
+import type { Affine } from "./solve-linear.ts";
+import { sweepOf } from "./solve-curves.ts";
+import { apart, heading, place, pointOf, type Work } from "./solve-work.ts";
+import { ARC_END, ROUND, SAME } from "./tolerance.ts";
+
+/** The point as it moves with one free parameter. */
+interface Sliding {
+  readonly start: Vector;
+  readonly move: Vector;
+}
+
+const freeIn = (...forms: readonly Affine[]) => new Set(forms.flatMap((f) => [...f.by.keys()]));
+const slide = (w: Work, i: number, free: number): Sliding => {
+  const form = w.forms[i];
+  return {
+    start: { z: form?.z.constant ?? 0, r: form?.r.constant ?? 0 },
+    move: { z: form?.z.by.get(free) ?? 0, r: form?.r.by.get(free) ?? 0 },
+  };
+};
+const onSlide = (s: Sliding, k: number): Vector => ({ z: s.start.z + s.move.z * k, r: s.start.r + s.move.r * k });
+
+/** Parameters at which |start + k · move| is `far`; where it stays a hair too far away, the nearest one. */
+function atDistance(start: Vector, move: Vector, far: number): number[] {
+  const a = move.z ** 2 + move.r ** 2;
+  if (a < ROUND) return [];
+  const middle = -(start.z * move.z + start.r * move.r) / a;
+  const nearest = Math.hypot(start.z + move.z * middle, start.r + move.r * middle);
+  if (nearest > far + ARC_END) return [];
+  const half = Math.sqrt(Math.max(0, far * far - nearest * nearest) / a);
+  return half < ROUND ? [middle] : [middle + half, middle - half];
+}
+
+/** A way to end the freedom of a point: places where it may be. */
+interface Candidate {
+  readonly i: number;
+  readonly point: Vector;
+}
+
+/** Chooses among places for a point, sets it and counts them. False when there is none. */
+function choose(w: Work, element: number, candidates: readonly Candidate[]): boolean {
+  const rated = candidates.map((c) => ({ c, wrong: faultsOf(w, c), order: orderOf(w, element, c) }))
+    .sort((a, b) => a.wrong - b.wrong || a.order - b.order || a.c.point.r - b.c.point.r);
+  const fit = rated.filter((r) => r.wrong === (rated[0]?.wrong ?? 0));
+  const chosen = fit[w.elements[element]?.choice ?? 0] ?? rated[0];
+  if (!chosen) {
+    w.unreachable.add(element);
+    return false;
+  }
+  w.choices[element] = Math.max(1, fit.length);
+  return place(w, chosen.c.i, chosen.c.point);
+}
+
+/** Lines that would run backwards, arcs of no length and places below the axis. */
+function faultsOf(w: Work, { i, point }: Candidate): number {
+  let faults = point.r < -SAME ? 1 : 0;
+  for (const [element, from, to] of [[i, pointOf(w, i - 1), point], [i + 1, point, pointOf(w, i + 1)]] as const) {
+    const angle = w.angle[element] ?? null;
+    if (!from || !to || !w.elements[element]) continue;
+    const move = { z: to.z - from.z, r: to.r - from.r };
+    if (angle !== null && move.z * heading(angle).z + move.r * heading(angle).r < -SAME) faults += 1;
+    if (apart(from, to) <= SAME) faults += 1;
+  }
+  return faults;
+}
+
+/** The likelier place first: the shorter arc (the longer one for a negative radius), and towards the chuck. */
+function orderOf(w: Work, element: number, { i, point }: Candidate): number {
+  const circle = w.circle[element] ?? null, e = w.elements[element];
+  const from = i === element ? pointOf(w, element - 1) : point, to = i === element ? point : pointOf(w, element);
+  if (!circle || circle === "straight" || e?.kind !== "arc" || !from || !to) return point.z;
+  const sweep = sweepOf(from, to, circle.centre, circle.turn);
+  return (e.radius ?? 0) < 0 === sweep > Math.PI ? sweep : sweep + 7;
+}
+
+/** Ends the freedom of one point by a length or a circle; the first that can be. True when a point was found. */
+export function findPlace(w: Work): boolean {
+  for (let i = 1; i < w.elements.length; i += 1) {
+    const e = w.elements[i], circle = w.circle[i] ?? null, forms = [w.forms[i - 1], w.forms[i]].flatMap((f) => (f ? [f.z, f.r] : []));
+    const free = freeIn(...forms);
+    const [only] = free;
+    if (only === undefined || w.unreachable.has(i)) continue;
+    if (e?.kind === "line" && e.length !== null && (w.angle[i] ?? null) === null && free.size === 1) {
+      const [a, b] = [slide(w, i - 1, only), slide(w, i, only)];
+      const found = atDistance({ z: b.start.z - a.start.z, r: b.start.r - a.start.r }, { z: b.move.z - a.move.z, r: b.move.r - a.move.r }, e.length);
+      const p = pointOf(w, i) ? i - 1 : i;
+      if (choose(w, i, found.map((k) => ({ i: p, point: onSlide(p === i ? b : a, k) })))) return true;
+    }
+    if (circle && circle !== "straight")
+      for (const p of [i, i - 1]) {
+        const own = w.forms[p];
+        const [one, ...more] = own ? freeIn(own.z, own.r) : [];
+        if (one === undefined || more.length > 0) continue;
+        const s = slide(w, p, one);
+        const found = atDistance({ z: s.start.z - circle.centre.z, r: s.start.r - circle.centre.r }, s.move, circle.radius);
+        if (choose(w, i, found.map((k) => ({ i: p, point: onSlide(s, k) })))) return true;
+      }
+  }
+  return findMeeting(w);
+}
+
+/** A point of which only two distances are known: lengths of its lines, or circles it lies on. */
+function findMeeting(w: Work): boolean {
+  for (let i = 0; i < w.elements.length; i += 1) {
+    if (w.z[i] !== null || w.r[i] !== null) continue;
+    const [one, two] = [distance(w, i, i - 1), distance(w, i + 1, i + 1)];
+    if (!one || !two || w.unreachable.has(i)) continue;
+    const found = meet(one, two).map((v) => ({ i, point: at(v.z, v.r) }));
+    if (choose(w, i, found)) return true;
+  }
+  return false;
+}
+
+function distance(w: Work, element: number, other: number) {
+  const e = w.elements[element], circle = w.circle[element] ?? null, end = pointOf(w, other);
+  if (circle && circle !== "straight") return { centre: circle.centre, radius: circle.radius };
+  return element > 0 && e?.kind === "line" && e.length !== null && end ? { centre: end, radius: e.length } : null;
+}
