@@ -1,0 +1,29 @@
+import type { Encoding } from "../work.ts";
+
+/** What the bytes 128 to 159 stand for in the older encoding; all others stand for the character of the same number. */
+const SPECIAL = "€\u0081‚ƒ„…†‡ˆ‰Š‹Œ\u008dŽ\u008f\u0090‘’“”•–—˜™š›œ\u009džŸ";
+const FIRST = 128;
+
+const characterOf = (byte: number) => SPECIAL[byte - FIRST] ?? String.fromCharCode(byte);
+const byteOf = new Map(Array.from({ length: 256 }, (_, byte) => [characterOf(byte), byte]));
+
+function fromLegacy(file: Uint8Array): string {
+  const parts: string[] = [];
+  for (let i = 0; i < file.length; i += 0x8000) parts.push(Array.from(file.subarray(i, i + 0x8000), characterOf).join(""));
+  return parts.join("");
+}
+
+/** The characters of a file: UTF-8 where it is that, otherwise the encoding of older controls. Nothing is left out. */
+export function decode(file: Uint8Array): { readonly text: string; readonly encoding: Encoding } {
+  try {
+    return { text: new TextDecoder("utf-8", { fatal: true, ignoreBOM: true }).decode(file), encoding: "utf-8" };
+  } catch {
+    return { text: fromLegacy(file), encoding: "windows-1252" };
+  }
+}
+
+/** The bytes of a text; a character that the older encoding does not have makes it UTF-8. */
+export function encode(text: string, encoding: Encoding): Uint8Array<ArrayBuffer> {
+  const legacy = encoding === "windows-1252" ? Uint8Array.from(text, (c) => byteOf.get(c) ?? 0) : null;
+  return legacy && fromLegacy(legacy) === text ? legacy : new TextEncoder().encode(text);
+}
