@@ -149,6 +149,6 @@ export const params = {
   },
   depthCompensation: {
     prompt: "Tiefenkorrektur Schlichten?", printed, label: "Tiefenkorrektur",
-    explanation: "Verschiebt den Grund beim Schlichten und gleicht so aus, dass sich die Schneide beim seitlichen Drehen neigt.",
+    explanation: "Verschiebt den Grund beim Schlichten und gleicht so aus, dass sich die Schneide beim seitlichen Drehen neigt: positiv wird der Einstich flacher, negativ tiefer. Unsere Lesart des Vorzeichens; an der Steuerung prüfen.",
   },
 } satisfies ParamsTexts;

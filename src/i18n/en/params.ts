@@ -150,6 +150,6 @@ export const params = {
   },
   depthCompensation: {
     prompt: "Finishing depth compensation?", printed, label: "Depth compensation",
-    explanation: "Shifts the floor of the finishing cut, to make up for the tilt of the insert while it turns sideways.",
+    explanation: "Shifts the floor of the finishing cut, to make up for the tilt of the insert while it turns sideways: positive leaves the groove shallower, negative makes it deeper. Our reading of the sign; verify on your control.",
   },
 } satisfies ParamsTexts;

@@ -149,6 +149,6 @@ export const params = {
   },
   depthCompensation: {
     prompt: "Correction de prof. finition?", printed, label: "Correction de profondeur",
-    explanation: "Déplace le fond lors de la finition, pour compenser l'arête qui bascule en tournant latéralement.",
+    explanation: "Déplace le fond lors de la finition, pour compenser l'arête qui bascule en tournant latéralement : positive, la gorge est moins profonde ; négative, plus profonde. Notre lecture du signe ; à vérifier sur la commande.",
   },
 } satisfies ParamsTexts;

@@ -144,6 +144,6 @@ export const params = {
   },
   depthCompensation: {
     prompt: "精加工深度补偿?", printed: unprinted, label: "深度补偿",
-    explanation: "移动精加工的槽底,补偿刀片横向车削时的倾斜。",
+    explanation: "移动精加工的槽底,补偿刀片横向车削时的倾斜:正值使槽变浅,负值使槽变深。符号为我们的理解,请在数控系统上核实。",
   },
 } satisfies ParamsTexts;
