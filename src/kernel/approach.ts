@@ -128,7 +128,7 @@ function tangential(q: ApproachRequest, a: Anchor, issues: Issue[]): Arrival | n
   if (far < radius - ROUND) {
     const w = difference(outside, a.at);
     const fits = dot(w, w) / (dot(w, a.free) + dot(w, a.free));
-    const nearest = Math.max(0, Math.floor(fits * 1000 + 1e-6) / 1000);
+    const nearest = fits > 0 ? Math.floor(fits * 1000 + 1e-6) / 1000 : 0;
     issues.push(issue("approachInsideCircle", "error", { point: q.departing ? "PN" : "PS", radius, nearest }, "R"));
     return null;
   }

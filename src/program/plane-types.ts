@@ -1,0 +1,53 @@
+import type { ApproachShape, NamedPoints } from "../kernel/approach.ts";
+import type { FeedUnit } from "../kernel/move.ts";
+import type { PlanePoint, Side } from "../kernel/plane.ts";
+import type { Turn } from "../kernel/point.ts";
+import type { ApproachForm } from "../nc/statement.ts";
+
+/** How a control moves in the tool axis with APPR and DEP: "TNC 640" in the plane first, then in the axis; "TNC7" both at once. */
+export type Control = "TNC 640" | "TNC7";
+
+/** A position of a mill, mm: its centre in the plane, its end in the axis. `z` is null as long as no block has named it. */
+export interface Spot {
+  readonly x: number;
+  readonly y: number;
+  readonly z: number | null;
+}
+
+/** One motion of a milling program. An arc with different z at its ends is a helix. */
+export interface PlaneStep {
+  readonly kind: "rapid" | "feed" | "arc";
+  readonly from: Spot;
+  readonly to: Spot;
+  readonly centre?: PlanePoint;
+  readonly turn?: Turn;
+  /** Absent on a rapid. */
+  readonly feed?: number;
+  readonly feedUnit?: FeedUnit;
+  /** Radius of the tool, mm; 0 when nobody knows it. */
+  readonly radius: number;
+  /** Number of the block, and its index in the parsed program. */
+  readonly block: number;
+  readonly index: number;
+  readonly seconds: number;
+}
+
+/** One executed APPR or DEP. */
+export interface ApproachRun {
+  readonly block: number;
+  readonly index: number;
+  readonly form: ApproachForm;
+  readonly shape: ApproachShape;
+  readonly departing: boolean;
+  readonly side: Side;
+  /** The working plane: X/Y of a mill, or Z/X of a turning tool. */
+  readonly plane: "XY" | "ZX";
+  /**
+   * PS, PH, PA, PE, PN in the plane (turning: x is Z, y is the radius). XY: tool centre. ZX: the theoretical tip, whose
+   * nose centre runs on the compensated path.
+   */
+  readonly points: NamedPoints;
+  readonly toolRadius: number;
+  /** Of CT and LCT, degrees; its centre as the points. */
+  readonly arc: { readonly centre: PlanePoint; readonly radius: number; readonly angle: number; readonly turn: Turn } | null;
+}
