@@ -1,5 +1,6 @@
 import type { BlankDraft, ContourRow, Job, SpindleDraft } from "../program/job.ts";
 import type { Draft } from "../program/read-draft.ts";
+import { usePrompted } from "./prompted.ts";
 import { edit } from "./store.ts";
 
 const noDraft: Draft = {};
@@ -9,6 +10,8 @@ export const draftOf = (job: Job): Draft => job.drafts[job.cycle] ?? noDraft;
 
 /** The typed text of one prompt. */
 export function setPrompt(q: string, text: string): void {
+  const { block } = usePrompted.getState();
+  if (block) return block.setPrompt(q, text);
   edit((job) => {
     const draft = draftOf(job);
     return draft[q] === text ? job : { ...job, drafts: { ...job.drafts, [job.cycle]: { ...draft, [q]: text } } };

@@ -3,9 +3,9 @@ import type { Language } from "../i18n/languages.ts";
 import type { Texts } from "../i18n/index.ts";
 import type { AnyIssue } from "../i18n/message-texts.ts";
 import { writer, type Write } from "../i18n/write.ts";
+import { usePromptedJob } from "./prompted.ts";
 import { useSettings } from "./settings/settings.ts";
 import { useTexts } from "./settings/use-texts.ts";
-import { useEditor } from "./store.ts";
 
 /** The sentence of a finding in a screen language; `cycle` tells what the value at its place measures. */
 export function issueText(texts: Texts, language: Language, found: AnyIssue, cycle: number | null): string {
@@ -19,6 +19,6 @@ export function issueText(texts: Texts, language: Language, found: AnyIssue, cyc
 export function useIssueText(): (found: AnyIssue) => string {
   const texts = useTexts();
   const language = useSettings((s) => s.language);
-  const cycle = useEditor((s) => s.job?.cycle ?? null);
+  const cycle = usePromptedJob()?.cycle ?? null;
   return (found) => issueText(texts, language, found, cycle);
 }

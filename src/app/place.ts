@@ -21,6 +21,12 @@ export interface Place {
 
 export const usePlace = create<Place>(() => ({ section: "prompts", prompt: null, before: "", focus: 0, field: null }));
 
+/** Marks a place that keeps the keyboard while prompts open beside it: the program text, the list of its parts. */
+export const KEEPS_KEYBOARD = "data-keeps-keyboard";
+
+/** False while the operator types elsewhere: a field that opens must not take the keyboard away. */
+export const mayTakeKeyboard = (): boolean => !document.activeElement?.closest(`[${KEEPS_KEYBOARD}]`);
+
 /** Opens a prompt with the text that stands in it now. */
 export const openPrompt = (prompt: string | null, before: string): void =>
   usePlace.setState((p) => ({ section: "prompts", prompt, before, focus: p.focus + 1, field: null }));

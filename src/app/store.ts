@@ -30,6 +30,13 @@ export const closeStep = (): void => {
   lastPlace = null;
 };
 
+/** True when a change at this place goes on with the step of the change before; the next one is asked about this place. */
+export function goesOn(place: string | null): boolean {
+  const on = place !== null && place === lastPlace;
+  lastPlace = place;
+  return on;
+}
+
 /**
  * Changes the job as one step of undo. Changes that name the same place, one after the other, are one step together:
  * a number is typed in one step, however many digits it has.
@@ -40,11 +47,10 @@ export function edit(change: (job: Job) => Job, place: string | null = null): vo
   const next = change(job);
   if (next === job) return;
   const history = useEditor.temporal.getState();
-  const goesOn = place !== null && place === lastPlace;
-  if (goesOn) history.pause();
+  const on = goesOn(place);
+  if (on) history.pause();
   useEditor.setState({ job: next });
-  if (goesOn) history.resume();
-  lastPlace = place;
+  if (on) history.resume();
 }
 
 /** Puts other work in place of this one, as one step of undo. */

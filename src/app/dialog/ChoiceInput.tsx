@@ -1,7 +1,7 @@
 import { useLayoutEffect, useRef } from "react";
 import type { Param } from "../../cycles/params.ts";
 import { setPrompt } from "../edits.ts";
-import { usePlace } from "../place.ts";
+import { mayTakeKeyboard, usePlace } from "../place.ts";
 import { closeStep } from "../store.ts";
 
 interface Props {
@@ -21,6 +21,7 @@ export function ChoiceInput({ q, param, text, name, describedBy, meanings }: Pro
   const chosen = choices.indexOf(text.trim() === "" ? Number.NaN : Number(text));
 
   useLayoutEffect(() => {
+    if (!mayTakeKeyboard()) return;
     const radios = group.current?.querySelectorAll("input");
     const current = group.current?.querySelector<HTMLInputElement>("input:checked");
     (current ?? radios?.[0])?.focus({ preventScroll: true });

@@ -1,7 +1,7 @@
 import { useLayoutEffect, useRef } from "react";
 import { CopyButton } from "../program/CopyButton.tsx";
 import { Icon } from "../Icon.tsx";
-import { usePlace } from "../place.ts";
+import { mayTakeKeyboard, usePlace } from "../place.ts";
 import { useProblems } from "../problems/problems.ts";
 import type { JobReading } from "../reading.ts";
 import { useTexts } from "../settings/use-texts.ts";
@@ -17,7 +17,7 @@ export function DialogDone({ read }: { readonly read: JobReading }) {
   const first = promptsOf(read.cycle)[0] ?? null;
 
   useLayoutEffect(() => {
-    if (focus > 0) box.current?.querySelector<HTMLElement>("button")?.focus({ preventScroll: true });
+    if (focus > 0 && mayTakeKeyboard()) box.current?.querySelector<HTMLElement>("button")?.focus({ preventScroll: true });
   }, [focus]);
 
   return (

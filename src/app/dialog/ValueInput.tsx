@@ -1,7 +1,7 @@
 import { useEffectEvent, useImperativeHandle, useLayoutEffect, useRef, type RefObject } from "react";
 import { useSettings } from "../settings/settings.ts";
 import { setPrompt } from "../edits.ts";
-import { usePlace } from "../place.ts";
+import { mayTakeKeyboard, usePlace } from "../place.ts";
 import { commit } from "./prompts.ts";
 import type { Entry } from "./number-entry.ts";
 import { useNumberEntry } from "./use-number-entry.ts";
@@ -33,6 +33,7 @@ export function ValueInput({ q, text, name, describedBy, invalid, ownKeypad, fie
   const { read, write, onKeyDown, onTyped } = useNumberEntry(input, text, (typed) => setPrompt(q, typed));
   const opened = useEffectEvent(() => {
     onTyped();
+    if (!mayTakeKeyboard()) return;
     input.current?.focus({ preventScroll: true });
     input.current?.select();
   });

@@ -3,7 +3,8 @@ import type { Kind, Param } from "../../cycles/params.ts";
 import { readDraft } from "../../program/read-draft.ts";
 import { draftOf, setPrompt } from "../edits.ts";
 import { openPrompt, usePlace } from "../place.ts";
-import { closeStep, useEditor } from "../store.ts";
+import { promptedJob } from "../prompted.ts";
+import { closeStep } from "../store.ts";
 import { cycleByNumber } from "../../cycles/index.ts";
 
 /** The Q numbers of a cycle in the order of its prompts. */
@@ -11,12 +12,12 @@ export const promptsOf = (cycle: Cycle): readonly string[] => Object.keys(cycle.
 
 /** The open cycle; null on the start page. */
 export const openCycle = (): Cycle | null => {
-  const { job } = useEditor.getState();
+  const job = promptedJob();
   return (job && cycleByNumber(job.cycle)) ?? null;
 };
 
 const typed = (q: string): string => {
-  const { job } = useEditor.getState();
+  const job = promptedJob();
   return (job && draftOf(job)[q]) ?? "";
 };
 

@@ -2,6 +2,7 @@ import { useMemo } from "react";
 import type { Severity } from "../../kernel/issue.ts";
 import type { Finding } from "../../program/run-types.ts";
 import { useOutcome, type Outcome } from "../engine/outcome.ts";
+import { usePrompted } from "../prompted.ts";
 import { useReading, type JobReading } from "../reading.ts";
 
 /** One thing to tell the operator, with the place it belongs to. */
@@ -40,9 +41,10 @@ export function problemsOf(read: JobReading | null, newest: Outcome | null): rea
   return [...all.values()].sort((a, b) => weight[a.issue.severity] - weight[b.issue.severity]);
 }
 
-/** The problems of the open job; the same list as long as neither values nor results change. */
+/** The problems of the open job, or of the block whose prompts are shown; the same list as long as neither values nor results change. */
 export function useProblems(): readonly Problem[] {
   const read = useReading();
   const newest = useOutcome((s) => s.newest);
-  return useMemo(() => problemsOf(read, newest), [read, newest]);
+  const block = usePrompted((p) => p.block);
+  return useMemo(() => block?.problems ?? problemsOf(read, newest), [block, read, newest]);
 }
