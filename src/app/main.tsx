@@ -9,6 +9,7 @@ import { resume, startKeeping } from "./saving/keep.ts";
 import { followAppearance } from "./settings/appearance.ts";
 import { fetchTexts } from "./settings/loaded-texts.ts";
 import { useSettings } from "./settings/settings.ts";
+import { startTools } from "./tools/keep-tools.ts";
 import "./styles/base.css";
 import "./styles/layout.css";
 import "./styles/dialog.css";
@@ -18,6 +19,7 @@ import "./styles/start.css";
 z.config({ jitless: true });
 followAppearance();
 document.addEventListener("keydown", onHistoryKey);
+startTools();
 void resume().then(() => {
   startKeeping();
   startEngine();

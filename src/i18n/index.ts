@@ -9,6 +9,7 @@ import type { MessagesTexts } from "./message-texts.ts";
 import type { PageTexts } from "./en/page.ts";
 import type { ParamsTexts } from "./param-text.ts";
 import type { SetupTexts } from "./en/setup.ts";
+import type { ToolsTexts } from "./en/tools.ts";
 import { fr } from "./fr/index.ts";
 import type { Language } from "./languages.ts";
 import { zh } from "./zh/index.ts";
@@ -21,6 +22,7 @@ export interface Texts {
   readonly lathe: LatheTexts;
   readonly help: HelpTexts;
   readonly contour: ContourTexts;
+  readonly tools: ToolsTexts;
   readonly messages: MessagesTexts;
   readonly params: ParamsTexts;
   readonly cycles: CyclesTexts;

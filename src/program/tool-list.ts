@@ -26,10 +26,21 @@ export function newId(list: ToolList): string {
 
 /** The lowest whole number above `from` that no row has. */
 export function freeNumber(list: ToolList, from = 0): number {
-  const taken = new Set(list.map((entry) => readEntry(entry).number));
+  const taken = new Set(list.map((entry) => readOnce(entry).number));
   let n = Math.floor(from) + 1;
   while (taken.has(n)) n++;
   return n;
+}
+
+const known = new WeakMap<ToolEntry, EntryReading>();
+
+/** A row read, once for each state of the row. */
+function readOnce(entry: ToolEntry): EntryReading {
+  const before = known.get(entry);
+  if (before) return before;
+  const made = readEntry(entry);
+  known.set(entry, made);
+  return made;
 }
 
 /** Reads every row. Of two rows with one number the first keeps it. */
@@ -39,7 +50,7 @@ export function readList(list: ToolList): ToolListReading {
   const refused = new Map<number, readonly Issue[]>();
   const taken = new Set<number>();
   const numbers = new Set<number>();
-  const readings = list.map((entry) => readEntry(entry));
+  const readings = list.map(readOnce);
   for (const { number } of readings) if (number !== null) numbers.add(number);
   list.forEach((entry, i) => {
     const reading = readings[i] as EntryReading;
@@ -65,7 +76,7 @@ export function merged(list: ToolList, rows: readonly ToolEntry["cells"][]): { r
   const next = [...list];
   const places = new Map<number, number>();
   list.forEach((entry, i) => {
-    const { number } = readEntry(entry);
+    const { number } = readOnce(entry);
     if (number !== null && !places.has(number)) places.set(number, i);
   });
   const ids = new Set(list.map((entry) => entry.id));

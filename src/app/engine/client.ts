@@ -1,11 +1,13 @@
 import { releaseProxy, wrap, type Remote } from "comlink";
 import type { Job } from "../../program/job.ts";
 import { readExpression } from "../../program/expression.ts";
+import type { ToolTable } from "../../program/read-tools.ts";
 import type { ToolFit } from "../../program/which-tool.ts";
 import { printedText } from "../printed.ts";
 import { readJob } from "../reading.ts";
 import { notice } from "../saving/keep.ts";
 import { useEditor, type Editor } from "../store.ts";
+import { toolTable, useTools } from "../tools/tool-store.ts";
 import type { ProgramWork } from "../work.ts";
 import type { Engine, Request } from "./engine.ts";
 import { forgetOutcome, pause, takeOutcome, type Outcome } from "./outcome.ts";
@@ -72,7 +74,7 @@ function rapidOf(job: Job): number {
   return read.kind === "number" && read.value > 0 ? read.value : USUAL_RAPID;
 }
 
-let last: { readonly text: string; readonly rapid: number; readonly cycle: number | null; readonly work: string | null } | null = null;
+let last: { readonly text: string; readonly table: ToolTable; readonly rapid: number; readonly cycle: number | null; readonly work: string | null } | null = null;
 
 /** A whole program is calculated as it stands, right or wrong. */
 function followProgram({ text }: ProgramWork, name: string | null): void {
@@ -80,11 +82,12 @@ function followProgram({ text }: ProgramWork, name: string | null): void {
     last = null;
     forgetOutcome();
   }
-  if (last?.text === text) return;
+  const table = toolTable();
+  if (last?.text === text && last.table === table) return;
   pause(false);
-  last = { text, rapid: USUAL_RAPID, cycle: null, work: name };
+  last = { text, table, rapid: USUAL_RAPID, cycle: null, work: name };
   version += 1;
-  waiting = { version, text, rapid: USUAL_RAPID };
+  waiting = { version, text, table, rapid: USUAL_RAPID };
   void work();
 }
 
@@ -109,27 +112,29 @@ function follow({ job, program, work: name }: Editor): void {
   pause(false);
   const text = printedText(job);
   const rapid = rapidOf(job);
-  if (last?.text === text && last.rapid === rapid) return;
-  last = { text, rapid, cycle: job.cycle, work: name };
+  const table = toolTable();
+  if (last?.text === text && last.table === table && last.rapid === rapid) return;
+  last = { text, table, rapid, cycle: job.cycle, work: name };
   version += 1;
-  waiting = { version, text, rapid };
+  waiting = { version, text, table, rapid };
   void work();
 }
 
-/** From now on each change of the job is calculated. */
+/** From now on each change of the work or of the tool table is calculated. */
 export function startEngine(): () => void {
   const now = () => follow(useEditor.getState());
   now();
-  return useEditor.subscribe(now);
+  const stops = [useEditor.subscribe(now), useTools.subscribe(now)];
+  return () => stops.forEach((stop) => stop());
 }
 
-/** What each shipped tool can do with the values of a job, best first; null when that cannot be said. */
+/** What each tool of the table can do with the values of a job, best first; null when that cannot be said. */
 export async function fitsOf(job: Job, outcome: Outcome): Promise<readonly ToolFit[] | null> {
   const { operations } = outcome.run;
   const call = operations[0];
   if (!call) return null;
   try {
-    return await inTime(started().fits(job, { start: call.start, feedUnit: call.feedUnit }));
+    return await inTime(started().fits(job, { start: call.start, feedUnit: call.feedUnit, tools: toolTable().tools }));
   } catch {
     return null;
   }

@@ -1,12 +1,13 @@
 import { cycleByNumber } from "../../cycles/index.ts";
-import { shippedTools } from "../../program/shipped-tools.ts";
 import { parse } from "../../nc/parse.ts";
 import { readDraft } from "../../program/read-draft.ts";
+import type { ToolTable } from "../../program/read-tools.ts";
 import { run } from "../../program/run.ts";
 import { rankTools, type ToolFit } from "../../program/which-tool.ts";
 import { simulate } from "../../sim/simulate.ts";
 import type { FeedUnit } from "../../kernel/move.ts";
 import type { Pt } from "../../kernel/point.ts";
+import type { Tool } from "../../kernel/tool.ts";
 import type { Job } from "../../program/job.ts";
 import { givenOf } from "./given.ts";
 import type { Outcome } from "./outcome.ts";
@@ -15,6 +16,8 @@ import type { Outcome } from "./outcome.ts";
 export interface Request {
   readonly version: number;
   readonly text: string;
+  /** The tools that the program can call. */
+  readonly table: ToolTable;
   /** Rapid rate for times, mm/min. */
   readonly rapid: number;
 }
@@ -23,26 +26,27 @@ export interface Request {
 export interface Circumstances {
   readonly start: Pt;
   readonly feedUnit: FeedUnit;
+  readonly tools: readonly Tool[];
 }
 
 /** Everything that takes time, as plain functions of plain data. Runs in a worker. */
 export const engine = {
   /** From the program text to moves, stock, proof and times. */
-  update({ version, text, rapid }: Request): Outcome {
+  update({ version, text, table, rapid }: Request): Outcome {
     const program = parse(text);
-    const made = run(program, { tools: shippedTools, rapid });
+    const made = run(program, { ...table, rapid });
     const simulation = simulate({ blank: made.blank, steps: made.steps, operations: made.operations });
     return { version, text, run: made, simulation };
   },
 
-  /** What each shipped tool can do with the values of a job, best first; null while they make no contour. */
-  fits(job: Job, { start, feedUnit }: Circumstances): readonly ToolFit[] | null {
+  /** What each tool can do with the values of a job, best first; null while they make no contour. */
+  fits(job: Job, { start, feedUnit, tools }: Circumstances): readonly ToolFit[] | null {
     const cycle = cycleByNumber(job.cycle);
     const values = cycle && readDraft(cycle, job.drafts[job.cycle] ?? {}).values;
     if (!cycle || !values) return null;
     const given = givenOf({ cycle, job });
     if (cycle.outline(values, given).issues.some((found) => found.severity === "error")) return null;
-    return rankTools(cycle, values, given, { start, feedUnit, autoFeed: null }, shippedTools);
+    return rankTools(cycle, values, given, { start, feedUnit, autoFeed: null }, tools);
   },
 };
 

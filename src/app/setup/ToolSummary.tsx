@@ -1,4 +1,3 @@
-import { shippedTools } from "../../program/shipped-tools.ts";
 import type { ToolFit } from "../../program/which-tool.ts";
 import { setTool } from "../edits.ts";
 import { FieldMessage } from "../dialog/FieldMessage.tsx";
@@ -8,6 +7,7 @@ import { goToField } from "../place.ts";
 import { isAboutTool, useProblems } from "../problems/problems.ts";
 import type { JobReading } from "../reading.ts";
 import { useTexts } from "../settings/use-texts.ts";
+import { useToolList } from "../tools/tool-store.ts";
 import { ToolVerdict, useToolDetails } from "./tool-words.tsx";
 
 /** Edge length of the insert drawing, px. */
@@ -18,7 +18,7 @@ export function ToolSummary({ read, fits }: { readonly read: JobReading; readonl
   const t = useTexts().setup.tool;
   const details = useToolDetails();
   const problems = useProblems().filter((p) => isAboutTool(p.at));
-  const tool = shippedTools.find((each) => each.T === read.job.tool);
+  const tool = useToolList().find((each) => each.T === read.job.tool);
   const own = fits?.find((f) => f.tool.T === read.job.tool);
   const best = fits?.find((f) => f.makesContour);
   return (

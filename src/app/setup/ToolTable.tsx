@@ -1,19 +1,20 @@
 import { useEffect, useRef } from "react";
-import { shippedTools } from "../../program/shipped-tools.ts";
 import type { ToolFit } from "../../program/which-tool.ts";
 import { setTool } from "../edits.ts";
 import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
 import { usePlace } from "../place.ts";
 import type { JobReading } from "../reading.ts";
 import { useTexts } from "../settings/use-texts.ts";
+import { useToolList } from "../tools/tool-store.ts";
 import { ToolVerdict, useToolDetails, useVerdict } from "./tool-words.tsx";
 
 /** Edge length of an insert drawing, px. */
 const DRAWING = 40;
 
-/** The tools that ship, each drawn to scale, with what it can do on this contour. */
+/** The tools of the table, each drawn to scale, with what it can do on this contour. */
 export function ToolTable({ read, fits }: { readonly read: JobReading; readonly fits: readonly ToolFit[] | null }) {
   const t = useTexts().setup.tool;
+  const tools = useToolList();
   const details = useToolDetails();
   const verdict = useVerdict();
   const asked = usePlace((p) => (p.field === "tool" ? p.focus : 0));
@@ -26,7 +27,7 @@ export function ToolTable({ read, fits }: { readonly read: JobReading; readonly 
   return (
     <fieldset className="setup-group" ref={group} role="radiogroup" aria-label={t.list}>
       <legend>{t.list}</legend>
-      {shippedTools.map((tool) => {
+      {tools.map((tool) => {
         const fit = fits?.find((f) => f.tool.T === tool.T);
         return (
           <label key={tool.T} className="tool-row">

@@ -113,6 +113,8 @@ export const page = {
     notKept: "Dieser Browser speichert nichts auf dem Gerät. Das Programm vor dem Schließen kopieren oder herunterladen.",
     copyOfOtherTab: "Diese Arbeit ist in einem anderen Tab offen. Hier wird eine Kopie bearbeitet; beide bleiben erhalten.",
     engineFailed: "Die Berechnung ist stehen geblieben und wurde neu gestartet. Die Werte sind sicher.",
+    toolsDamaged: "Die gespeicherte Werkzeugtabelle ließ sich nicht lesen. Sie wurde beiseitegelegt; es gelten die mitgelieferten Werkzeuge.",
+    toolsNotKept: "Dieser Browser speichert die Werkzeugtabelle nicht auf dem Gerät. Vor dem Schließen der Seite exportieren.",
     crashTitle: "Auf dieser Seite ist etwas schiefgegangen",
     crash: "Die Arbeit ist auf diesem Gerät gespeichert.",
     reload: "Seite neu laden",

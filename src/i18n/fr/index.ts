@@ -4,8 +4,9 @@ import { setup } from "./setup.ts";
 import { lathe } from "./lathe.ts";
 import { help } from "./help.ts";
 import { contour } from "./contour.ts";
+import { tools } from "./tools.ts";
 import { messages } from "./messages.ts";
 import { params } from "./params.ts";
 import { cycles } from "./cycles.ts";
 
-export const fr = { page, dialog, setup, lathe, help, contour, messages, params, cycles };
+export const fr = { page, dialog, setup, lathe, help, contour, tools, messages, params, cycles };

@@ -110,6 +110,8 @@ export const page = {
     notKept: "此浏览器不在设备上保存工作。关闭页面前请复制或下载程序。",
     copyOfOtherTab: "此工作已在另一个标签页打开。这里编辑的是副本，两份都会保留。",
     engineFailed: "计算中断，已重新启动。您输入的值没有丢失。",
+    toolsDamaged: "已保存的刀具表无法读取，已另存；现使用随附刀具。",
+    toolsNotKept: "此浏览器不在设备上保存刀具表。关闭页面前请导出。",
     crashTitle: "页面出错",
     crash: "您的工作已保存在本设备。",
     reload: "重新加载页面",

@@ -1,0 +1,51 @@
+import type { CellName } from "../../program/tool-columns.ts";
+import { cellOf, readEntry, type ToolEntry } from "../../program/tool-entry.ts";
+import { freeNumber, merged, newId, shippedList } from "../../program/tool-list.ts";
+import { editTools, useTools } from "./tool-store.ts";
+
+/** The typed text of one cell. */
+export function setCell(id: string, cell: CellName, text: string): void {
+  editTools((list) => list.map((entry) =>
+    entry.id === id && cellOf(entry, cell) !== text ? { ...entry, cells: { ...entry.cells, [cell]: text } } : entry), `${id} ${cell}`);
+}
+
+/** A new row with the next free number and what every table begins with; gives its id. */
+export function addTool(): string {
+  const { list } = useTools.getState();
+  const id = newId(list);
+  editTools(() => [...list, { id, cells: { T: String(freeNumber(list)), TYPE: "ROUGH", TO: "1" } }]);
+  return id;
+}
+
+/** The same tool once more, under it, with the next free number; gives the id of the copy. */
+export function duplicateTool(id: string): string {
+  const { list } = useTools.getState();
+  const at = list.findIndex((entry) => entry.id === id);
+  const entry = list[at];
+  if (!entry) return id;
+  const copy = newId(list);
+  const T = String(freeNumber(list, readEntry(entry).number ?? 0));
+  editTools(() => [...list.slice(0, at + 1), { id: copy, cells: { ...entry.cells, T } }, ...list.slice(at + 1)]);
+  return copy;
+}
+
+/** Takes a row out; gives the id of the row that is then in its place, null when none is left. */
+export function removeTool(id: string): string | null {
+  const { list } = useTools.getState();
+  const at = list.findIndex((entry) => entry.id === id);
+  const next = list[at + 1] ?? list[at - 1] ?? null;
+  editTools((rows) => rows.filter((entry) => entry.id !== id));
+  return next?.id ?? null;
+}
+
+/** Rows of a file, over those of the table: one step of undo. */
+export function takeRows(rows: readonly ToolEntry["cells"][]): { readonly replaced: number; readonly added: number; readonly first: string | null } {
+  const { list } = useTools.getState();
+  const made = merged(list, rows);
+  editTools(() => made.list);
+  const first = made.list.find((entry) => rows[0] === entry.cells);
+  return { replaced: made.replaced, added: made.added, first: first?.id ?? null };
+}
+
+/** The shipped table in place of this one: one step of undo. */
+export const takeShipped = (): void => editTools(() => shippedList);
