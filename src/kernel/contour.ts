@@ -1,10 +1,13 @@
 import { arcByRadius, arcTangential, line } from "./arc-forms.ts";
-import { cutCorner, type CornerElement } from "./corner.ts";
+import { cutCorner, roundedDown, type CornerElement } from "./corner.ts";
 import { selfCrossing } from "./crossing.ts";
 import { direction, lengthOf } from "./curve.ts";
 import { issue, type Issue } from "./issue.ts";
+import type { Groove } from "./groove.ts";
 import type { Pt, Segment, Turn } from "./point.ts";
+import { putRecesses, type Chain, type Recess } from "./recessed.ts";
 import { ARC_END, ROUND, SAME } from "./tolerance.ts";
+import type { Undercut } from "./undercut.ts";
 
 /** A motion of a programmed contour, in part space, with every coordinate filled in. */
 export type PathElement =
@@ -14,7 +17,7 @@ export type PathElement =
   | { readonly kind: "centre"; readonly to: Pt; readonly centre: Pt; readonly turn: Turn }
   | { readonly kind: "tangent"; readonly to: Pt };
 /** One element of a contour subprogram. */
-export type ContourElement = PathElement | CornerElement;
+export type ContourElement = PathElement | CornerElement | Undercut | Groove;
 
 export interface Contour {
   readonly segments: readonly Segment[];
@@ -22,8 +25,7 @@ export interface Contour {
   readonly elements: readonly number[];
   readonly issues: readonly Issue[];
 }
-/** A size on the grid that a control prints, never larger than it was. */
-export const roundedDown = (size: number) => Math.floor(size * 1000 + 1e-6) / 1000;
+export { roundedDown } from "./corner.ts";
 
 /** The largest element of a kind that fits on a corner, mm, when `tooBig` does not. */
 export function largestCorner(before: Segment, after: Segment, kind: CornerElement["kind"], tooBig: number): number {
@@ -114,33 +116,37 @@ function segmentTo(from: Pt, before: Segment | undefined, e: PathElement, elemen
 /** Builds the segments of a programmed contour. Its first element only says where the contour starts. */
 export function contourFrom(programmed: readonly ContourElement[]): Contour {
   const issues: Issue[] = [];
-  const chain: Segment[] = [];
-  const corners: (CornerElement | null)[] = [];
-  const numbers = { segments: [] as number[], corners: [] as number[] };
+  const chain: Chain = { segments: [], corners: [], segmentNumbers: [], cornerNumbers: [] };
+  const recesses: Recess[] = [];
   let from: Pt | null = null;
   let waiting: { corner: CornerElement; element: number } | null = null;
   programmed.forEach((e, i) => {
     const element = i + 1;
+    if (e.kind === "undercut" || e.kind === "groove") {
+      recesses.push({ recess: e, element, after: chain.segments.length - 1 });
+      return;
+    }
     if ("size" in e) {
-      if (chain.length === 0 || waiting) issues.push(issue("cornerElementAlone", "error", { element }, "contour"));
+      if (chain.segments.length === 0 || waiting) issues.push(issue("cornerElementAlone", "error", { element }, "contour"));
       else waiting = { corner: e, element };
       return;
     }
-    const segment = from && segmentTo(from, chain.at(-1), e, element, issues);
+    const segment = from && segmentTo(from, chain.segments.at(-1), e, element, issues);
     from = e.to;
     if (!segment || lengthOf(segment) <= SAME) return;
-    if (chain.length > 0) {
-      corners.push(waiting?.corner ?? null);
-      numbers.corners.push(waiting?.element ?? 0);
+    if (chain.segments.length > 0) {
+      chain.corners.push(waiting?.corner ?? null);
+      chain.cornerNumbers.push(waiting?.element ?? 0);
     }
     waiting = null;
-    chain.push(segment);
-    numbers.segments.push(element);
+    chain.segments.push(segment);
+    chain.segmentNumbers.push(element);
   });
   const alone = (waiting as { element: number } | null)?.element;
   if (alone) issues.push(issue("cornerElementAlone", "error", { element: alone }, "contour"));
-  if (chain.length === 0) issues.push(issue("contourTooShort", "error", {}, "contour"));
-  const done = withCorners(chain, corners, numbers);
+  if (chain.segments.length === 0) issues.push(issue("contourTooShort", "error", {}, "contour"));
+  issues.push(...putRecesses(chain, recesses));
+  const done = withCorners(chain.segments, chain.corners, { segments: chain.segmentNumbers, corners: chain.cornerNumbers });
   const crossing = selfCrossing(done.segments);
   if (crossing) {
     const [element, other] = crossing.map((i) => done.elements[i] ?? 0) as [number, number];

@@ -8,6 +8,9 @@ export interface CornerElement {
   readonly size: number;
 }
 
+/** A size on the grid that a control prints, never larger than it was. */
+export const roundedDown = (size: number) => Math.floor(size * 1000 + 1e-6) / 1000;
+
 /** Both neighbours shortened, and the element between them. */
 export interface Cut {
   readonly before: Segment;

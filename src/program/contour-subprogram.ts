@@ -5,6 +5,7 @@ import type { AxisWord, Label, Statement, Words } from "../nc/statement.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
 import { polarPoint } from "./polar.ts";
+import { recessOf } from "./recess-words.ts";
 
 /** A contour with the block each of its elements came from. */
 export interface Subprogram {
@@ -55,7 +56,13 @@ function element(reader: Reader, s: Statement, index: number): void {
     case "path": return path(reader, s.path, s.words, index);
     case "chamfer": return corner(reader, "chamfer", s.length === null ? null : reader.machine.number(s.length, index), index);
     case "assign": return reader.machine.assign(s, index);
-    case "undercut": case "groove": return reader.machine.notSimulated(s.kind === "undercut" ? `UDC ${s.form}` : `GRV ${s.form}`, index, "warning");
+    case "undercut": case "groove": {
+      const recess = recessOf(reader.machine, s, index);
+      if (!recess) return;
+      reader.elements.push(recess);
+      reader.blocks.push(index);
+      return;
+    }
     case "approach": case "call": case "cycleCall": return reader.machine.notSimulated(s.kind, index, "warning");
     default: return;
   }
