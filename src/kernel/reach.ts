@@ -15,7 +15,8 @@ export interface Bound {
  * piece lies in the sum, and the uppermost ones bound it.
  */
 export function reachOver(chain: readonly Bound[], insert: Convex, extra: readonly Piece[] = []): Envelope {
-  const k = mirroredLowerHull(insert);
+  const edges = mirroredLowerHull(insert);
+  const k: Hull = { edges, vertices: vertices(edges) };
   const pieces: Piece[] = [...extra];
   const add = (p: Piece | null) => { if (p) pieces.push(p); };
   chain.forEach((b, i) => {
@@ -48,11 +49,23 @@ function mirroredLowerHull(insert: Convex): Edge[] {
   });
 }
 
+/** What can face up on the mirrored insert: its elements, and its corners with the cone of normals they carry. */
+interface Hull {
+  readonly edges: readonly Edge[];
+  readonly vertices: readonly Vertex[];
+}
+interface Vertex {
+  readonly at: Flat;
+  readonly from: number;
+  readonly to: number;
+  readonly feature: Feature;
+}
+
 const ANGLE = 1e-9;
 const angleOf = (n: Flat) => Math.atan2(n.v, n.u);
 
 /** Vertices of the hull with the cone of normals they carry, and what they belong to. */
-function vertices(k: readonly Edge[]): { at: Flat; from: number; to: number; feature: Feature }[] {
+function vertices(k: readonly Edge[]): Vertex[] {
   // Along the boundary: an edge and the arc it runs into share a normal, so the middle of what each carries decides.
   const middle = (e: Edge) => normalStart(e) + normalEnd(e);
   const ordered = [...k].sort((a, b) => middle(a) - middle(b));
@@ -67,27 +80,27 @@ function vertices(k: readonly Edge[]): { at: Flat; from: number; to: number; fea
   return out.filter((v) => v.to - v.from > ANGLE);
 }
 
-function alongLine(s: Extract<FlatSegment, { kind: "line" }>, k: readonly Edge[], on: Origin["on"], add: (p: Piece | null) => void) {
+function alongLine(s: Extract<FlatSegment, { kind: "line" }>, k: Hull, on: Origin["on"], add: (p: Piece | null) => void) {
   if (s.to.u - s.from.u <= 0) return;
   const a = angleOf(normalAt(s, "from"));
   const shift = (by: Flat, feature: Feature) =>
     add(linePiece({ u: s.from.u + by.u, v: s.from.v + by.v }, { u: s.to.u + by.u, v: s.to.v + by.v }, { feature, on, corner: false }));
   let parallel = false;
-  for (const e of k)
+  for (const e of k.edges)
     if (e.kind === "line" && Math.abs(a - normalStart(e)) <= ANGLE) {
       // Two parallel straights sum to one: from the left end of the edge at the start to its right end at the end.
       add(linePiece({ u: s.from.u + e.to.u, v: s.from.v + e.to.v }, { u: s.to.u + e.from.u, v: s.to.v + e.from.v }, { feature: e.feature, on, corner: false }));
       parallel = true;
     }
   if (parallel) return;
-  for (const e of k)
+  for (const e of k.edges)
     if (e.kind === "arc" && a >= e.start - ANGLE && a <= e.start + e.sweep + ANGLE)
       return shift({ u: e.centre.u + e.radius * Math.cos(a), v: e.centre.v + e.radius * Math.sin(a) }, e.feature);
-  for (const v of vertices(k)) if (a >= v.from - ANGLE && a <= v.to + ANGLE) return shift(v.at, v.feature);
+  for (const v of k.vertices) if (a >= v.from - ANGLE && a <= v.to + ANGLE) return shift(v.at, v.feature);
 }
 
 /** An arc of the contour: its outward normals, and the insert elements with the same normal. */
-function alongArc(s: Extract<FlatSegment, { kind: "arc" }>, k: readonly Edge[], on: Origin["on"], add: (p: Piece | null) => void) {
+function alongArc(s: Extract<FlatSegment, { kind: "arc" }>, k: Hull, on: Origin["on"], add: (p: Piece | null) => void) {
   const radius = Math.hypot(s.from.u - s.centre.u, s.from.v - s.centre.v);
   const a0 = Math.atan2(s.from.v - s.centre.v, s.from.u - s.centre.u);
   const a1 = Math.atan2(s.to.v - s.centre.v, s.to.u - s.centre.u);
@@ -99,7 +112,7 @@ function alongArc(s: Extract<FlatSegment, { kind: "arc" }>, k: readonly Edge[], 
     const from = Math.max(0, low + turn);
     const to = Math.min(Math.PI, low + turn + sweep);
     if (to - from <= ANGLE) continue;
-    for (const e of k) {
+    for (const e of k.edges) {
       if (e.kind === "arc") {
         const r = s.ccw ? radius - e.radius : radius + e.radius;
         halfArc(s, e.centre, r, Math.max(from, e.start), Math.min(to, e.start + e.sweep), { feature: e.feature, on, corner: false }, add);
@@ -111,7 +124,7 @@ function alongArc(s: Extract<FlatSegment, { kind: "arc" }>, k: readonly Edge[], 
         add(linePiece({ u: at.u + e.from.u, v: at.v + e.from.v }, { u: at.u + e.to.u, v: at.v + e.to.v }, { feature: e.feature, on, corner: true }));
       }
     }
-    for (const v of vertices(k))
+    for (const v of k.vertices)
       halfArc(s, v.at, radius, Math.max(from, v.from), Math.min(to, v.to), { feature: v.feature, on, corner: false }, add);
   }
 }
@@ -127,7 +140,7 @@ function halfArc(s: Extract<FlatSegment, { kind: "arc" }>, by: Flat, r: number, 
 }
 
 /** A convex corner carries the normals between its two elements (clockwise from `before` to `after`). */
-function atCorner(p: Flat, before: Flat, after: Flat, k: readonly Edge[], on: Origin["on"], add: (p: Piece | null) => void) {
+function atCorner(p: Flat, before: Flat, after: Flat, k: Hull, on: Origin["on"], add: (p: Piece | null) => void) {
   const cross = before.u * after.v - before.v * after.u;
   const dot = before.u * after.u + before.v * after.v;
   if (cross > -1e-12 && dot > 0) return; // smooth or reflex
@@ -138,7 +151,7 @@ function atCorner(p: Flat, before: Flat, after: Flat, k: readonly Edge[], on: Or
     const to = Math.min(Math.PI, high + turn);
     const from = Math.max(0, high + turn - width);
     if (to < from - ANGLE) continue;
-    for (const e of k) {
+    for (const e of k.edges) {
       if (e.kind === "line") {
         const n = normalStart(e);
         if (n >= from - 1e-7 && n <= to + 1e-7)

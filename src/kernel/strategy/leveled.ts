@@ -71,7 +71,7 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
   const room = roomOf(l.frame);
   const from = Math.max(start.u, limits.from, room.minU);
 
-  const grown = groundOver(bounds, tool, l.frame, keep, toFinish);
+  const grown = l.operation === 3 || l.smoothing === 1 ? groundOver(bounds, tool, l.frame, keep, toFinish) : null;
   const kept = groundOver(bounds, tool, l.frame, keep, { ...toFinish, wall, floors: [...limit, { v: floor + keep.v, on: "edge" }] });
   const drawn = groundOver(bounds, tool, l.frame, none, toFinish);
   const end = Math.max(kept.end.u, drawn.end.u, last.to.u + keep.u) + SAME;
@@ -83,14 +83,14 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
     division = divide(depth, limitedInfeed(l.infeed, tool, depth, issues));
     if (division.passes === 0) issues.push(issue("nothingToCut", "warning", {}, "start.x"));
     roughByLevels(wanted, { envelope: kept.envelope, start, top: upper, ...division, from, to, smoothing: l.smoothing, feeds: l.feeds });
-    if (l.smoothing === 1 && division.passes > 0) {
+    if (grown && l.smoothing === 1 && division.passes > 0) {
       back(wanted, start, "rough", 4);
       finishContour(wanted, { ground: grown, contour: flat, start, clearance: l.clearance, kept: division.infeed, aside: 0, feeds: l.feeds, from, to, smoothing: true }, issues);
     }
     back(wanted, start, "rough", 6);
   }
   if (l.operation !== 1) {
-    const ground = l.operation === 3 ? grown : drawn;
+    const ground = (l.operation === 3 ? grown : null) ?? drawn;
     const kept = keep.v + (l.smoothing === 2 ? division.infeed : 0);
     finishContour(wanted, { ground, contour: flat, start, clearance: l.clearance, kept, aside: keep.u, feeds: l.feeds, from, to, smoothing: false }, issues);
     back(wanted, start, "finish", 4);
