@@ -1,4 +1,5 @@
 import { z } from "zod/mini";
+import type { ContourRow, Job } from "../../program/job.ts";
 import type { Work } from "../work.ts";
 
 /** Counts up whenever the layout of a saved work changes; each step has its upgrade below. */
@@ -14,9 +15,11 @@ export interface SaveFile {
 }
 
 const text = z.string().check(z.maxLength(500));
+/** What came later has a default here: the saves before it have no such field. */
+const later = { text: z._default(text, ""), flag: z._default(z.boolean(), false) };
 const row = z.object({
-  id: text, kind: z.enum(["L", "RND", "CHF", "CR"]), x: text, z: text, r: text, turn: z.enum(["cw", "ccw"]),
-  incrementalX: z.boolean(), incrementalZ: z.boolean(),
+  id: text, kind: z.enum(["L", "RND", "CHF", "CR", "CC", "C", "CT"]), x: text, z: text, r: text, turn: z.enum(["cw", "ccw"]),
+  incrementalX: z.boolean(), incrementalZ: z.boolean(), angle: later.text, length: later.text, tangent: later.flag, second: later.flag,
 });
 const job = z.object({
   name: text,
@@ -33,6 +36,10 @@ const job = z.object({
   ncLanguage: z.enum(["en", "de", "fr", "zh"]),
 });
 const program = z.object({ name: text, text: z.string(), encoding: z.enum(["utf-8", "windows-1252"]) });
+/** Every field of a job has to stand in the layout above, or it would be lost in saving: a missing one does not compile. */
+type Complete = [keyof Job extends keyof z.output<typeof job> ? true : never, keyof ContourRow extends keyof z.output<typeof row> ? true : never];
+export const complete: Complete = [true, true];
+
 const file = z.object({ version: z.literal(SAVE_VERSION), savedAt: z.number(), job: z.union([job, program]) });
 
 /** From version n to n + 1. A saved work passes all steps from its own version to the present one. */
