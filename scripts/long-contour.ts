@@ -1,6 +1,6 @@
 import { cycleByNumber } from "../src/cycles/index.ts";
 import { never } from "../src/kernel/never.ts";
-import { exampleJob, type ContourRow, type Job } from "../src/program/job.ts";
+import { exampleJob, newRow, type ContourRow, type Job } from "../src/program/job.ts";
 
 /** ⌀ and Z of the ends, mm; how many waves lie between them and how deep they are. */
 const FROM = { x: 200, z: -30 };
@@ -10,12 +10,11 @@ const DEPTH = 0.8;
 
 /** A waved contour, cut across the axis: after the start point lines and arcs in turn, `elements` of them. */
 function waves(elements: number): ContourRow[] {
-  const none = { r: "", turn: "cw", incrementalX: false, incrementalZ: false } as const;
   return Array.from({ length: elements + 1 }, (_, i): ContourRow => {
     const part = i / elements;
     const x = (FROM.x + (TO.x - FROM.x) * part).toFixed(3);
     const z = (FROM.z + (TO.z - FROM.z) * part + DEPTH * Math.sin(2 * Math.PI * WAVES * part)).toFixed(3);
-    return i > 0 && i % 2 === 0 ? { ...none, id: `e${i}`, kind: "CR", x, z, r: "2", turn: i % 4 === 0 ? "cw" : "ccw" } : { ...none, id: `e${i}`, kind: "L", x, z };
+    return i > 0 && i % 2 === 0 ? newRow(`e${i}`, { kind: "CR", x, z, r: "2", turn: i % 4 === 0 ? "cw" : "ccw" }) : newRow(`e${i}`, { x, z });
   });
 }
 

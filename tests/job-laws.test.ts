@@ -5,7 +5,7 @@ import type { Param } from "../src/cycles/params.ts";
 import { ncLabels } from "../src/i18n/nc-labels.ts";
 import { parse } from "../src/nc/parse.ts";
 import { issuesOf, print } from "../src/nc/program.ts";
-import { exampleJob, type Job } from "../src/program/job.ts";
+import { exampleJob, newRow, type Job } from "../src/program/job.ts";
 import { printJob } from "../src/program/print-job.ts";
 import { readDraft } from "../src/program/read-draft.ts";
 import { run } from "../src/program/run.ts";
@@ -19,9 +19,10 @@ const typed = (p: Param) => fc.oneof(
 );
 const length = fc.oneof({ weight: 6, arbitrary: fc.integer({ min: -60000, max: 90000 }).map((n) => String(n / 1000)) }, { weight: 1, arbitrary: odd });
 const row = fc.record({
-  id: fc.uuid(), kind: fc.constantFrom("L" as const, "RND" as const, "CHF" as const, "CR" as const), x: length, z: length, r: length,
+  id: fc.uuid(), kind: fc.constantFrom("L" as const, "RND" as const, "CHF" as const, "CR" as const, "CC" as const, "C" as const, "CT" as const), x: length, z: length, r: length,
   turn: fc.constantFrom("cw" as const, "ccw" as const), incrementalX: fc.boolean(), incrementalZ: fc.boolean(),
-});
+  angle: fc.oneof(fc.constant(""), length), length: fc.oneof(fc.constant(""), length), tangent: fc.boolean(), second: fc.boolean(),
+}).map(({ id, ...given }) => newRow(id, given));
 const jobs: fc.Arbitrary<Job> = fc.constantFrom(...catalogue).chain((cycle) => fc.record({
   draft: fc.record(Object.fromEntries(Object.entries(cycle.params).map(([q, p]) => [q, typed(p)]))),
   contour: fc.oneof(fc.constant(exampleJob(cycle).contour), fc.array(row, { maxLength: 8 })),

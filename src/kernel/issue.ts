@@ -59,6 +59,8 @@ interface Data {
   /** Something given does not agree with the rest; `nearest` does. Degrees for angles, mm otherwise. */
   elementContradicts: { element: number; quantity: "angle" | "length" | "tangent" | "radius"; given: number; nearest: number };
   elementUnreachable: { element: number };
+  /** An arc by its centre without a centre before it. */
+  centreMissing: { element: number };
   contourCrossesItself: { element: number; other: number };
   /** An undercut needs a cylinder and a face that meet; a recess a straight element of its direction. */
   undercutNeighbours: { element: number };

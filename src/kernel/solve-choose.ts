@@ -64,11 +64,14 @@ function faultsOf(w: Work, { i, point }: Candidate): number {
   return faults;
 }
 
-/** The likelier place first: the shorter arc (the longer one for a negative radius), and towards the chuck. */
+/** The likelier place first: the shorter arc (the longer one for a negative radius), the shorter way to the next point, else towards the chuck. */
 function orderOf(w: Work, element: number, { i, point }: Candidate): number {
   const circle = w.circle[element] ?? null, e = w.elements[element];
   const from = i === element ? pointOf(w, element - 1) : point, to = i === element ? point : pointOf(w, element);
-  if (!circle || circle === "straight" || e?.kind !== "arc" || !from || !to) return point.z;
+  if (!circle || circle === "straight" || e?.kind !== "arc" || !from || !to) {
+    const [before, after] = [pointOf(w, i - 1), pointOf(w, i + 1)];
+    return before && after ? apart(before, point) + apart(point, after) : point.z;
+  }
   const sweep = sweepOf(from, to, circle.centre, circle.turn);
   return (e.radius ?? 0) < 0 === sweep > Math.PI ? sweep : sweep + 7;
 }

@@ -1,9 +1,9 @@
 import { expect, test } from "vitest";
 import { readRows } from "./contour-rows.ts";
-import type { ContourRow } from "./job.ts";
+import { newRow, type ContourRow } from "./job.ts";
 
 const row = (kind: ContourRow["kind"], given: Partial<ContourRow> = {}): ContourRow =>
-  ({ id: "e", kind, x: "", z: "", r: "", turn: "cw", incrementalX: false, incrementalZ: false, ...given });
+  newRow("e", { kind, ...given });
 const codes = (rows: readonly ContourRow[]) => readRows(rows).issues.map((i) => [i.row + 1, i.field, i.issue.code]);
 
 const printed = [
@@ -54,4 +54,46 @@ test("an arc needs its radius, and one that reaches its end", () => {
 test("a single point is too short, and that belongs to no row", () => {
   expect(codes([printed[0] ?? row("L")])).toEqual([]);
   expect(readRows([]).contour.issues.map((i) => i.code)).toEqual(["contourTooShort"]);
+});
+
+test("with an angle an empty coordinate is sought, not kept; both show what was found", () => {
+  const { rows, issues } = readRows([row("L", { x: "40", z: "0" }), row("L", { x: "60", angle: "135" })]);
+  expect(issues).toEqual([]);
+  expect(rows[1]).toMatchObject({ end: { x: 60 }, sought: { x: false, z: true }, angle: 135, freedom: 0 });
+  expect(rows[1]?.end?.z).toBeCloseTo(-10, 9);
+  expect(rows[1]?.length).toBeCloseTo(Math.SQRT2 * 10, 9);
+});
+
+test("a question mark seeks a coordinate; what stays open is counted and said", () => {
+  const rows = [row("L", { x: "40", z: "0" }), row("L", { x: "60", z: "?" }), row("L", { x: "60", z: "-30" })];
+  expect(readRows(rows).rows.map((r) => r.freedom)).toEqual([0, 1, 0]);
+  expect(codes(rows)).toEqual([[2, null, "elementFree"]]);
+  expect(readRows([...rows.slice(0, 2), row("L", { x: "60", z: "-30", length: "20" })]).rows[1]?.end).toEqual({ x: 60, z: -10 });
+});
+
+test("a corner is rounded between solved points", () => {
+  const { contour, issues } = readRows([row("L", { x: "20", z: "0" }), row("L", { angle: "180" }), row("RND", { r: "2" }), row("L", { x: "60", z: "-30", angle: "90" })]);
+  expect(issues).toEqual([]);
+  expect(contour.segments.map((s) => s.kind)).toEqual(["line", "arc", "line"]);
+});
+
+test("an arc about a centre, and one that leaves its line tangentially", () => {
+  const { contour, issues, rowOfSegment } = readRows([
+    row("L", { x: "20", z: "0" }), row("L", { z: "-20" }), row("CC", { x: "30", z: "-20" }), row("C", { x: "30", z: "-25" }), row("L", { x: "50" }), row("CT", { x: "60", z: "-30" }),
+  ]);
+  expect(issues).toEqual([]);
+  expect(contour.segments.map((s) => s.kind)).toEqual(["line", "arc", "line", "arc"]);
+  expect(rowOfSegment).toEqual([1, 3, 4, 5]);
+});
+
+test("faults are said at their row where rows without an element stand before it", () => {
+  const start = [row("L", { x: "20", z: "0" }), row("CC", { x: "30", z: "-20" })];
+  expect(codes([...start, row("C", { x: "30", z: "-25" })])).toEqual([[3, null, "arcOffCircle"]]);
+  expect(codes([row("L", { x: "20", z: "0" }), row("C", { x: "30", z: "-25" })])).toContainEqual([2, null, "centreMissing"]);
+  expect(readRows([...start, row("L", { z: "-20" }), row("L", { x: "40" }), row("L", { x: "10", z: "-5" })]).issues[0]).toMatchObject({ row: 4, issue: { code: "contourCrossesItself", data: { element: 5, other: 3 } } });
+});
+
+test("a value that contradicts is said at its field", () => {
+  expect(codes([row("L", { x: "40", z: "0" }), row("L", { x: "60", z: "-10", angle: "130" })])).toEqual([[2, "angle", "elementContradicts"]]);
+  expect(codes([row("L", { x: "40", z: "0" }), row("L", { x: "60", length: "-1" })])).toContainEqual([2, "length", "outOfRange"]);
 });

@@ -1,26 +1,32 @@
 import { contourFrom, type Contour, type ContourElement } from "../kernel/contour.ts";
-import { issue, type Issue } from "../kernel/issue.ts";
+import type { Issue } from "../kernel/issue.ts";
 import type { Pt } from "../kernel/point.ts";
-import { axial, diameter, toRadius } from "../kernel/units.ts";
-import { readExpression } from "./expression.ts";
+import { solveContour, type SolvedElement } from "../kernel/solve-contour.ts";
+import { sweepOf } from "../kernel/solve-curves.ts";
+import type { SolveElement } from "../kernel/solve-work.ts";
+import { toDiameter } from "../kernel/units.ts";
 import type { ContourRow } from "./job.ts";
+import { rowGiven, type RowField, type RowGiven, type RowIssue, type RowReader } from "./row-given.ts";
 
-/** A field of a contour row. */
-export type RowField = "x" | "z" | "r";
-
-/** A finding with its place in the table; `field` is null where it belongs to the whole element. */
-export interface RowIssue {
-  readonly row: number;
-  readonly field: RowField | null;
-  readonly issue: Issue;
-}
+export type { RowField, RowIssue } from "./row-given.ts";
 
 /** What one row means. X values are diameters, mm. */
 export interface RowReading {
-  /** Where the element ends; null while that is unknown, and for corner elements. */
+  /** Where the element ends; null while that is unknown, and for corners and centres. */
   readonly end: { readonly x: number; readonly z: number } | null;
   /** Where it would end in a coordinate that is left out. */
   readonly inherited: { readonly x: number | null; readonly z: number | null };
+  /** Coordinates that are not typed but follow from the other values. */
+  readonly sought: { readonly x: boolean; readonly z: boolean };
+  /** Angle to +Z and length of a line, radius and turn of an arc, whether typed or found; null while not known. */
+  readonly angle: number | null;
+  readonly length: number | null;
+  readonly radius: number | null;
+  readonly turn: "cw" | "ccw" | null;
+  /** How many values are still missing. */
+  readonly freedom: number;
+  /** How many solutions there are to choose from. */
+  readonly choices: number;
 }
 
 /** A contour table read: its geometry with as much as can be drawn, and what is wrong where. */
@@ -32,69 +38,80 @@ export interface RowsReading {
   readonly issues: readonly RowIssue[];
 }
 
-interface State {
-  x: number | null;
-  z: number | null;
-  readonly issues: RowIssue[];
-}
-
-/** A typed number; says what is wrong with it, unless it may be empty and is. */
-function fieldValue(state: State, row: number, field: RowField, typed: string, optional: boolean): number | null {
-  const read = readExpression(typed);
-  const say = (found: Issue) => state.issues.push({ row, field, issue: found });
-  switch (read.kind) {
-    case "number": return read.value;
-    case "empty":
-      if (!optional) say(issue("missing", "error", {}, "contour"));
-      return null;
-    case "notANumber": say(issue("notANumber", "error", { text: read.text }, "contour")); return null;
-    case "badExpression": say(issue("badExpression", "error", { text: read.text }, "contour")); return null;
-    case "unknownParameter": say(issue("unknownParameter", "error", { name: read.name }, "contour")); return null;
-  }
-}
-
-const moved = (before: number | null, value: number | null, incremental: boolean) =>
-  value === null ? before : incremental ? (before ?? 0) + value : value;
-
-function element(state: State, r: ContourRow, row: number): { element: ContourElement | null; reading: RowReading } {
-  const inherited = { x: state.x, z: state.z };
-  if (r.kind === "RND" || r.kind === "CHF") {
-    const size = fieldValue(state, row, "r", r.r, false);
-    return { element: { kind: r.kind === "RND" ? "round" : "chamfer", size: size ?? 0 }, reading: { end: null, inherited } };
-  }
-  const [x, z] = [fieldValue(state, row, "x", r.x, state.x !== null), fieldValue(state, row, "z", r.z, state.z !== null)];
-  if (r.x.trim() === "" && r.z.trim() === "" && state.x !== null && state.z !== null)
-    state.issues.push({ row, field: null, issue: issue("contourPoint", "error", { element: row + 1 }, "contour") });
-  state.x = moved(state.x, x, r.incrementalX);
-  state.z = moved(state.z, z, r.incrementalZ);
-  const size = r.kind === "CR" ? fieldValue(state, row, "r", r.r, false) : null;
-  if (state.x === null || state.z === null) return { element: null, reading: { end: null, inherited } };
-  const to: Pt = { z: axial(state.z), r: toRadius(diameter(state.x)) };
-  const made: ContourElement = size === null ? { kind: "line", to } : { kind: "radius", to, radius: size, turn: r.turn };
-  return { element: made, reading: { end: { x: state.x, z: state.z }, inherited } };
-}
-
 /** The element a finding of the contour names, counted from 1. */
 const elementOf = (found: Issue): number | null => ("element" in found.data ? found.data.element : null);
 
-/** Reads the contour table: every row becomes one element, so that elements are numbered as the rows are. */
+/** The field of a row to which a finding belongs. */
+function fieldOf(found: Issue): RowField | null {
+  if (found.code === "arcTooSmall" || found.code === "cornerElementTooLong") return "r";
+  if (found.code !== "elementContradicts" || found.data.quantity === "tangent") return null;
+  return found.data.quantity === "radius" ? "r" : found.data.quantity;
+}
+
+/** Reads the contour table; coordinates that are not typed are solved where the others allow it. */
 export function readRows(rows: readonly ContourRow[]): RowsReading {
-  const state: State = { x: null, z: null, issues: [] };
-  const read = rows.map((r, i) => element(state, r, i));
-  const kept = read.flatMap(({ element: e }, row) => (e ? [{ e, row }] : []));
+  const reader: RowReader = { x: null, z: null, pole: null, issues: [] };
+  const given = rows.map((row, i) => rowGiven(reader, row, i));
+  const asked = given.flatMap((g, row) => (g.kind === "element" ? [{ element: g.element, row }] : []));
+  const solution = solveContour(asked.map(({ element }) => element));
+  const solved = new Map(asked.map(({ row }, i) => [row, solution.elements[i]]));
+  const kept = rows.flatMap((_, row) => {
+    const e = contourElement(given[row], solved.get(row));
+    return e ? [{ e, row }] : [];
+  });
   const contour = contourFrom(kept.map(({ e }) => e));
   const rowOf = (n: number | null) => (n === null ? null : (kept[n - 1]?.row ?? null));
-  const wrongRows = new Set(state.issues.map((found) => found.row));
-  const geometry = contour.issues.flatMap((found): RowIssue[] => {
-    const row = rowOf(elementOf(found));
-    return row === null || wrongRows.has(row) ? [] : [{ row, field: found.code === "arcTooSmall" || found.code === "cornerElementTooLong" ? "r" : null, issue: numbered(found, row) }];
-  });
+  const typed = new Set(reader.issues.map((found) => found.row));
+  const found = [
+    ...solution.issues.map((i) => ({ i, row: asked[(elementOf(i) ?? 0) - 1]?.row ?? null })),
+    ...contour.issues.map((i) => ({ i, row: rowOf(elementOf(i)) })),
+  ].flatMap(({ i, row }): RowIssue[] => (row === null || typed.has(row) ? [] : [{ row, field: fieldOf(i), issue: numbered(i, row, rowOf) }]));
   return {
-    rows: read.map(({ reading }) => reading), contour,
+    rows: readings(rows, given, solved), contour,
     rowOfSegment: contour.elements.map((n) => rowOf(n) ?? 0),
-    issues: [...state.issues, ...geometry].sort((a, b) => a.row - b.row),
+    issues: [...reader.issues, ...found].sort((a, b) => a.row - b.row),
   };
 }
 
-/** The finding with the number of its row, where unreadable rows before it were left out. */
-const numbered = (found: Issue, row: number): Issue => ({ ...found, data: { ...found.data, element: row + 1 } }) as Issue;
+/** The finding with the numbers of rows, where rows before it make no element. */
+function numbered(found: Issue, row: number, rowOf: (n: number) => number | null): Issue {
+  const other = "other" in found.data && typeof found.data.other === "number" ? { other: (rowOf(found.data.other) ?? 0) + 1 } : {};
+  return { ...found, data: { ...found.data, element: row + 1, ...other } } as Issue;
+}
+
+const pointOf = (s: SolvedElement | undefined): Pt | null => (s && s.z !== null && s.r !== null ? { z: s.z, r: s.r } : null);
+
+/** Radius as CR writes it: negative where the arc takes the longer way. */
+function signedRadius(s: SolvedElement | undefined): number | null {
+  const arc = s?.segment;
+  if (arc?.kind !== "arc") return null;
+  const size = Math.hypot(arc.from.z - arc.centre.z, arc.from.r - arc.centre.r);
+  return sweepOf(arc.from, arc.to, arc.centre, arc.turn) > Math.PI + 1e-9 ? -size : size;
+}
+
+/** The element with every coordinate filled in; null while its end is not known. */
+function contourElement(given: RowGiven | undefined, solved: SolvedElement | undefined): ContourElement | null {
+  if (given?.kind === "corner") return given.corner;
+  const to = pointOf(solved);
+  if (given?.kind !== "element" || !to) return null;
+  const e: SolveElement = given.element;
+  if (e.kind === "line") return { kind: "line", to };
+  if (e.centre) return { kind: "centre", to, centre: e.centre, turn: e.turn ?? "ccw" };
+  if (e.radius !== null) return { kind: "radius", to, radius: e.radius, turn: e.turn ?? "ccw" };
+  const arc = solved?.segment, radius = signedRadius(solved);
+  if (e.turn === null) return { kind: "tangent", to };
+  return arc?.kind === "arc" && radius !== null ? { kind: "radius", to, radius, turn: arc.turn } : { kind: "line", to };
+}
+
+function readings(rows: readonly ContourRow[], given: readonly RowGiven[], solved: ReadonlyMap<number, SolvedElement | undefined>): RowReading[] {
+  let [x, z]: (number | null)[] = [null, null];
+  return rows.map((_, i): RowReading => {
+    const inherited = { x: x ?? null, z: z ?? null }, g = given[i], s = solved.get(i), at = pointOf(s);
+    if (g?.kind !== "element" || !s) return { end: null, inherited, sought: { x: false, z: false }, angle: null, length: null, radius: null, turn: null, freedom: 0, choices: 1 };
+    [x, z] = [s.r === null ? null : toDiameter(s.r), s.z];
+    return {
+      end: at && { x: toDiameter(at.r), z: at.z }, inherited, sought: g.sought, angle: s.angle, length: s.length, radius: signedRadius(s),
+      turn: s.segment?.kind === "arc" ? s.segment.turn : null, freedom: s.freedom, choices: s.choices,
+    };
+  });
+}

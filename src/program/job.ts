@@ -1,12 +1,15 @@
 import type { Cycle } from "../cycles/define.ts";
-import { setupExample, type SetupExample } from "../cycles/setup-example.ts";
+import { setupExample } from "../cycles/setup-example.ts";
 import { exampleDraft, type Draft } from "./read-draft.ts";
 
-/** One row of the contour table, as typed: end point, radius, corner element. */
+/** One row of the contour table, as typed: end point, radius, corner element, centre. */
 export interface ContourRow {
   readonly id: string;
-  readonly kind: "L" | "RND" | "CHF" | "CR";
-  /** ⌀ mm, or empty: the coordinate stays as it was. */
+  readonly kind: "L" | "RND" | "CHF" | "CR" | "CC" | "C" | "CT" | "UDC" | "GRV";
+  /**
+   * ⌀ mm. Empty: the coordinate stays as it was, except where an angle, a length or a tangential transition is given:
+   * then it is sought. "?" seeks it in any case.
+   */
   readonly x: string;
   readonly z: string;
   /** Radius of RND and CR, length of CHF, mm. */
@@ -14,7 +17,24 @@ export interface ContourRow {
   readonly turn: "cw" | "ccw";
   readonly incrementalX: boolean;
   readonly incrementalZ: boolean;
+  /** Angle of a line to +Z, degrees, counter-clockwise with X upwards; empty where none is given. */
+  readonly angle: string;
+  /** Length of a line, mm; empty where none is given. */
+  readonly length: string;
+  /** The element leaves the one before it tangentially. */
+  readonly tangent: boolean;
+  /** The less likely of two solutions is meant. */
+  readonly second: boolean;
+  /** Form of an undercut ("E" …) or direction of a recess ("RADIAL", "AXIAL"); empty elsewhere. */
+  readonly form: string;
+  /** Words of an undercut or recess by name, as typed. */
+  readonly words: Readonly<Record<string, string>>;
 }
+
+/** A contour row in which nothing is typed but what is given here. */
+export const newRow = (id: string, given: Partial<ContourRow> = {}): ContourRow => ({
+  kind: "L", x: "", z: "", r: "", turn: "cw", incrementalX: false, incrementalZ: false, angle: "", length: "", tangent: false, second: false, form: "", words: {}, ...given, id,
+});
 
 /** Cylinder as typed, mm: outside and bore as ⌀, whole length, and how far it reaches in front of Z0. */
 export interface BlankDraft {
@@ -52,9 +72,6 @@ export interface Job {
   readonly ncLanguage: "en" | "de" | "fr" | "zh";
 }
 
-const row = (id: string, r: SetupExample["contour"][number]): ContourRow =>
-  ({ x: "", z: "", r: "", turn: "cw", incrementalX: false, incrementalZ: false, ...r, id });
-
 /** A job that shows the printed example of a cycle. */
 export function exampleJob(cycle: Cycle): Job {
   const example = setupExample(cycle.number);
@@ -68,7 +85,7 @@ export function exampleJob(cycle: Cycle): Job {
     spindle: { mode: "surface", speed: "800", cuttingSpeed: "180", limit: "2500" },
     perRevolution: true,
     rapid: "10000",
-    contour: example.contour.map((r, i) => row(`e${i + 1}`, r)),
+    contour: example.contour.map((r, i) => newRow(`e${i + 1}`, r)),
     layout: "tnc640",
     ncLanguage: "en",
   };

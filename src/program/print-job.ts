@@ -4,9 +4,10 @@ import type { Param } from "../cycles/params.ts";
 import { programText } from "../nc/print.ts";
 import type { AxisWord, CycleParameter, Statement, Value, Words } from "../nc/statement.ts";
 import { LAYOUTS } from "../nc/style.ts";
-import { readExpression, type KnownParameters } from "./expression.ts";
-import type { ContourRow, Job } from "./job.ts";
+import type { Job } from "./job.ts";
+import { contourStatements } from "./print-contour.ts";
 import { isAuto } from "./read-draft.ts";
+import { kept, noWords, POSITION_DECIMALS, typedAxis as axis, typedValue as value } from "./typed-value.ts";
 
 /** The words of NC text in one language; `i18n` has them, since the printer knows no cycle by name. */
 export interface Labels {
@@ -21,30 +22,10 @@ export interface Labels {
 const CONTOUR_LABEL = 2;
 /** How far the safe position stands from blank and start point: ⌀ and Z, mm. */
 const AWAY = { x: 20, z: 50 };
-/** Decimals a control keeps of a position. */
-const POSITION_DECIMALS = 3;
-
-const noWords: Words = { axes: [], linear: [], functions: [], extra: [] };
-const path = (words: Partial<Words>, kind: "L" | "RND" | "CR" = "L"): Statement => ({ kind: "path", path: kind, words: { ...noWords, ...words } });
-
-const kept = (n: number, decimals: number) => Number(n.toFixed(decimals)) || 0;
-
-/** A typed number as a value of NC text, rounded to what the control keeps; null when it is none. */
-function value(typed: string, decimals = POSITION_DECIMALS): Value | null {
-  const named = /^\s*([+-]?)\s*(Q[LR]?\d{1,4})\s*$/i.exec(typed);
-  if (named) return { parameter: (named[2] ?? "").toUpperCase(), negative: named[1] === "-" };
-  const read = readExpression(typed, noParameters);
-  return read.kind === "number" ? kept(read.value, decimals) : null;
-}
-const noParameters: KnownParameters = {};
+const path = (words: Partial<Words>): Statement => ({ kind: "path", path: "L", words: { ...noWords, ...words } });
 const number = (typed: string, otherwise: number) => {
   const read = value(typed);
   return typeof read === "number" ? read : otherwise;
-};
-
-const axis = (name: "X" | "Y" | "Z", typed: string, incremental = false): AxisWord[] => {
-  const read = value(typed);
-  return read === null ? [] : [{ axis: name, value: read, incremental }];
 };
 
 function parameter(q: string, p: Param, typed: string, labels: Labels): CycleParameter {
@@ -52,17 +33,6 @@ function parameter(q: string, p: Param, typed: string, labels: Labels): CyclePar
   if (p.kind === "feed" && isAuto(typed)) return { q, value: "auto", label };
   const read = value(typed, p.decimals);
   return { q, value: read ?? (typed.trim() === "" && p.optional ? 0 : null), label };
-}
-
-function contourRow(row: ContourRow): Statement {
-  const axes = [...axis("X", row.x, row.incrementalX), ...axis("Z", row.z, row.incrementalZ)];
-  const size = value(row.r);
-  switch (row.kind) {
-    case "L": return path({ axes });
-    case "CR": return path({ axes, ...(size !== null && { radius: size }), turn: row.turn }, "CR");
-    case "RND": return path(size === null ? {} : { radius: size }, "RND");
-    case "CHF": return { kind: "chamfer", length: size, words: noWords };
-  }
 }
 
 function spin(job: Job): Statement {
@@ -113,7 +83,7 @@ export function jobStatements(job: Job, cycle: Cycle, labels: Labels): Statement
     { kind: "cycleCall", how: "", words: noWords },
     path({ axes: [{ axis: "Z", value: safeZ, incremental: false }], compensation: "R0", feed: "max" }),
     functions(30),
-    ...(free ? [{ kind: "label" as const, label: CONTOUR_LABEL }, ...job.contour.map(contourRow), { kind: "label" as const, label: 0 }] : []),
+    ...(free ? [{ kind: "label" as const, label: CONTOUR_LABEL }, ...contourStatements(job.contour), { kind: "label" as const, label: 0 }] : []),
     { kind: "end", name, unit: "MM" },
   ];
 }

@@ -5,13 +5,13 @@ import { createRoot } from "react-dom/client";
 import "../../src/app/styles/base.css";
 import { ContourTable } from "../../src/app/contour/ContourTable.tsx";
 import { cycleByNumber } from "../../src/cycles/index.ts";
-import { exampleJob, type ContourRow } from "../../src/program/job.ts";
+import { exampleJob, newRow, type ContourRow } from "../../src/program/job.ts";
 
 const ask = new URLSearchParams(location.search);
 if (ask.get("theme")) document.documentElement.dataset["theme"] = ask.get("theme") ?? "";
 const cycle = cycleByNumber(820);
 const example = cycle ? exampleJob(cycle).contour : [];
-const more = { id: "e9", kind: "CR", x: "0", z: "6", r: ask.get("r") ?? "14", turn: "ccw", incrementalX: false, incrementalZ: false } as const;
+const more = newRow("e9", { kind: "CR", x: "0", z: "6", r: ask.get("r") ?? "14", turn: "ccw" });
 const start = ask.get("more") ? [...example, more] : example;
 
 function Page() {

@@ -1,8 +1,8 @@
 import { expect, test } from "vitest";
-import type { ContourRow } from "../../program/job.ts";
+import { newRow, type ContourRow } from "../../program/job.ts";
 import { duplicated, inserted, moved, removed } from "./row-edits.ts";
 
-const row = (id: string): ContourRow => ({ id, kind: "L", x: id, z: "", r: "", turn: "cw", incrementalX: false, incrementalZ: false });
+const row = (id: string): ContourRow => newRow(id, { x: id });
 const rows = ["e1", "e2", "e3"].map(row);
 const ids = (all: readonly ContourRow[]) => all.map((r) => r.id).join();
 

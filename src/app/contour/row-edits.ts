@@ -1,12 +1,9 @@
-import type { ContourRow } from "../../program/job.ts";
+import { newRow, type ContourRow } from "../../program/job.ts";
 
 type Rows = readonly ContourRow[];
 
 /** An id that no row has. */
 const freshId = (rows: Rows): string => `e${1 + Math.max(0, ...rows.map((r) => Number(/^e(\d+)$/.exec(r.id)?.[1] ?? 0)))}`;
-
-const emptyRow = (id: string): ContourRow =>
-  ({ id, kind: "L", x: "", z: "", r: "", turn: "cw", incrementalX: false, incrementalZ: false });
 
 /** A table after an edit, and the row that should have the keyboard. */
 export interface Edited {
@@ -16,7 +13,7 @@ export interface Edited {
 
 /** A new line at a place; what stands there moves down. */
 export function inserted(rows: Rows, at: number): Edited {
-  const row = emptyRow(freshId(rows));
+  const row = newRow(freshId(rows));
   return { rows: rows.toSpliced(at, 0, row), focus: row.id };
 }
 

@@ -70,6 +70,7 @@ export const messages = {
       ? `Element ${d.element} schließt nicht tangential an; die Abweichung ist ${w.number(d.nearest)}°.`
       : `Element ${d.element}: ${ELEMENT[d.quantity]} ${w.number(d.given)} widerspricht den übrigen Angaben; ${w.number(d.nearest)} passt.`),
     elementUnreachable: (d) => `Element ${d.element}: mit dieser Länge, diesem Radius oder Winkel erreicht es den Nachbarn nicht.`,
+    centreMissing: (d) => `Element ${d.element}: der Mittelpunkt fehlt; CC davor setzen.`,
     contourCrossesItself: (d) => `Element ${d.element} kreuzt Element ${d.other}.`,
     toolRadiusTooLarge: (d, w) => `Element ${d.element}: Ein Werkzeugradius von ${w.number(d.radius)} passt nicht. ${nearest(w.number(d.nearest))}`,
     approachNeedsSide: () => "CT braucht RL oder RR: Mit R0 hält die Steuerung hier an.",
@@ -113,6 +114,7 @@ export const messages = {
     labelTwice: (d, w) => `LBL ${w.text(d.label)} steht zweimal im Programm.`,
     labelNotClosed: (d, w) => `LBL ${w.text(d.label)} wird nicht mit LBL 0 geschlossen.`,
     contourNotNamed: (d) => `Zyklus ${d.cycle} braucht vor dem Aufruf Zyklus 14 mit seiner Kontur.`,
+    contourInFile: (d, w) => `Die Kontur steht in der Datei ${w.text(d.file)}, die hier nicht vorliegt: in ein Label setzen und mit Zyklus 14 nennen.`,
     feedMissing: () => "Es ist kein Vorschub programmiert.",
     spindleMissing: () => "Es ist keine Spindeldrehzahl programmiert; Zeiten fehlen.",
     parameterUnset: (d) => `${d.name} hat hier keinen Wert.`,
@@ -121,6 +123,7 @@ export const messages = {
     blankMissing: () => "Das Programm nennt kein Rohteil.",
     blankNotTurned: (d, w) => `Ein Rohteil der Form ${w.text(d.form)} ist kein Drehkörper um die Achse.`,
     blankImpossible: () => "Das Rohteil hat kein Volumen: Durchmesser, Bohrung und Länge prüfen.",
+    blankUpdate: (d, w) => `LBL ${w.text(d.label)} ${d.taken ? "wird als Rohteil genommen" : "ist gelesen, es gilt das Rohteil aus BLK FORM"}; Luftschnitte bleiben.`,
     poleMissing: () => "Der Satz braucht vorher einen Pol CC.",
     startUnknown: () => "Die Position vor diesem Satz ist nicht bekannt.",
     arcImpossible: () => "Zu diesen Werten gibt es keinen Bogen.",

@@ -73,6 +73,7 @@ export const messages = {
       ? `Element ${d.element} does not leave the one before it tangentially; it is off by ${w.number(d.nearest)}°.`
       : `Element ${d.element}: the ${ELEMENT[d.quantity]} ${w.number(d.given)} does not agree with the other values; ${w.number(d.nearest)} does.`),
     elementUnreachable: (d) => `Element ${d.element}: with this length, radius or angle it does not reach its neighbour.`,
+    centreMissing: (d) => `Element ${d.element}: its centre is missing; put CC before it.`,
     contourCrossesItself: (d) => `Element ${d.element} crosses element ${d.other}.`,
     toolRadiusTooLarge: (d, w) => `Element ${d.element}: a tool radius of ${w.number(d.radius)} does not fit. ${nearest(w.number(d.nearest))}`,
     approachNeedsSide: () => "CT needs RL or RR: with R0 the control stops here.",
@@ -116,6 +117,7 @@ export const messages = {
     labelTwice: (d, w) => `LBL ${w.text(d.label)} stands twice in the program.`,
     labelNotClosed: (d, w) => `LBL ${w.text(d.label)} is not closed by LBL 0.`,
     contourNotNamed: (d) => `Cycle ${d.cycle} needs cycle 14 with its contour before the call.`,
+    contourInFile: (d, w) => `The contour is in the file ${w.text(d.file)}, which is not at hand: put it into a label and name it with cycle 14.`,
     feedMissing: () => "No feed is programmed.",
     spindleMissing: () => "No spindle speed is programmed; times are missing.",
     parameterUnset: (d) => `${d.name} has no value here.`,
@@ -124,6 +126,7 @@ export const messages = {
     blankMissing: () => "The program states no blank.",
     blankNotTurned: (d, w) => `A blank of the form ${w.text(d.form)} is not turned round the axis.`,
     blankImpossible: () => "The blank has no volume: check diameter, bore and length.",
+    blankUpdate: (d, w) => `LBL ${w.text(d.label)} ${d.taken ? "is taken as the blank" : "is read, the blank of BLK FORM counts"}; cuts in the air are not left out.`,
     poleMissing: () => "The block needs a pole CC before it.",
     startUnknown: () => "The position before this block is not known.",
     arcImpossible: () => "No arc fits these values.",

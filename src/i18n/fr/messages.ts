@@ -71,6 +71,7 @@ export const messages = {
       ? `L'élément ${d.element} ne se raccorde pas tangentiellement ; l'écart est de ${w.number(d.nearest)}°.`
       : `Élément ${d.element} : ${ELEMENT[d.quantity]} ${w.number(d.given)} contredit les autres valeurs ; ${w.number(d.nearest)} convient.`),
     elementUnreachable: (d) => `Élément ${d.element} : avec cette longueur, ce rayon ou cet angle, il n'atteint pas son voisin.`,
+    centreMissing: (d) => `Élément ${d.element} : le centre manque ; placez CC avant.`,
     contourCrossesItself: (d) => `L'élément ${d.element} croise l'élément ${d.other}.`,
     toolRadiusTooLarge: (d, w) => `Élément ${d.element} : un rayon d’outil de ${w.number(d.radius)} ne passe pas. ${nearest(w.number(d.nearest))}`,
     approachNeedsSide: () => "CT demande RL ou RR : avec R0, la commande s’arrête ici.",
@@ -114,6 +115,7 @@ export const messages = {
     labelTwice: (d, w) => `LBL ${w.text(d.label)} figure deux fois dans le programme.`,
     labelNotClosed: (d, w) => `LBL ${w.text(d.label)} n'est pas fermé par LBL 0.`,
     contourNotNamed: (d) => `Le cycle ${d.cycle} demande, avant l'appel, le cycle 14 avec son contour.`,
+    contourInFile: (d, w) => `Le contour est dans le fichier ${w.text(d.file)}, absent ici : placez-le dans un label et nommez-le avec le cycle 14.`,
     feedMissing: () => "Aucune avance n'est programmée.",
     spindleMissing: () => "Aucune vitesse de broche n'est programmée ; les temps manquent.",
     parameterUnset: (d) => `${d.name} n'a pas de valeur ici.`,
@@ -122,6 +124,7 @@ export const messages = {
     blankMissing: () => "Le programme n'indique pas de pièce brute.",
     blankNotTurned: (d, w) => `Une pièce brute de forme ${w.text(d.form)} n'est pas un corps de révolution autour de l'axe.`,
     blankImpossible: () => "La pièce brute n'a pas de volume : vérifier diamètre, alésage et longueur.",
+    blankUpdate: (d, w) => `LBL ${w.text(d.label)} ${d.taken ? "sert de pièce brute" : "est lu, la pièce brute de BLK FORM compte"} ; les passes à vide restent.`,
     poleMissing: () => "La séquence demande un pôle CC avant elle.",
     startUnknown: () => "La position avant cette séquence n'est pas connue.",
     arcImpossible: () => "Aucun arc ne convient à ces valeurs.",

@@ -63,6 +63,7 @@ export const messages = {
       ? `元素${d.element}与前一元素不相切,偏差${w.number(d.nearest)}°。`
       : `元素${d.element}:${ELEMENT[d.quantity]}${w.number(d.given)}与其他数值矛盾,${w.number(d.nearest)}可用。`),
     elementUnreachable: (d) => `元素${d.element}:按此长度、半径或角度无法到达相邻元素。`,
+    centreMissing: (d) => `元素${d.element}:缺少圆心,请在其前面加入CC。`,
     contourCrossesItself: (d) => `元素${d.element}与元素${d.other}相交。`,
     toolRadiusTooLarge: (d, w) => `第 ${d.element} 个元素：刀具半径 ${w.number(d.radius)} 过大。${nearest(w.number(d.nearest))}`,
     approachNeedsSide: () => "CT 需要 RL 或 RR：编程 R0 时数控系统在此停止。",
@@ -106,6 +107,7 @@ export const messages = {
     labelTwice: (d, w) => `LBL ${w.text(d.label)}在程序中出现两次。`,
     labelNotClosed: (d, w) => `LBL ${w.text(d.label)}没有用LBL 0结束。`,
     contourNotNamed: (d) => `循环${d.cycle}调用前需要循环14及其轮廓。`,
+    contourInFile: (d, w) => `轮廓在文件${w.text(d.file)}中,此处没有:请写入标签并用循环14指定。`,
     feedMissing: () => "没有编程进给速率。",
     spindleMissing: () => "没有编程主轴转速,无法计算时间。",
     parameterUnset: (d) => `${d.name}在此处没有值。`,
@@ -114,6 +116,7 @@ export const messages = {
     blankMissing: () => "程序没有定义毛坯。",
     blankNotTurned: (d, w) => `${w.text(d.form)}形式的毛坯不是绕轴的回转体。`,
     blankImpossible: () => "毛坯没有体积:请检查直径、孔径和长度。",
+    blankUpdate: (d, w) => `LBL ${w.text(d.label)}${d.taken ? "用作毛坯" : "已读取,以BLK FORM的毛坯为准"};空切不省略。`,
     poleMissing: () => "该程序段之前需要极点CC。",
     startUnknown: () => "该程序段之前的位置未知。",
     arcImpossible: () => "这些数值无法构成圆弧。",

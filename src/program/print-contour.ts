@@ -1,0 +1,41 @@
+import type { AxisWord, Statement, Value, Words } from "../nc/statement.ts";
+import { readRows, type RowReading } from "./contour-rows.ts";
+import type { ContourRow } from "./job.ts";
+import { kept, noWords, POSITION_DECIMALS, typedAxis, typedValue } from "./typed-value.ts";
+
+const path = (kind: "L" | "RND" | "CR" | "C" | "CC" | "CT", words: Partial<Words>): Statement => ({ kind: "path", path: kind, words: { ...noWords, ...words } });
+
+/** X and Z as typed; where one of them was solved, both as numbers, so that the control needs no more. */
+function axesOf(row: ContourRow, reading: RowReading | undefined): AxisWord[] {
+  const typed = [...typedAxis("X", row.x, row.incrementalX), ...typedAxis("Z", row.z, row.incrementalZ)];
+  if (!reading?.end || !(reading.sought.x || reading.sought.z)) return typed;
+  const word = (axis: "X" | "Z", value: number): AxisWord => ({ axis, value: kept(value, POSITION_DECIMALS), incremental: false });
+  const { x, z } = reading.end;
+  return [
+    ...(reading.sought.x || row.incrementalX ? [word("X", x)] : typed.filter((w) => w.axis === "X")),
+    ...(reading.sought.z || row.incrementalZ ? [word("Z", z)] : typed.filter((w) => w.axis === "Z")),
+  ];
+}
+
+function statement(row: ContourRow, reading: RowReading | undefined): Statement[] {
+  const axes = axesOf(row, reading), size = typedValue(row.r);
+  if (reading && (reading.sought.x || reading.sought.z) && !reading.end && axes.length === 0) return [];
+  switch (row.kind) {
+    case "L": return [path("L", { axes })];
+    case "CR": {
+      const radius: Value | null = size ?? (reading?.radius == null ? null : kept(reading.radius, POSITION_DECIMALS));
+      return [path("CR", { axes, ...(radius !== null && { radius }), turn: (size === null ? reading?.turn : null) ?? row.turn })];
+    }
+    case "C": return [path("C", { axes, turn: row.turn })];
+    case "CC": case "CT": return [path(row.kind, { axes })];
+    case "RND": return [path("RND", size === null ? {} : { radius: size })];
+    case "UDC": case "GRV": return [];
+    case "CHF": return [{ kind: "chamfer", length: size, words: noWords }];
+  }
+}
+
+/** The blocks of a contour table: what was typed, with the coordinates that were solved. An element that is still open has no block. */
+export function contourStatements(rows: readonly ContourRow[]): Statement[] {
+  const reading = readRows(rows);
+  return rows.flatMap((row, i) => statement(row, reading.rows[i]));
+}

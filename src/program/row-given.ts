@@ -1,0 +1,136 @@
+import type { CornerElement } from "../kernel/corner.ts";
+import { issue, type Issue } from "../kernel/issue.ts";
+import type { Pt } from "../kernel/point.ts";
+import type { Given, SolveElement } from "../kernel/solve-work.ts";
+import { axial, degrees, diameter, length, toRadius, type Axial, type Radius } from "../kernel/units.ts";
+import { readExpression } from "./expression.ts";
+import type { ContourRow } from "./job.ts";
+
+/** A field of a contour row. */
+export type RowField = "x" | "z" | "r" | "angle" | "length";
+
+/** A finding with its place in the table; `field` is null where it belongs to the whole element. */
+export interface RowIssue {
+  readonly row: number;
+  readonly field: RowField | null;
+  readonly issue: Issue;
+}
+
+/** What the rows give, read one after the other: numbers, and what is wrong with their text. */
+export interface RowReader {
+  /** Where the last row stands as far as typed coordinates alone say; X as diameter. "sought" where solving has to say. */
+  x: number | "sought" | null;
+  z: number | "sought" | null;
+  pole: Pt | null;
+  readonly issues: RowIssue[];
+}
+
+/** What one row gives: a corner, an element to be solved, or a centre, which is no element. */
+export type RowGiven =
+  | { readonly kind: "corner"; readonly corner: CornerElement }
+  | { readonly kind: "element"; readonly element: SolveElement; readonly sought: { readonly x: boolean; readonly z: boolean } }
+  | { readonly kind: "centre" };
+
+/** A coordinate that is typed as a question mark is sought. */
+export const SOUGHT = "?";
+const empty = (typed: string) => typed.trim() === "";
+const asked = (typed: string) => typed.trim() === SOUGHT;
+
+/** True where an empty coordinate of this row is sought and does not stay as it was. */
+export function seeks(row: ContourRow): boolean {
+  if (row.kind === "L") return row.tangent || !empty(row.angle) || !empty(row.length);
+  return (row.kind === "CR" || row.kind === "C") && row.tangent;
+}
+
+/** A typed number; says what is wrong with it, unless it may be empty and is. */
+function fieldValue(reader: RowReader, row: number, field: RowField, typed: string, optional: boolean): number | null {
+  const read = readExpression(typed);
+  const say = (found: Issue) => reader.issues.push({ row, field, issue: found });
+  switch (read.kind) {
+    case "number": return read.value;
+    case "empty":
+      if (!optional) say(issue("missing", "error", {}, "contour"));
+      return null;
+    case "notANumber": say(issue("notANumber", "error", { text: read.text }, "contour")); return null;
+    case "badExpression": say(issue("badExpression", "error", { text: read.text }, "contour")); return null;
+    case "unknownParameter": say(issue("unknownParameter", "error", { name: read.name }, "contour")); return null;
+  }
+}
+
+/** A size that has to be more than nothing. */
+function positive(reader: RowReader, row: number, field: RowField, typed: string): number | null {
+  const value = fieldValue(reader, row, field, typed, true);
+  if (value === null || value > 0) return value;
+  reader.issues.push({ row, field, issue: issue("outOfRange", "error", { value, min: 0.001, max: 99999.999, nearest: value < 0 ? -value : 0.001 }, "contour") });
+  return null;
+}
+
+type Coordinate = { readonly by: number } | { readonly at: number } | null;
+
+/** What a row says of a coordinate, and where that leads as far as typed values alone tell. */
+function coordinate(reader: RowReader, row: ContourRow, index: number, axis: "x" | "z"): Coordinate {
+  const typed = row[axis], incremental = axis === "x" ? row.incrementalX : row.incrementalZ, before = reader[axis];
+  if (asked(typed) || (empty(typed) && before !== null && seeks(row))) {
+    reader[axis] = "sought";
+    return null;
+  }
+  const value = fieldValue(reader, index, axis, typed, before !== null);
+  if (value === null) return before === null ? null : { by: 0 };
+  if (!incremental || before === null) {
+    reader[axis] = value;
+    return { at: value };
+  }
+  reader[axis] = before === "sought" ? before : before + value;
+  return { by: value };
+}
+
+const onAxis = (c: Coordinate): Given<Axial> => c && ("at" in c ? { at: axial(c.at) } : { by: axial(c.by) });
+const onRadius = (c: Coordinate): Given<Radius> => c && ("at" in c ? { at: toRadius(diameter(c.at)) } : { by: toRadius(diameter(c.by)) });
+
+/** The centre that a CC row names: typed, or where the last row ends. */
+function centreOf(reader: RowReader, row: ContourRow, index: number): Pt | null {
+  const say = (field: RowField) => reader.issues.push({ row: index, field, issue: issue("missing", "error", {}, "contour") });
+  const one = (axis: "x" | "z", incremental: boolean): number | null => {
+    const before = reader[axis], value = fieldValue(reader, index, axis, row[axis], true);
+    if (value !== null && !incremental) return value;
+    if (typeof before === "number") return before + (value ?? 0);
+    if (value !== null || empty(row[axis])) say(axis);
+    return null;
+  };
+  const [x, z] = [one("x", row.incrementalX), one("z", row.incrementalZ)];
+  return x === null || z === null ? null : { z: axial(z), r: toRadius(diameter(x)) };
+}
+
+/** Reads one row. */
+export function rowGiven(reader: RowReader, row: ContourRow, index: number): RowGiven {
+  if (row.kind === "RND" || row.kind === "CHF") {
+    const size = fieldValue(reader, index, "r", row.r, false);
+    return { kind: "corner", corner: { kind: row.kind === "RND" ? "round" : "chamfer", size: size ?? 0 } };
+  }
+  if (row.kind === "UDC" || row.kind === "GRV") return { kind: "centre" };
+  if (row.kind === "CC") {
+    reader.pole = centreOf(reader, row, index);
+    return { kind: "centre" };
+  }
+  const before = { x: reader.x, z: reader.z };
+  const [x, z] = [coordinate(reader, row, index, "x"), coordinate(reader, row, index, "z")];
+  const still = empty(row.x) && empty(row.z) && before.x !== null && before.z !== null && !seeks(row);
+  if (still && row.kind !== "C") reader.issues.push({ row: index, field: null, issue: issue("contourPoint", "error", { element: index + 1 }, "contour") });
+  const common = { z: onAxis(z), r: onRadius(x), choice: row.second ? 1 as const : 0 as const };
+  return { kind: "element", element: shape(reader, row, index, common), sought: { x: x === null && before.x !== null || asked(row.x), z: z === null && before.z !== null || asked(row.z) } };
+}
+
+function shape(reader: RowReader, row: ContourRow, index: number, common: Pick<SolveElement, "z" | "r" | "choice">): SolveElement {
+  const arc = { ...common, kind: "arc" as const, turn: row.turn, radius: null, centre: null, tangent: row.tangent };
+  switch (row.kind) {
+    case "CT": return { ...arc, turn: null, tangent: true };
+    case "C":
+      if (!reader.pole) reader.issues.push({ row: index, field: null, issue: issue("centreMissing", "error", { element: index + 1 }, "contour") });
+      return { ...arc, centre: reader.pole };
+    case "CR": return { ...arc, radius: asked(row.r) ? null : fieldValue(reader, index, "r", row.r, row.tangent) };
+    default: {
+      const [angle, far] = [fieldValue(reader, index, "angle", row.angle, true), positive(reader, index, "length", row.length)];
+      return { ...common, kind: "line", angle: angle === null ? null : degrees(angle), length: far === null ? null : length(far), tangent: row.tangent };
+    }
+  }
+}

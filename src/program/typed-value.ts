@@ -1,0 +1,24 @@
+import type { AxisWord, Value, Words } from "../nc/statement.ts";
+import { readExpression } from "./expression.ts";
+
+/** Decimals a control keeps of a position. */
+export const POSITION_DECIMALS = 3;
+/** A block without words. */
+export const noWords: Words = { axes: [], linear: [], functions: [], extra: [] };
+
+/** A number rounded to what a control keeps; never −0. */
+export const kept = (n: number, decimals: number) => Number(n.toFixed(decimals)) || 0;
+
+/** A typed number as a value of NC text, rounded to what the control keeps; null when it is none. */
+export function typedValue(typed: string, decimals = POSITION_DECIMALS): Value | null {
+  const named = /^\s*([+-]?)\s*(Q[LR]?\d{1,4})\s*$/i.exec(typed);
+  if (named) return { parameter: (named[2] ?? "").toUpperCase(), negative: named[1] === "-" };
+  const read = readExpression(typed);
+  return read.kind === "number" ? kept(read.value, decimals) : null;
+}
+
+/** The word of an axis, when a number is typed for it. */
+export const typedAxis = (name: "X" | "Y" | "Z", typed: string, incremental = false): AxisWord[] => {
+  const read = typedValue(typed);
+  return read === null ? [] : [{ axis: name, value: read, incremental }];
+};
