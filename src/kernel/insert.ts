@@ -121,7 +121,7 @@ export function insertOutline(t: Tool, chord: number, body = true): Ring {
     const last = out[out.length - 1];
     if (!last || Math.hypot(last.z - p.u, last.r - p.v) > 1e-7) out.push({ z: axial(p.u), r: radius(p.v) });
   };
-  for (const e of insertShape(t, body)) {
+  for (const e of moved(insertShape(t, body), shiftOf(t))) {
     if (e.kind === "line") add(e.from);
     else {
       const step = e.radius > chord ? 2 * Math.acos(1 - chord / e.radius) : e.sweep;
@@ -138,13 +138,17 @@ export function insertOutline(t: Tool, chord: number, body = true): Ring {
   return out;
 }
 
+/** How far a correction holds the insert off the tip the control counts with. */
+const shiftOf = (t: Tool): Flat => ({ u: t.correction?.z ?? 0, v: t.correction?.r ?? 0 });
+
 /** The holder box relative to the theoretical tip, on the side away from where the tip points; null when the tool has none. */
 export function holderOutline(t: Tool): Ring | null {
   const h = t.holder;
   if (!h) return null;
   const tip = TIP[t.TO] ?? TIP[9];
-  const z0 = h.offsetZ;
-  const r0 = h.offsetX;
+  const shift = shiftOf(t);
+  const z0 = h.offsetZ + shift.u;
+  const r0 = h.offsetX + shift.v;
   const away = tip.v > 0 ? -1 : 1;
   const axialBar = tip.v === 0 && tip.u !== 0;
   const z1 = z0 + (axialBar ? (tip.u > 0 ? -h.length : h.length) : tip.u > 0 ? -h.width : h.width);

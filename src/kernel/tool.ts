@@ -33,4 +33,6 @@ export interface Tool {
   readonly CUTWIDTH?: Length;
   readonly DCW?: Length;
   readonly holder?: Holder;
+  /** FUNCTION TURNDATA CORR: how far the insert stands from the tip the control counts with, along Z and X (radius). */
+  readonly correction?: { readonly z: Length; readonly r: Length };
 }

@@ -51,7 +51,9 @@ export function finishContour(track: Track, f: Finish, issues: Issue[]): void {
     if (track.at.v < above) track.rapid("v", above, p(1));
     track.rapid("u", before, p(1));
     track.rapid("v", above, p(1));
-    if (!staysAbove(f.ground.envelope, track.at, begin)) track.feed({ u: begin.u, v: track.at.v }, feed, p(1));
+    // The level in front of the contour bounds the area, not the part: the way may end below it.
+    const way = { u: begin.u, v: Math.max(begin.v, left) };
+    if (!staysAbove(f.ground.envelope, track.at, way)) track.feed({ u: begin.u, v: track.at.v }, feed, p(1));
   }
   track.feed(begin, feed, p(1));
   track.along(path.map((s) => s.segment), (s) => f.smoothing && falls(s)
