@@ -34,7 +34,7 @@ const SAMPLES: { readonly [C in AnyCode]: DataOf<C> } = {
   notSimulated: { what: "M140" }, cycleNotSimulated: { cycle: 200, name: "DRILLING" }, noCycleDefined: {}, noToolCalled: {}, toolUnknown: { tool: "99" },
   notInTurnMode: {}, labelMissing: { label: "2" }, labelTwice: { label: "2" }, labelNotClosed: { label: "2" }, contourNotNamed: { cycle: 820 }, contourInFile: { file: "PART.H" },
   feedMissing: {}, spindleMissing: {}, parameterUnset: { name: "Q7" }, divisionByZero: {}, notFinite: { text: "SQRT -1" }, blankMissing: {},
-  blankNotTurned: { form: "0.1" }, blankImpossible: {}, blankUpdate: { label: "20", taken: true }, poleMissing: {}, startUnknown: {}, arcImpossible: {}, radiusCompensation: { side: "RL" },
+  blankNotTurned: { form: "0.1" }, blankImpossible: {}, blankTaken: { label: "20" }, blankNotTaken: { label: "20" }, poleMissing: {}, startUnknown: {}, arcImpossible: {}, radiusCompensation: { side: "RL" },
   toolRadiusTooLarge: { element: 3, radius: 10.5, nearest: 4.25 }, approachNeedsSide: {}, approachSideAssumed: {},
   approachInsideCircle: { point: "PS", radius: 10.5, nearest: 4.25 },
   approachCutsContour: { point: "PS", depth: 1.25, x: 60.5, y: 5.5, freeX: -7.5, freeY: 8.25 },

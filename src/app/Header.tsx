@@ -1,4 +1,4 @@
-import { useRef } from "react";
+import { useEffect, useRef } from "react";
 import { useStore } from "zustand";
 import type { CycleNumber } from "../cycles/index.ts";
 import { Icon } from "./Icon.tsx";
@@ -9,6 +9,8 @@ import { SettingsDialog } from "./settings/SettingsDialog.tsx";
 import { useTexts } from "./settings/use-texts.ts";
 import { redoStep, undoStep } from "./history.ts";
 import { open, useEditor } from "./store.ts";
+import { showTools, useToolPlace } from "./tools/tool-place.ts";
+import { useTools } from "./tools/tool-store.ts";
 
 /** The top line: what is open, undo and redo, a new program, settings. */
 export function Header() {
@@ -20,19 +22,30 @@ export function Header() {
   const typed = useProgramHistory();
   const worksPast = useStore(useEditor.temporal, (s) => s.pastStates.length > 0);
   const worksFuture = useStore(useEditor.temporal, (s) => s.futureStates.length > 0);
-  const { past, future } = program ? typed : { past: worksPast, future: worksFuture };
+  const tools = useToolPlace((p) => p.shown);
+  const toolsPast = useStore(useTools.temporal, (s) => s.pastStates.length > 0);
+  const toolsFuture = useStore(useTools.temporal, (s) => s.futureStates.length > 0);
+  const toTools = useRef<HTMLButtonElement>(null);
+  const wereTools = useRef(false);
+  const { past, future } = tools ? { past: toolsPast, future: toolsFuture } : program ? typed : { past: worksPast, future: worksFuture };
   const words = read && t.cycles.of[read.cycle.number as CycleNumber];
+
+  useEffect(() => {
+    if (wereTools.current && !tools) toTools.current?.focus();
+    wereTools.current = tools;
+  }, [tools]);
 
   return (
     <header className="top" aria-label={t.page.header}>
-      {read && section === "prompts" && <a className="skip" href="#panel-prompts">{t.page.skipToPrompts}</a>}
+      {read && section === "prompts" && !tools && <a className="skip" href="#panel-prompts">{t.page.skipToPrompts}</a>}
       <p className="brand"><b>{t.page.product}</b></p>
-      {read && words && (
+      {tools && <h1 className="open-cycle">{t.tools.title}</h1>}
+      {!tools && read && words && (
         <h1 className="open-cycle">
           <span className="number">{read.cycle.number}</span> {words.name}
         </h1>
       )}
-      {program && <h1 className="open-cycle">{program.name}</h1>}
+      {!tools && program && <h1 className="open-cycle">{program.name}</h1>}
       <div className="top-buttons">
         <button type="button" className="button icon plain" aria-label={t.page.undo} title={`${t.page.undo} (Ctrl+Z)`} disabled={!past} onClick={undoStep}>
           <Icon name="undo" />
@@ -40,7 +53,15 @@ export function Header() {
         <button type="button" className="button icon plain" aria-label={t.page.redo} title={`${t.page.redo} (Ctrl+Y)`} disabled={!future} onClick={redoStep}>
           <Icon name="redo" />
         </button>
-        {(read ?? program) && (
+        {!tools && (
+          <button
+            ref={toTools} type="button" className="button plain new-program" aria-label={t.tools.openLong} title={t.tools.openLong}
+            onClick={() => showTools()}
+          >
+            <Icon name="insert" /> <span>{t.tools.open}</span>
+          </button>
+        )}
+        {!tools && (read ?? program) && (
           <button
             type="button" className="button plain new-program" aria-label={t.page.newProgram} title={t.page.newProgram}
             onClick={() => {

@@ -16,6 +16,7 @@ const paths = {
   down: "M6 9l6 6 6-6",
   back: "M19 12H5M11 6l-6 6 6 6",
   add: "M12 5v14M5 12h14",
+  insert: "M12 2.5l6 9.5-6 9.5-6-9.5zM12 10.4a1.6 1.6 0 1 0 0 3.2 1.6 1.6 0 0 0 0-3.2z",
   close: "M6 6l12 12M18 6L6 18",
 } as const;
 

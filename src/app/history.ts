@@ -4,6 +4,8 @@ import { openPrompt, usePlace } from "./place.ts";
 import { readJob } from "./reading.ts";
 import { useProgramHistory } from "./program-history.ts";
 import { redo, undo, useEditor } from "./store.ts";
+import { redoToolStep, undoToolStep } from "./tools/tool-edits.ts";
+import { useToolPlace } from "./tools/tool-place.ts";
 
 /** Opens the prompt whose value has just been undone or redone, so that the change is seen. */
 function showChange(run: () => void): void {
@@ -19,14 +21,16 @@ function showChange(run: () => void): void {
   if (changed && (usePlace.getState().section === "prompts")) openPrompt(changed, now[changed] ?? "");
 }
 
-/** One step back: in the open program by its own history, otherwise in the work. */
+/** One step back: in the tool table while it is shown, in the open program by its own history, otherwise in the work. */
 export function undoStep(): void {
-  if (useEditor.getState().program) useProgramHistory.getState().undo();
+  if (useToolPlace.getState().shown) undoToolStep();
+  else if (useEditor.getState().program) useProgramHistory.getState().undo();
   else showChange(undo);
 }
 
 export function redoStep(): void {
-  if (useEditor.getState().program) useProgramHistory.getState().redo();
+  if (useToolPlace.getState().shown) redoToolStep();
+  else if (useEditor.getState().program) useProgramHistory.getState().redo();
   else showChange(redo);
 }
 

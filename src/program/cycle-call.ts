@@ -25,7 +25,8 @@ function lineOf(raw: string, q: string): number {
 /** The contour that cycle 14 names, with its issues said at their blocks. */
 function givenContour(machine: Machine, cycle: number, index: number, operation: number): readonly Segment[] | null {
   if (machine.contourLabels.length === 0) {
-    machine.say(programIssue("contourNotNamed", "error", { cycle }), index);
+    const { contourFile: file } = machine;
+    machine.say(file === null ? programIssue("contourNotNamed", "error", { cycle }) : programIssue("contourInFile", "error", { file }), index);
     return null;
   }
   const read = machine.contourLabels.map((label) => readContour(machine, label, index));

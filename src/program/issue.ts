@@ -14,6 +14,8 @@ interface Data {
   labelTwice: { label: string };
   labelNotClosed: { label: string };
   contourNotNamed: { cycle: number };
+  /** SEL CONTOUR names a file, and the run has this program only. */
+  contourInFile: { file: string };
   feedMissing: {};
   spindleMissing: {};
   parameterUnset: { name: string };
@@ -22,6 +24,10 @@ interface Data {
   blankMissing: {};
   blankNotTurned: { form: string };
   blankImpossible: {};
+  /** The outline of FUNCTION TURNDATA BLANK is the stock, since BLK FORM gives none. */
+  blankTaken: { label: string };
+  /** It is not, since BLK FORM gives one. */
+  blankNotTaken: { label: string };
   poleMissing: {};
   startUnknown: {};
   arcImpossible: {};

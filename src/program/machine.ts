@@ -22,6 +22,8 @@ export interface Shop {
   readonly rapid: number;
 }
 
+type Correction = NonNullable<Tool["correction"]>;
+
 /** A cycle definition waiting for its call. Numbers as they were when the definition was reached. */
 export interface Defined {
   readonly index: number;
@@ -61,6 +63,10 @@ export class Machine {
   tool: Tool | null = null;
   pole: Pt | null = null;
   contourLabels: Label[] = [];
+  /** File that SEL CONTOUR names, until cycle 14 names labels. */
+  contourFile: string | null = null;
+  /** FUNCTION TURNDATA CORR of the tool in the spindle, mm. */
+  corrections: { readonly TCS?: Correction; readonly WPL?: Correction } = {};
   defined: Defined | null = null;
   held: Held | null = null;
   /** The last path element, for tangential arcs. */

@@ -23,7 +23,7 @@ function statement(row: ContourRow, reading: RowReading | undefined): Statement[
   switch (row.kind) {
     case "L": return [path("L", { axes })];
     case "CR": {
-      const radius: Value | null = size ?? (reading?.radius == null ? null : kept(reading.radius, POSITION_DECIMALS));
+      const radius: Value | null = size ?? (reading === undefined || reading.radius === null ? null : kept(reading.radius, POSITION_DECIMALS));
       return [path("CR", { axes, ...(radius !== null && { radius }), turn: (size === null ? reading?.turn : null) ?? row.turn })];
     }
     case "C": return [path("C", { axes, turn: row.turn })];

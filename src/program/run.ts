@@ -9,6 +9,7 @@ import { programIssue } from "./issue.ts";
 import { Machine, type Shop } from "./machine.ts";
 import { cornerBlock, flush, pathBlock, pole } from "./path-block.ts";
 import type { Run } from "./run-types.ts";
+import { blankOfTurnData, correctTool } from "./turn-data.ts";
 
 /** Bounds that keep every program finite; far above what programs need. */
 const MOST_BLOCKS = 200_000;
@@ -144,9 +145,13 @@ function statement(machine: Machine, s: Statement, index: number): void {
     case "cycleLine": return cycleLine(machine, s, index);
     case "cycleCall": return s.how === "" ? callCycle(machine, index) : machine.notSimulated(`CYCL CALL ${s.how}`, index, "warning");
     case "blankCylinder": case "blankRotation": case "blankBox": return blank(machine, s, index);
-    case "selectContour": return machine.notSimulated("SEL CONTOUR", index, "warning");
-    case "turnCorrection": return machine.notSimulated("FUNCTION TURNDATA CORR", index, "warning");
-    case "turnBlank": return machine.notSimulated("FUNCTION TURNDATA BLANK", index);
+    case "selectContour": {
+      machine.contourLabels = [];
+      machine.contourFile = s.file;
+      return machine.notSimulated(`SEL CONTOUR "${s.file}"`, index, "warning");
+    }
+    case "turnCorrection": return correctTool(machine, s, index);
+    case "turnBlank": return blankOfTurnData(machine, s, index);
     case "undercut": return machine.notSimulated(`UDC ${s.form}`, index, "warning");
     case "groove": return machine.notSimulated(`GRV ${s.form}`, index, "warning");
     default: return;
@@ -179,6 +184,7 @@ function toolCall(machine: Machine, s: Extract<Statement, { kind: "toolCall" }>,
   machine.sure = { x: false, z: false };
   machine.last = null;
   machine.tool = tool ?? null;
+  machine.corrections = {};
   const refused = typeof wanted === "number" ? machine.shop.refused?.get(wanted) : undefined;
   if (refused) for (const i of refused) machine.say(i, index);
   else if (!tool && (machine.turning || turnsLater(machine, index)))
@@ -202,6 +208,7 @@ const find = (tools: readonly Tool[], wanted: number | string) =>
 /** Cycle 14 names the labels of the contour behind a word of any language: LABEL2, KONTURLABEL1 /2. */
 function cycleLine(machine: Machine, s: Extract<Statement, { kind: "cycleLine" }>, index: number): void {
   if (s.cycle !== 14) return machine.say(programIssue("cycleNotSimulated", "info", { cycle: s.cycle, name: s.text }), index);
+  machine.contourFile = null;
   if (s.line === 0) machine.contourLabels = [];
   else machine.contourLabels = [...s.text.matchAll(/"([^"]+)"|(\d{1,9})/g)].map((m) => m[1] ?? Number(m[2]));
 }

@@ -25,7 +25,7 @@ function valueOf(p: Param): fc.Arbitrary<number | "auto"> {
   return fc.oneof({ weight: 30, arbitrary: usual }, { weight: 1, arbitrary: fc.constantFrom(min, max, 0, p.example) }, ...(p.kind === "feed" ? [{ weight: 1, arbitrary: fc.constant("auto" as const) }] : []));
 }
 
-const picture: fc.Arbitrary<Case> = fc.constantFrom(...cycles).chain((cycle) => fc.record({
+export const picture: fc.Arbitrary<Case> = fc.constantFrom(...cycles).chain((cycle) => fc.record({
   cycle: fc.constant(cycle),
   values: fc.record(Object.fromEntries(Object.entries(cycle.params).map(([q, p]) => [q, valueOf(p)]))) as fc.Arbitrary<Numbers>,
   q: fc.constantFrom(...Object.keys(cycle.params)),

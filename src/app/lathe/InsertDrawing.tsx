@@ -2,26 +2,28 @@ import { useId, useMemo } from "react";
 import { holderOutline, insertOutline } from "../../kernel/insert.ts";
 import { CHORD } from "../../kernel/tolerance.ts";
 import type { Tool } from "../../kernel/tool.ts";
-import { boundsOf, grown } from "../../view/bounds.ts";
+import { boundsOf, grown, joined } from "../../view/bounds.ts";
 import { ringData } from "../../view/path.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import "./lathe.css";
 
 /** A tool's insert (and holder, where the tool has one) to scale, Z to the right, X up, the theoretical tip as a small cross. */
-export function InsertDrawing({ tool, width = 48, height = 48, span }: {
+export function InsertDrawing({ tool, width = 48, height = 48, span, whole = false }: {
   readonly tool: Tool;
   /** Pixels. */
   readonly width?: number;
   readonly height?: number;
   /** Millimetres that the drawing's smaller side stands for, for several tools in one scale; without it the insert fills the drawing. */
   readonly span?: number;
+  /** The drawing frames the holder too, not the insert alone. */
+  readonly whole?: boolean;
 }) {
   const t = useTexts().lathe, id = useId();
   const { insert, holder, box } = useMemo(() => {
     const ring = insertOutline(tool, CHORD), b = grown(boundsOf(ring) ?? { left: -1, right: 1, low: -1, high: 1 }, 0);
     const held = holderOutline(tool);
-    return { insert: ringData([ring]), holder: held && ringData([held]), box: b };
-  }, [tool]);
+    return { insert: ringData([ring]), holder: held && ringData([held]), box: whole ? joined(b, held && boundsOf(held)) ?? b : b };
+  }, [tool, whole]);
   const wide = box.right - box.left, tall = box.high - box.low;
   const scale = span ? Math.min(width, height) / span : Math.min((width - 8) / wide, (height - 8) / tall);
   const x = width / 2 - ((box.left + box.right) / 2) * scale, y = height / 2 + ((box.low + box.high) / 2) * scale;

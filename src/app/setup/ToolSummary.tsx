@@ -7,6 +7,7 @@ import { goToField } from "../place.ts";
 import { isAboutTool, useProblems } from "../problems/problems.ts";
 import type { JobReading } from "../reading.ts";
 import { useTexts } from "../settings/use-texts.ts";
+import { showToolNumber } from "../tools/tool-place.ts";
 import { useToolList } from "../tools/tool-store.ts";
 import { ToolVerdict, useToolDetails } from "./tool-words.tsx";
 
@@ -44,7 +45,10 @@ export function ToolSummary({ read, fits }: { readonly read: JobReading; readonl
           </div>
         )}
       </div>
-      <button type="button" className="button choose-tool" onClick={() => goToField("setup", "tool")}>{t.choose} <Icon name="down" /></button>
+      <div className="tool-choices">
+        <button type="button" className="button choose-tool" onClick={() => goToField("setup", "tool")}>{t.choose} <Icon name="down" /></button>
+        {tool && <button type="button" className="button" onClick={() => showToolNumber(tool.T)}><Icon name="insert" /> {t.edit}</button>}
+      </div>
     </section>
   );
 }

@@ -18,6 +18,7 @@ export const setup = {
     noneMakes: "Kein Werkzeug der Tabelle fertigt die ganze Kontur.",
     take: (number) => `Werkzeug ${number} nehmen`,
     choose: "Anderes Werkzeug wählen",
+    edit: "Dieses Werkzeug bearbeiten",
     drawing: "Schneide maßstäblich",
   },
   blank: {

@@ -18,6 +18,7 @@ export const setup = {
     noneMakes: "No tool of the table makes the whole contour.",
     take: (number: number) => `Take tool ${number}`,
     choose: "Choose another tool",
+    edit: "Edit this tool",
     drawing: "Insert to scale",
   },
   blank: {

@@ -18,6 +18,7 @@ export const setup = {
     noneMakes: "Aucun outil du tableau ne réalise tout le contour.",
     take: (number) => `Prendre l’outil ${number}`,
     choose: "Choisir un autre outil",
+    edit: "Éditer cet outil",
     drawing: "Plaquette à l’échelle",
   },
   blank: {

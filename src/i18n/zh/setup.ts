@@ -18,6 +18,7 @@ export const setup = {
     noneMakes: "刀具表中没有能加工完整轮廓的刀具。",
     take: (number) => `采用刀具 ${number}`,
     choose: "选择其他刀具",
+    edit: "编辑此刀具",
     drawing: "按比例的刀片",
   },
   blank: {

@@ -1,4 +1,4 @@
-import { heightAt, highest, pathAlong, staysAbove } from "../envelope.ts";
+import { heightAt, highest, pathAlong, staysAbove, type Envelope } from "../envelope.ts";
 import { distance, type Flat, type FlatSegment } from "../flat.ts";
 import { issue, type Issue } from "../issue.ts";
 import { SAME } from "../tolerance.ts";
@@ -13,6 +13,8 @@ export interface Finish {
   readonly contour: readonly FlatSegment[];
   readonly start: Flat;
   readonly clearance: number;
+  /** Where roughing with this tool ended; empty when there was none. */
+  readonly roughed: Envelope;
   /** What roughing has left above the contour and beside it, mm. */
   readonly kept: number;
   readonly aside: number;
@@ -47,7 +49,8 @@ export function finishContour(track: Track, f: Finish, issues: Issue[]): void {
     issues.push(issue("startInsideEnvelope", "warning", { clearance: f.clearance }, "start.x"));
   } else {
     const before = Math.min(Math.max(f.start.u, u0 - f.clearance), u0);
-    const above = Math.max(begin.v, highest(f.ground.envelope, before, u0).v) + Math.max(f.clearance, f.kept);
+    const free = Math.max(begin.v, highest(f.ground.envelope, before, u0).v) + Math.max(f.clearance, f.kept);
+    const above = Math.max(free, heightAt(f.roughed, before));
     if (track.at.v < above) track.rapid("v", above, p(1));
     track.rapid("u", before, p(1));
     track.rapid("v", above, p(1));

@@ -85,14 +85,14 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
     roughByLevels(wanted, { envelope: kept.envelope, start, top: upper, ...division, from, to, smoothing: l.smoothing, feeds: l.feeds });
     if (grown && l.smoothing === 1 && division.passes > 0) {
       back(wanted, start, "rough", 4);
-      finishContour(wanted, { ground: grown, contour: flat, start, clearance: l.clearance, kept: division.infeed, aside: division.infeed, feeds: l.feeds, from, to, smoothing: true }, issues);
+      finishContour(wanted, { ground: grown, contour: flat, start, clearance: l.clearance, roughed: kept.envelope, kept: division.infeed, aside: division.infeed, feeds: l.feeds, from, to, smoothing: true }, issues);
     }
     back(wanted, start, "rough", 6);
   }
   if (l.operation !== 1) {
     const ground = (l.operation === 3 ? grown : null) ?? drawn;
     const steps = l.smoothing === 2 ? division.infeed : 0;
-    finishContour(wanted, { ground, contour: flat, start, clearance: l.clearance, kept: keep.v + steps, aside: keep.u + steps, feeds: l.feeds, from, to, smoothing: false }, issues);
+    finishContour(wanted, { ground, contour: flat, start, clearance: l.clearance, roughed: l.operation === 0 ? kept.envelope : [], kept: keep.v + steps, aside: keep.u + steps, feeds: l.feeds, from, to, smoothing: false }, issues);
     back(wanted, start, "finish", 4);
   }
   return {
