@@ -1,0 +1,88 @@
+import { useId, useRef } from "react";
+import type { Issue } from "../../kernel/issue.ts";
+import { readExpression } from "../../program/expression.ts";
+import type { HolderCell, NumberColumn } from "../../program/tool-columns.ts";
+import { ruleOf } from "../../program/tool-columns.ts";
+import { cellOf, type ToolEntry } from "../../program/tool-entry.ts";
+import { FieldMessage } from "../dialog/FieldMessage.tsx";
+import { useNumberEntry } from "../dialog/use-number-entry.ts";
+import { inScreenWriting } from "../dialog/write-value.ts";
+import { useSettings } from "../settings/settings.ts";
+import { useTexts } from "../settings/use-texts.ts";
+import { setCell } from "./tool-edits.ts";
+import { closeToolStep } from "./tool-store.ts";
+
+/** What is wrong with a cell, read out when it changes. An empty cell that is needed is said calmly. */
+export function CellMessages({ id, issues, text, onTake, decimals = 4 }: {
+  readonly id: string;
+  readonly issues: readonly Issue[];
+  readonly text: string;
+  readonly decimals?: number;
+  readonly onTake?: (nearest: number) => void;
+}) {
+  return (
+    <div id={id} className="tool-wrong" role="status">
+      {issues.map((issue) => (
+        <FieldMessage
+          key={issue.code} problem={{ issue, at: issue.at ?? null, block: null }} decimals={decimals} calm={text.trim() === "" && issue.severity === "error"}
+          {...(onTake && { onTake })}
+        />
+      ))}
+    </div>
+  );
+}
+
+/** One number of a row: typed text goes to the table at each keystroke, sums are worked out when the field is left. */
+export function ToolField({ entry, cell, issues, unused = null }: {
+  readonly entry: ToolEntry;
+  readonly cell: NumberColumn | HolderCell;
+  readonly issues: readonly Issue[];
+  /** The type that has no use for this column; null when it has. */
+  readonly unused?: string | null;
+}) {
+  const t = useTexts().tools;
+  const id = useId();
+  const input = useRef<HTMLInputElement>(null);
+  const language = useSettings((s) => s.language);
+  const text = cellOf(entry, cell);
+  const put = (next: string) => setCell(entry.id, cell, next);
+  const { onKeyDown, onTyped } = useNumberEntry(input, text, put);
+  const { unit, min, decimals } = ruleOf(cell);
+  const isHolder = cell in t.holder;
+  const column = isHolder ? null : cell as NumberColumn;
+  const meaning = column ? t.columns[column] : t.holder[cell as HolderCell];
+  const found = issues.filter((issue) => issue.at === cell);
+
+  const commit = () => {
+    const read = readExpression(text);
+    if (read.kind === "number" && read.computed) put(String(Math.round(read.value * 1e6) / 1e6));
+    closeToolStep();
+  };
+
+  return (
+    <div className={`tool-field${unused === null ? "" : " unused"}`}>
+      <label htmlFor={id}>{column && <b className="number">{column}</b>} <span className="soft small">{meaning}</span></label>
+      <span className="tool-value">
+        <input
+          id={id} ref={input} className="input number" type="text" inputMode="decimal" autoComplete="off" spellCheck={false} maxLength={200}
+          aria-label={column ? t.field(column, meaning) : meaning} disabled={unused !== null}
+          aria-invalid={found.some((issue) => issue.severity === "error")} aria-describedby={`${id}-unit ${id}-wrong`}
+          value={inScreenWriting(language, text)} onBlur={commit} onKeyDown={min < 0 ? onKeyDown : undefined}
+          onChange={(e) => {
+            onTyped();
+            put(e.currentTarget.value);
+          }}
+        />
+        <span className="soft small tool-unit" id={`${id}-unit`}>{unused === null ? unit && t.units[unit] : t.unused(unused)}</span>
+      </span>
+      <CellMessages
+        id={`${id}-wrong`} issues={found} text={text} decimals={decimals}
+        onTake={(nearest) => {
+          closeToolStep();
+          put(String(nearest));
+          closeToolStep();
+        }}
+      />
+    </div>
+  );
+}

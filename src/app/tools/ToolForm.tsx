@@ -1,0 +1,93 @@
+import { useId, type KeyboardEvent } from "react";
+import type { Issue } from "../../kernel/issue.ts";
+import { applies, HOLDER_CELLS, type NumberColumn } from "../../program/tool-columns.ts";
+import { cellOf, readEntry, type EntryReading, type ToolEntry } from "../../program/tool-entry.ts";
+import { Icon } from "../Icon.tsx";
+import { useTexts } from "../settings/use-texts.ts";
+import { LiveInsert, useLastTool } from "./LiveInsert.tsx";
+import { NameFields } from "./NameFields.tsx";
+import { TipPicker } from "./TipPicker.tsx";
+import { setCell } from "./tool-edits.ts";
+import { closeToolStep } from "./tool-store.ts";
+import { CellMessages, ToolField } from "./ToolField.tsx";
+import { useToolName } from "./tool-name.ts";
+
+const INSERT: readonly NumberColumn[] = ["T-ANGLE", "P-ANGLE", "CUTLENGTH", "CUTWIDTH", "DCW"];
+const SETTING: readonly NumberColumn[] = ["ZL", "XL", "DZL", "DXL", "ORI"];
+
+/** Enter goes on to the next field that can be filled, as ENT does on the control. */
+function onEnter(event: KeyboardEvent<HTMLElement>): void {
+  const from = event.target;
+  if (event.key !== "Enter" || !(from instanceof HTMLInputElement)) return;
+  event.preventDefault();
+  const fields = [...event.currentTarget.querySelectorAll<HTMLInputElement | HTMLSelectElement>("input:not(:disabled), select")].filter((f) => f.tabIndex >= 0);
+  const next = fields[fields.indexOf(from) + 1];
+  next?.focus();
+  if (next instanceof HTMLInputElement && next.type === "text") next.select();
+}
+
+/** The orientation of a row with its picture and what is wrong with it. */
+function Orientation({ entry, reading, issues }: { readonly entry: ToolEntry; readonly reading: EntryReading; readonly issues: readonly Issue[] }) {
+  const id = useId();
+  const text = cellOf(entry, "TO");
+  const without = reading.tool ?? readEntry({ ...entry, cells: { ...entry.cells, TO: "1" } }).tool;
+  const drawn = useLastTool(entry.id, without);
+  const value = Number(text);
+  return (
+    <div className="tool-field wide">
+      <TipPicker
+        name={`${id}-to`} value={text.trim() === "" ? null : value} tool={drawn && { ...drawn, ...without }}
+        onChoose={(to) => {
+          closeToolStep();
+          setCell(entry.id, "TO", String(to));
+          closeToolStep();
+        }}
+      />
+      <CellMessages id={`${id}-wrong`} issues={issues.filter((issue) => issue.at === "TO")} text={text} />
+    </div>
+  );
+}
+
+/** All columns of one tool, its insert drawn as they are typed, and what can be done with the row. */
+export function ToolForm({ entry, reading, onDuplicate, onRemove }: {
+  readonly entry: ToolEntry;
+  readonly reading: EntryReading;
+  readonly onDuplicate: () => void;
+  readonly onRemove: () => void;
+}) {
+  const t = useTexts().tools;
+  const name = useToolName()(entry);
+  const type = cellOf(entry, "TYPE");
+  const { issues, tool } = reading;
+  const drawn = useLastTool(entry.id, tool);
+  const field = (cell: NumberColumn) => (
+    <ToolField key={cell} entry={entry} cell={cell} issues={issues} unused={applies(cell, type) ? null : type} />
+  );
+  return (
+    <section className="tool-form" aria-label={t.form(name)} onKeyDown={onEnter}>
+      <header>
+        <h2>{name}</h2>
+        <button type="button" className="button" aria-label={t.duplicateLong(name)} onClick={onDuplicate}><Icon name="copy" /> {t.duplicate}</button>
+        <button type="button" className="button" aria-label={t.removeLong(name)} onClick={onRemove}><Icon name="close" /> {t.remove}</button>
+      </header>
+      <LiveInsert tool={drawn} now={tool !== null} />
+      <fieldset className="tool-group"><legend>{t.groups.name}</legend><NameFields entry={entry} issues={issues} /></fieldset>
+      <fieldset className="tool-group">
+        <legend>{t.groups.tip}</legend>
+        <Orientation key={entry.id} entry={entry} reading={reading} issues={issues} />
+        {field("RS")}
+        {field("DRS")}
+      </fieldset>
+      <fieldset className="tool-group"><legend>{t.groups.insert}</legend>{INSERT.map(field)}</fieldset>
+      <fieldset className="tool-group">
+        <legend>{t.groups.setting}</legend>
+        <p className="soft small tool-note">{t.keptOnly}</p>
+        {SETTING.map(field)}
+      </fieldset>
+      <fieldset className="tool-group">
+        <legend>{t.groups.holder}</legend>
+        {HOLDER_CELLS.map((cell) => <ToolField key={cell} entry={entry} cell={cell} issues={issues} />)}
+      </fieldset>
+    </section>
+  );
+}

@@ -1,0 +1,105 @@
+import { memo, useEffect, useRef, type KeyboardEvent } from "react";
+import { formatNumber } from "../../i18n/number.ts";
+import { applies, ruleOf, TOOL_COLUMNS, type ToolColumn } from "../../program/tool-columns.ts";
+import { cellOf, type EntryReading, type ToolEntry } from "../../program/tool-entry.ts";
+import type { ToolList, ToolListReading } from "../../program/tool-list.ts";
+import { readExpression } from "../../program/expression.ts";
+import { Icon } from "../Icon.tsx";
+import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
+import { useSettings } from "../settings/settings.ts";
+import { useTexts } from "../settings/use-texts.ts";
+import { openRow } from "./tool-place.ts";
+import { useToolName } from "./tool-name.ts";
+
+/** Edge length of an insert in its row, px. */
+const DRAWING = 28;
+/** A longer table has no drawings in its rows: it must stay quick. */
+const MOST_DRAWN = 150;
+
+/** Columns behind the two that name the row. */
+const COLUMNS = TOOL_COLUMNS.filter((column) => column !== "T" && column !== "NAME");
+
+/** A number as the screen language writes it; other text as it was typed. */
+function useShown(): (column: ToolColumn, text: string) => string {
+  const language = useSettings((s) => s.language);
+  return (column, text) => {
+    if (column === "NAME" || column === "TYPE") return text;
+    const read = readExpression(text);
+    return read.kind === "number" ? formatNumber(language, read.value, ruleOf(column).decimals) : text;
+  };
+}
+
+const ToolRow = memo(function ToolRow({ entry, reading, open, drawn }: {
+  readonly entry: ToolEntry;
+  readonly reading: EntryReading;
+  readonly open: boolean;
+  readonly drawn: boolean;
+}) {
+  const t = useTexts().tools;
+  const name = useToolName()(entry);
+  const shown = useShown();
+  const type = cellOf(entry, "TYPE");
+  const wrong = new Set(reading.issues.filter((issue) => issue.severity === "error").map((issue) => issue.at));
+  return (
+    <tr className={open ? "open" : ""} onClick={() => openRow(entry.id)}>
+      <th scope="row" className={wrong.has("T") || wrong.has("NAME") ? "wrong" : ""}>
+        <button
+          type="button" data-row={entry.id} tabIndex={open ? 0 : -1} aria-current={open ? "true" : undefined}
+          aria-label={`${t.select(name)}${wrong.size > 0 ? `, ${t.hasError}` : ""}`}
+        >
+          {drawn && <span className="row-insert">{reading.tool ? <InsertDrawing tool={reading.tool} width={DRAWING} height={DRAWING} /> : <Icon name="error" />}</span>}
+          <b className="number">{cellOf(entry, "T")}</b>
+          <span className="row-name number">{cellOf(entry, "NAME")}</span>
+          {wrong.size > 0 && reading.tool === null && !drawn && <Icon name="error" />}
+        </button>
+      </th>
+      {COLUMNS.map((column) => {
+        const unused = !applies(column, type);
+        const text = cellOf(entry, column);
+        return (
+          <td key={column} className={`number${unused ? " unused" : ""}${wrong.has(column) ? " wrong" : ""}${column === "TYPE" ? " word" : ""}`}>
+            {text.trim() === "" ? (unused ? "–" : "") : shown(column, text)}
+          </td>
+        );
+      })}
+    </tr>
+  );
+});
+
+/** The whole table; one row is open and can be edited beside it. Arrow keys go from row to row. */
+export function ToolGrid({ list, read, open }: { readonly list: ToolList; readonly read: ToolListReading; readonly open: string | null }) {
+  const t = useTexts().tools;
+  const box = useRef<HTMLDivElement>(null);
+  const at = list.findIndex((entry) => entry.id === open);
+
+  useEffect(() => {
+    box.current?.querySelector<HTMLElement>("tr.open")?.scrollIntoView?.({ block: "nearest" });
+  }, [open]);
+
+  const onKeyDown = (event: KeyboardEvent) => {
+    const to = event.key === "ArrowDown" ? at + 1 : event.key === "ArrowUp" ? at - 1 : event.key === "Home" ? 0 : event.key === "End" ? list.length - 1 : null;
+    const next = to === null ? undefined : list[to];
+    if (!next) return;
+    event.preventDefault();
+    openRow(next.id);
+    box.current?.querySelector<HTMLElement>(`button[data-row="${next.id}"]`)?.focus();
+  };
+  return (
+    <div className="tool-grid" ref={box} onKeyDown={onKeyDown}>
+      <table aria-label={t.table}>
+        <thead>
+          <tr>
+            <th scope="col" title={t.columns.T}>T <span className="soft">NAME</span></th>
+            {COLUMNS.map((column) => <th key={column} scope="col" title={t.field(column, t.columns[column])}>{column}</th>)}
+          </tr>
+        </thead>
+        <tbody>
+          {list.map((entry) => {
+            const reading = read.rows.get(entry.id);
+            return reading && <ToolRow key={entry.id} entry={entry} reading={reading} open={entry.id === open} drawn={list.length <= MOST_DRAWN} />;
+          })}
+        </tbody>
+      </table>
+    </div>
+  );
+}

@@ -1,0 +1,113 @@
+import { useEffect, useRef, useState } from "react";
+import { Icon } from "../Icon.tsx";
+import { useTexts } from "../settings/use-texts.ts";
+import { addTool, duplicateTool, removeTool, takeShipped, undoToolStep } from "./tool-edits.ts";
+import { exportTools, importFile, type Outcome } from "./tool-files.ts";
+import { hideTools, openRow, useToolPlace } from "./tool-place.ts";
+import { readTools, useTools } from "./tool-store.ts";
+import { useToolName } from "./tool-name.ts";
+import { ToolForm } from "./ToolForm.tsx";
+import { ToolGrid } from "./ToolGrid.tsx";
+import "./tools.css";
+
+/** The tool table of this device: the whole table, and the columns of one tool beside it. */
+export function ToolPage() {
+  const t = useTexts().tools;
+  const nameOf = useToolName();
+  const list = useTools((s) => s.list);
+  const asked = useToolPlace((p) => p.row);
+  const [said, setSaid] = useState<Outcome | null>(null);
+  const page = useRef<HTMLElement>(null);
+  const file = useRef<HTMLInputElement>(null);
+  const read = readTools(list);
+  const entry = list.find((each) => each.id === asked) ?? list[0];
+  const reading = entry && read.rows.get(entry.id);
+  const wrong = list.length - read.table.tools.length;
+
+  const focusRow = () => requestAnimationFrame(() => page.current?.querySelector<HTMLElement>("tr.open button")?.focus());
+  const focusField = () => requestAnimationFrame(() => {
+    const field = page.current?.querySelector<HTMLInputElement>(".tool-form input[type=text]");
+    field?.focus();
+    field?.select();
+  });
+  useEffect(() => {
+    page.current?.querySelector<HTMLElement>("tr.open button")?.focus();
+  }, []);
+
+  const edited = (row: string) => {
+    setSaid(null);
+    openRow(row);
+    focusField();
+  };
+  const remove = (id: string, name: string) => {
+    openRow(removeTool(id));
+    setSaid({ sentences: [t.removed(name)], failed: false, changed: true });
+    focusRow();
+  };
+
+  return (
+    <main className="tool-page" ref={page}>
+      <div className="tool-head">
+        <button type="button" className="button" aria-label={t.backLong} onClick={hideTools}><Icon name="back" /> {t.back}</button>
+        <div className="tool-title">
+          <p>{t.lead}</p>
+          <p className="soft small">{t.count(list.length)}{wrong > 0 && <> · <span className="tool-errors">{t.wrongCount(wrong)}</span></>}</p>
+        </div>
+        <div className="tool-buttons">
+          <button type="button" className="button primary" onClick={() => edited(addTool())}><Icon name="add" /> {t.add}</button>
+          <button
+            type="button" className="button" aria-label={t.restoreLong}
+            onClick={() => {
+              takeShipped();
+              setSaid({ sentences: [t.restored], failed: false, changed: true });
+            }}
+          >
+            {t.restore}
+          </button>
+        </div>
+        <div className="tool-buttons" role="group" aria-label={t.files}>
+          <button type="button" className="button" aria-label={t.importLong} onClick={() => file.current?.click()}><Icon name="add" /> {t.import}</button>
+          <button type="button" className="button" aria-label={t.exportJsonLong} onClick={() => setSaid(exportTools("json", t))}><Icon name="download" /> {t.exportJson}</button>
+          <button type="button" className="button" aria-label={t.exportTextLong} onClick={() => setSaid(exportTools("text", t))}><Icon name="download" /> {t.exportText}</button>
+          <input
+            ref={file} type="file" hidden accept=".json,.trn,.t,.tab,.txt,application/json,text/plain"
+            onChange={(e) => {
+              const [chosen] = e.currentTarget.files ?? [];
+              e.currentTarget.value = "";
+              if (chosen) void importFile(chosen, t).then(setSaid);
+            }}
+          />
+        </div>
+      </div>
+      <div className="tool-status" role="status">
+        {said && (
+          <p className={`field-message ${said.failed ? "error" : "info"}`}>
+            <Icon name={said.failed ? "error" : "info"} /> <span>{said.sentences.join(" ")}</span>
+            {said.changed && (
+              <button
+                type="button" className="button"
+                onClick={() => {
+                  undoToolStep();
+                  setSaid(null);
+                  focusRow();
+                }}
+              >
+                <Icon name="undo" /> {t.undo}
+              </button>
+            )}
+          </p>
+        )}
+      </div>
+      <div className="tool-list">
+        {list.length === 0 ? <p className="tool-none">{t.none}</p> : <ToolGrid list={list} read={read} open={entry?.id ?? null} />}
+        <p className="small evidence-text tool-note">{t.unconfirmed}</p>
+      </div>
+      {entry && reading && (
+        <ToolForm
+          entry={entry} reading={reading}
+          onDuplicate={() => edited(duplicateTool(entry.id))} onRemove={() => remove(entry.id, nameOf(entry))}
+        />
+      )}
+    </main>
+  );
+}

@@ -1,0 +1,76 @@
+import type { ToolsTexts } from "../../i18n/en/tools.ts";
+import { cellOf } from "../../program/tool-entry.ts";
+import { readToolFile, writeTableJson } from "../../program/tool-table-json.ts";
+import { writeTableText } from "../../program/tool-table-text.ts";
+import { downloadText } from "../program/copy.ts";
+import { takeRows } from "./tool-edits.ts";
+import { openRow } from "./tool-place.ts";
+import { readTools, useTools } from "./tool-store.ts";
+
+/** What came of a file: sentences, and whether the table was changed. */
+export interface Outcome {
+  readonly sentences: readonly string[];
+  readonly failed: boolean;
+  readonly changed: boolean;
+}
+
+const failure = (sentence: string): Outcome => ({ sentences: [sentence], failed: true, changed: false });
+
+/** Files of older controls are not UTF-8: what can not be is read byte by byte. */
+function decoded(bytes: ArrayBuffer): string {
+  try {
+    return new TextDecoder("utf-8", { fatal: true }).decode(bytes);
+  } catch {
+    return new TextDecoder("windows-1252").decode(bytes);
+  }
+}
+
+/** Takes the rows of a text into the table: one step of undo. */
+export function importText(text: string, name: string, t: ToolsTexts): Outcome {
+  const read = readToolFile(text);
+  if ("problem" in read) {
+    switch (read.problem) {
+      case "columnsMissing": return failure(t.problems.columnsMissing(name, read.columns.join(", ")));
+      case "tooMany": return failure(t.problems.tooMany(name, read.most));
+      case "notATable": case "noRows": return failure(t.problems[read.problem](name));
+    }
+  }
+  const { replaced, added, first } = takeRows(read.rows);
+  if (first) openRow(first);
+  const { list } = useTools.getState();
+  const taken = new Set(read.rows);
+  const { rows } = readTools(list);
+  const wrong = list.filter((entry) => taken.has(entry.cells) && rows.get(entry.id)?.tool === null).length;
+  return {
+    failed: false, changed: true,
+    sentences: [
+      t.imported(name, replaced, added), ...(wrong > 0 ? [t.importedWrong(wrong)] : []),
+      ...(read.leftOut.length > 0 ? [t.leftOut(read.leftOut.join(", "))] : []), ...(read.cutShort ? [t.cutShort] : []),
+    ],
+  };
+}
+
+/** Takes the rows of a file into the table. */
+export async function importFile(file: File, t: ToolsTexts): Promise<Outcome> {
+  try {
+    return importText(decoded(await file.arrayBuffer()), file.name, t);
+  } catch {
+    return failure(t.problems.unreadable(file.name));
+  }
+}
+
+/** Hands the table to the downloads of the browser. Rows with errors stay here, and that is said. */
+export function exportTools(kind: "json" | "text", t: ToolsTexts): Outcome {
+  const { list } = useTools.getState();
+  const { table, rows } = readTools(list);
+  const name = kind === "json" ? "TOOLS.json" : "TOOLTURN.TRN";
+  downloadText(kind === "json" ? writeTableJson(table.tools) : writeTableText(table.tools), name);
+  const without = list.filter((entry) => !rows.get(entry.id)?.tool).map((entry) => cellOf(entry, "T") || cellOf(entry, "NAME") || t.noNumber);
+  return {
+    failed: false, changed: false,
+    sentences: [
+      t.exported(name, table.tools.length), ...(without.length > 0 ? [t.exportedWithout(without.join(", "))] : []),
+      ...(kind === "text" && table.tools.some((tool) => tool.holder) ? [t.holderNotExported] : []),
+    ],
+  };
+}
