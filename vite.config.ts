@@ -33,8 +33,8 @@ export default defineConfig({
     sequence: { shuffle: { files: false, tests: true }, seed },
     testTimeout: 60_000,
     projects: [
-      { extends: true, test: { name: "node", environment: "node", exclude, include: ["src/**/*.test.ts", "tests/**/*.test.ts"] } },
-      { extends: true, test: { name: "jsdom", environment: "jsdom", setupFiles: ["./tests/jsdom.ts"], exclude, include: ["src/**/*.test.tsx"] } },
+      { extends: true, test: { name: "node", environment: "node", setupFiles: ["./tests/seed.ts"], exclude, include: ["src/**/*.test.ts", "tests/**/*.test.ts"] } },
+      { extends: true, test: { name: "jsdom", environment: "jsdom", setupFiles: ["./tests/seed.ts", "./tests/jsdom.ts"], exclude, include: ["src/**/*.test.tsx"] } },
     ],
   },
 });

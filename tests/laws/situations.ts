@@ -19,9 +19,6 @@ export interface Situation {
   readonly blank: readonly Ring[];
 }
 
-/** Printed when a law runs, and taken from the environment to repeat a run. */
-export const seed = process.env["LAW_SEED"] ? Number(process.env["LAW_SEED"]) : Date.now() % 2 ** 31;
-
 const at = (z: number, r: number): Pt => ({ z: axial(z), r: radius(r) });
 const box = (z0: number, z1: number, r0: number, r1: number): Ring =>
   [at(Math.min(z0, z1), Math.min(r0, r1)), at(Math.max(z0, z1), Math.min(r0, r1)), at(Math.max(z0, z1), Math.max(r0, r1)), at(Math.min(z0, z1), Math.max(r0, r1))];
