@@ -3,6 +3,7 @@ import type { ContourTexts } from "./en/contour.ts";
 import type { CyclesTexts } from "./cycle-text.ts";
 import type { DialogTexts } from "./en/dialog.ts";
 import type { HelpTexts } from "./en/help.ts";
+import type { EditorTexts } from "./en/editor.ts";
 import { en } from "./en/index.ts";
 import type { LatheTexts } from "./en/lathe.ts";
 import type { MessagesTexts } from "./message-texts.ts";
@@ -23,6 +24,7 @@ export interface Texts {
   readonly help: HelpTexts;
   readonly contour: ContourTexts;
   readonly tools: ToolsTexts;
+  readonly editor: EditorTexts;
   readonly messages: MessagesTexts;
   readonly params: ParamsTexts;
   readonly cycles: CyclesTexts;
