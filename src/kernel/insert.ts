@@ -16,6 +16,11 @@ const TIP: Record<TipOrientation, Flat> = {
 
 /** Nose or corner radius with its delta, mm, never negative. */
 export const noseRadius = (t: Tool) => Math.max(0, t.RS + (t.DRS ?? 0));
+/** From the centre of the nose radius to the theoretical tip, mm. */
+export function tipOffset(t: Tool): Flat {
+  const [tip, r] = [TIP[t.TO] ?? TIP[9], noseRadius(t)];
+  return { u: tip.u * r, v: tip.v * r };
+}
 /** Width of a recessing edge with its delta, mm. */
 export const cuttingWidth = (t: Tool) => Math.max(0, (t.CUTWIDTH ?? 0) + (t.DCW ?? 0));
 export const isBar = (t: Tool) => t.TYPE === "RECESS" || t.TYPE === "RECTURN";

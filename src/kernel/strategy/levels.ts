@@ -39,6 +39,8 @@ export function roughByLevels(track: Track, l: Levels): void {
     const p = (step: number, plunging = false) => purpose(step, i, plunging);
     // From another valley the way leads over the level where both were still one.
     if (track.at.v < level(i - 1)) track.rapid("v", level(i - 2), p(4));
+    const over = entry === null ? track.at.v : highest(l.envelope, Math.min(track.at.u, entry), entry).v;
+    if (track.at.v < over) track.rapid("v", over, p(4));
     if (entry === null) {
       track.rapid("u", valley.from, p(4));
       track.rapid("v", height, p(1));
@@ -83,7 +85,8 @@ export function roughByLevels(track: Track, l: Levels): void {
 
   if (l.passes === 0) return;
   const whole = { from: l.from, to: l.to };
-  const reachable = below(l.envelope, level(1), l.from, l.to).filter((v) => open(v) || highest(l.envelope, l.from, v.from).v <= l.top + SAME);
+  const front = Math.max(l.top, heightAt(l.envelope, l.from));
+  const reachable = below(l.envelope, level(1), l.from, l.to).filter((v) => open(v) || highest(l.envelope, l.from, v.from).v <= front + SAME);
   const pending = tasks(1, reachable, whole).reverse();
   for (let task = pending.pop(); task; task = pending.pop()) {
     const { i, valley, outer, entry, limit } = task;
