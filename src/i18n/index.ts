@@ -1,4 +1,5 @@
 import { de } from "./de/index.ts";
+import type { ApproachTexts } from "./en/approach.ts";
 import type { ContourTexts } from "./en/contour.ts";
 import type { CyclesTexts } from "./cycle-text.ts";
 import type { DialogTexts } from "./en/dialog.ts";
@@ -25,6 +26,7 @@ export interface Texts {
   readonly contour: ContourTexts;
   readonly tools: ToolsTexts;
   readonly editor: EditorTexts;
+  readonly approach: ApproachTexts;
   readonly messages: MessagesTexts;
   readonly params: ParamsTexts;
   readonly cycles: CyclesTexts;

@@ -1,0 +1,111 @@
+import type { ApproachRequest } from "../kernel/approach.ts";
+import { apart, type PlanePoint, type PlaneSegment, type Side } from "../kernel/plane.ts";
+import { SAME } from "../kernel/tolerance.ts";
+import { diameter, inDegrees, radians, radius, toDiameter, toRadius } from "../kernel/units.ts";
+import type { ApproachForm } from "../nc/statement.ts";
+import { SIDES, type ApproachReading, type WordReading } from "./approach-draft.ts";
+import { isPolar, shapeOf, type ApproachWord, type WorkingPlane } from "./approach-fields.ts";
+import type { KnownParameters } from "./expression.ts";
+
+/** What stands round an APPR or DEP block in its program. Lengths in mm, points in the working plane. */
+export interface ApproachContext {
+  readonly plane: WorkingPlane;
+  /** APPR: where the tool stands before the block (PS). Null while nobody knows. */
+  readonly before: PlanePoint | null;
+  /** The programmed contour, behind APPR or before DEP, as it is without compensation. */
+  readonly contour: readonly PlaneSegment[];
+  /** The compensation in force: that of the contour before DEP. */
+  readonly side: Side;
+  readonly toolRadius: number;
+  /** CC, for the polar forms. */
+  readonly pole: PlanePoint | null;
+  /** The way to PH runs at the feed in force before the block: "rapid", a number, or null when none was programmed. */
+  readonly feedBefore: number | "rapid" | null;
+  /** Millimetres in the program's unit of length. */
+  readonly unit: 1 | 25.4;
+  /** Values of Q parameters at the block. */
+  readonly parameters: KnownParameters;
+}
+
+/** The block with its surroundings, ready to be calculated. */
+export interface ReadyApproach {
+  readonly request: ApproachRequest;
+  /** The programmed contour, beginning in PA or ending in PE. */
+  readonly contour: readonly PlaneSegment[];
+}
+
+const SIDE_OF = { RL: "left", RR: "right", R0: "none" } as const;
+
+const sideOf = (read: WordReading | undefined, otherwise: Side): Side => {
+  const word = read?.value === null || read?.value === undefined ? undefined : SIDES[read.value];
+  return word ? SIDE_OF[word] : otherwise;
+};
+
+/** Last point of a contour before DEP, where incremental words count from; the start of the tool for APPR. */
+const origin = (context: ApproachContext, departing: boolean) => (departing ? (context.contour.at(-1)?.to ?? null) : context.before);
+
+function cartesian(read: ApproachReading, context: ApproachContext, from: PlanePoint | null): PlanePoint | null {
+  const turning = context.plane === "ZX";
+  const coordinate = (word: WordReading | undefined, old: number | undefined, size: (n: number) => number) => {
+    if (!word || word.value === null) return word?.issue || word?.written ? null : (old ?? null);
+    return size(word.value * context.unit) + (word.incremental ? (old ?? 0) : 0);
+  };
+  const straight = (n: number) => n;
+  const x = coordinate(turning ? read.Z : read.X, from?.x, straight);
+  const y = turning ? coordinate(read.X, from?.y, (n) => toRadius(diameter(n))) : coordinate(read.Y, from?.y, straight);
+  return x === null || y === null ? null : { x, y };
+}
+
+function polar(read: ApproachReading, context: ApproachContext, from: PlanePoint | null): PlanePoint | null {
+  const { pole } = context;
+  const [distance, direction] = [read.PR?.value ?? null, read.PA?.value ?? null];
+  if (!pole || distance === null || direction === null) return null;
+  const far = distance * context.unit + (read.PR?.incremental && from ? apart(from, pole) : 0);
+  const angle = direction + (read.PA?.incremental && from ? inDegrees(Math.atan2(from.y - pole.y, from.x - pole.x)) : 0);
+  return { x: pole.x + far * Math.cos(radians(angle)), y: pole.y + far * Math.sin(radians(angle)) };
+}
+
+/** The point that a block names: PA, or PN of DEP LCT. Null while it is not complete. */
+export const namedPoint = (form: ApproachForm, departing: boolean, read: ApproachReading, context: ApproachContext): PlanePoint | null =>
+  (isPolar(form) ? polar : cartesian)(read, context, origin(context, departing));
+
+/** A contour that begins in another point: its first element is straight from there, unless nothing moved. */
+function beginningIn(contour: readonly PlaneSegment[], at: PlanePoint): readonly PlaneSegment[] {
+  const [first, ...rest] = contour;
+  if (!first || apart(first.from, at) <= SAME) return contour;
+  return apart(first.to, at) <= SAME ? rest : [first.kind === "line" ? { ...first, from: at } : { kind: "line", from: at, to: first.to }, ...rest];
+}
+
+/** Null while there is no contour next to the block, or its point is not complete. */
+export function readyApproach(form: ApproachForm, departing: boolean, read: ApproachReading, context: ApproachContext): ReadyApproach | null {
+  const shape = shapeOf(form);
+  const named = departing && shape !== "LCT" ? null : namedPoint(form, departing, read, context);
+  if (!departing && !named) return null;
+  const contour = departing || !named ? context.contour : beginningIn(context.contour, named);
+  const element = departing ? contour.at(-1) : contour[0];
+  if (!element) return null;
+  const value = (word: WordReading | undefined, scale: number) => (typeof word?.value === "number" ? word.value * scale : undefined);
+  const [length, size, angle] = [value(read.LEN, context.unit), value(read.R, context.unit), value(read.CCA, 1)];
+  return {
+    contour,
+    request: {
+      shape, departing, element, toolRadius: context.toolRadius,
+      side: departing ? context.side : sideOf(read.SIDE, context.side),
+      outside: departing ? (shape === "LCT" ? named : null) : context.before,
+      ...(length !== undefined && { length }), ...(size !== undefined && { radius: size }), ...(angle !== undefined && { centreAngle: angle }),
+    },
+  };
+}
+
+const printed = (n: number) => String(Math.round(n * 1000) / 1000 + 0);
+
+/** A point of the working plane as the words that name it in a form. */
+export function wordsOfPoint(form: ApproachForm, p: PlanePoint, context: ApproachContext): Partial<Record<ApproachWord, string>> | null {
+  const { pole, unit } = context;
+  if (isPolar(form)) {
+    if (!pole) return null;
+    const angle = inDegrees(Math.atan2(p.y - pole.y, p.x - pole.x));
+    return { PR: printed(apart(p, pole) / unit), PA: printed(angle) };
+  }
+  return context.plane === "ZX" ? { X: printed(toDiameter(radius(p.y)) / unit), Z: printed(p.x / unit) } : { X: printed(p.x / unit), Y: printed(p.y / unit) };
+}

@@ -1,0 +1,96 @@
+import type { Approach } from "../../kernel/approach.ts";
+import type { PlanePoint } from "../../kernel/plane.ts";
+import type { Camera, Place } from "../camera.ts";
+import { lineBox, textBox, type Candidate, type Item } from "../help/labels.ts";
+import { arcPath, arrowHead } from "../help/marks.ts";
+import { between, extension, filled, stroke, value, type Tag } from "../help/stroke.ts";
+import { onScreen } from "./frame.ts";
+import type { ApproachSpeech } from "./speech.ts";
+
+/** From the measured line to its dimension, pixels. */
+const ASIDE = 24;
+
+const moved = (p: Place, x: number, y: number, k: number): Place => ({ x: p.x + x * k, y: p.y + y * k });
+
+/** LEN between two points: beside the line, on either side. */
+function lengthItem(tag: Tag, text: string, a: Place, b: Place): Item {
+  const long = Math.hypot(b.x - a.x, b.y - a.y) || 1;
+  const [nx, ny] = [-(b.y - a.y) / long, (b.x - a.x) / long];
+  const candidates = [1, -1, 2, -2].map((k): Candidate => {
+    const [c, d] = [moved(a, nx, ny, ASIDE * k), moved(b, nx, ny, ASIDE * k)];
+    const middle = moved({ x: (c.x + d.x) / 2, y: (c.y + d.y) / 2 }, nx, ny, Math.sign(k) * (Math.abs(nx) > 0.7 ? 22 : 11));
+    return {
+      marks: [...extension(tag, a, c), ...extension(tag, b, d), ...between(tag, c, d), value(tag, middle, text)],
+      label: textBox(middle, text, 0), lines: [lineBox(c, d)], cost: Math.abs(k),
+    };
+  });
+  return { q: "LEN", candidates };
+}
+
+interface Arc {
+  readonly centre: Place;
+  readonly radius: number;
+  /** Angles as the screen sees them with Y upwards, radians, in the direction of travel. */
+  readonly from: number;
+  readonly sweep: number;
+}
+
+function radiusItem(tag: Tag, text: string, arc: Arc): Item {
+  const candidates = [0.5, 0.25, 0.75, 0.12, 0.88].flatMap((part): Candidate[] => {
+    const angle = arc.from + arc.sweep * part;
+    const [ux, uy] = [Math.cos(angle), -Math.sin(angle)];
+    const tip = moved(arc.centre, ux, uy, arc.radius);
+    return [0.55, 1].map((at): Candidate => {
+      const end = at === 1 ? moved(tip, ux, uy, 16) : tip;
+      const middle = at === 1 ? moved(tip, ux, uy, 32) : moved(moved(arc.centre, ux, uy, arc.radius * at), -uy, ux, 12);
+      return {
+        marks: [stroke(tag, "thin", `M${arc.centre.x} ${arc.centre.y}L${end.x} ${end.y}`), filled(tag, "arrow", arrowHead(tip, ux, uy)), value(tag, middle, text)],
+        label: textBox(middle, text, 0), lines: [], cost: Math.abs(part - 0.5) * 2 + (at === 1 ? 1.5 : 0),
+      };
+    });
+  });
+  return { q: "R", candidates };
+}
+
+function angleItem(tag: Tag, text: string, arc: Arc): Item {
+  const size = Math.max(14, Math.min(arc.radius * 0.42, 60));
+  const to = arc.from + arc.sweep;
+  const ray = (angle: number, k: number) => moved(arc.centre, Math.cos(angle), -Math.sin(angle), k);
+  const whole = Math.abs(arc.sweep) >= 2 * Math.PI - 1e-6;
+  const drawn = whole ? arcPath(arc.centre, size, arc.from, arc.from + arc.sweep * 0.5) + arcPath(arc.centre, size, arc.from + arc.sweep * 0.5, to) : arcPath(arc.centre, size, arc.from, to);
+  const spokes = [arc.from, to].map((angle) => {
+    const end = ray(angle, arc.radius);
+    return stroke(tag, "thin", `M${arc.centre.x} ${arc.centre.y}L${end.x} ${end.y}`);
+  });
+  const end = ray(to, size);
+  const turn = Math.sign(arc.sweep);
+  const head = filled(tag, "arrow", arrowHead(end, -Math.sin(to) * turn, -Math.cos(to) * turn, 7));
+  const candidates = [0.35, 0.65, 0.5, 0.2, 0.8].flatMap((part) =>
+    [size + 16, size * 0.5, size + 26].map((k, i): Candidate => {
+      const middle = ray(arc.from + arc.sweep * part, k);
+      return { marks: [...spokes, stroke(tag, "thin", drawn), head, value(tag, middle, text)], label: textBox(middle, text, 0), lines: [], cost: i + Math.abs(part - 0.35) };
+    }),
+  );
+  return { q: "CCA", candidates };
+}
+
+/** LEN, or R and the centre angle, at the element they measure. `active` is the word that is being asked for. */
+export function dimensionItems(result: Approach, camera: Camera, speech: ApproachSpeech, active: string | null): readonly Item[] {
+  const tag = (q: string): Tag => ({ q, active: q === active });
+  const place = (p: PlanePoint) => onScreen(camera, p);
+  const { arc, points } = result;
+  if (arc) {
+    const contact = result.departing ? points.PE : points.PA;
+    if (!contact) return [];
+    const [centre, at] = [place(arc.centre), place(contact)];
+    const turn = arc.turn === "ccw" ? 1 : -1;
+    const there = Math.atan2(-(at.y - centre.y), at.x - centre.x);
+    const sweep = (turn * arc.angle * Math.PI) / 180;
+    const shown: Arc = { centre, radius: Math.hypot(at.x - centre.x, at.y - centre.y), from: result.departing ? there : there - sweep, sweep };
+    return [angleItem(tag("CCA"), `${speech.number(Math.round(arc.angle * 1000) / 1000)}°`, shown), radiusItem(tag("R"), `R${speech.number(arc.radius)}`, shown)];
+  }
+  const [inner, outer] = result.departing ? [points.PE, points.PN] : [points.PA, points.PH];
+  if (!inner || !outer || result.shape === "CT" || result.shape === "LCT") return [];
+  const size = Math.hypot(outer.x - inner.x, outer.y - inner.y);
+  return [lengthItem(tag("LEN"), `LEN ${speech.number(size)}`, place(outer), place(inner))];
+}

@@ -1,0 +1,108 @@
+import type { Approach } from "../../kernel/approach.ts";
+import { beyond, partSegment, type PlanePoint, type PlaneSegment } from "../../kernel/plane.ts";
+import type { Camera, Place, Size } from "../camera.ts";
+import { arrange, type Box } from "../help/labels.ts";
+import { arrowHead, circle, polyline, segmentPath, type Mark } from "../help/marks.ts";
+import { filled, stroke, type Tag } from "../help/stroke.ts";
+import { dimensionItems } from "./dimensions.ts";
+import { along, cameraFor, frameOf, onScreen } from "./frame.ts";
+import { pointItem, shownPoints, type ShownPoint } from "./points.ts";
+import type { ApproachSpeech } from "./speech.ts";
+
+/** What to draw of one approach or departure. */
+export interface ApproachScene {
+  readonly result: Approach;
+  /** The programmed contour next to it, and the path of the tool centre along it. */
+  readonly contour: readonly PlaneSegment[];
+  readonly centre: readonly PlaneSegment[];
+  readonly toolRadius: number;
+  /** The way to PH runs at rapid. */
+  readonly rapidBefore: boolean;
+  /** The word that is being asked for; null draws everything quiet. */
+  readonly active: string | null;
+  readonly size: Size;
+  /** Small pictures carry names without coordinates and no dimensions. */
+  readonly small: boolean;
+  readonly speech: ApproachSpeech;
+  /** Keeps the picture where it is while a point is dragged. */
+  readonly camera?: Camera;
+}
+
+/** The display list, from back to front, all places in CSS pixels. */
+export interface ApproachDrawing {
+  readonly size: Size;
+  readonly marks: readonly Mark[];
+  readonly points: readonly ShownPoint[];
+  /** Centre of the arc, on the screen and in the plane. */
+  readonly centre: { readonly at: PlanePoint; readonly place: Place } | null;
+  readonly labels: readonly Box[];
+  readonly camera: Camera;
+}
+
+const quiet: Tag = { q: null, active: false };
+const LARGE = { left: 84, right: 84, top: 46, bottom: 46 };
+const SMALL = { left: 20, right: 20, top: 22, bottom: 22 };
+
+/** The tangent in PA or PE, a little further than the tool reaches. */
+function tangentLine(scene: ApproachScene, camera: Camera, contact: PlanePoint): Mark {
+  const far = Math.max(scene.toolRadius * 1.25, 34 / camera.scale);
+  const { tangent } = scene.result;
+  return stroke(quiet, "axis", polyline([onScreen(camera, beyond(contact, tangent, -far)), onScreen(camera, beyond(contact, tangent, far))]));
+}
+
+/** The right angle between contour and way of the perpendicular forms. */
+function squareMark({ result }: ApproachScene, camera: Camera, contact: PlanePoint, outer: PlanePoint): Mark {
+  const k = 9 / camera.scale;
+  const long = Math.hypot(outer.x - contact.x, outer.y - contact.y) || 1;
+  const away = { x: (outer.x - contact.x) / long, y: (outer.y - contact.y) / long };
+  const [a, c] = [beyond(contact, result.tangent, k), beyond(contact, away, k)];
+  return stroke(quiet, "thin", polyline([a, beyond(a, away, k), c].map((p) => onScreen(camera, p))));
+}
+
+/** An arrow half way along a leg, that says which way it is run. */
+function legArrow(tag: Tag, leg: PlaneSegment, camera: Camera): Mark[] {
+  const [a, b] = [...along([leg], 16)].slice(8, 10).map((p) => onScreen(camera, p));
+  const ends = [onScreen(camera, leg.from), onScreen(camera, leg.to)] as const;
+  if (!a || !b || Math.hypot(ends[1].x - ends[0].x, ends[1].y - ends[0].y) < 26) return [];
+  return [filled(tag, "arrow", arrowHead(b, b.x - a.x, b.y - a.y, 9))];
+}
+
+/** The picture of one approach: contour, compensated path, tool at its points, tangent, dimensions and names. */
+export function approachDrawing(scene: ApproachScene): ApproachDrawing {
+  const { result, contour, toolRadius, size, active } = scene;
+  const element = (result.departing ? contour.at(-1) : contour[0]) ?? { kind: "line", from: { x: 0, y: 0 }, to: { x: 1, y: 0 } };
+  const camera = scene.camera ?? cameraFor(frameOf(result, element, toolRadius), size, scene.small ? SMALL : LARGE);
+  const path = (segments: readonly PlaneSegment[]) => segmentPath(segments.map(partSegment), camera);
+  const points = shownPoints(result, camera);
+  const contact = result.departing ? result.points.PE : result.points.PA;
+  const auxiliary = result.departing ? result.points.PN : result.points.PH;
+  const side: Tag = { q: "SIDE", active: active === "SIDE" };
+  const feed: Tag = { q: "F", active: active === "F" };
+
+  const tools = toolRadius > 0 ? points.map((p) => stroke(quiet, "edge", circle(p.place, toolRadius * camera.scale))) : [];
+  const marks: Mark[] = [
+    stroke(side, "pass", path(scene.centre)),
+    ...tools,
+    stroke(quiet, "contour", path(contour)),
+    ...(contact ? [tangentLine(scene, camera, contact)] : []),
+    ...(contact && auxiliary && result.shape === "LN" ? [squareMark(scene, camera, contact, auxiliary)] : []),
+    ...result.legs.flatMap(({ segment, feed: at }) => {
+      const rapid = at === "before" && scene.rapidBefore;
+      return [stroke(rapid ? quiet : feed, rapid ? "rapid" : "path", path([segment])), ...legArrow(rapid ? quiet : feed, segment, camera)];
+    }),
+  ];
+  const middle = { x: size.width / 2, y: size.height / 2 };
+  const lit = (p: ShownPoint) => (active === "X" || active === "Y" || active === "PR" || active === "PA") && p.names.includes(result.departing ? "PN" : "PA");
+  const items = [
+    ...points.map((p) => pointItem(p, scene.speech, middle, lit(p), !scene.small)),
+    ...(scene.small ? [] : dimensionItems(result, camera, scene.speech, active)),
+  ];
+  const lines = [...along([...contour, ...scene.centre, ...result.legs.map((leg) => leg.segment)], 40)].map((p) => onScreen(camera, p));
+  const kept = points.map((p) => ({ x: p.place.x - 7, y: p.place.y - 7, width: 14, height: 14 }));
+  const placed = arrange(items, { ...size, avoid: lines, kept });
+  return {
+    size, camera, points, labels: placed.map((p) => p.label),
+    centre: result.arc && { at: result.arc.centre, place: onScreen(camera, result.arc.centre) },
+    marks: [...marks, ...placed.flatMap((p) => p.marks)],
+  };
+}

@@ -1,0 +1,9 @@
+import type { PlanePoint } from "../../kernel/plane.ts";
+
+/** Numbers of an approach in the way of the screen language. */
+export interface ApproachSpeech {
+  /** A length, at most three decimals. */
+  readonly number: (value: number) => string;
+  /** Coordinates as the control names them: "X-5 Y-5"; "X⌀40 Z+2" in turning. */
+  readonly point: (p: PlanePoint) => string;
+}
