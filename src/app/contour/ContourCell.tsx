@@ -6,23 +6,31 @@ import { isPlainNumber, minus } from "../dialog/number-entry.ts";
 import { inScreenWriting } from "../dialog/write-value.ts";
 import { closeStep } from "../store.ts";
 
+/** What stands grey in an empty field: where a coordinate stays, or what was solved. */
+export interface Shown {
+  readonly text: string;
+  readonly name: string;
+  readonly solved: boolean;
+}
+
 interface Props {
   readonly row: string;
   readonly field: RowField;
   readonly name: string;
   readonly language: Language;
   readonly text: string;
-  /** Shown grey while the field is empty: what the coordinate stays at. */
-  readonly inherited: string | null;
+  readonly shown: Shown | null;
   readonly wrong: boolean;
   readonly describedBy: string;
   readonly onText: (text: string) => void;
   /** The I key of the coordinate; absent where a value cannot be incremental. */
+  /** The T key: tangential to the element before. */
+  readonly onTangent?: () => void;
   readonly incremental?: { readonly on: boolean; readonly name: string; readonly toggle: () => void };
 }
 
 /** One number of the contour table, with its I key where it is a coordinate. */
-export function ContourCell({ row, field, name, language, text, inherited, wrong, describedBy, onText, incremental }: Props) {
+export function ContourCell({ row, field, name, language, text, shown, wrong, describedBy, onText, onTangent, incremental }: Props) {
   const id = useId();
   const leave = () => {
     const read = readExpression(text);
@@ -35,6 +43,11 @@ export function ContourCell({ row, field, name, language, text, inherited, wrong
       incremental.toggle();
       return;
     }
+    if (onTangent && e.key.toLowerCase() === "t" && !e.ctrlKey && !e.metaKey) {
+      e.preventDefault();
+      onTangent();
+      return;
+    }
     if (e.key !== "-" || !isPlainNumber(text)) return;
     e.preventDefault();
     const input = e.currentTarget;
@@ -43,7 +56,7 @@ export function ContourCell({ row, field, name, language, text, inherited, wrong
     requestAnimationFrame(() => input.setSelectionRange(next.from === next.to ? next.from : next.text.startsWith("-") ? 1 : 0, next.to));
   };
   return (
-    <span className="contour-cell">
+    <span className={`contour-cell field-${field}${shown?.solved ? " solved" : ""}`}>
       {incremental && (
         <button
           type="button" className="button plain contour-incremental number" aria-pressed={incremental.on} aria-label={incremental.name}
@@ -54,11 +67,11 @@ export function ContourCell({ row, field, name, language, text, inherited, wrong
       )}
       <input
         id={id} className="input number" type="text" inputMode="text" autoComplete="off" spellCheck={false} maxLength={200}
-        data-row={row} data-field={field} aria-label={name} aria-invalid={wrong} aria-describedby={inherited === null ? describedBy : `${describedBy} ${id}-stays`}
-        value={inScreenWriting(language, text)} placeholder={inherited ?? ""}
+        data-row={row} data-field={field} aria-label={name} aria-invalid={wrong} aria-describedby={shown === null ? describedBy : `${describedBy} ${id}-stays`}
+        value={inScreenWriting(language, text)} placeholder={shown?.text ?? ""}
         onChange={(e) => onText(e.currentTarget.value)} onBlur={leave} onFocus={(e) => e.currentTarget.select()} onKeyDown={onKey} {...(incremental ? { "aria-keyshortcuts": "I" } : {})}
       />
-      {inherited !== null && <span id={`${id}-stays`} className="unseen">{inherited}</span>}
+      {shown !== null && <span id={`${id}-stays`} className="unseen">{shown.name}</span>}
     </span>
   );
 }

@@ -6,7 +6,7 @@ import type { RowField, RowIssue, RowReading } from "../../program/contour-rows.
 import type { ContourRow } from "../../program/job.ts";
 import { Icon } from "../Icon.tsx";
 import { issueText } from "../issue-text.ts";
-import { ContourCell } from "./ContourCell.tsx";
+import { ContourCell, type Shown } from "./ContourCell.tsx";
 
 interface Props {
   readonly row: ContourRow;
@@ -15,28 +15,40 @@ interface Props {
   readonly reading: RowReading | undefined;
   readonly issues: readonly RowIssue[];
   readonly active: boolean;
+  /** Whether angle, length and tangency have their fields. */
+  readonly details: boolean;
   readonly language: Language;
   readonly onChange: (change: Partial<ContourRow>, place: string | null) => void;
   readonly onFocus: () => void;
 }
 
-const KINDS = ["L", "CR", "RND", "CHF"] as const;
+const KINDS = ["L", "RND", "CHF", "CR", "CC", "C", "CT"] as const;
+/** The elements that have an end point or a centre, a size, a turning direction, and those that can be tangential. */
+const POINT = ["L", "CR", "CC", "C", "CT"], SIZE = ["RND", "CHF", "CR"], TURN = ["CR", "C"], TANGENTIAL = ["L", "CR", "C"];
 
 /** One element of the contour: its fields, and below them what is wrong with it. */
-export function ContourLine({ row, number, reading, issues, active, language, onChange, onFocus }: Props) {
+export function ContourLine({ row, number, reading, issues, active, details, language, onChange, onFocus }: Props) {
   const all = texts(language), t = all.contour;
   const id = useId();
-  const path = row.kind === "L" || row.kind === "CR";
-  const stays = (value: number | null | undefined) => (value === null || value === undefined ? null : formatNumber(language, value));
-  const cell = (field: RowField, name: string, inherited: string | null, incremental?: { on: boolean; name: string; toggle: () => void }): ReactNode => (
+  const write = (value: number) => formatNumber(language, value, 3);
+  /** What an empty field stands for: where the coordinate stays, what was solved, or that it is open. */
+  const shown = (typed: string, solved: boolean, value: number | null | undefined, stays: number | null | undefined): Shown | null => {
+    if (typed.trim() !== "" && typed.trim() !== "?") return null;
+    if (solved) return value === null || value === undefined ? { text: "?", name: t.sought, solved: true } : { text: `= ${write(value)}`, name: t.solved(write(value)), solved: true };
+    return stays === null || stays === undefined ? null : { text: write(stays), name: write(stays), solved: false };
+  };
+  const cell = (field: RowField, name: string, grey: Shown | null, incremental?: { on: boolean; name: string; toggle: () => void }): ReactNode => (
     <ContourCell
-      row={row.id} field={field} name={name} language={language} text={row[field]} inherited={inherited} describedBy={`${id}-wrong`}
+      row={row.id} field={field} name={name} language={language} text={row[field]} shown={grey} describedBy={`${id}-wrong`}
       wrong={issues.some((found) => found.field === field)}
       onText={(text) => text !== row[field] && onChange({ [field]: text }, `${row.id} ${field}`)}
       {...(incremental ? { incremental } : {})}
+      {...(TANGENTIAL.includes(row.kind) && number > 1 ? { onTangent: () => onChange({ tangent: !row.tangent }, null) } : {})}
     />
   );
   const size = row.kind === "CHF" ? t.chamferOf(number) : t.radiusOf(number);
+  const measured = details && number > 1 && row.kind === "L", tangential = details && number > 1 && TANGENTIAL.includes(row.kind);
+  const open = reading?.freedom ?? 0;
   return (
     <tr role="row" className={`contour-line kind-${row.kind}${active ? " active" : ""}`} onFocus={onFocus} {...(active ? { "aria-current": true } : {})}>
       <th role="rowheader" scope="row" className="contour-number number">{number}</th>
@@ -49,16 +61,19 @@ export function ContourLine({ row, number, reading, issues, active, language, on
         </select>
       </td>
       <td role="cell" className="contour-x">
-        {path && cell("x", t.xOf(number), row.x.trim() === "" ? stays(reading?.inherited.x) : null,
+        {POINT.includes(row.kind) && cell("x", t.xOf(number), shown(row.x, reading?.sought.x === true, reading?.end?.x, reading?.inherited.x),
           { on: row.incrementalX, name: t.incrementalX(number), toggle: () => onChange({ incrementalX: !row.incrementalX }, null) })}
       </td>
       <td role="cell" className="contour-z">
-        {path && cell("z", t.zOf(number), row.z.trim() === "" ? stays(reading?.inherited.z) : null,
+        {POINT.includes(row.kind) && cell("z", t.zOf(number), shown(row.z, reading?.sought.z === true, reading?.end?.z, reading?.inherited.z),
           { on: row.incrementalZ, name: t.incrementalZ(number), toggle: () => onChange({ incrementalZ: !row.incrementalZ }, null) })}
       </td>
-      <td role="cell" className="contour-size">{row.kind !== "L" && cell("r", size, null)}</td>
+      <td role="cell" className="contour-size">
+        {SIZE.includes(row.kind) && cell("r", size, row.kind === "CR" ? shown(row.r, row.tangent || row.r.trim() === "?", reading?.radius, null) : null)}
+        {measured && cell("angle", t.angleOf(number), shown(row.angle, true, reading?.angle, null))}
+      </td>
       <td role="cell" className="contour-turn">
-        {row.kind === "CR" && (
+        {TURN.includes(row.kind) && (
           <select
             className="select" aria-label={t.turnOf(number)} value={row.turn} data-row={row.id} data-field="turn"
             onChange={(e) => onChange({ turn: e.currentTarget.value as ContourRow["turn"] }, null)}
@@ -67,9 +82,29 @@ export function ContourLine({ row, number, reading, issues, active, language, on
             <option value="ccw">{t.counterClockwise}</option>
           </select>
         )}
+        {measured && cell("length", t.lengthOf(number), shown(row.length, true, reading?.length, null))}
+      </td>
+      <td role="cell" className="contour-tangent">
+        {tangential && (
+          <button
+            type="button" className="button contour-t number" aria-pressed={row.tangent} aria-label={t.tangentOf(number)} title={t.tangentOf(number)}
+            onClick={() => onChange({ tangent: !row.tangent }, null)}
+          >
+            T
+          </button>
+        )}
       </td>
       <td role="cell" className="contour-wrong" id={`${id}-wrong`}>
-        {issues.map((found, i) => (
+        {(reading?.choices ?? 1) > 1 && (
+          <button
+            type="button" className="button small contour-second" aria-pressed={row.second} aria-label={t.secondOf(number)}
+            onClick={() => onChange({ second: !row.second }, null)}
+          >
+            {t.secondShort}
+          </button>
+        )}
+        {open > 0 && <p className="small contour-open">{t.freedom(open)}</p>}
+        {issues.filter(({ issue }) => open === 0 || issue.code !== "elementFree").map((found, i) => (
           <p key={i} className="field-message error small"><Icon name="error" /> {issueText(all, language, found.issue, null)}</p>
         ))}
       </td>

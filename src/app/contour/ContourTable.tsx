@@ -6,6 +6,8 @@ import type { ContourRow } from "../../program/job.ts";
 import { ContourDrawing } from "./ContourDrawing.tsx";
 import { ContourLine } from "./ContourLine.tsx";
 import { RowTools } from "./RowTools.tsx";
+import { cornerBehind, cornerSized, isCorner, type CornerKind } from "./drawing-edits.ts";
+import { FaultList } from "./FaultList.tsx";
 import { changed, duplicated, inserted, moved, removed, type Edited } from "./row-edits.ts";
 import { useRowFocus, useTableKeys, type RowActions } from "./use-table-keys.ts";
 import "./contour.css";
@@ -29,6 +31,9 @@ export function ContourTable({ rows, onChange, language }: Props) {
   const focusRow = useRowFocus(table);
   const found = rows.findIndex((r) => r.id === activeId);
   const active = found < 0 ? null : found;
+  const uses = rows.some((r) => r.angle !== "" || r.length !== "" || r.tangent);
+  const [asked, setAsked] = useState(uses);
+  const details = asked || uses;
 
   const edit = (edited: Edited, done: string, field?: string) => {
     if (edited.rows === rows) return;
@@ -44,7 +49,14 @@ export function ContourTable({ rows, onChange, language }: Props) {
     remove: () => active !== null && edit(removed(rows, active), t.done.removed),
     move: (by) => active !== null && edit(moved(rows, active, by), t.done.moved, fieldInUse(table.current)),
   };
-  const onKeyDown = useTableKeys(table, actions);
+  /** The row whose corner the keyboard means: the active one, or the one before the active corner element. */
+  const cornerRow = active !== null && (rows[active]?.kind === "RND" || rows[active]?.kind === "CHF") ? active - 1 : active;
+  const corner = (kind: CornerKind) => {
+    if (cornerRow === null || !isCorner(rows, cornerRow)) return;
+    const size = Number(cornerBehind(rows, cornerRow)?.r.replace(",", ".")) || 1;
+    edit(cornerSized(rows, cornerRow, kind, size), t.done.added, "r");
+  };
+  const onKeyDown = useTableKeys(table, { ...actions, corner });
   const pick = (row: number) => {
     const id = rows[row]?.id;
     if (id === undefined) return;
@@ -56,9 +68,19 @@ export function ContourTable({ rows, onChange, language }: Props) {
   return (
     <section className="contour-editor" aria-label={t.title}>
       <div className="contour-layout">
-        <ContourDrawing reading={reading} active={active} language={language} onPick={pick} />
+        <div className="contour-side">
+          <ContourDrawing
+            rows={rows} reading={reading} active={active} language={language} onPick={pick} onRows={onChange}
+            onEdited={(edited) => edit(edited, t.done.added)}
+          />
+          <FaultList issues={reading.issues} language={language} onPick={pick} />
+        </div>
         <div className="contour-fields">
-          <RowTools number={active === null ? null : active + 1} count={rows.length} actions={actions} language={language} />
+          <RowTools
+            number={active === null ? null : active + 1} count={rows.length} actions={actions} language={language} details={details}
+            corner={cornerRow !== null && isCorner(rows, cornerRow) ? cornerRow + 1 : null} onCorner={corner} onDetails={() => setAsked(!details)}
+          />
+          {details && <p className="small soft">{t.detailsAbout}</p>}
           {rows.length === 0 ? <p className="soft">{t.empty}</p> : (
             <table role="table" ref={table} aria-label={t.table} className="contour-table" onKeyDown={onKeyDown}>
               <thead role="rowgroup">
@@ -72,7 +94,7 @@ export function ContourTable({ rows, onChange, language }: Props) {
                 {rows.map((row, i) => (
                   <ContourLine
                     key={row.id} row={row} number={i + 1} reading={reading.rows[i]} issues={reading.issues.filter((issue) => issue.row === i)}
-                    active={row.id === activeId} language={language} onFocus={() => setActive(row.id)}
+                    active={row.id === activeId} details={details} language={language} onFocus={() => setActive(row.id)}
                     onChange={(change, place) => onChange(changed(rows, row.id, change), place)}
                   />
                 ))}

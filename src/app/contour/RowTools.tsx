@@ -1,5 +1,6 @@
 import { texts } from "../settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
+import type { CornerKind } from "./drawing-edits.ts";
 import type { RowActions } from "./use-table-keys.ts";
 
 /** Icons of the row commands, 24 units square. */
@@ -10,6 +11,8 @@ const paths = {
   remove: "M5 7h14M10 7V4h4v3M7 7l1 13h8l1-13M10 11v6M14 11v6",
   up: "M12 19V5M6 11l6-6 6 6",
   down: "M12 5v14M6 13l6 6 6-6",
+  round: "M5 20V13a8 8 0 0 1 8-8h7",
+  chamfer: "M5 20V12l7-7h8",
 } as const;
 
 interface Props {
@@ -18,10 +21,16 @@ interface Props {
   readonly count: number;
   readonly actions: RowActions;
   readonly language: Language;
+  /** The element behind which a corner can be broken, from 1; null when there is none. */
+  readonly corner: number | null;
+  readonly onCorner: (kind: CornerKind) => void;
+  /** Whether angle and length have their fields. */
+  readonly details: boolean;
+  readonly onDetails: () => void;
 }
 
 /** What can be done with the rows of the contour table; each button names the element it changes. */
-export function RowTools({ number, count, actions, language }: Props) {
+export function RowTools({ number, count, actions, language, corner, onCorner, details, onDetails }: Props) {
   const t = texts(language).contour;
   const n = number ?? 1;
   const none = number === null;
@@ -31,6 +40,8 @@ export function RowTools({ number, count, actions, language }: Props) {
     { icon: "duplicate", name: t.duplicate(n), off: none, act: actions.duplicate },
     { icon: "up", name: t.moveUp(n), off: none || n === 1, act: () => actions.move(-1) },
     { icon: "down", name: t.moveDown(n), off: none || n === count, act: () => actions.move(1) },
+    { icon: "round", name: t.round(corner ?? n), off: corner === null, act: () => onCorner("RND") },
+    { icon: "chamfer", name: t.chamfer(corner ?? n), off: corner === null, act: () => onCorner("CHF") },
     { icon: "remove", name: t.remove(n), off: none, act: actions.remove },
   ] as const;
   return (
@@ -40,6 +51,7 @@ export function RowTools({ number, count, actions, language }: Props) {
           <svg className="icon" viewBox="0 0 24 24" aria-hidden="true" focusable="false"><path d={paths[icon]} /></svg>
         </button>
       ))}
+      <button type="button" className="button contour-details" aria-pressed={details} onClick={onDetails}>{t.details}</button>
       {number !== null && <span className="small soft contour-tools-row"><span className="number">{number}</span> / <span className="number">{count}</span></span>}
     </div>
   );

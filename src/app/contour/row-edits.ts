@@ -3,7 +3,7 @@ import { newRow, type ContourRow } from "../../program/job.ts";
 type Rows = readonly ContourRow[];
 
 /** An id that no row has. */
-const freshId = (rows: Rows): string => `e${1 + Math.max(0, ...rows.map((r) => Number(/^e(\d+)$/.exec(r.id)?.[1] ?? 0)))}`;
+export const freshId = (rows: Rows): string => `e${1 + Math.max(0, ...rows.map((r) => Number(/^e(\d+)$/.exec(r.id)?.[1] ?? 0)))}`;
 
 /** A table after an edit, and the row that should have the keyboard. */
 export interface Edited {

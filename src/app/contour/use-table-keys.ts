@@ -25,8 +25,8 @@ function sameField(table: HTMLElement, from: Field, by: 1 | -1): void {
   focusField(fields.find((f) => f.dataset["field"] === from.dataset["field"]) ?? fields.find((f) => f instanceof HTMLInputElement));
 }
 
-/** Keys of the table: Enter to the next field, arrows between rows, Alt and arrows to move, and the rows' own commands. */
-export function useTableKeys(table: RefObject<HTMLElement | null>, actions: RowActions): (e: KeyboardEvent) => void {
+/** Keys of the table: Enter to the next field, arrows between rows, Alt and arrows to move, R and C for corners, and the rows' own commands. */
+export function useTableKeys(table: RefObject<HTMLElement | null>, actions: RowActions & { readonly corner: (kind: "RND" | "CHF") => void }): (e: KeyboardEvent) => void {
   return (e) => {
     const at = e.target;
     const root = table.current;
@@ -42,6 +42,10 @@ export function useTableKeys(table: RefObject<HTMLElement | null>, actions: RowA
     if (e.key === "Insert") return take(actions.insert);
     if (e.ctrlKey && e.key.toLowerCase() === "d") return take(actions.duplicate);
     if (e.ctrlKey && e.key === "Delete") return take(actions.remove);
+    const letter = e.ctrlKey || e.altKey || e.metaKey || !(at instanceof HTMLInputElement) ? "" : e.key.toLowerCase();
+    // QR1 is the name of a parameter.
+    if (letter === "r" && !/q$/i.test(at.value)) return take(() => actions.corner("RND"));
+    if (letter === "c") return take(() => actions.corner("CHF"));
     if (e.key === "Enter" && !e.ctrlKey && !e.altKey) {
       const fields = [...root.querySelectorAll<Field>(FIELDS)];
       const next = fields[fields.indexOf(at) + 1];

@@ -2,9 +2,9 @@ import { pointOn } from "../../kernel/flatten.ts";
 import type { Pt, Segment } from "../../kernel/point.ts";
 import { axial, diameter, radius, toRadius } from "../../kernel/units.ts";
 import { boundsOf } from "../bounds.ts";
-import { fitted, toScreen, type Camera, type Place, type Size } from "../camera.ts";
+import { fitted, toPart, toScreen, type Camera, type Place, type Size } from "../camera.ts";
 import { overlap, textBox, type Box } from "./labels.ts";
-import { polyline, segmentPath } from "./marks.ts";
+import { polyline, px, segmentPath } from "./marks.ts";
 import { lineOf } from "./section.ts";
 
 /** What the drawing beside the contour table shows. */
@@ -16,10 +16,16 @@ export interface ContourRequest {
   readonly faulty: ReadonlySet<number>;
   readonly active: number | null;
   readonly size: Size;
+  /** How part space lies in the drawing; without one the contour fills it. */
+  readonly camera?: Camera | null;
+  /** Distance of grid lines, mm on the radius and along Z; none without it. */
+  readonly grid?: ((scale: number) => { readonly z: number; readonly r: number }) | null;
 }
 
 /** The drawing as data: elements by row, numbered points, spindle axis; CSS pixels. */
 export interface ContourPicture {
+  readonly camera: Camera;
+  readonly grid: string;
   readonly axis: string;
   readonly elements: readonly { readonly row: number; readonly d: string; readonly faulty: boolean }[];
   readonly points: readonly { readonly row: number; readonly place: Place; readonly label: Place | null; readonly faulty: boolean }[];
@@ -52,10 +58,25 @@ function labelPlace(at: Place, text: string, taken: readonly Box[], line: readon
   return best;
 }
 
+/** Most grid lines in one direction. */
+const MOST_LINES = 300;
+
+/** Grid lines at whole multiples of a distance, over the whole drawing. */
+function gridPath(camera: Camera, size: Size, step: { readonly z: number; readonly r: number }): string {
+  const [low, high] = [toPart(camera, { x: 0, y: size.height }), toPart(camera, { x: size.width, y: 0 })];
+  const multiples = (from: number, to: number, by: number) => {
+    const first = Math.ceil(from / by), count = Math.floor(to / by) - first + 1;
+    return count > MOST_LINES ? [] : Array.from({ length: Math.max(0, count) }, (_, i) => (first + i) * by);
+  };
+  const upright = multiples(low.z, high.z, step.z).map((z) => toScreen(camera, { z: axial(z), r: low.r }).x);
+  const level = multiples(low.r, high.r, step.r).map((r) => toScreen(camera, { z: low.z, r: radius(r) }).y);
+  return [...upright.map((x) => `M${px(x)} 0V${px(size.height)}`), ...level.map((y) => `M0 ${px(y)}H${px(size.width)}`)].join("");
+}
+
 /** Draws the contour of a table as data. */
-export function contourDrawing({ contour, rowOfSegment, ends, faulty, active, size }: ContourRequest): ContourPicture {
+export function contourDrawing({ contour, rowOfSegment, ends, faulty, active, size, camera: given, grid }: ContourRequest): ContourPicture {
   const stops = ends.flatMap((e, row) => (e ? [{ row, at: { z: axial(e.z), r: toRadius(diameter(e.x)) } }] : []));
-  const camera = cameraFor([...lineOf(contour), ...stops.map((s) => s.at)], size);
+  const camera = given ?? cameraFor([...lineOf(contour), ...stops.map((s) => s.at)], size);
   const rows = [...new Set(rowOfSegment)];
   const elements = rows.map((row) => ({ row, faulty: faulty.has(row), d: segmentPath(contour.filter((_, i) => rowOfSegment[i] === row), camera) }));
   const corners = contour.flatMap((s, i) => {
@@ -78,5 +99,5 @@ export function contourDrawing({ contour, rowOfSegment, ends, faulty, active, si
     return { row, place, label, faulty: faulty.has(row) };
   });
   const y = toScreen(camera, { z: axial(0), r: radius(0) }).y;
-  return { axis: y > 0 && y < size.height ? polyline([{ x: 4, y }, { x: size.width - 4, y }]) : "", elements, points };
+  return { camera, grid: grid ? gridPath(camera, size, grid(camera.scale)) : "", axis: y > 0 && y < size.height ? polyline([{ x: 4, y }, { x: size.width - 4, y }]) : "", elements, points };
 }

@@ -1,0 +1,80 @@
+import type { RowsReading } from "../../program/contour-rows.ts";
+import { readRows } from "../../program/contour-rows.ts";
+import { newRow, type ContourRow } from "../../program/job.ts";
+import { changed, freshId, type Edited } from "./row-edits.ts";
+import type { Spot } from "./snap.ts";
+
+type Rows = readonly ContourRow[];
+
+/** A number as one would type it, as fine as a control keeps it. */
+export const typed = (n: number): string => String(Number(n.toFixed(3)) || 0);
+const SAME = 5e-4;
+
+/** True for rows that end in a point that may be dragged. */
+export const hasPoint = (row: ContourRow | undefined): boolean => row !== undefined && ["L", "CR", "C", "CT"].includes(row.kind);
+
+/** Moves the end point of a row: only what is typed or has to be; coordinates that are solved stay solved. */
+export function pointMoved(rows: Rows, reading: RowsReading, row: number, to: Spot): Rows {
+  const at = rows[row], read = reading.rows[row];
+  if (!at || !read || !hasPoint(at)) return rows;
+  const write = (axis: "x" | "z", incremental: boolean): string => {
+    const before = read.inherited[axis], empty = at[axis].trim() === "";
+    if (read.sought[axis] || (empty && before !== null && Math.abs(to[axis] - before) < SAME)) return at[axis];
+    return typed(incremental && before !== null ? to[axis] - before : to[axis]);
+  };
+  const next = { x: write("x", at.incrementalX && at.x.trim() !== ""), z: write("z", at.incrementalZ && at.z.trim() !== "") };
+  return next.x === at.x && next.z === at.z ? rows : changed(rows, at.id, next);
+}
+
+/** A new line at the end of the contour. */
+export function pointAppended(rows: Rows, to: Spot): Edited {
+  const row = newRow(freshId(rows), { x: typed(to.x), z: typed(to.z) });
+  return { rows: [...rows, row], focus: row.id };
+}
+
+/** Divides the element of a row in a point; the first part gets a row of its own before it. */
+export function pointInserted(rows: Rows, reading: RowsReading, row: number, to: Spot): Edited {
+  const at = rows[row], read = reading.rows[row];
+  if (!at || !read?.end || row === 0 || !hasPoint(at)) return { rows, focus: at?.id ?? null };
+  const end = { x: typed(read.end.x), z: typed(read.end.z) };
+  const first = at.kind === "L"
+    ? newRow(freshId(rows), { x: typed(to.x), z: typed(to.z) })
+    : { ...at, kind: at.kind === "CT" ? "CR" as const : at.kind, id: freshId(rows), x: typed(to.x), z: typed(to.z), incrementalX: false, incrementalZ: false,
+      ...(at.kind === "CT" && { r: typed(Math.abs(read.radius ?? 0)), turn: read.turn ?? at.turn, tangent: true }) };
+  // What was measured from the point before is written out, since that point is another one now.
+  const second: ContourRow = {
+    ...at, length: "", ...(at.incrementalX ? { x: end.x, incrementalX: false } : {}), ...(at.incrementalZ ? { z: end.z, incrementalZ: false } : {}),
+    ...(at.length.trim() === "" ? {} : end),
+  };
+  return { rows: rows.toSpliced(row, 1, first, second), focus: first.id };
+}
+
+/** What can break a corner. */
+export type CornerKind = "RND" | "CHF";
+
+/** The corner element behind a row, if there is one. */
+export const cornerBehind = (rows: Rows, row: number): ContourRow | null => {
+  const next = rows[row + 1];
+  return next?.kind === "RND" || next?.kind === "CHF" ? next : null;
+};
+
+/** True where a corner can be broken: between two elements. */
+export function isCorner(rows: Rows, row: number): boolean {
+  if (row < 1 || !hasPoint(rows[row])) return false;
+  return rows.slice(row + 1).some(hasPoint);
+}
+
+/**
+ * Puts a rounding or chamfer on the corner at the end of a row, changes the one that stands there, or takes it away with
+ * size 0. A size that does not fit becomes the largest that does.
+ */
+export function cornerSized(rows: Rows, row: number, kind: CornerKind, size: number): Edited {
+  const there = cornerBehind(rows, row), at = rows[row];
+  if (!at) return { rows, focus: null };
+  if (!(size > 0)) return there ? { rows: rows.filter((r) => r !== there), focus: at.id } : { rows, focus: at.id };
+  const corner = there ? { ...there, kind, r: typed(size) } : newRow(freshId(rows), { kind, r: typed(size) });
+  const made = rows.toSpliced(row + 1, there ? 1 : 0, corner);
+  const wrong = readRows(made).issues.find((found) => found.row === row + 1 && found.issue.code === "cornerElementTooLong")?.issue;
+  if (wrong?.code !== "cornerElementTooLong") return { rows: made, focus: corner.id };
+  return { rows: made.with(row + 1, { ...corner, r: typed(wrong.data.nearest) }), focus: corner.id };
+}

@@ -1,0 +1,187 @@
+import { useEffect, useRef, useState, type MouseEvent, type PointerEvent } from "react";
+import { axial, radius, toDiameter } from "../../kernel/units.ts";
+import type { RowsReading } from "../../program/contour-rows.ts";
+import type { ContourRow } from "../../program/job.ts";
+import { panned, toPart, type Camera, type Place } from "../../view/camera.ts";
+import type { ContourPicture } from "../../view/help/contour-drawing.ts";
+import { closeStep } from "../store.ts";
+import { cornerSized, hasPoint, isCorner, pointAppended, pointInserted, pointMoved, typed } from "./drawing-edits.ts";
+import type { Edited } from "./row-edits.ts";
+import { onGrid, snapped, type GridStep, type Spot } from "./snap.ts";
+
+/** What a pointer does in the drawing. */
+export type DrawingMode = "move" | "draw" | "round" | "chamfer";
+type Rows = readonly ContourRow[];
+
+/** How far from a point a pointer still means it, pixels. */
+const NEAR = { mouse: 12, touch: 26 } as const;
+/** A pointer that moves less than this was a tap, pixels. */
+const TAP = 5;
+/** A finger that rests this long on an element divides it, ms. */
+const LONG = 500;
+
+interface Surroundings {
+  readonly rows: Rows;
+  readonly reading: RowsReading;
+  readonly picture: ContourPicture;
+  readonly mode: DrawingMode;
+  readonly step: GridStep;
+  readonly onRows: (rows: Rows, place: string) => void;
+  readonly onEdited: (edited: Edited) => void;
+  readonly onPick: (row: number) => void;
+  readonly onCamera: (camera: Camera | null) => void;
+}
+
+interface Gesture {
+  readonly kind: "point" | "corner" | "pan" | "tap";
+  readonly row: number | null;
+  readonly from: Place;
+  readonly camera: Camera;
+  /** The table as it was when the gesture began. */
+  readonly rows: Rows;
+  readonly reading: RowsReading;
+  readonly place: string;
+  moved: boolean;
+}
+
+const apart = (a: Place, b: Place) => Math.hypot(a.x - b.x, a.y - b.y);
+const placeOf = (e: MouseEvent<SVGSVGElement>): Place => {
+  const box = e.currentTarget.getBoundingClientRect();
+  return { x: e.clientX - box.left, y: e.clientY - box.top };
+};
+const rowUnder = (e: { target: EventTarget }): number | null => {
+  const row = e.target instanceof Element ? e.target.closest("[data-row]")?.getAttribute("data-row") : null;
+  return row === null || row === undefined ? null : Number(row);
+};
+const spotAt = (camera: Camera, place: Place): Spot => {
+  const p = toPart(camera, place);
+  return { x: toDiameter(radius(Math.max(0, p.r))), z: p.z };
+};
+
+/** Gestures of the contour drawing: drag points and corners, add and divide, move the picture. Escape takes a drag back. */
+export function useDrawing(now: Surroundings) {
+  const gesture = useRef<Gesture | null>(null);
+  const count = useRef(0);
+  const timer = useRef<ReturnType<typeof setTimeout> | null>(null);
+  const [readout, setReadout] = useState<{ readonly row: number; readonly spot: Spot; readonly size: number | null } | null>(null);
+  const stopWaiting = () => {
+    if (timer.current !== null) clearTimeout(timer.current);
+    timer.current = null;
+  };
+  const end = (e: PointerEvent<SVGSVGElement> | null) => {
+    stopWaiting();
+    gesture.current = null;
+    setReadout(null);
+    closeStep();
+    if (e?.currentTarget.hasPointerCapture(e.pointerId)) e.currentTarget.releasePointerCapture(e.pointerId);
+  };
+  useEffect(() => stopWaiting, []);
+
+  const snap = (place: Place, camera: Camera, except: number | null): Spot => {
+    const others = now.reading.rows.flatMap((r, i) => (r.end && i !== except ? [r.end] : []));
+    const reach = 7 / camera.scale;
+    const spot = spotAt(camera, place);
+    return snapped(spot, now.step, { x: others.map((o) => o.x), z: others.map((o) => o.z), reach: { x: toDiameter(radius(reach)), z: axial(reach) } });
+  };
+  const divide = (row: number, place: Place, camera: Camera) => {
+    const edited = pointInserted(now.rows, now.reading, row, nearestOn(now.reading, row, spotAt(camera, place), now.step));
+    if (edited.rows !== now.rows) now.onEdited(edited);
+  };
+  const pointNear = (place: Place, fine: boolean): number | null => {
+    const near = now.picture.points.map((p) => ({ row: p.row, far: apart(p.place, place) })).sort((a, b) => a.far - b.far)[0];
+    return near && near.far <= (fine ? NEAR.mouse : NEAR.touch) ? near.row : null;
+  };
+
+  return {
+    readout,
+    onPointerDown: (e: PointerEvent<SVGSVGElement>) => {
+      if (e.button !== 0 || gesture.current) return;
+      const place = placeOf(e), found = pointNear(place, e.pointerType === "mouse"), element = rowUnder(e);
+      const row = found !== null && now.mode !== "move" && !hasPoint(now.rows[found]) ? found - 1 : found;
+      const corner = (now.mode === "round" || now.mode === "chamfer") && row !== null && isCorner(now.rows, row);
+      const kind = corner ? "corner" : row !== null && now.mode !== "round" && now.mode !== "chamfer" && hasPoint(now.rows[row]) ? "point" : now.mode === "draw" || element !== null ? "tap" : "pan";
+      count.current += 1;
+      gesture.current = { kind, row: row ?? element, from: place, camera: now.picture.camera, rows: now.rows, reading: now.reading, place: `drawing ${count.current}`, moved: false };
+      e.currentTarget.setPointerCapture(e.pointerId);
+      if (kind === "point" || kind === "corner") now.onCamera(now.picture.camera);
+      if (e.pointerType !== "mouse" && row === null && element !== null && now.mode !== "draw")
+        timer.current = setTimeout(() => {
+          divide(element, place, now.picture.camera);
+          end(null);
+        }, LONG);
+    },
+    onPointerMove: (e: PointerEvent<SVGSVGElement>) => {
+      const g = gesture.current, place = placeOf(e);
+      if (!g || (!g.moved && apart(place, g.from) < TAP)) return;
+      g.moved = true;
+      stopWaiting();
+      if (g.kind === "pan" || (g.kind === "tap" && now.mode !== "draw")) return now.onCamera(panned(g.camera, place.x - g.from.x, place.y - g.from.y));
+      if (g.row === null) return;
+      if (g.kind === "point") {
+        const spot = snap(place, g.camera, g.row);
+        setReadout({ row: g.row, spot, size: null });
+        now.onRows(pointMoved(g.rows, g.reading, g.row, spot), g.place);
+      } else if (g.kind === "corner") {
+        const size = onGrid(apart(place, g.from) / g.camera.scale, Math.min(now.step, 0.5));
+        const edited = cornerSized(g.rows, g.row, now.mode === "round" ? "RND" : "CHF", size);
+        const made = edited.rows.find((r) => r.id === edited.focus);
+        const corner = g.reading.rows[g.row]?.end;
+        if (corner) setReadout({ row: g.row, spot: corner, size: size > 0 ? Number(made?.r ?? typed(size)) : 0 });
+        now.onRows(edited.rows, g.place);
+      }
+    },
+    onPointerUp: (e: PointerEvent<SVGSVGElement>) => {
+      const g = gesture.current;
+      end(e);
+      if (!g || g.moved) {
+        if (g && (g.kind === "point" || g.kind === "corner") && g.row !== null) now.onPick(g.row);
+        if (g && g.kind !== "pan" && g.kind !== "tap") now.onCamera(null);
+        return;
+      }
+      if (g.kind === "point" || g.kind === "corner") now.onCamera(null);
+      if (now.mode === "draw" && g.kind === "tap") {
+        const element = g.row;
+        if (element !== null && element > 0) return divide(element, g.from, g.camera);
+        return now.onEdited(pointAppended(now.rows, snap(g.from, g.camera, null)));
+      }
+      if (g.row !== null) now.onPick(g.row);
+    },
+    onPointerCancel: (e: PointerEvent<SVGSVGElement>) => {
+      const g = gesture.current;
+      if (g?.moved && g.kind !== "pan") now.onRows(g.rows, g.place);
+      end(e);
+    },
+    onDoubleClick: (e: MouseEvent<SVGSVGElement>) => {
+      const place = placeOf(e), element = rowUnder(e);
+      if (now.mode !== "draw" && element !== null && pointNear(place, true) === null) divide(element, place, now.picture.camera);
+    },
+    /** Escape: the drag that is going on is taken back. */
+    takeBack: (): boolean => {
+      const g = gesture.current;
+      if (!g) return false;
+      if (g.moved && (g.kind === "point" || g.kind === "corner")) now.onRows(g.rows, g.place);
+      now.onCamera(null);
+      end(null);
+      return true;
+    },
+  };
+}
+
+/** The point of a row's element nearest to a spot; along paraxial lines on the grid. */
+function nearestOn(reading: RowsReading, row: number, spot: Spot, step: number): Spot {
+  const to = reading.rows[row]?.end, from = reading.rows.slice(0, row).map((r) => r.end).filter((p) => p !== null).at(-1);
+  if (!to || !from) return spot;
+  const s = reading.contour.segments.find((_, i) => reading.rowOfSegment[i] === row);
+  if (s?.kind === "arc") {
+    const own = Math.hypot(s.from.z - s.centre.z, s.from.r - s.centre.r), r = spot.x / toDiameter(radius(1));
+    const angle = Math.atan2(r - s.centre.r, spot.z - s.centre.z);
+    return { x: toDiameter(radius(s.centre.r + own * Math.sin(angle))), z: s.centre.z + own * Math.cos(angle) };
+  }
+  const half = toDiameter(radius(1));
+  const [dz, dr] = [to.z - from.z, (to.x - from.x) / half];
+  const square = dz * dz + dr * dr;
+  const k = square === 0 ? 0 : Math.min(1, Math.max(0, ((spot.z - from.z) * dz + ((spot.x - from.x) / half) * dr) / square));
+  const on = { x: from.x + (to.x - from.x) * k, z: from.z + dz * k };
+  if (Math.abs(dr) < 1e-6) return { ...on, z: onGrid(on.z, step) };
+  return Math.abs(dz) < 1e-6 ? { ...on, x: onGrid(on.x, step) } : on;
+}
