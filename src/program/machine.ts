@@ -11,6 +11,9 @@ import type { CornerElement } from "../kernel/corner.ts";
 import type { Label, Statement, Value } from "../nc/statement.ts";
 import { formulaOf, valueOf, type Parameters, type Trouble } from "./formula.ts";
 import { programIssue, type ProgramIssue } from "./issue.ts";
+import { MillState, type Mill } from "./mill-state.ts";
+import type { Guide } from "./plane-chain.ts";
+import type { ApproachRun, Control } from "./plane-types.ts";
 import type { Finding, Operation } from "./run-types.ts";
 
 /** What a run can use. */
@@ -20,6 +23,10 @@ export interface Shop {
   readonly refused?: ReadonlyMap<number, readonly Issue[]>;
   /** Rapid rate for times, mm/min. */
   readonly rapid: number;
+  /** Milling tools of the table. */
+  readonly mills?: readonly Mill[];
+  /** Which control it is: how APPR and DEP move in the tool axis. "TNC 640" when absent. */
+  readonly control?: Control;
 }
 
 type Correction = NonNullable<Tool["correction"]>;
@@ -57,6 +64,8 @@ export class Machine {
   /** False after a tool change until the axis is programmed again: nobody knows where the change left it. */
   sure = { x: false, z: false };
   feed: Feed | null = null;
+  /** Feed of the last positioning block, null for rapid; undefined before the first. */
+  lastFeed: Feed | null | undefined = undefined;
   toolFeed: Feed | null = null;
   perRevolution = false;
   spindle: Spindle | null = null;
@@ -72,6 +81,10 @@ export class Machine {
   /** The last path element, for tangential arcs. */
   last: Segment | null = null;
   blank: readonly Ring[] = [];
+  /** Compensated contours in turning. */
+  readonly guide: Guide = { chain: null, here: null };
+  readonly mill = new MillState();
+  readonly approaches: ApproachRun[] = [];
   readonly steps: Step[] = [];
   readonly stepBlocks: number[] = [];
   readonly operations: Operation[] = [];

@@ -14,7 +14,8 @@ import { polarPoint } from "./polar.ts";
 
 const purpose = { phase: "position", run: "rough", step: 0 } as const;
 
-function moveOf(machine: Machine, s: Segment, feed: FeedNumber | null): Move {
+/** A segment as a move; a feed of null is rapid. */
+export function moveOf(machine: Machine, s: Segment, feed: FeedNumber | null): Move {
   if (feed === null) return { kind: "rapid", to: s.to, ...purpose };
   const feeding = { feed, feedUnit: machine.feedUnit, ...purpose };
   return s.kind === "line" ? { kind: "feed", to: s.to, ...feeding } : { kind: "arc", to: s.to, centre: s.centre, turn: s.turn, ...feeding };
@@ -55,8 +56,8 @@ function hold(machine: Machine, segment: Segment, feed: FeedNumber | null, index
 }
 
 /** The feed of a block: null is rapid. F stays in force, FMAX does not. */
-function blockFeed(machine: Machine, feed: Feed | undefined, index: number): FeedNumber | null {
-  if (feed === "max") return null;
+export function blockFeed(machine: Machine, feed: Feed | undefined, index: number): FeedNumber | null {
+  if (feed === "max") return (machine.lastFeed = null);
   if (feed === "auto") machine.feed = machine.toolFeed ?? machine.feed;
   else if (feed) {
     const n = machine.number(feed.value, index);
@@ -64,6 +65,7 @@ function blockFeed(machine: Machine, feed: Feed | undefined, index: number): Fee
   }
   if (machine.feed === null) machine.say(programIssue("feedMissing", "error", {}), index);
   // Without a feed the control stops; the path is shown all the same, and never as a rapid.
+  if (machine.feed !== null) machine.lastFeed = machine.feed;
   return machine.feed ?? feedNumber(0);
 }
 
@@ -126,14 +128,16 @@ export function pathBlock(machine: Machine, kind: Exclude<PathKind, "CC" | "RND"
   hold(machine, segment(machine, kind, from, to, words, index), feed, index);
 }
 
-function targetOf(machine: Machine, kind: PathKind, words: Words, index: number): { x: number | null; z: number | null; moved: boolean } {
+/** Where a block ends, with what it leaves out. */
+export function targetOf(machine: Machine, kind: PathKind, words: Words, index: number): { x: number | null; z: number | null; moved: boolean } {
   if (kind !== "LP" && kind !== "CP" && kind !== "CTP") return axes(machine, words.axes, index);
   const to = machine.pole && polarPoint(machine.pole, machine.tip, words, (v) => machine.number(v, index), (n) => machine.length(n));
   if (!to) machine.say(programIssue("poleMissing", "error", {}), index);
   return to ? { x: toDiameter(to.r), z: to.z, moved: true } : { x: machine.x, z: machine.z, moved: false };
 }
 
-function segment(machine: Machine, kind: PathKind, from: Pt, to: Pt, words: Words, index: number): Segment {
+/** The element of a block between two points. */
+export function segment(machine: Machine, kind: PathKind, from: Pt, to: Pt, words: Words, index: number): Segment {
   const turn = words.turn ?? "ccw";
   const impossible = (): Segment => {
     machine.say(programIssue("arcImpossible", "error", {}), index);

@@ -1,6 +1,6 @@
-import type { ApproachShape, NamedPoints } from "../kernel/approach.ts";
+import type { ApproachRequest, ApproachShape, NamedPoints } from "../kernel/approach.ts";
 import type { FeedUnit } from "../kernel/move.ts";
-import type { PlanePoint, Side } from "../kernel/plane.ts";
+import type { PlanePoint, PlaneSegment, Side } from "../kernel/plane.ts";
 import type { Turn } from "../kernel/point.ts";
 import type { ApproachForm } from "../nc/statement.ts";
 
@@ -30,6 +30,8 @@ export interface PlaneStep {
   readonly block: number;
   readonly index: number;
   readonly seconds: number;
+  /** How many steps of turning ran before it: their order in a program that does both. */
+  readonly turned: number;
 }
 
 /** One executed APPR or DEP. */
@@ -50,4 +52,10 @@ export interface ApproachRun {
   readonly toolRadius: number;
   /** Of CT and LCT, degrees; its centre as the points. */
   readonly arc: { readonly centre: PlanePoint; readonly radius: number; readonly angle: number; readonly turn: Turn } | null;
+  /** What it was calculated from, for a dialog that tries other values; in the path of the tool centre. */
+  readonly request: ApproachRequest;
+  /** The programmed contour that it belongs to. */
+  readonly contour: readonly PlaneSegment[];
+  /** From the tool centre to the programmed point: nothing for a mill. */
+  readonly tip: PlanePoint;
 }

@@ -2,6 +2,7 @@ import { z } from "zod";
 import type { Issue } from "../kernel/issue.ts";
 import { TOOL_TYPES, type Tool } from "../kernel/tool.ts";
 import { checkTool } from "./check-tool.ts";
+import type { Mill } from "./mill-state.ts";
 
 /** A cell that may be left out or written as null. */
 const cell = z.number().nullish();
@@ -10,12 +11,21 @@ const row = z.object({
   ZL: cell, XL: cell, DZL: cell, DXL: cell, DRS: cell, ORI: cell, "T-ANGLE": cell, "P-ANGLE": cell, CUTLENGTH: cell, CUTWIDTH: cell, DCW: cell,
   holder: z.object({ width: z.number().positive(), length: z.number().positive(), offsetZ: z.number(), offsetX: z.number() }).nullish(),
 });
-const file = z.object({ tools: z.array(row) });
+/** A milling tool: any row with a radius R that names none of the turning types. */
+const mill = z.object({
+  T: z.number().min(0).max(32767.9), NAME: z.string().max(32).nullish(), R: z.number().min(0), DR: cell, L: cell, DL: cell,
+  TYPE: z.string().refine((type) => !TOOL_TYPES.some((t) => t === type)).nullish(),
+});
+const file = z.object({ tools: z.array(z.union([mill, row])) });
+type Row = z.infer<typeof file>["tools"][number];
+const isMill = (r: Row): r is z.infer<typeof mill> => "R" in r;
 
 /** Tools that can cut, and for the others what is wrong with their columns. */
 export interface ToolTable {
   readonly tools: readonly Tool[];
   readonly refused: ReadonlyMap<number, readonly Issue[]>;
+  /** Milling tools, of which only the radius counts. */
+  readonly mills?: readonly Mill[];
 }
 
 /** Reads the text of a tools file. A file that is no table gives `problem`; a row with impossible columns is refused alone. */
@@ -32,18 +42,24 @@ export function readTools(text: string): ToolTable | { readonly problem: string 
     return { problem: `${first?.path.join(".") || "the file"}: ${first?.message ?? "not a tool table"}` };
   }
   const tools: Tool[] = [];
+  const mills: Mill[] = [];
   const refused = new Map<number, readonly Issue[]>();
   for (const cells of read.data.tools) {
+    if (isMill(cells)) {
+      mills.push({ T: cells.T, NAME: cells.NAME ?? "", R: cells.R, DR: cells.DR ?? 0 });
+      continue;
+    }
     const present = Object.fromEntries(Object.entries(cells).filter(([, value]) => value !== null && value !== undefined));
     const problems = checkTool(present);
     if (problems.length > 0) refused.set(cells.T, problems);
     else tools.push({ NAME: "", ...present } as unknown as Tool);
   }
-  return { tools, refused };
+  return { tools, refused, ...(mills.length > 0 && { mills }) };
 }
 
 /** A table over another: rows of the same number are replaced. */
 export function over(base: readonly Tool[], table: ToolTable): ToolTable {
-  const replaced = new Set([...table.tools.map((t) => t.T), ...table.refused.keys()]);
-  return { tools: [...base.filter((t) => !replaced.has(t.T)), ...table.tools], refused: table.refused };
+  const mills = table.mills ?? [];
+  const replaced = new Set([...table.tools.map((t) => t.T), ...table.refused.keys(), ...mills.map((m) => m.T)]);
+  return { tools: [...base.filter((t) => !replaced.has(t.T)), ...table.tools], refused: table.refused, ...(mills.length > 0 && { mills }) };
 }

@@ -6,6 +6,7 @@ import type { Spindle, Step } from "../kernel/step.ts";
 import type { Tool } from "../kernel/tool.ts";
 import type { NcIssue } from "../nc/issue.ts";
 import type { ProgramIssue } from "./issue.ts";
+import type { ApproachRun, PlaneStep } from "./plane-types.ts";
 
 /** A finding of any layer with its place in the program. */
 export interface Finding {
@@ -50,6 +51,10 @@ export interface Run {
   readonly steps: readonly Step[];
   /** For each step the index of its block in the parsed program, which stays unique when block numbers do not. */
   readonly stepBlocks: readonly number[];
+  /** What is milled in the X/Y plane: the path of the tool centre. */
+  readonly plane: readonly PlaneStep[];
+  /** Every APPR and DEP with its points, in both planes, in the order they ran. */
+  readonly approaches: readonly ApproachRun[];
   /** All findings in the order of the text, those of operations included. */
   readonly issues: readonly Finding[];
   /** Whole running time. */

@@ -8,6 +8,7 @@ import { callCycle, defineCycle, outlinedBlank } from "./cycle-call.ts";
 import { programIssue } from "./issue.ts";
 import { Machine, type Shop } from "./machine.ts";
 import { cornerBlock, flush, pathBlock, pole } from "./path-block.ts";
+import { closePlanes, planeStatement } from "./plane-run.ts";
 import type { Run } from "./run-types.ts";
 import { blankOfTurnData, correctTool } from "./turn-data.ts";
 
@@ -27,6 +28,7 @@ export function run(program: Program, shop: Shop): Run {
   machine.inch = frame.unit === "INCH";
   const ended = execute(machine);
   flush(machine);
+  closePlanes(machine);
   if (!ended && machine.steps.length > 0) machine.say(programIssue("programEndMissing", "warning", {}), machine.blocks.length - 1);
   if (machine.operations.length > 0 && machine.blank.length === 0) machine.say(programIssue("blankMissing", "warning", {}), null);
   return {
@@ -35,7 +37,8 @@ export function run(program: Program, shop: Shop): Run {
       blocks: program.blocks.filter((b) => b.statement.kind !== "empty" && (b.number !== null || b.statement.kind !== "comment")).length,
     },
     blank: machine.blank, operations: machine.operations, steps: machine.steps, stepBlocks: machine.stepBlocks,
-    issues: machine.allFindings(), seconds: machine.steps.reduce((sum, s) => sum + s.seconds, 0),
+    plane: machine.mill.steps, approaches: machine.approaches,
+    issues: machine.allFindings(), seconds: [...machine.steps, ...machine.mill.steps].reduce((sum, s) => sum + s.seconds, 0),
   };
 }
 
@@ -108,6 +111,7 @@ function block(machine: Machine, s: Statement, index: number): void {
   statement(machine, s, index);
   if (words?.functions.includes(99)) {
     flush(machine);
+    closePlanes(machine);
     callCycle(machine, index);
   }
 }
@@ -122,9 +126,9 @@ function functions(machine: Machine, words: Words, index: number): void {
 }
 
 function statement(machine: Machine, s: Statement, index: number): void {
+  if (planeStatement(machine, s, index)) return;
   switch (s.kind) {
     case "path":
-      if (!machine.turning) return machine.notSimulated(s.path, index);
       if (s.path === "CC") {
         flush(machine);
         return pole(machine, s.words, index);
@@ -132,8 +136,7 @@ function statement(machine: Machine, s: Statement, index: number): void {
       if (s.path !== "RND") return pathBlock(machine, s.path, s.words, index);
       return corner(machine, "round", s.words.radius, s.words, index);
     case "chamfer":
-      return machine.turning ? corner(machine, "chamfer", s.length ?? undefined, s.words, index) : machine.notSimulated("CHF", index);
-    case "approach": return machine.notSimulated(`${s.departing ? "DEP" : "APPR"} ${s.form}`, index, "warning");
+      return corner(machine, "chamfer", s.length ?? undefined, s.words, index);
     case "mode": {
       machine.turning = s.mode === "TURN";
       return;
@@ -190,7 +193,7 @@ function toolCall(machine: Machine, s: Extract<Statement, { kind: "toolCall" }>,
   else if (!tool && (machine.turning || turnsLater(machine, index)))
     machine.say(programIssue("toolUnknown", "error", { tool: String(wanted) }, "tool"), index);
   const deltas = (["deltaLength", "deltaRadius"] as const).some((d) => s[d] !== null && s[d] !== 0);
-  if (deltas && tool) machine.notSimulated("DL DR", index, "warning");
+  if (deltas && tool && machine.turning) machine.notSimulated("DL DR", index, "warning");
 }
 
 /** A tool of another table is no fault while only milling follows. */

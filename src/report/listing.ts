@@ -1,5 +1,6 @@
 import type { Move } from "../kernel/move.ts";
-import { toDiameter } from "../kernel/units.ts";
+import { radius, toDiameter } from "../kernel/units.ts";
+import type { ApproachRun, PlaneStep } from "../program/plane-types.ts";
 import type { Run } from "../program/run-types.ts";
 
 const number = (n: number) => (Number(n.toFixed(3)) || 0).toFixed(3);
@@ -16,6 +17,20 @@ export function moveLine(m: Move): string {
   }
 }
 
+/** One line for a motion of a mill. */
+function planeLine(s: PlaneStep): string {
+  const at = `X${number(s.to.x)} Y${number(s.to.y)}${s.to.z === null ? "" : ` Z${number(s.to.z)}`}`;
+  const feed = s.feed === undefined ? "" : ` F${s.feed} ${s.feedUnit}`;
+  return `${s.kind.padEnd(6)} ${at}${s.centre ? ` ${s.turn} CX${number(s.centre.x)} CY${number(s.centre.y)}` : ""}${feed} | block ${s.block}, tool radius ${s.radius}`;
+}
+
+/** The points of an approach or a departure, in the plane it runs in. */
+function approachLine(a: ApproachRun): string {
+  const points = Object.entries(a.points).map(([name, p]) =>
+    a.plane === "XY" ? `${name} X${number(p.x)} Y${number(p.y)}` : `${name} X${number(toDiameter(radius(p.y)))} Z${number(p.x)}`);
+  return `# block ${a.block}: ${a.departing ? "DEP" : "APPR"} ${a.form}: ${points.join(", ")}`;
+}
+
 /** A whole run as text: operations, moves by block, findings. */
 export function listing(run: Run): string {
   const lines: string[] = [];
@@ -28,6 +43,8 @@ export function listing(run: Run): string {
     }
     lines.push(moveLine(s.move));
   });
+  if (run.plane.length > 0) lines.push("# milling", ...run.plane.map(planeLine));
+  lines.push(...run.approaches.map(approachLine));
   for (const f of run.issues) lines.push(`! ${f.issue.severity} ${f.issue.code}${"at" in f.issue && f.issue.at ? ` ${f.issue.at}` : ""}${f.block === null ? "" : ` in block ${f.block}, line ${f.line}`}`);
   return `${lines.join("\n")}\n`;
 }

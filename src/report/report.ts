@@ -8,6 +8,7 @@ import type { Move } from "../kernel/move.ts";
 import type { Pt, Segment } from "../kernel/point.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { toDiameter } from "../kernel/units.ts";
+import type { PlaneStep } from "../program/plane-types.ts";
 import type { Operation, Run } from "../program/run-types.ts";
 import { issuesOf, type ProofIssue } from "../sim/issues.ts";
 import type { Simulation } from "../sim/simulation.ts";
@@ -16,12 +17,17 @@ import type { Simulation } from "../sim/simulation.ts";
 export type ReportPoint = readonly [z: number, r: number];
 export type ReportRing = readonly ReportPoint[];
 
-/** End points of the theoretical tip; X and the X of a centre are diameters. */
+/**
+ * End points of the theoretical tip; X and the X of a centre are diameters. Of milling: end points of the tool centre, X and
+ * Y as they are, no Z as long as the program has named none.
+ */
 export interface ReportMove {
   readonly kind: Move["kind"];
   readonly x: number;
-  readonly z: number;
+  readonly y?: number;
+  readonly z?: number;
   readonly cx?: number;
+  readonly cy?: number;
   readonly cz?: number;
   readonly dir?: "cw" | "ccw";
   readonly feed?: number;
@@ -97,6 +103,32 @@ function moveOf(move: Move, block: number): ReportMove {
   }
 }
 
+function planeMoveOf(s: PlaneStep): ReportMove {
+  return {
+    kind: s.kind, x: s.to.x, y: s.to.y, ...(s.to.z !== null && { z: s.to.z }), phase: "position", block: s.block,
+    ...(s.centre && { cx: s.centre.x, cy: s.centre.y }), ...(s.turn && { dir: s.turn }),
+    ...(s.feed !== undefined && { feed: s.feed }), ...(s.feedUnit && { feedUnit: s.feedUnit }),
+  };
+}
+
+/** Motion outside cycles in the order it runs: turning and milling in turn. */
+function outsideCycles(run: Run): ReportMove[] {
+  const out: ReportMove[] = [];
+  let next = 0;
+  const mill = (before: number) => {
+    for (let s = run.plane[next]; s && s.turned <= before; s = run.plane[next]) {
+      out.push(planeMoveOf(s));
+      next += 1;
+    }
+  };
+  run.steps.forEach((s, i) => {
+    mill(i);
+    if (s.operation === null) out.push(moveOf(s.move, s.block));
+  });
+  mill(run.steps.length);
+  return out;
+}
+
 const columnsOf = (tool: Tool): Record<string, string | number> =>
   Object.fromEntries(Object.entries(tool).filter((e): e is [string, string | number] => typeof e[1] !== "object"));
 
@@ -150,7 +182,7 @@ export function report({ file, run, simulation, milliseconds }: Checked, languag
     program: run.program,
     stock: { initial: run.blank.map(ringOf), final: simulation.final.map(ringOf) },
     operations: run.operations.map(operation),
-    moves: run.steps.filter((s) => s.operation === null).map((s) => moveOf(s.move, s.block)),
+    moves: outsideCycles(run),
     proof: {
       gouge: simulation.proof.gouge,
       rapidInStock: simulation.proof.rapidInStock,

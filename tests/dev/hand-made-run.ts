@@ -60,6 +60,6 @@ export function exampleResult({ fault, many }: { readonly fault: boolean; readon
     firstStep: 0, lastStep: steps.length - 1, issues: [],
   };
   const blank = [box(-100, 2, 0, 38)];
-  const run: Run = { program: { name: "HAND", unit: "mm", blocks: 20 }, blank, operations: [operation], steps, stepBlocks: steps.map(() => 11), issues: [], seconds };
+  const run: Run = { program: { name: "HAND", unit: "mm", blocks: 20 }, blank, operations: [operation], steps, stepBlocks: steps.map(() => 11), plane: [], approaches: [], issues: [], seconds };
   return { run, simulation: simulate({ blank, steps, operations: [operation] }) };
 }

@@ -1,0 +1,77 @@
+import { apart, sweepOf, type PlanePoint, type PlaneSegment } from "../kernel/plane.ts";
+import { ROUND } from "../kernel/tolerance.ts";
+import type { Label } from "../nc/statement.ts";
+import type { Machine } from "./machine.ts";
+import type { Carrier, Guide, Travel } from "./plane-chain.ts";
+import type { ApproachRun, PlaneStep } from "./plane-types.ts";
+
+/** A milling tool of the table: what the path needs of it, mm. */
+export interface Mill {
+  readonly T: number;
+  readonly NAME: string;
+  readonly R: number;
+  readonly DR?: number;
+}
+
+/** Everything that changes while a program mills. mm. */
+export class MillState implements Guide {
+  /** The position as programmed. */
+  x: number | null = null;
+  y: number | null = null;
+  z: number | null = null;
+  chain: Guide["chain"] = null;
+  here: PlanePoint | null = null;
+  /** Radius of the tool with its delta; null when no table and no TOOL DEF names it. */
+  radius: number | null = null;
+  tool = "";
+  /** Radii of TOOL DEF lines. */
+  readonly defined = new Map<Label, number>();
+  /** True while the tool axis is not Z, so that the plane is not X/Y. */
+  otherAxis = false;
+  /** Upper side of the blank. */
+  top: number | null = null;
+  readonly steps: PlaneStep[] = [];
+}
+
+/** Most steps of a milling program. */
+const MOST = 400_000;
+const NO_TIP: PlanePoint = { x: 0, y: 0 };
+
+function travelLength(s: PlaneSegment, dz: number): number {
+  const flat = s.kind === "line" ? apart(s.from, s.to) : sweepOf(s) * apart(s.from, s.centre);
+  return Math.hypot(flat, dz);
+}
+
+/** Adds one motion of the mill. */
+export function millStep(machine: Machine, s: PlaneSegment, { fromZ, toZ, feed, index }: Travel): void {
+  const { mill } = machine;
+  const isStill = s.kind === "line" && apart(s.from, s.to) <= ROUND;
+  if ((isStill && fromZ === toZ) || mill.steps.length >= MOST) return;
+  const long = travelLength(s, (toZ ?? 0) - (fromZ ?? toZ ?? 0));
+  const rate = feed === null ? machine.shop.rapid : machine.perRevolution ? 0 : feed;
+  mill.steps.push({
+    kind: s.kind === "arc" ? "arc" : feed === null ? "rapid" : "feed", from: { ...s.from, z: fromZ }, to: { ...s.to, z: toZ },
+    ...(s.kind === "arc" && { centre: s.centre, turn: s.turn }),
+    ...(feed !== null && { feed, feedUnit: machine.feedUnit }),
+    radius: mill.radius ?? 0, block: machine.numbers[index] ?? 0, index, seconds: rate > 0 ? (60 * long) / rate : 0, turned: machine.steps.length,
+  });
+}
+
+/** The tool comes from where nobody knows: a step without a way, that says where it arrives. */
+export function millArrives(machine: Machine, to: PlanePoint, { toZ, feed, index }: Travel): void {
+  const at = { ...to, z: toZ };
+  machine.mill.steps.push({
+    kind: feed === null ? "rapid" : "feed", from: at, to: at, ...(feed !== null && { feed, feedUnit: machine.feedUnit }),
+    radius: machine.mill.radius ?? 0, block: machine.numbers[index] ?? 0, index, seconds: 0, turned: machine.steps.length,
+  });
+}
+
+/** The carrier of a mill: the program moves its centre. */
+export function millCarrier(machine: Machine): Carrier {
+  return {
+    machine, plane: "XY", toolRadius: machine.mill.radius ?? 0, tip: NO_TIP, top: machine.mill.top,
+    emit: (s, travel) => millStep(machine, s, travel),
+    arrive: (at, travel) => millArrives(machine, at, travel),
+    note: (run: ApproachRun) => machine.approaches.push(run),
+  };
+}

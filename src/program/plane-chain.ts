@@ -1,0 +1,70 @@
+import type { ApproachRequest, ApproachShape } from "../kernel/approach.ts";
+import type { CornerElement } from "../kernel/corner.ts";
+import type { PlanePoint, PlaneSegment, Side } from "../kernel/plane.ts";
+import type { Feed } from "../kernel/units.ts";
+import type { ApproachForm } from "../nc/statement.ts";
+import type { Machine } from "./machine.ts";
+import type { ApproachRun } from "./plane-types.ts";
+
+/** The tool axis and the feed of a block; `z` in mm, null while unknown and in turning. A feed of null is rapid. */
+export interface Travel {
+  readonly fromZ: number | null;
+  readonly toZ: number | null;
+  readonly feed: Feed | null;
+  readonly index: number;
+}
+
+/** A programmed element with what belongs to it. */
+export interface ChainItem extends Travel {
+  readonly segment: PlaneSegment;
+  readonly corner?: { readonly element: CornerElement; readonly feed: Feed | null; readonly index: number };
+  /** Moves in the tool axis alone, behind the element. */
+  readonly lifts: readonly Travel[];
+}
+
+/** The words of an APPR or DEP block. */
+export interface ApproachCall extends Travel {
+  readonly form: ApproachForm;
+  readonly shape: ApproachShape;
+  readonly departing: boolean;
+  readonly words: Pick<ApproachRequest, "length" | "radius" | "centreAngle">;
+  /** APPR: the programmed PA. DEP LCT: the programmed PN; null for the other departures. */
+  readonly target: PlanePoint | null;
+}
+
+/** How the tool comes to a contour: it stands there, moves there with an RL or RR block, or approaches. */
+export type ChainStart =
+  | { readonly kind: "here" }
+  | ({ readonly kind: "line"; readonly to: PlanePoint } & Travel)
+  | { readonly kind: "approach"; readonly call: ApproachCall; readonly before: Feed | null };
+
+/** Elements that belong together: everything between two changes of RL, RR and R0. */
+export interface Chain {
+  readonly side: Side;
+  readonly start: ChainStart;
+  lifts: readonly Travel[];
+  readonly items: ChainItem[];
+}
+
+/** What carries a chain out: a mill in X/Y or a turning tool in Z/X. */
+export interface Carrier {
+  readonly machine: Machine;
+  readonly plane: "XY" | "ZX";
+  /** Radius to keep from the contour, mm. */
+  readonly toolRadius: number;
+  /** From the tool centre to the point that the program moves; nothing for a mill. */
+  readonly tip: PlanePoint;
+  /** Upper side of the part in the tool axis, where one is known. */
+  readonly top: number | null;
+  /** Runs a path of the programmed point. */
+  readonly emit: (s: PlaneSegment, travel: Travel) => void;
+  /** The first position of all: how the tool came there, nobody knows. */
+  readonly arrive: (at: PlanePoint, travel: Travel) => void;
+  readonly note: (run: ApproachRun) => void;
+}
+
+/** Where a chain is being built, and where the programmed point (mill centre, or tip) really stands. */
+export interface Guide {
+  chain: Chain | null;
+  here: PlanePoint | null;
+}

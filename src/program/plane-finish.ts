@@ -1,0 +1,162 @@
+import { approach, type Approach, type ApproachRequest } from "../kernel/approach.ts";
+import { guardApproach } from "../kernel/approach-check.ts";
+import { issue, type Issue } from "../kernel/issue.ts";
+import { apart, beyond, difference, directionAt, sum, towardsTool, type PlanePoint, type PlaneSegment, type Side } from "../kernel/plane.ts";
+import { planeContour, type PlaneContour } from "../kernel/plane-contour.ts";
+import { ROUND, SAME } from "../kernel/tolerance.ts";
+import { radius, toDiameter } from "../kernel/units.ts";
+import { programIssue } from "./issue.ts";
+import type { ApproachCall, Carrier, Chain, Travel } from "./plane-chain.ts";
+
+const moved = (s: PlaneSegment, by: PlanePoint): PlaneSegment =>
+  s.kind === "line"
+    ? { kind: "line", from: sum(s.from, by), to: sum(s.to, by) }
+    : { ...s, from: sum(s.from, by), to: sum(s.to, by), centre: sum(s.centre, by) };
+
+/** Runs one chain; remembers where the tool centre stands. */
+class Finishing {
+  constructor(readonly carrier: Carrier, readonly chain: Chain, public centre: PlanePoint | null) {}
+
+  /** Goes along a path of the centre; a gap before it is closed with a straight line. */
+  go(s: PlaneSegment, travel: Travel): void {
+    if (this.centre && apart(this.centre, s.from) > SAME)
+      this.run({ kind: "line", from: this.centre, to: s.from }, { ...travel, toZ: travel.fromZ });
+    this.run(s, travel);
+  }
+
+  private run(s: PlaneSegment, travel: Travel): void {
+    this.carrier.emit(moved(s, this.carrier.tip), travel);
+    this.centre = s.to;
+  }
+
+  /** Moves in the tool axis alone. */
+  lift(travel: Travel): void {
+    if (this.centre && travel.fromZ !== travel.toZ) this.run({ kind: "line", from: this.centre, to: this.centre }, travel);
+  }
+}
+
+const shifted = (points: Approach["points"], by: PlanePoint): Approach["points"] =>
+  Object.fromEntries(Object.entries(points).map(([name, p]) => [name, sum(p, by)]));
+
+/** A place of the working plane as issues write it. */
+function placeOf(carrier: Carrier, p: PlanePoint): { x: number; y: number } | { x: number; z: number } {
+  return carrier.plane === "XY" ? { x: p.x, y: p.y } : { x: toDiameter(radius(p.y)), z: p.x };
+}
+
+/** The finding of the check that the control leaves out. */
+function cutIssue(carrier: Carrier, q: ApproachRequest, guarded: NonNullable<ReturnType<typeof guardApproach>>): Issue {
+  const common = { point: q.departing ? ("PN" as const) : ("PS" as const), depth: guarded.cut.depth, ...placeOf(carrier, guarded.cut.on) };
+  const { free } = guarded;
+  if (free?.kind === "point") {
+    const to = placeOf(carrier, sum(free.point, carrier.tip));
+    return issue("approachCutsContour", "warning", { ...common, freeX: to.x, ...("y" in to ? { freeY: to.y } : { freeZ: to.z }) }, "contour");
+  }
+  if (free) return issue("approachValueCutsContour", "warning", { ...common, word: free.word, nearest: free.value }, free.word);
+  return issue("approachBlocked", "warning", common, "contour");
+}
+
+/** Works out one APPR or DEP, reports it and hands out its legs with their travel in the tool axis. */
+function lead(f: Finishing, call: ApproachCall, element: PlaneSegment, contour: PlaneContour): Approach {
+  const { carrier } = f;
+  const { machine } = carrier;
+  const outside = call.departing ? call.target && difference(call.target, carrier.tip) : f.centre;
+  const q: ApproachRequest = { shape: call.shape, departing: call.departing, side: f.chain.side, toolRadius: carrier.toolRadius, element, outside, ...call.words };
+  const made = approach(q);
+  for (const found of made.issues) machine.say(found, call.index);
+  const above = carrier.top !== null && call.fromZ !== null && call.fromZ >= carrier.top;
+  const inPlaneFirst = (machine.shop.control ?? "TNC 640") === "TNC 640" && call.fromZ !== call.toZ;
+  const guarded = !made.issues.some((i) => i.severity === "error") &&
+    guardApproach(q, contour.contour.map((c) => c.segment), above && inPlaneFirst && !call.departing ? "fromPH" : "all");
+  if (guarded) machine.say(cutIssue(carrier, q, guarded), call.index);
+  carrier.note({
+    block: machine.numbers[call.index] ?? 0, index: call.index, form: call.form, shape: call.shape, departing: call.departing, side: f.chain.side,
+    plane: carrier.plane, points: shifted(made.points, carrier.tip), toolRadius: carrier.toolRadius,
+    arc: made.arc && { ...made.arc, centre: sum(made.arc.centre, carrier.tip) },
+    request: q, contour: contour.contour.map((c) => c.segment), tip: carrier.tip,
+  });
+  return made;
+}
+
+/** Runs the legs of an approach. In the plane first and then in the axis, or in the plane and the axis at once. */
+function runApproach(f: Finishing, call: ApproachCall, made: Approach, before: Travel["feed"]): void {
+  const atOnce = f.carrier.machine.shop.control === "TNC7";
+  const feedOf = (i: number) => (made.legs[i]?.feed === "before" ? before : call.feed);
+  const toPH = made.points.PS ? 1 : 0;
+  made.legs.forEach((leg, i) => {
+    const isFirst = i < toPH;
+    const travel = { ...call, feed: feedOf(i), fromZ: isFirst ? call.fromZ : call.toZ, toZ: isFirst && !atOnce ? call.fromZ : call.toZ };
+    f.go(leg.segment, travel);
+    if (isFirst && !atOnce) f.lift({ ...call, feed: feedOf(i) });
+  });
+}
+
+function runDeparture(f: Finishing, call: ApproachCall, made: Approach): void {
+  const atOnce = f.carrier.machine.shop.control === "TNC7";
+  const last = made.legs.length - 1;
+  made.legs.forEach((leg, i) => f.go(leg.segment, { ...call, toZ: atOnce && i === last ? call.toZ : call.fromZ }));
+  if (!atOnce || last < 0) f.lift(call);
+}
+
+/** Comes to the first element. */
+function begin(f: Finishing, contour: PlaneContour, reference: PlaneSegment | undefined): void {
+  const { start, side } = f.chain;
+  if (start.kind === "line") {
+    const corner = contour.contour[0] ? contour.contour[0].segment.from : start.to;
+    const way = reference && directionAt(reference, contour.contour[0] ? reference.from : reference.to);
+    const to = way ? beyond(corner, towardsTool(way, side), f.carrier.toolRadius) : start.to;
+    if (!f.centre) f.carrier.arrive(sum(to, f.carrier.tip), start);
+    f.go({ kind: "line", from: f.centre ?? to, to }, start);
+  } else if (start.kind === "approach") {
+    const { call } = start;
+    if (reference) return runApproach(f, call, lead(f, call, reference, contour), start.before);
+    f.carrier.machine.say(programIssue("approachWithoutContour", "error", { form: `APPR ${call.form}` }), call.index);
+    const to = difference(call.target ?? f.centre ?? { x: 0, y: 0 }, f.carrier.tip);
+    f.go({ kind: "line", from: f.centre ?? to, to }, call);
+  }
+}
+
+/** The elements between, each in its own feed. */
+function along(f: Finishing, contour: PlaneContour): void {
+  f.chain.lifts.forEach((t) => f.lift(t));
+  f.chain.items.forEach((item, i) => {
+    const own = contour.path.filter((p) => p.element === i && !p.onCorner);
+    const onCorner = contour.path.filter((p) => p.element === i && p.onCorner);
+    for (const p of own.filter((each) => each.part === "element")) f.go(p.segment, item);
+    for (const t of item.lifts) f.lift(t);
+    const flat = { ...item, fromZ: item.lifts.at(-1)?.toZ ?? item.toZ, toZ: item.lifts.at(-1)?.toZ ?? item.toZ };
+    for (const p of own.filter((each) => each.part === "corner")) f.go(p.segment, flat);
+    for (const p of onCorner) f.go(p.segment, { ...flat, feed: item.corner ? item.corner.feed : item.feed, index: item.corner?.index ?? item.index });
+  });
+}
+
+function sayIssues(carrier: Carrier, chain: Chain, contour: PlaneContour): void {
+  for (const { issue: found, element, onCorner } of contour.issues) {
+    const item = chain.items[element];
+    if (item) carrier.machine.say(found, onCorner ? (item.corner?.index ?? item.index) : item.index);
+  }
+  const open = chain.items.at(-1)?.corner;
+  if (open) carrier.machine.say(issue("cornerElementAlone", "error", { element: chain.items.length }, "contour"), open.index);
+}
+
+/** Without an element of its own, a contour of one point takes the direction in which the tool came to it. */
+function ownDirection(chain: Chain, here: PlanePoint | null): PlaneSegment | undefined {
+  const { start } = chain;
+  return start.kind === "line" && here && apart(here, start.to) > ROUND ? { kind: "line", from: here, to: start.to } : undefined;
+}
+
+const hasRadius = (side: Side) => side !== "none";
+
+/** Carries out a chain and what ends it; gives where the programmed point then stands. */
+export function finishChain(carrier: Carrier, chain: Chain, here: PlanePoint | null, departure: ApproachCall | null): PlanePoint | null {
+  const f = new Finishing(carrier, chain, here && difference(here, carrier.tip));
+  const contour = planeContour(chain.items.map(({ segment, corner }) => ({ segment, ...(corner && { corner: corner.element }) })), chain.side, carrier.toolRadius);
+  sayIssues(carrier, chain, contour);
+  const single = ownDirection(chain, here);
+  const first = contour.contour[0]?.segment ?? single;
+  const last = contour.contour.at(-1)?.segment ?? single;
+  if (chain.start.kind !== "here" || hasRadius(chain.side)) begin(f, contour, first);
+  along(f, contour);
+  if (departure && last) runDeparture(f, departure, lead(f, departure, last, contour));
+  else if (departure) carrier.machine.say(programIssue("approachWithoutContour", "error", { form: `DEP ${departure.form}` }), departure.index);
+  return f.centre && sum(f.centre, carrier.tip);
+}

@@ -1,0 +1,130 @@
+import { lengthOfSegment, type PlanePoint, type PlaneSegment, type Side } from "../kernel/plane.ts";
+import { SAME } from "../kernel/tolerance.ts";
+import type { ApproachForm, Compensation, Words } from "../nc/statement.ts";
+import { programIssue } from "./issue.ts";
+import type { Machine } from "./machine.ts";
+import { blockFeed } from "./path-block.ts";
+import type { ApproachCall, Carrier, ChainItem, Guide, Travel } from "./plane-chain.ts";
+import { finishChain } from "./plane-finish.ts";
+
+const SIDES: Readonly<Record<Compensation, Side>> = { R0: "none", RL: "left", RR: "right" };
+/** The side that a block asks for; the one in force when it says nothing. */
+export const sideOf = (words: Words, now: Side): Side => (words.compensation === undefined ? now : SIDES[words.compensation]);
+
+/** A path block in the working plane: from the programmed point before it (null: unknown) to its own. */
+export interface PathStep extends Travel {
+  readonly segment: PlaneSegment | null;
+  readonly to: PlanePoint;
+}
+
+/** Gives the carrier for a side: compensated with the tool radius, or moved as programmed. */
+export type CarrierFor = (side: Side) => Carrier;
+
+/** Carries out the chain that waits, up to where it has got. */
+export function close(guide: Guide, carrier: CarrierFor, departure: ApproachCall | null = null): void {
+  const { chain } = guide;
+  guide.chain = null;
+  if (chain) guide.here = finishChain(carrier(chain.side), chain, guide.here, departure);
+}
+
+function append(guide: Guide, step: PathStep, segment: PlaneSegment): void {
+  const { chain } = guide;
+  if (!chain) return;
+  const { fromZ, toZ, feed, index } = step;
+  const travel: Travel = { fromZ, toZ, feed, index };
+  if (lengthOfSegment(segment) > SAME) {
+    chain.items.push({ ...travel, segment, lifts: [] });
+    return;
+  }
+  const last = chain.items.at(-1);
+  if (last) chain.items[chain.items.length - 1] = { ...last, lifts: [...last.lifts, travel] };
+  else chain.lifts = [...chain.lifts, travel];
+}
+
+/** Adds a path block to the contour: begins one at RL or RR, ends one at R0. */
+export function followPath(guide: Guide, carrier: CarrierFor, requested: Side, step: PathStep): void {
+  const now = guide.chain?.side ?? "none";
+  const { machine } = carrier(requested);
+  if (now !== "none" && requested !== "none" && now !== requested) machine.say(programIssue("sideChanged", "error", {}), step.index);
+  if (guide.chain && now !== requested) {
+    close(guide, carrier);
+    if (requested === "none") return uncompensated(guide, step, guide.here);
+  }
+  if (requested === "none") return uncompensated(guide, step, null);
+  if (guide.chain) {
+    append(guide, step, step.segment ?? { kind: "line", from: step.to, to: step.to });
+    return;
+  }
+  const arc = step.segment?.kind === "arc" ? step.segment : null;
+  guide.chain = { side: requested, start: { ...step, kind: "line", to: arc ? arc.from : step.to, ...(arc && { toZ: step.fromZ }) }, lifts: [], items: [] };
+  if (arc) append(guide, step, arc);
+}
+
+/** R0: as programmed. After RL or RR the tool leaves from where it really stands. */
+function uncompensated(guide: Guide, step: PathStep, standing: PlanePoint | null): void {
+  guide.chain ??= { side: "none", start: { kind: "here" }, lifts: [], items: [] };
+  append(guide, step, standing ? { kind: "line", from: standing, to: step.to } : (step.segment ?? { kind: "line", from: step.to, to: step.to }));
+}
+
+/** A rounding or chamfer behind the last element; false when there is none. */
+export function addCorner(guide: Guide, corner: NonNullable<ChainItem["corner"]>): boolean {
+  const items = guide.chain?.items;
+  const last = items?.at(-1);
+  if (!items || !last || last.corner || last.lifts.length > 0) return false;
+  items[items.length - 1] = { ...last, corner };
+  return true;
+}
+
+/** LEN, R and CCA of an APPR or DEP block, in mm and degrees. */
+function approachWords(machine: Machine, words: Words, index: number): ApproachCall["words"] {
+  const read = (v: Words["length"]) => (v === undefined ? null : machine.number(v, index));
+  const [length, radius, centreAngle] = [read(words.length), read(words.radius), read(words.centreAngle)];
+  return {
+    ...(length !== null && { length: machine.length(length) }), ...(radius !== null && { radius: machine.length(radius) }),
+    ...(centreAngle !== null && { centreAngle }),
+  };
+}
+
+const shapeOf = (form: ApproachForm) => form.replace(/^P/, "") as ApproachCall["shape"];
+export const isPolar = (form: ApproachForm) => form.startsWith("P");
+
+/** Where an APPR or DEP block goes to, and what it says. */
+export interface ApproachBlock {
+  readonly departing: boolean;
+  readonly form: ApproachForm;
+  readonly words: Words;
+  readonly index: number;
+  /** PA, or PN of DEP LCT; null where none is programmed. */
+  readonly target: PlanePoint | null;
+  readonly fromZ: number | null;
+  readonly toZ: number | null;
+}
+
+function callOf(machine: Machine, b: ApproachBlock, feed: Travel["feed"]): ApproachCall {
+  const { form, departing, index, target, fromZ, toZ } = b;
+  return { form, shape: shapeOf(form), departing, index, target, fromZ, toZ, feed, words: approachWords(machine, b.words, index) };
+}
+
+/** APPR: the contour begins; its way there is carried out when the first element is known. */
+export function beginApproach(guide: Guide, carrier: CarrierFor, b: ApproachBlock): void {
+  const side = sideOf(b.words, "none");
+  const { machine } = carrier(side);
+  const now = guide.chain?.side ?? "none";
+  if (now !== "none" && side !== "none" && now !== side) machine.say(programIssue("sideChanged", "error", {}), b.index);
+  close(guide, carrier);
+  const known = machine.lastFeed === undefined ? (machine.feed ?? undefined) : machine.lastFeed;
+  if (known === undefined) machine.say(programIssue("feedMissing", "error", {}), b.index);
+  if (!guide.here) machine.say(programIssue("startUnknown", "error", {}), b.index);
+  const feed = blockFeed(machine, b.words.feed, b.index);
+  const before = known === undefined ? feed : known;
+  guide.chain = { side, start: { kind: "approach", call: callOf(machine, b, feed), before }, lifts: [], items: [] };
+}
+
+/** DEP: the contour ends, and compensation with it. */
+export function endWithDeparture(guide: Guide, carrier: CarrierFor, b: ApproachBlock): void {
+  const { machine } = carrier("none");
+  const feed = blockFeed(machine, b.words.feed, b.index);
+  const call = callOf(machine, b, feed);
+  if (guide.chain) close(guide, carrier, call);
+  else machine.say(programIssue("approachWithoutContour", "error", { form: `DEP ${b.form}` }), b.index);
+}

@@ -1,0 +1,96 @@
+import { noseRadius, tipOffset } from "../kernel/insert.ts";
+import { lengthOf } from "../kernel/curve.ts";
+import { partPoint, partSegment, planePoint, planeSegment } from "../kernel/plane.ts";
+import { SAME } from "../kernel/tolerance.ts";
+import { toDiameter } from "../kernel/units.ts";
+import type { PathKind, Statement, Words } from "../nc/statement.ts";
+import { programIssue } from "./issue.ts";
+import type { Machine } from "./machine.ts";
+import { blockFeed, flush, moveOf, segment, targetOf } from "./path-block.ts";
+import type { Carrier } from "./plane-chain.ts";
+import { beginApproach, close, endWithDeparture, followPath, sideOf, type CarrierFor } from "./plane-guide.ts";
+
+/** The carrier of a turning tool: compensated by its nose radius, or as programmed; the program moves its theoretical tip. */
+const carrierOf = (machine: Machine): CarrierFor => (side): Carrier => {
+  const { tool } = machine;
+  const tip = side === "none" || !tool ? { u: 0, v: 0 } : tipOffset(tool);
+  return {
+    machine, plane: "ZX", toolRadius: tool ? noseRadius(tool) : 0, tip: { x: tip.u, y: tip.v }, top: null,
+    emit: (s, { feed, index }) => {
+      const path = partSegment(s);
+      if (lengthOf(path) > SAME) machine.step(path.from, moveOf(machine, path, feed), index, null);
+    },
+    arrive: () => undefined,
+    note: (run) => machine.approaches.push(run),
+  };
+};
+
+/** Carries out what waits between RL or RR and its end. */
+export const closeTurn = (machine: Machine): void => {
+  if (machine.guide.chain) close(machine.guide, carrierOf(machine));
+};
+
+/** True when a path block belongs to a compensated contour. */
+export const isGuided = (machine: Machine, words: Words): boolean =>
+  machine.tool !== null && (machine.guide.chain !== null || words.compensation === "RL" || words.compensation === "RR");
+
+/** Begins where the tip stands, unless a contour is under way. */
+function start(machine: Machine): void {
+  if (machine.guide.chain) return;
+  flush(machine);
+  const tip = machine.sure.x && machine.sure.z ? machine.tip : null;
+  machine.guide.here = tip && planePoint(tip);
+}
+
+function arrive(machine: Machine, kind: PathKind | null, words: Words, to: { x: number | null; z: number | null }): void {
+  const named = new Set(words.axes.map((w) => w.axis));
+  const isPolar = kind === "LP" || kind === "CP" || kind === "CTP";
+  machine.sure = { x: machine.sure.x || isPolar || named.has("X"), z: machine.sure.z || isPolar || named.has("Z") };
+  machine.x = to.x;
+  machine.z = to.z;
+}
+
+/** A path block from RL or RR on, up to and with the R0 that ends it. */
+export function guidedPath(machine: Machine, kind: Exclude<PathKind, "CC" | "RND">, words: Words, index: number): void {
+  start(machine);
+  const { guide } = machine;
+  const from = machine.sure.x && machine.sure.z ? machine.tip : null;
+  const target = targetOf(machine, kind, words, index);
+  const requested = sideOf(words, guide.chain?.side ?? "none");
+  if (!target.moved && requested === (guide.chain?.side ?? "none")) {
+    if (words.feed !== undefined && words.feed !== "max") blockFeed(machine, words.feed, index);
+    return;
+  }
+  const feed = target.moved ? blockFeed(machine, words.feed, index) : machine.feed;
+  arrive(machine, kind, words, target);
+  const to = machine.tip;
+  if (!to) return;
+  const path = from && segment(machine, kind, from, to, words, index);
+  machine.last = path;
+  followPath(guide, carrierOf(machine), requested, { fromZ: null, toZ: null, feed, index, segment: path && planeSegment(path), to: planePoint(to) });
+  if (requested === "none") closeTurn(machine);
+}
+
+/** APPR and DEP in the Z/X plane. */
+export function turnApproach(machine: Machine, s: Extract<Statement, { kind: "approach" }>, index: number): void {
+  if (!machine.tool) return machine.say(programIssue("noToolCalled", "error", {}), index);
+  start(machine);
+  const { departing, form, words } = s;
+  const isEnd = !departing || form === "LCT" || form === "PLCT";
+  const kind = form.startsWith("P") ? "LP" : null;
+  const to = isEnd ? targetOf(machine, kind ?? "L", words, index) : { x: machine.x, z: machine.z, moved: true };
+  if (isEnd && kind && !to.moved) return;
+  if (!departing) arrive(machine, kind, words, to);
+  else [machine.x, machine.z] = [to.x, to.z];
+  const tip = machine.tip;
+  if (isEnd && !tip) return machine.say(programIssue("startUnknown", "error", {}), index);
+  const block = { departing, form, words, index, target: isEnd && tip ? planePoint(tip) : null, fromZ: null, toZ: null };
+  if (departing) endWithDeparture(machine.guide, carrierOf(machine), block);
+  else beginApproach(machine.guide, carrierOf(machine), block);
+  const { here } = machine.guide;
+  if (departing && here) {
+    const end = partPoint(here);
+    [machine.x, machine.z] = [toDiameter(end.r), end.z];
+  }
+  machine.last = null;
+}
