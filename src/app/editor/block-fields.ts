@@ -1,0 +1,186 @@
+import { parse } from "../../nc/parse.ts";
+import { statementLines } from "../../nc/print.ts";
+import { APPROACH_FORMS, type AxisName, type PathKind, type Statement } from "../../nc/statement.ts";
+import { LAYOUTS } from "../../nc/style.ts";
+import { readValue, typedParameter } from "./block-value.ts";
+import { fieldOf, optionalValue, readFeed, readLabel, readLine, shownFeed, shownLabel, shownValue, type Field } from "./field.ts";
+import { axisFields, axisField, compensationField, feedField, functionsField, namedFields, polarWord, retractField, turnField, valueWord } from "./word-fields.ts";
+
+const AXES = ["X", "Y", "Z"] as const satisfies readonly AxisName[];
+const isAxis = (typed: string): typed is AxisName => /^[XYZABCUVW]$/.test(typed);
+const tail = [compensationField, feedField, functionsField];
+const polar = [polarWord("polarRadius", "polarRadius", "mm"), polarWord("polarAngle", "polarAngle", "°")];
+const radius = valueWord("radius", "radius");
+
+/** The first statement that a text means; null where it is not of this kind. */
+export const statementOf = <K extends Statement["kind"]>(text: string, kind: K): Extract<Statement, { kind: K }> | null => {
+  const blocks = parse(text).blocks;
+  const s = blocks[0]?.statement;
+  return blocks.length === 1 && s?.kind === kind ? (s as Extract<Statement, { kind: K }>) : null;
+};
+
+/** A statement as one line of text, without number. */
+export const lineOf = (s: Statement): string => statementLines(s, LAYOUTS.tnc7)[0] ?? "";
+
+/** The whole statement as text, for what has no words of its own. */
+const wholeText: Field = {
+  id: "text", name: "text", wide: true, read: (s) => (s.kind === "unknown" ? s.text : lineOf(s)),
+  write: (_, typed) => {
+    const blocks = parse(typed).blocks;
+    return blocks.length === 1 ? (blocks[0]?.statement ?? null) : null;
+  },
+};
+
+const paths: Readonly<Record<PathKind, (s: Statement) => readonly Field[]>> = {
+  L: (s) => [...axisFields(s, AXES), ...tail, ...(s.kind === "path" && s.words.retract !== undefined ? [retractField] : [])],
+  LP: (s) => [...polar, ...axisFields(s, []), ...tail],
+  C: (s) => [...axisFields(s, AXES), turnField, ...tail],
+  CP: (s) => [polar[1] as Field, ...axisFields(s, []), turnField, ...tail],
+  CR: (s) => [...axisFields(s, AXES), radius, turnField, ...tail],
+  CT: (s) => [...axisFields(s, AXES), ...tail],
+  CTP: (s) => [...polar, ...axisFields(s, []), ...tail],
+  CC: (s) => axisFields(s, AXES),
+  RND: () => [radius, feedField],
+};
+
+const frame = (kind: "begin" | "end"): readonly Field[] => [
+  fieldOf(kind, "name", (s) => s.name, (s, typed) => (/^\S{1,60}$/.test(typed.trim()) ? { ...s, name: typed.trim() } : null)),
+  fieldOf(kind, "unit", (s) => s.unit, (s, typed) => ({ ...s, unit: typed === "INCH" ? "INCH" : "MM" }), { choices: ["MM", "INCH"] }),
+];
+
+/** A corner of a box names three coordinates. */
+const cornerField = (axis: AxisName): Field => {
+  const plain = axisField(axis);
+  const dressed = (s: Statement): Statement => (s.kind === "blankBox" ? { kind: "path", path: "L", words: { axes: s.axes, linear: [], functions: [], extra: [] } } : s);
+  return {
+    ...plain, read: (s) => plain.read(dressed(s)),
+    write: (s, typed) => {
+      const next = plain.write(dressed(s), typed);
+      return s.kind === "blankBox" && next?.kind === "path" ? { ...s, axes: next.words.axes } : null;
+    },
+    incremental: {
+      read: (s) => plain.incremental?.read(dressed(s)) ?? false,
+      write: (s, on) => {
+        const next = plain.incremental?.write(dressed(s), on);
+        return s.kind === "blankBox" && next?.kind === "path" ? { ...s, axes: next.words.axes } : s;
+      },
+    },
+  };
+};
+
+const UNDERCUT_WORDS: Readonly<Record<string, readonly string[]>> = {
+  TYPE_E: ["R", "DEPTH", "BREADTH", "ANGLE"], TYPE_F: ["R", "DEPTH", "BREADTH", "ANGLE", "FACEDEPTH", "FACEANGLE"], TYPE_H: ["R", "BREADTH", "ANGLE"],
+  TYPE_K: ["R", "DEPTH", "ROT", "ANGLE"], TYPE_U: ["R", "DEPTH", "BREADTH", "RND", "CHF"], THREAD: ["PITCH", "R", "DEPTH", "BREADTH", "ANGLE"],
+};
+const GROOVE_WORDS = ["CENTER", "R", "DEPTH", "DIAM", "BREADTH", "ANGLE", "RND", "CHF", "FAR_RND", "FAR_CHF"];
+
+type Table = { readonly [K in Statement["kind"]]: (s: Extract<Statement, { kind: K }>) => readonly Field[] };
+
+/** The fields of every kind of block: the one description that all their dialogs are made from. */
+const table: Table = {
+  empty: () => [],
+  comment: () => [fieldOf("comment", "text", (s) => s.text, (s, typed) => { const text = readLine(typed); return text === null ? null : { ...s, text }; }, { wide: true })],
+  structure: () => [fieldOf("structure", "text", (s) => s.text, (s, typed) => { const text = readLine(typed); return text === null ? null : { ...s, text: text.trimStart() }; }, { wide: true })],
+  begin: () => frame("begin"),
+  end: () => frame("end"),
+  blankBox: (s) => [
+    ...(s.corner === 1 ? [fieldOf("blankBox", "toolAxis", (b) => b.axis ?? "", (b, typed) => ({ ...b, axis: isAxis(typed) ? typed : null }), { choices: ["X", "Y", "Z"] })] : []),
+    ...AXES.map(cornerField),
+  ],
+  blankCylinder: () => [
+    fieldOf("blankCylinder", "toolAxis", (s) => s.axis, (s, typed) => (isAxis(typed) ? { ...s, axis: typed } : null), { choices: ["X", "Y", "Z"] }),
+    fieldOf("blankCylinder", "outside", (s) => shownValue(s.outside?.value), (s, typed) => optionalValue(typed, (value) => ({ ...s, outside: value === null ? null : { measure: s.outside?.measure ?? "D", value } })), { numeric: true, unit: "mm" }),
+    fieldOf("blankCylinder", "outsideMeasure", (s) => s.outside?.measure ?? "D", (s, typed) => (s.outside ? { ...s, outside: { ...s.outside, measure: typed === "R" ? "R" : "D" } } : s), { choices: ["D", "R"] }),
+    fieldOf("blankCylinder", "length", (s) => shownValue(s.length), (s, typed) => optionalValue(typed, (length) => ({ ...s, length })), { numeric: true, unit: "mm" }),
+    fieldOf("blankCylinder", "distance", (s) => shownValue(s.distance), (s, typed) => optionalValue(typed, (distance) => ({ ...s, distance })), { numeric: true, unit: "mm" }),
+    fieldOf("blankCylinder", "inside", (s) => shownValue(s.inside?.value), (s, typed) => optionalValue(typed, (value) => ({ ...s, inside: value === null ? null : { measure: s.inside?.measure ?? "DI", value } })), { numeric: true, unit: "mm" }),
+    fieldOf("blankCylinder", "insideMeasure", (s) => (s.inside?.measure === "RI" ? "R" : "D"), (s, typed) => (s.inside ? { ...s, inside: { ...s.inside, measure: typed === "R" ? "RI" : "DI" } } : s), { choices: ["D", "R"] }),
+  ],
+  blankRotation: () => [
+    fieldOf("blankRotation", "toolAxis", (s) => s.axis, (s, typed) => (isAxis(typed) ? { ...s, axis: typed } : null), { choices: ["X", "Y", "Z"] }),
+    fieldOf("blankRotation", "measure", (s) => s.measure, (s, typed) => ({ ...s, measure: typed === "R" ? "R" : "D" }), { choices: ["D", "R"] }),
+    fieldOf("blankRotation", "label", (s) => shownLabel(s.label), (s, typed) => { const label = readLabel(typed); return label === null ? null : { ...s, label }; }),
+  ],
+  toolDefinition: () => [
+    fieldOf("toolDefinition", "tool", (s) => shownLabel(s.tool), (s, typed) => { const tool = readLabel(typed); return tool === null ? null : { ...s, tool }; }),
+    fieldOf("toolDefinition", "length", (s) => shownValue(s.length), (s, typed) => optionalValue(typed, (length) => ({ ...s, length })), { numeric: true, unit: "mm" }),
+    fieldOf("toolDefinition", "toolRadius", (s) => shownValue(s.radius), (s, typed) => optionalValue(typed, (r) => ({ ...s, radius: r })), { numeric: true, unit: "mm" }),
+  ],
+  toolCall: () => [
+    fieldOf("toolCall", "tool", (s) => (s.tool === null ? "" : shownLabel(s.tool)), (s, typed) => {
+      if (typed.trim() === "") return { ...s, tool: null };
+      const value = /^\s*\d{1,9}\.\d\s*$|^\s*Q[LR]?\d/i.test(typed) ? readValue(typed) : readLabel(typed);
+      return value === null ? null : { ...s, tool: value };
+    }),
+    fieldOf("toolCall", "toolAxis", (s) => s.axis ?? "", (s, typed) => ({ ...s, axis: isAxis(typed) ? typed : null }), { choices: ["", "X", "Y", "Z"] }),
+    fieldOf("toolCall", "speed", (s) => shownValue(s.speed), (s, typed) => optionalValue(typed, (speed) => ({ ...s, speed })), { numeric: true }),
+    fieldOf("toolCall", "feed", (s) => shownFeed(s.feed), (s, typed) => { const feed = readFeed(typed); return feed === undefined ? null : { ...s, feed }; }),
+    fieldOf("toolCall", "deltaLength", (s) => shownValue(s.deltaLength), (s, typed) => optionalValue(typed, (deltaLength) => ({ ...s, deltaLength })), { numeric: true, unit: "mm" }),
+    fieldOf("toolCall", "deltaRadius", (s) => shownValue(s.deltaRadius), (s, typed) => optionalValue(typed, (deltaRadius) => ({ ...s, deltaRadius })), { numeric: true, unit: "mm" }),
+  ],
+  mode: () => [
+    fieldOf("mode", "mode", (s) => s.mode, (s, typed) => ({ ...s, mode: typed === "MILL" ? "MILL" : "TURN" }), { choices: ["TURN", "MILL"] }),
+    fieldOf("mode", "kinematics", (s) => s.kinematics ?? "", (s, typed) => (/["\r\n]/.test(typed) ? null : { ...s, kinematics: typed === "" ? null : typed })),
+  ],
+  spin: () => [
+    fieldOf("spin", "constantSurface", (s) => (s.constantSurface ? "on" : "off"), (s, typed) => ({ ...s, constantSurface: typed === "on" }), { choices: ["on", "off"] }),
+    fieldOf("spin", "cuttingSpeed", (s) => shownValue(s.cuttingSpeed), (s, typed) => optionalValue(typed, (cuttingSpeed) => ({ ...s, cuttingSpeed })), { numeric: true, unit: "m/min" }),
+    fieldOf("spin", "speed", (s) => shownValue(s.speed), (s, typed) => optionalValue(typed, (speed) => ({ ...s, speed })), { numeric: true }),
+    fieldOf("spin", "speedLimit", (s) => shownValue(s.limit), (s, typed) => optionalValue(typed, (limit) => ({ ...s, limit })), { numeric: true }),
+  ],
+  turnCorrection: (s) => [
+    fieldOf("turnCorrection", "system", (c) => c.system, (c, typed) => ({ ...c, system: typed === "WPL" ? "WPL" : "TCS" }), { choices: ["TCS", "WPL"] }),
+    fieldOf("turnCorrection", "plane", (c) => c.plane, (c, typed) => (/^[A-Z](\/[A-Z])?$/i.test(typed.trim()) ? { ...c, plane: typed.trim().toUpperCase() } : null)),
+    ...namedFields(s, ["DZL", "DXL"]),
+  ],
+  turnBlank: () => [
+    fieldOf("turnBlank", "blankSource", (s) => (s.blank === "off" ? "off" : "file" in s.blank ? "file" : "label"),
+      (s, typed) => ({ ...s, blank: typed === "off" ? "off" : typed === "file" ? { file: "" } : { label: 1 } }), { choices: ["off", "label", "file"] }),
+    fieldOf("turnBlank", "label", (s) => (s.blank !== "off" && "label" in s.blank ? shownLabel(s.blank.label) : ""), (s, typed) => { const label = readLabel(typed); return label === null ? null : { ...s, blank: { label } }; }),
+    fieldOf("turnBlank", "file", (s) => (s.blank !== "off" && "file" in s.blank ? s.blank.file : ""), (s, typed) => (/["\r\n]/.test(typed) ? null : { ...s, blank: { file: typed } })),
+  ],
+  path: (s) => paths[s.path](s),
+  chamfer: () => [fieldOf("chamfer", "chamfer", (s) => shownValue(s.length), (s, typed) => optionalValue(typed, (length) => ({ ...s, length })), { numeric: true, unit: "mm" }), feedField],
+  approach: (s) => [
+    fieldOf("approach", "form", (a) => a.form, (a, typed) => { const form = APPROACH_FORMS.find((f) => f === typed); return form ? { ...a, form } : null; }, { choices: APPROACH_FORMS }),
+    ...(s.form.startsWith("P") ? polar : axisFields(s, AXES)),
+    valueWord("length", "lineLength"), valueWord("centreAngle", "centreAngle", "°"), radius, ...tail,
+  ],
+  undercut: (s) => [
+    fieldOf("undercut", "form", (u) => u.form, (u, typed) => ({ ...u, form: typed }), { choices: Object.keys(UNDERCUT_WORDS) }),
+    ...namedFields(s, UNDERCUT_WORDS[s.form] ?? []),
+  ],
+  groove: (s) => [
+    fieldOf("groove", "form", (g) => g.form, (g, typed) => ({ ...g, form: typed === "AXIAL" ? "AXIAL" : "RADIAL" }), { choices: ["RADIAL", "AXIAL"] }),
+    ...namedFields(s, GROOVE_WORDS),
+  ],
+  label: () => [fieldOf("label", "label", (s) => shownLabel(s.label), (s, typed) => { const label = readLabel(typed); return label === null ? null : { ...s, label }; })],
+  call: () => [
+    fieldOf("call", "label", (s) => shownLabel(s.label), (s, typed) => { const label = readLabel(typed); return label === null ? null : { ...s, label }; }),
+    fieldOf("call", "repeat", (s) => shownValue(s.repeat), (s, typed) => optionalValue(typed, (repeat) => ({ ...s, repeat })), { numeric: true }),
+  ],
+  cycleLine: () => [fieldOf("cycleLine", "cycleLine", (s) => s.text, (s, typed) => { const text = readLine(typed); return text === null ? null : { ...s, text }; }, { wide: true })],
+  cycle: (s) => s.parameters.map((p) => fieldOf("cycle", { word: p.label === null ? p.q : `${p.q} ${p.label.trim()}` },
+    (c) => typedParameter(c.parameters.find((each) => each.q === p.q)?.value),
+    (c, typed) => {
+      const feed = /^f?(auto|max)$/i.exec(typed.trim())?.[1]?.toLowerCase();
+      const value = feed === "auto" || feed === "max" ? feed : readValue(typed);
+      return value === null ? null : { ...c, parameters: c.parameters.map((each) => (each.q === p.q ? { ...each, value } : each)) };
+    }, { id: p.q, numeric: true })),
+  cycleCall: () => [
+    fieldOf("cycleCall", "how", (s) => (s.how === "" ? "here" : s.how), (s, typed) => ({ ...s, how: typed === "POS" || typed === "PAT" ? typed : "" }), { choices: ["here", "POS", "PAT"] }),
+    feedField, functionsField,
+  ],
+  selectContour: () => [fieldOf("selectContour", "file", (s) => s.file, (s, typed) => (/["\r\n]/.test(typed) ? null : { ...s, file: typed }), { wide: true })],
+  assign: (s) => [
+    fieldOf("assign", "target", (a) => a.target, (a, typed) => (/^\s*Q[LR]?\d{1,6}\s*$/i.test(typed) ? { ...a, target: typed.trim().toUpperCase() } : null)),
+    fieldOf("assign", "formula", (a) => lineOf(a).replace(/^.*?=\s*/, ""), (a, typed) =>
+      statementOf(`${s.fn === null ? "" : `FN ${s.fn}: `}${a.target} = ${typed}`, "assign"), { wide: true }),
+  ],
+  functions: () => [functionsField],
+  stop: () => [functionsField],
+  unknown: () => [wholeText],
+};
+
+/** The fields of a block's dialog, in the order of its words. */
+export const fieldsOf = (s: Statement): readonly Field[] => (table[s.kind] as (of: Statement) => readonly Field[])(s);

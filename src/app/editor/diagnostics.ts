@@ -1,0 +1,59 @@
+import { setDiagnostics, type Diagnostic } from "@codemirror/lint";
+import type { EditorState, Transaction, TransactionSpec } from "@codemirror/state";
+import type { EditorView } from "@codemirror/view";
+import type { Texts } from "../../i18n/index.ts";
+import type { Language } from "../../i18n/languages.ts";
+import { blockAt } from "../../nc/reread.ts";
+import type { Finding } from "../../program/run-types.ts";
+import { issueText } from "../issue-text.ts";
+import { readingField } from "./reading-field.ts";
+
+/** More marks than these would say no more. */
+const MOST = 1500;
+
+/** Where a finding stands in the editor's text. */
+export function placeOf(state: EditorState, { issue, line }: Finding): { readonly from: number; readonly to: number } | null {
+  if (line === null || line < 1 || line > state.doc.lines) return null;
+  const at = state.doc.line(line);
+  if ("column" in issue) {
+    const from = Math.min(at.to, at.from + issue.column - 1);
+    return { from, to: Math.min(at.to, from + issue.length) };
+  }
+  return { from: at.from + at.text.search(/\S|$/), to: at.to };
+}
+
+/** The correction that a finding of the reader offers, in the editor's text; null without one. */
+export function fixOf(state: EditorState, finding: Finding): TransactionSpec | null {
+  const { issue } = finding;
+  const place = placeOf(state, finding);
+  if (!place || !("fix" in issue) || !issue.fix) return null;
+  const from = place.from + issue.fix.offset - issue.offset;
+  const to = from + issue.fix.length;
+  return from < 0 || to > state.doc.length ? null : { changes: { from, to, insert: issue.fix.text }, userEvent: "input.fix" };
+}
+
+/** Cycle in whose definition a finding stands: it tells what the value at its place measures. */
+export function cycleOf(state: EditorState, offset: number): number | null {
+  const reading = state.field(readingField);
+  const s = reading.program.blocks[blockAt(reading, offset)]?.statement;
+  return s?.kind === "cycle" ? s.cycle : null;
+}
+
+/** Marks all findings in text and margin, with their sentences in the screen language and what corrects them. */
+export function diagnosticsOf(view: EditorView, findings: readonly Finding[], t: Texts, language: Language, dispatch: (spec: TransactionSpec) => void): Pick<Transaction, "effects"> & TransactionSpec {
+  const { state } = view;
+  const all: Diagnostic[] = [];
+  for (const finding of findings.slice(0, MOST)) {
+    const place = placeOf(state, finding);
+    if (!place) continue;
+    const fix = fixOf(state, finding);
+    all.push({
+      ...place, severity: finding.issue.severity, message: issueText(t, language, finding.issue, cycleOf(state, place.from)),
+      ...(fix && { actions: [{ name: t.editor.fix, apply: () => {
+        const now = fixOf(view.state, finding);
+        if (now) dispatch(now);
+      } }] }),
+    });
+  }
+  return setDiagnostics(state, all.sort((a, b) => a.from - b.from)) as Pick<Transaction, "effects"> & TransactionSpec;
+}
