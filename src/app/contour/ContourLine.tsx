@@ -34,7 +34,7 @@ export function ContourLine({ row, number, reading, issues, active, details, lan
   /** What an empty field stands for: where the coordinate stays, what was solved, or that it is open. */
   const shown = (typed: string, solved: boolean, value: number | null | undefined, stays: number | null | undefined): Shown | null => {
     if (typed.trim() !== "" && typed.trim() !== "?") return null;
-    if (solved) return value === null || value === undefined ? { text: "?", name: t.sought, solved: true } : { text: `= ${write(value)}`, name: t.solved(write(value)), solved: true };
+    if (solved) return value === null || value === undefined ? { text: "?", name: t.sought, solved: true } : { text: write(value), name: t.solved(write(value)), solved: true };
     return stays === null || stays === undefined ? null : { text: write(stays), name: write(stays), solved: false };
   };
   const cell = (field: RowField, name: string, grey: Shown | null, incremental?: { on: boolean; name: string; toggle: () => void }): ReactNode => (

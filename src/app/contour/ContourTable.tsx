@@ -42,6 +42,12 @@ export function ContourTable({ rows, onChange, language }: Props) {
     say(done);
     onChange(edited.rows, null);
   };
+  /** An edit in the drawing leaves the keyboard where it is: a field that takes it would scroll the drawing away. */
+  const drawn = (edited: Edited) => {
+    setActive(edited.focus);
+    say(t.done.added);
+    onChange(edited.rows, null);
+  };
   const actions: RowActions = {
     add: () => edit(inserted(rows, rows.length), t.done.added),
     insert: () => edit(inserted(rows, active ?? rows.length), t.done.added),
@@ -70,8 +76,8 @@ export function ContourTable({ rows, onChange, language }: Props) {
       <div className="contour-layout">
         <div className="contour-side">
           <ContourDrawing
-            rows={rows} reading={reading} active={active} language={language} onPick={pick} onRows={onChange}
-            onEdited={(edited) => edit(edited, t.done.added)}
+            rows={rows} reading={reading} active={active} language={language} onPick={(row) => setActive(rows[row]?.id ?? null)} onRows={onChange}
+            onEdited={drawn}
           />
           <FaultList issues={reading.issues} language={language} onPick={pick} />
         </div>

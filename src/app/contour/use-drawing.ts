@@ -62,6 +62,8 @@ const spotAt = (camera: Camera, place: Place): Spot => {
 export function useDrawing(now: Surroundings) {
   const gesture = useRef<Gesture | null>(null);
   const count = useRef(0);
+  /** The element under the last press: a captured pointer no longer tells what lies under it. */
+  const pressed = useRef<number | null>(null);
   const timer = useRef<ReturnType<typeof setTimeout> | null>(null);
   const [readout, setReadout] = useState<{ readonly row: number; readonly spot: Spot; readonly size: number | null } | null>(null);
   const stopWaiting = () => {
@@ -101,6 +103,7 @@ export function useDrawing(now: Surroundings) {
       const corner = (now.mode === "round" || now.mode === "chamfer") && row !== null && isCorner(now.rows, row);
       const kind = corner ? "corner" : row !== null && now.mode !== "round" && now.mode !== "chamfer" && hasPoint(now.rows[row]) ? "point" : now.mode === "draw" || element !== null ? "tap" : "pan";
       count.current += 1;
+      pressed.current = row === null ? element : null;
       gesture.current = { kind, row: row ?? element, from: place, camera: now.picture.camera, rows: now.rows, reading: now.reading, place: `drawing ${count.current}`, moved: false };
       e.currentTarget.setPointerCapture(e.pointerId);
       if (kind === "point" || kind === "corner") now.onCamera(now.picture.camera);
@@ -152,7 +155,7 @@ export function useDrawing(now: Surroundings) {
       end(e);
     },
     onDoubleClick: (e: MouseEvent<SVGSVGElement>) => {
-      const place = placeOf(e), element = rowUnder(e);
+      const place = placeOf(e), element = pressed.current;
       if (now.mode !== "draw" && element !== null && pointNear(place, true) === null) divide(element, place, now.picture.camera);
     },
     /** Escape: the drag that is going on is taken back. */
