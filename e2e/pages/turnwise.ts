@@ -10,6 +10,7 @@ import { ProgramText } from "./program-text.ts";
 import { SettingsPage } from "./settings.ts";
 import { Setup } from "./setup.ts";
 import { Start } from "./start.ts";
+import { ToolTable } from "./tools.ts";
 
 /** What every page object is made of: the browser page and the texts of its screen language. */
 export interface Context {
@@ -36,6 +37,7 @@ export class Turnwise {
   readonly lathe: Lathe;
   readonly program: ProgramText;
   readonly settings: SettingsPage;
+  readonly tools: ToolTable;
   readonly t: Texts;
 
   private constructor(readonly page: Page, readonly language: Language) {
@@ -50,6 +52,7 @@ export class Turnwise {
     this.lathe = new Lathe(context);
     this.program = new ProgramText(context);
     this.settings = new SettingsPage(context);
+    this.tools = new ToolTable(context);
   }
 
   /** Opens the page as a first-time visitor of this language would see it. */

@@ -34,7 +34,7 @@ interface Data {
   toolOnWrongSide: { orientation: number };
   toolCannotCutSideways: { type: string };
   flanksNotChecked: {};
-  toolColumn: { column: string; value: number | null; max?: number; min?: number };
+  toolColumn: { column: string; value: number | null; max?: number; min?: number; nearest?: number };
   toolNumberTwice: { number: number; nearest: number };
   toolName: { text: string; max: number };
   unknownTool: { tool: string };

@@ -54,7 +54,7 @@ function numberOf(cell: NumberColumn | HolderCell, text: string): number | null 
       const { min, max } = ruleOf(cell);
       const { value } = read;
       if (value >= min && value <= max) return value;
-      return issue("outOfRange", "error", { value, min, max, nearest: Math.min(max, Math.max(min, value)) }, cell);
+      return issue("toolColumn", "error", { column: cell, value, min, max, nearest: Math.min(max, Math.max(min, value)) }, cell);
     }
   }
 }

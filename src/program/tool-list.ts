@@ -32,6 +32,10 @@ export function freeNumber(list: ToolList, from = 0): number {
   return n;
 }
 
+/** Away from its row a finding must name its column itself. */
+const naming = (found: Issue): Issue =>
+  found.code === "toolColumn" ? found : issue("toolColumn", "error", { column: found.at ?? "T", value: null }, found.at);
+
 const known = new WeakMap<ToolEntry, EntryReading>();
 
 /** A row read, once for each state of the row. */
@@ -66,7 +70,7 @@ export function readList(list: ToolList): ToolListReading {
     if (number === null) return;
     taken.add(number);
     if (tool) tools.push(tool);
-    else refused.set(number, issues.filter((each) => each.severity === "error"));
+    else refused.set(number, issues.filter((each) => each.severity === "error").map(naming));
   });
   return { table: { tools, refused }, rows };
 }

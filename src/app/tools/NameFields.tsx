@@ -40,7 +40,7 @@ function TypeField({ entry, issues }: Props) {
   const type = cellOf(entry, "TYPE");
   const found = issues.filter((issue) => issue.at === "TYPE");
   return (
-    <div className="tool-field">
+    <div className="tool-field wide">
       <label htmlFor={id}><b className="number">TYPE</b> <span className="soft small">{t.columns.TYPE}</span></label>
       <select
         id={id} className="select" aria-label={t.field("TYPE", t.columns.TYPE)} value={type} aria-invalid={found.length > 0} aria-describedby={`${id}-wrong`}

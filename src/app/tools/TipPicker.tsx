@@ -58,9 +58,9 @@ export function TipPicker({ name, value, tool, onChoose }: {
               onChange={() => onChoose(to)} onKeyDown={(e) => onKeyDown(e, place)}
             />
             <span className="tip-picture" aria-hidden="true">
-              {tool ? <InsertDrawing tool={{ ...tool, TO: to }} width={DRAWING} height={DRAWING} /> : <Arrow place={place} />}
+              {tool && <InsertDrawing tool={{ ...tool, TO: to }} width={DRAWING} height={DRAWING} />}
             </span>
-            <b className="number" aria-hidden="true">{to}</b>
+            <span className="tip-words" aria-hidden="true"><b className="number">{to}</b><Arrow place={place} /></span>
           </label>
         ))}
       </div>

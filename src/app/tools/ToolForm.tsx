@@ -1,5 +1,6 @@
-import { useId, type KeyboardEvent } from "react";
+import { useId, useMemo, type KeyboardEvent } from "react";
 import type { Issue } from "../../kernel/issue.ts";
+import type { Tool } from "../../kernel/tool.ts";
 import { applies, HOLDER_CELLS, type NumberColumn } from "../../program/tool-columns.ts";
 import { cellOf, readEntry, type EntryReading, type ToolEntry } from "../../program/tool-entry.ts";
 import { Icon } from "../Icon.tsx";
@@ -26,17 +27,21 @@ function onEnter(event: KeyboardEvent<HTMLElement>): void {
   if (next instanceof HTMLInputElement && next.type === "text") next.select();
 }
 
+/** What the insert of a row looks like, whatever its number and name; `instead` stands for cells that do not matter either. */
+const shapeOf = (entry: ToolEntry, reading: EntryReading, instead: ToolEntry["cells"] = {}): Tool | null =>
+  reading.tool ?? readEntry({ ...entry, cells: { ...entry.cells, T: String(reading.number ?? 0), NAME: "", ...instead } }).tool;
+
 /** The orientation of a row with its picture and what is wrong with it. */
 function Orientation({ entry, reading, issues }: { readonly entry: ToolEntry; readonly reading: EntryReading; readonly issues: readonly Issue[] }) {
   const id = useId();
   const text = cellOf(entry, "TO");
-  const without = reading.tool ?? readEntry({ ...entry, cells: { ...entry.cells, TO: "1" } }).tool;
+  const without = useMemo(() => shapeOf(entry, reading, { TO: "1" }), [entry, reading]);
   const drawn = useLastTool(entry.id, without);
   const value = Number(text);
   return (
     <div className="tool-field wide">
       <TipPicker
-        name={`${id}-to`} value={text.trim() === "" ? null : value} tool={drawn && { ...drawn, ...without }}
+        name={`${id}-to`} value={text.trim() === "" ? null : value} tool={drawn}
         onChoose={(to) => {
           closeToolStep();
           setCell(entry.id, "TO", String(to));
@@ -58,8 +63,9 @@ export function ToolForm({ entry, reading, onDuplicate, onRemove }: {
   const t = useTexts().tools;
   const name = useToolName()(entry);
   const type = cellOf(entry, "TYPE");
-  const { issues, tool } = reading;
-  const drawn = useLastTool(entry.id, tool);
+  const { issues } = reading;
+  const shape = useMemo(() => shapeOf(entry, reading), [entry, reading]);
+  const drawn = useLastTool(entry.id, shape);
   const field = (cell: NumberColumn) => (
     <ToolField key={cell} entry={entry} cell={cell} issues={issues} unused={applies(cell, type) ? null : type} />
   );
@@ -70,7 +76,7 @@ export function ToolForm({ entry, reading, onDuplicate, onRemove }: {
         <button type="button" className="button" aria-label={t.duplicateLong(name)} onClick={onDuplicate}><Icon name="copy" /> {t.duplicate}</button>
         <button type="button" className="button" aria-label={t.removeLong(name)} onClick={onRemove}><Icon name="close" /> {t.remove}</button>
       </header>
-      <LiveInsert tool={drawn} now={tool !== null} />
+      <LiveInsert tool={drawn} now={shape !== null} />
       <fieldset className="tool-group"><legend>{t.groups.name}</legend><NameFields entry={entry} issues={issues} /></fieldset>
       <fieldset className="tool-group">
         <legend>{t.groups.tip}</legend>

@@ -41,10 +41,10 @@ export const messages = {
     toolCannotCutSideways: (d) => `Ein ${d.type}-Werkzeug sticht nur ein, dieser Zyklus schneidet auch seitlich. RECTURN-Werkzeug nehmen.`,
     flanksNotChecked: () => "T-ANGLE oder P-ANGLE ist leer: Die Flanken der Schneide werden nicht geprüft.",
     toolColumn: (d, w) => {
-      const what = d.value === null ? `${d.column} fehlt oder ist keine Zahl.` : `${d.column} ${w.number(d.value)} ist nicht möglich.`;
-      if (d.min !== undefined && d.max !== undefined) return `${what} Erlaubt: ${w.number(d.min)} bis ${w.number(d.max)}.`;
-      if (d.min !== undefined) return `${what} Der Wert muss ${d.column === "CUTWIDTH" ? "größer als" : "mindestens"} ${w.number(d.min)} sein.`;
-      return d.max === undefined ? what : `${what} Der Wert muss kleiner als ${w.number(d.max)} sein.`;
+      const what = d.value === null ? `${d.column} fehlt oder ist keine Zahl.` : `${d.column} ${w.value(d.value)} ist nicht möglich.`;
+      if (d.min !== undefined && d.max !== undefined) return `${what} Erlaubt: ${w.value(d.min)} bis ${w.value(d.max)}.`;
+      if (d.min !== undefined) return `${what} Der Wert muss ${d.column === "CUTWIDTH" ? "größer als" : "mindestens"} ${w.value(d.min)} sein.`;
+      return d.max === undefined ? what : `${what} Der Wert muss kleiner als ${w.value(d.max)} sein.`;
     },
     toolNumberTwice: (d) => `Werkzeug ${d.number} steht schon in der Tabelle. ${nearest(String(d.nearest))}`,
     toolName: (d, w) => `„${w.text(d.text)}“: Ein Name hat höchstens ${d.max} Zeichen, nur Großbuchstaben, Ziffern und # $ % & , - . sind erlaubt.`,

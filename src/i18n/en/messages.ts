@@ -44,10 +44,10 @@ export const messages = {
     toolCannotCutSideways: (d) => `A ${d.type} tool only plunges, this cycle also cuts sideways. Take a RECTURN tool.`,
     flanksNotChecked: () => "T-ANGLE or P-ANGLE is empty: the flanks of the insert are not checked.",
     toolColumn: (d, w) => {
-      const what = d.value === null ? `${d.column} is missing or no number.` : `${d.column} ${w.number(d.value)} is not possible.`;
-      if (d.min !== undefined && d.max !== undefined) return `${what} Allowed: ${w.number(d.min)} to ${w.number(d.max)}.`;
-      if (d.min !== undefined) return `${what} It must be ${d.column === "CUTWIDTH" ? "more than" : "at least"} ${w.number(d.min)}.`;
-      return d.max === undefined ? what : `${what} It must be less than ${w.number(d.max)}.`;
+      const what = d.value === null ? `${d.column} is missing or no number.` : `${d.column} ${w.value(d.value)} is not possible.`;
+      if (d.min !== undefined && d.max !== undefined) return `${what} Allowed: ${w.value(d.min)} to ${w.value(d.max)}.`;
+      if (d.min !== undefined) return `${what} It must be ${d.column === "CUTWIDTH" ? "more than" : "at least"} ${w.value(d.min)}.`;
+      return d.max === undefined ? what : `${what} It must be less than ${w.value(d.max)}.`;
     },
     toolNumberTwice: (d) => `Tool ${d.number} stands in the table already. ${nearest(String(d.nearest))}`,
     toolName: (d, w) => `“${w.text(d.text)}”: a name has at most ${d.max} characters: capital letters, digits and # $ % & , - . only.`,

@@ -42,10 +42,10 @@ export const messages = {
     toolCannotCutSideways: (d) => `Un outil ${d.type} ne fait que plonger, ce cycle coupe aussi latéralement. Prendre un outil RECTURN.`,
     flanksNotChecked: () => "T-ANGLE ou P-ANGLE est vide : les flancs de la plaquette ne sont pas contrôlés.",
     toolColumn: (d, w) => {
-      const what = d.value === null ? `${d.column} manque ou n'est pas un nombre.` : `${d.column} ${w.number(d.value)} n'est pas possible.`;
-      if (d.min !== undefined && d.max !== undefined) return `${what} Permis : ${w.number(d.min)} à ${w.number(d.max)}.`;
-      if (d.min !== undefined) return `${what} La valeur doit être ${d.column === "CUTWIDTH" ? "supérieure à" : "au moins"} ${w.number(d.min)}.`;
-      return d.max === undefined ? what : `${what} La valeur doit être inférieure à ${w.number(d.max)}.`;
+      const what = d.value === null ? `${d.column} manque ou n'est pas un nombre.` : `${d.column} ${w.value(d.value)} n'est pas possible.`;
+      if (d.min !== undefined && d.max !== undefined) return `${what} Permis : ${w.value(d.min)} à ${w.value(d.max)}.`;
+      if (d.min !== undefined) return `${what} La valeur doit être ${d.column === "CUTWIDTH" ? "supérieure à" : "au moins"} ${w.value(d.min)}.`;
+      return d.max === undefined ? what : `${what} La valeur doit être inférieure à ${w.value(d.max)}.`;
     },
     toolNumberTwice: (d) => `L'outil ${d.number} est déjà dans le tableau. ${nearest(String(d.nearest))}`,
     toolName: (d, w) => `« ${w.text(d.text)} » : un nom a au plus ${d.max} caractères, en majuscules, chiffres et # $ % & , - . seulement.`,

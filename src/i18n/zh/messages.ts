@@ -36,10 +36,10 @@ export const messages = {
     toolCannotCutSideways: (d) => `${d.type}刀具只能切入,本循环还需横向切削。请使用RECTURN刀具。`,
     flanksNotChecked: () => "T-ANGLE或P-ANGLE为空:不检查刀片侧面。",
     toolColumn: (d, w) => {
-      const what = d.value === null ? `${d.column}缺失或不是数字。` : `${d.column} ${w.number(d.value)}不可用。`;
-      if (d.min !== undefined && d.max !== undefined) return `${what}允许范围:${w.number(d.min)}至${w.number(d.max)}。`;
-      if (d.min !== undefined) return `${what}必须${d.column === "CUTWIDTH" ? "大于" : "不小于"}${w.number(d.min)}。`;
-      return d.max === undefined ? what : `${what}必须小于${w.number(d.max)}。`;
+      const what = d.value === null ? `${d.column}缺失或不是数字。` : `${d.column} ${w.value(d.value)}不可用。`;
+      if (d.min !== undefined && d.max !== undefined) return `${what}允许范围:${w.value(d.min)}至${w.value(d.max)}。`;
+      if (d.min !== undefined) return `${what}必须${d.column === "CUTWIDTH" ? "大于" : "不小于"}${w.value(d.min)}。`;
+      return d.max === undefined ? what : `${what}必须小于${w.value(d.max)}。`;
     },
     toolNumberTwice: (d) => `刀具${d.number}已在刀具表中。${nearest(String(d.nearest))}`,
     toolName: (d, w) => `“${w.text(d.text)}”:名称最多${d.max}个字符,仅限大写字母、数字和# $ % & , - .符号。`,

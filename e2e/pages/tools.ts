@@ -1,0 +1,122 @@
+import type { Locator } from "@playwright/test";
+import type { CellName, HolderCell, ToolColumn } from "../../src/program/tool-columns.ts";
+import type { Context } from "./turnwise.ts";
+
+/** Text inside a pattern. */
+const plain = (text: string) => text.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
+
+/** The tool table: the rows of the device on one side, the columns of the open row on the other. */
+export class ToolTable {
+  constructor(private readonly context: Context) {}
+
+  /** Opens the table from anywhere. */
+  async open(): Promise<void> {
+    await this.button(this.context.t.tools.openLong).click();
+    await this.table.or(this.context.page.getByText(this.context.t.tools.none)).waitFor();
+  }
+
+  /** Goes back to the work. */
+  async close(): Promise<void> {
+    await this.button(this.context.t.tools.backLong).click();
+  }
+
+  get table(): Locator {
+    return this.context.page.getByRole("table", { name: this.context.t.tools.table, exact: true });
+  }
+
+  /** The row of a tool by its number. */
+  row(number: number | string): Locator {
+    return this.table.getByRole("row").filter({ has: this.context.page.getByRole("button", { name: this.rowName(number) }) });
+  }
+
+  /** The button that opens a row. */
+  rowButton(number: number | string): Locator {
+    return this.table.getByRole("button", { name: this.rowName(number) });
+  }
+
+  /** The columns of the open row. */
+  get form(): Locator {
+    return this.context.page.getByRole("region", { name: new RegExp(this.context.t.tools.form("").trim()) });
+  }
+
+  /** A text field of the open row. */
+  cell(name: Exclude<CellName, "TYPE" | "TO">): Locator {
+    const { columns, holder, field } = this.context.t.tools;
+    const label = name in holder ? holder[name as HolderCell] : field(name, columns[name as ToolColumn]);
+    return this.form.getByRole("textbox", { name: label, exact: true });
+  }
+
+  get type(): Locator {
+    return this.form.getByRole("combobox", { name: this.context.t.tools.field("TYPE", this.context.t.tools.columns.TYPE), exact: true });
+  }
+
+  /** One of the nine directions of TO. */
+  direction(to: number): Locator {
+    const { orientation, orientationOf, directions } = this.context.t.tools;
+    return this.form.getByRole("radiogroup", { name: orientation, exact: true }).getByRole("radio", { name: orientationOf(to, directions[to - 1] ?? ""), exact: true });
+  }
+
+  get drawing(): Locator {
+    return this.form.getByRole("figure", { name: this.context.t.tools.drawing, exact: true });
+  }
+
+  /** What came of a file, of deleting, of putting the shipped tools back. */
+  get status(): Locator {
+    return this.context.page.locator(".tool-status");
+  }
+
+  get add(): Locator {
+    return this.button(this.context.t.tools.add);
+  }
+
+  get duplicate(): Locator {
+    return this.form.getByRole("button", { name: this.named(this.context.t.tools.duplicateLong) });
+  }
+
+  get remove(): Locator {
+    return this.form.getByRole("button", { name: this.named(this.context.t.tools.removeLong) });
+  }
+
+  get restore(): Locator {
+    return this.button(this.context.t.tools.restoreLong);
+  }
+
+  /** The undo that stands beside what was just done. */
+  get takeBack(): Locator {
+    return this.status.getByRole("button", { name: this.context.t.tools.undo, exact: true });
+  }
+
+  /** Chooses a file to import. */
+  async import(name: string, text: string): Promise<void> {
+    const choosing = this.context.page.waitForEvent("filechooser");
+    await this.button(this.context.t.tools.importLong).click();
+    await (await choosing).setFiles({ name, mimeType: "text/plain", buffer: Buffer.from(text) });
+  }
+
+  /** Downloads the table and gives the text of the file. */
+  async export(kind: "json" | "text"): Promise<{ name: string; text: string }> {
+    const { exportJsonLong, exportTextLong } = this.context.t.tools;
+    const downloading = this.context.page.waitForEvent("download");
+    await this.button(kind === "json" ? exportJsonLong : exportTextLong).click();
+    const download = await downloading;
+    const stream = await download.createReadStream();
+    const parts: Buffer[] = [];
+    for await (const part of stream) parts.push(Buffer.from(part as Uint8Array));
+    return { name: download.suggestedFilename(), text: Buffer.concat(parts).toString("utf8") };
+  }
+
+  private button(name: string): Locator {
+    return this.context.page.getByRole("button", { name, exact: true });
+  }
+
+  private rowName(number: number | string): RegExp {
+    const { select, toolName } = this.context.t.tools;
+    return this.named(select, `${plain(toolName(String(number), ""))}(?![\\d.]).*`);
+  }
+
+  /** A name that has the tool somewhere in it. */
+  private named(long: (tool: string) => string, tool = ".*"): RegExp {
+    const [before = "", behind = ""] = long("§").split("§");
+    return new RegExp(`^${plain(before)}${tool}${plain(behind)}(,|$)`);
+  }
+}

@@ -1,0 +1,152 @@
+import { expect, test } from "@playwright/test";
+import { LANGUAGES } from "../src/i18n/languages.ts";
+import { tabTo } from "./pages/keyboard.ts";
+import { Turnwise } from "./pages/turnwise.ts";
+
+test("a tool of one's own by keyboard alone: made, kept over a reload, offered in the set-up and run with", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { tools, setup, effect, t } = turnwise;
+  const { keyboard } = page;
+  await turnwise.start.beginWithExample(812);
+  await expect(effect.cell("proof")).toHaveText(t.page.effect.clean);
+  await tabTo(page, page.getByRole("button", { name: t.tools.openLong }), "Shift+Tab");
+  await keyboard.press("Enter");
+  await expect(tools.rowButton(1)).toBeFocused();
+  await keyboard.press("ArrowDown");
+  await expect(tools.rowButton(2)).toBeFocused();
+  await tabTo(page, tools.add, "Shift+Tab");
+  await keyboard.press("Enter");
+  await expect(tools.cell("T")).toBeFocused();
+  await expect(tools.cell("T")).toHaveValue("16");
+  await keyboard.type("21");
+  await keyboard.press("Enter");
+  await expect(tools.cell("NAME")).toBeFocused();
+  await keyboard.type("shop 35");
+  await tabTo(page, tools.direction(1));
+  await keyboard.press("Enter");
+  await expect(tools.cell("RS")).toBeFocused();
+  for (const value of ["0.4", "", "93", "35", "16"]) {
+    await keyboard.type(value);
+    await keyboard.press("Enter");
+  }
+  await expect(tools.row(21)).toContainText("SHOP 35");
+  await expect(tools.drawing).toBeVisible();
+  await page.waitForTimeout(200);
+  await page.reload();
+  await turnwise.show("setup");
+  await setup.tool(21).check();
+  await expect(effect.cell("proof")).toHaveText(t.page.effect.clean);
+  await expect(turnwise.program.blocks.filter({ hasText: "TOOL CALL 21" })).toBeVisible();
+  await tools.open();
+  await tools.rowButton(21).click();
+  await tools.cell("RS").fill("-1");
+  await expect(tools.form).toContainText(t.dialog.takeNearest("0"));
+  await expect(tools.drawing).toContainText(t.tools.lastPossible);
+  await tools.close();
+  await turnwise.show("problems");
+  await expect(page.getByRole("tabpanel")).toContainText("RS -1");
+});
+
+test("undo and redo, duplicate, delete and the shipped tools", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { tools } = turnwise;
+  await tools.open();
+  await tools.rowButton(3).click();
+  await tools.cell("RS").fill("1.2");
+  await expect(tools.row(3)).toContainText("1.2");
+  await turnwise.undo();
+  await expect(tools.cell("RS")).toHaveValue("0.4");
+  await turnwise.redo();
+  await expect(tools.cell("RS")).toHaveValue("1.2");
+  await tools.duplicate.click();
+  await expect(tools.cell("T")).toHaveValue("16");
+  await expect(tools.cell("RS")).toHaveValue("1.2");
+  await tools.cell("T").fill("3");
+  await tools.form.getByRole("button", { name: turnwise.t.dialog.takeNearest("16") }).click();
+  await expect(tools.cell("T")).toHaveValue("16");
+  await tools.remove.click();
+  await expect(tools.rowButton(16)).toHaveCount(0);
+  await tools.takeBack.click();
+  await expect(tools.rowButton(16)).toBeVisible();
+  await tools.restore.click();
+  await expect(tools.rowButton(16)).toHaveCount(0);
+  await page.keyboard.press("Control+z");
+  await expect(tools.rowButton(16)).toBeVisible();
+});
+
+test("TO by its picture, columns that a type has no use for, and a sum", async ({ page }) => {
+  const { tools, t } = await Turnwise.open(page);
+  await tools.open();
+  const shape = () => tools.drawing.locator("path.shape-insert").getAttribute("d");
+  const before = await shape();
+  await tools.direction(7).check();
+  expect(await shape()).not.toBe(before);
+  await tools.direction(7).press("ArrowDown");
+  await expect(tools.direction(8)).toBeChecked();
+  await tools.type.selectOption("RECTURN");
+  await expect(tools.cell("T-ANGLE")).toBeDisabled();
+  await expect(tools.cell("CUTWIDTH")).toBeEnabled();
+  await expect(tools.drawing).toContainText(t.tools.lastPossible);
+  await tools.cell("CUTWIDTH").fill("2*1,5");
+  await tools.cell("CUTWIDTH").press("Enter");
+  await expect(tools.cell("CUTWIDTH")).toHaveValue("3");
+  await expect(tools.drawing).not.toContainText(t.tools.lastPossible);
+  await tools.cell("width").fill("20");
+  await tools.cell("length").fill("100");
+  await expect(tools.drawing.locator("path.shape-holder")).toBeAttached();
+});
+
+test("out and in again, as JSON and as column text", async ({ page }) => {
+  const { tools, t } = await Turnwise.open(page);
+  await tools.open();
+  const json = await tools.export("json");
+  expect(json.name).toBe("TOOLS.json");
+  expect(JSON.parse(json.text).tools).toHaveLength(15);
+  const text = await tools.export("text");
+  expect(text.name).toBe("TOOLTURN.TRN");
+  expect(text.text).toMatch(/^BEGIN TOOLTURN\.TRN MM\r\nT /);
+  await tools.import("SHOP.TRN", text.text.replace("CNMG-80-R08", "MINE-80-R08").replace("\r\n15 ", "\r\n40 "));
+  await expect(tools.status).toContainText(t.tools.imported("SHOP.TRN", 14, 1));
+  await expect(tools.row(1)).toContainText("MINE-80-R08");
+  await expect(tools.rowButton(40)).toBeVisible();
+  await tools.takeBack.click();
+  await expect(tools.row(1)).toContainText("CNMG-80-R08");
+  await tools.import("letter.txt", "Dear sirs");
+  await expect(tools.status).toContainText(t.tools.problems.notATable("letter.txt"));
+  await tools.import("wrong.json", '{ "tools": [ { "T": 50, "TYPE": "ROUGH", "TO": 99, "RS": 0.8, "COLOUR": 1 } ] }');
+  await expect(tools.status).toContainText(t.tools.importedWrong(1));
+  await expect(tools.status).toContainText(t.tools.leftOut("COLOUR"));
+  await expect(tools.rowButton(50)).toHaveAttribute("aria-current", "true");
+  await tools.export("json");
+  await expect(tools.status).toContainText(t.tools.exportedWithout("50"));
+});
+
+test("two tabs share one table", async ({ page, context }) => {
+  const first = await Turnwise.open(page);
+  await first.tools.open();
+  const second = await Turnwise.open(await context.newPage());
+  await second.tools.open();
+  await first.tools.cell("NAME").fill("FROM-FIRST");
+  await expect(second.tools.row(1)).toContainText("FROM-FIRST");
+});
+
+test("a damaged table is set aside with a message, and the shipped tools are in place", async ({ page }) => {
+  await page.addInitScript(() => localStorage.setItem("turnwise/tools", "{broken"));
+  const { tools, t } = await Turnwise.open(page);
+  await expect(page.getByText(t.page.notice.toolsDamaged)).toBeVisible();
+  await tools.open();
+  await expect(tools.rowButton(15)).toBeVisible();
+});
+
+for (const language of LANGUAGES) {
+  test(`the table in ${language}`, async ({ page }) => {
+    const { tools } = await Turnwise.open(page, { language });
+    await tools.open();
+    await tools.cell("RS").fill("0.5");
+    await expect(tools.row(1)).toContainText(language === "de" || language === "fr" ? "0,5" : "0.5");
+    await tools.direction(3).check();
+    await tools.duplicate.click();
+    await tools.remove.click();
+    await expect(tools.takeBack).toBeVisible();
+  });
+}
