@@ -64,7 +64,7 @@ export function callCycle(machine: Machine, index: number): void {
   const firstStep = machine.steps.length;
   let [from, seconds] = [start, 0];
   for (const move of plan.moves) {
-    seconds += machine.step(from, move, index, operation);
+    seconds += machine.step(from, move, index, operation, plan.tool ?? tool);
     from = move.to;
   }
   machine.z = from.z;

@@ -154,17 +154,17 @@ export class Machine {
     return this.x === null || this.z === null ? null : { z: axial(this.z), r: toRadius(diameter(this.x)) };
   }
 
-  /** Adds one motion of the current tool. */
-  step(from: Pt, move: Move, index: number, operation: number | null): number {
+  /** Adds one motion of the current tool, or of that tool as a cycle adapts it. */
+  step(from: Pt, move: Move, index: number, operation: number | null, adapted: Tool | null = this.tool): number {
     if (this.steps.length >= MOST_MOVES) {
       if (!this.full) this.say(programIssue("tooManyMoves", "error", { limit: MOST_MOVES }), index);
       this.full = true;
       return 0;
     }
-    if (!this.tool) return 0;
+    if (!adapted) return 0;
     const spindle = this.spindle ?? { kind: "constant" as const, speed: 0 };
     const seconds = secondsOf(from, move, spindle, this.shop.rapid);
-    this.steps.push({ from, move, tool: this.tool, block: this.numbers[index] ?? 0, operation, seconds });
+    this.steps.push({ from, move, tool: adapted, block: this.numbers[index] ?? 0, operation, seconds });
     this.stepBlocks.push(index);
     return seconds;
   }

@@ -44,7 +44,8 @@ export function finishContour(track: Track, f: Finish, issues: Issue[]): void {
   // A contour that begins with a rise is joined at its foot; one that the insert cannot touch there, where it can.
   const left = heightAt(f.ground.envelope, u0 - SAME);
   const low = f.ground.start.v;
-  const begin = { u: u0, v: first.v <= low + SAME ? first.v : Math.min(first.v, Math.max(low, left)) };
+  // One that begins with a wall that falls is followed from the top of the wall.
+  const begin = { u: u0, v: first.v < low - SAME ? low : first.v <= low + SAME ? first.v : Math.min(first.v, Math.max(low, left)) };
   if (!f.smoothing && nearContour(f.start, f.contour) < f.clearance) {
     issues.push(issue("startInsideEnvelope", "warning", { clearance: f.clearance }, "start.x"));
   } else {
