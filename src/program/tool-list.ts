@@ -47,26 +47,27 @@ function readOnce(entry: ToolEntry): EntryReading {
   return made;
 }
 
-/** Reads every row. Of two rows with one number the first keeps it. */
+/** Reads every row. Of two rows with one number the first keeps it, and both say so: either may be the one to change. */
 export function readList(list: ToolList): ToolListReading {
   const rows = new Map<string, EntryReading>();
   const tools: Tool[] = [];
   const refused = new Map<number, readonly Issue[]>();
   const taken = new Set<number>();
-  const numbers = new Set<number>();
+  const numbers = new Map<number, number>();
   const readings = list.map(readOnce);
-  for (const { number } of readings) if (number !== null) numbers.add(number);
+  for (const { number } of readings) if (number !== null) numbers.set(number, (numbers.get(number) ?? 0) + 1);
   list.forEach((entry, i) => {
     const reading = readings[i] as EntryReading;
     const { number, tool, issues } = reading;
-    if (number !== null && taken.has(number)) {
+    if (number === null || numbers.get(number) === 1) rows.set(entry.id, reading);
+    else {
       let nearest = Math.floor(number) + 1;
       while (numbers.has(nearest)) nearest++;
-      const twice = issue("toolNumberTwice", "error", { number, nearest }, "T");
-      rows.set(entry.id, { tool: null, number, issues: [twice, ...issues] });
-      return;
+      const first = !taken.has(number);
+      const twice = issue("toolNumberTwice", first ? "warning" : "error", { number, nearest }, "T");
+      rows.set(entry.id, { tool: first ? tool : null, number, issues: [twice, ...issues] });
+      if (!first) return;
     }
-    rows.set(entry.id, reading);
     if (number === null) return;
     taken.add(number);
     if (tool) tools.push(tool);

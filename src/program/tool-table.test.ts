@@ -61,7 +61,8 @@ describe("the list", () => {
     const twice = [...shippedList, { id: newId(shippedList), cells: { ...shippedList[0]?.cells } }];
     const { table: read, rows } = readList(twice);
     expect(read.tools).toEqual(shippedTools);
-    expect(rows.get("r16")?.issues).toMatchObject([{ code: "toolNumberTwice", at: "T", data: { number: 1, nearest: 16 } }]);
+    expect(rows.get("r16")?.issues).toMatchObject([{ code: "toolNumberTwice", severity: "error", at: "T", data: { number: 1, nearest: 16 } }]);
+    expect(rows.get("r1")).toMatchObject({ tool: shippedTools[0], issues: [{ code: "toolNumberTwice", severity: "warning" }] });
   });
 
   test("a row with an error is refused with its reasons", () => {

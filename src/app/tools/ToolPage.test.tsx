@@ -1,0 +1,148 @@
+import { cleanup, render, screen, within } from "@testing-library/react";
+import userEvent from "@testing-library/user-event";
+import { afterEach, beforeEach, expect, test, vi } from "vitest";
+import { shippedTools } from "../../program/shipped-tools.ts";
+import { cellOf } from "../../program/tool-entry.ts";
+import { shippedList } from "../../program/tool-list.ts";
+import { writeTableText } from "../../program/tool-table-text.ts";
+import { onHistoryKey } from "../history.ts";
+import { useKeeping } from "../saving/keep.ts";
+import { changeSettings } from "../settings/settings.ts";
+import { readKept, startTools, writeKept } from "./keep-tools.ts";
+import { showTools, showToolNumber, useToolPlace } from "./tool-place.ts";
+import { readTools, takeTools, toolTable, undoTools, useTools } from "./tool-store.ts";
+import { ToolPage } from "./ToolPage.tsx";
+
+const field = (name: string) => screen.getByRole<HTMLInputElement>("textbox", { name });
+const list = () => useTools.getState().list;
+const row = (n: number) => list().find((entry) => entry.id === `r${n}`);
+const steps = () => useTools.temporal.getState().pastStates.length;
+
+beforeEach(() => {
+  changeSettings({ language: "en" });
+  localStorage.removeItem("turnwise/tools");
+  localStorage.removeItem("turnwise/tools/damaged");
+  useKeeping.setState({ notices: [] });
+  takeTools(shippedList);
+  useToolPlace.setState({ shown: true, row: null });
+});
+afterEach(cleanup);
+
+test("typing in one cell is one step of undo, and other tools stay as they are", async () => {
+  render(<ToolPage />);
+  const user = userEvent.setup();
+  await user.clear(field("RS: cutting edge radius"));
+  await user.type(field("RS: cutting edge radius"), "1.25");
+  expect(toolTable().tools[0]?.RS).toBe(1.25);
+  expect(toolTable().tools.slice(1)).toEqual(shippedTools.slice(1));
+  expect(steps()).toBe(1);
+  undoTools();
+  expect(toolTable().tools).toEqual(shippedTools);
+});
+
+test("the history keys work on the table while it is shown, and open the row that changes", async () => {
+  render(<ToolPage />);
+  document.addEventListener("keydown", onHistoryKey);
+  const user = userEvent.setup();
+  await user.type(field("NAME: tool name"), "x");
+  expect(cellOf(row(1) ?? shippedList[0]!, "NAME")).toBe("CNMG-80-R08X");
+  await user.click(screen.getByRole("button", { name: "Edit tool 4 VNMG-35-R04" }));
+  await user.keyboard("{Control>}z{/Control}");
+  expect(row(1)).toEqual(shippedList[0]);
+  expect(useToolPlace.getState().row).toBe("r1");
+  document.removeEventListener("keydown", onHistoryKey);
+});
+
+test("a cell that cannot be used is said at its column, refused for programs, and its last insert stays", async () => {
+  render(<ToolPage />);
+  const user = userEvent.setup();
+  await user.clear(field("P-ANGLE: point angle"));
+  await user.type(field("P-ANGLE: point angle"), "85");
+  expect(field("P-ANGLE: point angle").getAttribute("aria-invalid")).toBe("true");
+  const described = field("P-ANGLE: point angle").getAttribute("aria-describedby")?.split(" ").map((id) => document.getElementById(id)?.textContent ?? "").join(" ");
+  expect(described).toContain("It must be less than 85.");
+  expect(within(screen.getByRole("figure")).getByText(/Last possible insert/)).toBeTruthy();
+  expect([...toolTable().refused.keys()]).toEqual([1]);
+  expect(screen.getByText("1 with an error")).toBeTruthy();
+});
+
+test("columns that a type has no use for cannot be typed into and keep their values", async () => {
+  render(<ToolPage />);
+  const user = userEvent.setup();
+  await user.selectOptions(screen.getByRole("combobox", { name: "TYPE: type of tool" }), "BUTTON");
+  for (const name of ["T-ANGLE: setting angle", "P-ANGLE: point angle", "CUTLENGTH: length of the cutting edge", "CUTWIDTH: width of the cutting edge", "DCW: oversize of the width"])
+    expect(field(name).disabled).toBe(true);
+  expect(field("T-ANGLE: setting angle").value).toBe("95");
+  await user.selectOptions(screen.getByRole("combobox", { name: "TYPE: type of tool" }), "ROUGH");
+  expect(toolTable().tools).toEqual(shippedTools);
+});
+
+test("TO by arrow keys goes where the arrow points", async () => {
+  render(<ToolPage />);
+  const user = userEvent.setup();
+  screen.getByRole("radio", { name: "TO 1: −Z −X" }).focus();
+  await user.keyboard("{ArrowUp}");
+  expect(toolTable().tools[0]?.TO).toBe(8);
+  await user.keyboard("{ArrowRight}");
+  expect(toolTable().tools[0]?.TO).toBe(9);
+  await user.keyboard("{ArrowUp}{ArrowRight}");
+  expect(toolTable().tools[0]?.TO).toBe(5);
+});
+
+test("numbers are shown in the writing of the screen language", async () => {
+  changeSettings({ language: "de" });
+  render(<ToolPage />);
+  const user = userEvent.setup();
+  expect(field("RS: Schneidenradius").value).toBe("0,8");
+  await user.clear(field("RS: Schneidenradius"));
+  await user.type(field("RS: Schneidenradius"), "1,2/2{Tab}");
+  expect(toolTable().tools[0]?.RS).toBe(0.6);
+});
+
+test("a file is taken over as one step, what it is missing is said", async () => {
+  render(<ToolPage />);
+  const user = userEvent.setup();
+  const text = writeTableText(shippedTools.slice(0, 2)).replace("CNMG", "SHOP").replace("[END]", "77      HALF");
+  const input = document.querySelector<HTMLInputElement>("input[type=file]");
+  await user.upload(input as HTMLInputElement, new File([text], "T.TRN"));
+  await vi.waitFor(() => expect(screen.getByText(/T\.TRN: 1 new, 2 replaced\. 1 row has an error\..*\[END\] is missing/)).toBeTruthy());
+  expect(toolTable().tools[0]?.NAME).toBe("SHOP-80-R08");
+  expect(steps()).toBe(1);
+  await user.click(within(screen.getByText(/T\.TRN/).closest("p") as HTMLElement).getByRole("button", { name: "Undo" }));
+  expect(toolTable().tools).toEqual(shippedTools);
+});
+
+test("the row of a tool is opened by its number", () => {
+  showToolNumber(8);
+  render(<ToolPage />);
+  expect(field("NAME: tool name").value).toBe("FACE-RECTURN-3");
+  showTools();
+  expect(useToolPlace.getState()).toEqual({ shown: true, row: "r8" });
+});
+
+test("what is kept comes back; the shipped table is not kept, so that it can be a better one later", () => {
+  const changed = list().map((entry) => (entry.id === "r2" ? { ...entry, cells: { ...entry.cells, RS: "abc" } } : entry));
+  expect(readKept(writeKept(changed) ?? "")).toEqual(changed);
+  expect(writeKept(shippedList)).toBeNull();
+  for (const damaged of ["", "{", "[]", '{"version":2,"rows":[]}', '{"version":1,"rows":[{"id":"a","cells":{"RS":1}}]}', '{"version":1,"rows":[{"id":"a","cells":{}},{"id":"a","cells":{}}]}'])
+    expect(readKept(damaged)).toBeNull();
+  expect(readKept('{"version":1,"rows":[]}')).toEqual([]);
+});
+
+test("changes are kept on the device, damaged tables are set aside, other tabs are followed", () => {
+  localStorage.setItem("turnwise/tools", "{broken");
+  const stop = startTools();
+  expect(useKeeping.getState().notices).toEqual(["toolsDamaged"]);
+  expect(localStorage.getItem("turnwise/tools/damaged")).toBe("{broken");
+  expect(list()).toEqual(shippedList);
+  const changed = shippedList.slice(0, 3);
+  useTools.setState({ list: changed });
+  dispatchEvent(new Event("pagehide"));
+  expect(readKept(localStorage.getItem("turnwise/tools") ?? "")).toEqual(changed);
+  const foreign = shippedList.slice(0, 5);
+  dispatchEvent(new StorageEvent("storage", { key: "turnwise/tools", newValue: writeKept(foreign), storageArea: localStorage }));
+  expect(list()).toEqual(foreign);
+  expect(steps()).toBe(0);
+  stop();
+  expect(readTools(list()).table.tools).toEqual(shippedTools.slice(0, 5));
+});
