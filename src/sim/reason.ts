@@ -54,11 +54,18 @@ function withoutReach(operation: SimulatedOperation): Reason {
   return operation.plan.issues.some((i) => i.code === "limitOnWrongSide") ? "limit" : "secondaryEdge";
 }
 
-/** The corner of a nose leaves at most a square of its radius; what a wide bar leaves is larger. */
-function betweenContours(box: Box, operation: SimulatedOperation): Reason {
-  if (!isBar(operation.tool)) return "insertRadius";
-  const most = noseRadius(operation.tool) + 2 * AGAINST;
-  return box.right - box.left > most || box.top - box.bottom > most ? "toolWidth" : "insertRadius";
+/** Longest corner that a nose leaves, in nose radii: between elements that meet at 45 degrees it leaves 2.4. */
+const NOSE_CORNER = 3;
+
+/**
+ * A nose leaves a corner of its own size, in a square one a square of its radius. What is larger a wide bar leaves by its
+ * width; another insert by the edge that acts nearest to it, and where none does, it is what no contour element bounds.
+ */
+function betweenContours(box: Box, operation: SimulatedOperation, acting: Reason | null): Reason {
+  const bar = isBar(operation.tool);
+  const most = noseRadius(operation.tool) * (bar ? 1 : NOSE_CORNER) + 2 * AGAINST;
+  if (box.right - box.left <= most && box.top - box.bottom <= most) return "insertRadius";
+  return bar ? "toolWidth" : (acting ?? "oversize");
 }
 
 /**
@@ -72,16 +79,18 @@ export function reasonFor(ring: Ring, operation: SimulatedOperation, outlines: O
   const samples = samplesOf(ring);
   const length = new Map<Reason, number>();
   let [nearest, nearestReason]: [number, Reason | null] = [Infinity, null];
+  let [acting, actingAt]: [Reason | null, number] = [null, Infinity];
   for (const { path, reason } of reach) {
     for (const swept of sweepAlong(outlines.insert, path)) {
       const box = boxOf(swept);
       const gap = gapBetween(around, box);
       if (gap < nearest) [nearest, nearestReason] = [gap, reason];
+      if (reason && gap < actingAt) [acting, actingAt] = [reason, gap];
       if (gap > AGAINST || !reason) continue;
       for (const s of samples) if (against(swept, box, s)) length.set(reason, (length.get(reason) ?? 0) + s.weight);
     }
   }
   const longest = [...length].sort((a, b) => b[1] - a[1])[0];
   if (longest) return longest[0];
-  return (nearest > AGAINST ? nearestReason : null) ?? betweenContours(around, operation);
+  return (nearest > AGAINST ? nearestReason : null) ?? betweenContours(around, operation, acting);
 }
