@@ -1,22 +1,30 @@
 import { lazy, Suspense, useEffect } from "react";
 import { Header } from "./Header.tsx";
+import { DropProgram } from "./files/DropProgram.tsx";
 import { Notices } from "./Notices.tsx";
 import { CopyByHand } from "./program/CopyByHand.tsx";
 import { useReading } from "./reading.ts";
 import { useKeeping } from "./saving/keep.ts";
+import { useTexts } from "./settings/use-texts.ts";
 import { StartPage } from "./start/StartPage.tsx";
+import { useEditor } from "./store.ts";
 import { useToolPlace } from "./tools/tool-place.ts";
 import { Workplace } from "./Workplace.tsx";
 
 /** Fetched when it is first shown. */
 const ToolPage = lazy(async () => ({ default: (await import("./tools/ToolPage.tsx")).ToolPage }));
 
-/** The page: the top line, and below it the tool table, the choice of a cycle, or the workplace of the open job. */
+const ProgramWorkplace = lazy(async () => ({ default: (await import("./editor/ProgramWorkplace.tsx")).ProgramWorkplace }));
+
+/** The page: the top line, and below it the tool table, the choice of work, or the workplace of the open job or program. */
 export function App() {
   const ready = useKeeping((k) => k.ready);
   const read = useReading();
   const tools = useToolPlace((p) => p.shown);
-  const name = read?.job.name;
+  const program = useEditor((s) => (s.program ? s.work : null));
+  const programName = useEditor((s) => s.program?.name);
+  const t = useTexts().editor;
+  const name = read?.job.name ?? programName;
   useEffect(() => {
     document.title = name ? `${name} · Turnwise` : "Turnwise";
   }, [name]);
@@ -26,7 +34,9 @@ export function App() {
       <Header />
       <Notices />
       {ready && tools && <Suspense><ToolPage /></Suspense>}
-      {ready && !tools && (read ? <Workplace read={read} /> : <StartPage />)}
+      {ready && !tools && program !== null && <Suspense fallback={<p className="editor-loading soft" role="status">{t.loading}</p>}><ProgramWorkplace key={program} /></Suspense>}
+      {ready && !tools && program === null && (read ? <Workplace read={read} /> : <StartPage />)}
+      <DropProgram />
       <CopyByHand />
     </div>
   );

@@ -18,6 +18,9 @@ const paths = {
   add: "M12 5v14M5 12h14",
   insert: "M12 2.5l6 9.5-6 9.5-6-9.5zM12 10.4a1.6 1.6 0 1 0 0 3.2 1.6 1.6 0 0 0 0-3.2z",
   close: "M6 6l12 12M18 6L6 18",
+  raise: "M12 20V6M6 12l6-6 6 6M5 3h14",
+  lower: "M12 4v14M6 12l6 6 6-6M5 21h14",
+  remove: "M5 7h14M10 7V4h4v3M7 7l1 13h8l1-13M10 11v5M14 11v5",
 } as const;
 
 export type IconName = keyof typeof paths;

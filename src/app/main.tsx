@@ -4,7 +4,9 @@ import { z } from "zod/mini";
 import { App } from "./App.tsx";
 import { CrashGuard } from "./CrashGuard.tsx";
 import { startEngine } from "./engine/client.ts";
+import { openShared } from "./files/open-shared.ts";
 import { onHistoryKey } from "./history.ts";
+import { resumePlace, startKeepingPlace } from "./saving/keep-place.ts";
 import { resume, startKeeping } from "./saving/keep.ts";
 import { followAppearance } from "./settings/appearance.ts";
 import { fetchTexts } from "./settings/loaded-texts.ts";
@@ -21,8 +23,12 @@ followAppearance();
 document.addEventListener("keydown", onHistoryKey);
 startTools();
 void resume().then(() => {
+  resumePlace();
+  startKeepingPlace();
   startKeeping();
   startEngine();
+  void openShared();
+  addEventListener("hashchange", () => void openShared());
 });
 
 const root = document.getElementById("root");

@@ -3,7 +3,9 @@ import type { Run } from "../../program/run-types.ts";
 import type { Simulation } from "../../sim/simulation.ts";
 import { playerOf } from "../../sim/stock.ts";
 import { mirrored } from "../../view/bounds.ts";
+import { toPart, type Place } from "../../view/camera.ts";
 import { snapPoints } from "../../view/measure.ts";
+import { moveAt } from "../../view/pick.ts";
 import { trackOf } from "../../view/playback.ts";
 import { sceneOf } from "../../view/scene.ts";
 import type { Clock } from "../clock.ts";
@@ -37,15 +39,20 @@ export interface LatheResult {
   readonly simulation: Simulation;
 }
 
+/** A pointer this near to a move means that move, pixels. */
+const NEAR = 10;
+
 const EMPTY_RUN: Run = { program: { name: "", unit: "mm", blocks: 0 }, blank: [], operations: [], steps: [], stepBlocks: [], plane: [], approaches: [], issues: [], seconds: 0 };
 
 /** The lathe: picture, playback, timeline, findings. Keeps showing the last result it was given, dimmed when told so. */
-export function LatheView({ result, dimmed, playback, clock }: {
+export function LatheView({ result, dimmed, playback, clock, onMove }: {
   readonly result: LatheResult | null;
   /** The picture is older than what was typed. */
   readonly dimmed: boolean;
   readonly playback: PlaybackStore;
   readonly clock: Clock;
+  /** Called with the index of a move or of an element's move that was pointed at. */
+  readonly onMove?: (step: number) => void;
 }) {
   const texts = useTexts(), t = texts.lathe, keysId = useId();
   const { language, fullSection: full, xDown, motion } = useSettings();
@@ -65,7 +72,12 @@ export function LatheView({ result, dimmed, playback, clock }: {
     return { steps: simulation.steps, stockAt: player.at, playback };
   }, [simulation, playback]);
   const measuring = useMeasuring(viewport, points);
-  const stage = useStage(viewport, measuring);
+  const tap = (at: Place) => {
+    if (measuring.on) return measuring.tap(at);
+    const camera = viewport.get(), step = onMove ? moveAt(run.steps, toPart(camera, at), NEAR / camera.scale) : null;
+    if (step !== null) onMove?.(step);
+  };
+  const stage = useStage(viewport, { tap, hover: measuring.hover });
 
   useEffect(() => playback.dispatch({ do: "load", track: trackOf(run.steps) }), [run, playback]);
   useEffect(() => playback.setStill(reducedMotion({ motion })), [motion, playback]);

@@ -10,6 +10,7 @@ import { useTexts } from "../settings/use-texts.ts";
 import { useSettings } from "../settings/settings.ts";
 import { CycleSketch } from "./CycleSketch.tsx";
 import { KeptWorks } from "./KeptWorks.tsx";
+import { ProgramStart } from "./ProgramStart.tsx";
 
 /** Begins a program of a cycle, with the printed example's values or with empty prompts. */
 function begin(cycle: Cycle, withExample: boolean, language: "en" | "de" | "fr" | "zh"): void {
@@ -64,6 +65,7 @@ export function StartPage() {
           );
         })}
       </ul>
+      <ProgramStart />
       <KeptWorks />
       <p className="small soft disclaimer">{t.page.disclaimer}</p>
     </main>

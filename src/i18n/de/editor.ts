@@ -18,7 +18,6 @@ export const editor = {
     pasteOpen: "Öffnen",
     cancel: "Abbrechen",
     unreadable: "Diese Datei konnte nicht gelesen werden.",
-    linkDamaged: "Der Link enthält kein lesbares Programm.",
   },
   examples: {
     flange: "Flansch: sechs Werkzeuge, acht Zyklen",

@@ -112,6 +112,7 @@ export const page = {
         : `${n} gespeicherte Arbeiten waren nicht lesbar. Sie wurden beiseitegelegt, nichts wurde gelöscht.`,
     notKept: "Dieser Browser speichert nichts auf dem Gerät. Das Programm vor dem Schließen kopieren oder herunterladen.",
     copyOfOtherTab: "Diese Arbeit ist in einem anderen Tab offen. Hier wird eine Kopie bearbeitet; beide bleiben erhalten.",
+    linkDamaged: "Der Link enthält kein lesbares Programm.",
     engineFailed: "Die Berechnung ist stehen geblieben und wurde neu gestartet. Die Werte sind sicher.",
     toolsDamaged: "Die gespeicherte Werkzeugtabelle ließ sich nicht lesen. Sie wurde beiseitegelegt; es gelten die mitgelieferten Werkzeuge.",
     toolsNotKept: "Dieser Browser speichert die Werkzeugtabelle nicht auf dem Gerät. Vor dem Schließen der Seite exportieren.",

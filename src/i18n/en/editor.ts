@@ -19,7 +19,6 @@ export const editor = {
     pasteOpen: "Open",
     cancel: "Cancel",
     unreadable: "This file could not be read.",
-    linkDamaged: "The link holds no program that can be read.",
   },
   examples: {
     flange: "Flange: six tools, eight cycles",

@@ -112,6 +112,7 @@ export const page = {
         : `${n} saved works could not be read. They were set aside, nothing was deleted.`,
     notKept: "This browser does not keep work on the device. Copy or download the program before you close the page.",
     copyOfOtherTab: "This work is open in another tab. Here you edit a copy; both are kept.",
+    linkDamaged: "The link holds no program that can be read.",
     engineFailed: "The calculation stopped and was started again. Your values are safe.",
     toolsDamaged: "The saved tool table could not be read. It was set aside; the shipped tools are in place.",
     toolsNotKept: "This browser does not keep the tool table on the device. Export it before you close the page.",

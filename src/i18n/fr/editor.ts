@@ -18,7 +18,6 @@ export const editor = {
     pasteOpen: "Ouvrir",
     cancel: "Annuler",
     unreadable: "Ce fichier n’a pas pu être lu.",
-    linkDamaged: "Le lien ne contient aucun programme lisible.",
   },
   examples: {
     flange: "Bride : six outils, huit cycles",

@@ -112,6 +112,7 @@ export const page = {
         : `${n} travaux enregistrés étaient illisibles. Ils ont été mis de côté, rien n’a été effacé.`,
     notKept: "Ce navigateur n’enregistre rien sur l’appareil. Copier ou télécharger le programme avant de fermer la page.",
     copyOfOtherTab: "Ce travail est ouvert dans un autre onglet. Ici, on modifie une copie ; les deux sont conservés.",
+    linkDamaged: "Le lien ne contient aucun programme lisible.",
     engineFailed: "Le calcul s’est arrêté et a été relancé. Les valeurs sont conservées.",
     toolsDamaged: "Le tableau d’outils enregistré est illisible. Il a été mis de côté ; les outils fournis sont en place.",
     toolsNotKept: "Ce navigateur ne conserve pas le tableau d’outils sur l’appareil. L’exporter avant de fermer la page.",

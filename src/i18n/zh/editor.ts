@@ -18,7 +18,6 @@ export const editor = {
     pasteOpen: "打开",
     cancel: "取消",
     unreadable: "无法读取此文件。",
-    linkDamaged: "链接中没有可读取的程序。",
   },
   examples: {
     flange: "法兰：六把刀具，八个循环",

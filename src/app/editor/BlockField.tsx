@@ -1,0 +1,103 @@
+import { useId, useRef, useState } from "react";
+import type { Statement } from "../../nc/statement.ts";
+import { readExpression } from "../../program/expression.ts";
+import { useNumberEntry } from "../dialog/use-number-entry.ts";
+import { inScreenWriting } from "../dialog/write-value.ts";
+import { Icon } from "../Icon.tsx";
+import { useSettings } from "../settings/settings.ts";
+import { useTexts } from "../settings/use-texts.ts";
+import { closeStep } from "../store.ts";
+import type { Field } from "./field.ts";
+
+interface Props {
+  readonly field: Field;
+  readonly statement: Statement;
+  readonly change: (next: Statement, field: string) => void;
+}
+
+/** What was typed, and what the block said then: when the block says something else by now, that counts. */
+interface Typed {
+  readonly text: string;
+  readonly said: string;
+}
+
+/** One word of a block. Each keystroke that can be read changes the text of the block; leaving the field ends the step of undo. */
+export function BlockField({ field, statement, change }: Props) {
+  const t = useTexts().editor;
+  const id = useId();
+  const input = useRef<HTMLInputElement>(null);
+  const language = useSettings((s) => s.language);
+  const [typed, setTyped] = useState<Typed | null>(null);
+  const said = field.read(statement);
+  const shown = typed && typed.said === said ? typed.text : said;
+  const name = typeof field.name === "string" ? t.fields[field.name] : t.fields.wordOf(field.name.word);
+  const wrong = typed !== null && typed.said === said && field.write(statement, typed.text) === null;
+
+  const write = (text: string) => {
+    const next = field.write(statement, text);
+    setTyped({ text, said: next ? field.read(next) : said });
+    if (next) change(next, field.id);
+  };
+  const leave = () => {
+    closeStep();
+    if (!wrong) {
+      const sum = field.numeric && typed ? readExpression(typed.text) : null;
+      if (sum?.kind === "number" && sum.computed) write(String(sum.value));
+      setTyped(null);
+    }
+  };
+  const { onKeyDown, onTyped } = useNumberEntry(input, shown, write);
+
+  if (field.choices) {
+    const choices: Readonly<Record<string, string>> = t.choices;
+    return (
+      <div className="block-field">
+        <label htmlFor={id}>{name}</label>
+        <select
+          id={id} className="select" value={said}
+          onChange={(event) => {
+            closeStep();
+            write(event.target.value);
+            closeStep();
+          }}
+        >
+          {field.choices.map((choice) => <option key={choice} value={choice}>{choice === "" ? t.none : (choices[choice] ?? choice)}</option>)}
+        </select>
+      </div>
+    );
+  }
+  const { incremental } = field;
+  return (
+    <div className={`block-field${field.wide ? " wide" : ""}`}>
+      <label htmlFor={id}>{name}</label>
+      <span className="block-value">
+        <input
+          id={id} ref={input} type="text" className={`input${field.wide ? "" : " number"}`} inputMode={field.numeric ? "decimal" : "text"}
+          autoComplete="off" spellCheck={false} maxLength={500} aria-invalid={wrong} aria-describedby={`${id}-unit ${id}-wrong`}
+          value={field.numeric ? inScreenWriting(language, shown) : shown}
+          onChange={(event) => {
+            onTyped();
+            write(event.currentTarget.value);
+          }}
+          onBlur={leave} {...(field.numeric && { onKeyDown })}
+        />
+        <span className="soft small" id={`${id}-unit`}>{field.unit}</span>
+        {incremental && (
+          <button
+            type="button" className="button incremental" aria-pressed={incremental.read(statement)} aria-label={t.incrementalOf(name)} title={t.incremental} disabled={said === ""}
+            onClick={() => {
+              closeStep();
+              change(incremental.write(statement, !incremental.read(statement)), `${field.id} incremental`);
+              closeStep();
+            }}
+          >
+            I
+          </button>
+        )}
+      </span>
+      <div id={`${id}-wrong`} className="block-wrong" role="status">
+        {wrong && <p className="field-message error"><Icon name="error" /> {t.notReadable}</p>}
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,39 @@
+import { withBlock } from "../../nc/edit.ts";
+import { blockNumbers } from "../../nc/program.ts";
+import type { Statement } from "../../nc/statement.ts";
+import { FieldMessage } from "../dialog/FieldMessage.tsx";
+import { Icon } from "../Icon.tsx";
+import { useTexts } from "../settings/use-texts.ts";
+import { BlockField } from "./BlockField.tsx";
+import { fieldsOf } from "./block-fields.ts";
+import { useOpenBlock } from "./open-block.ts";
+import { editProgram, openBlock, useSession } from "./session.ts";
+
+/** Nothing offers a nearest value here. */
+const nothing = () => undefined;
+
+/** The dialog of a block that is no cycle of the catalogue: one field a word, made from the description of its kind. */
+export function BlockForm() {
+  const t = useTexts().editor;
+  const { reading: { program }, index } = useSession();
+  const problems = useOpenBlock((s) => s.problems);
+  const block = program.blocks[index];
+  if (!block) return null;
+  const s = block.statement;
+  const change = (next: Statement, field: string) => editProgram(withBlock(program, index, next), `block ${index} ${field}`);
+  const definition = s.kind === "cycleCall" ? program.blocks.slice(0, index).findLastIndex((b) => b.statement.kind === "cycle") : -1;
+  const numbers = definition >= 0 ? blockNumbers(program) : [];
+  return (
+    <div className="block-form" role="form" aria-label={t.form}>
+      <code className="number block-text">{block.raw.trimEnd()}</code>
+      {s.kind === "unknown" && <p className="field-message info"><Icon name="info" /> {t.kept}</p>}
+      {fieldsOf(s).map((field) => <BlockField key={`${index} ${field.id}`} field={field} statement={s} change={change} />)}
+      {definition >= 0 && (
+        <button type="button" className="button" onClick={() => openBlock(definition)}>{t.goToDefinition(String(numbers[definition] ?? 0))}</button>
+      )}
+      <div role="status">
+        {problems.map((problem, i) => <FieldMessage key={i} problem={problem} decimals={3} onTake={nothing} />)}
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,57 @@
+import { useRef, useState } from "react";
+import { blockNumbers } from "../../nc/program.ts";
+import { cycleByNumber, type CycleNumber } from "../../cycles/index.ts";
+import { CycleDialog } from "../dialog/CycleDialog.tsx";
+import { Icon, type IconName } from "../Icon.tsx";
+import { useTexts } from "../settings/use-texts.ts";
+import { duplicated, exchanged, removed } from "./block-edits.ts";
+import { BlockForm } from "./BlockForm.tsx";
+import { kindOf } from "./block-kind.ts";
+import { Palette } from "./Palette.tsx";
+import { useOpenBlock } from "./open-block.ts";
+import { editProgram, openBlock, useSession } from "./session.ts";
+
+/** The dialog of the open block, and what can be done with the block itself. */
+export function BlockPanel() {
+  const t = useTexts();
+  const { reading: { program }, index } = useSession();
+  const read = useOpenBlock((s) => s.read);
+  const [choosing, choose] = useState(false);
+  const panel = useRef<HTMLDivElement>(null);
+  const block = program.blocks[index];
+  const last = program.blocks.length - 1;
+
+  if (choosing || !block) {
+    return (
+      <div className="block-panel">
+        {!block && <p className="soft">{t.editor.noBlock}</p>}
+        <Palette index={index} done={() => choose(false)} />
+      </div>
+    );
+  }
+  const s = block.statement;
+  const words = s.kind === "cycle" && cycleByNumber(s.cycle) ? t.cycles.of[s.cycle as CycleNumber].name : null;
+  const kind = words ?? t.editor.kinds[kindOf(s)];
+  const number = String(blockNumbers(program)[index] ?? 0);
+  const tool = (icon: IconName, name: string, act: () => void, disabled = false) => (
+    <button type="button" className="button icon plain" aria-label={name} title={name} disabled={disabled} onClick={act}><Icon name={icon} /></button>
+  );
+
+  return (
+    <div className="block-panel" ref={panel}>
+      <header className="block-head">
+        {tool("up", t.editor.previous, () => openBlock(index - 1), index <= 0)}
+        {tool("down", t.editor.next, () => openBlock(index + 1), index >= last)}
+        <h2>{t.editor.heading(number, kind)}</h2>
+      </header>
+      <div className="block-tools" role="group" aria-label={t.editor.tools}>
+        <button type="button" className="button" aria-label={t.editor.insertLong} onClick={() => choose(true)}><Icon name="add" /> {t.editor.insert}</button>
+        {tool("copy", t.editor.duplicate, () => editProgram(duplicated(program, index), null, index + 1))}
+        {tool("raise", t.editor.up, () => editProgram(exchanged(program, index - 1), null, index - 1), index <= 0)}
+        {tool("lower", t.editor.down, () => editProgram(exchanged(program, index), null, index + 1), index >= last)}
+        {tool("remove", t.editor.remove, () => editProgram(removed(program, index), null, Math.min(index, last - 1)))}
+      </div>
+      {read ? <CycleDialog key={index} read={read} /> : <BlockForm key={index} />}
+    </div>
+  );
+}

@@ -1,0 +1,81 @@
+import { useEffect, type ReactNode } from "react";
+import { clock } from "../clock.ts";
+import { useOutcome } from "../engine/outcome.ts";
+import { LatheView } from "../lathe/LatheView.tsx";
+import { showSection, usePlace, type ProgramSection } from "../place.ts";
+import { playback } from "../playback.ts";
+import { SectionTabs } from "../SectionTabs.tsx";
+import { useTexts } from "../settings/use-texts.ts";
+import { useEditor } from "../store.ts";
+import { useMedia } from "../use-fingers.ts";
+import { BlockPanel } from "./BlockPanel.tsx";
+import { FindingsPanel } from "./FindingsPanel.tsx";
+import { followProgram } from "./follow.ts";
+import { closeSession, flush, openBlock, openSession } from "./session.ts";
+import { StructurePanel } from "./StructurePanel.tsx";
+import { TextPanel } from "./TextPanel.tsx";
+import { TotalsStrip } from "./TotalsStrip.tsx";
+import { useFindings } from "./use-findings.ts";
+import "./editor.css";
+
+/** Three columns have room for the text beside the view. The same width stands in `layout.css`. */
+const WIDE = "(min-width: 1280px)";
+
+/** Keeps the editor of the open program for as long as it is open. */
+function useProgramSession(): void {
+  useEffect(() => {
+    const { program } = useEditor.getState();
+    if (!program) return undefined;
+    openSession(program);
+    const stop = followProgram();
+    addEventListener("pagehide", flush, true);
+    return () => {
+      removeEventListener("pagehide", flush, true);
+      stop();
+      closeSession();
+    };
+  }, []);
+}
+
+/** A move was pointed at in the picture: the block that makes it opens. */
+function openMove(step: number): void {
+  const index = useOutcome.getState().shown?.run.stepBlocks[step];
+  if (index !== undefined) openBlock(index);
+}
+
+/** Blocks, lathe and text of a whole program. */
+export function ProgramWorkplace() {
+  const t = useTexts().editor;
+  const wide = useMedia(WIDE);
+  const asked = usePlace((p) => p.section);
+  const shown = useOutcome((s) => s.shown);
+  const dimmed = useOutcome((s) => s.dimmed);
+  const findings = useFindings();
+  useProgramSession();
+  const possible: readonly ProgramSection[] = [...(wide ? [] : ["text" as const]), "block", "structure", "findings"];
+  const open = possible.find((section) => section === asked) ?? (wide ? "structure" : "text");
+  const content: Readonly<Record<ProgramSection, ReactNode>> = {
+    text: <TextPanel toBlock={() => showSection("block")} />,
+    block: <BlockPanel />,
+    structure: <StructurePanel />,
+    findings: <FindingsPanel />,
+  };
+  return (
+    <main className="workplace program-work">
+      <div className="left">
+        <SectionTabs
+          name={t.sectionsName} open={open}
+          tabs={possible.map((section) => ({
+            section, name: t.sections[section], content: content[section],
+            ...(section === "findings" && findings[0] ? { badge: { count: findings.length, severity: findings[0].issue.severity } } : {}),
+          }))}
+        />
+      </div>
+      <TotalsStrip />
+      <div className="centre">
+        <LatheView result={shown} dimmed={dimmed} playback={playback} clock={clock} onMove={openMove} />
+      </div>
+      {wide && <div className="right"><TextPanel /></div>}
+    </main>
+  );
+}

@@ -1,0 +1,50 @@
+import { useRef, useState } from "react";
+import { formatNumber } from "../../i18n/number.ts";
+import { Icon } from "../Icon.tsx";
+import { copyText, useCopying } from "../program/copy.ts";
+import { useSettings } from "../settings/settings.ts";
+import { useTexts } from "../settings/use-texts.ts";
+import { programText } from "./session.ts";
+import { shareLink } from "./share.ts";
+
+/** Links longer than this are cut by many programs, characters. */
+const SAFE = 8000;
+
+const pageAddress = () => location.href.replace(/[?#].*$/, "");
+
+/** A button that makes a link of the program, with its length. */
+export function ShareDialog() {
+  const t = useTexts();
+  const language = useSettings((s) => s.language);
+  const dialog = useRef<HTMLDialogElement>(null);
+  const [link, setLink] = useState("");
+  const copied = useCopying((c) => c.state === "copied" && c.text === link);
+  return (
+    <>
+      <button
+        type="button" className="button"
+        onClick={() => {
+          setLink(shareLink(pageAddress(), programText() ?? ""));
+          dialog.current?.showModal();
+        }}
+      >
+        {t.editor.share}
+      </button>
+      <dialog ref={dialog} className="share-program" aria-label={t.editor.shareTitle}>
+        <h2>{t.editor.shareTitle}</h2>
+        <p>{t.editor.shareText}</p>
+        <label>
+          <span>{t.editor.shareLink} · <b className="number">{t.editor.shareSize(formatNumber(language, link.length / 1000, 1))}</b></span>
+          <textarea className="number" readOnly rows={5} value={link} onFocus={(event) => event.currentTarget.select()} />
+        </label>
+        {link.length > SAFE && <p className="field-message warning"><Icon name="warning" /> {t.editor.shareLong}</p>}
+        <div className="program-ways">
+          <button type="button" className="button primary" onClick={() => void copyText(link)}>
+            <Icon name={copied ? "check" : "copy"} /> {copied ? t.page.text.copied : t.editor.copyLink}
+          </button>
+          <button type="button" className="button" onClick={() => dialog.current?.close()}>{t.page.close}</button>
+        </div>
+      </dialog>
+    </>
+  );
+}

@@ -1,0 +1,74 @@
+import { useMemo, useState } from "react";
+import { formatFixed, formatNumber } from "../../i18n/number.ts";
+import { useOutcome } from "../engine/outcome.ts";
+import { KEEPS_KEYBOARD } from "../place.ts";
+import { useSettings } from "../settings/settings.ts";
+import { useTexts } from "../settings/use-texts.ts";
+import { partsOf, type Done, type Part, type PartFilter } from "./program-parts.ts";
+import { openBlock, useSession } from "./session.ts";
+import { useWindow } from "./use-window.ts";
+
+const FILTERS = ["all", "operations", "labels", "notes"] as const satisfies readonly ("all" | PartFilter)[];
+
+/** Smaller areas are rounding of the polygon engine, mm². */
+const NOTHING = 0.005;
+
+/** What a cycle of the program does, in words of the screen language. */
+function useDoneText(): (done: Done) => string {
+  const t = useTexts();
+  const language = useSettings((s) => s.language);
+  return ({ passes, seconds, residue }) => t.editor.operation(
+    t.editor.passes(passes),
+    t.page.effect.duration(Math.floor(Math.round(seconds) / 60), formatFixed(language, seconds < 60 ? seconds : Math.round(seconds) % 60, seconds < 60 ? 1 : 0)),
+    residue < NOTHING ? t.editor.noResidue : t.editor.residue(formatNumber(language, residue, 2)),
+  );
+}
+
+/** The parts of the program: tools, cycles with what they do, labels, contours, notes. Choosing one opens its block. */
+export function StructurePanel() {
+  const t = useTexts().editor;
+  const doneText = useDoneText();
+  const reading = useSession((s) => s.reading);
+  const index = useSession((s) => s.index);
+  const newest = useOutcome((s) => s.newest);
+  const [filter, show] = useState<(typeof FILTERS)[number]>("all");
+  const parts = useMemo(() => partsOf(reading.program, newest), [reading, newest]);
+  const shown = useMemo(() => (filter === "all" ? parts : parts.filter((part) => part.filter === filter)), [parts, filter]);
+  const current = shown.findLastIndex((part) => part.index <= index);
+  const { box, from, to, above, below, measure } = useWindow(shown.length, current);
+
+  const entry = (part: Part, place: number) => {
+    const done = part.kind !== "cycle" ? "" : part.done ? doneText(part.done) : newest ? t.notRun : "";
+    return (
+      <li key={part.index} aria-setsize={shown.length} aria-posinset={place + 1}>
+        <button
+          type="button" className={`part part-${part.filter}`} aria-current={place === current ? "step" : undefined}
+          aria-label={`${t.line(String(part.number), `${t.kinds[part.kind]}, ${part.text}`)}${done && `, ${done}`}`} onClick={() => openBlock(part.index)}
+        >
+          <span className="number part-number">{part.number}</span>
+          <span className="part-words">
+            <span className="number part-text">{part.text}</span>
+            <span className="small soft">{done || t.kinds[part.kind]}</span>
+          </span>
+        </button>
+      </li>
+    );
+  };
+
+  return (
+    <div className="structure" {...{ [KEEPS_KEYBOARD]: "" }}>
+      <label className="structure-filter">
+        <span className="small soft">{t.filter}</span>
+        <select className="select" value={filter} onChange={(event) => show(FILTERS.find((each) => each === event.target.value) ?? "all")}>
+          {FILTERS.map((each) => <option key={each} value={each}>{t.filters[each]}</option>)}
+        </select>
+      </label>
+      {shown.length === 0 && <p className="soft structure-empty">{t.nothing}</p>}
+      <div className="structure-list" ref={box} onScroll={measure}>
+        <ol aria-label={t.list} style={{ paddingTop: above, paddingBottom: below }}>
+          {shown.slice(from, to).map((part, i) => entry(part, from + i))}
+        </ol>
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,59 @@
+import { useEffect, useRef, useState } from "react";
+import { writeFile, canSaveFiles } from "../files/file-handle.ts";
+import { Icon } from "../Icon.tsx";
+import { copyText, useCopying } from "../program/copy.ts";
+import { blockCount } from "../printed.ts";
+import { useTexts } from "../settings/use-texts.ts";
+import { useEditor } from "../store.ts";
+import { encode } from "./encoding.ts";
+import { downloadBytes } from "./download.ts";
+import { flush, programText, sessionView, useSession } from "./session.ts";
+import { ShareDialog } from "./ShareDialog.tsx";
+
+type Saving = "saved" | "notSaved" | null;
+
+/** The text of the program with what can be done with its file. */
+export function TextPanel({ toBlock }: { readonly toBlock?: () => void }) {
+  const t = useTexts();
+  const box = useRef<HTMLDivElement>(null);
+  const name = useEditor((s) => s.program?.name ?? "");
+  const ready = useSession((s) => s.reading);
+  const copied = useCopying((c) => c.state === "copied");
+  const [saving, setSaving] = useState<Saving>(null);
+
+  useEffect(() => {
+    const view = sessionView();
+    if (!view || view.dom.parentElement === box.current) return;
+    box.current?.append(view.dom);
+    view.requestMeasure();
+  }, [ready]);
+
+  const bytes = () => encode(programText() ?? "", useEditor.getState().program?.encoding ?? "utf-8");
+  const save = async () => {
+    flush();
+    const { work } = useEditor.getState();
+    if (work === null) return;
+    const how = await writeFile(work, name, bytes());
+    if (how !== "closed") setSaving(how === "written" ? "saved" : "notSaved");
+  };
+
+  return (
+    <section className="program text-panel" aria-label={t.page.text.title}>
+      <div ref={box} className="text-editor number" />
+      {toBlock && <button type="button" className="button to-block" onClick={toBlock}>{t.editor.form}</button>}
+      <div className="program-buttons">
+        <button type="button" className="button" aria-label={t.page.text.copyLong} onClick={() => void copyText(programText() ?? "")}>
+          <Icon name={copied ? "check" : "copy"} /> {copied ? t.page.text.copied : t.page.text.copy}
+        </button>
+        {canSaveFiles() && <button type="button" className="button" aria-label={t.editor.saveLong(name)} onClick={() => void save()}>{t.editor.save}</button>}
+        <button type="button" className="button" aria-label={t.page.text.download(name)} onClick={() => downloadBytes(bytes(), name)}>
+          <Icon name="download" /> <span className="file-name">{name}</span>
+        </button>
+        <ShareDialog />
+      </div>
+      <p role="status" className="small copy-status">
+        {copied ? t.page.text.copiedLong(blockCount(programText() ?? "")) : saving === "saved" ? t.editor.saved(name) : saving === "notSaved" ? t.editor.notSaved : ""}
+      </p>
+    </section>
+  );
+}

@@ -1,0 +1,73 @@
+import { useRef, useState } from "react";
+import type { ExampleId } from "../../examples/index.ts";
+import { canOpenFiles, pickFile } from "../files/file-handle.ts";
+import { openFile, openText } from "../files/open-program.ts";
+import { Icon } from "../Icon.tsx";
+import { useTexts } from "../settings/use-texts.ts";
+
+/** A program of its own with nothing in it yet. */
+const EMPTY = "0 BEGIN PGM PROGRAM MM\n1 BLK FORM CYLINDER Z D80 L100 DIST+1\n2 FUNCTION MODE TURN\n3 M30\n4 END PGM PROGRAM MM\n";
+
+async function openExample(id: string): Promise<void> {
+  const { examples } = await import("../../examples/index.ts");
+  const found = examples.find((example) => example.id === id);
+  if (found) openText(found.text);
+}
+
+/** Ways to a whole program: a file, a paste, an empty one, an example. */
+export function ProgramStart() {
+  const t = useTexts().editor;
+  const [unreadable, setUnreadable] = useState(false);
+  const [pasted, paste] = useState("");
+  const file = useRef<HTMLInputElement>(null);
+  const dialog = useRef<HTMLDialogElement>(null);
+
+  const take = async (chosen: File | undefined) => setUnreadable(chosen ? !(await openFile(chosen)) : false);
+  const ask = async () => {
+    if (!canOpenFiles()) return file.current?.click();
+    const handle = await pickFile();
+    if (handle) setUnreadable(!(await openFile(await handle.getFile(), handle)));
+  };
+
+  return (
+    <section className="program-start" aria-label={t.start.title}>
+      <h2>{t.start.title}</h2>
+      <p className="soft">{t.start.lead}</p>
+      <div className="program-ways">
+        <button type="button" className="button primary" onClick={() => void ask()}>{t.start.openFile}</button>
+        <input
+          ref={file} type="file" className="unseen" tabIndex={-1} aria-label={t.start.openFile} accept=".h,.H,.i,.txt,text/plain"
+          onChange={(event) => void take(event.currentTarget.files?.[0])}
+        />
+        <button type="button" className="button" onClick={() => dialog.current?.showModal()}>{t.start.paste}</button>
+        <button type="button" className="button" onClick={() => openText(EMPTY)}>{t.start.create}</button>
+        <span className="soft small">{t.start.drop}</span>
+      </div>
+      <p role="status" className="program-unreadable">{unreadable && <><Icon name="error" /> {t.start.unreadable}</>}</p>
+      <h3>{t.start.examples}</h3>
+      <ul className="program-examples">
+        {Object.entries(t.examples as Readonly<Record<ExampleId, string>>).map(([id, title]) => (
+          <li key={id}>
+            <button type="button" className="button" aria-label={t.start.example(title)} onClick={() => void openExample(id)}>{title}</button>
+          </li>
+        ))}
+      </ul>
+      <dialog ref={dialog} className="paste-program" aria-label={t.start.pasteTitle}>
+        <h2>{t.start.pasteTitle}</h2>
+        <textarea className="number" rows={14} spellCheck={false} aria-label={t.start.pasteLabel} value={pasted} onChange={(event) => paste(event.currentTarget.value)} />
+        <div className="program-ways">
+          <button
+            type="button" className="button primary" disabled={pasted.trim() === ""}
+            onClick={() => {
+              dialog.current?.close();
+              openText(pasted);
+            }}
+          >
+            {t.start.pasteOpen}
+          </button>
+          <button type="button" className="button" onClick={() => dialog.current?.close()}>{t.start.cancel}</button>
+        </div>
+      </dialog>
+    </section>
+  );
+}
