@@ -2,6 +2,7 @@ import { fetchTexts } from "../../src/app/settings/loaded-texts.ts";
 import type { Language } from "../../src/i18n/languages.ts";
 import { createRoot } from "react-dom/client";
 import "../../src/app/styles/base.css";
+import "../../src/app/styles/dialog.css";
 import { HelpPicture } from "../../src/app/help/HelpPicture.tsx";
 import { catalogue } from "../../src/cycles/index.ts";
 import { contourFrom } from "../../src/kernel/contour.ts";
@@ -25,7 +26,7 @@ createRoot(document.getElementById("root")!).render(
     {list.map((q) => (
       <figure key={q} style={{ border: "1px solid var(--line)" }}>
         <figcaption className="small">{q || "none"}</figcaption>
-        <div style={{ width, height }}>
+        <div className="help-slot" style={{ width, height }}>
           <HelpPicture cycle={cycle} values={values} given={{ contour }} activeQ={q || null} language={language} />
         </div>
       </figure>

@@ -25,7 +25,7 @@ function valueOf(p: Param): fc.Arbitrary<number | "auto"> {
   return fc.oneof({ weight: 30, arbitrary: usual }, { weight: 1, arbitrary: fc.constantFrom(min, max, 0, p.example) }, ...(p.kind === "feed" ? [{ weight: 1, arbitrary: fc.constant("auto" as const) }] : []));
 }
 
-export const picture: fc.Arbitrary<Case> = fc.constantFrom(...cycles).chain((cycle) => fc.record({
+const picture: fc.Arbitrary<Case> = fc.constantFrom(...cycles).chain((cycle) => fc.record({
   cycle: fc.constant(cycle),
   values: fc.record(Object.fromEntries(Object.entries(cycle.params).map(([q, p]) => [q, valueOf(p)]))) as fc.Arbitrary<Numbers>,
   q: fc.constantFrom(...Object.keys(cycle.params)),
@@ -35,6 +35,12 @@ export const picture: fc.Arbitrary<Case> = fc.constantFrom(...cycles).chain((cyc
 /** Random pictures with a fixed seed. */
 export const cases = (count: number): Case[] => fc.sample(picture, { numRuns: count, seed: 7 });
 
-/** A law over 2,000 random pictures; the seed of a failure is printed by fast-check. */
-export const laws = (name: string, holds: (c: Case) => void): void =>
-  test(name, () => fc.assert(fc.property(picture, holds), { numRuns: 2000 }));
+/** The seed of the laws; repeat a run with LAW_SEED=number, and a longer one with LAW_RUNS=number. */
+const seed = process.env["LAW_SEED"] ? Number(process.env["LAW_SEED"]) : Date.now() % 2 ** 31;
+const numRuns = Number(process.env["LAW_RUNS"] ?? 2000);
+
+/** A law over 2,000 random pictures; its seed is printed. */
+export const laws = (name: string, holds: (c: Case) => void): void => {
+  console.info(`help picture laws: LAW_SEED=${seed}`);
+  test(name, () => fc.assert(fc.property(picture, holds), { numRuns, seed }), numRuns * 30);
+};

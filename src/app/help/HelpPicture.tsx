@@ -27,6 +27,9 @@ interface Drawn {
   readonly outline: Outline;
 }
 
+/** Height of the line that says what a dimmed drawing shows, pixels. */
+const NOTE = 22;
+
 const exampleOf = (cycle: Cycle): Numbers => Object.fromEntries(Object.entries(cycle.params).map(([q, p]) => [q, p.example]));
 const outlineOf = (cycle: Cycle, values: Numbers, given: Given) => cycle.outline(values as Parameters<Cycle["outline"]>[0], given);
 /** A contour that can be drawn: it has elements, and nothing in it is impossible. */
@@ -53,14 +56,17 @@ export function HelpPicture({ cycle, values, partial, given, activeQ, language }
   const kept = now ?? (last?.cycle === cycle ? last : null);
   const shown = useMemo(() => kept ?? { cycle, values: exampleOf(cycle), outline: outlineOf(cycle, exampleOf(cycle), given) }, [kept, cycle, given]);
   const t = texts(language);
+  const { width } = size;
+  // The printed example leaves room for its note; the last drawing stays as it is, so that nothing jumps while one types.
+  const height = kept ? size.height : Math.max(1, size.height - NOTE);
   const drawing = useMemo(() => helpDrawing({
-    group: cycle.group, params: cycle.params, values: shown.values, outline: shown.outline, active: activeQ, size,
+    group: cycle.group, params: cycle.params, values: shown.values, outline: shown.outline, active: activeQ, size: { width, height },
     speech: {
       number: (n, decimals) => formatNumber(language, n, decimals),
       element: [t.help.element.none, t.help.element.chamfer, t.help.element.radius],
       reserved: t.help.reserved, notToScale: t.help.notToScale,
     },
-  }), [cycle, shown, activeQ, size, language, t]);
+  }), [cycle, shown, activeQ, width, height, language, t]);
   const said = partial ?? values ?? {};
   const note = now ? null : kept ? t.help.stale : t.help.example;
   return (

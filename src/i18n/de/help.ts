@@ -3,8 +3,8 @@ import type { HelpTexts } from "../en/help.ts";
 export const help = {
   picture: (cycle) => `Zeichnung der Kontur, Zyklus ${cycle}`,
   highlighted: (parameter, label, value) => `Hervorgehoben: ${parameter} ${label}, ${value}`,
-  stale: "Diese Werte ergeben keine Kontur. Die letzte mögliche Zeichnung bleibt stehen.",
-  example: "Die Werte sind noch nicht vollständig. Gezeigt wird das gedruckte Beispiel.",
+  stale: "Diese Werte ergeben keine Kontur: letzte Zeichnung.",
+  example: "Werte noch unvollständig: das gedruckte Beispiel.",
   noValue: "noch kein Wert",
   inWords: {
     diameter: (value) => `Durchmesser ${value} mm`,

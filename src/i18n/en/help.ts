@@ -3,8 +3,8 @@ import type { Shape } from "../shape.ts";
 export const help = {
   picture: (cycle: string) => `Drawing of the contour, cycle ${cycle}`,
   highlighted: (parameter: string, label: string, value: string) => `Highlighted: ${parameter} ${label}, ${value}`,
-  stale: "These values make no contour. The last possible drawing stays.",
-  example: "The values are not complete yet. The drawing shows the printed example.",
+  stale: "These values make no contour: last possible drawing.",
+  example: "Values not complete yet: the printed example.",
   noValue: "no value yet",
   inWords: {
     diameter: (value: string) => `diameter ${value} mm`,

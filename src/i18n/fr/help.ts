@@ -3,8 +3,8 @@ import type { HelpTexts } from "../en/help.ts";
 export const help = {
   picture: (cycle) => `Dessin du contour, cycle ${cycle}`,
   highlighted: (parameter, label, value) => `En évidence : ${parameter} ${label}, ${value}`,
-  stale: "Ces valeurs ne donnent aucun contour. Le dernier dessin possible reste affiché.",
-  example: "Les valeurs ne sont pas encore complètes. Le dessin montre l’exemple imprimé.",
+  stale: "Pas de contour avec ces valeurs : dernier dessin possible.",
+  example: "Valeurs incomplètes : exemple imprimé.",
   noValue: "pas encore de valeur",
   inWords: {
     diameter: (value) => `diamètre ${value} mm`,

@@ -3,8 +3,8 @@ import type { HelpTexts } from "../en/help.ts";
 export const help = {
   picture: (cycle) => `轮廓图,循环 ${cycle}`,
   highlighted: (parameter, label, value) => `突出显示:${parameter} ${label},${value}`,
-  stale: "这些数值不能构成轮廓,保留最近一次可用的图形。",
-  example: "数值尚不完整,图中显示手册示例。",
+  stale: "这些数值不能构成轮廓：保留上一图形。",
+  example: "数值尚不完整：手册示例。",
   noValue: "尚无数值",
   inWords: {
     diameter: (value) => `直径 ${value} mm`,

@@ -5,7 +5,7 @@ import { textBox, type Box, type Placed } from "./labels.ts";
 import { elementAt } from "./process.ts";
 import type { Context } from "./context.ts";
 import type { Lettering } from "./dimensions.ts";
-import { arrowHead, circle, polygon, polyline, segmentPath, type Mark } from "./marks.ts";
+import { arrowHead, circle, dense, polygon, polyline, segmentPath, type Mark } from "./marks.ts";
 import { filled, stroke, value } from "./stroke.ts";
 
 /** An element smaller than this on the screen is shown magnified while it is asked for, pixels. */
@@ -19,7 +19,7 @@ export const isSmall = (c: Context, mm: number): boolean => mm > 0 && mm * c.lay
 /** Where the lens covers least: over no text, off the contour, and not far from the element. */
 function lensPlace(c: Context, radius: number, text: Box, at: Place, placed: readonly Placed[], kept: readonly Box[]): Place {
   const { width, height } = c.layout.size;
-  const line = c.section.line.map((p) => toScreen(c.layout.camera, p));
+  const line = dense(c.section.line.map((p) => toScreen(c.layout.camera, p)));
   const blank = c.section.blank.map((p) => toScreen(c.layout.camera, p));
   let best: Place = { x: width - radius - 2, y: radius + 2 };
   let least = Infinity;
@@ -28,8 +28,9 @@ function lensPlace(c: Context, radius: number, text: Box, at: Place, placed: rea
       const hit = (b: Box) => b.x < x + radius && b.x + b.width > x - radius && b.y < y + radius + text.height + 4 && b.y + b.height > y - radius;
       const over = (p: Place) => Math.hypot(p.x - x, p.y - y) < radius + 3;
       const gap = Math.hypot(at.x - x, at.y - y);
-      const cost = placed.filter((p) => hit(p.label)).length * 6 + line.filter(over).length * (40 / line.length) + blank.filter(over).length * 3
-        + gap / 10 + (gap < radius + 14 ? 60 : 0) + (kept.some(hit) ? 500 : 0);
+      const hidden = Math.abs(at.x - x) < text.width / 2 + 9 && Math.abs(at.y - (y + radius + text.height / 2 + 2)) < text.height / 2 + 9;
+      const cost = placed.filter((p) => hit(p.label) || p.lines.some(hit)).length * 6 + line.filter(over).length * 1.2 + blank.filter(over).length * 3
+        + gap / 7 + (gap < radius + 14 || hidden ? 60 : 0) + (kept.some(hit) ? 500 : 0);
       if (cost < least) [best, least] = [{ x, y }, cost];
     }
   return best;
@@ -48,8 +49,8 @@ function measure(c: Context, l: Lettering, element: Segment, camera: Camera): Ma
   return [stroke(l, "thin", polyline([centre, middle])), filled(l, "arrow", arrowHead(middle, middle.x - centre.x, middle.y - centre.y))];
 }
 
-/** A lens over a small element, with its value below, and the texts it leaves uncovered. */
-export function detail(c: Context, l: Lettering, { at, mm }: { readonly at: Pt; readonly mm: number }, placed: readonly Placed[], kept: readonly Box[]): { readonly marks: Mark[]; readonly rest: readonly Placed[]; readonly label: Box } {
+/** A lens over a small element, with its value below, and the boxes that nothing else may cover. */
+export function detail(c: Context, l: Lettering, { at, mm }: { readonly at: Pt; readonly mm: number }, placed: readonly Placed[], kept: readonly Box[]): { readonly marks: Mark[]; readonly boxes: readonly Box[]; readonly label: Box } {
   const { width, height } = c.layout.size;
   const radius = Math.min(52, 0.17 * Math.min(width, height));
   const spot = toScreen(c.layout.camera, at);
@@ -69,8 +70,7 @@ export function detail(c: Context, l: Lettering, { at, mm }: { readonly at: Pt; 
   const away = Math.hypot(centre.x - spot.x, centre.y - spot.y) || 1;
   const u = { x: (centre.x - spot.x) / away, y: (centre.y - spot.y) / away };
   const place = { x: centre.x, y: centre.y + radius + text.height / 2 + 2 };
-  const box = { x: Math.min(centre.x - radius, place.x - text.width / 2), y: centre.y - radius, width: Math.max(2 * radius, text.width), height: 2 * radius + text.height + 4 };
-  const free = placed.filter((p) => !(p.label.x < box.x + box.width && p.label.x + p.label.width > box.x && p.label.y < box.y + box.height && p.label.y + p.label.height > box.y));
+  const label = textBox(place, l.text, 0);
   return {
     marks: [
       stroke(l, "thin", circle(spot, 7)),
@@ -79,7 +79,7 @@ export function detail(c: Context, l: Lettering, { at, mm }: { readonly at: Pt; 
       stroke(l, "frame", circle(centre, radius)),
       value(l, place, l.text),
     ],
-    rest: free,
-    label: textBox(place, l.text, 0),
+    boxes: [{ x: centre.x - radius, y: centre.y - radius, width: 2 * radius, height: 2 * radius }, label],
+    label,
   };
 }

@@ -35,7 +35,7 @@ function horizontal(layout: Layout, l: Lettering, a: Place, b: Place): Candidate
   const half = width(l) / 2;
   const point = right - left < 1;
   const beside = point ? 5 : 16;
-  const middles = right - left > 2 * half + 26 ? [(left + right) / 2] : [right + half + beside, left - half - beside];
+  const middles = right - left > 2 * half + 18 ? [(left + right) / 2] : [right + half + beside, left - half - beside];
   const heights = [
     ...range(5).map((k) => ({ y: box.y - FIRST - k * TRACK, cost: k * 3 })),
     ...range(2).map((k) => ({ y: box.y + box.height + FIRST + k * TRACK, cost: 20 + k * 3 })),
@@ -54,8 +54,8 @@ function horizontal(layout: Layout, l: Lettering, a: Place, b: Place): Candidate
 function diameter(layout: Layout, l: Lettering, at: Place): Candidate[] {
   const { box, axisY, size } = layout;
   const columns = [
-    ...range(4).map((k) => ({ x: box.x + box.width + FIRST + k * TRACK, cost: k * 3 + (box.x + box.width - at.x) / 24 })),
-    ...range(3).map((k) => ({ x: box.x - FIRST - k * TRACK, cost: k * 3 + (at.x - box.x) / 24 })),
+    ...range(4).map((k) => ({ x: box.x + box.width + FIRST + k * TRACK, cost: k * 3 + (box.x + box.width - at.x) / 16 })),
+    ...range(3).map((k) => ({ x: box.x - FIRST - k * TRACK, cost: k * 3 + (at.x - box.x) / 16 })),
     ...range(3).map((k) => ({ x: at.x + (k % 2 ? 1 : -1) * (18 + 14 * k), cost: 20 + k * 3 })),
   ];
   const long = Math.abs(axisY - at.y);
@@ -64,9 +64,8 @@ function diameter(layout: Layout, l: Lettering, at: Place): Candidate[] {
     const down = axisY >= at.y ? 1 : -1;
     const line = [
       ...extension(l, at, head),
-      stroke(l, "thin", polyline([head, { x, y: axisY + 7 * down }])),
+      stroke(l, "thin", polyline([head, ...(layout.broken ? zigzag(foot, head) : []), { x, y: axisY + 7 * down }])),
       filled(l, "arrow", arrowHead(head, 0, -down)),
-      ...(layout.broken ? [stroke(l, "break", polyline(zigzag(foot, head)))] : []),
     ];
     const boxes = [lineBox(at, head), lineBox(foot, head)];
     const upright = long > width(l) + 18 ? [0.5, 0.62, 0.38].map((t, i) => candidate(l, line, { x, y: at.y + (axisY - at.y) * t }, -90, boxes, cost + i)) : [];
@@ -75,10 +74,11 @@ function diameter(layout: Layout, l: Lettering, at: Place): Candidate[] {
   });
 }
 
-/** The sign of a broken dimension line, near the axis. */
+/** The kink of a broken dimension line, near the axis, from the head on. */
 function zigzag(foot: Place, head: Place): Place[] {
-  const y = foot.y + (head.y - foot.y) * 0.18;
-  return [{ x: foot.x - 4, y: y + 3 }, { x: foot.x + 4, y: y + 1 }, { x: foot.x - 4, y: y - 1 }, { x: foot.x + 4, y: y - 3 }];
+  const down = foot.y >= head.y ? 1 : -1;
+  const y = foot.y - down * Math.min(11, Math.abs(foot.y - head.y) * 0.3);
+  return [{ x: foot.x, y: y - 4 * down }, { x: foot.x + 5, y: y - 1.5 * down }, { x: foot.x - 5, y: y + 1.5 * down }, { x: foot.x, y: y + 4 * down }];
 }
 
 /** Depths across the axis: an upright line beside its two points. */
@@ -131,10 +131,11 @@ function angle(l: Lettering, vertex: Place, from: Place, to: Place): Candidate[]
       head(start, narrow ? way : -way), head(start + sweep, narrow ? -way : way),
     ];
     const half = width(l) / 2;
+    const arc = lineBox(on(begin, r), on(end, r));
     const spots: { p: Place; cost: number }[] = narrow
       ? [{ p: on(end + way * (10 / r), r + half * 0.3), cost: 0 }, { p: on(begin - way * (10 / r), r + half * 0.3), cost: 1 }, { p: on(start + sweep / 2, r + half + 14), cost: 1 }]
       : [{ p: on(start + sweep / 2, r + half + 6), cost: 0 }, { p: on(start + sweep / 2, r - half - 6), cost: 1 }];
-    return spots.map(({ p, cost }) => candidate(l, marks, p, 0, [lineBox(vertex, on(start, r)), lineBox(vertex, on(start + sweep, r))], i * 1.5 + cost));
+    return spots.map(({ p, cost }) => candidate(l, marks, p, 0, [lineBox(vertex, on(start, r)), lineBox(vertex, on(start + sweep, r)), arc], i * 1.5 + cost));
   });
 }
 
@@ -142,14 +143,14 @@ function angle(l: Lettering, vertex: Place, from: Place, to: Place): Candidate[]
 export function leader(l: Lettering, at: Place, towards: Place): Candidate[] {
   const base = Math.hypot(towards.x - at.x, towards.y - at.y) < 0.5 ? -Math.PI / 4 : Math.atan2(towards.y - at.y, towards.x - at.x);
   const turns = [0, 0.4, -0.4, 0.8, -0.8, 1.3, -1.3, 2, -2, Math.PI];
-  return [22, 34, 50, 70, 95].flatMap((long, i) => turns.flatMap((turn, j) => {
+  return [22, 34, 50, 70, 95].flatMap((long) => turns.flatMap((turn, j) => {
     const a = base + turn;
     const knee = { x: at.x + Math.cos(a) * long, y: at.y + Math.sin(a) * long };
     const side = Math.cos(a) >= 0 ? 1 : -1;
     const shelf = { x: knee.x + side * 7, y: knee.y };
     const middle = { x: shelf.x + side * (width(l) / 2 + 3), y: shelf.y };
     const marks = [stroke(l, "thin", polyline([at, knee, shelf])), filled(l, "arrow", arrowHead(at, at.x - knee.x, at.y - knee.y))];
-    return [candidate(l, marks, middle, 0, stairs(at, knee), i * 1.2 + j * 1.4 + (Math.min(Math.abs(Math.cos(a)), Math.abs(Math.sin(a))) < 0.25 ? 4 : 0))];
+    return [candidate(l, marks, middle, 0, stairs(at, knee), (long - 22) * 0.16 + j * 1.4 + (Math.min(Math.abs(Math.cos(a)), Math.abs(Math.sin(a))) < 0.25 ? 4 : 0))];
   }));
 }
 

@@ -27,9 +27,12 @@ export interface Item {
 }
 
 export interface Placed {
+  readonly item: Item;
   readonly q: string;
   readonly marks: readonly Mark[];
   readonly label: Box;
+  /** Boxes of its lines. */
+  readonly lines: readonly Box[];
 }
 
 /** Text sizes, pixels: grey and active. Boxes are counted with the larger, so that nothing moves when one becomes active. */
@@ -65,16 +68,41 @@ export interface Sheet {
   readonly avoid: readonly Place[];
   /** Areas no text may touch. */
   readonly kept: readonly Box[];
+  /** What each crossing of two dimension lines counts; not at all when left out. */
+  readonly crossing?: number;
 }
 
 const covered = (b: Box, places: readonly Place[]) =>
   places.reduce((n, p) => n + (p.x > b.x && p.x < b.x + b.width && p.y > b.y && p.y < b.y + b.height ? 1 : 0), 0);
 
-/** Places dimensions in order, each where its text covers no other text nor dimension line; what finds no place is left out. */
-export function arrange(items: readonly Item[], sheet: Sheet): Placed[] {
-  const out: Placed[] = [];
-  const labels: Box[] = [...sheet.kept];
-  const lines: Box[] = [];
+/** How much two lines disturb each other: not at all, by crossing once, or by running on top of each other like four crossings. */
+function met(a: Box, b: Box): 0 | 1 | 4 {
+  if (!overlap(a, b)) return 0;
+  const upright = a.width <= 2 && b.width <= 2 && Math.min(a.y + a.height, b.y + b.height) - Math.max(a.y, b.y) > 6;
+  const level = a.height <= 2 && b.height <= 2 && Math.min(a.x + a.width, b.x + b.width) - Math.max(a.x, b.x) > 6;
+  return upright || level ? 4 : 1;
+}
+
+/** A candidate whose text is moved, the shortest way, to where it stands whole on the sheet, right of a left edge. */
+function movedInside(c: Candidate, left: number, { width, height }: Sheet): Candidate {
+  const inside = (at: number, long: number, low: number, high: number) => Math.max(low, Math.min(at, high - long)) - at;
+  const [dx, dy] = [inside(c.label.x, c.label.width, left, width), inside(c.label.y, c.label.height, 0, height)];
+  const marks = c.marks.map((m): Mark => (m.kind === "text" ? { ...m, place: { x: m.place.x + dx, y: m.place.y + dy } } : m));
+  return { ...c, marks, label: { ...c.label, x: c.label.x + dx, y: c.label.y + dy }, cost: c.cost + Math.hypot(dx, dy) };
+}
+
+/** The place of a dimension that must show although it fits nowhere: its text is moved onto the sheet, off the areas kept free on its left. */
+export function forced(item: Item, sheet: Sheet): Placed | null {
+  const left = Math.max(0, ...sheet.kept.filter((b) => b.x <= 0).map((b) => b.x + b.width));
+  const cheapest = item.candidates.map((c) => movedInside(c, left, sheet)).sort((a, b) => a.cost - b.cost)[0];
+  return cheapest ? { item, q: item.q, marks: cheapest.marks, label: cheapest.label, lines: cheapest.lines } : null;
+}
+
+/** Places dimensions in order, each where its text covers no other text nor dimension line; what finds no place is left out. Those that stand already stay. */
+export function arrange(items: readonly Item[], sheet: Sheet, standing: readonly Placed[] = []): Placed[] {
+  const out: Placed[] = [...standing];
+  const labels: Box[] = [...sheet.kept, ...standing.map((p) => p.label)];
+  const lines: Box[] = standing.flatMap((p) => p.lines);
   for (const item of items) {
     let best: Candidate | null = null;
     let least = item.most ?? Infinity;
@@ -82,13 +110,14 @@ export function arrange(items: readonly Item[], sheet: Sheet): Placed[] {
       if (!within(c.label, sheet.width, sheet.height)) continue;
       if (labels.some((l) => overlap(l, c.label)) || lines.some((l) => overlap(l, c.label))) continue;
       if (c.lines.some((line) => labels.some((l) => overlap(l, line)))) continue;
-      const cost = c.cost + Math.min(6, covered(c.label, sheet.avoid)) * 6;
+      const crossed = sheet.crossing ? lines.reduce((n, l) => n + Math.max(0, ...c.lines.map((line) => met(l, line))), 0) : 0;
+      const cost = c.cost + Math.min(6, covered(c.label, sheet.avoid)) * 6 + Math.min(8, crossed) * (sheet.crossing ?? 0);
       if (cost < least) [best, least] = [c, cost];
     }
     if (!best) continue;
     labels.push(best.label);
     lines.push(...best.lines);
-    out.push({ q: item.q, marks: best.marks, label: best.label });
+    out.push({ item, q: item.q, marks: best.marks, label: best.label, lines: best.lines });
   }
   return out;
 }

@@ -86,7 +86,7 @@ function fitting(
 ): Layout {
   const lines = tracks(dimensions, more);
   const margin = {
-    top: Math.min(FIRST + TRACK * lines.top, size.height * 0.35), bottom: Math.min(20, size.height * 0.1),
+    top: Math.min(FIRST + TRACK * lines.top, size.height * 0.35), bottom: Math.min(22, size.height * 0.14),
     left: more.indent + Math.min(FIRST + TRACK * (lines.right > 1 ? 1.4 : 1), size.width * 0.25), right: Math.min(FIRST + TRACK * lines.right, size.width * 0.25),
   };
   const low = Math.min(reach.axis, reach.low);

@@ -37,6 +37,13 @@ const at = (p: Place) => `${px(p.x)} ${px(p.y)}`;
 
 /** Straight lines through places. */
 export const polyline = (places: readonly Place[]): string => (places.length > 1 ? `M${places.map(at).join("L")}` : "");
+/** Places along straight lines, at most four pixels apart. */
+export const dense = (line: readonly Place[]): Place[] => line.flatMap((b, i) => {
+  const a = line[i - 1];
+  if (!a) return [b];
+  const n = Math.min(200, Math.ceil(Math.hypot(b.x - a.x, b.y - a.y) / 4));
+  return Array.from({ length: n }, (_, k) => ({ x: a.x + ((b.x - a.x) * (k + 1)) / n, y: a.y + ((b.y - a.y) * (k + 1)) / n }));
+});
 /** A closed shape through places. */
 export const polygon = (places: readonly Place[]): string => (places.length > 2 ? `M${places.map(at).join("L")}Z` : "");
 /** A full circle. */

@@ -8,10 +8,10 @@ import { numberOf, startPoint, type Context } from "./context.ts";
 import { detail, isSmall } from "./detail.ts";
 import type { Lettering } from "./dimensions.ts";
 import { frameOf } from "./frame.ts";
-import { arrange, overlap, SIZE, textBox, type Box, type Item, type Placed } from "./labels.ts";
+import { arrange, forced, overlap, SIZE, textBox, type Box, type Item, type Placed, type Sheet } from "./labels.ts";
 import { FIRST, layoutOf } from "./layout.ts";
 import { letteringOf, positionText, type Numbers, type Speech } from "./lettering.ts";
-import { polygon, polyline, segmentPath, type Mark } from "./marks.ts";
+import { dense, polygon, polyline, segmentPath, type Mark } from "./marks.ts";
 import { passesOf } from "./passes.ts";
 import * as explain from "./process.ts";
 import { areaOf, lineOf, sectionOf } from "./section.ts";
@@ -41,6 +41,10 @@ export interface HelpDrawing {
 
 /** Topics whose dimension is drawn grey while another parameter is asked for. */
 const ALWAYS: readonly Topic[] = ["outline", "clearance", "infeed", "limitDiameter", "limitZ", "oversizeDiameter", "oversizeZ"];
+/** What a dimension rather does than cross another one's line: this much of its own cost. */
+const CROSSING = 1.5;
+/** A quiet dimension that would cost more than this is left out. */
+const QUIET_MOST = 30;
 /** Of these, what stays when the diagrams of a choice need room. */
 const CALM: readonly Topic[] = ALWAYS.slice(0, 5);
 
@@ -117,26 +121,34 @@ function ground(c: Context): Mark[] {
   ];
 }
 
-/** Places on the drawing's strong lines, a few pixels apart, for texts to keep away from. */
+/** Places on the drawing's strong lines and below the axis, a few pixels apart, for texts to keep away from. */
 function strongPlaces(c: Context): Place[] {
   const at = (p: Parameters<typeof toScreen>[1]) => toScreen(c.layout.camera, p);
-  const dense = (line: readonly Place[]) => line.flatMap((b, i) => {
-    const a = line[i - 1];
-    if (!a) return [b];
-    const n = Math.min(200, Math.ceil(Math.hypot(b.x - a.x, b.y - a.y) / 4));
-    return Array.from({ length: n }, (_, k) => ({ x: a.x + ((b.x - a.x) * (k + 1)) / n, y: a.y + ((b.y - a.y) * (k + 1)) / n }));
-  });
   const axis = dense([{ x: c.layout.box.x, y: c.layout.axisY }, { x: c.layout.box.x + c.layout.box.width, y: c.layout.axisY }]);
   const edges = c.section.edges.flatMap(([a, b]) => dense([at(a), at(b)]));
-  return [...dense(c.section.line.map(at)), ...dense(c.section.blank.map(at)), ...edges, ...axis];
+  const below: Place[] = [];
+  for (let y = c.layout.axisY; y < c.layout.size.height; y += 6)
+    for (let x = 0; x < c.layout.size.width; x += 6) below.push({ x, y });
+  return [...dense(c.section.line.map(at)), ...dense(c.section.blank.map(at)), ...edges, ...axis, ...below];
 }
 
-/** Quiet dimensions keep their places; the active one comes first where it would otherwise find none. */
-function arranged(items: readonly Item[], active: string | null, sheet: Parameters<typeof arrange>[1]): Placed[] {
+/** Quiet dimensions keep their places; the active one comes first where it would otherwise find none, and always shows. */
+function arranged(items: readonly Item[], active: string | null, sheet: Sheet): Placed[] {
   const placed = arrange(items, sheet);
-  if (active === null || placed.some((p) => p.q === active) || !items.some((i) => i.q === active)) return placed;
-  const first = arrange([...items.filter((i) => i.q === active), ...items.filter((i) => i.q !== active)], sheet);
-  return first;
+  const own = items.find((i) => i.q === active);
+  if (!own || placed.some((p) => p.q === active)) return placed;
+  const others = items.filter((i) => i !== own);
+  const first = arrange([own, ...others], sheet);
+  if (first.some((p) => p.q === active)) return first;
+  const last = forced(own, sheet);
+  return last ? [last, ...arrange(others, { ...sheet, kept: [...sheet.kept, last.label] })] : first;
+}
+
+/** What the lens covers moves, everything else stays. */
+function besideLens(items: readonly Item[], placed: readonly Placed[], lens: readonly Box[], sheet: Sheet): Placed[] {
+  const standing = placed.filter((p) => ![p.label, ...p.lines].some((b) => lens.some((l) => overlap(b, l))));
+  const moved = items.filter((i) => placed.some((p) => p.item === i) && !standing.some((p) => p.item === i));
+  return arrange(moved, { ...sheet, kept: [...sheet.kept, ...lens] }, standing);
 }
 
 /** Draws the contour of a cycle with its dimensions, the one of the active parameter strong. */
@@ -147,18 +159,22 @@ export function helpDrawing(request: HelpRequest): HelpDrawing {
   const strip = topic !== null && choice !== undefined && hasTiles(topic);
   const { c, column } = strip ? besideTiles(request, choice.length) : { c: contextOf(request, size, 0), column: 0 };
   const shown = Object.keys(params).filter((q) => q === active || (strip ? CALM : ALWAYS).includes(topicOf(params[q]?.text ?? "")));
-  const order = [...shown].sort((a, b) => ALWAYS.indexOf(topicOf(params[a]?.text ?? "")) - ALWAYS.indexOf(topicOf(params[b]?.text ?? "")));
+  // Leaders find a place almost anywhere, so they come after the other dimensions of the outline.
+  const leaders = new Set(request.outline.dimensions.filter((d) => d.form === "leader").map((d) => d.q));
+  const rank = (q: string) => ALWAYS.indexOf(topicOf(params[q]?.text ?? "")) + (leaders.has(q) ? 0.5 : 0);
+  const order = [...shown].sort((a, b) => rank(a) - rank(b));
   const parts = order.map((q) => ({ q, ...explanation(c, topicOf(params[q]?.text ?? ""), c.letter(q)) }));
   const strong = strongPlaces(c);
   const chosen = active === null || values[active] === undefined ? null : numberOf(values, active);
   const row = strip && active !== null ? tiles(c.frame, topic, choice, { q: active, chosen }, size, column > 0) : [];
   const kept: Box[] = column > 0 ? [{ x: 0, y: 0, width: column, height: size.height }] : [];
-  const sheet = { width: c.layout.size.width, height: c.layout.size.height, avoid: strong, kept };
+  const sheet = { width: c.layout.size.width, height: c.layout.size.height, avoid: strong, kept, crossing: CROSSING };
   const small = active === null ? null : smallFeature(c, active);
-  const items = [...parts.flatMap((p) => (p.item && !(small && p.q === active) ? [p.item] : [])), ...explain.plainDimensions(c)];
+  const own = parts.flatMap((p) => (p.item && !(small && p.q === active) ? [p.item] : []));
+  const items = [...own, ...explain.plainDimensions(c)].map((i): Item => (i.q === active ? i : { ...i, most: i.most ?? QUIET_MOST }));
   let placed: readonly Placed[] = arranged(items, active, sheet);
   const lens = small && active ? detail(c, c.letter(active), small, placed, kept) : null;
-  if (lens) placed = lens.rest;
+  if (lens) placed = besideLens(items, placed, lens.boxes, sheet);
   const back = (strong: boolean) => parts.filter((p) => (p.q === active) === strong).flatMap((p) => p.under);
   const marks: Mark[] = [
     ...ground(c), ...back(false),

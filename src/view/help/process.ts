@@ -60,7 +60,7 @@ export function clearance(c: Context, l: Lettering): Explanation {
   const form = c.frame.recess && c.frame.infeed === "r" ? "r" : "z";
   return {
     under: [stroke(l, "frame", circle(centre, 3.5) + cross)],
-    item: dimensionItem(c.layout, { q: l.q, form, from: c.section.corner, to: s }, l),
+    item: c.params[l.q]?.reserved && !l.active ? null : dimensionItem(c.layout, { q: l.q, form, from: c.section.corner, to: s }, l),
   };
 }
 
@@ -174,7 +174,8 @@ export function outlined(c: Context, l: Lettering, partner: string | null): Expl
   const d = own.find((o) => o.q === l.q) ?? own[0];
   const type = partnerOf(c.params, l.q);
   const without = type !== null && numberOf(c.values, c.params[l.q]?.kind === "choice" ? l.q : type) === 0;
-  if (d && (l.active || !without)) {
+  const nothing = c.params[l.q]?.text === "cornerRadius" && numberOf(c.values, l.q) === 0;
+  if (d && (l.active || !(without || nothing))) {
     const snapped = d.form === "leader" && !without ? { ...d, at: elementAt(c, d.at)?.at ?? d.at } : d;
     return { under: without ? [] : elementMarks(c, l, d), item: dimensionItem(c.layout, { ...snapped, q: l.q }, l) };
   }

@@ -11,14 +11,16 @@ type Stroke =
   | { readonly fill: Fill; readonly at: readonly Spot[] };
 
 /** One diagram and its drawing area, pixels. */
-const TILE = { width: 62, height: 50, gap: 8, top: 2 } as const;
+const TILE = { width: 62, height: 50, least: 42, gap: 8, top: 2 } as const;
 /** Height of the row that holds the diagrams. */
 export const ROW = TILE.height + 8;
-/** How many columns the diagrams need in a height, and the width of those. */
-export function columnsFor(count: number, height: number): { readonly columns: number; readonly each: number; readonly width: number } {
-  const most = Math.max(1, Math.floor((height - 4 + TILE.gap) / (TILE.height + TILE.gap)));
+/** How many diagrams stand in a column of a height, how tall each is, and how wide all columns are, pixels. */
+export function columnsFor(count: number, height: number): { readonly each: number; readonly width: number; readonly tall: number } {
+  const room = height - 4 + TILE.gap;
+  const most = Math.max(1, Math.floor(room / (TILE.least + TILE.gap)));
   const columns = Math.ceil(count / most);
-  return { columns, each: Math.ceil(count / columns), width: columns * (TILE.width + TILE.gap) };
+  const each = Math.ceil(count / columns);
+  return { each, width: columns * (TILE.width + TILE.gap), tall: Math.max(TILE.least, Math.min(TILE.height, Math.floor(room / each) - TILE.gap)) };
 }
 
 const STEP: readonly Spot[] = [[0, 0.22], [0.58, 0.22], [0.8, 0.8], [1, 0.8]];
@@ -78,22 +80,23 @@ export const hasTiles = (topic: Topic): boolean => diagrams[topic] !== undefined
 /** Small diagrams in a row at the foot of the picture or in columns at its left, one for each value; the chosen one strong. */
 export function tiles(f: Frame, topic: Topic, choices: readonly number[], tag: { readonly q: string; readonly chosen: number | null }, size: Size, column: boolean): Mark[] {
   const width = column ? TILE.width : Math.min(TILE.width, (size.width - 8 - TILE.gap * (choices.length - 1)) / choices.length);
-  const { each } = columnsFor(choices.length, size.height);
+  const { each, tall: high } = columnsFor(choices.length, size.height);
+  const tall = column ? high : TILE.height;
   const whole = choices.length * width + (choices.length - 1) * TILE.gap;
   const marks = choices.flatMap((choice, i) => {
     const own: Tag = { q: tag.q, active: choice === tag.chosen };
     const left = column ? 4 + Math.floor(i / each) * (TILE.width + TILE.gap) : (size.width - whole) / 2 + i * (width + TILE.gap);
     const top = column
-      ? (size.height - each * (TILE.height + TILE.gap) + TILE.gap) / 2 + (i % each) * (TILE.height + TILE.gap)
+      ? (size.height - each * (tall + TILE.gap) + TILE.gap) / 2 + (i % each) * (tall + TILE.gap)
       : size.height - ROW + TILE.top;
-    const inner = { x: left + 14, y: top + 4, width: width - 18, height: TILE.height - 8 };
+    const inner = { x: left + 14, y: top + 4, width: width - 18, height: tall - 8 };
     const place = ([u, v]: Spot): Place => {
       const [across, up] = f.infeed === "r"
         ? [f.feed < 0 ? 1 - u : u, f.open > 0 ? v : 1 - v]
         : [f.open > 0 ? v : 1 - v, f.feed < 0 ? 1 - u : u];
       return { x: inner.x + across * inner.width, y: inner.y + (1 - up) * inner.height };
     };
-    const edge = polygon([{ x: left, y: top }, { x: left + width, y: top }, { x: left + width, y: top + TILE.height }, { x: left, y: top + TILE.height }]);
+    const edge = polygon([{ x: left, y: top }, { x: left + width, y: top }, { x: left + width, y: top + tall }, { x: left, y: top + tall }]);
     const drawing = (diagrams[topic]?.[choice] ?? []).flatMap((s): Mark[] => {
       const places = s.at.map(place);
       if ("fill" in s) return [filled(own, s.fill, polygon(places))];
