@@ -1,6 +1,6 @@
 import { approach, type Approach, type ApproachRequest } from "./approach.ts";
 import { flattenedChain } from "./flatten.ts";
-import { apart, difference, partSegment, planePoint, sum, turned, type PlanePoint, type PlaneSegment, type Side } from "./plane.ts";
+import { apart, cross, difference, partSegment, planePoint, sum, turned, type PlanePoint, type PlaneSegment, type Side } from "./plane.ts";
 import { gapBetween, nearestOn } from "./plane-distance.ts";
 import { CHORD, SAME } from "./tolerance.ts";
 
@@ -18,22 +18,26 @@ export type FreeWay =
 /** Less than a control can print is not a cut, mm. */
 const LEAST_CUT = 0.001;
 
-/** True when a point lies on the material side of a contour that closes; an open one has no inside. */
-function inMaterial(p: PlanePoint, contour: readonly PlaneSegment[], side: Side): boolean {
+/** Says of points whether they lie on the material side of a contour that closes; an open one has no inside. */
+function materialOf(contour: readonly PlaneSegment[], side: Side): (p: PlanePoint) => boolean {
   const [first, last] = [contour[0], contour.at(-1)];
-  if (!first || !last || contour.length < 2 || apart(first.from, last.to) > SAME) return false;
+  if (!first || !last || contour.length < 2 || apart(first.from, last.to) > SAME) return () => false;
   const ring = flattenedChain(contour.map(partSegment), CHORD).map(planePoint);
-  let [inside, area] = [false, 0];
-  ring.forEach((a, i) => {
-    const b = ring[(i + 1) % ring.length] ?? a;
-    area += a.x * b.y - b.x * a.y;
-    if (a.y > p.y !== b.y > p.y && p.x < a.x + ((p.y - a.y) / (b.y - a.y)) * (b.x - a.x)) inside = !inside;
-  });
-  return inside === (area > 0) === (side === "right");
+  const area = ring.reduce((total, a, i) => total + cross(a, ring[(i + 1) % ring.length] ?? a), 0);
+  return (p) => {
+    let inside = false;
+    ring.forEach((a, i) => {
+      const b = ring[(i + 1) % ring.length] ?? a;
+      if (a.y > p.y !== b.y > p.y && p.x < a.x + ((p.y - a.y) / (b.y - a.y)) * (b.x - a.x)) inside = !inside;
+    });
+    return inside === (area > 0) === (side === "right");
+  };
 }
 
 /** The deepest place where a tool on these legs cuts into a contour whose free side is known; null when the way is free. */
-export function contourCut(legs: readonly PlaneSegment[], contour: readonly PlaneSegment[], side: Side, toolRadius: number): ContourCut | null {
+export function contourCut(
+  legs: readonly PlaneSegment[], contour: readonly PlaneSegment[], side: Side, toolRadius: number, inMaterial = materialOf(contour, side),
+): ContourCut | null {
   if (side === "none") return null;
   let worst: ContourCut | null = null;
   const note = (depth: number, on: PlanePoint) => {
@@ -45,7 +49,7 @@ export function contourCut(legs: readonly PlaneSegment[], contour: readonly Plan
       note(toolRadius - gap.distance, gap.on);
     }
     for (const end of [leg.from, leg.to]) {
-      if (!inMaterial(end, contour, side)) continue;
+      if (contour.length === 0 || !inMaterial(end)) continue;
       const on = contour.map((s) => nearestOn(s, end)).reduce((a, b) => (apart(b, end) < apart(a, end) ? b : a));
       note(toolRadius + apart(on, end), on);
     }
@@ -75,12 +79,14 @@ export function guardApproach(
   q: ApproachRequest, contour: readonly PlaneSegment[], checked: CheckedLegs = "all",
 ): { readonly cut: ContourCut; readonly free: FreeWay | null } | null {
   const made = approach(q);
-  const cut = contourCut(legsOf(made, checked), contour, q.side, q.toolRadius);
+  if (q.side === "none") return null;
+  const inMaterial = materialOf(contour, q.side);
+  const cut = contourCut(legsOf(made, checked), contour, q.side, q.toolRadius, inMaterial);
   if (!cut) return null;
   const near = nearby(q, made, contour);
   const isFree = (other: ApproachRequest) => {
     const tried = approach(other);
-    return tried.issues.every((i) => i.severity !== "error") && !contourCut(legsOf(tried, checked), near, q.side, q.toolRadius);
+    return tried.issues.every((i) => i.severity !== "error") && !contourCut(legsOf(tried, checked), near, q.side, q.toolRadius, inMaterial);
   };
   return { cut, free: freePoint(q, made, isFree) ?? freeValue(q, isFree) };
 }
@@ -88,9 +94,7 @@ export function guardApproach(
 /** The part of a long contour that a search can reach. */
 function nearby(q: ApproachRequest, made: Approach, contour: readonly PlaneSegment[]): readonly PlaneSegment[] {
   const at = made.points.PA ?? made.points.PE;
-  const first = contour[0];
-  const closed = first !== undefined && apart(first.from, contour.at(-1)?.to ?? first.to) <= SAME;
-  if (!at || closed) return contour;
+  if (!at) return contour;
   const reach = 2 * q.toolRadius + 4 * ((q.outside ? apart(q.outside, at) : 0) + 3 * Math.abs(q.length ?? 0) + 6 * Math.abs(q.radius ?? 0));
   return contour.filter((s) => apart(nearestOn(s, at), at) <= reach);
 }

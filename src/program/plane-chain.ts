@@ -30,6 +30,9 @@ export interface ApproachCall extends Travel {
   readonly words: Pick<ApproachRequest, "length" | "radius" | "centreAngle">;
   /** APPR: the programmed PA. DEP LCT: the programmed PN; null for the other departures. */
   readonly target: PlanePoint | null;
+  readonly pole: PlanePoint | null;
+  /** The feed in force before the block; null when none was programmed. */
+  readonly before: number | "rapid" | null;
 }
 
 /** How the tool comes to a contour: it stands there, moves there with an RL or RR block, or approaches. */

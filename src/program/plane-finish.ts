@@ -65,14 +65,16 @@ function lead(f: Finishing, call: ApproachCall, element: PlaneSegment, contour: 
   for (const found of made.issues) machine.say(found, call.index);
   const above = carrier.top !== null && call.fromZ !== null && call.fromZ >= carrier.top;
   const inPlaneFirst = (machine.shop.control ?? "TNC 640") === "TNC 640" && call.fromZ !== call.toZ;
+  const segments = contour.contour.map((c) => c.segment);
   const guarded = !made.issues.some((i) => i.severity === "error") &&
-    guardApproach(q, contour.contour.map((c) => c.segment), above && inPlaneFirst && !call.departing ? "fromPH" : "all");
+    guardApproach(q, segments, above && inPlaneFirst && !call.departing ? "fromPH" : "all");
   if (guarded) machine.say(cutIssue(carrier, q, guarded), call.index);
   carrier.note({
     block: machine.numbers[call.index] ?? 0, index: call.index, form: call.form, shape: call.shape, departing: call.departing, side: f.chain.side,
     plane: carrier.plane, points: shifted(made.points, carrier.tip), toolRadius: carrier.toolRadius,
     arc: made.arc && { ...made.arc, centre: sum(made.arc.centre, carrier.tip) },
-    request: q, contour: contour.contour.map((c) => c.segment), tip: carrier.tip,
+    request: q, contour: segments, tip: carrier.tip, pole: call.pole, feedBefore: call.before,
+    cut: guarded ? guarded.cut : null, free: guarded ? guarded.free : null,
   });
   return made;
 }
@@ -118,9 +120,11 @@ function begin(f: Finishing, contour: PlaneContour, reference: PlaneSegment | un
 /** The elements between, each in its own feed. */
 function along(f: Finishing, contour: PlaneContour): void {
   f.chain.lifts.forEach((t) => f.lift(t));
+  const byElement = new Map<number, (typeof contour.path)[number][]>();
+  for (const p of contour.path) byElement.set(p.element, [...(byElement.get(p.element) ?? []), p]);
   f.chain.items.forEach((item, i) => {
-    const own = contour.path.filter((p) => p.element === i && !p.onCorner);
-    const onCorner = contour.path.filter((p) => p.element === i && p.onCorner);
+    const own = byElement.get(i)?.filter((p) => !p.onCorner) ?? [];
+    const onCorner = byElement.get(i)?.filter((p) => p.onCorner) ?? [];
     for (const p of own.filter((each) => each.part === "element")) f.go(p.segment, item);
     for (const t of item.lifts) f.lift(t);
     const flat = { ...item, fromZ: item.lifts.at(-1)?.toZ ?? item.toZ, toZ: item.lifts.at(-1)?.toZ ?? item.toZ };

@@ -1,4 +1,4 @@
-import { lengthOfSegment, type PlanePoint, type PlaneSegment, type Side } from "../kernel/plane.ts";
+import { lengthOfSegment, planePoint, type PlanePoint, type PlaneSegment, type Side } from "../kernel/plane.ts";
 import { SAME } from "../kernel/tolerance.ts";
 import type { ApproachForm, Compensation, Words } from "../nc/statement.ts";
 import { programIssue } from "./issue.ts";
@@ -100,10 +100,16 @@ export interface ApproachBlock {
   readonly toZ: number | null;
 }
 
-function callOf(machine: Machine, b: ApproachBlock, feed: Travel["feed"]): ApproachCall {
+function callOf(machine: Machine, b: ApproachBlock, feed: Travel["feed"], known: Travel["feed"] | undefined): ApproachCall {
   const { form, departing, index, target, fromZ, toZ } = b;
-  return { form, shape: shapeOf(form), departing, index, target, fromZ, toZ, feed, words: approachWords(machine, b.words, index) };
+  return {
+    form, shape: shapeOf(form), departing, index, target, fromZ, toZ, feed, words: approachWords(machine, b.words, index),
+    pole: machine.pole && planePoint(machine.pole), before: known === undefined ? null : (known ?? "rapid"),
+  };
 }
+
+/** The feed that the block before ran at: null is rapid; undefined when none is programmed at all. */
+const feedBefore = (machine: Machine) => (machine.lastFeed === undefined ? (machine.feed ?? undefined) : machine.lastFeed);
 
 /** APPR: the contour begins; its way there is carried out when the first element is known. */
 export function beginApproach(guide: Guide, carrier: CarrierFor, b: ApproachBlock): void {
@@ -112,19 +118,19 @@ export function beginApproach(guide: Guide, carrier: CarrierFor, b: ApproachBloc
   const now = guide.chain?.side ?? "none";
   if (now !== "none" && side !== "none" && now !== side) machine.say(programIssue("sideChanged", "error", {}), b.index);
   close(guide, carrier);
-  const known = machine.lastFeed === undefined ? (machine.feed ?? undefined) : machine.lastFeed;
+  const known = feedBefore(machine);
   if (known === undefined) machine.say(programIssue("feedMissing", "error", {}), b.index);
   if (!guide.here) machine.say(programIssue("startUnknown", "error", {}), b.index);
   const feed = blockFeed(machine, b.words.feed, b.index);
   const before = known === undefined ? feed : known;
-  guide.chain = { side, start: { kind: "approach", call: callOf(machine, b, feed), before }, lifts: [], items: [] };
+  guide.chain = { side, start: { kind: "approach", call: callOf(machine, b, feed, known), before }, lifts: [], items: [] };
 }
 
 /** DEP: the contour ends, and compensation with it. */
 export function endWithDeparture(guide: Guide, carrier: CarrierFor, b: ApproachBlock): void {
   const { machine } = carrier("none");
-  const feed = blockFeed(machine, b.words.feed, b.index);
-  const call = callOf(machine, b, feed);
+  const known = feedBefore(machine);
+  const call = callOf(machine, b, blockFeed(machine, b.words.feed, b.index), known);
   if (guide.chain) close(guide, carrier, call);
   else machine.say(programIssue("approachWithoutContour", "error", { form: `DEP ${b.form}` }), b.index);
 }

@@ -1,4 +1,5 @@
 import type { ApproachRequest, ApproachShape, NamedPoints } from "../kernel/approach.ts";
+import type { ContourCut, FreeWay } from "../kernel/approach-check.ts";
 import type { FeedUnit } from "../kernel/move.ts";
 import type { PlanePoint, PlaneSegment, Side } from "../kernel/plane.ts";
 import type { Turn } from "../kernel/point.ts";
@@ -58,4 +59,11 @@ export interface ApproachRun {
   readonly contour: readonly PlaneSegment[];
   /** From the tool centre to the programmed point: nothing for a mill. */
   readonly tip: PlanePoint;
+  /** CC at the block. */
+  readonly pole: PlanePoint | null;
+  /** Feed in force before the block, in its unit; "rapid", or null when none was programmed. */
+  readonly feedBefore: number | "rapid" | null;
+  /** Where the tool centre's way cuts into the contour, and what would make it free. */
+  readonly cut: ContourCut | null;
+  readonly free: FreeWay | null;
 }
