@@ -39,3 +39,34 @@ test("a start point that stands in the material is said at its field, and the pi
   await setup.blank("outside").fill("-3");
   await expect(setup.blank("outside")).toHaveAttribute("aria-invalid", "true");
 });
+
+test("a Q parameter in a prompt asks for its value, and the program sets it before the cycle", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { dialog, setup, effect, program, t } = turnwise;
+  await turnwise.start.beginWithExample(812);
+  await expect(effect.cell("proof")).toHaveText(t.page.effect.clean);
+  const time = await effect.cell("time").textContent();
+  await dialog.open("Q493");
+  await dialog.type("q5");
+  await expect(dialog.messages).toContainText("Q5");
+  await dialog.active.getByRole("button", { name: t.dialog.giveParameter("Q5"), exact: true }).click();
+  const value = setup.parameter("Q5");
+  await expect(value).toBeFocused();
+  await expect(page.getByText(t.setup.parameters.ask("Q5"))).toBeVisible();
+  await value.fill("40");
+  await expect(effect.cell("proof")).toHaveText(t.page.effect.clean);
+  await expect(effect.cell("time")).not.toHaveText(time ?? "");
+  const text = await program.copy();
+  expect(text).toMatch(/\n\d+ Q5 = 40\r?\n/);
+  expect(text).toContain("Q493=+Q5");
+  await turnwise.show("prompts");
+  await dialog.open("Q494");
+  await dialog.type("-Q5/2-1");
+  await page.keyboard.press("Enter");
+  await expect(dialog.line("Q494")).toContainText("-21");
+  await turnwise.undo();
+  await turnwise.undo();
+  await page.reload();
+  await turnwise.show("setup");
+  await expect(value).toHaveValue("40");
+});

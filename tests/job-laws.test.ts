@@ -27,6 +27,7 @@ const jobs: fc.Arbitrary<Job> = fc.constantFrom(...catalogue).chain((cycle) => f
   draft: fc.record(Object.fromEntries(Object.entries(cycle.params).map(([q, p]) => [q, typed(p)]))),
   contour: fc.oneof(fc.constant(exampleJob(cycle).contour), fc.array(row, { maxLength: 8 })),
   start: fc.record({ x: length, z: length }), name: fc.oneof(fc.constant("PART"), fc.string({ maxLength: 12 })),
+  parameters: fc.oneof(fc.constant({}), length.map((Q5) => ({ Q5 }))),
   ncLanguage: fc.constantFrom("en" as const, "de" as const, "fr" as const, "zh" as const), perRevolution: fc.boolean(),
 }).map(({ draft, ...rest }) => ({ ...exampleJob(cycle), drafts: { [cycle.number]: draft }, ...rest })));
 

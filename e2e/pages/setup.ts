@@ -29,6 +29,11 @@ export class Setup {
     return this.field(this.context.t.setup.feed.rapid);
   }
 
+  /** The value of a Q parameter that stands in a prompt. */
+  parameter(name: string): Locator {
+    return this.field(name);
+  }
+
   get tools(): Locator {
     return this.context.page.getByRole("radiogroup", { name: this.context.t.setup.tool.list, exact: true });
   }

@@ -22,6 +22,10 @@ export function setPrompt(q: string, text: string): void {
 export const setPrompts = (draft: Draft): void =>
   edit((job) => ({ ...job, drafts: { ...job.drafts, [job.cycle]: { ...draftOf(job), ...draft } } }));
 
+/** The value of a Q parameter that stands in prompts, as typed. */
+export const setParameter = (name: string, text: string): void =>
+  edit((job) => ({ ...job, parameters: { ...job.parameters, [name]: text } }), `parameter ${name}`);
+
 export const setTool = (tool: number): void => edit((job) => (job.tool === tool ? job : { ...job, tool }));
 
 export const setBlank = (field: keyof BlankDraft, text: string): void =>

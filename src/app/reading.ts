@@ -1,6 +1,7 @@
 import type { Cycle } from "../cycles/define.ts";
 import { cycleByNumber } from "../cycles/index.ts";
 import type { Job } from "../program/job.ts";
+import { knownParameters } from "../program/job-parameters.ts";
 import { readDraft, type Draft, type DraftReading } from "../program/read-draft.ts";
 import { draftOf } from "./edits.ts";
 import { useEditor } from "./store.ts";
@@ -22,7 +23,7 @@ export function readJob(job: Job): JobReading | null {
   const cycle = cycleByNumber(job.cycle);
   if (!cycle) return null;
   const draft = draftOf(job);
-  const made = { job, cycle, draft, reading: readDraft(cycle, draft) };
+  const made = { job, cycle, draft, reading: readDraft(cycle, draft, knownParameters(job)) };
   read.set(job, made);
   return made;
 }

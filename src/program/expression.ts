@@ -1,7 +1,7 @@
 /** Values of Q parameters by upper-case name: "Q5", "QL1", "QR3". */
 export type KnownParameters = Readonly<Record<string, number>>;
 
-/** What typed text is where a number is expected. `parameter` is set when the text is one Q parameter and nothing else. */
+/** What typed text is where a number is expected. `parameter` is set when the text is one Q parameter, or one with a minus, and nothing else. */
 export type Expression =
   | { readonly kind: "number"; readonly value: number; readonly parameter: string | null; readonly computed: boolean }
   | { readonly kind: "empty" }
@@ -82,10 +82,15 @@ export function readExpression(typed: string, known: KnownParameters = {}): Expr
   if (list instanceof Unknown) return { kind: "unknownParameter", name: list.name };
   const value = list ? evaluate(list) : NaN;
   if (list && Number.isFinite(value)) {
-    const parameter = /^\+?\s*(Q[LR]?\d{1,4})$/i.exec(text)?.[1]?.toUpperCase() ?? null;
+    const alone = /^([-+]?)\s*(Q[LR]?\d{1,4})$/i.exec(text);
+    const parameter = alone ? `${alone[1] === "-" ? "-" : ""}${alone[2]?.toUpperCase()}` : null;
     const values = list.filter((token) => token.kind === "value").length;
     return { kind: "number", value: value === 0 ? 0 : value, parameter, computed: values > 1 };
   }
   const sum = /^[-+\s]*[\dQ.,(].*[-+*/()]/i.test(text);
   return { kind: sum ? "badExpression" : "notANumber", text: typed.trim() };
 }
+
+/** Names of the Q parameters in a typed text, in the order in which they stand there. */
+export const parametersIn = (typed: string): readonly string[] =>
+  typed.length > LONGEST ? [] : [...typed.matchAll(/(?<![\w.,])Q[LR]?\d{1,4}(?!\w)/gi)].map(([name]) => name.toUpperCase());

@@ -58,6 +58,8 @@ export interface Job {
   readonly cycle: number;
   /** Values of every cycle that was edited, so that changing the cycle loses nothing. */
   readonly drafts: Readonly<Record<number, Draft>>;
+  /** Values of Q parameters that stand in prompts, as typed, by upper-case name: "Q5". */
+  readonly parameters: Readonly<Record<string, string>>;
   readonly tool: number;
   readonly blank: BlankDraft;
   /** Tip at the cycle call: ⌀ and Z, mm. */
@@ -79,6 +81,7 @@ export function exampleJob(cycle: Cycle): Job {
     name: `${example.name}${cycle.number}`,
     cycle: cycle.number,
     drafts: { [cycle.number]: exampleDraft(cycle) },
+    parameters: {},
     tool: example.tool,
     blank: example.blank,
     start: example.start,

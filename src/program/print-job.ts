@@ -4,6 +4,8 @@ import type { Param } from "../cycles/params.ts";
 import { programText } from "../nc/print.ts";
 import type { AxisWord, CycleParameter, Statement, Value, Words } from "../nc/statement.ts";
 import { LAYOUTS } from "../nc/style.ts";
+import type { KnownParameters } from "./expression.ts";
+import { knownParameters, usedParameters } from "./job-parameters.ts";
 import type { Job } from "./job.ts";
 import { contourStatements } from "./print-contour.ts";
 import { isAuto } from "./read-draft.ts";
@@ -20,6 +22,8 @@ export interface Labels {
 
 /** Label of the contour subprogram, as in the printed examples. */
 const CONTOUR_LABEL = 2;
+/** Decimals of the value of a Q parameter. */
+const PARAMETER_DECIMALS = 6;
 /** How far the safe position stands from blank and start point: ⌀ and Z, mm. */
 const AWAY = { x: 20, z: 50 };
 const path = (words: Partial<Words>): Statement => ({ kind: "path", path: "L", words: { ...noWords, ...words } });
@@ -28,10 +32,10 @@ const number = (typed: string, otherwise: number) => {
   return typeof read === "number" ? read : otherwise;
 };
 
-function parameter(q: string, p: Param, typed: string, labels: Labels): CycleParameter {
+function parameter(q: string, p: Param, typed: string, known: KnownParameters, labels: Labels): CycleParameter {
   const label = labels.label(p.text);
   if (p.kind === "feed" && isAuto(typed)) return { q, value: "auto", label };
-  const read = value(typed, p.decimals);
+  const read = value(typed, p.decimals, known);
   return { q, value: read ?? (typed.trim() === "" && p.optional ? 0 : null), label };
 }
 
@@ -56,6 +60,13 @@ function blank(job: Job): Statement {
   };
 }
 
+/** `Q5 = 25` for each Q parameter that stands in a prompt and has a value. */
+const assignments = (job: Job, known: KnownParameters): Statement[] =>
+  usedParameters(job).flatMap((target): Statement[] => {
+    const of = known[target];
+    return of === undefined ? [] : [{ kind: "assign", fn: null, target, formula: { kind: "value", value: kept(of, PARAMETER_DECIMALS) } }];
+  });
+
 /** The blocks of a job, from BEGIN PGM to END PGM. */
 export function jobStatements(job: Job, cycle: Cycle, labels: Labels): Statement[] {
   const name = programName(job.name);
@@ -64,6 +75,7 @@ export function jobStatements(job: Job, cycle: Cycle, labels: Labels): Statement
   const at = (x: Value, z: Value): AxisWord[] => [{ axis: "X", value: x, incremental: false }, { axis: "Z", value: z, incremental: false }];
   const free = cycle.contour === "free";
   const draft = job.drafts[cycle.number] ?? {};
+  const known = knownParameters(job);
   const cycleLine = (line: number, text: string): Statement => ({ kind: "cycleLine", cycle: 14, line, text });
   const functions = (m: number): Statement => ({ kind: "functions", words: { ...noWords, functions: [m] } });
   return [
@@ -74,10 +86,11 @@ export function jobStatements(job: Job, cycle: Cycle, labels: Labels): Statement
     spin(job),
     functions(job.perRevolution ? 136 : 137),
     path({ axes: at(safeX, safeZ), compensation: "R0", feed: "max" }),
+    ...assignments(job, known),
     ...(free ? [cycleLine(0, labels.contour.title), cycleLine(1, `${labels.contour.label}${CONTOUR_LABEL}`)] : []),
     {
       kind: "cycle", cycle: cycle.number, name: labels.cycleName(cycle.number),
-      parameters: Object.entries(cycle.params).map(([q, p]) => parameter(q, p, draft[q] ?? "", labels)),
+      parameters: Object.entries(cycle.params).map(([q, p]) => parameter(q, p, draft[q] ?? "", known, labels)),
     },
     path({ axes: [...axis("X", job.start.x), { axis: "Y", value: 0, incremental: false }, ...axis("Z", job.start.z)], feed: "max", functions: [303] }),
     { kind: "cycleCall", how: "", words: noWords },

@@ -1,5 +1,5 @@
 import type { AxisWord, Value, Words } from "../nc/statement.ts";
-import { readExpression } from "./expression.ts";
+import { type KnownParameters, readExpression } from "./expression.ts";
 
 /** Decimals a control keeps of a position. */
 export const POSITION_DECIMALS = 3;
@@ -9,11 +9,14 @@ export const noWords: Words = { axes: [], linear: [], functions: [], extra: [] }
 /** A number rounded to what a control keeps; never −0. */
 export const kept = (n: number, decimals: number) => Number(n.toFixed(decimals)) || 0;
 
-/** A typed number as a value of NC text, rounded to what the control keeps; null when it is none. */
-export function typedValue(typed: string, decimals = POSITION_DECIMALS): Value | null {
+/**
+ * A typed number as a value of NC text, rounded to what the control keeps; null when it is none. A Q parameter stays
+ * one; a sum with Q parameters is worked out with the known values, since NC text takes no sums there.
+ */
+export function typedValue(typed: string, decimals = POSITION_DECIMALS, known: KnownParameters = {}): Value | null {
   const named = /^\s*([+-]?)\s*(Q[LR]?\d{1,4})\s*$/i.exec(typed);
   if (named) return { parameter: (named[2] ?? "").toUpperCase(), negative: named[1] === "-" };
-  const read = readExpression(typed);
+  const read = readExpression(typed, known);
   return read.kind === "number" ? kept(read.value, decimals) : null;
 }
 

@@ -5,6 +5,7 @@ import { formatNumber } from "../../i18n/number.ts";
 import { setPrompt } from "../edits.ts";
 import { usePlace } from "../place.ts";
 import { isOpen, useProblems, type Problem } from "../problems/problems.ts";
+import { usePrompted } from "../prompted.ts";
 import type { JobReading } from "../reading.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
@@ -47,7 +48,8 @@ export function ActivePrompt({ read, q, param, ownKeypad, field }: Props) {
     return t.dialog.value(at, other ? t.params[other.text as ParamTextId].label : "");
   };
   const untouched = usePlace((p) => p.before.trim() === "");
-  const calm = (problem: Problem) => isOpen(problem) && untouched;
+  const calm = (problem: Problem) => isOpen(problem) && (untouched || problem.issue.code === "unknownParameter");
+  const inBlock = usePrompted((p) => p.block !== null);
   const name = t.dialog.value(q, words.prompt);
   const take = (value: string) => {
     closeStep();
@@ -99,7 +101,7 @@ export function ActivePrompt({ read, q, param, ownKeypad, field }: Props) {
       <div className="about" id={`${id}-about`} tabIndex={0} role="group" aria-label={t.dialog.aboutPrompt(q)}>
         <div role="status" aria-label={t.page.problems}>
           {problems.map((problem, i) => (
-            <FieldMessage key={i} problem={problem} calm={calm(problem)} decimals={param.decimals} onTake={(n) => take(String(n))} />
+            <FieldMessage key={i} problem={problem} calm={calm(problem)} decimals={param.decimals} onTake={(n) => take(String(n))} parameterField={!inBlock} />
           ))}
           {elsewhere.map((problem) => (
             <FieldMessage key={problem.at} problem={problem} place={labelOf(problem.at ?? "")} decimals={param.decimals} />

@@ -1,4 +1,5 @@
 import { Icon } from "../Icon.tsx";
+import { goToField } from "../place.ts";
 import type { Problem } from "../problems/problems.ts";
 import { useIssueText } from "../issue-text.ts";
 import { useSettings } from "../settings/settings.ts";
@@ -15,10 +16,12 @@ interface Props {
   readonly calm?: boolean;
   /** Takes the nearest value that works. */
   readonly onTake?: (nearest: number) => void;
+  /** The set-up has a field for the value of a Q parameter that is missing. */
+  readonly parameterField?: boolean;
 }
 
 /** What is wrong with a field, and a button that takes the nearest value that works. */
-export function FieldMessage({ problem, decimals, place, calm = false, onTake }: Props) {
+export function FieldMessage({ problem, decimals, place, calm = false, onTake, parameterField = false }: Props) {
   const t = useTexts();
   const say = useIssueText();
   const language = useSettings((s) => s.language);
@@ -33,6 +36,11 @@ export function FieldMessage({ problem, decimals, place, calm = false, onTake }:
         {place !== undefined && <b>{place}: </b>}
         {say(issue)}
       </p>
+      {parameterField && issue.code === "unknownParameter" && (
+        <button type="button" className="button" onClick={() => goToField("setup", `parameter.${issue.data.name}`)}>
+          {t.dialog.giveParameter(issue.data.name)}
+        </button>
+      )}
       {nearest !== null && onTake && (
         <button type="button" className="button" onClick={() => onTake(nearest)}>
           {t.dialog.takeNearest(writeTyped(language, nearest, decimals))}

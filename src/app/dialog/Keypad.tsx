@@ -48,20 +48,28 @@ export function Keypad({ q, param, field }: Props) {
   const digits = (row: readonly number[]) =>
     row.map((d) => <span key={d} className="key-slot">{key(d, String(d), () => digit(d), { className: "number", disabled: !numeric && !param.choices?.includes(d) })}</span>);
 
+  const written = (label: string, character: string, name: string) =>
+    key(label, name, () => change((entry) => insert(entry, character)), { className: "number", disabled: !numeric });
+
   return (
     <div className="keypad" role="group" aria-label={t.keypad}>
       {digits([7, 8, 9])}
+      {written("÷", "/", t.keys.dividedLong)}
       {key(<Icon name="up" />, t.keys.previous, () => step(-1))}
       {key(t.keys.erase, t.keys.eraseLong, () => change(erase), { disabled: !numeric })}
       {digits([4, 5, 6])}
+      {written("×", "*", t.keys.timesLong)}
       {key(<Icon name="down" />, t.keys.next, () => step(1))}
       {key(t.keys.noEnter, t.keys.noEnterLong, noEntry, { className: "small", disabled: !param.optional })}
       {digits([1, 2, 3])}
+      {written("−", "-", t.keys.minusLong)}
       {key("CE", t.keys.cancel, cancel)}
       {key(t.keys.end, t.keys.endLong, finish)}
       {key(t.keys.sign, t.keys.signLong, () => change(toggleSign), { className: "number", disabled: !numeric })}
       {digits([0])}
       {key(sign, t.keys.point, () => change((entry) => insert(entry, sign)), { className: "number", disabled: !numeric })}
+      {written("+", "+", t.keys.plusLong)}
+      {written(t.keys.parameter, "Q", t.keys.parameterLong)}
       {key(t.keys.enter, t.keys.enterLong, () => step(1), { className: "primary enter" })}
     </div>
   );

@@ -1,5 +1,6 @@
 import type { Cycle } from "../../cycles/define.ts";
 import type { Kind, Param } from "../../cycles/params.ts";
+import { knownParameters } from "../../program/job-parameters.ts";
 import { readDraft } from "../../program/read-draft.ts";
 import { draftOf, setPrompt } from "../edits.ts";
 import { openPrompt, usePlace } from "../place.ts";
@@ -21,15 +22,18 @@ const typed = (q: string): string => {
   return (job && draftOf(job)[q]) ?? "";
 };
 
-/** The open prompt is left: a sum becomes its value, and what is typed next is a new step of undo. */
+/** The open prompt is left: a sum becomes its value (one with a Q parameter once that has a value), a Q parameter stays, and what is typed next is a new step of undo. */
 export function commit(): void {
   const cycle = openCycle();
   const { prompt } = usePlace.getState();
   const param = prompt === null ? undefined : cycle?.params[prompt];
   if (cycle && prompt !== null && param) {
     const text = typed(prompt);
-    const field = readDraft(cycle, { [prompt]: text }).perField[prompt];
+    const job = promptedJob();
+    const known = job ? knownParameters(job) : {};
+    const field = readDraft(cycle, { [prompt]: text }, known).perField[prompt];
     if (field?.computed && typeof field.value === "number") setPrompt(prompt, String(field.value));
+    else if (field?.parameter && text !== field.parameter) setPrompt(prompt, field.parameter);
     else if (field?.value === "auto" && text !== "FAUTO") setPrompt(prompt, "FAUTO");
     else if (text !== text.trim()) setPrompt(prompt, text.trim());
   }

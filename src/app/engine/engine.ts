@@ -1,5 +1,6 @@
 import { cycleByNumber } from "../../cycles/index.ts";
 import { parse } from "../../nc/parse.ts";
+import { knownParameters } from "../../program/job-parameters.ts";
 import { readDraft } from "../../program/read-draft.ts";
 import type { ToolTable } from "../../program/read-tools.ts";
 import { run } from "../../program/run.ts";
@@ -42,7 +43,7 @@ export const engine = {
   /** What each tool can do with the values of a job, best first; null while they make no contour. */
   fits(job: Job, { start, feedUnit, tools }: Circumstances): readonly ToolFit[] | null {
     const cycle = cycleByNumber(job.cycle);
-    const values = cycle && readDraft(cycle, job.drafts[job.cycle] ?? {}).values;
+    const values = cycle && readDraft(cycle, job.drafts[job.cycle] ?? {}, knownParameters(job)).values;
     if (!cycle || !values) return null;
     const given = givenOf({ cycle, job });
     if (cycle.outline(values, given).issues.some((found) => found.severity === "error")) return null;

@@ -15,8 +15,8 @@ export interface Problem {
 
 const placeOf = (issue: Finding["issue"]): string | null => ("at" in issue ? (issue.at ?? null) : null);
 
-/** A prompt that is still empty: something to do, not something done wrong. */
-export const isOpen = ({ issue }: Problem): boolean => issue.code === "missing";
+/** A prompt that is still empty, or a Q parameter that still waits for its value: something to do, not something done wrong. */
+export const isOpen = ({ issue }: Problem): boolean => issue.code === "missing" || issue.code === "unknownParameter";
 
 /** Findings about a tool name it, or the column of the tool table. */
 const toolPlaces: ReadonlySet<string> = new Set([

@@ -26,6 +26,7 @@ const job = z.object({
   name: text,
   cycle: z.int(),
   drafts: z.record(z.string().check(z.regex(/^\d+$/)), z.record(z.string(), text)),
+  parameters: z._default(z.record(z.string().check(z.regex(/^Q[LR]?\d{1,4}$/)), text), {}),
   tool: z.number(),
   blank: z.object({ outside: text, bore: text, length: text, allowance: text }),
   start: z.object({ x: text, z: text }),

@@ -20,6 +20,8 @@ interface Props {
   readonly least?: "any" | "zero" | "aboveZero";
   /** May stay empty. */
   readonly optional?: boolean;
+  /** What an empty field asks for, calmly: it is not done wrong, only not done yet. */
+  readonly ask?: string;
 }
 
 /** What is wrong with a typed number of the set-up; null when it can be used. */
@@ -33,7 +35,7 @@ export function wrongNumber(text: string, least: "any" | "zero" | "aboveZero", o
 }
 
 /** One number of the set-up: typed text goes to the work at each keystroke, sums are worked out when the field is left. */
-export function NumberField({ name, unit, text, onText, at, least = "any", optional = false }: Props) {
+export function NumberField({ name, unit, text, onText, at, least = "any", optional = false, ask }: Props) {
   const t = useTexts();
   const id = useId();
   const input = useRef<HTMLInputElement>(null);
@@ -41,7 +43,9 @@ export function NumberField({ name, unit, text, onText, at, least = "any", optio
   const { onKeyDown, onTyped } = useNumberEntry(input, text, onText);
   const asked = usePlace((p) => (p.field === at ? p.focus : 0));
   const problems = useProblems().filter((p) => p.at === at);
-  const wrong = wrongNumber(text, least, optional);
+  const found = wrongNumber(text, least, optional);
+  const asking = found === "missing" && ask !== undefined;
+  const wrong = asking ? null : found;
 
   useEffect(() => {
     if (asked === 0) return;
@@ -72,6 +76,7 @@ export function NumberField({ name, unit, text, onText, at, least = "any", optio
       </span>
       <div id={`${id}-wrong`} className="setup-wrong" role="status">
         {wrong && <p className="field-message error"><Icon name="error" /> {t.setup.wrong[wrong]}</p>}
+        {asking && <p className="field-message info"><Icon name="info" /> {ask}</p>}
         {!wrong && problems.map((p, i) => <FieldMessage key={i} problem={p} decimals={3} onTake={(n) => onText(String(n))} />)}
       </div>
     </div>

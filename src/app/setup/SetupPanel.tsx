@@ -3,6 +3,7 @@ import { setBlank, setPerRevolution, setRapid, setSpindle, setStart } from "../e
 import type { JobReading } from "../reading.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { NumberField } from "./NumberField.tsx";
+import { ParameterFields } from "./ParameterFields.tsx";
 import { ToolSummary } from "./ToolSummary.tsx";
 import { ToolTable } from "./ToolTable.tsx";
 
@@ -13,6 +14,7 @@ export function SetupPanel({ read }: { readonly read: JobReading }) {
   const { blank, start, spindle, perRevolution, rapid } = read.job;
   return (
     <div className="setup">
+      <ParameterFields read={read} />
       <ToolSummary read={read} fits={fits} />
       <fieldset className="setup-group">
         <legend>{t.start.title}</legend>

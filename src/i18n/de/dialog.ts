@@ -29,6 +29,7 @@ export const dialog = {
     parameter: "Dieser Parameter ist erinnert oder abgeleitet, nicht an einer gedruckten Seite geprüft. Bitte an der Steuerung prüfen.",
   },
   takeNearest: (value) => `${value} nehmen`,
+  giveParameter: (name) => `${name} eingeben`,
   keypad: "Tastenfeld",
   keys: {
     enter: "ENT", enterLong: "ENT: Wert übernehmen, nächste Eingabe",
@@ -36,6 +37,8 @@ export const dialog = {
     end: "END", endLong: "END: Rest lassen, wie er ist",
     sign: "±", signLong: "Vorzeichen wechseln",
     point: "Dezimalzeichen",
+    parameter: "Q", parameterLong: "Buchstabe Q, für einen Q-Parameter",
+    plusLong: "Plus", minusLong: "Minus", timesLong: "Mal", dividedLong: "Geteilt durch",
     erase: "⌫", eraseLong: "Ein Zeichen löschen",
     previous: "Vorherige Eingabe", next: "Nächste Eingabe",
     cancel: "Abbrechen: Wert wie zuvor",

@@ -21,6 +21,11 @@ export const setup = {
     edit: "Dieses Werkzeug bearbeiten",
     drawing: "Schneide maßstäblich",
   },
+  parameters: {
+    title: "Verwendete Q-Parameter",
+    hint: "Sie stehen in Eingaben. Das Programm setzt sie vor dem Zyklus.",
+    ask: (name) => `Welchen Wert hat ${name}?`,
+  },
   blank: {
     title: "Rohteil: Zylinder",
     outside: "Außen-⌀",

@@ -29,6 +29,7 @@ export const dialog = {
     parameter: "This parameter is recalled or inferred, not checked against a printed page. Verify it on your control.",
   },
   takeNearest: (value: string) => `Take ${value}`,
+  giveParameter: (name: string) => `Enter ${name}`,
   keypad: "Keypad",
   keys: {
     enter: "ENT", enterLong: "ENT: take the value, next prompt",
@@ -36,6 +37,8 @@ export const dialog = {
     end: "END", endLong: "END: keep the rest as it is",
     sign: "±", signLong: "Change the sign",
     point: "Decimal point",
+    parameter: "Q", parameterLong: "Letter Q, for a Q parameter",
+    plusLong: "Plus", minusLong: "Minus", timesLong: "Times", dividedLong: "Divided by",
     erase: "⌫", eraseLong: "Erase one character",
     previous: "Previous prompt", next: "Next prompt",
     cancel: "Cancel: the value as it was",

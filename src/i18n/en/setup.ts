@@ -21,6 +21,11 @@ export const setup = {
     edit: "Edit this tool",
     drawing: "Insert to scale",
   },
+  parameters: {
+    title: "Q parameters used",
+    hint: "They stand in prompts. The program sets them before the cycle.",
+    ask: (name: string) => `Which value has ${name}?`,
+  },
   blank: {
     title: "Blank: cylinder",
     outside: "Outside ⌀",

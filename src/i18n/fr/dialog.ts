@@ -29,6 +29,7 @@ export const dialog = {
     parameter: "Ce paramètre est cité de mémoire ou déduit, sans contrôle sur une page imprimée. À vérifier sur la commande.",
   },
   takeNearest: (value) => `Prendre ${value}`,
+  giveParameter: (name) => `Saisir ${name}`,
   keypad: "Pavé numérique",
   keys: {
     enter: "ENT", enterLong: "ENT : valider, question suivante",
@@ -36,6 +37,8 @@ export const dialog = {
     end: "END", endLong: "END : laisser le reste tel quel",
     sign: "±", signLong: "Changer le signe",
     point: "Signe décimal",
+    parameter: "Q", parameterLong: "Lettre Q, pour un paramètre Q",
+    plusLong: "Plus", minusLong: "Moins", timesLong: "Multiplié par", dividedLong: "Divisé par",
     erase: "⌫", eraseLong: "Effacer un caractère",
     previous: "Question précédente", next: "Question suivante",
     cancel: "Annuler : valeur précédente",

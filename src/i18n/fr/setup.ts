@@ -21,6 +21,11 @@ export const setup = {
     edit: "Éditer cet outil",
     drawing: "Plaquette à l’échelle",
   },
+  parameters: {
+    title: "Paramètres Q utilisés",
+    hint: "Ils figurent dans les réponses. Le programme les définit avant le cycle.",
+    ask: (name) => `Quelle est la valeur de ${name} ?`,
+  },
   blank: {
     title: "Brut : cylindre",
     outside: "⌀ extérieur",

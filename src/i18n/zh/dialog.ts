@@ -29,6 +29,7 @@ export const dialog = {
     parameter: "此参数凭记忆或推断得出，未与印刷页核对。请在数控系统上验证。",
   },
   takeNearest: (value) => `采用 ${value}`,
+  giveParameter: (name) => `输入${name}`,
   keypad: "数字键盘",
   keys: {
     enter: "ENT", enterLong: "ENT：接受值，下一提问",
@@ -36,6 +37,8 @@ export const dialog = {
     end: "END", endLong: "END：其余保持不变",
     sign: "±", signLong: "改变正负号",
     point: "小数点",
+    parameter: "Q", parameterLong: "字母Q,用于Q参数",
+    plusLong: "加", minusLong: "减", timesLong: "乘", dividedLong: "除",
     erase: "⌫", eraseLong: "删除一个字符",
     previous: "上一提问", next: "下一提问",
     cancel: "取消：恢复原值",

@@ -21,6 +21,11 @@ export const setup = {
     edit: "编辑此刀具",
     drawing: "按比例的刀片",
   },
+  parameters: {
+    title: "使用的Q参数",
+    hint: "它们出现在提示中,程序在循环之前为其赋值。",
+    ask: (name) => `${name}的值是多少?`,
+  },
   blank: {
     title: "毛坯：圆柱",
     outside: "外径 ⌀",
