@@ -7,6 +7,7 @@ import { ContourDrawing } from "./ContourDrawing.tsx";
 import { ContourLine } from "./ContourLine.tsx";
 import { RowTools } from "./RowTools.tsx";
 import { cornerBehind, cornerSized, isCorner, type CornerKind } from "./drawing-edits.ts";
+import { DxfImport } from "./DxfImport.tsx";
 import { FaultList } from "./FaultList.tsx";
 import { changed, duplicated, inserted, moved, removed, type Edited } from "./row-edits.ts";
 import { useRowFocus, useTableKeys, type RowActions } from "./use-table-keys.ts";
@@ -85,7 +86,9 @@ export function ContourTable({ rows, onChange, language }: Props) {
           <RowTools
             number={active === null ? null : active + 1} count={rows.length} actions={actions} language={language} details={details}
             corner={cornerRow !== null && isCorner(rows, cornerRow) ? cornerRow + 1 : null} onCorner={corner} onDetails={() => setAsked(!details)}
-          />
+          >
+            <DxfImport count={rows.length} language={language} onTake={(taken) => edit({ rows: taken, focus: taken[0]?.id ?? null }, t.done.added)} />
+          </RowTools>
           {details && <p className="small soft">{t.detailsAbout}</p>}
           {rows.length === 0 ? <p className="soft">{t.empty}</p> : (
             <table role="table" ref={table} aria-label={t.table} className="contour-table" onKeyDown={onKeyDown}>

@@ -1,3 +1,4 @@
+import type { ReactNode } from "react";
 import { texts } from "../settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
 import type { CornerKind } from "./drawing-edits.ts";
@@ -27,10 +28,12 @@ interface Props {
   /** Whether angle and length have their fields. */
   readonly details: boolean;
   readonly onDetails: () => void;
+  /** What else stands in the bar. */
+  readonly children?: ReactNode;
 }
 
 /** What can be done with the rows of the contour table; each button names the element it changes. */
-export function RowTools({ number, count, actions, language, corner, onCorner, details, onDetails }: Props) {
+export function RowTools({ number, count, actions, language, corner, onCorner, details, onDetails, children }: Props) {
   const t = texts(language).contour;
   const n = number ?? 1;
   const none = number === null;
@@ -52,6 +55,7 @@ export function RowTools({ number, count, actions, language, corner, onCorner, d
         </button>
       ))}
       <button type="button" className="button contour-details" aria-pressed={details} onClick={onDetails}>{t.details}</button>
+      {children}
       {number !== null && <span className="small soft contour-tools-row"><span className="number">{number}</span> / <span className="number">{count}</span></span>}
     </div>
   );
