@@ -1,5 +1,5 @@
 import type { ApproachRequest } from "../kernel/approach.ts";
-import { apart, type PlanePoint, type PlaneSegment, type Side } from "../kernel/plane.ts";
+import { apart, difference, sum, type PlanePoint, type PlaneSegment, type Side } from "../kernel/plane.ts";
 import { SAME } from "../kernel/tolerance.ts";
 import { diameter, inDegrees, radians, radius, toDiameter, toRadius } from "../kernel/units.ts";
 import type { ApproachForm } from "../nc/statement.ts";
@@ -17,6 +17,8 @@ export interface ApproachContext {
   /** The compensation in force: that of the contour before DEP. */
   readonly side: Side;
   readonly toolRadius: number;
+  /** From the tool centre to the programmed point: nothing for a mill. `before` is the centre. */
+  readonly tip: PlanePoint;
   /** CC, for the polar forms. */
   readonly pole: PlanePoint | null;
   /** The way to PH runs at the feed in force before the block: "rapid", a number, or null when none was programmed. */
@@ -42,7 +44,7 @@ const sideOf = (read: WordReading | undefined, otherwise: Side): Side => {
 };
 
 /** Last point of a contour before DEP, where incremental words count from; the start of the tool for APPR. */
-const origin = (context: ApproachContext, departing: boolean) => (departing ? (context.contour.at(-1)?.to ?? null) : context.before);
+const origin = ({ contour, before, tip }: ApproachContext, departing: boolean) => (departing ? (contour.at(-1)?.to ?? null) : before && sum(before, tip));
 
 function cartesian(read: ApproachReading, context: ApproachContext, from: PlanePoint | null): PlanePoint | null {
   const turning = context.plane === "ZX";
@@ -91,7 +93,7 @@ export function readyApproach(form: ApproachForm, departing: boolean, read: Appr
     request: {
       shape, departing, element, toolRadius: context.toolRadius,
       side: departing ? context.side : sideOf(read.SIDE, context.side),
-      outside: departing ? (shape === "LCT" ? named : null) : context.before,
+      outside: departing ? (named ? difference(named, context.tip) : null) : context.before,
       ...(length !== undefined && { length }), ...(size !== undefined && { radius: size }), ...(angle !== undefined && { centreAngle: angle }),
     },
   };

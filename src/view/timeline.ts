@@ -1,5 +1,10 @@
-import type { Step } from "../kernel/step.ts";
 import type { Track } from "./playback.ts";
+
+/** What the bar shows of one motion. */
+export interface TimedStep {
+  readonly move: { readonly kind: string };
+  readonly operation: number | null;
+}
 
 /** The bar of a run: 0 to 1 is its whole time. */
 export interface TimeBar {
@@ -17,7 +22,7 @@ const NEAR = 0.006;
 const n = (v: number) => String(Math.round(v * 1e5) / 1e5);
 
 /** Merges the steps of a run into stretches: rapids low, cutting high. */
-export function timeBar(steps: readonly Step[], track: Track): TimeBar {
+export function timeBar(steps: readonly TimedStep[], track: Track): TimeBar {
   const whole = track.total > 0 ? track.total : 1;
   const paths = { cutting: "", rapid: "" }, boundaries: number[] = [];
   const operations: { operation: number; from: number; to: number }[] = [];

@@ -1,15 +1,20 @@
 import { useCallback, useMemo, useRef } from "react";
 import type { Run } from "../../program/run-types.ts";
 import { secondsAt, trackOf } from "../../view/playback.ts";
-import { timeBar } from "../../view/timeline.ts";
+import { timeBar, type TimedStep } from "../../view/timeline.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { clockText } from "./clock-text.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 import { useEachPicture, usePlayback } from "./use-playback.ts";
 
+/** What a timeline is made from: a run, or the part of one that a view shows. */
+export interface TimedRun extends Pick<Run, "operations"> {
+  readonly steps: readonly (TimedStep & { readonly seconds: number })[];
+}
+
 /** Time of the whole run: cutting and rapids, boundaries of moves, operations by name. Dragging it scrubs. */
-export function Timeline({ run, playback }: { readonly run: Run; readonly playback: PlaybackStore }) {
+export function Timeline({ run, playback }: { readonly run: TimedRun; readonly playback: PlaybackStore }) {
   const t = useTexts().lathe, language = useSettings(s => s.language);
   const bar = useMemo(() => timeBar(run.steps, trackOf(run.steps)), [run]);
   const input = useRef<HTMLInputElement>(null), head = useRef<HTMLDivElement>(null), time = useRef<HTMLSpanElement>(null);

@@ -8,7 +8,7 @@ export type Handle = PointName | "centre";
 /** What dragging a handle changes: one word, or the point that the block names. */
 export type Dragged =
   | { readonly word: "LEN" | "R" | "CCA"; readonly value: number }
-  | { readonly word: "point" | "before"; readonly point: PlanePoint };
+  | { readonly word: "point"; readonly point: PlanePoint };
 
 /** Which handles of a form change something in the block. */
 export function handlesOf({ shape, departing, arc }: Approach, polarWithoutPole: boolean): readonly Handle[] {
@@ -26,7 +26,7 @@ function angleTo(contact: PlanePoint, p: PlanePoint, turn: "cw" | "ccw"): number
   return angle <= 0 ? angle + 360 : angle;
 }
 
-/** The values that bring a handle to a place. `free` points from the contour to the tool; the programmed point is `offset` away from its centre. */
+/** The value that brings a handle to a place; the programmed point is the handle without `offset`. Null where the handle changes nothing. */
 export function dragged(
   result: Approach, handle: Handle, to: PlanePoint, grid: number, offset: PlanePoint,
 ): Dragged | null {
@@ -35,7 +35,6 @@ export function dragged(
   const { tangent, shape, departing } = result;
   const away = scaled(leftOf(tangent), result.side === "right" ? -1 : 1);
   const d = difference(to, contact);
-  if (handle === "PS") return { word: "before", point: { x: onGrid(to.x, grid), y: onGrid(to.y, grid) } };
   if (handle === "centre") {
     const size = dot(d, away);
     return { word: "R", value: onGrid(shape === "LCT" ? Math.max(grid, Math.abs(size)) : size || grid, grid) || grid };

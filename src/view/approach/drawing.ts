@@ -40,7 +40,7 @@ export interface ApproachDrawing {
 }
 
 const quiet: Tag = { q: null, active: false };
-const LARGE = { left: 84, right: 84, top: 46, bottom: 46 };
+const LARGE = { left: 76, right: 76, top: 32, bottom: 32 };
 const SMALL = { left: 20, right: 20, top: 22, bottom: 22 };
 
 /** The tangent in PA or PE, a little further than the tool reaches. */

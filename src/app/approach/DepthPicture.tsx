@@ -1,0 +1,36 @@
+import { useCallback, useMemo, useRef } from "react";
+import { formatSigned } from "../../i18n/number.ts";
+import type { PlaneStep } from "../../program/plane-types.ts";
+import { depthStrip, stripAt } from "../../view/approach/depth.ts";
+import type { PlaybackStore } from "../lathe/playback-store.ts";
+import { useEachPicture } from "../lathe/use-playback.ts";
+import { useSettings } from "../settings/settings.ts";
+import { useTexts } from "../settings/use-texts.ts";
+
+/** The height of the tool over its path, with the running moment. */
+export function DepthPicture({ steps, playback }: { readonly steps: readonly PlaneStep[]; readonly playback: PlaybackStore }) {
+  const t = useTexts().approach, language = useSettings((s) => s.language);
+  const strip = useMemo(() => depthStrip(steps), [steps]);
+  const head = useRef<HTMLDivElement>(null);
+  useEachPicture(playback, useCallback(() => {
+    if (!strip || !head.current) return;
+    const { step, fraction } = playback.shown();
+    head.current.style.left = `${stripAt(strip, step, fraction) * 100}%`;
+  }, [strip, playback]));
+  if (!strip) return null;
+  const [high, low] = [formatSigned(language, strip.high), formatSigned(language, strip.low)];
+  return (
+    <div className="plane-depth" role="img" aria-label={t.depthStrip(low, high)}>
+      <span className="plane-depth-name small soft">Z</span>
+      <span className="plane-depth-scale number" aria-hidden="true"><span>{high}</span><span>{low}</span></span>
+      <div className="plane-depth-box">
+        <svg viewBox="-0.002 -0.06 1.004 1.12" preserveAspectRatio="none" aria-hidden="true">
+          {strip.zero !== null && <path className="lathe-axis" d={`M0 ${strip.zero}H1`} />}
+          <path className="plane-feed" d={strip.feed} />
+          <path className="plane-rapid" d={strip.rapid} />
+        </svg>
+        <div ref={head} className="lathe-playhead" />
+      </div>
+    </div>
+  );
+}

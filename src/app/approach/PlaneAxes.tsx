@@ -1,0 +1,39 @@
+import { formatNumber } from "../../i18n/number.ts";
+import { partPoint, planePoint } from "../../kernel/plane.ts";
+import { toPart, toScreen } from "../../view/camera.ts";
+import { ticks } from "../../view/ticks.ts";
+import { SCALE_BELOW, SCALE_LEFT } from "../lathe/Axes.tsx";
+import { useCamera } from "../lathe/use-camera.ts";
+import type { Viewport } from "../lathe/viewport.ts";
+import { useSettings } from "../settings/settings.ts";
+
+/** Least distance of two marks, pixels. */
+const APART = { x: 72, y: 44 };
+
+/** Grid and scales of the working plane: X along the lower edge, Y along the left one, both axes as chain lines. */
+export function PlaneAxes({ viewport, part }: { readonly viewport: Viewport; readonly part: "grid" | "scales" }) {
+  const camera = useCamera(viewport), { width, height } = viewport.size();
+  const language = useSettings((s) => s.language);
+  const corner = planePoint(toPart(camera, { x: 0, y: 0 })), far = planePoint(toPart(camera, { x: width, y: height }));
+  const alongX = ticks(corner.x, far.x, APART.x / camera.scale), alongY = ticks(corner.y, far.y, APART.y / camera.scale);
+  const placeX = (x: number) => toScreen(camera, partPoint({ x, y: 0 })).x;
+  const placeY = (y: number) => toScreen(camera, partPoint({ x: 0, y })).y;
+  const floor = height - SCALE_BELOW;
+  if (part === "grid") {
+    const lines = alongX.values.map((x) => `M${placeX(x)} 0V${height}`).join("") + alongY.values.map((y) => `M0 ${placeY(y)}H${width}`).join("");
+    return <g><path className="lathe-grid" d={lines} /><path className="lathe-axis" d={`M0 ${placeY(0)}H${width}M${placeX(0)} 0V${height}`} /></g>;
+  }
+  const shownX = alongX.values.map((v) => ({ v, x: placeX(v) })).filter(({ x }) => x > SCALE_LEFT + 16 && x < width - 28);
+  const shownY = alongY.values.map((v) => ({ v, y: placeY(v) })).filter(({ y }) => y > 28 && y < floor - 6);
+  return (
+    <g className="lathe-scales" aria-hidden="true">
+      <path className="lathe-scale-ground" d={`M0 0H${SCALE_LEFT}V${floor}H${width}V${height}H0Z`} />
+      <path className="lathe-scale-edge" d={`M${SCALE_LEFT} 0V${floor}H${width}`} />
+      <path className="lathe-tick" d={shownX.map(({ x }) => `M${x} ${floor}v4`).join("") + shownY.map(({ y }) => `M${SCALE_LEFT} ${y}h-4`).join("")} />
+      {shownX.map(({ v, x }) => <text key={v} x={x} y={height - 6} textAnchor="middle">{formatNumber(language, v, alongX.decimals)}</text>)}
+      {shownY.map(({ v, y }) => <text key={v} x={SCALE_LEFT - 7} y={y + 4} textAnchor="end">{formatNumber(language, v, alongY.decimals)}</text>)}
+      <text className="lathe-scale-name" x={SCALE_LEFT - 7} y={16} textAnchor="end">Y</text>
+      <text className="lathe-scale-name" x={width - 8} y={height - 6} textAnchor="end">X</text>
+    </g>
+  );
+}

@@ -1,0 +1,117 @@
+import { useEffect, useId, useMemo, useState } from "react";
+import type { Run } from "../../program/run-types.ts";
+import { planeScene, PLANE_ROLES } from "../../view/approach/plane-scene.ts";
+import { trackOf } from "../../view/playback.ts";
+import type { Clock } from "../clock.ts";
+import { useIssueText } from "../issue-text.ts";
+import { GlyphButton } from "../lathe/GlyphButton.tsx";
+import { pressKey } from "../lathe/keys.ts";
+import { PlaceButtons, PlaceLines } from "../lathe/PlaceButtons.tsx";
+import { PlaybackBar } from "../lathe/PlaybackBar.tsx";
+import type { PlaybackStore } from "../lathe/playback-store.ts";
+import { Timeline } from "../lathe/Timeline.tsx";
+import { useStage } from "../lathe/use-stage.ts";
+import { usePlayback } from "../lathe/use-playback.ts";
+import { createViewport } from "../lathe/viewport.ts";
+import { ZOOM } from "../lathe/ViewBar.tsx";
+import { reducedMotion } from "../settings/appearance.ts";
+import { useSettings } from "../settings/settings.ts";
+import { useTexts } from "../settings/use-texts.ts";
+import { DepthPicture } from "./DepthPicture.tsx";
+import { FreePoints } from "./FreePoints.tsx";
+import { noMeasuring } from "./no-measuring.ts";
+import { PlaneFindings } from "./PlaneFindings.tsx";
+import { PlanePicture } from "./PlanePicture.tsx";
+import { cutPlaces } from "./plane-places.ts";
+import { PlanePoints } from "./PlanePoints.tsx";
+import { momentSentence, PlaneReadout, SpokenMoment } from "./PlaneReadout.tsx";
+import { approachSpeech } from "./speech.ts";
+import "../help/help.css";
+import "../lathe/lathe.css";
+import "./approach.css";
+
+const NO_TIP = { x: 0, y: 0 };
+
+/** The working plane of a milling program: contours, the path of the tool centre with its named points, the height over the path, playback. */
+export function PlaneView({ run, dimmed, playback, clock, children }: {
+  readonly run: Run;
+  /** The picture is older than what was typed. */
+  readonly dimmed: boolean;
+  readonly playback: PlaybackStore;
+  readonly clock: Clock;
+  /** Stands at the beginning of the bar above the picture. */
+  readonly children?: React.ReactNode;
+}) {
+  const texts = useTexts(), t = texts.lathe, own = texts.approach, id = useId();
+  const { language, motion } = useSettings();
+  const say = useIssueText();
+  const [viewport] = useState(() => createViewport(true));
+  const [tools, showTools] = useState(false);
+  const [picked, pick] = useState<string | null>(null);
+  const { plane: steps } = run;
+  const approaches = useMemo(() => run.approaches.filter((a) => a.plane === "XY"), [run]);
+  const scene = useMemo(() => planeScene(steps, approaches.map((a) => a.contour), new Set(approaches.map((a) => a.index))), [steps, approaches]);
+  const timed = useMemo(() => ({
+    operations: run.operations,
+    steps: steps.map((s) => ({ move: { kind: s.feed === undefined ? "rapid" : "feed" }, operation: null, seconds: s.seconds })),
+  }), [run, steps]);
+  const speech = useMemo(() => approachSpeech(language, "XY", NO_TIP), [language]);
+  const stage = useStage(viewport, noMeasuring);
+
+  useEffect(() => playback.dispatch({ do: "load", track: trackOf(steps) }), [steps, playback]);
+  useEffect(() => playback.setStill(reducedMotion({ motion })), [motion, playback]);
+  useEffect(() => viewport.setBounds(scene.bounds), [scene, viewport]);
+
+  const resting = usePlayback(playback, (s) => (s.get().playing ? -1 : s.get().position.step));
+  const name = useMemo(
+    () => own.viewPicture(resting >= 0 ? momentSentence(texts, language, steps, approaches, playback.shown()) : ""),
+    [own, texts, language, steps, approaches, playback, resting],
+  );
+  const places = useMemo(() => cutPlaces(run.issues, steps, say, own.cutsAt), [run, steps, say, own]);
+  const chosen = places.find((p) => p.id === picked) ?? null;
+  const choose = (next: string | null) => {
+    pick(next);
+    const place = places.find((p) => p.id === next);
+    if (place) playback.dispatch({ do: "seek", position: place.position });
+  };
+  const lines = { contour: texts.contour.title, rapid: t.rapid, feed: own.feedMove, lead: `${own.approach} / ${own.departure}` };
+  const there = PLANE_ROLES.filter((role) => role !== "contour" && scene.shapes.some((s) => s.role === role));
+  return (
+    <section className="lathe plane-view" data-tools={tools} aria-label={own.view} onKeyDown={(event) => {
+      const target = event.target as HTMLElement;
+      if (event.ctrlKey || event.metaKey || event.altKey) return;
+      const typed = { key: event.key, shift: event.shiftKey, element: target.localName, picture: target === stage.current };
+      if (pressKey(typed, playback, viewport, noMeasuring)) event.preventDefault();
+    }}>
+      <div className="lathe-viewbar" role="toolbar" aria-label={t.viewTools}>
+        {children}
+        <div className="lathe-gap">
+          <ul className="lathe-legend small" aria-label={t.legend}>
+            {there.map((role) => <li key={role}><svg width="26" height="8" aria-hidden="true"><path className={`plane-${role}`} d="M1 4H25" /></svg>{lines[role]}</li>)}
+          </ul>
+        </div>
+        <GlyphButton glyph="zoomOut" name={t.zoomOut} onPress={() => viewport.zoom(1 / ZOOM)} />
+        <GlyphButton glyph="zoomIn" name={t.zoomIn} onPress={() => viewport.zoom(ZOOM)} />
+        <GlyphButton glyph="fit" name={t.fit} onPress={viewport.fit} />
+      </div>
+      <div ref={stage} className={`lathe-stage${dimmed ? " dimmed" : ""}`} tabIndex={0} role="group" aria-label={own.view} aria-describedby={`${id}keys`}>
+        <PlanePicture viewport={viewport} scene={scene} steps={steps} playback={playback} name={name}>
+          <PlanePoints viewport={viewport} approaches={approaches} speech={speech} id={id} />
+          <FreePoints viewport={viewport} places={places} speech={speech} />
+          <PlaceLines viewport={viewport} places={places} />
+        </PlanePicture>
+        <PlaceButtons viewport={viewport} places={places} chosen={chosen} choose={(place) => choose(place?.id ?? null)} />
+        {dimmed && <p className="lathe-outdated small">{t.outdated}</p>}
+        <p id={`${id}keys`} className="unseen">{t.keys}</p>
+      </div>
+      <DepthPicture steps={steps} playback={playback} />
+      <PlaneReadout steps={steps} approaches={approaches} playback={playback} />
+      <PlaybackBar playback={playback}>
+        <span className="lathe-fold"><GlyphButton glyph="view" name={t.viewTools} expanded={tools} onPress={() => showTools(!tools)} /></span>
+      </PlaybackBar>
+      <Timeline run={timed} playback={playback} />
+      <SpokenMoment steps={steps} approaches={approaches} playback={playback} clock={clock} />
+      <PlaneFindings approaches={approaches} places={places} chosen={chosen} choose={choose} speech={speech} />
+    </section>
+  );
+}

@@ -1,0 +1,47 @@
+import type { ApproachDraft, ApproachReading } from "../../program/approach-draft.ts";
+import type { ApproachField, ApproachWord, WorkingPlane } from "../../program/approach-fields.ts";
+import { Icon } from "../Icon.tsx";
+import { isOpen, type Problem } from "../problems/problems.ts";
+import { useSettings } from "../settings/settings.ts";
+import { useTexts } from "../settings/use-texts.ts";
+import { shownWord, unitText, wordName, wordTexts } from "./words.ts";
+
+/** All prompts of the block, one line each. */
+export function WordList({ fields, plane, draft, reading, problems, open, goTo, inch }: {
+  readonly fields: readonly ApproachField[];
+  readonly plane: WorkingPlane;
+  readonly draft: ApproachDraft;
+  readonly reading: ApproachReading;
+  readonly problems: readonly Problem[];
+  readonly open: ApproachWord | null;
+  readonly goTo: (word: ApproachWord) => void;
+  readonly inch: boolean;
+}) {
+  const t = useTexts(), language = useSettings((s) => s.language);
+  return (
+    <ol className="prompt-list" aria-label={t.approach.list}>
+      {fields.map((f) => {
+        const typed = draft[f.word] ?? "";
+        const shown = shownWord(t, language, f, typed, reading[f.word]);
+        const unit = typed.trim() === "" ? "" : unitText(t, f, inch);
+        const worst = problems.find((p) => p.at === f.word && !isOpen(p))?.issue.severity;
+        const label = wordTexts(t, f.word, plane).label;
+        return (
+          <li key={f.word}>
+            <button
+              type="button" className="prompt-line" tabIndex={f.word === (open ?? fields[0]?.word) ? 0 : -1} aria-current={f.word === open ? "step" : undefined}
+              aria-label={t.approach.row(wordName(f.word), label, `${shown} ${unit}`.trim()) + (worst ? `, ${t.page.problem.severities[worst]}` : "")}
+              onClick={() => goTo(f.word)}
+            >
+              <span className="number line-q">{wordName(f.word)}</span>
+              <span className="line-label">{label}</span>
+              {worst && <span className={`line-mark ${worst}`}><Icon name={worst} /></span>}
+              <span className={`number line-value${typed.trim() === "" ? " soft" : ""}`}>{shown}</span>
+              <span className="line-unit soft">{unit}</span>
+            </button>
+          </li>
+        );
+      })}
+    </ol>
+  );
+}

@@ -1,0 +1,18 @@
+import { formatNumber, formatSigned } from "../../i18n/number.ts";
+import type { Language } from "../../i18n/languages.ts";
+import { sum, type PlanePoint } from "../../kernel/plane.ts";
+import { radius, toDiameter } from "../../kernel/units.ts";
+import type { WorkingPlane } from "../../program/approach-fields.ts";
+import type { ApproachSpeech } from "../../view/approach/speech.ts";
+
+/** Words the picture numbers of a plane: X and Y of a mill; X as diameter and Z in turning. `tip` is where the programmed point stands. */
+export function approachSpeech(language: Language, plane: WorkingPlane, tip: PlanePoint): ApproachSpeech {
+  const signed = (n: number) => formatSigned(language, n).replace("-", "−");
+  return {
+    number: (n) => formatNumber(language, n).replace("-", "−"),
+    point(p) {
+      const at = sum(p, tip);
+      return plane === "ZX" ? `X⌀${formatNumber(language, toDiameter(radius(at.y)))} Z${signed(at.x)}` : `X${signed(at.x)} Y${signed(at.y)}`;
+    },
+  };
+}

@@ -1,0 +1,67 @@
+import type { PlanePoint } from "../kernel/plane.ts";
+import { diameter, toRadius } from "../kernel/units.ts";
+import type { Program } from "../nc/program.ts";
+import type { AxisName } from "../nc/statement.ts";
+import type { WorkingPlane } from "./approach-fields.ts";
+import type { ApproachContext } from "./approach-request.ts";
+import { valueOf } from "./formula.ts";
+import type { KnownParameters } from "./expression.ts";
+import type { ApproachRun } from "./plane-types.ts";
+import type { Run } from "./run-types.ts";
+
+/** What is in force at a block, read from the text in front of it. */
+interface InForce {
+  readonly turning: boolean;
+  readonly inch: boolean;
+  readonly pole: PlanePoint | null;
+}
+
+function inForce(program: Program, index: number, parameters: KnownParameters): InForce {
+  let [turning, inch] = [false, false];
+  let pole: PlanePoint | null = null;
+  const known = new Map(Object.entries(parameters));
+  for (const { statement: s } of program.blocks.slice(0, index)) {
+    if (s.kind === "begin") inch = s.unit === "INCH";
+    if (s.kind === "mode") turning = s.mode === "TURN";
+    if (s.kind !== "path" || s.path !== "CC") continue;
+    const coordinate = (axis: AxisName) => {
+      const word = s.words.axes.find((w) => w.axis === axis && !w.incremental);
+      const value = word && valueOf(word.value, known);
+      return typeof value === "number" ? value * (inch ? 25.4 : 1) : null;
+    };
+    const [x, y, z] = [coordinate("X"), coordinate("Y"), coordinate("Z")];
+    if (turning && x !== null && z !== null) pole = { x: z, y: toRadius(diameter(x)) };
+    else if (!turning && x !== null && y !== null) pole = { x, y };
+    else pole = null;
+  }
+  return { turning, inch, pole };
+}
+
+function feedBefore(run: Run, index: number, plane: WorkingPlane): ApproachContext["feedBefore"] {
+  if (plane === "XY") {
+    const first = run.plane.find((step) => step.index === index);
+    return first ? (first.kind === "rapid" ? "rapid" : (first.feed ?? null)) : null;
+  }
+  const move = run.steps[run.stepBlocks.indexOf(index)]?.move;
+  return !move || move.kind === "thread" ? null : move.kind === "rapid" ? "rapid" : move.feed;
+}
+
+const NO_TIP: PlanePoint = { x: 0, y: 0 };
+
+/** What stands round the APPR or DEP block at `index`: from the last run, and from the text where the run says nothing about it. */
+export function approachContext(program: Program, index: number, run: Run | null, parameters: KnownParameters): ApproachContext {
+  const { turning, inch, pole } = inForce(program, index, parameters);
+  const statement = program.blocks[index]?.statement;
+  const departing = statement?.kind === "approach" && statement.departing;
+  const found: ApproachRun | undefined = run?.approaches.findLast((a) => a.index === index && a.departing === departing);
+  const plane = found?.plane ?? (turning ? "ZX" : "XY");
+  return {
+    plane, pole, parameters, unit: inch ? 25.4 : 1,
+    before: found && !departing ? found.request.outside : null,
+    contour: found?.contour ?? [],
+    side: found?.side ?? "left",
+    toolRadius: found?.toolRadius ?? 0,
+    tip: found?.tip ?? NO_TIP,
+    feedBefore: run ? feedBefore(run, index, plane) : null,
+  };
+}

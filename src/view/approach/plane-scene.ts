@@ -1,0 +1,78 @@
+import { pointOn } from "../../kernel/flatten.ts";
+import { partPoint, partSegment, planePoint, type PlanePoint, type PlaneSegment } from "../../kernel/plane.ts";
+import type { Turn } from "../../kernel/point.ts";
+import { boundsOf, grown, joined } from "../bounds.ts";
+import type { Bounds } from "../camera.ts";
+import { segmentData } from "../path.ts";
+
+/** A place of a mill, mm: its centre in the plane, its end in the tool axis (null while unknown). */
+export interface MillSpot {
+  readonly x: number;
+  readonly y: number;
+  readonly z: number | null;
+}
+
+/** One motion of a mill, as far as a picture needs it. */
+export interface MillMotion {
+  readonly kind: "rapid" | "feed" | "arc";
+  readonly from: MillSpot;
+  readonly to: MillSpot;
+  readonly centre?: PlanePoint;
+  readonly turn?: Turn;
+  /** Absent on a rapid. */
+  readonly feed?: number;
+  readonly radius: number;
+  readonly index: number;
+}
+
+/** What a line of the plane stands for. */
+export type PlaneRole = "contour" | "rapid" | "feed" | "lead";
+export interface PlaneShape {
+  readonly role: PlaneRole;
+  readonly d: string;
+}
+export interface PlaneScene {
+  readonly shapes: readonly PlaneShape[];
+  readonly bounds: Bounds;
+}
+
+export const PLANE_ROLES: readonly PlaneRole[] = ["contour", "rapid", "feed", "lead"];
+
+/** A rapid may run on an arc, so it is told by its feed. */
+export const isRapid = (m: MillMotion): boolean => m.feed === undefined;
+
+/** The way of a motion in the plane. */
+export const wayOf = ({ from, to, centre, turn }: MillMotion): PlaneSegment =>
+  centre && turn ? { kind: "arc", from, to, centre, turn } : { kind: "line", from, to };
+
+/** Where the tool stands at a fraction of a motion. */
+export function spotOn(m: MillMotion, fraction: number): MillSpot {
+  const at = planePoint(pointOn(partSegment(wayOf(m)), fraction));
+  const z = m.to.z === null ? m.from.z : m.from.z === null ? m.to.z : m.from.z + (m.to.z - m.from.z) * fraction;
+  return { ...at, z };
+}
+
+/** The place of a moment of a run; null in an empty one. */
+export function spotAt(motions: readonly MillMotion[], step: number, fraction: number): MillSpot | null {
+  const running = motions[step];
+  return running ? spotOn(running, fraction) : (motions.at(-1)?.to ?? null);
+}
+
+/** Space round everything, mm per mm of its size. */
+const AIR = 0.04;
+const EMPTY: Bounds = { left: -10, right: 110, low: -10, high: 110 };
+
+/** The still part of the picture: contours, and the path told apart by what it is. `leads` are the blocks of APPR and DEP. */
+export function planeScene(motions: readonly MillMotion[], contours: readonly (readonly PlaneSegment[])[], leads: ReadonlySet<number>): PlaneScene {
+  const ways: Record<PlaneRole, PlaneSegment[]> = { contour: [], rapid: [], feed: [], lead: [] };
+  for (const m of motions) ways[isRapid(m) ? "rapid" : leads.has(m.index) ? "lead" : "feed"].push(wayOf(m));
+  ways.contour.push(...contours.flat());
+  const reach = motions.flatMap((m) => [0, 0.25, 0.5, 0.75, 1].map((k) => ({ p: spotOn(m, k), r: m.radius })));
+  const box = boundsOf(reach.flatMap(({ p, r }) => [partPoint({ x: p.x - r, y: p.y - r }), partPoint({ x: p.x + r, y: p.y + r })]));
+  const drawn = boundsOf(ways.contour.flatMap((s) => [s.from, s.to]).map(partPoint));
+  const all = joined(box, drawn) ?? EMPTY;
+  return {
+    shapes: PLANE_ROLES.flatMap((role) => (ways[role].length > 0 ? [{ role, d: segmentData(ways[role].map(partSegment)) }] : [])),
+    bounds: grown(all, AIR * Math.max(all.right - all.left, all.high - all.low)),
+  };
+}

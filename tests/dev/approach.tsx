@@ -1,0 +1,46 @@
+import { useState } from "react";
+import { createRoot } from "react-dom/client";
+import { ApproachDialog } from "../../src/app/approach/ApproachDialog.tsx";
+import { PlaneView } from "../../src/app/approach/PlaneView.tsx";
+import { clock } from "../../src/app/clock.ts";
+import { createPlaybackStore } from "../../src/app/lathe/playback-store.ts";
+import { followAppearance } from "../../src/app/settings/appearance.ts";
+import { fetchTexts } from "../../src/app/settings/loaded-texts.ts";
+import { useSettings } from "../../src/app/settings/settings.ts";
+import "../../src/app/styles/base.css";
+import "../../src/app/styles/layout.css";
+import "../../src/app/styles/dialog.css";
+import { withBlock } from "../../src/nc/edit.ts";
+import { parse } from "../../src/nc/parse.ts";
+import { approachContext } from "../../src/program/approach-context.ts";
+import { run } from "../../src/program/run.ts";
+import linear from "../programs/milling-linear.h?raw";
+import circular from "../programs/milling-circular.h?raw";
+
+/* Dialog of one APPR or DEP block beside the plane view: `?circular`, `?block=7`, `?view` alone, `?dark`. */
+const asked = new URLSearchParams(location.search);
+followAppearance();
+if (asked.has("dark")) document.documentElement.dataset["theme"] = "dark";
+const playback = createPlaybackStore(clock);
+const shop = { tools: [], mills: [{ T: 1, NAME: "MILL", R: 10 }], rapid: 10000 };
+
+function Page() {
+  const [program, change] = useState(() => parse((asked.get("text") ?? (asked.has("circular") ? circular : linear)).replaceAll("|", "\n")));
+  const made = run(program, shop);
+  const index = Number(asked.get("block") ?? program.blocks.findIndex((b) => b.statement.kind === "approach"));
+  const statement = program.blocks[index]?.statement;
+  return (
+    <main style={{ display: "grid", gridTemplateColumns: asked.has("view") ? "1fr" : "400px 1fr", height: "100vh" }}>
+      {!asked.has("view") && statement?.kind === "approach" && (
+        <ApproachDialog statement={statement} context={approachContext(program, index, made, {})} onChange={(next) => change(withBlock(program, index, next))}
+          found={made.issues.filter((f) => f.line !== null && f.block === (made.approaches.find((a) => a.index === index)?.block ?? -1)).map((f) => ({ issue: f.issue, at: ("at" in f.issue ? f.issue.at : undefined) ?? null, block: f.block }))} />
+      )}
+      <PlaneView run={made} dimmed={false} playback={playback} clock={clock} />
+    </main>
+  );
+}
+
+const root = document.getElementById("root");
+void fetchTexts(useSettings.getState().language).then(() => {
+  if (root) createRoot(root).render(<Page />);
+});
