@@ -68,3 +68,10 @@ test("10,000 blocks are read in a moment", () => {
   }).sort((a, b) => a - b);
   expect(times[0]).toBeLessThan(150);
 });
+
+test("a program that counts in tens is told so once, a jump in it again", () => {
+  const counted = (...numbers: number[]) => issuesOf(parse(numbers.map((n) => `${n} M8\n`).join(""))).filter((i) => i.code === "blockNumber").map((i) => i.data);
+  expect(counted(10, 20, 30, 40)).toEqual([{ found: 20, expected: 11 }]);
+  expect(counted(10, 20, 30, 35, 45)).toEqual([{ found: 20, expected: 11 }, { found: 35, expected: 31 }, { found: 45, expected: 36 }]);
+  expect(counted(1, 2, 2, 2, 3)).toEqual([{ found: 2, expected: 3 }, { found: 2, expected: 3 }]);
+});

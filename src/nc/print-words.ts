@@ -32,7 +32,9 @@ export function wordsText(words: Words, style: Style, signs: Signs = { length: t
   const spaced = (name: string, value: string) => add(`${name}${/^[+-]/.test(value) ? "" : gap}${value}`);
   if (words.centreAngle !== undefined) spaced("CCA", unsigned(words.centreAngle, style));
   if (words.length !== undefined) spaced("LEN", signs.length ? valueText(words.length, style) : unsigned(words.length, style));
-  if (words.radius !== undefined) add(`R${signs.radius ? valueText(words.radius, style) : unsigned(words.radius, style)}`, parts.length === 0 ? 2 : 1);
+  // A bare R0 would be read as the end of the compensation.
+  const radius = (r: Value) => (r === 0 ? valueText(r, { ...style, plus: true }) : signs.radius ? valueText(r, style) : unsigned(r, style));
+  if (words.radius !== undefined) add(`R${radius(words.radius)}`, parts.length === 0 ? 2 : 1);
   if (words.turn !== undefined) add(words.turn === "ccw" ? "DR+" : "DR-");
   for (const w of words.linear) add(`LIN_${axisText(w, style)}`);
   if (words.compensation !== undefined) add(words.compensation);
