@@ -1,6 +1,7 @@
 import { useRef, useState } from "react";
 import { blockNumbers } from "../../nc/program.ts";
 import { cycleByNumber, type CycleNumber } from "../../cycles/index.ts";
+import { ApproachBlock } from "../approach/ApproachBlock.tsx";
 import { CycleDialog } from "../dialog/CycleDialog.tsx";
 import { Icon, type IconName } from "../Icon.tsx";
 import { useTexts } from "../settings/use-texts.ts";
@@ -40,18 +41,18 @@ export function BlockPanel() {
   return (
     <div className="block-panel" ref={panel}>
       <header className="block-head">
-        {tool("up", t.editor.previous, () => openBlock(index - 1), index <= 0)}
-        {tool("down", t.editor.next, () => openBlock(index + 1), index >= last)}
         <h2>{t.editor.heading(number, kind)}</h2>
       </header>
       <div className="block-tools" role="group" aria-label={t.editor.tools}>
-        <button type="button" className="button" aria-label={t.editor.insertLong} onClick={() => choose(true)}><Icon name="add" /> {t.editor.insert}</button>
+        <button type="button" className="button" aria-label={t.editor.insertLong} onClick={() => choose(true)}><Icon name="add" /> <span>{t.editor.insert}</span></button>
+        {tool("up", t.editor.previous, () => openBlock(index - 1), index <= 0)}
+        {tool("down", t.editor.next, () => openBlock(index + 1), index >= last)}
         {tool("copy", t.editor.duplicate, () => editProgram(duplicated(program, index), null, index + 1))}
         {tool("raise", t.editor.up, () => editProgram(exchanged(program, index - 1), null, index - 1), index <= 0)}
         {tool("lower", t.editor.down, () => editProgram(exchanged(program, index), null, index + 1), index >= last)}
         {tool("remove", t.editor.remove, () => editProgram(removed(program, index), null, Math.min(index, last - 1)))}
       </div>
-      {read ? <CycleDialog key={index} read={read} /> : <BlockForm key={index} />}
+      {read ? <CycleDialog key={index} read={read} /> : s.kind === "approach" ? <ApproachBlock key={index} /> : <BlockForm key={index} />}
     </div>
   );
 }

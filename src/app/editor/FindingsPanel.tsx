@@ -2,6 +2,7 @@ import { blockAt } from "../../nc/reread.ts";
 import type { Finding } from "../../program/run-types.ts";
 import { Icon } from "../Icon.tsx";
 import { issueText } from "../issue-text.ts";
+import { showSection } from "../place.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { cycleOf, fixOf, placeOf } from "./diagnostics.ts";
@@ -17,7 +18,9 @@ const fieldOf = ({ issue }: Finding): string | null => ("at" in issue ? (issue.a
 function go(finding: Finding): void {
   const view = sessionView();
   const place = view && placeOf(view.state, finding);
-  if (place) openBlock(blockAt(useSession.getState().reading, place.from), fieldOf(finding));
+  if (!place) return;
+  openBlock(blockAt(useSession.getState().reading, place.from), fieldOf(finding));
+  showSection("block");
 }
 
 /** All findings of the program, worst first, each with the way to its block and what corrects it. */

@@ -1,4 +1,5 @@
 import { useEffect, useRef } from "react";
+import { markFresh } from "../approach/fresh-block.ts";
 import type { CycleNumber } from "../../cycles/index.ts";
 import { Icon } from "../Icon.tsx";
 import { useSettings } from "../settings/settings.ts";
@@ -18,7 +19,9 @@ export function Palette({ index, done }: { readonly index: number; readonly done
   useEffect(() => box.current?.querySelector<HTMLElement>("button")?.focus({ preventScroll: true }), []);
 
   const put = (offered: Offered) => {
-    editProgram(inserted(program, index + 1, offered.make(language)), null, index + 1);
+    const made = offered.make(language);
+    if (made.kind === "approach") markFresh(index + 1);
+    editProgram(inserted(program, index + 1, made), null, index + 1);
     done();
   };
   const nameOf = ({ kind, cycle }: Offered) =>

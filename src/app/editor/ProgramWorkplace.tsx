@@ -1,7 +1,8 @@
 import { useEffect, type ReactNode } from "react";
+import { MachineView } from "../approach/MachineView.tsx";
+import { shownBlock } from "../approach/shown-view.ts";
 import { clock } from "../clock.ts";
 import { useOutcome } from "../engine/outcome.ts";
-import { LatheView } from "../lathe/LatheView.tsx";
 import { showSection, usePlace, type ProgramSection } from "../place.ts";
 import { playback } from "../playback.ts";
 import { SectionTabs } from "../SectionTabs.tsx";
@@ -16,10 +17,8 @@ import { StructurePanel } from "./StructurePanel.tsx";
 import { TextPanel } from "./TextPanel.tsx";
 import { TotalsStrip } from "./TotalsStrip.tsx";
 import { useFindings } from "./use-findings.ts";
+import { WIDE } from "./wide.ts";
 import "./editor.css";
-
-/** Three columns have room for the text beside the view. The same width stands in `layout.css`. */
-const WIDE = "(min-width: 1280px)";
 
 /** Keeps the editor of the open program for as long as it is open. */
 function useProgramSession(): void {
@@ -39,8 +38,11 @@ function useProgramSession(): void {
 
 /** A move was pointed at in the picture: the block that makes it opens. */
 function openMove(step: number): void {
-  const index = useOutcome.getState().shown?.run.stepBlocks[step];
-  if (index !== undefined) openBlock(index);
+  const { shown } = useOutcome.getState();
+  const index = shown ? shownBlock(shown.run, step) : null;
+  if (index === null) return;
+  openBlock(index);
+  showSection("block");
 }
 
 /** Blocks, lathe and text of a whole program. */
@@ -73,7 +75,7 @@ export function ProgramWorkplace() {
       </div>
       <TotalsStrip />
       <div className="centre">
-        <LatheView result={shown} dimmed={dimmed} playback={playback} clock={clock} onMove={openMove} />
+        <MachineView result={shown} dimmed={dimmed} playback={playback} clock={clock} onMove={openMove} />
       </div>
       {wide && <div className="right"><TextPanel /></div>}
     </main>

@@ -16,7 +16,7 @@ const inLanguage = new Compartment();
 
 const worded = (t: Texts, language: Language): Extension => [
   cycleHelp(t, language),
-  EditorView.contentAttributes.of({ "aria-label": t.page.text.title, spellcheck: "false", autocapitalize: "characters", autocorrect: "off" }),
+  EditorView.contentAttributes.of({ "aria-label": t.page.text.title, tabindex: "0", spellcheck: "false", autocapitalize: "characters", autocorrect: "off" }),
   EditorState.phrases.of({ "Diagnostics": t.page.problems, "No diagnostics": t.page.problem.none, "close": t.page.close }),
 ];
 

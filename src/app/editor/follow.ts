@@ -1,6 +1,7 @@
 import { EditorView } from "@codemirror/view";
+import { shownBlock } from "../approach/shown-view.ts";
 import { useOutcome, type Outcome } from "../engine/outcome.ts";
-import { openPrompt, usePlace } from "../place.ts";
+import { openPrompt, showSection, usePlace } from "../place.ts";
 import { playback } from "../playback.ts";
 import { usePrompted } from "../prompted.ts";
 import { texts } from "../settings/loaded-texts.ts";
@@ -12,6 +13,7 @@ import { diagnosticsOf } from "./diagnostics.ts";
 import { inWords } from "./editor-extensions.ts";
 import { useOpenBlock } from "./open-block.ts";
 import { blockRange } from "./reading-field.ts";
+import { WIDE } from "./wide.ts";
 import { dispatchEdit, editProgram, openBlock, programText, sessionView, useSession } from "./session.ts";
 
 /** True when a result was made from the text as it stands now. */
@@ -46,6 +48,8 @@ function refresh(): void {
 function followSession(): () => void {
   return useSession.subscribe((now, before) => {
     if (now.reading !== before.reading && !typing) typed = {};
+    if (now.pointed !== before.pointed && matchMedia(WIDE).matches) showSection("block");
+    if (now.reading === before.reading && now.index === before.index && now.opened === before.opened) return;
     refresh();
     if (now.opened === before.opened) return;
     const { read } = useOpenBlock.getState();
@@ -95,7 +99,7 @@ function runningBlock(): number | null {
   const { shown } = useOutcome.getState();
   const { position } = playback.get();
   if (!isPresent(shown) || (position.step === 0 && position.fraction === 0)) return null;
-  return shown.run.stepBlocks[Math.min(position.step, shown.run.steps.length - 1)] ?? null;
+  return shownBlock(shown.run, position.step);
 }
 
 function followPlayback(): () => void {

@@ -22,9 +22,11 @@ export interface Session {
   readonly parameter: string | null;
   /** Counts up with each block that was opened by the operator. */
   readonly opened: number;
+  /** Counts up with each block that was pointed at in the text. */
+  readonly pointed: number;
 }
 
-const none: Session = { reading: readingOf(""), index: -1, parameter: null, opened: 0 };
+const none: Session = { reading: readingOf(""), index: -1, parameter: null, opened: 0, pointed: 0 };
 export const useSession = create<Session>(() => none);
 
 /** Rest after typing before panels follow, and before a text of this many blocks is calculated and kept, ms. */
@@ -82,6 +84,7 @@ function onUpdate(update: ViewUpdate): void {
     clearTimeout(panels);
     panels = setTimeout(() => show(true), PANELS_REST);
   } else show(!byDialog);
+  if (update.transactions.some((tr) => tr.isUserEvent("select.pointer"))) useSession.setState((s) => ({ pointed: s.pointed + 1 }));
 }
 
 /** Opens a program in a new editor; what was open before is let go. */

@@ -1,5 +1,6 @@
 import { LANGUAGE_NAMES, LANGUAGES, isLanguage } from "../../i18n/languages.ts";
 import { setLayout, setName, setNcLanguage } from "../edits.ts";
+import { openText } from "../files/open-program.ts";
 import { Icon } from "../Icon.tsx";
 import { blockCount, printedText, programName } from "../printed.ts";
 import type { JobReading } from "../reading.ts";
@@ -13,7 +14,7 @@ import { useRunningBlock } from "./running-block.ts";
 
 /** The program as the control writes it: to read, to copy, to take along. */
 export function ProgramPanel({ read, foldable }: { readonly read: JobReading; readonly foldable: boolean }) {
-  const t = useTexts().page.text;
+  const { page: { text: t }, editor: { start: open } } = useTexts();
   const { job } = read;
   const text = printedText(job);
   const file = `${programName(text)}.h`;
@@ -63,6 +64,7 @@ export function ProgramPanel({ read, foldable }: { readonly read: JobReading; re
           <Icon name="download" /> <span className="file-name">{file}</span>
         </button>
       </div>
+      <button type="button" className="button plain open-as-program" title={open.fromJobLong} onClick={() => openText(text)}>{open.fromJob}</button>
       <p role="status" className="small copy-status">{copied ? t.copiedLong(blockCount(text)) : ""}</p>
     </section>
   );
