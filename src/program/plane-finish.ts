@@ -161,6 +161,10 @@ export function finishChain(carrier: Carrier, chain: Chain, here: PlanePoint | n
   if (chain.start.kind !== "here" || hasRadius(chain.side)) begin(f, contour, first);
   along(f, contour);
   if (departure && last) runDeparture(f, departure, lead(f, departure, last, contour));
-  else if (departure) carrier.machine.say(programIssue("approachWithoutContour", "error", { form: `DEP ${departure.form}` }), departure.index);
+  else if (departure) {
+    carrier.machine.say(programIssue("approachWithoutContour", "error", { form: `DEP ${departure.form}` }), departure.index);
+    if (f.centre && departure.target) f.go({ kind: "line", from: f.centre, to: difference(departure.target, carrier.tip) }, { ...departure, toZ: departure.fromZ });
+    f.lift(departure);
+  }
   return f.centre && sum(f.centre, carrier.tip);
 }

@@ -131,6 +131,6 @@ export function endWithDeparture(guide: Guide, carrier: CarrierFor, b: ApproachB
   const { machine } = carrier("none");
   const known = feedBefore(machine);
   const call = callOf(machine, b, blockFeed(machine, b.words.feed, b.index), known);
-  if (guide.chain) close(guide, carrier, call);
-  else machine.say(programIssue("approachWithoutContour", "error", { form: `DEP ${b.form}` }), b.index);
+  guide.chain ??= { side: "none", start: { kind: "here" }, lifts: [], items: [] };
+  close(guide, carrier, call);
 }
