@@ -97,3 +97,18 @@ test("a value that contradicts is said at its field", () => {
   expect(codes([row("L", { x: "40", z: "0" }), row("L", { x: "60", z: "-10", angle: "130" })])).toEqual([[2, "angle", "elementContradicts"]]);
   expect(codes([row("L", { x: "40", z: "0" }), row("L", { x: "60", length: "-1" })])).toContainEqual([2, "length", "outOfRange"]);
 });
+
+test("the printed undercut stands in the corner between its cylinder and its face", () => {
+  const rows = [row("L", { x: "40", z: "0" }), row("L", { z: "-30" }), row("UDC", { form: "E", words: { R: "1", DEPTH: "2", BREADTH: "15" } }), row("L", { x: "60" })];
+  const { contour, issues, rowOfSegment } = readRows(rows);
+  expect(issues).toMatchObject([{ row: 2, issue: { code: "undercutDefaults", severity: "info" } }]);
+  expect(Math.min(...contour.segments.map((s) => s.to.r))).toBeCloseTo(18, 6);
+  expect(rowOfSegment).toContain(2);
+  expect(codes([...rows.slice(0, 2), row("UDC", { form: "E", words: { R: "abc" } }), row("L", { x: "60" })])).toContainEqual([3, null, "notANumber"]);
+});
+
+test("a recess in a cylinder", () => {
+  const { contour, issues } = readRows([row("L", { x: "40", z: "0" }), row("L", { z: "-40" }), row("GRV", { form: "RADIAL", words: { CENTER: "-20", BREADTH: "6", DIAM: "30" } }), row("L", { x: "60" })]);
+  expect(issues).toEqual([]);
+  expect(Math.min(...contour.segments.map((s) => s.to.r))).toBeCloseTo(15, 6);
+});

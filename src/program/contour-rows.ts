@@ -92,6 +92,7 @@ function signedRadius(s: SolvedElement | undefined): number | null {
 /** The element with every coordinate filled in; null while its end is not known. */
 function contourElement(given: RowGiven | undefined, solved: SolvedElement | undefined): ContourElement | null {
   if (given?.kind === "corner") return given.corner;
+  if (given?.kind === "recess") return given.recess;
   const to = pointOf(solved);
   if (given?.kind !== "element" || !to) return null;
   const e: SolveElement = given.element;

@@ -26,3 +26,10 @@ test("the radius of a tangential arc is printed with its turn", () => {
 test("an element that is still open has no block", () => {
   expect(text([row("L", { x: "20", z: "0" }), row("L", { angle: "135" }), row("L", { z: "-20" })])).toEqual(["L X+20 Z+0", "L Z-20"]);
 });
+
+test("undercuts and recesses are printed with the words that are typed", () => {
+  expect(text([
+    row("UDC", { form: "E", words: { R: "1", DEPTH: "2", BREADTH: "15", PITCH: "3" } }), row("UDC", { form: "THREAD", words: { PITCH: "1.5" } }),
+    row("GRV", { form: "AXIAL", words: { CENTER: "30", DEPTH: "2", BREADTH: "4" } }),
+  ])).toEqual(["UDC TYPE_E R1 DEPTH2 BREADTH15", "UDC THREAD PITCH1.5", "GRV AXIAL CENTER30 DEPTH2 BREADTH4"]);
+});

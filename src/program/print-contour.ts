@@ -1,6 +1,7 @@
-import type { AxisWord, Statement, Value, Words } from "../nc/statement.ts";
+import type { AxisWord, NamedWord, Statement, Value, Words } from "../nc/statement.ts";
 import { readRows, type RowReading } from "./contour-rows.ts";
 import type { ContourRow } from "./job.ts";
+import { recessWords } from "./row-given.ts";
 import { kept, noWords, POSITION_DECIMALS, typedAxis, typedValue } from "./typed-value.ts";
 
 const path = (kind: "L" | "RND" | "CR" | "C" | "CC" | "CT", words: Partial<Words>): Statement => ({ kind: "path", path: kind, words: { ...noWords, ...words } });
@@ -17,6 +18,12 @@ function axesOf(row: ContourRow, reading: RowReading | undefined): AxisWord[] {
   ];
 }
 
+/** The words of an undercut or recess that are typed. */
+const namedWords = (row: ContourRow): NamedWord[] => recessWords(row).flatMap((name) => {
+  const value = typedValue(row.words[name] ?? "");
+  return value === null ? [] : [{ name, value }];
+});
+
 function statement(row: ContourRow, reading: RowReading | undefined): Statement[] {
   const axes = axesOf(row, reading), size = typedValue(row.r);
   if (reading && (reading.sought.x || reading.sought.z) && !reading.end && axes.length === 0) return [];
@@ -29,7 +36,8 @@ function statement(row: ContourRow, reading: RowReading | undefined): Statement[
     case "C": return [path("C", { axes, turn: row.turn })];
     case "CC": case "CT": return [path(row.kind, { axes })];
     case "RND": return [path("RND", size === null ? {} : { radius: size })];
-    case "UDC": case "GRV": return [];
+    case "UDC": return [{ kind: "undercut", form: row.form === "THREAD" ? row.form : `TYPE_${row.form}`, words: namedWords(row) }];
+    case "GRV": return [{ kind: "groove", form: row.form === "AXIAL" ? "AXIAL" : "RADIAL", words: namedWords(row) }];
     case "CHF": return [{ kind: "chamfer", length: size, words: noWords }];
   }
 }

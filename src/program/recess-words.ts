@@ -5,10 +5,12 @@ import type { NamedWord, Statement } from "../nc/statement.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
 
+/** Words that are angles; the others are lengths. */
 const ANGLES = ["ANGLE", "FACEANGLE", "ROT"] as const;
-const OF_GROOVE = ["CENTER", "R", "DEPTH", "DIAM", "BREADTH", "ANGLE", "RND", "CHF", "FAR_RND", "FAR_CHF"] as const;
+/** The words of a recess. */
+export const GROOVE_WORDS: readonly RecessWord[] = ["CENTER", "R", "DEPTH", "DIAM", "BREADTH", "ANGLE", "RND", "CHF", "FAR_RND", "FAR_CHF"];
 /** The words that each form has; only form E is printed with its words. */
-const OF_FORM: Readonly<Record<Undercut["form"], readonly RecessWord[]>> = {
+export const UNDERCUT_WORDS: Readonly<Record<Undercut["form"], readonly RecessWord[]>> = {
   E: ["R", "DEPTH", "BREADTH", "ANGLE"], F: ["R", "DEPTH", "BREADTH", "ANGLE", "FACEDEPTH", "FACEANGLE"], H: ["R", "BREADTH", "ANGLE"],
   K: ["R", "DEPTH", "ROT", "ANGLE"], U: ["R", "DEPTH", "BREADTH", "RND", "CHF"], THREAD: ["PITCH", "R", "DEPTH", "BREADTH", "ANGLE"],
 };
@@ -36,7 +38,7 @@ export function recessOf(machine: Machine, s: Extract<Statement, { kind: "underc
   if (s.kind === "groove") {
     machine.say(programIssue("wordsRecalled", "info", { what: `GRV ${s.form}` }), index);
     const direction = s.form === "AXIAL" ? "axial" : "radial";
-    return { kind: "groove", direction, words: wordsOf(machine, s.words, OF_GROOVE, direction === "axial" ? ["CENTER", "DIAM"] : ["DIAM"], index) };
+    return { kind: "groove", direction, words: wordsOf(machine, s.words, GROOVE_WORDS, direction === "axial" ? ["CENTER", "DIAM"] : ["DIAM"], index) };
   }
   const form = UNDERCUT_FORMS.find((f) => f === s.form.replace(/^TYPE_/, ""));
   if (!form) {
@@ -44,5 +46,5 @@ export function recessOf(machine: Machine, s: Extract<Statement, { kind: "underc
     return null;
   }
   if (form !== "E") machine.say(programIssue("wordsRecalled", "info", { what: `UDC ${s.form}` }), index);
-  return { kind: "undercut", form, words: wordsOf(machine, s.words, OF_FORM[form], [], index) };
+  return { kind: "undercut", form, words: wordsOf(machine, s.words, UNDERCUT_WORDS[form], [], index) };
 }

@@ -3,7 +3,10 @@ import { issue, type Issue } from "../kernel/issue.ts";
 import type { Pt } from "../kernel/point.ts";
 import type { Given, SolveElement } from "../kernel/solve-work.ts";
 import { axial, degrees, diameter, length, toRadius, type Axial, type Radius } from "../kernel/units.ts";
+import type { Groove } from "../kernel/groove.ts";
+import { UNDERCUT_FORMS, type RecessWord, type RecessWords, type Undercut } from "../kernel/undercut.ts";
 import { readExpression } from "./expression.ts";
+import { GROOVE_WORDS, UNDERCUT_WORDS } from "./recess-words.ts";
 import type { ContourRow } from "./job.ts";
 
 /** A field of a contour row. */
@@ -25,10 +28,11 @@ export interface RowReader {
   readonly issues: RowIssue[];
 }
 
-/** What one row gives: a corner, an element to be solved, or a centre, which is no element. */
+/** What one row gives: a corner, an element to be solved, an undercut or recess, or a centre, which is no element. */
 export type RowGiven =
   | { readonly kind: "corner"; readonly corner: CornerElement }
   | { readonly kind: "element"; readonly element: SolveElement; readonly sought: { readonly x: boolean; readonly z: boolean } }
+  | { readonly kind: "recess"; readonly recess: Undercut | Groove }
   | { readonly kind: "centre" };
 
 /** A coordinate that is typed as a question mark is sought. */
@@ -43,7 +47,7 @@ export function seeks(row: ContourRow): boolean {
 }
 
 /** A typed number; says what is wrong with it, unless it may be empty and is. */
-function fieldValue(reader: RowReader, row: number, field: RowField, typed: string, optional: boolean): number | null {
+function fieldValue(reader: RowReader, row: number, field: RowField | null, typed: string, optional: boolean): number | null {
   const read = readExpression(typed);
   const say = (found: Issue) => reader.issues.push({ row, field, issue: found });
   switch (read.kind) {
@@ -101,13 +105,31 @@ function centreOf(reader: RowReader, row: ContourRow, index: number): Pt | null 
   return x === null || z === null ? null : { z: axial(z), r: toRadius(diameter(x)) };
 }
 
+/** The words that an undercut or recess row has, in the order of the control. */
+export function recessWords(row: ContourRow): readonly RecessWord[] {
+  if (row.kind === "GRV") return GROOVE_WORDS;
+  const form = UNDERCUT_FORMS.find((f) => f === row.form);
+  return row.kind === "UDC" && form ? UNDERCUT_WORDS[form] : [];
+}
+
+function recessOfRow(reader: RowReader, row: ContourRow, index: number): Undercut | Groove {
+  const facing = row.kind === "GRV" && row.form === "AXIAL";
+  const measured = (word: RecessWord, n: number) => (word === "DIAM" || (word === "CENTER" && facing) ? toRadius(diameter(n)) : n);
+  const words: RecessWords = Object.fromEntries(recessWords(row).flatMap((word) => {
+    const n = fieldValue(reader, index, null, row.words[word] ?? "", true);
+    return n === null ? [] : [[word, measured(word, n)] as const];
+  }));
+  if (row.kind === "GRV") return { kind: "groove", direction: facing ? "axial" : "radial", words };
+  return { kind: "undercut", form: UNDERCUT_FORMS.find((f) => f === row.form) ?? "E", words };
+}
+
 /** Reads one row. */
 export function rowGiven(reader: RowReader, row: ContourRow, index: number): RowGiven {
   if (row.kind === "RND" || row.kind === "CHF") {
     const size = fieldValue(reader, index, "r", row.r, false);
     return { kind: "corner", corner: { kind: row.kind === "RND" ? "round" : "chamfer", size: size ?? 0 } };
   }
-  if (row.kind === "UDC" || row.kind === "GRV") return { kind: "centre" };
+  if (row.kind === "UDC" || row.kind === "GRV") return { kind: "recess", recess: recessOfRow(reader, row, index) };
   if (row.kind === "CC") {
     reader.pole = centreOf(reader, row, index);
     return { kind: "centre" };

@@ -26,8 +26,8 @@ interface Props {
   readonly onEdited: (edited: Edited) => void;
 }
 
-const faultyRows = (reading: RowsReading) => new Set(reading.issues.flatMap(({ row, issue }) =>
-  (issue.code === "contourCrossesItself" ? [row, issue.data.other - 1] : [row])));
+const faultyRows = (reading: RowsReading) => new Set(reading.issues.flatMap(({ row, issue }) => (issue.severity === "info" ? []
+  : issue.code === "contourCrossesItself" ? [row, issue.data.other - 1] : [row])));
 
 /** The contour of the table, to look at and to edit: arcs as arcs, points numbered and to be dragged, faults at their element. */
 export function ContourDrawing({ rows, reading, active, language, onPick, onRows, onEdited }: Props) {

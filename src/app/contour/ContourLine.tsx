@@ -6,6 +6,7 @@ import type { RowField, RowIssue, RowReading } from "../../program/contour-rows.
 import type { ContourRow } from "../../program/job.ts";
 import { Icon } from "../Icon.tsx";
 import { issueText } from "../issue-text.ts";
+import { RecessFields } from "./RecessFields.tsx";
 import { ContourCell, type Shown } from "./ContourCell.tsx";
 
 interface Props {
@@ -22,7 +23,9 @@ interface Props {
   readonly onFocus: () => void;
 }
 
-const KINDS = ["L", "RND", "CHF", "CR", "CC", "C", "CT"] as const;
+const KINDS = ["L", "RND", "CHF", "CR", "CC", "C", "CT", "UDC", "GRV"] as const;
+/** The form a new undercut or recess begins with. */
+const firstForm = (kind: ContourRow["kind"]): Partial<ContourRow> => (kind === "UDC" ? { form: "E" } : kind === "GRV" ? { form: "RADIAL" } : {});
 /** The elements that have an end point or a centre, a size, a turning direction, and those that can be tangential. */
 const POINT = ["L", "CR", "CC", "C", "CT"], SIZE = ["RND", "CHF", "CR"], TURN = ["CR", "C"], TANGENTIAL = ["L", "CR", "C"];
 
@@ -55,7 +58,10 @@ export function ContourLine({ row, number, reading, issues, active, details, lan
       <td role="cell" className="contour-kind">
         <select
           className="select" aria-label={t.kindOf(number)} value={row.kind} data-row={row.id} data-field="kind"
-          onChange={(e) => onChange({ kind: e.currentTarget.value as ContourRow["kind"] }, null)}
+          onChange={(e) => {
+            const kind = e.currentTarget.value as ContourRow["kind"];
+            onChange({ kind, ...firstForm(kind) }, null);
+          }}
         >
           {KINDS.map((kind) => <option key={kind} value={kind}>{`${kind} ${t.kinds[kind]}`}</option>)}
         </select>
@@ -94,6 +100,9 @@ export function ContourLine({ row, number, reading, issues, active, details, lan
           </button>
         )}
       </td>
+      <td role="cell" className="contour-words">
+        {(row.kind === "UDC" || row.kind === "GRV") && <RecessFields row={row} number={number} language={language} describedBy={`${id}-wrong`} onChange={onChange} />}
+      </td>
       <td role="cell" className="contour-wrong" id={`${id}-wrong`}>
         {(reading?.choices ?? 1) > 1 && (
           <button
@@ -105,7 +114,7 @@ export function ContourLine({ row, number, reading, issues, active, details, lan
         )}
         {open > 0 && <p className="small contour-open">{t.freedom(open)}</p>}
         {issues.filter(({ issue }) => open === 0 || issue.code !== "elementFree").map((found, i) => (
-          <p key={i} className="field-message error small"><Icon name="error" /> {issueText(all, language, found.issue, null)}</p>
+          <p key={i} className={`field-message ${found.issue.severity} small`}><Icon name={found.issue.severity} /> {issueText(all, language, found.issue, null)}</p>
         ))}
       </td>
     </tr>

@@ -16,10 +16,11 @@ const MOST = 3;
 /** What is wrong, right under the drawing that marks it; each line leads to its element. */
 export function FaultList({ issues, language, onPick }: Props) {
   const all = texts(language);
-  if (issues.length === 0) return null;
+  const faults = issues.filter(({ issue }) => issue.severity !== "info");
+  if (faults.length === 0) return null;
   return (
     <ul className="contour-faults" aria-label={all.contour.faults}>
-      {issues.slice(0, MOST).map((found, i) => (
+      {faults.slice(0, MOST).map((found, i) => (
         <li key={i}>
           <button type="button" className="button plain small" onClick={() => onPick(found.row)}>
             <Icon name="error" /> <span className="number">{found.row + 1}!</span> <span>{issueText(all, language, found.issue, null)}</span>

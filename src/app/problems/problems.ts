@@ -1,6 +1,7 @@
 import { useMemo } from "react";
 import type { Severity } from "../../kernel/issue.ts";
 import type { Finding } from "../../program/run-types.ts";
+import { contourProblems } from "../contour/contour-problems.ts";
 import { useOutcome, type Outcome } from "../engine/outcome.ts";
 import { usePrompted } from "../prompted.ts";
 import { useReading, type JobReading } from "../reading.ts";
@@ -32,8 +33,9 @@ const weight: Readonly<Record<Severity, number>> = { error: 0, warning: 1, info:
 export function problemsOf(read: JobReading | null, newest: Outcome | null): readonly Problem[] {
   const typed = read?.reading.issues.map((issue): Problem => ({ issue, at: placeOf(issue), block: null })) ?? [];
   const found = typed.length > 0 ? [] : (newest?.run.issues ?? []).map(({ issue, block }): Problem => ({ issue, at: placeOf(issue), block }));
+  const contour = read?.cycle.contour === "free" ? contourProblems(read.job.contour).map((issue): Problem => ({ issue, at: "contour", block: null })) : [];
   const all = new Map<string, Problem>();
-  for (const problem of [...typed, ...found]) {
+  for (const problem of [...typed, ...contour, ...found]) {
     const { code, data } = problem.issue;
     const key = JSON.stringify([code, problem.at, data]);
     if (!all.has(key)) all.set(key, problem);

@@ -81,7 +81,8 @@ export function contourDrawing({ contour, rowOfSegment, ends, faulty, active, si
   const elements = rows.map((row) => ({ row, faulty: faulty.has(row), d: segmentPath(contour.filter((_, i) => rowOfSegment[i] === row), camera) }));
   const corners = contour.flatMap((s, i) => {
     const row = rowOfSegment[i] ?? 0;
-    return ends[row] === null ? [{ row, at: pointOn(s, 0.5) }] : [];
+    // A recess has many segments and one number.
+    return ends[row] === null && rowOfSegment.indexOf(row) === i ? [{ row, at: pointOn(s, 0.5) }] : [];
   });
   const drawnRows = new Set([...stops, ...corners].map((s) => s.row));
   const missing = [...faulty].filter((row) => !drawnRows.has(row)).flatMap((row) => {
