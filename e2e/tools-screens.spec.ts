@@ -18,6 +18,11 @@ for (const theme of ["light", "dark"] as const) {
     await look(page);
     await tools.add.click();
     await look(page);
+    await tools.show("milling");
+    await tools.add.click();
+    await tools.cell("R").fill("8");
+    await look(page);
+    await tools.show("turning");
     for (let n = await tools.table.getByRole("row").count(); n > 1; n -= 1) await tools.remove.click();
     await expect(tools.table).toHaveCount(0);
     await look(page);

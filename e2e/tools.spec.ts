@@ -33,6 +33,7 @@ test("a tool of one's own by keyboard alone: made, kept over a reload, offered i
   await expect(tools.drawing).toBeVisible();
   await page.waitForTimeout(200);
   await page.reload();
+  await expect(turnwise.dialog.question).toBeVisible();
   await turnwise.show("setup");
   await setup.tool(21).check();
   await expect(effect.cell("proof")).toHaveText(t.page.effect.clean);
@@ -119,6 +120,31 @@ test("out and in again, as JSON and as column text", async ({ page }) => {
   await expect(tools.rowButton(50)).toHaveAttribute("aria-current", "true");
   await tools.export("json");
   await expect(tools.status).toContainText(t.tools.exportedWithout("50"));
+});
+
+test("milling tools: a second table with its own file", async ({ page }) => {
+  const { tools, t } = await Turnwise.open(page);
+  await tools.open();
+  await tools.show("milling");
+  await expect(page.getByText(t.tools.none)).toBeVisible();
+  await tools.add.click();
+  await expect(tools.cell("T")).toHaveValue("16");
+  await tools.cell("NAME").fill("d16");
+  await tools.cell("R").fill("8");
+  await tools.cell("DR").fill("-0.02");
+  await expect(tools.drawing).toContainText("15.96");
+  await expect(tools.row(16)).toContainText("D16");
+  const text = await tools.export("millText");
+  expect(text.name).toBe("TOOL.T");
+  expect(text.text).toMatch(/16 +D16 +8 +-0\.02/);
+  await tools.remove.click();
+  await tools.import("TOOL.T", text.text);
+  await expect(tools.cell("R")).toHaveValue("8");
+  const json = await tools.export("json");
+  expect(JSON.parse(json.text).tools.at(-1)).toEqual({ T: 16, NAME: "D16", TYPE: "MILL", R: 8, DR: -0.02 });
+  await tools.show("turning");
+  await expect(tools.rowButton(1)).toBeVisible();
+  await expect(tools.rowButton(16)).toHaveCount(0);
 });
 
 test("two tabs share one table", async ({ page, context }) => {

@@ -21,7 +21,14 @@ export class ToolTable {
   }
 
   get table(): Locator {
-    return this.context.page.getByRole("table", { name: this.context.t.tools.table, exact: true });
+    const { table, millTable } = this.context.t.tools;
+    return this.context.page.getByRole("table", { name: table, exact: true }).or(this.context.page.getByRole("table", { name: millTable, exact: true }));
+  }
+
+  /** Shows the tools of a kind. */
+  async show(kind: "turning" | "milling"): Promise<void> {
+    const { kinds } = this.context.t.tools;
+    await this.context.page.getByRole("group", { name: kinds.name, exact: true }).getByRole("button", { name: kinds[kind], exact: true }).click();
   }
 
   /** The row of a tool by its number. */
@@ -57,7 +64,8 @@ export class ToolTable {
   }
 
   get drawing(): Locator {
-    return this.form.getByRole("figure", { name: this.context.t.tools.drawing, exact: true });
+    const { drawing, millDrawing } = this.context.t.tools;
+    return this.form.getByRole("figure", { name: drawing, exact: true }).or(this.form.getByRole("figure", { name: millDrawing, exact: true }));
   }
 
   /** What came of a file, of deleting, of putting the shipped tools back. */
@@ -94,10 +102,10 @@ export class ToolTable {
   }
 
   /** Downloads the table and gives the text of the file. */
-  async export(kind: "json" | "text"): Promise<{ name: string; text: string }> {
-    const { exportJsonLong, exportTextLong } = this.context.t.tools;
+  async export(kind: "json" | "text" | "millText"): Promise<{ name: string; text: string }> {
+    const { exportJsonLong, exportTextLong, exportMillLong } = this.context.t.tools;
     const downloading = this.context.page.waitForEvent("download");
-    await this.button(kind === "json" ? exportJsonLong : exportTextLong).click();
+    await this.button({ json: exportJsonLong, text: exportTextLong, millText: exportMillLong }[kind]).click();
     const download = await downloading;
     const stream = await download.createReadStream();
     const parts: Buffer[] = [];

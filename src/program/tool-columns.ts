@@ -8,8 +8,13 @@ export type ToolColumn = (typeof TOOL_COLUMNS)[number];
 /** Cells of the holder, beside the columns of the control. */
 export const HOLDER_CELLS = ["width", "length", "offsetZ", "offsetX"] as const;
 export type HolderCell = (typeof HOLDER_CELLS)[number];
-export type NumberColumn = Exclude<ToolColumn, "NAME" | "TYPE">;
-export type CellName = ToolColumn | HolderCell;
+/** Columns of a milling tool beside T and NAME: length, radius, and what is added to both. */
+export const MILL_COLUMNS = ["L", "R", "DL", "DR"] as const;
+export type MillColumn = (typeof MILL_COLUMNS)[number];
+export type NumberColumn = Exclude<ToolColumn, "NAME" | "TYPE"> | MillColumn;
+export type CellName = ToolColumn | MillColumn | HolderCell;
+/** What stands as the type of a milling tool. */
+export const MILL = "MILL";
 
 /** What a column of numbers holds. The ranges are recalled (tag K1, K2), not read on a printed page. */
 export interface ColumnRule {
@@ -33,6 +38,7 @@ export const COLUMN_RULES: Readonly<Record<NumberColumn, ColumnRule>> = {
   ORI: { unit: "degrees", min: -360, max: 360, decimals: 3 },
   "T-ANGLE": angle, "P-ANGLE": angle,
   CUTLENGTH: size, CUTWIDTH: size, DCW: anyLength,
+  L: anyLength, R: size, DL: anyLength, DR: { ...anyLength, min: -999.9999, max: 999.9999 },
 };
 
 /** The smallest side of a holder box, mm. */

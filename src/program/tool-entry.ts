@@ -3,7 +3,7 @@ import type { Tool } from "../kernel/tool.ts";
 import { checkTool } from "./check-tool.ts";
 import { readExpression } from "./expression.ts";
 import {
-  applies, HOLDER_CELLS, ruleOf, TOOL_COLUMNS, type CellName, type HolderCell, type NumberColumn, type ToolColumn,
+  applies, HOLDER_CELLS, MILL, MILL_COLUMNS, ruleOf, TOOL_COLUMNS, type CellName, type HolderCell, type MillColumn, type NumberColumn, type ToolColumn,
 } from "./tool-columns.ts";
 
 /** One row of the tool table as typed: every cell is text, an empty or missing cell is empty. */
@@ -12,15 +12,22 @@ export interface ToolEntry {
   readonly cells: Readonly<Partial<Record<CellName, string>>>;
 }
 
+/** A milling tool with all its columns, mm; a missing cell is absent. */
+export type MillTool = { readonly T: number; readonly NAME: string; readonly R: number } & { readonly [C in Exclude<MillColumn, "R">]?: number };
+
 /** A row read: the tool when every cell can be used, and everything found, each at its column. */
 export interface EntryReading {
   readonly tool: Tool | null;
+  /** The same for a row of a milling tool. */
+  readonly mill: MillTool | null;
   /** Number of the tool; null while none can be read. */
   readonly number: number | null;
   readonly issues: readonly Issue[];
 }
 
 export const cellOf = (entry: ToolEntry, cell: CellName): string => entry.cells[cell] ?? "";
+
+export const isMillEntry = (entry: ToolEntry): boolean => cellOf(entry, "TYPE") === MILL;
 
 /** A tool as a row that one would have typed. */
 export function entryOf(tool: Tool, id: string): ToolEntry {
@@ -69,7 +76,7 @@ function numbersOf(entry: ToolEntry): Numbers {
   const type = cellOf(entry, "TYPE");
   const values: Partial<Record<NumberColumn | HolderCell, number>> = {};
   const issues: Issue[] = [];
-  const columns = TOOL_COLUMNS.filter((column): column is NumberColumn => column !== "NAME" && column !== "TYPE");
+  const columns = TOOL_COLUMNS.filter((column) => column !== "NAME" && column !== "TYPE");
   for (const cell of [...columns, ...HOLDER_CELLS]) {
     const read = numberOf(cell, cellOf(entry, cell));
     if (read === null) continue;
@@ -88,8 +95,35 @@ function holderIssues(entry: ToolEntry): Issue[] {
     .map((cell) => issue("missing", "error", {}, cell));
 }
 
-/** Reads one row. Of several findings at a column the first one stays. */
+/** Of several findings at a column the first one stays. */
+function firstOfEach(all: readonly Issue[]): Issue[] {
+  const found = new Map<string | undefined, Issue>();
+  for (const each of all) if (!found.has(each.at)) found.set(each.at, each);
+  return [...found.values()];
+}
+
+/** Reads the row of a milling tool: its radius is needed, and must be left with its delta. */
+function readMill(entry: ToolEntry): EntryReading {
+  const values: Partial<Record<NumberColumn, number>> = {};
+  const found: Issue[] = [];
+  for (const column of ["T", ...MILL_COLUMNS] as const) {
+    const read = numberOf(column, cellOf(entry, column));
+    if (typeof read === "number") values[column] = read;
+    else if (read !== null) found.push(read);
+    else if (column === "T" || column === "R") found.push(issue("missing", "error", {}, column));
+  }
+  const { T, R, ...others } = values;
+  const wear = values.DR ?? 0;
+  if (R !== undefined && R + wear < 0) found.push(issue("toolColumn", "error", { column: "DR", value: wear, min: -R, nearest: -R }, "DR"));
+  const NAME = cellOf(entry, "NAME");
+  const issues = firstOfEach([...found, ...nameIssues(NAME)]);
+  const sound = T !== undefined && R !== undefined && issues.every((each) => each.severity !== "error");
+  return { tool: null, mill: sound ? { T, NAME, R, ...others } : null, number: T ?? null, issues };
+}
+
+/** Reads one row, of a turning tool or of a milling tool. */
 export function readEntry(entry: ToolEntry): EntryReading {
+  if (isMillEntry(entry)) return readMill(entry);
   const { values, issues } = numbersOf(entry);
   const { T, width, length, offsetZ = 0, offsetX = 0, ...columns } = values;
   const row = {
@@ -97,16 +131,13 @@ export function readEntry(entry: ToolEntry): EntryReading {
     ...(width !== undefined && length !== undefined && { holder: { width, length, offsetZ, offsetX } }),
   };
   const { holder: _, ...checked } = row;
-  const found = new Map<string | undefined, Issue>();
-  const all = [
+  const kept = firstOfEach([
     ...issues,
     ...(T === undefined ? [issue("missing", "error", {}, "T")] : []),
     ...nameIssues(row.NAME), ...checkTool(checked), ...holderIssues(entry), ...flanks(row.TYPE, values),
-  ];
-  for (const each of all) if (!found.has(each.at)) found.set(each.at, each);
-  const kept = [...found.values()];
+  ]);
   const sound = kept.every((each) => each.severity !== "error");
-  return { tool: sound ? (row as unknown as Tool) : null, number: T ?? null, issues: kept };
+  return { tool: sound ? (row as unknown as Tool) : null, mill: null, number: T ?? null, issues: kept };
 }
 
 function flanks(type: string, values: Numbers["values"]): Issue[] {

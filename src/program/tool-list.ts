@@ -2,7 +2,7 @@ import { issue, type Issue } from "../kernel/issue.ts";
 import type { Tool } from "../kernel/tool.ts";
 import type { ToolTable } from "./read-tools.ts";
 import { shippedTools } from "./shipped-tools.ts";
-import { cellOf, entryOf, readEntry, type EntryReading, type ToolEntry } from "./tool-entry.ts";
+import { cellOf, entryOf, readEntry, type EntryReading, type MillTool, type ToolEntry } from "./tool-entry.ts";
 
 /** All rows of the table, in its order. */
 export type ToolList = readonly ToolEntry[];
@@ -10,6 +10,8 @@ export type ToolList = readonly ToolEntry[];
 /** A table read: what can be called, what is refused and why, and the reading of each row by its id. */
 export interface ToolListReading {
   readonly table: ToolTable;
+  /** The milling tools of the table with all their columns. */
+  readonly mills: readonly MillTool[];
   readonly rows: ReadonlyMap<string, EntryReading>;
 }
 
@@ -51,6 +53,7 @@ function readOnce(entry: ToolEntry): EntryReading {
 export function readList(list: ToolList): ToolListReading {
   const rows = new Map<string, EntryReading>();
   const tools: Tool[] = [];
+  const mills: MillTool[] = [];
   const refused = new Map<number, readonly Issue[]>();
   const taken = new Set<number>();
   const numbers = new Map<number, number>();
@@ -58,22 +61,23 @@ export function readList(list: ToolList): ToolListReading {
   for (const { number } of readings) if (number !== null) numbers.set(number, (numbers.get(number) ?? 0) + 1);
   list.forEach((entry, i) => {
     const reading = readings[i] as EntryReading;
-    const { number, tool, issues } = reading;
+    const { number, tool, mill, issues } = reading;
     if (number === null || numbers.get(number) === 1) rows.set(entry.id, reading);
     else {
       let nearest = Math.floor(number) + 1;
       while (numbers.has(nearest)) nearest++;
       const first = !taken.has(number);
       const twice = issue("toolNumberTwice", first ? "warning" : "error", { number, nearest }, "T");
-      rows.set(entry.id, { tool: first ? tool : null, number, issues: [twice, ...issues] });
+      rows.set(entry.id, { tool: first ? tool : null, mill: first ? mill : null, number, issues: [twice, ...issues] });
       if (!first) return;
     }
     if (number === null) return;
     taken.add(number);
     if (tool) tools.push(tool);
+    else if (mill) mills.push(mill);
     else refused.set(number, issues.filter((each) => each.severity === "error").map(naming));
   });
-  return { table: { tools, refused }, rows };
+  return { table: { tools, refused, ...(mills.length > 0 && { mills }) }, mills, rows };
 }
 
 /** Rows that come from a file, over the table: a row of the same number takes the place of the old one, others follow. */

@@ -1,14 +1,15 @@
 import type { Tool } from "../kernel/tool.ts";
-import { HOLDER_CELLS, TOOL_COLUMNS, type CellName } from "./tool-columns.ts";
-import type { ToolEntry } from "./tool-entry.ts";
+import { HOLDER_CELLS, isToolType, MILL, MILL_COLUMNS, TOOL_COLUMNS, type CellName } from "./tool-columns.ts";
+import type { MillTool, ToolEntry } from "./tool-entry.ts";
 import { readTableText, type TableFile } from "./tool-table-text.ts";
 
-/** Writes tools as the tools file of the `verify` command, one tool a line. Nothing is rounded. */
-export function writeTableJson(tools: readonly Tool[]): string {
+/** Writes tools as the tools file of the `verify` command, one tool a line, milling tools behind the others. Nothing is rounded. */
+export function writeTableJson(tools: readonly Tool[], mills: readonly MillTool[] = []): string {
   const lines = tools.map((tool) => {
     const columns = TOOL_COLUMNS.filter((column) => tool[column] !== undefined).map((column) => [column, tool[column]]);
     return `  ${JSON.stringify({ ...Object.fromEntries(columns), ...(tool.holder && { holder: tool.holder }) })}`;
   });
+  lines.push(...mills.map(({ T, NAME, ...columns }) => `  ${JSON.stringify({ T, NAME, TYPE: MILL, ...columns })}`));
   return `{ "tools": [\n${lines.join(",\n")}\n] }\n`;
 }
 
@@ -23,11 +24,14 @@ function cellsOf(row: Readonly<Record<string, unknown>>, leftOut: Set<string>): 
   const take = (name: CellName, value: unknown) => {
     if (value !== null && value !== undefined && value !== "") cells[name] = asText(value);
   };
+  const isMill = "R" in row && !isToolType(String(row["TYPE"]));
+  if (isMill) cells.TYPE = MILL;
+  const columns: readonly CellName[] = isMill ? ["T", "NAME", ...MILL_COLUMNS] : TOOL_COLUMNS;
   for (const [name, value] of Object.entries(row)) {
-    const column = TOOL_COLUMNS.find((each) => each === name);
+    const column = columns.find((each) => each === name);
     if (column) take(column, value);
-    else if (name === "holder" && isRecord(value)) for (const cell of HOLDER_CELLS) take(cell, value[cell]);
-    else if (!(name === "holder" && value === null)) leftOut.add(name);
+    else if (name === "holder" && isRecord(value) && !isMill) for (const cell of HOLDER_CELLS) take(cell, value[cell]);
+    else if (!(name === "holder" && value === null) && !(isMill && name === "TYPE")) leftOut.add(name);
   }
   return cells;
 }

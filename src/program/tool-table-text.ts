@@ -1,17 +1,20 @@
 import type { Tool } from "../kernel/tool.ts";
-import { COLUMN_RULES, TOOL_COLUMNS, type ToolColumn } from "./tool-columns.ts";
-import type { ToolEntry } from "./tool-entry.ts";
+import { COLUMN_RULES, MILL, MILL_COLUMNS, TOOL_COLUMNS, type MillColumn, type NumberColumn, type ToolColumn } from "./tool-columns.ts";
+import type { MillTool, ToolEntry } from "./tool-entry.ts";
 
 /*
- * The turning-tool table as the control keeps it in a file: a BEGIN line, a line of column titles, one line a tool with
+ * The tables of turning and of milling tools as the control keeps it in a file: a BEGIN line, a line of column titles, one line a tool with
  * every cell beginning under its title, and [END]. Nobody has printed this file in a manual; the layout is that of the
  * other tables of the control. Reasons: docs/decisions, the tool-table layout.
  */
 
+type Column = ToolColumn | MillColumn;
+const MILL_TABLE = ["T", "NAME", ...MILL_COLUMNS] as const;
+
 /** Characters of each column with the space behind it. */
-const WIDTHS: Readonly<Record<ToolColumn, number>> = {
+const WIDTHS: Readonly<Record<Column, number>> = {
   T: 8, NAME: 33, ZL: 13, XL: 13, DZL: 13, DXL: 13, RS: 12, DRS: 11, TO: 4, ORI: 10, "T-ANGLE": 9, "P-ANGLE": 9,
-  CUTLENGTH: 12, CUTWIDTH: 12, DCW: 13, TYPE: 8,
+  CUTLENGTH: 12, CUTWIDTH: 12, DCW: 13, TYPE: 8, L: 13, R: 12, DL: 13, DR: 11,
 };
 const LINE_END = "\r\n";
 const MM_PER_INCH = 25.4;
@@ -21,8 +24,7 @@ const rounded = (value: number, decimals: number) => {
   return text === "-0" ? "0" : text;
 };
 
-function written(tool: Tool, column: ToolColumn): string {
-  const value = tool[column];
+function written(value: string | number | undefined, column: Column): string {
   if (value === undefined) return "";
   if (typeof value === "string" || column === "NAME" || column === "TYPE") return String(value);
   const { decimals, min } = COLUMN_RULES[column];
@@ -30,12 +32,16 @@ function written(tool: Tool, column: ToolColumn): string {
   return min < 0 && !text.startsWith("-") ? `+${text}` : text;
 }
 
-/** Writes tools as the control's table, in millimetres; numbers are rounded to what its columns keep. A holder has no column. */
-export function writeTableText(tools: readonly Tool[]): string {
-  const line = (cells: (column: ToolColumn) => string) => TOOL_COLUMNS.map((column) => cells(column).padEnd(WIDTHS[column])).join("");
-  const rows = tools.map((tool) => line((column) => written(tool, column)));
-  return ["BEGIN TOOLTURN.TRN MM", line((column) => column), ...rows, "[END]", ""].join(LINE_END);
+function table<C extends Column>(name: string, columns: readonly C[], rows: readonly { readonly [K in C]?: string | number }[]): string {
+  const line = (cells: (column: C) => string) => columns.map((column) => cells(column).padEnd(WIDTHS[column])).join("");
+  return [`BEGIN ${name} MM`, line((column) => column), ...rows.map((row) => line((column) => written(row[column], column))), "[END]", ""].join(LINE_END);
 }
+
+/** Writes tools as the control's table, in millimetres; numbers are rounded to what its columns keep. A holder has no column. */
+export const writeTableText = (tools: readonly Tool[]): string => table("TOOLTURN.TRN", TOOL_COLUMNS, tools);
+
+/** Writes milling tools as the control's tool table, with the columns that count here. */
+export const writeMillText = (mills: readonly MillTool[]): string => table("TOOL.T", MILL_TABLE, mills);
 
 /** Rows of a file with the names of what has no place in this table; or why it is none. */
 export type TableFile =
@@ -66,16 +72,26 @@ function afterDescription(lines: readonly string[], at: number): number {
   return end < 0 ? lines.length : end + 1;
 }
 
-const isColumn = (name: string): name is ToolColumn => TOOL_COLUMNS.some((column) => column === name);
+const isOf = <C extends Column>(columns: readonly C[], name: string): name is C => columns.some((column) => column === name);
+
+/** A table without TO, but with a radius R, is one of milling tools. */
+const isMillTable = (titles: readonly Title[]) =>
+  ["T", "R"].every((name) => titles.some((title) => title.name === name)) && !titles.some((title) => title.name === "TO" || title.name === "RS");
+
+/** Places of a milling table that hold no tool of its own: empty ones, and turning tools, whose data are elsewhere. */
+function isNoMill(cells: Readonly<Record<string, string>>): boolean {
+  if (/TURN/i.test(cells["TYPE"] ?? "")) return true;
+  return (cells["NAME"] ?? "") === "" && MILL_COLUMNS.every((column) => !(Number((cells[column] ?? "0").replace(",", ".")) !== 0));
+}
 
 /** A cell as one would have typed it: decimal point, no plus sign, millimetres; "-" stands for an empty one. */
-function typed(column: ToolColumn, cell: string, inch: boolean): string {
+function typed(column: Column, cell: string, inch: boolean): string {
   if (column === "NAME") return cell;
   if (cell === "-") return "";
   if (column === "TYPE") return cell.toUpperCase();
   if (!/^[+-]?(\d+([.,]\d*)?|[.,]\d+)$/.test(cell)) return cell;
   const value = Number(cell.replace(",", "."));
-  const { unit, decimals } = COLUMN_RULES[column];
+  const { unit, decimals } = COLUMN_RULES[column as NumberColumn];
   if (unit === "mm" && inch) return rounded(value * MM_PER_INCH, decimals);
   return String(value === 0 ? 0 : value);
 }
@@ -89,20 +105,21 @@ export function readTableText(text: string): TableFile {
   let at = afterDescription(lines, begin + 1);
   while (at < lines.length && lines[at] === "") at++;
   const titles = titlesOf(lines[at] ?? "");
-  const columns = NEEDED.filter((column) => !titles.some((title) => title.name === column));
+  const milling = isMillTable(titles);
+  const known: readonly Column[] = milling ? MILL_TABLE : TOOL_COLUMNS;
+  const columns = milling ? [] : NEEDED.filter((column) => !titles.some((title) => title.name === column));
   if (columns.length > 0) return { problem: "columnsMissing", columns };
   const inch = header[1]?.toUpperCase() === "INCH";
   const rows: ToolEntry["cells"][] = [];
   const end = lines.findIndex((line, i) => i > at && /^\[END\]/i.test(line));
   for (const line of lines.slice(at + 1, end < 0 ? undefined : end)) {
     if (line === "") continue;
-    const cells: Partial<Record<ToolColumn, string>> = {};
-    for (const { name, from, to } of titles) {
-      const cell = line.slice(from, to).trim();
-      if (cell !== "" && isColumn(name)) cells[name] = typed(name, cell, inch);
-    }
+    const raw = Object.fromEntries(titles.map(({ name, from, to }) => [name, line.slice(from, to).trim()]));
+    if (milling && isNoMill(raw)) continue;
+    const cells: Partial<Record<Column, string>> = milling ? { TYPE: MILL } : {};
+    for (const [name, cell] of Object.entries(raw)) if (cell !== "" && isOf(known, name)) cells[name] = typed(name, cell, inch);
     rows.push(cells);
   }
   if (rows.length === 0) return { problem: "noRows" };
-  return { rows, leftOut: titles.map((title) => title.name).filter((name) => !isColumn(name)), cutShort: end < 0 };
+  return { rows, leftOut: titles.map((title) => title.name).filter((name) => !isOf(known, name)), cutShort: end < 0 };
 }

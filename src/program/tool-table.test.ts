@@ -7,10 +7,10 @@ import { TOOL_TYPES } from "../kernel/tool.ts";
 import { checkTool } from "./check-tool.ts";
 import { readTools } from "./read-tools.ts";
 import { shippedTools } from "./shipped-tools.ts";
-import { entryOf, readEntry, type ToolEntry } from "./tool-entry.ts";
+import { entryOf, readEntry, type MillTool, type ToolEntry } from "./tool-entry.ts";
 import { freeNumber, merged, newId, readList, sameList, shippedList } from "./tool-list.ts";
 import { readTableJson, readToolFile, writeTableJson } from "./tool-table-json.ts";
-import { readTableText, writeTableText } from "./tool-table-text.ts";
+import { readTableText, writeMillText, writeTableText } from "./tool-table-text.ts";
 
 const length = (min: number, max: number) => fc.integer({ min: min * 1e4, max: max * 1e4 }).map((n) => n / 1e4);
 const angle = fc.integer({ min: 0, max: 179_999 }).map((n) => n / 1e3);
@@ -148,7 +148,7 @@ describe("the control's column text", () => {
 
   test.each([
     ["", "notATable"], ["hello", "notATable"], ["{", "notATable"], ['{"tools":[]}', "noRows"], ['{"tools":[1]}', "notATable"], ["[]", "notATable"],
-    ["BEGIN TOOL.T MM\nT NAME L R\n1 A +0 +0\n[END]", "columnsMissing"], ["BEGIN TOOLTURN.TRN MM\nT TYPE TO RS\n[END]", "noRows"], ["BEGIN TOOLTURN.TRN MM", "columnsMissing"],
+    ["BEGIN TOOL.T MM\nT NAME L R2\n1 A +0 +0\n[END]", "columnsMissing"], ["BEGIN TOOL.T MM\nT NAME L    R\n0      +0   +0\n[END]", "noRows"], ["BEGIN TOOLTURN.TRN MM\nT TYPE TO RS\n[END]", "noRows"], ["BEGIN TOOLTURN.TRN MM", "columnsMissing"],
   ])("%j: %s", (text, problem) => expect(readToolFile(text)).toMatchObject({ problem }));
 
   test("no text makes it throw", () =>
@@ -163,5 +163,46 @@ describe("the control's column text", () => {
       const read = readToolFile(text.slice(0, at) + put + text.slice(at + cut));
       if ("rows" in read) readList(merged([], read.rows).list);
     }), { numRuns: 1000 });
+  });
+});
+
+describe("milling tools", () => {
+  const mill = fc.record({
+    T: fc.integer({ min: 0, max: 32767 }), NAME: fc.stringMatching(/^[A-Z0-9#$%&,.-]{1,32}$/), R: length(0, 100), L: length(-999, 999), DL: length(-9, 9), DR: length(0, 1),
+  }, { requiredKeys: ["T", "NAME", "R"] }) as fc.Arbitrary<MillTool>;
+  const mills = fc.uniqueArray(mill, { selector: (m) => m.T, minLength: 1, maxLength: 12 });
+  const millsOf = (rows: readonly ToolEntry["cells"][]) => rows.map((row) => readEntry({ id: "r", cells: row }).mill);
+
+  test("read(write(mills)) is mills, as JSON and as text, and the verify command reads them", () =>
+    fc.assert(fc.property(mills, (all) => {
+      const json = writeTableJson([], all);
+      const fromJson = readTableJson(json);
+      expect("rows" in fromJson && millsOf(fromJson.rows)).toEqual(all);
+      const fromText = readTableText(writeMillText(all));
+      expect("rows" in fromText && millsOf(fromText.rows)).toEqual(all);
+      const verified = readTools(json);
+      expect("mills" in verified && verified.mills?.map(({ T, R, DR }) => ({ T, R, DR }))).toEqual(all.map(({ T, R, DR }) => ({ T, R, DR: DR ?? 0 })));
+    }), { numRuns: 500 }));
+
+  test("a list of both kinds: programs get each, of one number only one", () => {
+    const cells = { T: "20", NAME: "D16", TYPE: "MILL", R: "8", DR: "-0,02", L: "80" };
+    const { table: read, mills: found } = readList([...shippedList, { id: "m", cells }, { id: "n", cells: { ...cells, T: "1" } }]);
+    expect(read).toMatchObject({ tools: shippedTools, mills: [{ T: 20, NAME: "D16", R: 8, DR: -0.02 }] });
+    expect(found).toEqual([{ T: 20, NAME: "D16", R: 8, DR: -0.02, L: 80 }]);
+  });
+
+  test.each<[ToolEntry["cells"], string[]]>([
+    [{ T: "1", R: "8" }, []], [{ T: "1" }, ["R missing"]], [{ R: "8" }, ["T missing"]], [{ T: "1", R: "-1" }, ["R toolColumn"]],
+    [{ T: "1", R: "1", DR: "-2" }, ["DR toolColumn"]], [{ T: "1", R: "a", L: "b" }, ["L notANumber", "R notANumber"]],
+  ])("%o: %s", (cells, expected) =>
+    expect(readEntry({ id: "m", cells: { ...cells, TYPE: "MILL" } }).issues.map((found) => `${found.at} ${found.code}`)).toEqual(expected));
+
+  test("a tool table of a control: empty places and turning tools are passed over, decimal commas read", () => {
+    const text = [
+      "BEGIN TOOL    .T       MM", "T    NAME             L          R          DL      DR      TYPE DOC", "0                     +0,000     +0,000     +0,000  +0,000  ",
+      "5    14MM_CRB         -4,686     +7,000     +0,000  -0,425  MILL", "6    OD_ROUGH         +0,000     +0,000     +0,000  +0,000  TURN", "[END]", "",
+    ].join("\r\n");
+    const read = readToolFile(text);
+    expect(read).toMatchObject({ rows: [{ T: "5", NAME: "14MM_CRB", TYPE: "MILL", L: "-4.686", R: "7", DR: "-0.425" }], leftOut: ["TYPE", "DOC"] });
   });
 });

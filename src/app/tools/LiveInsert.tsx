@@ -14,7 +14,7 @@ const WIDTH = 176;
 const HEIGHT = 148;
 
 /** The next of 1, 2, 5, 10, 20 … that is not below a length, so that the drawing does not change its scale at each keystroke. */
-function roundedUp(length: number): number {
+export function roundedUp(length: number): number {
   const power = 10 ** Math.floor(Math.log10(Math.max(length, 1e-3)));
   return [1, 2, 5, 10].map((n) => n * power).find((n) => n >= length - 1e-9) ?? length;
 }

@@ -58,13 +58,13 @@ function TypeField({ entry, issues }: Props) {
   );
 }
 
-/** What a tool is called by, and its type. */
-export function NameFields({ entry, issues }: Props) {
+/** What a tool is called by, and its type where it is a turning tool. */
+export function NameFields({ entry, issues, typed = true }: Props & { readonly typed?: boolean }) {
   return (
     <>
       <ToolField entry={entry} cell="T" issues={issues} />
       <NameField entry={entry} issues={issues} />
-      <TypeField entry={entry} issues={issues} />
+      {typed && <TypeField entry={entry} issues={issues} />}
     </>
   );
 }

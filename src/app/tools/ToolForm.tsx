@@ -1,11 +1,12 @@
 import { useId, useMemo, type KeyboardEvent } from "react";
 import type { Issue } from "../../kernel/issue.ts";
 import type { Tool } from "../../kernel/tool.ts";
-import { applies, HOLDER_CELLS, type NumberColumn } from "../../program/tool-columns.ts";
-import { cellOf, readEntry, type EntryReading, type ToolEntry } from "../../program/tool-entry.ts";
+import { applies, HOLDER_CELLS, type MillColumn, type NumberColumn } from "../../program/tool-columns.ts";
+import { cellOf, isMillEntry, readEntry, type EntryReading, type ToolEntry } from "../../program/tool-entry.ts";
 import { Icon } from "../Icon.tsx";
 import { useTexts } from "../settings/use-texts.ts";
 import { LiveInsert, useLastTool } from "./LiveInsert.tsx";
+import { MillDrawing } from "./MillDrawing.tsx";
 import { NameFields } from "./NameFields.tsx";
 import { TipPicker } from "./TipPicker.tsx";
 import { setCell } from "./tool-edits.ts";
@@ -13,8 +14,10 @@ import { closeToolStep } from "./tool-store.ts";
 import { CellMessages, ToolField } from "./ToolField.tsx";
 import { useToolName } from "./tool-name.ts";
 
-const INSERT: readonly NumberColumn[] = ["T-ANGLE", "P-ANGLE", "CUTLENGTH", "CUTWIDTH", "DCW"];
-const SETTING: readonly NumberColumn[] = ["ZL", "XL", "DZL", "DXL", "ORI"];
+type TurningColumn = Exclude<NumberColumn, MillColumn>;
+const INSERT: readonly TurningColumn[] = ["T-ANGLE", "P-ANGLE", "CUTLENGTH", "CUTWIDTH", "DCW"];
+const MILL_FIELDS: readonly MillColumn[] = ["R", "DR", "L", "DL"];
+const SETTING: readonly TurningColumn[] = ["ZL", "XL", "DZL", "DXL", "ORI"];
 
 /** Enter goes on to the next field that can be filled, as ENT does on the control. */
 function onEnter(event: KeyboardEvent<HTMLElement>): void {
@@ -53,29 +56,23 @@ function Orientation({ entry, reading, issues }: { readonly entry: ToolEntry; re
   );
 }
 
-/** All columns of one tool, its insert drawn as they are typed, and what can be done with the row. */
-export function ToolForm({ entry, reading, onDuplicate, onRemove }: {
+interface Row {
   readonly entry: ToolEntry;
   readonly reading: EntryReading;
-  readonly onDuplicate: () => void;
-  readonly onRemove: () => void;
-}) {
+}
+
+/** The columns of a turning tool, its insert drawn as they are typed. */
+function TurningColumns({ entry, reading }: Row) {
   const t = useTexts().tools;
-  const name = useToolName()(entry);
   const type = cellOf(entry, "TYPE");
   const { issues } = reading;
   const shape = useMemo(() => shapeOf(entry, reading), [entry, reading]);
   const drawn = useLastTool(entry.id, shape);
-  const field = (cell: NumberColumn) => (
+  const field = (cell: TurningColumn) => (
     <ToolField key={cell} entry={entry} cell={cell} issues={issues} unused={applies(cell, type) ? null : type} />
   );
   return (
-    <section className="tool-form" aria-label={t.form(name)} onKeyDown={onEnter}>
-      <header>
-        <h2>{name}</h2>
-        <button type="button" className="button" aria-label={t.duplicateLong(name)} onClick={onDuplicate}><Icon name="copy" /> {t.duplicate}</button>
-        <button type="button" className="button" aria-label={t.removeLong(name)} onClick={onRemove}><Icon name="close" /> {t.remove}</button>
-      </header>
+    <>
       <LiveInsert tool={drawn} now={shape !== null} />
       <fieldset className="tool-group"><legend>{t.groups.name}</legend><NameFields entry={entry} issues={issues} /></fieldset>
       <fieldset className="tool-group">
@@ -94,6 +91,38 @@ export function ToolForm({ entry, reading, onDuplicate, onRemove }: {
         <legend>{t.groups.holder}</legend>
         {HOLDER_CELLS.map((cell) => <ToolField key={cell} entry={entry} cell={cell} issues={issues} />)}
       </fieldset>
+    </>
+  );
+}
+
+/** The columns of a milling tool. */
+function MillColumns({ entry, reading: { issues, mill } }: Row) {
+  const t = useTexts().tools;
+  return (
+    <>
+      <MillDrawing mill={mill} />
+      <fieldset className="tool-group"><legend>{t.groups.name}</legend><NameFields entry={entry} issues={issues} typed={false} /></fieldset>
+      <fieldset className="tool-group">
+        <legend>{t.groups.mill}</legend>
+        <p className="soft small tool-note">{t.millNote}</p>
+        {MILL_FIELDS.map((cell) => <ToolField key={cell} entry={entry} cell={cell} issues={issues} />)}
+      </fieldset>
+    </>
+  );
+}
+
+/** All columns of one tool, drawn as they are typed, and what can be done with the row. */
+export function ToolForm({ entry, reading, onDuplicate, onRemove }: Row & { readonly onDuplicate: () => void; readonly onRemove: () => void }) {
+  const t = useTexts().tools;
+  const name = useToolName()(entry);
+  return (
+    <section className="tool-form" aria-label={t.form(name)} onKeyDown={onEnter}>
+      <header>
+        <h2>{name}</h2>
+        <button type="button" className="button" aria-label={t.duplicateLong(name)} onClick={onDuplicate}><Icon name="copy" /> {t.duplicate}</button>
+        <button type="button" className="button" aria-label={t.removeLong(name)} onClick={onRemove}><Icon name="close" /> {t.remove}</button>
+      </header>
+      {isMillEntry(entry) ? <MillColumns entry={entry} reading={reading} /> : <TurningColumns entry={entry} reading={reading} />}
     </section>
   );
 }

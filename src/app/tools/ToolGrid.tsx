@@ -1,14 +1,14 @@
 import { memo, useEffect, useRef, type KeyboardEvent } from "react";
 import { formatNumber } from "../../i18n/number.ts";
-import { applies, ruleOf, TOOL_COLUMNS, type ToolColumn } from "../../program/tool-columns.ts";
+import { applies, MILL_COLUMNS, ruleOf, TOOL_COLUMNS, type MillColumn, type ToolColumn } from "../../program/tool-columns.ts";
 import { cellOf, type EntryReading, type ToolEntry } from "../../program/tool-entry.ts";
-import type { ToolList, ToolListReading } from "../../program/tool-list.ts";
+import type { ToolListReading } from "../../program/tool-list.ts";
 import { readExpression } from "../../program/expression.ts";
 import { Icon } from "../Icon.tsx";
 import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
-import { openRow } from "./tool-place.ts";
+import { openRow, type ToolKind } from "./tool-place.ts";
 import { useToolName } from "./tool-name.ts";
 
 /** Edge length of an insert in its row, px. */
@@ -16,11 +16,17 @@ const DRAWING = 28;
 /** A longer table has no drawings in its rows: it must stay quick. */
 const MOST_DRAWN = 150;
 
+type Column = ToolColumn | MillColumn;
+
 /** Columns behind the two that name the row. */
-const COLUMNS = TOOL_COLUMNS.filter((column) => column !== "T" && column !== "NAME");
+const COLUMNS: Readonly<Record<ToolKind, readonly Column[]>> = {
+  turning: TOOL_COLUMNS.filter((column) => column !== "T" && column !== "NAME"), milling: MILL_COLUMNS,
+};
+/** A column of milling tools has a use for each of them. */
+const isUsed = (column: Column, type: string) => !TOOL_COLUMNS.some((each) => each === column) || applies(column as ToolColumn, type);
 
 /** A number as the screen language writes it; other text as it was typed. */
-function useShown(): (column: ToolColumn, text: string) => string {
+function useShown(): (column: Column, text: string) => string {
   const language = useSettings((s) => s.language);
   return (column, text) => {
     if (column === "NAME" || column === "TYPE") return text;
@@ -29,9 +35,10 @@ function useShown(): (column: ToolColumn, text: string) => string {
   };
 }
 
-const ToolRow = memo(function ToolRow({ entry, reading, open, drawn }: {
+const ToolRow = memo(function ToolRow({ entry, reading, kind, open, drawn }: {
   readonly entry: ToolEntry;
   readonly reading: EntryReading;
+  readonly kind: ToolKind;
   readonly open: boolean;
   readonly drawn: boolean;
 }) {
@@ -47,14 +54,14 @@ const ToolRow = memo(function ToolRow({ entry, reading, open, drawn }: {
           type="button" data-row={entry.id} tabIndex={open ? 0 : -1} aria-current={open ? "true" : undefined}
           aria-label={`${t.select(name)}${wrong.size > 0 ? `, ${t.hasError}` : ""}`}
         >
-          {drawn && <span className="row-insert">{reading.tool ? <InsertDrawing tool={reading.tool} width={DRAWING} height={DRAWING} /> : <Icon name="error" />}</span>}
+          {drawn && <span className="row-insert">{reading.tool ? <InsertDrawing tool={reading.tool} width={DRAWING} height={DRAWING} /> : !reading.mill && <Icon name="error" />}</span>}
           <b className="number">{cellOf(entry, "T")}</b>
           <span className="row-name number">{cellOf(entry, "NAME")}</span>
-          {wrong.size > 0 && reading.tool === null && !drawn && <Icon name="error" />}
+          {wrong.size > 0 && !drawn && <Icon name="error" />}
         </button>
       </th>
-      {COLUMNS.map((column) => {
-        const unused = !applies(column, type);
+      {COLUMNS[kind].map((column) => {
+        const unused = !isUsed(column, type);
         const text = cellOf(entry, column);
         return (
           <td key={column} className={`number${unused ? " unused" : ""}${wrong.has(column) ? " wrong" : ""}${column === "TYPE" ? " word" : ""}`}>
@@ -67,7 +74,13 @@ const ToolRow = memo(function ToolRow({ entry, reading, open, drawn }: {
 });
 
 /** The whole table; one row is open and can be edited beside it. Arrow keys go from row to row. */
-export function ToolGrid({ list, read, open }: { readonly list: ToolList; readonly read: ToolListReading; readonly open: string | null }) {
+export function ToolGrid({ list, kind, read, open }: {
+  /** The rows of this kind. */
+  readonly list: readonly ToolEntry[];
+  readonly kind: ToolKind;
+  readonly read: ToolListReading;
+  readonly open: string | null;
+}) {
   const t = useTexts().tools;
   const box = useRef<HTMLDivElement>(null);
   const at = list.findIndex((entry) => entry.id === open);
@@ -86,17 +99,17 @@ export function ToolGrid({ list, read, open }: { readonly list: ToolList; readon
   };
   return (
     <div className="tool-grid" ref={box} onKeyDown={onKeyDown}>
-      <table aria-label={t.table}>
+      <table aria-label={kind === "milling" ? t.millTable : t.table}>
         <thead>
           <tr>
             <th scope="col" title={t.columns.T}>T <span className="soft">NAME</span></th>
-            {COLUMNS.map((column) => <th key={column} scope="col" title={t.field(column, t.columns[column])}>{column}</th>)}
+            {COLUMNS[kind].map((column) => <th key={column} scope="col" title={t.field(column, t.columns[column])}>{column}</th>)}
           </tr>
         </thead>
         <tbody>
           {list.map((entry) => {
             const reading = read.rows.get(entry.id);
-            return reading && <ToolRow key={entry.id} entry={entry} reading={reading} open={entry.id === open} drawn={list.length <= MOST_DRAWN} />;
+            return reading && <ToolRow key={entry.id} entry={entry} reading={reading} kind={kind} open={entry.id === open} drawn={list.length <= MOST_DRAWN} />;
           })}
         </tbody>
       </table>

@@ -117,7 +117,7 @@ test("the row of a tool is opened by its number", () => {
   render(<ToolPage />);
   expect(field("NAME: tool name").value).toBe("FACE-RECTURN-3");
   showTools();
-  expect(useToolPlace.getState()).toEqual({ shown: true, row: "r8" });
+  expect(useToolPlace.getState()).toMatchObject({ shown: true, row: "r8" });
 });
 
 test("what is kept comes back; the shipped table is not kept, so that it can be a better one later", () => {

@@ -2,8 +2,9 @@ import { useEffect, useRef, useState } from "react";
 import { Icon } from "../Icon.tsx";
 import { useTexts } from "../settings/use-texts.ts";
 import { addTool, duplicateTool, removeTool, takeShipped, undoToolStep } from "./tool-edits.ts";
+import { isMillEntry } from "../../program/tool-entry.ts";
 import { exportTools, importFile, type Outcome } from "./tool-files.ts";
-import { hideTools, openRow, useToolPlace } from "./tool-place.ts";
+import { hideTools, openRow, showKind, useToolPlace, type ToolKind } from "./tool-place.ts";
 import { readTools, useTools } from "./tool-store.ts";
 import { useToolName } from "./tool-name.ts";
 import { ToolForm } from "./ToolForm.tsx";
@@ -16,13 +17,17 @@ export function ToolPage() {
   const nameOf = useToolName();
   const list = useTools((s) => s.list);
   const asked = useToolPlace((p) => p.row);
+  const lastKind = useToolPlace((p) => p.kind);
   const [said, setSaid] = useState<Outcome | null>(null);
   const page = useRef<HTMLElement>(null);
   const file = useRef<HTMLInputElement>(null);
   const read = readTools(list);
-  const entry = list.find((each) => each.id === asked) ?? list[0];
+  const opened = list.find((each) => each.id === asked);
+  const kind: ToolKind = opened ? (isMillEntry(opened) ? "milling" : "turning") : lastKind;
+  const rows = list.filter((each) => isMillEntry(each) === (kind === "milling"));
+  const entry = opened ?? rows[0];
   const reading = entry && read.rows.get(entry.id);
-  const wrong = list.length - read.table.tools.length;
+  const wrong = list.length - read.table.tools.length - read.mills.length;
 
   const focusRow = () => requestAnimationFrame(() => page.current?.querySelector<HTMLElement>("tr.open button")?.focus());
   const focusField = () => requestAnimationFrame(() => {
@@ -40,6 +45,7 @@ export function ToolPage() {
     focusField();
   };
   const remove = (id: string, name: string) => {
+    showKind(kind);
     openRow(removeTool(id));
     setSaid({ sentences: [t.removed(name)], failed: false, changed: true });
     focusRow();
@@ -54,7 +60,7 @@ export function ToolPage() {
           <p className="soft small">{t.count(list.length)}{wrong > 0 && <> · <span className="tool-errors">{t.wrongCount(wrong)}</span></>}</p>
         </div>
         <div className="tool-buttons">
-          <button type="button" className="button primary" onClick={() => edited(addTool())}><Icon name="add" /> {t.add}</button>
+          <button type="button" className="button primary" onClick={() => edited(addTool(kind))}><Icon name="add" /> {t.add}</button>
           <button
             type="button" className="button" aria-label={t.restoreLong}
             onClick={() => {
@@ -68,7 +74,7 @@ export function ToolPage() {
         <div className="tool-buttons" role="group" aria-label={t.files}>
           <button type="button" className="button" aria-label={t.importLong} onClick={() => file.current?.click()}><Icon name="add" /> {t.import}</button>
           <button type="button" className="button" aria-label={t.exportJsonLong} onClick={() => setSaid(exportTools("json", t))}><Icon name="download" /> {t.exportJson}</button>
-          <button type="button" className="button" aria-label={t.exportTextLong} onClick={() => setSaid(exportTools("text", t))}><Icon name="download" /> {t.exportText}</button>
+          <button type="button" className="button" aria-label={kind === "milling" ? t.exportMillLong : t.exportTextLong} onClick={() => setSaid(exportTools(kind, t))}><Icon name="download" /> {kind === "milling" ? "TOOL.T" : t.exportText}</button>
           <input
             ref={file} type="file" hidden accept=".json,.trn,.t,.tab,.txt,application/json,text/plain"
             onChange={(e) => {
@@ -99,7 +105,12 @@ export function ToolPage() {
         )}
       </div>
       <div className="tool-list">
-        {list.length === 0 ? <p className="tool-none">{t.none}</p> : <ToolGrid list={list} read={read} open={entry?.id ?? null} />}
+        <div className="tool-kinds" role="group" aria-label={t.kinds.name}>
+          {(["turning", "milling"] as const).map((each) => (
+            <button key={each} type="button" className="button" aria-pressed={each === kind} onClick={() => showKind(each)}>{t.kinds[each]}</button>
+          ))}
+        </div>
+        {rows.length === 0 ? <p className="tool-none">{t.none}</p> : <ToolGrid list={rows} kind={kind} read={read} open={entry?.id ?? null} />}
         <p className="small evidence-text tool-note">{t.unconfirmed}</p>
       </div>
       {entry && reading && (

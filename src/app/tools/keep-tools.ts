@@ -1,6 +1,6 @@
 import { z } from "zod/mini";
 import { sameList, shippedList, type ToolList } from "../../program/tool-list.ts";
-import { HOLDER_CELLS, TOOL_COLUMNS } from "../../program/tool-columns.ts";
+import { HOLDER_CELLS, MILL_COLUMNS, TOOL_COLUMNS } from "../../program/tool-columns.ts";
 import { notice } from "../saving/keep.ts";
 import { takeTools, useTools } from "./tool-store.ts";
 
@@ -13,7 +13,7 @@ const ASIDE = "turnwise/tools/damaged";
 const VERSION = 1;
 
 const text = z.string().check(z.maxLength(500));
-const cells = z.partialRecord(z.enum([...TOOL_COLUMNS, ...HOLDER_CELLS]), text);
+const cells = z.partialRecord(z.enum([...TOOL_COLUMNS, ...MILL_COLUMNS, ...HOLDER_CELLS]), text);
 const file = z.object({ version: z.literal(VERSION), rows: z.array(z.object({ id: text, cells })) });
 
 /** The text that is kept; null for the shipped table. */

@@ -1,7 +1,7 @@
-import type { CellName } from "../../program/tool-columns.ts";
-import { cellOf, readEntry, type ToolEntry } from "../../program/tool-entry.ts";
+import { MILL, type CellName } from "../../program/tool-columns.ts";
+import { cellOf, isMillEntry, readEntry, type ToolEntry } from "../../program/tool-entry.ts";
 import { freeNumber, merged, newId, shippedList } from "../../program/tool-list.ts";
-import { openRow } from "./tool-place.ts";
+import { openRow, type ToolKind } from "./tool-place.ts";
 import { editTools, redoTools, undoTools, useTools } from "./tool-store.ts";
 
 /** The typed text of one cell. */
@@ -11,10 +11,10 @@ export function setCell(id: string, cell: CellName, text: string): void {
 }
 
 /** A new row with the next free number and what every table begins with; gives its id. */
-export function addTool(): string {
+export function addTool(kind: ToolKind): string {
   const { list } = useTools.getState();
   const id = newId(list);
-  editTools(() => [...list, { id, cells: { T: String(freeNumber(list)), TYPE: "ROUGH", TO: "1" } }]);
+  editTools(() => [...list, { id, cells: { T: String(freeNumber(list)), ...(kind === "milling" ? { TYPE: MILL } : { TYPE: "ROUGH", TO: "1" }) } }]);
   return id;
 }
 
@@ -30,11 +30,13 @@ export function duplicateTool(id: string): string {
   return copy;
 }
 
-/** Takes a row out; gives the id of the row that is then in its place, null when none is left. */
+/** Takes a row out; gives the id of the row of its kind that is then in its place, null when none is left. */
 export function removeTool(id: string): string | null {
   const { list } = useTools.getState();
-  const at = list.findIndex((entry) => entry.id === id);
-  const next = list[at + 1] ?? list[at - 1] ?? null;
+  const entry = list.find((each) => each.id === id);
+  const kin = list.filter((each) => entry && isMillEntry(each) === isMillEntry(entry));
+  const at = kin.findIndex((each) => each.id === id);
+  const next = kin[at + 1] ?? kin[at - 1] ?? null;
   editTools((rows) => rows.filter((entry) => entry.id !== id));
   return next?.id ?? null;
 }

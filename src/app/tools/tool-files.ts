@@ -1,7 +1,7 @@
 import type { ToolsTexts } from "../../i18n/en/tools.ts";
-import { cellOf } from "../../program/tool-entry.ts";
+import { cellOf, isMillEntry, type EntryReading } from "../../program/tool-entry.ts";
 import { readToolFile, writeTableJson } from "../../program/tool-table-json.ts";
-import { writeTableText } from "../../program/tool-table-text.ts";
+import { writeMillText, writeTableText } from "../../program/tool-table-text.ts";
 import { downloadText } from "../program/copy.ts";
 import { takeRows } from "./tool-edits.ts";
 import { openRow } from "./tool-place.ts";
@@ -15,6 +15,8 @@ export interface Outcome {
 }
 
 const failure = (sentence: string): Outcome => ({ sentences: [sentence], failed: true, changed: false });
+
+const isSound = (reading: EntryReading | undefined) => Boolean(reading?.tool ?? reading?.mill);
 
 /** Files of older controls are not UTF-8: what can not be is read byte by byte. */
 function decoded(bytes: ArrayBuffer): string {
@@ -40,7 +42,7 @@ export function importText(text: string, name: string, t: ToolsTexts): Outcome {
   const { list } = useTools.getState();
   const taken = new Set(read.rows);
   const { rows } = readTools(list);
-  const wrong = list.filter((entry) => taken.has(entry.cells) && rows.get(entry.id)?.tool === null).length;
+  const wrong = list.filter((entry) => taken.has(entry.cells) && !isSound(rows.get(entry.id))).length;
   return {
     failed: false, changed: true,
     sentences: [
@@ -60,17 +62,23 @@ export async function importFile(file: File, t: ToolsTexts): Promise<Outcome> {
 }
 
 /** Hands the table to the downloads of the browser. Rows with errors stay here, and that is said. */
-export function exportTools(kind: "json" | "text", t: ToolsTexts): Outcome {
+export function exportTools(kind: "json" | "turning" | "milling", t: ToolsTexts): Outcome {
   const { list } = useTools.getState();
-  const { table, rows } = readTools(list);
-  const name = kind === "json" ? "TOOLS.json" : "TOOLTURN.TRN";
-  downloadText(kind === "json" ? writeTableJson(table.tools) : writeTableText(table.tools), name);
-  const without = list.filter((entry) => !rows.get(entry.id)?.tool).map((entry) => cellOf(entry, "T") || cellOf(entry, "NAME") || t.noNumber);
+  const { table, mills, rows } = readTools(list);
+  const files = {
+    json: { name: "TOOLS.json", text: () => writeTableJson(table.tools, mills), count: table.tools.length + mills.length },
+    turning: { name: "TOOLTURN.TRN", text: () => writeTableText(table.tools), count: table.tools.length },
+    milling: { name: "TOOL.T", text: () => writeMillText(mills), count: mills.length },
+  };
+  const { name, text, count } = files[kind];
+  downloadText(text(), name);
+  const meant = list.filter((entry) => kind === "json" || isMillEntry(entry) === (kind === "milling"));
+  const without = meant.filter((entry) => !isSound(rows.get(entry.id))).map((entry) => cellOf(entry, "T") || cellOf(entry, "NAME") || t.noNumber);
   return {
     failed: false, changed: false,
     sentences: [
-      t.exported(name, table.tools.length), ...(without.length > 0 ? [t.exportedWithout(without.join(", "))] : []),
-      ...(kind === "text" && table.tools.some((tool) => tool.holder) ? [t.holderNotExported] : []),
+      t.exported(name, count), ...(without.length > 0 ? [t.exportedWithout(without.join(", "))] : []),
+      ...(kind === "turning" && table.tools.some((tool) => tool.holder) ? [t.holderNotExported] : []),
     ],
   };
 }

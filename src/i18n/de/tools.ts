@@ -26,12 +26,19 @@ export const tools = {
   restore: "Mitgelieferte",
   restoreLong: "Diese Tabelle durch die mitgelieferten Werkzeuge ersetzen",
 
+  kinds: { name: "Art der Werkzeuge", turning: "Drehen", milling: "Fräsen" },
+  millTable: "Fräswerkzeuge dieses Geräts",
+  millNote: "Hier zählt nur der Radius mit seinem Aufmaß; Längen werden für die Steuerung geführt.",
+  millDrawing: "Fräser maßstäblich",
+  exportMillLong: "Fräswerkzeuge als Spaltentext der Steuerung exportieren: TOOL.T",
+
   form: (tool) => `Spalten von ${tool}`,
-  groups: { name: "Name und Typ", tip: "Spitze", insert: "Schneidplatte", setting: "Längen und Verschleiß", holder: "Halter (nur für Kollision)" },
+  groups: { mill: "Maße", name: "Name und Typ", tip: "Spitze", insert: "Schneidplatte", setting: "Längen und Verschleiß", holder: "Halter (nur für Kollision)" },
   columns: {
     T: "Werkzeugnummer", NAME: "Werkzeugname", ZL: "Werkzeuglänge 1, in Z", XL: "Werkzeuglänge 2, in X", DZL: "Aufmaß Länge 1", DXL: "Aufmaß Länge 2",
     RS: "Schneidenradius", DRS: "Aufmaß Schneidenradius", TO: "Werkzeugorientierung", ORI: "Spindelorientierung", "T-ANGLE": "Einstellwinkel",
     "P-ANGLE": "Spitzenwinkel", CUTLENGTH: "Schneidenlänge", CUTWIDTH: "Schneidenbreite", DCW: "Aufmaß Schneidenbreite", TYPE: "Werkzeugtyp",
+    L: "Werkzeuglänge", R: "Werkzeugradius", DL: "Aufmaß Länge", DR: "Aufmaß Radius",
   },
   holder: { width: "Halterbreite", length: "Halterlänge", offsetZ: "Spitze bis Halter in Z", offsetX: "Spitze bis Halter in X (Radius)" },
   field: (column, meaning) => `${column}: ${meaning}`,
@@ -58,7 +65,7 @@ export const tools = {
   exportJsonLong: "Als JSON exportieren: TOOLS.json",
   exportText: "TOOLTURN.TRN",
   exportTextLong: "Als Spaltentext der Steuerung exportieren: TOOLTURN.TRN",
-  unconfirmed: "Spaltenaufbau von TOOLTURN.TRN und Bereiche der Spalten: aus der Erinnerung, nicht an einer gedruckten Seite geprüft. An der Steuerung vergleichen.",
+  unconfirmed: "Spaltenaufbau von TOOLTURN.TRN und TOOL.T und Bereiche der Spalten: aus der Erinnerung, nicht an einer gedruckten Seite geprüft. An der Steuerung vergleichen.",
   imported: (file, replaced, added) => `${file}: ${added} neu, ${replaced} ersetzt.`,
   importedWrong: (n) => (n === 1 ? "1 Zeile hat einen Fehler." : `${n} Zeilen haben einen Fehler.`),
   leftOut: (names) => `Nicht übernommen: ${names}.`,
@@ -69,7 +76,7 @@ export const tools = {
   problems: {
     notATable: (file) => `${file} ist keine Werkzeugtabelle: weder JSON mit "tools" noch Spaltentext, der mit BEGIN anfängt.`,
     noRows: (file) => `${file} enthält keine Werkzeuge.`,
-    columnsMissing: (file, names) => `${file} ist keine Drehwerkzeugtabelle: Es fehlen die Spalten ${names}.`,
+    columnsMissing: (file, names) => `${file} ist keine Werkzeugtabelle: Es fehlen die Spalten ${names}.`,
     tooMany: (file, most) => `${file} enthält mehr als ${most} Werkzeuge.`,
     unreadable: (file) => `${file} ließ sich nicht lesen.`,
   },

@@ -26,12 +26,19 @@ export const tools = {
   restore: "Shipped tools",
   restoreLong: "Put the shipped tools in place of this table",
 
+  kinds: { name: "Kind of tools", turning: "Turning", milling: "Milling" },
+  millTable: "Milling tools of this device",
+  millNote: "Only the radius with its delta counts here; lengths are kept for the control.",
+  millDrawing: "Mill to scale",
+  exportMillLong: "Export the milling tools as column text of the control: TOOL.T",
+
   form: (tool: string) => `Columns of ${tool}`,
-  groups: { name: "Name and type", tip: "Tip", insert: "Insert", setting: "Lengths and wear", holder: "Holder (for collision only)" },
+  groups: { mill: "Size", name: "Name and type", tip: "Tip", insert: "Insert", setting: "Lengths and wear", holder: "Holder (for collision only)" },
   columns: {
     T: "tool number", NAME: "tool name", ZL: "tool length 1, in Z", XL: "tool length 2, in X", DZL: "oversize of length 1", DXL: "oversize of length 2",
     RS: "cutting edge radius", DRS: "oversize of the radius", TO: "tool orientation", ORI: "spindle orientation", "T-ANGLE": "setting angle",
     "P-ANGLE": "point angle", CUTLENGTH: "length of the cutting edge", CUTWIDTH: "width of the cutting edge", DCW: "oversize of the width", TYPE: "type of tool",
+    L: "tool length", R: "tool radius", DL: "oversize of the length", DR: "oversize of the radius",
   },
   holder: { width: "Width of the holder", length: "Length of the holder", offsetZ: "Tip to holder in Z", offsetX: "Tip to holder in X (radius)" },
   field: (column: string, meaning: string) => `${column}: ${meaning}`,
@@ -58,7 +65,7 @@ export const tools = {
   exportJsonLong: "Export as JSON: TOOLS.json",
   exportText: "TOOLTURN.TRN",
   exportTextLong: "Export as column text of the control: TOOLTURN.TRN",
-  unconfirmed: "Column layout of TOOLTURN.TRN and ranges of the columns: recalled, not checked against a printed page. Compare on your control.",
+  unconfirmed: "Column layout of TOOLTURN.TRN and TOOL.T and ranges of the columns: recalled, not checked against a printed page. Compare on your control.",
   imported: (file: string, replaced: number, added: number) => `${file}: ${added} new, ${replaced} replaced.`,
   importedWrong: (n: number) => (n === 1 ? "1 row has an error." : `${n} rows have an error.`),
   leftOut: (names: string) => `Not taken over: ${names}.`,
@@ -69,7 +76,7 @@ export const tools = {
   problems: {
     notATable: (file: string) => `${file} is no tool table: neither JSON with "tools" nor column text that begins with BEGIN.`,
     noRows: (file: string) => `${file} holds no tools.`,
-    columnsMissing: (file: string, names: string) => `${file} is no turning-tool table: these columns are missing: ${names}.`,
+    columnsMissing: (file: string, names: string) => `${file} is no tool table: these columns are missing: ${names}.`,
     tooMany: (file: string, most: number) => `${file} holds more than ${most} tools.`,
     unreadable: (file: string) => `${file} could not be read.`,
   },

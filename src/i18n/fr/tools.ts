@@ -26,12 +26,19 @@ export const tools = {
   restore: "Outils fournis",
   restoreLong: "Remplacer ce tableau par les outils fournis",
 
+  kinds: { name: "Sorte d’outils", turning: "Tournage", milling: "Fraisage" },
+  millTable: "Outils de fraisage de cet appareil",
+  millNote: "Seul compte ici le rayon avec sa surépaisseur ; les longueurs sont conservées pour la commande.",
+  millDrawing: "Fraise à l’échelle",
+  exportMillLong: "Exporter les outils de fraisage en texte en colonnes de la commande : TOOL.T",
+
   form: (tool) => `Colonnes : ${tool}`,
-  groups: { name: "Nom et type", tip: "Pointe", insert: "Plaquette", setting: "Longueurs et usure", holder: "Porte-outil (collision seulement)" },
+  groups: { mill: "Dimensions", name: "Nom et type", tip: "Pointe", insert: "Plaquette", setting: "Longueurs et usure", holder: "Porte-outil (collision seulement)" },
   columns: {
     T: "numéro d’outil", NAME: "nom d’outil", ZL: "longueur d’outil 1, en Z", XL: "longueur d’outil 2, en X", DZL: "surépaisseur longueur 1", DXL: "surépaisseur longueur 2",
     RS: "rayon de la dent", DRS: "surépaisseur du rayon", TO: "orientation de l’outil", ORI: "orientation de broche", "T-ANGLE": "angle d’inclinaison",
     "P-ANGLE": "angle de pointe", CUTLENGTH: "longueur de la dent", CUTWIDTH: "largeur de la dent", DCW: "surépaisseur de la largeur", TYPE: "type d’outil",
+    L: "longueur d’outil", R: "rayon d’outil", DL: "surépaisseur de la longueur", DR: "surépaisseur du rayon",
   },
   holder: { width: "Largeur du porte-outil", length: "Longueur du porte-outil", offsetZ: "Pointe au porte-outil en Z", offsetX: "Pointe au porte-outil en X (rayon)" },
   field: (column, meaning) => `${column} : ${meaning}`,
@@ -58,7 +65,7 @@ export const tools = {
   exportJsonLong: "Exporter en JSON : TOOLS.json",
   exportText: "TOOLTURN.TRN",
   exportTextLong: "Exporter en texte en colonnes de la commande : TOOLTURN.TRN",
-  unconfirmed: "Disposition de TOOLTURN.TRN et plages des colonnes : de mémoire, non vérifiées sur une page imprimée. Comparer sur la commande.",
+  unconfirmed: "Disposition de TOOLTURN.TRN et TOOL.T et plages des colonnes : de mémoire, non vérifiées sur une page imprimée. Comparer sur la commande.",
   imported: (file, replaced, added) => `${file} : ${added} nouveau(x), ${replaced} remplacé(s).`,
   importedWrong: (n) => (n === 1 ? "1 ligne a une erreur." : `${n} lignes ont une erreur.`),
   leftOut: (names) => `Non repris : ${names}.`,
@@ -69,7 +76,7 @@ export const tools = {
   problems: {
     notATable: (file) => `${file} n’est pas un tableau d’outils : ni JSON avec "tools", ni texte en colonnes commençant par BEGIN.`,
     noRows: (file) => `${file} ne contient aucun outil.`,
-    columnsMissing: (file, names) => `${file} n’est pas un tableau d’outils de tournage : il manque les colonnes ${names}.`,
+    columnsMissing: (file, names) => `${file} n’est pas un tableau d’outils : il manque les colonnes ${names}.`,
     tooMany: (file, most) => `${file} contient plus de ${most} outils.`,
     unreadable: (file) => `${file} n’a pas pu être lu.`,
   },

@@ -26,12 +26,19 @@ export const tools = {
   restore: "随附刀具",
   restoreLong: "用随附刀具替换此刀具表",
 
+  kinds: { name: "刀具种类", turning: "车削", milling: "铣削" },
+  millTable: "本设备的铣削刀具",
+  millNote: "此处仅使用半径及其差值；长度仅为数控系统保存。",
+  millDrawing: "按比例的铣刀",
+  exportMillLong: "将铣削刀具导出为数控系统的列文本：TOOL.T",
+
   form: (tool) => `${tool}的各列`,
-  groups: { name: "名称与类型", tip: "刀尖", insert: "刀片", setting: "长度与磨损", holder: "刀柄（仅用于碰撞检查）" },
+  groups: { mill: "尺寸", name: "名称与类型", tip: "刀尖", insert: "刀片", setting: "长度与磨损", holder: "刀柄（仅用于碰撞检查）" },
   columns: {
     T: "刀具号", NAME: "刀具名称", ZL: "刀具长度 1（Z 向）", XL: "刀具长度 2（X 向）", DZL: "长度 1 差值", DXL: "长度 2 差值",
     RS: "刀尖圆弧半径", DRS: "半径差值", TO: "刀具方位", ORI: "主轴定向角", "T-ANGLE": "主偏角",
     "P-ANGLE": "刀尖角", CUTLENGTH: "切削刃长度", CUTWIDTH: "切削刃宽度", DCW: "刃宽差值", TYPE: "刀具类型",
+    L: "刀具长度", R: "刀具半径", DL: "长度差值", DR: "半径差值",
   },
   holder: { width: "刀柄宽度", length: "刀柄长度", offsetZ: "刀尖到刀柄 Z 向距离", offsetX: "刀尖到刀柄 X 向距离（半径值）" },
   field: (column, meaning) => `${column}：${meaning}`,
@@ -58,7 +65,7 @@ export const tools = {
   exportJsonLong: "导出为 JSON：TOOLS.json",
   exportText: "TOOLTURN.TRN",
   exportTextLong: "导出为数控系统的列文本：TOOLTURN.TRN",
-  unconfirmed: "TOOLTURN.TRN 的列布局和各列范围凭记忆写成，未经印刷手册核对。请在数控系统上比对。",
+  unconfirmed: "TOOLTURN.TRN 与 TOOL.T 的列布局和各列范围凭记忆写成，未经印刷手册核对。请在数控系统上比对。",
   imported: (file, replaced, added) => `${file}：新增 ${added}，替换 ${replaced}。`,
   importedWrong: (n) => `${n} 行有错误。`,
   leftOut: (names) => `未采用：${names}。`,
@@ -69,7 +76,7 @@ export const tools = {
   problems: {
     notATable: (file) => `${file} 不是刀具表：既不是含 "tools" 的 JSON，也不是以 BEGIN 开头的列文本。`,
     noRows: (file) => `${file} 中没有刀具。`,
-    columnsMissing: (file, names) => `${file} 不是车刀表：缺少列 ${names}。`,
+    columnsMissing: (file, names) => `${file} 不是刀具表：缺少列 ${names}。`,
     tooMany: (file, most) => `${file} 中的刀具超过 ${most} 把。`,
     unreadable: (file) => `无法读取 ${file}。`,
   },
