@@ -225,10 +225,12 @@ export function below(e: Envelope, level: number, u0: number, u1: number): Inter
     if (b < a) continue;
     const flat: Piece = { arc: 0, u0: a, u1: b, v0: top, slope: 0, origin: s.piece.origin };
     let from = a;
+    if (valueAt(s.piece, a) <= top) add(a, a);
     for (const cut of [...crossings(s.piece, flat, a, b), b]) {
       if (valueAt(s.piece, (from + cut) / 2) <= top) add(from, cut);
       from = cut;
     }
+    if (valueAt(s.piece, b) <= top) add(b, b);
   }
   if (covered < u1) add(covered, u1);
   return out;

@@ -15,6 +15,10 @@ export interface Finish {
   readonly clearance: number;
   /** Where roughing with this tool ended; empty when there was none. */
   readonly roughed: Envelope;
+  /** Roughing lifted at 45° and left its steps. */
+  readonly stepped: boolean;
+  /** Height that the cut runs on to at its end, where a wall closes the area behind the contour; else null. */
+  readonly runOut: number | null;
   /** What roughing has left above the contour and beside it, mm. */
   readonly kept: number;
   readonly aside: number;
@@ -35,7 +39,7 @@ export function finishContour(track: Track, f: Finish, issues: Issue[]): void {
     ? { phase: "smooth", run: "rough", step: 5 }
     : { phase: "finish", run: "finish", step };
   const feed = f.smoothing ? f.feeds.rough : f.feeds.finish;
-  const u0 = Math.max(f.ground.start.u, f.from);
+  const u0 = Math.max(f.ground.first, f.from);
   const u1 = Math.min(f.ground.end.u, f.to);
   if (!(u1 > u0)) return void issues.push(issue("nothingToCut", "warning", {}, "tool"));
   const path = pathAlong(f.ground.envelope, u0, u1);
@@ -49,7 +53,8 @@ export function finishContour(track: Track, f: Finish, issues: Issue[]): void {
   if (!f.smoothing && nearContour(f.start, f.contour) < f.clearance) {
     issues.push(issue("startInsideEnvelope", "warning", { clearance: f.clearance }, "start.x"));
   } else {
-    const before = Math.min(Math.max(f.start.u, u0 - f.clearance), u0);
+    // Where lifts at 45° leave steps, only the column of the start point is free all the way down.
+    const before = Math.min(f.stepped ? f.start.u : Math.max(f.start.u, u0 - f.clearance), u0);
     const free = Math.max(begin.v, highest(f.ground.envelope, before, u0).v) + Math.max(f.clearance, f.kept);
     const above = Math.max(free, heightAt(f.roughed, before));
     if (track.at.v < above) track.rapid("v", above, p(1));
@@ -63,7 +68,7 @@ export function finishContour(track: Track, f: Finish, issues: Issue[]): void {
   track.along(path.map((s) => s.segment), (s) => f.smoothing && falls(s)
     ? { feed: f.feeds.plunge, purpose: { ...p(2), plunging: true } }
     : { feed, purpose: p(2) });
-  if (f.to >= f.ground.end.u - SAME) track.feed({ u: u1, v: Math.max(track.at.v, f.ground.end.v) }, feed, p(2));
+  if (f.to >= f.ground.end.u - SAME) track.feed({ u: u1, v: Math.max(track.at.v, f.ground.end.v, f.runOut ?? -Infinity) }, feed, p(2));
   lift(track, f, feed, p(3));
 }
 

@@ -1,5 +1,5 @@
 import { extent, grown, inFrame, onArc, positive, type Convex } from "../convex.ts";
-import { linePiece, pathAlong, type Envelope, type Origin, type Piece } from "../envelope.ts";
+import { below, linePiece, pathAlong, type Envelope, type Origin, type Piece } from "../envelope.ts";
 import { normalAt, segmentToPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
 import { insertShape, isBar } from "../insert.ts";
 import type { Reason } from "../issue.ts";
@@ -10,6 +10,9 @@ import { roomOf } from "../track.ts";
 
 /** Longer than any part: how far bounds run on beyond the contour, mm. */
 export const FAR = 5000;
+
+/** Farther than an insert reaches ahead of its tip, mm. */
+const BEFORE = 500;
 
 /** What lies beyond the ends of a contour. */
 export interface Surroundings {
@@ -28,6 +31,8 @@ export interface Ground {
   /** Tip when the nose touches the first and the last point of the contour. */
   readonly start: Flat;
   readonly end: Flat;
+  /** Where the path along the contour begins: at `start`, or before it where another element is touched first. */
+  readonly first: number;
   readonly insert: Convex;
 }
 
@@ -53,18 +58,21 @@ export function groundOver(
   if (s.wall !== null) chain.push(edge(last.to, { u: close, v: last.to.v }), edge({ u: close, v: last.to.v }, { u: close, v: s.wall }), edge({ u: close, v: s.wall }, { u: close + FAR, v: s.wall }));
   else chain.push(edge(last.to, { u: last.to.u + FAR, v: last.to.v }));
   const extra: Piece[] = [];
-  const level = (u0: number, u1: number, v: number, on: Origin["on"]) => {
+  const bound = (u0: number, u1: number, v: number, on: Origin["on"]) => {
     const p = linePiece({ u: u0, v }, { u: u1, v }, { feature: "nose", on, corner: false });
     if (p) extra.push(p);
   };
   const low = first.from.u - FAR;
   const high = last.to.u + FAR;
   const bottom = extent(insertIn(tool, frame)).minV;
-  if (s.front === "free") level(low, start.u, first.from.v + keep.v - bottom, "edge");
-  for (const f of s.floors) level(low, high, f.v - bottom, f.on);
+  if (s.front === "free") bound(low, start.u, first.from.v + keep.v - bottom, "edge");
+  for (const f of s.floors) bound(low, high, f.v - bottom, f.on);
   const room = roomOf(frame);
-  if (room.minV > -Infinity) level(low, high, room.minV, "edge");
-  return { envelope: reachOver(chain, insert, extra), start, end, insert };
+  if (room.minV > -Infinity) bound(low, high, room.minV, "edge");
+  const envelope = reachOver(chain, insert, extra);
+  const level = first.from.v + keep.v - bottom;
+  const free = s.front === "free" ? below(envelope, level, start.u - BEFORE, start.u)[0]?.to : undefined;
+  return { envelope, start, end, first: free ?? start.u, insert };
 }
 
 /** The insert in strategy space, relative to the tip. */

@@ -76,6 +76,7 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
   const drawn = groundOver(bounds, tool, l.frame, none, toFinish);
   const end = Math.max(kept.end.u, drawn.end.u, last.to.u + keep.u) + SAME;
   const to = Math.min(end, limits.to - leadOf(insertIn(tool, l.frame)), room.maxU);
+  const runOut = wall === null ? null : last.to.v + keep.v;
   let division = { passes: 0, infeed: 0 };
   if (l.operation === 0 || l.operation === 1) {
     const upper = Math.min(top, limits.ceiling);
@@ -85,20 +86,20 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
     roughByLevels(wanted, { envelope: kept.envelope, start, top: upper, ...division, from, to, smoothing: l.smoothing, feeds: l.feeds });
     if (grown && l.smoothing === 1 && division.passes > 0) {
       back(wanted, start, "rough", 4);
-      finishContour(wanted, { ground: grown, contour: flat, start, clearance: l.clearance, roughed: kept.envelope, kept: division.infeed, aside: division.infeed, feeds: l.feeds, from, to, smoothing: true }, issues);
+      finishContour(wanted, { ground: grown, contour: flat, start, clearance: l.clearance, roughed: kept.envelope, stepped: true, runOut, kept: division.infeed, aside: division.infeed, feeds: l.feeds, from, to, smoothing: true }, issues);
     }
     back(wanted, start, "rough", 6);
   }
   if (l.operation !== 1) {
     const ground = (l.operation === 3 ? grown : null) ?? drawn;
     const steps = l.smoothing === 2 ? division.infeed : 0;
-    finishContour(wanted, { ground, contour: flat, start, clearance: l.clearance, roughed: l.operation === 0 ? kept.envelope : [], kept: keep.v + steps, aside: keep.u + steps, feeds: l.feeds, from, to, smoothing: false }, issues);
+    finishContour(wanted, { ground, contour: flat, start, clearance: l.clearance, roughed: l.operation === 0 ? kept.envelope : [], stepped: l.smoothing === 2, runOut, kept: keep.v + steps, aside: keep.u + steps, feeds: l.feeds, from, to, smoothing: false }, issues);
     back(wanted, start, "finish", 4);
   }
   return {
     moves: wanted.moves, issues, contour: l.contour, ...division, infeed: length(division.infeed),
     area: areaOver(flat, l.frame, start.u, top), part: partUnder(flat, l.frame, false),
-    openSide: toPart(l.frame, { u: 0, v: 1 }), reach: reachOf(drawn, Math.max(drawn.start.u, from), Math.min(drawn.end.u, to), l.frame, tool),
+    openSide: toPart(l.frame, { u: 0, v: 1 }), reach: reachOf(drawn, Math.max(drawn.first, from), Math.min(drawn.end.u, to), l.frame, tool),
   };
 }
 

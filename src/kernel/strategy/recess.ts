@@ -122,6 +122,8 @@ function rough(track: Track, l: Recess, r: Rough) {
   const centre = deepestIn(e, level(r.passes), r.span);
   const valley = (i: number): Interval => containing(e, level(i), r.span, centre);
   const shortened = { left: 0, right: 0 };
+  // The columns that every pass so far has cleared: only there the way out is free.
+  const clear = { from: -Infinity, to: Infinity };
   const p = (step: number, pass: number, plunging = false): Purpose => ({ phase: "rough", run: "rough", step, pass, ...(plunging ? { plunging: true as const } : {}) });
 
   let here = valley(1);
@@ -131,6 +133,8 @@ function rough(track: Track, l: Recess, r: Rough) {
     const side = l.oneWay || i % 2 === 1 ? "right" : "left";
     if (i > 1) shortened[side] += r.offset;
     const end = side === "right" ? Math.max(here.from, here.to - shortened.right) : Math.min(here.to, here.from + shortened.left);
+    clear.from = Math.max(clear.from, Math.min(track.at.u, end));
+    clear.to = Math.min(clear.to, Math.max(track.at.u, end));
     track.feed({ u: end, v: level(i) }, l.feeds.rough, p(2, i));
     if (i === r.passes) break;
     const next = valley(i + 1);
@@ -150,7 +154,7 @@ function rough(track: Track, l: Recess, r: Rough) {
     }
     here = next;
   }
-  wallCuts(track, l, r, here, shortened);
+  wallCuts(track, l, r, here, shortened, clear);
 }
 
 /** Along a wall to the next level; without a wall to follow, sideways first and then straight down. */
@@ -161,7 +165,7 @@ function down(track: Track, wall: readonly FlatSegment[], target: Flat, feed: nu
 }
 
 /** What the shortening left: one plunging cut along each wall down to the floor. */
-function wallCuts(track: Track, l: Recess, r: Rough, floor: Interval, shortened: { left: number; right: number }) {
+function wallCuts(track: Track, l: Recess, r: Rough, floor: Interval, shortened: { left: number; right: number }, columns: { from: number; to: number }) {
   const e = r.ground.envelope;
   const p: Purpose = { phase: "rough", run: "rough", step: 7 };
   const cutting: Purpose = { ...p, plunging: true };
@@ -170,14 +174,20 @@ function wallCuts(track: Track, l: Recess, r: Rough, floor: Interval, shortened:
   const left = r.inFront ? open.from : Math.max(open.from, r.ground.start.u);
   const right = r.inFront ? open.to : Math.min(open.to, r.ground.end.u);
   const bottom = r.top - r.passes * r.infeed;
-  const out = (towards: number) => {
-    const d = Math.min(RECESS_CLEARANCE, Math.abs(towards - track.at.u));
-    const leaning = { u: track.at.u + Math.sign(towards - track.at.u) * d, v: bottom + d };
-    track.feed(staysAbove(e, leaning, track.at) ? leaning : { u: track.at.u, v: bottom + d }, l.feeds.rough, p);
+  const rise = () => {
+    if (track.at.u < columns.from - SAME || track.at.u > columns.to + SAME) track.feed({ u: track.at.u, v: clear }, l.feeds.rough, p);
     track.rapid("v", clear, p);
   };
+  const out = (towards: number) => {
+    // Away from the wall, but not into what still stands at the other one.
+    const free = Math.min(Math.max(towards, columns.from), Math.max(columns.to, track.at.u));
+    const d = Math.min(RECESS_CLEARANCE, Math.abs(free - track.at.u));
+    const leaning = { u: track.at.u + Math.sign(free - track.at.u) * d, v: bottom + RECESS_CLEARANCE };
+    track.feed(staysAbove(e, leaning, track.at) ? leaning : { u: track.at.u, v: bottom + RECESS_CLEARANCE }, l.feeds.rough, p);
+    rise();
+  };
   track.feed({ u: track.at.u, v: bottom + Math.min(r.infeed, RECESS_CLEARANCE) }, l.feeds.rough, p);
-  track.rapid("v", clear, p);
+  rise();
   const cut = (begin: number, path: readonly FlatSegment[], end: Flat, along: number, inwards: number) => {
     track.rapid("u", begin, p);
     track.rapid("v", Math.max(r.top, path[0]?.from.v ?? r.top), p);
@@ -186,6 +196,8 @@ function wallCuts(track: Track, l: Recess, r: Rough, floor: Interval, shortened:
     track.feed({ u: along, v: bottom }, l.feeds.rough, p);
     out(inwards);
   };
+  columns.from = Math.min(columns.from, floor.from);
   cut(left, pathAlong(e, left, floor.from).map((s) => s.segment), { u: floor.from, v: bottom }, Math.min(floor.to, floor.from + shortened.left), floor.to);
+  columns.to = Math.max(columns.to, floor.to);
   cut(right, pathAlong(e, floor.to, right).map((s) => reversed(s.segment)).reverse(), { u: floor.to, v: bottom }, Math.max(floor.from, floor.to - shortened.right), floor.from);
 }
