@@ -2,14 +2,17 @@ import { releaseProxy, wrap, type Remote } from "comlink";
 import type { Job } from "../../program/job.ts";
 import { readExpression } from "../../program/expression.ts";
 import type { ToolTable } from "../../program/read-tools.ts";
+import type { Control } from "../../program/plane-types.ts";
 import type { ToolFit } from "../../program/which-tool.ts";
 import { printedText } from "../printed.ts";
 import { readJob } from "../reading.ts";
 import { notice } from "../saving/keep.ts";
+import { useSettings } from "../settings/settings.ts";
 import { useEditor, type Editor } from "../store.ts";
 import { toolTable, useTools } from "../tools/tool-store.ts";
 import type { ProgramWork } from "../work.ts";
 import type { Engine, Request } from "./engine.ts";
+import { pauseInTyping } from "./quiet.ts";
 import { forgetOutcome, pause, takeOutcome, type Outcome } from "./outcome.ts";
 
 /** A calculation that takes longer has lost its way: the worker is replaced, ms. */
@@ -57,7 +60,9 @@ async function work(): Promise<void> {
     const request = waiting;
     waiting = null;
     try {
-      takeOutcome(await inTime(started().update(request)));
+      const outcome = await inTime(started().update(request));
+      await pauseInTyping();
+      takeOutcome(outcome);
     } catch {
       stop();
       notice("engineFailed");
@@ -74,7 +79,7 @@ function rapidOf(job: Job): number {
   return read.kind === "number" && read.value > 0 ? read.value : USUAL_RAPID;
 }
 
-let last: { readonly text: string; readonly table: ToolTable; readonly rapid: number; readonly cycle: number | null; readonly work: string | null } | null = null;
+let last: { readonly text: string; readonly table: ToolTable; readonly rapid: number; readonly control: Control; readonly cycle: number | null; readonly work: string | null } | null = null;
 
 /** A whole program is calculated as it stands, right or wrong. */
 function followProgram({ text }: ProgramWork, name: string | null): void {
@@ -83,11 +88,12 @@ function followProgram({ text }: ProgramWork, name: string | null): void {
     forgetOutcome();
   }
   const table = toolTable();
-  if (last?.text === text && last.table === table) return;
+  const { control } = useSettings.getState();
+  if (last?.text === text && last.table === table && last.control === control) return;
   pause(false);
-  last = { text, table, rapid: USUAL_RAPID, cycle: null, work: name };
+  last = { text, table, rapid: USUAL_RAPID, control, cycle: null, work: name };
   version += 1;
-  waiting = { version, text, table, rapid: USUAL_RAPID };
+  waiting = { version, text, table, rapid: USUAL_RAPID, control };
   void work();
 }
 
@@ -113,18 +119,19 @@ function follow({ job, program, work: name }: Editor): void {
   const text = printedText(job);
   const rapid = rapidOf(job);
   const table = toolTable();
-  if (last?.text === text && last.table === table && last.rapid === rapid) return;
-  last = { text, table, rapid, cycle: job.cycle, work: name };
+  const { control } = useSettings.getState();
+  if (last?.text === text && last.table === table && last.rapid === rapid && last.control === control) return;
+  last = { text, table, rapid, control, cycle: job.cycle, work: name };
   version += 1;
-  waiting = { version, text, table, rapid };
+  waiting = { version, text, table, rapid, control };
   void work();
 }
 
-/** From now on each change of the work or of the tool table is calculated. */
+/** From now on each change of the work, of the tool table or of the control is calculated. */
 export function startEngine(): () => void {
   const now = () => follow(useEditor.getState());
   now();
-  const stops = [useEditor.subscribe(now), useTools.subscribe(now)];
+  const stops = [useEditor.subscribe(now), useTools.subscribe(now), useSettings.subscribe(now)];
   return () => stops.forEach((stop) => stop());
 }
 

@@ -9,6 +9,7 @@ import { simulate } from "../../sim/simulate.ts";
 import type { FeedUnit } from "../../kernel/move.ts";
 import type { Pt } from "../../kernel/point.ts";
 import type { Tool } from "../../kernel/tool.ts";
+import type { Control } from "../../program/plane-types.ts";
 import type { Job } from "../../program/job.ts";
 import { givenOf } from "./given.ts";
 import type { Outcome } from "./outcome.ts";
@@ -21,6 +22,8 @@ export interface Request {
   readonly table: ToolTable;
   /** Rapid rate for times, mm/min. */
   readonly rapid: number;
+  /** How APPR and DEP move in the tool axis. */
+  readonly control: Control;
 }
 
 /** What tools are compared under. */
@@ -33,9 +36,9 @@ export interface Circumstances {
 /** Everything that takes time, as plain functions of plain data. Runs in a worker. */
 export const engine = {
   /** From the program text to moves, stock, proof and times. */
-  update({ version, text, table, rapid }: Request): Outcome {
+  update({ version, text, table, rapid, control }: Request): Outcome {
     const program = parse(text);
-    const made = run(program, { ...table, rapid });
+    const made = run(program, { ...table, rapid, control });
     const simulation = simulate({ blank: made.blank, steps: made.steps, operations: made.operations });
     return { version, text, run: made, simulation };
   },

@@ -41,6 +41,16 @@ export function SettingsDialog({ dialog }: { readonly dialog: RefObject<HTMLDial
             <option value="reduced">{t.motions.reduced}</option>
           </select>
         </label>
+        <label>
+          <span>{t.control}</span>
+          <select
+            className="select" value={settings.control}
+            onChange={(e) => changeSettings({ control: e.target.value === "TNC7" ? "TNC7" : "TNC 640" })}
+          >
+            <option value="TNC 640">{t.controls["TNC 640"]}</option>
+            <option value="TNC7">{t.controls.TNC7}</option>
+          </select>
+        </label>
         <p className="small soft">{t.disclaimer}</p>
         <button type="submit" className="button primary">{t.close}</button>
       </form>

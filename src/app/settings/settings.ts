@@ -1,5 +1,6 @@
 import { create } from "zustand";
 import { isLanguage, type Language } from "../../i18n/languages.ts";
+import type { Control } from "../../program/plane-types.ts";
 import { fetchTexts } from "./loaded-texts.ts";
 
 /** Choices of this device, beside the work itself. Kept in the browser's local storage. */
@@ -10,6 +11,8 @@ export interface Settings {
   readonly theme: "system" | "light" | "dark";
   /** Motion as the system says, or none. */
   readonly motion: "system" | "reduced";
+  /** How APPR and DEP move in the tool axis. */
+  readonly control: Control;
   /** The program text takes part of the screen, or is folded away. */
   readonly programFolded: boolean;
   /** X grows downwards in the lathe view (tool behind the spindle axis seen from the operator). */
@@ -18,6 +21,7 @@ export interface Settings {
   readonly fullSection: boolean;
 }
 
+const CONTROLS: readonly Control[] = ["TNC 640", "TNC7"];
 const KEY = "turnwise/settings";
 
 /** The first screen language that the browser asks for and that we have. */
@@ -32,7 +36,7 @@ function browserLanguage(): Language {
 
 function initial(): Settings {
   return {
-    language: browserLanguage(), theme: "system", motion: "system",
+    language: browserLanguage(), theme: "system", motion: "system", control: "TNC 640",
     programFolded: false, xDown: false, fullSection: false,
   };
 }
@@ -55,6 +59,7 @@ export function readSettings(text: string | null): Settings {
     language: typeof kept["language"] === "string" && isLanguage(kept["language"]) ? kept["language"] : first.language,
     theme: oneOf(kept["theme"], ["system", "light", "dark"], first.theme),
     motion: oneOf(kept["motion"], ["system", "reduced"], first.motion),
+    control: oneOf(kept["control"], CONTROLS, first.control),
     programFolded: flag(kept["programFolded"], first.programFolded),
     xDown: flag(kept["xDown"], first.xDown),
     fullSection: flag(kept["fullSection"], first.fullSection),

@@ -11,6 +11,8 @@ export const page = {
   settings: "Einstellungen",
   close: "Schließen",
   screenLanguage: "Bildschirmsprache",
+  control: "Steuerung (APPR und DEP mit Z)",
+  controls: { "TNC 640": "TNC 640: erst in der Ebene, dann in Z", TNC7: "TNC7: in allen Achsen gleichzeitig" },
   theme: "Darstellung",
   themes: { system: "Wie das System", light: "Hell", dark: "Dunkel" },
   motion: "Bewegung",

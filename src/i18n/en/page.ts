@@ -11,6 +11,8 @@ export const page = {
   settings: "Settings",
   close: "Close",
   screenLanguage: "Screen language",
+  control: "Control (APPR and DEP with Z)",
+  controls: { "TNC 640": "TNC 640: in the plane first, then in Z", TNC7: "TNC7: in all axes at once" },
   theme: "Appearance",
   themes: { system: "As the system", light: "Light", dark: "Dark" },
   motion: "Motion",

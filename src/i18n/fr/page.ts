@@ -11,6 +11,8 @@ export const page = {
   settings: "Réglages",
   close: "Fermer",
   screenLanguage: "Langue de l’écran",
+  control: "Commande (APPR et DEP avec Z)",
+  controls: { "TNC 640": "TNC 640 : d’abord dans le plan, puis en Z", TNC7: "TNC7 : tous les axes à la fois" },
   theme: "Apparence",
   themes: { system: "Comme le système", light: "Clair", dark: "Sombre" },
   motion: "Animation",

@@ -11,6 +11,8 @@ export const page = {
   settings: "设置",
   close: "关闭",
   screenLanguage: "界面语言",
+  control: "数控系统（带 Z 的 APPR 与 DEP）",
+  controls: { "TNC 640": "TNC 640：先在平面内移动，再沿 Z 移动", TNC7: "TNC7：各轴同时移动" },
   theme: "外观",
   themes: { system: "跟随系统", light: "浅色", dark: "深色" },
   motion: "动画",
