@@ -103,3 +103,21 @@ describe("parse after print gives the same statement", () => {
     expect(statementLines(statement, style).length).toBe(blocks[0]?.lines);
   }), { numRuns: 3000 }));
 });
+
+const typedNumber = fc.tuple(fc.constantFrom("", "+", "-"), fc.constantFrom("0", "7", "12.5", "0,25", "100000", "3.", ".5", "1e5", "00.10")).map((p) => p.join(""));
+const lineWord = fc.oneof(
+  fc.tuple(fc.constantFrom("X", "Y", "Z", "IX", "IY", "IZ", "C", "x"), typedNumber).map((p) => p.join("")),
+  fc.constantFrom("R0", "RL", "RR", "R 0", "FMAX", "F MAX", "FAUTO", "F0.2", "F0,2", "F-1", "FQ3", "M3", "M303", "M30", "M99999", "M3.5", "XQ1", "X +4", "~", ";c", "FOO"),
+);
+const spacing = fc.constantFrom(" ", "  ", "\t", "");
+
+test("a straight line is read in one step as it is word by word", () => {
+  fc.assert(fc.property(fc.constantFrom("L ", "L\t", "L", "LX"), fc.array(fc.tuple(lineWord, spacing), { maxLength: 7 }), fc.constantFrom("", " ", "\t "), (head, words, tail) => {
+    const text = `5 ${head}${words.map((w) => w.join("")).join("")}${tail}`;
+    const [whole, bare] = [parse(`${text};c`).blocks[0], parse(text).blocks[0]];
+    if (text.includes("~") || text.includes(";")) return;
+    // A comment keeps the one-step reader away.
+    expect(bare?.statement).toEqual(whole?.statement);
+    expect(bare?.issues).toEqual(whole?.issues);
+  }), { numRuns: 3000 });
+});

@@ -1,5 +1,6 @@
 import type { Block, BlockIssue, Program } from "./program.ts";
 import type { BlockLine } from "./read-cycle.ts";
+import { readLine } from "./read-line.ts";
 import { readStatement } from "./read-statement.ts";
 import { splitBlocks, splitLines, type Lines, type Slice } from "./split.ts";
 
@@ -30,7 +31,11 @@ function blockLine(text: string, from: number, to: number, offset: number): Bloc
   return { text: line.slice(0, comment), offset, comment: unmarked(line.slice(comment + 1), marked).trimEnd() };
 }
 
+const NONE: readonly BlockIssue[] = [];
+
 function readBlock(text: string, { starts, ends }: Lines, s: Slice): Block {
+  const line = s.first === s.last && !s.open ? readLine(text, s.body) : null;
+  if (line) return { raw: text.slice(s.from, s.to), lines: 1, number: s.number, skip: s.skip, statement: line, comment: null, issues: NONE };
   const lines: BlockLine[] = [];
   for (let i = s.first; i <= s.last; i += 1) {
     const from = i === s.first ? s.body : (starts[i] ?? 0);

@@ -1,0 +1,44 @@
+import type { AxisName, AxisWord, Compensation, Feed, Statement, Words } from "./statement.ts";
+
+const NUMBER = String.raw`([+-]?\d+(?:[.,]\d+)?)`;
+const axis = (name: string) => String.raw`(?:(I?)${name}${NUMBER}[ \t]*)?`;
+/** A straight line as nearly every program writes it, up to the end of its text line. */
+const LINE = new RegExp(
+  String.raw`L[ \t]+${axis("X")}${axis("Y")}${axis("Z")}(?:(R0|RL|RR)[ \t]*)?(?:F(?:(MAX|AUTO)|(\d+(?:[.,]\d+)?))[ \t]*)?(?:M(\d{1,4})[ \t]*)?(?:M(\d{1,4})[ \t]*)?(?![^\r\n])`, "y",
+);
+const AXES: readonly AxisName[] = ["X", "Y", "Z"];
+
+/** What NUMBER matched; null beyond what can be counted. Never -0. */
+function number(text: string): number | null {
+  const n = Number(text.includes(",") ? text.replace(",", ".") : text);
+  return n === 0 ? 0 : Number.isFinite(n) ? n : null;
+}
+
+/**
+ * Reads a straight line in its usual form in one step, exactly as the word by word reader would; null for any other, which
+ * that reader then takes. Long programs are mostly such lines, and a program that was just opened is read before
+ * anything has warmed up.
+ */
+export function readLine(text: string, at: number): Statement | null {
+  LINE.lastIndex = at;
+  const m = LINE.exec(text);
+  if (!m) return null;
+  const axes: AxisWord[] = [];
+  for (let i = 0; i < 3; i += 1) {
+    const digits = m[2 * i + 2];
+    if (digits === undefined) continue;
+    const value = number(digits);
+    if (value === null) return null;
+    axes.push({ axis: AXES[i] ?? "X", value, incremental: m[2 * i + 1] === "I" });
+  }
+  const words: { -readonly [K in keyof Words]: Words[K] } = { axes, linear: [], functions: [], extra: [] };
+  if (m[7] !== undefined) words.compensation = m[7] as Compensation;
+  if (m[8] !== undefined) words.feed = m[8] === "MAX" ? "max" : "auto";
+  else if (m[9] !== undefined) {
+    const value = number(m[9]);
+    if (value === null) return null;
+    words.feed = { value, unit: "F" } satisfies Feed;
+  }
+  if (m[10] !== undefined) words.functions = m[11] === undefined ? [Number(m[10])] : [Number(m[10]), Number(m[11])];
+  return { kind: "path", path: "L", words };
+}
