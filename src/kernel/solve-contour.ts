@@ -44,7 +44,7 @@ export function solveContour(elements: readonly SolveElement[]): SolvedContour {
     if (!findPlace(w)) break;
   }
   const solved = elements.map((_, i) => solvedElement(w, i));
-  return { elements: solved, issues: elements.flatMap((e, i) => (i === 0 ? [] : contradictions(w, e, i, solved[i]?.freedom ?? 0))) };
+  return { elements: solved, issues: elements.flatMap((e, i) => contradictions(w, e, i, solved[i]?.freedom ?? 0)) };
 }
 
 const round = (angle: number): Degrees => {
@@ -69,18 +69,23 @@ function segmentOf(w: Work, i: number): Segment | null {
   return circle && { kind: "arc", from, to, centre: circle.centre, turn: circle.turn };
 }
 
-/** Values still missing at the end point, less those that a length or a circle stands for; for an arc its own circle. */
+/**
+ * Values still missing at the end point that are not already missing at the point before it, less those that a length or
+ * a circle stands for; for an arc its own circle.
+ */
 function freedomOf(w: Work, i: number, segment: Segment | null): number {
-  const e = w.elements[i], form = w.forms[i];
+  const e = w.elements[i], form = w.forms[i], before = w.forms[i - 1];
   if (pointOf(w, i)) return e?.kind === "arc" && i > 0 && !segment && pointOf(w, i - 1) ? 1 : 0;
-  const free = form ? new Set([...form.z.by.keys(), ...form.r.by.keys()]).size : 0;
-  const parallel = form && free > 1 && (form.z.by.size === 0 || form.r.by.size === 0) ? 1 : Math.min(2, free);
+  const counted = new Set(before ? [...before.z.by.keys(), ...before.r.by.keys()] : []);
+  const free = form ? [...new Set([...form.z.by.keys(), ...form.r.by.keys()])].filter((k) => !counted.has(k)).length : 0;
+  if (free === 0) return 0;
   const bound = [i, i + 1].filter((k) => {
     const other = w.elements[k], circle = w.circle[k] ?? null;
     if (circle && circle !== "straight") return true;
     return k > 0 && other?.kind === "line" && other.length !== null && (w.angle[k] ?? null) === null && pointOf(w, k === i ? i - 1 : i + 1);
   }).length;
-  return Math.max(1, parallel - bound);
+  const own = form && (form.z.by.size === 0 || form.r.by.size === 0) ? 1 : Math.min(2, free);
+  return Math.max(1, own - bound);
 }
 
 /** The angle between two directions, degrees. */
@@ -92,8 +97,9 @@ function contradictions(w: Work, e: SolveElement, i: number, freedom: number): I
   const say = (quantity: "angle" | "length" | "tangent" | "radius", given: number, nearest: number) =>
     found.push(issue("elementContradicts", "error", { element, quantity, given, nearest: Math.round(nearest * 1e4) / 1e4 }, "contour"));
   const [from, to] = [pointOf(w, i - 1), pointOf(w, i)];
-  if (freedom > 0 || !to) return [w.unreachable.has(i) ? issue("elementUnreachable", "error", { element }, "contour") : issue("elementFree", "error", { element, freedom }, "contour")];
-  if (!from) return [];
+  if (freedom > 0 && !w.unreachable.has(i)) return [issue("elementFree", "error", { element, freedom }, "contour")];
+  if (!to || freedom > 0) return w.unreachable.has(i) ? [issue("elementUnreachable", "error", { element }, "contour")] : [];
+  if (!from || i === 0) return [];
   if (e.kind === "line") lineAgainst(e, from, to, say);
   const circle = w.circle[i] ?? null;
   if (e.kind === "arc" && circle && circle !== "straight") {

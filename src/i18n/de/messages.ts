@@ -65,7 +65,7 @@ export const messages = {
       `Element ${d.element}: ${w.number(d.size)} passt nicht zwischen seine Nachbarn, ${w.number(d.max)} passt. ${nearest(w.number(d.nearest))}`,
     arcOffCircle: (d, w) => `Element ${d.element}: Der Endpunkt verfehlt den Kreis um ${w.number(d.gap)}. Möglicher Radius: ${w.number(d.nearest)}.`,
     arcTooSmall: (d, w) => `Element ${d.element}: Radius ${w.number(d.radius)} ist zu klein für den Endpunkt. ${nearest(w.number(d.nearest))}`,
-    elementFree: (d) => (d.freedom === 0 ? `Element ${d.element}: davor fehlt ein Wert.` : d.freedom === 1 ? `Element ${d.element}: noch eine Angabe nötig.` : `Element ${d.element}: noch ${d.freedom} Angaben nötig.`),
+    elementFree: (d) => (d.freedom === 1 ? `Element ${d.element}: noch eine Angabe nötig.` : `Element ${d.element}: noch ${d.freedom} Angaben nötig.`),
     elementContradicts: (d, w) => (d.quantity === "tangent"
       ? `Element ${d.element} schließt nicht tangential an; die Abweichung ist ${w.number(d.nearest)}°.`
       : `Element ${d.element}: ${ELEMENT[d.quantity]} ${w.number(d.given)} widerspricht den übrigen Angaben; ${w.number(d.nearest)} passt.`),

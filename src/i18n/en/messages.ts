@@ -68,7 +68,7 @@ export const messages = {
       `Element ${d.element}: ${w.number(d.size)} does not fit between its neighbours; ${w.number(d.max)} does. ${nearest(w.number(d.nearest))}`,
     arcOffCircle: (d, w) => `Element ${d.element}: the end point misses its circle by ${w.number(d.gap)}. Radius that works: ${w.number(d.nearest)}.`,
     arcTooSmall: (d, w) => `Element ${d.element}: radius ${w.number(d.radius)} is too small for its end point. ${nearest(w.number(d.nearest))}`,
-    elementFree: (d) => (d.freedom === 0 ? `Element ${d.element}: a value before it is missing.` : d.freedom === 1 ? `Element ${d.element}: one more value is needed.` : `Element ${d.element}: ${d.freedom} more values are needed.`),
+    elementFree: (d) => (d.freedom === 1 ? `Element ${d.element}: one more value is needed.` : `Element ${d.element}: ${d.freedom} more values are needed.`),
     elementContradicts: (d, w) => (d.quantity === "tangent"
       ? `Element ${d.element} does not leave the one before it tangentially; it is off by ${w.number(d.nearest)}°.`
       : `Element ${d.element}: the ${ELEMENT[d.quantity]} ${w.number(d.given)} does not agree with the other values; ${w.number(d.nearest)} does.`),

@@ -66,7 +66,7 @@ export const messages = {
       `Élément ${d.element} : ${w.number(d.size)} ne tient pas entre ses voisins, ${w.number(d.max)} tient. ${nearest(w.number(d.nearest))}`,
     arcOffCircle: (d, w) => `Élément ${d.element} : le point final manque son cercle de ${w.number(d.gap)}. Rayon possible : ${w.number(d.nearest)}.`,
     arcTooSmall: (d, w) => `Élément ${d.element} : le rayon ${w.number(d.radius)} est trop petit pour le point final. ${nearest(w.number(d.nearest))}`,
-    elementFree: (d) => (d.freedom === 0 ? `Élément ${d.element} : il manque une valeur avant lui.` : d.freedom === 1 ? `Élément ${d.element} : il manque une valeur.` : `Élément ${d.element} : il manque ${d.freedom} valeurs.`),
+    elementFree: (d) => (d.freedom === 1 ? `Élément ${d.element} : il manque une valeur.` : `Élément ${d.element} : il manque ${d.freedom} valeurs.`),
     elementContradicts: (d, w) => (d.quantity === "tangent"
       ? `L'élément ${d.element} ne se raccorde pas tangentiellement ; l'écart est de ${w.number(d.nearest)}°.`
       : `Élément ${d.element} : ${ELEMENT[d.quantity]} ${w.number(d.given)} contredit les autres valeurs ; ${w.number(d.nearest)} convient.`),

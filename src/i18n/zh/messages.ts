@@ -58,7 +58,7 @@ export const messages = {
     cornerElementTooLong: (d, w) => `元素${d.element}:${w.number(d.size)}在相邻元素之间放不下,最大${w.number(d.max)}。${nearest(w.number(d.nearest))}`,
     arcOffCircle: (d, w) => `元素${d.element}:终点偏离圆${w.number(d.gap)}。可用半径:${w.number(d.nearest)}。`,
     arcTooSmall: (d, w) => `元素${d.element}:半径${w.number(d.radius)}对该终点过小。${nearest(w.number(d.nearest))}`,
-    elementFree: (d) => (d.freedom === 0 ? `元素${d.element}:之前缺少数值。` : `元素${d.element}:还需要${d.freedom}个数值。`),
+    elementFree: (d) => `元素${d.element}:还需要${d.freedom}个数值。`,
     elementContradicts: (d, w) => (d.quantity === "tangent"
       ? `元素${d.element}与前一元素不相切,偏差${w.number(d.nearest)}°。`
       : `元素${d.element}:${ELEMENT[d.quantity]}${w.number(d.given)}与其他数值矛盾,${w.number(d.nearest)}可用。`),
