@@ -26,11 +26,15 @@ export function TotalsStrip() {
     </div>
   );
   const seconds = effect ? Math.round(effect.seconds) : 0;
-  const bad = effect !== null && !dimmed && (effect.gouge > 0 || effect.rapid > 0 || effect.holder);
-  const proof = !effect || dimmed ? words.unknown
+  const milled = shown !== null && shown.run.plane.length > 0 && shown.run.steps.length === 0;
+  const cuts = findings.filter((f) => f.issue.code === "approachCutsContour" || f.issue.code === "approachValueCutsContour" || f.issue.code === "approachBlocked").length;
+  const bad = effect !== null && !dimmed && (cuts > 0 || effect.gouge > 0 || effect.rapid > 0 || effect.holder);
+  const proof = milled && !dimmed ? (shown.run.approaches.length === 0 ? words.unknown : cuts > 0 ? t.approach.findings(String(cuts)) : t.approach.clear)
+    : !effect || dimmed ? words.unknown
     : effect.gouge > 0 ? words.gouge(formatNumber(language, effect.gouge, 2))
     : effect.rapid > 0 ? words.rapid(formatNumber(language, effect.rapid, 2))
     : effect.holder ? words.holder : words.clean;
+  const proven = effect !== null && !dimmed && (!milled || shown.run.approaches.length > 0);
   const worst = findings[0]?.issue.severity;
   return (
     <section className="effect" aria-label={t.editor.total}>
@@ -41,9 +45,9 @@ export function TotalsStrip() {
         {cell(words.time, effect ? words.duration(Math.floor(seconds / 60), formatFixed(language, seconds % 60, 0)) : words.unknown)}
         {cell(words.residual, effect && effect.residual === 0 ? words.none : number(effect?.residual, 2), effect && effect.residual > 0 ? "mm²" : "")}
         {cell(t.editor.blocks, number(shown?.run.program.blocks, 0))}
-        <div className={`effect-cell proof ${bad ? "bad" : effect && !dimmed ? "good" : ""}`}>
+        <div className={`effect-cell proof ${bad ? "bad" : proven ? "good" : ""}`}>
           <dt>{words.proof}</dt>
-          <dd>{effect && !dimmed && <Icon name={bad ? "error" : "check"} />}<span>{proof}</span></dd>
+          <dd>{(bad || proven) && <Icon name={bad ? "error" : "check"} />}<span>{proof}</span></dd>
         </div>
       </dl>
       <p className="effect-status" role="status">

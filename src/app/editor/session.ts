@@ -4,6 +4,7 @@ import { EditorView, type ViewUpdate } from "@codemirror/view";
 import { create } from "zustand";
 import { readingOf, type Reading } from "../../nc/reread.ts";
 import type { Program } from "../../nc/program.ts";
+import { typingGoesOn } from "../engine/quiet.ts";
 import { noHistory, useProgramHistory } from "../program-history.ts";
 import { closeStep, goesOn, setProgram, useEditor } from "../store.ts";
 import type { ProgramWork } from "../work.ts";
@@ -72,7 +73,9 @@ function show(opened: boolean): void {
 
 function onUpdate(update: ViewUpdate): void {
   if (update.docChanged) {
-    const rest = update.state.field(readingField).program.blocks.length > LONG ? LONG_REST : REST;
+    const long = update.state.field(readingField).program.blocks.length > LONG;
+    const rest = long ? LONG_REST : REST;
+    if (long) typingGoesOn();
     clearTimeout(calculation);
     calculation = setTimeout(flush, rest);
     showHistory(update.state);

@@ -18,7 +18,8 @@ async function openExample(id: string): Promise<void> {
 export function ProgramStart() {
   const t = useTexts().editor;
   const [unreadable, setUnreadable] = useState(false);
-  const [pasted, paste] = useState("");
+  const [pasted, paste] = useState(false);
+  const area = useRef<HTMLTextAreaElement>(null);
   const file = useRef<HTMLInputElement>(null);
   const dialog = useRef<HTMLDialogElement>(null);
 
@@ -54,13 +55,24 @@ export function ProgramStart() {
       </ul>
       <dialog ref={dialog} className="paste-program" aria-label={t.start.pasteTitle}>
         <h2>{t.start.pasteTitle}</h2>
-        <textarea className="number" rows={14} spellCheck={false} aria-label={t.start.pasteLabel} value={pasted} onChange={(event) => paste(event.currentTarget.value)} />
+        <textarea
+          className="number" rows={14} spellCheck={false} aria-label={t.start.pasteLabel} ref={area}
+          onChange={(event) => paste(event.currentTarget.value.trim() !== "")}
+          onPaste={(event) => {
+            // Set at once: typing it in would take a browser seconds for a long program.
+            const text = event.clipboardData.getData("text/plain");
+            if (event.currentTarget.value !== "" || text.trim() === "") return;
+            event.preventDefault();
+            event.currentTarget.value = text;
+            paste(true);
+          }}
+        />
         <div className="program-ways">
           <button
-            type="button" className="button primary" disabled={pasted.trim() === ""}
+            type="button" className="button primary" disabled={!pasted}
             onClick={() => {
               dialog.current?.close();
-              openText(pasted);
+              openText(area.current?.value ?? "");
             }}
           >
             {t.start.pasteOpen}
