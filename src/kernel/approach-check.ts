@@ -34,6 +34,32 @@ function materialOf(contour: readonly PlaneSegment[], side: Side): (p: PlanePoin
   };
 }
 
+function endsOf(legs: readonly PlaneSegment[]): PlanePoint[] {
+  const [first, last] = [legs[0], legs.at(-1)];
+  return first && last ? [first.from, last.to] : [];
+}
+
+interface Box {
+  readonly left: number;
+  readonly right: number;
+  readonly low: number;
+  readonly high: number;
+}
+
+/** A box round a segment and `more` mm round it; round an arc it holds the full circle. */
+function boxOf(s: PlaneSegment, more: number): Box {
+  if (s.kind === "arc") {
+    const size = apart(s.from, s.centre) + more;
+    return { left: s.centre.x - size, right: s.centre.x + size, low: s.centre.y - size, high: s.centre.y + size };
+  }
+  return {
+    left: Math.min(s.from.x, s.to.x) - more, right: Math.max(s.from.x, s.to.x) + more,
+    low: Math.min(s.from.y, s.to.y) - more, high: Math.max(s.from.y, s.to.y) + more,
+  };
+}
+
+const overlap = (a: Box, b: Box) => a.left <= b.right && b.left <= a.right && a.low <= b.high && b.low <= a.high;
+
 /** The deepest place where a tool on these legs cuts into a contour whose free side is known; null when the way is free. */
 export function contourCut(
   legs: readonly PlaneSegment[], contour: readonly PlaneSegment[], side: Side, toolRadius: number, inMaterial = materialOf(contour, side),
@@ -44,15 +70,18 @@ export function contourCut(
     if (depth > (worst?.depth ?? LEAST_CUT)) worst = { depth, on };
   };
   for (const leg of legs) {
+    const box = boxOf(leg, toolRadius);
     for (const s of contour) {
+      if (!overlap(box, boxOf(s, 0))) continue;
       const gap = gapBetween(leg, s);
       note(toolRadius - gap.distance, gap.on);
     }
-    for (const end of [leg.from, leg.to]) {
-      if (contour.length === 0 || !inMaterial(end)) continue;
-      const on = contour.map((s) => nearestOn(s, end)).reduce((a, b) => (apart(b, end) < apart(a, end) ? b : a));
-      note(toolRadius + apart(on, end), on);
-    }
+  }
+  // A way that does not touch the contour stays on its side, so its ends tell for all of it.
+  for (const end of endsOf(legs)) {
+    if (contour.length === 0 || !inMaterial(end)) continue;
+    const on = contour.map((s) => nearestOn(s, end)).reduce((a, b) => (apart(b, end) < apart(a, end) ? b : a));
+    note(toolRadius + apart(on, end), on);
   }
   return worst;
 }
@@ -86,7 +115,8 @@ export function guardApproach(
   const near = nearby(q, made, contour);
   const isFree = (other: ApproachRequest) => {
     const tried = approach(other);
-    return tried.issues.every((i) => i.severity !== "error") && !contourCut(legsOf(tried, checked), near, q.side, q.toolRadius, inMaterial);
+    const legs = legsOf(tried, checked);
+    return tried.issues.every((i) => i.severity !== "error") && !contourCut(legs, near, q.side, q.toolRadius, () => false) && !endsOf(legs).some(inMaterial);
   };
   return { cut, free: freePoint(q, made, isFree) ?? freeValue(q, isFree) };
 }
