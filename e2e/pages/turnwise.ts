@@ -6,6 +6,7 @@ import { Dialog } from "./dialog.ts";
 import { Effect } from "./effect.ts";
 import { Lathe } from "./lathe.ts";
 import { Problems } from "./problems.ts";
+import { ProgramEditor } from "./program-editor.ts";
 import { ProgramText } from "./program-text.ts";
 import { SettingsPage } from "./settings.ts";
 import { Setup } from "./setup.ts";
@@ -36,6 +37,7 @@ export class Turnwise {
   readonly problems: Problems;
   readonly lathe: Lathe;
   readonly program: ProgramText;
+  readonly editor: ProgramEditor;
   readonly settings: SettingsPage;
   readonly tools: ToolTable;
   readonly t: Texts;
@@ -51,6 +53,7 @@ export class Turnwise {
     this.problems = new Problems(context);
     this.lathe = new Lathe(context);
     this.program = new ProgramText(context);
+    this.editor = new ProgramEditor(context);
     this.settings = new SettingsPage(context);
     this.tools = new ToolTable(context);
   }

@@ -135,9 +135,12 @@ const table: Table = {
   ],
   turnBlank: () => [
     fieldOf("turnBlank", "blankSource", (s) => (s.blank === "off" ? "off" : "file" in s.blank ? "file" : "label"),
-      (s, typed) => ({ ...s, blank: typed === "off" ? "off" : typed === "file" ? { file: "" } : { label: 1 } }), { choices: ["off", "label", "file"] }),
+      (s, typed) => {
+        const from = s.blank === "off" ? "off" : "file" in s.blank ? "file" : "label";
+        return from === typed ? s : { ...s, blank: typed === "off" ? "off" : typed === "file" ? { file: "BLANK.H" } : { label: 1 } };
+      }, { choices: ["off", "label", "file"] }),
     fieldOf("turnBlank", "label", (s) => (s.blank !== "off" && "label" in s.blank ? shownLabel(s.blank.label) : ""), (s, typed) => { const label = readLabel(typed); return label === null ? null : { ...s, blank: { label } }; }),
-    fieldOf("turnBlank", "file", (s) => (s.blank !== "off" && "file" in s.blank ? s.blank.file : ""), (s, typed) => (/["\r\n]/.test(typed) ? null : { ...s, blank: { file: typed } })),
+    fieldOf("turnBlank", "file", (s) => (s.blank !== "off" && "file" in s.blank ? s.blank.file : ""), (s, typed) => (typed === "" || /["\r\n]/.test(typed) ? null : { ...s, blank: { file: typed } })),
   ],
   path: (s) => paths[s.path](s),
   chamfer: () => [fieldOf("chamfer", "chamfer", (s) => shownValue(s.length), (s, typed) => optionalValue(typed, (length) => ({ ...s, length })), { numeric: true, unit: "mm" }), feedField],

@@ -1,0 +1,108 @@
+import AxeBuilder from "@axe-core/playwright";
+import { expect, test } from "@playwright/test";
+import { Turnwise } from "./pages/turnwise.ts";
+
+const STRANGE = "1  BEGIN PGM ALT MM\r\n2 L  X+50 Z+2 FMAX ; nach vorn \xd8\r\n\r\n77 UNBEKANNT 5\r\n4 M30\r\n5 END PGM ALT MM";
+
+test("a file that is opened and saved unchanged keeps its bytes; one changed value changes only itself", async ({ page }) => {
+  const { editor } = await Turnwise.open(page);
+  const bytes = Buffer.from(STRANGE, "latin1");
+  await editor.openFile("ALT.H", bytes);
+  expect(await editor.downloaded()).toEqual(bytes);
+  await editor.line("X+50").click();
+  await editor.show("block");
+  await expect(editor.heading).toContainText("2");
+  await editor.field("x").fill("52.5");
+  expect(await editor.downloaded()).toEqual(Buffer.from(STRANGE.replace("X+50", "X+52.5"), "latin1"));
+});
+
+test("the shipped program of six tools and eight cycles runs clean, and its parts lead to their blocks", async ({ page }) => {
+  const { editor, t } = await Turnwise.open(page);
+  await editor.openExample("flange");
+  await expect(editor.total(t.page.effect.proof)).toHaveText(t.page.effect.clean);
+  await expect(editor.total(t.editor.operations)).toHaveText("8");
+  await expect(editor.total(t.editor.toolChanges)).toHaveText("6");
+  await editor.show("structure");
+  await expect(editor.part("CYCL DEF 852")).toContainText(t.editor.noResidue);
+  await editor.part("TOOL CALL 15").click();
+  await editor.show("block");
+  await expect(editor.field("tool")).toHaveValue("15");
+});
+
+test("typing and dialog are the same edit, with one history", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { editor, dialog, t } = turnwise;
+  await editor.openExample("shoulder");
+  await expect(editor.total(t.page.effect.passes)).toHaveText("5");
+  await editor.line("Q463=").click();
+  await editor.show("block");
+  await dialog.open("Q463");
+  await dialog.value.fill("2.4");
+  await expect(editor.line("Q463=+2.4")).toBeVisible();
+  await expect(editor.total(t.page.effect.passes)).toHaveText("6");
+  await editor.line("CYCL CALL").click();
+  await page.keyboard.press("End");
+  await page.keyboard.type(" ;NOW");
+  await expect(editor.line("CYCL CALL ;NOW")).toBeVisible();
+  await turnwise.undo();
+  await expect(editor.line(";NOW")).toHaveCount(0);
+  await turnwise.undo();
+  await expect(editor.line("Q463=+3")).toBeVisible();
+  await expect(editor.total(t.page.effect.passes)).toHaveText("5");
+  await turnwise.redo();
+  await expect(editor.line("Q463=+2.4")).toBeVisible();
+});
+
+test("blocks are put in, doubled, moved and deleted by dialog", async ({ page }) => {
+  const { editor } = await Turnwise.open(page);
+  await editor.paste("0 BEGIN PGM A MM\n1 L X+10\n2 M30\n3 END PGM A MM\n");
+  await editor.line("L X+10").click();
+  await editor.show("block");
+  await editor.insert("structure");
+  await editor.field("text").fill("PART");
+  await editor.tool("duplicate").click();
+  await editor.tool("up").click();
+  await editor.tool("up").click();
+  expect((await editor.downloaded()).toString()).toBe("0 BEGIN PGM A MM\n1 * - PART\n2 L X+10\n3 * - PART\n4 M30\n5 END PGM A MM\n");
+  await editor.tool("remove").click();
+  expect((await editor.downloaded()).toString()).toBe("0 BEGIN PGM A MM\n1 L X+10\n2 * - PART\n3 M30\n4 END PGM A MM\n");
+});
+
+test("a share link opens the same program, and a reload keeps what was typed", async ({ page, context }) => {
+  const { editor } = await Turnwise.open(page);
+  await editor.openExample("groove");
+  const text = await editor.downloaded();
+  const link = await editor.sharedLink();
+  const other = Turnwise.at(await context.newPage());
+  await other.page.goto(link);
+  await expect(other.editor.text).toBeVisible();
+  expect(await other.editor.downloaded()).toEqual(text);
+  await other.editor.line("M30").click();
+  await other.page.keyboard.press("End");
+  await other.page.keyboard.type(" ;KEPT");
+  await other.page.reload();
+  await expect(other.editor.line("M30 ;KEPT")).toBeVisible();
+});
+
+test("what is not understood is said in the margin and hides nothing behind it", async ({ page }) => {
+  const { editor, t } = await Turnwise.open(page);
+  await editor.paste("0 BEGIN PGM A MM\n1 STRANGE WORDS\n2 FUNCTION MODE TURN\n3 TOOL CALL 1\n4 L X+10 Z+2 F0.2\n5 M30\n6 END PGM A MM\n");
+  await editor.show("findings");
+  await expect(page.getByText(t.messages.of.notUnderstood({ text: "STRANGE WORDS" }, { text: (x: string) => x } as never)).first()).toBeVisible();
+  await expect(page.locator(".cm-lint-marker").first()).toBeVisible();
+  await page.getByRole("button", { name: t.editor.goToBlock("1"), exact: true }).first().click();
+  await expect(page.getByRole("form").getByText(t.editor.kept)).toBeVisible();
+});
+
+for (const theme of ["light", "dark"] as const) {
+  test(`every part of the program editor passes axe in ${theme}`, async ({ page }) => {
+    const { editor, t } = await Turnwise.open(page, { theme });
+    await editor.openExample("contour");
+    await expect(editor.total(t.page.effect.proof)).not.toHaveText(t.page.effect.unknown);
+    for (const section of ["text", "block", "structure", "findings"] as const) {
+      await editor.show(section);
+      const { violations } = await new AxeBuilder({ page }).analyze();
+      expect(violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.target.join(" ")).slice(0, 3).join(" | ")}`)).toEqual([]);
+    }
+  });
+}

@@ -1,0 +1,98 @@
+import { expect, type Locator } from "@playwright/test";
+import type { Context } from "./turnwise.ts";
+
+type Example = keyof Context["t"]["editor"]["examples"];
+type Section = keyof Context["t"]["editor"]["sections"];
+
+/** Whole programs: opening, the text, the list of parts, the dialog of a block. */
+export class ProgramEditor {
+  constructor(private readonly context: Context) {}
+
+  private get words() {
+    return this.context.t.editor;
+  }
+
+  async openExample(id: Example): Promise<void> {
+    await this.context.page.getByRole("button", { name: this.words.start.example(this.words.examples[id]), exact: true }).click();
+    await expect(this.text).toBeVisible();
+  }
+
+  /** Opens bytes as a file of the device would be. */
+  async openFile(name: string, bytes: Uint8Array): Promise<void> {
+    await this.context.page.locator("input[type=file]").setInputFiles({ name, mimeType: "text/plain", buffer: Buffer.from(bytes) });
+    await expect(this.text).toBeVisible();
+  }
+
+  async paste(text: string): Promise<void> {
+    const { page } = this.context;
+    await page.getByRole("button", { name: this.words.start.paste, exact: true }).click();
+    const dialog = page.getByRole("dialog", { name: this.words.start.pasteTitle });
+    await dialog.getByRole("textbox").fill(text);
+    await dialog.getByRole("button", { name: this.words.start.pasteOpen, exact: true }).click();
+    await expect(this.text).toBeVisible();
+  }
+
+  /** The text editor. */
+  get text(): Locator {
+    return this.context.page.getByRole("textbox", { name: this.context.t.page.text.title, exact: true });
+  }
+
+  /** A line of the text that holds these characters. */
+  line(characters: string): Locator {
+    return this.text.locator(".cm-line", { hasText: characters }).first();
+  }
+
+  async show(section: Section): Promise<void> {
+    const tab = this.context.page.getByRole("tab", { name: new RegExp(`^${this.words.sections[section]}`) });
+    if (await tab.count()) await tab.click();
+  }
+
+  /** Heading of the dialog: number and kind of the open block. */
+  get heading(): Locator {
+    return this.context.page.getByRole("heading", { level: 2 }).filter({ hasText: this.words.heading("", "").split(" ")[0] ?? "" });
+  }
+
+  field(name: keyof Context["t"]["editor"]["fields"]): Locator {
+    const words = this.words.fields[name];
+    return this.context.page.getByRole("form").getByLabel(typeof words === "string" ? words : words(""), { exact: true });
+  }
+
+  /** Entry of the list of parts that holds these characters. */
+  part(characters: string): Locator {
+    return this.context.page.getByRole("list", { name: this.words.list, exact: true }).getByRole("button").filter({ hasText: characters }).first();
+  }
+
+  tool(name: "insertLong" | "duplicate" | "remove" | "up" | "down"): Locator {
+    return this.context.page.getByRole("group", { name: this.words.tools }).getByRole("button", { name: this.words[name], exact: true });
+  }
+
+  /** Puts a block of this kind behind the open one. */
+  async insert(kind: keyof Context["t"]["editor"]["kinds"]): Promise<void> {
+    await this.tool("insertLong").click();
+    await this.context.page.getByRole("group", { name: this.words.palette }).getByRole("button", { name: this.words.kinds[kind] }).first().click();
+  }
+
+  /** Totals of the whole program, by their name. */
+  total(name: string): Locator {
+    return this.context.page.getByRole("region", { name: this.words.total, exact: true }).locator(".effect-cell", { hasText: name }).locator("dd");
+  }
+
+  /** The bytes that a download of the program gives. */
+  async downloaded(): Promise<Buffer> {
+    const { page, t } = this.context;
+    const waiting = page.waitForEvent("download");
+    await page.getByRole("button", { name: new RegExp(`^${t.page.text.download("").trim()}`) }).click();
+    const { readFile } = await import("node:fs/promises");
+    return readFile(await (await waiting).path());
+  }
+
+  /** The address that carries the program. */
+  async sharedLink(): Promise<string> {
+    const { page } = this.context;
+    await page.getByRole("button", { name: this.words.share, exact: true }).click();
+    const dialog = page.getByRole("dialog", { name: this.words.shareTitle });
+    const link = await dialog.getByRole("textbox").inputValue();
+    await page.keyboard.press("Escape");
+    return link;
+  }
+}
