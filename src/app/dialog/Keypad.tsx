@@ -19,24 +19,20 @@ interface Props {
 /** Pressing a key leaves the caret where it is. */
 const keepFocus = (event: PointerEvent) => event.preventDefault();
 
-/** The keys of the control for fingers, docked under the open prompt. */
+/** The keys of the control for fingers, docked under the open prompt. Of a choice only its own digits are there. */
 export function Keypad({ q, param, field }: Props) {
   const t = useTexts().dialog;
   const sign = decimalSign(useSettings((s) => s.language));
+  const take = (choice: number) => {
+    closeStep();
+    setPrompt(q, String(choice));
+  };
   const change = (by: (entry: Entry) => Entry) => {
     const open = field.current;
     if (!open) return;
     open.focus();
     open.write(by(open.read()));
   };
-  const digit = (d: number) => {
-    if (!param.choices) change((entry) => insert(entry, String(d)));
-    else if (param.choices.includes(d)) {
-      closeStep();
-      setPrompt(q, String(d));
-    }
-  };
-  const numeric = !param.choices;
   const key = (label: React.ReactNode, name: string, press: () => void, options: { className?: string; disabled?: boolean } = {}) => (
     <button
       type="button" className={`button key ${options.className ?? ""}`} aria-label={name} disabled={options.disabled ?? false}
@@ -46,31 +42,47 @@ export function Keypad({ q, param, field }: Props) {
     </button>
   );
   const digits = (row: readonly number[]) =>
-    row.map((d) => <span key={d} className="key-slot">{key(d, String(d), () => digit(d), { className: "number", disabled: !numeric && !param.choices?.includes(d) })}</span>);
+    row.map((d) => <span key={d} className="key-slot">{key(d, String(d), () => change((entry) => insert(entry, String(d))), { className: "number" })}</span>);
 
   const written = (label: string, character: string, name: string) =>
-    key(label, name, () => change((entry) => insert(entry, character)), { className: "number", disabled: !numeric });
+    key(label, name, () => change((entry) => insert(entry, character)), { className: "number" });
 
+  const previous = key(<Icon name="up" />, t.keys.previous, () => step(-1));
+  const next = key(<Icon name="down" />, t.keys.next, () => step(1));
+  const without = key(t.keys.noEnter, t.keys.noEnterLong, noEntry, { className: "small", disabled: !param.optional });
+  const restore = key("CE", t.keys.cancel, cancel);
+  const end = key(t.keys.end, t.keys.endLong, finish);
+  const enter = key(t.keys.enter, t.keys.enterLong, () => step(1), { className: "primary enter" });
+
+  if (param.choices) {
+    return (
+      <div className="keypad" role="group" aria-label={t.keypad}>
+        {param.choices.map((choice) => <span key={choice} className="key-slot">{key(choice, String(choice), () => take(choice), { className: "number" })}</span>)}
+        <span className="key-rest" />
+        {previous}{next}{restore}{without}{end}{enter}
+      </div>
+    );
+  }
   return (
     <div className="keypad" role="group" aria-label={t.keypad}>
       {digits([7, 8, 9])}
       {written("÷", "/", t.keys.dividedLong)}
-      {key(<Icon name="up" />, t.keys.previous, () => step(-1))}
-      {key(t.keys.erase, t.keys.eraseLong, () => change(erase), { disabled: !numeric })}
+      {previous}
+      {key(t.keys.erase, t.keys.eraseLong, () => change(erase))}
       {digits([4, 5, 6])}
       {written("×", "*", t.keys.timesLong)}
-      {key(<Icon name="down" />, t.keys.next, () => step(1))}
-      {key(t.keys.noEnter, t.keys.noEnterLong, noEntry, { className: "small", disabled: !param.optional })}
+      {next}
+      {without}
       {digits([1, 2, 3])}
       {written("−", "-", t.keys.minusLong)}
-      {key("CE", t.keys.cancel, cancel)}
-      {key(t.keys.end, t.keys.endLong, finish)}
-      {key(t.keys.sign, t.keys.signLong, () => change(toggleSign), { className: "number", disabled: !numeric })}
+      {restore}
+      {end}
+      {key(t.keys.sign, t.keys.signLong, () => change(toggleSign), { className: "number" })}
       {digits([0])}
-      {key(sign, t.keys.point, () => change((entry) => insert(entry, sign)), { className: "number", disabled: !numeric })}
+      {key(sign, t.keys.point, () => change((entry) => insert(entry, sign)), { className: "number" })}
       {written("+", "+", t.keys.plusLong)}
       {written(t.keys.parameter, "Q", t.keys.parameterLong)}
-      {key(t.keys.enter, t.keys.enterLong, () => step(1), { className: "primary enter" })}
+      {enter}
     </div>
   );
 }

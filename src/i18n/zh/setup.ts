@@ -23,7 +23,7 @@ export const setup = {
   },
   parameters: {
     title: "使用的Q参数",
-    hint: "它们出现在提示中,程序在循环之前为其赋值。",
+    hint: "它们用在提问中，程序在循环之前为其赋值。",
     ask: (name) => `${name}的值是多少?`,
   },
   blank: {
