@@ -42,5 +42,5 @@ const numRuns = Number(process.env["LAW_RUNS"] ?? 2000);
 /** A law over 2,000 random pictures; its seed is printed. */
 export const laws = (name: string, holds: (c: Case) => void): void => {
   console.info(`help picture laws: LAW_SEED=${seed}`);
-  test(name, () => fc.assert(fc.property(picture, holds), { numRuns, seed }), numRuns * 30);
+  test(name, () => fc.assert(fc.property(picture, holds), { numRuns, seed }), numRuns * 120);
 };

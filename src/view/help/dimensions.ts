@@ -52,10 +52,10 @@ function horizontal(layout: Layout, l: Lettering, a: Place, b: Place): Candidate
 
 /** Diameters: an upright line from the surface to just past the axis, in columns beside the drawing. */
 function diameter(layout: Layout, l: Lettering, at: Place): Candidate[] {
-  const { box, axisY, size } = layout;
+  const { box, contour, axisY, size } = layout;
   const columns = [
-    ...range(4).map((k) => ({ x: box.x + box.width + FIRST + k * TRACK, cost: k * 3 + (box.x + box.width - at.x) / 16 })),
-    ...range(3).map((k) => ({ x: box.x - FIRST - k * TRACK, cost: k * 3 + (at.x - box.x) / 16 })),
+    ...range(4).map((k) => ({ x: box.x + box.width + FIRST + k * TRACK, cost: k * 3 + Math.max(0, contour.right - at.x) / 16 })),
+    ...range(3).map((k) => ({ x: box.x - FIRST - k * TRACK, cost: k * 3 + Math.max(0, at.x - contour.left) / 16 })),
     ...range(3).map((k) => ({ x: at.x + (k % 2 ? 1 : -1) * (18 + 14 * k), cost: 20 + k * 3 })),
   ];
   const long = Math.abs(axisY - at.y);

@@ -13,6 +13,8 @@ export interface Layout {
   readonly size: Size;
   /** The drawing without its dimensions, pixels. */
   readonly box: Box;
+  /** Where the contour begins and ends across the screen, pixels. */
+  readonly contour: { readonly left: number; readonly right: number };
   /** Height of the spindle axis on the screen, pixels; with `broken` it stands nearer than it is. */
   readonly axisY: number;
   readonly broken: boolean;
@@ -72,7 +74,12 @@ export function layoutOf(
   more: { readonly top: number; readonly right: number; readonly indent: number },
 ): Layout {
   const { core, span } = subject(points, dimensions);
-  const fit = (nearer: boolean) => fitting(reachOf(f, line, core, span, nearer), dimensions, size, more);
+  const zs = line.map((p) => p.z);
+  const fit = (nearer: boolean): Layout => {
+    const fitted = fitting(reachOf(f, line, core, span, nearer), dimensions, size, more);
+    const across = (z: number) => toScreen(fitted.camera, { z: axial(z), r: radius(0) }).x;
+    return { ...fitted, contour: { left: across(Math.min(...zs)), right: across(Math.max(...zs)) } };
+  };
   if (core.low > NEAR_AXIS * span) return fit(true);
   const real = fit(false);
   if (core.low < WORTH.distance * span) return real;
@@ -83,7 +90,7 @@ export function layoutOf(
 function fitting(
   reach: ReturnType<typeof reachOf>, dimensions: readonly Dimension[], size: Size,
   more: { readonly top: number; readonly right: number; readonly indent: number },
-): Layout {
+): Omit<Layout, "contour"> {
   const lines = tracks(dimensions, more);
   const margin = {
     top: Math.min(FIRST + TRACK * lines.top, size.height * 0.35), bottom: Math.min(22, size.height * 0.14),

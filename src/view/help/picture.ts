@@ -1,4 +1,4 @@
-import type { Group, Outline } from "../../cycles/define.ts";
+import type { Dimension, Group, Outline } from "../../cycles/define.ts";
 import type { Params } from "../../cycles/params.ts";
 import { toDiameter } from "../../kernel/units.ts";
 import { toScreen, type Place, type Size } from "../camera.ts";
@@ -132,6 +132,16 @@ function strongPlaces(c: Context): Place[] {
   return [...dense(c.section.line.map(at)), ...dense(c.section.blank.map(at)), ...edges, ...axis, ...below];
 }
 
+/** When a dimension of the outline gets its place, 0 … 3: short lengths stand nearer to the part, leaders find a place almost anywhere. */
+function turnOf(d: Dimension): number {
+  switch (d.form) {
+    case "diameter": return 1;
+    case "z": return Math.abs(d.to.z - d.from.z) / (Math.abs(d.to.z - d.from.z) + 100);
+    case "leader": return 3;
+    case "r": case "along": case "angle": return 2;
+  }
+}
+
 /** Quiet dimensions keep their places; the active one comes first where it would otherwise find none, and always shows. */
 function arranged(items: readonly Item[], active: string | null, sheet: Sheet): Placed[] {
   const placed = arrange(items, sheet);
@@ -159,9 +169,8 @@ export function helpDrawing(request: HelpRequest): HelpDrawing {
   const strip = topic !== null && choice !== undefined && hasTiles(topic);
   const { c, column } = strip ? besideTiles(request, choice.length) : { c: contextOf(request, size, 0), column: 0 };
   const shown = Object.keys(params).filter((q) => q === active || (strip ? CALM : ALWAYS).includes(topicOf(params[q]?.text ?? "")));
-  // Leaders find a place almost anywhere, so they come after the other dimensions of the outline.
-  const leaders = new Set(request.outline.dimensions.filter((d) => d.form === "leader").map((d) => d.q));
-  const rank = (q: string) => ALWAYS.indexOf(topicOf(params[q]?.text ?? "")) + (leaders.has(q) ? 0.5 : 0);
+  const turn = new Map(request.outline.dimensions.map((d) => [d.q, turnOf(d)] as const));
+  const rank = (q: string) => ALWAYS.indexOf(topicOf(params[q]?.text ?? "")) * 4 + (turn.get(q) ?? 2);
   const order = [...shown].sort((a, b) => rank(a) - rank(b));
   const parts = order.map((q) => ({ q, ...explanation(c, topicOf(params[q]?.text ?? ""), c.letter(q)) }));
   const strong = strongPlaces(c);
