@@ -2,6 +2,7 @@ import { issue, type Issue } from "../kernel/issue.ts";
 import type { Tool } from "../kernel/tool.ts";
 import type { ToolTable } from "./read-tools.ts";
 import { shippedTools } from "./shipped-tools.ts";
+import { HOLDER_CELLS } from "./tool-columns.ts";
 import { cellOf, entryOf, readEntry, type EntryReading, type MillTool, type ToolEntry } from "./tool-entry.ts";
 
 /** All rows of the table, in its order. */
@@ -35,8 +36,13 @@ export function freeNumber(list: ToolList, from = 0): number {
 }
 
 /** Away from its row a finding must name its column itself. */
-const naming = (found: Issue): Issue =>
-  found.code === "toolColumn" ? found : issue("toolColumn", "error", { column: found.at ?? "T", value: null }, found.at);
+function naming(found: Issue): Issue {
+  if (found.code === "toolName") return found;
+  const held = HOLDER_CELLS.some((cell) => cell === found.at);
+  const column = held ? `holder.${found.at}` : (found.at ?? "T");
+  const data = found.code === "toolColumn" ? found.data : { value: null };
+  return issue("toolColumn", "error", { ...data, column }, held ? "tool" : found.at);
+}
 
 const known = new WeakMap<ToolEntry, EntryReading>();
 

@@ -72,6 +72,13 @@ describe("the list", () => {
     expect([...read.refused]).toMatchObject([[3, [{ code: "toolColumn", at: "RS", data: { column: "RS", value: -1, nearest: 0 } }]]]);
   });
 
+  test("away from its row a finding names its column", () => {
+    const cells = { ...shippedList[0]?.cells, T: "50", RS: "abc", width: "20" };
+    expect(readList([{ id: "a", cells }]).table.refused.get(50)).toMatchObject([
+      { at: "RS", data: { column: "RS", value: null } }, { at: "tool", data: { column: "holder.length", value: null } },
+    ]);
+  });
+
   test("rows of a file take the place of those with their number", () => {
     const rows = [{ ...shippedList[2]?.cells, NAME: "NEW" }, { ...shippedList[0]?.cells, T: "40" }];
     const { list, replaced, added } = merged(shippedList, rows);

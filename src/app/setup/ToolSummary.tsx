@@ -47,7 +47,7 @@ export function ToolSummary({ read, fits }: { readonly read: JobReading; readonl
       </div>
       <div className="tool-choices">
         <button type="button" className="button choose-tool" onClick={() => goToField("setup", "tool")}>{t.choose} <Icon name="down" /></button>
-        {tool && <button type="button" className="button" onClick={() => showToolNumber(tool.T)}><Icon name="insert" /> {t.edit}</button>}
+        <button type="button" className="button" onClick={() => showToolNumber(read.job.tool)}><Icon name="insert" /> {t.edit}</button>
       </div>
     </section>
   );

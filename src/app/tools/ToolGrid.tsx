@@ -103,7 +103,7 @@ export function ToolGrid({ list, kind, read, open }: {
         <thead>
           <tr>
             <th scope="col" title={t.columns.T}>T <span className="soft">NAME</span></th>
-            {COLUMNS[kind].map((column) => <th key={column} scope="col" title={t.field(column, t.columns[column])}>{column}</th>)}
+            {COLUMNS[kind].map((column) => <th key={column} scope="col" className={column === "TYPE" ? "word" : undefined} title={t.field(column, t.columns[column])}>{column}</th>)}
           </tr>
         </thead>
         <tbody>
