@@ -26,17 +26,20 @@ interface Props {
   readonly context: ApproachContext;
   /** What the last run found at this block. */
   readonly found?: readonly Problem[];
-  readonly onChange: (next: ApproachStatement) => void;
+  /** Begins with the choice of a form. */
+  readonly choosing?: boolean;
+  /** Changes with the same place, one after the other, are one step of undo; null is a step of its own. */
+  readonly onChange: (next: ApproachStatement, place: string | null) => void;
 }
 
 const numberText = (n: number) => String(Math.round(n * 1000) / 1000 + 0);
 
 /** The dialog of an APPR or DEP block: one prompt open, the drawing of its values, all other prompts one line each. */
-export function ApproachDialog({ statement, context, found = [], onChange }: Props) {
+export function ApproachDialog({ statement, context, found = [], choosing: first = false, onChange }: Props) {
   const t = useTexts();
   const fingers = useFingers();
   const field = useRef<ValueField | null>(null);
-  const [choosing, choose] = useState(false);
+  const [choosing, choose] = useState(first);
   const { form, departing } = statement;
   const fields = approachFields(form, departing, context.plane);
   const { draft, reading, set } = useTypedApproach(statement, context, onChange);
@@ -66,7 +69,7 @@ export function ApproachDialog({ statement, context, found = [], onChange }: Pro
             context={context} chosen={{ shape: shapeOf(form), departing }}
             onChoose={(taken) => {
               choose(false);
-              onChange(withForm(statement, taken, context));
+              onChange(withForm(statement, taken, context), null);
             }}
           />
         )

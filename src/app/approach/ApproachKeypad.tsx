@@ -27,19 +27,18 @@ export function ApproachKeypad({ actions, change, numeric, optional, incremental
   const digits = (row: readonly number[]) => row.map((d) => key(d, String(d), () => change((e) => insert(e, String(d))), { className: "number", disabled: !numeric }));
   const toggleIncremental = (e: Entry): Entry => (/^I/i.test(e.text) ? { ...e, text: e.text.slice(1), from: 0, to: e.text.length - 1 } : { ...e, text: `I${e.text}`, from: e.from + 1, to: e.to + 1 });
   return (
-    <div className="keypad" role="group" aria-label={keypad}>
+    <div className="keypad approach-keypad" role="group" aria-label={keypad}>
       {digits([7, 8, 9])}
       {key(<Icon name="up" />, keys.previous, () => actions.step(-1))}
       {key(keys.erase, keys.eraseLong, () => change(erase), { disabled: !numeric })}
+      {key(keys.noEnter, keys.noEnterLong, actions.noEntry, { className: "small", disabled: !optional })}
+      {key(keys.end, keys.endLong, actions.finish)}
       {digits([4, 5, 6])}
       {key(<Icon name="down" />, keys.next, () => actions.step(1))}
-      {key(keys.noEnter, keys.noEnterLong, actions.noEntry, { className: "small", disabled: !optional })}
-      {digits([1, 2, 3])}
-      {key("I", t.approach.incremental, () => change(toggleIncremental), { disabled: !incremental })}
-      {key(keys.end, keys.endLong, actions.finish)}
       {key(keys.sign, keys.signLong, () => change(toggleSign), { className: "number", disabled: !numeric })}
-      {digits([0])}
       {key(sign, keys.point, () => change((e) => insert(e, sign)), { className: "number", disabled: !numeric })}
+      {key("I", t.approach.incremental, () => change(toggleIncremental), { disabled: !incremental })}
+      {digits([1, 2, 3, 0])}
       {key(keys.enter, keys.enterLong, () => actions.step(1), { className: "primary enter" })}
     </div>
   );

@@ -1,6 +1,5 @@
 import { useState } from "react";
 import { approachDraft, approachStatement, readApproach, type ApproachDraft, type ApproachReading, type ApproachStatement } from "../../program/approach-draft.ts";
-import type { ApproachWord } from "../../program/approach-fields.ts";
 import type { ApproachContext } from "../../program/approach-request.ts";
 
 /** What is typed into the prompts of one block. */
@@ -17,7 +16,7 @@ const same = (a: ApproachStatement, b: ApproachStatement) =>
  * Typed text of a block. What can be read goes into the block at once; what can not stays in its prompt. A block that was
  * changed elsewhere (undo, its text) takes the place of what was typed.
  */
-export function useTypedApproach(statement: ApproachStatement, context: ApproachContext, onChange: (next: ApproachStatement) => void): TypedApproach {
+export function useTypedApproach(statement: ApproachStatement, context: ApproachContext, onChange: (next: ApproachStatement, place: string | null) => void): TypedApproach {
   const { plane, parameters } = context;
   const [draft, setDraft] = useState(() => approachDraft(statement));
   const [known, setKnown] = useState(statement);
@@ -36,10 +35,7 @@ export function useTypedApproach(statement: ApproachStatement, context: Approach
       const next = { ...shown, ...words };
       setDraft(next);
       const written = approachStatement(statement, plane, next, parameters);
-      if (!same(written, statement)) onChange(written);
+      if (!same(written, statement)) onChange(written, Object.keys(words).join(" "));
     },
   };
 }
-
-/** The word as text with the sign that the control writes, for the list of prompts. */
-export const typedWord = (draft: ApproachDraft, word: ApproachWord): string => (draft[word] ?? "").trim();

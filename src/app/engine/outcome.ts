@@ -25,11 +25,11 @@ export interface OutcomeState {
 const none: OutcomeState = { newest: null, shown: null, dimmed: false, paused: false };
 export const useOutcome = create<OutcomeState>(() => none);
 
-/** A cycle with its moves, or in a program without cycles any move. */
+/** A cycle with its moves, or in a program without cycles any move, turned or milled. */
 const makesPath = (outcome: Outcome | null) => {
   if (!outcome) return false;
-  const { operations, steps } = outcome.run;
-  return operations.length === 0 ? steps.length > 0 : operations.some((o) => o.plan.moves.length > 0);
+  const { operations, steps, plane } = outcome.run;
+  return operations.length === 0 ? steps.length > 0 || plane.length > 0 : operations.some((o) => o.plan.moves.length > 0);
 };
 
 const settled = (s: OutcomeState): OutcomeState => ({ ...s, dimmed: s.shown !== null && (s.paused || !makesPath(s.newest)) });

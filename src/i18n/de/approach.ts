@@ -12,7 +12,7 @@ export const approach = {
   left: "weggelassen",
   function: "Funktion",
   otherForm: "Andere Form",
-  incremental: "I davor: zählt ab der Position davor",
+  incremental: "I davor: inkremental",
   parameter: "Ein Q-Parameter, der noch keinen Wert hat: Das Bild wartet darauf.",
   words: {
     X: { label: "Punkt", prompt: "X des Konturpunkts?", about: "APPR: erster Konturpunkt PA. DEP LCT: Endpunkt PN außerhalb der Kontur." },

@@ -13,7 +13,7 @@ export const approach = {
   left: "left out",
   function: "Function",
   otherForm: "Other form",
-  incremental: "I in front: counts from the position before",
+  incremental: "I in front: incremental",
   parameter: "A Q parameter without a value yet: the picture waits for it.",
   /* one prompt each */
   words: {

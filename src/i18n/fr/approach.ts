@@ -12,7 +12,7 @@ export const approach = {
   left: "omis",
   function: "Fonction",
   otherForm: "Autre forme",
-  incremental: "I devant : compté à partir de la position précédente",
+  incremental: "I devant : incrémental",
   parameter: "Un paramètre Q encore sans valeur : l’image l’attend.",
   words: {
     X: { label: "point", prompt: "X du point du contour ?", about: "APPR : premier point du contour PA. DEP LCT : point final PN hors du contour." },

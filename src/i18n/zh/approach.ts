@@ -12,7 +12,7 @@ export const approach = {
   left: "省略",
   function: "功能",
   otherForm: "其他形式",
-  incremental: "前面加 I：从前一位置起算",
+  incremental: "前加 I：增量",
   parameter: "Q 参数尚无数值，图形等待其数值。",
   words: {
     X: { label: "点", prompt: "轮廓点的 X 坐标？", about: "APPR：第一个轮廓点 PA。DEP LCT：轮廓外的终点 PN。" },

@@ -99,7 +99,7 @@ export function approachDrawing(scene: ApproachScene): ApproachDrawing {
   ];
   const lines = [...along([...contour, ...scene.centre, ...result.legs.map((leg) => leg.segment)], 40)].map((p) => onScreen(camera, p));
   const kept = points.map((p) => ({ x: p.place.x - 7, y: p.place.y - 7, width: 14, height: 14 }));
-  const placed = arrange(items, { ...size, avoid: lines, kept });
+  const placed = arrange(items, { ...size, avoid: scene.small ? [] : lines, kept });
   return {
     size, camera, points, labels: placed.map((p) => p.label),
     centre: result.arc && { at: result.arc.centre, place: onScreen(camera, result.arc.centre) },

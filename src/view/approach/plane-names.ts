@@ -12,6 +12,8 @@ import type { ApproachSpeech } from "./speech.ts";
 const FEW = 3;
 /** Never more points than this with a name. */
 const MOST = 40;
+/** A name that would stand farther from its point is left out: the list below the picture has it. */
+const FAR = 4;
 const ORDER: readonly PointName[] = ["PS", "PH", "PA", "PE", "PN"];
 
 /** The named points of a whole program, each place once, with texts that cover neither each other nor a point. */
@@ -36,6 +38,6 @@ export function planeNames(
     { x: 0, y: 0, width: 48, height: size.height }, { x: 0, y: size.height - 24, width: size.width, height: 24 },
     ...points.map((p) => ({ x: p.place.x - 6, y: p.place.y - 6, width: 12, height: 12 })),
   ];
-  const placed = arrange(points.slice(0, MOST).map((p) => pointItem(p, speech, middle, false, few)), { ...size, avoid: [], kept });
+  const placed = arrange(points.slice(0, MOST).map((p) => ({ ...pointItem(p, speech, middle, false, few), most: FAR })), { ...size, avoid: [], kept });
   return { points, marks: placed.flatMap((p) => p.marks) };
 }

@@ -1,0 +1,27 @@
+import { useEffect, useMemo, useState } from "react";
+import { withBlock } from "../../nc/edit.ts";
+import { approachContext } from "../../program/approach-context.ts";
+import { parametersBefore } from "../editor/block-context.ts";
+import { useOpenBlock } from "../editor/open-block.ts";
+import { editProgram, useSession } from "../editor/session.ts";
+import { useOutcome } from "../engine/outcome.ts";
+import { ApproachDialog } from "./ApproachDialog.tsx";
+import { isFresh, markFresh } from "./fresh-block.ts";
+
+/** The dialog of the open APPR or DEP block of the program. One that was just put in begins with the choice of its form. */
+export function ApproachBlock() {
+  const { reading: { program }, index } = useSession();
+  const problems = useOpenBlock((s) => s.problems);
+  const run = useOutcome((s) => s.newest?.run ?? null);
+  const [fresh] = useState(() => isFresh(index));
+  useEffect(() => markFresh(null), []);
+  const context = useMemo(() => approachContext(program, index, run, parametersBefore(program, index)), [program, index, run]);
+  const statement = program.blocks[index]?.statement;
+  if (statement?.kind !== "approach") return null;
+  return (
+    <ApproachDialog
+      statement={statement} context={context} found={problems} choosing={fresh}
+      onChange={(next, place) => editProgram(withBlock(program, index, next), place === null ? null : `block ${index} ${place}`)}
+    />
+  );
+}
