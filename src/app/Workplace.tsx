@@ -1,6 +1,5 @@
-import type { ReactNode } from "react";
+import { lazy, Suspense, type ReactNode } from "react";
 import { clock } from "./clock.ts";
-import { ContourTable } from "./contour/ContourTable.tsx";
 import { CycleDialog } from "./dialog/CycleDialog.tsx";
 import { setContour } from "./edits.ts";
 import { EffectStrip } from "./effect/EffectStrip.tsx";
@@ -18,6 +17,9 @@ import { changeSettings, useSettings } from "./settings/settings.ts";
 import { useTexts } from "./settings/use-texts.ts";
 import { SetupPanel } from "./setup/SetupPanel.tsx";
 import { useMedia } from "./use-fingers.ts";
+
+/** Loaded when its section is first shown. */
+const ContourTable = lazy(async () => ({ default: (await import("./contour/ContourTable.tsx")).ContourTable }));
 
 /** Three columns have room for the program beside the view. The same width stands in `layout.css`. */
 const WIDE = "(min-width: 1280px)";
@@ -39,7 +41,7 @@ export function Workplace({ read }: { readonly read: JobReading }) {
   const content: Readonly<Record<JobSection, ReactNode>> = {
     prompts: <CycleDialog read={read} />,
     setup: <SetupPanel read={read} />,
-    contour: <ContourTable rows={read.job.contour} onChange={setContour} language={language} />,
+    contour: <Suspense><ContourTable rows={read.job.contour} onChange={setContour} language={language} /></Suspense>,
     problems: <ProblemList />,
     program: <ProgramPanel read={read} foldable={false} />,
   };
