@@ -10,6 +10,7 @@ async function look(page: Page): Promise<void> {
 
 for (const theme of ["light", "dark"] as const) {
   test(`the table passes axe in ${theme}, and fits, also when it is wrong or empty`, async ({ page }) => {
+    test.slow();
     const { tools } = await Turnwise.open(page, { theme });
     await tools.open();
     await look(page);
