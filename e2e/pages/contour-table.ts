@@ -33,6 +33,24 @@ export class ContourTable {
     return this.field(this.context.t.contour.chamferOf(element));
   }
 
+  angle(element: number): Locator {
+    return this.field(this.context.t.contour.angleOf(element));
+  }
+
+  length(element: number): Locator {
+    return this.field(this.context.t.contour.lengthOf(element));
+  }
+
+  /** Shows the fields for angle, length and tangency. */
+  get details(): Locator {
+    return this.context.page.getByRole("button", { name: this.context.t.contour.details, exact: true });
+  }
+
+  /** What the pointer does in the drawing. */
+  drawingMode(mode: "move" | "draw" | "round" | "chamfer"): Locator {
+    return this.context.page.getByRole("button", { name: this.context.t.contour.modes[mode], exact: true });
+  }
+
   remove(element: number): Locator {
     return this.context.page.getByRole("button", { name: this.context.t.contour.remove(element), exact: true });
   }
