@@ -4,6 +4,7 @@ import { parse } from "../nc/parse.ts";
 import circular from "../../tests/programs/milling-circular.h?raw";
 import linear from "../../tests/programs/milling-linear.h?raw";
 import samples from "../../tests/programs/approach-departure-tnc7.h?raw";
+import { over, readTools } from "./read-tools.ts";
 import { run } from "./run.ts";
 import { shippedTools } from "./shipped-tools.ts";
 import type { Shop } from "./machine.ts";
@@ -67,6 +68,14 @@ describe("the printed contour with arcs, tool radius 6", () => {
       "ccw 1.8332 -2.130714 -5 F1000", "feed -20 -20 -5 F1000", "rapid -20 -20 250",
     ]);
     expect(faults(done)).toEqual([]);
+  });
+  test("a milling tool of a tools file stands beside turning tools and takes their number", () => {
+    const read = readTools('{"tools":[{"T":1,"NAME":"D12","TYPE":"MILL","R":5.5,"DR":0.5}]}');
+    if ("problem" in read) throw new Error(read.problem);
+    const table = over(shippedTools, read);
+    expect(table.tools.some((t) => t.T === 1)).toBe(false);
+    expect(shown(run(parse(circular), { ...table, rapid: 10_000 }))).toEqual(shown(done));
+    expect(readTools('{"tools":[{"T":1,"TYPE":"MILL"}]}')).toMatchObject({ problem: expect.stringContaining("tools.0.TYPE") as string });
   });
   test("without the radius it says so and runs as programmed", () => {
     const bare = runText(circular);

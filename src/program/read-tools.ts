@@ -16,8 +16,16 @@ const mill = z.object({
   T: z.number().min(0).max(32767.9), NAME: z.string().max(32).nullish(), R: z.number().min(0), DR: cell, L: cell, DL: cell,
   TYPE: z.string().refine((type) => !TOOL_TYPES.some((t) => t === type)).nullish(),
 });
-const file = z.object({ tools: z.array(z.union([mill, row])) });
-type Row = z.infer<typeof file>["tools"][number];
+const file = z.object({ tools: z.array(z.unknown()) }).transform(({ tools }, context) => ({
+  tools: tools.flatMap((cells, i) => {
+    const asMill = mill.safeParse(cells);
+    const read = asMill.success ? asMill : row.safeParse(cells);
+    if (read.success) return [read.data];
+    for (const found of read.error.issues) context.addIssue({ code: "custom", message: found.message, path: ["tools", i, ...found.path] });
+    return [];
+  }),
+}));
+type Row = z.infer<typeof mill> | z.infer<typeof row>;
 const isMill = (r: Row): r is z.infer<typeof mill> => "R" in r;
 
 /** Tools that can cut, and for the others what is wrong with their columns. */
