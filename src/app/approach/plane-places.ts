@@ -5,9 +5,11 @@ import type { Finding } from "../../program/run-types.ts";
 import type { PlanePoint } from "../../kernel/plane.ts";
 import type { LookAt } from "../lathe/places.ts";
 
-/** A place where the way onto a contour cuts it, with the start point that is free. */
+/** A place where the way onto a contour cuts it, with the start or end point that is free. */
 export interface CutPlace extends LookAt {
   readonly free: PlanePoint | null;
+  /** Which point it is. */
+  readonly point: "PS" | "PN";
 }
 
 /** Findings of the check of approach and departure that have a place in the X/Y plane. */
@@ -23,7 +25,7 @@ export function cutPlaces(
     const step = steps.findIndex((s) => s.block === block);
     found.push({
       id: `c${found.length}`, kind: "finding", mark: String(found.length + 1), place: partPoint({ x, y }), line: line(String(block ?? ""), say(issue)),
-      position: { step: Math.max(0, step), fraction: 0.5 }, free,
+      position: { step: Math.max(0, step), fraction: 0.5 }, free, point: issue.data.point,
     });
   }
   return found;

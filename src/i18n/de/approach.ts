@@ -54,7 +54,7 @@ export const approach = {
   depthStrip: (low, high) => `Z entlang der Bahn, von ${low} bis ${high}`,
   depthUnknown: "Z unbekannt",
   cutsAt: (block, sentence) => `Satz ${block}: ${sentence}`,
-  free: "Freier Startpunkt",
+  free: "Frei:",
   clear: "An- und Wegfahren sind frei",
   findings: (count) => `Befunde beim An- und Wegfahren: ${count}`,
   pointAt: (name, where, block) => `${name}: ${where}, Satz ${block}`,

@@ -59,7 +59,7 @@ export const approach = {
   depthStrip: (low: string, high: string) => `Z along the path, from ${low} to ${high}`,
   depthUnknown: "Z unknown",
   cutsAt: (block: string, sentence: string) => `Block ${block}: ${sentence}`,
-  free: "Free start point",
+  free: "Free",
   clear: "Approach and departure are clear",
   findings: (count: string) => `Findings at approach and departure: ${count}`,
   pointAt: (name: string, where: string, block: string) => `${name}: ${where}, block ${block}`,

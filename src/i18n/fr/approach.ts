@@ -54,7 +54,7 @@ export const approach = {
   depthStrip: (low, high) => `Z le long de la trajectoire, de ${low} à ${high}`,
   depthUnknown: "Z inconnu",
   cutsAt: (block, sentence) => `Séquence ${block} : ${sentence}`,
-  free: "Point initial libre",
+  free: "Libre :",
   clear: "Approche et sortie sont libres",
   findings: (count) => `Constats à l’approche et à la sortie : ${count}`,
   pointAt: (name, where, block) => `${name} : ${where}, séquence ${block}`,

@@ -54,7 +54,7 @@ export const approach = {
   depthStrip: (low, high) => `沿路径的 Z，从 ${low} 到 ${high}`,
   depthUnknown: "Z 未知",
   cutsAt: (block, sentence) => `程序段 ${block}：${sentence}`,
-  free: "无干涉起点",
+  free: "无干涉",
   clear: "接近和离开无干涉",
   findings: (count) => `接近和离开的检查结果：${count}`,
   pointAt: (name, where, block) => `${name}：${where}，程序段 ${block}`,
