@@ -77,11 +77,11 @@ test("a share link opens the same program, and a reload keeps what was typed", a
   await other.page.goto(link);
   await expect(other.editor.text).toBeVisible();
   expect(await other.editor.downloaded()).toEqual(text);
-  await other.editor.line("M30").click();
+  await other.editor.line("CYCL CALL").click();
   await other.page.keyboard.press("End");
   await other.page.keyboard.type(" ;KEPT");
   await other.page.reload();
-  await expect(other.editor.line("M30 ;KEPT")).toBeVisible();
+  await expect(other.editor.line("CYCL CALL ;KEPT")).toBeVisible();
 });
 
 test("what is not understood is said in the margin and hides nothing behind it", async ({ page }) => {
@@ -91,13 +91,13 @@ test("what is not understood is said in the margin and hides nothing behind it",
   await expect(page.getByText(t.messages.of.notUnderstood({ text: "STRANGE WORDS" }, { text: (x: string) => x } as never)).first()).toBeVisible();
   await expect(page.locator(".cm-lint-marker").first()).toBeVisible();
   await page.getByRole("button", { name: t.editor.goToBlock("1"), exact: true }).first().click();
-  await expect(page.getByRole("form").getByText(t.editor.kept)).toBeVisible();
+  await expect(page.getByRole("form").getByText(t.editor.kept, { exact: true })).toBeVisible();
 });
 
 for (const theme of ["light", "dark"] as const) {
   test(`every part of the program editor passes axe in ${theme}`, async ({ page }) => {
     const { editor, t } = await Turnwise.open(page, { theme });
-    await editor.openExample("contour");
+    await editor.openExample("flange");
     await expect(editor.total(t.page.effect.proof)).not.toHaveText(t.page.effect.unknown);
     for (const section of ["text", "block", "structure", "findings"] as const) {
       await editor.show(section);

@@ -5,6 +5,7 @@ import { clock } from "../clock.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import { showSection, usePlace, type ProgramSection } from "../place.ts";
 import { playback } from "../playback.ts";
+import { beforeLeaving } from "../saving/keep.ts";
 import { SectionTabs } from "../SectionTabs.tsx";
 import { useTexts } from "../settings/use-texts.ts";
 import { useEditor } from "../store.ts";
@@ -26,10 +27,11 @@ function useProgramSession(): void {
     const { program } = useEditor.getState();
     if (!program) return undefined;
     openSession(program);
+    if (usePlace.getState().section === "prompts") showSection(matchMedia(WIDE).matches ? "structure" : "text");
     const stop = followProgram();
-    addEventListener("pagehide", flush, true);
+    beforeLeaving.add(flush);
     return () => {
-      removeEventListener("pagehide", flush, true);
+      beforeLeaving.delete(flush);
       stop();
       closeSession();
     };
@@ -49,7 +51,8 @@ function openMove(step: number): void {
 export function ProgramWorkplace() {
   const t = useTexts().editor;
   const wide = useMedia(WIDE);
-  const asked = usePlace((p) => p.section);
+  // What opens a prompt asks for the prompts: here they are those of the block.
+  const asked = usePlace((p) => (p.section === "prompts" ? "block" : p.section));
   const shown = useOutcome((s) => s.shown);
   const dimmed = useOutcome((s) => s.dimmed);
   const findings = useFindings();

@@ -1,7 +1,7 @@
 import { EditorView } from "@codemirror/view";
 import { shownBlock } from "../approach/shown-view.ts";
 import { useOutcome, type Outcome } from "../engine/outcome.ts";
-import { openPrompt, showSection, usePlace } from "../place.ts";
+import { showSection, usePlace } from "../place.ts";
 import { playback } from "../playback.ts";
 import { usePrompted } from "../prompted.ts";
 import { texts } from "../settings/loaded-texts.ts";
@@ -120,7 +120,7 @@ export function followProgram(): () => void {
   refresh();
   const { read } = useOpenBlock.getState();
   const first = read && Object.keys(read.cycle.params)[0];
-  if (read && first) openPrompt(first, read.draft[first] ?? "");
+  if (read && first) usePlace.setState({ prompt: first, before: read.draft[first] ?? "", field: null });
   return () => {
     for (const stop of stops) stop();
     usePrompted.setState({ block: null });

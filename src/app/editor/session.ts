@@ -136,8 +136,7 @@ export function dispatchEdit(spec: TransactionSpec, place: string | null): void 
 export function editProgram(next: Program, place: string | null, openIndex: number | null = null): void {
   if (!view) return;
   const changes = changesBetween(view.state.field(readingField).program, next);
-  if (changes.length === 0) return;
-  dispatchEdit({ changes: [...changes] }, place);
+  if (changes.length > 0) dispatchEdit({ changes: [...changes] }, place);
   if (openIndex !== null) openBlock(openIndex);
 }
 

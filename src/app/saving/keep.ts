@@ -47,6 +47,9 @@ async function write(): Promise<void> {
 /** Rest before writing, so that writing never delays the picture of what is typed, ms. */
 const REST = 80;
 
+/** What hands over changes that it still holds back, before the page goes away. */
+export const beforeLeaving = new Set<() => void>();
+
 /** From now on each change of the work is kept on the device, a moment after it was made. */
 export function startKeeping(): () => void {
   let timer: ReturnType<typeof setTimeout> | undefined;
@@ -64,8 +67,12 @@ export function startKeeping(): () => void {
       void write();
     }, REST);
   });
-  const rest = () => void write();
+  const rest = () => {
+    for (const hand of beforeLeaving) hand();
+    void write();
+  };
   const leave = () => {
+    for (const hand of beforeLeaving) hand();
     if (!waiting) return;
     leaveBehind(waiting.work, { version: SAVE_VERSION, savedAt: Date.now(), job: waiting.job });
     void write();
