@@ -107,7 +107,7 @@ export function arrange(items: readonly Item[], sheet: Sheet, standing: readonly
     let best: Candidate | null = null;
     let least = item.most ?? Infinity;
     for (const c of item.candidates) {
-      if (!within(c.label, sheet.width, sheet.height)) continue;
+      if (c.cost >= least || !within(c.label, sheet.width, sheet.height)) continue;
       if (labels.some((l) => overlap(l, c.label)) || lines.some((l) => overlap(l, c.label))) continue;
       if (c.lines.some((line) => labels.some((l) => overlap(l, line)))) continue;
       const crossed = sheet.crossing ? lines.reduce((n, l) => n + Math.max(0, ...c.lines.map((line) => met(l, line))), 0) : 0;
