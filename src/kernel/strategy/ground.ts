@@ -78,10 +78,22 @@ export function groundOver(
 /** The insert in strategy space, relative to the tip. */
 export const insertIn = (tool: Tool, frame: Frame): Convex => inFrame(insertShape(tool), frame);
 
-/** How far the nose (or the corner of a bar) reaches beyond the tip in the cutting direction. */
-export function leadOf(insert: Convex): number {
+/**
+ * How far the insert reaches beyond the tip in the cutting direction, up to a height above its lowest point: what an
+ * infeed of that height brings into the material. Without a height, the nose (or the corner of a bar) alone.
+ */
+export function leadOf(insert: Convex, height?: number): number {
   const noses = insert.filter((e) => e.kind === "arc" && e.feature === "nose");
-  return Math.max(0, ...noses.map((e) => (e.kind === "arc" ? e.centre.u + e.radius : 0)));
+  const nose = Math.max(0, ...noses.map((e) => (e.kind === "arc" ? e.centre.u + e.radius : 0)));
+  if (height === undefined) return nose;
+  const top = extent(insert).minV + height;
+  return insert.reduce((most, e) => {
+    if (e.kind === "arc") return most;
+    const [low, high] = e.from.v <= e.to.v ? [e.from, e.to] : [e.to, e.from];
+    if (low.v > top) return most;
+    const k = high.v > top ? (top - low.v) / (high.v - low.v) : 1;
+    return Math.max(most, low.u, low.u + k * (high.u - low.u));
+  }, nose);
 }
 
 /**

@@ -51,18 +51,20 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
   if (flanksUnknown(tool)) issues.push(issue("flanksNotChecked", "info", {}, "tool"));
   if (isBar(tool) && tool.TYPE === "RECESS") issues.push(issue("toolCannotCutSideways", "warning", { type: tool.TYPE }, "tool"));
 
+  // Cut from the middle outwards, the part goes on between the first point and the axis.
+  const pinInFront = l.frame.transverse && l.frame.signU > 0;
   const bounds: Bound[] = l.plunging ? flat.map((segment) => ({ segment, on: "contour" })) : bridged(flat);
+  const floor = Math.min(...flat.map(lowestOf));
   const highest = Math.max(...flat.flatMap((s) => [s.from.v, s.to.v]));
   const bottom = extent(insertIn(tool, l.frame)).minV;
   const outer = Math.max(l.outerHeight ?? first.from.v, first.from.v) - bottom;
   const called = toFlat(l.frame, setting.start);
   const wanted: Track = new Track(l.frame, setting.feedUnit, called);
-  if (wrong) return { ...empty(issues), contour: l.contour, part: partUnder(flat, l.frame, false), area: areaOver(flat, l.frame, called.u, Math.max(called.v, outer)) };
+  if (wrong) return { ...empty(issues), contour: l.contour, part: partUnder(flat, l.frame, pinInFront), area: areaOver(flat, l.frame, called.u, Math.max(called.v, outer)) };
 
-  const start = placed(l, tool, wanted, called, { u: first.from.u, v: first.from.v }, last.to.u, Math.max(highest, outer), issues);
+  const start = placed(l, tool, wanted, called, { u: first.from.u, v: first.from.v }, last.to.u, Math.max(highest, outer), floor, issues);
   const top = Math.max(start.v, outer);
   const limits = limitsOf(l, called, issues);
-  const floor = Math.min(...flat.map(lowestOf));
   const wall = top + bottom > last.to.v + SAME ? top + FAR : null;
   const limit = limits.floor === null ? [] : [{ v: limits.floor, on: "limit" as const }];
   const toFinish: Surroundings = { wall: null, front: "free", frontWall: null, floors: limit };
@@ -98,7 +100,7 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
   }
   return {
     moves: wanted.moves, issues, contour: l.contour, ...division, infeed: length(division.infeed),
-    area: areaOver(flat, l.frame, start.u, top), part: partUnder(flat, l.frame, false),
+    area: areaOver(flat, l.frame, start.u, top), part: partUnder(flat, l.frame, pinInFront),
     openSide: toPart(l.frame, { u: 0, v: 1 }), reach: reachOf(drawn, Math.max(drawn.first, from), Math.min(drawn.end.u, to), l.frame, tool),
   };
 }
@@ -120,10 +122,11 @@ export function wrongSide(tool: Setting["tool"], frame: Frame): Issue | null {
 }
 
 /** The cycle start as the manual places it before step 1: clear of the area, or up to the contour start. */
-function placed(l: Leveled, tool: Setting["tool"], track: Track, called: Flat, first: Flat, end: number, height: number, issues: Issue[]): Flat {
+function placed(l: Leveled, tool: Setting["tool"], track: Track, called: Flat, first: Flat, end: number, height: number, floor: number, issues: Issue[]): Flat {
   const finishing = l.operation > 1;
   const p = { phase: "position", run: finishing ? "finish" : "rough", step: 0 } as const;
-  const lead = leadOf(insertIn(tool, l.frame));
+  const depth = Math.max(called.v, height) - floor;
+  const lead = leadOf(insertIn(tool, l.frame), finishing ? undefined : l.infeed > 0 ? Math.min(l.infeed, depth) : depth);
   const over = called.u + lead > first.u + SAME;
   const at = toPart(l.frame, called);
   const where = { x: toDiameter(at.r), z: at.z };
