@@ -23,9 +23,9 @@ test("the first load is small, quick, and asks no other host", async ({ page, ba
   const turnwise = await Turnwise.open(page);
   await expect(turnwise.start.button(812, true)).toBeEnabled();
   const took = performance.now() - began;
+  const size = (await Promise.all(scripts)).reduce((sum, bytes) => sum + bytes, 0) / 1000;
   await turnwise.start.beginWithExample(812);
   await expect(turnwise.effect.cell("proof")).toHaveText(turnwise.t.page.effect.clean);
-  const size = (await Promise.all(scripts)).reduce((sum, bytes) => sum + bytes, 0) / 1000;
   test.info().annotations.push({ type: "measured", description: `${size.toFixed(1)} kB, usable after ${took.toFixed(0)} ms` });
   expect(complaints).toEqual([]);
   expect(foreign).toEqual([]);

@@ -75,6 +75,7 @@ export class Turnwise {
   /** Shows one of the panels that take turns; on a wide screen some are always there. */
   async show(section: "prompts" | "setup" | "contour" | "problems" | "program"): Promise<void> {
     const tab = this.page.getByRole("tab", { name: new RegExp(`^${this.t.page[section]}`) });
+    await this.page.getByRole("tablist").first().waitFor();
     if (await tab.count()) await tab.click();
   }
 

@@ -9,11 +9,11 @@ import { useTexts } from "./settings/use-texts.ts";
 import { StartPage } from "./start/StartPage.tsx";
 import { useEditor } from "./store.ts";
 import { useToolPlace } from "./tools/tool-place.ts";
-import { Workplace } from "./Workplace.tsx";
 
-/** Fetched when it is first shown. */
+/** Fetched when they are first shown; the workplace as soon as a hand moves, before a cycle is chosen. */
+const fetchWorkplace = async () => ({ default: (await import("./Workplace.tsx")).Workplace });
+const Workplace = lazy(fetchWorkplace);
 const ToolPage = lazy(async () => ({ default: (await import("./tools/ToolPage.tsx")).ToolPage }));
-
 const ProgramWorkplace = lazy(async () => ({ default: (await import("./editor/ProgramWorkplace.tsx")).ProgramWorkplace }));
 
 /** The page: the top line, and below it the tool table, the choice of work, or the workplace of the open job or program. */
@@ -29,13 +29,23 @@ export function App() {
     document.title = name ? `${name} · Turnwise` : "Turnwise";
   }, [name]);
 
+  useEffect(() => {
+    const begins = ["pointermove", "pointerdown", "keydown"];
+    const fetchNow = () => {
+      for (const sign of begins) removeEventListener(sign, fetchNow);
+      void fetchWorkplace().catch(() => undefined);
+    };
+    for (const sign of begins) addEventListener(sign, fetchNow, { passive: true });
+    return () => begins.forEach((sign) => removeEventListener(sign, fetchNow));
+  }, []);
+
   return (
     <div className="page">
       <Header />
       <Notices />
       {ready && tools && <Suspense><ToolPage /></Suspense>}
       {ready && !tools && program !== null && <Suspense fallback={<p className="editor-loading soft" role="status">{t.loading}</p>}><ProgramWorkplace key={program} /></Suspense>}
-      {ready && !tools && program === null && (read ? <Workplace read={read} /> : <StartPage />)}
+      {ready && !tools && program === null && (read ? <Suspense><Workplace read={read} /></Suspense> : <StartPage />)}
       <DropProgram />
       <CopyByHand />
     </div>
