@@ -43,7 +43,7 @@ function limitDimensions(v: FreeValues, contour: readonly Segment[]): Dimension[
 
 /**
  * How strategy space lies: u runs from the first towards the last point. The open side of a transverse contour is +Z; it
- * is −Z only when a tool that points to +Z stands behind the contour (decision 0005). The open side of a longitudinal one
+ * is −Z only when a tool that points to +Z stands behind the contour (decision 0010). The open side of a longitudinal one
  * is away from the axis when the start point lies farther out than the contour.
  */
 export function freeFrame(contour: readonly Segment[], setting: Setting, transverse: boolean): Frame {
