@@ -1,15 +1,18 @@
-import type { Given } from "../cycles/define.ts";
+import type { Cycle, Given } from "../cycles/define.ts";
 import { cycleByNumber } from "../cycles/index.ts";
-import type { Issue } from "../kernel/issue.ts";
+import type { Params, Values } from "../cycles/params.ts";
+import { issue, type Issue } from "../kernel/issue.ts";
 import type { Plan } from "../kernel/plan.ts";
 import { empty } from "../kernel/strategy/leveled.ts";
-import type { Segment } from "../kernel/point.ts";
+import type { Pt, Segment } from "../kernel/point.ts";
+import type { Tool } from "../kernel/tool.ts";
 import { toDiameter } from "../kernel/units.ts";
 import { readContour } from "./contour-subprogram.ts";
 import { cycleValues } from "./cycle-values.ts";
 import { programIssue } from "./issue.ts";
 import type { Defined, Machine } from "./machine.ts";
 import { rotation } from "./blank-form.ts";
+import { rankTools } from "./which-tool.ts";
 
 const nothing: Plan = empty([]);
 
@@ -38,9 +41,20 @@ function givenContour(machine: Machine, cycle: number, index: number, operation:
   return segments.length > 0 ? segments : null;
 }
 
+/**
+ * A part of a program that calls no tool is shown all the same, with the tool of the table that makes most of its contour;
+ * that no tool is called has been said, as an error.
+ */
+function standIn(machine: Machine, cycle: Cycle, values: Values<Params> | null, given: Given, start: Pt, index: number): Tool | null {
+  if (!values || (cycle.contour === "free" && !given.contour)) return null;
+  const best = rankTools(cycle, values, given, { start, feedUnit: machine.feedUnit, autoFeed: machine.toolFeed }, machine.shop.tools)[0]?.tool;
+  if (best) machine.say(issue("betterTool", "info", { tool: best.T, name: best.NAME }, "tool"), index);
+  return best ?? null;
+}
+
 /** Executes a cycle call: plans the defined cycle from where the tip stands and runs its moves. */
 export function callCycle(machine: Machine, index: number): void {
-  const { defined, tool } = machine;
+  const { defined } = machine;
   if (!defined) return machine.say(programIssue("noCycleDefined", "error", {}), index);
   const cycle = cycleByNumber(defined.cycle);
   if (!cycle) {
@@ -49,7 +63,7 @@ export function callCycle(machine: Machine, index: number): void {
     return machine.say(programIssue("cycleNotSimulated", "warning", { cycle: defined.cycle, name }), index);
   }
   if (!machine.turning) machine.say(programIssue("notInTurnMode", "error", {}), index);
-  if (!tool) return machine.say(programIssue("noToolCalled", "error", {}), index);
+  if (!machine.tool) machine.say(programIssue("noToolCalled", "error", {}), index);
   const start = machine.tip;
   if (!start) return machine.say(programIssue("startUnknown", "error", {}), index);
   if (!machine.sure.x || !machine.sure.z) machine.say(programIssue("startUnknown", "warning", {}), index);
@@ -57,6 +71,8 @@ export function callCycle(machine: Machine, index: number): void {
   const operation = machine.operations.length;
   const given: Given = { contour: cycle.contour === "free" ? givenContour(machine, cycle.number, index, operation) : null };
   const { values, issues } = cycleValues(machine, cycle, defined.values);
+  const tool = machine.tool ?? standIn(machine, cycle, values, given, start, index);
+  if (!tool) return;
   const setting = { tool, start, feedUnit: machine.feedUnit, autoFeed: machine.toolFeed };
   const plan = values && (cycle.contour === "own" || given.contour) ? cycle.plan(values, setting, given) : nothing;
   const outlined = values && plan !== nothing ? cycle.outline(values, given).issues : [];
