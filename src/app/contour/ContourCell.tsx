@@ -1,4 +1,5 @@
 import { useId, type KeyboardEvent } from "react";
+import { flushSync } from "react-dom";
 import type { Language } from "../../i18n/languages.ts";
 import { readExpression } from "../../program/expression.ts";
 import type { RowField } from "../../program/contour-rows.ts";
@@ -52,8 +53,9 @@ export function ContourCell({ row, field, name, language, text, shown, wrong, de
     e.preventDefault();
     const input = e.currentTarget;
     const next = minus({ text, from: input.selectionStart ?? 0, to: input.selectionEnd ?? 0, negative: false });
-    onText(next.text);
-    requestAnimationFrame(() => input.setSelectionRange(next.from === next.to ? next.from : next.text.startsWith("-") ? 1 : 0, next.to));
+    // At once: a caret that is placed later would fall between the keys of a fast hand.
+    flushSync(() => onText(next.text));
+    input.setSelectionRange(next.from === next.to ? next.from : next.text.startsWith("-") ? 1 : 0, next.to);
   };
   return (
     <span className={`contour-cell field-${field}${shown?.solved ? " solved" : ""}`}>
