@@ -59,13 +59,15 @@ const NOSE_CORNER = 3;
 
 /**
  * A nose leaves a corner of its own size, in a square one a square of its radius. What is larger a wide bar leaves by its
- * width; another insert by the edge that acts nearest to it, and where none does, it is what no contour element bounds.
+ * width; another insert by the edge that acts nearest to it, or that keeps it from the angle of an element.
  */
 function betweenContours(box: Box, operation: SimulatedOperation, acting: Reason | null): Reason {
   const bar = isBar(operation.tool);
   const most = noseRadius(operation.tool) * (bar ? 1 : NOSE_CORNER) + 2 * AGAINST;
   if (box.right - box.left <= most && box.top - box.bottom <= most) return "insertRadius";
-  return bar ? "toolWidth" : (acting ?? "oversize");
+  if (bar) return "toolWidth";
+  const angle = operation.plan.issues.find((i) => i.code === "angleNotFollowed");
+  return acting ?? angle?.data.edge ?? "insertRadius";
 }
 
 /**
