@@ -23,6 +23,8 @@ export interface RowReading {
   readonly length: number | null;
   readonly radius: number | null;
   readonly turn: "cw" | "ccw" | null;
+  /** The pole, or the centre of an arc, that is in force. */
+  readonly pole: Pt | null;
   /** How many values are still missing. */
   readonly freedom: number;
   /** How many solutions there are to choose from. */
@@ -51,7 +53,12 @@ function fieldOf(found: Issue): RowField | null {
 /** Reads the contour table; coordinates that are not typed are solved where the others allow it. */
 export function readRows(rows: readonly ContourRow[]): RowsReading {
   const reader: RowReader = { x: null, z: null, pole: null, issues: [] };
-  const given = rows.map((row, i) => rowGiven(reader, row, i));
+  const poles: (Pt | null)[] = [];
+  const given = rows.map((row, i) => {
+    const read = rowGiven(reader, row, i);
+    poles.push(reader.pole);
+    return read;
+  });
   const asked = given.flatMap((g, row) => (g.kind === "element" ? [{ element: g.element, row }] : []));
   const solution = solveContour(asked.map(({ element }) => element));
   const solved = new Map(asked.map(({ row }, i) => [row, solution.elements[i]]));
@@ -67,7 +74,7 @@ export function readRows(rows: readonly ContourRow[]): RowsReading {
     ...contour.issues.map((i) => ({ i, row: rowOf(elementOf(i)) })),
   ].flatMap(({ i, row }): RowIssue[] => (row === null || typed.has(row) ? [] : [{ row, field: fieldOf(i), issue: numbered(i, row, rowOf) }]));
   return {
-    rows: readings(rows, given, solved), contour,
+    rows: readings(given, poles, solved), contour,
     rowOfSegment: contour.elements.map((n) => rowOf(n) ?? 0),
     issues: [...reader.issues, ...found].sort((a, b) => a.row - b.row),
   };
@@ -104,14 +111,14 @@ function contourElement(given: RowGiven | undefined, solved: SolvedElement | und
   return arc?.kind === "arc" && radius !== null ? { kind: "radius", to, radius, turn: arc.turn } : { kind: "line", to };
 }
 
-function readings(rows: readonly ContourRow[], given: readonly RowGiven[], solved: ReadonlyMap<number, SolvedElement | undefined>): RowReading[] {
+function readings(given: readonly RowGiven[], poles: readonly (Pt | null)[], solved: ReadonlyMap<number, SolvedElement | undefined>): RowReading[] {
   let [x, z]: (number | null)[] = [null, null];
-  return rows.map((_, i): RowReading => {
-    const inherited = { x: x ?? null, z: z ?? null }, g = given[i], s = solved.get(i), at = pointOf(s);
-    if (g?.kind !== "element" || !s) return { end: null, inherited, sought: { x: false, z: false }, angle: null, length: null, radius: null, turn: null, freedom: 0, choices: 1 };
+  return given.map((g, i): RowReading => {
+    const inherited = { x: x ?? null, z: z ?? null }, pole = poles[i] ?? null, s = solved.get(i), at = pointOf(s);
+    if (g.kind !== "element" || !s) return { end: null, inherited, pole, sought: { x: false, z: false }, angle: null, length: null, radius: null, turn: null, freedom: 0, choices: 1 };
     [x, z] = [s.r === null ? null : toDiameter(s.r), s.z];
     return {
-      end: at && { x: toDiameter(at.r), z: at.z }, inherited, sought: g.sought, angle: s.angle, length: s.length, radius: signedRadius(s),
+      end: at && { x: toDiameter(at.r), z: at.z }, inherited, pole, sought: g.sought, angle: s.angle, length: s.length, radius: signedRadius(s),
       turn: s.segment?.kind === "arc" ? s.segment.turn : null, freedom: s.freedom, choices: s.choices,
     };
   });

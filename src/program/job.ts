@@ -5,7 +5,7 @@ import { exampleDraft, type Draft } from "./read-draft.ts";
 /** One row of the contour table, as typed: end point, radius, corner element, centre. */
 export interface ContourRow {
   readonly id: string;
-  readonly kind: "L" | "RND" | "CHF" | "CR" | "CC" | "C" | "CT" | "UDC" | "GRV";
+  readonly kind: "L" | "RND" | "CHF" | "CR" | "CC" | "C" | "CT" | "LP" | "CP" | "CTP" | "UDC" | "GRV";
   /**
    * ⌀ mm. Empty: the coordinate stays as it was, except where an angle, a length or a tangential transition is given:
    * then it is sought. "?" seeks it in any case.
@@ -27,7 +27,7 @@ export interface ContourRow {
   readonly second: boolean;
   /** Form of an undercut ("E" …) or direction of a recess ("RADIAL", "AXIAL"); empty elsewhere. */
   readonly form: string;
-  /** Words of an undercut or recess by name, as typed. */
+  /** Words of an undercut, a recess or a polar element by name, as typed: DEPTH, PR, IPA. */
   readonly words: Readonly<Record<string, string>>;
 }
 

@@ -1,10 +1,11 @@
 import type { AxisWord, NamedWord, Statement, Value, Words } from "../nc/statement.ts";
 import { readRows, type RowReading } from "./contour-rows.ts";
 import type { ContourRow } from "./job.ts";
+import { polarWords } from "./polar-row.ts";
 import { recessWords } from "./row-given.ts";
 import { kept, noWords, POSITION_DECIMALS, typedAxis, typedValue } from "./typed-value.ts";
 
-const path = (kind: "L" | "RND" | "CR" | "C" | "CC" | "CT", words: Partial<Words>): Statement => ({ kind: "path", path: kind, words: { ...noWords, ...words } });
+const path = (kind: "L" | "RND" | "CR" | "C" | "CC" | "CT" | "LP" | "CP" | "CTP", words: Partial<Words>): Statement => ({ kind: "path", path: kind, words: { ...noWords, ...words } });
 
 /** X and Z as typed; where one of them was solved, both as numbers, so that the control needs no more. */
 function axesOf(row: ContourRow, reading: RowReading | undefined): AxisWord[] {
@@ -35,6 +36,8 @@ function statement(row: ContourRow, reading: RowReading | undefined): Statement[
     }
     case "C": return [path("C", { axes, turn: row.turn })];
     case "CC": case "CT": return [path(row.kind, { axes })];
+    case "LP": case "CTP": return [path(row.kind, polarWords(row))];
+    case "CP": return [path("CP", { ...polarWords(row), turn: row.turn })];
     case "RND": return [path("RND", size === null ? {} : { radius: size })];
     case "UDC": return [{ kind: "undercut", form: row.form === "THREAD" ? row.form : `TYPE_${row.form}`, words: namedWords(row) }];
     case "GRV": return [{ kind: "groove", form: row.form === "AXIAL" ? "AXIAL" : "RADIAL", words: namedWords(row) }];

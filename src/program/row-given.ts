@@ -7,16 +7,18 @@ import type { Groove } from "../kernel/groove.ts";
 import { UNDERCUT_FORMS, type RecessWord, type RecessWords, type Undercut } from "../kernel/undercut.ts";
 import { readExpression } from "./expression.ts";
 import { GROOVE_WORDS, UNDERCUT_WORDS } from "./recess-words.ts";
+import type { ProgramIssue } from "./issue.ts";
 import type { ContourRow } from "./job.ts";
+import { isPolarRow, polarGiven, type PolarName } from "./polar-row.ts";
 
 /** A field of a contour row. */
-export type RowField = "x" | "z" | "r" | "angle" | "length";
+export type RowField = "x" | "z" | "r" | "angle" | "length" | PolarName;
 
 /** A finding with its place in the table; `field` is null where it belongs to the whole element. */
 export interface RowIssue {
   readonly row: number;
   readonly field: RowField | null;
-  readonly issue: Issue;
+  readonly issue: Issue | ProgramIssue;
 }
 
 /** What the rows give, read one after the other: numbers, and what is wrong with their text. */
@@ -134,6 +136,10 @@ export function rowGiven(reader: RowReader, row: ContourRow, index: number): Row
     reader.pole = centreOf(reader, row, index);
     return { kind: "centre" };
   }
+  if (isPolarRow(row)) {
+    const end = polarGiven(reader, row, index, (name, typed) => fieldValue(reader, index, name, typed, false));
+    return { kind: "element", element: shape(reader, row, index, { ...end, choice: row.second ? 1 : 0 }), sought: { x: false, z: false } };
+  }
   const before = { x: reader.x, z: reader.z };
   const [x, z] = [coordinate(reader, row, index, "x"), coordinate(reader, row, index, "z")];
   const still = empty(row.x) && empty(row.z) && before.x !== null && before.z !== null && !seeks(row);
@@ -145,7 +151,9 @@ export function rowGiven(reader: RowReader, row: ContourRow, index: number): Row
 function shape(reader: RowReader, row: ContourRow, index: number, common: Pick<SolveElement, "z" | "r" | "choice">): SolveElement {
   const arc = { ...common, kind: "arc" as const, turn: row.turn, radius: null, centre: null, tangent: row.tangent };
   switch (row.kind) {
-    case "CT": return { ...arc, turn: null, tangent: true };
+    case "LP": return { ...common, kind: "line", angle: null, length: null, tangent: false };
+    case "CP": return { ...arc, tangent: false, centre: reader.pole };
+    case "CT": case "CTP": return { ...arc, turn: null, tangent: true };
     case "C":
       if (!reader.pole) reader.issues.push({ row: index, field: null, issue: issue("centreMissing", "error", { element: index + 1 }, "contour") });
       return { ...arc, centre: reader.pole };

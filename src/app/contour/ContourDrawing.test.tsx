@@ -153,3 +153,18 @@ test("an undercut has its form and its words", async () => {
   await user.selectOptions(screen.getByRole("combobox", { name: "Element 3, form" }), "THREAD");
   expect(field("Element 3, PITCH")).toBeTruthy();
 });
+
+test("a dragged polar point changes distance and angle, and a double click divides its element", () => {
+  const last = shown([newRow("e1", { x: "20", z: "0" }), newRow("e2", { kind: "CC", x: "20", z: "-30" }), newRow("e3", { kind: "LP", words: { PR: "20", PA: "0" } }), newRow("e4", { kind: "LP", words: { PR: "20", PA: "90" } })]);
+  const scale = (mark(0).clientX - mark(2).clientX) / 10;
+  drag(mark(3), 0, -5.1 * scale);
+  expect(last.rows[3]?.words).toEqual({ PR: "25", PA: "90" });
+  const element = picture().querySelector('[data-row="2"] .reach');
+  if (!element) throw new Error("no element");
+  const middle = { clientX: (mark(0).clientX + mark(2).clientX) / 2, clientY: mark(0).clientY };
+  fireEvent.pointerDown(element, { button: 0, pointerId: 1, pointerType: "mouse", ...middle });
+  fireEvent.pointerUp(element, { pointerId: 1 });
+  fireEvent.doubleClick(element, middle);
+  expect(last.rows.map((r) => r.kind)).toEqual(["L", "CC", "L", "LP", "LP"]);
+  expect(last.rows[3]?.words).toEqual({ PR: "20", PA: "0" });
+});

@@ -4,6 +4,8 @@ import type { Language } from "../../i18n/languages.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import type { RowField, RowIssue, RowReading } from "../../program/contour-rows.ts";
 import type { ContourRow } from "../../program/job.ts";
+import { axial, diameter, toRadius } from "../../kernel/units.ts";
+import { polarNames, polarOf, polarTyped, withPolar, type PolarName } from "../../program/polar-row.ts";
 import { Icon } from "../Icon.tsx";
 import { issueText } from "../issue-text.ts";
 import { RecessFields } from "./RecessFields.tsx";
@@ -23,11 +25,11 @@ interface Props {
   readonly onFocus: () => void;
 }
 
-const KINDS = ["L", "RND", "CHF", "CR", "CC", "C", "CT", "UDC", "GRV"] as const;
+const KINDS = ["L", "RND", "CHF", "CR", "CC", "C", "CT", "LP", "CP", "CTP", "UDC", "GRV"] as const;
 /** The form a new undercut or recess begins with. */
 const firstForm = (kind: ContourRow["kind"]): Partial<ContourRow> => (kind === "UDC" ? { form: "E" } : kind === "GRV" ? { form: "RADIAL" } : {});
 /** The elements that have an end point or a centre, a size, a turning direction, and those that can be tangential. */
-const POINT = ["L", "CR", "CC", "C", "CT"], SIZE = ["RND", "CHF", "CR"], TURN = ["CR", "C"], TANGENTIAL = ["L", "CR", "C"];
+const POINT = ["L", "CR", "CC", "C", "CT"], SIZE = ["RND", "CHF", "CR"], TURN = ["CR", "C", "CP"], TANGENTIAL = ["L", "CR", "C"];
 
 /** One element of the contour: its fields, and below them what is wrong with it. */
 export function ContourLine({ row, number, reading, issues, active, details, language, onChange, onFocus }: Props) {
@@ -40,7 +42,7 @@ export function ContourLine({ row, number, reading, issues, active, details, lan
     if (solved) return value === null || value === undefined ? { text: "?", name: t.sought, solved: true } : { text: write(value), name: t.solved(write(value)), solved: true };
     return stays === null || stays === undefined ? null : { text: write(stays), name: write(stays), solved: false };
   };
-  const cell = (field: RowField, name: string, grey: Shown | null, incremental?: { on: boolean; name: string; toggle: () => void }): ReactNode => (
+  const cell = (field: Exclude<RowField, PolarName>, name: string, grey: Shown | null, incremental?: { on: boolean; name: string; toggle: () => void }): ReactNode => (
     <ContourCell
       row={row.id} field={field} name={name} language={language} text={row[field]} shown={grey} describedBy={`${id}-wrong`}
       wrong={issues.some((found) => found.field === field)}
@@ -49,6 +51,20 @@ export function ContourLine({ row, number, reading, issues, active, details, lan
       {...(TANGENTIAL.includes(row.kind) && number > 1 ? { onTangent: () => onChange({ tangent: !row.tangent }, null) } : {})}
     />
   );
+  const polar = (name: PolarName): ReactNode => {
+    if (!polarNames(row).includes(name)) return null;
+    const typed = polarTyped(row, name), { x, z } = reading?.inherited ?? { x: null, z: null };
+    const stays = reading?.pole && x !== null && z !== null ? polarOf(reading.pole, { z: axial(z), r: toRadius(diameter(x)) })[name] : null;
+    const change = (next: Partial<typeof typed>, place: string | null) => onChange({ words: withPolar(row.words, name, { ...typed, ...next }) }, place);
+    return (
+      <ContourCell
+        row={row.id} field={name} name={(name === "PR" ? t.polarRadiusOf : t.polarAngleOf)(number)} language={language} text={typed.text}
+        shown={shown(typed.text, false, null, stays)} describedBy={`${id}-wrong`} wrong={issues.some((found) => found.field === name)}
+        onText={(text) => text !== typed.text && change({ text }, `${row.id} ${name}`)}
+        incremental={{ on: typed.incremental, name: (name === "PR" ? t.incrementalRadius : t.incrementalAngle)(number), toggle: () => change({ incremental: !typed.incremental }, null) }}
+      />
+    );
+  };
   const size = row.kind === "CHF" ? t.chamferOf(number) : t.radiusOf(number);
   const measured = details && number > 1 && row.kind === "L", tangential = details && number > 1 && TANGENTIAL.includes(row.kind);
   const open = reading?.freedom ?? 0;
@@ -67,10 +83,12 @@ export function ContourLine({ row, number, reading, issues, active, details, lan
         </select>
       </td>
       <td role="cell" className="contour-x">
+        {polar("PR")}
         {POINT.includes(row.kind) && cell("x", t.xOf(number), shown(row.x, reading?.sought.x === true, reading?.end?.x, reading?.inherited.x),
           { on: row.incrementalX, name: t.incrementalX(number), toggle: () => onChange({ incrementalX: !row.incrementalX }, null) })}
       </td>
       <td role="cell" className="contour-z">
+        {polar("PA")}
         {POINT.includes(row.kind) && cell("z", t.zOf(number), shown(row.z, reading?.sought.z === true, reading?.end?.z, reading?.inherited.z),
           { on: row.incrementalZ, name: t.incrementalZ(number), toggle: () => onChange({ incrementalZ: !row.incrementalZ }, null) })}
       </td>

@@ -3,7 +3,7 @@ import userEvent from "@testing-library/user-event";
 import { useState } from "react";
 import { afterEach, beforeAll, expect, test } from "vitest";
 import { catalogue } from "../../cycles/index.ts";
-import { exampleJob, type ContourRow } from "../../program/job.ts";
+import { exampleJob, newRow, type ContourRow } from "../../program/job.ts";
 import { fetchTexts } from "../settings/loaded-texts.ts";
 import { ContourTable } from "./ContourTable.tsx";
 
@@ -118,4 +118,23 @@ test("an empty table asks for the start point", async () => {
   const last = shown([]);
   await user.click(screen.getByRole("button", { name: "Add element" }));
   expect(last.rows).toHaveLength(1);
+});
+
+test("polar elements have distance and angle with an I key each, and say what they stay at", async () => {
+  const user = userEvent.setup();
+  const last = shown([newRow("e1", { x: "20", z: "0" }), newRow("e2", { kind: "CC", x: "20", z: "-30" }), newRow("e3")]);
+  await user.selectOptions(screen.getByRole("combobox", { name: "Element 3, kind" }), "LP");
+  expect(field("Element 3, polar radius PR").placeholder).toBe("30");
+  await user.type(field("Element 3, polar angle PA"), "60");
+  expect(last.rows[2]).toMatchObject({ kind: "LP", words: { PA: "60" } });
+  await user.keyboard("i");
+  expect(last.rows[2]?.words).toEqual({ IPA: "60" });
+  await user.selectOptions(screen.getByRole("combobox", { name: "Element 3, kind" }), "CP");
+  expect(screen.queryByRole("textbox", { name: "Element 3, polar radius PR" })).toBeNull();
+  expect(screen.getByRole("combobox", { name: "Element 3, turning direction" })).toBeTruthy();
+});
+
+test("a polar element without a pole says so, also under the drawing", () => {
+  shown([newRow("e1", { x: "20", z: "0" }), newRow("e2", { kind: "LP", words: { PR: "30", PA: "0" } })]);
+  expect(screen.getAllByText("The block needs a pole CC before it.", { exact: false })).toHaveLength(2);
 });

@@ -12,7 +12,7 @@ const read = new WeakMap<readonly ContourRow[], readonly Issue[]>();
 export function contourProblems(rows: readonly ContourRow[]): readonly Issue[] {
   const known = read.get(rows);
   if (known) return known;
-  const found = readRows(rows).issues.map(({ issue }) => issue).filter(({ code }) => ONLY_HERE.has(code));
+  const found = readRows(rows).issues.map(({ issue }) => issue).filter((issue): issue is Issue => ONLY_HERE.has(issue.code as Issue["code"]));
   read.set(rows, found);
   return found;
 }

@@ -1,4 +1,7 @@
-import type { RowsReading } from "../../program/contour-rows.ts";
+import type { Pt } from "../../kernel/point.ts";
+import type { RowReading, RowsReading } from "../../program/contour-rows.ts";
+import { toRadius, axial, diameter } from "../../kernel/units.ts";
+import { isPolarRow, polarWordsTo } from "../../program/polar-row.ts";
 import { readRows } from "../../program/contour-rows.ts";
 import { newRow, type ContourRow } from "../../program/job.ts";
 import { changed, freshId, type Edited } from "./row-edits.ts";
@@ -11,12 +14,18 @@ export const typed = (n: number): string => String(Number(n.toFixed(3)) || 0);
 const SAME = 5e-4;
 
 /** True for rows that end in a point that may be dragged. */
-export const hasPoint = (row: ContourRow | undefined): boolean => row !== undefined && ["L", "CR", "C", "CT"].includes(row.kind);
+export const hasPoint = (row: ContourRow | undefined): boolean => row !== undefined && ["L", "CR", "C", "CT", "LP", "CP", "CTP"].includes(row.kind);
+
+const pointAt = ({ x, z }: Spot): Pt => ({ z: axial(z), r: toRadius(diameter(x)) });
 
 /** Moves the end point of a row: only what is typed or has to be; coordinates that are solved stay solved. */
 export function pointMoved(rows: Rows, reading: RowsReading, row: number, to: Spot): Rows {
   const at = rows[row], read = reading.rows[row];
   if (!at || !read || !hasPoint(at)) return rows;
+  if (isPolarRow(at)) {
+    const { x, z } = read.inherited;
+    return read.pole === null ? rows : changed(rows, at.id, { words: polarWordsTo(at, read.pole, x === null || z === null ? null : pointAt({ x, z }), pointAt(to)) });
+  }
   const write = (axis: "x" | "z", incremental: boolean): string => {
     const before = read.inherited[axis], empty = at[axis].trim() === "";
     if (read.sought[axis] || (empty && before !== null && Math.abs(to[axis] - before) < SAME)) return at[axis];
@@ -36,6 +45,7 @@ export function pointAppended(rows: Rows, to: Spot): Edited {
 export function pointInserted(rows: Rows, reading: RowsReading, row: number, to: Spot): Edited {
   const at = rows[row], read = reading.rows[row];
   if (!at || !read?.end || row === 0 || !hasPoint(at)) return { rows, focus: at?.id ?? null };
+  if (isPolarRow(at)) return polarInserted(rows, read, row, at, to);
   const end = { x: typed(read.end.x), z: typed(read.end.z) };
   const first = at.kind === "L"
     ? newRow(freshId(rows), { x: typed(to.x), z: typed(to.z) })
@@ -46,6 +56,16 @@ export function pointInserted(rows: Rows, reading: RowsReading, row: number, to:
     ...at, length: "", ...(at.incrementalX ? { x: end.x, incrementalX: false } : {}), ...(at.incrementalZ ? { z: end.z, incrementalZ: false } : {}),
     ...(at.length.trim() === "" ? {} : end),
   };
+  return { rows: rows.toSpliced(row, 1, first, second), focus: first.id };
+}
+
+/** Divides a polar element: the first part is written in X and Z, the second keeps the pole and is no longer incremental. */
+function polarInserted(rows: Rows, read: RowReading, row: number, at: ContourRow, to: Spot): Edited {
+  if (!read.pole || !read.end) return { rows, focus: at.id };
+  const place = { x: typed(to.x), z: typed(to.z) };
+  const first = at.kind === "LP" ? newRow(freshId(rows), place) : at.kind === "CP" ? newRow(freshId(rows), { kind: "C", ...place, turn: at.turn })
+    : newRow(freshId(rows), { kind: "CR", ...place, r: typed(Math.abs(read.radius ?? 0)), turn: read.turn ?? at.turn, tangent: true });
+  const second = { ...at, words: polarWordsTo({ ...at, words: {} }, read.pole, null, pointAt(read.end)) };
   return { rows: rows.toSpliced(row, 1, first, second), focus: first.id };
 }
 

@@ -38,6 +38,11 @@ const place = ({ axes }: Words) => {
   };
 };
 
+const polar = ({ polarRadius, polarAngle }: Words): ContourRow["words"] => ({
+  ...(polarRadius && { [polarRadius.incremental ? "IPR" : "PR"]: typedValue(polarRadius.value) }),
+  ...(polarAngle && { [polarAngle.incremental ? "IPA" : "PA"]: typedValue(polarAngle.value) }),
+});
+
 /** One block of a contour subprogram as a row of the contour table; null where it is no plain element. */
 function rowOf(s: Statement, id: string): ContourRow | null {
   if (s.kind === "chamfer") return newRow(id, { kind: "CHF", r: s.length === null ? "" : typedValue(s.length) });
@@ -45,6 +50,8 @@ function rowOf(s: Statement, id: string): ContourRow | null {
   const { radius, turn } = s.words;
   const r = radius === undefined ? "" : typedValue(radius);
   if (s.path === "L") return newRow(id, { kind: "L", ...place(s.words) });
+  if (s.path === "LP" || s.path === "CP" || s.path === "CTP") return newRow(id, { kind: s.path, words: polar(s.words), turn: turn ?? "ccw" });
+  if (s.path === "CC" || s.path === "C" || s.path === "CT") return newRow(id, { kind: s.path, ...place(s.words), turn: turn ?? "ccw" });
   if (s.path === "RND") return newRow(id, { kind: "RND", r });
   if (s.path === "CR") return newRow(id, { kind: "CR", ...place(s.words), r, turn: turn ?? "cw" });
   return null;

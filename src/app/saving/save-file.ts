@@ -18,7 +18,7 @@ const text = z.string().check(z.maxLength(500));
 /** What came later has a default here: the saves before it have no such field. */
 const later = { text: z._default(text, ""), flag: z._default(z.boolean(), false) };
 const row = z.object({
-  id: text, kind: z.enum(["L", "RND", "CHF", "CR", "CC", "C", "CT", "UDC", "GRV"]), x: text, z: text, r: text, turn: z.enum(["cw", "ccw"]),
+  id: text, kind: z.enum(["L", "RND", "CHF", "CR", "CC", "C", "CT", "LP", "CP", "CTP", "UDC", "GRV"]), x: text, z: text, r: text, turn: z.enum(["cw", "ccw"]),
   incrementalX: z.boolean(), incrementalZ: z.boolean(), angle: later.text, length: later.text, tangent: later.flag, second: later.flag,
   form: later.text, words: z._default(z.record(z.string(), text), {}),
 });
