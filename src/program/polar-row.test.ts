@@ -1,9 +1,15 @@
 import { describe, expect, test } from "vitest";
+import { catalogue } from "../cycles/index.ts";
+import { ncLabels } from "../i18n/nc-labels.ts";
+import { parse } from "../nc/parse.ts";
 import { programText } from "../nc/print.ts";
 import { LAYOUTS } from "../nc/style.ts";
 import { readRows } from "./contour-rows.ts";
-import { newRow, type ContourRow } from "./job.ts";
+import { exampleJob, newRow, type ContourRow } from "./job.ts";
 import { contourStatements } from "./print-contour.ts";
+import { printJob } from "./print-job.ts";
+import { run } from "./run.ts";
+import { shippedTools } from "./shipped-tools.ts";
 
 const row = (kind: ContourRow["kind"], given: Partial<ContourRow> = {}) => newRow("e", { kind, ...given });
 const text = (rows: readonly ContourRow[]) => programText(contourStatements(rows), LAYOUTS.tnc7).trim().split("\n").map((line) => line.trim().replace(/^\d+ /, ""));
@@ -56,4 +62,18 @@ describe("polar rows", () => {
   test("may be the start point", () => {
     expect(rounded([pole, row("LP", { words: { PR: "30", PA: "0" } }), row("L", { z: "-20" })])).toEqual([null, [20, 0], [20, -20]]);
   });
+});
+
+test("the table and the run of its program make the same contour", () => {
+  const cycle = catalogue.find((c) => c.contour === "free");
+  if (!cycle) throw new Error("no cycle with a free contour");
+  const contour = [
+    row("L", { x: "20", z: "0" }), row("L", { z: "-10" }), row("CC", { x: "20", z: "-30" }), row("LP", { words: { PR: "20", PA: "60" } }), row("RND", { r: "1" }),
+    row("CP", { words: { IPA: "40" }, turn: "ccw" }), row("CTP", { words: { PR: "30", PA: "125" } }), row("L", { z: "-60" }),
+  ];
+  const text = printJob({ ...exampleJob(cycle), contour }, ncLabels("en"));
+  const ran = run(parse(text), { tools: shippedTools, rapid: 10_000 }).operations[0]?.plan.contour.map((s) => [s.kind, s.to.z, s.to.r]);
+  const read = readRows(contour);
+  expect(read.issues).toEqual([]);
+  expect(ran).toEqual(read.contour.segments.map((s) => [s.kind, expect.closeTo(s.to.z, 6), expect.closeTo(s.to.r, 6)]));
 });
