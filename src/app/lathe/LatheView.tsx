@@ -8,7 +8,10 @@ import { snapPoints } from "../../view/measure.ts";
 import { moveAt } from "../../view/pick.ts";
 import { trackOf } from "../../view/playback.ts";
 import { sceneOf } from "../../view/scene.ts";
+import { TurnPoints } from "../approach/TurnPoints.tsx";
+import { turnCutPlaces } from "../approach/turn-places.ts";
 import type { Clock } from "../clock.ts";
+import { useIssueText } from "../issue-text.ts";
 import { reducedMotion } from "../settings/appearance.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
@@ -87,7 +90,12 @@ export function LatheView({ result, dimmed, playback, clock, onMove }: {
   const ended = usePlayback(playback, s => s.get().track.ends.length > 0 && s.get().position.step >= s.get().track.ends.length);
   const resting = usePlayback(playback, s => (s.get().playing ? -1 : s.get().position.step));
   const name = useMemo(() => t.picture(resting >= 0 ? statusText(texts, language, run, playback) : ""), [t, texts, language, run, playback, resting]);
-  const places = useMemo(() => (simulation ? placesOf(simulation, t, language) : []), [simulation, t, language]);
+  const say = useIssueText(), cutsAt = texts.approach.cutsAt;
+  const places = useMemo(
+    () => (simulation ? [...placesOf(simulation, t, language), ...turnCutPlaces(run, simulation.findings.length, say, cutsAt)] : []),
+    [simulation, run, t, language, say, cutsAt],
+  );
+  const leads = useMemo(() => run.approaches.filter(a => a.plane === "ZX"), [run]);
   const chosen = places.find(each => each.id === picked) ?? null;
   const choose = (place: LookAt | null) => {
     pick(place?.id ?? null);
@@ -106,6 +114,7 @@ export function LatheView({ result, dimmed, playback, clock, onMove }: {
       <div ref={stage} className={`lathe-stage${dimmed ? " dimmed" : ""}${measuring.on ? " measuring" : ""}`} tabIndex={0} role="group" aria-label={t.title} aria-describedby={keysId}>
         <Picture viewport={viewport} scene={scene} moving={moving} findings={findings} residual={residual} full={full} name={name}>
           <Marks viewport={viewport} starts={starts} />
+          {leads.length > 0 && <TurnPoints viewport={viewport} approaches={leads} />}
           <PlaceLines viewport={viewport} places={seen} />
           <RulerLines viewport={viewport} measuring={measuring} />
         </Picture>

@@ -1,0 +1,14 @@
+import { apart, type PlanePoint } from "../../kernel/plane.ts";
+import type { NamedPoints } from "../../kernel/approach.ts";
+import { SAME } from "../../kernel/tolerance.ts";
+import type { Camera } from "../camera.ts";
+
+/** Dots nearer than this lie on each other, pixels. */
+const NEAREST = 9;
+
+/** Approaches whose different points stand apart at this zoom; from farther away none of their points is told. */
+export const withRoom = <A extends { readonly points: NamedPoints }>(approaches: readonly A[], camera: Camera): readonly A[] =>
+  approaches.filter(({ points }) => {
+    const all: readonly PlanePoint[] = Object.values(points);
+    return all.every((p, i) => all.slice(0, i).every((q) => apart(p, q) <= SAME || apart(p, q) * camera.scale >= NEAREST));
+  });
