@@ -6,7 +6,7 @@ import { blockCount } from "../printed.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { useEditor } from "../store.ts";
 import { encode } from "./encoding.ts";
-import { downloadBytes } from "./download.ts";
+import { downloadBytes } from "../files/download.ts";
 import { flush, programText, sessionView, useSession } from "./session.ts";
 import { ShareDialog } from "./ShareDialog.tsx";
 

@@ -8,7 +8,8 @@ import { changeSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { closeStep } from "../store.ts";
 import { CopyButton } from "./CopyButton.tsx";
-import { downloadText, useCopying } from "./copy.ts";
+import { downloadText } from "../files/download.ts";
+import { useCopying } from "./copy.ts";
 import { ProgramText } from "./ProgramText.tsx";
 import { useRunningBlock } from "./running-block.ts";
 

@@ -26,15 +26,3 @@ export async function copyText(text: string): Promise<void> {
 }
 
 export const closeCopying = (): void => useCopying.setState({ state: null });
-
-/** Hands a file to the browser's downloads. */
-export function downloadText(text: string, file: string): void {
-  const address = URL.createObjectURL(new Blob([text], { type: "text/plain;charset=utf-8" }));
-  const link = document.createElement("a");
-  link.href = address;
-  link.download = file;
-  document.body.append(link);
-  link.click();
-  link.remove();
-  setTimeout(() => URL.revokeObjectURL(address), 10_000);
-}

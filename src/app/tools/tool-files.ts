@@ -2,7 +2,7 @@ import type { ToolsTexts } from "../../i18n/en/tools.ts";
 import { cellOf, isMillEntry, type EntryReading } from "../../program/tool-entry.ts";
 import { readToolFile, writeTableJson } from "../../program/tool-table-json.ts";
 import { writeMillText, writeTableText } from "../../program/tool-table-text.ts";
-import { downloadText } from "../program/copy.ts";
+import { downloadText } from "../files/download.ts";
 import { takeRows } from "./tool-edits.ts";
 import { openRow } from "./tool-place.ts";
 import { readTools, useTools } from "./tool-store.ts";
