@@ -74,7 +74,7 @@ export function verified(file: string, text: string, shop: ToolTable): Report {
   const read = performance.now();
   const done = run(program, { ...shop, rapid: RAPID });
   const planned = performance.now();
-  const simulation = simulate({ blank: done.blank, steps: done.steps, operations: done.operations });
+  const simulation = simulate(done);
   const milliseconds = { parse: read - started, plan: planned - read, simulate: performance.now() - planned };
   return report({ file, run: done, simulation, milliseconds }, "en");
 }

@@ -23,7 +23,7 @@ function cut(tool: number, cycle: readonly string[], x: number) {
     "BEGIN PGM T MM", "BLK FORM CYLINDER Z D75 L100 DIST+0", "FUNCTION MODE TURN", `TOOL CALL ${tool}`, "FUNCTION TURNDATA SPIN VCONST:ON VC:180 SMAX2500", "M136",
     ...cycle, `L X+${x} Z+2 R0 FMAX`, "CYCL CALL", "M30", ...label, "END PGM T MM",
   ].join("\n")), shop);
-  const simulation = simulate({ blank: done.blank, steps: done.steps, operations: done.operations });
+  const simulation = simulate(done);
   return { done, simulation, issues: [...done.issues.map((f) => f.issue), ...issuesOf(simulation).map((p) => p.issue)] };
 }
 

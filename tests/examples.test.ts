@@ -12,7 +12,7 @@ import { simulate } from "../src/sim/simulate.ts";
 
 function verified(text: string) {
   const done = run(parse(text), { tools: shippedTools, rapid: 10_000 });
-  const simulation = simulate({ blank: done.blank, steps: done.steps, operations: done.operations });
+  const simulation = simulate(done);
   return { done, simulation, issues: [...done.issues.map((f) => f.issue), ...proved(simulation).map((p) => p.issue)] };
 }
 const textOf = (id: string) => examples.find((e) => e.id === id)?.text ?? "";

@@ -47,7 +47,7 @@ test("no program makes the run throw, and no number of a report is NaN", () => {
   fc.assert(fc.property(damaged, (text) => {
     const program = parse(text);
     const done = run(program, shop);
-    const simulation = simulate({ blank: done.blank, steps: done.steps, operations: done.operations });
+    const simulation = simulate(done);
     const made = report({ file: "x.h", run: done, simulation, milliseconds: { parse: 0, plan: 0, simulate: 0 } }, "en");
     const numbers = JSON.stringify(made, (_, value: unknown) => {
       if (typeof value === "number" && !Number.isFinite(value)) throw new Error(`not finite in ${text}`);

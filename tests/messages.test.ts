@@ -31,7 +31,7 @@ const SAMPLES: { readonly [C in AnyCode]: DataOf<C> } = {
   notUnderstood: { text: "UDC TYPE_Z" }, wordNotUnderstood: { text: "B12" }, wordTwice: { word: "X" }, equalsMissing: { text: "Q493+50" },
   blankBeforeEquals: { text: "Q499 =+0" }, badNumber: { text: "1.2.3" }, wordMissing: { word: "R" }, blockNumber: { found: 9, expected: 7 },
   blockNumberMissing: { expected: 7 }, strayParameter: { text: "Q1=+2" }, continuationOpen: {}, frameMissing: { which: "END PGM" },
-  notSimulated: { what: "M140" }, cycleNotSimulated: { cycle: 200, name: "DRILLING" }, noCycleDefined: {}, noToolCalled: {}, toolUnknown: { tool: "99" },
+  notSimulated: { what: "M140" }, notProved: { what: "M91" }, cycleNotSimulated: { cycle: 200, name: "DRILLING" }, noCycleDefined: {}, noToolCalled: {}, toolUnknown: { tool: "99" },
   notInTurnMode: {}, labelMissing: { label: "2" }, labelTwice: { label: "2" }, labelNotClosed: { label: "2" }, contourNotNamed: { cycle: 820 }, contourInFile: { file: "PART.H" },
   feedMissing: {}, spindleMissing: {}, parameterUnset: { name: "Q7" }, divisionByZero: {}, notFinite: { text: "SQRT -1" }, blankMissing: {},
   blankNotTurned: { form: "0.1" }, blankImpossible: {}, blankTaken: { label: "20" }, blankNotTaken: { label: "20" }, poleMissing: {}, startUnknown: {}, arcImpossible: {}, radiusCompensation: { side: "RL" },

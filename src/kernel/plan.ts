@@ -39,4 +39,8 @@ export interface Plan {
   readonly openSide: Pt;
   /** The deepest path of this tool along the drawn contour; explains what stays. */
   readonly reach: readonly Reach[];
+  /** The same along the contour grown by the oversize: what stays above it is no oversize. */
+  readonly kept: readonly Reach[];
+  /** The greatest infeed that the values allow, mm; 0 when they set none. */
+  readonly most: Length;
 }

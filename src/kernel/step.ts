@@ -22,3 +22,16 @@ export interface Step {
   /** Duration from feed, spindle and rapid rate. */
   readonly seconds: number;
 }
+
+/**
+ * Something a program does that was read and not simulated although it can move the path or the stock: from its step on
+ * nothing is proved.
+ */
+export interface Unproved {
+  /** Index of the first step that comes after it. */
+  readonly step: number;
+  /** Number of its block; null when it concerns the whole program. */
+  readonly block: number | null;
+  /** As the program spells it: "CYCL DEF 811", "M91", "CALL PGM". */
+  readonly what: string;
+}

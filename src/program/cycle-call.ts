@@ -60,6 +60,7 @@ export function callCycle(machine: Machine, index: number): void {
   if (!cycle) {
     const statement = machine.blocks[defined.index]?.statement;
     const name = statement?.kind === "cycle" ? statement.name : "";
+    machine.leaveUnproved(`CYCL DEF ${defined.cycle} ${name}`.trim(), index);
     return machine.say(programIssue("cycleNotSimulated", "warning", { cycle: defined.cycle, name }), index);
   }
   if (!machine.turning) machine.say(programIssue("notInTurnMode", "error", {}), index);

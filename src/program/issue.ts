@@ -4,6 +4,8 @@ import type { Severity } from "../kernel/issue.ts";
 interface Data {
   /** The block is understood by the reader and left out by the simulation. */
   notSimulated: { what: string };
+  /** It can move the path or the stock: nothing is proved from here on. */
+  notProved: { what: string };
   cycleNotSimulated: { cycle: number; name: string };
   /** A cycle call without a definition before it. */
   noCycleDefined: {};

@@ -1,7 +1,7 @@
 import type { Issue } from "../kernel/issue.ts";
 import type { FeedUnit, Move } from "../kernel/move.ts";
 import type { Pt, Ring, Segment } from "../kernel/point.ts";
-import type { Spindle, Step } from "../kernel/step.ts";
+import type { Spindle, Step, Unproved } from "../kernel/step.ts";
 import { secondsOf } from "../kernel/time.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { toRadius, axial, diameter, type Feed } from "../kernel/units.ts";
@@ -89,6 +89,7 @@ export class Machine {
   readonly stepBlocks: number[] = [];
   readonly operations: Operation[] = [];
   readonly findings: Finding[] = [];
+  readonly unproved: Unproved[] = [];
   private readonly said = new Set<string>();
   full = false;
 
@@ -115,6 +116,14 @@ export class Machine {
 
   notSimulated(what: string, index: number, severity: "info" | "warning" = "info"): void {
     this.say(programIssue("notSimulated", severity, { what }), index);
+  }
+
+  /** Notes that from here on nothing is proved, once for each block. `what` as the program spells it. */
+  leaveUnproved(what: string, index: number): void {
+    const block = this.numbers[index] ?? 0;
+    if (this.unproved.some((u) => u.block === block && u.what === what)) return;
+    this.unproved.push({ step: this.steps.length, block, what });
+    this.say(programIssue("notProved", "warning", { what }), index);
   }
 
   /** The number of a value, or null with an issue at the block. */

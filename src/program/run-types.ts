@@ -2,7 +2,7 @@ import type { Issue } from "../kernel/issue.ts";
 import type { FeedUnit } from "../kernel/move.ts";
 import type { Plan } from "../kernel/plan.ts";
 import type { Pt, Ring } from "../kernel/point.ts";
-import type { Spindle, Step } from "../kernel/step.ts";
+import type { Spindle, Step, Unproved } from "../kernel/step.ts";
 import type { Tool } from "../kernel/tool.ts";
 import type { NcIssue } from "../nc/issue.ts";
 import type { ProgramIssue } from "./issue.ts";
@@ -55,6 +55,8 @@ export interface Run {
   readonly plane: readonly PlaneStep[];
   /** Every APPR and DEP with its points, in both planes, in the order they ran. */
   readonly approaches: readonly ApproachRun[];
+  /** What was not simulated though it can move the path or the stock, in the order it was met. */
+  readonly unproved: readonly Unproved[];
   /** All findings in the order of the text, those of operations included. */
   readonly issues: readonly Finding[];
   /** Whole running time. */

@@ -37,7 +37,7 @@ export function run(program: Program, shop: Shop): Run {
       blocks: program.blocks.filter((b) => b.statement.kind !== "empty" && (b.number !== null || b.statement.kind !== "comment")).length,
     },
     blank: machine.blank, operations: machine.operations, steps: machine.steps, stepBlocks: machine.stepBlocks,
-    plane: machine.mill.steps, approaches: machine.approaches,
+    plane: machine.mill.steps, approaches: machine.approaches, unproved: machine.unproved,
     issues: machine.allFindings(), seconds: [...machine.steps, ...machine.mill.steps].reduce((sum, s) => sum + s.seconds, 0),
   };
 }

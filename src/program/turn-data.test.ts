@@ -9,7 +9,7 @@ const lines = (...blocks: string[]) => ["0 BEGIN PGM T MM", ...blocks, "M30", "E
 const shop = { tools: shippedTools, rapid: 10_000 };
 function cut(...blocks: string[]) {
   const done = run(parse(lines(...blocks)), shop);
-  const { final } = simulate({ blank: done.blank, steps: done.steps, operations: done.operations });
+  const { final } = simulate(done);
   const has = (x: number, z: number) => final.flat().some((p) => Math.abs(toDiameter(p.r) - x) < 0.01 && Math.abs(p.z - z) < 0.03);
   return { done, has, codes: done.issues.map((f) => f.issue.code) };
 }

@@ -32,8 +32,8 @@ function steps(tool: Tool, start: Pt, moves: readonly Move[]): Step[] {
 }
 const run = (tool: Tool, start: Pt, moves: readonly Move[], plan?: Partial<Plan>) => {
   const list = steps(tool, start, moves);
-  const whole: Plan = { moves, issues: [], contour: [], passes: 1, infeed: length(1), area: [], part: [], openSide: at(0, 1), reach: [], ...plan };
-  return simulate({ blank, steps: list, operations: plan ? [{ plan: whole, tool, firstStep: 0, lastStep: list.length - 1 }] : [] });
+  const whole: Plan = { moves, issues: [], contour: [], passes: 1, infeed: length(1), area: [], part: [], openSide: at(0, 1), reach: [], kept: [], most: length(0), ...plan };
+  return simulate({ blank, steps: list, operations: plan ? [{ plan: whole, tool, firstStep: 0, lastStep: list.length - 1 }] : [], unproved: [] });
 };
 const line = (from: Pt, to: Pt): Segment => ({ kind: "line", from, to });
 
@@ -101,11 +101,11 @@ describe("gouge", () => {
     const groove = { plan: { ...EMPTY, part: box(-50, 0, 0, 20), area: box(-21.5, 20, -18.5, 25) }, tool: bar, firstStep: 1, lastStep: 2 };
     const turned = { plan: { ...EMPTY, ...plan }, tool: rougher, firstStep: 0, lastStep: 0 };
     const list = [...first.steps, ...steps(bar, at(-20, 32), [cut(-20, 20), cut(-20, 32)])];
-    expect(simulate({ blank, steps: list, operations: [turned, groove] }).proof.gouge).toBe(0);
-    expect(simulate({ blank, steps: list, operations: [turned] }).proof.gouge).toBeCloseTo(15, 0);
+    expect(simulate({ blank, steps: list, operations: [turned, groove], unproved: [] }).proof.gouge).toBe(0);
+    expect(simulate({ blank, steps: list, operations: [turned], unproved: [] }).proof.gouge).toBeCloseTo(15, 0);
   });
 });
-const EMPTY: Plan = { moves: [], issues: [], contour: [], passes: 0, infeed: length(0), area: [], part: [], openSide: at(0, 1), reach: [] };
+const EMPTY: Plan = { moves: [], issues: [], contour: [], passes: 0, infeed: length(0), area: [], part: [], openSide: at(0, 1), reach: [], kept: [], most: length(0) };
 
 describe("holder", () => {
   const withHolder: Tool = { ...bar, holder: { width: length(20), length: length(80), offsetZ: length(-1), offsetX: length(10) } };
@@ -159,7 +159,7 @@ test("times add up and an empty program is the blank", () => {
   const s = run(rougher, at(2, 27), [cut(-30, 27), rapid(2, 27)]);
   expect([...s.startTimes]).toEqual([0, 1, 2]);
   expect(s.totalSeconds).toBe(2);
-  const none = simulate({ blank, steps: [], operations: [] });
+  const none = simulate({ blank, steps: [], operations: [], unproved: [] });
   expect(none.final).toEqual(blank);
   expect(stockAt(none, { step: 3, fraction: 0.4 })).toEqual(blank);
   expect(playerOf(none).at({ step: NaN, fraction: NaN })).toEqual(blank);

@@ -1,4 +1,4 @@
-import { packed } from "../kernel/clip.ts";
+import { areaOf, packed } from "../kernel/clip.ts";
 import type { Step } from "../kernel/step.ts";
 import { check } from "./check.ts";
 import { cutting } from "./cutting.ts";
@@ -28,7 +28,7 @@ const total = (findings: readonly Finding[], kind: Finding["kind"]) =>
 
 /** Cuts the blank by every step and looks at each before it cuts. */
 export function simulate(input: SimulationInput): Simulation {
-  const { blank, steps, operations } = input;
+  const { blank, steps, operations, unproved } = input;
   const outlines = outlinesOf();
   const part = finishedPart(operations);
   const finished = { rings: part, edges: edgesOf(part) };
@@ -57,6 +57,10 @@ export function simulate(input: SimulationInput): Simulation {
       gouge: total(findings, "gouge"),
       rapidInStock: total(findings, "rapidInStock"),
       residual: residualOf(final, operations, outlines),
+      cut: areaOf(blank) - areaOf(final), airPasses: 0, deepest: null,
+      holder: findings.some((f) => f.kind === "holderContact") ? "contact" : steps.some((s) => !s.tool.holder) ? "unknown" : "clear",
+      unproved,
+      verdict: findings.length > 0 ? "faults" : unproved.length > 0 || operations.length === 0 ? "incomplete" : "proved",
     },
   };
 }

@@ -2,7 +2,7 @@ import type { PackedRings } from "../kernel/clip.ts";
 import type { Reason } from "../kernel/issue.ts";
 import type { Plan } from "../kernel/plan.ts";
 import type { Pt, Ring } from "../kernel/point.ts";
-import type { Step } from "../kernel/step.ts";
+import type { Step, Unproved } from "../kernel/step.ts";
 import type { Tool } from "../kernel/tool.ts";
 
 /** One executed cycle call: its plan and its steps, `firstStep` to `lastStep` included (none: lastStep < firstStep). */
@@ -18,6 +18,8 @@ export interface SimulationInput {
   readonly blank: readonly Ring[];
   readonly steps: readonly Step[];
   readonly operations: readonly SimulatedOperation[];
+  /** What the run read and did not simulate. */
+  readonly unproved: readonly Unproved[];
 }
 
 /** A moment of the run: a fraction 0 … 1 of the way of a step. The end is `{ step: steps.length, fraction: 0 }`. */
@@ -61,7 +63,20 @@ export interface Proof {
   readonly gouge: number;
   readonly rapidInStock: number;
   readonly residual: readonly Residual[];
+  /** Stock that feed moves removed. */
+  readonly cut: number;
+  /** Roughing passes that touched no stock. */
+  readonly airPasses: number;
+  /** The roughing pass that goes deepest into the stock against what its cycle allows, mm; null without roughing. */
+  readonly deepest: { readonly depth: number; readonly allowed: number; readonly block: number; readonly step: number } | null;
+  /** Whether a holder touched the stock; unknown when a tool that moved has none. */
+  readonly holder: "clear" | "contact" | "unknown";
+  readonly unproved: readonly Unproved[];
+  readonly verdict: Verdict;
 }
+
+/** "incomplete": something was not simulated, an operation cut nothing, or there was no operation at all. */
+export type Verdict = "proved" | "faults" | "incomplete";
 
 /** A simulated run: plain data, so it can be sent between threads. */
 export interface Simulation {

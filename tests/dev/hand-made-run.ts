@@ -53,13 +53,13 @@ export function exampleResult({ fault, many }: { readonly fault: boolean; readon
   ];
   const part: Ring = [at(0, -100), at(0, 0), at(24.2, 0), at(25, -0.8), at(25, -55), at(37.5, -55), at(37.5, -100)];
   const area: Ring = [at(24.2, 0), at(24.2, 2), at(40, 2), at(40, -55), at(25, -55), at(25, -0.8)];
-  const plan: Plan = { moves: steps.map(s => s.move), issues: [], contour, passes: many ? 1000 : 5, infeed: length(2.36), area, part, openSide: at(1, 0), reach: [] };
+  const plan: Plan = { moves: steps.map(s => s.move), issues: [], contour, passes: many ? 1000 : 5, infeed: length(2.36), area, part, openSide: at(1, 0), reach: [], kept: [], most: length(2) };
   const seconds = steps.reduce((sum, s) => sum + s.seconds, 0);
   const operation: Operation = {
     block: 12, definedIn: 10, definedLine: 11, cycle: 812, tool, start, feedUnit: "mm/rev", spindle, plan, seconds,
     firstStep: 0, lastStep: steps.length - 1, issues: [],
   };
   const blank = [box(-100, 2, 0, 38)];
-  const run: Run = { program: { name: "HAND", unit: "mm", blocks: 20 }, blank, operations: [operation], steps, stepBlocks: steps.map(() => 11), plane: [], approaches: [], issues: [], seconds };
-  return { run, simulation: simulate({ blank, steps, operations: [operation] }) };
+  const run: Run = { program: { name: "HAND", unit: "mm", blocks: 20 }, blank, operations: [operation], steps, stepBlocks: steps.map(() => 11), plane: [], approaches: [], unproved: [], issues: [], seconds };
+  return { run, simulation: simulate({ blank, steps, operations: [operation], unproved: [] }) };
 }

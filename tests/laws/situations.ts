@@ -120,7 +120,7 @@ export function simulated(plan: Plan, s: Situation) {
     from = move.to;
     return step;
   });
-  return simulate({ blank: s.blank, steps, operations: [{ plan, tool: used, firstStep: 0, lastStep: steps.length - 1 }] });
+  return simulate({ blank: s.blank, steps, operations: [{ plan, tool: used, firstStep: 0, lastStep: steps.length - 1 }], unproved: [] });
 }
 
 /** The plan says that it moves through the material because the start point stands there, or that it may. */

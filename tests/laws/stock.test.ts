@@ -52,7 +52,7 @@ const programs = fc.tuple(tools, places, fc.array(ways, { minLength: 1, maxLengt
     return step;
   });
 });
-const run = (steps: readonly Step[]): Simulation => simulate({ blank, steps, operations: [] });
+const run = (steps: readonly Step[]): Simulation => simulate({ blank, steps, operations: [], unproved: [] });
 const moments = (simulation: Simulation, fractions: readonly number[]): Position[] =>
   fractions.map((f) => {
     const all = f * simulation.steps.length;

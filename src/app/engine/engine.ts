@@ -39,7 +39,7 @@ export const engine = {
   update({ version, text, table, rapid, control }: Request): Outcome {
     const program = parse(text);
     const made = run(program, { ...table, rapid, control });
-    const simulation = simulate({ blank: made.blank, steps: made.steps, operations: made.operations });
+    const simulation = simulate(made);
     return { version, text, run: made, simulation };
   },
 

@@ -45,7 +45,7 @@ export interface LatheResult {
 /** A pointer this near to a move means that move, pixels. */
 const NEAR = 10;
 
-const EMPTY_RUN: Run = { program: { name: "", unit: "mm", blocks: 0 }, blank: [], operations: [], steps: [], stepBlocks: [], plane: [], approaches: [], issues: [], seconds: 0 };
+const EMPTY_RUN: Run = { program: { name: "", unit: "mm", blocks: 0 }, blank: [], operations: [], steps: [], stepBlocks: [], plane: [], approaches: [], unproved: [], issues: [], seconds: 0 };
 
 /** The lathe: picture, playback, timeline, findings. Keeps showing the last result it was given, dimmed when told so. */
 export function LatheView({ result, dimmed, playback, clock, onMove }: {

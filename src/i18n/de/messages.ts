@@ -105,6 +105,7 @@ export const messages = {
     frameMissing: (d) => `Dem Programm fehlt ${d.which}.`,
 
     notSimulated: (d, w) => `${w.text(d.what)}: bleibt stehen, wird nicht simuliert.`,
+    notProved: (d, w) => `${w.text(d.what)} wird nicht simuliert und kann Bahn oder Rohteil verändern: Ab hier ist nichts geprüft.`,
     cycleNotSimulated: (d, w) => `Zyklus ${d.cycle} ${w.text(d.name)}: bleibt stehen, wird nicht simuliert.`,
     noCycleDefined: () => "Vor dem Aufruf ist kein Zyklus definiert.",
     noToolCalled: () => "Vor diesem Satz ist kein Werkzeug aufgerufen.",

@@ -108,6 +108,7 @@ export const messages = {
     frameMissing: (d) => `The program has no ${d.which}.`,
 
     notSimulated: (d, w) => `${w.text(d.what)}: kept, not simulated.`,
+    notProved: (d, w) => `${w.text(d.what)} is not simulated and can move the path or the stock: nothing is proved from here on.`,
     cycleNotSimulated: (d, w) => `Cycle ${d.cycle} ${w.text(d.name)}: kept, not simulated.`,
     noCycleDefined: () => "The call has no cycle definition before it.",
     noToolCalled: () => "No tool is called before this block.",

@@ -106,6 +106,7 @@ export const messages = {
     frameMissing: (d) => `Il manque ${d.which} au programme.`,
 
     notSimulated: (d, w) => `${w.text(d.what)} : conservé, non simulé.`,
+    notProved: (d, w) => `${w.text(d.what)} n’est pas simulé et peut modifier la trajectoire ou le brut : à partir d’ici, rien n’est prouvé.`,
     cycleNotSimulated: (d, w) => `Cycle ${d.cycle} ${w.text(d.name)} : conservé, non simulé.`,
     noCycleDefined: () => "Aucun cycle n'est défini avant l'appel.",
     noToolCalled: () => "Aucun outil n'est appelé avant cette séquence.",

@@ -98,6 +98,7 @@ export const messages = {
     frameMissing: (d) => `程序缺少${d.which}。`,
 
     notSimulated: (d, w) => `${w.text(d.what)}:保留,不仿真。`,
+    notProved: (d, w) => `${w.text(d.what)} 未被模拟，可能改变路径或毛坯：从此处起不再有任何验证。`,
     cycleNotSimulated: (d, w) => `循环${d.cycle} ${w.text(d.name)}:保留,不仿真。`,
     noCycleDefined: () => "调用前没有定义循环。",
     noToolCalled: () => "该程序段之前没有调用刀具。",

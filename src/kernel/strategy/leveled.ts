@@ -102,6 +102,7 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
     moves: wanted.moves, issues, contour: l.contour, ...division, infeed: length(division.infeed),
     area: areaOver(flat, l.frame, start.u, top), part: partUnder(flat, l.frame, pinInFront),
     openSide: toPart(l.frame, { u: 0, v: 1 }), reach: reachOf(drawn, Math.max(drawn.first, from), Math.min(drawn.end.u, to), l.frame, tool),
+    kept: reachOf(kept, Math.max(kept.first, from), Math.min(kept.end.u, to), l.frame, tool), most: length(l.infeed),
   };
 }
 
@@ -113,7 +114,7 @@ export function back(track: Track, start: Flat, run: "rough" | "finish", step: n
   track.rapid("v", start.v, p);
 }
 
-export const empty = (issues: readonly Issue[]): Plan => ({ moves: [], issues, contour: [], passes: 0, infeed: length(0), area: [], part: [], openSide: { z: axial(0), r: radius(0) }, reach: [] });
+export const empty = (issues: readonly Issue[]): Plan => ({ moves: [], issues, contour: [], passes: 0, infeed: length(0), area: [], part: [], openSide: { z: axial(0), r: radius(0) }, reach: [], kept: [], most: length(0) });
 
 /** The body of the insert lies on the material side: it cannot work here. */
 export function wrongSide(tool: Setting["tool"], frame: Frame): Issue | null {
