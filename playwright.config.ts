@@ -2,7 +2,7 @@ import { defineConfig, devices } from "@playwright/test";
 import { browserFlags, findBrowser } from "./scripts/browser.mjs";
 
 /** Journeys run on the built page, as it is served to users. `npm run e2e` builds first. */
-const port = 4179;
+const port = Number(process.env["PORT"] ?? 4179);
 const executablePath = process.env["CHROMIUM_PATH"] ?? findBrowser();
 const launchOptions = { args: browserFlags, ...(executablePath ? { executablePath } : {}) };
 
