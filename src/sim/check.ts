@@ -29,7 +29,7 @@ const real = (area: Ring[]): Ring[] => {
 };
 
 /** What pieces have in common with an area and with the stock as it is now. */
-function inStock(pieces: readonly Piece[], cut: Cutting, within: readonly Ring[] | null = null, also: readonly Ring[] = []): Ring[] {
+export function inStock(pieces: readonly Piece[], cut: Cutting, within: readonly Ring[] | null = null, also: readonly Ring[] = []): Ring[] {
   const near = pieces.filter((p) => cut.meets(p)).map((p) => p.ring);
   if (near.length === 0) return [];
   const box = boxAround(near);

@@ -1,6 +1,6 @@
 import { areaOf, packed } from "../kernel/clip.ts";
 import type { Step } from "../kernel/step.ts";
-import { check } from "./check.ts";
+import { check, inStock } from "./check.ts";
 import { cutting } from "./cutting.ts";
 import { edgesOf } from "./edges.ts";
 import { finishedPart } from "./finished.ts";
@@ -34,6 +34,7 @@ export function simulate(input: SimulationInput): Simulation {
   const finished = { rings: part, edges: edgesOf(part) };
   const checkpoints: Checkpoint[] = [{ step: 0, stock: packed(blank) }];
   const findings: Finding[] = [];
+  const removed: number[] = [];
   let cut = cutting(blank);
   let last = 0;
   steps.forEach((step, i) => {
@@ -46,6 +47,8 @@ export function simulate(input: SimulationInput): Simulation {
     const sweep = piecesOf(sweepOf(shapes.insert, step));
     const touching = shapes.checked === shapes.insert ? sweep : piecesOf(sweepOf(shapes.checked, step));
     findings.push(...check(step, i, shapes, touching, cut, finished));
+    const own = step.operation !== null && step.move.kind !== "rapid" ? step.operation : null;
+    if (own !== null) removed[own] = (removed[own] ?? 0) + areaOf(inStock(sweep, cut));
     cut.add(sweep);
   });
   const final = cut.stock();
@@ -60,7 +63,7 @@ export function simulate(input: SimulationInput): Simulation {
       cut: areaOf(blank) - areaOf(final), airPasses: 0, deepest: null,
       holder: findings.some((f) => f.kind === "holderContact") ? "contact" : steps.some((s) => !s.tool.holder) ? "unknown" : "clear",
       unproved,
-      verdict: findings.length > 0 ? "faults" : unproved.length > 0 || operations.length === 0 ? "incomplete" : "proved",
+      operations: operations.map((_, o) => ({ cut: removed[o] ?? 0, airPasses: 0, deepest: null, thickest: null, startInMaterial: null })),
     },
   };
 }

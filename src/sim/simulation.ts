@@ -68,14 +68,42 @@ export interface Proof {
   /** Roughing passes that touched no stock. */
   readonly airPasses: number;
   /** The roughing pass that goes deepest into the stock against what its cycle allows, mm; null without roughing. */
-  readonly deepest: { readonly depth: number; readonly allowed: number; readonly block: number; readonly step: number } | null;
+  readonly deepest: Depth | null;
   /** Whether a holder touched the stock; unknown when a tool that moved has none. */
   readonly holder: "clear" | "contact" | "unknown";
   readonly unproved: readonly Unproved[];
-  readonly verdict: Verdict;
+  /** For each operation of the run, in its order. */
+  readonly operations: readonly OperationProof[];
 }
 
-/** "incomplete": something was not simulated, an operation cut nothing, or there was no operation at all. */
+/** A measured depth against what is allowed, mm; `allowed` is 0 when nothing limits it. */
+export interface Depth {
+  readonly depth: number;
+  readonly allowed: number;
+  readonly step: number;
+  readonly block: number;
+  /** The roughing pass, from 1; absent on a smoothing or finishing cut. */
+  readonly pass?: number;
+}
+
+/** What one operation did to the stock. */
+export interface OperationProof {
+  /** Stock that its feed moves removed, mm² of the half plane. */
+  readonly cut: number;
+  /** Roughing passes that touched no stock. */
+  readonly airPasses: number;
+  /** The roughing pass that goes deepest, along the direction of infeed, against the greatest infeed; null without roughing. */
+  readonly deepest: Depth | null;
+  /** The smoothing or finishing cut that takes more than the oversize and one infeed, square to its path; null when none does. */
+  readonly thickest: Depth | null;
+  /** Where the insert stands in the stock when the operation begins; null where it is free. */
+  readonly startInMaterial: Pt | null;
+}
+
+/**
+ * Over a whole program: "faults": errors or findings; "incomplete": something was not simulated, an operation cut nothing,
+ * or there was no operation at all.
+ */
 export type Verdict = "proved" | "faults" | "incomplete";
 
 /** A simulated run: plain data, so it can be sent between threads. */

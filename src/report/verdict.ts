@@ -1,0 +1,73 @@
+import { flanksUnknown } from "../kernel/insert.ts";
+import type { Tool } from "../kernel/tool.ts";
+import type { Run } from "../program/run-types.ts";
+import { REAL_AREA } from "../sim/check.ts";
+import type { Finding, Simulation, Verdict } from "../sim/simulation.ts";
+
+/** Why a verdict is what it is, as data: the block where it begins (null: the whole program) and what it is about. */
+export type VerdictReason =
+  /** Errors that the run found in the program: how many, and the block of the first. */
+  | { readonly kind: "error"; readonly block: number | null; readonly count: number }
+  /** Found in the stock: how many places, and mm² of all of them. */
+  | { readonly kind: Finding["kind"]; readonly block: number; readonly count: number; readonly area: number }
+  /** Something was read and not simulated; nothing is proved from its block on. */
+  | { readonly kind: "unproved"; readonly block: number | null; readonly what: string }
+  /** Milling changes the stock, which the half plane can not show. */
+  | { readonly kind: "milling"; readonly block: number }
+  | { readonly kind: "nothingCut"; readonly block: number; readonly operation: number }
+  | { readonly kind: "noOperation"; readonly block: null }
+  /** The verdict stands, but nobody has looked at the holder of this tool, or at the flanks of its insert. */
+  | { readonly kind: "holderUnknown" | "flanksUnknown"; readonly block: number; readonly tool: number; readonly name: string };
+
+/** The verdict over a whole run with all that speaks for it, the gravest first. */
+export interface Judged {
+  readonly verdict: Verdict;
+  readonly reasons: readonly VerdictReason[];
+  /** True when it is proved and nothing was left unlooked at: only then may a screen show green. */
+  readonly clear: boolean;
+}
+
+/** The verdict over a run and its simulation. */
+export function verdictOf(run: Run, simulation: Pick<Simulation, "findings" | "proof">): Judged {
+  const [faults, gaps, notes] = [faultsOf(run, simulation), gapsOf(run, simulation), unlookedAt(run)];
+  const verdict = faults.length > 0 ? "faults" : gaps.length > 0 ? "incomplete" : "proved";
+  return { verdict, reasons: [...faults, ...gaps, ...notes], clear: verdict === "proved" && notes.length === 0 };
+}
+
+const FOUND = ["gouge", "rapidInStock", "holderContact"] as const;
+
+function faultsOf(run: Run, { findings }: Pick<Simulation, "findings">): VerdictReason[] {
+  const out: VerdictReason[] = [];
+  const errors = run.issues.filter((f) => f.issue.severity === "error");
+  if (errors[0]) out.push({ kind: "error", block: errors[0].block, count: errors.length });
+  for (const kind of FOUND) {
+    const of = findings.filter((f) => f.kind === kind);
+    if (of[0]) out.push({ kind, block: of[0].block, count: of.length, area: of.reduce((sum, f) => sum + f.area, 0) });
+  }
+  return out;
+}
+
+/** What was not simulated or did nothing, in the order of the program where that is known. */
+function gapsOf(run: Run, { proof }: Pick<Simulation, "proof">): VerdictReason[] {
+  const out: VerdictReason[] = proof.unproved.map(({ block, what }) => ({ kind: "unproved", block, what }));
+  const milled = run.plane.find((s) => s.kind !== "rapid");
+  if (milled) out.push({ kind: "milling", block: milled.block });
+  run.operations.forEach((o, operation) => {
+    if ((proof.operations[operation]?.cut ?? 0) < REAL_AREA) out.push({ kind: "nothingCut", block: o.block, operation });
+  });
+  if (run.operations.length === 0) out.push({ kind: "noOperation", block: null });
+  return out;
+}
+
+/** Tools that moved and are not described in full, each once. */
+function unlookedAt(run: Run): VerdictReason[] {
+  const first = new Map<number, { readonly tool: Tool; readonly block: number }>();
+  for (const { tool, block } of run.steps) if (!first.has(tool.T)) first.set(tool.T, { tool, block });
+  return [...first.values()].flatMap(({ tool, block }) => {
+    const about = { block, tool: tool.T, name: tool.NAME };
+    return [
+      ...(tool.holder ? [] : [{ kind: "holderUnknown", ...about } as const]),
+      ...(flanksUnknown(tool) ? [{ kind: "flanksUnknown", ...about } as const] : []),
+    ];
+  });
+}
