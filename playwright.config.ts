@@ -6,6 +6,9 @@ const port = Number(process.env["PORT"] ?? 4179);
 const executablePath = process.env["CHROMIUM_PATH"] ?? findBrowser();
 const launchOptions = { args: browserFlags, ...(executablePath ? { executablePath } : {}) };
 
+/** Room for a machine many times slower than this and busy: a limit is for what never comes, not for what comes late, ms. */
+const PATIENCE = { journey: 300_000, step: 90_000 };
+
 export default defineConfig({
   testDir: "e2e",
   outputDir: "test-results",
@@ -13,10 +16,10 @@ export default defineConfig({
   workers: 2,
   retries: process.env["CI"] ? 1 : 0,
   forbidOnly: Boolean(process.env["CI"]),
-  timeout: 60_000,
-  expect: { timeout: 10_000 },
+  timeout: PATIENCE.journey,
+  expect: { timeout: PATIENCE.step },
   reporter: process.env["PLAYWRIGHT_JSON_OUTPUT_FILE"] ? [["list"], ["json"]] : [["list"]],
-  use: { baseURL: `http://127.0.0.1:${port}/`, launchOptions, actionTimeout: 10_000, trace: "off", permissions: ["clipboard-read", "clipboard-write"] },
+  use: { baseURL: `http://127.0.0.1:${port}/`, launchOptions, actionTimeout: PATIENCE.step, navigationTimeout: PATIENCE.step, trace: "off", permissions: ["clipboard-read", "clipboard-write"] },
   webServer: {
     command: `node node_modules/vite/bin/vite.js preview --port ${port} --strictPort --logLevel warn`,
     port, reuseExistingServer: false, stdout: "ignore", stderr: "pipe",

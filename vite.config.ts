@@ -31,7 +31,9 @@ export default defineConfig({
   preview: { host: "127.0.0.1", port: 4173 },
   test: {
     sequence: { shuffle: { files: false, tests: true }, seed },
-    testTimeout: 60_000,
+    // For what never ends; a slow machine may take long.
+    testTimeout: 600_000,
+    hookTimeout: 600_000,
     projects: [
       { extends: true, test: { name: "node", environment: "node", setupFiles: ["./tests/seed.ts"], exclude, include: ["src/**/*.test.ts", "tests/**/*.test.ts"] } },
       { extends: true, test: { name: "jsdom", environment: "jsdom", setupFiles: ["./tests/seed.ts", "./tests/jsdom.ts"], exclude, include: ["src/**/*.test.tsx"] } },

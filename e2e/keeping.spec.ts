@@ -1,4 +1,5 @@
-import { expect, test } from "@playwright/test";
+import type { Page } from "@playwright/test";
+import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
 test("a reload in the middle of typing loses nothing", async ({ page }) => {
@@ -32,8 +33,15 @@ test("a damaged save is set aside with a message, and the page opens", async ({ 
   const turnwise = await Turnwise.open(page);
   await turnwise.start.beginWithExample(812);
   await expect(turnwise.dialog.line("Q493")).toBeVisible();
-  await page.waitForTimeout(300);
-  const damaged = await page.evaluate(async () => {
+  await expect.poll(() => damageSaves(page)).toBeGreaterThan(0);
+  await page.reload();
+  await expect(page.getByText(turnwise.t.page.notice.damaged(1))).toBeVisible();
+  await expect(turnwise.start.button(812, true)).toBeVisible();
+});
+
+/** Breaks every save on the device; their number. */
+function damageSaves(page: Page): Promise<number> {
+  return page.evaluate(async () => {
     let count = 0;
     for (const { name } of await indexedDB.databases()) {
       const db = await new Promise<IDBDatabase>((resolve, reject) => {
@@ -56,8 +64,4 @@ test("a damaged save is set aside with a message, and the page opens", async ({ 
     }
     return count;
   });
-  expect(damaged).toBeGreaterThan(0);
-  await page.reload();
-  await expect(page.getByText(turnwise.t.page.notice.damaged(1))).toBeVisible();
-  await expect(turnwise.start.button(812, true)).toBeVisible();
-});
+}

@@ -1,4 +1,4 @@
-import { expect, test } from "@playwright/test";
+import { expect, test } from "./pages/test.ts";
 import { tabTo } from "./pages/keyboard.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 import { answers, type Answers } from "./pages/values.ts";

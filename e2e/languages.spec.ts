@@ -1,4 +1,4 @@
-import { expect, test } from "@playwright/test";
+import { expect, test } from "./pages/test.ts";
 import { LANGUAGES } from "../src/i18n/languages.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 

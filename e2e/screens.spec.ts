@@ -1,46 +1,61 @@
-import AxeBuilder from "@axe-core/playwright";
-import { expect, test, type Page } from "@playwright/test";
+import type { Page } from "@playwright/test";
+import { looksRight } from "./pages/look.ts";
+import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-async function accessible(page: Page): Promise<void> {
-  const { violations } = await new AxeBuilder({ page }).analyze();
-  expect(violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.target.join(" ")).slice(0, 4).join(" | ")}`)).toEqual([]);
+/** The work of 820 with its printed example, proved. */
+async function example(page: Page, theme: "light" | "dark"): Promise<Turnwise> {
+  const turnwise = await Turnwise.open(page, { theme });
+  await turnwise.start.beginWithExample(820);
+  await expect(turnwise.effect.cell("proof")).toHaveText(turnwise.t.page.effect.clean);
+  return turnwise;
 }
 
-/** Nothing may stick out of the screen sideways. */
-async function fits(page: Page): Promise<void> {
-  const over = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
-  expect(over).toBeLessThanOrEqual(0);
-}
-
+/* One journey for each screen: looking at one takes axe seconds on a slow machine. */
 for (const theme of ["light", "dark"] as const) {
-  test(`every screen passes axe in ${theme}, and fits`, async ({ page }) => {
+  test(`the start passes axe in ${theme}, and fits`, async ({ page }) => {
     const turnwise = await Turnwise.open(page, { theme });
-    const { dialog, effect, settings, t } = turnwise;
-    const look = async () => {
-      await accessible(page);
-      await fits(page);
-    };
     await expect(turnwise.start.button(820, true)).toBeVisible();
-    await look();
-    await settings.open();
-    await look();
-    await page.keyboard.press("Escape");
-    await turnwise.start.beginWithExample(820);
-    await expect(effect.cell("proof")).toHaveText(t.page.effect.clean);
-    await look();
+    await looksRight(page);
+  });
+
+  test(`the settings pass axe in ${theme}, and fit`, async ({ page }) => {
+    const turnwise = await Turnwise.open(page, { theme });
+    await turnwise.settings.open();
+    await looksRight(page);
+  });
+
+  test(`the workplace passes axe in ${theme}, and fits`, async ({ page }) => {
+    await example(page, theme);
+    await looksRight(page);
+  });
+
+  test(`a value that is wrong passes axe in ${theme}, and fits`, async ({ page }) => {
+    const { dialog } = await example(page, theme);
     await dialog.open("Q463");
     await dialog.type("nothing");
     await expect(dialog.messages).not.toBeEmpty();
-    await look();
-    for (const section of ["setup", "contour", "problems", "program", "prompts"] as const) {
+    await looksRight(page);
+  });
+
+  for (const section of ["setup", "contour", "problems", "program", "prompts"] as const)
+    test(`the panel "${section}" passes axe in ${theme}, and fits`, async ({ page }) => {
+      const turnwise = await example(page, theme);
       await turnwise.show(section);
-      await look();
-    }
-    await page.keyboard.press("Escape");
+      await looksRight(page);
+    });
+
+  test(`a choice passes axe in ${theme}, and fits`, async ({ page }) => {
+    const { dialog } = await example(page, theme);
     await dialog.open("Q215");
-    await look();
+    await looksRight(page);
+  });
+
+  test(`the end of the dialog passes axe in ${theme}, and fits`, async ({ page }) => {
+    const { dialog, t } = await example(page, theme);
+    await dialog.open("Q215");
     await page.keyboard.press("End");
-    await look();
+    await expect(dialog.question).toHaveText(t.dialog.done.title);
+    await looksRight(page);
   });
 }

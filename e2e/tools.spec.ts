@@ -1,4 +1,4 @@
-import { expect, test } from "@playwright/test";
+import { expect, test } from "./pages/test.ts";
 import { LANGUAGES } from "../src/i18n/languages.ts";
 import { tabTo } from "./pages/keyboard.ts";
 import { Turnwise } from "./pages/turnwise.ts";
@@ -31,7 +31,7 @@ test("a tool of one's own by keyboard alone: made, kept over a reload, offered i
   }
   await expect(tools.row(21)).toContainText("SHOP 35");
   await expect(tools.drawing).toBeVisible();
-  await page.waitForTimeout(200);
+  await expect.poll(() => page.evaluate(() => localStorage.getItem("turnwise/tools") ?? "")).toContain("SHOP 35");
   await page.reload();
   await expect(turnwise.dialog.question).toBeVisible();
   await turnwise.show("setup");

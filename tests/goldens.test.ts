@@ -55,4 +55,4 @@ test("no program makes the run throw, and no number of a report is NaN", () => {
     });
     expect(numbers).toContain("turnwise-report/1");
   }), { numRuns: 300 });
-}, 120_000);
+});

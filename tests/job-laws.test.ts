@@ -49,5 +49,5 @@ describe("whatever is typed", () => {
       const typedParameter = Object.values(job.drafts[cycle.number] ?? {}).includes("Q5");
       if (values && !typedParameter) expect(first?.issues.filter((f) => ["missing", "notAChoice", "notANumber"].includes(f.issue.code))).toEqual([]);
     }), { numRuns: 400 });
-  }, 120_000);
+  });
 });

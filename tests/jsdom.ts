@@ -1,6 +1,10 @@
+import { configure } from "@testing-library/dom";
 import { texts } from "../src/i18n/index.ts";
 import { LANGUAGES } from "../src/i18n/languages.ts";
 import { provideTexts } from "../src/app/settings/loaded-texts.ts";
+
+/** For what never comes: on a slow machine a component may take long to show what it was given, ms. */
+configure({ asyncUtilTimeout: 60_000 });
 
 /** Component tests have all languages at hand; the page fetches the one it shows. */
 for (const language of LANGUAGES) provideTexts(language, texts(language));

@@ -105,7 +105,7 @@ test("a file is taken over as one step, what it is missing is said", async () =>
   const text = writeTableText(shippedTools.slice(0, 2)).replace("CNMG", "SHOP").replace("[END]", "77      HALF");
   const input = document.querySelector<HTMLInputElement>("input[type=file]");
   await user.upload(input as HTMLInputElement, new File([text], "T.TRN"));
-  await vi.waitFor(() => expect(screen.getByText(/T\.TRN: 1 new, 2 replaced\. 1 row has an error\..*\[END\] is missing/)).toBeTruthy());
+  await vi.waitFor(() => expect(screen.getByText(/T\.TRN: 1 new, 2 replaced\. 1 row has an error\..*\[END\] is missing/)).toBeTruthy(), { timeout: 60_000 });
   expect(toolTable().tools[0]?.NAME).toBe("SHOP-80-R08");
   expect(steps()).toBe(1);
   await user.click(within(screen.getByText(/T\.TRN/).closest("p") as HTMLElement).getByRole("button", { name: "Undo" }));
