@@ -1,0 +1,145 @@
+import type { P } from "./insert.ts";
+
+/*
+ * Areas as fine columns: in the middle of each column the stretches that are filled. No polygon is ever cut with another, so
+ * nothing is shared with the simulation but the blank and the moves. Columns may stand along z, or along r, whose walls
+ * the other way sees only to a column's width.
+ */
+
+/** Filled stretches of one column, from below: start, end, start, end … */
+export type Spans = readonly number[];
+
+/** A row of columns: where the first one begins, how wide each is, how many. */
+export interface Grid {
+  readonly from: number;
+  readonly width: number;
+  readonly count: number;
+  /** "z": columns stand side by side along z and are filled along r; "r": the other way round. */
+  readonly along: "z" | "r";
+}
+export type Field = Spans[];
+
+const across = (g: Grid, p: P) => (g.along === "z" ? p.z : p.r);
+const height = (g: Grid, p: P) => (g.along === "z" ? p.r : p.z);
+const middle = (g: Grid, i: number) => g.from + (i + 0.5) * g.width;
+
+export const empty = (g: Grid): Field => Array.from({ length: g.count }, () => []);
+
+/** What closed polygons fill; a point is inside when it has an odd number of sides above it. */
+export function filled(g: Grid, rings: readonly (readonly P[])[]): Field {
+  const crossings: number[][] = Array.from({ length: g.count }, () => []);
+  for (const ring of rings) {
+    let a = ring[ring.length - 1] as P;
+    for (const b of ring) {
+      const [x0, x1] = [across(g, a), across(g, b)];
+      const first = Math.max(0, Math.ceil((Math.min(x0, x1) - g.from) / g.width - 0.5));
+      const last = Math.min(g.count - 1, Math.floor((Math.max(x0, x1) - g.from) / g.width - 0.5));
+      for (let i = first; i <= last; i += 1) {
+        const x = middle(g, i);
+        if (x0 <= x !== x1 <= x) crossings[i]?.push(height(g, a) + ((height(g, b) - height(g, a)) * (x - x0)) / (x1 - x0));
+      }
+      a = b;
+    }
+  }
+  return crossings.map((c) => c.sort((p, q) => p - q));
+}
+
+/** Calls `each` with every column that a convex polygon crosses, and from where to where. */
+export function crossed(g: Grid, convex: readonly P[], each: (column: number, low: number, high: number) => void): void {
+  const size = convex.length;
+  let [start, end] = [0, 0];
+  for (let i = 1; i < size; i += 1) {
+    if (across(g, convex[i] as P) < across(g, convex[start] as P)) start = i;
+    if (across(g, convex[i] as P) > across(g, convex[end] as P)) end = i;
+  }
+  const [left, right] = [across(g, convex[start] as P), across(g, convex[end] as P)];
+  const first = Math.max(0, Math.ceil((left - g.from) / g.width - 0.5));
+  const last = Math.min(g.count - 1, Math.floor((right - g.from) / g.width - 0.5));
+  // Two walks from the first column to the last, one along each side.
+  let [one, other] = [start, start];
+  const on = (x: number, at: number, way: 1 | -1): [number, number] => {
+    let i = at;
+    for (;;) {
+      const next = (i + way + size) % size;
+      const [p, q] = [convex[i] as P, convex[next] as P];
+      if (across(g, q) >= x || next === end) {
+        const step = across(g, q) - across(g, p);
+        const k = step > 0 ? Math.min(1, Math.max(0, (x - across(g, p)) / step)) : 1;
+        return [height(g, p) + (height(g, q) - height(g, p)) * k, i];
+      }
+      i = next;
+    }
+  };
+  for (let i = first; i <= last; i += 1) {
+    const x = middle(g, i);
+    let [a, b]: [number, number] = [0, 0];
+    [a, one] = on(x, one, 1);
+    [b, other] = on(x, other, -1);
+    each(i, Math.min(a, b), Math.max(a, b));
+  }
+}
+
+/** What two columns have in common. */
+export function common(a: Spans, b: Spans): number[] {
+  const out: number[] = [];
+  for (let i = 0, j = 0; i < a.length && j < b.length;) {
+    const [low, high] = [Math.max(a[i] as number, b[j] as number), Math.min(a[i + 1] as number, b[j + 1] as number)];
+    if (high > low) out.push(low, high);
+    if ((a[i + 1] as number) < (b[j + 1] as number)) i += 2;
+    else j += 2;
+  }
+  return out;
+}
+
+/** A column without what another fills. */
+export function without(a: Spans, b: Spans): number[] {
+  let left = [...a];
+  for (let j = 0; j < b.length; j += 2) {
+    const [low, high] = [b[j] as number, b[j + 1] as number];
+    const next: number[] = [];
+    for (let i = 0; i < left.length; i += 2) {
+      const [from, to] = [left[i] as number, left[i + 1] as number];
+      if (to <= low || from >= high) next.push(from, to);
+      else {
+        if (from < low) next.push(from, low);
+        if (to > high) next.push(high, to);
+      }
+    }
+    left = next;
+  }
+  return left;
+}
+
+/** Filled length of a column. */
+export const lengthOf = (a: Spans): number => {
+  let sum = 0;
+  for (let i = 0; i < a.length; i += 2) sum += (a[i + 1] as number) - (a[i] as number);
+  return sum;
+};
+
+/** mm² of a field. */
+export const areaOf = (g: Grid, f: Field): number => f.reduce((sum, column) => sum + lengthOf(column), 0) * g.width;
+
+const merged = (all: readonly number[]): number[] => {
+  const pairs = Array.from({ length: all.length / 2 }, (_, i) => [all[2 * i] as number, all[2 * i + 1] as number] as const).sort((a, b) => a[0] - b[0]);
+  const out: number[] = [];
+  for (const [low, high] of pairs) {
+    const last = out.length - 1;
+    if (last > 0 && low <= (out[last] as number)) out[last] = Math.max(out[last] as number, high);
+    else out.push(low, high);
+  }
+  return out;
+};
+const moved = (a: Spans, by: number) => a.map((n, i) => (i % 2 === 0 ? n - by : n + by));
+
+/** A field grown by one column on both sides and by `by` mm along the columns: what is as near as this is the same. */
+export const grown = (f: Field, by: number): Field =>
+  f.map((column, i) => merged(moved([...(f[i - 1] ?? []), ...column, ...(f[i + 1] ?? [])], by)));
+
+/** The same inwards: what stays lies surely inside. The first and the last column have no neighbour and stay as they are. */
+export const shrunk = (f: Field, by: number): Field =>
+  f.map((column, i) => moved(common(common(f[i - 1] ?? column, column), f[i + 1] ?? column), -by).flatMap((n, k, all) =>
+    k % 2 === 0 && (all[k + 1] as number) > n ? [n, all[k + 1] as number] : []));
+
+/** Column by column. */
+export const each = (a: Field, b: Field, make: (a: Spans, b: Spans) => number[]): Field => a.map((column, i) => make(column, b[i] ?? []));

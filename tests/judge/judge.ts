@@ -1,0 +1,127 @@
+import type { Move } from "../../src/kernel/move.ts";
+import type { Tool } from "../../src/kernel/tool.ts";
+import { areaOf, common, crossed, filled, lengthOf, shrunk, without, type Field, type Grid } from "./field.ts";
+import { hull, insertOf, type P } from "./insert.ts";
+
+/*
+ * A second stock simulation that shares no line with the first: it reads moves and tool columns, and cuts a blank of fine
+ * columns. What it says and what `src/sim` says are compared by the laws.
+ */
+
+/** One motion of the tip, as the simulation gets it too. */
+export interface Motion {
+  readonly from: P;
+  readonly move: Move;
+  readonly tool: Tool;
+}
+
+/** Something that must not happen, in one motion, mm². What is thinner than `THIN` or one column is left out. */
+export interface Fault {
+  readonly kind: "gouge" | "rapid";
+  readonly motion: number;
+  readonly area: number;
+}
+
+export interface Verdict {
+  readonly grid: Grid;
+  readonly initial: Field;
+  readonly final: Field;
+  /** mm² that all motions took, and of them the feeds. */
+  readonly removed: number;
+  readonly cut: number;
+  readonly faults: readonly Fault[];
+  /** The tool stands in the blank before anything moves. */
+  readonly inside: boolean;
+}
+
+/** Arcs become chords this near; less than this both simulations may differ in depth, mm. */
+const CHORD = 0.0005;
+export const THIN = 0.006;
+
+/** Where the tip is along a move: its ends, and for an arc points in between. */
+function stations(from: P, move: Move): P[] {
+  if (move.kind !== "arc") return [from, move.to];
+  const { centre, to } = move;
+  const [a0, a1] = [Math.atan2(from.r - centre.r, from.z - centre.z), Math.atan2(to.r - centre.r, to.z - centre.z)];
+  const [r0, r1] = [Math.hypot(from.r - centre.r, from.z - centre.z), Math.hypot(to.r - centre.r, to.z - centre.z)];
+  const round = 2 * Math.PI;
+  const turn = move.turn === "ccw" ? (((a1 - a0) % round) + round) % round : -((((a0 - a1) % round) + round) % round);
+  const sweep = Math.hypot(to.z - from.z, to.r - from.r) < 1e-9 ? (move.turn === "ccw" ? round : -round) : turn;
+  const count = Math.max(1, Math.ceil(Math.abs(sweep) / (2 * Math.acos(Math.max(0, 1 - CHORD / Math.max(r0, r1, CHORD))))));
+  return Array.from({ length: count + 1 }, (_, i) => {
+    if (i === 0) return from;
+    if (i === count) return to;
+    const [a, r] = [a0 + (sweep * i) / count, r0 + ((r1 - r0) * i) / count];
+    return { z: centre.z + r * Math.cos(a), r: centre.r + r * Math.sin(a) };
+  });
+}
+
+const at = (shape: readonly P[], p: P): P[] => shape.map((q) => ({ z: q.z + p.z, r: q.r + p.r }));
+/** The work turns: what is swept on the other side of the axis is swept on this one. */
+const both = (shape: P[]): P[][] => (shape.some((p) => p.r < 0) ? [shape, shape.map((p) => ({ z: p.z, r: -p.r })).reverse()] : [shape]);
+
+/** Convex pieces that a motion sweeps. */
+function swept({ from, move }: Motion, insert: readonly P[]): P[][] {
+  const stops = stations(from, move);
+  return stops.slice(1).flatMap((to, i) => both(hull([...at(insert, stops[i] as P), ...at(insert, to)])));
+}
+
+/** A grid of columns over rings, a column's width beyond them on both sides. */
+export function gridOver(rings: readonly (readonly P[])[], along: Grid["along"], width: number): Grid {
+  const all = rings.flatMap((ring) => ring.map((p) => p[along]));
+  const [low, high] = [Math.min(...all), Math.max(...all)];
+  // Off the round numbers that walls stand on.
+  const from = low - width * 1.37;
+  return { along, width, from, count: Math.ceil((high - from) / width) + 1 };
+}
+
+/** Cuts a blank by motions. `part`: the finished part, as closed polygons; nothing may cut there. */
+export function judge(blank: readonly (readonly P[])[], motions: readonly Motion[], part: readonly (readonly P[])[], grid: Grid): Verdict {
+  const initial = filled(grid, blank);
+  const stock: Field = [...initial];
+  const kept = shrunk(filled(grid, part), THIN);
+  const inserts = new Map<Tool, P[]>();
+  const faults: Fault[] = [];
+  let cut = 0;
+  const insertFor = (tool: Tool) => {
+    const known = inserts.get(tool) ?? insertOf(tool);
+    inserts.set(tool, known);
+    return known;
+  };
+  const first = motions[0];
+  let inside = false;
+  if (first) for (const shape of both(at(insertFor(first.tool), first.from)))
+    crossed(grid, shape, (i, low, high) => {
+      if (lengthOf(common(stock[i] ?? [], [low + THIN, high - THIN])) > THIN) inside = true;
+    });
+  motions.forEach((motion, index) => {
+    const gone = new Map<number, number[]>();
+    for (const piece of swept(motion, insertFor(motion.tool))) crossed(grid, piece, (i, low, high) => {
+      if (high > low && (stock[i]?.length ?? 0) > 0) gone.set(i, [...(gone.get(i) ?? []), low, high]);
+    });
+    let [gouge, rapid] = [0, 0];
+    const next: [number, number[]][] = [];
+    for (const [i, spans] of gone) {
+      const here = stock[i] as Field[number];
+      let left: number[] = [...here];
+      for (let k = 0; k < spans.length; k += 2) left = without(left, spans.slice(k, k + 2));
+      const taken = lengthOf(here) - lengthOf(left);
+      if (taken <= 0) continue;
+      next.push([i, left]);
+      const away = without(here, left);
+      gouge += lengthOf(common(away, kept[i] ?? [])) * grid.width;
+      if (motion.move.kind === "rapid") {
+        const core = common(common(stock[i - 1] ?? [], here), stock[i + 1] ?? []);
+        for (let k = 0; k < core.length; k += 2)
+          rapid += lengthOf(common(away, [(core[k] as number) + THIN, Math.max((core[k] as number) + THIN, (core[k + 1] as number) - THIN)])) * grid.width;
+      } else cut += taken * grid.width;
+    }
+    for (const [i, left] of next) stock[i] = left;
+    if (gouge > 0) faults.push({ kind: "gouge", motion: index, area: gouge });
+    if (rapid > 0) faults.push({ kind: "rapid", motion: index, area: rapid });
+  });
+  return { grid, initial, final: stock, removed: areaOf(grid, initial) - areaOf(grid, stock), cut, faults, inside };
+}
+
+/** Sum of the faults of one kind, mm². */
+export const sumOf = (v: Verdict, kind: Fault["kind"]): number => v.faults.reduce((sum, f) => (f.kind === kind ? sum + f.area : sum), 0);
