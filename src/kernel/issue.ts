@@ -6,7 +6,7 @@ export type Severity = "error" | "warning" | "info";
 
 /** Why material stays. */
 export type Reason =
-  | "insertRadius" | "mainEdge" | "secondaryEdge" | "toolWidth" | "cutLength" | "limit" | "plunging" | "oversize";
+  | "insertRadius" | "mainEdge" | "secondaryEdge" | "toolWidth" | "cutLength" | "limit" | "plunging" | "oversize" | "smoothing" | "correction";
 
 /** The data of each code. `nearest` is the nearest value that works, in the units of the field at `at`. */
 interface Data {
@@ -84,6 +84,12 @@ interface Data {
   gouge: { area: number; x: number; z: number };
   rapidInStock: { area: number; x: number; z: number };
   holderContact: { x: number; z: number };
+  /** A cut takes more stock at once than the infeed allows, mm; `pass` is absent on a smoothing or finishing cut. */
+  deeperThanInfeed: { depth: number; allowed: number; pass?: number };
+  /** The operation removed no stock. */
+  nothingCut: {};
+  /** Roughing passes that touched no stock. */
+  airPasses: { count: number };
 }
 
 export type Code = keyof Data;

@@ -43,4 +43,8 @@ export interface Plan {
   readonly kept: readonly Reach[];
   /** The greatest infeed that the values allow, mm; 0 when they set none. */
   readonly most: Length;
+  /** The oversize that the values leave on the radius and along Z, mm; absent when the cycle has none. */
+  readonly oversize?: { readonly r: number; readonly z: number };
+  /** The deepest path as it would run without machining limits; absent when there are none. */
+  readonly unlimited?: readonly Reach[];
 }

@@ -53,7 +53,8 @@ function gapsOf(run: Run, { proof }: Pick<Simulation, "proof">): VerdictReason[]
   const milled = run.plane.find((s) => s.kind !== "rapid");
   if (milled) out.push({ kind: "milling", block: milled.block });
   run.operations.forEach((o, operation) => {
-    if ((proof.operations[operation]?.cut ?? 0) < REAL_AREA) out.push({ kind: "nothingCut", block: o.block, operation });
+    const failed = o.issues.some((i) => i.severity === "error");
+    if (!failed && (proof.operations[operation]?.cut ?? 0) < REAL_AREA) out.push({ kind: "nothingCut", block: o.block, operation });
   });
   if (run.operations.length === 0) out.push({ kind: "noOperation", block: null });
   return out;

@@ -22,14 +22,15 @@ export interface Finished {
   readonly edges: Edges;
 }
 
-const real = (area: Ring[]): Ring[] => {
+/** An area without slivers; nothing when that is too small to be true. */
+export const real = (area: Ring[]): Ring[] => {
   if (areaOf(area) < REAL_AREA) return [];
   const thick = opened(area, SLIVER);
   return areaOf(thick) < REAL_AREA ? [] : thick;
 };
 
 /** What pieces have in common with an area and with the stock as it is now. */
-export function inStock(pieces: readonly Piece[], cut: Cutting, within: readonly Ring[] | null = null, also: readonly Ring[] = []): Ring[] {
+export function inStock(pieces: readonly Piece[], cut: Pick<Cutting, "initial" | "meets" | "swept">, within: readonly Ring[] | null = null, also: readonly Ring[] = []): Ring[] {
   const near = pieces.filter((p) => cut.meets(p)).map((p) => p.ring);
   if (near.length === 0) return [];
   const box = boxAround(near);
@@ -59,7 +60,7 @@ export function check(
   const found: Finding[] = [];
   const report = (kind: Finding["kind"], rings: Ring[]) => {
     if (rings.length > 0)
-      found.push({ kind, step: index, block: step.block, operation: step.operation, place: placeIn(largest(rings)), area: areaOf(rings), rings });
+      found.push({ kind, step: index, block: step.block, operation: step.operation, place: placeIn(largest(rings)), area: areaOf(rings), rings, moves: 1 });
   };
   // The quick look joins many pieces at once; what it finds is looked at again in the stock itself.
   const sure = (area: Ring[]) => (area.length === 0 ? area : real(intersection(cut.stock(), area)));

@@ -1,6 +1,8 @@
 import { issue, type Issue } from "../kernel/issue.ts";
 import { toDiameter } from "../kernel/units.ts";
-import type { Finding, Residual, Simulation } from "./simulation.ts";
+import { REAL_AREA } from "./check.ts";
+import { isTooDeep } from "./measure.ts";
+import type { Depth, Finding, OperationProof, Residual, Simulation } from "./simulation.ts";
 
 /** An issue of the proof with where it belongs; block and operation are null for what is left at the end. */
 export interface ProofIssue {
@@ -19,10 +21,27 @@ function fromFinding(f: Finding): ProofIssue {
 
 function fromResidual(r: Residual): ProofIssue {
   const data = { reason: r.reason, area: r.area, x: toDiameter(r.place.r), z: r.place.z };
-  return { issue: issue("materialLeft", r.reason === "oversize" ? "info" : "warning", data), step: null, block: null, operation: r.operation };
+  return { issue: issue("materialLeft", "warning", data), step: null, block: null, operation: r.operation };
 }
 
-/** What the simulation found, as issues: each contact of each move, then each region that stays. X is a diameter. */
+/** What the stock says about one operation: where it began, what it took at once, and what it took at all. */
+function fromOperation({ cut, airPasses, deepest, thickest, startInMaterial: start, hasFailed }: OperationProof, operation: number): ProofIssue[] {
+  const at = (found: Issue, depth: Depth | null = null): ProofIssue =>
+    ({ issue: found, step: depth?.step ?? null, block: depth?.block ?? null, operation });
+  const out: ProofIssue[] = [];
+  if (start) out.push(at(issue("startInMaterial", "warning", { x: toDiameter(start.r), z: start.z }, "start.x")));
+  for (const d of [deepest, thickest])
+    if (d && isTooDeep(d)) {
+      const { depth, allowed, pass } = d;
+      out.push(at(issue("deeperThanInfeed", "warning", { depth, allowed, ...(pass !== undefined && { pass }) }), d));
+    }
+  if (hasFailed) return out;
+  if (cut < REAL_AREA) out.push(at(issue("nothingCut", "warning", {})));
+  else if (airPasses > 0) out.push(at(issue("airPasses", "info", { count: airPasses })));
+  return out;
+}
+
+/** What the simulation found, as issues: contacts of moves, then what each operation did, then each region that stays. X is a diameter. */
 export const issuesOf = (simulation: Pick<Simulation, "findings" | "proof">): ProofIssue[] => [
-  ...simulation.findings.map(fromFinding), ...simulation.proof.residual.map(fromResidual),
+  ...simulation.findings.map(fromFinding), ...simulation.proof.operations.flatMap(fromOperation), ...simulation.proof.residual.map(fromResidual),
 ];

@@ -1,14 +1,16 @@
 import { areaOf, difference, intersection, opened } from "../kernel/clip.ts";
+import type { Reason } from "../kernel/issue.ts";
+import type { Plan, Reach } from "../kernel/plan.ts";
 import type { Pt, Ring } from "../kernel/point.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { axial, radius } from "../kernel/units.ts";
 import { boxOf } from "./box.ts";
 import { cutting } from "./cutting.ts";
+import { thicknessOf } from "./extent.ts";
 import { machiningArea } from "./finished.ts";
-
-import type { Outlines } from "./outlines.ts";
-import { piecesOf } from "./piece.ts";
+import { outlinesOf, type Outlines } from "./outlines.ts";
+import { piecesOf, type Piece } from "./piece.ts";
 import { reasonFor } from "./reason.ts";
 import { inside, placeIn, regionsOf, type Region } from "./region.ts";
 import type { Residual, SimulatedOperation } from "./simulation.ts";
@@ -20,19 +22,48 @@ export const LEAST_RESIDUAL = 0.01;
 const at = (z: number, r: number): Pt => ({ z: axial(z), r: radius(r) });
 const ORIGIN = at(0, 0);
 
-/** What is left of an area when each operation has gone along its deepest path, with everything above that path. */
-function beyondReach(left: readonly Ring[], operations: readonly SimulatedOperation[], outlines: (tool: Tool) => Outlines): Ring[] {
-  const cut = cutting(left);
+/** Which path of a plan is meant, and with which insert. */
+type PathOf = (plan: Plan) => readonly Reach[];
+
+/** What is left of an area when each operation has gone along a path of its plan, with everything above that path. */
+function leftBy(
+  area: readonly Ring[], operations: readonly SimulatedOperation[], outlines: (tool: Tool) => Outlines, pathOf: PathOf, bare = false,
+): Ring[] {
+  const cut = cutting(area);
   for (const operation of operations) {
-    const insert = outlines(toolOf(operation)).insert;
-    if (insert.length < 3 || operation.plan.reach.length === 0 || operation.plan.area.length < 3) continue;
-    const { area, openSide } = operation.plan;
-    const box = boxOf(area);
-    const far = box.right - box.left + box.top - box.bottom;
-    const cover = hullAlong(insert, ORIGIN, at(openSide.z * far, openSide.r * far));
-    for (const piece of operation.plan.reach) cut.add(piecesOf(sweepAlong(cover, piece.path)));
+    const tool = toolOf(operation);
+    const { insert } = outlines(bare ? uncorrected(tool) : tool);
+    for (const piece of coverOf(operation.plan, pathOf(operation.plan), insert)) cut.add(piece);
   }
   return [...cut.stock()];
+}
+
+/** Convex pieces of what an insert clears along a path: the path itself and everything on its open side. */
+function* coverOf({ area, openSide }: Plan, path: readonly Reach[], insert: Ring): Generator<Piece[]> {
+  if (insert.length < 3 || area.length < 3) return;
+  const box = boxOf(area);
+  const far = box.right - box.left + box.top - box.bottom;
+  const cover = hullAlong(insert, ORIGIN, at(openSide.z * far, openSide.r * far));
+  for (const stretch of path) yield piecesOf(sweepAlong(cover, stretch.path));
+}
+
+/** What stays of a region when a tool goes along the deepest path of a plan made for it, mm²: how one tool compares to another. */
+export function staysAfter(region: Ring, plan: Plan, tool: Tool): number {
+  const { insert } = outlinesOf()(plan.tool ?? tool);
+  const cut = cutting([region]);
+  for (const pieces of coverOf(plan, plan.reach, insert)) cut.add(pieces);
+  return areaOf(opened(cut.stock(), SLIVER));
+}
+
+/** A tool as it stands without FUNCTION TURNDATA CORR; the same object each time, so that its outline is made once. */
+const bareTools = new WeakMap<Tool, Tool>();
+function uncorrected(tool: Tool): Tool {
+  if (!tool.correction) return tool;
+  const known = bareTools.get(tool);
+  if (known) return known;
+  const { correction: _, ...bare } = tool;
+  bareTools.set(tool, bare);
+  return bare;
 }
 
 /** The tool as the cycle adapts it. */
@@ -46,26 +77,39 @@ function ownerOf(region: Region, operations: readonly SimulatedOperation[]): num
 }
 
 /**
- * Material inside the areas of the operations that is still there at the end, thin slivers apart. What the deepest path
- * of a tool would take is oversize; the rest is explained by the stretch of that path that keeps the insert away.
+ * Material inside the areas of the operations that is still there at the end, thin slivers apart. What the deepest path of a
+ * tool would take is oversize, or steps between passes where it stands out over the oversize. The rest the correction of a
+ * tool leaves, or a machining limit, or it is explained by the stretch of the path that keeps the insert away.
  */
 export function residualOf(
   final: readonly Ring[], operations: readonly SimulatedOperation[], outlines: (tool: Tool) => Outlines,
 ): Residual[] {
   const left = opened(intersection(final, machiningArea(operations)), SLIVER);
   if (areaOf(left) <= LEAST_RESIDUAL) return [];
-  const blocked = opened(beyondReach(left, operations, outlines), SLIVER);
-  const free = opened(difference(left, blocked), SLIVER);
-  const described = (region: Region, because: (operation: number) => Residual["reason"]): Residual => {
-    const operation = ownerOf(region, operations);
-    return { area: region.area, reason: because(operation), ring: region.outline, place: placeIn(region.outline), operation };
-  };
-  const why = (ring: Ring) => (operation: number) => {
-    const owner = operations[operation] as SimulatedOperation;
-    return reasonFor(ring, owner, outlines(toolOf(owner)));
-  };
+  const after = (area: readonly Ring[], pathOf: PathOf, bare = false) => opened(leftBy(area, operations, outlines, pathOf, bare), SLIVER);
+  const without = (area: readonly Ring[], rest: readonly Ring[]) => (rest.length === 0 ? area : opened(difference(area, rest), SLIVER));
+  const reach: PathOf = (plan) => plan.reach;
+
+  const blocked = after(left, reach);
+  const free = without(left, blocked);
+  const oversize = areaOf(free) > LEAST_RESIDUAL ? after(free, (plan) => plan.kept) : free;
+  const corrected = operations.some((o) => toolOf(o).correction !== undefined);
+  const behind = corrected && areaOf(blocked) > LEAST_RESIDUAL ? after(blocked, reach, true) : blocked;
+  const limited = operations.some((o) => o.plan.unlimited);
+  const kept = limited && areaOf(behind) > LEAST_RESIDUAL ? after(behind, (plan) => plan.unlimited ?? [], true) : behind;
+
+  const described = (area: readonly Ring[], because: (ring: Ring, owner: SimulatedOperation) => Reason): Residual[] =>
+    regionsOf(area, LEAST_RESIDUAL).map((region) => {
+      const operation = ownerOf(region, operations);
+      const reason = because(region.outline, operations[operation] as SimulatedOperation);
+      const thickness = thicknessOf([region.outline, ...region.holes]);
+      return { area: region.area, thickness, reason, ring: region.outline, place: placeIn(region.outline), operation };
+    });
   return [
-    ...regionsOf(blocked, LEAST_RESIDUAL).map((region) => described(region, why(region.outline))),
-    ...regionsOf(free, LEAST_RESIDUAL).map((region) => described(region, () => "oversize")),
+    ...described(kept, (ring, owner) => reasonFor(ring, owner, outlines(toolOf(owner)))),
+    ...(kept === behind ? [] : described(without(behind, kept), () => "limit")),
+    ...(behind === blocked ? [] : described(without(blocked, behind), () => "correction")),
+    ...(oversize === free ? [] : described(without(free, oversize), () => "smoothing")),
+    ...described(oversize, () => "oversize"),
   ];
 }

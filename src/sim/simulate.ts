@@ -1,13 +1,15 @@
 import { areaOf, packed } from "../kernel/clip.ts";
 import type { Step } from "../kernel/step.ts";
 import { check, inStock } from "./check.ts";
+import { collector } from "./collect.ts";
 import { cutting } from "./cutting.ts";
 import { edgesOf } from "./edges.ts";
 import { finishedPart } from "./finished.ts";
+import { measuring } from "./measure.ts";
 import { outlinesOf } from "./outlines.ts";
 import { piecesOf } from "./piece.ts";
 import { residualOf } from "./residual.ts";
-import type { Checkpoint, Finding, Simulation, SimulationInput } from "./simulation.ts";
+import type { Checkpoint, Depth, Finding, Simulation, SimulationInput } from "./simulation.ts";
 import { sweepOf } from "./sweep.ts";
 
 /** Moves from one checkpoint to the next. */
@@ -33,8 +35,9 @@ export function simulate(input: SimulationInput): Simulation {
   const part = finishedPart(operations);
   const finished = { rings: part, edges: edgesOf(part) };
   const checkpoints: Checkpoint[] = [{ step: 0, stock: packed(blank) }];
-  const findings: Finding[] = [];
-  const removed: number[] = [];
+  const found = collector();
+  const measure = measuring(operations, blank);
+  let byRapids = 0;
   let cut = cutting(blank);
   let last = 0;
   steps.forEach((step, i) => {
@@ -46,12 +49,14 @@ export function simulate(input: SimulationInput): Simulation {
     const shapes = outlines(step.tool);
     const sweep = piecesOf(sweepOf(shapes.insert, step));
     const touching = shapes.checked === shapes.insert ? sweep : piecesOf(sweepOf(shapes.checked, step));
-    findings.push(...check(step, i, shapes, touching, cut, finished));
-    const own = step.operation !== null && step.move.kind !== "rapid" ? step.operation : null;
-    if (own !== null) removed[own] = (removed[own] ?? 0) + areaOf(inStock(sweep, cut));
+    found.add(check(step, i, shapes, touching, cut, finished));
+    measure.add(step, i, sweep, shapes, cut);
+    if (step.move.kind === "rapid") byRapids += areaOf(inStock(sweep, cut));
     cut.add(sweep);
   });
   const final = cut.stock();
+  const findings = found.all();
+  const measured = measure.results();
   const startTimes = startTimesOf(steps);
   return {
     blank, steps, checkpoints, final, startTimes, findings,
@@ -60,10 +65,12 @@ export function simulate(input: SimulationInput): Simulation {
       gouge: total(findings, "gouge"),
       rapidInStock: total(findings, "rapidInStock"),
       residual: residualOf(final, operations, outlines),
-      cut: areaOf(blank) - areaOf(final), airPasses: 0, deepest: null,
+      cut: Math.max(0, areaOf(blank) - areaOf(final) - byRapids),
+      airPasses: measured.reduce((sum, o) => sum + o.airPasses, 0),
+      deepest: measured.reduce<Depth | null>((best, { deepest }) => (deepest && deepest.depth > (best?.depth ?? 0) ? deepest : best), null),
       holder: findings.some((f) => f.kind === "holderContact") ? "contact" : steps.some((s) => !s.tool.holder) ? "unknown" : "clear",
       unproved,
-      operations: operations.map((_, o) => ({ cut: removed[o] ?? 0, airPasses: 0, deepest: null, thickest: null, startInMaterial: null })),
+      operations: measured,
     },
   };
 }

@@ -1,5 +1,5 @@
 import type { PackedRings } from "../kernel/clip.ts";
-import type { Reason } from "../kernel/issue.ts";
+import type { Issue, Reason } from "../kernel/issue.ts";
 import type { Plan } from "../kernel/plan.ts";
 import type { Pt, Ring } from "../kernel/point.ts";
 import type { Step, Unproved } from "../kernel/step.ts";
@@ -11,6 +11,8 @@ export interface SimulatedOperation {
   readonly tool: Tool;
   readonly firstStep: number;
   readonly lastStep: number;
+  /** Issues of values, tool and plan: one that failed is not blamed for what it did not cut. */
+  readonly issues?: readonly Issue[];
 }
 
 /** What is simulated. The blank is what stands in the chuck at the first step. */
@@ -45,11 +47,15 @@ export interface Finding {
   /** mm² in the half plane. */
   readonly area: number;
   readonly rings: readonly Ring[];
+  /** Moves that did it in this place; `step` is the first of them. */
+  readonly moves: number;
 }
 
 /** Material inside the area of the operations that is still there at the end. */
 export interface Residual {
   readonly area: number;
+  /** Diameter of the largest circle in it, mm. */
+  readonly thickness: number;
   readonly reason: Reason;
   readonly ring: Ring;
   /** A point inside. */
@@ -98,6 +104,8 @@ export interface OperationProof {
   readonly thickest: Depth | null;
   /** Where the insert stands in the stock when the operation begins; null where it is free. */
   readonly startInMaterial: Pt | null;
+  /** True when an error kept it from its path, or there was no stock: that it cut nothing is no news then. */
+  readonly hasFailed: boolean;
 }
 
 /**

@@ -2,7 +2,7 @@ import { flattened, pointOn } from "../kernel/flatten.ts";
 import type { Pt, Ring, Segment } from "../kernel/point.ts";
 import type { Step } from "../kernel/step.ts";
 import { pathOf } from "../kernel/time.ts";
-import { CHORD } from "../kernel/tolerance.ts";
+import { CHORD, GRID } from "../kernel/tolerance.ts";
 import { axial, radius } from "../kernel/units.ts";
 
 const finite = (p: Pt) => Number.isFinite(p.z) && Number.isFinite(p.r);
@@ -50,13 +50,25 @@ export function waypoints(step: Step, fraction: number): Pt[] {
   return [...points.slice(0, whole + 1), pointOn({ kind: "line", from: last, to: next }, at - whole)];
 }
 
-/** One convex piece for each chord between points. */
-function alongPoints(outline: Ring, points: readonly Pt[]): Ring[] {
-  if (outline.length < 3 || !points.every(finite)) return [];
-  return points.slice(1).map((to, i) => hullAlong(outline, points[i] as Pt, to));
+/** The work turns: what is swept on the other side of the axis (r < 0) is swept on this side. There is no stock at r < 0. */
+function turned(ring: Ring): Ring[] {
+  let [lowest, highest] = [Infinity, -Infinity];
+  for (const { r } of ring) {
+    if (r < lowest) lowest = r;
+    if (r > highest) highest = r;
+  }
+  if (lowest > -GRID) return [ring];
+  const mirrored = ring.map((p): Pt => ({ z: p.z, r: radius(-p.r) })).reverse();
+  return highest < GRID ? [mirrored] : [ring, mirrored];
 }
 
-/** Everything that an outline covers in a step up to `fraction`: one convex piece for each chord of its way. */
+/** Convex pieces for each chord between points: one, or two where it crosses the axis. */
+function alongPoints(outline: Ring, points: readonly Pt[]): Ring[] {
+  if (outline.length < 3 || !points.every(finite)) return [];
+  return points.slice(1).flatMap((to, i) => turned(hullAlong(outline, points[i] as Pt, to)));
+}
+
+/** Everything that an outline covers in a step up to `fraction`: convex pieces for each chord of its way, on this side of the axis. */
 export const sweepOf = (outline: Ring, step: Step, fraction = 1): Ring[] =>
   fraction > 0 ? alongPoints(outline, waypoints(step, fraction)) : [];
 

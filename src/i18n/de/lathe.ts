@@ -77,6 +77,8 @@ export const lathe = {
     limit: "Es liegt hinter der Begrenzung.",
     plunging: "Fallende Elemente werden nicht ausgedreht.",
     oversize: "Es soll stehen bleiben.",
+    smoothing: "Stufen zwischen den Schnitten wurden nicht geglättet.",
+    correction: "Das korrigierte Werkzeug steht von der Kontur ab.",
   },
 
   moves: (count) => `Bewegungen (${count})`,

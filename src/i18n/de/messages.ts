@@ -5,6 +5,7 @@ const nearest = (value: string) => `Nächster möglicher Wert: ${value}.`;
 const reasons: MessagesTexts["reasons"] = {
   insertRadius: "Schneidenradius", mainEdge: "Hauptschneide", secondaryEdge: "Nebenschneide", toolWidth: "Werkzeugbreite", cutLength: "CUTLENGTH",
   limit: "Schnittbegrenzung", plunging: "nicht erlaubtes Eintauchen", oversize: "Aufmaß",
+  smoothing: "Stufen zwischen den Schnitten", correction: "Werkzeugkorrektur",
 };
 
 const ELEMENT = { angle: "Winkel", length: "Länge", radius: "Radius" };
@@ -90,6 +91,9 @@ export const messages = {
     gouge: (d, w) => `${w.area(d.area)} des Fertigteils werden bei ${w.place(d.x, d.z)} weggeschnitten.`,
     rapidInStock: (d, w) => `Ein Eilgang fährt bei ${w.place(d.x, d.z)} durch ${w.area(d.area)} Material.`,
     holderContact: (d, w) => `Der Halter berührt bei ${w.place(d.x, d.z)} Material.`,
+    deeperThanInfeed: (d, w) => `${d.pass === undefined ? "Ein Glätt- oder Schlichtschnitt" : `Schnitt ${w.number(d.pass)}`} nimmt ${w.number(d.depth)} mm Material auf einmal; erlaubt sind ${w.number(d.allowed)} mm.`,
+    nothingCut: () => "Diese Bearbeitung trägt kein Material ab.",
+    airPasses: (d) => (d.count === 1 ? "1 Schruppschnitt berührt kein Material." : `${d.count} Schruppschnitte berühren kein Material.`),
 
     notUnderstood: (d, w) => `„${w.text(d.text)}“ wird nicht verstanden: bleibt stehen, wird nicht simuliert.`,
     wordNotUnderstood: (d, w) => `Das Wort „${w.text(d.text)}“ wird nicht verstanden.`,

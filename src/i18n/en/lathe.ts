@@ -83,6 +83,8 @@ export const lathe = {
     limit: "It lies behind the limit.",
     plunging: "Falling elements are not followed.",
     oversize: "It was to be left.",
+    smoothing: "Steps between the passes were not smoothed.",
+    correction: "The corrected tool stands off the contour.",
   },
 
   /* table of moves */

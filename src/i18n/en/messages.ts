@@ -8,6 +8,7 @@ const reasons: MessagesTexts["reasons"] = {
   insertRadius: "the insert radius", mainEdge: "the main edge of the insert", secondaryEdge: "the secondary edge of the insert",
   toolWidth: "the width of the tool", cutLength: "CUTLENGTH", limit: "the machining limit", plunging: "plunging not being allowed",
   oversize: "the oversize",
+  smoothing: "steps between the passes", correction: "the correction of the tool",
 };
 
 const ELEMENT = { angle: "angle", length: "length", radius: "radius" };
@@ -93,6 +94,9 @@ export const messages = {
     gouge: (d, w) => `${w.area(d.area)} of the finished part are cut away at ${w.place(d.x, d.z)}.`,
     rapidInStock: (d, w) => `A rapid runs through ${w.area(d.area)} of material at ${w.place(d.x, d.z)}.`,
     holderContact: (d, w) => `The holder touches material at ${w.place(d.x, d.z)}.`,
+    deeperThanInfeed: (d, w) => `${d.pass === undefined ? "A smoothing or finishing cut" : `Pass ${w.number(d.pass)}`} takes ${w.number(d.depth)} mm of stock at once; ${w.number(d.allowed)} mm are allowed.`,
+    nothingCut: () => "This operation removes no stock.",
+    airPasses: (d) => `${count(d.count, "roughing pass touches", "roughing passes touch")} no stock.`,
 
     notUnderstood: (d, w) => `“${w.text(d.text)}” is not understood: kept, not simulated.`,
     wordNotUnderstood: (d, w) => `The word “${w.text(d.text)}” is not understood.`,

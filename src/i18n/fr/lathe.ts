@@ -77,6 +77,8 @@ export const lathe = {
     limit: "Elle se trouve au-delà de la limite.",
     plunging: "Les éléments plongeants ne sont pas suivis.",
     oversize: "Elle doit rester.",
+    smoothing: "Les marches entre les passes n’ont pas été lissées.",
+    correction: "L’outil corrigé se tient à l’écart du contour.",
   },
 
   moves: (count) => `Déplacements (${count})`,

@@ -6,6 +6,7 @@ const count = (n: number, one: string, many: string) => `${n} ${n < 2 ? one : ma
 const reasons: MessagesTexts["reasons"] = {
   insertRadius: "rayon de plaquette", mainEdge: "arête principale", secondaryEdge: "arête secondaire", toolWidth: "largeur de l'outil",
   cutLength: "CUTLENGTH", limit: "limite d'usinage", plunging: "plongée non autorisée", oversize: "surépaisseur",
+  smoothing: "marches entre les passes", correction: "correction de l'outil",
 };
 
 const ELEMENT = { angle: "angle", length: "longueur", radius: "rayon" };
@@ -91,6 +92,9 @@ export const messages = {
     gouge: (d, w) => `${w.area(d.area)} de la pièce finie sont enlevés à ${w.place(d.x, d.z)}.`,
     rapidInStock: (d, w) => `Un rapide traverse ${w.area(d.area)} de matière à ${w.place(d.x, d.z)}.`,
     holderContact: (d, w) => `Le porte-outil touche la matière à ${w.place(d.x, d.z)}.`,
+    deeperThanInfeed: (d, w) => `${d.pass === undefined ? "Une passe de lissage ou de finition" : `La passe ${w.number(d.pass)}`} prend ${w.number(d.depth)} mm de matière d'un coup ; ${w.number(d.allowed)} mm sont permis.`,
+    nothingCut: () => "Cette opération n'enlève pas de matière.",
+    airPasses: (d) => (d.count === 1 ? "1 passe d'ébauche ne touche pas de matière." : `${d.count} passes d'ébauche ne touchent pas de matière.`),
 
     notUnderstood: (d, w) => `« ${w.text(d.text)} » n'est pas compris : conservé, non simulé.`,
     wordNotUnderstood: (d, w) => `Le mot « ${w.text(d.text)} » n'est pas compris.`,

@@ -75,6 +75,8 @@ export const lathe = {
     limit: "位于限制之外。",
     plunging: "不加工下降轮廓元素。",
     oversize: "按要求保留。",
+    smoothing: "各刀之间的台阶未修平。",
+    correction: "补偿后的刀具偏离轮廓。",
   },
 
   moves: (count) => `运动（${count}）`,

@@ -5,6 +5,7 @@ const nearest = (value: string) => `最接近的可用值:${value}。`;
 const reasons: MessagesTexts["reasons"] = {
   insertRadius: "刀尖圆角半径", mainEdge: "刀片主切削刃", secondaryEdge: "刀片副切削刃", toolWidth: "刀具宽度", cutLength: "CUTLENGTH", limit: "加工极限",
   plunging: "不允许切入", oversize: "余量",
+  smoothing: "各刀之间的台阶", correction: "刀具补偿",
 };
 
 const ELEMENT = { angle: "角度", length: "长度", radius: "半径" };
@@ -83,6 +84,9 @@ export const messages = {
     gouge: (d, w) => `${w.place(d.x, d.z)}处精加工件被切掉${w.area(d.area)}。`,
     rapidInStock: (d, w) => `快移在${w.place(d.x, d.z)}处穿过${w.area(d.area)}材料。`,
     holderContact: (d, w) => `刀柄在${w.place(d.x, d.z)}处碰到材料。`,
+    deeperThanInfeed: (d, w) => `${d.pass === undefined ? "一次修平或精加工" : `第${w.number(d.pass)}刀`}一次切除${w.number(d.depth)} mm材料,允许值为${w.number(d.allowed)} mm。`,
+    nothingCut: () => "此次加工没有切除材料。",
+    airPasses: (d) => `${d.count}刀粗加工没有碰到材料。`,
 
     notUnderstood: (d, w) => `无法识别“${w.text(d.text)}”:保留,不仿真。`,
     wordNotUnderstood: (d, w) => `无法识别“${w.text(d.text)}”。`,

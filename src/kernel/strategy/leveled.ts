@@ -79,6 +79,11 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
   const end = Math.max(kept.end.u, drawn.end.u, last.to.u + keep.u) + SAME;
   const to = Math.min(end, limits.to - leadOf(insertIn(tool, l.frame)), room.maxU);
   const runOut = wall === null ? null : last.to.v + keep.v;
+  const unlimited = () => {
+    if (!l.limit) return {};
+    const whole = groundOver(bounds, tool, l.frame, none, { ...toFinish, floors: [] });
+    return { unlimited: reachOf(whole, Math.max(whole.first, start.u, room.minU), Math.min(whole.end.u, end, room.maxU), l.frame, tool) };
+  };
   let division = { passes: 0, infeed: 0 };
   if (l.operation === 0 || l.operation === 1) {
     const upper = Math.min(top, limits.ceiling);
@@ -102,7 +107,7 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
     moves: wanted.moves, issues, contour: l.contour, ...division, infeed: length(division.infeed),
     area: areaOver(flat, l.frame, start.u, top), part: partUnder(flat, l.frame, pinInFront),
     openSide: toPart(l.frame, { u: 0, v: 1 }), reach: reachOf(drawn, Math.max(drawn.first, from), Math.min(drawn.end.u, to), l.frame, tool),
-    kept: reachOf(kept, Math.max(kept.first, from), Math.min(kept.end.u, to), l.frame, tool), most: length(l.infeed),
+    kept: reachOf(kept, Math.max(kept.first, from), Math.min(kept.end.u, to), l.frame, tool), most: length(l.infeed), oversize: l.oversize, ...unlimited(),
   };
 }
 

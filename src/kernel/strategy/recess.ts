@@ -102,7 +102,7 @@ export function planRecess(l: Recess, setting: Setting): Plan {
   return {
     ...sketch, moves: track.moves, issues, passes: division.passes, infeed: length(division.infeed),
     reach: reachOf(drawn, drawn.start.u, drawn.end.u, l.frame, tool),
-    kept: reachOf(kept, kept.start.u, kept.end.u, l.frame, tool), most: length(l.infeed),
+    kept: reachOf(kept, kept.start.u, kept.end.u, l.frame, tool), most: length(l.infeed), oversize: l.oversize,
   };
 }
 

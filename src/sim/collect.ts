@@ -1,0 +1,69 @@
+import { areaOf, union } from "../kernel/clip.ts";
+import { boxAround, gapBetween, type Box } from "./box.ts";
+import type { Finding } from "./simulation.ts";
+
+/** Moves whose places are nearer than this do the same damage, mm. */
+const SAME_PLACE = 0.1;
+/** Findings that are kept apart; what comes after them is added to the last of its kind. */
+const MOST = 500;
+/** Rings that are kept before they are merged. */
+const RINGS = 64;
+
+interface Kept {
+  finding: Finding;
+  box: Box;
+  /** Area of the largest single piece, which gives the place. */
+  largest: number;
+}
+
+/** Gathers what moves do wrong, and makes one finding of moves that do it in the same place. */
+export interface Collector {
+  add(found: readonly Finding[]): void;
+  all(): Finding[];
+}
+
+const around = (a: Box, b: Box): Box =>
+  ({ left: Math.min(a.left, b.left), right: Math.max(a.right, b.right), bottom: Math.min(a.bottom, b.bottom), top: Math.max(a.top, b.top) });
+
+/** A gouge and a rapid take away what they find, so their areas add up; a holder leaves it, and finds it again. */
+const staysThere = (f: Finding) => f.kind === "holderContact";
+
+/** Begins to gather. Moves of one cycle call belong together, outside cycles those of one block. */
+export function collector(): Collector {
+  const kept: Kept[] = [];
+  const groups = new Map<string, Kept[]>();
+  const last = new Map<Finding["kind"], Kept>();
+
+  function join(k: Kept, f: Finding, box: Box): void {
+    const rings = [...k.finding.rings, ...f.rings];
+    k.finding = {
+      ...k.finding, area: k.finding.area + f.area, moves: k.finding.moves + f.moves,
+      rings: rings.length > RINGS ? union(rings) : rings, ...(f.area > k.largest && { place: f.place }),
+    };
+    k.largest = Math.max(k.largest, f.area);
+    k.box = around(k.box, box);
+  }
+  return {
+    add(found) {
+      for (const f of found) {
+        const key = `${f.kind} ${f.operation === null ? `block ${f.block}` : f.operation}`;
+        const group = groups.get(key) ?? [];
+        const box = boxAround(f.rings);
+        const same = group.find((k) => gapBetween(k.box, box) <= SAME_PLACE) ?? (kept.length >= MOST ? last.get(f.kind) : undefined);
+        if (same) join(same, f, box);
+        else {
+          const fresh = { finding: f, box, largest: f.area };
+          kept.push(fresh);
+          groups.set(key, [...group, fresh]);
+          last.set(f.kind, fresh);
+        }
+      }
+    },
+    all: () =>
+      kept.map(({ finding: f }) => {
+        if (f.moves === 1) return f;
+        const rings = union(f.rings);
+        return { ...f, rings, ...(staysThere(f) && { area: areaOf(rings) }) };
+      }),
+  };
+}

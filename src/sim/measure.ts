@@ -1,0 +1,138 @@
+import { areaOf, offset, opened } from "../kernel/clip.ts";
+import type { Move } from "../kernel/move.ts";
+import type { Pt, Ring } from "../kernel/point.ts";
+import type { Step } from "../kernel/step.ts";
+import { SLIVER } from "../kernel/tolerance.ts";
+import { boxAround, boxOf } from "./box.ts";
+import { inStock, REAL_AREA, real } from "./check.ts";
+import type { Cutting } from "./cutting.ts";
+import { deepestAlong, thicknessOf } from "./extent.ts";
+import type { Outlines } from "./outlines.ts";
+import { pieceOf, type Piece } from "./piece.ts";
+import type { Depth, OperationProof, SimulatedOperation } from "./simulation.ts";
+
+/** Real depths may pass what is allowed by this much before it is told, mm. */
+const TOLD = 0.05;
+/** A run of moves is measured in stretches of at most this many convex pieces: the cost of joining them is their square. */
+const LONG = 100;
+
+type Phase = Move["phase"];
+
+/** Feed moves in a row that do the same work, with the stock as it was before the first of them. */
+interface Stretch {
+  readonly operation: number;
+  readonly phase: Phase;
+  readonly pass: number | undefined;
+  readonly step: number;
+  readonly block: number;
+  readonly before: Pick<Cutting, "initial" | "meets" | "swept">;
+  readonly pieces: Piece[];
+}
+
+interface Sums {
+  cut: number;
+  readonly passes: Map<number, number>;
+  deepest: Depth | null;
+  thickest: Depth | null;
+  startInMaterial: Pt | null;
+}
+
+/** Measures in the stock what each operation does. */
+export interface Measure {
+  /** A step and its sweep, before that is taken from the stock. */
+  add(step: Step, index: number, sweep: readonly Piece[], outlines: Outlines, cut: Cutting): void;
+  results(): OperationProof[];
+}
+
+/** The stock at one moment, which later cuts do not change. */
+function frozen(cut: Cutting): Stretch["before"] {
+  const swept = cut.swept();
+  return { initial: cut.initial, meets: (piece) => cut.meets(piece), swept: () => swept };
+}
+
+/** The greatest infeed that a plan allows, mm; 0 when its values set none. */
+const mostOf = ({ plan }: SimulatedOperation) => plan.most;
+
+/** What a smoothing or finishing cut may take, square to its path, mm: the oversize and one infeed; 0 when that is not known. */
+function mostBeside({ plan }: SimulatedOperation): number {
+  const infeed = plan.most > 0 ? plan.most : plan.infeed;
+  return plan.oversize && infeed > 0 ? Math.max(plan.oversize.z, plan.oversize.r) + infeed : 0;
+}
+
+/** Begins to measure the operations of a run. */
+export function measuring(operations: readonly SimulatedOperation[], blank: readonly Ring[]): Measure {
+  const sums = operations.map((): Sums => ({ cut: 0, passes: new Map(), deepest: null, thickest: null, startInMaterial: null }));
+  let run: Stretch | null = null;
+
+  function close(): void {
+    const done = run;
+    run = null;
+    const [sum, operation] = done ? [sums[done.operation], operations[done.operation]] : [];
+    if (!done || !sum || !operation) return;
+    const taken = inStock(done.pieces, done.before);
+    const area = areaOf(taken);
+    sum.cut += area;
+    const passes = done.phase === "rough" && done.pass !== undefined;
+    if (passes) sum.passes.set(done.pass, (sum.passes.get(done.pass) ?? 0) + area);
+    if (area < REAL_AREA) return;
+    const place = { step: done.step, block: done.block };
+    if (passes) sum.deepest = deeper(sum.deepest, taken, operation, { ...place, pass: done.pass });
+    else if (done.phase !== "thread") sum.thickest = thicker(sum.thickest, taken, operation, place);
+  }
+
+  function belongs(step: Step, operation: number): boolean {
+    return run !== null && run.operation === operation && run.phase === step.move.phase && run.pass === step.move.pass && run.pieces.length < LONG;
+  }
+
+  return {
+    add(step, index, sweep, outlines, cut) {
+      const { operation } = step;
+      if (operation === null || step.move.kind === "rapid" || !belongs(step, operation)) close();
+      if (operation === null) return;
+      const sum = sums[operation];
+      if (sum && operations[operation]?.firstStep === index && standsIn(outlines.checked, step.from, cut)) sum.startInMaterial = step.from;
+      if (step.move.kind === "rapid") return;
+      run ??= { operation, phase: step.move.phase, pass: step.move.pass, step: index, block: step.block, before: frozen(cut), pieces: [] };
+      run.pieces.push(...sweep);
+    },
+    results() {
+      close();
+      return sums.map(({ cut, passes, deepest, thickest, startInMaterial }, o) => ({
+        cut, airPasses: [...passes.values()].filter((area) => area < REAL_AREA).length, deepest, thickest, startInMaterial,
+        hasFailed: blank.length === 0 || (operations[o]?.issues ?? []).some((i) => i.severity === "error"),
+      }));
+    },
+  };
+}
+
+/** Whether an insert stands in the stock. */
+const standsIn = (insert: Ring, { z, r }: Pt, cut: Cutting): boolean =>
+  insert.length > 2 && real(inStock([pieceOf(insert.map((p) => ({ z: (p.z + z) as Pt["z"], r: (p.r + r) as Pt["r"] })))], cut)).length > 0;
+
+type Where = Pick<Depth, "step" | "block" | "pass">;
+
+/** The deeper of a depth and that of an area just taken, measured in the direction of infeed. */
+function deeper(known: Depth | null, taken: readonly Ring[], operation: SimulatedOperation, where: Where): Depth | null {
+  const { openSide } = operation.plan;
+  const box = boxAround(taken);
+  const most = Math.abs(openSide.r) >= Math.abs(openSide.z) ? box.top - box.bottom : box.right - box.left;
+  if (known && most <= known.depth) return known;
+  const depth = deepestAlong(opened(taken, SLIVER), openSide);
+  return depth > (known?.depth ?? 0) ? { depth, allowed: mostOf(operation), ...where } : known;
+}
+
+/** The thicker of a cut beside the contour and one just taken, when that is more than allowed. */
+function thicker(known: Depth | null, taken: readonly Ring[], operation: SimulatedOperation, where: Where): Depth | null {
+  const allowed = mostBeside(operation);
+  if (allowed === 0) return known;
+  const told = Math.max(allowed + TOLD, known?.depth ?? 0);
+  const wide = taken.filter((ring) => {
+    const box = boxOf(ring);
+    return Math.min(box.right - box.left, box.top - box.bottom) > told;
+  });
+  if (wide.length === 0 || offset(taken, -told / 2).length === 0) return known;
+  return { depth: thicknessOf(taken), allowed, ...where };
+}
+
+/** Whether a measured depth is more than a script or an operator has to bear. */
+export const isTooDeep = ({ depth, allowed }: Depth): boolean => allowed > 0 && depth > allowed + TOLD;
