@@ -4,6 +4,7 @@ import { Icon } from "../Icon.tsx";
 import { copyText, useCopying } from "../program/copy.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
+import { LONGEST_LINK } from "../files/limits.ts";
 import { programText } from "./session.ts";
 import { shareLink } from "./share.ts";
 
@@ -24,7 +25,8 @@ export function ShareDialog() {
       <button
         type="button" className="button"
         onClick={() => {
-          setLink(shareLink(pageAddress(), programText() ?? ""));
+          const made = shareLink(pageAddress(), programText() ?? "");
+          setLink(made.length > LONGEST_LINK ? "" : made);
           dialog.current?.showModal();
         }}
       >
@@ -37,9 +39,10 @@ export function ShareDialog() {
           <span>{t.editor.shareLink} · <b className="number">{t.editor.shareSize(formatNumber(language, link.length / 1000, 1))}</b></span>
           <textarea className="number" readOnly rows={5} value={link} onFocus={(event) => event.currentTarget.select()} />
         </label>
+        {link === "" && <p className="field-message warning"><Icon name="warning" /> {t.editor.shareTooLong}</p>}
         {link.length > SAFE && <p className="field-message warning"><Icon name="warning" /> {t.editor.shareLong}</p>}
         <div className="program-ways">
-          <button type="button" className="button primary" onClick={() => void copyText(link)}>
+          <button type="button" className="button primary" disabled={link === ""} onClick={() => void copyText(link)}>
             <Icon name={copied ? "check" : "copy"} /> {copied ? t.page.text.copied : t.editor.copyLink}
           </button>
           <button type="button" className="button" onClick={() => dialog.current?.close()}>{t.page.close}</button>

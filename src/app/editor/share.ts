@@ -1,9 +1,9 @@
-import { deflateSync, inflateSync, strFromU8, strToU8 } from "fflate";
+import { deflateSync, strToU8 } from "fflate";
+import { LARGEST_PROGRAM } from "../files/limits.ts";
+import { unpackedText } from "./unpack.ts";
 
 /** What stands between the page's address and the program in a share link. */
-const MARK = "#p=";
-/** A link that unpacks to more than this is not opened, characters. */
-const LONGEST = 20_000_000;
+export const MARK = "#p=";
 
 const toBase64Url = (bytes: Uint8Array): string => {
   let text = "";
@@ -16,13 +16,16 @@ const fromBase64Url = (text: string): Uint8Array => Uint8Array.from(atob(text.re
 /** A link that carries the program itself: nothing is stored anywhere. `page` is the address without anything behind `#`. */
 export const shareLink = (page: string, text: string): string => page + MARK + toBase64Url(deflateSync(strToU8(text), { level: 9 }));
 
-/** The program of a link's part behind `#`; null where there is none, or none that can be read. Never throws. */
-export function sharedProgram(hash: string): string | null {
-  if (!hash.startsWith(MARK)) return null;
+/** What a link carries: a program, one that is larger than is opened, or nothing that can be read. */
+export type Shared = { readonly kind: "program"; readonly text: string } | { readonly kind: "tooLarge" | "damaged" };
+
+/** The program of a link's part behind `#`. Never throws, and never unpacks more than it opens. */
+export function sharedProgram(hash: string, most = LARGEST_PROGRAM): Shared {
+  if (!hash.startsWith(MARK)) return { kind: "damaged" };
   try {
-    const text = strFromU8(inflateSync(fromBase64Url(hash.slice(MARK.length))));
-    return text.length > LONGEST ? null : text;
+    const text = unpackedText(fromBase64Url(hash.slice(MARK.length)), most);
+    return text === null ? { kind: "tooLarge" } : { kind: "program", text };
   } catch {
-    return null;
+    return { kind: "damaged" };
   }
 }

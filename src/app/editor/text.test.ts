@@ -33,10 +33,10 @@ test("a link carries the program, and a damaged one nothing", () => {
   fc.assert(fc.property(fc.string({ unit: "grapheme" }), (t) => {
     const link = shareLink("https://example.org/page", t);
     expect(link).toMatch(/^https:\/\/example\.org\/page#p=[\w-]*$/);
-    expect(sharedProgram(new URL(link).hash)).toBe(t);
+    expect(sharedProgram(new URL(link).hash)).toEqual({ kind: "program", text: t });
   }));
-  expect(sharedProgram("#p=%%%")).toBeNull();
-  expect(sharedProgram("#q=1")).toBeNull();
+  expect(sharedProgram("#p=%%%")).toEqual({ kind: "damaged" });
+  expect(sharedProgram("#q=1")).toEqual({ kind: "damaged" });
 });
 
 test("changes between programs lead from one text to the other", () => {

@@ -1,11 +1,9 @@
 import { decode } from "../editor/encoding.ts";
-import { startWork } from "../saving/keep.ts";
+import { notice, startWork } from "../saving/keep.ts";
 import { useEditor } from "../store.ts";
 import type { ProgramWork } from "../work.ts";
 import { handleOf, rememberHandle, type FileHandle } from "./file-handle.ts";
-
-/** Files larger than this are no programs, bytes. */
-const LARGEST = 50_000_000;
+import { LARGEST_PROGRAM } from "./limits.ts";
 
 /** Opens a program as work of its own; what was open stays on the device. */
 export function openProgram(program: ProgramWork, handle: FileHandle | null = null): void {
@@ -14,14 +12,17 @@ export function openProgram(program: ProgramWork, handle: FileHandle | null = nu
   if (work !== null && handle) rememberHandle(work, handle);
 }
 
-/** Opens a file of the device; false when it can not be read. */
-export async function openFile(file: File, handle: FileHandle | null = null): Promise<boolean> {
+/** What became of a file that was to be opened. */
+export type Opening = "opened" | "tooLarge" | "unreadable";
+
+/** Opens a file of the device. What was open before stays open when it can not. */
+export async function openFile(file: File, handle: FileHandle | null = null): Promise<Opening> {
   try {
-    if (file.size > LARGEST) return false;
+    if (file.size > LARGEST_PROGRAM) return "tooLarge";
     openProgram({ name: file.name, ...decode(new Uint8Array(await file.arrayBuffer())) }, handle);
-    return true;
+    return "opened";
   } catch {
-    return false;
+    return "unreadable";
   }
 }
 
@@ -31,16 +32,16 @@ export const fileNameOf = (text: string): string => `${/BEGIN PGM (\S+)/.exec(te
 /** Opens text that was pasted, shared or printed. */
 export const openText = (text: string): void => openProgram({ name: fileNameOf(text), text, encoding: "utf-8" });
 
-/** Opens what was dropped on the page, with the right to write it back where the browser gives it; false when nothing can be read. */
-export async function openDropped(data: DataTransfer): Promise<boolean> {
+/** Opens what was dropped on the page, with the right to write it back where the browser gives it. What can not be opened is said. */
+export async function openDropped(data: DataTransfer): Promise<void> {
   const [file] = data.files;
   const item = [...data.items].find((each) => each.kind === "file");
   if (file) {
     const handle = item ? handleOf(item) : Promise.resolve(null);
-    return openFile(file, await handle);
+    const opening = await openFile(file, await handle);
+    if (opening !== "opened") notice(opening === "tooLarge" ? "fileTooLarge" : "fileUnreadable");
+    return;
   }
   const text = data.getData("text/plain");
-  if (text.trim() === "") return false;
-  openText(text);
-  return true;
+  if (text.trim() !== "") openText(text);
 }

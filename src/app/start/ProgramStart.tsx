@@ -1,7 +1,7 @@
 import { useRef, useState } from "react";
 import type { ExampleId } from "../../examples/index.ts";
 import { canOpenFiles, pickFile } from "../files/file-handle.ts";
-import { openFile, openText } from "../files/open-program.ts";
+import { openFile, openText, type Opening } from "../files/open-program.ts";
 import { Icon } from "../Icon.tsx";
 import { useTexts } from "../settings/use-texts.ts";
 
@@ -17,17 +17,17 @@ async function openExample(id: string): Promise<void> {
 /** Ways to a whole program: a file, a paste, an empty one, an example. */
 export function ProgramStart() {
   const t = useTexts().editor;
-  const [unreadable, setUnreadable] = useState(false);
+  const [opening, setOpening] = useState<Opening>("opened");
   const [pasted, paste] = useState(false);
   const area = useRef<HTMLTextAreaElement>(null);
   const file = useRef<HTMLInputElement>(null);
   const dialog = useRef<HTMLDialogElement>(null);
 
-  const take = async (chosen: File | undefined) => setUnreadable(chosen ? !(await openFile(chosen)) : false);
+  const take = async (chosen: File | undefined) => setOpening(chosen ? await openFile(chosen) : "opened");
   const ask = async () => {
     if (!canOpenFiles()) return file.current?.click();
     const handle = await pickFile();
-    if (handle) setUnreadable(!(await openFile(await handle.getFile(), handle)));
+    if (handle) setOpening(await openFile(await handle.getFile(), handle));
   };
 
   return (
@@ -44,7 +44,7 @@ export function ProgramStart() {
         <button type="button" className="button" onClick={() => openText(EMPTY)}>{t.start.create}</button>
         <span className="soft small">{t.start.drop}</span>
       </div>
-      <p role="status" className="program-unreadable">{unreadable && <><Icon name="error" /> {t.start.unreadable}</>}</p>
+      <p role="status" className="program-unreadable">{opening !== "opened" && <><Icon name="error" /> {t.start[opening]}</>}</p>
       <h3>{t.start.examples}</h3>
       <ul className="program-examples">
         {Object.entries(t.examples as Readonly<Record<ExampleId, string>>).map(([id, title]) => (

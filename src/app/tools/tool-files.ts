@@ -52,8 +52,12 @@ export function importText(text: string, name: string, t: ToolsTexts): Outcome {
   };
 }
 
+/** Larger files hold more than a tool table, bytes. */
+const LARGEST = 20_000_000;
+
 /** Takes the rows of a file into the table. */
 export async function importFile(file: File, t: ToolsTexts): Promise<Outcome> {
+  if (file.size > LARGEST) return failure(t.problems.tooLarge(file.name));
   try {
     return importText(decoded(await file.arrayBuffer()), file.name, t);
   } catch {

@@ -18,6 +18,7 @@ export const editor = {
     pasteOpen: "Öffnen",
     cancel: "Abbrechen",
     unreadable: "Diese Datei konnte nicht gelesen werden.",
+    tooLarge: "Diese Datei ist größer als 20 MB.",
   },
   examples: {
     flange: "Flansch: sechs Werkzeuge, acht Zyklen",
@@ -41,6 +42,7 @@ export const editor = {
   shareLink: "Link",
   shareSize: (size) => `${size} kB`,
   shareLong: "Viele Mailprogramme und Browser kürzen so lange Links. Schicken Sie besser die Datei.",
+  shareTooLong: "Der Link zu diesem Programm wird länger, als Browser öffnen. Stattdessen die Datei senden.",
   copyLink: "Link kopieren",
   fix: "Berichtigen",
   goToBlock: (block) => `Zu Satz ${block}`,

@@ -79,5 +79,6 @@ export const tools = {
     columnsMissing: (file, names) => `${file} ist keine Werkzeugtabelle: Es fehlen die Spalten ${names}.`,
     tooMany: (file, most) => `${file} enthält mehr als ${most} Werkzeuge.`,
     unreadable: (file) => `${file} ließ sich nicht lesen.`,
+    tooLarge: (file) => `${file} ist größer als 20 MB.`,
   },
 } satisfies ToolsTexts;

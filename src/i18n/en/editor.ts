@@ -19,6 +19,7 @@ export const editor = {
     pasteOpen: "Open",
     cancel: "Cancel",
     unreadable: "This file could not be read.",
+    tooLarge: "This file is larger than 20 MB.",
   },
   examples: {
     flange: "Flange: six tools, eight cycles",
@@ -42,6 +43,7 @@ export const editor = {
   shareLink: "Link",
   shareSize: (size: string) => `${size} kB`,
   shareLong: "Many mail programs and browsers cut links of this length. Send the file instead.",
+  shareTooLong: "This program makes a link that browsers do not open. Send the file instead.",
   copyLink: "Copy the link",
   fix: "Correct it",
   goToBlock: (block: string) => `Go to block ${block}`,

@@ -79,6 +79,7 @@ export const tools = {
     columnsMissing: (file: string, names: string) => `${file} is no tool table: these columns are missing: ${names}.`,
     tooMany: (file: string, most: number) => `${file} holds more than ${most} tools.`,
     unreadable: (file: string) => `${file} could not be read.`,
+    tooLarge: (file: string) => `${file} is larger than 20 MB.`,
   },
 };
 

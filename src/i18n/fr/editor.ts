@@ -18,6 +18,7 @@ export const editor = {
     pasteOpen: "Ouvrir",
     cancel: "Annuler",
     unreadable: "Ce fichier n’a pas pu être lu.",
+    tooLarge: "Ce fichier dépasse 20 Mo.",
   },
   examples: {
     flange: "Bride : six outils, huit cycles",
@@ -41,6 +42,7 @@ export const editor = {
   shareLink: "Lien",
   shareSize: (size) => `${size} ko`,
   shareLong: "Beaucoup de messageries et de navigateurs coupent un lien de cette longueur. Envoyez plutôt le fichier.",
+  shareTooLong: "Le lien de ce programme serait trop long pour un navigateur. Envoyer plutôt le fichier.",
   copyLink: "Copier le lien",
   fix: "Corriger",
   goToBlock: (block) => `Aller à la séquence ${block}`,

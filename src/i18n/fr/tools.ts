@@ -79,5 +79,6 @@ export const tools = {
     columnsMissing: (file, names) => `${file} n’est pas un tableau d’outils : il manque les colonnes ${names}.`,
     tooMany: (file, most) => `${file} contient plus de ${most} outils.`,
     unreadable: (file) => `${file} n’a pas pu être lu.`,
+    tooLarge: (file) => `${file} dépasse 20 Mo.`,
   },
 } satisfies ToolsTexts;

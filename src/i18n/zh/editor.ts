@@ -18,6 +18,7 @@ export const editor = {
     pasteOpen: "打开",
     cancel: "取消",
     unreadable: "无法读取此文件。",
+    tooLarge: "此文件大于 20 MB。",
   },
   examples: {
     flange: "法兰：六把刀具，八个循环",
@@ -41,6 +42,7 @@ export const editor = {
   shareLink: "链接",
   shareSize: (size) => `${size} kB`,
   shareLong: "许多邮件程序和浏览器会截断这么长的链接。请改为发送文件。",
+  shareTooLong: "此程序的链接过长，浏览器无法打开。请改为发送文件。",
   copyLink: "复制链接",
   fix: "更正",
   goToBlock: (block) => `转到程序段 ${block}`,

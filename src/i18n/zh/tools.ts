@@ -79,5 +79,6 @@ export const tools = {
     columnsMissing: (file, names) => `${file} 不是刀具表：缺少列 ${names}。`,
     tooMany: (file, most) => `${file} 中的刀具超过 ${most} 把。`,
     unreadable: (file) => `无法读取 ${file}。`,
+    tooLarge: (file) => `${file} 大于 20 MB。`,
   },
 } satisfies ToolsTexts;

@@ -1,0 +1,32 @@
+import { Inflate } from "fflate";
+
+/** Packed bytes that are handed over in one go; each unpacks to about a thousand at most. */
+const CHUNK = 1024;
+
+/**
+ * Unpacks deflated bytes piece by piece and stops as soon as they are more than `most`. Gives the number of bytes that were
+ * unpacked: more than `most` when it stopped. `take` is given each piece up to the limit. Throws on damaged bytes.
+ */
+export function inflateUpTo(packed: Uint8Array, most: number, take: (piece: Uint8Array) => void): number {
+  let size = 0;
+  let complete = false;
+  const inflate = new Inflate((piece, final) => {
+    size += piece.length;
+    complete = final;
+    if (size <= most) take(piece);
+  });
+  for (let at = 0; at < packed.length && !complete && size <= most; at += CHUNK)
+    inflate.push(packed.subarray(at, at + CHUNK), at + CHUNK >= packed.length);
+  if (!complete && size <= most) throw new Error("the packed bytes break off");
+  return size;
+}
+
+/** The text that was deflated as UTF-8; null when it is longer than `most` bytes. Throws on damaged bytes. */
+export function unpackedText(packed: Uint8Array, most: number): string | null {
+  const decoder = new TextDecoder("utf-8", { ignoreBOM: true });
+  let text = "";
+  const size = inflateUpTo(packed, most, (piece) => {
+    text += decoder.decode(piece, { stream: true });
+  });
+  return size > most ? null : text + decoder.decode();
+}

@@ -1,0 +1,4 @@
+/** Largest program that is opened from a file or unpacked from a link, bytes: twice the longest that is measured (docs/performance.md). */
+export const LARGEST_PROGRAM = 20_000_000;
+/** Longest address that every browser opens, characters. */
+export const LONGEST_LINK = 2_000_000;
