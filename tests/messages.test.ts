@@ -40,7 +40,7 @@ const SAMPLES: { readonly [C in AnyCode]: DataOf<C> } = {
   approachCutsContour: { point: "PS", depth: 1.25, x: 60.5, y: 5.5, freeX: -7.5, freeY: 8.25 },
   approachValueCutsContour: { point: "PN", depth: 1.25, x: 60.5, z: -5.5, word: "LEN", nearest: 12.5 },
   approachBlocked: { point: "PS", depth: 1.25, x: 60.5, y: 5.5 }, sideChanged: {}, approachWithoutContour: { form: "APPR LT" },
-  toolRadiusUnknown: { tool: "1" }, wordsRecalled: { what: "UDC TYPE_F" }, programEndMissing: {}, tooManyBlocks: { limit: 1000 }, tooManyMoves: { limit: 1000 }, callsTooDeep: { limit: 20 },
+  toolRadiusUnknown: { tool: "1" }, wordsRecalled: { what: "UDC TYPE_F" }, programEndMissing: {}, tooManyBlocks: { limit: 1000 }, tooManyMoves: { limit: 1000 }, contourTooLong: { limit: 500 }, tooManyOperations: { limit: 500 }, moreAlike: { code: "gouge", count: 37 }, callsTooDeep: { limit: 20 },
 };
 const found = (code: AnyCode): AnyIssue => ({ code, severity: "error", data: SAMPLES[code] }) as AnyIssue;
 const codes = Object.keys(SAMPLES) as AnyCode[];

@@ -25,7 +25,7 @@ interface Reader {
   readonly radii: boolean;
 }
 
-/** Longest contour that is read. */
+/** Longest contour that is read; beyond it the run ends, for a contour cut short would be another part. */
 const MOST_BLOCKS = 20_000;
 
 /** Reads the contour behind a label, up to LBL 0. Null when the label does not exist. `radii`: X words are radii (DIM_R). */
@@ -39,15 +39,18 @@ export function readContour(machine: Machine, label: Label, at: number, radii = 
   for (const name of [...machine.parameters.keys()]) if (name.startsWith("QL")) machine.parameters.delete(name);
   const reader: Reader = { machine, elements: [], blocks: [], x: null, z: null, pole: null, radii };
   let i = start + 1;
-  for (; i < machine.blocks.length && i - start <= MOST_BLOCKS; i += 1) {
+  for (; i < machine.blocks.length; i += 1) {
     const statement = machine.blocks[i]?.statement;
     if (!statement || (statement.kind === "label" && statement.label === 0) || statement.kind === "end") break;
+    if (i - start > MOST_BLOCKS) machine.stop(programIssue("contourTooLong", "error", { limit: MOST_BLOCKS }), at);
+    if (!machine.roomForBlock(at)) break;
     element(reader, statement, i);
   }
   const end = machine.blocks[i]?.statement;
-  if (end?.kind !== "label") machine.say(programIssue("labelNotClosed", "warning", { label: String(label) }), start);
+  if (end?.kind !== "label" && !machine.full) machine.say(programIssue("labelNotClosed", "warning", { label: String(label) }), start);
   machine.parameters.clear();
   outer.forEach((value, name) => machine.parameters.set(name, value));
+  if (machine.full) return null;
   return { contour: contourFrom(reader.elements), blocks: reader.blocks };
 }
 

@@ -69,6 +69,7 @@ export function callCycle(machine: Machine, index: number): void {
   if (!start) return machine.say(programIssue("startUnknown", "error", {}), index);
   if (!machine.sure.x || !machine.sure.z) machine.say(programIssue("startUnknown", "warning", {}), index);
   if (!machine.spindle) machine.say(programIssue("spindleMissing", "warning", {}), index);
+  if (!machine.roomForOperation(index)) return;
   const operation = machine.operations.length;
   const given: Given = { contour: cycle.contour === "free" ? givenContour(machine, cycle.number, index, operation) : null };
   const { values, issues } = cycleValues(machine, cycle, defined.values);

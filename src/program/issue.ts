@@ -45,6 +45,10 @@ interface Data {
   programEndMissing: {};
   tooManyBlocks: { limit: number };
   tooManyMoves: { limit: number };
+  contourTooLong: { limit: number };
+  tooManyOperations: { limit: number };
+  /** Findings of one code that are not listed, from this place on. */
+  moreAlike: { code: string; count: number };
   callsTooDeep: { limit: number };
 }
 

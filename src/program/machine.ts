@@ -10,6 +10,7 @@ import { blockNumbers, issuesOf, startLines, type Block, type Program } from "..
 import type { CornerElement } from "../kernel/corner.ts";
 import type { Label, Statement, Value } from "../nc/statement.ts";
 import { formulaOf, valueOf, type Parameters, type Trouble } from "./formula.ts";
+import { fewAlike, MOST_ALIKE } from "./alike.ts";
 import { programIssue, type ProgramIssue } from "./issue.ts";
 import { MillState, type Mill } from "./mill-state.ts";
 import type { Guide } from "./plane-chain.ts";
@@ -46,8 +47,10 @@ export interface Held {
   readonly corner: { readonly element: CornerElement; readonly feed: Feed | null; readonly index: number } | null;
 }
 
-/** Highest number of moves a run may have. */
+/** Bounds that keep every program finite and its memory small; far above what programs need (docs/performance.md). */
+const MOST_BLOCKS = 200_000;
 const MOST_MOVES = 400_000;
+const MOST_OPERATIONS = 2_000;
 
 /** Everything that changes while a program runs. X is a diameter, mm. */
 export class Machine {
@@ -91,6 +94,9 @@ export class Machine {
   readonly findings: Finding[] = [];
   readonly unproved: Unproved[] = [];
   private readonly said = new Set<string>();
+  private readonly left = new Set<string>();
+  /** Blocks executed, those of contours that cycles read included. */
+  private executed = 0;
   full = false;
 
   constructor(readonly program: Program, readonly shop: Shop) {
@@ -121,8 +127,11 @@ export class Machine {
   /** Notes that from here on nothing is proved, once for each block. `what` as the program spells it. */
   leaveUnproved(what: string, index: number): void {
     const block = this.numbers[index] ?? 0;
-    if (this.unproved.some((u) => u.block === block && u.what === what)) return;
-    this.unproved.push({ step: this.steps.length, block, what });
+    const key = `${block} ${what}`;
+    if (this.left.has(key)) return;
+    this.left.add(key);
+    // The first of all says from where on nothing is proved; a list of all that follow would fill the memory.
+    if (this.unproved.length < MOST_ALIKE) this.unproved.push({ step: this.steps.length, block, what });
     this.say(programIssue("notProved", "warning", { what }), index);
   }
 
@@ -163,13 +172,37 @@ export class Machine {
     return this.x === null || this.z === null ? null : { z: axial(this.z), r: toRadius(diameter(this.x)) };
   }
 
+  /** Ends the run at a block, because the program goes beyond what is simulated: what follows is not proved. */
+  stop(why: ProgramIssue, index: number): void {
+    if (this.full) return;
+    this.full = true;
+    this.say(why, index);
+    this.unproved.push({ step: this.steps.length, block: this.numbers[index] ?? 0, what: this.blocks[index]?.raw.trim().split(/[\r\n]/)[0]?.slice(0, 60) ?? "" });
+  }
+
+  /** Whether one more block may be executed or read as a contour; ends the run when not. */
+  roomForBlock(index: number): boolean {
+    this.executed += 1;
+    if (this.executed > MOST_BLOCKS) this.stop(programIssue("tooManyBlocks", "error", { limit: MOST_BLOCKS }), index);
+    return !this.full;
+  }
+
+  /** Whether a cycle may be called once more; ends the run when not. */
+  roomForOperation(index: number): boolean {
+    if (this.operations.length >= MOST_OPERATIONS) this.stop(programIssue("tooManyOperations", "error", { limit: MOST_OPERATIONS }), index);
+    return !this.full;
+  }
+
+  /** Whether turning and milling together may move once more; ends the run when not. */
+  roomForMove(index: number): boolean {
+    if (this.steps.length + this.mill.steps.length < MOST_MOVES) return true;
+    this.stop(programIssue("tooManyMoves", "error", { limit: MOST_MOVES }), index);
+    return false;
+  }
+
   /** Adds one motion of the current tool, or of that tool as a cycle adapts it. */
   step(from: Pt, move: Move, index: number, operation: number | null, adapted: Tool | null = this.tool): number {
-    if (this.steps.length >= MOST_MOVES) {
-      if (!this.full) this.say(programIssue("tooManyMoves", "error", { limit: MOST_MOVES }), index);
-      this.full = true;
-      return 0;
-    }
+    if (!this.roomForMove(index)) return 0;
     if (!adapted) return 0;
     const spindle = this.spindle ?? { kind: "constant" as const, speed: 0 };
     const seconds = secondsOf(from, move, spindle, this.shop.rapid);
@@ -182,7 +215,7 @@ export class Machine {
   allFindings(): Finding[] {
     const missing = new Set(this.findings.filter((f) => f.issue.code === "missing").map((f) => f.line));
     const read = issuesOf(this.program).filter((i) => !(i.code === "wordMissing" && missing.has(i.line))).map((i) => this.located(i));
-    return [...read, ...this.findings].sort((a, b) => (a.line ?? 0) - (b.line ?? 0));
+    return fewAlike([...read, ...this.findings].sort((a, b) => (a.line ?? 0) - (b.line ?? 0)));
   }
 
   private located(issue: NcIssue): Finding {

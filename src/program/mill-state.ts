@@ -33,8 +33,6 @@ export class MillState implements Guide {
   readonly steps: PlaneStep[] = [];
 }
 
-/** Most steps of a milling program. */
-const MOST = 400_000;
 const NO_TIP: PlanePoint = { x: 0, y: 0 };
 
 function travelLength(s: PlaneSegment, dz: number): number {
@@ -46,7 +44,7 @@ function travelLength(s: PlaneSegment, dz: number): number {
 export function millStep(machine: Machine, s: PlaneSegment, { fromZ, toZ, feed, index }: Travel): void {
   const { mill } = machine;
   const isStill = s.kind === "line" && apart(s.from, s.to) <= ROUND;
-  if ((isStill && fromZ === toZ) || mill.steps.length >= MOST) return;
+  if ((isStill && fromZ === toZ) || !machine.roomForMove(index)) return;
   const long = travelLength(s, (toZ ?? 0) - (fromZ ?? toZ ?? 0));
   const rate = feed === null ? machine.shop.rapid : machine.perRevolution ? 0 : feed;
   mill.steps.push({

@@ -12,8 +12,6 @@ import { closePlanes, planeStatement } from "./plane-run.ts";
 import type { Run } from "./run-types.ts";
 import { blankOfTurnData, correctTool } from "./turn-data.ts";
 
-/** Bounds that keep every program finite; far above what programs need. */
-const MOST_BLOCKS = 200_000;
 /** Nesting of subprograms on the control. */
 const DEEPEST_CALL = 19;
 
@@ -53,11 +51,8 @@ function execute(machine: Machine): boolean {
   const returns: number[] = [];
   const repeats = new Map<number, number>();
   let next = 0;
-  for (let executed = 0; next < machine.blocks.length; executed += 1) {
-    if (executed >= MOST_BLOCKS || machine.full) {
-      if (!machine.full) machine.say(programIssue("tooManyBlocks", "error", { limit: MOST_BLOCKS }), next);
-      return true;
-    }
+  while (next < machine.blocks.length) {
+    if (!machine.roomForBlock(next)) return true;
     const index = next;
     next += 1;
     const s = machine.blocks[index]?.statement;
@@ -198,8 +193,12 @@ function toolCall(machine: Machine, s: Extract<Statement, { kind: "toolCall" }>,
 
 /** A tool of another table is no fault while only milling follows. */
 const turnsLater = (machine: Machine, index: number) => {
-  const following = machine.blocks.slice(index + 1).find((b) => b.statement.kind === "mode" || b.statement.kind === "toolCall")?.statement;
-  return following?.kind === "mode" && following.mode === "TURN";
+  for (let i = index + 1; i < machine.blocks.length; i += 1) {
+    const s = machine.blocks[i]?.statement;
+    if (s?.kind === "mode") return s.mode === "TURN";
+    if (s?.kind === "toolCall") return false;
+  }
+  return false;
 };
 
 /** By number, the index behind the point aside, or by name. */

@@ -141,6 +141,9 @@ export const messages = {
     programEndMissing: () => "Am Ende des Hauptprogramms fehlt M30 oder M2.",
     tooManyBlocks: (d) => `Mehr als ${d.limit} Sätze wurden ausgeführt: dort angehalten.`,
     tooManyMoves: (d) => `Mehr als ${d.limit} Bewegungen: dort angehalten.`,
+    contourTooLong: (d) => `Die Kontur hat mehr als ${d.limit} Sätze: dort angehalten.`,
+    tooManyOperations: (d) => `Mehr als ${d.limit} Zyklusaufrufe: dort angehalten.`,
+    moreAlike: (d, w) => `Ab hier sind ${w.number(d.count)} weitere Befunde derselben Art (${d.code}) nur gezählt, nicht aufgeführt.`,
     callsTooDeep: (d) => `Labels rufen sich mehr als ${d.limit}-fach verschachtelt auf.`,
   },
 } satisfies MessagesTexts;

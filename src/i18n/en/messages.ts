@@ -144,6 +144,9 @@ export const messages = {
     programEndMissing: () => "M30 or M2 is missing at the end of the main program.",
     tooManyBlocks: (d) => `More than ${d.limit} blocks were executed: stopped there.`,
     tooManyMoves: (d) => `More than ${d.limit} moves: stopped there.`,
+    contourTooLong: (d) => `The contour has more than ${d.limit} blocks: stopped there.`,
+    tooManyOperations: (d) => `More than ${d.limit} cycle calls: stopped there.`,
+    moreAlike: (d, w) => `From here on ${w.number(d.count)} more findings of the same kind (${d.code}) are counted, not listed.`,
     callsTooDeep: (d) => `Labels call each other more than ${d.limit} deep.`,
   },
 } satisfies MessagesTexts;

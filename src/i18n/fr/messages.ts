@@ -142,6 +142,9 @@ export const messages = {
     programEndMissing: () => "Il manque M30 ou M2 à la fin du programme principal.",
     tooManyBlocks: (d) => `Plus de ${d.limit} séquences exécutées : arrêt à cet endroit.`,
     tooManyMoves: (d) => `Plus de ${d.limit} déplacements : arrêt à cet endroit.`,
+    contourTooLong: (d) => `Le contour compte plus de ${d.limit} séquences : arrêt à cet endroit.`,
+    tooManyOperations: (d) => `Plus de ${d.limit} appels de cycle : arrêt à cet endroit.`,
+    moreAlike: (d, w) => `À partir d’ici, ${w.number(d.count)} autres constats du même genre (${d.code}) sont comptés, sans être listés.`,
     callsTooDeep: (d) => `Les labels s'appellent sur plus de ${d.limit} niveaux.`,
   },
 } satisfies MessagesTexts;

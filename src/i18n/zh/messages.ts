@@ -134,6 +134,9 @@ export const messages = {
     programEndMissing: () => "主程序末尾缺少M30或M2。",
     tooManyBlocks: (d) => `已执行超过${d.limit}个程序段:在该处停止。`,
     tooManyMoves: (d) => `超过${d.limit}个运动:在该处停止。`,
+    contourTooLong: (d) => `轮廓超过${d.limit}个程序段：在该处停止。`,
+    tooManyOperations: (d) => `超过${d.limit}次循环调用：在该处停止。`,
+    moreAlike: (d, w) => `从此处起另有 ${w.number(d.count)} 条同类结果（${d.code}）只计数，不再列出。`,
     callsTooDeep: (d) => `标签嵌套调用超过${d.limit}层。`,
   },
 } satisfies MessagesTexts;
