@@ -2,6 +2,7 @@ import { parse } from "../src/nc/parse.ts";
 import { run } from "../src/program/run.ts";
 import { shippedTools } from "../src/program/shipped-tools.ts";
 import { report } from "../src/report/report.ts";
+import { verdictOf } from "../src/report/verdict.ts";
 import { simulate } from "../src/sim/simulate.ts";
 import { largePrograms } from "./large-programs.ts";
 
@@ -31,7 +32,7 @@ export function main(names: readonly string[]): number {
     console.log(JSON.stringify({
       name, parsed, ran, simulated, reported, mb: Math.round(mid), mbReport: Math.round(process.resourceUsage().maxRSS / 1024), text: text.length, blocks: program.blocks.length,
       steps: made.steps.length, plane: made.plane.length, operations: made.operations.length, issues: told.issues.length, findings: simulation.findings.length,
-      passes: made.operations.reduce((n, o) => n + o.plan.passes, 0), verdict: simulation.proof.verdict, checkpoints: simulation.checkpoints.length, json,
+      passes: made.operations.reduce((n, o) => n + o.plan.passes, 0), verdict: verdictOf(made, simulation).verdict, checkpoints: simulation.checkpoints.length, json,
     }));
   }
   return 0;

@@ -1,5 +1,6 @@
+import { readdirSync, readFileSync } from "node:fs";
 import { describe, expect, test } from "vitest";
-import { code, projectFolder, sources } from "./sources.ts";
+import { code, projectFolder, projectPath, sources } from "./sources.ts";
 
 /** What a layer may import: names of layers and packages; `types` lists those of which only types may come. */
 interface Rule {
@@ -45,18 +46,39 @@ describe("who may import whom", () => {
   });
 });
 
+/** A name of a place across the axis or of a diameter. Radii of arcs, noses and cutters are lengths and may be doubled. */
+const ACROSS = String.raw`\b(?:[xXrR]|(?<!\.)radius|diameter|[a-z]\w*Diameter|outside|bore|Q4[89][13])\b`;
+const TWO = String.raw`(?:2(?:\.0*)?|0?\.50*)(?![\d.])`;
+/** Twice or half of it, in either order, bracketed or not; as a sum with itself. */
+const DOUBLED = new RegExp([
+  String.raw`(?:${ACROSS}|\bd\b)\)*\s*(?:\*(?!\*)|/)\s*${TWO}`, String.raw`(?<![\w.*])${TWO}\s*\*\s*\(*(?:\w+(?:\[\w+\])?[!?]?\.)*${ACROSS}`, String.raw`([\w.]*\.[xr]) \+ \1\b`,
+].join("|"));
+/** A number that is called a radius or a diameter without the functions for it, or the factor between them taken from a 1. */
+const FORCED = /\bas (?:Radius|Diameter)\b|\bto(?:Radius|Diameter)\(\s*(?:radius|diameter)\(\s*[\d.]*[1-9]/;
+const MEAN = /\([^()]*\+[^()]*\)\s*\/\s*2\b/g;
+/** Whether a line makes a diameter of a radius or the other way round. Pictures also have an x, in pixels. */
+const converts = (line: string, layer: string) => FORCED.test(line) || (layer !== "view" && DOUBLED.test(line.replaceAll(MEAN, "")));
+
 describe("what one file keeps to itself", () => {
   test("only kernel/clip.ts imports the polygon engine", () => {
     expect(all.filter((s) => s.imports.some((i) => i.target.startsWith("clipper"))).map((s) => s.path)).toEqual(["src/kernel/clip.ts"]);
   });
 
   test("only kernel/units.ts halves or doubles an X", () => {
-    const halved = /\b(?:[xX]|d|diameter\w*|\w*Diameter|Q4[89][13])\s*[*/]\s*2\b|\b2\s*\*\s*(?:[xX]|\w+\.r|r|radius)\b/;
     const found = all
-      .filter((s) => s.path !== "src/kernel/units.ts" && ["kernel", "cycles", "program", "sim", "nc"].includes(layerOf(s.path)))
-      .flatMap((s) => code(s.text).split("\n").filter((line) => halved.test(line)).map((line) => `${s.path}: ${line.trim()}`));
+      .filter((s) => s.path !== "src/kernel/units.ts")
+      .flatMap((s) => code(s.text).split("\n").filter((line) => converts(line, layerOf(s.path))).map((line) => `${s.path}: ${line.trim()}`));
     expect(found).toEqual([]);
   });
+
+  test.each([
+    "const x = 2 * p.r;", "const x = p.r * 2;", "(setting.start.r * 2) as Diameter", "start.x / 2", "v.Q491 / 2", "radius*2.0", "d / 2", "0.5 * diameter",
+    "outerDiameter * .5", "move.to.r + move.to.r", "value as Diameter", "n as Radius", "at.r / toDiameter(radius(1))", "toRadius(diameter(1.0)) * x", "points[0]!.r * 2",
+    "(p.r) * 2", "2 * (p.r - q.r)", "(p.r - q.r) * 2",
+  ])("%s goes round that and is found", (line) => expect(converts(line, "cycles")).toBe(true));
+
+  test.each(["(a.r + b.r) / 2", "const mean = (from.x + to.x)/2;", "x ** 2", "dr * dr", "r * 20", "s.r / 2.5", "depth / 2", "p.r + q.r", "index * 2", "toDiameter(p.r)", "2 * Math.PI * r", "2 * noseRadius(tool)", "toRadius(diameter(0))"])(
+    "%s is no conversion", (line) => expect(converts(line, "cycles")).toBe(false));
 
   test("no cycle number outside the catalogue, the texts and the help picture", () => {
     const numbers = projectFolder("src/cycles").flatMap((name) => /^c(\d+)\.ts$/.exec(name)?.[1] ?? []);
@@ -82,4 +104,16 @@ describe("what is nowhere", () => {
     const found = all.filter((s) => where(s.path) && (name === "vague file names" || pattern.test(code(s.text))));
     expect(found.map((s) => s.path)).toEqual([]);
   });
+});
+
+describe("packages", () => {
+  /** Needed by name or by another package; nothing imports them. */
+  const unimported = new Set(["@types/node", "@types/react", "@types/react-dom", "@testing-library/dom", "jsdom", "typescript"]);
+  const read = (path: string) => readFileSync(projectPath(path), "utf8");
+  const manifest = JSON.parse(read("package.json")) as Record<"dependencies" | "devDependencies", Record<string, string>>;
+  const files = ["src", "tests", "scripts", "e2e"].flatMap((folder) =>
+    readdirSync(projectPath(folder), { recursive: true, encoding: "utf8" }).filter((name) => /\.(?:tsx?|css|mjs)$/.test(name)).map((name) => `${folder}/${name}`));
+  const text = [...files, "vite.config.ts", "eslint.config.js", "playwright.config.ts"].map(read).join("\n");
+  test.each(Object.keys({ ...manifest.dependencies, ...manifest.devDependencies }).filter((name) => !unimported.has(name)))("%s is used", (name) =>
+    expect(new RegExp(`(?:from|import|import\\()\\s*["']${name}(?:/[^"']*)?["']`).test(text)).toBe(true));
 });

@@ -18,10 +18,6 @@ export function setPrompt(q: string, text: string): void {
   }, `prompt ${q}`);
 }
 
-/** Several prompts at once: one step of undo. */
-export const setPrompts = (draft: Draft): void =>
-  edit((job) => ({ ...job, drafts: { ...job.drafts, [job.cycle]: { ...draftOf(job), ...draft } } }));
-
 /** The value of a Q parameter that stands in prompts, as typed. */
 export const setParameter = (name: string, text: string): void =>
   edit((job) => ({ ...job, parameters: { ...job.parameters, [name]: text } }), `parameter ${name}`);

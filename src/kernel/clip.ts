@@ -1,4 +1,4 @@
-import { Clipper64, ClipType, EndType, FillRule, inflatePaths, JoinType, PathType, simplifyPaths, type Path64 } from "clipper2-ts";
+import { Clipper64, ClipType, EndType, FillRule, inflatePaths, JoinType, PathType, type Path64 } from "clipper2-ts";
 import type { Pt, Ring } from "./point.ts";
 import { CHORD, GRID } from "./tolerance.ts";
 import { axial, radius } from "./units.ts";
@@ -82,9 +82,6 @@ export function offset(area: readonly Ring[], delta: number): Ring[] {
 
 /** Without what is thinner than `width` mm; kept areas stay as they are, but for corners rounded by half that width. */
 export const opened = (area: readonly Ring[], width: number): Ring[] => offset(offset(area, -width / 2), width / 2);
-
-/** Without points that leave the outline by less than `deviation` mm. */
-export const simplified = (area: readonly Ring[], deviation: number): Ring[] => rings(simplifyPaths(paths(area), deviation * UNITS, true));
 
 /** Signed area of one ring, mm²: positive counter-clockwise. */
 export function areaOfRing(ring: Ring): number {

@@ -26,15 +26,6 @@ export const normalStart = (e: Edge) =>
 /** Angle of the outward normal where an edge ends. */
 export const normalEnd = (e: Edge) => (e.kind === "arc" ? e.start + e.sweep : normalStart(e));
 
-/** The shape turned by 180° about the origin: {−q}. */
-export const negated = (k: Convex): Convex =>
-  k.map((e) =>
-    e.kind === "line"
-      ? { ...e, from: minus(e.from), to: minus(e.to) }
-      : { ...e, centre: minus(e.centre), start: e.start + Math.PI },
-  );
-const minus = (p: Flat): Flat => ({ u: -p.u, v: -p.v });
-
 /** The shape of part space (z as u, r as v) seen in a frame; a mirroring frame reverses the boundary to keep its turn. */
 export function inFrame(k: Convex, f: Frame): Convex {
   const map = (p: Flat) => toFlat(f, { z: p.u, r: p.v } as Pt);

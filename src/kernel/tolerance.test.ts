@@ -2,14 +2,14 @@ import { expect, test } from "vitest";
 import * as tolerance from "./tolerance.ts";
 
 test("tolerances keep their order, from rounding to what an older control prints", () => {
-  const { ROUND, GRID, SAME, PRINT, CHORD, SLIVER, ARC_END } = tolerance;
-  const order = [ROUND, GRID, SAME, PRINT, CHORD, SLIVER, ARC_END];
+  const { ROUND, GRID, SAME, CHORD, SLIVER, ARC_END } = tolerance;
+  const order = [ROUND, GRID, SAME, CHORD, SLIVER, ARC_END];
   expect([...order].sort((a, b) => a - b)).toEqual(order);
   expect(new Set(order).size).toBe(order.length);
 });
 
 test("every tolerance has its place in that order", () => {
-  expect(Object.keys(tolerance).sort()).toEqual(["ARC_END", "CHORD", "GRID", "PRINT", "ROUND", "SAME", "SLIVER"]);
+  expect(Object.keys(tolerance).sort()).toEqual(["ARC_END", "CHORD", "GRID", "ROUND", "SAME", "SLIVER"]);
 });
 
 test("two chords and one unit of the polygon engine fit into a sliver", () => {

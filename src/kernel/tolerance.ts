@@ -2,12 +2,16 @@
 
 /** Two computed numbers nearer than this are the same number: rounding of doubles, far below anything a control keeps. */
 export const ROUND = 1e-9;
-/** The polygon engine counts in integers: one unit. Products stay exact up to 949 mm of extent. */
+/**
+ * The polygon engine counts in integers: one unit. Results are exact whatever the extent: up to 949 mm products fit into a
+ * double; areas that reach farther, as finished parts do, are multiplied as big integers, which is slower.
+ */
 export const GRID = 1e-5;
-/** Points nearer than this are one point. Below PRINT, so that rounding cannot split or merge words. */
+/**
+ * Points nearer than this are one point. A control keeps three decimals of an X word, so the finest step on a radius is
+ * 0.0005: this is below it, so that rounding cannot split or merge words.
+ */
 export const SAME = 1e-4;
-/** A control keeps three decimals of an X word, so the finest step on a radius is half of that. */
-export const PRINT = 0.0005;
 /** How far a chord may leave its arc where arcs become polygons for material removal. */
 export const CHORD = 0.001;
 /** The polygon proof ignores slivers thinner than this: both sides carry a chord error. */

@@ -135,5 +135,3 @@ export type Statement =
   | { readonly kind: "functions"; readonly words: Words }
   | { readonly kind: "stop"; readonly words: Words }
   | { readonly kind: "unknown"; readonly text: string };
-
-export type StatementKind = Statement["kind"];

@@ -1,6 +1,6 @@
 import { contourFrom, type Contour, type ContourElement } from "../kernel/contour.ts";
 import type { Pt } from "../kernel/point.ts";
-import { axial, diameter, radius, toRadius } from "../kernel/units.ts";
+import { axial, diameter, radius, toDiameter, toRadius } from "../kernel/units.ts";
 import type { AxisWord, Label, Statement, Words } from "../nc/statement.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
@@ -120,8 +120,7 @@ function here(reader: Reader): Pt | null {
 
 function stand(reader: Reader, p: Pt): void {
   reader.z = p.z;
-  const unit = asRadius(reader, 1);
-  reader.x = p.r / unit;
+  reader.x = reader.radii ? p.r : toDiameter(p.r);
 }
 
 function move(reader: Reader, w: AxisWord, index: number): void {

@@ -128,10 +128,5 @@ function later(p: Playback, seconds: number): Position {
   return back ? p.position : next;
 }
 
-/** The move that runs at a position, or the last one at the end; null in an empty run. */
-export function runningStep(track: Track, position: Position): number | null {
-  return count(track) === 0 ? null : Math.min(position.step, count(track) - 1);
-}
-
 /** Without motion: what is shown while playing is the end of the last whole move. */
 export const settled = (position: Position): Position => ({ step: position.step, fraction: 0 });

@@ -1,5 +1,5 @@
 import { useEffect, useMemo, useRef, useState } from "react";
-import { toDiameter, radius } from "../../kernel/units.ts";
+import { diameter, toRadius } from "../../kernel/units.ts";
 import { texts } from "../settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { formatNumber } from "../../i18n/number.ts";
@@ -39,7 +39,7 @@ export function ContourDrawing({ rows, reading, active, language, onPick, onRows
   const [camera, setCamera] = useState<Camera | null>(null);
   const picture = useMemo(() => contourDrawing({
     contour: reading.contour.segments, rowOfSegment: reading.rowOfSegment, ends: reading.rows.map((r) => r.end), faulty: faultyRows(reading), active, size, camera,
-    grid: (scale) => ({ z: gridSpacing(step, scale), r: gridSpacing(step, scale / toDiameter(radius(1))) / toDiameter(radius(1)) }),
+    grid: (scale) => ({ z: gridSpacing(step, scale), r: toRadius(diameter(gridSpacing(step, toRadius(diameter(scale))))) }),
   }), [reading, active, size, camera, step]);
   const drawing = useDrawing({ rows, reading, picture, mode, step, onRows, onEdited, onPick, onCamera: setCamera });
   const { takeBack } = drawing;

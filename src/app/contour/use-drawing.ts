@@ -1,5 +1,6 @@
 import { useEffect, useRef, useState, type MouseEvent, type PointerEvent } from "react";
-import { axial, radius, toDiameter } from "../../kernel/units.ts";
+import type { Pt } from "../../kernel/point.ts";
+import { axial, diameter, radius, toDiameter, toRadius } from "../../kernel/units.ts";
 import type { RowsReading } from "../../program/contour-rows.ts";
 import type { ContourRow } from "../../program/job.ts";
 import { panned, toPart, type Camera, type Place } from "../../view/camera.ts";
@@ -170,20 +171,23 @@ export function useDrawing(now: Surroundings) {
   };
 }
 
+/** A spot, whose X is a diameter, in the half plane. */
+const pointOf = ({ x, z }: Spot): Pt => ({ z: axial(z), r: toRadius(diameter(x)) });
+
 /** The point of a row's element nearest to a spot; along paraxial lines on the grid. */
 function nearestOn(reading: RowsReading, row: number, spot: Spot, step: number): Spot {
   const to = reading.rows[row]?.end, from = reading.rows.slice(0, row).map((r) => r.end).filter((p) => p !== null).at(-1);
   if (!to || !from) return spot;
   const s = reading.contour.segments.find((_, i) => reading.rowOfSegment[i] === row);
   if (s?.kind === "arc") {
-    const own = Math.hypot(s.from.z - s.centre.z, s.from.r - s.centre.r), r = spot.x / toDiameter(radius(1));
+    const own = Math.hypot(s.from.z - s.centre.z, s.from.r - s.centre.r), { r } = pointOf(spot);
     const angle = Math.atan2(r - s.centre.r, spot.z - s.centre.z);
     return { x: toDiameter(radius(s.centre.r + own * Math.sin(angle))), z: s.centre.z + own * Math.cos(angle) };
   }
-  const half = toDiameter(radius(1));
-  const [dz, dr] = [to.z - from.z, (to.x - from.x) / half];
+  const [a, b, at] = [pointOf(from), pointOf(to), pointOf(spot)];
+  const [dz, dr] = [b.z - a.z, b.r - a.r];
   const square = dz * dz + dr * dr;
-  const k = square === 0 ? 0 : Math.min(1, Math.max(0, ((spot.z - from.z) * dz + ((spot.x - from.x) / half) * dr) / square));
+  const k = square === 0 ? 0 : Math.min(1, Math.max(0, ((at.z - a.z) * dz + (at.r - a.r) * dr) / square));
   const on = { x: from.x + (to.x - from.x) * k, z: from.z + dz * k };
   if (Math.abs(dr) < 1e-6) return { ...on, z: onGrid(on.z, step) };
   return Math.abs(dz) < 1e-6 ? { ...on, x: onGrid(on.x, step) } : on;

@@ -1,3 +1,4 @@
+import { radius, toDiameter } from "../../kernel/units.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import type { MillTool } from "../../program/tool-entry.ts";
 import { useSettings } from "../settings/settings.ts";
@@ -13,10 +14,10 @@ export function MillDrawing({ mill }: { readonly mill: MillTool | null }) {
   const t = useTexts().tools;
   const language = useSettings((s) => s.language);
   if (!mill) return <div className="live-insert"><p className="soft small">{t.noDrawing}</p></div>;
-  const radius = mill.R + (mill.DR ?? 0);
-  const span = roundedUp(Math.max(2 * radius * 1.4, 1));
+  const across = toDiameter(radius(mill.R + (mill.DR ?? 0)));
+  const span = roundedUp(Math.max(across * 1.4, 1));
   const scale = HEIGHT / span;
-  const half = radius * scale;
+  const half = (across * scale) / 2;
   const bar = roundedUp(span / 6);
   const middle = WIDTH / 2;
   return (
@@ -27,7 +28,7 @@ export function MillDrawing({ mill }: { readonly mill: MillTool | null }) {
       </svg>
       <figcaption className="small">
         <span className="scale-bar number"><i style={{ width: `${bar * scale}px` }} /> {t.scale(formatNumber(language, bar))}</span>
-        <span className="soft number">⌀ {t.scale(formatNumber(language, 2 * radius))}</span>
+        <span className="soft number">⌀ {t.scale(formatNumber(language, across))}</span>
       </figcaption>
     </figure>
   );

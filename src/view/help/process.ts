@@ -1,7 +1,7 @@
 import type { Dimension } from "../../cycles/define.ts";
 import { pointOn } from "../../kernel/flatten.ts";
 import type { Pt, Segment } from "../../kernel/point.ts";
-import { axial, radius, toRadius, type Diameter } from "../../kernel/units.ts";
+import { axial, diameter, radius, toRadius } from "../../kernel/units.ts";
 import { toScreen, type Place } from "../camera.ts";
 import { grownLine } from "./band.ts";
 import { longest, numberOf, startPoint, type Context } from "./context.ts";
@@ -120,7 +120,7 @@ export function limit(c: Context, l: Lettering, which: "diameter" | "z"): Explan
   if (!on && !l.active) return { under: [], item: null };
   const value = numberOf(c.values, l.q);
   const { reach } = c.layout;
-  const at: Pt = which === "z" ? { z: axial(value), r: radius(reach.high) } : { z: axial(reach.right), r: toRadius(value as Diameter) };
+  const at: Pt = which === "z" ? { z: axial(value), r: radius(reach.high) } : { z: axial(reach.right), r: toRadius(diameter(value)) };
   const far: Pt = which === "z" ? { z: axial(value), r: radius(reach.low) } : { z: axial(reach.left), r: at.r };
   const line = stroke(l, on ? "limit" : "break", polyline([spot(c.layout, at), spot(c.layout, far)]));
   const form = which === "z"
