@@ -1,6 +1,18 @@
 import { Icon } from "./Icon.tsx";
-import { dismiss, useKeeping } from "./saving/keep.ts";
+import { dismiss, unkeptWorks, useKeeping } from "./saving/keep.ts";
 import { useTexts } from "./settings/use-texts.ts";
+
+/** The works that are nowhere but in this page, as files. */
+function DownloadUnkept() {
+  const t = useTexts().page.notice;
+  const works = unkeptWorks();
+  if (works.length === 0) return null;
+  return (
+    <button type="button" className="button" onClick={() => void import("./saving/rescue.ts").then(({ downloadWorks }) => downloadWorks(works))}>
+      <Icon name="download" /> {t.downloadUnkept}
+    </button>
+  );
+}
 
 /** What happened to saved work, until it is dismissed. */
 export function Notices() {
@@ -9,6 +21,7 @@ export function Notices() {
   const line = (key: (typeof notices)[number] | "damaged", text: string) => (
     <p key={key} className="notice">
       <Icon name="info" /> <span>{text}</span>
+      {(key === "notKept" || key === "storageFull") && <DownloadUnkept />}
       <button type="button" className="button icon plain" aria-label={t.dismiss} onClick={() => dismiss(key)}><Icon name="close" /></button>
     </p>
   );

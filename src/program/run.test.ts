@@ -58,7 +58,7 @@ describe("parameters, labels and calls", () => {
   test("a run that stops at a bound leaves the rest unproved, from the step it stopped at", () => {
     const loop = body("LBL 1\nL IX+1 FMAX\nCALL LBL 1 REP 999999");
     expect(loop.unproved).toEqual([{ step: loop.steps.length, block: expect.any(Number), what: expect.any(String) }]);
-    expect(loop.steps.length).toBeGreaterThan(90_000);
+    expect(loop.steps.length).toBeGreaterThan(60_000);
     const contour = body(`BLK FORM ROTATION Z DIM_D LBL 5\nM30\nLBL 5\n${"L IX+0.001 Z+0\n".repeat(20_001)}LBL 0`);
     expect(contour.issues.map((f) => f.issue.code)).toContain("contourTooLong");
     expect(contour.issues.map((f) => f.issue.code)).not.toContain("labelNotClosed");
@@ -66,7 +66,7 @@ describe("parameters, labels and calls", () => {
   });
   test("milling and turning share one bound of moves, and milling never drops a move in silence", () => {
     const milled = body("FUNCTION MODE MILL\nLBL 1\nLBL 2\nL IX+1 IY+1 F100\nL IX-1\nL IY-1\nL IX+1\nL IX-1\nCALL LBL 2 REP 65534\nCALL LBL 1 REP 65534");
-    expect(milled.issues.map((f) => f.issue.code).at(-1)).toMatch(/^tooMany/);
+    expect(milled.issues.map((f) => f.issue.code).filter((c) => c.startsWith("tooMany")).length).toBe(1);
     expect(milled.unproved.length).toBe(1);
   });
 });

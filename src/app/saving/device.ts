@@ -1,25 +1,31 @@
-import { createStore, del, entries, get, set } from "idb-keyval";
-import { readSave, SAVE_VERSION, type SaveFile } from "./save-file.ts";
-import type { Work } from "../work.ts";
+import { createStore, del, get, keys, set } from "idb-keyval";
+import { isProgram, type Work } from "../work.ts";
+import { isNewer, readSave, SAVE_VERSION, type SaveFile } from "./save-file.ts";
 
-/** One saved work with its key. */
+/** What a list shows of a saved work; the work itself stays on the device until it is opened. */
 export interface Kept {
   readonly work: string;
-  readonly file: SaveFile;
+  /** Milliseconds since 1970. */
+  readonly savedAt: number;
+  readonly name: string;
+  /** Null for a whole program. */
+  readonly cycle: number | null;
 }
 
-/** Everything found on the device. */
+/** Everything found on the device. Nothing of it is ever deleted but by the operator. */
 export interface Found {
   /** Newest first. */
   readonly works: readonly Kept[];
   /** How many damaged saves were set aside while reading. */
   readonly setAside: number;
+  /** How many saves of a newer edition stay where they are: this one can not read them. */
+  readonly newer: number;
   /** False when the browser keeps nothing (private window, storage refused). */
   readonly available: boolean;
 }
 
-/** Works beyond this number, oldest first, make room. */
-const MOST = 100;
+/** What became of writing: kept, no room left, or refused. */
+export type Keeping = "kept" | "full" | "refused";
 
 type Stores = { readonly works: ReturnType<typeof createStore>; readonly aside: ReturnType<typeof createStore> };
 let stores: Stores | null = null;
@@ -28,56 +34,79 @@ const open = (): Stores => (stores ??= { works: createStore("turnwise-works", "w
 /** A device that does not answer must not keep the page from opening, ms. */
 const PATIENCE = 4000;
 
-const none: Found = { works: [], setAside: 0, available: false };
+/** An answer of the device, or a failure when none comes. */
+function inTime<T>(answer: Promise<T>): Promise<T> {
+  return new Promise((resolve, reject) => {
+    const timer = setTimeout(() => reject(new Error("no answer from the device")), PATIENCE);
+    answer.then(resolve, reject).finally(() => clearTimeout(timer));
+  });
+}
 
-/** Reads all saved works, or says that the device keeps none. Always answers. */
-export const findWorks = (): Promise<Found> =>
-  Promise.race([readWorks(), new Promise<Found>((answer) => setTimeout(() => answer(none), PATIENCE))]);
+/** Saves that were set aside and can be read by this edition come back to the others. */
+async function bringBack(): Promise<void> {
+  const { works, aside } = open();
+  for (const key of await inTime(keys<string>(aside))) {
+    const raw = await inTime(get<unknown>(key, aside));
+    if (!readSave(raw)) continue;
+    const own = String(key).replace(/^\d+ /, "");
+    const free = (await inTime(get(own, works))) === undefined;
+    await set(free ? own : String(key), raw, works);
+    await del(key, aside);
+  }
+}
 
-/** Reads all saved works. What cannot be read is moved to a place of its own and stays there. */
-async function readWorks(): Promise<Found> {
+const headOf = (work: string, { savedAt, job }: SaveFile): Kept => ({ work, savedAt, name: job.name, cycle: isProgram(job) ? null : job.cycle });
+
+/**
+ * Reads what there is of saved works, one after the other, so that never more than one is in memory. What is damaged is moved
+ * to a place of its own and stays there. Always answers.
+ */
+export async function findWorks(): Promise<Found> {
+  const heads: Kept[] = [];
+  let [setAside, newer, available] = [0, 0, true];
   try {
     const { works, aside } = open();
-    const good: Kept[] = [];
-    let setAside = 0;
-    for (const [key, raw] of await entries<string, unknown>(works)) {
+    await bringBack();
+    for (const key of await inTime(keys<string>(works))) {
+      const raw = await inTime(get<unknown>(key, works));
       const file = readSave(raw);
-      if (file) good.push({ work: String(key), file });
-      else {
+      if (file) heads.push(headOf(String(key), file));
+      else if (isNewer(raw)) newer += 1;
+      else if (raw !== undefined) {
         await set(`${Date.now()} ${String(key)}`, raw, aside);
         await del(key, works);
-        setAside++;
+        setAside += 1;
       }
     }
-    good.sort((a, b) => b.file.savedAt - a.file.savedAt);
-    await Promise.all(good.slice(MOST).map(({ work }) => del(work, works)));
-    return { works: good.slice(0, MOST), setAside, available: true };
   } catch {
-    return none;
+    available = false;
   }
+  return { works: heads.sort((a, b) => b.savedAt - a.savedAt), setAside, newer, available };
 }
 
 /** One saved work; null when there is none, or none that can be read. */
 export async function readWork(work: string): Promise<SaveFile | null> {
   try {
-    return readSave(await get(work, open().works));
+    return readSave(await inTime(get(work, open().works)));
   } catch {
     return null;
   }
 }
 
-/** Keeps a work; false when the browser refuses. */
-export async function keepWork(work: string, job: Work): Promise<boolean> {
+const isFull = (error: unknown) => error instanceof Error && error.name === "QuotaExceededError";
+
+/** Keeps a work. */
+export async function keepWork(work: string, job: Work): Promise<Keeping> {
   try {
     const file: SaveFile = { version: SAVE_VERSION, savedAt: Date.now(), job };
     await set(work, file, open().works);
-    return true;
-  } catch {
-    return false;
+    return "kept";
+  } catch (error) {
+    return isFull(error) ? "full" : "refused";
   }
 }
 
-/** Takes one work out of the list. */
+/** Takes one work out of the list, for the operator asked for it. */
 export async function forgetWork(work: string): Promise<void> {
   try {
     await del(work, open().works);

@@ -4,21 +4,21 @@ import { exampleJob, type Job } from "../../program/job.ts";
 import { setTool } from "../edits.ts";
 import { begin, useEditor } from "../store.ts";
 import type { Found } from "./device.ts";
-import { resume, startKeeping, startWork, useKeeping } from "./keep.ts";
+import { openWork, putBack, refreshWorks, removeWork, resume, startKeeping, startWork, unkeptWorks, useKeeping } from "./keep.ts";
 
-const device = vi.hoisted(() => ({ works: new Map<string, { savedAt: number; job: unknown }>(), refuses: false, setAside: 0, taken: new Set<string>() }));
+const device = vi.hoisted(() => ({ works: new Map<string, { savedAt: number; job: unknown }>(), refuses: null as "full" | "refused" | null, setAside: 0, newer: 0, taken: new Set<string>() }));
 
 vi.mock("./device.ts", () => ({
   findWorks: () => Promise.resolve({
-    works: [...device.works].map(([work, file]) => ({ work, file: { version: 1, ...file } })).sort((a, b) => b.file.savedAt - a.file.savedAt),
-    setAside: device.setAside, available: !device.refuses,
+    works: [...device.works].map(([work, { savedAt, job }]) => ({ work, savedAt, name: (job as Job).name, cycle: (job as Job).cycle })).sort((a, b) => b.savedAt - a.savedAt),
+    setAside: device.setAside, newer: device.newer, available: device.refuses !== "refused",
   } as unknown as Found),
   keepWork: (work: string, job: Job) => {
     if (!device.refuses) device.works.set(work, { savedAt: device.works.size, job });
-    return Promise.resolve(!device.refuses);
+    return Promise.resolve(device.refuses ?? "kept");
   },
   readWork: (work: string) => Promise.resolve(device.works.get(work) ?? null),
-  forgetWork: () => Promise.resolve(),
+  forgetWork: (work: string) => Promise.resolve(device.works.delete(work)),
 }));
 
 const [cycle] = catalogue;
@@ -34,7 +34,7 @@ const locks = {
 beforeEach(() => {
   device.works.clear();
   device.taken.clear();
-  Object.assign(device, { refuses: false, setAside: 0 });
+  Object.assign(device, { refuses: null, setAside: 0, newer: 0 });
   sessionStorage.clear();
   begin(null, null);
   useKeeping.setState({ works: [], notices: [], damaged: 0, ready: false });
@@ -118,7 +118,48 @@ test("what could not be written before the page went away is there after a reloa
 });
 
 test("a device that keeps nothing, and damaged saves, are said and stop nothing", async () => {
-  Object.assign(device, { refuses: true, setAside: 2 });
+  Object.assign(device, { refuses: "refused", setAside: 2 });
   await resume();
   expect(useKeeping.getState()).toMatchObject({ ready: true, damaged: 2, notices: ["notKept"] });
+});
+
+test("what the device does not take is said, stays in hand, and is kept as soon as there is room", async () => {
+  device.refuses = "full";
+  const stop = startKeeping();
+  startWork(job);
+  setTool(9);
+  stop();
+  await settle();
+  expect(useKeeping.getState().notices).toEqual(["storageFull"]);
+  expect(unkeptWorks()).toMatchObject([{ tool: 9 }]);
+  const leaving = new Event("beforeunload", { cancelable: true });
+  const again = startKeeping();
+  dispatchEvent(leaving);
+  again();
+  expect(leaving.defaultPrevented).toBe(true);
+  expect(useEditor.getState().job).toMatchObject({ tool: 9 });
+  device.refuses = null;
+  await refreshWorks();
+  expect(device.works.get(useEditor.getState().work ?? "")?.job).toMatchObject({ tool: 9 });
+  expect(unkeptWorks()).toEqual([]);
+  expect(useKeeping.getState().notices).toEqual([]);
+});
+
+test("a work leaves the list only when it is asked to, and can be put back", async () => {
+  for (let i = 0; i < 150; i += 1) device.works.set(`w${i}`, { savedAt: i, job: { ...job, name: `N${i}` } });
+  await refreshWorks();
+  expect(useKeeping.getState().works.length).toBe(150);
+  const removed = await removeWork("w3");
+  expect(removed).toMatchObject({ name: "N3" });
+  expect(useKeeping.getState().works.some((w) => w.work === "w3")).toBe(false);
+  await putBack("w3", removed ?? job);
+  expect(useKeeping.getState().works.length).toBe(150);
+  await openWork("w0");
+  expect(useEditor.getState().job).toMatchObject({ name: "N0" });
+});
+
+test("saves of a newer edition are said", async () => {
+  device.newer = 2;
+  await resume();
+  expect(useKeeping.getState().notices).toEqual(["newerWorks"]);
 });

@@ -1,7 +1,7 @@
 import { create } from "zustand";
 import { begin, open, useEditor } from "../store.ts";
 import type { Work } from "../work.ts";
-import { findWorks, keepWork, readWork, type Kept } from "./device.ts";
+import { findWorks, forgetWork, keepWork, readWork, type Kept } from "./device.ts";
 import { readSave, SAVE_VERSION } from "./save-file.ts";
 import { claimWork, leaveBehind, newWorkName, rememberedWork, rememberWork, takeBehind } from "./tab.ts";
 
@@ -9,7 +9,7 @@ import { claimWork, leaveBehind, newWorkName, rememberedWork, rememberWork, take
 export interface Keeping {
   /** Works on this device, newest first. */
   readonly works: readonly Kept[];
-  readonly notices: readonly ("notKept" | "copyOfOtherTab" | "engineFailed" | "linkDamaged" | "linkTooLarge" | "fileTooLarge" | "fileUnreadable" | "toolsDamaged" | "toolsNotKept")[];
+  readonly notices: readonly ("notKept" | "storageFull" | "newerWorks" | "copyOfOtherTab" | "engineFailed" | "linkDamaged" | "linkTooLarge" | "fileTooLarge" | "fileUnreadable" | "toolsDamaged" | "toolsNotKept")[];
   /** Damaged saves that were set aside when the page opened. */
   readonly damaged: number;
   /** False until the device was read. */
@@ -28,6 +28,27 @@ export const dismiss = (which: Notice | "damaged"): void =>
 
 /** The last state of each work that is already on the device. */
 const written = new Map<string, Work>();
+/** The last state of each work that the device did not take: it is tried again, and can be downloaded. */
+const unkept = new Map<string, Work>();
+export const unkeptWorks = (): readonly Work[] => [...unkept.values()];
+
+/** Keeps one state of a work. What the device does not take is said and stays in memory. */
+async function keep(work: string, job: Work): Promise<void> {
+  const done = await keepWork(work, job);
+  if (done !== "kept") {
+    unkept.set(work, job);
+    return notice(done === "full" ? "storageFull" : "notKept");
+  }
+  written.set(work, job);
+  if (!unkept.delete(work) || unkept.size > 0) return;
+  dismiss("storageFull");
+  dismiss("notKept");
+}
+
+/** Tries again what the device did not take, when there may be room for it. */
+async function keepAgain(): Promise<void> {
+  for (const [work, job] of [...unkept]) await keep(work, job);
+}
 let waiting: { readonly work: string; readonly job: Work } | null = null;
 let writing = false;
 
@@ -38,8 +59,7 @@ async function write(): Promise<void> {
   while (waiting) {
     const { work, job } = waiting;
     waiting = null;
-    written.set(work, job);
-    if (!(await keepWork(work, job))) notice("notKept");
+    await keep(work, job);
   }
   writing = false;
 }
@@ -60,7 +80,7 @@ export function startKeeping(): () => void {
     if (name !== known) rememberWork(name);
     known = name;
     if (!job || !work || written.get(work) === job) return;
-    if (waiting && waiting.work !== work) void keepWork(waiting.work, waiting.job);
+    if (waiting && waiting.work !== work) void keep(waiting.work, waiting.job);
     waiting = { work, job };
     timer ??= setTimeout(() => {
       timer = undefined;
@@ -77,11 +97,17 @@ export function startKeeping(): () => void {
     leaveBehind(waiting.work, { version: SAVE_VERSION, savedAt: Date.now(), job: waiting.job });
     void write();
   };
+  // The browser asks before it closes a page whose work is nowhere else.
+  const ask = (event: Event) => {
+    if (unkept.size > 0) event.preventDefault();
+  };
+  addEventListener("beforeunload", ask);
   addEventListener("pagehide", leave);
   document.addEventListener("visibilitychange", rest);
   return () => {
     stop();
     clearTimeout(timer);
+    removeEventListener("beforeunload", ask);
     removeEventListener("pagehide", leave);
     document.removeEventListener("visibilitychange", rest);
     void write();
@@ -111,7 +137,7 @@ async function catchUp(): Promise<void> {
   const file = behind && readSave(behind.file);
   if (!behind || !file) return;
   const kept = await readWork(behind.work);
-  if (!kept || kept.savedAt <= file.savedAt) await keepWork(behind.work, file.job);
+  if (!kept || kept.savedAt <= file.savedAt) await keep(behind.work, file.job);
 }
 
 /** Opens what this tab had open, or the newest work in a new tab, or the start page. Never fails. */
@@ -120,9 +146,11 @@ export async function resume(): Promise<void> {
   const found = await findWorks();
   useKeeping.setState({ works: found.works, damaged: found.setAside });
   if (!found.available) notice("notKept");
+  if (found.newer > 0) notice("newerWorks");
   const remembered = rememberedWork();
   const last = remembered === "" ? undefined : remembered === null ? found.works[0] : found.works.find((w) => w.work === remembered);
-  if (last) begin(last.file.job, await nameFor(last.work, last.file.job));
+  const file = last && (await readWork(last.work));
+  if (last && file) begin(file.job, await nameFor(last.work, file.job));
   else begin(null, null);
   useKeeping.setState({ ready: true });
 }
@@ -141,8 +169,24 @@ export async function openWork(work: string): Promise<void> {
   if (file) open(file.job, await nameFor(work, file.job));
 }
 
-/** Reads the list again, for the start page. */
+/** Reads the list again, for the start page, where works may have been removed and room made. */
 export async function refreshWorks(): Promise<void> {
+  await keepAgain();
   const found = await findWorks();
   useKeeping.setState((k) => ({ ...k, works: found.works, damaged: k.damaged + found.setAside }));
+}
+
+/** Takes a work out of the list. Gives what it was, so that it can be put back; null when it was already gone. */
+export async function removeWork(work: string): Promise<Work | null> {
+  const job = unkept.get(work) ?? (await readWork(work))?.job ?? null;
+  unkept.delete(work);
+  await forgetWork(work);
+  await refreshWorks();
+  return job;
+}
+
+/** Puts a work back that was taken out of the list. */
+export async function putBack(work: string, job: Work): Promise<void> {
+  await keep(work, job);
+  await refreshWorks();
 }

@@ -71,3 +71,7 @@ export function readSave(raw: unknown): SaveFile | null {
     return null;
   }
 }
+
+/** Whether something was saved by a newer edition than this one, which can not read it and must not touch it. */
+export const isNewer = (raw: unknown): boolean =>
+  typeof raw === "object" && raw !== null && "version" in raw && typeof raw.version === "number" && raw.version > SAVE_VERSION;

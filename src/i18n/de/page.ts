@@ -37,6 +37,7 @@ export const page = {
     empty: "Leer beginnen",
     cycle: (number, name) => `Zyklus ${number}, ${name}`,
     kept: "Auf diesem Gerät gespeichert",
+    showAll: (n) => `Alle ${n} anzeigen`,
     continueWork: (name) => `${name} fortsetzen`,
     forget: (name) => `${name} aus der Liste nehmen`,
     removed: (name) => `${name} wurde entfernt.`,
@@ -113,6 +114,9 @@ export const page = {
         ? "Eine gespeicherte Arbeit war nicht lesbar. Sie wurde beiseitegelegt, nichts wurde gelöscht."
         : `${n} gespeicherte Arbeiten waren nicht lesbar. Sie wurden beiseitegelegt, nichts wurde gelöscht.`,
     notKept: "Dieser Browser speichert nichts auf dem Gerät. Das Programm vor dem Schließen kopieren oder herunterladen.",
+    storageFull: "Auf dem Gerät ist kein Platz mehr: Die letzten Änderungen sind nicht gespeichert. Das Programm herunterladen oder auf der Startseite Arbeiten entfernen.",
+    newerWorks: "Einige gespeicherte Arbeiten stammen von einer neueren Ausgabe dieser Seite und sind nicht aufgeführt. Nichts wurde gelöscht.",
+    downloadUnkept: "Programm herunterladen",
     copyOfOtherTab: "Diese Arbeit ist in einem anderen Tab offen. Hier wird eine Kopie bearbeitet; beide bleiben erhalten.",
     linkDamaged: "Der Link enthält kein lesbares Programm.",
     linkTooLarge: "Das Programm im Link ist größer als 20 MB und wurde nicht geöffnet. Die eigene Arbeit ist unverändert.",

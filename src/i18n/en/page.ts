@@ -37,6 +37,7 @@ export const page = {
     empty: "Start empty",
     cycle: (number: number, name: string) => `Cycle ${number}, ${name}`,
     kept: "Saved on this device",
+    showAll: (n: number) => `Show all ${n}`,
     continueWork: (name: string) => `Continue ${name}`,
     forget: (name: string) => `Remove ${name} from the list`,
     removed: (name: string) => `${name} was removed.`,
@@ -113,6 +114,9 @@ export const page = {
         ? "One saved work could not be read. It was set aside, nothing was deleted."
         : `${n} saved works could not be read. They were set aside, nothing was deleted.`,
     notKept: "This browser does not keep work on the device. Copy or download the program before you close the page.",
+    storageFull: "The device has no room left: the latest changes are not kept. Download the program, or remove works on the start page.",
+    newerWorks: "Some saved works come from a newer edition of this page and are not listed. Nothing was deleted.",
+    downloadUnkept: "Download the program",
     copyOfOtherTab: "This work is open in another tab. Here you edit a copy; both are kept.",
     linkDamaged: "The link holds no program that can be read.",
     linkTooLarge: "The program in the link is larger than 20 MB and was not opened. Your own work is as it was.",

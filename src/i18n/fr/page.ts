@@ -37,6 +37,7 @@ export const page = {
     empty: "Commencer à vide",
     cycle: (number, name) => `Cycle ${number}, ${name}`,
     kept: "Enregistrés sur cet appareil",
+    showAll: (n) => `Afficher les ${n}`,
     continueWork: (name) => `Continuer ${name}`,
     forget: (name) => `Retirer ${name} de la liste`,
     removed: (name) => `${name} a été retiré.`,
@@ -113,6 +114,9 @@ export const page = {
         ? "Un travail enregistré était illisible. Il a été mis de côté, rien n’a été effacé."
         : `${n} travaux enregistrés étaient illisibles. Ils ont été mis de côté, rien n’a été effacé.`,
     notKept: "Ce navigateur n’enregistre rien sur l’appareil. Copier ou télécharger le programme avant de fermer la page.",
+    storageFull: "L’appareil n’a plus de place : les dernières modifications ne sont pas enregistrées. Télécharger le programme, ou retirer des travaux sur la page d’accueil.",
+    newerWorks: "Certains travaux enregistrés proviennent d’une édition plus récente de cette page et ne sont pas listés. Rien n’a été supprimé.",
+    downloadUnkept: "Télécharger le programme",
     copyOfOtherTab: "Ce travail est ouvert dans un autre onglet. Ici, on modifie une copie ; les deux sont conservés.",
     linkDamaged: "Le lien ne contient aucun programme lisible.",
     linkTooLarge: "Le programme contenu dans le lien dépasse 20 Mo et n’a pas été ouvert. Votre travail est inchangé.",

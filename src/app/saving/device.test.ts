@@ -1,0 +1,89 @@
+import { beforeEach, expect, test, vi } from "vitest";
+import { catalogue } from "../../cycles/index.ts";
+import { exampleJob } from "../../program/job.ts";
+import { findWorks, forgetWork, keepWork, readWork } from "./device.ts";
+import { SAVE_VERSION } from "./save-file.ts";
+
+/** A device in memory: stores by name, a fault that every access meets, and how many values are held at once. */
+const device = vi.hoisted(() => ({ stores: new Map<string, Map<string, unknown>>(), fault: null as Error | null, silent: false }));
+vi.mock("idb-keyval", () => {
+  const answer = <T,>(work: () => T): Promise<T> =>
+    device.silent ? new Promise(() => undefined) : device.fault ? Promise.reject(device.fault) : Promise.resolve(structuredClone(work()));
+  const of = (name: string) => device.stores.get(name) ?? device.stores.set(name, new Map()).get(name) ?? new Map<string, unknown>();
+  return {
+    createStore: (name: string) => name,
+    keys: (name: string) => answer(() => [...of(name).keys()]),
+    get: (key: string, name: string) => answer(() => of(name).get(key)),
+    set: (key: string, value: unknown, name: string) => answer(() => void of(name).set(key, value)),
+    del: (key: string, name: string) => answer(() => void of(name).delete(key)),
+  };
+});
+
+const [cycle] = catalogue;
+if (!cycle) throw new Error("the catalogue is empty");
+const job = exampleJob(cycle);
+const works = () => device.stores.get("turnwise-works") ?? new Map<string, unknown>();
+const aside = () => device.stores.get("turnwise-damaged") ?? new Map<string, unknown>();
+
+beforeEach(() => {
+  device.stores.clear();
+  Object.assign(device, { fault: null, silent: false });
+});
+
+test("150 works are kept, and all are found, newest first", async () => {
+  for (let i = 0; i < 150; i += 1) expect(await keepWork(`w${i}`, { ...job, name: `N${i}` })).toBe("kept");
+  works().forEach((file, key) => works().set(key, { ...(file as object), savedAt: Number(key.slice(1)) }));
+  const found = await findWorks();
+  expect(found).toMatchObject({ available: true, setAside: 0, newer: 0 });
+  expect(found.works.map((w) => w.name)).toEqual(Array.from({ length: 150 }, (_, i) => `N${149 - i}`));
+  expect(works().size).toBe(150);
+  await forgetWork("w7");
+  expect((await findWorks()).works.length).toBe(149);
+});
+
+test("a list holds no texts of programs", async () => {
+  await keepWork("p", { name: "LONG.H", text: "L X+1\n".repeat(100_000), encoding: "utf-8" });
+  const found = await findWorks();
+  expect(found.works).toEqual([{ work: "p", name: "LONG.H", cycle: null, savedAt: expect.any(Number) }]);
+  expect((await readWork("p"))?.job).toMatchObject({ name: "LONG.H" });
+});
+
+test("no room and a refusal are told apart, and nothing is thrown", async () => {
+  device.fault = new DOMException("no room", "QuotaExceededError");
+  expect(await keepWork("w", job)).toBe("full");
+  device.fault = new DOMException("not allowed", "SecurityError");
+  expect(await keepWork("w", job)).toBe("refused");
+  expect(await findWorks()).toEqual({ works: [], setAside: 0, newer: 0, available: false });
+  expect(await readWork("w")).toBeNull();
+  await forgetWork("w");
+});
+
+test("what is damaged goes aside whole, what a newer edition saved stays where it is", async () => {
+  await keepWork("good", job);
+  works().set("broken", { broken: true });
+  works().set("newer", { version: SAVE_VERSION + 1, savedAt: 5, job: "of another kind" });
+  expect(await findWorks()).toMatchObject({ setAside: 1, newer: 1, works: [{ work: "good" }] });
+  expect([...works().keys()].sort()).toEqual(["good", "newer"]);
+  expect([...aside().values()]).toEqual([{ broken: true }]);
+  expect(await findWorks()).toMatchObject({ setAside: 0, newer: 1 });
+});
+
+test("what an edition before set aside and this one can read comes back under its own name, and takes no other's place", async () => {
+  await keepWork("mine", { ...job, name: "PRESENT" });
+  const old = (name: string) => ({ version: SAVE_VERSION, savedAt: 3, job: { ...job, name } });
+  device.stores.set("turnwise-damaged", new Map<string, unknown>([["1700000000000 lost", old("LOST")], ["1700000000000 mine", old("EARLIER")]]));
+  const { works: found } = await findWorks();
+  expect(found.map((w) => w.name).sort()).toEqual(["EARLIER", "LOST", "PRESENT"]);
+  expect((await readWork("lost"))?.job.name).toBe("LOST");
+  expect((await readWork("mine"))?.job.name).toBe("PRESENT");
+  expect(aside().size).toBe(0);
+});
+
+test("a device that never answers counts as one that keeps nothing", async () => {
+  vi.useFakeTimers();
+  device.silent = true;
+  const asked = findWorks();
+  await vi.runAllTimersAsync();
+  expect(await asked).toMatchObject({ works: [], available: false });
+  vi.useRealTimers();
+});
