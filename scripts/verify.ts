@@ -1,6 +1,7 @@
 import { readFileSync } from "node:fs";
 import { parse } from "../src/nc/parse.ts";
 import { print } from "../src/nc/program.ts";
+import type { Control } from "../src/program/plane-types.ts";
 import { over, readTools, type ToolTable } from "../src/program/read-tools.ts";
 import { run } from "../src/program/run.ts";
 import { shippedTools } from "../src/program/shipped-tools.ts";
@@ -19,11 +20,15 @@ interface Command {
   readonly tools: string | null;
   readonly json: boolean;
   readonly print: boolean;
+  readonly control: Control;
 }
+
+const CONTROLS: Readonly<Record<string, Control>> = { tnc640: "TNC 640", tnc7: "TNC7" };
 
 function command(args: readonly string[]): Command {
   const files: string[] = [];
   let [tools, json, printing]: [string | null, boolean, boolean] = [null, false, false];
+  let control: Control = "TNC 640";
   for (let i = 0; i < args.length; i += 1) {
     const arg = args[i] ?? "";
     if (arg === "--json") json = true;
@@ -31,11 +36,15 @@ function command(args: readonly string[]): Command {
     else if (arg === "--tools") {
       tools = args[(i += 1)] ?? null;
       if (tools === null) throw new Refusal("--tools needs a file");
+    } else if (arg === "--control") {
+      const named = CONTROLS[args[(i += 1)]?.toLowerCase() ?? ""];
+      if (!named) throw new Refusal(`--control needs one of ${Object.keys(CONTROLS).join(", ")}`);
+      control = named;
     } else if (arg.startsWith("--")) throw new Refusal(`unknown option ${arg}`);
     else files.push(arg);
   }
-  if (files.length === 0) throw new Refusal("usage: npm run --silent verify -- FILE.h [FILE.h …] [--tools TOOLS.json] [--json] [--print]");
-  return { files, tools, json, print: printing };
+  if (files.length === 0) throw new Refusal("usage: npm run --silent verify -- FILE.h [FILE.h …] [--tools TOOLS.json] [--control tnc640|tnc7] [--json | --print]");
+  return { files, tools, json, print: printing, control };
 }
 
 function bytes(path: string): Buffer {
@@ -68,21 +77,21 @@ function toolsOf(path: string | null): ToolTable {
 }
 
 /** Reads, runs and simulates one program. */
-export function verified(file: string, text: string, shop: ToolTable): Report {
+export function verified(file: string, text: string, shop: ToolTable, control: Control = "TNC 640"): Report {
   const started = performance.now();
   const program = parse(text);
   const read = performance.now();
-  const done = run(program, { ...shop, rapid: RAPID });
+  const done = run(program, { ...shop, rapid: RAPID, control });
   const planned = performance.now();
   const simulation = simulate(done);
   const milliseconds = { parse: read - started, plan: planned - read, simulate: performance.now() - planned };
-  return report({ file, run: done, simulation, milliseconds }, "en");
+  return report({ file, run: done, simulation, milliseconds, tools: shop.tools }, "en");
 }
 
 /** `npm run --silent verify -- FILE.h …`: 0 no error, 1 an error in a program, 2 the command could not run. */
 export function main(args: readonly string[]): number {
   try {
-    const { files, tools, json, print: printing } = command(args);
+    const { files, tools, json, print: printing, control } = command(args);
     const shop = toolsOf(tools);
     const programs = files.map((file) => ({ file, ...decoded(bytes(file)) }));
     let status = 0;
@@ -91,7 +100,7 @@ export function main(args: readonly string[]): number {
         process.stdout.write(Buffer.from(print(parse(text)), encoding));
         continue;
       }
-      const made = verified(file, text, shop);
+      const made = verified(file, text, shop, control);
       if (hasErrors(made)) status = 1;
       process.stdout.write(json ? `${JSON.stringify(made)}\n` : summary(made));
     }

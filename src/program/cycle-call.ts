@@ -92,6 +92,7 @@ export function callCycle(machine: Machine, index: number): void {
     block: machine.numbers[index] ?? 0, definedIn: machine.numbers[defined.index] ?? 0, definedLine: machine.lines[defined.index] ?? 1,
     cycle: cycle.number, tool, start, feedUnit: machine.feedUnit, spindle: machine.spindle, plan, seconds,
     firstStep, lastStep: machine.steps.length - 1, issues: all,
+    call: values && { values, given, autoFeed: machine.toolFeed },
   });
   for (const i of all) {
     const parameter = i.at?.startsWith("Q") ? i.at : null;

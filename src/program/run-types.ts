@@ -1,9 +1,12 @@
+import type { Given } from "../cycles/define.ts";
+import type { Params, Values } from "../cycles/params.ts";
 import type { Issue } from "../kernel/issue.ts";
 import type { FeedUnit } from "../kernel/move.ts";
 import type { Plan } from "../kernel/plan.ts";
 import type { Pt, Ring } from "../kernel/point.ts";
 import type { Spindle, Step, Unproved } from "../kernel/step.ts";
 import type { Tool } from "../kernel/tool.ts";
+import type { Feed } from "../kernel/units.ts";
 import type { NcIssue } from "../nc/issue.ts";
 import type { ProgramIssue } from "./issue.ts";
 import type { ApproachRun, PlaneStep } from "./plane-types.ts";
@@ -40,6 +43,12 @@ export interface Operation {
   readonly lastStep: number;
   /** Issues of the values, the tool and the plan. */
   readonly issues: readonly Issue[];
+  /** What the cycle was called with, so that it can be planned again with another tool; null when its values make none. */
+  readonly call: {
+    readonly values: Values<Params>;
+    readonly given: Given;
+    readonly autoFeed: Feed | null;
+  } | null;
 }
 
 /** What a program does: everything that simulation, pictures and reports are made from. Plain data. */

@@ -8,10 +8,13 @@ import type { Move } from "../kernel/move.ts";
 import type { Pt, Segment } from "../kernel/point.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { toDiameter } from "../kernel/units.ts";
+import { programIssue } from "../program/issue.ts";
 import type { PlaneStep } from "../program/plane-types.ts";
 import type { Operation, Run } from "../program/run-types.ts";
 import { issuesOf, type ProofIssue } from "../sim/issues.ts";
-import type { Simulation } from "../sim/simulation.ts";
+import type { Simulation, Verdict } from "../sim/simulation.ts";
+import { remedies } from "./remedies.ts";
+import { verdictOf, type Judged, type VerdictReason } from "./verdict.ts";
 
 /** [z, r], mm. */
 export type ReportPoint = readonly [z: number, r: number];
@@ -59,6 +62,16 @@ export interface ReportOperation {
   readonly issues: readonly ReportIssue[];
 }
 
+export interface ReportResidual {
+  readonly area: number;
+  readonly reason: string;
+  readonly ring: ReportRing;
+  /** Diameter of the largest circle in it, mm. */
+  readonly thickness: number;
+  /** Tools that would take it, by what they leave, least first. */
+  readonly tools: readonly number[];
+}
+
 export interface Milliseconds {
   readonly parse: number;
   readonly plan: number;
@@ -76,7 +89,18 @@ export interface Report {
   readonly proof: {
     readonly gouge: number;
     readonly rapidInStock: number;
-    readonly residual: readonly { readonly area: number; readonly reason: string; readonly ring: ReportRing }[];
+    readonly residual: readonly ReportResidual[];
+    /** mm² of stock that feed moves removed. */
+    readonly cut: number;
+    /** Roughing passes that touched no stock. */
+    readonly airPasses: number;
+    /** Greatest real depth of a roughing pass against its Q463, mm; `allowed` 0: the values set no limit. */
+    readonly deepest: { readonly depth: number; readonly allowed: number; readonly block: number } | null;
+    readonly holder: "clear" | "contact" | "unknown";
+    /** Block 0: the whole program. */
+    readonly unproved: readonly { readonly block: number; readonly what: string }[];
+    readonly verdict: Verdict;
+    readonly reasons: readonly VerdictReason[];
   };
   readonly issues: readonly ReportIssue[];
   readonly milliseconds: Milliseconds;
@@ -157,10 +181,38 @@ export interface Checked {
   readonly run: Run;
   readonly simulation: Pick<Simulation, "final" | "findings" | "proof">;
   readonly milliseconds: Milliseconds;
+  /** Tools to try on what stays; none without. */
+  readonly tools?: readonly Tool[];
+}
+
+/** Regions that tools are tried on, the largest first: each costs a cut for each tool. */
+const MOST_TRIED = 40;
+
+/** The effect that stands for all milling, in the list of what is not proved. */
+const MILLING = "FUNCTION MODE MILL";
+
+/** What is not proved, milling included. */
+function unprovedOf(judged: Judged): { block: number; what: string }[] {
+  return judged.reasons.flatMap((r) =>
+    r.kind === "unproved" ? [{ block: r.block ?? 0, what: r.what }] : r.kind === "milling" ? [{ block: r.block, what: MILLING }] : []);
+}
+
+function residualsOf({ run, simulation, tools = [] }: Checked): ReportResidual[] {
+  const told = simulation.proof.residual.filter((r) => r.area > LEAST_RESIDUAL);
+  const tried = new Set([...told].sort((a, b) => b.area - a.area).slice(0, MOST_TRIED));
+  const find = remedies(tools);
+  return told.map((r) => {
+    const operation = run.operations[r.operation];
+    const better = operation && tried.has(r) ? find(operation, r) : [];
+    return { area: r.area, reason: r.reason, ring: ringOf(r.ring), thickness: r.thickness, tools: better.map((b) => b.tool.T) };
+  });
 }
 
 /** Puts a run and its simulation into the form of the report, with sentences in one language. */
-export function report({ file, run, simulation, milliseconds }: Checked, language: Language): Report {
+export function report(checked: Checked, language: Language): Report {
+  const { file, run, simulation, milliseconds } = checked;
+  const judged = verdictOf(run, simulation);
+  const { gouge, rapidInStock, cut, airPasses, deepest, holder } = simulation.proof;
   const proved = issuesOf(simulation);
   const cycleOf = (operation: number | null) => (operation === null ? null : (run.operations[operation]?.cycle ?? null));
   const proofIssue = (p: ProofIssue) => {
@@ -184,14 +236,13 @@ export function report({ file, run, simulation, milliseconds }: Checked, languag
     operations: run.operations.map(operation),
     moves: outsideCycles(run),
     proof: {
-      gouge: simulation.proof.gouge,
-      rapidInStock: simulation.proof.rapidInStock,
-      residual: simulation.proof.residual
-        .filter((r) => r.area > LEAST_RESIDUAL)
-        .map((r) => ({ area: r.area, reason: r.reason, ring: ringOf(r.ring) })),
+      gouge, rapidInStock, residual: residualsOf(checked), cut, airPasses,
+      deepest: deepest && { depth: deepest.depth, allowed: deepest.allowed, block: deepest.block },
+      holder, unproved: unprovedOf(judged), verdict: judged.verdict, reasons: judged.reasons,
     },
     issues: [
       ...run.issues.map((f) => issueOf(f.issue, { at: "at" in f.issue ? f.issue.at : undefined, block: f.block, cycle: cycleOf(f.operation) }, language)),
+      ...judged.reasons.flatMap((r) => (r.kind === "milling" ? [issueOf(programIssue("notProved", "warning", { what: MILLING }), { block: r.block, cycle: null }, language)] : [])),
       ...proved.map(proofIssue),
     ],
     milliseconds,

@@ -57,7 +57,7 @@ export function exampleResult({ fault, many }: { readonly fault: boolean; readon
   const seconds = steps.reduce((sum, s) => sum + s.seconds, 0);
   const operation: Operation = {
     block: 12, definedIn: 10, definedLine: 11, cycle: 812, tool, start, feedUnit: "mm/rev", spindle, plan, seconds,
-    firstStep: 0, lastStep: steps.length - 1, issues: [],
+    firstStep: 0, lastStep: steps.length - 1, issues: [], call: null,
   };
   const blank = [box(-100, 2, 0, 38)];
   const run: Run = { program: { name: "HAND", unit: "mm", blocks: 20 }, blank, operations: [operation], steps, stepBlocks: steps.map(() => 11), plane: [], approaches: [], unproved: [], issues: [], seconds };

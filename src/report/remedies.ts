@@ -1,0 +1,55 @@
+import { cycleByNumber } from "../cycles/index.ts";
+import type { Reason } from "../kernel/issue.ts";
+import type { Plan } from "../kernel/plan.ts";
+import type { Tool } from "../kernel/tool.ts";
+import { checkTool } from "../program/check-tool.ts";
+import type { Operation } from "../program/run-types.ts";
+import { staysAfter } from "../sim/residual.ts";
+import type { Residual } from "../sim/simulation.ts";
+
+/** A tool that would take residual material, with what it would leave of it, mm². */
+export interface Remedy {
+  readonly tool: Tool;
+  readonly stays: number;
+}
+
+/** What another tool could take. A limit, a forbidden plunge, an oversize or a correction stays with every tool. */
+const OF_TOOL: ReadonlySet<Reason> = new Set<Reason>(["insertRadius", "mainEdge", "secondaryEdge", "toolWidth", "cutLength"]);
+/** A tool that leaves more than this part of a region does not take it. */
+const MOST_LEFT = 0.5;
+/** What a plan may not say about a tool that is to help. */
+const AGAINST: ReadonlySet<string> = new Set(["toolCannotCutSideways", "flanksNotChecked"]);
+
+/** The path that a tool would take in place of the one called: same cycle, same values, same start; null when it can not. */
+function planWith(tool: Tool, { cycle: number, call, start, feedUnit }: Operation): Plan | null {
+  const cycle = cycleByNumber(number);
+  if (!cycle || !call || checkTool(tool).length > 0) return null;
+  const plan = cycle.plan(call.values, { tool, start, feedUnit, autoFeed: call.autoFeed }, call.given);
+  const refused = plan.issues.some((i) => i.severity === "error" || AGAINST.has(i.code));
+  return refused || !plan.moves.some((m) => m.phase !== "position") ? null : plan;
+}
+
+/**
+ * Tools of a table that would take what an operation left, tried out one by one, the one that leaves least first. Each
+ * costs a plan for each operation, so ask when someone wants to know; plans are kept as long as the function is.
+ */
+export function remedies(tools: readonly Tool[]): (operation: Operation, left: Residual) => Remedy[] {
+  const plans = new Map<Operation, readonly (readonly [Tool, Plan])[]>();
+  const plansOf = (operation: Operation) => {
+    const known = plans.get(operation);
+    if (known) return known;
+    const made = tools.filter((tool) => tool.T !== operation.tool.T).flatMap((tool) => {
+      const plan = planWith(tool, operation);
+      return plan ? [[tool, plan] as const] : [];
+    });
+    plans.set(operation, made);
+    return made;
+  };
+  return (operation, left) => {
+    if (!OF_TOOL.has(left.reason)) return [];
+    return plansOf(operation)
+      .map(([tool, plan]): Remedy => ({ tool, stays: staysAfter(left.ring, plan, tool) }))
+      .filter(({ stays }) => stays < left.area * MOST_LEFT)
+      .sort((a, b) => a.stays - b.stays || a.tool.T - b.tool.T);
+  };
+}
