@@ -1,10 +1,11 @@
 import { toFlat } from "../kernel/flat.ts";
+import { mirroredTool } from "../kernel/holder.ts";
 import { feedsOf } from "../kernel/strategy/feeds.ts";
 import { empty, planLeveled } from "../kernel/strategy/leveled.ts";
 import { perSide, toRadius } from "../kernel/units.ts";
 import { defineCycle } from "./define.ts";
 import { axialDepth, axialParam, choice, diameterParam, feedParam, lengthParam, oversizeDiameter } from "./params.ts";
-import { freeFrame, freeOutline, mirroredTool } from "./free-outline.ts";
+import { freeFrame, freeOutline } from "./free-outline.ts";
 import { angleIssues } from "./tool-issues.ts";
 
 /** Free contour of a subprogram, cut across the axis. */

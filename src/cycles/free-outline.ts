@@ -2,7 +2,6 @@ import type { Frame } from "../kernel/flat.ts";
 import { issue } from "../kernel/issue.ts";
 import type { Setting } from "../kernel/plan.ts";
 import type { Pt, Segment } from "../kernel/point.ts";
-import type { TipOrientation, Tool } from "../kernel/tool.ts";
 import { axial, radius, toRadius, type Axial, type Diameter } from "../kernel/units.ts";
 import type { Dimension, Given, Outline } from "./define.ts";
 
@@ -57,11 +56,3 @@ export function freeFrame(contour: readonly Segment[], setting: Setting, transve
   const outside = points.every((p) => setting.start.r >= p.r);
   return { transverse, signU: last.z < first.z ? -1 : 1, signV: outside ? 1 : -1 };
 }
-
-const MIRRORED: Record<"r" | "z", Record<TipOrientation, TipOrientation>> = {
-  r: { 1: 7, 2: 6, 3: 5, 4: 4, 5: 3, 6: 2, 7: 1, 8: 8, 9: 9 },
-  z: { 1: 3, 2: 2, 3: 1, 4: 8, 5: 7, 6: 6, 7: 5, 8: 4, 9: 9 },
-};
-
-/** The tool as Q499 = 2 adapts it: its tip mirrored across the cutting direction. */
-export const mirroredTool = (tool: Tool, axis: "r" | "z"): Tool => ({ ...tool, TO: MIRRORED[axis][tool.TO] });

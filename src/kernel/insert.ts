@@ -9,7 +9,7 @@ const EDGE = 12;
 const BAR = 30;
 
 /** From the centre of the nose radius to the theoretical tip, in nose radii, for each tip orientation (−Z, +X …). */
-const TIP: Record<TipOrientation, Flat> = {
+export const TIP: Readonly<Record<TipOrientation, Flat>> = {
   1: { u: -1, v: -1 }, 2: { u: 0, v: -1 }, 3: { u: 1, v: -1 }, 4: { u: 1, v: 0 }, 5: { u: 1, v: 1 },
   6: { u: 0, v: 1 }, 7: { u: -1, v: 1 }, 8: { u: -1, v: 0 }, 9: { u: 0, v: 0 },
 };
@@ -144,22 +144,4 @@ export function insertOutline(t: Tool, chord: number, body = true): Ring {
 }
 
 /** How far a correction holds the insert off the tip the control counts with. */
-const shiftOf = (t: Tool): Flat => ({ u: t.correction?.z ?? 0, v: t.correction?.r ?? 0 });
-
-/** The holder box relative to the theoretical tip, on the side away from where the tip points; null when the tool has none. */
-export function holderOutline(t: Tool): Ring | null {
-  const h = t.holder;
-  if (!h) return null;
-  const tip = TIP[t.TO] ?? TIP[9];
-  const shift = shiftOf(t);
-  const z0 = h.offsetZ + shift.u;
-  const r0 = h.offsetX + shift.v;
-  const away = tip.v > 0 ? -1 : 1;
-  const axialBar = tip.v === 0 && tip.u !== 0;
-  const z1 = z0 + (axialBar ? (tip.u > 0 ? -h.length : h.length) : tip.u > 0 ? -h.width : h.width);
-  const r1 = r0 + (axialBar ? h.width : away * h.length);
-  const [za, zb] = [Math.min(z0, z1), Math.max(z0, z1)];
-  const [ra, rb] = [Math.min(r0, r1), Math.max(r0, r1)];
-  const at = (z: number, r: number): Pt => ({ z: axial(z), r: radius(r) });
-  return [at(za, ra), at(zb, ra), at(zb, rb), at(za, rb)];
-}
+export const shiftOf = (t: Tool): Flat => ({ u: t.correction?.z ?? 0, v: t.correction?.r ?? 0 });

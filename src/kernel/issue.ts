@@ -37,6 +37,9 @@ interface Data {
   toolColumn: { column: string; value: number | null; max?: number; min?: number; nearest?: number };
   toolNumberTwice: { number: number; nearest: number };
   toolName: { text: string; max: number };
+  /** A holder: the axis of its shank, the corners of its head. */
+  holderAxis: { text: string };
+  holderHead: { text: string };
   unknownTool: { tool: string };
   betterTool: { tool: number; name: string };
   /* start point and limits */

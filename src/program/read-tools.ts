@@ -2,14 +2,20 @@ import { z } from "zod";
 import type { Issue } from "../kernel/issue.ts";
 import { TOOL_TYPES, type Tool } from "../kernel/tool.ts";
 import { checkTool } from "./check-tool.ts";
+import { soundHead } from "./holder-cells.ts";
 import type { Mill } from "./mill-state.ts";
 
 /** A cell that may be left out or written as null. */
 const cell = z.number().nullish();
+/** Parts of a head, each by its corners [Z, X]. */
+const head = z.array(z.array(z.tuple([z.number(), z.number()]))).refine(soundHead, "a part needs 3 to 16 corners that are not in line; 8 parts at most");
 const row = z.object({
   T: z.number().min(0).max(32767.9), NAME: z.string().max(32).nullish(), TYPE: z.enum(TOOL_TYPES), TO: cell, RS: cell,
   ZL: cell, XL: cell, DZL: cell, DXL: cell, DRS: cell, ORI: cell, "T-ANGLE": cell, "P-ANGLE": cell, CUTLENGTH: cell, CUTWIDTH: cell, DCW: cell,
-  holder: z.object({ width: z.number().positive(), length: z.number().positive(), offsetZ: z.number(), offsetX: z.number() }).nullish(),
+  holder: z.object({
+    width: z.number().positive(), length: z.number().positive(), offsetZ: z.number(), offsetX: z.number(),
+    axis: z.enum(["X", "Z"]).optional(), head: head.optional(),
+  }).nullish(),
 });
 /** A milling tool: any row with a radius R that names none of the turning types. */
 const mill = z.object({

@@ -1,5 +1,6 @@
 import type { TipOrientation, Tool, ToolType } from "../kernel/tool.ts";
 import { degrees, length } from "../kernel/units.ts";
+import { shippedHolders } from "./shipped-holders.ts";
 
 interface Columns {
   readonly angles?: readonly [tAngle: number, pAngle: number];
@@ -14,6 +15,7 @@ const tool = (T: number, NAME: string, TYPE: ToolType, TO: TipOrientation, RS: n
   ...(c.point !== undefined && { "P-ANGLE": degrees(c.point) }),
   ...(c.width !== undefined && { CUTWIDTH: length(c.width) }),
   ...(c.cut !== undefined && { CUTLENGTH: length(c.cut) }),
+  ...(shippedHolders[T] && { holder: shippedHolders[T] }),
 });
 
 /** The tools every installation starts with. Lengths mm, angles degrees. */

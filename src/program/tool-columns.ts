@@ -5,8 +5,11 @@ export const TOOL_COLUMNS = [
   "T", "NAME", "ZL", "XL", "DZL", "DXL", "RS", "DRS", "TO", "ORI", "T-ANGLE", "P-ANGLE", "CUTLENGTH", "CUTWIDTH", "DCW", "TYPE",
 ] as const;
 export type ToolColumn = (typeof TOOL_COLUMNS)[number];
-/** Cells of the holder, beside the columns of the control. */
-export const HOLDER_CELLS = ["width", "length", "offsetZ", "offsetX"] as const;
+/** Numbers of the holder, beside the columns of the control. */
+export const HOLDER_NUMBERS = ["width", "length", "offsetZ", "offsetX"] as const;
+export type HolderNumber = (typeof HOLDER_NUMBERS)[number];
+/** Cells of the holder: its numbers, the axis of its shank, and its head as corners. */
+export const HOLDER_CELLS = [...HOLDER_NUMBERS, "axis", "head"] as const;
 export type HolderCell = (typeof HOLDER_CELLS)[number];
 /** Columns of a milling tool beside T and NAME: length, radius, and what is added to both. */
 export const MILL_COLUMNS = ["L", "R", "DL", "DR"] as const;
@@ -43,13 +46,13 @@ export const COLUMN_RULES: Readonly<Record<NumberColumn, ColumnRule>> = {
 
 /** The smallest side of a holder box, mm. */
 const LEAST_SIDE = 0.001;
-export const HOLDER_RULES: Readonly<Record<HolderCell, ColumnRule>> = {
+export const HOLDER_RULES: Readonly<Record<HolderNumber, ColumnRule>> = {
   width: { ...size, min: LEAST_SIDE }, length: { ...size, min: LEAST_SIDE }, offsetZ: anyLength, offsetX: anyLength,
 };
 
-const isHolderCell = (cell: NumberColumn | HolderCell): cell is HolderCell => HOLDER_CELLS.some((each) => each === cell);
+const isHolderNumber = (cell: NumberColumn | HolderNumber): cell is HolderNumber => HOLDER_NUMBERS.some((each) => each === cell);
 
-export const ruleOf = (cell: NumberColumn | HolderCell): ColumnRule => (isHolderCell(cell) ? HOLDER_RULES[cell] : COLUMN_RULES[cell]);
+export const ruleOf = (cell: NumberColumn | HolderNumber): ColumnRule => (isHolderNumber(cell) ? HOLDER_RULES[cell] : COLUMN_RULES[cell]);
 
 export const isToolType = (text: string): text is ToolType => TOOL_TYPES.some((type) => type === text);
 

@@ -2,8 +2,10 @@ import { issue, type Issue } from "../kernel/issue.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { checkTool } from "./check-tool.ts";
 import { readExpression } from "./expression.ts";
+import { readAxis, readHead, writeHead } from "./holder-cells.ts";
 import {
-  applies, HOLDER_CELLS, MILL, MILL_COLUMNS, ruleOf, TOOL_COLUMNS, type CellName, type HolderCell, type MillColumn, type NumberColumn, type ToolColumn,
+  applies, HOLDER_CELLS, HOLDER_NUMBERS, MILL, MILL_COLUMNS, ruleOf, TOOL_COLUMNS,
+  type CellName, type HolderNumber, type MillColumn, type NumberColumn, type ToolColumn,
 } from "./tool-columns.ts";
 
 /** One row of the tool table as typed: every cell is text, an empty or missing cell is empty. */
@@ -36,7 +38,12 @@ export function entryOf(tool: Tool, id: string): ToolEntry {
     const value = tool[column];
     if (value !== undefined) cells[column] = String(value);
   }
-  for (const cell of HOLDER_CELLS) if (tool.holder) cells[cell] = String(tool.holder[cell]);
+  const { holder } = tool;
+  if (holder) {
+    for (const cell of HOLDER_NUMBERS) cells[cell] = String(holder[cell]);
+    if (holder.axis) cells.axis = holder.axis;
+    if (holder.head && holder.head.length > 0) cells.head = writeHead(holder.head);
+  }
   return { id, cells };
 }
 
@@ -50,7 +57,7 @@ function nameIssues(text: string): Issue[] {
 }
 
 /** One number: its value, null when empty, or what is wrong with it. */
-function numberOf(cell: NumberColumn | HolderCell, text: string): number | null | Issue {
+function numberOf(cell: NumberColumn | HolderNumber, text: string): number | null | Issue {
   const read = readExpression(text);
   switch (read.kind) {
     case "empty": return null;
@@ -67,21 +74,21 @@ function numberOf(cell: NumberColumn | HolderCell, text: string): number | null 
 }
 
 interface Numbers {
-  readonly values: Partial<Record<NumberColumn | HolderCell, number>>;
+  readonly values: Partial<Record<NumberColumn | HolderNumber, number>>;
   readonly issues: readonly Issue[];
 }
 
 /** All numbers of a row. What its type has no use for is taken when it is sound and never complained about. */
 function numbersOf(entry: ToolEntry): Numbers {
   const type = cellOf(entry, "TYPE");
-  const values: Partial<Record<NumberColumn | HolderCell, number>> = {};
+  const values: Partial<Record<NumberColumn | HolderNumber, number>> = {};
   const issues: Issue[] = [];
   const columns = TOOL_COLUMNS.filter((column) => column !== "NAME" && column !== "TYPE");
-  for (const cell of [...columns, ...HOLDER_CELLS]) {
+  for (const cell of [...columns, ...HOLDER_NUMBERS]) {
     const read = numberOf(cell, cellOf(entry, cell));
     if (read === null) continue;
     if (typeof read === "number") values[cell] = read;
-    else if (HOLDER_CELLS.some((each) => each === cell) || applies(cell as ToolColumn, type)) issues.push(read);
+    else if (HOLDER_NUMBERS.some((each) => each === cell) || applies(cell as ToolColumn, type)) issues.push(read);
   }
   if (values.CUTLENGTH === 0) delete values.CUTLENGTH;
   return { values, issues };
@@ -90,9 +97,12 @@ function numbersOf(entry: ToolEntry): Numbers {
 /** A holder is there as soon as one of its cells is filled; its sides are then needed, its offsets are 0 when empty. */
 function holderIssues(entry: ToolEntry): Issue[] {
   if (!HOLDER_CELLS.some((cell) => cellOf(entry, cell).trim() !== "")) return [];
-  return (["width", "length"] as const)
-    .filter((cell) => cellOf(entry, cell).trim() === "")
-    .map((cell) => issue("missing", "error", {}, cell));
+  const [axis, head] = [cellOf(entry, "axis"), cellOf(entry, "head")];
+  return [
+    ...(["width", "length"] as const).filter((cell) => cellOf(entry, cell).trim() === "").map((cell) => issue("missing", "error", {}, cell)),
+    ...(readAxis(axis) === null ? [issue("holderAxis", "error", { text: axis }, "axis")] : []),
+    ...(readHead(head) === null ? [issue("holderHead", "error", { text: head }, "head")] : []),
+  ];
 }
 
 /** Of several findings at a column the first one stays. */
@@ -126,9 +136,12 @@ export function readEntry(entry: ToolEntry): EntryReading {
   if (isMillEntry(entry)) return readMill(entry);
   const { values, issues } = numbersOf(entry);
   const { T, width, length, offsetZ = 0, offsetX = 0, ...columns } = values;
+  const [axis, head] = [readAxis(cellOf(entry, "axis")), readHead(cellOf(entry, "head"))];
+  const shank = width === undefined || length === undefined ? null
+    : { width, length, offsetZ, offsetX, ...(axis && { axis }), ...(head && head.length > 0 && { head }) };
   const row = {
     ...(T !== undefined && { T }), NAME: cellOf(entry, "NAME"), TYPE: cellOf(entry, "TYPE"), ...columns,
-    ...(width !== undefined && length !== undefined && { holder: { width, length, offsetZ, offsetX } }),
+    ...(shank && { holder: shank }),
   };
   const { holder: _, ...checked } = row;
   const kept = firstOfEach([

@@ -1,4 +1,5 @@
-import type { Tool } from "../kernel/tool.ts";
+import type { Holder, Tool } from "../kernel/tool.ts";
+import { writeHead } from "./holder-cells.ts";
 import { HOLDER_CELLS, isToolType, MILL, MILL_COLUMNS, TOOL_COLUMNS, type CellName } from "./tool-columns.ts";
 import type { MillTool, ToolEntry } from "./tool-entry.ts";
 import { readTableText, type TableFile } from "./tool-table-text.ts";
@@ -19,6 +20,11 @@ const isRecord = (value: unknown): value is Readonly<Record<string, unknown>> =>
 /** A cell as text; what is neither text nor a number becomes text that its column complains about. */
 const asText = (value: unknown): string => (typeof value === "string" ? value : JSON.stringify(value) ?? "");
 
+/** Corners of a head as they are typed; anything else becomes text that its cell complains about. */
+const isPair = (c: unknown) => Array.isArray(c) && c.length === 2 && c.every((n) => typeof n === "number");
+const isHead = (value: unknown): value is NonNullable<Holder["head"]> =>
+  Array.isArray(value) && value.every((part) => Array.isArray(part) && part.every(isPair));
+
 function cellsOf(row: Readonly<Record<string, unknown>>, leftOut: Set<string>): ToolEntry["cells"] {
   const cells: Partial<Record<CellName, string>> = {};
   const take = (name: CellName, value: unknown) => {
@@ -30,7 +36,9 @@ function cellsOf(row: Readonly<Record<string, unknown>>, leftOut: Set<string>): 
   for (const [name, value] of Object.entries(row)) {
     const column = columns.find((each) => each === name);
     if (column) take(column, value);
-    else if (name === "holder" && isRecord(value) && !isMill) for (const cell of HOLDER_CELLS) take(cell, value[cell]);
+    else if (name === "holder" && isRecord(value) && !isMill) {
+      for (const cell of HOLDER_CELLS) take(cell, cell === "head" && isHead(value[cell]) ? writeHead(value[cell]) : value[cell]);
+    }
     else if (!(name === "holder" && value === null) && !(isMill && name === "TYPE")) leftOut.add(name);
   }
   return cells;

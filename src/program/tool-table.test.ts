@@ -5,6 +5,7 @@ import { CHORD } from "../kernel/tolerance.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { TOOL_TYPES } from "../kernel/tool.ts";
 import { checkTool } from "./check-tool.ts";
+import { soundHead } from "./holder-cells.ts";
 import { readTools } from "./read-tools.ts";
 import { shippedTools } from "./shipped-tools.ts";
 import { entryOf, readEntry, type MillTool, type ToolEntry } from "./tool-entry.ts";
@@ -22,7 +23,11 @@ const cells = fc.record({
 }, { requiredKeys: ["T", "NAME", "TYPE", "TO", "RS"] });
 /** A sound tool with the decimals that the control keeps. */
 const tool = cells.filter((row) => checkTool(row).length === 0).map((row) => row as unknown as Tool);
-const holder = fc.record({ width: length(1, 50), length: length(1, 200), offsetZ: length(-50, 50), offsetX: length(-50, 50) });
+const corner = fc.tuple(length(-50, 50), length(-50, 50));
+const head = fc.array(fc.array(corner, { minLength: 3, maxLength: 6 }), { minLength: 1, maxLength: 3 }).filter(soundHead);
+const holder = fc.record({
+  width: length(1, 50), length: length(1, 200), offsetZ: length(-50, 50), offsetX: length(-50, 50), axis: fc.constantFrom("X", "Z"), head,
+}, { requiredKeys: ["width", "length", "offsetZ", "offsetX"] });
 const withHolder = fc.tuple(tool, fc.option(holder)).map(([t, h]) => (h ? { ...t, holder: h } as unknown as Tool : t));
 const table = (one: fc.Arbitrary<Tool>) => fc.uniqueArray(one, { selector: (t) => t.T, minLength: 1, maxLength: 12 });
 const toolsOf = (rows: readonly ToolEntry["cells"][]) => rows.map((row) => readEntry({ id: "r", cells: row }).tool);
@@ -41,8 +46,9 @@ describe("a row of the table", () => {
       else expect(read.issues.some((found) => found.severity === "error")).toBe(true);
     }), { numRuns: 3000 }));
 
+  const { holder: _, ...bare } = shippedTools[0] as Tool;
   const columnsOf = (change: ToolEntry["cells"]) =>
-    readEntry({ id: "r", cells: { ...entryOf(shippedTools[0] as Tool, "r").cells, ...change } }).issues.map((found) => `${found.at} ${found.code}`);
+    readEntry({ id: "r", cells: { ...entryOf(bare, "r").cells, ...change } }).issues.map((found) => `${found.at} ${found.code}`);
 
   test.each<[ToolEntry["cells"], string[]]>([
     [{}, []], [{ RS: "0,8" }, []], [{ RS: "abc" }, ["RS notANumber"]], [{ RS: "-1" }, ["RS toolColumn"]], [{ RS: "" }, ["RS toolColumn"]],
@@ -50,6 +56,9 @@ describe("a row of the table", () => {
     [{ "P-ANGLE": "85" }, ["P-ANGLE toolColumn"]], [{ "P-ANGLE": "" }, ["P-ANGLE flanksNotChecked"]], [{ NAME: "a" }, ["NAME toolName"]],
     [{ TYPE: "DRILL" }, ["TYPE toolColumn"]], [{ ORI: "361" }, ["ORI toolColumn"]], [{ CUTLENGTH: "1/" }, ["CUTLENGTH badExpression"]],
     [{ width: "20" }, ["length missing"]], [{ width: "20", length: "100" }, []], [{ width: "0", length: "100" }, ["width toolColumn"]],
+    [{ width: "20", length: "9", axis: "z", head: "1/2,5 4/-3 2/.5; 0/0 1/0 0/1;" }, []], [{ axis: "Z" }, ["width missing", "length missing"]],
+    [{ width: "20", length: "9", axis: "Y" }, ["axis holderAxis"]], [{ width: "20", length: "9", head: "1/2 2/3" }, ["head holderHead"]],
+    [{ width: "20", length: "9", head: "0/0 1/1 2/2" }, ["head holderHead"]], [{ width: "20", length: "9", head: "0/0 1/1 2" }, ["head holderHead"]],
     [{ TYPE: "BUTTON", RS: "3", "P-ANGLE": "abc", CUTWIDTH: "x" }, []], [{ TYPE: "THREAD", "P-ANGLE": "0" }, ["P-ANGLE toolColumn"]],
   ])("%o: %s", (change, expected) => expect(columnsOf(change)).toEqual(expected));
 });
@@ -73,7 +82,7 @@ describe("the list", () => {
   });
 
   test("away from its row a finding names its column", () => {
-    const cells = { ...shippedList[0]?.cells, T: "50", RS: "abc", width: "20" };
+    const cells = { ...shippedList[0]?.cells, T: "50", RS: "abc", length: "" };
     expect(readList([{ id: "a", cells }]).table.refused.get(50)).toMatchObject([
       { at: "RS", data: { column: "RS", value: null } }, { at: "tool", data: { column: "holder.length", value: null } },
     ]);

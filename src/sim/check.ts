@@ -43,11 +43,11 @@ export function inStock(pieces: readonly Piece[], cut: Pick<Cutting, "initial" |
 
 /** The holder touches what neither the moves before nor this one, up to the same moment, have cut away. */
 function holderHits(step: Step, outlines: Outlines, cut: Cutting): Ring[] {
-  if (!outlines.holder) return [];
-  const whole = piecesOf(sweepOf(outlines.holder, step));
+  const parts = (fraction?: number) => piecesOf(outlines.holder.flatMap((part) => sweepOf(part, step, fraction)));
+  const whole = parts();
   if (real(inStock(whole, cut)).length === 0) return [];
   for (let i = 1; i <= PARTS; i += 1) {
-    const hit = real(inStock(piecesOf(sweepOf(outlines.holder, step, i / PARTS)), cut, null, sweepOf(outlines.insert, step, i / PARTS)));
+    const hit = real(inStock(parts(i / PARTS), cut, null, sweepOf(outlines.insert, step, i / PARTS)));
     if (hit.length > 0) return hit;
   }
   return [];

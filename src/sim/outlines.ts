@@ -1,4 +1,5 @@
-import { flanksUnknown, holderOutline, insertOutline } from "../kernel/insert.ts";
+import { holderOutlines } from "../kernel/holder.ts";
+import { flanksUnknown, insertOutline } from "../kernel/insert.ts";
 import type { Ring } from "../kernel/point.ts";
 import { CHORD } from "../kernel/tolerance.ts";
 import type { Tool } from "../kernel/tool.ts";
@@ -8,7 +9,8 @@ export interface Outlines {
   readonly insert: Ring;
   /** What is checked for contact: the insert, or its nose alone while its flanks are unknown. */
   readonly checked: Ring;
-  readonly holder: Ring | null;
+  /** The parts of the holder; none when the tool has none. */
+  readonly holder: readonly Ring[];
 }
 
 /** A memory of outlines for one run, so that each tool is flattened once. */
@@ -18,7 +20,7 @@ export function outlinesOf(): (tool: Tool) => Outlines {
     const have = known.get(tool);
     if (have) return have;
     const insert = insertOutline(tool, CHORD);
-    const made = { insert, checked: flanksUnknown(tool) ? insertOutline(tool, CHORD, false) : insert, holder: holderOutline(tool) };
+    const made = { insert, checked: flanksUnknown(tool) ? insertOutline(tool, CHORD, false) : insert, holder: holderOutlines(tool) };
     known.set(tool, made);
     return made;
   };

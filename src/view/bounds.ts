@@ -22,6 +22,12 @@ export function joined(a: Bounds | null, b: Bounds | null): Bounds | null {
   };
 }
 
+/** What both boxes cover; the second where they have nothing in common. */
+export function common(a: Bounds, b: Bounds): Bounds {
+  const both = { left: Math.max(a.left, b.left), right: Math.min(a.right, b.right), low: Math.max(a.low, b.low), high: Math.min(a.high, b.high) };
+  return both.left < both.right && both.low < both.high ? both : b;
+}
+
 /** The box with its mirror image at the spindle axis. */
 export function mirrored(b: Bounds): Bounds {
   const far = Math.max(Math.abs(b.low), Math.abs(b.high));

@@ -1,11 +1,23 @@
 import { useId, useMemo } from "react";
-import { holderOutline, insertOutline } from "../../kernel/insert.ts";
+import { holderOutlines } from "../../kernel/holder.ts";
+import { insertOutline } from "../../kernel/insert.ts";
 import { CHORD } from "../../kernel/tolerance.ts";
 import type { Tool } from "../../kernel/tool.ts";
-import { boundsOf, grown, joined } from "../../view/bounds.ts";
+import type { Bounds } from "../../view/camera.ts";
+import { boundsOf, common, grown, joined } from "../../view/bounds.ts";
 import { ringData } from "../../view/path.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import "./lathe.css";
+
+/** How much of the holder is drawn beside the insert, in lengths of the insert: the head and where the shank begins. */
+const BESIDE = 1.6;
+
+/** The box of a tool's insert with the near end of its holder. */
+export function heldBounds(tool: Tool): Bounds {
+  const insert = boundsOf(insertOutline(tool, CHORD)) ?? { left: -1, right: 1, low: -1, high: 1 };
+  const near = grown(insert, BESIDE * Math.max(insert.right - insert.left, insert.high - insert.low));
+  return common(joined(insert, boundsOf(holderOutlines(tool).flat())) ?? insert, near);
+}
 
 /** A tool's insert (and holder, where the tool has one) to scale, Z to the right, X up, the theoretical tip as a small cross. */
 export function InsertDrawing({ tool, width = 48, height = 48, span, whole = false }: {
@@ -21,8 +33,8 @@ export function InsertDrawing({ tool, width = 48, height = 48, span, whole = fal
   const t = useTexts().lathe, id = useId();
   const { insert, holder, box } = useMemo(() => {
     const ring = insertOutline(tool, CHORD), b = grown(boundsOf(ring) ?? { left: -1, right: 1, low: -1, high: 1 }, 0);
-    const held = holderOutline(tool);
-    return { insert: ringData([ring]), holder: held && ringData([held]), box: whole ? joined(b, held && boundsOf(held)) ?? b : b };
+    const held = holderOutlines(tool);
+    return { insert: ringData([ring]), holder: ringData(held), box: whole ? heldBounds(tool) : b };
   }, [tool, whole]);
   const wide = box.right - box.left, tall = box.high - box.low;
   const scale = span ? Math.min(width, height) / span : Math.min((width - 8) / wide, (height - 8) / tall);

@@ -1,5 +1,6 @@
 import { useCallback, useMemo, useRef } from "react";
-import { holderOutline, insertOutline } from "../../kernel/insert.ts";
+import { holderOutlines } from "../../kernel/holder.ts";
+import { insertOutline } from "../../kernel/insert.ts";
 import type { Ring } from "../../kernel/point.ts";
 import type { Step } from "../../kernel/step.ts";
 import { CHORD } from "../../kernel/tolerance.ts";
@@ -35,10 +36,10 @@ function Stock({ moving: { stockAt, playback }, full, fill }: { readonly moving:
 const stepIndex = (steps: readonly Step[], position: Position) => Math.min(position.step, steps.length - 1);
 
 function Insert({ tool }: { readonly tool: Tool }) {
-  const shapes = useMemo(() => ({ insert: ringData([insertOutline(tool, CHORD)]), holder: holderOutline(tool) }), [tool]);
+  const shapes = useMemo(() => ({ insert: ringData([insertOutline(tool, CHORD)]), holder: ringData(holderOutlines(tool)) }), [tool]);
   return (
     <>
-      {shapes.holder && <path className="shape-holder" d={ringData([shapes.holder])} />}
+      {shapes.holder && <path className="shape-holder" d={shapes.holder} />}
       <path className="shape-insert" d={shapes.insert} />
     </>
   );

@@ -1,11 +1,11 @@
 import { useMemo, useState } from "react";
 import { formatNumber } from "../../i18n/number.ts";
-import { holderOutline, insertOutline } from "../../kernel/insert.ts";
+import { insertOutline } from "../../kernel/insert.ts";
 import { CHORD } from "../../kernel/tolerance.ts";
 import type { Tool } from "../../kernel/tool.ts";
-import { boundsOf, joined } from "../../view/bounds.ts";
+import { boundsOf } from "../../view/bounds.ts";
 import { Icon } from "../Icon.tsx";
-import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
+import { heldBounds, InsertDrawing } from "../lathe/InsertDrawing.tsx";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 
@@ -38,8 +38,7 @@ export function LiveInsert({ tool, now }: {
   const measured = useMemo(() => {
     const insert = tool && boundsOf(insertOutline(tool, CHORD));
     if (!tool || !insert) return null;
-    const held = holderOutline(tool);
-    const all = joined(insert, held && boundsOf(held)) ?? insert;
+    const all = heldBounds(tool);
     const span = roundedUp(Math.max((all.right - all.left) * (HEIGHT / WIDTH), all.high - all.low) * 1.12);
     return { width: insert.right - insert.left, height: insert.high - insert.low, span, bar: roundedUp(span / 6) };
   }, [tool]);

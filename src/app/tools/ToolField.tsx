@@ -1,7 +1,7 @@
 import { useId, useRef } from "react";
 import type { Issue } from "../../kernel/issue.ts";
 import { readExpression } from "../../program/expression.ts";
-import type { HolderCell, NumberColumn } from "../../program/tool-columns.ts";
+import type { HolderNumber, NumberColumn } from "../../program/tool-columns.ts";
 import { ruleOf } from "../../program/tool-columns.ts";
 import { cellOf, type ToolEntry } from "../../program/tool-entry.ts";
 import { FieldMessage } from "../dialog/FieldMessage.tsx";
@@ -35,7 +35,7 @@ export function CellMessages({ id, issues, text, onTake, decimals = 4 }: {
 /** One number of a row: typed text goes to the table at each keystroke, sums are worked out when the field is left. */
 export function ToolField({ entry, cell, issues, unused = null }: {
   readonly entry: ToolEntry;
-  readonly cell: NumberColumn | HolderCell;
+  readonly cell: NumberColumn | HolderNumber;
   readonly issues: readonly Issue[];
   /** The type that has no use for this column; null when it has. */
   readonly unused?: string | null;
@@ -50,7 +50,7 @@ export function ToolField({ entry, cell, issues, unused = null }: {
   const { unit, min, decimals } = ruleOf(cell);
   const isHolder = cell in t.holder;
   const column = isHolder ? null : cell as NumberColumn;
-  const meaning = column ? t.columns[column] : t.holder[cell as HolderCell];
+  const meaning = column ? t.columns[column] : t.holder[cell as HolderNumber];
   const found = issues.filter((issue) => issue.at === cell);
 
   const commit = () => {

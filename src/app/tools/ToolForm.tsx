@@ -1,7 +1,7 @@
 import { useId, useMemo, type KeyboardEvent } from "react";
 import type { Issue } from "../../kernel/issue.ts";
 import type { Tool } from "../../kernel/tool.ts";
-import { applies, HOLDER_CELLS, type MillColumn, type NumberColumn } from "../../program/tool-columns.ts";
+import { applies, type MillColumn, type NumberColumn } from "../../program/tool-columns.ts";
 import { cellOf, isMillEntry, readEntry, type EntryReading, type ToolEntry } from "../../program/tool-entry.ts";
 import { Icon } from "../Icon.tsx";
 import { useTexts } from "../settings/use-texts.ts";
@@ -11,6 +11,7 @@ import { NameFields } from "./NameFields.tsx";
 import { TipPicker } from "./TipPicker.tsx";
 import { setCell } from "./tool-edits.ts";
 import { closeToolStep } from "./tool-store.ts";
+import { HolderFields } from "./HolderFields.tsx";
 import { CellMessages, ToolField } from "./ToolField.tsx";
 import { useToolName } from "./tool-name.ts";
 
@@ -89,7 +90,7 @@ function TurningColumns({ entry, reading }: Row) {
       </fieldset>
       <fieldset className="tool-group">
         <legend>{t.groups.holder}</legend>
-        {HOLDER_CELLS.map((cell) => <ToolField key={cell} entry={entry} cell={cell} issues={issues} />)}
+        <HolderFields entry={entry} issues={issues} />
       </fieldset>
     </>
   );

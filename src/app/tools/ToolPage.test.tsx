@@ -124,9 +124,16 @@ test("what is kept comes back; the shipped table is not kept, so that it can be 
   const changed = list().map((entry) => (entry.id === "r2" ? { ...entry, cells: { ...entry.cells, RS: "abc" } } : entry));
   expect(readKept(writeKept(changed) ?? "")).toEqual(changed);
   expect(writeKept(shippedList)).toBeNull();
-  for (const damaged of ["", "{", "[]", '{"version":2,"rows":[]}', '{"version":1,"rows":[{"id":"a","cells":{"RS":1}}]}', '{"version":1,"rows":[{"id":"a","cells":{}},{"id":"a","cells":{}}]}'])
+  for (const damaged of ["", "{", "[]", '{"version":3,"rows":[]}', '{"version":1,"rows":[{"id":"a","cells":{"RS":1}}]}', '{"version":1,"rows":[{"id":"a","cells":{}},{"id":"a","cells":{}}]}'])
     expect(readKept(damaged)).toBeNull();
   expect(readKept('{"version":1,"rows":[]}')).toEqual([]);
+  const bare = shippedList.map(({ id, cells: { width: _w, length: _l, offsetZ: _z, offsetX: _x, axis: _a, head: _h, ...cells } }) => ({ id, cells }));
+  const [first, second, ...others] = bare;
+  const older = [first, { ...second, cells: { ...second?.cells, RS: "0.85" } }, ...others];
+  const [one, two, ...rest] = readKept(JSON.stringify({ version: 1, rows: older })) ?? [];
+  expect([one, ...rest]).toEqual([shippedList[0], ...shippedList.slice(2)]);
+  expect(two).toEqual(older[1]);
+  expect(readKept(JSON.stringify({ version: 2, rows: older }))).toEqual(older);
 });
 
 test("changes are kept on the device, damaged tables are set aside, other tabs are followed", () => {

@@ -10,21 +10,33 @@ import { takeTools, useTools } from "./tool-store.ts";
  */
 const KEY = "turnwise/tools";
 const ASIDE = "turnwise/tools/damaged";
-const VERSION = 1;
+const VERSION = 2;
+/** Tables of this version were kept before the shipped tools had holders. */
+const WITHOUT_HOLDERS = 1;
 
-const text = z.string().check(z.maxLength(500));
-const cells = z.partialRecord(z.enum([...TOOL_COLUMNS, ...MILL_COLUMNS, ...HOLDER_CELLS]), text);
-const file = z.object({ version: z.literal(VERSION), rows: z.array(z.object({ id: text, cells })) });
+const cellText = z.string().check(z.maxLength(500));
+const cells = z.partialRecord(z.enum([...TOOL_COLUMNS, ...MILL_COLUMNS, ...HOLDER_CELLS]), cellText);
+const file = z.object({ version: z.union([z.literal(VERSION), z.literal(WITHOUT_HOLDERS)]), rows: z.array(z.object({ id: cellText, cells })) });
 
 /** The text that is kept; null for the shipped table. */
 export const writeKept = (list: ToolList): string | null => (sameList(list, shippedList) ? null : JSON.stringify({ version: VERSION, rows: list }));
 
+/** A row as it was shipped but for its holder gets the holder; what was changed by hand stays as it is. */
+function withShippedHolder(row: ToolList[number]): ToolList[number] {
+  const held = (cell: string) => HOLDER_CELLS.some((each) => each === cell);
+  const shipped = shippedList.find((each) => each.cells.T === row.cells.T);
+  if (!shipped || Object.keys(row.cells).some(held)) return row;
+  const bare = { ...shipped, cells: Object.fromEntries(Object.entries(shipped.cells).filter(([cell]) => !held(cell))) };
+  return sameList([bare], [row]) ? { ...row, cells: shipped.cells } : row;
+}
+
 /** A kept table, or null when it is damaged. Never throws. */
-export function readKept(kept: string): ToolList | null {
+export function readKept(text: string): ToolList | null {
   try {
-    const read = file.safeParse(JSON.parse(kept));
+    const read = file.safeParse(JSON.parse(text));
     if (!read.success) return null;
-    const { rows } = read.data as { rows: ToolList };
+    const { version, rows: kept } = read.data as { version: number; rows: ToolList };
+    const rows = version === WITHOUT_HOLDERS ? kept.map(withShippedHolder) : kept;
     return new Set(rows.map((row) => row.id)).size === rows.length ? rows : null;
   } catch {
     return null;
