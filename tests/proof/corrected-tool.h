@@ -1,0 +1,33 @@
+; expect: residual=correction -residual=insertRadius -residual=oversize -residual=smoothing -gouge
+0 BEGIN PGM CASE MM
+1 BLK FORM CYLINDER Z D75 L100 DIST+0
+2 FUNCTION MODE TURN
+3 TOOL CALL 1
+4 FUNCTION TURNDATA SPIN VCONST:ON VC:150 SMAX2500
+5 M136
+6 L X+160 Z+60 R0 FMAX
+7 FUNCTION TURNDATA CORR-TCS:Z/X DZL:0.13 DXL:0.11
+8 CYCL DEF 812 ABSATZ LAENGS ERW. ~
+    Q215=+0 ;P ~
+    Q460=+2 ;P ~
+    Q491=+75 ;P ~
+    Q492=+0 ;P ~
+    Q493=+50.5 ;P ~
+    Q494=-55.3 ;P ~
+    Q495=+0 ;P ~
+    Q501=+0 ;P ~
+    Q502=+0.5 ;P ~
+    Q500=+1.5 ;P ~
+    Q496=+0 ;P ~
+    Q503=+0 ;P ~
+    Q504=+0.5 ;P ~
+    Q463=+2.7 ;P ~
+    Q478=+0.3 ;P ~
+    Q483=+0.4 ;P ~
+    Q484=+0.2 ;P ~
+    Q505=+0.2 ;P ~
+    Q506=+0 ;P
+9 L X+75 Z+2 R0 FMAX
+10 CYCL CALL
+11 M30
+12 END PGM CASE MM
