@@ -28,7 +28,7 @@ const around = (a: Box, b: Box): Box =>
 /** A gouge and a rapid take away what they find, so their areas add up; a holder leaves it, and finds it again. */
 const staysThere = (f: Finding) => f.kind === "holderContact";
 
-/** Begins to gather. Moves of one cycle call belong together, outside cycles those of one block. */
+/** Begins to gather. Moves of one cycle call belong together, outside cycles those of one block; a holder that touches, however it goes on. */
 export function collector(): Collector {
   const kept: Kept[] = [];
   const groups = new Map<string, Kept[]>();
@@ -46,7 +46,7 @@ export function collector(): Collector {
   return {
     add(found) {
       for (const f of found) {
-        const key = `${f.kind} ${f.operation === null ? `block ${f.block}` : f.operation}`;
+        const key = `${f.kind} ${f.operation ?? (staysThere(f) ? "" : `block ${f.block}`)}`;
         const group = groups.get(key) ?? [];
         const box = boxAround(f.rings);
         const same = group.find((k) => gapBetween(k.box, box) <= SAME_PLACE) ?? (kept.length >= MOST ? last.get(f.kind) : undefined);

@@ -1,4 +1,4 @@
-; expect: verdict=proved holder=unknown deepest=2.41/2.7 -airPasses -nothingCut -deeperThanInfeed -materialLeft -startInMaterial
+; expect: verdict=proved holder=clear deepest=2.41/2.7 -airPasses -nothingCut -deeperThanInfeed -materialLeft -startInMaterial
 0 BEGIN PGM CASE MM
 1 BLK FORM CYLINDER Z D75 L100 DIST+0
 2 FUNCTION MODE TURN

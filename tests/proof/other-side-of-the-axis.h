@@ -1,4 +1,4 @@
-; expect: rapidInStock@9 verdict=faults holder=unknown
+; expect: rapidInStock@9 verdict=faults holder=contact -holderContact@10
 0 BEGIN PGM CASE MM
 1 BLK FORM CYLINDER Z D75 L100 DIST+0
 2 FUNCTION MODE TURN
