@@ -1,5 +1,6 @@
 import { accessible } from "./pages/look.ts";
 import { expect, test } from "./pages/test.ts";
+import { provedIn } from "./pages/effect.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
 const STRANGE = "1  BEGIN PGM ALT MM\r\n2 L  X+50 Z+2 FMAX ; nach vorn \xd8\r\n\r\n77 UNBEKANNT 5\r\n4 M30\r\n5 END PGM ALT MM";
@@ -19,7 +20,7 @@ test("a file that is opened and saved unchanged keeps its bytes; one changed val
 test("the shipped program of six tools and eight cycles runs clean, and its parts lead to their blocks", async ({ page }) => {
   const { editor, t } = await Turnwise.open(page);
   await editor.openExample("flange");
-  await expect(editor.total(t.page.effect.proof)).toHaveText(t.page.effect.clean);
+  await expect(editor.total(t.findings.verdict.title)).toHaveText(provedIn(t));
   await expect(editor.total(t.editor.operations)).toHaveText("8");
   await expect(editor.total(t.editor.toolChanges)).toHaveText("6");
   await editor.show("structure");
@@ -90,7 +91,7 @@ test("what is not understood is said in the margin and hides nothing behind it",
   await editor.show("findings");
   await expect(page.getByText(t.messages.of.notUnderstood({ text: "STRANGE WORDS" }, { text: (x: string) => x } as never)).first()).toBeVisible();
   await expect(page.locator(".cm-lint-marker").first()).toBeVisible();
-  await page.getByRole("button", { name: t.editor.goToBlock("1"), exact: true }).first().click();
+  await page.getByRole("button", { name: t.findings.goTo(t.findings.inBlock("1")), exact: true }).first().click();
   await expect(page.getByRole("form").getByText(t.editor.kept, { exact: true })).toBeVisible();
 });
 
@@ -99,7 +100,7 @@ for (const theme of ["light", "dark"] as const)
     test(`the part "${section}" of the program editor passes axe in ${theme}`, async ({ page }) => {
       const { editor, t } = await Turnwise.open(page, { theme });
       await editor.openExample("flange");
-      await expect(editor.total(t.page.effect.proof)).not.toHaveText(t.page.effect.unknown);
+      await expect(editor.total(t.findings.verdict.title)).not.toHaveText(t.page.effect.unknown);
       await editor.show(section);
       await accessible(page);
     });

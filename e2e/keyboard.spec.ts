@@ -55,7 +55,7 @@ for (const { cycle, own, expected, contour } of JOBS) {
     }
     await expect(dialog.question).toHaveText(turnwise.t.dialog.done.title);
     await expect(effect.cell("passes")).not.toHaveText(turnwise.t.page.effect.unknown);
-    await expect(effect.cell("proof")).toHaveText(turnwise.t.page.effect.clean);
+    await effect.proved();
     await expect(program.copyButton).toBeFocused();
     await keyboard.press("Enter");
     const text = await program.clipboard();

@@ -6,9 +6,9 @@ const stock = (turnwise: Turnwise) => turnwise.lathe.picture.locator("path.shape
 
 test("playing with a held clock: time moves when the test says so, and the step of the manual is shown", async ({ page }) => {
   const turnwise = await Turnwise.open(page, { heldClock: true });
-  const { lathe, program, effect, t } = turnwise;
+  const { lathe, program, effect } = turnwise;
   await turnwise.start.beginWithExample(812);
-  await expect(effect.cell("proof")).toHaveText(t.page.effect.clean);
+  await effect.proved();
   await lathe.button("play").click();
   const before = await lathe.timeline.inputValue();
   await page.waitForTimeout(100);
@@ -23,9 +23,9 @@ test("playing with a held clock: time moves when the test says so, and the step 
 
 test("playing, stepping and seeking show the same stock", async ({ page }) => {
   const turnwise = await Turnwise.open(page, { heldClock: true });
-  const { lathe, effect, t } = turnwise;
+  const { lathe, effect } = turnwise;
   await turnwise.start.beginWithExample(812);
-  await expect(effect.cell("proof")).toHaveText(t.page.effect.clean);
+  await effect.proved();
   for (let i = 0; i < 12; i += 1) await lathe.button("forward").click();
   await lathe.advance(50);
   const stepped = await stock(turnwise);
@@ -49,7 +49,7 @@ test("keys of the lathe view, and reduced motion", async ({ page }) => {
   const { lathe, effect, t } = turnwise;
   await page.emulateMedia({ reducedMotion: "reduce" });
   await turnwise.start.beginWithExample(812);
-  await expect(effect.cell("proof")).toHaveText(t.page.effect.clean);
+  await effect.proved();
   await lathe.view.getByRole("group", { name: t.lathe.title }).focus();
   await page.keyboard.press("End");
   await expect(lathe.picture).toHaveAccessibleName(new RegExp(t.lathe.atEnd));

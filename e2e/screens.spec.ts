@@ -7,7 +7,7 @@ import { Turnwise } from "./pages/turnwise.ts";
 async function example(page: Page, theme: "light" | "dark"): Promise<Turnwise> {
   const turnwise = await Turnwise.open(page, { theme });
   await turnwise.start.beginWithExample(820);
-  await expect(turnwise.effect.cell("proof")).toHaveText(turnwise.t.page.effect.clean);
+  await turnwise.effect.proved();
   return turnwise;
 }
 
@@ -38,7 +38,7 @@ for (const theme of ["light", "dark"] as const) {
     await looksRight(page);
   });
 
-  for (const section of ["setup", "contour", "problems", "program", "prompts"] as const)
+  for (const section of ["setup", "contour", "findings", "program", "prompts"] as const)
     test(`the panel "${section}" passes axe in ${theme}, and fits`, async ({ page }) => {
       const turnwise = await example(page, theme);
       await turnwise.show(section);

@@ -5,7 +5,7 @@ test("a tool that cannot make the contour says so at once, and names one that ca
   const turnwise = await Turnwise.open(page);
   const { setup, effect, program, t } = turnwise;
   await turnwise.start.beginWithExample(852);
-  await expect(effect.cell("proof")).toHaveText(t.page.effect.clean);
+  await effect.proved();
   await turnwise.show("setup");
   await setup.tool(1).check();
   const offer = page.getByRole("button", { name: new RegExp(`^${t.setup.tool.take(8)}`) });
@@ -13,23 +13,23 @@ test("a tool that cannot make the contour says so at once, and names one that ca
   expect(await program.copy()).toContain("TOOL CALL 1");
   await offer.click();
   await expect(setup.tool(8)).toBeChecked();
-  await expect(effect.cell("proof")).toHaveText(t.page.effect.clean);
+  await effect.proved();
 });
 
 test("a start point that stands in the material is said at its field, and the picture follows the blank", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { setup, effect, lathe, t } = turnwise;
   await turnwise.start.beginWithExample(812);
-  await expect(effect.cell("proof")).toHaveText(t.page.effect.clean);
+  await effect.proved();
   await turnwise.show("setup");
   const before = await effect.cell("time").textContent();
   await setup.spindle("cuttingSpeed").fill("90");
   await expect(effect.cell("time")).not.toHaveText(before ?? "");
   await setup.start("x").fill("70");
   await setup.start("z").fill("-10");
-  await expect(page.getByRole("tab", { name: new RegExp(`^${t.page.problems}`) })).toContainText(/\d/);
-  await turnwise.show("problems");
-  await turnwise.problems.panel.getByRole("button", { name: t.page.problem.goTo(t.page.problem.places.startX), exact: true }).first().click();
+  await expect(page.getByRole("tab", { name: new RegExp(`^${t.findings.title}`) })).toContainText(/\d/);
+  await turnwise.show("findings");
+  await turnwise.findings.panel.getByRole("button", { name: t.findings.goTo(t.findings.places.startX), exact: true }).first().click();
   await expect(setup.start("x")).toBeFocused();
   await setup.start("x").fill("75");
   await setup.start("z").fill("2");
@@ -44,7 +44,7 @@ test("a Q parameter in a prompt asks for its value, and the program sets it befo
   const turnwise = await Turnwise.open(page);
   const { dialog, setup, effect, program, t } = turnwise;
   await turnwise.start.beginWithExample(812);
-  await expect(effect.cell("proof")).toHaveText(t.page.effect.clean);
+  await effect.proved();
   const time = await effect.cell("time").textContent();
   await dialog.open("Q493");
   await dialog.type("q5");
@@ -54,7 +54,7 @@ test("a Q parameter in a prompt asks for its value, and the program sets it befo
   await expect(value).toBeFocused();
   await expect(page.getByText(t.setup.parameters.ask("Q5"))).toBeVisible();
   await value.fill("40");
-  await expect(effect.cell("proof")).toHaveText(t.page.effect.clean);
+  await effect.proved();
   await expect(effect.cell("time")).not.toHaveText(time ?? "");
   const text = await program.copy();
   expect(text).toMatch(/\n\d+ Q5 = 40\r?\n/);

@@ -20,7 +20,7 @@ for (const cycle of [812, 820, 852]) {
   test(`a changed value of ${cycle} is a new picture`, async ({ page }) => {
     const turnwise = await Turnwise.open(page);
     await turnwise.start.beginWithExample(cycle);
-    await expect(turnwise.effect.cell("proof")).toHaveText(turnwise.t.page.effect.clean);
+    await turnwise.effect.proved();
     await turnwise.dialog.open("Q484");
     await editTimes(turnwise, oversizes(10));
     const times = await editTimes(turnwise, oversizes(EDITS, 10));
@@ -33,7 +33,7 @@ for (const cycle of [812, 820, 852]) {
 test(`memory does not grow over ${MANY} edits`, async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   await turnwise.start.beginWithExample(812);
-  await expect(turnwise.effect.cell("proof")).toHaveText(turnwise.t.page.effect.clean);
+  await turnwise.effect.proved();
   await turnwise.dialog.open("Q484");
   await editTimes(turnwise, oversizes(100));
   const before = await heap(page);

@@ -8,7 +8,7 @@ test("a tool of one's own by keyboard alone: made, kept over a reload, offered i
   const { tools, setup, effect, t } = turnwise;
   const { keyboard } = page;
   await turnwise.start.beginWithExample(812);
-  await expect(effect.cell("proof")).toHaveText(t.page.effect.clean);
+  await effect.proved();
   await tabTo(page, page.getByRole("button", { name: t.tools.openLong }), "Shift+Tab");
   await keyboard.press("Enter");
   await expect(tools.rowButton(1)).toBeFocused();
@@ -36,7 +36,7 @@ test("a tool of one's own by keyboard alone: made, kept over a reload, offered i
   await expect(turnwise.dialog.question).toBeVisible();
   await turnwise.show("setup");
   await setup.tool(21).check();
-  await expect(effect.cell("proof")).toHaveText(t.page.effect.clean);
+  await effect.proved();
   await expect(turnwise.program.blocks.filter({ hasText: "TOOL CALL 21" })).toBeVisible();
   await tools.open();
   await tools.rowButton(21).click();
@@ -44,7 +44,7 @@ test("a tool of one's own by keyboard alone: made, kept over a reload, offered i
   await expect(tools.form).toContainText(t.dialog.takeNearest("0"));
   await expect(tools.drawing).toContainText(t.tools.lastPossible);
   await tools.close();
-  await turnwise.show("problems");
+  await turnwise.show("findings");
   await expect(page.getByRole("tabpanel")).toContainText("RS -1");
 });
 

@@ -24,7 +24,7 @@ test("a shoulder by touch at tablet size, from the empty page to the copied prog
   const text = await program.clipboard();
   expect(text).toContain("Q493=+48.5 ");
   expect(text).toContain("Q494=-42 ");
-  await expect(turnwise.effect.cell("proof")).toHaveText(turnwise.t.page.effect.clean);
+  await turnwise.effect.proved();
 });
 
 test("the keys of the keypad are large enough for a glove, and keep the system keyboard away", async ({ page }) => {

@@ -32,7 +32,7 @@ export class Dialog {
 
   /** What is wrong with the open prompt, as read out. */
   get messages(): Locator {
-    return this.active.getByRole("status", { name: this.context.t.page.problems });
+    return this.active.getByRole("status", { name: this.context.t.findings.title });
   }
 
   /** The line of a prompt in the list. */

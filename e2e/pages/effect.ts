@@ -1,7 +1,13 @@
-import type { Locator } from "@playwright/test";
+import { expect, type Locator } from "@playwright/test";
 import type { Context } from "./turnwise.ts";
 
 type Cell = "passes" | "infeed" | "time" | "chip" | "residual" | "proof";
+
+/** Any verdict that the path is proved, in the words of a language. */
+export function provedIn({ findings: { verdict } }: Context["t"]): RegExp {
+  const [proved = ""] = verdict.proved.split(/[\s:：]/);
+  return new RegExp(`^(${proved}|${verdict.holderUnknown})`);
+}
 
 /** What the values do, updated while they are typed. */
 export class Effect {
@@ -13,12 +19,18 @@ export class Effect {
 
   /** The value of one cell, found by its name. */
   cell(cell: Cell): Locator {
-    const name = this.context.page.getByRole("term").filter({ hasText: this.context.t.page.effect[cell] });
+    const { page, t } = this.context;
+    const name = page.getByRole("term").filter({ hasText: cell === "proof" ? t.findings.verdict.title : t.page.effect[cell] });
     return this.strip.locator("div").filter({ has: name }).getByRole("definition");
   }
 
-  /** The button that leads to the list of problems; absent when there are none. */
-  get problems(): Locator {
+  /** Waits until the program as it stands is proved. */
+  async proved(): Promise<void> {
+    await expect(this.cell("proof")).toHaveText(provedIn(this.context.t));
+  }
+
+  /** The button that leads to the list of findings; absent when there are none. */
+  get findings(): Locator {
     return this.strip.getByRole("button");
   }
 }

@@ -31,12 +31,9 @@ export class Lathe {
     return this.view.getByRole("group", { name: this.context.t.lathe.now, exact: true });
   }
 
-  get findings(): Locator {
-    return this.view.getByRole("region", { name: this.context.t.lathe.findings, exact: true });
-  }
-
-  get residual(): Locator {
-    return this.view.getByRole("region", { name: this.context.t.lathe.residualTitle, exact: true });
+  /** The mark of a finding in the picture: a number, or a letter for what stays. */
+  mark(mark: string): Locator {
+    return this.view.getByRole("button", { name: new RegExp(`^${mark}: `) });
   }
 
   /** Moves the held clock on; the page has to be opened with `heldClock`. */

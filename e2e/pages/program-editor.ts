@@ -2,7 +2,7 @@ import { expect, type Locator } from "@playwright/test";
 import type { Context } from "./turnwise.ts";
 
 type Example = keyof Context["t"]["editor"]["examples"];
-type Section = keyof Context["t"]["editor"]["sections"];
+type Section = keyof Context["t"]["editor"]["sections"] | "findings";
 
 /** Whole programs: opening, the text, the list of parts, the dialog of a block. */
 export class ProgramEditor {
@@ -43,7 +43,7 @@ export class ProgramEditor {
   }
 
   async show(section: Section): Promise<void> {
-    const tab = this.context.page.getByRole("tab", { name: new RegExp(`^${this.words.sections[section]}`) });
+    const tab = this.context.page.getByRole("tab", { name: new RegExp(`^${section === "findings" ? this.context.t.findings.title : this.words.sections[section]}`) });
     if (await tab.count()) await tab.click();
   }
 

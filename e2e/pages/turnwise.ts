@@ -5,7 +5,7 @@ import { ContourTable } from "./contour-table.ts";
 import { Dialog } from "./dialog.ts";
 import { Effect } from "./effect.ts";
 import { Lathe } from "./lathe.ts";
-import { Problems } from "./problems.ts";
+import { Findings } from "./findings.ts";
 import { ProgramEditor } from "./program-editor.ts";
 import { ProgramText } from "./program-text.ts";
 import { SettingsPage } from "./settings.ts";
@@ -34,7 +34,7 @@ export class Turnwise {
   readonly setup: Setup;
   readonly contour: ContourTable;
   readonly effect: Effect;
-  readonly problems: Problems;
+  readonly findings: Findings;
   readonly lathe: Lathe;
   readonly program: ProgramText;
   readonly editor: ProgramEditor;
@@ -50,7 +50,7 @@ export class Turnwise {
     this.setup = new Setup(context);
     this.contour = new ContourTable(context);
     this.effect = new Effect(context);
-    this.problems = new Problems(context);
+    this.findings = new Findings(context);
     this.lathe = new Lathe(context);
     this.program = new ProgramText(context);
     this.editor = new ProgramEditor(context);
@@ -73,8 +73,8 @@ export class Turnwise {
   }
 
   /** Shows one of the panels that take turns; on a wide screen some are always there. */
-  async show(section: "prompts" | "setup" | "contour" | "problems" | "program"): Promise<void> {
-    const tab = this.page.getByRole("tab", { name: new RegExp(`^${this.t.page[section]}`) });
+  async show(section: "prompts" | "setup" | "contour" | "findings" | "program"): Promise<void> {
+    const tab = this.page.getByRole("tab", { name: new RegExp(`^${section === "findings" ? this.t.findings.title : this.t.page[section]}`) });
     await this.page.getByRole("tablist").first().waitFor();
     if (await tab.count()) await tab.click();
   }

@@ -4,12 +4,14 @@ import { CycleDialog } from "./dialog/CycleDialog.tsx";
 import { setContour } from "./edits.ts";
 import { EffectStrip } from "./effect/EffectStrip.tsx";
 import { useOutcome } from "./engine/outcome.ts";
+import { FindingsPanel } from "./findings/FindingsPanel.tsx";
+import { useJobHost } from "./findings/use-job-host.ts";
+import { useListed } from "./findings/use-findings.ts";
 import { Icon } from "./Icon.tsx";
+import { LeavingDialog } from "./leaving/LeavingDialog.tsx";
 import { LatheView } from "./lathe/LatheView.tsx";
 import { usePlace, type JobSection } from "./place.ts";
 import { playback } from "./playback.ts";
-import { ProblemList } from "./problems/ProblemList.tsx";
-import { isOpen, useProblems } from "./problems/problems.ts";
 import { ProgramPanel } from "./program/ProgramPanel.tsx";
 import type { JobReading } from "./reading.ts";
 import { SectionTabs } from "./SectionTabs.tsx";
@@ -26,23 +28,24 @@ const WIDE = "(min-width: 1280px)";
 
 /** Prompts, lathe and program of the open job. */
 export function Workplace({ read }: { readonly read: JobReading }) {
-  const t = useTexts().page;
+  const { page: t, findings: { title: findingsTitle } } = useTexts();
   const language = useSettings((s) => s.language);
   const wide = useMedia(WIDE);
   const folded = useSettings((s) => s.programFolded);
   const asked = usePlace((p) => p.section);
   const shown = useOutcome((s) => s.shown);
   const dimmed = useOutcome((s) => s.dimmed);
-  const problems = useProblems().filter((p) => !isOpen(p));
+  const findings = useListed();
+  const host = useJobHost(read);
   const free = read.cycle.contour === "free";
-  const possible: readonly JobSection[] = ["prompts", "setup", ...(free ? ["contour" as const] : []), "problems", ...(wide ? [] : ["program" as const])];
+  const possible: readonly JobSection[] = ["prompts", "setup", ...(free ? ["contour" as const] : []), "findings", ...(wide ? [] : ["program" as const])];
   const open = possible.find((section) => section === asked) ?? "prompts";
 
   const content: Readonly<Record<JobSection, ReactNode>> = {
     prompts: <CycleDialog read={read} />,
     setup: <SetupPanel read={read} />,
     contour: <Suspense><ContourTable rows={read.job.contour} onChange={setContour} language={language} /></Suspense>,
-    problems: <ProblemList />,
+    findings: <FindingsPanel host={host} />,
     program: <ProgramPanel read={read} foldable={false} />,
   };
 
@@ -52,8 +55,8 @@ export function Workplace({ read }: { readonly read: JobReading }) {
         <SectionTabs
           name={t.sections} open={open}
           tabs={possible.map((section) => ({
-            section, name: t[section], content: content[section], stays: section === "prompts",
-            ...(section === "problems" && problems[0] ? { badge: { count: problems.length, severity: problems[0].issue.severity } } : {}),
+            section, name: section === "findings" ? findingsTitle : t[section], content: content[section], stays: section === "prompts",
+            ...(section === "findings" && findings[0] ? { badge: { count: findings.length, severity: findings[0].issue.severity } } : {}),
           }))}
         />
       </div>
@@ -72,6 +75,7 @@ export function Workplace({ read }: { readonly read: JobReading }) {
             : <ProgramPanel read={read} foldable />}
         </div>
       )}
+      <LeavingDialog />
     </main>
   );
 }

@@ -1,3 +1,4 @@
+import { useCallback } from "react";
 import { cycleByNumber } from "../cycles/index.ts";
 import type { Language } from "../i18n/languages.ts";
 import type { Texts } from "../i18n/index.ts";
@@ -20,5 +21,5 @@ export function useIssueText(): (found: AnyIssue) => string {
   const texts = useTexts();
   const language = useSettings((s) => s.language);
   const cycle = usePromptedJob()?.cycle ?? null;
-  return (found) => issueText(texts, language, found, cycle);
+  return useCallback((found) => issueText(texts, language, found, cycle), [texts, language, cycle]);
 }

@@ -1,7 +1,7 @@
 import { create } from "zustand";
 
 /** The parts of the page that take turns where there is little room. */
-export type JobSection = "prompts" | "setup" | "contour" | "problems" | "program";
+export type JobSection = "prompts" | "setup" | "contour" | "findings" | "program";
 /** Those of a whole program: its text, the dialog of one block, the list of its parts. */
 export type ProgramSection = "text" | "block" | "structure" | "findings";
 export type Section = JobSection | ProgramSection;

@@ -1,13 +1,13 @@
 import { create } from "zustand";
 import type { Job } from "../program/job.ts";
-import type { Problem } from "./problems/problems.ts";
+import type { Entry } from "./findings/entry.ts";
 import { useEditor } from "./store.ts";
 
 /** A cycle block of the open program whose prompts are shown, dressed as a job. */
 export interface PromptedBlock {
   readonly job: Job;
   /** What is wrong with this block only. */
-  readonly problems: readonly Problem[];
+  readonly problems: readonly Entry[];
   /** Writes a prompt into the block's text. */
   readonly setPrompt: (q: string, text: string) => void;
 }

@@ -5,6 +5,7 @@ import type { CyclesTexts } from "./cycle-text.ts";
 import type { DialogTexts } from "./en/dialog.ts";
 import type { HelpTexts } from "./en/help.ts";
 import type { EditorTexts } from "./en/editor.ts";
+import type { FindingsTexts } from "./en/findings.ts";
 import { en } from "./en/index.ts";
 import type { LatheTexts } from "./en/lathe.ts";
 import type { MessagesTexts } from "./message-texts.ts";
@@ -27,6 +28,7 @@ export interface Texts {
   readonly tools: ToolsTexts;
   readonly editor: EditorTexts;
   readonly approach: ApproachTexts;
+  readonly findings: FindingsTexts;
   readonly messages: MessagesTexts;
   readonly params: ParamsTexts;
   readonly cycles: CyclesTexts;

@@ -1,6 +1,7 @@
 import { useState } from "react";
 import { createRoot } from "react-dom/client";
 import { ApproachDialog } from "../../src/app/approach/ApproachDialog.tsx";
+import { entryAt } from "../../src/app/findings/entry.ts";
 import { PlaneView } from "../../src/app/approach/PlaneView.tsx";
 import { clock } from "../../src/app/clock.ts";
 import { createPlaybackStore } from "../../src/app/lathe/playback-store.ts";
@@ -33,7 +34,7 @@ function Page() {
     <main style={{ display: "grid", gridTemplateColumns: asked.has("view") ? "1fr" : "400px 1fr", height: "100vh" }}>
       {!asked.has("view") && statement?.kind === "approach" && (
         <ApproachDialog statement={statement} context={approachContext(program, index, made, {})} onChange={(next) => change(withBlock(program, index, next))}
-          found={made.issues.filter((f) => f.line !== null && f.block === (made.approaches.find((a) => a.index === index)?.block ?? -1)).map((f) => ({ issue: f.issue, at: ("at" in f.issue ? f.issue.at : undefined) ?? null, block: f.block }))} />
+          found={made.issues.filter((f) => f.line !== null && f.block === (made.approaches.find((a) => a.index === index)?.block ?? -1)).map((f) => entryAt(f.issue, ("at" in f.issue ? f.issue.at : undefined) ?? null, f.block))} />
       )}
       <PlaneView run={made} dimmed={false} playback={playback} clock={clock} />
     </main>

@@ -6,7 +6,7 @@ import { readyApproach, wordsOfPoint, type ApproachContext } from "../../program
 import type { Dragged } from "../../view/approach/drag.ts";
 import type { ValueField } from "../dialog/ValueInput.tsx";
 import { Icon } from "../Icon.tsx";
-import type { Problem } from "../problems/problems.ts";
+import type { Entry } from "../findings/entry.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { useFingers } from "../use-fingers.ts";
 import { ApproachChooser } from "./ApproachChooser.tsx";
@@ -25,7 +25,7 @@ interface Props {
   /** What stands round the block: `approachContext` makes it from program and run. */
   readonly context: ApproachContext;
   /** What the last run found at this block. */
-  readonly found?: readonly Problem[];
+  readonly found?: readonly Entry[];
   /** Begins with the choice of a form. */
   readonly choosing?: boolean;
   /** Changes with the same place, one after the other, are one step of undo; null is a step of its own. */

@@ -4,7 +4,7 @@ import type { ApproachField, WorkingPlane } from "../../program/approach-fields.
 import { formatNumber } from "../../i18n/number.ts";
 import { FieldMessage } from "../dialog/FieldMessage.tsx";
 import type { ValueField } from "../dialog/ValueInput.tsx";
-import type { Problem } from "../problems/problems.ts";
+import type { Entry } from "../findings/entry.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { SideInput } from "./SideInput.tsx";
@@ -22,7 +22,7 @@ export function OpenPrompt({ open, place, plane, inch, text, reading, problems, 
   readonly text: string;
   readonly reading: WordReading | undefined;
   /** What concerns this word, and the block as a whole. */
-  readonly problems: readonly Problem[];
+  readonly problems: readonly Entry[];
   readonly prompts: Prompts;
   readonly ownKeypad: boolean;
   readonly field: RefObject<ValueField | null>;
@@ -58,7 +58,7 @@ export function OpenPrompt({ open, place, plane, inch, text, reading, problems, 
         {open.incremental && <span>{t.approach.incremental}</span>}
       </p>
       <div className="about" id={`${id}-about`} tabIndex={0} role="group" aria-label={t.dialog.aboutPrompt(wordName(open.word))}>
-        <div role="status" aria-label={t.page.problems}>
+        <div role="status" aria-label={t.findings.title}>
           {problems.map((problem, i) => (
             <FieldMessage
               key={i} problem={problem} decimals={3} calm={problem.issue.code === "missing"} {...(problem.at !== null && problem.at !== open.word ? { place: problem.at } : {})}

@@ -3,13 +3,15 @@ import type { Run } from "../../program/run-types.ts";
 import { planeScene, PLANE_ROLES } from "../../view/approach/plane-scene.ts";
 import { trackOf } from "../../view/playback.ts";
 import type { Clock } from "../clock.ts";
-import { useIssueText } from "../issue-text.ts";
+import { FindingsLine } from "../findings/FindingsLine.tsx";
 import { GlyphButton } from "../lathe/GlyphButton.tsx";
 import { pressKey } from "../lathe/keys.ts";
 import { PlaceButtons, PlaceLines } from "../lathe/PlaceButtons.tsx";
+import { usePlaces } from "../lathe/places.ts";
 import { PlaybackBar } from "../lathe/PlaybackBar.tsx";
 import type { PlaybackStore } from "../lathe/playback-store.ts";
 import { Timeline } from "../lathe/Timeline.tsx";
+import { useLooking } from "../lathe/use-looking.ts";
 import { useStage } from "../lathe/use-stage.ts";
 import { usePlayback } from "../lathe/use-playback.ts";
 import { createViewport } from "../lathe/viewport.ts";
@@ -20,10 +22,10 @@ import { useTexts } from "../settings/use-texts.ts";
 import { DepthPicture } from "./DepthPicture.tsx";
 import { FreePoints } from "./FreePoints.tsx";
 import { noMeasuring } from "./no-measuring.ts";
-import { PlaneFindings } from "./PlaneFindings.tsx";
 import { PlanePicture } from "./PlanePicture.tsx";
-import { cutPlaces } from "./plane-places.ts";
+import { cutPlace } from "./plane-places.ts";
 import { PlanePoints } from "./PlanePoints.tsx";
+import { PointTable } from "./PointTable.tsx";
 import { momentSentence, PlaneReadout, SpokenMoment } from "./PlaneReadout.tsx";
 import { approachSpeech } from "./speech.ts";
 import "../help/help.css";
@@ -44,10 +46,8 @@ export function PlaneView({ run, dimmed, playback, clock, children }: {
 }) {
   const texts = useTexts(), t = texts.lathe, own = texts.approach, id = useId();
   const { language, motion } = useSettings();
-  const say = useIssueText();
   const [viewport] = useState(() => createViewport(true));
   const [tools, showTools] = useState(false);
-  const [picked, pick] = useState<string | null>(null);
   const { plane: steps } = run;
   const approaches = useMemo(() => run.approaches.filter((a) => a.plane === "XY"), [run]);
   const scene = useMemo(() => planeScene(steps, approaches.map((a) => a.contour), new Set(approaches.map((a) => a.index))), [steps, approaches]);
@@ -67,13 +67,9 @@ export function PlaneView({ run, dimmed, playback, clock, children }: {
     () => own.viewPicture(resting >= 0 ? momentSentence(texts, language, steps, approaches, playback.shown()) : ""),
     [own, texts, language, steps, approaches, playback, resting],
   );
-  const places = useMemo(() => cutPlaces(run.issues, steps, say, own.cutsAt), [run, steps, say, own]);
-  const chosen = places.find((p) => p.id === picked) ?? null;
-  const choose = (next: string | null) => {
-    pick(next);
-    const place = places.find((p) => p.id === next);
-    if (place) playback.dispatch({ do: "seek", position: place.position });
-  };
+  const found = usePlaces("XY");
+  const places = useMemo(() => (dimmed ? [] : found.flatMap((place) => cutPlace(place) ?? [])), [dimmed, found]);
+  const { chosen, choose } = useLooking(places, viewport, playback);
   const lines = { contour: texts.contour.title, rapid: t.rapid, feed: own.feedMove, lead: `${own.approach} / ${own.departure}` };
   const there = PLANE_ROLES.filter((role) => role !== "contour" && scene.shapes.some((s) => s.role === role));
   return (
@@ -100,7 +96,7 @@ export function PlaneView({ run, dimmed, playback, clock, children }: {
           <FreePoints viewport={viewport} places={places} speech={speech} />
           <PlaceLines viewport={viewport} places={places} />
         </PlanePicture>
-        <PlaceButtons viewport={viewport} places={places} chosen={chosen} choose={(place) => choose(place?.id ?? null)} />
+        <PlaceButtons viewport={viewport} places={places} chosen={chosen} choose={choose} />
         {dimmed && <p className="lathe-outdated small">{t.outdated}</p>}
         <p id={`${id}keys`} className="unseen">{t.keys}</p>
       </div>
@@ -111,7 +107,10 @@ export function PlaneView({ run, dimmed, playback, clock, children }: {
       </PlaybackBar>
       <Timeline run={timed} playback={playback} />
       <SpokenMoment steps={steps} approaches={approaches} playback={playback} clock={clock} />
-      <PlaneFindings approaches={approaches} places={places} chosen={chosen} choose={choose} speech={speech} />
+      <div className="lathe-more">
+        <FindingsLine />
+        <PointTable approaches={approaches} speech={speech} />
+      </div>
     </section>
   );
 }

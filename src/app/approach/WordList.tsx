@@ -1,7 +1,7 @@
 import type { ApproachDraft, ApproachReading } from "../../program/approach-draft.ts";
 import type { ApproachField, ApproachWord, WorkingPlane } from "../../program/approach-fields.ts";
 import { Icon } from "../Icon.tsx";
-import { isOpen, type Problem } from "../problems/problems.ts";
+import { isOpen, type Entry } from "../findings/entry.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { shownWord, unitText, wordName, wordTexts } from "./words.ts";
@@ -12,7 +12,7 @@ export function WordList({ fields, plane, draft, reading, problems, open, goTo, 
   readonly plane: WorkingPlane;
   readonly draft: ApproachDraft;
   readonly reading: ApproachReading;
-  readonly problems: readonly Problem[];
+  readonly problems: readonly Entry[];
   readonly open: ApproachWord | null;
   readonly goTo: (word: ApproachWord) => void;
   readonly inch: boolean;
@@ -30,7 +30,7 @@ export function WordList({ fields, plane, draft, reading, problems, open, goTo, 
           <li key={f.word}>
             <button
               type="button" className="prompt-line" tabIndex={f.word === (open ?? fields[0]?.word) ? 0 : -1} aria-current={f.word === open ? "step" : undefined}
-              aria-label={t.approach.row(wordName(f.word), label, `${shown} ${unit}`.trim()) + (worst ? `, ${t.page.problem.severities[worst]}` : "")}
+              aria-label={t.approach.row(wordName(f.word), label, `${shown} ${unit}`.trim()) + (worst ? `, ${t.findings.severities[worst]}` : "")}
               onClick={() => goTo(f.word)}
             >
               <span className="number line-q">{wordName(f.word)}</span>

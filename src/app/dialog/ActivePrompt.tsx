@@ -4,7 +4,8 @@ import type { ParamTextId } from "../../cycles/index.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import { setPrompt } from "../edits.ts";
 import { usePlace } from "../place.ts";
-import { isOpen, useProblems, type Problem } from "../problems/problems.ts";
+import { isOpen, type Entry } from "../findings/entry.ts";
+import { usePromptFindings } from "../findings/use-findings.ts";
 import { usePrompted } from "../prompted.ts";
 import type { JobReading } from "../reading.ts";
 import { useSettings } from "../settings/settings.ts";
@@ -29,7 +30,7 @@ export function ActivePrompt({ read, q, param, ownKeypad, field }: Props) {
   const t = useTexts();
   const id = useId();
   const language = useSettings((s) => s.language);
-  const every = useProblems();
+  const every = usePromptFindings();
   const problems = every.filter((p) => p.at === q);
   const elsewhere = every.filter((p) => p.at !== null && p.at !== q && "other" in p.issue.data && p.issue.data.other === q);
   const card = useRef<HTMLElement>(null);
@@ -48,7 +49,7 @@ export function ActivePrompt({ read, q, param, ownKeypad, field }: Props) {
     return t.dialog.value(at, other ? t.params[other.text as ParamTextId].label : "");
   };
   const untouched = usePlace((p) => p.before.trim() === "");
-  const calm = (problem: Problem) => isOpen(problem) && (untouched || problem.issue.code === "unknownParameter");
+  const calm = (problem: Entry) => isOpen(problem) && (untouched || problem.issue.code === "unknownParameter");
   const inBlock = usePrompted((p) => p.block !== null);
   const name = t.dialog.value(q, words.prompt);
   const take = (value: string) => {
@@ -99,7 +100,7 @@ export function ActivePrompt({ read, q, param, ownKeypad, field }: Props) {
         )}
       </p>
       <div className="about" id={`${id}-about`} tabIndex={0} role="group" aria-label={t.dialog.aboutPrompt(q)}>
-        <div role="status" aria-label={t.page.problems}>
+        <div role="status" aria-label={t.findings.title}>
           {problems.map((problem, i) => (
             <FieldMessage key={i} problem={problem} calm={calm(problem)} decimals={param.decimals} onTake={(n) => take(String(n))} parameterField={!inBlock} />
           ))}

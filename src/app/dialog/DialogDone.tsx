@@ -1,30 +1,47 @@
 import { useLayoutEffect, useRef } from "react";
-import { CopyButton } from "../program/CopyButton.tsx";
+import { isError } from "../findings/entry.ts";
+import { usePromptFindings, useVerdict } from "../findings/use-findings.ts";
+import { toneOf } from "../findings/verdict.ts";
+import { VerdictText } from "../findings/VerdictText.tsx";
 import { Icon } from "../Icon.tsx";
-import { mayTakeKeyboard, usePlace } from "../place.ts";
-import { useProblems } from "../problems/problems.ts";
+import { mayTakeKeyboard, showSection, usePlace } from "../place.ts";
+import { CopyButton } from "../program/CopyButton.tsx";
+import { usePrompted } from "../prompted.ts";
 import type { JobReading } from "../reading.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { goTo, promptsOf, step } from "./prompts.ts";
 
-/** The end of the dialog: what is still open, or the program to take along. */
+/** The end of the dialog: what is still open, what is wrong, or the program to take along. */
 export function DialogDone({ read }: { readonly read: JobReading }) {
-  const t = useTexts().dialog.done;
+  const { dialog: { done: t, active }, findings: words } = useTexts();
   const focus = usePlace((p) => p.focus);
+  const inBlock = usePrompted((p) => p.block !== null);
   const box = useRef<HTMLElement>(null);
-  const errors = useProblems().filter((p) => p.issue.severity === "error" && p.at !== null && p.at in read.cycle.params);
-  const open = [...new Set(errors.map((p) => p.at ?? ""))];
+  const entries = usePromptFindings();
+  const verdict = useVerdict();
+  const errors = entries.filter(isError);
+  const open = [...new Set(errors.flatMap((e) => (e.at !== null && e.at in read.cycle.params ? [e.at] : [])))];
+  const noContour = errors.some((e) => e.at === "contour" && e.issue.code === "contourMissing");
   const first = promptsOf(read.cycle)[0] ?? null;
+  const kind = open.length > 0 ? "open" : noContour && !inBlock ? "contour" : errors.length > 0 ? "faults" : "complete";
+  const title = kind === "open" ? t.open(open.length) : kind === "contour" ? words.done.contour : kind === "faults" ? words.done.faults(errors.length) : t.title;
+  const tone = kind === "complete" ? toneOf(verdict) : "bad";
+  const was = useRef(focus);
 
   useLayoutEffect(() => {
-    if (focus > 0 && mayTakeKeyboard()) box.current?.querySelector<HTMLElement>("button")?.focus({ preventScroll: true });
-  }, [focus]);
+    const asked = was.current !== focus || focus > 0;
+    was.current = focus;
+    const lost = document.activeElement === document.body;
+    if (asked && (lost || !box.current?.contains(document.activeElement)) && mayTakeKeyboard()) {
+      box.current?.querySelector<HTMLElement>("button")?.focus({ preventScroll: true });
+    }
+  }, [focus, kind]);
 
   return (
     <section
       className="active-prompt dialog-done"
       ref={box}
-      aria-label={useTexts().dialog.active}
+      aria-label={active}
       onKeyDown={(event) => {
         if (event.key !== "ArrowUp") return;
         event.preventDefault();
@@ -32,15 +49,17 @@ export function DialogDone({ read }: { readonly read: JobReading }) {
       }}
     >
       <div role="status">
-        <h2 className={open.length > 0 ? "done-open" : "done-complete"}>
-          <Icon name={open.length > 0 ? "error" : "check"} />
-          {open.length > 0 ? t.open(open.length) : t.title}
+        <h2 className={`done-${tone === "good" ? "complete" : tone === "bad" ? "open" : "doubt"}`}>
+          <Icon name={tone === "bad" ? "error" : tone === "doubt" ? "warning" : "check"} />
+          {title}
         </h2>
+        {kind === "complete" && !inBlock && verdict.state !== "none" && <p className="done-verdict"><VerdictText verdict={verdict} reasons={1} /></p>}
       </div>
       <div className="done-buttons">
-        {open.length > 0
-          ? <button type="button" className="button primary" onClick={() => goTo(open[0] ?? first)}>{t.firstOpen}: {open[0]}</button>
-          : <CopyButton className="primary" long />}
+        {kind === "open" && <button type="button" className="button primary" onClick={() => goTo(open[0] ?? first)}>{t.firstOpen}: {open[0]}</button>}
+        {kind === "contour" && <button type="button" className="button primary" onClick={() => showSection("contour")}>{words.done.toContour}</button>}
+        {kind === "faults" && <button type="button" className="button primary" onClick={() => showSection("findings")}>{words.leaving.look}</button>}
+        {kind === "complete" && <CopyButton main long />}
         <button type="button" className="button" onClick={() => goTo(first)}>{t.first}</button>
       </div>
     </section>

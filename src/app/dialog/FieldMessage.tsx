@@ -1,13 +1,13 @@
 import { Icon } from "../Icon.tsx";
 import { goToField } from "../place.ts";
-import type { Problem } from "../problems/problems.ts";
+import type { Entry } from "../findings/entry.ts";
 import { useIssueText } from "../issue-text.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { writeTyped } from "./write-value.ts";
 
 interface Props {
-  readonly problem: Problem;
+  readonly problem: Pick<Entry, "issue">;
   /** Decimals that the control keeps of the value. */
   readonly decimals: number;
   /** The field it belongs to, where that is another one than the one it stands at. */
@@ -32,7 +32,7 @@ export function FieldMessage({ problem, decimals, place, calm = false, onTake, p
     <div className={`field-message ${shown}`}>
       <Icon name={shown} />
       <p>
-        <span className="unseen">{t.page.problem.severities[shown]}: </span>
+        <span className="unseen">{t.findings.severities[shown]}: </span>
         {place !== undefined && <b>{place}: </b>}
         {say(issue)}
       </p>

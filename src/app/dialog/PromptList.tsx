@@ -2,7 +2,8 @@ import { useEffect, useRef } from "react";
 import type { ParamTextId } from "../../cycles/index.ts";
 import { Icon } from "../Icon.tsx";
 import { usePlace } from "../place.ts";
-import { isOpen, useProblems } from "../problems/problems.ts";
+import { isOpen } from "../findings/entry.ts";
+import { usePromptFindings } from "../findings/use-findings.ts";
 import type { JobReading } from "../reading.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
@@ -14,7 +15,7 @@ export function PromptList({ read }: { readonly read: JobReading }) {
   const t = useTexts();
   const language = useSettings((s) => s.language);
   const active = usePlace((p) => p.prompt);
-  const problems = useProblems();
+  const problems = usePromptFindings();
   const list = useRef<HTMLOListElement>(null);
   const first = Object.keys(read.cycle.params)[0];
 
@@ -37,7 +38,7 @@ export function PromptList({ read }: { readonly read: JobReading }) {
         const shown = field?.empty ? (param.optional ? t.dialog.noEntry : t.dialog.noValue) : (written ?? read.draft[q] ?? "");
         const unit = written === null || field?.empty || field?.value === "auto" ? "" : t.dialog.units[unitOf(param, read.job.perRevolution)];
         const worst = problems.find((p) => p.at === q && !isOpen(p))?.issue.severity;
-        const note = worst ? `, ${t.page.problem.severities[worst]}` : "";
+        const note = worst ? `, ${t.findings.severities[worst]}` : "";
         return (
           <li key={q}>
             <button

@@ -3,6 +3,9 @@ import { MachineView } from "../approach/MachineView.tsx";
 import { shownBlock } from "../approach/shown-view.ts";
 import { clock } from "../clock.ts";
 import { useOutcome } from "../engine/outcome.ts";
+import { FindingsPanel } from "../findings/FindingsPanel.tsx";
+import { useListed } from "../findings/use-findings.ts";
+import { LeavingDialog } from "../leaving/LeavingDialog.tsx";
 import { showSection, usePlace, type ProgramSection } from "../place.ts";
 import { playback } from "../playback.ts";
 import { beforeLeaving } from "../saving/keep.ts";
@@ -11,13 +14,12 @@ import { useTexts } from "../settings/use-texts.ts";
 import { useEditor } from "../store.ts";
 import { useMedia } from "../use-fingers.ts";
 import { BlockPanel } from "./BlockPanel.tsx";
-import { FindingsPanel } from "./FindingsPanel.tsx";
 import { followProgram } from "./follow.ts";
 import { closeSession, flush, openBlock, openSession } from "./session.ts";
 import { StructurePanel } from "./StructurePanel.tsx";
 import { TextPanel } from "./TextPanel.tsx";
 import { TotalsStrip } from "./TotalsStrip.tsx";
-import { useFindings } from "./use-findings.ts";
+import { useProgramHost } from "./use-program-host.ts";
 import { WIDE } from "./wide.ts";
 import "./editor.css";
 
@@ -49,13 +51,14 @@ function openMove(step: number): void {
 
 /** Blocks, lathe and text of a whole program. */
 export function ProgramWorkplace() {
-  const t = useTexts().editor;
+  const { editor: t, findings: words } = useTexts();
   const wide = useMedia(WIDE);
   // What opens a prompt asks for the prompts: here they are those of the block.
   const asked = usePlace((p) => (p.section === "prompts" ? "block" : p.section));
   const shown = useOutcome((s) => s.shown);
   const dimmed = useOutcome((s) => s.dimmed);
-  const findings = useFindings();
+  const findings = useListed();
+  const host = useProgramHost();
   useProgramSession();
   const possible: readonly ProgramSection[] = [...(wide ? [] : ["text" as const]), "block", "structure", "findings"];
   const open = possible.find((section) => section === asked) ?? (wide ? "structure" : "text");
@@ -63,7 +66,7 @@ export function ProgramWorkplace() {
     text: <TextPanel toBlock={() => showSection("block")} />,
     block: <BlockPanel />,
     structure: <StructurePanel />,
-    findings: <FindingsPanel />,
+    findings: <FindingsPanel host={host} />,
   };
   return (
     <main className="workplace program-work">
@@ -71,7 +74,7 @@ export function ProgramWorkplace() {
         <SectionTabs
           name={t.sectionsName} open={open}
           tabs={possible.map((section) => ({
-            section, name: t.sections[section], content: content[section],
+            section, name: section === "findings" ? words.title : t.sections[section], content: content[section],
             ...(section === "findings" && findings[0] ? { badge: { count: findings.length, severity: findings[0].issue.severity } } : {}),
           }))}
         />
@@ -81,6 +84,7 @@ export function ProgramWorkplace() {
         <MachineView result={shown} dimmed={dimmed} playback={playback} clock={clock} onMove={openMove} />
       </div>
       {wide && <div className="right"><TextPanel /></div>}
+      <LeavingDialog />
     </main>
   );
 }

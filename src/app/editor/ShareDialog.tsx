@@ -1,11 +1,14 @@
 import { useRef, useState } from "react";
 import { formatNumber } from "../../i18n/number.ts";
 import { Icon } from "../Icon.tsx";
+import type { Verdict } from "../findings/verdict.ts";
+import { VerdictText } from "../findings/VerdictText.tsx";
+import { mayLeave } from "../leaving/leaving.ts";
 import { copyText, useCopying } from "../program/copy.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { LONGEST_LINK } from "../files/limits.ts";
-import { programText } from "./session.ts";
+import { flush, programText } from "./session.ts";
 import { shareLink } from "./share.ts";
 
 /** Links longer than this are cut by many programs, characters. */
@@ -19,15 +22,22 @@ export function ShareDialog() {
   const language = useSettings((s) => s.language);
   const dialog = useRef<HTMLDialogElement>(null);
   const [link, setLink] = useState("");
+  const [verdict, setVerdict] = useState<Verdict | null>(null);
   const copied = useCopying((c) => c.state === "copied" && c.text === link);
   return (
     <>
       <button
         type="button" className="button"
         onClick={() => {
-          const made = shareLink(pageAddress(), programText() ?? "");
-          setLink(made.length > LONGEST_LINK ? "" : made);
-          dialog.current?.showModal();
+          flush();
+          const text = programText() ?? "";
+          void mayLeave("share", text).then((allowed) => {
+            if (!allowed) return;
+            setVerdict(allowed);
+            const made = shareLink(pageAddress(), text);
+            setLink(made.length > LONGEST_LINK ? "" : made);
+            dialog.current?.showModal();
+          });
         }}
       >
         {t.editor.share}
@@ -41,6 +51,7 @@ export function ShareDialog() {
         </label>
         {link === "" && <p className="field-message warning"><Icon name="warning" /> {t.editor.shareTooLong}</p>}
         {link.length > SAFE && <p className="field-message warning"><Icon name="warning" /> {t.editor.shareLong}</p>}
+        {verdict && <p><VerdictText verdict={verdict} reasons={2} /></p>}
         <div className="program-ways">
           <button type="button" className="button primary" disabled={link === ""} onClick={() => void copyText(link)}>
             <Icon name={copied ? "check" : "copy"} /> {copied ? t.page.text.copied : t.editor.copyLink}

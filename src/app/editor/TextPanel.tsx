@@ -1,8 +1,10 @@
 import { useEffect, useRef, useState } from "react";
 import { writeFile, canSaveFiles } from "../files/file-handle.ts";
 import { Icon } from "../Icon.tsx";
-import { copyText, useCopying } from "../program/copy.ts";
-import { blockCount } from "../printed.ts";
+import { useVerdict } from "../findings/use-findings.ts";
+import { CopyStatus } from "../leaving/CopyStatus.tsx";
+import { mayLeave, type Way } from "../leaving/leaving.ts";
+import { copyProgram, useCopying } from "../program/copy.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { useEditor } from "../store.ts";
 import { encode } from "./encoding.ts";
@@ -18,7 +20,8 @@ export function TextPanel({ toBlock }: { readonly toBlock?: () => void }) {
   const box = useRef<HTMLDivElement>(null);
   const name = useEditor((s) => s.program?.name ?? "");
   const ready = useSession((s) => s.reading);
-  const copied = useCopying((c) => c.state === "copied");
+  const { faults } = useVerdict();
+  const copied = useCopying((c) => c.state === "copied" && c.verdict !== null);
   const [saving, setSaving] = useState<Saving>(null);
 
   useEffect(() => {
@@ -29,8 +32,12 @@ export function TextPanel({ toBlock }: { readonly toBlock?: () => void }) {
   }, [ready]);
 
   const bytes = () => encode(programText() ?? "", useEditor.getState().program?.encoding ?? "utf-8");
-  const save = async () => {
+  const allowed = (way: Way) => {
     flush();
+    return mayLeave(way, programText() ?? "");
+  };
+  const save = async () => {
+    if (!(await allowed("save"))) return;
     const { work } = useEditor.getState();
     if (work === null) return;
     const how = await writeFile(work, name, bytes());
@@ -42,18 +49,19 @@ export function TextPanel({ toBlock }: { readonly toBlock?: () => void }) {
       <div ref={box} className="text-editor number" />
       {toBlock && <button type="button" className="button to-block" onClick={toBlock}>{t.editor.form}</button>}
       <div className="program-buttons">
-        <button type="button" className="button" aria-label={t.page.text.copyLong} onClick={() => void copyText(programText() ?? "")}>
-          <Icon name={copied ? "check" : "copy"} /> {copied ? t.page.text.copied : t.page.text.copy}
+        <button type="button" className="button" aria-label={t.page.text.copyLong} onClick={() => {
+          flush();
+          void copyProgram(programText() ?? "");
+        }}>
+          <Icon name={faults > 0 ? "warning" : copied ? "check" : "copy"} /> {copied ? t.page.text.copied : t.page.text.copy}
         </button>
         {canSaveFiles() && <button type="button" className="button" aria-label={t.editor.saveLong(name)} onClick={() => void save()}>{t.editor.save}</button>}
-        <button type="button" className="button" aria-label={t.page.text.download(name)} onClick={() => downloadBytes(bytes(), name)}>
+        <button type="button" className="button" aria-label={t.page.text.download(name)} onClick={() => void allowed("download").then((verdict) => verdict && downloadBytes(bytes(), name))}>
           <Icon name="download" /> <span className="file-name">{name}</span>
         </button>
         <ShareDialog />
       </div>
-      <p role="status" className="small copy-status">
-        {copied ? t.page.text.copiedLong(blockCount(programText() ?? "")) : saving === "saved" ? t.editor.saved(name) : saving === "notSaved" ? t.editor.notSaved : ""}
-      </p>
+      <CopyStatus otherwise={saving === "saved" ? t.editor.saved(name) : saving === "notSaved" ? t.editor.notSaved : ""} />
     </section>
   );
 }

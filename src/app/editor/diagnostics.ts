@@ -12,7 +12,7 @@ import { readingField } from "./reading-field.ts";
 const MOST = 1500;
 
 /** Where a finding stands in the editor's text. */
-export function placeOf(state: EditorState, { issue, line }: Finding): { readonly from: number; readonly to: number } | null {
+export function placeOf(state: EditorState, { issue, line }: Pick<Finding, "issue" | "line">): { readonly from: number; readonly to: number } | null {
   if (line === null || line < 1 || line > state.doc.lines) return null;
   const at = state.doc.line(line);
   if ("column" in issue) {
@@ -23,7 +23,7 @@ export function placeOf(state: EditorState, { issue, line }: Finding): { readonl
 }
 
 /** The correction that a finding of the reader offers, in the editor's text; null without one. */
-export function fixOf(state: EditorState, finding: Finding): TransactionSpec | null {
+export function fixOf(state: EditorState, finding: Pick<Finding, "issue" | "line">): TransactionSpec | null {
   const { issue } = finding;
   const place = placeOf(state, finding);
   if (!place || !("fix" in issue) || !issue.fix) return null;
@@ -49,7 +49,7 @@ export function diagnosticsOf(view: EditorView, findings: readonly Finding[], t:
     const fix = fixOf(state, finding);
     all.push({
       ...place, severity: finding.issue.severity, message: issueText(t, language, finding.issue, cycleOf(state, place.from)),
-      ...(fix && { actions: [{ name: t.editor.fix, apply: () => {
+      ...(fix && { actions: [{ name: t.findings.fix, apply: () => {
         const now = fixOf(view.state, finding);
         if (now) dispatch(now);
       } }] }),

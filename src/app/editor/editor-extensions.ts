@@ -5,11 +5,16 @@ import { Compartment, EditorState, type Extension } from "@codemirror/state";
 import { EditorView, highlightSpecialChars, keymap } from "@codemirror/view";
 import type { Texts } from "../../i18n/index.ts";
 import type { Language } from "../../i18n/languages.ts";
+import { guardCopy } from "../leaving/whole-program.ts";
 import { KEEPS_KEYBOARD } from "../place.ts";
 import { blockMarks } from "./block-marks.ts";
 import { cycleHelp } from "./cycle-help.ts";
 import { klartext } from "./nc-language.ts";
 import { readingField } from "./reading-field.ts";
+
+/** Copying or cutting what is marked, where that is the whole program with faults in it. */
+const holdBack = (event: ClipboardEvent, { state }: EditorView): boolean =>
+  guardCopy(event, state.selection.ranges.map((range) => state.sliceDoc(range.from, range.to)).join("\n"));
 
 /** What follows the screen language. */
 const inLanguage = new Compartment();
@@ -17,7 +22,7 @@ const inLanguage = new Compartment();
 const worded = (t: Texts, language: Language): Extension => [
   cycleHelp(t, language),
   EditorView.contentAttributes.of({ "aria-label": t.page.text.title, tabindex: "0", spellcheck: "false", autocapitalize: "characters", autocorrect: "off" }),
-  EditorState.phrases.of({ "Diagnostics": t.page.problems, "No diagnostics": t.page.problem.none, "close": t.page.close }),
+  EditorState.phrases.of({ "Diagnostics": t.findings.title, "No diagnostics": t.findings.none, "close": t.page.close }),
 ];
 
 /** Puts hover help, completion and names into a screen language. */
@@ -32,5 +37,6 @@ export const editorExtensions = (mixedEnds: boolean): Extension => [
   readingField, klartext, blockMarks, lintGutter(), history({ minDepth: 1000 }), highlightSpecialChars(),
   inLanguage.of([]),
   keymap.of([...completionKeymap, ...lintKeymap, ...defaultKeymap]),
+  EditorView.domEventHandlers({ copy: holdBack, cut: holdBack }),
   EditorView.editorAttributes.of({ [KEEPS_KEYBOARD]: "" }),
 ];

@@ -1,9 +1,9 @@
 import type { ReactNode } from "react";
-import { formatFixed, formatNumber } from "../../i18n/number.ts";
-import { Icon } from "../Icon.tsx";
+import { formatFixed } from "../../i18n/number.ts";
 import { useOutcome } from "../engine/outcome.ts";
-import { showSection } from "../place.ts";
-import { isOpen, useProblems } from "../problems/problems.ts";
+import { StripStatus } from "../findings/StripStatus.tsx";
+import { useVerdict } from "../findings/use-findings.ts";
+import { VerdictText } from "../findings/VerdictText.tsx";
 import type { JobReading } from "../reading.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
@@ -11,11 +11,11 @@ import { chipArea, effectOf } from "./effect.ts";
 
 /** What the values do, while they are typed: passes, real infeed, time, chip, what stays, and the proof. */
 export function EffectStrip({ read }: { readonly read: JobReading }) {
-  const { page: t, dialog: { done: { open } } } = useTexts();
+  const { page: t, findings: words } = useTexts();
   const language = useSettings((s) => s.language);
   const shown = useOutcome((s) => s.shown);
   const dimmed = useOutcome((s) => s.dimmed);
-  const problems = useProblems();
+  const verdict = useVerdict();
   const effect = shown && effectOf(shown);
   const chip = effect && chipArea(read, effect.infeed);
   const number = (value: number | null | undefined, decimals: number) =>
@@ -28,13 +28,6 @@ export function EffectStrip({ read }: { readonly read: JobReading }) {
   );
   const minutes = effect ? Math.floor(Math.round(effect.seconds) / 60) : 0;
   const seconds = effect ? effect.seconds - (minutes > 0 ? minutes * 60 : 0) : 0;
-  const allOpen = problems.every(isOpen);
-  const worst = allOpen && problems.length > 0 ? "info" : problems[0]?.issue.severity;
-  const bad = !dimmed && effect !== null && (effect.gouge > 0 || effect.rapid > 0 || effect.holder);
-  const proof = !effect || dimmed ? t.effect.unknown
-    : effect.gouge > 0 ? t.effect.gouge(formatNumber(language, effect.gouge, 2))
-    : effect.rapid > 0 ? t.effect.rapid(formatNumber(language, effect.rapid, 2))
-    : effect.holder ? t.effect.holder : t.effect.clean;
 
   return (
     <section className="effect" aria-label={t.effect.title}>
@@ -44,19 +37,12 @@ export function EffectStrip({ read }: { readonly read: JobReading }) {
         {cell(t.effect.time, effect ? t.effect.duration(minutes, formatFixed(language, seconds, minutes > 0 ? 0 : 1)) : t.effect.unknown)}
         {cell(t.effect.chip, number(chip, 2), "mm²")}
         {cell(t.effect.residual, effect && effect.residual === 0 ? t.effect.none : number(effect?.residual, 2), effect && effect.residual > 0 ? "mm²" : "")}
-        <div className={`effect-cell proof ${bad ? "bad" : effect && !dimmed ? "good" : ""}`}>
-          <dt>{t.effect.proof}</dt>
-          <dd>{effect && !dimmed && <Icon name={bad ? "error" : "check"} />}<span>{proof}</span></dd>
+        <div className="effect-cell proof">
+          <dt>{words.verdict.title}</dt>
+          <dd><VerdictText verdict={verdict} reasons={verdict.state === "faults" ? 0 : 1} /></dd>
         </div>
       </dl>
-      <p className="effect-status" role="status">
-        {problems.length > 0 && (
-          <button type="button" className={`problem-button ${worst ?? ""}`} onClick={() => showSection("problems")}>
-            <Icon name={worst ?? "info"} /> {allOpen ? open(problems.length) : t.problem.count(problems.length)}
-          </button>
-        )}
-        {dimmed && problems.length === 0 && <span className="small">{t.effect.waiting}</span>}
-      </p>
+      <StripStatus otherwise={dimmed ? t.effect.waiting : ""} />
     </section>
   );
 }

@@ -11,9 +11,6 @@ export interface Effect {
   readonly seconds: number;
   /** mm² of the half plane. */
   readonly residual: number;
-  readonly gouge: number;
-  readonly rapid: number;
-  readonly holder: boolean;
 }
 
 /** Smaller areas are rounding of the polygon engine, mm². */
@@ -31,9 +28,6 @@ export function effectOf(outcome: Outcome): Effect {
     infeed: run.operations[0]?.plan.infeed ?? 0,
     seconds: run.seconds,
     residual: area(simulation.proof.residual.reduce((sum, r) => sum + r.area, 0)),
-    gouge: area(simulation.proof.gouge),
-    rapid: area(simulation.proof.rapidInStock),
-    holder: simulation.findings.some((f) => f.kind === "holderContact"),
   };
   effects.set(outcome, effect);
   return effect;

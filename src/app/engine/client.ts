@@ -135,10 +135,9 @@ export function startEngine(): () => void {
   return () => stops.forEach((stop) => stop());
 }
 
-/** What each tool of the table can do with the values of a job, best first; null when that cannot be said. */
-export async function fitsOf(job: Job, outcome: Outcome): Promise<readonly ToolFit[] | null> {
-  const { operations } = outcome.run;
-  const call = operations[0];
+/** What each tool of the table can do with the values of a job at a call of the run, best first; null when that cannot be said. */
+export async function fitsOf(job: Job, outcome: Outcome, operation = 0): Promise<readonly ToolFit[] | null> {
+  const call = outcome.run.operations[operation];
   if (!call) return null;
   try {
     return await inTime(started().fits(job, { start: call.start, feedUnit: call.feedUnit, tools: toolTable().tools }));

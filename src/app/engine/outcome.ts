@@ -1,4 +1,5 @@
 import { create } from "zustand";
+import { chooseFinding } from "../findings/chosen.ts";
 import type { Run } from "../../program/run-types.ts";
 import type { Simulation } from "../../sim/simulation.ts";
 
@@ -47,4 +48,7 @@ export const pause = (paused: boolean): void =>
   useOutcome.setState((s) => (s.paused === paused ? s : settled({ ...s, paused })));
 
 /** Another cycle or program: its first picture must not be that of the one before. */
-export const forgetOutcome = (): void => useOutcome.setState(none);
+export function forgetOutcome(): void {
+  chooseFinding(null);
+  useOutcome.setState(none);
+}

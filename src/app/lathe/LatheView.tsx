@@ -9,13 +9,11 @@ import { moveAt } from "../../view/pick.ts";
 import { trackOf } from "../../view/playback.ts";
 import { sceneOf } from "../../view/scene.ts";
 import { TurnPoints } from "../approach/TurnPoints.tsx";
-import { turnCutPlaces } from "../approach/turn-places.ts";
 import type { Clock } from "../clock.ts";
-import { useIssueText } from "../issue-text.ts";
+import { FindingsLine } from "../findings/FindingsLine.tsx";
 import { reducedMotion } from "../settings/appearance.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
-import { Findings } from "./Findings.tsx";
 import { GlyphButton } from "./GlyphButton.tsx";
 import { pressKey } from "./keys.ts";
 import { Legend } from "./Legend.tsx";
@@ -24,12 +22,13 @@ import { useMeasuring } from "./measuring.ts";
 import { MoveTable } from "./MoveTable.tsx";
 import { Picture } from "./Picture.tsx";
 import { PlaceButtons, PlaceLines } from "./PlaceButtons.tsx";
-import { placesOf, type LookAt } from "./places.ts";
+import { usePlaces, type LookAt } from "./places.ts";
 import { PlaybackBar } from "./PlaybackBar.tsx";
 import type { PlaybackStore } from "./playback-store.ts";
 import { Readout, SpokenStatus, statusText } from "./Readout.tsx";
 import { RulerLines, RulerReading } from "./Ruler.tsx";
 import { Timeline } from "./Timeline.tsx";
+import { useLooking } from "./use-looking.ts";
 import { usePlayback } from "./use-playback.ts";
 import { useStage } from "./use-stage.ts";
 import { ViewBar } from "./ViewBar.tsx";
@@ -44,6 +43,8 @@ export interface LatheResult {
 
 /** A pointer this near to a move means that move, pixels. */
 const NEAR = 10;
+
+const NOWHERE: readonly LookAt[] = [];
 
 const EMPTY_RUN: Run = { program: { name: "", unit: "mm", blocks: 0 }, blank: [], operations: [], steps: [], stepBlocks: [], plane: [], approaches: [], unproved: [], issues: [], seconds: 0 };
 
@@ -64,7 +65,6 @@ export function LatheView({ result, dimmed, playback, clock, onMove }: {
   const shown = result ?? (dimmed ? kept : null), run = shown?.run ?? EMPTY_RUN, simulation = shown?.simulation ?? null;
   const [viewport] = useState(() => createViewport(!xDown));
   const [tools, showTools] = useState(false);
-  const [picked, pick] = useState<string | null>(null);
 
   const scene = useMemo(() => sceneOf({ blank: run.blank, contours: run.operations.map(o => o.plan.contour), steps: run.steps }), [run]);
   const points = useMemo(() => snapPoints(run.operations.map(o => o.plan.contour), run.steps), [run]);
@@ -90,17 +90,9 @@ export function LatheView({ result, dimmed, playback, clock, onMove }: {
   const ended = usePlayback(playback, s => s.get().track.ends.length > 0 && s.get().position.step >= s.get().track.ends.length);
   const resting = usePlayback(playback, s => (s.get().playing ? -1 : s.get().position.step));
   const name = useMemo(() => t.picture(resting >= 0 ? statusText(texts, language, run, playback) : ""), [t, texts, language, run, playback, resting]);
-  const say = useIssueText(), cutsAt = texts.approach.cutsAt;
-  const places = useMemo(
-    () => (simulation ? [...placesOf(simulation, t, language), ...turnCutPlaces(run, simulation.findings.length, say, cutsAt)] : []),
-    [simulation, run, t, language, say, cutsAt],
-  );
+  const found = usePlaces("ZX"), places = dimmed || !simulation ? NOWHERE : found;
   const leads = useMemo(() => run.approaches.filter(a => a.plane === "ZX"), [run]);
-  const chosen = places.find(each => each.id === picked) ?? null;
-  const choose = (place: LookAt | null) => {
-    pick(place?.id ?? null);
-    if (place) playback.dispatch({ do: "seek", position: place.position });
-  };
+  const { chosen, choose } = useLooking(places, viewport, playback);
   const seen = places.filter(each => ended || each.kind === "finding" || each === chosen);
   const residual = ended && simulation ? simulation.proof.residual : [], findings = simulation?.findings ?? [];
   return (
@@ -132,7 +124,7 @@ export function LatheView({ result, dimmed, playback, clock, onMove }: {
       <SpokenStatus run={run} playback={playback} clock={clock} />
       {simulation && (
         <div className="lathe-more">
-          <Findings places={places} chosen={chosen} choose={choose} />
+          <FindingsLine />
           <MoveTable run={run} playback={playback} />
         </div>
       )}

@@ -9,6 +9,8 @@ export interface Viewport {
   readonly look: (camera: Camera) => void;
   readonly zoom: (factor: number, at?: Place) => void;
   readonly fit: () => void;
+  /** Looks at a box with some room round it, by hand. */
+  readonly show: (bounds: Bounds) => void;
   readonly setSize: (size: Size) => void;
   /** What fitting shows. A picture that is still fitted follows, but not for every small change. */
   readonly setBounds: (bounds: Bounds) => void;
@@ -23,6 +25,14 @@ const marginOf = (size: Size): Margin =>
 
 /** A fitted picture keeps its camera while the new box still fills most of it. */
 const FILLS = 0.6;
+
+/** Room round a place that is looked at, as a share of its size on each side. */
+const ROOM = 0.75;
+
+function withRoom({ left, right, low, high }: Bounds): Bounds {
+  const by = ROOM * Math.max(right - left, high - low);
+  return { left: left - by, right: right + by, low: low - by, high: high + by };
+}
 
 const holds = (outer: Bounds, inner: Bounds) =>
   inner.left >= outer.left && inner.right <= outer.right && inner.low >= outer.low && inner.high <= outer.high;
@@ -63,6 +73,10 @@ export function createViewport(xUp: boolean): Viewport {
     fit() {
       byHand = false;
       refit();
+    },
+    show(near) {
+      byHand = true;
+      set(fitted(withRoom(near), size, marginOf(size), camera.xUp));
     },
     setSize(next) {
       if (next.width === size.width && next.height === size.height) return;

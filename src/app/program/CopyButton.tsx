@@ -1,18 +1,21 @@
+import { useVerdict } from "../findings/use-findings.ts";
 import { Icon } from "../Icon.tsx";
 import { printedText } from "../printed.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { useEditor } from "../store.ts";
-import { copyText, useCopying } from "./copy.ts";
+import { copyProgram, useCopying } from "./copy.ts";
 
-/** Copies the program, and says so on its own face. */
-export function CopyButton({ className = "", long = false }: { readonly className?: string; readonly long?: boolean }) {
+/** Copies the program, and says so on its own face. It is the main button only while nothing is wrong. */
+export function CopyButton({ main = false, long = false }: { readonly main?: boolean; readonly long?: boolean }) {
   const t = useTexts().page.text;
   const job = useEditor((s) => s.job);
-  const done = useCopying((c) => c.state === "copied");
+  const { faults, open } = useVerdict();
+  const done = useCopying((c) => c.state === "copied" && c.verdict !== null);
+  const wrong = faults > 0 || open > 0;
   if (!job) return null;
   return (
-    <button type="button" className={`button ${className}`} aria-label={t.copyLong} onClick={() => void copyText(printedText(job))}>
-      <Icon name={done ? "check" : "copy"} />
+    <button type="button" className={`button${main && !wrong ? " primary" : ""}`} aria-label={t.copyLong} onClick={() => void copyProgram(printedText(job))}>
+      <Icon name={wrong ? "warning" : done ? "check" : "copy"} />
       {done ? t.copied : long ? t.copyLong : t.copy}
     </button>
   );

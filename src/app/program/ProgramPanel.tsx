@@ -2,14 +2,15 @@ import { LANGUAGE_NAMES, LANGUAGES, isLanguage } from "../../i18n/languages.ts";
 import { setLayout, setName, setNcLanguage } from "../edits.ts";
 import { openText } from "../files/open-program.ts";
 import { Icon } from "../Icon.tsx";
-import { blockCount, printedText, programName } from "../printed.ts";
+import { CopyStatus } from "../leaving/CopyStatus.tsx";
+import { mayLeave } from "../leaving/leaving.ts";
+import { printedText, programName } from "../printed.ts";
 import type { JobReading } from "../reading.ts";
 import { changeSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { closeStep } from "../store.ts";
 import { CopyButton } from "./CopyButton.tsx";
 import { downloadText } from "../files/download.ts";
-import { useCopying } from "./copy.ts";
 import { ProgramText } from "./ProgramText.tsx";
 import { useRunningBlock } from "./running-block.ts";
 
@@ -20,7 +21,6 @@ export function ProgramPanel({ read, foldable }: { readonly read: JobReading; re
   const text = printedText(job);
   const file = `${programName(text)}.h`;
   const running = useRunningBlock();
-  const copied = useCopying((c) => c.state === "copied");
 
   return (
     <section className="program" aria-label={t.title}>
@@ -60,13 +60,13 @@ export function ProgramPanel({ read, foldable }: { readonly read: JobReading; re
       {!read.reading.values && <p className="field-message warning"><Icon name="warning" /> {t.incomplete}</p>}
       <ProgramText text={text} running={running} />
       <div className="program-buttons">
-        <CopyButton className="primary" />
-        <button type="button" className="button" aria-label={t.download(file)} onClick={() => downloadText(text, file)}>
+        <CopyButton main />
+        <button type="button" className="button" aria-label={t.download(file)} onClick={() => void mayLeave("download", text).then((verdict) => verdict && downloadText(text, file))}>
           <Icon name="download" /> <span className="file-name">{file}</span>
         </button>
       </div>
       <button type="button" className="button plain open-as-program" title={open.fromJobLong} onClick={() => openText(text)}>{open.fromJob}</button>
-      <p role="status" className="small copy-status">{copied ? t.copiedLong(blockCount(text)) : ""}</p>
+      <CopyStatus />
     </section>
   );
 }

@@ -1,4 +1,5 @@
 import { useEffect, useMemo, useRef } from "react";
+import { guardCopy } from "../leaving/whole-program.ts";
 import { useTexts } from "../settings/use-texts.ts";
 
 /** One block of the program: its number and its lines. */
@@ -35,7 +36,7 @@ export function ProgramText({ text, running }: { readonly text: string; readonly
   }, [running]);
 
   return (
-    <div className="program-text number" ref={box} tabIndex={0} role="group" aria-label={t.title}>
+    <div className="program-text number" onCopy={(event) => guardCopy(event.nativeEvent, getSelection()?.toString() ?? "")} ref={box} tabIndex={0} role="group" aria-label={t.title}>
       <ol aria-label={t.blocks}>
         {blocks.map((block, i) => {
           const runs = block.number !== null && block.number === running;

@@ -1,28 +1,38 @@
 import { create } from "zustand";
+import type { Verdict } from "../findings/verdict.ts";
+import { mayLeave } from "../leaving/leaving.ts";
 
 /** How the last copying went; null before it and once its message is gone. */
 export interface Copying {
   readonly state: "copied" | "refused" | null;
   /** The text that was asked for. */
   readonly text: string;
+  /** The verdict that went with it; null for what is no program. */
+  readonly verdict: Verdict | null;
 }
 
-export const useCopying = create<Copying>(() => ({ state: null, text: "" }));
+export const useCopying = create<Copying>(() => ({ state: null, text: "", verdict: null }));
 
 /** How long "Copied" stays, ms. */
-const SHOWN = 4000;
+const SHOWN = 8000;
 let timer: ReturnType<typeof setTimeout> | undefined;
 
 /** Puts text on the clipboard; where the browser refuses, the text is shown to be copied by hand. */
-export async function copyText(text: string): Promise<void> {
+export async function copyText(text: string, verdict: Verdict | null = null): Promise<void> {
   clearTimeout(timer);
   try {
     await navigator.clipboard.writeText(text);
-    useCopying.setState({ state: "copied", text });
+    useCopying.setState({ state: "copied", text, verdict });
     timer = setTimeout(() => useCopying.setState({ state: null }), SHOWN);
   } catch {
-    useCopying.setState({ state: "refused", text });
+    useCopying.setState({ state: "refused", text, verdict });
   }
+}
+
+/** Copies a program, or the part of it that was marked; one with faults only when the operator means it. */
+export async function copyProgram(program: string, marked = program): Promise<void> {
+  const verdict = await mayLeave("copy", program);
+  if (verdict) await copyText(marked, verdict);
 }
 
 export const closeCopying = (): void => useCopying.setState({ state: null });

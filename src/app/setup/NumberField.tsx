@@ -5,7 +5,7 @@ import { inScreenWriting } from "../dialog/write-value.ts";
 import { useNumberEntry } from "../dialog/use-number-entry.ts";
 import { Icon } from "../Icon.tsx";
 import { usePlace } from "../place.ts";
-import { useProblems } from "../problems/problems.ts";
+import { usePromptFindings } from "../findings/use-findings.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { closeStep } from "../store.ts";
@@ -42,7 +42,7 @@ export function NumberField({ name, unit, text, onText, at, least = "any", optio
   const language = useSettings((s) => s.language);
   const { onKeyDown, onTyped } = useNumberEntry(input, text, onText);
   const asked = usePlace((p) => (p.field === at ? p.focus : 0));
-  const problems = useProblems().filter((p) => p.at === at);
+  const problems = usePromptFindings().filter((p) => p.at === at);
   const found = wrongNumber(text, least, optional);
   const asking = found === "missing" && ask !== undefined;
   const wrong = asking ? null : found;

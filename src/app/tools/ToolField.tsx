@@ -24,7 +24,7 @@ export function CellMessages({ id, issues, text, onTake, decimals = 4 }: {
     <div id={id} className="tool-wrong" role="status">
       {issues.map((issue) => (
         <FieldMessage
-          key={issue.code} problem={{ issue, at: issue.at ?? null, block: null }} decimals={decimals} calm={text.trim() === "" && issue.severity === "error"}
+          key={issue.code} problem={{ issue }} decimals={decimals} calm={text.trim() === "" && issue.severity === "error"}
           {...(onTake && { onTake })}
         />
       ))}

@@ -24,7 +24,6 @@ export const page = {
   prompts: "Eingaben",
   setup: "Einrichten",
   contour: "Kontur",
-  problems: "Meldungen",
   program: "Programm",
   lathe: "Drehmaschine",
   timeline: "Zeitleiste",
@@ -66,25 +65,12 @@ export const page = {
     time: "Zeit",
     chip: "Spanquerschnitt",
     residual: "Restmaterial",
-    proof: "Nachweis",
-    clean: "Kein Einschneiden, kein Eilgang im Material",
-    gouge: (area) => `Kontur verletzt ${area} mm²`,
-    rapid: (area) => `Eilgang im Material ${area} mm²`,
-    holder: "Halter berührt das Teil",
     none: "keins",
     unknown: "–",
     waiting: "Die Werte ergeben noch keinen Weg. Das letzte mögliche Bild bleibt stehen.",
     duration: (minutes, seconds) => (minutes > 0 ? `${minutes} min ${seconds} s` : `${seconds} s`),
   },
 
-  problem: {
-    none: "Keine Meldungen.",
-    count: (n) => (n === 1 ? "1 Meldung" : `${n} Meldungen`),
-    severities: { error: "Fehler", warning: "Warnung", info: "Hinweis" },
-    goTo: (place) => `Zu ${place}`,
-    inBlock: (block) => `Satz ${block}`,
-    places: { tool: "Werkzeug", startX: "Start X", startZ: "Start Z", contour: "Kontur", blank: "Rohteil", spindle: "Spindel" },
-  },
 
   text: {
     title: "Programmtext",

@@ -29,7 +29,7 @@ export const editor = {
     groove: "Groove, as printed (French)",
     plate: "Milled plate: approach and departure",
   },
-  sections: { text: "Text", block: "Block", structure: "Structure", findings: "Findings" },
+  sections: { text: "Text", block: "Block", structure: "Structure" },
   sectionsName: "Parts of the program",
   loading: "The editor is being loaded.",
   file: "File",
@@ -45,9 +45,6 @@ export const editor = {
   shareLong: "Many mail programs and browsers cut links of this length. Send the file instead.",
   shareTooLong: "This program makes a link that browsers do not open. Send the file instead.",
   copyLink: "Copy the link",
-  fix: "Correct it",
-  goToBlock: (block: string) => `Go to block ${block}`,
-
   /* list of parts and totals */
   list: "Parts of the program",
   filter: "Show",

@@ -64,29 +64,6 @@ export const lathe = {
   deltaZ: "ΔZ",
   distance: "Distance",
 
-  /* findings and what stays */
-  findings: "Findings",
-  noFindings: "No damage, no rapid in material, no holder contact",
-  clear: "Path is clear",
-  findingsCount: (count: string) => `Findings: ${count}`,
-  residualCount: (count: string) => `Residual material: ${count}`,
-  findingNames: { gouge: "Finished part damaged", rapidInStock: "Rapid in material", holderContact: "Holder touches material" },
-  findingLine: (name: string, x: string, z: string, block: string) => `${name} at X ⌀ ${x}, Z ${z}, block ${block}`,
-  residualTitle: "Residual material",
-  residualLine: (area: string, x: string, z: string, reason: string) => `${area} mm² at X ⌀ ${x}, Z ${z}: ${reason}`,
-  reasons: {
-    insertRadius: "The nose is too round to get in.",
-    mainEdge: "The main cutting edge stands in the way.",
-    secondaryEdge: "The secondary cutting edge stands in the way.",
-    toolWidth: "The tool is too wide to get in.",
-    cutLength: "The cutting edge is too short to reach it.",
-    limit: "It lies behind the limit.",
-    plunging: "Falling elements are not followed.",
-    oversize: "It was to be left.",
-    smoothing: "Steps between the passes were not smoothed.",
-    correction: "The corrected tool stands off the contour.",
-  },
-
   /* table of moves */
   moves: (count: string) => `Moves (${count})`,
   move: "Move",

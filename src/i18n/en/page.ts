@@ -24,7 +24,6 @@ export const page = {
   prompts: "Prompts",
   setup: "Set-up",
   contour: "Contour",
-  problems: "Problems",
   program: "Program",
   lathe: "Lathe",
   timeline: "Timeline",
@@ -66,25 +65,12 @@ export const page = {
     time: "Time",
     chip: "Chip area",
     residual: "Residual",
-    proof: "Proof",
-    clean: "No gouge, no rapid in stock",
-    gouge: (area: string) => `Gouge ${area} mm²`,
-    rapid: (area: string) => `Rapid in stock ${area} mm²`,
-    holder: "Holder touches the part",
     none: "none",
     unknown: "–",
     waiting: "The values make no path yet. The last possible picture stays.",
     duration: (minutes: number, seconds: string) => (minutes > 0 ? `${minutes} min ${seconds} s` : `${seconds} s`),
   },
 
-  problem: {
-    none: "No problems found.",
-    count: (n: number) => (n === 1 ? "1 problem" : `${n} problems`),
-    severities: { error: "Error", warning: "Warning", info: "Notice" },
-    goTo: (place: string) => `Go to ${place}`,
-    inBlock: (block: number) => `block ${block}`,
-    places: { tool: "Tool", startX: "Start X", startZ: "Start Z", contour: "Contour", blank: "Blank", spindle: "Spindle" },
-  },
 
   text: {
     title: "Program text",

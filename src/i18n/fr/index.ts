@@ -7,8 +7,9 @@ import { contour } from "./contour.ts";
 import { tools } from "./tools.ts";
 import { editor } from "./editor.ts";
 import { approach } from "./approach.ts";
+import { findings } from "./findings.ts";
 import { messages } from "./messages.ts";
 import { params } from "./params.ts";
 import { cycles } from "./cycles.ts";
 
-export const fr = { page, dialog, setup, lathe, help, contour, tools, editor, approach, messages, params, cycles };
+export const fr = { page, dialog, setup, lathe, help, contour, tools, editor, approach, findings, messages, params, cycles };

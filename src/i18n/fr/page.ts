@@ -24,7 +24,6 @@ export const page = {
   prompts: "Dialogue",
   setup: "Réglage",
   contour: "Contour",
-  problems: "Messages",
   program: "Programme",
   lathe: "Tour",
   timeline: "Chronologie",
@@ -66,25 +65,12 @@ export const page = {
     time: "Temps",
     chip: "Section copeau",
     residual: "Reste",
-    proof: "Contrôle",
-    clean: "Contour intact, pas de rapide dans la matière",
-    gouge: (area) => `Contour entamé ${area} mm²`,
-    rapid: (area) => `Rapide dans la matière ${area} mm²`,
-    holder: "Le porte-outil touche la pièce",
     none: "aucun",
     unknown: "–",
     waiting: "Ces valeurs ne donnent pas encore de trajectoire. La dernière image possible reste affichée.",
     duration: (minutes, seconds) => (minutes > 0 ? `${minutes} min ${seconds} s` : `${seconds} s`),
   },
 
-  problem: {
-    none: "Aucun message.",
-    count: (n) => (n === 1 ? "1 message" : `${n} messages`),
-    severities: { error: "Erreur", warning: "Avertissement", info: "Remarque" },
-    goTo: (place) => `Aller à ${place}`,
-    inBlock: (block) => `séquence ${block}`,
-    places: { tool: "Outil", startX: "Départ X", startZ: "Départ Z", contour: "Contour", blank: "Brut", spindle: "Broche" },
-  },
 
   text: {
     title: "Texte du programme",

@@ -24,7 +24,6 @@ export const page = {
   prompts: "对话",
   setup: "准备",
   contour: "轮廓",
-  problems: "信息",
   program: "程序",
   lathe: "车床",
   timeline: "时间轴",
@@ -66,25 +65,12 @@ export const page = {
     time: "时间",
     chip: "切屑截面",
     residual: "残料",
-    proof: "验证",
-    clean: "无过切，快移不碰材料",
-    gouge: (area) => `过切 ${area} mm²`,
-    rapid: (area) => `快移碰材料 ${area} mm²`,
-    holder: "刀柄碰到工件",
     none: "无",
     unknown: "–",
     waiting: "这些值还不能生成刀具路径，保留最后一幅可行的图。",
     duration: (minutes, seconds) => (minutes > 0 ? `${minutes} 分 ${seconds} 秒` : `${seconds} 秒`),
   },
 
-  problem: {
-    none: "没有问题。",
-    count: (n) => `${n} 条信息`,
-    severities: { error: "错误", warning: "警告", info: "提示" },
-    goTo: (place) => `转到${place}`,
-    inBlock: (block) => `程序段 ${block}`,
-    places: { tool: "刀具", startX: "起点 X", startZ: "起点 Z", contour: "轮廓", blank: "毛坯", spindle: "主轴" },
-  },
 
   text: {
     title: "程序文本",

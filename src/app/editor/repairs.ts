@@ -1,0 +1,154 @@
+import { withBlock, withInserted } from "../../nc/edit.ts";
+import { blockNumbers, startLines, type Program } from "../../nc/program.ts";
+import { statementLines } from "../../nc/print.ts";
+import { styleAt } from "../../nc/read-style.ts";
+import type { Statement, Words } from "../../nc/statement.ts";
+import { ncLabels } from "../../i18n/nc-labels.ts";
+import type { Language } from "../../i18n/languages.ts";
+import type { Entry } from "../findings/entry.ts";
+import { nearestOf } from "../findings/host.ts";
+import { withPrompt } from "./block-prompts.ts";
+
+/** A change of the program that mends a finding: a value taken, a block put in, a word written, something taken out. */
+export interface Repair {
+  readonly kind: "take" | "insert" | "write" | "remove";
+  /** The value, the block or the word, as the program writes it; a value as a number. */
+  readonly text: string | number;
+  /** Number of the block that is changed. */
+  readonly block: string;
+  readonly next: () => Program;
+  /** Index of the block that opens afterwards. */
+  readonly open: number;
+}
+
+const none: Words = { axes: [], linear: [], functions: [], extra: [] };
+
+/** Index of the block that a finding belongs to; -1 when it belongs to none. */
+export function indexOf(program: Program, { line, block }: Pick<Entry, "line" | "block">): number {
+  if (line !== null) return startLines(program).findLastIndex((start) => start <= line);
+  return block === null ? -1 : blockNumbers(program).indexOf(block);
+}
+
+const lastOf = (program: Program, before: number, is: (s: Statement) => boolean): number =>
+  program.blocks.slice(0, before).findLastIndex(({ statement }) => is(statement));
+
+/** The tool call that is active at a block; -1 without one. */
+export const toolCallBefore = (program: Program, index: number): number =>
+  lastOf(program, index, (s) => s.kind === "toolCall" && s.tool !== null);
+
+/** The program with another tool called before a block. */
+export function withTool(program: Program, index: number, tool: number): Program {
+  const at = toolCallBefore(program, index);
+  const s = program.blocks[at]?.statement;
+  return s?.kind === "toolCall" ? withBlock(program, at, { ...s, tool }) : program;
+}
+
+/** Where FUNCTION MODE TURN belongs: before the tool call, unless milling was chosen after it. */
+function placeOfMode(program: Program, index: number): number {
+  const tool = toolCallBefore(program, index);
+  const mode = lastOf(program, index, (s) => s.kind === "mode");
+  return tool > mode ? tool : mode >= 0 ? mode + 1 : placeBehindFrame(program, index);
+}
+
+/** Behind the last of program begin, blank and mode: a tool call there comes before every positioning. */
+const placeBehindFrame = (program: Program, index: number): number =>
+  lastOf(program, index, (s) => s.kind === "begin" || s.kind === "mode" || s.kind === "blankCylinder" || s.kind === "blankRotation" || s.kind === "blankBox") + 1;
+
+/** Behind a definition and the block that positions to its start point. */
+function placeOfCall(program: Program, definition: number): number {
+  const next = program.blocks[definition + 1]?.statement;
+  return definition + (next?.kind === "path" ? 2 : 1);
+}
+
+/** Before the first subprogram behind the last call of the main program, or before its end. */
+function placeOfEnd(program: Program): number {
+  const { blocks } = program;
+  const last = blocks.findLastIndex(({ statement: s }) => s.kind === "cycleCall" || s.kind === "toolCall");
+  const label = blocks.findIndex(({ statement: s }, i) => i > last && s.kind === "label");
+  const end = blocks.findIndex(({ statement: s }) => s.kind === "end");
+  return label >= 0 ? label : end >= 0 ? end : blocks.length;
+}
+
+function placeOfLabelEnd(program: Program, label: number): number {
+  const { blocks } = program;
+  const next = blocks.findIndex(({ statement: s }, i) => i > label && (s.kind === "label" || s.kind === "end"));
+  return next >= 0 ? next : blocks.length;
+}
+
+function insertion(program: Program, at: number, statements: readonly Statement[], index: number): Repair {
+  const style = styleAt(program, Math.max(0, Math.min(index, program.blocks.length - 1)));
+  const text = statementLines(statements.at(-1) ?? { kind: "empty" }, style)[0] ?? "";
+  return {
+    kind: "insert", text: text.trim(), block: "", open: at + statements.length - 1,
+    next: () => statements.reduce((made, statement, i) => withInserted(made, at + i, statement), program),
+  };
+}
+
+/** Cycle 14 with the first label of the program that is a contour. */
+function contourLines(program: Program, language: Language): readonly Statement[] {
+  const label = program.blocks.find(({ statement: s }) => s.kind === "label" && s.label !== 0)?.statement;
+  if (label?.kind !== "label") return [];
+  const { title, label: word } = ncLabels(language).contour;
+  const named = typeof label.label === "number" ? String(label.label) : ` "${label.label}"`;
+  return [{ kind: "cycleLine", cycle: 14, line: 0, text: title }, { kind: "cycleLine", cycle: 14, line: 1, text: `${word}${named}` }];
+}
+
+/** The last block that switched radius compensation on, with R0 in its place. */
+function withoutCompensation(program: Program, index: number): Repair | null {
+  const at = lastOf(program, index + 1, (s) => "words" in s && "compensation" in s.words && s.words.compensation !== undefined && s.words.compensation !== "R0");
+  const s = program.blocks[at]?.statement;
+  if (s?.kind !== "path") return null;
+  const next = () => withBlock(program, at, { ...s, words: { ...s.words, compensation: "R0" } });
+  return { kind: "write", text: "R0", block: String(blockNumbers(program)[at] ?? ""), next, open: at };
+}
+
+/** The definition without a parameter that does not belong to it, or that stands twice. */
+function withoutParameter(program: Program, index: number, q: string): Repair | null {
+  const s = program.blocks[index]?.statement;
+  if (s?.kind !== "cycle") return null;
+  const at = s.parameters.findLastIndex((p) => p.q === q);
+  if (at < 0) return null;
+  return { kind: "remove", text: q, block: "", open: index, next: () => withBlock(program, index, { ...s, parameters: s.parameters.toSpliced(at, 1) }) };
+}
+
+/** Another length or radius of an approach or departure. */
+function withLead(program: Program, index: number, word: "LEN" | "R", value: number): Repair | null {
+  const s = program.blocks[index]?.statement;
+  if (s?.kind !== "approach") return null;
+  const next = () => withBlock(program, index, { ...s, words: { ...s.words, [word === "LEN" ? "length" : "radius"]: value } });
+  return { kind: "write", text: `${word}${value}`, block: String(blockNumbers(program)[index] ?? ""), next, open: index };
+}
+
+/** The changes of the program that mend a finding, surest first; none where only the operator can know. */
+export function repairsOf(program: Program, entry: Entry, language: Language): readonly Repair[] {
+  const index = indexOf(program, entry);
+  const { issue, at } = entry;
+  const insert = (place: number, ...statements: Statement[]) => [insertion(program, place, statements, index)];
+  const maybe = (repair: Repair | null) => (repair ? [repair] : []);
+  switch (issue.code as string) {
+    case "notInTurnMode": return insert(placeOfMode(program, index), { kind: "mode", mode: "TURN", kinematics: null });
+    case "cycleNeverCalled": return insert(placeOfCall(program, index), { kind: "cycleCall", how: "", words: none });
+    case "spindleMissing": return insert(toolCallBefore(program, index) + 1, { kind: "spin", constantSurface: true, cuttingSpeed: 180, speed: null, limit: 2500 });
+    case "programEndMissing": return insert(placeOfEnd(program), { kind: "functions", words: { ...none, functions: [30] } });
+    case "blankMissing": return insert(lastOf(program, program.blocks.length, (s) => s.kind === "begin") + 1,
+      { kind: "blankCylinder", axis: "Z", outside: { measure: "D", value: 80 }, length: 100, distance: 1, inside: null });
+    case "labelNotClosed": return insert(placeOfLabelEnd(program, index), { kind: "label", label: 0 });
+    case "contourNotNamed": {
+      const lines = contourLines(program, language);
+      const definition = lastOf(program, index + 1, (s) => s.kind === "cycle");
+      return lines.length > 0 ? insert(Math.max(definition, 0), ...lines) : [];
+    }
+    case "compensationActive": return maybe(withoutCompensation(program, index));
+    case "parameterForeign": return at === null ? [] : maybe(withoutParameter(program, index, at));
+  }
+  if (issue.code === "betterTool") {
+    const { tool } = issue.data;
+    if (toolCallBefore(program, index) < 0) {
+      return insert(placeBehindFrame(program, index), { kind: "toolCall", tool, axis: null, speed: null, feed: null, deltaLength: null, deltaRadius: null, extra: [] });
+    }
+  }
+  if (issue.code === "approachValueCutsContour") return maybe(withLead(program, index, issue.data.word, issue.data.nearest));
+  const nearest = nearestOf(entry);
+  if (nearest === null || at === null || program.blocks[index]?.statement.kind !== "cycle") return [];
+  return [{ kind: "take", text: nearest, block: "", open: index, next: () => withPrompt(program, index, at, String(nearest)) }];
+}

@@ -1,0 +1,96 @@
+import { useEffect, useRef } from "react";
+import { Icon } from "../Icon.tsx";
+import { issueText } from "../issue-text.ts";
+import { useSettings } from "../settings/settings.ts";
+import { useTexts } from "../settings/use-texts.ts";
+import { chooseFinding, useChosen } from "./chosen.ts";
+import type { Entry } from "./entry.ts";
+import type { FindingsHost } from "./host.ts";
+import { ToolOffer } from "./ToolOffer.tsx";
+import { useListed, useVerdict } from "./use-findings.ts";
+import { VerdictText } from "./VerdictText.tsx";
+
+/** Rows beyond these would say no more. */
+const MOST = 300;
+
+/** One finding: what, where, the way there, and what mends it. */
+function Row({ entry, host, chosen }: { readonly entry: Entry; readonly host: FindingsHost; readonly chosen: boolean }) {
+  const t = useTexts();
+  const language = useSettings((s) => s.language);
+  const row = useRef<HTMLLIElement>(null);
+  const { issue, block, spot } = entry;
+  const target = host.targetOf(entry);
+  const where = block === null ? null : t.findings.inBlock(String(block));
+
+  useEffect(() => {
+    if (chosen) row.current?.scrollIntoView?.({ block: "nearest" });
+  }, [chosen]);
+
+  return (
+    <li ref={row} className={`finding ${issue.severity}${spot ? ` on-${spot.kind}` : ""}`} aria-current={chosen ? "true" : undefined}>
+      {spot
+        ? (
+          <button
+            type="button" className={`badge badge-${spot.kind}`} aria-label={t.findings.show(spot.mark)} title={t.findings.show(spot.mark)} aria-pressed={chosen}
+            onClick={() => {
+              chooseFinding(chosen ? null : entry.id);
+              if (!chosen) host.point(entry);
+            }}
+          >
+            {spot.mark}
+          </button>
+        )
+        : <Icon name={issue.severity} />}
+      <div>
+        <p className="small finding-head">
+          <b>{t.findings.severities[issue.severity]}</b>
+          {target && <span> · {target.name}</span>}
+          {where !== null && target?.name !== where && <span className="soft"> · {where}</span>}
+        </p>
+        <p>{issueText(t, language, issue, host.cycleOf(entry))}</p>
+        <div className="finding-ways">
+          {host.remediesOf(entry).map(({ name, apply }) => <button key={name} type="button" className="button small mend" onClick={apply}>{name}</button>)}
+          <ToolOffer entry={entry} host={host} />
+          {target && (
+            <button
+              type="button" className="button small"
+              onClick={() => {
+                if (spot) chooseFinding(entry.id);
+                target.go();
+              }}
+            >
+              {t.findings.goTo(target.name)}
+            </button>
+          )}
+        </div>
+      </div>
+    </li>
+  );
+}
+
+/** The verdict and all findings of the open work, worst first: the only list there is, for prompts and whole programs alike. */
+export function FindingsPanel({ host }: { readonly host: FindingsHost }) {
+  const { findings: t, dialog: { done } } = useTexts();
+  const entries = useListed();
+  const verdict = useVerdict();
+  const chosen = useChosen((c) => c.id);
+  return (
+    <div className="findings">
+      <p className="findings-verdict"><VerdictText verdict={verdict} reasons={4} /></p>
+      {verdict.open > 0 && (
+        <p className="findings-open">
+          <Icon name="info" /> <span>{done.open(verdict.open)}</span>
+          <button type="button" className="button small" onClick={host.toFirstOpen}>{done.firstOpen}</button>
+        </p>
+      )}
+      {entries.length === 0
+        ? verdict.open === 0 && verdict.state !== "none" && <p className="no-findings soft">{t.none}</p>
+        : (
+          <ul aria-label={t.list}>
+            {entries.slice(0, MOST).map((entry) => <Row key={entry.id} entry={entry} host={host} chosen={entry.id === chosen} />)}
+          </ul>
+        )}
+      {entries.length > MOST && <p className="small soft">{t.more(entries.length - MOST)}</p>}
+    </div>
+  );
+}

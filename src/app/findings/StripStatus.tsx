@@ -1,0 +1,22 @@
+import { Icon } from "../Icon.tsx";
+import { showSection } from "../place.ts";
+import { useTexts } from "../settings/use-texts.ts";
+import { useListed, useVerdict } from "./use-findings.ts";
+
+/** How much was found, with the way to the list; what is only not done yet is said calmly. */
+export function StripStatus({ otherwise = "" }: { readonly otherwise?: string }) {
+  const { findings: t, dialog: { done } } = useTexts();
+  const listed = useListed();
+  const { open } = useVerdict();
+  const worst = listed[0]?.issue.severity ?? "info";
+  return (
+    <p className="effect-status" role="status">
+      {(listed.length > 0 || open > 0) && (
+        <button type="button" className={`problem-button ${worst}`} onClick={() => showSection("findings")}>
+          <Icon name={worst} /> {listed.length > 0 ? t.count(listed.length) : done.open(open)}
+        </button>
+      )}
+      {listed.length === 0 && open === 0 && otherwise !== "" && <span className="small">{otherwise}</span>}
+    </p>
+  );
+}

@@ -1,0 +1,29 @@
+import { Icon, type IconName } from "../Icon.tsx";
+import { useSettings } from "../settings/settings.ts";
+import { useTexts } from "../settings/use-texts.ts";
+import { toneOf, type Verdict } from "./verdict.ts";
+import { verdictReasons, verdictTitle } from "./verdict-words.ts";
+import "./findings.css";
+
+const icons: Readonly<Record<ReturnType<typeof toneOf>, IconName | null>> = { good: "check", plain: "check", doubt: "warning", bad: "error", none: null };
+
+/** Reasons beyond these stand in the list. */
+const MOST = 4;
+
+/** The verdict on a program in words, with its reasons where there is room for them. The same everywhere on the page. */
+export function VerdictText({ verdict, reasons = 0 }: { readonly verdict: Verdict; readonly reasons?: number }) {
+  const t = useTexts().findings.verdict;
+  const language = useSettings((s) => s.language);
+  const tone = toneOf(verdict);
+  const icon = icons[tone];
+  const all = reasons > 0 ? verdictReasons(t, verdict).slice(0, Math.min(MOST, reasons)) : [];
+  return (
+    <span className={`verdict verdict-${tone}`}>
+      {icon && <Icon name={icon} />}
+      <span>
+        <span className="verdict-title">{verdictTitle(t, language, verdict)}</span>
+        {all.map((reason) => <span key={reason} className="verdict-reason">{reason}</span>)}
+      </span>
+    </span>
+  );
+}

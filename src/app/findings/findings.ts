@@ -1,0 +1,86 @@
+import { issue as contourIssue } from "../../kernel/issue.ts";
+import type { AnyIssue } from "../../i18n/message-texts.ts";
+import { issuesOf } from "../../sim/issues.ts";
+import { contourProblems } from "../contour/contour-problems.ts";
+import type { Outcome } from "../engine/outcome.ts";
+import type { JobReading } from "../reading.ts";
+import { inOrder, type Entry } from "./entry.ts";
+import { letterOf, spotOfProof, spotOfRun } from "./spots.ts";
+
+type Found = Omit<Entry, "id">;
+
+const nowhere = { at: null, block: null, line: null, operation: null, spot: null, residual: null } as const;
+const atOf = (issue: AnyIssue): string | null => ("at" in issue ? (issue.at ?? null) : null);
+
+/** What the prompts and the contour table say by themselves, before anything is calculated. */
+function typed(read: JobReading): readonly Found[] {
+  const prompts = read.reading.issues.map((issue): Found => ({ ...nowhere, issue, at: issue.at ?? null }));
+  if (read.cycle.contour !== "free") return prompts;
+  const { contour } = read.job;
+  // As long as prompts are open, a contour that is not begun is not done wrong, only not done yet.
+  const missing = () => contourIssue("contourMissing", read.reading.values ? "error" : "info", { label: "" }, "contour");
+  const table = contour.length === 0 ? [missing()] : contourProblems(contour);
+  return [...prompts, ...table.map((issue): Found => ({ ...nowhere, issue, at: "contour" }))];
+}
+
+/** What the run and the stock say. */
+function calculated({ run, simulation }: Outcome): readonly Found[] {
+  const ran = run.issues.map((f): Found => {
+    const spot = spotOfRun(run, f);
+    return { ...nowhere, issue: f.issue, at: atOf(f.issue), block: f.block, line: f.line, operation: f.operation, spot: spot && { ...spot, mark: "" } };
+  });
+  const proved = issuesOf(simulation).map((p): Found => {
+    const seen = spotOfProof(simulation, p.issue);
+    const operation = p.operation === null ? undefined : run.operations[p.operation];
+    return {
+      ...nowhere, issue: p.issue, at: atOf(p.issue), block: p.block ?? operation?.block ?? null, operation: p.operation,
+      spot: seen && { ...seen.spot, mark: "" }, residual: seen?.residual ?? null,
+    };
+  });
+  return [...ran, ...proved];
+}
+
+/** A tool that can not do the work at all, and what follows from it: another drawing or another value would not help. */
+const wrongTool: ReadonlySet<string> = new Set(["toolUnfit", "toolOnWrongSide", "toolCannotCutSideways"]);
+const ofWrongTool: ReadonlySet<string> = new Set(["angleNotFollowed", "cornerSmallerThanInsert", "recessNarrowerThanTool", "nothingToCut", "depthOverCutLength", "nothingCut"]);
+
+/**
+ * Without what only follows from something else that is listed, or says the same in other words: that nothing is proved
+ * from a block on says more than that it is not simulated.
+ */
+function withoutEchoes(all: readonly Found[]): readonly Found[] {
+  const unfit = new Set(all.flatMap(({ issue, operation }) => (issue.severity === "error" && wrongTool.has(issue.code) ? [operation] : [])));
+  const unproved = new Set(all.flatMap(({ issue, block }) => (issue.code === "notProved" ? [block] : [])));
+  const noContour = all.some(({ issue }) => issue.code === "contourMissing" && issue.data.label === "");
+  return all.filter(({ issue, block, at, operation }) =>
+    !(unfit.has(operation) && issue.severity !== "error" && ofWrongTool.has(issue.code)) &&
+    !((issue.code === "cycleNotSimulated" || issue.code === "notSimulated") && unproved.has(block))
+    && !(noContour && (issue.code === "contourTooShort" || issue.code === "nothingToCut" || (issue.code === "contourMissing" && at !== "contour"))));
+}
+
+/** Numbers for what was found at a place, letters for what stays, in the order of the list. */
+function marked(entries: readonly Entry[]): readonly Entry[] {
+  let [numbers, letters] = [0, 0];
+  return entries.map((entry) => {
+    if (!entry.spot) return entry;
+    const mark = entry.spot.kind === "finding" ? String((numbers += 1)) : letterOf((letters += 1) - 1);
+    return { ...entry, spot: { ...entry.spot, mark } };
+  });
+}
+
+/**
+ * Everything found in the open work, worst first: what the prompts say at once, and what the last calculated program says,
+ * as long as it is calculated from these values. Nothing twice. A program has no prompts of its own: `read` is null.
+ */
+export function findingsOf(read: JobReading | null, outcome: Outcome | null): readonly Entry[] {
+  const early = read ? typed(read) : [];
+  const late = outcome && (!read || read.reading.values) ? calculated(outcome) : [];
+  const all = new Map<string, Entry>();
+  for (const found of withoutEchoes([...early, ...late])) {
+    const { issue, at, line } = found;
+    // The text of a job is made from its prompts: what both say is said once.
+    const key = JSON.stringify([issue.code, at, issue.data, read ? null : line]);
+    if (!all.has(key)) all.set(key, { ...found, id: `${issue.code} ${at ?? ""} ${found.block ?? ""} ${all.size}` });
+  }
+  return marked(inOrder([...all.values()]));
+}

@@ -1,0 +1,34 @@
+import type { Job } from "../../program/job.ts";
+import type { Entry } from "./entry.ts";
+
+/** A button that mends what a finding says, in one step of undo. */
+export interface Remedy {
+  readonly name: string;
+  readonly apply: () => void;
+}
+
+/** Where a finding is mended by hand. */
+export interface Target {
+  readonly name: string;
+  readonly go: () => void;
+}
+
+/** What a workplace does for the list of findings: it knows prompts, blocks and how to change them. */
+export interface FindingsHost {
+  readonly targetOf: (entry: Entry) => Target | null;
+  readonly remediesOf: (entry: Entry) => readonly Remedy[];
+  /** The cycle in whose definition a finding stands: it tells what the value at its place measures. */
+  readonly cycleOf: (entry: Entry) => number | null;
+  /** Marks the place of a finding beside the list, without leaving the list. */
+  readonly point: (entry: Entry) => void;
+  /** The values of the operation that a finding belongs to, as a job, to try tools on. */
+  readonly jobOf: (entry: Entry) => Job | null;
+  /** Opens the first prompt that is not answered yet. */
+  readonly toFirstOpen: () => void;
+  /** Gives the operation of a finding another tool. */
+  readonly takeTool: (entry: Entry, tool: number) => void;
+}
+
+/** The value that a finding offers; null where it offers none. */
+export const nearestOf = ({ issue }: Entry): number | null =>
+  "nearest" in issue.data && typeof issue.data.nearest === "number" && Number.isFinite(issue.data.nearest) ? issue.data.nearest : null;

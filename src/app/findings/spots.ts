@@ -1,0 +1,66 @@
+import { partPoint } from "../../kernel/plane.ts";
+import type { Pt, Ring } from "../../kernel/point.ts";
+import { axial, diameter, toDiameter, toRadius } from "../../kernel/units.ts";
+import type { Finding as RunFinding, Run } from "../../program/run-types.ts";
+import type { Simulation } from "../../sim/simulation.ts";
+import type { Bounds } from "../../view/camera.ts";
+import type { AnyIssue } from "../../i18n/message-texts.ts";
+import type { Spot } from "./entry.ts";
+
+type Unmarked = Omit<Spot, "mark">;
+
+/** Half the edge of what is shown round a single point, mm. */
+const ROUND = 2;
+
+/** A rapid is seen before it runs into the material, the others when they have happened. */
+const SEEN = { rapidInStock: 0, gouge: 0.999, holderContact: 0.5 } as const;
+
+const roundPoint = ({ z, r }: Pt): Bounds => ({ left: z - ROUND, right: z + ROUND, low: r - ROUND, high: r + ROUND });
+
+function boundsOf(rings: readonly Ring[], place: Pt): Bounds {
+  const box = roundPoint(place);
+  let { left, right, low, high } = box;
+  for (const ring of rings) for (const p of ring) {
+    left = Math.min(left, p.z);
+    right = Math.max(right, p.z);
+    low = Math.min(low, p.r);
+    high = Math.max(high, p.r);
+  }
+  return { left, right, low, high };
+}
+
+const near = (a: number, b: number) => Math.abs(a - b) < 1e-6;
+
+/** Where the simulation saw what an issue of the proof names. */
+export function spotOfProof({ findings, proof, steps }: Simulation, issue: AnyIssue): { readonly spot: Unmarked; readonly residual: number | null } | null {
+  if (issue.code !== "gouge" && issue.code !== "rapidInStock" && issue.code !== "holderContact" && issue.code !== "materialLeft") return null;
+  const { x, z } = issue.data;
+  const isHere = ({ place }: { readonly place: Pt }) => near(toDiameter(place.r), x) && near(place.z, z);
+  if (issue.code === "materialLeft") {
+    const residual = proof.residual.findIndex(isHere);
+    const left = proof.residual[residual];
+    return left ? { residual, spot: { plane: "ZX", kind: "residual", place: left.place, bounds: boundsOf([left.ring], left.place), position: { step: steps.length, fraction: 0 } } } : null;
+  }
+  const f = findings.find((each) => each.kind === issue.code && isHere(each));
+  return f ? { residual: null, spot: { plane: "ZX", kind: "finding", place: f.place, bounds: boundsOf(f.rings, f.place), position: { step: f.step, fraction: SEEN[f.kind] } } } : null;
+}
+
+/** Where an approach or departure cuts its contour; null for findings without a place. */
+export function spotOfRun(run: Run, { issue, block }: RunFinding): Unmarked | null {
+  if (issue.code !== "approachCutsContour" && issue.code !== "approachValueCutsContour" && issue.code !== "approachBlocked") return null;
+  const { x, y, z } = issue.data;
+  if (y !== undefined) {
+    const place = partPoint({ x, y });
+    const step = run.plane.findIndex((s) => s.block === block);
+    return { plane: "XY", kind: "finding", place, bounds: roundPoint(place), position: { step: Math.max(0, step), fraction: 0.5 } };
+  }
+  if (z === undefined) return null;
+  const place: Pt = { z: axial(z), r: toRadius(diameter(x)) };
+  const lead = run.approaches.find((a) => a.block === block && a.plane === "ZX");
+  const step = lead ? run.stepBlocks.indexOf(lead.index) : -1;
+  return { plane: "ZX", kind: "finding", place, bounds: roundPoint(place), position: { step: Math.max(0, step), fraction: 0.5 } };
+}
+
+/** A, B … Z, AA … for regions that stay, beside the numbers of findings. */
+export const letterOf = (index: number): string =>
+  (index >= 26 ? letterOf(Math.floor(index / 26) - 1) : "") + String.fromCharCode(65 + (index % 26));

@@ -1,0 +1,54 @@
+import { useMemo } from "react";
+import { useOutcome, type Outcome } from "../engine/outcome.ts";
+import { usePrompted } from "../prompted.ts";
+import { readJob, useReading, type JobReading } from "../reading.ts";
+import { useEditor } from "../store.ts";
+import { isToDo, type Entry } from "./entry.ts";
+import { findingsOf } from "./findings.ts";
+import { judged, type Verdict } from "./verdict.ts";
+
+interface Findings {
+  readonly entries: readonly Entry[];
+  /** Those of the list: prompts that are only not answered yet are counted, not listed. */
+  readonly listed: readonly Entry[];
+  readonly verdict: Verdict;
+}
+
+let last: { readonly read: JobReading | null; readonly newest: Outcome | null; readonly findings: Findings } | null = null;
+
+/** The findings and the verdict on one state of the open work, made once per state. */
+function known(read: JobReading | null, newest: Outcome | null): Findings {
+  if (last?.read === read && last.newest === newest) return last.findings;
+  const entries = findingsOf(read, newest);
+  const findings = { entries, listed: entries.filter((entry) => !isToDo(entry)), verdict: judged(entries, newest && (!read || read.reading.values) ? newest : null) };
+  last = { read, newest, findings };
+  return findings;
+}
+
+/** The same now, outside of components. */
+export function presentFindings(): Findings {
+  const { job } = useEditor.getState();
+  return known(job && readJob(job), useOutcome.getState().newest);
+}
+
+function useBoth(): Findings {
+  const read = useReading();
+  const newest = useOutcome((s) => s.newest);
+  return useMemo(() => known(read, newest), [read, newest]);
+}
+
+/** All findings of the open work, worst first; the same list as long as neither values nor results change. */
+export const useFindings = (): readonly Entry[] => useBoth().entries;
+
+/** What the list of findings shows and every count on the page counts. */
+export const useListed = (): readonly Entry[] => useBoth().listed;
+
+/** The verdict on the open work. */
+export const useVerdict = (): Verdict => useBoth().verdict;
+
+/** The findings that the shown prompts know: those of a block while one is open, otherwise all. */
+export function usePromptFindings(): readonly Entry[] {
+  const all = useFindings();
+  const block = usePrompted((p) => p.block);
+  return block?.problems ?? all;
+}

@@ -1,0 +1,57 @@
+import { useMemo } from "react";
+import type { ParamTextId } from "../../cycles/index.ts";
+import { writeTyped } from "../dialog/write-value.ts";
+import { goTo } from "../dialog/prompts.ts";
+import { setPrompt, setStart, setTool } from "../edits.ts";
+import { goToField, showSection } from "../place.ts";
+import type { JobReading } from "../reading.ts";
+import { useSettings } from "../settings/settings.ts";
+import { useTexts } from "../settings/use-texts.ts";
+import { closeStep } from "../store.ts";
+import { isAboutTool, type Entry } from "./entry.ts";
+import { nearestOf, type FindingsHost, type Remedy, type Target } from "./host.ts";
+
+/** Decimals of a start point. */
+const START_DECIMALS = 3;
+
+/** A change by a button: a step of undo of its own. */
+const oneStep = (change: () => void) => () => {
+  closeStep();
+  change();
+  closeStep();
+};
+
+/** The workplace of one cycle: prompts, set-up and contour table. */
+export function useJobHost(read: JobReading): FindingsHost {
+  const t = useTexts();
+  const language = useSettings((s) => s.language);
+  return useMemo(() => {
+    const { places } = t.findings;
+    const { job, cycle } = read;
+    const targetOf = ({ issue, at, block }: Entry): Target | null => {
+      const param = at === null ? undefined : cycle.params[at];
+      if (at !== null && param) return { name: t.dialog.value(at, t.params[param.text as ParamTextId].label), go: () => goTo(at) };
+      if (at === "start.x") return { name: places.startX, go: () => goToField("setup", "start.x") };
+      if (at === "start.z") return { name: places.startZ, go: () => goToField("setup", "start.z") };
+      if (at === "contour") return { name: places.contour, go: () => showSection("contour") };
+      if (issue.code === "blankMissing" || issue.code === "blankImpossible") return { name: places.blank, go: () => goToField("setup", "blank.outside") };
+      if (issue.code === "spindleMissing") return { name: places.spindle, go: () => goToField("setup", job.spindle.mode === "constant" ? "spindle.speed" : "spindle.cuttingSpeed") };
+      if (isAboutTool(at) || issue.code === "toolUnknown") return { name: places.tool, go: () => goToField("setup", "tool") };
+      return block === null ? null : { name: t.findings.inBlock(String(block)), go: () => showSection("program") };
+    };
+    const remediesOf = (entry: Entry): readonly Remedy[] => {
+      const { issue, at } = entry;
+      if (issue.code === "betterTool") return [{ name: t.setup.tool.take(issue.data.tool), apply: oneStep(() => setTool(issue.data.tool)) }];
+      const nearest = nearestOf(entry);
+      const param = at === null ? undefined : cycle.params[at];
+      if (nearest === null || at === null) return [];
+      const take = (decimals: number, apply: () => void): readonly Remedy[] => [{ name: t.dialog.takeNearest(writeTyped(language, nearest, decimals)), apply: oneStep(apply) }];
+      if (param) return take(param.decimals, () => setPrompt(at, String(nearest)));
+      if (at === "start.x" || at === "start.z") return take(START_DECIMALS, () => setStart(at === "start.x" ? "x" : "z", String(nearest)));
+      return [];
+    };
+    const toFirstOpen = () => goTo(read.reading.issues[0]?.at ?? null);
+    const takeTool: FindingsHost["takeTool"] = (_, tool) => oneStep(() => setTool(tool))();
+    return { targetOf, remediesOf, cycleOf: () => job.cycle, point: () => undefined, jobOf: () => job, toFirstOpen, takeTool };
+  }, [t, language, read]);
+}

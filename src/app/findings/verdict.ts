@@ -1,0 +1,68 @@
+import { verdictOf, type VerdictReason } from "../../report/verdict.ts";
+import type { Outcome } from "../engine/outcome.ts";
+import { isError, isToDo, type Entry } from "./entry.ts";
+
+/** Why a program is not proved, or not wholly, with what the sentence about it needs. */
+export type Doubt =
+  | Extract<VerdictReason, { kind: "unproved" | "milling" }>
+  | { readonly kind: "nothingCut"; readonly block: number; readonly cycle: number }
+  | { readonly kind: "noOperation"; readonly approachesClear: boolean }
+  /** All tools that nobody described in full, in one sentence. */
+  | { readonly kind: "holderUnknown" | "flanksUnknown"; readonly tools: readonly number[] };
+
+/** What the screen says about a program as a whole: the judgement of the report, and what the list of findings adds. */
+export interface Verdict {
+  /** "none": there is nothing calculated to judge. */
+  readonly state: "none" | "proved" | "faults" | "incomplete";
+  /** The gravest first. */
+  readonly doubts: readonly Doubt[];
+  /** Errors, things only not done yet aside. */
+  readonly faults: number;
+  /** Prompts that are still empty. */
+  readonly open: number;
+  readonly warnings: number;
+  /** mm² that stay against the drawing. */
+  readonly stays: number;
+}
+
+function doubtsOf(reasons: readonly VerdictReason[], entries: readonly Entry[], { run }: Outcome): readonly Doubt[] {
+  const doubts: Doubt[] = [];
+  for (const reason of reasons) {
+    switch (reason.kind) {
+      case "unproved": case "milling":
+        doubts.push(reason);
+        break;
+      case "nothingCut":
+        doubts.push({ kind: "nothingCut", block: reason.block, cycle: run.operations[reason.operation]?.cycle ?? 0 });
+        break;
+      case "noOperation":
+        doubts.push({ kind: "noOperation", approachesClear: run.approaches.length > 0 && !entries.some((e) => e.spot?.kind === "finding") });
+        break;
+      default:
+        break;
+    }
+  }
+  for (const kind of ["holderUnknown", "flanksUnknown"] as const) {
+    const tools = reasons.flatMap((r) => (r.kind === kind ? [r.tool] : [])).sort((a, b) => a - b);
+    if (tools.length > 0) doubts.push({ kind, tools });
+  }
+  return doubts;
+}
+
+/** The verdict on what is calculated, with every reason against it. Errors that only the prompts know count as well. */
+export function judged(entries: readonly Entry[], outcome: Outcome | null): Verdict {
+  const errors = entries.filter(isError);
+  const open = errors.filter(isToDo).length;
+  const faults = errors.length - open;
+  const warnings = entries.filter((e) => e.issue.severity === "warning" && e.issue.code !== "materialLeft").length;
+  const stays = entries.reduce((sum, { issue }) => (issue.code === "materialLeft" && issue.severity !== "info" ? sum + issue.data.area : sum), 0);
+  const counts = { faults, open, warnings, stays };
+  if (!outcome) return { state: faults > 0 ? "faults" : "none", doubts: [], ...counts };
+  const { verdict, reasons } = verdictOf(outcome.run, outcome.simulation);
+  const state = faults > 0 ? "faults" : verdict;
+  return { state, doubts: doubtsOf(reasons, entries, outcome), ...counts, faults: Math.max(faults, state === "faults" ? 1 : 0) };
+}
+
+/** Green only where everything is proved, nothing was left unlooked at, and nothing is left to look at. */
+export const toneOf = ({ state, doubts, warnings, stays }: Verdict): "good" | "plain" | "doubt" | "bad" | "none" =>
+  state === "none" ? "none" : state === "faults" ? "bad" : state === "incomplete" || doubts.length > 0 ? "doubt" : warnings > 0 || stays > 0 ? "plain" : "good";

@@ -1,0 +1,19 @@
+import { useEffect } from "react";
+import { chooseFinding, useChosen } from "../findings/chosen.ts";
+import type { PlaybackStore } from "./playback-store.ts";
+import type { Viewport } from "./viewport.ts";
+import type { LookAt } from "./places.ts";
+
+/** The place that is looked at, chosen in the list or in the picture: the picture goes near it, and playback to its moment. */
+export function useLooking<P extends Pick<LookAt, "id" | "bounds" | "position">>(places: readonly P[], viewport: Viewport, playback: PlaybackStore) {
+  const { id, count } = useChosen();
+  const chosen = places.find((place) => place.id === id) ?? null;
+  useEffect(() => {
+    if (count === 0) return;
+    if (!chosen) return viewport.fit();
+    playback.dispatch({ do: "seek", position: chosen.position });
+    viewport.show(chosen.bounds);
+    // Only a new choice moves the picture: a place that is found again after a change of values leaves it where it is.
+  }, [count]); // eslint-disable-line react-hooks/exhaustive-deps
+  return { chosen, choose: (place: Pick<LookAt, "id"> | null) => chooseFinding(place?.id ?? null) };
+}
