@@ -1,6 +1,6 @@
 import { presentFindings } from "../findings/use-findings.ts";
 import { printedText } from "../printed.ts";
-import { copyProgram } from "../program/copy.ts";
+import { copyProgram } from "./copy-program.ts";
 import { useEditor } from "../store.ts";
 
 /** True when a piece of text is a whole program: to take it along is to copy the program, however it is done. */

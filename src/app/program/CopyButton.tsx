@@ -1,9 +1,10 @@
 import { useVerdict } from "../findings/use-findings.ts";
+import { copyProgram } from "../leaving/copy-program.ts";
 import { Icon } from "../Icon.tsx";
 import { printedText } from "../printed.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { useEditor } from "../store.ts";
-import { copyProgram, useCopying } from "./copy.ts";
+import { useCopying } from "./copy.ts";
 
 /** Copies the program, and says so on its own face. It is the main button only while nothing is wrong. */
 export function CopyButton({ main = false, long = false }: { readonly main?: boolean; readonly long?: boolean }) {

@@ -1,6 +1,5 @@
 import { create } from "zustand";
 import type { Verdict } from "../findings/verdict.ts";
-import { mayLeave } from "../leaving/leaving.ts";
 
 /** How the last copying went; null before it and once its message is gone. */
 export interface Copying {
@@ -27,12 +26,6 @@ export async function copyText(text: string, verdict: Verdict | null = null): Pr
   } catch {
     useCopying.setState({ state: "refused", text, verdict });
   }
-}
-
-/** Copies a program, or the part of it that was marked; one with faults only when the operator means it. */
-export async function copyProgram(program: string, marked = program): Promise<void> {
-  const verdict = await mayLeave("copy", program);
-  if (verdict) await copyText(marked, verdict);
 }
 
 export const closeCopying = (): void => useCopying.setState({ state: null });

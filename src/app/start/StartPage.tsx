@@ -1,4 +1,4 @@
-import { useEffect } from "react";
+import { lazy, Suspense, useEffect } from "react";
 import { catalogue, type CycleNumber } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job.ts";
 import type { Cycle } from "../../cycles/define.ts";
@@ -8,9 +8,11 @@ import { openPrompt } from "../place.ts";
 import { refreshWorks, startWork } from "../saving/keep.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { useSettings } from "../settings/settings.ts";
-import { CycleSketch } from "./CycleSketch.tsx";
 import { KeptWorks } from "./KeptWorks.tsx";
 import { ProgramStart } from "./ProgramStart.tsx";
+
+/** The cards can be used before their drawings are there; the room is kept for them. */
+const CycleSketch = lazy(async () => ({ default: (await import("./CycleSketch.tsx")).CycleSketch }));
 
 /** Begins a program of a cycle, with the printed example's values or with empty prompts. */
 function begin(cycle: Cycle, withExample: boolean, language: "en" | "de" | "fr" | "zh"): void {
@@ -40,7 +42,7 @@ export function StartPage() {
           const words = t.cycles.of[cycle.number as CycleNumber];
           return (
             <li key={cycle.number} className="cycle-card" aria-label={t.page.start.cycle(cycle.number, words.name)}>
-              <CycleSketch cycle={cycle} />
+              <Suspense fallback={<div className="cycle-sketch" />}><CycleSketch cycle={cycle} /></Suspense>
               <h2>
                 <span className="number card-number">{cycle.number}</span> {words.name}
               </h2>

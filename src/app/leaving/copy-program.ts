@@ -1,0 +1,8 @@
+import { copyText } from "../program/copy.ts";
+import { mayLeave } from "./leaving.ts";
+
+/** Copies a program, or the part of it that was marked; one with faults only when the operator means it. */
+export async function copyProgram(program: string, marked = program): Promise<void> {
+  const verdict = await mayLeave("copy", program);
+  if (verdict) await copyText(marked, verdict);
+}
