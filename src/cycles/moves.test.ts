@@ -1,0 +1,69 @@
+import { expect, test } from "vitest";
+import { contourFrom, type ContourElement } from "../kernel/contour.ts";
+import type { Move } from "../kernel/move.ts";
+import type { Pt } from "../kernel/point.ts";
+import { axial, diameter, toDiameter, toRadius } from "../kernel/units.ts";
+import { shippedTools } from "../program/shipped-tools.ts";
+import cases from "./moves.cases.txt?raw";
+import { cycleByNumber } from "./index.ts";
+
+/**
+ * One line a case: `812 from 75/2 | T1 Q463=3`: the cycle, the start point X/Z, then what differs from the printed example:
+ * tool, values, and for free contours the elements in order (`75/-20 50/-20 RND2 …`). Under it the moves: r rapid, f feed,
+ * a arc, each with its end point X/Z; a number in brackets is the step of the manual that begins there.
+ */
+const at = (x: string, z: string): Pt => ({ z: axial(Number(z)), r: toRadius(diameter(Number(x))) });
+const PRINTED = "75/-20 50/-20 RND2 20/-25 RND2 20/0";
+
+function elements(words: readonly string[]): ContourElement[] {
+  return words.map((w): ContourElement => {
+    const [x, z] = w.split("/");
+    if (w.startsWith("RND")) return { kind: "round", size: Number(w.slice(3)) };
+    if (w.startsWith("CHF")) return { kind: "chamfer", size: Number(w.slice(3)) };
+    return { kind: "line", to: at(x ?? "", z ?? "") };
+  });
+}
+
+const number = (n: number) => String(Number(n.toFixed(3)) || 0);
+const LETTER = { rapid: "r", feed: "f", arc: "a", thread: "t" };
+
+function listing(moves: readonly Move[]): string {
+  let step = "";
+  return moves.map((m) => {
+    const now = `${m.run === "finish" ? "F" : m.phase === "smooth" ? "S" : ""}${m.step}`;
+    const mark = now === step ? "" : `[${now}] `;
+    step = now;
+    return `${mark}${LETTER[m.kind]}${number(toDiameter(m.to.r))}/${number(m.to.z)}`;
+  }).join(" ");
+}
+
+/** What a cycle makes of one line. */
+function planned(line: string): string {
+  const [head = "", tail = ""] = line.split("|");
+  const [, cycleNumber = "", x = "", z = ""] = /^(\d+) from (\S+?)\/(\S+)/.exec(head.trim()) ?? [];
+  const cycle = cycleByNumber(Number(cycleNumber));
+  if (!cycle) throw new Error(`no cycle in: ${line}`);
+  const words = tail.trim().split(/\s+/).filter(Boolean);
+  const values = Object.fromEntries(Object.entries(cycle.params).map(([q, p]) => [q, p.example]));
+  let tool = shippedTools[{ 812: 0, 820: 14, 852: 7 }[cycleNumber] ?? 0];
+  const contour: string[] = [];
+  for (const w of words) {
+    if (/^T\d+$/.test(w)) tool = shippedTools.find((t) => t.T === Number(w.slice(1)));
+    else if (w.startsWith("Q")) values[w.split("=")[0] ?? ""] = Number(w.split("=")[1]);
+    else contour.push(w);
+  }
+  if (!tool) throw new Error(`no tool in: ${line}`);
+  const start = at(x, z);
+  const given = { contour: cycle.contour === "free" ? contourFrom(elements(contour.length > 0 ? contour : PRINTED.split(" "))).segments : null };
+  const plan = cycle.plan(values as never, { tool, start, feedUnit: "mm/rev", autoFeed: null }, given);
+  const issues = plan.issues.map((i) => `${i.severity} ${i.code}${i.at ? ` ${i.at}` : ""}`);
+  return [`${plan.passes} x ${number(plan.infeed)}`, listing(plan.moves), ...issues.map((i) => `! ${i}`)].filter(Boolean).join("\n");
+}
+
+const lines = cases.split("\n").filter((l) => /^\d+ from/.test(l));
+
+test("moves of one-line cases", async () => {
+  const text = lines.map((l) => `${l}\n${planned(l)}\n`).join("\n");
+  await expect(text).toMatchFileSnapshot("./moves.cases.txt");
+  expect(lines.length).toBeGreaterThan(30);
+});
