@@ -30,8 +30,8 @@ function check(number: number, { change = {}, tool, start = [75, 2], contour = p
   if (!cycle) throw new Error(`no cycle ${number}`);
   const base = shipped(tool?.T ?? usual[number] ?? 1);
   const built = contourFrom(contour);
-  const setting = { tool: { ...base, ...tool }, start: at(start[0], start[1]), feedUnit: "mm/rev" as const, autoFeed: feed(0.25) };
-  const given = { contour: built.segments };
+  const setting = { tool: { ...base, ...tool }, start: at(start[0], start[1]), feedUnit: "mm/rev" as const, autoFeed: feed(0.25), stock: null };
+  const given = { contour: built.segments, start: null };
   const reading = readDraft(cycle, { ...exampleDraft(cycle), ...change });
   const outline = reading.values && cycle.outline(reading.values, given);
   const plan = reading.values && cycle.plan(reading.values, setting, given);
@@ -100,7 +100,7 @@ const rules: readonly Rule[] = [
   { name: "Q482 above the whole contour", cycle: 820, code: "limitOnWrongSide", field: "Q482", severity: "warning", trips: { change: { Q479: "1", Q480: "0", Q482: "1" } }, passes: { change: { Q479: "1", Q480: "0", Q482: "-1" } } },
   { name: "limits that are off are not looked at", cycle: 820, code: "limitOnWrongSide", field: "Q480", severity: "warning", trips: { change: { Q479: "1", Q480: "80", Q482: "-60" }, start: [90, 2] }, passes: { change: { Q479: "0", Q480: "80", Q482: "-60" }, start: [90, 2] } },
   { name: "a tool that cannot cut sideways", cycle: 852, code: "toolCannotCutSideways", field: "tool", severity: "warning", trips: { tool: { T: 8, TYPE: "RECESS" } }, passes: { tool: { T: 8 } } },
-  { name: "a tool on the wrong side", cycle: 812, code: "toolOnWrongSide", field: "tool", severity: "error", trips: { tool: { T: 5 } }, passes: { tool: { T: 2 } } },
+  { name: "a tool on the wrong side", cycle: 812, code: "toolUnfit", field: "tool", severity: "error", trips: { tool: { T: 5 } }, passes: { tool: { T: 2 } } },
   { name: "a tool whose flanks are not known", cycle: 812, code: "flanksNotChecked", field: "tool", severity: "info", trips: { tool: { T: 11, TYPE: "ROUGH", RS: length(0.8) } }, passes: { tool: { T: 1 } } },
 
   { name: "start point inside the area", cycle: 812, code: "startInArea", field: "start.x", severity: "warning", trips: { start: [60, -10] }, passes: { start: [75, 2] } },

@@ -4,8 +4,10 @@ import { empty, planLeveled } from "../kernel/strategy/leveled.ts";
 import { perSide, toRadius } from "../kernel/units.ts";
 import { defineCycle } from "./define.ts";
 import { angle, axialParam, choice, diameterParam, feedParam, lengthParam, oversizeDiameter, radial } from "./params.ts";
+import { atParameters } from "./roles.ts";
+import { edgesOf } from "./corner-element.ts";
 import { shoulderOutline } from "./shoulder-outline.ts";
-import { angleIssues, cornerIssue } from "./tool-issues.ts";
+import { angleIssues, cornerIssue, withIssues } from "./tool-issues.ts";
 
 /** Shoulder, longitudinal, extended: circumferential surface, inner corner, face, with an element at either end. */
 export const c812 = defineCycle({
@@ -42,13 +44,13 @@ export const c812 = defineCycle({
     if (outline.contour.length === 0 || outline.issues.length > 0) return empty(outline.issues);
     const frame: Frame = { transverse: false, signU: v.Q494 < v.Q492 ? -1 : 1, signV: v.Q491 > v.Q493 ? 1 : -1 };
     const plan = planLeveled({
-      frame, contour: outline.contour, operation: v.Q215, clearance: v.Q460, infeed: v.Q463,
+      frame, contour: outline.contour, edges: edgesOf(outline.names, "Q502", "Q504"), operation: v.Q215, clearance: v.Q460, infeed: v.Q463,
       feeds: feedsOf({ rough: v.Q478, finish: v.Q505 }, setting.autoFeed),
       oversize: { r: perSide(v.Q483), z: v.Q484 }, plunging: true, smoothing: v.Q506, limit: null,
       outerHeight: frame.signV * toRadius(v.Q491), startRule: "shoulder",
     }, setting);
     const value = (q: string, direction: number) => (q === "Q496" ? 90 - direction : direction);
     const tool = [...cornerIssue(v.Q500, setting.tool), ...angleIssues(outline.contour, outline.names, setting.tool, frame, value)];
-    return { ...plan, issues: [...plan.issues, ...tool] };
+    return atParameters(withIssues(plan, tool), frame, { infeed: "Q463" });
   },
 });

@@ -6,7 +6,8 @@ import { perSide, toRadius } from "../kernel/units.ts";
 import { defineCycle } from "./define.ts";
 import { axialDepth, axialParam, choice, diameterParam, feedParam, lengthParam, oversizeDiameter } from "./params.ts";
 import { freeFrame, freeOutline } from "./free-outline.ts";
-import { angleIssues } from "./tool-issues.ts";
+import { atParameters } from "./roles.ts";
+import { angleIssues, withIssues } from "./tool-issues.ts";
 
 /** Free contour of a subprogram, cut across the axis. */
 export const c820 = defineCycle({
@@ -39,13 +40,14 @@ export const c820 = defineCycle({
     const frame = freeFrame(outline.contour, setting, true);
     const tool = v.Q499 === 2 ? mirroredTool(setting.tool, "r") : setting.tool;
     const plan = planLeveled({
-      frame, contour: outline.contour, operation: v.Q215, clearance: v.Q460, infeed: v.Q463,
+      frame, contour: outline.contour, edges: { start: 0, end: 0 }, operation: v.Q215, clearance: v.Q460, infeed: v.Q463,
       feeds: feedsOf({ rough: v.Q478, finish: v.Q505, plunge: v.Q488 }, setting.autoFeed),
       oversize: { r: perSide(v.Q483), z: v.Q484 }, plunging: v.Q487 === 1, smoothing: v.Q506,
       limit: v.Q479 === 1 ? toFlat(frame, { r: toRadius(v.Q480), z: v.Q482 }) : null,
       outerHeight: null, startRule: "contour",
     }, { ...setting, tool });
     const found = angleIssues(outline.contour, outline.contour.map(() => "contour"), tool, frame, (_q, direction) => Math.abs(direction));
-    return { ...plan, ...(tool === setting.tool ? {} : { tool }), issues: [...plan.issues, ...found] };
+    const adapted = tool === setting.tool ? plan : { ...plan, tool };
+    return atParameters(withIssues(adapted, found), frame, { infeed: "Q463", limitX: "Q480", limitZ: "Q482" });
   },
 });

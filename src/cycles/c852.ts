@@ -4,13 +4,14 @@ import { issue, type Issue } from "../kernel/issue.ts";
 import { feedsOf } from "../kernel/strategy/feeds.ts";
 import { empty } from "../kernel/strategy/leveled.ts";
 import { planRecess } from "../kernel/strategy/recess.ts";
-import { axial, perSide, radius, toDiameter, type Diameter } from "../kernel/units.ts";
+import { axial, perSide, radius, toDiameter, type Axial, type Diameter } from "../kernel/units.ts";
 import { defineCycle } from "./define.ts";
 import {
   angle, axialDepth, axialParam, choice, diameterParam, feedParam, lengthParam, oversizeDiameter,
 } from "./params.ts";
 import { recessOutline, type RecessOutline } from "./recess-outline.ts";
-import { angleIssues, cornerIssue } from "./tool-issues.ts";
+import { atParameters } from "./roles.ts";
+import { angleIssues, cornerIssue, withIssues } from "./tool-issues.ts";
 
 /**
  * Recess turning, axial, extended: a groove in a face with two walls, a floor, and an element at either edge.
@@ -47,26 +48,32 @@ export const c852 = defineCycle({
     Q488: feedParam("plungingFeed", [0, 99999.999], 0, { optional: true, rangeEvidence: "I" }),
   },
   steps: { rough: 8, finish: 7 },
-  outline: (v) => recessOutline(v, true),
+  outline: (v) => recessOutline(finished(v), true),
   plan(v, setting) {
-    const outline = recessOutline(v, true);
+    const outline = recessOutline(finished(v), true);
     if (outline.contour.length === 0 || outline.issues.length > 0) return empty(outline.issues);
-    const frame: Frame = { transverse: true, signU: v.Q491 > v.Q493 ? -1 : 1, signV: v.Q494 < v.Q492 ? 1 : -1 };
+    const frame = frameOf(v);
     const { tool } = setting;
     const plan = planRecess({
       frame, contour: outline.contour, operation: v.Q215, infeed: v.Q463,
       feeds: feedsOf({ rough: v.Q478, finish: v.Q505, plunge: v.Q488 }, setting.autoFeed),
-      oversize: { r: perSide(v.Q483), z: v.Q484 }, oneWay: v.Q507 === 1, offset: v.Q508, depthCompensation: v.Q509,
-      compensated: v.Q509 === 0 ? outline.contour : recessOutline({ ...v, Q494: axial(v.Q494 + frame.signV * v.Q509) }, true).contour,
-      roundedFloor: v.Q500 > 0,
+      oversize: { r: perSide(v.Q483), z: v.Q484 }, oneWay: v.Q507 === 1, offset: v.Q508, roundedFloor: v.Q500 > 0,
     }, setting);
     const value = (_q: string, direction: number) => 90 - Math.abs(direction);
     const rough = v.Q215 !== 2;
     const narrow = narrowIssue(outline, v, isBar(tool) ? cuttingWidth(tool) + (rough ? v.Q483 : 0) : 0);
     const found = [...narrow, ...cornerIssue(v.Q500, tool), ...angleIssues(outline.contour, outline.names, tool, frame, value)];
-    return { ...plan, issues: [...plan.issues, ...found] };
+    return atParameters(withIssues(plan, found), frame, { infeed: "Q463", depth: "Q494", offset: "Q508" });
   },
 });
+
+type Ends = { readonly Q491: Diameter; readonly Q492: Axial; readonly Q493: Diameter; readonly Q494: Axial };
+
+const frameOf = (v: Ends): Frame => ({ transverse: true, signU: v.Q491 > v.Q493 ? -1 : 1, signV: v.Q494 < v.Q492 ? 1 : -1 });
+
+/** The values with the floor where Q509 shifts it, positive out of the material: that is the finished groove (decision "Recess turning"). */
+const finished = <V extends Ends & { readonly Q509: Axial }>(v: V): V =>
+  (v.Q509 === 0 ? v : { ...v, Q494: axial(v.Q494 + frameOf(v).signV * v.Q509) });
 
 /** A tool that is wider than the floor (with the oversize on both walls) cannot reach it; wider than the opening, not at all. */
 function narrowIssue(outline: RecessOutline, v: { Q491: Diameter; Q493: Diameter }, tool: number): Issue[] {

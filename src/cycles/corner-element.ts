@@ -44,5 +44,10 @@ export function namedContour(points: readonly Pt[], sides: readonly string[], co
   return { contour: inner.map((s) => s.segment), names: inner.map((s) => s.name), issues };
 }
 
+/** How many segments at either end of a contour belong to its start and its end element. */
+export function edgesOf(names: readonly string[], start: string, end: string): { readonly start: number; readonly end: number } {
+  return { start: names.filter((n) => n === start).length, end: names.filter((n) => n === end).length };
+}
+
 /** The largest angle that fits, below its limit, on the four decimals a control keeps. */
 export const angleBelow = (limit: number) => Math.max(0, Math.ceil(limit * 1e4 - 1e-6) / 1e4 - 1e-4);

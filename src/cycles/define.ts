@@ -19,9 +19,12 @@ export interface Outline {
   readonly issues: readonly Issue[];
 }
 
-/** What a free-contour cycle is given: the contour of its subprogram, in programmed order. */
+/** What a cycle is given beside its values. */
 export interface Given {
+  /** Of a free-contour cycle: the contour of its subprogram, in programmed order. */
   readonly contour: readonly Segment[] | null;
+  /** Theoretical tip at the call, from which the simple cycles start their contour; null where it is not known yet. */
+  readonly start: Pt | null;
 }
 
 export interface Cycle<P extends Params = Params, N extends number = number> {

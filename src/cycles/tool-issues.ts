@@ -3,6 +3,7 @@ import { normalAt, segmentToFlat, type Frame } from "../kernel/flat.ts";
 import { insertShape, noseRadius } from "../kernel/insert.ts";
 import { inFrame } from "../kernel/convex.ts";
 import { issue, type Issue } from "../kernel/issue.ts";
+import type { Plan } from "../kernel/plan.ts";
 import type { Segment } from "../kernel/point.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { inDegrees, type Length } from "../kernel/units.ts";
@@ -51,3 +52,7 @@ export function cornerIssue(corner: Length, tool: Tool): Issue[] {
     ? [issue("cornerSmallerThanInsert", "warning", { radius: corner, insert, nearest: insert }, "Q500")]
     : [];
 }
+
+/** A plan with what its tool cannot follow; a tool that is unfit altogether needs no details. */
+export const withIssues = (plan: Plan, found: readonly Issue[]): Plan =>
+  plan.issues.some((i) => i.code === "toolUnfit") ? plan : { ...plan, issues: [...plan.issues, ...found] };

@@ -85,6 +85,28 @@ export function normalAt(s: FlatSegment, end: "from" | "to"): Flat {
   return { u: (p.u - s.centre.u) * k, v: (p.v - s.centre.v) * k };
 }
 
+/** Direction of travel (unit) at one end of an element; that of a line of no length is +u. */
+export function tangentAt(s: FlatSegment, end: "from" | "to"): Flat {
+  const n = normalAt(s, end);
+  return n.u === 0 && n.v === 0 ? { u: 1, v: 0 } : { u: n.v, v: -n.u };
+}
+
+/** Distance from a point to an element, mm. */
+export function distanceTo(s: FlatSegment, p: Flat): number {
+  const ends = Math.min(distance(p, s.from), distance(p, s.to));
+  if (s.kind === "line") {
+    const [du, dv] = [s.to.u - s.from.u, s.to.v - s.from.v];
+    const k = ((p.u - s.from.u) * du + (p.v - s.from.v) * dv) / (du * du + dv * dv || 1);
+    return k <= 0 || k >= 1 ? ends : Math.hypot(p.u - s.from.u - k * du, p.v - s.from.v - k * dv);
+  }
+  const way = s.ccw ? 1 : -1;
+  const angle = (q: Flat) => Math.atan2(q.v - s.centre.v, q.u - s.centre.u);
+  const turn = (a: number) => ((a % (2 * Math.PI)) + 2 * Math.PI) % (2 * Math.PI);
+  const sweep = turn(way * (angle(s.to) - angle(s.from))) || 2 * Math.PI;
+  const beside = turn(way * (angle(p) - angle(s.from))) <= sweep;
+  return beside ? Math.min(ends, Math.abs(distance(p, s.centre) - distance(s.from, s.centre))) : ends;
+}
+
 /** Lowest v of an element: of a valley arc that passes its bottom, the bottom. */
 export function lowestOf(s: FlatSegment): number {
   const ends = Math.min(s.from.v, s.to.v);

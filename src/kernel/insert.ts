@@ -14,6 +14,9 @@ export const TIP: Readonly<Record<TipOrientation, Flat>> = {
   6: { u: 0, v: 1 }, 7: { u: -1, v: 1 }, 8: { u: -1, v: 0 }, 9: { u: 0, v: 0 },
 };
 
+/** Where the tip of an orientation points, in part space (u is z, v is r); 0 for a round tip. */
+export const tipDirection = (TO: TipOrientation): Flat => TIP[TO];
+
 /** Nose or corner radius with its delta, mm, never negative. */
 export const noseRadius = (t: Tool) => Math.max(0, t.RS + (t.DRS ?? 0));
 /** From the centre of the nose radius to the theoretical tip, mm. */

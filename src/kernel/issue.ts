@@ -27,11 +27,13 @@ interface Data {
   cornerSmallerThanInsert: { radius: number; insert: number; nearest: number };
   recessNarrowerThanTool: { width: number; tool: number; nearest: number };
   angleNotFollowed: { angle: number; max: number; nearest: number; edge: "mainEdge" | "secondaryEdge" };
+  tooManyPasses: { passes: number; most: number; nearest: number };
   infeedOverCutLength: { infeed: number; cutLength: number; nearest: number };
   depthOverCutLength: { depth: number; cutLength: number; nearest: number };
   offsetReduced: { offset: number; nearest: number; passes: number };
   offsetOverLimit: { offset: number; max: number; passes: number; nearest: number };
-  toolOnWrongSide: { orientation: number };
+  /** By its TYPE or its tip orientation; those that can. */
+  toolUnfit: { type: string; orientation: number; types: readonly string[]; orientations: readonly number[] };
   toolCannotCutSideways: { type: string };
   flanksNotChecked: {};
   toolColumn: { column: string; value: number | null; max?: number; min?: number; nearest?: number };
@@ -45,7 +47,10 @@ interface Data {
   /* start point and limits */
   startInArea: { x: number; z: number };
   startInMaterial: { x: number; z: number };
-  startBelowContour: { z: number; contour: number };
+  /** mm across the cutting direction. */
+  startBelowContour: { below: number };
+  /** The contour is run towards the start point; from the other side, at x and z, it works. */
+  startOnWrongSide: { x: number; z: number };
   startInsideEnvelope: { clearance: number };
   limitOnWrongSide: { limit: number; nearest: number };
   nothingToCut: {};

@@ -12,6 +12,8 @@ export interface Setting {
   readonly feedUnit: FeedUnit;
   /** What FAUTO stands for: the feed of the tool call; null when none was given. */
   readonly autoFeed: Feed | null;
+  /** Outlines of what stands in the chuck at the call; null where earlier cuts have left nobody knows what. */
+  readonly stock: readonly Ring[] | null;
 }
 
 /** A stretch of the finishing path, with what keeps the insert from going deeper there (null: it lies on the contour). */

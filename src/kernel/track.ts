@@ -11,7 +11,7 @@ export interface Purpose {
   readonly plunging?: true;
 }
 
-/** Limits of the tip in strategy space: the axis of rotation. */
+/** Limits of the tip in strategy space: how far it may pass the axis of rotation. */
 export interface Room {
   readonly minU: number;
   readonly maxU: number;
@@ -19,10 +19,10 @@ export interface Room {
   readonly maxV: number;
 }
 
-/** Where the tip may be at all: r is never negative. */
-export function roomOf(f: Frame): Room {
-  const [lowU, highU] = f.transverse ? (f.signU > 0 ? [0, Infinity] : [-Infinity, 0]) : [-Infinity, Infinity];
-  const [lowV, highV] = f.transverse ? [-Infinity, Infinity] : f.signV > 0 ? [0, Infinity] : [-Infinity, 0];
+/** Where the tip may be: on this side of the axis, and up to `beyond` mm on the other. */
+export function roomOf(f: Frame, beyond = 0): Room {
+  const [lowU, highU] = f.transverse ? (f.signU > 0 ? [-beyond, Infinity] : [-Infinity, beyond]) : [-Infinity, Infinity];
+  const [lowV, highV] = f.transverse ? [-Infinity, Infinity] : f.signV > 0 ? [-beyond, Infinity] : [-Infinity, beyond];
   return { minU: lowU, maxU: highU, minV: lowV, maxV: highV };
 }
 
@@ -37,10 +37,10 @@ export class Track {
   private readonly feedUnit: FeedUnit;
   private readonly room: Room;
 
-  constructor(frame: Frame, feedUnit: FeedUnit, start: Flat) {
+  constructor(frame: Frame, feedUnit: FeedUnit, start: Flat, room: Room) {
     this.frame = frame;
     this.feedUnit = feedUnit;
-    this.room = roomOf(frame);
+    this.room = room;
     this.at = start;
   }
 

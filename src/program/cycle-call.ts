@@ -47,7 +47,7 @@ function givenContour(machine: Machine, cycle: number, index: number, operation:
  */
 function standIn(machine: Machine, cycle: Cycle, values: Values<Params> | null, given: Given, start: Pt, index: number): Tool | null {
   if (!values || (cycle.contour === "free" && !given.contour)) return null;
-  const best = rankTools(cycle, values, given, { start, feedUnit: machine.feedUnit, autoFeed: machine.toolFeed }, machine.shop.tools)[0]?.tool;
+  const best = rankTools(cycle, values, given, { start, feedUnit: machine.feedUnit, autoFeed: machine.toolFeed, stock: null }, machine.shop.tools)[0]?.tool;
   if (best) machine.say(issue("betterTool", "info", { tool: best.T, name: best.NAME }, "tool"), index);
   return best ?? null;
 }
@@ -71,11 +71,13 @@ export function callCycle(machine: Machine, index: number): void {
   if (!machine.spindle) machine.say(programIssue("spindleMissing", "warning", {}), index);
   if (!machine.roomForOperation(index)) return;
   const operation = machine.operations.length;
-  const given: Given = { contour: cycle.contour === "free" ? givenContour(machine, cycle.number, index, operation) : null };
+  const given: Given = { contour: cycle.contour === "free" ? givenContour(machine, cycle.number, index, operation) : null, start };
   const { values, issues } = cycleValues(machine, cycle, defined.values);
   const tool = machine.tool ?? standIn(machine, cycle, values, given, start, index);
   if (!tool) return;
-  const setting = { tool, start, feedUnit: machine.feedUnit, autoFeed: machine.toolFeed };
+  // What earlier cycles have left is known to the simulation only.
+  const stock = operation === 0 && machine.blank.length > 0 ? machine.blank : null;
+  const setting = { tool, start, feedUnit: machine.feedUnit, autoFeed: machine.toolFeed, stock };
   const plan = values && (cycle.contour === "own" || given.contour) ? cycle.plan(values, setting, given) : nothing;
   const outlined = values && plan !== nothing ? cycle.outline(values, given).issues : [];
   const all = unique([...issues, ...outlined, ...plan.issues]);

@@ -28,7 +28,7 @@ const unreached = (plan: Plan) =>
 const NEGLIGIBLE = 0.01;
 
 const AGAINST_TOOL = new Set([
-  "cornerSmallerThanInsert", "recessNarrowerThanTool", "angleNotFollowed", "toolOnWrongSide", "toolCannotCutSideways",
+  "cornerSmallerThanInsert", "recessNarrowerThanTool", "angleNotFollowed", "toolUnfit", "toolCannotCutSideways",
   "flanksNotChecked", "toolColumn", "offsetOverLimit",
 ]);
 

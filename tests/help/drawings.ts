@@ -19,6 +19,7 @@ const round = (size: number) => ({ kind: "round", size }) as const;
 /** The contour printed for the free-contour cycle. */
 export const printedContour: Given = {
   contour: contourFrom([lineTo(75, -20), lineTo(50, -20), round(2), lineTo(20, -25), round(2), lineTo(20, 0)]).segments,
+  start: null,
 };
 
 export const cycles: readonly Cycle[] = catalogue;

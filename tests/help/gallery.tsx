@@ -27,7 +27,7 @@ createRoot(document.getElementById("root")!).render(
       <figure key={q} style={{ border: "1px solid var(--line)" }}>
         <figcaption className="small">{q || "none"}</figcaption>
         <div className="help-slot" style={{ width, height }}>
-          <HelpPicture cycle={cycle} values={values} given={{ contour }} activeQ={q || null} language={language} />
+          <HelpPicture cycle={cycle} values={values} given={{ contour, start: null }} activeQ={q || null} language={language} />
         </div>
       </figure>
     ))}

@@ -46,7 +46,7 @@ const shoulder = fc.record({
   const r1 = d1 / 2;
   return {
     values: { ...q, Q491: d1, Q492: z1, Q493: round(d1 - out * height), Q494: z2 },
-    given: { contour: null },
+    given: { contour: null, start: null },
     tool: turned(base, base.TYPE === "BUTTON" ? (out > 0 ? 2 : 6) : side),
     start: at(z1 + along * before, Math.max(0.5, level ? r1 : r1 + out * over)),
     blank: [box(z1, z2 - along * 30, r1, out > 0 ? 0 : r1 + 60)],
@@ -60,7 +60,7 @@ const recess = fc.record({
   CUTWIDTH: fc.constantFrom(2, 3, 4), RS: fc.constantFrom(0, 0.2, 0.4),
 }).map(({ out, along, d1, width, z1, depth, before, across, CUTWIDTH, RS, ...q }): Situation => ({
   values: { ...q, Q491: d1, Q492: z1, Q493: round(d1 - out * 2 * width), Q494: round(z1 - along * depth) },
-  given: { contour: null },
+  given: { contour: null, start: null },
   tool: { ...turned(tool(8), along > 0 ? 8 : 4), CUTWIDTH, RS } as Tool,
   start: at(z1 + along * before, Math.max(0.5, d1 / 2 + across)),
   blank: [box(z1, z1 - along * 60, 0, 110)],
@@ -89,7 +89,7 @@ const contour = fc.record({
   const top = Math.max(...built.flatMap((s) => [s.from.z, s.to.z]), z);
   const base = tool(t);
   return {
-    values: q, given: { contour: built }, tool: turned(base, base.TYPE === "BUTTON" ? 8 : out > 0 ? 1 : 7),
+    values: q, given: { contour: built, start: null }, tool: turned(base, base.TYPE === "BUTTON" ? 8 : out > 0 ? 1 : 7),
     start: at(top + over, Math.max(0.5, first + out * before)), blank: [box(top, -90, first, out > 0 ? 0 : first + 80)],
   };
 });
@@ -107,7 +107,7 @@ export const situations = (operation: number): { cycle: Cycle; arbitrary: fc.Arb
 
 /** Plans a situation; the feed of the tool call is 0.25 mm/rev. */
 export function planOf(cycle: Cycle, s: Situation): Plan {
-  const setting: Setting = { tool: s.tool, start: s.start, feedUnit: "mm/rev", autoFeed: null };
+  const setting: Setting = { tool: s.tool, start: s.start, feedUnit: "mm/rev", autoFeed: null, stock: s.blank };
   return cycle.plan(s.values as never, setting, s.given);
 }
 

@@ -50,7 +50,7 @@ export const engine = {
     if (!cycle || !values) return null;
     const given = givenOf({ cycle, job });
     if (cycle.outline(values, given).issues.some((found) => found.severity === "error")) return null;
-    return rankTools(cycle, values, given, { start, feedUnit, autoFeed: null }, tools);
+    return rankTools(cycle, values, given, { start, feedUnit, autoFeed: null, stock: null }, tools);
   },
 };
 

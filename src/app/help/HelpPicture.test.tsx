@@ -16,7 +16,7 @@ afterEach(cleanup);
 const cycle = catalogue.find((c) => c.contour === "own") as Cycle;
 const example: Numbers = Object.fromEntries(Object.entries(cycle.params).map(([q, p]) => [q, p.example]));
 const picture = (values: Numbers | null, activeQ: string | null, language: Language = "en", partial: Numbers = values ?? {}) =>
-  <HelpPicture cycle={cycle} values={values} partial={partial} given={{ contour: null }} activeQ={activeQ} language={language} />;
+  <HelpPicture cycle={cycle} values={values} partial={partial} given={{ contour: null, start: null }} activeQ={activeQ} language={language} />;
 const name = () => screen.getByRole("img").getAttribute("aria-label") ?? "";
 const active = () => [...document.querySelectorAll("svg text.active")].map((e) => e.textContent);
 
@@ -60,6 +60,6 @@ test("before there was a drawing it shows the printed example, dimmed", () => {
 
 test("a free contour that is missing draws nothing and does not break", () => {
   const free = catalogue.find((c) => c.contour === "free") as Cycle;
-  render(<HelpPicture cycle={free} values={null} given={{ contour: null }} activeQ="Q463" language="en" />);
+  render(<HelpPicture cycle={free} values={null} given={{ contour: null, start: null }} activeQ="Q463" language="en" />);
   expect(document.querySelector("svg")?.outerHTML).not.toMatch(/NaN|Infinity/);
 });

@@ -31,6 +31,7 @@ export const messages = {
       `Der Grund des Einstichs ist ${w.number(d.width)} breit, Werkzeug und Aufmaß brauchen ${w.number(d.tool)}. ${nearest(w.value(d.nearest))}`,
     angleNotFollowed: (d, w) =>
       `Das Werkzeug kann ${w.angle(d.angle)} nicht folgen: Die ${reasons[d.edge]} lässt ${w.angle(d.max)} zu, Material bleibt stehen. ${nearest(w.angle(d.nearest))}`,
+    tooManyPasses: (d, w) => `${d.passes} Schnitte sind mehr als ${d.most}. ${nearest(w.number(d.nearest))}`,
     infeedOverCutLength: (d, w) =>
       `Zustellung ${w.number(d.infeed)} ist größer als CUTLENGTH ${w.number(d.cutLength)}: Sie wird auf ${w.number(d.nearest)} verringert.`,
     depthOverCutLength: (d, w) => `Tiefe ${w.number(d.depth)} ist größer als CUTLENGTH ${w.number(d.cutLength)}: Der Rest bleibt stehen. ${nearest(w.value(d.nearest))}`,
@@ -38,7 +39,7 @@ export const messages = {
       `Versatz ${w.number(d.offset)} wird auf ${w.number(d.nearest)} verringert: 80 % der wirksamen Breite müssen für ${d.passes === 1 ? "1 Schnitt" : `${d.passes} Schnitte`} reichen.`,
     offsetOverLimit: (d, w) =>
       `Der seitliche Versatz von ${d.passes === 1 ? "1 Schnitt" : `${d.passes} Schnitten`} ergibt ${w.number(d.offset)}; 80 % der wirksamen Breite sind ${w.number(d.max)}. ${nearest(w.number(d.nearest))}`,
-    toolOnWrongSide: (d) => `Spitzenlage ${d.orientation} zeigt vom Material weg: Das Werkzeug steht auf der falschen Seite.`,
+    toolUnfit: (d) => `Ein Werkzeug vom Typ ${d.type} mit Werkzeugorientierung ${d.orientation} kann das nicht. Geeignet: ${d.types.join(" oder ")} mit Orientierung ${d.orientations.join(", ")}.`,
     toolCannotCutSideways: (d) => `Ein ${d.type}-Werkzeug sticht nur ein, dieser Zyklus schneidet auch seitlich. RECTURN-Werkzeug nehmen.`,
     flanksNotChecked: () => "T-ANGLE oder P-ANGLE ist leer: Die Flanken der Schneide werden nicht geprüft.",
     toolColumn: (d, w) => {
@@ -55,7 +56,8 @@ export const messages = {
     betterTool: (d) => `Werkzeug ${d.tool} ${d.name} kann diese Kontur herstellen.`,
     startInArea: (d, w) => `Der Startpunkt ${w.place(d.x, d.z)} liegt im Zerspanbereich: Das Werkzeug fährt zuerst auf Sicherheits-Abstand.`,
     startInMaterial: (d, w) => `Der Startpunkt ${w.place(d.x, d.z)} steht im Material.`,
-    startBelowContour: (d, w) => `Z ${w.number(d.z)} des Startpunkts liegt unter dem Konturstart: Das Werkzeug fährt zuerst auf Z ${w.number(d.contour)}.`,
+    startBelowContour: (d, w) => `Der Startpunkt liegt ${w.number(d.below)} mm unter dem Konturstart: Das Werkzeug fährt zuerst dorthin.`,
+    startOnWrongSide: (d, w) => `Die Kontur läuft auf den Startpunkt zu: Von dort wird nichts zerspant. Ein Startpunkt, der geht: ${w.place(d.x, d.z)}.`,
     startInsideEnvelope: (d, w) =>
       `Der Startpunkt liegt näher an der Kontur als der Abstand ${w.number(d.clearance)}: Das Werkzeug fährt mit Schlichtvorschub direkt zur Kontur.`,
     limitOnWrongSide: (d, w) => `Mit der Grenze ${w.value(d.limit)} wird auf der Seite des Werkzeugs nichts zerspant. ${nearest(w.value(d.nearest))}`,

@@ -34,6 +34,7 @@ export const messages = {
       `The floor of the recess is ${w.number(d.width)} wide, tool and oversize need ${w.number(d.tool)}. ${nearest(w.value(d.nearest))}`,
     angleNotFollowed: (d, w) =>
       `The tool cannot follow ${w.angle(d.angle)}: ${reasons[d.edge]} allows ${w.angle(d.max)}, material stays. ${nearest(w.angle(d.nearest))}`,
+    tooManyPasses: (d, w) => `${d.passes} passes are more than ${d.most}. ${nearest(w.number(d.nearest))}`,
     infeedOverCutLength: (d, w) =>
       `Infeed ${w.number(d.infeed)} is more than CUTLENGTH ${w.number(d.cutLength)}: it is reduced to ${w.number(d.nearest)}.`,
     depthOverCutLength: (d, w) => `Depth ${w.number(d.depth)} is more than CUTLENGTH ${w.number(d.cutLength)}: the rest stays. ${nearest(w.value(d.nearest))}`,
@@ -41,7 +42,7 @@ export const messages = {
       `Offset ${w.number(d.offset)} is reduced to ${w.number(d.nearest)}: ${count(d.passes, "pass shares", "passes share")} 80 % of the effective width.`,
     offsetOverLimit: (d, w) =>
       `The side offset of ${count(d.passes, "pass", "passes")} adds up to ${w.number(d.offset)}; 80 % of the effective width is ${w.number(d.max)}. ${nearest(w.number(d.nearest))}`,
-    toolOnWrongSide: (d) => `Tip orientation ${d.orientation} points away from the material: the tool stands on the wrong side.`,
+    toolUnfit: (d) => `A ${d.type} tool with tip orientation ${d.orientation} cannot do this. Take ${d.types.join(" or ")} with orientation ${d.orientations.join(", ")}.`,
     toolCannotCutSideways: (d) => `A ${d.type} tool only plunges, this cycle also cuts sideways. Take a RECTURN tool.`,
     flanksNotChecked: () => "T-ANGLE or P-ANGLE is empty: the flanks of the insert are not checked.",
     toolColumn: (d, w) => {
@@ -58,7 +59,8 @@ export const messages = {
     betterTool: (d) => `Tool ${d.tool} ${d.name} can make this contour.`,
     startInArea: (d, w) => `The start point ${w.place(d.x, d.z)} lies in the area to be cut: the tool first moves to the set-up clearance.`,
     startInMaterial: (d, w) => `The start point ${w.place(d.x, d.z)} stands in the material.`,
-    startBelowContour: (d, w) => `Z ${w.number(d.z)} of the start point is below the contour start: the tool first moves to Z ${w.number(d.contour)}.`,
+    startBelowContour: (d, w) => `The start point lies ${w.number(d.below)} mm below the contour start: the tool first moves up to it.`,
+    startOnWrongSide: (d, w) => `The contour runs towards the start point: nothing is cut from there. A start point that works: ${w.place(d.x, d.z)}.`,
     startInsideEnvelope: (d, w) =>
       `The start point is nearer to the contour than the clearance of ${w.number(d.clearance)}: the tool goes straight to the contour at the finishing feed.`,
     limitOnWrongSide: (d, w) => `With the limit ${w.value(d.limit)} nothing is cut on the side where the tool stands. ${nearest(w.value(d.nearest))}`,

@@ -32,6 +32,7 @@ export const messages = {
       `Le fond de la gorge est large de ${w.number(d.width)}, l'outil et la surépaisseur demandent ${w.number(d.tool)}. ${nearest(w.value(d.nearest))}`,
     angleNotFollowed: (d, w) =>
       `L'outil ne peut pas suivre ${w.angle(d.angle)} : l'${reasons[d.edge]} permet ${w.angle(d.max)}, de la matière reste. ${nearest(w.angle(d.nearest))}`,
+    tooManyPasses: (d, w) => `${d.passes} passes, c’est plus que ${d.most}. ${nearest(w.number(d.nearest))}`,
     infeedOverCutLength: (d, w) =>
       `La passe ${w.number(d.infeed)} dépasse CUTLENGTH ${w.number(d.cutLength)} : elle est réduite à ${w.number(d.nearest)}.`,
     depthOverCutLength: (d, w) => `La profondeur ${w.number(d.depth)} dépasse CUTLENGTH ${w.number(d.cutLength)} : le reste demeure. ${nearest(w.value(d.nearest))}`,
@@ -39,7 +40,7 @@ export const messages = {
       `Le décalage ${w.number(d.offset)} est réduit à ${w.number(d.nearest)} : ${count(d.passes, "passe se partage", "passes se partagent")} 80 % de la largeur effective.`,
     offsetOverLimit: (d, w) =>
       `Le décalage latéral de ${count(d.passes, "passe", "passes")} atteint ${w.number(d.offset)} ; 80 % de la largeur effective font ${w.number(d.max)}. ${nearest(w.number(d.nearest))}`,
-    toolOnWrongSide: (d) => `L'orientation de pointe ${d.orientation} tourne le dos à la matière : l'outil est du mauvais côté.`,
+    toolUnfit: (d) => `Un outil ${d.type} d’orientation ${d.orientation} ne convient pas. Prendre ${d.types.join(" ou ")} avec l’orientation ${d.orientations.join(", ")}.`,
     toolCannotCutSideways: (d) => `Un outil ${d.type} ne fait que plonger, ce cycle coupe aussi latéralement. Prendre un outil RECTURN.`,
     flanksNotChecked: () => "T-ANGLE ou P-ANGLE est vide : les flancs de la plaquette ne sont pas contrôlés.",
     toolColumn: (d, w) => {
@@ -56,7 +57,8 @@ export const messages = {
     betterTool: (d) => `L'outil ${d.tool} ${d.name} peut réaliser ce contour.`,
     startInArea: (d, w) => `Le point de départ ${w.place(d.x, d.z)} est dans la zone à usiner : l'outil va d'abord à la distance d'approche.`,
     startInMaterial: (d, w) => `Le point de départ ${w.place(d.x, d.z)} est dans la matière.`,
-    startBelowContour: (d, w) => `Z ${w.number(d.z)} du point de départ est sous le départ du contour : l'outil va d'abord à Z ${w.number(d.contour)}.`,
+    startBelowContour: (d, w) => `Le point de départ est ${w.number(d.below)} mm sous le début du contour : l’outil s’y rend d’abord.`,
+    startOnWrongSide: (d, w) => `Le contour se dirige vers le point de départ : rien n’est usiné de ce côté. Un point de départ possible : ${w.place(d.x, d.z)}.`,
     startInsideEnvelope: (d, w) =>
       `Le point de départ est plus près du contour que la distance ${w.number(d.clearance)} : l'outil va droit au contour à l'avance de finition.`,
     limitOnWrongSide: (d, w) => `Avec la limite ${w.value(d.limit)}, rien n'est usiné du côté de l'outil. ${nearest(w.value(d.nearest))}`,

@@ -1,11 +1,12 @@
-import { heightAt, highest, pathAlong, staysAbove, type Envelope } from "../envelope.ts";
-import { distance, type Flat, type FlatSegment } from "../flat.ts";
+import { heightAt, pathAlong, staysAbove, type Envelope, type Stretch } from "../envelope.ts";
+import { distanceTo, normalAt, tangentAt, type Flat, type FlatSegment } from "../flat.ts";
 import { issue, type Issue } from "../issue.ts";
 import { SAME } from "../tolerance.ts";
-import type { Purpose, Track } from "../track.ts";
+import type { Purpose } from "../track.ts";
 import type { Feeds } from "./feeds.ts";
 import type { Ground } from "./ground.ts";
 import { falls } from "./levels.ts";
+import type { Cutter, Link } from "./link.ts";
 
 export interface Finish {
   readonly ground: Ground;
@@ -13,87 +14,107 @@ export interface Finish {
   readonly contour: readonly FlatSegment[];
   readonly start: Flat;
   readonly clearance: number;
-  /** Where roughing with this tool ended; empty when there was none. */
-  readonly roughed: Envelope;
-  /** Roughing lifted at 45° and left its steps. */
-  readonly stepped: boolean;
   /** Height that the cut runs on to at its end, where a wall closes the area behind the contour; else null. */
   readonly runOut: number | null;
-  /** What roughing has left above the contour and beside it, mm. */
-  readonly kept: number;
-  readonly aside: number;
   readonly feeds: Feeds;
-  /** The tip stays within this stretch of u. */
+  /** The tip stays within this stretch of u, and under this height (a machining limit). */
   readonly from: number;
   readonly to: number;
+  readonly ceiling: number;
   /** The smoothing cut runs as part of roughing, at its feeds. */
   readonly smoothing: boolean;
 }
 
 /**
  * The printed finishing steps: infeed at rapid to the clearance, the contour from start to end at feed, lift by the
- * clearance at feed. Going back to the cycle start is the caller's.
+ * clearance at feed. Going back to the cycle start is the caller's. A machining limit ends the cut, and it goes on where the
+ * contour comes back from behind the limit.
  */
-export function finishContour(track: Track, f: Finish, issues: Issue[]): void {
-  const p = (step: number): Purpose => f.smoothing
-    ? { phase: "smooth", run: "rough", step: 5 }
-    : { phase: "finish", run: "finish", step };
-  const feed = f.smoothing ? f.feeds.rough : f.feeds.finish;
+export function followContour(cutter: Cutter, f: Finish, issues: Issue[]): void {
   const u0 = Math.max(f.ground.first, f.from);
   const u1 = Math.min(f.ground.end.u, f.to);
-  if (!(u1 > u0)) return void issues.push(issue("nothingToCut", "warning", {}, "tool"));
-  const path = pathAlong(f.ground.envelope, u0, u1);
-  const first = path[0]?.segment.from;
-  if (!first) return;
-  // A contour that begins with a rise is joined at its foot; one that the insert cannot touch there, where it can.
-  const left = heightAt(f.ground.envelope, u0 - SAME);
-  const low = f.ground.start.v;
-  // One that begins with a wall that falls is followed from the top of the wall.
-  const begin = { u: u0, v: first.v < low - SAME ? low : first.v <= low + SAME ? first.v : Math.min(first.v, Math.max(low, left)) };
-  if (!f.smoothing && nearContour(f.start, f.contour) < f.clearance) {
-    issues.push(issue("startInsideEnvelope", "warning", { clearance: f.clearance }, "start.x"));
-  } else {
-    // Where lifts at 45° leave steps, only the column of the start point is free all the way down.
-    const before = Math.min(f.stepped ? f.start.u : Math.max(f.start.u, u0 - f.clearance), u0);
-    const free = Math.max(begin.v, highest(f.ground.envelope, before, u0).v) + Math.max(f.clearance, f.kept);
-    const above = Math.max(free, heightAt(f.roughed, before));
-    if (track.at.v < above) track.rapid("v", above, p(1));
-    track.rapid("u", before, p(1));
-    track.rapid("v", above, p(1));
-    // The level in front of the contour bounds the area, not the part: the way may end below it.
-    const way = { u: begin.u, v: Math.max(begin.v, left) };
-    if (!staysAbove(f.ground.envelope, track.at, way)) track.feed({ u: begin.u, v: track.at.v }, feed, p(1));
-  }
-  track.feed(begin, feed, p(1));
-  track.along(path.map((s) => s.segment), (s) => f.smoothing && falls(s)
-    ? { feed: f.feeds.plunge, purpose: { ...p(2), plunging: true } }
-    : { feed, purpose: p(2) });
-  if (f.to >= f.ground.end.u - SAME) track.feed({ u: u1, v: Math.max(track.at.v, f.ground.end.v, f.runOut ?? -Infinity) }, feed, p(2));
-  lift(track, f, feed, p(3));
+  const runs = u1 > u0 ? withinLimits([...pathAlong(f.ground.envelope, u0, u1), ...outAt(f, u1)], f.ceiling) : [];
+  if (runs.length === 0) return void issues.push(issue("nothingToCut", "warning", {}, "tool"));
+  const near = !f.smoothing && f.contour.some((s) => distanceTo(s, f.start) < f.clearance);
+  if (near) issues.push(issue("startInsideEnvelope", "warning", { clearance: f.clearance }, "start"));
+  runs.forEach((run, i) => {
+    const whole = i === 0 && f.ground.first >= f.from - SAME ? joined(f, run) : run;
+    leadIn(cutter, f, whole, near && i === 0);
+    cutter.along(whole, (s) => f.smoothing && falls(s)
+      ? { feed: f.feeds.plunge, purpose: { ...purpose(f, 2), plunging: true } }
+      : { feed: feedOf(f), purpose: purpose(f, 2) });
+    cutter.leave(f.clearance, -1, f.ground.envelope, feedOf(f), purpose(f, 3));
+  });
+}
+
+const purpose = (f: Finish, step: number): Purpose =>
+  f.smoothing ? { phase: "smooth", run: "rough", step: 5 } : { phase: "finish", run: "finish", step };
+const feedOf = (f: Finish) => (f.smoothing ? f.feeds.rough : f.feeds.finish);
+
+/** The end of the path: up a wall that the contour ends with, or that closes the area behind it. */
+function outAt(f: Finish, u: number): Stretch[] {
+  const at = heightAt(f.ground.envelope, u - 2 * SAME);
+  const end = Math.max(f.ground.end.v, f.runOut ?? -Infinity);
+  if (f.to < f.ground.end.u - SAME || end <= at + SAME) return [];
+  return [{ segment: { kind: "line", from: { u, v: at }, to: { u, v: end } }, origin: null }];
+}
+
+/** A path cut into the runs that lie on this side of the machining limits. */
+function withinLimits(path: readonly Stretch[], ceiling: number): FlatSegment[][] {
+  const runs: FlatSegment[][] = [];
+  let open = false;
+  path.forEach(({ segment, origin }, i) => {
+    const next = path[i + 1];
+    // A vertical step belongs to what it leads to.
+    const behind = origin === null ? next?.origin?.on === "limit" : origin.on === "limit";
+    const above = Math.max(segment.from.v, segment.to.v) > ceiling + SAME;
+    const part = behind ? null : above ? under(segment, ceiling) : segment;
+    if (!part) {
+      open = false;
+      return;
+    }
+    if (!open || part.from !== segment.from) runs.push([]);
+    runs.at(-1)?.push(part);
+    open = part.to === segment.to;
+  });
+  return runs;
+}
+
+/** The part of an element below a height; null when there is none. An arc is kept whole or not at all. */
+function under(s: FlatSegment, height: number): FlatSegment | null {
+  if (s.kind === "arc" || Math.min(s.from.v, s.to.v) >= height - SAME) return null;
+  const k = (height - s.from.v) / (s.to.v - s.from.v);
+  const at: Flat = { u: s.from.u + k * (s.to.u - s.from.u), v: height };
+  return s.from.v > height ? { ...s, from: at } : { ...s, to: at };
+}
+
+/** A contour that begins with a wall is joined at the foot of that wall, or followed from its top down. */
+function joined(f: Finish, run: readonly FlatSegment[]): FlatSegment[] {
+  const first = run[0] as FlatSegment;
+  const top = f.ground.start.v;
+  const left = heightAt(f.ground.envelope, first.from.u - SAME);
+  const v = first.from.v < top - SAME ? top : first.from.v <= top + SAME ? first.from.v : Math.min(first.from.v, Math.max(top, left));
+  return Math.abs(v - first.from.v) <= SAME ? [...run] : [{ kind: "line", from: { u: first.from.u, v }, to: first.from }, ...run];
 }
 
 /**
- * Lifts by the clearance: leaning back from what stands beyond the end of the contour, or, where the contour
- * behind is in the way, straight up out of the area.
+ * To the beginning of a run: along the extension of its first element, or where that is not free from the open side,
+ * square to it; last from straight above. Inside the envelope of the clearance the tool goes straight there.
  */
-function lift(track: Track, f: Finish, feed: number, purpose: Purpose) {
-  const { at } = track;
-  const back = Math.max(f.clearance, f.aside);
-  const leaning = { u: Math.max(at.u - back, f.from), v: at.v + back };
-  const straight = { u: at.u, v: Math.max(at.v + f.clearance, f.start.v) };
-  track.feed(staysAbove(f.ground.envelope, leaning, at) ? leaning : straight, feed, purpose);
+function leadIn(cutter: Cutter, f: Finish, run: readonly FlatSegment[], near: boolean): void {
+  const first = run[0] as FlatSegment;
+  const to = first.from;
+  const link: Link = { gap: f.clearance, feed: feedOf(f), out: purpose(f, 1), down: purpose(f, 1), enter: purpose(f, 1) };
+  const bare = f.ground.bare();
+  if (near && staysAbove(bare, cutter.at, to) && !blocked(bare, cutter.at, to)) return cutter.feed(to, feedOf(f), purpose(f, 1));
+  const along = tangentAt(first, "from");
+  const square = normalAt(first, "from");
+  const from = [{ u: -along.u, v: -along.v }, square].map((d): Flat => ({ u: to.u + d.u * f.clearance, v: to.v + d.v * f.clearance }))
+    .find((p) => staysAbove(bare, p, to) && !blocked(bare, p, to) && p.u >= f.from - f.clearance)
+    ?? { u: to.u, v: to.v + f.clearance };
+  cutter.link(from, link);
+  cutter.feed(to, feedOf(f), purpose(f, 1));
 }
 
-/** Distance from a point to a contour, mm; an arc is judged by its ends and its nearest point. */
-function nearContour(p: Flat, contour: readonly FlatSegment[]): number {
-  let near = Infinity;
-  for (const s of contour) {
-    if (s.kind === "line") {
-      const du = s.to.u - s.from.u;
-      const dv = s.to.v - s.from.v;
-      const k = Math.min(1, Math.max(0, ((p.u - s.from.u) * du + (p.v - s.from.v) * dv) / (du * du + dv * dv || 1)));
-      near = Math.min(near, Math.hypot(p.u - s.from.u - k * du, p.v - s.from.v - k * dv));
-    } else near = Math.min(near, distance(p, s.from), distance(p, s.to));
-  }
-  return near;
-}
+/** A way straight down past a corner that reaches over it. */
+const blocked = (part: Envelope, from: Flat, to: Flat) => Math.abs(from.u - to.u) <= SAME && heightAt(part, to.u) > Math.max(to.v, from.v) + SAME;

@@ -1,18 +1,16 @@
 import { extent, grown, inFrame, onArc, positive, type Convex } from "../convex.ts";
 import { below, linePiece, pathAlong, type Envelope, type Origin, type Piece } from "../envelope.ts";
-import { normalAt, segmentToPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
-import { insertShape, isBar } from "../insert.ts";
+import { normalAt, segmentToPart, toPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
+import { insertShape, isBar, noseRadius } from "../insert.ts";
 import type { Reason } from "../issue.ts";
 import type { Reach } from "../plan.ts";
 import { reachOver, type Bound } from "../reach.ts";
 import type { Tool } from "../tool.ts";
+import { SAME } from "../tolerance.ts";
 import { roomOf } from "../track.ts";
 
 /** Longer than any part: how far bounds run on beyond the contour, mm. */
 export const FAR = 5000;
-
-/** Farther than an insert reaches ahead of its tip, mm. */
-const BEFORE = 500;
 
 /** What lies beyond the ends of a contour. */
 export interface Surroundings {
@@ -33,7 +31,8 @@ export interface Ground {
   readonly end: Flat;
   /** Where the path along the contour begins: at `start`, or before it where another element is touched first. */
   readonly first: number;
-  readonly insert: Convex;
+  /** The envelope without the bounds that only limit the area: what the tool would really touch. */
+  readonly bare: () => Envelope;
 }
 
 /**
@@ -67,12 +66,24 @@ export function groundOver(
   const bottom = extent(insertIn(tool, frame)).minV;
   if (s.front === "free") bound(low, start.u, first.from.v + keep.v - bottom, "edge");
   for (const f of s.floors) bound(low, high, f.v - bottom, f.on);
-  const room = roomOf(frame);
-  if (room.minV > -Infinity) bound(low, high, room.minV, "edge");
+  const axis = roomOf(frame, beyondAxis(tool, contour.map((b) => b.segment), frame)).minV;
+  if (axis > -Infinity) bound(low, high, axis, "edge");
   const envelope = reachOver(chain, insert, extra);
   const level = first.from.v + keep.v - bottom;
-  const free = s.front === "free" ? below(envelope, level, start.u - BEFORE, start.u)[0]?.to : undefined;
-  return { envelope, start, end, first: free ?? start.u, insert };
+  // No element can be touched farther in front of the first point than the insert reaches ahead of its tip.
+  const ahead = first.from.u - extent(insert).maxU - SAME;
+  const free = s.front === "free" && ahead < start.u ? below(envelope, level, ahead, start.u)[0]?.to : undefined;
+  return { envelope, start, end, first: free ?? start.u, bare: () => (extra.length === 0 ? envelope : reachOver(chain, insert)) };
+}
+
+/**
+ * How far the tip may pass the axis, mm: facing ends when the centre of the nose stands on it (decision "The axis"), and a
+ * contour that is drawn beyond it is followed.
+ */
+export function beyondAxis(tool: Tool, contour: readonly FlatSegment[], frame: Frame): number {
+  if (!frame.transverse) return 0;
+  const past = Math.max(0, ...contour.flatMap((s) => [s.from, s.to]).map((p) => -toPart(frame, p).r));
+  return contour.some((s) => toPart(frame, s.from).r < SAME || toPart(frame, s.to).r < SAME) ? past + noseRadius(tool) : 0;
 }
 
 /** The insert in strategy space, relative to the tip. */

@@ -8,17 +8,20 @@ export interface Division {
   readonly infeed: number;
 }
 
-/** More passes than this is not a program but a slip of the finger; they are taken as this many. */
-const MOST_PASSES = 20000;
+/** More passes than this no one can mean (decision "Infeed"). */
+export const MOST_PASSES = 2000;
 
 /**
  * Divides `depth` mm into equal infeeds of at most `most` mm; 0 means one pass. A depth of exactly k infeeds gives k
- * passes, whatever rounding says (decision "Infeed").
+ * passes, whatever rounding says (decision "Infeed"). Null when there would be too many, with the issue that says so.
  */
-export function divide(depth: number, most: number): Division {
+export function divide(depth: number, most: number, issues: Issue[]): Division | null {
   if (!(depth > SAME)) return { passes: 0, infeed: 0 };
-  const passes = most > 0 ? Math.min(MOST_PASSES, Math.max(1, Math.ceil(depth / most - SAME))) : 1;
-  return { passes, infeed: depth / passes };
+  const passes = most > 0 ? Math.max(1, Math.ceil(depth / most - SAME)) : 1;
+  if (passes <= MOST_PASSES) return { passes, infeed: depth / passes };
+  const nearest = Math.ceil((depth / MOST_PASSES) * 1000 - SAME) / 1000;
+  issues.push(issue("tooManyPasses", "error", { passes, most: MOST_PASSES, nearest }, "infeed"));
+  return null;
 }
 
 /** A CUTLENGTH smaller than the programmed infeed lowers it, with a notice. */
@@ -26,6 +29,6 @@ export function limitedInfeed(most: number, tool: Tool, depth: number, issues: I
   const edge = tool.CUTLENGTH;
   const asked = most > 0 ? Math.min(most, Math.max(depth, 0)) : depth;
   if (edge === undefined || !(edge > 0) || asked <= edge) return most;
-  issues.push(issue("infeedOverCutLength", "info", { infeed: most > 0 ? most : depth, cutLength: edge, nearest: edge }, "Q463"));
+  issues.push(issue("infeedOverCutLength", "info", { infeed: most > 0 ? most : depth, cutLength: edge, nearest: edge }, "infeed"));
   return edge;
 }

@@ -1,20 +1,25 @@
 import { bridged } from "../bridge.ts";
-import { extent } from "../convex.ts";
-import { lowest } from "../envelope.ts";
-import { lowestOf, segmentToFlat, toFlat, toPart, type Flat, type Frame } from "../flat.ts";
-import { isBar, flanksUnknown, noseRadius } from "../insert.ts";
+import { extent, type Convex } from "../convex.ts";
+import { lowest, type Envelope } from "../envelope.ts";
+import { lowestOf, segmentToFlat, toFlat, toPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
+import { flanksUnknown, isBar } from "../insert.ts";
 import { issue, type Issue } from "../issue.ts";
 import type { Plan, Setting } from "../plan.ts";
 import type { Segment } from "../point.ts";
 import type { Bound } from "../reach.ts";
 import { SAME } from "../tolerance.ts";
-import { Track, roomOf } from "../track.ts";
+import type { ToolType } from "../tool.ts";
+import { roomOf } from "../track.ts";
 import { axial, length, radius, toDiameter } from "../units.ts";
 import type { Feeds } from "./feeds.ts";
-import { finishContour } from "./finish.ts";
-import { FAR, groundOver, insertIn, leadOf, reachOf, type Surroundings } from "./ground.ts";
-import { divide, limitedInfeed } from "./infeed.ts";
+import { followContour } from "./finish.ts";
+import { unfit } from "./fit.ts";
+import { atCall, Frontier } from "./frontier.ts";
+import { beyondAxis, FAR, groundOver, insertIn, leadOf, reachOf, type Surroundings } from "./ground.ts";
+import { divide, limitedInfeed, type Division } from "./infeed.ts";
 import { roughByLevels } from "./levels.ts";
+import { limitsOf } from "./limits.ts";
+import { Cutter } from "./link.ts";
 import { areaOver, partUnder } from "./outline-area.ts";
 
 /** A cycle that removes its area by levels and then follows the contour: 81x along the axis, 82x across it. */
@@ -22,6 +27,8 @@ export interface Leveled {
   readonly frame: Frame;
   /** In machining direction, part space. */
   readonly contour: readonly Segment[];
+  /** How many elements at its start and at its end break an edge only: they count for no level. */
+  readonly edges: { readonly start: number; readonly end: number };
   readonly operation: number;
   readonly clearance: number;
   readonly infeed: number;
@@ -31,147 +38,196 @@ export interface Leveled {
   readonly plunging: boolean;
   readonly smoothing: number;
   /** Machining limits in strategy space; null where there is none. */
-  readonly limit: { readonly u: number; readonly v: number } | null;
+  readonly limit: Flat | null;
   /** Height of the outer corner of the area where that is higher than the contour's first point; else null. */
   readonly outerHeight: number | null;
   /** "shoulder": clear of the box first across, then along. "contour": along the tool axis up to the contour start. */
   readonly startRule: "shoulder" | "contour";
 }
 
-/** Plans roughing and finishing of a leveled cycle. Never throws; what cannot be planned is an issue. */
-export function planLeveled(l: Leveled, setting: Setting): Plan {
-  const issues: Issue[] = [];
-  const { tool } = setting;
+/** What can cut along a surface. */
+const TURNING: readonly ToolType[] = ["ROUGH", "FINISH", "BUTTON", "RECTURN", "RECESS"];
+
+/** Everything about the place that the steps of a plan share, in strategy space. */
+interface Site {
+  readonly flat: readonly FlatSegment[];
+  readonly insert: Convex;
+  readonly keep: Flat;
+  readonly called: Flat;
+  /** Tip heights: of the outer corner of the area, and of the highest point of the contour. */
+  readonly outer: number;
+  readonly highest: number;
+  /** Cut from the middle outwards, the part goes on between the first point and the axis. */
+  readonly pin: boolean;
+}
+
+function siteOf(l: Leveled, setting: Setting): Site | null {
   const flat = l.contour.map((s) => segmentToFlat(l.frame, s));
   const first = flat[0];
-  const last = flat[flat.length - 1];
-  if (!first || !last) return empty(issues);
-  const wrong = wrongSide(tool, l.frame);
-  if (wrong) issues.push(wrong);
+  if (!first) return null;
+  const insert = insertIn(setting.tool, l.frame);
+  return {
+    flat, insert, called: toFlat(l.frame, setting.start),
+    keep: l.frame.transverse ? { u: l.oversize.r, v: l.oversize.z } : { u: l.oversize.z, v: l.oversize.r },
+    outer: Math.max(l.outerHeight ?? first.from.v, first.from.v) - extent(insert).minV,
+    highest: Math.max(...flat.flatMap((s) => [s.from.v, s.to.v])),
+    pin: l.frame.transverse && l.frame.signU > 0,
+  };
+}
+
+/** Plans roughing and finishing of a leveled cycle. Never throws; what cannot be planned is an issue. */
+export function planLeveled(l: Leveled, setting: Setting): Plan {
+  const site = siteOf(l, setting);
+  if (!site) return empty([]);
+  const { tool } = setting;
+  const { flat, called, keep, insert } = site;
+  const last = flat[flat.length - 1] as FlatSegment;
+  const sketch = {
+    ...empty([]), contour: l.contour, part: partUnder(flat, l.frame, site.pin), most: length(l.infeed),
+    area: areaOver(flat, l.frame, called.u, Math.max(called.v, site.outer)), openSide: toPart(l.frame, { u: 0, v: 1 }), oversize: l.oversize,
+  };
+  const refused = unfit(tool, l.frame, TURNING) ?? wrongStart(l, site, setting);
+  if (refused) return { ...sketch, issues: [refused] };
+  const issues: Issue[] = [];
   if (flanksUnknown(tool)) issues.push(issue("flanksNotChecked", "info", {}, "tool"));
   if (isBar(tool) && tool.TYPE === "RECESS") issues.push(issue("toolCannotCutSideways", "warning", { type: tool.TYPE }, "tool"));
 
-  // Cut from the middle outwards, the part goes on between the first point and the axis.
-  const pinInFront = l.frame.transverse && l.frame.signU > 0;
   const bounds: Bound[] = l.plunging ? flat.map((segment) => ({ segment, on: "contour" })) : bridged(flat);
-  const floor = Math.min(...flat.map(lowestOf));
-  const highest = Math.max(...flat.flatMap((s) => [s.from.v, s.to.v]));
-  const bottom = extent(insertIn(tool, l.frame)).minV;
-  const outer = Math.max(l.outerHeight ?? first.from.v, first.from.v) - bottom;
-  const called = toFlat(l.frame, setting.start);
-  const wanted: Track = new Track(l.frame, setting.feedUnit, called);
-  if (wrong) return { ...empty(issues), contour: l.contour, part: partUnder(flat, l.frame, pinInFront), area: areaOver(flat, l.frame, called.u, Math.max(called.v, outer)) };
+  const limits = limitsOf(l.limit, called, flat, issues);
+  const over = toFinishOver(site, limits.floor);
+  const room = roomOf(l.frame, beyondAxis(tool, flat, l.frame));
+  const drawn = groundOver(bounds, tool, l.frame, NOTHING, over);
+  const start = startOf(l, site, setting);
+  const top = Math.max(start.v, site.outer);
+  // Nothing stands beyond the axis: there the area is open.
+  const wall = top + extent(insert).minV > last.to.v + SAME && toPart(l.frame, last.to).r > SAME ? top + FAR : null;
+  const floor = Math.min(...flat.map(lowestOf)) + keep.v;
+  const kept = groundOver(bounds, tool, l.frame, keep, { ...over, wall, floors: [...over.floors, { v: floor, on: "edge" }] });
+  const grown = groundOver(bounds, tool, l.frame, keep, over);
+  const stands = atCall({ stock: setting.stock, area: areaCorners(site, top), frame: l.frame, insert }, drawn.bare(),
+    l.operation > 1 ? { grown: grown.bare(), infeed: l.infeed } : null);
+  const cutter = new Cutter(l.frame, setting.feedUnit, called, room, new Frontier(stands, insert, limits.ceiling), Math.max(called.v, start.v));
+  place(cutter, l, site, start, setting, issues);
 
-  const start = placed(l, tool, wanted, called, { u: first.from.u, v: first.from.v }, last.to.u, Math.max(highest, outer), floor, issues);
-  const top = Math.max(start.v, outer);
-  const limits = limitsOf(l, called, issues);
-  const wall = top + bottom > last.to.v + SAME ? top + FAR : null;
-  const limit = limits.floor === null ? [] : [{ v: limits.floor, on: "limit" as const }];
-  const toFinish: Surroundings = { wall: null, front: "free", frontWall: null, floors: limit };
-  const keep = l.frame.transverse ? { u: l.oversize.r, v: l.oversize.z } : { u: l.oversize.z, v: l.oversize.r };
-  const none = { u: 0, v: 0 };
-  const room = roomOf(l.frame);
   const from = Math.max(start.u, limits.from, room.minU);
-
-  const grown = l.operation === 3 || l.smoothing === 1 ? groundOver(bounds, tool, l.frame, keep, toFinish) : null;
-  const kept = groundOver(bounds, tool, l.frame, keep, { ...toFinish, wall, floors: [...limit, { v: floor + keep.v, on: "edge" }] });
-  const drawn = groundOver(bounds, tool, l.frame, none, toFinish);
   const end = Math.max(kept.end.u, drawn.end.u, last.to.u + keep.u) + SAME;
-  const to = Math.min(end, limits.to - leadOf(insertIn(tool, l.frame)), room.maxU);
-  const runOut = wall === null ? null : last.to.v + keep.v;
+  const to = Math.min(end, limits.to - leadOf(insert), room.maxU);
+  const follow = {
+    contour: flat, start, clearance: l.clearance, runOut: wall === null ? null : last.to.v + keep.v, feeds: l.feeds,
+    from, to, ceiling: limits.ceiling,
+  };
   const unlimited = () => {
     if (!l.limit) return {};
-    const whole = groundOver(bounds, tool, l.frame, none, { ...toFinish, floors: [] });
-    return { unlimited: reachOf(whole, Math.max(whole.first, start.u, room.minU), Math.min(whole.end.u, end, room.maxU), l.frame, tool) };
+    const whole = groundOver(bounds, tool, l.frame, NOTHING, toFinishOver(site, null));
+    const until = Math.min(whole.end.u, end, room.maxU);
+    return { unlimited: reachOf(whole, Math.max(whole.first, start.u, room.minU), until, l.frame, tool) };
   };
-  let division = { passes: 0, infeed: 0 };
+  let division: Division = { passes: 0, infeed: 0 };
   if (l.operation === 0 || l.operation === 1) {
     const upper = Math.min(top, limits.ceiling);
-    const depth = upper - lowest(kept.envelope, from, to);
-    division = divide(depth, limitedInfeed(l.infeed, tool, depth, issues));
-    if (division.passes === 0) issues.push(issue("nothingToCut", "warning", {}, "start.x"));
-    roughByLevels(wanted, { envelope: kept.envelope, start, top: upper, ...division, from, to, smoothing: l.smoothing, feeds: l.feeds });
-    if (grown && l.smoothing === 1 && division.passes > 0) {
-      back(wanted, start, "rough", 4);
-      finishContour(wanted, { ground: grown, contour: flat, start, clearance: l.clearance, roughed: kept.envelope, stepped: true, runOut, kept: division.infeed, aside: division.infeed, feeds: l.feeds, from, to, smoothing: true }, issues);
-    }
-    back(wanted, start, "rough", 6);
+    const depth = upper - deepestLevel(l, site, setting, kept.envelope, from, to);
+    const divided = divide(depth, limitedInfeed(l.infeed, tool, depth, issues), issues);
+    if (!divided) return { ...sketch, issues };
+    division = divided;
+    if (division.passes === 0) issues.push(issue("nothingToCut", "warning", {}, "startU"));
+    roughByLevels(cutter, {
+      envelope: kept.envelope, top: upper, ...division, from, to, smoothing: l.smoothing, clearance: l.clearance, feeds: l.feeds,
+    });
+    if (l.smoothing === 1 && division.passes > 0)
+      followContour(cutter, { ...follow, ground: grown, smoothing: true }, issues);
+    back(cutter, start, l, "rough", 6);
   }
   if (l.operation !== 1) {
-    const ground = (l.operation === 3 ? grown : null) ?? drawn;
-    const steps = l.smoothing === 2 ? division.infeed : 0;
-    finishContour(wanted, { ground, contour: flat, start, clearance: l.clearance, roughed: l.operation === 0 ? kept.envelope : [], stepped: l.smoothing === 2, runOut, kept: keep.v + steps, aside: keep.u + steps, feeds: l.feeds, from, to, smoothing: false }, issues);
-    back(wanted, start, "finish", 4);
+    followContour(cutter, { ...follow, ground: l.operation === 3 ? grown : drawn, smoothing: false }, issues);
+    back(cutter, start, l, "finish", 4);
   }
   return {
-    moves: wanted.moves, issues, contour: l.contour, ...division, infeed: length(division.infeed),
-    area: areaOver(flat, l.frame, start.u, top), part: partUnder(flat, l.frame, pinInFront),
-    openSide: toPart(l.frame, { u: 0, v: 1 }), reach: reachOf(drawn, Math.max(drawn.first, from), Math.min(drawn.end.u, to), l.frame, tool),
-    kept: reachOf(kept, Math.max(kept.first, from), Math.min(kept.end.u, to), l.frame, tool), most: length(l.infeed), oversize: l.oversize, ...unlimited(),
+    ...sketch, moves: cutter.moves, issues, ...division, infeed: length(division.infeed),
+    area: areaOver(flat, l.frame, start.u, top),
+    reach: reachOf(drawn, Math.max(drawn.first, from), Math.min(drawn.end.u, to), l.frame, tool),
+    kept: reachOf(kept, Math.max(kept.first, from), Math.min(kept.end.u, to), l.frame, tool),
+    ...unlimited(),
   };
 }
 
-/** Back to the cycle start at rapid, one axis at a time, first away from the part. */
-export function back(track: Track, start: Flat, run: "rough" | "finish", step: number) {
-  const p = { phase: "position", run, step } as const;
-  if (start.v > track.at.v) track.rapid("v", start.v, p);
-  track.rapid("u", start.u, p);
-  track.rapid("v", start.v, p);
+const NOTHING: Flat = { u: 0, v: 0 };
+
+/** What bounds the finishing path beside the contour. */
+const toFinishOver = (site: Site, floor: number | null): Surroundings => ({
+  wall: null, front: site.pin ? "part" : "free", frontWall: null,
+  floors: floor === null ? [] : [{ v: floor, on: "limit" as const }],
+});
+
+/** The deepest level of roughing: of the contour without the elements that only break its edges, as far as this tool reaches. */
+function deepestLevel(l: Leveled, site: Site, { tool }: Setting, kept: Envelope, from: number, to: number): number {
+  const deepest = lowest(kept, from, to);
+  const core = site.flat.slice(l.edges.start, site.flat.length - l.edges.end);
+  if (core.length === 0 || core.length === site.flat.length) return deepest;
+  const surface = groundOver(core.map((segment) => ({ segment, on: "contour" })), tool, l.frame, site.keep, toFinishOver(site, null));
+  return Math.max(deepest, lowest(surface.envelope, from, to));
 }
 
-export const empty = (issues: readonly Issue[]): Plan => ({ moves: [], issues, contour: [], passes: 0, infeed: length(0), area: [], part: [], openSide: { z: axial(0), r: radius(0) }, reach: [], kept: [], most: length(0) });
-
-/** The body of the insert lies on the material side: it cannot work here. */
-export function wrongSide(tool: Setting["tool"], frame: Frame): Issue | null {
-  const e = extent(insertIn(tool, frame));
-  return -e.minV > e.maxV + 2 * noseRadius(tool) + SAME ? issue("toolOnWrongSide", "error", { orientation: tool.TO }, "tool") : null;
+/** The area in front of the contour up to the level of the start point, as corners. */
+function areaCorners(site: Site, top: number): Flat[] {
+  const [first, last] = [site.flat[0] as FlatSegment, site.flat[site.flat.length - 1] as FlatSegment];
+  const [low, high] = [first.from.v - FAR, top + extent(site.insert).minV];
+  return [{ u: first.from.u, v: low }, { u: first.from.u, v: high }, { u: last.to.u, v: high }, { u: last.to.u, v: low }];
 }
 
-/** The cycle start as the manual places it before step 1: clear of the area, or up to the contour start. */
-function placed(l: Leveled, tool: Setting["tool"], track: Track, called: Flat, first: Flat, end: number, height: number, floor: number, issues: Issue[]): Flat {
+/** Where the cycle starts from, as the manual places it before step 1: clear of the area, or up to the contour start. */
+function startOf(l: Leveled, site: Site, setting: Setting): Flat {
+  const { called } = site;
+  const first = (site.flat[0] as FlatSegment).from;
   const finishing = l.operation > 1;
-  const p = { phase: "position", run: finishing ? "finish" : "rough", step: 0 } as const;
-  const depth = Math.max(called.v, height) - floor;
-  const lead = leadOf(insertIn(tool, l.frame), finishing ? undefined : l.infeed > 0 ? Math.min(l.infeed, depth) : depth);
-  const over = called.u + lead > first.u + SAME;
-  const at = toPart(l.frame, called);
-  const where = { x: toDiameter(at.r), z: at.z };
-  if (l.startRule === "contour" && called.v < first.v - SAME) {
-    issues.push(issue("startBelowContour", "info", { z: at.z, contour: toPart(l.frame, first).z }, "start.z"));
-    track.rapid("v", finishing ? first.v + l.clearance : first.v, p);
-  }
-  if (over) {
-    issues.push(issue(called.u < end ? "startInArea" : "startInMaterial", "warning", where, "start.x"));
-    if (!finishing || l.startRule === "contour") track.rapid("v", Math.max(track.at.v, height + l.clearance), p);
-    track.rapid("u", first.u - lead - l.clearance, p);
-  }
-  return track.at;
+  const low = l.startRule === "contour" && called.v < first.v - SAME;
+  const v = low ? first.v + (finishing ? l.clearance : 0) : called.v;
+  if (!reachesIn(l, site, setting)) return { u: called.u, v };
+  const lead = leadIn(l, site);
+  const clear = finishing && l.startRule === "shoulder" ? v : Math.max(v, Math.max(site.highest, site.outer) + l.clearance);
+  return { u: first.u - lead - l.clearance, v: clear };
 }
 
-interface Limits {
-  readonly from: number;
-  readonly to: number;
-  readonly floor: number | null;
-  readonly ceiling: number;
+/** How far the edge that an infeed brings into the material reaches ahead of the tip. */
+function leadIn(l: Leveled, site: Site): number {
+  const floor = Math.min(...site.flat.map(lowestOf));
+  const depth = Math.max(site.called.v, site.highest, site.outer) - floor;
+  return leadOf(site.insert, l.operation > 1 ? undefined : l.infeed > 0 ? Math.min(l.infeed, depth) : depth);
 }
 
-/** The side of each limit on which the tool stands at the call is machined, the other is not cut. */
-function limitsOf(l: Leveled, called: Flat, issues: Issue[]): Limits {
-  const none = { from: -Infinity, to: Infinity, floor: null, ceiling: Infinity };
-  if (!l.limit) return none;
-  const before = called.u <= l.limit.u;
-  const above = called.v >= l.limit.v;
-  const flat = l.contour.map((s) => segmentToFlat(l.frame, s));
-  const q = (axis: "u" | "v") => ((axis === "u") === l.frame.transverse ? "Q480" : "Q482");
-  const shown = (axis: "u" | "v", value: number) => {
-    const p = toPart(l.frame, axis === "u" ? { u: value, v: 0 } : { u: 0, v: value });
-    return (axis === "u") === l.frame.transverse ? toDiameter(p.r) : p.z;
-  };
-  const us = flat.flatMap((s) => [s.from.u, s.to.u]);
-  const vs = flat.flatMap((s) => [s.from.v, s.to.v]);
-  if (before ? l.limit.u <= Math.min(...us) : l.limit.u >= Math.max(...us))
-    issues.push(issue("limitOnWrongSide", "warning", { limit: shown("u", l.limit.u), nearest: shown("u", before ? Math.max(...us) : Math.min(...us)) }, q("u")));
-  if (above ? l.limit.v >= Math.max(...vs) : l.limit.v <= Math.min(...vs))
-    issues.push(issue("limitOnWrongSide", "warning", { limit: shown("v", l.limit.v), nearest: shown("v", above ? Math.min(...vs) : Math.max(...vs)) }, q("v")));
-  return { from: before ? -Infinity : l.limit.u, to: before ? l.limit.u : Infinity, floor: above ? l.limit.v : null, ceiling: above ? Infinity : l.limit.v };
+const reachesIn = (l: Leveled, site: Site, setting: Setting) =>
+  site.called.u + leadIn(l, site) > (site.flat[0] as FlatSegment).from.u + SAME && setting.start.r >= 0;
+
+/** A free contour is not run towards the start point; nothing is run from the other side of the axis. */
+function wrongStart(l: Leveled, site: Site, setting: Setting): Issue | null {
+  const last = (site.flat[site.flat.length - 1] as FlatSegment).to;
+  const behind = l.startRule === "contour" && site.called.u > last.u - SAME;
+  if (!behind && setting.start.r >= -SAME) return null;
+  const u = (site.flat[0] as FlatSegment).from.u - leadIn(l, site) - l.clearance;
+  const works = toPart(l.frame, { u, v: Math.max(site.highest, site.outer) + l.clearance });
+  const near = works.r < 0 ? radius(0) : works.r;
+  return issue("startOnWrongSide", "error", { x: toDiameter(near), z: works.z }, "startU");
 }
+
+/** Brings the tool from the call to the start of the cycle, and says when that is another place. */
+function place(cutter: Cutter, l: Leveled, site: Site, start: Flat, setting: Setting, issues: Issue[]): void {
+  const { called } = site;
+  const first = (site.flat[0] as FlatSegment).from;
+  const at = { x: toDiameter(setting.start.r), z: setting.start.z };
+  if (l.startRule === "contour" && called.v < first.v - SAME)
+    issues.push(issue("startBelowContour", "info", { below: first.v - called.v }, "startV"));
+  const inside = reachesIn(l, site, setting) && (l.startRule === "contour" || called.v < site.outer - SAME);
+  if (inside) issues.push(issue("startInArea", "warning", at, "start"));
+  back(cutter, start, l, l.operation > 1 ? "finish" : "rough", 0);
+}
+
+/** Back to the cycle start. */
+function back(cutter: Cutter, start: Flat, l: Leveled, run: "rough" | "finish", step: number): void {
+  const p = { phase: "position", run, step } as const;
+  cutter.link(start, { gap: l.clearance, feed: run === "finish" ? l.feeds.finish : l.feeds.rough, out: p, down: p, enter: p });
+}
+
+/** A plan without a path. */
+export const empty = (issues: readonly Issue[]): Plan => ({
+  moves: [], issues, contour: [], passes: 0, infeed: length(0), area: [], part: [],
+  openSide: { z: axial(0), r: radius(0) }, reach: [], kept: [], most: length(0),
+});

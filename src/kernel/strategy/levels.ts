@@ -1,14 +1,14 @@
 import { below, heightAt, highest, pathAlong, type Envelope, type Interval } from "../envelope.ts";
-import type { Flat, FlatSegment } from "../flat.ts";
+import type { FlatSegment } from "../flat.ts";
 import { ROUND, SAME } from "../tolerance.ts";
-import type { Purpose, Track } from "../track.ts";
+import type { Purpose } from "../track.ts";
 import type { Feeds } from "./feeds.ts";
+import type { Cutter } from "./link.ts";
 
 /** How roughing by levels runs. Heights and lengths in strategy space, mm. */
 export interface Levels {
   readonly envelope: Envelope;
-  /** Tip at the cycle start; the first level lies one infeed under `top`. */
-  readonly start: Flat;
+  /** The first level lies one infeed under `top`. */
   readonly top: number;
   readonly passes: number;
   readonly infeed: number;
@@ -17,7 +17,18 @@ export interface Levels {
   readonly to: number;
   /** 0: follow the contour after each pass; 1 and 2: lift at 45°. */
   readonly smoothing: number;
+  readonly clearance: number;
   readonly feeds: Feeds;
+}
+
+/** One cut: a valley at a level, where it is entered (null: from the front), and how far its lift may follow the contour. */
+interface Cut {
+  readonly pass: number;
+  readonly valley: Interval;
+  readonly entry: number | null;
+  readonly limit: number;
+  /** The valley of the level before, in which this one lies. */
+  readonly outer: Interval;
 }
 
 const purpose = (step: number, pass: number, plunging = false): Purpose =>
@@ -26,73 +37,87 @@ const purpose = (step: number, pass: number, plunging = false): Purpose =>
 /** A falling element: the tool goes into the material there. */
 export const falls = (s: FlatSegment) => s.to.v < s.from.v - ROUND;
 
-/**
- * The printed steps 1 to 5: infeed at rapid, cut, lift by the infeed, back at rapid, until the deepest level. Valleys
- * that a level meets are cut in order, each to its floor before the next.
- */
-export function roughByLevels(track: Track, l: Levels): void {
-  const level = (i: number) => l.top - i * l.infeed;
+const level = (l: Levels, pass: number) => l.top - pass * l.infeed;
+
+/** The cuts of all levels in their order: valleys that a level meets one by one, each to its floor before the next. */
+function* cuts(l: Levels): Generator<Cut> {
   const open = (v: Interval) => v.from <= l.from + 1e-7;
-
-  const cut = (i: number, valley: Interval, entry: number | null) => {
-    const height = level(i);
-    const p = (step: number, plunging = false) => purpose(step, i, plunging);
-    // From another valley the way leads over the level where both were still one.
-    if (track.at.v < level(i - 1)) track.rapid("v", level(i - 2), p(4));
-    const over = entry === null ? track.at.v : highest(l.envelope, Math.min(track.at.u, entry), entry).v;
-    if (track.at.v < over) track.rapid("v", over, p(4));
-    if (entry === null) {
-      track.rapid("u", valley.from, p(4));
-      track.rapid("v", height, p(1));
-    } else {
-      track.rapid("u", entry, p(4));
-      track.rapid("v", Math.max(level(i - 1), heightAt(l.envelope, entry)), p(1));
-      track.feed({ u: entry, v: Math.max(height, heightAt(l.envelope, entry)) }, l.feeds.plunge, p(2, true));
-      track.along(pathAlong(l.envelope, entry, valley.from).map((s) => s.segment), (s) =>
-        ({ feed: falls(s) ? l.feeds.plunge : l.feeds.rough, purpose: p(2, falls(s)) }));
-      track.feed({ u: valley.from, v: height }, l.feeds.plunge, p(2, true));
-    }
-    track.feed({ u: valley.to, v: height }, l.feeds.rough, p(2));
-  };
-
-  const lift = (i: number, valley: Interval, limit: number, outer: Interval) => {
-    const p = purpose(3, i);
-    const previous = level(i - 1);
-    if (l.smoothing === 0) {
-      const up = highest(l.envelope, valley.to, Math.max(valley.to, limit));
-      const end = up.v > previous - ROUND ? riseTo(l.envelope, valley.to, limit, previous) : up.u;
-      track.along(pathAlong(l.envelope, valley.to, end).map((s) => s.segment), () => ({ feed: l.feeds.rough, purpose: p }));
-      track.feed({ u: end, v: previous }, l.feeds.rough, p);
-      track.feed({ u: end, v: previous + l.infeed }, l.feeds.rough, p);
-      return;
-    }
-    const back = Math.min(l.infeed, valley.to - valley.from);
-    track.feed({ u: valley.to - back, v: level(i) + back }, l.feeds.rough, p);
-    track.feed({ u: track.at.u, v: previous }, l.feeds.rough, p);
-    // Too narrow to lean back: straight up first, and back where the valley is wide enough.
-    const rest = Math.min(l.infeed - back, track.at.u - outer.from);
-    track.feed({ u: track.at.u - rest, v: previous + rest }, l.feeds.rough, p);
-  };
-
-  /** The valleys of one level with where to enter each: in front (null), or where it falls from the level before. */
-  const tasks = (i: number, valleys: readonly Interval[], outer: Interval) =>
+  const within = (pass: number, valleys: readonly Interval[], outer: Interval): Cut[] =>
     valleys.map((valley, k) => {
       const before = valleys[k - 1];
       const after = valleys[k + 1];
       const entry = open(valley) ? null : before ? highest(l.envelope, before.to, valley.from).u : outer.from;
-      return { i, valley, outer, entry, limit: after ? highest(l.envelope, valley.to, after.from).u : outer.to };
+      return { pass, valley, entry, limit: after ? highest(l.envelope, valley.to, after.from).u : outer.to, outer };
     });
-
-  if (l.passes === 0) return;
-  const whole = { from: l.from, to: l.to };
+  // A crest that stands higher than the start point ends the area.
   const front = Math.max(l.top, heightAt(l.envelope, l.from));
-  const reachable = below(l.envelope, level(1), l.from, l.to).filter((v) => open(v) || highest(l.envelope, l.from, v.from).v <= front + SAME);
-  const pending = tasks(1, reachable, whole).reverse();
-  for (let task = pending.pop(); task; task = pending.pop()) {
-    const { i, valley, outer, entry, limit } = task;
-    cut(i, valley, entry);
-    lift(i, valley, limit, outer);
-    if (i < l.passes) pending.push(...tasks(i + 1, below(l.envelope, level(i + 1), valley.from, valley.to), valley).reverse());
+  const reachable = below(l.envelope, level(l, 1), l.from, l.to)
+    .filter((v) => open(v) || highest(l.envelope, l.from, v.from).v <= front + SAME);
+  const pending = within(1, reachable, { from: l.from, to: l.to }).reverse();
+  for (let cut = pending.pop(); cut; cut = pending.pop()) {
+    yield cut;
+    if (cut.pass < l.passes)
+      pending.push(...within(cut.pass + 1, below(l.envelope, level(l, cut.pass + 1), cut.valley.from, cut.valley.to), cut.valley).reverse());
+  }
+}
+
+/**
+ * The printed steps 1 to 5 of roughing: infeed at rapid, cut, lift by the infeed, back at rapid, until the deepest level.
+ * With smoothing 0, what an outer element needs below the last level is cut at the end by following the contour.
+ */
+export function roughByLevels(cutter: Cutter, l: Levels): void {
+  if (l.passes === 0) return;
+  for (const cut of cuts(l)) {
+    enter(cutter, l, cut);
+    cutter.feed({ u: cut.valley.to, v: level(l, cut.pass) }, l.feeds.rough, purpose(2, cut.pass));
+    lift(cutter, l, cut);
+  }
+  if (l.smoothing === 0) followBelow(cutter, l);
+}
+
+const linked = (l: Levels, pass: number) => ({
+  gap: Math.min(l.infeed, l.clearance), feed: l.feeds.plunge, out: purpose(4, pass), down: purpose(1, pass), enter: purpose(2, pass, true),
+});
+
+/** To where a cut begins: in front of it, or down along the element that falls into its valley. */
+function enter(cutter: Cutter, l: Levels, { pass, valley, entry }: Cut) {
+  const height = level(l, pass);
+  if (entry === null) return cutter.link({ u: valley.from, v: height }, linked(l, pass));
+  cutter.link({ u: entry, v: Math.max(height, heightAt(l.envelope, entry)) }, linked(l, pass));
+  cutter.along(pathAlong(l.envelope, entry, valley.from).map((s) => s.segment), (s) =>
+    ({ feed: falls(s) ? l.feeds.plunge : l.feeds.rough, purpose: purpose(2, pass, falls(s)) }));
+  cutter.feed({ u: valley.from, v: height }, l.feeds.plunge, purpose(2, pass, true));
+}
+
+/** Step 3: along the contour up to the level before and clear of it, or back at 45°. */
+function lift(cutter: Cutter, l: Levels, { pass, valley, limit, outer }: Cut) {
+  const p = purpose(3, pass);
+  const previous = level(l, pass - 1);
+  if (l.smoothing === 0) {
+    const up = highest(l.envelope, valley.to, Math.max(valley.to, limit));
+    const end = up.v > previous - ROUND ? riseTo(l.envelope, valley.to, limit, previous) : up.u;
+    cutter.along(pathAlong(l.envelope, valley.to, end).map((s) => s.segment), () => ({ feed: l.feeds.rough, purpose: p }));
+    cutter.feed({ u: end, v: previous }, l.feeds.rough, p);
+    cutter.feed({ u: end, v: previous + l.infeed }, l.feeds.rough, p);
+    return;
+  }
+  const back = Math.min(l.infeed, valley.to - valley.from);
+  cutter.leave(back, -1, l.envelope, l.feeds.rough, p);
+  cutter.feed({ u: cutter.at.u, v: previous }, l.feeds.rough, p);
+  // Too narrow to lean back: straight up first, and back where the valley is wide enough.
+  cutter.leave(Math.min(l.infeed - back, cutter.at.u - outer.from), -1, l.envelope, l.feeds.rough, p);
+}
+
+/** What lies deeper than the last level (a chamfer or a radius at an edge), along the contour. */
+function followBelow(cutter: Cutter, l: Levels) {
+  const p = (step: number) => purpose(step, l.passes);
+  for (const deeper of below(l.envelope, level(l, l.passes) - 2 * SAME, l.from, l.to)) {
+    const lowest = pathAlong(l.envelope, deeper.from, deeper.to).map((s) => s.segment);
+    const first = lowest[0];
+    if (!first) continue;
+    cutter.link(first.from, linked(l, l.passes));
+    cutter.along(lowest, () => ({ feed: l.feeds.rough, purpose: p(2) }));
+    cutter.leave(l.infeed, -1, l.envelope, l.feeds.rough, p(3));
   }
 }
 

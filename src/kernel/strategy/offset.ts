@@ -21,8 +21,8 @@ export function offsetPerPass(programmed: number, passes: number, oneWay: boolea
   const nearest = Math.floor(most * 1000) / 1000;
   issues.push(
     programmed > 0
-      ? issue("offsetReduced", "warning", { offset: programmed, nearest, passes }, "Q508")
-      : issue("offsetOverLimit", "error", { offset: asked * times, max, passes, nearest }, "Q508"),
+      ? issue("offsetReduced", "warning", { offset: programmed, nearest, passes }, "offset")
+      : issue("offsetOverLimit", "error", { offset: asked * times, max, passes, nearest }, "offset"),
   );
   return most;
 }

@@ -1,8 +1,9 @@
-import { heightAt, lowest, pathAlong, staysAbove } from "../envelope.ts";
+import { heightAt, lowest, pathAlong } from "../envelope.ts";
 import { reversed, type FlatSegment } from "../flat.ts";
 import { SAME } from "../tolerance.ts";
-import type { Purpose, Track } from "../track.ts";
+import type { Purpose } from "../track.ts";
 import type { Ground } from "./ground.ts";
+import type { Cutter } from "./link.ts";
 import { containing, deepestIn, RECESS_CLEARANCE } from "./valley.ts";
 
 export interface RecessFinish {
@@ -12,8 +13,6 @@ export interface RecessFinish {
   readonly feed: number;
   /** The whole groove in one cut; otherwise from both walls, meeting on the floor. */
   readonly oneGo: boolean;
-  /** Shift of the floor, mm, positive out of the material. */
-  readonly compensation: number;
   /** Distance to keep from the second wall while its oversize still stands, mm. */
   readonly apart: number;
   readonly span: { readonly from: number; readonly to: number };
@@ -22,52 +21,36 @@ export interface RecessFinish {
 const p = (step: number): Purpose => ({ phase: "finish", run: "finish", step });
 
 /** The printed finishing steps 1 to 6 of a recess; going back to the cycle start is the caller's. */
-export function finishRecess(track: Track, f: RecessFinish): void {
+export function finishRecess(cutter: Cutter, f: RecessFinish): void {
   const e = f.ground.envelope;
   const bottom = lowest(e, f.span.from, f.span.to);
   const floor = containing(e, bottom, f.span, deepestIn(e, bottom, f.span));
-  const clear = f.top + RECESS_CLEARANCE;
-  const left = f.ground.start.u;
-  const right = f.ground.end.u;
+  const [left, right] = [f.ground.start.u, f.ground.end.u];
   const onFloor = (s: FlatSegment) => s.kind === "line" && Math.abs(s.from.v - bottom) < SAME && Math.abs(s.to.v - bottom) < SAME;
+  const link = (step: number) => ({ gap: RECESS_CLEARANCE, feed: f.feed, out: p(step), down: p(step), enter: p(step) });
 
-  const into = (u: number, height: number, step: number) => {
-    if (track.at.v < clear) track.rapid("v", clear, p(step));
-    track.rapid("u", u, p(step));
-    track.rapid("v", Math.min(clear, Math.max(height, heightAt(e, u)) + RECESS_CLEARANCE), p(step));
-  };
-  const cut = (path: readonly FlatSegment[], wallStep: number, floorStep: number) => {
-    const first = path[0];
-    if (first) track.feed(first.from, f.feed, p(wallStep));
-    for (const s of path) {
-      if (!onFloor(s) || f.compensation === 0) {
-        track.follow(s, f.feed, p(onFloor(s) ? floorStep : wallStep));
-        continue;
-      }
-      track.feed({ u: s.from.u, v: bottom + f.compensation }, f.feed, p(floorStep));
-      track.feed({ u: s.to.u, v: bottom + f.compensation }, f.feed, p(floorStep));
-      track.feed(s.to, f.feed, p(floorStep));
-    }
-  };
+  /** To the clearance over the beginning of a wall, at the most as high as the tool travels. */
+  const into = (u: number, height: number, step: number) =>
+    cutter.link({ u, v: Math.min(f.top + RECESS_CLEARANCE, Math.max(height, heightAt(e, u)) + RECESS_CLEARANCE) }, link(step));
+  const out = (step: number) => cutter.link({ u: cutter.at.u, v: f.top + RECESS_CLEARANCE }, link(step));
+  const cut = (path: readonly FlatSegment[], wallStep: number, floorStep: number) =>
+    cutter.along(path, (s) => ({ feed: f.feed, purpose: p(onFloor(s) ? floorStep : wallStep) }));
   const segments = (from: number, to: number) => pathAlong(e, from, to).map((s) => s.segment);
 
   into(left, f.ground.start.v, 1);
   if (f.oneGo) {
     cut(segments(left, right), 2, 3);
-    track.feed({ u: right, v: Math.max(track.at.v, f.ground.end.v) }, f.feed, p(3));
-    track.rapid("v", clear, p(4));
-    return;
+    cutter.feed({ u: right, v: Math.max(cutter.at.v, f.ground.end.v) }, f.feed, p(3));
+    return out(4);
   }
   const width = floor.to - floor.from;
   const meet = Math.max(floor.from + width / 2, floor.to - f.apart - RECESS_CLEARANCE / 2);
   const leave = (step: number) => {
-    const d = Math.min(RECESS_CLEARANCE, meet - floor.from);
-    const leaning = { u: meet - d, v: bottom + d };
-    track.feed(staysAbove(e, leaning, track.at) ? leaning : { u: meet, v: bottom + d }, f.feed, p(step));
-    track.rapid("v", clear, p(step));
+    cutter.leave(Math.min(RECESS_CLEARANCE, meet - floor.from), -1, e, f.feed, p(step));
+    out(step);
   };
   cut(segments(left, meet), 2, 3);
-  if (width <= SAME) track.feed({ u: meet, v: bottom }, f.feed, p(2));
+  if (width <= SAME) cutter.feed({ u: meet, v: bottom }, f.feed, p(2));
   leave(4);
   into(right, f.ground.end.v, 5);
   cut(segments(meet, right).map(reversed).reverse(), 6, 6);

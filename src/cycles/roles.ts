@@ -1,0 +1,44 @@
+import { toPart, type Frame } from "../kernel/flat.ts";
+import type { Issue } from "../kernel/issue.ts";
+import type { Plan } from "../kernel/plan.ts";
+import { toDiameter } from "../kernel/units.ts";
+
+/** The Q of a cycle that plays a role of its strategy; the strategies know roles only. */
+export interface Roles {
+  readonly infeed: string;
+  readonly depth?: string;
+  readonly offset?: string;
+  readonly limitX?: string;
+  readonly limitZ?: string;
+}
+
+/** A coordinate of strategy space as the program writes it: a diameter across the axis, Z along it. */
+function written(frame: Frame, axis: "u" | "v", value: number): number {
+  const p = toPart(frame, axis === "u" ? { u: value, v: 0 } : { u: 0, v: value });
+  return isX(frame, axis) ? toDiameter(p.r) : p.z;
+}
+const isX = (frame: Frame, axis: "u" | "v") => (axis === "u") === frame.transverse;
+
+function inCycle(found: Issue, frame: Frame, q: Roles): Issue {
+  const axis = found.at?.endsWith("V") || found.at === "depth" ? "v" : "u";
+  const at = (name: string | undefined): Issue => {
+    const { at: _, ...rest } = found;
+    return (name === undefined ? rest : { ...rest, at: name }) as Issue;
+  };
+  switch (found.at) {
+    case "infeed": return at(q.infeed);
+    case "offset": return at(q.offset);
+    case "startU": case "startV": return at(isX(frame, axis) ? "start.x" : "start.z");
+    case "start": return at("start.x");
+    case "limitU": case "limitV": case "depth": break;
+    default: return found;
+  }
+  const named = at(found.at === "depth" ? q.depth : isX(frame, axis) ? q.limitX : q.limitZ);
+  if (named.code === "limitOnWrongSide")
+    return { ...named, data: { limit: written(frame, axis, named.data.limit), nearest: written(frame, axis, named.data.nearest) } };
+  if (named.code === "depthOverCutLength") return { ...named, data: { ...named.data, nearest: written(frame, axis, named.data.nearest) } };
+  return named;
+}
+
+/** A plan whose issues stand at the parameters of the cycle. */
+export const atParameters = (plan: Plan, frame: Frame, q: Roles): Plan => ({ ...plan, issues: plan.issues.map((i) => inCycle(i, frame, q)) });

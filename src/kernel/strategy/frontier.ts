@@ -1,0 +1,117 @@
+import { extent, type Convex } from "../convex.ts";
+import { besideAt, highest, higherOf, loweredBy, pieceOf, raised, type Envelope, type Origin } from "../envelope.ts";
+import { toFlat, type Flat, type FlatSegment, type Frame } from "../flat.ts";
+import type { Ring } from "../point.ts";
+import { reachOver, type Bound } from "../reach.ts";
+import { SAME } from "../tolerance.ts";
+
+const CUT: Origin = { feature: "nose", on: "edge", corner: false };
+
+/**
+ * The material that still stands, as the tool meets it: for every u the height of the tip from which on the insert is clear
+ * of it. At first the blank, or the area where no blank is known; every cut lowers it. Strategy space, mm.
+ */
+export class Frontier {
+  private now: Envelope;
+  /** Places where the tool went straight down: free for it in that very column. */
+  private readonly columns = new Map<number, number>();
+  private readonly before: number;
+  private readonly behind: number;
+  private readonly height: number;
+
+  /**
+   * `first`: what stands at the beginning. `roof`: height above which nothing may be cut although material stands there
+   * (a machining limit); without one Infinity.
+   */
+  constructor(private readonly first: Envelope, insert: Convex, private readonly roof = Infinity) {
+    this.now = first;
+    [this.behind, this.before] = overhang(insert);
+    const { minV, maxV } = extent(insert);
+    this.height = maxV - minV;
+  }
+
+  /** Highest tip position between two places (the ends aside) at which material may stand; −∞ in air. */
+  over(u0: number, u1: number): number {
+    const [a, b] = [Math.min(u0, u1) + SAME, Math.max(u0, u1) - SAME];
+    return b > a ? Math.min(this.roof, highest(this.now, a, b).v) : -Infinity;
+  }
+
+  /** Whether the tip may cross at a height without touching what stands. */
+  clear(u0: number, u1: number, v: number): boolean {
+    return v >= this.over(u0, u1) - SAME && !this.roofed(Math.min(u0, u1), Math.max(u0, u1));
+  }
+
+  /**
+   * The height from which on the tip may go straight up or down. Beside a wall that a cut has left, an edge that leans back
+   * from the nose has left more than the nose shows, so the wall counts there too.
+   */
+  freeFrom(u: number): number {
+    if (this.roofed(u, u)) return Infinity;
+    const column = this.columns.get(columnOf(u));
+    const here = Math.min(besideAt(this.now, u), column ?? Infinity);
+    const once = besideAt(this.first, u);
+    if (once <= here + SAME || this.before + this.behind <= 0) return here;
+    return Math.max(here, Math.min(once, highest(this.now, u - this.behind, u + this.before).v));
+  }
+
+  /** Lowers the frontier by one element that the tip has run at feed. */
+  lower(path: FlatSegment): void {
+    const piece = pieceOf(path, CUT);
+    if (piece) {
+      if (!this.roofed(piece.u0, piece.u1)) this.now = loweredBy(this.now, piece, this.height);
+    } else {
+      const key = columnOf(path.to.u);
+      this.columns.set(key, Math.min(this.columns.get(key) ?? Infinity, path.from.v, path.to.v));
+    }
+  }
+
+  private roofed(u0: number, u1: number): boolean {
+    return this.roof < Infinity && highest(this.first, u0, u1).v > this.roof + SAME;
+  }
+}
+
+const columnOf = (u: number) => Math.round(u / SAME);
+
+/** How far the insert draws back above its widest place, behind and before the tip, mm. */
+function overhang(insert: Convex): [behind: number, before: number] {
+  const { minU, maxU, maxV } = extent(insert);
+  const top = insert.flatMap((e) => (e.kind === "line" ? [e.from, e.to] : [{ u: e.centre.u, v: e.centre.v + e.radius }]))
+    .filter((p) => p.v > maxV - SAME);
+  const us = top.map((p) => p.u);
+  return [Math.max(0, Math.min(...us) - minU), Math.max(0, maxU - Math.max(...us))];
+}
+
+/** What stands in front of a tool: chains of material (on the right of their direction), as its tip meets them. */
+function standing(chains: readonly (readonly FlatSegment[])[], insert: Convex): Envelope {
+  return chains.filter((c) => c.length > 0)
+    .map((c) => reachOver(c.map((segment): Bound => ({ segment, on: "edge" })), insert))
+    .reduce<Envelope>((all, e) => (all.length === 0 ? e : higherOf(all, e)), []);
+}
+
+/** A closed outline as a chain with its inside on the right, closed beyond its first corner. */
+function outlineChain(points: readonly Flat[]): FlatSegment[] {
+  const twice = points.reduce((sum, p, i) => {
+    const q = points[(i + 1) % points.length] as Flat;
+    return sum + p.u * q.v - q.u * p.v;
+  }, 0);
+  const clockwise = twice > 0 ? [...points].reverse() : points;
+  const lines = clockwise.map((from, i): FlatSegment => ({ kind: "line", from, to: clockwise[(i + 1) % clockwise.length] as Flat }));
+  return lines.length > 0 ? [...lines, lines[0] as FlatSegment] : [];
+}
+
+/**
+ * The frontier at the call of a cycle: the part under the blank. Where earlier cuts have changed the blank nobody knows how:
+ * then roughing takes the area (`area`, corners in strategy space) to be full, and finishing expects what roughing with the
+ * same values leaves, which is the contour grown by the oversize and at the most one infeed.
+ */
+export function atCall(
+  o: { readonly stock: readonly Ring[] | null; readonly area: readonly Flat[]; readonly frame: Frame; readonly insert: Convex },
+  part: Envelope, roughed: { readonly grown: Envelope; readonly infeed: number } | null,
+): Envelope {
+  if (o.stock === null && roughed) {
+    const us = o.area.map((p) => p.u);
+    return higherOf(part, raised(roughed.grown, Math.min(...us), Math.max(...us), roughed.infeed));
+  }
+  const chains = o.stock === null ? [outlineChain(o.area)] : o.stock.map((ring) => outlineChain(ring.map((p) => toFlat(o.frame, p))));
+  return higherOf(part, standing(chains, o.insert));
+}

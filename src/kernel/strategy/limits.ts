@@ -1,0 +1,31 @@
+import type { Flat, FlatSegment } from "../flat.ts";
+import { issue, type Issue } from "../issue.ts";
+
+/** What machining limits leave to cut: a stretch of u, and heights. */
+export interface Limits {
+  readonly from: number;
+  readonly to: number;
+  readonly floor: number | null;
+  readonly ceiling: number;
+}
+
+const NONE: Limits = { from: -Infinity, to: Infinity, floor: null, ceiling: Infinity };
+
+/** The side of each limit on which the tool stands at the call is machined, the other is not cut (decision "Limits"). */
+export function limitsOf(limit: Flat | null, called: Flat, contour: readonly FlatSegment[], issues: Issue[]): Limits {
+  if (!limit) return NONE;
+  const before = called.u <= limit.u;
+  const above = called.v >= limit.v;
+  const us = contour.flatMap((s) => [s.from.u, s.to.u]);
+  const vs = contour.flatMap((s) => [s.from.v, s.to.v]);
+  const wrong = (value: number, nearest: number, at: string) =>
+    issues.push(issue("limitOnWrongSide", "warning", { limit: value, nearest }, at));
+  if (before ? limit.u <= Math.min(...us) : limit.u >= Math.max(...us))
+    wrong(limit.u, before ? Math.max(...us) : Math.min(...us), "limitU");
+  if (above ? limit.v >= Math.max(...vs) : limit.v <= Math.min(...vs))
+    wrong(limit.v, above ? Math.min(...vs) : Math.max(...vs), "limitV");
+  return {
+    from: before ? -Infinity : limit.u, to: before ? limit.u : Infinity,
+    floor: above ? limit.v : null, ceiling: above ? Infinity : limit.v,
+  };
+}
