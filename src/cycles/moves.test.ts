@@ -2,6 +2,7 @@ import { expect, test } from "vitest";
 import { contourFrom, type ContourElement } from "../kernel/contour.ts";
 import type { Move } from "../kernel/move.ts";
 import type { Pt } from "../kernel/point.ts";
+import type { TipOrientation } from "../kernel/tool.ts";
 import { axial, diameter, toDiameter, toRadius } from "../kernel/units.ts";
 import { shippedTools } from "../program/shipped-tools.ts";
 import cases from "./moves.cases.txt?raw";
@@ -48,7 +49,8 @@ function planned(line: string): string {
   let tool = shippedTools[{ 812: 0, 820: 14, 852: 7 }[cycleNumber] ?? 0];
   const contour: string[] = [];
   for (const w of words) {
-    if (/^T\d+$/.test(w)) tool = shippedTools.find((t) => t.T === Number(w.slice(1)));
+    if (/^TO\d$/.test(w) && tool) tool = { ...tool, TO: Number(w.slice(2)) as TipOrientation };
+    else if (/^T\d+$/.test(w)) tool = shippedTools.find((t) => t.T === Number(w.slice(1)));
     else if (w.startsWith("Q")) values[w.split("=")[0] ?? ""] = Number(w.split("=")[1]);
     else contour.push(w);
   }

@@ -24,7 +24,7 @@ const AGAINST: ReadonlySet<string> = new Set(["toolCannotCutSideways", "flanksNo
 function planWith(tool: Tool, { cycle: number, call, start, feedUnit }: Operation): Plan | null {
   const cycle = cycleByNumber(number);
   if (!cycle || !call || checkTool(tool).length > 0) return null;
-  const plan = cycle.plan(call.values, { tool, start, feedUnit, autoFeed: call.autoFeed }, call.given);
+  const plan = cycle.plan(call.values, { tool, start, feedUnit, autoFeed: call.autoFeed, stock: null }, call.given);
   const refused = plan.issues.some((i) => i.severity === "error" || AGAINST.has(i.code));
   return refused || !plan.moves.some((m) => m.phase !== "position") ? null : plan;
 }
