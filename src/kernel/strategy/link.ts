@@ -70,10 +70,10 @@ export class Cutter extends Track {
 
   /**
    * Leaves the contour at feed: at 45°, away from the cutting direction (`towards` −1) or along it (1), by `by` mm in either
-   * axis; straight up by the same where the part is in the way.
+   * axis; straight up by the same where the part is in the way. `room`: how far it may lean.
    */
-  leave(by: number, towards: 1 | -1, part: Envelope, value: number, purpose: Purpose): void {
-    const leaning = { u: this.at.u + towards * by, v: this.at.v + by };
+  leave(by: number, towards: 1 | -1, part: Envelope, value: number, purpose: Purpose, room = by): void {
+    const leaning = { u: this.at.u + towards * Math.max(0, Math.min(by, room)), v: this.at.v + by };
     this.feed(by > 0 && staysAbove(part, leaning, this.at) ? leaning : { u: this.at.u, v: this.at.v + by }, value, purpose);
   }
 }

@@ -46,7 +46,7 @@ export function finishRecess(cutter: Cutter, f: RecessFinish): void {
   const width = floor.to - floor.from;
   const meet = Math.max(floor.from + width / 2, floor.to - f.apart - RECESS_CLEARANCE / 2);
   const leave = (step: number) => {
-    cutter.leave(Math.min(RECESS_CLEARANCE, meet - floor.from), -1, e, f.feed, p(step));
+    cutter.leave(RECESS_CLEARANCE, -1, e, f.feed, p(step), meet - floor.from);
     out(step);
   };
   cut(segments(left, meet), 2, 3);

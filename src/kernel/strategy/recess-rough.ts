@@ -94,7 +94,7 @@ function alongWalls(cutter: Cutter, r: RecessRough, floor: Interval, shortened: 
     cutter.feed({ u: end, v: bottom }, r.feeds.plunge, { ...p, plunging: true });
     cutter.feed({ u: along, v: bottom }, r.feeds.rough, p);
     const room = away > 0 ? floor.to - cutter.at.u : cutter.at.u - floor.from;
-    cutter.leave(Math.min(RECESS_CLEARANCE, Math.max(0, room)), away, e, r.feeds.rough, p);
+    cutter.leave(RECESS_CLEARANCE, away, e, r.feeds.rough, p, room);
     out();
   };
   cutter.feed({ u: cutter.at.u, v: bottom + Math.min(r.infeed, RECESS_CLEARANCE) }, r.feeds.rough, p);
