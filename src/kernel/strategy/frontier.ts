@@ -1,5 +1,6 @@
 import { extent, type Convex } from "../convex.ts";
-import { besideAt, highest, higherOf, loweredBy, pieceOf, raised, type Envelope, type Origin } from "../envelope.ts";
+import { besideAt, loweredBy, pieceOf, raised } from "../cut-envelope.ts";
+import { highest, higherOf, type Envelope, type Origin } from "../envelope.ts";
 import { toFlat, type Flat, type FlatSegment, type Frame } from "../flat.ts";
 import type { Ring } from "../point.ts";
 import { reachOver, type Bound } from "../reach.ts";
