@@ -49,6 +49,8 @@ interface Data {
   startInMaterial: { x: number; z: number };
   /** mm across the cutting direction. */
   startBelowContour: { below: number };
+  /** The tool would stand in the finished part; at x and z it would not. */
+  startInPart: { x: number; z: number };
   /** The contour is run towards the start point; from the other side, at x and z, it works. */
   startOnWrongSide: { x: number; z: number };
   startInsideEnvelope: { clearance: number };

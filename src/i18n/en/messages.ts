@@ -60,6 +60,7 @@ export const messages = {
     startInArea: (d, w) => `The start point ${w.place(d.x, d.z)} lies in the area to be cut: the tool first moves to the set-up clearance.`,
     startInMaterial: (d, w) => `The start point ${w.place(d.x, d.z)} stands in the material.`,
     startBelowContour: (d, w) => `The start point lies ${w.number(d.below)} mm below the contour start: the tool first moves up to it.`,
+    startInPart: (d, w) => `The start point lies inside the finished part: nothing is cut from there. A start point that works: ${w.place(d.x, d.z)}.`,
     startOnWrongSide: (d, w) => `The contour runs towards the start point: nothing is cut from there. A start point that works: ${w.place(d.x, d.z)}.`,
     startInsideEnvelope: (d, w) =>
       `The start point is nearer to the contour than the clearance of ${w.number(d.clearance)}: the tool goes straight to the contour at the finishing feed.`,

@@ -58,6 +58,7 @@ export const messages = {
     startInArea: (d, w) => `Le point de départ ${w.place(d.x, d.z)} est dans la zone à usiner : l'outil va d'abord à la distance d'approche.`,
     startInMaterial: (d, w) => `Le point de départ ${w.place(d.x, d.z)} est dans la matière.`,
     startBelowContour: (d, w) => `Le point de départ est ${w.number(d.below)} mm sous le début du contour : l’outil s’y rend d’abord.`,
+    startInPart: (d, w) => `Le point de départ est dans la pièce finie : rien n’est usiné de là. Un point de départ possible : ${w.place(d.x, d.z)}.`,
     startOnWrongSide: (d, w) => `Le contour se dirige vers le point de départ : rien n’est usiné de ce côté. Un point de départ possible : ${w.place(d.x, d.z)}.`,
     startInsideEnvelope: (d, w) =>
       `Le point de départ est plus près du contour que la distance ${w.number(d.clearance)} : l'outil va droit au contour à l'avance de finition.`,

@@ -52,6 +52,7 @@ export const messages = {
     startInArea: (d, w) => `起点${w.place(d.x, d.z)}在加工区内:刀具先移至安全高度。`,
     startInMaterial: (d, w) => `起点${w.place(d.x, d.z)}在材料中。`,
     startBelowContour: (d, w) => `起点比轮廓起点低 ${w.number(d.below)} mm:刀具先移到轮廓起点的高度。`,
+    startInPart: (d, w) => `起点位于成品工件内:从那里不会切削。可用的起点:${w.place(d.x, d.z)}。`,
     startOnWrongSide: (d, w) => `轮廓朝起点方向走:从这一侧不会切削。可用的起点:${w.place(d.x, d.z)}。`,
     startInsideEnvelope: (d, w) => `起点距轮廓小于安全距离${w.number(d.clearance)}:刀具以精加工进给直接移至轮廓。`,
     limitOnWrongSide: (d, w) => `极限为${w.value(d.limit)}时,刀具所在一侧没有可加工的材料。${nearest(w.value(d.nearest))}`,

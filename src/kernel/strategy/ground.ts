@@ -1,8 +1,9 @@
 import { extent, grown, inFrame, onArc, positive, type Convex } from "../convex.ts";
+import { besideAt } from "../cut-envelope.ts";
 import { below, linePiece, pathAlong, type Envelope, type Origin, type Piece } from "../envelope.ts";
 import { normalAt, segmentToPart, toPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
 import { insertShape, isBar, noseRadius } from "../insert.ts";
-import type { Reason } from "../issue.ts";
+import { issue, type Issue, type Reason } from "../issue.ts";
 import type { Reach } from "../plan.ts";
 import { reachOver, type Bound } from "../reach.ts";
 import type { Tool } from "../tool.ts";
@@ -145,3 +146,9 @@ function reasonOf(o: Origin | null, tool: Tool): Reason | null {
   if (isBar(tool)) return "toolWidth";
   return o.feature === "secondaryEdge" ? "secondaryEdge" : "mainEdge";
 }
+
+/** Whether the tool would stand inside the finished part at a place. */
+export const insidePart = (part: Ground, at: Flat): boolean => at.v < besideAt(part.bare(), at.u) - SAME;
+
+/** What is said then: no way out would leave the part whole. `works`: a start point that does. */
+export const startInPart = (works: { readonly x: number; readonly z: number }): Issue => issue("startInPart", "error", works, "start");

@@ -15,7 +15,7 @@ import type { Feeds } from "./feeds.ts";
 import { followContour } from "./finish.ts";
 import { unfit } from "./fit.ts";
 import { atCall, Frontier } from "./frontier.ts";
-import { beyondAxis, FAR, groundOver, insertIn, leadOf, reachOf, type Surroundings } from "./ground.ts";
+import { beyondAxis, FAR, groundOver, insertIn, insidePart, leadOf, reachOf, startInPart, type Surroundings } from "./ground.ts";
 import { divide, limitedInfeed, type Division } from "./infeed.ts";
 import { roughByLevels } from "./levels.ts";
 import { limitsOf } from "./limits.ts";
@@ -86,9 +86,9 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
     ...empty([]), contour: l.contour, part: partUnder(flat, l.frame, site.pin), most: length(l.infeed),
     area: areaOver(flat, l.frame, called.u, Math.max(called.v, site.outer)), openSide: toPart(l.frame, { u: 0, v: 1 }), oversize: l.oversize,
   };
-  const refused = unfit(tool, l.frame, TURNING) ?? wrongStart(l, site, setting);
-  if (refused) return { ...sketch, issues: [refused] };
   const issues: Issue[] = [];
+  const refused = [unfit(tool, l.frame, TURNING), wrongStart(l, site, setting)].filter((i) => i !== null);
+  if (refused.length > 0) return { ...sketch, issues: refused };
   if (flanksUnknown(tool)) issues.push(issue("flanksNotChecked", "info", {}, "tool"));
   if (isBar(tool) && tool.TYPE === "RECESS") issues.push(issue("toolCannotCutSideways", "warning", { type: tool.TYPE }, "tool"));
 
@@ -98,6 +98,7 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
   const room = roomOf(l.frame, beyondAxis(tool, flat, l.frame));
   const drawn = groundOver(bounds, tool, l.frame, NOTHING, over);
   const start = startOf(l, site, setting);
+  if (insidePart(drawn, called)) return { ...sketch, issues: [...issues, startInPart(workingStart(l, site))] };
   const top = Math.max(start.v, site.outer);
   // Nothing stands beyond the axis: there the area is open.
   const wall = top + extent(insert).minV > last.to.v + SAME && toPart(l.frame, last.to).r > SAME ? top + FAR : null;
@@ -202,10 +203,14 @@ function wrongStart(l: Leveled, site: Site, setting: Setting): Issue | null {
   const last = (site.flat[site.flat.length - 1] as FlatSegment).to;
   const behind = l.startRule === "contour" && site.called.u > last.u - SAME;
   if (!behind && setting.start.r >= -SAME) return null;
+  return issue("startOnWrongSide", "error", workingStart(l, site), "startU");
+}
+
+/** A start point that works: in front of the contour and above it, by the clearance. */
+function workingStart(l: Leveled, site: Site): { x: number; z: number } {
   const u = (site.flat[0] as FlatSegment).from.u - leadIn(l, site) - l.clearance;
   const works = toPart(l.frame, { u, v: Math.max(site.highest, site.outer) + l.clearance });
-  const near = works.r < 0 ? radius(0) : works.r;
-  return issue("startOnWrongSide", "error", { x: toDiameter(near), z: works.z }, "startU");
+  return { x: toDiameter(works.r < 0 ? radius(0) : works.r), z: works.z };
 }
 
 /** Brings the tool from the call to the start of the cycle, and says when that is another place. */

@@ -8,11 +8,11 @@ import type { Bound } from "../reach.ts";
 import { SAME } from "../tolerance.ts";
 import type { Tool, ToolType } from "../tool.ts";
 import { roomOf } from "../track.ts";
-import { length } from "../units.ts";
+import { length, toDiameter } from "../units.ts";
 import type { Feeds } from "./feeds.ts";
 import { unfit } from "./fit.ts";
 import { atCall, Frontier } from "./frontier.ts";
-import { FAR, groundOver, insertIn, reachOf, type Surroundings } from "./ground.ts";
+import { FAR, groundOver, insertIn, insidePart, reachOf, startInPart, type Surroundings } from "./ground.ts";
 import { divide, limitedInfeed, type Division } from "./infeed.ts";
 import { empty } from "./leveled.ts";
 import { Cutter } from "./link.ts";
@@ -67,6 +67,10 @@ export function planRecess(l: Recess, setting: Setting): Plan {
   const bounds: Bound[] = flat.map((segment) => ({ segment, on: "contour" }));
   const kept = groundOver(bounds, tool, l.frame, keep, surroundings(true));
   const drawn = groundOver(bounds, tool, l.frame, { u: 0, v: 0 }, surroundings(false));
+  if (insidePart(drawn, called)) {
+    const works = toPart(l.frame, { u: (span.from + span.to) / 2, v: opening + RECESS_CLEARANCE });
+    return { ...sketch, issues: [...issues, startInPart({ x: toDiameter(works.r), z: works.z })] };
+  }
   const grown = groundOver(bounds, tool, l.frame, keep, surroundings(false));
   const insert = insertIn(tool, l.frame);
   const area = [{ u: span.from, v: top - FAR }, { u: span.from, v: top }, { u: span.to, v: top }, { u: span.to, v: top - FAR }];
