@@ -82,6 +82,8 @@ const lineTo = (from: PlanePoint | null, to: PlanePoint): PlaneSegment[] => (fro
 function straight(q: ApproachRequest, a: Anchor, issues: Issue[]): Arrival {
   if (q.length === undefined) issues.push(issue("missing", "error", {}, "LEN"));
   const length = q.length ?? 0;
+  // LN takes the other side with a minus; from the other end of a tangent there is no way onto the contour.
+  if (q.shape === "LT" && length < 0) issues.push(issue("outOfRange", "error", { value: length, min: 0, max: MOST, nearest: -length }, "LEN"));
   const auxiliary = q.shape === "LT" ? beyond(a.at, a.way, -length) : beyond(a.at, a.free, length);
   return { auxiliary, segments: [...lineTo(q.departing ? null : q.outside, auxiliary), ...lineTo(auxiliary, a.at)], arc: null };
 }

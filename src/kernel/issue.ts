@@ -19,7 +19,6 @@ interface Data {
   notAChoice: { value: number; choices: readonly number[]; nearest: number };
   /* values against each other */
   startEqualsEnd: { other: string; value: number; nearest: number };
-  wrongDirection: { other: string; value: number; nearest: number };
   elementTooLong: { size: number; max: number; nearest: number };
   cornersTooWide: { radius: number; max: number; nearest: number };
   wallsMeet: { angle: number; max: number; nearest: number };

@@ -23,8 +23,6 @@ interface Data {
   blockNumber: { found: number; expected: number };
   /** A block without a number in a program that numbers its blocks. */
   blockNumberMissing: { expected: number };
-  /** A Q line that belongs to no cycle definition. */
-  strayParameter: { text: string };
   /** `~` on the last line of a block: the next line is not a continuation. */
   continuationOpen: {};
   /** The text does not end with END PGM, or does not start with BEGIN PGM. */

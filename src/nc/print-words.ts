@@ -41,6 +41,7 @@ export function wordsText(words: Words, style: Style, signs: Signs = { length: t
   if (words.feed !== undefined) add(feedText(words.feed, style));
   for (const m of words.functions) add(`M${unsigned(m, style)}`, parts.length === 0 ? 1 : 2);
   if (words.retract !== undefined) add(`MB${words.retract === "max" ? " MAX" : valueText(words.retract, style)}`);
+  if (words.functionFeed !== undefined) add(feedText(words.functionFeed, style));
   for (const word of words.extra) add(word);
   return parts.join("");
 }

@@ -69,6 +69,13 @@ function statementText(s: Exclude<Statement, { kind: "cycle" }>, style: Style): 
     case "cycleCall": return `CYCL CALL${s.how === "" ? "" : ` ${s.how}`}${wordsText(s.words, { ...style, wide: false })}`;
     case "selectContour": return `SEL CONTOUR "${s.file}"`;
     case "assign": return assignmentText(s, style);
+    case "jump": {
+      const signed = (value: Value) => valueText(value, { ...style, plus: true });
+      const target = typeof s.label === "object" ? unsigned(s.label, style) : labelText(s.label);
+      return `${s.fn === null ? "" : `FN ${s.fn}: `}IF ${signed(s.left)} ${s.compare}${s.right === null ? "" : ` ${signed(s.right)}`} GOTO LBL ${target}`;
+    }
+    case "datum":
+      return `TRANS DATUM ${s.shift === "reset" ? "RESET" : `AXIS${s.shift.map((w) => ` ${w.incremental ? "I" : ""}${w.axis}${valueText(w.value, style)}`).join("")}`}`;
     case "functions": return wordsText(s.words, style).trimStart();
     case "stop": return `STOP${wordsText(s.words, { ...style, wide: false })}`;
     case "unknown": return s.text;

@@ -3,14 +3,17 @@ import { readCycle, type BlockLine } from "./read-cycle.ts";
 import { readAssignment } from "./read-formula.ts";
 import { readBlank, readFrame, readNamedWords, readToolCall, readToolDefinition } from "./read-frame.ts";
 import { readFunction } from "./read-function.ts";
+import { JUMP, readDatum, readJump } from "./read-jump.ts";
 import { readWords } from "./read-words.ts";
 import { Scan } from "./scan.ts";
 import { APPROACH_FORMS, type ApproachForm, type PathKind, type Statement, type Words } from "./statement.ts";
 import { readLabel, VALUE } from "./value.ts";
 
-const KEYWORD = /(?:(CYCL[ \t]+(?:DEF|CALL)|BEGIN[ \t]+PGM|END[ \t]+PGM|BLK[ \t]+FORM|TOOL[ \t]+(?:CALL|DEF)|CALL[ \t]+LBL|SEL[ \t]+CONTOUR|FUNCTION|LBL|STOP|APPR|DEP|UDC|GRV|RND|CHF|CTP|CR|CT|CC|CP|LP|L|C)(?![A-Z_]))/iy;
+const KEYWORD = /(?:(CYCL[ \t]+(?:DEF|CALL)|BEGIN[ \t]+PGM|END[ \t]+PGM|BLK[ \t]+FORM|TOOL[ \t]+(?:CALL|DEF)|CALL[ \t]+LBL|SEL[ \t]+CONTOUR|TRANS[ \t]+DATUM|FUNCTION|LBL|STOP|APPR|DEP|UDC|GRV|RND|CHF|CTP|CR|CT|CC|CP|LP|L|C)(?![A-Z_]))/iy;
 const ASSIGNMENT = /(?:FN[ \t]*[0-5][ \t]*:|Q[LR]?\d{1,6}[ \t]*=)/iy;
 const FUNCTIONS = /M\d/iy;
+/** A paraxial block: a coordinate without L. */
+const PARAXIAL = new RegExp(String.raw`I?[XYZABUVW][ \t]*${VALUE}`, "iy");
 const LABEL = /(?:(\d{1,9})|"([^"]*)")/y;
 const PARAMETER = /(Q[LRS]?\d{1,6})/iy;
 const REPEAT = new RegExp(String.raw`REP[ \t]*(${VALUE})(?:[ \t]*/[ \t]*\d+)?`, "iy");
@@ -83,6 +86,7 @@ function dispatch(scan: Scan, lines: readonly BlockLine[], issues: BlockIssue[])
       const file = scan.take(QUOTED);
       return file && { kind: "selectContour", file: file[1] ?? "" };
     }
+    case "TRANS DATUM": return readDatum(scan);
     case "STOP": return { kind: "stop", words: readWords(scan) };
     default: return null;
   }
@@ -99,6 +103,14 @@ function withoutKeyword(scan: Scan): Statement | null {
   if (scan.take(ASSIGNMENT)) {
     scan.at = from;
     return readAssignment(scan);
+  }
+  if (scan.take(JUMP)) {
+    scan.at = from;
+    return readJump(scan);
+  }
+  if (scan.take(PARAXIAL)) {
+    scan.at = from;
+    return path(scan, "L");
   }
   if (!scan.take(FUNCTIONS)) return null;
   scan.at = from;

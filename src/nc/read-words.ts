@@ -15,6 +15,10 @@ const isLetter = (scan: Scan, letter: number) => (scan.text.charCodeAt(scan.at) 
 
 export const axisName = (letter: string) => letter.toUpperCase() as AxisName;
 
+/** Functions that take a feed of their own: what F stands behind them belongs to them. */
+const WITH_FEED: ReadonlySet<number> = new Set([128, 140]);
+const feedKey = (functions: readonly number[]) => (functions.some((m) => WITH_FEED.has(m)) ? "functionFeed" : "feed");
+
 const feedUnit = (letters: string) => letters as "F" | "FU" | "FZ";
 
 /**
@@ -34,7 +38,7 @@ export function readWords(scan: Scan, radiusFirst = false): Words {
   while (!scan.done) {
     let m: RegExpExecArray | null = null;
     if (isLetter(scan, 102) && (m = scan.take(FEED))) {
-      put("feed", "F", m[1] ? "max" : "auto", m[0].length);
+      put(feedKey(functions), "F", m[1] ? "max" : "auto", m[0].length);
     } else if (isLetter(scan, 114) && (m = scan.take(radiusFirst && words.radius === undefined ? SIDE : COMPENSATION))) {
       put("compensation", "R", m[0].replace(/[ \t]/, "").toUpperCase() as Compensation, m[0].length);
     } else if (isLetter(scan, 100) && (m = scan.take(TURN))) {
@@ -67,7 +71,7 @@ function readWord(scan: Scan, m: RegExpExecArray, lists: Lists, put: Put): void 
   if (value === null) return unread(scan, m[0], lists.extra, false);
   switch (name) {
     case "F": case "FU": case "FZ":
-      return put("feed", "F", { value, unit: feedUnit(name) } satisfies Feed, length);
+      return put(feedKey(lists.functions), "F", { value, unit: feedUnit(name) } satisfies Feed, length);
     case "M":
       if (typeof value === "number") lists.functions.push(value);
       else unread(scan, m[0], lists.extra);

@@ -45,6 +45,8 @@ export interface Words {
   readonly functions: readonly number[];
   /** MB of M140. */
   readonly retract?: Value | "max";
+  /** A feed behind M140 or M128: it belongs to that function, not to the path. */
+  readonly functionFeed?: Feed;
   /** Words that are kept and not understood. */
   readonly extra: readonly string[];
 }
@@ -75,6 +77,10 @@ export interface NamedWord {
   readonly name: string;
   readonly value: Value;
 }
+
+export const COMPARISONS = ["EQU", "NE", "GT", "LT", "IS DEFINED", "IS UNDEFINED"] as const;
+/** What a jump asks of two values, or of one parameter. */
+export type Comparison = (typeof COMPARISONS)[number];
 
 /** What one block says. */
 export type Statement =
@@ -129,6 +135,18 @@ export type Statement =
   | { readonly kind: "cycle"; readonly cycle: number; readonly name: string; readonly parameters: readonly CycleParameter[] }
   | { readonly kind: "cycleCall"; readonly how: "" | "POS" | "PAT"; readonly words: Words }
   | { readonly kind: "selectContour"; readonly file: string }
+  /** A jump when a comparison holds; `fn` is the number of the FN function, null where only IF stands. */
+  | {
+      readonly kind: "jump";
+      readonly fn: 9 | 10 | 11 | 12 | null;
+      readonly left: Value;
+      readonly compare: Comparison;
+      /** null with IS DEFINED and IS UNDEFINED. */
+      readonly right: Value | null;
+      readonly label: Label | Parameter;
+    }
+  /** TRANS DATUM: the words of AXIS, or RESET. */
+  | { readonly kind: "datum"; readonly shift: readonly AxisWord[] | "reset" }
   /** `fn` is the number of the FN function, null for a formula. */
   | { readonly kind: "assign"; readonly fn: 0 | 1 | 2 | 3 | 4 | 5 | null; readonly target: string; readonly formula: Formula }
   /** M functions without a path. */

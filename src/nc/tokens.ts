@@ -11,7 +11,7 @@ export interface Token {
 }
 
 const HEAD = /(\/)?[ \t]*(\d{1,9}(?![\d.,]))?[ \t]*(\/)?/y;
-const KEYWORD = /(?:CYCL[ \t]+(?:DEF|CALL)(?:[ \t]+(?:POS|PAT)(?![A-Z]))?|(?:BEGIN|END)[ \t]+PGM|BLK[ \t]+FORM(?:[ \t]+(?:CYLINDER|ROTATION))?|TOOL[ \t]+(?:CALL|DEF)|CALL[ \t]+LBL|SEL[ \t]+CONTOUR|FUNCTION(?:[ \t]+(?:MODE[ \t]+(?:TURN|MILL)|TURNDATA[ \t]+(?:SPIN|BLANK|CORR-(?:TCS|WPL)(?::[A-Z](?:\/[A-Z])?)?)))?|FN[ \t]*\d+[ \t]*:|LBL|STOP|APPR(?:[ \t]+[A-Z]+)?|DEP(?:[ \t]+[A-Z]+)?|UDC(?:[ \t]+[A-Z_]+)?|GRV(?:[ \t]+[A-Z]+)?|RND|CHF|CTP|CR|CT|CC|CP|LP|L|C)(?![A-Z_])/iy;
+const KEYWORD = /(?:CYCL[ \t]+(?:DEF|CALL)(?:[ \t]+(?:POS|PAT)(?![A-Z]))?|(?:BEGIN|END)[ \t]+PGM|BLK[ \t]+FORM(?:[ \t]+(?:CYLINDER|ROTATION))?|TOOL[ \t]+(?:CALL|DEF)|CALL[ \t]+LBL|SEL[ \t]+CONTOUR|TRANS[ \t]+[A-Z]+(?:[ \t]+(?:AXIS|RESET))?|GOTO[ \t]+LBL|IF|FUNCTION(?:[ \t]+(?:MODE[ \t]+(?:TURN|MILL)|TURNDATA[ \t]+(?:SPIN|BLANK|CORR-(?:TCS|WPL)(?::[A-Z](?:\/[A-Z])?)?)))?|FN[ \t]*\d+[ \t]*:|LBL|STOP|APPR(?:[ \t]+[A-Z]+)?|DEP(?:[ \t]+[A-Z]+)?|UDC(?:[ \t]+[A-Z_]+)?|GRV(?:[ \t]+[A-Z]+)?|RND|CHF|CTP|CR|CT|CC|CP|LP|L|C)(?![A-Z_])/iy;
 const STRUCTURE = /\*[ \t]*-?.*/y;
 const COMMENT = /;.*/y;
 const STRING = /"[^"]*"?/y;

@@ -12,6 +12,8 @@ export interface Subprogram {
   readonly contour: Contour;
   /** Index of the block of each element, in order. */
   readonly blocks: readonly number[];
+  /** A block of it could not be read, which has been told. */
+  readonly isTroubled: boolean;
 }
 
 interface Reader {
@@ -23,6 +25,8 @@ interface Reader {
   z: number | null;
   pole: Pt | null;
   readonly radii: boolean;
+  /** A word that names the first point had no number. */
+  isTroubled: boolean;
 }
 
 /** Longest contour that is read; beyond it the run ends, for a contour cut short would be another part. */
@@ -37,9 +41,10 @@ export function readContour(machine: Machine, label: Label, at: number, radii = 
   }
   const outer = new Map(machine.parameters);
   for (const name of [...machine.parameters.keys()]) if (name.startsWith("QL")) machine.parameters.delete(name);
-  const reader: Reader = { machine, elements: [], blocks: [], x: null, z: null, pole: null, radii };
+  const reader: Reader = { machine, elements: [], blocks: [], x: null, z: null, pole: null, radii, isTroubled: false };
   let i = start + 1;
   for (; i < machine.blocks.length; i += 1) {
+    machine.visited[i] = 1;
     const statement = machine.blocks[i]?.statement;
     if (!statement || (statement.kind === "label" && statement.label === 0) || statement.kind === "end") break;
     if (i - start > MOST_BLOCKS) machine.stop(programIssue("contourTooLong", "error", { limit: MOST_BLOCKS }), at);
@@ -51,7 +56,7 @@ export function readContour(machine: Machine, label: Label, at: number, radii = 
   machine.parameters.clear();
   outer.forEach((value, name) => machine.parameters.set(name, value));
   if (machine.full) return null;
-  return { contour: contourFrom(reader.elements), blocks: reader.blocks };
+  return { contour: contourFrom(reader.elements), blocks: reader.blocks, isTroubled: reader.isTroubled };
 }
 
 function element(reader: Reader, s: Statement, index: number): void {
@@ -89,11 +94,14 @@ function path(reader: Reader, kind: Extract<Statement, { kind: "path" }>["path"]
   const from = here(reader);
   if (polar) {
     const to = reader.pole && polarPoint(reader.pole, from, words, (v) => machine.number(v, index), (n) => machine.length(n));
-    if (!to) return machine.say(programIssue("poleMissing", "error", {}), index);
+    if (!to) {
+      reader.isTroubled = true;
+      return machine.say(programIssue("poleMissing", "error", {}), index);
+    }
     stand(reader, to);
   } else for (const w of words.axes) move(reader, w, index);
   const to = here(reader);
-  if (!to) return;
+  if (!to) return incomplete(reader, index);
   const turn = words.turn ?? "ccw";
   const push = (e: ContourElement) => {
     reader.elements.push(e);
@@ -112,6 +120,13 @@ function path(reader: Reader, kind: Extract<Statement, { kind: "path" }>["path"]
   }
 }
 
+/** The first block of a contour names both coordinates: a control knows no point before it. */
+function incomplete(reader: Reader, index: number): void {
+  if (!reader.isTroubled && reader.elements.length === 0)
+    reader.machine.say(programIssue("contourStartIncomplete", "error", { axis: reader.x === null ? "X" : "Z" }), index);
+  reader.isTroubled = true;
+}
+
 const asRadius = (reader: Reader, x: number) => (reader.radii ? radius(x) : toRadius(diameter(x)));
 
 function here(reader: Reader): Pt | null {
@@ -125,7 +140,11 @@ function stand(reader: Reader, p: Pt): void {
 
 function move(reader: Reader, w: AxisWord, index: number): void {
   const n = reader.machine.number(w.value, index);
-  if (n === null || (w.axis !== "X" && w.axis !== "Z")) return;
+  if (w.axis !== "X" && w.axis !== "Z") return;
+  if (n === null) {
+    reader.isTroubled = true;
+    return;
+  }
   const key = w.axis === "X" ? "x" : "z";
   const length = reader.machine.length(n);
   const before = reader[key];

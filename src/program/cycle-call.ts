@@ -4,14 +4,19 @@ import type { Params, Values } from "../cycles/params.ts";
 import { issue, type Issue } from "../kernel/issue.ts";
 import type { Plan } from "../kernel/plan.ts";
 import { empty } from "../kernel/strategy/leveled.ts";
-import type { Pt, Segment } from "../kernel/point.ts";
+import type { Pt } from "../kernel/point.ts";
 import type { Tool } from "../kernel/tool.ts";
-import { toDiameter } from "../kernel/units.ts";
+import { axial, diameter, toDiameter, toRadius } from "../kernel/units.ts";
 import { readContour } from "./contour-subprogram.ts";
 import { cycleValues } from "./cycle-values.ts";
 import { programIssue } from "./issue.ts";
 import type { Defined, Machine } from "./machine.ts";
 import { rotation } from "./blank-form.ts";
+import { feedsOf, foreignParameters, lineOf, noTool } from "./preconditions.ts";
+import type { Operation } from "./run-types.ts";
+import { countedPoint, shiftedPlan } from "./shifted-plan.ts";
+import { startUnknown } from "./turn-run.ts";
+import { ACTIVE_AT_ONCE, actingCycle } from "./unproved-blocks.ts";
 import { rankTools } from "./which-tool.ts";
 
 const nothing: Plan = empty([]);
@@ -19,26 +24,24 @@ const nothing: Plan = empty([]);
 const unique = (issues: readonly Issue[]) =>
   [...new Map(issues.map((i) => [JSON.stringify([i.code, i.at ?? "", i.data]), i])).values()];
 
-/** Line of a parameter inside its definition, from 0. */
-function lineOf(raw: string, q: string): number {
-  const at = new RegExp(String.raw`(?:^|[\r\n])[ \t]*${q}(?!\d)`, "i").exec(raw);
-  return at ? raw.slice(0, at.index + 1).split(/\r\n|\n|\r/).length - 1 : 0;
-}
+/** That none is named, or that it can not be read, is told where it is met. */
+const NO_CONTOUR = { contour: null, isTroubled: true };
 
 /** The contour that cycle 14 names, with its issues said at their blocks. */
-function givenContour(machine: Machine, cycle: number, index: number, operation: number): readonly Segment[] | null {
+function givenContour(machine: Machine, cycle: number, index: number, operation: number): Pick<Given, "contour"> & { readonly isTroubled: boolean } {
   if (machine.contourLabels.length === 0) {
     const { contourFile: file } = machine;
     machine.say(file === null ? programIssue("contourNotNamed", "error", { cycle }) : programIssue("contourInFile", "error", { file }), index);
-    return null;
+    return NO_CONTOUR;
   }
   const read = machine.contourLabels.map((label) => readContour(machine, label, index));
-  for (const r of read) for (const i of r?.contour.issues ?? []) {
+  // Where a block could not be read, what else is wrong with the contour is wrong for that reason.
+  for (const r of read) for (const i of r && !r.isTroubled ? r.contour.issues : []) {
     const element = "element" in i.data ? i.data.element : 0;
     machine.say(i, r?.blocks[element - 1] ?? index, 0, operation);
   }
   const segments = read.flatMap((r) => r?.contour.segments ?? []);
-  return segments.length > 0 ? segments : null;
+  return { contour: segments.length > 0 ? segments : null, isTroubled: read.some((r) => r?.isTroubled ?? true) };
 }
 
 /**
@@ -52,39 +55,78 @@ function standIn(machine: Machine, cycle: Cycle, values: Values<Params> | null, 
   return best ?? null;
 }
 
+/** What must hold at a cycle call, apart from its values. */
+function preconditions(machine: Machine, index: number): void {
+  if (machine.mode !== "TURN") machine.say(programIssue("notInTurnMode", "error", {}), index);
+  if (machine.compensation !== "R0") machine.say(programIssue("compensationActive", "error", { side: machine.compensation }), index);
+  if (!machine.tool) noTool(machine, index);
+}
+
+/** Where the tip stands at the call, on the workpiece. While milling the words of X are taken as the diameters that they were meant to be. */
+function startOf(machine: Machine, index: number): Pt | null {
+  const { mill } = machine;
+  if (!machine.turning) return mill.x === null || mill.z === null ? null : { z: axial(mill.z), r: toRadius(diameter(mill.x)) };
+  const start = machine.tip;
+  if (start && (!machine.sure.x || !machine.sure.z)) machine.say(programIssue("startUnknown", "warning", {}), index);
+  else if (!start && machine.lost === "unproved") machine.leaveUnproved("CYCL CALL", index);
+  else if (!start) startUnknown(machine, index);
+  return start;
+}
+
+/** A cycle of another kind is kept: what it does to the workpiece, nobody here knows. */
+function otherCycle(machine: Machine, { index: definedIn, cycle }: Defined, index: number): void {
+  const s = machine.blocks[definedIn]?.statement;
+  const name = s?.kind === "cycle" ? s.name : s?.kind === "cycleLine" ? s.text : "";
+  machine.leaveUnproved(`CYCL DEF ${cycle} ${name}`.trim(), index);
+}
+
 /** Executes a cycle call: plans the defined cycle from where the tip stands and runs its moves. */
 export function callCycle(machine: Machine, index: number): void {
   const { defined } = machine;
   if (!defined) return machine.say(programIssue("noCycleDefined", "error", {}), index);
+  machine.called.add(defined.index);
   const cycle = cycleByNumber(defined.cycle);
-  if (!cycle) {
-    const statement = machine.blocks[defined.index]?.statement;
-    const name = statement?.kind === "cycle" ? statement.name : "";
-    machine.leaveUnproved(`CYCL DEF ${defined.cycle} ${name}`.trim(), index);
-    return machine.say(programIssue("cycleNotSimulated", "warning", { cycle: defined.cycle, name }), index);
-  }
-  if (!machine.turning) machine.say(programIssue("notInTurnMode", "error", {}), index);
-  if (!machine.tool) machine.say(programIssue("noToolCalled", "error", {}), index);
-  const start = machine.tip;
-  if (!start) return machine.say(programIssue("startUnknown", "error", {}), index);
-  if (!machine.sure.x || !machine.sure.z) machine.say(programIssue("startUnknown", "warning", {}), index);
-  if (!machine.spindle) machine.say(programIssue("spindleMissing", "warning", {}), index);
+  if (!cycle) return otherCycle(machine, defined, index);
+  preconditions(machine, index);
+  const start = startOf(machine, index);
+  if (!start) return;
+  if (!machine.spindle) machine.sayOnce(programIssue("spindleMissing", "warning", {}), index);
   if (!machine.roomForOperation(index)) return;
   const operation = machine.operations.length;
-  const given: Given = { contour: cycle.contour === "free" ? givenContour(machine, cycle.number, index, operation) : null, start };
-  const { values, issues } = cycleValues(machine, cycle, defined.values);
-  const tool = machine.tool ?? standIn(machine, cycle, values, given, start, index);
+  const counted = countedPoint(start, machine.datum);
+  const { isTroubled, contour } = cycle.contour === "free" ? givenContour(machine, cycle.number, index, operation) : { contour: null, isTroubled: false };
+  const given: Given = { contour, start: counted };
+  const read = cycleValues(machine, cycle, defined.values);
+  const { values } = read;
+  const issues = read.issues.filter((i) => i.code !== "missing" || !defined.troubled.has(i.at ?? ""));
+  const tool = machine.tool ?? standIn(machine, cycle, values, given, counted, index);
   if (!tool) return;
   // What earlier cycles have left is known to the simulation only.
-  const stock = operation === 0 && machine.blank.length > 0 ? machine.blank : null;
-  const setting = { tool, start, feedUnit: machine.feedUnit, autoFeed: machine.toolFeed, stock };
+  const stock = operation === 0 && machine.blank.length > 0 ? machine.blank.map((ring) => ring.map((p) => countedPoint(p, machine.datum))) : null;
+  const setting = { tool, start: counted, feedUnit: machine.feedUnit, autoFeed: machine.toolFeed, stock };
   const plan = values && (cycle.contour === "own" || given.contour) ? cycle.plan(values, setting, given) : nothing;
   const outlined = values && plan !== nothing ? cycle.outline(values, given).issues : [];
-  const all = unique([...issues, ...outlined, ...plan.issues]);
+  // What a tool that was never called would do wrong is no fault of the program.
+  const planned = machine.tool ? plan.issues : [];
+  const all = unique([...issues, ...outlined, ...planned].filter((i) => !isTroubled || i.at !== "contour"));
+  const feeds = values && plan !== nothing ? feedsOf(cycle, values, plan.moves, machine, (v) => cycle.plan(v, setting, given).moves) : [];
+  perform(machine, { cycle: cycle.number, defined, start, tool, plan: shiftedPlan(plan, machine.datum), issues: all, call: values && { values, given, autoFeed: machine.toolFeed, start: counted, datum: machine.datum } }, index);
+  const where = machine.blocks[defined.index]?.raw ?? "";
+  for (const i of [...all, ...feeds]) {
+    const parameter = i.at?.startsWith("Q") ? i.at : null;
+    if (parameter) machine.say(i, defined.index, lineOf(where, parameter), operation);
+    else machine.say(i, index, 0, operation);
+  }
+}
+
+type Called = Pick<Operation, "cycle" | "start" | "tool" | "plan" | "issues" | "call"> & { readonly defined: Defined };
+
+/** Runs the moves of a plan and notes the operation. */
+function perform(machine: Machine, { cycle, defined, start, tool, plan, issues, call }: Called, index: number): void {
   const firstStep = machine.steps.length;
   let [from, seconds] = [start, 0];
   for (const move of plan.moves) {
-    seconds += machine.step(from, move, index, operation, plan.tool ?? tool);
+    seconds += machine.step(from, move, index, machine.operations.length, plan.tool ?? tool);
     from = move.to;
   }
   machine.z = from.z;
@@ -92,35 +134,38 @@ export function callCycle(machine: Machine, index: number): void {
   machine.last = null;
   machine.operations.push({
     block: machine.numbers[index] ?? 0, definedIn: machine.numbers[defined.index] ?? 0, definedLine: machine.lines[defined.index] ?? 1,
-    cycle: cycle.number, tool, start, feedUnit: machine.feedUnit, spindle: machine.spindle, plan, seconds,
-    firstStep, lastStep: machine.steps.length - 1, issues: all,
-    call: values && { values, given, autoFeed: machine.toolFeed },
+    cycle, tool, start, feedUnit: machine.feedUnit, spindle: machine.spindle, plan, seconds,
+    firstStep, lastStep: machine.steps.length - 1, issues,
+    call,
   });
-  for (const i of all) {
-    const parameter = i.at?.startsWith("Q") ? i.at : null;
-    if (parameter) machine.say(i, defined.index, lineOf(machine.blocks[defined.index]?.raw ?? "", parameter), operation);
-    else machine.say(i, index, 0, operation);
-  }
 }
 
 /** Takes up a definition; parameters are read now, as the control does, and stand in Q parameters of their number. */
 export function defineCycle(machine: Machine, index: number): void {
   const s = machine.blocks[index]?.statement;
   if (s?.kind !== "cycle") return;
-  if (!cycleByNumber(s.cycle)) machine.say(programIssue("cycleNotSimulated", "info", { cycle: s.cycle, name: s.name }), index);
-  if (ACTIVE_AT_ONCE.has(s.cycle)) return;
+  const cycle = cycleByNumber(s.cycle);
+  if (!cycle) machine.say(programIssue("cycleNotSimulated", "info", { cycle: s.cycle, name: s.name }), index);
+  if (ACTIVE_AT_ONCE.has(s.cycle)) return actingCycle(machine, s.cycle, s.parameters, index);
   const values = new Map<string, number | "auto" | null>();
+  const troubled = new Set<string>();
   for (const p of s.parameters) {
     if (p.value === null || p.value === "max") values.set(p.q, null);
     else if (p.value === "auto") values.set(p.q, "auto");
-    else values.set(p.q, machine.number(p.value, index));
+    else {
+      const n = machine.number(p.value, index);
+      values.set(p.q, n);
+      if (n === null) troubled.add(p.q);
+    }
   }
   values.forEach((v, q) => typeof v === "number" && machine.parameters.set(q, v));
-  machine.defined = { index, cycle: s.cycle, values } satisfies Defined;
+  if (cycle) {
+    machine.definitions.add(index);
+    foreignParameters(machine, cycle, s.parameters.map((p) => p.q), index);
+  }
+  machine.modal = false;
+  machine.defined = { index, cycle: s.cycle, values, troubled } satisfies Defined;
 }
-
-/** Cycles that act where they are defined and leave the defined machining cycle as it is: datum, mirror, dwell and the like. */
-const ACTIVE_AT_ONCE: ReadonlySet<number> = new Set([7, 8, 9, 10, 11, 12, 13, 14, 19, 20, 26, 32, 247, 800, 801]);
 
 /** The blank that a label outlines. */
 export function outlinedBlank(machine: Machine, label: number | string, radii: boolean, index: number): void {

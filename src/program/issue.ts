@@ -1,4 +1,5 @@
 import type { Severity } from "../kernel/issue.ts";
+import type { FeedUnit } from "../kernel/move.ts";
 
 /** What can be wrong when a program runs, beside its text (`nc`) and its cycles (`kernel`): code and data, no sentences. */
 interface Data {
@@ -12,6 +13,23 @@ interface Data {
   noToolCalled: {};
   toolUnknown: { tool: string };
   notInTurnMode: {};
+  /** RL or RR is in force where the control wants R0: at a cycle call, or in PS before an APPR. */
+  compensationActive: { side: "RL" | "RR" };
+  /** A cutting feed of 0, as it is written, or FAUTO without a feed in TOOL CALL. */
+  feedZero: { word: string };
+  /** A feed that can be run and that nobody means. */
+  feedUnlikely: { feed: number; unit: FeedUnit };
+  cycleNeverCalled: { cycle: number };
+  /** Motion or a call behind the end of the program. */
+  neverReached: { by: string };
+  /** A parameter that the cycle does not have, or one that stands twice. */
+  parameterForeign: { name: string; cycle: number };
+  /** The program runs on into the label of a contour. */
+  runsIntoLabel: { label: string };
+  /** The first block of a contour does not name both coordinates. */
+  contourStartIncomplete: { axis: string };
+  /** APPR without RL or RR: the contour behind it is not compensated. */
+  approachUncompensated: { form: string };
   labelMissing: { label: string };
   labelTwice: { label: string };
   labelNotClosed: { label: string };

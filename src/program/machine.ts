@@ -8,7 +8,8 @@ import { toRadius, axial, diameter, type Feed } from "../kernel/units.ts";
 import type { NcIssue } from "../nc/issue.ts";
 import { blockNumbers, issuesOf, startLines, type Block, type Program } from "../nc/program.ts";
 import type { CornerElement } from "../kernel/corner.ts";
-import type { Label, Statement, Value } from "../nc/statement.ts";
+import type { Compensation, Label, Statement, Value } from "../nc/statement.ts";
+import { NO_SHIFT, type Datum } from "./datum.ts";
 import { formulaOf, valueOf, type Parameters, type Trouble } from "./formula.ts";
 import { fewAlike, MOST_ALIKE } from "./alike.ts";
 import { programIssue, type ProgramIssue } from "./issue.ts";
@@ -37,6 +38,8 @@ export interface Defined {
   readonly index: number;
   readonly cycle: number;
   readonly values: ReadonlyMap<string, number | "auto" | null>;
+  /** Parameters without a number for a reason that has been told. */
+  readonly troubled: ReadonlySet<string>;
 }
 
 /** A plain path element that waits for the corner behind it. */
@@ -45,7 +48,15 @@ export interface Held {
   readonly feed: Feed | null;
   readonly index: number;
   readonly corner: { readonly element: CornerElement; readonly feed: Feed | null; readonly index: number } | null;
+  /** Its number in the contour that runs on from block to block, from 1. */
+  readonly element: number;
 }
+
+/** Why something is not known: a block was not run, or a fault that was told. */
+export type Reason = "unproved" | "told";
+
+/** Parameters that touch probe cycles write their results into. */
+const RESULT = /^Q1\d\d$/;
 
 /** Bounds that keep every program finite and its memory small; far above what programs need (docs/performance.md). */
 const MOST_BLOCKS = 200_000;
@@ -62,17 +73,31 @@ export class Machine {
   /** Millimetres in the program's unit of length. */
   inch = false;
   turning = false;
+  /** As FUNCTION MODE said; null while no block has. */
+  mode: "TURN" | "MILL" | null = null;
+  /** Where the program counts from; X, Z and all positions below are those of the workpiece. */
+  datum: Datum = NO_SHIFT;
   x: number | null = null;
   z: number | null = null;
   /** False after a tool change until the axis is programmed again: nobody knows where the change left it. */
   sure = { x: false, z: false };
+  /** Why a coordinate is not known any more, when a block that was not run or a fault that was told is the reason. */
+  lost: Reason | null = null;
+  /** RL or RR as programmed last. */
+  compensation: Compensation = "R0";
   feed: Feed | null = null;
   /** Feed of the last positioning block, null for rapid; undefined before the first. */
   lastFeed: Feed | null | undefined = undefined;
   toolFeed: Feed | null = null;
+  /** How the feed in force was written. */
+  feedWord: "F" | "FAUTO" = "F";
+  /** The feed and unit that were judged last, so that a modal feed is judged once. */
+  judged = "";
   perRevolution = false;
   spindle: Spindle | null = null;
   tool: Tool | null = null;
+  /** True when a TOOL CALL named a tool that can not be used: that has been told. */
+  toolRefused = false;
   pole: Pt | null = null;
   contourLabels: Label[] = [];
   /** File that SEL CONTOUR names, until cycle 14 names labels. */
@@ -80,6 +105,15 @@ export class Machine {
   /** FUNCTION TURNDATA CORR of the tool in the spindle, mm. */
   corrections: { readonly TCS?: Correction; readonly WPL?: Correction } = {};
   defined: Defined | null = null;
+  /** M89: the defined cycle is called behind every positioning block. */
+  modal = false;
+  /** Blocks of definitions that were taken up, and of those that were called. */
+  readonly definitions = new Set<number>();
+  readonly called = new Set<number>();
+  /** Blocks that were run or read as part of a contour. */
+  readonly visited: Uint8Array;
+  /** True once a touch probe has run: parameters that hold results are set, nobody here knows to what. */
+  probed = false;
   held: Held | null = null;
   /** The last path element, for tangential arcs. */
   last: Segment | null = null;
@@ -94,6 +128,9 @@ export class Machine {
   readonly findings: Finding[] = [];
   readonly unproved: Unproved[] = [];
   private readonly said = new Set<string>();
+  private readonly forgotten = new Map<string, Reason>();
+  private preset: number | null = null;
+  private trouble: Reason = "told";
   private readonly left = new Set<string>();
   /** Blocks executed, those of contours that cycles read included. */
   private executed = 0;
@@ -103,10 +140,11 @@ export class Machine {
     this.blocks = program.blocks;
     this.numbers = blockNumbers(program);
     this.lines = startLines(program);
+    this.visited = new Uint8Array(this.blocks.length);
     this.blocks.forEach((b, i) => {
       if (b.statement.kind !== "label" || b.statement.label === 0) return;
       const { label } = b.statement;
-      if (this.labels.has(label)) this.say(programIssue("labelTwice", "warning", { label: String(label) }), i);
+      if (this.labels.has(label)) this.say(programIssue("labelTwice", "error", { label: String(label) }), i);
       else this.labels.set(label, i);
     });
   }
@@ -122,6 +160,14 @@ export class Machine {
 
   notSimulated(what: string, index: number, severity: "info" | "warning" = "info"): void {
     this.say(programIssue("notSimulated", severity, { what }), index);
+  }
+
+  /** Notes a finding where it is met first, and nowhere else. */
+  sayOnce(issue: Issue | ProgramIssue, index: number): void {
+    const key = `once ${issue.code} ${issue.at ?? ""}`;
+    if (this.said.has(key)) return;
+    this.said.add(key);
+    this.say(issue, index);
   }
 
   /** Notes that from here on nothing is proved, once for each block. `what` as the program spells it. */
@@ -141,13 +187,65 @@ export class Machine {
   }
 
   assign(s: Extract<Statement, { kind: "assign" }>, index: number): void {
-    const result = this.settle(formulaOf(s.formula, this.parameters), index);
-    if (result !== null) this.parameters.set(s.target, result);
+    const result = formulaOf(s.formula, this.parameters);
+    const passedOn = typeof result !== "number" && result.kind === "unset" && this.isForgotten(result.name);
+    const n = passedOn ? null : this.settle(result, index);
+    if (n === null) this.forget(s.target, passedOn ? this.isForgotten(result.name) ?? "told" : "told");
+    else {
+      this.parameters.set(s.target, n);
+      this.forgotten.delete(s.target);
+    }
+  }
+
+  /** Nobody knows what a parameter holds from here on. */
+  forget(name: string, reason: Reason = "unproved"): void {
+    this.parameters.delete(name);
+    this.forgotten.set(name, reason);
+  }
+
+  private isForgotten(name: string): Reason | null {
+    return this.forgotten.get(name) ?? (this.probed && RESULT.test(name) ? "unproved" : null);
+  }
+
+  /** True when a parameter holds a value, false when none was ever set, null when nobody knows. */
+  isSet(name: string): boolean | null {
+    return this.parameters.has(name) ? true : this.isForgotten(name) ? null : false;
+  }
+
+  /** True when the last value without a number hangs on a block that was not run. */
+  get isUnproved(): boolean {
+    return this.trouble === "unproved";
+  }
+
+  /** A coordinate has no number: the position is lost until it is programmed again. */
+  lose(): null {
+    this.lost = this.trouble;
+    return null;
+  }
+
+  /** Something else has moved the machine: no position is known. */
+  loseAll(): void {
+    this.x = this.z = null;
+    this.sure = { x: false, z: false };
+    this.mill.x = this.mill.y = this.mill.z = this.mill.here = null;
+    this.last = null;
+    this.lost = "unproved";
+  }
+
+  /** A preset takes the datum back; another one than before moves the workpiece against what was cut already. */
+  usePreset(n: number | null, what: string, index: number): void {
+    this.datum = NO_SHIFT;
+    if (n === null || (this.preset !== null && this.preset !== n)) this.leaveUnproved(what, index);
+    this.preset = n;
   }
 
   private settle(result: number | Trouble, index: number): number | null {
     if (typeof result === "number") return result;
-    if (result.kind === "unset") this.say(programIssue("parameterUnset", "error", { name: result.name }, result.name), index);
+    const unknown = result.kind === "unset" ? this.isForgotten(result.name) : null;
+    this.trouble = unknown ?? "told";
+    if (unknown === "told") return null;
+    if (result.kind === "unset" && unknown) this.leaveUnproved(result.name, index);
+    else if (result.kind === "unset") this.sayOnce(programIssue("parameterUnset", "error", { name: result.name }, result.name), index);
     else if (result.kind === "zero") this.say(programIssue("divisionByZero", "error", {}), index);
     else this.say(programIssue("notFinite", "error", { text: this.blocks[index]?.raw.trim().slice(0, 60) ?? "" }), index);
     return null;
@@ -177,7 +275,9 @@ export class Machine {
     if (this.full) return;
     this.full = true;
     this.say(why, index);
-    this.unproved.push({ step: this.steps.length, block: this.numbers[index] ?? 0, what: this.blocks[index]?.raw.trim().split(/[\r\n]/)[0]?.slice(0, 60) ?? "" });
+    // An element that waits for a corner stands before the end and is still run.
+    const step = this.steps.length + (this.held ? 1 : 0);
+    this.unproved.push({ step, block: this.numbers[index] ?? 0, what: this.blocks[index]?.raw.trim().split(/[\r\n]/)[0]?.slice(0, 60) ?? "" });
   }
 
   /** Whether one more block may be executed or read as a contour; ends the run when not. */

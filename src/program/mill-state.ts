@@ -3,7 +3,10 @@ import { ROUND } from "../kernel/tolerance.ts";
 import type { Label } from "../nc/statement.ts";
 import type { Machine } from "./machine.ts";
 import type { Carrier, Guide, Travel } from "./plane-chain.ts";
-import type { ApproachRun, PlaneStep } from "./plane-types.ts";
+import type { Segment } from "../kernel/point.ts";
+import type { Feed } from "../kernel/units.ts";
+import { offPlane, type MillPole, type Plane, type Position, type SidePlane } from "./mill-position.ts";
+import type { ApproachRun, PlaneStep, Spot } from "./plane-types.ts";
 
 /** A milling tool of the table: what the path needs of it, mm. */
 export interface Mill {
@@ -30,6 +33,10 @@ export class MillState implements Guide {
   otherAxis = false;
   /** Upper side of the blank. */
   top: number | null = null;
+  /** CC, with the plane that it names. */
+  pole: MillPole | null = null;
+  /** What ran last, for an arc that leaves it tangentially in a plane beside that of the tool axis; its arc, null for a line. */
+  last: { readonly from: Readonly<Position>; readonly to: Readonly<Position>; readonly plane: Plane; readonly segment: Segment | null } | null = null;
   readonly steps: PlaneStep[] = [];
 }
 
@@ -54,6 +61,26 @@ export function millStep(machine: Machine, s: PlaneSegment, { fromZ, toZ, feed, 
     radius: mill.radius ?? 0, block: machine.numbers[index] ?? 0, index, seconds: rate > 0 ? (60 * long) / rate : 0, turned: machine.steps.length,
   });
 }
+
+/** Adds an arc in a plane beside that of the tool axis. */
+export function millSideStep(
+  machine: Machine, plane: SidePlane, s: PlaneSegment, { before, to, feed, index }: { readonly before: Position; readonly to: Position; readonly feed: Feed | null; readonly index: number },
+): void {
+  const { mill } = machine;
+  const [from, end] = [spotOf(before), spotOf(to)];
+  if (!from || !end || !machine.roomForMove(index)) return;
+  const other = plane === "ZX" ? end.y - from.y : end.x - from.x;
+  const rate = feed === null ? machine.shop.rapid : machine.perRevolution ? 0 : feed;
+  mill.steps.push({
+    kind: s.kind === "arc" ? "arc" : feed === null ? "rapid" : "feed", from, to: end,
+    ...(s.kind === "arc" && { side: { plane, centre: offPlane(s.centre, plane), turn: s.turn } }),
+    ...(feed !== null && { feed, feedUnit: machine.feedUnit }),
+    radius: mill.radius ?? 0, block: machine.numbers[index] ?? 0, index,
+    seconds: rate > 0 ? (60 * travelLength(s, other)) / rate : 0, turned: machine.steps.length,
+  });
+}
+
+const spotOf = ({ x, y, z }: Position): Spot | null => (x === null || y === null ? null : { x, y, z });
 
 /** The tool comes from where nobody knows: a step without a way, that says where it arrives. */
 export function millArrives(machine: Machine, to: PlanePoint, { toZ, feed, index }: Travel): void {

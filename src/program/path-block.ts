@@ -6,8 +6,10 @@ import { issue } from "../kernel/issue.ts";
 import type { Move } from "../kernel/move.ts";
 import type { Pt, Segment } from "../kernel/point.ts";
 import { ARC_END, SAME } from "../kernel/tolerance.ts";
-import { axial, diameter, toDiameter, toRadius, feed as feedNumber, type Feed as FeedNumber } from "../kernel/units.ts";
-import type { AxisWord, Feed, PathKind, Words } from "../nc/statement.ts";
+import { axial, diameter, toDiameter, toRadius, type Feed as FeedNumber } from "../kernel/units.ts";
+import type { AxisWord, Feed, PathKind, PolarWord, Words } from "../nc/statement.ts";
+import { blockFeed, takeFeed } from "./block-feed.ts";
+import { shiftOf } from "./datum.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
 import { polarPoint } from "./polar.ts";
@@ -26,7 +28,7 @@ export function flush(machine: Machine): void {
   const { held } = machine;
   machine.held = null;
   if (!held) return;
-  if (held.corner) machine.say(issue("cornerElementAlone", "error", { element: 1 }, "contour"), held.corner.index);
+  if (held.corner) machine.say(issue("cornerElementAlone", "error", { element: held.element }, "contour"), held.corner.index);
   run(machine, held.segment, held.feed, held.index);
 }
 
@@ -41,32 +43,18 @@ function hold(machine: Machine, segment: Segment, feed: FeedNumber | null, index
   machine.last = segment;
   if (!held || !corner) {
     flush(machine);
-    machine.held = { segment, feed, index, corner: null };
+    machine.held = { segment, feed, index, corner: null, element: (held?.element ?? 0) + 1 };
     return;
   }
   const cut = cutCorner(held.segment, segment, corner.element);
   if (!cut) {
     const { kind, size } = corner.element;
     const max = largestCorner(held.segment, segment, kind, size);
-    machine.say(issue("cornerElementTooLong", "error", { element: 1, size, max, nearest: roundedDown(max) }, "contour"), corner.index);
+    machine.say(issue("cornerElementTooLong", "error", { element: held.element, size, max, nearest: roundedDown(max) }, "contour"), corner.index);
   }
   run(machine, cut?.before ?? held.segment, held.feed, held.index);
   if (cut) run(machine, cut.between, corner.feed, corner.index);
-  machine.held = { segment: cut?.after ?? segment, feed, index, corner: null };
-}
-
-/** The feed of a block: null is rapid. F stays in force, FMAX does not. */
-export function blockFeed(machine: Machine, feed: Feed | undefined, index: number): FeedNumber | null {
-  if (feed === "max") return (machine.lastFeed = null);
-  if (feed === "auto") machine.feed = machine.toolFeed ?? machine.feed;
-  else if (feed) {
-    const n = machine.number(feed.value, index);
-    if (n !== null) machine.feed = machine.feedOf(n);
-  }
-  if (machine.feed === null) machine.say(programIssue("feedMissing", "error", {}), index);
-  // Without a feed the control stops; the path is shown all the same, and never as a rapid.
-  if (machine.feed !== null) machine.lastFeed = machine.feed;
-  return machine.feed ?? feedNumber(0);
+  machine.held = { segment: cut?.after ?? segment, feed, index, corner: null, element: held.element + 1 };
 }
 
 /** A chamfer or rounding between plain path blocks; its own feed counts for it alone. */
@@ -74,25 +62,47 @@ export function cornerBlock(machine: Machine, element: CornerElement | null, fee
   if (!element) return;
   const own = typeof feed === "object" ? machine.number(feed.value, index) : null;
   const { held } = machine;
-  if (!held || held.corner) return machine.say(issue("cornerElementAlone", "error", { element: 1 }, "contour"), index);
+  if (!held || held.corner) return machine.say(issue("cornerElementAlone", "error", { element: held?.element ?? 1 }, "contour"), index);
   machine.held = { ...held, corner: { element, feed: own === null ? held.feed : machine.feedOf(own), index } };
 }
 
+/** An axis beside X and Z: where it turns or moves, nobody here knows. */
+function otherAxis(machine: Machine, w: AxisWord, index: number): void {
+  const n = machine.number(w.value, index);
+  if (n !== null && n !== 0) machine.leaveUnproved(`${w.incremental ? "I" : ""}${w.axis}`, index);
+}
+
+/** The words of X and Z on top of the position before the block; null where nobody knows. */
 function axes(machine: Machine, words: readonly AxisWord[], index: number): { x: number | null; z: number | null; moved: boolean } {
   const to = { x: machine.x, z: machine.z, moved: false };
   for (const w of words) {
-    const n = machine.number(w.value, index);
-    if (n === null || (w.axis !== "X" && w.axis !== "Z")) continue;
-    const key = w.axis === "X" ? "x" : "z";
-    const before = to[key];
-    if (w.incremental && before === null) {
-      machine.say(programIssue("startUnknown", "error", {}), index);
+    if (w.axis !== "X" && w.axis !== "Z") {
+      otherAxis(machine, w, index);
       continue;
     }
-    to[key] = machine.length(n) + (w.incremental ? (before ?? 0) : 0);
+    const n = machine.number(w.value, index);
+    const key = w.axis === "X" ? "x" : "z";
+    const before = to[key];
     to.moved = true;
+    if (n === null) to[key] = machine.lose();
+    else if (!w.incremental) to[key] = machine.length(n) + shiftOf(machine, w.axis);
+    else if (before !== null) to[key] = before + machine.length(n);
+    else if (machine.lost === null) machine.say(programIssue("startUnknown", "warning", {}), index);
   }
   return to;
+}
+
+const isPolar = (kind: PathKind) => kind === "LP" || kind === "CP" || kind === "CTP";
+const isAbsolute = (w: PolarWord | undefined) => w !== undefined && !w.incremental;
+
+/** Takes over the end of a block. An axis is sure from an absolute word on: an incremental one is as sure as what it starts from. */
+export function standAt(machine: Machine, kind: PathKind | null, words: Words, to: { readonly x: number | null; readonly z: number | null }): void {
+  const named = new Set(words.axes.filter((w) => !w.incremental).map((w) => w.axis));
+  const both = kind !== null && isPolar(kind) && isAbsolute(words.polarRadius) && isAbsolute(words.polarAngle);
+  machine.sure = { x: to.x !== null && (machine.sure.x || both || named.has("X")), z: to.z !== null && (machine.sure.z || both || named.has("Z")) };
+  machine.x = to.x;
+  machine.z = to.z;
+  if (machine.sure.x && machine.sure.z) machine.lost = null;
 }
 
 const point = (x: number, z: number): Pt => ({ z: axial(z), r: toRadius(diameter(x)) });
@@ -109,17 +119,10 @@ export function pathBlock(machine: Machine, kind: Exclude<PathKind, "CC" | "RND"
     machine.say(programIssue("radiusCompensation", "warning", { side: words.compensation }), index);
   const from = machine.sure.x && machine.sure.z ? machine.tip : null;
   const target = targetOf(machine, kind, words, index);
-  if (!target.moved) {
-    if (words.feed !== undefined && words.feed !== "max") blockFeed(machine, words.feed, index);
-    return;
-  }
+  if (!target.moved) return takeFeed(machine, words.feed, index);
   const feed = blockFeed(machine, words.feed, index);
-  const named = new Set(words.axes.map((w) => w.axis));
-  const polar = kind === "LP" || kind === "CP" || kind === "CTP";
-  machine.sure = { x: machine.sure.x || polar || named.has("X"), z: machine.sure.z || polar || named.has("Z") };
-  machine.x = target.x;
-  machine.z = target.z;
-  const to = machine.tip;
+  standAt(machine, kind, words, target);
+  const to = machine.sure.x && machine.sure.z ? machine.tip : null;
   if (!from || !to || !machine.tool) {
     flush(machine);
     machine.last = null;
@@ -130,7 +133,7 @@ export function pathBlock(machine: Machine, kind: Exclude<PathKind, "CC" | "RND"
 
 /** Where a block ends, with what it leaves out. */
 export function targetOf(machine: Machine, kind: PathKind, words: Words, index: number): { x: number | null; z: number | null; moved: boolean } {
-  if (kind !== "LP" && kind !== "CP" && kind !== "CTP") return axes(machine, words.axes, index);
+  if (!isPolar(kind)) return axes(machine, words.axes, index);
   const to = machine.pole && polarPoint(machine.pole, machine.tip, words, (v) => machine.number(v, index), (n) => machine.length(n));
   if (!to) machine.say(programIssue("poleMissing", "error", {}), index);
   return to ? { x: toDiameter(to.r), z: to.z, moved: true } : { x: machine.x, z: machine.z, moved: false };

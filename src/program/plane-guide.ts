@@ -1,9 +1,9 @@
-import { lengthOfSegment, planePoint, type PlanePoint, type PlaneSegment, type Side } from "../kernel/plane.ts";
-import { SAME } from "../kernel/tolerance.ts";
+import { apart, lengthOfSegment, planePoint, type PlanePoint, type PlaneSegment, type Side } from "../kernel/plane.ts";
+import { ARC_END, SAME } from "../kernel/tolerance.ts";
 import type { ApproachForm, Compensation, Words } from "../nc/statement.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
-import { blockFeed } from "./path-block.ts";
+import { blockFeed } from "./block-feed.ts";
 import type { ApproachCall, Carrier, ChainItem, Guide, Travel } from "./plane-chain.ts";
 import { finishChain } from "./plane-finish.ts";
 
@@ -27,9 +27,15 @@ export function close(guide: Guide, carrier: CarrierFor, departure: ApproachCall
   if (chain) guide.here = finishChain(carrier(chain.side), chain, guide.here, departure);
 }
 
-function append(guide: Guide, step: PathStep, segment: PlaneSegment): void {
+/** A line that begins where the element before it really ends, however little that is beside the programmed point. */
+function joined(segment: PlaneSegment, before: PlaneSegment | undefined): PlaneSegment {
+  return before && segment.kind === "line" && apart(before.to, segment.from) <= ARC_END ? { ...segment, from: before.to } : segment;
+}
+
+function append(guide: Guide, step: PathStep, programmed: PlaneSegment): void {
   const { chain } = guide;
   if (!chain) return;
+  const segment = joined(programmed, chain.items.at(-1)?.segment);
   const { fromZ, toZ, feed, index } = step;
   const travel: Travel = { fromZ, toZ, feed, index };
   if (lengthOfSegment(segment) > SAME) {
@@ -111,16 +117,21 @@ function callOf(machine: Machine, b: ApproachBlock, feed: Travel["feed"], known:
 /** The feed that the block before ran at: null is rapid; undefined when none is programmed at all. */
 const feedBefore = (machine: Machine) => (machine.lastFeed === undefined ? (machine.feed ?? undefined) : machine.lastFeed);
 
+/** Forms that run without a side as if nothing were wrong; the others say what they take. */
+const UNCOMPENSATED: ReadonlySet<ApproachCall["shape"]> = new Set(["LT", "LCT"]);
+
 /** APPR: the contour begins; its way there is carried out when the first element is known. */
 export function beginApproach(guide: Guide, carrier: CarrierFor, b: ApproachBlock): void {
   const side = sideOf(b.words, "none");
   const { machine } = carrier(side);
-  const now = guide.chain?.side ?? "none";
-  if (now !== "none" && side !== "none" && now !== side) machine.say(programIssue("sideChanged", "error", {}), b.index);
+  const now = machine.compensation;
+  if (now !== "R0") machine.say(programIssue("compensationActive", "error", { side: now }), b.index);
+  machine.compensation = b.words.compensation ?? "R0";
+  if (side === "none" && UNCOMPENSATED.has(shapeOf(b.form))) machine.say(programIssue("approachUncompensated", "warning", { form: `APPR ${b.form}` }), b.index);
   close(guide, carrier);
   const known = feedBefore(machine);
-  if (known === undefined) machine.say(programIssue("feedMissing", "error", {}), b.index);
-  if (!guide.here) machine.say(programIssue("startUnknown", "error", {}), b.index);
+  if (known === undefined) machine.sayOnce(programIssue("feedMissing", "error", {}), b.index);
+  if (!guide.here && machine.lost === null) machine.say(programIssue("startUnknown", "error", {}), b.index);
   const feed = blockFeed(machine, b.words.feed, b.index);
   const before = known === undefined ? feed : known;
   guide.chain = { side, start: { kind: "approach", call: callOf(machine, b, feed, known), before }, lifts: [], items: [] };
@@ -129,6 +140,7 @@ export function beginApproach(guide: Guide, carrier: CarrierFor, b: ApproachBloc
 /** DEP: the contour ends, and compensation with it. */
 export function endWithDeparture(guide: Guide, carrier: CarrierFor, b: ApproachBlock): void {
   const { machine } = carrier("none");
+  machine.compensation = "R0";
   const known = feedBefore(machine);
   const call = callOf(machine, b, blockFeed(machine, b.words.feed, b.index), known);
   guide.chain ??= { side: "none", start: { kind: "here" }, lifts: [], items: [] };

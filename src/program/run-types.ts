@@ -8,6 +8,7 @@ import type { Spindle, Step, Unproved } from "../kernel/step.ts";
 import type { Tool } from "../kernel/tool.ts";
 import type { Feed } from "../kernel/units.ts";
 import type { NcIssue } from "../nc/issue.ts";
+import type { Datum } from "./datum.ts";
 import type { ProgramIssue } from "./issue.ts";
 import type { ApproachRun, PlaneStep } from "./plane-types.ts";
 
@@ -48,6 +49,9 @@ export interface Operation {
     readonly values: Values<Params>;
     readonly given: Given;
     readonly autoFeed: Feed | null;
+    /** The tip at the call as the program counts it, and how far its datum stands from that of the workpiece. */
+    readonly start: Pt;
+    readonly datum: Pick<Datum, "x" | "z">;
   } | null;
 }
 

@@ -1,33 +1,35 @@
 import { axial, length as asLength, type Feed } from "../kernel/units.ts";
 import type { Tool } from "../kernel/tool.ts";
-import type { Program } from "../nc/program.ts";
+import type { Block, Program } from "../nc/program.ts";
 import type { Statement, Words } from "../nc/statement.ts";
 import { cycleByNumber } from "../cycles/index.ts";
 import { cylinder, measured } from "./blank-form.ts";
+import { CONTOUR_CYCLE, contourLabels } from "./contour-names.ts";
 import { callCycle, defineCycle, outlinedBlank } from "./cycle-call.ts";
+import { datumLine, DATUM_CYCLE, NO_SHIFT, shiftDatum } from "./datum.ts";
+import { execute, neverReached, wordsOf } from "./flow.ts";
 import { programIssue } from "./issue.ts";
 import { Machine, type Shop } from "./machine.ts";
+import { elsewhere, isElsewhere, retract, retracts } from "./machine-moves.ts";
 import { cornerBlock, flush, pathBlock, pole } from "./path-block.ts";
 import { closePlanes, planeStatement } from "./plane-run.ts";
+import { neverCalled } from "./preconditions.ts";
 import type { Run } from "./run-types.ts";
 import { blankOfTurnData, correctTool } from "./turn-data.ts";
-
-/** Nesting of subprograms on the control. */
-const DEEPEST_CALL = 19;
-
-const PROGRAM_ENDS: ReadonlySet<number> = new Set([2, 30]);
+import { ACTIVE_AT_ONCE, actingLine, textBlock } from "./unproved-blocks.ts";
 
 /** Runs a program: executes block after block and plans every cycle that it calls. Never throws, always ends. */
 export function run(program: Program, shop: Shop): Run {
   const machine = new Machine(program, shop);
-  machine.turning = !states(program, "mode") && turns(program);
+  machine.turning = beginsTurning(program);
   const begin = program.blocks.find((b) => b.statement.kind === "begin")?.statement;
   const frame = begin?.kind === "begin" ? begin : { name: "", unit: "MM" as const };
   machine.inch = frame.unit === "INCH";
-  const ended = execute(machine);
+  const ending = execute(machine, (s, index) => block(machine, s, index));
   flush(machine);
   closePlanes(machine);
-  if (!ended && machine.steps.length > 0) machine.say(programIssue("programEndMissing", "warning", {}), machine.blocks.length - 1);
+  if (!neverReached(machine, ending) && !ending.told) neverCalled(machine);
+  if (ending.word === null && !ending.told && machine.steps.length > 0) machine.say(programIssue("programEndMissing", "warning", {}), machine.blocks.length - 1);
   if (machine.operations.length > 0 && machine.blank.length === 0) machine.say(programIssue("blankMissing", "warning", {}), null);
   return {
     program: {
@@ -40,87 +42,46 @@ export function run(program: Program, shop: Shop): Run {
   };
 }
 
-const states = (program: Program, kind: Statement["kind"]) => program.blocks.some((b) => b.statement.kind === kind);
+/** True for what only turns: its spindle, and its cycles. */
+const isTurned = ({ statement: s }: Block) => s.kind === "spin" || (s.kind === "cycle" && cycleByNumber(s.cycle) !== undefined);
 
-/** A piece of a program without FUNCTION MODE turns when it has something that only turns. */
-const turns = (program: Program) =>
-  program.blocks.some(({ statement: s }) => s.kind === "spin" || (s.kind === "cycle" && cycleByNumber(s.cycle) !== undefined));
+/** A piece of a program without FUNCTION MODE before its first turned block is read as turning. */
+const beginsTurning = (program: Program) => {
+  const first = program.blocks.find((b) => b.statement.kind === "mode" || isTurned(b));
+  return first !== undefined && first.statement.kind !== "mode";
+};
 
-/** Executes up to the end of the program; true when M2, M30 or END PGM was reached. */
-function execute(machine: Machine): boolean {
-  const returns: number[] = [];
-  const repeats = new Map<number, number>();
-  let next = 0;
-  while (next < machine.blocks.length) {
-    if (!machine.roomForBlock(next)) return true;
-    const index = next;
-    next += 1;
-    const s = machine.blocks[index]?.statement;
-    if (!s) continue;
-    if (s.kind === "end") return true;
-    if (s.kind === "label" && s.label === 0) {
-      const back = returns.pop();
-      if (back !== undefined) next = back;
-    } else if (s.kind === "call") {
-      next = call(machine, s, index, returns, repeats);
-    } else {
-      block(machine, s, index);
-      if (endsProgram(s)) return true;
-    }
-  }
-  return false;
-}
-
-const wordsOf = (s: Statement): Words | null => ("words" in s && "functions" in s.words ? s.words : null);
-const endsProgram = (s: Statement) => wordsOf(s)?.functions.some((m) => PROGRAM_ENDS.has(m)) ?? false;
-
-/** Where a label call goes on. A call with REP repeats the blocks between label and call; one without returns at LBL 0. */
-function call(machine: Machine, s: Extract<Statement, { kind: "call" }>, index: number, returns: number[], repeats: Map<number, number>): number {
-  const on = index + 1;
-  const label = typeof s.label === "object" ? machine.number(s.label, index) : s.label;
-  if (label === null) return on;
-  const target = machine.labels.get(label);
-  if (target === undefined) {
-    machine.say(programIssue("labelMissing", "error", { label: String(label) }), index);
-    return on;
-  }
-  if (s.repeat !== null) {
-    const left = repeats.get(index) ?? machine.number(s.repeat, index) ?? 0;
-    repeats.delete(index);
-    if (!(left >= 1)) return on;
-    repeats.set(index, left - 1);
-    return target;
-  }
-  if (returns.length >= DEEPEST_CALL) {
-    machine.say(programIssue("callsTooDeep", "error", { limit: DEEPEST_CALL }), index);
-    return on;
-  }
-  returns.push(on);
-  return target;
-}
+/** Blocks that stand between two elements of a contour without ending it. */
+const STILL: ReadonlySet<Statement["kind"]> = new Set(["path", "chamfer", "empty", "comment", "structure"]);
 
 function block(machine: Machine, s: Statement, index: number): void {
-  if (s.kind !== "path" && s.kind !== "chamfer" && s.kind !== "empty" && s.kind !== "comment" && s.kind !== "structure") flush(machine);
+  if (!STILL.has(s.kind)) flush(machine);
   const words = wordsOf(s);
   if (words) functions(machine, words, index);
   statement(machine, s, index);
-  if (words?.functions.includes(99)) {
+  if (!words) return;
+  const [once, on] = [words.functions.includes(99), words.functions.includes(89)];
+  if (once || on || (machine.modal && s.kind === "path" && words.axes.length > 0)) {
     flush(machine);
     closePlanes(machine);
     callCycle(machine, index);
   }
+  machine.modal = !once && (on || machine.modal);
 }
 
 function functions(machine: Machine, words: Words, index: number): void {
   for (const m of words.functions) {
-    if (m === 136 || m === 137) {
-      flush(machine);
-      machine.perRevolution = m === 136;
-    } else if (m === 91 || m === 92 || m === 140) machine.notSimulated(`M${m}`, index, "warning");
+    if (m !== 136 && m !== 137) continue;
+    flush(machine);
+    machine.perRevolution = m === 136;
   }
+  if (words.extra.length > 0) machine.leaveUnproved(words.extra.join(" ").slice(0, 40), index);
+  if (retracts(words)) retract(machine, words, index);
 }
 
 function statement(machine: Machine, s: Statement, index: number): void {
+  if (s.kind === "path" && s.words.compensation !== undefined) machine.compensation = s.words.compensation;
+  if (s.kind === "path" && isElsewhere(s.words)) return elsewhere(machine, s.words, index);
   if (planeStatement(machine, s, index)) return;
   switch (s.kind) {
     case "path":
@@ -132,16 +93,15 @@ function statement(machine: Machine, s: Statement, index: number): void {
       return corner(machine, "round", s.words.radius, s.words, index);
     case "chamfer":
       return corner(machine, "chamfer", s.length ?? undefined, s.words, index);
-    case "mode": {
-      machine.turning = s.mode === "TURN";
-      return;
-    }
+    case "mode": return mode(machine, s.mode);
+    case "datum": return s.shift === "reset" ? void (machine.datum = NO_SHIFT) : shiftDatum(machine, s.shift, "TRANS DATUM", index);
+    case "unknown": return textBlock(machine, s.text, index);
     case "spin": return spin(machine, s, index);
     case "toolCall": return toolCall(machine, s, index);
     case "assign": return machine.assign(s, index);
     case "cycle": return defineCycle(machine, index);
     case "cycleLine": return cycleLine(machine, s, index);
-    case "cycleCall": return s.how === "" ? callCycle(machine, index) : machine.notSimulated(`CYCL CALL ${s.how}`, index, "warning");
+    case "cycleCall": return s.how === "" ? callCycle(machine, index) : callPattern(machine, s.how, index);
     case "blankCylinder": case "blankRotation": case "blankBox": return blank(machine, s, index);
     case "selectContour": {
       machine.contourLabels = [];
@@ -154,6 +114,22 @@ function statement(machine: Machine, s: Statement, index: number): void {
     case "groove": return machine.notSimulated(`GRV ${s.form}`, index, "warning");
     default: return;
   }
+}
+
+/** Another kind of machining has other kinematics: where the tool stands in its coordinates, nobody knows. */
+function mode(machine: Machine, wanted: "TURN" | "MILL"): void {
+  machine.mode = wanted;
+  if (machine.turning === (wanted === "TURN")) return;
+  machine.turning = wanted === "TURN";
+  machine.sure = { x: false, z: false };
+  Object.assign(machine.mill, { x: null, y: null, z: null, here: null });
+}
+
+/** CYCL CALL POS and PAT: the positions at which the cycle would run are not run. */
+function callPattern(machine: Machine, how: string, index: number): void {
+  if (machine.defined) machine.called.add(machine.defined.index);
+  machine.loseAll();
+  machine.leaveUnproved(`CYCL CALL ${how}`, index);
 }
 
 function corner(machine: Machine, kind: "round" | "chamfer", size: Words["radius"], words: Words, index: number): void {
@@ -174,6 +150,7 @@ function toolCall(machine: Machine, s: Extract<Statement, { kind: "toolCall" }>,
   if (typeof s.feed === "object" && s.feed) {
     const n = machine.number(s.feed.value, index);
     if (n !== null) machine.toolFeed = machine.feed = machine.feedOf(n) as Feed;
+    machine.feedWord = "F";
   }
   if (s.tool === null) return;
   const wanted = typeof s.tool === "object" ? machine.number(s.tool, index) : s.tool;
@@ -181,7 +158,9 @@ function toolCall(machine: Machine, s: Extract<Statement, { kind: "toolCall" }>,
   const tool = machine.shop.refused?.has(Number(wanted)) ? undefined : find(machine.shop.tools, wanted);
   machine.sure = { x: false, z: false };
   machine.last = null;
+  machine.compensation = "R0";
   machine.tool = tool ?? null;
+  machine.toolRefused = !tool;
   machine.corrections = {};
   const refused = typeof wanted === "number" ? machine.shop.refused?.get(wanted) : undefined;
   if (refused) for (const i of refused) machine.say(i, index);
@@ -207,12 +186,19 @@ const find = (tools: readonly Tool[], wanted: number | string) =>
     ? (tools.find((t) => t.T === wanted) ?? tools.find((t) => t.T === Math.floor(wanted)))
     : tools.find((t) => t.NAME === wanted) ?? tools.find((t) => t.NAME.toUpperCase() === wanted.trim().toUpperCase());
 
-/** Cycle 14 names the labels of the contour behind a word of any language: LABEL2, KONTURLABEL1 /2. */
+/** One line of an older cycle: the datum shift is run, the contour's labels are noted, what else moves coordinates is told. */
 function cycleLine(machine: Machine, s: Extract<Statement, { kind: "cycleLine" }>, index: number): void {
-  if (s.cycle !== 14) return machine.say(programIssue("cycleNotSimulated", "info", { cycle: s.cycle, name: s.text }), index);
-  machine.contourFile = null;
-  if (s.line === 0) machine.contourLabels = [];
-  else machine.contourLabels = [...s.text.matchAll(/"([^"]+)"|(\d{1,9})/g)].map((m) => m[1] ?? Number(m[2]));
+  const { cycle, line, text } = s;
+  if (cycle === CONTOUR_CYCLE) {
+    machine.contourFile = null;
+    machine.contourLabels = line === 0 ? [] : contourLabels(text);
+  } else if (cycle === DATUM_CYCLE) {
+    if (line > 0) datumLine(machine, text, `CYCL DEF ${cycle}`, index);
+  } else {
+    machine.say(programIssue("cycleNotSimulated", "info", { cycle, name: text }), index);
+    if (ACTIVE_AT_ONCE.has(cycle)) actingLine(machine, s, index);
+    else if (line === 0) machine.defined = { index, cycle, values: new Map(), troubled: new Set() };
+  }
 }
 
 function blank(machine: Machine, s: Extract<Statement, { kind: "blankCylinder" | "blankRotation" | "blankBox" }>, index: number): void {

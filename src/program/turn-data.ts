@@ -4,6 +4,7 @@ import type { Statement } from "../nc/statement.ts";
 import { outlinedBlank } from "./cycle-call.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
+import { noTool } from "./preconditions.ts";
 
 type Correction = NonNullable<Tool["correction"]>;
 type Plus = (a: Correction, b: Correction) => Correction;
@@ -23,7 +24,7 @@ function corrected(tool: Tool, corrections: Machine["corrections"]): Tool {
  */
 export function correctTool(machine: Machine, s: Extract<Statement, { kind: "turnCorrection" }>, index: number): void {
   machine.say(programIssue("wordsRecalled", "info", { what: `FUNCTION TURNDATA CORR-${s.system}` }), index);
-  if (!machine.tool) return machine.say(programIssue("noToolCalled", "error", {}), index);
+  if (!machine.tool) return noTool(machine, index);
   const word = (name: string) => {
     const found = s.words.find((w) => w.name === name);
     return length(found ? machine.length(machine.number(found.value, index) ?? 0) : 0);

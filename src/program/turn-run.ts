@@ -6,7 +6,9 @@ import { toDiameter } from "../kernel/units.ts";
 import type { PathKind, Statement, Words } from "../nc/statement.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
-import { blockFeed, flush, moveOf, segment, targetOf } from "./path-block.ts";
+import { blockFeed, takeFeed } from "./block-feed.ts";
+import { noTool } from "./preconditions.ts";
+import { flush, moveOf, segment, standAt, targetOf } from "./path-block.ts";
 import type { Carrier } from "./plane-chain.ts";
 import { beginApproach, close, endWithDeparture, followPath, sideOf, type CarrierFor } from "./plane-guide.ts";
 
@@ -42,14 +44,6 @@ function start(machine: Machine): void {
   machine.guide.here = tip && planePoint(tip);
 }
 
-function arrive(machine: Machine, kind: PathKind | null, words: Words, to: { x: number | null; z: number | null }): void {
-  const named = new Set(words.axes.map((w) => w.axis));
-  const isPolar = kind === "LP" || kind === "CP" || kind === "CTP";
-  machine.sure = { x: machine.sure.x || isPolar || named.has("X"), z: machine.sure.z || isPolar || named.has("Z") };
-  machine.x = to.x;
-  machine.z = to.z;
-}
-
 /** A path block from RL or RR on, up to and with the R0 that ends it. */
 export function guidedPath(machine: Machine, kind: Exclude<PathKind, "CC" | "RND">, words: Words, index: number): void {
   start(machine);
@@ -58,32 +52,37 @@ export function guidedPath(machine: Machine, kind: Exclude<PathKind, "CC" | "RND
   const target = targetOf(machine, kind, words, index);
   const requested = sideOf(words, guide.chain?.side ?? "none");
   if (!target.moved && requested === (guide.chain?.side ?? "none")) {
-    if (words.feed !== undefined && words.feed !== "max") blockFeed(machine, words.feed, index);
+    takeFeed(machine, words.feed, index);
     return;
   }
   const feed = target.moved ? blockFeed(machine, words.feed, index) : machine.feed;
-  arrive(machine, kind, words, target);
+  standAt(machine, kind, words, target);
   const to = machine.tip;
-  if (!to) return;
+  if (!to) return closeTurn(machine);
   const path = from && segment(machine, kind, from, to, words, index);
   machine.last = path;
   followPath(guide, carrierOf(machine), requested, { fromZ: null, toZ: null, feed, index, segment: path && planeSegment(path), to: planePoint(to) });
-  if (requested === "none") closeTurn(machine);
+  if (requested === "none" && words.compensation !== undefined) closeTurn(machine);
+}
+
+/** Nobody knows from where a block goes: a fault of the block, unless another one that was told has lost the position. */
+export function startUnknown(machine: Machine, index: number): void {
+  if (machine.lost === null) machine.say(programIssue("startUnknown", "error", {}), index);
 }
 
 /** APPR and DEP in the Z/X plane. */
 export function turnApproach(machine: Machine, s: Extract<Statement, { kind: "approach" }>, index: number): void {
-  if (!machine.tool) return machine.say(programIssue("noToolCalled", "error", {}), index);
+  if (!machine.tool) return noTool(machine, index);
   start(machine);
   const { departing, form, words } = s;
   const isEnd = !departing || form === "LCT" || form === "PLCT";
   const kind = form.startsWith("P") ? "LP" : null;
   const to = isEnd ? targetOf(machine, kind ?? "L", words, index) : { x: machine.x, z: machine.z, moved: true };
   if (isEnd && kind && !to.moved) return;
-  if (!departing) arrive(machine, kind, words, to);
+  if (!departing) standAt(machine, kind, words, to);
   else [machine.x, machine.z] = [to.x, to.z];
   const tip = machine.tip;
-  if (isEnd && !tip) return machine.say(programIssue("startUnknown", "error", {}), index);
+  if (isEnd && !tip) return startUnknown(machine, index);
   const block = { departing, form, words, index, target: isEnd && tip ? planePoint(tip) : null, fromZ: null, toZ: null };
   if (departing) endWithDeparture(machine.guide, carrierOf(machine), block);
   else beginApproach(machine.guide, carrierOf(machine), block);

@@ -18,10 +18,14 @@ export function moveLine(m: Move): string {
 }
 
 /** One line for a motion of a mill. */
+/** The centre of an arc in XZ or YZ, in the order of the axes. */
+const sideOf = ({ side }: PlaneStep): string =>
+  side ? ` ${side.turn}${(["x", "y", "z"] as const).map((k) => (side.centre[k] === undefined ? "" : ` C${k.toUpperCase()}${number(side.centre[k])}`)).join("")}` : "";
+
 function planeLine(s: PlaneStep): string {
   const at = `X${number(s.to.x)} Y${number(s.to.y)}${s.to.z === null ? "" : ` Z${number(s.to.z)}`}`;
   const feed = s.feed === undefined ? "" : ` F${s.feed} ${s.feedUnit}`;
-  return `${s.kind.padEnd(6)} ${at}${s.centre ? ` ${s.turn} CX${number(s.centre.x)} CY${number(s.centre.y)}` : ""}${feed} | block ${s.block}, tool radius ${s.radius}`;
+  return `${s.kind.padEnd(6)} ${at}${s.centre ? ` ${s.turn} CX${number(s.centre.x)} CY${number(s.centre.y)}` : ""}${sideOf(s)}${feed} | block ${s.block}, tool radius ${s.radius}`;
 }
 
 /** The points of an approach or a departure, in the plane it runs in. */

@@ -4,6 +4,7 @@ import type { Plan } from "../kernel/plan.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { checkTool } from "../program/check-tool.ts";
 import type { Operation } from "../program/run-types.ts";
+import { shiftedPlan } from "../program/shifted-plan.ts";
 import { staysAfter } from "../sim/residual.ts";
 import type { Residual } from "../sim/simulation.ts";
 
@@ -21,10 +22,10 @@ const MOST_LEFT = 0.5;
 const AGAINST: ReadonlySet<string> = new Set(["toolCannotCutSideways", "flanksNotChecked"]);
 
 /** The path that a tool would take in place of the one called: same cycle, same values, same start; null when it can not. */
-function planWith(tool: Tool, { cycle: number, call, start, feedUnit }: Operation): Plan | null {
+function planWith(tool: Tool, { cycle: number, call, feedUnit }: Operation): Plan | null {
   const cycle = cycleByNumber(number);
   if (!cycle || !call || checkTool(tool).length > 0) return null;
-  const plan = cycle.plan(call.values, { tool, start, feedUnit, autoFeed: call.autoFeed, stock: null }, call.given);
+  const plan = shiftedPlan(cycle.plan(call.values, { tool, start: call.start, feedUnit, autoFeed: call.autoFeed, stock: null }, call.given), call.datum);
   const refused = plan.issues.some((i) => i.severity === "error" || AGAINST.has(i.code));
   return refused || !plan.moves.some((m) => m.phase !== "position") ? null : plan;
 }

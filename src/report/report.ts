@@ -130,6 +130,7 @@ function moveOf(move: Move, block: number): ReportMove {
 function planeMoveOf(s: PlaneStep): ReportMove {
   return {
     kind: s.kind, x: s.to.x, y: s.to.y, ...(s.to.z !== null && { z: s.to.z }), phase: "position", block: s.block,
+    ...(s.side && { ...(s.side.centre.x !== undefined && { cx: s.side.centre.x }), ...(s.side.centre.y !== undefined && { cy: s.side.centre.y }), ...(s.side.centre.z !== undefined && { cz: s.side.centre.z }), dir: s.side.turn }),
     ...(s.centre && { cx: s.centre.x, cy: s.centre.y }), ...(s.turn && { dir: s.turn }),
     ...(s.feed !== undefined && { feed: s.feed }), ...(s.feedUnit && { feedUnit: s.feedUnit }),
   };

@@ -175,6 +175,8 @@ const table: Table = {
     feedField, functionsField,
   ],
   selectContour: () => [fieldOf("selectContour", "file", (s) => s.file, (s, typed) => (/["\r\n]/.test(typed) ? null : { ...s, file: typed }), { wide: true })],
+  jump: () => [wholeText],
+  datum: () => [wholeText],
   assign: (s) => [
     fieldOf("assign", "target", (a) => a.target, (a, typed) => (/^\s*Q[LR]?\d{1,6}\s*$/i.test(typed) ? { ...a, target: typed.trim().toUpperCase() } : null)),
     fieldOf("assign", "formula", (a) => lineOf(a).replace(/^.*?=\s*/, ""), (a, typed) =>

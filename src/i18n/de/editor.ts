@@ -88,6 +88,7 @@ export const editor = {
     L: "Gerade", LP: "Gerade, polar", C: "Kreis um den Pol", CP: "Kreis um den Pol, polar", CR: "Kreis mit Radius", CT: "Tangentialer Kreis", CTP: "Tangentialer Kreis, polar",
     CC: "Pol", RND: "Rundung", chamfer: "Fase", approach: "Anfahren", departure: "Wegfahren", undercut: "Freistich", groove: "Einstich",
     label: "Label", call: "Labelaufruf", contour: "Kontur eines Zyklus", cycleLine: "Zykluszeile", cycle: "Zyklus", cycleCall: "Zyklusaufruf", selectContour: "Kontur aus einer Datei",
+    jump: "Sprung", datum: "Nullpunktverschiebung",
     assign: "Q-Parameter", functions: "M-Funktionen", stop: "Programmhalt", comment: "Kommentar", structure: "Gliederungspunkt", empty: "Leerzeile", unknown: "Nicht verstanden",
   },
   fields: {

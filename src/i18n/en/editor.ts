@@ -92,6 +92,7 @@ export const editor = {
     L: "Straight line", LP: "Straight line, polar", C: "Arc round the pole", CP: "Arc round the pole, polar", CR: "Arc with radius", CT: "Tangential arc", CTP: "Tangential arc, polar",
     CC: "Pole", RND: "Rounding", chamfer: "Chamfer", approach: "Approach", departure: "Departure", undercut: "Undercut", groove: "Recess",
     label: "Label", call: "Label call", contour: "Contour of a cycle", cycleLine: "Cycle line", cycle: "Cycle", cycleCall: "Cycle call", selectContour: "Contour from a file",
+    jump: "Jump", datum: "Datum shift",
     assign: "Q parameter", functions: "M functions", stop: "Program stop", comment: "Comment", structure: "Structure line", empty: "Blank line", unknown: "Not understood",
   },
   fields: {

@@ -88,6 +88,7 @@ export const editor = {
     L: "Droite", LP: "Droite, polaire", C: "Cercle autour du pôle", CP: "Cercle autour du pôle, polaire", CR: "Cercle avec rayon", CT: "Cercle tangentiel", CTP: "Cercle tangentiel, polaire",
     CC: "Pôle", RND: "Arrondi", chamfer: "Chanfrein", approach: "Approche", departure: "Sortie", undercut: "Dégagement", groove: "Gorge",
     label: "Label", call: "Appel de label", contour: "Contour d’un cycle", cycleLine: "Ligne de cycle", cycle: "Cycle", cycleCall: "Appel de cycle", selectContour: "Contour d’un fichier",
+    jump: "Saut", datum: "Décalage du point zéro",
     assign: "Paramètre Q", functions: "Fonctions M", stop: "Arrêt du programme", comment: "Commentaire", structure: "Ligne de structure", empty: "Ligne vide", unknown: "Non compris",
   },
   fields: {

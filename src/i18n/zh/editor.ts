@@ -88,6 +88,7 @@ export const editor = {
     L: "直线", LP: "直线，极坐标", C: "绕极点圆弧", CP: "绕极点圆弧，极坐标", CR: "半径圆弧", CT: "相切圆弧", CTP: "相切圆弧，极坐标",
     CC: "极点", RND: "倒圆", chamfer: "倒角", approach: "接近", departure: "离开", undercut: "退刀槽", groove: "凹槽",
     label: "标记", call: "调用标记", contour: "循环的轮廓", cycleLine: "循环行", cycle: "循环", cycleCall: "循环调用", selectContour: "文件中的轮廓",
+    jump: "跳转", datum: "原点平移",
     assign: "Q 参数", functions: "M 功能", stop: "程序停止", comment: "注释", structure: "结构行", empty: "空行", unknown: "未识别",
   },
   fields: {

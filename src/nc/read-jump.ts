@@ -1,0 +1,41 @@
+import { readWords } from "./read-words.ts";
+import type { Scan } from "./scan.ts";
+import { COMPARISONS, type Statement } from "./statement.ts";
+import { readLabel, readValue, VALUE } from "./value.ts";
+
+/** How a jump begins, with its FN number or without. */
+export const JUMP = /(?:FN[ \t]*(9|1[0-2])[ \t]*:[ \t]*)?IF(?![A-Z])/iy;
+const OPERAND = new RegExp(VALUE, "iy");
+const COMPARE = /(EQU|NE|GT|LT|IS[ \t]+DEFINED|IS[ \t]+UNDEFINED)(?![A-Z])/iy;
+const TARGET = /GOTO[ \t]+LBL[ \t]*(?:(\d{1,9})|"([^"]*)"|(Q[LRS]?\d{1,6}))/iy;
+
+/** `FN 9: IF +Q1 EQU +Q3 GOTO LBL "END"`; null when it is no jump that can be read. */
+export function readJump(scan: Scan): Statement | null {
+  const head = scan.take(JUMP);
+  const first = head && scan.take(OPERAND);
+  const word = first && scan.take(COMPARE);
+  if (!word) return null;
+  const spelt = (word[1] ?? "").replace(/[ \t]+/, " ").toUpperCase();
+  const compare = COMPARISONS.find((c) => c === spelt);
+  const alone = spelt.startsWith("IS");
+  const second = alone ? null : scan.take(OPERAND);
+  const target = scan.take(TARGET);
+  const [left, right] = [readValue(first[0]), second && readValue(second[0])];
+  if (!compare || !target || left === null || (right === null && !alone)) return null;
+  scan.leftOver();
+  const fn = head[1] === undefined ? null : (Number(head[1]) as 9 | 10 | 11 | 12);
+  const label = target[3] === undefined ? readLabel(target[1], target[2]) : { parameter: target[3].toUpperCase(), negative: false };
+  return { kind: "jump", fn, left, compare, right, label };
+}
+
+const AXIS = /AXIS(?![A-Z])/iy;
+const RESET = /RESET(?![A-Z])/iy;
+
+/** What follows TRANS DATUM: AXIS with its words, or RESET; null for a row of a datum table. */
+export function readDatum(scan: Scan): Statement | null {
+  if (scan.take(RESET)) {
+    scan.leftOver();
+    return { kind: "datum", shift: "reset" };
+  }
+  return scan.take(AXIS) ? { kind: "datum", shift: readWords(scan).axes } : null;
+}

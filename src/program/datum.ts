@@ -1,0 +1,51 @@
+import { diameter, length, radius, toDiameter, toRadius, type Length } from "../kernel/units.ts";
+import { readWords } from "../nc/read-words.ts";
+import { Scan } from "../nc/scan.ts";
+import type { AxisName, AxisWord } from "../nc/statement.ts";
+import type { Machine } from "./machine.ts";
+
+/** How far the datum of the program stands from that of the workpiece, mm; X as a distance, never as a diameter. */
+export interface Datum {
+  readonly x: Length;
+  readonly y: Length;
+  readonly z: Length;
+}
+
+export const NO_SHIFT: Datum = { x: length(0), y: length(0), z: length(0) };
+
+/** The cycle that shifts the datum, one coordinate a line. */
+export const DATUM_CYCLE = 7;
+
+const KEYS: Readonly<Partial<Record<AxisName, keyof Datum>>> = { X: "x", Y: "y", Z: "z" };
+
+/** From a coordinate of the program to that of the workpiece, in the measure of its word: of X a diameter while turning. */
+export function shiftOf(machine: Machine, axis: AxisName): number {
+  const key = KEYS[axis];
+  if (!key) return 0;
+  const by = machine.datum[key];
+  return key === "x" && machine.turning ? toDiameter(radius(by)) : by;
+}
+
+/** Moves the datum: an absolute word takes the place of the shift in its axis, an incremental one adds to it. */
+export function shiftDatum(machine: Machine, words: readonly AxisWord[], what: string, index: number): void {
+  for (const w of words) {
+    const n = machine.number(w.value, index);
+    const key = KEYS[w.axis];
+    if (!key) {
+      if (n !== 0) machine.leaveUnproved(what, index);
+    } else if (n === null) machine.leaveUnproved(what, index);
+    else {
+      const typed = machine.length(n);
+      const by = key === "x" && machine.turning ? toRadius(diameter(typed)) : typed;
+      machine.datum = { ...machine.datum, [key]: length(by + (w.incremental ? machine.datum[key] : 0)) };
+    }
+  }
+}
+
+/** The lines of cycle 7 behind its head: a coordinate each, or a row of a datum table, which the run does not have. */
+export function datumLine(machine: Machine, text: string, what: string, index: number): void {
+  const scan = new Scan(text, 0);
+  const { axes, extra } = readWords(scan);
+  if (extra.length > 0) machine.leaveUnproved(what, index);
+  shiftDatum(machine, axes, what, index);
+}

@@ -1,0 +1,79 @@
+import { line } from "../kernel/arc-forms.ts";
+import { axial } from "../kernel/units.ts";
+import type { Words } from "../nc/statement.ts";
+import { functionFeed, takeFeed } from "./block-feed.ts";
+import type { Machine } from "./machine.ts";
+import { closeMill } from "./mill-run.ts";
+import { inPlane } from "./mill-position.ts";
+import { millStep } from "./mill-state.ts";
+import { flush, moveOf } from "./path-block.ts";
+import { closeTurn } from "./turn-run.ts";
+
+/** Machine coordinates: where that is on the workpiece, nobody here knows. */
+const MACHINE_COORDINATES: ReadonlySet<number> = new Set([91, 92]);
+const RETRACT = 140;
+/** How far beyond the blank a tool stands after M140 MB MAX, mm: the end of the travel is farther, and nothing stands between. */
+const BEYOND_BLANK = 20;
+
+export const isElsewhere = (words: Words): boolean => words.functions.some((m) => MACHINE_COORDINATES.has(m));
+export const retracts = (words: Words): boolean => words.functions.includes(RETRACT);
+
+/** A block in machine coordinates: the axes that it names are not known behind it. The way there, from a known place, is not proved. */
+export function elsewhere(machine: Machine, words: Words, index: number): void {
+  const { mill } = machine;
+  const wasKnown = machine.turning ? machine.tip !== null && machine.sure.x && machine.sure.z : mill.z !== null && inPlane(mill) !== null;
+  flush(machine);
+  closeTurn(machine);
+  closeMill(machine);
+  takeFeed(machine, words.feed, index);
+  for (const { axis } of words.axes) {
+    if (axis === "X") machine.x = mill.x = null;
+    if (axis === "Y") mill.y = null;
+    if (axis === "Z") machine.z = mill.z = null;
+  }
+  machine.sure = { x: machine.sure.x && machine.x !== null, z: machine.sure.z && machine.z !== null };
+  mill.here = inPlane(mill);
+  mill.last = null;
+  machine.last = null;
+  const what = words.functions.filter((m) => MACHINE_COORDINATES.has(m)).map((m) => `M${m}`).join(" ");
+  if (wasKnown) machine.leaveUnproved(what, index);
+  else machine.notSimulated(what, index);
+}
+
+/** M140: back along the tool axis, at the beginning of its block, by MB or to the end of the travel; at its own feed, or at rapid. */
+export function retract(machine: Machine, words: Words, index: number): void {
+  flush(machine);
+  closeTurn(machine);
+  closeMill(machine);
+  const feed = functionFeed(machine, words.functionFeed, index);
+  const by = words.retract === undefined || words.retract === "max" ? null : machine.number(words.retract, index);
+  if (words.retract === undefined || (words.retract !== "max" && by === null)) machine.leaveUnproved(`M${RETRACT}`, index);
+  const far = by === null ? null : machine.length(by);
+  machine.last = machine.mill.last = null;
+  if (machine.turning) turned(machine, far, feed, index);
+  else milled(machine, far, feed, index);
+}
+
+type Travel = Parameters<typeof millStep>[2];
+
+function turned(machine: Machine, far: number | null, feed: Travel["feed"], index: number): void {
+  const from = machine.sure.x && machine.sure.z ? machine.tip : null;
+  const ends = machine.blank.flat().map((p) => p.z);
+  const blankEnd = ends.reduce((a, b) => Math.max(a, b), -Infinity);
+  const z = far !== null && from ? from.z + far : from && Number.isFinite(blankEnd) ? Math.max(from.z, blankEnd + BEYOND_BLANK) : null;
+  if (from && z !== null) {
+    const to = { z: axial(z), r: from.r };
+    if (z !== from.z) machine.step(from, moveOf(machine, line(from, to), feed), index, null);
+  }
+  machine.z = z;
+  machine.sure = { ...machine.sure, z: z !== null };
+}
+
+function milled(machine: Machine, far: number | null, feed: Travel["feed"], index: number): void {
+  const { mill } = machine;
+  if (mill.otherAxis) return machine.leaveUnproved(`M${RETRACT}`, index);
+  const [at, from] = [mill.here ?? inPlane(mill), mill.z];
+  const to = far === null || from === null ? null : from + far;
+  if (at && from !== null && to !== null) millStep(machine, { kind: "line", from: at, to: at }, { fromZ: from, toZ: to, feed, index });
+  mill.z = to;
+}

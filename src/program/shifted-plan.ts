@@ -1,0 +1,31 @@
+import type { Plan } from "../kernel/plan.ts";
+import type { Move } from "../kernel/move.ts";
+import type { Pt, Segment } from "../kernel/point.ts";
+import { axial, radius } from "../kernel/units.ts";
+import type { Datum } from "./datum.ts";
+
+type By = Pick<Datum, "x" | "z">;
+
+export const shiftedPoint = (p: Pt, by: By): Pt => ({ z: axial(p.z + by.z), r: radius(p.r + by.x) });
+/** A point of the workpiece as the program counts it. */
+export const countedPoint = (p: Pt, by: By): Pt => ({ z: axial(p.z - by.z), r: radius(p.r - by.x) });
+
+const segment = (s: Segment, by: By): Segment => {
+  const ends = { from: shiftedPoint(s.from, by), to: shiftedPoint(s.to, by) };
+  return s.kind === "line" ? { ...s, ...ends } : { ...s, ...ends, centre: shiftedPoint(s.centre, by) };
+};
+
+const move = (m: Move, by: By): Move =>
+  m.kind === "arc" ? { ...m, to: shiftedPoint(m.to, by), centre: shiftedPoint(m.centre, by) } : { ...m, to: shiftedPoint(m.to, by) };
+
+/** A plan made in the coordinates of the program, where the shifted datum puts it on the workpiece. */
+export function shiftedPlan(plan: Plan, by: By): Plan {
+  if (by.x === 0 && by.z === 0) return plan;
+  const reach = (all: Plan["reach"]) => all.map((r) => ({ ...r, path: segment(r.path, by) }));
+  return {
+    ...plan,
+    moves: plan.moves.map((m) => move(m, by)), contour: plan.contour.map((s) => segment(s, by)),
+    area: plan.area.map((p) => shiftedPoint(p, by)), part: plan.part.map((p) => shiftedPoint(p, by)),
+    reach: reach(plan.reach), kept: reach(plan.kept), ...(plan.unlimited && { unlimited: reach(plan.unlimited) }),
+  };
+}

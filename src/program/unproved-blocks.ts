@@ -1,0 +1,83 @@
+import type { CycleParameter } from "../nc/statement.ts";
+import { readValue, VALUE } from "../nc/value.ts";
+import type { Machine } from "./machine.ts";
+
+/**
+ * Blocks that nobody here reads and that leave path and stock as they are: messages, tables, strings, feeds that only
+ * breathe, functions that count or log.
+ */
+const HARMLESS = new RegExp(String.raw`^(?:FN[ \t]*(?:1[4569]|2[06-9]|3[789])[ \t]*:|FUNCTION[ \t]+(?:TCPM|RESET|FEED|S-PULSE|COUNT|DWELL|DCM|FILE)|` +
+  String.raw`QS\d+[ \t]*=|DECLARE|SQL|OPEN|CLOSE|SEL[ \t]+(?:TABLE|CORR-TABLE)|PATTERN[ \t]+DEF|POLARKIN[ \t]+OFF|MONITORING|STOP|TRANS[ \t]+[A-Z]+[ \t]+RESET|PLANE[ \t]+RESET)`, "i");
+/** FN 18 and FN 28 only read a value into a parameter. */
+const READING = /^FN[ \t]*(?:18|28)[ \t]*:[^=]*?(Q[LR]?\d{1,6})/i;
+/** Programs that run on their own leave the tool wherever they end. */
+const ELSEWHERE = /^(?:CALL[ \t]+(?:PGM|SELECTED)|TCH[ \t]+PROBE|CALL[ \t]+LBL)/i;
+/** What a block is called: its first words, with the number of FN and TCH PROBE. */
+const NAME = /^(?:FN[ \t]*\d+|TCH[ \t]+PROBE[ \t]*\d+(?:\.\d+)?|[A-Z][A-Z-]*(?:[ \t]+[A-Z][A-Z-]*(?![\w:.\\]))?)/i;
+const NUMBERS = new RegExp(String.raw`([A-Z]+)[ \t]*(${VALUE})`, "gi");
+
+/** How a block that is kept and not run is called. */
+export const nameOf = (text: string): string => (NAME.exec(text)?.[0] ?? text).replace(/[ \t]+/g, " ").trim().slice(0, 40);
+
+/** True when a word of the text has another value than the one that changes nothing; so has one without a value to read. */
+function changes(machine: Machine, text: string, neutral: number, index: number, only: RegExp = /^/): boolean {
+  return [...text.matchAll(NUMBERS)].some(([, word = "", digits = ""]) => {
+    const value = only.test(word) ? readValue(digits) : neutral;
+    return value === null || machine.number(value, index) !== neutral;
+  });
+}
+
+/** A block that the reader keeps as text: nothing is proved behind it, unless it is known to change nothing. */
+export function textBlock(machine: Machine, text: string, index: number): void {
+  if (text === "" || HARMLESS.test(text)) return;
+  const read = READING.exec(text)?.[1];
+  if (read !== undefined) return machine.forget(read.toUpperCase());
+  if (/^TRANS[ \t]+ROTATION/i.test(text) && !changes(machine, text, 0, index)) return;
+  if (/^TRANS[ \t]+SCALE/i.test(text) && !changes(machine, text, 1, index)) return;
+  if (/^PLANE[ \t]/i.test(text) && !changes(machine, text, 0, index, /^(?!(?:MB|F|DIST)$)/i)) return;
+  if (ELSEWHERE.test(text)) machine.loseAll();
+  if (/^TCH[ \t]+PROBE/i.test(text)) machine.probed = true;
+  machine.leaveUnproved(nameOf(text), index);
+}
+
+/** Older cycles that change coordinates: the words that do, and the value with which they do not. */
+const LINES: ReadonlyMap<number, { readonly neutral: number; readonly letters?: true }> = new Map([
+  [8, { neutral: 0, letters: true }], [10, { neutral: 0 }], [11, { neutral: 1 }], [19, { neutral: 0 }], [26, { neutral: 1 }],
+]);
+
+/** One line of an older cycle that acts at once: mirror, rotation, scale, tilted plane, program call. */
+export function actingLine(machine: Machine, s: { readonly cycle: number; readonly line: number; readonly text: string }, index: number): void {
+  if (s.line === 0) return;
+  const what = `CYCL DEF ${s.cycle}`;
+  if (s.cycle === 12) {
+    machine.loseAll();
+    return machine.leaveUnproved(what, index);
+  }
+  const rule = LINES.get(s.cycle);
+  if (!rule) return;
+  const text = s.cycle === 26 ? s.text.replace(/CC[XYZ][ \t]*[+-]?[\d.,]+/gi, "") : s.text;
+  if (rule.letters ? /[A-Z]/i.test(text) : changes(machine, text, rule.neutral, index)) machine.leaveUnproved(what, index);
+}
+
+/** Cycles of Q parameters that act at once: the parameters that change coordinates, with the values that do not. */
+const ADAPTING = [{ q: "Q497", neutral: [0] }, { q: "Q498", neutral: [0] }, { q: "Q531", neutral: [0] }, { q: "Q535", neutral: [0, 3] }] as const;
+const PRESET = 247;
+const ADAPT = 800;
+
+/** A cycle that acts where it is defined: nothing is proved behind it when it changes the coordinates. */
+export function actingCycle(machine: Machine, cycle: number, parameters: readonly CycleParameter[], index: number): void {
+  const number = (q: string) => {
+    const value = parameters.find((p) => p.q === q)?.value;
+    return value === undefined || value === null || typeof value === "string" ? undefined : machine.number(value, index);
+  };
+  const what = `CYCL DEF ${cycle}`;
+  if (cycle === PRESET) return machine.usePreset(number("Q339") ?? null, what, index);
+  if (cycle === ADAPT) {
+    if (ADAPTING.some(({ q, neutral }) => { const n = number(q); return n !== undefined && !neutral.some((same) => same === n); })) machine.leaveUnproved(what, index);
+  } else if (UNREAD.has(cycle)) machine.leaveUnproved(what, index);
+}
+
+/** Spelt as cycles of Q parameters, which no control has: what they would do, nobody knows. */
+const UNREAD: ReadonlySet<number> = new Set([7, 8, 10, 11, 12, 19, 26, 220, 221]);
+/** Cycles that act where they are defined and leave the defined machining cycle as it is: datum, mirror, dwell and the like. */
+export const ACTIVE_AT_ONCE: ReadonlySet<number> = new Set([7, 8, 9, 10, 11, 12, 13, 14, 19, 20, 26, 32, 220, 221, 239, 247, 800, 801]);
