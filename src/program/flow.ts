@@ -105,13 +105,13 @@ function jump(machine: Machine, s: Extract<Statement, { kind: "jump" }>, index: 
 
 function compare(machine: Machine, s: Extract<Statement, { kind: "jump" }>, index: number): boolean {
   if (s.right === null) {
-    const set = typeof s.left === "number" || machine.isSet(s.left.parameter);
+    const set = typeof s.left === "number" || machine.known.isSet(s.left.parameter);
     if (set === null) machine.leaveUnproved(s.fn === null ? "IF" : `FN ${s.fn}`, index);
     return set !== null && set === (s.compare === "IS DEFINED");
   }
   const [left, right] = [machine.number(s.left, index), machine.number(s.right, index)];
   if (left === null || right === null) {
-    if (machine.isUnproved) machine.leaveUnproved(s.fn === null ? "IF" : `FN ${s.fn}`, index);
+    if (machine.known.isUnproved) machine.leaveUnproved(s.fn === null ? "IF" : `FN ${s.fn}`, index);
     return false;
   }
   switch (s.compare) {

@@ -10,6 +10,7 @@ import { blockNumbers, issuesOf, startLines, type Block, type Program } from "..
 import type { CornerElement } from "../kernel/corner.ts";
 import type { Compensation, Label, Statement, Value } from "../nc/statement.ts";
 import { NO_SHIFT, type Datum } from "./datum.ts";
+import { KnownValues, type Reason } from "./known-values.ts";
 import { formulaOf, valueOf, type Parameters, type Trouble } from "./formula.ts";
 import { fewAlike, MOST_ALIKE } from "./alike.ts";
 import { programIssue, type ProgramIssue } from "./issue.ts";
@@ -52,12 +53,6 @@ export interface Held {
   readonly element: number;
 }
 
-/** Why something is not known: a block was not run, or a fault that was told. */
-export type Reason = "unproved" | "told";
-
-/** Parameters that touch probe cycles write their results into. */
-const RESULT = /^Q1\d\d$/;
-
 /** Bounds that keep every program finite and its memory small; far above what programs need (docs/performance.md). */
 const MOST_BLOCKS = 200_000;
 const MOST_MOVES = 400_000;
@@ -70,6 +65,7 @@ export class Machine {
   readonly lines: readonly number[];
   readonly labels = new Map<Label, number>();
   readonly parameters: Parameters = new Map();
+  readonly known = new KnownValues(this.parameters);
   /** Millimetres in the program's unit of length. */
   inch = false;
   turning = false;
@@ -112,8 +108,6 @@ export class Machine {
   readonly called = new Set<number>();
   /** Blocks that were run or read as part of a contour. */
   readonly visited: Uint8Array;
-  /** True once a touch probe has run: parameters that hold results are set, nobody here knows to what. */
-  probed = false;
   held: Held | null = null;
   /** The last path element, for tangential arcs. */
   last: Segment | null = null;
@@ -128,9 +122,7 @@ export class Machine {
   readonly findings: Finding[] = [];
   readonly unproved: Unproved[] = [];
   private readonly said = new Set<string>();
-  private readonly forgotten = new Map<string, Reason>();
   private preset: number | null = null;
-  private trouble: Reason = "told";
   private readonly left = new Set<string>();
   /** Blocks executed, those of contours that cycles read included. */
   private executed = 0;
@@ -188,38 +180,15 @@ export class Machine {
 
   assign(s: Extract<Statement, { kind: "assign" }>, index: number): void {
     const result = formulaOf(s.formula, this.parameters);
-    const passedOn = typeof result !== "number" && result.kind === "unset" && this.isForgotten(result.name);
+    const passedOn = typeof result !== "number" && result.kind === "unset" ? this.known.reasonOf(result.name) : null;
     const n = passedOn ? null : this.settle(result, index);
-    if (n === null) this.forget(s.target, passedOn ? this.isForgotten(result.name) ?? "told" : "told");
-    else {
-      this.parameters.set(s.target, n);
-      this.forgotten.delete(s.target);
-    }
-  }
-
-  /** Nobody knows what a parameter holds from here on. */
-  forget(name: string, reason: Reason = "unproved"): void {
-    this.parameters.delete(name);
-    this.forgotten.set(name, reason);
-  }
-
-  private isForgotten(name: string): Reason | null {
-    return this.forgotten.get(name) ?? (this.probed && RESULT.test(name) ? "unproved" : null);
-  }
-
-  /** True when a parameter holds a value, false when none was ever set, null when nobody knows. */
-  isSet(name: string): boolean | null {
-    return this.parameters.has(name) ? true : this.isForgotten(name) ? null : false;
-  }
-
-  /** True when the last value without a number hangs on a block that was not run. */
-  get isUnproved(): boolean {
-    return this.trouble === "unproved";
+    if (n === null) this.known.forget(s.target, passedOn ?? "told");
+    else this.known.set(s.target, n);
   }
 
   /** A coordinate has no number: the position is lost until it is programmed again. */
   lose(): null {
-    this.lost = this.trouble;
+    this.lost = this.known.trouble;
     return null;
   }
 
@@ -241,8 +210,8 @@ export class Machine {
 
   private settle(result: number | Trouble, index: number): number | null {
     if (typeof result === "number") return result;
-    const unknown = result.kind === "unset" ? this.isForgotten(result.name) : null;
-    this.trouble = unknown ?? "told";
+    const unknown = result.kind === "unset" ? this.known.reasonOf(result.name) : null;
+    this.known.trouble = unknown ?? "told";
     if (unknown === "told") return null;
     if (result.kind === "unset" && unknown) this.leaveUnproved(result.name, index);
     else if (result.kind === "unset") this.sayOnce(programIssue("parameterUnset", "error", { name: result.name }, result.name), index);

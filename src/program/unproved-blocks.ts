@@ -31,12 +31,12 @@ function changes(machine: Machine, text: string, neutral: number, index: number,
 export function textBlock(machine: Machine, text: string, index: number): void {
   if (text === "" || HARMLESS.test(text)) return;
   const read = READING.exec(text)?.[1];
-  if (read !== undefined) return machine.forget(read.toUpperCase());
+  if (read !== undefined) return machine.known.forget(read.toUpperCase());
   if (/^TRANS[ \t]+ROTATION/i.test(text) && !changes(machine, text, 0, index)) return;
   if (/^TRANS[ \t]+SCALE/i.test(text) && !changes(machine, text, 1, index)) return;
   if (/^PLANE[ \t]/i.test(text) && !changes(machine, text, 0, index, /^(?!(?:MB|F|DIST)$)/i)) return;
   if (ELSEWHERE.test(text)) machine.loseAll();
-  if (/^TCH[ \t]+PROBE/i.test(text)) machine.probed = true;
+  if (/^TCH[ \t]+PROBE/i.test(text)) machine.known.probed = true;
   machine.leaveUnproved(nameOf(text), index);
 }
 
