@@ -41,7 +41,6 @@ interface Data {
   /** A holder: the axis of its shank, the corners of its head. */
   holderAxis: { text: string };
   holderHead: { text: string };
-  unknownTool: { tool: string };
   betterTool: { tool: number; name: string };
   /* start point and limits */
   startInArea: { x: number; z: number };

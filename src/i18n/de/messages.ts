@@ -51,7 +51,6 @@ export const messages = {
     toolName: (d, w) => `„${w.text(d.text)}“: Ein Name hat höchstens ${d.max} Zeichen, nur Großbuchstaben, Ziffern und # $ % & , - . sind erlaubt.`,
     holderAxis: (d, w) => `„${w.text(d.text)}“: Der Schaft liegt längs X oder längs Z.`,
     holderHead: (d, w) => `„${w.text(d.text)}“ ist kein Umriss. Jede Ecke ist Z/X ab der Spitze, Ecken durch Leerzeichen getrennt, Teile durch Semikolon; ein Teil braucht drei Ecken.`,
-    unknownTool: (d, w) => `Werkzeug ${w.text(d.tool)} steht nicht in der Tabelle.`,
     betterTool: (d) => `Werkzeug ${d.tool} ${d.name} kann diese Kontur herstellen.`,
     startInArea: (d, w) => `Der Startpunkt ${w.place(d.x, d.z)} liegt im Zerspanbereich: Das Werkzeug fährt zuerst auf Sicherheits-Abstand.`,
     startInMaterial: (d, w) => `Der Startpunkt ${w.place(d.x, d.z)} steht im Material.`,

@@ -54,7 +54,6 @@ export const messages = {
     toolName: (d, w) => `“${w.text(d.text)}”: a name has at most ${d.max} characters: capital letters, digits and # $ % & , - . only.`,
     holderAxis: (d, w) => `“${w.text(d.text)}”: the shank lies along X or along Z.`,
     holderHead: (d, w) => `“${w.text(d.text)}” is no outline. Each corner is Z/X from the tip, blanks between corners, a semicolon between parts; a part needs three corners.`,
-    unknownTool: (d, w) => `Tool ${w.text(d.tool)} is not in the table.`,
     betterTool: (d) => `Tool ${d.tool} ${d.name} can make this contour.`,
     startInArea: (d, w) => `The start point ${w.place(d.x, d.z)} lies in the area to be cut: the tool first moves to the set-up clearance.`,
     startInMaterial: (d, w) => `The start point ${w.place(d.x, d.z)} stands in the material.`,

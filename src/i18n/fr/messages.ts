@@ -52,7 +52,6 @@ export const messages = {
     toolName: (d, w) => `« ${w.text(d.text)} » : un nom a au plus ${d.max} caractères, en majuscules, chiffres et # $ % & , - . seulement.`,
     holderAxis: (d, w) => `« ${w.text(d.text)} » : le corps est placé suivant X ou suivant Z.`,
     holderHead: (d, w) => `« ${w.text(d.text)} » n’est pas un contour. Chaque coin s’écrit Z/X depuis la pointe, avec un espace entre les coins et un point-virgule entre les parties ; une partie a au moins trois coins.`,
-    unknownTool: (d, w) => `L'outil ${w.text(d.tool)} n'est pas dans le tableau.`,
     betterTool: (d) => `L'outil ${d.tool} ${d.name} peut réaliser ce contour.`,
     startInArea: (d, w) => `Le point de départ ${w.place(d.x, d.z)} est dans la zone à usiner : l'outil va d'abord à la distance d'approche.`,
     startInMaterial: (d, w) => `Le point de départ ${w.place(d.x, d.z)} est dans la matière.`,

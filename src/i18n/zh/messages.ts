@@ -46,7 +46,6 @@ export const messages = {
     toolName: (d, w) => `“${w.text(d.text)}”:名称最多${d.max}个字符,仅限大写字母、数字和# $ % & , - .符号。`,
     holderAxis: (d, w) => `“${w.text(d.text)}”：刀杆只能沿X或Z方向。`,
     holderHead: (d, w) => `“${w.text(d.text)}”不是轮廓。每个角点写作Z/X（从刀尖起），角点间用空格，各部分间用分号；每部分至少三个角点。`,
-    unknownTool: (d, w) => `刀具${w.text(d.tool)}不在刀具表中。`,
     betterTool: (d) => `刀具${d.tool} ${d.name}可以加工该轮廓。`,
     startInArea: (d, w) => `起点${w.place(d.x, d.z)}在加工区内:刀具先移至安全高度。`,
     startInMaterial: (d, w) => `起点${w.place(d.x, d.z)}在材料中。`,
