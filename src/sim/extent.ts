@@ -5,18 +5,37 @@ import { boxAround } from "./box.ts";
 
 /** So far beside a corner an area is looked at, mm: the corner itself belongs to both sides. */
 const BESIDE = 2e-5;
+/** Corners nearer than this are looked at together: between them little changes. */
+const NEAR_CORNERS = 0.01;
+
+/** Places beside the corners of an area, each with another one SLIVER farther on: what is thinner than that is none. */
+function besides(corners: readonly number[]): (readonly [number, number])[] {
+  const sorted = [...corners].sort((a, b) => a - b);
+  const out: (readonly [number, number])[] = [];
+  let [first, last] = [sorted[0] ?? 0, sorted[0] ?? 0];
+  const close = () => {
+    for (const a of first === last ? [first] : [first, last]) out.push([a - BESIDE, a - SLIVER], [a + BESIDE, a + SLIVER]);
+  };
+  for (const a of sorted) {
+    if (a - first > NEAR_CORNERS) {
+      close();
+      first = a;
+    }
+    last = a;
+  }
+  close();
+  return out;
+}
 
 /**
- * The longest way that lies in an area along a direction, mm; gaps thinner than SLIVER do not end it. Between two corners of
- * the outlines it changes evenly, so it is longest beside one of them.
+ * The longest way that lies in an area along a direction, mm; gaps thinner than SLIVER do not end it, and what is thinner
+ * than that across is passed over. Between two corners of the outlines it changes evenly, so it is longest beside one.
  */
 export function deepestAlong(area: readonly Ring[], direction: { readonly z: number; readonly r: number }): number {
   const up = Math.abs(direction.r) >= Math.abs(direction.z);
   const across = (p: Pt): number => (up ? p.z : p.r);
   const along = (p: Pt): number => (up ? p.r : p.z);
-  const places = [...new Set(area.flatMap((ring) => ring.map(across)))].flatMap((a) => [a - BESIDE, a + BESIDE]);
-  let deepest = 0;
-  for (const a of places) {
+  const longestAt = (a: number): number => {
     const crossings: number[] = [];
     for (const ring of area) {
       let p = ring[ring.length - 1] as Pt;
@@ -27,15 +46,19 @@ export function deepestAlong(area: readonly Ring[], direction: { readonly z: num
       }
     }
     crossings.sort((x, y) => x - y);
-    let begun = crossings[0] ?? 0;
+    let [longest, begun] = [0, crossings[0] ?? 0];
     for (let i = 1; i < crossings.length; i += 2) {
       const end = crossings[i] as number;
-      deepest = Math.max(deepest, end - begun);
+      longest = Math.max(longest, end - begun);
       const next = crossings[i + 1];
       if (next !== undefined && next - end > SLIVER) begun = next;
     }
-  }
-  return deepest;
+    return longest;
+  };
+  return besides(area.flatMap((ring) => ring.map(across))).reduce((deepest, [near, beyond]) => {
+    const here = longestAt(near);
+    return here > deepest ? Math.max(deepest, Math.min(here, longestAt(beyond))) : deepest;
+  }, 0);
 }
 
 const lengthOf = (ring: Ring) =>

@@ -1,11 +1,11 @@
-import { areaOf, offset, opened } from "../kernel/clip.ts";
+import { areaOf, offset } from "../kernel/clip.ts";
 import type { Move } from "../kernel/move.ts";
 import type { Pt, Ring } from "../kernel/point.ts";
 import type { Step } from "../kernel/step.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
 import { boxAround, boxOf } from "./box.ts";
 import { inStock, REAL_AREA, real } from "./check.ts";
-import type { Cutting } from "./cutting.ts";
+import type { Cutting, Present } from "./cutting.ts";
 import { deepestAlong, thicknessOf } from "./extent.ts";
 import type { Outlines } from "./outlines.ts";
 import { pieceOf, type Piece } from "./piece.ts";
@@ -25,7 +25,7 @@ interface Stretch {
   readonly pass: number | undefined;
   readonly step: number;
   readonly block: number;
-  readonly before: Pick<Cutting, "initial" | "meets" | "swept">;
+  readonly before: Present;
   readonly pieces: Piece[];
 }
 
@@ -42,12 +42,6 @@ export interface Measure {
   /** A step and its sweep, before that is taken from the stock. */
   add(step: Step, index: number, sweep: readonly Piece[], outlines: Outlines, cut: Cutting): void;
   results(): OperationProof[];
-}
-
-/** The stock at one moment, which later cuts do not change. */
-function frozen(cut: Cutting): Stretch["before"] {
-  const swept = cut.swept();
-  return { initial: cut.initial, meets: (piece) => cut.meets(piece), swept: () => swept };
 }
 
 /** The greatest infeed that a plan allows, mm; 0 when its values set none. */
@@ -92,7 +86,7 @@ export function measuring(operations: readonly SimulatedOperation[], blank: read
       const sum = sums[operation];
       if (sum && operations[operation]?.firstStep === index && standsIn(outlines.checked, step.from, cut)) sum.startInMaterial = step.from;
       if (step.move.kind === "rapid") return;
-      run ??= { operation, phase: step.move.phase, pass: step.move.pass, step: index, block: step.block, before: frozen(cut), pieces: [] };
+      run ??= { operation, phase: step.move.phase, pass: step.move.pass, step: index, block: step.block, before: cut.present(), pieces: [] };
       run.pieces.push(...sweep);
     },
     results() {
@@ -107,7 +101,7 @@ export function measuring(operations: readonly SimulatedOperation[], blank: read
 
 /** Whether an insert stands in the stock. */
 const standsIn = (insert: Ring, { z, r }: Pt, cut: Cutting): boolean =>
-  insert.length > 2 && real(inStock([pieceOf(insert.map((p) => ({ z: (p.z + z) as Pt["z"], r: (p.r + r) as Pt["r"] })))], cut)).length > 0;
+  insert.length > 2 && real(inStock([pieceOf(insert.map((p) => ({ z: (p.z + z) as Pt["z"], r: (p.r + r) as Pt["r"] })))], cut.present())).length > 0;
 
 type Where = Pick<Depth, "step" | "block" | "pass">;
 
@@ -116,8 +110,8 @@ function deeper(known: Depth | null, taken: readonly Ring[], operation: Simulate
   const { openSide } = operation.plan;
   const box = boxAround(taken);
   const most = Math.abs(openSide.r) >= Math.abs(openSide.z) ? box.top - box.bottom : box.right - box.left;
-  if (known && most <= known.depth) return known;
-  const depth = deepestAlong(opened(taken, SLIVER), openSide);
+  if (known && most <= known.depth + SLIVER) return known;
+  const depth = deepestAlong(taken, openSide);
   return depth > (known?.depth ?? 0) ? { depth, allowed: mostOf(operation), ...where } : known;
 }
 

@@ -51,7 +51,7 @@ export function simulate(input: SimulationInput): Simulation {
     const touching = shapes.checked === shapes.insert ? sweep : piecesOf(sweepOf(shapes.checked, step));
     found.add(check(step, i, shapes, touching, cut, finished));
     measure.add(step, i, sweep, shapes, cut);
-    if (step.move.kind === "rapid") byRapids += areaOf(inStock(sweep, cut));
+    if (step.move.kind === "rapid") byRapids += areaOf(inStock(sweep, cut.present()));
     cut.add(sweep);
   });
   const final = cut.stock();

@@ -39,6 +39,43 @@ export function hullAlong(outline: Ring, from: Pt, to: Pt): Ring {
   return hull;
 }
 
+/** Longer than any tool, mm. */
+const FAR = 10_000;
+
+/**
+ * The convex pieces of a convex outline that do not lie behind another one, seen along a way: what of it does not follow in
+ * the other's track.
+ */
+export function notBehind(outline: Ring, other: Ring, from: Pt, to: Pt): Ring[] {
+  const [dz, dr] = [to.z - from.z, to.r - from.r];
+  const size = Math.hypot(dz, dr);
+  if (!(size > 0) || other.length < 3) return [outline];
+  const track = hullAlong(other, { z: axial((-dz / size) * FAR), r: radius((-dr / size) * FAR) }, { z: axial(0), r: radius(0) });
+  return track.flatMap((p, i) => {
+    const q = track[(i + 1) % track.length] as Pt;
+    const piece = rightOf(outline, p, q);
+    return piece.length > 2 ? [piece] : [];
+  });
+}
+
+/** What of a convex ring lies to the right of a straight line, outside a counter-clockwise outline that has it as an edge. */
+function rightOf(ring: Ring, p: Pt, q: Pt): Ring {
+  const out: Pt[] = [];
+  const beside = (a: Pt) => (q.r - p.r) * (a.z - p.z) - (q.z - p.z) * (a.r - p.r);
+  const least = GRID * Math.hypot(q.z - p.z, q.r - p.r);
+  let a = ring[ring.length - 1] as Pt;
+  for (const b of ring) {
+    const [before, here] = [beside(a) - least, beside(b) - least];
+    if (before > 0 !== here > 0) {
+      const t = before / (before - here);
+      out.push({ z: axial(a.z + (b.z - a.z) * t), r: radius(a.r + (b.r - a.r) * t) });
+    }
+    if (here > 0) out.push(b);
+    a = b;
+  }
+  return out;
+}
+
 /** The tip's way through a step up to `fraction`, as chords. The chords of a part are those of the whole, so a longer part covers a shorter one. */
 export function waypoints(step: Step, fraction: number): Pt[] {
   const path = pathOf(step.from, step.move);
