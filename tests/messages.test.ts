@@ -27,7 +27,7 @@ const SAMPLES: { readonly [C in AnyCode]: DataOf<C> } = {
   undercutNeighbours: { element: 3 }, recessWord: { element: 3, word: "BREADTH" }, undercutDefaults: { element: 3, words: "R0.6 DEPTH0.3" },
   centreMissing: { element: 3 }, elementFree: { element: 3, freedom: 2 }, elementContradicts: { element: 3, quantity: "angle", given: 45, nearest: 30.5 }, elementUnreachable: { element: 3 },
   materialLeft: { reason: "mainEdge", area: 1.25, x: 60.5, z: -5.5 }, gouge: { area: 1.25, x: 60.5, z: -5.5 },
-  rapidInStock: { area: 1.25, x: 60.5, z: -5.5 }, holderContact: { x: 60.5, z: -5.5 }, deeperThanInfeed: { depth: 11.8, allowed: 2.5, pass: 3 }, nothingCut: {}, airPasses: { count: 4 },
+  contactsUnlooked: { limit: 750 }, rapidInStock: { area: 1.25, x: 60.5, z: -5.5 }, holderContact: { x: 60.5, z: -5.5 }, deeperThanInfeed: { depth: 11.8, allowed: 2.5, pass: 3 }, nothingCut: {}, airPasses: { count: 4 },
   notUnderstood: { text: "UDC TYPE_Z" }, wordNotUnderstood: { text: "B12" }, wordTwice: { word: "X" }, equalsMissing: { text: "Q493+50" },
   blankBeforeEquals: { text: "Q499 =+0" }, badNumber: { text: "1.2.3" }, wordMissing: { word: "R" }, blockNumber: { found: 9, expected: 7 },
   blockNumberMissing: { expected: 7 }, continuationOpen: {}, frameMissing: { which: "END PGM" },

@@ -92,6 +92,8 @@ interface Data {
   gouge: { area: number; x: number; z: number };
   rapidInStock: { area: number; x: number; z: number };
   holderContact: { x: number; z: number };
+  /** So many moves do damage that those behind them were not looked at. */
+  contactsUnlooked: { limit: number };
   /** A cut takes more stock at once than the infeed allows, mm; `pass` is absent on a smoothing or finishing cut. */
   deeperThanInfeed: { depth: number; allowed: number; pass?: number };
   /** The operation removed no stock. */

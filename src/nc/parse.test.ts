@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { parse } from "./parse.ts";
-import { issuesOf, startLines } from "./program.ts";
+import { issuesOf, print, startLines } from "./program.ts";
 
 const one = (text: string) => parse(text).blocks[0];
 const said = (text: string) => issuesOf(parse(`0 BEGIN PGM A MM\n${text}\n9 END PGM A MM\n`)).filter((i) => i.code !== "blockNumber" && i.code !== "blockNumberMissing").map((i) => `${i.code} ${i.line}:${i.column}`);
@@ -70,4 +70,13 @@ test("a program that counts in tens is told so once, a jump in it again", () => 
   expect(counted(10, 20, 30, 40)).toEqual([{ found: 20, expected: 11 }]);
   expect(counted(10, 20, 30, 35, 45)).toEqual([{ found: 20, expected: 11 }, { found: 35, expected: 31 }, { found: 45, expected: 36 }]);
   expect(counted(1, 2, 2, 2, 3)).toEqual([{ found: 2, expected: 3 }, { found: 2, expected: 3 }]);
+});
+
+test("a line longer than any block is kept and said, not read word by word", () => {
+  const long = `1 L ${"X+1 ".repeat(5000)}\n`;
+  const program = parse(long);
+  expect(print(program)).toBe(long);
+  expect(program.blocks[0]?.statement.kind).toBe("unknown");
+  expect(program.blocks[0]?.issues.map((i) => i.code)).toEqual(["notUnderstood"]);
+  expect(parse(`1 L ${"X+1 ".repeat(2000)}\n`).blocks[0]?.statement.kind).toBe("path");
 });

@@ -25,6 +25,9 @@ const HOW = /(POS|PAT)(?![A-Z])/iy;
 const QUOTED = /"([^"]*)"/y;
 const PATHS: ReadonlySet<string> = new Set<PathKind>(["L", "C", "CR", "CT", "CTP", "LP", "CP", "CC"]);
 
+/** Characters of one line; what is longer is no block of a control and would fill the memory word by word. */
+const LONGEST = 10_000;
+
 export interface Read {
   readonly statement: Statement;
   readonly issues: readonly BlockIssue[];
@@ -38,7 +41,7 @@ export function readStatement(lines: readonly BlockLine[]): Read {
   if (scan.done && lines.length === 1)
     return { statement: head.comment === null ? { kind: "empty" } : { kind: "comment", text: head.comment }, issues: [] };
   const issues: BlockIssue[] = [];
-  const statement = dispatch(scan, lines, issues);
+  const statement = head.text.length > LONGEST ? null : dispatch(scan, lines, issues);
   const cycle = statement?.kind === "cycle";
   if (!statement || (lines.length > 1 && !cycle)) {
     const text = lines.map((l) => l.text.trim()).join(" ");

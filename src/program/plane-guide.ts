@@ -32,6 +32,21 @@ function joined(segment: PlaneSegment, before: PlaneSegment | undefined): PlaneS
   return before && segment.kind === "line" && apart(before.to, segment.from) <= ARC_END ? { ...segment, from: before.to } : segment;
 }
 
+/** Longest compensated contour; beyond it the run ends, for a contour cut short would be another part. */
+const LONGEST = 20_000;
+/** Elements as programmed that wait at most for a corner behind them; only the last one really has to. */
+const WAITING = 1000;
+
+/** Carries out a contour without compensation up to its last element, so that a long program does not wait as a whole. */
+function advance(guide: Guide, carrier: CarrierFor): void {
+  const items = guide.chain?.items ?? [];
+  const [before, last] = items.slice(-2);
+  if (items.length <= WAITING || !before || !last || before.corner || guide.chain?.side !== "none") return;
+  items.pop();
+  close(guide, carrier);
+  guide.chain = { side: "none", start: { kind: "here" }, lifts: [], items: [last] };
+}
+
 function append(guide: Guide, step: PathStep, programmed: PlaneSegment): void {
   const { chain } = guide;
   if (!chain) return;
@@ -56,8 +71,12 @@ export function followPath(guide: Guide, carrier: CarrierFor, requested: Side, s
     close(guide, carrier);
     if (requested === "none") return uncompensated(guide, step, guide.here);
   }
-  if (requested === "none") return uncompensated(guide, step, null);
+  if (requested === "none") {
+    uncompensated(guide, step, null);
+    return advance(guide, carrier);
+  }
   if (guide.chain) {
+    if (guide.chain.items.length >= LONGEST) return machine.stop(programIssue("contourTooLong", "error", { limit: LONGEST }), step.index);
     append(guide, step, step.segment ?? { kind: "line", from: step.to, to: step.to });
     return;
   }

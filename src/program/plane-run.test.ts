@@ -207,3 +207,22 @@ describe("turning with the nose radius", () => {
     expect(tips(turned("L X+30 Z+5 F0.3\nL X+30 Z+0 RR F0.2\nL X+40\nRND R2\nL Z-20\nL X+60 R0 F0.4")).slice(1)).toEqual(
       ["feed 29.2 0", "feed 35.2 0", "ccw 40 -2.4", "feed 40 -20.4", "feed 60 -20"]));
 });
+
+describe("long paths", () => {
+  const zigzag = (count: number) => Array.from({ length: count }, (_, i) => `L X+${i + 1} Y+${i % 2}${i === 0 ? " F500" : ""}${i % 700 === 350 ? "\nRND R0.2" : ""}`);
+  test("a path without compensation is carried out piece by piece, with every move and corner as if it were one", () => {
+    const done = milled(["L X+0 Y+0 FMAX", ...zigzag(3000)].join("\n"));
+    const arcs = done.plane.filter((s) => s.kind === "arc");
+    expect(done.unproved).toEqual([]);
+    expect(arcs.length).toBe(Math.floor((3000 - 350 - 1) / 700) + 1);
+    const moves = done.plane.filter((s) => s.to.z === 20 && s.kind !== "rapid");
+    expect(moves.length).toBe(3000 + arcs.length);
+    moves.slice(1).forEach((s, i) => expect(s.from).toEqual(moves[i]?.to));
+    expect(moves.at(-1)?.to).toMatchObject({ x: 3000, y: 1 });
+  });
+  test("a compensated contour beyond 20,000 elements ends the run, which says so and leaves the rest unproved", () => {
+    const done = milled(["L X+0 Y-20 FMAX", "L X+0 Y+0 RL F500", ...Array.from({ length: 20_100 }, (_, i) => `L X+${i + 1}`)].join("\n"));
+    expect(faults(done)).toContain("contourTooLong");
+    expect(done.unproved.length).toBe(1);
+  });
+});

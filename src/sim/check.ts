@@ -13,6 +13,8 @@ import { notBehind, sweepOf } from "./sweep.ts";
 
 /** Smaller areas are chord and grid errors of two curves that touch, mm². */
 export const REAL_AREA = 0.01;
+/** Moves that do damage, after which damage is no longer looked for: looking costs far more where there is some. */
+export const MOST_CONTACTS = 1000;
 /** A move is looked at in this many parts to tell whether the holder or the edge comes first. */
 const PARTS = 16;
 

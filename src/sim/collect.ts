@@ -1,4 +1,5 @@
 import { areaOf, union } from "../kernel/clip.ts";
+import type { Ring } from "../kernel/point.ts";
 import { boxAround, gapBetween, type Box } from "./box.ts";
 import type { Finding } from "./simulation.ts";
 
@@ -14,6 +15,8 @@ interface Kept {
   box: Box;
   /** Area of the largest single piece, which gives the place. */
   largest: number;
+  /** Rings after which they are merged: twice what the last merging left, so that merging does not become the work. */
+  many: number;
 }
 
 /** Gathers what moves do wrong, and makes one finding of moves that do it in the same place. */
@@ -35,10 +38,14 @@ export function collector(): Collector {
   const last = new Map<Finding["kind"], Kept>();
 
   function join(k: Kept, f: Finding, box: Box): void {
-    const rings = [...k.finding.rings, ...f.rings];
+    let rings: readonly Ring[] = [...k.finding.rings, ...f.rings];
+    if (rings.length > k.many) {
+      rings = union(rings);
+      k.many = Math.max(RINGS, 2 * rings.length);
+    }
     k.finding = {
       ...k.finding, area: k.finding.area + f.area, moves: k.finding.moves + f.moves,
-      rings: rings.length > RINGS ? union(rings) : rings, ...(f.area > k.largest && { place: f.place }),
+      rings, ...(f.area > k.largest && { place: f.place }),
     };
     k.largest = Math.max(k.largest, f.area);
     k.box = around(k.box, box);
@@ -52,7 +59,7 @@ export function collector(): Collector {
         const same = group.find((k) => gapBetween(k.box, box) <= SAME_PLACE) ?? (kept.length >= MOST ? last.get(f.kind) : undefined);
         if (same) join(same, f, box);
         else {
-          const fresh = { finding: f, box, largest: f.area };
+          const fresh = { finding: f, box, largest: f.area, many: RINGS };
           kept.push(fresh);
           groups.set(key, [...group, fresh]);
           last.set(f.kind, fresh);

@@ -1,6 +1,6 @@
 import { issue, type Issue } from "../kernel/issue.ts";
 import { toDiameter } from "../kernel/units.ts";
-import { REAL_AREA } from "./check.ts";
+import { MOST_CONTACTS, REAL_AREA } from "./check.ts";
 import { isTooDeep } from "./measure.ts";
 import type { Depth, Finding, OperationProof, Residual, Simulation } from "./simulation.ts";
 
@@ -41,7 +41,11 @@ function fromOperation({ cut, airPasses, deepest, thickest, startInMaterial: sta
   return out;
 }
 
+/** Where the simulation no longer looked for contacts of moves. */
+const fromUnlooked = ({ unlooked }: Simulation["proof"]): ProofIssue[] =>
+  unlooked ? [{ issue: issue("contactsUnlooked", "error", { limit: MOST_CONTACTS }), ...unlooked, operation: null }] : [];
+
 /** What the simulation found, as issues: contacts of moves, then what each operation did, then each region that stays. X is a diameter. */
 export const issuesOf = (simulation: Pick<Simulation, "findings" | "proof">): ProofIssue[] => [
-  ...simulation.findings.map(fromFinding), ...simulation.proof.operations.flatMap(fromOperation), ...simulation.proof.residual.map(fromResidual),
+  ...simulation.findings.map(fromFinding), ...fromUnlooked(simulation.proof), ...simulation.proof.operations.flatMap(fromOperation), ...simulation.proof.residual.map(fromResidual),
 ];

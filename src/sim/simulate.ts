@@ -1,15 +1,16 @@
-import { areaOf, packed } from "../kernel/clip.ts";
+import { areaOf } from "../kernel/clip.ts";
 import type { Step } from "../kernel/step.ts";
-import { check, inStock } from "./check.ts";
+import { check, inStock, MOST_CONTACTS } from "./check.ts";
 import { collector } from "./collect.ts";
 import { cutting } from "./cutting.ts";
 import { edgesOf } from "./edges.ts";
 import { finishedPart } from "./finished.ts";
+import { marksOf } from "./marks.ts";
 import { measuring } from "./measure.ts";
 import { outlinesOf } from "./outlines.ts";
 import { piecesOf } from "./piece.ts";
 import { residualOf } from "./residual.ts";
-import type { Checkpoint, Depth, Finding, Simulation, SimulationInput } from "./simulation.ts";
+import type { Depth, Finding, Proof, Simulation, SimulationInput } from "./simulation.ts";
 import { sweepOf } from "./sweep.ts";
 
 /** Moves from one checkpoint to the next. */
@@ -34,22 +35,29 @@ export function simulate(input: SimulationInput): Simulation {
   const outlines = outlinesOf();
   const part = finishedPart(operations);
   const finished = { rings: part, edges: edgesOf(part) };
-  const checkpoints: Checkpoint[] = [{ step: 0, stock: packed(blank) }];
+  const marks = marksOf();
+  marks.add(0, blank);
   const found = collector();
   const measure = measuring(operations, blank);
   let byRapids = 0;
+  let contacts = 0;
+  let unlooked: Proof["unlooked"] = null;
   let cut = cutting(blank);
   let last = 0;
   steps.forEach((step, i) => {
     if (i - last >= CHECKPOINT_STEPS || cut.pieces >= CHECKPOINT_PIECES) {
       cut = cutting(cut.stock());
-      checkpoints.push({ step: i, stock: packed(cut.initial) });
+      marks.add(i, cut.initial);
       last = i;
     }
     const shapes = outlines(step.tool);
     const sweep = piecesOf(sweepOf(shapes.insert, step));
     const touching = shapes.checked === shapes.insert ? sweep : piecesOf(sweepOf(shapes.checked, step));
-    found.add(check(step, i, shapes, touching, cut, finished));
+    if (contacts < MOST_CONTACTS) {
+      const damage = check(step, i, shapes, touching, cut, finished);
+      found.add(damage);
+      if (damage.length > 0) contacts += 1;
+    } else unlooked ??= { step: i, block: step.block };
     measure.add(step, i, sweep, shapes, cut);
     if (step.move.kind === "rapid") byRapids += areaOf(inStock(sweep, cut.present()));
     cut.add(sweep);
@@ -59,7 +67,7 @@ export function simulate(input: SimulationInput): Simulation {
   const measured = measure.results();
   const startTimes = startTimesOf(steps);
   return {
-    blank, steps, checkpoints, final, startTimes, findings,
+    blank, steps, checkpoints: marks.all(), final, startTimes, findings,
     totalSeconds: startTimes[steps.length] ?? 0,
     proof: {
       gouge: total(findings, "gouge"),
@@ -70,6 +78,7 @@ export function simulate(input: SimulationInput): Simulation {
       deepest: measured.reduce<Depth | null>((best, { deepest }) => (deepest && deepest.depth > (best?.depth ?? 0) ? deepest : best), null),
       holder: findings.some((f) => f.kind === "holderContact") ? "contact" : steps.some((s) => !s.tool.holder) ? "unknown" : "clear",
       unproved,
+      unlooked,
       operations: measured,
     },
   };

@@ -30,10 +30,13 @@ export interface Position {
   readonly fraction: number;
 }
 
-/** The stock before step `step`; steps without a checkpoint are cut again from the nearest one before. */
+/**
+ * A mark before step `step`, where cutting begins anew with the stock as it is. Steps between are cut again from the nearest
+ * mark before that has its stock; long runs keep those of some marks only.
+ */
 export interface Checkpoint {
   readonly step: number;
-  readonly stock: PackedRings;
+  readonly stock: PackedRings | null;
 }
 
 /** Something that must not happen, found by the stock: where the tool cut the finished part, or ran into material. */
@@ -77,6 +80,8 @@ export interface Proof {
   readonly deepest: Depth | null;
   /** Whether a holder touched the stock; unknown when a tool that moved has none. */
   readonly holder: "clear" | "contact" | "unknown";
+  /** From this step on nobody looked for gouges, rapids in stock and contacts of the holder, because there are too many; null: all were looked for. */
+  readonly unlooked: { readonly step: number; readonly block: number } | null;
   readonly unproved: readonly Unproved[];
   /** For each operation of the run, in its order. */
   readonly operations: readonly OperationProof[];

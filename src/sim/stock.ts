@@ -21,33 +21,44 @@ function within(simulation: Simulation, position: Position): Position {
   return fraction === 1 ? { step: step + 1, fraction: 0 } : { step, fraction };
 }
 
-function checkpointFor(checkpoints: readonly Checkpoint[], step: number): Checkpoint {
+/** Index of the last mark at or before a step. */
+function markFor(checkpoints: readonly Checkpoint[], step: number): number {
   let [low, high] = [0, checkpoints.length - 1];
   while (low < high) {
     const middle = (low + high + 1) >> 1;
     if ((checkpoints[middle]?.step ?? 0) <= step) low = middle;
     else high = middle - 1;
   }
-  return checkpoints[low] ?? { step: 0, stock: [] };
+  return low;
 }
 
 /**
- * A player of one simulation. However a moment is reached, its stock is the nearest checkpoint before it less the
- * same pieces in the same order, so playing, stepping and seeking give the same stock.
+ * A player of one simulation. However a moment is reached, its stock is that of a mark before it less the same pieces in the
+ * same order, begun anew at the same marks, so playing, stepping and seeking give the same stock.
  */
 export function playerOf(simulation: Simulation): Player {
   const outlines = outlinesOf();
-  let now: { checkpoint: Checkpoint; next: number; cut: Cutting } | null = null;
+  const { checkpoints } = simulation;
+  let now: { mark: number; next: number; cut: Cutting } | null = null;
+
+  /** The nearest mark at or before a step that has its stock. */
+  function keptFor(step: number): number {
+    let mark = markFor(checkpoints, step);
+    while (mark > 0 && !checkpoints[mark]?.stock) mark -= 1;
+    return mark;
+  }
 
   function cutUpTo(step: number): Cutting {
-    const checkpoint = checkpointFor(simulation.checkpoints, step);
-    if (now?.checkpoint !== checkpoint || now.next > step)
-      now = { checkpoint, next: checkpoint.step, cut: cutting(unpacked(checkpoint.stock)) };
-    for (; now.next < step; now.next += 1) {
+    const mark = keptFor(step);
+    if (!now || now.mark < mark || now.next > step)
+      now = { mark, next: checkpoints[mark]?.step ?? 0, cut: cutting(unpacked(checkpoints[mark]?.stock ?? [])) };
+    for (;;) {
+      if (checkpoints[now.mark + 1]?.step === now.next) now = { mark: now.mark + 1, next: now.next, cut: cutting(now.cut.stock()) };
+      if (now.next >= step) return now.cut;
       const s = simulation.steps[now.next];
       if (s) now.cut.add(piecesOf(sweepOf(outlines(s.tool).insert, s)));
+      now.next += 1;
     }
-    return now.cut;
   }
 
   return {

@@ -15,8 +15,11 @@ import type { Engine, Request } from "./engine.ts";
 import { pauseInTyping } from "./quiet.ts";
 import { forgetOutcome, pause, takeOutcome, type Outcome } from "./outcome.ts";
 
-/** A calculation that takes longer has lost its way: the worker is replaced, ms. */
-const PATIENCE = 20_000;
+/**
+ * A calculation that takes longer has lost its way: the worker is replaced, ms. The longest programs that are simulated
+ * take a tenth of that on a desk, and several times as much on a tablet.
+ */
+const PATIENCE = 120_000;
 
 let worker: Worker | null = null;
 let engine: Remote<Engine> | null = null;

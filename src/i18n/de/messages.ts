@@ -94,6 +94,7 @@ export const messages = {
     gouge: (d, w) => `${w.area(d.area)} des Fertigteils werden bei ${w.place(d.x, d.z)} weggeschnitten.`,
     rapidInStock: (d, w) => `Ein Eilgang fährt bei ${w.place(d.x, d.z)} durch ${w.area(d.area)} Material.`,
     holderContact: (d, w) => `Der Halter berührt bei ${w.place(d.x, d.z)} Material.`,
+    contactsUnlooked: (d) => `${d.limit} Bewegungen verletzen das Teil, fahren im Eilgang ins Material oder berühren es mit dem Halter: Ab hier wurde danach nicht mehr gesucht.`,
     deeperThanInfeed: (d, w) => `${d.pass === undefined ? "Ein Glätt- oder Schlichtschnitt" : `Schnitt ${w.number(d.pass)}`} nimmt ${w.number(d.depth)} mm Material auf einmal; erlaubt sind ${w.number(d.allowed)} mm.`,
     nothingCut: () => "Diese Bearbeitung trägt kein Material ab.",
     airPasses: (d) => (d.count === 1 ? "1 Schruppschnitt berührt kein Material." : `${d.count} Schruppschnitte berühren kein Material.`),

@@ -97,6 +97,7 @@ export const messages = {
     gouge: (d, w) => `${w.area(d.area)} of the finished part are cut away at ${w.place(d.x, d.z)}.`,
     rapidInStock: (d, w) => `A rapid runs through ${w.area(d.area)} of material at ${w.place(d.x, d.z)}.`,
     holderContact: (d, w) => `The holder touches material at ${w.place(d.x, d.z)}.`,
+    contactsUnlooked: (d) => `${d.limit} moves cut the part, ran into material or touched it with the holder: from here on moves were not looked at for that.`,
     deeperThanInfeed: (d, w) => `${d.pass === undefined ? "A smoothing or finishing cut" : `Pass ${w.number(d.pass)}`} takes ${w.number(d.depth)} mm of stock at once; ${w.number(d.allowed)} mm are allowed.`,
     nothingCut: () => "This operation removes no stock.",
     airPasses: (d) => `${count(d.count, "roughing pass touches", "roughing passes touch")} no stock.`,

@@ -95,6 +95,7 @@ export const messages = {
     gouge: (d, w) => `${w.area(d.area)} de la pièce finie sont enlevés à ${w.place(d.x, d.z)}.`,
     rapidInStock: (d, w) => `Un rapide traverse ${w.area(d.area)} de matière à ${w.place(d.x, d.z)}.`,
     holderContact: (d, w) => `Le porte-outil touche la matière à ${w.place(d.x, d.z)}.`,
+    contactsUnlooked: (d) => `${d.limit} déplacements entament la pièce, entrent en rapide dans la matière ou la touchent avec le porte-outil : à partir d’ici, cela n’a plus été recherché.`,
     deeperThanInfeed: (d, w) => `${d.pass === undefined ? "Une passe de lissage ou de finition" : `La passe ${w.number(d.pass)}`} prend ${w.number(d.depth)} mm de matière d'un coup ; ${w.number(d.allowed)} mm sont permis.`,
     nothingCut: () => "Cette opération n'enlève pas de matière.",
     airPasses: (d) => (d.count === 1 ? "1 passe d'ébauche ne touche pas de matière." : `${d.count} passes d'ébauche ne touchent pas de matière.`),

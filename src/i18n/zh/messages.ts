@@ -87,6 +87,7 @@ export const messages = {
     gouge: (d, w) => `${w.place(d.x, d.z)}处精加工件被切掉${w.area(d.area)}。`,
     rapidInStock: (d, w) => `快移在${w.place(d.x, d.z)}处穿过${w.area(d.area)}材料。`,
     holderContact: (d, w) => `刀柄在${w.place(d.x, d.z)}处碰到材料。`,
+    contactsUnlooked: (d) => `已有${d.limit}个运动伤及工件、快速进入材料或以刀柄触碰材料：从此处起不再检查。`,
     deeperThanInfeed: (d, w) => `${d.pass === undefined ? "一次修平或精加工" : `第${w.number(d.pass)}刀`}一次切除${w.number(d.depth)} mm材料,允许值为${w.number(d.allowed)} mm。`,
     nothingCut: () => "此次加工没有切除材料。",
     airPasses: (d) => `${d.count}刀粗加工没有碰到材料。`,

@@ -1,0 +1,37 @@
+import { packed } from "../kernel/clip.ts";
+import type { Ring } from "../kernel/point.ts";
+import type { Checkpoint } from "./simulation.ts";
+
+/** Points of all kept stocks together: 16 bytes each, so 24 MB. */
+const MOST_POINTS = 1_500_000;
+
+/** The marks of a run, with no more kept stocks than fit into memory. */
+export interface Marks {
+  add(step: number, stock: readonly Ring[]): void;
+  all(): readonly Checkpoint[];
+}
+
+/**
+ * Begins to mark. When the stocks have more points than are kept, every second one is let go, and then only every second of
+ * those that follow is kept: seeking cuts a longer way again, and a run of any length fits into the same memory.
+ */
+export function marksOf(most = MOST_POINTS): Marks {
+  const marks: Checkpoint[] = [];
+  let [every, points] = [1, 0];
+  const sizeOf = ({ stock }: Checkpoint) => (stock ?? []).reduce((sum, ring) => sum + ring.length / 2, 0);
+  return {
+    add(step, stock) {
+      const mark = { step, stock: marks.length % every === 0 ? packed(stock) : null };
+      marks.push(mark);
+      points += sizeOf(mark);
+      while (points > most && every < marks.length) {
+        every *= 2;
+        marks.forEach((m, i) => {
+          if (i % every !== 0 && m.stock) marks[i] = { step: m.step, stock: null };
+        });
+        points = marks.reduce((sum, m) => sum + sizeOf(m), 0);
+      }
+    },
+    all: () => marks,
+  };
+}
