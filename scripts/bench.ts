@@ -1,3 +1,4 @@
+import { spawnSync } from "node:child_process";
 import { ncLabels } from "../src/i18n/nc-labels.ts";
 import { parse } from "../src/nc/parse.ts";
 import type { Job } from "../src/program/job.ts";
@@ -9,6 +10,7 @@ import { stockAt } from "../src/sim/stock.ts";
 import { ringData } from "../src/view/path.ts";
 import { sceneOf } from "../src/view/scene.ts";
 import { longContour, printedExample } from "./long-contour.ts";
+import type { largePrograms } from "./large-programs.ts";
 import { longProgram } from "./long-program.ts";
 import { verified } from "./verify.ts";
 
@@ -83,6 +85,26 @@ function all(): Record<string, Measured> {
   return results;
 }
 
+/** Programs at the bounds that are measured, each in a process of its own. */
+const LARGE = ["10 MB of cuts", "10 MB of milling", "10 MB of nonsense", "200,000 blocks", "400,000 moves", "10,000 passes", "loop of cycles", "contour of 20,000 elements"] as const satisfies readonly (keyof typeof largePrograms)[];
+
+/** Processor time in ms from text to report, and the highest memory of its process in MB. */
+interface Large {
+  readonly parsed: number;
+  readonly ran: number;
+  readonly simulated: number;
+  readonly reported: number;
+  readonly mbReport: number;
+  readonly steps: number;
+  readonly verdict: string;
+}
+
+/** One program alone in a process that may use no more memory than a tablet has; null when it needs more. */
+function large(name: (typeof LARGE)[number]): Large | null {
+  const done = spawnSync(process.execPath, ["--max-old-space-size=800", "scripts/run.mjs", "large", name], { encoding: "utf8" });
+  return done.status === 0 ? (JSON.parse(done.stdout) as Large) : null;
+}
+
 /** What each time may be at most, ms (median). */
 const limit = (name: string) =>
   name.startsWith("parse") ? 50 : name.startsWith("verify") ? 30 : name.startsWith("plan") ? (name.endsWith("1000") ? 50 : 5) : name.startsWith("stock") ? 250 : 16;
@@ -90,8 +112,9 @@ const limit = (name: string) =>
 /** `npm run bench`: a table of times; with --json one object on one line. */
 export function main(args: readonly string[]): number {
   const results = all();
+  const bounds = LARGE.map((name) => [name, large(name)] as const);
   if (args.includes("--json")) {
-    console.log(JSON.stringify(results));
+    console.log(JSON.stringify({ ...results, large: Object.fromEntries(bounds) }));
     return 0;
   }
   const row = (cells: readonly string[]) => `| ${cells.map((c, i) => (i === 0 ? c.padEnd(16) : c.padStart(9))).join(" | ")} |`;
@@ -99,5 +122,11 @@ export function main(args: readonly string[]): number {
   console.log("|---|---:|---:|---:|---:|");
   for (const [name, { median, p95, n }] of Object.entries(results))
     console.log(row([name, median.toFixed(2), p95.toFixed(2), String(n), String(limit(name))]));
-  return 0;
+  console.log();
+  const wide = (cells: readonly string[]) => `| ${cells.map((c, i) => (i === 0 ? c.padEnd(26) : c.padStart(9))).join(" | ")} |`;
+  console.log(wide(["at the bounds, ms", "parse", "run", "simulate", "report", "moves", "MB"]));
+  console.log("|---|---:|---:|---:|---:|---:|---:|");
+  for (const [name, m] of bounds)
+    console.log(wide([name, ...(m ? [m.parsed, m.ran, m.simulated, m.reported, m.steps, m.mbReport].map(String) : ["failed"])]));
+  return bounds.every(([, m]) => m !== null) ? 0 : 1;
 }

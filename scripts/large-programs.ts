@@ -27,13 +27,13 @@ function cycle(number: number, values: Readonly<Record<string, string>>): string
   return Object.entries(values).reduce((text, [q, value]) => text.replace(new RegExp(`${q}=[^ ;~]*`), `${q}=${value}`), found);
 }
 
-/** Operations of 812 with so many passes each, each on the material that the one before left. */
+/** A shoulder of 3 mm from a diameter, roughed in so many passes. */
+const shoulder = (from: number, passes: number) =>
+  cycle(812, { Q491: `+${from}`, Q493: `+${from - 6}`, Q494: "-150", Q495: "+0", Q501: "+0", Q503: "+0", Q463: `+${(3 / passes).toFixed(5)}`, Q215: "+1", Q460: "+0.5" });
+
+/** Operations with so many passes each, each on the material that the one before left. */
 const passes = (operations: number, each: number) =>
-  program(times(operations, (i) => {
-    const [from, to] = [100 - i * 6, 94 - i * 6];
-    const define = cycle(812, { Q491: `+${from}`, Q493: `+${to}`, Q494: "-150", Q495: "+0", Q501: "+0", Q503: "+0", Q463: `+${(3 / each).toFixed(5)}`, Q215: "+1", Q460: "+0.5" });
-    return [define, `L X+${from} Z+2 FMAX`, "CYCL CALL"];
-  }).flat());
+  program(times(operations, (i) => [shoulder(100 - i * 6, each), `L X+${100 - i * 6} Z+2 FMAX`, "CYCL CALL"]).flat());
 
 const untilFull = (line: (i: number) => string) => {
   const lines: string[] = [];
@@ -63,7 +63,8 @@ export const largePrograms = {
   "10 MB of unknown cycles": () => program(untilFull((i) => (i % 2 === 0 ? `CYCL DEF 811 X ~\nQ460=+${i}` : "CYCL CALL"))),
   "10 MB of corners": () => program(untilFull((i) => (i % 2 === 0 ? zigzag(i) : "RND R0.003"))),
   "200,000 blocks": () => program(times(200_000 - 10, zigzag)),
-  "400,000 moves": () => program(["LBL 1", "L IX-0.001 F0.2", "L IZ-0.001", "L IX+0.0009", "L IZ-0.0001", "CALL LBL 1 REP 60000"]),
+  "400,000 moves": () => program([shoulder(100, 930), "LBL 1", "L X+100 Z+2 FMAX", "CYCL CALL", "CALL LBL 1 REP 99"]),
+  "loop of short moves": () => program(["LBL 1", "L IX-0.001 F0.2", "L IZ-0.001", "L IX+0.0009", "L IZ-0.0001", "CALL LBL 1 REP 60000"]),
   "endless loop": () => program(["LBL 1", "L IX-0.0001 F0.2", "L IZ-0.0001", "CALL LBL 1 REP 999999999"]),
   "endless recursion": () => program(["LBL 1", "L IX-0.0001 F0.2", "CALL LBL 1", "L IZ-0.0001", "CALL LBL 1", "LBL 0"]),
   "loop of cycles": () => program([cycle(812, {}), "LBL 1", "CYCL CALL", "CALL LBL 1 REP 65534"]),

@@ -65,40 +65,40 @@ function places(raw: string, offsets: readonly number[]): { line: number; column
 }
 
 /** All findings of the reader, those between blocks included, in the order of the text. */
-export function issuesOf(program: Program): NcIssue[] {
-  const found: NcIssue[] = [];
-  const { blocks } = program;
+export const issuesOf = (program: Program): NcIssue[] => [...eachIssue(program)];
+
+/** The same one after the other: a long program may have more than should be in memory at once. */
+export function* eachIssue({ blocks }: Program): Generator<NcIssue> {
+  const said = ({ statement: { kind } }: Block) => kind !== "empty" && kind !== "comment";
+  const missing = (which: "BEGIN PGM" | "END PGM", place: { line: number; offset: number }): NcIssue =>
+    ({ code: "frameMissing", severity: "warning", column: 1, length: 0, ...place, data: { which } });
+  if (blocks.find(said)?.statement.kind !== "begin") yield missing("BEGIN PGM", { line: 1, offset: 0 });
   const numbered = blocks.some((b) => b.number !== null);
   let [offset, line] = [0, 1];
   let expected: number | null = null;
   let step = 1;
-  blocks.forEach((b) => {
+  for (const b of blocks) {
     const at = { line, column: 1, offset, length: 0, severity: "info" as const };
     const { kind } = b.statement;
     if (b.number !== null) {
       const by: number = expected === null ? 1 : b.number - expected + 1;
       // A program that counts in tens is said once, where it begins to.
       if (expected !== null && by !== 1 && !(by > 1 && by === step))
-        found.push({ code: "blockNumber", ...at, data: { found: b.number, expected } });
+        yield { code: "blockNumber", ...at, data: { found: b.number, expected } };
       step = by;
       expected = b.number + 1;
     } else if (numbered && kind !== "empty" && kind !== "comment" && kind !== "unknown") {
-      found.push({ code: "blockNumberMissing", ...at, data: { expected: expected ?? 0 } });
+      yield { code: "blockNumberMissing", ...at, data: { expected: expected ?? 0 } };
     }
     const rising = b.issues.length > 1 ? b.issues.toSorted((a, c) => a.offset - c.offset) : b.issues;
     const at0 = rising.length > 0 ? places(b.raw, rising.map((i) => i.offset)) : [];
-    rising.forEach((i, k) => {
+    for (const [k, i] of rising.entries()) {
       const fix = i.fix && { ...i.fix, offset: i.fix.offset + offset };
       const place = { offset: i.offset + offset, line: line + (at0[k]?.line ?? 0), column: (at0[k]?.column ?? 0) + 1 };
-      found.push({ ...i, ...place, ...(fix && { fix }) } as NcIssue);
-    });
+      yield { ...i, ...place, ...(fix && { fix }) } as NcIssue;
+    }
     offset += b.raw.length;
     line += b.lines;
-  });
-  const said = blocks.filter((b) => b.statement.kind !== "empty" && b.statement.kind !== "comment");
-  const missing = (which: "BEGIN PGM" | "END PGM", place: { line: number; offset: number }): NcIssue =>
-    ({ code: "frameMissing", severity: "warning", column: 1, length: 0, ...place, data: { which } });
-  if (said[0]?.statement.kind !== "begin") found.unshift(missing("BEGIN PGM", { line: 1, offset: 0 }));
-  if (said.at(-1)?.statement.kind !== "end") found.push(missing("END PGM", { line: Math.max(1, line - 1), offset }));
-  return found;
+  }
+  if (blocks.findLast(said)?.statement.kind !== "end") yield missing("END PGM", { line: Math.max(1, line - 1), offset });
 }

@@ -6,7 +6,7 @@ import { secondsOf } from "../kernel/time.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { toRadius, axial, diameter, type Feed } from "../kernel/units.ts";
 import type { NcIssue } from "../nc/issue.ts";
-import { blockNumbers, issuesOf, startLines, type Block, type Program } from "../nc/program.ts";
+import { blockNumbers, eachIssue, startLines, type Block, type Program } from "../nc/program.ts";
 import type { CornerElement } from "../kernel/corner.ts";
 import type { Compensation, Label, Statement, Value } from "../nc/statement.ts";
 import { NO_SHIFT, type Datum } from "./datum.ts";
@@ -283,8 +283,13 @@ export class Machine {
   /** All findings in the order of the text, those of the reader included. */
   allFindings(): Finding[] {
     const missing = new Set(this.findings.filter((f) => f.issue.code === "missing").map((f) => f.line));
-    const read = issuesOf(this.program).filter((i) => !(i.code === "wordMissing" && missing.has(i.line))).map((i) => this.located(i));
-    return fewAlike([...read, ...this.findings].sort((a, b) => (a.line ?? 0) - (b.line ?? 0)));
+    const order = (a: Finding, b: Finding) => (a.line ?? 0) - (b.line ?? 0);
+    return [...fewAlike(this.read(missing)), ...fewAlike(this.findings.sort(order))].sort(order);
+  }
+
+  /** What the reader found, less what is also said as a missing parameter. */
+  private *read(missing: ReadonlySet<number | null>): Generator<Finding> {
+    for (const i of eachIssue(this.program)) if (!(i.code === "wordMissing" && missing.has(i.line))) yield this.located(i);
   }
 
   private located(issue: NcIssue): Finding {

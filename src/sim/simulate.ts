@@ -59,7 +59,7 @@ export function simulate(input: SimulationInput): Simulation {
       if (damage.length > 0) contacts += 1;
     } else unlooked ??= { step: i, block: step.block };
     measure.add(step, i, sweep, shapes, cut);
-    if (step.move.kind === "rapid") byRapids += areaOf(inStock(sweep, cut.present()));
+    if (step.move.kind === "rapid" && !unlooked) byRapids += areaOf(inStock(sweep, cut.present()));
     cut.add(sweep);
   });
   const final = cut.stock();

@@ -72,7 +72,7 @@ export interface Proof {
   readonly gouge: number;
   readonly rapidInStock: number;
   readonly residual: readonly Residual[];
-  /** Stock that feed moves removed. */
+  /** Stock that feed moves removed; also what rapids did, from `unlooked` on. */
   readonly cut: number;
   /** Roughing passes that touched no stock. */
   readonly airPasses: number;
