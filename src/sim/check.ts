@@ -15,6 +15,8 @@ import { notBehind, sweepOf } from "./sweep.ts";
 export const REAL_AREA = 0.01;
 /** Moves that do damage, after which damage is no longer looked for: looking costs far more where there is some. */
 export const MOST_CONTACTS = 1000;
+/** A holder on an arc is looked at along chords this near to it, mm. */
+const HOLDER_CHORD = 0.01;
 /** A move is looked at in this many parts to tell whether the holder or the edge comes first. */
 const PARTS = 16;
 
@@ -49,9 +51,10 @@ export function inStock(pieces: readonly Piece[], now: Present, within: readonly
  * insert is there first where a point of the holder lies behind it; on an arc it is looked at part by part.
  */
 function holderHits(step: Step, outlines: Outlines, now: Present): Ring[] {
-  const swept = (parts: readonly Ring[], fraction?: number) => merged(parts.flatMap((part) => sweepOf(part, step, fraction)));
-  const touched = real(inStock(piecesOf(outlines.holder.flatMap((part) => sweepOf(part, step))), now));
-  if (touched.length === 0) return [];
+  const rings = (parts: readonly Ring[], fraction = 1) => parts.flatMap((part) => sweepOf(part, step, fraction, HOLDER_CHORD));
+  const swept = (parts: readonly Ring[], fraction?: number) => merged(rings(parts, fraction));
+  const touched = inStock(piecesOf(rings(outlines.holder)), now);
+  if (areaOf(touched) < REAL_AREA) return [];
   const left = real(difference(touched, swept([outlines.insert])));
   if (left.length > 0) return left;
   if (step.move.kind !== "arc") {

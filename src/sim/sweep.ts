@@ -77,9 +77,9 @@ function rightOf(ring: Ring, p: Pt, q: Pt): Ring {
 }
 
 /** The tip's way through a step up to `fraction`, as chords. The chords of a part are those of the whole, so a longer part covers a shorter one. */
-export function waypoints(step: Step, fraction: number): Pt[] {
+export function waypoints(step: Step, fraction: number, chord = CHORD): Pt[] {
   const path = pathOf(step.from, step.move);
-  const points = flattened(path, CHORD);
+  const points = flattened(path, chord);
   if (fraction >= 1) return points;
   const at = Math.max(0, fraction) * (points.length - 1);
   const whole = Math.floor(at);
@@ -106,8 +106,8 @@ function alongPoints(outline: Ring, points: readonly Pt[]): Ring[] {
 }
 
 /** Everything that an outline covers in a step up to `fraction`: convex pieces for each chord of its way, on this side of the axis. */
-export const sweepOf = (outline: Ring, step: Step, fraction = 1): Ring[] =>
-  fraction > 0 ? alongPoints(outline, waypoints(step, fraction)) : [];
+export const sweepOf = (outline: Ring, step: Step, fraction = 1, chord = CHORD): Ring[] =>
+  fraction > 0 ? alongPoints(outline, waypoints(step, fraction, chord)) : [];
 
 /** Everything that an outline covers along a path. */
 export const sweepAlong = (outline: Ring, path: Segment): Ring[] => alongPoints(outline, flattened(path, CHORD));
