@@ -3,7 +3,7 @@ import type { Reason } from "../kernel/issue.ts";
 import type { Plan } from "../kernel/plan.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { checkTool } from "../program/check-tool.ts";
-import type { Operation } from "../program/run-types.ts";
+import type { Operation as Ran } from "../program/run-types.ts";
 import { shiftedPlan } from "../program/shifted-plan.ts";
 import { staysAfter } from "../sim/residual.ts";
 import type { Residual } from "../sim/simulation.ts";
@@ -20,6 +20,9 @@ const OF_TOOL: ReadonlySet<Reason> = new Set<Reason>(["insertRadius", "mainEdge"
 const MOST_LEFT = 0.5;
 /** What a plan may not say about a tool that is to help. */
 const AGAINST: ReadonlySet<string> = new Set(["toolCannotCutSideways", "flanksNotChecked"]);
+
+/** What is asked of the operation that left it. */
+type Operation = Pick<Ran, "cycle" | "tool" | "feedUnit" | "call">;
 
 /** The path that a tool would take in place of the one called: same cycle, same values, same start; null when it can not. */
 function planWith(tool: Tool, { cycle: number, call, feedUnit }: Operation): Plan | null {

@@ -6,7 +6,6 @@ import type { FindingsHost, Remedy } from "../findings/host.ts";
 import { showSection } from "../place.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
-import { readingOfBlock } from "./block-prompts.ts";
 import { fixOf } from "./diagnostics.ts";
 import { indexOf, repairsOf, withTool, type Repair } from "./repairs.ts";
 import { dispatchEdit, editProgram, openBlock, programText, sessionView, useSession } from "./session.ts";
@@ -51,14 +50,10 @@ export function useProgramHost(): FindingsHost {
       const index = indexOf(program, entry);
       if (index >= 0 && isPresent()) editProgram(withTool(program, index, tool), null);
     };
-    const jobOf: FindingsHost["jobOf"] = ({ operation }) => {
-      const line = operation === null ? undefined : newest?.run.operations[operation]?.definedLine;
-      return line === undefined ? null : (readingOfBlock(program, indexOf(program, { line, block: null }), {})?.job ?? null);
-    };
     const cycleOf: FindingsHost["cycleOf"] = (entry) => {
       const s = program.blocks[indexOf(program, entry)]?.statement;
       return s?.kind === "cycle" ? s.cycle : null;
     };
-    return { targetOf, remediesOf, cycleOf, point: open, jobOf, toFirstOpen: () => undefined, takeTool };
+    return { targetOf, remediesOf, cycleOf, point: open, toFirstOpen: () => undefined, takeTool };
   }, [t, language, reading, newest]);
 }

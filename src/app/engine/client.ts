@@ -3,7 +3,10 @@ import type { Job } from "../../program/job.ts";
 import { readExpression } from "../../program/expression.ts";
 import type { ToolTable } from "../../program/read-tools.ts";
 import type { Control } from "../../program/plane-types.ts";
+import type { Operation } from "../../program/run-types.ts";
 import type { ToolFit } from "../../program/which-tool.ts";
+import type { Remedy } from "../../report/remedies.ts";
+import type { Residual } from "../../sim/simulation.ts";
 import { printedText } from "../printed.ts";
 import { readJob } from "../reading.ts";
 import { notice } from "../saving/keep.ts";
@@ -11,7 +14,7 @@ import { useSettings } from "../settings/settings.ts";
 import { useEditor, type Editor } from "../store.ts";
 import { toolTable, useTools } from "../tools/tool-store.ts";
 import type { ProgramWork } from "../work.ts";
-import type { Engine, Request } from "./engine.ts";
+import type { Called, Engine, Request } from "./engine.ts";
 import { pauseInTyping } from "./quiet.ts";
 import { forgetOutcome, pause, takeOutcome, type Outcome } from "./outcome.ts";
 
@@ -138,9 +141,30 @@ export function startEngine(): () => void {
   return () => stops.forEach((stop) => stop());
 }
 
-/** What each tool of the table can do with the values of a job at a call of the run, best first; null when that cannot be said. */
-export async function fitsOf(job: Job, outcome: Outcome, operation = 0): Promise<readonly ToolFit[] | null> {
-  const call = outcome.run.operations[operation];
+const calledOf = ({ cycle, tool, start, feedUnit, call }: Operation): Called => ({ cycle, tool, start, feedUnit, call });
+
+/** What each tool of the table can do in place of the one that an operation called, best first; null when that cannot be said. */
+export async function fitsOfCall(operation: Operation): Promise<readonly ToolFit[] | null> {
+  try {
+    return await inTime(started().fitsOfCall(calledOf(operation), toolTable().tools));
+  } catch {
+    return null;
+  }
+}
+
+/** The tools of the table that would take what an operation left, the one that leaves least first; null when that cannot be said. */
+export async function remediesOf(operation: Operation, left: Residual): Promise<readonly Remedy[] | null> {
+  try {
+    return await inTime(started().remediesOf(calledOf(operation), left, toolTable().tools));
+  } catch {
+    return null;
+  }
+}
+
+/** What each tool of the table can do with the values of a job, best first; null when that cannot be said. */
+export async function fitsOf(job: Job, outcome: Outcome): Promise<readonly ToolFit[] | null> {
+  const { operations } = outcome.run;
+  const call = operations[0];
   if (!call) return null;
   try {
     return await inTime(started().fits(job, { start: call.start, feedUnit: call.feedUnit, tools: toolTable().tools }));

@@ -5,12 +5,15 @@ import { readDraft } from "../../program/read-draft.ts";
 import type { ToolTable } from "../../program/read-tools.ts";
 import { run } from "../../program/run.ts";
 import { rankTools, type ToolFit } from "../../program/which-tool.ts";
+import { remedies, type Remedy } from "../../report/remedies.ts";
 import { simulate } from "../../sim/simulate.ts";
+import type { Residual } from "../../sim/simulation.ts";
 import type { FeedUnit } from "../../kernel/move.ts";
 import type { Pt } from "../../kernel/point.ts";
 import type { Tool } from "../../kernel/tool.ts";
 import type { Control } from "../../program/plane-types.ts";
 import type { Job } from "../../program/job.ts";
+import type { Operation } from "../../program/run-types.ts";
 import { givenOf } from "./given.ts";
 import type { Outcome } from "./outcome.ts";
 
@@ -33,6 +36,9 @@ export interface Circumstances {
   readonly tools: readonly Tool[];
 }
 
+/** What trying other tools at a call of the run needs of it. */
+export type Called = Pick<Operation, "cycle" | "tool" | "start" | "feedUnit" | "call">;
+
 /** Everything that takes time, as plain functions of plain data. Runs in a worker. */
 export const engine = {
   /** From the program text to moves, stock, proof and times. */
@@ -51,6 +57,18 @@ export const engine = {
     const given = givenOf({ cycle, job });
     if (cycle.outline(values, given).issues.some((found) => found.severity === "error")) return null;
     return rankTools(cycle, values, given, { start, feedUnit, autoFeed: null, stock: null }, tools);
+  },
+
+  /** What each tool can do in place of the one that was called, best first; null while the call makes no contour. */
+  fitsOfCall({ cycle: number, call, start, feedUnit }: Called, tools: readonly Tool[]): readonly ToolFit[] | null {
+    const cycle = cycleByNumber(number);
+    if (!cycle || !call) return null;
+    return rankTools(cycle, call.values, call.given, { start, feedUnit, autoFeed: call.autoFeed }, tools);
+  },
+
+  /** The tools that would take what a call left, the one that leaves least first. */
+  remediesOf(called: Called, left: Residual, tools: readonly Tool[]): readonly Remedy[] {
+    return remedies(tools)(called, left);
   },
 };
 

@@ -1,11 +1,13 @@
 import { useEffect, useRef } from "react";
 import { Icon } from "../Icon.tsx";
+import { writer } from "../../i18n/write.ts";
 import { issueText } from "../issue-text.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { chooseFinding, useChosen } from "./chosen.ts";
 import type { Entry } from "./entry.ts";
 import type { FindingsHost } from "./host.ts";
+import { ResidueTools } from "./ResidueTools.tsx";
 import { ToolOffer } from "./ToolOffer.tsx";
 import { useListed, useVerdict } from "./use-findings.ts";
 import { VerdictText } from "./VerdictText.tsx";
@@ -47,10 +49,11 @@ function Row({ entry, host, chosen }: { readonly entry: Entry; readonly host: Fi
           {target && <span> · {target.name}</span>}
           {where !== null && target?.name !== where && <span className="soft"> · {where}</span>}
         </p>
-        <p>{issueText(t, language, issue, host.cycleOf(entry))}</p>
+        <p>{issueText(t, language, issue, host.cycleOf(entry))}{entry.thickness !== null && ` ${t.findings.residue.thick(writer(language).number(entry.thickness))}`}</p>
         <div className="finding-ways">
           {host.remediesOf(entry).map(({ name, apply }) => <button key={name} type="button" className="button small mend" onClick={apply}>{name}</button>)}
           <ToolOffer entry={entry} host={host} />
+          <ResidueTools entry={entry} host={host} />
           {target && (
             <button
               type="button" className="button small"

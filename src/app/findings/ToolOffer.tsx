@@ -1,13 +1,13 @@
 import { useEffect, useState } from "react";
 import type { ToolFit } from "../../program/which-tool.ts";
-import { fitsOf } from "../engine/client.ts";
+import { fitsOfCall } from "../engine/client.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import type { Entry } from "./entry.ts";
 import type { FindingsHost } from "./host.ts";
 
 /** Findings that another tool would mend. */
-const byTool: ReadonlySet<string> = new Set(["toolUnfit", "toolOnWrongSide", "toolCannotCutSideways", "recessNarrowerThanTool", "angleNotFollowed", "toolUnknown"]);
+const byTool: ReadonlySet<string> = new Set(["toolUnfit", "toolOnWrongSide", "toolCannotCutSideways", "recessNarrowerThanTool", "angleNotFollowed"])
 
 /** Rest after the last change before tools are tried, ms: it costs a plan per tool. */
 const REST = 120;
@@ -19,11 +19,11 @@ export function ToolOffer({ entry, host }: { readonly entry: Entry; readonly hos
   const [best, offer] = useState<ToolFit | null>(null);
   const asked = byTool.has(entry.issue.code) && entry.issue.severity !== "info";
   useEffect(() => {
-    const job = asked && newest ? host.jobOf(entry) : null;
-    if (!job || !newest) return undefined;
+    const operation = asked && entry.operation !== null ? newest?.run.operations[entry.operation] : undefined;
+    if (!operation) return undefined;
     let gone = false;
     const timer = setTimeout(() => {
-      void fitsOf(job, newest, entry.operation ?? 0).then((fits) => {
+      void fitsOfCall(operation).then((fits) => {
         if (!gone) offer(fits?.find((f) => f.makesContour) ?? null);
       });
     }, REST);
@@ -31,7 +31,7 @@ export function ToolOffer({ entry, host }: { readonly entry: Entry; readonly hos
       gone = true;
       clearTimeout(timer);
     };
-  }, [asked, newest, entry, host]);
+  }, [asked, newest, entry]);
   if (!asked || !best) return null;
   return <button type="button" className="button small mend" title={best.tool.NAME} onClick={() => host.takeTool(entry, best.tool.T)}>{t.take(best.tool.T)}</button>;
 }

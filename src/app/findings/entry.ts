@@ -33,6 +33,8 @@ export interface Entry {
   readonly spot: Spot | null;
   /** Index into the proof's residue, for what stays. */
   readonly residual: number | null;
+  /** Diameter of the largest circle in what stays, mm. */
+  readonly thickness: number | null;
 }
 
 const toDo: ReadonlySet<string> = new Set(["missing", "unknownParameter"]);
@@ -63,4 +65,4 @@ export const inOrder = (entries: readonly Entry[]): readonly Entry[] =>
 
 /** A finding that stands at one field or block and nowhere in the picture. */
 export const entryAt = (issue: AnyIssue, at: string | null, block: number | null): Entry =>
-  ({ id: `${issue.code} ${at ?? ""}`, issue, at, block, line: null, operation: null, spot: null, residual: null });
+  ({ id: `${issue.code} ${at ?? ""}`, issue, at, block, line: null, operation: null, spot: null, residual: null, thickness: null });

@@ -9,7 +9,7 @@ import { letterOf, spotOfProof, spotOfRun } from "./spots.ts";
 
 type Found = Omit<Entry, "id">;
 
-const nowhere = { at: null, block: null, line: null, operation: null, spot: null, residual: null } as const;
+const nowhere = { at: null, block: null, line: null, operation: null, spot: null, residual: null, thickness: null } as const;
 const atOf = (issue: AnyIssue): string | null => ("at" in issue ? (issue.at ?? null) : null);
 
 /** What the prompts and the contour table say by themselves, before anything is calculated. */
@@ -30,11 +30,11 @@ function calculated({ run, simulation }: Outcome): readonly Found[] {
     return { ...nowhere, issue: f.issue, at: atOf(f.issue), block: f.block, line: f.line, operation: f.operation, spot: spot && { ...spot, mark: "" } };
   });
   const proved = issuesOf(simulation).map((p): Found => {
-    const seen = spotOfProof(simulation, p.issue);
+    const seen = spotOfProof(simulation, p);
     const operation = p.operation === null ? undefined : run.operations[p.operation];
     return {
       ...nowhere, issue: p.issue, at: atOf(p.issue), block: p.block ?? operation?.block ?? null, operation: p.operation,
-      spot: seen && { ...seen.spot, mark: "" }, residual: seen?.residual ?? null,
+      spot: seen && { ...seen.spot, mark: "" }, residual: seen?.residual ?? null, thickness: seen?.thickness ?? null,
     };
   });
   return [...ran, ...proved];

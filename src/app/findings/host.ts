@@ -1,4 +1,3 @@
-import type { Job } from "../../program/job.ts";
 import type { Entry } from "./entry.ts";
 
 /** A button that mends what a finding says, in one step of undo. */
@@ -21,8 +20,6 @@ export interface FindingsHost {
   readonly cycleOf: (entry: Entry) => number | null;
   /** Marks the place of a finding beside the list, without leaving the list. */
   readonly point: (entry: Entry) => void;
-  /** The values of the operation that a finding belongs to, as a job, to try tools on. */
-  readonly jobOf: (entry: Entry) => Job | null;
   /** Opens the first prompt that is not answered yet. */
   readonly toFirstOpen: () => void;
   /** Gives the operation of a finding another tool. */

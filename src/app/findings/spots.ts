@@ -1,10 +1,10 @@
 import { partPoint } from "../../kernel/plane.ts";
 import type { Pt, Ring } from "../../kernel/point.ts";
-import { axial, diameter, toDiameter, toRadius } from "../../kernel/units.ts";
+import { axial, diameter, radius, toDiameter, toRadius } from "../../kernel/units.ts";
 import type { Finding as RunFinding, Run } from "../../program/run-types.ts";
+import type { ProofIssue } from "../../sim/issues.ts";
 import type { Simulation } from "../../sim/simulation.ts";
 import type { Bounds } from "../../view/camera.ts";
-import type { AnyIssue } from "../../i18n/message-texts.ts";
 import type { Spot } from "./entry.ts";
 
 type Unmarked = Omit<Spot, "mark">;
@@ -31,18 +31,43 @@ function boundsOf(rings: readonly Ring[], place: Pt): Bounds {
 
 const near = (a: number, b: number) => Math.abs(a - b) < 1e-6;
 
-/** Where the simulation saw what an issue of the proof names. */
-export function spotOfProof({ findings, proof, steps }: Simulation, issue: AnyIssue): { readonly spot: Unmarked; readonly residual: number | null } | null {
-  if (issue.code !== "gouge" && issue.code !== "rapidInStock" && issue.code !== "holderContact" && issue.code !== "materialLeft") return null;
-  const { x, z } = issue.data;
-  const isHere = ({ place }: { readonly place: Pt }) => near(toDiameter(place.r), x) && near(place.z, z);
-  if (issue.code === "materialLeft") {
-    const residual = proof.residual.findIndex(isHere);
-    const left = proof.residual[residual];
-    return left ? { residual, spot: { plane: "ZX", kind: "residual", place: left.place, bounds: boundsOf([left.ring], left.place), position: { step: steps.length, fraction: 0 } } } : null;
+/** What is to be seen of an issue of the proof; for what stays its index and its thickness, mm. */
+interface Seen {
+  readonly spot: Unmarked;
+  readonly residual?: number;
+  readonly thickness?: number;
+}
+
+/** A move, looked at when half of it is done. */
+function spotOfMove({ steps }: Simulation, step: number): Unmarked | null {
+  const s = steps[step];
+  if (!s) return null;
+  const { from, move: { to } } = s;
+  const place: Pt = { z: axial((from.z + to.z) / 2), r: radius((from.r + to.r) / 2) };
+  return { plane: "ZX", kind: "finding", place, bounds: boundsOf([[from, to]], place), position: { step, fraction: 0.5 } };
+}
+
+/** Where the simulation saw what an issue of the proof names; null for what has no place. */
+export function spotOfProof(simulation: Simulation, { issue, step }: ProofIssue): Seen | null {
+  const { findings, proof, steps } = simulation;
+  const isAt = ({ x, z }: { readonly x: number; readonly z: number }) => ({ place }: { readonly place: Pt }) => near(toDiameter(place.r), x) && near(place.z, z);
+  switch (issue.code) {
+    case "materialLeft": {
+      const residual = proof.residual.findIndex(isAt(issue.data));
+      const left = proof.residual[residual];
+      if (!left) return null;
+      const spot: Unmarked = { plane: "ZX", kind: "residual", place: left.place, bounds: boundsOf([left.ring], left.place), position: { step: steps.length, fraction: 0 } };
+      return { spot, residual, thickness: left.thickness };
+    }
+    case "gouge": case "rapidInStock": case "holderContact": {
+      const f = findings.find((each) => each.kind === issue.code && isAt(issue.data)(each));
+      return f ? { spot: { plane: "ZX", kind: "finding", place: f.place, bounds: boundsOf(f.rings, f.place), position: { step: f.step, fraction: SEEN[f.kind] } } } : null;
+    }
+    default: {
+      const spot = step === null ? null : spotOfMove(simulation, step);
+      return spot && { spot };
+    }
   }
-  const f = findings.find((each) => each.kind === issue.code && isHere(each));
-  return f ? { residual: null, spot: { plane: "ZX", kind: "finding", place: f.place, bounds: boundsOf(f.rings, f.place), position: { step: f.step, fraction: SEEN[f.kind] } } } : null;
 }
 
 /** Where an approach or departure cuts its contour; null for findings without a place. */

@@ -52,6 +52,6 @@ export function useJobHost(read: JobReading): FindingsHost {
     };
     const toFirstOpen = () => goTo(read.reading.issues[0]?.at ?? null);
     const takeTool: FindingsHost["takeTool"] = (_, tool) => oneStep(() => setTool(tool))();
-    return { targetOf, remediesOf, cycleOf: () => job.cycle, point: () => undefined, jobOf: () => job, toFirstOpen, takeTool };
+    return { targetOf, remediesOf, cycleOf: () => job.cycle, point: () => undefined, toFirstOpen, takeTool };
   }, [t, language, read]);
 }

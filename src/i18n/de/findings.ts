@@ -17,6 +17,7 @@ export const findings = {
   write: (text, block) => `${text} in Satz ${block} schreiben`,
   remove: (text) => `${text} entfernen`,
   residue: {
+    thick: (mm) => `Es ist bis zu ${mm} mm dick.`,
     ask: "Welches Werkzeug nimmt es weg?",
     trying: "Die Werkzeuge der Tabelle werden probiert.",
     all: (tool) => `Werkzeug ${tool} lässt hier nichts stehen.`,

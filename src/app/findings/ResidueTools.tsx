@@ -1,0 +1,57 @@
+import { useState } from "react";
+import { writer } from "../../i18n/write.ts";
+import type { Remedy } from "../../report/remedies.ts";
+import { remediesOf } from "../engine/client.ts";
+import { useOutcome } from "../engine/outcome.ts";
+import { useSettings } from "../settings/settings.ts";
+import { useTexts } from "../settings/use-texts.ts";
+import type { Entry } from "./entry.ts";
+import type { FindingsHost } from "./host.ts";
+
+/** Tools that are offered; the others leave more. */
+const MOST = 4;
+/** Less is nothing, mm². */
+const NOTHING = 0.005;
+
+/** What stays for another reason than the tool stays with every tool. */
+const byTool: ReadonlySet<string> = new Set(["insertRadius", "mainEdge", "secondaryEdge", "toolWidth", "cutLength"]);
+
+/** The tools of the table that would take what stays, tried when someone asks, the one that leaves least first. */
+export function ResidueTools({ entry, host }: { readonly entry: Entry; readonly host: FindingsHost }) {
+  const t = useTexts();
+  const words = t.findings.residue;
+  const write = writer(useSettings((s) => s.language));
+  const newest = useOutcome((s) => s.newest);
+  const [asked, ask] = useState<{ readonly of: typeof newest; readonly tools: readonly Remedy[] | "trying" | null }>({ of: null, tools: null });
+  const left = entry.residual === null ? undefined : newest?.simulation.proof.residual[entry.residual];
+  const operation = left && newest?.run.operations[left.operation];
+  if (!left || !operation || !byTool.has(left.reason)) return null;
+  const tools = asked.of === newest ? asked.tools : null;
+  const tryAll = async () => {
+    ask({ of: newest, tools: "trying" });
+    const found = await remediesOf(operation, left);
+    ask({ of: newest, tools: found ?? [] });
+  };
+  return (
+    <>
+      {tools === null && <button type="button" className="button small mend" onClick={() => void tryAll()}>{words.ask}</button>}
+      <div role="status" className={tools === null ? "unseen" : "finding-tools"}>
+        {tools === "trying" && <p className="small soft">{words.trying}</p>}
+        {Array.isArray(tools) && tools.length === 0 && <p className="small">{words.none}</p>}
+        {Array.isArray(tools) && tools.length > 0 && (
+          <ul>
+            {(tools as readonly Remedy[]).slice(0, MOST).map(({ tool, stays }) => {
+              const name = `${tool.T} ${tool.NAME}`;
+              return (
+                <li key={tool.T}>
+                  <span className="small">{stays < NOTHING ? words.all(name) : words.leaves(name, write.area(stays))}</span>
+                  <button type="button" className="button small mend" onClick={() => host.takeTool(entry, tool.T)}>{t.setup.tool.take(tool.T)}</button>
+                </li>
+              );
+            })}
+          </ul>
+        )}
+      </div>
+    </>
+  );
+}
