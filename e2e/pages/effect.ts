@@ -6,7 +6,7 @@ type Cell = "passes" | "infeed" | "time" | "chip" | "residual" | "proof";
 /** Any verdict that the path is proved, in the words of a language. */
 export function provedIn({ findings: { verdict } }: Context["t"]): RegExp {
   const [proved = ""] = verdict.proved.split(/[\s:：]/);
-  return new RegExp(`^(${proved}|${verdict.holderUnknown})`);
+  return new RegExp(`^${proved}`);
 }
 
 /** What the values do, updated while they are typed. */

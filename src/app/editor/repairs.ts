@@ -19,6 +19,8 @@ export interface Repair {
   readonly next: () => Program;
   /** Index of the block that opens afterwards. */
   readonly open: number;
+  /** Its values are only a beginning: its dialog opens. */
+  readonly asks?: boolean;
 }
 
 const none: Words = { axes: [], linear: [], functions: [], extra: [] };
@@ -111,6 +113,22 @@ function withoutParameter(program: Program, index: number, q: string): Repair | 
   return { kind: "remove", text: q, block: "", open: index, next: () => withBlock(program, index, { ...s, parameters: s.parameters.toSpliced(at, 1) }) };
 }
 
+/** Three decimals, as the control keeps positions. */
+const kept = (mm: number) => Math.round(mm * 1000) / 1000 + 0;
+
+/** Another start point of a call: in the block that positions for it, or in one of its own right before the call. */
+function withStart(program: Program, index: number, { x, z }: { readonly x: number; readonly z: number }): Repair {
+  const axes = [{ axis: "X", value: kept(x), incremental: false }, { axis: "Z", value: kept(z), incremental: false }] as const;
+  const before = index - 1;
+  const s = program.blocks[before]?.statement;
+  if (s?.kind !== "path" || s.path !== "L" || s.words.feed !== "max") return insertion(program, index, [{ kind: "path", path: "L", words: { ...none, axes, feed: "max" } }], index);
+  const others = s.words.axes.filter((w) => w.axis !== "X" && w.axis !== "Z");
+  const next = () => withBlock(program, before, { ...s, words: { ...s.words, axes: [axes[0], ...others, axes[1]] } });
+  return { kind: "write", text: `X${signed(x)} Z${signed(z)}`, block: String(blockNumbers(program)[before] ?? ""), next, open: before };
+}
+
+const signed = (mm: number) => `${kept(mm) < 0 ? "" : "+"}${kept(mm)}`;
+
 /** Another length or radius of an approach or departure. */
 function withLead(program: Program, index: number, word: "LEN" | "R", value: number): Repair | null {
   const s = program.blocks[index]?.statement;
@@ -118,6 +136,8 @@ function withLead(program: Program, index: number, word: "LEN" | "R", value: num
   const next = () => withBlock(program, index, { ...s, words: { ...s.words, [word === "LEN" ? "length" : "radius"]: value } });
   return { kind: "write", text: `${word}${value}`, block: String(blockNumbers(program)[index] ?? ""), next, open: index };
 }
+
+const asking = (repairs: readonly Repair[]): readonly Repair[] => repairs.map((repair) => ({ ...repair, asks: true }));
 
 /** The changes of the program that mend a finding, surest first; none where only the operator can know. */
 export function repairsOf(program: Program, entry: Entry, language: Language): readonly Repair[] {
@@ -128,10 +148,10 @@ export function repairsOf(program: Program, entry: Entry, language: Language): r
   switch (issue.code as string) {
     case "notInTurnMode": return insert(placeOfMode(program, index), { kind: "mode", mode: "TURN", kinematics: null });
     case "cycleNeverCalled": return insert(placeOfCall(program, index), { kind: "cycleCall", how: "", words: none });
-    case "spindleMissing": return insert(toolCallBefore(program, index) + 1, { kind: "spin", constantSurface: true, cuttingSpeed: 180, speed: null, limit: 2500 });
+    case "spindleMissing": return asking(insert(toolCallBefore(program, index) + 1, { kind: "spin", constantSurface: true, cuttingSpeed: 180, speed: null, limit: 2500 }));
     case "programEndMissing": return insert(placeOfEnd(program), { kind: "functions", words: { ...none, functions: [30] } });
-    case "blankMissing": return insert(lastOf(program, program.blocks.length, (s) => s.kind === "begin") + 1,
-      { kind: "blankCylinder", axis: "Z", outside: { measure: "D", value: 80 }, length: 100, distance: 1, inside: null });
+    case "blankMissing": return asking(insert(lastOf(program, program.blocks.length, (s) => s.kind === "begin") + 1,
+      { kind: "blankCylinder", axis: "Z", outside: { measure: "D", value: 80 }, length: 100, distance: 1, inside: null }));
     case "labelNotClosed": return insert(placeOfLabelEnd(program, index), { kind: "label", label: 0 });
     case "contourNotNamed": {
       const lines = contourLines(program, language);
@@ -139,7 +159,10 @@ export function repairsOf(program: Program, entry: Entry, language: Language): r
       return lines.length > 0 ? insert(Math.max(definition, 0), ...lines) : [];
     }
     case "compensationActive": return maybe(withoutCompensation(program, index));
-    case "parameterForeign": return at === null ? [] : maybe(withoutParameter(program, index, at));
+    case "parameterForeign": {
+      const q = at ?? ("name" in issue.data ? String(issue.data.name) : null);
+      return q === null ? [] : maybe(withoutParameter(program, index, q));
+    }
   }
   if (issue.code === "betterTool") {
     const { tool } = issue.data;
@@ -147,6 +170,7 @@ export function repairsOf(program: Program, entry: Entry, language: Language): r
       return insert(placeBehindFrame(program, index), { kind: "toolCall", tool, axis: null, speed: null, feed: null, deltaLength: null, deltaRadius: null, extra: [] });
     }
   }
+  if (issue.code === "startOnWrongSide") return [withStart(program, index, issue.data)];
   if (issue.code === "approachValueCutsContour") return maybe(withLead(program, index, issue.data.word, issue.data.nearest));
   const nearest = nearestOf(entry);
   if (nearest === null || at === null || program.blocks[index]?.statement.kind !== "cycle") return [];

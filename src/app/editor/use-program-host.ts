@@ -40,7 +40,13 @@ export function useProgramHost(): FindingsHost {
     const remediesOf: FindingsHost["remediesOf"] = (entry) => {
       const view = sessionView();
       if (!view || !isPresent()) return [];
-      const repairs = repairsOf(program, entry, language).map((repair): Remedy => ({ name: nameOf(repair), apply: () => editProgram(repair.next(), null, repair.open) }));
+      const repairs = repairsOf(program, entry, language).map((repair): Remedy => ({
+        name: nameOf(repair),
+        apply: () => {
+          editProgram(repair.next(), null, repair.open);
+          if (repair.asks) showSection("block");
+        },
+      }));
       const tool = entry.issue.code === "betterTool" && repairs.length === 0 ? entry.issue.data.tool : null;
       if (tool !== null) return [{ name: t.setup.tool.take(tool), apply: () => takeTool(entry, tool) }];
       const fix = fixOf(view.state, entry);

@@ -63,7 +63,7 @@ export const engine = {
   fitsOfCall({ cycle: number, call, start, feedUnit }: Called, tools: readonly Tool[]): readonly ToolFit[] | null {
     const cycle = cycleByNumber(number);
     if (!cycle || !call) return null;
-    return rankTools(cycle, call.values, call.given, { start, feedUnit, autoFeed: call.autoFeed }, tools);
+    return rankTools(cycle, call.values, call.given, { start, feedUnit, autoFeed: call.autoFeed, stock: null }, tools);
   },
 
   /** The tools that would take what a call left, the one that leaves least first. */

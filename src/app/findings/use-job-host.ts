@@ -1,5 +1,6 @@
 import { useMemo } from "react";
 import type { ParamTextId } from "../../cycles/index.ts";
+import { writer } from "../../i18n/write.ts";
 import { writeTyped } from "../dialog/write-value.ts";
 import { goTo } from "../dialog/prompts.ts";
 import { setPrompt, setStart, setTool } from "../edits.ts";
@@ -42,6 +43,14 @@ export function useJobHost(read: JobReading): FindingsHost {
     const remediesOf = (entry: Entry): readonly Remedy[] => {
       const { issue, at } = entry;
       if (issue.code === "betterTool") return [{ name: t.setup.tool.take(issue.data.tool), apply: oneStep(() => setTool(issue.data.tool)) }];
+      if (issue.code === "startOnWrongSide") {
+        const [x, z] = [issue.data.x, issue.data.z].map((mm) => Math.round(mm * 1000) / 1000 + 0);
+        const start = () => {
+          setStart("x", String(x));
+          setStart("z", String(z));
+        };
+        return [{ name: t.dialog.takeNearest(writer(language).place(issue.data.x, issue.data.z)), apply: oneStep(start) }];
+      }
       const nearest = nearestOf(entry);
       const param = at === null ? undefined : cycle.params[at];
       if (nearest === null || at === null) return [];

@@ -1,4 +1,4 @@
-import { toScreen } from "../../view/camera.ts";
+import { toScreen, type Camera } from "../../view/camera.ts";
 import { SCALE_BELOW, SCALE_LEFT } from "./Axes.tsx";
 import type { LookAt } from "./places.ts";
 import { useCamera } from "./use-camera.ts";
@@ -8,6 +8,28 @@ import type { Viewport } from "./viewport.ts";
 const ASIDE = { x: 18, y: -18 };
 /** Never more marks than this on the picture; the list has them all. */
 const MOST = 40;
+
+/** Marks nearer than this would hide one another, pixels. */
+const APART = 24;
+
+interface Put {
+  readonly place: LookAt;
+  readonly left: number;
+  readonly top: number;
+}
+
+/** Where each mark stands: those that would lie on one another stand in a row. */
+function apart(places: readonly LookAt[], camera: Camera): readonly Put[] {
+  const put: Put[] = [];
+  for (const place of places) {
+    const at = toScreen(camera, place.place);
+    const top = at.y + ASIDE.y;
+    let left = at.x + ASIDE.x;
+    while (put.some((other) => Math.abs(other.left - left) < APART && Math.abs(other.top - top) < APART)) left += APART;
+    put.push({ place, left, top });
+  }
+  return put;
+}
 
 /** The mark of each place in the picture: a number in a circle, a letter in a square. */
 export function PlaceButtons({ viewport, places, chosen, choose }: {
@@ -19,11 +41,11 @@ export function PlaceButtons({ viewport, places, chosen, choose }: {
   const camera = useCamera(viewport), { width, height } = viewport.size();
   return (
     <>
-      {places.slice(0, MOST).map(each => {
+      {apart(places.slice(0, MOST), camera).map(({ place: each, left, top }) => {
         const at = toScreen(camera, each.place), on = chosen?.id === each.id;
         if (at.x < SCALE_LEFT || at.x > width || at.y < 0 || at.y > height - SCALE_BELOW) return null;
         return (
-          <button key={each.id} type="button" className={`lathe-place badge badge-${each.kind}`} style={{ left: at.x + ASIDE.x, top: at.y + ASIDE.y }}
+          <button key={each.id} type="button" className={`lathe-place badge badge-${each.kind}`} style={{ left, top }}
             title={each.line} aria-label={`${each.mark}: ${each.line}`} aria-pressed={on} onClick={() => choose(on ? null : each)}>{each.mark}</button>
         );
       })}

@@ -1,0 +1,144 @@
+import { looksRight } from "./pages/look.ts";
+import { expect, test } from "./pages/test.ts";
+import { Turnwise } from "./pages/turnwise.ts";
+
+/** A whole program whose only cycle is called while milling, with a tool that leaves material in a sharp corner. */
+const MILLING = `0 BEGIN PGM FAULT MM
+1 BLK FORM CYLINDER Z D61.3 L80 DIST+0
+2 FUNCTION MODE MILL
+3 TOOL CALL 1
+4 FUNCTION TURNDATA SPIN VCONST:ON VC:180 SMAX2500
+5 M136
+6 L X+90 Z+40 R0 FMAX
+7 CYCL DEF 812 SHOULDER, LONG. EXT. ~
+Q215=+0 ~
+Q460=+2.1 ~
+Q491=+61.3 ~
+Q492=+0 ~
+Q493=+47.7 ~
+Q494=-31.9 ~
+Q495=+0 ~
+Q501=+0 ~
+Q502=+0 ~
+Q500=+0 ~
+Q496=+0 ~
+Q503=+0 ~
+Q504=+0 ~
+Q463=+2.3 ~
+Q478=+0.27 ~
+Q483=+0.4 ~
+Q484=+0.2 ~
+Q505=+0.19 ~
+Q506=+0
+8 L X+61.3 Y+0 Z+2 FMAX M303
+9 CYCL CALL
+10 L Z+40 FMAX
+11 M30
+12 END PGM FAULT MM
+`;
+
+/** A cycle that the catalogue does not have: kept, and nothing is proved behind it. */
+const KEPT = `0 BEGIN PGM KEPT MM
+1 BLK FORM CYLINDER Z D60 L80 DIST+0
+2 FUNCTION MODE TURN
+3 TOOL CALL 1
+4 L X+65 Z+2 FMAX
+5 CYCL DEF 811 SHOULDER, LONG.~
+Q215=+0
+6 CYCL CALL
+7 M30
+8 END PGM KEPT MM
+`;
+
+test("a program that is not simulated is never called proved, and says from which block on", async ({ page }) => {
+  const { editor, findings, t } = await Turnwise.open(page);
+  await editor.paste(KEPT);
+  const proof = editor.total(t.findings.verdict.title);
+  await expect(proof).toContainText(t.findings.verdict.unproved);
+  await expect(proof).toContainText("811");
+  await expect(proof).not.toContainText(t.findings.verdict.proved);
+  await editor.show("findings");
+  await expect(findings.panel).toContainText(t.findings.verdict.unproved);
+  await expect(findings.panel).toContainText("6");
+  await expect(page.getByText(t.findings.verdict.proved)).toHaveCount(0);
+});
+
+test("a program with faults leaves only when it is meant to: copying, downloading and sharing ask, in words", async ({ page }) => {
+  const { editor, findings, t } = await Turnwise.open(page);
+  await editor.paste(MILLING);
+  await expect(editor.total(t.findings.verdict.title)).toContainText(t.findings.verdict.faults(1));
+  const copy = page.getByRole("button", { name: t.page.text.copyLong, exact: true });
+  await page.evaluate(() => navigator.clipboard.writeText("as it was"));
+  await copy.click();
+  await expect(findings.question).toContainText("FUNCTION MODE TURN");
+  await looksRight(page);
+  await findings.answer("cancel").click();
+  await expect(findings.question).toBeHidden();
+  expect(await page.evaluate(() => navigator.clipboard.readText())).toBe("as it was");
+  await page.getByRole("button", { name: t.editor.share, exact: true }).click();
+  await expect(findings.question).toBeVisible();
+  await page.keyboard.press("Escape");
+  await expect(page.getByRole("dialog", { name: t.editor.shareTitle })).toBeHidden();
+  await page.getByRole("button", { name: t.page.text.download("FAULT.h"), exact: true }).click();
+  const download = page.waitForEvent("download");
+  await findings.answer("download").click();
+  expect((await download).suggestedFilename()).toBe("FAULT.h");
+  await editor.text.click();
+  await page.keyboard.press("ControlOrMeta+a");
+  await page.keyboard.press("ControlOrMeta+c");
+  await findings.answer("copy").click();
+  await expect.poll(() => page.evaluate(() => navigator.clipboard.readText())).toContain("END PGM FAULT");
+  await expect(page.getByRole("status").filter({ hasText: t.findings.leaving.withFaults(1) })).toBeVisible();
+});
+
+test("the missing block is put in from the list, and then nothing is asked any more", async ({ page }) => {
+  const { editor, findings, t } = await Turnwise.open(page);
+  await editor.paste(MILLING);
+  await editor.show("findings");
+  await expect(findings.items.first()).toContainText(t.findings.severities.error);
+  await findings.button(t.findings.insert("FUNCTION MODE TURN")).click();
+  await expect(editor.line("FUNCTION MODE TURN")).toBeVisible();
+  await expect(findings.panel).not.toContainText(t.findings.severities.error);
+  expect((await editor.downloaded()).toString()).toContain("FUNCTION MODE TURN");
+});
+
+test("what stays leads to its place in the picture, and to a tool that takes it", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { dialog, effect, findings, lathe, program, t } = turnwise;
+  await turnwise.start.beginWithExample(812);
+  await effect.proved();
+  await dialog.set("Q500", "0");
+  await expect(effect.findings).toContainText(t.findings.count(1));
+  await effect.findings.click();
+  await expect(findings.tab).toContainText("1");
+  await expect(findings.items).toHaveCount(1);
+  await findings.mark("A").click();
+  await expect(lathe.mark("A")).toHaveAttribute("aria-pressed", "true");
+  await expect(lathe.picture).toHaveAccessibleName(new RegExp(t.lathe.atEnd));
+  await findings.button(t.findings.residue.ask).click();
+  const take = findings.panel.getByRole("button", { name: new RegExp(`^${t.setup.tool.take(0).split("0")[0]}`) }).first();
+  const tool = /\d+/.exec((await take.textContent()) ?? "")?.[0] ?? "";
+  await take.click();
+  await expect(program.blocks.filter({ hasText: `TOOL CALL ${tool}` })).toBeVisible();
+});
+
+test("all prompts answered is not said over a missing contour: the way leads there", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { dialog, t } = turnwise;
+  await turnwise.start.beginWithExample(820);
+  await turnwise.effect.proved();
+  await turnwise.show("contour");
+  const { contour } = turnwise;
+  await expect(contour.kind(1)).toBeVisible();
+  while (await contour.kind(1).count()) {
+    await contour.kind(1).click();
+    await page.keyboard.press("ControlOrMeta+Delete");
+  }
+  await turnwise.show("prompts");
+  await dialog.open("Q463");
+  await page.keyboard.press("End");
+  await expect(dialog.question).toHaveText(t.findings.done.contour);
+  await looksRight(page);
+  await dialog.active.getByRole("button", { name: t.findings.done.toContour, exact: true }).click();
+  await expect(contour.add).toBeVisible();
+});

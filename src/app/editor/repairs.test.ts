@@ -1,0 +1,76 @@
+import { expect, test } from "vitest";
+import { engine } from "../engine/engine.ts";
+import type { Outcome } from "../engine/outcome.ts";
+import { findingsOf } from "../findings/findings.ts";
+import { parse } from "../../nc/parse.ts";
+import { print } from "../../nc/program.ts";
+import { shippedTools } from "../../program/shipped-tools.ts";
+import { repairsOf, withTool } from "./repairs.ts";
+
+const outcomeOf = (text: string): Outcome =>
+  engine.update({ version: 1, text, table: { tools: shippedTools, mills: [], refused: new Map() }, rapid: 10_000, control: "TNC 640" });
+
+const cycle812 = (q = "") => `CYCL DEF 812 SHOULDER, LONG. EXT. ~
+Q215=+0 ;MACHINING OPERATION ~
+Q460=+2.1 ;SAFETY CLEARANCE ~
+Q491=+61.3 ;DIAMETER AT CONTOUR START ~
+Q492=+0 ;CONTOUR START IN Z ~
+Q493=+47.7 ;DIAMETER AT CONTOUR END ~
+Q494=-31.9 ;CONTOUR END IN Z ~
+Q495=+0 ;ANGLE OF CIRCUM. SURFACE ~
+Q501=+0 ;TYPE OF STARTING ELEMENT ~
+Q502=+0 ;SIZE OF STARTING ELEMENT ~
+Q500=+1.1 ;RADIUS OF CONTOUR EDGE ~
+Q496=+0 ;ANGLE OF FACE ~
+Q503=+0 ;TYPE OF END ELEMENT ~
+Q504=+0 ;SIZE OF END ELEMENT ~
+Q463=+2.3 ;MAX. CUTTING DEPTH ~
+Q478=+0.27 ;ROUGHING FEED RATE ~
+Q483=+0.4 ;OVERSIZE FOR DIAMETER ~
+Q484=+0.2 ;OVERSIZE IN Z ~
+Q505=+0.19 ;FINISHING FEED RATE ~
+Q506=+0 ;CONTOUR SMOOTHING${q}`;
+
+/** Blocks one a line; a whole program that is right. */
+const RIGHT = [
+  "BEGIN PGM A MM", "BLK FORM CYLINDER Z D61.3 L80 DIST+0", "FUNCTION MODE TURN", "TOOL CALL 1", "FUNCTION TURNDATA SPIN VCONST:ON VC:180 SMAX2500", "M136",
+  "L X+90 Z+40 R0 FMAX", cycle812(), "L X+61.3 Y+0 Z+2 FMAX M303", "CYCL CALL", "L Z+40 FMAX", "M30", "END PGM A MM",
+];
+const numbered = (blocks: readonly string[]) => `${blocks.map((block, i) => `${i} ${block}`).join("\n")}\n`;
+const without = (...gone: string[]) => numbered(RIGHT.filter((block) => !gone.includes(block)));
+const changed = (before: string, after: string) => numbered(RIGHT.map((block) => (block === before ? after : block)));
+
+/** What is wrong, in which program, and the block, word or value that is offered first. */
+const cases: readonly (readonly [code: string, text: string, offered: string | number])[] = [
+  ["spindleMissing", without("FUNCTION TURNDATA SPIN VCONST:ON VC:180 SMAX2500"), "FUNCTION TURNDATA SPIN VCONST:ON VC:180 SMAX2500"],
+  ["programEndMissing", without("M30", "END PGM A MM"), "M30"],
+  ["blankMissing", without("BLK FORM CYLINDER Z D61.3 L80 DIST+0"), "BLK FORM CYLINDER Z D80 L100 DIST1"],
+  ["notInTurnMode", changed("FUNCTION MODE TURN", "FUNCTION MODE MILL"), "FUNCTION MODE TURN"],
+  ["outOfRange", changed(cycle812(), cycle812().replace("Q463=+2.3", "Q463=+1200")), 999.999],
+];
+
+const codes = (text: string) => findingsOf(null, outcomeOf(text)).map(({ issue }) => issue.code as string);
+
+test("the program that the cases are made of is right", () => {
+  expect(findingsOf(null, outcomeOf(numbered(RIGHT))).filter(({ issue }) => issue.severity === "error")).toEqual([]);
+});
+
+test.each(cases)("%s is mended by what is offered", (code, text, offered) => {
+  const entry = findingsOf(null, outcomeOf(text)).find(({ issue }) => issue.code === code);
+  if (!entry) throw new Error(`not found: ${code}; found: ${codes(text).join(" ")}`);
+  const [repair] = repairsOf(parse(text), entry, "en");
+  expect(repair?.text).toBe(offered);
+  expect(codes(print(repair?.next() ?? parse(text)))).not.toContain(code);
+});
+
+test("a value is taken without touching anything else", () => {
+  const text = changed(cycle812(), cycle812().replace("Q463=+2.3", "Q463=+1200"));
+  const entry = findingsOf(null, outcomeOf(text)).find(({ issue }) => issue.code === "outOfRange");
+  const [repair] = entry ? repairsOf(parse(text), entry, "en") : [];
+  expect(repair && print(repair.next())).toBe(text.replace("Q463=+1200", "Q463=+999.999"));
+});
+
+test("another tool is called where the call before it stands", () => {
+  const text = numbered(RIGHT);
+  expect(print(withTool(parse(text), 9, 4))).toBe(text.replace("TOOL CALL 1", "TOOL CALL 4"));
+});

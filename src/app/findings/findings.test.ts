@@ -1,0 +1,84 @@
+import { expect, test } from "vitest";
+import { cycleByNumber } from "../../cycles/index.ts";
+import { exampleJob, type Job } from "../../program/job.ts";
+import { shippedTools } from "../../program/shipped-tools.ts";
+import { engine } from "../engine/engine.ts";
+import type { Outcome } from "../engine/outcome.ts";
+import { printedText } from "../printed.ts";
+import { readJob } from "../reading.ts";
+import { isToDo } from "./entry.ts";
+import { findingsOf } from "./findings.ts";
+import { judged, toneOf } from "./verdict.ts";
+
+const outcomeOf = (text: string): Outcome =>
+  engine.update({ version: 1, text, table: { tools: shippedTools, mills: [], refused: new Map() }, rapid: 10_000, control: "TNC 640" });
+
+function jobOf(number: number, change: (job: Job) => Job = (job) => job): Job {
+  const cycle = cycleByNumber(number);
+  if (!cycle) throw new Error(`no cycle ${number}`);
+  return change(exampleJob(cycle));
+}
+const withPrompt = (q: string, text: string) => (job: Job): Job => ({ ...job, drafts: { [job.cycle]: { ...job.drafts[job.cycle], [q]: text } } });
+
+function found(job: Job) {
+  const read = readJob(job);
+  const outcome = read?.reading.values ? outcomeOf(printedText(job)) : null;
+  const entries = findingsOf(read, outcome);
+  return { entries, verdict: judged(entries, outcome) };
+}
+const codes = (job: Job) => found(job).entries.map(({ issue }) => issue.code);
+
+test.each([812, 852])("the printed example of %i has no fault and is proved", (number) => {
+  const { verdict } = found(jobOf(number));
+  expect(verdict).toMatchObject({ state: "proved", faults: 0, open: 0 });
+});
+
+test("what is not typed yet is neither a fault nor proved", () => {
+  const { entries, verdict } = found(jobOf(812, withPrompt("Q463", "")));
+  expect(entries.every(isToDo)).toBe(true);
+  expect(verdict).toMatchObject({ state: "none", faults: 0, open: 1 });
+  expect(toneOf(verdict)).toBe("none");
+});
+
+test("a contour that is missing is a notice while prompts are open, and a fault when all are answered; it is said once", () => {
+  const empty = jobOf(820, (job) => ({ ...job, contour: [] }));
+  expect(found(empty).verdict).toMatchObject({ state: "faults", faults: 1 });
+  expect(codes(empty).filter((code) => code === "contourMissing" || code === "contourTooShort")).toEqual(["contourMissing"]);
+  const open = found(withPrompt("Q463", "")(empty));
+  expect(open.verdict).toMatchObject({ state: "none", faults: 0, open: 1 });
+  expect(open.entries.map(({ issue }) => [issue.code, issue.severity])).toEqual([["missing", "error"], ["contourMissing", "info"]]);
+});
+
+test("a tool that cannot do it is the cause, and nothing that only follows from it is listed", () => {
+  const tool = shippedTools.find((t) => t.TYPE === "THREAD") ?? shippedTools.find((t) => t.TYPE === "RECESS");
+  const { entries, verdict } = found(jobOf(812, (job) => ({ ...job, tool: tool?.T ?? 0 })));
+  expect(entries[0]?.issue).toMatchObject({ code: "toolUnfit", severity: "error" });
+  expect(entries.map(({ issue }) => issue.code)).not.toContain("angleNotFollowed");
+  expect(toneOf(verdict)).toBe("bad");
+});
+
+test("worst first, each place of the picture with its own mark", () => {
+  const { entries } = found(jobOf(812, (job) => ({ ...withPrompt("Q500", "0")(job), start: { x: "71.3", z: "-9.7" } })));
+  const weight = { error: 0, warning: 1, info: 2 };
+  const weights = entries.map(({ issue }) => weight[issue.severity]);
+  expect(weights).toEqual(weights.toSorted((a, b) => a - b));
+  const marks = entries.flatMap(({ spot }) => (spot ? [spot.mark] : []));
+  expect(marks.length).toBeGreaterThan(0);
+  expect(new Set(marks).size).toBe(marks.length);
+  for (const { spot } of entries) if (spot) {
+    expect(spot.bounds.left).toBeLessThan(spot.place.z);
+    expect(spot.bounds.right).toBeGreaterThan(spot.place.z);
+  }
+});
+
+test.each([
+  ["a cycle that is kept", "CYCL DEF 811 SHOULDER, LONG.~\nQ215=+0\n5 CYCL CALL", "unproved"],
+  ["no cycle at all", "L X+50 Z-3 F0.2", "noOperation"],
+])("%s is never green", (_, blocks, kind) => {
+  const text = `0 BEGIN PGM A MM\n1 BLK FORM CYLINDER Z D60 L80 DIST+0\n2 FUNCTION MODE TURN\n3 TOOL CALL 1\n4 ${blocks}\n8 M30\n9 END PGM A MM\n`;
+  const outcome = outcomeOf(text);
+  const entries = findingsOf(null, outcome);
+  const verdict = judged(entries, outcome);
+  expect(verdict.doubts.map((doubt) => doubt.kind)).toContain(kind);
+  expect(toneOf(verdict)).not.toBe("good");
+});
