@@ -46,6 +46,9 @@ const cases: readonly (readonly [code: string, text: string, offered: string | n
   ["programEndMissing", without("M30", "END PGM A MM"), "M30"],
   ["blankMissing", without("BLK FORM CYLINDER Z D61.3 L80 DIST+0"), "BLK FORM CYLINDER Z D80 L100 DIST1"],
   ["notInTurnMode", changed("FUNCTION MODE TURN", "FUNCTION MODE MILL"), "FUNCTION MODE TURN"],
+  ["cycleNeverCalled", without("CYCL CALL"), "CYCL CALL"],
+  ["parameterForeign", changed(cycle812(), cycle812(" ~\nQ999=+3 ;STRANGE")), "Q999"],
+  ["compensationActive", changed("L X+61.3 Y+0 Z+2 FMAX M303", "L X+61.3 Y+0 Z+2 RR FMAX M303"), "R0"],
   ["outOfRange", changed(cycle812(), cycle812().replace("Q463=+2.3", "Q463=+1200")), 999.999],
 ];
 

@@ -141,7 +141,7 @@ export function startEngine(): () => void {
   return () => stops.forEach((stop) => stop());
 }
 
-const calledOf = ({ cycle, tool, start, feedUnit, call }: Operation): Called => ({ cycle, tool, start, feedUnit, call });
+const calledOf = ({ cycle, tool, feedUnit, call }: Operation): Called => ({ cycle, tool, feedUnit, call });
 
 /** What each tool of the table can do in place of the one that an operation called, best first; null when that cannot be said. */
 export async function fitsOfCall(operation: Operation): Promise<readonly ToolFit[] | null> {

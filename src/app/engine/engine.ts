@@ -37,7 +37,7 @@ export interface Circumstances {
 }
 
 /** What trying other tools at a call of the run needs of it. */
-export type Called = Pick<Operation, "cycle" | "tool" | "start" | "feedUnit" | "call">;
+export type Called = Pick<Operation, "cycle" | "tool" | "feedUnit" | "call">;
 
 /** Everything that takes time, as plain functions of plain data. Runs in a worker. */
 export const engine = {
@@ -60,10 +60,10 @@ export const engine = {
   },
 
   /** What each tool can do in place of the one that was called, best first; null while the call makes no contour. */
-  fitsOfCall({ cycle: number, call, start, feedUnit }: Called, tools: readonly Tool[]): readonly ToolFit[] | null {
+  fitsOfCall({ cycle: number, call, feedUnit }: Called, tools: readonly Tool[]): readonly ToolFit[] | null {
     const cycle = cycleByNumber(number);
     if (!cycle || !call) return null;
-    return rankTools(cycle, call.values, call.given, { start, feedUnit, autoFeed: call.autoFeed, stock: null }, tools);
+    return rankTools(cycle, call.values, call.given, { start: call.start, feedUnit, autoFeed: call.autoFeed, stock: null }, tools);
   },
 
   /** The tools that would take what a call left, the one that leaves least first. */
