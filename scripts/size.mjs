@@ -31,6 +31,10 @@ const languages = readdirSync(join(dist, "assets")).filter((name) => /^(de|en|fr
 const weight = (path) => gzipSync(read(path)).length;
 const largest = languages.sort((a, b) => weight(b) - weight(a))[0];
 
+const worker = readdirSync(join(dist, "assets")).find((name) => /^worker-[\w-]+\.js$/.test(name));
+if (!worker) throw new Error("The worker is not where it is looked for.");
+visit(`assets/${worker}`);
+
 if (seen.size === 0) throw new Error("index.html loads no script: build first.");
 if (!largest) throw new Error("The languages are not where they are looked for.");
 visit(largest);

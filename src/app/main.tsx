@@ -3,11 +3,10 @@ import { createRoot } from "react-dom/client";
 import { z } from "zod/mini";
 import { App } from "./App.tsx";
 import { CrashGuard } from "./CrashGuard.tsx";
-import { startEngine } from "./engine/client.ts";
 import { openShared } from "./files/open-shared.ts";
 import { onHistoryKey } from "./history.ts";
 import { resumePlace, startKeepingPlace } from "./saving/keep-place.ts";
-import { resume, startKeeping } from "./saving/keep.ts";
+import { notice, resume, startKeeping } from "./saving/keep.ts";
 import { followAppearance } from "./settings/appearance.ts";
 import { fetchTexts } from "./settings/loaded-texts.ts";
 import { useSettings } from "./settings/settings.ts";
@@ -26,7 +25,8 @@ void resume().then(() => {
   resumePlace();
   startKeepingPlace();
   startKeeping();
-  startEngine();
+  // Nothing is calculated before a work is open; the buttons of the first screen need not wait for what does it.
+  void import("./engine/client.ts").then(({ startEngine }) => startEngine()).catch(() => notice("engineFailed"));
   void openShared();
   addEventListener("hashchange", () => void openShared());
 });
