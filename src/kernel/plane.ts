@@ -95,6 +95,12 @@ export const alongSegment = (s: PlaneSegment, p: PlanePoint): number =>
 export const lengthOfSegment = (s: PlaneSegment): number =>
   s.kind === "line" ? apart(s.from, s.to) : sweepOf(s) * apart(s.from, s.centre);
 
+/** The same segment elsewhere. */
+export const movedSegment = (s: PlaneSegment, by: PlanePoint): PlaneSegment =>
+  s.kind === "line"
+    ? { kind: "line", from: sum(s.from, by), to: sum(s.to, by) }
+    : { ...s, from: sum(s.from, by), to: sum(s.to, by), centre: sum(s.centre, by) };
+
 /** The same segment run the other way. */
 export const backwards = (s: PlaneSegment): PlaneSegment =>
   s.kind === "line"

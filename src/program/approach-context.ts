@@ -1,4 +1,4 @@
-import type { PlanePoint } from "../kernel/plane.ts";
+import { difference, movedSegment, sum, type PlanePoint } from "../kernel/plane.ts";
 import { diameter, toRadius } from "../kernel/units.ts";
 import type { Program } from "../nc/program.ts";
 import type { AxisName } from "../nc/statement.ts";
@@ -55,10 +55,13 @@ export function approachContext(program: Program, index: number, run: Run | null
   const departing = statement?.kind === "approach" && statement.departing;
   const found: ApproachRun | undefined = run?.approaches.findLast((a) => a.index === index && a.departing === departing);
   const plane = found?.plane ?? (turning ? "ZX" : "XY");
+  // The words of the block count from the datum of the program.
+  const by = found ? difference(NO_TIP, found.datum) : NO_TIP;
+  const outside = found && !departing ? found.request.outside : null;
   return {
     plane, pole, parameters, unit: inch ? 25.4 : 1,
-    before: found && !departing ? found.request.outside : null,
-    contour: found?.contour ?? [],
+    before: outside && sum(outside, by),
+    contour: found?.contour.map((s) => movedSegment(s, by)) ?? [],
     side: found?.side ?? "left",
     toolRadius: found?.toolRadius ?? 0,
     tip: found?.tip ?? NO_TIP,

@@ -6,6 +6,7 @@ import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
 import { polarPoint } from "./polar.ts";
 import { recessOf } from "./recess-words.ts";
+import { nameOf } from "./unproved-blocks.ts";
 
 /** A contour with the block each of its elements came from. */
 export interface Subprogram {
@@ -59,6 +60,9 @@ export function readContour(machine: Machine, label: Label, at: number, radii = 
   return { contour: contourFrom(reader.elements), blocks: reader.blocks, isTroubled: reader.isTroubled };
 }
 
+/** A block as it is written, without its number. */
+const lineOfBlock = (machine: Machine, index: number) => (machine.blocks[index]?.raw ?? "").trim().replace(/^\/?\d*[ \t]*\/?[ \t]*/, "");
+
 function element(reader: Reader, s: Statement, index: number): void {
   switch (s.kind) {
     case "path": return path(reader, s.path, s.words, index);
@@ -71,7 +75,7 @@ function element(reader: Reader, s: Statement, index: number): void {
       reader.blocks.push(index);
       return;
     }
-    case "approach": case "call": case "cycleCall": return reader.machine.notSimulated(s.kind, index, "warning");
+    case "approach": case "call": case "cycleCall": case "jump": case "datum": case "unknown": return reader.machine.leaveUnproved(nameOf(lineOfBlock(reader.machine, index)), index);
     default: return;
   }
 }

@@ -4,6 +4,7 @@ import type { Params, Values } from "../cycles/params.ts";
 import { issue, type Issue } from "../kernel/issue.ts";
 import type { Plan } from "../kernel/plan.ts";
 import { empty } from "../kernel/strategy/leveled.ts";
+import { partPoint } from "../kernel/plane.ts";
 import type { Pt } from "../kernel/point.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { axial, diameter, toDiameter, toRadius } from "../kernel/units.ts";
@@ -66,7 +67,9 @@ function preconditions(machine: Machine, index: number): void {
 function startOf(machine: Machine, index: number): Pt | null {
   const { mill } = machine;
   if (!machine.turning) return mill.x === null || mill.z === null ? null : { z: axial(mill.z), r: toRadius(diameter(mill.x)) };
-  const start = machine.tip;
+  // With RL or RR still active the tip stands beside the programmed point.
+  const really = machine.compensation === "R0" ? null : machine.guide.here;
+  const start = really && machine.tip ? partPoint(really) : machine.tip;
   if (start && (!machine.sure.x || !machine.sure.z)) machine.say(programIssue("startUnknown", "warning", {}), index);
   else if (!start && machine.lost === "unproved") machine.leaveUnproved("CYCL CALL", index);
   else if (!start) startUnknown(machine, index);

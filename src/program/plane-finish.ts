@@ -1,17 +1,12 @@
 import { approach, type Approach, type ApproachRequest } from "../kernel/approach.ts";
 import { guardApproach } from "../kernel/approach-check.ts";
 import { issue, type Issue } from "../kernel/issue.ts";
-import { apart, beyond, difference, directionAt, sum, towardsTool, type PlanePoint, type PlaneSegment, type Side } from "../kernel/plane.ts";
+import { apart, beyond, difference, directionAt, movedSegment, sum, towardsTool, type PlanePoint, type PlaneSegment, type Side } from "../kernel/plane.ts";
 import { planeContour, type PlaneContour } from "../kernel/plane-contour.ts";
 import { ROUND, SAME } from "../kernel/tolerance.ts";
 import { radius, toDiameter } from "../kernel/units.ts";
 import { programIssue } from "./issue.ts";
 import type { ApproachCall, Carrier, Chain, Travel } from "./plane-chain.ts";
-
-const moved = (s: PlaneSegment, by: PlanePoint): PlaneSegment =>
-  s.kind === "line"
-    ? { kind: "line", from: sum(s.from, by), to: sum(s.to, by) }
-    : { ...s, from: sum(s.from, by), to: sum(s.to, by), centre: sum(s.centre, by) };
 
 /** Runs one chain; remembers where the tool centre stands. */
 class Finishing {
@@ -25,7 +20,7 @@ class Finishing {
   }
 
   private run(s: PlaneSegment, travel: Travel): void {
-    this.carrier.emit(moved(s, this.carrier.tip), travel);
+    this.carrier.emit(movedSegment(s, this.carrier.tip), travel);
     this.centre = s.to;
   }
 
@@ -73,7 +68,8 @@ function lead(f: Finishing, call: ApproachCall, element: PlaneSegment, contour: 
     block: machine.numbers[call.index] ?? 0, index: call.index, form: call.form, shape: call.shape, departing: call.departing, side: f.chain.side,
     plane: carrier.plane, points: shifted(made.points, carrier.tip), toolRadius: carrier.toolRadius,
     arc: made.arc && { ...made.arc, centre: sum(made.arc.centre, carrier.tip) },
-    request: q, contour: segments, tip: carrier.tip, pole: call.pole, feedBefore: call.before,
+    request: q, contour: segments, tip: carrier.tip, pole: call.pole,
+    datum: carrier.plane === "XY" ? { x: machine.datum.x, y: machine.datum.y } : { x: machine.datum.z, y: machine.datum.x }, feedBefore: call.before,
     cut: guarded ? guarded.cut : null, free: guarded ? guarded.free : null,
   });
   return made;

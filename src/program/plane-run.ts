@@ -43,7 +43,7 @@ const cornerOf = (s: Motion) =>
 
 function milling(machine: Machine, s: Motion, index: number): boolean {
   if (machine.mill.otherAxis) {
-    machine.notSimulated(s.kind === "path" ? s.path : s.kind === "chamfer" ? "CHF" : s.form, index, "warning");
+    machine.leaveUnproved(s.kind === "path" ? s.path : s.kind === "chamfer" ? "CHF" : s.form, index);
     return true;
   }
   const corner = cornerOf(s);

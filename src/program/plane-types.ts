@@ -61,6 +61,8 @@ export interface ApproachRun {
   readonly contour: readonly PlaneSegment[];
   /** From the tool centre to the programmed point: nothing for a mill. */
   readonly tip: PlanePoint;
+  /** How far the datum of the program stands from that of the workpiece, in the plane. */
+  readonly datum: PlanePoint;
   /** CC at the block. */
   readonly pole: PlanePoint | null;
   /** Feed in force before the block, in its unit; "rapid", or null when none was programmed. */

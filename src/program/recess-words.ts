@@ -22,7 +22,7 @@ function wordsOf(
   const read = words.flatMap(({ name, value }) => {
     const word = allowed.find((w) => w === name);
     if (!word) {
-      machine.notSimulated(name, index, "warning");
+      machine.leaveUnproved(name, index);
       return [];
     }
     const n = machine.number(value, index);
@@ -42,7 +42,7 @@ export function recessOf(machine: Machine, s: Extract<Statement, { kind: "underc
   }
   const form = UNDERCUT_FORMS.find((f) => f === s.form.replace(/^TYPE_/, ""));
   if (!form) {
-    machine.notSimulated(`UDC ${s.form}`, index, "warning");
+    machine.leaveUnproved(`UDC ${s.form}`, index);
     return null;
   }
   if (form !== "E") machine.say(programIssue("wordsRecalled", "info", { what: `UDC ${s.form}` }), index);

@@ -110,8 +110,8 @@ function statement(machine: Machine, s: Statement, index: number): void {
     }
     case "turnCorrection": return correctTool(machine, s, index);
     case "turnBlank": return blankOfTurnData(machine, s, index);
-    case "undercut": return machine.notSimulated(`UDC ${s.form}`, index, "warning");
-    case "groove": return machine.notSimulated(`GRV ${s.form}`, index, "warning");
+    case "undercut": return machine.leaveUnproved(`UDC ${s.form}`, index);
+    case "groove": return machine.leaveUnproved(`GRV ${s.form}`, index);
     default: return;
   }
 }
@@ -167,7 +167,7 @@ function toolCall(machine: Machine, s: Extract<Statement, { kind: "toolCall" }>,
   else if (!tool && (machine.turning || turnsLater(machine, index)))
     machine.say(programIssue("toolUnknown", "error", { tool: String(wanted) }, "tool"), index);
   const deltas = (["deltaLength", "deltaRadius"] as const).some((d) => s[d] !== null && s[d] !== 0);
-  if (deltas && tool && machine.turning) machine.notSimulated("DL DR", index, "warning");
+  if (deltas && tool && machine.turning) machine.leaveUnproved("DL DR", index);
 }
 
 /** A tool of another table is no fault while only milling follows. */

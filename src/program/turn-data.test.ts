@@ -48,7 +48,7 @@ test("FUNCTION TURNDATA BLANK gives the stock where BLK FORM gives none", () => 
 
 test("a blank or a contour in another file is said where it is named and where it is missed", () => {
   expect(withBlank("BLK FORM CYLINDER Z D80 L60", 'FUNCTION TURNDATA BLANK "CAST.H"').issues.map((f) => f.issue)).toMatchObject([
-    { code: "notSimulated", severity: "warning" }, { code: "neverReached", data: { by: "M30" } },
+    { code: "notProved", severity: "warning" }, { code: "neverReached", data: { by: "M30" } },
   ]);
   const contour = run(parse(lines(
     ...frame, 'SEL CONTOUR "PART.H"', "CYCL DEF 820 TURN CONTOUR TRANSV. ~\nQ215=+0 ~\nQ460=+2", "L X+60 Z+2 R0 FMAX", "CYCL CALL",

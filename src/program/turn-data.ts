@@ -29,7 +29,7 @@ export function correctTool(machine: Machine, s: Extract<Statement, { kind: "tur
     const found = s.words.find((w) => w.name === name);
     return length(found ? machine.length(machine.number(found.value, index) ?? 0) : 0);
   };
-  for (const { name } of s.words) if (name !== "DZL" && name !== "DXL") machine.notSimulated(name, index, "warning");
+  for (const { name } of s.words) if (name !== "DZL" && name !== "DXL") machine.leaveUnproved(name, index);
   machine.corrections = { ...machine.corrections, [s.system]: { z: word("DZL"), r: word("DXL") } };
   machine.tool = corrected(machine.tool, machine.corrections);
 }
@@ -37,7 +37,7 @@ export function correctTool(machine: Machine, s: Extract<Statement, { kind: "tur
 /** FUNCTION TURNDATA BLANK: the outline in a label is the stock where the program has no blank; air cuts are not left out. */
 export function blankOfTurnData(machine: Machine, s: Extract<Statement, { kind: "turnBlank" }>, index: number): void {
   if (s.blank === "off") return;
-  if ("file" in s.blank) return machine.notSimulated(`FUNCTION TURNDATA BLANK "${s.blank.file}"`, index, "warning");
+  if ("file" in s.blank) return machine.leaveUnproved(`FUNCTION TURNDATA BLANK "${s.blank.file}"`, index);
   const first = machine.blank.length === 0;
   if (first) outlinedBlank(machine, s.blank.label, false, index);
   const label = String(s.blank.label);

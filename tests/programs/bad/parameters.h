@@ -1,4 +1,4 @@
-; expect: divisionByZero@9 parameterUnset@10 notFinite@11 labelMissing@13 labelMissing@14 parameterUnset@15 notSimulated@16
+; expect: divisionByZero@9 parameterUnset@10 notFinite@11 labelMissing@13 labelMissing@14 parameterUnset@15 notProved@16
 0 BEGIN PGM BAD MM
 1 BLK FORM CYLINDER Z D50 L60 DIST+0
 2 FUNCTION MODE TURN

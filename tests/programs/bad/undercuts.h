@@ -1,4 +1,4 @@
-; expect: wordsRecalled@32 undercutNeighbours@32 recessWord@34 notSimulated@34 recessWord@36 notSimulated@38
+; expect: wordsRecalled@32 undercutNeighbours@32 recessWord@34 notProved@34 recessWord@36 notProved@38
 0 BEGIN PGM BAD MM
 1 BLK FORM CYLINDER Z D50 L60 DIST+0
 2 FUNCTION MODE TURN
