@@ -7,7 +7,7 @@ import type { Tool } from "../kernel/tool.ts";
 import { toRadius, axial, diameter, type Feed } from "../kernel/units.ts";
 import type { NcIssue } from "../nc/issue.ts";
 import { blockNumbers, eachIssue, startLines, type Block, type Program } from "../nc/program.ts";
-import type { CornerElement } from "../kernel/corner.ts";
+import type { Held } from "./held.ts";
 import type { Compensation, Label, Statement, Value } from "../nc/statement.ts";
 import { NO_SHIFT, type Datum } from "./datum.ts";
 import { KnownValues, type Reason } from "./known-values.ts";
@@ -41,16 +41,6 @@ export interface Defined {
   readonly values: ReadonlyMap<string, number | "auto" | null>;
   /** Parameters without a number for a reason that has been told. */
   readonly troubled: ReadonlySet<string>;
-}
-
-/** A plain path element that waits for the corner behind it. */
-export interface Held {
-  readonly segment: Segment;
-  readonly feed: Feed | null;
-  readonly index: number;
-  readonly corner: { readonly element: CornerElement; readonly feed: Feed | null; readonly index: number } | null;
-  /** Its number in the contour that runs on from block to block, from 1. */
-  readonly element: number;
 }
 
 /** Bounds that keep every program finite and its memory small; far above what programs need (docs/performance.md). */
