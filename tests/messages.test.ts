@@ -13,11 +13,12 @@ const SAMPLES: { readonly [C in AnyCode]: DataOf<C> } = {
   missing: {}, notANumber: { text: "abc" }, badExpression: { text: "75/" }, unknownParameter: { name: "Q7" },
   outOfRange: { value: 1000.5, min: 0.001, max: 999.999, nearest: 999.999 }, notAChoice: { value: 7, choices: [0, 1], nearest: 1 },
   startEqualsEnd: { other: "Q493", value: 50.5, nearest: 50.501 },
+  diameterNegative: { value: -75.5, nearest: 75.5 }, contourFlat: { axis: "X" },
   elementTooLong: { size: 30.5, max: 25.1, nearest: 25.1 }, cornersTooWide: { radius: 8.5, max: 6.25, nearest: 6.25 },
   wallsMeet: { angle: 40.5, max: 22.6199, nearest: 22.6199 }, cornerSmallerThanInsert: { radius: 0.4, insert: 0.8, nearest: 0.8 },
   recessNarrowerThanTool: { width: 2.5, tool: 3.1, nearest: 68.8 }, angleNotFollowed: { angle: 40.5, max: 32.25, nearest: 32.25, edge: "secondaryEdge" },
   infeedOverCutLength: { infeed: 15.5, cutLength: 12.1, nearest: 12.1 }, depthOverCutLength: { depth: 40.5, cutLength: 35.1, nearest: 35.1 },
-  offsetReduced: { offset: 0.5, nearest: 0.148, passes: 14 }, offsetOverLimit: { offset: 2.5, max: 2.08, passes: 1, nearest: 0.148 },
+  offsetReduced: { offset: 0.5, kept: 0.148, nearest: 0.148, passes: 14 }, offsetOverLimit: { offset: 2.5, max: 2.08, passes: 1, nearest: 0.148 },
   toolUnfit: { type: "THREAD", orientation: 3, types: ["ROUGH", "FINISH"], orientations: [1, 2] }, tooManyPasses: { passes: 25000, most: 2000, nearest: 0.013 }, toolCannotCutSideways: { type: "RECESS" }, flanksNotChecked: {},
   toolColumn: { column: "P-ANGLE", value: 85.5, max: 84.5 }, toolNumberTwice: { number: 7, nearest: 16 }, toolName: { text: "Groß!", max: 32 }, holderAxis: { text: "Y" }, holderHead: { text: "1/2 3/4" }, betterTool: { tool: 15, name: "FACE-DNMG-55-R08" },
   startInArea: { x: 60.5, z: -5.5 }, startInMaterial: { x: 60.5, z: -5.5 }, startBelowContour: { below: 5.25 }, startOnWrongSide: { x: 16.5, z: 2.5 }, startInPart: { x: 79.5, z: 2.5 },
@@ -42,7 +43,7 @@ const SAMPLES: { readonly [C in AnyCode]: DataOf<C> } = {
   approachCutsContour: { point: "PS", depth: 1.25, x: 60.5, y: 5.5, freeX: -7.5, freeY: 8.25 },
   approachValueCutsContour: { point: "PN", depth: 1.25, x: 60.5, z: -5.5, word: "LEN", nearest: 12.5 },
   approachBlocked: { point: "PS", depth: 1.25, x: 60.5, y: 5.5 }, sideChanged: {}, approachWithoutContour: { form: "APPR LT" },
-  toolRadiusUnknown: { tool: "1" }, wordsRecalled: { what: "UDC TYPE_F" }, programEndMissing: {}, tooManyBlocks: { limit: 1000 }, tooManyMoves: { limit: 1000 }, contourTooLong: { limit: 500 }, tooManyOperations: { limit: 500 }, moreAlike: { code: "gouge", count: 37 }, callsTooDeep: { limit: 20 },
+  lengthDelta: { tool: 3 }, toolRadiusUnknown: { tool: "1" }, wordsRecalled: { what: "UDC TYPE_F" }, programEndMissing: {}, tooManyBlocks: { limit: 1000 }, tooManyMoves: { limit: 1000 }, contourTooLong: { limit: 500 }, tooManyOperations: { limit: 500 }, moreAlike: { code: "gouge", count: 37 }, callsTooDeep: { limit: 20 },
 };
 const found = (code: AnyCode): AnyIssue => ({ code, severity: "error", data: SAMPLES[code] }) as AnyIssue;
 const codes = Object.keys(SAMPLES) as AnyCode[];

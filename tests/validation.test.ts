@@ -64,7 +64,7 @@ const rules: readonly Rule[] = [
   { name: "out of range", cycle: 812, code: "outOfRange", field: "Q463", severity: "error", trips: { change: { Q463: "0" } }, passes: { change: { Q463: "0.5" } } },
   { name: "out of range, where another cycle allows it", cycle: 820, code: "outOfRange", field: "Q463", severity: "error", trips: { change: { Q463: "100" } }, passes: { change: { Q463: "0" } } },
   { name: "not a choice", cycle: 820, code: "notAChoice", field: "Q499", severity: "error", trips: { change: { Q499: "3" } }, passes: { change: { Q499: "1" } } },
-  { name: "a diameter below the axis", cycle: 812, code: "outOfRange", field: "Q493", severity: "error", trips: { change: { Q493: "-10" } }, passes: { change: { Q493: "10" } } },
+  { name: "a diameter below the axis", cycle: 812, code: "diameterNegative", field: "Q493", severity: "error", trips: { change: { Q493: "-10" } }, passes: { change: { Q493: "10" } } },
 
   { name: "start equals end in X", cycle: 812, code: "startEqualsEnd", field: "Q493", severity: "error", trips: { change: { Q493: "75" } }, passes: { change: { Q493: "60" } } },
   { name: "start equals end in Z", cycle: 812, code: "startEqualsEnd", field: "Q494", severity: "error", trips: { change: { Q494: "0" } }, passes: { change: { Q494: "-20" } } },

@@ -37,7 +37,8 @@ export function namedContour(points: readonly Pt[], sides: readonly string[], co
   const issues = built.issues.map((i) => {
     if (i.code !== "cornerElementTooLong") return i;
     const q = corners[i.data.element - n]?.q;
-    return issue("elementTooLong", "error", { size: i.data.size, max: i.data.max, nearest: i.data.nearest }, q);
+    const { element: _, ...data } = i.data;
+    return issue("elementTooLong", "error", data, q);
   });
   const inner = built.segments.map((segment, i) => ({ segment, name: names[i] ?? "", element: built.elements[i] }))
     .filter((s) => s.element !== 0 && s.element !== n - 1);

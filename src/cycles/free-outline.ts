@@ -25,7 +25,7 @@ export function freeOutline(v: FreeValues, given: Given, transverse: boolean): O
   const last = contour.at(-1)?.to;
   if (!first || !last) return { contour: [], dimensions: [], issues: [issue("contourTooShort", "error", {}, "contour")] };
   const flat = transverse ? first.r === last.r : first.z === last.z;
-  if (flat) return { contour: [], dimensions: [], issues: [issue("contourTooShort", "error", {}, "contour")] };
+  if (flat) return { contour: [], dimensions: [], issues: [issue("contourFlat", "error", { axis: transverse ? "X" : "Z" }, "contour")] };
   return { contour, dimensions: v.Q479 === 1 ? limitDimensions(v, contour) : [], issues: [] };
 }
 

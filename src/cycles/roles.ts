@@ -1,5 +1,6 @@
 import { toPart, type Frame } from "../kernel/flat.ts";
 import type { Issue } from "../kernel/issue.ts";
+import { offerOf, withOffer } from "../kernel/offer.ts";
 import type { Plan } from "../kernel/plan.ts";
 import { toDiameter } from "../kernel/units.ts";
 
@@ -34,10 +35,10 @@ function inCycle(found: Issue, frame: Frame, q: Roles): Issue {
     default: return found;
   }
   const named = at(found.at === "depth" ? q.depth : isX(frame, axis) ? q.limitX : q.limitZ);
-  if (named.code === "limitOnWrongSide")
-    return { ...named, data: { limit: written(frame, axis, named.data.limit), nearest: written(frame, axis, named.data.nearest) } };
-  if (named.code === "depthOverCutLength") return { ...named, data: { ...named.data, nearest: written(frame, axis, named.data.nearest) } };
-  return named;
+  if (named.code !== "limitOnWrongSide" && named.code !== "depthOverCutLength") return named;
+  const offer = offerOf(named);
+  const offered = offer === null ? named : withOffer(named, written(frame, axis, offer));
+  return offered.code === "limitOnWrongSide" ? { ...offered, data: { ...offered.data, limit: written(frame, axis, offered.data.limit) } } : offered;
 }
 
 /** A plan whose issues stand at the parameters of the cycle. */

@@ -68,7 +68,7 @@ export function equalEnds(v: { Q491: Diameter; Q492: Axial; Q493: Diameter; Q494
   if (v.Q491 === v.Q493) issues.push(issue("startEqualsEnd", "error", { other: "Q491", value: v.Q493, nearest: nextTo(v.Q493) }, "Q493"));
   if (v.Q492 === v.Q494) issues.push(issue("startEqualsEnd", "error", { other: "Q492", value: v.Q494, nearest: nextTo(v.Q494) }, "Q494"));
   for (const q of ["Q491", "Q493"] as const)
-    if (v[q] < 0) issues.push(issue("outOfRange", "error", { value: v[q], min: 0, max: 99999.999, nearest: 0 }, q));
+    if (v[q] < 0) issues.push(issue("diameterNegative", "error", { value: v[q], nearest: -v[q] }, q));
   return issues;
 }
 /** The next value on the control's grid. */

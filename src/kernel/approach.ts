@@ -1,4 +1,5 @@
 import { issue, type Issue } from "./issue.ts";
+import { mends, offerOf, withOffer } from "./offer.ts";
 import {
   apart, backwards, beyond, cross, difference, directionAt, dot, leftOf, scaled, sizeOf, sum, sweepOf, towardsTool, turned,
   type PlanePoint, type PlaneSegment, type Side,
@@ -148,6 +149,19 @@ function tangential(q: ApproachRequest, a: Anchor, issues: Issue[]): Arrival | n
 
 /** How APPR reaches the contour or DEP leaves it. Never throws; an impossible form becomes the straight way, with an issue. */
 export function approach(q: ApproachRequest): Approach {
+  const made = shaped(q);
+  return { ...made, issues: made.issues.map((each) => tried(each, q, made.issues)) };
+}
+
+/** A finding whose offer has been tried in its word; one that does not help, or that no word takes, is left out. */
+function tried(found: Issue, q: ApproachRequest, before: readonly Issue[]): Issue {
+  const offer = offerOf(found);
+  if (offer === null) return found;
+  const key = found.at === "R" ? "radius" : found.at === "CCA" ? "centreAngle" : "length";
+  return mends(found, before, shaped({ ...q, [key]: offer }).issues) ? found : withOffer(found, null);
+}
+
+function shaped(q: ApproachRequest): Approach {
   const issues: Issue[] = [];
   const corner = q.departing ? q.element.to : q.element.from;
   const tangent = directionAt(q.element, corner);

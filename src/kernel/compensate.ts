@@ -136,7 +136,7 @@ export function compensate(contour: readonly PlaneSegment[], side: Side, radius:
   const { pieces, tooLarge } = walk(contour, side, radius);
   const issues = [...new Set(tooLarge)].map((i) => {
     const nearest = largestThatFits(contour.slice(Math.max(0, i - 2), i + 3), side, radius);
-    return issue("toolRadiusTooLarge", "error", { element: i + 1, radius, nearest }, "tool");
+    return issue("toolRadiusTooLarge", "error", { element: i + 1, radius, ...(nearest > 0 && { nearest }) }, "tool");
   });
   return { pieces, issues };
 }

@@ -3,6 +3,7 @@ import { cutCorner, roundedDown, type CornerElement } from "./corner.ts";
 import { selfCrossing } from "./crossing.ts";
 import { direction, lengthOf } from "./curve.ts";
 import { issue, type Issue } from "./issue.ts";
+import { largestThatWorks, mends, offerOf, withOffer } from "./offer.ts";
 import type { Groove } from "./groove.ts";
 import type { Pt, Segment, Turn } from "./point.ts";
 import { putRecesses, type Chain, type Recess } from "./recessed.ts";
@@ -113,8 +114,38 @@ function segmentTo(from: Pt, before: Segment | undefined, e: PathElement, elemen
   }
 }
 
-/** Builds the segments of a programmed contour. Its first element only says where the contour starts. */
+/** Elements whose offers are tried, and the longest contour for which they are. */
+const MOST_TRIED = 6;
+const LONGEST_TRIED = 2000;
+
+/** The same finding with the value that its element takes without a new error, or with none. */
+function triedElement(found: Issue, programmed: readonly ContourElement[], before: readonly Issue[], tryIt: boolean): Issue {
+  const offer = offerOf(found);
+  if (offer === null || (found.code !== "cornerElementTooLong" && found.code !== "arcTooSmall")) return found;
+  const at = found.data.element - 1;
+  const e = programmed[at];
+  const works = (value: number): boolean => {
+    const other = e && ("size" in e ? { ...e, size: value } : e.kind === "radius" ? { ...e, radius: value } : null);
+    return Boolean(other) && mends(found, before, built(programmed.with(at, other as ContourElement)).issues);
+  };
+  if (!tryIt) return withOffer(found, null);
+  if (found.code === "arcTooSmall") return withOffer(found, works(offer) ? offer : null);
+  return withOffer(found, largestThatWorks(offer, works));
+}
+
+/**
+ * Builds the segments of a programmed contour. Its first element only says where the contour starts. A size that it offers for an
+ * element has been tried.
+ */
 export function contourFrom(programmed: readonly ContourElement[]): Contour {
+  const made = built(programmed);
+  let tried = 0;
+  const issues = made.issues.map((each) =>
+    triedElement(each, programmed, made.issues, offerOf(each) !== null && tried++ < MOST_TRIED && programmed.length <= LONGEST_TRIED));
+  return { ...made, issues };
+}
+
+function built(programmed: readonly ContourElement[]): Contour {
   const issues: Issue[] = [];
   const chain: Chain = { segments: [], corners: [], segmentNumbers: [], cornerNumbers: [] };
   const recesses: Recess[] = [];

@@ -24,6 +24,8 @@ export function tipOffset(t: Tool): Flat {
   const [tip, r] = [TIP[t.TO] ?? TIP[9], noseRadius(t)];
   return { u: tip.u * r, v: tip.v * r };
 }
+/** Length of the cutting edge, mm; undefined when none was entered, for which 0 stands too. */
+export const cutLength = (t: Tool) => (t.CUTLENGTH !== undefined && t.CUTLENGTH > 0 ? t.CUTLENGTH : undefined);
 /** Width of a recessing edge with its delta, mm. */
 export const cuttingWidth = (t: Tool) => Math.max(0, (t.CUTWIDTH ?? 0) + (t.DCW ?? 0));
 export const isBar = (t: Tool) => t.TYPE === "RECESS" || t.TYPE === "RECTURN";
@@ -41,8 +43,8 @@ export function insertShape(t: Tool, body = false): Convex {
   if (isBar(t)) return bar(t, r);
   const shift = { u: -tip.u * r, v: -tip.v * r };
   if (t.TYPE === "BUTTON") return moved(circle(r), shift);
-  if (t.TYPE === "THREAD") return moved(wedge(r, Math.atan2(-tip.v, -tip.u), (t["P-ANGLE"] ?? 60) / 2, t.CUTLENGTH ?? EDGE), shift);
-  if (flanksUnknown(t)) return moved(body ? capsule(r, Math.atan2(-tip.v, -tip.u), t.CUTLENGTH ?? EDGE) : circle(r), shift);
+  if (t.TYPE === "THREAD") return moved(wedge(r, Math.atan2(-tip.v, -tip.u), (t["P-ANGLE"] ?? 60) / 2, cutLength(t) ?? EDGE), shift);
+  if (flanksUnknown(t)) return moved(body ? capsule(r, Math.atan2(-tip.v, -tip.u), cutLength(t) ?? EDGE) : circle(r), shift);
   return moved(oriented(parallelogram(t, r), t.TO), shift);
 }
 
@@ -50,7 +52,7 @@ export function insertShape(t: Tool, body = false): Convex {
 function parallelogram(t: Tool, r: number): Convex {
   const T = t["T-ANGLE"] ?? 0;
   const P = Math.min(Math.max(t["P-ANGLE"] ?? 0, 1), 179);
-  const l = t.CUTLENGTH ?? EDGE;
+  const l = cutLength(t) ?? EDGE;
   return pointed(r, radians(180 - T - P), radians(180 - T), l, true);
 }
 
@@ -94,7 +96,7 @@ function capsule(r: number, axis: number, l: number): Convex {
 /** A recessing bar with two rounded corners; the tip on its cutting edge, at a corner or in the middle. */
 function bar(t: Tool, r: number): Convex {
   const w = cuttingWidth(t);
-  const l = t.CUTLENGTH ?? BAR;
+  const l = cutLength(t) ?? BAR;
   const rr = Math.min(r, w / 2, l);
   const tip = TIP[t.TO] ?? TIP[2];
   const left = tip.v === 0 || tip.u === 0 ? -w / 2 : tip.u < 0 ? 0 : -w;

@@ -8,35 +8,37 @@ export type Severity = "error" | "warning" | "info";
 export type Reason =
   | "insertRadius" | "mainEdge" | "secondaryEdge" | "toolWidth" | "cutLength" | "limit" | "plunging" | "oversize" | "smoothing" | "correction";
 
-/** The data of each code. `nearest` is the nearest value that works, in the units of the field at `at`. */
+/** The data of each code. `nearest` is the nearest value that works, in the units of the field at `at`: tried, or left out. */
 interface Data {
   /* single values */
   missing: {};
   notANumber: { text: string };
   badExpression: { text: string };
   unknownParameter: { name: string };
-  outOfRange: { value: number; min: number; max: number; nearest: number };
-  notAChoice: { value: number; choices: readonly number[]; nearest: number };
+  outOfRange: { value: number; min: number; max: number; nearest?: number };
+  notAChoice: { value: number; choices: readonly number[]; nearest?: number };
   /* values against each other */
-  startEqualsEnd: { other: string; value: number; nearest: number };
-  elementTooLong: { size: number; max: number; nearest: number };
-  cornersTooWide: { radius: number; max: number; nearest: number };
-  wallsMeet: { angle: number; max: number; nearest: number };
+  startEqualsEnd: { other: string; value: number; nearest?: number };
+  /** A diameter in the range of the control that no contour of this cycle can have: the far side of the axis. */
+  diameterNegative: { value: number; nearest?: number };
+  elementTooLong: { size: number; max: number; nearest?: number };
+  cornersTooWide: { radius: number; max: number; nearest?: number };
+  wallsMeet: { angle: number; max: number; nearest?: number };
   /* values against the tool */
-  cornerSmallerThanInsert: { radius: number; insert: number; nearest: number };
-  recessNarrowerThanTool: { width: number; tool: number; nearest: number };
-  angleNotFollowed: { angle: number; max: number; nearest: number; edge: "mainEdge" | "secondaryEdge" };
-  tooManyPasses: { passes: number; most: number; nearest: number };
-  infeedOverCutLength: { infeed: number; cutLength: number; nearest: number };
-  depthOverCutLength: { depth: number; cutLength: number; nearest: number };
-  offsetReduced: { offset: number; nearest: number; passes: number };
-  offsetOverLimit: { offset: number; max: number; passes: number; nearest: number };
+  cornerSmallerThanInsert: { radius: number; insert: number; nearest?: number };
+  recessNarrowerThanTool: { width: number; tool: number; nearest?: number };
+  angleNotFollowed: { angle: number; max: number; nearest?: number; edge: "mainEdge" | "secondaryEdge" };
+  tooManyPasses: { passes: number; most: number; nearest?: number };
+  infeedOverCutLength: { infeed: number; cutLength: number; nearest?: number };
+  depthOverCutLength: { depth: number; cutLength: number; nearest?: number };
+  offsetReduced: { offset: number; kept: number; nearest?: number; passes: number };
+  offsetOverLimit: { offset: number; max: number; passes: number; nearest?: number };
   /** By its TYPE or its tip orientation; those that can. */
   toolUnfit: { type: string; orientation: number; types: readonly string[]; orientations: readonly number[] };
   toolCannotCutSideways: { type: string };
   flanksNotChecked: {};
   toolColumn: { column: string; value: number | null; max?: number; min?: number; nearest?: number };
-  toolNumberTwice: { number: number; nearest: number };
+  toolNumberTwice: { number: number; nearest?: number };
   toolName: { text: string; max: number };
   /** A holder: the axis of its shank, the corners of its head. */
   holderAxis: { text: string };
@@ -52,16 +54,18 @@ interface Data {
   /** The contour is run towards the start point; from the other side, at x and z, it works. */
   startOnWrongSide: { x: number; z: number };
   startInsideEnvelope: { clearance: number };
-  limitOnWrongSide: { limit: number; nearest: number };
+  limitOnWrongSide: { limit: number; nearest?: number };
   nothingToCut: {};
   /* contour subprogram; `element` counts from 1 */
   contourMissing: { label: string };
   contourTooShort: {};
+  /** It starts and ends on one diameter (X) or in one plane (Z). */
+  contourFlat: { axis: "X" | "Z" };
   contourPoint: { element: number };
   cornerElementAlone: { element: number };
-  cornerElementTooLong: { element: number; size: number; max: number; nearest: number };
-  arcOffCircle: { element: number; gap: number; nearest: number };
-  arcTooSmall: { element: number; radius: number; nearest: number };
+  cornerElementTooLong: { element: number; size: number; max: number; nearest?: number };
+  arcOffCircle: { element: number; gap: number; nearest?: number };
+  arcTooSmall: { element: number; radius: number; nearest?: number };
   /** Values still missing before an element is determined. */
   elementFree: { element: number; freedom: number };
   /** Something given does not agree with the rest; `nearest` does. Degrees for angles, mm otherwise. */
@@ -77,10 +81,10 @@ interface Data {
   /** Words that the standard gave because the block has none. */
   undercutDefaults: { element: number; words: string };
   /* working plane: compensation, approach and departure. Of a place, milling has x and y; turning x (⌀) and z */
-  toolRadiusTooLarge: { element: number; radius: number; nearest: number };
+  toolRadiusTooLarge: { element: number; radius: number; nearest?: number };
   approachNeedsSide: {};
   approachSideAssumed: {};
-  approachInsideCircle: { point: "PS" | "PN"; radius: number; nearest: number };
+  approachInsideCircle: { point: "PS" | "PN"; radius: number; nearest?: number };
   /** On the way from PS or to PN; a point from where the way is free. */
   approachCutsContour: { point: "PS" | "PN"; depth: number; x: number; y?: number; z?: number; freeX: number; freeY?: number; freeZ?: number };
   /** The same where another LEN or R helps. */

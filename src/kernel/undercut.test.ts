@@ -101,7 +101,7 @@ describe("UDC", () => {
 
   test.each<[string, ContourElement, object]>([
     ["a pitch that is not listed", udc("THREAD", { PITCH: 2.1 }), { code: "recessWord", data: { word: "DEPTH" } }],
-    ["wider than the cylinder", udc("E", { DEPTH: 2, BREADTH: 31 }), { code: "cornerElementTooLong", data: { size: 31, max: 30, nearest: 30 } }],
+    ["wider than the cylinder", udc("E", { DEPTH: 2, BREADTH: 31 }), { code: "cornerElementTooLong", data: { size: 31, max: 30 } }],
     ["a slope longer than the breadth", udc("E", { DEPTH: 2, BREADTH: 7 }), { code: "recessWord", data: { word: "BREADTH" } }],
     ["deeper than the axis", udc("E", { DEPTH: 21, BREADTH: 30, ANGLE: 60 }), { code: "recessWord", data: { word: "DEPTH" } }],
     ["a radius wider than the floor", udc("U", { R: 4, DEPTH: 5, BREADTH: 6 }), { code: "cornerElementTooLong", data: { size: 4 } }],

@@ -17,6 +17,7 @@ import { feedsOf, foreignParameters, lineOf, noTool } from "./preconditions.ts";
 import type { Operation } from "./run-types.ts";
 import { countedPoint, shiftedPlan } from "./shifted-plan.ts";
 import { startUnknown } from "./turn-run.ts";
+import { judgeOf, triedOffers } from "./tried.ts";
 import { ACTIVE_AT_ONCE, actingCycle } from "./unproved-blocks.ts";
 import { rankTools } from "./which-tool.ts";
 
@@ -111,7 +112,8 @@ export function callCycle(machine: Machine, index: number): void {
   const outlined = values && plan !== nothing ? cycle.outline(values, given).issues : [];
   // What a tool that was never called would do wrong is no fault of the program.
   const planned = machine.tool ? plan.issues : [];
-  const all = unique([...issues, ...outlined, ...planned].filter((i) => !isTroubled || i.at !== "contour"));
+  const said = unique([...issues, ...outlined, ...planned].filter((i) => !isTroubled || i.at !== "contour"));
+  const all = triedOffers(cycle.params, read.partial, said, judgeOf(cycle, machine.tool ? setting : null, given));
   const feeds = values && plan !== nothing ? feedsOf(cycle, values, plan.moves, machine, (v) => cycle.plan(v, setting, given).moves) : [];
   perform(machine, { cycle: cycle.number, defined, start, tool, plan: shiftedPlan(plan, machine.datum), issues: all, call: values && { values, given, autoFeed: machine.toolFeed, start: counted, datum: machine.datum } }, index);
   const where = machine.blocks[defined.index]?.raw ?? "";

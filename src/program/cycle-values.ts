@@ -19,7 +19,7 @@ function inMillimetres(machine: Machine, p: Param, n: number): number {
 /** Values of a cycle from its definition; null with issues when one is missing or can not be. */
 export function cycleValues<P extends Params>(
   machine: Machine, cycle: Cycle<P>, given: ReadonlyMap<string, number | "auto" | null>,
-): { readonly values: Values<P> | null; readonly issues: readonly Issue[] } {
+): { readonly values: Values<P> | null; readonly partial: Readonly<Record<string, number | "auto">>; readonly issues: readonly Issue[] } {
   const values: Record<string, number | "auto"> = {};
   const issues: Issue[] = [];
   for (const [q, p] of Object.entries<Param>(cycle.params)) {
@@ -29,7 +29,7 @@ export function cycleValues<P extends Params>(
     issues.push(...field.issues);
     if (field.value !== null) values[q] = field.value;
   }
-  return { values: issues.length === 0 ? (values as Values<P>) : null, issues };
+  return { values: issues.length === 0 ? (values as Values<P>) : null, partial: values, issues };
 }
 
 /** A number without an exponent; what a control keeps is far coarser. */

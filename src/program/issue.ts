@@ -56,6 +56,8 @@ interface Data {
   sideChanged: {};
   /** APPR without an element behind it, DEP without one before it. */
   approachWithoutContour: { form: string };
+  /** DZL and DXL of the table: the control counts with them, so the tip stays on the path. */
+  lengthDelta: { tool: number };
   /** The path is that of a tool of radius 0. */
   toolRadiusUnknown: { tool: string };
   /** The words of this block are recalled from the manual, not checked against a printed page. */

@@ -2,6 +2,7 @@ import type { Cycle } from "../cycles/define.ts";
 import type { Param, Params, Values } from "../cycles/params.ts";
 import { issue, type Issue } from "../kernel/issue.ts";
 import { type KnownParameters, readExpression } from "./expression.ts";
+import { triedOffers } from "./tried.ts";
 
 /** What was typed into the prompts of one cycle, by Q number, exactly as typed; a missing key is an empty field. */
 export type Draft = Readonly<Record<string, string>>;
@@ -76,10 +77,10 @@ export function readField(q: string, param: Param, typed: string, known: KnownPa
 
 /**
  * The only way from typed text to the values of a cycle. Empty stays missing and never becomes 0, unless the control
- * lets the parameter be left out.
+ * lets the parameter be left out. A value that is offered in place of a wrong one fits the others, as far as the contour tells.
  */
 export function readDraft<P extends Params>(
-  cycle: Pick<Cycle<P>, "params">, draft: Draft, known: KnownParameters = {},
+  cycle: Pick<Cycle<P>, "params"> & Partial<Pick<Cycle<P>, "contour" | "outline">>, draft: Draft, known: KnownParameters = {},
 ): DraftReading<P> {
   const partial: Record<string, number | "auto"> = {};
   const perField: Record<string, FieldReading> = {};
@@ -87,8 +88,15 @@ export function readDraft<P extends Params>(
   for (const [q, param] of Object.entries<Param>(cycle.params)) {
     const field = readField(q, param, draft[q] ?? "", known);
     perField[q] = field;
-    issues.push(...field.issues);
     if (field.value !== null) partial[q] = field.value;
+  }
+  const { contour, outline } = cycle;
+  const judge = contour === "own" && outline
+    ? (values: Values<P>) => ({ issues: outline(values, { contour: null, start: null }).issues, moves: 0 }) : null;
+  for (const [q, field] of Object.entries(perField)) {
+    if (field.issues.length === 0) continue;
+    perField[q] = { ...field, issues: triedOffers(cycle.params, partial, field.issues, judge) };
+    issues.push(...(perField[q]?.issues ?? []));
   }
   const values = issues.length === 0 ? (partial as Values<P>) : null;
   return { values, partial: partial as Partial<Values<P>>, perField, issues };

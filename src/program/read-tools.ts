@@ -63,7 +63,7 @@ export function readTools(text: string): ToolTable | { readonly problem: string 
       mills.push({ T: cells.T, NAME: cells.NAME ?? "", R: cells.R, DR: cells.DR ?? 0 });
       continue;
     }
-    const present = Object.fromEntries(Object.entries(cells).filter(([, value]) => value !== null && value !== undefined));
+    const present = Object.fromEntries(Object.entries(cells).filter(([column, value]) => value !== null && value !== undefined && !(column === "CUTLENGTH" && value === 0)));
     const problems = checkTool(present);
     if (problems.length > 0) refused.set(cells.T, problems);
     else tools.push({ NAME: "", ...present } as unknown as Tool);

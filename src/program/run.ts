@@ -166,6 +166,8 @@ function toolCall(machine: Machine, s: Extract<Statement, { kind: "toolCall" }>,
   if (refused) for (const i of refused) machine.say(i, index);
   else if (!tool && (machine.turning || turnsLater(machine, index)))
     machine.say(programIssue("toolUnknown", "error", { tool: String(wanted) }, "tool"), index);
+  if (tool && ((tool.DZL ?? 0) !== 0 || (tool.DXL ?? 0) !== 0))
+    machine.say(programIssue("lengthDelta", "info", { tool: tool.T }, "tool"), index);
   const deltas = (["deltaLength", "deltaRadius"] as const).some((d) => s[d] !== null && s[d] !== 0);
   if (deltas && tool && machine.turning) machine.leaveUnproved("DL DR", index);
 }

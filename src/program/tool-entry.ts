@@ -1,4 +1,5 @@
 import { issue, type Issue } from "../kernel/issue.ts";
+import { mends, offerOf, withOffer } from "../kernel/offer.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { checkTool } from "./check-tool.ts";
 import { readExpression } from "./expression.ts";
@@ -131,9 +132,20 @@ function readMill(entry: ToolEntry): EntryReading {
   return { tool: null, mill: sound ? { T, NAME, R, ...others } : null, number: T ?? null, issues };
 }
 
-/** Reads one row, of a turning tool or of a milling tool. */
+/** Reads one row, of a turning tool or of a milling tool. A value that it offers for a cell has been tried there. */
 export function readEntry(entry: ToolEntry): EntryReading {
-  if (isMillEntry(entry)) return readMill(entry);
+  const read = isMillEntry(entry) ? readMill : readTurning;
+  const reading = read(entry);
+  const tried = (found: Issue): Issue => {
+    const [offer, cell] = [offerOf(found), found.at];
+    if (offer === null || cell === undefined) return found;
+    const other = read({ ...entry, cells: { ...entry.cells, [cell]: String(offer) } });
+    return mends(found, reading.issues, other.issues) ? found : withOffer(found, null);
+  };
+  return { ...reading, issues: reading.issues.map(tried) };
+}
+
+function readTurning(entry: ToolEntry): EntryReading {
   const { values, issues } = numbersOf(entry);
   const { T, width, length, offsetZ = 0, offsetX = 0, ...columns } = values;
   const [axis, head] = [readAxis(cellOf(entry, "axis")), readHead(cellOf(entry, "head"))];

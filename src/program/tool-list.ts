@@ -2,7 +2,7 @@ import { issue, type Issue } from "../kernel/issue.ts";
 import type { Tool } from "../kernel/tool.ts";
 import type { ToolTable } from "./read-tools.ts";
 import { shippedTools } from "./shipped-tools.ts";
-import { HOLDER_CELLS } from "./tool-columns.ts";
+import { COLUMN_RULES, HOLDER_CELLS } from "./tool-columns.ts";
 import { cellOf, entryOf, readEntry, type EntryReading, type MillTool, type ToolEntry } from "./tool-entry.ts";
 
 /** All rows of the table, in its order. */
@@ -73,7 +73,7 @@ export function readList(list: ToolList): ToolListReading {
       let nearest = Math.floor(number) + 1;
       while (numbers.has(nearest)) nearest++;
       const first = !taken.has(number);
-      const twice = issue("toolNumberTwice", first ? "warning" : "error", { number, nearest }, "T");
+      const twice = issue("toolNumberTwice", first ? "warning" : "error", { number, ...(nearest <= COLUMN_RULES.T.max && { nearest }) }, "T");
       rows.set(entry.id, { tool: first ? tool : null, mill: first ? mill : null, number, issues: [twice, ...issues] });
       if (!first) return;
     }

@@ -96,5 +96,5 @@ export function cornerSized(rows: Rows, row: number, kind: CornerKind, size: num
   const made = rows.toSpliced(row + 1, there ? 1 : 0, corner);
   const wrong = readRows(made).issues.find((found) => found.row === row + 1 && found.issue.code === "cornerElementTooLong")?.issue;
   if (wrong?.code !== "cornerElementTooLong") return { rows: made, focus: corner.id };
-  return { rows: made.with(row + 1, { ...corner, r: typed(wrong.data.nearest) }), focus: corner.id };
+  return { rows: made.with(row + 1, { ...corner, r: typed(wrong.data.nearest ?? wrong.data.max) }), focus: corner.id };
 }

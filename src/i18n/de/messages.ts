@@ -1,6 +1,7 @@
 import type { MessagesTexts } from "../message-texts.ts";
 
-const nearest = (value: string) => `Nächster möglicher Wert: ${value}.`;
+/** What a finding offers, where it offers something. */
+const nearest = (value: number | undefined, say: (value: number) => string) => (value === undefined ? "" : ` Nächster möglicher Wert: ${say(value)}.`);
 
 const reasons: MessagesTexts["reasons"] = {
   insertRadius: "Schneidenradius", mainEdge: "Hauptschneide", secondaryEdge: "Nebenschneide", toolWidth: "Werkzeugbreite", cutLength: "CUTLENGTH",
@@ -18,26 +19,27 @@ export const messages = {
     notANumber: (d, w) => `„${w.text(d.text)}“ ist keine Zahl.`,
     badExpression: (d, w) => `„${w.text(d.text)}“ lässt sich nicht berechnen.`,
     unknownParameter: (d) => `${d.name} hat hier keinen Wert. Zahl eingeben.`,
-    outOfRange: (d, w) => `${w.value(d.value)} liegt außerhalb des Bereichs: ${w.value(d.min)} bis ${w.value(d.max)}. ${nearest(w.value(d.nearest))}`,
-    notAChoice: (d, w) => `${w.number(d.value)} steht nicht zur Wahl (${d.choices.join(", ")}). ${nearest(w.number(d.nearest))}`,
-    startEqualsEnd: (d, w) => `Start und Ende sind gleich: auch ${d.other} ist ${w.value(d.value)}. ${nearest(w.value(d.nearest))}`,
-    elementTooLong: (d, w) => `${w.number(d.size)} ist länger, als das Element erlaubt; ${w.number(d.max)} passt. ${nearest(w.number(d.nearest))}`,
-    cornersTooWide: (d, w) => `Zwei Eckenradien von ${w.number(d.radius)} sind breiter als der Grund; ${w.number(d.max)} passt. ${nearest(w.number(d.nearest))}`,
-    wallsMeet: (d, w) => `Mit ${w.angle(d.angle)} treffen sich die Flanken über dem Grund; ${w.angle(d.max)} passt. ${nearest(w.angle(d.nearest))}`,
+    outOfRange: (d, w) => `${w.value(d.value)} liegt außerhalb des Bereichs: ${w.value(d.min)} bis ${w.value(d.max)}.${nearest(d.nearest, w.value)}`,
+    notAChoice: (d, w) => `${w.number(d.value)} steht nicht zur Wahl (${d.choices.join(", ")}).${nearest(d.nearest, w.number)}`,
+    startEqualsEnd: (d, w) => `Start und Ende sind gleich: auch ${d.other} ist ${w.value(d.value)}.${nearest(d.nearest, w.value)}`,
+    diameterNegative: (d, w) => `${w.value(d.value)} ist ein Durchmesser jenseits der Achse, dort wird keine Kontur geplant.${nearest(d.nearest, w.value)}`,
+    elementTooLong: (d, w) => `${w.number(d.size)} ist länger, als das Element erlaubt: höchstens ${w.number(d.max)}.${nearest(d.nearest, w.number)}`,
+    cornersTooWide: (d, w) => `Zwei Eckenradien von ${w.number(d.radius)} sind breiter als der Grund: höchstens ${w.number(d.max)}.${nearest(d.nearest, w.number)}`,
+    wallsMeet: (d, w) => `Mit ${w.angle(d.angle)} treffen sich die Flanken über dem Grund: weniger als ${w.angle(d.max)}.${nearest(d.nearest, w.angle)}`,
     cornerSmallerThanInsert: (d, w) =>
-      `Eckenradius ${w.number(d.radius)} ist kleiner als der Schneidenradius ${w.number(d.insert)}: Die Ecke behält ${w.number(d.insert)}. ${nearest(w.number(d.nearest))}`,
+      `Eckenradius ${w.number(d.radius)} ist kleiner als der Schneidenradius ${w.number(d.insert)}: Die Ecke behält ${w.number(d.insert)}.${nearest(d.nearest, w.number)}`,
     recessNarrowerThanTool: (d, w) =>
-      `Der Grund des Einstichs ist ${w.number(d.width)} breit, Werkzeug und Aufmaß brauchen ${w.number(d.tool)}. ${nearest(w.value(d.nearest))}`,
+      `Der Grund des Einstichs ist ${w.number(d.width)} breit, Werkzeug und Aufmaß brauchen ${w.number(d.tool)}.${nearest(d.nearest, w.value)}`,
     angleNotFollowed: (d, w) =>
-      `Das Werkzeug kann ${w.angle(d.angle)} nicht folgen: Die ${reasons[d.edge]} lässt ${w.angle(d.max)} zu, Material bleibt stehen. ${nearest(w.angle(d.nearest))}`,
-    tooManyPasses: (d, w) => `${d.passes} Schnitte sind mehr als ${d.most}. ${nearest(w.number(d.nearest))}`,
+      `Das Werkzeug kann ${w.angle(d.angle)} nicht folgen: Die ${reasons[d.edge]} lässt ${w.angle(d.max)} zu, Material bleibt stehen.${nearest(d.nearest, w.angle)}`,
+    tooManyPasses: (d, w) => `${d.passes} Schnitte sind mehr als ${d.most}.${nearest(d.nearest, w.number)}`,
     infeedOverCutLength: (d, w) =>
-      `Zustellung ${w.number(d.infeed)} ist größer als CUTLENGTH ${w.number(d.cutLength)}: Sie wird auf ${w.number(d.nearest)} verringert.`,
-    depthOverCutLength: (d, w) => `Tiefe ${w.number(d.depth)} ist größer als CUTLENGTH ${w.number(d.cutLength)}: Der Rest bleibt stehen. ${nearest(w.value(d.nearest))}`,
+      `Zustellung ${w.number(d.infeed)} ist größer als CUTLENGTH ${w.number(d.cutLength)}: Sie wird auf ${w.number(d.cutLength)} verringert.`,
+    depthOverCutLength: (d, w) => `Tiefe ${w.number(d.depth)} ist größer als CUTLENGTH ${w.number(d.cutLength)}: Der Rest bleibt stehen.${nearest(d.nearest, w.value)}`,
     offsetReduced: (d, w) =>
-      `Versatz ${w.number(d.offset)} wird auf ${w.number(d.nearest)} verringert: 80 % der wirksamen Breite müssen für ${d.passes === 1 ? "1 Schnitt" : `${d.passes} Schnitte`} reichen.`,
+      `Versatz ${w.number(d.offset)} wird auf ${w.number(d.kept)} verringert: 80 % der wirksamen Breite müssen für ${d.passes === 1 ? "1 Schnitt" : `${d.passes} Schnitte`} reichen.`,
     offsetOverLimit: (d, w) =>
-      `Der seitliche Versatz von ${d.passes === 1 ? "1 Schnitt" : `${d.passes} Schnitten`} ergibt ${w.number(d.offset)}; 80 % der wirksamen Breite sind ${w.number(d.max)}. ${nearest(w.number(d.nearest))}`,
+      `Der seitliche Versatz von ${d.passes === 1 ? "1 Schnitt" : `${d.passes} Schnitten`} ergibt ${w.number(d.offset)}; 80 % der wirksamen Breite sind ${w.number(d.max)}.${nearest(d.nearest, w.number)}`,
     toolUnfit: (d) => `Ein Werkzeug vom Typ ${d.type} mit Werkzeugorientierung ${d.orientation} kann das nicht. Geeignet: ${d.types.join(" oder ")} mit Orientierung ${d.orientations.join(", ")}.`,
     toolCannotCutSideways: (d) => `Ein ${d.type}-Werkzeug sticht nur ein, dieser Zyklus schneidet auch seitlich. RECTURN-Werkzeug nehmen.`,
     flanksNotChecked: () => "T-ANGLE oder P-ANGLE ist leer: Die Flanken der Schneide werden nicht geprüft.",
@@ -47,7 +49,7 @@ export const messages = {
       if (d.min !== undefined) return `${what} Der Wert muss ${d.column === "CUTWIDTH" ? "größer als" : "mindestens"} ${w.value(d.min)} sein.`;
       return d.max === undefined ? what : `${what} Der Wert muss kleiner als ${w.value(d.max)} sein.`;
     },
-    toolNumberTwice: (d) => `Werkzeug ${d.number} steht schon in der Tabelle. ${nearest(String(d.nearest))}`,
+    toolNumberTwice: (d) => `Werkzeug ${d.number} steht schon in der Tabelle.${nearest(d.nearest, String)}`,
     toolName: (d, w) => `„${w.text(d.text)}“: Ein Name hat höchstens ${d.max} Zeichen, nur Großbuchstaben, Ziffern und # $ % & , - . sind erlaubt.`,
     holderAxis: (d, w) => `„${w.text(d.text)}“: Der Schaft liegt längs X oder längs Z.`,
     holderHead: (d, w) => `„${w.text(d.text)}“ ist kein Umriss. Jede Ecke ist Z/X ab der Spitze, Ecken durch Leerzeichen getrennt, Teile durch Semikolon; ein Teil braucht drei Ecken.`,
@@ -59,16 +61,17 @@ export const messages = {
     startOnWrongSide: (d, w) => `Die Kontur läuft auf den Startpunkt zu: Von dort wird nichts zerspant. Ein Startpunkt, der geht: ${w.place(d.x, d.z)}.`,
     startInsideEnvelope: (d, w) =>
       `Der Startpunkt liegt näher an der Kontur als der Abstand ${w.number(d.clearance)}: Das Werkzeug fährt mit Schlichtvorschub direkt zur Kontur.`,
-    limitOnWrongSide: (d, w) => `Mit der Grenze ${w.value(d.limit)} wird auf der Seite des Werkzeugs nichts zerspant. ${nearest(w.value(d.nearest))}`,
+    limitOnWrongSide: (d, w) => `Mit der Grenze ${w.value(d.limit)} wird auf der Seite des Werkzeugs nichts zerspant.${nearest(d.nearest, w.value)}`,
     nothingToCut: () => "Zwischen Startpunkt und Kontur gibt es nichts zu zerspanen.",
     contourMissing: (d, w) => (d.label === "" ? "Die Kontur fehlt." : `Die Kontur LBL ${w.text(d.label)} gibt es nicht.`),
     contourTooShort: () => "Eine Kontur braucht mindestens zwei verschiedene Punkte.",
+    contourFlat: (d) => `Start und Ende der Kontur haben dasselbe ${d.axis}: Dazwischen ist nichts zu zerspanen.`,
     contourPoint: (d) => `Element ${d.element}: Der Endpunkt fehlt oder ist nicht erreichbar.`,
     cornerElementAlone: (d) => `Element ${d.element}: Fase und Rundung brauchen ein Element davor und dahinter, eine Fase zwei Geraden.`,
     cornerElementTooLong: (d, w) =>
-      `Element ${d.element}: ${w.number(d.size)} passt nicht zwischen seine Nachbarn, ${w.number(d.max)} passt. ${nearest(w.number(d.nearest))}`,
-    arcOffCircle: (d, w) => `Element ${d.element}: Der Endpunkt verfehlt den Kreis um ${w.number(d.gap)}. Möglicher Radius: ${w.number(d.nearest)}.`,
-    arcTooSmall: (d, w) => `Element ${d.element}: Radius ${w.number(d.radius)} ist zu klein für den Endpunkt. ${nearest(w.number(d.nearest))}`,
+      `Element ${d.element}: ${w.number(d.size)} passt nicht zwischen seine Nachbarn: höchstens ${w.number(d.max)}.${nearest(d.nearest, w.number)}`,
+    arcOffCircle: (d, w) => `Element ${d.element}: Der Endpunkt verfehlt den Kreis um ${w.number(d.gap)}.${d.nearest === undefined ? "" : ` Möglicher Radius: ${w.number(d.nearest)}.`}`,
+    arcTooSmall: (d, w) => `Element ${d.element}: Radius ${w.number(d.radius)} ist zu klein für den Endpunkt.${nearest(d.nearest, w.number)}`,
     elementFree: (d) => (d.freedom === 1 ? `Element ${d.element}: noch eine Angabe nötig.` : `Element ${d.element}: noch ${d.freedom} Angaben nötig.`),
     elementContradicts: (d, w) => (d.quantity === "tangent"
       ? `Element ${d.element} schließt nicht tangential an; die Abweichung ist ${w.number(d.nearest)}°.`
@@ -76,11 +79,11 @@ export const messages = {
     elementUnreachable: (d) => `Element ${d.element}: mit dieser Länge, diesem Radius oder Winkel erreicht es den Nachbarn nicht.`,
     centreMissing: (d) => `Element ${d.element}: der Mittelpunkt fehlt; CC davor setzen.`,
     contourCrossesItself: (d) => `Element ${d.element} kreuzt Element ${d.other}.`,
-    toolRadiusTooLarge: (d, w) => `Element ${d.element}: Ein Werkzeugradius von ${w.number(d.radius)} passt nicht. ${nearest(w.number(d.nearest))}`,
+    toolRadiusTooLarge: (d, w) => `Element ${d.element}: Ein Werkzeugradius von ${w.number(d.radius)} passt nicht.${nearest(d.nearest, w.number)}`,
     approachNeedsSide: () => "CT braucht RL oder RR: Mit R0 hält die Steuerung hier an.",
     approachSideAssumed: () => "R0 nennt keine Seite: Angenommen wird, dass das Werkzeug von links der Kontur kommt. An der Steuerung prüfen.",
     approachInsideCircle: (d, w) =>
-      `${d.point} liegt im Kreis mit R ${w.number(d.radius)}: Keine Gerade von dort berührt ihn. ${nearest(w.number(d.nearest))}`,
+      `${d.point} liegt im Kreis mit R ${w.number(d.radius)}: Keine Gerade von dort berührt ihn.${nearest(d.nearest, w.number)}`,
     approachCutsContour: (d, w) =>
       `Zwischen ${d.point} und der Kontur schneidet das Werkzeug bei ${w.spot(d.x, d.y, d.z)} um ${w.number(d.depth)} mm in sie ein; die Steuerung prüft das nicht. Frei ist ${d.point} ${w.spot(d.freeX, d.freeY, d.freeZ)}.`,
     approachValueCutsContour: (d, w) =>
@@ -148,6 +151,7 @@ export const messages = {
     radiusCompensation: (d) => `${d.side} wird gelesen, die Bahn aber nicht korrigiert.`,
     sideChanged: () => "Zwischen RL und RR braucht die Steuerung einen Satz mit R0.",
     approachWithoutContour: (d) => `${d.form} braucht ein Konturelement neben sich.`,
+    lengthDelta: (d) => `DZL und DXL von Werkzeug ${d.tool}: Die Steuerung rechnet sie zu den Werkzeuglängen. Die Spitze bleibt auf der Bahn, Bahn und Werkstück ändern sich nicht.`,
     toolRadiusUnknown: (d, w) => `Der Radius von Werkzeug ${w.text(d.tool)} ist nicht bekannt: Die Bahn ist mit Radius 0 gerechnet.`,
     wordsRecalled: (d, w) => `${w.text(d.what)}: Die Wörter sind aus der Erinnerung, nicht an einer gedruckten Seite geprüft. Bitte an der Steuerung prüfen.`,
     programEndMissing: () => "Am Ende des Hauptprogramms fehlt M30 oder M2.",

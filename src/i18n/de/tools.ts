@@ -46,7 +46,7 @@ export const tools = {
   field: (column, meaning) => `${column}: ${meaning}`,
   units: { mm: "mm", degrees: "°" },
   unused: (type) => `von ${type} nicht genutzt`,
-  keptOnly: "Längen und Orientierung werden für die Steuerung geführt; gefahren wird mit der theoretischen Spitze.",
+  keptOnly: "Längen und Orientierung werden für die Steuerung geführt; gefahren wird mit der theoretischen Spitze. DZL und DXL sagen, wie weit das Werkzeug von den gemessenen Längen abweicht: Die Steuerung rechnet sie ein, Bahn und Werkstück bleiben gleich. FUNCTION TURNDATA CORR verschiebt den Schnitt.",
   anyType: "Wählen",
 
   orientation: "TO: wohin die Spitze zeigt",

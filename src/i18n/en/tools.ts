@@ -46,7 +46,7 @@ export const tools = {
   field: (column: string, meaning: string) => `${column}: ${meaning}`,
   units: { mm: "mm", degrees: "°" },
   unused: (type: string) => `not used by ${type}`,
-  keptOnly: "Lengths and orientation are kept for the control; the path is that of the theoretical tip.",
+  keptOnly: "Lengths and orientation are kept for the control; the path is that of the theoretical tip. DZL and DXL are how far the tool differs from its measured lengths: the control adds them, so neither path nor stock changes. FUNCTION TURNDATA CORR moves the cut.",
   anyType: "Choose",
 
   orientation: "TO: where the tip points",

@@ -1,6 +1,7 @@
 import type { MessagesTexts } from "../message-texts.ts";
 
-const nearest = (value: string) => `Valeur possible la plus proche : ${value}.`;
+/** What a finding offers, where it offers something. */
+const nearest = (value: number | undefined, say: (value: number) => string) => (value === undefined ? "" : ` Valeur possible la plus proche : ${say(value)}.`);
 const count = (n: number, one: string, many: string) => `${n} ${n < 2 ? one : many}`;
 
 const reasons: MessagesTexts["reasons"] = {
@@ -19,26 +20,27 @@ export const messages = {
     notANumber: (d, w) => `« ${w.text(d.text)} » n'est pas un nombre.`,
     badExpression: (d, w) => `« ${w.text(d.text)} » ne peut pas être calculé.`,
     unknownParameter: (d) => `${d.name} n'a pas de valeur ici. Saisir un nombre.`,
-    outOfRange: (d, w) => `${w.value(d.value)} est hors de la plage ${w.value(d.min)} à ${w.value(d.max)}. ${nearest(w.value(d.nearest))}`,
-    notAChoice: (d, w) => `${w.number(d.value)} n'est pas un des choix ${d.choices.join(", ")}. ${nearest(w.number(d.nearest))}`,
-    startEqualsEnd: (d, w) => `Départ et fin sont identiques : ${d.other} vaut aussi ${w.value(d.value)}. ${nearest(w.value(d.nearest))}`,
-    elementTooLong: (d, w) => `${w.number(d.size)} est plus long que l'élément ne le permet ; ${w.number(d.max)} convient. ${nearest(w.number(d.nearest))}`,
-    cornersTooWide: (d, w) => `Deux rayons de coin de ${w.number(d.radius)} dépassent la largeur du fond ; ${w.number(d.max)} convient. ${nearest(w.number(d.nearest))}`,
-    wallsMeet: (d, w) => `Avec ${w.angle(d.angle)}, les flancs se rejoignent au-dessus du fond ; ${w.angle(d.max)} convient. ${nearest(w.angle(d.nearest))}`,
+    outOfRange: (d, w) => `${w.value(d.value)} est hors de la plage ${w.value(d.min)} à ${w.value(d.max)}.${nearest(d.nearest, w.value)}`,
+    notAChoice: (d, w) => `${w.number(d.value)} n'est pas un des choix ${d.choices.join(", ")}.${nearest(d.nearest, w.number)}`,
+    startEqualsEnd: (d, w) => `Départ et fin sont identiques : ${d.other} vaut aussi ${w.value(d.value)}.${nearest(d.nearest, w.value)}`,
+    diameterNegative: (d, w) => `${w.value(d.value)} est un diamètre au-delà de l'axe, où aucun contour n'est calculé.${nearest(d.nearest, w.value)}`,
+    elementTooLong: (d, w) => `${w.number(d.size)} est plus long que l'élément ne le permet : ${w.number(d.max)} au plus.${nearest(d.nearest, w.number)}`,
+    cornersTooWide: (d, w) => `Deux rayons de coin de ${w.number(d.radius)} dépassent la largeur du fond : ${w.number(d.max)} au plus.${nearest(d.nearest, w.number)}`,
+    wallsMeet: (d, w) => `Avec ${w.angle(d.angle)}, les flancs se rejoignent au-dessus du fond : moins de ${w.angle(d.max)}.${nearest(d.nearest, w.angle)}`,
     cornerSmallerThanInsert: (d, w) =>
-      `Le rayon de coin ${w.number(d.radius)} est inférieur à celui de la plaquette, ${w.number(d.insert)} : le coin gardera ${w.number(d.insert)}. ${nearest(w.number(d.nearest))}`,
+      `Le rayon de coin ${w.number(d.radius)} est inférieur à celui de la plaquette, ${w.number(d.insert)} : le coin gardera ${w.number(d.insert)}.${nearest(d.nearest, w.number)}`,
     recessNarrowerThanTool: (d, w) =>
-      `Le fond de la gorge est large de ${w.number(d.width)}, l'outil et la surépaisseur demandent ${w.number(d.tool)}. ${nearest(w.value(d.nearest))}`,
+      `Le fond de la gorge est large de ${w.number(d.width)}, l'outil et la surépaisseur demandent ${w.number(d.tool)}.${nearest(d.nearest, w.value)}`,
     angleNotFollowed: (d, w) =>
-      `L'outil ne peut pas suivre ${w.angle(d.angle)} : l'${reasons[d.edge]} permet ${w.angle(d.max)}, de la matière reste. ${nearest(w.angle(d.nearest))}`,
-    tooManyPasses: (d, w) => `${d.passes} passes, c’est plus que ${d.most}. ${nearest(w.number(d.nearest))}`,
+      `L'outil ne peut pas suivre ${w.angle(d.angle)} : l'${reasons[d.edge]} permet ${w.angle(d.max)}, de la matière reste.${nearest(d.nearest, w.angle)}`,
+    tooManyPasses: (d, w) => `${d.passes} passes, c’est plus que ${d.most}.${nearest(d.nearest, w.number)}`,
     infeedOverCutLength: (d, w) =>
-      `La passe ${w.number(d.infeed)} dépasse CUTLENGTH ${w.number(d.cutLength)} : elle est réduite à ${w.number(d.nearest)}.`,
-    depthOverCutLength: (d, w) => `La profondeur ${w.number(d.depth)} dépasse CUTLENGTH ${w.number(d.cutLength)} : le reste demeure. ${nearest(w.value(d.nearest))}`,
+      `La passe ${w.number(d.infeed)} dépasse CUTLENGTH ${w.number(d.cutLength)} : elle est réduite à ${w.number(d.cutLength)}.`,
+    depthOverCutLength: (d, w) => `La profondeur ${w.number(d.depth)} dépasse CUTLENGTH ${w.number(d.cutLength)} : le reste demeure.${nearest(d.nearest, w.value)}`,
     offsetReduced: (d, w) =>
-      `Le décalage ${w.number(d.offset)} est réduit à ${w.number(d.nearest)} : ${count(d.passes, "passe se partage", "passes se partagent")} 80 % de la largeur effective.`,
+      `Le décalage ${w.number(d.offset)} est réduit à ${w.number(d.kept)} : ${count(d.passes, "passe se partage", "passes se partagent")} 80 % de la largeur effective.`,
     offsetOverLimit: (d, w) =>
-      `Le décalage latéral de ${count(d.passes, "passe", "passes")} atteint ${w.number(d.offset)} ; 80 % de la largeur effective font ${w.number(d.max)}. ${nearest(w.number(d.nearest))}`,
+      `Le décalage latéral de ${count(d.passes, "passe", "passes")} atteint ${w.number(d.offset)} ; 80 % de la largeur effective font ${w.number(d.max)}.${nearest(d.nearest, w.number)}`,
     toolUnfit: (d) => `Un outil ${d.type} d’orientation ${d.orientation} ne convient pas. Prendre ${d.types.join(" ou ")} avec l’orientation ${d.orientations.join(", ")}.`,
     toolCannotCutSideways: (d) => `Un outil ${d.type} ne fait que plonger, ce cycle coupe aussi latéralement. Prendre un outil RECTURN.`,
     flanksNotChecked: () => "T-ANGLE ou P-ANGLE est vide : les flancs de la plaquette ne sont pas contrôlés.",
@@ -48,7 +50,7 @@ export const messages = {
       if (d.min !== undefined) return `${what} La valeur doit être ${d.column === "CUTWIDTH" ? "supérieure à" : "au moins"} ${w.value(d.min)}.`;
       return d.max === undefined ? what : `${what} La valeur doit être inférieure à ${w.value(d.max)}.`;
     },
-    toolNumberTwice: (d) => `L'outil ${d.number} est déjà dans le tableau. ${nearest(String(d.nearest))}`,
+    toolNumberTwice: (d) => `L'outil ${d.number} est déjà dans le tableau.${nearest(d.nearest, String)}`,
     toolName: (d, w) => `« ${w.text(d.text)} » : un nom a au plus ${d.max} caractères, en majuscules, chiffres et # $ % & , - . seulement.`,
     holderAxis: (d, w) => `« ${w.text(d.text)} » : le corps est placé suivant X ou suivant Z.`,
     holderHead: (d, w) => `« ${w.text(d.text)} » n’est pas un contour. Chaque coin s’écrit Z/X depuis la pointe, avec un espace entre les coins et un point-virgule entre les parties ; une partie a au moins trois coins.`,
@@ -60,16 +62,17 @@ export const messages = {
     startOnWrongSide: (d, w) => `Le contour se dirige vers le point de départ : rien n’est usiné de ce côté. Un point de départ possible : ${w.place(d.x, d.z)}.`,
     startInsideEnvelope: (d, w) =>
       `Le point de départ est plus près du contour que la distance ${w.number(d.clearance)} : l'outil va droit au contour à l'avance de finition.`,
-    limitOnWrongSide: (d, w) => `Avec la limite ${w.value(d.limit)}, rien n'est usiné du côté de l'outil. ${nearest(w.value(d.nearest))}`,
+    limitOnWrongSide: (d, w) => `Avec la limite ${w.value(d.limit)}, rien n'est usiné du côté de l'outil.${nearest(d.nearest, w.value)}`,
     nothingToCut: () => "Entre le point de départ et le contour, il n'y a rien à usiner.",
     contourMissing: (d, w) => (d.label === "" ? "Le contour manque." : `Le contour LBL ${w.text(d.label)} n'existe pas.`),
     contourTooShort: () => "Un contour demande au moins deux points différents.",
+    contourFlat: (d) => `Début et fin du contour ont le même ${d.axis} : il n'y a rien à usiner entre eux.`,
     contourPoint: (d) => `Élément ${d.element} : le point final manque ou ne peut pas être atteint.`,
     cornerElementAlone: (d) => `Élément ${d.element} : un chanfrein ou un arrondi demande un élément avant et après, un chanfrein deux droites.`,
     cornerElementTooLong: (d, w) =>
-      `Élément ${d.element} : ${w.number(d.size)} ne tient pas entre ses voisins, ${w.number(d.max)} tient. ${nearest(w.number(d.nearest))}`,
-    arcOffCircle: (d, w) => `Élément ${d.element} : le point final manque son cercle de ${w.number(d.gap)}. Rayon possible : ${w.number(d.nearest)}.`,
-    arcTooSmall: (d, w) => `Élément ${d.element} : le rayon ${w.number(d.radius)} est trop petit pour le point final. ${nearest(w.number(d.nearest))}`,
+      `Élément ${d.element} : ${w.number(d.size)} ne tient pas entre ses voisins : ${w.number(d.max)} au plus.${nearest(d.nearest, w.number)}`,
+    arcOffCircle: (d, w) => `Élément ${d.element} : le point final manque son cercle de ${w.number(d.gap)}.${d.nearest === undefined ? "" : ` Rayon possible : ${w.number(d.nearest)}.`}`,
+    arcTooSmall: (d, w) => `Élément ${d.element} : le rayon ${w.number(d.radius)} est trop petit pour le point final.${nearest(d.nearest, w.number)}`,
     elementFree: (d) => (d.freedom === 1 ? `Élément ${d.element} : il manque une valeur.` : `Élément ${d.element} : il manque ${d.freedom} valeurs.`),
     elementContradicts: (d, w) => (d.quantity === "tangent"
       ? `L'élément ${d.element} ne se raccorde pas tangentiellement ; l'écart est de ${w.number(d.nearest)}°.`
@@ -77,11 +80,11 @@ export const messages = {
     elementUnreachable: (d) => `Élément ${d.element} : avec cette longueur, ce rayon ou cet angle, il n'atteint pas son voisin.`,
     centreMissing: (d) => `Élément ${d.element} : le centre manque ; placez CC avant.`,
     contourCrossesItself: (d) => `L'élément ${d.element} croise l'élément ${d.other}.`,
-    toolRadiusTooLarge: (d, w) => `Élément ${d.element} : un rayon d’outil de ${w.number(d.radius)} ne passe pas. ${nearest(w.number(d.nearest))}`,
+    toolRadiusTooLarge: (d, w) => `Élément ${d.element} : un rayon d’outil de ${w.number(d.radius)} ne passe pas.${nearest(d.nearest, w.number)}`,
     approachNeedsSide: () => "CT demande RL ou RR : avec R0, la commande s’arrête ici.",
     approachSideAssumed: () => "R0 ne dit pas de quel côté : l’outil est supposé venir de la gauche du contour. À vérifier sur la commande.",
     approachInsideCircle: (d, w) =>
-      `${d.point} est à l’intérieur du cercle de R ${w.number(d.radius)} : aucune droite ne le touche depuis ce point. ${nearest(w.number(d.nearest))}`,
+      `${d.point} est à l’intérieur du cercle de R ${w.number(d.radius)} : aucune droite ne le touche depuis ce point.${nearest(d.nearest, w.number)}`,
     approachCutsContour: (d, w) =>
       `Entre ${d.point} et le contour, l’outil l’entame de ${w.number(d.depth)} mm en ${w.spot(d.x, d.y, d.z)} ; la commande ne le contrôle pas. ${d.point} libre : ${w.spot(d.freeX, d.freeY, d.freeZ)}.`,
     approachValueCutsContour: (d, w) =>
@@ -149,6 +152,7 @@ export const messages = {
     radiusCompensation: (d) => `${d.side} est lu, mais la trajectoire n'est pas corrigée.`,
     sideChanged: () => "Entre RL et RR, la commande demande une séquence avec R0.",
     approachWithoutContour: (d) => `${d.form} demande un élément de contour voisin.`,
+    lengthDelta: (d) => `DZL et DXL de l'outil ${d.tool} : la commande les ajoute aux longueurs d'outil. La pointe reste sur la trajectoire ; ni trajectoire ni brut ne changent.`,
     toolRadiusUnknown: (d, w) => `Le rayon de l’outil ${w.text(d.tool)} n’est pas connu : la trajectoire est calculée avec le rayon 0.`,
     wordsRecalled: (d, w) => `${w.text(d.what)} : ses mots sont cités de mémoire, sans contrôle sur une page imprimée. Vérifiez sur votre commande.`,
     programEndMissing: () => "Il manque M30 ou M2 à la fin du programme principal.",

@@ -46,7 +46,7 @@ export const tools = {
   field: (column, meaning) => `${column} : ${meaning}`,
   units: { mm: "mm", degrees: "°" },
   unused: (type) => `sans effet pour ${type}`,
-  keptOnly: "Longueurs et orientation sont conservées pour la commande ; la trajectoire est celle de la pointe théorique.",
+  keptOnly: "Longueurs et orientation sont conservées pour la commande ; la trajectoire est celle de la pointe théorique. DZL et DXL sont l’écart de l’outil à ses longueurs mesurées : la commande les ajoute, ni trajectoire ni brut ne changent. FUNCTION TURNDATA CORR déplace la coupe.",
   anyType: "Choisir",
 
   orientation: "TO : où regarde la pointe",

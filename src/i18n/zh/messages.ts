@@ -1,6 +1,7 @@
 import type { MessagesTexts } from "../message-texts.ts";
 
-const nearest = (value: string) => `最接近的可用值:${value}。`;
+/** What a finding offers, where it offers something. */
+const nearest = (value: number | undefined, say: (value: number) => string) => (value === undefined ? "" : `最接近的可用值:${say(value)}。`);
 
 const reasons: MessagesTexts["reasons"] = {
   insertRadius: "刀尖圆角半径", mainEdge: "刀片主切削刃", secondaryEdge: "刀片副切削刃", toolWidth: "刀具宽度", cutLength: "CUTLENGTH", limit: "加工极限",
@@ -18,21 +19,22 @@ export const messages = {
     notANumber: (d, w) => `“${w.text(d.text)}”不是数字。`,
     badExpression: (d, w) => `“${w.text(d.text)}”无法计算。`,
     unknownParameter: (d) => `${d.name}在此处没有值,请输入数字。`,
-    outOfRange: (d, w) => `${w.value(d.value)}超出范围${w.value(d.min)}至${w.value(d.max)}。${nearest(w.value(d.nearest))}`,
-    notAChoice: (d, w) => `${w.number(d.value)}不在可选值${d.choices.join("、")}中。${nearest(w.number(d.nearest))}`,
-    startEqualsEnd: (d, w) => `起点与终点相同:${d.other}也是${w.value(d.value)}。${nearest(w.value(d.nearest))}`,
-    elementTooLong: (d, w) => `${w.number(d.size)}大于该元素的长度,最大${w.number(d.max)}。${nearest(w.number(d.nearest))}`,
-    cornersTooWide: (d, w) => `两个半径${w.number(d.radius)}的圆角宽于槽底,最大${w.number(d.max)}。${nearest(w.number(d.nearest))}`,
-    wallsMeet: (d, w) => `角度为${w.angle(d.angle)}时两侧壁在槽底上方相交,最大${w.angle(d.max)}。${nearest(w.angle(d.nearest))}`,
+    outOfRange: (d, w) => `${w.value(d.value)}超出范围${w.value(d.min)}至${w.value(d.max)}。${nearest(d.nearest, w.value)}`,
+    notAChoice: (d, w) => `${w.number(d.value)}不在可选值${d.choices.join("、")}中。${nearest(d.nearest, w.number)}`,
+    startEqualsEnd: (d, w) => `起点与终点相同:${d.other}也是${w.value(d.value)}。${nearest(d.nearest, w.value)}`,
+    diameterNegative: (d, w) => `${w.value(d.value)}位于轴线另一侧,此处不计算轮廓。${nearest(d.nearest, w.value)}`,
+    elementTooLong: (d, w) => `${w.number(d.size)}大于该元素的长度,最大${w.number(d.max)}。${nearest(d.nearest, w.number)}`,
+    cornersTooWide: (d, w) => `两个半径${w.number(d.radius)}的圆角宽于槽底,最大${w.number(d.max)}。${nearest(d.nearest, w.number)}`,
+    wallsMeet: (d, w) => `角度为${w.angle(d.angle)}时两侧壁在槽底上方相交,最大${w.angle(d.max)}。${nearest(d.nearest, w.angle)}`,
     cornerSmallerThanInsert: (d, w) =>
-      `角半径${w.number(d.radius)}小于刀尖圆角${w.number(d.insert)}:该角将保留${w.number(d.insert)}。${nearest(w.number(d.nearest))}`,
-    recessNarrowerThanTool: (d, w) => `槽底宽${w.number(d.width)},刀具和余量需要${w.number(d.tool)}。${nearest(w.value(d.nearest))}`,
-    angleNotFollowed: (d, w) => `刀具无法跟随${w.angle(d.angle)}:${reasons[d.edge]}允许${w.angle(d.max)},会残留材料。${nearest(w.angle(d.nearest))}`,
-    tooManyPasses: (d, w) => `${d.passes} 次走刀超过 ${d.most} 次。${nearest(w.number(d.nearest))}`,
-    infeedOverCutLength: (d, w) => `进刀量${w.number(d.infeed)}大于CUTLENGTH ${w.number(d.cutLength)}:自动减小为${w.number(d.nearest)}。`,
-    depthOverCutLength: (d, w) => `深度${w.number(d.depth)}大于CUTLENGTH ${w.number(d.cutLength)}:其余材料残留。${nearest(w.value(d.nearest))}`,
-    offsetReduced: (d, w) => `偏移${w.number(d.offset)}减小为${w.number(d.nearest)}:${d.passes}刀共用有效宽度的80%。`,
-    offsetOverLimit: (d, w) => `${d.passes}刀的侧向偏移共${w.number(d.offset)};有效宽度的80%为${w.number(d.max)}。${nearest(w.number(d.nearest))}`,
+      `角半径${w.number(d.radius)}小于刀尖圆角${w.number(d.insert)}:该角将保留${w.number(d.insert)}。${nearest(d.nearest, w.number)}`,
+    recessNarrowerThanTool: (d, w) => `槽底宽${w.number(d.width)},刀具和余量需要${w.number(d.tool)}。${nearest(d.nearest, w.value)}`,
+    angleNotFollowed: (d, w) => `刀具无法跟随${w.angle(d.angle)}:${reasons[d.edge]}允许${w.angle(d.max)},会残留材料。${nearest(d.nearest, w.angle)}`,
+    tooManyPasses: (d, w) => `${d.passes} 次走刀超过 ${d.most} 次。${nearest(d.nearest, w.number)}`,
+    infeedOverCutLength: (d, w) => `进刀量${w.number(d.infeed)}大于CUTLENGTH ${w.number(d.cutLength)}:自动减小为${w.number(d.cutLength)}。`,
+    depthOverCutLength: (d, w) => `深度${w.number(d.depth)}大于CUTLENGTH ${w.number(d.cutLength)}:其余材料残留。${nearest(d.nearest, w.value)}`,
+    offsetReduced: (d, w) => `偏移${w.number(d.offset)}减小为${w.number(d.kept)}:${d.passes}刀共用有效宽度的80%。`,
+    offsetOverLimit: (d, w) => `${d.passes}刀的侧向偏移共${w.number(d.offset)};有效宽度的80%为${w.number(d.max)}。${nearest(d.nearest, w.number)}`,
     toolUnfit: (d) => `${d.type} 刀具、刀尖方向 ${d.orientation} 不能完成此加工。可用:${d.types.join(" 或 ")},刀尖方向 ${d.orientations.join("、")}。`,
     toolCannotCutSideways: (d) => `${d.type}刀具只能切入,本循环还需横向切削。请使用RECTURN刀具。`,
     flanksNotChecked: () => "T-ANGLE或P-ANGLE为空:不检查刀片侧面。",
@@ -42,7 +44,7 @@ export const messages = {
       if (d.min !== undefined) return `${what}必须${d.column === "CUTWIDTH" ? "大于" : "不小于"}${w.value(d.min)}。`;
       return d.max === undefined ? what : `${what}必须小于${w.value(d.max)}。`;
     },
-    toolNumberTwice: (d) => `刀具${d.number}已在刀具表中。${nearest(String(d.nearest))}`,
+    toolNumberTwice: (d) => `刀具${d.number}已在刀具表中。${nearest(d.nearest, String)}`,
     toolName: (d, w) => `“${w.text(d.text)}”:名称最多${d.max}个字符,仅限大写字母、数字和# $ % & , - .符号。`,
     holderAxis: (d, w) => `“${w.text(d.text)}”：刀杆只能沿X或Z方向。`,
     holderHead: (d, w) => `“${w.text(d.text)}”不是轮廓。每个角点写作Z/X（从刀尖起），角点间用空格，各部分间用分号；每部分至少三个角点。`,
@@ -53,15 +55,16 @@ export const messages = {
     startInPart: (d, w) => `起点位于成品工件内:从那里不会切削。可用的起点:${w.place(d.x, d.z)}。`,
     startOnWrongSide: (d, w) => `轮廓朝起点方向走:从这一侧不会切削。可用的起点:${w.place(d.x, d.z)}。`,
     startInsideEnvelope: (d, w) => `起点距轮廓小于安全距离${w.number(d.clearance)}:刀具以精加工进给直接移至轮廓。`,
-    limitOnWrongSide: (d, w) => `极限为${w.value(d.limit)}时,刀具所在一侧没有可加工的材料。${nearest(w.value(d.nearest))}`,
+    limitOnWrongSide: (d, w) => `极限为${w.value(d.limit)}时,刀具所在一侧没有可加工的材料。${nearest(d.nearest, w.value)}`,
     nothingToCut: () => "起点与轮廓之间没有可加工的材料。",
     contourMissing: (d, w) => (d.label === "" ? "缺少轮廓。" : `轮廓LBL ${w.text(d.label)}不存在。`),
     contourTooShort: () => "轮廓至少需要两个不同的点。",
+    contourFlat: (d) => `轮廓的起点与终点${d.axis}相同:两者之间没有可加工的材料。`,
     contourPoint: (d) => `元素${d.element}:终点缺失或无法到达。`,
     cornerElementAlone: (d) => `元素${d.element}:倒角或倒圆前后都需要有元素,倒角需要两条直线。`,
-    cornerElementTooLong: (d, w) => `元素${d.element}:${w.number(d.size)}在相邻元素之间放不下,最大${w.number(d.max)}。${nearest(w.number(d.nearest))}`,
-    arcOffCircle: (d, w) => `元素${d.element}:终点偏离圆${w.number(d.gap)}。可用半径:${w.number(d.nearest)}。`,
-    arcTooSmall: (d, w) => `元素${d.element}:半径${w.number(d.radius)}对该终点过小。${nearest(w.number(d.nearest))}`,
+    cornerElementTooLong: (d, w) => `元素${d.element}:${w.number(d.size)}在相邻元素之间放不下,最大${w.number(d.max)}。${nearest(d.nearest, w.number)}`,
+    arcOffCircle: (d, w) => `元素${d.element}:终点偏离圆${w.number(d.gap)}。${d.nearest === undefined ? "" : `可用半径:${w.number(d.nearest)}。`}`,
+    arcTooSmall: (d, w) => `元素${d.element}:半径${w.number(d.radius)}对该终点过小。${nearest(d.nearest, w.number)}`,
     elementFree: (d) => `元素${d.element}:还需要${d.freedom}个数值。`,
     elementContradicts: (d, w) => (d.quantity === "tangent"
       ? `元素${d.element}与前一元素不相切,偏差${w.number(d.nearest)}°。`
@@ -69,11 +72,11 @@ export const messages = {
     elementUnreachable: (d) => `元素${d.element}:按此长度、半径或角度无法到达相邻元素。`,
     centreMissing: (d) => `元素${d.element}:缺少圆心,请在其前面加入CC。`,
     contourCrossesItself: (d) => `元素${d.element}与元素${d.other}相交。`,
-    toolRadiusTooLarge: (d, w) => `第 ${d.element} 个元素：刀具半径 ${w.number(d.radius)} 过大。${nearest(w.number(d.nearest))}`,
+    toolRadiusTooLarge: (d, w) => `第 ${d.element} 个元素：刀具半径 ${w.number(d.radius)} 过大。${nearest(d.nearest, w.number)}`,
     approachNeedsSide: () => "CT 需要 RL 或 RR：编程 R0 时数控系统在此停止。",
     approachSideAssumed: () => "R0 没有指明侧面：这里假定刀具从轮廓左侧接近。请在机床上核对。",
     approachInsideCircle: (d, w) =>
-      `${d.point} 位于 R ${w.number(d.radius)} 的圆内：从该点没有直线与圆相切。${nearest(w.number(d.nearest))}`,
+      `${d.point} 位于 R ${w.number(d.radius)} 的圆内：从该点没有直线与圆相切。${nearest(d.nearest, w.number)}`,
     approachCutsContour: (d, w) =>
       `在 ${d.point} 与轮廓之间，刀具在 ${w.spot(d.x, d.y, d.z)} 切入轮廓 ${w.number(d.depth)} mm；数控系统不检查此处。可用的 ${d.point}：${w.spot(d.freeX, d.freeY, d.freeZ)}。`,
     approachValueCutsContour: (d, w) =>
@@ -141,6 +144,7 @@ export const messages = {
     radiusCompensation: (d) => `已读取${d.side},但不补偿路径。`,
     sideChanged: () => "RL 与 RR 之间需要一个 R0 程序段。",
     approachWithoutContour: (d) => `${d.form} 需要相邻的轮廓元素。`,
+    lengthDelta: (d) => `刀具${d.tool}的DZL和DXL:数控系统已将其计入刀具长度。刀尖仍在轨迹上,轨迹和毛坯均不变。`,
     toolRadiusUnknown: (d, w) => `刀具 ${w.text(d.tool)} 的半径未知：路径按半径 0 计算。`,
     wordsRecalled: (d, w) => `${w.text(d.what)}:其参数字凭记忆整理,未与印刷页核对,请在数控系统上验证。`,
     programEndMissing: () => "主程序末尾缺少M30或M2。",

@@ -46,7 +46,7 @@ export const tools = {
   field: (column, meaning) => `${column}：${meaning}`,
   units: { mm: "mm", degrees: "°" },
   unused: (type) => `${type} 不使用`,
-  keptOnly: "长度与定向角仅为数控系统保存；轨迹按理论刀尖计算。",
+  keptOnly: "长度与定向角仅为数控系统保存；轨迹按理论刀尖计算。DZL 和 DXL 是刀具与测量长度的偏差：数控系统已计入，轨迹和毛坯均不变。FUNCTION TURNDATA CORR 才会移动切削位置。",
   anyType: "选择",
 
   orientation: "TO：刀尖朝向",

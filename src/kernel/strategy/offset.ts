@@ -21,7 +21,7 @@ export function offsetPerPass(programmed: number, passes: number, oneWay: boolea
   const nearest = Math.floor(most * 1000) / 1000;
   issues.push(
     programmed > 0
-      ? issue("offsetReduced", "warning", { offset: programmed, nearest, passes }, "offset")
+      ? issue("offsetReduced", "warning", { offset: programmed, kept: nearest, nearest, passes }, "offset")
       : issue("offsetOverLimit", "error", { offset: asked * times, max, passes, nearest }, "offset"),
   );
   return most;

@@ -50,8 +50,9 @@ export function suggestedForms(place: FormPlace, departing: boolean): readonly S
     const request: ApproachRequest = { ...common, ...own };
     const result = approach(request);
     const inside = result.issues.find((found) => found.code === "approachInsideCircle");
-    if (!inside || inside.data.nearest < 0.1) return { shape, departing, request, result };
-    const smaller: ApproachRequest = { ...request, radius: STEPS.findLast((s) => s <= inside.data.nearest) ?? inside.data.nearest };
+    const fits = inside?.data.nearest;
+    if (fits === undefined || fits < 0.1) return { shape, departing, request, result };
+    const smaller: ApproachRequest = { ...request, radius: STEPS.findLast((s) => s <= fits) ?? fits };
     return { shape, departing, request: smaller, result: approach(smaller) };
   });
 }

@@ -1,0 +1,34 @@
+import type { Issue } from "./issue.ts";
+
+/** The value that a finding offers; null when it offers none. */
+export const offerOf = (found: Issue): number | null =>
+  "nearest" in found.data && typeof found.data.nearest === "number" ? found.data.nearest : null;
+
+/** The same finding with another value to offer, or with none. */
+export function withOffer(found: Issue, offer: number | null): Issue {
+  const { nearest: _, ...data } = found.data as { nearest?: number };
+  return { ...found, data: offer === null ? data : { ...data, nearest: offer } } as Issue;
+}
+
+const keyOf = ({ code, at, data }: Issue) => `${code} ${at ?? ""} ${"element" in data ? data.element : ""}`;
+
+/** Whether a change mends a finding: it is gone, and no error came that was not there before. */
+export function mends(found: Issue, before: readonly Issue[], after: readonly Issue[]): boolean {
+  const known = new Set(before.filter((each) => each.severity === "error").map(keyOf));
+  return !after.some((each) => keyOf(each) === keyOf(found) || (each.severity === "error" && !known.has(keyOf(each))));
+}
+
+/** The largest of the sizes from `offer` down to 0 that works, on a grid of 0.001 mm; null when none does. */
+export function largestThatWorks(offer: number, works: (size: number) => boolean): number | null {
+  const grid = (size: number) => Math.floor(size * 1000 + 1e-6) / 1000;
+  if (!(grid(offer) > 0)) return null;
+  if (works(grid(offer))) return grid(offer);
+  let [yes, no] = [0, grid(offer)];
+  for (let i = 0; i < 20; i += 1) {
+    const middle = grid((yes + no) / 2);
+    if (middle === yes || middle === no) break;
+    if (works(middle)) yes = middle;
+    else no = middle;
+  }
+  return yes > 0 ? yes : null;
+}
