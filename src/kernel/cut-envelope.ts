@@ -1,34 +1,36 @@
-import { crossings, firstSpan, heightAt, LEVEL, linePiece, push, valueAt, type Envelope, type Origin, type Piece } from "./envelope.ts";
+import { crossings, firstSpan, heightAt, LEVEL, linePiece, push, valueAt, type Envelope, type Origin, type Piece, type Span } from "./envelope.ts";
 import type { FlatSegment } from "./flat.ts";
 import { ROUND } from "./tolerance.ts";
 
 /**
- * The envelope cut down to a piece wherever that is lower by no more than `most` mm: deeper down material stays above it. Where
- * the envelope has a gap it keeps it.
+ * The envelope cut down to pieces (from left to right, side by side) wherever they are lower by no more than `most` mm: deeper
+ * down material stays above them. Where the envelope has a gap it keeps it.
  */
-export function loweredBy(e: Envelope, cut: Piece, most: number): Envelope {
-  const roof = lifted(cut, most);
-  const first = firstSpan(e, cut.u0);
-  const out = e.slice(0, first);
-  let i = first;
-  for (let s = e[i]; s && s.u0 < cut.u1 - ROUND; s = e[++i]) {
-    const a = Math.max(s.u0, cut.u0);
-    const b = Math.min(s.u1, cut.u1);
-    if (b - a <= ROUND) {
-      push(out, s.piece, s.u0, s.u1);
-      continue;
+export function loweredBy(e: Envelope, cuts: readonly Piece[], most: number): Envelope {
+  const first = cuts[0];
+  if (!first) return e;
+  let i = firstSpan(e, first.u0);
+  const out = e.slice(0, i);
+  let rest = e[i++];
+  for (const cut of cuts) {
+    const roof = lifted(cut, most);
+    for (; rest && rest.u1 <= cut.u0 + ROUND; rest = e[i++]) push(out, rest.piece, rest.u0, rest.u1);
+    while (rest && rest.u0 < cut.u1 - ROUND) {
+      const { piece, u1 }: Span = rest;
+      let from = Math.max(rest.u0, cut.u0);
+      const end = Math.min(u1, cut.u1);
+      push(out, piece, rest.u0, from);
+      for (const to of [...crossings(piece, cut, from, end), ...crossings(piece, roof, from, end), end].sort((x, y) => x - y)) {
+        const middle = (from + to) / 2;
+        const [stands, reached] = [valueAt(piece, middle), valueAt(cut, middle)];
+        push(out, stands <= reached || stands > reached + most + LEVEL ? piece : cut, from, to);
+        from = to;
+      }
+      rest = u1 > end + ROUND ? { piece, u0: end, u1 } : e[i++];
     }
-    push(out, s.piece, s.u0, a);
-    let from = a;
-    for (const to of [...crossings(s.piece, cut, a, b), ...crossings(s.piece, roof, a, b), b].sort((x, y) => x - y)) {
-      const middle = (from + to) / 2;
-      const [stands, reached] = [valueAt(s.piece, middle), valueAt(cut, middle)];
-      push(out, stands <= reached || stands > reached + most + LEVEL ? s.piece : cut, from, to);
-      from = to;
-    }
-    push(out, s.piece, b, s.u1);
   }
-  return [...out, ...e.slice(i)];
+  if (rest) push(out, rest.piece, rest.u0, rest.u1);
+  return out.concat(e.slice(i));
 }
 
 /** The stretch of an envelope between two places, moved up by `by` mm. */

@@ -14,10 +14,10 @@ export interface Bound {
  * tip, in the same space. Each piece is a pair of a contour element and an insert element with the same normal, so every
  * piece lies in the sum, and the uppermost ones bound it.
  */
-export function reachOver(chain: readonly Bound[], insert: Convex, extra: readonly Piece[] = []): Envelope {
+export function reachOver(chain: readonly Bound[], insert: Convex): Envelope {
   const edges = mirroredLowerHull(insert);
   const k: Hull = { edges, vertices: vertices(edges) };
-  const pieces: Piece[] = [...extra];
+  const pieces: Piece[] = [];
   const add = (p: Piece | null) => { if (p) pieces.push(p); };
   chain.forEach((b, i) => {
     const s = b.segment;

@@ -105,7 +105,7 @@ function leadIn(cutter: Cutter, f: Finish, run: readonly FlatSegment[], near: bo
   const first = run[0] as FlatSegment;
   const to = first.from;
   const link: Link = { gap: f.clearance, feed: feedOf(f), out: purpose(f, 1), down: purpose(f, 1), enter: purpose(f, 1) };
-  const bare = f.ground.bare();
+  const bare = f.ground.bare;
   if (near && staysAbove(bare, cutter.at, to) && !blocked(bare, cutter.at, to)) return cutter.feed(to, feedOf(f), purpose(f, 1));
   const along = tangentAt(first, "from");
   const square = normalAt(first, "from");

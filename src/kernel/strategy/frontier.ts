@@ -1,10 +1,10 @@
 import { extent, type Convex } from "../convex.ts";
 import { besideAt, loweredBy, pieceOf, raised } from "../cut-envelope.ts";
-import { highest, higherOf, type Envelope, type Origin } from "../envelope.ts";
+import { highest, higherOf, type Envelope, type Origin, type Piece } from "../envelope.ts";
 import { toFlat, type Flat, type FlatSegment, type Frame } from "../flat.ts";
 import type { Ring } from "../point.ts";
 import { reachOver, type Bound } from "../reach.ts";
-import { SAME } from "../tolerance.ts";
+import { ROUND, SAME } from "../tolerance.ts";
 
 const CUT: Origin = { feature: "nose", on: "edge", corner: false };
 
@@ -13,7 +13,9 @@ const CUT: Origin = { feature: "nose", on: "edge", corner: false };
  * of it. At first the blank, or the area where no blank is known; every cut lowers it. Strategy space, mm.
  */
 export class Frontier {
-  private now: Envelope;
+  private settled: Envelope;
+  /** What has been cut since: a path is taken off in one go when somebody asks. */
+  private cuts: Piece[] = [];
   /** Places where the tool went straight down: free for it in that very column. */
   private readonly columns = new Map<number, number>();
   private readonly before: number;
@@ -25,7 +27,7 @@ export class Frontier {
    * (a machining limit); without one Infinity.
    */
   constructor(private readonly first: Envelope, insert: Convex, private readonly roof = Infinity) {
-    this.now = first;
+    this.settled = first;
     [this.behind, this.before] = overhang(insert);
     const { minV, maxV } = extent(insert);
     this.height = maxV - minV;
@@ -59,11 +61,17 @@ export class Frontier {
   lower(path: FlatSegment): void {
     const piece = pieceOf(path, CUT);
     if (piece) {
-      if (!this.roofed(piece.u0, piece.u1)) this.now = loweredBy(this.now, piece, this.height);
+      if (!this.roofed(piece.u0, piece.u1)) this.cuts.push(piece);
     } else {
       const key = columnOf(path.to.u);
       this.columns.set(key, Math.min(this.columns.get(key) ?? Infinity, path.from.v, path.to.v));
     }
+  }
+
+  private get now(): Envelope {
+    for (const run of sideBySide(this.cuts)) this.settled = loweredBy(this.settled, run, this.height);
+    this.cuts = [];
+    return this.settled;
   }
 
   private roofed(u0: number, u1: number): boolean {
@@ -72,6 +80,19 @@ export class Frontier {
 }
 
 const columnOf = (u: number) => Math.round(u / SAME);
+
+/** Pieces in runs that go from left to right or from right to left, each run from left to right. */
+function sideBySide(cuts: readonly Piece[]): Piece[][] {
+  const runs: Piece[][] = [];
+  for (const cut of cuts) {
+    const run = runs.at(-1);
+    const [first, last] = [run?.[0], run?.at(-1)];
+    if (run && last && cut.u0 >= last.u1 - ROUND) run.push(cut);
+    else if (run && first && cut.u1 <= first.u0 + ROUND) run.unshift(cut);
+    else runs.push([cut]);
+  }
+  return runs;
+}
 
 /** How far the insert draws back above its widest place, behind and before the tip, mm. */
 function overhang(insert: Convex): [behind: number, before: number] {

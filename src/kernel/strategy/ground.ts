@@ -1,6 +1,6 @@
 import { extent, grown, inFrame, onArc, positive, type Convex } from "../convex.ts";
 import { besideAt } from "../cut-envelope.ts";
-import { below, linePiece, pathAlong, type Envelope, type Origin, type Piece } from "../envelope.ts";
+import { below, higherOf, linePiece, pathAlong, upperEnvelope, type Envelope, type Origin, type Piece } from "../envelope.ts";
 import { normalAt, segmentToPart, toPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
 import { insertShape, isBar, noseRadius } from "../insert.ts";
 import { issue, type Issue, type Reason } from "../issue.ts";
@@ -33,7 +33,7 @@ export interface Ground {
   /** Where the path along the contour begins: at `start`, or before it where another element is touched first. */
   readonly first: number;
   /** The envelope without the bounds that only limit the area: what the tool would really touch. */
-  readonly bare: () => Envelope;
+  readonly bare: Envelope;
 }
 
 /**
@@ -69,12 +69,13 @@ export function groundOver(
   for (const f of s.floors) bound(low, high, f.v - bottom, f.on);
   const axis = roomOf(frame, beyondAxis(tool, contour.map((b) => b.segment), frame)).minV;
   if (axis > -Infinity) bound(low, high, axis, "edge");
-  const envelope = reachOver(chain, insert, extra);
+  const bare = reachOver(chain, insert);
+  const envelope = extra.length === 0 ? bare : higherOf(bare, upperEnvelope(extra));
   const level = first.from.v + keep.v - bottom;
   // No element can be touched farther in front of the first point than the insert reaches ahead of its tip.
   const ahead = first.from.u - extent(insert).maxU - SAME;
   const free = s.front === "free" && ahead < start.u ? below(envelope, level, ahead, start.u)[0]?.to : undefined;
-  return { envelope, start, end, first: free ?? start.u, bare: () => (extra.length === 0 ? envelope : reachOver(chain, insert)) };
+  return { envelope, start, end, first: free ?? start.u, bare };
 }
 
 /**
@@ -148,7 +149,7 @@ function reasonOf(o: Origin | null, tool: Tool): Reason | null {
 }
 
 /** Whether the tool would stand inside the finished part at a place. */
-export const insidePart = (part: Ground, at: Flat): boolean => at.v < besideAt(part.bare(), at.u) - SAME;
+export const insidePart = (part: Ground, at: Flat): boolean => at.v < besideAt(part.bare, at.u) - SAME;
 
 /** What is said then: no way out would leave the part whole. `works`: a start point that does. */
 export const startInPart = (works: { readonly x: number; readonly z: number }): Issue => issue("startInPart", "error", works, "start");

@@ -104,9 +104,10 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
   const wall = top + extent(insert).minV > last.to.v + SAME && toPart(l.frame, last.to).r > SAME ? top + FAR : null;
   const floor = Math.min(...flat.map(lowestOf)) + keep.v;
   const kept = groundOver(bounds, tool, l.frame, keep, { ...over, wall, floors: [...over.floors, { v: floor, on: "edge" }] });
-  const grown = groundOver(bounds, tool, l.frame, keep, over);
-  const stands = atCall({ stock: setting.stock, area: areaCorners(site, top), frame: l.frame, insert }, drawn.bare(),
-    l.operation > 1 ? { grown: grown.bare(), infeed: l.infeed } : null);
+  // The contour grown by the oversize is wanted only where something follows it, or where roughing has run before.
+  const grown = l.operation > 1 || l.smoothing === 1 ? groundOver(bounds, tool, l.frame, keep, over) : drawn;
+  const stands = atCall({ stock: setting.stock, area: areaCorners(site, top), frame: l.frame, insert }, drawn.bare,
+    l.operation > 1 ? { grown: grown.bare, infeed: l.infeed } : null);
   const cutter = new Cutter(l.frame, setting.feedUnit, called, room, new Frontier(stands, insert, limits.ceiling), Math.max(called.v, start.v));
   place(cutter, l, site, start, setting, issues);
 

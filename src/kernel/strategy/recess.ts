@@ -74,8 +74,8 @@ export function planRecess(l: Recess, setting: Setting): Plan {
   const grown = groundOver(bounds, tool, l.frame, keep, surroundings(false));
   const insert = insertIn(tool, l.frame);
   const area = [{ u: span.from, v: top - FAR }, { u: span.from, v: top }, { u: span.to, v: top }, { u: span.to, v: top - FAR }];
-  const stands = atCall({ stock: setting.stock, area, frame: l.frame, insert }, drawn.bare(),
-    l.operation > 1 ? { grown: grown.bare(), infeed: l.infeed } : null);
+  const stands = atCall({ stock: setting.stock, area, frame: l.frame, insert }, drawn.bare,
+    l.operation > 1 ? { grown: grown.bare, infeed: l.infeed } : null);
   const cutter = new Cutter(l.frame, setting.feedUnit, called, roomOf(l.frame), new Frontier(stands, insert), top + RECESS_CLEARANCE);
   const start = { u: called.u, v: top };
   back(cutter, start, l.operation > 1 ? l.feeds.finish : l.feeds.rough, l.operation > 1 ? "finish" : "rough", 0);
