@@ -1,3 +1,4 @@
+import type { CycleNumber } from "../../cycles/index.ts";
 import { useFits } from "../engine/fits.ts";
 import { setBlank, setPerRevolution, setRapid, setSpindle, setStart } from "../edits.ts";
 import type { JobReading } from "../reading.ts";
@@ -9,7 +10,7 @@ import { ToolTable } from "./ToolTable.tsx";
 
 /** Everything round the cycle: tool, blank, start point, spindle, feed unit, rapid rate. */
 export function SetupPanel({ read }: { readonly read: JobReading }) {
-  const t = useTexts().setup;
+  const { setup: t, cycles } = useTexts();
   const fits = useFits();
   const { blank, start, spindle, perRevolution, rapid } = read.job;
   return (
@@ -56,6 +57,10 @@ export function SetupPanel({ read }: { readonly read: JobReading }) {
         </label>
         <NumberField at="rapid" name={t.feed.rapid} unit={t.units.perMinute} text={rapid} least="aboveZero" onText={setRapid} />
       </fieldset>
+      <section className="setup-group" aria-label={t.notes}>
+        <h2>{t.notes}</h2>
+        <ul className="small cycle-notes">{cycles.of[read.cycle.number as CycleNumber].notes.map((note) => <li key={note}>{note}</li>)}</ul>
+      </section>
       <ToolTable read={read} fits={fits} />
     </div>
   );

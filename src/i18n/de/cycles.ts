@@ -1,6 +1,6 @@
 import type { CyclesTexts } from "../cycle-text.ts";
 
-const turnMode = "Läuft nur in FUNCTION MODE TURN.";
+const turnMode = "Läuft nur in FUNCTION MODE TURN. An einer TNC7 muss der Maschinenhersteller die Funktion freigegeben haben.";
 const safePosition = "Vor dem Aufruf das Werkzeug mit R0 auf eine sichere Position fahren: Dieser Punkt ist der Zyklusstart und bestimmt, wie viel zerspant wird.";
 const edgeLength = "Eine CUTLENGTH in der Werkzeugtabelle begrenzt beim Schruppen die Zustellung; sie wird dann mit einer Meldung verringert.";
 
@@ -40,7 +40,7 @@ export const cycles = {
       name: "Kontur plan",
       summary: "Dreht eine freie Kontur aus einem Unterprogramm, in Planrichtung.",
       description: [
-        "Dreht eine beliebige Kontur in Planrichtung. Die Kontur steht als Unterprogramm aus Geraden, Rundungen, Fasen und Bögen im Programm und wird mit Zyklus 14 benannt.",
+        "Dreht eine beliebige Kontur in Planrichtung. Die Kontur steht als Unterprogramm aus Geraden, Rundungen, Fasen und Bögen im Programm und wird mit Zyklus 14 oder SEL CONTOUR benannt.",
         "Schruppt achsparallel, schlichtet oder macht beides. Erster Konturpunkt in X größer als der letzte: Außenbearbeitung. Kleiner: Innenbearbeitung.",
         "Liegt Z des Startpunkts unter dem Konturstart, fährt das Werkzeug zuerst in Z auf den Konturstart; beim Schlichten auf Sicherheits-Abstand.",
       ],
@@ -53,7 +53,7 @@ export const cycles = {
         "Kollisionsgefahr: Die Schnittbegrenzung begrenzt die bearbeitete Kontur, An- und Abfahrwege dürfen sie überschreiten. Das Werkzeug vor dem Aufruf auf die Seite der Grenze stellen, die zerspant werden soll.",
         turnMode, safePosition,
         "Die Schneidenform wird berücksichtigt, damit kein Element verletzt wird. Was das Werkzeug nicht erreicht, bleibt mit einer Warnung stehen.",
-        "Vor dem Aufruf muss Zyklus 14 mit dem Label der Kontur stehen.",
+        "Vor dem Aufruf muss Zyklus 14 mit dem Label der Kontur oder SEL CONTOUR mit ihrer Datei stehen.",
         "Lokale Parameter (QL) der Kontur müssen im Konturunterprogramm selbst belegt werden.", edgeLength,
       ],
     },

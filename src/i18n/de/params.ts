@@ -113,7 +113,7 @@ export const params = {
     prompt: "Kontur umkehren (0-2)?", printed, label: "Kontur umkehren",
     explanation: "Richtung, in der die Kontur bearbeitet wird.",
     choices: {
-      0: "wie programmiert", 1: "gegen die programmierte Richtung", 2: "gegen die programmierte Richtung, Werkzeuglage angepasst",
+      0: "wie programmiert", 1: "gegen die programmierte Richtung", 2: "gegen die programmierte Richtung, Schneide in Vorschubrichtung gespiegelt (Orientierung 1 schneidet als 7)",
     },
   },
   plunging: {

@@ -1,6 +1,7 @@
 import type { SetupTexts } from "../en/setup.ts";
 
 export const setup = {
+  notes: "Damit dieser Zyklus läuft",
   tool: {
     title: "Werkzeug",
     list: "Drehwerkzeuge",

@@ -1,6 +1,6 @@
 import type { CyclesTexts } from "../cycle-text.ts";
 
-const turnMode = "Runs only in FUNCTION MODE TURN.";
+const turnMode = "Runs only in FUNCTION MODE TURN. On a TNC7 the machine builder must have enabled the function.";
 const safePosition = "Before the call, position the tool with R0 at a safe place: that point is the cycle start and decides how much is cut.";
 const edgeLength = "A CUTLENGTH in the tool table limits the infeed in roughing; the infeed is then reduced, with a message.";
 
@@ -40,7 +40,7 @@ export const cycles = {
       name: "Contour, transverse",
       summary: "Cuts a free contour from a subprogram, across the axis.",
       description: [
-        "Turns any contour crosswise. The contour stands in a subprogram of lines, roundings, chamfers and arcs, named by cycle 14.",
+        "Turns any contour crosswise. The contour stands in a subprogram of lines, roundings, chamfers and arcs, named by cycle 14 or SEL CONTOUR.",
         "Roughs with paraxial passes, finishes, or both. First contour point greater in X than the last: outside machining. Smaller: inside machining.",
         "If Z of the start point is below the contour start, the tool first moves in Z to the contour start; for finishing, to the set-up clearance.",
       ],
@@ -53,7 +53,7 @@ export const cycles = {
         "Danger of collision: the machining limit restricts the contour that is cut, but approach and departure may cross it. Stand the tool, before the call, on the side of the limit that is to be cut.",
         turnMode, safePosition,
         "The shape of the insert is taken into account so that no element is damaged. What the tool cannot reach stays, with a warning.",
-        "Cycle 14 with the label of the contour must stand before the call.",
+        "Cycle 14 with the label of the contour, or SEL CONTOUR with its file, must stand before the call.",
         "Local parameters (QL) used in the contour must be set in the contour subprogram itself.", edgeLength,
       ],
     },

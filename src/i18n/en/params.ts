@@ -114,7 +114,7 @@ export const params = {
     prompt: "Reverse contour (0-2)?", printed, label: "Reverse contour",
     explanation: "Direction in which the contour is machined.",
     choices: {
-      0: "as programmed", 1: "against the programmed direction", 2: "against the programmed direction, tool position adapted",
+      0: "as programmed", 1: "against the programmed direction", 2: "against the programmed direction, with the tip mirrored in the feed direction (orientation 1 cuts as 7)",
     },
   },
   plunging: {

@@ -1,6 +1,7 @@
 import type { Shape } from "../shape.ts";
 
 export const setup = {
+  notes: "Before this cycle runs",
   tool: {
     title: "Tool",
     list: "Turning tools",

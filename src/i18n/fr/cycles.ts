@@ -1,6 +1,6 @@
 import type { CyclesTexts } from "../cycle-text.ts";
 
-const turnMode = "Ne s'exécute qu'en FUNCTION MODE TURN.";
+const turnMode = "Ne s'exécute qu'en FUNCTION MODE TURN. Sur une TNC7, le constructeur de la machine doit avoir activé la fonction.";
 const safePosition = "Avant l'appel, positionner l'outil avec R0 à un endroit sûr : ce point est le départ du cycle et détermine ce qui est usiné.";
 const edgeLength = "Une valeur CUTLENGTH du tableau d'outils limite la passe d'ébauche ; elle est alors réduite, avec un message.";
 
@@ -40,7 +40,7 @@ export const cycles = {
       name: "Contour transversal",
       summary: "Tourne un contour libre d'un sous-programme, dans le sens transversal.",
       description: [
-        "Tourne un contour quelconque en travers de l'axe. Le contour est un sous-programme de droites, d'arrondis, de chanfreins et d'arcs, désigné par le cycle 14.",
+        "Tourne un contour quelconque en travers de l'axe. Le contour est un sous-programme de droites, d'arrondis, de chanfreins et d'arcs, désigné par le cycle 14 ou par SEL CONTOUR.",
         "Ébauche en passes paraxiales, finition, ou les deux. Premier point du contour plus grand en X que le dernier : usinage extérieur. Plus petit : usinage intérieur.",
         "Si le Z du point de départ est sous le départ du contour, l'outil va d'abord en Z au départ du contour ; pour la finition, à la distance d'approche.",
       ],
@@ -53,7 +53,7 @@ export const cycles = {
         "Risque de collision : la limite d'usinage restreint le contour usiné, mais l'approche et la sortie peuvent la franchir. Placer l'outil, avant l'appel, du côté de la limite qui doit être usiné.",
         turnMode, safePosition,
         "La forme de la plaquette est prise en compte pour ne blesser aucun élément. Ce que l'outil n'atteint pas reste, avec un avertissement.",
-        "Le cycle 14 avec le label du contour doit précéder l'appel.",
+        "Le cycle 14 avec le label du contour, ou SEL CONTOUR avec son fichier, doit précéder l'appel.",
         "Les paramètres locaux (QL) du contour doivent être affectés dans le sous-programme lui-même.", edgeLength,
       ],
     },

@@ -113,7 +113,7 @@ export const params = {
     prompt: "Inverser contour (0-2)?", printed, label: "Inverser contour",
     explanation: "Sens dans lequel le contour est usiné.",
     choices: {
-      0: "sens programmé", 1: "sens inverse", 2: "sens inverse, position de l'outil adaptée",
+      0: "sens programmé", 1: "sens inverse", 2: "sens inverse, pointe inversée dans le sens d'avance (l'orientation 1 usine comme 7)",
     },
   },
   plunging: {

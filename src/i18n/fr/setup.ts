@@ -1,6 +1,7 @@
 import type { SetupTexts } from "../en/setup.ts";
 
 export const setup = {
+  notes: "Pour que ce cycle s’exécute",
   tool: {
     title: "Outil",
     list: "Outils de tournage",

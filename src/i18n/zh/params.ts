@@ -109,7 +109,7 @@ export const params = {
   reverseContour: {
     prompt: "逆轮廓(0-2)?", printed, label: "逆轮廓",
     explanation: "轮廓的加工方向。",
-    choices: { 0: "沿编程方向", 1: "沿编程方向的反方向", 2: "沿编程方向的反方向,并调整刀具位置" },
+    choices: { 0: "沿编程方向", 1: "沿编程方向的反方向", 2: "沿编程方向的反方向,刀尖沿进给方向镜像(方位1按7切削)" },
   },
   plunging: {
     prompt: "允许切入(0/1)?", printed, label: "切入",

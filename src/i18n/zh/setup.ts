@@ -1,6 +1,7 @@
 import type { SetupTexts } from "../en/setup.ts";
 
 export const setup = {
+  notes: "执行此循环之前",
   tool: {
     title: "刀具",
     list: "车削刀具",
