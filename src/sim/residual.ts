@@ -82,8 +82,10 @@ function ownerOf(region: Region, operations: readonly SimulatedOperation[]): num
  * tool leaves, or a machining limit, or it is explained by the stretch of the path that keeps the insert away.
  */
 export function residualOf(
-  final: readonly Ring[], operations: readonly SimulatedOperation[], outlines: (tool: Tool) => Outlines,
+  final: readonly Ring[], all: readonly SimulatedOperation[], outlines: (tool: Tool) => Outlines,
 ): Residual[] {
+  // An operation without a path has said why; that its whole area stays is no second finding.
+  const operations = all.map((o) => (o.plan.moves.length > 0 ? o : { ...o, plan: { ...o.plan, area: [] } }));
   const left = opened(intersection(final, machiningArea(operations)), SLIVER);
   if (areaOf(left) <= LEAST_RESIDUAL) return [];
   const after = (area: readonly Ring[], pathOf: PathOf, bare = false) => opened(leftBy(area, operations, outlines, pathOf, bare), SLIVER);
