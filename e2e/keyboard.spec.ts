@@ -7,7 +7,7 @@ import { answers, type Answers } from "./pages/values.ts";
 const JOBS: readonly { cycle: number; own: Answers; expected: readonly string[]; contour?: boolean }[] = [
   { cycle: 812, own: { Q493: "48.5", Q494: "-42", Q463: "2,4", Q506: "1" }, expected: ["Q493=+48.5 ", "Q494=-42 ", "Q463=+2.4 ", "Q506=+1 "] },
   { cycle: 820, own: { Q463: "75/30", Q488: "0.12" }, expected: ["Q463=+2.5 ", "Q488=+0.12 ", "L X+75 Z-20", "RND R2"], contour: true },
-  { cycle: 852, own: { Q494: "-38.5", Q505: "FAUTO", Q507: "1" }, expected: ["Q494=-38.5 ", "Q505=FAUTO", "Q507=+1 "] },
+  { cycle: 852, own: { Q494: "-38.5", Q505: "0,15", Q507: "1" }, expected: ["Q494=-38.5 ", "Q505=+0.15 ", "Q507=+1 "] },
 ];
 /** One row per element: what is typed into its fields. */
 const CONTOUR: readonly { kind: string; x?: string; z?: string; r?: string }[] = [

@@ -10,7 +10,7 @@ test("a tool that cannot make the contour says so at once, and names one that ca
   await setup.tool(1).check();
   const offer = page.getByRole("button", { name: new RegExp(`^${t.setup.tool.take(8)}`) });
   await expect(offer).toBeVisible();
-  expect(await program.copy()).toContain("TOOL CALL 1");
+  await expect(program.blocks.filter({ hasText: "TOOL CALL 1" })).toBeVisible();
   await offer.click();
   await expect(setup.tool(8)).toBeChecked();
   await effect.proved();
