@@ -67,6 +67,7 @@ export function LatheView({ result, dimmed, playback, clock, onMove }: {
   const [tools, showTools] = useState(false);
 
   const scene = useMemo(() => sceneOf({ blank: run.blank, contours: run.operations.map(o => o.plan.contour), steps: run.steps }), [run]);
+  const held = useMemo(() => run.steps.some(step => step.tool.holder), [run]);
   const points = useMemo(() => snapPoints(run.operations.map(o => o.plan.contour), run.steps), [run]);
   const starts = useMemo(() => run.operations.map(o => o.start), [run]);
   const moving = useMemo(() => {
@@ -102,7 +103,7 @@ export function LatheView({ result, dimmed, playback, clock, onMove }: {
       const typed = { key: event.key, shift: event.shiftKey, element: target.localName, picture: target === stage.current };
       if (pressKey(typed, playback, viewport, measuring)) event.preventDefault();
     }}>
-      <ViewBar viewport={viewport} measuring={measuring}><Legend shapes={scene.shapes} /></ViewBar>
+      <ViewBar viewport={viewport} measuring={measuring}><Legend shapes={scene.shapes} holder={held} /></ViewBar>
       <div ref={stage} className={`lathe-stage${dimmed ? " dimmed" : ""}${measuring.on ? " measuring" : ""}`} tabIndex={0} role="group" aria-label={t.title} aria-describedby={keysId}>
         <Picture viewport={viewport} scene={scene} moving={moving} findings={findings} residual={residual} full={full} name={name}>
           <Marks viewport={viewport} starts={starts} />

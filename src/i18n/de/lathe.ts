@@ -18,6 +18,7 @@ export const lathe = {
   fit: "Einpassen",
   ruler: "Messen",
   legend: "Linien",
+  holder: "Halter",
   lines: {
     rapid: "Eilgang", feed: "Schruppen", plunge: "Eintauchen", smooth: "Glätten", finish: "Schlichten", thread: "Gewinde",
   },

@@ -20,6 +20,7 @@ export const lathe = {
   fit: "Fit",
   ruler: "Ruler",
   legend: "Lines",
+  holder: "Holder",
   lines: {
     rapid: "Rapid", feed: "Roughing", plunge: "Plunging", smooth: "Smoothing", finish: "Finishing", thread: "Thread",
   },

@@ -18,6 +18,7 @@ export const lathe = {
   fit: "Ajuster",
   ruler: "Mesurer",
   legend: "Traits",
+  holder: "Porte-outil",
   lines: {
     rapid: "Rapide", feed: "Ébauche", plunge: "Plongée", smooth: "Lissage", finish: "Finition", thread: "Filetage",
   },

@@ -18,6 +18,7 @@ export const lathe = {
   fit: "适合窗口",
   ruler: "测量",
   legend: "线型",
+  holder: "刀柄",
   lines: { rapid: "快移", feed: "粗加工", plunge: "切入", smooth: "修光", finish: "精加工", thread: "螺纹" },
 
   playback: "播放",
