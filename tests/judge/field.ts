@@ -25,23 +25,44 @@ const middle = (g: Grid, i: number) => g.from + (i + 0.5) * g.width;
 
 export const empty = (g: Grid): Field => Array.from({ length: g.count }, () => []);
 
-/** What closed polygons fill; a point is inside when it has an odd number of sides above it. */
-export function filled(g: Grid, rings: readonly (readonly P[])[]): Field {
-  const crossings: number[][] = Array.from({ length: g.count }, () => []);
+const turnOf = (ring: readonly P[]) => ring.reduce((sum, p, i) => {
+  const q = ring[(i + 1) % ring.length] as P;
+  return sum + p.z * q.r - q.z * p.r;
+}, 0);
+
+/**
+ * What closed polygons fill together: where they wind round in the direction that most of their area has. Holes run against it. `either`: loops
+ * of either direction count, as where a ring crosses itself.
+ */
+export function filled(g: Grid, rings: readonly (readonly P[])[], either = false): Field {
+  const way = rings.reduce((sum, ring) => sum + turnOf(ring), 0) * (g.along === "z" ? 1 : -1);
+  const crossings: { at: number; by: number }[][] = Array.from({ length: g.count }, () => []);
   for (const ring of rings) {
     let a = ring[ring.length - 1] as P;
     for (const b of ring) {
       const [x0, x1] = [across(g, a), across(g, b)];
-      const first = Math.max(0, Math.ceil((Math.min(x0, x1) - g.from) / g.width - 0.5));
-      const last = Math.min(g.count - 1, Math.floor((Math.max(x0, x1) - g.from) / g.width - 0.5));
+      // One column more on both sides: where a side ends exactly in the middle of one, rounding must not decide.
+      const first = Math.max(0, Math.ceil((Math.min(x0, x1) - g.from) / g.width - 0.5) - 1);
+      const last = Math.min(g.count - 1, Math.floor((Math.max(x0, x1) - g.from) / g.width - 0.5) + 1);
       for (let i = first; i <= last; i += 1) {
         const x = middle(g, i);
-        if (x0 <= x !== x1 <= x) crossings[i]?.push(height(g, a) + ((height(g, b) - height(g, a)) * (x - x0)) / (x1 - x0));
+        const by = x1 > x0 === way > 0 ? 1 : -1;
+        if (x0 <= x !== x1 <= x) crossings[i]?.push({ at: height(g, a) + ((height(g, b) - height(g, a)) * (x - x0)) / (x1 - x0), by });
       }
       a = b;
     }
   }
-  return crossings.map((c) => c.sort((p, q) => p - q));
+  return crossings.map((column) => {
+    const out: number[] = [];
+    let winding = 0;
+    for (const { at, by } of column.sort((p, q) => p.at - q.at)) {
+      const before = winding;
+      winding += by;
+      const outside = (n: number) => (either ? n === 0 : n <= 0);
+      if (outside(before) !== outside(winding)) out.push(at);
+    }
+    return out;
+  });
 }
 
 /** Calls `each` with every column that a convex polygon crosses, and from where to where. */

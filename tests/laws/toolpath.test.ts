@@ -6,52 +6,42 @@ import { seed } from "../seed.ts";
 import { planOf, simulated, situations, startsBadly, type Situation } from "./situations.ts";
 
 /**
- * Laws of the toolpath, in pairs: what must never happen, and what must be achieved all the same. A cycle that does
- * nothing keeps the first of each pair; one that cuts everything away keeps the second.
+ * What a toolpath has to achieve: a cycle that does nothing keeps the laws of cut.test.ts, one that cuts everything away
+ * keeps these.
  */
 console.info(`toolpath laws: LAW_SEED=${seed}`);
 /** Cases per law: with the stock cut by every move, and of the plan alone. */
-const CUT = 60;
-const PLANNED = 300;
+const CUT = Number(process.env["LAW_CASES"] ?? 30);
+const PLANNED = 6 * CUT;
 
 const law = (arbitrary: fc.Arbitrary<Situation>, holds: (s: Situation) => void, runs: number) =>
   fc.assert(fc.property(arbitrary, holds), { numRuns: runs });
-
-for (const operation of [0, 1, 3])
-  describe.each(situations(operation))(`cycle $cycle.number, Q215 = ${operation}`, ({ cycle, arbitrary }) => {
-    test("never cuts into the finished part, and never touches material at rapid", () => law(arbitrary, (s) => {
-      const plan = planOf(cycle, s);
-      if (startsBadly(plan)) return;
-      const sim = simulated(plan, s);
-      expect(sim.proof.gouge).toBeLessThan(0.01);
-      // Finishing alone runs through what roughing has not taken.
-      if (operation < 2) expect(sim.proof.rapidInStock).toBeLessThan(0.01);
-    }, CUT));
-  });
 
 describe.each(situations(0))("cycle $cycle.number, roughing and finishing", ({ cycle, arbitrary }) => {
   test("leaves nothing that the tool could reach", () => law(arbitrary, (s) => {
     const plan = planOf(cycle, s);
     if (plan.passes === 0 || s.values["Q479"] === 1 || startsBadly(plan)) return;
-    const left = simulated(plan, s).proof.residual.filter((r) => r.reason === "oversize");
+    const left = simulated([plan], s).proof.residual.filter((r) => r.reason === "oversize");
     expect(left.filter((r) => r.area > 0.05)).toEqual([]);
   }, CUT));
   test("infeeds are even, never more than Q463, and no fewer passes would do", () => law(arbitrary, (s) => {
     const plan = planOf(cycle, s);
-    const most = s.values["Q463"] ?? 0;
+    const most = Math.min(s.values["Q463"] ?? 0, s.tool.CUTLENGTH || Infinity);
     expect(plan.infeed).toBeLessThanOrEqual(most + SAME);
     if (plan.passes > 1) expect((plan.passes * plan.infeed) / (plan.passes - 1)).toBeGreaterThan(most - SAME * most);
     const levels = new Set(plan.moves.flatMap((m) => (m.phase === "rough" && m.pass !== undefined ? [m.pass] : [])));
     expect([...levels].every((p) => p >= 1 && p <= plan.passes)).toBe(true);
   }, PLANNED));
-  test("stays under a bound on moves, all of them finite, none below the axis, arcs on their circles", () => law(arbitrary, (s) => {
+  test("stays under a bound on moves, all of them finite, none needlessly past the axis, arcs on their circles", () => law(arbitrary, (s) => {
     const plan = planOf(cycle, s);
     const elements = plan.contour.length + 4;
     expect(plan.moves.length).toBeLessThanOrEqual((plan.passes + 3) * (12 + 6 * elements));
+    // Over the axis only as far as the contour goes, and by the nose that faces it clean.
+    const lowest = Math.min(0, ...plan.contour.map((e) => e.to.r)) - s.tool.RS - SAME;
     let from = s.start;
     for (const m of plan.moves) {
       expect(Number.isFinite(m.to.z) && Number.isFinite(m.to.r)).toBe(true);
-      expect(m.to.r).toBeGreaterThanOrEqual(0);
+      expect(m.to.r).toBeGreaterThanOrEqual(lowest);
       if (m.kind === "rapid") expect(Math.abs(m.to.z - from.z) < SAME || Math.abs(m.to.r - from.r) < SAME).toBe(true);
       if (m.kind === "arc") {
         const [a, b] = [from, m.to].map((p) => Math.hypot(p.z - m.centre.z, p.r - m.centre.r)) as [number, number];
@@ -66,7 +56,7 @@ describe.each(situations(1))("cycle $cycle.number, roughing alone", ({ cycle, ar
   test("keeps the oversize: nothing of the part grown by it is cut", () => law(arbitrary, (s) => {
     const plan = planOf(cycle, s);
     if (plan.part.length === 0 || startsBadly(plan)) return;
-    const cut = difference(s.blank, simulated(plan, s).final);
+    const cut = difference(s.blank, simulated([plan], s).final);
     const [dz, dr] = [s.values["Q484"] ?? 0, (s.values["Q483"] ?? 0) / 2];
     // A rectangle of oversize holds the part moved to each of its corners.
     for (const [z, r] of [[dz, 0], [-dz, 0], [0, dr], [0, -dr]] as const) {
@@ -86,7 +76,7 @@ describe("exact divisions", () => {
       if (depth / k < 0.3 || depth / k > (s.tool.CUTLENGTH ?? Infinity)) continue;
       const again = planOf(cycle, { ...s, values: { ...s.values, Q463: depth / k } });
       // A start point that had to be moved makes another depth.
-      if (!startsBadly(plan) && !startsBadly(again)) expect(again.passes).toBe(k);
+      if (Math.abs(again.passes * again.infeed - depth) < SAME) expect(again.passes).toBe(k);
     }
   }, PLANNED));
 });

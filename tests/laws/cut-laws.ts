@@ -1,0 +1,130 @@
+import type { Cycle } from "../../src/cycles/define.ts";
+import type { Plan } from "../../src/kernel/plan.ts";
+import { flattenedChain } from "../../src/kernel/flatten.ts";
+import type { Simulation } from "../../src/sim/simulation.ts";
+import { areaOf, each, filled, grown, without, type Field, type Grid } from "../judge/field.ts";
+import type { P } from "../judge/insert.ts";
+import { gridOver, judge, sumOf, THIN, type Verdict } from "../judge/judge.ts";
+import { doing, planOf, simulated, stepsOf, type Situation } from "./situations.ts";
+
+/*
+ * What must hold of every set-up once its moves have cut the stock, judged twice: by src/sim with polygons and by the
+ * columns of tests/judge. Finishing alone (Q215 = 2, 3) is cut after the roughing of the same values.
+ */
+
+/** Width of the columns, mm. Both judges take what is thinner than this and shallower than THIN for the same. */
+export const WIDTH = 0.05;
+/** Smaller areas are the chords of two curves that touch, mm². */
+const REAL = 0.02;
+
+/** A situation with everything that the laws ask about it. */
+export interface Worked {
+  readonly cycle: Cycle;
+  readonly situation: Situation;
+  /** The plans that run, one after the other; the last one is the operation that was asked for. */
+  readonly plans: readonly Plan[];
+  readonly simulation: Simulation;
+  readonly verdicts: readonly Verdict[];
+}
+
+/** The finished part as the contour alone tells it: the contour, and everything behind it away from its open side. */
+function behind(plan: Plan): P[] {
+  const line = flattenedChain(plan.contour, 0.0005);
+  const [first, last] = [line[0], line.at(-1)];
+  if (!first || !last) return [];
+  const far = 1000;
+  const away = (p: P): P => ({ z: p.z - plan.openSide.z * far, r: p.r - plan.openSide.r * far });
+  return [...line, away(last), away(first)];
+}
+
+/** Plans, cuts and judges a situation. */
+export function worked(cycle: Cycle, situation: Situation, width = WIDTH): Worked {
+  const operation = situation.values["Q215"] ?? 0;
+  const plans = (operation >= 2 ? [1, operation] : [operation]).map((o, i) => planOf(cycle, doing(situation, o), i === 0));
+  const last = plans.at(-1) as Plan;
+  const steps = stepsOf(plans, situation);
+  const part = last.contour.length > 0 ? [behind(last)] : [];
+  const verdicts = (["z", "r"] as const).map((along) => judge(situation.blank, steps, part, gridOver(situation.blank, along, width)));
+  return { cycle, situation, plans, simulation: simulated(plans, situation), verdicts };
+}
+
+/** What a law has to say against a situation; null when it holds. */
+type Finding = string | null;
+export type CutLaw = (w: Worked) => Finding;
+
+const mm2 = (n: number) => `${n.toFixed(3)} mm²`;
+const most = (w: Worked, of: (v: Verdict) => number) => Math.max(...w.verdicts.map(of));
+/** What one field has beyond another and its surroundings, mm². */
+const beyond = (g: Grid, a: Field, b: Field) => areaOf(g, each(a, grown(b, THIN), without));
+
+/** Whatever the start point: the finished part stays whole. */
+const partStaysWhole: CutLaw = (w) => {
+  const [ours, theirs] = [most(w, (v) => sumOf(v, "gouge")), w.simulation.proof.gouge];
+  return ours > REAL || theirs > REAL ? `gouge ${mm2(theirs)}, by columns ${mm2(ours)}` : null;
+};
+
+/**
+ * Rapids touch nothing, unless the tool stood in the material when it was called. Finishing alone does not know what steps roughing has
+ * left, so it is not held to this.
+ */
+const rapidsAreFree: CutLaw = (w) => {
+  if (w.plans.length > 1 || w.verdicts.some((v) => v.inside)) return null;
+  const [ours, theirs] = [most(w, (v) => sumOf(v, "rapid")), w.simulation.proof.rapidInStock];
+  return ours > REAL || theirs > REAL ? `rapid in stock ${mm2(theirs)}, by columns ${mm2(ours)}` : null;
+};
+
+/** Both simulations leave the same stock, but for one column's width and THIN along it. */
+const judgesAgreeOnStock: CutLaw = (w) => {
+  for (const { grid, final } of w.verdicts) {
+    const other = filled(grid, w.simulation.final);
+    const [more, less] = [beyond(grid, final, other), beyond(grid, other, final)];
+    if (more > REAL || less > REAL) return `columns along ${grid.along} keep ${mm2(more)} more and ${mm2(less)} less than the polygons`;
+  }
+  return null;
+};
+
+/** A fault that one of them sees well above its resolution, the other sees too. */
+const judgesAgreeOnFaults: CutLaw = (w) => {
+  const clear = 0.2;
+  const { gouge, rapidInStock } = w.simulation.proof;
+  const [g, r] = [most(w, (v) => sumOf(v, "gouge")), most(w, (v) => sumOf(v, "rapid"))];
+  if (g > clear && !(gouge > 0)) return `only the columns see a gouge of ${mm2(g)}`;
+  if (r > clear && !(rapidInStock > 0)) return `only the columns see a rapid in stock of ${mm2(r)}`;
+  return null;
+};
+
+/** What stays above the contour is what the simulation reports as residue, and nothing else. */
+const judgesAgreeOnResidue: CutLaw = (w) => {
+  const area = w.plans.at(-1)?.area ?? [];
+  if (area.length < 3 || w.plans.length > 1 || w.plans[0]?.moves.length === 0) return null;
+  const rings = w.simulation.proof.residual.map((r) => r.ring);
+  for (const { grid, final } of w.verdicts) {
+    const left = each(final, filled(grid, [area], true), (a, b) => without(a, without(a, b)));
+    // What is thinner than the simulation looks at is left out on both sides.
+    const thick = areaOf(grid, each(thickOf(left), grown(filled(grid, rings), 0.02), without));
+    if (thick > 0.05) return `columns along ${grid.along} see residue of ${mm2(thick)} that is not reported`;
+    const reported = beyond(grid, filled(grid, rings), left);
+    if (reported > 0.05) return `reported residue of ${mm2(reported)} is not there`;
+  }
+  return null;
+};
+/** Without what is thinner than two columns or 0.02 mm. */
+const thickOf = (f: Field): Field => f.map((column, i) => {
+  const near = [f[i - 1] ?? [], f[i + 1] ?? []];
+  const core = near.reduce((a, b) => without(a, without(a, b)), [...column]);
+  return core.flatMap((n, k) => (k % 2 === 0 && (core[k + 1] as number) - n > 0.02 ? [n, core[k + 1] as number] : []));
+});
+
+/** By name, so that a case on file says which of them it broke. */
+export const cutLaws: Readonly<Record<string, CutLaw>> = {
+  partStaysWhole, rapidsAreFree, judgesAgreeOnStock, judgesAgreeOnFaults, judgesAgreeOnResidue,
+};
+
+/** Every law that a situation breaks, with what it says. */
+export function brokenBy(cycle: Cycle, situation: Situation, laws: readonly string[] = Object.keys(cutLaws)): string[] {
+  const w = worked(cycle, situation);
+  return laws.flatMap((name) => {
+    const said = cutLaws[name]?.(w) ?? null;
+    return said === null ? [] : [`${name}: ${said}`];
+  });
+}

@@ -1,0 +1,32 @@
+import fc from "fast-check";
+import { describe, expect, test } from "vitest";
+import { cycleByNumber } from "../../src/cycles/index.ts";
+import { seed } from "../seed.ts";
+import { brokenBy } from "./cut-laws.ts";
+import type { FoundCase } from "./found-case.ts";
+import { situations } from "./situations.ts";
+
+/*
+ * Every set-up that can be drawn is cut twice and held to the laws of cut-laws.ts, whatever its start point. `npm run laws` draws
+ * many more; what it finds lies in found/ and is tried here for ever.
+ */
+console.info(`laws of the cut: LAW_SEED=${seed}`);
+const CASES = Number(process.env["LAW_CASES"] ?? 25);
+
+for (const operation of [0, 1, 2, 3])
+  describe.each(situations(operation))(`cycle $cycle.number, Q215 = ${operation}`, ({ cycle, arbitrary }) => {
+    test("keeps the part whole and its rapids free, and both simulations agree", () => {
+      fc.assert(fc.property(arbitrary, (s) => {
+        expect(brokenBy(cycle, s)).toEqual([]);
+      }), { numRuns: CASES });
+    });
+  });
+
+describe("set-ups that broke a law once", () => {
+  const found = Object.entries(import.meta.glob<FoundCase>("./found/*.json", { import: "default", eager: true }));
+  for (const [path, { cycle, situation }] of found) test(path, () => {
+    const known = cycleByNumber(cycle);
+    expect(known && brokenBy(known, situation)).toEqual([]);
+  });
+  test("lie in a folder of their own", () => expect(found.every(([path]) => path.startsWith("./found/"))).toBe(true));
+});
