@@ -1,0 +1,83 @@
+import { describe, expect, test } from "vitest";
+import { verified } from "../../scripts/verify.ts";
+import { shippedTools } from "../../src/program/shipped-tools.ts";
+import type { Report, ReportMove } from "../../src/report/report.ts";
+import { expected, SEVERITY, type Expected } from "./expected.ts";
+
+const programs = import.meta.glob<string>("./*.h", { query: "?raw", import: "default", eager: true });
+const nameOf = (path: string) => path.replace(/^\.\/|\.h$/g, "");
+/** Longer than the lead-in of a finishing cut, diameter, mm. */
+const LEAD = 4.1;
+const near = (a: number | undefined, b: number) => Math.abs((a ?? NaN) - b) < 0.005;
+
+/** Everything that a report says other than it should, in words. */
+function differences(r: Report, e: Expected): string[] {
+  const out: string[] = [];
+  const wrong = (when: boolean, what: string) => void (when && out.push(what));
+  const { proof, issues } = r;
+  const errors = issues.filter((i) => i.severity === "error");
+  for (const [code, count] of Object.entries(e.has ?? {})) {
+    const found = issues.filter((i) => i.code === code);
+    wrong(found.length === 0 || (count !== true && found.length !== count), `${found.length} × ${code}`);
+    wrong(found.some((i) => i.severity !== SEVERITY[code]), `${code} is not ${SEVERITY[code]}`);
+  }
+  for (const code of e.hasNot ?? []) wrong(issues.some((i) => i.code === code), `reports ${code}`);
+  wrong(e.mostErrors !== undefined && errors.length > e.mostErrors, `errors ${errors.map((i) => i.code).join()}`);
+  wrong(e.errorAt !== undefined && !errors.some((i) => e.errorAt?.includes(i.at ?? "")), `no error at ${e.errorAt?.join()}`);
+  wrong(e.gouge !== undefined && e.gouge !== proof.gouge > 0, `gouge ${proof.gouge}`);
+  wrong(e.rapidInStock !== undefined && e.rapidInStock !== proof.rapidInStock > 0, `rapid in stock ${proof.rapidInStock}`);
+  wrong(e.verdict !== undefined && e.verdict !== (proof as { verdict?: string }).verdict, `verdict ${(proof as { verdict?: string }).verdict}`);
+  const of = (reason: string) => proof.residual.reduce((sum, p) => (p.reason === reason ? sum + p.area : sum), 0);
+  const left = proof.residual.reduce((sum, p) => sum + p.area, 0);
+  wrong(e.left !== undefined && left > e.left, `${left} mm² stay`);
+  wrong(e.reason !== undefined && of(e.reason) === 0, `nothing stays for ${e.reason}`);
+  for (const [reason, most] of Object.entries(e.noReason ?? {})) wrong(of(reason) > most, `${of(reason)} mm² stay for ${reason}`);
+  const unproved = (proof as { unproved?: readonly { what: string }[] }).unproved ?? [];
+  wrong(e.unproved === false && unproved.length > 0, `not proved: ${unproved.map((u) => u.what).join()}`);
+  return [...out, ...ofMotion(r, e)];
+}
+
+/** The same of its moves. */
+function ofMotion(r: Report, e: Expected): string[] {
+  const out: string[] = [];
+  const wrong = (when: boolean, what: string) => void (when && out.push(what));
+  const cut = (r.operations[0]?.moves ?? []).map((m, i, all) => ({ ...m, before: all[i - 1] ?? { ...r.operations[0]?.start, kind: "rapid" } as ReportMove }));
+  const feeds = cut.filter((m) => m.kind !== "rapid");
+  if (e.path) {
+    const ends = r.moves.slice(0, e.path.length);
+    wrong(ends.length < e.path.length || e.path.some(([x, z], i) => !near(ends[i]?.x, x) || !near(ends[i]?.z, z)), `goes to ${JSON.stringify(ends.map((m) => [m.x, m.z]))}`);
+  }
+  for (const [block, feed] of Object.entries(e.feeds ?? {})) {
+    const found = r.moves.filter((m) => m.block === Number(block));
+    wrong(!found.some((m) => near(m.feed, feed)), `block ${block} feeds ${found.map((m) => m.feed).join()}`);
+  }
+  if (e.lastLevel !== undefined) {
+    const levels = feeds.filter((m) => m.phase === "rough" && near(m.x, m.before.x) && Math.abs((m.z ?? 0) - (m.before.z ?? 0)) > 10).map((m) => m.x);
+    wrong(!near(Math.min(...levels), e.lastLevel), `last level at ${Math.min(...levels)}`);
+  }
+  wrong(e.lowestZ !== undefined && !near(Math.min(...cut.map((m) => m.z ?? Infinity)), e.lowestZ), `lowest Z ${Math.min(...cut.map((m) => m.z ?? Infinity))}`);
+  if (e.finishAlongZ) {
+    const { z, beyond } = e.finishAlongZ;
+    const finish = feeds.filter((m) => m.phase === "finish");
+    const along = finish.filter((m) => near(m.z, z) && near(m.before.z, z) && Math.abs(m.x - m.before.x) > LEAD);
+    wrong(along.length > 0, `finishes along Z${z}`);
+    wrong(beyond !== undefined && finish.some((m) => ((m.z ?? z) - z) * beyond.side > beyond.most), `finishes beyond Z${z}`);
+  }
+  for (const [block, [x, z]] of Object.entries(e.arcInXZ ?? {})) {
+    const arc = r.moves.find((m) => m.block === Number(block) && m.kind === "arc");
+    wrong(!arc || !near(arc.cx, x) || !near(arc.cz, z), `block ${block}: ${JSON.stringify(arc)}`);
+  }
+  wrong(e.inOrder === true && r.moves.some((m, i) => m.block < (r.moves[i - 1]?.block ?? 0)), `blocks ${r.moves.map((m) => m.block).join()}`);
+  return out;
+}
+
+describe("programs that showed a fault", () => {
+  test("each has its row, and each row its program", () => {
+    expect(Object.keys(programs).map(nameOf).sort()).toEqual(Object.keys(expected).sort());
+  });
+  for (const [name, e] of Object.entries(expected))
+    test.skipIf(e.pending)(`${name}: ${e.says}`, () => {
+      const text = programs[`./${name}.h`] ?? "";
+      expect(differences(verified(`${name}.h`, text, { tools: shippedTools, refused: new Map() }), e)).toEqual([]);
+    });
+});

@@ -1,0 +1,89 @@
+/** What a program of this folder must report. Codes carry their severity from `SEVERITY`. */
+export interface Expected {
+  /** In words, for the name of the test. */
+  readonly says: string;
+  /** Codes that must be reported; with a number, exactly that many of them. */
+  readonly has?: Readonly<Record<string, number | true>>;
+  readonly hasNot?: readonly string[];
+  /** Codes of errors allowed at all; everything else must be no error. */
+  readonly errors?: readonly string[];
+  /** At most this many errors. */
+  readonly mostErrors?: number;
+  /** An error that names one of these fields. */
+  readonly errorAt?: readonly string[];
+  readonly verdict?: "proved" | "faults" | "incomplete";
+  /** Whether the proof finds any, mm². */
+  readonly gouge?: boolean;
+  readonly rapidInStock?: boolean;
+  /** Most material that stays, mm². */
+  readonly left?: number;
+  /** Reasons of what stays: one that must be there, and those that must not hold more than the area given. */
+  readonly reason?: string;
+  readonly noReason?: Readonly<Record<string, number>>;
+  readonly unproved?: boolean;
+  /** Ends of the motion outside cycles, in order: [X, Z]. What the first position is reached from is not known, so it is no move. */
+  readonly path?: readonly (readonly [x: number, z: number])[];
+  /** Feeds of the motion outside cycles by block. */
+  readonly feeds?: Readonly<Record<number, number>>;
+  /** Diameter of the deepest long roughing cut along Z. */
+  readonly lastLevel?: number;
+  /** Lowest Z that the first operation cuts to. */
+  readonly lowestZ?: number;
+  /** No finishing cut runs along this Z, or passes it by more than the clearance given. */
+  readonly finishAlongZ?: { readonly z: number; readonly beyond?: { readonly side: 1 | -1; readonly most: number } };
+  /** Circular motion of a block in the X/Z plane: centre [X, Z]. */
+  readonly arcInXZ?: Readonly<Record<number, readonly [x: number, z: number]>>;
+  /** Motion follows the blocks in order. */
+  readonly inOrder?: true;
+  /** Not yet so. */
+  readonly pending?: true;
+}
+
+/** Severities that scripts rely on. */
+export const SEVERITY: Readonly<Record<string, "error" | "warning" | "info">> = {
+  notInTurnMode: "error", compensationActive: "error", toolUnfit: "error", labelTwice: "error", feedZero: "error", feedUnlikely: "warning",
+  cycleNeverCalled: "warning", neverReached: "warning", deeperThanInfeed: "warning", nothingCut: "warning", airPasses: "info", notProved: "warning",
+  parameterForeign: "warning", tooManyPasses: "error", rapidInStock: "error", gouge: "error", holderContact: "error", materialLeft: "warning",
+};
+
+const clean = { gouge: false, rapidInStock: false } as const;
+
+export const expected: Readonly<Record<string, Expected>> = {
+  "p03-812-cyl-chamfer-506-2": { says: "the last level lies on the cylinder, whatever the chamfer", lastLevel: 50.4, ...clean },
+  "p06-exactk": { says: "steps of Q506 = 2 stay for want of smoothing, not as oversize", reason: "smoothing", noReason: { oversize: 0.05 }, ...clean },
+  "h02-852-509p": { says: "Q509 above 0: one shifted contour, no gouge", gouge: false, hasNot: ["gouge"] },
+  "h13-852-509m-r": { says: "Q509 below 0: one shifted contour, neither gouge nor residue", ...clean, left: 0.05 },
+  "z03-820-pin-turn-fin-Z0": { says: "Q499 = 1 from the wrong side is an error at the start point, and cuts nothing", gouge: false, errorAt: ["start.x", "start.z"] },
+  "x11-820-pin-out-fin": { says: "the finishing lead-in leaves the corner", gouge: false, hasNot: ["gouge"] },
+  "f08-820-limit-belowside-fin": { says: "finishing stops at the limit and leaves", gouge: false, finishAlongZ: { z: -10, beyond: { side: 1, most: 2.1 } } },
+  "f01-820-limit-Z": { says: "finishing does not run along the limit", ...clean, finishAlongZ: { z: -10, beyond: { side: -1, most: 0.01 } } },
+  "f02-820-limit-X40": { says: "what stays behind the limit stays for the limit", ...clean, reason: "limit", noReason: { insertRadius: 1 } },
+  "w01-neg-collision": { says: "a rapid through the bar on the other side of the axis is a rapid in stock", rapidInStock: true, has: { rapidInStock: true }, verdict: "faults" },
+  "s13-datum": { says: "the datum shift is run", lowestZ: -85.734, unproved: false },
+  datum: { says: "both datum shifts are run", path: [[70, 3], [70, -19], [85, -19]], unproved: false },
+  m91_between: { says: "M91 goes to a place that is not of the workpiece: nothing false", ...clean, hasNot: ["gouge", "rapidInStock"], mostErrors: 0 },
+  bore_m140: { says: "M140 MB MAX draws back: nothing false", ...clean, hasNot: ["gouge", "rapidInStock"], mostErrors: 0 },
+  jump: {
+    says: "the jumps are run", hasNot: ["gouge", "notProved"], unproved: false,
+    path: [78, 74, 70, 66, 62].flatMap((x): [number, number][] => [[x, -40], [x + 2, -39], [x + 2, 2], x > 62 ? [x - 4, 2] : [100, 50]]),
+  },
+  arcs_xz: { says: "an arc in XZ runs in its plane", arcInXZ: { 5: [10, 5] } },
+  feedm140: { says: "the F behind M140 and M128 belongs to them", feeds: { 3: 125, 4: 125, 6: 125, 8: 125 } },
+  paraxial: { says: "a block without L is a straight one", path: [[70, 5], [70, -20], [82, -20], [82, 5], [60, 5]], hasNot: ["notUnderstood"] },
+  tiny: { says: "an arc that ends under a micron from the next point makes no move of its own", inOrder: true },
+  "j02-nomode": { says: "a cycle without FUNCTION MODE TURN", has: { notInTurnMode: true } },
+  "s06-812-RL-active-call": { says: "RR is active at the call", has: { compensationActive: true } },
+  "k12-PS-RL": { says: "RL is active at PS", has: { compensationActive: true } },
+  "j09-820-lbltwice": { says: "a label set twice", has: { labelTwice: true } },
+  "j13-812-nocall": { says: "a cycle that is never called", has: { cycleNeverCalled: true }, verdict: "incomplete" },
+  "i34-unknownQ": { says: "Q parameters that the cycle does not have", has: { parameterForeign: 2 } },
+  "r18-812-firstpass-deep": { says: "the first pass is deeper than Q463", has: { deeperThanInfeed: true } },
+  "t08-812-tool": { says: "an axial blade cannot turn a shoulder", has: { toolUnfit: true } },
+  "r12-852-T9-radial-tool": { says: "a radial tool cannot cut a face", has: { toolUnfit: true } },
+  "i08-Q478-FAUTO-noF": { says: "FAUTO without a feed", has: { feedZero: true } },
+  "o02-820-face-X0": { says: "a face to X0 leaves nothing", ...clean, left: 0, hasNot: ["materialLeft"] },
+  "b07-812-S-Z-farbehind": { says: "a start point in the air does not stand in the material", hasNot: ["startInMaterial"] },
+  "i23-Q491neg": { says: "one range everywhere", hasNot: ["outOfRange"] },
+  "j10-820-lblbeforeM30": { says: "M30 is missing in front of the label: the cause, once", mostErrors: 1 },
+  "r08-820-Q463-tiny": { says: "too many passes, at once", has: { tooManyPasses: true } },
+};
