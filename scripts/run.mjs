@@ -18,14 +18,14 @@ function fingerprint() {
     for (const entry of readdirSync(join(root, folder), { withFileTypes: true })) {
       const path = join(folder, entry.name);
       if (entry.isDirectory()) walk(path);
-      else if (/\.(tsx?|json)$/.test(entry.name) && !/\.test\.tsx?$/.test(entry.name)) note(path);
+      else if (/\.(tsx?|json)$/.test(entry.name) && !/\.test\.tsx?$/.test(entry.name) && !folder.endsWith("found")) note(path);
     }
   };
   const note = (path) => {
     const { size, mtimeMs } = statSync(join(root, path));
     hash.update(`${path} ${size} ${mtimeMs}\n`);
   };
-  for (const folder of ["src", "scripts"]) walk(folder);
+  for (const folder of ["src", "scripts", "tests/laws", "tests/judge"]) walk(folder);
   for (const file of ["package-lock.json", "scripts/run.mjs"]) note(file);
   return hash.digest("hex").slice(0, 16);
 }
