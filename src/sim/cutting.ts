@@ -1,12 +1,13 @@
 import { difference, union } from "../kernel/clip.ts";
 import type { Ring } from "../kernel/point.ts";
-import { edgesOf, type Edges } from "./edges.ts";
+import { edgesOf } from "./edges.ts";
 import type { Piece } from "./piece.ts";
+import type { Sweep } from "./sweep.ts";
 
-/** Convex pieces, or merged groups of them, that are merged in one go. Many that overlap cost the square of their number. */
+/** Rings, or merged groups of them, that are merged in one go. Many that overlap cost the square of their number. */
 const GROUP = 8;
-/** Pieces after which the stock that checks look at is brought up to date, and the part of its points that may wait beyond. */
-const [RECENT, PART] = [48, 6];
+/** Points swept that may wait before they are taken from the stock, and the part of the points of that stock that may wait beyond. */
+const [RECENT, PART] = [40, 4];
 
 /** Rings that are merged in groups of groups as they come. The same rings in the same order always give the same areas. */
 function heap() {
@@ -22,7 +23,7 @@ function heap() {
   return { add: (ring: Ring) => keep([ring], 0), all: () => levels.flat(2) };
 }
 
-/** Convex rings as one area, merged group by group. */
+/** Rings as one area, merged group by group. */
 export function merged(rings: readonly Ring[]): Ring[] {
   if (rings.length <= GROUP) return [...rings];
   const all = heap();
@@ -38,59 +39,60 @@ export interface Present {
   meets(piece: Piece): boolean;
 }
 
+/** The rings of a sweep as far as it may meet a stock. */
+export function near({ pieces, rings }: Sweep, meets: (piece: Piece) => boolean): readonly Ring[] {
+  const met = pieces.filter(meets);
+  return met.length < 2 ? met.map((piece) => piece.ring) : rings;
+}
+
+const pointsOf = (rings: readonly Ring[]) => rings.reduce((sum, ring) => sum + ring.length, 0);
+
 /**
- * Stock that is being cut: the stock it began with, and what has been swept since, merged in groups of groups. The
- * same pieces added in the same order always give the same stock, to the last bit.
+ * Stock that is being cut: an area, and what has been swept since that was made up. It is made up anew after so many points,
+ * so that little is left to take away for those who ask. The same sweeps added in the same order always give the same stock,
+ * to the last bit.
  */
 export interface Cutting {
   /** The stock it began with. */
   readonly initial: readonly Ring[];
-  /** Convex pieces added that met the stock. */
+  /** Convex pieces of the sweeps that met the stock. */
   readonly pieces: number;
-  /** Takes away convex pieces. Those that do not meet the stock it began with are passed over. */
-  add(pieces: readonly Piece[]): void;
-  /** Whether a convex piece met the stock it began with. */
-  meets(piece: Piece): boolean;
-  /** The stock for checks, which ask it often: it is brought up to date now and then, so that little is left to take away. */
+  /** Takes away what is swept. What does not meet the stock is passed over. */
+  add(sweep: Sweep): void;
+  /** The stock for checks. */
   present(): Present;
-  /** The stock now, less further pieces that are not kept. */
-  stock(further?: readonly Piece[]): readonly Ring[];
+  /** The stock now, less a further sweep that is not kept. */
+  stock(further?: Sweep): readonly Ring[];
 }
 
 /** Begins to cut a stock. */
 export function cutting(initial: readonly Ring[]): Cutting {
-  const edges = edgesOf(initial);
-  const swept = heap();
-  let pieces = 0;
-  let [base, baseEdges, recent, waiting]: [readonly Ring[], Edges, Ring[], number] = [initial, edges, [], 0];
+  let [base, edges, recent, waiting, pieces] = [initial, edgesOf(initial), heap(), 0, 0];
+  let now: Present | null = null;
 
   return {
     initial,
     get pieces() {
       return pieces;
     },
-    add(more) {
-      for (const piece of more) {
-        if (!edges.meets(piece)) continue;
-        pieces += 1;
-        swept.add(piece.ring);
-        recent.push(piece.ring);
-        waiting += 1;
-      }
+    add(sweep) {
+      const rings = near(sweep, edges.meets);
+      if (rings.length === 0) return;
+      now = null;
+      pieces += sweep.pieces.length;
+      rings.forEach(recent.add);
+      waiting += pointsOf(rings);
+      if (waiting <= RECENT + pointsOf(base) / PART) return;
+      base = difference(base, recent.all());
+      [edges, recent, waiting] = [edgesOf(base), heap(), 0];
     },
-    meets: (piece) => edges.meets(piece),
     present() {
-      if (recent.length > GROUP) recent = merged(recent);
-      if (waiting > RECENT + base.reduce((sum, ring) => sum + ring.length, 0) / PART) {
-        base = difference(base, recent);
-        [baseEdges, recent, waiting] = [edgesOf(base), [], 0];
-      }
-      const [known, gone] = [baseEdges, [...recent]];
-      return { base, gone, meets: (piece) => known.meets(piece) };
+      now ??= { base, gone: recent.all(), meets: edges.meets };
+      return now;
     },
-    stock(further = []) {
-      const gone = [...swept.all(), ...further.filter((piece) => edges.meets(piece)).map((piece) => piece.ring)];
-      return gone.length === 0 ? initial : difference(initial, gone);
+    stock(further) {
+      const gone = [...recent.all(), ...(further ? near(further, edges.meets) : [])];
+      return gone.length === 0 ? base : difference(base, gone);
     },
   };
 }

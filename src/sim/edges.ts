@@ -68,8 +68,9 @@ export function edgesOf(area: readonly Ring[]): Edges {
   function holds(z: number, r: number): boolean {
     let winding = 0;
     for (const e of lists[columnOf(z)] ?? []) {
-      const [az, ar, bz, br] = [z0[e] as number, r0[e] as number, z1[e] as number, r1[e] as number];
+      const [az, bz] = [z0[e] as number, z1[e] as number];
       if (az <= z === bz <= z) continue;
+      const [ar, br] = [r0[e] as number, r1[e] as number];
       if (ar + ((br - ar) * (z - az)) / (bz - az) > r) winding += az <= z ? 1 : -1;
     }
     return winding !== 0;

@@ -3,7 +3,7 @@ import { expect, test } from "vitest";
 import { difference, offset } from "../kernel/clip.ts";
 import type { Pt, Ring } from "../kernel/point.ts";
 import { axial, radius } from "../kernel/units.ts";
-import { deepestAlong, thicknessOf } from "./extent.ts";
+import { deepestAlong, hasRoomFor, thicknessOf } from "./extent.ts";
 
 const at = (z: number, r: number): Pt => ({ z: axial(z), r: radius(r) });
 const box = (z0: number, r0: number, z1: number, r1: number): Ring => [at(z0, r0), at(z1, r0), at(z1, r1), at(z0, r1)];
@@ -45,4 +45,16 @@ test("a circle of that thickness fits in, a larger one does not", () => {
     expect(offset(area, -thickness * 0.48)).not.toEqual([]);
     expect(offset(area, -thickness * 0.52)).toEqual([]);
   }), { numRuns: 60 });
+});
+
+test("room for a circle is never denied where one fits, and is where a band is far thinner, however long and bent", () => {
+  const spots = fc.array(fc.tuple(mm(-20, 20), mm(0, 30)), { minLength: 3, maxLength: 9 });
+  fc.assert(fc.property(spots, mm(0.2, 3), mm(0.2, 1), (points, width, part) => {
+    const area = offset(points.map(([z, r]) => box(z, r, z + width, r + 5)), 0.3);
+    expect(hasRoomFor(area, 0.96 * part * thicknessOf(area))).toBe(true);
+  }), { numRuns: 100 });
+  const bent = difference([box(-40, 5, 0, 30)], [box(-39.4, 0, 1, 29.5)]);
+  expect(hasRoomFor(bent, 0.6)).toBe(true);
+  expect(hasRoomFor(bent, 2.4)).toBe(false);
+  expect(hasRoomFor([], 1)).toBe(false);
 });

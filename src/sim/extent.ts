@@ -2,6 +2,7 @@ import { areaOf, areaOfRing, offset } from "../kernel/clip.ts";
 import type { Pt, Ring } from "../kernel/point.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
 import { boxAround } from "./box.ts";
+import { crossings } from "./scan.ts";
 
 /** So far beside a corner an area is looked at, mm: the corner itself belongs to both sides. */
 const BESIDE = 2e-5;
@@ -33,32 +34,56 @@ function besides(corners: readonly number[]): (readonly [number, number])[] {
  */
 export function deepestAlong(area: readonly Ring[], direction: { readonly z: number; readonly r: number }): number {
   const up = Math.abs(direction.r) >= Math.abs(direction.z);
-  const across = (p: Pt): number => (up ? p.z : p.r);
-  const along = (p: Pt): number => (up ? p.r : p.z);
-  const longestAt = (a: number): number => {
-    const crossings: number[] = [];
-    for (const ring of area) {
-      let p = ring[ring.length - 1] as Pt;
-      for (const q of ring) {
-        const [from, to] = [across(p), across(q)];
-        if (from <= a !== to <= a) crossings.push(along(p) + ((along(q) - along(p)) * (a - from)) / (to - from));
-        p = q;
-      }
-    }
-    crossings.sort((x, y) => x - y);
-    let [longest, begun] = [0, crossings[0] ?? 0];
-    for (let i = 1; i < crossings.length; i += 2) {
-      const end = crossings[i] as number;
-      longest = Math.max(longest, end - begun);
-      const next = crossings[i + 1];
+  const [along, across] = up ? (["r", "z"] as const) : (["z", "r"] as const);
+  const longest = (places: readonly number[]): number => {
+    let [most, begun] = [0, places[0] ?? 0];
+    for (let i = 1; i < places.length; i += 2) {
+      const end = places[i] as number;
+      most = Math.max(most, end - begun);
+      const next = places[i + 1];
       if (next !== undefined && next - end > SLIVER) begun = next;
     }
-    return longest;
+    return most;
   };
-  return besides(area.flatMap((ring) => ring.map(across))).reduce((deepest, [near, beyond]) => {
-    const here = longestAt(near);
-    return here > deepest ? Math.max(deepest, Math.min(here, longestAt(beyond))) : deepest;
-  }, 0);
+  const pairs = besides(area.flatMap((ring) => ring.map((p) => p[across]))).sort(([a], [b]) => a - b);
+  const depths = crossings(area, along, pairs.map(([near]) => near)).map(longest);
+  const order = depths.map((_, i) => i).sort((i, k) => (depths[k] ?? 0) - (depths[i] ?? 0));
+  let deepest = 0;
+  for (const i of order) {
+    const [here, beyond] = [depths[i] ?? 0, pairs[i]?.[1] ?? 0];
+    if (here <= deepest) break;
+    deepest = Math.max(deepest, Math.min(here, longest(crossings(area, along, [beyond])[0] ?? [])));
+  }
+  return deepest;
+}
+
+/** Lines on which room for a circle is looked for, in its diameter. */
+const GRATING = 0.25;
+/** With more lines than this looking costs more than it saves. */
+const MOST_LINES = 4000;
+
+/**
+ * False when surely no circle of a diameter (mm) fits into an area. One that fits meets three lines in a row, the middle one
+ * within half a space of its centre, and each of them in the whole of the shortest chord that this leaves.
+ */
+export function hasRoomFor(area: readonly Ring[], diameter: number): boolean {
+  const box = boxAround(area);
+  const space = GRATING * diameter;
+  if (!(box.right - box.left >= diameter && box.top - box.bottom >= diameter)) return false;
+  const chord = diameter * Math.sqrt(1 - (3 * GRATING) ** 2) - 2 * BESIDE;
+  const count = Math.ceil((box.right - box.left) / space) + 1;
+  if (!(count < MOST_LINES)) return true;
+  const lines = crossings(area, "r", Array.from({ length: count }, (_, i) => box.left + i * space));
+  const common = (a: readonly number[], b: readonly number[]): number[] => {
+    const out: number[] = [];
+    for (let i = 0; i + 1 < a.length; i += 2)
+      for (let k = 0; k + 1 < b.length; k += 2) {
+        const [from, to] = [Math.max(a[i] as number, b[k] as number), Math.min(a[i + 1] as number, b[k + 1] as number)];
+        if (to - from >= chord) out.push(from, to);
+      }
+    return out;
+  };
+  return lines.some((line, i) => common(common(lines[i - 1] ?? [], line), lines[i + 1] ?? []).length > 0);
 }
 
 const lengthOf = (ring: Ring) =>

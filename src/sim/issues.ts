@@ -1,6 +1,7 @@
 import { issue, type Issue } from "../kernel/issue.ts";
 import { toDiameter } from "../kernel/units.ts";
-import { MOST_CONTACTS, REAL_AREA } from "./check.ts";
+import { MOST_CONTACTS } from "./check.ts";
+import { REAL_AREA } from "./contact.ts";
 import { isTooDeep } from "./measure.ts";
 import type { Depth, Finding, OperationProof, Residual, Simulation } from "./simulation.ts";
 

@@ -3,13 +3,14 @@ import type { Move } from "../kernel/move.ts";
 import type { Pt, Ring } from "../kernel/point.ts";
 import type { Step } from "../kernel/step.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
-import { boxAround, boxOf } from "./box.ts";
-import { inStock, REAL_AREA, real } from "./check.ts";
+import { boxAround } from "./box.ts";
+import { inStock, REAL_AREA, real } from "./contact.ts";
 import type { Cutting, Present } from "./cutting.ts";
-import { deepestAlong, thicknessOf } from "./extent.ts";
+import { deepestAlong, hasRoomFor, thicknessOf } from "./extent.ts";
 import type { Outlines } from "./outlines.ts";
-import { pieceOf, type Piece } from "./piece.ts";
+import { piecesOf } from "./piece.ts";
 import type { Depth, OperationProof, SimulatedOperation } from "./simulation.ts";
+import type { Sweep } from "./sweep.ts";
 
 /** Real depths may pass what is allowed by this much before it is told, mm. */
 const TOLD = 0.05;
@@ -26,7 +27,9 @@ interface Stretch {
   readonly step: number;
   readonly block: number;
   readonly before: Present;
-  readonly pieces: Piece[];
+  readonly sweeps: Sweep[];
+  /** Convex pieces in all sweeps. */
+  pieces: number;
 }
 
 interface Sums {
@@ -40,7 +43,7 @@ interface Sums {
 /** Measures in the stock what each operation does. */
 export interface Measure {
   /** A step and its sweep, before that is taken from the stock. */
-  add(step: Step, index: number, sweep: readonly Piece[], outlines: Outlines, cut: Cutting): void;
+  add(step: Step, index: number, sweep: Sweep, outlines: Outlines, cut: Cutting): void;
   results(): OperationProof[];
 }
 
@@ -63,7 +66,7 @@ export function measuring(operations: readonly SimulatedOperation[], blank: read
     run = null;
     const [sum, operation] = done ? [sums[done.operation], operations[done.operation]] : [];
     if (!done || !sum || !operation) return;
-    const taken = inStock(done.pieces, done.before);
+    const taken = inStock(done.sweeps, done.before);
     const area = areaOf(taken);
     sum.cut += area;
     const passes = done.phase === "rough" && done.pass !== undefined;
@@ -75,7 +78,7 @@ export function measuring(operations: readonly SimulatedOperation[], blank: read
   }
 
   function belongs(step: Step, operation: number): boolean {
-    return run !== null && run.operation === operation && run.phase === step.move.phase && run.pass === step.move.pass && run.pieces.length < LONG;
+    return run !== null && run.operation === operation && run.phase === step.move.phase && run.pass === step.move.pass && run.pieces < LONG;
   }
 
   return {
@@ -86,8 +89,9 @@ export function measuring(operations: readonly SimulatedOperation[], blank: read
       const sum = sums[operation];
       if (sum && operations[operation]?.firstStep === index && standsIn(outlines.checked, step.from, cut)) sum.startInMaterial = step.from;
       if (step.move.kind === "rapid") return;
-      run ??= { operation, phase: step.move.phase, pass: step.move.pass, step: index, block: step.block, before: cut.present(), pieces: [] };
-      run.pieces.push(...sweep);
+      run ??= { operation, phase: step.move.phase, pass: step.move.pass, step: index, block: step.block, before: cut.present(), sweeps: [], pieces: 0 };
+      run.sweeps.push(sweep);
+      run.pieces += sweep.pieces.length;
     },
     results() {
       close();
@@ -100,8 +104,11 @@ export function measuring(operations: readonly SimulatedOperation[], blank: read
 }
 
 /** Whether an insert stands in the stock. */
-const standsIn = (insert: Ring, { z, r }: Pt, cut: Cutting): boolean =>
-  insert.length > 2 && real(inStock([pieceOf(insert.map((p) => ({ z: (p.z + z) as Pt["z"], r: (p.r + r) as Pt["r"] })))], cut.present())).length > 0;
+function standsIn(insert: Ring, { z, r }: Pt, cut: Cutting): boolean {
+  if (insert.length < 3) return false;
+  const rings = [insert.map((p) => ({ z: (p.z + z) as Pt["z"], r: (p.r + r) as Pt["r"] }))];
+  return real(inStock([{ pieces: piecesOf(rings), rings }], cut.present())).length > 0;
+}
 
 type Where = Pick<Depth, "step" | "block" | "pass">;
 
@@ -120,11 +127,7 @@ function thicker(known: Depth | null, taken: readonly Ring[], operation: Simulat
   const allowed = mostBeside(operation);
   if (allowed === 0) return known;
   const told = Math.max(allowed + TOLD, known?.depth ?? 0);
-  const wide = taken.filter((ring) => {
-    const box = boxOf(ring);
-    return Math.min(box.right - box.left, box.top - box.bottom) > told;
-  });
-  if (wide.length === 0 || offset(taken, -told / 2).length === 0) return known;
+  if (!hasRoomFor(taken, told) || offset(taken, -told / 2).length === 0) return known;
   return { depth: thicknessOf(taken), allowed, ...where };
 }
 

@@ -10,11 +10,10 @@ import { cutting } from "./cutting.ts";
 import { thicknessOf } from "./extent.ts";
 import { machiningArea } from "./finished.ts";
 import { outlinesOf, type Outlines } from "./outlines.ts";
-import { piecesOf, type Piece } from "./piece.ts";
 import { reasonFor } from "./reason.ts";
 import { inside, placeIn, regionsOf, type Region } from "./region.ts";
 import type { Residual, SimulatedOperation } from "./simulation.ts";
-import { hullAlong, sweepAlong } from "./sweep.ts";
+import { hullAlong, sweptOn, type Sweep } from "./sweep.ts";
 
 /** Smaller regions are not reported, mm². */
 export const LEAST_RESIDUAL = 0.01;
@@ -33,25 +32,25 @@ function leftBy(
   for (const operation of operations) {
     const tool = toolOf(operation);
     const { insert } = outlines(bare ? uncorrected(tool) : tool);
-    for (const piece of coverOf(operation.plan, pathOf(operation.plan), insert)) cut.add(piece);
+    for (const swept of coverOf(operation.plan, pathOf(operation.plan), insert)) cut.add(swept);
   }
   return [...cut.stock()];
 }
 
-/** Convex pieces of what an insert clears along a path: the path itself and everything on its open side. */
-function* coverOf({ area, openSide }: Plan, path: readonly Reach[], insert: Ring): Generator<Piece[]> {
+/** What an insert clears along a path: the path itself and everything on its open side. */
+function* coverOf({ area, openSide }: Plan, path: readonly Reach[], insert: Ring): Generator<Sweep> {
   if (insert.length < 3 || area.length < 3) return;
   const box = boxOf(area);
   const far = box.right - box.left + box.top - box.bottom;
   const cover = hullAlong(insert, ORIGIN, at(openSide.z * far, openSide.r * far));
-  for (const stretch of path) yield piecesOf(sweepAlong(cover, stretch.path));
+  for (const stretch of path) yield sweptOn(cover, stretch.path);
 }
 
 /** What stays of a region when a tool goes along the deepest path of a plan made for it, mm²: how one tool compares to another. */
 export function staysAfter(region: Ring, plan: Plan, tool: Tool): number {
   const { insert } = outlinesOf()(plan.tool ?? tool);
   const cut = cutting([region]);
-  for (const pieces of coverOf(plan, plan.reach, insert)) cut.add(pieces);
+  for (const swept of coverOf(plan, plan.reach, insert)) cut.add(swept);
   return areaOf(opened(cut.stock(), SLIVER));
 }
 

@@ -1,17 +1,17 @@
 import { areaOf } from "../kernel/clip.ts";
 import type { Step } from "../kernel/step.ts";
-import { check, inStock, MOST_CONTACTS } from "./check.ts";
+import { check, MOST_CONTACTS } from "./check.ts";
 import { collector } from "./collect.ts";
+import { inStock } from "./contact.ts";
 import { cutting } from "./cutting.ts";
 import { edgesOf } from "./edges.ts";
 import { finishedPart } from "./finished.ts";
 import { marksOf } from "./marks.ts";
 import { measuring } from "./measure.ts";
 import { outlinesOf } from "./outlines.ts";
-import { piecesOf } from "./piece.ts";
 import { residualOf } from "./residual.ts";
 import type { Depth, Finding, Proof, Simulation, SimulationInput } from "./simulation.ts";
-import { sweepOf } from "./sweep.ts";
+import { sweptBy } from "./sweep.ts";
 
 /** Moves from one checkpoint to the next. */
 export const CHECKPOINT_STEPS = 50;
@@ -51,15 +51,15 @@ export function simulate(input: SimulationInput): Simulation {
       last = i;
     }
     const shapes = outlines(step.tool);
-    const sweep = piecesOf(sweepOf(shapes.insert, step));
-    const touching = shapes.checked === shapes.insert ? sweep : piecesOf(sweepOf(shapes.checked, step));
+    const sweep = sweptBy(shapes.insert, step);
+    const touching = shapes.checked === shapes.insert ? sweep : sweptBy(shapes.checked, step);
     if (contacts < MOST_CONTACTS) {
       const damage = check(step, i, shapes, touching, cut, finished);
       found.add(damage);
       if (damage.length > 0) contacts += 1;
     } else unlooked ??= { step: i, block: step.block };
     measure.add(step, i, sweep, shapes, cut);
-    if (step.move.kind === "rapid" && !unlooked) byRapids += areaOf(inStock(sweep, cut.present()));
+    if (step.move.kind === "rapid" && !unlooked) byRapids += areaOf(inStock([sweep], cut.present()));
     cut.add(sweep);
   });
   const final = cut.stock();

@@ -2,9 +2,8 @@ import { unpacked } from "../kernel/clip.ts";
 import type { Ring } from "../kernel/point.ts";
 import { cutting, type Cutting } from "./cutting.ts";
 import { outlinesOf } from "./outlines.ts";
-import { piecesOf } from "./piece.ts";
 import type { Checkpoint, Position, Simulation } from "./simulation.ts";
-import { sweepOf } from "./sweep.ts";
+import { sweptBy } from "./sweep.ts";
 
 /** Gives the stock at any moment of a run. Going on from the last moment asked for is cheapest; the result is the same. */
 export interface Player {
@@ -56,7 +55,7 @@ export function playerOf(simulation: Simulation): Player {
       if (checkpoints[now.mark + 1]?.step === now.next) now = { mark: now.mark + 1, next: now.next, cut: cutting(now.cut.stock()) };
       if (now.next >= step) return now.cut;
       const s = simulation.steps[now.next];
-      if (s) now.cut.add(piecesOf(sweepOf(outlines(s.tool).insert, s)));
+      if (s) now.cut.add(sweptBy(outlines(s.tool).insert, s));
       now.next += 1;
     }
   }
@@ -66,7 +65,7 @@ export function playerOf(simulation: Simulation): Player {
       const { step, fraction } = within(simulation, asked);
       const cut = cutUpTo(step);
       const running = simulation.steps[step];
-      return cut.stock(running ? piecesOf(sweepOf(outlines(running.tool).insert, running, fraction)) : []);
+      return cut.stock(running && sweptBy(outlines(running.tool).insert, running, fraction));
     },
   };
 }

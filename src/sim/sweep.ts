@@ -4,6 +4,8 @@ import type { Step } from "../kernel/step.ts";
 import { pathOf } from "../kernel/time.ts";
 import { CHORD, GRID } from "../kernel/tolerance.ts";
 import { axial, radius } from "../kernel/units.ts";
+import { piecesOf, type Piece } from "./piece.ts";
+import { trackAlong } from "./track.ts";
 
 const finite = (p: Pt) => Number.isFinite(p.z) && Number.isFinite(p.r);
 
@@ -59,7 +61,7 @@ export function notBehind(outline: Ring, other: Ring, from: Pt, to: Pt): Ring[] 
 }
 
 /** What of a convex ring lies to the right of a straight line, outside a counter-clockwise outline that has it as an edge. */
-function rightOf(ring: Ring, p: Pt, q: Pt): Ring {
+export function rightOf(ring: Ring, p: Pt, q: Pt): Ring {
   const out: Pt[] = [];
   const beside = (a: Pt) => (q.r - p.r) * (a.z - p.z) - (q.z - p.z) * (a.r - p.r);
   const least = GRID * Math.hypot(q.z - p.z, q.r - p.r);
@@ -88,7 +90,7 @@ export function waypoints(step: Step, fraction: number, chord = CHORD): Pt[] {
 }
 
 /** The work turns: what is swept on the other side of the axis (r < 0) is swept on this side. There is no stock at r < 0. */
-function turned(ring: Ring): Ring[] {
+export function turned(ring: Ring): Ring[] {
   let [lowest, highest] = [Infinity, -Infinity];
   for (const { r } of ring) {
     if (r < lowest) lowest = r;
@@ -105,9 +107,29 @@ function alongPoints(outline: Ring, points: readonly Pt[]): Ring[] {
   return points.slice(1).flatMap((to, i) => turned(hullAlong(outline, points[i] as Pt, to)));
 }
 
-/** Everything that an outline covers in a step up to `fraction`: convex pieces for each chord of its way, on this side of the axis. */
-export const sweepOf = (outline: Ring, step: Step, fraction = 1, chord = CHORD): Ring[] =>
-  fraction > 0 ? alongPoints(outline, waypoints(step, fraction, chord)) : [];
+/**
+ * What is swept: convex pieces, to ask what it meets, and rings (by the non-zero rule) that cover the same area with fewer
+ * points, to cut with.
+ */
+export interface Sweep {
+  readonly pieces: readonly Piece[];
+  readonly rings: readonly Ring[];
+}
 
-/** Everything that an outline covers along a path. */
+function sweptAlong(outline: Ring, points: readonly Pt[]): Sweep {
+  const hulls = alongPoints(outline, points);
+  return { pieces: piecesOf(hulls), rings: hulls.length < 3 ? hulls : turned(trackAlong(outline, points)) };
+}
+
+/** Everything that an outline sweeps in a step up to `fraction`, on this side of the axis. */
+export const sweptBy = (outline: Ring, step: Step, fraction = 1, chord = CHORD): Sweep =>
+  fraction > 0 ? sweptAlong(outline, waypoints(step, fraction, chord)) : { pieces: [], rings: [] };
+
+/** Everything that an outline sweeps along a path. */
+export const sweptOn = (outline: Ring, path: Segment): Sweep => sweptAlong(outline, flattened(path, CHORD));
+
+/** Everything that an outline covers in a step up to `fraction`, as convex pieces. */
+export const sweepOf = (outline: Ring, step: Step, fraction = 1): Ring[] => alongPoints(outline, waypoints(step, fraction));
+
+/** Everything that an outline covers along a path, as convex pieces. */
 export const sweepAlong = (outline: Ring, path: Segment): Ring[] => alongPoints(outline, flattened(path, CHORD));

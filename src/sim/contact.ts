@@ -1,0 +1,29 @@
+import { areaOf, difference, intersection, opened } from "../kernel/clip.ts";
+import type { Ring } from "../kernel/point.ts";
+import { SLIVER } from "../kernel/tolerance.ts";
+import { boxAround, inBox } from "./box.ts";
+import { merged, near, type Present } from "./cutting.ts";
+import type { Sweep } from "./sweep.ts";
+
+/** Smaller areas are chord and grid errors of two curves that touch, mm². */
+export const REAL_AREA = 0.01;
+
+/** An area without slivers; nothing when that is too small to be true. */
+export const real = (area: Ring[]): Ring[] => {
+  if (areaOf(area) < REAL_AREA) return [];
+  const thick = opened(area, SLIVER);
+  return areaOf(thick) < REAL_AREA ? [] : thick;
+};
+
+/** What sweeps have in common with an area and with the stock as it is now. */
+export function inStock(sweeps: readonly Sweep[], now: Present, within: readonly Ring[] | null = null): Ring[] {
+  const rings = sweeps.flatMap((sweep) => near(sweep, now.meets));
+  if (rings.length === 0) return [];
+  const box = boxAround(rings);
+  const whole = merged(rings);
+  const area = within ? intersection(inBox(within, box), whole) : whole;
+  if (area.length === 0) return [];
+  const there = intersection(inBox(now.base, box), area);
+  const gone = there.length === 0 ? [] : inBox(now.gone, boxAround(there));
+  return gone.length === 0 ? there : difference(there, gone);
+}

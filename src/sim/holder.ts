@@ -1,0 +1,72 @@
+import { areaOf, difference, intersection } from "../kernel/clip.ts";
+import type { Pt, Ring } from "../kernel/point.ts";
+import type { Step } from "../kernel/step.ts";
+import { boxOf } from "./box.ts";
+import { inStock, real, REAL_AREA } from "./contact.ts";
+import { merged, type Present } from "./cutting.ts";
+import type { Outlines } from "./outlines.ts";
+import { pieceOf } from "./piece.ts";
+import { hullAlong, notBehind, rightOf, sweptBy, turned, waypoints } from "./sweep.ts";
+
+/** A holder on an arc is looked at along chords this near to it, mm. */
+const HOLDER_CHORD = 0.01;
+/** A move is looked at in this many parts to tell whether the holder or the edge comes first. */
+const PARTS = 16;
+
+/** The rectangle round what an outline covers at all points of a way. */
+function rectangle(outline: Ring, points: readonly Pt[]): Ring {
+  const [own, way] = [boxOf(outline), boxOf(points)];
+  const [left, right] = [own.left + way.left, own.right + way.right];
+  const [bottom, top] = [own.bottom + way.bottom, own.top + way.top];
+  return [[left, bottom], [right, bottom], [right, top], [left, top]].map(([z, r]) => ({ z, r }) as Pt);
+}
+
+/**
+ * False when a holder surely touches nothing in a step: along each chord of the way what it covers meets no stock, but for what
+ * the insert covers along the same chord, and nothing of it that does not follow behind the insert meets any. Asks the edges of
+ * the stock only.
+ */
+export function mayTouch(step: Step, { holder, insert }: Outlines, now: Present): boolean {
+  const meets = (rings: readonly Ring[]) => rings.flatMap(turned).some((ring) => ring.length > 2 && now.meets(pieceOf(ring)));
+  const points = waypoints(step, 1, HOLDER_CHORD);
+  if (!points.every((p) => Number.isFinite(p.z) && Number.isFinite(p.r))) return false;
+  return holder.some((part) => {
+    if (points.length > 2 && !meets([rectangle(part, points)])) return false;
+    return points.slice(1).some((to, i) => {
+      const from = points[i] as Pt;
+      const covered = hullAlong(part, from, to);
+      if (!meets([covered])) return false;
+      if (insert.length < 3) return true;
+      const track = hullAlong(insert, from, to);
+      if (meets(track.map((p, k) => rightOf(covered, p, track[(k + 1) % track.length] as Pt)))) return true;
+      return meets(notBehind(part, insert, from, to).map((ahead) => hullAlong(ahead, from, to)));
+    });
+  });
+}
+
+/**
+ * The holder touches what neither the moves before nor this one, up to the same moment, have cut away. On a straight way the
+ * insert is there first where a point of the holder lies behind it; on an arc it is looked at part by part.
+ */
+export function holderContact(step: Step, outlines: Outlines, now: Present): Ring[] {
+  const sweeps = (parts: readonly Ring[], fraction = 1) => parts.map((part) => sweptBy(part, step, fraction, HOLDER_CHORD));
+  const swept = (parts: readonly Ring[], fraction?: number) => merged(sweeps(parts, fraction).flatMap(({ rings }) => rings));
+  const touched = inStock(sweeps(outlines.holder), now);
+  if (areaOf(touched) < REAL_AREA) return [];
+  const left = real(difference(touched, swept([outlines.insert])));
+  if (left.length > 0) return left;
+  if (step.move.kind !== "arc") {
+    const ahead = outlines.holder.flatMap((part) => notBehind(part, outlines.insert, step.from, step.move.to));
+    return ahead.length === 0 ? [] : real(intersection(touched, swept(ahead)));
+  }
+  for (let i = 1; i <= PARTS; i += 1) {
+    const reached = intersection(touched, swept(outlines.holder, i / PARTS));
+    const hit = reached.length === 0 ? [] : real(difference(reached, swept([outlines.insert], i / PARTS)));
+    if (hit.length > 0) return hit;
+  }
+  return [];
+}
+
+/** What a holder touches in a step. */
+export const holderHits = (step: Step, outlines: Outlines, now: Present): Ring[] =>
+  mayTouch(step, outlines, now) ? holderContact(step, outlines, now) : [];
