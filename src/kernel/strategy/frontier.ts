@@ -132,7 +132,7 @@ export function atCall(
 ): Envelope {
   if (o.stock === null && roughed) {
     const us = o.area.map((p) => p.u);
-    return higherOf(part, raised(roughed.grown, Math.min(...us), Math.max(...us), roughed.infeed));
+    return higherOf(higherOf(part, roughed.grown), raised(roughed.grown, Math.min(...us), Math.max(...us), roughed.infeed));
   }
   const chains = o.stock === null ? [outlineChain(o.area)] : o.stock.map((ring) => outlineChain(ring.map((p) => toFlat(o.frame, p))));
   return higherOf(part, standing(chains, o.insert));

@@ -1,4 +1,4 @@
-import { segmentToPart, toPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
+import { segmentToPart, toFlat, toPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
 import { flattenedChain } from "../flatten.ts";
 import type { Pt, Ring } from "../point.ts";
 import { CHORD } from "../tolerance.ts";
@@ -18,14 +18,29 @@ export function partUnder(contour: readonly FlatSegment[], frame: Frame, both: b
   return turned([...points, ...[...close, ...start].map((p) => toPart(frame, p))]);
 }
 
-/** The area to be removed: between the contour and the level and place of the start point. */
+/** The area to be removed: between the contour and the level and place of the start point; what stands above that level is no part of it. */
 export function areaOver(contour: readonly FlatSegment[], frame: Frame, from: number, top: number): Ring {
-  const points = chain(contour, frame);
-  const first = contour[0]?.from;
-  const last = contour[contour.length - 1]?.to;
+  const points = chain(contour, frame).map((p) => toFlat(frame, p));
+  const [first, last] = [points[0], points[points.length - 1]];
   if (!first || !last) return [];
-  const corners: Flat[] = [{ u: last.u, v: Math.max(top, last.v) }, { u: Math.min(from, first.u), v: Math.max(top, last.v) }, { u: Math.min(from, first.u), v: first.v }];
-  return turned([...points, ...corners.map((p) => toPart(frame, p))]);
+  const level = Math.max(top, last.v, first.v);
+  const front = Math.min(from, first.u);
+  const corners: Flat[] = [{ u: last.u, v: level }, { u: front, v: level }, { u: front, v: first.v }];
+  return turned([...under(points, level), ...corners].map((p) => toPart(frame, p)));
+}
+
+/** A line of points held down to a level, with the points where it meets it. */
+function under(points: readonly Flat[], level: number): Flat[] {
+  const out: Flat[] = [];
+  points.forEach((p, i) => {
+    const before = points[i - 1];
+    if (before && before.v > level !== p.v > level) {
+      const k = (level - before.v) / (p.v - before.v);
+      out.push({ u: before.u + k * (p.u - before.u), v: level });
+    }
+    out.push(p.v > level ? { u: p.u, v: level } : p);
+  });
+  return out;
 }
 
 const chain = (contour: readonly FlatSegment[], frame: Frame) => flattenedChain(contour.map((s) => segmentToPart(frame, s)), CHORD);
