@@ -4,9 +4,11 @@ import { configDefaults, defineConfig } from "vitest/config";
 
 /**
  * The static site (paths relative, so that it runs from any folder) and the tests. Tests run in a random order whose
- * seed is printed; where CI is set a missing golden is an error and never written. Repeat an order with SEED=number.
+ * seed is printed; where CI is set a missing golden is an error and never written. Repeat an order with SEED=number, and the random
+ * cases of the laws with LAW_SEED=number: both are new on every run.
  */
 const seed = process.env["SEED"] ? Number(process.env["SEED"]) : Date.now();
+process.env["LAW_SEED"] ??= String(Date.now() % 2 ** 31);
 const exclude = [...configDefaults.exclude, "e2e/**"];
 
 /** What the built page may load: itself only. Style attributes come from the editor and the drawings. */
@@ -35,7 +37,7 @@ export default defineConfig({
     testTimeout: 600_000,
     hookTimeout: 600_000,
     projects: [
-      { extends: true, test: { name: "node", environment: "node", setupFiles: ["./tests/seed.ts"], exclude, include: ["src/**/*.test.ts", "tests/**/*.test.ts"] } },
+      { extends: true, test: { name: "node", environment: "node", globalSetup: "./tests/announce.ts", setupFiles: ["./tests/seed.ts"], exclude, include: ["src/**/*.test.ts", "tests/**/*.test.ts"] } },
       { extends: true, test: { name: "jsdom", environment: "jsdom", setupFiles: ["./tests/seed.ts", "./tests/jsdom.ts"], exclude, include: ["src/**/*.test.tsx"] } },
     ],
   },

@@ -14,7 +14,9 @@ const words = args.filter((a) => !a.startsWith("--"));
 const WRITE = args.includes("--write");
 /** Copies that are tried side by side, and cases per law: a fault that needs thousands of cases to be seen is one that survives. */
 const SIDE_BY_SIDE = Number(process.env.JOBS ?? 2);
-const LAW_CASES = process.env.LAW_CASES ?? "25";
+const LAW_CASES = process.env.LAW_CASES ?? "10";
+/** Seconds a run may take: a fault that makes a path endless is one that is seen. */
+const PATIENCE = Number(process.env.PATIENCE ?? 600);
 
 /** Tests in the order in which they are tried; goldens last, since a golden says that something changed and not what is right. */
 const STAGES = [
@@ -51,9 +53,16 @@ function firstFailure(base, tests) {
   rmSync(report, { force: true });
   const cli = join(base, "node_modules", "vitest", "vitest.mjs");
   const child = spawn(process.execPath, [cli, "run", ...tests, "--bail=1", "--reporter=json", `--outputFile.json=${report}`, "--passWithNoTests"], {
-    cwd: base, stdio: "ignore", env: { ...process.env, CI: "true", LAW_CASES, SEED: "1" },
+    cwd: base, stdio: "ignore", env: { ...process.env, CI: "true", LAW_CASES, LAW_SHRINK: "0", LAW_SEED: process.env.LAW_SEED ?? "1", SEED: "1" },
   });
+  let patient = true;
+  const patience = setTimeout(() => {
+    patient = false;
+    child.kill("SIGKILL");
+  }, PATIENCE * 1000);
   return new Promise((resolve) => child.on("exit", (code) => {
+    clearTimeout(patience);
+    if (!patient) return resolve({ file: tests[0], test: "does not end" });
     if (code === 0) return resolve(null);
     let [file, test] = ["?", "does not run at all"];
     try {

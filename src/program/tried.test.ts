@@ -1,6 +1,5 @@
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
-import "../../tests/seed.ts";
 import { cycleByNumber } from "../cycles/index.ts";
 import type { Issue } from "../kernel/issue.ts";
 import { offerOf } from "../kernel/offer.ts";

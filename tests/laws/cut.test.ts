@@ -1,7 +1,6 @@
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
 import { cycleByNumber } from "../../src/cycles/index.ts";
-import { seed } from "../seed.ts";
 import { brokenBy } from "./cut-laws.ts";
 import type { FoundCase } from "./found-case.ts";
 import { situations } from "./situations.ts";
@@ -10,7 +9,6 @@ import { situations } from "./situations.ts";
  * Every set-up that can be drawn is cut twice and held to the laws of cut-laws.ts, whatever its start point. `npm run laws` draws
  * many more; what it finds lies in found/ and is tried here for ever.
  */
-console.info(`laws of the cut: LAW_SEED=${seed}`);
 const CASES = Number(process.env["LAW_CASES"] ?? 25);
 
 for (const operation of [0, 1, 2, 3])

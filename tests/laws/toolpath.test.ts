@@ -2,14 +2,12 @@ import fc from "fast-check";
 import { describe, expect, test } from "vitest";
 import { areaOf, difference, intersection, offset } from "../../src/kernel/clip.ts";
 import { SAME } from "../../src/kernel/tolerance.ts";
-import { seed } from "../seed.ts";
 import { planOf, simulated, situations, startsBadly, type Situation } from "./situations.ts";
 
 /**
  * What a toolpath has to achieve: a cycle that does nothing keeps the laws of cut.test.ts, one that cuts everything away
  * keeps these.
  */
-console.info(`toolpath laws: LAW_SEED=${seed}`);
 /** Cases per law: with the stock cut by every move, and of the plan alone. */
 const CUT = Number(process.env["LAW_CASES"] ?? 30);
 const PLANNED = 6 * CUT;
