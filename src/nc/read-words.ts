@@ -4,7 +4,7 @@ import { VALUE } from "./value.ts";
 
 const FEED = /(?:(F[ \t]*MAX)|(F[ \t]*AUTO))(?![A-Z])/iy;
 const WORD = new RegExp(String.raw`(LIN_[XYZABCUVW]|CCA|LEN|IP[RA]|P[RA]|I?[XYZABCUVW]|F[UZ]?|MB|M|R)[ \t]*(?:(MAX)(?![A-Z])|(${VALUE}))`, "iy");
-const COMPENSATION = /(R[ \t]?0(?![\d.,])|RL|RR)(?![A-Z])/iy;
+const COMPENSATION = /R[ \t]?0(?![\d.,])|(?:RL|RR)(?![A-Z])/iy;
 const SIDE = /(RL|RR)(?![A-Z])/iy;
 const TURN = /DR[ \t]*([+-])/iy;
 

@@ -33,7 +33,9 @@ export interface Finish {
 export function followContour(cutter: Cutter, f: Finish, issues: Issue[]): void {
   const u0 = Math.max(f.ground.first, f.from);
   const u1 = Math.min(f.ground.end.u, f.to);
-  const runs = u1 > u0 ? withinLimits([...pathAlong(f.ground.envelope, u0, u1), ...outAt(f, u1)], f.ceiling) : [];
+  // As wide as the insert itself, only the way out is left.
+  const along = u1 > u0 + SAME ? pathAlong(f.ground.envelope, u0, u1) : [];
+  const runs = u1 > u0 - SAME ? withinLimits([...along, ...outAt(f, Math.max(u0, u1))], f.ceiling) : [];
   if (runs.length === 0) return void issues.push(issue("nothingToCut", "warning", {}, "tool"));
   const near = !f.smoothing && f.contour.some((s) => distanceTo(s, f.start) < f.clearance);
   if (near) issues.push(issue("startInsideEnvelope", "warning", { clearance: f.clearance }, "start"));

@@ -7,7 +7,7 @@ import { issue, type Issue, type Reason } from "../issue.ts";
 import type { Reach } from "../plan.ts";
 import { reachOver, type Bound } from "../reach.ts";
 import type { Tool } from "../tool.ts";
-import { SAME } from "../tolerance.ts";
+import { ROUND, SAME } from "../tolerance.ts";
 import { roomOf } from "../track.ts";
 
 /** Longer than any part: how far bounds run on beyond the contour, mm. */
@@ -124,7 +124,8 @@ function touch(insert: Convex, s: FlatSegment, end: "from" | "to"): Flat {
     const angle = inside ? wanted : away(wanted, a) <= away(wanted, b) ? a : b;
     const off = away(wanted, angle);
     const at = onArc(e.centre, e.radius, angle);
-    const covers = end === "from" ? at.u > best.at.u : at.u < best.at.u;
+    // Beside a wall that the oversize makes as straight, the lower one, which ends the way higher up.
+    const covers = Math.abs(at.u - best.at.u) < ROUND ? at.v < best.at.v : end === "from" ? at.u > best.at.u : at.u < best.at.u;
     if (off < best.off - 1e-9 || (off < best.off + 1e-9 && covers)) best = { off, at };
   }
   return { u: s[end].u - best.at.u, v: s[end].v - best.at.v };
