@@ -112,7 +112,7 @@ describe("laws over random elements, all forms, both sides", () => {
     }), RUNS);
   });
 
-  test("tangential in PA and PE for LT, CT and LCT, perpendicular for LN, to 1e-9", () => {
+  test("tangential in PA and PE for LT, CT and LCT, perpendicular for LN, to 1e-8", () => {
     fc.assert(fc.property(request, (q) => {
       const made = pure(q);
       if (made.issues.length > 0 || made.legs.length === 0) return;
@@ -120,22 +120,23 @@ describe("laws over random elements, all forms, both sides", () => {
       const at = q.departing ? made.points.PE : made.points.PA;
       if (!leg || !at || (leg.segment.kind === "line" && apart(leg.segment.from, leg.segment.to) < 1e-3)) return;
       const way = directionAt(leg.segment, at);
-      if (q.shape === "LN") expect(Math.abs(dot(way, made.tangent))).toBeLessThan(1e-9);
+      if (q.shape === "LN") expect(Math.abs(dot(way, made.tangent))).toBeLessThan(1e-8);
       else {
-        expect(Math.abs(cross(way, made.tangent))).toBeLessThan(1e-9);
+        expect(Math.abs(cross(way, made.tangent))).toBeLessThan(1e-8);
         if (q.shape !== "LT" || (q.length ?? 0) > 0) expect(dot(way, made.tangent)).toBeGreaterThan(0);
       }
     }), RUNS);
   });
 
-  test("LCT: line and arc meet tangentially, to 1e-9", () => {
+  test("LCT: line and arc meet tangentially, to 1e-8", () => {
     fc.assert(fc.property(request, (q) => {
       const made = pure({ ...q, shape: "LCT", radius: Math.abs(q.radius ?? 1) });
       const [one, two] = made.legs.map((l) => l.segment);
       if (!one || !two || made.issues.length > 0) return;
       const [straight] = [one, two].filter((s) => s.kind === "line");
       if (!straight || apart(straight.from, straight.to) < 1e-3) return;
-      near(directionAt(one, one.to), directionAt(two, two.from));
+      // Close to its circle the way to the tangent point is short, and its direction keeps half the digits of its ends.
+      near(directionAt(one, one.to), directionAt(two, two.from), 1e-8);
     }), RUNS);
   });
 

@@ -1,6 +1,7 @@
 import { inFrame, moved, edgeEnd, type Convex, type Edge, type Feature } from "./convex.ts";
 import type { Flat } from "./flat.ts";
 import type { Pt, Ring } from "./point.ts";
+import { ROUND } from "./tolerance.ts";
 import type { TipOrientation, Tool } from "./tool.ts";
 import { axial, radians, radius } from "./units.ts";
 
@@ -135,10 +136,12 @@ export function insertOutline(t: Tool, chord: number, body = true): Ring {
     if (e.kind === "line") add(e.from);
     else {
       const step = e.radius > chord ? 2 * Math.acos(1 - chord / e.radius) : e.sweep;
-      const n = Math.max(1, Math.ceil(e.sweep / step));
-      for (let i = 0; i <= n; i++) {
-        const a = e.start + (e.sweep * i) / n;
-        add({ u: e.centre.u + e.radius * Math.cos(a), v: e.centre.v + e.radius * Math.sin(a) });
+      for (const [start, sweep] of quarters(e.start, e.sweep)) {
+        const n = Math.max(1, Math.ceil(sweep / step));
+        for (let i = 0; i <= n; i++) {
+          const a = start + (sweep * i) / n;
+          add({ u: e.centre.u + e.radius * Math.cos(a), v: e.centre.v + e.radius * Math.sin(a) });
+        }
       }
     }
   }
@@ -146,6 +149,14 @@ export function insertOutline(t: Tool, chord: number, body = true): Ring {
   const last = out[out.length - 1];
   if (first && last && out.length > 1 && Math.hypot(first.z - last.z, first.r - last.r) <= 1e-7) out.pop();
   return out;
+}
+
+/** An angle range cut at the axes, so that the outline reaches as far along each of them as the insert does. */
+function quarters(start: number, sweep: number): [start: number, sweep: number][] {
+  const quarter = Math.PI / 2;
+  const cuts = [start];
+  for (let k = Math.floor(start / quarter + 1 + ROUND); k * quarter < start + sweep - ROUND; k++) cuts.push(k * quarter);
+  return cuts.map((a, i) => [a, (cuts[i + 1] ?? start + sweep) - a]);
 }
 
 /** How far a correction holds the insert off the tip the control counts with. */

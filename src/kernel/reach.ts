@@ -24,12 +24,15 @@ export function reachOver(chain: readonly Bound[], insert: Convex): Envelope {
     if (s.kind === "line") alongLine(s, k, b.on, add);
     else alongArc(s, k, b.on, add);
     const next = chain[i + 1];
-    if (i === 0) atCorner(s.from, { u: -1, v: 0 }, normalAt(s, "from"), k, b.on, add);
+    if (i === 0) atCorner(s.from, { u: -1, v: 0 }, facingUp(normalAt(s, "from")), k, b.on, add);
     if (next) atCorner(s.to, normalAt(s, "to"), normalAt(next.segment, "from"), k, b.on === "contour" ? b.on : next.on, add);
-    else atCorner(s.to, normalAt(s, "to"), { u: 1, v: 0 }, k, b.on, add);
+    else atCorner(s.to, facingUp(normalAt(s, "to")), { u: 1, v: 0 }, k, b.on, add);
   });
   return upperEnvelope(pieces);
 }
+
+/** A normal at an end of the chain; of an element that hangs over there, as flat as one that faces up can be. */
+const facingUp = (n: Flat): Flat => (n.v >= 0 ? n : { u: Math.sign(n.u), v: 0 });
 
 /** {−q} of the insert, only the elements that can face up: normals in (0, π), split there. Edges run counter-clockwise. */
 function mirroredLowerHull(insert: Convex): Edge[] {

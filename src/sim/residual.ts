@@ -13,7 +13,7 @@ import { outlinesOf, type Outlines } from "./outlines.ts";
 import { reasonFor } from "./reason.ts";
 import { inside, placeIn, regionsOf, type Region } from "./region.ts";
 import type { Residual, SimulatedOperation } from "./simulation.ts";
-import { hullAlong, sweptOn, type Sweep } from "./sweep.ts";
+import { coveredOn, hullAlong, type Sweep } from "./sweep.ts";
 
 /** Smaller regions are not reported, mm². */
 export const LEAST_RESIDUAL = 0.01;
@@ -43,7 +43,7 @@ function* coverOf({ area, openSide }: Plan, path: readonly Reach[], insert: Ring
   const box = boxOf(area);
   const far = box.right - box.left + box.top - box.bottom;
   const cover = hullAlong(insert, ORIGIN, at(openSide.z * far, openSide.r * far));
-  for (const stretch of path) yield sweptOn(cover, stretch.path);
+  for (const stretch of path) yield coveredOn(cover, stretch.path);
 }
 
 /** What stays of a region when a tool goes along the deepest path of a plan made for it, mm²: how one tool compares to another. */

@@ -148,6 +148,11 @@ describe("what stays", () => {
     const plan = { part: box(-50, 0, 0, 25), area: box(-50, 25, 2, 32), reach: [{ path: line(at(2, 25), at(-50, 25)), reason: null }] };
     expect(run(rougher, at(2, 25), [cut(-55, 25), cut(-55, 33)], plan).proof.residual).toEqual([]);
   });
+  test("in a bore, what the path cannot take has its own reason however far the bore is open across the axis", () => {
+    const plan = { part: box(-50, 20, 0, 30), area: box(-30, 0, -20, 20), openSide: at(0, -1), reach: [{ path: line(at(-20, 15), at(-30, 15)), reason: null }] };
+    const left = run({ ...button, TO: 6 }, at(-20, 15), [cut(-30, 15)], plan).proof.residual;
+    expect(left.find((r) => r.reason === "insertRadius")?.area).toBeCloseTo(10 * 5, 0);
+  });
   test("issues say X as a diameter", () => {
     const all = issuesOf(run(rougher, at(2, 35), finish, shoulder(null)));
     expect(all.every((i) => i.issue.code === "materialLeft")).toBe(true);

@@ -101,10 +101,12 @@ export function turned(ring: Ring): Ring[] {
   return highest < GRID ? [mirrored] : [ring, mirrored];
 }
 
+const asItIs = (ring: Ring): Ring[] => [ring];
+
 /** Convex pieces for each chord between points: one, or two where it crosses the axis. */
-function alongPoints(outline: Ring, points: readonly Pt[]): Ring[] {
+function alongPoints(outline: Ring, points: readonly Pt[], across: (ring: Ring) => Ring[] = turned): Ring[] {
   if (outline.length < 3 || !points.every(finite)) return [];
-  return points.slice(1).flatMap((to, i) => turned(hullAlong(outline, points[i] as Pt, to)));
+  return points.slice(1).flatMap((to, i) => across(hullAlong(outline, points[i] as Pt, to)));
 }
 
 /**
@@ -116,17 +118,17 @@ export interface Sweep {
   readonly rings: readonly Ring[];
 }
 
-function sweptAlong(outline: Ring, points: readonly Pt[]): Sweep {
-  const hulls = alongPoints(outline, points);
-  return { pieces: piecesOf(hulls), rings: hulls.length < 3 ? hulls : turned(trackAlong(outline, points)) };
+function sweptAlong(outline: Ring, points: readonly Pt[], across: (ring: Ring) => Ring[] = turned): Sweep {
+  const hulls = alongPoints(outline, points, across);
+  return { pieces: piecesOf(hulls), rings: hulls.length < 3 ? hulls : across(trackAlong(outline, points)) };
 }
 
 /** Everything that an outline sweeps in a step up to `fraction`, on this side of the axis. */
 export const sweptBy = (outline: Ring, step: Step, fraction = 1, chord = CHORD): Sweep =>
   fraction > 0 ? sweptAlong(outline, waypoints(step, fraction, chord)) : { pieces: [], rings: [] };
 
-/** Everything that an outline sweeps along a path. */
-export const sweptOn = (outline: Ring, path: Segment): Sweep => sweptAlong(outline, flattened(path, CHORD));
+/** Everything that an outline covers along a path and no tool sweeps: what of it lies across the axis does not turn round to this side. */
+export const coveredOn = (outline: Ring, path: Segment): Sweep => sweptAlong(outline, flattened(path, CHORD), asItIs);
 
 /** Everything that an outline covers in a step up to `fraction`, as convex pieces. */
 export const sweepOf = (outline: Ring, step: Step, fraction = 1): Ring[] => alongPoints(outline, waypoints(step, fraction));
