@@ -1,5 +1,6 @@
 import { along, at, lengthOf, meet, track } from "./curve.ts";
-import type { Segment } from "./point.ts";
+import { pointRound, polarOf } from "./flatten.ts";
+import type { Pt, Segment } from "./point.ts";
 import { SAME } from "./tolerance.ts";
 
 interface Box {
@@ -10,15 +11,17 @@ interface Box {
   readonly rMax: number;
 }
 
-/** A box round a segment; round an arc it holds the full circle. */
+/** A box round a segment: round its ends, and round the places where an arc runs along an axis. */
 function boxOf(s: Segment, index: number): Box {
+  const points: Pt[] = [s.from, s.to];
   if (s.kind === "arc") {
-    const size = Math.hypot(s.from.z - s.centre.z, s.from.r - s.centre.r);
-    return { index, zMin: s.centre.z - size, zMax: s.centre.z + size, rMin: s.centre.r - size, rMax: s.centre.r + size };
+    const polar = polarOf(s);
+    const [low, high] = [Math.min(polar.start, polar.start + polar.sweep), Math.max(polar.start, polar.start + polar.sweep)];
+    for (let k = Math.ceil(low / (Math.PI / 2)); k * (Math.PI / 2) <= high; k += 1)
+      points.push(pointRound(s.centre, polar, (k * (Math.PI / 2) - polar.start) / polar.sweep));
   }
-  return {
-    index, zMin: Math.min(s.from.z, s.to.z), zMax: Math.max(s.from.z, s.to.z), rMin: Math.min(s.from.r, s.to.r), rMax: Math.max(s.from.r, s.to.r),
-  };
+  const [z, r] = [points.map((p) => p.z), points.map((p) => p.r)];
+  return { index, zMin: Math.min(...z), zMax: Math.max(...z), rMin: Math.min(...r), rMax: Math.max(...r) };
 }
 
 /** True when two segments meet in a point that is not an end of both. */

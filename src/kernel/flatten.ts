@@ -37,10 +37,14 @@ export function pointOn(s: Segment, fraction: number): Pt {
   if (fraction >= 1) return s.to;
   if (s.kind === "line")
     return { z: axial(s.from.z + (s.to.z - s.from.z) * fraction), r: radius(s.from.r + (s.to.r - s.from.r) * fraction) };
-  const p = polarOf(s);
+  return pointRound(s.centre, polarOf(s), fraction);
+}
+
+/** The point at a fraction 0 … 1 of the way along an arc in polar form. */
+export function pointRound(centre: Pt, p: Polar, fraction: number): Pt {
   const angle = p.start + p.sweep * fraction;
   const size = p.startRadius + (p.endRadius - p.startRadius) * fraction;
-  return { z: axial(s.centre.z + size * Math.cos(angle)), r: radius(s.centre.r + size * Math.sin(angle)) };
+  return { z: axial(centre.z + size * Math.cos(angle)), r: radius(centre.r + size * Math.sin(angle)) };
 }
 
 /** Chords that an arc of `size` mm and `sweep` radians needs to stay within `chord` mm. Never more than a fine full circle. */
@@ -58,7 +62,7 @@ export function flattened(s: Segment, chord: number): Pt[] {
   if (s.kind === "line") return [s.from, s.to];
   const p = polarOf(s);
   const count = chordsOf(Math.max(p.startRadius, p.endRadius), p.sweep, chord);
-  return Array.from({ length: count + 1 }, (_, i) => pointOn(s, i / count));
+  return Array.from({ length: count + 1 }, (_, i) => (i === 0 ? s.from : i === count ? s.to : pointRound(s.centre, p, i / count)));
 }
 
 /** Points along a chain of segments, each joint once. */

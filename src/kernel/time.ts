@@ -1,4 +1,4 @@
-import { pointOn, polarOf } from "./flatten.ts";
+import { pointRound, polarOf } from "./flatten.ts";
 import type { Move } from "./move.ts";
 import type { Pt, Segment } from "./point.ts";
 import type { Spindle } from "./step.ts";
@@ -52,11 +52,12 @@ function meanAlongLine(spindle: Spindle, from: number, to: number): number {
 /** Pieces of an arc in the numerical mean (Simpson's rule; even). */
 const PIECES = 32;
 
-function meanAlongArc(spindle: Spindle, path: Segment): number {
+function meanAlongArc(spindle: Spindle, path: Extract<Segment, { kind: "arc" }>): number {
+  const polar = polarOf(path);
   let sum = 0;
   for (let i = 0; i <= PIECES; i += 1) {
     const weight = i === 0 || i === PIECES ? 1 : i % 2 === 1 ? 4 : 2;
-    sum += weight * minutesPerTurn(spindle, pointOn(path, i / PIECES).r);
+    sum += weight * minutesPerTurn(spindle, pointRound(path.centre, polar, i / PIECES).r);
   }
   return sum / (3 * PIECES);
 }
