@@ -12,6 +12,11 @@ export interface Groove {
   readonly words: RecessWords;
 }
 
+/** The words of a recess in the order of the control. */
+export const GROOVE_WORDS: readonly RecessWord[] = ["CENTER", "R", "DEPTH", "DIAM", "BREADTH", "ANGLE", "RND", "CHF", "FAR_RND", "FAR_CHF"];
+/** Words of a recess that a program measures as diameters: CENTER only where it stands on a face. */
+export const grooveDiameters = (direction: Groove["direction"]): readonly RecessWord[] => (direction === "axial" ? ["CENTER", "DIAM"] : ["DIAM"]);
+
 /** A corner of a recess, mm: how far along its element from the element's start, and how far across it (towards +X or +Z). */
 export interface GrooveVertex {
   readonly along: number;

@@ -33,12 +33,19 @@ export type UndercutShape =
   | { readonly vertices: readonly Vertex[]; readonly defaults: RecessWords }
   | { readonly word: RecessWord };
 
-/** Which words a form has, and its standard angles. */
+/** The words of each form in the order of the control; only form E is printed with its words. */
+export const UNDERCUT_WORDS: Readonly<Record<UndercutForm, readonly RecessWord[]>> = {
+  E: ["R", "DEPTH", "BREADTH", "ANGLE"], F: ["R", "DEPTH", "BREADTH", "ANGLE", "FACEDEPTH", "FACEANGLE"], H: ["R", "BREADTH", "ANGLE"],
+  K: ["R", "DEPTH", "ROT", "ANGLE"], U: ["R", "DEPTH", "BREADTH", "RND", "CHF"], THREAD: ["PITCH", "R", "DEPTH", "BREADTH", "ANGLE"],
+};
+/** Words that are angles in degrees; the others are lengths. */
+export const ANGLE_WORDS: ReadonlySet<RecessWord> = new Set(["ANGLE", "FACEANGLE", "ROT"]);
+/** Words without which a form is complete. */
+const SPARE: ReadonlySet<RecessWord> = new Set(["R", "PITCH", "RND", "CHF"]);
+/** Forms with tables in a standard, and its angles for all. */
+const LISTED: ReadonlySet<UndercutForm> = new Set(["E", "F", "H", "THREAD"]);
 const DEFAULT_ANGLES: Readonly<Record<UndercutForm, RecessWords>> = {
   E: { ANGLE: 15 }, F: { ANGLE: 15, FACEANGLE: 8 }, H: { ANGLE: 15 }, K: { ROT: 45 }, U: {}, THREAD: { ANGLE: 30 },
-};
-const FROM_TABLE: Readonly<Record<UndercutForm, readonly (keyof ReturnType<typeof undercutOfDiameter>)[]>> = {
-  E: ["R", "DEPTH", "BREADTH"], F: ["R", "DEPTH", "BREADTH", "FACEDEPTH"], H: ["R", "BREADTH"], K: [], U: [], THREAD: ["R", "DEPTH", "BREADTH"],
 };
 
 const vertex = (u: number, v: number, R = 0): Vertex => ({ u, v, corner: R > 0 ? { kind: "round", size: R } : null });
@@ -50,8 +57,9 @@ export const edgeElement = (round: number | undefined, chamfer: number | undefin
 
 /** What the standard gives for the words that are not there. */
 function defaultsOf({ form, words }: Undercut, diameter: Diameter, inside: boolean): RecessWords {
-  const measures = form === "THREAD" ? undercutOfPitch(words.PITCH ?? 0, inside) : undercutOfDiameter(diameter);
-  const missing = FROM_TABLE[form].flatMap((w) => (words[w] === undefined && measures ? [[w, measures[w]] as const] : []));
+  const table = form === "THREAD" ? undercutOfPitch(words.PITCH ?? 0, inside) : undercutOfDiameter(diameter);
+  const measures: RecessWords = (LISTED.has(form) && table) || {};
+  const missing = UNDERCUT_WORDS[form].flatMap((w) => (words[w] === undefined && measures[w] !== undefined ? [[w, measures[w]] as const] : []));
   const angles = Object.entries(DEFAULT_ANGLES[form]).filter(([w]) => words[w as RecessWord] === undefined);
   return Object.fromEntries([...missing, ...angles]);
 }
@@ -66,17 +74,11 @@ export function undercutShape(undercut: Undercut, diameter: Diameter, inside: bo
   return "word" in made ? made : { vertices: made, defaults };
 }
 
-const NEEDED: Readonly<Record<UndercutForm, readonly RecessWord[]>> = {
-  E: ["DEPTH", "BREADTH", "ANGLE"], F: ["DEPTH", "BREADTH", "ANGLE", "FACEDEPTH", "FACEANGLE"], H: ["BREADTH", "ANGLE"],
-  K: ["DEPTH", "ANGLE", "ROT"], U: ["DEPTH", "BREADTH"], THREAD: ["DEPTH", "BREADTH", "ANGLE"],
-};
-const ANGLES: ReadonlySet<RecessWord> = new Set(["ANGLE", "FACEANGLE", "ROT"]);
-
 /** The first word that is missing, not positive, or an angle of 90° and more. */
 function impossible(form: UndercutForm, w: RecessWords): RecessWord | null {
-  const bad = NEEDED[form].find((name) => {
+  const bad = UNDERCUT_WORDS[form].find((name) => {
     const n = w[name];
-    return n === undefined || !(n > ROUND) || (ANGLES.has(name) && n >= 90);
+    return !SPARE.has(name) && (n === undefined || !(n > ROUND) || (ANGLE_WORDS.has(name) && n >= 90));
   });
   return bad ?? ((w.R ?? 0) < 0 ? "R" : null);
 }

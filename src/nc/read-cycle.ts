@@ -1,7 +1,7 @@
 import type { BlockIssue } from "./program.ts";
 import { Scan } from "./scan.ts";
 import type { CycleParameter, Statement } from "./statement.ts";
-import { VALUE } from "./value.ts";
+import { NUMBER_PARAMETER, VALUE } from "./value.ts";
 
 /** One line of a block: its text without comment and continuation mark, where it starts, and its comment. */
 export interface BlockLine {
@@ -11,8 +11,8 @@ export interface BlockLine {
 }
 
 const NUMBER = /(\d{1,9})(?:\.(\d{1,3}))?(?![\d.])/y;
-const Q_HEAD = /(Q[LR]?\d{1,6})([ \t]*)(=?)[ \t]*/iy;
-const Q_INLINE = /\sQ\d+[ \t]*=/i;
+const Q_HEAD = new RegExp(String.raw`(${NUMBER_PARAMETER})([ \t]*)(=?)[ \t]*`, "iy");
+const Q_INLINE = new RegExp(String.raw`\s${NUMBER_PARAMETER}[ \t]*=`, "i");
 const Q_VALUE = new RegExp(String.raw`(?:F?[ \t]*(MAX|AUTO)(?![A-Z])|F?[ \t]*(${VALUE}))`, "iy");
 
 /** Everything behind CYCL DEF; null when no cycle number stands there. */

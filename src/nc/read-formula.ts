@@ -1,8 +1,9 @@
 import type { Scan } from "./scan.ts";
 import type { Formula, Statement } from "./statement.ts";
+import { PARAMETER } from "./value.ts";
 
-const TARGET = /(Q[LRS]?\d{1,6})[ \t]*=/iy;
-const NUMBER = /(?:\d+(?:[.,]\d*)?|[.,]\d+|Q[LRS]?\d{1,6}|PI(?![A-Z]))/iy;
+const TARGET = new RegExp(String.raw`(${PARAMETER})[ \t]*=`, "iy");
+const NUMBER = new RegExp(String.raw`(?:\d+(?:[.,]\d*)?|[.,]\d+|${PARAMETER}|PI(?![A-Z]))`, "iy");
 const CALL = /(SIN|COS|TAN|ASIN|ACOS|ATAN|SQRT|SQ|LN|LOG|EXP|NEG|INT|ABS|FRAC|SGN)(?![A-Z])/iy;
 const FN = /FN[ \t]*([0-5])[ \t]*:/iy;
 /** Signs between two values of FN 1 to FN 4. */

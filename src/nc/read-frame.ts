@@ -1,7 +1,7 @@
 import { axisName, readWords } from "./read-words.ts";
 import type { Scan } from "./scan.ts";
 import type { Feed, NamedWord, Statement, Value } from "./statement.ts";
-import { readLabel, VALUE } from "./value.ts";
+import { PARAMETER, parameterOf, readLabel, VALUE } from "./value.ts";
 
 const named = (word: string) => new RegExp(String.raw`${word}[ \t]*(${VALUE})`, "iy");
 const NUMBERED_OR_QUOTED = /(?:(\d{1,9}(?:[.,]\d)?)(?![\d.,])|"([^"]*)")/y;
@@ -70,16 +70,15 @@ function readCylinder(scan: Scan): Statement | null {
   return { kind: "blankCylinder", axis: axisName(axis[1] ?? ""), outside, length, distance, inside };
 }
 
-const PARAMETER = /([+-]?)[ \t]*(Q[LRS]?\d{1,6})/iy;
+const TOOL_PARAMETER = new RegExp(String.raw`[+-]?[ \t]*${PARAMETER}`, "iy");
 const [S, DL, DR, FEED_VALUE] = [named("S"), named("DL"), named("DR"), new RegExp(String.raw`(F[UZ]?)[ \t]*(${VALUE})`, "iy")] as const;
 const FEED_WORD = /F[ \t]*(MAX|AUTO)(?![A-Z])/iy;
 
 /** `TOOL CALL 5 Z S3000 F200 DL+0.1 DR+0.05`; without a tool only the speed, feed or deltas change. */
 export function readToolCall(scan: Scan): Statement {
   const direct = scan.take(NUMBERED_OR_QUOTED);
-  const parameter = direct ? null : scan.take(PARAMETER);
-  const tool = direct ? readLabel(direct[1]?.replace(",", "."), direct[2])
-    : parameter ? { parameter: (parameter[2] ?? "").toUpperCase(), negative: parameter[1] === "-" } : null;
+  const parameter = direct ? null : scan.take(TOOL_PARAMETER);
+  const tool = direct ? readLabel(direct[1]?.replace(",", "."), direct[2]) : parameter && parameterOf(parameter[0]);
   const axis = scan.take(AXIS);
   let [speed, deltaLength, deltaRadius] = [null, null, null] as (Value | null)[];
   let feed: Feed | null = null;

@@ -1,13 +1,13 @@
 import { readWords } from "./read-words.ts";
 import type { Scan } from "./scan.ts";
 import { COMPARISONS, type Statement } from "./statement.ts";
-import { readLabel, readValue, VALUE } from "./value.ts";
+import { PARAMETER, readLabel, readValue, VALUE } from "./value.ts";
 
 /** How a jump begins, with its FN number or without. */
 export const JUMP = /(?:FN[ \t]*(9|1[0-2])[ \t]*:[ \t]*)?IF(?![A-Z])/iy;
 const OPERAND = new RegExp(VALUE, "iy");
 const COMPARE = /(EQU|NE|GT|LT|IS[ \t]+DEFINED|IS[ \t]+UNDEFINED)(?![A-Z])/iy;
-const TARGET = /GOTO[ \t]+LBL[ \t]*(?:(\d{1,9})|"([^"]*)"|(Q[LRS]?\d{1,6}))/iy;
+const TARGET = new RegExp(String.raw`GOTO[ \t]+LBL[ \t]*(?:(\d{1,9})|"([^"]*)"|(${PARAMETER}))`, "iy");
 
 /** `FN 9: IF +Q1 EQU +Q3 GOTO LBL "END"`; null when it is no jump that can be read. */
 export function readJump(scan: Scan): Statement | null {

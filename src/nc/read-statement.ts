@@ -7,15 +7,15 @@ import { JUMP, readDatum, readJump } from "./read-jump.ts";
 import { readWords } from "./read-words.ts";
 import { Scan } from "./scan.ts";
 import { APPROACH_FORMS, type ApproachForm, type PathKind, type Statement, type Words } from "./statement.ts";
-import { readLabel, VALUE } from "./value.ts";
+import { NUMBER_PARAMETER, PARAMETER, readLabel, VALUE } from "./value.ts";
 
 const KEYWORD = /(?:(CYCL[ \t]+(?:DEF|CALL)|BEGIN[ \t]+PGM|END[ \t]+PGM|BLK[ \t]+FORM|TOOL[ \t]+(?:CALL|DEF)|CALL[ \t]+LBL|SEL[ \t]+CONTOUR|TRANS[ \t]+DATUM|FUNCTION|LBL|STOP|APPR|DEP|UDC|GRV|RND|CHF|CTP|CR|CT|CC|CP|LP|L|C)(?![A-Z_]))/iy;
-const ASSIGNMENT = /(?:FN[ \t]*[0-5][ \t]*:|Q[LR]?\d{1,6}[ \t]*=)/iy;
+const ASSIGNMENT = new RegExp(String.raw`(?:FN[ \t]*[0-5][ \t]*:|${NUMBER_PARAMETER}[ \t]*=)`, "iy");
 const FUNCTIONS = /M\d/iy;
 /** A paraxial block: a coordinate without L. */
 const PARAXIAL = new RegExp(String.raw`I?[XYZABUVW][ \t]*${VALUE}`, "iy");
 const LABEL = /(?:(\d{1,9})|"([^"]*)")/y;
-const PARAMETER = /(Q[LRS]?\d{1,6})/iy;
+const LABEL_PARAMETER = new RegExp(`(${PARAMETER})`, "iy");
 const REPEAT = new RegExp(String.raw`REP[ \t]*(${VALUE})(?:[ \t]*/[ \t]*\d+)?`, "iy");
 const BARE = new RegExp(VALUE, "iy");
 const FORM = /(P?L?(?:LT|LN|CT))(?![A-Z])/iy;
@@ -163,7 +163,7 @@ function label(scan: Scan): Statement | null {
 
 function call(scan: Scan): Statement | null {
   const m = scan.take(LABEL);
-  const parameter = m ? null : scan.take(PARAMETER);
+  const parameter = m ? null : scan.take(LABEL_PARAMETER);
   if (!m && !parameter) return null;
   const times = scan.take(REPEAT);
   const repeat = times && scan.value(times[1] ?? "");

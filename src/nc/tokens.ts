@@ -1,4 +1,5 @@
 import { Scan } from "./scan.ts";
+import { PARAMETER } from "./value.ts";
 
 /** What a stretch of a line is, for colouring. */
 export type TokenKind = "number" | "keyword" | "parameter" | "value" | "word" | "comment" | "structure" | "string" | "name" | "mark";
@@ -16,7 +17,7 @@ const STRUCTURE = /\*[ \t]*-?.*/y;
 const COMMENT = /;.*/y;
 const STRING = /"[^"]*"?/y;
 const CYCLE_NUMBER = /\d+(?:\.\d+)?/y;
-const PARAMETER = /Q[LRS]?\d+/iy;
+const NAMED = new RegExp(PARAMETER, "iy");
 const ADDRESS = /(?:DR(?=[+-](?![\d.,Q]))|F[ \t]*(?:MAX|AUTO)|VCONST|SMAX|DIST|LEN|CCA|REP|VC|I?P[RA]|R[0LR](?![\d.,])|DI|DL|DR|F[UZ]?|M|I?[A-Z](?=[ \t]*:?[+\-\d.,Q])|[A-Z_]{2,})/iy;
 const VALUE = /[+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)/y;
 const MARK = /[~=:+\-*/()%^]/y;
@@ -44,7 +45,7 @@ export function tokensOf(line: string): Token[] {
   if (named) add("value", scan.take(CYCLE_NUMBER));
   while (!scan.done) {
     if (add("comment", scan.take(COMMENT))) break;
-    if (add("string", scan.take(STRING)) || add("parameter", scan.take(PARAMETER))) continue;
+    if (add("string", scan.take(STRING)) || add("parameter", scan.take(NAMED))) continue;
     if (named && !line.slice(scan.at).startsWith("~")) {
       const from = scan.at;
       const word = scan.word().replace(/[;~].*$/, "");

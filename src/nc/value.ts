@@ -1,7 +1,19 @@
-import type { Value } from "./statement.ts";
+import type { Parameter, Value } from "./statement.ts";
+
+/** A parameter that holds a number, as part of a pattern: Q5, QL1, QR3. No control has more than four digits. */
+export const NUMBER_PARAMETER = String.raw`Q[LR]?\d{1,4}(?!\d)`;
+/** Any parameter: QS holds text, and stands where a name or a number may stand. */
+export const PARAMETER = String.raw`Q[LRS]?\d{1,4}(?!\d)`;
+const ALONE = new RegExp(String.raw`^\s*([+-]?)\s*(${PARAMETER})\s*$`, "i");
+
+/** The parameter that a text is, with its sign, when it is that and nothing else. */
+export function parameterOf(text: string): Parameter | null {
+  const m = ALONE.exec(text);
+  return m ? { parameter: (m[2] ?? "").toUpperCase(), negative: m[1] === "-" } : null;
+}
 
 /** A number with point or comma, or a parameter, with an optional sign; blanks may stand behind the sign. */
-export const VALUE = String.raw`[+-]?[ \t]*(?:\d+(?:[.,]\d*)?|[.,]\d+|Q[LRS]?\d{1,6})`;
+export const VALUE = String.raw`[+-]?[ \t]*(?:\d+(?:[.,]\d*)?|[.,]\d+|${PARAMETER})`;
 
 /** Reads what `VALUE` matched; null when the number is beyond what can be counted. */
 export function readValue(text: string): Value | null {

@@ -1,5 +1,6 @@
 import { issue, type Issue } from "../kernel/issue.ts";
-import type { Feed, Parameter, Statement, Value, Words } from "../nc/statement.ts";
+import type { Feed, Statement, Value, Words } from "../nc/statement.ts";
+import { parameterOf } from "../nc/value.ts";
 import { approachFields, type ApproachField, type ApproachWord, type WorkingPlane } from "./approach-fields.ts";
 import { readExpression, type KnownParameters } from "./expression.ts";
 
@@ -41,12 +42,6 @@ export function approachDraft({ words }: ApproachStatement): ApproachDraft {
 
 const nothing: WordReading = { value: null, incremental: false, written: null, issue: null };
 const wrong = (found: Issue): WordReading => ({ ...nothing, issue: found });
-
-/** A Q parameter with its sign, when the text is that and nothing else. */
-function parameterOf(text: string): Parameter | null {
-  const m = /^\s*([+-]?)\s*(Q[LRS]?\d{1,4})\s*$/i.exec(text);
-  return m ? { parameter: (m[2] ?? "").toUpperCase(), negative: m[1] === "-" } : null;
-}
 
 /** Reads one word. Empty stays empty; what is wrong is said with the nearest value that works. */
 export function readWord(f: ApproachField, typed: string, known: KnownParameters = {}): WordReading {

@@ -1,3 +1,5 @@
+import { NUMBER_PARAMETER, parameterOf } from "../nc/value.ts";
+
 /** Values of Q parameters by upper-case name: "Q5", "QL1", "QR3". */
 export type KnownParameters = Readonly<Record<string, number>>;
 
@@ -15,13 +17,16 @@ const LONGEST = 200;
 type Token = { readonly kind: "value"; readonly value: number } | { readonly kind: "sign"; readonly sign: string };
 class Unknown { constructor(readonly name: string) {} }
 
+const TOKEN = String.raw`\s*(?:(\d+(?:[.,]\d*)?|[.,]\d+)|(${NUMBER_PARAMETER})|([-+*/()]))\s*`;
+const WHOLE_PARAMETER = new RegExp(String.raw`(?<![\w.,])${NUMBER_PARAMETER}(?!\w)`, "gi");
+
 const spelling = (text: string) =>
   text.trim().replace(/[−–]/g, "-").replace(/[×·]/g, "*").replace(/÷/g, "/");
 
 /** Splits into numbers and signs; null when something else stands there. */
 function tokens(text: string, known: KnownParameters): Token[] | Unknown | null {
   const found: Token[] = [];
-  const pattern = /\s*(?:(\d+(?:[.,]\d*)?|[.,]\d+)|(Q[LR]?\d{1,4})|([-+*/()]))\s*/iy;
+  const pattern = new RegExp(TOKEN, "iy");
   while (pattern.lastIndex < text.length) {
     const match = pattern.exec(text);
     if (!match) return null;
@@ -82,8 +87,8 @@ export function readExpression(typed: string, known: KnownParameters = {}): Expr
   if (list instanceof Unknown) return { kind: "unknownParameter", name: list.name };
   const value = list ? evaluate(list) : NaN;
   if (list && Number.isFinite(value)) {
-    const alone = /^([-+]?)\s*(Q[LR]?\d{1,4})$/i.exec(text);
-    const parameter = alone ? `${alone[1] === "-" ? "-" : ""}${alone[2]?.toUpperCase()}` : null;
+    const alone = parameterOf(text);
+    const parameter = alone && (alone.negative ? "-" : "") + alone.parameter;
     const values = list.filter((token) => token.kind === "value").length;
     return { kind: "number", value: value === 0 ? 0 : value, parameter, computed: values > 1 };
   }
@@ -93,4 +98,4 @@ export function readExpression(typed: string, known: KnownParameters = {}): Expr
 
 /** Names of the Q parameters in a typed text, in the order in which they stand there. */
 export const parametersIn = (typed: string): readonly string[] =>
-  typed.length > LONGEST ? [] : [...typed.matchAll(/(?<![\w.,])Q[LR]?\d{1,4}(?!\w)/gi)].map(([name]) => name.toUpperCase());
+  typed.length > LONGEST ? [] : [...typed.matchAll(WHOLE_PARAMETER)].map(([name]) => name.toUpperCase());

@@ -2,6 +2,7 @@ import type { AxisWord, NamedWord, Statement, Value, Words } from "../nc/stateme
 import { readRows, type RowReading } from "./contour-rows.ts";
 import type { ContourRow } from "./job.ts";
 import { polarWords } from "./polar-row.ts";
+import { formWord } from "./recess-words.ts";
 import { recessWords } from "./row-given.ts";
 import { kept, noWords, POSITION_DECIMALS, typedAxis, typedValue } from "./typed-value.ts";
 
@@ -39,7 +40,7 @@ function statement(row: ContourRow, reading: RowReading | undefined): Statement[
     case "LP": case "CTP": return [path(row.kind, polarWords(row))];
     case "CP": return [path("CP", { ...polarWords(row), turn: row.turn })];
     case "RND": return [path("RND", size === null ? {} : { radius: size })];
-    case "UDC": return [{ kind: "undercut", form: row.form === "THREAD" ? row.form : `TYPE_${row.form}`, words: namedWords(row) }];
+    case "UDC": return [{ kind: "undercut", form: formWord(row.form), words: namedWords(row) }];
     case "GRV": return [{ kind: "groove", form: row.form === "AXIAL" ? "AXIAL" : "RADIAL", words: namedWords(row) }];
     case "CHF": return [{ kind: "chamfer", length: size, words: noWords }];
   }

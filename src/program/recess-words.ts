@@ -1,19 +1,16 @@
-import type { Groove } from "../kernel/groove.ts";
-import { UNDERCUT_FORMS, type RecessWord, type RecessWords, type Undercut } from "../kernel/undercut.ts";
+import { grooveDiameters, GROOVE_WORDS, type Groove } from "../kernel/groove.ts";
+import {
+  ANGLE_WORDS, UNDERCUT_FORMS, UNDERCUT_WORDS, type RecessWord, type RecessWords, type Undercut, type UndercutForm,
+} from "../kernel/undercut.ts";
 import { diameter, toRadius } from "../kernel/units.ts";
 import type { NamedWord, Statement } from "../nc/statement.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
 
-/** Words that are angles; the others are lengths. */
-const ANGLES = ["ANGLE", "FACEANGLE", "ROT"] as const;
-/** The words of a recess. */
-export const GROOVE_WORDS: readonly RecessWord[] = ["CENTER", "R", "DEPTH", "DIAM", "BREADTH", "ANGLE", "RND", "CHF", "FAR_RND", "FAR_CHF"];
-/** The words that each form has; only form E is printed with its words. */
-export const UNDERCUT_WORDS: Readonly<Record<Undercut["form"], readonly RecessWord[]>> = {
-  E: ["R", "DEPTH", "BREADTH", "ANGLE"], F: ["R", "DEPTH", "BREADTH", "ANGLE", "FACEDEPTH", "FACEANGLE"], H: ["R", "BREADTH", "ANGLE"],
-  K: ["R", "DEPTH", "ROT", "ANGLE"], U: ["R", "DEPTH", "BREADTH", "RND", "CHF"], THREAD: ["PITCH", "R", "DEPTH", "BREADTH", "ANGLE"],
-};
+/** The form that a program's word names: TYPE_E, THREAD; null when there is none. */
+export const formOf = (word: string): UndercutForm | null => UNDERCUT_FORMS.find((f) => formWord(f) === word) ?? null;
+/** A form as a program writes it. */
+export const formWord = (form: string): string => (form === "THREAD" ? form : `TYPE_${form}`);
 
 /** Words by name in mm and degrees; a word that the block can not have is said and left out. */
 function wordsOf(
@@ -27,7 +24,7 @@ function wordsOf(
     }
     const n = machine.number(value, index);
     if (n === null) return [];
-    if (ANGLES.some((a) => a === word)) return [[word, n] as const];
+    if (ANGLE_WORDS.has(word)) return [[word, n] as const];
     return [[word, diameters.includes(word) ? toRadius(diameter(machine.length(n))) : machine.length(n)] as const];
   });
   return Object.fromEntries(read);
@@ -38,9 +35,9 @@ export function recessOf(machine: Machine, s: Extract<Statement, { kind: "underc
   if (s.kind === "groove") {
     machine.say(programIssue("wordsRecalled", "info", { what: `GRV ${s.form}` }), index);
     const direction = s.form === "AXIAL" ? "axial" : "radial";
-    return { kind: "groove", direction, words: wordsOf(machine, s.words, GROOVE_WORDS, direction === "axial" ? ["CENTER", "DIAM"] : ["DIAM"], index) };
+    return { kind: "groove", direction, words: wordsOf(machine, s.words, GROOVE_WORDS, grooveDiameters(direction), index) };
   }
-  const form = UNDERCUT_FORMS.find((f) => f === s.form.replace(/^TYPE_/, ""));
+  const form = formOf(s.form);
   if (!form) {
     machine.leaveUnproved(`UDC ${s.form}`, index);
     return null;

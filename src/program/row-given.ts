@@ -3,10 +3,9 @@ import { issue, type Issue } from "../kernel/issue.ts";
 import type { Pt } from "../kernel/point.ts";
 import type { Given, SolveElement } from "../kernel/solve-work.ts";
 import { axial, degrees, diameter, length, toRadius, type Axial, type Radius } from "../kernel/units.ts";
-import type { Groove } from "../kernel/groove.ts";
-import { UNDERCUT_FORMS, type RecessWord, type RecessWords, type Undercut } from "../kernel/undercut.ts";
+import { grooveDiameters, GROOVE_WORDS, type Groove } from "../kernel/groove.ts";
+import { UNDERCUT_FORMS, UNDERCUT_WORDS, type RecessWord, type RecessWords, type Undercut } from "../kernel/undercut.ts";
 import { readExpression } from "./expression.ts";
-import { GROOVE_WORDS, UNDERCUT_WORDS } from "./recess-words.ts";
 import type { ProgramIssue } from "./issue.ts";
 import type { ContourRow } from "./job.ts";
 import { isPolarRow, polarGiven, type PolarName } from "./polar-row.ts";
@@ -107,6 +106,10 @@ function centreOf(reader: RowReader, row: ContourRow, index: number): Pt | null 
   return x === null || z === null ? null : { z: axial(z), r: toRadius(diameter(x)) };
 }
 
+/** True for a word that a row measures as a diameter. */
+export const isDiameterWord = (row: ContourRow, word: RecessWord): boolean =>
+  row.kind === "GRV" && grooveDiameters(row.form === "AXIAL" ? "axial" : "radial").includes(word);
+
 /** The words that an undercut or recess row has, in the order of the control. */
 export function recessWords(row: ContourRow): readonly RecessWord[] {
   if (row.kind === "GRV") return GROOVE_WORDS;
@@ -115,13 +118,12 @@ export function recessWords(row: ContourRow): readonly RecessWord[] {
 }
 
 function recessOfRow(reader: RowReader, row: ContourRow, index: number): Undercut | Groove {
-  const facing = row.kind === "GRV" && row.form === "AXIAL";
-  const measured = (word: RecessWord, n: number) => (word === "DIAM" || (word === "CENTER" && facing) ? toRadius(diameter(n)) : n);
+  const measured = (word: RecessWord, n: number) => (isDiameterWord(row, word) ? toRadius(diameter(n)) : n);
   const words: RecessWords = Object.fromEntries(recessWords(row).flatMap((word) => {
     const n = fieldValue(reader, index, null, row.words[word] ?? "", true);
     return n === null ? [] : [[word, measured(word, n)] as const];
   }));
-  if (row.kind === "GRV") return { kind: "groove", direction: facing ? "axial" : "radial", words };
+  if (row.kind === "GRV") return { kind: "groove", direction: row.form === "AXIAL" ? "axial" : "radial", words };
   return { kind: "undercut", form: UNDERCUT_FORMS.find((f) => f === row.form) ?? "E", words };
 }
 

@@ -1,4 +1,5 @@
 import type { AxisWord, Value, Words } from "../nc/statement.ts";
+import { parameterOf } from "../nc/value.ts";
 import { type KnownParameters, readExpression } from "./expression.ts";
 
 /** Decimals a control keeps of a position. */
@@ -14,10 +15,8 @@ export const kept = (n: number, decimals: number) => Number(n.toFixed(decimals))
  * one; a sum with Q parameters is worked out with the known values, since NC text takes no sums there.
  */
 export function typedValue(typed: string, decimals = POSITION_DECIMALS, known: KnownParameters = {}): Value | null {
-  const named = /^\s*([+-]?)\s*(Q[LR]?\d{1,4})\s*$/i.exec(typed);
-  if (named) return { parameter: (named[2] ?? "").toUpperCase(), negative: named[1] === "-" };
   const read = readExpression(typed, known);
-  return read.kind === "number" ? kept(read.value, decimals) : null;
+  return parameterOf(typed) ?? (read.kind === "number" ? kept(read.value, decimals) : null);
 }
 
 /** The word of an axis, when a number is typed for it. */

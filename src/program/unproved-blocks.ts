@@ -1,5 +1,5 @@
 import type { CycleParameter } from "../nc/statement.ts";
-import { readValue, VALUE } from "../nc/value.ts";
+import { NUMBER_PARAMETER, readValue, VALUE } from "../nc/value.ts";
 import type { Machine } from "./machine.ts";
 
 /**
@@ -9,7 +9,7 @@ import type { Machine } from "./machine.ts";
 const HARMLESS = new RegExp(String.raw`^(?:FN[ \t]*(?:1[4569]|2[06-9]|3[789])[ \t]*:|FUNCTION[ \t]+(?:TCPM|RESET|FEED|S-PULSE|COUNT|DWELL|DCM|FILE)|` +
   String.raw`QS\d+[ \t]*=|DECLARE|SQL|OPEN|CLOSE|SEL[ \t]+(?:TABLE|CORR-TABLE)|PATTERN[ \t]+DEF|POLARKIN[ \t]+OFF|MONITORING|STOP|TRANS[ \t]+[A-Z]+[ \t]+RESET|PLANE[ \t]+RESET)`, "i");
 /** FN 18 and FN 28 only read a value into a parameter. */
-const READING = /^FN[ \t]*(?:18|28)[ \t]*:[^=]*?(Q[LR]?\d{1,6})/i;
+const READING = new RegExp(String.raw`^FN[ \t]*(?:18|28)[ \t]*:[^=]*?(${NUMBER_PARAMETER})`, "i");
 /** Programs that run on their own leave the tool wherever they end. */
 const ELSEWHERE = /^(?:CALL[ \t]+(?:PGM|SELECTED)|TCH[ \t]+PROBE|CALL[ \t]+LBL)/i;
 /** What a block is called: its first words, with the number of FN and TCH PROBE. */

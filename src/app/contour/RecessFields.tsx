@@ -2,7 +2,8 @@ import { texts } from "../settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { UNDERCUT_FORMS } from "../../kernel/undercut.ts";
 import type { ContourRow } from "../../program/job.ts";
-import { recessWords } from "../../program/row-given.ts";
+import { formWord } from "../../program/recess-words.ts";
+import { isDiameterWord, recessWords } from "../../program/row-given.ts";
 import { inScreenWriting } from "../dialog/write-value.ts";
 import { closeStep } from "../store.ts";
 
@@ -14,9 +15,6 @@ interface Props {
   readonly describedBy: string;
   readonly onChange: (change: Partial<ContourRow>, place: string | null) => void;
 }
-
-/** Words that measure a diameter: their fields say so. */
-const isDiameter = (row: ContourRow, word: string) => word === "DIAM" || (word === "CENTER" && row.form === "AXIAL");
 
 /** Form and words of an undercut or recess; a word that is left empty comes from its standard, or is not there. */
 export function RecessFields({ row, number, language, describedBy, onChange }: Props) {
@@ -30,12 +28,12 @@ export function RecessFields({ row, number, language, describedBy, onChange }: P
           className="select" aria-label={t.formOf(number)} value={row.form} data-row={row.id} data-field="form"
           onChange={(e) => onChange({ form: e.currentTarget.value }, null)}
         >
-          {forms.map((form) => <option key={form} value={form}>{row.kind === "UDC" && form !== "THREAD" ? `TYPE_${form}` : form}</option>)}
+          {forms.map((form) => <option key={form} value={form}>{row.kind === "UDC" ? formWord(form) : form}</option>)}
         </select>
       </label>
       {recessWords(row).map((word) => (
         <label key={word}>
-          <span className="number">{isDiameter(row, word) ? `${word} ⌀` : word}</span>
+          <span className="number">{isDiameterWord(row, word) ? `${word} ⌀` : word}</span>
           <input
             className="input number" type="text" inputMode="text" autoComplete="off" spellCheck={false} maxLength={200} aria-label={t.wordOf(number, word)} aria-describedby={describedBy}
             data-row={row.id} data-field={word} value={inScreenWriting(language, row.words[word] ?? "")} onBlur={closeStep} onFocus={(e) => e.currentTarget.select()}

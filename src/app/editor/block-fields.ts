@@ -1,12 +1,19 @@
+import { GROOVE_WORDS } from "../../kernel/groove.ts";
+import { UNDERCUT_FORMS, UNDERCUT_WORDS } from "../../kernel/undercut.ts";
 import { parse } from "../../nc/parse.ts";
 import { statementLines } from "../../nc/print.ts";
 import { APPROACH_FORMS, type AxisName, type PathKind, type Statement } from "../../nc/statement.ts";
 import { LAYOUTS } from "../../nc/style.ts";
+import { NUMBER_PARAMETER } from "../../nc/value.ts";
+import { formOf, formWord } from "../../program/recess-words.ts";
 import { readValue, typedParameter } from "./block-value.ts";
 import { fieldOf, optionalValue, readFeed, readLabel, readLine, shownFeed, shownLabel, shownValue, type Field } from "./field.ts";
 import { axisFields, axisField, compensationField, feedField, functionsField, namedFields, polarWord, retractField, turnField, valueWord } from "./word-fields.ts";
 
 const AXES = ["X", "Y", "Z"] as const satisfies readonly AxisName[];
+const TARGET = new RegExp(String.raw`^\s*${NUMBER_PARAMETER}\s*$`, "i");
+/** A tool with its index, as in 5.1, or in a parameter; anything else is a number or a name. */
+const TOOL_VALUE = new RegExp(String.raw`^\s*(?:\d{1,9}\.\d\s*$|${NUMBER_PARAMETER})`, "i");
 const isAxis = (typed: string): typed is AxisName => /^[XYZABCUVW]$/.test(typed);
 const tail = [compensationField, feedField, functionsField];
 const polar = [polarWord("polarRadius", "polarRadius", "mm"), polarWord("polarAngle", "polarAngle", "°")];
@@ -68,11 +75,10 @@ const cornerField = (axis: AxisName): Field => {
   };
 };
 
-const UNDERCUT_WORDS: Readonly<Record<string, readonly string[]>> = {
-  TYPE_E: ["R", "DEPTH", "BREADTH", "ANGLE"], TYPE_F: ["R", "DEPTH", "BREADTH", "ANGLE", "FACEDEPTH", "FACEANGLE"], TYPE_H: ["R", "BREADTH", "ANGLE"],
-  TYPE_K: ["R", "DEPTH", "ROT", "ANGLE"], TYPE_U: ["R", "DEPTH", "BREADTH", "RND", "CHF"], THREAD: ["PITCH", "R", "DEPTH", "BREADTH", "ANGLE"],
+const undercutWords = (word: string): readonly string[] => {
+  const form = formOf(word);
+  return form ? UNDERCUT_WORDS[form] : [];
 };
-const GROOVE_WORDS = ["CENTER", "R", "DEPTH", "DIAM", "BREADTH", "ANGLE", "RND", "CHF", "FAR_RND", "FAR_CHF"];
 
 type Table = { readonly [K in Statement["kind"]]: (s: Extract<Statement, { kind: K }>) => readonly Field[] };
 
@@ -109,7 +115,7 @@ const table: Table = {
   toolCall: () => [
     fieldOf("toolCall", "tool", (s) => (s.tool === null ? "" : shownLabel(s.tool)), (s, typed) => {
       if (typed.trim() === "") return { ...s, tool: null };
-      const value = /^\s*\d{1,9}\.\d\s*$|^\s*Q[LR]?\d/i.test(typed) ? readValue(typed) : readLabel(typed);
+      const value = TOOL_VALUE.test(typed) ? readValue(typed) : readLabel(typed);
       return value === null ? null : { ...s, tool: value };
     }),
     fieldOf("toolCall", "toolAxis", (s) => s.axis ?? "", (s, typed) => ({ ...s, axis: isAxis(typed) ? typed : null }), { choices: ["", "X", "Y", "Z"] }),
@@ -150,8 +156,8 @@ const table: Table = {
     valueWord("length", "lineLength"), valueWord("centreAngle", "centreAngle", "°"), radius, ...tail,
   ],
   undercut: (s) => [
-    fieldOf("undercut", "form", (u) => u.form, (u, typed) => ({ ...u, form: typed }), { choices: Object.keys(UNDERCUT_WORDS) }),
-    ...namedFields(s, UNDERCUT_WORDS[s.form] ?? []),
+    fieldOf("undercut", "form", (u) => u.form, (u, typed) => ({ ...u, form: typed }), { choices: UNDERCUT_FORMS.map(formWord) }),
+    ...namedFields(s, undercutWords(s.form)),
   ],
   groove: (s) => [
     fieldOf("groove", "form", (g) => g.form, (g, typed) => ({ ...g, form: typed === "AXIAL" ? "AXIAL" : "RADIAL" }), { choices: ["RADIAL", "AXIAL"] }),
@@ -178,7 +184,7 @@ const table: Table = {
   jump: () => [wholeText],
   datum: () => [wholeText],
   assign: (s) => [
-    fieldOf("assign", "target", (a) => a.target, (a, typed) => (/^\s*Q[LR]?\d{1,6}\s*$/i.test(typed) ? { ...a, target: typed.trim().toUpperCase() } : null)),
+    fieldOf("assign", "target", (a) => a.target, (a, typed) => (TARGET.test(typed) ? { ...a, target: typed.trim().toUpperCase() } : null)),
     fieldOf("assign", "formula", (a) => lineOf(a).replace(/^.*?=\s*/, ""), (a, typed) =>
       statementOf(`${s.fn === null ? "" : `FN ${s.fn}: `}${a.target} = ${typed}`, "assign"), { wide: true }),
   ],

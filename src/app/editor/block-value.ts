@@ -1,7 +1,6 @@
 import type { CycleParameter, Value } from "../../nc/statement.ts";
+import { parameterOf } from "../../nc/value.ts";
 import { readExpression } from "../../program/expression.ts";
-
-const PARAMETER = /^\s*([+-]?)\s*(Q[LRS]?\d{1,6})\s*$/i;
 
 /** A value of NC text as one types it: no plus sign. */
 export const typedValue = (value: Value): string =>
@@ -9,10 +8,8 @@ export const typedValue = (value: Value): string =>
 
 /** Typed text as a value of NC text: a number with point or comma, a sum, a Q parameter; null when it is none of them. */
 export function readValue(typed: string, decimals = 4): Value | null {
-  const named = PARAMETER.exec(typed);
-  if (named) return { parameter: (named[2] ?? "").toUpperCase(), negative: named[1] === "-" };
   const read = readExpression(typed);
-  return read.kind === "number" ? Number(read.value.toFixed(decimals)) || 0 : null;
+  return parameterOf(typed) ?? (read.kind === "number" ? Number(read.value.toFixed(decimals)) || 0 : null);
 }
 
 /** What stands behind a Q of a cycle, as one types it. */

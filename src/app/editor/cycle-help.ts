@@ -9,6 +9,7 @@ import type { Language } from "../../i18n/languages.ts";
 import { ncLabels } from "../../i18n/nc-labels.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import { blockAt } from "../../nc/reread.ts";
+import { NUMBER_PARAMETER } from "../../nc/value.ts";
 import { unitOf } from "../dialog/prompts.ts";
 import { readingField } from "./reading-field.ts";
 
@@ -79,13 +80,15 @@ function blockWords(context: CompletionContext): CompletionResult | null {
   return { from: context.pos - word.length, validFor: /^[A-Z ]*$/i, options: KEYWORDS.map((label) => ({ label, type: "keyword" })) };
 }
 
+const PARAMETERS = new RegExp(NUMBER_PARAMETER, "gi");
+
 /** Completion and hover help of a screen language: what a Q parameter asks and allows in the cycle of its block. */
 export function cycleHelp(t: Texts, language: Language): Extension {
   return [
     autocompletion({ override: [(context) => parameters(t, language, context) ?? blockWords(context)], icons: false }),
     hoverTooltip((view, offset) => {
       const line = view.state.doc.lineAt(offset);
-      const found = [...line.text.matchAll(/Q\d+/gi)].find((m) => offset >= line.from + m.index && offset <= line.from + m.index + m[0].length);
+      const found = [...line.text.matchAll(PARAMETERS)].find((m) => offset >= line.from + m.index && offset <= line.from + m.index + m[0].length);
       const at = found && cycleAt(view.state, offset);
       const q = found?.[0].toUpperCase() ?? "";
       const param = at?.cycle.params[q];

@@ -1,5 +1,6 @@
 import { StateField, type EditorState, type Transaction } from "@codemirror/state";
 import { blockAt, readingOf, reread, type Change, type Reading } from "../../nc/reread.ts";
+import { NUMBER_PARAMETER } from "../../nc/value.ts";
 
 /** All changes of a transaction as one: from the first to the last changed character. */
 function changeOf(tr: Transaction): Change | null {
@@ -35,7 +36,9 @@ export function blockRange(state: EditorState, index: number): { readonly from: 
   return { from, to: from + block.raw.replace(/[\r\n]+$/, "").length };
 }
 
+const PARAMETER_LINE = new RegExp(String.raw`^\s*(${NUMBER_PARAMETER})\s*[=+\-\d]`, "i");
+
 /** The Q parameter on the line of an offset, inside a cycle definition; null on any other line. */
 export function parameterAt(state: EditorState, offset: number): string | null {
-  return /^\s*(Q\d+)\s*[=+\-\d]/i.exec(state.doc.lineAt(offset).text)?.[1]?.toUpperCase() ?? null;
+  return PARAMETER_LINE.exec(state.doc.lineAt(offset).text)?.[1]?.toUpperCase() ?? null;
 }

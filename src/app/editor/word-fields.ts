@@ -1,3 +1,4 @@
+import { ANGLE_WORDS } from "../../kernel/undercut.ts";
 import type { AxisName, AxisWord, NamedWord, PolarWord, Statement, Value, Words } from "../../nc/statement.ts";
 import { readValue } from "./block-value.ts";
 import { optionalValue, readFeed, shownFeed, shownValue, type Field, type FieldName } from "./field.ts";
@@ -103,6 +104,7 @@ export const retractField: Field = {
 export const axisFields = (s: Statement, usual: readonly AxisName[]): readonly Field[] =>
   ORDER.filter((axis) => usual.includes(axis) || wordsOf(s).axes.some((w) => w.axis === axis)).map(axisField);
 
+const ANGLES: ReadonlySet<string> = ANGLE_WORDS;
 type WithNames = Extract<Statement, { words: readonly NamedWord[] }>;
 const hasNames = (s: Statement): s is WithNames => "words" in s && Array.isArray(s.words);
 
@@ -118,7 +120,7 @@ export const namedField = (word: string, order: readonly string[]): Field => {
     return { ...s, words: next } as Statement;
   };
   return {
-    id: `word ${word}`, name: { word }, numeric: true, unit: /ANGLE|ROT/.test(word) ? "°" : "mm", read: (s) => shownValue(words(s).find((w) => w.name === word)?.value),
+    id: `word ${word}`, name: { word }, numeric: true, unit: ANGLES.has(word) ? "°" : "mm", read: (s) => shownValue(words(s).find((w) => w.name === word)?.value),
     write: (s, typed) => (typed.trim() === "" ? set(s, null) : ((value) => (value === null ? null : set(s, value)))(readValue(typed))),
   };
 };

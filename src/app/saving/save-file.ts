@@ -1,4 +1,5 @@
 import { z } from "zod/mini";
+import { NUMBER_PARAMETER } from "../../nc/value.ts";
 import type { ContourRow, Job } from "../../program/job.ts";
 import type { Work } from "../work.ts";
 
@@ -14,6 +15,7 @@ export interface SaveFile {
   readonly job: Work;
 }
 
+const PARAMETER_NAME = new RegExp(`^${NUMBER_PARAMETER}$`);
 const text = z.string().check(z.maxLength(500));
 /** What came later has a default here: the saves before it have no such field. */
 const later = { text: z._default(text, ""), flag: z._default(z.boolean(), false) };
@@ -26,7 +28,7 @@ const job = z.object({
   name: text,
   cycle: z.int(),
   drafts: z.record(z.string().check(z.regex(/^\d+$/)), z.record(z.string(), text)),
-  parameters: z._default(z.record(z.string().check(z.regex(/^Q[LR]?\d{1,4}$/)), text), {}),
+  parameters: z._default(z.record(z.string().check(z.regex(PARAMETER_NAME)), text), {}),
   tool: z.number(),
   blank: z.object({ outside: text, bore: text, length: text, allowance: text }),
   start: z.object({ x: text, z: text }),
