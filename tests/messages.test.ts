@@ -21,7 +21,7 @@ const SAMPLES: { readonly [C in AnyCode]: DataOf<C> } = {
   offsetReduced: { offset: 0.5, kept: 0.148, nearest: 0.148, passes: 14 }, offsetOverLimit: { offset: 2.5, max: 2.08, passes: 1, nearest: 0.148 },
   toolUnfit: { type: "THREAD", orientation: 3, types: ["ROUGH", "FINISH"], orientations: [1, 2] }, tooManyPasses: { passes: 25000, most: 2000, nearest: 0.013 }, toolCannotCutSideways: { type: "RECESS" }, flanksNotChecked: {},
   toolColumn: { column: "P-ANGLE", value: 85.5, max: 84.5 }, toolNumberTwice: { number: 7, nearest: 16 }, toolName: { text: "Groß!", max: 32 }, holderAxis: { text: "Y" }, holderHead: { text: "1/2 3/4" }, betterTool: { tool: 15, name: "FACE-DNMG-55-R08" },
-  startInArea: { x: 60.5, z: -5.5 }, startInMaterial: { x: 60.5, z: -5.5 }, startBelowContour: { below: 5.25 }, startOnWrongSide: { x: 16.5, z: 2.5 }, startInPart: { x: 79.5, z: 2.5 },
+  startInArea: { x: 60.5, z: -5.5 }, startInMaterial: { x: 60.5, z: -5.5 }, startBelowContour: { below: 5.25 }, startOnWrongSide: { x: 16.5, z: 2.5 }, startInPart: { x: 79.5, z: 2.5 }, insertAcrossAxis: { reach: 12.345, nearest: 20.5 },
   startInsideEnvelope: { clearance: 2.5 }, limitOnWrongSide: { limit: 10.5, nearest: 20.5 }, nothingToCut: {}, contourMissing: { label: "2" },
   contourTooShort: {}, contourPoint: { element: 3 }, cornerElementAlone: { element: 3 }, cornerElementTooLong: { element: 3, size: 9.5, max: 4.25, nearest: 4.25 },
   arcOffCircle: { element: 3, gap: 0.5, nearest: 9.75 }, arcTooSmall: { element: 3, radius: 2.5, nearest: 4.75 }, contourCrossesItself: { element: 3, other: 1 },

@@ -51,6 +51,8 @@ interface Data {
   startBelowContour: { below: number };
   /** The tool would stand in the finished part; at x and z it would not. */
   startInPart: { x: number; z: number };
+  /** The insert reaches across the axis into the part; `nearest` is a diameter of the start point at which it does not. */
+  insertAcrossAxis: { reach: number; nearest?: number };
   /** The contour is run towards the start point; from the other side, at x and z, it works. */
   startOnWrongSide: { x: number; z: number };
   startInsideEnvelope: { clearance: number };

@@ -58,6 +58,7 @@ export const messages = {
     startInMaterial: (d, w) => `Der Startpunkt ${w.place(d.x, d.z)} steht im Material.`,
     startBelowContour: (d, w) => `Der Startpunkt liegt ${w.number(d.below)} mm unter dem Konturstart: Das Werkzeug fährt zuerst dorthin.`,
     startInPart: (d, w) => `Der Startpunkt liegt im Fertigteil: Von dort wird nichts zerspant. Ein Startpunkt, der geht: ${w.place(d.x, d.z)}.`,
+    insertAcrossAxis: (d, w) => `Die Schneidplatte reicht ${w.number(d.reach)} mm über die Drehmitte und schneidet dort ins Fertigteil.${d.nearest === undefined ? " Für diese Bohrung ist sie zu lang." : ` Mit dem Startpunkt ab X${w.diameter(d.nearest)} bleibt sie frei.`}`,
     startOnWrongSide: (d, w) => `Die Kontur läuft auf den Startpunkt zu: Von dort wird nichts zerspant. Ein Startpunkt, der geht: ${w.place(d.x, d.z)}.`,
     startInsideEnvelope: (d, w) =>
       `Der Startpunkt liegt näher an der Kontur als der Abstand ${w.number(d.clearance)}: Das Werkzeug fährt mit Schlichtvorschub direkt zur Kontur.`,

@@ -61,6 +61,7 @@ export const messages = {
     startInMaterial: (d, w) => `The start point ${w.place(d.x, d.z)} stands in the material.`,
     startBelowContour: (d, w) => `The start point lies ${w.number(d.below)} mm below the contour start: the tool first moves up to it.`,
     startInPart: (d, w) => `The start point lies inside the finished part: nothing is cut from there. A start point that works: ${w.place(d.x, d.z)}.`,
+    insertAcrossAxis: (d, w) => `The insert reaches ${w.number(d.reach)} mm across the axis and cuts into the finished part there.${d.nearest === undefined ? " It is too long for this bore." : ` From a start point at X${w.diameter(d.nearest)} on it stays clear.`}`,
     startOnWrongSide: (d, w) => `The contour runs towards the start point: nothing is cut from there. A start point that works: ${w.place(d.x, d.z)}.`,
     startInsideEnvelope: (d, w) =>
       `The start point is nearer to the contour than the clearance of ${w.number(d.clearance)}: the tool goes straight to the contour at the finishing feed.`,

@@ -59,6 +59,7 @@ export const messages = {
     startInMaterial: (d, w) => `Le point de départ ${w.place(d.x, d.z)} est dans la matière.`,
     startBelowContour: (d, w) => `Le point de départ est ${w.number(d.below)} mm sous le début du contour : l’outil s’y rend d’abord.`,
     startInPart: (d, w) => `Le point de départ est dans la pièce finie : rien n’est usiné de là. Un point de départ possible : ${w.place(d.x, d.z)}.`,
+    insertAcrossAxis: (d, w) => `La plaquette dépasse l’axe de ${w.number(d.reach)} mm et y entame la pièce finie.${d.nearest === undefined ? " Elle est trop longue pour cet alésage." : ` Avec un point de départ à partir de X${w.diameter(d.nearest)}, elle reste dégagée.`}`,
     startOnWrongSide: (d, w) => `Le contour se dirige vers le point de départ : rien n’est usiné de ce côté. Un point de départ possible : ${w.place(d.x, d.z)}.`,
     startInsideEnvelope: (d, w) =>
       `Le point de départ est plus près du contour que la distance ${w.number(d.clearance)} : l'outil va droit au contour à l'avance de finition.`,

@@ -53,6 +53,7 @@ export const messages = {
     startInMaterial: (d, w) => `起点${w.place(d.x, d.z)}在材料中。`,
     startBelowContour: (d, w) => `起点比轮廓起点低 ${w.number(d.below)} mm:刀具先移到轮廓起点的高度。`,
     startInPart: (d, w) => `起点位于成品工件内:从那里不会切削。可用的起点:${w.place(d.x, d.z)}。`,
+    insertAcrossAxis: (d, w) => `刀片越过轴线 ${w.number(d.reach)} mm,会在另一侧切入成品工件。${d.nearest === undefined ? "对这个孔来说刀片太长。" : `起点从 X${w.diameter(d.nearest)} 起即可避开。`}`,
     startOnWrongSide: (d, w) => `轮廓朝起点方向走:从这一侧不会切削。可用的起点:${w.place(d.x, d.z)}。`,
     startInsideEnvelope: (d, w) => `起点距轮廓小于安全距离${w.number(d.clearance)}:刀具以精加工进给直接移至轮廓。`,
     limitOnWrongSide: (d, w) => `极限为${w.value(d.limit)}时,刀具所在一侧没有可加工的材料。${nearest(d.nearest, w.value)}`,

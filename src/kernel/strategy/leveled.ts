@@ -11,6 +11,7 @@ import { SAME } from "../tolerance.ts";
 import type { ToolType } from "../tool.ts";
 import { roomOf } from "../track.ts";
 import { axial, length, radius, toDiameter } from "../units.ts";
+import { clearAcross } from "./across.ts";
 import type { Feeds } from "./feeds.ts";
 import { followContour } from "./finish.ts";
 import { unfit } from "./fit.ts";
@@ -143,13 +144,13 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
     followContour(cutter, { ...follow, ground: l.operation === 3 ? grown : drawn, smoothing: false }, issues);
     back(cutter, start, l, "finish", 4);
   }
-  return {
+  return clearAcross({
     ...sketch, moves: cutter.moves, issues, ...division, infeed: length(division.infeed),
     area: areaOver(flat, l.frame, start.u, top),
     reach: reachOf(drawn, Math.max(drawn.first, from), Math.min(drawn.end.u, to), l.frame, tool),
     kept: reachOf(kept, Math.max(kept.first, from), Math.min(kept.end.u, to), l.frame, tool),
     ...unlimited(),
-  };
+  }, setting, l.frame.transverse ? "startU" : "startV");
 }
 
 const NOTHING: Flat = { u: 0, v: 0 };

@@ -9,6 +9,7 @@ import { SAME } from "../tolerance.ts";
 import type { Tool, ToolType } from "../tool.ts";
 import { roomOf } from "../track.ts";
 import { length, toDiameter } from "../units.ts";
+import { clearAcross } from "./across.ts";
 import type { Feeds } from "./feeds.ts";
 import { unfit } from "./fit.ts";
 import { atCall, Frontier } from "./frontier.ts";
@@ -99,11 +100,11 @@ export function planRecess(l: Recess, setting: Setting): Plan {
     finishRecess(cutter, { ground: l.operation === 3 ? grown : drawn, top, feed: l.feeds.finish, oneGo: l.roundedFloor, apart: keep.u + noseRadius(tool), span });
     back(cutter, start, l.feeds.finish, "finish", 7);
   }
-  return {
+  return clearAcross({
     ...sketch, moves: cutter.moves, issues, passes: division.passes, infeed: length(division.infeed),
     reach: reachOf(drawn, drawn.start.u, drawn.end.u, l.frame, tool),
     kept: reachOf(kept, kept.start.u, kept.end.u, l.frame, tool),
-  };
+  }, setting, l.frame.transverse ? "startU" : "startV");
 }
 
 /** The level that CUTLENGTH of a bar ends at; null when it reaches the floor. */
