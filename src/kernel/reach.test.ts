@@ -1,7 +1,7 @@
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
 import { inFrame, onArc, type Convex } from "./convex.ts";
-import { heightAt } from "./envelope.ts";
+import { heightAt, linePiece, staysAbove, upperEnvelope, valueAt } from "./envelope.ts";
 import type { Flat, FlatSegment } from "./flat.ts";
 import { insertShape } from "./insert.ts";
 import { reachOver } from "./reach.ts";
@@ -73,5 +73,34 @@ describe("the reach of an insert over a contour", () => {
     const over = (r: number) => reachOver(bowl(r).map((segment) => ({ segment, on: "contour" })), circle);
     expect(heightAt(over(5), 0)).toBeCloseTo(0, 9);
     expect(heightAt(over(2), 0)).toBeCloseTo(2 - (3 - Math.sqrt(9 - 4)), 9);
+  });
+
+  test("a contour that begins with an overhang is touched at its first point as well", () => {
+    const circle = inFrame(insertShape(tools[2] as Tool), frame);
+    // A hollow of radius 2 that leaves its first point a hair backwards.
+    const chain: FlatSegment[] = [
+      { kind: "arc", from: { u: 0, v: 0 }, to: { u: 2, v: -2 }, centre: { u: 2, v: -1e-3 }, ccw: true },
+      { kind: "line", from: { u: 2, v: -2 }, to: { u: 9, v: -2 } },
+    ];
+    const e = reachOver(chain.map((segment) => ({ segment, on: "contour" })), circle);
+    // The circle of 3 rests on the first point: its centre one to the right of it is √8 above it, the tip 3 below the centre.
+    expect(heightAt(e, 1)).toBeCloseTo(Math.sqrt(8) - 3, 9);
+  });
+});
+
+describe("a straight way over an envelope", () => {
+  const around = { feature: "nose", on: "contour", corner: false } as const;
+  const height = fc.integer({ min: -4000, max: 4000 }).map((n) => n / 1000);
+  const hills = fc.array(fc.tuple(height, height), { minLength: 2, maxLength: 8 }).map((line) =>
+    upperEnvelope(line.flatMap(([a, b], i) => linePiece({ u: i, v: a }, { u: i + 1, v: b }, around) ?? [])));
+  test("is free exactly when no point of it lies under the envelope", () => {
+    fc.assert(fc.property(hills, height, height, (e, a, b) => {
+      const [from, to] = [{ u: 0.25, v: a }, { u: e.length - 0.25, v: b }];
+      const depths = e.flatMap((s) => [s.u0, s.u1 - 1e-6].map((u) => Math.min(Math.max(u, from.u), to.u)).filter((u) => u >= s.u0 && u <= s.u1)
+        .map((u) => valueAt(s.piece, u) - (a + ((b - a) * (u - from.u)) / (to.u - from.u))));
+      const deepest = Math.max(...depths);
+      fc.pre(Math.abs(deepest) > 1e-4);
+      expect(staysAbove(e, from, to)).toBe(deepest < 0);
+    }));
   });
 });
