@@ -80,3 +80,11 @@ test("a line longer than any block is kept and said, not read word by word", () 
   expect(program.blocks[0]?.issues.map((i) => i.code)).toEqual(["notUnderstood"]);
   expect(parse(`1 L ${"X+1 ".repeat(2000)}\n`).blocks[0]?.statement.kind).toBe("path");
 });
+
+test("words in a row that are not understood are one finding, as long as they are", () => {
+  const issues = one("5 L FOO  BAR X+5 BAZ Z-1")?.issues ?? [];
+  const [first, second] = issues;
+  expect(first).toMatchObject({ code: "wordNotUnderstood", offset: 4, length: 8, data: { text: "FOO  BAR" } });
+  expect(second).toMatchObject({ code: "wordNotUnderstood", offset: 17, length: 3 });
+  expect(issues).toHaveLength(2);
+});

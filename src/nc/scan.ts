@@ -50,8 +50,20 @@ export class Scan {
   /** Adds an issue over the `length` characters before the reading position. */
   issue(i: Pick<BlockIssue, "code" | "severity" | "data">, length = 0, fix?: { readonly from: number; readonly length: number; readonly text: string }): void {
     const offset = this.offset + this.at - length;
+    if (i.code === "wordNotUnderstood" && this.extended(offset + length)) return;
     const put = fix && { fix: { offset: this.offset + fix.from, length: fix.length, text: fix.text } };
     this.issues.push({ ...i, offset, length, ...put } as BlockIssue);
+  }
+
+  /** Draws the last issue out to `end` where it is about the words just before: what is not understood in one piece is one issue. */
+  private extended(end: number): boolean {
+    const last = this.issues.at(-1);
+    if (last?.code !== "wordNotUnderstood") return false;
+    const from = last.offset - this.offset;
+    const between = this.text.slice(from + last.length, this.at);
+    if (!/^[ \t\u00a0]*\S+$/.test(between)) return false;
+    this.issues[this.issues.length - 1] = { ...last, length: end - last.offset, data: { text: this.text.slice(from, from + Math.min(end - last.offset, 40)) } };
+    return true;
   }
 
   missing(word: string): void {
