@@ -36,6 +36,22 @@ const file = (name: string, content: string | Buffer) => {
 const reports = () => out.trimEnd().split("\n").map((line) => JSON.parse(line) as Report);
 
 describe("verify", () => {
+  test("--control chooses how Z in an APPR is read: in the plane first, or all axes at once", () => {
+    const lines = ["BEGIN PGM A MM", "BLK FORM 0.1 Z X+0 Y+0 Z-20", "BLK FORM 0.2 X+100 Y+100 Z+0", "TOOL CALL 20 Z S3000",
+      "L X-20 Y-20 Z+5 R0 FMAX M3", "APPR LCT X+10 Y+20 Z-7.3 R10 RR F100", "L X+20 Y+35", "L Z+5 R0 FMAX", "M30", "END PGM A MM"];
+    const path = file("z.h", lines.map((line, i) => `${i} ${line}\n`).join(""));
+    const depths = (control: string) => {
+      chunks.length = 0;
+      main([path, "--control", control, "--json"]);
+      return reports()[0]?.moves.filter((m) => m.block === 5).map((m) => m.z);
+    };
+    const [plane, together] = [depths("tnc640"), depths("tnc7")];
+    expect(plane?.at(-1)).toBe(-7.3);
+    expect(together?.at(-1)).toBe(-7.3);
+    expect(plane).toContain(5);
+    expect(together).not.toContain(5);
+    expect(main([path, "--control", "itnc530"])).toBe(2);
+  });
   test("one JSON object a line and nothing else, status 0 without errors", () => {
     expect(main([program("shoulder-812"), program("groove-852"), "--json"])).toBe(0);
     const [first, second] = reports();

@@ -99,6 +99,8 @@ test("a start point in the stock is told, one that touches it is not", () => {
   expect(codes(run(rougher, at(-20, 29), [cut(-20, 35)]))).toContain("startInMaterial");
   expect(codes(run(rougher, at(-20, 30), [cut(-20, 35)]))).not.toContain("startInMaterial");
   expect(codes(run(bar, at(-20, -29), [cut(-20, -35)]))).toContain("startInMaterial");
+  // Beside the work on this side, in it on the other: the bar reaches from −33 up to −3.
+  expect(codes(run(bar, at(-20, -33), [cut(-20, -40)]))).toContain("startInMaterial");
 });
 
 describe("the other side of the axis", () => {

@@ -3,6 +3,7 @@ import type { Move } from "../kernel/move.ts";
 import type { Pt, Ring } from "../kernel/point.ts";
 import type { Step } from "../kernel/step.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
+import { axial, radius } from "../kernel/units.ts";
 import { boxAround } from "./box.ts";
 import { inStock, REAL_AREA, real } from "./contact.ts";
 import type { Cutting, Present } from "./cutting.ts";
@@ -10,7 +11,7 @@ import { deepestAlong, hasRoomFor, thicknessOf } from "./extent.ts";
 import type { Outlines } from "./outlines.ts";
 import { piecesOf } from "./piece.ts";
 import type { Depth, OperationProof, SimulatedOperation } from "./simulation.ts";
-import type { Sweep } from "./sweep.ts";
+import { turned, type Sweep } from "./sweep.ts";
 
 /** Real depths may pass what is allowed by this much before it is told, mm. */
 const TOLD = 0.05;
@@ -103,10 +104,10 @@ export function measuring(operations: readonly SimulatedOperation[], blank: read
   };
 }
 
-/** Whether an insert stands in the stock. */
+/** Whether an insert stands in the stock, on this side of the axis or on the other. */
 function standsIn(insert: Ring, { z, r }: Pt, cut: Cutting): boolean {
   if (insert.length < 3) return false;
-  const rings = [insert.map((p) => ({ z: (p.z + z) as Pt["z"], r: (p.r + r) as Pt["r"] }))];
+  const rings = turned(insert.map((p) => ({ z: axial(p.z + z), r: radius(p.r + r) })));
   return real(inStock([{ pieces: piecesOf(rings), rings }], cut.present())).length > 0;
 }
 
