@@ -1,3 +1,4 @@
+import { readFileSync } from "node:fs";
 import react from "@vitejs/plugin-react";
 import type { Plugin } from "vite";
 import { configDefaults, defineConfig } from "vitest/config";
@@ -10,6 +11,9 @@ import { configDefaults, defineConfig } from "vitest/config";
 const seed = process.env["SEED"] ? Number(process.env["SEED"]) : Date.now();
 process.env["LAW_SEED"] ??= String(Date.now() % 2 ** 31);
 const exclude = [...configDefaults.exclude, "e2e/**"];
+
+// The page says which version it is.
+process.env["VITE_VERSION"] = (JSON.parse(readFileSync(new URL("package.json", import.meta.url), "utf8")) as { version: string }).version;
 
 /** What the built page may load: itself only. Style attributes come from the editor and the drawings. */
 const policy = [

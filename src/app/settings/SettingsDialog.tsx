@@ -52,6 +52,7 @@ export function SettingsDialog({ dialog }: { readonly dialog: RefObject<HTMLDial
           </select>
         </label>
         <p className="small soft">{t.disclaimer}</p>
+        <p className="small soft">Turnwise {import.meta.env.VITE_VERSION}</p>
         <button type="submit" className="button primary">{t.close}</button>
       </form>
     </dialog>
