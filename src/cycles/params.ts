@@ -1,4 +1,3 @@
-import { z } from "zod/mini";
 import type { Axial, Degrees, Diameter, Feed, Length, Radius } from "../kernel/units.ts";
 
 /** How far a fact can be trusted. A printed for this control; B sibling; L lathe; I inferred; K recalled, unconfirmed. */
@@ -39,7 +38,6 @@ export interface Param<K extends Kind = Kind, T extends string = string> {
   readonly decimals: number;
   /** The value says nothing in this cycle (printed as reserved). */
   readonly reserved: boolean;
-  readonly schema: z.ZodMiniType<ValueOf[K]>;
 }
 
 export type Params = Readonly<Record<string, Param>>;
@@ -57,9 +55,6 @@ interface Options {
 function param<K extends Kind, T extends string>(
   kind: K, text: T, range: readonly [number, number], example: number, o: Options, choices?: readonly number[],
 ): Param<K, T> {
-  const number = z.number().check(z.gte(range[0]), z.lte(range[1]));
-  const base = choices ? number.check(z.refine((n) => choices.includes(n))) : number;
-  const schema = kind === "feed" ? z.union([base, z.literal("auto")]) : base;
   return {
     kind, text, range, example,
     rangeEvidence: o.rangeEvidence ?? "A",
@@ -69,7 +64,6 @@ function param<K extends Kind, T extends string>(
     evidence: o.evidence ?? "A",
     decimals: o.decimals ?? (kind === "angle" ? 4 : 3),
     reserved: o.reserved ?? false,
-    schema: schema as unknown as z.ZodMiniType<ValueOf[K]>,
   };
 }
 

@@ -3,9 +3,10 @@ import { apart, difference, sum, type PlanePoint, type PlaneSegment, type Side }
 import { SAME } from "../kernel/tolerance.ts";
 import { diameter, inDegrees, radians, radius, toDiameter, toRadius } from "../kernel/units.ts";
 import type { ApproachForm } from "../nc/statement.ts";
-import { SIDES, type ApproachReading, type WordReading } from "./approach-draft.ts";
+import { SIDES, type ApproachReading } from "./approach-draft.ts";
 import { isPolar, shapeOf, type ApproachWord, type WorkingPlane } from "./approach-fields.ts";
 import type { KnownParameters } from "./expression.ts";
+import type { FieldReading } from "./field.ts";
 
 /** What stands round an APPR or DEP block in its program. Lengths in mm, points in the working plane. */
 export interface ApproachContext {
@@ -38,7 +39,7 @@ export interface ReadyApproach {
 
 const SIDE_OF = { RL: "left", RR: "right", R0: "none" } as const;
 
-const sideOf = (read: WordReading | undefined, otherwise: Side): Side => {
+const sideOf = (read: FieldReading | undefined, otherwise: Side): Side => {
   const word = read?.value === null || read?.value === undefined ? undefined : SIDES[read.value];
   return word ? SIDE_OF[word] : otherwise;
 };
@@ -48,7 +49,7 @@ const origin = ({ contour, before, tip }: ApproachContext, departing: boolean) =
 
 function cartesian(read: ApproachReading, context: ApproachContext, from: PlanePoint | null): PlanePoint | null {
   const turning = context.plane === "ZX";
-  const coordinate = (word: WordReading | undefined, old: number | undefined, size: (n: number) => number) => {
+  const coordinate = (word: FieldReading | undefined, old: number | undefined, size: (n: number) => number) => {
     if (!word || word.value === null) return word?.issue || word?.written ? null : (old ?? null);
     return size(word.value * context.unit) + (word.incremental ? (old ?? 0) : 0);
   };
@@ -86,7 +87,7 @@ export function readyApproach(form: ApproachForm, departing: boolean, read: Appr
   const contour = departing || !named ? context.contour : beginningIn(context.contour, named);
   const element = departing ? contour.at(-1) : contour[0];
   if (!element) return null;
-  const value = (word: WordReading | undefined, scale: number) => (typeof word?.value === "number" ? word.value * scale : undefined);
+  const value = (word: FieldReading | undefined, scale: number) => (typeof word?.value === "number" ? word.value * scale : undefined);
   const [length, size, angle] = [value(read.LEN, context.unit), value(read.R, context.unit), value(read.CCA, 1)];
   return {
     contour,

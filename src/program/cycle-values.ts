@@ -1,19 +1,30 @@
 import type { Cycle } from "../cycles/define.ts";
 import type { Param, Params, Values } from "../cycles/params.ts";
-import type { Issue } from "../kernel/issue.ts";
+import { issue, type Issue } from "../kernel/issue.ts";
+import { checkNumber, kept } from "./field.ts";
 import type { Machine } from "./machine.ts";
-import { readField } from "./read-draft.ts";
 
 /** Decimals an inch program keeps beyond those of a millimetre program. */
 const INCH_DECIMALS = 1;
+/** Decimals of a value that was converted from inches, mm. */
+const CONVERTED_DECIMALS = 6;
 
 const isLength = (p: Param) => p.kind !== "choice" && p.kind !== "angle" && p.kind !== "feed";
 
 /** A number of the program in the unit of the parameter, rounded to what the control keeps of it before it is converted. */
 function inMillimetres(machine: Machine, p: Param, n: number): number {
-  if (!machine.inch || !(isLength(p) || p.kind === "feed")) return n;
-  const kept = Number(n.toFixed(p.decimals + INCH_DECIMALS));
-  return p.kind === "feed" ? machine.feedOf(kept) : machine.length(kept);
+  if (!machine.inch) return kept(n, p.decimals);
+  if (!(isLength(p) || p.kind === "feed")) return kept(n, CONVERTED_DECIMALS);
+  const inches = kept(n, p.decimals + INCH_DECIMALS);
+  return kept(p.kind === "feed" ? machine.feedOf(inches) : machine.length(inches), CONVERTED_DECIMALS);
+}
+
+/** One value of a definition, or what is wrong with it; a missing one that may be left out counts as 0. */
+function valueOf(machine: Machine, q: string, p: Param, given: number | "auto" | null): number | "auto" | Issue {
+  if (given === null) return p.optional ? 0 : issue("missing", "error", {}, q);
+  if (given === "auto") return p.kind === "feed" ? given : issue("notANumber", "error", { text: "FAUTO" }, q);
+  const value = inMillimetres(machine, p, given);
+  return checkNumber({ ...p, id: q }, value) ?? value;
 }
 
 /** Values of a cycle from its definition; null with issues when one is missing or can not be. */
@@ -23,14 +34,9 @@ export function cycleValues<P extends Params>(
   const values: Record<string, number | "auto"> = {};
   const issues: Issue[] = [];
   for (const [q, p] of Object.entries<Param>(cycle.params)) {
-    const n = given.get(q) ?? null;
-    const typed = n === null ? "" : n === "auto" ? "FAUTO" : plain(inMillimetres(machine, p, n), machine.inch);
-    const field = readField(q, machine.inch ? { ...p, decimals: 6 } : p, typed);
-    issues.push(...field.issues);
-    if (field.value !== null) values[q] = field.value;
+    const value = valueOf(machine, q, p, given.get(q) ?? null);
+    if (typeof value === "object") issues.push(value);
+    else values[q] = value;
   }
   return { values: issues.length === 0 ? (values as Values<P>) : null, partial: values, issues };
 }
-
-/** A number without an exponent; what a control keeps is far coarser. */
-const plain = (n: number, inch: boolean) => (Math.abs(n) < 1e15 ? n.toFixed(inch ? 9 : 6) : String(n));

@@ -22,11 +22,6 @@ describe("readExpression", () => {
     ["Q5+Q9", "unknownParameter"], ["Q5/Q12", "badExpression"], ["alert(1)", "notANumber"],
   ])("%j is %s", (text, kind) => expect(value(text)).toBe(kind));
 
-  test("a lone Q parameter is named, so that it can be printed", () => {
-    expect(readExpression("q5", known)).toEqual({ kind: "number", value: 12.5, parameter: "Q5", computed: false });
-    expect(readExpression("Q5+0", known)).toMatchObject({ parameter: null, computed: true });
-  });
-
   test("an inherited property is no Q parameter's value", () => {
     expect(readExpression("Q1", Object.create({ Q1: 4 }) as Record<string, number>).kind).toBe("unknownParameter");
   });

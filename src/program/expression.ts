@@ -1,11 +1,11 @@
-import { NUMBER_PARAMETER, parameterOf } from "../nc/value.ts";
+import { NUMBER_PARAMETER } from "../nc/value.ts";
 
 /** Values of Q parameters by upper-case name: "Q5", "QL1", "QR3". */
 export type KnownParameters = Readonly<Record<string, number>>;
 
-/** What typed text is where a number is expected. `parameter` is set when the text is one Q parameter, or one with a minus, and nothing else. */
+/** What typed text is where a number is expected; `computed` where it is a sum. */
 export type Expression =
-  | { readonly kind: "number"; readonly value: number; readonly parameter: string | null; readonly computed: boolean }
+  | { readonly kind: "number"; readonly value: number; readonly computed: boolean }
   | { readonly kind: "empty" }
   | { readonly kind: "notANumber"; readonly text: string }
   | { readonly kind: "badExpression"; readonly text: string }
@@ -20,7 +20,8 @@ class Unknown { constructor(readonly name: string) {} }
 const TOKEN = String.raw`\s*(?:(\d+(?:[.,]\d*)?|[.,]\d+)|(${NUMBER_PARAMETER})|([-+*/()]))\s*`;
 const WHOLE_PARAMETER = new RegExp(String.raw`(?<![\w.,])${NUMBER_PARAMETER}(?!\w)`, "gi");
 
-const spelling = (text: string) =>
+/** Typed signs as a keyboard has them. */
+export const spelling = (text: string) =>
   text.trim().replace(/[−–]/g, "-").replace(/[×·]/g, "*").replace(/÷/g, "/");
 
 /** Splits into numbers and signs; null when something else stands there. */
@@ -87,10 +88,8 @@ export function readExpression(typed: string, known: KnownParameters = {}): Expr
   if (list instanceof Unknown) return { kind: "unknownParameter", name: list.name };
   const value = list ? evaluate(list) : NaN;
   if (list && Number.isFinite(value)) {
-    const alone = parameterOf(text);
-    const parameter = alone && (alone.negative ? "-" : "") + alone.parameter;
     const values = list.filter((token) => token.kind === "value").length;
-    return { kind: "number", value: value === 0 ? 0 : value, parameter, computed: values > 1 };
+    return { kind: "number", value: value === 0 ? 0 : value, computed: values > 1 };
   }
   const sum = /^[-+\s]*[\dQ.,(].*[-+*/()]/i.test(text);
   return { kind: sum ? "badExpression" : "notANumber", text: typed.trim() };

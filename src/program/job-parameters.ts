@@ -1,4 +1,5 @@
-import { type KnownParameters, parametersIn, readExpression } from "./expression.ts";
+import { type KnownParameters, parametersIn } from "./expression.ts";
+import { anyNumber, readText } from "./field.ts";
 import type { Job } from "./job.ts";
 
 /** Q parameters that stand in the prompts of the job's cycle, in the order of their numbers. */
@@ -12,8 +13,8 @@ export function usedParameters(job: Job): readonly string[] {
 export function knownParameters(job: Job): KnownParameters {
   const known: Record<string, number> = {};
   for (const [name, typed] of Object.entries(job.parameters)) {
-    const read = readExpression(typed);
-    if (read.kind === "number") known[name] = read.value;
+    const { value } = readText(anyNumber, typed);
+    if (value !== null) known[name] = value;
   }
   return known;
 }

@@ -4,10 +4,11 @@ import type { Pt } from "../kernel/point.ts";
 import { axial, diameter, inDegrees, toDiameter, toRadius, type Axial, type Radius } from "../kernel/units.ts";
 import type { PolarWord, Words } from "../nc/statement.ts";
 import { programIssue } from "./issue.ts";
+import { kept } from "./field.ts";
 import type { ContourRow } from "./job.ts";
 import { polarPoint } from "./polar.ts";
 import type { RowReader } from "./row-given.ts";
-import { kept, noWords, POSITION_DECIMALS, typedValue } from "./typed-value.ts";
+import { noWords, POSITION_DECIMALS, typedValue } from "./typed-value.ts";
 
 /** A word that gives the end of a polar element: distance from the pole in mm, angle from +Z towards +X in degrees. */
 export type PolarName = "PR" | "PA";

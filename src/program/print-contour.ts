@@ -1,10 +1,11 @@
 import type { AxisWord, NamedWord, Statement, Value, Words } from "../nc/statement.ts";
 import { readRows, type RowReading } from "./contour-rows.ts";
+import { kept } from "./field.ts";
 import type { ContourRow } from "./job.ts";
 import { polarWords } from "./polar-row.ts";
 import { formWord } from "./recess-words.ts";
 import { recessWords } from "./row-given.ts";
-import { kept, noWords, POSITION_DECIMALS, typedAxis, typedValue } from "./typed-value.ts";
+import { noWords, POSITION_DECIMALS, typedAxis, typedValue } from "./typed-value.ts";
 
 const path = (kind: "L" | "RND" | "CR" | "C" | "CC" | "CT" | "LP" | "CP" | "CTP", words: Partial<Words>): Statement => ({ kind: "path", path: kind, words: { ...noWords, ...words } });
 

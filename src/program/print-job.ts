@@ -8,8 +8,8 @@ import type { KnownParameters } from "./expression.ts";
 import { knownParameters, usedParameters } from "./job-parameters.ts";
 import type { Job } from "./job.ts";
 import { contourStatements } from "./print-contour.ts";
-import { isAuto } from "./read-draft.ts";
-import { kept, noWords, POSITION_DECIMALS, typedAxis as axis, typedValue as value } from "./typed-value.ts";
+import { anyNumber, kept, readText } from "./field.ts";
+import { noWords, POSITION_DECIMALS, typedAxis as axis, typedValue as value } from "./typed-value.ts";
 
 /** The words of NC text in one language; `i18n` has them, since the printer knows no cycle by name. */
 export interface Labels {
@@ -33,10 +33,8 @@ const number = (typed: string, otherwise: number) => {
 };
 
 function parameter(q: string, p: Param, typed: string, known: KnownParameters, labels: Labels): CycleParameter {
-  const label = labels.label(p.text);
-  if (p.kind === "feed" && isAuto(typed)) return { q, value: "auto", label };
-  const read = value(typed, p.decimals, known);
-  return { q, value: read ?? (typed.trim() === "" && p.optional ? 0 : null), label };
+  const { written, empty } = readText({ ...anyNumber, kind: p.kind, decimals: p.decimals }, typed, known);
+  return { q, value: written ?? (empty && p.optional ? 0 : null), label: labels.label(p.text) };
 }
 
 function spin(job: Job): Statement {

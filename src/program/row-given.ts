@@ -5,7 +5,7 @@ import type { Given, SolveElement } from "../kernel/solve-work.ts";
 import { axial, degrees, diameter, length, toRadius, type Axial, type Radius } from "../kernel/units.ts";
 import { grooveDiameters, GROOVE_WORDS, type Groove } from "../kernel/groove.ts";
 import { UNDERCUT_FORMS, UNDERCUT_WORDS, type RecessWord, type RecessWords, type Undercut } from "../kernel/undercut.ts";
-import { readExpression } from "./expression.ts";
+import { anyNumber, readText, type Field } from "./field.ts";
 import type { ProgramIssue } from "./issue.ts";
 import type { ContourRow } from "./job.ts";
 import { isPolarRow, polarGiven, type PolarName } from "./polar-row.ts";
@@ -47,27 +47,17 @@ export function seeks(row: ContourRow): boolean {
   return (row.kind === "CR" || row.kind === "C") && row.tangent;
 }
 
-/** A typed number; says what is wrong with it, unless it may be empty and is. */
-function fieldValue(reader: RowReader, row: number, field: RowField | null, typed: string, optional: boolean): number | null {
-  const read = readExpression(typed);
-  const say = (found: Issue) => reader.issues.push({ row, field, issue: found });
-  switch (read.kind) {
-    case "number": return read.value;
-    case "empty":
-      if (!optional) say(issue("missing", "error", {}, "contour"));
-      return null;
-    case "notANumber": say(issue("notANumber", "error", { text: read.text }, "contour")); return null;
-    case "badExpression": say(issue("badExpression", "error", { text: read.text }, "contour")); return null;
-    case "unknownParameter": say(issue("unknownParameter", "error", { name: read.name }, "contour")); return null;
-  }
-}
+/** The findings of a row stand at the contour; row and field say where in its table. */
+const ANY: Field = { ...anyNumber, id: "contour" };
+const NEEDED: Field = { ...ANY, optional: false };
+/** A length that leads anywhere. */
+const SIZE: Field = { ...ANY, range: [0.001, 99999.999] };
 
-/** A size that has to be more than nothing. */
-function positive(reader: RowReader, row: number, field: RowField, typed: string): number | null {
-  const value = fieldValue(reader, row, field, typed, true);
-  if (value === null || value > 0) return value;
-  reader.issues.push({ row, field, issue: issue("outOfRange", "error", { value, min: 0.001, max: 99999.999, nearest: value < 0 ? -value : 0.001 }, "contour") });
-  return null;
+/** A typed number; says what is wrong with it. */
+function fieldValue(reader: RowReader, row: number, at: RowField | null, typed: string, field: Field): number | null {
+  const { value, issue: found } = readText(field, typed);
+  if (found) reader.issues.push({ row, field: at, issue: found });
+  return value;
 }
 
 type Coordinate = { readonly by: number } | { readonly at: number } | null;
@@ -79,7 +69,7 @@ function coordinate(reader: RowReader, row: ContourRow, index: number, axis: "x"
     reader[axis] = "sought";
     return null;
   }
-  const value = fieldValue(reader, index, axis, typed, before !== null);
+  const value = fieldValue(reader, index, axis, typed, before === null ? NEEDED : ANY);
   if (value === null) return before === null ? null : { by: 0 };
   if (!incremental || before === null) {
     reader[axis] = value;
@@ -96,7 +86,7 @@ const onRadius = (c: Coordinate): Given<Radius> => c && ("at" in c ? { at: toRad
 function centreOf(reader: RowReader, row: ContourRow, index: number): Pt | null {
   const say = (field: RowField) => reader.issues.push({ row: index, field, issue: issue("missing", "error", {}, "contour") });
   const one = (axis: "x" | "z", incremental: boolean): number | null => {
-    const before = reader[axis], value = fieldValue(reader, index, axis, row[axis], true);
+    const before = reader[axis], value = fieldValue(reader, index, axis, row[axis], ANY);
     if (value !== null && !incremental) return value;
     if (typeof before === "number") return before + (value ?? 0);
     if (value !== null || empty(row[axis])) say(axis);
@@ -120,7 +110,7 @@ export function recessWords(row: ContourRow): readonly RecessWord[] {
 function recessOfRow(reader: RowReader, row: ContourRow, index: number): Undercut | Groove {
   const measured = (word: RecessWord, n: number) => (isDiameterWord(row, word) ? toRadius(diameter(n)) : n);
   const words: RecessWords = Object.fromEntries(recessWords(row).flatMap((word) => {
-    const n = fieldValue(reader, index, null, row.words[word] ?? "", true);
+    const n = fieldValue(reader, index, null, row.words[word] ?? "", ANY);
     return n === null ? [] : [[word, measured(word, n)] as const];
   }));
   if (row.kind === "GRV") return { kind: "groove", direction: row.form === "AXIAL" ? "axial" : "radial", words };
@@ -130,7 +120,7 @@ function recessOfRow(reader: RowReader, row: ContourRow, index: number): Undercu
 /** Reads one row. */
 export function rowGiven(reader: RowReader, row: ContourRow, index: number): RowGiven {
   if (row.kind === "RND" || row.kind === "CHF") {
-    const size = fieldValue(reader, index, "r", row.r, false);
+    const size = fieldValue(reader, index, "r", row.r, NEEDED);
     return { kind: "corner", corner: { kind: row.kind === "RND" ? "round" : "chamfer", size: size ?? 0 } };
   }
   if (row.kind === "UDC" || row.kind === "GRV") return { kind: "recess", recess: recessOfRow(reader, row, index) };
@@ -139,7 +129,7 @@ export function rowGiven(reader: RowReader, row: ContourRow, index: number): Row
     return { kind: "centre" };
   }
   if (isPolarRow(row)) {
-    const end = polarGiven(reader, row, index, (name, typed) => fieldValue(reader, index, name, typed, false));
+    const end = polarGiven(reader, row, index, (name, typed) => fieldValue(reader, index, name, typed, NEEDED));
     return { kind: "element", element: shape(reader, row, index, { ...end, choice: row.second ? 1 : 0 }), sought: { x: false, z: false } };
   }
   const before = { x: reader.x, z: reader.z };
@@ -159,9 +149,9 @@ function shape(reader: RowReader, row: ContourRow, index: number, common: Pick<S
     case "C":
       if (!reader.pole) reader.issues.push({ row: index, field: null, issue: issue("centreMissing", "error", { element: index + 1 }, "contour") });
       return { ...arc, centre: reader.pole };
-    case "CR": return { ...arc, radius: asked(row.r) ? null : fieldValue(reader, index, "r", row.r, row.tangent) };
+    case "CR": return { ...arc, radius: asked(row.r) ? null : fieldValue(reader, index, "r", row.r, row.tangent ? ANY : NEEDED) };
     default: {
-      const [angle, far] = [fieldValue(reader, index, "angle", row.angle, true), positive(reader, index, "length", row.length)];
+      const [angle, far] = [fieldValue(reader, index, "angle", row.angle, ANY), fieldValue(reader, index, "length", row.length, SIZE)];
       return { ...common, kind: "line", angle: angle === null ? null : degrees(angle), length: far === null ? null : length(far), tangent: row.tangent };
     }
   }

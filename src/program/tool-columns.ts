@@ -1,4 +1,5 @@
 import { TOOL_TYPES, type ToolType } from "../kernel/tool.ts";
+import type { Field } from "./field.ts";
 
 /** The columns of the turning-tool table, in the order of the table. */
 export const TOOL_COLUMNS = [
@@ -21,33 +22,32 @@ export const MILL = "MILL";
 
 /** What a column of numbers holds. The ranges are recalled (tag K1, K2), not read on a printed page. */
 export interface ColumnRule {
-  readonly unit: "mm" | "degrees" | null;
-  readonly min: number;
-  readonly max: number;
-  /** Decimals that the control keeps. */
+  readonly kind: "length" | "angle" | "number";
+  readonly range: Field["range"];
+  /** Decimals that the control keeps. What is typed with more stays as it is; tables are printed and shown with these. */
   readonly decimals: number;
 }
 
 const FAR = 99999.9999;
-const anyLength: ColumnRule = { unit: "mm", min: -FAR, max: FAR, decimals: 4 };
-const size: ColumnRule = { unit: "mm", min: 0, max: FAR, decimals: 4 };
-const angle: ColumnRule = { unit: "degrees", min: 0, max: 179.999, decimals: 3 };
+const anyLength: ColumnRule = { kind: "length", range: [-FAR, FAR], decimals: 4 };
+const size: ColumnRule = { kind: "length", range: [0, FAR], decimals: 4 };
+const angle: ColumnRule = { kind: "angle", range: [0, 179.999], decimals: 3 };
 
 export const COLUMN_RULES: Readonly<Record<NumberColumn, ColumnRule>> = {
-  T: { unit: null, min: 0, max: 32767.9, decimals: 1 },
+  T: { kind: "number", range: [0, 32767.9], decimals: 1 },
   ZL: anyLength, XL: anyLength, DZL: anyLength, DXL: anyLength,
-  RS: size, DRS: { ...anyLength, min: -999.9999, max: 999.9999 },
-  TO: { unit: null, min: 1, max: 9, decimals: 0 },
-  ORI: { unit: "degrees", min: -360, max: 360, decimals: 3 },
+  RS: size, DRS: { ...anyLength, range: [-999.9999, 999.9999] },
+  TO: { kind: "number", range: [1, 9], decimals: 0 },
+  ORI: { kind: "angle", range: [-360, 360], decimals: 3 },
   "T-ANGLE": angle, "P-ANGLE": angle,
   CUTLENGTH: size, CUTWIDTH: size, DCW: anyLength,
-  L: anyLength, R: size, DL: anyLength, DR: { ...anyLength, min: -999.9999, max: 999.9999 },
+  L: anyLength, R: size, DL: anyLength, DR: { ...anyLength, range: [-999.9999, 999.9999] },
 };
 
 /** The smallest side of a holder box, mm. */
 const LEAST_SIDE = 0.001;
 export const HOLDER_RULES: Readonly<Record<HolderNumber, ColumnRule>> = {
-  width: { ...size, min: LEAST_SIDE }, length: { ...size, min: LEAST_SIDE }, offsetZ: anyLength, offsetX: anyLength,
+  width: { ...size, range: [LEAST_SIDE, FAR] }, length: { ...size, range: [LEAST_SIDE, FAR] }, offsetZ: anyLength, offsetX: anyLength,
 };
 
 const isHolderNumber = (cell: NumberColumn | HolderNumber): cell is HolderNumber => HOLDER_NUMBERS.some((each) => each === cell);

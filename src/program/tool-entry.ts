@@ -2,7 +2,7 @@ import { issue, type Issue } from "../kernel/issue.ts";
 import { mends, offerOf, withOffer } from "../kernel/offer.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { checkTool } from "./check-tool.ts";
-import { readExpression } from "./expression.ts";
+import { readText } from "./field.ts";
 import { readAxis, readHead, writeHead } from "./holder-cells.ts";
 import {
   applies, HOLDER_CELLS, HOLDER_NUMBERS, MILL, MILL_COLUMNS, ruleOf, TOOL_COLUMNS,
@@ -59,19 +59,8 @@ function nameIssues(text: string): Issue[] {
 
 /** One number: its value, null when empty, or what is wrong with it. */
 function numberOf(cell: NumberColumn | HolderNumber, text: string): number | null | Issue {
-  const read = readExpression(text);
-  switch (read.kind) {
-    case "empty": return null;
-    case "notANumber": return issue("notANumber", "error", { text: read.text }, cell);
-    case "badExpression": return issue("badExpression", "error", { text: read.text }, cell);
-    case "unknownParameter": return issue("unknownParameter", "error", { name: read.name }, cell);
-    case "number": {
-      const { min, max } = ruleOf(cell);
-      const { value } = read;
-      if (value >= min && value <= max) return value;
-      return issue("toolColumn", "error", { column: cell, value, min, max, nearest: Math.min(max, Math.max(min, value)) }, cell);
-    }
-  }
+  const { value, issue: found } = readText({ ...ruleOf(cell), id: cell, optional: true, decimals: null }, text);
+  return found?.code === "outOfRange" ? issue("toolColumn", "error", { column: cell, ...found.data }, cell) : (found ?? value);
 }
 
 interface Numbers {

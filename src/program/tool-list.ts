@@ -73,7 +73,7 @@ export function readList(list: ToolList): ToolListReading {
       let nearest = Math.floor(number) + 1;
       while (numbers.has(nearest)) nearest++;
       const first = !taken.has(number);
-      const twice = issue("toolNumberTwice", first ? "warning" : "error", { number, ...(nearest <= COLUMN_RULES.T.max && { nearest }) }, "T");
+      const twice = issue("toolNumberTwice", first ? "warning" : "error", { number, ...(nearest <= COLUMN_RULES.T.range[1] && { nearest }) }, "T");
       rows.set(entry.id, { tool: first ? tool : null, mill: first ? mill : null, number, issues: [twice, ...issues] });
       if (!first) return;
     }

@@ -27,7 +27,7 @@ const rounded = (value: number, decimals: number) => {
 function written(value: string | number | undefined, column: Column): string {
   if (value === undefined) return "";
   if (typeof value === "string" || column === "NAME" || column === "TYPE") return String(value);
-  const { decimals, min } = COLUMN_RULES[column];
+  const { decimals, range: [min] } = COLUMN_RULES[column];
   const text = decimals === 0 ? String(value) : rounded(value, decimals);
   return min < 0 && !text.startsWith("-") ? `+${text}` : text;
 }
@@ -91,8 +91,8 @@ function typed(column: Column, cell: string, inch: boolean): string {
   if (column === "TYPE") return cell.toUpperCase();
   if (!/^[+-]?(\d+([.,]\d*)?|[.,]\d+)$/.test(cell)) return cell;
   const value = Number(cell.replace(",", "."));
-  const { unit, decimals } = COLUMN_RULES[column as NumberColumn];
-  if (unit === "mm" && inch) return rounded(value * MM_PER_INCH, decimals);
+  const { kind, decimals } = COLUMN_RULES[column as NumberColumn];
+  if (kind === "length" && inch) return rounded(value * MM_PER_INCH, decimals);
   return String(value === 0 ? 0 : value);
 }
 

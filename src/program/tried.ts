@@ -3,6 +3,7 @@ import type { Param, Params, Values } from "../cycles/params.ts";
 import type { Issue } from "../kernel/issue.ts";
 import { mends, offerOf, withOffer } from "../kernel/offer.ts";
 import type { Setting } from "../kernel/plan.ts";
+import { checkNumber } from "./field.ts";
 
 /** What a cycle says to values, and how many moves it took to say it. */
 export interface Judgement {
@@ -86,7 +87,7 @@ export function triedOffers<P extends Params>(
     const complete = Object.keys(params).every((name) => name === q || name in kept);
     let moves = 0;
     const works = (value: number): boolean | null => {
-      if (!param.schema.safeParse(value).success) return false;
+      if (checkNumber({ ...param, id: q }, value)) return false;
       if (!judge || !complete) return true;
       if (moves > MOST_MOVES) return null;
       const judged = judge({ ...kept, [q]: value } as unknown as Values<P>);

@@ -55,7 +55,7 @@ export function ApproachDialog({ statement, context, found = [], choosing: first
     const words = wordsOfPoint(form, change.point, context);
     if (words) set(words);
   };
-  const here = open && problems.filter((p) => p.at === open.word || (p.at !== null && !fields.some((f) => f.word === p.at)) || p.at === null);
+  const here = open && problems.filter((p) => p.at === open.id || (p.at !== null && !fields.some((f) => f.id === p.at)) || p.at === null);
 
   return (
     <div className="cycle-dialog approach-dialog" role="form" aria-label={t.approach.form(name)}>
@@ -79,8 +79,8 @@ export function ApproachDialog({ statement, context, found = [], choosing: first
               ? (
                 <OpenPrompt
                   open={open} place={t.approach.position(fields.indexOf(open) + 1, fields.length)} plane={context.plane} inch={context.unit !== 1}
-                  text={draft[open.word] ?? ""} reading={reading[open.word]} problems={here ?? []} prompts={prompts} ownKeypad={fingers} field={field}
-                  onText={(text) => set({ [open.word]: text })}
+                  text={draft[open.id] ?? ""} reading={reading[open.id]} problems={here ?? []} prompts={prompts} ownKeypad={fingers} field={field}
+                  onText={(text) => set({ [open.id]: text })}
                 />
               )
               : (
@@ -89,12 +89,12 @@ export function ApproachDialog({ statement, context, found = [], choosing: first
                     <Icon name={problems.some((p) => p.issue.severity === "error") ? "error" : "check"} />
                     {problems.some((p) => p.issue.severity === "error") ? t.dialog.done.open(new Set(problems.filter((p) => p.issue.severity === "error").map((p) => p.at)).size) : t.dialog.done.title}
                   </h2>
-                  <button type="button" className="button" onClick={() => prompts.actions.goTo(fields[0]?.word ?? null)}>{t.dialog.done.first}</button>
+                  <button type="button" className="button" onClick={() => prompts.actions.goTo(fields[0]?.id ?? null)}>{t.dialog.done.first}</button>
                 </section>
               )}
             {fingers && open && (
               <ApproachKeypad
-                actions={prompts.actions} numeric={open.unit !== "side"} optional={open.optional} incremental={open.incremental}
+                actions={prompts.actions} numeric={open.kind !== "side"} optional={open.optional} incremental={open.increments ?? false}
                 change={(by) => {
                   const entry = field.current?.read();
                   field.current?.focus();
@@ -104,10 +104,10 @@ export function ApproachDialog({ statement, context, found = [], choosing: first
             )}
             <div className="below-prompt">
               <div className="help-slot">
-                <ApproachPicture key={name} name={name} form={form} ready={ready} context={context} active={open?.word ?? null} onDrag={drag} />
+                <ApproachPicture key={name} name={name} form={form} ready={ready} context={context} active={open?.id ?? null} onDrag={drag} />
               </div>
               <div className="prompt-list-box" onKeyDown={prompts.onKeyDown}>
-                <WordList fields={fields} plane={context.plane} draft={draft} reading={reading} problems={problems} open={open?.word ?? null} goTo={prompts.actions.goTo} inch={context.unit !== 1} />
+                <WordList fields={fields} plane={context.plane} draft={draft} reading={reading} problems={problems} open={open?.id ?? null} goTo={prompts.actions.goTo} inch={context.unit !== 1} />
                 {!fingers && <p className="small soft dialog-keys">{t.approach.drag}</p>}
               </div>
             </div>

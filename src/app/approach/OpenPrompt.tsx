@@ -1,6 +1,6 @@
 import { useId, type RefObject } from "react";
-import type { WordReading } from "../../program/approach-draft.ts";
 import type { ApproachField, WorkingPlane } from "../../program/approach-fields.ts";
+import type { FieldReading } from "../../program/field.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import { FieldMessage } from "../dialog/FieldMessage.tsx";
 import type { ValueField } from "../dialog/ValueInput.tsx";
@@ -20,7 +20,7 @@ export function OpenPrompt({ open, place, plane, inch, text, reading, problems, 
   readonly plane: WorkingPlane;
   readonly inch: boolean;
   readonly text: string;
-  readonly reading: WordReading | undefined;
+  readonly reading: FieldReading | undefined;
   /** What concerns this word, and the block as a whole. */
   readonly problems: readonly Entry[];
   readonly prompts: Prompts;
@@ -29,25 +29,25 @@ export function OpenPrompt({ open, place, plane, inch, text, reading, problems, 
   readonly onText: (text: string) => void;
 }) {
   const t = useTexts(), id = useId(), language = useSettings((s) => s.language);
-  const words = wordTexts(t, open.word, plane);
-  const name = t.approach.value(wordName(open.word), words.prompt);
+  const words = wordTexts(t, open.id, plane);
+  const name = t.approach.value(wordName(open.id), words.prompt);
   const [min, max] = open.range;
-  const ranged = open.unit !== "side" && open.unit !== "functions";
-  const waits = reading && reading.value === null && reading.written !== null;
+  const ranged = open.kind !== "side" && open.kind !== "functions";
+  const waits = reading && reading.value === null && typeof reading.written === "object" && reading.written !== null;
   return (
     <section className="active-prompt" aria-label={t.dialog.active} onKeyDown={prompts.onKeyDown}>
       <header>
-        <span className="number prompt-q">{wordName(open.word)}</span>
+        <span className="number prompt-q">{wordName(open.id)}</span>
         <h2>{words.prompt}</h2>
         <span className="soft small prompt-position">{place}</span>
       </header>
-      {open.unit === "side"
+      {open.kind === "side"
         ? <SideInput text={text} name={name} describedBy={`${id}-about`} focus={prompts.focus} onText={onText} />
         : (
           <div className="value-row">
             <WordInput
               text={text} name={name} describedBy={`${id}-range ${id}-about`} ownKeypad={ownKeypad} focus={prompts.focus} field={field} onText={onText}
-              invalid={text.trim() !== "" && problems.some((p) => p.at === open.word && p.issue.severity === "error")}
+              invalid={text.trim() !== "" && problems.some((p) => p.at === open.id && p.issue.severity === "error")}
             />
             <span className="unit number">{unitText(t, open, inch)}</span>
           </div>
@@ -55,14 +55,14 @@ export function OpenPrompt({ open, place, plane, inch, text, reading, problems, 
       <p className="range small soft" id={`${id}-range`}>
         {ranged && <span>{t.dialog.rangeLabel} <span className="number">{t.dialog.range(formatNumber(language, min, 4), formatNumber(language, max, 4))}</span></span>}
         {open.optional && <span>{t.dialog.optional}</span>}
-        {open.incremental && <span>{t.approach.incremental}</span>}
+        {open.increments && <span>{t.approach.incremental}</span>}
       </p>
-      <div className="about" id={`${id}-about`} tabIndex={0} role="group" aria-label={t.dialog.aboutPrompt(wordName(open.word))}>
+      <div className="about" id={`${id}-about`} tabIndex={0} role="group" aria-label={t.dialog.aboutPrompt(wordName(open.id))}>
         <div role="status" aria-label={t.findings.title}>
           {problems.map((problem, i) => (
             <FieldMessage
-              key={i} problem={problem} decimals={3} calm={problem.issue.code === "missing"} {...(problem.at !== null && problem.at !== open.word ? { place: problem.at } : {})}
-              {...(problem.at === open.word ? { onTake: (n: number) => onText(String(n)) } : {})}
+              key={i} problem={problem} decimals={3} calm={problem.issue.code === "missing"} {...(problem.at !== null && problem.at !== open.id ? { place: problem.at } : {})}
+              {...(problem.at === open.id ? { onTake: (n: number) => onText(String(n)) } : {})}
             />
           ))}
           {waits && <p className="field-message info">{t.approach.parameter}</p>}

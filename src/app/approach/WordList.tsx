@@ -21,19 +21,19 @@ export function WordList({ fields, plane, draft, reading, problems, open, goTo, 
   return (
     <ol className="prompt-list" aria-label={t.approach.list}>
       {fields.map((f) => {
-        const typed = draft[f.word] ?? "";
-        const shown = shownWord(t, language, f, typed, reading[f.word]);
+        const typed = draft[f.id] ?? "";
+        const shown = shownWord(t, language, f, typed, reading[f.id]);
         const unit = typed.trim() === "" ? "" : unitText(t, f, inch);
-        const worst = problems.find((p) => p.at === f.word && !isOpen(p))?.issue.severity;
-        const label = wordTexts(t, f.word, plane).label;
+        const worst = problems.find((p) => p.at === f.id && !isOpen(p))?.issue.severity;
+        const label = wordTexts(t, f.id, plane).label;
         return (
-          <li key={f.word}>
+          <li key={f.id}>
             <button
-              type="button" className="prompt-line" tabIndex={f.word === (open ?? fields[0]?.word) ? 0 : -1} aria-current={f.word === open ? "step" : undefined}
-              aria-label={t.approach.row(wordName(f.word), label, `${shown} ${unit}`.trim()) + (worst ? `, ${t.findings.severities[worst]}` : "")}
-              onClick={() => goTo(f.word)}
+              type="button" className="prompt-line" tabIndex={f.id === (open ?? fields[0]?.id) ? 0 : -1} aria-current={f.id === open ? "step" : undefined}
+              aria-label={t.approach.row(wordName(f.id), label, `${shown} ${unit}`.trim()) + (worst ? `, ${t.findings.severities[worst]}` : "")}
+              onClick={() => goTo(f.id)}
             >
-              <span className="number line-q">{wordName(f.word)}</span>
+              <span className="number line-q">{wordName(f.id)}</span>
               <span className="line-label">{label}</span>
               {worst && <span className={`line-mark ${worst}`}><Icon name={worst} /></span>}
               <span className={`number line-value${typed.trim() === "" ? " soft" : ""}`}>{shown}</span>

@@ -30,25 +30,25 @@ interface Opened {
 
 /** Walks through the prompts of a block in their order. */
 export function usePrompts(fields: readonly ApproachField[], draft: ApproachDraft, set: (words: ApproachDraft) => void): Prompts {
-  const [opened, setOpened] = useState<Opened>({ word: fields[0]?.word ?? null, before: draft[fields[0]?.word ?? "X"] ?? "", focus: 0 });
-  const open = opened.word === null ? null : (fields.find((f) => f.word === opened.word) ?? fields[0] ?? null);
+  const [opened, setOpened] = useState<Opened>({ word: fields[0]?.id ?? null, before: draft[fields[0]?.id ?? "X"] ?? "", focus: 0 });
+  const open = opened.word === null ? null : (fields.find((f) => f.id === opened.word) ?? fields[0] ?? null);
   const goTo = (word: ApproachWord | null) => setOpened((o) => ({ word, before: word ? (draft[word] ?? "") : "", focus: o.focus + 1 }));
   const step = (by: number) => {
     const at = open ? fields.indexOf(open) : fields.length;
-    if (at + by >= 0) goTo(fields[at + by]?.word ?? null);
+    if (at + by >= 0) goTo(fields[at + by]?.id ?? null);
   };
   const actions: PromptActions = {
     step, goTo,
     finish: () => goTo(null),
     noEntry() {
       if (!open?.optional) return;
-      set({ [open.word]: "" });
+      set({ [open.id]: "" });
       step(1);
     },
     cancel() {
       if (!open) return;
-      set({ [open.word]: opened.before });
-      goTo(open.word);
+      set({ [open.id]: opened.before });
+      goTo(open.id);
     },
   };
   return {

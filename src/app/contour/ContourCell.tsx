@@ -1,7 +1,7 @@
 import { useId, type KeyboardEvent } from "react";
 import { flushSync } from "react-dom";
 import type { Language } from "../../i18n/languages.ts";
-import { readExpression } from "../../program/expression.ts";
+import { sumOf } from "../../program/field.ts";
 import type { RowField } from "../../program/contour-rows.ts";
 import { isPlainNumber, minus } from "../dialog/number-entry.ts";
 import { inScreenWriting } from "../dialog/write-value.ts";
@@ -34,8 +34,8 @@ interface Props {
 export function ContourCell({ row, field, name, language, text, shown, wrong, describedBy, onText, onTangent, incremental }: Props) {
   const id = useId();
   const leave = () => {
-    const read = readExpression(text);
-    if (read.kind === "number" && read.computed) onText(String(read.value));
+    const sum = sumOf(text);
+    if (sum !== null) onText(sum);
     closeStep();
   };
   const onKey = (e: KeyboardEvent<HTMLInputElement>) => {

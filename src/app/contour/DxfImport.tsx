@@ -2,7 +2,7 @@ import { useId, useMemo, useRef, useState } from "react";
 import { texts } from "../settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { readRows } from "../../program/contour-rows.ts";
-import { readExpression } from "../../program/expression.ts";
+import { anyNumber, readText, type Field } from "../../program/field.ts";
 import type { ContourRow } from "../../program/job.ts";
 import { dxfDefaults, readDxf, type DxfChoice } from "../../program/read-dxf.ts";
 import { contourDrawing } from "../../view/help/contour-drawing.ts";
@@ -18,6 +18,8 @@ interface Props {
   readonly onTake: (rows: readonly ContourRow[]) => void;
 }
 
+/** How far ends may lie apart and still meet, mm. */
+const TOLERANCE: Field = { ...anyNumber, range: [0, 10], optional: false };
 const SIZE = { width: 520, height: 260 };
 
 /** A button that opens a drawing, and the dialog in which it becomes a contour: choices, preview, what is wrong with it. */
@@ -28,7 +30,7 @@ export function DxfImport({ count, language, onTake }: Props) {
   const [opened, setOpened] = useState<OpenedDxf | null>(null);
   const [choice, setChoice] = useState<DxfChoice>(dxfDefaults);
   const [tolerance, setTolerance] = useState(String(dxfDefaults.tolerance));
-  const typed = readExpression(tolerance), fine = typed.kind === "number" && typed.value >= 0 && typed.value <= 10;
+  const fine = readText(TOLERANCE, tolerance).issue === null;
   const read = useMemo(() => (opened?.kind === "drawing" ? readDxf(opened.dxf, choice) : null), [opened, choice]);
   const reading = useMemo(() => (read ? readRows(read.rows) : null), [read]);
   const picture = useMemo(() => reading && contourDrawing({
@@ -75,9 +77,9 @@ export function DxfImport({ count, language, onTake }: Props) {
                 <input
                   className="input number" type="text" inputMode="decimal" autoComplete="off" value={inScreenWriting(language, tolerance)} aria-invalid={!fine}
                   onChange={(e) => {
-                    const text = e.currentTarget.value, value = readExpression(text);
+                    const text = e.currentTarget.value, { value } = readText(TOLERANCE, text);
                     setTolerance(text);
-                    if (value.kind === "number" && value.value >= 0 && value.value <= 10) change({ tolerance: value.value, chain: 0 });
+                    if (value !== null) change({ tolerance: value, chain: 0 });
                   }}
                 />
               </label>

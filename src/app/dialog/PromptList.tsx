@@ -36,7 +36,7 @@ export function PromptList({ read }: { readonly read: JobReading }) {
         const field = read.reading.perField[q];
         const written = field ? writeValue(language, param, field) : null;
         const shown = field?.empty ? (param.optional ? t.dialog.noEntry : t.dialog.noValue) : (written ?? read.draft[q] ?? "");
-        const unit = written === null || field?.empty || field?.value === "auto" ? "" : t.dialog.units[unitOf(param, read.job.perRevolution)];
+        const unit = written === null || field?.empty || field?.written === "auto" ? "" : t.dialog.units[unitOf(param, read.job.perRevolution)];
         const worst = problems.find((p) => p.at === q && !isOpen(p))?.issue.severity;
         const note = worst ? `, ${t.findings.severities[worst]}` : "";
         return (

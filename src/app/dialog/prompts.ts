@@ -1,7 +1,9 @@
 import type { Cycle } from "../../cycles/define.ts";
 import type { Kind, Param } from "../../cycles/params.ts";
 import { knownParameters } from "../../program/job-parameters.ts";
-import { readDraft } from "../../program/read-draft.ts";
+import { readText } from "../../program/field.ts";
+import { fieldOf } from "../../program/read-draft.ts";
+import { valueText } from "../../program/typed-value.ts";
 import { draftOf, setPrompt } from "../edits.ts";
 import { openPrompt, usePlace } from "../place.ts";
 import { promptedJob } from "../prompted.ts";
@@ -31,11 +33,12 @@ export function commit(): void {
     const text = typed(prompt);
     const job = promptedJob();
     const known = job ? knownParameters(job) : {};
-    const field = readDraft(cycle, { [prompt]: text }, known).perField[prompt];
-    if (field?.computed && typeof field.value === "number") setPrompt(prompt, String(field.value));
-    else if (field?.parameter && text !== field.parameter) setPrompt(prompt, field.parameter);
-    else if (field?.value === "auto" && text !== "FAUTO") setPrompt(prompt, "FAUTO");
-    else if (text !== text.trim()) setPrompt(prompt, text.trim());
+    const { value, written, computed } = readText(fieldOf(prompt, param), text, known);
+    const tidy = computed && value !== null ? String(value)
+      : written === "auto" ? "FAUTO"
+      : typeof written === "object" && written !== null && value !== null ? valueText(written)
+      : text.trim();
+    if (tidy !== text) setPrompt(prompt, tidy);
   }
   closeStep();
 }

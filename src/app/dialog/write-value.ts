@@ -1,19 +1,21 @@
 import type { Param } from "../../cycles/params.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { decimalSign, formatFixed, formatNumber, formatPosition } from "../../i18n/number.ts";
-import type { FieldReading } from "../../program/read-draft.ts";
+import type { FieldReading } from "../../program/field.ts";
+import { valueText } from "../../program/typed-value.ts";
 
 /** Decimals shown of each value in the list of prompts. */
 const SHOWN = 3;
 
 /** A read value as the list of prompts shows it: positions with their sign, three decimals. */
 export function writeValue(language: Language, param: Param, field: FieldReading): string | null {
-  if (field.value === null) return null;
-  if (field.value === "auto") return "FAUTO";
-  if (field.parameter !== null) return field.parameter;
-  if (param.kind === "choice") return String(field.value);
+  const { value, written } = field;
+  if (written === "auto") return "FAUTO";
+  if (value === null) return null;
+  if (typeof written === "object" && written !== null) return valueText(written);
+  if (param.kind === "choice") return String(value);
   const signed = param.range[0] < 0;
-  return signed ? formatPosition(language, field.value, SHOWN) : formatFixed(language, field.value, SHOWN);
+  return signed ? formatPosition(language, value, SHOWN) : formatFixed(language, value, SHOWN);
 }
 
 /** A value as one types it. */

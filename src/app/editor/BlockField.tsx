@@ -1,16 +1,16 @@
 import { useId, useRef, useState } from "react";
 import type { Statement } from "../../nc/statement.ts";
-import { readExpression } from "../../program/expression.ts";
+import { sumOf } from "../../program/field.ts";
 import { useNumberEntry } from "../dialog/use-number-entry.ts";
 import { inScreenWriting } from "../dialog/write-value.ts";
 import { Icon } from "../Icon.tsx";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { closeStep } from "../store.ts";
-import type { Field } from "./field.ts";
+import type { WordField } from "./field.ts";
 
 interface Props {
-  readonly field: Field;
+  readonly field: WordField;
   readonly statement: Statement;
   readonly change: (next: Statement, field: string) => void;
 }
@@ -41,8 +41,8 @@ export function BlockField({ field, statement, change }: Props) {
   const leave = () => {
     closeStep();
     if (!wrong) {
-      const sum = field.numeric && typed ? readExpression(typed.text) : null;
-      if (sum?.kind === "number" && sum.computed) write(String(sum.value));
+      const sum = field.numeric && typed ? sumOf(typed.text) : null;
+      if (sum !== null) write(sum);
       setTyped(null);
     }
   };

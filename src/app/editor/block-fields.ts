@@ -5,9 +5,10 @@ import { statementLines } from "../../nc/print.ts";
 import { APPROACH_FORMS, type AxisName, type PathKind, type Statement } from "../../nc/statement.ts";
 import { LAYOUTS } from "../../nc/style.ts";
 import { NUMBER_PARAMETER } from "../../nc/value.ts";
+import { feedWord } from "../../program/field.ts";
 import { formOf, formWord } from "../../program/recess-words.ts";
-import { readValue, typedParameter } from "./block-value.ts";
-import { fieldOf, optionalValue, readFeed, readLabel, readLine, shownFeed, shownLabel, shownValue, type Field } from "./field.ts";
+import { blockValue, feedText, parameterText, typedFeed, valueText } from "../../program/typed-value.ts";
+import { fieldOf, optionalValue, readLabel, readLine, shownLabel, type WordField } from "./field.ts";
 import { axisFields, axisField, compensationField, feedField, functionsField, namedFields, polarWord, retractField, turnField, valueWord } from "./word-fields.ts";
 
 const AXES = ["X", "Y", "Z"] as const satisfies readonly AxisName[];
@@ -30,7 +31,7 @@ export const statementOf = <K extends Statement["kind"]>(text: string, kind: K):
 export const lineOf = (s: Statement): string => statementLines(s, LAYOUTS.tnc7)[0] ?? "";
 
 /** The whole statement as text, for what has no words of its own. */
-const wholeText: Field = {
+const wholeText: WordField = {
   id: "text", name: "text", wide: true, read: (s) => (s.kind === "unknown" ? s.text : lineOf(s)),
   write: (_, typed) => {
     const blocks = parse(typed).blocks;
@@ -38,11 +39,11 @@ const wholeText: Field = {
   },
 };
 
-const paths: Readonly<Record<PathKind, (s: Statement) => readonly Field[]>> = {
+const paths: Readonly<Record<PathKind, (s: Statement) => readonly WordField[]>> = {
   L: (s) => [...axisFields(s, AXES), ...tail, ...(s.kind === "path" && s.words.retract !== undefined ? [retractField] : [])],
   LP: (s) => [...polar, ...axisFields(s, []), ...tail],
   C: (s) => [...axisFields(s, AXES), turnField, ...tail],
-  CP: (s) => [polar[1] as Field, ...axisFields(s, []), turnField, ...tail],
+  CP: (s) => [polar[1] as WordField, ...axisFields(s, []), turnField, ...tail],
   CR: (s) => [...axisFields(s, AXES), radius, turnField, ...tail],
   CT: (s) => [...axisFields(s, AXES), ...tail],
   CTP: (s) => [...polar, ...axisFields(s, []), ...tail],
@@ -50,13 +51,13 @@ const paths: Readonly<Record<PathKind, (s: Statement) => readonly Field[]>> = {
   RND: () => [radius, feedField],
 };
 
-const frame = (kind: "begin" | "end"): readonly Field[] => [
+const frame = (kind: "begin" | "end"): readonly WordField[] => [
   fieldOf(kind, "name", (s) => s.name, (s, typed) => (/^\S{1,60}$/.test(typed.trim()) ? { ...s, name: typed.trim() } : null)),
   fieldOf(kind, "unit", (s) => s.unit, (s, typed) => ({ ...s, unit: typed === "INCH" ? "INCH" : "MM" }), { choices: ["MM", "INCH"] }),
 ];
 
 /** A corner of a box names three coordinates. */
-const cornerField = (axis: AxisName): Field => {
+const cornerField = (axis: AxisName): WordField => {
   const plain = axisField(axis);
   const dressed = (s: Statement): Statement => (s.kind === "blankBox" ? { kind: "path", path: "L", words: { axes: s.axes, linear: [], functions: [], extra: [] } } : s);
   return {
@@ -80,7 +81,7 @@ const undercutWords = (word: string): readonly string[] => {
   return form ? UNDERCUT_WORDS[form] : [];
 };
 
-type Table = { readonly [K in Statement["kind"]]: (s: Extract<Statement, { kind: K }>) => readonly Field[] };
+type Table = { readonly [K in Statement["kind"]]: (s: Extract<Statement, { kind: K }>) => readonly WordField[] };
 
 /** The fields of every kind of block: the one description that all their dialogs are made from. */
 const table: Table = {
@@ -95,11 +96,11 @@ const table: Table = {
   ],
   blankCylinder: () => [
     fieldOf("blankCylinder", "toolAxis", (s) => s.axis, (s, typed) => (isAxis(typed) ? { ...s, axis: typed } : null), { choices: ["X", "Y", "Z"] }),
-    fieldOf("blankCylinder", "outside", (s) => shownValue(s.outside?.value), (s, typed) => optionalValue(typed, (value) => ({ ...s, outside: value === null ? null : { measure: s.outside?.measure ?? "D", value } })), { numeric: true, unit: "mm" }),
+    fieldOf("blankCylinder", "outside", (s) => valueText(s.outside?.value), (s, typed) => optionalValue(typed, (value) => ({ ...s, outside: value === null ? null : { measure: s.outside?.measure ?? "D", value } })), { numeric: true, unit: "mm" }),
     fieldOf("blankCylinder", "outsideMeasure", (s) => s.outside?.measure ?? "D", (s, typed) => (s.outside ? { ...s, outside: { ...s.outside, measure: typed === "R" ? "R" : "D" } } : s), { choices: ["D", "R"] }),
-    fieldOf("blankCylinder", "length", (s) => shownValue(s.length), (s, typed) => optionalValue(typed, (length) => ({ ...s, length })), { numeric: true, unit: "mm" }),
-    fieldOf("blankCylinder", "distance", (s) => shownValue(s.distance), (s, typed) => optionalValue(typed, (distance) => ({ ...s, distance })), { numeric: true, unit: "mm" }),
-    fieldOf("blankCylinder", "inside", (s) => shownValue(s.inside?.value), (s, typed) => optionalValue(typed, (value) => ({ ...s, inside: value === null ? null : { measure: s.inside?.measure ?? "DI", value } })), { numeric: true, unit: "mm" }),
+    fieldOf("blankCylinder", "length", (s) => valueText(s.length), (s, typed) => optionalValue(typed, (length) => ({ ...s, length })), { numeric: true, unit: "mm" }),
+    fieldOf("blankCylinder", "distance", (s) => valueText(s.distance), (s, typed) => optionalValue(typed, (distance) => ({ ...s, distance })), { numeric: true, unit: "mm" }),
+    fieldOf("blankCylinder", "inside", (s) => valueText(s.inside?.value), (s, typed) => optionalValue(typed, (value) => ({ ...s, inside: value === null ? null : { measure: s.inside?.measure ?? "DI", value } })), { numeric: true, unit: "mm" }),
     fieldOf("blankCylinder", "insideMeasure", (s) => (s.inside?.measure === "RI" ? "R" : "D"), (s, typed) => (s.inside ? { ...s, inside: { ...s.inside, measure: typed === "R" ? "RI" : "DI" } } : s), { choices: ["D", "R"] }),
   ],
   blankRotation: () => [
@@ -109,20 +110,20 @@ const table: Table = {
   ],
   toolDefinition: () => [
     fieldOf("toolDefinition", "tool", (s) => shownLabel(s.tool), (s, typed) => { const tool = readLabel(typed); return tool === null ? null : { ...s, tool }; }),
-    fieldOf("toolDefinition", "length", (s) => shownValue(s.length), (s, typed) => optionalValue(typed, (length) => ({ ...s, length })), { numeric: true, unit: "mm" }),
-    fieldOf("toolDefinition", "toolRadius", (s) => shownValue(s.radius), (s, typed) => optionalValue(typed, (r) => ({ ...s, radius: r })), { numeric: true, unit: "mm" }),
+    fieldOf("toolDefinition", "length", (s) => valueText(s.length), (s, typed) => optionalValue(typed, (length) => ({ ...s, length })), { numeric: true, unit: "mm" }),
+    fieldOf("toolDefinition", "toolRadius", (s) => valueText(s.radius), (s, typed) => optionalValue(typed, (r) => ({ ...s, radius: r })), { numeric: true, unit: "mm" }),
   ],
   toolCall: () => [
     fieldOf("toolCall", "tool", (s) => (s.tool === null ? "" : shownLabel(s.tool)), (s, typed) => {
       if (typed.trim() === "") return { ...s, tool: null };
-      const value = TOOL_VALUE.test(typed) ? readValue(typed) : readLabel(typed);
+      const value = TOOL_VALUE.test(typed) ? blockValue(typed) : readLabel(typed);
       return value === null ? null : { ...s, tool: value };
     }),
     fieldOf("toolCall", "toolAxis", (s) => s.axis ?? "", (s, typed) => ({ ...s, axis: isAxis(typed) ? typed : null }), { choices: ["", "X", "Y", "Z"] }),
-    fieldOf("toolCall", "speed", (s) => shownValue(s.speed), (s, typed) => optionalValue(typed, (speed) => ({ ...s, speed })), { numeric: true }),
-    fieldOf("toolCall", "feed", (s) => shownFeed(s.feed), (s, typed) => { const feed = readFeed(typed); return feed === undefined ? null : { ...s, feed }; }),
-    fieldOf("toolCall", "deltaLength", (s) => shownValue(s.deltaLength), (s, typed) => optionalValue(typed, (deltaLength) => ({ ...s, deltaLength })), { numeric: true, unit: "mm" }),
-    fieldOf("toolCall", "deltaRadius", (s) => shownValue(s.deltaRadius), (s, typed) => optionalValue(typed, (deltaRadius) => ({ ...s, deltaRadius })), { numeric: true, unit: "mm" }),
+    fieldOf("toolCall", "speed", (s) => valueText(s.speed), (s, typed) => optionalValue(typed, (speed) => ({ ...s, speed })), { numeric: true }),
+    fieldOf("toolCall", "feed", (s) => feedText(s.feed), (s, typed) => { const feed = typedFeed(typed); return feed === undefined ? null : { ...s, feed }; }),
+    fieldOf("toolCall", "deltaLength", (s) => valueText(s.deltaLength), (s, typed) => optionalValue(typed, (deltaLength) => ({ ...s, deltaLength })), { numeric: true, unit: "mm" }),
+    fieldOf("toolCall", "deltaRadius", (s) => valueText(s.deltaRadius), (s, typed) => optionalValue(typed, (deltaRadius) => ({ ...s, deltaRadius })), { numeric: true, unit: "mm" }),
   ],
   mode: () => [
     fieldOf("mode", "mode", (s) => s.mode, (s, typed) => ({ ...s, mode: typed === "MILL" ? "MILL" : "TURN" }), { choices: ["TURN", "MILL"] }),
@@ -130,9 +131,9 @@ const table: Table = {
   ],
   spin: () => [
     fieldOf("spin", "constantSurface", (s) => (s.constantSurface ? "on" : "off"), (s, typed) => ({ ...s, constantSurface: typed === "on" }), { choices: ["on", "off"] }),
-    fieldOf("spin", "cuttingSpeed", (s) => shownValue(s.cuttingSpeed), (s, typed) => optionalValue(typed, (cuttingSpeed) => ({ ...s, cuttingSpeed })), { numeric: true, unit: "m/min" }),
-    fieldOf("spin", "speed", (s) => shownValue(s.speed), (s, typed) => optionalValue(typed, (speed) => ({ ...s, speed })), { numeric: true }),
-    fieldOf("spin", "speedLimit", (s) => shownValue(s.limit), (s, typed) => optionalValue(typed, (limit) => ({ ...s, limit })), { numeric: true }),
+    fieldOf("spin", "cuttingSpeed", (s) => valueText(s.cuttingSpeed), (s, typed) => optionalValue(typed, (cuttingSpeed) => ({ ...s, cuttingSpeed })), { numeric: true, unit: "m/min" }),
+    fieldOf("spin", "speed", (s) => valueText(s.speed), (s, typed) => optionalValue(typed, (speed) => ({ ...s, speed })), { numeric: true }),
+    fieldOf("spin", "speedLimit", (s) => valueText(s.limit), (s, typed) => optionalValue(typed, (limit) => ({ ...s, limit })), { numeric: true }),
   ],
   turnCorrection: (s) => [
     fieldOf("turnCorrection", "system", (c) => c.system, (c, typed) => ({ ...c, system: typed === "WPL" ? "WPL" : "TCS" }), { choices: ["TCS", "WPL"] }),
@@ -149,7 +150,7 @@ const table: Table = {
     fieldOf("turnBlank", "file", (s) => (s.blank !== "off" && "file" in s.blank ? s.blank.file : ""), (s, typed) => (typed === "" || /["\r\n]/.test(typed) ? null : { ...s, blank: { file: typed } })),
   ],
   path: (s) => paths[s.path](s),
-  chamfer: () => [fieldOf("chamfer", "chamfer", (s) => shownValue(s.length), (s, typed) => optionalValue(typed, (length) => ({ ...s, length })), { numeric: true, unit: "mm" }), feedField],
+  chamfer: () => [fieldOf("chamfer", "chamfer", (s) => valueText(s.length), (s, typed) => optionalValue(typed, (length) => ({ ...s, length })), { numeric: true, unit: "mm" }), feedField],
   approach: (s) => [
     fieldOf("approach", "form", (a) => a.form, (a, typed) => { const form = APPROACH_FORMS.find((f) => f === typed); return form ? { ...a, form } : null; }, { choices: APPROACH_FORMS }),
     ...(s.form.startsWith("P") ? polar : axisFields(s, AXES)),
@@ -166,14 +167,13 @@ const table: Table = {
   label: () => [fieldOf("label", "label", (s) => shownLabel(s.label), (s, typed) => { const label = readLabel(typed); return label === null ? null : { ...s, label }; })],
   call: () => [
     fieldOf("call", "label", (s) => shownLabel(s.label), (s, typed) => { const label = readLabel(typed); return label === null ? null : { ...s, label }; }),
-    fieldOf("call", "repeat", (s) => shownValue(s.repeat), (s, typed) => optionalValue(typed, (repeat) => ({ ...s, repeat })), { numeric: true }),
+    fieldOf("call", "repeat", (s) => valueText(s.repeat), (s, typed) => optionalValue(typed, (repeat) => ({ ...s, repeat })), { numeric: true }),
   ],
   cycleLine: () => [fieldOf("cycleLine", "cycleLine", (s) => s.text, (s, typed) => { const text = readLine(typed); return text === null ? null : { ...s, text }; }, { wide: true })],
   cycle: (s) => s.parameters.map((p) => fieldOf("cycle", { word: p.label === null ? p.q : `${p.q} ${p.label.trim()}` },
-    (c) => typedParameter(c.parameters.find((each) => each.q === p.q)?.value),
+    (c) => parameterText(c.parameters.find((each) => each.q === p.q)?.value),
     (c, typed) => {
-      const feed = /^f?(auto|max)$/i.exec(typed.trim())?.[1]?.toLowerCase();
-      const value = feed === "auto" || feed === "max" ? feed : readValue(typed);
+      const value = feedWord(typed) ?? blockValue(typed);
       return value === null ? null : { ...c, parameters: c.parameters.map((each) => (each.q === p.q ? { ...each, value } : each)) };
     }, { id: p.q, numeric: true })),
   cycleCall: () => [
@@ -194,4 +194,4 @@ const table: Table = {
 };
 
 /** The fields of a block's dialog, in the order of its words. */
-export const fieldsOf = (s: Statement): readonly Field[] => (table[s.kind] as (of: Statement) => readonly Field[])(s);
+export const fieldsOf = (s: Statement): readonly WordField[] => (table[s.kind] as (of: Statement) => readonly WordField[])(s);

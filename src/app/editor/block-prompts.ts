@@ -2,13 +2,14 @@ import { cycleByNumber } from "../../cycles/index.ts";
 import { blockNumbers, startLines, type Program } from "../../nc/program.ts";
 import { withBlock } from "../../nc/edit.ts";
 import type { CycleParameter, Statement } from "../../nc/statement.ts";
+import { feedWord } from "../../program/field.ts";
 import { exampleJob, type Job } from "../../program/job.ts";
-import { isAuto, readDraft, type Draft } from "../../program/read-draft.ts";
+import { readDraft, type Draft } from "../../program/read-draft.ts";
 import type { Finding } from "../../program/run-types.ts";
 import { entryAt, type Entry } from "../findings/entry.ts";
 import type { JobReading } from "../reading.ts";
 import { contourBefore, parametersBefore, perRevolutionBefore } from "./block-context.ts";
-import { readValue, typedParameter } from "./block-value.ts";
+import { blockValue, parameterText } from "../../program/typed-value.ts";
 
 type CycleStatement = Extract<Statement, { kind: "cycle" }>;
 
@@ -17,7 +18,7 @@ export function readingOfBlock(program: Program, index: number, typed: Draft): J
   const s = program.blocks[index]?.statement;
   const cycle = s?.kind === "cycle" ? cycleByNumber(s.cycle) : undefined;
   if (!cycle || s?.kind !== "cycle") return null;
-  const draft: Draft = { ...Object.fromEntries(s.parameters.map((p) => [p.q, typedParameter(p.value)])), ...typed };
+  const draft: Draft = { ...Object.fromEntries(s.parameters.map((p) => [p.q, parameterText(p.value)])), ...typed };
   const job: Job = {
     ...exampleJob(cycle), drafts: { [cycle.number]: draft }, perRevolution: perRevolutionBefore(program, index),
     contour: cycle.contour === "free" ? contourBefore(program, index) : [],
@@ -31,7 +32,7 @@ export function withPrompt(program: Program, index: number, q: string, text: str
   if (s?.kind !== "cycle") return program;
   const param = cycleByNumber(s.cycle)?.params[q];
   const empty = text.trim() === "" && (param?.optional ?? false);
-  const value: CycleParameter["value"] = param?.kind === "feed" && isAuto(text) ? "auto" : empty ? 0 : readValue(text, param?.decimals);
+  const value: CycleParameter["value"] = param?.kind === "feed" && feedWord(text) === "auto" ? "auto" : empty ? 0 : blockValue(text, param?.decimals);
   return value === null ? program : withBlock(program, index, withParameter(s, q, value));
 }
 

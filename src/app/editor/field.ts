@@ -1,13 +1,13 @@
 import type { EditorTexts } from "../../i18n/en/editor.ts";
-import type { Feed, Label, Parameter, Statement, Value } from "../../nc/statement.ts";
-import { readValue, typedValue } from "./block-value.ts";
+import type { Label, Parameter, Statement, Value } from "../../nc/statement.ts";
+import { blockValue } from "../../program/typed-value.ts";
 
 type PlainName = { [K in keyof EditorTexts["fields"]]: EditorTexts["fields"][K] extends string ? K : never }[keyof EditorTexts["fields"]];
 /** What a field is called: one of the texts, or a word of the program itself. */
 export type FieldName = PlainName | { readonly word: string };
 
 /** One field of a block's dialog, read from the statement and written back into it. */
-export interface Field {
+export interface WordField {
   /** The same for the same field, whatever the block holds. */
   readonly id: string;
   readonly name: FieldName;
@@ -30,8 +30,8 @@ export function fieldOf<K extends Statement["kind"]>(
   kind: K, name: FieldName,
   read: (s: Extract<Statement, { kind: K }>) => string,
   write: (s: Extract<Statement, { kind: K }>, typed: string) => Statement | null,
-  more: Partial<Pick<Field, "choices" | "wide" | "numeric" | "unit" | "id">> = {},
-): Field {
+  more: Partial<Pick<WordField, "choices" | "wide" | "numeric" | "unit" | "id">> = {},
+): WordField {
   const own = (s: Statement): s is Extract<Statement, { kind: K }> => s.kind === kind;
   return {
     id: typeof name === "string" ? name : name.word, name, ...more,
@@ -42,26 +42,9 @@ export function fieldOf<K extends Statement["kind"]>(
 /** A value that may be left out. `put` takes null where nothing was typed. */
 export const optionalValue = <S>(typed: string, put: (value: Value | null) => S): S | null => {
   if (typed.trim() === "") return put(null);
-  const value = readValue(typed);
+  const value = blockValue(typed);
   return value === null ? null : put(value);
 };
-
-export const shownValue = (value: Value | null | undefined): string => (value === null || value === undefined ? "" : typedValue(value));
-
-/** A feed as one types it. */
-export const shownFeed = (feed: Feed | null | undefined): string =>
-  feed === null || feed === undefined ? "" : feed === "max" ? "FMAX" : feed === "auto" ? "FAUTO" : (feed.unit === "F" ? "" : feed.unit) + typedValue(feed.value);
-
-/** A typed feed: empty, FMAX, FAUTO, a number, or with FU or FZ in front of it; undefined where it can not be read. */
-export function readFeed(typed: string): Feed | null | undefined {
-  const text = typed.trim();
-  if (text === "") return null;
-  if (/^f?\s*max$/i.test(text)) return "max";
-  if (/^f?\s*auto$/i.test(text)) return "auto";
-  const [, unit = "F", rest = ""] = /^(F[UZ]?)?(.*)$/i.exec(text) ?? [];
-  const value = readValue(rest);
-  return value === null ? undefined : { value, unit: unit.toUpperCase() as "F" | "FU" | "FZ" };
-}
 
 export const shownLabel = (label: Label | Parameter): string => (typeof label === "object" ? label.parameter : String(label));
 

@@ -1,11 +1,11 @@
 import { ANGLE_WORDS } from "../../kernel/undercut.ts";
 import type { AxisName, AxisWord, NamedWord, PolarWord, Statement, Value, Words } from "../../nc/statement.ts";
-import { readValue } from "./block-value.ts";
-import { optionalValue, readFeed, shownFeed, shownValue, type Field, type FieldName } from "./field.ts";
+import { typedFunctions } from "../../program/approach-draft.ts";
+import { blockValue, feedText, noWords, typedFeed, valueText } from "../../program/typed-value.ts";
+import { optionalValue, type WordField, type FieldName } from "./field.ts";
 
 type WithWords = Extract<Statement, { words: Words }>;
 const hasWords = (s: Statement): s is WithWords => "words" in s && "functions" in s.words;
-const noWords: Words = { axes: [], linear: [], functions: [], extra: [] };
 const wordsOf = (s: Statement): Words => (hasWords(s) ? s.words : noWords);
 const withWords = (s: Statement, words: Words): Statement => (hasWords(s) ? ({ ...s, words } as Statement) : s);
 
@@ -20,7 +20,7 @@ const NAMES: Partial<Record<AxisName, FieldName>> = { X: "x", Y: "y", Z: "z" };
 const rank = (w: AxisWord) => ORDER.indexOf(w.axis);
 
 /** A coordinate with its switch for incremental. */
-export const axisField = (axis: AxisName): Field => {
+export const axisField = (axis: AxisName): WordField => {
   const find = (s: Statement) => wordsOf(s).axes.find((w) => w.axis === axis);
   const set = (s: Statement, word: AxisWord | null): Statement => {
     const { axes } = wordsOf(s);
@@ -31,7 +31,7 @@ export const axisField = (axis: AxisName): Field => {
   };
   return {
     id: axis, name: NAMES[axis] ?? { word: axis }, numeric: true, unit: "mm",
-    read: (s) => shownValue(find(s)?.value),
+    read: (s) => valueText(find(s)?.value),
     write: (s, typed) => optionalValue(typed, (value) => set(s, value === null ? null : { axis, value, incremental: find(s)?.incremental ?? false })),
     incremental: {
       read: (s) => find(s)?.incremental ?? false,
@@ -44,15 +44,15 @@ export const axisField = (axis: AxisName): Field => {
 };
 
 /** A word that carries a value: R, CCA, LEN. */
-export const valueWord = (key: "radius" | "centreAngle" | "length", name: FieldName, unit = "mm"): Field => ({
-  id: key, name, numeric: true, unit, read: (s) => shownValue(wordsOf(s)[key]), write: (s, typed) => optionalValue(typed, (value) => put(s, key, value)),
+export const valueWord = (key: "radius" | "centreAngle" | "length", name: FieldName, unit = "mm"): WordField => ({
+  id: key, name, numeric: true, unit, read: (s) => valueText(wordsOf(s)[key]), write: (s, typed) => optionalValue(typed, (value) => put(s, key, value)),
 });
 
 /** PR or PA with its switch for incremental. */
-export const polarWord = (key: "polarRadius" | "polarAngle", name: FieldName, unit: string): Field => {
+export const polarWord = (key: "polarRadius" | "polarAngle", name: FieldName, unit: string): WordField => {
   const find = (s: Statement): PolarWord | undefined => wordsOf(s)[key];
   return {
-    id: key, name, numeric: true, unit, read: (s) => shownValue(find(s)?.value),
+    id: key, name, numeric: true, unit, read: (s) => valueText(find(s)?.value),
     write: (s, typed) => optionalValue(typed, (value) => put(s, key, value === null ? null : { value, incremental: find(s)?.incremental ?? false })),
     incremental: {
       read: (s) => find(s)?.incremental ?? false,
@@ -64,44 +64,43 @@ export const polarWord = (key: "polarRadius" | "polarAngle", name: FieldName, un
   };
 };
 
-export const turnField: Field = {
+export const turnField: WordField = {
   id: "turn", name: "turn", choices: ["", "cw", "ccw"], read: (s) => wordsOf(s).turn ?? "",
   write: (s, typed) => put(s, "turn", typed === "cw" || typed === "ccw" ? typed : null),
 };
 
-export const compensationField: Field = {
+export const compensationField: WordField = {
   id: "compensation", name: "compensation", choices: ["", "R0", "RL", "RR"], read: (s) => wordsOf(s).compensation ?? "",
   write: (s, typed) => put(s, "compensation", typed === "R0" || typed === "RL" || typed === "RR" ? typed : null),
 };
 
-export const feedField: Field = {
-  id: "feed", name: "feed", read: (s) => shownFeed(wordsOf(s).feed),
+export const feedField: WordField = {
+  id: "feed", name: "feed", read: (s) => feedText(wordsOf(s).feed),
   write: (s, typed) => {
-    const feed = readFeed(typed);
+    const feed = typedFeed(typed);
     return feed === undefined ? null : put(s, "feed", feed);
   },
 };
 
 /** M functions as one types them: `M8 M303`, or `8 303`. */
-export const functionsField: Field = {
+export const functionsField: WordField = {
   id: "functions", name: "functions", read: (s) => wordsOf(s).functions.map((m) => `M${m}`).join(" "),
   write: (s, typed) => {
-    const parts = typed.trim() === "" ? [] : typed.trim().split(/[\s,]+/);
-    const functions = parts.map((each) => /^M?\s*(\d{1,4})$/i.exec(each)?.[1]);
-    return functions.some((m) => m === undefined) ? null : withWords(s, { ...wordsOf(s), functions: functions.map(Number) });
+    const functions = typedFunctions(typed);
+    return functions && withWords(s, { ...wordsOf(s), functions });
   },
 };
 
-export const retractField: Field = {
+export const retractField: WordField = {
   id: "retract", name: "retract", read: (s) => {
     const { retract } = wordsOf(s);
-    return retract === "max" ? "MAX" : shownValue(retract);
+    return retract === "max" ? "MAX" : valueText(retract);
   },
   write: (s, typed) => (/^\s*max\s*$/i.test(typed) ? put(s, "retract", "max") : optionalValue(typed, (value) => put(s, "retract", value))),
 };
 
 /** The axes of a block: those that are usual for it, and any other that stands there. */
-export const axisFields = (s: Statement, usual: readonly AxisName[]): readonly Field[] =>
+export const axisFields = (s: Statement, usual: readonly AxisName[]): readonly WordField[] =>
   ORDER.filter((axis) => usual.includes(axis) || wordsOf(s).axes.some((w) => w.axis === axis)).map(axisField);
 
 const ANGLES: ReadonlySet<string> = ANGLE_WORDS;
@@ -109,7 +108,7 @@ type WithNames = Extract<Statement, { words: readonly NamedWord[] }>;
 const hasNames = (s: Statement): s is WithNames => "words" in s && Array.isArray(s.words);
 
 /** A word of the form NAME and value, as undercuts, recesses and corrections have them. */
-export const namedField = (word: string, order: readonly string[]): Field => {
+export const namedField = (word: string, order: readonly string[]): WordField => {
   const words = (s: Statement): readonly NamedWord[] => (hasNames(s) ? s.words : []);
   const set = (s: Statement, value: Value | null): Statement => {
     if (!hasNames(s)) return s;
@@ -120,13 +119,13 @@ export const namedField = (word: string, order: readonly string[]): Field => {
     return { ...s, words: next } as Statement;
   };
   return {
-    id: `word ${word}`, name: { word }, numeric: true, unit: ANGLES.has(word) ? "°" : "mm", read: (s) => shownValue(words(s).find((w) => w.name === word)?.value),
-    write: (s, typed) => (typed.trim() === "" ? set(s, null) : ((value) => (value === null ? null : set(s, value)))(readValue(typed))),
+    id: `word ${word}`, name: { word }, numeric: true, unit: ANGLES.has(word) ? "°" : "mm", read: (s) => valueText(words(s).find((w) => w.name === word)?.value),
+    write: (s, typed) => (typed.trim() === "" ? set(s, null) : ((value) => (value === null ? null : set(s, value)))(blockValue(typed))),
   };
 };
 
 /** The words of an undercut, recess or correction: those of its form, and any other that stands there. */
-export function namedFields(s: Statement, usual: readonly string[]): readonly Field[] {
+export function namedFields(s: Statement, usual: readonly string[]): readonly WordField[] {
   const others = hasNames(s) ? s.words.map((w) => w.name).filter((name) => !usual.includes(name)) : [];
   const order = [...usual, ...others];
   return order.map((name) => namedField(name, order));

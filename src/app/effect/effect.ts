@@ -1,4 +1,5 @@
-import { readExpression } from "../../program/expression.ts";
+import { readText } from "../../program/field.ts";
+import { SETUP_FIELDS } from "../../program/setup-fields.ts";
 import type { Outcome } from "../engine/outcome.ts";
 import type { JobReading } from "../reading.ts";
 
@@ -39,6 +40,6 @@ export function chipArea({ job, cycle, reading }: JobReading, infeed: number): n
   const feed = roughing === undefined ? undefined : reading.perField[roughing]?.value;
   if (typeof feed !== "number") return null;
   if (job.perRevolution) return infeed * feed;
-  const speed = job.spindle.mode === "constant" ? readExpression(job.spindle.speed) : null;
-  return speed?.kind === "number" && speed.value > 0 ? (infeed * feed) / speed.value : null;
+  const speed = job.spindle.mode === "constant" ? readText(SETUP_FIELDS.speed, job.spindle.speed).value : null;
+  return speed === null ? null : (infeed * feed) / speed;
 }

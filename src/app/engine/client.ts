@@ -1,6 +1,7 @@
 import { releaseProxy, wrap, type Remote } from "comlink";
 import type { Job } from "../../program/job.ts";
-import { readExpression } from "../../program/expression.ts";
+import { readText } from "../../program/field.ts";
+import { SETUP_FIELDS } from "../../program/setup-fields.ts";
 import type { ToolTable } from "../../program/read-tools.ts";
 import type { Control } from "../../program/plane-types.ts";
 import type { Operation } from "../../program/run-types.ts";
@@ -80,10 +81,7 @@ async function work(): Promise<void> {
 /** Rapid rate that times are estimated with when none can be read, mm/min. */
 const USUAL_RAPID = 10_000;
 
-function rapidOf(job: Job): number {
-  const read = readExpression(job.rapid);
-  return read.kind === "number" && read.value > 0 ? read.value : USUAL_RAPID;
-}
+const rapidOf = (job: Job): number => readText(SETUP_FIELDS.rapid, job.rapid).value ?? USUAL_RAPID;
 
 let last: { readonly text: string; readonly table: ToolTable; readonly rapid: number; readonly control: Control; readonly cycle: number | null; readonly work: string | null } | null = null;
 

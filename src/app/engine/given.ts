@@ -3,9 +3,10 @@ import { at } from "../../kernel/curve.ts";
 import type { Pt } from "../../kernel/point.ts";
 import { diameter, toRadius } from "../../kernel/units.ts";
 import { readRows } from "../../program/contour-rows.ts";
-import { readExpression } from "../../program/expression.ts";
+import { readText } from "../../program/field.ts";
 import type { Job } from "../../program/job.ts";
 import { knownParameters } from "../../program/job-parameters.ts";
+import { SETUP_FIELDS } from "../../program/setup-fields.ts";
 import type { JobReading } from "../reading.ts";
 
 const read = new WeakMap<Job["contour"], Given["contour"]>();
@@ -22,8 +23,10 @@ function contourOf(rows: Job["contour"]): Given["contour"] {
 
 /** The start point as typed; null as long as it is no place. */
 function startOf(job: Job): Pt | null {
-  const [x, z] = [job.start.x, job.start.z].map((typed) => readExpression(typed, knownParameters(job)));
-  return x?.kind === "number" && z?.kind === "number" ? at(z.value, toRadius(diameter(x.value))) : null;
+  const known = knownParameters(job);
+  const x = readText(SETUP_FIELDS.startX, job.start.x, known).value;
+  const z = readText(SETUP_FIELDS.startZ, job.start.z, known).value;
+  return x === null || z === null ? null : at(z, toRadius(diameter(x)));
 }
 
 /** What the cycle of a job is given beside its values: the contour of the table, and the start point. */

@@ -1,5 +1,5 @@
 import { useEffect, useId, useRef } from "react";
-import { readExpression } from "../../program/expression.ts";
+import { readText, sumOf, type Field } from "../../program/field.ts";
 import { FieldMessage } from "../dialog/FieldMessage.tsx";
 import { inScreenWriting } from "../dialog/write-value.ts";
 import { useNumberEntry } from "../dialog/use-number-entry.ts";
@@ -15,35 +15,31 @@ interface Props {
   readonly unit: string;
   readonly text: string;
   readonly onText: (text: string) => void;
-  /** Place that findings name; also how the keyboard is sent here. */
-  readonly at: string;
-  readonly least?: "any" | "zero" | "aboveZero";
-  /** May stay empty. */
-  readonly optional?: boolean;
+  /** Its id is the place that findings name; also how the keyboard is sent here. */
+  readonly field: Field;
   /** What an empty field asks for, calmly: it is not done wrong, only not done yet. */
   readonly ask?: string;
 }
 
-/** What is wrong with a typed number of the set-up; null when it can be used. */
-export function wrongNumber(text: string, least: "any" | "zero" | "aboveZero", optional: boolean): "missing" | "notANumber" | "negative" | "positive" | null {
-  const read = readExpression(text);
-  if (read.kind === "empty") return optional ? null : "missing";
-  if (read.kind !== "number") return "notANumber";
-  if (least === "zero" && read.value < 0) return "negative";
-  if (least === "aboveZero" && read.value <= 0) return "positive";
-  return null;
+/** What is wrong with a typed number, in the words of the set-up; null when it can be used. */
+function wrongNumber(field: Field, text: string): "missing" | "notANumber" | "negative" | "positive" | null {
+  const found = readText(field, text).issue;
+  if (!found) return null;
+  if (found.code === "missing") return "missing";
+  if (found.code !== "outOfRange") return "notANumber";
+  return found.data.min === 0 ? "negative" : "positive";
 }
 
 /** One number of the set-up: typed text goes to the work at each keystroke, sums are worked out when the field is left. */
-export function NumberField({ name, unit, text, onText, at, least = "any", optional = false, ask }: Props) {
+export function NumberField({ name, unit, text, onText, field, ask }: Props) {
   const t = useTexts();
   const id = useId();
   const input = useRef<HTMLInputElement>(null);
   const language = useSettings((s) => s.language);
   const { onKeyDown, onTyped } = useNumberEntry(input, text, onText);
-  const asked = usePlace((p) => (p.field === at ? p.focus : 0));
-  const problems = usePromptFindings().filter((p) => p.at === at);
-  const found = wrongNumber(text, least, optional);
+  const asked = usePlace((p) => (p.field === field.id ? p.focus : 0));
+  const problems = usePromptFindings().filter((p) => p.at === field.id);
+  const found = wrongNumber(field, text);
   const asking = found === "missing" && ask !== undefined;
   const wrong = asking ? null : found;
 
@@ -54,8 +50,8 @@ export function NumberField({ name, unit, text, onText, at, least = "any", optio
   }, [asked]);
 
   const commit = () => {
-    const read = readExpression(text);
-    if (read.kind === "number" && read.computed) onText(String(read.value));
+    const sum = sumOf(text);
+    if (sum !== null) onText(sum);
     closeStep();
   };
 

@@ -1,4 +1,5 @@
 import { usedParameters } from "../../program/job-parameters.ts";
+import { parameterField } from "../../program/setup-fields.ts";
 import { setParameter } from "../edits.ts";
 import type { JobReading } from "../reading.ts";
 import { useTexts } from "../settings/use-texts.ts";
@@ -15,7 +16,7 @@ export function ParameterFields({ read: { job } }: { readonly read: JobReading }
       <p className="small soft">{t.hint}</p>
       {used.map((name) => (
         <NumberField
-          key={name} at={`parameter.${name}`} name={name} unit="" text={job.parameters[name] ?? ""} ask={t.ask(name)}
+          key={name} field={parameterField(name)} name={name} unit="" text={job.parameters[name] ?? ""} ask={t.ask(name)}
           onText={(value) => setParameter(name, value)}
         />
       ))}

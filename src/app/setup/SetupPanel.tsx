@@ -1,4 +1,5 @@
 import type { CycleNumber } from "../../cycles/index.ts";
+import { SETUP_FIELDS as FIELDS } from "../../program/setup-fields.ts";
 import { useFits } from "../engine/fits.ts";
 import { setBlank, setPerRevolution, setRapid, setSpindle, setStart } from "../edits.ts";
 import type { JobReading } from "../reading.ts";
@@ -20,15 +21,15 @@ export function SetupPanel({ read }: { readonly read: JobReading }) {
       <fieldset className="setup-group">
         <legend>{t.start.title}</legend>
         <p className="small soft">{t.start.hint}</p>
-        <NumberField at="start.x" name={t.start.x} unit={t.units.diameter} text={start.x} onText={(x) => setStart("x", x)} />
-        <NumberField at="start.z" name={t.start.z} unit={t.units.mm} text={start.z} onText={(z) => setStart("z", z)} />
+        <NumberField field={FIELDS.startX} name={t.start.x} unit={t.units.diameter} text={start.x} onText={(x) => setStart("x", x)} />
+        <NumberField field={FIELDS.startZ} name={t.start.z} unit={t.units.mm} text={start.z} onText={(z) => setStart("z", z)} />
       </fieldset>
       <fieldset className="setup-group">
         <legend>{t.blank.title}</legend>
-        <NumberField at="blank.outside" name={t.blank.outside} unit={t.units.diameter} text={blank.outside} least="aboveZero" onText={(v) => setBlank("outside", v)} />
-        <NumberField at="blank.bore" name={t.blank.bore} unit={t.units.diameter} text={blank.bore} least="zero" optional onText={(v) => setBlank("bore", v)} />
-        <NumberField at="blank.length" name={t.blank.length} unit={t.units.mm} text={blank.length} least="aboveZero" onText={(v) => setBlank("length", v)} />
-        <NumberField at="blank.allowance" name={t.blank.allowance} unit={t.units.mm} text={blank.allowance} optional onText={(v) => setBlank("allowance", v)} />
+        <NumberField field={FIELDS.outside} name={t.blank.outside} unit={t.units.diameter} text={blank.outside} onText={(v) => setBlank("outside", v)} />
+        <NumberField field={FIELDS.bore} name={t.blank.bore} unit={t.units.diameter} text={blank.bore} onText={(v) => setBlank("bore", v)} />
+        <NumberField field={FIELDS.length} name={t.blank.length} unit={t.units.mm} text={blank.length} onText={(v) => setBlank("length", v)} />
+        <NumberField field={FIELDS.allowance} name={t.blank.allowance} unit={t.units.mm} text={blank.allowance} onText={(v) => setBlank("allowance", v)} />
       </fieldset>
       <fieldset className="setup-group">
         <legend>{t.spindle.title}</legend>
@@ -41,11 +42,11 @@ export function SetupPanel({ read }: { readonly read: JobReading }) {
           ))}
         </div>
         {spindle.mode === "constant"
-          ? <NumberField at="spindle.speed" name={t.spindle.speed} unit={t.units.rpm} text={spindle.speed} least="aboveZero" onText={(v) => setSpindle("speed", v)} />
+          ? <NumberField field={FIELDS.speed} name={t.spindle.speed} unit={t.units.rpm} text={spindle.speed} onText={(v) => setSpindle("speed", v)} />
           : (
             <>
-              <NumberField at="spindle.cuttingSpeed" name={t.spindle.cuttingSpeed} unit={t.units.cuttingSpeed} text={spindle.cuttingSpeed} least="aboveZero" onText={(v) => setSpindle("cuttingSpeed", v)} />
-              <NumberField at="spindle.limit" name={t.spindle.limit} unit={t.units.rpm} text={spindle.limit} least="aboveZero" onText={(v) => setSpindle("limit", v)} />
+              <NumberField field={FIELDS.cuttingSpeed} name={t.spindle.cuttingSpeed} unit={t.units.cuttingSpeed} text={spindle.cuttingSpeed} onText={(v) => setSpindle("cuttingSpeed", v)} />
+              <NumberField field={FIELDS.limit} name={t.spindle.limit} unit={t.units.rpm} text={spindle.limit} onText={(v) => setSpindle("limit", v)} />
             </>
           )}
       </fieldset>
@@ -55,7 +56,7 @@ export function SetupPanel({ read }: { readonly read: JobReading }) {
           <input type="checkbox" checked={perRevolution} onChange={(e) => setPerRevolution(e.currentTarget.checked)} />
           <span>{t.feed.perRevolution}</span>
         </label>
-        <NumberField at="rapid" name={t.feed.rapid} unit={t.units.perMinute} text={rapid} least="aboveZero" onText={setRapid} />
+        <NumberField field={FIELDS.rapid} name={t.feed.rapid} unit={t.units.perMinute} text={rapid} onText={setRapid} />
       </fieldset>
       <section className="setup-group" aria-label={t.notes}>
         <h2>{t.notes}</h2>

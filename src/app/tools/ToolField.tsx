@@ -1,6 +1,6 @@
 import { useId, useRef } from "react";
 import type { Issue } from "../../kernel/issue.ts";
-import { readExpression } from "../../program/expression.ts";
+import { sumOf } from "../../program/field.ts";
 import type { HolderNumber, NumberColumn } from "../../program/tool-columns.ts";
 import { ruleOf } from "../../program/tool-columns.ts";
 import { cellOf, type ToolEntry } from "../../program/tool-entry.ts";
@@ -32,6 +32,8 @@ export function CellMessages({ id, issues, text, onTake, decimals = 4 }: {
   );
 }
 
+const UNITS = { length: "mm", angle: "degrees", number: null } as const;
+
 /** One number of a row: typed text goes to the table at each keystroke, sums are worked out when the field is left. */
 export function ToolField({ entry, cell, issues, unused = null }: {
   readonly entry: ToolEntry;
@@ -47,15 +49,15 @@ export function ToolField({ entry, cell, issues, unused = null }: {
   const text = cellOf(entry, cell);
   const put = (next: string) => setCell(entry.id, cell, next);
   const { onKeyDown, onTyped } = useNumberEntry(input, text, put);
-  const { unit, min, decimals } = ruleOf(cell);
+  const { kind, range: [min], decimals } = ruleOf(cell);
   const isHolder = cell in t.holder;
   const column = isHolder ? null : cell as NumberColumn;
   const meaning = column ? t.columns[column] : t.holder[cell as HolderNumber];
   const found = issues.filter((issue) => issue.at === cell);
 
   const commit = () => {
-    const read = readExpression(text);
-    if (read.kind === "number" && read.computed) put(String(Math.round(read.value * 1e6) / 1e6));
+    const sum = sumOf(text);
+    if (sum !== null) put(sum);
     closeToolStep();
   };
 
@@ -73,7 +75,7 @@ export function ToolField({ entry, cell, issues, unused = null }: {
             put(e.currentTarget.value);
           }}
         />
-        <span className="soft small tool-unit" id={`${id}-unit`}>{unused === null ? unit && t.units[unit] : t.unused(unused)}</span>
+        <span className="soft small tool-unit" id={`${id}-unit`}>{unused === null ? UNITS[kind] && t.units[UNITS[kind]] : t.unused(unused)}</span>
       </span>
       <CellMessages
         id={`${id}-wrong`} issues={found} text={text} decimals={decimals}

@@ -3,7 +3,7 @@ import { formatNumber } from "../../i18n/number.ts";
 import { applies, MILL_COLUMNS, ruleOf, TOOL_COLUMNS, type MillColumn, type ToolColumn } from "../../program/tool-columns.ts";
 import { cellOf, type EntryReading, type ToolEntry } from "../../program/tool-entry.ts";
 import type { ToolListReading } from "../../program/tool-list.ts";
-import { readExpression } from "../../program/expression.ts";
+import { anyNumber, readText } from "../../program/field.ts";
 import { Icon } from "../Icon.tsx";
 import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
 import { useSettings } from "../settings/settings.ts";
@@ -30,8 +30,8 @@ function useShown(): (column: Column, text: string) => string {
   const language = useSettings((s) => s.language);
   return (column, text) => {
     if (column === "NAME" || column === "TYPE") return text;
-    const read = readExpression(text);
-    return read.kind === "number" ? formatNumber(language, read.value, ruleOf(column).decimals) : text;
+    const { value } = readText(anyNumber, text);
+    return value === null ? text : formatNumber(language, value, ruleOf(column).decimals);
   };
 }
 
