@@ -7,7 +7,7 @@ import { JUMP, readDatum, readJump } from "./read-jump.ts";
 import { readWords } from "./read-words.ts";
 import { Scan } from "./scan.ts";
 import { APPROACH_FORMS, type ApproachForm, type PathKind, type Statement, type Words } from "./statement.ts";
-import { NUMBER_PARAMETER, PARAMETER, readLabel, VALUE } from "./value.ts";
+import { NUMBER_PARAMETER, PARAMETER, readLabel, TEXT_PARAMETER, VALUE } from "./value.ts";
 
 const KEYWORD = /(?:(CYCL[ \t]+(?:DEF|CALL)|BEGIN[ \t]+PGM|END[ \t]+PGM|BLK[ \t]+FORM|TOOL[ \t]+(?:CALL|DEF)|CALL[ \t]+LBL|SEL[ \t]+CONTOUR|TRANS[ \t]+DATUM|FUNCTION|LBL|STOP|APPR|DEP|UDC|GRV|RND|CHF|CTP|CR|CT|CC|CP|LP|L|C)(?![A-Z_]))/iy;
 const ASSIGNMENT = new RegExp(String.raw`(?:FN[ \t]*[0-5][ \t]*:|${NUMBER_PARAMETER}[ \t]*=)`, "iy");
@@ -15,6 +15,7 @@ const FUNCTIONS = /M\d/iy;
 /** A paraxial block: a coordinate without L. */
 const PARAXIAL = new RegExp(String.raw`I?[XYZABUVW][ \t]*${VALUE}`, "iy");
 const LABEL = /(?:(\d{1,9})|"([^"]*)")/y;
+const NAMED_LABEL = new RegExp(`()(${TEXT_PARAMETER})`, "iy");
 const LABEL_PARAMETER = new RegExp(`(${PARAMETER})`, "iy");
 const REPEAT = new RegExp(String.raw`REP[ \t]*(${VALUE})(?:[ \t]*/[ \t]*\d+)?`, "iy");
 const BARE = new RegExp(VALUE, "iy");
@@ -155,7 +156,7 @@ function approach(scan: Scan, departing: boolean): Statement | null {
 }
 
 function label(scan: Scan): Statement | null {
-  const m = scan.take(LABEL) ?? scan.take(/()(QS\d{1,6})/iy);
+  const m = scan.take(LABEL) ?? scan.take(NAMED_LABEL);
   if (!m) return null;
   scan.leftOver();
   return { kind: "label", label: readLabel(m[1] || undefined, m[2]) };

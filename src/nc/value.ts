@@ -2,8 +2,10 @@ import type { Parameter, Value } from "./statement.ts";
 
 /** A parameter that holds a number, as part of a pattern: Q5, QL1, QR3. No control has more than four digits. */
 export const NUMBER_PARAMETER = String.raw`Q[LR]?\d{1,4}(?!\d)`;
-/** Any parameter: QS holds text, and stands where a name or a number may stand. */
-export const PARAMETER = String.raw`Q[LRS]?\d{1,4}(?!\d)`;
+/** A parameter that holds text: QS1. */
+export const TEXT_PARAMETER = String.raw`QS\d{1,4}(?!\d)`;
+/** Any parameter: text stands where a name or a number may stand. */
+export const PARAMETER = `(?:${NUMBER_PARAMETER}|${TEXT_PARAMETER})`;
 const ALONE = new RegExp(String.raw`^\s*([+-]?)\s*(${PARAMETER})\s*$`, "i");
 
 /** The parameter that a text is, with its sign, when it is that and nothing else. */

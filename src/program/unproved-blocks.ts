@@ -1,5 +1,5 @@
 import type { CycleParameter } from "../nc/statement.ts";
-import { NUMBER_PARAMETER, readValue, VALUE } from "../nc/value.ts";
+import { NUMBER_PARAMETER, readValue, TEXT_PARAMETER, VALUE } from "../nc/value.ts";
 import type { Machine } from "./machine.ts";
 
 /**
@@ -7,7 +7,7 @@ import type { Machine } from "./machine.ts";
  * breathe, functions that count or log.
  */
 const HARMLESS = new RegExp(String.raw`^(?:FN[ \t]*(?:1[4569]|2[06-9]|3[789])[ \t]*:|FUNCTION[ \t]+(?:TCPM|RESET|FEED|S-PULSE|COUNT|DWELL|DCM|FILE)|` +
-  String.raw`QS\d+[ \t]*=|DECLARE|SQL|OPEN|CLOSE|SEL[ \t]+(?:TABLE|CORR-TABLE)|PATTERN[ \t]+DEF|POLARKIN[ \t]+OFF|MONITORING|STOP|TRANS[ \t]+[A-Z]+[ \t]+RESET|PLANE[ \t]+RESET)`, "i");
+  String.raw`${TEXT_PARAMETER}[ \t]*=|DECLARE|SQL|OPEN|CLOSE|SEL[ \t]+(?:TABLE|CORR-TABLE)|PATTERN[ \t]+DEF|POLARKIN[ \t]+OFF|MONITORING|STOP|TRANS[ \t]+[A-Z]+[ \t]+RESET|PLANE[ \t]+RESET)`, "i");
 /** FN 18 and FN 28 only read a value into a parameter. */
 const READING = new RegExp(String.raw`^FN[ \t]*(?:18|28)[ \t]*:[^=]*?(${NUMBER_PARAMETER})`, "i");
 /** Programs that run on their own leave the tool wherever they end. */
