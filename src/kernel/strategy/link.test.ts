@@ -1,0 +1,53 @@
+import { describe, expect, test } from "vitest";
+import { linePiece, upperEnvelope } from "../envelope.ts";
+import type { Flat, Frame } from "../flat.ts";
+import { insertIn } from "./ground.ts";
+import type { Move } from "../move.ts";
+import type { Tool } from "../tool.ts";
+import { roomOf } from "../track.ts";
+import { length } from "../units.ts";
+import { Frontier } from "./frontier.ts";
+import { Cutter, type Link } from "./link.ts";
+
+/* The one way between two cuts, over a step that stands 5 high from u = 10 to u = 20, flat 0 beside it. */
+const frame: Frame = { transverse: false, signU: 1, signV: 1 };
+const bar: Tool = { T: 1, NAME: "BAR", TYPE: "RECTURN", TO: 2, RS: length(0), CUTWIDTH: length(3), CUTLENGTH: length(30) };
+const around = { feature: "nose", on: "edge", corner: false } as const;
+const flat = (u0: number, u1: number, v: number) => linePiece({ u: u0, v }, { u: u1, v }, around) ?? [];
+const step = upperEnvelope([flat(0, 10, 0), flat(10, 20, 5), flat(20, 30, 0)].flat());
+
+const purpose = { phase: "rough", run: "rough", step: 4 } as const;
+const link: Link = { gap: 0.7, feed: 0.2, out: purpose, down: { ...purpose, step: 1 }, enter: { ...purpose, step: 2 } };
+const linked = (from: Flat, to: Flat, roof = Infinity, before?: (cutter: Cutter) => void) => {
+  const cutter = new Cutter(frame, "mm/rev", from, roomOf(frame), new Frontier(step, insertIn(bar, frame), roof), 50);
+  before?.(cutter);
+  const count = cutter.moves.length;
+  cutter.link(to, link);
+  return cutter.moves.slice(count).map((m: Move) => `${m.kind} ${m.step} ${Number(m.to.z.toFixed(3))}/${Number(m.to.r.toFixed(3))}`);
+};
+
+describe("a link", () => {
+  test("rises over what stands by the clearance, crosses, comes down at rapid to the clearance and at feed to its end", () => {
+    expect(linked({ u: 5, v: 1 }, { u: 25, v: 0.1 })).toEqual(["rapid 4 5/5.7", "rapid 4 25/5.7", "rapid 1 25/0.7", "feed 2 25/0.1"]);
+  });
+  test("crosses at the height of the higher end where that is clear", () => {
+    expect(linked({ u: 5, v: 6 }, { u: 25, v: 6.4 })).toEqual(["rapid 4 5/6.4", "rapid 4 25/6.4"]);
+    expect(linked({ u: 2, v: 1 }, { u: 8, v: 1 })).toEqual(["rapid 4 8/1"]);
+  });
+  test("leaves what stands above it at feed, from there on at rapid", () => {
+    expect(linked({ u: 15, v: 3 }, { u: 25, v: 1 })).toEqual(["feed 4 15/5", "rapid 4 15/5.7", "rapid 4 25/5.7", "rapid 1 25/1"]);
+  });
+  test("comes down no lower than the clearance over what stands at rapid", () => {
+    expect(linked({ u: 5, v: 9 }, { u: 15, v: 4 })).toEqual(["rapid 4 15/9", "rapid 1 15/5.7", "feed 2 15/4"]);
+  });
+  test("knows what has been cut", () => {
+    const through = (cutter: Cutter) => {
+      cutter.feed({ u: 25, v: 0.5 }, 0.2, purpose);
+      cutter.feed({ u: 5, v: 0.5 }, 0.2, purpose);
+    };
+    expect(linked({ u: 5, v: 0.5 }, { u: 25, v: 0.5 }, Infinity, through)).toEqual(["rapid 4 25/0.5"]);
+  });
+  test("goes at feed under a roof that may not be cut", () => {
+    expect(linked({ u: 5, v: 1 }, { u: 25, v: 1 }, 3)).toEqual(["rapid 4 5/3.7", "feed 4 25/3.7", "rapid 1 25/1"]);
+  });
+});
