@@ -17,7 +17,7 @@ export function TotalsStrip() {
   const verdict = useVerdict();
   const effect = shown && effectOf(shown);
   const words = t.page.effect;
-  const number = (value: number | undefined, decimals: number) => (value === undefined ? words.unknown : formatFixed(language, value, decimals));
+  const number = (value: number | null | undefined, decimals: number) => (value === undefined || value === null ? words.unknown : formatFixed(language, value, decimals));
   const tools = shown?.run.steps.reduce((n, step, i, all) => (step.tool.T === all[i - 1]?.tool.T ? n : n + 1), 0);
   const cell = (name: string, value: ReactNode, unit = "") => (
     <div className="effect-cell">
@@ -33,7 +33,7 @@ export function TotalsStrip() {
         {cell(t.editor.toolChanges, number(tools, 0))}
         {cell(words.passes, number(effect?.passes, 0))}
         {cell(words.time, effect ? words.duration(Math.floor(seconds / 60), formatFixed(language, seconds % 60, 0)) : words.unknown)}
-        {cell(words.residual, effect && effect.residual === 0 ? words.none : number(effect?.residual, 2), effect && effect.residual > 0 ? "mm²" : "")}
+        {cell(words.residual, effect && effect.residual === 0 ? words.none : number(effect?.residual, 2), effect?.residual ? "mm²" : "")}
         {cell(t.editor.blocks, number(shown?.run.program.blocks, 0))}
         <div className="effect-cell proof">
           <dt>{t.findings.verdict.title}</dt>

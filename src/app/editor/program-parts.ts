@@ -36,10 +36,11 @@ const filters: Partial<Record<Statement["kind"], PartFilter>> = {
 /** The first line of a block without number and continuation. */
 export const firstLine = (raw: string): string => (/^\s*\/?\s*(?:\d+(?![\d.,])\s*)?(.*?)\s*~?\s*(?:[\r\n]|$)/.exec(raw)?.[1] ?? "").replace(/\s+/g, " ");
 
-/** What the calls of each definition did, by the line of the definition. */
+/** What the calls of each definition did, by the line of the definition. A call that makes no path has done nothing. */
 export function doneByLine({ run, simulation }: Outcome): ReadonlyMap<number, Done> {
   const all = new Map<number, Done>();
   run.operations.forEach((operation, i) => {
+    if (operation.plan.moves.length === 0) return;
     const before = all.get(operation.definedLine) ?? { passes: 0, seconds: 0, residue: 0 };
     const residue = simulation.proof.residual.reduce((sum, r) => (r.operation === i ? sum + r.area : sum), 0);
     all.set(operation.definedLine, {

@@ -36,7 +36,7 @@ export function EffectStrip({ read }: { readonly read: JobReading }) {
         {cell(t.effect.infeed, number(effect?.infeed, 3), "mm")}
         {cell(t.effect.time, effect ? t.effect.duration(minutes, formatFixed(language, seconds, minutes > 0 ? 0 : 1)) : t.effect.unknown)}
         {cell(t.effect.chip, number(chip, 2), "mm²")}
-        {cell(t.effect.residual, effect && effect.residual === 0 ? t.effect.none : number(effect?.residual, 2), effect && effect.residual > 0 ? "mm²" : "")}
+        {cell(t.effect.residual, effect && effect.residual === 0 ? t.effect.none : number(effect?.residual, 2), effect?.residual ? "mm²" : "")}
         <div className="effect-cell proof">
           <dt>{words.verdict.title}</dt>
           <dd><VerdictText verdict={verdict} reasons={verdict.state === "faults" ? 0 : 1} /></dd>

@@ -10,8 +10,8 @@ export interface Effect {
   /** Infeed as divided, mm: of the first operation. */
   readonly infeed: number;
   readonly seconds: number;
-  /** mm² of the half plane. */
-  readonly residual: number;
+  /** mm² of the half plane; null where an operation makes no path, because what stays of it was not looked at. */
+  readonly residual: number | null;
 }
 
 /** Smaller areas are rounding of the polygon engine, mm². */
@@ -28,7 +28,7 @@ export function effectOf(outcome: Outcome): Effect {
     passes: run.operations.reduce((sum, o) => sum + o.plan.passes, 0),
     infeed: run.operations[0]?.plan.infeed ?? 0,
     seconds: run.seconds,
-    residual: area(simulation.proof.residual.reduce((sum, r) => sum + r.area, 0)),
+    residual: run.operations.some((o) => o.plan.moves.length === 0) ? null : area(simulation.proof.residual.reduce((sum, r) => sum + r.area, 0)),
   };
   effects.set(outcome, effect);
   return effect;

@@ -15,7 +15,7 @@ export interface Outcome {
 export interface OutcomeState {
   /** The newest result, possible or not: its issues are the ones to show. */
   readonly newest: Outcome | null;
-  /** The newest result with a path: the picture to show. */
+  /** The newest result with a path, or before there is one the newest of all, with its blank: the picture to show. */
   readonly shown: Outcome | null;
   /** The picture is older than the values, because they make no path. */
   readonly dimmed: boolean;
@@ -33,13 +33,13 @@ const makesPath = (outcome: Outcome | null) => {
   return operations.length === 0 ? steps.length > 0 || plane.length > 0 : operations.some((o) => o.plan.moves.length > 0);
 };
 
-const settled = (s: OutcomeState): OutcomeState => ({ ...s, dimmed: s.shown !== null && (s.paused || !makesPath(s.newest)) });
+const settled = (s: OutcomeState): OutcomeState => ({ ...s, dimmed: s.shown !== null && (s.paused || s.shown !== s.newest) });
 
 /** Takes a result in, unless a newer one is already there. */
 export function takeOutcome(outcome: Outcome): void {
   useOutcome.setState((s) => {
     if (s.newest && s.newest.version >= outcome.version) return s;
-    return settled({ ...s, newest: outcome, shown: makesPath(outcome) ? outcome : s.shown });
+    return settled({ ...s, newest: outcome, shown: makesPath(outcome) || !makesPath(s.shown) ? outcome : s.shown });
   });
 }
 

@@ -113,7 +113,7 @@ export function LatheView({ result, dimmed, playback, clock, onMove }: {
         </Picture>
         <PlaceButtons viewport={viewport} places={seen} chosen={chosen} choose={choose} />
         <RulerReading measuring={measuring} />
-        {run.steps.length === 0 && <p className="lathe-empty soft">{t.pictureEmpty}</p>}
+        {run.steps.length === 0 && run.blank.length === 0 && <p className="lathe-empty soft">{t.pictureEmpty}</p>}
         {dimmed && run.steps.length > 0 && <p className="lathe-outdated small">{t.outdated}</p>}
         <p id={keysId} className="unseen">{t.keys}</p>
       </div>
