@@ -88,7 +88,8 @@ function bends(before: Segment, after: Segment): boolean {
 /** Lines between points. */
 export const chainOf = (points: readonly Pt[]): Segment[] => points.slice(1).map((to, i) => line(points[i] ?? to, to));
 
-function segmentTo(from: Pt, before: Segment | undefined, e: PathElement, element: number, issues: Issue[]): Segment {
+/** The segment of an element from where it begins behind `before`; a line, with an issue, where such an arc can not be. */
+export function segmentTo(from: Pt, before: Segment | undefined, e: PathElement, element: number, issues: Issue[]): Segment {
   switch (e.kind) {
     case "line":
       return line(from, e.to);

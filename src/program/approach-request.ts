@@ -1,12 +1,13 @@
 import type { ApproachRequest } from "../kernel/approach.ts";
-import { apart, difference, sum, type PlanePoint, type PlaneSegment, type Side } from "../kernel/plane.ts";
+import { apart, difference, partPoint, planePoint, sum, type PlanePoint, type PlaneSegment, type Side } from "../kernel/plane.ts";
 import { SAME } from "../kernel/tolerance.ts";
-import { diameter, inDegrees, radians, radius, toDiameter, toRadius } from "../kernel/units.ts";
+import { inDegrees, radius, toDiameter } from "../kernel/units.ts";
 import type { ApproachForm } from "../nc/statement.ts";
 import { SIDES, type ApproachReading } from "./approach-draft.ts";
 import { isPolar, shapeOf, type ApproachWord, type WorkingPlane } from "./approach-fields.ts";
 import type { KnownParameters } from "./expression.ts";
 import type { FieldReading } from "./field.ts";
+import { coordinatesIn, endOf, NOWHERE, plainReader, pointIn } from "./path.ts";
 
 /** What stands round an APPR or DEP block in its program. Lengths in mm, points in the working plane. */
 export interface ApproachContext {
@@ -47,30 +48,21 @@ const sideOf = (read: FieldReading | undefined, otherwise: Side): Side => {
 /** Last point of a contour before DEP, where incremental words count from; the start of the tool for APPR. */
 const origin = ({ contour, before, tip }: ApproachContext, departing: boolean) => (departing ? (contour.at(-1)?.to ?? null) : before && sum(before, tip));
 
-function cartesian(read: ApproachReading, context: ApproachContext, from: PlanePoint | null): PlanePoint | null {
-  const turning = context.plane === "ZX";
-  const coordinate = (word: FieldReading | undefined, old: number | undefined, size: (n: number) => number) => {
-    if (!word || word.value === null) return word?.issue || word?.written ? null : (old ?? null);
-    return size(word.value * context.unit) + (word.incremental ? (old ?? 0) : 0);
-  };
-  const straight = (n: number) => n;
-  const x = coordinate(turning ? read.Z : read.X, from?.x, straight);
-  const y = turning ? coordinate(read.X, from?.y, (n) => toRadius(diameter(n))) : coordinate(read.Y, from?.y, straight);
-  return x === null || y === null ? null : { x, y };
-}
-
-function polar(read: ApproachReading, context: ApproachContext, from: PlanePoint | null): PlanePoint | null {
-  const { pole } = context;
-  const [distance, direction] = [read.PR?.value ?? null, read.PA?.value ?? null];
-  if (!pole || distance === null || direction === null) return null;
-  const far = distance * context.unit + (read.PR?.incremental && from ? apart(from, pole) : 0);
-  const angle = direction + (read.PA?.incremental && from ? inDegrees(Math.atan2(from.y - pole.y, from.x - pole.x)) : 0);
-  return { x: pole.x + far * Math.cos(radians(angle)), y: pole.y + far * Math.sin(radians(angle)) };
-}
-
 /** The point that a block names: PA, or PN of DEP LCT. Null while it is not complete. */
-export const namedPoint = (form: ApproachForm, departing: boolean, read: ApproachReading, context: ApproachContext): PlanePoint | null =>
-  (isPolar(form) ? polar : cartesian)(read, context, origin(context, departing));
+export function namedPoint(form: ApproachForm, departing: boolean, read: ApproachReading, context: ApproachContext): PlanePoint | null {
+  const plane = context.plane === "ZX" ? "lathe" : "XY";
+  const axes = context.plane === "ZX" ? (["Z", "X"] as const) : (["X", "Y"] as const);
+  const word = (name: ApproachWord) => ({ value: read[name]?.value ?? NaN, incremental: read[name]?.incremental ?? false });
+  const words = isPolar(form)
+    ? { axes: [], polarRadius: word("PR"), polarAngle: word("PA") }
+    : { axes: axes.map((axis) => ({ axis, ...word(axis) })) };
+  const from = origin(context, departing);
+  const at = from ? { ...NOWHERE, ...coordinatesIn(plane, partPoint(from)) } : NOWHERE;
+  const block = { path: isPolar(form) ? "LP" : "L", words: { ...words, linear: [], functions: [], extra: [] } } as const;
+  const to = endOf(plainReader(context.unit), block, { plane, at, pole: context.pole && partPoint(context.pole) });
+  const point = to && pointIn(plane, to);
+  return point && planePoint(point);
+}
 
 /** A contour that begins in another point: its first element is straight from there, unless nothing moved. */
 function beginningIn(contour: readonly PlaneSegment[], at: PlanePoint): readonly PlaneSegment[] {

@@ -7,12 +7,13 @@ import { empty } from "../kernel/strategy/leveled.ts";
 import { partPoint } from "../kernel/plane.ts";
 import type { Pt } from "../kernel/point.ts";
 import type { Tool } from "../kernel/tool.ts";
-import { axial, diameter, toDiameter, toRadius } from "../kernel/units.ts";
+import { toDiameter } from "../kernel/units.ts";
 import { readContour } from "./contour-subprogram.ts";
 import { cycleValues } from "./cycle-values.ts";
 import { programIssue } from "./issue.ts";
 import type { Defined, Machine } from "./machine.ts";
 import { rotation } from "./blank-form.ts";
+import { pointIn } from "./path.ts";
 import { feedsOf, foreignParameters, lineOf, noTool } from "./preconditions.ts";
 import type { Operation } from "./run-types.ts";
 import { countedPoint, shiftedPlan } from "./shifted-plan.ts";
@@ -67,7 +68,7 @@ function preconditions(machine: Machine, index: number): void {
 /** Where the tip stands at the call, on the workpiece. While milling the words of X are taken as the diameters that they were meant to be. */
 function startOf(machine: Machine, index: number): Pt | null {
   const { mill } = machine;
-  if (!machine.turning) return mill.x === null || mill.z === null ? null : { z: axial(mill.z), r: toRadius(diameter(mill.x)) };
+  if (!machine.turning) return pointIn("lathe", mill.at);
   // With RL or RR still active the tip stands beside the programmed point.
   const really = machine.compensation === "R0" ? null : machine.guide.here;
   const start = really && machine.tip ? partPoint(really) : machine.tip;
@@ -134,8 +135,7 @@ function perform(machine: Machine, { cycle, defined, start, tool, plan, issues, 
     seconds += machine.step(from, move, index, machine.operations.length, plan.tool ?? tool);
     from = move.to;
   }
-  machine.z = from.z;
-  machine.x = toDiameter(from.r);
+  machine.at = { x: toDiameter(from.r), y: null, z: from.z };
   machine.last = null;
   machine.operations.push({
     block: machine.numbers[index] ?? 0, definedIn: machine.numbers[defined.index] ?? 0, definedLine: machine.lines[defined.index] ?? 1,

@@ -4,8 +4,7 @@ import type { Words } from "../nc/statement.ts";
 import { functionFeed, takeFeed } from "./block-feed.ts";
 import type { Machine } from "./machine.ts";
 import { closeMill } from "./mill-run.ts";
-import { inPlane } from "./mill-position.ts";
-import { millStep } from "./mill-state.ts";
+import { centreOf, millStep } from "./mill-state.ts";
 import { flush, moveOf } from "./path-block.ts";
 import { closeTurn } from "./turn-run.ts";
 
@@ -21,18 +20,18 @@ export const retracts = (words: Words): boolean => words.functions.includes(RETR
 /** A block in machine coordinates: the axes that it names are not known behind it. The way there, from a known place, is not proved. */
 export function elsewhere(machine: Machine, words: Words, index: number): void {
   const { mill } = machine;
-  const wasKnown = machine.turning ? machine.tip !== null && machine.sure.x && machine.sure.z : mill.z !== null && inPlane(mill) !== null;
+  const wasKnown = machine.turning ? machine.tip !== null && machine.sure.x && machine.sure.z : mill.at.z !== null && centreOf(mill.at) !== null;
   flush(machine);
   closeTurn(machine);
   closeMill(machine);
   takeFeed(machine, words.feed, index);
   for (const { axis } of words.axes) {
-    if (axis === "X") machine.x = mill.x = null;
-    if (axis === "Y") mill.y = null;
-    if (axis === "Z") machine.z = mill.z = null;
+    if (axis !== "X" && axis !== "Y" && axis !== "Z") continue;
+    const unknown = { [axis.toLowerCase()]: null };
+    [machine.at, mill.at] = [{ ...machine.at, ...unknown }, { ...mill.at, ...unknown }];
   }
-  machine.sure = { x: machine.sure.x && machine.x !== null, z: machine.sure.z && machine.z !== null };
-  mill.here = inPlane(mill);
+  machine.sure = { x: machine.sure.x && machine.at.x !== null, z: machine.sure.z && machine.at.z !== null };
+  mill.here = centreOf(mill.at);
   mill.last = null;
   machine.last = null;
   const what = words.functions.filter((m) => MACHINE_COORDINATES.has(m)).map((m) => `M${m}`).join(" ");
@@ -65,15 +64,15 @@ function turned(machine: Machine, far: number | null, feed: Travel["feed"], inde
     const to = { z: axial(z), r: from.r };
     if (z !== from.z) machine.step(from, moveOf(machine, line(from, to), feed), index, null);
   }
-  machine.z = z;
+  machine.at = { ...machine.at, z };
   machine.sure = { ...machine.sure, z: z !== null };
 }
 
 function milled(machine: Machine, far: number | null, feed: Travel["feed"], index: number): void {
   const { mill } = machine;
   if (mill.otherAxis) return machine.leaveUnproved(`M${RETRACT}`, index);
-  const [at, from] = [mill.here ?? inPlane(mill), mill.z];
+  const [at, from] = [mill.here ?? centreOf(mill.at), mill.at.z];
   const to = far === null || from === null ? null : from + far;
   if (at && from !== null && to !== null) millStep(machine, { kind: "line", from: at, to: at }, { fromZ: from, toZ: to, feed, index });
-  mill.z = to;
+  mill.at = { ...mill.at, z: to };
 }

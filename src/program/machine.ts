@@ -4,7 +4,7 @@ import type { Pt, Ring, Segment } from "../kernel/point.ts";
 import type { Spindle, Step, Unproved } from "../kernel/step.ts";
 import { secondsOf } from "../kernel/time.ts";
 import type { Tool } from "../kernel/tool.ts";
-import { toRadius, axial, diameter, type Feed } from "../kernel/units.ts";
+import type { Feed } from "../kernel/units.ts";
 import type { NcIssue } from "../nc/issue.ts";
 import { blockNumbers, eachIssue, startLines, type Block, type Program } from "../nc/program.ts";
 import type { Held } from "./held.ts";
@@ -15,6 +15,7 @@ import { formulaOf, valueOf, type Parameters, type Trouble } from "./formula.ts"
 import { fewAlike, MOST_ALIKE } from "./alike.ts";
 import { programIssue, type ProgramIssue } from "./issue.ts";
 import { MillState, type Mill } from "./mill-state.ts";
+import { NOWHERE, pointIn, type Pole, type Position } from "./path.ts";
 import type { Guide } from "./plane-chain.ts";
 import type { ApproachRun, Control } from "./plane-types.ts";
 import type { Finding, Operation } from "./run-types.ts";
@@ -61,10 +62,9 @@ export class Machine {
   turning = false;
   /** As FUNCTION MODE said; null while no block has. */
   mode: "TURN" | "MILL" | null = null;
-  /** Where the program counts from; X, Z and all positions below are those of the workpiece. */
+  /** Where the program counts from; all positions below are those of the workpiece. */
   datum: Datum = NO_SHIFT;
-  x: number | null = null;
-  z: number | null = null;
+  at: Position = NOWHERE;
   /** False after a tool change until the axis is programmed again: nobody knows where the change left it. */
   sure = { x: false, z: false };
   /** Why a coordinate is not known any more, when a block that was not run or a fault that was told is the reason. */
@@ -84,7 +84,7 @@ export class Machine {
   tool: Tool | null = null;
   /** True when a TOOL CALL named a tool that can not be used: that has been told. */
   toolRefused = false;
-  pole: Pt | null = null;
+  pole: Pole | null = null;
   contourLabels: Label[] = [];
   /** File that SEL CONTOUR names, until cycle 14 names labels. */
   contourFile: string | null = null;
@@ -176,17 +176,11 @@ export class Machine {
     else this.known.set(s.target, n);
   }
 
-  /** A coordinate has no number: the position is lost until it is programmed again. */
-  lose(): null {
-    this.lost = this.known.trouble;
-    return null;
-  }
-
   /** Something else has moved the machine: no position is known. */
   loseAll(): void {
-    this.x = this.z = null;
+    this.at = this.mill.at = NOWHERE;
     this.sure = { x: false, z: false };
-    this.mill.x = this.mill.y = this.mill.z = this.mill.here = null;
+    this.mill.here = null;
     this.last = null;
     this.lost = "unproved";
   }
@@ -226,7 +220,7 @@ export class Machine {
 
   /** The tip, when both coordinates are known. */
   get tip(): Pt | null {
-    return this.x === null || this.z === null ? null : { z: axial(this.z), r: toRadius(diameter(this.x)) };
+    return pointIn("lathe", this.at);
   }
 
   /** Ends the run at a block, because the program goes beyond what is simulated: what follows is not proved. */

@@ -1,11 +1,11 @@
-import { apart, sweepOf, type PlanePoint, type PlaneSegment } from "../kernel/plane.ts";
+import { apart, partPoint, sweepOf, type PlanePoint, type PlaneSegment } from "../kernel/plane.ts";
 import { ROUND } from "../kernel/tolerance.ts";
 import type { Label } from "../nc/statement.ts";
 import type { Machine } from "./machine.ts";
 import type { Carrier, Guide, Travel } from "./plane-chain.ts";
 import type { Segment } from "../kernel/point.ts";
 import type { Feed } from "../kernel/units.ts";
-import { offPlane, type MillPole, type Plane, type Position, type SidePlane } from "./mill-position.ts";
+import { coordinatesIn, NOWHERE, type MillPlane, type Position } from "./path.ts";
 import type { ApproachRun, PlaneStep, Spot } from "./plane-types.ts";
 
 /** A milling tool of the table: what the path needs of it, mm. */
@@ -16,12 +16,13 @@ export interface Mill {
   readonly DR?: number;
 }
 
+/** A plane beside that of the tool axis Z. */
+export type SidePlane = Exclude<MillPlane, "XY">;
+
 /** Everything that changes while a program mills. mm. */
 export class MillState implements Guide {
   /** The position as programmed. */
-  x: number | null = null;
-  y: number | null = null;
-  z: number | null = null;
+  at: Position = NOWHERE;
   chain: Guide["chain"] = null;
   here: PlanePoint | null = null;
   /** Radius of the tool with its delta; null when no table and no TOOL DEF names it. */
@@ -33,10 +34,8 @@ export class MillState implements Guide {
   otherAxis = false;
   /** Upper side of the blank. */
   top: number | null = null;
-  /** CC, with the plane that it names. */
-  pole: MillPole | null = null;
   /** What ran last, for an arc that leaves it tangentially in a plane beside that of the tool axis; its arc, null for a line. */
-  last: { readonly from: Readonly<Position>; readonly to: Readonly<Position>; readonly plane: Plane; readonly segment: Segment | null } | null = null;
+  last: { readonly from: Position; readonly to: Position; readonly plane: MillPlane; readonly segment: Segment | null } | null = null;
   readonly steps: PlaneStep[] = [];
 }
 
@@ -73,7 +72,7 @@ export function millSideStep(
   const rate = feed === null ? machine.shop.rapid : machine.perRevolution ? 0 : feed;
   mill.steps.push({
     kind: s.kind === "arc" ? "arc" : feed === null ? "rapid" : "feed", from, to: end,
-    ...(s.kind === "arc" && { side: { plane, centre: offPlane(s.centre, plane), turn: s.turn } }),
+    ...(s.kind === "arc" && { side: { plane, centre: coordinatesIn(plane, partPoint(s.centre)), turn: s.turn } }),
     ...(feed !== null && { feed, feedUnit: machine.feedUnit }),
     radius: mill.radius ?? 0, block: machine.numbers[index] ?? 0, index,
     seconds: rate > 0 ? (60 * travelLength(s, other)) / rate : 0, turned: machine.steps.length,
@@ -81,6 +80,8 @@ export function millSideStep(
 }
 
 const spotOf = ({ x, y, z }: Position): Spot | null => (x === null || y === null ? null : { x, y, z });
+/** The centre of the tool in its working plane; null while nobody knows where that is. */
+export const centreOf = ({ x, y }: Position): PlanePoint | null => (x === null || y === null ? null : { x, y });
 
 /** The tool comes from where nobody knows: a step without a way, that says where it arrives. */
 export function millArrives(machine: Machine, to: PlanePoint, { toZ, feed, index }: Travel): void {

@@ -1,18 +1,17 @@
-import { arcByRadius, arcTangential, line } from "../kernel/arc-forms.ts";
 import { cutCorner, type CornerElement } from "../kernel/corner.ts";
 import { lengthOf } from "../kernel/curve.ts";
 import { largestCorner, roundedDown } from "../kernel/contour.ts";
 import { issue } from "../kernel/issue.ts";
 import type { Move } from "../kernel/move.ts";
 import type { Pt, Segment } from "../kernel/point.ts";
-import { ARC_END, SAME } from "../kernel/tolerance.ts";
-import { axial, diameter, toDiameter, toRadius, type Feed as FeedNumber } from "../kernel/units.ts";
-import type { AxisWord, Feed, PathKind, PolarWord, Words } from "../nc/statement.ts";
+import { SAME } from "../kernel/tolerance.ts";
+import type { Feed as FeedNumber } from "../kernel/units.ts";
+import type { Feed, PolarWord, Words } from "../nc/statement.ts";
 import { blockFeed, takeFeed } from "./block-feed.ts";
 import { shiftOf } from "./datum.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
-import { polarPoint } from "./polar.ts";
+import { coordinates, endOf, isPolarPath, planeOfAxes, pointIn, segmentOf, type PathBlock, type Plane, type Position, type Standing, type WordReader } from "./path.ts";
 
 const purpose = { phase: "position", run: "rough", step: 0 } as const;
 
@@ -40,7 +39,6 @@ function run(machine: Machine, s: Segment, feed: FeedNumber | null, index: numbe
 function hold(machine: Machine, segment: Segment, feed: FeedNumber | null, index: number): void {
   const { held } = machine;
   const { corner } = held ?? {};
-  machine.last = segment;
   if (!held || !corner) {
     flush(machine);
     machine.held = { segment, feed, index, corner: null, element: (held?.element ?? 0) + 1 };
@@ -66,101 +64,66 @@ export function cornerBlock(machine: Machine, element: CornerElement | null, fee
   machine.held = { ...held, corner: { element, feed: own === null ? held.feed : machine.feedOf(own), index } };
 }
 
-/** An axis beside X and Z: where it turns or moves, nobody here knows. */
-function otherAxis(machine: Machine, w: AxisWord, index: number): void {
-  const n = machine.number(w.value, index);
-  if (n !== null && n !== 0) machine.leaveUnproved(`${w.incremental ? "I" : ""}${w.axis}`, index);
-}
-
-/** The words of X and Z on top of the position before the block; null where nobody knows. */
-function axes(machine: Machine, words: readonly AxisWord[], index: number): { x: number | null; z: number | null; moved: boolean } {
-  const to = { x: machine.x, z: machine.z, moved: false };
-  for (const w of words) {
-    if (w.axis !== "X" && w.axis !== "Z") {
-      otherAxis(machine, w, index);
-      continue;
-    }
-    const n = machine.number(w.value, index);
-    const key = w.axis === "X" ? "x" : "z";
-    const before = to[key];
-    to.moved = true;
-    if (n === null) to[key] = machine.lose();
-    else if (!w.incremental) to[key] = machine.length(n) + shiftOf(machine, w.axis);
-    else if (before !== null) to[key] = before + machine.length(n);
-    else if (machine.lost === null) machine.say(programIssue("startUnknown", "warning", {}), index);
-  }
-  return to;
-}
-
-const isPolar = (kind: PathKind) => kind === "LP" || kind === "CP" || kind === "CTP";
 const isAbsolute = (w: PolarWord | undefined) => w !== undefined && !w.incremental;
 
 /** Takes over the end of a block. An axis is sure from an absolute word on: an incremental one is as sure as what it starts from. */
-export function standAt(machine: Machine, kind: PathKind | null, words: Words, to: { readonly x: number | null; readonly z: number | null }): void {
+export function standAt(machine: Machine, { path, words }: PathBlock, to: Position): void {
   const named = new Set(words.axes.filter((w) => !w.incremental).map((w) => w.axis));
-  const both = kind !== null && isPolar(kind) && isAbsolute(words.polarRadius) && isAbsolute(words.polarAngle);
+  const both = isPolarPath(path) && isAbsolute(words.polarRadius) && isAbsolute(words.polarAngle);
   machine.sure = { x: to.x !== null && (machine.sure.x || both || named.has("X")), z: to.z !== null && (machine.sure.z || both || named.has("Z")) };
-  machine.x = to.x;
-  machine.z = to.z;
+  machine.at = to;
   if (machine.sure.x && machine.sure.z) machine.lost = null;
 }
 
-const point = (x: number, z: number): Pt => ({ z: axial(z), r: toRadius(diameter(x)) });
+/** Reads the words of a path block. What is not known for a reason that has been told is not told again. */
+export const wordReader = (machine: Machine, index: number): WordReader => ({
+  number: (value) => machine.number(value, index),
+  length: (n) => machine.length(n),
+  shift: (axis) => shiftOf(machine, axis),
+  aside: (w) => machine.leaveUnproved(`${w.incremental ? "I" : ""}${w.axis}`, index),
+  lose: () => void (machine.lost = machine.known.trouble),
+  fault: (code) => {
+    if (code === "arcImpossible" || machine.lost === null) machine.say(programIssue(code, code === "startUnknown" ? "warning" : "error", {}), index);
+  },
+});
 
-/** The pole: CC with coordinates, or where the tip stands. */
-export function pole(machine: Machine, words: Words, index: number): void {
-  const at = axes(machine, words.axes, index);
-  machine.pole = at.x === null || at.z === null ? null : point(at.x, at.z);
+/** What a block counts from in a plane of the mill or of the lathe. */
+export const standing = ({ at, mill, pole }: Machine, plane: Plane): Standing =>
+  ({ plane, at: plane === "lathe" ? at : mill.at, pole: pole && pointIn(plane, pole.at) });
+
+/** The pole: CC with coordinates; those it leaves out are where the tool was programmed to. */
+export function pole(machine: Machine, { axes }: Words, index: number): void {
+  const from = machine.turning ? machine.at : machine.mill.at;
+  machine.pole = { at: coordinates(wordReader(machine, index), axes, from), plane: planeOfAxes(axes) };
+}
+
+/** Where a block of a turning tool ends; null where it moves neither axis. */
+export function targetOf(machine: Machine, block: PathBlock, index: number): Position | null {
+  const to = endOf(wordReader(machine, index), block, standing(machine, "lathe"));
+  return isPolarPath(block.path) || block.words.axes.some((w) => w.axis === "X" || w.axis === "Z") ? to : null;
+}
+
+/** What a block of a turning tool moves along between two points. */
+export function elementBetween(machine: Machine, block: PathBlock, from: Pt, to: Pt, index: number): Segment {
+  machine.last = segmentOf(wordReader(machine, index), block, { from, to, pole: standing(machine, "lathe").pole, before: machine.last });
+  return machine.last;
 }
 
 /** One path block: L, C, CR, CT and the polar forms. */
-export function pathBlock(machine: Machine, kind: Exclude<PathKind, "CC" | "RND">, words: Words, index: number): void {
+export function pathBlock(machine: Machine, block: PathBlock, index: number): void {
+  const { words } = block;
   if (words.compensation === "RL" || words.compensation === "RR")
     machine.say(programIssue("radiusCompensation", "warning", { side: words.compensation }), index);
   const from = machine.sure.x && machine.sure.z ? machine.tip : null;
-  const target = targetOf(machine, kind, words, index);
-  if (!target.moved) return takeFeed(machine, words.feed, index);
+  const target = targetOf(machine, block, index);
+  if (!target) return takeFeed(machine, words.feed, index);
   const feed = blockFeed(machine, words.feed, index);
-  standAt(machine, kind, words, target);
+  standAt(machine, block, target);
   const to = machine.sure.x && machine.sure.z ? machine.tip : null;
   if (!from || !to || !machine.tool) {
     flush(machine);
     machine.last = null;
     return;
   }
-  hold(machine, segment(machine, kind, from, to, words, index), feed, index);
-}
-
-/** Where a block ends, with what it leaves out. */
-export function targetOf(machine: Machine, kind: PathKind, words: Words, index: number): { x: number | null; z: number | null; moved: boolean } {
-  if (!isPolar(kind)) return axes(machine, words.axes, index);
-  const to = machine.pole && polarPoint(machine.pole, machine.tip, words, (v) => machine.number(v, index), (n) => machine.length(n));
-  if (!to) machine.say(programIssue("poleMissing", "error", {}), index);
-  return to ? { x: toDiameter(to.r), z: to.z, moved: true } : { x: machine.x, z: machine.z, moved: false };
-}
-
-/** The element of a block between two points. */
-export function segment(machine: Machine, kind: PathKind, from: Pt, to: Pt, words: Words, index: number): Segment {
-  const turn = words.turn ?? "ccw";
-  const impossible = (): Segment => {
-    machine.say(programIssue("arcImpossible", "error", {}), index);
-    return line(from, to);
-  };
-  switch (kind) {
-    case "CR": {
-      const r = words.radius === undefined ? null : machine.number(words.radius, index);
-      return (r !== null && arcByRadius(from, to, machine.length(r), turn).segment) || impossible();
-    }
-    case "C": case "CP": {
-      if (!machine.pole) {
-        machine.say(programIssue("poleMissing", "error", {}), index);
-        return line(from, to);
-      }
-      const centre = machine.pole;
-      const [a, b] = [from, to].map((p) => Math.hypot(p.z - centre.z, p.r - centre.r)) as [number, number];
-      return Math.abs(a - b) <= ARC_END && a > SAME ? { kind: "arc", from, to, centre, turn } : impossible();
-    }
-    case "CT": case "CTP": return (machine.last && arcTangential(machine.last, to)) || impossible();
-    default: return line(from, to);
-  }
+  hold(machine, elementBetween(machine, block, from, to, index), feed, index);
 }

@@ -1,10 +1,12 @@
 import { apart, lengthOfSegment, planePoint, type PlanePoint, type PlaneSegment, type Side } from "../kernel/plane.ts";
 import { ARC_END, SAME } from "../kernel/tolerance.ts";
 import type { ApproachForm, Compensation, Words } from "../nc/statement.ts";
+import { shapeOf } from "./approach-fields.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
 import { blockFeed } from "./block-feed.ts";
 import type { ApproachCall, Carrier, ChainItem, Guide, Travel } from "./plane-chain.ts";
+import { pointIn } from "./path.ts";
 import { finishChain } from "./plane-finish.ts";
 
 const SIDES: Readonly<Record<Compensation, Side>> = { R0: "none", RL: "left", RR: "right" };
@@ -110,9 +112,6 @@ function approachWords(machine: Machine, words: Words, index: number): ApproachC
   };
 }
 
-const shapeOf = (form: ApproachForm) => form.replace(/^P/, "") as ApproachCall["shape"];
-export const isPolar = (form: ApproachForm) => form.startsWith("P");
-
 /** Where an APPR or DEP block goes to, and what it says. */
 export interface ApproachBlock {
   readonly departing: boolean;
@@ -127,9 +126,10 @@ export interface ApproachBlock {
 
 function callOf(machine: Machine, b: ApproachBlock, feed: Travel["feed"], known: Travel["feed"] | undefined): ApproachCall {
   const { form, departing, index, target, fromZ, toZ } = b;
+  const pole = machine.pole && pointIn(machine.turning ? "lathe" : "XY", machine.pole.at);
   return {
     form, shape: shapeOf(form), departing, index, target, fromZ, toZ, feed, words: approachWords(machine, b.words, index),
-    pole: machine.pole && planePoint(machine.pole), before: known === undefined ? null : (known ?? "rapid"),
+    pole: pole && planePoint(pole), before: known === undefined ? null : (known ?? "rapid"),
   };
 }
 

@@ -1,7 +1,7 @@
-import { cornerBlock } from "./path-block.ts";
+import { cornerBlock, pole } from "./path-block.ts";
 import type { Statement, Words } from "../nc/statement.ts";
 import type { Machine } from "./machine.ts";
-import { closeMill, millApproach, millCorner, millPath, millPole } from "./mill-run.ts";
+import { closeMill, millApproach, millCorner, millPath } from "./mill-run.ts";
 import { addCorner } from "./plane-guide.ts";
 import { closeTurn, guidedPath, isGuided, turnApproach } from "./turn-run.ts";
 
@@ -19,7 +19,6 @@ export function planeStatement(machine: Machine, s: Statement, index: number): b
     case "blankBox": return blankTop(machine, s, index);
     case "mode":
       closePlanes(machine);
-      machine.pole = null;
       machine.last = null;
       return false;
     case "cycleCall":
@@ -51,8 +50,8 @@ function milling(machine: Machine, s: Motion, index: number): boolean {
     const size = sizeOf(machine, corner.size, index);
     millCorner(machine, size === null ? null : { kind: corner.kind, size }, s.words.feed, index);
   } else if (s.kind === "approach") millApproach(machine, s, index);
-  else if (s.kind === "path" && s.path === "CC") millPole(machine, s.words, index);
-  else if (s.kind === "path" && s.path !== "RND" && s.path !== "CC") millPath(machine, s.path, s.words, index);
+  else if (s.kind === "path" && s.path === "CC") pole(machine, s.words, index);
+  else if (s.kind === "path" && s.path !== "RND" && s.path !== "CC") millPath(machine, { path: s.path, words: s.words }, index);
   return true;
 }
 
@@ -71,7 +70,7 @@ function turning(machine: Machine, s: Motion, index: number): boolean {
     return true;
   }
   if (s.kind !== "path" || s.path === "CC" || s.path === "RND" || !isGuided(machine, s.words)) return false;
-  guidedPath(machine, s.path, s.words, index);
+  guidedPath(machine, { path: s.path, words: s.words }, index);
   return true;
 }
 

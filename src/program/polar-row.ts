@@ -6,7 +6,7 @@ import type { PolarWord, Words } from "../nc/statement.ts";
 import { programIssue } from "./issue.ts";
 import { kept } from "./field.ts";
 import type { ContourRow } from "./job.ts";
-import { polarPoint } from "./polar.ts";
+import { plainReader, polarPoint } from "./path.ts";
 import type { RowReader } from "./row-given.ts";
 import { noWords, POSITION_DECIMALS, typedValue } from "./typed-value.ts";
 
@@ -86,7 +86,7 @@ function polarEnd(reader: RowReader, row: ContourRow, index: number, number: (na
   if (!readable) return null;
   if (row.kind !== "CP" && !words.polarRadius && !words.polarAngle)
     reader.issues.push({ row: index, field: null, issue: issue("contourPoint", "error", { element: index + 1 }, "contour") });
-  return polarPoint(reader.pole, before, words, (v) => (typeof v === "number" ? v : null), (n) => n);
+  return polarPoint(plainReader(1), words, reader.pole, before);
 }
 
 /** The end of a polar row as coordinates; where it can not be told, the contour stays where it is. */

@@ -11,6 +11,7 @@ import { execute, neverReached, wordsOf } from "./flow.ts";
 import { programIssue } from "./issue.ts";
 import { Machine, type Shop } from "./machine.ts";
 import { elsewhere, isElsewhere, retract, retracts } from "./machine-moves.ts";
+import { NOWHERE } from "./path.ts";
 import { cornerBlock, flush, pathBlock, pole } from "./path-block.ts";
 import { closePlanes, planeStatement } from "./plane-run.ts";
 import { neverCalled } from "./preconditions.ts";
@@ -89,7 +90,7 @@ function statement(machine: Machine, s: Statement, index: number): void {
         flush(machine);
         return pole(machine, s.words, index);
       }
-      if (s.path !== "RND") return pathBlock(machine, s.path, s.words, index);
+      if (s.path !== "RND") return pathBlock(machine, { path: s.path, words: s.words }, index);
       return corner(machine, "round", s.words.radius, s.words, index);
     case "chamfer":
       return corner(machine, "chamfer", s.length ?? undefined, s.words, index);
@@ -121,8 +122,10 @@ function mode(machine: Machine, wanted: "TURN" | "MILL"): void {
   machine.mode = wanted;
   if (machine.turning === (wanted === "TURN")) return;
   machine.turning = wanted === "TURN";
+  machine.pole = null;
   machine.sure = { x: false, z: false };
-  Object.assign(machine.mill, { x: null, y: null, z: null, here: null });
+  machine.mill.at = NOWHERE;
+  machine.mill.here = null;
 }
 
 /** CYCL CALL POS and PAT: the positions at which the cycle would run are not run. */

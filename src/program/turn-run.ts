@@ -2,13 +2,14 @@ import { noseRadius, tipOffset } from "../kernel/insert.ts";
 import { lengthOf } from "../kernel/curve.ts";
 import { partPoint, partSegment, planePoint, planeSegment } from "../kernel/plane.ts";
 import { SAME } from "../kernel/tolerance.ts";
-import { toDiameter } from "../kernel/units.ts";
-import type { PathKind, Statement, Words } from "../nc/statement.ts";
+import type { Statement, Words } from "../nc/statement.ts";
+import { isPolar } from "./approach-fields.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
 import { blockFeed, takeFeed } from "./block-feed.ts";
 import { noTool } from "./preconditions.ts";
-import { flush, moveOf, segment, standAt, targetOf } from "./path-block.ts";
+import { elementBetween, flush, moveOf, standAt, targetOf } from "./path-block.ts";
+import { coordinatesIn, type PathBlock } from "./path.ts";
 import type { Carrier } from "./plane-chain.ts";
 import { beginApproach, close, endWithDeparture, followPath, sideOf, type CarrierFor } from "./plane-guide.ts";
 
@@ -45,22 +46,23 @@ function start(machine: Machine): void {
 }
 
 /** A path block from RL or RR on, up to and with the R0 that ends it. */
-export function guidedPath(machine: Machine, kind: Exclude<PathKind, "CC" | "RND">, words: Words, index: number): void {
+export function guidedPath(machine: Machine, block: PathBlock, index: number): void {
+  const { words } = block;
   start(machine);
   const { guide } = machine;
   const from = machine.sure.x && machine.sure.z ? machine.tip : null;
-  const target = targetOf(machine, kind, words, index);
+  const target = targetOf(machine, block, index);
   const requested = sideOf(words, guide.chain?.side ?? "none");
-  if (!target.moved && requested === (guide.chain?.side ?? "none")) {
+  if (!target && requested === (guide.chain?.side ?? "none")) {
     takeFeed(machine, words.feed, index);
     return;
   }
-  const feed = target.moved ? blockFeed(machine, words.feed, index) : machine.feed;
-  standAt(machine, kind, words, target);
+  const feed = target ? blockFeed(machine, words.feed, index) : machine.feed;
+  standAt(machine, block, target ?? machine.at);
   const to = machine.tip;
   if (!to) return closeTurn(machine);
-  const path = from && segment(machine, kind, from, to, words, index);
-  machine.last = path;
+  const path = from && elementBetween(machine, block, from, to, index);
+  if (!path) machine.last = null;
   followPath(guide, carrierOf(machine), requested, { fromZ: null, toZ: null, feed, index, segment: path && planeSegment(path), to: planePoint(to) });
   if (requested === "none" && words.compensation !== undefined) closeTurn(machine);
 }
@@ -76,20 +78,17 @@ export function turnApproach(machine: Machine, s: Extract<Statement, { kind: "ap
   start(machine);
   const { departing, form, words } = s;
   const isEnd = !departing || form === "LCT" || form === "PLCT";
-  const kind = form.startsWith("P") ? "LP" : null;
-  const to = isEnd ? targetOf(machine, kind ?? "L", words, index) : { x: machine.x, z: machine.z, moved: true };
-  if (isEnd && kind && !to.moved) return;
-  if (!departing) standAt(machine, kind, words, to);
-  else [machine.x, machine.z] = [to.x, to.z];
+  const path: PathBlock = { path: isPolar(form) ? "LP" : "L", words };
+  const to = isEnd ? targetOf(machine, path, index) : machine.at;
+  if (isPolar(form) && !to) return;
+  if (!departing) standAt(machine, path, to ?? machine.at);
+  else if (to) machine.at = to;
   const tip = machine.tip;
   if (isEnd && !tip) return startUnknown(machine, index);
   const block = { departing, form, words, index, target: isEnd && tip ? planePoint(tip) : null, fromZ: null, toZ: null };
   if (departing) endWithDeparture(machine.guide, carrierOf(machine), block);
   else beginApproach(machine.guide, carrierOf(machine), block);
   const { here } = machine.guide;
-  if (departing && here) {
-    const end = partPoint(here);
-    [machine.x, machine.z] = [toDiameter(end.r), end.z];
-  }
+  if (departing && here) machine.at = { ...machine.at, ...coordinatesIn("lathe", partPoint(here)) };
   machine.last = null;
 }
