@@ -120,6 +120,17 @@ describe("holder", () => {
     const slim: Tool = { ...bar, holder: { width: length(2), length: length(80), offsetZ: length(-1), offsetX: length(1) } };
     expect(run(slim, at(-20, 32), [cut(-20, 10)]).findings).toEqual([]);
   });
+  test("is clear, in contact, or unknown as soon as one tool of the run has none", () => {
+    const moves = [cut(-20, 25), rapid(-20, 32)];
+    const state = (...tools: Tool[]) => {
+      const list = tools.flatMap((tool) => steps(tool, at(-20, 32), moves));
+      return simulate({ blank, steps: list, operations: [], unproved: [] }).proof.holder;
+    };
+    expect(state(withHolder)).toBe("clear");
+    expect(state(withHolder, bar)).toBe("unknown");
+    expect(state(bar)).toBe("unknown");
+    expect(run(withHolder, at(-20, 32), [cut(-20, 18)]).proof.holder).toBe("contact");
+  });
 });
 
 describe("what stays", () => {
