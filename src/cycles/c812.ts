@@ -2,7 +2,7 @@ import type { Frame } from "../kernel/flat.ts";
 import { feedsOf } from "../kernel/strategy/feeds.ts";
 import { empty, planLeveled } from "../kernel/strategy/leveled.ts";
 import { perSide, toRadius } from "../kernel/units.ts";
-import { defineCycle } from "./define.ts";
+import { defineCycle, printedContour } from "./define.ts";
 import { angle, axialParam, choice, diameterParam, feedParam, lengthParam, oversizeDiameter, radial } from "./params.ts";
 import { atParameters } from "./roles.ts";
 import { edgesOf } from "./corner-element.ts";
@@ -37,6 +37,7 @@ export const c812 = defineCycle({
     Q505: feedParam("finishingFeed", [0, 99999.999], 0.2, { rangeEvidence: "I" }),
     Q506: choice("smoothing", [0, 1, 2], 0),
   },
+  setup: { name: "SHOULDER", tool: 1, blank: { outside: "75", bore: "", length: "100", allowance: "0" }, start: { x: "75", z: "2" }, contour: printedContour },
   steps: { rough: 6, finish: 4 },
   outline: (v) => shoulderOutline(v),
   plan(v, setting) {

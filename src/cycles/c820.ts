@@ -3,7 +3,7 @@ import { mirroredTool } from "../kernel/holder.ts";
 import { feedsOf } from "../kernel/strategy/feeds.ts";
 import { empty, planLeveled } from "../kernel/strategy/leveled.ts";
 import { perSide, toRadius } from "../kernel/units.ts";
-import { defineCycle } from "./define.ts";
+import { defineCycle, printedContour } from "./define.ts";
 import { axialDepth, axialParam, choice, diameterParam, feedParam, lengthParam, oversizeDiameter } from "./params.ts";
 import { freeFrame, freeOutline } from "./free-outline.ts";
 import { atParameters } from "./roles.ts";
@@ -32,6 +32,7 @@ export const c820 = defineCycle({
     Q482: axialParam("limitZ", [-99999.999, 99999.999], 0),
     Q506: choice("smoothing", [0, 1, 2], 0),
   },
+  setup: { name: "CONTOUR", tool: 15, blank: { outside: "75", bore: "", length: "80", allowance: "0" }, start: { x: "75", z: "2" }, contour: printedContour },
   steps: { rough: 6, finish: 4 },
   outline: (v, given) => freeOutline(v, given, true),
   plan(v, setting, given) {

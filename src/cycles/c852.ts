@@ -5,7 +5,7 @@ import { feedsOf } from "../kernel/strategy/feeds.ts";
 import { empty } from "../kernel/strategy/leveled.ts";
 import { planRecess } from "../kernel/strategy/recess.ts";
 import { axial, perSide, radius, toDiameter, type Axial, type Diameter } from "../kernel/units.ts";
-import { defineCycle } from "./define.ts";
+import { defineCycle, printedContour } from "./define.ts";
 import {
   angle, axialDepth, axialParam, choice, diameterParam, feedParam, lengthParam, oversizeDiameter,
 } from "./params.ts";
@@ -47,6 +47,8 @@ export const c852 = defineCycle({
     Q509: axialParam("depthCompensation", [-9.9999, 9.9999], 0, { rangeEvidence: "K2", incremental: true, decimals: 4 }),
     Q488: feedParam("plungingFeed", [0, 99999.999], 0, { optional: true, rangeEvidence: "I" }),
   },
+  // The groove is printed 20 mm behind Z0, and its tool is 35 mm long: the face of this blank stands where the groove starts.
+  setup: { name: "GROOVE", tool: 8, blank: { outside: "90", bore: "", length: "60", allowance: "-20" }, start: { x: "75", z: "2" }, contour: printedContour },
   steps: { rough: 8, finish: 7 },
   outline: (v) => recessOutline(finished(v), true),
   plan(v, setting) {

@@ -27,6 +27,32 @@ export interface Given {
   readonly start: Pt | null;
 }
 
+/** A contour row as it would be typed; missing fields are empty. */
+interface Row {
+  readonly kind: "L" | "RND" | "CHF" | "CR";
+  readonly x?: string;
+  readonly z?: string;
+  readonly r?: string;
+  readonly turn?: "cw" | "ccw";
+}
+
+/** Everything round a cycle that makes its printed example run: ours, since the manual prints only the cycle. mm, X as ⌀. */
+export interface SetupExample {
+  /** First part of the program name. */
+  readonly name: string;
+  /** A shipped tool that can make the contour. */
+  readonly tool: number;
+  readonly blank: { readonly outside: string; readonly bore: string; readonly length: string; readonly allowance: string };
+  readonly start: { readonly x: string; readonly z: string };
+  readonly contour: readonly Row[];
+}
+
+/** The contour printed for the transverse free-contour cycle; every cycle offers it where a contour is asked for. */
+export const printedContour: readonly Row[] = [
+  { kind: "L", x: "75", z: "-20" }, { kind: "L", x: "50" }, { kind: "RND", r: "2" },
+  { kind: "L", x: "20", z: "-25" }, { kind: "RND", r: "2" }, { kind: "L", z: "0" },
+];
+
 export interface Cycle<P extends Params = Params, N extends number = number> {
   readonly number: N;
   readonly group: Group;
@@ -37,6 +63,7 @@ export interface Cycle<P extends Params = Params, N extends number = number> {
   readonly contour: "own" | "free";
   /** In the printed order, which is the order of form and NC text. */
   readonly params: P;
+  readonly setup: SetupExample;
   /** Steps of the printed sequences, for "step 3 of 6". */
   readonly steps: { readonly rough: number; readonly finish: number };
   /** Pure geometry of the values: contour, help-picture dimensions, and cross-field issues. */

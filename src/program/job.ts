@@ -1,5 +1,4 @@
 import type { Cycle } from "../cycles/define.ts";
-import { setupExample } from "../cycles/setup-example.ts";
 import { exampleDraft, type Draft } from "./read-draft.ts";
 
 /** One row of the contour table, as typed: end point, radius, corner element, centre. */
@@ -76,7 +75,7 @@ export interface Job {
 
 /** A job that shows the printed example of a cycle. */
 export function exampleJob(cycle: Cycle): Job {
-  const example = setupExample(cycle.number);
+  const example = cycle.setup;
   return {
     name: `${example.name}${cycle.number}`,
     cycle: cycle.number,
