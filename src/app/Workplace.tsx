@@ -8,6 +8,7 @@ import { FindingsPanel } from "./findings/FindingsPanel.tsx";
 import { useJobHost } from "./findings/use-job-host.ts";
 import { useListed } from "./findings/use-findings.ts";
 import { Icon } from "./Icon.tsx";
+import { CycleInWork } from "./issue-text.ts";
 import { LeavingDialog } from "./leaving/LeavingDialog.tsx";
 import { LatheView } from "./lathe/LatheView.tsx";
 import { usePlace, type JobSection } from "./place.ts";
@@ -62,7 +63,9 @@ export function Workplace({ read }: { readonly read: JobReading }) {
       </div>
       <EffectStrip read={read} />
       <div className="centre">
-        <LatheView result={shown} dimmed={dimmed} playback={playback} clock={clock} />
+        <CycleInWork value={read.cycle.number}>
+          <LatheView result={shown} dimmed={dimmed} playback={playback} clock={clock} />
+        </CycleInWork>
       </div>
       {wide && (
         <div className="right">
@@ -75,7 +78,7 @@ export function Workplace({ read }: { readonly read: JobReading }) {
             : <ProgramPanel read={read} foldable />}
         </div>
       )}
-      <LeavingDialog />
+      <LeavingDialog cycleOf={host.cycleOf} />
     </main>
   );
 }

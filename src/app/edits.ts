@@ -1,6 +1,5 @@
 import type { BlankDraft, ContourRow, Job, SpindleDraft } from "../program/job.ts";
 import type { Draft } from "../program/read-draft.ts";
-import { usePrompted } from "./prompted.ts";
 import { edit } from "./store.ts";
 
 const noDraft: Draft = {};
@@ -8,10 +7,8 @@ const noDraft: Draft = {};
 /** What was typed into the prompts of the job's cycle. */
 export const draftOf = (job: Job): Draft => job.drafts[job.cycle] ?? noDraft;
 
-/** The typed text of one prompt. */
+/** The typed text of one prompt of the job. */
 export function setPrompt(q: string, text: string): void {
-  const { block } = usePrompted.getState();
-  if (block) return block.setPrompt(q, text);
   edit((job) => {
     const draft = draftOf(job);
     return draft[q] === text ? job : { ...job, drafts: { ...job.drafts, [job.cycle]: { ...draft, [q]: text } } };

@@ -1,4 +1,3 @@
-import { promptsOf } from "./dialog/prompts.ts";
 import { draftOf } from "./edits.ts";
 import { openPrompt, usePlace } from "./place.ts";
 import { readJob } from "./reading.ts";
@@ -17,7 +16,7 @@ function showChange(run: () => void): void {
   const now = draftOf(after);
   const then = draftOf(before);
   const read = readJob(after);
-  const changed = read && promptsOf(read.cycle).find((q) => (now[q] ?? "") !== (then[q] ?? ""));
+  const changed = read && Object.keys(read.cycle.params).find((q) => (now[q] ?? "") !== (then[q] ?? ""));
   if (changed && (usePlace.getState().section === "prompts")) openPrompt(changed, now[changed] ?? "");
 }
 

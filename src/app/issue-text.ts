@@ -1,10 +1,9 @@
-import { useCallback } from "react";
+import { createContext, useCallback, useContext } from "react";
 import { cycleByNumber } from "../cycles/index.ts";
 import type { Language } from "../i18n/languages.ts";
 import type { Texts } from "../i18n/index.ts";
 import type { AnyIssue } from "../i18n/message-texts.ts";
 import { writer, type Write } from "../i18n/write.ts";
-import { usePromptedJob } from "./prompted.ts";
 import { useSettings } from "./settings/settings.ts";
 import { useTexts } from "./settings/use-texts.ts";
 
@@ -16,10 +15,13 @@ export function issueText(texts: Texts, language: Language, found: AnyIssue, cyc
   return say(found.data, writer(language, param?.kind));
 }
 
-/** Says findings of the open job in the screen language. */
+/** The cycle whose parameters findings may stand at: that of the job, or of the open block. */
+export const CycleInWork = createContext<number | null>(null);
+
+/** Says findings in the screen language. */
 export function useIssueText(): (found: AnyIssue) => string {
   const texts = useTexts();
   const language = useSettings((s) => s.language);
-  const cycle = usePromptedJob()?.cycle ?? null;
+  const cycle = useContext(CycleInWork);
   return useCallback((found) => issueText(texts, language, found, cycle), [texts, language, cycle]);
 }

@@ -1,24 +1,20 @@
-import { useRef, useState } from "react";
+import { useState } from "react";
 import { approach } from "../../kernel/approach.ts";
 import type { ApproachStatement } from "../../program/approach-draft.ts";
-import { approachFields, shapeOf } from "../../program/approach-fields.ts";
+import { shapeOf } from "../../program/approach-fields.ts";
 import { readyApproach, wordsOfPoint, type ApproachContext } from "../../program/approach-request.ts";
 import type { Dragged } from "../../view/approach/drag.ts";
-import type { ValueField } from "../dialog/ValueInput.tsx";
+import { onPromptKey } from "../dialog/prompt-keys.ts";
+import { PromptDialog } from "../dialog/PromptDialog.tsx";
+import { commandsOf, type PromptSession } from "../dialog/session.ts";
+import { isError, type Entry } from "../findings/entry.ts";
 import { Icon } from "../Icon.tsx";
-import type { Entry } from "../findings/entry.ts";
 import { useTexts } from "../settings/use-texts.ts";
-import { useFingers } from "../use-fingers.ts";
 import { ApproachChooser } from "./ApproachChooser.tsx";
-import { ApproachKeypad } from "./ApproachKeypad.tsx";
 import { ApproachPicture } from "./ApproachPicture.tsx";
-import { withForm } from "./change-form.ts";
-import { OpenPrompt } from "./OpenPrompt.tsx";
 import { problemsOfBlock } from "./block-problems.ts";
-import { useTypedApproach } from "./use-draft.ts";
-import { usePrompts } from "./use-prompts.ts";
-import { WordList } from "./WordList.tsx";
-import { blockName } from "./words.ts";
+import { withForm } from "./change-form.ts";
+import { useApproachSession, useTypedApproach } from "./use-approach-session.tsx";
 
 interface Props {
   readonly statement: ApproachStatement;
@@ -34,85 +30,63 @@ interface Props {
 
 const numberText = (n: number) => String(Math.round(n * 1000) / 1000 + 0);
 
+/** The end of the dialog: what is still wrong. */
+function ApproachDone({ session }: { readonly session: PromptSession }) {
+  const { dialog: { active, done: t } } = useTexts();
+  const wrong = new Set(session.findings.filter(isError).map((p) => p.at)).size;
+  return (
+    <section className="active-prompt dialog-done" aria-label={active} onKeyDown={(event) => onPromptKey(event, session)}>
+      <h2 className={wrong > 0 ? "done-open" : "done-complete"}>
+        <Icon name={wrong > 0 ? "error" : "check"} />
+        {wrong > 0 ? t.open(wrong) : t.title}
+      </h2>
+      <button type="button" className="button" onClick={() => commandsOf(session).goTo(session.fields[0]?.id ?? null)}>{t.first}</button>
+    </section>
+  );
+}
+
 /** The dialog of an APPR or DEP block: one prompt open, the drawing of its values, all other prompts one line each. */
 export function ApproachDialog({ statement, context, found = [], choosing: first = false, onChange }: Props) {
-  const t = useTexts();
-  const fingers = useFingers();
-  const field = useRef<ValueField | null>(null);
+  const { approach: t } = useTexts();
   const [choosing, choose] = useState(first);
   const { form, departing } = statement;
-  const fields = approachFields(form, departing, context.plane);
-  const { draft, reading, set } = useTypedApproach(statement, context, onChange);
-  const prompts = usePrompts(fields, draft, set);
-  const ready = readyApproach(form, departing, reading, context);
+  const name = `${departing ? "DEP" : "APPR"} ${form}`;
+  const typed = useTypedApproach(statement, context, onChange);
+  const ready = readyApproach(form, departing, typed.reading, context);
   const made = ready && approach(ready.request);
-  const problems = problemsOfBlock(reading, made?.issues ?? [], found);
-  const name = blockName(statement);
-  const { open } = prompts;
 
   const drag = (change: Dragged) => {
-    if (change.word !== "point") return set({ [change.word]: numberText(change.word === "CCA" ? change.value : change.value / context.unit) });
+    if (change.word !== "point") return typed.set({ [change.word]: numberText(change.word === "CCA" ? change.value : change.value / context.unit) });
     const words = wordsOfPoint(form, change.point, context);
-    if (words) set(words);
+    if (words) typed.set(words);
   };
-  const here = open && problems.filter((p) => p.at === open.id || (p.at !== null && !fields.some((f) => f.id === p.at)) || p.at === null);
+  const session = useApproachSession({
+    statement, context, typed, findings: problemsOfBlock(typed.reading, made?.issues ?? [], found),
+    picture: (active) => (
+      <div className="help-slot">
+        <ApproachPicture key={name} name={name} form={form} ready={ready} context={context} active={active} onDrag={drag} />
+      </div>
+    ),
+  });
 
   return (
-    <div className="cycle-dialog approach-dialog" role="form" aria-label={t.approach.form(name)}>
-      <div className="approach-title">
-        <h2><span className="number">{name}</span> <span className="soft">{t.approach.shapes[shapeOf(form)].name}</span></h2>
-        <button type="button" className="button" aria-expanded={choosing} onClick={() => choose(!choosing)}>{t.approach.otherForm}</button>
-      </div>
-      {choosing
-        ? (
-          <ApproachChooser
-            context={context} chosen={{ shape: shapeOf(form), departing }}
-            onChoose={(taken) => {
-              choose(false);
-              onChange(withForm(statement, taken, context), null);
-            }}
-          />
-        )
-        : (
-          <>
-            {open
-              ? (
-                <OpenPrompt
-                  open={open} place={t.approach.position(fields.indexOf(open) + 1, fields.length)} plane={context.plane} inch={context.unit !== 1}
-                  text={draft[open.id] ?? ""} reading={reading[open.id]} problems={here ?? []} prompts={prompts} ownKeypad={fingers} field={field}
-                  onText={(text) => set({ [open.id]: text })}
-                />
-              )
-              : (
-                <section className="active-prompt dialog-done" aria-label={t.dialog.active} onKeyDown={prompts.onKeyDown}>
-                  <h2 className={problems.some((p) => p.issue.severity === "error") ? "done-open" : "done-complete"}>
-                    <Icon name={problems.some((p) => p.issue.severity === "error") ? "error" : "check"} />
-                    {problems.some((p) => p.issue.severity === "error") ? t.dialog.done.open(new Set(problems.filter((p) => p.issue.severity === "error").map((p) => p.at)).size) : t.dialog.done.title}
-                  </h2>
-                  <button type="button" className="button" onClick={() => prompts.actions.goTo(fields[0]?.id ?? null)}>{t.dialog.done.first}</button>
-                </section>
-              )}
-            {fingers && open && (
-              <ApproachKeypad
-                actions={prompts.actions} numeric={open.kind !== "side"} optional={open.optional} incremental={open.increments ?? false}
-                change={(by) => {
-                  const entry = field.current?.read();
-                  field.current?.focus();
-                  if (entry) field.current?.write(by(entry));
-                }}
-              />
-            )}
-            <div className="below-prompt">
-              <div className="help-slot">
-                <ApproachPicture key={name} name={name} form={form} ready={ready} context={context} active={open?.id ?? null} onDrag={drag} />
-              </div>
-              <div className="prompt-list-box" onKeyDown={prompts.onKeyDown}>
-                <WordList fields={fields} plane={context.plane} draft={draft} reading={reading} problems={problems} open={open?.id ?? null} goTo={prompts.actions.goTo} inch={context.unit !== 1} />
-                {!fingers && <p className="small soft dialog-keys">{t.approach.drag}</p>}
-              </div>
-            </div>
-          </>
-        )}
-    </div>
+    <PromptDialog
+      session={session} className="approach-dialog" name={t.form(name)} listName={t.list} hint={t.drag} done={<ApproachDone session={session} />}
+      head={(
+        <div className="approach-title">
+          <h2><span className="number">{name}</span> <span className="soft">{t.shapes[shapeOf(form)].name}</span></h2>
+          <button type="button" className="button" aria-expanded={choosing} onClick={() => choose(!choosing)}>{t.otherForm}</button>
+        </div>
+      )}
+      instead={choosing ? (
+        <ApproachChooser
+          context={context} chosen={{ shape: shapeOf(form), departing }}
+          onChoose={(taken) => {
+            choose(false);
+            onChange(withForm(statement, taken, context), null);
+          }}
+        />
+      ) : null}
+    />
   );
 }

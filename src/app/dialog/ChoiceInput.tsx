@@ -1,37 +1,33 @@
-import { useLayoutEffect, useRef } from "react";
-import type { Param } from "../../cycles/params.ts";
-import { setPrompt } from "../edits.ts";
-import { mayTakeKeyboard, usePlace } from "../place.ts";
+import { useEffectEvent, useLayoutEffect, useRef } from "react";
 import { closeStep } from "../store.ts";
+import type { Prompt, PromptSession } from "./session.ts";
 
 interface Props {
-  readonly q: string;
-  readonly param: Param;
-  readonly text: string;
-  readonly name: string;
+  readonly session: PromptSession;
+  readonly prompt: Prompt;
+  readonly choices: NonNullable<Prompt["choices"]>;
   readonly describedBy: string;
-  readonly meanings: Readonly<Record<number, string>>;
 }
 
-/** The printed numbers of a choice with their meanings. A digit key takes one, left and right move, ENT goes on. */
-export function ChoiceInput({ q, param, text, name, describedBy, meanings }: Props) {
+/** The printed values of a choice with their meanings. A digit key takes one, left and right move, ENT goes on. */
+export function ChoiceInput({ session, prompt: { id, name }, choices, describedBy }: Props) {
   const group = useRef<HTMLFieldSetElement>(null);
-  const focus = usePlace((p) => p.focus);
-  const choices = param.choices ?? [];
-  const chosen = choices.indexOf(text.trim() === "" ? Number.NaN : Number(text));
-
-  useLayoutEffect(() => {
-    if (!mayTakeKeyboard()) return;
+  const typed = (session.draft[id] ?? "").trim();
+  const chosen = choices.findIndex(({ value }) => value === typed || (typed !== "" && Number(value) === Number(typed)));
+  const opened = useEffectEvent(() => {
+    if (!session.mayFocus()) return;
     const radios = group.current?.querySelectorAll("input");
     const current = group.current?.querySelector<HTMLInputElement>("input:checked");
     (current ?? radios?.[0])?.focus({ preventScroll: true });
-  }, [q, focus]);
+  });
+  useLayoutEffect(() => opened(), [id, session.opened.focus]);
 
-  const take = (choice: number | undefined) => {
-    if (choice === undefined) return;
+  const take = (at: number) => {
+    const choice = choices[at];
+    if (!choice) return;
     closeStep();
-    setPrompt(q, String(choice));
-    group.current?.querySelectorAll("input")[choices.indexOf(choice)]?.focus({ preventScroll: true });
+    session.set(id, choice.value);
+    group.current?.querySelectorAll("input")[at]?.focus({ preventScroll: true });
   };
 
   return (
@@ -43,20 +39,17 @@ export function ChoiceInput({ q, param, text, name, describedBy, meanings }: Pro
       aria-describedby={describedBy}
       onKeyDown={(event) => {
         const by = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
-        if (by !== 0) {
-          event.preventDefault();
-          take(choices[Math.min(choices.length - 1, Math.max(0, chosen + by))]);
-        } else if (choices.includes(Number(event.key)) && event.key.trim() !== "") {
-          event.preventDefault();
-          take(Number(event.key));
-        }
+        const named = choices.findIndex(({ value }) => value === event.key);
+        if (by === 0 && named < 0) return;
+        event.preventDefault();
+        take(by === 0 ? named : Math.min(choices.length - 1, Math.max(0, chosen + by)));
       }}
     >
-      {choices.map((choice, i) => (
-        <label key={choice} className="choice">
-          <input type="radio" name={q} value={choice} checked={i === chosen} onChange={() => take(choice)} />
-          <span className="number choice-number">{choice}</span>
-          <span>{meanings[choice] ?? ""}</span>
+      {choices.map(({ value, meaning }, i) => (
+        <label key={value} className="choice">
+          <input type="radio" name={id} value={value} checked={i === chosen} onChange={() => take(i)} />
+          <span className="number choice-number">{value}</span>
+          <span>{meaning}</span>
         </label>
       ))}
     </fieldset>

@@ -4,11 +4,11 @@ import { afterEach, beforeEach, expect, test } from "vitest";
 import { catalogue } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job.ts";
 import { draftOf } from "../edits.ts";
+import { openPrompt } from "../place.ts";
 import { useReading } from "../reading.ts";
 import { changeSettings } from "../settings/settings.ts";
 import { begin, redo, undo, useEditor } from "../store.ts";
 import { CycleDialog } from "./CycleDialog.tsx";
-import { goTo } from "./prompts.ts";
 
 const cycle = catalogue.find((c) => c.contour === "own");
 if (!cycle) throw new Error("no cycle with a contour of its own");
@@ -23,6 +23,7 @@ function Page() {
   return read && <CycleDialog read={read} />;
 }
 const typed = (q: string) => draftOf(useEditor.getState().job ?? exampleJob(cycle))[q];
+const goTo = (q: string | null) => openPrompt(q, q === null ? "" : (typed(q) ?? ""));
 const active = () => screen.getByRole("region", { name: "Active prompt" });
 const field = () => within(active()).getByRole<HTMLInputElement>("textbox");
 const question = () => within(active()).getByRole("heading").textContent;

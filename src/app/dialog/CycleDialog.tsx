@@ -1,45 +1,17 @@
-import { useRef } from "react";
-import { HelpSlot } from "./HelpSlot.tsx";
-import { usePlace } from "../place.ts";
+import { CycleInWork } from "../issue-text.ts";
 import type { JobReading } from "../reading.ts";
 import { useTexts } from "../settings/use-texts.ts";
-import { useFingers } from "../use-fingers.ts";
-import { ActivePrompt } from "./ActivePrompt.tsx";
 import { DialogDone } from "./DialogDone.tsx";
-import { Keypad } from "./Keypad.tsx";
-import { PromptList } from "./PromptList.tsx";
-import { step } from "./prompts.ts";
-import type { ValueField } from "./ValueInput.tsx";
+import { PromptDialog } from "./PromptDialog.tsx";
+import { useCycleSession, type PromptedBlock } from "./use-cycle-session.tsx";
 
-/** The dialog of a cycle, as the control leads through it: one prompt open, all others one line each. */
-export function CycleDialog({ read }: { readonly read: JobReading }) {
-  const t = useTexts();
-  const fingers = useFingers();
-  const prompt = usePlace((p) => p.prompt);
-  const field = useRef<ValueField | null>(null);
-  const param = prompt === null ? undefined : read.cycle.params[prompt];
-
+/** The dialog of a cycle: of the job, or of a block of a program. */
+export function CycleDialog({ read, block = null }: { readonly read: JobReading; readonly block?: PromptedBlock | null }) {
+  const { dialog: t } = useTexts();
+  const session = useCycleSession(read, block);
   return (
-    <div className="cycle-dialog" role="form" aria-label={t.dialog.form}>
-      {prompt !== null && param
-        ? <ActivePrompt read={read} q={prompt} param={param} ownKeypad={fingers} field={field} />
-        : <DialogDone read={read} />}
-      {fingers && prompt !== null && param && <Keypad q={prompt} param={param} field={field} />}
-      <div className="below-prompt">
-        <HelpSlot read={read} q={prompt} />
-        <div
-          className="prompt-list-box"
-          onKeyDown={(event) => {
-            const by = event.key === "ArrowDown" ? 1 : event.key === "ArrowUp" ? -1 : 0;
-            if (by === 0) return;
-            event.preventDefault();
-            step(by);
-          }}
-        >
-          <PromptList read={read} />
-          {!fingers && <p className="small soft dialog-keys">{t.dialog.help}</p>}
-        </div>
-      </div>
-    </div>
+    <CycleInWork value={read.cycle.number}>
+      <PromptDialog session={session} name={t.form} listName={t.list} hint={t.help} done={<DialogDone session={session} inBlock={block !== null} />} />
+    </CycleInWork>
   );
 }

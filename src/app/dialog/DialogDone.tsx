@@ -1,28 +1,25 @@
 import { useLayoutEffect, useRef } from "react";
 import { isError } from "../findings/entry.ts";
-import { usePromptFindings, useVerdict } from "../findings/use-findings.ts";
+import { useVerdict } from "../findings/use-findings.ts";
 import { toneOf } from "../findings/verdict.ts";
 import { VerdictText } from "../findings/VerdictText.tsx";
 import { Icon } from "../Icon.tsx";
-import { mayTakeKeyboard, showSection, usePlace } from "../place.ts";
+import { mayTakeKeyboard, showSection } from "../place.ts";
 import { CopyButton } from "../program/CopyButton.tsx";
-import { usePrompted } from "../prompted.ts";
-import type { JobReading } from "../reading.ts";
 import { useTexts } from "../settings/use-texts.ts";
-import { goTo, promptsOf, step } from "./prompts.ts";
+import { commandsOf, type PromptSession } from "./session.ts";
 
 /** The end of the dialog: what is still open, what is wrong, or the program to take along. */
-export function DialogDone({ read }: { readonly read: JobReading }) {
+export function DialogDone({ session, inBlock }: { readonly session: PromptSession; readonly inBlock: boolean }) {
   const { dialog: { done: t, active }, findings: words } = useTexts();
-  const focus = usePlace((p) => p.focus);
-  const inBlock = usePrompted((p) => p.block !== null);
+  const { fields, findings: entries, opened: { focus } } = session;
+  const { goTo, step } = commandsOf(session);
   const box = useRef<HTMLElement>(null);
-  const entries = usePromptFindings();
   const verdict = useVerdict();
   const errors = entries.filter(isError);
-  const open = [...new Set(errors.flatMap((e) => (e.at !== null && e.at in read.cycle.params ? [e.at] : [])))];
+  const open = [...new Set(errors.flatMap((e) => (fields.some((f) => f.id === e.at) ? [e.at] : [])))];
   const noContour = errors.some((e) => e.at === "contour" && e.issue.code === "contourMissing");
-  const first = promptsOf(read.cycle)[0] ?? null;
+  const first = fields[0]?.id ?? null;
   const kind = open.length > 0 ? "open" : noContour && !inBlock ? "contour" : errors.length > 0 ? "faults" : "complete";
   const title = kind === "open" ? t.open(open.length) : kind === "contour" ? words.done.contour : kind === "faults" ? words.done.faults(errors.length) : t.title;
   const tone = kind === "complete" ? toneOf(verdict) : "bad";

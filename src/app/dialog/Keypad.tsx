@@ -1,88 +1,83 @@
-import type { PointerEvent, RefObject } from "react";
-import type { Param } from "../../cycles/params.ts";
+import type { PointerEvent, ReactNode, RefObject } from "react";
 import { decimalSign } from "../../i18n/number.ts";
 import { Icon } from "../Icon.tsx";
-import { setPrompt } from "../edits.ts";
-import { closeStep } from "../store.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
-import { erase, insert, toggleSign, type Entry } from "./number-entry.ts";
-import { cancel, finish, noEntry, step } from "./prompts.ts";
+import { erase, insert, toggleIncremental, toggleSign, type Entry } from "./number-entry.ts";
+import { commandsOf, type Prompt, type PromptSession } from "./session.ts";
 import type { ValueField } from "./ValueInput.tsx";
 
 interface Props {
-  readonly q: string;
-  readonly param: Param;
-  readonly field: RefObject<ValueField | null>;
+  readonly session: PromptSession;
+  readonly prompt: Prompt;
+  readonly input: RefObject<ValueField | null>;
+}
+
+interface Key {
+  readonly label: ReactNode;
+  readonly name: string;
+  readonly press: () => void;
+  readonly className?: string;
+  readonly disabled?: boolean;
 }
 
 /** Pressing a key leaves the caret where it is. */
 const keepFocus = (event: PointerEvent) => event.preventDefault();
 
-/** The keys of the control for fingers, docked under the open prompt. Of a choice only its own digits are there. */
-export function Keypad({ q, param, field }: Props) {
-  const t = useTexts().dialog;
+/** The keys in their rows: a calculator with the keys of the control beside it, and the keys of path words. */
+const ROWS = {
+  sums: "7 8 9 / up erase 4 5 6 * down noEnter 1 2 3 - cancel end sign 0 point + Q enter".split(" "),
+  words: "7 8 9 up erase noEnter end 4 5 6 down sign point I 1 2 3 0 enter".split(" "),
+} as const;
+
+/** The keys of the control for fingers, docked under the open prompt. Of a choice among digits only its own are there. */
+export function Keypad({ session, prompt, input }: Props) {
+  const { dialog: { keys: t, keypad }, approach } = useTexts();
   const sign = decimalSign(useSettings((s) => s.language));
-  const take = (choice: number) => {
-    closeStep();
-    setPrompt(q, String(choice));
-  };
-  const change = (by: (entry: Entry) => Entry) => {
-    const open = field.current;
+  const { step, noEntry, cancel, finish, take } = commandsOf(session);
+  const numeric = prompt.choices === null;
+  const change = (by: (entry: Entry) => Entry) => () => {
+    const open = input.current;
     if (!open) return;
     open.focus();
     open.write(by(open.read()));
   };
-  const key = (label: React.ReactNode, name: string, press: () => void, options: { className?: string; disabled?: boolean } = {}) => (
+  const written = (label: string, character: string, name: string): Key =>
+    ({ label, name, press: change((entry) => insert(entry, character)), className: "number", disabled: !numeric });
+  const keys: Readonly<Record<string, Key>> = {
+    "/": written("÷", "/", t.dividedLong), "*": written("×", "*", t.timesLong), "-": written("−", "-", t.minusLong), "+": written("+", "+", t.plusLong),
+    Q: written(t.parameter, "Q", t.parameterLong), point: written(sign, sign, t.point),
+    I: { label: "I", name: approach.incremental, press: change(toggleIncremental), disabled: !prompt.increments },
+    sign: { label: t.sign, name: t.signLong, press: change(toggleSign), className: "number", disabled: !numeric },
+    erase: { label: t.erase, name: t.eraseLong, press: change(erase), disabled: !numeric },
+    up: { label: <Icon name="up" />, name: t.previous, press: () => step(-1) },
+    down: { label: <Icon name="down" />, name: t.next, press: () => step(1) },
+    noEnter: { label: t.noEnter, name: t.noEnterLong, press: noEntry, className: "small", disabled: !prompt.optional },
+    cancel: { label: "CE", name: t.cancel, press: cancel },
+    end: { label: t.end, name: t.endLong, press: finish },
+    enter: { label: t.enter, name: t.enterLong, press: () => step(1), className: "primary enter" },
+  };
+  const keyOf = (id: string): Key => keys[id] ?? written(id, id, id);
+  const button = ({ label, name, press, className = "", disabled = false }: Key) => (
     <button
-      type="button" className={`button key ${options.className ?? ""}`} aria-label={name} disabled={options.disabled ?? false}
-      onPointerDown={keepFocus} onClick={press}
+      key={name} type="button" className={`button key ${className}`} aria-label={name} disabled={disabled} onPointerDown={keepFocus} onClick={press}
     >
       {label}
     </button>
   );
-  const digits = (row: readonly number[]) =>
-    row.map((d) => <span key={d} className="key-slot">{key(d, String(d), () => change((entry) => insert(entry, String(d))), { className: "number" })}</span>);
 
-  const written = (label: string, character: string, name: string) =>
-    key(label, name, () => change((entry) => insert(entry, character)), { className: "number" });
-
-  const previous = key(<Icon name="up" />, t.keys.previous, () => step(-1));
-  const next = key(<Icon name="down" />, t.keys.next, () => step(1));
-  const without = key(t.keys.noEnter, t.keys.noEnterLong, noEntry, { className: "small", disabled: !param.optional });
-  const restore = key("CE", t.keys.cancel, cancel);
-  const end = key(t.keys.end, t.keys.endLong, finish);
-  const enter = key(t.keys.enter, t.keys.enterLong, () => step(1), { className: "primary enter" });
-
-  if (param.choices) {
+  if (prompt.choices && session.keypad === "sums") {
     return (
-      <div className="keypad" role="group" aria-label={t.keypad}>
-        {param.choices.map((choice) => <span key={choice} className="key-slot">{key(choice, String(choice), () => take(choice), { className: "number" })}</span>)}
+      <div className="keypad" role="group" aria-label={keypad}>
+        {prompt.choices.map(({ value }) => button({ label: value, name: value, press: () => take(value), className: "number" }))}
         <span className="key-rest" />
-        {previous}{next}{restore}{without}{end}{enter}
+        {["up", "down", "cancel", "noEnter", "end", "enter"].map((id) => button(keyOf(id)))}
       </div>
     );
   }
   return (
-    <div className="keypad" role="group" aria-label={t.keypad}>
-      {digits([7, 8, 9])}
-      {written("÷", "/", t.keys.dividedLong)}
-      {previous}
-      {key(t.keys.erase, t.keys.eraseLong, () => change(erase))}
-      {digits([4, 5, 6])}
-      {written("×", "*", t.keys.timesLong)}
-      {next}
-      {without}
-      {digits([1, 2, 3])}
-      {written("−", "-", t.keys.minusLong)}
-      {restore}
-      {end}
-      {key(t.keys.sign, t.keys.signLong, () => change(toggleSign), { className: "number" })}
-      {digits([0])}
-      {key(sign, t.keys.point, () => change((entry) => insert(entry, sign)), { className: "number" })}
-      {written("+", "+", t.keys.plusLong)}
-      {written(t.keys.parameter, "Q", t.keys.parameterLong)}
-      {enter}
+    <div className={`keypad${session.keypad === "words" ? " approach-keypad" : ""}`} role="group" aria-label={keypad}>
+      {ROWS[session.keypad].map((id) => button(keyOf(id)))}
     </div>
   );
 }

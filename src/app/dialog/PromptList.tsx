@@ -1,23 +1,14 @@
 import { useEffect, useRef } from "react";
-import type { ParamTextId } from "../../cycles/index.ts";
-import { Icon } from "../Icon.tsx";
-import { usePlace } from "../place.ts";
 import { isOpen } from "../findings/entry.ts";
-import { usePromptFindings } from "../findings/use-findings.ts";
-import type { JobReading } from "../reading.ts";
-import { useSettings } from "../settings/settings.ts";
+import { Icon } from "../Icon.tsx";
 import { useTexts } from "../settings/use-texts.ts";
-import { goTo, unitOf } from "./prompts.ts";
-import { writeValue } from "./write-value.ts";
+import { commandsOf, type PromptSession } from "./session.ts";
 
 /** All prompts, one line each. Lines never change their height, so the list never jumps. */
-export function PromptList({ read }: { readonly read: JobReading }) {
+export function PromptList({ session, name }: { readonly session: PromptSession; readonly name: string }) {
   const t = useTexts();
-  const language = useSettings((s) => s.language);
-  const active = usePlace((p) => p.prompt);
-  const problems = usePromptFindings();
   const list = useRef<HTMLOListElement>(null);
-  const first = Object.keys(read.cycle.params)[0];
+  const { fields, findings, opened: { id: active } } = session;
 
   useEffect(() => {
     const box = list.current;
@@ -30,30 +21,25 @@ export function PromptList({ read }: { readonly read: JobReading }) {
   }, [active]);
 
   return (
-    <ol className="prompt-list" aria-label={t.dialog.list} ref={list}>
-      {Object.entries(read.cycle.params).map(([q, param]) => {
-        const words = t.params[param.text as ParamTextId];
-        const field = read.reading.perField[q];
-        const written = field ? writeValue(language, param, field) : null;
-        const shown = field?.empty ? (param.optional ? t.dialog.noEntry : t.dialog.noValue) : (written ?? read.draft[q] ?? "");
-        const unit = written === null || field?.empty || field?.written === "auto" ? "" : t.dialog.units[unitOf(param, read.job.perRevolution)];
-        const worst = problems.find((p) => p.at === q && !isOpen(p))?.issue.severity;
+    <ol className="prompt-list" aria-label={name} ref={list}>
+      {fields.map(({ id, letter, label, shown }) => {
+        const worst = findings.find((p) => p.at === id && !isOpen(p))?.issue.severity;
         const note = worst ? `, ${t.findings.severities[worst]}` : "";
         return (
-          <li key={q}>
+          <li key={id}>
             <button
               type="button"
-              tabIndex={q === (active ?? first) ? 0 : -1}
+              tabIndex={id === (active ?? fields[0]?.id) ? 0 : -1}
               className="prompt-line"
-              aria-current={q === active ? "step" : undefined}
-              aria-label={`${t.dialog.row(q, words.label, `${shown} ${unit}`.trim())}${note}`}
-              onClick={() => goTo(q)}
+              aria-current={id === active ? "step" : undefined}
+              aria-label={`${t.dialog.row(letter, label, `${shown.text} ${shown.unit}`.trim())}${note}`}
+              onClick={() => commandsOf(session).goTo(id)}
             >
-              <span className="number line-q">{q}</span>
-              <span className="line-label">{words.label}</span>
+              <span className="number line-q">{letter}</span>
+              <span className="line-label">{label}</span>
               {worst && <span className={`line-mark ${worst}`}><Icon name={worst} /></span>}
-              <span className={`number line-value${field?.empty ? " soft" : ""}`}>{shown}</span>
-              <span className="line-unit soft">{unit}</span>
+              <span className={`number line-value${shown.soft ? " soft" : ""}`}>{shown.text}</span>
+              <span className="line-unit soft">{shown.unit}</span>
             </button>
           </li>
         );

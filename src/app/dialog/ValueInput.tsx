@@ -1,21 +1,18 @@
 import { useEffectEvent, useImperativeHandle, useLayoutEffect, useRef, type RefObject } from "react";
 import { useSettings } from "../settings/settings.ts";
-import { setPrompt } from "../edits.ts";
-import { mayTakeKeyboard, usePlace } from "../place.ts";
-import { commit } from "./prompts.ts";
 import type { Entry } from "./number-entry.ts";
+import { commandsOf, type Prompt, type PromptSession } from "./session.ts";
 import { useNumberEntry } from "./use-number-entry.ts";
 import { inScreenWriting } from "./write-value.ts";
 
 interface Props {
-  readonly q: string;
-  readonly text: string;
-  readonly name: string;
+  readonly session: PromptSession;
+  readonly prompt: Prompt;
   readonly describedBy: string;
   readonly invalid: boolean;
   /** The page's own keypad is there: the system's must not cover the picture. */
   readonly ownKeypad: boolean;
-  readonly field: RefObject<ValueField | null>;
+  readonly input: RefObject<ValueField | null>;
 }
 
 /** What the keypad does to the open field. */
@@ -25,20 +22,20 @@ export interface ValueField {
   readonly focus: () => void;
 }
 
-/** The large value of the open prompt. Every keystroke reaches the work; leaving the field commits it. */
-export function ValueInput({ q, text, name, describedBy, invalid, ownKeypad, field }: Props) {
+/** The large value of the open prompt. Every keystroke reaches the work; leaving the field settles it. */
+export function ValueInput({ session, prompt: { id, name }, describedBy, invalid, ownKeypad, input: field }: Props) {
   const input = useRef<HTMLInputElement>(null);
-  const focus = usePlace((p) => p.focus);
   const language = useSettings((s) => s.language);
-  const { read, write, onKeyDown, onTyped } = useNumberEntry(input, text, (typed) => setPrompt(q, typed));
+  const text = session.draft[id] ?? "";
+  const { read, write, onKeyDown, onTyped } = useNumberEntry(input, text, (typed) => session.set(id, typed));
   const opened = useEffectEvent(() => {
     onTyped();
-    if (!mayTakeKeyboard()) return;
+    if (!session.mayFocus()) return;
     input.current?.focus({ preventScroll: true });
     input.current?.select();
   });
 
-  useLayoutEffect(() => opened(), [q, focus]);
+  useLayoutEffect(() => opened(), [id, session.opened.focus]);
   useImperativeHandle(field, () => ({ read, write, focus: () => input.current?.focus({ preventScroll: true }) }));
 
   return (
@@ -46,7 +43,7 @@ export function ValueInput({ q, text, name, describedBy, invalid, ownKeypad, fie
       ref={input}
       className="value number"
       type="text"
-      inputMode={ownKeypad ? "none" : "decimal"}
+      inputMode={ownKeypad ? "none" : session.keypad === "sums" ? "decimal" : "text"}
       enterKeyHint="next"
       autoComplete="off"
       autoCapitalize="characters"
@@ -58,10 +55,10 @@ export function ValueInput({ q, text, name, describedBy, invalid, ownKeypad, fie
       value={inScreenWriting(language, text)}
       onChange={(event) => {
         onTyped();
-        setPrompt(q, event.currentTarget.value);
+        session.set(id, event.currentTarget.value);
       }}
       onKeyDown={onKeyDown}
-      onBlur={commit}
+      onBlur={() => commandsOf(session).leave()}
     />
   );
 }

@@ -45,6 +45,10 @@ export function insert(entry: Entry, characters: string): Entry {
   return caretAt(text, entry.from + characters.length);
 }
 
+/** The I in front of an incremental value: put there, or taken away. */
+export const toggleIncremental = ({ text, from, to }: Entry): Entry =>
+  /^I/i.test(text) ? { text: text.slice(1), from: 0, to: text.length - 1, negative: false } : { text: `I${text}`, from: from + 1, to: to + 1, negative: false };
+
 /** Takes away what is selected, or the character before the caret. */
 export function erase(entry: Entry): Entry {
   const from = entry.from === entry.to ? Math.max(0, entry.from - 1) : entry.from;

@@ -1,4 +1,4 @@
-import type { Param } from "../../cycles/params.ts";
+import type { Kind, Param } from "../../cycles/params.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { decimalSign, formatFixed, formatNumber, formatPosition } from "../../i18n/number.ts";
 import type { FieldReading } from "../../program/field.ts";
@@ -24,3 +24,14 @@ export const writeTyped = (language: Language, value: number, decimals: number):
 /** Typed text with the decimal sign of the screen; sums and Q parameters stay as they are. */
 export const inScreenWriting = (language: Language, text: string): string =>
   /^\s*[+-]?\d*\.?\d*\s*$/.test(text) ? text.replace(".", decimalSign(language)) : text;
+
+type UnitName = "diameter" | "radius" | "axial" | "degrees" | "perRevolution" | "perMinute" | "none";
+
+const units: Readonly<Record<Exclude<Kind, "feed">, UnitName>> = {
+  choice: "none", diameter: "diameter", oversizeDiameter: "diameter", radial: "radius",
+  axial: "axial", axialDepth: "axial", length: "axial", angle: "degrees",
+};
+
+/** What the value of a parameter is measured in. */
+export const unitOf = (param: Param, perRevolution: boolean): UnitName =>
+  param.kind === "feed" ? (perRevolution ? "perRevolution" : "perMinute") : units[param.kind];

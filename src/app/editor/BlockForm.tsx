@@ -2,21 +2,20 @@ import { withBlock } from "../../nc/edit.ts";
 import { blockNumbers } from "../../nc/program.ts";
 import type { Statement } from "../../nc/statement.ts";
 import { FieldMessage } from "../dialog/FieldMessage.tsx";
+import type { Entry } from "../findings/entry.ts";
 import { Icon } from "../Icon.tsx";
 import { useTexts } from "../settings/use-texts.ts";
 import { BlockField } from "./BlockField.tsx";
 import { fieldsOf } from "./block-fields.ts";
-import { useOpenBlock } from "./open-block.ts";
 import { editProgram, openBlock, useSession } from "./session.ts";
 
 /** Nothing offers a nearest value here. */
 const nothing = () => undefined;
 
 /** The dialog of a block that is no cycle of the catalogue: one field a word, made from the description of its kind. */
-export function BlockForm() {
+export function BlockForm({ problems }: { readonly problems: readonly Entry[] }) {
   const t = useTexts().editor;
   const { reading: { program }, index } = useSession();
-  const problems = useOpenBlock((s) => s.problems);
   const block = program.blocks[index];
   if (!block) return null;
   const s = block.statement;

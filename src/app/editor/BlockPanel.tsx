@@ -9,14 +9,14 @@ import { duplicated, exchanged, removed } from "./block-edits.ts";
 import { BlockForm } from "./BlockForm.tsx";
 import { kindOf } from "./block-kind.ts";
 import { Palette } from "./Palette.tsx";
-import { useOpenBlock } from "./open-block.ts";
+import { setBlockPrompt, useOpenBlock } from "./open-block.ts";
 import { editProgram, openBlock, useSession } from "./session.ts";
 
 /** The dialog of the open block, and what can be done with the block itself. */
 export function BlockPanel() {
   const t = useTexts();
   const { reading: { program }, index } = useSession();
-  const read = useOpenBlock((s) => s.read);
+  const { read, problems } = useOpenBlock();
   const [choosing, choose] = useState(false);
   const panel = useRef<HTMLDivElement>(null);
   const block = program.blocks[index];
@@ -34,6 +34,11 @@ export function BlockPanel() {
   const words = s.kind === "cycle" && cycleByNumber(s.cycle) ? t.cycles.of[s.cycle as CycleNumber].name : null;
   const kind = words ?? t.editor.kinds[kindOf(s)];
   const number = String(blockNumbers(program)[index] ?? 0);
+  const dialogOf = () => {
+    if (read) return <CycleDialog key={index} read={read} block={{ problems, set: setBlockPrompt }} />;
+    if (s.kind === "approach") return <ApproachBlock key={index} problems={problems} />;
+    return <BlockForm key={index} problems={problems} />;
+  };
   const tool = (icon: IconName, name: string, act: () => void, disabled = false) => (
     <button type="button" className="button icon plain" aria-label={name} title={name} disabled={disabled} onClick={act}><Icon name={icon} /></button>
   );
@@ -52,7 +57,7 @@ export function BlockPanel() {
         {tool("lower", t.editor.down, () => editProgram(exchanged(program, index), null, index + 1), index >= last)}
         {tool("remove", t.editor.remove, () => editProgram(removed(program, index), null, Math.min(index, last - 1)))}
       </div>
-      {read ? <CycleDialog key={index} read={read} /> : s.kind === "approach" ? <ApproachBlock key={index} /> : <BlockForm key={index} />}
+      {dialogOf()}
     </div>
   );
 }

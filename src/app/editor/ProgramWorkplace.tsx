@@ -84,7 +84,7 @@ export function ProgramWorkplace() {
         <MachineView result={shown} dimmed={dimmed} playback={playback} clock={clock} onMove={openMove} />
       </div>
       {wide && <div className="right"><TextPanel /></div>}
-      <LeavingDialog />
+      <LeavingDialog cycleOf={host.cycleOf} />
     </main>
   );
 }

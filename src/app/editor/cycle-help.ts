@@ -10,7 +10,7 @@ import { ncLabels } from "../../i18n/nc-labels.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import { blockAt } from "../../nc/reread.ts";
 import { NUMBER_PARAMETER } from "../../nc/value.ts";
-import { unitOf } from "../dialog/prompts.ts";
+import { unitOf } from "../dialog/write-value.ts";
 import { readingField } from "./reading-field.ts";
 
 /** The cycle of the catalogue that the block at an offset defines, and the parameters that stand there. */

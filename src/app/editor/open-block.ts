@@ -1,11 +1,48 @@
+import { useMemo } from "react";
 import { create } from "zustand";
+import type { Reading } from "../../nc/reread.ts";
+import type { Draft } from "../../program/read-draft.ts";
+import { useOutcome } from "../engine/outcome.ts";
 import type { Entry } from "../findings/entry.ts";
 import type { JobReading } from "../reading.ts";
+import { problemsOfBlock, readingOfBlock, withPrompt } from "./block-prompts.ts";
+import { editProgram, useSession, type Session } from "./session.ts";
 
-/** The open block of the program: its prompts where it is a cycle of the catalogue, and what is wrong with it. */
-export interface OpenBlock {
-  readonly read: JobReading | null;
-  readonly problems: readonly Entry[];
+/** What is typed into the prompts of the open block; the text has it as soon as it can be read. */
+interface Typed {
+  readonly draft: Draft;
+  /** The state of the text and the block it was typed into: a text that was changed elsewhere counts for more. */
+  readonly reading: Reading | null;
+  readonly index: number;
 }
 
-export const useOpenBlock = create<OpenBlock>(() => ({ read: null, problems: [] }));
+const useTyped = create<Typed>(() => ({ draft: {}, reading: null, index: -1 }));
+const untyped: Draft = {};
+const draftIn = ({ draft, reading, index }: Typed, session: Session): Draft =>
+  reading === session.reading && index === session.index ? draft : untyped;
+
+/** The prompts of the open block; null where it is no cycle of the catalogue. */
+export function openReading(): JobReading | null {
+  const session = useSession.getState();
+  return readingOfBlock(session.reading.program, session.index, draftIn(useTyped.getState(), session));
+}
+
+/** The prompts of the open block and what is wrong with it, followed by a component. */
+export function useOpenBlock(): { readonly read: JobReading | null; readonly problems: readonly Entry[] } {
+  const session = useSession();
+  const draft = useTyped((typed) => draftIn(typed, session));
+  const findings = useOutcome((s) => s.newest?.run.issues);
+  const { reading: { program }, index } = session;
+  const read = useMemo(() => readingOfBlock(program, index, draft), [program, index, draft]);
+  const problems = useMemo(() => problemsOfBlock(program, index, read, findings ?? []), [program, index, read, findings]);
+  return { read, problems };
+}
+
+/** Writes a prompt of the open block into its text. */
+export function setBlockPrompt(q: string, text: string): void {
+  const session = useSession.getState();
+  const { reading: { program }, index } = session;
+  const draft = { ...draftIn(useTyped.getState(), session), [q]: text };
+  editProgram(withPrompt(program, index, q, text), `block ${index} ${q}`);
+  useTyped.setState({ draft, reading: useSession.getState().reading, index });
+}

@@ -1,6 +1,5 @@
 import { useMemo } from "react";
 import { useOutcome, type Outcome } from "../engine/outcome.ts";
-import { usePrompted } from "../prompted.ts";
 import { readJob, useReading, type JobReading } from "../reading.ts";
 import { useEditor } from "../store.ts";
 import { isToDo, type Entry } from "./entry.ts";
@@ -45,10 +44,3 @@ export const useListed = (): readonly Entry[] => useBoth().listed;
 
 /** The verdict on the open work. */
 export const useVerdict = (): Verdict => useBoth().verdict;
-
-/** The findings that the shown prompts know: those of a block while one is open, otherwise all. */
-export function usePromptFindings(): readonly Entry[] {
-  const all = useFindings();
-  const block = usePrompted((p) => p.block);
-  return block?.problems ?? all;
-}

@@ -2,9 +2,8 @@ import { useMemo } from "react";
 import type { ParamTextId } from "../../cycles/index.ts";
 import { writer } from "../../i18n/write.ts";
 import { writeTyped } from "../dialog/write-value.ts";
-import { goTo } from "../dialog/prompts.ts";
 import { setPrompt, setStart, setTool } from "../edits.ts";
-import { goToField, showSection } from "../place.ts";
+import { goToField, openPrompt, showSection } from "../place.ts";
 import type { JobReading } from "../reading.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
@@ -28,7 +27,8 @@ export function useJobHost(read: JobReading): FindingsHost {
   const language = useSettings((s) => s.language);
   return useMemo(() => {
     const { places } = t.findings;
-    const { job, cycle } = read;
+    const { job, cycle, draft } = read;
+    const goTo = (q: string | null) => openPrompt(q, q === null ? "" : (draft[q] ?? ""));
     const targetOf = ({ issue, at, block }: Entry): Target | null => {
       const param = at === null ? undefined : cycle.params[at];
       if (at !== null && param) return { name: t.dialog.value(at, t.params[param.text as ParamTextId].label), go: () => goTo(at) };

@@ -2,19 +2,21 @@ import { useEffect, useId, useRef } from "react";
 import { showSection } from "../place.ts";
 import { Icon } from "../Icon.tsx";
 import { issueText } from "../issue-text.ts";
-import { usePromptedJob } from "../prompted.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
+import type { FindingsHost } from "../findings/host.ts";
 import { verdictReasons } from "../findings/verdict-words.ts";
 import { useLeaving, type Asking } from "./leaving.ts";
 
 /** Faults that are spelled out; the list of findings has them all. */
 const MOST = 4;
 
-function Question({ asking: { way, verdict, faults, unchecked, answer }, id }: { readonly asking: Asking; readonly id: string }) {
+/** The workplace knows which cycle a finding is about. */
+type Props = Pick<FindingsHost, "cycleOf">;
+
+function Question({ asking: { way, verdict, faults, unchecked, answer }, id, cycleOf }: Props & { readonly asking: Asking; readonly id: string }) {
   const t = useTexts();
   const language = useSettings((s) => s.language);
-  const cycle = usePromptedJob()?.cycle ?? null;
   const words = t.findings.leaving;
   const doubts = verdictReasons(t.findings.verdict, verdict).slice(0, MOST);
   return (
@@ -26,7 +28,7 @@ function Question({ asking: { way, verdict, faults, unchecked, answer }, id }: {
         <ul>
           {faults.slice(0, MOST).map((entry) => (
             <li key={entry.id}>
-              {issueText(t, language, entry.issue, cycle)}
+              {issueText(t, language, entry.issue, cycleOf(entry))}
               {entry.block !== null && <span className="soft"> ({t.findings.inBlock(String(entry.block))})</span>}
             </li>
           ))}
@@ -53,7 +55,7 @@ function Question({ asking: { way, verdict, faults, unchecked, answer }, id }: {
 }
 
 /** Stands in the way of a program with faults, once for each way out; closing it keeps the program here. */
-export function LeavingDialog() {
+export function LeavingDialog({ cycleOf }: Props) {
   const id = useId();
   const asking = useLeaving((l) => l.asking);
   const dialog = useRef<HTMLDialogElement>(null);
@@ -66,7 +68,7 @@ export function LeavingDialog() {
 
   return (
     <dialog ref={dialog} className="leaving" role="alertdialog" aria-labelledby={`${id}-title`} aria-describedby={`${id}-what`} onClose={() => asking?.answer(false)}>
-      {asking && <Question asking={asking} id={id} />}
+      {asking && <Question asking={asking} id={id} cycleOf={cycleOf} />}
     </dialog>
   );
 }

@@ -5,7 +5,7 @@ import { inScreenWriting } from "../dialog/write-value.ts";
 import { useNumberEntry } from "../dialog/use-number-entry.ts";
 import { Icon } from "../Icon.tsx";
 import { usePlace } from "../place.ts";
-import { usePromptFindings } from "../findings/use-findings.ts";
+import { useFindings } from "../findings/use-findings.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { closeStep } from "../store.ts";
@@ -38,7 +38,7 @@ export function NumberField({ name, unit, text, onText, field, ask }: Props) {
   const language = useSettings((s) => s.language);
   const { onKeyDown, onTyped } = useNumberEntry(input, text, onText);
   const asked = usePlace((p) => (p.field === field.id ? p.focus : 0));
-  const problems = usePromptFindings().filter((p) => p.at === field.id);
+  const problems = useFindings().filter((p) => p.at === field.id);
   const found = wrongNumber(field, text);
   const asking = found === "missing" && ask !== undefined;
   const wrong = asking ? null : found;

@@ -5,7 +5,7 @@ import { Icon } from "../Icon.tsx";
 import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
 import { goToField } from "../place.ts";
 import { isAboutTool } from "../findings/entry.ts";
-import { usePromptFindings } from "../findings/use-findings.ts";
+import { useFindings } from "../findings/use-findings.ts";
 import type { JobReading } from "../reading.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { showToolNumber } from "../tools/tool-place.ts";
@@ -19,7 +19,7 @@ const DRAWING = 64;
 export function ToolSummary({ read, fits }: { readonly read: JobReading; readonly fits: readonly ToolFit[] | null }) {
   const t = useTexts().setup.tool;
   const details = useToolDetails();
-  const problems = usePromptFindings().filter((p) => isAboutTool(p.at));
+  const problems = useFindings().filter((p) => isAboutTool(p.at));
   const tool = useToolList().find((each) => each.T === read.job.tool);
   const own = fits?.find((f) => f.tool.T === read.job.tool);
   const best = fits?.find((f) => f.makesContour);

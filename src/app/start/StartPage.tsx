@@ -2,7 +2,6 @@ import { lazy, Suspense, useEffect } from "react";
 import { catalogue, type CycleNumber } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job.ts";
 import type { Cycle } from "../../cycles/define.ts";
-import { promptsOf } from "../dialog/prompts.ts";
 import { draftOf } from "../edits.ts";
 import { openPrompt } from "../place.ts";
 import { refreshWorks, startWork } from "../saving/keep.ts";
@@ -19,7 +18,7 @@ function begin(cycle: Cycle, withExample: boolean, language: "en" | "de" | "fr" 
   const example = { ...exampleJob(cycle), ncLanguage: language };
   const job = withExample ? example : { ...example, drafts: {}, contour: [] };
   startWork(job);
-  const first = promptsOf(cycle)[0] ?? null;
+  const first = Object.keys(cycle.params)[0] ?? null;
   openPrompt(first, first === null ? "" : (draftOf(job)[first] ?? ""));
 }
 

@@ -1,0 +1,94 @@
+import { useId, useLayoutEffect, useRef, useState, type RefObject } from "react";
+import { isOpen, type Entry } from "../findings/entry.ts";
+import { useTexts } from "../settings/use-texts.ts";
+import { ChoiceInput } from "./ChoiceInput.tsx";
+import { FieldMessage } from "./FieldMessage.tsx";
+import { onPromptKey, onPromptTab } from "./prompt-keys.ts";
+import { commandsOf, type Prompt, type PromptSession } from "./session.ts";
+import { ValueInput, type ValueField } from "./ValueInput.tsx";
+
+interface Props {
+  readonly session: PromptSession;
+  readonly prompt: Prompt;
+  readonly ownKeypad: boolean;
+  readonly input: RefObject<ValueField | null>;
+}
+
+/** The open prompt, large: question, value, unit, range, what is wrong, what it does. */
+export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
+  const t = useTexts();
+  const id = useId();
+  const card = useRef<HTMLElement>(null);
+  const [explained, explain] = useState<string | null>(null);
+  const { fields, opened } = session;
+  const own = session.findings.filter((p) => p.at === prompt.id);
+  const reading = session.readings[prompt.id];
+  const waits = reading?.issue === null && reading.value === null && typeof reading.written === "object" && reading.written !== null;
+  const untouched = opened.before.trim() === "";
+  const calm = (entry: Entry) => isOpen(entry) && (untouched || entry.issue.code === "unknownParameter");
+  const take = (text: string) => {
+    commandsOf(session).take(text);
+    input.current?.focus();
+  };
+  useLayoutEffect(() => {
+    card.current?.scrollIntoView?.({ block: "nearest" });
+  }, [prompt.id, opened.focus]);
+
+  return (
+    <section
+      className="active-prompt" ref={card} aria-label={t.dialog.active}
+      onKeyDown={(event) => {
+        onPromptTab(event, session);
+        onPromptKey(event, session);
+      }}
+    >
+      <header>
+        <span className="number prompt-q">{prompt.letter}</span>
+        <h2>{prompt.question}</h2>
+        <span className="soft small prompt-position">{t.dialog.position(fields.indexOf(prompt) + 1, fields.length)}</span>
+      </header>
+      {prompt.choices
+        ? <ChoiceInput session={session} prompt={prompt} choices={prompt.choices} describedBy={`${id}-about`} />
+        : (
+          <div className="value-row">
+            <ValueInput
+              session={session} prompt={prompt} describedBy={`${id}-range ${id}-about`} ownKeypad={ownKeypad} input={input}
+              invalid={own.some((p) => p.issue.severity === "error" && !calm(p))}
+            />
+            <span className="unit number">{prompt.unit}</span>
+            {prompt.auto && (
+              <button type="button" className="button" aria-label={t.dialog.autoLong} onClick={() => take("FAUTO")}>FAUTO</button>
+            )}
+          </div>
+        )}
+      <p className="range small soft" id={`${id}-range`}>
+        {prompt.range !== null && <span>{t.dialog.rangeLabel} <span className="number">{prompt.range}</span></span>}
+        {prompt.notes.map((note) => <span key={note}>{note}</span>)}
+        {prompt.doubt !== null && (
+          <button
+            type="button" className="evidence" aria-expanded={explained === prompt.id}
+            onClick={() => explain(explained === prompt.id ? null : prompt.id)}
+          >
+            {t.dialog.evidence.mark}
+          </button>
+        )}
+      </p>
+      <div className="about" id={`${id}-about`} tabIndex={0} role="group" aria-label={t.dialog.aboutPrompt(prompt.letter)}>
+        <div role="status" aria-label={t.findings.title}>
+          {own.map((entry, i) => (
+            <FieldMessage
+              key={i} problem={entry} calm={calm(entry)} decimals={prompt.decimals} onTake={(n) => take(String(n))}
+              parameterField={session.asksParameters}
+            />
+          ))}
+          {session.besides(prompt.id).map(({ entry, place }) => (
+            <FieldMessage key={entry.id} problem={entry} decimals={prompt.decimals} {...(place !== undefined && { place })} />
+          ))}
+          {waits && <p className="field-message info">{t.approach.parameter}</p>}
+        </div>
+        {prompt.doubt !== null && explained === prompt.id && <p className="evidence-text small">{prompt.doubt}</p>}
+        <p className="explanation">{prompt.about}</p>
+      </div>
+    </section>
+  );
+}

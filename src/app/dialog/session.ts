@@ -1,0 +1,138 @@
+import type { ReactNode } from "react";
+import type { FieldReading } from "../../program/field.ts";
+import { valueText } from "../../program/typed-value.ts";
+import type { Entry } from "../findings/entry.ts";
+import { closeStep } from "../store.ts";
+
+/** One prompt of a dialog, in the words of the screen. */
+export interface Prompt {
+  readonly id: string;
+  /** How it is written on the screen: Q493, LEN, RL/RR. */
+  readonly letter: string;
+  readonly question: string;
+  readonly label: string;
+  readonly about: string;
+  /** What its input is called. */
+  readonly name: string;
+  readonly unit: string;
+  /** Smallest and largest value; null where it has none. */
+  readonly range: string | null;
+  /** What holds besides the range: optional, incremental. */
+  readonly notes: readonly string[];
+  /** Why its description is not certain. */
+  readonly doubt: string | null;
+  /** Printed values with their meanings, where only these may be taken. */
+  readonly choices: readonly { readonly value: string; readonly meaning: string }[] | null;
+  readonly optional: boolean;
+  /** May have an I in front. */
+  readonly increments: boolean;
+  /** FAUTO has a button of its own. */
+  readonly auto: boolean;
+  readonly decimals: number;
+  /** What the list of prompts shows. */
+  readonly shown: { readonly text: string; readonly unit: string; readonly soft: boolean };
+}
+
+/** Which prompt is open. */
+export interface Opened {
+  /** Null at the end of the dialog. */
+  readonly id: string | null;
+  /** The text as it was when the prompt opened, for Escape. */
+  readonly before: string;
+  /** Counts up each time the open field should take the keyboard. */
+  readonly focus: number;
+}
+
+/** A dialog of prompts, whatever it writes: the job, a cycle block of a program, an approach. */
+export interface PromptSession {
+  readonly fields: readonly Prompt[];
+  readonly draft: Readonly<Record<string, string>>;
+  readonly readings: Readonly<Record<string, FieldReading>>;
+  readonly set: (id: string, text: string) => void;
+  readonly findings: readonly Entry[];
+  /** Findings of other places that concern a prompt, with the name of their place. */
+  readonly besides: (id: string) => readonly { readonly entry: Entry; readonly place?: string }[];
+  readonly picture: ReactNode;
+  readonly opened: Opened;
+  readonly open: (id: string | null, before: string) => void;
+  /** True where a prompt that opens may take the keyboard. */
+  readonly mayFocus: () => boolean;
+  /** The set-up has fields for the values of Q parameters. */
+  readonly asksParameters: boolean;
+  /** The keys under fingers: those of a calculator, or those of path words. */
+  readonly keypad: "sums" | "words";
+}
+
+export const openPromptOf = ({ fields, opened }: PromptSession): Prompt | null => fields.find((f) => f.id === opened.id) ?? null;
+
+/** A text as it stays when its field is left: a sum becomes its value, one with a Q parameter once that has a value. */
+function settled(reading: FieldReading | undefined, text: string): string {
+  const { value, written, computed, incremental } = reading ?? { value: null, written: null, computed: false, incremental: false };
+  const sign = incremental ? "I" : "";
+  if (written === "auto" || written === "max") return `F${written.toUpperCase()}`;
+  if (value !== null && computed) return sign + String(value);
+  if (value !== null && typeof written === "object") return sign + valueText(written);
+  return text.trim();
+}
+
+/** What the keys of the control do in a dialog. */
+export interface PromptCommands {
+  /** The open prompt is left: its text settles, and what is typed next is a new step of undo. */
+  readonly leave: () => void;
+  /** Opens a prompt after leaving the one before it. */
+  readonly goTo: (id: string | null) => void;
+  /** The prompt `by` places further on; past the last one the dialog is at its end, before the first it stays. */
+  readonly step: (by: number) => void;
+  /** NO ENT: the prompt is left out, where it may be. */
+  readonly noEntry: () => void;
+  /** END: the rest stays as it is. */
+  readonly finish: () => void;
+  /** Escape: the value as it was when the prompt opened. */
+  readonly cancel: () => void;
+  /** Takes a value by a button: a step of undo of its own. */
+  readonly take: (text: string) => void;
+}
+
+export function commandsOf(session: PromptSession): PromptCommands {
+  const { fields, draft, opened, set } = session;
+  const open = openPromptOf(session);
+  const at = open ? fields.indexOf(open) : -1;
+  const text = (id: string | null) => (id === null ? "" : (draft[id] ?? ""));
+  const show = (id: string | null) => session.open(id, text(id));
+  const nextOf = (by: number) => (at >= 0 ? at + by : by > 0 ? 0 : fields.length - 1);
+  const leave = () => {
+    const typed = text(opened.id);
+    const stays = open && settled(session.readings[open.id], typed);
+    if (open && stays !== null && stays !== typed) set(open.id, stays);
+    closeStep();
+  };
+  const goTo = (id: string | null) => {
+    leave();
+    show(id);
+  };
+  const take = (value: string) => {
+    if (!open) return;
+    closeStep();
+    set(open.id, value);
+    closeStep();
+  };
+  return {
+    leave, goTo, take,
+    finish: () => goTo(null),
+    step(by) {
+      const next = nextOf(by);
+      if (next >= 0) goTo(fields[next]?.id ?? null);
+    },
+    noEntry() {
+      if (!open?.optional) return;
+      take("");
+      show(fields[nextOf(1)]?.id ?? null);
+    },
+    cancel() {
+      if (!open) return;
+      closeStep();
+      set(open.id, opened.before);
+      session.open(open.id, opened.before);
+    },
+  };
+}
