@@ -3,7 +3,7 @@ import type { Feed, PolarWord, Statement, Value, Words } from "../nc/statement.t
 import { approachFields, type ApproachField, type ApproachWord, type WorkingPlane } from "./approach-fields.ts";
 import type { KnownParameters } from "./expression.ts";
 import { nothing, readText, wrong, type FieldReading } from "./field.ts";
-import { feedText, valueText } from "./typed-value.ts";
+import { feedAsTyped, valueAsTyped } from "./typed-value.ts";
 
 export type ApproachStatement = Extract<Statement, { kind: "approach" }>;
 /** What was typed into each prompt of an approach. SIDE holds "RL", "RR" or "R0". */
@@ -13,12 +13,12 @@ export const SIDES = ["RL", "RR", "R0"] as const;
 
 /** What a statement says, as it would have been typed. */
 export function approachDraft({ words }: ApproachStatement): ApproachDraft {
-  const coordinate = (w: PolarWord | undefined) => (w ? (w.incremental ? "I" : "") + valueText(w.value) : "");
+  const coordinate = (w: PolarWord | undefined) => (w ? (w.incremental ? "I" : "") + valueAsTyped(w.value) : "");
   const axis = (name: "X" | "Y" | "Z") => coordinate(words.axes.find((w) => w.axis === name));
   return {
     X: axis("X"), Y: axis("Y"), Z: axis("Z"), PR: coordinate(words.polarRadius), PA: coordinate(words.polarAngle),
-    LEN: valueText(words.length), CCA: valueText(words.centreAngle), R: valueText(words.radius),
-    SIDE: words.compensation ?? "", F: typeof words.feed === "object" ? valueText(words.feed.value) : feedText(words.feed),
+    LEN: valueAsTyped(words.length), CCA: valueAsTyped(words.centreAngle), R: valueAsTyped(words.radius),
+    SIDE: words.compensation ?? "", F: typeof words.feed === "object" ? valueAsTyped(words.feed.value) : feedAsTyped(words.feed),
     M: words.functions.map((m) => `M${m}`).join(" "),
   };
 }

@@ -17,7 +17,7 @@ export interface DraftReading<P extends Params = Params> {
 }
 
 /** The prompt of a parameter. */
-export const fieldOf = (q: string, param: Param): Field => ({ ...param, id: q });
+export const promptField = (q: string, param: Param): Field => ({ ...param, id: q });
 
 /** What a prompt gives to its cycle: an optional one that is left out (NO ENT) counts as 0. */
 const valueOf = (param: Param, { written, value, empty }: FieldReading): number | "auto" | null =>
@@ -33,7 +33,7 @@ export function readDraft<P extends Params>(
   const partial: Record<string, number | "auto"> = {};
   const perField: Record<string, FieldReading> = {};
   for (const [q, param] of Object.entries<Param>(cycle.params)) {
-    const field = readText(fieldOf(q, param), draft[q] ?? "", known);
+    const field = readText(promptField(q, param), draft[q] ?? "", known);
     perField[q] = field;
     const value = valueOf(param, field);
     if (value !== null) partial[q] = value;

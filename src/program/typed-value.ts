@@ -1,6 +1,6 @@
 import type { AxisWord, CycleParameter, Feed, Value, Words } from "../nc/statement.ts";
 import type { KnownParameters } from "./expression.ts";
-import { anyNumber, feedWord, readText } from "./field.ts";
+import { anyNumber, feedWord, kept, readText } from "./field.ts";
 
 /** Decimals a control keeps of a position. */
 export const POSITION_DECIMALS = 3;
@@ -28,20 +28,23 @@ const BLOCK_DECIMALS = 4;
 export const blockValue = (typed: string, decimals = BLOCK_DECIMALS): Value | null => typedValue(typed, decimals);
 
 /** A value of NC text as one types it: no plus sign; empty where there is none. */
-export function valueText(value: Value | null | undefined): string {
+export function valueAsTyped(value: Value | null | undefined): string {
   if (value === null || value === undefined) return "";
   return typeof value === "number" ? String(value) : (value.negative ? "-" : "") + value.parameter;
 }
 
+/** A position as one types it, rounded to what a control keeps. */
+export const positionAsTyped = (n: number): string => String(kept(n, POSITION_DECIMALS));
+
 /** What stands behind a Q of a cycle, as one types it. */
-export const parameterText = (value: CycleParameter["value"] | undefined): string =>
-  typeof value === "string" ? `F${value.toUpperCase()}` : valueText(value);
+export const parameterAsTyped = (value: CycleParameter["value"] | undefined): string =>
+  typeof value === "string" ? `F${value.toUpperCase()}` : valueAsTyped(value);
 
 /** A feed as one types it. */
-export function feedText(feed: Feed | null | undefined): string {
+export function feedAsTyped(feed: Feed | null | undefined): string {
   if (feed === null || feed === undefined) return "";
   if (feed === "max" || feed === "auto") return `F${feed.toUpperCase()}`;
-  return (feed.unit === "F" ? "" : feed.unit) + valueText(feed.value);
+  return (feed.unit === "F" ? "" : feed.unit) + valueAsTyped(feed.value);
 }
 
 /** A typed feed: empty, FMAX, FAUTO, a number, or with F, FU or FZ in front of it; undefined where it can not be read. */

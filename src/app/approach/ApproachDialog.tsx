@@ -3,6 +3,7 @@ import { approach } from "../../kernel/approach.ts";
 import type { ApproachStatement } from "../../program/approach-draft.ts";
 import { shapeOf } from "../../program/approach-fields.ts";
 import { readyApproach, wordsOfPoint, type ApproachContext } from "../../program/approach-request.ts";
+import { positionAsTyped } from "../../program/typed-value.ts";
 import type { Dragged } from "../../view/approach/drag.ts";
 import { onPromptKey } from "../dialog/prompt-keys.ts";
 import { PromptDialog } from "../dialog/PromptDialog.tsx";
@@ -27,8 +28,6 @@ interface Props {
   /** Changes with the same place, one after the other, are one step of undo; null is a step of its own. */
   readonly onChange: (next: ApproachStatement, place: string | null) => void;
 }
-
-const numberText = (n: number) => String(Math.round(n * 1000) / 1000 + 0);
 
 /** The end of the dialog: what is still wrong. */
 function ApproachDone({ session }: { readonly session: PromptSession }) {
@@ -56,7 +55,7 @@ export function ApproachDialog({ statement, context, found = [], choosing: first
   const made = ready && approach(ready.request);
 
   const drag = (change: Dragged) => {
-    if (change.word !== "point") return typed.set({ [change.word]: numberText(change.word === "CCA" ? change.value : change.value / context.unit) });
+    if (change.word !== "point") return typed.set({ [change.word]: positionAsTyped(change.word === "CCA" ? change.value : change.value / context.unit) });
     const words = wordsOfPoint(form, change.point, context);
     if (words) typed.set(words);
   };

@@ -1,8 +1,9 @@
 import { approachDraft, approachStatement, type ApproachDraft, type ApproachStatement } from "../../program/approach-draft.ts";
 import { wordsOfPoint, type ApproachContext } from "../../program/approach-request.ts";
+import { positionAsTyped } from "../../program/typed-value.ts";
 import type { SuggestedForm } from "../../view/approach/forms.ts";
 
-const text = (n: number | undefined, unit: number) => (n === undefined ? "" : String(Math.round((n / unit) * 1000) / 1000));
+const text = (n: number | undefined, unit: number) => (n === undefined ? "" : positionAsTyped(n / unit));
 
 /** The block with another form. What both forms know stays as typed; what is new takes values that fit the contour. */
 export function withForm(statement: ApproachStatement, taken: SuggestedForm, context: ApproachContext): ApproachStatement {

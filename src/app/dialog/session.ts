@@ -1,6 +1,6 @@
 import type { ReactNode } from "react";
 import type { FieldReading } from "../../program/field.ts";
-import { valueText } from "../../program/typed-value.ts";
+import { valueAsTyped } from "../../program/typed-value.ts";
 import type { Entry } from "../findings/entry.ts";
 import { closeStep } from "../store.ts";
 
@@ -71,7 +71,7 @@ function settled(reading: FieldReading | undefined, text: string): string {
   const sign = incremental ? "I" : "";
   if (written === "auto" || written === "max") return `F${written.toUpperCase()}`;
   if (value !== null && computed) return sign + String(value);
-  if (value !== null && typeof written === "object") return sign + valueText(written);
+  if (value !== null && typeof written === "object") return sign + valueAsTyped(written);
   return text.trim();
 }
 

@@ -2,7 +2,7 @@ import type { Kind, Param } from "../../cycles/params.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { decimalSign, formatFixed, formatNumber, formatPosition } from "../../i18n/number.ts";
 import type { FieldReading } from "../../program/field.ts";
-import { valueText } from "../../program/typed-value.ts";
+import { valueAsTyped } from "../../program/typed-value.ts";
 
 /** Decimals shown of each value in the list of prompts. */
 const SHOWN = 3;
@@ -12,7 +12,7 @@ export function writeValue(language: Language, param: Param, field: FieldReading
   const { value, written } = field;
   if (written === "auto") return "FAUTO";
   if (value === null) return null;
-  if (typeof written === "object" && written !== null) return valueText(written);
+  if (typeof written === "object" && written !== null) return valueAsTyped(written);
   if (param.kind === "choice") return String(value);
   const signed = param.range[0] < 0;
   return signed ? formatPosition(language, value, SHOWN) : formatFixed(language, value, SHOWN);

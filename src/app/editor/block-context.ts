@@ -3,7 +3,7 @@ import type { AxisWord, Statement, Words } from "../../nc/statement.ts";
 import type { KnownParameters } from "../../program/expression.ts";
 import { formulaOf, type Parameters } from "../../program/formula.ts";
 import { newRow, type ContourRow } from "../../program/job.ts";
-import { valueText } from "../../program/typed-value.ts";
+import { valueAsTyped } from "../../program/typed-value.ts";
 
 /** Q parameters as they are set in front of a block, read from top to bottom without following calls. */
 export function parametersBefore(program: Program, index: number): KnownParameters {
@@ -33,22 +33,22 @@ const word = (axes: readonly AxisWord[], name: "X" | "Z") => axes.find((w) => w.
 const place = ({ axes }: Words) => {
   const [x, z] = [word(axes, "X"), word(axes, "Z")];
   return {
-    x: x ? valueText(x.value) : "", z: z ? valueText(z.value) : "",
+    x: x ? valueAsTyped(x.value) : "", z: z ? valueAsTyped(z.value) : "",
     incrementalX: x?.incremental ?? false, incrementalZ: z?.incremental ?? false,
   };
 };
 
 const polar = ({ polarRadius, polarAngle }: Words): ContourRow["words"] => ({
-  ...(polarRadius && { [polarRadius.incremental ? "IPR" : "PR"]: valueText(polarRadius.value) }),
-  ...(polarAngle && { [polarAngle.incremental ? "IPA" : "PA"]: valueText(polarAngle.value) }),
+  ...(polarRadius && { [polarRadius.incremental ? "IPR" : "PR"]: valueAsTyped(polarRadius.value) }),
+  ...(polarAngle && { [polarAngle.incremental ? "IPA" : "PA"]: valueAsTyped(polarAngle.value) }),
 });
 
 /** One block of a contour subprogram as a row of the contour table; null where it is no plain element. */
 function rowOf(s: Statement, id: string): ContourRow | null {
-  if (s.kind === "chamfer") return newRow(id, { kind: "CHF", r: s.length === null ? "" : valueText(s.length) });
+  if (s.kind === "chamfer") return newRow(id, { kind: "CHF", r: s.length === null ? "" : valueAsTyped(s.length) });
   if (s.kind !== "path") return null;
   const { radius, turn } = s.words;
-  const r = radius === undefined ? "" : valueText(radius);
+  const r = radius === undefined ? "" : valueAsTyped(radius);
   if (s.path === "L") return newRow(id, { kind: "L", ...place(s.words) });
   if (s.path === "LP" || s.path === "CP" || s.path === "CTP") return newRow(id, { kind: s.path, words: polar(s.words), turn: turn ?? "ccw" });
   if (s.path === "CC" || s.path === "C" || s.path === "CT") return newRow(id, { kind: s.path, ...place(s.words), turn: turn ?? "ccw" });

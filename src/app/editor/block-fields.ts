@@ -7,7 +7,7 @@ import { LAYOUTS } from "../../nc/style.ts";
 import { NUMBER_PARAMETER } from "../../nc/value.ts";
 import { feedWord } from "../../program/field.ts";
 import { formOf, formWord } from "../../program/recess-words.ts";
-import { blockValue, feedText, parameterText, typedFeed, valueText } from "../../program/typed-value.ts";
+import { blockValue, feedAsTyped, parameterAsTyped, typedFeed, valueAsTyped } from "../../program/typed-value.ts";
 import { fieldOf, optionalValue, readLabel, readLine, shownLabel, type WordField } from "./field.ts";
 import { axisFields, axisField, compensationField, feedField, functionsField, namedFields, polarWord, retractField, turnField, valueWord } from "./word-fields.ts";
 
@@ -96,11 +96,11 @@ const table: Table = {
   ],
   blankCylinder: () => [
     fieldOf("blankCylinder", "toolAxis", (s) => s.axis, (s, typed) => (isAxis(typed) ? { ...s, axis: typed } : null), { choices: ["X", "Y", "Z"] }),
-    fieldOf("blankCylinder", "outside", (s) => valueText(s.outside?.value), (s, typed) => optionalValue(typed, (value) => ({ ...s, outside: value === null ? null : { measure: s.outside?.measure ?? "D", value } })), { numeric: true, unit: "mm" }),
+    fieldOf("blankCylinder", "outside", (s) => valueAsTyped(s.outside?.value), (s, typed) => optionalValue(typed, (value) => ({ ...s, outside: value === null ? null : { measure: s.outside?.measure ?? "D", value } })), { numeric: true, unit: "mm" }),
     fieldOf("blankCylinder", "outsideMeasure", (s) => s.outside?.measure ?? "D", (s, typed) => (s.outside ? { ...s, outside: { ...s.outside, measure: typed === "R" ? "R" : "D" } } : s), { choices: ["D", "R"] }),
-    fieldOf("blankCylinder", "length", (s) => valueText(s.length), (s, typed) => optionalValue(typed, (length) => ({ ...s, length })), { numeric: true, unit: "mm" }),
-    fieldOf("blankCylinder", "distance", (s) => valueText(s.distance), (s, typed) => optionalValue(typed, (distance) => ({ ...s, distance })), { numeric: true, unit: "mm" }),
-    fieldOf("blankCylinder", "inside", (s) => valueText(s.inside?.value), (s, typed) => optionalValue(typed, (value) => ({ ...s, inside: value === null ? null : { measure: s.inside?.measure ?? "DI", value } })), { numeric: true, unit: "mm" }),
+    fieldOf("blankCylinder", "length", (s) => valueAsTyped(s.length), (s, typed) => optionalValue(typed, (length) => ({ ...s, length })), { numeric: true, unit: "mm" }),
+    fieldOf("blankCylinder", "distance", (s) => valueAsTyped(s.distance), (s, typed) => optionalValue(typed, (distance) => ({ ...s, distance })), { numeric: true, unit: "mm" }),
+    fieldOf("blankCylinder", "inside", (s) => valueAsTyped(s.inside?.value), (s, typed) => optionalValue(typed, (value) => ({ ...s, inside: value === null ? null : { measure: s.inside?.measure ?? "DI", value } })), { numeric: true, unit: "mm" }),
     fieldOf("blankCylinder", "insideMeasure", (s) => (s.inside?.measure === "RI" ? "R" : "D"), (s, typed) => (s.inside ? { ...s, inside: { ...s.inside, measure: typed === "R" ? "RI" : "DI" } } : s), { choices: ["D", "R"] }),
   ],
   blankRotation: () => [
@@ -110,8 +110,8 @@ const table: Table = {
   ],
   toolDefinition: () => [
     fieldOf("toolDefinition", "tool", (s) => shownLabel(s.tool), (s, typed) => { const tool = readLabel(typed); return tool === null ? null : { ...s, tool }; }),
-    fieldOf("toolDefinition", "length", (s) => valueText(s.length), (s, typed) => optionalValue(typed, (length) => ({ ...s, length })), { numeric: true, unit: "mm" }),
-    fieldOf("toolDefinition", "toolRadius", (s) => valueText(s.radius), (s, typed) => optionalValue(typed, (r) => ({ ...s, radius: r })), { numeric: true, unit: "mm" }),
+    fieldOf("toolDefinition", "length", (s) => valueAsTyped(s.length), (s, typed) => optionalValue(typed, (length) => ({ ...s, length })), { numeric: true, unit: "mm" }),
+    fieldOf("toolDefinition", "toolRadius", (s) => valueAsTyped(s.radius), (s, typed) => optionalValue(typed, (r) => ({ ...s, radius: r })), { numeric: true, unit: "mm" }),
   ],
   toolCall: () => [
     fieldOf("toolCall", "tool", (s) => (s.tool === null ? "" : shownLabel(s.tool)), (s, typed) => {
@@ -120,10 +120,10 @@ const table: Table = {
       return value === null ? null : { ...s, tool: value };
     }),
     fieldOf("toolCall", "toolAxis", (s) => s.axis ?? "", (s, typed) => ({ ...s, axis: isAxis(typed) ? typed : null }), { choices: ["", "X", "Y", "Z"] }),
-    fieldOf("toolCall", "speed", (s) => valueText(s.speed), (s, typed) => optionalValue(typed, (speed) => ({ ...s, speed })), { numeric: true }),
-    fieldOf("toolCall", "feed", (s) => feedText(s.feed), (s, typed) => { const feed = typedFeed(typed); return feed === undefined ? null : { ...s, feed }; }),
-    fieldOf("toolCall", "deltaLength", (s) => valueText(s.deltaLength), (s, typed) => optionalValue(typed, (deltaLength) => ({ ...s, deltaLength })), { numeric: true, unit: "mm" }),
-    fieldOf("toolCall", "deltaRadius", (s) => valueText(s.deltaRadius), (s, typed) => optionalValue(typed, (deltaRadius) => ({ ...s, deltaRadius })), { numeric: true, unit: "mm" }),
+    fieldOf("toolCall", "speed", (s) => valueAsTyped(s.speed), (s, typed) => optionalValue(typed, (speed) => ({ ...s, speed })), { numeric: true }),
+    fieldOf("toolCall", "feed", (s) => feedAsTyped(s.feed), (s, typed) => { const feed = typedFeed(typed); return feed === undefined ? null : { ...s, feed }; }),
+    fieldOf("toolCall", "deltaLength", (s) => valueAsTyped(s.deltaLength), (s, typed) => optionalValue(typed, (deltaLength) => ({ ...s, deltaLength })), { numeric: true, unit: "mm" }),
+    fieldOf("toolCall", "deltaRadius", (s) => valueAsTyped(s.deltaRadius), (s, typed) => optionalValue(typed, (deltaRadius) => ({ ...s, deltaRadius })), { numeric: true, unit: "mm" }),
   ],
   mode: () => [
     fieldOf("mode", "mode", (s) => s.mode, (s, typed) => ({ ...s, mode: typed === "MILL" ? "MILL" : "TURN" }), { choices: ["TURN", "MILL"] }),
@@ -131,9 +131,9 @@ const table: Table = {
   ],
   spin: () => [
     fieldOf("spin", "constantSurface", (s) => (s.constantSurface ? "on" : "off"), (s, typed) => ({ ...s, constantSurface: typed === "on" }), { choices: ["on", "off"] }),
-    fieldOf("spin", "cuttingSpeed", (s) => valueText(s.cuttingSpeed), (s, typed) => optionalValue(typed, (cuttingSpeed) => ({ ...s, cuttingSpeed })), { numeric: true, unit: "m/min" }),
-    fieldOf("spin", "speed", (s) => valueText(s.speed), (s, typed) => optionalValue(typed, (speed) => ({ ...s, speed })), { numeric: true }),
-    fieldOf("spin", "speedLimit", (s) => valueText(s.limit), (s, typed) => optionalValue(typed, (limit) => ({ ...s, limit })), { numeric: true }),
+    fieldOf("spin", "cuttingSpeed", (s) => valueAsTyped(s.cuttingSpeed), (s, typed) => optionalValue(typed, (cuttingSpeed) => ({ ...s, cuttingSpeed })), { numeric: true, unit: "m/min" }),
+    fieldOf("spin", "speed", (s) => valueAsTyped(s.speed), (s, typed) => optionalValue(typed, (speed) => ({ ...s, speed })), { numeric: true }),
+    fieldOf("spin", "speedLimit", (s) => valueAsTyped(s.limit), (s, typed) => optionalValue(typed, (limit) => ({ ...s, limit })), { numeric: true }),
   ],
   turnCorrection: (s) => [
     fieldOf("turnCorrection", "system", (c) => c.system, (c, typed) => ({ ...c, system: typed === "WPL" ? "WPL" : "TCS" }), { choices: ["TCS", "WPL"] }),
@@ -150,7 +150,7 @@ const table: Table = {
     fieldOf("turnBlank", "file", (s) => (s.blank !== "off" && "file" in s.blank ? s.blank.file : ""), (s, typed) => (typed === "" || /["\r\n]/.test(typed) ? null : { ...s, blank: { file: typed } })),
   ],
   path: (s) => paths[s.path](s),
-  chamfer: () => [fieldOf("chamfer", "chamfer", (s) => valueText(s.length), (s, typed) => optionalValue(typed, (length) => ({ ...s, length })), { numeric: true, unit: "mm" }), feedField],
+  chamfer: () => [fieldOf("chamfer", "chamfer", (s) => valueAsTyped(s.length), (s, typed) => optionalValue(typed, (length) => ({ ...s, length })), { numeric: true, unit: "mm" }), feedField],
   approach: (s) => [
     fieldOf("approach", "form", (a) => a.form, (a, typed) => { const form = APPROACH_FORMS.find((f) => f === typed); return form ? { ...a, form } : null; }, { choices: APPROACH_FORMS }),
     ...(s.form.startsWith("P") ? polar : axisFields(s, AXES)),
@@ -167,11 +167,11 @@ const table: Table = {
   label: () => [fieldOf("label", "label", (s) => shownLabel(s.label), (s, typed) => { const label = readLabel(typed); return label === null ? null : { ...s, label }; })],
   call: () => [
     fieldOf("call", "label", (s) => shownLabel(s.label), (s, typed) => { const label = readLabel(typed); return label === null ? null : { ...s, label }; }),
-    fieldOf("call", "repeat", (s) => valueText(s.repeat), (s, typed) => optionalValue(typed, (repeat) => ({ ...s, repeat })), { numeric: true }),
+    fieldOf("call", "repeat", (s) => valueAsTyped(s.repeat), (s, typed) => optionalValue(typed, (repeat) => ({ ...s, repeat })), { numeric: true }),
   ],
   cycleLine: () => [fieldOf("cycleLine", "cycleLine", (s) => s.text, (s, typed) => { const text = readLine(typed); return text === null ? null : { ...s, text }; }, { wide: true })],
   cycle: (s) => s.parameters.map((p) => fieldOf("cycle", { word: p.label === null ? p.q : `${p.q} ${p.label.trim()}` },
-    (c) => parameterText(c.parameters.find((each) => each.q === p.q)?.value),
+    (c) => parameterAsTyped(c.parameters.find((each) => each.q === p.q)?.value),
     (c, typed) => {
       const value = feedWord(typed) ?? blockValue(typed);
       return value === null ? null : { ...c, parameters: c.parameters.map((each) => (each.q === p.q ? { ...each, value } : each)) };

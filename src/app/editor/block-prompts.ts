@@ -9,7 +9,7 @@ import type { Finding } from "../../program/run-types.ts";
 import { entryAt, type Entry } from "../findings/entry.ts";
 import type { JobReading } from "../reading.ts";
 import { contourBefore, parametersBefore, perRevolutionBefore } from "./block-context.ts";
-import { blockValue, parameterText } from "../../program/typed-value.ts";
+import { blockValue, parameterAsTyped } from "../../program/typed-value.ts";
 
 type CycleStatement = Extract<Statement, { kind: "cycle" }>;
 
@@ -18,7 +18,7 @@ export function readingOfBlock(program: Program, index: number, typed: Draft): J
   const s = program.blocks[index]?.statement;
   const cycle = s?.kind === "cycle" ? cycleByNumber(s.cycle) : undefined;
   if (!cycle || s?.kind !== "cycle") return null;
-  const draft: Draft = { ...Object.fromEntries(s.parameters.map((p) => [p.q, parameterText(p.value)])), ...typed };
+  const draft: Draft = { ...Object.fromEntries(s.parameters.map((p) => [p.q, parameterAsTyped(p.value)])), ...typed };
   const job: Job = {
     ...exampleJob(cycle), drafts: { [cycle.number]: draft }, perRevolution: perRevolutionBefore(program, index),
     contour: cycle.contour === "free" ? contourBefore(program, index) : [],

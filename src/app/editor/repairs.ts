@@ -2,7 +2,9 @@ import { withBlock, withInserted } from "../../nc/edit.ts";
 import { blockNumbers, startLines, type Program } from "../../nc/program.ts";
 import { statementLines } from "../../nc/print.ts";
 import { styleAt } from "../../nc/read-style.ts";
-import type { Statement, Words } from "../../nc/statement.ts";
+import type { Statement } from "../../nc/statement.ts";
+import { kept } from "../../program/field.ts";
+import { noWords, POSITION_DECIMALS, positionAsTyped } from "../../program/typed-value.ts";
 import { ncLabels } from "../../i18n/nc-labels.ts";
 import type { Language } from "../../i18n/languages.ts";
 import type { Entry } from "../findings/entry.ts";
@@ -23,7 +25,6 @@ export interface Repair {
   readonly asks?: boolean;
 }
 
-const none: Words = { axes: [], linear: [], functions: [], extra: [] };
 
 /** Index of the block that a finding belongs to; -1 when it belongs to none. */
 export function indexOf(program: Program, { line, block }: Pick<Entry, "line" | "block">): number {
@@ -113,21 +114,18 @@ function withoutParameter(program: Program, index: number, q: string): Repair | 
   return { kind: "remove", text: q, block: "", open: index, next: () => withBlock(program, index, { ...s, parameters: s.parameters.toSpliced(at, 1) }) };
 }
 
-/** Three decimals, as the control keeps positions. */
-const kept = (mm: number) => Math.round(mm * 1000) / 1000 + 0;
-
 /** Another start point of a call: in the block that positions for it, or in one of its own right before the call. */
 function withStart(program: Program, index: number, { x, z }: { readonly x: number; readonly z: number }): Repair {
-  const axes = [{ axis: "X", value: kept(x), incremental: false }, { axis: "Z", value: kept(z), incremental: false }] as const;
+  const axes = [{ axis: "X", value: kept(x, POSITION_DECIMALS), incremental: false }, { axis: "Z", value: kept(z, POSITION_DECIMALS), incremental: false }] as const;
   const before = index - 1;
   const s = program.blocks[before]?.statement;
-  if (s?.kind !== "path" || s.path !== "L" || s.words.feed !== "max") return insertion(program, index, [{ kind: "path", path: "L", words: { ...none, axes, feed: "max" } }], index);
+  if (s?.kind !== "path" || s.path !== "L" || s.words.feed !== "max") return insertion(program, index, [{ kind: "path", path: "L", words: { ...noWords, axes, feed: "max" } }], index);
   const others = s.words.axes.filter((w) => w.axis !== "X" && w.axis !== "Z");
   const next = () => withBlock(program, before, { ...s, words: { ...s.words, axes: [axes[0], ...others, axes[1]] } });
   return { kind: "write", text: `X${signed(x)} Z${signed(z)}`, block: String(blockNumbers(program)[before] ?? ""), next, open: before };
 }
 
-const signed = (mm: number) => `${kept(mm) < 0 ? "" : "+"}${kept(mm)}`;
+const signed = (mm: number) => positionAsTyped(mm).replace(/^(?!-)/, "+");
 
 /** Another length or radius of an approach or departure. */
 function withLead(program: Program, index: number, word: "LEN" | "R", value: number): Repair | null {
@@ -147,9 +145,9 @@ export function repairsOf(program: Program, entry: Entry, language: Language): r
   const maybe = (repair: Repair | null) => (repair ? [repair] : []);
   switch (issue.code as string) {
     case "notInTurnMode": return insert(placeOfMode(program, index), { kind: "mode", mode: "TURN", kinematics: null });
-    case "cycleNeverCalled": return insert(placeOfCall(program, index), { kind: "cycleCall", how: "", words: none });
+    case "cycleNeverCalled": return insert(placeOfCall(program, index), { kind: "cycleCall", how: "", words: noWords });
     case "spindleMissing": return asking(insert(toolCallBefore(program, index) + 1, { kind: "spin", constantSurface: true, cuttingSpeed: 180, speed: null, limit: 2500 }));
-    case "programEndMissing": return insert(placeOfEnd(program), { kind: "functions", words: { ...none, functions: [30] } });
+    case "programEndMissing": return insert(placeOfEnd(program), { kind: "functions", words: { ...noWords, functions: [30] } });
     case "blankMissing": return asking(insert(lastOf(program, program.blocks.length, (s) => s.kind === "begin") + 1,
       { kind: "blankCylinder", axis: "Z", outside: { measure: "D", value: 80 }, length: 100, distance: 1, inside: null }));
     case "labelNotClosed": return insert(placeOfLabelEnd(program, index), { kind: "label", label: 0 });

@@ -1,7 +1,7 @@
 import { ANGLE_WORDS } from "../../kernel/undercut.ts";
 import type { AxisName, AxisWord, NamedWord, PolarWord, Statement, Value, Words } from "../../nc/statement.ts";
 import { typedFunctions } from "../../program/approach-draft.ts";
-import { blockValue, feedText, noWords, typedFeed, valueText } from "../../program/typed-value.ts";
+import { blockValue, feedAsTyped, noWords, typedFeed, valueAsTyped } from "../../program/typed-value.ts";
 import { optionalValue, type WordField, type FieldName } from "./field.ts";
 
 type WithWords = Extract<Statement, { words: Words }>;
@@ -31,7 +31,7 @@ export const axisField = (axis: AxisName): WordField => {
   };
   return {
     id: axis, name: NAMES[axis] ?? { word: axis }, numeric: true, unit: "mm",
-    read: (s) => valueText(find(s)?.value),
+    read: (s) => valueAsTyped(find(s)?.value),
     write: (s, typed) => optionalValue(typed, (value) => set(s, value === null ? null : { axis, value, incremental: find(s)?.incremental ?? false })),
     incremental: {
       read: (s) => find(s)?.incremental ?? false,
@@ -45,14 +45,14 @@ export const axisField = (axis: AxisName): WordField => {
 
 /** A word that carries a value: R, CCA, LEN. */
 export const valueWord = (key: "radius" | "centreAngle" | "length", name: FieldName, unit = "mm"): WordField => ({
-  id: key, name, numeric: true, unit, read: (s) => valueText(wordsOf(s)[key]), write: (s, typed) => optionalValue(typed, (value) => put(s, key, value)),
+  id: key, name, numeric: true, unit, read: (s) => valueAsTyped(wordsOf(s)[key]), write: (s, typed) => optionalValue(typed, (value) => put(s, key, value)),
 });
 
 /** PR or PA with its switch for incremental. */
 export const polarWord = (key: "polarRadius" | "polarAngle", name: FieldName, unit: string): WordField => {
   const find = (s: Statement): PolarWord | undefined => wordsOf(s)[key];
   return {
-    id: key, name, numeric: true, unit, read: (s) => valueText(find(s)?.value),
+    id: key, name, numeric: true, unit, read: (s) => valueAsTyped(find(s)?.value),
     write: (s, typed) => optionalValue(typed, (value) => put(s, key, value === null ? null : { value, incremental: find(s)?.incremental ?? false })),
     incremental: {
       read: (s) => find(s)?.incremental ?? false,
@@ -75,7 +75,7 @@ export const compensationField: WordField = {
 };
 
 export const feedField: WordField = {
-  id: "feed", name: "feed", read: (s) => feedText(wordsOf(s).feed),
+  id: "feed", name: "feed", read: (s) => feedAsTyped(wordsOf(s).feed),
   write: (s, typed) => {
     const feed = typedFeed(typed);
     return feed === undefined ? null : put(s, "feed", feed);
@@ -94,7 +94,7 @@ export const functionsField: WordField = {
 export const retractField: WordField = {
   id: "retract", name: "retract", read: (s) => {
     const { retract } = wordsOf(s);
-    return retract === "max" ? "MAX" : valueText(retract);
+    return retract === "max" ? "MAX" : valueAsTyped(retract);
   },
   write: (s, typed) => (/^\s*max\s*$/i.test(typed) ? put(s, "retract", "max") : optionalValue(typed, (value) => put(s, "retract", value))),
 };
@@ -119,7 +119,7 @@ export const namedField = (word: string, order: readonly string[]): WordField =>
     return { ...s, words: next } as Statement;
   };
   return {
-    id: `word ${word}`, name: { word }, numeric: true, unit: ANGLES.has(word) ? "°" : "mm", read: (s) => valueText(words(s).find((w) => w.name === word)?.value),
+    id: `word ${word}`, name: { word }, numeric: true, unit: ANGLES.has(word) ? "°" : "mm", read: (s) => valueAsTyped(words(s).find((w) => w.name === word)?.value),
     write: (s, typed) => (typed.trim() === "" ? set(s, null) : ((value) => (value === null ? null : set(s, value)))(blockValue(typed))),
   };
 };

@@ -1,6 +1,7 @@
 import { useMemo } from "react";
 import type { ParamTextId } from "../../cycles/index.ts";
 import { writer } from "../../i18n/write.ts";
+import { positionAsTyped } from "../../program/typed-value.ts";
 import { writeTyped } from "../dialog/write-value.ts";
 import { setPrompt, setStart, setTool } from "../edits.ts";
 import { goToField, openPrompt, showSection } from "../place.ts";
@@ -44,10 +45,9 @@ export function useJobHost(read: JobReading): FindingsHost {
       const { issue, at } = entry;
       if (issue.code === "betterTool") return [{ name: t.setup.tool.take(issue.data.tool), apply: oneStep(() => setTool(issue.data.tool)) }];
       if (issue.code === "startOnWrongSide") {
-        const [x, z] = [issue.data.x, issue.data.z].map((mm) => Math.round(mm * 1000) / 1000 + 0);
         const start = () => {
-          setStart("x", String(x));
-          setStart("z", String(z));
+          setStart("x", positionAsTyped(issue.data.x));
+          setStart("z", positionAsTyped(issue.data.z));
         };
         return [{ name: t.dialog.takeNearest(writer(language).place(issue.data.x, issue.data.z)), apply: oneStep(start) }];
       }
