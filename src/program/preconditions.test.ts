@@ -75,6 +75,12 @@ describe("feeds", () => {
     expect(shoulder([["Q215=+0", "Q215=+2"], ["Q478=+0.3", "Q478=+0"]])).toEqual([]);
     expect(shoulder([["Q478=+0.3", "Q478=FAUTO"]], { tool: "TOOL CALL 1 F0.25" })).toEqual([]);
   });
+  test("FAUTO is the feed of TOOL CALL, whatever a path block said since", () => {
+    const body = CALLED.replace("Q478=+0.3", "Q478=FAUTO").replace(TO_START, `L X+80 Z+3 R0 F0.9\n${TO_START}`);
+    const moves = made(body, { tool: "TOOL CALL 1 F0.25" }).operations[0]?.plan.moves ?? [];
+    const roughing = moves.flatMap((m) => (m.kind === "feed" && m.phase === "rough" ? [m.feed] : []));
+    expect([...new Set(roughing)]).toEqual([0.25]);
+  });
   test("Q488 = 0 is automatic, FAUTO without a feed is not", () => {
     expect(contour([["Q488=+0", "Q488=+0"]])).toEqual([]);
     expect(contour([["Q478=+0.3", "Q478=+0"]])).toEqual(["error feedZero Q478@9"]);
