@@ -153,3 +153,6 @@ export type Statement =
   | { readonly kind: "functions"; readonly words: Words }
   | { readonly kind: "stop"; readonly words: Words }
   | { readonly kind: "unknown"; readonly text: string };
+
+/** A block of one kind, or of several. */
+export type StatementOf<K extends Statement["kind"]> = Extract<Statement, { kind: K }>;

@@ -12,7 +12,6 @@ import { readContour } from "./contour-subprogram.ts";
 import { cycleValues } from "./cycle-values.ts";
 import { programIssue } from "./issue.ts";
 import type { Defined, Machine } from "./machine.ts";
-import { rotation } from "./blank-form.ts";
 import { pointIn } from "./path.ts";
 import { feedsOf, foreignParameters, lineOf, noTool } from "./preconditions.ts";
 import type { Operation } from "./run-types.ts";
@@ -170,14 +169,4 @@ export function defineCycle(machine: Machine, index: number): void {
   }
   machine.modal = false;
   machine.defined = { index, cycle: s.cycle, values, troubled } satisfies Defined;
-}
-
-/** The blank that a label outlines. */
-export function outlinedBlank(machine: Machine, label: number | string, radii: boolean, index: number): void {
-  const read = readContour(machine, label, index, radii);
-  if (!read) return;
-  for (const i of read.contour.issues) machine.say(i, read.blocks["element" in i.data ? i.data.element - 1 : 0] ?? index);
-  const rings = rotation(read.contour.segments);
-  if (rings) machine.blank = rings;
-  else machine.say(programIssue("blankImpossible", "error", {}), index);
 }

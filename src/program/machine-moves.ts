@@ -3,10 +3,8 @@ import { axial } from "../kernel/units.ts";
 import type { Words } from "../nc/statement.ts";
 import { functionFeed, takeFeed } from "./block-feed.ts";
 import type { Machine } from "./machine.ts";
-import { closeMill } from "./mill-run.ts";
 import { centreOf, millStep } from "./mill-state.ts";
-import { flush, moveOf } from "./path-block.ts";
-import { closeTurn } from "./turn-run.ts";
+import { moveOf } from "./path-block.ts";
 
 /** Machine coordinates: where that is on the workpiece, nobody here knows. */
 const MACHINE_COORDINATES: ReadonlySet<number> = new Set([91, 92]);
@@ -21,9 +19,6 @@ export const retracts = (words: Words): boolean => words.functions.includes(RETR
 export function elsewhere(machine: Machine, words: Words, index: number): void {
   const { mill } = machine;
   const wasKnown = machine.turning ? machine.tip !== null && machine.sure.x && machine.sure.z : mill.at.z !== null && centreOf(mill.at) !== null;
-  flush(machine);
-  closeTurn(machine);
-  closeMill(machine);
   takeFeed(machine, words.feed, index);
   for (const { axis } of words.axes) {
     if (axis !== "X" && axis !== "Y" && axis !== "Z") continue;
@@ -41,9 +36,6 @@ export function elsewhere(machine: Machine, words: Words, index: number): void {
 
 /** M140: back along the tool axis, at the beginning of its block, by MB or to the end of the travel; at its own feed, or at rapid. */
 export function retract(machine: Machine, words: Words, index: number): void {
-  flush(machine);
-  closeTurn(machine);
-  closeMill(machine);
   const feed = functionFeed(machine, words.functionFeed, index);
   const by = words.retract === undefined || words.retract === "max" ? null : machine.number(words.retract, index);
   if (words.retract === undefined || (words.retract !== "max" && by === null)) machine.leaveUnproved(`M${RETRACT}`, index);

@@ -1,7 +1,5 @@
-import type { CornerElement } from "../kernel/corner.ts";
-import { issue } from "../kernel/issue.ts";
 import { partPoint, planeSegment, type PlanePoint, type PlaneSegment, type Side } from "../kernel/plane.ts";
-import type { Statement, Words } from "../nc/statement.ts";
+import type { Statement } from "../nc/statement.ts";
 import { isPolar } from "./approach-fields.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
@@ -11,7 +9,7 @@ import { centreOf, millArrives, millCarrier, type SidePlane } from "./mill-state
 import { standing, wordReader } from "./path-block.ts";
 import { endOf, isPolarPath, segmentOf, type MillPlane, type PathBlock } from "./path.ts";
 import { startUnknown } from "./turn-run.ts";
-import { addCorner, beginApproach, close, endWithDeparture, followPath, sideOf } from "./plane-guide.ts";
+import { beginApproach, close, endWithDeparture, followPath, sideOf } from "./plane-guide.ts";
 
 const carrierOf = (machine: Machine) => () => millCarrier(machine);
 
@@ -87,15 +85,6 @@ function around(machine: Machine, { path, words }: PathBlock, s: PlaneSegment, i
 
 function needsRadius(machine: Machine, side: Side, index: number): void {
   if (side !== "none" && machine.mill.radius === null) machine.say(programIssue("toolRadiusUnknown", "warning", { tool: machine.mill.tool }), index);
-}
-
-/** RND and CHF; their feed counts for them alone. */
-export function millCorner(machine: Machine, element: CornerElement | null, feed: Words["feed"], index: number): void {
-  if (!element) return;
-  const own = typeof feed === "object" ? machine.number(feed.value, index) : null;
-  const last = machine.mill.chain?.items.at(-1);
-  const added = last && addCorner(machine.mill, { element, feed: own === null ? last.feed : machine.feedOf(own), index });
-  if (!added) machine.say(issue("cornerElementAlone", "error", { element: Math.max(1, machine.mill.chain?.items.length ?? 0) }, "contour"), index);
 }
 
 /** APPR and DEP. */

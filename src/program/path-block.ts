@@ -56,8 +56,7 @@ function hold(machine: Machine, segment: Segment, feed: FeedNumber | null, index
 }
 
 /** A chamfer or rounding between plain path blocks; its own feed counts for it alone. */
-export function cornerBlock(machine: Machine, element: CornerElement | null, feed: Feed | undefined, index: number): void {
-  if (!element) return;
+export function cornerBlock(machine: Machine, element: CornerElement, feed: Feed | undefined, index: number): void {
   const own = typeof feed === "object" ? machine.number(feed.value, index) : null;
   const { held } = machine;
   if (!held || held.corner) return machine.say(issue("cornerElementAlone", "error", { element: held?.element ?? 1 }, "contour"), index);

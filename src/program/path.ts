@@ -69,8 +69,12 @@ export interface WordReader {
 
 /** Reads typed words, lengths in a unit of so many mm; who typed them is told elsewhere what is wrong. A missing number is NaN. */
 export const plainReader = (unit: number): WordReader => ({
-  number: (value) => (typeof value === "number" && !Number.isNaN(value) ? value : null), length: (n) => n * unit,
-  shift: () => 0, aside: () => undefined, lose: () => undefined, fault: () => undefined,
+  number: (value) => (typeof value === "number" && !Number.isNaN(value) ? value : null),
+  length: (n) => n * unit,
+  shift: () => 0,
+  aside: () => undefined,
+  lose: () => undefined,
+  fault: () => undefined,
 });
 
 /** A block that moves on a path. */
@@ -157,13 +161,18 @@ export function endOf(read: WordReader, { path, words }: PathBlock, { plane, at,
 export function elementOf(read: WordReader, { path, words }: PathBlock, to: Pt, pole: Pt | null): PathElement | null {
   const turn = words.turn ?? "ccw";
   switch (path) {
-    case "L": case "LP": return { kind: "line", to };
-    case "CT": case "CTP": return { kind: "tangent", to };
+    case "L":
+    case "LP":
+      return { kind: "line", to };
+    case "CT":
+    case "CTP":
+      return { kind: "tangent", to };
     case "CR": {
       const r = words.radius === undefined ? null : read.number(words.radius);
       return r === null ? null : { kind: "radius", to, radius: read.length(r), turn };
     }
-    case "C": case "CP":
+    case "C":
+    case "CP":
       if (!pole) read.fault("poleMissing");
       return pole && { kind: "centre", to, centre: pole, turn };
   }

@@ -1,0 +1,96 @@
+import type { Tool } from "../kernel/tool.ts";
+import { length } from "../kernel/units.ts";
+import type { StatementOf } from "../nc/statement.ts";
+import { programIssue } from "./issue.ts";
+import type { Machine } from "./machine.ts";
+import { noTool } from "./preconditions.ts";
+
+/** TOOL DEF with L and R, as older programs define their tools. */
+export function toolDefinition(machine: Machine, s: StatementOf<"toolDefinition">, index: number): void {
+  const n = s.radius === null ? null : machine.number(s.radius, index);
+  if (n !== null) machine.mill.defined.set(s.tool, machine.length(n));
+}
+
+/** TOOL CALL: feed and tool axis, and the tool of either table that has its number or name. */
+export function toolCall(machine: Machine, s: StatementOf<"toolCall">, index: number): void {
+  if (s.axis !== null) machine.mill.otherAxis = s.axis !== "Z";
+  const wanted = typeof s.tool === "object" && s.tool !== null ? machine.number(s.tool, index) : s.tool;
+  if (wanted !== null) takeMill(machine, s, wanted, index);
+  if (typeof s.feed === "object" && s.feed) {
+    const n = machine.number(s.feed.value, index);
+    if (n !== null) machine.toolFeed = machine.feed = machine.feedOf(n);
+    machine.feedWord = "F";
+  }
+  if (wanted !== null) takeTool(machine, s, wanted, index);
+}
+
+function takeMill(machine: Machine, s: StatementOf<"toolCall">, wanted: number | string, index: number): void {
+  const { mill, shop } = machine;
+  const row = shop.mills?.find((m) => m.T === wanted || m.NAME === wanted);
+  const radius = mill.defined.get(wanted) ?? (row ? row.R + (row.DR ?? 0) : null);
+  const delta = s.deltaRadius === null ? 0 : (machine.number(s.deltaRadius, index) ?? 0);
+  mill.tool = String(wanted);
+  mill.radius = radius === null ? null : Math.max(0, radius + machine.length(delta));
+}
+
+function takeTool(machine: Machine, s: StatementOf<"toolCall">, wanted: number | string, index: number): void {
+  const refused = machine.shop.refused?.get(Number(wanted));
+  const tool = refused ? undefined : find(machine.shop.tools, wanted);
+  machine.sure = { x: false, z: false };
+  machine.last = null;
+  machine.compensation = "R0";
+  machine.tool = tool ?? null;
+  machine.toolRefused = !tool;
+  machine.corrections = {};
+  if (refused && typeof wanted === "number") for (const i of refused) machine.say(i, index);
+  else if (!tool && (machine.turning || turnsLater(machine, index)))
+    machine.say(programIssue("toolUnknown", "error", { tool: String(wanted) }, "tool"), index);
+  if (tool && ((tool.DZL ?? 0) !== 0 || (tool.DXL ?? 0) !== 0))
+    machine.say(programIssue("lengthDelta", "info", { tool: tool.T }, "tool"), index);
+  const deltas = [s.deltaLength, s.deltaRadius].some((d) => d !== null && d !== 0);
+  if (deltas && tool && machine.turning) machine.leaveUnproved("DL DR", index);
+}
+
+/** A tool of another table is no fault while only milling follows. */
+function turnsLater(machine: Machine, index: number): boolean {
+  for (let i = index + 1; i < machine.blocks.length; i += 1) {
+    const s = machine.blocks[i]?.statement;
+    if (s?.kind === "mode") return s.mode === "TURN";
+    if (s?.kind === "toolCall") return false;
+  }
+  return false;
+}
+
+/** By number, the index behind the point aside, or by name. */
+const find = (tools: readonly Tool[], wanted: number | string) =>
+  typeof wanted === "number"
+    ? (tools.find((t) => t.T === wanted) ?? tools.find((t) => t.T === Math.floor(wanted)))
+    : (tools.find((t) => t.NAME === wanted) ?? tools.find((t) => t.NAME.toUpperCase() === wanted.trim().toUpperCase()));
+
+type Correction = NonNullable<Tool["correction"]>;
+type Plus = (a: Correction, b: Correction) => Correction;
+const NONE: Correction = { z: length(0), r: length(0) };
+const plus: Plus = (a, b) => ({ z: length(a.z + b.z), r: length(a.r + b.r) });
+
+/** The tool as FUNCTION TURNDATA CORR leaves it; both systems add up. */
+function corrected(tool: Tool, corrections: Machine["corrections"]): Tool {
+  const { correction: _, ...bare } = tool;
+  const sum = plus(corrections.TCS ?? NONE, corrections.WPL ?? NONE);
+  return sum.z === 0 && sum.r === 0 ? bare : { ...bare, correction: sum };
+}
+
+/**
+ * FUNCTION TURNDATA CORR: from here to the next tool call the control counts with a tool that is longer by DZL and DXL
+ * (decision 0006), so the insert stands that far towards +Z and +X from the programmed tip.
+ */
+export function correctTool(machine: Machine, s: StatementOf<"turnCorrection">, index: number): void {
+  machine.say(programIssue("wordsRecalled", "info", { what: `FUNCTION TURNDATA CORR-${s.system}` }), index);
+  if (!machine.tool) return noTool(machine, index);
+  const word = (name: string) => {
+    const found = s.words.find((w) => w.name === name);
+    return length(found ? machine.length(machine.number(found.value, index) ?? 0) : 0);
+  };
+  for (const { name } of s.words) if (name !== "DZL" && name !== "DXL") machine.leaveUnproved(name, index);
+  machine.corrections = { ...machine.corrections, [s.system]: { z: word("DZL"), r: word("DXL") } };
+  machine.tool = corrected(machine.tool, machine.corrections);
+}
