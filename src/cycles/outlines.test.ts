@@ -31,7 +31,15 @@ test.each(cases)("%s", (_name, number, values, corners) => {
   if (!cycle) throw new Error(`no cycle ${number}`);
   const { contour, issues } = cycle.outline({ ...Object.fromEntries(Object.entries(cycle.params).map(([q, p]) => [q, p.example])), ...values } as never, { contour: null, start: null });
   expect(issues).toEqual([]);
+  expect(contour.every((s) => s.kind === "line")).toBe(true);
   const points = [...contour.slice(0, 1).map((s) => s.from), ...contour.map((s) => s.to)];
   const rounded = (n: number) => Number(n.toFixed(6)) + 0;
   expect(points.map((p) => [rounded(p.z), rounded(p.r)])).toEqual(corners.map(([z, r]) => [rounded(z), rounded(r)]));
+});
+
+test("an element 2 is a radius: an arc, tangential on both sides", () => {
+  const cycle = cycleByNumber(812);
+  const values = { ...Object.fromEntries(Object.entries(cycle?.params ?? {}).map(([q, p]) => [q, p.example])), ...plain, ...box, Q501: 2, Q502: 1.3 };
+  const first = cycle?.outline(values as never, { contour: null, start: null }).contour[0];
+  expect(first).toMatchObject({ kind: "arc", from: { z: -20, r: 23.7 }, to: { z: -21.3, r: 25 }, centre: { z: -21.3, r: 23.7 } });
 });
