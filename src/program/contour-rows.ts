@@ -6,9 +6,10 @@ import { sweepOf } from "../kernel/solve-curves.ts";
 import type { SolveElement } from "../kernel/solve-work.ts";
 import { toDiameter } from "../kernel/units.ts";
 import type { ContourRow } from "./job.ts";
-import { rowGiven, type RowField, type RowGiven, type RowIssue, type RowReader } from "./row-given.ts";
+import { rowGiven, type RowGiven } from "./row-given.ts";
+import type { RowField, RowIssue, RowReader } from "./row-reader.ts";
 
-export type { RowField, RowIssue } from "./row-given.ts";
+export type { RowField, RowIssue } from "./row-reader.ts";
 
 /** What one row means. X values are diameters, mm. */
 export interface RowReading {

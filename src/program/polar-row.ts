@@ -7,7 +7,7 @@ import { programIssue } from "./issue.ts";
 import { kept } from "./field.ts";
 import type { ContourRow } from "./job.ts";
 import { plainReader, polarPoint } from "./path.ts";
-import type { RowReader } from "./row-given.ts";
+import { NEEDED, rowNumber, type RowReader } from "./row-reader.ts";
 import { noWords, POSITION_DECIMALS, typedValue } from "./typed-value.ts";
 
 /** A word that gives the end of a polar element: distance from the pole in mm, angle from +Z towards +X in degrees. */
@@ -63,8 +63,8 @@ export function polarWordsTo(row: ContourRow, pole: Pt, before: Pt | null, to: P
   }, row.words);
 }
 
-/** Where a polar row ends, as its block does in the run; `number` reads a typed number and says what is wrong with it. */
-function polarEnd(reader: RowReader, row: ContourRow, index: number, number: (name: PolarName, typed: string) => number | null): Pt | null {
+/** Where a polar row ends, as its block does in the run. */
+function polarEnd(reader: RowReader, row: ContourRow, index: number): Pt | null {
   const before = typeof reader.x === "number" && typeof reader.z === "number" ? { z: axial(reader.z), r: toRadius(diameter(reader.x)) } : null;
   if (!reader.pole) {
     reader.issues.push({ row: index, field: null, issue: programIssue("poleMissing", "error", {}) });
@@ -74,7 +74,7 @@ function polarEnd(reader: RowReader, row: ContourRow, index: number, number: (na
   let words: Words = noWords, readable = true;
   for (const name of ["PR", "PA"] as const) {
     const { text, incremental } = names.includes(name) ? polarTyped(row, name) : { text: "", incremental: false };
-    const empty = text.trim() === "", value = empty ? null : number(name, text);
+    const empty = text.trim() === "", value = empty ? null : rowNumber(reader, index, name, text, NEEDED);
     if (value !== null) words = { ...words, ...putWord(name, { value, incremental }) };
     else if (!empty) readable = false;
     // Without a known point before, there is nothing to keep or to add to.
@@ -90,10 +90,8 @@ function polarEnd(reader: RowReader, row: ContourRow, index: number, number: (na
 }
 
 /** The end of a polar row as coordinates; where it can not be told, the contour stays where it is. */
-export function polarGiven(
-  reader: RowReader, row: ContourRow, index: number, number: (name: PolarName, typed: string) => number | null,
-): { readonly z: Given<Axial>; readonly r: Given<Radius> } {
-  const to = polarEnd(reader, row, index, number);
+export function polarGiven(reader: RowReader, row: ContourRow, index: number): { readonly z: Given<Axial>; readonly r: Given<Radius> } {
+  const to = polarEnd(reader, row, index);
   if (!to) return { z: reader.z === null ? null : { by: axial(0) }, r: reader.x === null ? null : { by: toRadius(diameter(0)) } };
   reader.z = to.z;
   reader.x = toDiameter(to.r);

@@ -1,33 +1,14 @@
 import type { CornerElement } from "../kernel/corner.ts";
-import { issue, type Issue } from "../kernel/issue.ts";
+import { issue } from "../kernel/issue.ts";
 import type { Pt } from "../kernel/point.ts";
 import type { Given, SolveElement } from "../kernel/solve-work.ts";
 import { axial, degrees, diameter, length, toRadius, type Axial, type Radius } from "../kernel/units.ts";
 import { grooveDiameters, GROOVE_WORDS, type Groove } from "../kernel/groove.ts";
 import { UNDERCUT_FORMS, UNDERCUT_WORDS, type RecessWord, type RecessWords, type Undercut } from "../kernel/undercut.ts";
-import { anyNumber, readText, type Field } from "./field.ts";
-import type { ProgramIssue } from "./issue.ts";
+import type { Field } from "./field.ts";
 import type { ContourRow } from "./job.ts";
-import { isPolarRow, polarGiven, type PolarName } from "./polar-row.ts";
-
-/** A field of a contour row. */
-export type RowField = "x" | "z" | "r" | "angle" | "length" | PolarName;
-
-/** A finding with its place in the table; `field` is null where it belongs to the whole element. */
-export interface RowIssue {
-  readonly row: number;
-  readonly field: RowField | null;
-  readonly issue: Issue | ProgramIssue;
-}
-
-/** What the rows give, read one after the other: numbers, and what is wrong with their text. */
-export interface RowReader {
-  /** Where the last row stands as far as typed coordinates alone say; X as diameter. "sought" where solving has to say. */
-  x: number | "sought" | null;
-  z: number | "sought" | null;
-  pole: Pt | null;
-  readonly issues: RowIssue[];
-}
+import { isPolarRow, polarGiven } from "./polar-row.ts";
+import { ANY, NEEDED, rowNumber, type RowField, type RowReader } from "./row-reader.ts";
 
 /** What one row gives: a corner, an element to be solved, an undercut or recess, or a centre, which is no element. */
 export type RowGiven =
@@ -47,18 +28,8 @@ export function seeks(row: ContourRow): boolean {
   return (row.kind === "CR" || row.kind === "C") && row.tangent;
 }
 
-/** The findings of a row stand at the contour; row and field say where in its table. */
-const ANY: Field = { ...anyNumber, id: "contour" };
-const NEEDED: Field = { ...ANY, optional: false };
 /** A length that leads anywhere. */
 const SIZE: Field = { ...ANY, range: [0.001, 99999.999] };
-
-/** A typed number; says what is wrong with it. */
-function fieldValue(reader: RowReader, row: number, at: RowField | null, typed: string, field: Field): number | null {
-  const { value, issue: found } = readText(field, typed);
-  if (found) reader.issues.push({ row, field: at, issue: found });
-  return value;
-}
 
 type Coordinate = { readonly by: number } | { readonly at: number } | null;
 
@@ -69,7 +40,7 @@ function coordinate(reader: RowReader, row: ContourRow, index: number, axis: "x"
     reader[axis] = "sought";
     return null;
   }
-  const value = fieldValue(reader, index, axis, typed, before === null ? NEEDED : ANY);
+  const value = rowNumber(reader, index, axis, typed, before === null ? NEEDED : ANY);
   if (value === null) return before === null ? null : { by: 0 };
   if (!incremental || before === null) {
     reader[axis] = value;
@@ -86,7 +57,7 @@ const onRadius = (c: Coordinate): Given<Radius> => c && ("at" in c ? { at: toRad
 function centreOf(reader: RowReader, row: ContourRow, index: number): Pt | null {
   const say = (field: RowField) => reader.issues.push({ row: index, field, issue: issue("missing", "error", {}, "contour") });
   const one = (axis: "x" | "z", incremental: boolean): number | null => {
-    const before = reader[axis], value = fieldValue(reader, index, axis, row[axis], ANY);
+    const before = reader[axis], value = rowNumber(reader, index, axis, row[axis], ANY);
     if (value !== null && !incremental) return value;
     if (typeof before === "number") return before + (value ?? 0);
     if (value !== null || empty(row[axis])) say(axis);
@@ -110,7 +81,7 @@ export function recessWords(row: ContourRow): readonly RecessWord[] {
 function recessOfRow(reader: RowReader, row: ContourRow, index: number): Undercut | Groove {
   const measured = (word: RecessWord, n: number) => (isDiameterWord(row, word) ? toRadius(diameter(n)) : n);
   const words: RecessWords = Object.fromEntries(recessWords(row).flatMap((word) => {
-    const n = fieldValue(reader, index, null, row.words[word] ?? "", ANY);
+    const n = rowNumber(reader, index, null, row.words[word] ?? "", ANY);
     return n === null ? [] : [[word, measured(word, n)] as const];
   }));
   if (row.kind === "GRV") return { kind: "groove", direction: row.form === "AXIAL" ? "axial" : "radial", words };
@@ -120,7 +91,7 @@ function recessOfRow(reader: RowReader, row: ContourRow, index: number): Undercu
 /** Reads one row. */
 export function rowGiven(reader: RowReader, row: ContourRow, index: number): RowGiven {
   if (row.kind === "RND" || row.kind === "CHF") {
-    const size = fieldValue(reader, index, "r", row.r, NEEDED);
+    const size = rowNumber(reader, index, "r", row.r, NEEDED);
     return { kind: "corner", corner: { kind: row.kind === "RND" ? "round" : "chamfer", size: size ?? 0 } };
   }
   if (row.kind === "UDC" || row.kind === "GRV") return { kind: "recess", recess: recessOfRow(reader, row, index) };
@@ -129,7 +100,7 @@ export function rowGiven(reader: RowReader, row: ContourRow, index: number): Row
     return { kind: "centre" };
   }
   if (isPolarRow(row)) {
-    const end = polarGiven(reader, row, index, (name, typed) => fieldValue(reader, index, name, typed, NEEDED));
+    const end = polarGiven(reader, row, index);
     return { kind: "element", element: shape(reader, row, index, { ...end, choice: row.second ? 1 : 0 }), sought: { x: false, z: false } };
   }
   const before = { x: reader.x, z: reader.z };
@@ -149,9 +120,9 @@ function shape(reader: RowReader, row: ContourRow, index: number, common: Pick<S
     case "C":
       if (!reader.pole) reader.issues.push({ row: index, field: null, issue: issue("centreMissing", "error", { element: index + 1 }, "contour") });
       return { ...arc, centre: reader.pole };
-    case "CR": return { ...arc, radius: asked(row.r) ? null : fieldValue(reader, index, "r", row.r, row.tangent ? ANY : NEEDED) };
+    case "CR": return { ...arc, radius: asked(row.r) ? null : rowNumber(reader, index, "r", row.r, row.tangent ? ANY : NEEDED) };
     default: {
-      const [angle, far] = [fieldValue(reader, index, "angle", row.angle, ANY), fieldValue(reader, index, "length", row.length, SIZE)];
+      const [angle, far] = [rowNumber(reader, index, "angle", row.angle, ANY), rowNumber(reader, index, "length", row.length, SIZE)];
       return { ...common, kind: "line", angle: angle === null ? null : degrees(angle), length: far === null ? null : length(far), tangent: row.tangent };
     }
   }

@@ -1,0 +1,34 @@
+import type { Issue } from "../kernel/issue.ts";
+import type { Pt } from "../kernel/point.ts";
+import { anyNumber, readText, type Field } from "./field.ts";
+import type { ProgramIssue } from "./issue.ts";
+
+/** A field of a contour row. */
+export type RowField = "x" | "z" | "r" | "angle" | "length" | "PR" | "PA";
+
+/** A finding with its place in the table; `field` is null where it belongs to the whole element. */
+export interface RowIssue {
+  readonly row: number;
+  readonly field: RowField | null;
+  readonly issue: Issue | ProgramIssue;
+}
+
+/** What the rows give, read one after the other: numbers, and what is wrong with their text. */
+export interface RowReader {
+  /** Where the last row stands as far as typed coordinates alone say; X as diameter. "sought" where solving has to say. */
+  x: number | "sought" | null;
+  z: number | "sought" | null;
+  pole: Pt | null;
+  readonly issues: RowIssue[];
+}
+
+/** The findings of a row stand at the contour; row and field say where in its table. */
+export const ANY: Field = { ...anyNumber, id: "contour" };
+export const NEEDED: Field = { ...ANY, optional: false };
+
+/** A number typed into a row; says what is wrong with it. */
+export function rowNumber(reader: RowReader, row: number, at: RowField | null, typed: string, field: Field): number | null {
+  const { value, issue: found } = readText(field, typed);
+  if (found) reader.issues.push({ row, field: at, issue: found });
+  return value;
+}
