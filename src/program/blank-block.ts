@@ -10,7 +10,7 @@ export function blankBox(machine: Machine, s: StatementOf<"blankBox">, index: nu
   const word = s.corner === 2 ? s.axes.find((w) => w.axis === "Z") : undefined;
   const n = word ? machine.number(word.value, index) : null;
   if (n !== null) machine.mill.top = machine.length(n);
-  if (machine.turning) machine.say(programIssue("blankNotTurned", "info", { form: "BLK FORM 0.1" }), index);
+  if (machine.turning) machine.log.say(programIssue("blankNotTurned", "info", { form: "BLK FORM 0.1" }), index);
 }
 
 export function blankCylinder(machine: Machine, s: StatementOf<"blankCylinder">, index: number): void {
@@ -20,7 +20,7 @@ export function blankCylinder(machine: Machine, s: StatementOf<"blankCylinder">,
   };
   const [outside, inside] = [read(s.outside?.value ?? null), read(s.inside?.value ?? null)];
   const [long, distance] = [read(s.length), read(s.distance)];
-  if (outside === null || long === null) return machine.say(programIssue("blankImpossible", "error", {}), index);
+  if (outside === null || long === null) return machine.log.say(programIssue("blankImpossible", "error", {}), index);
   const rings = cylinder({
     outside: measured(outside, s.outside?.measure === "D"),
     inside: measured(inside ?? 0, s.inside?.measure === "DI"),
@@ -28,26 +28,26 @@ export function blankCylinder(machine: Machine, s: StatementOf<"blankCylinder">,
     front: axial(distance ?? 0),
   });
   if (rings) machine.blank = rings;
-  else machine.say(programIssue("blankImpossible", "error", {}), index);
+  else machine.log.say(programIssue("blankImpossible", "error", {}), index);
 }
 
 /** The blank that a label outlines; `radii`: its X words are radii. */
 export function outlinedBlank(machine: Machine, label: number | string, radii: boolean, index: number): void {
   const read = readContour(machine, label, index, radii);
   if (!read) return;
-  for (const i of read.contour.issues) machine.say(i, read.blocks["element" in i.data ? i.data.element - 1 : 0] ?? index);
+  for (const i of read.contour.issues) machine.log.say(i, read.blocks["element" in i.data ? i.data.element - 1 : 0] ?? index);
   const rings = rotation(read.contour.segments);
   if (rings) machine.blank = rings;
-  else machine.say(programIssue("blankImpossible", "error", {}), index);
+  else machine.log.say(programIssue("blankImpossible", "error", {}), index);
 }
 
 /** FUNCTION TURNDATA BLANK: the outline in a label is the stock where the program has no blank; air cuts are not left out. */
 export function blankOfTurnData(machine: Machine, s: StatementOf<"turnBlank">, index: number): void {
   if (s.blank === "off") return;
-  if ("file" in s.blank) return machine.leaveUnproved(`FUNCTION TURNDATA BLANK "${s.blank.file}"`, index);
+  if ("file" in s.blank) return machine.log.leaveUnproved(`FUNCTION TURNDATA BLANK "${s.blank.file}"`, index);
   const first = machine.blank.length === 0;
   if (first) outlinedBlank(machine, s.blank.label, false, index);
   const label = String(s.blank.label);
-  if (!first) machine.say(programIssue("blankNotTaken", "info", { label }), index);
-  else if (machine.blank.length > 0) machine.say(programIssue("blankTaken", "info", { label }), index);
+  if (!first) machine.log.say(programIssue("blankNotTaken", "info", { label }), index);
+  else if (machine.blank.length > 0) machine.log.say(programIssue("blankTaken", "info", { label }), index);
 }

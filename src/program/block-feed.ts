@@ -29,15 +29,15 @@ function judge(machine: Machine, feed: FeedNumber, index: number): void {
   const now = `${feed} ${feedUnit} ${machine.feedWord}`;
   if (now === machine.judged) return;
   machine.judged = now;
-  if (!(feed > 0)) machine.say(programIssue("feedZero", "error", { word: machine.feedWord === "FAUTO" ? "FAUTO" : `F${feed}` }, "F"), index);
-  else if (isUnlikely(feed, perRevolution)) machine.say(programIssue("feedUnlikely", "warning", { feed, unit: feedUnit }, "F"), index);
+  if (!(feed > 0)) machine.log.say(programIssue("feedZero", "error", { word: machine.feedWord === "FAUTO" ? "FAUTO" : `F${feed}` }, "F"), index);
+  else if (isUnlikely(feed, perRevolution)) machine.log.say(programIssue("feedUnlikely", "warning", { feed, unit: feedUnit }, "F"), index);
 }
 
 /** The feed of a block that moves: null is rapid. */
 export function blockFeed(machine: Machine, feed: Feed | undefined, index: number): FeedNumber | null {
   if (feed === "max") return (machine.lastFeed = null);
   takeFeed(machine, feed, index);
-  if (machine.feed === null) machine.sayOnce(programIssue("feedMissing", "error", {}), index);
+  if (machine.feed === null) machine.log.sayOnce(programIssue("feedMissing", "error", {}), index);
   else {
     judge(machine, machine.feed, index);
     machine.lastFeed = machine.feed;

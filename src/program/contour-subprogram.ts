@@ -36,7 +36,7 @@ const MOST_BLOCKS = 20_000;
 export function readContour(machine: Machine, label: Label, at: number, radii = false): Subprogram | null {
   const start = machine.labels.get(label);
   if (start === undefined) {
-    machine.say(programIssue("labelMissing", "error", { label: String(label) }), at);
+    machine.log.say(programIssue("labelMissing", "error", { label: String(label) }), at);
     return null;
   }
   const outer = new Map(machine.parameters);
@@ -52,7 +52,7 @@ export function readContour(machine: Machine, label: Label, at: number, radii = 
     element(reader, statement, i);
   }
   const end = machine.blocks[i]?.statement;
-  if (end?.kind !== "label" && !machine.full) machine.say(programIssue("labelNotClosed", "warning", { label: String(label) }), start);
+  if (end?.kind !== "label" && !machine.full) machine.log.say(programIssue("labelNotClosed", "warning", { label: String(label) }), start);
   machine.parameters.clear();
   outer.forEach((value, name) => machine.parameters.set(name, value));
   if (machine.full) return null;
@@ -71,7 +71,7 @@ function element(reader: Reader, s: Statement, index: number): void {
       const recess = recessOf(reader.machine, s, index);
       return recess ? push(reader, recess, index) : undefined;
     }
-    case "approach": case "call": case "cycleCall": case "jump": case "datum": case "unknown": return reader.machine.leaveUnproved(nameOf(lineOfBlock(reader.machine, index)), index);
+    case "approach": case "call": case "cycleCall": case "jump": case "datum": case "unknown": return reader.machine.log.leaveUnproved(nameOf(lineOfBlock(reader.machine, index)), index);
     default: return;
   }
 }
@@ -95,7 +95,7 @@ const wordsOf = (reader: Reader, index: number): WordReader => ({
   lose: () => void (reader.isTroubled = true),
   fault: (code) => {
     if (code === "startUnknown") return;
-    if (!reader.isTroubled) reader.machine.say(programIssue(code, "error", {}), index);
+    if (!reader.isTroubled) reader.machine.log.say(programIssue(code, "error", {}), index);
     reader.isTroubled = true;
   },
 });
@@ -118,6 +118,6 @@ function path(reader: Reader, { path: kind, words }: Extract<Statement, { kind: 
 /** The first block of a contour names both coordinates: a control knows no point before it. */
 function incomplete(reader: Reader, index: number): void {
   if (!reader.isTroubled && reader.elements.length === 0)
-    reader.machine.say(programIssue("contourStartIncomplete", "error", { axis: reader.at.x === null ? "X" : "Z" }), index);
+    reader.machine.log.say(programIssue("contourStartIncomplete", "error", { axis: reader.at.x === null ? "X" : "Z" }), index);
   reader.isTroubled = true;
 }

@@ -33,14 +33,14 @@ const NO_CONTOUR = { contour: null, isTroubled: true };
 function givenContour(machine: Machine, cycle: number, index: number, operation: number): Pick<Given, "contour"> & { readonly isTroubled: boolean } {
   if (machine.contourLabels.length === 0) {
     const { contourFile: file } = machine;
-    machine.say(file === null ? programIssue("contourNotNamed", "error", { cycle }) : programIssue("contourInFile", "error", { file }), index);
+    machine.log.say(file === null ? programIssue("contourNotNamed", "error", { cycle }) : programIssue("contourInFile", "error", { file }), index);
     return NO_CONTOUR;
   }
   const read = machine.contourLabels.map((label) => readContour(machine, label, index));
   // Where a block could not be read, what else is wrong with the contour is wrong for that reason.
   for (const r of read) for (const i of r && !r.isTroubled ? r.contour.issues : []) {
     const element = "element" in i.data ? i.data.element : 0;
-    machine.say(i, r?.blocks[element - 1] ?? index, 0, operation);
+    machine.log.say(i, r?.blocks[element - 1] ?? index, 0, operation);
   }
   const segments = read.flatMap((r) => r?.contour.segments ?? []);
   return { contour: segments.length > 0 ? segments : null, isTroubled: read.some((r) => r?.isTroubled ?? true) };
@@ -53,14 +53,14 @@ function givenContour(machine: Machine, cycle: number, index: number, operation:
 function standIn(machine: Machine, cycle: Cycle, values: Values<Params> | null, given: Given, start: Pt, index: number): Tool | null {
   if (!values || (cycle.contour === "free" && !given.contour)) return null;
   const best = rankTools(cycle, values, given, { start, feedUnit: machine.feedUnit, autoFeed: machine.toolFeed, stock: null }, machine.shop.tools)[0]?.tool;
-  if (best) machine.say(issue("betterTool", "info", { tool: best.T, name: best.NAME }, "tool"), index);
+  if (best) machine.log.say(issue("betterTool", "info", { tool: best.T, name: best.NAME }, "tool"), index);
   return best ?? null;
 }
 
 /** What must hold at a cycle call, apart from its values. */
 function preconditions(machine: Machine, index: number): void {
-  if (machine.mode !== "TURN") machine.say(programIssue("notInTurnMode", "error", {}), index);
-  if (machine.compensation !== "R0") machine.say(programIssue("compensationActive", "error", { side: machine.compensation }), index);
+  if (machine.mode !== "TURN") machine.log.say(programIssue("notInTurnMode", "error", {}), index);
+  if (machine.compensation !== "R0") machine.log.say(programIssue("compensationActive", "error", { side: machine.compensation }), index);
   if (!machine.tool) noTool(machine, index);
 }
 
@@ -71,8 +71,8 @@ function startOf(machine: Machine, index: number): Pt | null {
   // With RL or RR still active the tip stands beside the programmed point.
   const really = machine.compensation === "R0" ? null : machine.guide.here;
   const start = really && machine.tip ? partPoint(really) : machine.tip;
-  if (start && (!machine.sure.x || !machine.sure.z)) machine.say(programIssue("startUnknown", "warning", {}), index);
-  else if (!start && machine.lost === "unproved") machine.leaveUnproved("CYCL CALL", index);
+  if (start && (!machine.sure.x || !machine.sure.z)) machine.log.say(programIssue("startUnknown", "warning", {}), index);
+  else if (!start && machine.lost === "unproved") machine.log.leaveUnproved("CYCL CALL", index);
   else if (!start) startUnknown(machine, index);
   return start;
 }
@@ -81,22 +81,22 @@ function startOf(machine: Machine, index: number): Pt | null {
 function otherCycle(machine: Machine, { index: definedIn, cycle }: Defined, index: number): void {
   const s = machine.blocks[definedIn]?.statement;
   const name = s?.kind === "cycle" ? s.name : s?.kind === "cycleLine" ? s.text : "";
-  machine.leaveUnproved(`CYCL DEF ${cycle} ${name}`.trim(), index);
+  machine.log.leaveUnproved(`CYCL DEF ${cycle} ${name}`.trim(), index);
 }
 
 /** Executes a cycle call: plans the defined cycle from where the tip stands and runs its moves. */
 export function callCycle(machine: Machine, index: number): void {
   const { defined } = machine;
-  if (!defined) return machine.say(programIssue("noCycleDefined", "error", {}), index);
+  if (!defined) return machine.log.say(programIssue("noCycleDefined", "error", {}), index);
   machine.called.add(defined.index);
   const cycle = cycleByNumber(defined.cycle);
   if (!cycle) return otherCycle(machine, defined, index);
   preconditions(machine, index);
   const start = startOf(machine, index);
   if (!start) return;
-  if (!machine.spindle) machine.sayOnce(programIssue("spindleMissing", "warning", {}), index);
+  if (!machine.spindle) machine.log.sayOnce(programIssue("spindleMissing", "warning", {}), index);
   if (!machine.roomForOperation(index)) return;
-  const operation = machine.operations.length;
+  const operation = machine.log.operations.length;
   const counted = countedPoint(start, machine.datum);
   const { isTroubled, contour } = cycle.contour === "free" ? givenContour(machine, cycle.number, index, operation) : { contour: null, isTroubled: false };
   const given: Given = { contour, start: counted };
@@ -119,8 +119,8 @@ export function callCycle(machine: Machine, index: number): void {
   const where = machine.blocks[defined.index]?.raw ?? "";
   for (const i of [...all, ...feeds]) {
     const parameter = i.at?.startsWith("Q") ? i.at : null;
-    if (parameter) machine.say(i, defined.index, lineOf(where, parameter), operation);
-    else machine.say(i, index, 0, operation);
+    if (parameter) machine.log.say(i, defined.index, lineOf(where, parameter), operation);
+    else machine.log.say(i, index, 0, operation);
   }
 }
 
@@ -128,18 +128,18 @@ type Called = Pick<Operation, "cycle" | "start" | "tool" | "plan" | "issues" | "
 
 /** Runs the moves of a plan and notes the operation. */
 function perform(machine: Machine, { cycle, defined, start, tool, plan, issues, call }: Called, index: number): void {
-  const firstStep = machine.steps.length;
+  const firstStep = machine.log.steps.length;
   let [from, seconds] = [start, 0];
   for (const move of plan.moves) {
-    seconds += machine.step(from, move, index, machine.operations.length, plan.tool ?? tool);
+    seconds += machine.step(from, move, index, machine.log.operations.length, plan.tool ?? tool);
     from = move.to;
   }
   machine.at = { x: toDiameter(from.r), y: null, z: from.z };
   machine.last = null;
-  machine.operations.push({
-    block: machine.numbers[index] ?? 0, definedIn: machine.numbers[defined.index] ?? 0, definedLine: machine.lines[defined.index] ?? 1,
+  machine.log.operations.push({
+    block: machine.log.numbers[index] ?? 0, definedIn: machine.log.numbers[defined.index] ?? 0, definedLine: machine.log.lines[defined.index] ?? 1,
     cycle, tool, start, feedUnit: machine.feedUnit, spindle: machine.spindle, plan, seconds,
-    firstStep, lastStep: machine.steps.length - 1, issues,
+    firstStep, lastStep: machine.log.steps.length - 1, issues,
     call,
   });
 }
@@ -149,7 +149,7 @@ export function defineCycle(machine: Machine, index: number): void {
   const s = machine.blocks[index]?.statement;
   if (s?.kind !== "cycle") return;
   const cycle = cycleByNumber(s.cycle);
-  if (!cycle) machine.say(programIssue("cycleNotSimulated", "info", { cycle: s.cycle, name: s.name }), index);
+  if (!cycle) machine.log.say(programIssue("cycleNotSimulated", "info", { cycle: s.cycle, name: s.name }), index);
   if (ACTIVE_AT_ONCE.has(s.cycle)) return actingCycle(machine, s.cycle, s.parameters, index);
   const values = new Map<string, number | "auto" | null>();
   const troubled = new Set<string>();

@@ -35,8 +35,8 @@ export function shiftDatum(machine: Machine, words: readonly AxisWord[], what: s
     const n = machine.number(w.value, index);
     const key = KEYS[w.axis];
     if (!key) {
-      if (n !== 0) machine.leaveUnproved(what, index);
-    } else if (n === null) machine.leaveUnproved(what, index);
+      if (n !== 0) machine.log.leaveUnproved(what, index);
+    } else if (n === null) machine.log.leaveUnproved(what, index);
     else {
       const typed = machine.length(n);
       const by = key === "x" && machine.turning ? toRadius(diameter(typed)) : typed;
@@ -49,6 +49,6 @@ export function shiftDatum(machine: Machine, words: readonly AxisWord[], what: s
 export function datumLine(machine: Machine, text: string, what: string, index: number): void {
   const scan = new Scan(text, 0);
   const { axes, extra } = readWords(scan);
-  if (extra.length > 0) machine.leaveUnproved(what, index);
+  if (extra.length > 0) machine.log.leaveUnproved(what, index);
   shiftDatum(machine, axes, what, index);
 }

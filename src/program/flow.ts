@@ -43,7 +43,7 @@ export function execute(machine: Machine, block: (s: Statement, index: number) =
     machine.visited[index] = 1;
     if (s.kind === "label" && s.label === 0) next = flow.returns.pop() ?? next;
     else if (s.kind === "label" && flow.contours.has(s.label) && machine.labels.get(s.label) === index) {
-      machine.say(programIssue("runsIntoLabel", "error", { label: String(s.label) }), index);
+      machine.log.say(programIssue("runsIntoLabel", "error", { label: String(s.label) }), index);
       told = true;
       next = behindLabel(machine, index);
     } else if (s.kind === "call") next = call(flow, s, index);
@@ -72,7 +72,7 @@ function target(machine: Machine, named: Extract<Statement, { kind: "call" | "ju
   const label = typeof named === "object" ? machine.number(named, index) : named;
   if (label === null) return null;
   const found = machine.labels.get(label);
-  if (found === undefined) machine.say(programIssue("labelMissing", "error", { label: String(label) }), index);
+  if (found === undefined) machine.log.say(programIssue("labelMissing", "error", { label: String(label) }), index);
   return found ?? null;
 }
 
@@ -89,7 +89,7 @@ function call({ machine, returns, repeats }: Flow, s: Extract<Statement, { kind:
     return to + 1;
   }
   if (returns.length >= DEEPEST_CALL) {
-    machine.say(programIssue("callsTooDeep", "error", { limit: DEEPEST_CALL }), index);
+    machine.log.say(programIssue("callsTooDeep", "error", { limit: DEEPEST_CALL }), index);
     return on;
   }
   returns.push(on);
@@ -106,12 +106,12 @@ function jump(machine: Machine, s: Extract<Statement, { kind: "jump" }>, index: 
 function compare(machine: Machine, s: Extract<Statement, { kind: "jump" }>, index: number): boolean {
   if (s.right === null) {
     const set = typeof s.left === "number" || machine.known.isSet(s.left.parameter);
-    if (set === null) machine.leaveUnproved(s.fn === null ? "IF" : `FN ${s.fn}`, index);
+    if (set === null) machine.log.leaveUnproved(s.fn === null ? "IF" : `FN ${s.fn}`, index);
     return set !== null && set === (s.compare === "IS DEFINED");
   }
   const [left, right] = [machine.number(s.left, index), machine.number(s.right, index)];
   if (left === null || right === null) {
-    if (machine.known.isUnproved) machine.leaveUnproved(s.fn === null ? "IF" : `FN ${s.fn}`, index);
+    if (machine.known.isUnproved) machine.log.leaveUnproved(s.fn === null ? "IF" : `FN ${s.fn}`, index);
     return false;
   }
   switch (s.compare) {
@@ -134,7 +134,7 @@ export function neverReached(machine: Machine, ending: Ending): boolean {
     if (!s || machine.visited[i]) continue;
     if (s.kind === "label" && s.label !== 0 && (used === "all" || used.has(s.label))) i = behindLabel(machine, i) - 1;
     else if (runs(s)) {
-      machine.say(programIssue("neverReached", "warning", { by: ending.word }), i);
+      machine.log.say(programIssue("neverReached", "warning", { by: ending.word }), i);
       return true;
     }
   }

@@ -30,15 +30,15 @@ export function elsewhere(machine: Machine, words: Words, index: number): void {
   mill.last = null;
   machine.last = null;
   const what = words.functions.filter((m) => MACHINE_COORDINATES.has(m)).map((m) => `M${m}`).join(" ");
-  if (wasKnown) machine.leaveUnproved(what, index);
-  else machine.notSimulated(what, index);
+  if (wasKnown) machine.log.leaveUnproved(what, index);
+  else machine.log.notSimulated(what, index);
 }
 
 /** M140: back along the tool axis, at the beginning of its block, by MB or to the end of the travel; at its own feed, or at rapid. */
 export function retract(machine: Machine, words: Words, index: number): void {
   const feed = functionFeed(machine, words.functionFeed, index);
   const by = words.retract === undefined || words.retract === "max" ? null : machine.number(words.retract, index);
-  if (words.retract === undefined || (words.retract !== "max" && by === null)) machine.leaveUnproved(`M${RETRACT}`, index);
+  if (words.retract === undefined || (words.retract !== "max" && by === null)) machine.log.leaveUnproved(`M${RETRACT}`, index);
   const far = by === null ? null : machine.length(by);
   machine.last = machine.mill.last = null;
   if (machine.turning) turned(machine, far, feed, index);
@@ -62,7 +62,7 @@ function turned(machine: Machine, far: number | null, feed: Travel["feed"], inde
 
 function milled(machine: Machine, far: number | null, feed: Travel["feed"], index: number): void {
   const { mill } = machine;
-  if (mill.otherAxis) return machine.leaveUnproved(`M${RETRACT}`, index);
+  if (mill.otherAxis) return machine.log.leaveUnproved(`M${RETRACT}`, index);
   const [at, from] = [mill.here ?? centreOf(mill.at), mill.at.z];
   const to = far === null || from === null ? null : from + far;
   if (at && from !== null && to !== null) millStep(machine, { kind: "line", from: at, to: at }, { fromZ: from, toZ: to, feed, index });

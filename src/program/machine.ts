@@ -1,24 +1,22 @@
 import type { Issue } from "../kernel/issue.ts";
 import type { FeedUnit, Move } from "../kernel/move.ts";
 import type { Pt, Ring, Segment } from "../kernel/point.ts";
-import type { Spindle, Step, Unproved } from "../kernel/step.ts";
+import type { Spindle } from "../kernel/step.ts";
 import { secondsOf } from "../kernel/time.ts";
 import type { Tool } from "../kernel/tool.ts";
 import type { Feed } from "../kernel/units.ts";
-import type { NcIssue } from "../nc/issue.ts";
-import { blockNumbers, eachIssue, startLines, type Block, type Program } from "../nc/program.ts";
-import type { Held } from "./held.ts";
+import type { Block, Program } from "../nc/program.ts";
 import type { Compensation, Label, Statement, Value } from "../nc/statement.ts";
 import { NO_SHIFT, type Datum } from "./datum.ts";
-import { KnownValues, type Reason } from "./known-values.ts";
 import { formulaOf, valueOf, type Parameters, type Trouble } from "./formula.ts";
-import { fewAlike, MOST_ALIKE } from "./alike.ts";
+import type { Held } from "./held.ts";
 import { programIssue, type ProgramIssue } from "./issue.ts";
+import { KnownValues, type Reason } from "./known-values.ts";
+import { Log } from "./log.ts";
 import { MillState, type Mill } from "./mill-state.ts";
 import { NOWHERE, pointIn, type Pole, type Position } from "./path.ts";
 import type { Guide } from "./plane-chain.ts";
-import type { ApproachRun, Control } from "./plane-types.ts";
-import type { Finding, Operation } from "./run-types.ts";
+import type { Control } from "./plane-types.ts";
 
 /** What a run can use. */
 export interface Shop {
@@ -52,8 +50,7 @@ const MOST_OPERATIONS = 2_000;
 /** Everything that changes while a program runs. X is a diameter, mm. */
 export class Machine {
   readonly blocks: readonly Block[];
-  readonly numbers: readonly number[];
-  readonly lines: readonly number[];
+  readonly log: Log;
   readonly labels = new Map<Label, number>();
   readonly parameters: Parameters = new Map();
   readonly known = new KnownValues(this.parameters);
@@ -105,62 +102,21 @@ export class Machine {
   /** Compensated contours in turning. */
   readonly guide: Guide = { chain: null, here: null };
   readonly mill = new MillState();
-  readonly approaches: ApproachRun[] = [];
-  readonly steps: Step[] = [];
-  readonly stepBlocks: number[] = [];
-  readonly operations: Operation[] = [];
-  readonly findings: Finding[] = [];
-  readonly unproved: Unproved[] = [];
-  private readonly said = new Set<string>();
   private preset: number | null = null;
-  private readonly left = new Set<string>();
   /** Blocks executed, those of contours that cycles read included. */
   private executed = 0;
   full = false;
 
   constructor(readonly program: Program, readonly shop: Shop) {
     this.blocks = program.blocks;
-    this.numbers = blockNumbers(program);
-    this.lines = startLines(program);
+    this.log = new Log(program);
     this.visited = new Uint8Array(this.blocks.length);
     this.blocks.forEach((b, i) => {
       if (b.statement.kind !== "label" || b.statement.label === 0) return;
       const { label } = b.statement;
-      if (this.labels.has(label)) this.say(programIssue("labelTwice", "error", { label: String(label) }), i);
+      if (this.labels.has(label)) this.log.say(programIssue("labelTwice", "error", { label: String(label) }), i);
       else this.labels.set(label, i);
     });
-  }
-
-  /** Notes a finding at a block, once however often the block runs. `within` counts lines inside the block. */
-  say(issue: Issue | ProgramIssue, index: number | null, within = 0, operation: number | null = null): void {
-    const key = `${index} ${issue.code} ${issue.at ?? ""} ${operation ?? ""} ${operation === null ? "" : JSON.stringify(issue.data)}`;
-    if (this.said.has(key)) return;
-    this.said.add(key);
-    const place = index === null ? { block: null, line: null } : { block: this.numbers[index] ?? 0, line: (this.lines[index] ?? 1) + within };
-    this.findings.push({ issue, ...place, operation });
-  }
-
-  notSimulated(what: string, index: number, severity: "info" | "warning" = "info"): void {
-    this.say(programIssue("notSimulated", severity, { what }), index);
-  }
-
-  /** Notes a finding where it is met first, and nowhere else. */
-  sayOnce(issue: Issue | ProgramIssue, index: number): void {
-    const key = `once ${issue.code} ${issue.at ?? ""}`;
-    if (this.said.has(key)) return;
-    this.said.add(key);
-    this.say(issue, index);
-  }
-
-  /** Notes that from here on nothing is proved, once for each block. `what` as the program spells it. */
-  leaveUnproved(what: string, index: number): void {
-    const block = this.numbers[index] ?? 0;
-    const key = `${block} ${what}`;
-    if (this.left.has(key)) return;
-    this.left.add(key);
-    // The first of all says from where on nothing is proved; a list of all that follow would fill the memory.
-    if (this.unproved.length < MOST_ALIKE) this.unproved.push({ step: this.steps.length, block, what });
-    this.say(programIssue("notProved", "warning", { what }), index);
   }
 
   /** The number of a value, or null with an issue at the block. */
@@ -188,7 +144,7 @@ export class Machine {
   /** A preset takes the datum back; another one than before moves the workpiece against what was cut already. */
   usePreset(n: number | null, what: string, index: number): void {
     this.datum = NO_SHIFT;
-    if (n === null || (this.preset !== null && this.preset !== n)) this.leaveUnproved(what, index);
+    if (n === null || (this.preset !== null && this.preset !== n)) this.log.leaveUnproved(what, index);
     this.preset = n;
   }
 
@@ -197,10 +153,10 @@ export class Machine {
     const unknown = result.kind === "unset" ? this.known.reasonOf(result.name) : null;
     this.known.trouble = unknown ?? "told";
     if (unknown === "told") return null;
-    if (result.kind === "unset" && unknown) this.leaveUnproved(result.name, index);
-    else if (result.kind === "unset") this.sayOnce(programIssue("parameterUnset", "error", { name: result.name }, result.name), index);
-    else if (result.kind === "zero") this.say(programIssue("divisionByZero", "error", {}), index);
-    else this.say(programIssue("notFinite", "error", { text: this.blocks[index]?.raw.trim().slice(0, 60) ?? "" }), index);
+    if (result.kind === "unset" && unknown) this.log.leaveUnproved(result.name, index);
+    else if (result.kind === "unset") this.log.sayOnce(programIssue("parameterUnset", "error", { name: result.name }, result.name), index);
+    else if (result.kind === "zero") this.log.say(programIssue("divisionByZero", "error", {}), index);
+    else this.log.say(programIssue("notFinite", "error", { text: this.blocks[index]?.raw.trim().slice(0, 60) ?? "" }), index);
     return null;
   }
 
@@ -227,10 +183,10 @@ export class Machine {
   stop(why: ProgramIssue, index: number): void {
     if (this.full) return;
     this.full = true;
-    this.say(why, index);
+    this.log.say(why, index);
     // An element that waits for a corner stands before the end and is still run.
-    const step = this.steps.length + (this.held ? 1 : 0);
-    this.unproved.push({ step, block: this.numbers[index] ?? 0, what: this.blocks[index]?.raw.trim().split(/[\r\n]/)[0]?.slice(0, 60) ?? "" });
+    const step = this.log.steps.length + (this.held ? 1 : 0);
+    this.log.unproved.push({ step, block: this.log.numbers[index] ?? 0, what: this.blocks[index]?.raw.trim().split(/[\r\n]/)[0]?.slice(0, 60) ?? "" });
   }
 
   /** Whether one more block may be executed or read as a contour; ends the run when not. */
@@ -242,13 +198,13 @@ export class Machine {
 
   /** Whether a cycle may be called once more; ends the run when not. */
   roomForOperation(index: number): boolean {
-    if (this.operations.length >= MOST_OPERATIONS) this.stop(programIssue("tooManyOperations", "error", { limit: MOST_OPERATIONS }), index);
+    if (this.log.operations.length >= MOST_OPERATIONS) this.stop(programIssue("tooManyOperations", "error", { limit: MOST_OPERATIONS }), index);
     return !this.full;
   }
 
   /** Whether turning and milling together may move once more; ends the run when not. */
   roomForMove(index: number): boolean {
-    if (this.steps.length + this.mill.steps.length < MOST_MOVES) return true;
+    if (this.log.steps.length + this.log.milled.length < MOST_MOVES) return true;
     this.stop(programIssue("tooManyMoves", "error", { limit: MOST_MOVES }), index);
     return false;
   }
@@ -259,30 +215,8 @@ export class Machine {
     if (!adapted) return 0;
     const spindle = this.spindle ?? { kind: "constant" as const, speed: 0 };
     const seconds = secondsOf(from, move, spindle, this.shop.rapid);
-    this.steps.push({ from, move, tool: adapted, block: this.numbers[index] ?? 0, operation, seconds });
-    this.stepBlocks.push(index);
+    this.log.steps.push({ from, move, tool: adapted, block: this.log.numbers[index] ?? 0, operation, seconds });
+    this.log.stepBlocks.push(index);
     return seconds;
-  }
-
-  /** All findings in the order of the text, those of the reader included. */
-  allFindings(): Finding[] {
-    const missing = new Set(this.findings.filter((f) => f.issue.code === "missing").map((f) => f.line));
-    const order = (a: Finding, b: Finding) => (a.line ?? 0) - (b.line ?? 0);
-    return [...fewAlike(this.read(missing)), ...fewAlike(this.findings.sort(order))].sort(order);
-  }
-
-  /** What the reader found, less what is also said as a missing parameter. */
-  private *read(missing: ReadonlySet<number | null>): Generator<Finding> {
-    for (const i of eachIssue(this.program)) if (!(i.code === "wordMissing" && missing.has(i.line))) yield this.located(i);
-  }
-
-  private located(issue: NcIssue): Finding {
-    let [low, high] = [0, this.lines.length - 1];
-    while (low < high) {
-      const middle = (low + high + 1) >> 1;
-      if ((this.lines[middle] ?? 0) <= issue.line) low = middle;
-      else high = middle - 1;
-    }
-    return { issue, block: this.numbers[low] ?? null, line: issue.line, operation: null };
   }
 }

@@ -61,7 +61,7 @@ function sideArc(machine: Machine, plane: SidePlane, side: SideBlock & { readonl
   const { mill } = machine;
   const { requested, index, to } = side;
   closeMill(machine);
-  if (requested !== "none") machine.leaveUnproved(side.block.path, index);
+  if (requested !== "none") machine.log.leaveUnproved(side.block.path, index);
   millSideArc(machine, plane, side);
   mill.here = centreOf(to);
 }
@@ -84,7 +84,7 @@ function around(machine: Machine, { path, words }: PathBlock, s: PlaneSegment, i
 }
 
 function needsRadius(machine: Machine, side: Side, index: number): void {
-  if (side !== "none" && machine.mill.radius === null) machine.say(programIssue("toolRadiusUnknown", "warning", { tool: machine.mill.tool }), index);
+  if (side !== "none" && machine.mill.radius === null) machine.log.say(programIssue("toolRadiusUnknown", "warning", { tool: machine.mill.tool }), index);
 }
 
 /** APPR and DEP. */

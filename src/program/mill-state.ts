@@ -6,7 +6,7 @@ import type { Carrier, Guide, Travel } from "./plane-chain.ts";
 import type { Segment } from "../kernel/point.ts";
 import type { Feed } from "../kernel/units.ts";
 import { coordinatesIn, NOWHERE, type MillPlane, type Position } from "./path.ts";
-import type { ApproachRun, PlaneStep, Spot } from "./plane-types.ts";
+import type { ApproachRun, Spot } from "./plane-types.ts";
 
 /** A milling tool of the table: what the path needs of it, mm. */
 export interface Mill {
@@ -36,7 +36,6 @@ export class MillState implements Guide {
   top: number | null = null;
   /** What ran last, for an arc that leaves it tangentially in a plane beside that of the tool axis; its arc, null for a line. */
   last: { readonly from: Position; readonly to: Position; readonly plane: MillPlane; readonly segment: Segment | null } | null = null;
-  readonly steps: PlaneStep[] = [];
 }
 
 const NO_TIP: PlanePoint = { x: 0, y: 0 };
@@ -53,11 +52,11 @@ export function millStep(machine: Machine, s: PlaneSegment, { fromZ, toZ, feed, 
   if ((isStill && fromZ === toZ) || !machine.roomForMove(index)) return;
   const long = travelLength(s, (toZ ?? 0) - (fromZ ?? toZ ?? 0));
   const rate = feed === null ? machine.shop.rapid : machine.perRevolution ? 0 : feed;
-  mill.steps.push({
+  machine.log.milled.push({
     kind: s.kind === "arc" ? "arc" : feed === null ? "rapid" : "feed", from: { ...s.from, z: fromZ }, to: { ...s.to, z: toZ },
     ...(s.kind === "arc" && { centre: s.centre, turn: s.turn }),
     ...(feed !== null && { feed, feedUnit: machine.feedUnit }),
-    radius: mill.radius ?? 0, block: machine.numbers[index] ?? 0, index, seconds: rate > 0 ? (60 * long) / rate : 0, turned: machine.steps.length,
+    radius: mill.radius ?? 0, block: machine.log.numbers[index] ?? 0, index, seconds: rate > 0 ? (60 * long) / rate : 0, turned: machine.log.steps.length,
   });
 }
 
@@ -70,12 +69,12 @@ export function millSideStep(
   if (!from || !end || !machine.roomForMove(index)) return;
   const other = plane === "ZX" ? end.y - from.y : end.x - from.x;
   const rate = feed === null ? machine.shop.rapid : machine.perRevolution ? 0 : feed;
-  mill.steps.push({
+  machine.log.milled.push({
     kind: s.kind === "arc" ? "arc" : feed === null ? "rapid" : "feed", from, to: end,
     ...(s.kind === "arc" && { side: { plane, centre: coordinatesIn(plane, partPoint(s.centre)), turn: s.turn } }),
     ...(feed !== null && { feed, feedUnit: machine.feedUnit }),
-    radius: mill.radius ?? 0, block: machine.numbers[index] ?? 0, index,
-    seconds: rate > 0 ? (60 * travelLength(s, other)) / rate : 0, turned: machine.steps.length,
+    radius: mill.radius ?? 0, block: machine.log.numbers[index] ?? 0, index,
+    seconds: rate > 0 ? (60 * travelLength(s, other)) / rate : 0, turned: machine.log.steps.length,
   });
 }
 
@@ -86,9 +85,9 @@ export const centreOf = ({ x, y }: Position): PlanePoint | null => (x === null |
 /** The tool comes from where nobody knows: a step without a way, that says where it arrives. */
 export function millArrives(machine: Machine, to: PlanePoint, { toZ, feed, index }: Travel): void {
   const at = { ...to, z: toZ };
-  machine.mill.steps.push({
+  machine.log.milled.push({
     kind: feed === null ? "rapid" : "feed", from: at, to: at, ...(feed !== null && { feed, feedUnit: machine.feedUnit }),
-    radius: machine.mill.radius ?? 0, block: machine.numbers[index] ?? 0, index, seconds: 0, turned: machine.steps.length,
+    radius: machine.mill.radius ?? 0, block: machine.log.numbers[index] ?? 0, index, seconds: 0, turned: machine.log.steps.length,
   });
 }
 
@@ -98,6 +97,6 @@ export function millCarrier(machine: Machine): Carrier {
     machine, plane: "XY", toolRadius: machine.mill.radius ?? 0, tip: NO_TIP, top: machine.mill.top,
     emit: (s, travel) => millStep(machine, s, travel),
     arrive: (at, travel) => millArrives(machine, at, travel),
-    note: (run: ApproachRun) => machine.approaches.push(run),
+    note: (run: ApproachRun) => machine.log.approaches.push(run),
   };
 }

@@ -18,7 +18,7 @@ export function finish(machine: Machine): void {
 /** A mill whose tool axis is not Z moves in a plane that is not simulated. */
 function isAside(machine: Machine, what: string, index: number): boolean {
   const aside = !machine.turning && machine.mill.otherAxis;
-  if (aside) machine.leaveUnproved(what, index);
+  if (aside) machine.log.leaveUnproved(what, index);
   return aside;
 }
 
@@ -58,5 +58,5 @@ function corner(machine: Machine, kind: CornerElement["kind"], value: Value | nu
   const items = guide.chain?.items ?? [];
   const last = items.at(-1);
   const added = last && addCorner(guide, { element, feed: own === null ? last.feed : machine.feedOf(own), index });
-  if (!added) machine.say(issue("cornerElementAlone", "error", { element: Math.max(1, items.length) }, "contour"), index);
+  if (!added) machine.log.say(issue("cornerElementAlone", "error", { element: Math.max(1, items.length) }, "contour"), index);
 }

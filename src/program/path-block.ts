@@ -27,7 +27,7 @@ export function flush(machine: Machine): void {
   const { held } = machine;
   machine.held = null;
   if (!held) return;
-  if (held.corner) machine.say(issue("cornerElementAlone", "error", { element: held.element }, "contour"), held.corner.index);
+  if (held.corner) machine.log.say(issue("cornerElementAlone", "error", { element: held.element }, "contour"), held.corner.index);
   run(machine, held.segment, held.feed, held.index);
 }
 
@@ -48,7 +48,7 @@ function hold(machine: Machine, segment: Segment, feed: FeedNumber | null, index
   if (!cut) {
     const { kind, size } = corner.element;
     const max = largestCorner(held.segment, segment, kind, size);
-    machine.say(issue("cornerElementTooLong", "error", { element: held.element, size, max, nearest: roundedDown(max) }, "contour"), corner.index);
+    machine.log.say(issue("cornerElementTooLong", "error", { element: held.element, size, max, nearest: roundedDown(max) }, "contour"), corner.index);
   }
   run(machine, cut?.before ?? held.segment, held.feed, held.index);
   if (cut) run(machine, cut.between, corner.feed, corner.index);
@@ -59,7 +59,7 @@ function hold(machine: Machine, segment: Segment, feed: FeedNumber | null, index
 export function cornerBlock(machine: Machine, element: CornerElement, feed: Feed | undefined, index: number): void {
   const own = typeof feed === "object" ? machine.number(feed.value, index) : null;
   const { held } = machine;
-  if (!held || held.corner) return machine.say(issue("cornerElementAlone", "error", { element: held?.element ?? 1 }, "contour"), index);
+  if (!held || held.corner) return machine.log.say(issue("cornerElementAlone", "error", { element: held?.element ?? 1 }, "contour"), index);
   machine.held = { ...held, corner: { element, feed: own === null ? held.feed : machine.feedOf(own), index } };
 }
 
@@ -79,10 +79,10 @@ export const wordReader = (machine: Machine, index: number): WordReader => ({
   number: (value) => machine.number(value, index),
   length: (n) => machine.length(n),
   shift: (axis) => shiftOf(machine, axis),
-  aside: (w) => machine.leaveUnproved(`${w.incremental ? "I" : ""}${w.axis}`, index),
+  aside: (w) => machine.log.leaveUnproved(`${w.incremental ? "I" : ""}${w.axis}`, index),
   lose: () => void (machine.lost = machine.known.trouble),
   fault: (code) => {
-    if (code === "arcImpossible" || machine.lost === null) machine.say(programIssue(code, code === "startUnknown" ? "warning" : "error", {}), index);
+    if (code === "arcImpossible" || machine.lost === null) machine.log.say(programIssue(code, code === "startUnknown" ? "warning" : "error", {}), index);
   },
 });
 
@@ -112,7 +112,7 @@ export function elementBetween(machine: Machine, block: PathBlock, from: Pt, to:
 export function pathBlock(machine: Machine, block: PathBlock, index: number): void {
   const { words } = block;
   if (words.compensation === "RL" || words.compensation === "RR")
-    machine.say(programIssue("radiusCompensation", "warning", { side: words.compensation }), index);
+    machine.log.say(programIssue("radiusCompensation", "warning", { side: words.compensation }), index);
   const from = machine.sure.x && machine.sure.z ? machine.tip : null;
   const target = targetOf(machine, block, index);
   if (!target) return takeFeed(machine, words.feed, index);

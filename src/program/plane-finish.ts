@@ -57,15 +57,15 @@ function lead(f: Finishing, call: ApproachCall, element: PlaneSegment, contour: 
   const outside = call.departing ? call.target && difference(call.target, carrier.tip) : f.centre;
   const q: ApproachRequest = { shape: call.shape, departing: call.departing, side: f.chain.side, toolRadius: carrier.toolRadius, element, outside, ...call.words };
   const made = approach(q);
-  for (const found of made.issues) machine.say(found, call.index);
+  for (const found of made.issues) machine.log.say(found, call.index);
   const above = carrier.top !== null && call.fromZ !== null && call.fromZ >= carrier.top;
   const inPlaneFirst = (machine.shop.control ?? "TNC 640") === "TNC 640" && call.fromZ !== call.toZ;
   const segments = contour.contour.map((c) => c.segment);
   const guarded = !made.issues.some((i) => i.severity === "error") &&
     guardApproach(q, segments, above && inPlaneFirst && !call.departing ? "fromPH" : "all");
-  if (guarded) machine.say(cutIssue(carrier, q, guarded), call.index);
+  if (guarded) machine.log.say(cutIssue(carrier, q, guarded), call.index);
   carrier.note({
-    block: machine.numbers[call.index] ?? 0, index: call.index, form: call.form, shape: call.shape, departing: call.departing, side: f.chain.side,
+    block: machine.log.numbers[call.index] ?? 0, index: call.index, form: call.form, shape: call.shape, departing: call.departing, side: f.chain.side,
     plane: carrier.plane, points: shifted(made.points, carrier.tip), toolRadius: carrier.toolRadius,
     arc: made.arc && { ...made.arc, centre: sum(made.arc.centre, carrier.tip) },
     request: q, contour: segments, tip: carrier.tip, pole: call.pole,
@@ -107,7 +107,7 @@ function begin(f: Finishing, contour: PlaneContour, reference: PlaneSegment | un
   } else if (start.kind === "approach") {
     const { call } = start;
     if (reference) return runApproach(f, call, lead(f, call, reference, contour), start.before);
-    f.carrier.machine.say(programIssue("approachWithoutContour", "error", { form: `APPR ${call.form}` }), call.index);
+    f.carrier.machine.log.say(programIssue("approachWithoutContour", "error", { form: `APPR ${call.form}` }), call.index);
     const to = difference(call.target ?? f.centre ?? { x: 0, y: 0 }, f.carrier.tip);
     f.go({ kind: "line", from: f.centre ?? to, to }, call);
   }
@@ -132,10 +132,10 @@ function along(f: Finishing, contour: PlaneContour): void {
 function sayIssues(carrier: Carrier, chain: Chain, contour: PlaneContour): void {
   for (const { issue: found, element, onCorner } of contour.issues) {
     const item = chain.items[element];
-    if (item) carrier.machine.say(found, onCorner ? (item.corner?.index ?? item.index) : item.index);
+    if (item) carrier.machine.log.say(found, onCorner ? (item.corner?.index ?? item.index) : item.index);
   }
   const open = chain.items.at(-1)?.corner;
-  if (open) carrier.machine.say(issue("cornerElementAlone", "error", { element: chain.items.length }, "contour"), open.index);
+  if (open) carrier.machine.log.say(issue("cornerElementAlone", "error", { element: chain.items.length }, "contour"), open.index);
 }
 
 /** Without an element of its own, a contour of one point takes the direction in which the tool came to it. */
@@ -158,7 +158,7 @@ export function finishChain(carrier: Carrier, chain: Chain, here: PlanePoint | n
   along(f, contour);
   if (departure && last) runDeparture(f, departure, lead(f, departure, last, contour));
   else if (departure) {
-    carrier.machine.say(programIssue("approachWithoutContour", "error", { form: `DEP ${departure.form}` }), departure.index);
+    carrier.machine.log.say(programIssue("approachWithoutContour", "error", { form: `DEP ${departure.form}` }), departure.index);
     if (f.centre && departure.target) f.go({ kind: "line", from: f.centre, to: difference(departure.target, carrier.tip) }, { ...departure, toZ: departure.fromZ });
     f.lift(departure);
   }

@@ -68,7 +68,7 @@ function append(guide: Guide, step: PathStep, programmed: PlaneSegment): void {
 export function followPath(guide: Guide, carrier: CarrierFor, requested: Side, step: PathStep): void {
   const now = guide.chain?.side ?? "none";
   const { machine } = carrier(requested);
-  if (now !== "none" && requested !== "none" && now !== requested) machine.say(programIssue("sideChanged", "error", {}), step.index);
+  if (now !== "none" && requested !== "none" && now !== requested) machine.log.say(programIssue("sideChanged", "error", {}), step.index);
   if (guide.chain && now !== requested) {
     close(guide, carrier);
     if (requested === "none") return uncompensated(guide, step, guide.here);
@@ -144,13 +144,13 @@ export function beginApproach(guide: Guide, carrier: CarrierFor, b: ApproachBloc
   const side = sideOf(b.words, "none");
   const { machine } = carrier(side);
   const now = machine.compensation;
-  if (now !== "R0") machine.say(programIssue("compensationActive", "error", { side: now }), b.index);
+  if (now !== "R0") machine.log.say(programIssue("compensationActive", "error", { side: now }), b.index);
   machine.compensation = b.words.compensation ?? "R0";
-  if (side === "none" && UNCOMPENSATED.has(shapeOf(b.form))) machine.say(programIssue("approachUncompensated", "warning", { form: `APPR ${b.form}` }), b.index);
+  if (side === "none" && UNCOMPENSATED.has(shapeOf(b.form))) machine.log.say(programIssue("approachUncompensated", "warning", { form: `APPR ${b.form}` }), b.index);
   close(guide, carrier);
   const known = feedBefore(machine);
-  if (known === undefined) machine.sayOnce(programIssue("feedMissing", "error", {}), b.index);
-  if (!guide.here && machine.lost === null) machine.say(programIssue("startUnknown", "error", {}), b.index);
+  if (known === undefined) machine.log.sayOnce(programIssue("feedMissing", "error", {}), b.index);
+  if (!guide.here && machine.lost === null) machine.log.say(programIssue("startUnknown", "error", {}), b.index);
   const feed = blockFeed(machine, b.words.feed, b.index);
   const before = known === undefined ? feed : known;
   guide.chain = { side, start: { kind: "approach", call: callOf(machine, b, feed, known), before }, lifts: [], items: [] };

@@ -8,7 +8,7 @@ import type { Machine } from "./machine.ts";
 
 /** No tool for this block. Where a TOOL CALL named one that can not be used, that has been told. */
 export function noTool(machine: Machine, index: number): void {
-  if (!machine.toolRefused) machine.say(programIssue("noToolCalled", "error", {}), index);
+  if (!machine.toolRefused) machine.log.say(programIssue("noToolCalled", "error", {}), index);
 }
 
 /** Line of a parameter inside its definition, from 0: the first time it stands there, or the second. */
@@ -24,7 +24,7 @@ export function foreignParameters(machine: Machine, cycle: Cycle, names: readonl
   for (const q of names) {
     const twice = met.has(q);
     met.add(q);
-    if (twice || !(q in cycle.params)) machine.say(programIssue("parameterForeign", "warning", { name: q, cycle: cycle.number }, q), index, lineOf(raw, q, twice ? 2 : 1));
+    if (twice || !(q in cycle.params)) machine.log.say(programIssue("parameterForeign", "warning", { name: q, cycle: cycle.number }, q), index, lineOf(raw, q, twice ? 2 : 1));
   }
 }
 
@@ -64,6 +64,6 @@ export function feedsOf<P extends Params>(
 export function neverCalled(machine: Machine): void {
   for (const index of machine.definitions) {
     const s = machine.blocks[index]?.statement;
-    if (!machine.called.has(index) && s?.kind === "cycle") machine.say(programIssue("cycleNeverCalled", "warning", { cycle: s.cycle }), index);
+    if (!machine.called.has(index) && s?.kind === "cycle") machine.log.say(programIssue("cycleNeverCalled", "warning", { cycle: s.cycle }), index);
   }
 }

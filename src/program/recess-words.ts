@@ -19,7 +19,7 @@ function wordsOf(
   const read = words.flatMap(({ name, value }) => {
     const word = allowed.find((w) => w === name);
     if (!word) {
-      machine.leaveUnproved(name, index);
+      machine.log.leaveUnproved(name, index);
       return [];
     }
     const n = machine.number(value, index);
@@ -33,15 +33,15 @@ function wordsOf(
 /** An undercut or recess of a contour subprogram; null when its form is not known. */
 export function recessOf(machine: Machine, s: Extract<Statement, { kind: "undercut" | "groove" }>, index: number): Undercut | Groove | null {
   if (s.kind === "groove") {
-    machine.say(programIssue("wordsRecalled", "info", { what: `GRV ${s.form}` }), index);
+    machine.log.say(programIssue("wordsRecalled", "info", { what: `GRV ${s.form}` }), index);
     const direction = s.form === "AXIAL" ? "axial" : "radial";
     return { kind: "groove", direction, words: wordsOf(machine, s.words, GROOVE_WORDS, grooveDiameters(direction), index) };
   }
   const form = formOf(s.form);
   if (!form) {
-    machine.leaveUnproved(`UDC ${s.form}`, index);
+    machine.log.leaveUnproved(`UDC ${s.form}`, index);
     return null;
   }
-  if (form !== "E") machine.say(programIssue("wordsRecalled", "info", { what: `UDC ${s.form}` }), index);
+  if (form !== "E") machine.log.say(programIssue("wordsRecalled", "info", { what: `UDC ${s.form}` }), index);
   return { kind: "undercut", form, words: wordsOf(machine, s.words, UNDERCUT_WORDS[form], [], index) };
 }

@@ -27,9 +27,9 @@ export function run(program: Program, shop: Shop): Run {
   const ending = execute(machine, (s, index) => block(machine, s, index));
   finish(machine);
   if (!neverReached(machine, ending) && !ending.told) neverCalled(machine);
-  if (ending.word === null && !ending.told && machine.steps.length > 0)
-    machine.say(programIssue("programEndMissing", "warning", {}), machine.blocks.length - 1);
-  if (machine.operations.length > 0 && machine.blank.length === 0) machine.say(programIssue("blankMissing", "warning", {}), null);
+  if (ending.word === null && !ending.told && machine.log.steps.length > 0)
+    machine.log.say(programIssue("programEndMissing", "warning", {}), machine.blocks.length - 1);
+  if (machine.log.operations.length > 0 && machine.blank.length === 0) machine.log.say(programIssue("blankMissing", "warning", {}), null);
   return {
     program: {
       name: frame.name,
@@ -37,14 +37,14 @@ export function run(program: Program, shop: Shop): Run {
       blocks: program.blocks.filter((b) => b.statement.kind !== "empty" && (b.number !== null || b.statement.kind !== "comment")).length,
     },
     blank: machine.blank,
-    operations: machine.operations,
-    steps: machine.steps,
-    stepBlocks: machine.stepBlocks,
-    plane: machine.mill.steps,
-    approaches: machine.approaches,
-    unproved: machine.unproved,
-    issues: machine.allFindings(),
-    seconds: [...machine.steps, ...machine.mill.steps].reduce((sum, s) => sum + s.seconds, 0),
+    operations: machine.log.operations,
+    steps: machine.log.steps,
+    stepBlocks: machine.log.stepBlocks,
+    plane: machine.log.milled,
+    approaches: machine.log.approaches,
+    unproved: machine.log.unproved,
+    issues: machine.log.allFindings(),
+    seconds: [...machine.log.steps, ...machine.log.milled].reduce((sum, s) => sum + s.seconds, 0),
   };
 }
 
@@ -82,10 +82,10 @@ const HANDLERS: { readonly [K in Statement["kind"]]?: (machine: Machine, s: Stat
   selectContour: (machine, s, index) => {
     machine.contourLabels = [];
     machine.contourFile = s.file;
-    machine.notSimulated(`SEL CONTOUR "${s.file}"`, index, "warning");
+    machine.log.notSimulated(`SEL CONTOUR "${s.file}"`, index, "warning");
   },
-  undercut: (machine, s, index) => machine.leaveUnproved(`UDC ${s.form}`, index),
-  groove: (machine, s, index) => machine.leaveUnproved(`GRV ${s.form}`, index),
+  undercut: (machine, s, index) => machine.log.leaveUnproved(`UDC ${s.form}`, index),
+  groove: (machine, s, index) => machine.log.leaveUnproved(`GRV ${s.form}`, index),
   unknown: (machine, s, index) => textBlock(machine, s.text, index),
 };
 
@@ -123,7 +123,7 @@ function block(machine: Machine, s: Statement, index: number): void {
 
 function functions(machine: Machine, words: Words, index: number): void {
   for (const m of words.functions) if (FEED_UNITS.includes(m)) machine.perRevolution = m === 136;
-  if (words.extra.length > 0) machine.leaveUnproved(words.extra.join(" ").slice(0, 40), index);
+  if (words.extra.length > 0) machine.log.leaveUnproved(words.extra.join(" ").slice(0, 40), index);
   if (retracts(words)) retract(machine, words, index);
 }
 
@@ -143,7 +143,7 @@ function mode(machine: Machine, wanted: "TURN" | "MILL"): void {
 function callPattern(machine: Machine, how: string, index: number): void {
   if (machine.defined) machine.called.add(machine.defined.index);
   machine.loseAll();
-  machine.leaveUnproved(`CYCL CALL ${how}`, index);
+  machine.log.leaveUnproved(`CYCL CALL ${how}`, index);
 }
 
 function spin(machine: Machine, s: StatementOf<"spin">, index: number): void {
@@ -152,7 +152,7 @@ function spin(machine: Machine, s: StatementOf<"spin">, index: number): void {
   if (s.constantSurface && cuttingSpeed !== null && cuttingSpeed > 0) {
     machine.spindle = { kind: "surface", cuttingSpeed, limit: Math.max(0, limit ?? 0) };
   } else if (!s.constantSurface && speed !== null && speed > 0) machine.spindle = { kind: "constant", speed };
-  else machine.say(programIssue("spindleMissing", "error", {}), index);
+  else machine.log.say(programIssue("spindleMissing", "error", {}), index);
 }
 
 /** One line of an older cycle: the datum shift is run, the contour's labels are noted, what else moves coordinates is told. */
@@ -164,7 +164,7 @@ function cycleLine(machine: Machine, s: StatementOf<"cycleLine">, index: number)
   } else if (cycle === DATUM_CYCLE) {
     if (line > 0) datumLine(machine, text, `CYCL DEF ${cycle}`, index);
   } else {
-    machine.say(programIssue("cycleNotSimulated", "info", { cycle, name: text }), index);
+    machine.log.say(programIssue("cycleNotSimulated", "info", { cycle, name: text }), index);
     if (ACTIVE_AT_ONCE.has(cycle)) actingLine(machine, s, index);
     else if (line === 0) machine.defined = { index, cycle, values: new Map(), troubled: new Set() };
   }

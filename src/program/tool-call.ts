@@ -42,13 +42,13 @@ function takeTool(machine: Machine, s: StatementOf<"toolCall">, wanted: number |
   machine.tool = tool ?? null;
   machine.toolRefused = !tool;
   machine.corrections = {};
-  if (refused && typeof wanted === "number") for (const i of refused) machine.say(i, index);
+  if (refused && typeof wanted === "number") for (const i of refused) machine.log.say(i, index);
   else if (!tool && (machine.turning || turnsLater(machine, index)))
-    machine.say(programIssue("toolUnknown", "error", { tool: String(wanted) }, "tool"), index);
+    machine.log.say(programIssue("toolUnknown", "error", { tool: String(wanted) }, "tool"), index);
   if (tool && ((tool.DZL ?? 0) !== 0 || (tool.DXL ?? 0) !== 0))
-    machine.say(programIssue("lengthDelta", "info", { tool: tool.T }, "tool"), index);
+    machine.log.say(programIssue("lengthDelta", "info", { tool: tool.T }, "tool"), index);
   const deltas = [s.deltaLength, s.deltaRadius].some((d) => d !== null && d !== 0);
-  if (deltas && tool && machine.turning) machine.leaveUnproved("DL DR", index);
+  if (deltas && tool && machine.turning) machine.log.leaveUnproved("DL DR", index);
 }
 
 /** A tool of another table is no fault while only milling follows. */
@@ -84,13 +84,13 @@ function corrected(tool: Tool, corrections: Machine["corrections"]): Tool {
  * (decision 0006), so the insert stands that far towards +Z and +X from the programmed tip.
  */
 export function correctTool(machine: Machine, s: StatementOf<"turnCorrection">, index: number): void {
-  machine.say(programIssue("wordsRecalled", "info", { what: `FUNCTION TURNDATA CORR-${s.system}` }), index);
+  machine.log.say(programIssue("wordsRecalled", "info", { what: `FUNCTION TURNDATA CORR-${s.system}` }), index);
   if (!machine.tool) return noTool(machine, index);
   const word = (name: string) => {
     const found = s.words.find((w) => w.name === name);
     return length(found ? machine.length(machine.number(found.value, index) ?? 0) : 0);
   };
-  for (const { name } of s.words) if (name !== "DZL" && name !== "DXL") machine.leaveUnproved(name, index);
+  for (const { name } of s.words) if (name !== "DZL" && name !== "DXL") machine.log.leaveUnproved(name, index);
   machine.corrections = { ...machine.corrections, [s.system]: { z: word("DZL"), r: word("DXL") } };
   machine.tool = corrected(machine.tool, machine.corrections);
 }

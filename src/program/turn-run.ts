@@ -24,7 +24,7 @@ const carrierOf = (machine: Machine): CarrierFor => (side): Carrier => {
       if (lengthOf(path) > SAME) machine.step(path.from, moveOf(machine, path, feed), index, null);
     },
     arrive: () => undefined,
-    note: (run) => machine.approaches.push(run),
+    note: (run) => machine.log.approaches.push(run),
   };
 };
 
@@ -69,7 +69,7 @@ export function guidedPath(machine: Machine, block: PathBlock, index: number): v
 
 /** Nobody knows from where a block goes: a fault of the block, unless another one that was told has lost the position. */
 export function startUnknown(machine: Machine, index: number): void {
-  if (machine.lost === null) machine.say(programIssue("startUnknown", "error", {}), index);
+  if (machine.lost === null) machine.log.say(programIssue("startUnknown", "error", {}), index);
 }
 
 /** APPR and DEP in the Z/X plane. */

@@ -37,7 +37,7 @@ export function textBlock(machine: Machine, text: string, index: number): void {
   if (/^PLANE[ \t]/i.test(text) && !changes(machine, text, 0, index, /^(?!(?:MB|F|DIST)$)/i)) return;
   if (ELSEWHERE.test(text)) machine.loseAll();
   if (/^TCH[ \t]+PROBE/i.test(text)) machine.known.probed = true;
-  machine.leaveUnproved(nameOf(text), index);
+  machine.log.leaveUnproved(nameOf(text), index);
 }
 
 /** Older cycles that change coordinates: the words that do, and the value with which they do not. */
@@ -51,12 +51,12 @@ export function actingLine(machine: Machine, s: { readonly cycle: number; readon
   const what = `CYCL DEF ${s.cycle}`;
   if (s.cycle === 12) {
     machine.loseAll();
-    return machine.leaveUnproved(what, index);
+    return machine.log.leaveUnproved(what, index);
   }
   const rule = LINES.get(s.cycle);
   if (!rule) return;
   const text = s.cycle === 26 ? s.text.replace(/CC[XYZ][ \t]*[+-]?[\d.,]+/gi, "") : s.text;
-  if (rule.letters ? /[A-Z]/i.test(text) : changes(machine, text, rule.neutral, index)) machine.leaveUnproved(what, index);
+  if (rule.letters ? /[A-Z]/i.test(text) : changes(machine, text, rule.neutral, index)) machine.log.leaveUnproved(what, index);
 }
 
 /** Cycles of Q parameters that act at once: the parameters that change coordinates, with the values that do not. */
@@ -73,8 +73,8 @@ export function actingCycle(machine: Machine, cycle: number, parameters: readonl
   const what = `CYCL DEF ${cycle}`;
   if (cycle === PRESET) return machine.usePreset(number("Q339") ?? null, what, index);
   if (cycle === ADAPT) {
-    if (ADAPTING.some(({ q, neutral }) => { const n = number(q); return n !== undefined && !neutral.some((same) => same === n); })) machine.leaveUnproved(what, index);
-  } else if (UNREAD.has(cycle)) machine.leaveUnproved(what, index);
+    if (ADAPTING.some(({ q, neutral }) => { const n = number(q); return n !== undefined && !neutral.some((same) => same === n); })) machine.log.leaveUnproved(what, index);
+  } else if (UNREAD.has(cycle)) machine.log.leaveUnproved(what, index);
 }
 
 /** Spelt as cycles of Q parameters, which no control has: what they would do, nobody knows. */
