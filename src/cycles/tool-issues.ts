@@ -1,7 +1,8 @@
-import { normalEnd, normalStart, positive } from "../kernel/convex.ts";
+import { normalEnd, normalStart } from "../kernel/convex.ts";
 import { normalAt, segmentToFlat, type Frame } from "../kernel/flat.ts";
 import { insertShape, noseRadius } from "../kernel/insert.ts";
 import { inFrame } from "../kernel/convex.ts";
+import { positive } from "../kernel/geometry/segments.ts";
 import { issue, type Issue } from "../kernel/issue.ts";
 import type { Plan } from "../kernel/plan.ts";
 import type { Segment } from "../kernel/point.ts";

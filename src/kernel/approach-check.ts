@@ -1,8 +1,9 @@
 import { approach, type Approach, type ApproachRequest } from "./approach.ts";
-import { flattenedChain } from "./flatten.ts";
-import { apart, cross, difference, partSegment, planePoint, sum, turned, type PlanePoint, type PlaneSegment, type Side } from "./plane.ts";
-import { gapBetween, nearestOn } from "./plane-distance.ts";
+import { overlap, type Box } from "./geometry/segments.ts";
+import { plane, type PlanePoint, type PlaneSegment, type Side } from "./plane.ts";
 import { CHORD, SAME } from "./tolerance.ts";
+
+const { apart, beyond, boxOf, cross, difference, distanceTo, flattenedChain, gapBetween, nearestOn, turned } = plane;
 
 /** Where the tool, in its full width, cuts into the contour on its way. */
 export interface ContourCut {
@@ -22,7 +23,7 @@ const LEAST_CUT = 0.001;
 function materialOf(contour: readonly PlaneSegment[], side: Side): (p: PlanePoint) => boolean {
   const [first, last] = [contour[0], contour.at(-1)];
   if (!first || !last || contour.length < 2 || apart(first.from, last.to) > SAME) return () => false;
-  const ring = flattenedChain(contour.map(partSegment), CHORD).map(planePoint);
+  const ring = flattenedChain(contour, CHORD);
   const area = ring.reduce((total, a, i) => total + cross(a, ring[(i + 1) % ring.length] ?? a), 0);
   return (p) => {
     let inside = false;
@@ -39,26 +40,7 @@ function endsOf(legs: readonly PlaneSegment[]): PlanePoint[] {
   return first && last ? [first.from, last.to] : [];
 }
 
-interface Box {
-  readonly left: number;
-  readonly right: number;
-  readonly low: number;
-  readonly high: number;
-}
-
-/** A box round a segment and `more` mm round it; round an arc it holds the full circle. */
-function boxOf(s: PlaneSegment, more: number): Box {
-  if (s.kind === "arc") {
-    const size = apart(s.from, s.centre) + more;
-    return { left: s.centre.x - size, right: s.centre.x + size, low: s.centre.y - size, high: s.centre.y + size };
-  }
-  return {
-    left: Math.min(s.from.x, s.to.x) - more, right: Math.max(s.from.x, s.to.x) + more,
-    low: Math.min(s.from.y, s.to.y) - more, high: Math.max(s.from.y, s.to.y) + more,
-  };
-}
-
-const overlap = (a: Box, b: Box) => a.left <= b.right && b.left <= a.right && a.low <= b.high && b.low <= a.high;
+const wider = (b: Box, by: number): Box => ({ left: b.left - by, right: b.right + by, low: b.low - by, high: b.high + by });
 
 /** The deepest place where a tool on these legs cuts into a contour whose free side is known; null when the way is free. */
 export function contourCut(
@@ -70,9 +52,9 @@ export function contourCut(
     if (depth > (worst?.depth ?? LEAST_CUT)) worst = { depth, on };
   };
   for (const leg of legs) {
-    const box = boxOf(leg, toolRadius);
+    const box = wider(boxOf(leg), toolRadius);
     for (const s of contour) {
-      if (!overlap(box, boxOf(s, 0))) continue;
+      if (!overlap(box, boxOf(s))) continue;
       const gap = gapBetween(leg, s);
       note(toolRadius - gap.distance, gap.on);
     }
@@ -126,7 +108,7 @@ function nearby(q: ApproachRequest, made: Approach, contour: readonly PlaneSegme
   const at = made.points.PA ?? made.points.PE;
   if (!at) return contour;
   const reach = 2 * q.toolRadius + 4 * ((q.outside ? apart(q.outside, at) : 0) + 3 * Math.abs(q.length ?? 0) + 6 * Math.abs(q.radius ?? 0));
-  return contour.filter((s) => apart(nearestOn(s, at), at) <= reach);
+  return contour.filter((s) => distanceTo(s, at) <= reach);
 }
 
 function freePoint(q: ApproachRequest, made: Approach, isFree: (q: ApproachRequest) => boolean): FreeWay | null {
@@ -134,8 +116,7 @@ function freePoint(q: ApproachRequest, made: Approach, isFree: (q: ApproachReque
   const { outside } = q;
   if (!outside || !pivot || (q.departing && q.shape !== "LCT")) return null;
   const tried = FACTORS.flatMap((k) => [0, ...TURNS].map((angle) => {
-    const spoke = difference(outside, pivot);
-    const p = turned(sum(pivot, { x: spoke.x * k, y: spoke.y * k }), pivot, angle);
+    const p = turned(beyond(pivot, difference(outside, pivot), k), pivot, angle);
     return { x: onGrid(p.x, 0.5), y: onGrid(p.y, 0.5) };
   })).sort((a, b) => apart(a, outside) - apart(b, outside));
   const point = tried.find((p) => isFree({ ...q, outside: p }));

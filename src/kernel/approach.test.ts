@@ -1,7 +1,9 @@
 import * as fc from "fast-check";
 import { describe, expect, test } from "vitest";
 import { approach, type ApproachRequest, type ApproachShape } from "./approach.ts";
-import { apart, beyond, cross, directionAt, dot, towardsTool, turned, type PlanePoint, type PlaneSegment } from "./plane.ts";
+import { plane, towardsTool, type PlanePoint, type PlaneSegment } from "./plane.ts";
+
+const { apart, beyond, cross, direction, dot, turned } = plane;
 
 const line = (x1: number, y1: number, x2: number, y2: number): PlaneSegment => ({ kind: "line", from: { x: x1, y: y1 }, to: { x: x2, y: y2 } });
 const base: ApproachRequest = {
@@ -102,7 +104,7 @@ describe("laws over random elements, all forms, both sides", () => {
       const segments = made.legs.map((l) => l.segment);
       segments.slice(1).forEach((s, i) => expect(s.from).toEqual(segments[i]?.to));
       const corner = q.departing ? q.element.to : q.element.from;
-      const at = beyond(corner, towardsTool(directionAt(q.element, corner), q.side), q.toolRadius);
+      const at = beyond(corner, towardsTool(direction(q.element, corner), q.side), q.toolRadius);
       const { PS, PA, PE, PN } = made.points;
       expect(q.departing ? PE : PA).toEqual(at);
       if (segments.length === 0) return;
@@ -119,7 +121,7 @@ describe("laws over random elements, all forms, both sides", () => {
       const leg = q.departing ? made.legs[0] : made.legs.at(-1);
       const at = q.departing ? made.points.PE : made.points.PA;
       if (!leg || !at || (leg.segment.kind === "line" && apart(leg.segment.from, leg.segment.to) < 1e-3)) return;
-      const way = directionAt(leg.segment, at);
+      const way = direction(leg.segment, at);
       if (q.shape === "LN") expect(Math.abs(dot(way, made.tangent))).toBeLessThan(1e-8);
       else {
         expect(Math.abs(cross(way, made.tangent))).toBeLessThan(1e-8);
@@ -136,7 +138,7 @@ describe("laws over random elements, all forms, both sides", () => {
       const [straight] = [one, two].filter((s) => s.kind === "line");
       if (!straight || apart(straight.from, straight.to) < 1e-3) return;
       // Close to its circle the way to the tangent point is short, and its direction keeps half the digits of its ends.
-      near(directionAt(one, one.to), directionAt(two, two.from), 1e-8);
+      near(direction(one, one.to), direction(two, two.from), 1e-8);
     }), RUNS);
   });
 

@@ -1,11 +1,10 @@
 import { issue, type Issue } from "./issue.ts";
 import { mends, offerOf, withOffer } from "./offer.ts";
-import {
-  apart, backwards, beyond, cross, difference, directionAt, dot, leftOf, scaled, sizeOf, sum, sweepOf, towardsTool, turned,
-  type PlanePoint, type PlaneSegment, type Side,
-} from "./plane.ts";
-import type { Turn } from "./point.ts";
-import { ROUND } from "./tolerance.ts";
+import { plane, towardsTool, type PlanePoint, type PlaneSegment, type Side } from "./plane.ts";
+import { opposite, type Turn } from "./geometry/segments.ts";
+import { ROUND, roundedDown } from "./tolerance.ts";
+
+const { apart, beyond, cross, difference, direction, dot, leftOf, reversed, scaled, sizeOf, sum, sweepOf, turned } = plane;
 
 /** The geometry of APPR and DEP. The polar forms (PLT, PLN, PCT, PLCT) differ only in how their point is written. */
 export type ApproachShape = "LT" | "LN" | "CT" | "LCT";
@@ -61,7 +60,7 @@ const LEAST = 0.001;
 /** A tangent that touches the circle nearer to PA than this needs no arc, mm. */
 const NO_ARC = 1e-6;
 
-/** The way from outside onto the contour; a departure is the same run backwards. */
+/** The way from outside onto the contour; a departure is the same run reversed. */
 interface Arrival {
   readonly auxiliary: PlanePoint | null;
   readonly segments: readonly PlaneSegment[];
@@ -69,7 +68,7 @@ interface Arrival {
 }
 
 interface Anchor {
-  /** The tool centre in PA, or in PE of a departure run backwards. */
+  /** The tool centre in PA, or in PE of a departure run reversed. */
   readonly at: PlanePoint;
   /** Direction of arrival, and the unit vector to the side of the tool. */
   readonly way: PlanePoint;
@@ -131,7 +130,7 @@ function tangential(q: ApproachRequest, a: Anchor, issues: Issue[]): Arrival | n
   if (far < radius - ROUND) {
     const w = difference(outside, a.at);
     const fits = dot(w, w) / (dot(w, a.free) + dot(w, a.free));
-    const nearest = fits > 0 ? Math.floor(fits * 1000 + 1e-6) / 1000 : 0;
+    const nearest = fits > 0 ? roundedDown(fits) : 0;
     issues.push(issue("approachInsideCircle", "error", { point: q.departing ? "PN" : "PS", radius, nearest }, "R"));
     return null;
   }
@@ -164,7 +163,7 @@ function tried(found: Issue, q: ApproachRequest, before: readonly Issue[]): Issu
 function shaped(q: ApproachRequest): Approach {
   const issues: Issue[] = [];
   const corner = q.departing ? q.element.to : q.element.from;
-  const tangent = directionAt(q.element, corner);
+  const tangent = direction(q.element, corner);
   const at = beyond(corner, towardsTool(tangent, q.side), q.toolRadius);
   let hand: "left" | "right" = q.side === "none" ? "left" : q.side;
   if (q.side === "none" && q.shape === "LCT" && q.outside) hand = cross(tangent, difference(q.outside, at)) >= 0 ? "left" : "right";
@@ -183,9 +182,8 @@ function shaped(q: ApproachRequest): Approach {
     }));
     return { ...common, points: { ...(q.outside && { PS: q.outside }), ...(ph && { PH: ph }), PA: at }, legs };
   }
-  const legs = arrival.segments.map((s): ApproachLeg => ({ segment: backwards(s), feed: "block" })).reverse();
+  const legs = arrival.segments.map((s): ApproachLeg => ({ segment: reversed(s), feed: "block" })).reverse();
   const end = shape === "LCT" ? q.outside : ph;
   return { ...common, points: { PE: at, ...(shape === "LCT" && ph && { PH: ph }), ...(end && { PN: end }) }, legs };
 }
 
-const opposite = (turn: Turn): Turn => (turn === "ccw" ? "cw" : "ccw");

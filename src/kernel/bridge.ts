@@ -1,7 +1,9 @@
-import { positive } from "./convex.ts";
-import type { Flat, FlatSegment } from "./flat.ts";
+import { flat, type Flat, type FlatSegment } from "./flat.ts";
+import { positive, signOf } from "./geometry/segments.ts";
 import type { Bound } from "./reach.ts";
 import { ROUND } from "./tolerance.ts";
+
+const { onCircle, polarOf, radiusOf } = flat;
 
 /**
  * A contour on which nothing falls: wherever it falls, a level line runs on from the height reached until the contour
@@ -36,13 +38,10 @@ export function bridged(contour: readonly FlatSegment[]): Bound[] {
 /** Arcs split where they turn from rising to falling, so that each part only rises or only falls. */
 function rising(s: FlatSegment): FlatSegment[] {
   if (s.kind === "line") return [s];
-  const r = Math.hypot(s.from.u - s.centre.u, s.from.v - s.centre.v);
-  const a0 = Math.atan2(s.from.v - s.centre.v, s.from.u - s.centre.u);
-  const a1 = Math.atan2(s.to.v - s.centre.v, s.to.u - s.centre.u);
-  const sweep = positive(s.ccw ? a1 - a0 : a0 - a1) || 2 * Math.PI;
-  const way = s.ccw ? 1 : -1;
-  const cuts = [Math.PI / 2, -Math.PI / 2].map((a) => positive(way * (a - a0))).filter((d) => d > 1e-9 && d < sweep - 1e-9).sort((x, y) => x - y);
-  const points = [s.from, ...cuts.map((d): Flat => ({ u: s.centre.u + r * Math.cos(a0 + way * d), v: s.centre.v + r * Math.sin(a0 + way * d) })), s.to];
+  const { start, sweep, startRadius } = polarOf(s);
+  const way = signOf(s.turn);
+  const turns = [Math.PI / 2, -Math.PI / 2].map((a) => positive(way * (a - start))).filter((d) => d > ROUND && d < way * sweep - ROUND);
+  const points = [s.from, ...turns.sort((x, y) => x - y).map((d) => onCircle(s.centre, startRadius, start + way * d)), s.to];
   return points.slice(1).map((to, i): FlatSegment => ({ ...s, from: points[i] as Flat, to }));
 }
 
@@ -52,9 +51,8 @@ function crossing(s: FlatSegment, v: number): Flat {
     const k = (v - s.from.v) / (s.to.v - s.from.v || 1);
     return { u: s.from.u + k * (s.to.u - s.from.u), v };
   }
-  const r = Math.hypot(s.from.u - s.centre.u, s.from.v - s.centre.v);
   const h = v - s.centre.v;
-  const w = Math.sqrt(Math.max(0, r * r - h * h));
+  const w = Math.sqrt(Math.max(0, radiusOf(s) ** 2 - h * h));
   const side = (s.from.u + s.to.u) / 2 >= s.centre.u ? 1 : -1;
   return { u: s.centre.u + side * w, v };
 }

@@ -2,11 +2,11 @@ import * as fc from "fast-check";
 import { describe, expect, test } from "vitest";
 import { areaOf, difference, offset } from "./clip.ts";
 import { compensate } from "./compensate.ts";
-import { flattenedChain } from "./flatten.ts";
-import { apart, beyond, partSegment, scaled, sum, turned, type PlanePoint, type PlaneSegment } from "./plane.ts";
-import { gapBetween } from "./plane-distance.ts";
+import { partSegment, plane, type PlanePoint, type PlaneSegment } from "./plane.ts";
 import { planeContour } from "./plane-contour.ts";
-import type { Ring } from "./point.ts";
+import { part, type Ring } from "./point.ts";
+
+const { apart, beyond, gapBetween, scaled, sum, turned } = plane;
 
 const point = (x: number, y: number): PlanePoint => ({ x, y });
 const lines = (...points: PlanePoint[]): PlaneSegment[] => points.slice(1).map((to, i) => ({ kind: "line", from: points[i] ?? to, to }));
@@ -108,7 +108,7 @@ function bulged(from: PlanePoint, to: PlanePoint, bulge: number): PlaneSegment {
 }
 
 const ringOf = (chain: readonly PlaneSegment[]): Ring => {
-  const points = flattenedChain(chain.map(partSegment), 0.0005);
+  const points = part.flattenedChain(chain.map(partSegment), 0.0005);
   return points.slice(0, -1);
 };
 const side = fc.constantFrom("left" as const, "right" as const);

@@ -1,10 +1,8 @@
-import { meet, track } from "./curve.ts";
 import { issue, type Issue } from "./issue.ts";
-import {
-  alongSegment, apart, beyond, cross, directionAt, dot, lengthOfSegment, partSegment, towardsTool,
-  type PlanePoint, type PlaneSegment, type Side,
-} from "./plane.ts";
-import { ROUND, SAME } from "./tolerance.ts";
+import { plane, towardsTool, type PlanePoint, type PlaneSegment, type Side } from "./plane.ts";
+import { ROUND, roundedDown, SAME } from "./tolerance.ts";
+
+const { along, apart, beyond, cross, direction, dot, lengthOf, line, meetings, radiusOf } = plane;
 
 /** A piece of the centre path. */
 export interface CentrePiece {
@@ -24,31 +22,28 @@ export interface Compensated {
 /** The path of the centre along one segment; null when the tool is larger than an inside radius. A point has length 0. */
 export function centrePath(s: PlaneSegment, side: Side, radius: number): PlaneSegment | null {
   if (side === "none" || radius === 0) return s;
-  const [from, to] = [s.from, s.to].map((p) => beyond(p, towardsTool(directionAt(s, p), side), radius)) as [PlanePoint, PlanePoint];
-  if (s.kind === "line") return { kind: "line", from, to };
-  const rest = apart(s.from, s.centre) - radius;
+  const [from, to] = [s.from, s.to].map((p) => beyond(p, towardsTool(direction(s, p), side), radius)) as [PlanePoint, PlanePoint];
+  if (s.kind === "line") return line(from, to);
+  const rest = radiusOf(s) - radius;
   if ((s.turn === "ccw") !== (side === "left") || rest > ROUND) return { ...s, from, to };
-  return rest < -ROUND ? null : { kind: "line", from: s.centre, to: s.centre };
+  return rest < -ROUND ? null : line(s.centre, s.centre);
 }
 
-const isLong = (s: PlaneSegment) => lengthOfSegment(s) > ROUND;
+const isLong = (s: PlaneSegment) => lengthOf(s) > ROUND;
 
 /** Shortened to end or begin in a point; nothing left becomes a line without length, because such an arc would be a full circle. */
 const endingAt = (s: PlaneSegment, to: PlanePoint): PlaneSegment =>
-  alongSegment(s, to) > ROUND ? { ...s, to } : { kind: "line", from: s.from, to };
+  along(s, to) > ROUND ? { ...s, to } : line(s.from, to);
 const beginningAt = (s: PlaneSegment, from: PlanePoint): PlaneSegment =>
-  lengthOfSegment(s) - alongSegment(s, from) > ROUND ? { ...s, from } : { kind: "line", from, to: s.to };
+  lengthOf(s) - along(s, from) > ROUND ? { ...s, from } : line(from, s.to);
 
 /** Where two neighbouring centre paths cut each other, losing as little as possible of both; null when they do not. */
 function crossing(before: PlaneSegment, after: PlaneSegment): PlanePoint | null {
-  const [one, two] = [track(partSegment(before), 0, "ccw"), track(partSegment(after), 0, "ccw")];
-  if (!one || !two) return null;
-  const [longBefore, longAfter] = [lengthOfSegment(before), lengthOfSegment(after)];
+  const [longBefore, longAfter] = [lengthOf(before), lengthOf(after)];
   let best: PlanePoint | null = null;
   let loss = Infinity;
-  for (const v of meet(one, two)) {
-    const p = { x: v.z, y: v.r };
-    const [keep, skip] = [nearZero(alongSegment(before, p), before), nearZero(alongSegment(after, p), after)];
+  for (const p of meetings(before, after)) {
+    const [keep, skip] = [nearZero(along(before, p), before), nearZero(along(after, p), after)];
     const lost = longBefore - keep + skip;
     if (keep < -ROUND || skip < -ROUND || keep > longBefore + ROUND || skip > longAfter + ROUND || lost >= loss) continue;
     [best, loss] = [p, lost];
@@ -58,11 +53,11 @@ function crossing(before: PlaneSegment, after: PlaneSegment): PlanePoint | null 
 
 /** On an arc, a hair before its beginning counts as nearly a full turn: it is the beginning. */
 const nearZero = (far: number, s: PlaneSegment) =>
-  s.kind === "arc" && 2 * Math.PI * apart(s.from, s.centre) - far < ROUND ? 0 : far;
+  s.kind === "arc" && 2 * Math.PI * radiusOf(s) - far < ROUND ? 0 : far;
 
 /** A corner to the other side than the tool needs an arc round it. */
 function turnsAway(before: PlaneSegment, after: PlaneSegment, corner: PlanePoint, side: Side): boolean {
-  const [a, b] = [directionAt(before, corner), directionAt(after, after.from)];
+  const [a, b] = [direction(before, corner), direction(after, after.from)];
   const bend = cross(a, b) * (side === "left" ? 1 : -1);
   return bend < -ROUND || (bend < ROUND && dot(a, b) < 0);
 }
@@ -103,7 +98,7 @@ function walk(contour: readonly PlaneSegment[], side: Side, radius: number): Wal
         path = beginningAt(path, at);
       } else {
         add(before, last, "element");
-        add({ kind: "line", from: end, to: path.from }, last, "corner");
+        add(line(end, path.from), last, "corner");
         if (apart(end, path.from) > SAME && last + 1 === element) tooLarge.push(swallowed(before, path) === "before" ? last : element);
       }
     }
@@ -115,7 +110,7 @@ function walk(contour: readonly PlaneSegment[], side: Side, radius: number): Wal
 }
 
 /** Of two neighbours that do not cut each other, the one that is too short for this tool. */
-const swallowed = (before: PlaneSegment, after: PlaneSegment) => (lengthOfSegment(before) < lengthOfSegment(after) ? "before" : "after");
+const swallowed = (before: PlaneSegment, after: PlaneSegment) => (lengthOf(before) < lengthOf(after) ? "before" : "after");
 
 /** Largest tool radius that fits a stretch of contour, on the grid a control prints, mm. */
 function largestThatFits(contour: readonly PlaneSegment[], side: Side, tooBig: number): number {
@@ -125,7 +120,7 @@ function largestThatFits(contour: readonly PlaneSegment[], side: Side, tooBig: n
     if (walk(contour, side, size).tooLarge.length === 0) low = size;
     else high = size;
   }
-  return Math.floor(low * 1000 + 1e-6) / 1000;
+  return roundedDown(low);
 }
 
 /**

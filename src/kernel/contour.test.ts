@@ -1,9 +1,10 @@
 import * as fc from "fast-check";
 import { describe, expect, test } from "vitest";
 import { chainOf, contourFrom, withCorners, type ContourElement } from "./contour.ts";
-import { direction, lengthOf } from "./curve.ts";
-import type { Pt, Segment } from "./point.ts";
+import { part, type Pt, type Segment } from "./point.ts";
 import { axial, radius } from "./units.ts";
+
+const { direction, lengthOf } = part;
 
 const p = (z: number, r: number): Pt => ({ z: axial(z), r: radius(r) });
 const shape = (segments: readonly Segment[]) =>

@@ -1,14 +1,14 @@
-import { arcByRadius, arcTangential, line } from "./arc-forms.ts";
-import { cutCorner, roundedDown, type CornerElement } from "./corner.ts";
+import { cutCorner, type CornerElement } from "./corner.ts";
 import { selfCrossing } from "./crossing.ts";
-import { direction, lengthOf } from "./curve.ts";
 import { issue, type Issue } from "./issue.ts";
 import { largestThatWorks, mends, offerOf, withOffer } from "./offer.ts";
 import type { Groove } from "./groove.ts";
-import type { Pt, Segment, Turn } from "./point.ts";
+import { part, type Pt, type Segment, type Turn } from "./point.ts";
 import { putRecesses, type Chain, type Recess } from "./recessed.ts";
-import { ARC_END, ROUND, SAME } from "./tolerance.ts";
+import { ARC_END, ROUND, roundedDown, SAME } from "./tolerance.ts";
 import type { Undercut } from "./undercut.ts";
+
+const { arcByRadius, arcTangential, direction, lengthOf, line } = part;
 
 /** A motion of a programmed contour, in part space, with every coordinate filled in. */
 export type PathElement =
@@ -26,7 +26,6 @@ export interface Contour {
   readonly elements: readonly number[];
   readonly issues: readonly Issue[];
 }
-export { roundedDown } from "./corner.ts";
 
 /** The largest element of a kind that fits on a corner, mm, when `tooBig` does not. */
 export function largestCorner(before: Segment, after: Segment, kind: CornerElement["kind"], tooBig: number): number {

@@ -1,5 +1,8 @@
-import { toFlat, mirrors, type Flat, type Frame } from "./flat.ts";
-import type { Pt } from "./point.ts";
+import { flat, toFlat, mirrors, type Flat, type Frame } from "./flat.ts";
+import { positive } from "./geometry/segments.ts";
+import { at } from "./point.ts";
+
+const { angleOf, apart, dot, heading, onCircle, sum } = flat;
 
 /** Which part of the insert an edge belongs to. */
 export type Feature = "nose" | "mainEdge" | "secondaryEdge" | "width" | "back";
@@ -12,13 +15,8 @@ export type Edge =
 /** A convex shape: closed boundary, counter-clockwise, lines and arcs. */
 export type Convex = readonly Edge[];
 
-const TURN = 2 * Math.PI;
-/** An angle brought into [0, 2π). */
-export const positive = (a: number) => ((a % TURN) + TURN) % TURN;
-
-export const onArc = (c: Flat, r: number, a: number): Flat => ({ u: c.u + r * Math.cos(a), v: c.v + r * Math.sin(a) });
-export const edgeStart = (e: Edge): Flat => (e.kind === "line" ? e.from : onArc(e.centre, e.radius, e.start));
-export const edgeEnd = (e: Edge): Flat => (e.kind === "line" ? e.to : onArc(e.centre, e.radius, e.start + e.sweep));
+export const edgeStart = (e: Edge): Flat => (e.kind === "line" ? e.from : onCircle(e.centre, e.radius, e.start));
+export const edgeEnd = (e: Edge): Flat => (e.kind === "line" ? e.to : onCircle(e.centre, e.radius, e.start + e.sweep));
 
 /** Angle of the outward normal where an edge begins. */
 export const normalStart = (e: Edge) =>
@@ -28,11 +26,8 @@ export const normalEnd = (e: Edge) => (e.kind === "arc" ? e.start + e.sweep : no
 
 /** The shape of part space (z as u, r as v) seen in a frame; a mirroring frame reverses the boundary to keep its turn. */
 export function inFrame(k: Convex, f: Frame): Convex {
-  const map = (p: Flat) => toFlat(f, { z: p.u, r: p.v } as Pt);
-  const angle = (a: number) => {
-    const d = map({ u: Math.cos(a), v: Math.sin(a) });
-    return Math.atan2(d.v, d.u);
-  };
+  const map = (p: Flat) => toFlat(f, at(p.u, p.v));
+  const angle = (a: number) => angleOf(map(heading(a)));
   if (!mirrors(f))
     return k.map((e) =>
       e.kind === "line" ? { ...e, from: map(e.from), to: map(e.to) } : { ...e, centre: map(e.centre), start: angle(e.start) },
@@ -50,10 +45,9 @@ export function inFrame(k: Convex, f: Frame): Convex {
 export const moved = (k: Convex, by: Flat): Convex =>
   k.map((e) =>
     e.kind === "line"
-      ? { ...e, from: plus(e.from, by), to: plus(e.to, by) }
-      : { ...e, centre: plus(e.centre, by) },
+      ? { ...e, from: sum(e.from, by), to: sum(e.to, by) }
+      : { ...e, centre: sum(e.centre, by) },
   );
-const plus = (a: Flat, b: Flat): Flat => ({ u: a.u + b.u, v: a.v + b.v });
 
 /** Minkowski sum with the rectangle ±a × ±b: arcs split at the axis directions and shift, straight bridges join them. */
 export function grown(k: Convex, a: number, b: number): Convex {
@@ -69,7 +63,7 @@ export function grown(k: Convex, a: number, b: number): Convex {
     const next = pieces[(i + 1) % pieces.length] as Edge;
     const from = edgeEnd(e);
     const to = edgeStart(next);
-    if (Math.hypot(to.u - from.u, to.v - from.v) > 1e-12) out.push({ kind: "line", from, to, feature: e.feature === "nose" ? next.feature : e.feature });
+    if (apart(from, to) > 1e-12) out.push({ kind: "line", from, to, feature: e.feature === "nose" ? next.feature : e.feature });
   });
   return out;
 }
@@ -93,16 +87,16 @@ function splitAtAxes(e: Edge): Edge[] {
 export function support(k: Convex, n: Flat): { at: Flat; feature: Feature } {
   let best = -Infinity;
   let found: { at: Flat; feature: Feature } = { at: { u: 0, v: 0 }, feature: "nose" };
-  const angle = Math.atan2(n.v, n.u);
+  const angle = angleOf(n);
   const offer = (at: Flat, feature: Feature) => {
-    const d = at.u * n.u + at.v * n.v;
+    const d = dot(at, n);
     if (d > best + 1e-10 || (d > best - 1e-10 && at.v < found.at.v - 1e-10)) {
       best = Math.max(best, d);
       found = { at, feature };
     }
   };
   for (const e of k) {
-    if (e.kind === "arc" && positive(angle - e.start + 1e-9) <= e.sweep + 2e-9) offer(onArc(e.centre, e.radius, angle), e.feature);
+    if (e.kind === "arc" && positive(angle - e.start + 1e-9) <= e.sweep + 2e-9) offer(onCircle(e.centre, e.radius, angle), e.feature);
     offer(edgeStart(e), e.feature);
     offer(edgeEnd(e), e.feature);
   }
@@ -114,7 +108,4 @@ export const extent = (k: Convex) => ({
   minU: -reach(k, { u: -1, v: 0 }), maxU: reach(k, { u: 1, v: 0 }),
   minV: -reach(k, { u: 0, v: -1 }), maxV: reach(k, { u: 0, v: 1 }),
 });
-function reach(k: Convex, n: Flat) {
-  const { at } = support(k, n);
-  return at.u * n.u + at.v * n.v;
-}
+const reach = (k: Convex, n: Flat) => dot(support(k, n).at, n);

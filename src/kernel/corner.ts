@@ -1,15 +1,13 @@
-import { along, at, cross, direction, lengthOf, meet, touch, track } from "./curve.ts";
-import type { Pt, Segment, Turn } from "./point.ts";
+import { part, type Pt, type Segment, type Turn } from "./point.ts";
 import { ROUND, SAME } from "./tolerance.ts";
+
+const { along, beyond, cross, curveBeside, direction, footOn, lengthOf, meet } = part;
 
 /** What stands on a corner of a contour: a chamfer with equal legs along both lines, or a tangential arc. Size in mm. */
 export interface CornerElement {
   readonly kind: "chamfer" | "round";
   readonly size: number;
 }
-
-/** A size on the grid that a control prints, never larger than it was. */
-export const roundedDown = (size: number) => Math.floor(size * 1000 + 1e-6) / 1000;
 
 /** Both neighbours shortened, and the element between them. */
 export interface Cut {
@@ -26,17 +24,17 @@ const starting = (s: Segment, from: Pt): Segment =>
 function rounded(before: Segment, after: Segment, r: number): Cut | null {
   const bend = cross(direction(before, before.to), direction(after, after.from));
   const turn: Turn = bend > 0 ? "ccw" : "cw";
-  const [one, two] = [track(before, r, turn), track(after, r, turn)];
+  const [one, two] = [curveBeside(before, r, turn), curveBeside(after, r, turn)];
   if (!one || !two) return null;
   let best: Cut | null = null;
   let loss = Infinity;
   for (const c of meet(one, two)) {
-    const [from, to] = [touch(before, c), touch(after, c)];
+    const [from, to] = [footOn(before, c), footOn(after, c)];
     const [keep, skip] = [along(before, from), along(after, to)];
     const lost = lengthOf(before) - keep + skip;
     if (keep < -ROUND || skip < -ROUND || keep > lengthOf(before) + ROUND || skip > lengthOf(after) + ROUND || lost >= loss) continue;
     loss = lost;
-    const between: Segment = { kind: "arc", from, to, centre: at(c.z, c.r), turn };
+    const between: Segment = { kind: "arc", from, to, centre: c, turn };
     best = { before: ending(before, from), between, after: starting(after, to) };
   }
   return best;
@@ -49,7 +47,7 @@ export function cutCorner(before: Segment, after: Segment, corner: CornerElement
   const [one, two] = [lengthOf(before), lengthOf(after)];
   if (corner.size > one + ROUND || corner.size > two + ROUND) return null;
   const [back, on] = [direction(before, before.to), direction(after, after.from)];
-  const from = at(before.to.z - back.z * corner.size, before.to.r - back.r * corner.size);
-  const to = at(after.from.z + on.z * corner.size, after.from.r + on.r * corner.size);
+  const from = beyond(before.to, back, -corner.size);
+  const to = beyond(after.from, on, corner.size);
   return { before: { ...before, to: from }, between: { kind: "line", from, to }, after: { ...after, from: to } };
 }

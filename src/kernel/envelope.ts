@@ -1,5 +1,5 @@
 import type { Feature } from "./convex.ts";
-import type { Flat, FlatSegment } from "./flat.ts";
+import { flat, type Flat, type FlatSegment } from "./flat.ts";
 import { ROUND } from "./tolerance.ts";
 
 /** Where a piece of the envelope comes from: the insert feature that touches, and the kind of contour element it touches. */
@@ -279,13 +279,13 @@ export function pathAlong(e: Envelope, u0: number, u1: number): Stretch[] {
     if (b - a <= ROUND) continue;
     const from: Flat = { u: a, v: valueAt(s.piece, a) };
     const to: Flat = { u: b, v: valueAt(s.piece, b) };
-    if (at && Math.hypot(at.u - from.u, at.v - from.v) > 1e-7) out.push({ segment: { kind: "line", from: at, to: from }, origin: null });
-    const start = at && Math.hypot(at.u - from.u, at.v - from.v) <= 1e-7 ? at : from;
+    if (at && flat.apart(at, from) > 1e-7) out.push({ segment: { kind: "line", from: at, to: from }, origin: null });
+    const start = at && flat.apart(at, from) <= 1e-7 ? at : from;
     const p = s.piece;
     out.push({
       segment: p.arc === 0
         ? { kind: "line", from: start, to }
-        : { kind: "arc", from: start, to, centre: { u: p.cu, v: p.cv }, ccw: p.arc === -1 },
+        : { kind: "arc", from: start, to, centre: { u: p.cu, v: p.cv }, turn: p.arc === -1 ? "ccw" : "cw" },
       origin: p.origin,
     });
     at = to;

@@ -1,7 +1,6 @@
 import { edgeElement, type RecessWord, type RecessWords } from "./undercut.ts";
 import type { CornerElement } from "./corner.ts";
-import { lengthOf } from "./curve.ts";
-import type { Segment } from "./point.ts";
+import { part, type Segment } from "./point.ts";
 import { ROUND, SAME } from "./tolerance.ts";
 import { radians } from "./units.ts";
 
@@ -37,7 +36,7 @@ export function grooveShape({ direction, words: w }: Groove, on: Segment): Groov
   const radial = direction === "radial";
   const [dz, dr] = [on.to.z - on.from.z, on.to.r - on.from.r];
   if (on.kind === "arc" || Math.abs(radial ? dr : dz) > SAME) return "wrongElement";
-  const size = lengthOf(on);
+  const size = part.lengthOf(on);
   const depth = w.DEPTH ?? (radial && w.DIAM !== undefined ? w.DIAM - on.from.r : 0);
   const [B, R, angle] = [w.BREADTH ?? 0, w.R ?? 0, w.ANGLE ?? 0];
   if (Math.abs(depth) <= ROUND || (radial && on.from.r + depth < -ROUND)) return { word: w.DIAM !== undefined && w.DEPTH === undefined && radial ? "DIAM" : "DEPTH" };

@@ -1,9 +1,11 @@
-import { inFrame, moved, edgeEnd, type Convex, type Edge, type Feature } from "./convex.ts";
-import type { Flat } from "./flat.ts";
-import type { Pt, Ring } from "./point.ts";
+import { edgeEnd, edgeStart, inFrame, moved, type Convex, type Edge, type Feature } from "./convex.ts";
+import { flat, type Flat } from "./flat.ts";
+import { at, part, type Pt, type Ring } from "./point.ts";
 import { ROUND } from "./tolerance.ts";
 import type { TipOrientation, Tool } from "./tool.ts";
-import { axial, radians, radius } from "./units.ts";
+import { radians } from "./units.ts";
+
+const { beyond, heading, scaled } = flat;
 
 /** Edge length of an insert whose CUTLENGTH is empty, mm: 12, and 30 for the bar of a recessing tool. */
 const EDGE = 12;
@@ -23,7 +25,7 @@ export const noseRadius = (t: Tool) => Math.max(0, t.RS + (t.DRS ?? 0));
 /** From the centre of the nose radius to the theoretical tip, mm. */
 export function tipOffset(t: Tool): Flat {
   const [tip, r] = [TIP[t.TO] ?? TIP[9], noseRadius(t)];
-  return { u: tip.u * r, v: tip.v * r };
+  return scaled(tip, r);
 }
 /** Length of the cutting edge, mm; undefined when none was entered, for which 0 stands too. */
 export const cutLength = (t: Tool) => (t.CUTLENGTH !== undefined && t.CUTLENGTH > 0 ? t.CUTLENGTH : undefined);
@@ -42,7 +44,7 @@ export function insertShape(t: Tool, body = false): Convex {
   const r = noseRadius(t);
   const tip = TIP[t.TO] ?? TIP[9];
   if (isBar(t)) return bar(t, r);
-  const shift = { u: -tip.u * r, v: -tip.v * r };
+  const shift = scaled(tip, -r);
   if (t.TYPE === "BUTTON") return moved(circle(r), shift);
   if (t.TYPE === "THREAD") return moved(wedge(r, Math.atan2(-tip.v, -tip.u), (t["P-ANGLE"] ?? 60) / 2, cutLength(t) ?? EDGE), shift);
   if (flanksUnknown(t)) return moved(body ? capsule(r, Math.atan2(-tip.v, -tip.u), cutLength(t) ?? EDGE) : circle(r), shift);
@@ -64,20 +66,18 @@ const wedge = (r: number, axis: number, half: number, l: number): Convex =>
 /** Two edges in the directions `secondary` and `main` (radians, counter-clockwise in this order), joined by the nose. */
 function pointed(r: number, secondary: number, main: number, l: number, parallel: boolean): Convex {
   const half = (main - secondary) / 2;
-  const dir = (a: number): Flat => ({ u: Math.cos(a), v: Math.sin(a) });
-  const at = (from: Flat, d: Flat, k: number): Flat => ({ u: from.u + d.u * k, v: from.v + d.v * k });
-  const s = dir(secondary);
-  const m = dir(main);
-  const apex = at({ u: 0, v: 0 }, dir(secondary + half), -r / Math.sin(half));
+  const s = heading(secondary);
+  const m = heading(main);
+  const apex = scaled(heading(secondary + half), -r / Math.sin(half));
   const tangent = r / Math.tan(half);
   const far = Math.max(l, tangent * 1.001);
-  const onS = at(apex, s, tangent);
-  const onM = at(apex, m, tangent);
-  const endS = at(apex, s, far);
-  const endM = at(apex, m, far);
+  const onS = beyond(apex, s, tangent);
+  const onM = beyond(apex, m, tangent);
+  const endS = beyond(apex, s, far);
+  const endM = beyond(apex, m, far);
   const nose: Edge = { kind: "arc", centre: { u: 0, v: 0 }, radius: r, start: main + Math.PI / 2, sweep: Math.PI - 2 * half, feature: "nose" };
   const line = (from: Flat, to: Flat, feature: Feature): Edge => ({ kind: "line", from, to, feature });
-  const back = parallel ? [at(endS, m, far)] : [];
+  const back = parallel ? [beyond(endS, m, far)] : [];
   const corners = [endS, ...back, endM];
   const sides = corners.slice(1).map((to, i) => line(corners[i] as Flat, to, "back"));
   return [nose, line(onS, endS, "secondaryEdge"), ...sides, line(endM, onM, "mainEdge")];
@@ -87,10 +87,10 @@ const circle = (r: number): Convex => [{ kind: "arc", centre: { u: 0, v: 0 }, ra
 
 /** The nose circle drawn out along `axis` by `l`. */
 function capsule(r: number, axis: number, l: number): Convex {
-  const end = { u: l * Math.cos(axis), v: l * Math.sin(axis) };
+  const end = scaled(heading(axis), l);
   const near: Edge = { kind: "arc", centre: { u: 0, v: 0 }, radius: r, start: axis + Math.PI / 2, sweep: Math.PI, feature: "nose" };
   const away: Edge = { kind: "arc", centre: end, radius: r, start: axis - Math.PI / 2, sweep: Math.PI, feature: "back" };
-  const join = (a: Edge, b: Edge, feature: Feature): Edge => ({ kind: "line", from: edgeEnd(a), to: { u: b.kind === "arc" ? b.centre.u + b.radius * Math.cos(b.start) : 0, v: b.kind === "arc" ? b.centre.v + b.radius * Math.sin(b.start) : 0 }, feature });
+  const join = (a: Edge, b: Edge, feature: Feature): Edge => ({ kind: "line", from: edgeEnd(a), to: edgeStart(b), feature });
   return [near, join(near, away, "secondaryEdge"), away, join(away, near, "mainEdge")];
 }
 
@@ -129,8 +129,8 @@ function oriented(k: Convex, to: TipOrientation): Convex {
 export function insertOutline(t: Tool, chord: number, body = true): Ring {
   const out: Pt[] = [];
   const add = (p: Flat) => {
-    const last = out[out.length - 1];
-    if (!last || Math.hypot(last.z - p.u, last.r - p.v) > 1e-7) out.push({ z: axial(p.u), r: radius(p.v) });
+    const [next, last] = [at(p.u, p.v), out.at(-1)];
+    if (!last || part.apart(last, next) > 1e-7) out.push(next);
   };
   for (const e of moved(insertShape(t, body), shiftOf(t))) {
     if (e.kind === "line") add(e.from);
@@ -140,14 +140,14 @@ export function insertOutline(t: Tool, chord: number, body = true): Ring {
         const n = Math.max(1, Math.ceil(sweep / step));
         for (let i = 0; i <= n; i++) {
           const a = start + (sweep * i) / n;
-          add({ u: e.centre.u + e.radius * Math.cos(a), v: e.centre.v + e.radius * Math.sin(a) });
+          add(flat.onCircle(e.centre, e.radius, a));
         }
       }
     }
   }
   const first = out[0];
   const last = out[out.length - 1];
-  if (first && last && out.length > 1 && Math.hypot(first.z - last.z, first.r - last.r) <= 1e-7) out.pop();
+  if (first && last && out.length > 1 && part.apart(first, last) <= 1e-7) out.pop();
   return out;
 }
 

@@ -1,4 +1,5 @@
 import type { Issue } from "./issue.ts";
+import { roundedDown } from "./tolerance.ts";
 
 /** The value that a finding offers; null when it offers none. */
 export const offerOf = (found: Issue): number | null =>
@@ -20,12 +21,11 @@ export function mends(found: Issue, before: readonly Issue[], after: readonly Is
 
 /** The largest of the sizes from `offer` down to 0 that works, on a grid of 0.001 mm; null when none does. */
 export function largestThatWorks(offer: number, works: (size: number) => boolean): number | null {
-  const grid = (size: number) => Math.floor(size * 1000 + 1e-6) / 1000;
-  if (!(grid(offer) > 0)) return null;
-  if (works(grid(offer))) return grid(offer);
-  let [yes, no] = [0, grid(offer)];
+  if (!(roundedDown(offer) > 0)) return null;
+  if (works(roundedDown(offer))) return roundedDown(offer);
+  let [yes, no] = [0, roundedDown(offer)];
   for (let i = 0; i < 20; i += 1) {
-    const middle = grid((yes + no) / 2);
+    const middle = roundedDown((yes + no) / 2);
     if (middle === yes || middle === no) break;
     if (works(middle)) yes = middle;
     else no = middle;

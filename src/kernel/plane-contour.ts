@@ -2,7 +2,7 @@ import { compensate, type CentrePiece } from "./compensate.ts";
 import { withCorners } from "./contour.ts";
 import type { CornerElement } from "./corner.ts";
 import type { Issue } from "./issue.ts";
-import { lengthOfSegment, partSegment, planeSegment, type PlaneSegment, type Side } from "./plane.ts";
+import { partSegment, plane, planeSegment, type PlaneSegment, type Side } from "./plane.ts";
 import { SAME } from "./tolerance.ts";
 
 /** A programmed element, and the rounding or chamfer on the corner behind it. */
@@ -33,7 +33,7 @@ const NOWHERE = { element: 0, onCorner: false };
 
 /** Puts roundings and chamfers on a chain of elements and compensates it. */
 export function planeContour(elements: readonly PlaneElement[], side: Side, toolRadius: number): PlaneContour {
-  const kept = elements.flatMap((e, element) => (lengthOfSegment(e.segment) > SAME ? [{ ...e, element }] : []));
+  const kept = elements.flatMap((e, element) => (plane.lengthOf(e.segment) > SAME ? [{ ...e, element }] : []));
   const chain = kept.map((e) => partSegment(e.segment));
   const made = withCorners(chain, kept.map((e) => e.corner ?? null), { segments: kept.map((_, i) => i + 1), corners: kept.map((_, i) => -i - 1) });
   const place = (n: number) => ({ element: kept[Math.abs(n) - 1]?.element ?? 0, onCorner: n < 0 });

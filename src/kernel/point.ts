@@ -1,4 +1,6 @@
-import type { Axial, Radius } from "./units.ts";
+import type { SegmentOf } from "./geometry/segments.ts";
+import { spaceOf } from "./geometry/space.ts";
+import { axial, radius, type Axial, type Radius } from "./units.ts";
 
 /**
  * Part space, mm: z along the spindle axis, positive away from the chuck; r the distance from the axis.
@@ -12,10 +14,12 @@ export interface Pt {
 /** A closed polygon in part space, without a repeated last point; outer rings run counter-clockwise (z right, r up). */
 export type Ring = readonly Pt[];
 
-/** Turning direction as seen with Z to the right and X up; DR+ is "ccw". */
-export type Turn = "cw" | "ccw";
+/** One element of a contour or path in part space; turns are as seen with Z to the right and X up. */
+export type Segment = SegmentOf<Pt>;
+export type { Turn } from "./geometry/segments.ts";
 
-/** One element of a contour or path in part space. An arc keeps its centre; it is never flattened here. */
-export type Segment =
-  | { readonly kind: "line"; readonly from: Pt; readonly to: Pt }
-  | { readonly kind: "arc"; readonly from: Pt; readonly to: Pt; readonly centre: Pt; readonly turn: Turn };
+/** A point from bare numbers. */
+export const at = (z: number, r: number): Pt => ({ z: axial(z), r: radius(r) });
+
+/** Points, lines and arcs of part space. */
+export const part = spaceOf<Pt>({ x: (p) => p.z, y: (p) => p.r, point: at });

@@ -1,8 +1,8 @@
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
-import { inFrame, onArc, type Convex } from "./convex.ts";
+import { inFrame, type Convex } from "./convex.ts";
 import { heightAt, linePiece, staysAbove, upperEnvelope, valueAt } from "./envelope.ts";
-import type { Flat, FlatSegment } from "./flat.ts";
+import { flat, type Flat, type FlatSegment } from "./flat.ts";
 import { insertShape } from "./insert.ts";
 import { reachOver } from "./reach.ts";
 import type { Tool } from "./tool.ts";
@@ -23,7 +23,7 @@ const frame = { transverse: false, signU: -1, signV: 1 } as const;
 function dense(k: Convex): Flat[] {
   return k.flatMap((e) => Array.from({ length: 101 }, (_, i): Flat => e.kind === "line"
     ? { u: e.from.u + ((e.to.u - e.from.u) * i) / 100, v: e.from.v + ((e.to.v - e.from.v) * i) / 100 }
-    : onArc(e.centre, e.radius, e.start + (e.sweep * i) / 100)));
+    : flat.onCircle(e.centre, e.radius, e.start + (e.sweep * i) / 100)));
 }
 
 const contour = fc.array(fc.record({ du: fc.integer({ min: 50, max: 6000 }), dv: fc.integer({ min: -5000, max: 5000 }) }), { minLength: 1, maxLength: 6 })
@@ -67,7 +67,7 @@ describe("the reach of an insert over a contour", () => {
     const circle = inFrame(insertShape(tools[2] as Tool), frame);
     const bowl = (r: number): FlatSegment[] => [
       { kind: "line", from: { u: -20, v: r }, to: { u: -r, v: r } },
-      { kind: "arc", from: { u: -r, v: r }, to: { u: r, v: r }, centre: { u: 0, v: r }, ccw: true },
+      { kind: "arc", from: { u: -r, v: r }, to: { u: r, v: r }, centre: { u: 0, v: r }, turn: "ccw" },
       { kind: "line", from: { u: r, v: r }, to: { u: 20, v: r } },
     ];
     const over = (r: number) => reachOver(bowl(r).map((segment) => ({ segment, on: "contour" })), circle);
@@ -79,7 +79,7 @@ describe("the reach of an insert over a contour", () => {
     const circle = inFrame(insertShape(tools[2] as Tool), frame);
     // A hollow of radius 2 that leaves its first point a hair backwards.
     const chain: FlatSegment[] = [
-      { kind: "arc", from: { u: 0, v: 0 }, to: { u: 2, v: -2 }, centre: { u: 2, v: -1e-3 }, ccw: true },
+      { kind: "arc", from: { u: 0, v: 0 }, to: { u: 2, v: -2 }, centre: { u: 2, v: -1e-3 }, turn: "ccw" },
       { kind: "line", from: { u: 2, v: -2 }, to: { u: 9, v: -2 } },
     ];
     const e = reachOver(chain.map((segment) => ({ segment, on: "contour" })), circle);

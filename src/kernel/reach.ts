@@ -1,6 +1,9 @@
-import { edgeEnd, edgeStart, normalEnd, normalStart, positive, type Convex, type Edge, type Feature } from "./convex.ts";
+import { edgeEnd, edgeStart, normalEnd, normalStart, type Convex, type Edge, type Feature } from "./convex.ts";
 import { linePiece, upperEnvelope, type Envelope, type Origin, type Piece } from "./envelope.ts";
-import { normalAt, type Flat, type FlatSegment } from "./flat.ts";
+import { flat, normalAt, type Flat, type FlatSegment } from "./flat.ts";
+import { FULL_TURN, positive, type ArcOf, type LineOf } from "./geometry/segments.ts";
+
+const { angleOf, cross, dot, onCircle, polarOf, scaled, sum } = flat;
 
 /** A contour element with what it stands for. */
 export interface Bound {
@@ -38,15 +41,15 @@ const facingUp = (n: Flat): Flat => (n.v >= 0 ? n : { u: Math.sign(n.u), v: 0 })
 function mirroredLowerHull(insert: Convex): Edge[] {
   return insert.flatMap((e): Edge[] => {
     if (e.kind === "line") {
-      const m: Edge = { ...e, from: { u: -e.from.u, v: -e.from.v }, to: { u: -e.to.u, v: -e.to.v } };
+      const m: Edge = { ...e, from: scaled(e.from, -1), to: scaled(e.to, -1) };
       return m.to.u < m.from.u - 1e-12 ? [m] : [];
     }
     const start = positive(e.start + Math.PI);
     const parts: Edge[] = [];
-    for (const turn of [0, -2 * Math.PI]) {
+    for (const turn of [0, -FULL_TURN]) {
       const from = Math.max(0, start + turn);
       const to = Math.min(Math.PI, start + turn + e.sweep);
-      if (to >= from) parts.push({ ...e, centre: { u: -e.centre.u, v: -e.centre.v }, start: from, sweep: to - from });
+      if (to >= from) parts.push({ ...e, centre: scaled(e.centre, -1), start: from, sweep: to - from });
     }
     return parts;
   });
@@ -65,7 +68,6 @@ interface Vertex {
 }
 
 const ANGLE = 1e-9;
-const angleOf = (n: Flat) => Math.atan2(n.v, n.u);
 
 /** Vertices of the hull with the cone of normals they carry, and what they belong to. */
 function vertices(k: readonly Edge[]): Vertex[] {
@@ -83,48 +85,47 @@ function vertices(k: readonly Edge[]): Vertex[] {
   return out.filter((v) => v.to - v.from > ANGLE);
 }
 
-function alongLine(s: Extract<FlatSegment, { kind: "line" }>, k: Hull, on: Origin["on"], add: (p: Piece | null) => void) {
+function alongLine(s: LineOf<Flat>, k: Hull, on: Origin["on"], add: (p: Piece | null) => void) {
   if (s.to.u - s.from.u <= 0) return;
   const a = angleOf(normalAt(s, "from"));
   const shift = (by: Flat, feature: Feature) =>
-    add(linePiece({ u: s.from.u + by.u, v: s.from.v + by.v }, { u: s.to.u + by.u, v: s.to.v + by.v }, { feature, on, corner: false }));
+    add(linePiece(sum(s.from, by), sum(s.to, by), { feature, on, corner: false }));
   let parallel = false;
   for (const e of k.edges)
     if (e.kind === "line" && Math.abs(a - normalStart(e)) <= ANGLE) {
       // Two parallel straights sum to one: from the left end of the edge at the start to its right end at the end.
-      add(linePiece({ u: s.from.u + e.to.u, v: s.from.v + e.to.v }, { u: s.to.u + e.from.u, v: s.to.v + e.from.v }, { feature: e.feature, on, corner: false }));
+      add(linePiece(sum(s.from, e.to), sum(s.to, e.from), { feature: e.feature, on, corner: false }));
       parallel = true;
     }
   if (parallel) return;
   for (const e of k.edges)
     if (e.kind === "arc" && a >= e.start - ANGLE && a <= e.start + e.sweep + ANGLE)
-      return shift({ u: e.centre.u + e.radius * Math.cos(a), v: e.centre.v + e.radius * Math.sin(a) }, e.feature);
+      return shift(onCircle(e.centre, e.radius, a), e.feature);
   for (const v of k.vertices) if (a >= v.from - ANGLE && a <= v.to + ANGLE) return shift(v.at, v.feature);
 }
 
+/** The material lies on the right, so an arc that turns left is hollow. */
+const isValley = (s: ArcOf<Flat>) => s.turn === "ccw";
+
 /** An arc of the contour: its outward normals, and the insert elements with the same normal. */
-function alongArc(s: Extract<FlatSegment, { kind: "arc" }>, k: Hull, on: Origin["on"], add: (p: Piece | null) => void) {
-  const radius = Math.hypot(s.from.u - s.centre.u, s.from.v - s.centre.v);
-  const a0 = Math.atan2(s.from.v - s.centre.v, s.from.u - s.centre.u);
-  const a1 = Math.atan2(s.to.v - s.centre.v, s.to.u - s.centre.u);
-  let sweep = positive(s.ccw ? a1 - a0 : a0 - a1);
-  if (sweep < 1e-12) sweep = 2 * Math.PI;
-  // Normals, counter-clockwise from `low`: of a hill (cw) the polar angle itself, of a valley (ccw) the opposite one.
-  const low = positive((s.ccw ? a0 + Math.PI : a1));
-  for (const turn of [0, -2 * Math.PI]) {
+function alongArc(s: ArcOf<Flat>, k: Hull, on: Origin["on"], add: (p: Piece | null) => void) {
+  const { start, sweep, startRadius: radius } = polarOf(s);
+  const valley = isValley(s);
+  // Normals, counter-clockwise from `low`: of a hill the polar angle itself, of a valley the opposite one.
+  const low = positive(valley ? start + Math.PI : start + sweep);
+  for (const turn of [0, -FULL_TURN]) {
     const from = Math.max(0, low + turn);
-    const to = Math.min(Math.PI, low + turn + sweep);
+    const to = Math.min(Math.PI, low + turn + Math.abs(sweep));
     if (to - from <= ANGLE) continue;
     for (const e of k.edges) {
       if (e.kind === "arc") {
-        const r = s.ccw ? radius - e.radius : radius + e.radius;
+        const r = valley ? radius - e.radius : radius + e.radius;
         halfArc(s, e.centre, r, Math.max(from, e.start), Math.min(to, e.start + e.sweep), { feature: e.feature, on, corner: false }, add);
       } else {
         const n = normalStart(e);
         if (n < from - ANGLE || n > to + ANGLE) continue;
-        const d = s.ccw ? -radius : radius;
-        const at = { u: s.centre.u + d * Math.cos(n), v: s.centre.v + d * Math.sin(n) };
-        add(linePiece({ u: at.u + e.from.u, v: at.v + e.from.v }, { u: at.u + e.to.u, v: at.v + e.to.v }, { feature: e.feature, on, corner: true }));
+        const at = onCircle(s.centre, valley ? -radius : radius, n);
+        add(linePiece(sum(at, e.from), sum(at, e.to), { feature: e.feature, on, corner: true }));
       }
     }
     for (const v of k.vertices)
@@ -133,24 +134,21 @@ function alongArc(s: Extract<FlatSegment, { kind: "arc" }>, k: Hull, on: Origin[
 }
 
 /** The part of an offset arc whose normals lie in [from, to]: upper half for a hill, lower half for a valley. */
-function halfArc(s: Extract<FlatSegment, { kind: "arc" }>, by: Flat, r: number, from: number, to: number, origin: Origin, add: (p: Piece | null) => void) {
+function halfArc(s: ArcOf<Flat>, by: Flat, r: number, from: number, to: number, origin: Origin, add: (p: Piece | null) => void) {
   if (to - from <= ANGLE || r <= 1e-9) return;
-  const cu = s.centre.u + by.u;
-  const cv = s.centre.v + by.v;
-  const x0 = s.ccw ? cu - r * Math.cos(from) : cu + r * Math.cos(to);
-  const x1 = s.ccw ? cu - r * Math.cos(to) : cu + r * Math.cos(from);
-  if (x1 - x0 > 1e-9) add({ arc: s.ccw ? -1 : 1, u0: x0, u1: x1, cu, cv, radius: r, origin });
+  const { u: cu, v: cv } = sum(s.centre, by);
+  const [u0, u1] = isValley(s) ? [cu - r * Math.cos(from), cu - r * Math.cos(to)] : [cu + r * Math.cos(to), cu + r * Math.cos(from)];
+  if (u1 - u0 > 1e-9) add({ arc: isValley(s) ? -1 : 1, u0, u1, cu, cv, radius: r, origin });
 }
 
 /** A convex corner carries the normals between its two elements (clockwise from `before` to `after`). */
 function atCorner(p: Flat, before: Flat, after: Flat, k: Hull, on: Origin["on"], add: (p: Piece | null) => void) {
-  const cross = before.u * after.v - before.v * after.u;
-  const dot = before.u * after.u + before.v * after.v;
-  if (cross > -1e-12 && dot > 0) return; // smooth or reflex
-  if (cross > 1e-12) return;
+  const bend = cross(before, after);
+  if (bend > -1e-12 && dot(before, after) > 0) return; // smooth or reflex
+  if (bend > 1e-12) return;
   const high = angleOf(before);
   const width = positive(high - angleOf(after));
-  for (const turn of [0, 2 * Math.PI, -2 * Math.PI]) {
+  for (const turn of [0, FULL_TURN, -FULL_TURN]) {
     const to = Math.min(Math.PI, high + turn);
     const from = Math.max(0, high + turn - width);
     if (to < from - ANGLE) continue;
@@ -158,14 +156,13 @@ function atCorner(p: Flat, before: Flat, after: Flat, k: Hull, on: Origin["on"],
       if (e.kind === "line") {
         const n = normalStart(e);
         if (n >= from - 1e-7 && n <= to + 1e-7)
-          add(linePiece({ u: p.u + e.from.u, v: p.v + e.from.v }, { u: p.u + e.to.u, v: p.v + e.to.v }, { feature: e.feature, on, corner: true }));
+          add(linePiece(sum(p, e.from), sum(p, e.to), { feature: e.feature, on, corner: true }));
         continue;
       }
       const a = Math.max(from, e.start);
       const b = Math.min(to, e.start + e.sweep);
       if (b - a <= ANGLE || e.radius <= 1e-9) continue;
-      const cu = p.u + e.centre.u;
-      const cv = p.v + e.centre.v;
+      const { u: cu, v: cv } = sum(p, e.centre);
       add({ arc: 1, u0: cu + e.radius * Math.cos(b), u1: cu + e.radius * Math.cos(a), cu, cv, radius: e.radius, origin: { feature: e.feature, on, corner: false } });
     }
   }

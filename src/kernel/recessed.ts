@@ -1,12 +1,12 @@
-import { line } from "./arc-forms.ts";
-import { roundedDown, type CornerElement } from "./corner.ts";
-import { at, lengthOf } from "./curve.ts";
+import type { CornerElement } from "./corner.ts";
 import { grooveShape, type Groove } from "./groove.ts";
 import { issue, type Issue } from "./issue.ts";
-import type { Segment } from "./point.ts";
-import { SAME } from "./tolerance.ts";
+import { at, part, type Segment } from "./point.ts";
+import { roundedDown, SAME } from "./tolerance.ts";
 import { toDiameter } from "./units.ts";
 import { undercutShape, type Undercut } from "./undercut.ts";
+
+const { lengthOf, line } = part;
 
 /** An undercut or recess of a contour, its element number, and the segment behind which it was programmed. */
 export interface Recess {

@@ -1,31 +1,32 @@
-import { at, meet, type Vector } from "./curve.ts";
+import { at, part, type Pt } from "./point.ts";
 import type { Affine } from "./solve-linear.ts";
-import { sweepOf } from "./solve-curves.ts";
-import { apart, heading, place, pointOf, type Work } from "./solve-work.ts";
+import { arcRank, byRank, place, pointOf, type Rank, type Work } from "./solve-work.ts";
 import { ARC_END, ROUND, SAME } from "./tolerance.ts";
+
+const { apart, beyond, difference, dot, heading, meet, sizeOf, sweepOf } = part;
 
 /** The point as it moves with one free parameter. */
 interface Sliding {
-  readonly start: Vector;
-  readonly move: Vector;
+  readonly start: Pt;
+  readonly move: Pt;
 }
 
 const freeIn = (...forms: readonly Affine[]) => new Set(forms.flatMap((f) => [...f.by.keys()]));
 const slide = (w: Work, i: number, free: number): Sliding => {
   const form = w.forms[i];
   return {
-    start: { z: form?.z.constant ?? 0, r: form?.r.constant ?? 0 },
-    move: { z: form?.z.by.get(free) ?? 0, r: form?.r.by.get(free) ?? 0 },
+    start: at(form?.z.constant ?? 0, form?.r.constant ?? 0),
+    move: at(form?.z.by.get(free) ?? 0, form?.r.by.get(free) ?? 0),
   };
 };
-const onSlide = (s: Sliding, k: number): Vector => ({ z: s.start.z + s.move.z * k, r: s.start.r + s.move.r * k });
+const onSlide = (s: Sliding, k: number): Pt => beyond(s.start, s.move, k);
 
 /** Parameters at which |start + k · move| is `far`; where it stays a hair too far away, the nearest one. */
-function atDistance(start: Vector, move: Vector, far: number): number[] {
-  const a = move.z ** 2 + move.r ** 2;
+function atDistance(start: Pt, move: Pt, far: number): number[] {
+  const a = dot(move, move);
   if (a < ROUND) return [];
-  const middle = -(start.z * move.z + start.r * move.r) / a;
-  const nearest = Math.hypot(start.z + move.z * middle, start.r + move.r * middle);
+  const middle = -dot(start, move) / a;
+  const nearest = sizeOf(beyond(start, move, middle));
   if (nearest > far + ARC_END) return [];
   const half = Math.sqrt(Math.max(0, far * far - nearest * nearest) / a);
   return half < ROUND ? [middle] : [middle + half, middle - half];
@@ -34,14 +35,13 @@ function atDistance(start: Vector, move: Vector, far: number): number[] {
 /** A way to end the freedom of a point: places where it may be. */
 interface Candidate {
   readonly i: number;
-  readonly point: Vector;
+  readonly point: Pt;
 }
 
 /** Chooses among places for a point, sets it and counts them. False when there is none. */
 function choose(w: Work, element: number, candidates: readonly Candidate[]): boolean {
-  const rated = candidates.map((c) => ({ c, wrong: faultsOf(w, c), order: orderOf(w, element, c) }))
-    .sort((a, b) => a.wrong - b.wrong || a.order - b.order || a.c.point.r - b.c.point.r);
-  const fit = rated.filter((r) => r.wrong === (rated[0]?.wrong ?? 0));
+  const rated = candidates.map((c) => ({ c, faults: faultsOf(w, c), ...orderOf(w, element, c) })).sort((a, b) => byRank(a, b) || a.c.point.r - b.c.point.r);
+  const fit = rated.filter((r) => r.faults === (rated[0]?.faults ?? 0));
   const chosen = fit[w.elements[element]?.choice ?? 0] ?? rated[0];
   if (!chosen) {
     w.unreachable.add(element);
@@ -57,23 +57,21 @@ function faultsOf(w: Work, { i, point }: Candidate): number {
   for (const [element, from, to] of [[i, pointOf(w, i - 1), point], [i + 1, point, pointOf(w, i + 1)]] as const) {
     const angle = w.angle[element] ?? null;
     if (!from || !to || !w.elements[element]) continue;
-    const move = { z: to.z - from.z, r: to.r - from.r };
-    if (angle !== null && move.z * heading(angle).z + move.r * heading(angle).r < -SAME) faults += 1;
+    if (angle !== null && dot(difference(to, from), heading(angle)) < -SAME) faults += 1;
     if (apart(from, to) <= SAME) faults += 1;
   }
   return faults;
 }
 
 /** The likelier place first: the shorter arc (the longer one for a negative radius), the shorter way to the next point, else towards the chuck. */
-function orderOf(w: Work, element: number, { i, point }: Candidate): number {
+function orderOf(w: Work, element: number, { i, point }: Candidate): Omit<Rank, "faults"> {
   const circle = w.circle[element] ?? null, e = w.elements[element];
   const from = i === element ? pointOf(w, element - 1) : point, to = i === element ? point : pointOf(w, element);
   if (!circle || circle === "straight" || e?.kind !== "arc" || !from || !to) {
     const [before, after] = [pointOf(w, i - 1), pointOf(w, i + 1)];
-    return before && after ? apart(before, point) + apart(point, after) : point.z;
+    return { otherWay: 0, detour: before && after ? apart(before, point) + apart(point, after) : point.z };
   }
-  const sweep = sweepOf(from, to, circle.centre, circle.turn);
-  return (e.radius ?? 0) < 0 === sweep > Math.PI ? sweep : sweep + 7;
+  return arcRank(e, sweepOf({ kind: "arc", from, to, centre: circle.centre, turn: circle.turn }));
 }
 
 /** Ends the freedom of one point by a length or a circle; the first that can be. True when a point was found. */
@@ -85,7 +83,7 @@ export function findPlace(w: Work): boolean {
     if (only === undefined || w.unreachable.has(i)) continue;
     if (e?.kind === "line" && e.length !== null && (w.angle[i] ?? null) === null && free.size === 1) {
       const [a, b] = [slide(w, i - 1, only), slide(w, i, only)];
-      const found = atDistance({ z: b.start.z - a.start.z, r: b.start.r - a.start.r }, { z: b.move.z - a.move.z, r: b.move.r - a.move.r }, e.length);
+      const found = atDistance(difference(b.start, a.start), difference(b.move, a.move), e.length);
       const p = pointOf(w, i) ? i - 1 : i;
       if (choose(w, i, found.map((k) => ({ i: p, point: onSlide(p === i ? b : a, k) })))) return true;
     }
@@ -95,7 +93,7 @@ export function findPlace(w: Work): boolean {
         const [one, ...more] = own ? freeIn(own.z, own.r) : [];
         if (one === undefined || more.length > 0) continue;
         const s = slide(w, p, one);
-        const found = atDistance({ z: s.start.z - circle.centre.z, r: s.start.r - circle.centre.r }, s.move, circle.radius);
+        const found = atDistance(difference(s.start, circle.centre), s.move, circle.radius);
         if (choose(w, i, found.map((k) => ({ i: p, point: onSlide(s, k) })))) return true;
       }
   }
@@ -108,7 +106,7 @@ function findMeeting(w: Work): boolean {
     if (w.z[i] !== null || w.r[i] !== null) continue;
     const [one, two] = [distance(w, i, i - 1), distance(w, i + 1, i + 1)];
     if (!one || !two || w.unreachable.has(i)) continue;
-    const found = meet(one, two).map((v) => ({ i, point: at(v.z, v.r) }));
+    const found = meet(one, two).map((point) => ({ i, point }));
     if (choose(w, i, found)) return true;
   }
   return false;

@@ -1,8 +1,6 @@
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
-import { arcByRadius } from "./arc-forms.ts";
-import { at } from "./curve.ts";
-import type { Pt } from "./point.ts";
+import { at, part, type Pt } from "./point.ts";
 import { solveContour } from "./solve-contour.ts";
 import type { SolveElement } from "./solve-work.ts";
 import { axial, degrees, length, radius } from "./units.ts";
@@ -159,7 +157,7 @@ describe("laws", () => {
       const [from, to] = [at(a.z, a.r), at(b.z, b.r)];
       const far = Math.hypot(to.z - from.z, to.r - from.r);
       fc.pre(far > 1);
-      const made = arcByRadius(from, to, far / 2 + extra, "cw").segment;
+      const made = part.arcByRadius(from, to, far / 2 + extra, "cw").segment;
       const erase = z ? { z: null, r: R(to.r) } : { z: Z(to.z), r: null };
       const found = ([0, 1] as const).map((choice) => solveContour([start(from.z, from.r), straight || made?.kind !== "arc"
         ? line({ ...erase, length: length(far), choice }) : arc({ ...erase, centre: made.centre, turn: "cw", choice })]));

@@ -1,11 +1,13 @@
 import { issue, type Issue } from "./issue.ts";
-import type { Pt, Segment } from "./point.ts";
+import { part, type Pt, type Segment } from "./point.ts";
 import { findPlace } from "./solve-choose.ts";
 import { findAngles, findCircles, way } from "./solve-curves.ts";
 import { findTouches } from "./solve-touches.ts";
-import { apart, heading, pointOf, settle, startWork, type SolveElement, type Work } from "./solve-work.ts";
+import { pointOf, settle, startWork, type SolveElement, type Work } from "./solve-work.ts";
 import { ARC_END, SAME } from "./tolerance.ts";
-import { axial, degrees, inDegrees, length, radius, type Axial, type Degrees, type Length, type Radius } from "./units.ts";
+import { axial, degrees, inDegrees, length, radians, radius, type Axial, type Degrees, type Length, type Radius } from "./units.ts";
+
+const { angleOf, apart, cross, difference, dot, heading } = part;
 
 /** What is known of one element once everything that follows has been found. */
 export interface SolvedElement {
@@ -89,8 +91,7 @@ function freedomOf(w: Work, i: number, segment: Segment | null): number {
 }
 
 /** The angle between two directions, degrees. */
-const between = (a: { z: number; r: number }, b: { z: number; r: number }) =>
-  Math.abs(inDegrees(Math.atan2(a.z * b.r - a.r * b.z, a.z * b.z + a.r * b.r)));
+const between = (a: Pt, b: Pt) => Math.abs(inDegrees(Math.atan2(cross(a, b), dot(a, b))));
 
 function contradictions(w: Work, e: SolveElement, i: number, freedom: number): Issue[] {
   const found: Issue[] = [], element = i + 1;
@@ -116,11 +117,11 @@ function lineAgainst(
 ): void {
   const far = apart(from, to);
   if (far <= SAME) return;
-  const real = Math.atan2(to.r - from.r, to.z - from.z);
-  const given = e.angle === null ? null : heading((e.angle * Math.PI) / 180), own = heading(real);
+  const real = angleOf(difference(to, from));
+  const given = e.angle === null ? null : heading(radians(e.angle)), own = heading(real);
   if (given && e.angle !== null) {
-    const off = Math.abs(given.z * (to.r - from.r) - given.r * (to.z - from.z));
-    if (off > ARC_END || given.z * own.z + given.r * own.r < 0) say("angle", e.angle, round(real));
+    const off = Math.abs(cross(given, difference(to, from)));
+    if (off > ARC_END || dot(given, own) < 0) say("angle", e.angle, round(real));
   }
   if (e.length !== null && Math.abs(far - e.length) > ARC_END) say("length", e.length, far);
 }

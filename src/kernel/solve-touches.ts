@@ -1,8 +1,9 @@
-import { at } from "./curve.ts";
-import type { Pt } from "./point.ts";
-import { plus, tangent, towards } from "./solve-curves.ts";
-import { apart, aside, heading, place, pointOf, same, type Circle, type Work } from "./solve-work.ts";
+import { part, type Pt } from "./point.ts";
+import { tangent, towards } from "./solve-curves.ts";
+import { aside, place, pointOf, same, type Circle, type Work } from "./solve-work.ts";
 import { SAME } from "./tolerance.ts";
+
+const { angleOf, apart, difference, heading, onCircle } = part;
 
 /** Points where a known circle and its tangential neighbour touch. */
 export function findTouches(w: Work): boolean {
@@ -26,10 +27,7 @@ function touchOf(w: Work, { centre, radius, turn }: Circle, other: number, far: 
     if (same(centre, next.centre)) return null;
     return towards(centre, next.centre, next.turn === turn && next.radius > radius ? -radius : radius);
   }
-  if (angle !== null) {
-    const inwards = aside(turn, heading(angle), radius);
-    return at(centre.z - inwards.z, centre.r - inwards.r);
-  }
+  if (angle !== null) return difference(centre, aside(turn, heading(angle), radius));
   if (!outside || w.elements[other]?.kind !== "line") return null;
   const gap = apart(outside, centre);
   if (gap <= radius + SAME) {
@@ -38,6 +36,5 @@ function touchOf(w: Work, { centre, radius, turn }: Circle, other: number, far: 
   }
   // The centre lies to the side of the turn, seen along the line; of the two tangents from a point only one has it there.
   const lean = Math.acos(radius / gap) * ((turn === "ccw") === after ? 1 : -1);
-  const to = Math.atan2(outside.r - centre.r, outside.z - centre.z) - lean;
-  return plus(centre, { z: radius * Math.cos(to), r: radius * Math.sin(to) });
+  return onCircle(centre, radius, angleOf(difference(outside, centre)) - lean);
 }

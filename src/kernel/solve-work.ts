@@ -1,5 +1,5 @@
-import { at, type Vector } from "./curve.ts";
-import type { Pt, Turn } from "./point.ts";
+import { signOf } from "./geometry/segments.ts";
+import { at, part, type Pt, type Turn } from "./point.ts";
 import { known, solveLinear, type Affine, type Equation } from "./solve-linear.ts";
 import { SAME } from "./tolerance.ts";
 import { radians, type Axial, type Degrees, type Length, type Radius } from "./units.ts";
@@ -52,9 +52,24 @@ export const pointOf = (w: Work, i: number): Pt | null => {
   const [z, r] = [w.z[i] ?? null, w.r[i] ?? null];
   return z === null || r === null ? null : at(z, r);
 };
-export const heading = (angle: number): Vector => ({ z: Math.cos(angle), r: Math.sin(angle) });
-export const aside = (turn: Turn, way: Vector, far: number): Vector => (turn === "ccw" ? { z: -way.r * far, r: way.z * far } : { z: way.r * far, r: -way.z * far });
-export const apart = (a: Vector, b: Vector) => Math.hypot(a.z - b.z, a.r - b.r);
+/** The way from a line to the centre of an arc of radius `far` that touches it and turns so. */
+export const aside = (turn: Turn, way: Pt, far: number): Pt => part.scaled(part.leftOf(way), signOf(turn) * far);
+
+/** How well a candidate fits, to be compared in this order; the lower comes first. */
+export interface Rank {
+  /** Lines that would run backwards, arcs of no length and the like. */
+  readonly faults: number;
+  /** 1 when an arc goes the longer way round where the shorter one is meant, or the other way about. */
+  readonly otherWay: 0 | 1;
+  /** How far round an arc turns, or how long the way is. */
+  readonly detour: number;
+}
+export const byRank = (a: Rank, b: Rank) => a.faults - b.faults || a.otherWay - b.otherWay || a.detour - b.detour;
+/** The arc of an element by its way round; a negative radius means the longer one. */
+export function arcRank(e: SolveElement | undefined, sweep: number): Omit<Rank, "faults"> {
+  const longer = e?.kind === "arc" && (e.radius ?? 0) < 0;
+  return { otherWay: longer === sweep > Math.PI ? 0 : 1, detour: sweep };
+}
 
 export function startWork(elements: readonly SolveElement[]): Work {
   const work: Work = {
@@ -108,7 +123,7 @@ function settleStretch(w: Work, from: number, to: number): boolean {
       if (given && "by" in given) add([[axis, i, 1], [axis, i - 1, -1]], given.by);
     }
     if (e?.kind !== "line" || angle === null) continue;
-    const way = heading(angle);
+    const way = part.heading(angle);
     add([["z", i, way.r], ["z", i - 1, -way.r], ["r", i, -way.z], ["r", i - 1, way.z]], 0);
     if (e.length !== null) add([["z", i, way.z], ["z", i - 1, -way.z], ["r", i, way.r], ["r", i - 1, -way.r]], e.length);
   }
@@ -132,7 +147,7 @@ function settleStretch(w: Work, from: number, to: number): boolean {
 }
 
 /** Puts a point where it was found, in the coordinates that were not known. True when that is news. */
-export function place(w: Work, i: number, found: Vector): boolean {
+export function place(w: Work, i: number, found: Pt): boolean {
   let news = false;
   for (const axis of ["z", "r"] as const)
     if (w[axis][i] === null && Number.isFinite(found[axis])) {
@@ -145,4 +160,4 @@ export function place(w: Work, i: number, found: Vector): boolean {
 }
 
 /** True for points that are one and the same on a control. */
-export const same = (a: Vector, b: Vector) => apart(a, b) <= SAME;
+export const same = (a: Pt, b: Pt) => part.apart(a, b) <= SAME;

@@ -1,6 +1,5 @@
-import { pointRound, polarOf } from "./flatten.ts";
 import type { Move } from "./move.ts";
-import type { Pt, Segment } from "./point.ts";
+import { part, type Pt, type Segment } from "./point.ts";
 import type { Spindle } from "./step.ts";
 
 /** The path of the theoretical tip in one move. */
@@ -12,8 +11,8 @@ export function pathOf(from: Pt, move: Move): Segment {
 
 /** Way of the tip in one move, mm. */
 export function travelOf(path: Segment): number {
-  if (path.kind === "line") return Math.hypot(path.to.z - path.from.z, path.to.r - path.from.r);
-  const p = polarOf(path);
+  if (path.kind === "line") return part.lengthOf(path);
+  const p = part.polarOf(path);
   return (Math.abs(p.sweep) * (p.startRadius + p.endRadius)) / 2;
 }
 
@@ -52,12 +51,12 @@ function meanAlongLine(spindle: Spindle, from: number, to: number): number {
 /** Pieces of an arc in the numerical mean (Simpson's rule; even). */
 const PIECES = 32;
 
-function meanAlongArc(spindle: Spindle, path: Extract<Segment, { kind: "arc" }>): number {
-  const polar = polarOf(path);
+function meanAlongArc(spindle: Spindle, path: Segment): number {
+  const at = part.pointsOn(path);
   let sum = 0;
   for (let i = 0; i <= PIECES; i += 1) {
     const weight = i === 0 || i === PIECES ? 1 : i % 2 === 1 ? 4 : 2;
-    sum += weight * minutesPerTurn(spindle, pointRound(path.centre, polar, i / PIECES).r);
+    sum += weight * minutesPerTurn(spindle, at(i / PIECES).r);
   }
   return sum / (3 * PIECES);
 }

@@ -1,11 +1,12 @@
 import { describe, expect, test } from "vitest";
 import { contourFrom, type ContourElement } from "./contour.ts";
-import { at, direction, lengthOf } from "./curve.ts";
 import type { Groove } from "./groove.ts";
-import type { Segment } from "./point.ts";
+import { at, part, type Segment } from "./point.ts";
 import { undercutOfDiameter, undercutOfPitch } from "./undercut-table.ts";
 import type { RecessWords, Undercut } from "./undercut.ts";
 import { diameter } from "./units.ts";
+
+const { direction, lengthOf } = part;
 
 const to = (z: number, r: number): ContourElement => ({ kind: "line", to: at(z, r) });
 const udc = (form: Undercut["form"], words: RecessWords): Undercut => ({ kind: "undercut", form, words });

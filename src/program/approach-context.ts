@@ -1,4 +1,4 @@
-import { difference, movedSegment, sum, type PlanePoint } from "../kernel/plane.ts";
+import { plane, type PlanePoint } from "../kernel/plane.ts";
 import { diameter, toRadius } from "../kernel/units.ts";
 import type { Program } from "../nc/program.ts";
 import type { AxisName } from "../nc/statement.ts";
@@ -8,6 +8,8 @@ import { valueOf } from "./formula.ts";
 import type { KnownParameters } from "./expression.ts";
 import type { ApproachRun } from "./plane-types.ts";
 import type { Run } from "./run-types.ts";
+
+const { difference, shifted, sum } = plane;
 
 /** What is in force at a block, read from the text in front of it. */
 interface InForce {
@@ -61,7 +63,7 @@ export function approachContext(program: Program, index: number, run: Run | null
   return {
     plane, pole, parameters, unit: inch ? 25.4 : 1,
     before: outside && sum(outside, by),
-    contour: found?.contour.map((s) => movedSegment(s, by)) ?? [],
+    contour: found?.contour.map((s) => shifted(s, by)) ?? [],
     side: found?.side ?? "left",
     toolRadius: found?.toolRadius ?? 0,
     tip: found?.tip ?? NO_TIP,

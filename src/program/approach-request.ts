@@ -1,5 +1,5 @@
 import type { ApproachRequest } from "../kernel/approach.ts";
-import { apart, difference, partPoint, planePoint, sum, type PlanePoint, type PlaneSegment, type Side } from "../kernel/plane.ts";
+import { partPoint, plane, planePoint, type PlanePoint, type PlaneSegment, type Side } from "../kernel/plane.ts";
 import { SAME } from "../kernel/tolerance.ts";
 import { inDegrees, radius, toDiameter } from "../kernel/units.ts";
 import type { ApproachForm } from "../nc/statement.ts";
@@ -8,6 +8,8 @@ import { isPolar, shapeOf, type ApproachWord, type WorkingPlane } from "./approa
 import type { KnownParameters } from "./expression.ts";
 import type { FieldReading } from "./field.ts";
 import { coordinatesIn, endOf, NOWHERE, plainReader, pointIn } from "./path.ts";
+
+const { apart, difference, sum } = plane;
 
 /** What stands round an APPR or DEP block in its program. Lengths in mm, points in the working plane. */
 export interface ApproachContext {

@@ -1,7 +1,6 @@
 import { areaOf, union } from "../kernel/clip.ts";
-import { flattened } from "../kernel/flatten.ts";
 import { SAME, CHORD } from "../kernel/tolerance.ts";
-import type { Pt, Ring, Segment } from "../kernel/point.ts";
+import { part, type Pt, type Ring, type Segment } from "../kernel/point.ts";
 import { axial, diameter, radius, toRadius, type Radius } from "../kernel/units.ts";
 
 interface Cylinder {
@@ -27,7 +26,7 @@ export const measured = (n: number, isDiameter: boolean): Radius => (isDiameter 
 export function rotation(outline: readonly Segment[]): Ring[] | null {
   const [first, last] = [outline[0]?.from, outline.at(-1)?.to];
   if (!first || !last) return null;
-  const points: Pt[] = outline.flatMap((s) => flattened(s, CHORD).slice(1));
+  const points: Pt[] = outline.flatMap((s) => part.flattened(s, CHORD).slice(1));
   points.unshift(first);
   const closed = Math.hypot(first.z - last.z, first.r - last.r) <= SAME;
   const foot = (p: Pt): Pt => ({ z: p.z, r: radius(0) });

@@ -1,8 +1,7 @@
 import { contourFrom, type Contour, type ContourElement } from "../kernel/contour.ts";
 import type { Issue } from "../kernel/issue.ts";
-import type { Pt } from "../kernel/point.ts";
+import { part, type Pt } from "../kernel/point.ts";
 import { solveContour, type SolvedElement } from "../kernel/solve-contour.ts";
-import { sweepOf } from "../kernel/solve-curves.ts";
 import type { SolveElement } from "../kernel/solve-work.ts";
 import { toDiameter } from "../kernel/units.ts";
 import type { ContourRow } from "./job.ts";
@@ -94,7 +93,7 @@ function signedRadius(s: SolvedElement | undefined): number | null {
   const arc = s?.segment;
   if (arc?.kind !== "arc") return null;
   const size = Math.hypot(arc.from.z - arc.centre.z, arc.from.r - arc.centre.r);
-  return sweepOf(arc.from, arc.to, arc.centre, arc.turn) > Math.PI + 1e-9 ? -size : size;
+  return part.sweepOf(arc) > Math.PI + 1e-9 ? -size : size;
 }
 
 /** The element with every coordinate filled in; null while its end is not known. */

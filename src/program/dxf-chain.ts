@@ -1,6 +1,4 @@
-import type { Vector } from "../kernel/curve.ts";
-import { lengthOf } from "../kernel/curve.ts";
-import type { Segment } from "../kernel/point.ts";
+import { part, type Pt, type Segment } from "../kernel/point.ts";
 import { SAME } from "../kernel/tolerance.ts";
 
 /** Curves that follow one another, and the gaps between them that were closed. */
@@ -11,11 +9,11 @@ export interface Chain {
   readonly gaps: number;
   readonly closed: boolean;
   /** Points at which more than two curves meet. */
-  readonly branches: readonly Vector[];
+  readonly branches: readonly Pt[];
   readonly length: number;
 }
 
-const apart = (a: Vector, b: Vector) => Math.hypot(a.z - b.z, a.r - b.r);
+const apart = (a: Pt, b: Pt) => Math.hypot(a.z - b.z, a.r - b.r);
 /** The same curve run through the other way. */
 export const turnedAround = (s: Segment): Segment =>
   (s.kind === "line" ? { kind: "line", from: s.to, to: s.from } : { ...s, from: s.to, to: s.from, turn: s.turn === "cw" ? "ccw" : "cw" });
@@ -37,12 +35,12 @@ class Ends {
     });
   }
 
-  private key(p: Vector, dz: number, dr: number) {
+  private key(p: Pt, dz: number, dr: number) {
     return `${Math.floor(p.z / this.reach) + dz} ${Math.floor(p.r / this.reach) + dr}`;
   }
 
   /** Ends of unused curves within reach, the nearest first. */
-  near(p: Vector, used: ReadonlySet<number>) {
+  near(p: Pt, used: ReadonlySet<number>) {
     const found: { index: number; start: boolean; far: number }[] = [];
     for (const dz of [-1, 0, 1])
       for (const dr of [-1, 0, 1])
@@ -60,7 +58,7 @@ class Ends {
 export function chainsOf(curves: readonly Segment[], tolerance: number): Chain[] {
   const ends = new Ends(curves, tolerance), used = new Set<number>();
   const chains: Chain[] = [];
-  const others = (index: number, p: Vector) => ends.near(p, used).filter((n) => n.index !== index);
+  const others = (index: number, p: Pt) => ends.near(p, used).filter((n) => n.index !== index);
   // Open ends first: a chain that is begun in its middle would fall apart.
   const begin = (i: number): Segment | null => {
     const s = curves[i];
@@ -74,7 +72,7 @@ export function chainsOf(curves: readonly Segment[], tolerance: number): Chain[]
       const first = openOnly ? begin(i) : s;
       if (!first) return;
       used.add(i);
-      const segments = [first], branches: Vector[] = [];
+      const segments = [first], branches: Pt[] = [];
       let widest = 0, gaps = 0;
       for (let last = first; ;) {
         const near = ends.near(last.to, used), [next] = near, found = next && curves[next.index];
@@ -88,7 +86,7 @@ export function chainsOf(curves: readonly Segment[], tolerance: number): Chain[]
       }
       const end = segments.at(-1)?.to;
       const closed = segments.length > 1 && end !== undefined && apart(end, first.from) <= Math.max(tolerance, SAME);
-      chains.push({ segments, widest, gaps, closed, branches, length: segments.reduce((sum, x) => sum + lengthOf(x), 0) });
+      chains.push({ segments, widest, gaps, closed, branches, length: segments.reduce((sum, x) => sum + part.lengthOf(x), 0) });
     });
   return chains.sort((a, b) => b.length - a.length);
 }

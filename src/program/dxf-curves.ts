@@ -1,5 +1,4 @@
-import { at, type Vector } from "../kernel/curve.ts";
-import type { Pt, Segment } from "../kernel/point.ts";
+import { at, type Pt, type Segment } from "../kernel/point.ts";
 
 /** How the plane of a drawing becomes Z and X of a part. */
 export interface DxfPlacing {
@@ -34,7 +33,7 @@ function point(v: unknown): Pt | null {
   return x === null || y === null ? null : at(x, y);
 }
 
-const apart = (a: Vector, b: Vector) => Math.hypot(a.z - b.z, a.r - b.r);
+const apart = (a: Pt, b: Pt) => Math.hypot(a.z - b.z, a.r - b.r);
 /** Entities drawn on the back of the plane have their x mirrored. */
 const seenFromBehind = (e: Fields) => {
   const direction = isFields(e["extrusionDirection"]) ? e["extrusionDirection"]["z"] : e["extrusionDirectionZ"];

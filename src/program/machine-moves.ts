@@ -1,10 +1,10 @@
-import { line } from "../kernel/arc-forms.ts";
 import { axial } from "../kernel/units.ts";
 import type { Words } from "../nc/statement.ts";
 import { functionFeed, takeFeed } from "./block-feed.ts";
 import type { Machine } from "./machine.ts";
 import { centreOf, millStep } from "./mill-state.ts";
 import { moveOf } from "./path-block.ts";
+import { part } from "../kernel/point.ts";
 
 /** Machine coordinates: where that is on the workpiece, nobody here knows. */
 const MACHINE_COORDINATES: ReadonlySet<number> = new Set([91, 92]);
@@ -54,7 +54,7 @@ function turned(machine: Machine, far: number | null, feed: Travel["feed"], inde
   const z = far !== null && from ? from.z + far : from && Number.isFinite(blankEnd) ? Math.max(from.z, blankEnd + BEYOND_BLANK) : null;
   if (from && z !== null) {
     const to = { z: axial(z), r: from.r };
-    if (z !== from.z) machine.step(from, moveOf(machine, line(from, to), feed), index, null);
+    if (z !== from.z) machine.step(from, moveOf(machine, part.line(from, to), feed), index, null);
   }
   machine.at = { ...machine.at, z };
   machine.sure = { ...machine.sure, z: z !== null };

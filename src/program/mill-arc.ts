@@ -1,6 +1,5 @@
-import { line } from "../kernel/arc-forms.ts";
 import { planeSegment } from "../kernel/plane.ts";
-import type { Segment } from "../kernel/point.ts";
+import { part, type Segment } from "../kernel/point.ts";
 import { SAME } from "../kernel/tolerance.ts";
 import type { Feed } from "../kernel/units.ts";
 import type { PathKind } from "../nc/statement.ts";
@@ -34,7 +33,7 @@ function segmentBefore(machine: Machine, plane: SidePlane): Segment | null {
   if (!last) return null;
   if (last.plane === plane && last.segment) return last.segment;
   const [from, to] = [pointIn(plane, last.from), pointIn(plane, last.to)];
-  return last.segment || !from || !to || Math.hypot(to.z - from.z, to.r - from.r) <= SAME ? null : line(from, to);
+  return last.segment || !from || !to || Math.hypot(to.z - from.z, to.r - from.r) <= SAME ? null : part.line(from, to);
 }
 
 /** Runs an arc in a plane beside that of the tool axis, as programmed, without compensation. */

@@ -1,4 +1,4 @@
-import { apart, partPoint, sweepOf, type PlanePoint, type PlaneSegment } from "../kernel/plane.ts";
+import { partPoint, plane, type PlanePoint, type PlaneSegment } from "../kernel/plane.ts";
 import { ROUND } from "../kernel/tolerance.ts";
 import type { Label } from "../nc/statement.ts";
 import type { Machine } from "./machine.ts";
@@ -7,6 +7,8 @@ import type { Segment } from "../kernel/point.ts";
 import type { Feed } from "../kernel/units.ts";
 import { coordinatesIn, NOWHERE, type MillPlane, type Position } from "./path.ts";
 import type { ApproachRun, Spot } from "./plane-types.ts";
+
+const { apart, sweepOf } = plane;
 
 /** A milling tool of the table: what the path needs of it, mm. */
 export interface Mill {

@@ -1,9 +1,8 @@
 import { cutCorner, type CornerElement } from "../kernel/corner.ts";
-import { lengthOf } from "../kernel/curve.ts";
 import { largestCorner, roundedDown } from "../kernel/contour.ts";
 import { issue } from "../kernel/issue.ts";
 import type { Move } from "../kernel/move.ts";
-import type { Pt, Segment } from "../kernel/point.ts";
+import { part, type Pt, type Segment } from "../kernel/point.ts";
 import { SAME } from "../kernel/tolerance.ts";
 import type { Feed as FeedNumber } from "../kernel/units.ts";
 import type { Feed, PolarWord, Words } from "../nc/statement.ts";
@@ -32,7 +31,7 @@ export function flush(machine: Machine): void {
 }
 
 function run(machine: Machine, s: Segment, feed: FeedNumber | null, index: number): void {
-  if (lengthOf(s) > SAME) machine.step(s.from, moveOf(machine, s, feed), index, null);
+  if (part.lengthOf(s) > SAME) machine.step(s.from, moveOf(machine, s, feed), index, null);
 }
 
 /** Holds a new element back until the next block shows whether a corner follows; runs the one before. */

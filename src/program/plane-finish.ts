@@ -1,12 +1,14 @@
 import { approach, type Approach, type ApproachRequest } from "../kernel/approach.ts";
 import { guardApproach } from "../kernel/approach-check.ts";
 import { issue, type Issue } from "../kernel/issue.ts";
-import { apart, beyond, difference, directionAt, movedSegment, sum, towardsTool, type PlanePoint, type PlaneSegment, type Side } from "../kernel/plane.ts";
+import { plane, towardsTool, type PlanePoint, type PlaneSegment, type Side } from "../kernel/plane.ts";
 import { planeContour, type PlaneContour } from "../kernel/plane-contour.ts";
 import { ROUND, SAME } from "../kernel/tolerance.ts";
 import { radius, toDiameter } from "../kernel/units.ts";
 import { programIssue } from "./issue.ts";
 import type { ApproachCall, Carrier, Chain, Travel } from "./plane-chain.ts";
+
+const { apart, beyond, difference, direction, sum } = plane;
 
 /** Runs one chain; remembers where the tool centre stands. */
 class Finishing {
@@ -20,7 +22,7 @@ class Finishing {
   }
 
   private run(s: PlaneSegment, travel: Travel): void {
-    this.carrier.emit(movedSegment(s, this.carrier.tip), travel);
+    this.carrier.emit(plane.shifted(s, this.carrier.tip), travel);
     this.centre = s.to;
   }
 
@@ -100,7 +102,7 @@ function begin(f: Finishing, contour: PlaneContour, reference: PlaneSegment | un
   const { start, side } = f.chain;
   if (start.kind === "line") {
     const corner = contour.contour[0] ? contour.contour[0].segment.from : start.to;
-    const way = reference && directionAt(reference, contour.contour[0] ? reference.from : reference.to);
+    const way = reference && direction(reference, contour.contour[0] ? reference.from : reference.to);
     const to = way ? beyond(corner, towardsTool(way, side), f.carrier.toolRadius) : start.to;
     if (!f.centre) f.carrier.arrive(sum(to, f.carrier.tip), start);
     f.go({ kind: "line", from: f.centre ?? to, to }, start);

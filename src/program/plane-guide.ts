@@ -1,4 +1,4 @@
-import { apart, lengthOfSegment, planePoint, type PlanePoint, type PlaneSegment, type Side } from "../kernel/plane.ts";
+import { plane, planePoint, type PlanePoint, type PlaneSegment, type Side } from "../kernel/plane.ts";
 import { ARC_END, SAME } from "../kernel/tolerance.ts";
 import type { ApproachForm, Compensation, Words } from "../nc/statement.ts";
 import { shapeOf } from "./approach-fields.ts";
@@ -8,6 +8,8 @@ import { blockFeed } from "./block-feed.ts";
 import type { ApproachCall, Carrier, ChainItem, Guide, Travel } from "./plane-chain.ts";
 import { pointIn } from "./path.ts";
 import { finishChain } from "./plane-finish.ts";
+
+const { apart, lengthOf } = plane;
 
 const SIDES: Readonly<Record<Compensation, Side>> = { R0: "none", RL: "left", RR: "right" };
 /** The side that a block asks for; the one in force when it says nothing. */
@@ -55,7 +57,7 @@ function append(guide: Guide, step: PathStep, programmed: PlaneSegment): void {
   const segment = joined(programmed, chain.items.at(-1)?.segment);
   const { fromZ, toZ, feed, index } = step;
   const travel: Travel = { fromZ, toZ, feed, index };
-  if (lengthOfSegment(segment) > SAME) {
+  if (lengthOf(segment) > SAME) {
     chain.items.push({ ...travel, segment, lifts: [] });
     return;
   }

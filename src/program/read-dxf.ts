@@ -1,6 +1,4 @@
-import { at } from "../kernel/curve.ts";
-import type { Pt, Segment } from "../kernel/point.ts";
-import { sweepOf } from "../kernel/solve-curves.ts";
+import { at, part, type Pt, type Segment } from "../kernel/point.ts";
 import { SAME } from "../kernel/tolerance.ts";
 import { diameter, toDiameter, toRadius } from "../kernel/units.ts";
 import { chainsOf, turnedAround } from "./dxf-chain.ts";
@@ -107,7 +105,7 @@ function rowsOf(run: readonly Segment[], zeroRight: boolean): ContourRow[] {
     if (end.x === before.x && end.z === before.z) return;
     if (s.kind === "line") rows.push(newRow(id, { x: end.x === before.x ? "" : end.x, z: end.z === before.z ? "" : end.z }));
     else {
-      const size = Math.hypot(s.from.z - s.centre.z, s.from.r - s.centre.r), long = sweepOf(s.from, s.to, s.centre, s.turn) > Math.PI + 1e-6;
+      const size = Math.hypot(s.from.z - s.centre.z, s.from.r - s.centre.r), long = part.sweepOf(s) > Math.PI + 1e-6;
       rows.push(newRow(id, { kind: "CR", ...end, r: typed(long ? -size : size), turn: s.turn }));
     }
     before = end;

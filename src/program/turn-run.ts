@@ -1,6 +1,6 @@
 import { noseRadius, tipOffset } from "../kernel/insert.ts";
-import { lengthOf } from "../kernel/curve.ts";
 import { partPoint, partSegment, planePoint, planeSegment } from "../kernel/plane.ts";
+import { part } from "../kernel/point.ts";
 import { SAME } from "../kernel/tolerance.ts";
 import type { Statement, Words } from "../nc/statement.ts";
 import { isPolar } from "./approach-fields.ts";
@@ -21,7 +21,7 @@ const carrierOf = (machine: Machine): CarrierFor => (side): Carrier => {
     machine, plane: "ZX", toolRadius: tool ? noseRadius(tool) : 0, tip: { x: tip.u, y: tip.v }, top: null,
     emit: (s, { feed, index }) => {
       const path = partSegment(s);
-      if (lengthOf(path) > SAME) machine.step(path.from, moveOf(machine, path, feed), index, null);
+      if (part.lengthOf(path) > SAME) machine.step(path.from, moveOf(machine, path, feed), index, null);
     },
     arrive: () => undefined,
     note: (run) => machine.log.approaches.push(run),

@@ -2,10 +2,9 @@ import { message } from "../i18n/message.ts";
 import type { Language } from "../i18n/languages.ts";
 import type { AnyIssue } from "../i18n/message-texts.ts";
 import { cycleByNumber } from "../cycles/index.ts";
-import { flattened } from "../kernel/flatten.ts";
 import type { Severity } from "../kernel/issue.ts";
 import type { Move } from "../kernel/move.ts";
-import type { Pt, Segment } from "../kernel/point.ts";
+import { part, type Pt, type Segment } from "../kernel/point.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { toDiameter } from "../kernel/units.ts";
 import { programIssue } from "../program/issue.ts";
@@ -159,7 +158,7 @@ const columnsOf = (tool: Tool): Record<string, string | number> =>
 
 function contourOf(contour: readonly Segment[]): ReportPoint[] {
   const first = contour[0];
-  return first ? [pointOf(first.from), ...contour.flatMap((s) => flattened(s, CONTOUR_CHORD).slice(1).map(pointOf))] : [];
+  return first ? [pointOf(first.from), ...contour.flatMap((s) => part.flattened(s, CONTOUR_CHORD).slice(1).map(pointOf))] : [];
 }
 
 interface Place {

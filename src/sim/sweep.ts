@@ -1,11 +1,12 @@
-import { flattened, pointOn } from "../kernel/flatten.ts";
-import type { Pt, Ring, Segment } from "../kernel/point.ts";
+import { part, type Pt, type Ring, type Segment } from "../kernel/point.ts";
 import type { Step } from "../kernel/step.ts";
 import { pathOf } from "../kernel/time.ts";
 import { CHORD, GRID } from "../kernel/tolerance.ts";
 import { axial, radius } from "../kernel/units.ts";
 import { piecesOf, type Piece } from "./piece.ts";
 import { trackAlong } from "./track.ts";
+
+const { flattened, pointOn } = part;
 
 const finite = (p: Pt) => Number.isFinite(p.z) && Number.isFinite(p.r);
 

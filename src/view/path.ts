@@ -1,6 +1,7 @@
-import { pointOn, polarOf } from "../kernel/flatten.ts";
 import type { Move } from "../kernel/move.ts";
-import type { Pt, Ring, Segment } from "../kernel/point.ts";
+import { part, type Pt, type Ring, type Segment } from "../kernel/point.ts";
+
+const { pointOn, polarOf } = part;
 
 /**
  * Path data in part space: x is z, y is r, both mm. The layer that holds the path carries the camera's matrix,

@@ -1,5 +1,4 @@
-import { pointOn } from "../kernel/flatten.ts";
-import type { Pt } from "../kernel/point.ts";
+import { part, type Pt } from "../kernel/point.ts";
 import type { Step } from "../kernel/step.ts";
 import { pathOf } from "../kernel/time.ts";
 import type { Position } from "../sim/simulation.ts";
@@ -7,6 +6,6 @@ import type { Position } from "../sim/simulation.ts";
 /** The tip at a position of a run, on its line or arc; null in an empty run. */
 export function tipAt(steps: readonly Step[], position: Position): Pt | null {
   const running = steps[position.step];
-  if (running) return pointOn(pathOf(running.from, running.move), position.fraction);
+  if (running) return part.pointOn(pathOf(running.from, running.move), position.fraction);
   return steps.at(-1)?.move.to ?? null;
 }

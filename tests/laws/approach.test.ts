@@ -1,9 +1,11 @@
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
-import { apart, directionAt, type PlanePoint, type PlaneSegment } from "../../src/kernel/plane.ts";
+import { plane, type PlanePoint, type PlaneSegment } from "../../src/kernel/plane.ts";
 import { parse } from "../../src/nc/parse.ts";
 import type { PlaneStep } from "../../src/program/plane-types.ts";
 import { run } from "../../src/program/run.ts";
+
+const { apart, direction } = plane;
 
 /*
  * Laws over whole programs: random contours in all quadrants, every form of APPR and DEP, both sides, read from text as a
@@ -91,7 +93,7 @@ describe("programs with every approach and departure", () => {
         const i = a.departing ? steps.findLastIndex((step) => apart(step.from, p) < 1e-9) : steps.findIndex((step) => apart(step.to, p) < 1e-9);
         const [one, two] = a.departing ? [steps[i - 1], steps[i]] : [steps[i], steps[i + 1]];
         if (!one || !two || apart(one.to, p) > 1e-9) continue;
-        const [before, after] = [directionAt(pathOf(one), p), directionAt(pathOf(two), p)];
+        const [before, after] = [direction(pathOf(one), p), direction(pathOf(two), p)];
         const cosine = before.x * after.x + before.y * after.y;
         if (Math.min(apart(one.from, one.to), apart(two.from, two.to)) < 0.05 || two.block === one.block) continue;
         seen += 1;

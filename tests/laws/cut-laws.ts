@@ -1,11 +1,13 @@
 import type { Cycle } from "../../src/cycles/define.ts";
 import type { Plan } from "../../src/kernel/plan.ts";
-import { flattenedChain } from "../../src/kernel/flatten.ts";
+import { part } from "../../src/kernel/point.ts";
 import type { Simulation } from "../../src/sim/simulation.ts";
 import { areaOf, each, filled, grown, without, type Field, type Grid } from "../judge/field.ts";
 import type { P } from "../judge/insert.ts";
 import { gridOver, judge, sumOf, THIN, type Verdict } from "../judge/judge.ts";
 import { doing, planOf, simulated, stepsOf, type Situation } from "./situations.ts";
+
+const { flattenedChain } = part;
 
 /*
  * What must hold of every set-up once its moves have cut the stock, judged twice: by src/sim with polygons and by the

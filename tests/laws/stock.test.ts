@@ -1,10 +1,9 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
 import { areaOf, difference } from "../../src/kernel/clip.ts";
-import { pointOn } from "../../src/kernel/flatten.ts";
 import { insertOutline } from "../../src/kernel/insert.ts";
 import type { Move } from "../../src/kernel/move.ts";
-import type { Pt, Ring } from "../../src/kernel/point.ts";
+import { part, type Pt, type Ring } from "../../src/kernel/point.ts";
 import type { Step } from "../../src/kernel/step.ts";
 import { pathOf, travelOf } from "../../src/kernel/time.ts";
 import { CHORD } from "../../src/kernel/tolerance.ts";
@@ -139,7 +138,7 @@ test("point by point: gone where the insert has been, there where it has not", (
     const tips = steps.flatMap((s) => {
       const path = pathOf(s.from, s.move);
       const count = Math.max(1, Math.ceil(travelOf(path) / 0.1));
-      return Array.from({ length: count + 1 }, (_, i) => pointOn(path, i / count));
+      return Array.from({ length: count + 1 }, (_, i) => part.pointOn(path, i / count));
     });
     for (const [z, r] of points) {
       // The work turns: what is cut at -r is cut at r.

@@ -1,7 +1,7 @@
 import { useId, useMemo, useRef, useState } from "react";
 import { approach } from "../../kernel/approach.ts";
 import { compensate } from "../../kernel/compensate.ts";
-import { directionAt, scaled, towardsTool, type PlanePoint } from "../../kernel/plane.ts";
+import { plane, towardsTool, type PlanePoint } from "../../kernel/plane.ts";
 import type { ApproachForm } from "../../nc/statement.ts";
 import type { ApproachWord } from "../../program/approach-fields.ts";
 import type { ApproachContext, ReadyApproach } from "../../program/approach-request.ts";
@@ -17,6 +17,8 @@ import { approachSpeech } from "./speech.ts";
 import { gridOf, useDrag } from "./use-drag.ts";
 import "../help/help.css";
 import "./approach.css";
+
+const { direction, scaled } = plane;
 
 /** Elements of a long contour farther away than this are not in the picture, mm. */
 const FARTHEST = 500;
@@ -51,7 +53,7 @@ export function ApproachPicture({ name, form, ready, context, active, onDrag }: 
     if (!shown) return { x: 0, y: 0 };
     const { request } = shown;
     if (request.departing) return scaled(context.tip, -1);
-    return scaled(towardsTool(directionAt(request.element, request.element.from), request.side), request.toolRadius);
+    return scaled(towardsTool(direction(request.element, request.element.from), request.side), request.toolRadius);
   };
   const drag = useDrag((handle, to, camera) => {
     const change = made && dragged(made.result, handle, to, gridOf(camera), offset());

@@ -1,9 +1,11 @@
 import { formatNumber, formatSigned } from "../../i18n/number.ts";
 import type { Language } from "../../i18n/languages.ts";
-import { sum, type PlanePoint } from "../../kernel/plane.ts";
+import { plane, type PlanePoint } from "../../kernel/plane.ts";
 import { radius, toDiameter } from "../../kernel/units.ts";
 import type { WorkingPlane } from "../../program/approach-fields.ts";
 import type { ApproachSpeech } from "../../view/approach/speech.ts";
+
+const { sum } = plane;
 
 /** Words the picture numbers of a plane: X and Y of a mill; X as diameter and Z in turning. `tip` is where the programmed point stands. */
 export function approachSpeech(language: Language, plane: WorkingPlane, tip: PlanePoint): ApproachSpeech {

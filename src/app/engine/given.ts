@@ -1,6 +1,5 @@
 import type { Given } from "../../cycles/define.ts";
-import { at } from "../../kernel/curve.ts";
-import type { Pt } from "../../kernel/point.ts";
+import { at, type Pt } from "../../kernel/point.ts";
 import { diameter, toRadius } from "../../kernel/units.ts";
 import { readRows } from "../../program/contour-rows.ts";
 import { readText } from "../../program/field.ts";

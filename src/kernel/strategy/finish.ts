@@ -1,5 +1,5 @@
 import { heightAt, pathAlong, staysAbove, type Envelope, type Stretch } from "../envelope.ts";
-import { distanceTo, normalAt, tangentAt, type Flat, type FlatSegment } from "../flat.ts";
+import { flat, normalAt, tangentAt, type Flat, type FlatSegment } from "../flat.ts";
 import { issue, type Issue } from "../issue.ts";
 import { SAME } from "../tolerance.ts";
 import type { Purpose } from "../track.ts";
@@ -37,7 +37,7 @@ export function followContour(cutter: Cutter, f: Finish, issues: Issue[]): void 
   const along = u1 > u0 + SAME ? pathAlong(f.ground.envelope, u0, u1) : [];
   const runs = u1 > u0 - SAME ? withinLimits([...along, ...outAt(f, Math.max(u0, u1))], f.ceiling) : [];
   if (runs.length === 0) return void issues.push(issue("nothingToCut", "warning", {}, "tool"));
-  const near = !f.smoothing && f.contour.some((s) => distanceTo(s, f.start) < f.clearance);
+  const near = !f.smoothing && f.contour.some((s) => flat.distanceTo(s, f.start) < f.clearance);
   if (near) issues.push(issue("startInsideEnvelope", "warning", { clearance: f.clearance }, "start"));
   runs.forEach((run, i) => {
     const whole = i === 0 && f.ground.first >= f.from - SAME ? joined(f, run) : run;

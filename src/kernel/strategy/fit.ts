@@ -3,7 +3,7 @@ import { toFlat } from "../flat.ts";
 import { extent } from "../convex.ts";
 import { isBar, noseRadius, tipDirection } from "../insert.ts";
 import { issue, type Issue } from "../issue.ts";
-import { at } from "../curve.ts";
+import { at } from "../point.ts";
 import { SAME } from "../tolerance.ts";
 import type { TipOrientation, Tool, ToolType } from "../tool.ts";
 import { insertIn } from "./ground.ts";

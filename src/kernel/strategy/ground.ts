@@ -1,7 +1,8 @@
-import { extent, grown, inFrame, onArc, positive, type Convex } from "../convex.ts";
+import { extent, grown, inFrame, type Convex } from "../convex.ts";
 import { besideAt } from "../cut-envelope.ts";
 import { below, higherOf, linePiece, pathAlong, upperEnvelope, type Envelope, type Origin, type Piece } from "../envelope.ts";
-import { normalAt, segmentToPart, toPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
+import { flat, normalAt, segmentToPart, toPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
+import { positive } from "../geometry/segments.ts";
 import { insertShape, isBar, noseRadius } from "../insert.ts";
 import { issue, type Issue, type Reason } from "../issue.ts";
 import type { Reach } from "../plan.ts";
@@ -115,7 +116,7 @@ export function leadOf(insert: Convex, height?: number): number {
  */
 function touch(insert: Convex, s: FlatSegment, end: "from" | "to"): Flat {
   const n = normalAt(s, end);
-  const wanted = Math.atan2(-n.v, -n.u);
+  const wanted = flat.angleOf(flat.scaled(n, -1));
   let best = { off: Infinity, at: { u: 0, v: 0 } as Flat };
   for (const e of insert) {
     if (e.kind !== "arc" || e.feature !== "nose") continue;
@@ -123,7 +124,7 @@ function touch(insert: Convex, s: FlatSegment, end: "from" | "to"): Flat {
     const [a, b] = [e.start, e.start + e.sweep];
     const angle = inside ? wanted : away(wanted, a) <= away(wanted, b) ? a : b;
     const off = away(wanted, angle);
-    const at = onArc(e.centre, e.radius, angle);
+    const at = flat.onCircle(e.centre, e.radius, angle);
     // Beside a wall that the oversize makes as straight, the lower one, which ends the way higher up.
     const covers = Math.abs(at.u - best.at.u) < ROUND ? at.v < best.at.v : end === "from" ? at.u > best.at.u : at.u < best.at.u;
     if (off < best.off - 1e-9 || (off < best.off + 1e-9 && covers)) best = { off, at };

@@ -1,7 +1,8 @@
 import { segmentToPart, toFlat, toPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
-import { flattenedChain } from "../flatten.ts";
-import type { Pt, Ring } from "../point.ts";
+import { part, type Pt, type Ring } from "../point.ts";
 import { CHORD } from "../tolerance.ts";
+
+const { flattenedChain } = part;
 
 /** How far the finished part is drawn beyond the contour, mm. */
 const BEYOND = 2000;

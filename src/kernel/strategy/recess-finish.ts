@@ -1,5 +1,5 @@
 import { heightAt, lowest, pathAlong } from "../envelope.ts";
-import { reversed, type FlatSegment } from "../flat.ts";
+import { flat, type FlatSegment } from "../flat.ts";
 import { SAME } from "../tolerance.ts";
 import type { Purpose } from "../track.ts";
 import type { Ground } from "./ground.ts";
@@ -53,6 +53,6 @@ export function finishRecess(cutter: Cutter, f: RecessFinish): void {
   if (width <= SAME) cutter.feed({ u: meet, v: bottom }, f.feed, p(2));
   leave(4);
   into(right, f.ground.end.v, 5);
-  cut(segments(meet, right).map(reversed).reverse(), 6, 6);
+  cut(segments(meet, right).map(flat.reversed).reverse(), 6, 6);
   leave(6);
 }

@@ -1,11 +1,13 @@
 import { pathAlong, type Interval } from "../envelope.ts";
-import { reversed, shifted, type Flat, type FlatSegment } from "../flat.ts";
+import { flat, type Flat, type FlatSegment } from "../flat.ts";
 import { SAME } from "../tolerance.ts";
 import type { Purpose } from "../track.ts";
 import type { Feeds } from "./feeds.ts";
 import { FAR, type Ground } from "./ground.ts";
 import type { Cutter } from "./link.ts";
 import { containing, deepestIn, RECESS_CLEARANCE } from "./valley.ts";
+
+const { reversed, shifted } = flat;
 
 export interface RecessRough {
   readonly ground: Ground;
@@ -61,8 +63,8 @@ const linked = (r: RecessRough, step: number, enter: Purpose) =>
 function beside(cutter: Cutter, r: RecessRough, side: Side, here: Interval, next: Interval, shortened: Record<Side, number>, pass: number) {
   const e = r.ground.envelope;
   const wall = side === "right"
-    ? pathAlong(e, next.to, here.to).map((s) => shifted(reversed(s.segment), -shortened.right, 0)).reverse()
-    : pathAlong(e, here.from, next.from).map((s) => shifted(s.segment, shortened.left, 0));
+    ? pathAlong(e, next.to, here.to).map((s) => shifted(reversed(s.segment), { u: -shortened.right, v: 0 })).reverse()
+    : pathAlong(e, here.from, next.from).map((s) => shifted(s.segment, { u: shortened.left, v: 0 }));
   const wanted = side === "right" ? next.to - shortened.right : next.from + shortened.left;
   const target = { u: Math.min(Math.max(wanted, next.from), next.to), v: r.top - pass * r.infeed };
   const stands = side === "right" ? here.to - shortened.right : here.from + shortened.left;

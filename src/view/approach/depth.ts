@@ -1,5 +1,5 @@
-import { lengthOfSegment } from "../../kernel/plane.ts";
 import { isRapid, wayOf, type MillMotion } from "./plane-scene.ts";
+import { plane } from "../../kernel/plane.ts";
 
 /** The height of the tool over its path: a strip 1 wide and 1 high, upper side first. */
 export interface DepthStrip {
@@ -20,7 +20,7 @@ const n = (v: number) => String(Math.round(v * 1e4) / 1e4 + 0);
 export function depthStrip(motions: readonly MillMotion[]): DepthStrip | null {
   const heights = motions.flatMap((m) => [m.from.z, m.to.z]).filter((z) => z !== null);
   if (heights.length === 0) return null;
-  const lengths = motions.map((m) => Math.hypot(lengthOfSegment(wayOf(m)), (m.to.z ?? 0) - (m.from.z ?? m.to.z ?? 0)));
+  const lengths = motions.map((m) => Math.hypot(plane.lengthOf(wayOf(m)), (m.to.z ?? 0) - (m.from.z ?? m.to.z ?? 0)));
   const whole = lengths.reduce((a, b) => a + b, 0) || 1;
   const [high, low] = [Math.max(...heights), Math.min(...heights)];
   const span = high - low || 1;

@@ -1,6 +1,8 @@
 import type { Approach, PointName } from "../../kernel/approach.ts";
-import { cross, difference, dot, leftOf, scaled, type PlanePoint } from "../../kernel/plane.ts";
+import { plane, type PlanePoint } from "../../kernel/plane.ts";
 import { inDegrees } from "../../kernel/units.ts";
+
+const { cross, difference, dot, leftOf, scaled } = plane;
 
 /** A handle of the picture: a named point, or the centre of the arc. */
 export type Handle = PointName | "centre";

@@ -1,5 +1,5 @@
 import type { Approach } from "../../kernel/approach.ts";
-import { beyond, partSegment, type PlanePoint, type PlaneSegment } from "../../kernel/plane.ts";
+import { partSegment, plane, type PlanePoint, type PlaneSegment } from "../../kernel/plane.ts";
 import type { Camera, Place, Size } from "../camera.ts";
 import { arrange, type Box } from "../help/labels.ts";
 import { arrowHead, circle, polyline, segmentPath, type Mark } from "../help/marks.ts";
@@ -8,6 +8,8 @@ import { dimensionItems } from "./dimensions.ts";
 import { along, cameraFor, frameOf, onScreen } from "./frame.ts";
 import { pointItem, shownPoints, type ShownPoint } from "./points.ts";
 import type { ApproachSpeech } from "./speech.ts";
+
+const { beyond } = plane;
 
 /** What to draw of one approach or departure. */
 export interface ApproachScene {

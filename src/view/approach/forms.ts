@@ -1,5 +1,7 @@
 import { approach, type Approach, type ApproachRequest, type ApproachShape } from "../../kernel/approach.ts";
-import { apart, beyond, directionAt, towardsTool, type PlanePoint, type PlaneSegment, type Side } from "../../kernel/plane.ts";
+import { plane, towardsTool, type PlanePoint, type PlaneSegment, type Side } from "../../kernel/plane.ts";
+
+const { apart, beyond, direction } = plane;
 
 /** Where a form shall be put: next to which contour, with which tool. */
 export interface FormPlace {
@@ -31,7 +33,7 @@ export function outsidePoint({ contour, side, toolRadius }: FormPlace, departing
   const element = departing ? contour.at(-1) : contour[0];
   if (!element) return null;
   const corner = departing ? element.to : element.from;
-  const way = directionAt(element, corner);
+  const way = direction(element, corner);
   const far = atLeast(toolRadius * 1.5 + 5);
   return rounded(beyond(beyond(corner, towardsTool(way, side === "none" ? "left" : side), toolRadius + far * 1.4), way, (departing ? 1.6 : -1.6) * far));
 }

@@ -1,29 +1,28 @@
 import type { Approach } from "../../kernel/approach.ts";
-import { pointOn } from "../../kernel/flatten.ts";
-import {
-  alongSegment, apart, beyond, directionAt, lengthOfSegment, partPoint, partSegment, planePoint, type PlanePoint, type PlaneSegment,
-} from "../../kernel/plane.ts";
+import { partPoint, plane, type PlanePoint, type PlaneSegment } from "../../kernel/plane.ts";
 import { boundsOf } from "../bounds.ts";
 import { fitted, toScreen, type Bounds, type Camera, type Margin, type Place, type Size } from "../camera.ts";
+
+const { apart, beyond, direction, lengthOf, pointOn } = plane;
 
 /** A point of the working plane on the screen: its first axis to the right, its second upwards. */
 export const onScreen = (camera: Camera, p: PlanePoint): Place => toScreen(camera, partPoint(p));
 
 /** Points along segments, close enough to frame them and to keep texts off them. */
 export function* along(segments: Iterable<PlaneSegment>, parts: number): Generator<PlanePoint> {
-  for (const s of segments) for (let i = 0; i <= parts; i += 1) yield planePoint(pointOn(partSegment(s), i / parts));
+  for (const s of segments) for (let i = 0; i <= parts; i += 1) yield pointOn(s, i / parts);
 }
 
 /** The contour's piece nearest to the tool's way, in its own direction: as long as the way itself. */
 export function nearPiece(element: PlaneSegment, departing: boolean, reach: number): PlaneSegment {
-  const long = lengthOfSegment(element);
+  const long = lengthOf(element);
   if (long <= reach) return element;
   if (element.kind === "line") {
-    const way = directionAt(element, element.from);
+    const way = direction(element, element.from);
     return departing ? { ...element, from: beyond(element.to, way, -reach) } : { ...element, to: beyond(element.from, way, reach) };
   }
-  const at = planePoint(pointOn(partSegment(element), departing ? 1 - reach / long : reach / long));
-  return alongSegment(element, at) > 0 ? (departing ? { ...element, from: at } : { ...element, to: at }) : element;
+  const at = pointOn(element, departing ? 1 - reach / long : reach / long);
+  return plane.along(element, at) > 0 ? (departing ? { ...element, from: at } : { ...element, to: at }) : element;
 }
 
 /** The box round an approach: its points with the whole tool, its path, and as much of the contour as that. */

@@ -1,5 +1,5 @@
 import type { NamedPoints, PointName } from "../../kernel/approach.ts";
-import { apart, type PlanePoint } from "../../kernel/plane.ts";
+import { plane, type PlanePoint } from "../../kernel/plane.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import type { Camera, Size } from "../camera.ts";
 import { arrange } from "../help/labels.ts";
@@ -25,7 +25,7 @@ export function planeNames(
     for (const name of departing ? (["PE", "PH", "PN"] as const) : ORDER) {
       const at = points[name];
       if (!at) continue;
-      const same = shown.find((each) => apart(each.at, at) <= SAME);
+      const same = shown.find((each) => plane.apart(each.at, at) <= SAME);
       if (!same) shown.push({ names: [name], at });
       else if (!same.names.includes(name)) same.names.push(name);
     }

@@ -1,5 +1,4 @@
-import { pointOn } from "../../kernel/flatten.ts";
-import { partPoint, partSegment, planePoint, type PlanePoint, type PlaneSegment } from "../../kernel/plane.ts";
+import { partPoint, partSegment, plane, type PlanePoint, type PlaneSegment } from "../../kernel/plane.ts";
 import type { Turn } from "../../kernel/point.ts";
 import { boundsOf, grown, joined } from "../bounds.ts";
 import type { Bounds } from "../camera.ts";
@@ -47,7 +46,7 @@ export const wayOf = ({ from, to, centre, turn }: MillMotion): PlaneSegment =>
 
 /** Where the tool stands at a fraction of a motion. */
 export function spotOn(m: MillMotion, fraction: number): MillSpot {
-  const at = planePoint(pointOn(partSegment(wayOf(m)), fraction));
+  const at = plane.pointOn(wayOf(m), fraction);
   const z = m.to.z === null ? m.from.z : m.from.z === null ? m.to.z : m.from.z + (m.to.z - m.from.z) * fraction;
   return { ...at, z };
 }

@@ -1,5 +1,5 @@
 import type { Approach, PointName } from "../../kernel/approach.ts";
-import { apart, type PlanePoint } from "../../kernel/plane.ts";
+import { plane, type PlanePoint } from "../../kernel/plane.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import type { Camera, Place } from "../camera.ts";
 import { SIZE, textWidth, type Candidate, type Item } from "../help/labels.ts";
@@ -23,7 +23,7 @@ export function shownPoints(result: Approach, camera: Camera): readonly ShownPoi
   for (const name of order) {
     const at = result.points[name];
     if (!at) continue;
-    const same = shown.find((each) => apart(each.at, at) <= SAME);
+    const same = shown.find((each) => plane.apart(each.at, at) <= SAME);
     if (same) same.names.push(name);
     else shown.push({ names: [name], at, place: onScreen(camera, at) });
   }

@@ -1,7 +1,9 @@
-import { apart, type PlanePoint } from "../../kernel/plane.ts";
+import { plane, type PlanePoint } from "../../kernel/plane.ts";
 import type { NamedPoints } from "../../kernel/approach.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import type { Camera } from "../camera.ts";
+
+const { apart } = plane;
 
 /** Dots nearer than this lie on each other, pixels. */
 const NEAREST = 9;

@@ -1,7 +1,6 @@
 import type { Outline } from "../../cycles/define.ts";
 import type { Params } from "../../cycles/params.ts";
-import type { Pt } from "../../kernel/point.ts";
-import { pointOn } from "../../kernel/flatten.ts";
+import { part, type Pt } from "../../kernel/point.ts";
 import type { Lettering } from "./dimensions.ts";
 import { along, outward, pointAt, type Frame } from "./frame.ts";
 import type { Numbers } from "./lettering.ts";
@@ -48,5 +47,5 @@ export function longest(context: Context, accepts: (dz: number, dr: number) => b
     .sort((a, b) => Math.hypot(b.dz, b.dr) - Math.hypot(a.dz, a.dr));
   const one = sized.find(({ dz, dr }) => accepts(dz, dr));
   const any = one ?? sized[0];
-  return { at: any ? pointOn(any.s, 0.5) : context.section.corner, found: one !== undefined };
+  return { at: any ? part.pointOn(any.s, 0.5) : context.section.corner, found: one !== undefined };
 }

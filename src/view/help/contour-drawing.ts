@@ -1,11 +1,12 @@
-import { pointOn } from "../../kernel/flatten.ts";
-import type { Pt, Segment } from "../../kernel/point.ts";
+import { part, type Pt, type Segment } from "../../kernel/point.ts";
 import { axial, diameter, radius, toRadius } from "../../kernel/units.ts";
 import { boundsOf } from "../bounds.ts";
 import { fitted, toPart, toScreen, type Camera, type Place, type Size } from "../camera.ts";
 import { overlap, textBox, type Box } from "./labels.ts";
 import { polyline, px, segmentPath } from "./marks.ts";
 import { lineOf } from "./section.ts";
+
+const { pointOn } = part;
 
 /** What the drawing beside the contour table shows. */
 export interface ContourRequest {

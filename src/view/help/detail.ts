@@ -1,5 +1,4 @@
-import { pointOn } from "../../kernel/flatten.ts";
-import type { Pt, Segment } from "../../kernel/point.ts";
+import { part, type Pt, type Segment } from "../../kernel/point.ts";
 import { toScreen, type Camera, type Place } from "../camera.ts";
 import { textBox, type Box, type Placed } from "./labels.ts";
 import { elementAt } from "./process.ts";
@@ -44,7 +43,7 @@ function measure(c: Context, l: Lettering, element: Segment, camera: Camera): Ma
     const corner = dz * dr * c.side > 0 ? { x: from.x, y: to.y } : { x: to.x, y: from.y };
     return [stroke(l, "break", polyline([from, corner, to]))];
   }
-  const middle = toScreen(camera, pointOn(element, 0.5));
+  const middle = toScreen(camera, part.pointOn(element, 0.5));
   const centre = toScreen(camera, element.centre);
   return [stroke(l, "thin", polyline([centre, middle])), filled(l, "arrow", arrowHead(middle, middle.x - centre.x, middle.y - centre.y))];
 }

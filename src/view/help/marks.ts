@@ -1,5 +1,4 @@
-import type { Segment } from "../../kernel/point.ts";
-import { polarOf } from "../../kernel/flatten.ts";
+import { part, type Segment } from "../../kernel/point.ts";
 import { toScreen, type Camera, type Place } from "../camera.ts";
 
 /** What a filled shape stands for. */
@@ -65,7 +64,7 @@ export function segmentPath(segments: readonly Segment[], camera: Camera): strin
     if (!last || Math.hypot(last.x - from.x, last.y - from.y) > 0.1) d += `M${at(from)}`;
     if (s.kind === "line") d += `L${at(to)}`;
     else {
-      const arc = polarOf(s);
+      const arc = part.polarOf(s);
       const r = px(Math.max(arc.startRadius * camera.scale, 0.1));
       d += `A${r} ${r} 0 ${Math.abs(arc.sweep) > Math.PI ? 1 : 0} ${s.turn === "ccw" ? 0 : 1} ${at(to)}`;
     }

@@ -1,6 +1,5 @@
 import type { Dimension } from "../../cycles/define.ts";
-import { pointOn } from "../../kernel/flatten.ts";
-import type { Pt, Segment } from "../../kernel/point.ts";
+import { part, type Pt, type Segment } from "../../kernel/point.ts";
 import { axial, diameter, radius, toRadius } from "../../kernel/units.ts";
 import { toScreen, type Place } from "../camera.ts";
 import { grownLine } from "./band.ts";
@@ -198,7 +197,7 @@ export function nearestElement(contour: readonly Segment[], at: Pt): { readonly 
   let best: { element: Segment; at: Pt } | null = null;
   let least = Infinity;
   for (const element of contour) {
-    const middle = pointOn(element, 0.5);
+    const middle = part.pointOn(element, 0.5);
     const gap = Math.hypot(middle.z - at.z, middle.r - at.r);
     if (gap < least) [best, least] = [{ element, at: middle }, gap];
   }

@@ -1,6 +1,7 @@
-import { flattenedChain } from "../../kernel/flatten.ts";
-import type { Pt, Segment } from "../../kernel/point.ts";
+import { part, type Pt, type Segment } from "../../kernel/point.ts";
 import { along, outward, pointAt, type Frame } from "./frame.ts";
+
+const { flattenedChain } = part;
 
 /** The drawn section: polygons in part space, and what bounds them. */
 export interface Section {

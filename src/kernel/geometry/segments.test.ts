@@ -1,10 +1,9 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
-import { flattened, flattenedChain, pointOn, polarOf } from "./flatten.ts";
-import type { Pt, Segment } from "./point.ts";
-import { axial, radius } from "./units.ts";
+import { at, part, type Segment } from "../point.ts";
 
-const at = (z: number, r: number): Pt => ({ z: axial(z), r: radius(r) });
+const { flattened, flattenedChain, pointOn, polarOf } = part;
+
 const quarter: Segment = { kind: "arc", from: at(2, 10), to: at(0, 12), centre: at(0, 10), turn: "ccw" };
 
 test("the turn decides the way round", () => {

@@ -1,0 +1,14 @@
+import { arcFormsOf } from "./arc-forms.ts";
+import { curvesOf } from "./curves.ts";
+import { segmentsOf } from "./segments.ts";
+import { vectorsOf, type Axes } from "./vectors.ts";
+
+/**
+ * The geometry of a space: points, lines and arcs, written once and made for its axes. There are three, `part` (z, r),
+ * `plane` (x, y) and `flat` (u, v); a point goes from one to another only through the functions beside their types.
+ */
+export function spaceOf<P>(axes: Axes<P>) {
+  const vectors = vectorsOf(axes);
+  const segments = segmentsOf(axes, vectors);
+  return { ...vectors, ...segments, ...curvesOf(vectors, segments), ...arcFormsOf(vectors, segments) };
+}
