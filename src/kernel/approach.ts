@@ -2,7 +2,8 @@ import { issue, type Issue } from "./issue.ts";
 import { mends, offerOf, withOffer } from "./offer.ts";
 import { plane, towardsTool, type PlanePoint, type PlaneSegment, type Side } from "./plane.ts";
 import { opposite, type Turn } from "./geometry/segments.ts";
-import { ROUND, roundedDown } from "./tolerance.ts";
+import { ROUND } from "./tolerance.ts";
+import { roundedDown } from "./units.ts";
 
 const { apart, beyond, cross, difference, direction, dot, leftOf, reversed, scaled, sizeOf, sum, sweepOf, turned } = plane;
 

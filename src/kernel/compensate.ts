@@ -1,6 +1,7 @@
 import { issue, type Issue } from "./issue.ts";
 import { plane, towardsTool, type PlanePoint, type PlaneSegment, type Side } from "./plane.ts";
-import { ROUND, roundedDown, SAME } from "./tolerance.ts";
+import { ROUND, SAME } from "./tolerance.ts";
+import { roundedDown } from "./units.ts";
 
 const { along, apart, beyond, cross, direction, dot, lengthOf, line, meetings, radiusOf } = plane;
 

@@ -5,7 +5,8 @@ import { largestThatWorks, mends, offerOf, withOffer } from "./offer.ts";
 import type { Groove } from "./groove.ts";
 import { part, type Pt, type Segment, type Turn } from "./point.ts";
 import { putRecesses, type Chain, type Recess } from "./recessed.ts";
-import { ARC_END, ROUND, roundedDown, SAME } from "./tolerance.ts";
+import { ARC_END, ROUND, SAME } from "./tolerance.ts";
+import { roundedDown } from "./units.ts";
 import type { Undercut } from "./undercut.ts";
 
 const { arcByRadius, arcTangential, direction, lengthOf, line } = part;

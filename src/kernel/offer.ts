@@ -1,5 +1,5 @@
 import type { Issue } from "./issue.ts";
-import { roundedDown } from "./tolerance.ts";
+import { roundedDown } from "./units.ts";
 
 /** The value that a finding offers; null when it offers none. */
 export const offerOf = (found: Issue): number | null =>

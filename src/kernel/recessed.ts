@@ -2,8 +2,8 @@ import type { CornerElement } from "./corner.ts";
 import { grooveShape, type Groove } from "./groove.ts";
 import { issue, type Issue } from "./issue.ts";
 import { at, part, type Segment } from "./point.ts";
-import { roundedDown, SAME } from "./tolerance.ts";
-import { toDiameter } from "./units.ts";
+import { SAME } from "./tolerance.ts";
+import { roundedDown, toDiameter } from "./units.ts";
 import { undercutShape, type Undercut } from "./undercut.ts";
 
 const { lengthOf, line } = part;

@@ -18,8 +18,5 @@ export const CHORD = 0.001;
 export const SLIVER = 0.004;
 /** The end point of an arc may miss its circle by this much (older controls print 0.016). */
 export const ARC_END = 0.016;
-
-/** A size on the grid that a control prints, 0.001: the nearest, the next below and the next above. Rounding of doubles moves no size to its neighbour. */
-export const rounded = (size: number) => Math.round(size * 1000) / 1000;
-export const roundedDown = (size: number) => Math.floor(size * 1000 + 1e-6) / 1000;
-export const roundedUp = (size: number) => Math.ceil(size * 1000 - 1e-6) / 1000;
+/** A size this part of a step beside a step of a control is that step: what sums and products of printed numbers round off. */
+export const SAME_STEP = 1e-6;

@@ -1,3 +1,5 @@
+import { SAME_STEP } from "./tolerance.ts";
+
 /**
  * Lengths and angles as types, so that a diameter can never stand where a radius is meant.
  * The casts live here and in the cycle parameters; every other file receives typed values.
@@ -36,3 +38,10 @@ export const perSide = (d: Diameter) => (d / 2) as Length;
 export const radians = (a: number) => (a * Math.PI) / 180;
 /** Radians to degrees. */
 export const inDegrees = (a: number) => degrees((a * 180) / Math.PI);
+
+/** Steps of a size in one mm that a control prints. */
+const STEPS = 1000;
+/** A size on that grid: the nearest, the next below and the next above. Rounding of doubles moves no size to its neighbour. */
+export const rounded = (size: number) => Math.round(size * STEPS) / STEPS;
+export const roundedDown = (size: number) => Math.floor(size * STEPS + SAME_STEP) / STEPS;
+export const roundedUp = (size: number) => Math.ceil(size * STEPS - SAME_STEP) / STEPS;

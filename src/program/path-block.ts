@@ -1,10 +1,10 @@
 import { cutCorner, type CornerElement } from "../kernel/corner.ts";
-import { largestCorner, roundedDown } from "../kernel/contour.ts";
+import { largestCorner } from "../kernel/contour.ts";
 import { issue } from "../kernel/issue.ts";
 import type { Move } from "../kernel/move.ts";
 import { part, type Pt, type Segment } from "../kernel/point.ts";
 import { SAME } from "../kernel/tolerance.ts";
-import type { Feed as FeedNumber } from "../kernel/units.ts";
+import { roundedDown, type Feed as FeedNumber } from "../kernel/units.ts";
 import type { Feed, PolarWord, Words } from "../nc/statement.ts";
 import { blockFeed, takeFeed } from "./block-feed.ts";
 import { shiftOf } from "./datum.ts";

@@ -1,4 +1,5 @@
-import { ARC_END, ROUND, roundedUp, SAME } from "../tolerance.ts";
+import { ARC_END, ROUND, SAME } from "../tolerance.ts";
+import { roundedUp } from "../units.ts";
 import { signOf, type SegmentOf, type Segments, type Turn } from "./segments.ts";
 import type { Vectors } from "./vectors.ts";
 
