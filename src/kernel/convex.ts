@@ -1,6 +1,7 @@
 import { flat, toFlat, mirrors, type Flat, type Frame } from "./flat.ts";
 import { positive } from "./geometry/segments.ts";
 import { at } from "./point.ts";
+import { NOTHING, ROUND } from "./tolerance.ts";
 
 const { angleOf, apart, dot, heading, onCircle, sum } = flat;
 
@@ -63,20 +64,20 @@ export function grown(k: Convex, a: number, b: number): Convex {
     const next = pieces[(i + 1) % pieces.length] as Edge;
     const from = edgeEnd(e);
     const to = edgeStart(next);
-    if (apart(from, to) > 1e-12) out.push({ kind: "line", from, to, feature: e.feature === "nose" ? next.feature : e.feature });
+    if (apart(from, to) > NOTHING) out.push({ kind: "line", from, to, feature: e.feature === "nose" ? next.feature : e.feature });
   });
   return out;
 }
 /** Zero for a direction along an axis: such an edge is bridged on both sides. */
-const sign = (x: number) => (Math.abs(x) < 1e-12 ? 0 : Math.sign(x));
+const sign = (x: number) => (Math.abs(x) < NOTHING ? 0 : Math.sign(x));
 
 function splitAtAxes(e: Edge): Edge[] {
   if (e.kind === "line") return [e];
   const parts: Edge[] = [];
   let start = e.start;
   const end = e.start + e.sweep;
-  while (end - start > 1e-12) {
-    const next = Math.min(end, (Math.floor(start / (Math.PI / 2) + 1e-9) + 1) * (Math.PI / 2));
+  while (end - start > NOTHING) {
+    const next = Math.min(end, (Math.floor(start / (Math.PI / 2) + ROUND) + 1) * (Math.PI / 2));
     parts.push({ ...e, start, sweep: next - start });
     start = next;
   }
@@ -96,7 +97,7 @@ export function support(k: Convex, n: Flat): { at: Flat; feature: Feature } {
     }
   };
   for (const e of k) {
-    if (e.kind === "arc" && positive(angle - e.start + 1e-9) <= e.sweep + 2e-9) offer(onCircle(e.centre, e.radius, angle), e.feature);
+    if (e.kind === "arc" && positive(angle - e.start + ROUND) <= e.sweep + 2 * ROUND) offer(onCircle(e.centre, e.radius, angle), e.feature);
     offer(edgeStart(e), e.feature);
     offer(edgeEnd(e), e.feature);
   }

@@ -1,6 +1,6 @@
-import { crossings, firstSpan, heightAt, LEVEL, linePiece, push, valueAt, type Envelope, type Origin, type Piece, type Span } from "./envelope.ts";
+import { crossings, firstSpan, heightAt, linePiece, push, valueAt, type Envelope, type Origin, type Piece, type Span } from "./envelope.ts";
 import { flat, type FlatSegment } from "./flat.ts";
-import { ROUND } from "./tolerance.ts";
+import { JOINED, ROUND } from "./tolerance.ts";
 
 /**
  * The envelope cut down to pieces (from left to right, side by side) wherever they are lower by no more than `most` mm: deeper
@@ -23,7 +23,7 @@ export function loweredBy(e: Envelope, cuts: readonly Piece[], most: number): En
       for (const to of [...crossings(piece, cut, from, end), ...crossings(piece, roof, from, end), end].sort((x, y) => x - y)) {
         const middle = (from + to) / 2;
         const [stands, reached] = [valueAt(piece, middle), valueAt(cut, middle)];
-        push(out, stands <= reached || stands > reached + most + LEVEL ? piece : cut, from, to);
+        push(out, stands <= reached || stands > reached + most + JOINED ? piece : cut, from, to);
         from = to;
       }
       rest = u1 > end + ROUND ? { piece, u0: end, u1 } : e[i++];

@@ -1,6 +1,6 @@
 import type { Feature } from "./convex.ts";
 import { flat, type Flat, type FlatSegment } from "./flat.ts";
-import { ROUND } from "./tolerance.ts";
+import { JOINED, NOTHING, ROUND } from "./tolerance.ts";
 
 /** Where a piece of the envelope comes from: the insert feature that touches, and the kind of contour element it touches. */
 export interface Origin {
@@ -106,7 +106,7 @@ export function crossings(f: Piece, g: Piece, lo: number, hi: number): number[] 
   };
   if (f.arc === 0 && g.arc === 0) {
     const k = f.slope - g.slope;
-    if (Math.abs(k) > 1e-12) offer((g.v0 - g.slope * g.u0 - (f.v0 - f.slope * f.u0)) / k);
+    if (Math.abs(k) > NOTHING) offer((g.v0 - g.slope * g.u0 - (f.v0 - f.slope * f.u0)) / k);
   } else if (f.arc === 0) lineArc(f, g as Arc, offer);
   else if (g.arc === 0) lineArc(g, f as Arc, offer);
   else arcArc(f as Arc, g as Arc, offer);
@@ -120,11 +120,11 @@ function lineArc(l: Line, c: Arc, offer: (u: number) => void) {
   const k = l.v0 - l.slope * (l.u0 - c.cu) - c.cv; // v of the line above the centre, at u = cu
   const a = 1 + l.slope * l.slope;
   const d = c.radius * c.radius * a - k * k;
-  if (d < -1e-9) return;
+  if (d < -ROUND) return;
   const root = Math.sqrt(Math.max(0, d));
   for (const s of [-root, root]) {
     const x = (-l.slope * k + s) / a;
-    if ((k + l.slope * x) * c.arc >= -1e-9) offer(c.cu + x);
+    if ((k + l.slope * x) * c.arc >= -ROUND) offer(c.cu + x);
   }
 }
 
@@ -132,15 +132,15 @@ function arcArc(f: Arc, g: Arc, offer: (u: number) => void) {
   const du = g.cu - f.cu;
   const dv = g.cv - f.cv;
   const d = Math.hypot(du, dv);
-  if (d < 1e-12) return;
+  if (d < NOTHING) return;
   const along = (d * d + f.radius * f.radius - g.radius * g.radius) / (2 * d);
   const h2 = f.radius * f.radius - along * along;
-  if (h2 < -1e-9) return;
+  if (h2 < -ROUND) return;
   const h = Math.sqrt(Math.max(0, h2));
   for (const s of [-h, h]) {
     const u = (along * du - s * dv) / d;
     const v = (along * dv + s * du) / d;
-    if (v * f.arc >= -1e-9 && (v - dv) * g.arc >= -1e-9) offer(f.cu + u);
+    if (v * f.arc >= -ROUND && (v - dv) * g.arc >= -ROUND) offer(f.cu + u);
   }
 }
 
@@ -214,10 +214,10 @@ export function below(e: Envelope, level: number, u0: number, u1: number): Inter
   const add = (from: number, to: number) => {
     if (to < from) return;
     const last = out[out.length - 1];
-    if (last && from - last.to <= 1e-7) out[out.length - 1] = { from: last.from, to: Math.max(last.to, to) };
+    if (last && from - last.to <= JOINED) out[out.length - 1] = { from: last.from, to: Math.max(last.to, to) };
     else out.push({ from, to });
   };
-  const top = level + LEVEL;
+  const top = level + JOINED;
   let covered = u0;
   for (let i = firstSpan(e, u0); i < e.length; i++) {
     const s = e[i] as Span;
@@ -239,13 +239,10 @@ export function below(e: Envelope, level: number, u0: number, u1: number): Inter
   if (covered < u1) add(covered, u1);
   return out;
 }
-/** A level that lies on a flat of the envelope counts as on it, whatever rounding says. */
-export const LEVEL = 1e-7;
-
 /** Whether the straight way between two points (not one above the other) stays on or above the envelope. */
 export function staysAbove(e: Envelope, a: Flat, b: Flat): boolean {
   const way = linePiece(a, b, { feature: "nose", on: "edge", corner: false });
-  if (!way) return heightAt(e, a.u) <= Math.min(a.v, b.v) + LEVEL;
+  if (!way) return heightAt(e, a.u) <= Math.min(a.v, b.v) + JOINED;
   for (let i = firstSpan(e, way.u0); i < e.length; i++) {
     const s = e[i] as Span;
     if (s.u0 >= way.u1 - ROUND) break;
@@ -254,7 +251,7 @@ export function staysAbove(e: Envelope, a: Flat, b: Flat): boolean {
     if (end - from <= ROUND) continue;
     for (const cut of [...crossings(s.piece, way, from, end), end]) {
       const middle = (from + cut) / 2;
-      if (valueAt(s.piece, middle) > valueAt(way, middle) + LEVEL) return false;
+      if (valueAt(s.piece, middle) > valueAt(way, middle) + JOINED) return false;
       from = cut;
     }
   }
@@ -279,8 +276,8 @@ export function pathAlong(e: Envelope, u0: number, u1: number): Stretch[] {
     if (b - a <= ROUND) continue;
     const from: Flat = { u: a, v: valueAt(s.piece, a) };
     const to: Flat = { u: b, v: valueAt(s.piece, b) };
-    if (at && flat.apart(at, from) > 1e-7) out.push({ segment: { kind: "line", from: at, to: from }, origin: null });
-    const start = at && flat.apart(at, from) <= 1e-7 ? at : from;
+    if (at && flat.apart(at, from) > JOINED) out.push({ segment: { kind: "line", from: at, to: from }, origin: null });
+    const start = at && flat.apart(at, from) <= JOINED ? at : from;
     const p = s.piece;
     out.push({
       segment: p.arc === 0

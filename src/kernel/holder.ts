@@ -1,5 +1,6 @@
 import { shiftOf, TIP } from "./insert.ts";
 import type { Pt, Ring } from "./point.ts";
+import { ROUND } from "./tolerance.ts";
 import type { Holder, HolderCorner, TipOrientation, Tool } from "./tool.ts";
 import { axial, length, radius } from "./units.ts";
 
@@ -28,7 +29,7 @@ export function hullOf(corners: readonly Corner[]): readonly Corner[] {
   const side = (order: readonly Corner[]) => {
     const out: Corner[] = [];
     for (const c of order) {
-      while (out.length > 1 && turn(out[out.length - 2] as Corner, out[out.length - 1] as Corner, c) <= 1e-9) out.pop();
+      while (out.length > 1 && turn(out[out.length - 2] as Corner, out[out.length - 1] as Corner, c) <= ROUND) out.pop();
       out.push(c);
     }
     return out.slice(0, -1);

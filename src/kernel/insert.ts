@@ -1,7 +1,7 @@
 import { edgeEnd, edgeStart, inFrame, moved, type Convex, type Edge, type Feature } from "./convex.ts";
 import { flat, type Flat } from "./flat.ts";
 import { at, part, type Pt, type Ring } from "./point.ts";
-import { ROUND } from "./tolerance.ts";
+import { JOINED, ROUND } from "./tolerance.ts";
 import type { TipOrientation, Tool } from "./tool.ts";
 import { radians } from "./units.ts";
 
@@ -130,7 +130,7 @@ export function insertOutline(t: Tool, chord: number, body = true): Ring {
   const out: Pt[] = [];
   const add = (p: Flat) => {
     const [next, last] = [at(p.u, p.v), out.at(-1)];
-    if (!last || part.apart(last, next) > 1e-7) out.push(next);
+    if (!last || part.apart(last, next) > JOINED) out.push(next);
   };
   for (const e of moved(insertShape(t, body), shiftOf(t))) {
     if (e.kind === "line") add(e.from);
@@ -147,7 +147,7 @@ export function insertOutline(t: Tool, chord: number, body = true): Ring {
   }
   const first = out[0];
   const last = out[out.length - 1];
-  if (first && last && out.length > 1 && part.apart(first, last) <= 1e-7) out.pop();
+  if (first && last && out.length > 1 && part.apart(first, last) <= JOINED) out.pop();
   return out;
 }
 

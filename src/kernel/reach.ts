@@ -2,6 +2,7 @@ import { edgeEnd, edgeStart, normalEnd, normalStart, type Convex, type Edge, typ
 import { linePiece, upperEnvelope, type Envelope, type Origin, type Piece } from "./envelope.ts";
 import { flat, normalAt, type Flat, type FlatSegment } from "./flat.ts";
 import { FULL_TURN, positive, type ArcOf, type LineOf } from "./geometry/segments.ts";
+import { JOINED, NOTHING, ROUND } from "./tolerance.ts";
 
 const { angleOf, cross, dot, onCircle, polarOf, scaled, sum } = flat;
 
@@ -42,7 +43,7 @@ function mirroredLowerHull(insert: Convex): Edge[] {
   return insert.flatMap((e): Edge[] => {
     if (e.kind === "line") {
       const m: Edge = { ...e, from: scaled(e.from, -1), to: scaled(e.to, -1) };
-      return m.to.u < m.from.u - 1e-12 ? [m] : [];
+      return m.to.u < m.from.u - NOTHING ? [m] : [];
     }
     const start = positive(e.start + Math.PI);
     const parts: Edge[] = [];
@@ -67,7 +68,6 @@ interface Vertex {
   readonly feature: Feature;
 }
 
-const ANGLE = 1e-9;
 
 /** Vertices of the hull with the cone of normals they carry, and what they belong to. */
 function vertices(k: readonly Edge[]): Vertex[] {
@@ -82,7 +82,7 @@ function vertices(k: readonly Edge[]): Vertex[] {
     const next = ordered[i + 1];
     out.push({ at: edgeEnd(e), from: normalEnd(e), to: next ? normalStart(next) : Math.PI, feature: e.feature === "nose" && next ? next.feature : e.feature });
   });
-  return out.filter((v) => v.to - v.from > ANGLE);
+  return out.filter((v) => v.to - v.from > ROUND);
 }
 
 function alongLine(s: LineOf<Flat>, k: Hull, on: Origin["on"], add: (p: Piece | null) => void) {
@@ -92,16 +92,16 @@ function alongLine(s: LineOf<Flat>, k: Hull, on: Origin["on"], add: (p: Piece | 
     add(linePiece(sum(s.from, by), sum(s.to, by), { feature, on, corner: false }));
   let parallel = false;
   for (const e of k.edges)
-    if (e.kind === "line" && Math.abs(a - normalStart(e)) <= ANGLE) {
+    if (e.kind === "line" && Math.abs(a - normalStart(e)) <= ROUND) {
       // Two parallel straights sum to one: from the left end of the edge at the start to its right end at the end.
       add(linePiece(sum(s.from, e.to), sum(s.to, e.from), { feature: e.feature, on, corner: false }));
       parallel = true;
     }
   if (parallel) return;
   for (const e of k.edges)
-    if (e.kind === "arc" && a >= e.start - ANGLE && a <= e.start + e.sweep + ANGLE)
+    if (e.kind === "arc" && a >= e.start - ROUND && a <= e.start + e.sweep + ROUND)
       return shift(onCircle(e.centre, e.radius, a), e.feature);
-  for (const v of k.vertices) if (a >= v.from - ANGLE && a <= v.to + ANGLE) return shift(v.at, v.feature);
+  for (const v of k.vertices) if (a >= v.from - ROUND && a <= v.to + ROUND) return shift(v.at, v.feature);
 }
 
 /** The material lies on the right, so an arc that turns left is hollow. */
@@ -116,14 +116,14 @@ function alongArc(s: ArcOf<Flat>, k: Hull, on: Origin["on"], add: (p: Piece | nu
   for (const turn of [0, -FULL_TURN]) {
     const from = Math.max(0, low + turn);
     const to = Math.min(Math.PI, low + turn + Math.abs(sweep));
-    if (to - from <= ANGLE) continue;
+    if (to - from <= ROUND) continue;
     for (const e of k.edges) {
       if (e.kind === "arc") {
         const r = valley ? radius - e.radius : radius + e.radius;
         halfArc(s, e.centre, r, Math.max(from, e.start), Math.min(to, e.start + e.sweep), { feature: e.feature, on, corner: false }, add);
       } else {
         const n = normalStart(e);
-        if (n < from - ANGLE || n > to + ANGLE) continue;
+        if (n < from - ROUND || n > to + ROUND) continue;
         const at = onCircle(s.centre, valley ? -radius : radius, n);
         add(linePiece(sum(at, e.from), sum(at, e.to), { feature: e.feature, on, corner: true }));
       }
@@ -135,33 +135,33 @@ function alongArc(s: ArcOf<Flat>, k: Hull, on: Origin["on"], add: (p: Piece | nu
 
 /** The part of an offset arc whose normals lie in [from, to]: upper half for a hill, lower half for a valley. */
 function halfArc(s: ArcOf<Flat>, by: Flat, r: number, from: number, to: number, origin: Origin, add: (p: Piece | null) => void) {
-  if (to - from <= ANGLE || r <= 1e-9) return;
+  if (to - from <= ROUND || r <= ROUND) return;
   const { u: cu, v: cv } = sum(s.centre, by);
   const [u0, u1] = isValley(s) ? [cu - r * Math.cos(from), cu - r * Math.cos(to)] : [cu + r * Math.cos(to), cu + r * Math.cos(from)];
-  if (u1 - u0 > 1e-9) add({ arc: isValley(s) ? -1 : 1, u0, u1, cu, cv, radius: r, origin });
+  if (u1 - u0 > ROUND) add({ arc: isValley(s) ? -1 : 1, u0, u1, cu, cv, radius: r, origin });
 }
 
 /** A convex corner carries the normals between its two elements (clockwise from `before` to `after`). */
 function atCorner(p: Flat, before: Flat, after: Flat, k: Hull, on: Origin["on"], add: (p: Piece | null) => void) {
   const bend = cross(before, after);
-  if (bend > -1e-12 && dot(before, after) > 0) return; // smooth or reflex
-  if (bend > 1e-12) return;
+  if (bend > -NOTHING && dot(before, after) > 0) return; // smooth or reflex
+  if (bend > NOTHING) return;
   const high = angleOf(before);
   const width = positive(high - angleOf(after));
   for (const turn of [0, FULL_TURN, -FULL_TURN]) {
     const to = Math.min(Math.PI, high + turn);
     const from = Math.max(0, high + turn - width);
-    if (to < from - ANGLE) continue;
+    if (to < from - ROUND) continue;
     for (const e of k.edges) {
       if (e.kind === "line") {
         const n = normalStart(e);
-        if (n >= from - 1e-7 && n <= to + 1e-7)
+        if (n >= from - JOINED && n <= to + JOINED)
           add(linePiece(sum(p, e.from), sum(p, e.to), { feature: e.feature, on, corner: true }));
         continue;
       }
       const a = Math.max(from, e.start);
       const b = Math.min(to, e.start + e.sweep);
-      if (b - a <= ANGLE || e.radius <= 1e-9) continue;
+      if (b - a <= ROUND || e.radius <= ROUND) continue;
       const { u: cu, v: cv } = sum(p, e.centre);
       add({ arc: 1, u0: cu + e.radius * Math.cos(b), u1: cu + e.radius * Math.cos(a), cu, cv, radius: e.radius, origin: { feature: e.feature, on, corner: false } });
     }

@@ -1,6 +1,7 @@
 import type { Move } from "./move.ts";
 import { part, type Pt, type Segment } from "./point.ts";
 import type { Spindle } from "./step.ts";
+import { NOTHING } from "./tolerance.ts";
 
 /** The path of the theoretical tip in one move. */
 export function pathOf(from: Pt, move: Move): Segment {
@@ -37,7 +38,7 @@ function bends(spindle: Spindle): number[] {
 
 /** Mean minutes per revolution along a straight line between two distances from the axis: exact, piece by piece. */
 function meanAlongLine(spindle: Spindle, from: number, to: number): number {
-  if (Math.abs(to - from) < 1e-12) return minutesPerTurn(spindle, from);
+  if (Math.abs(to - from) < NOTHING) return minutesPerTurn(spindle, from);
   const stops = [0, ...bends(spindle).map((r) => (r - from) / (to - from)).filter((t) => t > 0 && t < 1), 1].sort((a, b) => a - b);
   let sum = 0;
   for (let i = 1; i < stops.length; i += 1) {

@@ -2,15 +2,15 @@ import { expect, test } from "vitest";
 import * as tolerance from "./tolerance.ts";
 
 test("tolerances keep their order, from rounding to what an older control prints", () => {
-  const { ROUND, GRID, SAME, CHORD, SLIVER, ARC_END } = tolerance;
-  const order = [ROUND, GRID, SAME, CHORD, SLIVER, ARC_END];
+  const { NOTHING, ROUND, JOINED, GRID, SAME, CHORD, SLIVER, ARC_END } = tolerance;
+  const order = [NOTHING, ROUND, JOINED, GRID, SAME, CHORD, SLIVER, ARC_END];
   expect([...order].sort((a, b) => a - b)).toEqual(order);
   expect(new Set(order).size).toBe(order.length);
 });
 
 test("every length has its place in that order; the others are no lengths", () => {
   const others = ["SAME_STEP"];
-  expect(Object.keys(tolerance).filter((name) => !others.includes(name)).sort()).toEqual(["ARC_END", "CHORD", "GRID", "ROUND", "SAME", "SLIVER"]);
+  expect(Object.keys(tolerance).filter((name) => !others.includes(name)).sort()).toEqual(["ARC_END", "CHORD", "GRID", "JOINED", "NOTHING", "ROUND", "SAME", "SLIVER"]);
 });
 
 test("two chords and one unit of the polygon engine fit into a sliver", () => {

@@ -2,6 +2,10 @@
 
 /** Two computed numbers nearer than this are the same number: rounding of doubles, far below anything a control keeps. */
 export const ROUND = 1e-9;
+/** Less than this, mm, radians or a slope, is nothing: there is no direction to take from it and nothing to divide by. */
+export const NOTHING = 1e-12;
+/** Heights and ends that were worked out in different ways, as by an envelope and along its contour, join when they are this near. */
+export const JOINED = 1e-7;
 /**
  * The polygon engine counts in integers: one unit. Results are exact whatever the extent: up to 949 mm products fit into a
  * double; areas that reach farther, as finished parts do, are multiplied as big integers, which is slower.

@@ -120,14 +120,14 @@ function touch(insert: Convex, s: FlatSegment, end: "from" | "to"): Flat {
   let best = { off: Infinity, at: { u: 0, v: 0 } as Flat };
   for (const e of insert) {
     if (e.kind !== "arc" || e.feature !== "nose") continue;
-    const inside = positive(wanted - e.start + 1e-9) <= e.sweep + 2e-9;
+    const inside = positive(wanted - e.start + ROUND) <= e.sweep + 2 * ROUND;
     const [a, b] = [e.start, e.start + e.sweep];
     const angle = inside ? wanted : away(wanted, a) <= away(wanted, b) ? a : b;
     const off = away(wanted, angle);
     const at = flat.onCircle(e.centre, e.radius, angle);
     // Beside a wall that the oversize makes as straight, the lower one, which ends the way higher up.
     const covers = Math.abs(at.u - best.at.u) < ROUND ? at.v < best.at.v : end === "from" ? at.u > best.at.u : at.u < best.at.u;
-    if (off < best.off - 1e-9 || (off < best.off + 1e-9 && covers)) best = { off, at };
+    if (off < best.off - ROUND || (off < best.off + ROUND && covers)) best = { off, at };
   }
   return { u: s[end].u - best.at.u, v: s[end].v - best.at.v };
 }

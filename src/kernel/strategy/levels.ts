@@ -1,6 +1,6 @@
 import { below, heightAt, highest, pathAlong, type Envelope, type Interval } from "../envelope.ts";
 import type { FlatSegment } from "../flat.ts";
-import { ROUND, SAME } from "../tolerance.ts";
+import { JOINED, ROUND, SAME } from "../tolerance.ts";
 import type { Purpose } from "../track.ts";
 import type { Feeds } from "./feeds.ts";
 import type { Cutter } from "./link.ts";
@@ -41,7 +41,7 @@ const level = (l: Levels, pass: number) => l.top - pass * l.infeed;
 
 /** The cuts of all levels in their order: valleys that a level meets one by one, each to its floor before the next. */
 function* cuts(l: Levels): Generator<Cut> {
-  const open = (v: Interval) => v.from <= l.from + 1e-7;
+  const open = (v: Interval) => v.from <= l.from + JOINED;
   const within = (pass: number, valleys: readonly Interval[], outer: Interval): Cut[] =>
     valleys.map((valley, k) => {
       const before = valleys[k - 1];
