@@ -114,7 +114,7 @@ describe("laws over random elements, all forms, both sides", () => {
     }), RUNS);
   });
 
-  test("tangential in PA and PE for LT, CT and LCT, perpendicular for LN, to 1e-8", () => {
+  test("tangential in PA and PE for LT, CT and LCT, perpendicular for LN, to a millionth of a radian", () => {
     fc.assert(fc.property(request, (q) => {
       const made = pure(q);
       if (made.issues.length > 0 || made.legs.length === 0) return;
@@ -122,15 +122,15 @@ describe("laws over random elements, all forms, both sides", () => {
       const at = q.departing ? made.points.PE : made.points.PA;
       if (!leg || !at || (leg.segment.kind === "line" && apart(leg.segment.from, leg.segment.to) < 1e-3)) return;
       const way = direction(leg.segment, at);
-      if (q.shape === "LN") expect(Math.abs(dot(way, made.tangent))).toBeLessThan(1e-8);
+      if (q.shape === "LN") expect(Math.abs(dot(way, made.tangent))).toBeLessThan(1e-6);
       else {
-        expect(Math.abs(cross(way, made.tangent))).toBeLessThan(1e-8);
+        expect(Math.abs(cross(way, made.tangent))).toBeLessThan(1e-6);
         if (q.shape !== "LT" || (q.length ?? 0) > 0) expect(dot(way, made.tangent)).toBeGreaterThan(0);
       }
     }), RUNS);
   });
 
-  test("LCT: line and arc meet tangentially, to 1e-8", () => {
+  test("LCT: line and arc meet tangentially, to a millionth", () => {
     fc.assert(fc.property(request, (q) => {
       const made = pure({ ...q, shape: "LCT", radius: Math.abs(q.radius ?? 1) });
       const [one, two] = made.legs.map((l) => l.segment);

@@ -13,14 +13,12 @@ const stretch = fc.record({
 /** What a contour of random stretches ends with: where it is, on the axis, or a little past it. */
 const ends = mostly(fc.constant<number | null>(null), fc.constantFrom<number | null>(0, -0.8, -0.4));
 
-/** Set-ups of the free contours, in both directions, with limits on every side. */
-export const contour: fc.Arbitrary<Situation> = fc.record({
-  ...common, Q499: mostly(fc.constant(0), fc.constantFrom(1, 2)), Q487: fc.constantFrom(0, 1), Q488: fc.constantFrom(0, 0.1),
-  Q506: fc.constantFrom(0, 1, 2), Q479: fc.constantFrom(0, 0, 1), Q480: mm(0, 100), Q482: mm(-40, 10),
-  out: sign, r: mm(26, 45), z: mm(-25, -5), stretches: fc.array(stretch, { minLength: 2, maxLength: 6 }), t: fc.constantFrom(15, 1, 2, 11),
-  before: fc.oneof(fc.constant(0), mm(0, 3)), over: mm(0, 3), where: place, points: anyOrientation, edge, ends,
-}).map(({ out, r, z, stretches, t, before, over, where, points, edge, ends, ...q }): Situation => {
-  const first = out > 0 ? r : r - 10;
+type Stretch = typeof stretch extends fc.Arbitrary<infer S> ? S : never;
+
+const firstOf = (out: number, r: number) => (out > 0 ? r : r - 10);
+
+function elementsOf(out: number, r: number, z: number, stretches: readonly Stretch[], ends: number | null): ContourElement[] {
+  const first = firstOf(out, r);
   const elements: ContourElement[] = [{ kind: "line", to: at(z, first) }];
   let here = at(z, first);
   stretches.forEach((s, i) => {
@@ -33,7 +31,18 @@ export const contour: fc.Arbitrary<Situation> = fc.record({
     if (s.corner !== "none" && i + 1 < stretches.length) elements.push({ kind: s.corner as "round" | "chamfer", size: s.size });
   });
   if (ends !== null && out > 0) elements.push({ kind: "line", to: at(here.z, ends) });
-  const built = contourFrom(elements).segments;
+  return elements;
+}
+
+/** Set-ups of the free contours, in both directions, with limits on every side. A contour that crosses itself is refused before any cycle sees it. */
+export const contour: fc.Arbitrary<Situation> = fc.record({
+  ...common, Q499: mostly(fc.constant(0), fc.constantFrom(1, 2)), Q487: fc.constantFrom(0, 1), Q488: fc.constantFrom(0, 0.1),
+  Q506: fc.constantFrom(0, 1, 2), Q479: fc.constantFrom(0, 0, 1), Q480: mm(0, 100), Q482: mm(-40, 10),
+  out: sign, r: mm(26, 45), z: mm(-25, -5), stretches: fc.array(stretch, { minLength: 2, maxLength: 6 }), t: fc.constantFrom(15, 1, 2, 11),
+  before: fc.oneof(fc.constant(0), mm(0, 3)), over: mm(0, 3), where: place, points: anyOrientation, edge, ends,
+}).filter(({ out, r, z, stretches, ends }) => contourFrom(elementsOf(out, r, z, stretches, ends)).issues.every((i) => i.severity !== "error")).map(({ out, r, z, stretches, t, before, over, where, points, edge, ends, ...q }): Situation => {
+  const first = firstOf(out, r);
+  const built = contourFrom(elementsOf(out, r, z, stretches, ends)).segments;
   const top = Math.max(...built.flatMap((s) => [s.from.z, s.to.z]), z);
   const side: TipOrientation = t === 11 ? 8 : out > 0 ? 1 : 7;
   const blank = box(top, -90, first, out > 0 ? 0 : first + 80);

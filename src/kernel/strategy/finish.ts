@@ -57,7 +57,8 @@ const feedOf = (f: Finish) => (f.smoothing ? f.feeds.rough : f.feeds.finish);
 function outAt(f: Finish, u: number): Stretch[] {
   const at = heightAt(f.ground.envelope, u - 2 * SAME);
   const end = Math.max(f.ground.end.v, f.runOut ?? -Infinity);
-  if (f.to < f.ground.end.u - SAME || end <= at + SAME) return [];
+  // Where nothing bounds the tip from below there is no wall to leave by.
+  if (at === -Infinity || f.to < f.ground.end.u - SAME || end <= at + SAME) return [];
   return [{ segment: { kind: "line", from: { u, v: at }, to: { u, v: end } }, origin: null }];
 }
 
