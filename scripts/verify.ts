@@ -2,7 +2,7 @@ import { readFileSync } from "node:fs";
 import { parse } from "../src/nc/parse.ts";
 import { print } from "../src/nc/program.ts";
 import type { Control } from "../src/program/plane-types.ts";
-import { over, readTools, type ToolTable } from "../src/program/read-tools.ts";
+import { over, readTools, type ShopTools } from "../src/program/read-tools.ts";
 import { run } from "../src/program/run.ts";
 import { shippedTools } from "../src/program/shipped-tools.ts";
 import { hasErrors, report, type Report } from "../src/report/report.ts";
@@ -69,7 +69,7 @@ function decoded(data: Buffer): Decoded {
   }
 }
 
-function toolsOf(path: string | null): ToolTable {
+function toolsOf(path: string | null): ShopTools {
   if (path === null) return { tools: shippedTools, refused: new Map() };
   const read = readTools(decoded(bytes(path)).text);
   if ("problem" in read) throw new Refusal(`tools file ${path}: ${read.problem}`);
@@ -77,7 +77,7 @@ function toolsOf(path: string | null): ToolTable {
 }
 
 /** Reads, runs and simulates one program. */
-export function verified(file: string, text: string, shop: ToolTable, control: Control = "TNC 640"): Report {
+export function verified(file: string, text: string, shop: ShopTools, control: Control = "TNC 640"): Report {
   const started = performance.now();
   const program = parse(text);
   const read = performance.now();

@@ -4,7 +4,7 @@ import { toDiameter, degrees, length } from "../src/kernel/units.ts";
 import { parse } from "../src/nc/parse.ts";
 import { run } from "../src/program/run.ts";
 import { shippedTools } from "../src/program/shipped-tools.ts";
-import { issuesOf } from "../src/sim/issues.ts";
+import { stockIssues } from "../src/sim/issues.ts";
 import { simulate } from "../src/sim/simulate.ts";
 
 const square: Tool = { T: 20, NAME: "SQUARE-75", TYPE: "ROUGH", TO: 1, RS: length(1.2), "T-ANGLE": degrees(75), "P-ANGLE": degrees(90), CUTLENGTH: length(12) };
@@ -24,7 +24,7 @@ function cut(tool: number, cycle: readonly string[], x: number) {
     ...cycle, `L X+${x} Z+2 R0 FMAX`, "CYCL CALL", "M30", ...label, "END PGM T MM",
   ].join("\n")), shop);
   const simulation = simulate(done);
-  return { done, simulation, issues: [...done.issues.map((f) => f.issue), ...issuesOf(simulation).map((p) => p.issue)] };
+  return { done, simulation, issues: [...done.issues.map((f) => f.issue), ...stockIssues(simulation).map((p) => p.issue)] };
 }
 
 test("a tool that Q499 = 2 mirrors cuts as the mirrored tool, in the stock too", () => {

@@ -106,6 +106,13 @@ describe("what is nowhere", () => {
   });
 });
 
+test("no exported name means two things", () => {
+  const owners = new Map<string, string[]>();
+  for (const { path, text } of all.filter((s) => !s.path.startsWith("src/i18n/")))
+    for (const [, name = ""] of text.matchAll(/^export (?:const|function|class|interface|type) (\w+)/gm)) owners.set(name, [...(owners.get(name) ?? []), path]);
+  expect([...owners].filter(([, paths]) => paths.length > 1)).toEqual([]);
+});
+
 describe("packages", () => {
   /** Needed by name or by another package; nothing imports them. */
   const unimported = new Set(["@types/node", "@types/react", "@types/react-dom", "@testing-library/dom", "jsdom", "prettier", "typescript"]);

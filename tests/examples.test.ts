@@ -7,7 +7,7 @@ import { parse } from "../src/nc/parse.ts";
 import { issuesOf, print } from "../src/nc/program.ts";
 import { run } from "../src/program/run.ts";
 import { shippedTools } from "../src/program/shipped-tools.ts";
-import { issuesOf as proved } from "../src/sim/issues.ts";
+import { stockIssues as proved } from "../src/sim/issues.ts";
 import { simulate } from "../src/sim/simulate.ts";
 
 function verified(text: string) {

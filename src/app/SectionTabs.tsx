@@ -1,8 +1,8 @@
 import { useRef, type KeyboardEvent, type ReactNode } from "react";
-import { showSection, type Section } from "./place.ts";
+import { showSection, type WorkSection } from "./place.ts";
 
 interface Tab {
-  readonly section: Section;
+  readonly section: WorkSection;
   readonly name: string;
   readonly content: ReactNode;
   /** Stays in the page while another one is open, and keeps what it remembers. */
@@ -15,7 +15,7 @@ interface Tab {
 export function SectionTabs({ name, tabs, open }: {
   readonly name: string;
   readonly tabs: readonly Tab[];
-  readonly open: Section;
+  readonly open: WorkSection;
 }) {
   const list = useRef<HTMLDivElement>(null);
   const at = tabs.findIndex((tab) => tab.section === open);

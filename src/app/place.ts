@@ -4,11 +4,11 @@ import { create } from "zustand";
 export type JobSection = "prompts" | "setup" | "contour" | "findings" | "program";
 /** Those of a whole program: its text, the dialog of one block, the list of its parts. */
 export type ProgramSection = "text" | "block" | "structure" | "findings";
-export type Section = JobSection | ProgramSection;
+export type WorkSection = JobSection | ProgramSection;
 
 /** Where the operator is: not part of the work, so undo does not touch it. */
-export interface Place {
-  readonly section: Section;
+export interface WorkPlace {
+  readonly section: WorkSection;
   /** Q number of the open prompt; null when the dialog is at its end. */
   readonly prompt: string | null;
   /** Text of the open prompt as it was when it opened, for Escape. */
@@ -19,7 +19,7 @@ export interface Place {
   readonly field: string | null;
 }
 
-export const usePlace = create<Place>(() => ({ section: "prompts", prompt: null, before: "", focus: 0, field: null }));
+export const usePlace = create<WorkPlace>(() => ({ section: "prompts", prompt: null, before: "", focus: 0, field: null }));
 
 /** Marks a place that keeps the keyboard while prompts open beside it: the program text, the list of its parts. */
 export const KEEPS_KEYBOARD = "data-keeps-keyboard";
@@ -31,8 +31,8 @@ export const mayTakeKeyboard = (): boolean => !document.activeElement?.closest(`
 export const openPrompt = (prompt: string | null, before: string): void =>
   usePlace.setState((p) => ({ section: "prompts", prompt, before, focus: p.focus + 1, field: null }));
 
-export const showSection = (section: Section): void => usePlace.setState({ section, field: null });
+export const showSection = (section: WorkSection): void => usePlace.setState({ section, field: null });
 
 /** Shows a section and puts the keyboard into one of its fields. */
-export const goToField = (section: Section, field: string): void =>
+export const goToField = (section: WorkSection, field: string): void =>
   usePlace.setState((p) => ({ section, field, focus: p.focus + 1 }));

@@ -4,7 +4,7 @@ import { issue, type Issue } from "../kernel/issue.ts";
 import type { Pt, Segment } from "../kernel/point.ts";
 
 /** A chamfer (1) or a radius (2) of a start or end element; none for type 0. */
-export const elementOf = (type: number, size: number): CornerElement | null =>
+export const cornerElementOf = (type: number, size: number): CornerElement | null =>
   type === 0 || !(size > 0) ? null : { kind: type === 1 ? "chamfer" : "round", size };
 
 /** A rounded inner corner; sharp when the radius is 0. */

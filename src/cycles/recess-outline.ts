@@ -1,7 +1,7 @@
 import { issue, type Issue } from "../kernel/issue.ts";
 import type { Pt } from "../kernel/point.ts";
 import { axial, inDegrees, radians, radius, toRadius } from "../kernel/units.ts";
-import { angleBelow, elementOf, namedContour, roundOf, type NamedContour } from "./corner-element.ts";
+import { angleBelow, cornerElementOf, namedContour, roundOf, type NamedContour } from "./corner-element.ts";
 import type { Dimension, Outline } from "./define.ts";
 import { equalEnds, type ShoulderValues } from "./shoulder-outline.ts";
 
@@ -49,10 +49,10 @@ export function recessOutline(v: ShoulderValues, axialGroove: boolean): RecessOu
     [at(-start, 0), at(0, 0), at(w1, D), at(w2, D), at(W, 0), at(W + end, 0)],
     ["Q492", "Q495", "Q494", "Q496", "Q492"],
     [
-      { element: elementOf(v.Q501, v.Q502), q: "Q502" },
+      { element: cornerElementOf(v.Q501, v.Q502), q: "Q502" },
       { element: round, q: "Q500" },
       { element: round, q: "Q500" },
-      { element: elementOf(v.Q503, v.Q504), q: "Q504" },
+      { element: cornerElementOf(v.Q503, v.Q504), q: "Q504" },
     ],
   );
   const shape = { a: at(0, 0), b: at(w1, D), c: at(w2, D), d: at(W, 0), footA: at(0, D), footD: at(W, D), out: (p: Pt) => beyond(p, at(W / 2, -D)) };

@@ -1,7 +1,7 @@
 import { issue, type Issue } from "../kernel/issue.ts";
 import type { Pt } from "../kernel/point.ts";
 import { axial, inDegrees, radians, radius, toRadius, type Axial, type Degrees, type Diameter, type Length } from "../kernel/units.ts";
-import { angleBelow, elementOf, namedContour, roundOf, type NamedContour } from "./corner-element.ts";
+import { angleBelow, cornerElementOf, namedContour, roundOf, type NamedContour } from "./corner-element.ts";
 import type { Dimension, Outline } from "./define.ts";
 
 /** The values that shape an extended shoulder, by what they mean. */
@@ -54,9 +54,9 @@ export function shoulderOutline(v: ShoulderValues): Outline & NamedContour {
     [at(0, -lead), at(0, 0), corner, at(A, H), at(A + LEG, H)],
     ["Q492", "Q495", "Q496", "Q491"],
     [
-      { element: elementOf(v.Q501, v.Q502), q: "Q502" },
+      { element: cornerElementOf(v.Q501, v.Q502), q: "Q502" },
       { element: roundOf(v.Q500), q: "Q500" },
-      { element: elementOf(v.Q503, v.Q504), q: "Q504" },
+      { element: cornerElementOf(v.Q503, v.Q504), q: "Q504" },
     ],
   );
   return { ...built, dimensions: dimensionsOf(v, { start: at(0, 0), corner, end: at(A, H), along, out }), issues: built.issues };

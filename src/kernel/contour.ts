@@ -4,7 +4,7 @@ import { issue, type Issue } from "./issue.ts";
 import { largestThatWorks, mends, offerOf, withOffer } from "./offer.ts";
 import type { Groove } from "./groove.ts";
 import { part, type Pt, type Segment, type Turn } from "./point.ts";
-import { putRecesses, type Chain, type Recess } from "./recessed.ts";
+import { putRecesses, type ContourChain, type Inset } from "./recessed.ts";
 import { ARC_END, ROUND, SAME } from "./tolerance.ts";
 import { roundedDown } from "./units.ts";
 import type { Undercut } from "./undercut.ts";
@@ -148,8 +148,8 @@ export function contourFrom(programmed: readonly ContourElement[]): Contour {
 
 function built(programmed: readonly ContourElement[]): Contour {
   const issues: Issue[] = [];
-  const chain: Chain = { segments: [], corners: [], segmentNumbers: [], cornerNumbers: [] };
-  const recesses: Recess[] = [];
+  const chain: ContourChain = { segments: [], corners: [], segmentNumbers: [], cornerNumbers: [] };
+  const recesses: Inset[] = [];
   let from: Pt | null = null;
   let waiting: { corner: CornerElement; element: number } | null = null;
   programmed.forEach((e, i) => {

@@ -1,4 +1,4 @@
-import { crossings, firstSpan, heightAt, linePiece, push, valueAt, type Envelope, type Origin, type Piece, type Span } from "./envelope.ts";
+import { crossings, firstSpan, heightAt, linePiece, push, valueAt, type Envelope, type Origin, type EnvelopePiece, type Span } from "./envelope.ts";
 import { flat, type FlatSegment } from "./flat.ts";
 import { JOINED, ROUND } from "./tolerance.ts";
 
@@ -6,7 +6,7 @@ import { JOINED, ROUND } from "./tolerance.ts";
  * The envelope cut down to pieces (from left to right, side by side) wherever they are lower by no more than `most` mm: deeper
  * down material stays above them. Where the envelope has a gap it keeps it.
  */
-export function loweredBy(e: Envelope, cuts: readonly Piece[], most: number): Envelope {
+export function loweredBy(e: Envelope, cuts: readonly EnvelopePiece[], most: number): Envelope {
   const first = cuts[0];
   if (!first) return e;
   let i = firstSpan(e, first.u0);
@@ -37,10 +37,10 @@ export function loweredBy(e: Envelope, cuts: readonly Piece[], most: number): En
 export const raised = (e: Envelope, u0: number, u1: number, by: number): Envelope =>
   e.filter((s) => s.u1 > u0 && s.u0 < u1).map((s) => ({ piece: lifted(s.piece, by), u0: Math.max(s.u0, u0), u1: Math.min(s.u1, u1) }));
 
-const lifted = (p: Piece, by: number): Piece => (p.arc === 0 ? { ...p, v0: p.v0 + by } : { ...p, cv: p.cv + by });
+const lifted = (p: EnvelopePiece, by: number): EnvelopePiece => (p.arc === 0 ? { ...p, v0: p.v0 + by } : { ...p, cv: p.cv + by });
 
 /** A path element as a piece over u; null when it is vertical. Its arcs only rise or only fall in u. */
-export function pieceOf(s: FlatSegment, origin: Origin): Piece | null {
+export function pieceOf(s: FlatSegment, origin: Origin): EnvelopePiece | null {
   if (s.kind === "line") return linePiece(s.from, s.to, origin);
   const [u0, u1] = [Math.min(s.from.u, s.to.u), Math.max(s.from.u, s.to.u)];
   if (u1 - u0 < ROUND) return null;

@@ -12,14 +12,14 @@ export interface Origin {
 }
 
 /** A graph over u: a straight line, or the upper (1) or lower (−1) half of a circle. */
-export type Piece = { readonly u0: number; readonly u1: number; readonly origin: Origin } & (
+export type EnvelopePiece = { readonly u0: number; readonly u1: number; readonly origin: Origin } & (
   | { readonly arc: 0; readonly v0: number; readonly slope: number }
   | { readonly arc: 1 | -1; readonly cu: number; readonly cv: number; readonly radius: number }
 );
 
 /** A stretch of the envelope: one piece, between u0 and u1. */
 export interface Span {
-  readonly piece: Piece;
+  readonly piece: EnvelopePiece;
   readonly u0: number;
   readonly u1: number;
 }
@@ -27,21 +27,21 @@ export interface Span {
 /** The pieces that are uppermost, from left to right; between them there may be gaps (nothing there: −∞). */
 export type Envelope = readonly Span[];
 
-export function valueAt(p: Piece, u: number): number {
+export function valueAt(p: EnvelopePiece, u: number): number {
   if (p.arc === 0) return p.v0 + p.slope * (u - p.u0);
   const d = p.radius * p.radius - (u - p.cu) * (u - p.cu);
   return p.cv + p.arc * (d > 0 ? Math.sqrt(d) : 0);
 }
 
 /** A straight piece between two points, in either order; null when it is vertical. */
-export function linePiece(a: Flat, b: Flat, origin: Origin): Piece | null {
+export function linePiece(a: Flat, b: Flat, origin: Origin): EnvelopePiece | null {
   const [p, q] = a.u <= b.u ? [a, b] : [b, a];
   if (q.u - p.u < ROUND) return null;
   return { arc: 0, u0: p.u, u1: q.u, v0: p.v, slope: (q.v - p.v) / (q.u - p.u), origin };
 }
 
 /** The upper envelope of any number of pieces; exact up to rounding, in O(n log n) for n pieces that cross little. */
-export function upperEnvelope(pieces: readonly Piece[]): Envelope {
+export function upperEnvelope(pieces: readonly EnvelopePiece[]): Envelope {
   let level: Span[][] = pieces.filter((p) => p.u1 - p.u0 > ROUND).map((piece) => [{ piece, u0: piece.u0, u1: piece.u1 }]);
   level.sort((a, b) => (a[0] as Span).u0 - (b[0] as Span).u0);
   while (level.length > 1) {
@@ -81,7 +81,7 @@ function merge(a: readonly Span[], b: readonly Span[]): Span[] {
 }
 
 /** Adds a stretch to an envelope under construction, joined to the last one when it goes on. */
-export function push(out: Span[], piece: Piece, u0: number, u1: number) {
+export function push(out: Span[], piece: EnvelopePiece, u0: number, u1: number) {
   if (u1 - u0 <= 0) return;
   const last = out[out.length - 1];
   if (last && last.piece === piece && u0 - last.u1 <= ROUND) out[out.length - 1] = { piece, u0: last.u0, u1 };
@@ -89,7 +89,7 @@ export function push(out: Span[], piece: Piece, u0: number, u1: number) {
 }
 
 /** Both pieces live on [u0, u1]: the higher one wins between their crossings. */
-function higher(out: Span[], f: Piece, g: Piece, u0: number, u1: number) {
+function higher(out: Span[], f: EnvelopePiece, g: EnvelopePiece, u0: number, u1: number) {
   let from = u0;
   for (const cut of [...crossings(f, g, u0, u1), u1]) {
     const middle = (from + cut) / 2;
@@ -99,7 +99,7 @@ function higher(out: Span[], f: Piece, g: Piece, u0: number, u1: number) {
 }
 
 /** The u, strictly inside (lo, hi), where two pieces have the same v; ascending. */
-export function crossings(f: Piece, g: Piece, lo: number, hi: number): number[] {
+export function crossings(f: EnvelopePiece, g: EnvelopePiece, lo: number, hi: number): number[] {
   const found: number[] = [];
   const offer = (u: number) => {
     if (u > lo + ROUND && u < hi - ROUND) found.push(u);
@@ -113,8 +113,8 @@ export function crossings(f: Piece, g: Piece, lo: number, hi: number): number[] 
   return found.sort((a, b) => a - b);
 }
 
-type Line = Extract<Piece, { arc: 0 }>;
-type Arc = Extract<Piece, { arc: 1 | -1 }>;
+type Line = Extract<EnvelopePiece, { arc: 0 }>;
+type Arc = Extract<EnvelopePiece, { arc: 1 | -1 }>;
 
 function lineArc(l: Line, c: Arc, offer: (u: number) => void) {
   const k = l.v0 - l.slope * (l.u0 - c.cu) - c.cv; // v of the line above the centre, at u = cu
@@ -227,7 +227,7 @@ export function below(e: Envelope, level: number, u0: number, u1: number): Inter
     const b = Math.min(u1, s.u1);
     covered = Math.max(covered, s.u1);
     if (b < a) continue;
-    const flat: Piece = { arc: 0, u0: a, u1: b, v0: top, slope: 0, origin: s.piece.origin };
+    const flat: EnvelopePiece = { arc: 0, u0: a, u1: b, v0: top, slope: 0, origin: s.piece.origin };
     let from = a;
     if (valueAt(s.piece, a) <= top) add(a, a);
     for (const cut of [...crossings(s.piece, flat, a, b), b]) {

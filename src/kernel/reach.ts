@@ -1,5 +1,5 @@
 import { edgeEnd, edgeStart, normalEnd, normalStart, type Convex, type Edge, type Feature } from "./convex.ts";
-import { linePiece, upperEnvelope, type Envelope, type Origin, type Piece } from "./envelope.ts";
+import { linePiece, upperEnvelope, type Envelope, type Origin, type EnvelopePiece } from "./envelope.ts";
 import { flat, normalAt, type Flat, type FlatSegment } from "./flat.ts";
 import { FULL_TURN, positive, type ArcOf, type LineOf } from "./geometry/segments.ts";
 import { JOINED, NOTHING, ROUND } from "./tolerance.ts";
@@ -21,8 +21,8 @@ export interface Bound {
 export function reachOver(chain: readonly Bound[], insert: Convex): Envelope {
   const edges = mirroredLowerHull(insert);
   const k: Hull = { edges, vertices: vertices(edges) };
-  const pieces: Piece[] = [];
-  const add = (p: Piece | null) => { if (p) pieces.push(p); };
+  const pieces: EnvelopePiece[] = [];
+  const add = (p: EnvelopePiece | null) => { if (p) pieces.push(p); };
   chain.forEach((b, i) => {
     const s = b.segment;
     if (s.kind === "line") alongLine(s, k, b.on, add);
@@ -85,7 +85,7 @@ function vertices(k: readonly Edge[]): Vertex[] {
   return out.filter((v) => v.to - v.from > ROUND);
 }
 
-function alongLine(s: LineOf<Flat>, k: Hull, on: Origin["on"], add: (p: Piece | null) => void) {
+function alongLine(s: LineOf<Flat>, k: Hull, on: Origin["on"], add: (p: EnvelopePiece | null) => void) {
   if (s.to.u - s.from.u <= 0) return;
   const a = angleOf(normalAt(s, "from"));
   const shift = (by: Flat, feature: Feature) =>
@@ -108,7 +108,7 @@ function alongLine(s: LineOf<Flat>, k: Hull, on: Origin["on"], add: (p: Piece | 
 const isValley = (s: ArcOf<Flat>) => s.turn === "ccw";
 
 /** An arc of the contour: its outward normals, and the insert elements with the same normal. */
-function alongArc(s: ArcOf<Flat>, k: Hull, on: Origin["on"], add: (p: Piece | null) => void) {
+function alongArc(s: ArcOf<Flat>, k: Hull, on: Origin["on"], add: (p: EnvelopePiece | null) => void) {
   const { start, sweep, startRadius: radius } = polarOf(s);
   const valley = isValley(s);
   // Normals, counter-clockwise from `low`: of a hill the polar angle itself, of a valley the opposite one.
@@ -134,7 +134,7 @@ function alongArc(s: ArcOf<Flat>, k: Hull, on: Origin["on"], add: (p: Piece | nu
 }
 
 /** The part of an offset arc whose normals lie in [from, to]: upper half for a hill, lower half for a valley. */
-function halfArc(s: ArcOf<Flat>, by: Flat, r: number, from: number, to: number, origin: Origin, add: (p: Piece | null) => void) {
+function halfArc(s: ArcOf<Flat>, by: Flat, r: number, from: number, to: number, origin: Origin, add: (p: EnvelopePiece | null) => void) {
   if (to - from <= ROUND || r <= ROUND) return;
   const { u: cu, v: cv } = sum(s.centre, by);
   const [u0, u1] = isValley(s) ? [cu - r * Math.cos(from), cu - r * Math.cos(to)] : [cu + r * Math.cos(to), cu + r * Math.cos(from)];
@@ -142,7 +142,7 @@ function halfArc(s: ArcOf<Flat>, by: Flat, r: number, from: number, to: number, 
 }
 
 /** A convex corner carries the normals between its two elements (clockwise from `before` to `after`). */
-function atCorner(p: Flat, before: Flat, after: Flat, k: Hull, on: Origin["on"], add: (p: Piece | null) => void) {
+function atCorner(p: Flat, before: Flat, after: Flat, k: Hull, on: Origin["on"], add: (p: EnvelopePiece | null) => void) {
   const bend = cross(before, after);
   if (bend > -NOTHING && dot(before, after) > 0) return; // smooth or reflex
   if (bend > NOTHING) return;

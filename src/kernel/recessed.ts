@@ -9,14 +9,14 @@ import { undercutShape, type Undercut } from "./undercut.ts";
 const { lengthOf, line } = part;
 
 /** An undercut or recess of a contour, its element number, and the segment behind which it was programmed. */
-export interface Recess {
+export interface Inset {
   readonly recess: Undercut | Groove;
   readonly element: number;
   readonly after: number;
 }
 
 /** A contour while it is built: corner i stands between segments i and i + 1; `segmentNumbers` and `cornerNumbers` are elements. */
-export interface Chain {
+export interface ContourChain {
   readonly segments: Segment[];
   readonly corners: (CornerElement | null)[];
   readonly segmentNumbers: number[];
@@ -27,7 +27,7 @@ const tooLong = (element: number, size: number, max: number): Issue =>
   issue("cornerElementTooLong", "error", { element, size, max, nearest: roundedDown(max) }, "contour");
 
 /** Puts segments in the place of `count` segments from `index`; `inner` are the corners between them, all of one element. */
-function replace(chain: Chain, index: number, count: number, parts: readonly Segment[], inner: readonly (CornerElement | null)[], element: number): void {
+function replace(chain: ContourChain, index: number, count: number, parts: readonly Segment[], inner: readonly (CornerElement | null)[], element: number): void {
   const own = chain.segmentNumbers.slice(index, index + count);
   const numbers = parts.map((_, i) => (i === 0 ? (own[0] ?? element) : i === parts.length - 1 ? (own[own.length - 1] ?? element) : element));
   chain.segments.splice(index, count, ...parts);
@@ -39,7 +39,7 @@ function replace(chain: Chain, index: number, count: number, parts: readonly Seg
 const alongAxis = (s: Segment) => s.kind === "line" && Math.abs(s.to.r - s.from.r) <= SAME;
 const alongFace = (s: Segment) => s.kind === "line" && Math.abs(s.to.z - s.from.z) <= SAME;
 
-function putUndercut(chain: Chain, undercut: Undercut, element: number, index: number): Issue[] {
+function putUndercut(chain: ContourChain, undercut: Undercut, element: number, index: number): Issue[] {
   const [one, two] = [chain.segments[index], chain.segments[index + 1]];
   const cylinderFirst = one !== undefined && alongAxis(one);
   const [cylinder, face] = cylinderFirst ? [one, two] : [two, one];
@@ -65,7 +65,7 @@ function putUndercut(chain: Chain, undercut: Undercut, element: number, index: n
   return given === "" ? [] : [issue("undercutDefaults", "info", { element, words: given }, "contour")];
 }
 
-function putGroove(chain: Chain, groove: Groove, element: number, index: number): Issue[] {
+function putGroove(chain: ContourChain, groove: Groove, element: number, index: number): Issue[] {
   const on = chain.segments[index];
   if (!on) return [issue("undercutNeighbours", "error", { element }, "contour")];
   const shape = grooveShape(groove, on);
@@ -81,7 +81,7 @@ function putGroove(chain: Chain, groove: Groove, element: number, index: number)
 }
 
 /** How far along its segment a recess lies, mm: those farther along are put in first, so that the ones before keep their place. */
-function place(chain: Chain, r: Recess): number {
+function place(chain: ContourChain, r: Inset): number {
   if (r.recess.kind === "undercut") return Infinity;
   const on = chain.segments[r.after];
   const centre = r.recess.words.CENTER ?? 0;
@@ -89,7 +89,7 @@ function place(chain: Chain, r: Recess): number {
 }
 
 /** Puts undercuts and recesses into a chain; one that does not fit is left out and reported. */
-export function putRecesses(chain: Chain, recesses: readonly Recess[]): Issue[] {
+export function putRecesses(chain: ContourChain, recesses: readonly Inset[]): Issue[] {
   const backwards = recesses.map((r) => ({ r, place: place(chain, r) })).sort((a, b) => b.r.after - a.r.after || b.place - a.place);
   return backwards.flatMap(({ r }) =>
     r.recess.kind === "undercut" ? putUndercut(chain, r.recess, r.element, r.after) : putGroove(chain, r.recess, r.element, r.after));

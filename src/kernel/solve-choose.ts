@@ -1,6 +1,6 @@
 import { at, part, type Pt } from "./point.ts";
 import type { Affine } from "./solve-linear.ts";
-import { arcRank, byRank, place, pointOf, type Rank, type Work } from "./solve-work.ts";
+import { arcRank, byRank, place, pointOf, type Rank, type Solving } from "./solve-work.ts";
 import { ARC_END, ROUND, SAME } from "./tolerance.ts";
 
 const { apart, beyond, difference, dot, heading, meet, sizeOf, sweepOf } = part;
@@ -12,7 +12,7 @@ interface Sliding {
 }
 
 const freeIn = (...forms: readonly Affine[]) => new Set(forms.flatMap((f) => [...f.by.keys()]));
-const slide = (w: Work, i: number, free: number): Sliding => {
+const slide = (w: Solving, i: number, free: number): Sliding => {
   const form = w.forms[i];
   return {
     start: at(form?.z.constant ?? 0, form?.r.constant ?? 0),
@@ -39,7 +39,7 @@ interface Candidate {
 }
 
 /** Chooses among places for a point, sets it and counts them. False when there is none. */
-function choose(w: Work, element: number, candidates: readonly Candidate[]): boolean {
+function choose(w: Solving, element: number, candidates: readonly Candidate[]): boolean {
   const rated = candidates.map((c) => ({ c, faults: faultsOf(w, c), ...orderOf(w, element, c) })).sort((a, b) => byRank(a, b) || a.c.point.r - b.c.point.r);
   const fit = rated.filter((r) => r.faults === (rated[0]?.faults ?? 0));
   const chosen = fit[w.elements[element]?.choice ?? 0] ?? rated[0];
@@ -52,7 +52,7 @@ function choose(w: Work, element: number, candidates: readonly Candidate[]): boo
 }
 
 /** Lines that would run backwards, arcs of no length and places below the axis. */
-function faultsOf(w: Work, { i, point }: Candidate): number {
+function faultsOf(w: Solving, { i, point }: Candidate): number {
   let faults = point.r < -SAME ? 1 : 0;
   for (const [element, from, to] of [[i, pointOf(w, i - 1), point], [i + 1, point, pointOf(w, i + 1)]] as const) {
     const angle = w.angle[element] ?? null;
@@ -64,7 +64,7 @@ function faultsOf(w: Work, { i, point }: Candidate): number {
 }
 
 /** The likelier place first: the shorter arc (the longer one for a negative radius), the shorter way to the next point, else towards the chuck. */
-function orderOf(w: Work, element: number, { i, point }: Candidate): Omit<Rank, "faults"> {
+function orderOf(w: Solving, element: number, { i, point }: Candidate): Omit<Rank, "faults"> {
   const circle = w.circle[element] ?? null, e = w.elements[element];
   const from = i === element ? pointOf(w, element - 1) : point, to = i === element ? point : pointOf(w, element);
   if (!circle || circle === "straight" || e?.kind !== "arc" || !from || !to) {
@@ -75,7 +75,7 @@ function orderOf(w: Work, element: number, { i, point }: Candidate): Omit<Rank, 
 }
 
 /** Ends the freedom of one point by a length or a circle; the first that can be. True when a point was found. */
-export function findPlace(w: Work): boolean {
+export function findPlace(w: Solving): boolean {
   for (let i = 1; i < w.elements.length; i += 1) {
     const e = w.elements[i], circle = w.circle[i] ?? null, forms = [w.forms[i - 1], w.forms[i]].flatMap((f) => (f ? [f.z, f.r] : []));
     const free = freeIn(...forms);
@@ -101,7 +101,7 @@ export function findPlace(w: Work): boolean {
 }
 
 /** A point of which only two distances are known: lengths of its lines, or circles it lies on. */
-function findMeeting(w: Work): boolean {
+function findMeeting(w: Solving): boolean {
   for (let i = 0; i < w.elements.length; i += 1) {
     if (w.z[i] !== null || w.r[i] !== null) continue;
     const [one, two] = [distance(w, i, i - 1), distance(w, i + 1, i + 1)];
@@ -112,7 +112,7 @@ function findMeeting(w: Work): boolean {
   return false;
 }
 
-function distance(w: Work, element: number, other: number) {
+function distance(w: Solving, element: number, other: number) {
   const e = w.elements[element], circle = w.circle[element] ?? null, end = pointOf(w, other);
   if (circle && circle !== "straight") return { centre: circle.centre, radius: circle.radius };
   return element > 0 && e?.kind === "line" && e.length !== null && end ? { centre: end, radius: e.length } : null;

@@ -3,7 +3,7 @@ import { part, type Pt, type Segment } from "./point.ts";
 import { findPlace } from "./solve-choose.ts";
 import { findAngles, findCircles, way } from "./solve-curves.ts";
 import { findTouches } from "./solve-touches.ts";
-import { pointOf, settle, startWork, type SolveElement, type Work } from "./solve-work.ts";
+import { pointOf, settle, startSolving, type SolveElement, type Solving } from "./solve-work.ts";
 import { ARC_END, SAME } from "./tolerance.ts";
 import { axial, degrees, inDegrees, length, radians, radius, type Axial, type Degrees, type Length, type Radius } from "./units.ts";
 
@@ -37,7 +37,7 @@ const TANGENT = 0.2;
  * centres, forwards and backwards. What stays open is said by element; what contradicts is said, and coordinates win.
  */
 export function solveContour(elements: readonly SolveElement[]): SolvedContour {
-  const w = startWork(elements);
+  const w = startSolving(elements);
   // Each round finds at least one coordinate, direction or circle.
   for (let round = 0; round <= elements.length * 4 + 4; round += 1) {
     const found = settle(w);
@@ -54,7 +54,7 @@ const round = (angle: number): Degrees => {
   return degrees(n < 0 ? (n + 360) % 360 : n % 360);
 };
 
-function solvedElement(w: Work, i: number): SolvedElement {
+function solvedElement(w: Solving, i: number): SolvedElement {
   const [z, r, segment] = [w.z[i] ?? null, w.r[i] ?? null, segmentOf(w, i)];
   const straight = w.elements[i]?.kind === "line", angle = w.angle[i] ?? null;
   return {
@@ -64,7 +64,7 @@ function solvedElement(w: Work, i: number): SolvedElement {
   };
 }
 
-function segmentOf(w: Work, i: number): Segment | null {
+function segmentOf(w: Solving, i: number): Segment | null {
   const [from, to, circle] = [pointOf(w, i - 1), pointOf(w, i), w.circle[i] ?? null];
   if (i === 0 || !from || !to) return null;
   if (w.elements[i]?.kind === "line" || circle === "straight") return { kind: "line", from, to };
@@ -75,7 +75,7 @@ function segmentOf(w: Work, i: number): Segment | null {
  * Values still missing at the end point that are not already missing at the point before it, less those that a length or
  * a circle stands for; for an arc its own circle.
  */
-function freedomOf(w: Work, i: number, segment: Segment | null): number {
+function freedomOf(w: Solving, i: number, segment: Segment | null): number {
   const e = w.elements[i], form = w.forms[i], before = w.forms[i - 1];
   if (pointOf(w, i)) return e?.kind === "arc" && i > 0 && !segment && pointOf(w, i - 1) ? 1 : 0;
   const counted = new Set(before ? [...before.z.by.keys(), ...before.r.by.keys()] : []);
@@ -93,7 +93,7 @@ function freedomOf(w: Work, i: number, segment: Segment | null): number {
 /** The angle between two directions, degrees. */
 const between = (a: Pt, b: Pt) => Math.abs(inDegrees(Math.atan2(cross(a, b), dot(a, b))));
 
-function contradictions(w: Work, e: SolveElement, i: number, freedom: number): Issue[] {
+function contradictions(w: Solving, e: SolveElement, i: number, freedom: number): Issue[] {
   const found: Issue[] = [], element = i + 1;
   const say = (quantity: "angle" | "length" | "tangent" | "radius", given: number, nearest: number) =>
     found.push(issue("elementContradicts", "error", { element, quantity, given, nearest: Math.round(nearest * 1e4) / 1e4 }, "contour"));

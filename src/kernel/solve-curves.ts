@@ -1,6 +1,6 @@
 import type { CurveOf } from "./geometry/curves.ts";
 import { at, part, type Pt, type Turn } from "./point.ts";
-import { arcRank, aside, byRank, pointOf, same, type Circle, type Rank, type Work } from "./solve-work.ts";
+import { arcRank, aside, byRank, pointOf, same, type Circle, type Rank, type Solving } from "./solve-work.ts";
 import { ROUND, SAME } from "./tolerance.ts";
 
 const {
@@ -11,7 +11,7 @@ const {
 export const towards = (from: Pt, to: Pt, far: number): Pt => beyond(from, unit(difference(to, from)), far);
 
 /** Direction of travel of element i in point p (i − 1 or i); null while it is not known. */
-export function way(w: Work, i: number, p: number): Pt | null {
+export function way(w: Solving, i: number, p: number): Pt | null {
   const angle = w.angle[i] ?? null, circle = w.circle[i] ?? null, point = pointOf(w, p);
   if (angle !== null) return heading(angle);
   if (!circle || circle === "straight" || !point || same(point, circle.centre)) return null;
@@ -19,10 +19,10 @@ export function way(w: Work, i: number, p: number): Pt | null {
 }
 
 /** True where element i leaves the one before it tangentially. */
-export const tangent = (w: Work, i: number) => w.elements[i]?.tangent === true && i > 1;
+export const tangent = (w: Solving, i: number) => w.elements[i]?.tangent === true && i > 1;
 
 /** Directions of lines that follow from their ends or from a tangential neighbour. */
-export function findAngles(w: Work): boolean {
+export function findAngles(w: Solving): boolean {
   let changed = false;
   w.elements.forEach((e, i) => {
     if (i === 0 || (w.angle[i] ?? null) !== null) return;
@@ -38,7 +38,7 @@ export function findAngles(w: Work): boolean {
 }
 
 /** Circles of arcs that follow from centre, radius, ends and neighbours. */
-export function findCircles(w: Work): boolean {
+export function findCircles(w: Solving): boolean {
   let changed = false;
   w.elements.forEach((e, i) => {
     if (i === 0 || e.kind !== "arc" || (w.circle[i] ?? null) !== null) return;
@@ -50,7 +50,7 @@ export function findCircles(w: Work): boolean {
   return changed;
 }
 
-function circleOf(w: Work, i: number): Circle | "straight" | null {
+function circleOf(w: Solving, i: number): Circle | "straight" | null {
   const e = w.elements[i];
   if (e?.kind !== "arc") return null;
   const [from, to] = [pointOf(w, i - 1), pointOf(w, i)], size = e.radius === null ? null : Math.abs(e.radius);
@@ -77,7 +77,7 @@ function circleOf(w: Work, i: number): Circle | "straight" | null {
 }
 
 /** A point of the line on which element i lies; null while that line is not known. */
-function onLine(w: Work, i: number): Pt | null {
+function onLine(w: Solving, i: number): Pt | null {
   const angle = w.angle[i] ?? null;
   if (angle === null) return null;
   for (const p of [i - 1, i]) {
@@ -93,7 +93,7 @@ function onLine(w: Work, i: number): Pt | null {
 }
 
 /** Where the centre of an arc may lie that touches element i on the side to which the arc turns. */
-function trackBeside(w: Work, i: number, size: number, turn: Turn): CurveOf<Pt> | null {
+function trackBeside(w: Solving, i: number, size: number, turn: Turn): CurveOf<Pt> | null {
   const circle = w.circle[i] ?? null;
   if (circle && circle !== "straight") return { centre: circle.centre, radius: circle.turn === turn ? Math.abs(circle.radius - size) : circle.radius + size };
   const point = onLine(w, i), angle = w.angle[i] ?? null;
@@ -101,7 +101,7 @@ function trackBeside(w: Work, i: number, size: number, turn: Turn): CurveOf<Pt> 
 }
 
 /** The circle of given size between two things it touches or runs through, one of them not known as a point. */
-function circleBetween(w: Work, i: number, size: number, turn: Turn): Circle | null {
+function circleBetween(w: Solving, i: number, size: number, turn: Turn): Circle | null {
   const around = (p: Pt | null): CurveOf<Pt> | null => p && { centre: p, radius: size };
   const one = tangent(w, i) ? trackBeside(w, i - 1, size, turn) : around(pointOf(w, i - 1));
   const two = tangent(w, i + 1) ? trackBeside(w, i + 1, size, turn) : around(pointOf(w, i));
@@ -115,7 +115,7 @@ function circleBetween(w: Work, i: number, size: number, turn: Turn): Circle | n
 }
 
 /** How well a circle fits as element i: which of its neighbours would run backwards, and how far it turns. */
-function rankOf(w: Work, i: number, { centre, turn }: Circle): Rank {
+function rankOf(w: Solving, i: number, { centre, turn }: Circle): Rank {
   const [start, end] = [touching(w, i - 1, i - 1, centre) ?? pointOf(w, i - 1), touching(w, i + 1, i, centre) ?? pointOf(w, i)];
   const backwards = (element: number, from: Pt | null, to: Pt | null) => {
     const angle = w.angle[element] ?? null;
@@ -126,7 +126,7 @@ function rankOf(w: Work, i: number, { centre, turn }: Circle): Rank {
 }
 
 /** Where a circle about `c` touches element i, when it does and point p between them is not known. */
-function touching(w: Work, i: number, p: number, c: Pt): Pt | null {
+function touching(w: Solving, i: number, p: number, c: Pt): Pt | null {
   if (pointOf(w, p)) return null;
   const circle = w.circle[i] ?? null, angle = w.angle[i] ?? null, point = onLine(w, i);
   if (circle && circle !== "straight") return towards(circle.centre, c, circle.radius);

@@ -1,12 +1,12 @@
 import { part, type Pt } from "./point.ts";
 import { tangent, towards } from "./solve-curves.ts";
-import { aside, place, pointOf, same, type Circle, type Work } from "./solve-work.ts";
+import { aside, place, pointOf, same, type Circle, type Solving } from "./solve-work.ts";
 import { SAME } from "./tolerance.ts";
 
 const { angleOf, apart, difference, heading, onCircle } = part;
 
 /** Points where a known circle and its tangential neighbour touch. */
-export function findTouches(w: Work): boolean {
+export function findTouches(w: Solving): boolean {
   let changed = false;
   w.elements.forEach((_, i) => {
     const circle = w.circle[i] ?? null;
@@ -21,7 +21,7 @@ export function findTouches(w: Work): boolean {
 }
 
 /** Where a circle meets its tangential neighbour; `after` says that the neighbour follows. */
-function touchOf(w: Work, { centre, radius, turn }: Circle, other: number, far: number, after: boolean): Pt | null {
+function touchOf(w: Solving, { centre, radius, turn }: Circle, other: number, far: number, after: boolean): Pt | null {
   const next = w.circle[other] ?? null, angle = w.angle[other] ?? null, outside = pointOf(w, far);
   if (next && next !== "straight") {
     if (same(centre, next.centre)) return null;

@@ -5,11 +5,11 @@ import { SAME } from "./tolerance.ts";
 import { radians, type Axial, type Degrees, type Length, type Radius } from "./units.ts";
 
 /** What is given of a coordinate: where it is, how far it is from the one before, or nothing. */
-export type Given<U extends number> = { readonly at: U } | { readonly by: U } | null;
+export type GivenCoordinate<U extends number> = { readonly at: U } | { readonly by: U } | null;
 
 interface Ends {
-  readonly z: Given<Axial>;
-  readonly r: Given<Radius>;
+  readonly z: GivenCoordinate<Axial>;
+  readonly r: GivenCoordinate<Radius>;
   /** It leaves the element before it in that one's direction. */
   readonly tangent: boolean;
   /** Which solution is meant where there are two: the likelier (0) or the other. */
@@ -29,7 +29,7 @@ export interface Circle {
 }
 
 /** What is known so far while a contour is being solved. Element i runs from point i − 1 to point i. */
-export interface Work {
+export interface Solving {
   readonly elements: readonly SolveElement[];
   readonly z: (number | null)[];
   readonly r: (number | null)[];
@@ -48,7 +48,7 @@ export interface Work {
 /** Longest stretch of unknown points that is solved at once. */
 const STRETCH = 64;
 
-export const pointOf = (w: Work, i: number): Pt | null => {
+export const pointOf = (w: Solving, i: number): Pt | null => {
   const [z, r] = [w.z[i] ?? null, w.r[i] ?? null];
   return z === null || r === null ? null : at(z, r);
 };
@@ -71,8 +71,8 @@ export function arcRank(e: SolveElement | undefined, sweep: number): Omit<Rank, 
   return { otherWay: longer === sweep > Math.PI ? 0 : 1, detour: sweep };
 }
 
-export function startWork(elements: readonly SolveElement[]): Work {
-  const work: Work = {
+export function startSolving(elements: readonly SolveElement[]): Solving {
+  const work: Solving = {
     elements, z: [], r: [], forms: [], choices: elements.map(() => 1), unreachable: new Set(), circle: elements.map(() => null),
     angle: elements.map((e, i) => (i > 0 && e.kind === "line" && e.angle !== null ? radians(e.angle) : null)),
   };
@@ -87,7 +87,7 @@ export function startWork(elements: readonly SolveElement[]): Work {
 }
 
 /** Everything that follows from coordinates, directions and lengths along them. True when something new became known. */
-export function settle(w: Work): boolean {
+export function settle(w: Solving): boolean {
   let changed = false;
   const unknown = (i: number) => i < w.elements.length && (w.z[i] === null || w.r[i] === null);
   for (let i = 0; i < w.elements.length; i += 1) {
@@ -99,7 +99,7 @@ export function settle(w: Work): boolean {
   return changed;
 }
 
-function settleStretch(w: Work, from: number, to: number): boolean {
+function settleStretch(w: Solving, from: number, to: number): boolean {
   const variables = new Map<string, number>();
   for (let i = from; i <= to; i += 1)
     for (const axis of ["z", "r"] as const) if (w[axis][i] === null) variables.set(`${axis}${i}`, variables.size);
@@ -147,7 +147,7 @@ function settleStretch(w: Work, from: number, to: number): boolean {
 }
 
 /** Puts a point where it was found, in the coordinates that were not known. True when that is news. */
-export function place(w: Work, i: number, found: Pt): boolean {
+export function place(w: Solving, i: number, found: Pt): boolean {
   let news = false;
   for (const axis of ["z", "r"] as const)
     if (w[axis][i] === null && Number.isFinite(found[axis])) {

@@ -1,5 +1,5 @@
 import { valueText } from "./number-text.ts";
-import type { AxisWord, Feed, PolarWord, Value, Words } from "./statement.ts";
+import type { AxisWord, FeedWord, PolarWord, Value, Words } from "./statement.ts";
 import type { Style } from "./style.ts";
 
 /** Values that carry no plus sign: radii of roundings, lengths of chamfers, feeds. */
@@ -10,7 +10,7 @@ const polarText = (name: string, w: PolarWord | undefined, style: Style) =>
   w ? [`${w.incremental ? "I" : ""}${name}${valueText(w.value, style)}`] : [];
 
 /** A feed word: FMAX, FAUTO, F300. */
-export const feedText = (feed: Feed, style: Style) =>
+export const feedText = (feed: FeedWord, style: Style) =>
   feed === "max" ? style.rapid : feed === "auto" ? "FAUTO" : `${feed.unit}${unsigned(feed.value, style)}`;
 
 /** Which numbers of an approach or arc carry a sign; `length` and `radius` differ from form to form. */

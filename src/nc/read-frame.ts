@@ -1,6 +1,6 @@
 import { axisName, readWords } from "./read-words.ts";
 import type { Scan } from "./scan.ts";
-import type { Feed, NamedWord, Statement, Value } from "./statement.ts";
+import type { FeedWord, NamedWord, Statement, Value } from "./statement.ts";
 import { PARAMETER, parameterOf, readLabel, VALUE } from "./value.ts";
 
 const named = (word: string) => new RegExp(String.raw`${word}[ \t]*(${VALUE})`, "iy");
@@ -81,7 +81,7 @@ export function readToolCall(scan: Scan): Statement {
   const tool = direct ? readLabel(direct[1]?.replace(",", "."), direct[2]) : parameter && parameterOf(parameter[0]);
   const axis = scan.take(AXIS);
   let [speed, deltaLength, deltaRadius] = [null, null, null] as (Value | null)[];
-  let feed: Feed | null = null;
+  let feed: FeedWord | null = null;
   const extra: string[] = [];
   const value = (m: RegExpExecArray | null, group = 1) => (m ? scan.value(m[group] ?? "") : null);
   while (!scan.done) {

@@ -1,4 +1,4 @@
-import type { AxisName, AxisWord, Compensation, Feed, Statement, Words } from "./statement.ts";
+import type { AxisName, AxisWord, Compensation, FeedWord, Statement, Words } from "./statement.ts";
 
 const NUMBER = String.raw`([+-]?\d+(?:[.,]\d+)?)`;
 const axis = (name: string) => String.raw`(?:(I?)${name}${NUMBER}[ \t]*)?`;
@@ -37,7 +37,7 @@ export function readLine(text: string, at: number): Statement | null {
   else if (m[9] !== undefined) {
     const value = number(m[9]);
     if (value === null) return null;
-    words.feed = { value, unit: "F" } satisfies Feed;
+    words.feed = { value, unit: "F" } satisfies FeedWord;
   }
   if (m[10] !== undefined) words.functions = m[11] === undefined ? [Number(m[10])] : [Number(m[10]), Number(m[11])];
   return { kind: "path", path: "L", words };

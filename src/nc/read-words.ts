@@ -1,5 +1,5 @@
 import type { Scan } from "./scan.ts";
-import type { AxisName, AxisWord, Compensation, Feed, Words } from "./statement.ts";
+import type { AxisName, AxisWord, Compensation, FeedWord, Words } from "./statement.ts";
 import { VALUE } from "./value.ts";
 
 const FEED = /(?:(F[ \t]*MAX)|(F[ \t]*AUTO))(?![A-Z])/iy;
@@ -71,7 +71,7 @@ function readWord(scan: Scan, m: RegExpExecArray, lists: Lists, put: Put): void 
   if (value === null) return unread(scan, m[0], lists.extra, false);
   switch (name) {
     case "F": case "FU": case "FZ":
-      return put(feedKey(lists.functions), "F", { value, unit: feedUnit(name) } satisfies Feed, length);
+      return put(feedKey(lists.functions), "F", { value, unit: feedUnit(name) } satisfies FeedWord, length);
     case "M":
       if (typeof value === "number") lists.functions.push(value);
       else unread(scan, m[0], lists.extra);

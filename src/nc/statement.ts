@@ -21,7 +21,7 @@ export interface PolarWord {
   readonly incremental: boolean;
 }
 /** FMAX, FAUTO, or a number with its unit as the letters say it. */
-export type Feed = "max" | "auto" | { readonly value: Value; readonly unit: "F" | "FU" | "FZ" };
+export type FeedWord = "max" | "auto" | { readonly value: Value; readonly unit: "F" | "FU" | "FZ" };
 export type Compensation = "R0" | "RL" | "RR";
 
 /** The words that a path block may carry, each at most once except axes and M functions. */
@@ -40,13 +40,13 @@ export interface Words {
   /** LIN_Z and the like: a third axis moved along with an arc. */
   readonly linear: readonly AxisWord[];
   readonly compensation?: Compensation;
-  readonly feed?: Feed;
+  readonly feed?: FeedWord;
   /** M functions in their order. */
   readonly functions: readonly number[];
   /** MB of M140. */
   readonly retract?: Value | "max";
   /** A feed behind M140 or M128: it belongs to that function, not to the path. */
-  readonly functionFeed?: Feed;
+  readonly functionFeed?: FeedWord;
   /** Words that are kept and not understood. */
   readonly extra: readonly string[];
 }
@@ -106,7 +106,7 @@ export type Statement =
       readonly tool: Label | Parameter | null;
       readonly axis: AxisName | null;
       readonly speed: Value | null;
-      readonly feed: Feed | null;
+      readonly feed: FeedWord | null;
       readonly deltaLength: Value | null;
       readonly deltaRadius: Value | null;
       readonly extra: readonly string[];

@@ -3,9 +3,9 @@ import { parse } from "../nc/parse.ts";
 import { fewAlike, MOST_ALIKE } from "./alike.ts";
 import { programIssue } from "./issue.ts";
 import { run } from "./run.ts";
-import type { Finding } from "./run-types.ts";
+import type { RunFinding } from "./run-types.ts";
 
-const findings = (count: number, code: "labelMissing" | "toolUnknown", severity: (i: number) => "error" | "warning" | "info" = () => "error"): Finding[] =>
+const findings = (count: number, code: "labelMissing" | "toolUnknown", severity: (i: number) => "error" | "warning" | "info" = () => "error"): RunFinding[] =>
   Array.from({ length: count }, (_, i) => ({
     issue: code === "labelMissing" ? programIssue(code, severity(i), { label: String(i) }) : programIssue(code, severity(i), { tool: String(i) }),
     block: i, line: i + 1, operation: null,

@@ -1,6 +1,6 @@
 import type { Severity } from "../kernel/issue.ts";
 import { programIssue } from "./issue.ts";
-import type { Finding } from "./run-types.ts";
+import type { RunFinding } from "./run-types.ts";
 
 /** Findings of one kind that are listed one by one. More would fill memory and lists, and say nothing new. */
 export const MOST_ALIKE = 1000;
@@ -19,9 +19,9 @@ interface Kind {
  * Of each kind the first MOST_ALIKE findings, in their order. In the place of the first that is left out stands how many there
  * are, as grave as the gravest of them: nothing is left out in silence.
  */
-export function fewAlike(findings: Iterable<Finding>): Finding[] {
+export function fewAlike(findings: Iterable<RunFinding>): RunFinding[] {
   const kinds = new Map<string, Kind>();
-  const listed: Finding[] = [];
+  const listed: RunFinding[] = [];
   for (const finding of findings) {
     const { code, severity } = finding.issue;
     const kind = kinds.get(code) ?? { count: 0, gravest: "info", first: -1 };

@@ -1,5 +1,5 @@
 import { issue } from "../kernel/issue.ts";
-import type { Feed, PolarWord, Statement, Value, Words } from "../nc/statement.ts";
+import type { FeedWord, PolarWord, Statement, Value, Words } from "../nc/statement.ts";
 import { approachFields, type ApproachField, type ApproachWord, type WorkingPlane } from "./approach-fields.ts";
 import type { KnownParameters } from "./expression.ts";
 import { nothing, readText, wrong, type FieldReading } from "./field.ts";
@@ -90,7 +90,7 @@ export function approachStatement(base: ApproachStatement, plane: WorkingPlane, 
 }
 
 /** The feed that is typed; FU and FZ stay what they were. */
-function feedOf(read: FieldReading | undefined, before: Feed | undefined): Feed | undefined {
+function feedOf(read: FieldReading | undefined, before: FeedWord | undefined): FeedWord | undefined {
   const written = read?.written ?? null;
   if (written === null) return undefined;
   if (written === "auto" || written === "max") return written;

@@ -1,5 +1,5 @@
 import { feed as feedNumber, type Feed as FeedNumber } from "../kernel/units.ts";
-import type { Feed } from "../nc/statement.ts";
+import type { FeedWord } from "../nc/statement.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
 
@@ -11,13 +11,13 @@ const FASTEST = 5;
 export const isUnlikely = (n: number, perRevolution: boolean): boolean => (perRevolution ? n > FASTEST : n > 0 && n < SLOWEST);
 
 /** A number behind F: mm/rev or mm/min. FU is per revolution in either mode. */
-function feedOf(machine: Machine, feed: Exclude<Feed, string>, index: number): FeedNumber | null {
+function feedOf(machine: Machine, feed: Exclude<FeedWord, string>, index: number): FeedNumber | null {
   const n = machine.number(feed.value, index);
   return n === null ? null : machine.feedOf(n);
 }
 
 /** Takes up the feed of a block that does not move. F stays in force; FMAX counts for its block alone. */
-export function takeFeed(machine: Machine, feed: Feed | undefined, index: number): void {
+export function takeFeed(machine: Machine, feed: FeedWord | undefined, index: number): void {
   if (feed === undefined || feed === "max") return;
   machine.feedWord = feed === "auto" ? "FAUTO" : "F";
   machine.feed = feed === "auto" ? (machine.toolFeed ?? feedNumber(0)) : (feedOf(machine, feed, index) ?? machine.feed);
@@ -34,7 +34,7 @@ function judge(machine: Machine, feed: FeedNumber, index: number): void {
 }
 
 /** The feed of a block that moves: null is rapid. */
-export function blockFeed(machine: Machine, feed: Feed | undefined, index: number): FeedNumber | null {
+export function blockFeed(machine: Machine, feed: FeedWord | undefined, index: number): FeedNumber | null {
   if (feed === "max") return (machine.lastFeed = null);
   takeFeed(machine, feed, index);
   if (machine.feed === null) machine.log.sayOnce(programIssue("feedMissing", "error", {}), index);
@@ -47,7 +47,7 @@ export function blockFeed(machine: Machine, feed: Feed | undefined, index: numbe
 }
 
 /** The feed of M140 or another function with a feed of its own: rapid without one. The feed of the path stays as it is. */
-export function functionFeed(machine: Machine, feed: Feed | undefined, index: number): FeedNumber | null {
+export function functionFeed(machine: Machine, feed: FeedWord | undefined, index: number): FeedNumber | null {
   if (feed === undefined || feed === "max") return null;
   return feed === "auto" ? machine.toolFeed : feedOf(machine, feed, index);
 }

@@ -13,7 +13,7 @@ import { cycleValues } from "./cycle-values.ts";
 import { programIssue } from "./issue.ts";
 import type { Defined, Machine } from "./machine.ts";
 import { pointIn } from "./path.ts";
-import { feedsOf, foreignParameters, lineOf, noTool } from "./preconditions.ts";
+import { unlikelyFeeds, foreignParameters, lineOfParameter, noTool } from "./preconditions.ts";
 import type { Operation } from "./run-types.ts";
 import { countedPoint, shiftedPlan } from "./shifted-plan.ts";
 import { startUnknown } from "./turn-run.ts";
@@ -114,12 +114,12 @@ export function callCycle(machine: Machine, index: number): void {
   const planned = machine.tool ? plan.issues : [];
   const said = unique([...issues, ...outlined, ...planned].filter((i) => !isTroubled || i.at !== "contour"));
   const all = triedOffers(cycle.params, read.partial, said, judgeOf(cycle, machine.tool ? setting : null, given));
-  const feeds = values && plan !== nothing ? feedsOf(cycle, values, plan.moves, machine, (v) => cycle.plan(v, setting, given).moves) : [];
+  const feeds = values && plan !== nothing ? unlikelyFeeds(cycle, values, plan.moves, machine, (v) => cycle.plan(v, setting, given).moves) : [];
   perform(machine, { cycle: cycle.number, defined, start, tool, plan: shiftedPlan(plan, machine.datum), issues: all, call: values && { values, given, autoFeed: machine.toolFeed, start: counted, datum: machine.datum } }, index);
   const where = machine.blocks[defined.index]?.raw ?? "";
   for (const i of [...all, ...feeds]) {
     const parameter = i.at?.startsWith("Q") ? i.at : null;
-    if (parameter) machine.log.say(i, defined.index, lineOf(where, parameter), operation);
+    if (parameter) machine.log.say(i, defined.index, lineOfParameter(where, parameter), operation);
     else machine.log.say(i, index, 0, operation);
   }
 }
@@ -145,7 +145,7 @@ function perform(machine: Machine, { cycle, defined, start, tool, plan, issues, 
 }
 
 /** Takes up a definition; parameters are read now, as the control does, and stand in Q parameters of their number. */
-export function defineCycle(machine: Machine, index: number): void {
+export function cycleDefinition(machine: Machine, index: number): void {
   const s = machine.blocks[index]?.statement;
   if (s?.kind !== "cycle") return;
   const cycle = cycleByNumber(s.cycle);

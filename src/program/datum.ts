@@ -22,7 +22,7 @@ const KEYS: Readonly<Partial<Record<AxisName, keyof Datum>>> = { X: "x", Y: "y",
  * From a coordinate of the program to that of the workpiece, in the measure of its word: of X a diameter while turning. Null for an
  * axis that no path runs along.
  */
-export function shiftOf(machine: Machine, axis: AxisName): number | null {
+export function datumShiftOf(machine: Machine, axis: AxisName): number | null {
   const key = KEYS[axis];
   if (!key || (key === "y" && machine.turning)) return null;
   const by = machine.datum[key];

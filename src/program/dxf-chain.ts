@@ -2,7 +2,7 @@ import { part, type Pt, type Segment } from "../kernel/point.ts";
 import { SAME } from "../kernel/tolerance.ts";
 
 /** Curves that follow one another, and the gaps between them that were closed. */
-export interface Chain {
+export interface DxfChain {
   readonly segments: readonly Segment[];
   /** Width of the widest gap that was closed, and how many there were; mm. */
   readonly widest: number;
@@ -55,9 +55,9 @@ class Ends {
 }
 
 /** Joins curves whose ends are no farther apart than the tolerance (mm) into chains, the longest first. */
-export function chainsOf(curves: readonly Segment[], tolerance: number): Chain[] {
+export function chainsOf(curves: readonly Segment[], tolerance: number): DxfChain[] {
   const ends = new Ends(curves, tolerance), used = new Set<number>();
-  const chains: Chain[] = [];
+  const chains: DxfChain[] = [];
   const others = (index: number, p: Pt) => ends.near(p, used).filter((n) => n.index !== index);
   // Open ends first: a chain that is begun in its middle would fall apart.
   const begin = (i: number): Segment | null => {

@@ -5,7 +5,7 @@ import { blockNumbers, eachIssue, startLines, type Program } from "../nc/program
 import { fewAlike, MOST_ALIKE } from "./alike.ts";
 import { programIssue, type ProgramIssue } from "./issue.ts";
 import type { ApproachRun, PlaneStep } from "./plane-types.ts";
-import type { Finding, Operation } from "./run-types.ts";
+import type { RunFinding, Operation } from "./run-types.ts";
 
 /** What a run has done and said so far, each at its block. */
 export class Log {
@@ -18,7 +18,7 @@ export class Log {
   readonly milled: PlaneStep[] = [];
   readonly operations: Operation[] = [];
   readonly approaches: ApproachRun[] = [];
-  readonly findings: Finding[] = [];
+  readonly findings: RunFinding[] = [];
   readonly unproved: Unproved[] = [];
   private readonly said = new Set<string>();
   private readonly left = new Set<string>();
@@ -62,18 +62,18 @@ export class Log {
   }
 
   /** All findings in the order of the text, those of the reader included. */
-  allFindings(): Finding[] {
+  allFindings(): RunFinding[] {
     const missing = new Set(this.findings.filter((f) => f.issue.code === "missing").map((f) => f.line));
-    const order = (a: Finding, b: Finding) => (a.line ?? 0) - (b.line ?? 0);
+    const order = (a: RunFinding, b: RunFinding) => (a.line ?? 0) - (b.line ?? 0);
     return [...fewAlike(this.read(missing)), ...fewAlike(this.findings.sort(order))].sort(order);
   }
 
   /** What the reader found, less what is also said as a missing parameter. */
-  private *read(missing: ReadonlySet<number | null>): Generator<Finding> {
+  private *read(missing: ReadonlySet<number | null>): Generator<RunFinding> {
     for (const i of eachIssue(this.program)) if (!(i.code === "wordMissing" && missing.has(i.line))) yield this.located(i);
   }
 
-  private located(issue: NcIssue): Finding {
+  private located(issue: NcIssue): RunFinding {
     let [low, high] = [0, this.lines.length - 1];
     while (low < high) {
       const middle = (low + high + 1) >> 1;

@@ -11,7 +11,7 @@ import { NO_SHIFT, type Datum } from "./datum.ts";
 import { formulaOf, valueOf, type Parameters, type Trouble } from "./formula.ts";
 import type { Held } from "./held.ts";
 import { programIssue, type ProgramIssue } from "./issue.ts";
-import { KnownValues, type Reason } from "./known-values.ts";
+import { KnownValues, type UnknownReason } from "./known-values.ts";
 import { Log } from "./log.ts";
 import { MillState, type Mill } from "./mill-state.ts";
 import { NOWHERE, pointIn, type Pole, type Position } from "./path.ts";
@@ -65,7 +65,7 @@ export class Machine {
   /** False after a tool change until the axis is programmed again: nobody knows where the change left it. */
   sure = { x: false, z: false };
   /** Why a coordinate is not known any more, when a block that was not run or a fault that was told is the reason. */
-  lost: Reason | null = null;
+  lost: UnknownReason | null = null;
   /** RL or RR as programmed last. */
   compensation: Compensation = "R0";
   feed: Feed | null = null;

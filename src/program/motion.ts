@@ -4,13 +4,13 @@ import type { StatementOf, Value, Words } from "../nc/statement.ts";
 import type { Machine } from "./machine.ts";
 import { elsewhere, isElsewhere } from "./machine-moves.ts";
 import { closeMill, millApproach, millPath } from "./mill-run.ts";
-import { cornerBlock, flush, pathBlock, pole } from "./path-block.ts";
+import { cornerBlock, runHeldElement, pathBlock, pole } from "./path-block.ts";
 import { addCorner } from "./plane-guide.ts";
 import { closeTurn, guidedPath, isGuided, turnApproach } from "./turn-run.ts";
 
 /** Carries out every contour that waits for its end. */
 export function finish(machine: Machine): void {
-  flush(machine);
+  runHeldElement(machine);
   closeMill(machine);
   closeTurn(machine);
 }
@@ -42,7 +42,7 @@ export function chamfer(machine: Machine, s: StatementOf<"chamfer">, index: numb
 }
 
 /** APPR and DEP. */
-export function approach(machine: Machine, s: StatementOf<"approach">, index: number): void {
+export function runApproach(machine: Machine, s: StatementOf<"approach">, index: number): void {
   if (machine.turning) return turnApproach(machine, s, index);
   if (!isAside(machine, s.form, index)) millApproach(machine, s, index);
 }

@@ -5,9 +5,9 @@ import type { Move } from "../kernel/move.ts";
 import { part, type Pt, type Segment } from "../kernel/point.ts";
 import { SAME } from "../kernel/tolerance.ts";
 import { roundedDown, type Feed as FeedNumber } from "../kernel/units.ts";
-import type { Feed, PolarWord, Words } from "../nc/statement.ts";
+import type { FeedWord, PolarWord, Words } from "../nc/statement.ts";
 import { blockFeed, takeFeed } from "./block-feed.ts";
-import { shiftOf } from "./datum.ts";
+import { datumShiftOf } from "./datum.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
 import { coordinates, endOf, isPolarPath, planeOfAxes, pointIn, segmentOf, type PathBlock, type Plane, type Position, type Standing, type WordReader } from "./path.ts";
@@ -22,7 +22,7 @@ export function moveOf(machine: Machine, s: Segment, feed: FeedNumber | null): M
 }
 
 /** Runs the element that waited for a corner; called before anything that does not belong to the contour. */
-export function flush(machine: Machine): void {
+export function runHeldElement(machine: Machine): void {
   const { held } = machine;
   machine.held = null;
   if (!held) return;
@@ -39,7 +39,7 @@ function hold(machine: Machine, segment: Segment, feed: FeedNumber | null, index
   const { held } = machine;
   const { corner } = held ?? {};
   if (!held || !corner) {
-    flush(machine);
+    runHeldElement(machine);
     machine.held = { segment, feed, index, corner: null, element: (held?.element ?? 0) + 1 };
     return;
   }
@@ -55,7 +55,7 @@ function hold(machine: Machine, segment: Segment, feed: FeedNumber | null, index
 }
 
 /** A chamfer or rounding between plain path blocks; its own feed counts for it alone. */
-export function cornerBlock(machine: Machine, element: CornerElement, feed: Feed | undefined, index: number): void {
+export function cornerBlock(machine: Machine, element: CornerElement, feed: FeedWord | undefined, index: number): void {
   const own = typeof feed === "object" ? machine.number(feed.value, index) : null;
   const { held } = machine;
   if (!held || held.corner) return machine.log.say(issue("cornerElementAlone", "error", { element: held?.element ?? 1 }, "contour"), index);
@@ -77,7 +77,7 @@ export function standAt(machine: Machine, { path, words }: PathBlock, to: Positi
 export const wordReader = (machine: Machine, index: number): WordReader => ({
   number: (value) => machine.number(value, index),
   length: (n) => machine.length(n),
-  shift: (axis) => shiftOf(machine, axis),
+  shift: (axis) => datumShiftOf(machine, axis),
   aside: (w) => machine.log.leaveUnproved(`${w.incremental ? "I" : ""}${w.axis}`, index),
   lose: () => void (machine.lost = machine.known.trouble),
   fault: (code) => {
@@ -119,7 +119,7 @@ export function pathBlock(machine: Machine, block: PathBlock, index: number): vo
   standAt(machine, block, target);
   const to = machine.sure.x && machine.sure.z ? machine.tip : null;
   if (!from || !to || !machine.tool) {
-    flush(machine);
+    runHeldElement(machine);
     machine.last = null;
     return;
   }

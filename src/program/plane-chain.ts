@@ -42,7 +42,7 @@ export type ChainStart =
   | { readonly kind: "approach"; readonly call: ApproachCall; readonly before: Feed | null };
 
 /** Elements that belong together: everything between two changes of RL, RR and R0. */
-export interface Chain {
+export interface CompensatedChain {
   readonly side: Side;
   readonly start: ChainStart;
   lifts: readonly Travel[];
@@ -68,6 +68,6 @@ export interface Carrier {
 
 /** Where a chain is being built, and where the programmed point (mill centre, or tip) really stands. */
 export interface Guide {
-  chain: Chain | null;
+  chain: CompensatedChain | null;
   here: PlanePoint | null;
 }

@@ -6,13 +6,13 @@ import { planeContour, type PlaneContour } from "../kernel/plane-contour.ts";
 import { ROUND, SAME } from "../kernel/tolerance.ts";
 import { radius, toDiameter } from "../kernel/units.ts";
 import { programIssue } from "./issue.ts";
-import type { ApproachCall, Carrier, Chain, Travel } from "./plane-chain.ts";
+import type { ApproachCall, Carrier, CompensatedChain, Travel } from "./plane-chain.ts";
 
 const { apart, beyond, difference, direction, sum } = plane;
 
 /** Runs one chain; remembers where the tool centre stands. */
 class Finishing {
-  constructor(readonly carrier: Carrier, readonly chain: Chain, public centre: PlanePoint | null) {}
+  constructor(readonly carrier: Carrier, readonly chain: CompensatedChain, public centre: PlanePoint | null) {}
 
   /** Goes along a path of the centre; a gap before it is closed with a straight line. */
   go(s: PlaneSegment, travel: Travel): void {
@@ -131,7 +131,7 @@ function along(f: Finishing, contour: PlaneContour): void {
   });
 }
 
-function sayIssues(carrier: Carrier, chain: Chain, contour: PlaneContour): void {
+function sayIssues(carrier: Carrier, chain: CompensatedChain, contour: PlaneContour): void {
   for (const { issue: found, element, onCorner } of contour.issues) {
     const item = chain.items[element];
     if (item) carrier.machine.log.say(found, onCorner ? (item.corner?.index ?? item.index) : item.index);
@@ -141,7 +141,7 @@ function sayIssues(carrier: Carrier, chain: Chain, contour: PlaneContour): void 
 }
 
 /** Without an element of its own, a contour of one point takes the direction in which the tool came to it. */
-function ownDirection(chain: Chain, here: PlanePoint | null): PlaneSegment | undefined {
+function ownDirection(chain: CompensatedChain, here: PlanePoint | null): PlaneSegment | undefined {
   const { start } = chain;
   return start.kind === "line" && here && apart(here, start.to) > ROUND ? { kind: "line", from: here, to: start.to } : undefined;
 }
@@ -149,7 +149,7 @@ function ownDirection(chain: Chain, here: PlanePoint | null): PlaneSegment | und
 const hasRadius = (side: Side) => side !== "none";
 
 /** Carries out a chain and what ends it; gives where the programmed point then stands. */
-export function finishChain(carrier: Carrier, chain: Chain, here: PlanePoint | null, departure: ApproachCall | null): PlanePoint | null {
+export function finishChain(carrier: Carrier, chain: CompensatedChain, here: PlanePoint | null, departure: ApproachCall | null): PlanePoint | null {
   const f = new Finishing(carrier, chain, here && difference(here, carrier.tip));
   const contour = planeContour(chain.items.map(({ segment, corner }) => ({ segment, ...(corner && { corner: corner.element }) })), chain.side, carrier.toolRadius);
   sayIssues(carrier, chain, contour);

@@ -115,7 +115,7 @@ function approachWords(machine: Machine, words: Words, index: number): ApproachC
 }
 
 /** Where an APPR or DEP block goes to, and what it says. */
-export interface ApproachBlock {
+export interface WrittenApproach {
   readonly departing: boolean;
   readonly form: ApproachForm;
   readonly words: Words;
@@ -126,7 +126,7 @@ export interface ApproachBlock {
   readonly toZ: number | null;
 }
 
-function callOf(machine: Machine, b: ApproachBlock, feed: Travel["feed"], known: Travel["feed"] | undefined): ApproachCall {
+function callOf(machine: Machine, b: WrittenApproach, feed: Travel["feed"], known: Travel["feed"] | undefined): ApproachCall {
   const { form, departing, index, target, fromZ, toZ } = b;
   const pole = machine.pole && pointIn(machine.turning ? "lathe" : "XY", machine.pole.at);
   return {
@@ -142,7 +142,7 @@ const feedBefore = (machine: Machine) => (machine.lastFeed === undefined ? (mach
 const UNCOMPENSATED: ReadonlySet<ApproachCall["shape"]> = new Set(["LT", "LCT"]);
 
 /** APPR: the contour begins; its way there is carried out when the first element is known. */
-export function beginApproach(guide: Guide, carrier: CarrierFor, b: ApproachBlock): void {
+export function beginApproach(guide: Guide, carrier: CarrierFor, b: WrittenApproach): void {
   const side = sideOf(b.words, "none");
   const { machine } = carrier(side);
   const now = machine.compensation;
@@ -159,7 +159,7 @@ export function beginApproach(guide: Guide, carrier: CarrierFor, b: ApproachBloc
 }
 
 /** DEP: the contour ends, and compensation with it. */
-export function endWithDeparture(guide: Guide, carrier: CarrierFor, b: ApproachBlock): void {
+export function endWithDeparture(guide: Guide, carrier: CarrierFor, b: WrittenApproach): void {
   const { machine } = carrier("none");
   machine.compensation = "R0";
   const known = feedBefore(machine);

@@ -1,4 +1,4 @@
-import type { Given } from "../kernel/solve-work.ts";
+import type { GivenCoordinate } from "../kernel/solve-work.ts";
 import { issue } from "../kernel/issue.ts";
 import type { Pt } from "../kernel/point.ts";
 import { axial, diameter, inDegrees, toDiameter, toRadius, type Axial, type Radius } from "../kernel/units.ts";
@@ -90,7 +90,7 @@ function polarEnd(reader: RowReader, row: ContourRow, index: number): Pt | null 
 }
 
 /** The end of a polar row as coordinates; where it can not be told, the contour stays where it is. */
-export function polarGiven(reader: RowReader, row: ContourRow, index: number): { readonly z: Given<Axial>; readonly r: Given<Radius> } {
+export function polarGiven(reader: RowReader, row: ContourRow, index: number): { readonly z: GivenCoordinate<Axial>; readonly r: GivenCoordinate<Radius> } {
   const to = polarEnd(reader, row, index);
   if (!to) return { z: reader.z === null ? null : { by: axial(0) }, r: reader.x === null ? null : { by: toRadius(diameter(0)) } };
   reader.z = to.z;

@@ -12,7 +12,7 @@ export function noTool(machine: Machine, index: number): void {
 }
 
 /** Line of a parameter inside its definition, from 0: the first time it stands there, or the second. */
-export function lineOf(raw: string, q: string, time = 1): number {
+export function lineOfParameter(raw: string, q: string, time = 1): number {
   const found = [...raw.matchAll(new RegExp(String.raw`(?:^|[\r\n]|[ \t])[ \t]*${q}(?![\d])`, "gi"))][time - 1];
   return found ? raw.slice(0, found.index + 1).split(/\r\n|\n|\r/).length - 1 : 0;
 }
@@ -24,7 +24,7 @@ export function foreignParameters(machine: Machine, cycle: Cycle, names: readonl
   for (const q of names) {
     const twice = met.has(q);
     met.add(q);
-    if (twice || !(q in cycle.params)) machine.log.say(programIssue("parameterForeign", "warning", { name: q, cycle: cycle.number }, q), index, lineOf(raw, q, twice ? 2 : 1));
+    if (twice || !(q in cycle.params)) machine.log.say(programIssue("parameterForeign", "warning", { name: q, cycle: cycle.number }, q), index, lineOfParameter(raw, q, twice ? 2 : 1));
   }
 }
 
@@ -32,7 +32,7 @@ const isCut = (m: Move): m is Extract<Move, { kind: "feed" | "arc" }> => m.kind 
 const standsStill = (moves: readonly Move[]) => moves.filter((m) => isCut(m) && !(m.feed > 0)).length;
 
 /** Feeds of a cycle's values that its path runs with and that can not be meant, each at its parameter. */
-export function feedsOf<P extends Params>(
+export function unlikelyFeeds<P extends Params>(
   cycle: Cycle<P>, values: Values<P>, moves: readonly Move[], machine: Machine, planned: (values: Values<P>) => readonly Move[],
 ): ProgramIssue[] {
   const found: ProgramIssue[] = [];

@@ -35,7 +35,7 @@ type Row = z.infer<typeof mill> | z.infer<typeof row>;
 const isMill = (r: Row): r is z.infer<typeof mill> => "R" in r;
 
 /** Tools that can cut, and for the others what is wrong with their columns. */
-export interface ToolTable {
+export interface ShopTools {
   readonly tools: readonly Tool[];
   readonly refused: ReadonlyMap<number, readonly Issue[]>;
   /** Milling tools, of which only the radius counts. */
@@ -43,7 +43,7 @@ export interface ToolTable {
 }
 
 /** Reads the text of a tools file. A file that is no table gives `problem`; a row with impossible columns is refused alone. */
-export function readTools(text: string): ToolTable | { readonly problem: string } {
+export function readTools(text: string): ShopTools | { readonly problem: string } {
   let json: unknown;
   try {
     json = JSON.parse(text);
@@ -72,7 +72,7 @@ export function readTools(text: string): ToolTable | { readonly problem: string 
 }
 
 /** A table over another: rows of the same number are replaced. */
-export function over(base: readonly Tool[], table: ToolTable): ToolTable {
+export function over(base: readonly Tool[], table: ShopTools): ShopTools {
   const mills = table.mills ?? [];
   const replaced = new Set([...table.tools.map((t) => t.T), ...table.refused.keys(), ...mills.map((m) => m.T)]);
   return { tools: [...base.filter((t) => !replaced.has(t.T)), ...table.tools], refused: table.refused, ...(mills.length > 0 && { mills }) };

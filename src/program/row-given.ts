@@ -1,7 +1,7 @@
 import type { CornerElement } from "../kernel/corner.ts";
 import { issue } from "../kernel/issue.ts";
 import type { Pt } from "../kernel/point.ts";
-import type { Given, SolveElement } from "../kernel/solve-work.ts";
+import type { GivenCoordinate, SolveElement } from "../kernel/solve-work.ts";
 import { axial, degrees, diameter, length, toRadius, type Axial, type Radius } from "../kernel/units.ts";
 import { grooveDiameters, GROOVE_WORDS, type Groove } from "../kernel/groove.ts";
 import { UNDERCUT_FORMS, UNDERCUT_WORDS, type RecessWord, type RecessWords, type Undercut } from "../kernel/undercut.ts";
@@ -50,8 +50,8 @@ function coordinate(reader: RowReader, row: ContourRow, index: number, axis: "x"
   return { by: value };
 }
 
-const onAxis = (c: Coordinate): Given<Axial> => c && ("at" in c ? { at: axial(c.at) } : { by: axial(c.by) });
-const onRadius = (c: Coordinate): Given<Radius> => c && ("at" in c ? { at: toRadius(diameter(c.at)) } : { by: toRadius(diameter(c.by)) });
+const onAxis = (c: Coordinate): GivenCoordinate<Axial> => c && ("at" in c ? { at: axial(c.at) } : { by: axial(c.by) });
+const onRadius = (c: Coordinate): GivenCoordinate<Radius> => c && ("at" in c ? { at: toRadius(diameter(c.at)) } : { by: toRadius(diameter(c.by)) });
 
 /** The centre that a CC row names: typed, or where the last row ends. */
 function centreOf(reader: RowReader, row: ContourRow, index: number): Pt | null {

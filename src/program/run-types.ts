@@ -13,7 +13,7 @@ import type { ProgramIssue } from "./issue.ts";
 import type { ApproachRun, PlaneStep } from "./plane-types.ts";
 
 /** A finding of any layer with its place in the program. */
-export interface Finding {
+export interface RunFinding {
   readonly issue: Issue | NcIssue | ProgramIssue;
   /** Number of the block, as printed or counted on; null when it concerns the whole program. */
   readonly block: number | null;
@@ -71,7 +71,7 @@ export interface Run {
   /** What was not simulated though it can move the path or the stock, in the order it was met. */
   readonly unproved: readonly Unproved[];
   /** All findings in the order of the text, those of operations included. */
-  readonly issues: readonly Finding[];
+  readonly issues: readonly RunFinding[];
   /** Whole running time. */
   readonly seconds: number;
 }

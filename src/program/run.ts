@@ -3,14 +3,14 @@ import type { Block, Program } from "../nc/program.ts";
 import type { Statement, StatementOf, Words } from "../nc/statement.ts";
 import { blankBox, blankCylinder, blankOfTurnData, outlinedBlank } from "./blank-block.ts";
 import { CONTOUR_CYCLE, contourLabels } from "./contour-names.ts";
-import { callCycle, defineCycle } from "./cycle-call.ts";
+import { callCycle, cycleDefinition } from "./cycle-call.ts";
 import { datumLine, DATUM_CYCLE, NO_SHIFT, shiftDatum } from "./datum.ts";
 import { execute, neverReached, wordsOf } from "./flow.ts";
 import { programIssue } from "./issue.ts";
 import { Machine, type Shop } from "./machine.ts";
 import { isElsewhere, retract, retracts } from "./machine-moves.ts";
-import { approach, chamfer, finish, path } from "./motion.ts";
-import { flush } from "./path-block.ts";
+import { runApproach, chamfer, finish, path } from "./motion.ts";
+import { runHeldElement } from "./path-block.ts";
 import { NOWHERE } from "./path.ts";
 import { neverCalled } from "./preconditions.ts";
 import type { Run } from "./run-types.ts";
@@ -61,7 +61,7 @@ const beginsTurning = (program: Program) => {
 const HANDLERS: { readonly [K in Statement["kind"]]?: (machine: Machine, s: StatementOf<K>, index: number) => void } = {
   path,
   chamfer,
-  approach,
+  approach: runApproach,
   toolDefinition,
   toolCall,
   blankBox,
@@ -76,7 +76,7 @@ const HANDLERS: { readonly [K in Statement["kind"]]?: (machine: Machine, s: Stat
   },
   spin,
   assign: (machine, s, index) => machine.assign(s, index),
-  cycle: (machine, _, index) => defineCycle(machine, index),
+  cycle: (machine, _, index) => cycleDefinition(machine, index),
   cycleLine,
   cycleCall: (machine, s, index) => (s.how === "" ? callCycle(machine, index) : callPattern(machine, s.how, index)),
   selectContour: (machine, s, index) => {
@@ -101,7 +101,7 @@ function before(machine: Machine, s: Statement, words: Words | null): void {
   const ends = ENDING.has(s.kind) || (words && (retracts(words) || (s.kind === "path" && isElsewhere(words))));
   if (ends) return finish(machine);
   const waits = WAITING.has(s.kind) && !(s.kind === "path" && s.path === "CC");
-  if (!waits || words?.functions.some((m) => FEED_UNITS.includes(m))) flush(machine);
+  if (!waits || words?.functions.some((m) => FEED_UNITS.includes(m))) runHeldElement(machine);
 }
 
 const handle = <K extends Statement["kind"]>(machine: Machine, kind: K, s: StatementOf<K>, index: number) =>

@@ -1,6 +1,6 @@
 import { issue, type Issue } from "../kernel/issue.ts";
 import type { Tool } from "../kernel/tool.ts";
-import type { ToolTable } from "./read-tools.ts";
+import type { ShopTools } from "./read-tools.ts";
 import { shippedTools } from "./shipped-tools.ts";
 import { COLUMN_RULES, HOLDER_CELLS } from "./tool-columns.ts";
 import { cellOf, entryOf, readEntry, type EntryReading, type MillTool, type ToolEntry } from "./tool-entry.ts";
@@ -10,7 +10,7 @@ export type ToolList = readonly ToolEntry[];
 
 /** A table read: what can be called, what is refused and why, and the reading of each row by its id. */
 export interface ToolListReading {
-  readonly table: ToolTable;
+  readonly table: ShopTools;
   /** The milling tools of the table with all their columns. */
   readonly mills: readonly MillTool[];
   readonly rows: ReadonlyMap<string, EntryReading>;
@@ -87,7 +87,7 @@ export function readList(list: ToolList): ToolListReading {
 }
 
 /** Rows that come from a file, over the table: a row of the same number takes the place of the old one, others follow. */
-export function merged(list: ToolList, rows: readonly ToolEntry["cells"][]): { readonly list: ToolList; readonly replaced: number; readonly added: number } {
+export function mergedTools(list: ToolList, rows: readonly ToolEntry["cells"][]): { readonly list: ToolList; readonly replaced: number; readonly added: number } {
   const next = [...list];
   const places = new Map<number, number>();
   list.forEach((entry, i) => {

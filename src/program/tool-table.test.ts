@@ -9,7 +9,7 @@ import { soundHead } from "./holder-cells.ts";
 import { readTools } from "./read-tools.ts";
 import { shippedTools } from "./shipped-tools.ts";
 import { entryOf, readEntry, type MillTool, type ToolEntry } from "./tool-entry.ts";
-import { freeNumber, merged, newId, readList, sameList, shippedList } from "./tool-list.ts";
+import { freeNumber, mergedTools, newId, readList, sameList, shippedList } from "./tool-list.ts";
 import { readTableJson, readToolFile, writeTableJson } from "./tool-table-json.ts";
 import { readTableText, writeMillText, writeTableText } from "./tool-table-text.ts";
 
@@ -90,13 +90,13 @@ describe("the list", () => {
 
   test("rows of a file take the place of those with their number", () => {
     const rows = [{ ...shippedList[2]?.cells, NAME: "NEW" }, { ...shippedList[0]?.cells, T: "40" }];
-    const { list, replaced, added } = merged(shippedList, rows);
+    const { list, replaced, added } = mergedTools(shippedList, rows);
     expect([list.length, replaced, added]).toEqual([16, 1, 1]);
     expect(list[2]).toEqual({ id: "r3", cells: rows[0] });
     expect(freeNumber(list)).toBe(16);
     expect(freeNumber(list, 39)).toBe(41);
     expect(sameList(list, shippedList)).toBe(false);
-    expect(sameList(merged(shippedList, shippedList.map((entry) => entry.cells)).list, shippedList)).toBe(true);
+    expect(sameList(mergedTools(shippedList, shippedList.map((entry) => entry.cells)).list, shippedList)).toBe(true);
   });
 });
 
@@ -170,14 +170,14 @@ describe("the control's column text", () => {
   test("no text makes it throw", () =>
     fc.assert(fc.property(fc.oneof(fc.string(), fc.string().map((s) => `BEGIN TOOLTURN.TRN MM\nT TYPE TO RS NAME\n${s}`), fc.json()), (text) => {
       const read = readToolFile(text);
-      if ("rows" in read) merged(shippedList, read.rows).list.forEach((entry) => readEntry(entry));
+      if ("rows" in read) mergedTools(shippedList, read.rows).list.forEach((entry) => readEntry(entry));
     }), { numRuns: 1000 }));
 
   test("a mutated file is still read or refused", () => {
     const text = writeTableText(shippedTools);
     fc.assert(fc.property(fc.nat(text.length), fc.nat(40), fc.string({ maxLength: 5 }), (at, cut, put) => {
       const read = readToolFile(text.slice(0, at) + put + text.slice(at + cut));
-      if ("rows" in read) readList(merged([], read.rows).list);
+      if ("rows" in read) readList(mergedTools([], read.rows).list);
     }), { numRuns: 1000 });
   });
 });

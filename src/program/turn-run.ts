@@ -8,7 +8,7 @@ import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
 import { blockFeed, takeFeed } from "./block-feed.ts";
 import { noTool } from "./preconditions.ts";
-import { elementBetween, flush, moveOf, standAt, targetOf } from "./path-block.ts";
+import { elementBetween, runHeldElement, moveOf, standAt, targetOf } from "./path-block.ts";
 import { coordinatesIn, type PathBlock } from "./path.ts";
 import type { Carrier } from "./plane-chain.ts";
 import { beginApproach, close, endWithDeparture, followPath, sideOf, type CarrierFor } from "./plane-guide.ts";
@@ -40,7 +40,7 @@ export const isGuided = (machine: Machine, words: Words): boolean =>
 /** Begins where the tip stands, unless a contour is under way. */
 function start(machine: Machine): void {
   if (machine.guide.chain) return;
-  flush(machine);
+  runHeldElement(machine);
   const tip = machine.sure.x && machine.sure.z ? machine.tip : null;
   machine.guide.here = tip && planePoint(tip);
 }

@@ -1,4 +1,4 @@
-import type { AxisWord, CycleParameter, Feed, Value, Words } from "../nc/statement.ts";
+import type { AxisWord, CycleParameter, FeedWord, Value, Words } from "../nc/statement.ts";
 import type { KnownParameters } from "./expression.ts";
 import { anyNumber, feedWord, kept, readText } from "./field.ts";
 
@@ -41,14 +41,14 @@ export const parameterAsTyped = (value: CycleParameter["value"] | undefined): st
   typeof value === "string" ? `F${value.toUpperCase()}` : valueAsTyped(value);
 
 /** A feed as one types it. */
-export function feedAsTyped(feed: Feed | null | undefined): string {
+export function feedAsTyped(feed: FeedWord | null | undefined): string {
   if (feed === null || feed === undefined) return "";
   if (feed === "max" || feed === "auto") return `F${feed.toUpperCase()}`;
   return (feed.unit === "F" ? "" : feed.unit) + valueAsTyped(feed.value);
 }
 
 /** A typed feed: empty, FMAX, FAUTO, a number, or with F, FU or FZ in front of it; undefined where it can not be read. */
-export function typedFeed(typed: string): Feed | null | undefined {
+export function typedFeed(typed: string): FeedWord | null | undefined {
   const text = typed.trim();
   if (text === "") return null;
   const word = feedWord(text);

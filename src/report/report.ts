@@ -10,7 +10,7 @@ import { toDiameter } from "../kernel/units.ts";
 import { programIssue } from "../program/issue.ts";
 import type { PlaneStep } from "../program/plane-types.ts";
 import type { Operation, Run } from "../program/run-types.ts";
-import { issuesOf, type ProofIssue } from "../sim/issues.ts";
+import { stockIssues, type ProofIssue } from "../sim/issues.ts";
 import type { Simulation, Verdict } from "../sim/simulation.ts";
 import { remedies } from "./remedies.ts";
 import { verdictOf, type Judged, type VerdictReason } from "./verdict.ts";
@@ -213,7 +213,7 @@ export function report(checked: Checked, language: Language): Report {
   const { file, run, simulation, milliseconds } = checked;
   const judged = verdictOf(run, simulation);
   const { gouge, rapidInStock, cut, airPasses, deepest, holder } = simulation.proof;
-  const proved = issuesOf(simulation);
+  const proved = stockIssues(simulation);
   const cycleOf = (operation: number | null) => (operation === null ? null : (run.operations[operation]?.cycle ?? null));
   const proofIssue = (p: ProofIssue) => {
     const block = p.block ?? (p.operation === null ? null : (run.operations[p.operation]?.block ?? null));

@@ -2,14 +2,14 @@ import { flanksUnknown } from "../kernel/insert.ts";
 import type { Tool } from "../kernel/tool.ts";
 import type { Run } from "../program/run-types.ts";
 import { REAL_AREA } from "../sim/contact.ts";
-import type { Finding, Simulation, Verdict } from "../sim/simulation.ts";
+import type { StockFinding, Simulation, Verdict } from "../sim/simulation.ts";
 
 /** Why a verdict is what it is, as data: the block where it begins (null: the whole program) and what it is about. */
 export type VerdictReason =
   /** Errors that the run found in the program: how many, and the block of the first. */
   | { readonly kind: "error"; readonly block: number | null; readonly count: number }
   /** Found in the stock: how many places, and mm² of all of them. */
-  | { readonly kind: Finding["kind"]; readonly block: number; readonly count: number; readonly area: number }
+  | { readonly kind: StockFinding["kind"]; readonly block: number; readonly count: number; readonly area: number }
   /** Something was read and not simulated; nothing is proved from its block on. */
   | { readonly kind: "unproved"; readonly block: number | null; readonly what: string }
   /** Milling changes the stock, which the half plane can not show. */

@@ -2,7 +2,7 @@ import type { Pt, Ring } from "../kernel/point.ts";
 import { axial, radius } from "../kernel/units.ts";
 
 /** A rectangle in part space, mm. */
-export interface Box {
+export interface StockBox {
   readonly left: number;
   readonly right: number;
   readonly bottom: number;
@@ -10,7 +10,7 @@ export interface Box {
 }
 
 /** The smallest box round a ring. */
-export function boxOf(ring: Ring): Box {
+export function boxOf(ring: Ring): StockBox {
   let [left, right, bottom, top] = [Infinity, -Infinity, Infinity, -Infinity];
   for (const p of ring) {
     if (p.z < left) left = p.z;
@@ -22,17 +22,17 @@ export function boxOf(ring: Ring): Box {
 }
 
 /** How far two boxes are apart, mm; 0 when they overlap. */
-export const gapBetween = (a: Box, b: Box): number =>
+export const gapBetween = (a: StockBox, b: StockBox): number =>
   Math.hypot(Math.max(0, a.left - b.right, b.left - a.right), Math.max(0, a.bottom - b.top, b.bottom - a.top));
 
 /** The box round several rings. */
-export const boxAround = (rings: readonly Ring[]): Box => boxOf(rings.flat());
+export const boxAround = (rings: readonly Ring[]): StockBox => boxOf(rings.flat());
 
 /**
  * What of an area lies in a box, for areas that are combined further: outlines may run along the sides of the box more
  * than once, which the non-zero rule of the polygon engine forgives. Much faster than a true intersection.
  */
-export function inBox(area: readonly Ring[], box: Box): Ring[] {
+export function inBox(area: readonly Ring[], box: StockBox): Ring[] {
   const out: Ring[] = [];
   for (const ring of area) {
     const own = boxOf(ring);

@@ -7,7 +7,7 @@ import type { Edges } from "./edges.ts";
 import { holderHits } from "./holder.ts";
 import type { Outlines } from "./outlines.ts";
 import { largest, placeIn } from "./region.ts";
-import type { Finding } from "./simulation.ts";
+import type { StockFinding } from "./simulation.ts";
 import type { Sweep } from "./sweep.ts";
 
 /** Moves that do damage, after which damage is no longer looked for: looking costs far more where there is some. */
@@ -21,9 +21,9 @@ export interface Finished {
 /** What goes wrong in a step, before its sweep is taken from the stock. */
 export function check(
   step: Step, index: number, outlines: Outlines, sweep: Sweep, cut: Cutting, finished: Finished,
-): Finding[] {
-  const found: Finding[] = [];
-  const report = (kind: Finding["kind"], rings: Ring[]) => {
+): StockFinding[] {
+  const found: StockFinding[] = [];
+  const report = (kind: StockFinding["kind"], rings: Ring[]) => {
     if (rings.length > 0)
       found.push({ kind, step: index, block: step.block, operation: step.operation, place: placeIn(largest(rings)), area: areaOf(rings), rings, moves: 1 });
   };

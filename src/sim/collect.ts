@@ -1,7 +1,7 @@
 import { areaOf, union } from "../kernel/clip.ts";
 import type { Ring } from "../kernel/point.ts";
-import { boxAround, gapBetween, type Box } from "./box.ts";
-import type { Finding } from "./simulation.ts";
+import { boxAround, gapBetween, type StockBox } from "./box.ts";
+import type { StockFinding } from "./simulation.ts";
 
 /** Moves whose places are nearer than this do the same damage, mm. */
 const SAME_PLACE = 0.1;
@@ -11,8 +11,8 @@ const MOST = 500;
 const RINGS = 64;
 
 interface Kept {
-  finding: Finding;
-  box: Box;
+  finding: StockFinding;
+  box: StockBox;
   /** Area of the largest single piece, which gives the place. */
   largest: number;
   /** Rings after which they are merged: twice what the last merging left, so that merging does not become the work. */
@@ -21,23 +21,23 @@ interface Kept {
 
 /** Gathers what moves do wrong, and makes one finding of moves that do it in the same place. */
 export interface Collector {
-  add(found: readonly Finding[]): void;
-  all(): Finding[];
+  add(found: readonly StockFinding[]): void;
+  all(): StockFinding[];
 }
 
-const around = (a: Box, b: Box): Box =>
+const around = (a: StockBox, b: StockBox): StockBox =>
   ({ left: Math.min(a.left, b.left), right: Math.max(a.right, b.right), bottom: Math.min(a.bottom, b.bottom), top: Math.max(a.top, b.top) });
 
 /** A gouge and a rapid take away what they find, so their areas add up; a holder leaves it, and finds it again. */
-const staysThere = (f: Finding) => f.kind === "holderContact";
+const staysThere = (f: StockFinding) => f.kind === "holderContact";
 
 /** Begins to gather. Moves of one cycle call belong together, outside cycles those of one block; a holder that touches, however it goes on. */
 export function collector(): Collector {
   const kept: Kept[] = [];
   const groups = new Map<string, Kept[]>();
-  const last = new Map<Finding["kind"], Kept>();
+  const last = new Map<StockFinding["kind"], Kept>();
 
-  function join(k: Kept, f: Finding, box: Box): void {
+  function join(k: Kept, f: StockFinding, box: StockBox): void {
     let rings: readonly Ring[] = [...k.finding.rings, ...f.rings];
     if (rings.length > k.many) {
       rings = union(rings);

@@ -1,7 +1,7 @@
 import { difference, union } from "../kernel/clip.ts";
 import type { Ring } from "../kernel/point.ts";
-import { edgesOf } from "./edges.ts";
-import type { Piece } from "./piece.ts";
+import { sidesOf } from "./edges.ts";
+import type { ConvexPiece } from "./piece.ts";
 import type { Sweep } from "./sweep.ts";
 
 /** Rings, or merged groups of them, that are merged in one go. Many that overlap cost the square of their number. */
@@ -36,11 +36,11 @@ export interface Present {
   readonly base: readonly Ring[];
   readonly gone: readonly Ring[];
   /** False when a convex piece surely has no area in common with the base. */
-  meets(piece: Piece): boolean;
+  meets(piece: ConvexPiece): boolean;
 }
 
 /** The rings of a sweep as far as it may meet a stock. */
-export function near({ pieces, rings }: Sweep, meets: (piece: Piece) => boolean): readonly Ring[] {
+export function near({ pieces, rings }: Sweep, meets: (piece: ConvexPiece) => boolean): readonly Ring[] {
   const met = pieces.filter(meets);
   return met.length < 2 ? met.map((piece) => piece.ring) : rings;
 }
@@ -67,7 +67,7 @@ export interface Cutting {
 
 /** Begins to cut a stock. */
 export function cutting(initial: readonly Ring[]): Cutting {
-  let [base, edges, recent, waiting, pieces] = [initial, edgesOf(initial), heap(), 0, 0];
+  let [base, edges, recent, waiting, pieces] = [initial, sidesOf(initial), heap(), 0, 0];
   let now: Present | null = null;
 
   return {
@@ -84,7 +84,7 @@ export function cutting(initial: readonly Ring[]): Cutting {
       waiting += pointsOf(rings);
       if (waiting <= RECENT + pointsOf(base) / PART) return;
       base = difference(base, recent.all());
-      [edges, recent, waiting] = [edgesOf(base), heap(), 0];
+      [edges, recent, waiting] = [sidesOf(base), heap(), 0];
     },
     present() {
       now ??= { base, gone: recent.all(), meets: edges.meets };

@@ -4,14 +4,14 @@ import { areaOf, intersection, union } from "../kernel/clip.ts";
 import type { Pt, Ring } from "../kernel/point.ts";
 import { axial, radius } from "../kernel/units.ts";
 import { inBox } from "./box.ts";
-import { edgesOf } from "./edges.ts";
-import { pieceOf } from "./piece.ts";
+import { sidesOf } from "./edges.ts";
+import { convexPieceOf } from "./piece.ts";
 import { inside, placeIn, regionsOf } from "./region.ts";
 import { hullAlong } from "./sweep.ts";
 
 const at = (z: number, r: number): Pt => ({ z: axial(z), r: radius(r) });
 const box = (z0: number, r0: number, z1: number, r1: number): Ring => [at(z0, r0), at(z1, r0), at(z1, r1), at(z0, r1)];
-const boxPiece = (z0: number, r0: number, z1: number, r1: number) => pieceOf(box(z0, r0, z1, r1));
+const boxPiece = (z0: number, r0: number, z1: number, r1: number) => convexPieceOf(box(z0, r0, z1, r1));
 const mm = fc.integer({ min: -20_000, max: 20_000 }).map((n) => n / 1000);
 const spot = fc.tuple(mm, mm).map(([z, r]) => at(z, r));
 const areas = fc.array(spot, { minLength: 3, maxLength: 40 }).map((ring) => union([ring]));
@@ -25,7 +25,7 @@ const convex = fc.tuple(mm, mm, fc.integer({ min: 3, max: 12 }), fc.integer({ mi
 test("a piece that has area in common with an area meets it, and one that is clear of it does not", () => {
   fc.assert(fc.property(areas, convex, (area, piece) => {
     const common = areaOf(intersection(area, [piece]));
-    const meets = edgesOf(area).meets(pieceOf(piece));
+    const meets = sidesOf(area).meets(convexPieceOf(piece));
     if (common > 0.01) expect(meets).toBe(true);
     if (!meets) expect(common).toBeLessThan(0.01);
     if (common === 0) expect(meets).toBe(false);
@@ -33,13 +33,13 @@ test("a piece that has area in common with an area meets it, and one that is cle
 });
 
 test("lying against an edge is not meeting", () => {
-  const edges = edgesOf([box(0, 0, 10, 10)]);
+  const edges = sidesOf([box(0, 0, 10, 10)]);
   expect(edges.meets(boxPiece(10, 0, 20, 10))).toBe(false);
   expect(edges.meets(boxPiece(-5, 10, 20, 20))).toBe(false);
   expect(edges.meets(boxPiece(9.9, 0, 20, 10))).toBe(true);
   expect(edges.meets(boxPiece(4, 4, 5, 5))).toBe(true);
   expect(edges.meets(boxPiece(-5, -5, 15, 15))).toBe(true);
-  expect(edgesOf([]).meets(boxPiece(0, 0, 1, 1))).toBe(false);
+  expect(sidesOf([]).meets(boxPiece(0, 0, 1, 1))).toBe(false);
 });
 
 test("what lies in a box keeps its area under the non-zero rule", () => {

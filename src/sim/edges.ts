@@ -1,10 +1,10 @@
 import type { Pt, Ring } from "../kernel/point.ts";
-import type { Piece } from "./piece.ts";
+import type { ConvexPiece } from "./piece.ts";
 
 /** The edges of an area in columns along z, to ask quickly whether a convex piece meets it. */
 export interface Edges {
   /** False when the piece surely has no area in common with this one. */
-  meets(piece: Piece): boolean;
+  meets(piece: ConvexPiece): boolean;
 }
 
 /** Edges per column that we aim at, and the most columns worth keeping. */
@@ -12,7 +12,7 @@ const PER_COLUMN = 4;
 const MOST_COLUMNS = 1024;
 
 /** Builds the edge columns of an area. Cost grows with the number of its points only. */
-export function edgesOf(area: readonly Ring[]): Edges {
+export function sidesOf(area: readonly Ring[]): Edges {
   const total = area.reduce((sum, ring) => sum + ring.length, 0);
   const [z0, r0, z1, r1] = Array.from({ length: 4 }, () => new Float64Array(total)) as [Float64Array, Float64Array, Float64Array, Float64Array];
   let count = 0;
@@ -44,7 +44,7 @@ export function edgesOf(area: readonly Ring[]): Edges {
   let question = 0;
 
   /** Whether an edge runs through the inside of a piece: what stays of it after each side. */
-  function enters(e: number, { box, sides }: Piece): boolean {
+  function enters(e: number, { box, sides }: ConvexPiece): boolean {
     const [az, ar, bz, br] = [z0[e] as number, r0[e] as number, z1[e] as number, r1[e] as number];
     if ((ar < box.bottom && br < box.bottom) || (ar > box.top && br > box.top)) return false;
     if ((az < box.left && bz < box.left) || (az > box.right && bz > box.right)) return false;

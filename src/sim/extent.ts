@@ -2,7 +2,7 @@ import { areaOf, areaOfRing, offset } from "../kernel/clip.ts";
 import type { Pt, Ring } from "../kernel/point.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
 import { boxAround } from "./box.ts";
-import { crossings } from "./scan.ts";
+import { scanCrossings } from "./scan.ts";
 
 /** So far beside a corner an area is looked at, mm: the corner itself belongs to both sides. */
 const BESIDE = 2e-5;
@@ -46,13 +46,13 @@ export function deepestAlong(area: readonly Ring[], direction: { readonly z: num
     return most;
   };
   const pairs = besides(area.flatMap((ring) => ring.map((p) => p[across]))).sort(([a], [b]) => a - b);
-  const depths = crossings(area, along, pairs.map(([near]) => near)).map(longest);
+  const depths = scanCrossings(area, along, pairs.map(([near]) => near)).map(longest);
   const order = depths.map((_, i) => i).sort((i, k) => (depths[k] ?? 0) - (depths[i] ?? 0));
   let deepest = 0;
   for (const i of order) {
     const [here, beyond] = [depths[i] ?? 0, pairs[i]?.[1] ?? 0];
     if (here <= deepest) break;
-    deepest = Math.max(deepest, Math.min(here, longest(crossings(area, along, [beyond])[0] ?? [])));
+    deepest = Math.max(deepest, Math.min(here, longest(scanCrossings(area, along, [beyond])[0] ?? [])));
   }
   return deepest;
 }
@@ -73,7 +73,7 @@ export function hasRoomFor(area: readonly Ring[], diameter: number): boolean {
   const chord = diameter * Math.sqrt(1 - (3 * GRATING) ** 2) - 2 * BESIDE;
   const count = Math.ceil((box.right - box.left) / space) + 1;
   if (!(count < MOST_LINES)) return true;
-  const lines = crossings(area, "r", Array.from({ length: count }, (_, i) => box.left + i * space));
+  const lines = scanCrossings(area, "r", Array.from({ length: count }, (_, i) => box.left + i * space));
   const common = (a: readonly number[], b: readonly number[]): number[] => {
     const out: number[] = [];
     for (let i = 0; i + 1 < a.length; i += 2)

@@ -5,7 +5,7 @@ import { boxOf } from "./box.ts";
 import { inStock, real, REAL_AREA } from "./contact.ts";
 import { merged, type Present } from "./cutting.ts";
 import type { Outlines } from "./outlines.ts";
-import { pieceOf } from "./piece.ts";
+import { convexPieceOf } from "./piece.ts";
 import { hullAlong, notBehind, rightOf, sweptBy, turned, waypoints } from "./sweep.ts";
 
 /** A holder on an arc is looked at along chords this near to it, mm. */
@@ -27,7 +27,7 @@ function rectangle(outline: Ring, points: readonly Pt[]): Ring {
  * the stock only.
  */
 export function mayTouch(step: Step, { holder, insert }: Outlines, now: Present): boolean {
-  const meets = (rings: readonly Ring[]) => rings.flatMap(turned).some((ring) => ring.length > 2 && now.meets(pieceOf(ring)));
+  const meets = (rings: readonly Ring[]) => rings.flatMap(turned).some((ring) => ring.length > 2 && now.meets(convexPieceOf(ring)));
   const points = waypoints(step, 1, HOLDER_CHORD);
   if (!points.every((p) => Number.isFinite(p.z) && Number.isFinite(p.r))) return false;
   return holder.some((part) => {

@@ -3,7 +3,7 @@ import { toDiameter } from "../kernel/units.ts";
 import { MOST_CONTACTS } from "./check.ts";
 import { REAL_AREA } from "./contact.ts";
 import { isTooDeep } from "./measure.ts";
-import type { Depth, Finding, OperationProof, Residual, Simulation } from "./simulation.ts";
+import type { Depth, StockFinding, OperationProof, Residual, Simulation } from "./simulation.ts";
 
 /** An issue of the proof with where it belongs; block and operation are null for what is left at the end. */
 export interface ProofIssue {
@@ -13,7 +13,7 @@ export interface ProofIssue {
   readonly operation: number | null;
 }
 
-function fromFinding(f: Finding): ProofIssue {
+function fromFinding(f: StockFinding): ProofIssue {
   const [x, z] = [toDiameter(f.place.r), f.place.z];
   const what =
     f.kind === "holderContact" ? issue("holderContact", "error", { x, z }) : issue(f.kind, "error", { area: f.area, x, z });
@@ -47,6 +47,6 @@ const fromUnlooked = ({ unlooked }: Simulation["proof"]): ProofIssue[] =>
   unlooked ? [{ issue: issue("contactsUnlooked", "error", { limit: MOST_CONTACTS }), ...unlooked, operation: null }] : [];
 
 /** What the simulation found, as issues: contacts of moves, then what each operation did, then each region that stays. X is a diameter. */
-export const issuesOf = (simulation: Pick<Simulation, "findings" | "proof">): ProofIssue[] => [
+export const stockIssues = (simulation: Pick<Simulation, "findings" | "proof">): ProofIssue[] => [
   ...simulation.findings.map(fromFinding), ...fromUnlooked(simulation.proof), ...simulation.proof.operations.flatMap(fromOperation), ...simulation.proof.residual.map(fromResidual),
 ];

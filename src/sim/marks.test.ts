@@ -6,7 +6,7 @@ import type { Step } from "../kernel/step.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { axial, feed, length, radius } from "../kernel/units.ts";
 import { MOST_CONTACTS } from "./check.ts";
-import { issuesOf } from "./issues.ts";
+import { stockIssues } from "./issues.ts";
 import { marksOf } from "./marks.ts";
 import { simulate } from "./simulate.ts";
 import { playerOf } from "./stock.ts";
@@ -59,5 +59,5 @@ test("beyond a thousand moves that do damage no more are looked at, and that is 
   expect(unlooked?.step).toBeGreaterThanOrEqual(MOST_CONTACTS);
   expect(unlooked?.block).toBe(10 + (unlooked?.step ?? 0));
   expect(s.findings.reduce((sum, f) => sum + f.moves, 0)).toBe(MOST_CONTACTS);
-  expect(issuesOf(s).filter((i) => i.issue.code === "contactsUnlooked")).toMatchObject([{ issue: { severity: "error" }, block: unlooked?.block }]);
+  expect(stockIssues(s).filter((i) => i.issue.code === "contactsUnlooked")).toMatchObject([{ issue: { severity: "error" }, block: unlooked?.block }]);
 });

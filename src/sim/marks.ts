@@ -6,7 +6,7 @@ import type { Checkpoint } from "./simulation.ts";
 const MOST_POINTS = 1_500_000;
 
 /** The marks of a run, with no more kept stocks than fit into memory. */
-export interface Marks {
+export interface StockMarks {
   add(step: number, stock: readonly Ring[]): void;
   all(): readonly Checkpoint[];
 }
@@ -15,7 +15,7 @@ export interface Marks {
  * Begins to mark. When the stocks have more points than are kept, every second one is let go, and then only every second of
  * those that follow is kept: seeking cuts a longer way again, and a run of any length fits into the same memory.
  */
-export function marksOf(most = MOST_POINTS): Marks {
+export function marksOf(most = MOST_POINTS): StockMarks {
   const marks: Checkpoint[] = [];
   let [every, points] = [1, 0];
   const sizeOf = ({ stock }: Checkpoint) => (stock ?? []).reduce((sum, ring) => sum + ring.length / 2, 0);

@@ -6,7 +6,7 @@ import type { Pt, Ring } from "../kernel/point.ts";
 import type { Step } from "../kernel/step.ts";
 import type { TipOrientation, Tool } from "../kernel/tool.ts";
 import { axial, degrees, feed, length, radius } from "../kernel/units.ts";
-import { issuesOf } from "./issues.ts";
+import { stockIssues } from "./issues.ts";
 import { simulate } from "./simulate.ts";
 import { playerOf } from "./stock.ts";
 
@@ -33,14 +33,14 @@ function run(tool: Tool, start: Pt, moves: readonly Move[], plan: Partial<Plan> 
   const operation = { plan: { ...empty, moves, ...plan }, tool, firstStep: 0, lastStep: steps.length - 1 };
   return simulate({ blank, steps, operations: [operation], unproved: [] });
 }
-const codes = (s: ReturnType<typeof run>) => issuesOf(s).map((i) => i.issue.code);
+const codes = (s: ReturnType<typeof run>) => stockIssues(s).map((i) => i.issue.code);
 
 describe("the real depth of a roughing pass", () => {
   test("is what stands over it, not what the cycle counts from", () => {
     const s = run(rougher, at(2, 25.3), [cut(-30, 25.3, "rough", 1), cut(-30, 31, "rough", 1), rapid(2, 31), rapid(2, 23.4), cut(-30, 23.4, "rough", 2)]);
     expect(s.proof.deepest).toMatchObject({ allowed: 2, pass: 1, step: 0, block: 10 });
     expect(s.proof.deepest?.depth).toBeCloseTo(4.7, 2);
-    const told = issuesOf(s).find((i) => i.issue.code === "deeperThanInfeed");
+    const told = stockIssues(s).find((i) => i.issue.code === "deeperThanInfeed");
     expect(told).toMatchObject({ operation: 0, block: 10, issue: { severity: "warning", data: { allowed: 2, pass: 1 } } });
   });
   test("a hair more than allowed is not told, nor anything without a limit", () => {
@@ -78,7 +78,7 @@ test("passes in the air are counted once, however many moves they have; a pass o
     cut(-20, 29, "rough", 2), rapid(-20, 34), rapid(2, 34), rapid(2, 32), cut(-30, 32, "rough", 3),
   ]);
   expect(s.proof.airPasses).toBe(2);
-  expect(issuesOf(s)).toContainEqual(expect.objectContaining({ issue: { code: "airPasses", severity: "info", data: { count: 2 } } }));
+  expect(stockIssues(s)).toContainEqual(expect.objectContaining({ issue: { code: "airPasses", severity: "info", data: { count: 2 } } }));
 });
 
 test("what is cut is what feed moves removed: neither rapids nor the same way again", () => {

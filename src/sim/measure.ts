@@ -42,7 +42,7 @@ interface Sums {
 }
 
 /** Measures in the stock what each operation does. */
-export interface Measure {
+export interface StockMeasure {
   /** A step and its sweep, before that is taken from the stock. */
   add(step: Step, index: number, sweep: Sweep, outlines: Outlines, cut: Cutting): void;
   results(): OperationProof[];
@@ -58,7 +58,7 @@ function mostBeside({ plan }: SimulatedOperation): number {
 }
 
 /** Begins to measure the operations of a run. */
-export function measuring(operations: readonly SimulatedOperation[], blank: readonly Ring[]): Measure {
+export function measuring(operations: readonly SimulatedOperation[], blank: readonly Ring[]): StockMeasure {
   const sums = operations.map((): Sums => ({ cut: 0, passes: new Map(), deepest: null, thickest: null, startInMaterial: null }));
   let run: Stretch | null = null;
 

@@ -1,20 +1,20 @@
 import type { Pt, Ring } from "../kernel/point.ts";
 import { GRID } from "../kernel/tolerance.ts";
-import { boxOf, type Box } from "./box.ts";
+import { boxOf, type StockBox } from "./box.ts";
 
 /** A convex piece that goes less deep than this into an area only touches it: two steps of the polygon grid. */
 const GLANCE = 2 * GRID;
 
 /** A convex ring (counter-clockwise) with its box and its sides, ready to be asked many times. */
-export interface Piece {
+export interface ConvexPiece {
   readonly ring: Ring;
-  readonly box: Box;
+  readonly box: StockBox;
   /** Half planes nz·z + nr·r < c with unit normals, moved inwards by GLANCE: nz, nr, c, nz, nr, c … */
   readonly sides: Float64Array;
 }
 
 /** Prepares a convex ring. */
-export function pieceOf(ring: Ring): Piece {
+export function convexPieceOf(ring: Ring): ConvexPiece {
   const sides = new Float64Array(3 * ring.length);
   let count = 0;
   let p = ring[ring.length - 1] as Pt;
@@ -36,4 +36,4 @@ export function pieceOf(ring: Ring): Piece {
 }
 
 /** Prepares several convex rings. */
-export const piecesOf = (rings: readonly Ring[]): Piece[] => rings.map(pieceOf);
+export const piecesOf = (rings: readonly Ring[]): ConvexPiece[] => rings.map(convexPieceOf);

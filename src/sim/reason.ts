@@ -1,7 +1,7 @@
 import { isBar, noseRadius } from "../kernel/insert.ts";
 import type { Reason } from "../kernel/issue.ts";
 import type { Pt, Ring } from "../kernel/point.ts";
-import { boxOf, gapBetween, type Box } from "./box.ts";
+import { boxOf, gapBetween, type StockBox } from "./box.ts";
 import type { Outlines } from "./outlines.ts";
 import type { SimulatedOperation } from "./simulation.ts";
 import { sweepAlong } from "./sweep.ts";
@@ -35,7 +35,7 @@ function samplesOf(ring: Ring): Sample[] {
 }
 
 /** Whether a point lies on the outline of a convex piece. */
-function against(piece: Ring, box: Box, s: Sample): boolean {
+function against(piece: Ring, box: StockBox, s: Sample): boolean {
   if (s.z < box.left - AGAINST || s.z > box.right + AGAINST || s.r < box.bottom - AGAINST || s.r > box.top + AGAINST) return false;
   let worst = -Infinity;
   let p = piece[piece.length - 1] as Pt;
@@ -61,7 +61,7 @@ const NOSE_CORNER = 3;
  * A nose leaves a corner of its own size, in a square one a square of its radius. What is larger a wide bar leaves by its
  * width; another insert by the edge that acts nearest to it, or that keeps it from the angle of an element.
  */
-function betweenContours(box: Box, operation: SimulatedOperation, acting: Reason | null): Reason {
+function betweenContours(box: StockBox, operation: SimulatedOperation, acting: Reason | null): Reason {
   const bar = isBar(operation.tool);
   const most = noseRadius(operation.tool) * (bar ? 1 : NOSE_CORNER) + 2 * AGAINST;
   if (box.right - box.left <= most && box.top - box.bottom <= most) return "insertRadius";

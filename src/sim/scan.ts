@@ -7,7 +7,7 @@ export type Along = "z" | "r";
  * Where straight lines along an axis cross the outlines of an area: for each line, by its place across that axis, the
  * places along it in rising order, in and out in turn. The places of the lines must rise.
  */
-export function crossings(area: readonly Ring[], along: Along, lines: readonly number[]): number[][] {
+export function scanCrossings(area: readonly Ring[], along: Along, lines: readonly number[]): number[][] {
   const across = along === "z" ? "r" : "z";
   const found = lines.map((): number[] => []);
   /** The first line at or beyond a place. */

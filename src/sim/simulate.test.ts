@@ -6,7 +6,7 @@ import type { Pt, Ring, Segment } from "../kernel/point.ts";
 import type { Step } from "../kernel/step.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { axial, degrees, feed, length, radius } from "../kernel/units.ts";
-import { issuesOf } from "./issues.ts";
+import { stockIssues } from "./issues.ts";
 import { simulate } from "./simulate.ts";
 import { playerOf, stockAt } from "./stock.ts";
 
@@ -165,7 +165,7 @@ describe("what stays", () => {
     expect(left.find((r) => r.reason === "insertRadius")?.area).toBeCloseTo(10 * 5, 0);
   });
   test("issues say X as a diameter", () => {
-    const all = issuesOf(run(rougher, at(2, 35), finish, shoulder(null)));
+    const all = stockIssues(run(rougher, at(2, 35), finish, shoulder(null)));
     expect(all.every((i) => i.issue.code === "materialLeft")).toBe(true);
     expect((all[0]!.issue.data as { x: number }).x).toBeGreaterThan(39);
   });

@@ -4,13 +4,13 @@ import { check, MOST_CONTACTS } from "./check.ts";
 import { collector } from "./collect.ts";
 import { inStock } from "./contact.ts";
 import { cutting } from "./cutting.ts";
-import { edgesOf } from "./edges.ts";
+import { sidesOf } from "./edges.ts";
 import { finishedPart } from "./finished.ts";
 import { marksOf } from "./marks.ts";
 import { measuring } from "./measure.ts";
 import { outlinesOf } from "./outlines.ts";
 import { residualOf } from "./residual.ts";
-import type { Depth, Finding, Proof, Simulation, SimulationInput } from "./simulation.ts";
+import type { Depth, StockFinding, Proof, Simulation, SimulationInput } from "./simulation.ts";
 import { sweptBy } from "./sweep.ts";
 
 /** Moves from one checkpoint to the next. */
@@ -26,7 +26,7 @@ function startTimesOf(steps: readonly Step[]): Float64Array {
   return times;
 }
 
-const total = (findings: readonly Finding[], kind: Finding["kind"]) =>
+const total = (findings: readonly StockFinding[], kind: StockFinding["kind"]) =>
   findings.reduce((sum, f) => (f.kind === kind ? sum + f.area : sum), 0);
 
 /** Cuts the blank by every step and looks at each before it cuts. */
@@ -34,7 +34,7 @@ export function simulate(input: SimulationInput): Simulation {
   const { blank, steps, operations, unproved } = input;
   const outlines = outlinesOf();
   const part = finishedPart(operations);
-  const finished = { rings: part, edges: edgesOf(part) };
+  const finished = { rings: part, edges: sidesOf(part) };
   const marks = marksOf();
   marks.add(0, blank);
   const found = collector();

@@ -25,7 +25,7 @@ export interface SimulationInput {
 }
 
 /** A moment of the run: a fraction 0 … 1 of the way of a step. The end is `{ step: steps.length, fraction: 0 }`. */
-export interface Position {
+export interface PlayPosition {
   readonly step: number;
   readonly fraction: number;
 }
@@ -40,7 +40,7 @@ export interface Checkpoint {
 }
 
 /** Something that must not happen, found by the stock: where the tool cut the finished part, or ran into material. */
-export interface Finding {
+export interface StockFinding {
   readonly kind: "gouge" | "rapidInStock" | "holderContact";
   readonly step: number;
   readonly block: number;
@@ -128,6 +128,6 @@ export interface Simulation {
   /** Seconds from the beginning to the start of each step, and to the end: one more than there are steps. */
   readonly startTimes: Float64Array;
   readonly totalSeconds: number;
-  readonly findings: readonly Finding[];
+  readonly findings: readonly StockFinding[];
   readonly proof: Proof;
 }

@@ -2,16 +2,16 @@ import { unpacked } from "../kernel/clip.ts";
 import type { Ring } from "../kernel/point.ts";
 import { cutting, type Cutting } from "./cutting.ts";
 import { outlinesOf } from "./outlines.ts";
-import type { Checkpoint, Position, Simulation } from "./simulation.ts";
+import type { Checkpoint, PlayPosition, Simulation } from "./simulation.ts";
 import { sweptBy } from "./sweep.ts";
 
 /** Gives the stock at any moment of a run. Going on from the last moment asked for is cheapest; the result is the same. */
 export interface Player {
-  at(position: Position): readonly Ring[];
+  at(position: PlayPosition): readonly Ring[];
 }
 
 /** The position inside the run that is nearest to the given one. */
-function within(simulation: Simulation, position: Position): Position {
+function within(simulation: Simulation, position: PlayPosition): PlayPosition {
   const count = simulation.steps.length;
   if (!(position.step >= 0)) return { step: 0, fraction: 0 };
   const step = Math.floor(position.step);
@@ -71,4 +71,4 @@ export function playerOf(simulation: Simulation): Player {
 }
 
 /** The stock at one moment. */
-export const stockAt = (simulation: Simulation, position: Position): readonly Ring[] => playerOf(simulation).at(position);
+export const stockAt = (simulation: Simulation, position: PlayPosition): readonly Ring[] => playerOf(simulation).at(position);

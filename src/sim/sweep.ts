@@ -3,7 +3,7 @@ import type { Step } from "../kernel/step.ts";
 import { pathOf } from "../kernel/time.ts";
 import { CHORD, GRID } from "../kernel/tolerance.ts";
 import { axial, radius } from "../kernel/units.ts";
-import { piecesOf, type Piece } from "./piece.ts";
+import { piecesOf, type ConvexPiece } from "./piece.ts";
 import { trackAlong } from "./track.ts";
 
 const { flattened, pointOn } = part;
@@ -115,7 +115,7 @@ function alongPoints(outline: Ring, points: readonly Pt[], across: (ring: Ring) 
  * points, to cut with.
  */
 export interface Sweep {
-  readonly pieces: readonly Piece[];
+  readonly pieces: readonly ConvexPiece[];
   readonly rings: readonly Ring[];
 }
 

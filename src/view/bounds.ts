@@ -35,7 +35,7 @@ export function mirrored(b: Bounds): Bounds {
 }
 
 /** A box grown by the same length on every side, mm. */
-export const grown = (b: Bounds, by: number): Bounds =>
+export const grownBounds = (b: Bounds, by: number): Bounds =>
   ({ left: b.left - by, right: b.right + by, low: b.low - by, high: b.high + by });
 
 /** End points of segments, enough to frame a picture of them. */

@@ -1,7 +1,7 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
 import { axial, radius } from "../kernel/units.ts";
-import { fitted, panned, pinched, toPart, toScreen, turnedOver, zoomed, type Camera } from "./camera.ts";
+import { fitted, panned, pinched, toPlace, toScreen, turnedOver, zoomed, type Camera } from "./camera.ts";
 
 const number = (min: number, max: number) => fc.double({ min, max, noNaN: true });
 const place = fc.record({ x: number(0, 2000), y: number(0, 2000) });
@@ -11,7 +11,7 @@ const near = (a: number, b: number) => expect(Math.abs(a - b)).toBeLessThan(1e-6
 
 test("part → screen → part is the same place, with X up and with X down", () => {
   fc.assert(fc.property(camera, point, (c, p) => {
-    const back = toPart(c, toScreen(c, p));
+    const back = toPlace(c, toScreen(c, p));
     near(back.z, p.z);
     near(back.r, p.r);
   }));
@@ -27,7 +27,7 @@ test("Z runs to the right, X the way the switch says", () => {
 
 test("zooming keeps what lies under the pointer", () => {
   fc.assert(fc.property(camera, place, number(0.2, 5), (c, at, factor) => {
-    const before = toPart(c, at), after = toPart(zoomed(c, factor, at), at);
+    const before = toPlace(c, at), after = toPlace(zoomed(c, factor, at), at);
     near(after.z, before.z);
     near(after.r, before.r);
   }));
@@ -45,7 +45,7 @@ test("pinching takes what lies between the fingers along", () => {
   fc.assert(fc.property(camera, place, place, number(-100, 100), (c, a, b, shift) => {
     fc.pre(Math.hypot(a.x - b.x, a.y - b.y) > 20);
     const moved = pinched(c, [a, b], [{ x: a.x + shift, y: a.y }, { x: b.x + shift, y: b.y }]);
-    const before = toPart(c, a), after = toPart(moved, { x: a.x + shift, y: a.y });
+    const before = toPlace(c, a), after = toPlace(moved, { x: a.x + shift, y: a.y });
     near(after.z, before.z);
     near(after.r, before.r);
   }));

@@ -42,7 +42,7 @@ export const toScreen = (camera: Camera, p: Pt): Place => ({
 });
 
 /** Screen to part space; r is negative on the far side of the axis. */
-export const toPart = (camera: Camera, place: Place): Pt => ({
+export const toPlace = (camera: Camera, place: Place): Pt => ({
   z: axial((place.x - camera.zero.x) / camera.scale),
   r: radius((sign(camera) * (place.y - camera.zero.y)) / camera.scale),
 });

@@ -2,7 +2,7 @@ import fc from "fast-check";
 import { expect, test } from "vitest";
 import type { Pt } from "../kernel/point.ts";
 import { axial, radius } from "../kernel/units.ts";
-import { measure, nudged, snapPoints, snapped } from "./measure.ts";
+import { measure, nudged, snapPoints, snappedPoint } from "./measure.ts";
 
 const point = fc.record({ z: fc.double({ min: -200, max: 200, noNaN: true }).map(axial), r: fc.double({ min: 0, max: 200, noNaN: true }).map(radius) });
 const at = (r: number, z: number): Pt => ({ z: axial(z), r: radius(r) });
@@ -22,8 +22,8 @@ test("measured back, the differences change their sign only", () => {
 
 test("the ruler takes the nearest point within its reach, else the place itself", () => {
   const points = [at(10, 0), at(10, -5), at(12, -5)];
-  expect(snapped(at(10.4, -4.8), points, 1)).toEqual(at(10, -5));
-  expect(snapped(at(30, -4.8), points, 1)).toEqual(at(30, -4.8));
+  expect(snappedPoint(at(10.4, -4.8), points, 1)).toEqual(at(10, -5));
+  expect(snappedPoint(at(30, -4.8), points, 1)).toEqual(at(30, -4.8));
 });
 
 test("a corner shared by two elements is one snap point; the centre of an arc is one too", () => {

@@ -3,7 +3,7 @@ import type { Step } from "../kernel/step.ts";
 import { axial, radius, toDiameter, type Diameter } from "../kernel/units.ts";
 
 /** What lies between two places. */
-export interface Measure {
+export interface Distance {
   /** Difference of X as a diameter, mm, with its sign. */
   readonly dx: Diameter;
   /** Difference of Z, mm, with its sign. */
@@ -13,7 +13,7 @@ export interface Measure {
 }
 
 /** Measures from one place to another. */
-export const measure = (from: Pt, to: Pt): Measure => ({
+export const measure = (from: Pt, to: Pt): Distance => ({
   dx: toDiameter(radius(to.r - from.r)),
   dz: to.z - from.z,
   distance: Math.hypot(to.z - from.z, to.r - from.r),
@@ -43,7 +43,7 @@ export function snapPoints(contours: readonly (readonly Segment[])[], steps: rea
 }
 
 /** The nearest snap point within `reach` mm, else the place itself. */
-export function snapped(place: Pt, points: readonly Pt[], reach: number): Pt {
+export function snappedPoint(place: Pt, points: readonly Pt[], reach: number): Pt {
   let best = place, near = reach;
   for (const p of points) {
     const away = Math.hypot(p.z - place.z, p.r - place.r);

@@ -1,4 +1,4 @@
-import type { Position } from "../sim/simulation.ts";
+import type { PlayPosition } from "../sim/simulation.ts";
 
 /**
  * Playing a run back, as a pure state machine. A position is a move and how much of it is done; seconds are machine
@@ -6,14 +6,14 @@ import type { Position } from "../sim/simulation.ts";
  */
 
 /** When each move ends, seconds from the start of the run. */
-export interface Track {
+export interface PlayedTrack {
   readonly ends: readonly number[];
   readonly total: number;
 }
 
 export interface Playback {
-  readonly track: Track;
-  readonly position: Position;
+  readonly track: PlayedTrack;
+  readonly position: PlayPosition;
   readonly playing: boolean;
   /** Machine seconds per second of the clock. */
   readonly rate: number;
@@ -21,42 +21,42 @@ export interface Playback {
 
 export type Action =
   | { readonly do: "play" | "pause" | "toggle" | "forward" | "back" | "first" | "last" }
-  | { readonly do: "seek"; readonly position: Position }
+  | { readonly do: "seek"; readonly position: PlayPosition }
   | { readonly do: "seekSeconds"; readonly seconds: number }
   | { readonly do: "rate"; readonly rate: number }
   /** So many seconds of the clock have gone by. */
   | { readonly do: "tick"; readonly seconds: number }
   /** Another run takes the place of this one. */
-  | { readonly do: "load"; readonly track: Track };
+  | { readonly do: "load"; readonly track: PlayedTrack };
 
 /** The offered rates. */
 export const RATES = [0.1, 0.25, 0.5, 1, 2, 5, 10, 25, 50, 100] as const;
 
-const START: Position = { step: 0, fraction: 0 };
+const START: PlayPosition = { step: 0, fraction: 0 };
 
 /** The track of moves that last so long; a duration that is no number counts as none. */
-export function trackOf(steps: readonly { readonly seconds: number }[]): Track {
+export function trackOf(steps: readonly { readonly seconds: number }[]): PlayedTrack {
   let total = 0;
   const ends = steps.map(s => (total += Number.isFinite(s.seconds) && s.seconds > 0 ? s.seconds : 0));
   return { ends, total };
 }
 
 /** Where the playback stands before anything is loaded or played. */
-export const atStart = (track: Track, rate = 1): Playback => ({ track, position: START, playing: false, rate });
+export const atStart = (track: PlayedTrack, rate = 1): Playback => ({ track, position: START, playing: false, rate });
 
-const count = (track: Track) => track.ends.length;
-const begin = (track: Track, step: number) => (step > 0 ? track.ends[Math.min(step, count(track)) - 1] ?? 0 : 0);
-const endOf = (track: Track): Position => ({ step: count(track), fraction: 0 });
+const count = (track: PlayedTrack) => track.ends.length;
+const begin = (track: PlayedTrack, step: number) => (step > 0 ? track.ends[Math.min(step, count(track)) - 1] ?? 0 : 0);
+const endOf = (track: PlayedTrack): PlayPosition => ({ step: count(track), fraction: 0 });
 const isEnd = (p: Playback) => p.position.step >= count(p.track);
 
 /** Machine seconds from the start of the run to a position. */
-export function secondsAt(track: Track, position: Position): number {
+export function secondsAt(track: PlayedTrack, position: PlayPosition): number {
   const from = begin(track, position.step), to = track.ends[position.step];
   return to === undefined ? track.total : from + (to - from) * position.fraction;
 }
 
 /** The position after so many machine seconds; moves that take no time are passed at once. */
-export function positionAt(track: Track, seconds: number): Position {
+export function positionAt(track: PlayedTrack, seconds: number): PlayPosition {
   if (!(seconds > 0)) return START;
   if (seconds >= track.total) return endOf(track);
   let low = 0, high = count(track) - 1;
@@ -70,7 +70,7 @@ export function positionAt(track: Track, seconds: number): Position {
 }
 
 /** The nearest position that exists on a track. */
-export function inRange(track: Track, { step, fraction }: Position): Position {
+export function inRange(track: PlayedTrack, { step, fraction }: PlayPosition): PlayPosition {
   const whole = Math.floor(step);
   if (!(whole >= 0)) return START;
   if (whole >= count(track)) return endOf(track);
@@ -78,10 +78,10 @@ export function inRange(track: Track, { step, fraction }: Position): Position {
   return fraction >= 1 ? inRange(track, { step: whole + 1, fraction: 0 }) : { step: whole, fraction };
 }
 
-const moved = (p: Playback, position: Position): Playback => ({ ...p, position: inRange(p.track, position) });
+const moved = (p: Playback, position: PlayPosition): Playback => ({ ...p, position: inRange(p.track, position) });
 
 /** The same place in another run: its start stays the start, its end the end, else the same second. */
-function loaded(p: Playback, track: Track): Playback {
+function loaded(p: Playback, track: PlayedTrack): Playback {
   const same = p.track.ends.length === track.ends.length ? inRange(track, p.position) : positionAt(track, secondsAt(p.track, p.position));
   const position = isEnd(p) && count(p.track) > 0 ? endOf(track) : same;
   return { ...p, track, position, playing: p.playing && position.step < count(track) };
@@ -122,11 +122,11 @@ export function reduce(p: Playback, action: Action): Playback {
 }
 
 /** Time goes on from where it stands, and never back, even where rounding of long runs would have it. */
-function later(p: Playback, seconds: number): Position {
+function later(p: Playback, seconds: number): PlayPosition {
   const next = positionAt(p.track, secondsAt(p.track, p.position) + seconds);
   const back = next.step < p.position.step || (next.step === p.position.step && next.fraction < p.position.fraction);
   return back ? p.position : next;
 }
 
 /** Without motion: what is shown while playing is the end of the last whole move. */
-export const settled = (position: Position): Position => ({ step: position.step, fraction: 0 });
+export const settled = (position: PlayPosition): PlayPosition => ({ step: position.step, fraction: 0 });

@@ -3,7 +3,7 @@ import type { Move } from "../kernel/move.ts";
 import type { Pt, Ring, Segment } from "../kernel/point.ts";
 import type { Step } from "../kernel/step.ts";
 import type { Tool } from "../kernel/tool.ts";
-import { boundsOf, grown, joined, pointsOf } from "./bounds.ts";
+import { boundsOf, grownBounds, joined, pointsOf } from "./bounds.ts";
 import type { Bounds } from "./camera.ts";
 import { chuckRings } from "./chuck.ts";
 import { moveData, ringData, segmentData, startData } from "./path.ts";
@@ -116,5 +116,5 @@ export function sceneOf({ blank, contours, steps }: SceneParts): Scene {
   shapes.push(...toolpath(steps));
   const all = joined(joined(material, joined(workingBox(framed(steps)), outline)), chuck ? boundsOf(chuck.jaw) : null) ?? EMPTY;
   const axis = { ...all, low: Math.min(0, path?.low ?? 0) };
-  return { shapes, bounds: grown(axis, AIR * Math.max(axis.right - axis.left, axis.high - axis.low)) };
+  return { shapes, bounds: grownBounds(axis, AIR * Math.max(axis.right - axis.left, axis.high - axis.low)) };
 }

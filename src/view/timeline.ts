@@ -1,4 +1,4 @@
-import type { Track } from "./playback.ts";
+import type { PlayedTrack } from "./playback.ts";
 
 /** What the bar shows of one motion. */
 export interface TimedStep {
@@ -22,7 +22,7 @@ const NEAR = 0.006;
 const n = (v: number) => String(Math.round(v * 1e5) / 1e5);
 
 /** Merges the steps of a run into stretches: rapids low, cutting high. */
-export function timeBar(steps: readonly TimedStep[], track: Track): TimeBar {
+export function timeBar(steps: readonly TimedStep[], track: PlayedTrack): TimeBar {
   const whole = track.total > 0 ? track.total : 1;
   const paths = { cutting: "", rapid: "" }, boundaries: number[] = [];
   const operations: { operation: number; from: number; to: number }[] = [];

@@ -9,7 +9,7 @@ import { pathOf, travelOf } from "../../src/kernel/time.ts";
 import { CHORD } from "../../src/kernel/tolerance.ts";
 import { TOOL_TYPES, type TipOrientation, type Tool } from "../../src/kernel/tool.ts";
 import { axial, degrees, feed, length, radius } from "../../src/kernel/units.ts";
-import type { Position, Simulation } from "../../src/sim/simulation.ts";
+import type { PlayPosition, Simulation } from "../../src/sim/simulation.ts";
 import { simulate } from "../../src/sim/simulate.ts";
 import { playerOf, stockAt } from "../../src/sim/stock.ts";
 
@@ -52,7 +52,7 @@ const programs = fc.tuple(tools, places, fc.array(ways, { minLength: 1, maxLengt
   });
 });
 const run = (steps: readonly Step[]): Simulation => simulate({ blank, steps, operations: [], unproved: [] });
-const moments = (simulation: Simulation, fractions: readonly number[]): Position[] =>
+const moments = (simulation: Simulation, fractions: readonly number[]): PlayPosition[] =>
   fractions.map((f) => {
     const all = f * simulation.steps.length;
     return { step: Math.floor(all), fraction: all - Math.floor(all) };

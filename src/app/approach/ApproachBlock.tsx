@@ -4,12 +4,12 @@ import { approachContext } from "../../program/approach-context.ts";
 import { parametersBefore } from "../editor/block-context.ts";
 import { editProgram, useSession } from "../editor/session.ts";
 import { useOutcome } from "../engine/outcome.ts";
-import type { Entry } from "../findings/entry.ts";
+import type { FindingEntry } from "../findings/entry.ts";
 import { ApproachDialog } from "./ApproachDialog.tsx";
 import { isFresh, markFresh } from "./fresh-block.ts";
 
 /** The dialog of the open APPR or DEP block of the program. One that was just put in begins with the choice of its form. */
-export function ApproachBlock({ problems }: { readonly problems: readonly Entry[] }) {
+export function ApproachBlock({ problems }: { readonly problems: readonly FindingEntry[] }) {
   const { reading: { program }, index } = useSession();
   const run = useOutcome((s) => s.newest?.run ?? null);
   const [fresh] = useState(() => isFresh(index));

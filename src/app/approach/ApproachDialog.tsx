@@ -8,12 +8,12 @@ import type { Dragged } from "../../view/approach/drag.ts";
 import { onPromptKey } from "../dialog/prompt-keys.ts";
 import { PromptDialog } from "../dialog/PromptDialog.tsx";
 import { commandsOf, type PromptSession } from "../dialog/session.ts";
-import { isError, type Entry } from "../findings/entry.ts";
+import { isError, type FindingEntry } from "../findings/entry.ts";
 import { Icon } from "../Icon.tsx";
 import { useTexts } from "../settings/use-texts.ts";
 import { ApproachChooser } from "./ApproachChooser.tsx";
 import { ApproachPicture } from "./ApproachPicture.tsx";
-import { problemsOfBlock } from "./block-problems.ts";
+import { approachProblems } from "./block-problems.ts";
 import { withForm } from "./change-form.ts";
 import { useApproachSession, useTypedApproach } from "./use-approach-session.tsx";
 
@@ -22,7 +22,7 @@ interface Props {
   /** What stands round the block: `approachContext` makes it from program and run. */
   readonly context: ApproachContext;
   /** What the last run found at this block. */
-  readonly found?: readonly Entry[];
+  readonly found?: readonly FindingEntry[];
   /** Begins with the choice of a form. */
   readonly choosing?: boolean;
   /** Changes with the same place, one after the other, are one step of undo; null is a step of its own. */
@@ -60,7 +60,7 @@ export function ApproachDialog({ statement, context, found = [], choosing: first
     if (words) typed.set(words);
   };
   const session = useApproachSession({
-    statement, context, typed, findings: problemsOfBlock(typed.reading, made?.issues ?? [], found),
+    statement, context, typed, findings: approachProblems(typed.reading, made?.issues ?? [], found),
     picture: (active) => (
       <div className="help-slot">
         <ApproachPicture key={name} name={name} form={form} ready={ready} context={context} active={active} onDrag={drag} />

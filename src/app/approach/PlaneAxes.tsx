@@ -1,6 +1,6 @@
 import { formatNumber } from "../../i18n/number.ts";
 import { partPoint, planePoint } from "../../kernel/plane.ts";
-import { toPart, toScreen } from "../../view/camera.ts";
+import { toPlace, toScreen } from "../../view/camera.ts";
 import { ticks } from "../../view/ticks.ts";
 import { SCALE_BELOW, SCALE_LEFT } from "../lathe/Axes.tsx";
 import { useCamera } from "../lathe/use-camera.ts";
@@ -14,7 +14,7 @@ const APART = { x: 72, y: 44 };
 export function PlaneAxes({ viewport, part }: { readonly viewport: Viewport; readonly part: "grid" | "scales" }) {
   const camera = useCamera(viewport), { width, height } = viewport.size();
   const language = useSettings((s) => s.language);
-  const corner = planePoint(toPart(camera, { x: 0, y: 0 })), far = planePoint(toPart(camera, { x: width, y: height }));
+  const corner = planePoint(toPlace(camera, { x: 0, y: 0 })), far = planePoint(toPlace(camera, { x: width, y: height }));
   const alongX = ticks(corner.x, far.x, APART.x / camera.scale), alongY = ticks(corner.y, far.y, APART.y / camera.scale);
   const placeX = (x: number) => toScreen(camera, partPoint({ x, y: 0 })).x;
   const placeY = (y: number) => toScreen(camera, partPoint({ x: 0, y })).y;

@@ -3,7 +3,7 @@ import type { Texts } from "../../i18n/index.ts";
 import { formatNumber, formatPosition } from "../../i18n/number.ts";
 import type { Language } from "../../i18n/languages.ts";
 import type { ApproachRun, PlaneStep } from "../../program/plane-types.ts";
-import type { Position } from "../../sim/simulation.ts";
+import type { PlayPosition } from "../../sim/simulation.ts";
 import { isRapid, spotAt } from "../../view/approach/plane-scene.ts";
 import type { Clock } from "../clock.ts";
 import type { PlaybackStore } from "../lathe/playback-store.ts";
@@ -22,7 +22,7 @@ interface Moment {
 }
 
 /** Position, feed, and what the motion is for; null in an empty run. */
-export function momentText(t: Texts, language: Language, steps: readonly PlaneStep[], approaches: readonly ApproachRun[], position: Position): Moment | null {
+export function momentText(t: Texts, language: Language, steps: readonly PlaneStep[], approaches: readonly ApproachRun[], position: PlayPosition): Moment | null {
   const motion = steps[Math.min(position.step, steps.length - 1)], at = spotAt(steps, position.step, position.fraction);
   if (!motion || !at) return null;
   const lead = approaches.find((a) => a.index === motion.index);

@@ -7,7 +7,7 @@ import {
 import { approachFields, type ApproachField, type ApproachWord } from "../../program/approach-fields.ts";
 import type { ApproachContext } from "../../program/approach-request.ts";
 import type { Prompt, PromptSession } from "../dialog/session.ts";
-import type { Entry } from "../findings/entry.ts";
+import type { FindingEntry } from "../findings/entry.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 
@@ -66,7 +66,7 @@ interface Shown {
   readonly statement: ApproachStatement;
   readonly context: ApproachContext;
   readonly typed: TypedApproach;
-  readonly findings: readonly Entry[];
+  readonly findings: readonly FindingEntry[];
   readonly picture: (open: ApproachWord | null) => ReactNode;
 }
 

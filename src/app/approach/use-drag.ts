@@ -1,6 +1,6 @@
 import { useState, type PointerEvent } from "react";
 import { planePoint, type PlanePoint } from "../../kernel/plane.ts";
-import { toPart, type Camera } from "../../view/camera.ts";
+import { toPlace, type Camera } from "../../view/camera.ts";
 import type { Handle } from "../../view/approach/drag.ts";
 
 /** Dragging the handles of a drawing. */
@@ -29,7 +29,7 @@ export function useDrag(onMove: (handle: Handle, to: PlanePoint, camera: Camera)
       const picture = event.currentTarget.ownerDocument.defaultView && event.currentTarget.closest("svg");
       if (!held || !picture) return;
       const box = picture.getBoundingClientRect();
-      onMove(held.handle, planePoint(toPart(held.camera, { x: event.clientX - box.left, y: event.clientY - box.top })), held.camera);
+      onMove(held.handle, planePoint(toPlace(held.camera, { x: event.clientX - box.left, y: event.clientY - box.top })), held.camera);
     },
     end: () => hold(null),
   };

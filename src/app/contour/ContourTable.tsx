@@ -9,7 +9,7 @@ import { RowTools } from "./RowTools.tsx";
 import { cornerBehind, cornerSized, isCorner, type CornerKind } from "./drawing-edits.ts";
 import { DxfImport } from "./DxfImport.tsx";
 import { FaultList } from "./FaultList.tsx";
-import { changed, duplicated, inserted, moved, removed, type Edited } from "./row-edits.ts";
+import { changed, withRowTwice, withRow, withRowMoved, withoutRow, type Edited } from "./row-edits.ts";
 import { useRowFocus, useTableKeys, type RowActions } from "./use-table-keys.ts";
 import "./contour.css";
 
@@ -50,11 +50,11 @@ export function ContourTable({ rows, onChange, language }: Props) {
     onChange(edited.rows, null);
   };
   const actions: RowActions = {
-    add: () => edit(inserted(rows, rows.length), t.done.added),
-    insert: () => edit(inserted(rows, active ?? rows.length), t.done.added),
-    duplicate: () => active !== null && edit(duplicated(rows, active), t.done.duplicated),
-    remove: () => active !== null && edit(removed(rows, active), t.done.removed),
-    move: (by) => active !== null && edit(moved(rows, active, by), t.done.moved, fieldInUse(table.current)),
+    add: () => edit(withRow(rows, rows.length), t.done.added),
+    insert: () => edit(withRow(rows, active ?? rows.length), t.done.added),
+    duplicate: () => active !== null && edit(withRowTwice(rows, active), t.done.duplicated),
+    remove: () => active !== null && edit(withoutRow(rows, active), t.done.removed),
+    move: (by) => active !== null && edit(withRowMoved(rows, active, by), t.done.moved, fieldInUse(table.current)),
   };
   /** The row whose corner the keyboard means: the active one, or the one before the active corner element. */
   const cornerRow = active !== null && (rows[active]?.kind === "RND" || rows[active]?.kind === "CHF") ? active - 1 : active;

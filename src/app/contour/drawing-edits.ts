@@ -5,7 +5,7 @@ import { isPolarRow, polarWordsTo } from "../../program/polar-row.ts";
 import { readRows } from "../../program/contour-rows.ts";
 import { newRow, type ContourRow } from "../../program/job.ts";
 import { changed, freshId, type Edited } from "./row-edits.ts";
-import type { Spot } from "./snap.ts";
+import type { SnapSpot } from "./snap.ts";
 
 type Rows = readonly ContourRow[];
 
@@ -16,10 +16,10 @@ const SAME = 5e-4;
 /** True for rows that end in a point that may be dragged. */
 export const hasPoint = (row: ContourRow | undefined): boolean => row !== undefined && ["L", "CR", "C", "CT", "LP", "CP", "CTP"].includes(row.kind);
 
-const pointAt = ({ x, z }: Spot): Pt => ({ z: axial(z), r: toRadius(diameter(x)) });
+const pointAt = ({ x, z }: SnapSpot): Pt => ({ z: axial(z), r: toRadius(diameter(x)) });
 
 /** Moves the end point of a row: only what is typed or has to be; coordinates that are solved stay solved. */
-export function pointMoved(rows: Rows, reading: RowsReading, row: number, to: Spot): Rows {
+export function pointMoved(rows: Rows, reading: RowsReading, row: number, to: SnapSpot): Rows {
   const at = rows[row], read = reading.rows[row];
   if (!at || !read || !hasPoint(at)) return rows;
   if (isPolarRow(at)) {
@@ -36,13 +36,13 @@ export function pointMoved(rows: Rows, reading: RowsReading, row: number, to: Sp
 }
 
 /** A new line at the end of the contour. */
-export function pointAppended(rows: Rows, to: Spot): Edited {
+export function pointAppended(rows: Rows, to: SnapSpot): Edited {
   const row = newRow(freshId(rows), { x: typed(to.x), z: typed(to.z) });
   return { rows: [...rows, row], focus: row.id };
 }
 
 /** Divides the element of a row in a point; the first part gets a row of its own before it. */
-export function pointInserted(rows: Rows, reading: RowsReading, row: number, to: Spot): Edited {
+export function pointInserted(rows: Rows, reading: RowsReading, row: number, to: SnapSpot): Edited {
   const at = rows[row], read = reading.rows[row];
   if (!at || !read?.end || row === 0 || !hasPoint(at)) return { rows, focus: at?.id ?? null };
   if (isPolarRow(at)) return polarInserted(rows, read, row, at, to);
@@ -60,7 +60,7 @@ export function pointInserted(rows: Rows, reading: RowsReading, row: number, to:
 }
 
 /** Divides a polar element: the first part is written in X and Z, the second keeps the pole and is no longer incremental. */
-function polarInserted(rows: Rows, read: RowReading, row: number, at: ContourRow, to: Spot): Edited {
+function polarInserted(rows: Rows, read: RowReading, row: number, at: ContourRow, to: SnapSpot): Edited {
   if (!read.pole || !read.end) return { rows, focus: at.id };
   const place = { x: typed(to.x), z: typed(to.z) };
   const first = at.kind === "LP" ? newRow(freshId(rows), place) : at.kind === "CP" ? newRow(freshId(rows), { kind: "C", ...place, turn: at.turn })

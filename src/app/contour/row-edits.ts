@@ -12,13 +12,13 @@ export interface Edited {
 }
 
 /** A new line at a place; what stands there moves down. */
-export function inserted(rows: Rows, at: number): Edited {
+export function withRow(rows: Rows, at: number): Edited {
   const row = newRow(freshId(rows));
   return { rows: rows.toSpliced(at, 0, row), focus: row.id };
 }
 
 /** A copy right behind a row. */
-export function duplicated(rows: Rows, at: number): Edited {
+export function withRowTwice(rows: Rows, at: number): Edited {
   const row = rows[at];
   if (!row) return { rows, focus: null };
   const copy = { ...row, id: freshId(rows) };
@@ -26,13 +26,13 @@ export function duplicated(rows: Rows, at: number): Edited {
 }
 
 /** Without a row; the one that takes its place gets the keyboard. */
-export function removed(rows: Rows, at: number): Edited {
+export function withoutRow(rows: Rows, at: number): Edited {
   const left = rows.toSpliced(at, 1);
   return { rows: left, focus: (left[at] ?? left.at(-1))?.id ?? null };
 }
 
 /** A row one place up or down; at either end nothing changes. */
-export function moved(rows: Rows, at: number, by: 1 | -1): Edited {
+export function withRowMoved(rows: Rows, at: number, by: 1 | -1): Edited {
   const row = rows[at], to = at + by;
   if (!row || to < 0 || to >= rows.length) return { rows, focus: row?.id ?? null };
   return { rows: rows.toSpliced(at, 1).toSpliced(to, 0, row), focus: row.id };

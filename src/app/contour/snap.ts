@@ -1,5 +1,5 @@
 /** A place in the measure of the table: X as diameter, mm. */
-export interface Spot {
+export interface SnapSpot {
   readonly x: number;
   readonly z: number;
 }
@@ -16,7 +16,7 @@ export interface Magnets {
   readonly x: readonly number[];
   readonly z: readonly number[];
   /** How near, in the measure of each axis. */
-  readonly reach: Spot;
+  readonly reach: SnapSpot;
 }
 
 function caught(value: number, step: number, magnets: readonly number[], reach: number): number {
@@ -26,7 +26,7 @@ function caught(value: number, step: number, magnets: readonly number[], reach: 
 }
 
 /** The nearest place on the grid, or on the line of another point. X is never below the axis. */
-export const snapped = (at: Spot, step: number, magnets: Magnets): Spot => ({
+export const snapped = (at: SnapSpot, step: number, magnets: Magnets): SnapSpot => ({
   x: Math.max(0, caught(at.x, step, magnets.x, magnets.reach.x)),
   z: caught(at.z, step, magnets.z, magnets.reach.z),
 });

@@ -3,12 +3,12 @@ import type { Pt } from "../../kernel/point.ts";
 import { axial, diameter, radius, toDiameter, toRadius } from "../../kernel/units.ts";
 import type { RowsReading } from "../../program/contour-rows.ts";
 import type { ContourRow } from "../../program/job.ts";
-import { panned, toPart, type Camera, type Place } from "../../view/camera.ts";
+import { panned, toPlace, type Camera, type Place } from "../../view/camera.ts";
 import type { ContourPicture } from "../../view/help/contour-drawing.ts";
 import { closeStep } from "../store.ts";
 import { cornerSized, hasPoint, isCorner, pointAppended, pointInserted, pointMoved, typed } from "./drawing-edits.ts";
 import type { Edited } from "./row-edits.ts";
-import { onGrid, snapped, type GridStep, type Spot } from "./snap.ts";
+import { onGrid, snapped, type GridStep, type SnapSpot } from "./snap.ts";
 
 /** What a pointer does in the drawing. */
 export type DrawingMode = "move" | "draw" | "round" | "chamfer";
@@ -54,8 +54,8 @@ const rowUnder = (e: { target: EventTarget }): number | null => {
   const row = e.target instanceof Element ? e.target.closest("[data-row]")?.getAttribute("data-row") : null;
   return row === null || row === undefined ? null : Number(row);
 };
-const spotAt = (camera: Camera, place: Place): Spot => {
-  const p = toPart(camera, place);
+const spotAt = (camera: Camera, place: Place): SnapSpot => {
+  const p = toPlace(camera, place);
   return { x: toDiameter(radius(Math.max(0, p.r))), z: p.z };
 };
 
@@ -66,7 +66,7 @@ export function useDrawing(now: Surroundings) {
   /** The element under the last press: a captured pointer no longer tells what lies under it. */
   const pressed = useRef<number | null>(null);
   const timer = useRef<ReturnType<typeof setTimeout> | null>(null);
-  const [readout, setReadout] = useState<{ readonly row: number; readonly spot: Spot; readonly size: number | null } | null>(null);
+  const [readout, setReadout] = useState<{ readonly row: number; readonly spot: SnapSpot; readonly size: number | null } | null>(null);
   const stopWaiting = () => {
     if (timer.current !== null) clearTimeout(timer.current);
     timer.current = null;
@@ -80,7 +80,7 @@ export function useDrawing(now: Surroundings) {
   };
   useEffect(() => stopWaiting, []);
 
-  const snap = (place: Place, camera: Camera, except: number | null): Spot => {
+  const snap = (place: Place, camera: Camera, except: number | null): SnapSpot => {
     const others = now.reading.rows.flatMap((r, i) => (r.end && i !== except ? [r.end] : []));
     const reach = 7 / camera.scale;
     const spot = spotAt(camera, place);
@@ -172,10 +172,10 @@ export function useDrawing(now: Surroundings) {
 }
 
 /** A spot, whose X is a diameter, in the half plane. */
-const pointOf = ({ x, z }: Spot): Pt => ({ z: axial(z), r: toRadius(diameter(x)) });
+const pointOf = ({ x, z }: SnapSpot): Pt => ({ z: axial(z), r: toRadius(diameter(x)) });
 
 /** The point of a row's element nearest to a spot; along paraxial lines on the grid. */
-function nearestOn(reading: RowsReading, row: number, spot: Spot, step: number): Spot {
+function nearestOn(reading: RowsReading, row: number, spot: SnapSpot, step: number): SnapSpot {
   const to = reading.rows[row]?.end, from = reading.rows.slice(0, row).map((r) => r.end).filter((p) => p !== null).at(-1);
   if (!to || !from) return spot;
   const s = reading.contour.segments.find((_, i) => reading.rowOfSegment[i] === row);

@@ -1,13 +1,13 @@
 import { Icon } from "../Icon.tsx";
 import { goToField } from "../place.ts";
-import type { Entry } from "../findings/entry.ts";
+import type { FindingEntry } from "../findings/entry.ts";
 import { useIssueText } from "../issue-text.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { writeTyped } from "./write-value.ts";
 
 interface Props {
-  readonly problem: Pick<Entry, "issue">;
+  readonly problem: Pick<FindingEntry, "issue">;
   /** Decimals that the control keeps of the value. */
   readonly decimals: number;
   /** The field it belongs to, where that is another one than the one it stands at. */

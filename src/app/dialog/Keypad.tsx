@@ -3,7 +3,7 @@ import { decimalSign } from "../../i18n/number.ts";
 import { Icon } from "../Icon.tsx";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
-import { erase, insert, toggleIncremental, toggleSign, type Entry } from "./number-entry.ts";
+import { erase, insert, toggleIncremental, toggleSign, type EntryState } from "./number-entry.ts";
 import { commandsOf, type Prompt, type PromptSession } from "./session.ts";
 import type { ValueField } from "./ValueInput.tsx";
 
@@ -36,7 +36,7 @@ export function Keypad({ session, prompt, input }: Props) {
   const sign = decimalSign(useSettings((s) => s.language));
   const { step, noEntry, cancel, finish, take } = commandsOf(session);
   const numeric = prompt.choices === null;
-  const change = (by: (entry: Entry) => Entry) => () => {
+  const change = (by: (entry: EntryState) => EntryState) => () => {
     const open = input.current;
     if (!open) return;
     open.focus();

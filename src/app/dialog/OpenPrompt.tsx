@@ -1,5 +1,5 @@
 import { useId, useLayoutEffect, useRef, useState, type RefObject } from "react";
-import { isOpen, type Entry } from "../findings/entry.ts";
+import { isOpen, type FindingEntry } from "../findings/entry.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { ChoiceInput } from "./ChoiceInput.tsx";
 import { FieldMessage } from "./FieldMessage.tsx";
@@ -25,7 +25,7 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
   const reading = session.readings[prompt.id];
   const waits = reading?.issue === null && reading.value === null && typeof reading.written === "object" && reading.written !== null;
   const untouched = opened.before.trim() === "";
-  const calm = (entry: Entry) => isOpen(entry) && (untouched || entry.issue.code === "unknownParameter");
+  const calm = (entry: FindingEntry) => isOpen(entry) && (untouched || entry.issue.code === "unknownParameter");
   const take = (text: string) => {
     commandsOf(session).take(text);
     input.current?.focus();

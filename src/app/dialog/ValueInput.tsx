@@ -1,6 +1,6 @@
 import { useEffectEvent, useImperativeHandle, useLayoutEffect, useRef, type RefObject } from "react";
 import { useSettings } from "../settings/settings.ts";
-import type { Entry } from "./number-entry.ts";
+import type { EntryState } from "./number-entry.ts";
 import { commandsOf, type Prompt, type PromptSession } from "./session.ts";
 import { useNumberEntry } from "./use-number-entry.ts";
 import { inScreenWriting } from "./write-value.ts";
@@ -17,8 +17,8 @@ interface Props {
 
 /** What the keypad does to the open field. */
 export interface ValueField {
-  readonly read: () => Entry;
-  readonly write: (entry: Entry) => void;
+  readonly read: () => EntryState;
+  readonly write: (entry: EntryState) => void;
   readonly focus: () => void;
 }
 

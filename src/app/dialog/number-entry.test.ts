@@ -1,8 +1,8 @@
 import { expect, test } from "vitest";
-import { erase, insert, minus, toggleSign, type Entry } from "./number-entry.ts";
+import { erase, insert, minus, toggleSign, type EntryState } from "./number-entry.ts";
 
 /** "12|" is a caret behind 12; "[12]" is 12 selected. */
-function entry(picture: string): Entry {
+function entry(picture: string): EntryState {
   const text = picture.replace(/[|[\]]/g, "");
   const caret = picture.indexOf("|");
   return caret >= 0

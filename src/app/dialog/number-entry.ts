@@ -1,5 +1,5 @@
 /** The text of a prompt with its selection, as an input element holds it. */
-export interface Entry {
+export interface EntryState {
   readonly text: string;
   /** Selected characters: from, to; equal when it is only a caret. */
   readonly from: number;
@@ -14,15 +14,15 @@ const plainNumber = /^\s*[+-]?\d*[.,]?\d*\s*$/;
 export const isPlainNumber = (text: string): boolean => plainNumber.test(text);
 
 /** The whole number is selected, with or without its sign: what is typed next takes its place. */
-const allSelected = ({ text, from, to }: Entry) => from < to && to === text.length && /^[+-]?$/.test(text.slice(0, from));
+const allSelected = ({ text, from, to }: EntryState) => from < to && to === text.length && /^[+-]?$/.test(text.slice(0, from));
 
-const caretAt = (text: string, at: number): Entry => ({ text, from: at, to: at, negative: false });
+const caretAt = (text: string, at: number): EntryState => ({ text, from: at, to: at, negative: false });
 
 /**
  * The same number with the other sign; the caret stays at its digit. Of a number that was selected as a whole the digits
  * stay selected, so that digits typed next take the place of its digits and keep the sign that is seen.
  */
-export function toggleSign(entry: Entry): Entry {
+export function toggleSign(entry: EntryState): EntryState {
   const { text, from, to } = entry;
   const old = /^\s*[+-]?/.exec(text)?.[0] ?? "";
   const sign = old.includes("-") ? "" : "-";
@@ -33,24 +33,24 @@ export function toggleSign(entry: Entry): Entry {
 }
 
 /** The minus key: changes the sign of a number, is a minus in a sum. */
-export function minus(entry: Entry): Entry {
+export function minus(entry: EntryState): EntryState {
   if (!isPlainNumber(entry.text)) return insert(entry, "-");
   return { ...toggleSign(entry), negative: allSelected(entry) };
 }
 
 /** One character, or several, in place of what is selected. */
-export function insert(entry: Entry, characters: string): Entry {
+export function insert(entry: EntryState, characters: string): EntryState {
   if (entry.negative && allSelected(entry)) return caretAt(`-${characters}`, characters.length + 1);
   const text = entry.text.slice(0, entry.from) + characters + entry.text.slice(entry.to);
   return caretAt(text, entry.from + characters.length);
 }
 
 /** The I in front of an incremental value: put there, or taken away. */
-export const toggleIncremental = ({ text, from, to }: Entry): Entry =>
+export const toggleIncremental = ({ text, from, to }: EntryState): EntryState =>
   /^I/i.test(text) ? { text: text.slice(1), from: 0, to: text.length - 1, negative: false } : { text: `I${text}`, from: from + 1, to: to + 1, negative: false };
 
 /** Takes away what is selected, or the character before the caret. */
-export function erase(entry: Entry): Entry {
+export function erase(entry: EntryState): EntryState {
   const from = entry.from === entry.to ? Math.max(0, entry.from - 1) : entry.from;
   return caretAt(entry.text.slice(0, from) + entry.text.slice(entry.to), from);
 }

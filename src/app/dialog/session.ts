@@ -1,7 +1,7 @@
 import type { ReactNode } from "react";
 import type { FieldReading } from "../../program/field.ts";
 import { valueAsTyped } from "../../program/typed-value.ts";
-import type { Entry } from "../findings/entry.ts";
+import type { FindingEntry } from "../findings/entry.ts";
 import { closeStep } from "../store.ts";
 
 /** One prompt of a dialog, in the words of the screen. */
@@ -49,9 +49,9 @@ export interface PromptSession {
   readonly draft: Readonly<Record<string, string>>;
   readonly readings: Readonly<Record<string, FieldReading>>;
   readonly set: (id: string, text: string) => void;
-  readonly findings: readonly Entry[];
+  readonly findings: readonly FindingEntry[];
   /** Findings of other places that concern a prompt, with the name of their place. */
-  readonly besides: (id: string) => readonly { readonly entry: Entry; readonly place?: string }[];
+  readonly besides: (id: string) => readonly { readonly entry: FindingEntry; readonly place?: string }[];
   readonly picture: ReactNode;
   readonly opened: Opened;
   readonly open: (id: string | null, before: string) => void;

@@ -2,7 +2,7 @@ import type { Param } from "../../cycles/params.ts";
 import type { ParamTextId } from "../../cycles/index.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import { setPrompt } from "../edits.ts";
-import type { Entry } from "../findings/entry.ts";
+import type { FindingEntry } from "../findings/entry.ts";
 import { useFindings } from "../findings/use-findings.ts";
 import { mayTakeKeyboard, openPrompt, usePlace } from "../place.ts";
 import type { JobReading } from "../reading.ts";
@@ -14,7 +14,7 @@ import { unitOf, writeValue } from "./write-value.ts";
 
 /** A cycle block of a program: what is wrong with it only, and how its prompts are written into its text. */
 export interface PromptedBlock {
-  readonly problems: readonly Entry[];
+  readonly problems: readonly FindingEntry[];
   readonly set: (q: string, text: string) => void;
 }
 

@@ -1,10 +1,10 @@
 import { useLayoutEffect, useRef, type KeyboardEvent, type RefObject } from "react";
-import { insert, minus, type Entry } from "./number-entry.ts";
+import { insert, minus, type EntryState } from "./number-entry.ts";
 
 /** The typing of numbers in an input element: the minus key changes the sign, wherever the caret is. */
 export interface NumberEntry {
-  readonly read: () => Entry;
-  readonly write: (entry: Entry) => void;
+  readonly read: () => EntryState;
+  readonly write: (entry: EntryState) => void;
   readonly onKeyDown: (event: KeyboardEvent) => void;
   /** The element's own change: what was begun by the minus key is over. */
   readonly onTyped: () => void;
@@ -13,7 +13,7 @@ export interface NumberEntry {
 /** `text` is what the element shows; `onText` takes what it shall show. */
 export function useNumberEntry(input: RefObject<HTMLInputElement | null>, text: string, onText: (text: string) => void): NumberEntry {
   const negative = useRef(false);
-  const pending = useRef<Entry | null>(null);
+  const pending = useRef<EntryState | null>(null);
 
   useLayoutEffect(() => {
     const entry = pending.current;
@@ -21,12 +21,12 @@ export function useNumberEntry(input: RefObject<HTMLInputElement | null>, text: 
     if (entry) input.current?.setSelectionRange(entry.from, entry.to);
   }, [input, text]);
 
-  const read = (): Entry => {
+  const read = (): EntryState => {
     const element = input.current;
     const value = element?.value ?? "";
     return { text: value, from: element?.selectionStart ?? value.length, to: element?.selectionEnd ?? value.length, negative: negative.current };
   };
-  const write = (entry: Entry) => {
+  const write = (entry: EntryState) => {
     negative.current = entry.negative;
     pending.current = entry;
     onText(entry.text);

@@ -2,7 +2,7 @@ import { withBlock } from "../../nc/edit.ts";
 import { blockNumbers } from "../../nc/program.ts";
 import type { Statement } from "../../nc/statement.ts";
 import { FieldMessage } from "../dialog/FieldMessage.tsx";
-import type { Entry } from "../findings/entry.ts";
+import type { FindingEntry } from "../findings/entry.ts";
 import { Icon } from "../Icon.tsx";
 import { useTexts } from "../settings/use-texts.ts";
 import { BlockField } from "./BlockField.tsx";
@@ -13,7 +13,7 @@ import { editProgram, openBlock, useSession } from "./session.ts";
 const nothing = () => undefined;
 
 /** The dialog of a block that is no cycle of the catalogue: one field a word, made from the description of its kind. */
-export function BlockForm({ problems }: { readonly problems: readonly Entry[] }) {
+export function BlockForm({ problems }: { readonly problems: readonly FindingEntry[] }) {
   const t = useTexts().editor;
   const { reading: { program }, index } = useSession();
   const block = program.blocks[index];

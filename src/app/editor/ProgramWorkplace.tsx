@@ -15,7 +15,7 @@ import { useEditor } from "../store.ts";
 import { useMedia } from "../use-fingers.ts";
 import { BlockPanel } from "./BlockPanel.tsx";
 import { followProgram } from "./follow.ts";
-import { closeSession, flush, openBlock, openSession } from "./session.ts";
+import { closeSession, handOverText, openBlock, openSession } from "./session.ts";
 import { StructurePanel } from "./StructurePanel.tsx";
 import { TextPanel } from "./TextPanel.tsx";
 import { TotalsStrip } from "./TotalsStrip.tsx";
@@ -31,9 +31,9 @@ function useProgramSession(): void {
     openSession(program);
     if (usePlace.getState().section === "prompts") showSection(matchMedia(WIDE).matches ? "structure" : "text");
     const stop = followProgram();
-    beforeLeaving.add(flush);
+    beforeLeaving.add(handOverText);
     return () => {
-      beforeLeaving.delete(flush);
+      beforeLeaving.delete(handOverText);
       stop();
       closeSession();
     };

@@ -1,14 +1,14 @@
 import { useRef, useState } from "react";
 import { formatNumber } from "../../i18n/number.ts";
 import { Icon } from "../Icon.tsx";
-import type { Verdict } from "../findings/verdict.ts";
+import type { ShownVerdict } from "../findings/verdict.ts";
 import { VerdictText } from "../findings/VerdictText.tsx";
 import { mayLeave } from "../leaving/leaving.ts";
 import { copyText, useCopying } from "../program/copy.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { LONGEST_LINK } from "../files/limits.ts";
-import { flush, programText } from "./session.ts";
+import { handOverText, sessionText } from "./session.ts";
 import { shareLink } from "./share.ts";
 
 /** Links longer than this are cut by many programs, characters. */
@@ -22,15 +22,15 @@ export function ShareDialog() {
   const language = useSettings((s) => s.language);
   const dialog = useRef<HTMLDialogElement>(null);
   const [link, setLink] = useState("");
-  const [verdict, setVerdict] = useState<Verdict | null>(null);
+  const [verdict, setVerdict] = useState<ShownVerdict | null>(null);
   const copied = useCopying((c) => c.state === "copied" && c.text === link);
   return (
     <>
       <button
         type="button" className="button"
         onClick={() => {
-          flush();
-          const text = programText() ?? "";
+          handOverText();
+          const text = sessionText() ?? "";
           void mayLeave("share", text).then((allowed) => {
             if (!allowed) return;
             setVerdict(allowed);

@@ -10,7 +10,7 @@ import { useTexts } from "../settings/use-texts.ts";
 import { useEditor } from "../store.ts";
 import { encode } from "./encoding.ts";
 import { downloadBytes } from "../files/download.ts";
-import { flush, programText, sessionView, useSession } from "./session.ts";
+import { handOverText, sessionText, sessionView, useSession } from "./session.ts";
 import { ShareDialog } from "./ShareDialog.tsx";
 
 type Saving = "saved" | "notSaved" | null;
@@ -32,10 +32,10 @@ export function TextPanel({ toBlock }: { readonly toBlock?: () => void }) {
     view.requestMeasure();
   }, [ready]);
 
-  const bytes = () => encode(programText() ?? "", useEditor.getState().program?.encoding ?? "utf-8");
+  const bytes = () => encode(sessionText() ?? "", useEditor.getState().program?.encoding ?? "utf-8");
   const allowed = (way: Way) => {
-    flush();
-    return mayLeave(way, programText() ?? "");
+    handOverText();
+    return mayLeave(way, sessionText() ?? "");
   };
   const save = async () => {
     if (!(await allowed("save"))) return;
@@ -51,8 +51,8 @@ export function TextPanel({ toBlock }: { readonly toBlock?: () => void }) {
       {toBlock && <button type="button" className="button to-block" onClick={toBlock}>{t.editor.form}</button>}
       <div className="program-buttons">
         <button type="button" className="button" aria-label={t.page.text.copyLong} onClick={() => {
-          flush();
-          void copyProgram(programText() ?? "");
+          handOverText();
+          void copyProgram(sessionText() ?? "");
         }}>
           <Icon name={faults > 0 ? "warning" : copied ? "check" : "copy"} /> {copied ? t.page.text.copied : t.page.text.copy}
         </button>

@@ -8,7 +8,7 @@ import { NUMBER_PARAMETER } from "../../nc/value.ts";
 import { feedWord } from "../../program/field.ts";
 import { formOf, formWord } from "../../program/recess-words.ts";
 import { blockValue, feedAsTyped, parameterAsTyped, typedFeed, valueAsTyped } from "../../program/typed-value.ts";
-import { fieldOf, optionalValue, readLabel, readLine, shownLabel, type WordField } from "./field.ts";
+import { fieldOf, optionalValue, labelAsTyped, singleLine, shownLabel, type WordField } from "./field.ts";
 import { axisFields, axisField, compensationField, feedField, functionsField, namedFields, polarWord, retractField, turnField, valueWord } from "./word-fields.ts";
 
 const AXES = ["X", "Y", "Z"] as const satisfies readonly AxisName[];
@@ -28,11 +28,11 @@ export const statementOf = <K extends Statement["kind"]>(text: string, kind: K):
 };
 
 /** A statement as one line of text, without number. */
-export const lineOf = (s: Statement): string => statementLines(s, LAYOUTS.tnc7)[0] ?? "";
+export const statementLine = (s: Statement): string => statementLines(s, LAYOUTS.tnc7)[0] ?? "";
 
 /** The whole statement as text, for what has no words of its own. */
 const wholeText: WordField = {
-  id: "text", name: "text", wide: true, read: (s) => (s.kind === "unknown" ? s.text : lineOf(s)),
+  id: "text", name: "text", wide: true, read: (s) => (s.kind === "unknown" ? s.text : statementLine(s)),
   write: (_, typed) => {
     const blocks = parse(typed).blocks;
     return blocks.length === 1 ? (blocks[0]?.statement ?? null) : null;
@@ -86,8 +86,8 @@ type Table = { readonly [K in Statement["kind"]]: (s: Extract<Statement, { kind:
 /** The fields of every kind of block: the one description that all their dialogs are made from. */
 const table: Table = {
   empty: () => [],
-  comment: () => [fieldOf("comment", "text", (s) => s.text, (s, typed) => { const text = readLine(typed); return text === null ? null : { ...s, text }; }, { wide: true })],
-  structure: () => [fieldOf("structure", "text", (s) => s.text, (s, typed) => { const text = readLine(typed); return text === null ? null : { ...s, text: text.trimStart() }; }, { wide: true })],
+  comment: () => [fieldOf("comment", "text", (s) => s.text, (s, typed) => { const text = singleLine(typed); return text === null ? null : { ...s, text }; }, { wide: true })],
+  structure: () => [fieldOf("structure", "text", (s) => s.text, (s, typed) => { const text = singleLine(typed); return text === null ? null : { ...s, text: text.trimStart() }; }, { wide: true })],
   begin: () => frame("begin"),
   end: () => frame("end"),
   blankBox: (s) => [
@@ -106,17 +106,17 @@ const table: Table = {
   blankRotation: () => [
     fieldOf("blankRotation", "toolAxis", (s) => s.axis, (s, typed) => (isAxis(typed) ? { ...s, axis: typed } : null), { choices: ["X", "Y", "Z"] }),
     fieldOf("blankRotation", "measure", (s) => s.measure, (s, typed) => ({ ...s, measure: typed === "R" ? "R" : "D" }), { choices: ["D", "R"] }),
-    fieldOf("blankRotation", "label", (s) => shownLabel(s.label), (s, typed) => { const label = readLabel(typed); return label === null ? null : { ...s, label }; }),
+    fieldOf("blankRotation", "label", (s) => shownLabel(s.label), (s, typed) => { const label = labelAsTyped(typed); return label === null ? null : { ...s, label }; }),
   ],
   toolDefinition: () => [
-    fieldOf("toolDefinition", "tool", (s) => shownLabel(s.tool), (s, typed) => { const tool = readLabel(typed); return tool === null ? null : { ...s, tool }; }),
+    fieldOf("toolDefinition", "tool", (s) => shownLabel(s.tool), (s, typed) => { const tool = labelAsTyped(typed); return tool === null ? null : { ...s, tool }; }),
     fieldOf("toolDefinition", "length", (s) => valueAsTyped(s.length), (s, typed) => optionalValue(typed, (length) => ({ ...s, length })), { numeric: true, unit: "mm" }),
     fieldOf("toolDefinition", "toolRadius", (s) => valueAsTyped(s.radius), (s, typed) => optionalValue(typed, (r) => ({ ...s, radius: r })), { numeric: true, unit: "mm" }),
   ],
   toolCall: () => [
     fieldOf("toolCall", "tool", (s) => (s.tool === null ? "" : shownLabel(s.tool)), (s, typed) => {
       if (typed.trim() === "") return { ...s, tool: null };
-      const value = TOOL_VALUE.test(typed) ? blockValue(typed) : readLabel(typed);
+      const value = TOOL_VALUE.test(typed) ? blockValue(typed) : labelAsTyped(typed);
       return value === null ? null : { ...s, tool: value };
     }),
     fieldOf("toolCall", "toolAxis", (s) => s.axis ?? "", (s, typed) => ({ ...s, axis: isAxis(typed) ? typed : null }), { choices: ["", "X", "Y", "Z"] }),
@@ -146,7 +146,7 @@ const table: Table = {
         const from = s.blank === "off" ? "off" : "file" in s.blank ? "file" : "label";
         return from === typed ? s : { ...s, blank: typed === "off" ? "off" : typed === "file" ? { file: "BLANK.H" } : { label: 1 } };
       }, { choices: ["off", "label", "file"] }),
-    fieldOf("turnBlank", "label", (s) => (s.blank !== "off" && "label" in s.blank ? shownLabel(s.blank.label) : ""), (s, typed) => { const label = readLabel(typed); return label === null ? null : { ...s, blank: { label } }; }),
+    fieldOf("turnBlank", "label", (s) => (s.blank !== "off" && "label" in s.blank ? shownLabel(s.blank.label) : ""), (s, typed) => { const label = labelAsTyped(typed); return label === null ? null : { ...s, blank: { label } }; }),
     fieldOf("turnBlank", "file", (s) => (s.blank !== "off" && "file" in s.blank ? s.blank.file : ""), (s, typed) => (typed === "" || /["\r\n]/.test(typed) ? null : { ...s, blank: { file: typed } })),
   ],
   path: (s) => paths[s.path](s),
@@ -164,12 +164,12 @@ const table: Table = {
     fieldOf("groove", "form", (g) => g.form, (g, typed) => ({ ...g, form: typed === "AXIAL" ? "AXIAL" : "RADIAL" }), { choices: ["RADIAL", "AXIAL"] }),
     ...namedFields(s, GROOVE_WORDS),
   ],
-  label: () => [fieldOf("label", "label", (s) => shownLabel(s.label), (s, typed) => { const label = readLabel(typed); return label === null ? null : { ...s, label }; })],
+  label: () => [fieldOf("label", "label", (s) => shownLabel(s.label), (s, typed) => { const label = labelAsTyped(typed); return label === null ? null : { ...s, label }; })],
   call: () => [
-    fieldOf("call", "label", (s) => shownLabel(s.label), (s, typed) => { const label = readLabel(typed); return label === null ? null : { ...s, label }; }),
+    fieldOf("call", "label", (s) => shownLabel(s.label), (s, typed) => { const label = labelAsTyped(typed); return label === null ? null : { ...s, label }; }),
     fieldOf("call", "repeat", (s) => valueAsTyped(s.repeat), (s, typed) => optionalValue(typed, (repeat) => ({ ...s, repeat })), { numeric: true }),
   ],
-  cycleLine: () => [fieldOf("cycleLine", "cycleLine", (s) => s.text, (s, typed) => { const text = readLine(typed); return text === null ? null : { ...s, text }; }, { wide: true })],
+  cycleLine: () => [fieldOf("cycleLine", "cycleLine", (s) => s.text, (s, typed) => { const text = singleLine(typed); return text === null ? null : { ...s, text }; }, { wide: true })],
   cycle: (s) => s.parameters.map((p) => fieldOf("cycle", { word: p.label === null ? p.q : `${p.q} ${p.label.trim()}` },
     (c) => parameterAsTyped(c.parameters.find((each) => each.q === p.q)?.value),
     (c, typed) => {
@@ -185,7 +185,7 @@ const table: Table = {
   datum: () => [wholeText],
   assign: (s) => [
     fieldOf("assign", "target", (a) => a.target, (a, typed) => (TARGET.test(typed) ? { ...a, target: typed.trim().toUpperCase() } : null)),
-    fieldOf("assign", "formula", (a) => lineOf(a).replace(/^.*?=\s*/, ""), (a, typed) =>
+    fieldOf("assign", "formula", (a) => statementLine(a).replace(/^.*?=\s*/, ""), (a, typed) =>
       statementOf(`${s.fn === null ? "" : `FN ${s.fn}: `}${a.target} = ${typed}`, "assign"), { wide: true }),
   ],
   functions: () => [functionsField],

@@ -5,8 +5,8 @@ import type { CycleParameter, Statement } from "../../nc/statement.ts";
 import { feedWord } from "../../program/field.ts";
 import { exampleJob, type Job } from "../../program/job.ts";
 import { readDraft, type Draft } from "../../program/read-draft.ts";
-import type { Finding } from "../../program/run-types.ts";
-import { entryAt, type Entry } from "../findings/entry.ts";
+import type { RunFinding } from "../../program/run-types.ts";
+import { entryAt, type FindingEntry } from "../findings/entry.ts";
 import type { JobReading } from "../reading.ts";
 import { contourBefore, parametersBefore, perRevolutionBefore } from "./block-context.ts";
 import { blockValue, parameterAsTyped } from "../../program/typed-value.ts";
@@ -45,14 +45,14 @@ function withParameter(s: CycleStatement, q: string, value: CycleParameter["valu
 }
 
 /** What was found in the lines of a block, and what is wrong with its prompts as typed; none twice. */
-export function problemsOfBlock(program: Program, index: number, read: JobReading | null, findings: readonly Finding[]): readonly Entry[] {
+export function problemsOfBlock(program: Program, index: number, read: JobReading | null, findings: readonly RunFinding[]): readonly FindingEntry[] {
   const line = startLines(program)[index] ?? 0;
   const last = line + (program.blocks[index]?.lines ?? 1) - 1;
   const block = blockNumbers(program)[index] ?? null;
-  const typed = read?.reading.issues.map((issue): Entry => entryAt(issue, issue.at ?? null, block)) ?? [];
+  const typed = read?.reading.issues.map((issue): FindingEntry => entryAt(issue, issue.at ?? null, block)) ?? [];
   const found = findings.filter((f) => f.line !== null && f.line >= line && f.line <= last)
-    .map(({ issue }): Entry => entryAt(issue, ("at" in issue ? issue.at : null) ?? null, block));
-  const all = new Map<string, Entry>();
+    .map(({ issue }): FindingEntry => entryAt(issue, ("at" in issue ? issue.at : null) ?? null, block));
+  const all = new Map<string, FindingEntry>();
   for (const problem of [...typed, ...found]) {
     const key = JSON.stringify([problem.issue.code, problem.at, problem.issue.data]);
     if (!all.has(key)) all.set(key, problem);

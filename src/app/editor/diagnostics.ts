@@ -4,7 +4,7 @@ import type { EditorView } from "@codemirror/view";
 import type { Texts } from "../../i18n/index.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { blockAt } from "../../nc/reread.ts";
-import type { Finding } from "../../program/run-types.ts";
+import type { RunFinding } from "../../program/run-types.ts";
 import { issueText } from "../issue-text.ts";
 import { readingField } from "./reading-field.ts";
 
@@ -12,7 +12,7 @@ import { readingField } from "./reading-field.ts";
 const MOST = 1500;
 
 /** Where a finding stands in the editor's text. */
-export function placeOf(state: EditorState, { issue, line }: Pick<Finding, "issue" | "line">): { readonly from: number; readonly to: number } | null {
+export function placeOf(state: EditorState, { issue, line }: Pick<RunFinding, "issue" | "line">): { readonly from: number; readonly to: number } | null {
   if (line === null || line < 1 || line > state.doc.lines) return null;
   const at = state.doc.line(line);
   if ("column" in issue) {
@@ -23,7 +23,7 @@ export function placeOf(state: EditorState, { issue, line }: Pick<Finding, "issu
 }
 
 /** The correction that a finding of the reader offers, in the editor's text; null without one. */
-export function fixOf(state: EditorState, finding: Pick<Finding, "issue" | "line">): TransactionSpec | null {
+export function fixOf(state: EditorState, finding: Pick<RunFinding, "issue" | "line">): TransactionSpec | null {
   const { issue } = finding;
   const place = placeOf(state, finding);
   if (!place || !("fix" in issue) || !issue.fix) return null;
@@ -40,7 +40,7 @@ export function cycleOf(state: EditorState, offset: number): number | null {
 }
 
 /** Marks all findings in text and margin, with their sentences in the screen language and what corrects them. */
-export function diagnosticsOf(view: EditorView, findings: readonly Finding[], t: Texts, language: Language, dispatch: (spec: TransactionSpec) => void): Pick<Transaction, "effects"> & TransactionSpec {
+export function diagnosticsOf(view: EditorView, findings: readonly RunFinding[], t: Texts, language: Language, dispatch: (spec: TransactionSpec) => void): Pick<Transaction, "effects"> & TransactionSpec {
   const { state } = view;
   const all: Diagnostic[] = [];
   for (const finding of findings.slice(0, MOST)) {

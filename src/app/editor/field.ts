@@ -49,11 +49,11 @@ export const optionalValue = <S>(typed: string, put: (value: Value | null) => S)
 export const shownLabel = (label: Label | Parameter): string => (typeof label === "object" ? label.parameter : String(label));
 
 /** A typed label: digits are its number, anything else its name. */
-export const readLabel = (typed: string): Label | null => {
+export const labelAsTyped = (typed: string): Label | null => {
   const text = typed.trim().replaceAll('"', "");
   if (text === "" || /[\r\n]/.test(text)) return null;
   return /^\d{1,9}$/.test(text) ? Number(text) : text;
 };
 
 /** One line of text without what would end or cut it. */
-export const readLine = (typed: string): string | null => (/[\r\n]/.test(typed) ? null : typed);
+export const singleLine = (typed: string): string | null => (/[\r\n]/.test(typed) ? null : typed);

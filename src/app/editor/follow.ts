@@ -12,11 +12,11 @@ import { inWords } from "./editor-extensions.ts";
 import { openReading } from "./open-block.ts";
 import { blockRange } from "./reading-field.ts";
 import { WIDE } from "./wide.ts";
-import { dispatchEdit, openBlock, programText, sessionView, useSession } from "./session.ts";
+import { dispatchEdit, openBlock, sessionText, sessionView, useSession } from "./session.ts";
 
 /** True when a result was made from the text as it stands now. */
 const isPresent = (outcome: Outcome | null): outcome is Outcome =>
-  outcome !== null && outcome.text === useEditor.getState().program?.text && outcome.text === programText();
+  outcome !== null && outcome.text === useEditor.getState().program?.text && outcome.text === sessionText();
 
 /** Opens the prompt that the cursor stands at, or the first one, where the open block has prompts. */
 function showAskedPrompt(): void {

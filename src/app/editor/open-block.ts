@@ -3,7 +3,7 @@ import { create } from "zustand";
 import type { Reading } from "../../nc/reread.ts";
 import type { Draft } from "../../program/read-draft.ts";
 import { useOutcome } from "../engine/outcome.ts";
-import type { Entry } from "../findings/entry.ts";
+import type { FindingEntry } from "../findings/entry.ts";
 import type { JobReading } from "../reading.ts";
 import { problemsOfBlock, readingOfBlock, withPrompt } from "./block-prompts.ts";
 import { editProgram, useSession, type Session } from "./session.ts";
@@ -28,7 +28,7 @@ export function openReading(): JobReading | null {
 }
 
 /** The prompts of the open block and what is wrong with it, followed by a component. */
-export function useOpenBlock(): { readonly read: JobReading | null; readonly problems: readonly Entry[] } {
+export function useOpenBlock(): { readonly read: JobReading | null; readonly problems: readonly FindingEntry[] } {
   const session = useSession();
   const draft = useTyped((typed) => draftIn(typed, session));
   const findings = useOutcome((s) => s.newest?.run.issues);

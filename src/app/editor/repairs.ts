@@ -7,7 +7,7 @@ import { kept } from "../../program/field.ts";
 import { noWords, POSITION_DECIMALS, positionAsTyped } from "../../program/typed-value.ts";
 import { ncLabels } from "../../i18n/nc-labels.ts";
 import type { Language } from "../../i18n/languages.ts";
-import type { Entry } from "../findings/entry.ts";
+import type { FindingEntry } from "../findings/entry.ts";
 import { nearestOf } from "../findings/host.ts";
 import { withPrompt } from "./block-prompts.ts";
 
@@ -27,7 +27,7 @@ export interface Repair {
 
 
 /** Index of the block that a finding belongs to; -1 when it belongs to none. */
-export function indexOf(program: Program, { line, block }: Pick<Entry, "line" | "block">): number {
+export function indexOf(program: Program, { line, block }: Pick<FindingEntry, "line" | "block">): number {
   if (line !== null) return startLines(program).findLastIndex((start) => start <= line);
   return block === null ? -1 : blockNumbers(program).indexOf(block);
 }
@@ -138,7 +138,7 @@ function withLead(program: Program, index: number, word: "LEN" | "R", value: num
 const asking = (repairs: readonly Repair[]): readonly Repair[] => repairs.map((repair) => ({ ...repair, asks: true }));
 
 /** The changes of the program that mend a finding, surest first; none where only the operator can know. */
-export function repairsOf(program: Program, entry: Entry, language: Language): readonly Repair[] {
+export function repairsOf(program: Program, entry: FindingEntry, language: Language): readonly Repair[] {
   const index = indexOf(program, entry);
   const { issue, at } = entry;
   const insert = (place: number, ...statements: Statement[]) => [insertion(program, place, statements, index)];

@@ -42,13 +42,13 @@ let panels: ReturnType<typeof setTimeout> | undefined;
 let calculation: ReturnType<typeof setTimeout> | undefined;
 
 /** The text of the open program as its file has it; null when none is open. */
-export const programText = (): string | null => (view && open ? fromEditor(view.state.doc.toString(), open.ends) : null);
+export const sessionText = (): string | null => (view && open ? fromEditor(view.state.doc.toString(), open.ends) : null);
 
 /** Hands the text to keeping and calculation now. */
-export function flush(): void {
+export function handOverText(): void {
   clearTimeout(calculation);
   calculation = undefined;
-  const text = programText();
+  const text = sessionText();
   const { program } = useEditor.getState();
   if (text !== null && program && program.text !== text) setProgram({ ...program, text });
 }
@@ -77,7 +77,7 @@ function onUpdate(update: ViewUpdate): void {
     const rest = long ? LONG_REST : REST;
     if (long) typingGoesOn();
     clearTimeout(calculation);
-    calculation = setTimeout(flush, rest);
+    calculation = setTimeout(handOverText, rest);
     showHistory(update.state);
   }
   if (!update.docChanged && !update.selectionSet) return;
@@ -109,7 +109,7 @@ export function openSession(program: ProgramWork): EditorView {
 
 export function closeSession(): void {
   if (!view) return;
-  flush();
+  handOverText();
   clearTimeout(panels);
   view.destroy();
   view = null;

@@ -1,14 +1,14 @@
 import { useMemo } from "react";
 import { writeTyped } from "../dialog/write-value.ts";
 import { useOutcome } from "../engine/outcome.ts";
-import type { Entry } from "../findings/entry.ts";
-import type { FindingsHost, Remedy } from "../findings/host.ts";
+import type { FindingEntry } from "../findings/entry.ts";
+import type { FindingsHost, Mend } from "../findings/host.ts";
 import { showSection } from "../place.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { fixOf } from "./diagnostics.ts";
 import { indexOf, repairsOf, withTool, type Repair } from "./repairs.ts";
-import { dispatchEdit, editProgram, openBlock, programText, sessionView, useSession } from "./session.ts";
+import { dispatchEdit, editProgram, openBlock, sessionText, sessionView, useSession } from "./session.ts";
 
 /** Decimals of offered values. */
 const DECIMALS = 4;
@@ -21,13 +21,13 @@ export function useProgramHost(): FindingsHost {
   const newest = useOutcome((s) => s.newest);
   return useMemo(() => {
     const { program } = reading;
-    const isPresent = () => newest !== null && newest.text === programText();
+    const isPresent = () => newest !== null && newest.text === sessionText();
     const nameOf = ({ kind, text, block }: Repair): string => {
       if (kind === "take") return t.dialog.takeNearest(typeof text === "number" ? writeTyped(language, text, DECIMALS) : text);
       if (kind === "write") return t.findings.write(String(text), block);
       return kind === "insert" ? t.findings.insert(String(text)) : t.findings.remove(String(text));
     };
-    const open = (entry: Entry) => openBlock(indexOf(program, entry), entry.at);
+    const open = (entry: FindingEntry) => openBlock(indexOf(program, entry), entry.at);
     const targetOf: FindingsHost["targetOf"] = (entry) => {
       const index = indexOf(program, entry);
       if (index < 0) return null;
@@ -40,7 +40,7 @@ export function useProgramHost(): FindingsHost {
     const remediesOf: FindingsHost["remediesOf"] = (entry) => {
       const view = sessionView();
       if (!view || !isPresent()) return [];
-      const repairs = repairsOf(program, entry, language).map((repair): Remedy => ({
+      const repairs = repairsOf(program, entry, language).map((repair): Mend => ({
         name: nameOf(repair),
         apply: () => {
           editProgram(repair.next(), null, repair.open);

@@ -2,7 +2,7 @@ import { releaseProxy, wrap, type Remote } from "comlink";
 import type { Job } from "../../program/job.ts";
 import { readText } from "../../program/field.ts";
 import { SETUP_FIELDS } from "../../program/setup-fields.ts";
-import type { ToolTable } from "../../program/read-tools.ts";
+import type { ShopTools } from "../../program/read-tools.ts";
 import type { Control } from "../../program/plane-types.ts";
 import type { Operation } from "../../program/run-types.ts";
 import type { ToolFit } from "../../program/which-tool.ts";
@@ -83,7 +83,7 @@ const USUAL_RAPID = 10_000;
 
 const rapidOf = (job: Job): number => readText(SETUP_FIELDS.rapid, job.rapid).value ?? USUAL_RAPID;
 
-let last: { readonly text: string; readonly table: ToolTable; readonly rapid: number; readonly control: Control; readonly cycle: number | null; readonly work: string | null } | null = null;
+let last: { readonly text: string; readonly table: ShopTools; readonly rapid: number; readonly control: Control; readonly cycle: number | null; readonly work: string | null } | null = null;
 
 /** A whole program is calculated as it stands, right or wrong. */
 function followProgram({ text }: ProgramWork, name: string | null): void {

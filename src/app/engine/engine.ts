@@ -2,7 +2,7 @@ import { cycleByNumber } from "../../cycles/index.ts";
 import { parse } from "../../nc/parse.ts";
 import { knownParameters } from "../../program/job-parameters.ts";
 import { readDraft } from "../../program/read-draft.ts";
-import type { ToolTable } from "../../program/read-tools.ts";
+import type { ShopTools } from "../../program/read-tools.ts";
 import { run } from "../../program/run.ts";
 import { rankTools, type ToolFit } from "../../program/which-tool.ts";
 import { remedies, type Remedy } from "../../report/remedies.ts";
@@ -22,7 +22,7 @@ export interface Request {
   readonly version: number;
   readonly text: string;
   /** The tools that the program can call. */
-  readonly table: ToolTable;
+  readonly table: ShopTools;
   /** Rapid rate for times, mm/min. */
   readonly rapid: number;
   /** How APPR and DEP move in the tool axis. */

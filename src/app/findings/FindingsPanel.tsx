@@ -5,7 +5,7 @@ import { issueText } from "../issue-text.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { chooseFinding, useChosen } from "./chosen.ts";
-import type { Entry } from "./entry.ts";
+import type { FindingEntry } from "./entry.ts";
 import type { FindingsHost } from "./host.ts";
 import { ResidueTools } from "./ResidueTools.tsx";
 import { ToolOffer } from "./ToolOffer.tsx";
@@ -16,7 +16,7 @@ import { VerdictText } from "./VerdictText.tsx";
 const MOST = 300;
 
 /** One finding: what, where, the way there, and what mends it. */
-function Row({ entry, host, chosen }: { readonly entry: Entry; readonly host: FindingsHost; readonly chosen: boolean }) {
+function Row({ entry, host, chosen }: { readonly entry: FindingEntry; readonly host: FindingsHost; readonly chosen: boolean }) {
   const t = useTexts();
   const language = useSettings((s) => s.language);
   const row = useRef<HTMLLIElement>(null);

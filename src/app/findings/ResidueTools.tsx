@@ -5,7 +5,7 @@ import { remediesOf } from "../engine/client.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
-import type { Entry } from "./entry.ts";
+import type { FindingEntry } from "./entry.ts";
 import type { FindingsHost } from "./host.ts";
 
 /** Tools that are offered; the others leave more. */
@@ -17,7 +17,7 @@ const NOTHING = 0.005;
 const byTool: ReadonlySet<string> = new Set(["insertRadius", "mainEdge", "secondaryEdge", "toolWidth", "cutLength"]);
 
 /** The tools of the table that would take what stays, tried when someone asks, the one that leaves least first. */
-export function ResidueTools({ entry, host }: { readonly entry: Entry; readonly host: FindingsHost }) {
+export function ResidueTools({ entry, host }: { readonly entry: FindingEntry; readonly host: FindingsHost }) {
   const t = useTexts();
   const words = t.findings.residue;
   const write = writer(useSettings((s) => s.language));

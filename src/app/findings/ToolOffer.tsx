@@ -3,7 +3,7 @@ import type { ToolFit } from "../../program/which-tool.ts";
 import { fitsOfCall } from "../engine/client.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import { useTexts } from "../settings/use-texts.ts";
-import type { Entry } from "./entry.ts";
+import type { FindingEntry } from "./entry.ts";
 import type { FindingsHost } from "./host.ts";
 
 /** Findings that another tool would mend. */
@@ -13,7 +13,7 @@ const byTool: ReadonlySet<string> = new Set(["toolUnfit", "toolOnWrongSide", "to
 const REST = 120;
 
 /** A tool of the table that makes the contour where the chosen one can not; tried before it is offered. */
-export function ToolOffer({ entry, host }: { readonly entry: Entry; readonly host: FindingsHost }) {
+export function ToolOffer({ entry, host }: { readonly entry: FindingEntry; readonly host: FindingsHost }) {
   const t = useTexts().setup.tool;
   const newest = useOutcome((s) => s.newest);
   const [best, offer] = useState<ToolFit | null>(null);

@@ -1,7 +1,7 @@
 import { Icon, type IconName } from "../Icon.tsx";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
-import { toneOf, type Verdict } from "./verdict.ts";
+import { toneOf, type ShownVerdict } from "./verdict.ts";
 import { verdictReasons, verdictTitle } from "./verdict-words.ts";
 import "./findings.css";
 
@@ -11,7 +11,7 @@ const icons: Readonly<Record<ReturnType<typeof toneOf>, IconName | null>> = { go
 const MOST = 4;
 
 /** The verdict on a program in words, with its reasons where there is room for them. The same everywhere on the page. */
-export function VerdictText({ verdict, reasons = 0 }: { readonly verdict: Verdict; readonly reasons?: number }) {
+export function VerdictText({ verdict, reasons = 0 }: { readonly verdict: ShownVerdict; readonly reasons?: number }) {
   const t = useTexts().findings.verdict;
   const language = useSettings((s) => s.language);
   const tone = toneOf(verdict);

@@ -1,11 +1,11 @@
 import type { Pt } from "../../kernel/point.ts";
 import type { Severity } from "../../kernel/issue.ts";
 import type { AnyIssue } from "../../i18n/message-texts.ts";
-import type { Position } from "../../sim/simulation.ts";
+import type { PlayPosition } from "../../sim/simulation.ts";
 import type { Bounds } from "../../view/camera.ts";
 
 /** Where a finding is to be seen in the picture, and when. */
-export interface Spot {
+export interface FindingSpot {
   /** The section of the lathe, or the working plane of milling (X to the right, Y up, as points z and r). */
   readonly plane: "ZX" | "XY";
   readonly kind: "finding" | "residual";
@@ -14,11 +14,11 @@ export interface Spot {
   readonly place: Pt;
   /** The box round it, mm. */
   readonly bounds: Bounds;
-  readonly position: Position;
+  readonly position: PlayPosition;
 }
 
 /** One line of the list of findings, whatever found it: a prompt, the contour table, the run or the stock. */
-export interface Entry {
+export interface FindingEntry {
   /** Names the line as long as nothing changes. */
   readonly id: string;
   readonly issue: AnyIssue;
@@ -30,7 +30,7 @@ export interface Entry {
   readonly line: number | null;
   /** Index of its operation in the run. */
   readonly operation: number | null;
-  readonly spot: Spot | null;
+  readonly spot: FindingSpot | null;
   /** Index into the proof's residue, for what stays. */
   readonly residual: number | null;
   /** Diameter of the largest circle in what stays, mm. */
@@ -40,12 +40,12 @@ export interface Entry {
 const toDo: ReadonlySet<string> = new Set(["missing", "unknownParameter"]);
 
 /** A prompt that is still empty, or a Q parameter that still waits for its value: something to do, not something done wrong. */
-export const isOpen = ({ issue }: Pick<Entry, "issue">): boolean => toDo.has(issue.code);
+export const isOpen = ({ issue }: Pick<FindingEntry, "issue">): boolean => toDo.has(issue.code);
 
 /** The same in the list: what a program lacks is a fault, what is not typed yet is none. */
-export const isToDo = (entry: Pick<Entry, "issue" | "block">): boolean => entry.block === null && isOpen(entry);
+export const isToDo = (entry: Pick<FindingEntry, "issue" | "block">): boolean => entry.block === null && isOpen(entry);
 
-export const isError = ({ issue }: Pick<Entry, "issue">): boolean => issue.severity === "error";
+export const isError = ({ issue }: Pick<FindingEntry, "issue">): boolean => issue.severity === "error";
 
 /** Findings about a tool name it, or the column of the tool table. */
 const toolPlaces: ReadonlySet<string> = new Set([
@@ -57,12 +57,12 @@ const weight: Readonly<Record<Severity, number>> = { error: 0, warning: 1, info:
 
 /** What was found in the stock comes after what was found in the program, and what stays comes last: causes before effects. */
 const found: ReadonlySet<string> = new Set(["gouge", "rapidInStock", "holderContact", "deeperThanInfeed", "nothingCut", "airPasses"]);
-const stage = ({ issue }: Entry): number => (issue.code === "materialLeft" ? 2 : found.has(issue.code) ? 1 : 0);
+const stage = ({ issue }: FindingEntry): number => (issue.code === "materialLeft" ? 2 : found.has(issue.code) ? 1 : 0);
 
 /** Worst first; among equals the cause before its effect, then in the order of the text. */
-export const inOrder = (entries: readonly Entry[]): readonly Entry[] =>
+export const inOrder = (entries: readonly FindingEntry[]): readonly FindingEntry[] =>
   entries.toSorted((a, b) => weight[a.issue.severity] - weight[b.issue.severity] || stage(a) - stage(b));
 
 /** A finding that stands at one field or block and nowhere in the picture. */
-export const entryAt = (issue: AnyIssue, at: string | null, block: number | null): Entry =>
+export const entryAt = (issue: AnyIssue, at: string | null, block: number | null): FindingEntry =>
   ({ id: `${issue.code} ${at ?? ""}`, issue, at, block, line: null, operation: null, spot: null, residual: null, thickness: null });

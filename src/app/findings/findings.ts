@@ -1,13 +1,13 @@
 import { issue as contourIssue } from "../../kernel/issue.ts";
 import type { AnyIssue } from "../../i18n/message-texts.ts";
-import { issuesOf } from "../../sim/issues.ts";
+import { stockIssues } from "../../sim/issues.ts";
 import { contourProblems } from "../contour/contour-problems.ts";
 import type { Outcome } from "../engine/outcome.ts";
 import type { JobReading } from "../reading.ts";
-import { inOrder, type Entry } from "./entry.ts";
+import { inOrder, type FindingEntry } from "./entry.ts";
 import { letterOf, spotOfProof, spotOfRun } from "./spots.ts";
 
-type Found = Omit<Entry, "id">;
+type Found = Omit<FindingEntry, "id">;
 
 const nowhere = { at: null, block: null, line: null, operation: null, spot: null, residual: null, thickness: null } as const;
 const atOf = (issue: AnyIssue): string | null => ("at" in issue ? (issue.at ?? null) : null);
@@ -29,7 +29,7 @@ function calculated({ run, simulation }: Outcome): readonly Found[] {
     const spot = spotOfRun(run, f);
     return { ...nowhere, issue: f.issue, at: atOf(f.issue), block: f.block, line: f.line, operation: f.operation, spot: spot && { ...spot, mark: "" } };
   });
-  const proved = issuesOf(simulation).map((p): Found => {
+  const proved = stockIssues(simulation).map((p): Found => {
     const seen = spotOfProof(simulation, p);
     const operation = p.operation === null ? undefined : run.operations[p.operation];
     return {
@@ -59,7 +59,7 @@ function withoutEchoes(all: readonly Found[]): readonly Found[] {
 }
 
 /** Numbers for what was found at a place, letters for what stays, in the order of the list. */
-function marked(entries: readonly Entry[]): readonly Entry[] {
+function marked(entries: readonly FindingEntry[]): readonly FindingEntry[] {
   let [numbers, letters] = [0, 0];
   return entries.map((entry) => {
     if (!entry.spot) return entry;
@@ -72,10 +72,10 @@ function marked(entries: readonly Entry[]): readonly Entry[] {
  * Everything found in the open work, worst first: what the prompts say at once, and what the last calculated program says,
  * as long as it is calculated from these values. Nothing twice. A program has no prompts of its own: `read` is null.
  */
-export function findingsOf(read: JobReading | null, outcome: Outcome | null): readonly Entry[] {
+export function findingsOf(read: JobReading | null, outcome: Outcome | null): readonly FindingEntry[] {
   const early = read ? typed(read) : [];
   const late = outcome && (!read || read.reading.values) ? calculated(outcome) : [];
-  const all = new Map<string, Entry>();
+  const all = new Map<string, FindingEntry>();
   for (const found of withoutEchoes([...early, ...late])) {
     const { issue, at, line } = found;
     // The text of a job is made from its prompts: what both say is said once.

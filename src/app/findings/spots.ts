@@ -1,13 +1,13 @@
 import { partPoint } from "../../kernel/plane.ts";
 import type { Pt, Ring } from "../../kernel/point.ts";
 import { axial, diameter, radius, toDiameter, toRadius } from "../../kernel/units.ts";
-import type { Finding as RunFinding, Run } from "../../program/run-types.ts";
+import type { RunFinding as RunFinding, Run } from "../../program/run-types.ts";
 import type { ProofIssue } from "../../sim/issues.ts";
 import type { Simulation } from "../../sim/simulation.ts";
 import type { Bounds } from "../../view/camera.ts";
-import type { Spot } from "./entry.ts";
+import type { FindingSpot } from "./entry.ts";
 
-type Unmarked = Omit<Spot, "mark">;
+type Unmarked = Omit<FindingSpot, "mark">;
 
 /** Half the edge of what is shown round a single point, mm. */
 const ROUND = 2;

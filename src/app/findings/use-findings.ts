@@ -2,15 +2,15 @@ import { useMemo } from "react";
 import { useOutcome, type Outcome } from "../engine/outcome.ts";
 import { readJob, useReading, type JobReading } from "../reading.ts";
 import { useEditor } from "../store.ts";
-import { isToDo, type Entry } from "./entry.ts";
+import { isToDo, type FindingEntry } from "./entry.ts";
 import { findingsOf } from "./findings.ts";
-import { judged, type Verdict } from "./verdict.ts";
+import { judged, type ShownVerdict } from "./verdict.ts";
 
 interface Findings {
-  readonly entries: readonly Entry[];
+  readonly entries: readonly FindingEntry[];
   /** Those of the list: prompts that are only not answered yet are counted, not listed. */
-  readonly listed: readonly Entry[];
-  readonly verdict: Verdict;
+  readonly listed: readonly FindingEntry[];
+  readonly verdict: ShownVerdict;
 }
 
 let last: { readonly read: JobReading | null; readonly newest: Outcome | null; readonly findings: Findings } | null = null;
@@ -37,10 +37,10 @@ function useBoth(): Findings {
 }
 
 /** All findings of the open work, worst first; the same list as long as neither values nor results change. */
-export const useFindings = (): readonly Entry[] => useBoth().entries;
+export const useFindings = (): readonly FindingEntry[] => useBoth().entries;
 
 /** What the list of findings shows and every count on the page counts. */
-export const useListed = (): readonly Entry[] => useBoth().listed;
+export const useListed = (): readonly FindingEntry[] => useBoth().listed;
 
 /** The verdict on the open work. */
-export const useVerdict = (): Verdict => useBoth().verdict;
+export const useVerdict = (): ShownVerdict => useBoth().verdict;

@@ -9,8 +9,8 @@ import type { JobReading } from "../reading.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { closeStep } from "../store.ts";
-import { isAboutTool, type Entry } from "./entry.ts";
-import { nearestOf, type FindingsHost, type Remedy, type Target } from "./host.ts";
+import { isAboutTool, type FindingEntry } from "./entry.ts";
+import { nearestOf, type FindingsHost, type Mend, type Target } from "./host.ts";
 
 /** Decimals of a start point. */
 const START_DECIMALS = 3;
@@ -30,7 +30,7 @@ export function useJobHost(read: JobReading): FindingsHost {
     const { places } = t.findings;
     const { job, cycle, draft } = read;
     const goTo = (q: string | null) => openPrompt(q, q === null ? "" : (draft[q] ?? ""));
-    const targetOf = ({ issue, at, block }: Entry): Target | null => {
+    const targetOf = ({ issue, at, block }: FindingEntry): Target | null => {
       const param = at === null ? undefined : cycle.params[at];
       if (at !== null && param) return { name: t.dialog.value(at, t.params[param.text as ParamTextId].label), go: () => goTo(at) };
       if (at === "start.x") return { name: places.startX, go: () => goToField("setup", "start.x") };
@@ -41,7 +41,7 @@ export function useJobHost(read: JobReading): FindingsHost {
       if (isAboutTool(at) || issue.code === "toolUnknown") return { name: places.tool, go: () => goToField("setup", "tool") };
       return block === null ? null : { name: t.findings.inBlock(String(block)), go: () => showSection("program") };
     };
-    const remediesOf = (entry: Entry): readonly Remedy[] => {
+    const remediesOf = (entry: FindingEntry): readonly Mend[] => {
       const { issue, at } = entry;
       if (issue.code === "betterTool") return [{ name: t.setup.tool.take(issue.data.tool), apply: oneStep(() => setTool(issue.data.tool)) }];
       if (issue.code === "startOnWrongSide") {
@@ -54,7 +54,7 @@ export function useJobHost(read: JobReading): FindingsHost {
       const nearest = nearestOf(entry);
       const param = at === null ? undefined : cycle.params[at];
       if (nearest === null || at === null) return [];
-      const take = (decimals: number, apply: () => void): readonly Remedy[] => [{ name: t.dialog.takeNearest(writeTyped(language, nearest, decimals)), apply: oneStep(apply) }];
+      const take = (decimals: number, apply: () => void): readonly Mend[] => [{ name: t.dialog.takeNearest(writeTyped(language, nearest, decimals)), apply: oneStep(apply) }];
       if (param) return take(param.decimals, () => setPrompt(at, String(nearest)));
       if (at === "start.x" || at === "start.z") return take(START_DECIMALS, () => setStart(at === "start.x" ? "x" : "z", String(nearest)));
       return [];

@@ -1,12 +1,12 @@
 import type { Texts } from "../../i18n/index.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { writer } from "../../i18n/write.ts";
-import type { Doubt, Verdict } from "./verdict.ts";
+import type { Doubt, ShownVerdict } from "./verdict.ts";
 
 type Words = Texts["findings"]["verdict"];
 
 /** The verdict in a few words. */
-export function verdictTitle(t: Words, language: Language, { state, doubts, faults, stays, warnings }: Verdict): string {
+export function verdictTitle(t: Words, language: Language, { state, doubts, faults, stays, warnings }: ShownVerdict): string {
   if (state === "none") return t.none;
   if (state === "faults") return t.faults(faults);
   const first = doubts[0];
@@ -26,4 +26,4 @@ function because(t: Words["because"], doubt: Doubt): readonly string[] {
 }
 
 /** Every reason why a program is not proved, or not wholly, as a sentence each. */
-export const verdictReasons = (t: Words, { doubts }: Verdict): readonly string[] => doubts.flatMap((doubt) => because(t.because, doubt));
+export const verdictReasons = (t: Words, { doubts }: ShownVerdict): readonly string[] => doubts.flatMap((doubt) => because(t.because, doubt));

@@ -1,6 +1,6 @@
 import { verdictOf, type VerdictReason } from "../../report/verdict.ts";
 import type { Outcome } from "../engine/outcome.ts";
-import { isError, isToDo, type Entry } from "./entry.ts";
+import { isError, isToDo, type FindingEntry } from "./entry.ts";
 
 /** Why a program is not proved, or not wholly, with what the sentence about it needs. */
 export type Doubt =
@@ -11,7 +11,7 @@ export type Doubt =
   | { readonly kind: "holderUnknown" | "flanksUnknown"; readonly tools: readonly number[] };
 
 /** What the screen says about a program as a whole: the judgement of the report, and what the list of findings adds. */
-export interface Verdict {
+export interface ShownVerdict {
   /** "none": there is nothing calculated to judge. */
   readonly state: "none" | "proved" | "faults" | "incomplete";
   /** The gravest first. */
@@ -25,7 +25,7 @@ export interface Verdict {
   readonly stays: number;
 }
 
-function doubtsOf(reasons: readonly VerdictReason[], entries: readonly Entry[], { run }: Outcome): readonly Doubt[] {
+function doubtsOf(reasons: readonly VerdictReason[], entries: readonly FindingEntry[], { run }: Outcome): readonly Doubt[] {
   const doubts: Doubt[] = [];
   for (const reason of reasons) {
     switch (reason.kind) {
@@ -50,7 +50,7 @@ function doubtsOf(reasons: readonly VerdictReason[], entries: readonly Entry[], 
 }
 
 /** The verdict on what is calculated, with every reason against it. Errors that only the prompts know count as well. */
-export function judged(entries: readonly Entry[], outcome: Outcome | null): Verdict {
+export function judged(entries: readonly FindingEntry[], outcome: Outcome | null): ShownVerdict {
   const errors = entries.filter(isError);
   const open = errors.filter(isToDo).length;
   const faults = errors.length - open;
@@ -64,5 +64,5 @@ export function judged(entries: readonly Entry[], outcome: Outcome | null): Verd
 }
 
 /** Green only where everything is proved, nothing was left unlooked at, and nothing is left to look at. */
-export const toneOf = ({ state, doubts, warnings, stays }: Verdict): "good" | "plain" | "doubt" | "bad" | "none" =>
+export const toneOf = ({ state, doubts, warnings, stays }: ShownVerdict): "good" | "plain" | "doubt" | "bad" | "none" =>
   state === "none" ? "none" : state === "faults" ? "bad" : state === "incomplete" || doubts.length > 0 ? "doubt" : warnings > 0 || stays > 0 ? "plain" : "good";

@@ -1,6 +1,6 @@
 import { diameter, toDiameter, toRadius, axial, radius } from "../../kernel/units.ts";
 import { formatNumber } from "../../i18n/number.ts";
-import { toPart, toScreen } from "../../view/camera.ts";
+import { toPlace, toScreen } from "../../view/camera.ts";
 import { ticks } from "../../view/ticks.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
@@ -14,10 +14,10 @@ export const SCALE_BELOW = 22;
 const APART = { z: 72, x: 44 };
 
 /** Grid and scales: Z along the lower edge, X as diameter along the left one, the spindle axis as a chain line. */
-export function Axes({ viewport, part }: { readonly viewport: Viewport; readonly part: "grid" | "scales" }) {
+export function LatheAxes({ viewport, part }: { readonly viewport: Viewport; readonly part: "grid" | "scales" }) {
   const camera = useCamera(viewport), { width, height } = viewport.size();
   const language = useSettings(s => s.language), t = useTexts().lathe;
-  const corner = toPart(camera, { x: 0, y: 0 }), far = toPart(camera, { x: width, y: height });
+  const corner = toPlace(camera, { x: 0, y: 0 }), far = toPlace(camera, { x: width, y: height });
   const alongZ = ticks(corner.z, far.z, APART.z / camera.scale);
   const alongX = ticks(toDiameter(corner.r), toDiameter(far.r), toDiameter(radius(APART.x / camera.scale)));
   const placeZ = (z: number) => toScreen(camera, { z: axial(z), r: radius(0) }).x;

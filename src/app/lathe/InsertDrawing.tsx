@@ -4,7 +4,7 @@ import { insertOutline } from "../../kernel/insert.ts";
 import { CHORD } from "../../kernel/tolerance.ts";
 import type { Tool } from "../../kernel/tool.ts";
 import type { Bounds } from "../../view/camera.ts";
-import { boundsOf, common, grown, joined } from "../../view/bounds.ts";
+import { boundsOf, common, grownBounds, joined } from "../../view/bounds.ts";
 import { ringData } from "../../view/path.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import "./lathe.css";
@@ -15,7 +15,7 @@ const BESIDE = 1.6;
 /** The box of a tool's insert with the near end of its holder. */
 export function heldBounds(tool: Tool): Bounds {
   const insert = boundsOf(insertOutline(tool, CHORD)) ?? { left: -1, right: 1, low: -1, high: 1 };
-  const near = grown(insert, BESIDE * Math.max(insert.right - insert.left, insert.high - insert.low));
+  const near = grownBounds(insert, BESIDE * Math.max(insert.right - insert.left, insert.high - insert.low));
   return common(joined(insert, boundsOf(holderOutlines(tool).flat())) ?? insert, near);
 }
 
@@ -32,7 +32,7 @@ export function InsertDrawing({ tool, width = 48, height = 48, span, whole = fal
 }) {
   const t = useTexts().lathe, id = useId();
   const { insert, holder, box } = useMemo(() => {
-    const ring = insertOutline(tool, CHORD), b = grown(boundsOf(ring) ?? { left: -1, right: 1, low: -1, high: 1 }, 0);
+    const ring = insertOutline(tool, CHORD), b = grownBounds(boundsOf(ring) ?? { left: -1, right: 1, low: -1, high: 1 }, 0);
     const held = holderOutlines(tool);
     return { insert: ringData([ring]), holder: ringData(held), box: whole ? heldBounds(tool) : b };
   }, [tool, whole]);

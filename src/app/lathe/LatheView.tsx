@@ -3,7 +3,7 @@ import type { Run } from "../../program/run-types.ts";
 import type { Simulation } from "../../sim/simulation.ts";
 import { playerOf } from "../../sim/stock.ts";
 import { mirrored } from "../../view/bounds.ts";
-import { toPart, type Place } from "../../view/camera.ts";
+import { toPlace, type Place } from "../../view/camera.ts";
 import { snapPoints } from "../../view/measure.ts";
 import { moveAt } from "../../view/pick.ts";
 import { trackOf } from "../../view/playback.ts";
@@ -78,7 +78,7 @@ export function LatheView({ result, dimmed, playback, clock, onMove }: {
   const measuring = useMeasuring(viewport, points);
   const tap = (at: Place) => {
     if (measuring.on) return measuring.tap(at);
-    const camera = viewport.get(), step = onMove ? moveAt(run.steps, toPart(camera, at), NEAR / camera.scale) : null;
+    const camera = viewport.get(), step = onMove ? moveAt(run.steps, toPlace(camera, at), NEAR / camera.scale) : null;
     if (step !== null) onMove?.(step);
   };
   const stage = useStage(viewport, { tap, hover: measuring.hover });

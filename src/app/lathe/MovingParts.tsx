@@ -6,7 +6,7 @@ import type { Step } from "../../kernel/step.ts";
 import { CHORD } from "../../kernel/tolerance.ts";
 import { radius } from "../../kernel/units.ts";
 import type { Tool } from "../../kernel/tool.ts";
-import type { Position } from "../../sim/simulation.ts";
+import type { PlayPosition } from "../../sim/simulation.ts";
 import { ringData, stretchData } from "../../view/path.ts";
 import { tipAt } from "../../view/tip.ts";
 import type { PlaybackStore } from "./playback-store.ts";
@@ -15,7 +15,7 @@ import { useEachPicture, usePlayback } from "./use-playback.ts";
 /** What moves in the picture: a run on a playback, and the stock at any position of it. */
 export interface Moving {
   readonly steps: readonly Step[];
-  readonly stockAt: (position: Position) => readonly Ring[];
+  readonly stockAt: (position: PlayPosition) => readonly Ring[];
   readonly playback: PlaybackStore;
 }
 
@@ -33,7 +33,7 @@ function Stock({ moving: { stockAt, playback }, full, fill }: { readonly moving:
 }
 
 /** The step that runs at a position; the last one at the end. */
-const stepIndex = (steps: readonly Step[], position: Position) => Math.min(position.step, steps.length - 1);
+const stepIndex = (steps: readonly Step[], position: PlayPosition) => Math.min(position.step, steps.length - 1);
 
 function Insert({ tool }: { readonly tool: Tool }) {
   const shapes = useMemo(() => ({ insert: ringData([insertOutline(tool, CHORD)]), holder: ringData(holderOutlines(tool)) }), [tool]);

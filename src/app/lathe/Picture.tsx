@@ -1,10 +1,10 @@
 import { memo, useEffect, useId, useMemo, useRef } from "react";
 import type { Ring } from "../../kernel/point.ts";
-import type { Finding, Residual } from "../../sim/simulation.ts";
+import type { StockFinding, Residual } from "../../sim/simulation.ts";
 import { ringData } from "../../view/path.ts";
 import { PATH_ROLES, type Scene, type Shape } from "../../view/scene.ts";
 import { transform } from "../../view/svg.ts";
-import { Axes } from "./Axes.tsx";
+import { LatheAxes } from "./Axes.tsx";
 import { MovingParts, type Moving } from "./MovingParts.tsx";
 import type { Viewport } from "./viewport.ts";
 
@@ -66,7 +66,7 @@ export function Picture({ viewport, scene, moving, findings, residual, full, nam
   readonly viewport: Viewport;
   readonly scene: Scene;
   readonly moving: Moving | null;
-  readonly findings: readonly Finding[];
+  readonly findings: readonly StockFinding[];
   /** Shown only when the run is at its end. */
   readonly residual: readonly Residual[];
   readonly full: boolean;
@@ -85,7 +85,7 @@ export function Picture({ viewport, scene, moving, findings, residual, full, nam
     <div className="lathe-picture" role="img" aria-label={name}>
       <svg className="sheet">
         <Hatches viewport={viewport} id={id} />
-        <Axes viewport={viewport} part="grid" />
+        <LatheAxes viewport={viewport} part="grid" />
         <World viewport={viewport}>
           <Still shapes={sheets.below} mirror={full} />
           {moving && <MovingParts.Stock moving={moving} full={full} fill={`url(#${id}stock)`} />}
@@ -103,7 +103,7 @@ export function Picture({ viewport, scene, moving, findings, residual, full, nam
       <svg className="sheet">
         <World viewport={viewport}>{moving && <MovingParts.Tool moving={moving} />}</World>
         {children}
-        <Axes viewport={viewport} part="scales" />
+        <LatheAxes viewport={viewport} part="scales" />
       </svg>
     </div>
   );

@@ -1,7 +1,7 @@
 import { useState } from "react";
 import type { Pt } from "../../kernel/point.ts";
-import { toPart, type Place } from "../../view/camera.ts";
-import { nudged, snapped } from "../../view/measure.ts";
+import { toPlace, type Place } from "../../view/camera.ts";
+import { nudged, snappedPoint } from "../../view/measure.ts";
 import type { Viewport } from "./viewport.ts";
 
 /** A pointer this near to a point of the drawing means that point, pixels. */
@@ -37,7 +37,7 @@ const ARROWS: Readonly<Record<string, readonly [number, number]>> =
 /** A ruler over a viewport that snaps to these points. */
 export function useMeasuring(viewport: Viewport, points: readonly Pt[]): Measuring {
   const [state, set] = useState<State>(OFF);
-  const placeOf = (at: Place) => snapped(toPart(viewport.get(), at), points, REACH / viewport.get().scale);
+  const placeOf = (at: Place) => snappedPoint(toPlace(viewport.get(), at), points, REACH / viewport.get().scale);
   const middle = () => {
     const { width, height } = viewport.size();
     return placeOf({ x: width / 2, y: height / 2 });

@@ -1,9 +1,9 @@
 import { useMemo } from "react";
 import type { AnyIssue } from "../../i18n/message-texts.ts";
 import type { Pt } from "../../kernel/point.ts";
-import type { Position } from "../../sim/simulation.ts";
+import type { PlayPosition } from "../../sim/simulation.ts";
 import type { Bounds } from "../../view/camera.ts";
-import type { Spot } from "../findings/entry.ts";
+import type { FindingSpot } from "../findings/entry.ts";
 import { useFindings } from "../findings/use-findings.ts";
 import { useIssueText } from "../issue-text.ts";
 import { useTexts } from "../settings/use-texts.ts";
@@ -11,7 +11,7 @@ import { useTexts } from "../settings/use-texts.ts";
 /** A finding of the list that is to be seen in the picture. */
 export interface LookAt {
   readonly id: string;
-  readonly kind: Spot["kind"];
+  readonly kind: FindingSpot["kind"];
   /** Number of a finding, letter of a region that stays. */
   readonly mark: string;
   readonly place: Pt;
@@ -19,13 +19,13 @@ export interface LookAt {
   /** What and where, in a sentence. */
   readonly line: string;
   /** The moment at which it is to be seen. */
-  readonly position: Position;
+  readonly position: PlayPosition;
   readonly issue: AnyIssue;
   readonly residual: number | null;
 }
 
 /** The findings that one of the two pictures shows, in the order of the list. */
-export function usePlaces(plane: Spot["plane"]): readonly LookAt[] {
+export function usePlaces(plane: FindingSpot["plane"]): readonly LookAt[] {
   const entries = useFindings();
   const say = useIssueText();
   const t = useTexts().findings;

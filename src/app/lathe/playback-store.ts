@@ -1,4 +1,4 @@
-import type { Position } from "../../sim/simulation.ts";
+import type { PlayPosition } from "../../sim/simulation.ts";
 import { atStart, reduce, settled, trackOf, type Action, type Playback } from "../../view/playback.ts";
 import type { Clock } from "../clock.ts";
 
@@ -6,7 +6,7 @@ import type { Clock } from "../clock.ts";
 export interface PlaybackStore {
   readonly get: () => Playback;
   /** The position to show: without motion, only ends of moves while it plays. */
-  readonly shown: () => Position;
+  readonly shown: () => PlayPosition;
   readonly dispatch: (action: Action) => void;
   /** Calls after each change; returns what ends it. */
   readonly subscribe: (listener: () => void) => () => void;

@@ -9,7 +9,7 @@ import type { Spindle } from "../../kernel/step.ts";
 import { speedAt } from "../../kernel/time.ts";
 import { toDiameter } from "../../kernel/units.ts";
 import type { Operation, Run } from "../../program/run-types.ts";
-import type { Position } from "../../sim/simulation.ts";
+import type { PlayPosition } from "../../sim/simulation.ts";
 import { tipAt } from "../../view/tip.ts";
 
 /** What is said about a moment of a run, as words and numbers of the screen language. */
@@ -29,7 +29,7 @@ export interface Running {
 export const placeText = (language: Language, p: Pt) => ({ x: formatPosition(language, toDiameter(p.r)), z: formatPosition(language, p.z) });
 
 /** Feed with its unit, or that it is a rapid. */
-export function feedText(t: Texts["lathe"], language: Language, move: Move): string {
+export function runningFeed(t: Texts["lathe"], language: Language, move: Move): string {
   if (move.kind === "rapid") return t.rapid;
   if (move.kind === "thread") return `${formatNumber(language, Math.abs(move.pitch))} ${t.perTurn}`;
   return `${formatNumber(language, move.feed)} ${move.feedUnit === "mm/rev" ? t.perTurn : t.perMinute}`;
@@ -58,7 +58,7 @@ function spindleOf(run: Run, index: number): Spindle | null {
 }
 
 /** What to say about a position; null when the run has no moves. */
-export function runningText(t: Texts, language: Language, run: Run, position: Position): Running | null {
+export function runningText(t: Texts, language: Language, run: Run, position: PlayPosition): Running | null {
   const index = Math.min(position.step, run.steps.length - 1), step = run.steps[index], tip = tipAt(run.steps, position);
   if (!step || !tip) return null;
   const operation = step.operation === null ? undefined : run.operations[step.operation], spindle = spindleOf(run, index);
@@ -66,7 +66,7 @@ export function runningText(t: Texts, language: Language, run: Run, position: Po
   const { pass } = step.move;
   return {
     ...placeText(language, tip),
-    feed: feedText(t.lathe, language, step.move),
+    feed: runningFeed(t.lathe, language, step.move),
     speed: speed !== null && Number.isFinite(speed) ? `${formatNumber(language, speed, 0)} ${t.lathe.rpm}` : "–",
     phase: phaseText(t.lathe, step.move),
     pass: pass !== undefined && operation ? t.lathe.pass(String(pass), String(Math.max(pass, operation.plan.passes))) : "",

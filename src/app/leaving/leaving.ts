@@ -1,8 +1,8 @@
 import { create } from "zustand";
 import { useOutcome } from "../engine/outcome.ts";
-import { isError, isToDo, type Entry } from "../findings/entry.ts";
+import { isError, isToDo, type FindingEntry } from "../findings/entry.ts";
 import { presentFindings } from "../findings/use-findings.ts";
-import type { Verdict } from "../findings/verdict.ts";
+import type { ShownVerdict } from "../findings/verdict.ts";
 import { readJob } from "../reading.ts";
 import { useEditor } from "../store.ts";
 
@@ -12,9 +12,9 @@ export type Way = "copy" | "save" | "download" | "share";
 /** The question that stands before a program with faults leaves. */
 export interface Asking {
   readonly way: Way;
-  readonly verdict: Verdict;
+  readonly verdict: ShownVerdict;
   /** What is wrong, worst first. */
-  readonly faults: readonly Entry[];
+  readonly faults: readonly FindingEntry[];
   /** No result for this very text came in time. */
   readonly unchecked: boolean;
   readonly answer: (go: boolean) => void;
@@ -48,7 +48,7 @@ function calculated(text: string): Promise<boolean> {
  * Asks before a program with faults leaves the page; resolves to the verdict that goes with it, or to null when it is to
  * stay. One that is not wholly proved may leave unasked, but the verdict is said.
  */
-export async function mayLeave(way: Way, text: string): Promise<Verdict | null> {
+export async function mayLeave(way: Way, text: string): Promise<ShownVerdict | null> {
   const checked = await calculated(text);
   const { entries, verdict } = presentFindings();
   if (checked && verdict.faults === 0 && verdict.open === 0) return verdict;

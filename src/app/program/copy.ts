@@ -1,5 +1,5 @@
 import { create } from "zustand";
-import type { Verdict } from "../findings/verdict.ts";
+import type { ShownVerdict } from "../findings/verdict.ts";
 
 /** How the last copying went; null before it and once its message is gone. */
 export interface Copying {
@@ -7,7 +7,7 @@ export interface Copying {
   /** The text that was asked for. */
   readonly text: string;
   /** The verdict that went with it; null for what is no program. */
-  readonly verdict: Verdict | null;
+  readonly verdict: ShownVerdict | null;
 }
 
 export const useCopying = create<Copying>(() => ({ state: null, text: "", verdict: null }));
@@ -17,7 +17,7 @@ const SHOWN = 8000;
 let timer: ReturnType<typeof setTimeout> | undefined;
 
 /** Puts text on the clipboard; where the browser refuses, the text is shown to be copied by hand. */
-export async function copyText(text: string, verdict: Verdict | null = null): Promise<void> {
+export async function copyText(text: string, verdict: ShownVerdict | null = null): Promise<void> {
   clearTimeout(timer);
   try {
     await navigator.clipboard.writeText(text);

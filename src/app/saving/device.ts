@@ -25,7 +25,7 @@ export interface Found {
 }
 
 /** What became of writing: kept, no room left, or refused. */
-export type Keeping = "kept" | "full" | "refused";
+export type KeepState = "kept" | "full" | "refused";
 
 type Stores = { readonly works: ReturnType<typeof createStore>; readonly aside: ReturnType<typeof createStore> };
 let stores: Stores | null = null;
@@ -96,7 +96,7 @@ export async function readWork(work: string): Promise<SaveFile | null> {
 const isFull = (error: unknown) => error instanceof Error && error.name === "QuotaExceededError";
 
 /** Keeps a work. */
-export async function keepWork(work: string, job: Work): Promise<Keeping> {
+export async function keepWork(work: string, job: Work): Promise<KeepState> {
   try {
     const file: SaveFile = { version: SAVE_VERSION, savedAt: Date.now(), job };
     await set(work, file, open().works);

@@ -1,5 +1,5 @@
 import { z } from "zod/mini";
-import { usePlace, type Place } from "../place.ts";
+import { usePlace, type WorkPlace } from "../place.ts";
 import { useEditor } from "../store.ts";
 
 /** Where the operator was in this browser tab: survives a reload, not the tab. */
@@ -16,7 +16,7 @@ export function resumePlace(): void {
     const read = place.safeParse(JSON.parse(sessionStorage.getItem(KEY) ?? "null"));
     if (!read.success || read.data.work !== useEditor.getState().work) return;
     const { section, prompt, before } = read.data;
-    usePlace.setState((p): Place => ({ ...p, section, prompt, before }));
+    usePlace.setState((p): WorkPlace => ({ ...p, section, prompt, before }));
   } catch {
     return;
   }

@@ -6,7 +6,7 @@ import { usePlace } from "../place.ts";
 import type { JobReading } from "../reading.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { useToolList } from "../tools/tool-store.ts";
-import { ToolVerdict, useToolDetails, useVerdict } from "./tool-words.tsx";
+import { ToolVerdict, useToolDetails, useToolVerdict } from "./tool-words.tsx";
 
 /** Edge length of an insert drawing, px. */
 const DRAWING = 40;
@@ -16,7 +16,7 @@ export function ToolTable({ read, fits }: { readonly read: JobReading; readonly 
   const t = useTexts().setup.tool;
   const tools = useToolList();
   const details = useToolDetails();
-  const verdict = useVerdict();
+  const verdict = useToolVerdict();
   const asked = usePlace((p) => (p.field === "tool" ? p.focus : 0));
   const group = useRef<HTMLFieldSetElement>(null);
 

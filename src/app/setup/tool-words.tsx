@@ -25,7 +25,7 @@ export function useToolDetails(): (tool: Tool) => string {
 }
 
 /** What a tool can do on the open contour, in a few words. */
-export function useVerdict(): (fit: ToolFit) => string {
+export function useToolVerdict(): (fit: ToolFit) => string {
   const t = useTexts().setup.tool;
   const language = useSettings((s) => s.language);
   return (fit) => (fit.makesContour ? t.makes : fit.unreached > 0 ? t.leaves(formatNumber(language, fit.unreached, 2)) : t.cannot);
@@ -33,7 +33,7 @@ export function useVerdict(): (fit: ToolFit) => string {
 
 /** The verdict with its mark. */
 export function ToolVerdict({ fit }: { readonly fit: ToolFit }) {
-  const verdict = useVerdict();
+  const verdict = useToolVerdict();
   return (
     <span className={`small tool-fit ${fit.makesContour ? "good" : "bad"}`}>
       <Icon name={fit.makesContour ? "check" : "warning"} /> {verdict(fit)}

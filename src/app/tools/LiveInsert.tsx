@@ -14,7 +14,7 @@ const WIDTH = 176;
 const HEIGHT = 148;
 
 /** The next of 1, 2, 5, 10, 20 … that is not below a length, so that the drawing does not change its scale at each keystroke. */
-export function roundedUp(length: number): number {
+export function wholeAbove(length: number): number {
   const power = 10 ** Math.floor(Math.log10(Math.max(length, 1e-3)));
   return [1, 2, 5, 10].map((n) => n * power).find((n) => n >= length - 1e-9) ?? length;
 }
@@ -39,8 +39,8 @@ export function LiveInsert({ tool, now }: {
     const insert = tool && boundsOf(insertOutline(tool, CHORD));
     if (!tool || !insert) return null;
     const all = heldBounds(tool);
-    const span = roundedUp(Math.max((all.right - all.left) * (HEIGHT / WIDTH), all.high - all.low) * 1.12);
-    return { width: insert.right - insert.left, height: insert.high - insert.low, span, bar: roundedUp(span / 6) };
+    const span = wholeAbove(Math.max((all.right - all.left) * (HEIGHT / WIDTH), all.high - all.low) * 1.12);
+    return { width: insert.right - insert.left, height: insert.high - insert.low, span, bar: wholeAbove(span / 6) };
   }, [tool]);
   if (!tool || !measured) return <div className="live-insert"><p className="soft small">{t.noDrawing}</p></div>;
   const number = (n: number, decimals: number) => formatNumber(language, n, decimals);

@@ -3,7 +3,7 @@ import { formatNumber } from "../../i18n/number.ts";
 import type { MillTool } from "../../program/tool-entry.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
-import { roundedUp } from "./LiveInsert.tsx";
+import { wholeAbove } from "./LiveInsert.tsx";
 
 /** Edges of the drawing, px. */
 const WIDTH = 176;
@@ -15,10 +15,10 @@ export function MillDrawing({ mill }: { readonly mill: MillTool | null }) {
   const language = useSettings((s) => s.language);
   if (!mill) return <div className="live-insert"><p className="soft small">{t.noDrawing}</p></div>;
   const across = toDiameter(radius(mill.R + (mill.DR ?? 0)));
-  const span = roundedUp(Math.max(across * 1.4, 1));
+  const span = wholeAbove(Math.max(across * 1.4, 1));
   const scale = HEIGHT / span;
   const half = (across * scale) / 2;
-  const bar = roundedUp(span / 6);
+  const bar = wholeAbove(span / 6);
   const middle = WIDTH / 2;
   return (
     <figure className="live-insert" aria-label={t.millDrawing}>

@@ -10,7 +10,7 @@ import { useKeeping } from "../saving/keep.ts";
 import { changeSettings } from "../settings/settings.ts";
 import { readKept, startTools, writeKept } from "./keep-tools.ts";
 import { showTools, showToolNumber, useToolPlace } from "./tool-place.ts";
-import { readTools, takeTools, toolTable, undoTools, useTools } from "./tool-store.ts";
+import { toolsOnDevice, takeTools, toolTable, undoTools, useTools } from "./tool-store.ts";
 import { ToolPage } from "./ToolPage.tsx";
 
 const field = (name: string) => screen.getByRole<HTMLInputElement>("textbox", { name });
@@ -151,5 +151,5 @@ test("changes are kept on the device, damaged tables are set aside, other tabs a
   expect(list()).toEqual(foreign);
   expect(steps()).toBe(0);
   stop();
-  expect(readTools(list()).table.tools).toEqual(shippedTools.slice(0, 5));
+  expect(toolsOnDevice(list()).table.tools).toEqual(shippedTools.slice(0, 5));
 });

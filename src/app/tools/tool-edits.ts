@@ -1,6 +1,6 @@
 import { MILL, type CellName } from "../../program/tool-columns.ts";
 import { cellOf, isMillEntry, readEntry, type ToolEntry } from "../../program/tool-entry.ts";
-import { freeNumber, merged, newId, shippedList } from "../../program/tool-list.ts";
+import { freeNumber, mergedTools, newId, shippedList } from "../../program/tool-list.ts";
 import { openRow, type ToolKind } from "./tool-place.ts";
 import { editTools, redoTools, undoTools, useTools } from "./tool-store.ts";
 
@@ -44,7 +44,7 @@ export function removeTool(id: string): string | null {
 /** Rows of a file, over those of the table: one step of undo. */
 export function takeRows(rows: readonly ToolEntry["cells"][]): { readonly replaced: number; readonly added: number; readonly first: string | null } {
   const { list } = useTools.getState();
-  const made = merged(list, rows);
+  const made = mergedTools(list, rows);
   editTools(() => made.list);
   const first = made.list.find((entry) => rows[0] === entry.cells);
   return { replaced: made.replaced, added: made.added, first: first?.id ?? null };

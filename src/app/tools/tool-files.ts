@@ -5,16 +5,16 @@ import { writeMillText, writeTableText } from "../../program/tool-table-text.ts"
 import { downloadText } from "../files/download.ts";
 import { takeRows } from "./tool-edits.ts";
 import { openRow } from "./tool-place.ts";
-import { readTools, useTools } from "./tool-store.ts";
+import { toolsOnDevice, useTools } from "./tool-store.ts";
 
 /** What came of a file: sentences, and whether the table was changed. */
-export interface Outcome {
+export interface ToolImport {
   readonly sentences: readonly string[];
   readonly failed: boolean;
   readonly changed: boolean;
 }
 
-const failure = (sentence: string): Outcome => ({ sentences: [sentence], failed: true, changed: false });
+const failure = (sentence: string): ToolImport => ({ sentences: [sentence], failed: true, changed: false });
 
 const isSound = (reading: EntryReading | undefined) => Boolean(reading?.tool ?? reading?.mill);
 
@@ -28,7 +28,7 @@ function decoded(bytes: ArrayBuffer): string {
 }
 
 /** Takes the rows of a text into the table: one step of undo. */
-export function importText(text: string, name: string, t: ToolsTexts): Outcome {
+export function importText(text: string, name: string, t: ToolsTexts): ToolImport {
   const read = readToolFile(text);
   if ("problem" in read) {
     switch (read.problem) {
@@ -41,7 +41,7 @@ export function importText(text: string, name: string, t: ToolsTexts): Outcome {
   if (first) openRow(first);
   const { list } = useTools.getState();
   const taken = new Set(read.rows);
-  const { rows } = readTools(list);
+  const { rows } = toolsOnDevice(list);
   const wrong = list.filter((entry) => taken.has(entry.cells) && !isSound(rows.get(entry.id))).length;
   return {
     failed: false, changed: true,
@@ -56,7 +56,7 @@ export function importText(text: string, name: string, t: ToolsTexts): Outcome {
 const LARGEST = 20_000_000;
 
 /** Takes the rows of a file into the table. */
-export async function importFile(file: File, t: ToolsTexts): Promise<Outcome> {
+export async function importFile(file: File, t: ToolsTexts): Promise<ToolImport> {
   if (file.size > LARGEST) return failure(t.problems.tooLarge(file.name));
   try {
     return importText(decoded(await file.arrayBuffer()), file.name, t);
@@ -66,9 +66,9 @@ export async function importFile(file: File, t: ToolsTexts): Promise<Outcome> {
 }
 
 /** Hands the table to the downloads of the browser. Rows with errors stay here, and that is said. */
-export function exportTools(kind: "json" | "turning" | "milling", t: ToolsTexts): Outcome {
+export function exportTools(kind: "json" | "turning" | "milling", t: ToolsTexts): ToolImport {
   const { list } = useTools.getState();
-  const { table, mills, rows } = readTools(list);
+  const { table, mills, rows } = toolsOnDevice(list);
   const files = {
     json: { name: "TOOLS.json", text: () => writeTableJson(table.tools, mills), count: table.tools.length + mills.length },
     turning: { name: "TOOLTURN.TRN", text: () => writeTableText(table.tools), count: table.tools.length },

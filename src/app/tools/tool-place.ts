@@ -1,5 +1,5 @@
 import { create } from "zustand";
-import { readTools, useTools } from "./tool-store.ts";
+import { toolsOnDevice, useTools } from "./tool-store.ts";
 
 export type ToolKind = "turning" | "milling";
 
@@ -21,7 +21,7 @@ export const openRow = (row: string | null): void => useToolPlace.setState({ row
 /** Shows the table with the row of a tool. */
 export function showToolNumber(number: number): void {
   const { list } = useTools.getState();
-  const { rows } = readTools(list);
+  const { rows } = toolsOnDevice(list);
   showTools(list.find((entry) => rows.get(entry.id)?.number === number)?.id);
 }
 

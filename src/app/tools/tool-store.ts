@@ -17,7 +17,7 @@ export const useTools = create<Tools>()(
 const read = new WeakMap<ToolList, ToolListReading>();
 
 /** A table read, once per state of the table. */
-export function readTools(list: ToolList): ToolListReading {
+export function toolsOnDevice(list: ToolList): ToolListReading {
   const known = read.get(list);
   if (known) return known;
   const made = readList(list);
@@ -26,10 +26,10 @@ export function readTools(list: ToolList): ToolListReading {
 }
 
 /** The tools of the table as it is now: those that can be called, and those that are refused. */
-export const toolTable = () => readTools(useTools.getState().list).table;
+export const toolTable = () => toolsOnDevice(useTools.getState().list).table;
 
 /** The tools that programs can call; follows the table. */
-export const useToolList = () => readTools(useTools((s) => s.list)).table.tools;
+export const useToolList = () => toolsOnDevice(useTools((s) => s.list)).table.tools;
 
 /** What was changed last; typing on in the same cell belongs to the same step of undo. */
 let lastPlace: string | null = null;

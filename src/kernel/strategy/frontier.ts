@@ -1,6 +1,6 @@
 import { extent, type Convex } from "../convex.ts";
 import { besideAt, loweredBy, pieceOf, raised } from "../cut-envelope.ts";
-import { highest, higherOf, type Envelope, type Origin, type Piece } from "../envelope.ts";
+import { highest, higherOf, type Envelope, type Origin, type EnvelopePiece } from "../envelope.ts";
 import { toFlat, type Flat, type FlatSegment, type Frame } from "../flat.ts";
 import type { Ring } from "../point.ts";
 import { reachOver, type Bound } from "../reach.ts";
@@ -15,7 +15,7 @@ const CUT: Origin = { feature: "nose", on: "edge", corner: false };
 export class Frontier {
   private settled: Envelope;
   /** What has been cut since: a path is taken off in one go when somebody asks. */
-  private cuts: Piece[] = [];
+  private cuts: EnvelopePiece[] = [];
   /** Places where the tool went straight down: free for it in that very column. */
   private readonly columns = new Map<number, number>();
   private readonly before: number;
@@ -82,8 +82,8 @@ export class Frontier {
 const columnOf = (u: number) => Math.round(u / SAME);
 
 /** Pieces in runs that go from left to right or from right to left, each run from left to right. */
-function sideBySide(cuts: readonly Piece[]): Piece[][] {
-  const runs: Piece[][] = [];
+function sideBySide(cuts: readonly EnvelopePiece[]): EnvelopePiece[][] {
+  const runs: EnvelopePiece[][] = [];
   for (const cut of cuts) {
     const run = runs.at(-1);
     const [first, last] = [run?.[0], run?.at(-1)];

@@ -1,6 +1,6 @@
 import { extent, grown, inFrame, type Convex } from "../convex.ts";
 import { besideAt } from "../cut-envelope.ts";
-import { below, higherOf, linePiece, pathAlong, upperEnvelope, type Envelope, type Origin, type Piece } from "../envelope.ts";
+import { below, higherOf, linePiece, pathAlong, upperEnvelope, type Envelope, type Origin, type EnvelopePiece } from "../envelope.ts";
 import { flat, normalAt, segmentToPart, toPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
 import { positive } from "../geometry/segments.ts";
 import { insertShape, isBar, noseRadius } from "../insert.ts";
@@ -58,7 +58,7 @@ export function groundOver(
   const close = last.to.u + keep.u;
   if (s.wall !== null) chain.push(edge(last.to, { u: close, v: last.to.v }), edge({ u: close, v: last.to.v }, { u: close, v: s.wall }), edge({ u: close, v: s.wall }, { u: close + FAR, v: s.wall }));
   else chain.push(edge(last.to, { u: last.to.u + FAR, v: last.to.v }));
-  const extra: Piece[] = [];
+  const extra: EnvelopePiece[] = [];
   const bound = (u0: number, u1: number, v: number, on: Origin["on"]) => {
     const p = linePiece({ u: u0, v }, { u: u1, v }, { feature: "nose", on, corner: false });
     if (p) extra.push(p);

@@ -1,11 +1,11 @@
 import type { Approach } from "../../kernel/approach.ts";
 import { partSegment, plane, type PlanePoint, type PlaneSegment } from "../../kernel/plane.ts";
 import type { Camera, Place, Size } from "../camera.ts";
-import { arrange, type Box } from "../help/labels.ts";
+import { arrange, type LabelBox } from "../help/labels.ts";
 import { arrowHead, circle, polyline, segmentPath, type Mark } from "../help/marks.ts";
 import { filled, stroke, type Tag } from "../help/stroke.ts";
 import { dimensionItems } from "./dimensions.ts";
-import { along, cameraFor, frameOf, onScreen } from "./frame.ts";
+import { along, cameraFor, planeFrameOf, onScreen } from "./frame.ts";
 import { pointItem, shownPoints, type ShownPoint } from "./points.ts";
 import type { ApproachSpeech } from "./speech.ts";
 
@@ -37,7 +37,7 @@ export interface ApproachDrawing {
   readonly points: readonly ShownPoint[];
   /** Centre of the arc, on the screen and in the plane. */
   readonly centre: { readonly at: PlanePoint; readonly place: Place } | null;
-  readonly labels: readonly Box[];
+  readonly labels: readonly LabelBox[];
   readonly camera: Camera;
 }
 
@@ -73,7 +73,7 @@ function legArrow(tag: Tag, leg: PlaneSegment, camera: Camera): Mark[] {
 export function approachDrawing(scene: ApproachScene): ApproachDrawing {
   const { result, contour, toolRadius, size, active } = scene;
   const element = (result.departing ? contour.at(-1) : contour[0]) ?? { kind: "line", from: { x: 0, y: 0 }, to: { x: 1, y: 0 } };
-  const camera = scene.camera ?? cameraFor(frameOf(result, element, toolRadius), size, scene.small ? SMALL : LARGE);
+  const camera = scene.camera ?? cameraFor(planeFrameOf(result, element, toolRadius), size, scene.small ? SMALL : LARGE);
   const path = (segments: readonly PlaneSegment[]) => segmentPath(segments.map(partSegment), camera);
   const points = shownPoints(result, camera);
   const contact = result.departing ? result.points.PE : result.points.PA;

@@ -26,7 +26,7 @@ export function nearPiece(element: PlaneSegment, departing: boolean, reach: numb
 }
 
 /** The box round an approach: its points with the whole tool, its path, and as much of the contour as that. */
-export function frameOf(result: Approach, element: PlaneSegment, toolRadius: number): Bounds {
+export function planeFrameOf(result: Approach, element: PlaneSegment, toolRadius: number): Bounds {
   const points = Object.values(result.points);
   const [first] = points;
   const extent = first ? Math.max(...points.map((p) => apart(p, first))) : 0;

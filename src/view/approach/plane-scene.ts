@@ -1,6 +1,6 @@
 import { partPoint, partSegment, plane, type PlanePoint, type PlaneSegment } from "../../kernel/plane.ts";
 import type { Turn } from "../../kernel/point.ts";
-import { boundsOf, grown, joined } from "../bounds.ts";
+import { boundsOf, grownBounds, joined } from "../bounds.ts";
 import type { Bounds } from "../camera.ts";
 import { segmentData } from "../path.ts";
 
@@ -72,6 +72,6 @@ export function planeScene(motions: readonly MillMotion[], contours: readonly (r
   const all = joined(box, drawn) ?? EMPTY;
   return {
     shapes: PLANE_ROLES.flatMap((role) => (ways[role].length > 0 ? [{ role, d: segmentData(ways[role].map(partSegment)) }] : [])),
-    bounds: grown(all, AIR * Math.max(all.right - all.left, all.high - all.low)),
+    bounds: grownBounds(all, AIR * Math.max(all.right - all.left, all.high - all.low)),
   };
 }

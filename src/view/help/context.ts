@@ -2,7 +2,7 @@ import type { Outline } from "../../cycles/define.ts";
 import type { Params } from "../../cycles/params.ts";
 import { part, type Pt } from "../../kernel/point.ts";
 import type { Lettering } from "./dimensions.ts";
-import { along, outward, pointAt, type Frame } from "./frame.ts";
+import { along, outward, pointAt, type HelpFrame } from "./frame.ts";
 import type { Numbers } from "./lettering.ts";
 import type { Layout } from "./layout.ts";
 import type { Pass } from "./passes.ts";
@@ -13,7 +13,7 @@ export interface Context {
   readonly params: Params;
   readonly values: Numbers;
   readonly outline: Outline;
-  readonly frame: Frame;
+  readonly frame: HelpFrame;
   readonly section: Section;
   readonly layout: Layout;
   readonly passes: readonly Pass[];
@@ -35,7 +35,7 @@ export const numberOf = (values: Numbers, q: string | null): number => {
 };
 
 /** The cycle start point next to the area, at the set-up clearance, mm. */
-export function startPoint(f: Frame, corner: Pt, clearance: number): Pt {
+export function startPoint(f: HelpFrame, corner: Pt, clearance: number): Pt {
   return f.infeed === "r" && !f.recess
     ? pointAt(f, along(f, corner) - clearance, outward(f, corner))
     : pointAt(f, along(f, corner), outward(f, corner) + clearance);

@@ -1,10 +1,10 @@
 import { part, type Pt, type Segment } from "../../kernel/point.ts";
 import { axial, diameter, radius, toRadius } from "../../kernel/units.ts";
 import { boundsOf } from "../bounds.ts";
-import { fitted, toPart, toScreen, type Camera, type Place, type Size } from "../camera.ts";
-import { overlap, textBox, type Box } from "./labels.ts";
+import { fitted, toPlace, toScreen, type Camera, type Place, type Size } from "../camera.ts";
+import { labelsOverlap, textBox, type LabelBox } from "./labels.ts";
 import { polyline, px, segmentPath } from "./marks.ts";
-import { lineOf } from "./section.ts";
+import { drawnLine } from "./section.ts";
 
 const { pointOn } = part;
 
@@ -45,14 +45,14 @@ function cameraFor(points: readonly Pt[], size: Size): Camera {
 }
 
 /** A place for a number beside its point that covers no other number and no line. */
-function labelPlace(at: Place, text: string, taken: readonly Box[], line: readonly Place[], size: Size): Place | null {
+function labelPlace(at: Place, text: string, taken: readonly LabelBox[], line: readonly Place[], size: Size): Place | null {
   let best: Place | null = null;
   let least = Infinity;
   for (const reach of text.endsWith("!") ? [20, 27] : [13, 19, 26])
     for (let k = 0; k < 8; k += 1) {
       const p = { x: at.x + reach * Math.cos((k * Math.PI) / 4 - Math.PI / 4), y: at.y + reach * Math.sin((k * Math.PI) / 4 - Math.PI / 4) };
       const box = textBox(p, text, 0, 12);
-      if (box.x < 0 || box.y < 0 || box.x + box.width > size.width || box.y + box.height > size.height || taken.some((b) => overlap(b, box))) continue;
+      if (box.x < 0 || box.y < 0 || box.x + box.width > size.width || box.y + box.height > size.height || taken.some((b) => labelsOverlap(b, box))) continue;
       const cost = reach / 10 + k / 10 + line.filter((q) => q.x > box.x && q.x < box.x + box.width && q.y > box.y && q.y < box.y + box.height).length * 3;
       if (cost < least) [best, least] = [p, cost];
     }
@@ -64,7 +64,7 @@ const MOST_LINES = 300;
 
 /** Grid lines at whole multiples of a distance, over the whole drawing. */
 function gridPath(camera: Camera, size: Size, step: { readonly z: number; readonly r: number }): string {
-  const [low, high] = [toPart(camera, { x: 0, y: size.height }), toPart(camera, { x: size.width, y: 0 })];
+  const [low, high] = [toPlace(camera, { x: 0, y: size.height }), toPlace(camera, { x: size.width, y: 0 })];
   const multiples = (from: number, to: number, by: number) => {
     const first = Math.ceil(from / by), count = Math.floor(to / by) - first + 1;
     return count > MOST_LINES ? [] : Array.from({ length: Math.max(0, count) }, (_, i) => (first + i) * by);
@@ -77,7 +77,7 @@ function gridPath(camera: Camera, size: Size, step: { readonly z: number; readon
 /** Draws the contour of a table as data. */
 export function contourDrawing({ contour, rowOfSegment, ends, faulty, active, size, camera: given, grid }: ContourRequest): ContourPicture {
   const stops = ends.flatMap((e, row) => (e ? [{ row, at: { z: axial(e.z), r: toRadius(diameter(e.x)) } }] : []));
-  const camera = given ?? cameraFor([...lineOf(contour), ...stops.map((s) => s.at)], size);
+  const camera = given ?? cameraFor([...drawnLine(contour), ...stops.map((s) => s.at)], size);
   const rows = [...new Set(rowOfSegment)];
   const elements = rows.map((row) => ({ row, faulty: faulty.has(row), d: segmentPath(contour.filter((_, i) => rowOfSegment[i] === row), camera) }));
   const corners = contour.flatMap((s, i) => {
@@ -91,7 +91,7 @@ export function contourDrawing({ contour, rowOfSegment, ends, faulty, active, si
     return before ? [{ row, at: before.at }] : [];
   });
   const line = contour.flatMap((s) => Array.from({ length: 24 }, (_, k) => toScreen(camera, pointOn(s, k / 24))));
-  const taken: Box[] = [];
+  const taken: LabelBox[] = [];
   const marks = [...stops, ...corners, ...missing].sort((a, b) => Number(b.row === active) - Number(a.row === active) || a.row - b.row);
   const points = marks.map(({ row, at }) => {
     const place = toScreen(camera, at);

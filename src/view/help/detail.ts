@@ -1,6 +1,6 @@
 import { part, type Pt, type Segment } from "../../kernel/point.ts";
 import { toScreen, type Camera, type Place } from "../camera.ts";
-import { textBox, type Box, type Placed } from "./labels.ts";
+import { textBox, type LabelBox, type Placed } from "./labels.ts";
 import { elementAt } from "./process.ts";
 import type { Context } from "./context.ts";
 import type { Lettering } from "./dimensions.ts";
@@ -16,7 +16,7 @@ const SHARE = 0.75;
 export const isSmall = (c: Context, mm: number): boolean => mm > 0 && mm * c.layout.camera.scale < SMALL;
 
 /** Where the lens covers least: over no text, off the contour, and not far from the element. */
-function lensPlace(c: Context, radius: number, text: Box, at: Place, placed: readonly Placed[], kept: readonly Box[]): Place {
+function lensPlace(c: Context, radius: number, text: LabelBox, at: Place, placed: readonly Placed[], kept: readonly LabelBox[]): Place {
   const { width, height } = c.layout.size;
   const line = dense(c.section.line.map((p) => toScreen(c.layout.camera, p)));
   const blank = c.section.blank.map((p) => toScreen(c.layout.camera, p));
@@ -24,7 +24,7 @@ function lensPlace(c: Context, radius: number, text: Box, at: Place, placed: rea
   let least = Infinity;
   for (let x = radius + 3; x <= width - radius - 3; x += 8)
     for (let y = radius + 3; y <= height - radius - text.height - 5; y += 8) {
-      const hit = (b: Box) => b.x < x + radius && b.x + b.width > x - radius && b.y < y + radius + text.height + 4 && b.y + b.height > y - radius;
+      const hit = (b: LabelBox) => b.x < x + radius && b.x + b.width > x - radius && b.y < y + radius + text.height + 4 && b.y + b.height > y - radius;
       const over = (p: Place) => Math.hypot(p.x - x, p.y - y) < radius + 3;
       const gap = Math.hypot(at.x - x, at.y - y);
       const hidden = Math.abs(at.x - x) < text.width / 2 + 9 && Math.abs(at.y - (y + radius + text.height / 2 + 2)) < text.height / 2 + 9;
@@ -49,7 +49,7 @@ function measure(c: Context, l: Lettering, element: Segment, camera: Camera): Ma
 }
 
 /** A lens over a small element, with its value below, and the boxes that nothing else may cover. */
-export function detail(c: Context, l: Lettering, { at, mm }: { readonly at: Pt; readonly mm: number }, placed: readonly Placed[], kept: readonly Box[]): { readonly marks: Mark[]; readonly boxes: readonly Box[]; readonly label: Box } {
+export function detail(c: Context, l: Lettering, { at, mm }: { readonly at: Pt; readonly mm: number }, placed: readonly Placed[], kept: readonly LabelBox[]): { readonly marks: Mark[]; readonly boxes: readonly LabelBox[]; readonly label: LabelBox } {
   const { width, height } = c.layout.size;
   const radius = Math.min(52, 0.17 * Math.min(width, height));
   const spot = toScreen(c.layout.camera, at);

@@ -1,6 +1,6 @@
 import type { Dimension } from "../../cycles/define.ts";
 import type { Place } from "../camera.ts";
-import { lineBox, SIZE, textBox, textWidth, type Box, type Candidate, type Item } from "./labels.ts";
+import { lineBox, SIZE, textBox, textWidth, type LabelBox, type Candidate, type Item } from "./labels.ts";
 import { FIRST, spot, TRACK, type Layout } from "./layout.ts";
 import { arcPath, arrowHead, polyline, type Mark } from "./marks.ts";
 import { between, extension, filled, SHORT, stroke, TAIL, value, type Tag } from "./stroke.ts";
@@ -13,7 +13,7 @@ export interface Lettering extends Tag {
   readonly underlined?: boolean;
 }
 
-const candidate = (l: Lettering, marks: readonly Mark[], middle: Place, turn: 0 | -90, lines: readonly Box[], cost: number): Candidate => ({
+const candidate = (l: Lettering, marks: readonly Mark[], middle: Place, turn: 0 | -90, lines: readonly LabelBox[], cost: number): Candidate => ({
   marks: [...marks, value({ q: l.q, active: l.active }, middle, l.text, turn, l.underlined ?? false)],
   label: textBox(middle, l.text, turn), lines, cost,
 });
@@ -21,7 +21,7 @@ const width = (l: Lettering) => textWidth(l.text, SIZE.strong);
 const range = (n: number) => Array.from({ length: n }, (_, i) => i);
 
 /** A dimension line with the tails that a short one has outside. */
-function tailed(p: Place, q: Place): Box {
+function tailed(p: Place, q: Place): LabelBox {
   const box = lineBox(p, q);
   const long = Math.hypot(q.x - p.x, q.y - p.y);
   if (long < 0.5 || long >= SHORT) return box;
@@ -155,7 +155,7 @@ export function leader(l: Lettering, at: Place, towards: Place): Candidate[] {
 }
 
 /** A slanted line as small boxes, so that texts may stand beside it. */
-const stairs = (a: Place, b: Place): Box[] => range(6).map((k) => {
+const stairs = (a: Place, b: Place): LabelBox[] => range(6).map((k) => {
   const p = (t: number): Place => ({ x: a.x + (b.x - a.x) * t, y: a.y + (b.y - a.y) * t });
   return lineBox(p(k / 6), p((k + 1) / 6));
 });

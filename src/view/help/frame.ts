@@ -4,7 +4,7 @@ import type { Group } from "../../cycles/define.ts";
 import type { Params } from "../../cycles/params.ts";
 
 /** Part space seen along the cut: `u` runs with the cutting feed, `v` towards the side the tool comes from, mm. */
-export interface Frame {
+export interface HelpFrame {
   /** Which coordinate the infeed changes: r for cutting along the axis, z for cutting across it. */
   readonly infeed: "r" | "z";
   /** Sign of the cutting feed on the other coordinate. */
@@ -21,7 +21,7 @@ const signOf = (n: number, zero: 1 | -1): 1 | -1 => (n > 1e-9 ? 1 : n < -1e-9 ? 
 const axialInfeed = (params: Params) => Object.values(params).some((p) => p.kind === "axialDepth");
 
 /** The frame of a contour in machining direction. A free contour is open towards +Z or away from the axis, whichever way it runs. */
-export function frameOf(group: Group, params: Params, contour: readonly Segment[]): Frame {
+export function helpFrameOf(group: Group, params: Params, contour: readonly Segment[]): HelpFrame {
   const start = contour[0]?.from, end = contour.at(-1)?.to;
   if (!start || !end) return { infeed: "r", feed: -1, open: 1, recess: false };
   const infeed = axialInfeed(params) ? "z" : "r";
@@ -35,11 +35,11 @@ export function frameOf(group: Group, params: Params, contour: readonly Segment[
 }
 
 /** Coordinate along the cutting feed. */
-export const along = (f: Frame, p: Pt): number => f.feed * (f.infeed === "r" ? p.z : p.r);
+export const along = (f: HelpFrame, p: Pt): number => f.feed * (f.infeed === "r" ? p.z : p.r);
 /** Coordinate towards the open side. */
-export const outward = (f: Frame, p: Pt): number => f.open * (f.infeed === "r" ? p.r : p.z);
+export const outward = (f: HelpFrame, p: Pt): number => f.open * (f.infeed === "r" ? p.r : p.z);
 /** The point with these two coordinates. */
-export function pointAt(f: Frame, u: number, v: number): Pt {
+export function pointAt(f: HelpFrame, u: number, v: number): Pt {
   const [a, b] = [f.feed * u, f.open * v];
   return f.infeed === "r" ? { z: axial(a), r: radius(b) } : { z: axial(b), r: radius(a) };
 }

@@ -2,7 +2,7 @@ import type { Mark } from "./marks.ts";
 import type { Place } from "../camera.ts";
 
 /** A box on the screen, pixels. */
-export interface Box {
+export interface LabelBox {
   readonly x: number;
   readonly y: number;
   readonly width: number;
@@ -12,8 +12,8 @@ export interface Box {
 /** Where one dimension could stand: its marks, the box of its text, and lines no other text may cover. */
 export interface Candidate {
   readonly marks: readonly Mark[];
-  readonly label: Box;
-  readonly lines: readonly Box[];
+  readonly label: LabelBox;
+  readonly lines: readonly LabelBox[];
   /** Prefer the smaller. */
   readonly cost: number;
 }
@@ -30,9 +30,9 @@ export interface Placed {
   readonly item: Item;
   readonly q: string;
   readonly marks: readonly Mark[];
-  readonly label: Box;
+  readonly label: LabelBox;
   /** Boxes of its lines. */
-  readonly lines: readonly Box[];
+  readonly lines: readonly LabelBox[];
 }
 
 /** Text sizes, pixels: grey and active. Boxes are counted with the larger, so that nothing moves when one becomes active. */
@@ -43,22 +43,22 @@ export const textWidth = (text: string, size: number): number =>
   [...text].reduce((sum, c) => sum + (c.codePointAt(0)! > 0x2100 && c !== "−" && c !== "≤" ? 1 : 0.6), 0) * size;
 
 /** The box of a text about its middle, with a pixel of air. */
-export function textBox(middle: Place, text: string, turn: 0 | -90, size: number = SIZE.strong): Box {
+export function textBox(middle: Place, text: string, turn: 0 | -90, size: number = SIZE.strong): LabelBox {
   const long = textWidth(text, size) + 4, tall = size + 2;
   const [width, height] = turn === 0 ? [long, tall] : [tall, long];
   return { x: middle.x - width / 2, y: middle.y - height / 2, width, height };
 }
 
 /** Whether two boxes share any area. */
-export const overlap = (a: Box, b: Box): boolean =>
+export const labelsOverlap = (a: LabelBox, b: LabelBox): boolean =>
   a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 
 /** The box round two places, a pixel thick at least. */
-export const lineBox = (a: Place, b: Place): Box => ({
+export const lineBox = (a: Place, b: Place): LabelBox => ({
   x: Math.min(a.x, b.x) - 0.5, y: Math.min(a.y, b.y) - 0.5, width: Math.abs(a.x - b.x) + 1, height: Math.abs(a.y - b.y) + 1,
 });
 
-const within = (b: Box, width: number, height: number) =>
+const within = (b: LabelBox, width: number, height: number) =>
   b.x >= 0 && b.y >= 0 && b.x + b.width <= width && b.y + b.height <= height;
 
 /** Strong lines of the drawing that a text should rather not cover, and the picture they are in. */
@@ -67,17 +67,17 @@ export interface Sheet {
   readonly height: number;
   readonly avoid: readonly Place[];
   /** Areas no text may touch. */
-  readonly kept: readonly Box[];
+  readonly kept: readonly LabelBox[];
   /** What each crossing of two dimension lines counts; not at all when left out. */
   readonly crossing?: number;
 }
 
-const covered = (b: Box, places: readonly Place[]) =>
+const covered = (b: LabelBox, places: readonly Place[]) =>
   places.reduce((n, p) => n + (p.x > b.x && p.x < b.x + b.width && p.y > b.y && p.y < b.y + b.height ? 1 : 0), 0);
 
 /** How much two lines disturb each other: not at all, by crossing once, or by running on top of each other like four crossings. */
-function met(a: Box, b: Box): 0 | 1 | 4 {
-  if (!overlap(a, b)) return 0;
+function met(a: LabelBox, b: LabelBox): 0 | 1 | 4 {
+  if (!labelsOverlap(a, b)) return 0;
   const upright = a.width <= 2 && b.width <= 2 && Math.min(a.y + a.height, b.y + b.height) - Math.max(a.y, b.y) > 6;
   const level = a.height <= 2 && b.height <= 2 && Math.min(a.x + a.width, b.x + b.width) - Math.max(a.x, b.x) > 6;
   return upright || level ? 4 : 1;
@@ -101,15 +101,15 @@ export function forced(item: Item, sheet: Sheet): Placed | null {
 /** Places dimensions in order, each where its text covers no other text nor dimension line; what finds no place is left out. Those that stand already stay. */
 export function arrange(items: readonly Item[], sheet: Sheet, standing: readonly Placed[] = []): Placed[] {
   const out: Placed[] = [...standing];
-  const labels: Box[] = [...sheet.kept, ...standing.map((p) => p.label)];
-  const lines: Box[] = standing.flatMap((p) => p.lines);
+  const labels: LabelBox[] = [...sheet.kept, ...standing.map((p) => p.label)];
+  const lines: LabelBox[] = standing.flatMap((p) => p.lines);
   for (const item of items) {
     let best: Candidate | null = null;
     let least = item.most ?? Infinity;
     for (const c of item.candidates) {
       if (c.cost >= least || !within(c.label, sheet.width, sheet.height)) continue;
-      if (labels.some((l) => overlap(l, c.label)) || lines.some((l) => overlap(l, c.label))) continue;
-      if (c.lines.some((line) => labels.some((l) => overlap(l, line)))) continue;
+      if (labels.some((l) => labelsOverlap(l, c.label)) || lines.some((l) => labelsOverlap(l, c.label))) continue;
+      if (c.lines.some((line) => labels.some((l) => labelsOverlap(l, line)))) continue;
       const crossed = sheet.crossing ? lines.reduce((n, l) => n + Math.max(0, ...c.lines.map((line) => met(l, line))), 0) : 0;
       const cost = c.cost + Math.min(6, covered(c.label, sheet.avoid)) * 6 + Math.min(8, crossed) * (sheet.crossing ?? 0);
       if (cost < least) [best, least] = [c, cost];

@@ -3,23 +3,23 @@ import type { Pt } from "../../kernel/point.ts";
 import { axial, radius } from "../../kernel/units.ts";
 import { boundsOf } from "../bounds.ts";
 import { toScreen, type Bounds, type Camera, type Place, type Size } from "../camera.ts";
-import type { Frame } from "./frame.ts";
-import type { Box } from "./labels.ts";
-import { endWays, type Reach } from "./section.ts";
+import type { HelpFrame } from "./frame.ts";
+import type { LabelBox } from "./labels.ts";
+import { endWays, type DrawnExtent } from "./section.ts";
 
 /** Where everything goes: the camera, the drawing's box on the screen and the spindle axis. */
 export interface Layout {
   readonly camera: Camera;
   readonly size: Size;
   /** The drawing without its dimensions, pixels. */
-  readonly box: Box;
+  readonly box: LabelBox;
   /** Where the contour begins and ends across the screen, pixels. */
   readonly contour: { readonly left: number; readonly right: number };
   /** Height of the spindle axis on the screen, pixels; with `broken` it stands nearer than it is. */
   readonly axisY: number;
   readonly broken: boolean;
   /** Part space that the drawing shows, mm. */
-  readonly reach: Reach;
+  readonly reach: DrawnExtent;
 }
 
 /** Distance between two dimension lines, pixels. */
@@ -49,7 +49,7 @@ function subject(points: readonly Pt[], dimensions: readonly Dimension[]): { cor
 }
 
 /** What the drawing shows of part space. */
-function reachOf(f: Frame, line: readonly Pt[], core: Bounds, span: number, nearer: boolean): Reach & { axis: number; broken: boolean } {
+function reachOf(f: HelpFrame, line: readonly Pt[], core: Bounds, span: number, nearer: boolean): DrawnExtent & { axis: number; broken: boolean } {
   const ends = endWays(f, line);
   const feed = f.infeed === "r" ? { z: f.feed, r: 0 } : { z: 0, r: f.feed };
   const ways = [
@@ -70,7 +70,7 @@ function tracks(dimensions: readonly Dimension[], more: { readonly top: number; 
 
 /** Fits contour, part and dimension lines into a picture; the scale is the same both ways. */
 export function layoutOf(
-  f: Frame, line: readonly Pt[], points: readonly Pt[], dimensions: readonly Dimension[], size: Size,
+  f: HelpFrame, line: readonly Pt[], points: readonly Pt[], dimensions: readonly Dimension[], size: Size,
   more: { readonly top: number; readonly right: number; readonly indent: number },
 ): Layout {
   const { core, span } = subject(points, dimensions);

@@ -1,5 +1,5 @@
 import type { Pt } from "../../kernel/point.ts";
-import { along, outward, pointAt, type Frame } from "./frame.ts";
+import { along, outward, pointAt, type HelpFrame } from "./frame.ts";
 
 /** One cut at one level: where it enters and where it ends, part space. */
 export interface Pass {
@@ -12,7 +12,7 @@ export interface Pass {
 const MOST = 60;
 
 /** Stretches of an area's inside at one level, in feed order. */
-function inside(f: Frame, area: readonly Pt[], v: number): [number, number][] {
+function inside(f: HelpFrame, area: readonly Pt[], v: number): [number, number][] {
   const hits: number[] = [];
   area.forEach((b, i) => {
     const a = area[(i || area.length) - 1] ?? b;
@@ -29,7 +29,7 @@ function inside(f: Frame, area: readonly Pt[], v: number): [number, number][] {
  * The roughing levels of an area, evenly divided as the control divides them; the drawing knows no tool, so these are
  * the levels of a pointed one.
  */
-export function passesOf(f: Frame, area: readonly Pt[], infeed: number): { readonly passes: readonly Pass[]; readonly step: number; readonly top: number } {
+export function passesOf(f: HelpFrame, area: readonly Pt[], infeed: number): { readonly passes: readonly Pass[]; readonly step: number; readonly top: number } {
   const levels = area.map((p) => outward(f, p));
   const top = Math.max(...levels), depth = top - Math.min(...levels);
   if (!(depth > 1e-9) || !Number.isFinite(depth)) return { passes: [], step: 0, top: Number.isFinite(top) ? top : 0 };
@@ -45,7 +45,7 @@ export function passesOf(f: Frame, area: readonly Pt[], infeed: number): { reado
 }
 
 /** Stretches of the contour that fall away from the open side in machining direction: the plunging elements. */
-export function falling(f: Frame, line: readonly Pt[]): Pt[][] {
+export function falling(f: HelpFrame, line: readonly Pt[]): Pt[][] {
   const out: Pt[][] = [];
   let run: Pt[] = [];
   line.forEach((p, i) => {

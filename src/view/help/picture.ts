@@ -7,16 +7,16 @@ import * as choices from "./choices.ts";
 import { numberOf, startPoint, type Context } from "./context.ts";
 import { detail, isSmall } from "./detail.ts";
 import type { Lettering } from "./dimensions.ts";
-import { frameOf } from "./frame.ts";
-import { arrange, forced, overlap, SIZE, textBox, type Box, type Item, type Placed, type Sheet } from "./labels.ts";
+import { helpFrameOf } from "./frame.ts";
+import { arrange, forced, labelsOverlap, SIZE, textBox, type LabelBox, type Item, type Placed, type Sheet } from "./labels.ts";
 import { FIRST, layoutOf } from "./layout.ts";
 import { letteringOf, positionText, type Numbers, type Speech } from "./lettering.ts";
 import { dense, polygon, polyline, segmentPath, type Mark } from "./marks.ts";
 import { passesOf } from "./passes.ts";
 import * as explain from "./process.ts";
-import { areaOf, lineOf, sectionOf } from "./section.ts";
+import { sectionArea, drawnLine, sectionOf } from "./section.ts";
 import { caption, filled, stroke } from "./stroke.ts";
-import { columnsFor, hasTiles, ROW, tiles } from "./tiles.ts";
+import { columnsFor, hasTiles, TILE_ROW, tiles } from "./tiles.ts";
 import { partnerOf, qOf, topicOf, type Topic } from "./topics.ts";
 
 /** What to draw, and how large. */
@@ -36,7 +36,7 @@ export interface HelpRequest {
 export interface HelpDrawing {
   readonly size: Size;
   readonly marks: readonly Mark[];
-  readonly labels: readonly Box[];
+  readonly labels: readonly LabelBox[];
 }
 
 /** Topics whose dimension is drawn grey while another parameter is asked for. */
@@ -74,9 +74,9 @@ function explanation(c: Context, topic: Topic, l: Lettering): explain.Explanatio
 
 function contextOf(request: HelpRequest, size: Size, indent: number): Context {
   const { params, values, outline, active, speech } = request;
-  const frame = frameOf(request.group, params, outline.contour);
-  const line = lineOf(outline.contour);
-  const { area, corner } = areaOf(frame, line);
+  const frame = helpFrameOf(request.group, params, outline.contour);
+  const line = drawnLine(outline.contour);
+  const { area, corner } = sectionArea(frame, line);
   const start = startPoint(frame, corner, Math.min(numberOf(values, qOf(params, "clearance")), 1e4));
   const span = Math.max(1e-3, ...line.map((p) => Math.hypot(p.z - corner.z, p.r - corner.r)));
   const near = Math.hypot(start.z - corner.z, start.r - corner.r) < span * 0.4 ? [start] : [];
@@ -99,7 +99,7 @@ function contextOf(request: HelpRequest, size: Size, indent: number): Context {
 /** The diagrams of a choice stand below the drawing or at its left, where they leave it larger. */
 function besideTiles(request: HelpRequest, count: number): { readonly c: Context; readonly column: number } {
   const { width, height } = request.size;
-  const row = contextOf(request, { width, height: Math.max(60, height - ROW) }, 0);
+  const row = contextOf(request, { width, height: Math.max(60, height - TILE_ROW) }, 0);
   const beside = columnsFor(count, height);
   if (beside.width > width * 0.45) return { c: row, column: 0 };
   const column = contextOf(request, request.size, beside.width);
@@ -155,8 +155,8 @@ function arranged(items: readonly Item[], active: string | null, sheet: Sheet): 
 }
 
 /** What the lens covers moves, everything else stays. */
-function besideLens(items: readonly Item[], placed: readonly Placed[], lens: readonly Box[], sheet: Sheet): Placed[] {
-  const standing = placed.filter((p) => ![p.label, ...p.lines].some((b) => lens.some((l) => overlap(b, l))));
+function besideLens(items: readonly Item[], placed: readonly Placed[], lens: readonly LabelBox[], sheet: Sheet): Placed[] {
+  const standing = placed.filter((p) => ![p.label, ...p.lines].some((b) => lens.some((l) => labelsOverlap(b, l))));
   const moved = items.filter((i) => placed.some((p) => p.item === i) && !standing.some((p) => p.item === i));
   return arrange(moved, { ...sheet, kept: [...sheet.kept, ...lens] }, standing);
 }
@@ -176,7 +176,7 @@ export function helpDrawing(request: HelpRequest): HelpDrawing {
   const strong = strongPlaces(c);
   const chosen = active === null || values[active] === undefined ? null : numberOf(values, active);
   const row = strip && active !== null ? tiles(c.frame, topic, choice, { q: active, chosen }, size, column > 0) : [];
-  const kept: Box[] = column > 0 ? [{ x: 0, y: 0, width: column, height: size.height }] : [];
+  const kept: LabelBox[] = column > 0 ? [{ x: 0, y: 0, width: column, height: size.height }] : [];
   const sheet = { width: c.layout.size.width, height: c.layout.size.height, avoid: strong, kept, crossing: CROSSING };
   const small = active === null ? null : smallFeature(c, active);
   const own = parts.flatMap((p) => (p.item && !(small && p.q === active) ? [p.item] : []));
@@ -197,7 +197,7 @@ export function helpDrawing(request: HelpRequest): HelpDrawing {
   const note = textBox({ x: 0, y: 0 }, speech.notToScale, 0, SIZE.caption);
   const corner = [[1, 1], [1, 0], [0, 1], [0, 0]].map(([right, low]) => ({
     x: right ? size.width - note.width / 2 - 2 : note.width / 2 + 2, y: low ? c.layout.size.height - FIRST / 2 - 1 : FIRST / 2 + 1,
-  })).find((p) => !labels.some((b) => overlap(b, textBox(p, speech.notToScale, 0, SIZE.caption))));
+  })).find((p) => !labels.some((b) => labelsOverlap(b, textBox(p, speech.notToScale, 0, SIZE.caption))));
   const noted = scaled && active !== null && corner;
   return {
     size,

@@ -1,5 +1,5 @@
 import { part, type Pt, type Segment } from "../../kernel/point.ts";
-import { along, outward, pointAt, type Frame } from "./frame.ts";
+import { along, outward, pointAt, type HelpFrame } from "./frame.ts";
 
 const { flattenedChain } = part;
 
@@ -22,7 +22,7 @@ export interface Section {
 }
 
 /** Where the drawing ends, part space, mm. */
-export interface Reach {
+export interface DrawnExtent {
   readonly left: number;
   readonly right: number;
   readonly low: number;
@@ -33,7 +33,7 @@ export interface Reach {
 const FINE = 1e-3;
 
 /** Points of a contour, fine enough for any picture. */
-export function lineOf(contour: readonly Segment[]): Pt[] {
+export function drawnLine(contour: readonly Segment[]): Pt[] {
   let size = 1e-3;
   const first = contour[0]?.from;
   if (first) for (const s of contour) size = Math.max(size, Math.abs(s.to.z - first.z), Math.abs(s.to.r - first.r));
@@ -41,7 +41,7 @@ export function lineOf(contour: readonly Segment[]): Pt[] {
 }
 
 /** What the cycle cuts away, from contour and frame alone; its outline starts with the contour. */
-export function areaOf(f: Frame, line: readonly Pt[]): { readonly area: Pt[]; readonly blank: Pt[]; readonly corner: Pt } {
+export function sectionArea(f: HelpFrame, line: readonly Pt[]): { readonly area: Pt[]; readonly blank: Pt[]; readonly corner: Pt } {
   const start = line[0], end = line.at(-1);
   if (!start || !end) return { area: [], blank: [], corner: pointAt(f, 0, 0) };
   const top = Math.max(...line.map((p) => outward(f, p)));
@@ -54,14 +54,14 @@ export function areaOf(f: Frame, line: readonly Pt[]): { readonly area: Pt[]; re
 }
 
 /** Which way the part goes on behind the ends of a contour: the deeper end falls away from the open side, others go on along the cut. */
-export function endWays(f: Frame, line: readonly Pt[]): { readonly first: "back" | "in"; readonly last: "feed" | "in" } {
+export function endWays(f: HelpFrame, line: readonly Pt[]): { readonly first: "back" | "in"; readonly last: "feed" | "in" } {
   const start = line[0], end = line.at(-1);
   const rise = start && end ? outward(f, end) - outward(f, start) : 0;
   return { first: !f.recess && rise > 1e-6 ? "in" : "back", last: !f.recess && rise < -1e-6 ? "in" : "feed" };
 }
 
 /** How far the part reaches from a point in a direction of the frame, to the edge of the drawing. */
-function toEdge(f: Frame, p: Pt, way: "feed" | "back" | "in", reach: Reach): Pt {
+function toEdge(f: HelpFrame, p: Pt, way: "feed" | "back" | "in", reach: DrawnExtent): Pt {
   const u = along(f, p), v = outward(f, p);
   const box = [reach.left, reach.right].flatMap((z) => [reach.low, reach.high].map((r) => ({ z, r }) as Pt));
   const us = box.map((c) => along(f, c)), vs = box.map((c) => outward(f, c));
@@ -70,8 +70,8 @@ function toEdge(f: Frame, p: Pt, way: "feed" | "back" | "in", reach: Reach): Pt 
 }
 
 /** The section of a contour inside a drawing. The part goes on behind it: to the axis, or to a break line. */
-export function sectionOf(f: Frame, line: readonly Pt[], reach: Reach): Section {
-  const { area, blank, corner } = areaOf(f, line);
+export function sectionOf(f: HelpFrame, line: readonly Pt[], reach: DrawnExtent): Section {
+  const { area, blank, corner } = sectionArea(f, line);
   const start = line[0], end = line.at(-1);
   if (!start || !end) return { line, part: [], edges: [], breaks: [], area, blank, corner };
   const ways = endWays(f, line);

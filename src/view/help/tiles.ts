@@ -1,5 +1,5 @@
 import type { Place, Size } from "../camera.ts";
-import type { Frame } from "./frame.ts";
+import type { HelpFrame } from "./frame.ts";
 import { arrowHead, polygon, polyline, type Fill, type Line, type Mark } from "./marks.ts";
 import { filled, stroke, value, type Tag } from "./stroke.ts";
 import type { Topic } from "./topics.ts";
@@ -13,7 +13,7 @@ type Stroke =
 /** One diagram and its drawing area, pixels. */
 const TILE = { width: 62, height: 50, least: 42, gap: 8, top: 2 } as const;
 /** Height of the row that holds the diagrams. */
-export const ROW = TILE.height + 8;
+export const TILE_ROW = TILE.height + 8;
 /** How many diagrams stand in a column of a height, how tall each is, and how wide all columns are, pixels. */
 export function columnsFor(count: number, height: number): { readonly each: number; readonly width: number; readonly tall: number } {
   const room = height - 4 + TILE.gap;
@@ -78,7 +78,7 @@ const diagrams: Readonly<Partial<Record<Topic, readonly (readonly Stroke[])[]>>>
 export const hasTiles = (topic: Topic): boolean => diagrams[topic] !== undefined;
 
 /** Small diagrams in a row at the foot of the picture or in columns at its left, one for each value; the chosen one strong. */
-export function tiles(f: Frame, topic: Topic, choices: readonly number[], tag: { readonly q: string; readonly chosen: number | null }, size: Size, column: boolean): Mark[] {
+export function tiles(f: HelpFrame, topic: Topic, choices: readonly number[], tag: { readonly q: string; readonly chosen: number | null }, size: Size, column: boolean): Mark[] {
   const width = column ? TILE.width : Math.min(TILE.width, (size.width - 8 - TILE.gap * (choices.length - 1)) / choices.length);
   const { each, tall: high } = columnsFor(choices.length, size.height);
   const tall = column ? high : TILE.height;
@@ -88,7 +88,7 @@ export function tiles(f: Frame, topic: Topic, choices: readonly number[], tag: {
     const left = column ? 4 + Math.floor(i / each) * (TILE.width + TILE.gap) : (size.width - whole) / 2 + i * (width + TILE.gap);
     const top = column
       ? (size.height - each * (tall + TILE.gap) + TILE.gap) / 2 + (i % each) * (tall + TILE.gap)
-      : size.height - ROW + TILE.top;
+      : size.height - TILE_ROW + TILE.top;
     const inner = { x: left + 14, y: top + 4, width: width - 18, height: tall - 8 };
     const place = ([u, v]: Spot): Place => {
       const [across, up] = f.infeed === "r"
