@@ -1,6 +1,6 @@
 import { segmentToPart, toFlat, toPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
 import { part, type Pt, type Ring } from "../point.ts";
-import { CHORD } from "../tolerance.ts";
+import { CHORD, ROUND } from "../tolerance.ts";
 
 const { flattenedChain } = part;
 
@@ -46,12 +46,32 @@ function under(points: readonly Flat[], level: number): Flat[] {
 
 const chain = (contour: readonly FlatSegment[], frame: Frame) => flattenedChain(contour.map((s) => segmentToPart(frame, s)), CHORD);
 
-/** Counter-clockwise, whatever the frame mirrors. */
-function turned(ring: readonly Pt[]): Ring {
+/** Counter-clockwise, whatever the frame mirrors, and without spikes. */
+function turned(spiked: readonly Pt[]): Ring {
+  const ring = withoutSpikes(spiked);
   let twice = 0;
   ring.forEach((p, i) => {
     const q = ring[(i + 1) % ring.length] as Pt;
     twice += p.z * q.r - q.z * p.r;
   });
   return twice < 0 ? [...ring].reverse() : ring;
+}
+
+/** A ring without the points at which it turns back on itself, as where a wall of the contour lies in the line that closes it: the polygon engine loses corners beside them. */
+function withoutSpikes(points: readonly Pt[]): Pt[] {
+  const ring = [...points];
+  for (let i = 0, sound = 0; sound < ring.length && ring.length > 3; ) {
+    const [a, b, c] = [ring[(i + ring.length - 1) % ring.length], ring[i], ring[(i + 1) % ring.length]] as [Pt, Pt, Pt];
+    const [z0, r0, z1, r1] = [b.z - a.z, b.r - a.r, c.z - b.z, c.r - b.r];
+    const size = Math.hypot(z0, r0) * Math.hypot(z1, r1);
+    if (size > 0 && (z0 * z1 + r0 * r1 >= 0 || Math.abs(z0 * r1 - r0 * z1) > ROUND * size)) {
+      sound += 1;
+      i = (i + 1) % ring.length;
+      continue;
+    }
+    ring.splice(i, 1);
+    i = (i + ring.length - 1) % ring.length;
+    sound = Math.max(0, sound - 2);
+  }
+  return ring;
 }
