@@ -64,6 +64,9 @@ describe("the insert read twice", () => {
   }));
   test("kernel and judge draw the same shape, for every type and orientation", () => {
     fc.assert(fc.property(tools, (tool) => {
+      // A point that is cut off in front of the back of its nose is no insert.
+      const [nose, half] = [tool.RS + (tool.DRS ?? 0), (((tool["P-ANGLE"] ?? 60) / 2) * Math.PI) / 180];
+      fc.pre(tool.TYPE !== "THREAD" || (tool.CUTLENGTH ?? 0) * Math.cos(half) > nose * (1 / Math.sin(half) + 1));
       const [theirs, ours] = [insertOutline(tool, 0.0005), ring(insertOf(tool))];
       expect(ringArea(difference([theirs], [ours]))).toBeLessThan(0.02);
       expect(ringArea(difference([ours], [theirs]))).toBeLessThan(0.02);

@@ -1,4 +1,4 @@
-import { useEffect } from "react";
+import { useEffect, useEffectEvent } from "react";
 import { chooseFinding, useChosen } from "../findings/chosen.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 import type { Viewport } from "./viewport.ts";
@@ -8,12 +8,14 @@ import type { LookAt } from "./places.ts";
 export function useLooking<P extends Pick<LookAt, "id" | "bounds" | "position">>(places: readonly P[], viewport: Viewport, playback: PlaybackStore) {
   const { id, count } = useChosen();
   const chosen = places.find((place) => place.id === id) ?? null;
-  useEffect(() => {
-    if (count === 0) return;
+  const look = useEffectEvent(() => {
     if (!chosen) return viewport.fit();
     playback.dispatch({ do: "seek", position: chosen.position });
     viewport.show(chosen.bounds);
-    // Only a new choice moves the picture: a place that is found again after a change of values leaves it where it is.
-  }, [count]); // eslint-disable-line react-hooks/exhaustive-deps
+  });
+  // Only a new choice moves the picture: a place that is found again after a change of values leaves it where it is.
+  useEffect(() => {
+    if (count > 0) look();
+  }, [count]);
   return { chosen, choose: (place: Pick<LookAt, "id"> | null) => chooseFinding(place?.id ?? null) };
 }
