@@ -19,14 +19,32 @@ export default defineConfig({
   timeout: PATIENCE.journey,
   expect: { timeout: PATIENCE.step },
   reporter: process.env["PLAYWRIGHT_JSON_OUTPUT_FILE"] ? [["list"], ["json"]] : [["list"]],
-  use: { baseURL: `http://127.0.0.1:${port}/`, launchOptions, actionTimeout: PATIENCE.step, navigationTimeout: PATIENCE.step, trace: "off", permissions: ["clipboard-read", "clipboard-write"] },
+  use: {
+    baseURL: `http://127.0.0.1:${port}/`,
+    launchOptions,
+    actionTimeout: PATIENCE.step,
+    navigationTimeout: PATIENCE.step,
+    trace: "off",
+    permissions: ["clipboard-read", "clipboard-write"],
+  },
   webServer: {
     command: `node node_modules/vite/bin/vite.js preview --port ${port} --strictPort --logLevel warn`,
-    port, reuseExistingServer: false, stdout: "ignore", stderr: "pipe",
+    port,
+    reuseExistingServer: false,
+    stdout: "ignore",
+    stderr: "pipe",
   },
-  projects: [
-    { name: "desktop", testIgnore: /touch\.spec\.ts/, use: { ...devices["Desktop Chrome"], viewport: { width: 1280, height: 800 } } },
-    { name: "tablet", testMatch: /(touch|screens)\.spec\.ts/, use: { ...devices["Desktop Chrome"], viewport: { width: 1024, height: 768 }, hasTouch: true } },
-    { name: "phone", testMatch: /screens\.spec\.ts/, use: { ...devices["Desktop Chrome"], viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true } },
-  ],
+  projects: [{
+    name: "desktop",
+    testIgnore: /touch\.spec\.ts/,
+    use: { ...devices["Desktop Chrome"], viewport: { width: 1280, height: 800 } },
+  }, {
+    name: "tablet",
+    testMatch: /(touch|screens)\.spec\.ts/,
+    use: { ...devices["Desktop Chrome"], viewport: { width: 1024, height: 768 }, hasTouch: true },
+  }, {
+    name: "phone",
+    testMatch: /screens\.spec\.ts/,
+    use: { ...devices["Desktop Chrome"], viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true },
+  }],
 });

@@ -17,15 +17,24 @@ process.env["VITE_VERSION"] = (JSON.parse(readFileSync(new URL("package.json", i
 
 /** What the built page may load: itself only. Style attributes come from the editor and the drawings. */
 const policy = [
-  "default-src 'none'", "script-src 'self'", "worker-src 'self'", "style-src 'self' 'unsafe-inline'", "img-src 'self' data: blob:",
-  "font-src 'self'", "connect-src 'self'", "manifest-src 'self'", "base-uri 'none'", "form-action 'none'",
+  "default-src 'none'",
+  "script-src 'self'",
+  "worker-src 'self'",
+  "style-src 'self' 'unsafe-inline'",
+  "img-src 'self' data: blob:",
+  "font-src 'self'",
+  "connect-src 'self'",
+  "manifest-src 'self'",
+  "base-uri 'none'",
+  "form-action 'none'",
 ].join("; ");
 
 /** Only in the build: the development server needs inline scripts and a web socket. */
 const contentPolicy: Plugin = {
   name: "content-policy",
   apply: "build",
-  transformIndexHtml: () => [{ tag: "meta", attrs: { "http-equiv": "Content-Security-Policy", content: policy }, injectTo: "head-prepend" }],
+  transformIndexHtml:
+    () => [{ tag: "meta", attrs: { "http-equiv": "Content-Security-Policy", content: policy }, injectTo: "head-prepend" }],
 };
 
 export default defineConfig({
@@ -40,9 +49,25 @@ export default defineConfig({
     // For what never ends; a slow machine may take long.
     testTimeout: 600_000,
     hookTimeout: 600_000,
-    projects: [
-      { extends: true, test: { name: "node", environment: "node", globalSetup: "./tests/announce.ts", setupFiles: ["./tests/seed.ts"], exclude, include: ["src/**/*.test.ts", "tests/**/*.test.ts"] } },
-      { extends: true, test: { name: "jsdom", environment: "jsdom", setupFiles: ["./tests/seed.ts", "./tests/jsdom.ts"], exclude, include: ["src/**/*.test.tsx"] } },
-    ],
+    projects: [{
+      extends: true,
+      test: {
+        name: "node",
+        environment: "node",
+        globalSetup: "./tests/announce.ts",
+        setupFiles: ["./tests/seed.ts"],
+        exclude,
+        include: ["src/**/*.test.ts", "tests/**/*.test.ts"],
+      },
+    }, {
+      extends: true,
+      test: {
+        name: "jsdom",
+        environment: "jsdom",
+        setupFiles: ["./tests/seed.ts", "./tests/jsdom.ts"],
+        exclude,
+        include: ["src/**/*.test.tsx"],
+      },
+    }],
   },
 });

@@ -2,7 +2,7 @@ import { accessible } from "./pages/look.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-test("a milled program shows its working plane, and its approach is changed by prompt, by dragging and by choosing another form", async ({ page }) => {
+test("a milled program shows its plane, and its approach is changed by prompt, by dragging, by another form", async ({ page }) => {
   const { editor, t } = await Turnwise.open(page);
   await editor.openExample("plate");
   await expect(page.getByRole("region", { name: t.approach.view })).toBeVisible();

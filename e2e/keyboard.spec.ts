@@ -5,13 +5,26 @@ import { answers, type Answers } from "./pages/values.ts";
 
 /** Values of our own, so that nothing can pass by showing the example. The contour is the printed one, deeper. */
 const JOBS: readonly { cycle: number; own: Answers; expected: readonly string[]; contour?: boolean }[] = [
-  { cycle: 812, own: { Q493: "48.5", Q494: "-42", Q463: "2,4", Q506: "1" }, expected: ["Q493=+48.5 ", "Q494=-42 ", "Q463=+2.4 ", "Q506=+1 "] },
+  {
+    cycle: 812,
+    own: { Q493: "48.5", Q494: "-42", Q463: "2,4", Q506: "1" },
+    expected: ["Q493=+48.5 ", "Q494=-42 ", "Q463=+2.4 ", "Q506=+1 "],
+  },
   { cycle: 820, own: { Q463: "75/30", Q488: "0.12" }, expected: ["Q463=+2.5 ", "Q488=+0.12 ", "L X+75 Z-20", "RND R2"], contour: true },
-  { cycle: 852, own: { Q494: "-38.5", Q505: "0,15", Q507: "1" }, expected: ["Q494=-38.5 ", "Q505=+0.15 ", "Q507=+1 "] },
+  {
+    cycle: 852,
+    own: { Q494: "-38.5", Q505: "0,15", Q507: "1" },
+    expected: ["Q494=-38.5 ", "Q505=+0.15 ", "Q507=+1 "],
+  },
 ];
 /** One row per element: what is typed into its fields. */
 const CONTOUR: readonly { kind: string; x?: string; z?: string; r?: string }[] = [
-  { kind: "L", x: "75", z: "-20" }, { kind: "L", x: "50" }, { kind: "RND", r: "2" }, { kind: "L", x: "20", z: "-25" }, { kind: "RND", r: "2" }, { kind: "L", z: "0" },
+  { kind: "L", x: "75", z: "-20" },
+  { kind: "L", x: "50" },
+  { kind: "RND", r: "2" },
+  { kind: "L", x: "20", z: "-25" },
+  { kind: "RND", r: "2" },
+  { kind: "L", z: "0" },
 ];
 
 for (const { cycle, own, expected, contour } of JOBS) {
@@ -38,7 +51,11 @@ for (const { cycle, own, expected, contour } of JOBS) {
         }
         for (const [field, text] of [[table.x(n), row.x], [table.z(n), row.z], [table.radius(n), row.r]] as const) {
           if (text === undefined) continue;
-          await tabTo(page, field, await field.evaluate((e) => Boolean(document.activeElement && document.activeElement.compareDocumentPosition(e) & Node.DOCUMENT_POSITION_PRECEDING)) ? "Shift+Tab" : "Tab");
+          await tabTo(page, field, await field.evaluate((e) =>
+              Boolean(document.activeElement && document.activeElement.compareDocumentPosition(e) & Node.DOCUMENT_POSITION_PRECEDING)
+            )
+            ? "Shift+Tab"
+            : "Tab");
           await keyboard.type(text);
         }
       }

@@ -72,7 +72,9 @@ function all(): Record<string, Measured> {
     const program = parse(printJob(job, labels));
     results[`plan ${cycle}`] = measured(() => run(program, { tools: shippedTools, rapid: 10_000 }));
     results[`update ${cycle}`] = measured((count) => update(job, count));
-    results[`verify ${cycle}`] = measured((count) => verified("example.h", printJob(changed(job, count), labels), { tools: shippedTools, refused: new Map() }));
+    results[`verify ${cycle}`] = measured((count) =>
+      verified("example.h", printJob(changed(job, count), labels), { tools: shippedTools, refused: new Map() })
+    );
   }
   const long = parse(printJob(longContour(820, 1000), labels));
   const longText = printJob(longContour(820, 1000), labels);
@@ -80,13 +82,24 @@ function all(): Record<string, Measured> {
   results["stock 820 1000"] = measured(() => stock(longText));
   for (const [name, job] of [["seek 820", printedExample(820)], ["seek 820 1000", longContour(820, 1000)]] as const) {
     const { simulation } = stock(printJob(job, labels));
-    results[name] = measured((count) => stockAt(simulation, { step: (count * 7919) % simulation.steps.length, fraction: (count % 10) / 10 }));
+    results[name] = measured((count) =>
+      stockAt(simulation, { step: (count * 7919) % simulation.steps.length, fraction: (count % 10) / 10 })
+    );
   }
   return results;
 }
 
 /** Programs at the bounds that are measured, each in a process of its own. */
-const LARGE = ["10 MB of cuts", "10 MB of milling", "10 MB of nonsense", "200,000 blocks", "400,000 moves", "10,000 passes", "loop of cycles", "contour of 20,000 elements"] as const satisfies readonly (keyof typeof largePrograms)[];
+const LARGE = [
+  "10 MB of cuts",
+  "10 MB of milling",
+  "10 MB of nonsense",
+  "200,000 blocks",
+  "400,000 moves",
+  "10,000 passes",
+  "loop of cycles",
+  "contour of 20,000 elements",
+] as const satisfies readonly (keyof typeof largePrograms)[];
 
 /** Processor time in ms from text to report, and the highest memory of its process in MB. */
 interface Large {
@@ -107,7 +120,15 @@ function large(name: (typeof LARGE)[number]): Large | null {
 
 /** What each time may be at most, ms (median). */
 const limit = (name: string) =>
-  name.startsWith("parse") ? 50 : name.startsWith("verify") ? 30 : name.startsWith("plan") ? (name.endsWith("1000") ? 50 : 5) : name.startsWith("stock") ? 250 : 16;
+  name.startsWith("parse")
+    ? 50
+    : name.startsWith("verify")
+    ? 30
+    : name.startsWith("plan")
+    ? (name.endsWith("1000") ? 50 : 5)
+    : name.startsWith("stock")
+    ? 250
+    : 16;
 
 /** `npm run bench`: a table of times; with --json one object on one line. */
 export function main(args: readonly string[]): number {

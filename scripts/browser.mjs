@@ -26,7 +26,9 @@ export function findBrowser() {
 export function ensureBrowser() {
   const found = findBrowser();
   if (found) return found;
-  const run = (command, args) => spawnSync(command, args, { cwd: root, stdio: ["ignore", 2, 2], env: { ...process.env, DEBIAN_FRONTEND: "noninteractive" } }).status === 0;
+  const run = (command, args) =>
+    spawnSync(command, args, { cwd: root, stdio: ["ignore", 2, 2], env: { ...process.env, DEBIAN_FRONTEND: "noninteractive" } }).status
+      === 0;
   console.error("Installing Chromium …");
   if (process.getuid?.() === 0 && existsSync("/usr/bin/apt-get")) {
     if (run("apt-get", ["update"])) run("apt-get", ["install", "--no-install-recommends", "-y", "chromium", "fonts-dejavu-core"]);
@@ -41,5 +43,10 @@ export function ensureBrowser() {
 
 /** What Chromium needs to run as root and to stay off the network. */
 export const browserFlags = [
-  "--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update", "--disable-sync", "--no-first-run",
+  "--no-sandbox",
+  "--disable-gpu",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+  "--no-first-run",
 ];

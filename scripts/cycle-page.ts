@@ -7,7 +7,14 @@ import type { CycleNumber, ParamTextId } from "../src/cycles/index.ts";
 const { cycles, params } = texts("en");
 const labels = ncWords("en");
 
-const units: Partial<Record<Param["kind"], string>> = { diameter: "⌀ mm", oversizeDiameter: "⌀ mm", radial: "r mm", angle: "°", feed: "mm/rev, mm/min", choice: "" };
+const units: Partial<Record<Param["kind"], string>> = {
+  diameter: "⌀ mm",
+  oversizeDiameter: "⌀ mm",
+  radial: "r mm",
+  angle: "°",
+  feed: "mm/rev, mm/min",
+  choice: "",
+};
 const cell = (text: string) => text.replaceAll("|", "\\|");
 const list = (lines: readonly string[], mark: (i: number) => string) => lines.map((line, i) => `${mark(i)} ${line}`).join("\n");
 
@@ -15,10 +22,20 @@ function row(q: string, p: Param): string {
   const text = params[p.text as ParamTextId];
   const choices = "choices" in text ? Object.entries(text.choices).map(([n, meaning]) => `${n}: ${meaning}`).join("; ") : "";
   const range = p.choices ? p.choices.join(", ") : `${p.range[0]} … ${p.range[1]}`;
-  const notes = [p.optional ? "NO ENT allowed" : "", p.incremental ? "incremental" : "", p.reserved ? "reserved" : ""].filter(Boolean).join(", ");
+  const notes = [p.optional ? "NO ENT allowed" : "", p.incremental ? "incremental" : "", p.reserved ? "reserved" : ""].filter(Boolean).join(
+    ", ",
+  );
   const cells = [
-    q, text.prompt, cycles.kinds[p.kind], units[p.kind] ?? "mm", range, String(p.example), notes,
-    labels.params[p.text as ParamTextId].text, `${p.evidence}/${p.rangeEvidence}`, [text.explanation, choices].filter(Boolean).join(" "),
+    q,
+    text.prompt,
+    cycles.kinds[p.kind],
+    units[p.kind] ?? "mm",
+    range,
+    String(p.example),
+    notes,
+    labels.params[p.text as ParamTextId].text,
+    `${p.evidence}/${p.rangeEvidence}`,
+    [text.explanation, choices].filter(Boolean).join(" "),
   ];
   return `| ${cells.map(cell).join(" | ")} |`;
 }
@@ -29,24 +46,26 @@ export function cyclePage(cycle: Cycle): string {
   const text = cycles.of[number];
   const source = `${cycle.manual.document}, section ${cycle.manual.section}${cycle.manual.page ? `, page ${cycle.manual.page}` : ""}`;
   const grades = Object.entries(cycles.evidence).map(([grade, meaning]) => `${grade}: ${meaning}`);
-  return `${[
-    `<!-- Written by \`npm run docs\` from src/cycles/c${number}.ts and src/i18n/en; edit those. -->`,
-    `# ${number} ${text.name}`,
-    text.summary,
-    text.description.join("\n\n"),
-    `Source: ${source}. In NC text: \`CYCL DEF ${number} ${labels.cycles[number].text}\`.`,
-    "## Parameters",
-    [
-      "| Q | Prompt | Measures | Unit | Range | Example | Entry | NC label | Evidence | Meaning |",
-      "|---|---|---|---|---|---|---|---|---|---|",
-      ...Object.entries(cycle.params).map(([q, p]) => row(q, p)),
-    ].join("\n"),
-    `Evidence of the parameter / of its range: ${grades.join("; ")}.`,
-    "## Roughing, step by step",
-    list(text.rough, (i) => `${i + 1}.`),
-    "## Finishing, step by step",
-    list(text.finish, (i) => `${i + 1}.`),
-    "## Notes",
-    list(text.notes, () => "-"),
-  ].join("\n\n")}\n`;
+  return ""
+    + ([
+      `<!-- Written by \`npm run docs\` from src/cycles/c${number}.ts and src/i18n/en; edit those. -->`,
+      `# ${number} ${text.name}`,
+      text.summary,
+      text.description.join("\n\n"),
+      `Source: ${source}. In NC text: \`CYCL DEF ${number} ${labels.cycles[number].text}\`.`,
+      "## Parameters",
+      [
+        "| Q | Prompt | Measures | Unit | Range | Example | Entry | NC label | Evidence | Meaning |",
+        "|---|---|---|---|---|---|---|---|---|---|",
+        ...Object.entries(cycle.params).map(([q, p]) => row(q, p)),
+      ].join("\n"),
+      `Evidence of the parameter / of its range: ${grades.join("; ")}.`,
+      "## Roughing, step by step",
+      list(text.rough, (i) => `${i + 1}.`),
+      "## Finishing, step by step",
+      list(text.finish, (i) => `${i + 1}.`),
+      "## Notes",
+      list(text.notes, () => "-"),
+    ].join("\n\n"))
+    + "\n";
 }

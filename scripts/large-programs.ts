@@ -4,7 +4,15 @@ import { printedExample } from "./long-contour.ts";
 
 /** Characters of a program of 10 MB. */
 const TEN_MB = 10_000_000;
-const HEAD = ["BEGIN PGM LARGE MM", "BLK FORM CYLINDER Z D100 L200 DIST+0", "FUNCTION MODE TURN", "TOOL CALL 1", "FUNCTION TURNDATA SPIN VCONST:ON VC:180 SMAX2500", "M136", "L X+104 Z+2 R0 FMAX"];
+const HEAD = [
+  "BEGIN PGM LARGE MM",
+  "BLK FORM CYLINDER Z D100 L200 DIST+0",
+  "FUNCTION MODE TURN",
+  "TOOL CALL 1",
+  "FUNCTION TURNDATA SPIN VCONST:ON VC:180 SMAX2500",
+  "M136",
+  "L X+104 Z+2 R0 FMAX",
+];
 const TAIL = ["M30", "END PGM LARGE MM"];
 
 const numbered = (blocks: readonly string[]) => blocks.map((b, i) => `${i} ${b}\n`).join("");
@@ -29,7 +37,17 @@ function cycle(number: number, values: Readonly<Record<string, string>>): string
 
 /** A shoulder of 3 mm from a diameter, roughed in so many passes. */
 const shoulder = (from: number, passes: number) =>
-  cycle(812, { Q491: `+${from}`, Q493: `+${from - 6}`, Q494: "-150", Q495: "+0", Q501: "+0", Q503: "+0", Q463: `+${(3 / passes).toFixed(5)}`, Q215: "+1", Q460: "+0.5" });
+  cycle(812, {
+    Q491: `+${from}`,
+    Q493: `+${from - 6}`,
+    Q494: "-150",
+    Q495: "+0",
+    Q501: "+0",
+    Q503: "+0",
+    Q463: `+${(3 / passes).toFixed(5)}`,
+    Q215: "+1",
+    Q460: "+0.5",
+  });
 
 /** Operations with so many passes each, each on the material that the one before left. */
 const passes = (operations: number, each: number) =>
@@ -49,9 +67,33 @@ const untilFull = (line: (i: number) => string) => {
 export const largePrograms = {
   "10 MB of cuts": () => program(untilFull(zigzag)),
   "10 MB of rapids in stock": () => program(untilFull(rapids)),
-  "10 MB of milling": () => numbered(["BEGIN PGM LARGE MM", "BLK FORM 0.1 Z X+0 Y+0 Z-20", "BLK FORM 0.2 X+100 Y+100 Z+0", "TOOL CALL 1 Z S3000", "L X-10 Y-10 Z-5 R0 FMAX", ...untilFull((i) => `L X+${(i % 997) / 10} Y+${(i % 773) / 10}${i === 0 ? " F500" : ""}`), ...TAIL]),
-  "10 MB of milling with RL": () => numbered(["BEGIN PGM LARGE MM", "BLK FORM 0.1 Z X+0 Y+0 Z-20", "BLK FORM 0.2 X+100 Y+100 Z+0", "TOOL DEF 1 L+0 R+5", "TOOL CALL 1 Z S3000", "L X-10 Y-10 Z-5 R0 FMAX", ...untilFull((i) => `L X+${((i * 0.01) % 1000).toFixed(3)} Y+${((i % 2) * 0.01).toFixed(3)}${i === 0 ? " RL F500" : ""}`), ...TAIL]),
-  "10 MB of turning with RR": () => program(untilFull((i) => (i === 0 ? "L X+96 Z-0.01 RR F0.2" : `L X+${(96 + (i % 2) * 0.01).toFixed(3)} Z-${(i * 0.0005 + 0.011).toFixed(4)}`))),
+  "10 MB of milling": () =>
+    numbered([
+      "BEGIN PGM LARGE MM",
+      "BLK FORM 0.1 Z X+0 Y+0 Z-20",
+      "BLK FORM 0.2 X+100 Y+100 Z+0",
+      "TOOL CALL 1 Z S3000",
+      "L X-10 Y-10 Z-5 R0 FMAX",
+      ...untilFull((i) => `L X+${(i % 997) / 10} Y+${(i % 773) / 10}${i === 0 ? " F500" : ""}`),
+      ...TAIL,
+    ]),
+  "10 MB of milling with RL": () =>
+    numbered([
+      "BEGIN PGM LARGE MM",
+      "BLK FORM 0.1 Z X+0 Y+0 Z-20",
+      "BLK FORM 0.2 X+100 Y+100 Z+0",
+      "TOOL DEF 1 L+0 R+5",
+      "TOOL CALL 1 Z S3000",
+      "L X-10 Y-10 Z-5 R0 FMAX",
+      ...untilFull((i) => `L X+${((i * 0.01) % 1000).toFixed(3)} Y+${((i % 2) * 0.01).toFixed(3)}${i === 0 ? " RL F500" : ""}`),
+      ...TAIL,
+    ]),
+  "10 MB of turning with RR": () =>
+    program(
+      untilFull(
+        (i) => (i === 0 ? "L X+96 Z-0.01 RR F0.2" : `L X+${(96 + (i % 2) * 0.01).toFixed(3)} Z-${(i * 0.0005 + 0.011).toFixed(4)}`)
+      ),
+    ),
   "10 MB of nonsense": () => program(untilFull((i) => `HEIDENHAIN what ever ${i}`)),
   "10 MB of broken words": () => program(untilFull((i) => `L X+${i}.5.5 Z-1 Q`)),
   "10 MB of unset parameters": () => program(untilFull((i) => `L X+Q${i % 1000} Z-Q${i % 999} F0.2`)),
@@ -68,8 +110,22 @@ export const largePrograms = {
   "endless loop": () => program(["LBL 1", "L IX-0.0001 F0.2", "L IZ-0.0001", "CALL LBL 1 REP 999999999"]),
   "endless recursion": () => program(["LBL 1", "L IX-0.0001 F0.2", "CALL LBL 1", "L IZ-0.0001", "CALL LBL 1", "LBL 0"]),
   "loop of cycles": () => program([cycle(812, {}), "LBL 1", "CYCL CALL", "CALL LBL 1 REP 65534"]),
-  "loop of free contours": () => program(["CYCL DEF 14.0 CONTOUR", "CYCL DEF 14.1 LABEL 2", cycle(820, {}), "LBL 1", "L X+75 Z+2 FMAX", "CYCL CALL", "CALL LBL 1 REP 65534"], ["LBL 2", "L X+75 Z-20", "L X+50", "RND R2", "L X+20 Z-25", "RND R2", "L Z+0", "LBL 0"]),
-  "contour of 20,000 elements": () => program(["CYCL DEF 14.0 CONTOUR", "CYCL DEF 14.1 LABEL 2", cycle(820, { Q463: "+1" }), "L X+204 Z+2 FMAX", "CYCL CALL"], ["LBL 2", ...times(19_990, (i) => `L X+${(100 - i * 0.004).toFixed(4)} Z-${(30 - i * 0.001 + (i % 2) * 0.002).toFixed(4)}`), "LBL 0"]),
+  "loop of free contours": () =>
+    program([
+      "CYCL DEF 14.0 CONTOUR",
+      "CYCL DEF 14.1 LABEL 2",
+      cycle(820, {}),
+      "LBL 1",
+      "L X+75 Z+2 FMAX",
+      "CYCL CALL",
+      "CALL LBL 1 REP 65534",
+    ], ["LBL 2", "L X+75 Z-20", "L X+50", "RND R2", "L X+20 Z-25", "RND R2", "L Z+0", "LBL 0"]),
+  "contour of 20,000 elements": () =>
+    program(["CYCL DEF 14.0 CONTOUR", "CYCL DEF 14.1 LABEL 2", cycle(820, { Q463: "+1" }), "L X+204 Z+2 FMAX", "CYCL CALL"], [
+      "LBL 2",
+      ...times(19_990, (i) => `L X+${(100 - i * 0.004).toFixed(4)} Z-${(30 - i * 0.001 + (i % 2) * 0.002).toFixed(4)}`),
+      "LBL 0",
+    ]),
   "10,000 passes": () => passes(10, 1000),
   "12,000 passes": () => passes(8, 1500),
 } satisfies Record<string, () => string>;

@@ -30,9 +30,24 @@ export function main(names: readonly string[]): number {
     mark();
     const [parsed, ran, simulated, reported] = at.slice(1).map((t, i) => Math.round(t - (at[i] ?? 0)));
     console.log(JSON.stringify({
-      name, parsed, ran, simulated, reported, mb: Math.round(mid), mbReport: Math.round(process.resourceUsage().maxRSS / 1024), text: text.length, blocks: program.blocks.length,
-      steps: made.steps.length, plane: made.plane.length, operations: made.operations.length, issues: told.issues.length, findings: simulation.findings.length,
-      passes: made.operations.reduce((n, o) => n + o.plan.passes, 0), verdict: verdictOf(made, simulation).verdict, checkpoints: simulation.checkpoints.length, json,
+      name,
+      parsed,
+      ran,
+      simulated,
+      reported,
+      mb: Math.round(mid),
+      mbReport: Math.round(process.resourceUsage().maxRSS / 1024),
+      text: text.length,
+      blocks: program.blocks.length,
+      steps: made.steps.length,
+      plane: made.plane.length,
+      operations: made.operations.length,
+      issues: told.issues.length,
+      findings: simulation.findings.length,
+      passes: made.operations.reduce((n, o) => n + o.plan.passes, 0),
+      verdict: verdictOf(made, simulation).verdict,
+      checkpoints: simulation.checkpoints.length,
+      json,
     }));
   }
   return 0;

@@ -38,7 +38,9 @@ function tried({ cycle: number, operation, cases, seed }: Job): Outcome {
 /** The same in a process of its own. */
 function inProcess(job: Job): Promise<Outcome> {
   return new Promise((resolve, reject) => {
-    const child = spawn(process.execPath, [...process.argv.slice(1, 3), "--job", JSON.stringify(job)], { stdio: ["ignore", "pipe", "inherit"] });
+    const child = spawn(process.execPath, [...process.argv.slice(1, 3), "--job", JSON.stringify(job)], {
+      stdio: ["ignore", "pipe", "inherit"],
+    });
     let out = "";
     child.stdout.on("data", (data: Buffer) => (out += data.toString()));
     child.on("exit", (code) => (code === 0 ? resolve(JSON.parse(out) as Outcome) : reject(new Error(`a process ended with ${code}`))));
@@ -63,8 +65,12 @@ export async function main(args: readonly string[]): Promise<number> {
   const [cases, only] = [option(args, "cases", 10_000), option(args, "cycle", 0)];
   console.log(`LAW_SEED=${seed}, ${cases} set-ups of each cycle`);
   const each = Math.ceil(cases / OPERATIONS.length);
-  const jobs = catalogue.filter((c) => only === 0 || c.number === only).flatMap(({ number }) => OPERATIONS.flatMap((operation) =>
-    Array.from({ length: Math.ceil(each / SHARE) }, (_, i): Job => ({ cycle: number, operation, cases: Math.min(SHARE, each - i * SHARE), seed: (seed + i * 7919) % 2 ** 31 }))));
+  const jobs = catalogue.filter((c) => only === 0 || c.number === only).flatMap(({ number }) =>
+    OPERATIONS.flatMap((operation) =>
+      Array.from({ length: Math.ceil(each / SHARE) },
+        (_, i): Job => ({ cycle: number, operation, cases: Math.min(SHARE, each - i * SHARE), seed: (seed + i * 7919) % 2 ** 31 }))
+    )
+  );
   const table = new Map<string, { tried: number; broken: number }>();
   const waiting = [...jobs];
   let bad = 0;

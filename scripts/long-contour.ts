@@ -14,7 +14,9 @@ function waves(elements: number): ContourRow[] {
     const part = i / elements;
     const x = (FROM.x + (TO.x - FROM.x) * part).toFixed(3);
     const z = (FROM.z + (TO.z - FROM.z) * part + DEPTH * Math.sin(2 * Math.PI * WAVES * part)).toFixed(3);
-    return i > 0 && i % 2 === 0 ? newRow(`e${i}`, { kind: "CR", x, z, r: "2", turn: i % 4 === 0 ? "cw" : "ccw" }) : newRow(`e${i}`, { x, z });
+    return i > 0 && i % 2 === 0
+      ? newRow(`e${i}`, { kind: "CR", x, z, r: "2", turn: i % 4 === 0 ? "cw" : "ccw" })
+      : newRow(`e${i}`, { x, z });
   });
 }
 

@@ -20,15 +20,29 @@ const PATIENCE = Number(process.env.PATIENCE ?? 600);
 
 /** Tests in the order in which they are tried; goldens last, since a golden says that something changed and not what is right. */
 const STAGES = [
-  { kind: "unit", tests: ["src/kernel", "src/cycles", "src/sim", "src/program", "src/nc", "src/report", "tests/validation.test.ts", "tests/catalogue.test.ts", "tests/messages.test.ts"] },
+  {
+    kind: "unit",
+    tests: [
+      "src/kernel",
+      "src/cycles",
+      "src/sim",
+      "src/program",
+      "src/nc",
+      "src/report",
+      "tests/validation.test.ts",
+      "tests/catalogue.test.ts",
+      "tests/messages.test.ts",
+    ],
+  },
   { kind: "law", tests: ["tests/laws", "tests/judge", "tests/job-laws.test.ts", "tests/examples.test.ts", "tests/adapted-tools.test.ts"] },
   { kind: "golden", tests: ["tests/cases", "tests/goldens.test.ts", "tests/printed-examples.test.ts", "tests/verify.test.ts"] },
 ];
 
 const folder = join(root, "tests", "mutants");
 /** What is planted: `find` stands exactly once in `file`. `tests` are tried first, because they look at that place. */
-const all = readdirSync(folder).filter((name) => name.endsWith(".json")).sort()
-  .flatMap((name) => JSON.parse(readFileSync(join(folder, name), "utf8")).map((m) => ({ ...m, group: name.replace(".json", "") })));
+const all = readdirSync(folder).filter((name) => name.endsWith(".json")).sort().flatMap((name) =>
+  JSON.parse(readFileSync(join(folder, name), "utf8")).map((m) => ({ ...m, group: name.replace(".json", "") }))
+);
 const chosen = all.filter((m) => words.every((w) => `${m.group} ${m.file} ${m.what}`.includes(w)));
 
 function planted(base, { file, find, replace }) {
@@ -52,31 +66,43 @@ function firstFailure(base, tests) {
   const report = join(base, "mutant.json");
   rmSync(report, { force: true });
   const cli = join(base, "node_modules", "vitest", "vitest.mjs");
-  const child = spawn(process.execPath, [cli, "run", ...tests, "--bail=1", "--reporter=json", `--outputFile.json=${report}`, "--passWithNoTests"], {
-    cwd: base, stdio: "ignore", env: { ...process.env, CI: "true", LAW_CASES, LAW_SHRINK: "0", LAW_SEED: process.env.LAW_SEED ?? "1", SEED: "1" },
+  const child = spawn(process.execPath, [
+    cli,
+    "run",
+    ...tests,
+    "--bail=1",
+    "--reporter=json",
+    `--outputFile.json=${report}`,
+    "--passWithNoTests",
+  ], {
+    cwd: base,
+    stdio: "ignore",
+    env: { ...process.env, CI: "true", LAW_CASES, LAW_SHRINK: "0", LAW_SEED: process.env.LAW_SEED ?? "1", SEED: "1" },
   });
   let patient = true;
   const patience = setTimeout(() => {
     patient = false;
     child.kill("SIGKILL");
   }, PATIENCE * 1000);
-  return new Promise((resolve) => child.on("exit", (code) => {
-    clearTimeout(patience);
-    if (!patient) return resolve({ file: tests[0], test: "does not end" });
-    if (code === 0) return resolve(null);
-    let [file, test] = ["?", "does not run at all"];
-    try {
-      for (const suite of JSON.parse(readFileSync(report, "utf8")).testResults) {
-        const bad = suite.assertionResults.find((t) => t.status === "failed");
-        if (!bad && suite.status !== "failed") continue;
-        [file, test] = [relative(base, suite.name), bad?.fullName ?? "does not run at all"];
-        if (bad) break;
+  return new Promise((resolve) =>
+    child.on("exit", (code) => {
+      clearTimeout(patience);
+      if (!patient) return resolve({ file: tests[0], test: "does not end" });
+      if (code === 0) return resolve(null);
+      let [file, test] = ["?", "does not run at all"];
+      try {
+        for (const suite of JSON.parse(readFileSync(report, "utf8")).testResults) {
+          const bad = suite.assertionResults.find((t) => t.status === "failed");
+          if (!bad && suite.status !== "failed") continue;
+          [file, test] = [relative(base, suite.name), bad?.fullName ?? "does not run at all"];
+          if (bad) break;
+        }
+      } catch {
+        // A run that wrote no report failed all the same.
       }
-    } catch {
-      // A run that wrote no report failed all the same.
-    }
-    resolve({ file, test });
-  }));
+      resolve({ file, test });
+    })
+  );
 }
 
 async function tried(base, mutant) {
@@ -92,7 +118,12 @@ async function tried(base, mutant) {
   }
 }
 
-const kindOf = (file) => (file.startsWith("src") || /validation|catalogue|messages/.test(file) ? "unit" : /laws|judge|examples\.test|adapted/.test(file) && !/printed/.test(file) ? "law" : "golden");
+const kindOf =
+  (file) => (file.startsWith("src") || /validation|catalogue|messages/.test(file)
+    ? "unit"
+    : /laws|judge|examples\.test|adapted/.test(file) && !/printed/.test(file)
+    ? "law"
+    : "golden");
 
 ensurePackages();
 const stale = all.flatMap((m) => {
@@ -115,7 +146,10 @@ try {
     for (let m = waiting.shift(); m; m = waiting.shift()) {
       const failure = await tried(base, m);
       results.push({ ...m, failure });
-      console.log(`${failure ? kindOf(failure.file).padEnd(8) : "SURVIVED"} ${m.what} (${m.file})${failure ? `: ${failure.file}: ${failure.test.slice(0, 100)}` : ""}`);
+      console.log(
+        "" + (failure ? kindOf(failure.file).padEnd(8) : "SURVIVED") + ` ${m.what} (${m.file})`
+          + (failure ? `: ${failure.file}: ${failure.test.slice(0, 100)}` : ""),
+      );
     }
   }));
 } finally {
@@ -129,8 +163,21 @@ const total = `${results.length} faults, ${survivors.length} survive, ${byGolden
 console.log(total);
 if (WRITE) {
   const cell = (text) => text.replaceAll("|", "\\|");
-  const rows = results.map((r) => `| ${cell(r.what)} | \`${r.file.replace("src/", "")}\` | ${r.failure ? `${kindOf(r.failure.file)}: \`${r.failure.file}\`` : "**survives**"} |`);
-  const table = ["<!-- mutants: written by npm run mutants -- --write -->", "", `${total}.`, "", "| Fault | Where | Killed by |", "|---|---|---|", ...rows, "", "<!-- /mutants -->"].join("\n");
+  const rows = results.map((r) =>
+    `| ${cell(r.what)} | \`${r.file.replace("src/", "")}\` | `
+    + (r.failure ? `${kindOf(r.failure.file)}: \`${r.failure.file}\`` : "**survives**") + " |"
+  );
+  const table = [
+    "<!-- mutants: written by npm run mutants -- --write -->",
+    "",
+    `${total}.`,
+    "",
+    "| Fault | Where | Killed by |",
+    "|---|---|---|",
+    ...rows,
+    "",
+    "<!-- /mutants -->",
+  ].join("\n");
   const path = join(root, "docs", "proof.md");
   writeFileSync(path, readFileSync(path, "utf8").replace(/<!-- mutants:[\s\S]*<!-- \/mutants -->/, () => table));
 }

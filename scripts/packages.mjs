@@ -17,8 +17,8 @@ function installed() {
   const kept = join("node_modules", ".package-lock.json");
   if (!existsSync(join(root, kept))) return false;
   const present = lock(kept);
-  return Object.entries(lock("package-lock.json")).every(
-    ([name, wanted]) => name === "" || (present[name] ? present[name].version === wanted.version : wanted.optional === true),
+  return Object.entries(lock("package-lock.json")).every(([name, wanted]) =>
+    name === "" || (present[name] ? present[name].version === wanted.version : wanted.optional === true)
   );
 }
 
@@ -33,7 +33,9 @@ export function ensurePackages() {
   console.error("Installing packages (npm ci) …");
   const npm = process.platform === "win32" ? "npm.cmd" : "npm";
   const done = spawnSync(npm, ["ci", "--no-audit", "--no-fund", "--include=dev", "--loglevel=error"], {
-    cwd: root, stdio: ["ignore", 2, 2], shell: process.platform === "win32",
+    cwd: root,
+    stdio: ["ignore", 2, 2],
+    shell: process.platform === "win32",
   });
   if (done.status !== 0) throw new Error("npm ci failed.");
 }

@@ -9,7 +9,9 @@ import { ensurePackages, root } from "./packages.mjs";
 ensurePackages();
 const git = (...args) => execFileSync("git", args, { cwd: root, encoding: "utf8" }).split("\n");
 const isCode = (file) => /^(src|tests|scripts)\/.*\.tsx?$/.test(file);
-const changed = [...git("diff", "--name-only", "--diff-filter=d", "HEAD"), ...git("ls-files", "--others", "--exclude-standard")].filter(isCode);
+const changed = [...git("diff", "--name-only", "--diff-filter=d", "HEAD"), ...git("ls-files", "--others", "--exclude-standard")].filter(
+  isCode,
+);
 const files = changed.length > 0 ? changed : git("show", "--name-only", "--diff-filter=d", "--format=", "HEAD").filter(isCode);
 
 const cache = join(root, "node_modules", ".cache", "turnwise");
@@ -23,17 +25,33 @@ function nearest(file) {
 }
 const tests = [...new Set(files.flatMap(nearest))];
 const work = [
-  ["types", bin("typescript", "bin", "tsc"), "--noEmit", "--incremental", "--tsBuildInfoFile", join(cache, "quick.tsbuildinfo"), "-p", "tsconfig.json"],
-  files.length > 0 && ["lint", bin("eslint", "bin", "eslint.js"), "--max-warnings", "0", "--cache", "--cache-location", join(cache, "eslint"), ...files],
+  [
+    "types",
+    bin("typescript", "bin", "tsc"),
+    "--noEmit",
+    "--incremental",
+    "--tsBuildInfoFile",
+    join(cache, "quick.tsbuildinfo"),
+    "-p",
+    "tsconfig.json",
+  ],
+  files.length > 0
+  && ["lint", bin("eslint", "bin", "eslint.js"), "--max-warnings", "0", "--cache", "--cache-location", join(cache, "eslint"), ...files],
   tests.length > 0 && ["tests", bin("vitest", "vitest.mjs"), "run", "--passWithNoTests", ...tests],
 ].filter(Boolean);
 
-const results = await Promise.all(work.map(([name, ...args]) => new Promise((resolve) => {
-  const began = performance.now();
-  const child = spawn(process.execPath, args, { cwd: root, stdio: ["ignore", "inherit", "inherit"], env: { ...process.env, LAW_CASES: "3", LAW_RUNS: "50" } });
-  child.on("exit", (code) => {
-    console.log(`${code === 0 ? "ok  " : "FAIL"} ${name} (${((performance.now() - began) / 1000).toFixed(1)} s)`);
-    resolve(code === 0);
-  });
-})));
+const results = await Promise.all(work.map(([name, ...args]) =>
+  new Promise((resolve) => {
+    const began = performance.now();
+    const child = spawn(process.execPath, args, {
+      cwd: root,
+      stdio: ["ignore", "inherit", "inherit"],
+      env: { ...process.env, LAW_CASES: "3", LAW_RUNS: "50" },
+    });
+    child.on("exit", (code) => {
+      console.log(`${code === 0 ? "ok  " : "FAIL"} ${name} (${((performance.now() - began) / 1000).toFixed(1)} s)`);
+      resolve(code === 0);
+    });
+  })
+));
 process.exitCode = results.every(Boolean) ? 0 : 1;

@@ -42,10 +42,17 @@ async function bundled() {
   const { build } = await import("vite");
   const fresh = join(cache, `${name}-building-${process.pid}`);
   await build({
-    root, configFile: false, logLevel: "error", publicDir: false,
+    root,
+    configFile: false,
+    logLevel: "error",
+    publicDir: false,
     ssr: { noExternal: true, target: "node" },
     build: {
-      ssr: join(root, "scripts", `${name}.ts`), outDir: fresh, emptyOutDir: true, target: "node20", minify: false,
+      ssr: join(root, "scripts", `${name}.ts`),
+      outDir: fresh,
+      emptyOutDir: true,
+      target: "node20",
+      minify: false,
       rolldownOptions: { output: { entryFileNames: "bundle.mjs", codeSplitting: false } },
     },
   });

@@ -27,7 +27,9 @@ function visit(path) {
 }
 const page = read("index.html");
 for (const path of found(page, /<(?:script|link)[^>]+(?:src|href)="\.?\/?([^"]+\.js)"/g)) visit(path);
-const languages = readdirSync(join(dist, "assets")).filter((name) => /^(de|en|fr|zh)-[\w-]+\.js$/.test(name)).map((name) => `assets/${name}`);
+const languages = readdirSync(join(dist, "assets")).filter((name) => /^(de|en|fr|zh)-[\w-]+\.js$/.test(name)).map((name) =>
+  `assets/${name}`
+);
 const weight = (path) => gzipSync(read(path)).length;
 const largest = languages.sort((a, b) => weight(b) - weight(a))[0];
 

@@ -26,17 +26,17 @@ const unitCount = () => counted(unitReport, (r) => ({ passed: r.numPassedTests, 
 const journeyCount = () => counted(journeyReport, (r) => ({ passed: r.stats.expected, failed: r.stats.unexpected + r.stats.flaky }));
 
 /** Stages run one after the other, the commands of one stage side by side. */
+const unit = [bin("vitest", "vitest.mjs"), "run", "--reporter=default", "--reporter=json", `--outputFile.json=${unitReport}`];
 const stages = [
-  [
-    { name: "types", args: tsc("tsconfig.json") },
-    { name: "types of the kernel alone", args: tsc("src/kernel/tsconfig.json") },
-    { name: "types of the pure layers alone", args: tsc("tsconfig.pure.json") },
-  ],
-  [{ name: "lint", args: [bin("eslint", "bin", "eslint.js"), "--max-warnings", "0", "."] }],
-  [{
-    name: "unit tests, goldens and laws", count: unitCount,
-    args: [bin("vitest", "vitest.mjs"), "run", "--reporter=default", "--reporter=json", `--outputFile.json=${unitReport}`],
+  [{ name: "types", args: tsc("tsconfig.json") }, { name: "types of the kernel alone", args: tsc("src/kernel/tsconfig.json") }, {
+    name: "types of the pure layers alone",
+    args: tsc("tsconfig.pure.json"),
   }],
+  [{ name: "lint", args: [bin("eslint", "bin", "eslint.js"), "--max-warnings", "0", "."] }, {
+    name: "format",
+    args: [join(root, "scripts", "format.mjs"), "--check"],
+  }],
+  [{ name: "unit tests, goldens and laws", count: unitCount, args: unit }],
   [{ name: "build", args: [bin("vite", "bin", "vite.js"), "build", "--logLevel", "warn"] }],
   [{ name: "size", args: [join(root, "scripts", "size.mjs")] }],
   [{ name: "journeys in Chromium", count: journeyCount, browser: true, args: [bin("@playwright", "test", "cli.js"), "test"] }],
@@ -44,13 +44,20 @@ const stages = [
 
 function run({ name, args, browser }) {
   const began = performance.now();
-  const env = { ...process.env, CI: "true", PLAYWRIGHT_JSON_OUTPUT_FILE: journeyReport, ...(browser ? { CHROMIUM_PATH: ensureBrowser() } : {}) };
+  const env = {
+    ...process.env,
+    CI: "true",
+    PLAYWRIGHT_JSON_OUTPUT_FILE: journeyReport,
+    ...(browser ? { CHROMIUM_PATH: ensureBrowser() } : {}),
+  };
   const child = spawn(process.execPath, args, { cwd: root, env, stdio: ["ignore", "inherit", "inherit"] });
-  return new Promise((resolve) => child.on("exit", (code) => {
-    const seconds = ((performance.now() - began) / 1000).toFixed(1);
-    console.log(`${code === 0 ? "ok  " : "FAIL"} ${name} (${seconds} s)`);
-    resolve(code === 0);
-  }));
+  return new Promise((resolve) =>
+    child.on("exit", (code) => {
+      const seconds = ((performance.now() - began) / 1000).toFixed(1);
+      console.log(`${code === 0 ? "ok  " : "FAIL"} ${name} (${seconds} s)`);
+      resolve(code === 0);
+    })
+  );
 }
 
 ensurePackages();

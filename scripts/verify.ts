@@ -34,16 +34,19 @@ function command(args: readonly string[]): Command {
     if (arg === "--json") json = true;
     else if (arg === "--print") printing = true;
     else if (arg === "--tools") {
-      tools = args[(i += 1)] ?? null;
+      tools = args[i += 1] ?? null;
       if (tools === null) throw new Refusal("--tools needs a file");
     } else if (arg === "--control") {
-      const named = CONTROLS[args[(i += 1)]?.toLowerCase() ?? ""];
+      const named = CONTROLS[args[i += 1]?.toLowerCase() ?? ""];
       if (!named) throw new Refusal(`--control needs one of ${Object.keys(CONTROLS).join(", ")}`);
       control = named;
     } else if (arg.startsWith("--")) throw new Refusal(`unknown option ${arg}`);
     else files.push(arg);
   }
-  if (files.length === 0) throw new Refusal("usage: npm run --silent verify -- FILE.h [FILE.h …] [--tools TOOLS.json] [--control tnc640|tnc7] [--json | --print]");
+  if (files.length === 0)
+    throw new Refusal(
+      "usage: npm run --silent verify -- FILE.h [FILE.h …] [--tools TOOLS.json] [--control tnc640|tnc7] [--json | --print]",
+    );
   return { files, tools, json, print: printing, control };
 }
 

@@ -7,22 +7,80 @@ import { shippedTools } from "../src/program/shipped-tools.ts";
 import { stockIssues } from "../src/sim/issues.ts";
 import { simulate } from "../src/sim/simulate.ts";
 
-const square: Tool = { T: 20, NAME: "SQUARE-75", TYPE: "ROUGH", TO: 1, RS: length(1.2), "T-ANGLE": degrees(75), "P-ANGLE": degrees(90), CUTLENGTH: length(12) };
+const square: Tool = {
+  T: 20,
+  NAME: "SQUARE-75",
+  TYPE: "ROUGH",
+  TO: 1,
+  RS: length(1.2),
+  "T-ANGLE": degrees(75),
+  "P-ANGLE": degrees(90),
+  CUTLENGTH: length(12),
+};
 const shop = { tools: [...shippedTools, square], rapid: 10_000 };
 const shoulder = [
-  "CYCL DEF 812 SHOULDER ~", "Q215=+0 ~", "Q460=+2 ~", "Q491=+75 ~", "Q492=+0 ~", "Q493=+50 ~", "Q494=-55 ~", "Q495=+0 ~", "Q501=+1 ~", "Q502=+0.5 ~", "Q500=+1.5 ~",
-  "Q496=+0 ~", "Q503=+1 ~", "Q504=+0.5 ~", "Q463=+3 ~", "Q478=+0.3 ~", "Q483=+0.4 ~", "Q484=+0.2 ~", "Q505=+0.2 ~", "Q506=+0",
+  "CYCL DEF 812 SHOULDER ~",
+  "Q215=+0 ~",
+  "Q460=+2 ~",
+  "Q491=+75 ~",
+  "Q492=+0 ~",
+  "Q493=+50 ~",
+  "Q494=-55 ~",
+  "Q495=+0 ~",
+  "Q501=+1 ~",
+  "Q502=+0.5 ~",
+  "Q500=+1.5 ~",
+  "Q496=+0 ~",
+  "Q503=+1 ~",
+  "Q504=+0.5 ~",
+  "Q463=+3 ~",
+  "Q478=+0.3 ~",
+  "Q483=+0.4 ~",
+  "Q484=+0.2 ~",
+  "Q505=+0.2 ~",
+  "Q506=+0",
 ];
-const contour = (reverse: number) => [
-  "CYCL DEF 14.0 CONTOUR", "CYCL DEF 14.1 CONTOUR LABEL2", "CYCL DEF 820 CONTOUR ~", "Q215=+0 ~", "Q460=+2 ~", `Q499=+${reverse} ~`, "Q463=+3 ~", "Q478=+0.3 ~", "Q483=+0.4 ~",
-  "Q484=+0.2 ~", "Q505=+0.2 ~", "Q487=+1 ~", "Q488=+0 ~", "Q479=+0 ~", "Q480=+0 ~", "Q482=+0 ~", "Q506=+0",
-];
+const contour =
+  (reverse: number) => [
+    "CYCL DEF 14.0 CONTOUR",
+    "CYCL DEF 14.1 CONTOUR LABEL2",
+    "CYCL DEF 820 CONTOUR ~",
+    "Q215=+0 ~",
+    "Q460=+2 ~",
+    `Q499=+${reverse} ~`,
+    "Q463=+3 ~",
+    "Q478=+0.3 ~",
+    "Q483=+0.4 ~",
+    "Q484=+0.2 ~",
+    "Q505=+0.2 ~",
+    "Q487=+1 ~",
+    "Q488=+0 ~",
+    "Q479=+0 ~",
+    "Q480=+0 ~",
+    "Q482=+0 ~",
+    "Q506=+0",
+  ];
 const label = ["LBL 2", "L X+75 Z-20", "L X+50", "RND R2", "L X+20 Z-25", "RND R2", "L Z+0", "LBL 0"];
 function cut(tool: number, cycle: readonly string[], x: number) {
-  const done = run(parse([
-    "BEGIN PGM T MM", "BLK FORM CYLINDER Z D75 L100 DIST+0", "FUNCTION MODE TURN", `TOOL CALL ${tool}`, "FUNCTION TURNDATA SPIN VCONST:ON VC:180 SMAX2500", "M136",
-    ...cycle, `L X+${x} Z+2 R0 FMAX`, "CYCL CALL", "M30", ...label, "END PGM T MM",
-  ].join("\n")), shop);
+  const done = run(
+    parse(
+      [
+        "BEGIN PGM T MM",
+        "BLK FORM CYLINDER Z D75 L100 DIST+0",
+        "FUNCTION MODE TURN",
+        `TOOL CALL ${tool}`,
+        "FUNCTION TURNDATA SPIN VCONST:ON VC:180 SMAX2500",
+        "M136",
+        ...cycle,
+        `L X+${x} Z+2 R0 FMAX`,
+        "CYCL CALL",
+        "M30",
+        ...label,
+        "END PGM T MM",
+      ].join("\n"),
+    ),
+    shop,
+  );
   const simulation = simulate(done);
   return { done, simulation, issues: [...done.issues.map((f) => f.issue), ...stockIssues(simulation).map((p) => p.issue)] };
 }
@@ -49,7 +107,10 @@ describe("what a leaning edge leaves is laid to that edge", () => {
   test("a tool set at 75 degrees before a square shoulder", () => {
     const { simulation, issues } = cut(20, shoulder, 75);
     expect(simulation.proof.residual.map((r) => r.reason)).toEqual(["mainEdge"]);
-    expect(issues.find((i) => i.code === "angleNotFollowed")).toMatchObject({ at: "Q496", data: { edge: "mainEdge", max: expect.closeTo(15, 6) } });
+    expect(issues.find((i) => i.code === "angleNotFollowed")).toMatchObject({
+      at: "Q496",
+      data: { edge: "mainEdge", max: expect.closeTo(15, 6) },
+    });
   });
   test("a tool set at 93 degrees on a face that falls by 18 degrees", () => {
     const { issues } = cut(2, contour(0), 75);

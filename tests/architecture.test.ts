@@ -50,9 +50,13 @@ describe("who may import whom", () => {
 const ACROSS = String.raw`\b(?:[xXrR]|(?<!\.)radius|diameter|[a-z]\w*Diameter|outside|bore|Q4[89][13])\b`;
 const TWO = String.raw`(?:2(?:\.0*)?|0?\.50*)(?![\d.])`;
 /** Twice or half of it, in either order, bracketed or not; as a sum with itself. */
-const DOUBLED = new RegExp([
-  String.raw`(?:${ACROSS}|\bd\b)\)*\s*(?:\*(?!\*)|/)\s*${TWO}`, String.raw`(?<![\w.*])${TWO}\s*\*\s*\(*(?:\w+(?:\[\w+\])?[!?]?\.)*${ACROSS}`, String.raw`([\w.]*\.[xr]) \+ \1\b`,
-].join("|"));
+const DOUBLED = new RegExp(
+  [
+    String.raw`(?:${ACROSS}|\bd\b)\)*\s*(?:\*(?!\*)|/)\s*${TWO}`,
+    String.raw`(?<![\w.*])${TWO}\s*\*\s*\(*(?:\w+(?:\[\w+\])?[!?]?\.)*${ACROSS}`,
+    String.raw`([\w.]*\.[xr]) \+ \1\b`,
+  ].join("|"),
+);
 /** A number that is called a radius or a diameter without the functions for it, or the factor between them taken from a 1. */
 const FORCED = /\bas (?:Radius|Diameter)\b|\bto(?:Radius|Diameter)\(\s*(?:radius|diameter)\(\s*[\d.]*[1-9]/;
 const MEAN = /\([^()]*\+[^()]*\)\s*\/\s*2\b/g;
@@ -65,28 +69,56 @@ describe("what one file keeps to itself", () => {
   });
 
   test("only kernel/units.ts halves or doubles an X", () => {
-    const found = all
-      .filter((s) => s.path !== "src/kernel/units.ts")
-      .flatMap((s) => code(s.text).split("\n").filter((line) => converts(line, layerOf(s.path))).map((line) => `${s.path}: ${line.trim()}`));
+    const found = all.filter((s) => s.path !== "src/kernel/units.ts").flatMap((s) =>
+      code(s.text).split("\n").filter((line) => converts(line, layerOf(s.path))).map((line) => `${s.path}: ${line.trim()}`)
+    );
     expect(found).toEqual([]);
   });
 
   test.each([
-    "const x = 2 * p.r;", "const x = p.r * 2;", "(setting.start.r * 2) as Diameter", "start.x / 2", "v.Q491 / 2", "radius*2.0", "d / 2", "0.5 * diameter",
-    "outerDiameter * .5", "move.to.r + move.to.r", "value as Diameter", "n as Radius", "at.r / toDiameter(radius(1))", "toRadius(diameter(1.0)) * x", "points[0]!.r * 2",
-    "(p.r) * 2", "2 * (p.r - q.r)", "(p.r - q.r) * 2",
+    "const x = 2 * p.r;",
+    "const x = p.r * 2;",
+    "(setting.start.r * 2) as Diameter",
+    "start.x / 2",
+    "v.Q491 / 2",
+    "radius*2.0",
+    "d / 2",
+    "0.5 * diameter",
+    "outerDiameter * .5",
+    "move.to.r + move.to.r",
+    "value as Diameter",
+    "n as Radius",
+    "at.r / toDiameter(radius(1))",
+    "toRadius(diameter(1.0)) * x",
+    "points[0]!.r * 2",
+    "(p.r) * 2",
+    "2 * (p.r - q.r)",
+    "(p.r - q.r) * 2",
   ])("%s goes round that and is found", (line) => expect(converts(line, "cycles")).toBe(true));
 
-  test.each(["(a.r + b.r) / 2", "const mean = (from.x + to.x)/2;", "x ** 2", "dr * dr", "r * 20", "s.r / 2.5", "depth / 2", "p.r + q.r", "index * 2", "toDiameter(p.r)", "2 * Math.PI * r", "2 * noseRadius(tool)", "toRadius(diameter(0))"])(
-    "%s is no conversion", (line) => expect(converts(line, "cycles")).toBe(false));
+  test.each([
+    "(a.r + b.r) / 2",
+    "const mean = (from.x + to.x)/2;",
+    "x ** 2",
+    "dr * dr",
+    "r * 20",
+    "s.r / 2.5",
+    "depth / 2",
+    "p.r + q.r",
+    "index * 2",
+    "toDiameter(p.r)",
+    "2 * Math.PI * r",
+    "2 * noseRadius(tool)",
+    "toRadius(diameter(0))",
+  ])("%s is no conversion", (line) => expect(converts(line, "cycles")).toBe(false));
 
   test("no cycle number outside the catalogue, the texts and the help picture", () => {
     const numbers = projectFolder("src/cycles").flatMap((name) => /^c(\d+)\.ts$/.exec(name)?.[1] ?? []);
     expect(numbers.length).toBeGreaterThan(2);
     const pattern = new RegExp(`(?<![\\d.])(?:${numbers.join("|")})(?![\\d.])`);
-    const found = all
-      .filter((s) => !["cycles", "i18n"].includes(layerOf(s.path)) && !s.path.startsWith("src/view/help/"))
-      .flatMap((s) => s.text.split("\n").filter((line) => pattern.test(line)).map((line) => `${s.path}: ${line.trim()}`));
+    const found = all.filter((s) => !["cycles", "i18n"].includes(layerOf(s.path)) && !s.path.startsWith("src/view/help/")).flatMap((s) =>
+      s.text.split("\n").filter((line) => pattern.test(line)).map((line) => `${s.path}: ${line.trim()}`)
+    );
     expect(found).toEqual([]);
   });
 });
@@ -94,10 +126,12 @@ describe("what one file keeps to itself", () => {
 describe("what is nowhere", () => {
   const bans: [string, RegExp, (path: string) => boolean][] = [
     ["eval of any kind", /\beval\s*\(|new Function\s*\(/, () => true],
-    ["default exports", /^export default\b/m, () => true],
+    ["default exports", /^export default\b/m, () =>
+      true],
     ["star exports", /^export \*/m, () => true],
     ["React below app", /from "react/, (p) => layerOf(p) !== "app"],
-    ["clock or chance below app", /\bDate\b|Math\.random|performance\.now/, (p) => layerOf(p) !== "app"],
+    ["clock or chance below app", /\bDate\b|Math\.random|performance\.now/, (p) =>
+      layerOf(p) !== "app"],
     ["vague file names", /^$/, (p) => /(?:^|\/)(?:utils?|helpers?|common|misc|manager)\.tsx?$/.test(p)],
   ];
   test.each(bans)("%s", (name, pattern, where) => {
@@ -109,7 +143,8 @@ describe("what is nowhere", () => {
 test("no exported name means two things", () => {
   const owners = new Map<string, string[]>();
   for (const { path, text } of all.filter((s) => !s.path.startsWith("src/i18n/")))
-    for (const [, name = ""] of text.matchAll(/^export (?:const|function|class|interface|type) (\w+)/gm)) owners.set(name, [...(owners.get(name) ?? []), path]);
+    for (const [, name = ""] of text.matchAll(/^export (?:const|function|class|interface|type) (\w+)/gm))
+      owners.set(name, [...(owners.get(name) ?? []), path]);
   expect([...owners].filter(([, paths]) => paths.length > 1)).toEqual([]);
 });
 
@@ -119,8 +154,11 @@ describe("packages", () => {
   const read = (path: string) => readFileSync(projectPath(path), "utf8");
   const manifest = JSON.parse(read("package.json")) as Record<"dependencies" | "devDependencies", Record<string, string>>;
   const files = ["src", "tests", "scripts", "e2e"].flatMap((folder) =>
-    readdirSync(projectPath(folder), { recursive: true, encoding: "utf8" }).filter((name) => /\.(?:tsx?|css|mjs)$/.test(name)).map((name) => `${folder}/${name}`));
+    readdirSync(projectPath(folder), { recursive: true, encoding: "utf8" }).filter((name) => /\.(?:tsx?|css|mjs)$/.test(name)).map((name) =>
+      `${folder}/${name}`
+    )
+  );
   const text = [...files, "vite.config.ts", "eslint.config.js", "playwright.config.ts"].map(read).join("\n");
-  test.each(Object.keys({ ...manifest.dependencies, ...manifest.devDependencies }).filter((name) => !unimported.has(name)))("%s is used", (name) =>
-    expect(new RegExp(`(?:from|import|import\\()\\s*["']${name}(?:/[^"']*)?["']`).test(text)).toBe(true));
+  test.each(Object.keys({ ...manifest.dependencies, ...manifest.devDependencies }).filter((name) => !unimported.has(name)))("%s is used",
+    (name) => expect(new RegExp(`(?:from|import|import\\()\\s*["']${name}(?:/[^"']*)?["']`).test(text)).toBe(true));
 });

@@ -12,56 +12,148 @@ const cycles = catalogue.map((cycle) => [cycle.number, cycle] as const);
 
 /** Q number and value of each line, in the order of the printed examples. */
 const PRINTED: Readonly<Record<number, string>> = {
-  812: "Q215 0, Q460 2, Q491 75, Q492 0, Q493 50, Q494 -55, Q495 5, Q501 1, Q502 0.5, Q500 1.5, Q496 0, Q503 1, Q504 0.5, Q463 3, Q478 0.3, Q483 0.4, Q484 0.2, Q505 0.2, Q506 0",
+  812: "Q215 0, Q460 2, Q491 75, Q492 0, Q493 50, Q494 -55, Q495 5, Q501 1, Q502 0.5, Q500 1.5, Q496 0, Q503 1, Q504 0.5, Q463 3, "
+    + "Q478 0.3, Q483 0.4, Q484 0.2, Q505 0.2, Q506 0",
   820: "Q215 0, Q460 2, Q499 0, Q463 3, Q478 0.3, Q483 0.4, Q484 0.2, Q505 0.2, Q487 1, Q488 0, Q479 0, Q480 0, Q482 0, Q506 0",
-  852: "Q215 0, Q460 2, Q491 75, Q492 -20, Q493 50, Q494 -50, Q495 5, Q501 1, Q502 0.5, Q500 1.5, Q496 5, Q503 1, Q504 0.5, Q478 0.3, Q483 0.4, Q484 0.2, Q505 0.2, Q463 2, Q507 0, Q508 0, Q509 0, Q488 0",
+  852: "Q215 0, Q460 2, Q491 75, Q492 -20, Q493 50, Q494 -50, Q495 5, Q501 1, Q502 0.5, Q500 1.5, Q496 5, Q503 1, Q504 0.5, Q478 "
+    + "0.3, Q483 0.4, Q484 0.2, Q505 0.2, Q463 2, Q507 0, Q508 0, Q509 0, Q488 0",
 };
 
 /** Ranges that the pages of each cycle print. */
 const RANGES: Readonly<Record<number, Readonly<Record<string, readonly [number, number]>>>> = {
   812: { Q463: [0.001, 999.999], Q483: [0, 99.999], Q215: [0, 3], Q501: [0, 2], Q503: [0, 2], Q506: [0, 2] },
   820: {
-    Q215: [0, 3], Q460: [0, 999.999], Q499: [0, 2], Q463: [0, 99.999], Q478: [0, 99999.999], Q483: [0, 99.999], Q484: [0, 99.999], Q505: [0, 99999.999],
-    Q487: [0, 1], Q488: [0, 99999.999], Q479: [0, 1], Q480: [-99999.999, 99999.999], Q482: [-99999.999, 99999.999], Q506: [0, 2],
+    Q215: [0, 3],
+    Q460: [0, 999.999],
+    Q499: [0, 2],
+    Q463: [0, 99.999],
+    Q478: [0, 99999.999],
+    Q483: [0, 99.999],
+    Q484: [0, 99.999],
+    Q505: [0, 99999.999],
+    Q487: [0, 1],
+    Q488: [0, 99999.999],
+    Q479: [0, 1],
+    Q480: [-99999.999, 99999.999],
+    Q482: [-99999.999, 99999.999],
+    Q506: [0, 2],
   },
   852: { Q463: [0.001, 999.999], Q483: [0, 99.999], Q215: [0, 3], Q501: [0, 2], Q503: [0, 2], Q507: [0, 1] },
 };
 
 /** The same Q may measure different things in different cycles. */
 const KINDS: Readonly<Record<string, Kind>> = {
-  "812/Q463": "radial", "820/Q463": "axialDepth", "852/Q463": "axialDepth", "812/Q491": "diameter", "812/Q492": "axial", "812/Q483": "oversizeDiameter",
-  "812/Q495": "angle", "820/Q480": "diameter", "820/Q482": "axial", "852/Q488": "feed", "852/Q508": "length", "812/Q506": "choice",
+  "812/Q463": "radial",
+  "820/Q463": "axialDepth",
+  "852/Q463": "axialDepth",
+  "812/Q491": "diameter",
+  "812/Q492": "axial",
+  "812/Q483": "oversizeDiameter",
+  "812/Q495": "angle",
+  "820/Q480": "diameter",
+  "820/Q482": "axial",
+  "852/Q488": "feed",
+  "852/Q508": "length",
+  "812/Q506": "choice",
 };
 
 const FRENCH: Readonly<Record<string, string>> = {
-  Q215: "Opération d'usinage (0/1/2/3)?", Q460: "Distance d'approche?", Q491: "Diamètre de départ du contour?", Q492: "Départ de contour Z?",
-  Q493: "Diamètre fin de contour?", Q494: "Fin de contour Z?", "812/Q495": "Angle de surface du pourtour?", "852/Q495": "Angle du flanc?",
-  Q501: "Type élément de départ (0/1/2)?", Q502: "Taille de l'élément de départ?", Q500: "Rayon au coin du contour?", "812/Q496": "Angle face transversale?",
-  "852/Q496": "Angle du deuxième flanc?", Q503: "Type élément final (0/1/2)?", Q504: "Taille de l'élément final?", Q463: "Plongée max.?",
-  Q478: "Avance d'ébauche?", Q483: "Surépaisseur diamètre ?", Q484: "Surépaisseur Z?", Q505: "Avance de finition?", Q506: "Lissage du contour (0/1/2)?",
-  Q499: "Inverser contour (0-2)?", Q487: "Autoriser la plongée (0/1)?", Q488: "Avance plongée (0=autom.)?", Q479: "Limites d'usinage (0/1)?",
-  Q480: "Valeur de limitation diamètre?", Q482: "Valeur limitation de coupe Z?", Q507: "Sens: (0= bidir. / 1=unidir.)?", Q508: "Largeur de décalage?",
+  Q215: "Opération d'usinage (0/1/2/3)?",
+  Q460: "Distance d'approche?",
+  Q491: "Diamètre de départ du contour?",
+  Q492: "Départ de contour Z?",
+  Q493: "Diamètre fin de contour?",
+  Q494: "Fin de contour Z?",
+  "812/Q495": "Angle de surface du pourtour?",
+  "852/Q495": "Angle du flanc?",
+  Q501: "Type élément de départ (0/1/2)?",
+  Q502: "Taille de l'élément de départ?",
+  Q500: "Rayon au coin du contour?",
+  "812/Q496": "Angle face transversale?",
+  "852/Q496": "Angle du deuxième flanc?",
+  Q503: "Type élément final (0/1/2)?",
+  Q504: "Taille de l'élément final?",
+  Q463: "Plongée max.?",
+  Q478: "Avance d'ébauche?",
+  Q483: "Surépaisseur diamètre ?",
+  Q484: "Surépaisseur Z?",
+  Q505: "Avance de finition?",
+  Q506: "Lissage du contour (0/1/2)?",
+  Q499: "Inverser contour (0-2)?",
+  Q487: "Autoriser la plongée (0/1)?",
+  Q488: "Avance plongée (0=autom.)?",
+  Q479: "Limites d'usinage (0/1)?",
+  Q480: "Valeur de limitation diamètre?",
+  Q482: "Valeur limitation de coupe Z?",
+  Q507: "Sens: (0= bidir. / 1=unidir.)?",
+  Q508: "Largeur de décalage?",
   Q509: "Correction de prof. finition?",
 };
 const CHINESE: Readonly<Record<string, string>> = {
-  Q215: "加工操作(0/1/2/3)?", Q460: "安全高度?", Q499: "逆轮廓(0-2)?", Q463: "最大切削深度?", Q478: "粗加工进给速率?", Q483: "直径余量?", Q484: "Z轴方向余量?",
-  Q505: "精加工进给率?", Q487: "允许切入(0/1)?", Q488: "切入进给速率(0=自动)?", Q479: "加工极限(0/1)?", Q480: "直径极限值?", Q482: "Z轴切削极限值?",
+  Q215: "加工操作(0/1/2/3)?",
+  Q460: "安全高度?",
+  Q499: "逆轮廓(0-2)?",
+  Q463: "最大切削深度?",
+  Q478: "粗加工进给速率?",
+  Q483: "直径余量?",
+  Q484: "Z轴方向余量?",
+  Q505: "精加工进给率?",
+  Q487: "允许切入(0/1)?",
+  Q488: "切入进给速率(0=自动)?",
+  Q479: "加工极限(0/1)?",
+  Q480: "直径极限值?",
+  Q482: "Z轴切削极限值?",
   Q506: "轮廓平滑(0/1/2)?",
 };
 const prompts: Partial<Record<Language, Readonly<Record<string, string>>>> = { fr: FRENCH, zh: CHINESE };
 
 const FRENCH_LABELS: Readonly<Record<string, string>> = {
-  Q215: "OPERATIONS D'USINAGE", Q460: "DISTANCE D'APPROCHE", Q491: "DIAMETRE DEPART CONTOUR", Q492: "DEPART CONTOUR Z", Q493: "FIN CONTOUR X",
-  Q494: "FIN DE CONTOUR Z", "812/Q495": "ANGLE PERIM. SURFACE", "852/Q495": "ANGLE FLANC", Q501: "TYPE ELEMENT DEPART", Q502: "TAILLE ELEMENT DEPART",
-  Q500: "RAYON COIN CONTOUR", "812/Q496": "ANGLE FACE TRANSV.", "852/Q496": "ANGLE DU FLANC", Q503: "TYPE ELEMENT FINAL", Q504: "TAILLE ELEMENT FINAL",
-  Q463: "PASSE MAX", Q478: "AVANCE EBAUCHE", Q483: "SUREPAISSEUR DIAMETRE", Q484: "SUREPAISSEUR Z", Q505: "AVANCE DE FINITION", Q506: "LISSAGE CONTOUR",
-  Q499: "INVERSER CONTOUR", Q487: "PLONGEE", Q488: "AVANCE DE PLONGEE", Q479: "LIMITATION D'USINAGE", Q480: "VALEUR LIMITE X", Q482: "VALEUR LIMITE Z",
-  Q507: "SENS USINAGE", Q508: "LARGEUR DECALAGE", Q509: "CORRECTION DE PROF.",
+  Q215: "OPERATIONS D'USINAGE",
+  Q460: "DISTANCE D'APPROCHE",
+  Q491: "DIAMETRE DEPART CONTOUR",
+  Q492: "DEPART CONTOUR Z",
+  Q493: "FIN CONTOUR X",
+  Q494: "FIN DE CONTOUR Z",
+  "812/Q495": "ANGLE PERIM. SURFACE",
+  "852/Q495": "ANGLE FLANC",
+  Q501: "TYPE ELEMENT DEPART",
+  Q502: "TAILLE ELEMENT DEPART",
+  Q500: "RAYON COIN CONTOUR",
+  "812/Q496": "ANGLE FACE TRANSV.",
+  "852/Q496": "ANGLE DU FLANC",
+  Q503: "TYPE ELEMENT FINAL",
+  Q504: "TAILLE ELEMENT FINAL",
+  Q463: "PASSE MAX",
+  Q478: "AVANCE EBAUCHE",
+  Q483: "SUREPAISSEUR DIAMETRE",
+  Q484: "SUREPAISSEUR Z",
+  Q505: "AVANCE DE FINITION",
+  Q506: "LISSAGE CONTOUR",
+  Q499: "INVERSER CONTOUR",
+  Q487: "PLONGEE",
+  Q488: "AVANCE DE PLONGEE",
+  Q479: "LIMITATION D'USINAGE",
+  Q480: "VALEUR LIMITE X",
+  Q482: "VALEUR LIMITE Z",
+  Q507: "SENS USINAGE",
+  Q508: "LARGEUR DECALAGE",
+  Q509: "CORRECTION DE PROF.",
 };
 const ENGLISH_LABELS: Readonly<Record<string, string>> = {
-  Q215: "MACHINING OPERATION", Q460: "SAFETY CLEARANCE", Q499: "REVERSE CONTOUR", Q463: "MAX. CUTTING DEPTH", Q478: "ROUGHING FEED RATE",
-  Q483: "OVERSIZE FOR DIAMETER", Q484: "OVERSIZE IN Z", Q505: "FINISHING FEED RATE", Q487: "PLUNGE", Q488: "PLUNGING FEED RATE",
-  Q479: "CONTOUR MACHINING LIMIT", Q480: "DIAMETER LIMIT VALUE", Q482: "LIMIT VALUE Z", Q506: "CONTOUR SMOOTHING",
+  Q215: "MACHINING OPERATION",
+  Q460: "SAFETY CLEARANCE",
+  Q499: "REVERSE CONTOUR",
+  Q463: "MAX. CUTTING DEPTH",
+  Q478: "ROUGHING FEED RATE",
+  Q483: "OVERSIZE FOR DIAMETER",
+  Q484: "OVERSIZE IN Z",
+  Q505: "FINISHING FEED RATE",
+  Q487: "PLUNGE",
+  Q488: "PLUNGING FEED RATE",
+  Q479: "CONTOUR MACHINING LIMIT",
+  Q480: "DIAMETER LIMIT VALUE",
+  Q482: "LIMIT VALUE Z",
+  Q506: "CONTOUR SMOOTHING",
 };
 
 describe.each(cycles)("cycle %i", (number, cycle) => {
@@ -97,7 +189,15 @@ describe.each(cycles)("cycle %i", (number, cycle) => {
   test.each(LANGUAGES)("has all its texts in %s", (language) => {
     const { cycles, params: words } = texts(language);
     const text = cycles.of[number as 812];
-    const sentences = [text.name, text.summary, ...text.description, ...text.rough, ...text.finish, ...text.notes, cycles.groups[cycle.group]];
+    const sentences = [
+      text.name,
+      text.summary,
+      ...text.description,
+      ...text.rough,
+      ...text.finish,
+      ...text.notes,
+      cycles.groups[cycle.group],
+    ];
     for (const sentence of sentences) expect(sentence.trim()).not.toBe("");
     for (const [q, p] of params) {
       const { prompt, label, explanation } = words[p.text as ParamTextId];

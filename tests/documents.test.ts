@@ -16,7 +16,10 @@ describe("pages written from the catalogue", () => {
 });
 
 describe("what documents name exists", () => {
-  const documents = ["README.md", ...["docs", "docs/decisions"].flatMap((folder) => projectFolder(folder).filter((n) => n.endsWith(".md")).map((n) => `${folder}/${n}`))];
+  const documents = [
+    "README.md",
+    ...["docs", "docs/decisions"].flatMap((folder) => projectFolder(folder).filter((n) => n.endsWith(".md")).map((n) => `${folder}/${n}`)),
+  ];
   test.each(documents)("%s", (path) => {
     const text = projectFile(path);
     const links = [...text.matchAll(/\]\(([^)#\s]+)[^)]*\)/g)].map(([, to = ""]) => to).filter((to) => !/^[a-z]+:/.test(to));
@@ -27,7 +30,9 @@ describe("what documents name exists", () => {
 
   test("the commands of the README are scripts of package.json", () => {
     const { scripts } = JSON.parse(projectFile("package.json")) as { scripts: Record<string, string> };
-    const named = [...projectFile("README.md").matchAll(/npm (?:run )?(?:--silent )?(?:run )?(?:--silent )?([a-z0-9]+)/g)].map(([, name = ""]) => name);
+    const named = [...projectFile("README.md").matchAll(/npm (?:run )?(?:--silent )?(?:run )?(?:--silent )?([a-z0-9]+)/g)].map(
+      ([, name = ""]) => name
+    );
     expect(named.filter((name) => !(name in scripts))).toEqual([]);
     expect(named.length).toBeGreaterThan(5);
   });

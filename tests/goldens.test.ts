@@ -32,16 +32,18 @@ describe("broken programs say what their first line expects", () => {
 });
 
 /** Programs with pieces copied, dropped, exchanged or with numbers changed. */
-const damaged = fc.tuple(
-  fc.constantFrom(...programs.map(([, text]) => text)),
-  fc.array(fc.tuple(
-    fc.double({ min: 0, max: 1, noNaN: true }), fc.nat(30),
-    fc.constantFrom("", "0", "-", "9", "99999", ".", "Q1", "\n", "~", "L X+1\n", "CALL LBL 2 REP 5\n", "RND R3\n", "LBL 2\n", "M99\n", "CYCL CALL\n", "TOOL CALL 8\n", "INCH", "M137\n", "CR X+10 Z-3 R-4 DR+\n"),
-  ), { maxLength: 6 }),
-).map(([text, edits]) => edits.reduce((t, [where, drop, put]) => {
-  const at = Math.floor(where * t.length);
-  return t.slice(0, at) + put + t.slice(at + drop);
-}, text));
+const damaged = fc.tuple(fc.constantFrom(...programs.map(([, text]) => text)),
+  fc.array(
+    fc.tuple(fc.double({ min: 0, max: 1, noNaN: true }), fc.nat(30),
+      fc.constantFrom("", "0", "-", "9", "99999", ".", "Q1", "\n", "~", "L X+1\n", "CALL LBL 2 REP 5\n", "RND R3\n", "LBL 2\n", "M99\n",
+        "CYCL CALL\n", "TOOL CALL 8\n", "INCH", "M137\n", "CR X+10 Z-3 R-4 DR+\n")),
+    { maxLength: 6 },
+  )).map(([text, edits]) =>
+    edits.reduce((t, [where, drop, put]) => {
+      const at = Math.floor(where * t.length);
+      return t.slice(0, at) + put + t.slice(at + drop);
+    }, text)
+  );
 
 test("no program makes the run throw, and no number of a report is NaN", () => {
   fc.assert(fc.property(damaged, (text) => {

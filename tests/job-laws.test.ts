@@ -13,23 +13,44 @@ import { shippedTools } from "../src/program/shipped-tools.ts";
 
 const odd = fc.constantFrom("", "abc", "1e3", "--5", "Q5", "FAUTO", "0", "1/0", "99999999", "7,5", " 12 ", "75/2+1");
 /** What may be typed into a field: usually a value of its range, sometimes anything. */
-const typed = (p: Param) => fc.oneof(
-  { weight: 8, arbitrary: p.choices ? fc.constantFrom(...p.choices.map(String)) : fc.integer({ min: Math.ceil(Math.max(p.range[0], -90) * 1000), max: Math.floor(Math.min(p.range[1], 90) * 1000) }).map((n) => String(n / 1000)) },
-  { weight: 1, arbitrary: odd },
-);
-const length = fc.oneof({ weight: 6, arbitrary: fc.integer({ min: -60000, max: 90000 }).map((n) => String(n / 1000)) }, { weight: 1, arbitrary: odd });
+const typed = (p: Param) =>
+  fc.oneof({
+    weight: 8,
+    arbitrary: p.choices
+      ? fc.constantFrom(...p.choices.map(String))
+      : fc.integer({ min: Math.ceil(Math.max(p.range[0], -90) * 1000), max: Math.floor(Math.min(p.range[1], 90) * 1000) }).map((n) =>
+        String(n / 1000)
+      ),
+  }, { weight: 1, arbitrary: odd });
+const length = fc.oneof({ weight: 6, arbitrary: fc.integer({ min: -60000, max: 90000 }).map((n) => String(n / 1000)) }, {
+  weight: 1,
+  arbitrary: odd,
+});
 const row = fc.record({
-  id: fc.uuid(), kind: fc.constantFrom("L" as const, "RND" as const, "CHF" as const, "CR" as const, "CC" as const, "C" as const, "CT" as const), x: length, z: length, r: length,
-  turn: fc.constantFrom("cw" as const, "ccw" as const), incrementalX: fc.boolean(), incrementalZ: fc.boolean(),
-  angle: fc.oneof(fc.constant(""), length), length: fc.oneof(fc.constant(""), length), tangent: fc.boolean(), second: fc.boolean(),
+  id: fc.uuid(),
+  kind: fc.constantFrom("L" as const, "RND" as const, "CHF" as const, "CR" as const, "CC" as const, "C" as const, "CT" as const),
+  x: length,
+  z: length,
+  r: length,
+  turn: fc.constantFrom("cw" as const, "ccw" as const),
+  incrementalX: fc.boolean(),
+  incrementalZ: fc.boolean(),
+  angle: fc.oneof(fc.constant(""), length),
+  length: fc.oneof(fc.constant(""), length),
+  tangent: fc.boolean(),
+  second: fc.boolean(),
 }).map(({ id, ...given }) => newRow(id, given));
-const jobs: fc.Arbitrary<Job> = fc.constantFrom(...catalogue).chain((cycle) => fc.record({
-  draft: fc.record(Object.fromEntries(Object.entries(cycle.params).map(([q, p]) => [q, typed(p)]))),
-  contour: fc.oneof(fc.constant(exampleJob(cycle).contour), fc.array(row, { maxLength: 8 })),
-  start: fc.record({ x: length, z: length }), name: fc.oneof(fc.constant("PART"), fc.string({ maxLength: 12 })),
-  parameters: fc.oneof(fc.constant({}), length.map((Q5) => ({ Q5 }))),
-  ncLanguage: fc.constantFrom("en" as const, "de" as const, "fr" as const, "zh" as const), perRevolution: fc.boolean(),
-}).map(({ draft, ...rest }) => ({ ...exampleJob(cycle), drafts: { [cycle.number]: draft }, ...rest })));
+const jobs: fc.Arbitrary<Job> = fc.constantFrom(...catalogue).chain((cycle) =>
+  fc.record({
+    draft: fc.record(Object.fromEntries(Object.entries(cycle.params).map(([q, p]) => [q, typed(p)]))),
+    contour: fc.oneof(fc.constant(exampleJob(cycle).contour), fc.array(row, { maxLength: 8 })),
+    start: fc.record({ x: length, z: length }),
+    name: fc.oneof(fc.constant("PART"), fc.string({ maxLength: 12 })),
+    parameters: fc.oneof(fc.constant({}), length.map((Q5) => ({ Q5 }))),
+    ncLanguage: fc.constantFrom("en" as const, "de" as const, "fr" as const, "zh" as const),
+    perRevolution: fc.boolean(),
+  }).map(({ draft, ...rest }) => ({ ...exampleJob(cycle), drafts: { [cycle.number]: draft }, ...rest }))
+);
 
 const shop = { tools: shippedTools, rapid: 10_000 };
 
@@ -47,7 +68,8 @@ describe("whatever is typed", () => {
       expect(first?.steps).toEqual(second?.steps);
       const { values } = readDraft(cycle, job.drafts[cycle.number] ?? {}, { Q5: 0 });
       const typedParameter = Object.values(job.drafts[cycle.number] ?? {}).includes("Q5");
-      if (values && !typedParameter) expect(first?.issues.filter((f) => ["missing", "notAChoice", "notANumber"].includes(f.issue.code))).toEqual([]);
+      if (values && !typedParameter)
+        expect(first?.issues.filter((f) => ["missing", "notAChoice", "notANumber"].includes(f.issue.code))).toEqual([]);
     }), { numRuns: 400 });
   });
 });

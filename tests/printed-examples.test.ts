@@ -14,10 +14,14 @@ const comparable = (text: string) =>
 const positioning = (lines: string[]) => lines.map((line) => (/M303/.test(line) ? line.replace(/FMAX +M/, "FMAX M") : line));
 
 describe("the printed examples, from their example values", () => {
-  test.each([
-    [812, "tnc640", "fr", "cycle-812-tnc640-fr"], [820, "tnc640", "fr", "cycle-820-tnc640-fr"],
-    [820, "tnc7", "en", "cycle-820-tnc7-en"], [852, "tnc640", "fr", "cycle-852-tnc640-fr"],
-  ] as const)("%i %s %s, character for character", (number, layout, ncLanguage, file) => {
+  test.each(
+    [[812, "tnc640", "fr", "cycle-812-tnc640-fr"], [820, "tnc640", "fr", "cycle-820-tnc640-fr"], [820, "tnc7", "en", "cycle-820-tnc7-en"], [
+      852,
+      "tnc640",
+      "fr",
+      "cycle-852-tnc640-fr",
+    ]] as const,
+  )("%i %s %s, character for character", (number, layout, ncLanguage, file) => {
     const cycle = cycleByNumber(number);
     const printed = programs[`./programs/${file}.h`];
     if (!cycle || printed === undefined) throw new Error(`${number}: no cycle or no example`);

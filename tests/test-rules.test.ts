@@ -2,7 +2,9 @@ import { describe, expect, test } from "vitest";
 
 const text = (found: Record<string, string>) => Object.entries(found).filter(([path]) => !path.endsWith("/test-rules.test.ts"));
 const journeys = text(import.meta.glob<string>("../e2e/*.spec.ts", { query: "?raw", import: "default", eager: true }));
-const tests = text(import.meta.glob<string>(["../src/**/*.test.{ts,tsx}", "./**/*.test.ts"], { query: "?raw", import: "default", eager: true }));
+const tests = text(
+  import.meta.glob<string>(["../src/**/*.test.{ts,tsx}", "./**/*.test.ts"], { query: "?raw", import: "default", eager: true }),
+);
 
 /** Tests have to pass on a machine many times slower and busy. */
 describe("what no test does", () => {
@@ -12,12 +14,17 @@ describe("what no test does", () => {
   });
 
   test("none looks at a clock: what a time says about is the machine", () => {
-    expect([...journeys, ...tests].filter(([, t]) => /performance\.now|Date\.now\(\)|test\.slow\(|setTimeout\(\d/.test(t)).map(([path]) => path)).toEqual([]);
+    expect(
+      [...journeys, ...tests].filter(([, t]) => /performance\.now|Date\.now\(\)|test\.slow\(|setTimeout\(\d/.test(t)).map(([path]) => path),
+    ).toEqual([]);
   });
 
   test("every journey runs with the test that can be slowed, and waits for things, not for a time", () => {
-    expect(journeys.filter(([, t]) => /from "@playwright\/test"/.test(t.replace(/import type .*\n/g, ""))).map(([path]) => path)).toEqual([]);
+    expect(journeys.filter(([, t]) => /from "@playwright\/test"/.test(t.replace(/import type .*\n/g, ""))).map(([path]) => path)).toEqual(
+      [],
+    );
     // A clock that is held has to be seen standing still for a while.
-    expect(journeys.filter(([path, t]) => t.includes("waitForTimeout") && !path.endsWith("playback.spec.ts")).map(([path]) => path)).toEqual([]);
+    expect(journeys.filter(([path, t]) => t.includes("waitForTimeout") && !path.endsWith("playback.spec.ts")).map(([path]) => path))
+      .toEqual([]);
   });
 });

@@ -31,7 +31,11 @@ export const h: Pt = { z, r: d };
 // @ts-expect-error Points have names, never places.
 export const i: Pt = [z, r];
 
-export const params = { Q493: diameterParam("endDiameter", [-99999.999, 99999.999], 50), Q463: radial("depth", [0, 99.999], 3), Q460: lengthParam("gap", [0, 999.999], 2) };
+export const params = {
+  Q493: diameterParam("endDiameter", [-99999.999, 99999.999], 50),
+  Q463: radial("depth", [0, 99.999], 3),
+  Q460: lengthParam("gap", [0, 999.999], 2),
+};
 declare const values: Values<typeof params>;
 export const j: Diameter = values.Q493;
 export const k: Radius = values.Q463;

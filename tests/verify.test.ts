@@ -37,8 +37,18 @@ const reports = () => out.trimEnd().split("\n").map((line) => JSON.parse(line) a
 
 describe("verify", () => {
   test("--control chooses how Z in an APPR is read: in the plane first, or all axes at once", () => {
-    const lines = ["BEGIN PGM A MM", "BLK FORM 0.1 Z X+0 Y+0 Z-20", "BLK FORM 0.2 X+100 Y+100 Z+0", "TOOL CALL 20 Z S3000",
-      "L X-20 Y-20 Z+5 R0 FMAX M3", "APPR LCT X+10 Y+20 Z-7.3 R10 RR F100", "L X+20 Y+35", "L Z+5 R0 FMAX", "M30", "END PGM A MM"];
+    const lines = [
+      "BEGIN PGM A MM",
+      "BLK FORM 0.1 Z X+0 Y+0 Z-20",
+      "BLK FORM 0.2 X+100 Y+100 Z+0",
+      "TOOL CALL 20 Z S3000",
+      "L X-20 Y-20 Z+5 R0 FMAX M3",
+      "APPR LCT X+10 Y+20 Z-7.3 R10 RR F100",
+      "L X+20 Y+35",
+      "L Z+5 R0 FMAX",
+      "M30",
+      "END PGM A MM",
+    ];
     const path = file("z.h", lines.map((line, i) => `${i} ${line}\n`).join(""));
     const depths = (control: string) => {
       chunks.length = 0;
@@ -58,7 +68,12 @@ describe("verify", () => {
     expect([first?.file, second?.file]).toEqual([program("shoulder-812"), program("groove-852")]);
     expect(first?.format).toBe("turnwise-report/1");
     expect(first?.program).toEqual({ name: "SHOULDER812", unit: "mm", blocks: 13 });
-    expect(first?.operations[0]).toMatchObject({ block: 9, cycle: 812, start: { x: 75, z: 2 }, tool: { T: 1, NAME: "CNMG-80-R08", TYPE: "ROUGH", TO: 1, RS: 0.8, "T-ANGLE": 95 } });
+    expect(first?.operations[0]).toMatchObject({
+      block: 9,
+      cycle: 812,
+      start: { x: 75, z: 2 },
+      tool: { T: 1, NAME: "CNMG-80-R08", TYPE: "ROUGH", TO: 1, RS: 0.8, "T-ANGLE": 95 },
+    });
     expect(first?.proof.gouge).toBe(0);
     expect(first?.stock.initial).toEqual([[[-100, 0], [0, 0], [0, 37.5], [-100, 37.5]]]);
     expect(err).toBe("");
@@ -66,7 +81,12 @@ describe("verify", () => {
   test("arcs carry their centre as a diameter, and a direction", () => {
     main([program("contour-820"), "--json"]);
     const arc = reports()[0]?.operations[0]?.moves.find((m) => m.kind === "arc");
-    expect(arc).toMatchObject({ kind: "arc", cx: expect.any(Number) as number, cz: expect.any(Number) as number, dir: expect.stringMatching(/^c?cw$/) as string });
+    expect(arc).toMatchObject({
+      kind: "arc",
+      cx: expect.any(Number) as number,
+      cz: expect.any(Number) as number,
+      dir: expect.stringMatching(/^c?cw$/) as string,
+    });
   });
   test("without --json a summary for people", () => {
     expect(main([program("shoulder-812")])).toBe(0);
@@ -76,12 +96,16 @@ describe("verify", () => {
     expect(main([program("shoulder-812"), program("bad/words"), "--json"])).toBe(1);
     expect(reports()[1]?.issues.some((i) => i.severity === "error" && i.block === 4 && i.text.length > 5)).toBe(true);
   });
-  test.each([["nothing", ""], ["binary", "\u0000\u0001\u0002"], ["endless", "LBL 1\nCALL LBL 1 REP 60000\nCALL LBL 1 REP 60000\n"]])("%s is no crash", (_, text) => {
-    expect(main([file("x.h", text), "--json"])).toBeLessThan(2);
-    expect(reports()).toHaveLength(1);
-  });
+  test.each([["nothing", ""], ["binary", "\u0000\u0001\u0002"], ["endless", "LBL 1\nCALL LBL 1 REP 60000\nCALL LBL 1 REP 60000\n"]])(
+    "%s is no crash",
+    (_, text) => {
+      expect(main([file("x.h", text), "--json"])).toBeLessThan(2);
+      expect(reports()).toHaveLength(1);
+    },
+  );
   test("a tools file replaces tools of the same number and adds others", () => {
-    const tools = file("t.json", JSON.stringify({ tools: [{ T: 1, NAME: "MINE", TYPE: "ROUGH", TO: 1, RS: 0.4, "T-ANGLE": 95, "P-ANGLE": 80, CUTLENGTH: null }] }));
+    const tools = file("t.json",
+      JSON.stringify({ tools: [{ T: 1, NAME: "MINE", TYPE: "ROUGH", TO: 1, RS: 0.4, "T-ANGLE": 95, "P-ANGLE": 80, CUTLENGTH: null }] }));
     main([program("shoulder-812"), program("groove-852"), "--json", "--tools", tools]);
     expect(reports().map((r) => r.operations[0]?.tool["NAME"])).toEqual(["MINE", "FACE-RECTURN-3"]);
     expect(reports()[0]?.operations[0]?.tool).not.toHaveProperty("CUTLENGTH");
@@ -91,15 +115,18 @@ describe("verify", () => {
     expect(main([program("shoulder-812"), "--json", "--tools", tools])).toBe(1);
     expect(reports()[0]?.issues.map((i) => `${i.code} ${i.at} ${i.block}`)).toContain("toolColumn RS 3");
   });
-  test.each([
-    ["no file", ["nowhere.h"]], ["nothing to do", []], ["an unknown option", [program("shoulder-812"), "--jason"]],
-    ["no tools file", [program("shoulder-812"), "--tools", "nowhere.json"]],
-  ])("%s: status 2 and one line of error", (_, args) => {
+  test.each([["no file", ["nowhere.h"]], ["nothing to do", []], ["an unknown option", [program("shoulder-812"), "--jason"]], [
+    "no tools file",
+    [program("shoulder-812"), "--tools", "nowhere.json"],
+  ]])("%s: status 2 and one line of error", (_, args) => {
     expect(main([...args])).toBe(2);
     expect(out).toBe("");
     expect(err).toMatch(/^verify: .+\n$/);
   });
-  test.each([["not JSON", "{"], ["no table", "[]"], ["a wrong cell", '{"tools":[{"T":"one","TYPE":"ROUGH"}]}'], ["a wrong type", '{"tools":[{"T":1,"TYPE":"HAMMER"}]}']])("broken tools file, %s: status 2", (_, text) => {
+  test.each([["not JSON", "{"], ["no table", "[]"], ["a wrong cell", '{"tools":[{"T":"one","TYPE":"ROUGH"}]}'], [
+    "a wrong type",
+    '{"tools":[{"T":1,"TYPE":"HAMMER"}]}',
+  ]])("broken tools file, %s: status 2", (_, text) => {
     expect(main([program("shoulder-812"), "--tools", file("t.json", text)])).toBe(2);
     expect(err).toMatch(/^verify: tools file .+\n$/);
   });

@@ -39,6 +39,9 @@ export class Findings {
   /** Answers the question. */
   answer(name: "look" | "cancel" | "copy" | "save" | "download" | "share"): Locator {
     const { leaving } = this.words;
-    return this.question.getByRole("button", { name: name === "look" || name === "cancel" ? leaving[name] : leaving.go[name], exact: true });
+    return this.question.getByRole("button", {
+      name: name === "look" || name === "cancel" ? leaving[name] : leaving.go[name],
+      exact: true,
+    });
   }
 }

@@ -14,7 +14,9 @@ export class Lathe {
     return this.view.getByRole("img").first();
   }
 
-  button(name: "play" | "pause" | "forward" | "back" | "first" | "last" | "fullSection" | "xDown" | "ruler" | "zoomIn" | "zoomOut" | "fit"): Locator {
+  button(name: "play" | "pause" | "forward" | "back" | "first" | "last" | "fullSection" | "xDown" | "ruler" | "zoomIn" | "zoomOut"
+    | "fit"): Locator
+  {
     return this.view.getByRole("button", { name: this.context.t.lathe[name], exact: true });
   }
 

@@ -8,31 +8,28 @@ import type { Turnwise } from "./turnwise.ts";
 export async function editTimes({ page, lathe, dialog }: Turnwise, values: readonly string[]): Promise<number[]> {
   const field = await dialog.value.elementHandle();
   const picture = await lathe.picture.elementHandle();
-  return page.evaluate(
-    async ({ field, picture, values }) => {
-      const write = Object.getOwnPropertyDescriptor(HTMLInputElement.prototype, "value")?.set;
-      const path = () => [...(picture?.querySelectorAll("path") ?? [])].map((p) => p.getAttribute("d")).join();
-      const times: number[] = [];
-      for (const value of values) {
-        const before = path();
-        const began = performance.now();
-        const drawn = new Promise<number>((resolve) => {
-          const observer = new MutationObserver(() => {
-            if (path() === before) return;
-            observer.disconnect();
-            resolve(performance.now() - began);
-          });
-          if (picture) observer.observe(picture, { subtree: true, childList: true, attributes: true });
+  return page.evaluate(async ({ field, picture, values }) => {
+    const write = Object.getOwnPropertyDescriptor(HTMLInputElement.prototype, "value")?.set;
+    const path = () => [...(picture?.querySelectorAll("path") ?? [])].map((p) => p.getAttribute("d")).join();
+    const times: number[] = [];
+    for (const value of values) {
+      const before = path();
+      const began = performance.now();
+      const drawn = new Promise<number>((resolve) => {
+        const observer = new MutationObserver(() => {
+          if (path() === before) return;
+          observer.disconnect();
+          resolve(performance.now() - began);
         });
-        write?.call(field, value);
-        field?.dispatchEvent(new InputEvent("input", { bubbles: true }));
-        times.push(await drawn);
-        await new Promise((resolve) => requestAnimationFrame(resolve));
-      }
-      return times;
-    },
-    { field, picture, values },
-  );
+        if (picture) observer.observe(picture, { subtree: true, childList: true, attributes: true });
+      });
+      write?.call(field, value);
+      field?.dispatchEvent(new InputEvent("input", { bubbles: true }));
+      times.push(await drawn);
+      await new Promise((resolve) => requestAnimationFrame(resolve));
+    }
+    return times;
+  }, { field, picture, values });
 }
 
 /** Bytes of living objects on the page, after a collection. */

@@ -43,7 +43,9 @@ export class ProgramEditor {
   }
 
   async show(section: Section): Promise<void> {
-    const tab = this.context.page.getByRole("tab", { name: new RegExp(`^${section === "findings" ? this.context.t.findings.title : this.words.sections[section]}`) });
+    const tab = this.context.page.getByRole("tab", {
+      name: new RegExp(`^${section === "findings" ? this.context.t.findings.title : this.words.sections[section]}`),
+    });
     if (await tab.count()) await tab.click();
   }
 
@@ -59,7 +61,8 @@ export class ProgramEditor {
 
   /** Entry of the list of parts that holds these characters. */
   part(characters: string): Locator {
-    return this.context.page.getByRole("list", { name: this.words.list, exact: true }).getByRole("button").filter({ hasText: characters }).first();
+    return this.context.page.getByRole("list", { name: this.words.list, exact: true }).getByRole("button").filter({ hasText: characters })
+      .first();
   }
 
   tool(name: "insertLong" | "duplicate" | "remove" | "up" | "down"): Locator {
@@ -69,12 +72,14 @@ export class ProgramEditor {
   /** Puts a block of this kind behind the open one. */
   async insert(kind: keyof Context["t"]["editor"]["kinds"]): Promise<void> {
     await this.tool("insertLong").click();
-    await this.context.page.getByRole("group", { name: this.words.palette }).getByRole("button", { name: this.words.kinds[kind] }).first().click();
+    await this.context.page.getByRole("group", { name: this.words.palette }).getByRole("button", { name: this.words.kinds[kind] }).first()
+      .click();
   }
 
   /** Totals of the whole program, by their name. */
   total(name: string): Locator {
-    return this.context.page.getByRole("region", { name: this.words.total, exact: true }).locator(".effect-cell", { hasText: name }).locator("dd");
+    return this.context.page.getByRole("region", { name: this.words.total, exact: true }).locator(".effect-cell", { hasText: name })
+      .locator("dd");
   }
 
   /** The bytes that a download of the program gives. */

@@ -18,7 +18,9 @@ export class SettingsPage {
   /** Changes the screen language; from then on every name on the page is one of that language. */
   async chooseLanguage(language: Language): Promise<void> {
     await this.open();
-    await this.dialog.getByRole("combobox", { name: this.context.t.page.screenLanguage, exact: true }).selectOption({ label: LANGUAGE_NAMES[language] });
+    await this.dialog.getByRole("combobox", { name: this.context.t.page.screenLanguage, exact: true }).selectOption({
+      label: LANGUAGE_NAMES[language],
+    });
     await this.context.page.getByRole("button", { name: texts(language).page.close, exact: true }).click();
   }
 }

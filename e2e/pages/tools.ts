@@ -22,13 +22,16 @@ export class ToolTable {
 
   get table(): Locator {
     const { table, millTable } = this.context.t.tools;
-    return this.context.page.getByRole("table", { name: table, exact: true }).or(this.context.page.getByRole("table", { name: millTable, exact: true }));
+    return this.context.page.getByRole("table", { name: table, exact: true }).or(
+      this.context.page.getByRole("table", { name: millTable, exact: true }),
+    );
   }
 
   /** Shows the tools of a kind. */
   async show(kind: "turning" | "milling"): Promise<void> {
     const { kinds } = this.context.t.tools;
-    await this.context.page.getByRole("group", { name: kinds.name, exact: true }).getByRole("button", { name: kinds[kind], exact: true }).click();
+    await this.context.page.getByRole("group", { name: kinds.name, exact: true }).getByRole("button", { name: kinds[kind], exact: true })
+      .click();
   }
 
   /** The row of a tool by its number. */
@@ -60,12 +63,17 @@ export class ToolTable {
   /** One of the nine directions of TO. */
   direction(to: number): Locator {
     const { orientation, orientationOf, directions } = this.context.t.tools;
-    return this.form.getByRole("radiogroup", { name: orientation, exact: true }).getByRole("radio", { name: orientationOf(to, directions[to - 1] ?? ""), exact: true });
+    return this.form.getByRole("radiogroup", { name: orientation, exact: true }).getByRole("radio", {
+      name: orientationOf(to, directions[to - 1] ?? ""),
+      exact: true,
+    });
   }
 
   get drawing(): Locator {
     const { drawing, millDrawing } = this.context.t.tools;
-    return this.form.getByRole("figure", { name: drawing, exact: true }).or(this.form.getByRole("figure", { name: millDrawing, exact: true }));
+    return this.form.getByRole("figure", { name: drawing, exact: true }).or(
+      this.form.getByRole("figure", { name: millDrawing, exact: true }),
+    );
   }
 
   /** What came of a file, of deleting, of putting the shipped tools back. */

@@ -74,7 +74,9 @@ export class Turnwise {
 
   /** Shows one of the panels that take turns; on a wide screen some are always there. */
   async show(section: "prompts" | "setup" | "contour" | "findings" | "program"): Promise<void> {
-    const tab = this.page.getByRole("tab", { name: new RegExp(`^${section === "findings" ? this.t.findings.title : this.t.page[section]}`) });
+    const tab = this.page.getByRole("tab", {
+      name: new RegExp(`^${section === "findings" ? this.t.findings.title : this.t.page[section]}`),
+    });
     await this.page.getByRole("tablist").first().waitFor();
     if (await tab.count()) await tab.click();
   }

@@ -43,9 +43,23 @@ export function App() {
     <div className="page">
       <Header />
       <Notices />
-      {ready && tools && <Suspense><ToolPage /></Suspense>}
-      {ready && !tools && program !== null && <Suspense fallback={<p className="editor-loading soft" role="status">{t.loading}</p>}><ProgramWorkplace key={program} /></Suspense>}
-      {ready && !tools && program === null && (read ? <Suspense><Workplace read={read} /></Suspense> : <StartPage />)}
+      {ready && tools && (
+        <Suspense>
+          <ToolPage />
+        </Suspense>
+      )}
+      {ready && !tools && program !== null && (
+        <Suspense fallback={<p className="editor-loading soft" role="status">{t.loading}</p>}>
+          <ProgramWorkplace key={program} />
+        </Suspense>
+      )}
+      {ready && !tools && program === null && (read
+        ? (
+          <Suspense>
+            <Workplace read={read} />
+          </Suspense>
+        )
+        : <StartPage />)}
       <DropProgram />
       <CopyByHand />
     </div>

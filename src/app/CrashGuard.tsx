@@ -23,13 +23,10 @@ export class CrashGuard extends Component<{ readonly children: ReactNode }, Stat
         <h1>{t.crashTitle}</h1>
         <p>{t.crash}</p>
         <button type="button" className="button primary" onClick={() => location.reload()}>{t.reload}</button>
-        <button
-          type="button" className="button"
-          onClick={() => {
-            rememberWork(null);
-            location.reload();
-          }}
-        >
+        <button type="button" className="button" onClick={() => {
+          rememberWork(null);
+          location.reload();
+        }}>
           {t.startOver}
         </button>
       </main>

@@ -38,7 +38,9 @@ export function Header() {
   return (
     <header className="top" aria-label={t.page.header}>
       {read && section === "prompts" && !tools && <a className="skip" href="#panel-prompts">{t.page.skipToPrompts}</a>}
-      <p className="brand"><b>{t.page.product}</b></p>
+      <p className="brand">
+        <b>{t.page.product}</b>
+      </p>
       {tools && <h1 className="open-cycle">{t.tools.title}</h1>}
       {!tools && read && words && (
         <h1 className="open-cycle">
@@ -47,23 +49,25 @@ export function Header() {
       )}
       {!tools && program && <h1 className="open-cycle">{program.name}</h1>}
       <div className="top-buttons">
-        <button type="button" className="button icon plain" aria-label={t.page.undo} title={`${t.page.undo} (Ctrl+Z)`} disabled={!past} onClick={undoStep}>
+        <button type="button" className="button icon plain" aria-label={t.page.undo} title={`${t.page.undo} (Ctrl+Z)`} disabled={!past}
+          onClick={undoStep}
+        >
           <Icon name="undo" />
         </button>
-        <button type="button" className="button icon plain" aria-label={t.page.redo} title={`${t.page.redo} (Ctrl+Y)`} disabled={!future} onClick={redoStep}>
+        <button type="button" className="button icon plain" aria-label={t.page.redo} title={`${t.page.redo} (Ctrl+Y)`} disabled={!future}
+          onClick={redoStep}
+        >
           <Icon name="redo" />
         </button>
         {!tools && (
-          <button
-            ref={toTools} type="button" className="button plain new-program" aria-label={t.tools.openLong} title={t.tools.openLong}
+          <button ref={toTools} type="button" className="button plain new-program" aria-label={t.tools.openLong} title={t.tools.openLong}
             onClick={() => showTools()}
           >
             <Icon name="insert" /> <span>{t.tools.open}</span>
           </button>
         )}
         {!tools && (read ?? program) && (
-          <button
-            type="button" className="button plain new-program" aria-label={t.page.newProgram} title={t.page.newProgram}
+          <button type="button" className="button plain new-program" aria-label={t.page.newProgram} title={t.page.newProgram}
             onClick={() => {
               usePlace.setState({ section: "prompts", prompt: null });
               open(null, null);
@@ -72,7 +76,9 @@ export function Header() {
             <Icon name="add" /> <span>{t.page.newProgram}</span>
           </button>
         )}
-        <button type="button" className="button icon plain" aria-label={t.page.settings} title={t.page.settings} onClick={() => settings.current?.showModal()}>
+        <button type="button" className="button icon plain" aria-label={t.page.settings} title={t.page.settings}
+          onClick={() => settings.current?.showModal()}
+        >
           <Icon name="settings" />
         </button>
       </div>

@@ -8,7 +8,9 @@ function DownloadUnkept() {
   const works = unkeptWorks();
   if (works.length === 0) return null;
   return (
-    <button type="button" className="button" onClick={() => void import("./saving/rescue.ts").then(({ downloadWorks }) => downloadWorks(works))}>
+    <button type="button" className="button"
+      onClick={() => void import("./saving/rescue.ts").then(({ downloadWorks }) => downloadWorks(works))}
+    >
       <Icon name="download" /> {t.downloadUnkept}
     </button>
   );
@@ -22,7 +24,9 @@ export function Notices() {
     <p key={key} className="notice">
       <Icon name="info" /> <span>{text}</span>
       {(key === "notKept" || key === "storageFull") && <DownloadUnkept />}
-      <button type="button" className="button icon plain" aria-label={t.dismiss} onClick={() => dismiss(key)}><Icon name="close" /></button>
+      <button type="button" className="button icon plain" aria-label={t.dismiss} onClick={() => dismiss(key)}>
+        <Icon name="close" />
+      </button>
     </p>
   );
   return (

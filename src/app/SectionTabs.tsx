@@ -12,11 +12,7 @@ interface Tab {
 }
 
 /** Panels that take turns. Arrow keys move along the tabs, as everywhere. */
-export function SectionTabs({ name, tabs, open }: {
-  readonly name: string;
-  readonly tabs: readonly Tab[];
-  readonly open: WorkSection;
-}) {
+export function SectionTabs({ name, tabs, open }: { readonly name: string; readonly tabs: readonly Tab[]; readonly open: WorkSection }) {
   const list = useRef<HTMLDivElement>(null);
   const at = tabs.findIndex((tab) => tab.section === open);
   const onKeyDown = (event: KeyboardEvent) => {
@@ -31,8 +27,7 @@ export function SectionTabs({ name, tabs, open }: {
     <>
       <div className="tabs" role="tablist" aria-label={name} ref={list} onKeyDown={onKeyDown}>
         {tabs.map(({ section, name: label, badge }) => (
-          <button
-            key={section} type="button" role="tab" id={`tab-${section}`} className="tab" aria-selected={section === open}
+          <button key={section} type="button" role="tab" id={`tab-${section}`} className="tab" aria-selected={section === open}
             aria-controls={`panel-${section}`} tabIndex={section === open ? 0 : -1} onClick={() => showSection(section)}
           >
             {label}
@@ -41,7 +36,9 @@ export function SectionTabs({ name, tabs, open }: {
         ))}
       </div>
       {tabs.filter(({ section, stays }) => stays === true || section === open).map(({ section, content }) => (
-        <div key={section} className={`panel panel-${section}`} role="tabpanel" id={`panel-${section}`} aria-labelledby={`tab-${section}`} hidden={section !== open}>
+        <div key={section} className={`panel panel-${section}`} role="tabpanel" id={`panel-${section}`} aria-labelledby={`tab-${section}`}
+          hidden={section !== open}
+        >
           {content}
         </div>
       ))}

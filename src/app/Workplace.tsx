@@ -39,13 +39,23 @@ export function Workplace({ read }: { readonly read: JobReading }) {
   const findings = useListed();
   const host = useJobHost(read);
   const free = read.cycle.contour === "free";
-  const possible: readonly JobSection[] = ["prompts", "setup", ...(free ? ["contour" as const] : []), "findings", ...(wide ? [] : ["program" as const])];
+  const possible: readonly JobSection[] = [
+    "prompts",
+    "setup",
+    ...(free ? ["contour" as const] : []),
+    "findings",
+    ...(wide ? [] : ["program" as const]),
+  ];
   const open = possible.find((section) => section === asked) ?? "prompts";
 
   const content: Readonly<Record<JobSection, ReactNode>> = {
     prompts: <CycleDialog read={read} />,
     setup: <SetupPanel read={read} />,
-    contour: <Suspense><ContourTable rows={read.job.contour} onChange={setContour} language={language} /></Suspense>,
+    contour: (
+      <Suspense>
+        <ContourTable rows={read.job.contour} onChange={setContour} language={language} />
+      </Suspense>
+    ),
     findings: <FindingsPanel host={host} />,
     program: <ProgramPanel read={read} foldable={false} />,
   };
@@ -53,13 +63,13 @@ export function Workplace({ read }: { readonly read: JobReading }) {
   return (
     <main className={`workplace${wide && folded ? " program-folded" : ""}`}>
       <div className="left">
-        <SectionTabs
-          name={t.sections} open={open}
-          tabs={possible.map((section) => ({
-            section, name: section === "findings" ? findingsTitle : t[section], content: content[section], stays: section === "prompts",
-            ...(section === "findings" && findings[0] ? { badge: { count: findings.length, severity: findings[0].issue.severity } } : {}),
-          }))}
-        />
+        <SectionTabs name={t.sections} open={open} tabs={possible.map((section) => ({
+          section,
+          name: section === "findings" ? findingsTitle : t[section],
+          content: content[section],
+          stays: section === "prompts",
+          ...(section === "findings" && findings[0] ? { badge: { count: findings.length, severity: findings[0].issue.severity } } : {}),
+        }))} />
       </div>
       <EffectStrip read={read} />
       <div className="centre">
@@ -71,7 +81,9 @@ export function Workplace({ read }: { readonly read: JobReading }) {
         <div className="right">
           {folded
             ? (
-              <button type="button" className="button plain unfold" aria-label={t.text.unfold} title={t.text.unfold} onClick={() => changeSettings({ programFolded: false })}>
+              <button type="button" className="button plain unfold" aria-label={t.text.unfold} title={t.text.unfold} onClick={() =>
+                changeSettings({ programFolded: false })}
+              >
                 <Icon name="unfold" /> <span>{t.program}</span>
               </button>
             )

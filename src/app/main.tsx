@@ -34,11 +34,9 @@ void resume().then(() => {
 const root = document.getElementById("root");
 void fetchTexts(useSettings.getState().language).then(() => {
   if (!root) return;
-  createRoot(root).render(
-    <StrictMode>
-      <CrashGuard>
-        <App />
-      </CrashGuard>
-    </StrictMode>,
-  );
+  createRoot(root).render(<StrictMode>
+    <CrashGuard>
+      <App />
+    </CrashGuard>
+  </StrictMode>);
 });

@@ -34,5 +34,4 @@ export const openPrompt = (prompt: string | null, before: string): void =>
 export const showSection = (section: WorkSection): void => usePlace.setState({ section, field: null });
 
 /** Shows a section and puts the keyboard into one of its fields. */
-export const goToField = (section: WorkSection, field: string): void =>
-  usePlace.setState((p) => ({ section, field, focus: p.focus + 1 }));
+export const goToField = (section: WorkSection, field: string): void => usePlace.setState((p) => ({ section, field, focus: p.focus + 1 }));

@@ -15,12 +15,10 @@ export interface Editor {
 /** Steps that undo keeps. Jobs share their unchanged parts, so this costs little. */
 const HISTORY = 500;
 
-export const useEditor = create<Editor>()(
-  temporal((): Editor => ({ job: null, program: null, work: null }), {
-    limit: HISTORY,
-    equality: (past, now) => past.job === now.job && past.program === now.program && past.work === now.work,
-  }),
-);
+export const useEditor = create<Editor>()(temporal((): Editor => ({ job: null, program: null, work: null }), {
+  limit: HISTORY,
+  equality: (past, now) => past.job === now.job && past.program === now.program && past.work === now.work,
+}));
 
 /** What was changed last; typing on in the same place belongs to the same step of undo. */
 let lastPlace: string | null = null;

@@ -16,4 +16,3 @@ export interface ProgramWork {
 export type Work = Job | ProgramWork;
 
 export const isProgram = (work: Work): work is ProgramWork => "text" in work;
-

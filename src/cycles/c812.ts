@@ -37,7 +37,13 @@ export const c812 = defineCycle({
     Q505: feedParam("finishingFeed", [0, 99999.999], 0.2, { rangeEvidence: "I" }),
     Q506: choice("smoothing", [0, 1, 2], 0),
   },
-  setup: { name: "SHOULDER", tool: 1, blank: { outside: "75", bore: "", length: "100", allowance: "0" }, start: { x: "75", z: "2" }, contour: printedContour },
+  setup: {
+    name: "SHOULDER",
+    tool: 1,
+    blank: { outside: "75", bore: "", length: "100", allowance: "0" },
+    start: { x: "75", z: "2" },
+    contour: printedContour,
+  },
   steps: { rough: 6, finish: 4 },
   outline: (v) => shoulderOutline(v),
   plan(v, setting) {
@@ -45,10 +51,19 @@ export const c812 = defineCycle({
     if (outline.contour.length === 0 || outline.issues.length > 0) return empty(outline.issues);
     const frame: Frame = { transverse: false, signU: v.Q494 < v.Q492 ? -1 : 1, signV: v.Q491 > v.Q493 ? 1 : -1 };
     const plan = planLeveled({
-      frame, contour: outline.contour, edges: edgesOf(outline.names, "Q502", "Q504"), operation: v.Q215, clearance: v.Q460, infeed: v.Q463,
+      frame,
+      contour: outline.contour,
+      edges: edgesOf(outline.names, "Q502", "Q504"),
+      operation: v.Q215,
+      clearance: v.Q460,
+      infeed: v.Q463,
       feeds: feedsOf({ rough: v.Q478, finish: v.Q505 }, setting.autoFeed),
-      oversize: { r: perSide(v.Q483), z: v.Q484 }, plunging: true, smoothing: v.Q506, limit: null,
-      outerHeight: frame.signV * toRadius(v.Q491), startRule: "shoulder",
+      oversize: { r: perSide(v.Q483), z: v.Q484 },
+      plunging: true,
+      smoothing: v.Q506,
+      limit: null,
+      outerHeight: frame.signV * toRadius(v.Q491),
+      startRule: "shoulder",
     }, setting);
     const value = (q: string, direction: number) => (q === "Q496" ? 90 - direction : direction);
     const tool = [...cornerIssue(v.Q500, setting.tool), ...angleIssues(outline.contour, outline.names, setting.tool, frame, value)];

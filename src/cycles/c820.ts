@@ -32,7 +32,13 @@ export const c820 = defineCycle({
     Q482: axialParam("limitZ", [-99999.999, 99999.999], 0),
     Q506: choice("smoothing", [0, 1, 2], 0),
   },
-  setup: { name: "CONTOUR", tool: 15, blank: { outside: "75", bore: "", length: "80", allowance: "0" }, start: { x: "75", z: "2" }, contour: printedContour },
+  setup: {
+    name: "CONTOUR",
+    tool: 15,
+    blank: { outside: "75", bore: "", length: "80", allowance: "0" },
+    start: { x: "75", z: "2" },
+    contour: printedContour,
+  },
   steps: { rough: 6, finish: 4 },
   outline: (v, given) => freeOutline(v, given, true),
   plan(v, setting, given) {
@@ -41,11 +47,19 @@ export const c820 = defineCycle({
     const frame = freeFrame(outline.contour, setting, true);
     const tool = v.Q499 === 2 ? mirroredTool(setting.tool, "r") : setting.tool;
     const plan = planLeveled({
-      frame, contour: outline.contour, edges: { start: 0, end: 0 }, operation: v.Q215, clearance: v.Q460, infeed: v.Q463,
+      frame,
+      contour: outline.contour,
+      edges: { start: 0, end: 0 },
+      operation: v.Q215,
+      clearance: v.Q460,
+      infeed: v.Q463,
       feeds: feedsOf({ rough: v.Q478, finish: v.Q505, plunge: v.Q488 }, setting.autoFeed),
-      oversize: { r: perSide(v.Q483), z: v.Q484 }, plunging: v.Q487 === 1, smoothing: v.Q506,
+      oversize: { r: perSide(v.Q483), z: v.Q484 },
+      plunging: v.Q487 === 1,
+      smoothing: v.Q506,
       limit: v.Q479 === 1 ? toFlat(frame, { r: toRadius(v.Q480), z: v.Q482 }) : null,
-      outerHeight: null, startRule: "contour",
+      outerHeight: null,
+      startRule: "contour",
     }, { ...setting, tool });
     const found = angleIssues(outline.contour, outline.contour.map(() => "contour"), tool, frame, (_q, direction) => Math.abs(direction));
     const adapted = tool === setting.tool ? plan : { ...plan, tool };

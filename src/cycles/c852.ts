@@ -6,9 +6,7 @@ import { empty } from "../kernel/strategy/leveled.ts";
 import { planRecess } from "../kernel/strategy/recess.ts";
 import { axial, perSide, radius, toDiameter, type Axial, type Diameter } from "../kernel/units.ts";
 import { defineCycle, printedContour } from "./define.ts";
-import {
-  angle, axialDepth, axialParam, choice, diameterParam, feedParam, lengthParam, oversizeDiameter,
-} from "./params.ts";
+import { angle, axialDepth, axialParam, choice, diameterParam, feedParam, lengthParam, oversizeDiameter } from "./params.ts";
 import { recessOutline, type RecessOutline } from "./recess-outline.ts";
 import { atParameters } from "./roles.ts";
 import { angleIssues, cornerIssue, withIssues } from "./tool-issues.ts";
@@ -48,7 +46,13 @@ export const c852 = defineCycle({
     Q488: feedParam("plungingFeed", [0, 99999.999], 0, { optional: true, rangeEvidence: "I" }),
   },
   // The groove is printed 20 mm behind Z0, and its tool is 35 mm long: the face of this blank stands where the groove starts.
-  setup: { name: "GROOVE", tool: 8, blank: { outside: "90", bore: "", length: "60", allowance: "-20" }, start: { x: "75", z: "2" }, contour: printedContour },
+  setup: {
+    name: "GROOVE",
+    tool: 8,
+    blank: { outside: "90", bore: "", length: "60", allowance: "-20" },
+    start: { x: "75", z: "2" },
+    contour: printedContour,
+  },
   steps: { rough: 8, finish: 7 },
   outline: (v) => recessOutline(finished(v), true),
   plan(v, setting) {
@@ -57,9 +61,15 @@ export const c852 = defineCycle({
     const frame = frameOf(v);
     const { tool } = setting;
     const plan = planRecess({
-      frame, contour: outline.contour, operation: v.Q215, infeed: v.Q463,
+      frame,
+      contour: outline.contour,
+      operation: v.Q215,
+      infeed: v.Q463,
       feeds: feedsOf({ rough: v.Q478, finish: v.Q505, plunge: v.Q488 }, setting.autoFeed),
-      oversize: { r: perSide(v.Q483), z: v.Q484 }, oneWay: v.Q507 === 1, offset: v.Q508, roundedFloor: v.Q500 > 0,
+      oversize: { r: perSide(v.Q483), z: v.Q484 },
+      oneWay: v.Q507 === 1,
+      offset: v.Q508,
+      roundedFloor: v.Q500 > 0,
     }, setting);
     const value = (_q: string, direction: number) => 90 - Math.abs(direction);
     const rough = v.Q215 !== 2;
@@ -73,9 +83,13 @@ type Ends = { readonly Q491: Diameter; readonly Q492: Axial; readonly Q493: Diam
 
 const frameOf = (v: Ends): Frame => ({ transverse: true, signU: v.Q491 > v.Q493 ? -1 : 1, signV: v.Q494 < v.Q492 ? 1 : -1 });
 
-/** The values with the floor where Q509 shifts it, positive out of the material: that is the finished groove (decision "Recess turning"). */
-const finished = <V extends Ends & { readonly Q509: Axial }>(v: V): V =>
-  (v.Q509 === 0 ? v : { ...v, Q494: axial(v.Q494 + frameOf(v).signV * v.Q509) });
+/**
+ * The values with the floor where Q509 shifts it, positive out of the material: that is the finished groove (decision "Recess
+ * turning").
+ */
+const finished = <
+  V extends Ends & { readonly Q509: Axial },
+>(v: V): V => (v.Q509 === 0 ? v : { ...v, Q494: axial(v.Q494 + frameOf(v).signV * v.Q509) });
 
 /** A tool that is wider than the floor (with the oversize on both walls) cannot reach it; wider than the opening, not at all. */
 function narrowIssue(outline: RecessOutline, v: { Q491: Diameter; Q493: Diameter }, tool: number): Issue[] {

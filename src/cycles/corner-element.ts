@@ -31,7 +31,8 @@ export function namedContour(points: readonly Pt[], sides: readonly string[], co
   const chain = points.slice(1).map((to, i): Segment => ({ kind: "line", from: points[i] as Pt, to }));
   const n = chain.length;
   const built = withCorners(chain, corners.map((c) => c.element), {
-    segments: chain.map((_, i) => i), corners: corners.map((_, i) => n + i),
+    segments: chain.map((_, i) => i),
+    corners: corners.map((_, i) => n + i),
   });
   const names = built.elements.map((e) => (e < n ? (sides[e] ?? "") : (corners[e - n]?.q ?? "")));
   const issues = built.issues.map((i) => {
@@ -40,8 +41,9 @@ export function namedContour(points: readonly Pt[], sides: readonly string[], co
     const { element: _, ...data } = i.data;
     return issue("elementTooLong", "error", data, q);
   });
-  const inner = built.segments.map((segment, i) => ({ segment, name: names[i] ?? "", element: built.elements[i] }))
-    .filter((s) => s.element !== 0 && s.element !== n - 1);
+  const inner = built.segments.map((segment, i) => ({ segment, name: names[i] ?? "", element: built.elements[i] })).filter((s) =>
+    s.element !== 0 && s.element !== n - 1
+  );
   return { contour: inner.map((s) => s.segment), names: inner.map((s) => s.name), issues };
 }
 

@@ -6,11 +6,10 @@ import type { Evidence, Params, Values } from "./params.ts";
 export type Group = "shoulder" | "contour" | "recessTurning";
 
 /** A dimension in the help picture, belonging to one Q. Positions in part space; the view draws arrowheads and text. */
-export type Dimension =
-  | { readonly q: string; readonly form: "diameter"; readonly at: Pt }
-  | { readonly q: string; readonly form: "z" | "r" | "along"; readonly from: Pt; readonly to: Pt }
-  | { readonly q: string; readonly form: "angle"; readonly vertex: Pt; readonly from: Pt; readonly to: Pt }
-  | { readonly q: string; readonly form: "leader"; readonly at: Pt; readonly towards: Pt };
+export type Dimension = { readonly q: string; readonly form: "diameter"; readonly at: Pt } | { readonly q: string;
+  readonly form: "z" | "r" | "along"; readonly from: Pt; readonly to: Pt } | { readonly q: string; readonly form: "angle";
+  readonly vertex: Pt; readonly from: Pt; readonly to: Pt } | { readonly q: string; readonly form: "leader"; readonly at: Pt;
+  readonly towards: Pt };
 
 /** The finished contour that values describe, and the dimension of every parameter that has a place on it. */
 export interface Outline {
@@ -49,8 +48,16 @@ export interface SetupExample {
 
 /** The contour printed for the transverse free-contour cycle; every cycle offers it where a contour is asked for. */
 export const printedContour: readonly Row[] = [
-  { kind: "L", x: "75", z: "-20" }, { kind: "L", x: "50" }, { kind: "RND", r: "2" },
-  { kind: "L", x: "20", z: "-25" }, { kind: "RND", r: "2" }, { kind: "L", z: "0" },
+  { kind: "L", x: "75", z: "-20" },
+  { kind: "L", x: "50" },
+  { kind: "RND", r: "2" },
+  {
+    kind: "L",
+    x: "20",
+    z: "-25",
+  },
+  { kind: "RND", r: "2" },
+  { kind: "L", z: "0" },
 ];
 
 export interface Cycle<P extends Params = Params, N extends number = number> {

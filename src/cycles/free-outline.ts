@@ -6,7 +6,9 @@ import { axial, radius, toRadius, type Axial, type Diameter } from "../kernel/un
 import type { Dimension, Given, Outline } from "./define.ts";
 
 const turnedAround = (s: Segment): Segment =>
-  s.kind === "line" ? { kind: "line", from: s.to, to: s.from } : { kind: "arc", from: s.to, to: s.from, centre: s.centre, turn: s.turn === "cw" ? "ccw" : "cw" };
+  s.kind === "line"
+    ? { kind: "line", from: s.to, to: s.from }
+    : { kind: "arc", from: s.to, to: s.from, centre: s.centre, turn: s.turn === "cw" ? "ccw" : "cw" };
 
 /** The values of a free-contour cycle that shape its outline. */
 interface FreeValues {
@@ -34,10 +36,7 @@ function limitDimensions(v: FreeValues, contour: readonly Segment[]): Dimension[
   const z = points.reduce((sum, p) => sum + p.z, 0) / points.length;
   const r = points.reduce((sum, p) => sum + p.r, 0) / points.length;
   const at = (pz: number, pr: number): Pt => ({ z: axial(pz), r: radius(pr) });
-  return [
-    { q: "Q480", form: "diameter", at: at(z, toRadius(v.Q480)) },
-    { q: "Q482", form: "z", from: at(0, r), to: at(v.Q482, r) },
-  ];
+  return [{ q: "Q480", form: "diameter", at: at(z, toRadius(v.Q480)) }, { q: "Q482", form: "z", from: at(0, r), to: at(v.Q482, r) }];
 }
 
 /**

@@ -56,7 +56,10 @@ function planned(line: string): string {
   }
   if (!tool) throw new Error(`no tool in: ${line}`);
   const start = at(x, z);
-  const given = { contour: cycle.contour === "free" ? contourFrom(elements(contour.length > 0 ? contour : PRINTED.split(" "))).segments : null, start };
+  const given = {
+    contour: cycle.contour === "free" ? contourFrom(elements(contour.length > 0 ? contour : PRINTED.split(" "))).segments : null,
+    start,
+  };
   const plan = cycle.plan(values as never, { tool, start, feedUnit: "mm/rev", autoFeed: null, stock: null }, given);
   const issues = plan.issues.map((i) => `${i.severity} ${i.code}${i.at ? ` ${i.at}` : ""}`);
   return [`${plan.passes} x ${number(plan.infeed)}`, listing(plan.moves), ...issues.map((i) => `! ${i}`)].filter(Boolean).join("\n");

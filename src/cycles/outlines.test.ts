@@ -10,26 +10,47 @@ const tan = (degrees: number) => Math.tan(radians(degrees));
 const plain = { Q500: 0, Q501: 0, Q503: 0, Q495: 0, Q496: 0 };
 const box = { Q491: 80, Q492: -20, Q493: 50, Q494: -50 };
 
-const cases: readonly [name: string, cycle: number, values: Record<string, number>, corners: readonly (readonly [number, number])[]][] = [
-  ["812, both angles lean into the box", 812, { ...plain, ...box, Q495: 3, Q496: 7 }, (() => {
+const cases: readonly [name: string, cycle: number, values: Record<string, number>, corners: readonly (readonly [number, number])[]][] = [[
+  "812, both angles lean into the box",
+  812,
+  { ...plain, ...box, Q495: 3, Q496: 7 },
+  (() => {
     // Surface r = 25 + (−20 − z) tan 3°, face z = −50 + (40 − r) tan 7°.
     const r = (25 + (30 - 40 * tan(7)) * tan(3)) / (1 - tan(7) * tan(3));
     return [[-20, 25], [-50 + (40 - r) * tan(7), r], [-50, 40]] as const;
-  })()],
-  ["812, a chamfer at the start and a longer one at the end", 812, { ...plain, ...box, Q501: 1, Q502: 1.3, Q503: 1, Q504: 2.1 },
-    [[-20, 23.7], [-21.3, 25], [-50, 25], [-50, 37.9], [-52.1, 40]]],
-  ["852, walls of different angle", 852, { ...plain, ...box, Q495: 5, Q496: 17 },
-    [[-20, 40], [-50, 40 - 30 * tan(5)], [-50, 25 + 30 * tan(17)], [-20, 25]]],
-  ["852 from inside out", 852, { ...plain, ...box, Q491: 50, Q493: 80, Q495: 5, Q496: 17 },
-    [[-20, 25], [-50, 25 + 30 * tan(5)], [-50, 40 - 30 * tan(17)], [-20, 40]]],
-  ["852, a chamfer on either edge", 852, { ...plain, ...box, Q501: 1, Q502: 1.3, Q503: 1, Q504: 2.1 },
-    [[-20, 41.3], [-21.3, 40], [-50, 40], [-50, 25], [-22.1, 25], [-20, 22.9]]],
-];
+  })(),
+], ["812, a chamfer at the start and a longer one at the end", 812, { ...plain, ...box, Q501: 1, Q502: 1.3, Q503: 1, Q504: 2.1 }, [
+  [-20, 23.7],
+  [-21.3, 25],
+  [-50, 25],
+  [-50, 37.9],
+  [-52.1, 40],
+]], ["852, walls of different angle", 852, { ...plain, ...box, Q495: 5, Q496: 17 }, [[-20, 40], [-50, 40 - 30 * tan(5)], [
+  -50,
+  25 + 30 * tan(17),
+], [-20, 25]]], ["852 from inside out", 852, {
+  ...plain,
+  ...box,
+  Q491: 50,
+  Q493: 80,
+  Q495: 5,
+  Q496: 17,
+}, [[-20, 25], [-50, 25 + 30 * tan(5)], [-50, 40 - 30 * tan(17)], [-20, 40]]], ["852, a chamfer on either edge", 852, {
+  ...plain,
+  ...box,
+  Q501: 1,
+  Q502: 1.3,
+  Q503: 1,
+  Q504: 2.1,
+}, [[-20, 41.3], [-21.3, 40], [-50, 40], [-50, 25], [-22.1, 25], [-20, 22.9]]]];
 
 test.each(cases)("%s", (_name, number, values, corners) => {
   const cycle = cycleByNumber(number);
   if (!cycle) throw new Error(`no cycle ${number}`);
-  const { contour, issues } = cycle.outline({ ...Object.fromEntries(Object.entries(cycle.params).map(([q, p]) => [q, p.example])), ...values } as never, { contour: null, start: null });
+  const { contour, issues } = cycle.outline(
+    { ...Object.fromEntries(Object.entries(cycle.params).map(([q, p]) => [q, p.example])), ...values } as never,
+    { contour: null, start: null },
+  );
   expect(issues).toEqual([]);
   expect(contour.every((s) => s.kind === "line")).toBe(true);
   const points = [...contour.slice(0, 1).map((s) => s.from), ...contour.map((s) => s.to)];
@@ -39,7 +60,13 @@ test.each(cases)("%s", (_name, number, values, corners) => {
 
 test("an element 2 is a radius: an arc, tangential on both sides", () => {
   const cycle = cycleByNumber(812);
-  const values = { ...Object.fromEntries(Object.entries(cycle?.params ?? {}).map(([q, p]) => [q, p.example])), ...plain, ...box, Q501: 2, Q502: 1.3 };
+  const values = {
+    ...Object.fromEntries(Object.entries(cycle?.params ?? {}).map(([q, p]) => [q, p.example])),
+    ...plain,
+    ...box,
+    Q501: 2,
+    Q502: 1.3,
+  };
   const first = cycle?.outline(values as never, { contour: null, start: null }).contour[0];
   expect(first).toMatchObject({ kind: "arc", from: { z: -20, r: 23.7 }, to: { z: -21.3, r: 25 }, centre: { z: -21.3, r: 23.7 } });
 });

@@ -4,8 +4,7 @@ import type { Axial, Degrees, Diameter, Feed, Length, Radius } from "../kernel/u
 export type Evidence = "A" | "B" | "L" | "I" | "K1" | "K2" | "K3";
 
 /** What a value measures. It belongs to cycle and Q together: Q463 is radial in one cycle and axial in another. */
-export type Kind =
-  | "choice" | "diameter" | "oversizeDiameter" | "radial" | "axial" | "axialDepth" | "length" | "angle" | "feed";
+export type Kind = "choice" | "diameter" | "oversizeDiameter" | "radial" | "axial" | "axialDepth" | "length" | "angle" | "feed";
 
 /** The value a kind yields. A feed is a number or "auto" (FAUTO). */
 interface ValueOf {
@@ -53,10 +52,18 @@ interface Options {
 }
 
 function param<K extends Kind, T extends string>(
-  kind: K, text: T, range: readonly [number, number], example: number, o: Options, choices?: readonly number[],
+  kind: K,
+  text: T,
+  range: readonly [number, number],
+  example: number,
+  o: Options,
+  choices?: readonly number[],
 ): Param<K, T> {
   return {
-    kind, text, range, example,
+    kind,
+    text,
+    range,
+    example,
     rangeEvidence: o.rangeEvidence ?? "A",
     optional: o.optional ?? false,
     incremental: o.incremental ?? false,

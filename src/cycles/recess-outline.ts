@@ -40,42 +40,70 @@ export function recessOutline(v: ShoulderValues, axialGroove: boolean): RecessOu
   const legs = Math.tan(radians(45 - v.Q495 / 2)) + Math.tan(radians(45 - v.Q496 / 2));
   const widest = (w2 - w1) / legs;
   const tooWide = v.Q500 > widest + 1e-9;
-  if (tooWide) issues.push(issue("cornersTooWide", "error", { radius: v.Q500, max: widest, nearest: Math.floor(widest * 1000 + 1e-6) / 1000 }, "Q500"));
+  if (tooWide)
+    issues.push(
+      issue("cornersTooWide", "error", { radius: v.Q500, max: widest, nearest: Math.floor(widest * 1000 + 1e-6) / 1000 }, "Q500"),
+    );
   const round = roundOf(tooWide ? 0 : v.Q500);
   // Towards the axis a leg ends there: an outer element cannot be longer.
   const start = axialGroove && r1 < r2 ? Math.max(r1, 1e-6) : LEG;
   const end = axialGroove && r2 < r1 ? Math.max(r2, 1e-6) : LEG;
-  const built = namedContour(
-    [at(-start, 0), at(0, 0), at(w1, D), at(w2, D), at(W, 0), at(W + end, 0)],
-    ["Q492", "Q495", "Q494", "Q496", "Q492"],
-    [
-      { element: cornerElementOf(v.Q501, v.Q502), q: "Q502" },
-      { element: round, q: "Q500" },
-      { element: round, q: "Q500" },
-      { element: cornerElementOf(v.Q503, v.Q504), q: "Q504" },
-    ],
-  );
-  const shape = { a: at(0, 0), b: at(w1, D), c: at(w2, D), d: at(W, 0), footA: at(0, D), footD: at(W, D), out: (p: Pt) => beyond(p, at(W / 2, -D)) };
+  const built = namedContour([at(-start, 0), at(0, 0), at(w1, D), at(w2, D), at(W, 0), at(W + end, 0)], [
+    "Q492",
+    "Q495",
+    "Q494",
+    "Q496",
+    "Q492",
+  ], [{ element: cornerElementOf(v.Q501, v.Q502), q: "Q502" }, { element: round, q: "Q500" }, { element: round, q: "Q500" }, {
+    element: cornerElementOf(v.Q503, v.Q504),
+    q: "Q504",
+  }]);
+  const shape = {
+    a: at(0, 0),
+    b: at(w1, D),
+    c: at(w2, D),
+    d: at(W, 0),
+    footA: at(0, D),
+    footD: at(W, D),
+    out: (p: Pt) => beyond(p, at(W / 2, -D)),
+  };
   return { ...built, dimensions: dimensionsOf(v, shape, axialGroove), issues: [...issues, ...built.issues], opening: W, floor: w2 - w1 };
 }
 
 /** A point a little from `p` towards `q`: where a leader points from. */
 const beyond = (p: Pt, q: Pt): Pt => pt(p.z + (q.z - p.z) / 4, p.r + (q.r - p.r) / 4);
 
-function dimensionsOf(v: ShoulderValues, g: { a: Pt; b: Pt; c: Pt; d: Pt; footA: Pt; footD: Pt; out: (p: Pt) => Pt }, axialGroove: boolean): Dimension[] {
+function dimensionsOf(
+  v: ShoulderValues,
+  g: { a: Pt; b: Pt; c: Pt; d: Pt; footA: Pt; footD: Pt; out: (p: Pt) => Pt },
+  axialGroove: boolean,
+): Dimension[] {
   const [atQ493, atQ494] = axialGroove ? [g.d, g.b] : [g.b, g.d];
   return [
     { q: "Q491", form: "diameter", at: g.a },
     { q: "Q492", form: "z", from: pt(0, g.a.r), to: g.a },
-    { q: "Q493", form: "diameter", at: atQ493 },
+    {
+      q: "Q493",
+      form: "diameter",
+      at: atQ493,
+    },
     { q: "Q494", form: "z", from: pt(0, atQ494.r), to: atQ494 },
     { q: "Q495", form: "angle", vertex: g.a, from: g.footA, to: g.b },
-    { q: "Q502", form: "leader", at: g.a, towards: g.out(g.a) },
+    {
+      q: "Q502",
+      form: "leader",
+      at: g.a,
+      towards: g.out(g.a),
+    },
     { q: "Q500", form: "leader", at: g.b, towards: g.out(g.b) },
     { q: "Q496", form: "angle", vertex: g.d, from: g.footD, to: g.c },
-    { q: "Q504", form: "leader", at: g.d, towards: g.out(g.d) },
+    {
+      q: "Q504",
+      form: "leader",
+      at: g.d,
+      towards: g.out(g.d),
+    },
     ...(v.Q501 > 0 ? [{ q: "Q501", form: "leader", at: g.a, towards: g.out(g.a) } as const] : []),
     ...(v.Q503 > 0 ? [{ q: "Q503", form: "leader", at: g.d, towards: g.out(g.d) } as const] : []),
   ];
 }
-

@@ -27,19 +27,33 @@ function inCycle(found: Issue, frame: Frame, q: Roles): Issue {
     return (name === undefined ? rest : { ...rest, at: name }) as Issue;
   };
   switch (found.at) {
-    case "infeed": return at(q.infeed);
-    case "offset": return at(q.offset);
-    case "startU": case "startV": return at(isX(frame, axis) ? "start.x" : "start.z");
-    case "start": return at("start.x");
-    case "limitU": case "limitV": case "depth": break;
-    default: return found;
+    case "infeed":
+      return at(q.infeed);
+    case "offset":
+      return at(q.offset);
+    case "startU":
+    case "startV":
+      return at(isX(frame, axis) ? "start.x" : "start.z");
+    case "start":
+      return at("start.x");
+    case "limitU":
+    case "limitV":
+    case "depth":
+      break;
+    default:
+      return found;
   }
   const named = at(found.at === "depth" ? q.depth : isX(frame, axis) ? q.limitX : q.limitZ);
   if (named.code !== "limitOnWrongSide" && named.code !== "depthOverCutLength") return named;
   const offer = offerOf(named);
   const offered = offer === null ? named : withOffer(named, written(frame, axis, offer));
-  return offered.code === "limitOnWrongSide" ? { ...offered, data: { ...offered.data, limit: written(frame, axis, offered.data.limit) } } : offered;
+  return offered.code === "limitOnWrongSide"
+    ? { ...offered, data: { ...offered.data, limit: written(frame, axis, offered.data.limit) } }
+    : offered;
 }
 
 /** A plan whose issues stand at the parameters of the cycle. */
-export const atParameters = (plan: Plan, frame: Frame, q: Roles): Plan => ({ ...plan, issues: plan.issues.map((i) => inCycle(i, frame, q)) });
+export const atParameters = (plan: Plan, frame: Frame, q: Roles): Plan => ({
+  ...plan,
+  issues: plan.issues.map((i) => inCycle(i, frame, q)),
+});

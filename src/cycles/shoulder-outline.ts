@@ -50,15 +50,11 @@ export function shoulderOutline(v: ShoulderValues): Outline & NamedContour {
   const a = (A - H * t2) / (1 - t1 * t2);
   const corner = at(a, a * t1);
   const lead = out > 0 ? Math.max(r2, 1e-6) : LEG;
-  const built = namedContour(
-    [at(0, -lead), at(0, 0), corner, at(A, H), at(A + LEG, H)],
-    ["Q492", "Q495", "Q496", "Q491"],
-    [
-      { element: cornerElementOf(v.Q501, v.Q502), q: "Q502" },
-      { element: roundOf(v.Q500), q: "Q500" },
-      { element: cornerElementOf(v.Q503, v.Q504), q: "Q504" },
-    ],
-  );
+  const built = namedContour([at(0, -lead), at(0, 0), corner, at(A, H), at(A + LEG, H)], ["Q492", "Q495", "Q496", "Q491"], [
+    { element: cornerElementOf(v.Q501, v.Q502), q: "Q502" },
+    { element: roundOf(v.Q500), q: "Q500" },
+    { element: cornerElementOf(v.Q503, v.Q504), q: "Q504" },
+  ]);
   return { ...built, dimensions: dimensionsOf(v, { start: at(0, 0), corner, end: at(A, H), along, out }), issues: built.issues };
 }
 
@@ -81,13 +77,27 @@ function dimensionsOf(v: ShoulderValues, g: { start: Pt; corner: Pt; end: Pt; al
   return [
     { q: "Q491", form: "diameter", at: g.end },
     { q: "Q492", form: "z", from: pt(0, g.start.r), to: g.start },
-    { q: "Q493", form: "diameter", at: g.start },
+    {
+      q: "Q493",
+      form: "diameter",
+      at: g.start,
+    },
     { q: "Q494", form: "z", from: pt(0, g.end.r), to: g.end },
     { q: "Q495", form: "angle", vertex: g.start, from: axisLine, to: g.corner },
     { q: "Q502", form: "leader", at: g.start, towards: away(g.start, -g.along, g.out) },
-    { q: "Q500", form: "leader", at: g.corner, towards: away(g.corner, -g.along, g.out) },
+    {
+      q: "Q500",
+      form: "leader",
+      at: g.corner,
+      towards: away(g.corner, -g.along, g.out),
+    },
     { q: "Q496", form: "angle", vertex: g.end, from: upright, to: g.corner },
-    { q: "Q504", form: "leader", at: g.end, towards: away(g.end, -g.along, g.out) },
+    {
+      q: "Q504",
+      form: "leader",
+      at: g.end,
+      towards: away(g.end, -g.along, g.out),
+    },
     ...(v.Q501 > 0 ? [{ q: "Q501", form: "leader", at: g.start, towards: away(g.start, -g.along, g.out) } as const] : []),
     ...(v.Q503 > 0 ? [{ q: "Q503", form: "leader", at: g.end, towards: away(g.end, -g.along, g.out) } as const] : []),
   ];

@@ -17,13 +17,21 @@ const ANGLE = 1e-6;
  * Q of segment i; `asValue` turns a direction (degrees against the cutting direction, positive rising) into a value of that Q.
  */
 export function angleIssues(
-  contour: readonly Segment[], names: readonly string[], tool: Tool, frame: Frame, asValue: (q: string, direction: number) => number,
+  contour: readonly Segment[],
+  names: readonly string[],
+  tool: Tool,
+  frame: Frame,
+  asValue: (q: string, direction: number) => number,
 ): Issue[] {
   const shape = inFrame(insertShape(tool), frame);
   const edgeAt = (i: number) => (shape[(i + shape.length) % shape.length]?.feature === "mainEdge" ? "mainEdge" : "secondaryEdge");
-  const normals = shape.flatMap((e, i) => (e.kind === "arc" && e.feature === "nose"
+  const normals = shape.flatMap((
+    e,
+    i,
+  ) => (e.kind === "arc" && e.feature === "nose"
     ? [{ from: normalStart(e) + Math.PI, width: normalEnd(e) - normalStart(e), edges: [edgeAt(i - 1), edgeAt(i + 1)] as const }]
-    : []));
+    : [])
+  );
   const width = shape.filter((e) => e.feature === "width").map((e) => normalStart(e) + Math.PI);
   const reached = (a: number) =>
     normals.some((n) => positive(a - n.from + ANGLE) <= n.width + 2 * ANGLE) || width.some((w) => Math.abs(Math.sin((a - w) / 2)) < ANGLE);
@@ -35,12 +43,18 @@ export function angleIssues(
     const name = names[i] ?? "contour";
     if (reached(a) || found.has(name)) return;
     const direction = inDegrees(a) - 90;
-    const bounds = normals.flatMap((x) => [{ at: x.from, edge: x.edges[0] }, { at: x.from + x.width, edge: x.edges[1] }])
-      .map((b) => ({ at: inDegrees(Math.atan2(Math.sin(b.at), Math.cos(b.at))) - 90, edge: b.edge }));
-    const { at: max, edge } = bounds.reduce((best, b) => (Math.abs(b.at - direction) < Math.abs(best.at - direction) ? b : best), bounds[0] ?? { at: 0, edge: "mainEdge" });
+    const bounds = normals.flatMap((x) => [{ at: x.from, edge: x.edges[0] }, { at: x.from + x.width, edge: x.edges[1] }]).map((b) => ({
+      at: inDegrees(Math.atan2(Math.sin(b.at), Math.cos(b.at))) - 90,
+      edge: b.edge,
+    }));
+    const { at: max, edge } = bounds.reduce((best, b) => (Math.abs(b.at - direction) < Math.abs(best.at - direction) ? b : best),
+      bounds[0] ?? { at: 0, edge: "mainEdge" });
     const nearest = Math.round(asValue(name, max) * 1e4) / 1e4;
     found.set(name, issue("angleNotFollowed", "warning", {
-      angle: asValue(name, direction), max: asValue(name, max), nearest, edge,
+      angle: asValue(name, direction),
+      max: asValue(name, max),
+      nearest,
+      edge,
     }, name));
   });
   return [...found.values()];

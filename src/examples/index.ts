@@ -22,7 +22,10 @@ export interface Example {
 export const examples: readonly Example[] = [
   { id: "flange", text: flange },
   { id: "shoulder", text: shoulder },
-  { id: "contour", text: contour },
+  {
+    id: "contour",
+    text: contour,
+  },
   { id: "contourEnglish", text: contourEnglish },
   { id: "groove", text: groove },
   { id: "plate", text: plate },

@@ -4,7 +4,10 @@ export type Language = (typeof LANGUAGES)[number];
 
 /** What each language calls itself, for the language switch. */
 export const LANGUAGE_NAMES: Readonly<Record<Language, string>> = {
-  en: "English", de: "Deutsch", fr: "Français", zh: "中文",
+  en: "English",
+  de: "Deutsch",
+  fr: "Français",
+  zh: "中文",
 };
 
 /** Languages that NC text has words for. A control set to Chinese prints English ones (printed on a TNC7 page). */

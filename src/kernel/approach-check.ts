@@ -12,9 +12,8 @@ export interface ContourCut {
   readonly on: PlanePoint;
 }
 /** What makes the way free: another PS or PN, or another LEN or R. */
-export type FreeWay =
-  | { readonly kind: "point"; readonly point: PlanePoint }
-  | { readonly kind: "value"; readonly word: "LEN" | "R"; readonly value: number };
+export type FreeWay = { readonly kind: "point"; readonly point: PlanePoint } | { readonly kind: "value"; readonly word: "LEN" | "R";
+  readonly value: number };
 
 /** Less than a control can print is not a cut, mm. */
 const LEAST_CUT = 0.001;
@@ -44,7 +43,11 @@ const wider = (b: Box, by: number): Box => ({ left: b.left - by, right: b.right 
 
 /** The deepest place where a tool on these legs cuts into a contour whose free side is known; null when the way is free. */
 export function contourCut(
-  legs: readonly PlaneSegment[], contour: readonly PlaneSegment[], side: Side, toolRadius: number, inMaterial = materialOf(contour, side),
+  legs: readonly PlaneSegment[],
+  contour: readonly PlaneSegment[],
+  side: Side,
+  toolRadius: number,
+  inMaterial = materialOf(contour, side),
 ): ContourCut | null {
   if (side === "none") return null;
   let worst: ContourCut | null = null;
@@ -87,7 +90,9 @@ const onGrid = (n: number, grid: number) => Math.round(n / grid) * grid;
  * `contour` has its roundings and chamfers; PS→PH is what the control does not check.
  */
 export function guardApproach(
-  q: ApproachRequest, contour: readonly PlaneSegment[], checked: CheckedLegs = "all",
+  q: ApproachRequest,
+  contour: readonly PlaneSegment[],
+  checked: CheckedLegs = "all",
 ): { readonly cut: ContourCut; readonly free: FreeWay | null } | null {
   const made = approach(q);
   if (q.side === "none") return null;
@@ -98,7 +103,8 @@ export function guardApproach(
   const isFree = (other: ApproachRequest) => {
     const tried = approach(other);
     const legs = legsOf(tried, checked);
-    return tried.issues.every((i) => i.severity !== "error") && !contourCut(legs, near, q.side, q.toolRadius, () => false) && !endsOf(legs).some(inMaterial);
+    return tried.issues.every((i) => i.severity !== "error") && !contourCut(legs, near, q.side, q.toolRadius, () => false)
+      && !endsOf(legs).some(inMaterial);
   };
   return { cut, free: freePoint(q, made, isFree) ?? freeValue(q, isFree) };
 }
@@ -115,10 +121,12 @@ function freePoint(q: ApproachRequest, made: Approach, isFree: (q: ApproachReque
   const pivot = made.points.PH ?? made.points.PA ?? made.points.PE;
   const { outside } = q;
   if (!outside || !pivot || (q.departing && q.shape !== "LCT")) return null;
-  const tried = FACTORS.flatMap((k) => [0, ...TURNS].map((angle) => {
-    const p = turned(beyond(pivot, difference(outside, pivot), k), pivot, angle);
-    return { x: onGrid(p.x, 0.5), y: onGrid(p.y, 0.5) };
-  })).sort((a, b) => apart(a, outside) - apart(b, outside));
+  const tried = FACTORS.flatMap((k) =>
+    [0, ...TURNS].map((angle) => {
+      const p = turned(beyond(pivot, difference(outside, pivot), k), pivot, angle);
+      return { x: onGrid(p.x, 0.5), y: onGrid(p.y, 0.5) };
+    })
+  ).sort((a, b) => apart(a, outside) - apart(b, outside));
   const point = tried.find((p) => isFree({ ...q, outside: p }));
   return point ? { kind: "point", point } : null;
 }

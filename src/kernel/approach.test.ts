@@ -5,12 +5,25 @@ import { plane, towardsTool, type PlanePoint, type PlaneSegment } from "./plane.
 
 const { apart, beyond, cross, direction, dot, turned } = plane;
 
-const line = (x1: number, y1: number, x2: number, y2: number): PlaneSegment => ({ kind: "line", from: { x: x1, y: y1 }, to: { x: x2, y: y2 } });
+const line = (x1: number, y1: number, x2: number, y2: number): PlaneSegment => ({
+  kind: "line",
+  from: { x: x1, y: y1 },
+  to: { x: x2, y: y2 },
+});
 const base: ApproachRequest = {
-  shape: "LT", departing: false, side: "right", toolRadius: 0, element: line(20, 20, 35, 35), outside: { x: 40, y: 10 }, length: 15, radius: 10, centreAngle: 180,
+  shape: "LT",
+  departing: false,
+  side: "right",
+  toolRadius: 0,
+  element: line(20, 20, 35, 35),
+  outside: { x: 40, y: 10 },
+  length: 15,
+  radius: 10,
+  centreAngle: 180,
 };
 const rounded = (p: PlanePoint | undefined) => p && { x: Math.round(p.x * 1e6) / 1e6 + 0, y: Math.round(p.y * 1e6) / 1e6 + 0 };
-const points = (q: Partial<ApproachRequest>) => Object.fromEntries(Object.entries(approach({ ...base, ...q }).points).map(([n, p]) => [n, rounded(p)]));
+const points = (q: Partial<ApproachRequest>) =>
+  Object.fromEntries(Object.entries(approach({ ...base, ...q }).points).map(([n, p]) => [n, rounded(p)]));
 
 describe("forms by hand, tool radius 0", () => {
   // The first element runs at 45°, so its direction is (0.707107, 0.707107): 15 mm are 10.606602 on each axis.
@@ -22,12 +35,15 @@ describe("forms by hand, tool radius 0", () => {
     expect(points({ shape: "LN", length: -15 })["PH"]).toEqual({ x: 9.393398, y: 30.606602 });
   });
   // Half a circle of radius 10 ends one diameter beside PA: 20 × 0.707107 = 14.142136.
-  test("CT: half a circle starts one diameter beside PA", () => expect(points({ shape: "CT" })["PH"]).toEqual({ x: 34.142136, y: 5.857864 }));
+  test("CT: half a circle starts one diameter beside PA", () =>
+    expect(points({ shape: "CT" })["PH"]).toEqual({ x: 34.142136, y: 5.857864 }));
   // Along +Y with RR the circle stands at (20, 20); from (40, 20), twice the radius away, the tangent touches at 60° from the ray:
   // PH = (20 + 10 cos 60°, 20 ± 10 sin 60°). The tool runs clockwise, so it arrives below: the lower point.
   test("LCT: the tangent from PS", () =>
     expect(points({ shape: "LCT", element: line(10, 20, 10, 35), outside: { x: 40, y: 20 } })).toEqual({
-      PS: { x: 40, y: 20 }, PH: { x: 25, y: 11.339746 }, PA: { x: 10, y: 20 },
+      PS: { x: 40, y: 20 },
+      PH: { x: 25, y: 11.339746 },
+      PA: { x: 10, y: 20 },
     }));
   test("the tool radius lies between contour and path", () => {
     const along = { element: line(5, 5, 5, 95), side: "left", toolRadius: 10, outside: { x: -10, y: -10 }, length: 10 } as const;
@@ -37,17 +53,19 @@ describe("forms by hand, tool radius 0", () => {
 });
 
 describe("the direction table of CT", () => {
-  test.each([["left", 10, "ccw"], ["left", -10, "cw"], ["right", 10, "cw"], ["right", -10, "ccw"]] as const)("%s with R %d runs %s", (side, radius, turn) => {
-    for (const departing of [false, true]) {
-      const made = approach({ ...base, shape: "CT", side, radius, departing });
-      expect(made.arc?.turn).toBe(turn);
-      expect(made.legs.find((l) => l.segment.kind === "arc")?.segment).toMatchObject({ turn });
-    }
-  });
+  test.each([["left", 10, "ccw"], ["left", -10, "cw"], ["right", 10, "cw"], ["right", -10, "ccw"]] as const)("%s with R %d runs %s",
+    (side, radius, turn) => {
+      for (const departing of [false, true]) {
+        const made = approach({ ...base, shape: "CT", side, radius, departing });
+        expect(made.arc?.turn).toBe(turn);
+        expect(made.legs.find((l) => l.segment.kind === "arc")?.segment).toMatchObject({ turn });
+      }
+    });
 });
 
 describe("what is impossible is said with what would work", () => {
-  const said = (q: Partial<ApproachRequest>) => approach({ ...base, ...q }).issues.map((i) => [i.code, i.at, "nearest" in i.data ? i.data.nearest : null]);
+  const said = (q: Partial<ApproachRequest>) =>
+    approach({ ...base, ...q }).issues.map((i) => [i.code, i.at, "nearest" in i.data ? i.data.nearest : null]);
   test("PS in the circle: the radius that reaches exactly to it", () => {
     // Circle through (10, 20) and PS = (18, 26) with its centre to the right of +Y: |w|² / 2 w·n = (64 + 36) / 16 = 6.25.
     const inside = { shape: "LCT", element: line(10, 20, 10, 35), outside: { x: 18, y: 26 } } as const;
@@ -71,8 +89,11 @@ const coordinate = fc.double({ min: -200, max: 200, noNaN: true });
 const point = fc.record({ x: coordinate, y: coordinate });
 /** Elements in every direction: lines, and arcs of both turns. */
 const element = fc.record({
-  from: point, angle: fc.double({ min: -180, max: 180, noNaN: true }), size: fc.double({ min: 0.5, max: 120, noNaN: true }),
-  kind: fc.constantFrom("line", "cw", "ccw"), sweep: fc.double({ min: 5, max: 355, noNaN: true }),
+  from: point,
+  angle: fc.double({ min: -180, max: 180, noNaN: true }),
+  size: fc.double({ min: 0.5, max: 120, noNaN: true }),
+  kind: fc.constantFrom("line", "cw", "ccw"),
+  sweep: fc.double({ min: 5, max: 355, noNaN: true }),
 }).map(({ from, angle, size, kind, sweep }): PlaneSegment => {
   const way = turned({ x: 1, y: 0 }, { x: 0, y: 0 }, angle);
   if (kind === "line") return { kind: "line", from, to: beyond(from, way, size) };
@@ -81,9 +102,14 @@ const element = fc.record({
   return { kind: "arc", from, to: turned(from, centre, turn === "ccw" ? sweep : -sweep), centre, turn };
 });
 const request: fc.Arbitrary<ApproachRequest> = fc.record({
-  shape: fc.constantFrom<ApproachShape>("LT", "LN", "CT", "LCT"), departing: fc.boolean(), side: fc.constantFrom("left" as const, "right" as const),
-  toolRadius: fc.double({ min: 0, max: 25, noNaN: true }), element, outside: point,
-  length: fc.double({ min: -50, max: 80, noNaN: true }), radius: fc.oneof(fc.double({ min: 0.1, max: 60, noNaN: true }), fc.double({ min: -60, max: -0.1, noNaN: true })),
+  shape: fc.constantFrom<ApproachShape>("LT", "LN", "CT", "LCT"),
+  departing: fc.boolean(),
+  side: fc.constantFrom("left" as const, "right" as const),
+  toolRadius: fc.double({ min: 0, max: 25, noNaN: true }),
+  element,
+  outside: point,
+  length: fc.double({ min: -50, max: 80, noNaN: true }),
+  radius: fc.oneof(fc.double({ min: 0.1, max: 60, noNaN: true }), fc.double({ min: -60, max: -0.1, noNaN: true })),
   centreAngle: fc.double({ min: 0.5, max: 360, noNaN: true }),
 }).map((q) => (q.shape === "LCT" ? { ...q, radius: Math.abs(q.radius) } : q));
 
@@ -91,9 +117,10 @@ const pure = (q: ApproachRequest) => approach(q);
 const RUNS = { numRuns: 1500 };
 /** Mirrored at the X axis: left becomes right, counter-clockwise clockwise. */
 const mirror = (p: PlanePoint): PlanePoint => ({ x: p.x, y: -p.y });
-const mirrored = (s: PlaneSegment): PlaneSegment => s.kind === "line"
-  ? { kind: "line", from: mirror(s.from), to: mirror(s.to) }
-  : { kind: "arc", from: mirror(s.from), to: mirror(s.to), centre: mirror(s.centre), turn: s.turn === "ccw" ? "cw" : "ccw" };
+const mirrored = (s: PlaneSegment): PlaneSegment =>
+  s.kind === "line"
+    ? { kind: "line", from: mirror(s.from), to: mirror(s.to) }
+    : { kind: "arc", from: mirror(s.from), to: mirror(s.to), centre: mirror(s.centre), turn: s.turn === "ccw" ? "cw" : "ccw" };
 const near = (a: PlanePoint, b: PlanePoint, within = 1e-9) => expect(apart(a, b)).toBeLessThanOrEqual(within);
 
 describe("laws over random elements, all forms, both sides", () => {
@@ -159,7 +186,10 @@ describe("laws over random elements, all forms, both sides", () => {
   test("RL and RR are mirror images", () => {
     fc.assert(fc.property(request, (q) => {
       const image = pure({
-        ...q, side: q.side === "left" ? "right" : "left", element: mirrored(q.element), outside: q.outside && mirror(q.outside),
+        ...q,
+        side: q.side === "left" ? "right" : "left",
+        element: mirrored(q.element),
+        outside: q.outside && mirror(q.outside),
       });
       const made = pure(q);
       expect(image.legs.length).toBe(made.legs.length);
@@ -178,7 +208,8 @@ describe("laws over random elements, all forms, both sides", () => {
       const { PH, PA, PE, PN } = made.points;
       const [a, b] = q.departing ? [PE, PN] : [PH, PA];
       if (q.shape === "LCT" || made.issues.length > 0 || !a || !b) return;
-      if (q.shape === "CT") expect(apart(a, b)).toBeCloseTo(2 * Math.abs(q.radius ?? 0) * Math.abs(Math.sin(((q.centreAngle ?? 0) * Math.PI) / 360)), 8);
+      if (q.shape === "CT")
+        expect(apart(a, b)).toBeCloseTo(2 * Math.abs(q.radius ?? 0) * Math.abs(Math.sin(((q.centreAngle ?? 0) * Math.PI) / 360)), 8);
       else expect(apart(a, b)).toBeCloseTo(Math.abs(q.length ?? 0), 9);
     }), RUNS);
   });

@@ -84,7 +84,8 @@ function straight(q: ApproachRequest, a: Anchor, issues: Issue[]): Arrival {
   if (q.length === undefined) issues.push(issue("missing", "error", {}, "LEN"));
   const length = q.length ?? 0;
   // LN takes the other side with a minus; from the other end of a tangent there is no way onto the contour.
-  if (q.shape === "LT" && length < 0) issues.push(issue("outOfRange", "error", { value: length, min: 0, max: MOST, nearest: -length }, "LEN"));
+  if (q.shape === "LT" && length < 0)
+    issues.push(issue("outOfRange", "error", { value: length, min: 0, max: MOST, nearest: -length }, "LEN"));
   const auxiliary = q.shape === "LT" ? beyond(a.at, a.way, -length) : beyond(a.at, a.free, length);
   return { auxiliary, segments: [...lineTo(q.departing ? null : q.outside, auxiliary), ...lineTo(auxiliary, a.at)], arc: null };
 }
@@ -117,7 +118,11 @@ function circular(q: ApproachRequest, a: Anchor, issues: Issue[]): Arrival | nul
   const turn: Turn = (a.hand === "left") === radius > 0 ? "ccw" : "cw";
   const auxiliary = angle === 360 ? a.at : turned(a.at, centre, turn === "ccw" ? -angle : angle);
   const arc: PlaneSegment = { kind: "arc", from: auxiliary, to: a.at, centre, turn };
-  return { auxiliary, segments: [...lineTo(q.departing ? null : q.outside, auxiliary), arc], arc: { centre, radius: Math.abs(radius), angle, turn } };
+  return {
+    auxiliary,
+    segments: [...lineTo(q.departing ? null : q.outside, auxiliary), arc],
+    arc: { centre, radius: Math.abs(radius), angle, turn },
+  };
 }
 
 /** Line and arc: the line touches the circle, whose radius alone says which one it is. */
@@ -142,7 +147,8 @@ function tangential(q: ApproachRequest, a: Anchor, issues: Issue[]): Arrival | n
   if (apart(touching, a.at) <= NO_ARC) return { auxiliary: a.at, segments: lineTo(outside, a.at), arc: null };
   const arc = { kind: "arc", from: touching, to: a.at, centre, turn } as const;
   return {
-    auxiliary: touching, segments: [...lineTo(outside, touching), arc],
+    auxiliary: touching,
+    segments: [...lineTo(outside, touching), arc],
     arc: { centre, radius, angle: (sweepOf(arc) * 180) / Math.PI, turn },
   };
 }
@@ -170,16 +176,31 @@ function shaped(q: ApproachRequest): Approach {
   if (q.side === "none" && q.shape === "LCT" && q.outside) hand = cross(tangent, difference(q.outside, at)) >= 0 ? "left" : "right";
   if (q.side === "none" && q.shape === "LN") issues.push(issue("approachSideAssumed", "warning", {}));
   const anchor: Anchor = {
-    at, free: towardsTool(tangent, hand), way: q.departing ? scaled(tangent, -1) : tangent, hand: q.departing ? flipped(hand) : hand,
+    at,
+    free: towardsTool(tangent, hand),
+    way: q.departing ? scaled(tangent, -1) : tangent,
+    hand: q.departing ? flipped(hand) : hand,
   };
-  const made = q.shape === "CT" ? circular(q, anchor, issues) : q.shape === "LCT" ? tangential(q, anchor, issues) : straight(q, anchor, issues);
+  const made = q.shape === "CT"
+    ? circular(q, anchor, issues)
+    : q.shape === "LCT"
+    ? tangential(q, anchor, issues)
+    : straight(q, anchor, issues);
   const arrival = made ?? { auxiliary: null, segments: lineTo(q.outside, at), arc: null };
   const { shape, departing, side } = q;
-  const common = { shape, departing, side, tangent, arc: arrival.arc && q.departing ? { ...arrival.arc, turn: opposite(arrival.arc.turn) } : arrival.arc, issues };
+  const common = {
+    shape,
+    departing,
+    side,
+    tangent,
+    arc: arrival.arc && q.departing ? { ...arrival.arc, turn: opposite(arrival.arc.turn) } : arrival.arc,
+    issues,
+  };
   const ph = arrival.auxiliary;
   if (!departing) {
     const legs = arrival.segments.map((segment, i): ApproachLeg => ({
-      segment, feed: made && shape !== "LCT" && i === 0 && q.outside ? "before" : "block",
+      segment,
+      feed: made && shape !== "LCT" && i === 0 && q.outside ? "before" : "block",
     }));
     return { ...common, points: { ...(q.outside && { PS: q.outside }), ...(ph && { PH: ph }), PA: at }, legs };
   }
@@ -187,4 +208,3 @@ function shaped(q: ApproachRequest): Approach {
   const end = shape === "LCT" ? q.outside : ph;
   return { ...common, points: { PE: at, ...(shape === "LCT" && ph && { PH: ph }), ...(end && { PN: end }) }, legs };
 }
-

@@ -68,8 +68,7 @@ function combine(type: ClipType, subject: readonly Ring[], clip: readonly Ring[]
 export const difference = (subject: readonly Ring[], clip: readonly Ring[]): Ring[] => combine(ClipType.Difference, subject, clip);
 
 /** What lies in both. */
-export const intersection = (subject: readonly Ring[], clip: readonly Ring[]): Ring[] =>
-  combine(ClipType.Intersection, subject, clip);
+export const intersection = (subject: readonly Ring[], clip: readonly Ring[]): Ring[] => combine(ClipType.Intersection, subject, clip);
 
 /** What lies in any of the rings, overlaps merged. */
 export const union = (area: readonly Ring[], more: readonly Ring[] = []): Ring[] => combine(ClipType.Union, area, more);

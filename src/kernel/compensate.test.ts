@@ -10,7 +10,13 @@ const { apart, beyond, gapBetween, scaled, sum, turned } = plane;
 
 const point = (x: number, y: number): PlanePoint => ({ x, y });
 const lines = (...points: PlanePoint[]): PlaneSegment[] => points.slice(1).map((to, i) => ({ kind: "line", from: points[i] ?? to, to }));
-const arc = (from: PlanePoint, to: PlanePoint, centre: PlanePoint, turn: "cw" | "ccw"): PlaneSegment => ({ kind: "arc", from, to, centre, turn });
+const arc = (from: PlanePoint, to: PlanePoint, centre: PlanePoint, turn: "cw" | "ccw"): PlaneSegment => ({
+  kind: "arc",
+  from,
+  to,
+  centre,
+  turn,
+});
 const rounded = (p: PlanePoint) => `${Math.round(p.x * 1e4) / 1e4 + 0} ${Math.round(p.y * 1e4) / 1e4 + 0}`;
 const shown = (contour: PlaneSegment[], side: "left" | "right", radius: number) =>
   compensate(contour, side, radius).pieces.map(({ segment: s }) => `${s.kind === "arc" ? s.turn : "line"} ${rounded(s.to)}`);
@@ -31,7 +37,9 @@ describe("by hand", () => {
   // Circle round (50, 0), radius 30, entered from a line along y = 0 at (20, 0), upper half clockwise. RL: the circle grows
   // to 36, the line rises to y = 6: x = 50 − √(36² − 6²) = 50 − 35.4965 = 14.5035.
   test("line and arc cut each other in an inner corner", () =>
-    expect(shown([...lines(point(0, 0), point(20, 0)), arc(point(20, 0), point(80, 0), point(50, 0), "cw")], "left", 6)[0]).toBe("line 14.5035 6"));
+    expect(shown([...lines(point(0, 0), point(20, 0)), arc(point(20, 0), point(80, 0), point(50, 0), "cw")], "left", 6)[0]).toBe(
+      "line 14.5035 6",
+    ));
   // Two circles of radius 20 round (0, 0) and (30, 0) meet in (15, √175) and dip towards each other: a valley seen from above.
   // With radius 4 both grow to 24: (15, √(24² − 15²)) = (15, 18.735).
   test("arc and arc cut each other", () => {
@@ -51,7 +59,11 @@ describe("by hand", () => {
 });
 
 describe("a tool that does not fit is reported at the element, with the largest that does", () => {
-  const pocket = [...lines(point(0, 0), point(50, 0)), arc(point(50, 0), point(50, 12), point(50, 6), "ccw"), ...lines(point(50, 12), point(0, 12))];
+  const pocket = [
+    ...lines(point(0, 0), point(50, 0)),
+    arc(point(50, 0), point(50, 12), point(50, 6), "ccw"),
+    ...lines(point(50, 12), point(0, 12)),
+  ];
   test("inside radius", () => {
     expect(faults(pocket, "left", 6.5)).toEqual([[2, 6]]);
     expect(faults(pocket, "left", 6)).toEqual([]);
@@ -65,25 +77,44 @@ describe("a tool that does not fit is reported at the element, with the largest 
     expect(shown(notch, "left", 4)).toEqual(["line 4 4", "line 6 4", "line 6 50"]);
   });
   test("RND and CHF count as elements of their corner", () => {
-    const corner = lines(point(0, 0), point(50, 0), point(50, 50)).map((segment, i) => (i === 0 ? { segment, corner: { kind: "round", size: 4 } as const } : { segment }));
+    const corner = lines(point(0, 0), point(50, 0), point(50, 50)).map((
+      segment,
+      i,
+    ) => (i === 0 ? { segment, corner: { kind: "round", size: 4 } as const } : { segment }));
     expect(planeContour(corner, "left", 4).issues).toEqual([]);
-    expect(planeContour(corner, "left", 5).issues).toMatchObject([{ element: 0, onCorner: true, issue: { code: "toolRadiusTooLarge", data: { nearest: 4 } } }]);
-    expect(planeContour(corner, "right", 5).path.map((p) => `${p.segment.kind} ${rounded(p.segment.to)}`)).toEqual(["line 46 -5", "arc 55 4", "line 55 50"]);
+    expect(planeContour(corner, "left", 5).issues).toMatchObject([{
+      element: 0,
+      onCorner: true,
+      issue: { code: "toolRadiusTooLarge", data: { nearest: 4 } },
+    }]);
+    expect(planeContour(corner, "right", 5).path.map((p) => `${p.segment.kind} ${rounded(p.segment.to)}`)).toEqual([
+      "line 46 -5",
+      "arc 55 4",
+      "line 55 50",
+    ]);
   });
 });
 
-/** Closed contours round a centre: corners on rays, joined by lines and by arcs of both turns; counter-clockwise, from the middle of a side. */
+/**
+ * Closed contours round a centre: corners on rays, joined by lines and by arcs of both turns; counter-clockwise, from the
+ * middle of a side.
+ */
 const closedContour = fc.record({
   corners: fc.array(fc.record({
-    far: fc.double({ min: 40, max: 80, noNaN: true }), bulge: fc.constantFrom(0, 0, 0.25, -0.2, 0.1), rounding: fc.constantFrom(0, 0, 3, 6),
+    far: fc.double({ min: 40, max: 80, noNaN: true }),
+    bulge: fc.constantFrom(0, 0, 0.25, -0.2, 0.1),
+    rounding: fc.constantFrom(0, 0, 3, 6),
   }), { minLength: 3, maxLength: 9 }),
-  start: fc.double({ min: 0, max: 360, noNaN: true }), centre: fc.record({ x: fc.double({ min: -90, max: 90, noNaN: true }), y: fc.double({ min: -90, max: 90, noNaN: true }) }),
+  start: fc.double({ min: 0, max: 360, noNaN: true }),
+  centre: fc.record({ x: fc.double({ min: -90, max: 90, noNaN: true }), y: fc.double({ min: -90, max: 90, noNaN: true }) }),
 }).map(({ corners, start, centre }) => {
   const points = corners.map((c, i) => sum(centre, turned(point(c.far, 0), point(0, 0), start + (360 * i) / corners.length)));
   const sides = points.map((from, i) => bulged(from, points[(i + 1) % points.length] ?? from, corners[i]?.bulge ?? 0));
   const first = sides[0];
   if (!first) return { elements: [], closed: sides };
-  const middle = first.kind === "line" ? scaled(sum(first.from, first.to), 0.5) : beyond(first.centre, headed(first.centre, scaled(sum(first.from, first.to), 0.5)), apart(first.centre, first.from));
+  const middle = first.kind === "line"
+    ? scaled(sum(first.from, first.to), 0.5)
+    : beyond(first.centre, headed(first.centre, scaled(sum(first.from, first.to), 0.5)), apart(first.centre, first.from));
   const chain = [{ ...first, from: middle }, ...sides.slice(1), { ...first, to: middle }];
   const elements = chain.map((segment, i) => {
     const size = corners[i % corners.length]?.rounding ?? 0;
@@ -148,8 +179,10 @@ describe("laws over closed contours of lines, arcs and roundings", () => {
 
   test("RL and RR are mirror images", () => {
     const mirror = (p: PlanePoint) => point(p.x, -p.y);
-    const mirrored = (s: PlaneSegment): PlaneSegment => s.kind === "line"
-      ? { kind: "line", from: mirror(s.from), to: mirror(s.to) } : arc(mirror(s.from), mirror(s.to), mirror(s.centre), s.turn === "cw" ? "ccw" : "cw");
+    const mirrored = (s: PlaneSegment): PlaneSegment =>
+      s.kind === "line"
+        ? { kind: "line", from: mirror(s.from), to: mirror(s.to) }
+        : arc(mirror(s.from), mirror(s.to), mirror(s.centre), s.turn === "cw" ? "ccw" : "cw");
     fc.assert(fc.property(closedContour, side, fc.double({ min: 0.1, max: 15, noNaN: true }), ({ closed }, hand, radius) => {
       const one = compensate(closed, hand, radius);
       const two = compensate(closed.map(mirrored), hand === "left" ? "right" : "left", radius);

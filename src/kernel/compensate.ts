@@ -33,8 +33,7 @@ export function centrePath(s: PlaneSegment, side: Side, radius: number): PlaneSe
 const isLong = (s: PlaneSegment) => lengthOf(s) > ROUND;
 
 /** Shortened to end or begin in a point; nothing left becomes a line without length, because such an arc would be a full circle. */
-const endingAt = (s: PlaneSegment, to: PlanePoint): PlaneSegment =>
-  along(s, to) > ROUND ? { ...s, to } : line(s.from, to);
+const endingAt = (s: PlaneSegment, to: PlanePoint): PlaneSegment => along(s, to) > ROUND ? { ...s, to } : line(s.from, to);
 const beginningAt = (s: PlaneSegment, from: PlanePoint): PlaneSegment =>
   lengthOf(s) - along(s, from) > ROUND ? { ...s, from } : line(from, s.to);
 
@@ -53,8 +52,7 @@ function crossing(before: PlaneSegment, after: PlaneSegment): PlanePoint | null 
 }
 
 /** On an arc, a hair before its beginning counts as nearly a full turn: it is the beginning. */
-const nearZero = (far: number, s: PlaneSegment) =>
-  s.kind === "arc" && 2 * Math.PI * radiusOf(s) - far < ROUND ? 0 : far;
+const nearZero = (far: number, s: PlaneSegment) => s.kind === "arc" && 2 * Math.PI * radiusOf(s) - far < ROUND ? 0 : far;
 
 /** A corner to the other side than the tool needs an arc round it. */
 function turnsAway(before: PlaneSegment, after: PlaneSegment, corner: PlanePoint, side: Side): boolean {
@@ -136,4 +134,3 @@ export function compensate(contour: readonly PlaneSegment[], side: Side, radius:
   });
   return { pieces, issues };
 }
-

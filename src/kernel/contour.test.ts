@@ -39,15 +39,23 @@ describe("corner elements", () => {
 describe("programmed contours", () => {
   test("the printed contour: two roundings between lines", () => {
     const c = contourFrom([
-      { kind: "line", to: p(-20, 37.5) }, { kind: "line", to: p(-20, 25) }, { kind: "round", size: 2 },
-      { kind: "line", to: p(-25, 10) }, { kind: "round", size: 2 }, { kind: "line", to: p(0, 10) },
+      { kind: "line", to: p(-20, 37.5) },
+      { kind: "line", to: p(-20, 25) },
+      { kind: "round", size: 2 },
+      {
+        kind: "line",
+        to: p(-25, 10),
+      },
+      { kind: "round", size: 2 },
+      { kind: "line", to: p(0, 10) },
     ]);
     expect(codes(c)).toEqual([]);
     expect(c.elements).toEqual([2, 3, 4, 5, 6]);
     expect(c.segments.map((s) => s.kind)).toEqual(["line", "arc", "line", "arc", "line"]);
   });
   test("CR takes the short way, and the long one with a negative radius", () => {
-    const arc = (r: number) => contourFrom([{ kind: "line", to: p(0, 10) }, { kind: "radius", to: p(-10, 20), radius: r, turn: "ccw" }]).segments[0];
+    const arc = (r: number) =>
+      contourFrom([{ kind: "line", to: p(0, 10) }, { kind: "radius", to: p(-10, 20), radius: r, turn: "ccw" }]).segments[0];
     expect(lengthOf(arc(10) as Segment)).toBeCloseTo(5 * Math.PI, 9);
     expect(lengthOf(arc(-10) as Segment)).toBeCloseTo(15 * Math.PI, 9);
   });
@@ -56,20 +64,29 @@ describe("programmed contours", () => {
     expect(c.issues[0]).toMatchObject({ code: "arcTooSmall", data: { element: 2, radius: 4, nearest: 5 } });
   });
   test("the end of an arc may miss its circle by 0.016", () => {
-    const c = (r: number) => codes(contourFrom([{ kind: "line", to: p(0, 10) }, { kind: "centre", to: p(-10, r), centre: p(-10, 10), turn: "cw" }]));
+    const c = (r: number) =>
+      codes(contourFrom([{ kind: "line", to: p(0, 10) }, { kind: "centre", to: p(-10, r), centre: p(-10, 10), turn: "cw" }]));
     expect(c(20.015)).toEqual([]);
     expect(c(20.02)).toEqual(["arcOffCircle"]);
   });
   test("corner elements need a neighbour on both sides", () => {
-    expect(codes(contourFrom([{ kind: "round", size: 1 }, { kind: "line", to: p(0, 10) }, { kind: "line", to: p(-5, 10) }, { kind: "chamfer", size: 1 }])))
-      .toEqual(["cornerElementAlone", "cornerElementAlone"]);
+    expect(codes(contourFrom([{ kind: "round", size: 1 }, { kind: "line", to: p(0, 10) }, { kind: "line", to: p(-5, 10) }, {
+      kind: "chamfer",
+      size: 1,
+    }]))).toEqual(["cornerElementAlone", "cornerElementAlone"]);
   });
   test("a contour that crosses or meets itself names both elements; one that closes does not", () => {
     const lines = (...points: Pt[]) => contourFrom(points.map((to) => ({ kind: "line", to }))).issues;
-    expect(lines(p(0, 0), p(-20, 0), p(-20, 10), p(-10, -5))[0]).toMatchObject({ code: "contourCrossesItself", data: { element: 4, other: 2 } });
+    expect(lines(p(0, 0), p(-20, 0), p(-20, 10), p(-10, -5))[0]).toMatchObject({
+      code: "contourCrossesItself",
+      data: { element: 4, other: 2 },
+    });
     expect(lines(p(0, 0), p(-20, 0), p(-20, 10), p(-10, 0))).toHaveLength(1);
     expect(lines(p(0, 0), p(-20, 0), p(-20, 10), p(0, 0))).toEqual([]);
-    const arc = contourFrom([{ kind: "line", to: p(0, 10) }, { kind: "radius", to: p(-20, 10), radius: 10, turn: "ccw" }, { kind: "line", to: p(-20, 15) }, { kind: "line", to: p(0, 15) }]);
+    const arc = contourFrom([{ kind: "line", to: p(0, 10) }, { kind: "radius", to: p(-20, 10), radius: 10, turn: "ccw" }, {
+      kind: "line",
+      to: p(-20, 15),
+    }, { kind: "line", to: p(0, 15) }]);
     expect(arc.issues[0]).toMatchObject({ code: "contourCrossesItself", data: { element: 4, other: 2 } });
   });
   test("a tangential arc follows the element before it", () => {
@@ -79,12 +96,12 @@ describe("programmed contours", () => {
 });
 
 const point = fc.record({ z: fc.integer({ min: -100, max: 100 }), r: fc.integer({ min: 0, max: 100 }) }).map((q) => p(q.z, q.r));
-const element: fc.Arbitrary<ContourElement> = fc.oneof(
-  point.map((to): ContourElement => ({ kind: "line", to })),
-  fc.record({ to: point, radius: fc.integer({ min: -80, max: 80 }), turn: fc.constantFrom("cw", "ccw") }).map((a): ContourElement => ({ kind: "radius", ...a })),
-  point.map((to): ContourElement => ({ kind: "tangent", to })),
-  fc.record({ kind: fc.constantFrom("round", "chamfer"), size: fc.double({ min: 0.01, max: 20, noNaN: true }) }),
-);
+const element: fc.Arbitrary<ContourElement> = fc.oneof(point.map((to): ContourElement => ({ kind: "line", to })),
+  fc.record({ to: point, radius: fc.integer({ min: -80, max: 80 }), turn: fc.constantFrom("cw", "ccw") }).map((a): ContourElement => ({
+    kind: "radius",
+    ...a,
+  })), point.map((to): ContourElement => ({ kind: "tangent", to })),
+  fc.record({ kind: fc.constantFrom("round", "chamfer"), size: fc.double({ min: 0.01, max: 20, noNaN: true }) }));
 
 test("every contour is one chain, its roundings are tangential on both sides", () => {
   fc.assert(fc.property(fc.array(element, { maxLength: 12 }), (elements) => {

@@ -47,7 +47,8 @@ export function withCorners(
   chain: readonly Segment[],
   corners: readonly (CornerElement | null)[],
   numbers: { readonly segments: readonly number[]; readonly corners: readonly number[] } = {
-    segments: chain.map((_, i) => i + 1), corners: chain.map((_, i) => i + 1),
+    segments: chain.map((_, i) => i + 1),
+    corners: chain.map((_, i) => i + 1),
   },
 ): Contour {
   const issues: Issue[] = [];
@@ -142,7 +143,8 @@ export function contourFrom(programmed: readonly ContourElement[]): Contour {
   const made = built(programmed);
   let tried = 0;
   const issues = made.issues.map((each) =>
-    triedElement(each, programmed, made.issues, offerOf(each) !== null && tried++ < MOST_TRIED && programmed.length <= LONGEST_TRIED));
+    triedElement(each, programmed, made.issues, offerOf(each) !== null && tried++ < MOST_TRIED && programmed.length <= LONGEST_TRIED)
+  );
   return { ...made, issues };
 }
 

@@ -9,9 +9,8 @@ const { angleOf, apart, dot, heading, onCircle, sum } = flat;
 export type Feature = "nose" | "mainEdge" | "secondaryEdge" | "width" | "back";
 
 /** One boundary element of a convex shape, run counter-clockwise. Angles in radians; an arc runs from `start` by `sweep` > 0. */
-export type Edge =
-  | { readonly kind: "line"; readonly from: Flat; readonly to: Flat; readonly feature: Feature }
-  | { readonly kind: "arc"; readonly centre: Flat; readonly radius: number; readonly start: number; readonly sweep: number; readonly feature: Feature };
+export type Edge = { readonly kind: "line"; readonly from: Flat; readonly to: Flat; readonly feature: Feature } | { readonly kind: "arc";
+  readonly centre: Flat; readonly radius: number; readonly start: number; readonly sweep: number; readonly feature: Feature };
 
 /** A convex shape: closed boundary, counter-clockwise, lines and arcs. */
 export type Convex = readonly Edge[];
@@ -20,8 +19,7 @@ export const edgeStart = (e: Edge): Flat => (e.kind === "line" ? e.from : onCirc
 export const edgeEnd = (e: Edge): Flat => (e.kind === "line" ? e.to : onCircle(e.centre, e.radius, e.start + e.sweep));
 
 /** Angle of the outward normal where an edge begins. */
-export const normalStart = (e: Edge) =>
-  e.kind === "arc" ? e.start : Math.atan2(-(e.to.u - e.from.u), e.to.v - e.from.v);
+export const normalStart = (e: Edge) => e.kind === "arc" ? e.start : Math.atan2(-(e.to.u - e.from.u), e.to.v - e.from.v);
 /** Angle of the outward normal where an edge ends. */
 export const normalEnd = (e: Edge) => (e.kind === "arc" ? e.start + e.sweep : normalStart(e));
 
@@ -31,30 +29,22 @@ export function inFrame(k: Convex, f: Frame): Convex {
   const angle = (a: number) => angleOf(map(heading(a)));
   if (!mirrors(f))
     return k.map((e) =>
-      e.kind === "line" ? { ...e, from: map(e.from), to: map(e.to) } : { ...e, centre: map(e.centre), start: angle(e.start) },
+      e.kind === "line" ? { ...e, from: map(e.from), to: map(e.to) } : { ...e, centre: map(e.centre), start: angle(e.start) }
     );
-  return k
-    .map((e): Edge =>
-      e.kind === "line"
-        ? { ...e, from: map(e.to), to: map(e.from) }
-        : { ...e, centre: map(e.centre), start: angle(e.start + e.sweep) },
-    )
-    .reverse();
+  return k.map((e): Edge =>
+    e.kind === "line" ? { ...e, from: map(e.to), to: map(e.from) } : { ...e, centre: map(e.centre), start: angle(e.start + e.sweep) }
+  ).reverse();
 }
 
 /** The shape moved by an offset. */
 export const moved = (k: Convex, by: Flat): Convex =>
-  k.map((e) =>
-    e.kind === "line"
-      ? { ...e, from: sum(e.from, by), to: sum(e.to, by) }
-      : { ...e, centre: sum(e.centre, by) },
-  );
+  k.map((e) => e.kind === "line" ? { ...e, from: sum(e.from, by), to: sum(e.to, by) } : { ...e, centre: sum(e.centre, by) });
 
 /** Minkowski sum with the rectangle ±a × ±b: arcs split at the axis directions and shift, straight bridges join them. */
 export function grown(k: Convex, a: number, b: number): Convex {
   if (a === 0 && b === 0) return k;
   const pieces: Edge[] = k.flatMap(splitAtAxes).map((e) => {
-    const middle = e.kind === "arc" ? e.start + e.sweep / 2 : normalStart(e) ;
+    const middle = e.kind === "arc" ? e.start + e.sweep / 2 : normalStart(e);
     const by = { u: sign(Math.cos(middle)) * a, v: sign(Math.sin(middle)) * b };
     return moved([e], by)[0] as Edge;
   });
@@ -106,7 +96,9 @@ export function support(k: Convex, n: Flat): { at: Flat; feature: Feature } {
 
 /** Extent of the shape along an axis. */
 export const extent = (k: Convex) => ({
-  minU: -reach(k, { u: -1, v: 0 }), maxU: reach(k, { u: 1, v: 0 }),
-  minV: -reach(k, { u: 0, v: -1 }), maxV: reach(k, { u: 0, v: 1 }),
+  minU: -reach(k, { u: -1, v: 0 }),
+  maxU: reach(k, { u: 1, v: 0 }),
+  minV: -reach(k, { u: 0, v: -1 }),
+  maxV: reach(k, { u: 0, v: 1 }),
 });
 const reach = (k: Convex, n: Flat) => dot(support(k, n).at, n);

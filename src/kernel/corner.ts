@@ -18,8 +18,7 @@ export interface Cut {
 
 /** A segment used up to nothing becomes a line without length: an arc from a point to itself would be a full circle. */
 const ending = (s: Segment, to: Pt): Segment => (along(s, to) > SAME ? { ...s, to } : { kind: "line", from: s.from, to });
-const starting = (s: Segment, from: Pt): Segment =>
-  lengthOf(s) - along(s, from) > SAME ? { ...s, from } : { kind: "line", from, to: s.to };
+const starting = (s: Segment, from: Pt): Segment => lengthOf(s) - along(s, from) > SAME ? { ...s, from } : { kind: "line", from, to: s.to };
 
 function rounded(before: Segment, after: Segment, r: number): Cut | null {
   const bend = cross(direction(before, before.to), direction(after, after.from));

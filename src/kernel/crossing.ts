@@ -23,7 +23,8 @@ export function selfCrossing(chain: readonly Segment[]): readonly [number, numbe
   for (const one of placed) {
     active = active.filter((other) => other.box.right >= one.box.left);
     for (const other of active)
-      if (overlap(one.box, other.box) && crosses(one.s, other.s)) return [Math.max(one.index, other.index), Math.min(one.index, other.index)];
+      if (overlap(one.box, other.box) && crosses(one.s, other.s))
+        return [Math.max(one.index, other.index), Math.min(one.index, other.index)];
     active.push(one);
   }
   return null;

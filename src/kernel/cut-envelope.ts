@@ -1,4 +1,5 @@
-import { crossings, firstSpan, heightAt, linePiece, push, valueAt, type Envelope, type Origin, type EnvelopePiece, type Span } from "./envelope.ts";
+import { crossings, firstSpan, heightAt, linePiece, push, valueAt, type Envelope, type Origin, type EnvelopePiece,
+  type Span } from "./envelope.ts";
 import { flat, type FlatSegment } from "./flat.ts";
 import { JOINED, ROUND } from "./tolerance.ts";
 
@@ -44,7 +45,15 @@ export function pieceOf(s: FlatSegment, origin: Origin): EnvelopePiece | null {
   if (s.kind === "line") return linePiece(s.from, s.to, origin);
   const [u0, u1] = [Math.min(s.from.u, s.to.u), Math.max(s.from.u, s.to.u)];
   if (u1 - u0 < ROUND) return null;
-  return { arc: s.to.u > s.from.u === (s.turn === "ccw") ? -1 : 1, u0, u1, cu: s.centre.u, cv: s.centre.v, radius: flat.radiusOf(s), origin };
+  return {
+    arc: s.to.u > s.from.u === (s.turn === "ccw") ? -1 : 1,
+    u0,
+    u1,
+    cu: s.centre.u,
+    cv: s.centre.v,
+    radius: flat.radiusOf(s),
+    origin,
+  };
 }
 
 /** v of the envelope at u: the lower side at a jump, −∞ beside a gap. What only touches there is not in the way. */

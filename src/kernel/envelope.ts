@@ -12,10 +12,9 @@ export interface Origin {
 }
 
 /** A graph over u: a straight line, or the upper (1) or lower (−1) half of a circle. */
-export type EnvelopePiece = { readonly u0: number; readonly u1: number; readonly origin: Origin } & (
-  | { readonly arc: 0; readonly v0: number; readonly slope: number }
-  | { readonly arc: 1 | -1; readonly cu: number; readonly cv: number; readonly radius: number }
-);
+export type EnvelopePiece = { readonly u0: number; readonly u1: number; readonly origin: Origin } & (Sloping | Round);
+type Sloping = { readonly arc: 0; readonly v0: number; readonly slope: number };
+type Round = { readonly arc: 1 | -1; readonly cu: number; readonly cv: number; readonly radius: number };
 
 /** A stretch of the envelope: one piece, between u0 and u1. */
 export interface Span {
@@ -67,14 +66,20 @@ function merge(a: readonly Span[], b: readonly Span[]): Span[] {
   while (i < a.length || j < b.length) {
     const f = a[i];
     const g = b[j];
-    if (f && f.u1 <= at + ROUND) { i++; continue; }
-    if (g && g.u1 <= at + ROUND) { j++; continue; }
+    if (f && f.u1 <= at + ROUND) {
+      i++;
+      continue;
+    }
+    if (g && g.u1 <= at + ROUND) {
+      j++;
+      continue;
+    }
     const inF = f !== undefined && f.u0 <= at + ROUND;
     const inG = g !== undefined && g.u0 <= at + ROUND;
     const end = Math.min(inF ? f.u1 : (f?.u0 ?? Infinity), inG ? g.u1 : (g?.u0 ?? Infinity));
-    if (!inF && !inG) { at = end; continue; }
     if (inF && inG) higher(out, f.piece, g.piece, at, end);
-    else push(out, (inF ? f : (g as Span)).piece, at, end);
+    else if (inF) push(out, f.piece, at, end);
+    else if (inG) push(out, g.piece, at, end);
     at = end;
   }
   return out;
@@ -188,7 +193,9 @@ export function lowest(e: Envelope, u0: number, u1: number): number {
 /** Highest v of the envelope over [u0, u1], and where; gaps do not count. */
 export function highest(e: Envelope, u0: number, u1: number): { u: number; v: number } {
   let best = { u: u0, v: -Infinity };
-  const offer = (u: number, v: number) => { if (v > best.v) best = { u, v }; };
+  const offer = (u: number, v: number) => {
+    if (v > best.v) best = { u, v };
+  };
   for (let i = firstSpan(e, u0); i < e.length; i++) {
     const s = e[i] as Span;
     if (s.u0 > u1) break;

@@ -14,7 +14,8 @@ export interface Groove {
 /** The words of a recess in the order of the control. */
 export const GROOVE_WORDS: readonly RecessWord[] = ["CENTER", "R", "DEPTH", "DIAM", "BREADTH", "ANGLE", "RND", "CHF", "FAR_RND", "FAR_CHF"];
 /** Words of a recess that a program measures as diameters: CENTER only where it stands on a face. */
-export const grooveDiameters = (direction: Groove["direction"]): readonly RecessWord[] => (direction === "axial" ? ["CENTER", "DIAM"] : ["DIAM"]);
+export const grooveDiameters =
+  (direction: Groove["direction"]): readonly RecessWord[] => (direction === "axial" ? ["CENTER", "DIAM"] : ["DIAM"]);
 
 /** A corner of a recess, mm: how far along its element from the element's start, and how far across it (towards +X or +Z). */
 export interface GrooveVertex {
@@ -39,7 +40,8 @@ export function grooveShape({ direction, words: w }: Groove, on: Segment): Groov
   const size = part.lengthOf(on);
   const depth = w.DEPTH ?? (radial && w.DIAM !== undefined ? w.DIAM - on.from.r : 0);
   const [B, R, angle] = [w.BREADTH ?? 0, w.R ?? 0, w.ANGLE ?? 0];
-  if (Math.abs(depth) <= ROUND || (radial && on.from.r + depth < -ROUND)) return { word: w.DIAM !== undefined && w.DEPTH === undefined && radial ? "DIAM" : "DEPTH" };
+  if (Math.abs(depth) <= ROUND || (radial && on.from.r + depth < -ROUND))
+    return { word: w.DIAM !== undefined && w.DEPTH === undefined && radial ? "DIAM" : "DEPTH" };
   if (!(B > ROUND)) return { word: "BREADTH" };
   if (R < 0) return { word: "R" };
   if (w.CENTER === undefined) return { word: "CENTER" };
@@ -51,9 +53,10 @@ export function grooveShape({ direction, words: w }: Groove, on: Segment): Groov
   if (angle < 0 || angle >= 180 || near + lean >= far - lean) return { word: "ANGLE" };
   const floor: CornerElement | null = R > 0 ? { kind: "round", size: R } : null;
   return {
-    vertices: [
-      { along: near, across: 0, corner: edgeElement(w.RND, w.CHF) }, { along: near + lean, across: depth, corner: floor },
-      { along: far - lean, across: depth, corner: floor }, { along: far, across: 0, corner: edgeElement(w.FAR_RND, w.FAR_CHF) },
-    ],
+    vertices: [{ along: near, across: 0, corner: edgeElement(w.RND, w.CHF) }, { along: near + lean, across: depth, corner: floor }, {
+      along: far - lean,
+      across: depth,
+      corner: floor,
+    }, { along: far, across: 0, corner: edgeElement(w.FAR_RND, w.FAR_CHF) }],
   };
 }

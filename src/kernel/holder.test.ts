@@ -13,12 +13,20 @@ const sides = (ring: Ring | undefined) => {
 
 describe("the shank", () => {
   test.each<[TipOrientation, "X" | "Z" | undefined, number[]]>([
-    [1, undefined, [3, 23, -7, 93]], [2, undefined, [3, 23, -7, 93]], [3, undefined, [-17, 3, -7, 93]], [9, undefined, [3, 23, -7, 93]],
-    [4, undefined, [-97, 3, -7, 13]], [8, undefined, [3, 103, -7, 13]],
-    [5, undefined, [-97, 3, -27, -7]], [6, undefined, [3, 103, -27, -7]], [7, undefined, [3, 103, -27, -7]],
-    [1, "Z", [3, 103, -7, 13]], [7, "X", [3, 23, -107, -7]], [8, "X", [3, 23, -7, 93]],
-  ])("TO %i along %s lies away from the tip", (to, axis, expected) =>
-    expect(sides(holderOutlines(held(to, { ...box, ...(axis && { axis }) }))[0])).toEqual(expected));
+    [1, undefined, [3, 23, -7, 93]],
+    [2, undefined, [3, 23, -7, 93]],
+    [3, undefined, [-17, 3, -7, 93]],
+    [9, undefined, [3, 23, -7, 93]],
+    [4, undefined, [-97, 3, -7, 13]],
+    [8, undefined, [3, 103, -7, 13]],
+    [5, undefined, [-97, 3, -27, -7]],
+    [6, undefined, [3, 103, -27, -7]],
+    [7, undefined, [3, 103, -27, -7]],
+    [1, "Z", [3, 103, -7, 13]],
+    [7, "X", [3, 23, -107, -7]],
+    [8, "X", [3, 23, -7, 93]],
+  ])("TO %i along %s lies away from the tip",
+    (to, axis, expected) => expect(sides(holderOutlines(held(to, { ...box, ...(axis && { axis }) }))[0])).toEqual(expected));
 });
 
 test("a correction moves the holder with the insert", () => {

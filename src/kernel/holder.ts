@@ -62,7 +62,8 @@ function mirroredHolder(h: Holder, to: TipOrientation, axis: "r" | "z"): Holder 
   const size = (axis === "z") === (lies === "Z") ? h.length : h.width;
   const back = sideways ? size : 0;
   return {
-    ...h, axis: lies,
+    ...h,
+    axis: lies,
     offsetZ: axis === "z" ? length(-h.offsetZ - back) : h.offsetZ,
     offsetX: axis === "r" ? length(-h.offsetX - back) : h.offsetX,
     ...(h.head && { head: h.head.map((part) => part.map(flip)) }),
@@ -71,5 +72,7 @@ function mirroredHolder(h: Holder, to: TipOrientation, axis: "r" | "z"): Holder 
 
 /** A tool with its tip and its holder mirrored along an axis, as a cycle adapts it that runs its contour the other way. */
 export const mirroredTool = (tool: Tool, axis: "r" | "z"): Tool => ({
-  ...tool, TO: MIRRORED[axis][tool.TO], ...(tool.holder && { holder: mirroredHolder(tool.holder, tool.TO, axis) }),
+  ...tool,
+  TO: MIRRORED[axis][tool.TO],
+  ...(tool.holder && { holder: mirroredHolder(tool.holder, tool.TO, axis) }),
 });

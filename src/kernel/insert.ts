@@ -13,8 +13,15 @@ const BAR = 30;
 
 /** From the centre of the nose radius to the theoretical tip, in nose radii, for each tip orientation (−Z, +X …). */
 export const TIP: Readonly<Record<TipOrientation, Flat>> = {
-  1: { u: -1, v: -1 }, 2: { u: 0, v: -1 }, 3: { u: 1, v: -1 }, 4: { u: 1, v: 0 }, 5: { u: 1, v: 1 },
-  6: { u: 0, v: 1 }, 7: { u: -1, v: 1 }, 8: { u: -1, v: 0 }, 9: { u: 0, v: 0 },
+  1: { u: -1, v: -1 },
+  2: { u: 0, v: -1 },
+  3: { u: 1, v: -1 },
+  4: { u: 1, v: 0 },
+  5: { u: 1, v: 1 },
+  6: { u: 0, v: 1 },
+  7: { u: -1, v: 1 },
+  8: { u: -1, v: 0 },
+  9: { u: 0, v: 0 },
 };
 
 /** Where the tip of an orientation points, in part space (u is z, v is r); 0 for a round tip. */
@@ -75,7 +82,14 @@ function pointed(r: number, secondary: number, main: number, l: number, parallel
   const onM = beyond(apex, m, tangent);
   const endS = beyond(apex, s, far);
   const endM = beyond(apex, m, far);
-  const nose: Edge = { kind: "arc", centre: { u: 0, v: 0 }, radius: r, start: main + Math.PI / 2, sweep: Math.PI - 2 * half, feature: "nose" };
+  const nose: Edge = {
+    kind: "arc",
+    centre: { u: 0, v: 0 },
+    radius: r,
+    start: main + Math.PI / 2,
+    sweep: Math.PI - 2 * half,
+    feature: "nose",
+  };
   const line = (from: Flat, to: Flat, feature: Feature): Edge => ({ kind: "line", from, to, feature });
   const back = parallel ? [beyond(endS, m, far)] : [];
   const corners = [endS, ...back, endM];
@@ -101,11 +115,27 @@ function bar(t: Tool, r: number): Convex {
   const rr = Math.min(r, w / 2, l);
   const tip = TIP[t.TO] ?? TIP[2];
   const left = tip.v === 0 || tip.u === 0 ? -w / 2 : tip.u < 0 ? 0 : -w;
-  const corner = (u: number, start: number): Edge => ({ kind: "arc", centre: { u, v: rr }, radius: rr, start, sweep: Math.PI / 2, feature: "nose" });
-  const line = (fu: number, fv: number, tu: number, tv: number, feature: Feature): Edge => ({ kind: "line", from: { u: fu, v: fv }, to: { u: tu, v: tv }, feature });
+  const corner = (u: number, start: number): Edge => ({
+    kind: "arc",
+    centre: { u, v: rr },
+    radius: rr,
+    start,
+    sweep: Math.PI / 2,
+    feature: "nose",
+  });
+  const line = (fu: number, fv: number, tu: number, tv: number, feature: Feature): Edge => ({
+    kind: "line",
+    from: { u: fu, v: fv },
+    to: { u: tu, v: tv },
+    feature,
+  });
   const up: Convex = [
-    corner(left + rr, Math.PI), line(left + rr, 0, left + w - rr, 0, "width"), corner(left + w - rr, -Math.PI / 2),
-    line(left + w, rr, left + w, l, "secondaryEdge"), line(left + w, l, left, l, "back"), line(left, l, left, rr, "mainEdge"),
+    corner(left + rr, Math.PI),
+    line(left + rr, 0, left + w - rr, 0, "width"),
+    corner(left + w - rr, -Math.PI / 2),
+    line(left + w, rr, left + w, l, "secondaryEdge"),
+    line(left + w, l, left, l, "back"),
+    line(left, l, left, rr, "mainEdge"),
   ];
   if (tip.v < 0 || t.TO === 9) return up;
   if (tip.v > 0) return inFrame(up, { transverse: false, signU: 1, signV: -1 });

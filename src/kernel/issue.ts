@@ -5,8 +5,8 @@
 export type Severity = "error" | "warning" | "info";
 
 /** Why material stays. */
-export type Reason =
-  | "insertRadius" | "mainEdge" | "secondaryEdge" | "toolWidth" | "cutLength" | "limit" | "plunging" | "oversize" | "smoothing" | "correction";
+export type Reason = "insertRadius" | "mainEdge" | "secondaryEdge" | "toolWidth" | "cutLength" | "limit" | "plunging" | "oversize"
+  | "smoothing" | "correction";
 
 /** The data of each code. `nearest` is the nearest value that works, in the units of the field at `at`: tried, or left out. */
 interface Data {
@@ -88,7 +88,8 @@ interface Data {
   approachSideAssumed: {};
   approachInsideCircle: { point: "PS" | "PN"; radius: number; nearest?: number };
   /** On the way from PS or to PN; a point from where the way is free. */
-  approachCutsContour: { point: "PS" | "PN"; depth: number; x: number; y?: number; z?: number; freeX: number; freeY?: number; freeZ?: number };
+  approachCutsContour: { point: "PS" | "PN"; depth: number; x: number; y?: number; z?: number; freeX: number; freeY?: number;
+    freeZ?: number };
   /** The same where another LEN or R helps. */
   approachValueCutsContour: { point: "PS" | "PN"; depth: number; x: number; y?: number; z?: number; word: "LEN" | "R"; nearest: number };
   /** The same where nothing simple helps. */

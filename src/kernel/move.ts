@@ -26,8 +26,7 @@ export interface Feeding {
  * One motion of the theoretical tool tip, from where the tip stands to `to`. Plain data: picture, simulation,
  * time, warnings and goldens all read the same list.
  */
-export type Move =
-  | ({ readonly kind: "rapid"; readonly to: Pt } & Purpose)
+export type Move = ({ readonly kind: "rapid"; readonly to: Pt } & Purpose)
   | ({ readonly kind: "feed"; readonly to: Pt } & Feeding & Purpose)
   | ({ readonly kind: "arc"; readonly to: Pt; readonly centre: Pt; readonly turn: Turn } & Feeding & Purpose)
   | ({ readonly kind: "thread"; readonly to: Pt; readonly pitch: Axial } & Purpose);

@@ -35,7 +35,10 @@ const NOWHERE = { element: 0, onCorner: false };
 export function planeContour(elements: readonly PlaneElement[], side: Side, toolRadius: number): PlaneContour {
   const kept = elements.flatMap((e, element) => (plane.lengthOf(e.segment) > SAME ? [{ ...e, element }] : []));
   const chain = kept.map((e) => partSegment(e.segment));
-  const made = withCorners(chain, kept.map((e) => e.corner ?? null), { segments: kept.map((_, i) => i + 1), corners: kept.map((_, i) => -i - 1) });
+  const made = withCorners(chain, kept.map((e) => e.corner ?? null), {
+    segments: kept.map((_, i) => i + 1),
+    corners: kept.map((_, i) => -i - 1),
+  });
   const place = (n: number) => ({ element: kept[Math.abs(n) - 1]?.element ?? 0, onCorner: n < 0 });
   const contour = made.segments.map((s, i): ContourPart => ({ segment: planeSegment(s), ...place(made.elements[i] ?? 1) }));
   const centre = compensate(contour.map((c) => c.segment), side, toolRadius);
@@ -50,5 +53,8 @@ export function planeContour(elements: readonly PlaneElement[], side: Side, tool
 }
 
 /** The finding with the number of the programmed element it belongs to, from 1. */
-const numbered = (found: Issue, { element, onCorner }: { element: number; onCorner: boolean }) =>
-  ({ issue: { ...found, data: { ...found.data, element: element + 1 } } as Issue, element, onCorner });
+const numbered = (found: Issue, { element, onCorner }: { element: number; onCorner: boolean }) => ({
+  issue: { ...found, data: { ...found.data, element: element + 1 } } as Issue,
+  element,
+  onCorner,
+});

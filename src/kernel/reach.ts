@@ -22,7 +22,9 @@ export function reachOver(chain: readonly Bound[], insert: Convex): Envelope {
   const edges = mirroredLowerHull(insert);
   const k: Hull = { edges, vertices: vertices(edges) };
   const pieces: EnvelopePiece[] = [];
-  const add = (p: EnvelopePiece | null) => { if (p) pieces.push(p); };
+  const add = (p: EnvelopePiece | null) => {
+    if (p) pieces.push(p);
+  };
   chain.forEach((b, i) => {
     const s = b.segment;
     if (s.kind === "line") alongLine(s, k, b.on, add);
@@ -68,7 +70,6 @@ interface Vertex {
   readonly feature: Feature;
 }
 
-
 /** Vertices of the hull with the cone of normals they carry, and what they belong to. */
 function vertices(k: readonly Edge[]): Vertex[] {
   // Along the boundary: an edge and the arc it runs into share a normal, so the middle of what each carries decides.
@@ -80,7 +81,12 @@ function vertices(k: readonly Edge[]): Vertex[] {
   const out = [{ at: edgeStart(first), from: 0, to: Math.max(0, normalStart(first)), feature: first.feature }];
   ordered.forEach((e, i) => {
     const next = ordered[i + 1];
-    out.push({ at: edgeEnd(e), from: normalEnd(e), to: next ? normalStart(next) : Math.PI, feature: e.feature === "nose" && next ? next.feature : e.feature });
+    out.push({
+      at: edgeEnd(e),
+      from: normalEnd(e),
+      to: next ? normalStart(next) : Math.PI,
+      feature: e.feature === "nose" && next ? next.feature : e.feature,
+    });
   });
   return out.filter((v) => v.to - v.from > ROUND);
 }
@@ -88,8 +94,7 @@ function vertices(k: readonly Edge[]): Vertex[] {
 function alongLine(s: LineOf<Flat>, k: Hull, on: Origin["on"], add: (p: EnvelopePiece | null) => void) {
   if (s.to.u - s.from.u <= 0) return;
   const a = angleOf(normalAt(s, "from"));
-  const shift = (by: Flat, feature: Feature) =>
-    add(linePiece(sum(s.from, by), sum(s.to, by), { feature, on, corner: false }));
+  const shift = (by: Flat, feature: Feature) => add(linePiece(sum(s.from, by), sum(s.to, by), { feature, on, corner: false }));
   let parallel = false;
   for (const e of k.edges)
     if (e.kind === "line" && Math.abs(a - normalStart(e)) <= ROUND) {
@@ -163,7 +168,15 @@ function atCorner(p: Flat, before: Flat, after: Flat, k: Hull, on: Origin["on"],
       const b = Math.min(to, e.start + e.sweep);
       if (b - a <= ROUND || e.radius <= ROUND) continue;
       const { u: cu, v: cv } = sum(p, e.centre);
-      add({ arc: 1, u0: cu + e.radius * Math.cos(b), u1: cu + e.radius * Math.cos(a), cu, cv, radius: e.radius, origin: { feature: e.feature, on, corner: false } });
+      add({
+        arc: 1,
+        u0: cu + e.radius * Math.cos(b),
+        u1: cu + e.radius * Math.cos(a),
+        cu,
+        cv,
+        radius: e.radius,
+        origin: { feature: e.feature, on, corner: false },
+      });
     }
   }
 }

@@ -27,9 +27,19 @@ const tooLong = (element: number, size: number, max: number): Issue =>
   issue("cornerElementTooLong", "error", { element, size, max, nearest: roundedDown(max) }, "contour");
 
 /** Puts segments in the place of `count` segments from `index`; `inner` are the corners between them, all of one element. */
-function replace(chain: ContourChain, index: number, count: number, parts: readonly Segment[], inner: readonly (CornerElement | null)[], element: number): void {
+function replace(
+  chain: ContourChain,
+  index: number,
+  count: number,
+  parts: readonly Segment[],
+  inner: readonly (CornerElement | null)[],
+  element: number,
+): void {
   const own = chain.segmentNumbers.slice(index, index + count);
-  const numbers = parts.map((_, i) => (i === 0 ? (own[0] ?? element) : i === parts.length - 1 ? (own[own.length - 1] ?? element) : element));
+  const numbers = parts.map((
+    _,
+    i,
+  ) => (i === 0 ? (own[0] ?? element) : i === parts.length - 1 ? (own[own.length - 1] ?? element) : element));
   chain.segments.splice(index, count, ...parts);
   chain.segmentNumbers.splice(index, count, ...numbers);
   chain.corners.splice(index, count - 1, ...inner);
@@ -74,7 +84,10 @@ function putGroove(chain: ContourChain, groove: Groove, element: number, index: 
   if ("breadth" in shape) return [tooLong(element, shape.breadth, shape.room)];
   const [signZ, signR] = [Math.sign(on.to.z - on.from.z), Math.sign(on.to.r - on.from.r)];
   const points = shape.vertices.map((v) =>
-    groove.direction === "radial" ? at(on.from.z + signZ * v.along, on.from.r + v.across) : at(on.from.z + v.across, on.from.r + signR * v.along));
+    groove.direction === "radial"
+      ? at(on.from.z + signZ * v.along, on.from.r + v.across)
+      : at(on.from.z + v.across, on.from.r + signR * v.along)
+  );
   const ends = [on.from, ...points, on.to];
   replace(chain, index, 1, ends.slice(1).map((to, i) => line(ends[i] ?? to, to)), shape.vertices.map((v) => v.corner), element);
   return [];
@@ -92,5 +105,6 @@ function place(chain: ContourChain, r: Inset): number {
 export function putRecesses(chain: ContourChain, recesses: readonly Inset[]): Issue[] {
   const backwards = recesses.map((r) => ({ r, place: place(chain, r) })).sort((a, b) => b.r.after - a.r.after || b.place - a.place);
   return backwards.flatMap(({ r }) =>
-    r.recess.kind === "undercut" ? putUndercut(chain, r.recess, r.element, r.after) : putGroove(chain, r.recess, r.element, r.after));
+    r.recess.kind === "undercut" ? putUndercut(chain, r.recess, r.element, r.after) : putGroove(chain, r.recess, r.element, r.after)
+  );
 }

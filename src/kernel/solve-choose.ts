@@ -40,7 +40,9 @@ interface Candidate {
 
 /** Chooses among places for a point, sets it and counts them. False when there is none. */
 function choose(w: Solving, element: number, candidates: readonly Candidate[]): boolean {
-  const rated = candidates.map((c) => ({ c, faults: faultsOf(w, c), ...orderOf(w, element, c) })).sort((a, b) => byRank(a, b) || a.c.point.r - b.c.point.r);
+  const rated = candidates.map((c) => ({ c, faults: faultsOf(w, c), ...orderOf(w, element, c) })).sort((a, b) =>
+    byRank(a, b) || a.c.point.r - b.c.point.r
+  );
   const fit = rated.filter((r) => r.faults === (rated[0]?.faults ?? 0));
   const chosen = fit[w.elements[element]?.choice ?? 0] ?? rated[0];
   if (!chosen) {
@@ -63,7 +65,10 @@ function faultsOf(w: Solving, { i, point }: Candidate): number {
   return faults;
 }
 
-/** The likelier place first: the shorter arc (the longer one for a negative radius), the shorter way to the next point, else towards the chuck. */
+/**
+ * The likelier place first: the shorter arc (the longer one for a negative radius), the shorter way to the next point, else
+ * towards the chuck.
+ */
 function orderOf(w: Solving, element: number, { i, point }: Candidate): Omit<Rank, "faults"> {
   const circle = w.circle[element] ?? null, e = w.elements[element];
   const from = i === element ? pointOf(w, element - 1) : point, to = i === element ? point : pointOf(w, element);
@@ -87,7 +92,7 @@ export function findPlace(w: Solving): boolean {
       const p = pointOf(w, i) ? i - 1 : i;
       if (choose(w, i, found.map((k) => ({ i: p, point: onSlide(p === i ? b : a, k) })))) return true;
     }
-    if (circle && circle !== "straight")
+    if (circle && circle !== "straight") {
       for (const p of [i, i - 1]) {
         const own = w.forms[p];
         const [one, ...more] = own ? freeIn(own.z, own.r) : [];
@@ -96,6 +101,7 @@ export function findPlace(w: Solving): boolean {
         const found = atDistance(difference(s.start, circle.centre), s.move, circle.radius);
         if (choose(w, i, found.map((k) => ({ i: p, point: onSlide(s, k) })))) return true;
       }
+    }
   }
   return findMeeting(w);
 }

@@ -9,11 +9,32 @@ type Line = Extract<SolveElement, { kind: "line" }>;
 type Arc = Extract<SolveElement, { kind: "arc" }>;
 const Z = (n: number) => ({ at: axial(n) });
 const R = (n: number) => ({ at: radius(n) });
-const line = (given: Partial<Line> = {}): Line => ({ kind: "line", z: null, r: null, angle: null, length: null, tangent: false, choice: 0, ...given });
-const arc = (given: Partial<Arc> = {}): Arc => ({ kind: "arc", z: null, r: null, turn: "ccw", radius: null, centre: null, tangent: false, choice: 0, ...given });
+const line = (given: Partial<Line> = {}): Line => ({
+  kind: "line",
+  z: null,
+  r: null,
+  angle: null,
+  length: null,
+  tangent: false,
+  choice: 0,
+  ...given,
+});
+const arc = (given: Partial<Arc> = {}): Arc => ({
+  kind: "arc",
+  z: null,
+  r: null,
+  turn: "ccw",
+  radius: null,
+  centre: null,
+  tangent: false,
+  choice: 0,
+  ...given,
+});
 const start = (z: number, r: number) => line({ z: Z(z), r: R(r) });
-const points = (elements: readonly SolveElement[]) => solveContour(elements).elements.map((e) => [e.z, e.r].map((n) => (n === null ? null : Math.round(n * 1e4) / 1e4 + 0)));
-const codes = (elements: readonly SolveElement[]) => solveContour(elements).issues.map((i) => `${i.code} ${"element" in i.data ? i.data.element : ""}`);
+const points = (elements: readonly SolveElement[]) =>
+  solveContour(elements).elements.map((e) => [e.z, e.r].map((n) => (n === null ? null : Math.round(n * 1e4) / 1e4 + 0)));
+const codes = (elements: readonly SolveElement[]) =>
+  solveContour(elements).issues.map((i) => `${i.code} ${"element" in i.data ? i.data.element : ""}`);
 
 describe("lines", () => {
   test("angle and one coordinate: 45° up from (0, 10) to r 20 ends at z 10", () => {
@@ -31,10 +52,29 @@ describe("lines", () => {
     expect(points([start(0, 10), line({ angle: degrees(180) }), line({ z: Z(-30), r: R(25), angle: degrees(135) })])[1]).toEqual([-15, 10]);
   });
   test("three angles and one coordinate in between are one system", () => {
-    const found = points([start(0, 10), line({ angle: degrees(180) }), line({ r: R(20), angle: degrees(135) }), line({ z: Z(-40), r: R(20), angle: degrees(180) })]);
+    const found = points([
+      start(0, 10),
+      line({ angle: degrees(180) }),
+      line({ r: R(20), angle: degrees(135) }),
+      line({ z: Z(-40), r: R(20), angle: degrees(180) }),
+    ]);
     expect(found[2]?.[1]).toBe(20);
-    expect(codes([start(0, 10), line({ angle: degrees(180) }), line({ r: R(20), angle: degrees(135) }), line({ z: Z(-40), r: R(20), angle: degrees(180) })])).toEqual(["elementFree 2"]);
-    expect(points([start(0, 10), line({ z: Z(-10), angle: degrees(180) }), line({ angle: degrees(135) }), line({ z: Z(-40), r: R(20), angle: degrees(180) })])[2]).toEqual([-20, 20]);
+    expect(
+      codes([
+        start(0, 10),
+        line({ angle: degrees(180) }),
+        line({ r: R(20), angle: degrees(135) }),
+        line({ z: Z(-40), r: R(20), angle: degrees(180) }),
+      ]),
+    ).toEqual(["elementFree 2"]);
+    expect(
+      points([
+        start(0, 10),
+        line({ z: Z(-10), angle: degrees(180) }),
+        line({ angle: degrees(135) }),
+        line({ z: Z(-40), r: R(20), angle: degrees(180) }),
+      ])[2],
+    ).toEqual([-20, 20]);
   });
   test("backwards: the start point follows from angle and length of the first line", () => {
     expect(points([line({}), line({ z: Z(-10), r: R(20), angle: degrees(180), length: length(10) })])[0]).toEqual([0, 20]);
@@ -49,26 +89,45 @@ describe("lines", () => {
 
 describe("arcs", () => {
   test("tangential to a line, with radius and one coordinate: a quarter turn", () => {
-    expect(points([start(0, 10), line({ z: Z(-20), r: R(10) }), arc({ r: R(15), radius: 5, turn: "cw", tangent: true })])[2]).toEqual([-25, 15]);
+    expect(points([start(0, 10), line({ z: Z(-20), r: R(10) }), arc({ r: R(15), radius: 5, turn: "cw", tangent: true })])[2]).toEqual([
+      -25,
+      15,
+    ]);
   });
   test("a line tangential to an arc goes on in its direction", () => {
-    const found = points([start(0, 10), line({ z: Z(-20), r: R(10) }), arc({ r: R(15), z: Z(-25), radius: 5, turn: "cw", tangent: true }), line({ r: R(30), tangent: true })]);
+    const found = points([
+      start(0, 10),
+      line({ z: Z(-20), r: R(10) }),
+      arc({ r: R(15), z: Z(-25), radius: 5, turn: "cw", tangent: true }),
+      line({ r: R(30), tangent: true }),
+    ]);
     expect(found[3]).toEqual([-25, 30]);
   });
   test("a rounding by hand: radius 5 between two lines whose ends are known", () => {
-    const found = points([start(0, 10), line({ angle: degrees(180) }), arc({ radius: 5, turn: "cw", tangent: true }), line({ z: Z(-30), r: R(30), angle: degrees(90), tangent: true })]);
+    const found = points([
+      start(0, 10),
+      line({ angle: degrees(180) }),
+      arc({ radius: 5, turn: "cw", tangent: true }),
+      line({ z: Z(-30), r: R(30), angle: degrees(90), tangent: true }),
+    ]);
     expect(found.slice(1, 3)).toEqual([[-25, 10], [-30, 15]]);
   });
   test("the tangent from a point to a circle, before and behind the arc", () => {
     // Circle of radius 3 about (-10, 10); from (-5, 10) the tangent has length 4.
-    const before = points([start(-5, 10), line({}), arc({ z: Z(-13), r: R(10), centre: at(-10, 10), radius: 3, turn: "ccw", tangent: true })]);
+    const before = points([
+      start(-5, 10),
+      line({}),
+      arc({ z: Z(-13), r: R(10), centre: at(-10, 10), radius: 3, turn: "ccw", tangent: true }),
+    ]);
     expect(before[1]).toEqual([-8.2, 12.4]);
     const after = points([start(-13, 10), arc({ centre: at(-10, 10), turn: "ccw" }), line({ z: Z(-5), r: R(10), tangent: true })]);
     // counter-clockwise from the left, under the centre, and up to the point: it touches below
     expect(after[1]).toEqual([-8.2, 7.6]);
   });
   test("a line at an angle tangential to a known circle touches it at right angles to the angle", () => {
-    expect(points([start(-13, 10), arc({ centre: at(-10, 10), turn: "ccw" }), line({ r: R(20), angle: degrees(90), tangent: true })]).slice(1)).toEqual([[-7, 10], [-7, 20]]);
+    expect(
+      points([start(-13, 10), arc({ centre: at(-10, 10), turn: "ccw" }), line({ r: R(20), angle: degrees(90), tangent: true })]).slice(1),
+    ).toEqual([[-7, 10], [-7, 20]]);
   });
   test("by centre and one coordinate the shorter way, on request the longer", () => {
     const given = { centre: at(-10, 10), r: R(10), turn: "ccw" as const };
@@ -76,11 +135,17 @@ describe("arcs", () => {
     expect(points([start(-10, 7), arc({ ...given, choice: 1 })])[1]).toEqual([-13, 10]);
   });
   test("two arcs that touch: an S of radius 5 and 5", () => {
-    const found = points([start(0, 10), line({ z: Z(-10), r: R(10) }), arc({ radius: 5, turn: "cw", tangent: true }), arc({ centre: at(-20, 15), radius: 5, turn: "ccw", z: Z(-20), r: R(20), tangent: true })]);
+    const found = points([
+      start(0, 10),
+      line({ z: Z(-10), r: R(10) }),
+      arc({ radius: 5, turn: "cw", tangent: true }),
+      arc({ centre: at(-20, 15), radius: 5, turn: "ccw", z: Z(-20), r: R(20), tangent: true }),
+    ]);
     expect(found[2]).toEqual([-15, 15]);
   });
   test("radius of a tangential arc follows from its end", () => {
-    const made = solveContour([start(0, 10), line({ z: Z(-20), r: R(10) }), arc({ z: Z(-25), r: R(15), turn: null, tangent: true })]).elements[2]?.segment;
+    const made = solveContour([start(0, 10), line({ z: Z(-20), r: R(10) }), arc({ z: Z(-25), r: R(15), turn: null, tangent: true })])
+      .elements[2]?.segment;
     expect(made?.kind === "arc" && [made.centre.z, made.centre.r, made.turn]).toEqual([-20, 15, "cw"]);
   });
 });
@@ -100,16 +165,18 @@ describe("what stays open, and what contradicts", () => {
     expect(codes([start(0, 10), line({ z: Z(-10), r: R(10), angle: degrees(0) })])).toEqual(["elementContradicts 2"]);
     expect(codes([start(0, 10), line({ z: Z(-3), r: R(14), length: length(6) })])).toEqual(["elementContradicts 2"]);
     expect(codes([start(0, 10), line({ r: R(20), length: length(6) })])).toEqual(["elementUnreachable 2"]);
-    expect(codes([start(0, 10), line({ z: Z(-10), r: R(10) }), line({ z: Z(-10), r: R(20), tangent: true })])).toEqual(["elementContradicts 3"]);
+    expect(codes([start(0, 10), line({ z: Z(-10), r: R(10) }), line({ z: Z(-10), r: R(20), tangent: true })])).toEqual([
+      "elementContradicts 3",
+    ]);
     expect(codes([start(0, 10), line({ z: Z(-3), r: R(14), length: length(5), angle: degrees(126.87) })])).toEqual([]);
   });
 });
 
 /** Random contours that are determined, with corners no sharper than can be told apart. */
 const corner = fc.record({ z: fc.integer({ min: -40, max: 40 }), r: fc.integer({ min: 1, max: 60 }) });
-const contours = fc.array(corner, { minLength: 3, maxLength: 12 })
-  .filter((all) => all.every((p, i) => i === 0 || Math.hypot(p.z - (all[i - 1]?.z ?? 0), p.r - (all[i - 1]?.r ?? 0)) > 1))
-  .map((all) => all.map((p) => at(p.z, p.r)));
+const contours = fc.array(corner, { minLength: 3, maxLength: 12 }).filter((all) =>
+  all.every((p, i) => i === 0 || Math.hypot(p.z - (all[i - 1]?.z ?? 0), p.r - (all[i - 1]?.r ?? 0)) > 1)
+).map((all) => all.map((p) => at(p.z, p.r)));
 const angleOf = (a: Pt, b: Pt) => degrees((Math.atan2(b.r - a.r, b.z - a.z) * 180) / Math.PI);
 const near = (found: ReturnType<typeof solveContour>, wanted: readonly Pt[]) =>
   found.elements.every((e, i) => Math.hypot((e.z ?? NaN) - (wanted[i]?.z ?? 0), (e.r ?? NaN) - (wanted[i]?.r ?? 0)) < 1e-5);
@@ -122,7 +189,11 @@ describe("laws", () => {
         if (!before) return start(p.z, p.r);
         const [dz, dr] = [Math.abs(p.z - before.z), Math.abs(p.r - before.r)];
         const drop = erased[i] === "z" && dr > 0.5 ? "z" : erased[i] === "r" && dz > 0.5 ? "r" : "none";
-        return line({ z: drop === "z" ? null : Z(p.z), r: drop === "r" ? null : R(p.r), angle: drop === "none" ? null : angleOf(before, p) });
+        return line({
+          z: drop === "z" ? null : Z(p.z),
+          r: drop === "r" ? null : R(p.r),
+          angle: drop === "none" ? null : angleOf(before, p),
+        });
       });
       const found = solveContour(given);
       expect(found.issues).toEqual([]);
@@ -159,8 +230,14 @@ describe("laws", () => {
       fc.pre(far > 1);
       const made = part.arcByRadius(from, to, far / 2 + extra, "cw").segment;
       const erase = z ? { z: null, r: R(to.r) } : { z: Z(to.z), r: null };
-      const found = ([0, 1] as const).map((choice) => solveContour([start(from.z, from.r), straight || made?.kind !== "arc"
-        ? line({ ...erase, length: length(far), choice }) : arc({ ...erase, centre: made.centre, turn: "cw", choice })]));
+      const found = ([0, 1] as const).map((choice) =>
+        solveContour([
+          start(from.z, from.r),
+          straight || made?.kind !== "arc"
+            ? line({ ...erase, length: length(far), choice })
+            : arc({ ...erase, centre: made.centre, turn: "cw", choice }),
+        ])
+      );
       expect(found.some((f) => near(f, [from, to]))).toBe(true);
     }), { numRuns: 500 });
   });
@@ -168,12 +245,31 @@ describe("laws", () => {
   test("whatever is given, it ends without an exception and without NaN", () => {
     const maybe = <T>(some: fc.Arbitrary<T>) => fc.option(some, { nil: null });
     const number = fc.oneof(fc.integer({ min: -50, max: 50 }), fc.double({ min: -1e4, max: 1e4, noNaN: true }));
-    const any = fc.oneof(
-      fc.record({ z: maybe(number), r: maybe(number), angle: maybe(number), length: maybe(number), tangent: fc.boolean(), choice: fc.constantFrom(0 as const, 1 as const) })
-        .map((e) => line({ ...e, z: e.z === null ? null : Z(e.z), r: e.r === null ? null : R(e.r), angle: e.angle === null ? null : degrees(e.angle), length: e.length === null ? null : length(e.length) })),
-      fc.record({ z: maybe(number), r: maybe(number), turn: maybe(fc.constantFrom("cw" as const, "ccw" as const)), radius: maybe(number), centre: maybe(corner), tangent: fc.boolean() })
-        .map((e) => arc({ ...e, z: e.z === null ? null : Z(e.z), r: e.r === null ? null : R(e.r), centre: e.centre && at(e.centre.z, e.centre.r) })),
-    );
+    const any = fc.oneof(fc.record({
+      z: maybe(number),
+      r: maybe(number),
+      angle: maybe(number),
+      length: maybe(number),
+      tangent: fc.boolean(),
+      choice: fc.constantFrom(0 as const, 1 as const),
+    }).map((e) =>
+      line({
+        ...e,
+        z: e.z === null ? null : Z(e.z),
+        r: e.r === null ? null : R(e.r),
+        angle: e.angle === null ? null : degrees(e.angle),
+        length: e.length === null ? null : length(e.length),
+      })
+    ), fc.record({
+      z: maybe(number),
+      r: maybe(number),
+      turn: maybe(fc.constantFrom("cw" as const, "ccw" as const)),
+      radius: maybe(number),
+      centre: maybe(corner),
+      tangent: fc.boolean(),
+    }).map((e) =>
+      arc({ ...e, z: e.z === null ? null : Z(e.z), r: e.r === null ? null : R(e.r), centre: e.centre && at(e.centre.z, e.centre.r) })
+    ));
     fc.assert(fc.property(fc.array(any, { maxLength: 30 }), (elements) => {
       const found = solveContour(elements);
       expect(found.elements).toHaveLength(elements.length);
@@ -182,7 +278,8 @@ describe("laws", () => {
   });
 
   test("a contour of 1,000 elements with angles is solved", () => {
-    const elements = Array.from({ length: 1000 }, (_, i) => (i === 0 ? start(0, 10) : line({ angle: degrees(i % 2 ? 180 : 90), length: length(1) })));
+    const elements = Array.from({ length: 1000 },
+      (_, i) => (i === 0 ? start(0, 10) : line({ angle: degrees(i % 2 ? 180 : 90), length: length(1) })));
     expect(solveContour(elements).elements.at(-1)?.z).toBeCloseTo(-500, 6);
   });
 });

@@ -58,8 +58,12 @@ function solvedElement(w: Solving, i: number): SolvedElement {
   const [z, r, segment] = [w.z[i] ?? null, w.r[i] ?? null, segmentOf(w, i)];
   const straight = w.elements[i]?.kind === "line", angle = w.angle[i] ?? null;
   return {
-    z: z === null ? null : axial(z), r: r === null ? null : radius(r), segment, choices: w.choices[i] ?? 1,
-    freedom: freedomOf(w, i, segment), angle: straight && angle !== null ? round(angle) : null,
+    z: z === null ? null : axial(z),
+    r: r === null ? null : radius(r),
+    segment,
+    choices: w.choices[i] ?? 1,
+    freedom: freedomOf(w, i, segment),
+    angle: straight && angle !== null ? round(angle) : null,
     length: segment?.kind === "line" ? length(apart(segment.from, segment.to)) : null,
   };
 }
@@ -113,7 +117,10 @@ function contradictions(w: Solving, e: SolveElement, i: number, freedom: number)
 }
 
 function lineAgainst(
-  e: Extract<SolveElement, { kind: "line" }>, from: Pt, to: Pt, say: (quantity: "angle" | "length", given: number, nearest: number) => void,
+  e: Extract<SolveElement, { kind: "line" }>,
+  from: Pt,
+  to: Pt,
+  say: (quantity: "angle" | "length", given: number, nearest: number) => void,
 ): void {
   const far = apart(from, to);
   if (far <= SAME) return;

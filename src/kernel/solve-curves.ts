@@ -3,9 +3,8 @@ import { at, part, type Pt, type Turn } from "./point.ts";
 import { arcRank, aside, byRank, pointOf, same, type Circle, type Rank, type Solving } from "./solve-work.ts";
 import { ROUND, SAME } from "./tolerance.ts";
 
-const {
-  angleOf, apart, arcByRadius, arcTangential, beyond, cross, difference, direction, dot, heading, line, meet, reversed, sum, sweepOf, unit,
-} = part;
+const { angleOf, apart, arcByRadius, arcTangential, beyond, cross, difference, direction, dot, heading, line, meet, reversed, sum, sweepOf,
+  unit } = part;
 
 /** The point at a distance from one point, on the ray to another. */
 export const towards = (from: Pt, to: Pt, far: number): Pt => beyond(from, unit(difference(to, from)), far);
@@ -69,7 +68,11 @@ function circleOf(w: Solving, i: number): Circle | "straight" | null {
     return circleBetween(w, i, size, e.turn);
   }
   if (size !== null || !from || !to || same(from, to)) return null;
-  const made = before ? arcTangential(line(difference(from, before), from), to) : after ? arcTangential(line(sum(to, after), to), from) : null;
+  const made = before
+    ? arcTangential(line(difference(from, before), from), to)
+    : after
+    ? arcTangential(line(sum(to, after), to), from)
+    : null;
   if (!made) return null;
   // The neighbour behind was run backwards.
   const own = before ? made : reversed(made);
@@ -95,7 +98,8 @@ function onLine(w: Solving, i: number): Pt | null {
 /** Where the centre of an arc may lie that touches element i on the side to which the arc turns. */
 function trackBeside(w: Solving, i: number, size: number, turn: Turn): CurveOf<Pt> | null {
   const circle = w.circle[i] ?? null;
-  if (circle && circle !== "straight") return { centre: circle.centre, radius: circle.turn === turn ? Math.abs(circle.radius - size) : circle.radius + size };
+  if (circle && circle !== "straight")
+    return { centre: circle.centre, radius: circle.turn === turn ? Math.abs(circle.radius - size) : circle.radius + size };
   const point = onLine(w, i), angle = w.angle[i] ?? null;
   return point && angle !== null ? { point: sum(point, aside(turn, heading(angle), size)), along: heading(angle) } : null;
 }
@@ -122,7 +126,10 @@ function rankOf(w: Solving, i: number, { centre, turn }: Circle): Rank {
     return from && to && angle !== null && dot(difference(to, from), heading(angle)) < -SAME ? 1 : 0;
   };
   const sweep = start && end ? sweepOf({ kind: "arc", from: start, to: end, centre, turn }) : 0;
-  return { faults: backwards(i - 1, pointOf(w, i - 2), start) + backwards(i + 1, end, pointOf(w, i + 1)), ...arcRank(w.elements[i], sweep) };
+  return {
+    faults: backwards(i - 1, pointOf(w, i - 2), start) + backwards(i + 1, end, pointOf(w, i + 1)),
+    ...arcRank(w.elements[i], sweep),
+  };
 }
 
 /** Where a circle about `c` touches element i, when it does and point p between them is not known. */

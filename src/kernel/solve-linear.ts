@@ -43,7 +43,8 @@ export function solveLinear(count: number, equations: readonly Equation[], first
       if (pivot && factor !== undefined) subtract(row, pivot, factor);
     }
     let best: number | null = null;
-    for (const [variable, factor] of row.factors) if (best === null || Math.abs(factor) > Math.abs(row.factors.get(best) ?? 0)) best = variable;
+    for (const [variable, factor] of row.factors)
+      if (best === null || Math.abs(factor) > Math.abs(row.factors.get(best) ?? 0)) best = variable;
     if (best === null) continue;
     const scale = row.factors.get(best) ?? 1;
     row.factors.forEach((factor, variable) => row.factors.set(variable, factor / scale));

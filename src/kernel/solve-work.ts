@@ -18,7 +18,8 @@ interface Ends {
 /** An element of which some things are given. The first element of a contour is only its start point. */
 export type SolveElement =
   /** Angle to +Z, counter-clockwise with X upwards; it tells the direction of travel. */
-  | Ends & { readonly kind: "line"; readonly angle: Degrees | null; readonly length: Length | null }
+  | Ends
+    & { readonly kind: "line"; readonly angle: Degrees | null; readonly length: Length | null }
   /** Radius in mm; negative takes the longer way round. */
   | Ends & { readonly kind: "arc"; readonly turn: Turn | null; readonly radius: number | null; readonly centre: Pt | null };
 
@@ -73,7 +74,13 @@ export function arcRank(e: SolveElement | undefined, sweep: number): Omit<Rank, 
 
 export function startSolving(elements: readonly SolveElement[]): Solving {
   const work: Solving = {
-    elements, z: [], r: [], forms: [], choices: elements.map(() => 1), unreachable: new Set(), circle: elements.map(() => null),
+    elements,
+    z: [],
+    r: [],
+    forms: [],
+    choices: elements.map(() => 1),
+    unreachable: new Set(),
+    circle: elements.map(() => null),
     angle: elements.map((e, i) => (i > 0 && e.kind === "line" && e.angle !== null ? radians(e.angle) : null)),
   };
   elements.forEach((e, i) => {

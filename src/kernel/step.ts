@@ -3,9 +3,8 @@ import type { Pt } from "./point.ts";
 import type { Tool } from "./tool.ts";
 
 /** Spindle set-up: constant speed in rpm, or constant cutting speed in m/min with a limit in rpm. */
-export type Spindle =
-  | { readonly kind: "constant"; readonly speed: number }
-  | { readonly kind: "surface"; readonly cuttingSpeed: number; readonly limit: number };
+export type Spindle = { readonly kind: "constant"; readonly speed: number } | { readonly kind: "surface"; readonly cuttingSpeed: number;
+  readonly limit: number };
 
 /**
  * One motion of a running program: a move, where it starts, with which tool, from which block. This list is what the

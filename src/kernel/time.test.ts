@@ -7,7 +7,13 @@ import { axial, feed, radius } from "./units.ts";
 
 const at = (z: number, r: number): Pt => ({ z: axial(z), r: radius(r) });
 const purpose = { phase: "rough", run: "rough", step: 1 } as const;
-const cut = (to: Pt, f = 0.3, feedUnit: "mm/rev" | "mm/min" = "mm/rev"): Move => ({ kind: "feed", to, feed: feed(f), feedUnit, ...purpose });
+const cut = (to: Pt, f = 0.3, feedUnit: "mm/rev" | "mm/min" = "mm/rev"): Move => ({
+  kind: "feed",
+  to,
+  feed: feed(f),
+  feedUnit,
+  ...purpose,
+});
 const constant = { kind: "constant", speed: 550 } as const;
 const surface = { kind: "surface", cuttingSpeed: 180, limit: 2500 } as const;
 
@@ -30,7 +36,8 @@ test("facing at constant cutting speed is integrated exactly", () => {
   expect(secondsOf(at(0, 37.5), cut(at(0, 0)), surface, 1)).toBeCloseTo(60 * (outer + knee / (0.3 * 2500)), 9);
 });
 test("a thread runs at the speed of its start", () => {
-  expect(secondsOf(at(2, 20), { kind: "thread", to: at(-28, 20), pitch: axial(1.5), ...purpose }, constant, 1)).toBeCloseTo((20 / 550) * 60, 9);
+  expect(secondsOf(at(2, 20), { kind: "thread", to: at(-28, 20), pitch: axial(1.5), ...purpose }, constant, 1)).toBeCloseTo((20 / 550) * 60,
+    9);
 });
 test("arcs agree with many short lines", () => {
   const arc: Move = { kind: "arc", to: at(10, 20), centre: at(0, 20), turn: "cw", feed: feed(0.2), feedUnit: "mm/rev", ...purpose };

@@ -66,7 +66,15 @@ export class Track {
     if (this.still(segment.to)) return;
     const part = segmentToPart(this.frame, segment);
     if (part.kind === "arc")
-      this.moves.push({ kind: "arc", to: part.to, centre: part.centre, turn: part.turn, feed: asFeed(value), feedUnit: this.feedUnit, ...purpose });
+      this.moves.push({
+        kind: "arc",
+        to: part.to,
+        centre: part.centre,
+        turn: part.turn,
+        feed: asFeed(value),
+        feedUnit: this.feedUnit,
+        ...purpose,
+      });
     this.at = segment.to;
   }
 

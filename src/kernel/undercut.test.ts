@@ -33,7 +33,10 @@ describe("UDC", () => {
     const c = shaft(udc("E", { R: 1, DEPTH: 2, BREADTH: 15 }));
     // 15 degrees: the slope is 2 / tan 15 = 7.4641 long; its rounding takes tan 7.5 = 0.13165 off either side.
     expectPoints(c.segments, [[0, 20], [-15, 20], [-22.33694, 18.03407], [-22.59575, 18], [-29, 18], [-30, 19], [-30, 30]]);
-    expect(centres(c.segments)).toEqual([[expect.closeTo(-22.59575, 4), expect.closeTo(19, 9)], [expect.closeTo(-29, 9), expect.closeTo(19, 9)]]);
+    expect(centres(c.segments)).toEqual([[expect.closeTo(-22.59575, 4), expect.closeTo(19, 9)], [
+      expect.closeTo(-29, 9),
+      expect.closeTo(19, 9),
+    ]]);
     expect(c.issues).toMatchObject([{ code: "undercutDefaults", severity: "info", data: { element: 3, words: "ANGLE15" } }]);
     expect(c.elements).toEqual([2, 3, 3, 3, 3, 4]);
   });
@@ -101,7 +104,10 @@ describe("UDC", () => {
   });
 
   test.each<[string, ContourElement, object]>([
-    ["a pitch that is not listed", udc("THREAD", { PITCH: 2.1 }), { code: "recessWord", data: { word: "DEPTH" } }],
+    ["a pitch that is not listed", udc("THREAD", { PITCH: 2.1 }), {
+      code: "recessWord",
+      data: { word: "DEPTH" },
+    }],
     ["wider than the cylinder", udc("E", { DEPTH: 2, BREADTH: 31 }), { code: "cornerElementTooLong", data: { size: 31, max: 30 } }],
     ["a slope longer than the breadth", udc("E", { DEPTH: 2, BREADTH: 7 }), { code: "recessWord", data: { word: "BREADTH" } }],
     ["deeper than the axis", udc("E", { DEPTH: 21, BREADTH: 30, ANGLE: 60 }), { code: "recessWord", data: { word: "DEPTH" } }],
@@ -109,7 +115,11 @@ describe("UDC", () => {
     ["a wedge without its angle", udc("K", { DEPTH: 2 }), { code: "recessWord", data: { word: "ANGLE" } }],
   ])("%s is an error at the element", (_, e, expected) => {
     const c = shaft(e);
-    expect(c.issues.filter((i) => i.severity === "error")).toMatchObject([{ ...expected, severity: "error", data: { element: 3, ...(expected as { data: object }).data } }]);
+    expect(c.issues.filter((i) => i.severity === "error")).toMatchObject([{
+      ...expected,
+      severity: "error",
+      data: { element: 3, ...(expected as { data: object }).data },
+    }]);
     expect(c.segments.every((s) => lengthOf(s) > 0)).toBe(true);
   });
 
@@ -117,8 +127,12 @@ describe("UDC", () => {
     const e = udc("E", { R: 0.5, DEPTH: 1, BREADTH: 10 });
     expect(contourFrom([to(0, 18), to(-30, 20), e, to(-30, 30)]).issues).toMatchObject([{ code: "undercutNeighbours" }]);
     expect(contourFrom([to(0, 20), to(-30, 20), e]).issues).toMatchObject([{ code: "undercutNeighbours" }]);
-    expect(contourFrom([to(0, 20), to(-30, 20), e, { kind: "round", size: 1 }, to(-30, 30)]).issues).toMatchObject([{ code: "undercutNeighbours" }]);
-    expect(contourFrom([to(0, 20), to(-30, 20), e, e, to(-30, 30)]).issues.filter((i) => i.severity === "error")).toMatchObject([{ code: "undercutNeighbours" }]);
+    expect(contourFrom([to(0, 20), to(-30, 20), e, { kind: "round", size: 1 }, to(-30, 30)]).issues).toMatchObject([{
+      code: "undercutNeighbours",
+    }]);
+    expect(contourFrom([to(0, 20), to(-30, 20), e, e, to(-30, 30)]).issues.filter((i) => i.severity === "error")).toMatchObject([{
+      code: "undercutNeighbours",
+    }]);
   });
 });
 
@@ -133,7 +147,15 @@ describe("GRV", () => {
     const c = shaft(grv("radial", { CENTER: -15, DIAM: 16, BREADTH: 10, ANGLE: 90, R: 0.5 }));
     // Walls at 45 degrees; the rounding takes 0.5 tan 22.5 = 0.207107 off floor and wall.
     expectPoints(c.segments, [
-      [0, 20], [-10, 20], [-13.853553, 16.146447], [-14.207107, 16], [-15.792893, 16], [-16.146447, 16.146447], [-20, 20], [-30, 20], [-30, 30],
+      [0, 20],
+      [-10, 20],
+      [-13.853553, 16.146447],
+      [-14.207107, 16],
+      [-15.792893, 16],
+      [-16.146447, 16.146447],
+      [-20, 20],
+      [-30, 20],
+      [-30, 30],
     ]);
   });
 
@@ -141,16 +163,27 @@ describe("GRV", () => {
     const face = contourFrom([to(0, 40), to(0, 10), grv("axial", { CENTER: 25, DEPTH: -3, BREADTH: 6 }), to(-10, 10)]);
     expectPoints(face.segments, [[0, 40], [0, 28], [-3, 28], [-3, 22], [0, 22], [0, 10], [-10, 10]]);
     const [a, b] = [grv("radial", { CENTER: -8, DEPTH: -1, BREADTH: 2 }), grv("radial", { CENTER: -20, DEPTH: -1, BREADTH: 2 })];
-    const points = [[0, 20], [-7, 20], [-7, 19], [-9, 19], [-9, 20], [-19, 20], [-19, 19], [-21, 19], [-21, 20], [-30, 20], [-30, 30]] as const;
+    const points = [[0, 20], [-7, 20], [-7, 19], [-9, 19], [-9, 20], [-19, 20], [-19, 19], [-21, 19], [-21, 20], [-30, 20], [
+      -30,
+      30,
+    ]] as const;
     for (const order of [[a, b], [b, a]]) expectPoints(contourFrom([to(0, 20), to(-30, 20), ...order, to(-30, 30)]).segments, points);
   });
 
   test.each<[string, ContourElement, object]>([
-    ["on a cylinder for a face", grv("axial", { CENTER: 15, DEPTH: -5, BREADTH: 10 }), { code: "undercutNeighbours" }],
+    ["on a cylinder for a face", grv("axial", { CENTER: 15, DEPTH: -5, BREADTH: 10 }), {
+      code: "undercutNeighbours",
+    }],
     ["beside its element", grv("radial", { CENTER: 5, DEPTH: -5, BREADTH: 10 }), { code: "recessWord", data: { word: "CENTER" } }],
     ["without depth", grv("radial", { CENTER: -15, BREADTH: 10 }), { code: "recessWord", data: { word: "DEPTH" } }],
-    ["wider than its place", grv("radial", { CENTER: -5, DEPTH: -5, BREADTH: 12 }), { code: "cornerElementTooLong", data: { size: 12, max: 10 } }],
-    ["walls that meet above the floor", grv("radial", { CENTER: -15, DEPTH: -5, BREADTH: 10, ANGLE: 90 }), { code: "recessWord", data: { word: "ANGLE" } }],
+    ["wider than its place", grv("radial", { CENTER: -5, DEPTH: -5, BREADTH: 12 }), {
+      code: "cornerElementTooLong",
+      data: { size: 12, max: 10 },
+    }],
+    ["walls that meet above the floor", grv("radial", { CENTER: -15, DEPTH: -5, BREADTH: 10, ANGLE: 90 }), {
+      code: "recessWord",
+      data: { word: "ANGLE" },
+    }],
   ])("%s is an error at the element", (_, e, expected) => {
     expect(shaft(e).issues).toMatchObject([expected]);
   });

@@ -6,9 +6,8 @@ import { radians, type Diameter } from "./units.ts";
 export const UNDERCUT_FORMS = ["E", "F", "H", "K", "U", "THREAD"] as const;
 export type UndercutForm = (typeof UNDERCUT_FORMS)[number];
 /** Words of undercuts and recesses: lengths in mm, angles in degrees; DIAM and an axial CENTER are radii here. */
-export type RecessWord =
-  | "R" | "DEPTH" | "BREADTH" | "ANGLE" | "FACEDEPTH" | "FACEANGLE" | "ROT" | "PITCH" | "RND" | "CHF"
-  | "CENTER" | "DIAM" | "FAR_RND" | "FAR_CHF";
+export type RecessWord = "R" | "DEPTH" | "BREADTH" | "ANGLE" | "FACEDEPTH" | "FACEANGLE" | "ROT" | "PITCH" | "RND" | "CHF" | "CENTER"
+  | "DIAM" | "FAR_RND" | "FAR_CHF";
 export type RecessWords = { readonly [W in RecessWord]?: number };
 
 /** UDC: an undercut in the corner between a cylinder and a face. Words that are left out come from the standard. */
@@ -29,14 +28,16 @@ export interface Vertex {
 }
 
 /** An undercut as its corners from the cylinder to the face, with the words the standard gave; or the word that makes it impossible. */
-export type UndercutShape =
-  | { readonly vertices: readonly Vertex[]; readonly defaults: RecessWords }
-  | { readonly word: RecessWord };
+export type UndercutShape = { readonly vertices: readonly Vertex[]; readonly defaults: RecessWords } | { readonly word: RecessWord };
 
 /** The words of each form in the order of the control; only form E is printed with its words. */
 export const UNDERCUT_WORDS: Readonly<Record<UndercutForm, readonly RecessWord[]>> = {
-  E: ["R", "DEPTH", "BREADTH", "ANGLE"], F: ["R", "DEPTH", "BREADTH", "ANGLE", "FACEDEPTH", "FACEANGLE"], H: ["R", "BREADTH", "ANGLE"],
-  K: ["R", "DEPTH", "ROT", "ANGLE"], U: ["R", "DEPTH", "BREADTH", "RND", "CHF"], THREAD: ["PITCH", "R", "DEPTH", "BREADTH", "ANGLE"],
+  E: ["R", "DEPTH", "BREADTH", "ANGLE"],
+  F: ["R", "DEPTH", "BREADTH", "ANGLE", "FACEDEPTH", "FACEANGLE"],
+  H: ["R", "BREADTH", "ANGLE"],
+  K: ["R", "DEPTH", "ROT", "ANGLE"],
+  U: ["R", "DEPTH", "BREADTH", "RND", "CHF"],
+  THREAD: ["PITCH", "R", "DEPTH", "BREADTH", "ANGLE"],
 };
 /** Words that are angles in degrees; the others are lengths. */
 export const ANGLE_WORDS: ReadonlySet<RecessWord> = new Set(["ANGLE", "FACEANGLE", "ROT"]);
@@ -45,21 +46,30 @@ const SPARE: ReadonlySet<RecessWord> = new Set(["R", "PITCH", "RND", "CHF"]);
 /** Forms with tables in a standard, and its angles for all. */
 const LISTED: ReadonlySet<UndercutForm> = new Set(["E", "F", "H", "THREAD"]);
 const DEFAULT_ANGLES: Readonly<Record<UndercutForm, RecessWords>> = {
-  E: { ANGLE: 15 }, F: { ANGLE: 15, FACEANGLE: 8 }, H: { ANGLE: 15 }, K: { ROT: 45 }, U: {}, THREAD: { ANGLE: 30 },
+  E: { ANGLE: 15 },
+  F: { ANGLE: 15, FACEANGLE: 8 },
+  H: { ANGLE: 15 },
+  K: { ROT: 45 },
+  U: {},
+  THREAD: { ANGLE: 30 },
 };
 
 const vertex = (u: number, v: number, R = 0): Vertex => ({ u, v, corner: R > 0 ? { kind: "round", size: R } : null });
 /** RND or CHF of an outer edge. */
 export const edgeElement = (round: number | undefined, chamfer: number | undefined): CornerElement | null =>
-  round !== undefined && round > 0 ? { kind: "round", size: round }
-  : chamfer !== undefined && chamfer > 0 ? { kind: "chamfer", size: chamfer }
-  : null;
+  round !== undefined && round > 0
+    ? { kind: "round", size: round }
+    : chamfer !== undefined && chamfer > 0
+    ? { kind: "chamfer", size: chamfer }
+    : null;
 
 /** What the standard gives for the words that are not there. */
 function defaultsOf({ form, words }: Undercut, diameter: Diameter, inside: boolean): RecessWords {
   const table = form === "THREAD" ? undercutOfPitch(words.PITCH ?? 0, inside) : undercutOfDiameter(diameter);
   const measures: RecessWords = (LISTED.has(form) && table) || {};
-  const missing = UNDERCUT_WORDS[form].flatMap((w) => (words[w] === undefined && measures[w] !== undefined ? [[w, measures[w]] as const] : []));
+  const missing = UNDERCUT_WORDS[form].flatMap(
+    (w) => (words[w] === undefined && measures[w] !== undefined ? [[w, measures[w]] as const] : [])
+  );
   const angles = Object.entries(DEFAULT_ANGLES[form]).filter(([w]) => words[w as RecessWord] === undefined);
   return Object.fromEntries([...missing, ...angles]);
 }
@@ -95,7 +105,13 @@ function verticesOf(form: UndercutForm, w: RecessWords): readonly Vertex[] | { r
 }
 
 /** Form F: behind the floor the arc reaches FACEDEPTH into the face and leaves it on a line that leans by FACEANGLE. */
-function intoFace(into: readonly Vertex[], R: number, D: number, depth: number, lean: number): readonly Vertex[] | { readonly word: RecessWord } {
+function intoFace(
+  into: readonly Vertex[],
+  R: number,
+  D: number,
+  depth: number,
+  lean: number,
+): readonly Vertex[] | { readonly word: RecessWord } {
   // The tangent point of arc and line, from the centre of the arc, whose farthest point lies FACEDEPTH behind the face.
   const touch = { u: R - depth - R * Math.cos(lean), v: R - D + R * Math.sin(lean) };
   if (touch.u >= -ROUND) return { word: "FACEDEPTH" };

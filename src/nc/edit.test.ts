@@ -7,7 +7,11 @@ import type { AxisWord, CycleParameter, Statement, Value } from "./statement.ts"
 
 const samples = Object.values(import.meta.glob<string>("../../tests/programs/*.h", { query: "?raw", import: "default", eager: true }));
 
-const line = (...axes: AxisWord[]): Statement => ({ kind: "path", path: "L", words: { axes, linear: [], functions: [], extra: [], feed: "max" } });
+const line = (...axes: AxisWord[]): Statement => ({
+  kind: "path",
+  path: "L",
+  words: { axes, linear: [], functions: [], extra: [], feed: "max" },
+});
 const x = (value: Value): AxisWord => ({ axis: "X", value, incremental: false });
 
 /** Changes one value of the cycle in block `index`. */
@@ -40,8 +44,10 @@ describe("one block changes", () => {
 
 describe("blocks come and go", () => {
   const text = "8 L X+1\n9 ; note\n10 L X+2\n; unnumbered\n11 L X+3";
-  test("insert counts on", () => expect(print(withInserted(parse(text), 1, line(x(9))))).toBe("8 L X+1\n9 L X+9 FMAX\n10 ; note\n11 L X+2\n; unnumbered\n12 L X+3"));
-  test("append after a last line without line end", () => expect(print(withInserted(parse(text), 5, line(x(9))))).toBe(`${text}\n12 L X+9 FMAX\n`));
+  test("insert counts on", () =>
+    expect(print(withInserted(parse(text), 1, line(x(9))))).toBe("8 L X+1\n9 L X+9 FMAX\n10 ; note\n11 L X+2\n; unnumbered\n12 L X+3"));
+  test("append after a last line without line end", () =>
+    expect(print(withInserted(parse(text), 5, line(x(9))))).toBe(`${text}\n12 L X+9 FMAX\n`));
   test("delete counts on", () => expect(print(withoutBlocks(parse(text), 1))).toBe("8 L X+1\n9 L X+2\n; unnumbered\n10 L X+3"));
   test("numbers that are right already are left alone", () => {
     const program = parse(text);
@@ -49,19 +55,26 @@ describe("blocks come and go", () => {
   });
 });
 
-const statements = fc.constantFrom<Statement[]>(line(x(1.25)), { kind: "label", label: 7 }, { kind: "comment", text: " new" }, { kind: "functions", words: { axes: [], linear: [], functions: [3], extra: [] } });
+const statements = fc.constantFrom<Statement[]>(line(x(1.25)), { kind: "label", label: 7 }, { kind: "comment", text: " new" }, {
+  kind: "functions",
+  words: { axes: [], linear: [], functions: [3], extra: [] },
+});
 
 test("an edit touches no other block, and the text reads as the edit says", () => {
-  fc.assert(fc.property(fc.constantFrom(...samples), fc.double({ min: 0, max: 0.999, noNaN: true }), statements, fc.constantFrom("\n", "\r\n"), (sample, where, statement, end) => {
-    const program = parse(sample.replaceAll("\n", end));
-    const index = Math.floor(where * program.blocks.length);
-    const edited = withBlock(program, index, statement);
-    expect(edited.blocks).toHaveLength(program.blocks.length);
-    edited.blocks.forEach((b, i) => {
-      if (i !== index) expect(b).toBe(program.blocks[i]);
-    });
-    expect(edited.blocks[index]?.statement).toEqual(statement);
-    expect(parse(print(edited)).blocks.map((b) => b.statement)).toEqual(edited.blocks.map((b) => b.statement));
-    expect(withBlock(edited, index, statement)).toBe(edited);
-  }), { numRuns: 2000 });
+  fc.assert(
+    fc.property(fc.constantFrom(...samples), fc.double({ min: 0, max: 0.999, noNaN: true }), statements, fc.constantFrom("\n", "\r\n"),
+      (sample, where, statement, end) => {
+        const program = parse(sample.replaceAll("\n", end));
+        const index = Math.floor(where * program.blocks.length);
+        const edited = withBlock(program, index, statement);
+        expect(edited.blocks).toHaveLength(program.blocks.length);
+        edited.blocks.forEach((b, i) => {
+          if (i !== index) expect(b).toBe(program.blocks[i]);
+        });
+        expect(edited.blocks[index]?.statement).toEqual(statement);
+        expect(parse(print(edited)).blocks.map((b) => b.statement)).toEqual(edited.blocks.map((b) => b.statement));
+        expect(withBlock(edited, index, statement)).toBe(edited);
+      }),
+    { numRuns: 2000 },
+  );
 });

@@ -74,7 +74,8 @@ export function withInserted(program: Program, index: number, statement: Stateme
   const number = program.blocks[index]?.number ?? nextNumber(program.blocks.slice(0, index));
   const before = program.blocks[index - 1];
   const open = before !== undefined && lineEndOf(before.raw) === "";
-  const text = (numbered && statement.kind !== "empty" ? `${number} ` : "") + statementLines(statement, style).join(style.newLine) + style.newLine;
+  const text = (numbered && statement.kind !== "empty" ? `${number} ` : "") + statementLines(statement, style).join(style.newLine)
+    + style.newLine;
   const blocks = open ? program.blocks.with(index - 1, { ...before, raw: before.raw + style.newLine }) : program.blocks;
   return renumbered({ blocks: blocks.toSpliced(index, 0, ...parse(text).blocks) }, index + 1);
 }
@@ -95,11 +96,19 @@ export function renumbered(program: Program, index: number): Program {
     if (!b || b.number === null) continue;
     if (b.number === next) break;
     const head = headOf(b.raw);
-    blocks[i] = { ...b, number: next, raw: head.replace(/\d+/, String(next)) + b.raw.slice(head.length), issues: b.issues.map((x) => shifted(x, String(next).length - String(b.number).length)) };
+    blocks[i] = {
+      ...b,
+      number: next,
+      raw: head.replace(/\d+/, String(next)) + b.raw.slice(head.length),
+      issues: b.issues.map((x) => shifted(x, String(next).length - String(b.number).length)),
+    };
     next += 1;
   }
   return { blocks };
 }
 
-const shifted = <T extends Block["issues"][number]>(x: T, by: number): T =>
-  ({ ...x, offset: x.offset + by, ...(x.fix && { fix: { ...x.fix, offset: x.fix.offset + by } }) });
+const shifted = <T extends Block["issues"][number]>(x: T, by: number): T => ({
+  ...x,
+  offset: x.offset + by,
+  ...(x.fix && { fix: { ...x.fix, offset: x.fix.offset + by } }),
+});

@@ -40,14 +40,6 @@ export interface NcFix {
 
 /** One finding. Lines and columns count from 1; offsets from 0 over the whole text. */
 export type NcIssue = {
-  [C in NcCode]: {
-    readonly code: C;
-    readonly severity: NcSeverity;
-    readonly line: number;
-    readonly column: number;
-    readonly offset: number;
-    readonly length: number;
-    readonly data: Readonly<Data[C]>;
-    readonly fix?: NcFix;
-  };
+  [C in NcCode]: { readonly code: C; readonly severity: NcSeverity; readonly line: number; readonly column: number; readonly offset: number;
+    readonly length: number; readonly data: Readonly<Data[C]>; readonly fix?: NcFix };
 }[NcCode];

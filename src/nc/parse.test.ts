@@ -3,7 +3,9 @@ import { parse } from "./parse.ts";
 import { issuesOf, print, startLines } from "./program.ts";
 
 const one = (text: string) => parse(text).blocks[0];
-const said = (text: string) => issuesOf(parse(`0 BEGIN PGM A MM\n${text}\n9 END PGM A MM\n`)).filter((i) => i.code !== "blockNumber" && i.code !== "blockNumberMissing").map((i) => `${i.code} ${i.line}:${i.column}`);
+const said = (text: string) =>
+  issuesOf(parse(`0 BEGIN PGM A MM\n${text}\n9 END PGM A MM\n`)).filter((i) => i.code !== "blockNumber" && i.code !== "blockNumberMissing")
+    .map((i) => `${i.code} ${i.line}:${i.column}`);
 
 describe("blocks", () => {
   test("number, skip mark, comment", () => {
@@ -16,21 +18,30 @@ describe("blocks", () => {
     expect(lines("1 CYCL DEF 7 N ~\nQ1=1 ~\nQ2=2\n2 M3\n")).toEqual([3, 1]);
     expect(lines("1 CYCL DEF 7 N\nQ1=1 ;A\n\nQ2 =2\n2 M3\n")).toEqual([4, 1]);
     expect(lines("1 CYCL DEF 7  LONG\nNAME\nQ1=1 ;A\nLABEL\nQ2=2\n2 M3")).toEqual([5, 1]);
-    expect(one("1 CYCL DEF 7  LONG\nNAME\nQ1=1 ;A\nLABEL\nQ2=2\n")?.statement).toMatchObject({ name: "LONG NAME", parameters: [{ label: "A LABEL" }, { label: null }] });
+    expect(one("1 CYCL DEF 7  LONG\nNAME\nQ1=1 ;A\nLABEL\nQ2=2\n")?.statement).toMatchObject({
+      name: "LONG NAME",
+      parameters: [{ label: "A LABEL" }, { label: null }],
+    });
     expect(lines("CYCL DEF 7 N\nQ5 = 3\nL X+1")).toEqual([1, 1, 1]);
   });
   test("a mark of continuation in front of a new block is said and goes no further", () => {
     expect(parse("1 CYCL DEF 7 N ~\nQ1=1 ~\n2 M3\n").blocks).toHaveLength(2);
     expect(said("1 CYCL DEF 7 N ~\nQ1=1 ~\n2 M3")).toEqual(["continuationOpen 3:7"]);
   });
-  test("places count lines over blocks of any line end", () => expect(startLines(parse("1 M3\r\n2 CYCL DEF 7 N ~\rQ1=1\n3 M4"))).toEqual([1, 2, 4]));
+  test("places count lines over blocks of any line end", () =>
+    expect(startLines(parse("1 M3\r\n2 CYCL DEF 7 N ~\rQ1=1\n3 M4"))).toEqual([1, 2, 4]));
 });
 
 describe("findings have a place, and a fix where it is plain", () => {
   test.each([
-    ["1 L X+1 FOO", "wordNotUnderstood 2:9"], ["1 L X+1 X+2", "wordTwice 2:9"], ["1 PLANE RESET", "notUnderstood 2:3"],
-    ["1 CYCL DEF 7 N ~\nQ1=abc", "badNumber 3:4"], ["1 CYCL DEF 7 N ~\nQ1=", "wordMissing 3:4"], ["1 CYCL DEF 7 N\nQ491+5 ;A", "equalsMissing 3:1"],
-    ["1 CYCL DEF 7 N\nQ491 =+5 ;A", "blankBeforeEquals 3:1"], ["1 CR X+1 DR+", "wordMissing 2:3"],
+    ["1 L X+1 FOO", "wordNotUnderstood 2:9"],
+    ["1 L X+1 X+2", "wordTwice 2:9"],
+    ["1 PLANE RESET", "notUnderstood 2:3"],
+    ["1 CYCL DEF 7 N ~\nQ1=abc", "badNumber 3:4"],
+    ["1 CYCL DEF 7 N ~\nQ1=", "wordMissing 3:4"],
+    ["1 CYCL DEF 7 N\nQ491+5 ;A", "equalsMissing 3:1"],
+    ["1 CYCL DEF 7 N\nQ491 =+5 ;A", "blankBeforeEquals 3:1"],
+    ["1 CR X+1 DR+", "wordMissing 2:3"],
   ])("%j", (text, finding) => expect(said(text)).toEqual([finding]));
   test("the fix of a misprint gives a text without it", () => {
     for (const text of ["1 CYCL DEF 7 N\nQ491+5 ;A\n", "1 CYCL DEF 7 N\nQ491 =+5 ;A\n"]) {
@@ -47,15 +58,32 @@ describe("findings have a place, and a fix where it is plain", () => {
 
 describe("spellings", () => {
   test.each([
-    ["L X +75,5 R 0 F MAX", "L X+75.5 R0 FMAX"], ["apr lt", "APR LT"], ["APPR LT X+1 LEN 15", "APPR LT X+1 LEN15"], ["FN0:Q5=+60", "FN 0: Q5 = +60"],
-    ["CALL LBL 2 REP8", "CALL LBL 2 REP 8"], ["TOOL  CALL 5 Z S3000 F MAX", "TOOL CALL 5 Z S3000 FMAX"], ["l x+1", "L X+1"],
+    ["L X +75,5 R 0 F MAX", "L X+75.5 R0 FMAX"],
+    ["apr lt", "APR LT"],
+    ["APPR LT X+1 LEN 15", "APPR LT X+1 LEN15"],
+    ["FN0:Q5=+60", "FN 0: Q5 = +60"],
+    ["CALL LBL 2 REP8", "CALL LBL 2 REP 8"],
+    ["TOOL  CALL 5 Z S3000 F MAX", "TOOL CALL 5 Z S3000 FMAX"],
+    ["l x+1", "L X+1"],
   ])("%s is %s", (one1, other) => {
     const [a, b] = [one(one1)?.statement, one(other)?.statement];
     if (a?.kind === "unknown") expect(b?.kind).toBe("unknown");
     else expect(a).toEqual(b);
   });
-  test.each(["CC", "L", "M140 MB MAX", "CYCL CALL POS X+1", "BLK FORM CYLINDER Z R50 L105 DIST+5 RI10", 'FUNCTION TURNDATA BLANK "f.h"', "FUNCTION TURNDATA CORR-TCS:Z/X DZL:0.1 DXL:0.05", "CT X+1 LIN_Z-6", "GRV RADIAL CENTER-20 DEPTH3 BREADTH4 FAR_CHF1", "CP IPA-1800 IZ+5 DR- RL F50", "SEL CONTOUR \"a.h\"", "STOP M6"])(
-    "%s is understood", (text) => expect(one(text)?.issues).toEqual([]));
+  test.each([
+    "CC",
+    "L",
+    "M140 MB MAX",
+    "CYCL CALL POS X+1",
+    "BLK FORM CYLINDER Z R50 L105 DIST+5 RI10",
+    'FUNCTION TURNDATA BLANK "f.h"',
+    "FUNCTION TURNDATA CORR-TCS:Z/X DZL:0.1 DXL:0.05",
+    "CT X+1 LIN_Z-6",
+    "GRV RADIAL CENTER-20 DEPTH3 BREADTH4 FAR_CHF1",
+    "CP IPA-1800 IZ+5 DR- RL F50",
+    'SEL CONTOUR "a.h"',
+    "STOP M6",
+  ])("%s is understood", (text) => expect(one(text)?.issues).toEqual([]));
 });
 
 test("10,000 blocks are read, each as it would be alone", () => {
@@ -66,7 +94,8 @@ test("10,000 blocks are read, each as it would be alone", () => {
 });
 
 test("a program that counts in tens is told so once, a jump in it again", () => {
-  const counted = (...numbers: number[]) => issuesOf(parse(numbers.map((n) => `${n} M8\n`).join(""))).filter((i) => i.code === "blockNumber").map((i) => i.data);
+  const counted = (...numbers: number[]) =>
+    issuesOf(parse(numbers.map((n) => `${n} M8\n`).join(""))).filter((i) => i.code === "blockNumber").map((i) => i.data);
   expect(counted(10, 20, 30, 40)).toEqual([{ found: 20, expected: 11 }]);
   expect(counted(10, 20, 30, 35, 45)).toEqual([{ found: 20, expected: 11 }, { found: 35, expected: 31 }, { found: 45, expected: 36 }]);
   expect(counted(1, 2, 2, 2, 3)).toEqual([{ found: 2, expected: 3 }, { found: 2, expected: 3 }]);

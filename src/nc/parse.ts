@@ -35,7 +35,8 @@ const NONE: readonly BlockIssue[] = [];
 
 function readBlock(text: string, { starts, ends }: Lines, s: Slice): Block {
   const line = s.first === s.last && !s.open ? readLine(text, s.body) : null;
-  if (line) return { raw: text.slice(s.from, s.to), lines: 1, number: s.number, skip: s.skip, statement: line, comment: null, issues: NONE };
+  if (line)
+    return { raw: text.slice(s.from, s.to), lines: 1, number: s.number, skip: s.skip, statement: line, comment: null, issues: NONE };
   const lines: BlockLine[] = [];
   for (let i = s.first; i <= s.last; i += 1) {
     const from = i === s.first ? s.body : (starts[i] ?? 0);
@@ -47,7 +48,13 @@ function readBlock(text: string, { starts, ends }: Lines, s: Slice): Block {
     : read.issues;
   const comment = read.statement.kind === "comment" || read.statement.kind === "cycle" ? null : (lines[0]?.comment ?? null);
   return {
-    raw: text.slice(s.from, s.to), lines: s.last - s.first + 1, number: s.number, skip: s.skip, statement: read.statement, comment, issues,
+    raw: text.slice(s.from, s.to),
+    lines: s.last - s.first + 1,
+    number: s.number,
+    skip: s.skip,
+    statement: read.statement,
+    comment,
+    issues,
   };
 }
 

@@ -12,9 +12,12 @@ function formulaText(f: Formula, style: Style, atLeast = 0): string {
 
 function bare(f: Formula, style: Style): string {
   switch (f.kind) {
-    case "value": return valueText(f.value, { ...style, plus: false });
-    case "negative": return `- ${formulaText(f.of, style, 4)}`;
-    case "call": return `${f.name} ${formulaText(f.of, style, 4)}`;
+    case "value":
+      return valueText(f.value, { ...style, plus: false });
+    case "negative":
+      return `- ${formulaText(f.of, style, 4)}`;
+    case "call":
+      return `${f.name} ${formulaText(f.of, style, 4)}`;
     default: {
       const rank = RANK[f.kind];
       return `${formulaText(f.left, style, rank)} ${SIGNS[f.kind]} ${formulaText(f.right, style, rank + 1)}`;

@@ -27,7 +27,8 @@ export function wordsText(words: Words, style: Style, signs: Signs = { length: t
   const parts: string[] = [];
   const add = (text: string, blanks = 1) => parts.push(" ".repeat(style.wide ? blanks : 1) + text);
   words.axes.forEach((w, i) => add(axisText(w, style), i === 2 || (i === 0) ? 2 : 1));
-  for (const text of [...polarText("PR", words.polarRadius, style), ...polarText("PA", words.polarAngle, style)]) add(text, parts.length === 0 ? 2 : 1);
+  for (const text of [...polarText("PR", words.polarRadius, style), ...polarText("PA", words.polarAngle, style)])
+    add(text, parts.length === 0 ? 2 : 1);
   const gap = style.spacedWords ? " " : "";
   const spaced = (name: string, value: string) => add(`${name}${/^[+-]/.test(value) ? "" : gap}${value}`);
   if (words.centreAngle !== undefined) spaced("CCA", unsigned(words.centreAngle, style));

@@ -22,63 +22,95 @@ const namedText = (words: readonly NamedWord[], style: Style, colon = "") =>
 /** The lines of a statement without block number and line ends; only cycles have more than one. */
 export function statementLines(s: Statement, style: Style): string[] {
   if (s.kind !== "cycle") return [statementText(s, style)];
-  const lines = [`CYCL DEF ${s.cycle}${s.name === "" ? "" : `${style.wide ? "  " : " "}${s.name}`}`, ...s.parameters.map((p) => parameterText(p, style))];
+  const lines = [
+    `CYCL DEF ${s.cycle}${s.name === "" ? "" : `${style.wide ? "  " : " "}${s.name}`}`,
+    ...s.parameters.map((p) => parameterText(p, style)),
+  ];
   return style.continued ? lines.map((line, i) => (i < lines.length - 1 ? `${line} ~` : line)) : lines;
 }
 
 function statementText(s: Exclude<Statement, { kind: "cycle" }>, style: Style): string {
   const two = style.wide ? "  " : " ";
   switch (s.kind) {
-    case "empty": return "";
-    case "comment": return `;${s.text}`;
-    case "structure": return `* - ${s.text}`;
-    case "begin": return `BEGIN PGM ${s.name} ${s.unit}`;
-    case "end": return `END PGM ${s.name} ${s.unit}`;
+    case "empty":
+      return "";
+    case "comment":
+      return `;${s.text}`;
+    case "structure":
+      return `* - ${s.text}`;
+    case "begin":
+      return `BEGIN PGM ${s.name} ${s.unit}`;
+    case "end":
+      return `END PGM ${s.name} ${s.unit}`;
     case "blankBox": {
       const axes = s.axes.map((w) => ` ${w.incremental ? "I" : ""}${w.axis}${valueText(w.value, style)}`).join("");
       return `BLK FORM 0.${s.corner}${s.axis ? ` ${s.axis}` : ""}${axes}`;
     }
     case "blankCylinder":
-      return `BLK FORM CYLINDER ${s.axis}${s.outside ? bare(s.outside.measure, s.outside.value, style) : ""}${bare("L", s.length, style)}` +
-        `${optional("DIST", s.distance, style)}${s.inside ? bare(s.inside.measure, s.inside.value, style) : ""}`;
-    case "blankRotation": return `BLK FORM ROTATION ${s.axis} DIM_${s.measure} LBL ${labelText(s.label)}`;
-    case "toolDefinition": return `TOOL DEF ${labelText(s.tool)}${optional("L", s.length, style)}${optional("R", s.radius, style)}`;
+      return `BLK FORM CYLINDER ${s.axis}${s.outside ? bare(s.outside.measure, s.outside.value, style) : ""}${bare("L", s.length, style)}`
+        + `${optional("DIST", s.distance, style)}${s.inside ? bare(s.inside.measure, s.inside.value, style) : ""}`;
+    case "blankRotation":
+      return `BLK FORM ROTATION ${s.axis} DIM_${s.measure} LBL ${labelText(s.label)}`;
+    case "toolDefinition":
+      return `TOOL DEF ${labelText(s.tool)}${optional("L", s.length, style)}${optional("R", s.radius, style)}`;
     case "toolCall": {
       const tool = s.tool === null ? "" : ` ${typeof s.tool === "object" ? unsigned(s.tool, style) : labelText(s.tool)}`;
       const feed = s.feed === null ? "" : ` ${feedText(s.feed, style)}`;
       const extra = s.extra.map((word) => ` ${word}`).join("");
-      return `TOOL CALL${tool}${s.axis ? ` ${s.axis}` : ""}${bare("S", s.speed, style)}${feed}${optional("DL", s.deltaLength, style)}${optional("DR", s.deltaRadius, style)}${extra}`;
+      return `TOOL CALL${tool}${s.axis ? ` ${s.axis}` : ""}${bare("S", s.speed, style)}${feed}`
+        + `${optional("DL", s.deltaLength, style)}${optional("DR", s.deltaRadius, style)}${extra}`;
     }
-    case "mode": return `FUNCTION MODE ${s.mode}${s.kinematics === null ? "" : ` "${s.kinematics}"`}`;
+    case "mode":
+      return `FUNCTION MODE ${s.mode}${s.kinematics === null ? "" : ` "${s.kinematics}"`}`;
     case "spin":
-      return `FUNCTION TURNDATA SPIN VCONST:${s.constantSurface ? "ON" : "OFF"}${bare("VC:", s.cuttingSpeed, style)}${bare("S", s.speed, style)}${bare("SMAX", s.limit, style)}`;
-    case "turnCorrection": return `FUNCTION TURNDATA CORR-${s.system}:${s.plane}${namedText(s.words, style, ":")}`;
+      return `FUNCTION TURNDATA SPIN VCONST:${s.constantSurface ? "ON" : "OFF"}${bare("VC:", s.cuttingSpeed, style)}`
+        + `${bare("S", s.speed, style)}${bare("SMAX", s.limit, style)}`;
+    case "turnCorrection":
+      return `FUNCTION TURNDATA CORR-${s.system}:${s.plane}${namedText(s.words, style, ":")}`;
     case "turnBlank":
-      return `FUNCTION TURNDATA BLANK ${s.blank === "off" ? "OFF" : "file" in s.blank ? `"${s.blank.file}"` : `LBL ${labelText(s.blank.label)}`}`;
-    case "path": return `${s.path}${wordsText(s.words, style, { length: true, radius: s.path !== "RND" })}`;
-    case "chamfer": return `CHF${s.length === null ? "" : two + unsigned(s.length, style)}${wordsText(s.words, style)}`;
-    case "approach": return `${s.departing ? "DEP" : "APPR"} ${s.form}${wordsText(s.words, { ...style, wide: false }, signsOf(s.form))}`;
-    case "undercut": return `UDC ${s.form}${namedText(s.words, style)}`;
-    case "groove": return `GRV ${s.form}${namedText(s.words, style)}`;
-    case "label": return `LBL${s.label === 0 ? " " : two}${labelText(s.label)}`;
+      return "FUNCTION TURNDATA BLANK "
+        + (s.blank === "off" ? "OFF" : "file" in s.blank ? `"${s.blank.file}"` : `LBL ${labelText(s.blank.label)}`);
+    case "path":
+      return `${s.path}${wordsText(s.words, style, { length: true, radius: s.path !== "RND" })}`;
+    case "chamfer":
+      return `CHF${s.length === null ? "" : two + unsigned(s.length, style)}${wordsText(s.words, style)}`;
+    case "approach":
+      return `${s.departing ? "DEP" : "APPR"} ${s.form}${wordsText(s.words, { ...style, wide: false }, signsOf(s.form))}`;
+    case "undercut":
+      return `UDC ${s.form}${namedText(s.words, style)}`;
+    case "groove":
+      return `GRV ${s.form}${namedText(s.words, style)}`;
+    case "label":
+      return `LBL${s.label === 0 ? " " : two}${labelText(s.label)}`;
     case "call": {
       const target = typeof s.label === "object" ? unsigned(s.label, style) : labelText(s.label);
       return `CALL LBL ${target}${s.repeat === null ? "" : ` REP ${unsigned(s.repeat, style)}`}`;
     }
-    case "cycleLine": return `CYCL DEF ${s.cycle}.${s.line}${s.text === "" ? "" : two + s.text}`;
-    case "cycleCall": return `CYCL CALL${s.how === "" ? "" : ` ${s.how}`}${wordsText(s.words, { ...style, wide: false })}`;
-    case "selectContour": return `SEL CONTOUR "${s.file}"`;
-    case "assign": return assignmentText(s, style);
+    case "cycleLine":
+      return `CYCL DEF ${s.cycle}.${s.line}${s.text === "" ? "" : two + s.text}`;
+    case "cycleCall":
+      return `CYCL CALL${s.how === "" ? "" : ` ${s.how}`}${wordsText(s.words, { ...style, wide: false })}`;
+    case "selectContour":
+      return `SEL CONTOUR "${s.file}"`;
+    case "assign":
+      return assignmentText(s, style);
     case "jump": {
       const signed = (value: Value) => valueText(value, { ...style, plus: true });
       const target = typeof s.label === "object" ? unsigned(s.label, style) : labelText(s.label);
-      return `${s.fn === null ? "" : `FN ${s.fn}: `}IF ${signed(s.left)} ${s.compare}${s.right === null ? "" : ` ${signed(s.right)}`} GOTO LBL ${target}`;
+      return `${s.fn === null ? "" : `FN ${s.fn}: `}IF ${signed(s.left)} ${s.compare}`
+        + `${s.right === null ? "" : ` ${signed(s.right)}`} GOTO LBL ${target}`;
     }
     case "datum":
-      return `TRANS DATUM ${s.shift === "reset" ? "RESET" : `AXIS${s.shift.map((w) => ` ${w.incremental ? "I" : ""}${w.axis}${valueText(w.value, style)}`).join("")}`}`;
-    case "functions": return wordsText(s.words, style).trimStart();
-    case "stop": return `STOP${wordsText(s.words, { ...style, wide: false })}`;
-    case "unknown": return s.text;
+      return "TRANS DATUM "
+        + (s.shift === "reset"
+          ? "RESET"
+          : `AXIS${s.shift.map((w) => ` ${w.incremental ? "I" : ""}${w.axis}${valueText(w.value, style)}`).join("")}`);
+    case "functions":
+      return wordsText(s.words, style).trimStart();
+    case "stop":
+      return `STOP${wordsText(s.words, { ...style, wide: false })}`;
+    case "unknown":
+      return s.text;
   }
 }
 
@@ -89,7 +121,12 @@ export function headText(number: number | null, skip: boolean, s: Statement, sty
 }
 
 /** A block with number and line end. */
-export function blockText(number: number | null, s: Statement, style: Style, more: { readonly skip?: boolean; readonly comment?: string | null } = {}): string {
+export function blockText(
+  number: number | null,
+  s: Statement,
+  style: Style,
+  more: { readonly skip?: boolean; readonly comment?: string | null } = {},
+): string {
   const lines = statementLines(s, style);
   const comment = more.comment === undefined || more.comment === null ? "" : ` ;${more.comment}`;
   return headText(number, more.skip ?? false, s, style) + lines.map((line, i) => line + (i === 0 ? comment : "") + style.newLine).join("");

@@ -70,8 +70,14 @@ export const issuesOf = (program: Program): NcIssue[] => [...eachIssue(program)]
 /** The same one after the other: a long program may have more than should be in memory at once. */
 export function* eachIssue({ blocks }: Program): Generator<NcIssue> {
   const said = ({ statement: { kind } }: Block) => kind !== "empty" && kind !== "comment";
-  const missing = (which: "BEGIN PGM" | "END PGM", place: { line: number; offset: number }): NcIssue =>
-    ({ code: "frameMissing", severity: "warning", column: 1, length: 0, ...place, data: { which } });
+  const missing = (which: "BEGIN PGM" | "END PGM", place: { line: number; offset: number }): NcIssue => ({
+    code: "frameMissing",
+    severity: "warning",
+    column: 1,
+    length: 0,
+    ...place,
+    data: { which },
+  });
   if (blocks.find(said)?.statement.kind !== "begin") yield missing("BEGIN PGM", { line: 1, offset: 0 });
   const numbered = blocks.some((b) => b.number !== null);
   let [offset, line] = [0, 1];

@@ -59,8 +59,18 @@ function readParameters(line: BlockLine, parameters: CycleParameter[], issues: B
     const [gap, equals] = [head[2] ?? "", head[3] ?? ""];
     const bare = head[0].trimEnd();
     const start = scan.at - head[0].length + (head[1] ?? "").length;
-    if (!equals) scan.issue({ code: "equalsMissing", severity: "warning", data: { text: q } }, head[0].length, { from: start, length: gap.length, text: "=" });
-    else if (gap) scan.issue({ code: "blankBeforeEquals", severity: "info", data: { text: bare } }, head[0].length, { from: start, length: gap.length, text: "" });
+    if (!equals)
+      scan.issue({ code: "equalsMissing", severity: "warning", data: { text: q } }, head[0].length, {
+        from: start,
+        length: gap.length,
+        text: "=",
+      });
+    else if (gap)
+      scan.issue({ code: "blankBeforeEquals", severity: "info", data: { text: bare } }, head[0].length, {
+        from: start,
+        length: gap.length,
+        text: "",
+      });
     const m = scan.take(Q_VALUE);
     const word = m?.[1]?.toUpperCase();
     const value = word ? (word === "MAX" ? "max" : "auto") : m ? scan.value(m[2] ?? "") : null;

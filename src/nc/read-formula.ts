@@ -8,8 +8,10 @@ const CALL = /(SIN|COS|TAN|ASIN|ACOS|ATAN|SQRT|SQ|LN|LOG|EXP|NEG|INT|ABS|FRAC|SG
 const FN = /FN[ \t]*([0-5])[ \t]*:/iy;
 /** Signs between two values of FN 1 to FN 4. */
 const FN_SIGN: Readonly<Record<string, { readonly sign: RegExp; readonly kind: "sum" | "difference" | "product" | "quotient" }>> = {
-  1: { sign: /\+/y, kind: "sum" }, 2: { sign: /-/y, kind: "difference" },
-  3: { sign: /\*/y, kind: "product" }, 4: { sign: /DIV(?![A-Z])|\//iy, kind: "quotient" },
+  1: { sign: /\+/y, kind: "sum" },
+  2: { sign: /-/y, kind: "difference" },
+  3: { sign: /\*/y, kind: "product" },
+  4: { sign: /DIV(?![A-Z])|\//iy, kind: "quotient" },
 };
 /** Deeper nesting than anyone writes is refused, so that the reader never runs out of stack. */
 const DEEPEST = 50;

@@ -40,7 +40,9 @@ export function readBlank(scan: Scan): Statement | null {
   const label = scan.take(LBL);
   if (!label || !axis) return null;
   return {
-    kind: "blankRotation", axis: axisName(axis[1] ?? ""), measure: measure?.[1]?.toUpperCase() === "R" ? "R" : "D",
+    kind: "blankRotation",
+    axis: axisName(axis[1] ?? ""),
+    measure: measure?.[1]?.toUpperCase() === "R" ? "R" : "D",
     label: readLabel(label[1], label[2]),
   };
 }
@@ -91,7 +93,8 @@ export function readToolCall(scan: Scan): Statement {
     else if ((got = value(scan.take(DL))) !== null) deltaLength = got;
     else if ((got = value(scan.take(DR))) !== null) deltaRadius = got;
     else if ((m = scan.take(FEED_WORD))) feed = m[1]?.toUpperCase() === "MAX" ? "max" : "auto";
-    else if ((got = value((m = scan.take(FEED_VALUE)), 2)) !== null) feed = { value: got, unit: (m?.[1] ?? "F").toUpperCase() as "F" | "FU" | "FZ" };
+    else if ((got = value(m = scan.take(FEED_VALUE), 2)) !== null)
+      feed = { value: got, unit: (m?.[1] ?? "F").toUpperCase() as "F" | "FU" | "FZ" };
     else {
       const word = scan.word();
       extra.push(word);
@@ -99,8 +102,14 @@ export function readToolCall(scan: Scan): Statement {
     }
   }
   return {
-    kind: "toolCall", tool, axis: axis ? axisName(axis[1] ?? "") : null, speed: speed ?? null, feed,
-    deltaLength: deltaLength ?? null, deltaRadius: deltaRadius ?? null, extra,
+    kind: "toolCall",
+    tool,
+    axis: axis ? axisName(axis[1] ?? "") : null,
+    speed: speed ?? null,
+    feed,
+    deltaLength: deltaLength ?? null,
+    deltaRadius: deltaRadius ?? null,
+    extra,
   };
 }
 
@@ -112,8 +121,10 @@ export function readToolDefinition(scan: Scan): Statement | null {
   const radius = scan.take(R);
   scan.leftOver();
   return {
-    kind: "toolDefinition", tool: readLabel(tool[1]?.replace(",", "."), tool[2]),
-    length: length ? scan.value(length[1] ?? "") : null, radius: radius ? scan.value(radius[1] ?? "") : null,
+    kind: "toolDefinition",
+    tool: readLabel(tool[1]?.replace(",", "."), tool[2]),
+    length: length ? scan.value(length[1] ?? "") : null,
+    radius: radius ? scan.value(radius[1] ?? "") : null,
   };
 }
 

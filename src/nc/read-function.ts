@@ -38,7 +38,11 @@ export function readFunction(scan: Scan): Statement | null {
 function readSpin(scan: Scan): Statement {
   const constant = scan.take(VCONST);
   if (!constant) scan.missing("VCONST");
-  const spin = { cuttingSpeed: null as ReturnType<Scan["value"]>, speed: null as ReturnType<Scan["value"]>, limit: null as ReturnType<Scan["value"]> };
+  const spin = {
+    cuttingSpeed: null as ReturnType<Scan["value"]>,
+    speed: null as ReturnType<Scan["value"]>,
+    limit: null as ReturnType<Scan["value"]>,
+  };
   for (;;) {
     let m: RegExpExecArray | null;
     if ((m = scan.take(VC))) spin.cuttingSpeed = scan.value(m[1] ?? "");

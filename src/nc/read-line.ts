@@ -4,7 +4,9 @@ const NUMBER = String.raw`([+-]?\d+(?:[.,]\d+)?)`;
 const axis = (name: string) => String.raw`(?:(I?)${name}${NUMBER}[ \t]*)?`;
 /** A straight line as nearly every program writes it, up to the end of its text line. */
 const LINE = new RegExp(
-  String.raw`L[ \t]+${axis("X")}${axis("Y")}${axis("Z")}(?:(R0|(?:RL|RR)(?![A-Z]))[ \t]*)?(?:F(?:(MAX|AUTO)(?![A-Z])|(\d+(?:[.,]\d+)?))[ \t]*)?(?:M(\d{1,4})[ \t]*)?(?:M(\d{1,4})[ \t]*)?(?![^\r\n])`, "y",
+  String.raw`L[ \t]+${axis("X")}${axis("Y")}${axis("Z")}(?:(R0|(?:RL|RR)(?![A-Z]))[ \t]*)?`
+    + String.raw`(?:F(?:(MAX|AUTO)(?![A-Z])|(\d+(?:[.,]\d+)?))[ \t]*)?(?:M(\d{1,4})[ \t]*)?(?:M(\d{1,4})[ \t]*)?(?![^\r\n])`,
+  "y",
 );
 const AXES: readonly AxisName[] = ["X", "Y", "Z"];
 

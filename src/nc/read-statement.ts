@@ -9,7 +9,11 @@ import { Scan } from "./scan.ts";
 import { APPROACH_FORMS, type ApproachForm, type PathKind, type Statement, type Words } from "./statement.ts";
 import { NUMBER_PARAMETER, PARAMETER, readLabel, TEXT_PARAMETER, VALUE } from "./value.ts";
 
-const KEYWORD = /(?:(CYCL[ \t]+(?:DEF|CALL)|BEGIN[ \t]+PGM|END[ \t]+PGM|BLK[ \t]+FORM|TOOL[ \t]+(?:CALL|DEF)|CALL[ \t]+LBL|SEL[ \t]+CONTOUR|TRANS[ \t]+DATUM|FUNCTION|LBL|STOP|APPR|DEP|UDC|GRV|RND|CHF|CTP|CR|CT|CC|CP|LP|L|C)(?![A-Z_]))/iy;
+const KEYWORD = new RegExp(
+  String.raw`(?:(CYCL[ \t]+(?:DEF|CALL)|BEGIN[ \t]+PGM|END[ \t]+PGM|BLK[ \t]+FORM|TOOL[ \t]+(?:CALL|DEF)|CALL[ \t]+LBL|SEL[ \t]+CONTOUR|`
+    + String.raw`TRANS[ \t]+DATUM|FUNCTION|LBL|STOP|APPR|DEP|UDC|GRV|RND|CHF|CTP|CR|CT|CC|CP|LP|L|C)(?![A-Z_]))`,
+  "iy",
+);
 const ASSIGNMENT = new RegExp(String.raw`(?:FN[ \t]*[0-5][ \t]*:|${NUMBER_PARAMETER}[ \t]*=)`, "iy");
 const FUNCTIONS = /M\d/iy;
 /** A paraxial block: a coordinate without L. */
@@ -47,7 +51,11 @@ export function readStatement(lines: readonly BlockLine[]): Read {
   if (!statement || (lines.length > 1 && !cycle)) {
     const text = lines.map((l) => l.text.trim()).join(" ");
     const whole: BlockIssue = {
-      code: "notUnderstood", severity: "info", offset: head.offset, length: head.text.trimEnd().length, data: { text: text.slice(0, 60) },
+      code: "notUnderstood",
+      severity: "info",
+      offset: head.offset,
+      length: head.text.trimEnd().length,
+      data: { text: text.slice(0, 60) },
     };
     return { statement: { kind: "unknown", text }, issues: [whole] };
   }
@@ -61,21 +69,32 @@ function dispatch(scan: Scan, lines: readonly BlockLine[], issues: BlockIssue[])
   const word = keyword[0].toUpperCase();
   if (PATHS.has(word)) return path(scan, word as PathKind);
   switch (word.replace(/[ \t]+/, " ")) {
-    case "CYCL DEF": return readCycle(scan, lines, issues);
+    case "CYCL DEF":
+      return readCycle(scan, lines, issues);
     case "CYCL CALL": {
       const how = scan.take(HOW);
       return { kind: "cycleCall", how: (how?.[1]?.toUpperCase() ?? "") as "" | "POS" | "PAT", words: readWords(scan) };
     }
-    case "BEGIN PGM": return readFrame(scan, "begin");
-    case "END PGM": return readFrame(scan, "end");
-    case "BLK FORM": return readBlank(scan);
-    case "TOOL CALL": return readToolCall(scan);
-    case "TOOL DEF": return readToolDefinition(scan);
-    case "FUNCTION": return readFunction(scan);
-    case "RND": return rounding(scan);
-    case "CHF": return chamfer(scan);
-    case "APPR": return approach(scan, false);
-    case "DEP": return approach(scan, true);
+    case "BEGIN PGM":
+      return readFrame(scan, "begin");
+    case "END PGM":
+      return readFrame(scan, "end");
+    case "BLK FORM":
+      return readBlank(scan);
+    case "TOOL CALL":
+      return readToolCall(scan);
+    case "TOOL DEF":
+      return readToolDefinition(scan);
+    case "FUNCTION":
+      return readFunction(scan);
+    case "RND":
+      return rounding(scan);
+    case "CHF":
+      return chamfer(scan);
+    case "APPR":
+      return approach(scan, false);
+    case "DEP":
+      return approach(scan, true);
     case "UDC": {
       const form = scan.take(UNDERCUT);
       return form && { kind: "undercut", form: (form[1] ?? "").replace(/[ \t]/g, "").toUpperCase(), words: readNamedWords(scan) };
@@ -84,15 +103,20 @@ function dispatch(scan: Scan, lines: readonly BlockLine[], issues: BlockIssue[])
       const form = scan.take(GROOVE);
       return form && { kind: "groove", form: form[1]?.toUpperCase() === "AXIAL" ? "AXIAL" : "RADIAL", words: readNamedWords(scan) };
     }
-    case "LBL": return label(scan);
-    case "CALL LBL": return call(scan);
+    case "LBL":
+      return label(scan);
+    case "CALL LBL":
+      return call(scan);
     case "SEL CONTOUR": {
       const file = scan.take(QUOTED);
       return file && { kind: "selectContour", file: file[1] ?? "" };
     }
-    case "TRANS DATUM": return readDatum(scan);
-    case "STOP": return { kind: "stop", words: readWords(scan) };
-    default: return null;
+    case "TRANS DATUM":
+      return readDatum(scan);
+    case "STOP":
+      return { kind: "stop", words: readWords(scan) };
+    default:
+      return null;
   }
 }
 

@@ -17,10 +17,23 @@ function seen<T>(texts: readonly string[], show: (raw: string) => T | null, othe
 const INDENTED = new RegExp(String.raw`[\r\n]([ \t]*)${NUMBER_PARAMETER}[ \t]*=`, "i");
 const code = (raw: string) => raw.replace(/;[^\r\n]*/g, "");
 const newLine = (raw: string) => /\r\n|\n|\r/.exec(raw)?.[0] as Style["newLine"] | undefined ?? null;
-const wide = (raw: string) => (/^\/?\d+ +(?:CYCL DEF \d+(?:\.\d+)?|L|LBL|RND|CHF) {2}/m.test(code(raw)) ? true : /^\/?\d+ (?:CYCL DEF \d+|L|RND|CHF) \S/m.test(code(raw)) ? false : null);
-const continued = (raw: string) => (/CYCL DEF \d+(?!\.)[^\r\n]*[\r\n]/i.test(raw) && /[\r\n]\s*Q\d/.test(raw) ? /~[ \t]*(?:\r|\n)/.test(raw) : null);
+const wide =
+  (raw:
+    string) => (/^\/?\d+ +(?:CYCL DEF \d+(?:\.\d+)?|L|LBL|RND|CHF) {2}/m.test(code(raw))
+      ? true
+      : /^\/?\d+ (?:CYCL DEF \d+|L|RND|CHF) \S/m.test(code(raw))
+      ? false
+      : null);
+const continued =
+  (raw: string) => (/CYCL DEF \d+(?!\.)[^\r\n]*[\r\n]/i.test(raw) && /[\r\n]\s*Q\d/.test(raw) ? /~[ \t]*(?:\r|\n)/.test(raw) : null);
 const plus = (raw: string) => (/(?:[XYZ=]|IX|IZ)\+[\d.,]/.test(code(raw)) ? true : /(?:[XYZ]|=)\d/.test(code(raw)) ? false : null);
-const decimal = (raw: string): "," | "." | null => (/\d,\d/.test(code(raw)) ? "," : /[A-Z=+-]\d*\.\d/.test(code(raw).replace(/CYCL DEF \d+\.\d+[^\r\n]*|BLK FORM 0\.[12]/g, "")) ? "." : null);
+const decimal =
+  (raw: string): "," | "."
+    | null => (/\d,\d/.test(code(raw))
+      ? ","
+      : /[A-Z=+-]\d*\.\d/.test(code(raw).replace(/CYCL DEF \d+\.\d+[^\r\n]*|BLK FORM 0\.[12]/g, ""))
+      ? "."
+      : null);
 const indent = (raw: string) => INDENTED.exec(raw)?.[1] ?? null;
 const rapid = (raw: string) => (/F MAX/.test(raw) ? "F MAX" as const : /FMAX/.test(raw) ? "FMAX" as const : null);
 const spacedWords = (raw: string) => (/(?:LEN|CCA) [\d+]/.test(raw) ? true : /(?:LEN|CCA)[\d+]/.test(raw) ? false : null);

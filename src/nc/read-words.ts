@@ -3,7 +3,8 @@ import type { AxisName, AxisWord, Compensation, FeedWord, Words } from "./statem
 import { VALUE } from "./value.ts";
 
 const FEED = /(?:(F[ \t]*MAX)|(F[ \t]*AUTO))(?![A-Z])/iy;
-const WORD = new RegExp(String.raw`(LIN_[XYZABCUVW]|CCA|LEN|IP[RA]|P[RA]|I?[XYZABCUVW]|F[UZ]?|MB|M|R)[ \t]*(?:(MAX)(?![A-Z])|(${VALUE}))`, "iy");
+const WORD = new RegExp(String.raw`(LIN_[XYZABCUVW]|CCA|LEN|IP[RA]|P[RA]|I?[XYZABCUVW]|F[UZ]?|MB|M|R)[ \t]*(?:(MAX)(?![A-Z])|(${VALUE}))`,
+  "iy");
 const COMPENSATION = /R[ \t]?0(?![\d.,])|(?:RL|RR)(?![A-Z])/iy;
 const SIDE = /(RL|RR)(?![A-Z])/iy;
 const TURN = /DR[ \t]*([+-])/iy;
@@ -67,20 +68,30 @@ function readWord(scan: Scan, m: RegExpExecArray, lists: Lists, put: Put): void 
   const length = m[0].length;
   if (m[2] !== undefined && name !== "MB") return unread(scan, m[0], lists.extra);
   const value = m[3] === undefined ? null : scan.value(m[3]);
-  if (name === "MB") return void (m[2] !== undefined ? put("retract", name, "max", length) : value !== null && put("retract", name, value, length));
+  if (name === "MB")
+    return void (m[2] !== undefined ? put("retract", name, "max", length) : value !== null && put("retract", name, value, length));
   if (value === null) return unread(scan, m[0], lists.extra, false);
   switch (name) {
-    case "F": case "FU": case "FZ":
+    case "F":
+    case "FU":
+    case "FZ":
       return put(feedKey(lists.functions), "F", { value, unit: feedUnit(name) } satisfies FeedWord, length);
     case "M":
       if (typeof value === "number") lists.functions.push(value);
       else unread(scan, m[0], lists.extra);
       return;
-    case "R": return put("radius", "R", value, length);
-    case "CCA": return put("centreAngle", name, value, length);
-    case "LEN": return put("length", name, value, length);
-    case "PR": case "IPR": return put("polarRadius", name, { value, incremental: name === "IPR" }, length);
-    case "PA": case "IPA": return put("polarAngle", name, { value, incremental: name === "IPA" }, length);
+    case "R":
+      return put("radius", "R", value, length);
+    case "CCA":
+      return put("centreAngle", name, value, length);
+    case "LEN":
+      return put("length", name, value, length);
+    case "PR":
+    case "IPR":
+      return put("polarRadius", name, { value, incremental: name === "IPR" }, length);
+    case "PA":
+    case "IPA":
+      return put("polarAngle", name, { value, incremental: name === "IPA" }, length);
     default: {
       const incremental = name.startsWith("I");
       if (name.startsWith("LIN_")) return void lists.linear.push({ axis: axisName(name.slice(4)), value, incremental: false });

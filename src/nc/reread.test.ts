@@ -7,7 +7,8 @@ const samples = import.meta.glob<string>("../../tests/programs/**/*.h", { query:
 const texts = Object.values(samples);
 
 const piece = fc.oneof(
-  fc.constantFrom("", "~", " ~\n", "\n", "\n\n\n", "\r\n", ";", '"', "Q", "Q200=+5\n", "=", "7", "/", " ", "CYCL DEF 207\n", "LBL 1\n", "12 L X+3\nQ215=1 ;A\n"),
+  fc.constantFrom("", "~", " ~\n", "\n", "\n\n\n", "\r\n", ";", '"', "Q", "Q200=+5\n", "=", "7", "/", " ", "CYCL DEF 207\n", "LBL 1\n",
+    "12 L X+3\nQ215=1 ;A\n"),
   fc.string({ maxLength: 6 }),
 );
 const edits = fc.array(fc.tuple(fc.double({ min: 0, max: 1, noNaN: true }), fc.nat(30), piece), { minLength: 1, maxLength: 12 });

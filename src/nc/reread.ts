@@ -71,7 +71,7 @@ export function reread(old: Reading, change: Change, slice: (from: number, to: n
   const first = beginning(blocks, blockAt(old, change.from));
   const from = blocks.length === 0 ? 0 : (old.starts[first] ?? 0);
   const touched = blockAt(old, change.to);
-  for (let behind = BEHIND; ; behind *= 2) {
+  for (let behind = BEHIND;; behind *= 2) {
     const last = touched < 0 ? blocks.length : Math.min(blocks.length, touched + behind);
     const to = last >= blocks.length ? whole : (old.starts[last] ?? 0) + by;
     const fresh = parse(slice(from, to)).blocks;
@@ -83,7 +83,10 @@ export function reread(old: Reading, change: Change, slice: (from: number, to: n
 
 /** The first boundary behind the change that old and new blocks share, far enough from where the slice was cut off. */
 function meeting(
-  old: Reading, fresh: readonly Block[], from: number, { to, by, last }: { readonly to: number; readonly by: number; readonly last: number },
+  old: Reading,
+  fresh: readonly Block[],
+  from: number,
+  { to, by, last }: { readonly to: number; readonly by: number; readonly last: number },
 ): { readonly old: number; readonly fresh: number } | null {
   let safe = fresh.length;
   for (let seen = 0; safe > 0 && seen < LOOKS_AHEAD;) {

@@ -48,7 +48,11 @@ export class Scan {
   }
 
   /** Adds an issue over the `length` characters before the reading position. */
-  issue(i: Pick<BlockIssue, "code" | "severity" | "data">, length = 0, fix?: { readonly from: number; readonly length: number; readonly text: string }): void {
+  issue(
+    i: Pick<BlockIssue, "code" | "severity" | "data">,
+    length = 0,
+    fix?: { readonly from: number; readonly length: number; readonly text: string },
+  ): void {
     const offset = this.offset + this.at - length;
     if (i.code === "wordNotUnderstood" && this.extended(offset + length)) return;
     const put = fix && { fix: { offset: this.offset + fix.from, length: fix.length, text: fix.text } };
@@ -62,7 +66,11 @@ export class Scan {
     const from = last.offset - this.offset;
     const between = this.text.slice(from + last.length, this.at);
     if (!/^[ \t\u00a0]*\S+$/.test(between)) return false;
-    this.issues[this.issues.length - 1] = { ...last, length: end - last.offset, data: { text: this.text.slice(from, from + Math.min(end - last.offset, 40)) } };
+    this.issues[this.issues.length - 1] = {
+      ...last,
+      length: end - last.offset,
+      data: { text: this.text.slice(from, from + Math.min(end - last.offset, 40)) },
+    };
     return true;
   }
 

@@ -43,7 +43,11 @@ export function splitLines(text: string): Lines {
 const HEAD = /[ \t\u00a0\ufeff]*(\/?)[ \t]*(?:(\d+)(?![\d.,])[ \t\u00a0]*(\/?))?[ \t\u00a0]*/y;
 const CYCLE_HEAD = /(?:CYCL[ \t]+DEF|TCH[ \t]+PROBE)[ \t]*\d+(?![\d.])/iy;
 const Q_LINE = /[ \t\u00a0]*Q(\d+)[ \t\u00a0]*(?:=|[+-][ \t]*[\d.,])/iy;
-const NEW_BLOCK = /[ \t\u00a0\ufeff]*(?:\/?[ \t]*\d+[ \t/]|(?:CYCL|BEGIN|END|LBL|CALL|TOOL|BLK|FUNCTION|L|C|CR|CT|CC|RND|CHF|APPR|DEP|STOP|M\d+|SEL|FN|IF|TRANS)(?![A-Z])|\*|;)/iy;
+const NEW_BLOCK = new RegExp(
+  String.raw`[ \t\u00a0\ufeff]*(?:\/?[ \t]*\d+[ \t/]|`
+    + String.raw`(?:CYCL|BEGIN|END|LBL|CALL|TOOL|BLK|FUNCTION|L|C|CR|CT|CC|RND|CHF|APPR|DEP|STOP|M\d+|SEL|FN|IF|TRANS)(?![A-Z])|\*|;)`,
+  "iy",
+);
 
 const matchAt = (pattern: RegExp, text: string, at: number): RegExpExecArray | null => {
   pattern.lastIndex = at;
@@ -103,8 +107,14 @@ export function splitBlocks(text: string, { starts, ends }: Lines): Slice[] {
     }
     i = last + 1;
     slices.push({
-      from: starts[first] ?? 0, to: i < count ? (starts[i] ?? text.length) : text.length, first, last,
-      number: numbered ? printed(head?.[2]) : null, skip: head?.[1] === "/" || head?.[3] === "/", body, open,
+      from: starts[first] ?? 0,
+      to: i < count ? (starts[i] ?? text.length) : text.length,
+      first,
+      last,
+      number: numbered ? printed(head?.[2]) : null,
+      skip: head?.[1] === "/" || head?.[3] === "/",
+      body,
+      open,
     });
   }
   return slices;

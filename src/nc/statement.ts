@@ -66,11 +66,12 @@ export interface CycleParameter {
 }
 
 /** Right side of an assignment. */
-export type Formula =
-  | { readonly kind: "value"; readonly value: Value }
-  | { readonly kind: "call"; readonly name: string; readonly of: Formula }
-  | { readonly kind: "negative"; readonly of: Formula }
-  | { readonly kind: "sum" | "difference" | "product" | "quotient" | "power" | "remainder"; readonly left: Formula; readonly right: Formula };
+export type Formula = { readonly kind: "value"; readonly value: Value } | { readonly kind: "call"; readonly name: string;
+  readonly of: Formula } | { readonly kind: "negative"; readonly of: Formula } | {
+  readonly kind: "sum" | "difference" | "product" | "quotient" | "power" | "remainder";
+  readonly left: Formula;
+  readonly right: Formula;
+};
 
 /** A named word of an undercut, a groove or a correction. */
 export interface NamedWord {
@@ -90,36 +91,31 @@ export type Statement =
   | { readonly kind: "begin" | "end"; readonly name: string; readonly unit: "MM" | "INCH" }
   /** Corner 1 names the tool axis. */
   | { readonly kind: "blankBox"; readonly corner: 1 | 2; readonly axis: AxisName | null; readonly axes: readonly AxisWord[] }
-  | {
-      readonly kind: "blankCylinder";
-      readonly axis: AxisName;
-      readonly outside: { readonly measure: "D" | "R"; readonly value: Value } | null;
-      readonly length: Value | null;
-      readonly distance: Value | null;
-      readonly inside: { readonly measure: "DI" | "RI"; readonly value: Value } | null;
-    }
+  | { readonly kind: "blankCylinder"; readonly axis: AxisName;
+    readonly outside: { readonly measure: "D" | "R"; readonly value: Value } | null; readonly length: Value | null;
+    readonly distance: Value | null; readonly inside: { readonly measure: "DI" | "RI"; readonly value: Value } | null }
   | { readonly kind: "blankRotation"; readonly axis: AxisName; readonly measure: "D" | "R"; readonly label: Label }
   | { readonly kind: "toolDefinition"; readonly tool: Label; readonly length: Value | null; readonly radius: Value | null }
   | {
-      readonly kind: "toolCall";
-      /** null: only speed, feed or deltas change. */
-      readonly tool: Label | Parameter | null;
-      readonly axis: AxisName | null;
-      readonly speed: Value | null;
-      readonly feed: FeedWord | null;
-      readonly deltaLength: Value | null;
-      readonly deltaRadius: Value | null;
-      readonly extra: readonly string[];
-    }
+    readonly kind: "toolCall";
+    /** null: only speed, feed or deltas change. */
+    readonly tool: Label | Parameter | null;
+    readonly axis: AxisName | null;
+    readonly speed: Value | null;
+    readonly feed: FeedWord | null;
+    readonly deltaLength: Value | null;
+    readonly deltaRadius: Value | null;
+    readonly extra: readonly string[];
+  }
   | { readonly kind: "mode"; readonly mode: "TURN" | "MILL"; readonly kinematics: string | null }
   | {
-      readonly kind: "spin";
-      /** True: constant cutting speed. */
-      readonly constantSurface: boolean;
-      readonly cuttingSpeed: Value | null;
-      readonly speed: Value | null;
-      readonly limit: Value | null;
-    }
+    readonly kind: "spin";
+    /** True: constant cutting speed. */
+    readonly constantSurface: boolean;
+    readonly cuttingSpeed: Value | null;
+    readonly speed: Value | null;
+    readonly limit: Value | null;
+  }
   | { readonly kind: "turnCorrection"; readonly system: "TCS" | "WPL"; readonly plane: string; readonly words: readonly NamedWord[] }
   | { readonly kind: "turnBlank"; readonly blank: { readonly file: string } | { readonly label: Label } | "off" }
   | { readonly kind: "path"; readonly path: PathKind; readonly words: Words }
@@ -137,14 +133,14 @@ export type Statement =
   | { readonly kind: "selectContour"; readonly file: string }
   /** A jump when a comparison holds; `fn` is the number of the FN function, null where only IF stands. */
   | {
-      readonly kind: "jump";
-      readonly fn: 9 | 10 | 11 | 12 | null;
-      readonly left: Value;
-      readonly compare: Comparison;
-      /** null with IS DEFINED and IS UNDEFINED. */
-      readonly right: Value | null;
-      readonly label: Label | Parameter;
-    }
+    readonly kind: "jump";
+    readonly fn: 9 | 10 | 11 | 12 | null;
+    readonly left: Value;
+    readonly compare: Comparison;
+    /** null with IS DEFINED and IS UNDEFINED. */
+    readonly right: Value | null;
+    readonly label: Label | Parameter;
+  }
   /** TRANS DATUM: the words of AXIS, or RESET. */
   | { readonly kind: "datum"; readonly shift: readonly AxisWord[] | "reset" }
   /** `fn` is the number of the FN function, null for a formula. */

@@ -12,13 +12,24 @@ export interface Token {
 }
 
 const HEAD = /(\/)?[ \t]*(\d{1,9}(?![\d.,]))?[ \t]*(\/)?/y;
-const KEYWORD = /(?:CYCL[ \t]+(?:DEF|CALL)(?:[ \t]+(?:POS|PAT)(?![A-Z]))?|(?:BEGIN|END)[ \t]+PGM|BLK[ \t]+FORM(?:[ \t]+(?:CYLINDER|ROTATION))?|TOOL[ \t]+(?:CALL|DEF)|CALL[ \t]+LBL|SEL[ \t]+CONTOUR|TRANS[ \t]+[A-Z]+(?:[ \t]+(?:AXIS|RESET))?|GOTO[ \t]+LBL|IF|FUNCTION(?:[ \t]+(?:MODE[ \t]+(?:TURN|MILL)|TURNDATA[ \t]+(?:SPIN|BLANK|CORR-(?:TCS|WPL)(?::[A-Z](?:\/[A-Z])?)?)))?|FN[ \t]*\d+[ \t]*:|LBL|STOP|APPR(?:[ \t]+[A-Z]+)?|DEP(?:[ \t]+[A-Z]+)?|UDC(?:[ \t]+[A-Z_]+)?|GRV(?:[ \t]+[A-Z]+)?|RND|CHF|CTP|CR|CT|CC|CP|LP|L|C)(?![A-Z_])/iy;
+const KEYWORD = new RegExp(
+  String.raw`(?:CYCL[ \t]+(?:DEF|CALL)(?:[ \t]+(?:POS|PAT)(?![A-Z]))?|(?:BEGIN|END)[ \t]+PGM|BLK[ \t]+FORM(?:[ \t]+(?:CYLINDER|ROTATION))?|`
+    + String.raw`TOOL[ \t]+(?:CALL|DEF)|CALL[ \t]+LBL|SEL[ \t]+CONTOUR|TRANS[ \t]+[A-Z]+(?:[ \t]+(?:AXIS|RESET))?|GOTO[ \t]+LBL|IF|`
+    + String.raw`FUNCTION(?:[ \t]+(?:MODE[ \t]+(?:TURN|MILL)|TURNDATA[ \t]+(?:SPIN|BLANK|CORR-(?:TCS|WPL)(?::[A-Z](?:\/[A-Z])?)?)))?|`
+    + String.raw`FN[ \t]*\d+[ \t]*:|LBL|STOP|APPR(?:[ \t]+[A-Z]+)?|DEP(?:[ \t]+[A-Z]+)?|UDC(?:[ \t]+[A-Z_]+)?|GRV(?:[ \t]+[A-Z]+)?|`
+    + String.raw`RND|CHF|CTP|CR|CT|CC|CP|LP|L|C)(?![A-Z_])`,
+  "iy",
+);
 const STRUCTURE = /\*[ \t]*-?.*/y;
 const COMMENT = /;.*/y;
 const STRING = /"[^"]*"?/y;
 const CYCLE_NUMBER = /\d+(?:\.\d+)?/y;
 const NAMED = new RegExp(PARAMETER, "iy");
-const ADDRESS = /(?:DR(?=[+-](?![\d.,Q]))|F[ \t]*(?:MAX|AUTO)|VCONST|SMAX|DIST|LEN|CCA|REP|VC|I?P[RA]|R[0LR](?![\d.,])|DI|DL|DR|F[UZ]?|M|I?[A-Z](?=[ \t]*:?[+\-\d.,Q])|[A-Z_]{2,})/iy;
+const ADDRESS = new RegExp(
+  String.raw`(?:DR(?=[+-](?![\d.,Q]))|F[ \t]*(?:MAX|AUTO)|VCONST|SMAX|DIST|LEN|CCA|REP|VC|I?P[RA]|R[0LR](?![\d.,])|DI|DL|DR|`
+    + String.raw`F[UZ]?|M|I?[A-Z](?=[ \t]*:?[+\-\d.,Q])|[A-Z_]{2,})`,
+  "iy",
+);
 const VALUE = /[+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)/y;
 const MARK = /[~=:+\-*/()%^]/y;
 /** Behind these a free name follows, not words with values. */

@@ -7,7 +7,10 @@ export const MOST_ALIKE = 1000;
 
 const WEIGHT: Readonly<Record<Severity, number>> = { info: 0, warning: 1, error: 2 };
 
-/** What is known of the findings of one kind: how many there are, and of those that are not listed where they begin and how grave they are. */
+/**
+ * What is known of the findings of one kind: how many there are, and of those that are not listed where they begin and how
+ * grave they are.
+ */
 interface Kind {
   count: number;
   gravest: Severity;
@@ -36,7 +39,8 @@ export function fewAlike(findings: Iterable<RunFinding>): RunFinding[] {
   }
   for (const [code, { count, gravest, first }] of kinds) {
     const place = listed[first];
-    if (place) listed[first] = { ...place, issue: programIssue("moreAlike", gravest, { code, count: count - MOST_ALIKE }), operation: null };
+    if (place)
+      listed[first] = { ...place, issue: programIssue("moreAlike", gravest, { code, count: count - MOST_ALIKE }), operation: null };
   }
   return listed;
 }

@@ -61,7 +61,10 @@ export function approachContext(program: Program, index: number, run: Run | null
   const by = found ? difference(NO_TIP, found.datum) : NO_TIP;
   const outside = found && !departing ? found.request.outside : null;
   return {
-    plane, pole, parameters, unit: inch ? 25.4 : 1,
+    plane,
+    pole,
+    parameters,
+    unit: inch ? 25.4 : 1,
     before: outside && sum(outside, by),
     contour: found?.contour.map((s) => shifted(s, by)) ?? [],
     side: found?.side ?? "left",

@@ -16,9 +16,16 @@ export function approachDraft({ words }: ApproachStatement): ApproachDraft {
   const coordinate = (w: PolarWord | undefined) => (w ? (w.incremental ? "I" : "") + valueAsTyped(w.value) : "");
   const axis = (name: "X" | "Y" | "Z") => coordinate(words.axes.find((w) => w.axis === name));
   return {
-    X: axis("X"), Y: axis("Y"), Z: axis("Z"), PR: coordinate(words.polarRadius), PA: coordinate(words.polarAngle),
-    LEN: valueAsTyped(words.length), CCA: valueAsTyped(words.centreAngle), R: valueAsTyped(words.radius),
-    SIDE: words.compensation ?? "", F: typeof words.feed === "object" ? valueAsTyped(words.feed.value) : feedAsTyped(words.feed),
+    X: axis("X"),
+    Y: axis("Y"),
+    Z: axis("Z"),
+    PR: coordinate(words.polarRadius),
+    PA: coordinate(words.polarAngle),
+    LEN: valueAsTyped(words.length),
+    CCA: valueAsTyped(words.centreAngle),
+    R: valueAsTyped(words.radius),
+    SIDE: words.compensation ?? "",
+    F: typeof words.feed === "object" ? valueAsTyped(words.feed.value) : feedAsTyped(words.feed),
     M: words.functions.map((m) => `M${m}`).join(" "),
   };
 }
@@ -45,7 +52,10 @@ export type ApproachReading = Readonly<Partial<Record<ApproachWord, FieldReading
 
 /** Reads all prompts of a form. */
 export function readApproach(
-  s: Pick<ApproachStatement, "form" | "departing">, plane: WorkingPlane, draft: ApproachDraft, known: KnownParameters = {},
+  s: Pick<ApproachStatement, "form" | "departing">,
+  plane: WorkingPlane,
+  draft: ApproachDraft,
+  known: KnownParameters = {},
 ): ApproachReading {
   const readings = approachFields(s.form, s.departing, plane).map((f) => [f.id, readWord(f, draft[f.id] ?? "", known)] as const);
   return Object.fromEntries(readings);
@@ -55,7 +65,12 @@ export function readApproach(
  * The block of what was typed. A word that can not be read keeps what `base` said; words without a prompt (a third axis in
  * turning, words nobody knows) stay as they are.
  */
-export function approachStatement(base: ApproachStatement, plane: WorkingPlane, draft: ApproachDraft, known: KnownParameters = {}): ApproachStatement {
+export function approachStatement(
+  base: ApproachStatement,
+  plane: WorkingPlane,
+  draft: ApproachDraft,
+  known: KnownParameters = {},
+): ApproachStatement {
   const readings = readApproach(base, plane, draft, known);
   const old = base.words;
   const failed = (w: ApproachWord) => (readings[w]?.issue ?? null) !== null && (draft[w] ?? "").trim() !== "";
@@ -80,10 +95,17 @@ export function approachStatement(base: ApproachStatement, plane: WorkingPlane, 
   const feed = failed("F") ? old.feed : feedOf(readings.F, old.feed);
   const functions = typedFunctions(draft.M ?? "") ?? old.functions;
   const words: Words = {
-    axes: [...axes, ...old.axes.filter((w) => !["X", "Y", "Z"].includes(w.axis))], linear: old.linear, functions, extra: old.extra,
-    ...(polarRadius && { polarRadius }), ...(polarAngle && { polarAngle }),
-    ...(centreAngle !== undefined && { centreAngle }), ...(length !== undefined && { length }), ...(radius !== undefined && { radius }),
-    ...(!base.departing && compensation && { compensation }), ...(feed !== undefined && { feed }),
+    axes: [...axes, ...old.axes.filter((w) => !["X", "Y", "Z"].includes(w.axis))],
+    linear: old.linear,
+    functions,
+    extra: old.extra,
+    ...(polarRadius && { polarRadius }),
+    ...(polarAngle && { polarAngle }),
+    ...(centreAngle !== undefined && { centreAngle }),
+    ...(length !== undefined && { length }),
+    ...(radius !== undefined && { radius }),
+    ...(!base.departing && compensation && { compensation }),
+    ...(feed !== undefined && { feed }),
     ...(old.retract !== undefined && { retract: old.retract }),
   };
   return { kind: "approach", departing: base.departing, form: base.form, words };

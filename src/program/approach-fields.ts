@@ -18,8 +18,14 @@ const FARTHEST = 99_999.9999;
 /** The finest step of a word. */
 const FINEST = 0.001;
 
-const field = (id: ApproachWord, kind: ApproachField["kind"], range: Field["range"], more: Partial<ApproachField> = {}): ApproachField =>
-  ({ id, kind, range, optional: false, decimals: null, ...more });
+const field = (id: ApproachWord, kind: ApproachField["kind"], range: Field["range"], more: Partial<ApproachField> = {}): ApproachField => ({
+  id,
+  kind,
+  range,
+  optional: false,
+  decimals: null,
+  ...more,
+});
 
 const BOTH = [-FARTHEST, FARTHEST] as const;
 const side = field("SIDE", "side", [0, 2], { optional: true });
@@ -29,7 +35,8 @@ const length = field("LEN", "length", BOTH);
 const centreAngle = field("CCA", "angle", [FINEST, 360]);
 
 function position(polar: boolean, plane: WorkingPlane): readonly ApproachField[] {
-  const axis = (word: ApproachWord, kind: "length" | "diameter", optional: boolean) => field(word, kind, BOTH, { optional, increments: true });
+  const axis = (word: ApproachWord, kind: "length" | "diameter", optional: boolean) =>
+    field(word, kind, BOTH, { optional, increments: true });
   if (polar) {
     const angle = field("PA", "angle", BOTH, { increments: true });
     const depth = plane === "XY" ? [axis("Z", "length", true)] : [];

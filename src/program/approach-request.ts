@@ -48,7 +48,10 @@ const sideOf = (read: FieldReading | undefined, otherwise: Side): Side => {
 };
 
 /** Last point of a contour before DEP, where incremental words count from; the start of the tool for APPR. */
-const origin = ({ contour, before, tip }: ApproachContext, departing: boolean) => (departing ? (contour.at(-1)?.to ?? null) : before && sum(before, tip));
+const origin = (
+  { contour, before, tip }: ApproachContext,
+  departing: boolean,
+) => (departing ? (contour.at(-1)?.to ?? null) : before && sum(before, tip));
 
 /** The point that a block names: PA, or PN of DEP LCT. Null while it is not complete. */
 export function namedPoint(form: ApproachForm, departing: boolean, read: ApproachReading, context: ApproachContext): PlanePoint | null {
@@ -70,11 +73,18 @@ export function namedPoint(form: ApproachForm, departing: boolean, read: Approac
 function beginningIn(contour: readonly PlaneSegment[], at: PlanePoint): readonly PlaneSegment[] {
   const [first, ...rest] = contour;
   if (!first || apart(first.from, at) <= SAME) return contour;
-  return apart(first.to, at) <= SAME ? rest : [first.kind === "line" ? { ...first, from: at } : { kind: "line", from: at, to: first.to }, ...rest];
+  return apart(first.to, at) <= SAME
+    ? rest
+    : [first.kind === "line" ? { ...first, from: at } : { kind: "line", from: at, to: first.to }, ...rest];
 }
 
 /** Null while there is no contour next to the block, or its point is not complete. */
-export function readyApproach(form: ApproachForm, departing: boolean, read: ApproachReading, context: ApproachContext): ReadyApproach | null {
+export function readyApproach(
+  form: ApproachForm,
+  departing: boolean,
+  read: ApproachReading,
+  context: ApproachContext,
+): ReadyApproach | null {
   const shape = shapeOf(form);
   const named = departing && shape !== "LCT" ? null : namedPoint(form, departing, read, context);
   if (!departing && !named) return null;
@@ -86,10 +96,15 @@ export function readyApproach(form: ApproachForm, departing: boolean, read: Appr
   return {
     contour,
     request: {
-      shape, departing, element, toolRadius: context.toolRadius,
+      shape,
+      departing,
+      element,
+      toolRadius: context.toolRadius,
       side: departing ? context.side : sideOf(read.SIDE, context.side),
       outside: departing ? (named ? difference(named, context.tip) : null) : context.before,
-      ...(length !== undefined && { length }), ...(size !== undefined && { radius: size }), ...(angle !== undefined && { centreAngle: angle }),
+      ...(length !== undefined && { length }),
+      ...(size !== undefined && { radius: size }),
+      ...(angle !== undefined && { centreAngle: angle }),
     },
   };
 }
@@ -104,5 +119,7 @@ export function wordsOfPoint(form: ApproachForm, p: PlanePoint, context: Approac
     const angle = inDegrees(Math.atan2(p.y - pole.y, p.x - pole.x));
     return { PR: printed(apart(p, pole) / unit), PA: printed(angle) };
   }
-  return context.plane === "ZX" ? { X: printed(toDiameter(radius(p.y)) / unit), Z: printed(p.x / unit) } : { X: printed(p.x / unit), Y: printed(p.y / unit) };
+  return context.plane === "ZX"
+    ? { X: printed(toDiameter(radius(p.y)) / unit), Z: printed(p.x / unit) }
+    : { X: printed(p.x / unit), Y: printed(p.y / unit) };
 }

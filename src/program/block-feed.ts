@@ -29,7 +29,8 @@ function judge(machine: Machine, feed: FeedNumber, index: number): void {
   const now = `${feed} ${feedUnit} ${machine.feedWord}`;
   if (now === machine.judged) return;
   machine.judged = now;
-  if (!(feed > 0)) machine.log.say(programIssue("feedZero", "error", { word: machine.feedWord === "FAUTO" ? "FAUTO" : `F${feed}` }, "F"), index);
+  if (!(feed > 0))
+    machine.log.say(programIssue("feedZero", "error", { word: machine.feedWord === "FAUTO" ? "FAUTO" : `F${feed}` }, "F"), index);
   else if (isUnlikely(feed, perRevolution)) machine.log.say(programIssue("feedUnlikely", "warning", { feed, unit: feedUnit }, "F"), index);
 }
 

@@ -7,7 +7,8 @@ const recessing: ToolRow = { T: 8, NAME: "GROOVE", TYPE: "RECTURN", TO: 8, RS: 0
 const columns = (row: ToolRow) => checkTool(row).map((found) => found.at);
 
 describe("checkTool", () => {
-  test.each(shippedTools.map((tool) => [tool.NAME, tool] as const))("shipped tool %s is sound", (_, tool) => expect(checkTool(tool)).toEqual([]));
+  test.each(shippedTools.map((tool) => [tool.NAME, tool] as const))("shipped tool %s is sound",
+    (_, tool) => expect(checkTool(tool)).toEqual([]));
 
   test("RS must be there and not negative", () => {
     expect(columns({ ...turning, RS: -0.1 })).toEqual(["RS"]);
@@ -25,7 +26,11 @@ describe("checkTool", () => {
   });
 
   test("CUTWIDTH must be more than twice RS for recessing tools", () => {
-    expect(checkTool({ ...recessing, CUTWIDTH: 0.4 })).toMatchObject([{ code: "toolColumn", at: "CUTWIDTH", data: { value: 0.4, min: 0.4 } }]);
+    expect(checkTool({ ...recessing, CUTWIDTH: 0.4 })).toMatchObject([{
+      code: "toolColumn",
+      at: "CUTWIDTH",
+      data: { value: 0.4, min: 0.4 },
+    }]);
     expect(columns({ ...recessing, CUTWIDTH: null })).toEqual(["CUTWIDTH"]);
     expect(columns({ ...recessing, CUTWIDTH: 0.5, DCW: -0.2 })).toEqual(["CUTWIDTH"]);
     expect(columns({ ...recessing, CUTWIDTH: 0.41 })).toEqual([]);

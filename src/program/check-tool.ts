@@ -4,7 +4,10 @@ import { type Tool, TOOL_TYPES } from "../kernel/tool.ts";
 /** A row of the tool table as it may come from a file or a form: any cell may be empty. mm and degrees. */
 export type ToolRow = { readonly [C in keyof Tool]?: Tool[C] | number | string | null };
 
-interface Limits { readonly min?: number; readonly max?: number }
+interface Limits {
+  readonly min?: number;
+  readonly max?: number;
+}
 
 const wrong = (column: string, value: number | null, limits: Limits = {}): Issue =>
   issue("toolColumn", "error", { column, value, ...limits }, column);

@@ -11,7 +11,7 @@ export const CONTOUR_CYCLE = 14;
 export function namesIn(blocks: readonly Block[]): Set<Label> {
   const names = new Set<Label>();
   for (const { statement: s } of blocks) {
-    if (s.kind === "cycleLine" && s.cycle === CONTOUR_CYCLE && s.line > 0) for (const label of contourLabels(s.text)) names.add(label);
+    if (s.kind === "cycleLine" && s.cycle === CONTOUR_CYCLE && s.line > 0) { for (const label of contourLabels(s.text)) names.add(label); }
     else if (s.kind === "blankRotation") names.add(s.label);
     else if (s.kind === "turnBlank" && s.blank !== "off" && "label" in s.blank) names.add(s.blank.label);
   }

@@ -2,13 +2,16 @@ import { expect, test } from "vitest";
 import { readRows } from "./contour-rows.ts";
 import { newRow, type ContourRow } from "./job.ts";
 
-const row = (kind: ContourRow["kind"], given: Partial<ContourRow> = {}): ContourRow =>
-  newRow("e", { kind, ...given });
+const row = (kind: ContourRow["kind"], given: Partial<ContourRow> = {}): ContourRow => newRow("e", { kind, ...given });
 const codes = (rows: readonly ContourRow[]) => readRows(rows).issues.map((i) => [i.row + 1, i.field, i.issue.code]);
 
 const printed = [
-  row("L", { x: "75", z: "-20" }), row("L", { x: "50" }), row("RND", { r: "2" }),
-  row("L", { x: "20", z: "-25" }), row("RND", { r: "2" }), row("L", { z: "0" }),
+  row("L", { x: "75", z: "-20" }),
+  row("L", { x: "50" }),
+  row("RND", { r: "2" }),
+  row("L", { x: "20", z: "-25" }),
+  row("RND", { r: "2" }),
+  row("L", { z: "0" }),
 ];
 
 test("reads the printed contour: three lines and two arcs, each from its row", () => {
@@ -19,7 +22,11 @@ test("reads the printed contour: three lines and two arcs, each from its row", (
 });
 
 test("a coordinate left out stays as it was, an incremental one adds to it", () => {
-  const { rows } = readRows([row("L", { x: "75", z: "-20" }), row("L", { x: "50" }), row("L", { x: "-10", z: "-5", incrementalX: true, incrementalZ: true })]);
+  const { rows } = readRows([
+    row("L", { x: "75", z: "-20" }),
+    row("L", { x: "50" }),
+    row("L", { x: "-10", z: "-5", incrementalX: true, incrementalZ: true }),
+  ]);
   expect(rows.map((r) => r.end)).toEqual([{ x: 75, z: -20 }, { x: 50, z: -20 }, { x: 40, z: -25 }]);
   expect(rows[1]?.inherited).toEqual({ x: 75, z: -20 });
 });
@@ -72,14 +79,24 @@ test("a question mark seeks a coordinate; what stays open is counted and said", 
 });
 
 test("a corner is rounded between solved points", () => {
-  const { contour, issues } = readRows([row("L", { x: "20", z: "0" }), row("L", { angle: "180" }), row("RND", { r: "2" }), row("L", { x: "60", z: "-30", angle: "90" })]);
+  const { contour, issues } = readRows([
+    row("L", { x: "20", z: "0" }),
+    row("L", { angle: "180" }),
+    row("RND", { r: "2" }),
+    row("L", { x: "60", z: "-30", angle: "90" }),
+  ]);
   expect(issues).toEqual([]);
   expect(contour.segments.map((s) => s.kind)).toEqual(["line", "arc", "line"]);
 });
 
 test("an arc about a centre, and one that leaves its line tangentially", () => {
   const { contour, issues, rowOfSegment } = readRows([
-    row("L", { x: "20", z: "0" }), row("L", { z: "-20" }), row("CC", { x: "30", z: "-20" }), row("C", { x: "30", z: "-25" }), row("L", { x: "50" }), row("CT", { x: "60", z: "-30" }),
+    row("L", { x: "20", z: "0" }),
+    row("L", { z: "-20" }),
+    row("CC", { x: "30", z: "-20" }),
+    row("C", { x: "30", z: "-25" }),
+    row("L", { x: "50" }),
+    row("CT", { x: "60", z: "-30" }),
   ]);
   expect(issues).toEqual([]);
   expect(contour.segments.map((s) => s.kind)).toEqual(["line", "arc", "line", "arc"]);
@@ -90,25 +107,46 @@ test("faults are said at their row where rows without an element stand before it
   const start = [row("L", { x: "20", z: "0" }), row("CC", { x: "30", z: "-20" })];
   expect(codes([...start, row("C", { x: "30", z: "-25" })])).toEqual([[3, null, "arcOffCircle"]]);
   expect(codes([row("L", { x: "20", z: "0" }), row("C", { x: "30", z: "-25" })])).toContainEqual([2, null, "centreMissing"]);
-  expect(readRows([...start, row("L", { z: "-20" }), row("L", { x: "40" }), row("L", { x: "10", z: "-5" })]).issues[0]).toMatchObject({ row: 4, issue: { code: "contourCrossesItself", data: { element: 5, other: 3 } } });
+  expect(readRows([...start, row("L", { z: "-20" }), row("L", { x: "40" }), row("L", { x: "10", z: "-5" })]).issues[0]).toMatchObject({
+    row: 4,
+    issue: { code: "contourCrossesItself", data: { element: 5, other: 3 } },
+  });
 });
 
 test("a value that contradicts is said at its field", () => {
-  expect(codes([row("L", { x: "40", z: "0" }), row("L", { x: "60", z: "-10", angle: "130" })])).toEqual([[2, "angle", "elementContradicts"]]);
+  expect(codes([row("L", { x: "40", z: "0" }), row("L", { x: "60", z: "-10", angle: "130" })])).toEqual([[
+    2,
+    "angle",
+    "elementContradicts",
+  ]]);
   expect(codes([row("L", { x: "40", z: "0" }), row("L", { x: "60", length: "-1" })])).toContainEqual([2, "length", "outOfRange"]);
 });
 
 test("the printed undercut stands in the corner between its cylinder and its face", () => {
-  const rows = [row("L", { x: "40", z: "0" }), row("L", { z: "-30" }), row("UDC", { form: "E", words: { R: "1", DEPTH: "2", BREADTH: "15" } }), row("L", { x: "60" })];
+  const rows = [
+    row("L", { x: "40", z: "0" }),
+    row("L", { z: "-30" }),
+    row("UDC", { form: "E", words: { R: "1", DEPTH: "2", BREADTH: "15" } }),
+    row("L", { x: "60" }),
+  ];
   const { contour, issues, rowOfSegment } = readRows(rows);
   expect(issues).toMatchObject([{ row: 2, issue: { code: "undercutDefaults", severity: "info" } }]);
   expect(Math.min(...contour.segments.map((s) => s.to.r))).toBeCloseTo(18, 6);
   expect(rowOfSegment).toContain(2);
-  expect(codes([...rows.slice(0, 2), row("UDC", { form: "E", words: { R: "abc" } }), row("L", { x: "60" })])).toContainEqual([3, null, "notANumber"]);
+  expect(codes([...rows.slice(0, 2), row("UDC", { form: "E", words: { R: "abc" } }), row("L", { x: "60" })])).toContainEqual([
+    3,
+    null,
+    "notANumber",
+  ]);
 });
 
 test("a recess in a cylinder", () => {
-  const { contour, issues } = readRows([row("L", { x: "40", z: "0" }), row("L", { z: "-40" }), row("GRV", { form: "RADIAL", words: { CENTER: "-20", BREADTH: "6", DIAM: "30" } }), row("L", { x: "60" })]);
+  const { contour, issues } = readRows([
+    row("L", { x: "40", z: "0" }),
+    row("L", { z: "-40" }),
+    row("GRV", { form: "RADIAL", words: { CENTER: "-20", BREADTH: "6", DIAM: "30" } }),
+    row("L", { x: "60" }),
+  ]);
   expect(issues).toEqual([]);
   expect(Math.min(...contour.segments.map((s) => s.to.r))).toBeCloseTo(15, 6);
 });

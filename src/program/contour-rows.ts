@@ -72,9 +72,12 @@ export function readRows(rows: readonly ContourRow[]): RowsReading {
   const found = [
     ...solution.issues.map((i) => ({ i, row: asked[(elementOf(i) ?? 0) - 1]?.row ?? null })),
     ...contour.issues.map((i) => ({ i, row: rowOf(elementOf(i)) })),
-  ].flatMap(({ i, row }): RowIssue[] => (row === null || typed.has(row) ? [] : [{ row, field: fieldOf(i), issue: numbered(i, row, rowOf) }]));
+  ].flatMap(
+    ({ i, row }): RowIssue[] => (row === null || typed.has(row) ? [] : [{ row, field: fieldOf(i), issue: numbered(i, row, rowOf) }])
+  );
   return {
-    rows: readings(given, poles, solved), contour,
+    rows: readings(given, poles, solved),
+    contour,
     rowOfSegment: contour.elements.map((n) => rowOf(n) ?? 0),
     issues: [...reader.issues, ...found].sort((a, b) => a.row - b.row),
   };
@@ -111,15 +114,39 @@ function contourElement(given: RowGiven | undefined, solved: SolvedElement | und
   return arc?.kind === "arc" && radius !== null ? { kind: "radius", to, radius, turn: arc.turn } : { kind: "line", to };
 }
 
-function readings(given: readonly RowGiven[], poles: readonly (Pt | null)[], solved: ReadonlyMap<number, SolvedElement | undefined>): RowReading[] {
+function readings(
+  given: readonly RowGiven[],
+  poles: readonly (Pt | null)[],
+  solved: ReadonlyMap<number, SolvedElement | undefined>,
+): RowReading[] {
   let [x, z]: (number | null)[] = [null, null];
   return given.map((g, i): RowReading => {
     const inherited = { x: x ?? null, z: z ?? null }, pole = poles[i] ?? null, s = solved.get(i), at = pointOf(s);
-    if (g.kind !== "element" || !s) return { end: null, inherited, pole, sought: { x: false, z: false }, angle: null, length: null, radius: null, turn: null, freedom: 0, choices: 1 };
+    if (g.kind !== "element" || !s)
+      return {
+        end: null,
+        inherited,
+        pole,
+        sought: { x: false, z: false },
+        angle: null,
+        length: null,
+        radius: null,
+        turn: null,
+        freedom: 0,
+        choices: 1,
+      };
     [x, z] = [s.r === null ? null : toDiameter(s.r), s.z];
     return {
-      end: at && { x: toDiameter(at.r), z: at.z }, inherited, pole, sought: g.sought, angle: s.angle, length: s.length, radius: signedRadius(s),
-      turn: s.segment?.kind === "arc" ? s.segment.turn : null, freedom: s.freedom, choices: s.choices,
+      end: at && { x: toDiameter(at.r), z: at.z },
+      inherited,
+      pole,
+      sought: g.sought,
+      angle: s.angle,
+      length: s.length,
+      radius: signedRadius(s),
+      turn: s.segment?.kind === "arc" ? s.segment.turn : null,
+      freedom: s.freedom,
+      choices: s.choices,
     };
   });
 }

@@ -64,15 +64,26 @@ const lineOfBlock = (machine: Machine, index: number) => (machine.blocks[index]?
 
 function element(reader: Reader, s: Statement, index: number): void {
   switch (s.kind) {
-    case "path": return path(reader, s, index);
-    case "chamfer": return corner(reader, "chamfer", s.length === null ? null : reader.machine.number(s.length, index), index);
-    case "assign": return reader.machine.assign(s, index);
-    case "undercut": case "groove": {
+    case "path":
+      return path(reader, s, index);
+    case "chamfer":
+      return corner(reader, "chamfer", s.length === null ? null : reader.machine.number(s.length, index), index);
+    case "assign":
+      return reader.machine.assign(s, index);
+    case "undercut":
+    case "groove": {
       const recess = recessOf(reader.machine, s, index);
       return recess ? push(reader, recess, index) : undefined;
     }
-    case "approach": case "call": case "cycleCall": case "jump": case "datum": case "unknown": return reader.machine.log.leaveUnproved(nameOf(lineOfBlock(reader.machine, index)), index);
-    default: return;
+    case "approach":
+    case "call":
+    case "cycleCall":
+    case "jump":
+    case "datum":
+    case "unknown":
+      return reader.machine.log.leaveUnproved(nameOf(lineOfBlock(reader.machine, index)), index);
+    default:
+      return;
   }
 }
 

@@ -23,25 +23,31 @@ import { rankTools } from "./which-tool.ts";
 
 const nothing: Plan = empty([]);
 
-const unique = (issues: readonly Issue[]) =>
-  [...new Map(issues.map((i) => [JSON.stringify([i.code, i.at ?? "", i.data]), i])).values()];
+const unique = (issues: readonly Issue[]) => [...new Map(issues.map((i) => [JSON.stringify([i.code, i.at ?? "", i.data]), i])).values()];
 
 /** That none is named, or that it can not be read, is told where it is met. */
 const NO_CONTOUR = { contour: null, isTroubled: true };
 
 /** The contour that cycle 14 names, with its issues said at their blocks. */
-function givenContour(machine: Machine, cycle: number, index: number, operation: number): Pick<Given, "contour"> & { readonly isTroubled: boolean } {
+function givenContour(
+  machine: Machine,
+  cycle: number,
+  index: number,
+  operation: number,
+): Pick<Given, "contour"> & { readonly isTroubled: boolean } {
   if (machine.contourLabels.length === 0) {
     const { contourFile: file } = machine;
-    machine.log.say(file === null ? programIssue("contourNotNamed", "error", { cycle }) : programIssue("contourInFile", "error", { file }), index);
+    machine.log.say(file === null ? programIssue("contourNotNamed", "error", { cycle }) : programIssue("contourInFile", "error", { file }),
+      index);
     return NO_CONTOUR;
   }
   const read = machine.contourLabels.map((label) => readContour(machine, label, index));
   // Where a block could not be read, what else is wrong with the contour is wrong for that reason.
-  for (const r of read) for (const i of r && !r.isTroubled ? r.contour.issues : []) {
-    const element = "element" in i.data ? i.data.element : 0;
-    machine.log.say(i, r?.blocks[element - 1] ?? index, 0, operation);
-  }
+  for (const r of read)
+    for (const i of r && !r.isTroubled ? r.contour.issues : []) {
+      const element = "element" in i.data ? i.data.element : 0;
+      machine.log.say(i, r?.blocks[element - 1] ?? index, 0, operation);
+    }
   const segments = read.flatMap((r) => r?.contour.segments ?? []);
   return { contour: segments.length > 0 ? segments : null, isTroubled: read.some((r) => r?.isTroubled ?? true) };
 }
@@ -52,7 +58,8 @@ function givenContour(machine: Machine, cycle: number, index: number, operation:
  */
 function standIn(machine: Machine, cycle: Cycle, values: Values<Params> | null, given: Given, start: Pt, index: number): Tool | null {
   if (!values || (cycle.contour === "free" && !given.contour)) return null;
-  const best = rankTools(cycle, values, given, { start, feedUnit: machine.feedUnit, autoFeed: machine.toolFeed, stock: null }, machine.shop.tools)[0]?.tool;
+  const best = rankTools(cycle, values, given, { start, feedUnit: machine.feedUnit, autoFeed: machine.toolFeed, stock: null },
+    machine.shop.tools)[0]?.tool;
   if (best) machine.log.say(issue("betterTool", "info", { tool: best.T, name: best.NAME }, "tool"), index);
   return best ?? null;
 }
@@ -64,7 +71,10 @@ function preconditions(machine: Machine, index: number): void {
   if (!machine.tool) noTool(machine, index);
 }
 
-/** Where the tip stands at the call, on the workpiece. While milling the words of X are taken as the diameters that they were meant to be. */
+/**
+ * Where the tip stands at the call, on the workpiece. While milling the words of X are taken as the diameters that they were
+ * meant to be.
+ */
 function startOf(machine: Machine, index: number): Pt | null {
   const { mill } = machine;
   if (!machine.turning) return pointIn("lathe", mill.at);
@@ -98,7 +108,9 @@ export function callCycle(machine: Machine, index: number): void {
   if (!machine.roomForOperation(index)) return;
   const operation = machine.log.operations.length;
   const counted = countedPoint(start, machine.datum);
-  const { isTroubled, contour } = cycle.contour === "free" ? givenContour(machine, cycle.number, index, operation) : { contour: null, isTroubled: false };
+  const { isTroubled, contour } = cycle.contour === "free"
+    ? givenContour(machine, cycle.number, index, operation)
+    : { contour: null, isTroubled: false };
   const given: Given = { contour, start: counted };
   const read = cycleValues(machine, cycle, defined.values);
   const { values } = read;
@@ -106,7 +118,9 @@ export function callCycle(machine: Machine, index: number): void {
   const tool = machine.tool ?? standIn(machine, cycle, values, given, counted, index);
   if (!tool) return;
   // What earlier cycles have left is known to the simulation only.
-  const stock = operation === 0 && machine.blank.length > 0 ? machine.blank.map((ring) => ring.map((p) => countedPoint(p, machine.datum))) : null;
+  const stock = operation === 0 && machine.blank.length > 0
+    ? machine.blank.map((ring) => ring.map((p) => countedPoint(p, machine.datum)))
+    : null;
   const setting = { tool, start: counted, feedUnit: machine.feedUnit, autoFeed: machine.toolFeed, stock };
   const plan = values && (cycle.contour === "own" || given.contour) ? cycle.plan(values, setting, given) : nothing;
   const outlined = values && plan !== nothing ? cycle.outline(values, given).issues : [];
@@ -114,8 +128,18 @@ export function callCycle(machine: Machine, index: number): void {
   const planned = machine.tool ? plan.issues : [];
   const said = unique([...issues, ...outlined, ...planned].filter((i) => !isTroubled || i.at !== "contour"));
   const all = triedOffers(cycle.params, read.partial, said, judgeOf(cycle, machine.tool ? setting : null, given));
-  const feeds = values && plan !== nothing ? unlikelyFeeds(cycle, values, plan.moves, machine, (v) => cycle.plan(v, setting, given).moves) : [];
-  perform(machine, { cycle: cycle.number, defined, start, tool, plan: shiftedPlan(plan, machine.datum), issues: all, call: values && { values, given, autoFeed: machine.toolFeed, start: counted, datum: machine.datum } }, index);
+  const feeds = values && plan !== nothing
+    ? unlikelyFeeds(cycle, values, plan.moves, machine, (v) => cycle.plan(v, setting, given).moves)
+    : [];
+  perform(machine, {
+    cycle: cycle.number,
+    defined,
+    start,
+    tool,
+    plan: shiftedPlan(plan, machine.datum),
+    issues: all,
+    call: values && { values, given, autoFeed: machine.toolFeed, start: counted, datum: machine.datum },
+  }, index);
   const where = machine.blocks[defined.index]?.raw ?? "";
   for (const i of [...all, ...feeds]) {
     const parameter = i.at?.startsWith("Q") ? i.at : null;
@@ -137,9 +161,19 @@ function perform(machine: Machine, { cycle, defined, start, tool, plan, issues, 
   machine.at = { x: toDiameter(from.r), y: null, z: from.z };
   machine.last = null;
   machine.log.operations.push({
-    block: machine.log.numbers[index] ?? 0, definedIn: machine.log.numbers[defined.index] ?? 0, definedLine: machine.log.lines[defined.index] ?? 1,
-    cycle, tool, start, feedUnit: machine.feedUnit, spindle: machine.spindle, plan, seconds,
-    firstStep, lastStep: machine.log.steps.length - 1, issues,
+    block: machine.log.numbers[index] ?? 0,
+    definedIn: machine.log.numbers[defined.index] ?? 0,
+    definedLine: machine.log.lines[defined.index] ?? 1,
+    cycle,
+    tool,
+    start,
+    feedUnit: machine.feedUnit,
+    spindle: machine.spindle,
+    plan,
+    seconds,
+    firstStep,
+    lastStep: machine.log.steps.length - 1,
+    issues,
     call,
   });
 }

@@ -29,7 +29,9 @@ function valueOf(machine: Machine, q: string, p: Param, given: number | "auto" |
 
 /** Values of a cycle from its definition; null with issues when one is missing or can not be. */
 export function cycleValues<P extends Params>(
-  machine: Machine, cycle: Cycle<P>, given: ReadonlyMap<string, number | "auto" | null>,
+  machine: Machine,
+  cycle: Cycle<P>,
+  given: ReadonlyMap<string, number | "auto" | null>,
 ): { readonly values: Values<P> | null; readonly partial: Readonly<Record<string, number | "auto">>; readonly issues: readonly Issue[] } {
   const values: Record<string, number | "auto"> = {};
   const issues: Issue[] = [];

@@ -15,8 +15,11 @@ export interface DxfChain {
 
 const apart = (a: Pt, b: Pt) => Math.hypot(a.z - b.z, a.r - b.r);
 /** The same curve run through the other way. */
-export const turnedAround = (s: Segment): Segment =>
-  (s.kind === "line" ? { kind: "line", from: s.to, to: s.from } : { ...s, from: s.to, to: s.from, turn: s.turn === "cw" ? "ccw" : "cw" });
+export const turnedAround =
+  (s:
+    Segment): Segment => (s.kind === "line"
+      ? { kind: "line", from: s.to, to: s.from }
+      : { ...s, from: s.to, to: s.from, turn: s.turn === "cw" ? "ccw" : "cw" });
 
 /** Ends of curves by squares of the plane, so that near ones are found at once. */
 class Ends {
@@ -74,7 +77,7 @@ export function chainsOf(curves: readonly Segment[], tolerance: number): DxfChai
       used.add(i);
       const segments = [first], branches: Pt[] = [];
       let widest = 0, gaps = 0;
-      for (let last = first; ;) {
+      for (let last = first;;) {
         const near = ends.near(last.to, used), [next] = near, found = next && curves[next.index];
         if (!next || !found) break;
         if (new Set(near.map((n) => n.index)).size > 1) branches.push(last.to);

@@ -41,7 +41,8 @@ const seenFromBehind = (e: Fields) => {
 };
 const mirrored = (s: DxfCurve): DxfCurve => {
   const turn = (p: Pt) => at(-p.z, p.r);
-  return s.kind === "line" ? { kind: "line", from: turn(s.from), to: turn(s.to) }
+  return s.kind === "line"
+    ? { kind: "line", from: turn(s.from), to: turn(s.to) }
     : { kind: "arc", from: turn(s.from), to: turn(s.to), centre: turn(s.centre), turn: s.turn === "cw" ? "ccw" : "cw" };
 };
 
@@ -66,7 +67,8 @@ function curvesOf(e: Fields): DxfCurve[] | null | undefined {
       const on = (a: number) => at(centre.z + size * Math.cos(a), centre.r + size * Math.sin(a));
       return [{ kind: "arc", from: on(start), to: on(end), centre, turn: "ccw" }];
     }
-    case "LWPOLYLINE": case "POLYLINE": {
+    case "LWPOLYLINE":
+    case "POLYLINE": {
       const points = vertices.map(point);
       if (points.length < 2 || points.some((p) => p === null)) return null;
       const closed = e["shape"] === true;
@@ -75,7 +77,8 @@ function curvesOf(e: Fields): DxfCurve[] | null | undefined {
         return from && to ? [bulged(from, to, (isFields(v) ? number(v["bulge"]) : null) ?? 0)] : [];
       });
     }
-    default: return undefined;
+    default:
+      return undefined;
   }
 }
 
@@ -89,8 +92,11 @@ export function dxfCurves(entities: readonly unknown[], scale: number): DxfCurve
     const made = curvesOf(e), kind = String(e["type"]);
     if (made === undefined) skipped.set(kind, (skipped.get(kind) ?? 0) + 1);
     if (made === null) broken += 1;
-    return (made ?? []).map((s) => (seenFromBehind(e) ? mirrored(s) : s)).map((s) => (s.kind === "line"
-      ? { ...s, from: sized(s.from), to: sized(s.to) } : { ...s, from: sized(s.from), to: sized(s.to), centre: sized(s.centre) }));
+    return (made ?? []).map((s) => (seenFromBehind(e) ? mirrored(s) : s)).map(
+      (s) => (s.kind === "line"
+        ? { ...s, from: sized(s.from), to: sized(s.to) }
+        : { ...s, from: sized(s.from), to: sized(s.to), centre: sized(s.centre) })
+    );
   });
   return { curves: curves.filter((s) => s.kind === "arc" || apart(s.from, s.to) > 1e-6), skipped, broken };
 }

@@ -10,23 +10,65 @@ const value = (text: string) => {
 
 describe("readExpression", () => {
   test.each([
-    ["75", 75], ["+75", 75], ["-55", -55], ["0.5", 0.5], ["0,5", 0.5], [".5", 0.5], [",5", 0.5], ["5.", 5], [" 12 ", 12], ["−7", -7],
-    ["75/2+1", 38.5], ["1+2*3", 7], ["(1+2)*3", 9], ["10-4-3", 3], ["100/10/5", 2], ["-(2+3)", -5], ["2*-3", -6], ["1,5+1.5", 3], ["2×3", 6], ["9÷3", 3],
-    ["Q5", 12.5], ["q5", 12.5], ["+Q5", 12.5], ["-Q5", -12.5], ["QL1*2", -6], ["Q5/2+1", 7.25], ["0*-1", 0],
+    ["75", 75],
+    ["+75", 75],
+    ["-55", -55],
+    ["0.5", 0.5],
+    ["0,5", 0.5],
+    [".5", 0.5],
+    [",5", 0.5],
+    ["5.", 5],
+    [" 12 ", 12],
+    ["−7", -7],
+    ["75/2+1", 38.5],
+    ["1+2*3", 7],
+    ["(1+2)*3", 9],
+    ["10-4-3", 3],
+    ["100/10/5", 2],
+    ["-(2+3)", -5],
+    ["2*-3", -6],
+    ["1,5+1.5", 3],
+    ["2×3", 6],
+    ["9÷3", 3],
+    ["Q5", 12.5],
+    ["q5", 12.5],
+    ["+Q5", 12.5],
+    ["-Q5", -12.5],
+    ["QL1*2", -6],
+    ["Q5/2+1", 7.25],
+    ["0*-1", 0],
   ])("%s is %d", (text, expected) => expect(value(text)).toBe(expected));
 
   test.each([
-    ["", "empty"], ["   ", "empty"], ["abc", "notANumber"], ["1.2.3", "notANumber"], ["1,2,3", "notANumber"], ["-", "notANumber"], ["1e3", "notANumber"],
-    ["5 5", "notANumber"], ["0x10", "notANumber"], ["NaN", "notANumber"], ["Infinity", "notANumber"], ["75/", "badExpression"], ["75/0", "badExpression"],
-    ["(1+2", "badExpression"], ["1+2)", "badExpression"], ["()", "badExpression"], ["1+*2", "badExpression"], ["Q9", "unknownParameter"],
-    ["Q5+Q9", "unknownParameter"], ["Q5/Q12", "badExpression"], ["alert(1)", "notANumber"],
+    ["", "empty"],
+    ["   ", "empty"],
+    ["abc", "notANumber"],
+    ["1.2.3", "notANumber"],
+    ["1,2,3", "notANumber"],
+    ["-", "notANumber"],
+    ["1e3", "notANumber"],
+    ["5 5", "notANumber"],
+    ["0x10", "notANumber"],
+    ["NaN", "notANumber"],
+    ["Infinity", "notANumber"],
+    ["75/", "badExpression"],
+    ["75/0", "badExpression"],
+    ["(1+2", "badExpression"],
+    ["1+2)", "badExpression"],
+    ["()", "badExpression"],
+    ["1+*2", "badExpression"],
+    ["Q9", "unknownParameter"],
+    ["Q5+Q9", "unknownParameter"],
+    ["Q5/Q12", "badExpression"],
+    ["alert(1)", "notANumber"],
   ])("%j is %s", (text, kind) => expect(value(text)).toBe(kind));
 
   test("an inherited property is no Q parameter's value", () => {
     expect(readExpression("Q1", Object.create({ Q1: 4 }) as Record<string, number>).kind).toBe("unknownParameter");
   });
 
-  const any = fc.oneof(fc.string({ maxLength: 300 }), fc.string({ unit: fc.constantFrom(..."0123456789.,+-*/()Q L".split("")), maxLength: 300 }));
+  const any = fc.oneof(fc.string({ maxLength: 300 }),
+    fc.string({ unit: fc.constantFrom(..."0123456789.,+-*/()Q L".split("")), maxLength: 300 }));
 
   test("law: never throws, and every number is finite", () => {
     fc.assert(fc.property(any, (text) => {
@@ -44,12 +86,18 @@ describe("readExpression", () => {
 
   test("law: brackets and order agree with arithmetic", () => {
     const whole = fc.integer({ min: -999, max: 999 });
-    fc.assert(fc.property(whole, whole, whole, (a, b, c) =>
-      value(`${a}+${b}*${c}`) === a + b * c + 0 && value(`(${a}+${b})*${c}`) === (a + b) * c + 0 && value(`${a}-${b}-${c}`) === a - b - c + 0,
-    ), { numRuns: 2000 });
+    fc.assert(
+      fc.property(whole, whole, whole, (a, b, c) =>
+        value(`${a}+${b}*${c}`) === a + b * c + 0 && value(`(${a}+${b})*${c}`) === (a + b) * c + 0
+        && value(`${a}-${b}-${c}`) === a - b - c + 0),
+      { numRuns: 2000 },
+    );
   });
 
   test("law: a sum one sign too long is refused, not read in part", () => {
-    fc.assert(fc.property(fc.integer({ min: 0, max: 9999 }), fc.constantFrom("+", "-", "*", "/"), (n, sign) => value(`${n}${sign}`) === "badExpression"));
+    fc.assert(
+      fc.property(fc.integer({ min: 0, max: 9999 }), fc.constantFrom("+", "-", "*", "/"), (n, sign) =>
+        value(`${n}${sign}`) === "badExpression"),
+    );
   });
 });

@@ -4,25 +4,24 @@ import { NUMBER_PARAMETER } from "../nc/value.ts";
 export type KnownParameters = Readonly<Record<string, number>>;
 
 /** What typed text is where a number is expected; `computed` where it is a sum. */
-export type Expression =
-  | { readonly kind: "number"; readonly value: number; readonly computed: boolean }
-  | { readonly kind: "empty" }
-  | { readonly kind: "notANumber"; readonly text: string }
-  | { readonly kind: "badExpression"; readonly text: string }
-  | { readonly kind: "unknownParameter"; readonly name: string };
+export type Expression = { readonly kind: "number"; readonly value: number; readonly computed: boolean } | { readonly kind: "empty" } | {
+  readonly kind: "notANumber";
+  readonly text: string;
+} | { readonly kind: "badExpression"; readonly text: string } | { readonly kind: "unknownParameter"; readonly name: string };
 
 /** Longer texts are refused: nobody types them, and the depth of nesting stays bounded. */
 const LONGEST = 200;
 
 type Token = { readonly kind: "value"; readonly value: number } | { readonly kind: "sign"; readonly sign: string };
-class Unknown { constructor(readonly name: string) {} }
+class Unknown {
+  constructor(readonly name: string) {}
+}
 
 const TOKEN = String.raw`\s*(?:(\d+(?:[.,]\d*)?|[.,]\d+)|(${NUMBER_PARAMETER})|([-+*/()]))\s*`;
 const WHOLE_PARAMETER = new RegExp(String.raw`(?<![\w.,])${NUMBER_PARAMETER}(?!\w)`, "gi");
 
 /** Typed signs as a keyboard has them. */
-export const spelling = (text: string) =>
-  text.trim().replace(/[−–]/g, "-").replace(/[×·]/g, "*").replace(/÷/g, "/");
+export const spelling = (text: string) => text.trim().replace(/[−–]/g, "-").replace(/[×·]/g, "*").replace(/÷/g, "/");
 
 /** Splits into numbers and signs; null when something else stands there. */
 function tokens(text: string, known: KnownParameters): Token[] | Unknown | null {

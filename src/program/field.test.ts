@@ -12,7 +12,11 @@ const corner = lengthParam("cornerRadius", [0, 999.999], 1.5, { optional: true }
 
 describe("readText", () => {
   test("missing: empty is missing and never 0", () => {
-    expect(readText(promptField("Q491", diameter), "  ")).toMatchObject({ value: null, empty: true, issue: { code: "missing", at: "Q491", severity: "error" } });
+    expect(readText(promptField("Q491", diameter), "  ")).toMatchObject({
+      value: null,
+      empty: true,
+      issue: { code: "missing", at: "Q491", severity: "error" },
+    });
     expect(readText(promptField("Q491", diameter), "0")).toMatchObject({ value: 0, empty: false, issue: null });
   });
 
@@ -33,20 +37,29 @@ describe("readText", () => {
 
   test("unknownParameter", () => {
     expect(readText(promptField("Q491", diameter), "Q7").issue).toMatchObject({ code: "unknownParameter", data: { name: "Q7" } });
-    expect(readText(promptField("Q491", diameter), "Q7", { Q7: 60 })).toMatchObject({ value: 60, written: { parameter: "Q7", negative: false }, issue: null });
+    expect(readText(promptField("Q491", diameter), "Q7", { Q7: 60 })).toMatchObject({
+      value: 60,
+      written: { parameter: "Q7", negative: false },
+      issue: null,
+    });
   });
 
-  test.each([
-    ["0", 0.001], ["-5", 0.001], ["0.0004", 0.001], ["1000", 999.999],
-  ])("outOfRange: %s of 0.001 to 999.999, the nearest is %d", (typed, nearest) => {
-    expect(readText(promptField("Q463", infeed), typed).issue).toMatchObject({ code: "outOfRange", data: { min: 0.001, max: 999.999, nearest } });
-  });
+  test.each([["0", 0.001], ["-5", 0.001], ["0.0004", 0.001], ["1000", 999.999]])("outOfRange: %s of 0.001 to 999.999, the nearest is %d",
+    (typed, nearest) => {
+      expect(readText(promptField("Q463", infeed), typed).issue).toMatchObject({
+        code: "outOfRange",
+        data: { min: 0.001, max: 999.999, nearest },
+      });
+    });
   test.each(["0.001", "999.999", "3", "999.9994"])("%s lies in 0.001 to 999.999", (typed) => {
     expect(readText(promptField("Q463", infeed), typed).issue).toBeNull();
   });
 
   test("notAChoice names the nearest one", () => {
-    expect(readText(promptField("Q215", kind), "7").issue).toMatchObject({ code: "notAChoice", data: { value: 7, choices: [0, 1, 2, 3], nearest: 3 } });
+    expect(readText(promptField("Q215", kind), "7").issue).toMatchObject({
+      code: "notAChoice",
+      data: { value: 7, choices: [0, 1, 2, 3], nearest: 3 },
+    });
     expect(readText(promptField("Q215", kind), "1.4").issue).toMatchObject({ code: "notAChoice", data: { nearest: 1 } });
     expect(readText(promptField("Q215", kind), "2")).toMatchObject({ value: 2, issue: null });
   });
@@ -70,9 +83,7 @@ describe("a word of a block", () => {
   const word: Field = { ...anyNumber, id: "X", kind: "length", increments: true, optional: false };
   const feedOfBlock: Field = { ...anyNumber, id: "F", kind: "feed", rapid: true };
 
-  test.each([
-    ["I-5", -5, true], ["i2,5", 2.5, true], ["7", 7, false],
-  ])("%s is %d, incremental: %s", (typed, value, incremental) => {
+  test.each([["I-5", -5, true], ["i2,5", 2.5, true], ["7", 7, false]])("%s is %d, incremental: %s", (typed, value, incremental) => {
     expect(readText(word, typed)).toMatchObject({ value, incremental, issue: null });
   });
   test("an I alone is no number, and none belongs where nothing is incremental", () => {
@@ -86,7 +97,11 @@ describe("a word of a block", () => {
   });
 
   test("a parameter without a value is still what the block says", () => {
-    expect(readText(word, "−q7")).toMatchObject({ value: null, written: { parameter: "Q7", negative: true }, issue: { code: "unknownParameter" } });
+    expect(readText(word, "−q7")).toMatchObject({
+      value: null,
+      written: { parameter: "Q7", negative: true },
+      issue: { code: "unknownParameter" },
+    });
     expect(readText(word, "QS7")).toMatchObject({ value: null, written: { parameter: "QS7", negative: false } });
     expect(readText(word, "Q7+1")).toMatchObject({ value: null, written: null });
   });
@@ -100,6 +115,7 @@ describe("checkNumber", () => {
   });
 });
 
-test.each([["75/2", "37.5"], ["10/3", "3.333333"], ["75", null], ["75/", null], ["", null]])("leaving a field, %j becomes %j", (typed, sum) => {
-  expect(sumOf(typed)).toBe(sum);
-});
+test.each([["75/2", "37.5"], ["10/3", "3.333333"], ["75", null], ["75/", null], ["", null]])("leaving a field, %j becomes %j",
+  (typed, sum) => {
+    expect(sumOf(typed)).toBe(sum);
+  });

@@ -79,7 +79,11 @@ export function readText(field: Field, typed: string, known: KnownParameters = {
     }
     case "unknownParameter":
       return { ...wrong(issue("unknownParameter", "error", { name: read.name }, field.id)), incremental, written: parameter };
-    default: return { ...wrong(issue(read.kind === "badExpression" ? "badExpression" : "notANumber", "error", { text }, field.id)), written: parameter };
+    default:
+      return {
+        ...wrong(issue(read.kind === "badExpression" ? "badExpression" : "notANumber", "error", { text }, field.id)),
+        written: parameter,
+      };
   }
 }
 

@@ -115,15 +115,22 @@ function compare(machine: Machine, s: Extract<Statement, { kind: "jump" }>, inde
     return false;
   }
   switch (s.compare) {
-    case "EQU": return left === right;
-    case "NE": return left !== right;
-    case "GT": return left > right;
-    case "LT": return left < right;
-    default: return false;
+    case "EQU":
+      return left === right;
+    case "NE":
+      return left !== right;
+    case "GT":
+      return left > right;
+    case "LT":
+      return left < right;
+    default:
+      return false;
   }
 }
 
-const runs = (s: Statement) => s.kind === "cycleCall" || s.kind === "call" || s.kind === "approach" || (s.kind === "path" && s.path !== "CC") || (wordsOf(s)?.functions.includes(99) ?? false);
+const runs = (s: Statement) =>
+  s.kind === "cycleCall" || s.kind === "call" || s.kind === "approach" || (s.kind === "path" && s.path !== "CC")
+  || (wordsOf(s)?.functions.includes(99) ?? false);
 
 /** Motion and calls behind the end of the program that nothing has run: the first of them is named. True when there is one. */
 export function neverReached(machine: Machine, ending: Ending): boolean {

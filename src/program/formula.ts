@@ -7,10 +7,22 @@ export type Trouble = { readonly kind: "unset"; readonly name: string } | { read
 export type Parameters = Map<string, number>;
 
 const CALLS: Readonly<Record<string, (n: number) => number>> = {
-  SIN: (n) => Math.sin(radians(n)), COS: (n) => Math.cos(radians(n)), TAN: (n) => Math.tan(radians(n)),
-  ASIN: (n) => inDegrees(Math.asin(n)), ACOS: (n) => inDegrees(Math.acos(n)), ATAN: (n) => inDegrees(Math.atan(n)),
-  SQRT: Math.sqrt, SQ: (n) => n * n, LN: Math.log, LOG: Math.log10, EXP: Math.exp, NEG: (n) => -n,
-  INT: Math.trunc, ABS: Math.abs, FRAC: (n) => n - Math.trunc(n), SGN: Math.sign,
+  SIN: (n) => Math.sin(radians(n)),
+  COS: (n) => Math.cos(radians(n)),
+  TAN: (n) => Math.tan(radians(n)),
+  ASIN: (n) => inDegrees(Math.asin(n)),
+  ACOS: (n) => inDegrees(Math.acos(n)),
+  ATAN: (n) => inDegrees(Math.atan(n)),
+  SQRT: Math.sqrt,
+  SQ: (n) => n * n,
+  LN: Math.log,
+  LOG: Math.log10,
+  EXP: Math.exp,
+  NEG: (n) => -n,
+  INT: Math.trunc,
+  ABS: Math.abs,
+  FRAC: (n) => n - Math.trunc(n),
+  SGN: Math.sign,
 };
 
 /** The number of a value; trouble when its parameter was never set. */
@@ -39,11 +51,17 @@ function compute(f: Formula, parameters: Parameters): number | Trouble {
   const right = compute(f.right, parameters);
   if (typeof right !== "number") return right;
   switch (f.kind) {
-    case "sum": return left + right;
-    case "difference": return left - right;
-    case "product": return left * right;
-    case "quotient": return right === 0 ? { kind: "zero" } : left / right;
-    case "remainder": return right === 0 ? { kind: "zero" } : left % right;
-    case "power": return left ** right;
+    case "sum":
+      return left + right;
+    case "difference":
+      return left - right;
+    case "product":
+      return left * right;
+    case "quotient":
+      return right === 0 ? { kind: "zero" } : left / right;
+    case "remainder":
+      return right === 0 ? { kind: "zero" } : left % right;
+    case "power":
+      return left ** right;
   }
 }

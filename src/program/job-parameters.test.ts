@@ -12,13 +12,23 @@ import { shippedTools } from "./shipped-tools.ts";
 const cycle = catalogue.find((c) => c.params["Q493"]);
 if (!cycle) throw new Error("no cycle ends at a diameter");
 const example = exampleJob(cycle);
-const job = (draft: Record<string, string>, parameters: Record<string, string> = {}): Job =>
-  ({ ...example, parameters, drafts: { [cycle.number]: { ...example.drafts[cycle.number], ...draft } } });
+const job = (draft: Record<string, string>, parameters: Record<string, string> = {}): Job => ({
+  ...example,
+  parameters,
+  drafts: { [cycle.number]: { ...example.drafts[cycle.number], ...draft } },
+});
 const lines = (of: Job) => printJob(of, ncLabels("en")).split("\n");
 const pathOf = (of: Job) => run(parse(printJob(of, ncLabels("en"))), { tools: shippedTools, rapid: 10_000 });
 
 test.each<[string, readonly string[]]>([
-  ["Q5", ["Q5"]], ["q5/2+QL12", ["Q5", "QL12"]], ["-qr3", ["QR3"]], ["25", []], ["", []], ["FAUTO", []], ["Q12345", []], ["3Q5", []],
+  ["Q5", ["Q5"]],
+  ["q5/2+QL12", ["Q5", "QL12"]],
+  ["-qr3", ["QR3"]],
+  ["25", []],
+  ["", []],
+  ["FAUTO", []],
+  ["Q12345", []],
+  ["3Q5", []],
 ])("parameters in %j", (text, names) => expect(parametersIn(text)).toEqual(names));
 
 describe("Q parameters of a job", () => {

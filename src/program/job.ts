@@ -32,7 +32,21 @@ export interface ContourRow {
 
 /** A contour row in which nothing is typed but what is given here. */
 export const newRow = (id: string, given: Partial<ContourRow> = {}): ContourRow => ({
-  kind: "L", x: "", z: "", r: "", turn: "cw", incrementalX: false, incrementalZ: false, angle: "", length: "", tangent: false, second: false, form: "", words: {}, ...given, id,
+  kind: "L",
+  x: "",
+  z: "",
+  r: "",
+  turn: "cw",
+  incrementalX: false,
+  incrementalZ: false,
+  angle: "",
+  length: "",
+  tangent: false,
+  second: false,
+  form: "",
+  words: {},
+  ...given,
+  id,
 });
 
 /** Cylinder as typed, mm: outside and bore as ⌀, whole length, and how far it reaches in front of Z0. */

@@ -33,8 +33,9 @@ export class Log {
     const key = `${index} ${issue.code} ${issue.at ?? ""} ${operation ?? ""} ${operation === null ? "" : JSON.stringify(issue.data)}`;
     if (this.said.has(key)) return;
     this.said.add(key);
-    const place =
-      index === null ? { block: null, line: null } : { block: this.numbers[index] ?? 0, line: (this.lines[index] ?? 1) + within };
+    const place = index === null
+      ? { block: null, line: null }
+      : { block: this.numbers[index] ?? 0, line: (this.lines[index] ?? 1) + within };
     this.findings.push({ issue, ...place, operation });
   }
 

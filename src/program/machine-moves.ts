@@ -18,7 +18,9 @@ export const retracts = (words: Words): boolean => words.functions.includes(RETR
 /** A block in machine coordinates: the axes that it names are not known behind it. The way there, from a known place, is not proved. */
 export function elsewhere(machine: Machine, words: Words, index: number): void {
   const { mill } = machine;
-  const wasKnown = machine.turning ? machine.tip !== null && machine.sure.x && machine.sure.z : mill.at.z !== null && centreOf(mill.at) !== null;
+  const wasKnown = machine.turning
+    ? machine.tip !== null && machine.sure.x && machine.sure.z
+    : mill.at.z !== null && centreOf(mill.at) !== null;
   takeFeed(machine, words.feed, index);
   for (const { axis } of words.axes) {
     if (axis !== "X" && axis !== "Y" && axis !== "Z") continue;

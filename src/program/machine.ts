@@ -186,7 +186,11 @@ export class Machine {
     this.log.say(why, index);
     // An element that waits for a corner stands before the end and is still run.
     const step = this.log.steps.length + (this.held ? 1 : 0);
-    this.log.unproved.push({ step, block: this.log.numbers[index] ?? 0, what: this.blocks[index]?.raw.trim().split(/[\r\n]/)[0]?.slice(0, 60) ?? "" });
+    this.log.unproved.push({
+      step,
+      block: this.log.numbers[index] ?? 0,
+      what: this.blocks[index]?.raw.trim().split(/[\r\n]/)[0]?.slice(0, 60) ?? "",
+    });
   }
 
   /** Whether one more block may be executed or read as a contour; ends the run when not. */
@@ -198,7 +202,8 @@ export class Machine {
 
   /** Whether a cycle may be called once more; ends the run when not. */
   roomForOperation(index: number): boolean {
-    if (this.log.operations.length >= MOST_OPERATIONS) this.stop(programIssue("tooManyOperations", "error", { limit: MOST_OPERATIONS }), index);
+    if (this.log.operations.length >= MOST_OPERATIONS)
+      this.stop(programIssue("tooManyOperations", "error", { limit: MOST_OPERATIONS }), index);
     return !this.full;
   }
 

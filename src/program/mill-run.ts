@@ -17,7 +17,10 @@ const carrierOf = (machine: Machine) => () => millCarrier(machine);
 export const closeMill = (machine: Machine): void => close(machine.mill, carrierOf(machine));
 
 /** The plane in which the words of a block count: LP stays in that of its pole. */
-const planeOfWords = (machine: Machine, block: PathBlock): MillPlane => (block.path === "LP" ? (machine.pole?.plane ?? "XY") : planeOf(machine, block));
+const planeOfWords = (
+  machine: Machine,
+  block: PathBlock,
+): MillPlane => (block.path === "LP" ? (machine.pole?.plane ?? "XY") : planeOf(machine, block));
 
 /** One path block: L, C, CR, CT and the polar forms. */
 export function millPath(machine: Machine, block: PathBlock, index: number): void {
@@ -51,7 +54,11 @@ export function millPath(machine: Machine, block: PathBlock, index: number): voi
   mill.last = { from: before, to, plane: "XY", segment: null };
   const pieces = start ? around(machine, block, elementBetween(machine, block, start, end, index), index) : [null];
   pieces.forEach((piece, i) => {
-    const z = (k: number) => (travel.fromZ === null || travel.toZ === null ? travel.toZ : travel.fromZ + ((travel.toZ - travel.fromZ) * k) / pieces.length);
+    const z =
+      (k:
+        number) => (travel.fromZ === null || travel.toZ === null
+          ? travel.toZ
+          : travel.fromZ + ((travel.toZ - travel.fromZ) * k) / pieces.length);
     followPath(mill, carrierOf(machine), requested, { ...travel, fromZ: z(i), toZ: z(i + 1), segment: piece, to: piece ? piece.to : end });
   });
 }
@@ -84,7 +91,8 @@ function around(machine: Machine, { path, words }: PathBlock, s: PlaneSegment, i
 }
 
 function needsRadius(machine: Machine, side: Side, index: number): void {
-  if (side !== "none" && machine.mill.radius === null) machine.log.say(programIssue("toolRadiusUnknown", "warning", { tool: machine.mill.tool }), index);
+  if (side !== "none" && machine.mill.radius === null)
+    machine.log.say(programIssue("toolRadiusUnknown", "warning", { tool: machine.mill.tool }), index);
 }
 
 /** APPR and DEP. */

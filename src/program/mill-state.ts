@@ -55,16 +55,25 @@ export function millStep(machine: Machine, s: PlaneSegment, { fromZ, toZ, feed, 
   const long = travelLength(s, (toZ ?? 0) - (fromZ ?? toZ ?? 0));
   const rate = feed === null ? machine.shop.rapid : machine.perRevolution ? 0 : feed;
   machine.log.milled.push({
-    kind: s.kind === "arc" ? "arc" : feed === null ? "rapid" : "feed", from: { ...s.from, z: fromZ }, to: { ...s.to, z: toZ },
+    kind: s.kind === "arc" ? "arc" : feed === null ? "rapid" : "feed",
+    from: { ...s.from, z: fromZ },
+    to: { ...s.to, z: toZ },
     ...(s.kind === "arc" && { centre: s.centre, turn: s.turn }),
     ...(feed !== null && { feed, feedUnit: machine.feedUnit }),
-    radius: mill.radius ?? 0, block: machine.log.numbers[index] ?? 0, index, seconds: rate > 0 ? (60 * long) / rate : 0, turned: machine.log.steps.length,
+    radius: mill.radius ?? 0,
+    block: machine.log.numbers[index] ?? 0,
+    index,
+    seconds: rate > 0 ? (60 * long) / rate : 0,
+    turned: machine.log.steps.length,
   });
 }
 
 /** Adds an arc in a plane beside that of the tool axis. */
 export function millSideStep(
-  machine: Machine, plane: SidePlane, s: PlaneSegment, { before, to, feed, index }: { readonly before: Position; readonly to: Position; readonly feed: Feed | null; readonly index: number },
+  machine: Machine,
+  plane: SidePlane,
+  s: PlaneSegment,
+  { before, to, feed, index }: { readonly before: Position; readonly to: Position; readonly feed: Feed | null; readonly index: number },
 ): void {
   const { mill } = machine;
   const [from, end] = [spotOf(before), spotOf(to)];
@@ -72,11 +81,16 @@ export function millSideStep(
   const other = plane === "ZX" ? end.y - from.y : end.x - from.x;
   const rate = feed === null ? machine.shop.rapid : machine.perRevolution ? 0 : feed;
   machine.log.milled.push({
-    kind: s.kind === "arc" ? "arc" : feed === null ? "rapid" : "feed", from, to: end,
+    kind: s.kind === "arc" ? "arc" : feed === null ? "rapid" : "feed",
+    from,
+    to: end,
     ...(s.kind === "arc" && { side: { plane, centre: coordinatesIn(plane, partPoint(s.centre)), turn: s.turn } }),
     ...(feed !== null && { feed, feedUnit: machine.feedUnit }),
-    radius: mill.radius ?? 0, block: machine.log.numbers[index] ?? 0, index,
-    seconds: rate > 0 ? (60 * travelLength(s, other)) / rate : 0, turned: machine.log.steps.length,
+    radius: mill.radius ?? 0,
+    block: machine.log.numbers[index] ?? 0,
+    index,
+    seconds: rate > 0 ? (60 * travelLength(s, other)) / rate : 0,
+    turned: machine.log.steps.length,
   });
 }
 
@@ -88,15 +102,26 @@ export const centreOf = ({ x, y }: Position): PlanePoint | null => (x === null |
 export function millArrives(machine: Machine, to: PlanePoint, { toZ, feed, index }: Travel): void {
   const at = { ...to, z: toZ };
   machine.log.milled.push({
-    kind: feed === null ? "rapid" : "feed", from: at, to: at, ...(feed !== null && { feed, feedUnit: machine.feedUnit }),
-    radius: machine.mill.radius ?? 0, block: machine.log.numbers[index] ?? 0, index, seconds: 0, turned: machine.log.steps.length,
+    kind: feed === null ? "rapid" : "feed",
+    from: at,
+    to: at,
+    ...(feed !== null && { feed, feedUnit: machine.feedUnit }),
+    radius: machine.mill.radius ?? 0,
+    block: machine.log.numbers[index] ?? 0,
+    index,
+    seconds: 0,
+    turned: machine.log.steps.length,
   });
 }
 
 /** The carrier of a mill: the program moves its centre. */
 export function millCarrier(machine: Machine): Carrier {
   return {
-    machine, plane: "XY", toolRadius: machine.mill.radius ?? 0, tip: NO_TIP, top: machine.mill.top,
+    machine,
+    plane: "XY",
+    toolRadius: machine.mill.radius ?? 0,
+    tip: NO_TIP,
+    top: machine.mill.top,
     emit: (s, travel) => millStep(machine, s, travel),
     arrive: (at, travel) => millArrives(machine, at, travel),
     note: (run: ApproachRun) => machine.log.approaches.push(run),

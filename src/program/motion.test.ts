@@ -16,10 +16,14 @@ const milled = (lines: string, more: Partial<Shop> = {}) =>
   runText(`BEGIN PGM T MM\nTOOL DEF 1 L+0 R+5\nTOOL CALL 1 Z S4000\nL Z+20 R0 FMAX\n${lines}\nL Z+20 R0 FMAX M2\nEND PGM T MM\n`, more);
 const n = (value: number) => Math.round(value * 1e6) / 1e6 + 0;
 type Done = ReturnType<typeof run>;
-const shown = (done: Done) => done.plane.map((s) => `${s.kind === "arc" ? s.turn : s.kind} ${n(s.to.x)} ${n(s.to.y)} ${s.to.z}${s.feed === undefined ? "" : ` F${s.feed}`}`);
+const shown = (done: Done) =>
+  done.plane.map((s) =>
+    `${s.kind === "arc" ? s.turn : s.kind} ${n(s.to.x)} ${n(s.to.y)} ${s.to.z}${s.feed === undefined ? "" : ` F${s.feed}`}`
+  );
 const points = (done: Done, at = 0) =>
   Object.fromEntries(Object.entries(done.approaches[at]?.points ?? {}).map(([name, p]) => [name, [n(p.x), n(p.y)]]));
-const faults = (done: Done) => done.issues.filter((f) => f.issue.severity !== "info" && f.issue.code !== "frameMissing").map((f) => f.issue.code);
+const faults = (done: Done) =>
+  done.issues.filter((f) => f.issue.severity !== "info" && f.issue.code !== "frameMissing").map((f) => f.issue.code);
 /** The separate examples of the printed page. */
 const fragments = samples.split(/^; --$/m);
 const fragment = (i: number) => milled((fragments[i] ?? "").replace(/^;.*$/gm, ""));
@@ -36,12 +40,23 @@ describe("the printed square, tool radius 10", () => {
   // −45°, moved out by 10 · 0.707107 = 7.071068 on both axes. CHF 20 likewise from (95, 25) to (75, 5).
   test("every move: corners get arcs of 10 mm, chamfers their own feed", () => {
     expect(shown(done)).toEqual([
-      "rapid -10 -10 250", "feed -10 -10 -5 F1000",
-      "feed -5 -5 -5 F1000", "feed -5 5 -5 F300",
-      "feed -5 95 -5 F300", "cw 5 105 -5 F300",
-      "feed 85 105 -5 F300", "cw 92.071068 102.071068 -5 F300", "feed 102.071068 92.071068 -5 F300", "cw 105 85 -5 F300",
-      "feed 105 25 -5 F300", "cw 102.071068 17.928932 -5 F300", "feed 82.071068 -2.071068 -5 F300", "cw 75 -5 -5 F300",
-      "feed 5 -5 -5 F300", "feed -5 -5 -5 F1000", "rapid -5 -5 250",
+      "rapid -10 -10 250",
+      "feed -10 -10 -5 F1000",
+      "feed -5 -5 -5 F1000",
+      "feed -5 5 -5 F300",
+      "feed -5 95 -5 F300",
+      "cw 5 105 -5 F300",
+      "feed 85 105 -5 F300",
+      "cw 92.071068 102.071068 -5 F300",
+      "feed 102.071068 92.071068 -5 F300",
+      "cw 105 85 -5 F300",
+      "feed 105 25 -5 F300",
+      "cw 102.071068 17.928932 -5 F300",
+      "feed 82.071068 -2.071068 -5 F300",
+      "cw 75 -5 -5 F300",
+      "feed 5 -5 -5 F300",
+      "feed -5 -5 -5 F1000",
+      "rapid -5 -5 250",
     ]);
     for (const s of done.plane) if (s.centre) expect(Math.hypot(s.to.x - s.centre.x, s.to.y - s.centre.y)).toBeCloseTo(10, 9);
     expect(faults(done)).toEqual([]);
@@ -62,10 +77,22 @@ describe("the printed contour with arcs, tool radius 6", () => {
   // centre on Y+40, radius (55² + 35²) / (2 · 55) = 38.636364; with 44.636364 it meets Y−1 in 56.363636 − √311.404959 = 38.716966.
   test("every move", () => {
     expect(shown(done)).toEqual([
-      "rapid -10 -10 250", "feed -10 -10 -5 F1000", "feed -1.841202 2.22432 -5 F300", "ccw -1 5 -5 F300",
-      "feed -1 75 -5 F300", "cw 15 91 -5 F150", "feed 26.901903 91 -5 F300", "cw 71.49638 101 -5 F300",
-      "feed 95 101 -5 F300", "cw 101 95 -5 F300", "feed 101 40 -5 F300", "cw 38.716966 -1 -5 F300", "feed 5 -1 -5 F300",
-      "ccw 1.8332 -2.130714 -5 F1000", "feed -20 -20 -5 F1000", "rapid -20 -20 250",
+      "rapid -10 -10 250",
+      "feed -10 -10 -5 F1000",
+      "feed -1.841202 2.22432 -5 F300",
+      "ccw -1 5 -5 F300",
+      "feed -1 75 -5 F300",
+      "cw 15 91 -5 F150",
+      "feed 26.901903 91 -5 F300",
+      "cw 71.49638 101 -5 F300",
+      "feed 95 101 -5 F300",
+      "cw 101 95 -5 F300",
+      "feed 101 40 -5 F300",
+      "cw 38.716966 -1 -5 F300",
+      "feed 5 -1 -5 F300",
+      "ccw 1.8332 -2.130714 -5 F1000",
+      "feed -20 -20 -5 F1000",
+      "rapid -20 -20 250",
     ]);
     expect(faults(done)).toEqual([]);
   });
@@ -102,7 +129,8 @@ describe("the printed examples of each form, tool radius 5", () => {
   // Clockwise: PH = C + w · 100/w² − (1.679497, 17.519245) · 10√(w² − 100)/w² = (27.351509, 2.945898).
   test("APPR LCT", () => expect(points(fragment(4))).toEqual({ PS: [40, 10], PH: [27.351509, 2.945898], PA: [14.160251, 17.226499] }));
   // The element before DEP runs down to (20, 20), the tool to its right at X+15; R8 turns clockwise round (7, 20), half a circle.
-  test("DEP CT", () => expect(points(milled("L X+20 Y+35 R0 F300\nL Y+20 RR F100\nDEP CT CCA180 R+8 F100"))).toEqual({ PE: [15, 20], PN: [-1, 20] }));
+  test("DEP CT", () =>
+    expect(points(milled("L X+20 Y+35 R0 F300\nL Y+20 RR F100\nDEP CT CCA180 R+8 F100"))).toEqual({ PE: [15, 20], PN: [-1, 20] }));
   // Circle round (7, 20); w = (10, 12) − (7, 20) = (3, −8), w² = 73: PH = (7, 20) + w · 64/73 + (8, 3) · 8√9/73.
   test("DEP LCT", () => {
     const done = milled("L X+20 Y+35 R0 F300\nL Y+20 RR F100\nDEP LCT X+10 Y+12 R8 F100");
@@ -119,14 +147,26 @@ describe("the printed examples of each form, tool radius 5", () => {
 
 describe("feeds and the tool axis", () => {
   test("LT, LN and CT come to PH as the block before moved, LCT at its own feed", () => {
-    expect(shown(fragment(0)).slice(1, 4)).toEqual(["feed 12.928932 5.857864 20 F300", "feed 12.928932 5.857864 -10 F300", "feed 23.535534 16.464466 -10 F100"]);
-    expect(shown(fragment(3)).slice(1, 4)).toEqual(["rapid 30.801257 6.132495 20", "rapid 30.801257 6.132495 -10", "cw 14.160251 17.226499 -10 F100"]);
+    expect(shown(fragment(0)).slice(1, 4)).toEqual([
+      "feed 12.928932 5.857864 20 F300",
+      "feed 12.928932 5.857864 -10 F300",
+      "feed 23.535534 16.464466 -10 F100",
+    ]);
+    expect(shown(fragment(3)).slice(1, 4)).toEqual([
+      "rapid 30.801257 6.132495 20",
+      "rapid 30.801257 6.132495 -10",
+      "cw 14.160251 17.226499 -10 F100",
+    ]);
     expect(shown(fragment(4))[1]).toBe("feed 27.351509 2.945898 20 F100");
   });
   test("a TNC7 moves in all axes at once", () => {
     const lines = "L X+40 Y+10 R0 F300\nAPPR LT X+20 Y+20 Z-10 LEN15 RR F100\nL X+35 Y+35\nDEP LT Z+20 LEN15 F100";
-    expect(shown(milled(lines, { control: "TNC7" })).slice(1)).toEqual(
-      ["feed 12.928932 5.857864 -10 F300", "feed 23.535534 16.464466 -10 F100", "feed 38.535534 31.464466 -10 F100", "feed 49.142136 42.071068 20 F100"]);
+    expect(shown(milled(lines, { control: "TNC7" })).slice(1)).toEqual([
+      "feed 12.928932 5.857864 -10 F300",
+      "feed 23.535534 16.464466 -10 F100",
+      "feed 38.535534 31.464466 -10 F100",
+      "feed 49.142136 42.071068 20 F100",
+    ]);
     expect(shown(milled(lines)).slice(-2)).toEqual(["feed 49.142136 42.071068 -10 F100", "feed 49.142136 42.071068 20 F100"]);
   });
   test("no feed before is an error, a rapid before is none", () => {
@@ -142,10 +182,13 @@ describe("what the control refuses", () => {
     ["a polar form without a pole", "APPR PLN PR+30 PA+180 LEN+10 RL F300\nL X+50", ["poleMissing"]],
     ["RL to RR without R0", "APPR LT X+0 Y+0 LEN10 RL F100\nL Y+50\nL X+50 RR\nL Y+90\nL X+200 R0", ["sideChanged"]],
     ["PS in the circle of LCT", "APPR LCT X+0 Y+0 R60 RL F100\nL Y+50\nDEP LT LEN10", ["approachInsideCircle"]],
-    ["a tool too large for an inside radius", "APPR LT X+0 Y+0 LEN10 RR F100\nL Y+50\nRND R4\nL X+50\nL X+90 Y-90 R0", ["toolRadiusTooLarge"]],
+    ["a tool too large for an inside radius", "APPR LT X+0 Y+0 LEN10 RR F100\nL Y+50\nRND R4\nL X+50\nL X+90 Y-90 R0", [
+      "toolRadiusTooLarge",
+    ]],
     ["an approach without a contour", "APPR LT X+0 Y+0 LEN10 RL F100\nTOOL CALL 1 Z", ["approachWithoutContour"]],
   ])("%s", (_, lines, codes) => expect(said(lines)).toEqual(codes));
-  test("the same with R0 between is free", () => expect(said("APPR LT X+0 Y+0 LEN10 RL F100\nL Y+50\nDEP LT LEN20\nL X+80 Y+80 R0\nL X+60 Y+60 RR\nL Y+20\nL X+90 R0")).toEqual([]));
+  test("the same with R0 between is free", () =>
+    expect(said("APPR LT X+0 Y+0 LEN10 RL F100\nL Y+50\nDEP LT LEN20\nL X+80 Y+80 R0\nL X+60 Y+60 RR\nL Y+20\nL X+90 R0")).toEqual([]));
 });
 
 describe("the way that the control does not check", () => {
@@ -169,7 +212,13 @@ describe("the way that the control does not check", () => {
     if (found?.code === "approachValueCutsContour") expect(found.data.nearest).toBeLessThan(40);
   });
   test("above the part nothing is cut: the TNC 640 goes to depth in PH", () => {
-    const high = (control: Shop["control"]) => faults(milled(`BLK FORM 0.1 Z X+0 Y+0 Z-20\nBLK FORM 0.2 X+100 Y+100 Z+0\nL X+120 Y+50 R0 FMAX\nAPPR LT X+5 Y+5 Z-5 LEN10 RL F300\n${square}`, control ? { control } : {}));
+    const high = (control: Shop["control"]) =>
+      faults(
+        milled(
+          `BLK FORM 0.1 Z X+0 Y+0 Z-20\nBLK FORM 0.2 X+100 Y+100 Z+0\nL X+120 Y+50 R0 FMAX\nAPPR LT X+5 Y+5 Z-5 LEN10 RL F300\n${square}`,
+          control ? { control } : {},
+        ),
+      );
     expect(high("TNC 640")).toEqual([]);
     expect(high("TNC7")).toEqual(["approachCutsContour"]);
   });
@@ -178,20 +227,25 @@ describe("the way that the control does not check", () => {
 describe("plain milling", () => {
   test("RL on a line, R0 leaves from where the tool stands", () =>
     expect(shown(milled("L X-20 Y-20 R0 FMAX\nL X+0 Y+0 RL F200\nL Y+50\nL X+50\nL X+80 Y+90 R0")).slice(1)).toEqual(
-      ["feed -5 0 20 F200", "feed -5 50 20 F200", "cw 0 55 20 F200", "feed 50 55 20 F200", "feed 80 90 20 F200", "rapid 80 90 20"].slice(0, -1)));
+      ["feed -5 0 20 F200", "feed -5 50 20 F200", "cw 0 55 20 F200", "feed 50 55 20 F200", "feed 80 90 20 F200", "rapid 80 90 20"].slice(0,
+        -1),
+    ));
   test("a helix of five turns rises evenly", () => {
     const done = milled("L X+30 Y+0 R0 F300\nCC X+0 Y+0\nCP IPA-1800 IZ+5 DR- F50");
     const arcs = done.plane.filter((s) => s.kind === "arc");
     expect(arcs.map((s) => [n(s.to.x), n(s.to.y), s.to.z])).toEqual([21, 22, 23, 24, 25].map((z) => [30, 0, z]));
   });
   test("DR of the tool call adds to the radius, TOOL DEF to nothing else", () =>
-    expect(runText("TOOL DEF 1 L+0 R+5\nTOOL CALL 1 Z DR+0.5\nL X+0 Y+0 Z+0 R0 FMAX\nL X+10 RL F100\nL Y+50\nL X+90 R0\n").plane[1]?.to.x).toBe(4.5));
+    expect(runText("TOOL DEF 1 L+0 R+5\nTOOL CALL 1 Z DR+0.5\nL X+0 Y+0 Z+0 R0 FMAX\nL X+10 RL F100\nL Y+50\nL X+90 R0\n").plane[1]?.to.x)
+      .toBe(4.5));
 });
 
 describe("turning with the nose radius", () => {
-  const head = "BEGIN PGM T MM\nBLK FORM CYLINDER Z D80 L100 DIST+1\nFUNCTION MODE TURN\nTOOL CALL 3\nFUNCTION TURNDATA SPIN VCONST:OFF S500\nM136\nL X+50 Z+20 R0 FMAX\n";
+  const head = "BEGIN PGM T MM\nBLK FORM CYLINDER Z D80 L100 DIST+1\nFUNCTION MODE TURN\nTOOL CALL 3\nFUNCTION TURNDATA SPIN VCONST:OFF "
+    + "S500\nM136\nL X+50 Z+20 R0 FMAX\n";
   const turned = (lines: string) => runText(`${head}${lines}\nM30\nEND PGM T MM\n`);
-  const tips = (done: Done) => done.steps.map((s) => `${s.move.kind === "arc" ? s.move.turn : s.move.kind} ${n(toDiameter(s.move.to.r))} ${n(s.move.to.z)}`);
+  const tips = (done: Done) =>
+    done.steps.map((s) => `${s.move.kind === "arc" ? s.move.turn : s.move.kind} ${n(toDiameter(s.move.to.r))} ${n(s.move.to.z)}`);
   // Tool 3: nose 0.4, tip 0.4 to −Z and −X of its centre. Along −Z with RR the centre runs 0.4 above: the tip turns X40 exactly.
   // PA: centre (Z0, r 20.4), tip (Z−0.4, X40); PH 5 mm before. The shoulder at Z−30 is an inner corner: centre Z−29.6, tip Z−30.
   // Up the shoulder the centre stays 0.4 in front; DEP LT goes on for 4 mm of radius: X60 + 0.8 − 0.8 + 8.
@@ -204,12 +258,18 @@ describe("turning with the nose radius", () => {
   });
   test("RND grows outside by the nose radius and keeps the tip on the contour's tangents", () =>
     // From the face up Z+0 over R2 to the cylinder X40: RR, the centre runs round (Z−2, r 18) with 2.4.
-    expect(tips(turned("L X+30 Z+5 F0.3\nL X+30 Z+0 RR F0.2\nL X+40\nRND R2\nL Z-20\nL X+60 R0 F0.4")).slice(1)).toEqual(
-      ["feed 29.2 0", "feed 35.2 0", "ccw 40 -2.4", "feed 40 -20.4", "feed 60 -20"]));
+    expect(tips(turned("L X+30 Z+5 F0.3\nL X+30 Z+0 RR F0.2\nL X+40\nRND R2\nL Z-20\nL X+60 R0 F0.4")).slice(1)).toEqual([
+      "feed 29.2 0",
+      "feed 35.2 0",
+      "ccw 40 -2.4",
+      "feed 40 -20.4",
+      "feed 60 -20",
+    ]));
 });
 
 describe("long paths", () => {
-  const zigzag = (count: number) => Array.from({ length: count }, (_, i) => `L X+${i + 1} Y+${i % 2}${i === 0 ? " F500" : ""}${i % 700 === 350 ? "\nRND R0.2" : ""}`);
+  const zigzag = (count: number) =>
+    Array.from({ length: count }, (_, i) => `L X+${i + 1} Y+${i % 2}${i === 0 ? " F500" : ""}${i % 700 === 350 ? "\nRND R0.2" : ""}`);
   test("a path without compensation is carried out piece by piece, with every move and corner as if it were one", () => {
     const done = milled(["L X+0 Y+0 FMAX", ...zigzag(3000)].join("\n"));
     const arcs = done.plane.filter((s) => s.kind === "arc");

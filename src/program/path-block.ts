@@ -10,7 +10,8 @@ import { blockFeed, takeFeed } from "./block-feed.ts";
 import { datumShiftOf } from "./datum.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
-import { coordinates, endOf, isPolarPath, planeOfAxes, pointIn, segmentOf, type PathBlock, type Plane, type Position, type Standing, type WordReader } from "./path.ts";
+import { coordinates, endOf, isPolarPath, planeOfAxes, pointIn, segmentOf, type PathBlock, type Plane, type Position, type Standing,
+  type WordReader } from "./path.ts";
 
 const purpose = { phase: "position", run: "rough", step: 0 } as const;
 
@@ -47,7 +48,8 @@ function hold(machine: Machine, segment: Segment, feed: FeedNumber | null, index
   if (!cut) {
     const { kind, size } = corner.element;
     const max = largestCorner(held.segment, segment, kind, size);
-    machine.log.say(issue("cornerElementTooLong", "error", { element: held.element, size, max, nearest: roundedDown(max) }, "contour"), corner.index);
+    machine.log.say(issue("cornerElementTooLong", "error", { element: held.element, size, max, nearest: roundedDown(max) }, "contour"),
+      corner.index);
   }
   run(machine, cut?.before ?? held.segment, held.feed, held.index);
   if (cut) run(machine, cut.between, corner.feed, corner.index);
@@ -68,7 +70,10 @@ const isAbsolute = (w: PolarWord | undefined) => w !== undefined && !w.increment
 export function standAt(machine: Machine, { path, words }: PathBlock, to: Position): void {
   const named = new Set(words.axes.filter((w) => !w.incremental).map((w) => w.axis));
   const both = isPolarPath(path) && isAbsolute(words.polarRadius) && isAbsolute(words.polarAngle);
-  machine.sure = { x: to.x !== null && (machine.sure.x || both || named.has("X")), z: to.z !== null && (machine.sure.z || both || named.has("Z")) };
+  machine.sure = {
+    x: to.x !== null && (machine.sure.x || both || named.has("X")),
+    z: to.z !== null && (machine.sure.z || both || named.has("Z")),
+  };
   machine.at = to;
   if (machine.sure.x && machine.sure.z) machine.lost = null;
 }
@@ -81,13 +86,17 @@ export const wordReader = (machine: Machine, index: number): WordReader => ({
   aside: (w) => machine.log.leaveUnproved(`${w.incremental ? "I" : ""}${w.axis}`, index),
   lose: () => void (machine.lost = machine.known.trouble),
   fault: (code) => {
-    if (code === "arcImpossible" || machine.lost === null) machine.log.say(programIssue(code, code === "startUnknown" ? "warning" : "error", {}), index);
+    if (code === "arcImpossible" || machine.lost === null)
+      machine.log.say(programIssue(code, code === "startUnknown" ? "warning" : "error", {}), index);
   },
 });
 
 /** What a block counts from in a plane of the mill or of the lathe. */
-export const standing = ({ at, mill, pole }: Machine, plane: Plane): Standing =>
-  ({ plane, at: plane === "lathe" ? at : mill.at, pole: pole && pointIn(plane, pole.at) });
+export const standing = ({ at, mill, pole }: Machine, plane: Plane): Standing => ({
+  plane,
+  at: plane === "lathe" ? at : mill.at,
+  pole: pole && pointIn(plane, pole.at),
+});
 
 /** The pole: CC with coordinates; those it leaves out are where the tool was programmed to. */
 export function pole(machine: Machine, { axes }: Words, index: number): void {

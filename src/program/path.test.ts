@@ -8,21 +8,31 @@ import { shippedTools } from "./shipped-tools.ts";
 const shop: Shop = { tools: shippedTools, rapid: 10_000 };
 const n = (value: number) => Math.round(value * 1e6) / 1e6 + 0;
 type Corner = { readonly from: readonly number[]; readonly to: readonly number[]; readonly centre: readonly number[] | null };
-const corner = (from: readonly number[], to: readonly number[], centre: readonly number[] | null): Corner =>
-  ({ from: from.map(n), to: to.map(n), centre: centre && centre.map(n) });
+const corner = (from: readonly number[], to: readonly number[], centre: readonly number[] | null): Corner => ({
+  from: from.map(n),
+  to: to.map(n),
+  centre: centre && centre.map(n),
+});
 
 /** `u` is the first axis of the plane, `v` the second: in turning Z and a diameter. */
 const turned = (text: string) => text.replace(/v([+-]?[\d.]+)/g, (_, v: string) => `X${2 * Number(v)}`).replaceAll("u", "Z");
 const milledText = (text: string) => text.replaceAll("v", "Y").replaceAll("u", "X");
 const onMainLevel = (text: string) =>
-  run(parse(`BEGIN PGM T MM\nFUNCTION MODE TURN\nTOOL CALL 15\n${turned(text)}\nL IZ+1 FMAX M30\nEND PGM T MM`), shop)
-    .steps.flatMap(({ from, move }) => (move.kind === "rapid" ? [] : [corner([from.z, from.r], [move.to.z, move.to.r], move.kind === "arc" ? [move.centre.z, move.centre.r] : null)]));
+  run(parse(`BEGIN PGM T MM\nFUNCTION MODE TURN\nTOOL CALL 15\n${turned(text)}\nL IZ+1 FMAX M30\nEND PGM T MM`), shop).steps.flatMap(
+    ({ from, move }) => (move.kind === "rapid"
+      ? []
+      : [corner([from.z, from.r], [move.to.z, move.to.r], move.kind === "arc" ? [move.centre.z, move.centre.r] : null)])
+  );
 const inContour = (text: string) =>
-  readContour(new Machine(parse(`LBL 1\n${turned(text)}\nLBL 0`), shop), 1, 0)
-    ?.contour.segments.map((s) => corner([s.from.z, s.from.r], [s.to.z, s.to.r], s.kind === "arc" ? [s.centre.z, s.centre.r] : null));
+  readContour(new Machine(parse(`LBL 1\n${turned(text)}\nLBL 0`), shop), 1, 0)?.contour.segments.map((s) =>
+    corner([s.from.z, s.from.r], [s.to.z, s.to.r], s.kind === "arc" ? [s.centre.z, s.centre.r] : null)
+  );
 const milled = (text: string) =>
-  run(parse(`BEGIN PGM T MM\nTOOL DEF 1 L+0 R+5\nTOOL CALL 1 Z S4000\nL Z+20 R0 FMAX\n${milledText(text)}\nL IX+1 FMAX M30\nEND PGM T MM`), shop)
-    .plane.flatMap((s) => (s.kind === "rapid" || s.seconds === 0 ? [] : [corner([s.from.x, s.from.y], [s.to.x, s.to.y], s.centre ? [s.centre.x, s.centre.y] : null)]));
+  run(parse(`BEGIN PGM T MM\nTOOL DEF 1 L+0 R+5\nTOOL CALL 1 Z S4000\nL Z+20 R0 FMAX\n${milledText(text)}\nL IX+1 FMAX M30\nEND PGM T MM`),
+    shop).plane.flatMap((s) => (s.kind === "rapid" || s.seconds === 0
+      ? []
+      : [corner([s.from.x, s.from.y], [s.to.x, s.to.y], s.centre ? [s.centre.x, s.centre.y] : null)])
+    );
 
 describe("a block leads to the same place on the main level, in a contour and under a mill", () => {
   test.each([
@@ -46,7 +56,9 @@ describe("a block leads to the same place on the main level, in a contour and un
 });
 
 const codes = (text: string) =>
-  run(parse(`BEGIN PGM T MM\n${text}\nM30\nEND PGM T MM`), shop).issues.map((f) => `${f.issue.code}@${f.block}`).filter((c) => !c.startsWith("frameMissing"));
+  run(parse(`BEGIN PGM T MM\n${text}\nM30\nEND PGM T MM`), shop).issues.map((f) => `${f.issue.code}@${f.block}`).filter((c) =>
+    !c.startsWith("frameMissing")
+  );
 const TURNING = "FUNCTION MODE TURN\nTOOL CALL 15\nL X+20 Z+0 F100\nCC X+20 Z-20";
 const MILLING = "TOOL DEF 1 L+0 R+5\nTOOL CALL 1 Z S4000\nL X+0 Y+10 Z+5 F100\nCC X-20 Y+10";
 

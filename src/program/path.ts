@@ -58,7 +58,10 @@ export interface WordReader {
   readonly number: (value: Value) => number | null;
   /** A length of the program in mm. */
   readonly length: (n: number) => number;
-  /** How far the datum that absolute coordinates of an axis count from stands from that of the positions; null where no path runs along it. */
+  /**
+   * How far the datum that absolute coordinates of an axis count from stands from that of the positions; null where no path
+   * runs along it.
+   */
   readonly shift: (axis: AxisName) => number | null;
   /** An axis that no path runs along is moved. */
   readonly aside: (word: AxisWord) => void;

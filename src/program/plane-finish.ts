@@ -46,7 +46,8 @@ function cutIssue(carrier: Carrier, q: ApproachRequest, guarded: NonNullable<Ret
   const { free } = guarded;
   if (free?.kind === "point") {
     const to = placeOf(carrier, sum(free.point, carrier.tip));
-    return issue("approachCutsContour", "warning", { ...common, freeX: to.x, ...("y" in to ? { freeY: to.y } : { freeZ: to.z }) }, "contour");
+    return issue("approachCutsContour", "warning", { ...common, freeX: to.x, ...("y" in to ? { freeY: to.y } : { freeZ: to.z }) },
+      "contour");
   }
   if (free) return issue("approachValueCutsContour", "warning", { ...common, word: free.word, nearest: free.value }, free.word);
   return issue("approachBlocked", "warning", common, "contour");
@@ -57,22 +58,42 @@ function lead(f: Finishing, call: ApproachCall, element: PlaneSegment, contour: 
   const { carrier } = f;
   const { machine } = carrier;
   const outside = call.departing ? call.target && difference(call.target, carrier.tip) : f.centre;
-  const q: ApproachRequest = { shape: call.shape, departing: call.departing, side: f.chain.side, toolRadius: carrier.toolRadius, element, outside, ...call.words };
+  const q: ApproachRequest = {
+    shape: call.shape,
+    departing: call.departing,
+    side: f.chain.side,
+    toolRadius: carrier.toolRadius,
+    element,
+    outside,
+    ...call.words,
+  };
   const made = approach(q);
   for (const found of made.issues) machine.log.say(found, call.index);
   const above = carrier.top !== null && call.fromZ !== null && call.fromZ >= carrier.top;
   const inPlaneFirst = (machine.shop.control ?? "TNC 640") === "TNC 640" && call.fromZ !== call.toZ;
   const segments = contour.contour.map((c) => c.segment);
-  const guarded = !made.issues.some((i) => i.severity === "error") &&
-    guardApproach(q, segments, above && inPlaneFirst && !call.departing ? "fromPH" : "all");
+  const guarded = !made.issues.some((i) => i.severity === "error")
+    && guardApproach(q, segments, above && inPlaneFirst && !call.departing ? "fromPH" : "all");
   if (guarded) machine.log.say(cutIssue(carrier, q, guarded), call.index);
   carrier.note({
-    block: machine.log.numbers[call.index] ?? 0, index: call.index, form: call.form, shape: call.shape, departing: call.departing, side: f.chain.side,
-    plane: carrier.plane, points: shifted(made.points, carrier.tip), toolRadius: carrier.toolRadius,
+    block: machine.log.numbers[call.index] ?? 0,
+    index: call.index,
+    form: call.form,
+    shape: call.shape,
+    departing: call.departing,
+    side: f.chain.side,
+    plane: carrier.plane,
+    points: shifted(made.points, carrier.tip),
+    toolRadius: carrier.toolRadius,
     arc: made.arc && { ...made.arc, centre: sum(made.arc.centre, carrier.tip) },
-    request: q, contour: segments, tip: carrier.tip, pole: call.pole,
-    datum: carrier.plane === "XY" ? { x: machine.datum.x, y: machine.datum.y } : { x: machine.datum.z, y: machine.datum.x }, feedBefore: call.before,
-    cut: guarded ? guarded.cut : null, free: guarded ? guarded.free : null,
+    request: q,
+    contour: segments,
+    tip: carrier.tip,
+    pole: call.pole,
+    datum: carrier.plane === "XY" ? { x: machine.datum.x, y: machine.datum.y } : { x: machine.datum.z, y: machine.datum.x },
+    feedBefore: call.before,
+    cut: guarded ? guarded.cut : null,
+    free: guarded ? guarded.free : null,
   });
   return made;
 }
@@ -127,7 +148,8 @@ function along(f: Finishing, contour: PlaneContour): void {
     for (const t of item.lifts) f.lift(t);
     const flat = { ...item, fromZ: item.lifts.at(-1)?.toZ ?? item.toZ, toZ: item.lifts.at(-1)?.toZ ?? item.toZ };
     for (const p of own.filter((each) => each.part === "corner")) f.go(p.segment, flat);
-    for (const p of onCorner) f.go(p.segment, { ...flat, feed: item.corner ? item.corner.feed : item.feed, index: item.corner?.index ?? item.index });
+    for (const p of onCorner)
+      f.go(p.segment, { ...flat, feed: item.corner ? item.corner.feed : item.feed, index: item.corner?.index ?? item.index });
   });
 }
 
@@ -149,9 +171,15 @@ function ownDirection(chain: CompensatedChain, here: PlanePoint | null): PlaneSe
 const hasRadius = (side: Side) => side !== "none";
 
 /** Carries out a chain and what ends it; gives where the programmed point then stands. */
-export function finishChain(carrier: Carrier, chain: CompensatedChain, here: PlanePoint | null, departure: ApproachCall | null): PlanePoint | null {
+export function finishChain(
+  carrier: Carrier,
+  chain: CompensatedChain,
+  here: PlanePoint | null,
+  departure: ApproachCall | null,
+): PlanePoint | null {
   const f = new Finishing(carrier, chain, here && difference(here, carrier.tip));
-  const contour = planeContour(chain.items.map(({ segment, corner }) => ({ segment, ...(corner && { corner: corner.element }) })), chain.side, carrier.toolRadius);
+  const contour = planeContour(chain.items.map(({ segment, corner }) => ({ segment, ...(corner && { corner: corner.element }) })),
+    chain.side, carrier.toolRadius);
   sayIssues(carrier, chain, contour);
   const single = ownDirection(chain, here);
   const first = contour.contour[0]?.segment ?? single;
@@ -161,7 +189,8 @@ export function finishChain(carrier: Carrier, chain: CompensatedChain, here: Pla
   if (departure && last) runDeparture(f, departure, lead(f, departure, last, contour));
   else if (departure) {
     carrier.machine.log.say(programIssue("approachWithoutContour", "error", { form: `DEP ${departure.form}` }), departure.index);
-    if (f.centre && departure.target) f.go({ kind: "line", from: f.centre, to: difference(departure.target, carrier.tip) }, { ...departure, toZ: departure.fromZ });
+    if (f.centre && departure.target)
+      f.go({ kind: "line", from: f.centre, to: difference(departure.target, carrier.tip) }, { ...departure, toZ: departure.fromZ });
     f.lift(departure);
   }
   return f.centre && sum(f.centre, carrier.tip);

@@ -85,14 +85,20 @@ export function followPath(guide: Guide, carrier: CarrierFor, requested: Side, s
     return;
   }
   const arc = step.segment?.kind === "arc" ? step.segment : null;
-  guide.chain = { side: requested, start: { ...step, kind: "line", to: arc ? arc.from : step.to, ...(arc && { toZ: step.fromZ }) }, lifts: [], items: [] };
+  guide.chain = {
+    side: requested,
+    start: { ...step, kind: "line", to: arc ? arc.from : step.to, ...(arc && { toZ: step.fromZ }) },
+    lifts: [],
+    items: [],
+  };
   if (arc) append(guide, step, arc);
 }
 
 /** R0: as programmed. After RL or RR the tool leaves from where it really stands. */
 function uncompensated(guide: Guide, step: PathStep, standing: PlanePoint | null): void {
   guide.chain ??= { side: "none", start: { kind: "here" }, lifts: [], items: [] };
-  append(guide, step, standing ? { kind: "line", from: standing, to: step.to } : (step.segment ?? { kind: "line", from: step.to, to: step.to }));
+  append(guide, step,
+    standing ? { kind: "line", from: standing, to: step.to } : (step.segment ?? { kind: "line", from: step.to, to: step.to }));
 }
 
 /** A rounding or chamfer behind the last element; false when there is none. */
@@ -109,7 +115,8 @@ function approachWords(machine: Machine, words: Words, index: number): ApproachC
   const read = (v: Words["length"]) => (v === undefined ? null : machine.number(v, index));
   const [length, radius, centreAngle] = [read(words.length), read(words.radius), read(words.centreAngle)];
   return {
-    ...(length !== null && { length: machine.length(length) }), ...(radius !== null && { radius: machine.length(radius) }),
+    ...(length !== null && { length: machine.length(length) }),
+    ...(radius !== null && { radius: machine.length(radius) }),
     ...(centreAngle !== null && { centreAngle }),
   };
 }
@@ -130,8 +137,17 @@ function callOf(machine: Machine, b: WrittenApproach, feed: Travel["feed"], know
   const { form, departing, index, target, fromZ, toZ } = b;
   const pole = machine.pole && pointIn(machine.turning ? "lathe" : "XY", machine.pole.at);
   return {
-    form, shape: shapeOf(form), departing, index, target, fromZ, toZ, feed, words: approachWords(machine, b.words, index),
-    pole: pole && planePoint(pole), before: known === undefined ? null : (known ?? "rapid"),
+    form,
+    shape: shapeOf(form),
+    departing,
+    index,
+    target,
+    fromZ,
+    toZ,
+    feed,
+    words: approachWords(machine, b.words, index),
+    pole: pole && planePoint(pole),
+    before: known === undefined ? null : (known ?? "rapid"),
   };
 }
 
@@ -148,7 +164,8 @@ export function beginApproach(guide: Guide, carrier: CarrierFor, b: WrittenAppro
   const now = machine.compensation;
   if (now !== "R0") machine.log.say(programIssue("compensationActive", "error", { side: now }), b.index);
   machine.compensation = b.words.compensation ?? "R0";
-  if (side === "none" && UNCOMPENSATED.has(shapeOf(b.form))) machine.log.say(programIssue("approachUncompensated", "warning", { form: `APPR ${b.form}` }), b.index);
+  if (side === "none" && UNCOMPENSATED.has(shapeOf(b.form)))
+    machine.log.say(programIssue("approachUncompensated", "warning", { form: `APPR ${b.form}` }), b.index);
   close(guide, carrier);
   const known = feedBefore(machine);
   if (known === undefined) machine.log.sayOnce(programIssue("feedMissing", "error", {}), b.index);

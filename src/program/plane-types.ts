@@ -23,7 +23,8 @@ export interface PlaneStep {
   readonly centre?: PlanePoint;
   readonly turn?: Turn;
   /** Of an arc in a plane beside that of the tool axis: the centre in the axes of that plane, the turn from its first to its second. */
-  readonly side?: { readonly plane: "YZ" | "ZX"; readonly centre: { readonly x?: number; readonly y?: number; readonly z?: number }; readonly turn: Turn };
+  readonly side?: { readonly plane: "YZ" | "ZX"; readonly centre: { readonly x?: number; readonly y?: number; readonly z?: number };
+    readonly turn: Turn };
   /** Absent on a rapid. */
   readonly feed?: number;
   readonly feedUnit?: FeedUnit;

@@ -59,13 +59,18 @@ export function polarWordsTo(row: ContourRow, pole: Pt, before: Pt | null, to: P
   return polarNames(row).reduce((words, name) => {
     const { text, incremental } = polarTyped(row, name);
     if (text.trim() === "" && old && Math.abs(next[name] - old[name]) < 5e-4) return words;
-    return withPolar(words, name, { text: String(kept(incremental && old ? next[name] - old[name] : next[name], decimalsOf(name))), incremental: incremental && old !== null });
+    return withPolar(words, name, {
+      text: String(kept(incremental && old ? next[name] - old[name] : next[name], decimalsOf(name))),
+      incremental: incremental && old !== null,
+    });
   }, row.words);
 }
 
 /** Where a polar row ends, as its block does in the run. */
 function polarEnd(reader: RowReader, row: ContourRow, index: number): Pt | null {
-  const before = typeof reader.x === "number" && typeof reader.z === "number" ? { z: axial(reader.z), r: toRadius(diameter(reader.x)) } : null;
+  const before = typeof reader.x === "number" && typeof reader.z === "number"
+    ? { z: axial(reader.z), r: toRadius(diameter(reader.x)) }
+    : null;
   if (!reader.pole) {
     reader.issues.push({ row: index, field: null, issue: programIssue("poleMissing", "error", {}) });
     return null;
@@ -81,7 +86,11 @@ function polarEnd(reader: RowReader, row: ContourRow, index: number): Pt | null 
     if (before || !(empty || incremental)) continue;
     readable = false;
     const shown = names.includes(name);
-    reader.issues.push({ row: index, field: shown ? name : null, issue: shown ? issue("missing", "error", {}, "contour") : issue("contourPoint", "error", { element: index + 1 }, "contour") });
+    reader.issues.push({
+      row: index,
+      field: shown ? name : null,
+      issue: shown ? issue("missing", "error", {}, "contour") : issue("contourPoint", "error", { element: index + 1 }, "contour"),
+    });
   }
   if (!readable) return null;
   if (row.kind !== "CP" && !words.polarRadius && !words.polarAngle)
@@ -90,7 +99,11 @@ function polarEnd(reader: RowReader, row: ContourRow, index: number): Pt | null 
 }
 
 /** The end of a polar row as coordinates; where it can not be told, the contour stays where it is. */
-export function polarGiven(reader: RowReader, row: ContourRow, index: number): { readonly z: GivenCoordinate<Axial>; readonly r: GivenCoordinate<Radius> } {
+export function polarGiven(
+  reader: RowReader,
+  row: ContourRow,
+  index: number,
+): { readonly z: GivenCoordinate<Axial>; readonly r: GivenCoordinate<Radius> } {
   const to = polarEnd(reader, row, index);
   if (!to) return { z: reader.z === null ? null : { by: axial(0) }, r: reader.x === null ? null : { by: toRadius(diameter(0)) } };
   reader.z = to.z;

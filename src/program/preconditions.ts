@@ -24,7 +24,9 @@ export function foreignParameters(machine: Machine, cycle: Cycle, names: readonl
   for (const q of names) {
     const twice = met.has(q);
     met.add(q);
-    if (twice || !(q in cycle.params)) machine.log.say(programIssue("parameterForeign", "warning", { name: q, cycle: cycle.number }, q), index, lineOfParameter(raw, q, twice ? 2 : 1));
+    if (twice || !(q in cycle.params))
+      machine.log.say(programIssue("parameterForeign", "warning", { name: q, cycle: cycle.number }, q), index,
+        lineOfParameter(raw, q, twice ? 2 : 1));
   }
 }
 
@@ -33,7 +35,11 @@ const standsStill = (moves: readonly Move[]) => moves.filter((m) => isCut(m) && 
 
 /** Feeds of a cycle's values that its path runs with and that can not be meant, each at its parameter. */
 export function unlikelyFeeds<P extends Params>(
-  cycle: Cycle<P>, values: Values<P>, moves: readonly Move[], machine: Machine, planned: (values: Values<P>) => readonly Move[],
+  cycle: Cycle<P>,
+  values: Values<P>,
+  moves: readonly Move[],
+  machine: Machine,
+  planned: (values: Values<P>) => readonly Move[],
 ): ProgramIssue[] {
   const found: ProgramIssue[] = [];
   const names = Object.entries<Param>(cycle.params).filter(([, p]) => p.kind === "feed").map(([q]) => q);
@@ -64,6 +70,7 @@ export function unlikelyFeeds<P extends Params>(
 export function neverCalled(machine: Machine): void {
   for (const index of machine.definitions) {
     const s = machine.blocks[index]?.statement;
-    if (!machine.called.has(index) && s?.kind === "cycle") machine.log.say(programIssue("cycleNeverCalled", "warning", { cycle: s.cycle }), index);
+    if (!machine.called.has(index) && s?.kind === "cycle")
+      machine.log.say(programIssue("cycleNeverCalled", "warning", { cycle: s.cycle }), index);
   }
 }

@@ -7,7 +7,11 @@ import { formWord } from "./recess-words.ts";
 import { recessWords } from "./row-given.ts";
 import { noWords, POSITION_DECIMALS, typedAxis, typedValue } from "./typed-value.ts";
 
-const path = (kind: "L" | "RND" | "CR" | "C" | "CC" | "CT" | "LP" | "CP" | "CTP", words: Partial<Words>): Statement => ({ kind: "path", path: kind, words: { ...noWords, ...words } });
+const path = (kind: "L" | "RND" | "CR" | "C" | "CC" | "CT" | "LP" | "CP" | "CTP", words: Partial<Words>): Statement => ({
+  kind: "path",
+  path: kind,
+  words: { ...noWords, ...words },
+});
 
 /** X and Z as typed; where one of them was solved, both as numbers, so that the control needs no more. */
 function axesOf(row: ContourRow, reading: RowReading | undefined): AxisWord[] {
@@ -22,28 +26,41 @@ function axesOf(row: ContourRow, reading: RowReading | undefined): AxisWord[] {
 }
 
 /** The words of an undercut or recess that are typed. */
-const namedWords = (row: ContourRow): NamedWord[] => recessWords(row).flatMap((name) => {
-  const value = typedValue(row.words[name] ?? "");
-  return value === null ? [] : [{ name, value }];
-});
+const namedWords = (row: ContourRow): NamedWord[] =>
+  recessWords(row).flatMap((name) => {
+    const value = typedValue(row.words[name] ?? "");
+    return value === null ? [] : [{ name, value }];
+  });
 
 function statement(row: ContourRow, reading: RowReading | undefined): Statement[] {
   const axes = axesOf(row, reading), size = typedValue(row.r);
   if (reading && (reading.sought.x || reading.sought.z) && !reading.end && axes.length === 0) return [];
   switch (row.kind) {
-    case "L": return [path("L", { axes })];
+    case "L":
+      return [path("L", { axes })];
     case "CR": {
-      const radius: Value | null = size ?? (reading === undefined || reading.radius === null ? null : kept(reading.radius, POSITION_DECIMALS));
+      const radius: Value | null = size
+        ?? (reading === undefined || reading.radius === null ? null : kept(reading.radius, POSITION_DECIMALS));
       return [path("CR", { axes, ...(radius !== null && { radius }), turn: (size === null ? reading?.turn : null) ?? row.turn })];
     }
-    case "C": return [path("C", { axes, turn: row.turn })];
-    case "CC": case "CT": return [path(row.kind, { axes })];
-    case "LP": case "CTP": return [path(row.kind, polarWords(row))];
-    case "CP": return [path("CP", { ...polarWords(row), turn: row.turn })];
-    case "RND": return [path("RND", size === null ? {} : { radius: size })];
-    case "UDC": return [{ kind: "undercut", form: formWord(row.form), words: namedWords(row) }];
-    case "GRV": return [{ kind: "groove", form: row.form === "AXIAL" ? "AXIAL" : "RADIAL", words: namedWords(row) }];
-    case "CHF": return [{ kind: "chamfer", length: size, words: noWords }];
+    case "C":
+      return [path("C", { axes, turn: row.turn })];
+    case "CC":
+    case "CT":
+      return [path(row.kind, { axes })];
+    case "LP":
+    case "CTP":
+      return [path(row.kind, polarWords(row))];
+    case "CP":
+      return [path("CP", { ...polarWords(row), turn: row.turn })];
+    case "RND":
+      return [path("RND", size === null ? {} : { radius: size })];
+    case "UDC":
+      return [{ kind: "undercut", form: formWord(row.form), words: namedWords(row) }];
+    case "GRV":
+      return [{ kind: "groove", form: row.form === "AXIAL" ? "AXIAL" : "RADIAL", words: namedWords(row) }];
+    case "CHF":
+      return [{ kind: "chamfer", length: size, words: noWords }];
   }
 }
 

@@ -52,7 +52,10 @@ function blank(job: Job): Statement {
   const { outside, bore, length, allowance } = job.blank;
   const [wide, hole] = [value(outside), value(bore)];
   return {
-    kind: "blankCylinder", axis: "Z", length: value(length), distance: value(allowance) ?? 0,
+    kind: "blankCylinder",
+    axis: "Z",
+    length: value(length),
+    distance: value(allowance) ?? 0,
     outside: wide === null ? null : { measure: "D", value: wide },
     inside: hole === null || hole === 0 ? null : { measure: "DI", value: hole },
   };
@@ -80,21 +83,38 @@ export function jobStatements(job: Job, cycle: Cycle, labels: Labels): Statement
     { kind: "begin", name, unit: "MM" },
     blank(job),
     { kind: "mode", mode: "TURN", kinematics: null },
-    { kind: "toolCall", tool: job.tool, axis: null, speed: null, feed: null, deltaLength: null, deltaRadius: null, extra: [] },
+    {
+      kind: "toolCall",
+      tool: job.tool,
+      axis: null,
+      speed: null,
+      feed: null,
+      deltaLength: null,
+      deltaRadius: null,
+      extra: [],
+    },
     spin(job),
     functions(job.perRevolution ? 136 : 137),
     path({ axes: at(safeX, safeZ), compensation: "R0", feed: "max" }),
     ...assignments(job, known),
     ...(free ? [cycleLine(0, labels.contour.title), cycleLine(1, `${labels.contour.label}${CONTOUR_LABEL}`)] : []),
     {
-      kind: "cycle", cycle: cycle.number, name: labels.cycleName(cycle.number),
+      kind: "cycle",
+      cycle: cycle.number,
+      name: labels.cycleName(cycle.number),
       parameters: Object.entries(cycle.params).map(([q, p]) => parameter(q, p, draft[q] ?? "", known, labels)),
     },
-    path({ axes: [...axis("X", job.start.x), { axis: "Y", value: 0, incremental: false }, ...axis("Z", job.start.z)], feed: "max", functions: [303] }),
+    path({
+      axes: [...axis("X", job.start.x), { axis: "Y", value: 0, incremental: false }, ...axis("Z", job.start.z)],
+      feed: "max",
+      functions: [303],
+    }),
     { kind: "cycleCall", how: "", words: noWords },
     path({ axes: [{ axis: "Z", value: safeZ, incremental: false }], compensation: "R0", feed: "max" }),
     functions(30),
-    ...(free ? [{ kind: "label" as const, label: CONTOUR_LABEL }, ...contourStatements(job.contour), { kind: "label" as const, label: 0 }] : []),
+    ...(free
+      ? [{ kind: "label" as const, label: CONTOUR_LABEL }, ...contourStatements(job.contour), { kind: "label" as const, label: 0 }]
+      : []),
     { kind: "end", name, unit: "MM" },
   ];
 }

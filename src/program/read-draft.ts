@@ -28,7 +28,9 @@ const valueOf = (param: Param, { written, value, empty }: FieldReading): number 
  * lets the parameter be left out. A value that is offered in place of a wrong one fits the others, as far as the contour tells.
  */
 export function readDraft<P extends Params>(
-  cycle: Pick<Cycle<P>, "params"> & Partial<Pick<Cycle<P>, "contour" | "outline">>, draft: Draft, known: KnownParameters = {},
+  cycle: Pick<Cycle<P>, "params"> & Partial<Pick<Cycle<P>, "contour" | "outline">>,
+  draft: Draft,
+  known: KnownParameters = {},
 ): DraftReading<P> {
   const partial: Record<string, number | "auto"> = {};
   const perField: Record<string, FieldReading> = {};
@@ -40,7 +42,8 @@ export function readDraft<P extends Params>(
   }
   const { contour, outline } = cycle;
   const judge = contour === "own" && outline
-    ? (values: Values<P>) => ({ issues: outline(values, { contour: null, start: null }).issues, moves: 0 }) : null;
+    ? (values: Values<P>) => ({ issues: outline(values, { contour: null, start: null }).issues, moves: 0 })
+    : null;
   const found = Object.values(perField).flatMap((field) => field.issue ?? []);
   const issues = found.map((each) => triedOffers(cycle.params, partial, [each], judge)[0] ?? each);
   const values = issues.length === 0 ? (partial as Values<P>) : null;

@@ -7,15 +7,32 @@ import { dxfDefaults, readDxf, type DxfChoice, type ParsedDxf } from "./read-dxf
 
 /** A DXF file of these entities, as a CAD writes it: group codes and values on lines of their own. */
 const file = (entities: readonly (readonly (string | number)[])[], header: readonly (string | number)[] = []) =>
-  ["0", "SECTION", "2", "HEADER", ...header, "0", "ENDSEC", "0", "SECTION", "2", "ENTITIES", ...entities.flat(), "0", "ENDSEC", "0", "EOF"].join("\n");
+  ["0", "SECTION", "2", "HEADER", ...header, "0", "ENDSEC", "0", "SECTION", "2", "ENTITIES", ...entities.flat(), "0", "ENDSEC", "0", "EOF"]
+    .join("\n");
 const line = (x1: number, y1: number, x2: number, y2: number) => [0, "LINE", 8, 0, 10, x1, 20, y1, 30, 0, 11, x2, 21, y2, 31, 0];
 const arc = (x: number, y: number, r: number, from: number, to: number) => [0, "ARC", 8, 0, 10, x, 20, y, 30, 0, 40, r, 50, from, 51, to];
-const polyline = (closed: boolean, ...points: readonly (readonly [number, number, number?])[]) =>
-  [0, "LWPOLYLINE", 8, 0, 90, points.length, 70, closed ? 1 : 0, ...points.flatMap(([x, y, bulge]) => [10, x, 20, y, ...(bulge === undefined ? [] : [42, bulge])])];
+const polyline = (
+  closed: boolean,
+  ...points: readonly (readonly [number, number, number?])[]
+) => [
+  0,
+  "LWPOLYLINE",
+  8,
+  0,
+  90,
+  points.length,
+  70,
+  closed ? 1 : 0,
+  ...points.flatMap(([x, y, bulge]) => [10, x, 20, y, ...(bulge === undefined ? [] : [42, bulge])]),
+];
 const parsed = (text: string) => new DxfParser().parseSync(text) as ParsedDxf;
-const read = (entities: readonly (readonly (string | number)[])[], choice: Partial<DxfChoice> = {}, header: readonly (string | number)[] = []) =>
-  readDxf(parsed(file(entities, header)), { ...dxfDefaults, ...choice });
-const short = (r: ReturnType<typeof read>) => r.rows.map((x) => [x.kind, x.x, x.z, x.r, x.kind === "CR" ? x.turn : ""].filter((s) => s !== "").join(" "));
+const read = (
+  entities: readonly (readonly (string | number)[])[],
+  choice: Partial<DxfChoice> = {},
+  header: readonly (string | number)[] = [],
+) => readDxf(parsed(file(entities, header)), { ...dxfDefaults, ...choice });
+const short = (r: ReturnType<typeof read>) =>
+  r.rows.map((x) => [x.kind, x.x, x.z, x.r, x.kind === "CR" ? x.turn : ""].filter((s) => s !== "").join(" "));
 const codes = (r: ReturnType<typeof read>) => r.issues.map((i) => i.code);
 
 describe("a drawing becomes rows", () => {
@@ -35,7 +52,12 @@ describe("a drawing becomes rows", () => {
   });
 
   test("a polyline with a bulge: a quarter circle, and the longer way round", () => {
-    expect(short(read([polyline(false, [0, 10], [-15, 10, -Math.tan(Math.PI / 8)], [-20, 15], [-20, 30])]))).toEqual(["L 20 0", "L -15", "CR 30 -20 5 cw", "L 60"]);
+    expect(short(read([polyline(false, [0, 10], [-15, 10, -Math.tan(Math.PI / 8)], [-20, 15], [-20, 30])]))).toEqual([
+      "L 20 0",
+      "L -15",
+      "CR 30 -20 5 cw",
+      "L 60",
+    ]);
     const long = read([polyline(false, [0, 10, Math.tan((Math.PI * 3) / 8)], [-5, 15])]);
     expect(long.rows[1]).toMatchObject({ kind: "CR", r: "-5", turn: "ccw" });
   });
@@ -88,15 +110,19 @@ describe("what is wrong with a drawing is named", () => {
   });
 
   test("a parser's odd answer is no exception", () => {
-    const odd = { entities: [null, 3, {}, { type: "LINE" }, { type: "ARC", center: { x: NaN, y: 0 } }, { type: "LWPOLYLINE", vertices: [{ x: 1 }] }] };
+    const odd = {
+      entities: [null, 3, {}, { type: "LINE" }, { type: "ARC", center: { x: NaN, y: 0 } }, { type: "LWPOLYLINE", vertices: [{ x: 1 }] }],
+    };
     expect(readDxf(odd, dxfDefaults).issues.map((i) => i.code)).toContain("nothing");
     expect(readDxf({}, dxfDefaults).rows).toEqual([]);
   });
 });
 
 describe("laws", () => {
-  const points = fc.array(fc.record({ x: fc.integer({ min: -200, max: 0 }), y: fc.integer({ min: 1, max: 100 }) }), { minLength: 2, maxLength: 20 })
-    .filter((all) => new Set(all.map((p) => `${p.x} ${p.y}`)).size === all.length);
+  const points = fc.array(fc.record({ x: fc.integer({ min: -200, max: 0 }), y: fc.integer({ min: 1, max: 100 }) }), {
+    minLength: 2,
+    maxLength: 20,
+  }).filter((all) => new Set(all.map((p) => `${p.x} ${p.y}`)).size === all.length);
 
   test("a polyline comes back point by point, from one end or the other", () => {
     fc.assert(fc.property(points, fc.boolean(), (all, reversed) => {

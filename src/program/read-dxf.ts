@@ -14,18 +14,28 @@ export interface DxfChoice extends DxfPlacing {
   /** From the other end. */
   readonly reversed: boolean;
 }
-export const dxfDefaults: DxfChoice = { swapped: false, flipped: false, diameters: false, zeroRight: false, tolerance: 0.01, chain: 0, reversed: false };
+export const dxfDefaults: DxfChoice = {
+  swapped: false,
+  flipped: false,
+  diameters: false,
+  zeroRight: false,
+  tolerance: 0.01,
+  chain: 0,
+  reversed: false,
+};
 
 /** What a drawing holds that matters for its contour; errors leave no contour. X as diameter. */
-export type DxfIssue =
-  | { readonly code: "nothing" | "arcsInDiameters" | "tooMany" | "onlyAxis"; readonly severity: "error" }
-  | { readonly code: "skipped"; readonly severity: "info"; readonly kind: string; readonly count: number }
-  | { readonly code: "broken"; readonly severity: "warning"; readonly count: number }
-  | { readonly code: "chains"; readonly severity: "warning"; readonly count: number }
-  | { readonly code: "branch"; readonly severity: "warning"; readonly x: number; readonly z: number }
-  | { readonly code: "gapsClosed"; readonly severity: "info"; readonly count: number; readonly widest: number }
-  | { readonly code: "axisDropped" | "closed" | "inches"; readonly severity: "info" }
-  | { readonly code: "belowAxis"; readonly severity: "error"; readonly x: number; readonly z: number };
+export type DxfIssue = { readonly code: "nothing" | "arcsInDiameters" | "tooMany" | "onlyAxis"; readonly severity: "error" } | {
+  readonly code: "skipped";
+  readonly severity: "info";
+  readonly kind: string;
+  readonly count: number;
+} | { readonly code: "broken"; readonly severity: "warning"; readonly count: number } | { readonly code: "chains";
+  readonly severity: "warning"; readonly count: number } | { readonly code: "branch"; readonly severity: "warning"; readonly x: number;
+  readonly z: number } | { readonly code: "gapsClosed"; readonly severity: "info"; readonly count: number; readonly widest: number } | {
+  readonly code: "axisDropped" | "closed" | "inches";
+  readonly severity: "info";
+} | { readonly code: "belowAxis"; readonly severity: "error"; readonly x: number; readonly z: number };
 
 /** A drawing read: the rows of its contour, and how many chains there are to choose from. */
 export interface DxfReading {
@@ -51,7 +61,8 @@ function placed(s: Segment, choice: DxfChoice): Segment {
     return at(choice.flipped ? -z : z, choice.diameters ? toRadius(diameter(x)) : x);
   };
   const over = choice.swapped !== choice.flipped;
-  return s.kind === "line" ? { kind: "line", from: put(s.from), to: put(s.to) }
+  return s.kind === "line"
+    ? { kind: "line", from: put(s.from), to: put(s.to) }
     : { kind: "arc", from: put(s.from), to: put(s.to), centre: put(s.centre), turn: over === (s.turn === "cw") ? "ccw" : "cw" };
 }
 
@@ -66,7 +77,11 @@ export function readDxf(dxf: ParsedDxf, choice: DxfChoice): DxfReading {
   const { curves, skipped, broken } = dxfCurves(dxf.entities ?? [], scale);
   skipped.forEach((count, kind) => issues.push({ code: "skipped", severity: "info", kind, count }));
   if (broken > 0) issues.push({ code: "broken", severity: "warning", count: broken });
-  const none = (code: "nothing" | "arcsInDiameters" | "tooMany" | "onlyAxis", chains = 0): DxfReading => ({ rows: [], chains, issues: [{ code, severity: "error" }, ...issues] });
+  const none = (code: "nothing" | "arcsInDiameters" | "tooMany" | "onlyAxis", chains = 0): DxfReading => ({
+    rows: [],
+    chains,
+    issues: [{ code, severity: "error" }, ...issues],
+  });
   if (curves.length === 0) return none("nothing");
   if (curves.length > MOST) return none("tooMany");
   const all = curves.map((s) => placed(s, choice)), off = all.filter((s) => !onAxis(s, Math.max(choice.tolerance, SAME)));

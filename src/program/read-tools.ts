@@ -8,18 +8,42 @@ import type { Mill } from "./mill-state.ts";
 /** A cell that may be left out or written as null. */
 const cell = z.number().nullish();
 /** Parts of a head, each by its corners [Z, X]. */
-const head = z.array(z.array(z.tuple([z.number(), z.number()]))).refine(soundHead, "a part needs 3 to 16 corners that are not in line; 8 parts at most");
+const head = z.array(z.array(z.tuple([z.number(), z.number()]))).refine(soundHead,
+  "a part needs 3 to 16 corners that are not in line; 8 parts at most");
 const row = z.object({
-  T: z.number().min(0).max(32767.9), NAME: z.string().max(32).nullish(), TYPE: z.enum(TOOL_TYPES), TO: cell, RS: cell,
-  ZL: cell, XL: cell, DZL: cell, DXL: cell, DRS: cell, ORI: cell, "T-ANGLE": cell, "P-ANGLE": cell, CUTLENGTH: cell, CUTWIDTH: cell, DCW: cell,
+  T: z.number().min(0).max(32767.9),
+  NAME: z.string().max(32).nullish(),
+  TYPE: z.enum(TOOL_TYPES),
+  TO: cell,
+  RS: cell,
+  ZL: cell,
+  XL: cell,
+  DZL: cell,
+  DXL: cell,
+  DRS: cell,
+  ORI: cell,
+  "T-ANGLE": cell,
+  "P-ANGLE": cell,
+  CUTLENGTH: cell,
+  CUTWIDTH: cell,
+  DCW: cell,
   holder: z.object({
-    width: z.number().positive(), length: z.number().positive(), offsetZ: z.number(), offsetX: z.number(),
-    axis: z.enum(["X", "Z"]).optional(), head: head.optional(),
+    width: z.number().positive(),
+    length: z.number().positive(),
+    offsetZ: z.number(),
+    offsetX: z.number(),
+    axis: z.enum(["X", "Z"]).optional(),
+    head: head.optional(),
   }).nullish(),
 });
 /** A milling tool: any row with a radius R that names none of the turning types. */
 const mill = z.object({
-  T: z.number().min(0).max(32767.9), NAME: z.string().max(32).nullish(), R: z.number().min(0), DR: cell, L: cell, DL: cell,
+  T: z.number().min(0).max(32767.9),
+  NAME: z.string().max(32).nullish(),
+  R: z.number().min(0),
+  DR: cell,
+  L: cell,
+  DL: cell,
   TYPE: z.string().refine((type) => !TOOL_TYPES.some((t) => t === type)).nullish(),
 });
 const file = z.object({ tools: z.array(z.unknown()) }).transform(({ tools }, context) => ({
@@ -63,7 +87,9 @@ export function readTools(text: string): ShopTools | { readonly problem: string 
       mills.push({ T: cells.T, NAME: cells.NAME ?? "", R: cells.R, DR: cells.DR ?? 0 });
       continue;
     }
-    const present = Object.fromEntries(Object.entries(cells).filter(([column, value]) => value !== null && value !== undefined && !(column === "CUTLENGTH" && value === 0)));
+    const present = Object.fromEntries(
+      Object.entries(cells).filter(([column, value]) => value !== null && value !== undefined && !(column === "CUTLENGTH" && value === 0)),
+    );
     const problems = checkTool(present);
     if (problems.length > 0) refused.set(cells.T, problems);
     else tools.push({ NAME: "", ...present } as unknown as Tool);

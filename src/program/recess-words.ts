@@ -1,7 +1,6 @@
 import { grooveDiameters, GROOVE_WORDS, type Groove } from "../kernel/groove.ts";
-import {
-  ANGLE_WORDS, UNDERCUT_FORMS, UNDERCUT_WORDS, type RecessWord, type RecessWords, type Undercut, type UndercutForm,
-} from "../kernel/undercut.ts";
+import { ANGLE_WORDS, UNDERCUT_FORMS, UNDERCUT_WORDS, type RecessWord, type RecessWords, type Undercut,
+  type UndercutForm } from "../kernel/undercut.ts";
 import { diameter, toRadius } from "../kernel/units.ts";
 import type { NamedWord, Statement } from "../nc/statement.ts";
 import { programIssue } from "./issue.ts";
@@ -14,7 +13,11 @@ export const formWord = (form: string): string => (form === "THREAD" ? form : `T
 
 /** Words by name in mm and degrees; a word that the block can not have is said and left out. */
 function wordsOf(
-  machine: Machine, words: readonly NamedWord[], allowed: readonly RecessWord[], diameters: readonly RecessWord[], index: number,
+  machine: Machine,
+  words: readonly NamedWord[],
+  allowed: readonly RecessWord[],
+  diameters: readonly RecessWord[],
+  index: number,
 ): RecessWords {
   const read = words.flatMap(({ name, value }) => {
     const word = allowed.find((w) => w === name);
@@ -31,7 +34,11 @@ function wordsOf(
 }
 
 /** An undercut or recess of a contour subprogram; null when its form is not known. */
-export function recessOf(machine: Machine, s: Extract<Statement, { kind: "undercut" | "groove" }>, index: number): Undercut | Groove | null {
+export function recessOf(
+  machine: Machine,
+  s: Extract<Statement, { kind: "undercut" | "groove" }>,
+  index: number,
+): Undercut | Groove | null {
   if (s.kind === "groove") {
     machine.log.say(programIssue("wordsRecalled", "info", { what: `GRV ${s.form}` }), index);
     const direction = s.form === "AXIAL" ? "axial" : "radial";

@@ -11,11 +11,9 @@ import { isPolarRow, polarGiven } from "./polar-row.ts";
 import { ANY, NEEDED, rowNumber, type RowField, type RowReader } from "./row-reader.ts";
 
 /** What one row gives: a corner, an element to be solved, an undercut or recess, or a centre, which is no element. */
-export type RowGiven =
-  | { readonly kind: "corner"; readonly corner: CornerElement }
-  | { readonly kind: "element"; readonly element: SolveElement; readonly sought: { readonly x: boolean; readonly z: boolean } }
-  | { readonly kind: "recess"; readonly recess: Undercut | Groove }
-  | { readonly kind: "centre" };
+export type RowGiven = { readonly kind: "corner"; readonly corner: CornerElement } | { readonly kind: "element";
+  readonly element: SolveElement; readonly sought: { readonly x: boolean; readonly z: boolean } } | { readonly kind: "recess";
+  readonly recess: Undercut | Groove } | { readonly kind: "centre" };
 
 /** A coordinate that is typed as a question mark is sought. */
 export const SOUGHT = "?";
@@ -51,7 +49,8 @@ function coordinate(reader: RowReader, row: ContourRow, index: number, axis: "x"
 }
 
 const onAxis = (c: Coordinate): GivenCoordinate<Axial> => c && ("at" in c ? { at: axial(c.at) } : { by: axial(c.by) });
-const onRadius = (c: Coordinate): GivenCoordinate<Radius> => c && ("at" in c ? { at: toRadius(diameter(c.at)) } : { by: toRadius(diameter(c.by)) });
+const onRadius = (c: Coordinate): GivenCoordinate<Radius> =>
+  c && ("at" in c ? { at: toRadius(diameter(c.at)) } : { by: toRadius(diameter(c.by)) });
 
 /** The centre that a CC row names: typed, or where the last row ends. */
 function centreOf(reader: RowReader, row: ContourRow, index: number): Pt | null {
@@ -106,24 +105,41 @@ export function rowGiven(reader: RowReader, row: ContourRow, index: number): Row
   const before = { x: reader.x, z: reader.z };
   const [x, z] = [coordinate(reader, row, index, "x"), coordinate(reader, row, index, "z")];
   const still = empty(row.x) && empty(row.z) && before.x !== null && before.z !== null && !seeks(row);
-  if (still && row.kind !== "C") reader.issues.push({ row: index, field: null, issue: issue("contourPoint", "error", { element: index + 1 }, "contour") });
+  if (still && row.kind !== "C")
+    reader.issues.push({ row: index, field: null, issue: issue("contourPoint", "error", { element: index + 1 }, "contour") });
   const common = { z: onAxis(z), r: onRadius(x), choice: row.second ? 1 as const : 0 as const };
-  return { kind: "element", element: shape(reader, row, index, common), sought: { x: x === null && before.x !== null || asked(row.x), z: z === null && before.z !== null || asked(row.z) } };
+  return {
+    kind: "element",
+    element: shape(reader, row, index, common),
+    sought: { x: x === null && before.x !== null || asked(row.x), z: z === null && before.z !== null || asked(row.z) },
+  };
 }
 
 function shape(reader: RowReader, row: ContourRow, index: number, common: Pick<SolveElement, "z" | "r" | "choice">): SolveElement {
   const arc = { ...common, kind: "arc" as const, turn: row.turn, radius: null, centre: null, tangent: row.tangent };
   switch (row.kind) {
-    case "LP": return { ...common, kind: "line", angle: null, length: null, tangent: false };
-    case "CP": return { ...arc, tangent: false, centre: reader.pole };
-    case "CT": case "CTP": return { ...arc, turn: null, tangent: true };
+    case "LP":
+      return { ...common, kind: "line", angle: null, length: null, tangent: false };
+    case "CP":
+      return { ...arc, tangent: false, centre: reader.pole };
+    case "CT":
+    case "CTP":
+      return { ...arc, turn: null, tangent: true };
     case "C":
-      if (!reader.pole) reader.issues.push({ row: index, field: null, issue: issue("centreMissing", "error", { element: index + 1 }, "contour") });
+      if (!reader.pole)
+        reader.issues.push({ row: index, field: null, issue: issue("centreMissing", "error", { element: index + 1 }, "contour") });
       return { ...arc, centre: reader.pole };
-    case "CR": return { ...arc, radius: asked(row.r) ? null : rowNumber(reader, index, "r", row.r, row.tangent ? ANY : NEEDED) };
+    case "CR":
+      return { ...arc, radius: asked(row.r) ? null : rowNumber(reader, index, "r", row.r, row.tangent ? ANY : NEEDED) };
     default: {
       const [angle, far] = [rowNumber(reader, index, "angle", row.angle, ANY), rowNumber(reader, index, "length", row.length, SIZE)];
-      return { ...common, kind: "line", angle: angle === null ? null : degrees(angle), length: far === null ? null : length(far), tangent: row.tangent };
+      return {
+        ...common,
+        kind: "line",
+        angle: angle === null ? null : degrees(angle),
+        length: far === null ? null : length(far),
+        tangent: row.tangent,
+      };
     }
   }
 }

@@ -24,8 +24,12 @@ export function shiftedPlan(plan: Plan, by: By): Plan {
   const reach = (all: Plan["reach"]) => all.map((r) => ({ ...r, path: segment(r.path, by) }));
   return {
     ...plan,
-    moves: plan.moves.map((m) => move(m, by)), contour: plan.contour.map((s) => segment(s, by)),
-    area: plan.area.map((p) => shiftedPoint(p, by)), part: plan.part.map((p) => shiftedPoint(p, by)),
-    reach: reach(plan.reach), kept: reach(plan.kept), ...(plan.unlimited && { unlimited: reach(plan.unlimited) }),
+    moves: plan.moves.map((m) => move(m, by)),
+    contour: plan.contour.map((s) => segment(s, by)),
+    area: plan.area.map((p) => shiftedPoint(p, by)),
+    part: plan.part.map((p) => shiftedPoint(p, by)),
+    reach: reach(plan.reach),
+    kept: reach(plan.kept),
+    ...(plan.unlimited && { unlimited: reach(plan.unlimited) }),
   };
 }

@@ -23,9 +23,12 @@ const behindEdges = (tool: (typeof shippedTools)[number], p: Pt) => {
 test("every shipped tool has a holder", () => expect(shippedTools.filter((tool) => !tool.holder)).toEqual([]));
 
 describe("a shipped holder", () => {
-  test.each(tools.filter(([, tool]) => tool.TYPE === "ROUGH" || tool.TYPE === "FINISH"))("%s has a head behind both cutting edges, however long they were", (_, tool) => {
-    for (const p of holderOutlines(tool)[0] ?? []) expect(behindEdges(tool, p)).toBeGreaterThan(LEAST);
-  });
+  test.each(tools.filter(([, tool]) => tool.TYPE === "ROUGH" || tool.TYPE === "FINISH"))(
+    "%s has a head behind both cutting edges, however long they were",
+    (_, tool) => {
+      for (const p of holderOutlines(tool)[0] ?? []) expect(behindEdges(tool, p)).toBeGreaterThan(LEAST);
+    },
+  );
 
   test.each(tools.filter(([, tool]) => isBar(tool)))("%s has a blade inside the cut, down to where the shank begins", (_, tool) => {
     const [blade, shank] = holderOutlines(tool) as [Ring, Ring];
@@ -47,7 +50,8 @@ describe("a shipped holder", () => {
   });
 
   test("the left-hand holder is the mirror image of the right-hand one", () => {
-    const [right, left] = [2, 7].map((n) => shippedTools.find((tool) => tool.T === n)) as [(typeof shippedTools)[number], (typeof shippedTools)[number]];
+    const [right, left] = [2, 7].map((n) => shippedTools.find((tool) => tool.T === n)) as [(typeof shippedTools)[number],
+      (typeof shippedTools)[number]];
     const corners = (tool: typeof right) => holderOutlines(tool).map((ring) => ring.map((p) => `${p.z + 0} ${p.r}`).sort());
     expect(corners(mirroredTool(right, "z"))).toEqual(corners(left));
   });
@@ -59,7 +63,8 @@ const sides = (ring: Ring) => {
 };
 const at = (x: number) => (Math.round(x * 1e6) / 1e6) + 0;
 const places = (rings: readonly Ring[]) => rings.map((ring) => ring.map((p) => `${at(p.z)} ${at(p.r)}`).sort());
-const flipped = (ring: Ring, axis: "z" | "r"): Ring => ring.map((p) => (axis === "z" ? { ...p, z: axial(-p.z) } : { ...p, r: radius(-p.r) }));
+const flipped = (ring: Ring, axis: "z" | "r"): Ring =>
+  ring.map((p) => (axis === "z" ? { ...p, z: axial(-p.z) } : { ...p, r: radius(-p.r) }));
 
 describe.each(["z", "r"] as const)("mirrored along %s", (axis) => {
   test.each(tools)("%s keeps its holder where its insert is", (_, tool) => {

@@ -4,16 +4,29 @@ import { length } from "../kernel/units.ts";
 type Corner = readonly [z: number, x: number];
 
 /** The shank: across, along, from the tip to its near corner, and its axis. mm. */
-interface Shank { readonly width: number; readonly length: number; readonly z: number; readonly x: number; readonly axis?: "X" | "Z" }
+interface Shank {
+  readonly width: number;
+  readonly length: number;
+  readonly z: number;
+  readonly x: number;
+  readonly axis?: "X" | "Z";
+}
 
 const holder = (s: Shank, ...head: readonly (readonly Corner[])[]): Holder => ({
-  width: length(s.width), length: length(s.length), offsetZ: length(s.z), offsetX: length(s.x), ...(s.axis && { axis: s.axis }),
+  width: length(s.width),
+  length: length(s.length),
+  offsetZ: length(s.z),
+  offsetX: length(s.x),
+  ...(s.axis && { axis: s.axis }),
   head: head.map((part) => part.map(([z, x]): HolderCorner => [length(z), length(x)])),
 });
 
 /** A blade behind the edge of a bar that cuts towards −X (`up` 1) or +X (−1): a little narrower than the cut, to its full depth. */
-const blade = (half: number, depth: number, up: 1 | -1): readonly Corner[] =>
-  [[-half, 1.5 * up], [half, 1.5 * up], [half, depth * up], [-half, depth * up]];
+const blade = (
+  half: number,
+  depth: number,
+  up: 1 | -1,
+): readonly Corner[] => [[-half, 1.5 * up], [half, 1.5 * up], [half, depth * up], [-half, depth * up]];
 
 /*
  * Holders as catalogues list them by their ISO designation: shank 25×25 or 20×20 with f = 32 or, for neutral ones, the tip in the
@@ -46,12 +59,17 @@ export const shippedHolders: Readonly<Record<number, Holder>> = {
   // Radial blade of 1.6 mm, flush with the −Z side of a shank 20×20.
   10: holder({ width: 20, length: 105, z: -0.8, x: 20 }, blade(0.8, 20, 1)),
   // SRDCN 2020K06: neutral, a neck narrower than the insert, then the shoulders of the shank.
-  11: holder(
-    { width: 20, length: 105, z: -10, x: 20 },
-    [[-1.5, 1.2], [1.5, 1.2], [2.2, 3], [2.2, 14], [-2.2, 14], [-2.2, 3]], [[-2.2, 14], [2.2, 14], [10, 20], [-10, 20]],
-  ),
+  11: holder({ width: 20, length: 105, z: -10, x: 20 }, [[-1.5, 1.2], [1.5, 1.2], [2.2, 3], [2.2, 14], [-2.2, 14], [-2.2, 3]], [
+    [-2.2, 14],
+    [2.2, 14],
+    [10, 20],
+    [-10, 20],
+  ]),
   // SER 2525M16: f 32.
-  12: holder({ width: 25, length: 116, z: 7, x: 34 }, [[-0.4, 2.6], [0.4, 2.6], [4.3, 9.3], [32, 24], [32, 34], [7, 34], [-4.3, 14], [-4.3, 9.3]]),
+  12: holder({ width: 25, length: 116, z: 7, x: 34 }, [[-0.4, 2.6], [0.4, 2.6], [4.3, 9.3], [32, 24], [32, 34], [7, 34], [-4.3, 14], [
+    -4.3,
+    9.3,
+  ]]),
   // SIR 0020P16: bar of 20 mm, f 14, for bores from 25 mm.
   13: holder({ width: 20, length: 170, z: -4, x: -4 }, [[-0.4, -2.6], [0.4, -2.6], [4.3, -9.3], [-4.3, -9.3]]),
   // Grooving bar of 25 mm with a blade of 1.6 mm, 12 mm high.

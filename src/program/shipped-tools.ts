@@ -10,7 +10,11 @@ interface Columns {
 }
 
 const tool = (T: number, NAME: string, TYPE: ToolType, TO: TipOrientation, RS: number, c: Columns): Tool => ({
-  T, NAME, TYPE, TO, RS: length(RS),
+  T,
+  NAME,
+  TYPE,
+  TO,
+  RS: length(RS),
   ...(c.angles && { "T-ANGLE": degrees(c.angles[0]), "P-ANGLE": degrees(c.angles[1]) }),
   ...(c.point !== undefined && { "P-ANGLE": degrees(c.point) }),
   ...(c.width !== undefined && { CUTWIDTH: length(c.width) }),

@@ -5,7 +5,8 @@ import { toDiameter } from "../kernel/units.ts";
 import { run } from "./run.ts";
 import { shippedTools } from "./shipped-tools.ts";
 
-const lines = (...blocks: string[]) => ["0 BEGIN PGM T MM", ...blocks, "M30", "END PGM T MM"].map((b, i) => `${i === 0 ? "" : `${i} `}${b}`).join("\n");
+const lines = (...blocks: string[]) =>
+  ["0 BEGIN PGM T MM", ...blocks, "M30", "END PGM T MM"].map((b, i) => `${i === 0 ? "" : `${i} `}${b}`).join("\n");
 const shop = { tools: shippedTools, rapid: 10_000 };
 function cut(...blocks: string[]) {
   const done = run(parse(lines(...blocks)), shop);
@@ -17,11 +18,9 @@ const frame = ["BLK FORM CYLINDER Z D50 L60 DIST+0", "FUNCTION MODE TURN", "TOOL
 
 test("a correction holds the insert off the programmed tip, adds up over both systems, and ends with the tool call", () => {
   // Tool 3 has a nose of 0.4 mm: it leaves the cylinder where its nose begins, 0.4 mm in front of the shoulder.
-  const { done, has, codes } = cut(
-    ...frame, "FUNCTION TURNDATA CORR-TCS:Z/X DZL:0.1 DXL:0.25", "L X+40 Z+2 R0 FMAX", "L Z-20 F0.2", "L X+52", "L X+80 Z+30 FMAX",
-    "FUNCTION TURNDATA CORR-WPL:Z/X DXL:-0.05", "L X+46 Z-19 FMAX", "L Z-25 F0.2", "L X+52", "L X+80 Z+30 FMAX",
-    "TOOL CALL 4", "L X+48 Z-24 FMAX", "L Z-30 F0.2", "L X+60",
-  );
+  const { done, has, codes } = cut(...frame, "FUNCTION TURNDATA CORR-TCS:Z/X DZL:0.1 DXL:0.25", "L X+40 Z+2 R0 FMAX", "L Z-20 F0.2",
+    "L X+52", "L X+80 Z+30 FMAX", "FUNCTION TURNDATA CORR-WPL:Z/X DXL:-0.05", "L X+46 Z-19 FMAX", "L Z-25 F0.2", "L X+52",
+    "L X+80 Z+30 FMAX", "TOOL CALL 4", "L X+48 Z-24 FMAX", "L Z-30 F0.2", "L X+60");
   expect([has(40.5, -19.5), has(46.4, -24.5), has(48, -29.6)]).toEqual([true, true, true]);
   expect(done.steps[0]?.move.to).toEqual({ z: -20, r: 20 });
   expect(codes.filter((c) => c === "wordsRecalled").length).toBe(2);
@@ -33,9 +32,9 @@ test("a correction needs a tool, and its words a value", () => {
 });
 
 const casting = ['LBL "CASTING"', "L X+0 Z+1", "L X+58", "L X+72 Z-9", "L Z-60", "L X+0", "LBL 0"];
-const withBlank = (blank: string, ...turnData: string[]) => run(parse([
-  "BEGIN PGM T MM", blank, "FUNCTION MODE TURN", "TOOL CALL 3", ...turnData, "M30", ...casting, "END PGM T MM",
-].join("\n")), shop);
+const withBlank = (blank: string, ...turnData: string[]) =>
+  run(parse(["BEGIN PGM T MM", blank, "FUNCTION MODE TURN", "TOOL CALL 3", ...turnData, "M30", ...casting, "END PGM T MM"].join("\n")),
+    shop);
 
 test("FUNCTION TURNDATA BLANK gives the stock where BLK FORM gives none", () => {
   const own = withBlank("BLK FORM 0.1 Z X+0 Y+0 Z-20", 'FUNCTION TURNDATA BLANK LBL "CASTING"', "FUNCTION TURNDATA BLANK OFF");
@@ -47,13 +46,21 @@ test("FUNCTION TURNDATA BLANK gives the stock where BLK FORM gives none", () => 
 });
 
 test("a blank or a contour in another file is said where it is named and where it is missed", () => {
-  expect(withBlank("BLK FORM CYLINDER Z D80 L60", 'FUNCTION TURNDATA BLANK "CAST.H"').issues.map((f) => f.issue)).toMatchObject([
-    { code: "notProved", severity: "warning" }, { code: "neverReached", data: { by: "M30" } },
+  expect(withBlank("BLK FORM CYLINDER Z D80 L60", 'FUNCTION TURNDATA BLANK "CAST.H"').issues.map((f) => f.issue)).toMatchObject([{
+    code: "notProved",
+    severity: "warning",
+  }, { code: "neverReached", data: { by: "M30" } }]);
+  const contour = run(
+    parse(
+      lines(...frame, 'SEL CONTOUR "PART.H"', "CYCL DEF 820 TURN CONTOUR TRANSV. ~\nQ215=+0 ~\nQ460=+2", "L X+60 Z+2 R0 FMAX", "CYCL CALL"),
+    ),
+    shop,
+  ).issues.map((f) => f.issue);
+  expect(contour).toMatchObject([
+    { code: "notSimulated", data: { what: 'SEL CONTOUR "PART.H"' } },
+    ...contour.slice(1, -1).map(() => ({})),
+    {},
   ]);
-  const contour = run(parse(lines(
-    ...frame, 'SEL CONTOUR "PART.H"', "CYCL DEF 820 TURN CONTOUR TRANSV. ~\nQ215=+0 ~\nQ460=+2", "L X+60 Z+2 R0 FMAX", "CYCL CALL",
-  )), shop).issues.map((f) => f.issue);
-  expect(contour).toMatchObject([{ code: "notSimulated", data: { what: 'SEL CONTOUR "PART.H"' } }, ...contour.slice(1, -1).map(() => ({})), {}]);
   expect(contour.some((i) => i.code === "contourInFile" && i.severity === "error")).toBe(true);
   expect(contour.some((i) => i.code === "contourNotNamed")).toBe(false);
 });

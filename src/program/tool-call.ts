@@ -42,7 +42,7 @@ function takeTool(machine: Machine, s: StatementOf<"toolCall">, wanted: number |
   machine.tool = tool ?? null;
   machine.toolRefused = !tool;
   machine.corrections = {};
-  if (refused && typeof wanted === "number") for (const i of refused) machine.log.say(i, index);
+  if (refused && typeof wanted === "number") { for (const i of refused) machine.log.say(i, index); }
   else if (!tool && (machine.turning || turnsLater(machine, index)))
     machine.log.say(programIssue("toolUnknown", "error", { tool: String(wanted) }, "tool"), index);
   if (tool && ((tool.DZL ?? 0) !== 0 || (tool.DXL ?? 0) !== 0))

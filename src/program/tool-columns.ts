@@ -3,7 +3,22 @@ import type { Field } from "./field.ts";
 
 /** The columns of the turning-tool table, in the order of the table. */
 export const TOOL_COLUMNS = [
-  "T", "NAME", "ZL", "XL", "DZL", "DXL", "RS", "DRS", "TO", "ORI", "T-ANGLE", "P-ANGLE", "CUTLENGTH", "CUTWIDTH", "DCW", "TYPE",
+  "T",
+  "NAME",
+  "ZL",
+  "XL",
+  "DZL",
+  "DXL",
+  "RS",
+  "DRS",
+  "TO",
+  "ORI",
+  "T-ANGLE",
+  "P-ANGLE",
+  "CUTLENGTH",
+  "CUTWIDTH",
+  "DCW",
+  "TYPE",
 ] as const;
 export type ToolColumn = (typeof TOOL_COLUMNS)[number];
 /** Numbers of the holder, beside the columns of the control. */
@@ -35,19 +50,32 @@ const angle: ColumnRule = { kind: "angle", range: [0, 179.999], decimals: 3 };
 
 export const COLUMN_RULES: Readonly<Record<NumberColumn, ColumnRule>> = {
   T: { kind: "number", range: [0, 32767.9], decimals: 1 },
-  ZL: anyLength, XL: anyLength, DZL: anyLength, DXL: anyLength,
-  RS: size, DRS: { ...anyLength, range: [-999.9999, 999.9999] },
+  ZL: anyLength,
+  XL: anyLength,
+  DZL: anyLength,
+  DXL: anyLength,
+  RS: size,
+  DRS: { ...anyLength, range: [-999.9999, 999.9999] },
   TO: { kind: "number", range: [1, 9], decimals: 0 },
   ORI: { kind: "angle", range: [-360, 360], decimals: 3 },
-  "T-ANGLE": angle, "P-ANGLE": angle,
-  CUTLENGTH: size, CUTWIDTH: size, DCW: anyLength,
-  L: anyLength, R: size, DL: anyLength, DR: { ...anyLength, range: [-999.9999, 999.9999] },
+  "T-ANGLE": angle,
+  "P-ANGLE": angle,
+  CUTLENGTH: size,
+  CUTWIDTH: size,
+  DCW: anyLength,
+  L: anyLength,
+  R: size,
+  DL: anyLength,
+  DR: { ...anyLength, range: [-999.9999, 999.9999] },
 };
 
 /** The smallest side of a holder box, mm. */
 const LEAST_SIDE = 0.001;
 export const HOLDER_RULES: Readonly<Record<HolderNumber, ColumnRule>> = {
-  width: { ...size, range: [LEAST_SIDE, FAR] }, length: { ...size, range: [LEAST_SIDE, FAR] }, offsetZ: anyLength, offsetX: anyLength,
+  width: { ...size, range: [LEAST_SIDE, FAR] },
+  length: { ...size, range: [LEAST_SIDE, FAR] },
+  offsetZ: anyLength,
+  offsetX: anyLength,
 };
 
 const isHolderNumber = (cell: NumberColumn | HolderNumber): cell is HolderNumber => HOLDER_NUMBERS.some((each) => each === cell);

@@ -4,10 +4,8 @@ import type { Tool } from "../kernel/tool.ts";
 import { checkTool } from "./check-tool.ts";
 import { readText } from "./field.ts";
 import { readAxis, readHead, writeHead } from "./holder-cells.ts";
-import {
-  applies, HOLDER_CELLS, HOLDER_NUMBERS, MILL, MILL_COLUMNS, ruleOf, TOOL_COLUMNS,
-  type CellName, type HolderNumber, type MillColumn, type NumberColumn, type ToolColumn,
-} from "./tool-columns.ts";
+import { applies, HOLDER_CELLS, HOLDER_NUMBERS, MILL, MILL_COLUMNS, ruleOf, TOOL_COLUMNS, type CellName, type HolderNumber, type MillColumn,
+  type NumberColumn, type ToolColumn } from "./tool-columns.ts";
 
 /** One row of the tool table as typed: every cell is text, an empty or missing cell is empty. */
 export interface ToolEntry {
@@ -16,7 +14,9 @@ export interface ToolEntry {
 }
 
 /** A milling tool with all its columns, mm; a missing cell is absent. */
-export type MillTool = { readonly T: number; readonly NAME: string; readonly R: number } & { readonly [C in Exclude<MillColumn, "R">]?: number };
+export type MillTool = { readonly T: number; readonly NAME: string; readonly R: number } & {
+  readonly [C in Exclude<MillColumn, "R">]?: number;
+};
 
 /** A row read: the tool when every cell can be used, and everything found, each at its column. */
 export interface EntryReading {
@@ -89,7 +89,9 @@ function holderIssues(entry: ToolEntry): Issue[] {
   if (!HOLDER_CELLS.some((cell) => cellOf(entry, cell).trim() !== "")) return [];
   const [axis, head] = [cellOf(entry, "axis"), cellOf(entry, "head")];
   return [
-    ...(["width", "length"] as const).filter((cell) => cellOf(entry, cell).trim() === "").map((cell) => issue("missing", "error", {}, cell)),
+    ...(["width", "length"] as const).filter((cell) => cellOf(entry, cell).trim() === "").map((cell) =>
+      issue("missing", "error", {}, cell)
+    ),
     ...(readAxis(axis) === null ? [issue("holderAxis", "error", { text: axis }, "axis")] : []),
     ...(readHead(head) === null ? [issue("holderHead", "error", { text: head }, "head")] : []),
   ];
@@ -138,17 +140,24 @@ function readTurning(entry: ToolEntry): EntryReading {
   const { values, issues } = numbersOf(entry);
   const { T, width, length, offsetZ = 0, offsetX = 0, ...columns } = values;
   const [axis, head] = [readAxis(cellOf(entry, "axis")), readHead(cellOf(entry, "head"))];
-  const shank = width === undefined || length === undefined ? null
+  const shank = width === undefined || length === undefined
+    ? null
     : { width, length, offsetZ, offsetX, ...(axis && { axis }), ...(head && head.length > 0 && { head }) };
   const row = {
-    ...(T !== undefined && { T }), NAME: cellOf(entry, "NAME"), TYPE: cellOf(entry, "TYPE"), ...columns,
+    ...(T !== undefined && { T }),
+    NAME: cellOf(entry, "NAME"),
+    TYPE: cellOf(entry, "TYPE"),
+    ...columns,
     ...(shank && { holder: shank }),
   };
   const { holder: _, ...checked } = row;
   const kept = firstOfEach([
     ...issues,
     ...(T === undefined ? [issue("missing", "error", {}, "T")] : []),
-    ...nameIssues(row.NAME), ...checkTool(checked), ...holderIssues(entry), ...flanks(row.TYPE, values),
+    ...nameIssues(row.NAME),
+    ...checkTool(checked),
+    ...holderIssues(entry),
+    ...flanks(row.TYPE, values),
   ]);
   const sound = kept.every((each) => each.severity !== "error");
   return { tool: sound ? (row as unknown as Tool) : null, mill: null, number: T ?? null, issues: kept };

@@ -73,7 +73,10 @@ export function readList(list: ToolList): ToolListReading {
       let nearest = Math.floor(number) + 1;
       while (numbers.has(nearest)) nearest++;
       const first = !taken.has(number);
-      const twice = issue("toolNumberTwice", first ? "warning" : "error", { number, ...(nearest <= COLUMN_RULES.T.range[1] && { nearest }) }, "T");
+      const twice = issue("toolNumberTwice", first ? "warning" : "error", {
+        number,
+        ...(nearest <= COLUMN_RULES.T.range[1] && { nearest }),
+      }, "T");
       rows.set(entry.id, { tool: first ? tool : null, mill: first ? mill : null, number, issues: [twice, ...issues] });
       if (!first) return;
     }
@@ -87,7 +90,10 @@ export function readList(list: ToolList): ToolListReading {
 }
 
 /** Rows that come from a file, over the table: a row of the same number takes the place of the old one, others follow. */
-export function mergedTools(list: ToolList, rows: readonly ToolEntry["cells"][]): { readonly list: ToolList; readonly replaced: number; readonly added: number } {
+export function mergedTools(
+  list: ToolList,
+  rows: readonly ToolEntry["cells"][],
+): { readonly list: ToolList; readonly replaced: number; readonly added: number } {
   const next = [...list];
   const places = new Map<number, number>();
   list.forEach((entry, i) => {
@@ -118,6 +124,7 @@ export function mergedTools(list: ToolList, rows: readonly ToolEntry["cells"][])
 export const sameList = (a: ToolList, b: ToolList): boolean =>
   a === b || (a.length === b.length && a.every((entry, i) => {
     const other = b[i] as ToolEntry;
-    return entry === other || [...new Set([...Object.keys(entry.cells), ...Object.keys(other.cells)])]
-      .every((cell) => cellOf(entry, cell as keyof ToolEntry["cells"]) === cellOf(other, cell as keyof ToolEntry["cells"]));
+    return entry === other || [...new Set([...Object.keys(entry.cells), ...Object.keys(other.cells)])].every((cell) =>
+      cellOf(entry, cell as keyof ToolEntry["cells"]) === cellOf(other, cell as keyof ToolEntry["cells"])
+    );
   }));

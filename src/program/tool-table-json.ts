@@ -38,8 +38,7 @@ function cellsOf(row: Readonly<Record<string, unknown>>, leftOut: Set<string>): 
     if (column) take(column, value);
     else if (name === "holder" && isRecord(value) && !isMill) {
       for (const cell of HOLDER_CELLS) take(cell, cell === "head" && isHead(value[cell]) ? writeHead(value[cell]) : value[cell]);
-    }
-    else if (!(name === "holder" && value === null) && !(isMill && name === "TYPE")) leftOut.add(name);
+    } else if (!(name === "holder" && value === null) && !(isMill && name === "TYPE")) leftOut.add(name);
   }
   return cells;
 }

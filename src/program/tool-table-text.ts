@@ -13,8 +13,26 @@ const MILL_TABLE = ["T", "NAME", ...MILL_COLUMNS] as const;
 
 /** Characters of each column with the space behind it. */
 const WIDTHS: Readonly<Record<Column, number>> = {
-  T: 8, NAME: 33, ZL: 13, XL: 13, DZL: 13, DXL: 13, RS: 12, DRS: 11, TO: 4, ORI: 10, "T-ANGLE": 9, "P-ANGLE": 9,
-  CUTLENGTH: 12, CUTWIDTH: 12, DCW: 13, TYPE: 8, L: 13, R: 12, DL: 13, DR: 11,
+  T: 8,
+  NAME: 33,
+  ZL: 13,
+  XL: 13,
+  DZL: 13,
+  DXL: 13,
+  RS: 12,
+  DRS: 11,
+  TO: 4,
+  ORI: 10,
+  "T-ANGLE": 9,
+  "P-ANGLE": 9,
+  CUTLENGTH: 12,
+  CUTWIDTH: 12,
+  DCW: 13,
+  TYPE: 8,
+  L: 13,
+  R: 12,
+  DL: 13,
+  DR: 11,
 };
 const LINE_END = "\r\n";
 const MM_PER_INCH = 25.4;
@@ -34,7 +52,8 @@ function written(value: string | number | undefined, column: Column): string {
 
 function table<C extends Column>(name: string, columns: readonly C[], rows: readonly { readonly [K in C]?: string | number }[]): string {
   const line = (cells: (column: C) => string) => columns.map((column) => cells(column).padEnd(WIDTHS[column])).join("");
-  return [`BEGIN ${name} MM`, line((column) => column), ...rows.map((row) => line((column) => written(row[column], column))), "[END]", ""].join(LINE_END);
+  return [`BEGIN ${name} MM`, line((column) => column), ...rows.map((row) => line((column) => written(row[column], column))), "[END]", ""]
+    .join(LINE_END);
 }
 
 /** Writes tools as the control's table, in millimetres; numbers are rounded to what its columns keep. A holder has no column. */
@@ -44,10 +63,8 @@ export const writeTableText = (tools: readonly Tool[]): string => table("TOOLTUR
 export const writeMillText = (mills: readonly MillTool[]): string => table("TOOL.T", MILL_TABLE, mills);
 
 /** Rows of a file with the names of what has no place in this table; or why it is none. */
-export type TableFile =
-  | { readonly rows: readonly ToolEntry["cells"][]; readonly leftOut: readonly string[]; readonly cutShort: boolean }
-  | { readonly problem: "notATable" | "noRows" }
-  | { readonly problem: "columnsMissing"; readonly columns: readonly string[] };
+export type TableFile = { readonly rows: readonly ToolEntry["cells"][]; readonly leftOut: readonly string[]; readonly cutShort: boolean }
+  | { readonly problem: "notATable" | "noRows" } | { readonly problem: "columnsMissing"; readonly columns: readonly string[] };
 
 const NEEDED: readonly ToolColumn[] = ["T", "TYPE", "TO", "RS"];
 
@@ -76,7 +93,8 @@ const isOf = <C extends Column>(columns: readonly C[], name: string): name is C 
 
 /** A table without TO, but with a radius R, is one of milling tools. */
 const isMillTable = (titles: readonly Title[]) =>
-  ["T", "R"].every((name) => titles.some((title) => title.name === name)) && !titles.some((title) => title.name === "TO" || title.name === "RS");
+  ["T", "R"].every((name) => titles.some((title) => title.name === name))
+  && !titles.some((title) => title.name === "TO" || title.name === "RS");
 
 /** Places of a milling table that hold no tool of its own: empty ones, and turning tools, whose data are elsewhere. */
 function isNoMill(cells: Readonly<Record<string, string>>): boolean {

@@ -16,17 +16,34 @@ import { readTableText, writeMillText, writeTableText } from "./tool-table-text.
 const length = (min: number, max: number) => fc.integer({ min: min * 1e4, max: max * 1e4 }).map((n) => n / 1e4);
 const angle = fc.integer({ min: 0, max: 179_999 }).map((n) => n / 1e3);
 const cells = fc.record({
-  T: fc.integer({ min: 0, max: 32767 }), NAME: fc.stringMatching(/^[A-Z0-9#$%&,.-]{0,32}$/), TYPE: fc.constantFrom(...TOOL_TYPES),
-  TO: fc.integer({ min: 1, max: 9 }), RS: length(0, 10),
-  ZL: length(-999, 999), XL: length(-99999, 99999), DZL: length(-1, 1), DXL: length(-1, 1), DRS: length(-0.1, 1), ORI: fc.integer({ min: -360, max: 360 }),
-  "T-ANGLE": angle, "P-ANGLE": angle, CUTLENGTH: length(1, 100), CUTWIDTH: length(0, 50), DCW: length(-0.5, 0.5),
+  T: fc.integer({ min: 0, max: 32767 }),
+  NAME: fc.stringMatching(/^[A-Z0-9#$%&,.-]{0,32}$/),
+  TYPE: fc.constantFrom(...TOOL_TYPES),
+  TO: fc.integer({ min: 1, max: 9 }),
+  RS: length(0, 10),
+  ZL: length(-999, 999),
+  XL: length(-99999, 99999),
+  DZL: length(-1, 1),
+  DXL: length(-1, 1),
+  DRS: length(-0.1, 1),
+  ORI: fc.integer({ min: -360, max: 360 }),
+  "T-ANGLE": angle,
+  "P-ANGLE": angle,
+  CUTLENGTH: length(1, 100),
+  CUTWIDTH: length(0, 50),
+  DCW: length(-0.5, 0.5),
 }, { requiredKeys: ["T", "NAME", "TYPE", "TO", "RS"] });
 /** A sound tool with the decimals that the control keeps. */
 const tool = cells.filter((row) => checkTool(row).length === 0).map((row) => row as unknown as Tool);
 const corner = fc.tuple(length(-50, 50), length(-50, 50));
 const head = fc.array(fc.array(corner, { minLength: 3, maxLength: 6 }), { minLength: 1, maxLength: 3 }).filter(soundHead);
 const holder = fc.record({
-  width: length(1, 50), length: length(1, 200), offsetZ: length(-50, 50), offsetX: length(-50, 50), axis: fc.constantFrom("X", "Z"), head,
+  width: length(1, 50),
+  length: length(1, 200),
+  offsetZ: length(-50, 50),
+  offsetX: length(-50, 50),
+  axis: fc.constantFrom("X", "Z"),
+  head,
 }, { requiredKeys: ["width", "length", "offsetZ", "offsetX"] });
 const withHolder = fc.tuple(tool, fc.option(holder)).map(([t, h]) => (h ? { ...t, holder: h } as unknown as Tool : t));
 const table = (one: fc.Arbitrary<Tool>) => fc.uniqueArray(one, { selector: (t) => t.T, minLength: 1, maxLength: 12 });
@@ -39,38 +56,80 @@ describe("a row of the table", () => {
     }), { numRuns: 2000 }));
 
   test("every row that is read as a tool can be drawn", () =>
-    fc.assert(fc.property(fc.dictionary(fc.constantFrom("T", "TYPE", "TO", "RS", "T-ANGLE", "P-ANGLE", "CUTLENGTH", "CUTWIDTH", "DRS", "DCW", "width"),
-      fc.oneof(fc.constantFrom("", "0", "1", "-1", "8", "95", "179,9", "ROUGH", "THREAD", "BUTTON", "RECTURN", "RECESS", "x", "1e9", "2*3", "Q5"), fc.string())), (row) => {
-      const read = readEntry({ id: "r", cells: row });
-      if (read.tool) for (const p of insertOutline(read.tool, CHORD)) expect(Number.isFinite(p.z) && Number.isFinite(p.r)).toBe(true);
-      else expect(read.issues.some((found) => found.severity === "error")).toBe(true);
-    }), { numRuns: 3000 }));
+    fc.assert(
+      fc.property(
+        fc.dictionary(fc.constantFrom("T", "TYPE", "TO", "RS", "T-ANGLE", "P-ANGLE", "CUTLENGTH", "CUTWIDTH", "DRS", "DCW", "width"),
+          fc.oneof(
+            fc.constantFrom("", "0", "1", "-1", "8", "95", "179,9", "ROUGH", "THREAD", "BUTTON", "RECTURN", "RECESS", "x", "1e9", "2*3",
+              "Q5"),
+            fc.string(),
+          )),
+        (row) => {
+          const read = readEntry({ id: "r", cells: row });
+          if (read.tool) { for (const p of insertOutline(read.tool, CHORD)) expect(Number.isFinite(p.z) && Number.isFinite(p.r)).toBe(
+                true,
+              ); } else expect(read.issues.some((found) => found.severity === "error")).toBe(true);
+        },
+      ),
+      { numRuns: 3000 },
+    ));
 
   const { holder: _, ...bare } = shippedTools[0] as Tool;
   const columnsOf = (change: ToolEntry["cells"]) =>
     readEntry({ id: "r", cells: { ...entryOf(bare, "r").cells, ...change } }).issues.map((found) => `${found.at} ${found.code}`);
 
   test.each<[ToolEntry["cells"], string[]]>([
-    [{}, []], [{ RS: "0,8" }, []], [{ RS: "abc" }, ["RS notANumber"]], [{ RS: "-1" }, ["RS toolColumn"]], [{ RS: "" }, ["RS toolColumn"]],
-    [{ T: "" }, ["T missing"]], [{ T: "40000" }, ["T toolColumn"]], [{ TO: "" }, ["TO toolColumn"]], [{ TO: "11" }, ["TO toolColumn"]], [{ TO: "1.5" }, ["TO toolColumn"]],
-    [{ "P-ANGLE": "85" }, ["P-ANGLE toolColumn"]], [{ "P-ANGLE": "" }, ["P-ANGLE flanksNotChecked"]], [{ NAME: "a" }, ["NAME toolName"]],
-    [{ TYPE: "DRILL" }, ["TYPE toolColumn"]], [{ ORI: "361" }, ["ORI toolColumn"]], [{ CUTLENGTH: "1/" }, ["CUTLENGTH badExpression"]],
-    [{ width: "20" }, ["length missing"]], [{ width: "20", length: "100" }, []], [{ width: "0", length: "100" }, ["width toolColumn"]],
-    [{ width: "20", length: "9", axis: "z", head: "1/2,5 4/-3 2/.5; 0/0 1/0 0/1;" }, []], [{ axis: "Z" }, ["width missing", "length missing"]],
-    [{ width: "20", length: "9", axis: "Y" }, ["axis holderAxis"]], [{ width: "20", length: "9", head: "1/2 2/3" }, ["head holderHead"]],
-    [{ width: "20", length: "9", head: "0/0 1/1 2/2" }, ["head holderHead"]], [{ width: "20", length: "9", head: "0/0 1/1 2" }, ["head holderHead"]],
-    [{ TYPE: "BUTTON", RS: "3", "P-ANGLE": "abc", CUTWIDTH: "x" }, []], [{ TYPE: "THREAD", "P-ANGLE": "0" }, ["P-ANGLE toolColumn"]],
+    [{}, []],
+    [{ RS: "0,8" }, []],
+    [{ RS: "abc" }, ["RS notANumber"]],
+    [{ RS: "-1" }, ["RS toolColumn"]],
+    [{ RS: "" }, ["RS toolColumn"]],
+    [{ T: "" }, ["T missing"]],
+    [{ T: "40000" }, ["T toolColumn"]],
+    [{ TO: "" }, ["TO toolColumn"]],
+    [{
+      TO: "11",
+    }, ["TO toolColumn"]],
+    [{ TO: "1.5" }, ["TO toolColumn"]],
+    [{ "P-ANGLE": "85" }, ["P-ANGLE toolColumn"]],
+    [{ "P-ANGLE": "" }, ["P-ANGLE flanksNotChecked"]],
+    [{ NAME: "a" }, ["NAME toolName"]],
+    [{ TYPE: "DRILL" }, ["TYPE toolColumn"]],
+    [{ ORI: "361" }, ["ORI toolColumn"]],
+    [{
+      CUTLENGTH: "1/",
+    }, ["CUTLENGTH badExpression"]],
+    [{ width: "20" }, ["length missing"]],
+    [{ width: "20", length: "100" }, []],
+    [{
+      width: "0",
+      length: "100",
+    }, ["width toolColumn"]],
+    [{ width: "20", length: "9", axis: "z", head: "1/2,5 4/-3 2/.5; 0/0 1/0 0/1;" }, []],
+    [{ axis: "Z" }, ["width missing", "length missing"]],
+    [{ width: "20", length: "9", axis: "Y" }, ["axis holderAxis"]],
+    [{ width: "20", length: "9", head: "1/2 2/3" }, ["head holderHead"]],
+    [{ width: "20", length: "9", head: "0/0 1/1 2/2" }, ["head holderHead"]],
+    [{ width: "20", length: "9", head: "0/0 1/1 2" }, ["head holderHead"]],
+    [{ TYPE: "BUTTON", RS: "3", "P-ANGLE": "abc", CUTWIDTH: "x" }, []],
+    [{ TYPE: "THREAD", "P-ANGLE": "0" }, ["P-ANGLE toolColumn"]],
   ])("%o: %s", (change, expected) => expect(columnsOf(change)).toEqual(expected));
 });
 
 describe("the list", () => {
-  test("the shipped rows are the shipped tools", () => expect(readList(shippedList).table).toEqual({ tools: shippedTools, refused: new Map() }));
+  test("the shipped rows are the shipped tools", () =>
+    expect(readList(shippedList).table).toEqual({ tools: shippedTools, refused: new Map() }));
 
   test("of two rows with one number the first keeps it, the second is told a free one", () => {
     const twice = [...shippedList, { id: newId(shippedList), cells: { ...shippedList[0]?.cells } }];
     const { table: read, rows } = readList(twice);
     expect(read.tools).toEqual(shippedTools);
-    expect(rows.get("r16")?.issues).toMatchObject([{ code: "toolNumberTwice", severity: "error", at: "T", data: { number: 1, nearest: 16 } }]);
+    expect(rows.get("r16")?.issues).toMatchObject([{
+      code: "toolNumberTwice",
+      severity: "error",
+      at: "T",
+      data: { number: 1, nearest: 16 },
+    }]);
     expect(rows.get("r1")).toMatchObject({ tool: shippedTools[0], issues: [{ code: "toolNumberTwice", severity: "warning" }] });
   });
 
@@ -83,9 +142,10 @@ describe("the list", () => {
 
   test("away from its row a finding names its column", () => {
     const cells = { ...shippedList[0]?.cells, T: "50", RS: "abc", length: "" };
-    expect(readList([{ id: "a", cells }]).table.refused.get(50)).toMatchObject([
-      { at: "RS", data: { column: "RS", value: null } }, { at: "tool", data: { column: "holder.length", value: null } },
-    ]);
+    expect(readList([{ id: "a", cells }]).table.refused.get(50)).toMatchObject([{ at: "RS", data: { column: "RS", value: null } }, {
+      at: "tool",
+      data: { column: "holder.length", value: null },
+    }]);
   });
 
   test("rows of a file take the place of those with their number", () => {
@@ -110,7 +170,9 @@ describe("the tools file (JSON)", () => {
     }), { numRuns: 300 }));
 
   test("a wrong cell comes in as text", () => {
-    const read = readToolFile('{ "tools": [ { "T": 1, "NAME": "A", "TYPE": "ROUGH", "TO": "one", "RS": null, "COLOUR": 3, "holder": { "width": true } } ] }');
+    const read = readToolFile(
+      '{ "tools": [ { "T": 1, "NAME": "A", "TYPE": "ROUGH", "TO": "one", "RS": null, "COLOUR": 3, "holder": { "width": true } } ] }',
+    );
     expect(read).toEqual({ rows: [{ T: "1", NAME: "A", TYPE: "ROUGH", TO: "one", width: "true" }], leftOut: ["COLOUR"], cutShort: false });
   });
 });
@@ -129,7 +191,8 @@ describe("the control's column text", () => {
     expect(writeTableText(("rows" in read ? toolsOf(read.rows) : []) as Tool[])).toBe(text);
   });
 
-  test("the shipped table", () => expect(writeTableText(shippedTools)).toMatchInlineSnapshot(`
+  test("the shipped table", () =>
+    expect(writeTableText(shippedTools)).toMatchInlineSnapshot(`
     "BEGIN TOOLTURN.TRN MM
     T       NAME                             ZL           XL           DZL          DXL          RS          DRS        TO  ORI       T-ANGLE  P-ANGLE  CUTLENGTH   CUTWIDTH    DCW          TYPE    
     1       CNMG-80-R08                                                                          0.8                    1             95       80       12                                   ROUGH   
@@ -153,25 +216,49 @@ describe("the control's column text", () => {
 
   test("a table of other widths, order and columns, with a description, comma and inches", () => {
     const text = [
-      "BEGIN TOOLTURN.TRN INCH Version: 'Update:16.10'", "#STRUCTBEGIN", " NAME = T", "#STRUCTEND",
-      "T   TYPE   RS      TO YL   NAME     CUTLENGTH", "7   rough  +0,0315 1  +0   LEFT ONE -", "8   FINISH 0.1x    3", "[END]", "behind",
+      "BEGIN TOOLTURN.TRN INCH Version: 'Update:16.10'",
+      "#STRUCTBEGIN",
+      " NAME = T",
+      "#STRUCTEND",
+      "T   TYPE   RS      TO YL   NAME     CUTLENGTH",
+      "7   rough  +0,0315 1  +0   LEFT ONE -",
+      "8   FINISH 0.1x    3",
+      "[END]",
+      "behind",
     ].join("\n");
     expect(readToolFile(text)).toEqual({
-      rows: [{ T: "7", TYPE: "ROUGH", RS: "0.8001", TO: "1", NAME: "LEFT ONE", CUTLENGTH: "" }, { T: "8", TYPE: "FINISH", RS: "0.1x", TO: "3" }],
-      leftOut: ["YL"], cutShort: false,
+      rows: [{ T: "7", TYPE: "ROUGH", RS: "0.8001", TO: "1", NAME: "LEFT ONE", CUTLENGTH: "" }, {
+        T: "8",
+        TYPE: "FINISH",
+        RS: "0.1x",
+        TO: "3",
+      }],
+      leftOut: ["YL"],
+      cutShort: false,
     });
   });
 
   test.each([
-    ["", "notATable"], ["hello", "notATable"], ["{", "notATable"], ['{"tools":[]}', "noRows"], ['{"tools":[1]}', "notATable"], ["[]", "notATable"],
-    ["BEGIN TOOL.T MM\nT NAME L R2\n1 A +0 +0\n[END]", "columnsMissing"], ["BEGIN TOOL.T MM\nT NAME L    R\n0      +0   +0\n[END]", "noRows"], ["BEGIN TOOLTURN.TRN MM\nT TYPE TO RS\n[END]", "noRows"], ["BEGIN TOOLTURN.TRN MM", "columnsMissing"],
+    ["", "notATable"],
+    ["hello", "notATable"],
+    ["{", "notATable"],
+    ['{"tools":[]}', "noRows"],
+    ['{"tools":[1]}', "notATable"],
+    ["[]", "notATable"],
+    ["BEGIN TOOL.T MM\nT NAME L R2\n1 A +0 +0\n[END]", "columnsMissing"],
+    ["BEGIN TOOL.T MM\nT NAME L    R\n0      +0   +0\n[END]", "noRows"],
+    ["BEGIN TOOLTURN.TRN MM\nT TYPE TO RS\n[END]", "noRows"],
+    ["BEGIN TOOLTURN.TRN MM", "columnsMissing"],
   ])("%j: %s", (text, problem) => expect(readToolFile(text)).toMatchObject({ problem }));
 
   test("no text makes it throw", () =>
-    fc.assert(fc.property(fc.oneof(fc.string(), fc.string().map((s) => `BEGIN TOOLTURN.TRN MM\nT TYPE TO RS NAME\n${s}`), fc.json()), (text) => {
-      const read = readToolFile(text);
-      if ("rows" in read) mergedTools(shippedList, read.rows).list.forEach((entry) => readEntry(entry));
-    }), { numRuns: 1000 }));
+    fc.assert(
+      fc.property(fc.oneof(fc.string(), fc.string().map((s) => `BEGIN TOOLTURN.TRN MM\nT TYPE TO RS NAME\n${s}`), fc.json()), (text) => {
+        const read = readToolFile(text);
+        if ("rows" in read) mergedTools(shippedList, read.rows).list.forEach((entry) => readEntry(entry));
+      }),
+      { numRuns: 1000 },
+    ));
 
   test("a mutated file is still read or refused", () => {
     const text = writeTableText(shippedTools);
@@ -184,7 +271,12 @@ describe("the control's column text", () => {
 
 describe("milling tools", () => {
   const mill = fc.record({
-    T: fc.integer({ min: 0, max: 32767 }), NAME: fc.stringMatching(/^[A-Z0-9#$%&,.-]{1,32}$/), R: length(0, 100), L: length(-999, 999), DL: length(-9, 9), DR: length(0, 1),
+    T: fc.integer({ min: 0, max: 32767 }),
+    NAME: fc.stringMatching(/^[A-Z0-9#$%&,.-]{1,32}$/),
+    R: length(0, 100),
+    L: length(-999, 999),
+    DL: length(-9, 9),
+    DR: length(0, 1),
   }, { requiredKeys: ["T", "NAME", "R"] }) as fc.Arbitrary<MillTool>;
   const mills = fc.uniqueArray(mill, { selector: (m) => m.T, minLength: 1, maxLength: 12 });
   const millsOf = (rows: readonly ToolEntry["cells"][]) => rows.map((row) => readEntry({ id: "r", cells: row }).mill);
@@ -197,7 +289,9 @@ describe("milling tools", () => {
       const fromText = readTableText(writeMillText(all));
       expect("rows" in fromText && millsOf(fromText.rows)).toEqual(all);
       const verified = readTools(json);
-      expect("mills" in verified && verified.mills?.map(({ T, R, DR }) => ({ T, R, DR }))).toEqual(all.map(({ T, R, DR }) => ({ T, R, DR: DR ?? 0 })));
+      expect("mills" in verified && verified.mills?.map(({ T, R, DR }) => ({ T, R, DR }))).toEqual(
+        all.map(({ T, R, DR }) => ({ T, R, DR: DR ?? 0 })),
+      );
     }), { numRuns: 500 }));
 
   test("a list of both kinds: programs get each, of one number only one", () => {
@@ -208,17 +302,35 @@ describe("milling tools", () => {
   });
 
   test.each<[ToolEntry["cells"], string[]]>([
-    [{ T: "1", R: "8" }, []], [{ T: "1" }, ["R missing"]], [{ R: "8" }, ["T missing"]], [{ T: "1", R: "-1" }, ["R toolColumn"]],
-    [{ T: "1", R: "1", DR: "-2" }, ["DR toolColumn"]], [{ T: "1", R: "a", L: "b" }, ["L notANumber", "R notANumber"]],
-  ])("%o: %s", (cells, expected) =>
-    expect(readEntry({ id: "m", cells: { ...cells, TYPE: "MILL" } }).issues.map((found) => `${found.at} ${found.code}`)).toEqual(expected));
+    [{ T: "1", R: "8" }, []],
+    [{ T: "1" }, ["R missing"]],
+    [{ R: "8" }, ["T missing"]],
+    [{
+      T: "1",
+      R: "-1",
+    }, ["R toolColumn"]],
+    [{ T: "1", R: "1", DR: "-2" }, ["DR toolColumn"]],
+    [{ T: "1", R: "a", L: "b" }, ["L notANumber", "R notANumber"]],
+  ])("%o: %s",
+    (cells, expected) =>
+      expect(readEntry({ id: "m", cells: { ...cells, TYPE: "MILL" } }).issues.map((found) => `${found.at} ${found.code}`)).toEqual(
+        expected,
+      ));
 
   test("a tool table of a control: empty places and turning tools are passed over, decimal commas read", () => {
     const text = [
-      "BEGIN TOOL    .T       MM", "T    NAME             L          R          DL      DR      TYPE DOC", "0                     +0,000     +0,000     +0,000  +0,000  ",
-      "5    14MM_CRB         -4,686     +7,000     +0,000  -0,425  MILL", "6    OD_ROUGH         +0,000     +0,000     +0,000  +0,000  TURN", "[END]", "",
+      "BEGIN TOOL    .T       MM",
+      "T    NAME             L          R          DL      DR      TYPE DOC",
+      "0                     +0,000     +0,000     +0,000  +0,000  ",
+      "5    14MM_CRB         -4,686     +7,000     +0,000  -0,425  MILL",
+      "6    OD_ROUGH         +0,000     +0,000     +0,000  +0,000  TURN",
+      "[END]",
+      "",
     ].join("\r\n");
     const read = readToolFile(text);
-    expect(read).toMatchObject({ rows: [{ T: "5", NAME: "14MM_CRB", TYPE: "MILL", L: "-4.686", R: "7", DR: "-0.425" }], leftOut: ["TYPE", "DOC"] });
+    expect(read).toMatchObject({
+      rows: [{ T: "5", NAME: "14MM_CRB", TYPE: "MILL", L: "-4.686", R: "7", DR: "-0.425" }],
+      leftOut: ["TYPE", "DOC"],
+    });
   });
 });

@@ -17,13 +17,15 @@ const contour = "M30\nLBL 2\nL X+75 Z-20\nL X+50\nRND R2\nL X+20 Z-25\nRND R2\nL
 
 function issuesOf(cycle: number, values: Numbers, tool: number, start: readonly [number, number]): readonly Issue[] {
   const words = Object.entries(values).map(([q, n]) => `${q}=${signed(n)}`).join(" ~\n");
-  const text = `0 BEGIN PGM T MM\nBLK FORM CYLINDER Z D100 L100 DIST+2\nFUNCTION MODE TURN\nTOOL CALL ${tool}\nFUNCTION TURNDATA SPIN VCONST:OFF S500\nM136\n`
+  const text = `0 BEGIN PGM T MM\nBLK FORM CYLINDER Z D100 L100 DIST+2\nFUNCTION MODE TURN\nTOOL CALL ${tool}\nFUNCTION TURNDATA SPIN `
+    + "VCONST:OFF S500\nM136\n"
     + `L X+120 Z+50 R0 FMAX\nCYCL DEF 14.0 CONTOUR\nCYCL DEF 14.1 CONTOUR LABEL2\nCYCL DEF ${cycle} NAME ~\n${words}\n`
     + `L X${signed(start[0])} Z${signed(start[1])} FMAX\nCYCL CALL\n${cycle === 820 ? contour : "M30"}\nEND PGM T MM\n`;
   return run(parse(text), { tools: shippedTools, rapid: 10_000 }).issues.map((found) => found.issue as Issue);
 }
 
-const keys = (issues: readonly Issue[]) => new Set(issues.filter((each) => each.severity === "error").map((each) => `${each.code} ${each.at ?? ""}`));
+const keys = (issues: readonly Issue[]) =>
+  new Set(issues.filter((each) => each.severity === "error").map((each) => `${each.code} ${each.at ?? ""}`));
 const at = (issues: readonly Issue[], code: string, q: string) => issues.find((each) => each.code === code && each.at === q);
 
 const mm = (min: number, max: number) => fc.integer({ min: min * 1000, max: max * 1000 }).map((n) => n / 1000);
@@ -31,16 +33,34 @@ const angle = fc.oneof(fc.integer({ min: 0, max: 899_999 }).map((n) => n / 1e4),
 const size = fc.oneof(mm(0, 40), mm(-1, 2), fc.constantFrom(0, 1000));
 /** Values that often do not go together, or not with the tool. */
 const odd = {
-  Q491: fc.oneof(mm(20, 100), fc.constantFrom(75, 50)), Q493: fc.oneof(mm(0, 100), fc.constantFrom(75, 50)),
-  Q492: fc.oneof(mm(-20, 2), fc.constantFrom(0, -20)), Q494: fc.oneof(mm(-60, 0), fc.constantFrom(0, -20)),
-  Q495: angle, Q496: angle, Q500: size, Q502: size, Q504: size, Q501: fc.integer({ min: 0, max: 3 }), Q503: fc.integer({ min: 0, max: 3 }),
-  Q463: fc.oneof(mm(1, 6), fc.constantFrom(0, 20, 1000)), Q483: fc.oneof(mm(0, 3), fc.constantFrom(100)), Q484: mm(0, 2), Q508: mm(0, 2),
-  Q479: fc.constantFrom(0, 1), Q480: mm(0, 90), Q482: mm(-40, 10), Q215: fc.integer({ min: 0, max: 4 }), Q506: fc.constantFrom(0, 1, 2, 3),
+  Q491: fc.oneof(mm(20, 100), fc.constantFrom(75, 50)),
+  Q493: fc.oneof(mm(0, 100), fc.constantFrom(75, 50)),
+  Q492: fc.oneof(mm(-20, 2), fc.constantFrom(0, -20)),
+  Q494: fc.oneof(mm(-60, 0), fc.constantFrom(0, -20)),
+  Q495: angle,
+  Q496: angle,
+  Q500: size,
+  Q502: size,
+  Q504: size,
+  Q501: fc.integer({ min: 0, max: 3 }),
+  Q503: fc.integer({ min: 0, max: 3 }),
+  Q463: fc.oneof(mm(1, 6), fc.constantFrom(0, 20, 1000)),
+  Q483: fc.oneof(mm(0, 3), fc.constantFrom(100)),
+  Q484: mm(0, 2),
+  Q508: mm(0, 2),
+  Q479: fc.constantFrom(0, 1),
+  Q480: mm(0, 90),
+  Q482: mm(-40, 10),
+  Q215: fc.integer({ min: 0, max: 4 }),
+  Q506: fc.constantFrom(0, 1, 2, 3),
 };
 const cases = fc.constantFrom(812, 812, 820, 852, 852).chain((cycle) => {
   const own = Object.entries(odd).filter(([q]) => q in example(cycle));
   return fc.record({
-    cycle: fc.constant(cycle), tool: fc.constantFrom(1, 2, 3, 4, 8, 8, 9, 11, 15), x: fc.constantFrom(75, 80, 100), z: fc.constantFrom(2, 5),
+    cycle: fc.constant(cycle),
+    tool: fc.constantFrom(1, 2, 3, 4, 8, 8, 9, 11, 15),
+    x: fc.constantFrom(75, 80, 100),
+    z: fc.constantFrom(2, 5),
     changes: fc.record(Object.fromEntries(own), { requiredKeys: [] }),
   });
 });

@@ -15,7 +15,11 @@ export interface Judgement {
  * Asks a cycle about values: what its outline says and, with a setting, what its plan says; a contour that can not be is said
  * without a path. Null where a contour of a subprogram is missing.
  */
-export function judgeOf<P extends Params>(cycle: Cycle<P>, setting: Setting | null, given: Given): ((values: Values<P>) => Judgement) | null {
+export function judgeOf<P extends Params>(
+  cycle: Cycle<P>,
+  setting: Setting | null,
+  given: Given,
+): ((values: Values<P>) => Judgement) | null {
   if (cycle.contour === "free" && given.contour === null) return null;
   return (values) => {
     const { issues } = cycle.outline(values, given);
@@ -49,7 +53,7 @@ function search(param: Param, offer: number, from: number | null, works: (value:
   const way = Math.sign(first - (from ?? first)) || -1;
   for (const direction of [way, -way]) {
     let bad = first;
-    for (let d = 1 / scale; ; d *= STRIDE) {
+    for (let d = 1 / scale;; d *= STRIDE) {
       const probe = kept(first + direction * d);
       if (probe === bad) break;
       const good = works(probe);
@@ -78,7 +82,10 @@ function between(bad: number, good: number, kept: (value: number) => number, wor
  * the finding offers nothing. `kept` holds the values that can be used; while others are missing only the range can be tried.
  */
 export function triedOffers<P extends Params>(
-  params: P, kept: Kept, found: readonly Issue[], judge: ((values: Values<P>) => Judgement) | null,
+  params: P,
+  kept: Kept,
+  found: readonly Issue[],
+  judge: ((values: Values<P>) => Judgement) | null,
 ): readonly Issue[] {
   const tried = (each: Issue): Issue => {
     const [offer, q] = [offerOf(each), each.at];

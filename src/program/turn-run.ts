@@ -18,7 +18,11 @@ const carrierOf = (machine: Machine): CarrierFor => (side): Carrier => {
   const { tool } = machine;
   const tip = side === "none" || !tool ? { u: 0, v: 0 } : tipOffset(tool);
   return {
-    machine, plane: "ZX", toolRadius: tool ? noseRadius(tool) : 0, tip: { x: tip.u, y: tip.v }, top: null,
+    machine,
+    plane: "ZX",
+    toolRadius: tool ? noseRadius(tool) : 0,
+    tip: { x: tip.u, y: tip.v },
+    top: null,
     emit: (s, { feed, index }) => {
       const path = partSegment(s);
       if (part.lengthOf(path) > SAME) machine.step(path.from, moveOf(machine, path, feed), index, null);
@@ -63,7 +67,14 @@ export function guidedPath(machine: Machine, block: PathBlock, index: number): v
   if (!to) return closeTurn(machine);
   const path = from && elementBetween(machine, block, from, to, index);
   if (!path) machine.last = null;
-  followPath(guide, carrierOf(machine), requested, { fromZ: null, toZ: null, feed, index, segment: path && planeSegment(path), to: planePoint(to) });
+  followPath(guide, carrierOf(machine), requested, {
+    fromZ: null,
+    toZ: null,
+    feed,
+    index,
+    segment: path && planeSegment(path),
+    to: planePoint(to),
+  });
   if (requested === "none" && words.compensation !== undefined) closeTurn(machine);
 }
 

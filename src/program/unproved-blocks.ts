@@ -6,8 +6,12 @@ import type { Machine } from "./machine.ts";
  * Blocks that nobody here reads and that leave path and stock as they are: messages, tables, strings, feeds that only
  * breathe, functions that count or log.
  */
-const HARMLESS = new RegExp(String.raw`^(?:FN[ \t]*(?:1[4569]|2[06-9]|3[789])[ \t]*:|FUNCTION[ \t]+(?:TCPM|RESET|FEED|S-PULSE|COUNT|DWELL|DCM|FILE)|` +
-  String.raw`${TEXT_PARAMETER}[ \t]*=|DECLARE|SQL|OPEN|CLOSE|SEL[ \t]+(?:TABLE|CORR-TABLE)|PATTERN[ \t]+DEF|POLARKIN[ \t]+OFF|MONITORING|STOP|TRANS[ \t]+[A-Z]+[ \t]+RESET|PLANE[ \t]+RESET)`, "i");
+const HARMLESS = new RegExp(
+  String.raw`^(?:FN[ \t]*(?:1[4569]|2[06-9]|3[789])[ \t]*:|FUNCTION[ \t]+(?:TCPM|RESET|FEED|S-PULSE|COUNT|DWELL|DCM|FILE)|`
+    + String.raw`${TEXT_PARAMETER}[ \t]*=|DECLARE|SQL|OPEN|CLOSE|SEL[ \t]+(?:TABLE|CORR-TABLE)|PATTERN[ \t]+DEF|`
+    + String.raw`POLARKIN[ \t]+OFF|MONITORING|STOP|TRANS[ \t]+[A-Z]+[ \t]+RESET|PLANE[ \t]+RESET)`,
+  "i",
+);
 /** FN 18 and FN 28 only read a value into a parameter. */
 const READING = new RegExp(String.raw`^FN[ \t]*(?:18|28)[ \t]*:[^=]*?(${NUMBER_PARAMETER})`, "i");
 /** Programs that run on their own leave the tool wherever they end. */
@@ -42,11 +46,19 @@ export function textBlock(machine: Machine, text: string, index: number): void {
 
 /** Older cycles that change coordinates: the words that do, and the value with which they do not. */
 const LINES: ReadonlyMap<number, { readonly neutral: number; readonly letters?: true }> = new Map([
-  [8, { neutral: 0, letters: true }], [10, { neutral: 0 }], [11, { neutral: 1 }], [19, { neutral: 0 }], [26, { neutral: 1 }],
+  [8, { neutral: 0, letters: true }],
+  [10, { neutral: 0 }],
+  [11, { neutral: 1 }],
+  [19, { neutral: 0 }],
+  [26, { neutral: 1 }],
 ]);
 
 /** One line of an older cycle that acts at once: mirror, rotation, scale, tilted plane, program call. */
-export function actingLine(machine: Machine, s: { readonly cycle: number; readonly line: number; readonly text: string }, index: number): void {
+export function actingLine(
+  machine: Machine,
+  s: { readonly cycle: number; readonly line: number; readonly text: string },
+  index: number,
+): void {
   if (s.line === 0) return;
   const what = `CYCL DEF ${s.cycle}`;
   if (s.cycle === 12) {
@@ -60,7 +72,10 @@ export function actingLine(machine: Machine, s: { readonly cycle: number; readon
 }
 
 /** Cycles of Q parameters that act at once: the parameters that change coordinates, with the values that do not. */
-const ADAPTING = [{ q: "Q497", neutral: [0] }, { q: "Q498", neutral: [0] }, { q: "Q531", neutral: [0] }, { q: "Q535", neutral: [0, 3] }] as const;
+const ADAPTING = [{ q: "Q497", neutral: [0] }, { q: "Q498", neutral: [0] }, { q: "Q531", neutral: [0] }, {
+  q: "Q535",
+  neutral: [0, 3],
+}] as const;
 const PRESET = 247;
 const ADAPT = 800;
 
@@ -73,7 +88,10 @@ export function actingCycle(machine: Machine, cycle: number, parameters: readonl
   const what = `CYCL DEF ${cycle}`;
   if (cycle === PRESET) return machine.usePreset(number("Q339") ?? null, what, index);
   if (cycle === ADAPT) {
-    if (ADAPTING.some(({ q, neutral }) => { const n = number(q); return n !== undefined && !neutral.some((same) => same === n); })) machine.log.leaveUnproved(what, index);
+    if (ADAPTING.some(({ q, neutral }) => {
+      const n = number(q);
+      return n !== undefined && !neutral.some((same) => same === n);
+    })) machine.log.leaveUnproved(what, index);
   } else if (UNREAD.has(cycle)) machine.log.leaveUnproved(what, index);
 }
 

@@ -21,23 +21,26 @@ const chord = ({ from, to }: Segment) => Math.hypot(to.z - from.z, to.r - from.r
 /** What another tool could do better. A limit, a forbidden plunge and an oversize are the cycle's own choice. */
 const OF_TOOL: ReadonlySet<Reason | null> = new Set<Reason | null>(["mainEdge", "secondaryEdge", "toolWidth", "cutLength"]);
 
-const unreached = (plan: Plan) =>
-  plan.reach.reduce((sum, { path, reason }) => sum + (OF_TOOL.has(reason) ? chord(path) : 0), 0);
+const unreached = (plan: Plan) => plan.reach.reduce((sum, { path, reason }) => sum + (OF_TOOL.has(reason) ? chord(path) : 0), 0);
 
 /** Shorter stretches are no reason to change the tool, mm. */
 const NEGLIGIBLE = 0.01;
 
 const AGAINST_TOOL = new Set([
-  "cornerSmallerThanInsert", "recessNarrowerThanTool", "angleNotFollowed", "toolUnfit", "toolCannotCutSideways",
-  "flanksNotChecked", "toolColumn", "offsetOverLimit",
+  "cornerSmallerThanInsert",
+  "recessNarrowerThanTool",
+  "angleNotFollowed",
+  "toolUnfit",
+  "toolCannotCutSideways",
+  "flanksNotChecked",
+  "toolColumn",
+  "offsetOverLimit",
 ]);
 
 /** What a plan says about its tool. A notice (a reduced infeed) is no obstacle; a warning about the tool is one. */
 export function fitOf(tool: Tool, plan: Plan): ToolFit {
   const left = unreached(plan);
-  const refused = plan.issues.some(
-    ({ code, severity }) => severity === "error" || (severity === "warning" && AGAINST_TOOL.has(code)),
-  );
+  const refused = plan.issues.some(({ code, severity }) => severity === "error" || (severity === "warning" && AGAINST_TOOL.has(code)));
   const cuts = plan.moves.some((move) => move.phase !== "position");
   return { tool, makesContour: !refused && cuts && left < NEGLIGIBLE, cuts, unreached: left };
 }
@@ -57,19 +60,26 @@ function usualRank(group: Group, { TYPE }: Tool): number {
 
 /** All tools, best first: those that make the contour in the usual order, then those that cut, by what they leave. */
 export function rankTools<P extends Params>(
-  cycle: Cycle<P>, values: Values<P>, given: Given, setting: Omit<Setting, "tool">, tools: readonly Tool[],
+  cycle: Cycle<P>,
+  values: Values<P>,
+  given: Given,
+  setting: Omit<Setting, "tool">,
+  tools: readonly Tool[],
 ): ToolFit[] {
-  return tools
-    .filter((tool) => checkTool(tool).length === 0)
-    .map((tool) => fitOf(tool, cycle.plan(values, { ...setting, tool }, given)))
+  return tools.filter((tool) => checkTool(tool).length === 0).map((tool) => fitOf(tool, cycle.plan(values, { ...setting, tool }, given)))
     .sort((a, b) =>
       Number(b.makesContour) - Number(a.makesContour) || Number(b.cuts) - Number(a.cuts)
-      || (a.makesContour ? usualRank(cycle.group, a.tool) - usualRank(cycle.group, b.tool) : a.unreached - b.unreached));
+      || (a.makesContour ? usualRank(cycle.group, a.tool) - usualRank(cycle.group, b.tool) : a.unreached - b.unreached)
+    );
 }
 
 /** A tool that makes the contour, other than the one chosen; null when none of them does. */
 export function betterTool<P extends Params>(
-  cycle: Cycle<P>, values: Values<P>, given: Given, setting: Setting, tools: readonly Tool[],
+  cycle: Cycle<P>,
+  values: Values<P>,
+  given: Given,
+  setting: Setting,
+  tools: readonly Tool[],
 ): Tool | null {
   const others = tools.filter((tool) => tool.T !== setting.tool.T);
   const best = rankTools(cycle, values, given, setting, others)[0];

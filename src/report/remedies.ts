@@ -28,7 +28,8 @@ type Operation = Pick<Ran, "cycle" | "tool" | "feedUnit" | "call">;
 function planWith(tool: Tool, { cycle: number, call, feedUnit }: Operation): Plan | null {
   const cycle = cycleByNumber(number);
   if (!cycle || !call || checkTool(tool).length > 0) return null;
-  const plan = shiftedPlan(cycle.plan(call.values, { tool, start: call.start, feedUnit, autoFeed: call.autoFeed, stock: null }, call.given), call.datum);
+  const plan = shiftedPlan(cycle.plan(call.values, { tool, start: call.start, feedUnit, autoFeed: call.autoFeed, stock: null }, call.given),
+    call.datum);
   const refused = plan.issues.some((i) => i.severity === "error" || AGAINST.has(i.code));
   return refused || !plan.moves.some((m) => m.phase !== "position") ? null : plan;
 }
@@ -51,9 +52,8 @@ export function remedies(tools: readonly Tool[]): (operation: Operation, left: R
   };
   return (operation, left) => {
     if (!OF_TOOL.has(left.reason)) return [];
-    return plansOf(operation)
-      .map(([tool, plan]): Remedy => ({ tool, stays: staysAfter(left.ring, plan, tool) }))
-      .filter(({ stays }) => stays < left.area * MOST_LEFT)
-      .sort((a, b) => a.stays - b.stays || a.tool.T - b.tool.T);
+    return plansOf(operation).map(([tool, plan]): Remedy => ({ tool, stays: staysAfter(left.ring, plan, tool) })).filter(({ stays }) =>
+      stays < left.area * MOST_LEFT
+    ).sort((a, b) => a.stays - b.stays || a.tool.T - b.tool.T);
   };
 }

@@ -117,21 +117,43 @@ function moveOf(move: Move, block: number): ReportMove {
   const { phase, pass } = move;
   const common = { x: toDiameter(move.to.r), z: move.to.z, phase, ...(pass !== undefined && { pass }), block };
   switch (move.kind) {
-    case "rapid": return { kind: move.kind, ...common };
-    case "feed": return { kind: move.kind, ...common, feed: move.feed, feedUnit: move.feedUnit };
-    case "arc": return {
-      kind: move.kind, ...common, cx: toDiameter(move.centre.r), cz: move.centre.z, dir: move.turn, feed: move.feed, feedUnit: move.feedUnit,
-    };
-    case "thread": return { kind: move.kind, ...common, feed: Math.abs(move.pitch), feedUnit: "mm/rev" };
+    case "rapid":
+      return { kind: move.kind, ...common };
+    case "feed":
+      return { kind: move.kind, ...common, feed: move.feed, feedUnit: move.feedUnit };
+    case "arc":
+      return {
+        kind: move.kind,
+        ...common,
+        cx: toDiameter(move.centre.r),
+        cz: move.centre.z,
+        dir: move.turn,
+        feed: move.feed,
+        feedUnit: move.feedUnit,
+      };
+    case "thread":
+      return { kind: move.kind, ...common, feed: Math.abs(move.pitch), feedUnit: "mm/rev" };
   }
 }
 
 function planeMoveOf(s: PlaneStep): ReportMove {
   return {
-    kind: s.kind, x: s.to.x, y: s.to.y, ...(s.to.z !== null && { z: s.to.z }), phase: "position", block: s.block,
-    ...(s.side && { ...(s.side.centre.x !== undefined && { cx: s.side.centre.x }), ...(s.side.centre.y !== undefined && { cy: s.side.centre.y }), ...(s.side.centre.z !== undefined && { cz: s.side.centre.z }), dir: s.side.turn }),
-    ...(s.centre && { cx: s.centre.x, cy: s.centre.y }), ...(s.turn && { dir: s.turn }),
-    ...(s.feed !== undefined && { feed: s.feed }), ...(s.feedUnit && { feedUnit: s.feedUnit }),
+    kind: s.kind,
+    x: s.to.x,
+    y: s.to.y,
+    ...(s.to.z !== null && { z: s.to.z }),
+    phase: "position",
+    block: s.block,
+    ...(s.side && {
+      ...(s.side.centre.x !== undefined && { cx: s.side.centre.x }),
+      ...(s.side.centre.y !== undefined && { cy: s.side.centre.y }),
+      ...(s.side.centre.z !== undefined && { cz: s.side.centre.z }),
+      dir: s.side.turn,
+    }),
+    ...(s.centre && { cx: s.centre.x, cy: s.centre.y }),
+    ...(s.turn && { dir: s.turn }),
+    ...(s.feed !== undefined && { feed: s.feed }),
+    ...(s.feedUnit && { feedUnit: s.feedUnit }),
   };
 }
 
@@ -170,8 +192,12 @@ interface Place {
 function issueOf(found: AnyIssue, { at, block, cycle }: Place, language: Language): ReportIssue {
   const field = at === undefined || cycle === null ? undefined : cycleByNumber(cycle)?.params[at]?.kind;
   return {
-    code: found.code, severity: found.severity, ...(at !== undefined && { at }), ...(block !== null && { block }),
-    data: found.data, text: message(language, found, field),
+    code: found.code,
+    severity: found.severity,
+    ...(at !== undefined && { at }),
+    ...(block !== null && { block }),
+    data: found.data,
+    text: message(language, found, field),
   };
 }
 
@@ -194,7 +220,8 @@ const MILLING = "FUNCTION MODE MILL";
 /** What is not proved, milling included. */
 function unprovedOf(judged: Judged): { block: number; what: string }[] {
   return judged.reasons.flatMap((r) =>
-    r.kind === "unproved" ? [{ block: r.block ?? 0, what: r.what }] : r.kind === "milling" ? [{ block: r.block, what: MILLING }] : []);
+    r.kind === "unproved" ? [{ block: r.block ?? 0, what: r.what }] : r.kind === "milling" ? [{ block: r.block, what: MILLING }] : []
+  );
 }
 
 function residualsOf({ run, simulation, tools = [] }: Checked): ReportResidual[] {
@@ -220,11 +247,19 @@ export function report(checked: Checked, language: Language): Report {
     return issueOf(p.issue, { at: p.issue.at, block, cycle: null }, language);
   };
   const operation = (o: Operation, index: number): ReportOperation => ({
-    block: o.block, cycle: o.cycle, tool: columnsOf(o.tool), start: { x: toDiameter(o.start.r), z: o.start.z },
-    contour: contourOf(o.plan.contour), passes: o.plan.passes, infeed: o.plan.infeed,
-    moves: run.steps.slice(o.firstStep, o.lastStep + 1).map((s) => moveOf(s.move, s.block)), seconds: o.seconds,
+    block: o.block,
+    cycle: o.cycle,
+    tool: columnsOf(o.tool),
+    start: { x: toDiameter(o.start.r), z: o.start.z },
+    contour: contourOf(o.plan.contour),
+    passes: o.plan.passes,
+    infeed: o.plan.infeed,
+    moves: run.steps.slice(o.firstStep, o.lastStep + 1).map((s) => moveOf(s.move, s.block)),
+    seconds: o.seconds,
     issues: [
-      ...run.issues.filter((f) => f.operation === index).map((f) => issueOf(f.issue, { at: "at" in f.issue ? f.issue.at : undefined, block: f.block, cycle: o.cycle }, language)),
+      ...run.issues.filter((f) => f.operation === index).map((f) =>
+        issueOf(f.issue, { at: "at" in f.issue ? f.issue.at : undefined, block: f.block, cycle: o.cycle }, language)
+      ),
       ...proved.filter((p) => p.operation === index).map(proofIssue),
     ],
   });
@@ -236,13 +271,25 @@ export function report(checked: Checked, language: Language): Report {
     operations: run.operations.map(operation),
     moves: outsideCycles(run),
     proof: {
-      gouge, rapidInStock, residual: residualsOf(checked), cut, airPasses,
+      gouge,
+      rapidInStock,
+      residual: residualsOf(checked),
+      cut,
+      airPasses,
       deepest: deepest && { depth: deepest.depth, allowed: deepest.allowed, block: deepest.block },
-      holder, unproved: unprovedOf(judged), verdict: judged.verdict, reasons: judged.reasons,
+      holder,
+      unproved: unprovedOf(judged),
+      verdict: judged.verdict,
+      reasons: judged.reasons,
     },
     issues: [
-      ...run.issues.map((f) => issueOf(f.issue, { at: "at" in f.issue ? f.issue.at : undefined, block: f.block, cycle: cycleOf(f.operation) }, language)),
-      ...judged.reasons.flatMap((r) => (r.kind === "milling" ? [issueOf(programIssue("notProved", "warning", { what: MILLING }), { block: r.block, cycle: null }, language)] : [])),
+      ...run.issues.map((f) =>
+        issueOf(f.issue, { at: "at" in f.issue ? f.issue.at : undefined, block: f.block, cycle: cycleOf(f.operation) }, language)
+      ),
+      ...judged.reasons.flatMap((r) => (r.kind === "milling"
+        ? [issueOf(programIssue("notProved", "warning", { what: MILLING }), { block: r.block, cycle: null }, language)]
+        : [])
+      ),
       ...proved.map(proofIssue),
     ],
     milliseconds,

@@ -10,8 +10,8 @@ function duration(seconds: number): string {
 }
 
 const operationLine = (o: ReportOperation) =>
-  `  block ${o.block}: cycle ${o.cycle}, tool ${o.tool["T"]} ${o.tool["NAME"]}, from X${fixed(o.start.x, 3)} Z${fixed(o.start.z, 3)}: ` +
-  `${o.passes} passes of ${fixed(o.infeed, 3)} mm, ${o.moves.length} moves, ${duration(o.seconds)}`;
+  `  block ${o.block}: cycle ${o.cycle}, tool ${o.tool["T"]} ${o.tool["NAME"]}, from X${fixed(o.start.x, 3)} Z${fixed(o.start.z, 3)}: `
+  + `${o.passes} passes of ${fixed(o.infeed, 3)} mm, ${o.moves.length} moves, ${duration(o.seconds)}`;
 
 const many = (n: number, one: string, more: string) => `${n} ${n === 1 ? one : more}`;
 const inBlock = (block: number | null) => (block === null ? "" : ` in block ${block}`);
@@ -19,23 +19,37 @@ const inBlock = (block: number | null) => (block === null ? "" : ` in block ${bl
 /** A reason of the verdict in words. */
 function because(r: VerdictReason): string {
   switch (r.kind) {
-    case "error": return `${many(r.count, "error", "errors")} in the program, the first${inBlock(r.block)}`;
-    case "gouge": return `${fixed(r.area, 3)} mm² of the finished part cut away, first${inBlock(r.block)}`;
-    case "rapidInStock": return `rapid through ${fixed(r.area, 3)} mm² of stock, first${inBlock(r.block)}`;
-    case "holderContact": return `holder touches stock, first${inBlock(r.block)}`;
-    case "unproved": return `${r.what} was not simulated: nothing is proved from${r.block === null ? " the beginning" : ` block ${r.block}`} on`;
-    case "milling": return `milling was not simulated: nothing is proved from block ${r.block} on`;
-    case "nothingCut": return `the operation in block ${r.block} cut nothing`;
-    case "noOperation": return "no turning cycle was run";
-    case "holderUnknown": return `holder not checked: tool ${r.tool} ${r.name} has none`;
-    case "flanksUnknown": return `flanks not checked: tool ${r.tool} ${r.name} has no T-ANGLE or P-ANGLE`;
+    case "error":
+      return `${many(r.count, "error", "errors")} in the program, the first${inBlock(r.block)}`;
+    case "gouge":
+      return `${fixed(r.area, 3)} mm² of the finished part cut away, first${inBlock(r.block)}`;
+    case "rapidInStock":
+      return `rapid through ${fixed(r.area, 3)} mm² of stock, first${inBlock(r.block)}`;
+    case "holderContact":
+      return `holder touches stock, first${inBlock(r.block)}`;
+    case "unproved":
+      return `${r.what} was not simulated: nothing is proved from${r.block === null ? " the beginning" : ` block ${r.block}`} on`;
+    case "milling":
+      return `milling was not simulated: nothing is proved from block ${r.block} on`;
+    case "nothingCut":
+      return `the operation in block ${r.block} cut nothing`;
+    case "noOperation":
+      return "no turning cycle was run";
+    case "holderUnknown":
+      return `holder not checked: tool ${r.tool} ${r.name} has none`;
+    case "flanksUnknown":
+      return `flanks not checked: tool ${r.tool} ${r.name} has no T-ANGLE or P-ANGLE`;
   }
 }
 
 const VERDICTS = { proved: "Proved", faults: "Faults found", incomplete: "Not everything was simulated" } as const;
 
 /** The verdict in words, each reason on a line of its own. */
-const verdictLines = ({ verdict, reasons }: Report["proof"]) => [`  ${VERDICTS[verdict]}${reasons.length > 0 ? ":" : ""}`, ...reasons.map((r) => `    ${because(r)}`)];
+const verdictLines =
+  ({ verdict, reasons }: Report["proof"]) => [
+    `  ${VERDICTS[verdict]}${reasons.length > 0 ? ":" : ""}`,
+    ...reasons.map((r) => `    ${because(r)}`),
+  ];
 
 /** What was measured of the cuts. */
 function cutLine({ cut, airPasses, deepest, holder }: Report["proof"]): string {
@@ -45,7 +59,8 @@ function cutLine({ cut, airPasses, deepest, holder }: Report["proof"]): string {
 }
 
 const leftLine = (r: Report["proof"]["residual"][number]) =>
-  `    ${fixed(r.area, 3)} mm², up to ${fixed(r.thickness, 3)} mm thick: ${r.reason}${r.tools.length > 0 ? `; tools that take it: ${r.tools.join(", ")}` : ""}`;
+  `    ${fixed(r.area, 3)} mm², up to ${fixed(r.thickness, 3)} mm thick: ${r.reason}`
+  + (r.tools.length > 0 ? `; tools that take it: ${r.tools.join(", ")}` : "");
 
 /** A report for reading: the verdict first, then what runs, what the proof says, and every finding with its block. */
 export function summary(r: Report): string {
@@ -56,10 +71,13 @@ export function summary(r: Report): string {
     `${r.file}: ${r.program.name || "(no name)"}, ${r.program.unit}, ${r.program.blocks} blocks`,
     ...verdictLines(r.proof),
     ...r.operations.map(operationLine),
-    `  proof: gouge ${fixed(gouge, 3)} mm², rapid in stock ${fixed(rapidInStock, 3)} mm², left ${fixed(left, 3)} mm² in ${many(residual.length, "place", "places")}`,
+    `  proof: gouge ${fixed(gouge, 3)} mm², rapid in stock ${fixed(rapidInStock, 3)} mm², left ${fixed(left, 3)}`
+    + ` mm² in ${many(residual.length, "place", "places")}`,
     ...residual.map(leftLine),
     cutLine(r.proof),
-    ...r.issues.map((i) => `  ${i.severity}${i.block === undefined ? "" : ` in block ${i.block}`}${i.at === undefined ? "" : ` (${i.at})`}: ${i.text}`),
+    ...r.issues.map((i) =>
+      `  ${i.severity}${i.block === undefined ? "" : ` in block ${i.block}`}${i.at === undefined ? "" : ` (${i.at})`}: ${i.text}`
+    ),
     `  ${count("error")} errors, ${count("warning")} warnings`,
     "",
   ].join("\n");

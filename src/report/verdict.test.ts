@@ -53,7 +53,9 @@ test("a clean program with a described holder is proved, and clear", () => {
 test("a holder that nobody described leaves the verdict, but is never clear", () => {
   const bare = tools.map(({ holder: _, ...t }) => t);
   expect(judge(head + cycle + end, bare)).toEqual({
-    verdict: "proved", clear: false, reasons: [{ kind: "holderUnknown", block: 8, tool: 1, name: "CNMG-80-R08" }],
+    verdict: "proved",
+    clear: false,
+    reasons: [{ kind: "holderUnknown", block: 8, tool: 1, name: "CNMG-80-R08" }],
   });
 });
 

@@ -19,13 +19,20 @@ export interface Finished {
 }
 
 /** What goes wrong in a step, before its sweep is taken from the stock. */
-export function check(
-  step: Step, index: number, outlines: Outlines, sweep: Sweep, cut: Cutting, finished: Finished,
-): StockFinding[] {
+export function check(step: Step, index: number, outlines: Outlines, sweep: Sweep, cut: Cutting, finished: Finished): StockFinding[] {
   const found: StockFinding[] = [];
   const report = (kind: StockFinding["kind"], rings: Ring[]) => {
     if (rings.length > 0)
-      found.push({ kind, step: index, block: step.block, operation: step.operation, place: placeIn(largest(rings)), area: areaOf(rings), rings, moves: 1 });
+      found.push({
+        kind,
+        step: index,
+        block: step.block,
+        operation: step.operation,
+        place: placeIn(largest(rings)),
+        area: areaOf(rings),
+        rings,
+        moves: 1,
+      });
   };
   const now = cut.present();
   // The quick look joins many pieces at once; what it finds is looked at again in the stock itself.

@@ -25,13 +25,20 @@ export interface Collector {
   all(): StockFinding[];
 }
 
-const around = (a: StockBox, b: StockBox): StockBox =>
-  ({ left: Math.min(a.left, b.left), right: Math.max(a.right, b.right), bottom: Math.min(a.bottom, b.bottom), top: Math.max(a.top, b.top) });
+const around = (a: StockBox, b: StockBox): StockBox => ({
+  left: Math.min(a.left, b.left),
+  right: Math.max(a.right, b.right),
+  bottom: Math.min(a.bottom, b.bottom),
+  top: Math.max(a.top, b.top),
+});
 
 /** A gouge and a rapid take away what they find, so their areas add up; a holder leaves it, and finds it again. */
 const staysThere = (f: StockFinding) => f.kind === "holderContact";
 
-/** Begins to gather. Moves of one cycle call belong together, outside cycles those of one block; a holder that touches, however it goes on. */
+/**
+ * Begins to gather. Moves of one cycle call belong together, outside cycles those of one block; a holder that touches, however
+ * it goes on.
+ */
 export function collector(): Collector {
   const kept: Kept[] = [];
   const groups = new Map<string, Kept[]>();
@@ -44,8 +51,11 @@ export function collector(): Collector {
       k.many = Math.max(RINGS, 2 * rings.length);
     }
     k.finding = {
-      ...k.finding, area: k.finding.area + f.area, moves: k.finding.moves + f.moves,
-      rings, ...(f.area > k.largest && { place: f.place }),
+      ...k.finding,
+      area: k.finding.area + f.area,
+      moves: k.finding.moves + f.moves,
+      rings,
+      ...(f.area > k.largest && { place: f.place }),
     };
     k.largest = Math.max(k.largest, f.area);
     k.box = around(k.box, box);

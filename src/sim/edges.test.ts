@@ -20,7 +20,8 @@ const convex = fc.tuple(mm, mm, fc.integer({ min: 3, max: 12 }), fc.integer({ mi
   Array.from({ length: count }, (_, i) => {
     const a = (2 * Math.PI * (i + 0.3)) / count;
     return at(z + (size / 1000) * Math.cos(a), r + (size / 1000) * Math.sin(a));
-  }));
+  })
+);
 
 test("a piece that has area in common with an area meets it, and one that is clear of it does not", () => {
   fc.assert(fc.property(areas, convex, (area, piece) => {
@@ -56,7 +57,8 @@ test("the hull along a way is the convex hull of both ends", () => {
     const hull = hullAlong(outline, from, to);
     const moved = (p: Pt): Ring => outline.map((q) => at(q.z + p.z, q.r + p.r));
     const middle = moved(at((from.z + to.z) / 2, (from.r + to.r) / 2));
-    for (const part of [moved(from), moved(to), middle]) expect(Math.abs(areaOf(intersection([hull], [part])) - areaOf([part]))).toBeLessThan(0.01);
+    for (const part of [moved(from), moved(to), middle])
+      expect(Math.abs(areaOf(intersection([hull], [part])) - areaOf([part]))).toBeLessThan(0.01);
     hull.forEach((p, i) => {
       const [q, s] = [hull[(i + 1) % hull.length]!, hull[(i + 2) % hull.length]!];
       expect((q.z - p.z) * (s.r - q.r) - (q.r - p.r) * (s.z - q.z)).toBeGreaterThan(-1e-9);

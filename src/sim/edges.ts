@@ -14,7 +14,8 @@ const MOST_COLUMNS = 1024;
 /** Builds the edge columns of an area. Cost grows with the number of its points only. */
 export function sidesOf(area: readonly Ring[]): Edges {
   const total = area.reduce((sum, ring) => sum + ring.length, 0);
-  const [z0, r0, z1, r1] = Array.from({ length: 4 }, () => new Float64Array(total)) as [Float64Array, Float64Array, Float64Array, Float64Array];
+  const [z0, r0, z1, r1] = Array.from({ length: 4 }, () => new Float64Array(total)) as [Float64Array, Float64Array, Float64Array,
+    Float64Array];
   let count = 0;
   let [left, right] = [Infinity, -Infinity];
   for (const ring of area) {

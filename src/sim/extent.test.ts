@@ -8,7 +8,8 @@ import { deepestAlong, hasRoomFor, thicknessOf } from "./extent.ts";
 const at = (z: number, r: number): Pt => ({ z: axial(z), r: radius(r) });
 const box = (z0: number, r0: number, z1: number, r1: number): Ring => [at(z0, r0), at(z1, r0), at(z1, r1), at(z0, r1)];
 const mm = (min: number, max: number) => fc.integer({ min: min * 1000, max: max * 1000 }).map((n) => n / 1000);
-const circle = (size: number): Ring => Array.from({ length: 400 }, (_, i) => at(3 + size * Math.cos(i * Math.PI / 200), 9 + size * Math.sin(i * Math.PI / 200)));
+const circle = (size: number): Ring =>
+  Array.from({ length: 400 }, (_, i) => at(3 + size * Math.cos(i * Math.PI / 200), 9 + size * Math.sin(i * Math.PI / 200)));
 
 test("a box is as deep as it is high along the axis asked for, and as thick as its narrow side", () => {
   fc.assert(fc.property(mm(-50, 50), mm(1, 60), mm(0.1, 40), mm(0.1, 40), (z, r, w, h) => {

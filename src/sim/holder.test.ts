@@ -16,11 +16,12 @@ const box = (z0: number, r0: number, z1: number, r1: number): Ring => [at(z0, r0
 const mm = (least: number, most: number) => fc.integer({ min: least * 100, max: most * 100 }).map((n) => n / 100);
 const purpose = { feed: feed(0.2), feedUnit: "mm/rev", phase: "rough", run: "rough", step: 1 } as const;
 const bar: Tool = { T: 9, NAME: "BAR-3", TYPE: "RECTURN", TO: 2, RS: length(0.2), CUTWIDTH: length(3), CUTLENGTH: length(30) };
-const tools = [
-  { width: length(20), length: length(60), offsetZ: length(-1), offsetX: length(6) },
-  { width: length(2), length: length(60), offsetZ: length(0.5), offsetX: length(2) },
-  { width: length(8), length: length(60), offsetZ: length(-4), offsetX: length(9) },
-].map((holder): Tool => ({ ...bar, holder }));
+const tools = [{ width: length(20), length: length(60), offsetZ: length(-1), offsetX: length(6) }, {
+  width: length(2),
+  length: length(60),
+  offsetZ: length(0.5),
+  offsetX: length(2),
+}, { width: length(8), length: length(60), offsetZ: length(-4), offsetX: length(9) }].map((holder): Tool => ({ ...bar, holder }));
 const outlines = outlinesOf();
 
 test("a holder that touches is never passed over by the quick look, and one in the air always is", () => {

@@ -15,8 +15,7 @@ export interface ProofIssue {
 
 function fromFinding(f: StockFinding): ProofIssue {
   const [x, z] = [toDiameter(f.place.r), f.place.z];
-  const what =
-    f.kind === "holderContact" ? issue("holderContact", "error", { x, z }) : issue(f.kind, "error", { area: f.area, x, z });
+  const what = f.kind === "holderContact" ? issue("holderContact", "error", { x, z }) : issue(f.kind, "error", { area: f.area, x, z });
   return { issue: what, step: f.step, block: f.block, operation: f.operation };
 }
 
@@ -26,9 +25,16 @@ function fromResidual(r: Residual): ProofIssue {
 }
 
 /** What the stock says about one operation: where it began, what it took at once, and what it took at all. */
-function fromOperation({ cut, airPasses, deepest, thickest, startInMaterial: start, hasFailed }: OperationProof, operation: number): ProofIssue[] {
-  const at = (found: Issue, depth: Depth | null = null): ProofIssue =>
-    ({ issue: found, step: depth?.step ?? null, block: depth?.block ?? null, operation });
+function fromOperation(
+  { cut, airPasses, deepest, thickest, startInMaterial: start, hasFailed }: OperationProof,
+  operation: number,
+): ProofIssue[] {
+  const at = (found: Issue, depth: Depth | null = null): ProofIssue => ({
+    issue: found,
+    step: depth?.step ?? null,
+    block: depth?.block ?? null,
+    operation,
+  });
   const out: ProofIssue[] = [];
   if (start) out.push(at(issue("startInMaterial", "warning", { x: toDiameter(start.r), z: start.z }, "start.x")));
   for (const d of [deepest, thickest])
@@ -47,6 +53,10 @@ const fromUnlooked = ({ unlooked }: Simulation["proof"]): ProofIssue[] =>
   unlooked ? [{ issue: issue("contactsUnlooked", "error", { limit: MOST_CONTACTS }), ...unlooked, operation: null }] : [];
 
 /** What the simulation found, as issues: contacts of moves, then what each operation did, then each region that stays. X is a diameter. */
-export const stockIssues = (simulation: Pick<Simulation, "findings" | "proof">): ProofIssue[] => [
-  ...simulation.findings.map(fromFinding), ...fromUnlooked(simulation.proof), ...simulation.proof.operations.flatMap(fromOperation), ...simulation.proof.residual.map(fromResidual),
-];
+export const stockIssues =
+  (simulation: Pick<Simulation, "findings" | "proof">): ProofIssue[] => [
+    ...simulation.findings.map(fromFinding),
+    ...fromUnlooked(simulation.proof),
+    ...simulation.proof.operations.flatMap(fromOperation),
+    ...simulation.proof.residual.map(fromResidual),
+  ];

@@ -53,11 +53,18 @@ test("a run of which few stocks are kept gives the same stock at every moment, t
 test("beyond a thousand moves that do damage no more are looked at, and that is said where it begins", () => {
   const clean = simulate({ blank, steps: steps(2 * MOST_CONTACTS + 300, "feed"), operations: [], unproved: [] });
   expect(clean.proof.unlooked).toBeNull();
-  const bad = steps(2 * MOST_CONTACTS + 300, "rapid").map((s, i) => ({ ...s, from: at(-0.043 * i - 0.3, 33), move: { ...s.move, to: at(-0.043 * i - 0.3, 25) } }));
+  const bad = steps(2 * MOST_CONTACTS + 300, "rapid").map((s, i) => ({
+    ...s,
+    from: at(-0.043 * i - 0.3, 33),
+    move: { ...s.move, to: at(-0.043 * i - 0.3, 25) },
+  }));
   const s = simulate({ blank, steps: bad, operations: [], unproved: [] });
   const unlooked = s.proof.unlooked;
   expect(unlooked?.step).toBeGreaterThanOrEqual(MOST_CONTACTS);
   expect(unlooked?.block).toBe(10 + (unlooked?.step ?? 0));
   expect(s.findings.reduce((sum, f) => sum + f.moves, 0)).toBe(MOST_CONTACTS);
-  expect(stockIssues(s).filter((i) => i.issue.code === "contactsUnlooked")).toMatchObject([{ issue: { severity: "error" }, block: unlooked?.block }]);
+  expect(stockIssues(s).filter((i) => i.issue.code === "contactsUnlooked")).toMatchObject([{
+    issue: { severity: "error" },
+    block: unlooked?.block,
+  }]);
 });

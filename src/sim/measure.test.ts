@@ -13,15 +13,42 @@ import { playerOf } from "./stock.ts";
 const at = (z: number, r: number): Pt => ({ z: axial(z), r: radius(r) });
 const box = (z0: number, r0: number, z1: number, r1: number): Ring => [at(z0, r0), at(z1, r0), at(z1, r1), at(z0, r1)];
 const rapid = (z: number, r: number): Move => ({ kind: "rapid", to: at(z, r), phase: "position", run: "rough", step: 1 });
-const cut = (z: number, r: number, phase: Phase = "rough", pass?: number): Move =>
-  ({ kind: "feed", to: at(z, r), feed: feed(0.3), feedUnit: "mm/rev", phase, run: "rough", step: 1, ...(pass !== undefined && { pass }) });
-const rougher: Tool = { T: 1, NAME: "CNMG", TYPE: "ROUGH", TO: 1, RS: length(0.8), "T-ANGLE": degrees(95), "P-ANGLE": degrees(80), CUTLENGTH: length(12) };
+const cut = (z: number, r: number, phase: Phase = "rough", pass?: number): Move => ({
+  kind: "feed",
+  to: at(z, r),
+  feed: feed(0.3),
+  feedUnit: "mm/rev",
+  phase,
+  run: "rough",
+  step: 1,
+  ...(pass !== undefined && { pass }),
+});
+const rougher: Tool = {
+  T: 1,
+  NAME: "CNMG",
+  TYPE: "ROUGH",
+  TO: 1,
+  RS: length(0.8),
+  "T-ANGLE": degrees(95),
+  "P-ANGLE": degrees(80),
+  CUTLENGTH: length(12),
+};
 const bar: Tool = { T: 9, NAME: "BAR-3", TYPE: "RECTURN", TO: 2, RS: length(0.2), CUTWIDTH: length(3), CUTLENGTH: length(30) };
 const blank = [box(-50, 0, 0, 30)];
 
 const empty: Plan = {
-  moves: [], issues: [], contour: [], passes: 1, infeed: length(2), area: [], part: [], openSide: at(0, 1), reach: [], kept: [],
-  most: length(2), oversize: { r: 0.2, z: 0.1 },
+  moves: [],
+  issues: [],
+  contour: [],
+  passes: 1,
+  infeed: length(2),
+  area: [],
+  part: [],
+  openSide: at(0, 1),
+  reach: [],
+  kept: [],
+  most: length(2),
+  oversize: { r: 0.2, z: 0.1 },
 };
 function run(tool: Tool, start: Pt, moves: readonly Move[], plan: Partial<Plan> = {}) {
   let from = start;
@@ -37,7 +64,13 @@ const codes = (s: ReturnType<typeof run>) => stockIssues(s).map((i) => i.issue.c
 
 describe("the real depth of a roughing pass", () => {
   test("is what stands over it, not what the cycle counts from", () => {
-    const s = run(rougher, at(2, 25.3), [cut(-30, 25.3, "rough", 1), cut(-30, 31, "rough", 1), rapid(2, 31), rapid(2, 23.4), cut(-30, 23.4, "rough", 2)]);
+    const s = run(rougher, at(2, 25.3), [
+      cut(-30, 25.3, "rough", 1),
+      cut(-30, 31, "rough", 1),
+      rapid(2, 31),
+      rapid(2, 23.4),
+      cut(-30, 23.4, "rough", 2),
+    ]);
     expect(s.proof.deepest).toMatchObject({ allowed: 2, pass: 1, step: 0, block: 10 });
     expect(s.proof.deepest?.depth).toBeCloseTo(4.7, 2);
     const told = stockIssues(s).find((i) => i.issue.code === "deeperThanInfeed");
@@ -74,15 +107,32 @@ describe("smoothing and finishing", () => {
 
 test("passes in the air are counted once, however many moves they have; a pass of two cuts is one pass", () => {
   const s = run(rougher, at(2, 33), [
-    cut(-30, 33, "rough", 1), cut(-30, 34, "rough", 1), rapid(2, 34), rapid(2, 31), cut(-10, 31, "rough", 2), rapid(-10, 34), rapid(-20, 34),
-    cut(-20, 29, "rough", 2), rapid(-20, 34), rapid(2, 34), rapid(2, 32), cut(-30, 32, "rough", 3),
+    cut(-30, 33, "rough", 1),
+    cut(-30, 34, "rough", 1),
+    rapid(2, 34),
+    rapid(2, 31),
+    cut(-10, 31, "rough", 2),
+    rapid(-10, 34),
+    rapid(-20, 34),
+    cut(-20, 29, "rough", 2),
+    rapid(-20, 34),
+    rapid(2, 34),
+    rapid(2, 32),
+    cut(-30, 32, "rough", 3),
   ]);
   expect(s.proof.airPasses).toBe(2);
   expect(stockIssues(s)).toContainEqual(expect.objectContaining({ issue: { code: "airPasses", severity: "info", data: { count: 2 } } }));
 });
 
 test("what is cut is what feed moves removed: neither rapids nor the same way again", () => {
-  const s = run(bar, at(-20, 32), [cut(-20, 25, "rough", 1), cut(-20, 32, "rough", 1), cut(-20, 25, "rough", 2), cut(-20, 32), rapid(-30, 32), rapid(-30, 27)]);
+  const s = run(bar, at(-20, 32), [
+    cut(-20, 25, "rough", 1),
+    cut(-20, 32, "rough", 1),
+    cut(-20, 25, "rough", 2),
+    cut(-20, 32),
+    rapid(-30, 32),
+    rapid(-30, 27),
+  ]);
   const corners = 2 * (1 - Math.PI / 4) * 0.04;
   expect(s.proof.cut).toBeCloseTo(15 - corners, 2);
   expect(s.proof.operations[0]?.cut).toBeCloseTo(15 - corners, 2);
@@ -104,7 +154,8 @@ test("a start point in the stock is told, one that touches it is not", () => {
 });
 
 describe("the other side of the axis", () => {
-  const flipped = (m: Move): Move => ({ ...m, to: at(m.to.z, -m.to.r), ...(m.kind === "arc" && { centre: at(m.centre.z, -m.centre.r) }) }) as Move;
+  const flipped = (m: Move): Move =>
+    ({ ...m, to: at(m.to.z, -m.to.r), ...(m.kind === "arc" && { centre: at(m.centre.z, -m.centre.r) }) }) as Move;
   const other = (TO: TipOrientation): TipOrientation => ({ 1: 7, 2: 6, 3: 5, 4: 4, 5: 3, 6: 2, 7: 1, 8: 8, 9: 9 } as const)[TO];
   const moves = [rapid(-20, 27), rapid(-20, 33), rapid(-31, 33), cut(-31, 26, "rough", 1), cut(-12, 26, "rough", 1), rapid(-12, 40)];
   const plan = { part: box(-50, 0, 0, 26.5), area: box(-50, 26.5, 0, 40) };
@@ -116,13 +167,16 @@ describe("the other side of the axis", () => {
     expect(there.findings.map((f) => [f.kind, f.step, f.moves])).toEqual(here.findings.map((f) => [f.kind, f.step, f.moves]));
     for (const what of ["gouge", "rapidInStock", "cut"] as const) expect(there.proof[what]).toBeCloseTo(here.proof[what], 3);
     expect(there.proof.deepest?.depth).toBeCloseTo(here.proof.deepest?.depth ?? 0, 3);
-    for (const step of [0, 3, 4]) expect(areaOf(playerOf(there).at({ step, fraction: 0.6 }))).toBeCloseTo(areaOf(playerOf(here).at({ step, fraction: 0.6 })), 4);
+    for (const step of [0, 3, 4])
+      expect(areaOf(playerOf(there).at({ step, fraction: 0.6 }))).toBeCloseTo(areaOf(playerOf(here).at({ step, fraction: 0.6 })), 4);
   });
   test("a tool that crosses the axis clears both sides of its width, and no stock is below the axis", () => {
     const s = run(bar, at(-20, 32), [cut(-20, -12)]);
     expect(areaOf(s.final)).toBeCloseTo(50 * 30 - 3 * 30, 4);
     const stub = simulate({
-      blank: [box(-50, 5, 0, 30)], operations: [], unproved: [],
+      blank: [box(-50, 5, 0, 30)],
+      operations: [],
+      unproved: [],
       steps: [{ from: at(-20, 0), move: cut(-20, -8), tool: { ...bar, CUTLENGTH: length(6) }, block: 1, operation: null, seconds: 1 }],
     });
     expect(areaOf(stub.final)).toBeCloseTo(50 * 25 - 3 * 3 + 2 * (1 - Math.PI / 4) * 0.04, 2);

@@ -90,14 +90,27 @@ export function measuring(operations: readonly SimulatedOperation[], blank: read
       const sum = sums[operation];
       if (sum && operations[operation]?.firstStep === index && standsIn(outlines.checked, step.from, cut)) sum.startInMaterial = step.from;
       if (step.move.kind === "rapid") return;
-      run ??= { operation, phase: step.move.phase, pass: step.move.pass, step: index, block: step.block, before: cut.present(), sweeps: [], pieces: 0 };
+      run ??= {
+        operation,
+        phase: step.move.phase,
+        pass: step.move.pass,
+        step: index,
+        block: step.block,
+        before: cut.present(),
+        sweeps: [],
+        pieces: 0,
+      };
       run.sweeps.push(sweep);
       run.pieces += sweep.pieces.length;
     },
     results() {
       close();
       return sums.map(({ cut, passes, deepest, thickest, startInMaterial }, o) => ({
-        cut, airPasses: [...passes.values()].filter((area) => area < REAL_AREA).length, deepest, thickest, startInMaterial,
+        cut,
+        airPasses: [...passes.values()].filter((area) => area < REAL_AREA).length,
+        deepest,
+        thickest,
+        startInMaterial,
         hasFailed: blank.length === 0 || (operations[o]?.issues ?? []).some((i) => i.severity === "error"),
       }));
     },

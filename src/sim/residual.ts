@@ -26,7 +26,11 @@ type PathOf = (plan: Plan) => readonly Reach[];
 
 /** What is left of an area when each operation has gone along a path of its plan, with everything above that path. */
 function leftBy(
-  area: readonly Ring[], operations: readonly SimulatedOperation[], outlines: (tool: Tool) => Outlines, pathOf: PathOf, bare = false,
+  area: readonly Ring[],
+  operations: readonly SimulatedOperation[],
+  outlines: (tool: Tool) => Outlines,
+  pathOf: PathOf,
+  bare = false,
 ): Ring[] {
   const cut = cutting(area);
   for (const operation of operations) {
@@ -80,9 +84,7 @@ function ownerOf(region: Region, operations: readonly SimulatedOperation[]): num
  * tool would take is oversize, or steps between passes where it stands out over the oversize. The rest the correction of a
  * tool leaves, or a machining limit, or it is explained by the stretch of the path that keeps the insert away.
  */
-export function residualOf(
-  final: readonly Ring[], all: readonly SimulatedOperation[], outlines: (tool: Tool) => Outlines,
-): Residual[] {
+export function residualOf(final: readonly Ring[], all: readonly SimulatedOperation[], outlines: (tool: Tool) => Outlines): Residual[] {
   // An operation without a path has said why; that its whole area stays is no second finding.
   const operations = all.map((o) => (o.plan.moves.length > 0 ? o : { ...o, plan: { ...o.plan, area: [] } }));
   const left = opened(intersection(final, machiningArea(operations)), SLIVER);

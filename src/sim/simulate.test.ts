@@ -18,7 +18,16 @@ const cut = (z: number, r: number): Move => ({ kind: "feed", to: at(z, r), feed:
 
 const bar: Tool = { T: 9, NAME: "BAR-3", TYPE: "RECTURN", TO: 2, RS: length(0.2), CUTWIDTH: length(3), CUTLENGTH: length(30) };
 const button: Tool = { T: 11, NAME: "BUTTON-3", TYPE: "BUTTON", TO: 2, RS: length(3) };
-const rougher: Tool = { T: 1, NAME: "CNMG", TYPE: "ROUGH", TO: 1, RS: length(0.8), "T-ANGLE": degrees(95), "P-ANGLE": degrees(80), CUTLENGTH: length(12) };
+const rougher: Tool = {
+  T: 1,
+  NAME: "CNMG",
+  TYPE: "ROUGH",
+  TO: 1,
+  RS: length(0.8),
+  "T-ANGLE": degrees(95),
+  "P-ANGLE": degrees(80),
+  CUTLENGTH: length(12),
+};
 const blank = [box(-50, 0, 0, 30)];
 const blankArea = 50 * 30;
 
@@ -32,8 +41,26 @@ function steps(tool: Tool, start: Pt, moves: readonly Move[]): Step[] {
 }
 const run = (tool: Tool, start: Pt, moves: readonly Move[], plan?: Partial<Plan>) => {
   const list = steps(tool, start, moves);
-  const whole: Plan = { moves, issues: [], contour: [], passes: 1, infeed: length(1), area: [], part: [], openSide: at(0, 1), reach: [], kept: [], most: length(0), ...plan };
-  return simulate({ blank, steps: list, operations: plan ? [{ plan: whole, tool, firstStep: 0, lastStep: list.length - 1 }] : [], unproved: [] });
+  const whole: Plan = {
+    moves,
+    issues: [],
+    contour: [],
+    passes: 1,
+    infeed: length(1),
+    area: [],
+    part: [],
+    openSide: at(0, 1),
+    reach: [],
+    kept: [],
+    most: length(0),
+    ...plan,
+  };
+  return simulate({
+    blank,
+    steps: list,
+    operations: plan ? [{ plan: whole, tool, firstStep: 0, lastStep: list.length - 1 }] : [],
+    unproved: [],
+  });
 };
 const line = (from: Pt, to: Pt): Segment => ({ kind: "line", from, to });
 
@@ -52,7 +79,15 @@ describe("removed areas follow the formulas", () => {
     expect(blankArea - areaOf(s.final)).toBeCloseTo(20 * 3 + (Math.PI * 9) / 4, 1);
   });
   test("a button round an arc: the band between two circles", () => {
-    const arc: Move = { kind: "arc", to: at(-25, 15), centre: at(-25, 27), turn: "ccw", feed: feed(0.2), feedUnit: "mm/rev", ...purpose("finish") };
+    const arc: Move = {
+      kind: "arc",
+      to: at(-25, 15),
+      centre: at(-25, 27),
+      turn: "ccw",
+      feed: feed(0.2),
+      feedUnit: "mm/rev",
+      ...purpose("finish"),
+    };
     const s = run(button, at(-37, 27), [arc]);
     expect(blankArea - areaOf(s.final)).toBeCloseTo((Math.PI / 4) * (15 ** 2 - 9 ** 2) + (Math.PI * 9) / 2, 1);
   });
@@ -105,7 +140,19 @@ describe("gouge", () => {
     expect(simulate({ blank, steps: list, operations: [turned], unproved: [] }).proof.gouge).toBeCloseTo(15, 0);
   });
 });
-const EMPTY: Plan = { moves: [], issues: [], contour: [], passes: 0, infeed: length(0), area: [], part: [], openSide: at(0, 1), reach: [], kept: [], most: length(0) };
+const EMPTY: Plan = {
+  moves: [],
+  issues: [],
+  contour: [],
+  passes: 0,
+  infeed: length(0),
+  area: [],
+  part: [],
+  openSide: at(0, 1),
+  reach: [],
+  kept: [],
+  most: length(0),
+};
 
 describe("holder", () => {
   const withHolder: Tool = { ...bar, holder: { width: length(20), length: length(80), offsetZ: length(-1), offsetX: length(10) } };
@@ -160,7 +207,12 @@ describe("what stays", () => {
     expect(run(rougher, at(2, 25), [cut(-55, 25), cut(-55, 33)], plan).proof.residual).toEqual([]);
   });
   test("in a bore, what the path cannot take has its own reason however far the bore is open across the axis", () => {
-    const plan = { part: box(-50, 20, 0, 30), area: box(-30, 0, -20, 20), openSide: at(0, -1), reach: [{ path: line(at(-20, 15), at(-30, 15)), reason: null }] };
+    const plan = {
+      part: box(-50, 20, 0, 30),
+      area: box(-30, 0, -20, 20),
+      openSide: at(0, -1),
+      reach: [{ path: line(at(-20, 15), at(-30, 15)), reason: null }],
+    };
     const left = run({ ...button, TO: 6 }, at(-20, 15), [cut(-30, 15)], plan).proof.residual;
     expect(left.find((r) => r.reason === "insertRadius")?.area).toBeCloseTo(10 * 5, 0);
   });

@@ -67,7 +67,12 @@ export function simulate(input: SimulationInput): Simulation {
   const measured = measure.results();
   const startTimes = startTimesOf(steps);
   return {
-    blank, steps, checkpoints: marks.all(), final, startTimes, findings,
+    blank,
+    steps,
+    checkpoints: marks.all(),
+    final,
+    startTimes,
+    findings,
     totalSeconds: startTimes[steps.length] ?? 0,
     proof: {
       gouge: total(findings, "gouge"),

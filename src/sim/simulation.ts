@@ -80,7 +80,10 @@ export interface Proof {
   readonly deepest: Depth | null;
   /** Whether a holder touched the stock; unknown when a tool that moved has none. */
   readonly holder: "clear" | "contact" | "unknown";
-  /** From this step on nobody looked for gouges, rapids in stock and contacts of the holder, because there are too many; null: all were looked for. */
+  /**
+   * From this step on nobody looked for gouges, rapids in stock and contacts of the holder, because there are too many; null:
+   * all were looked for.
+   */
   readonly unlooked: { readonly step: number; readonly block: number } | null;
   readonly unproved: readonly Unproved[];
   /** For each operation of the run, in its order. */

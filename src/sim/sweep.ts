@@ -79,7 +79,10 @@ export function rightOf(ring: Ring, p: Pt, q: Pt): Ring {
   return out;
 }
 
-/** The tip's way through a step up to `fraction`, as chords. The chords of a part are those of the whole, so a longer part covers a shorter one. */
+/**
+ * The tip's way through a step up to `fraction`, as chords. The chords of a part are those of the whole, so a longer part
+ * covers a shorter one.
+ */
 export function waypoints(step: Step, fraction: number, chord = CHORD): Pt[] {
   const path = pathOf(step.from, step.move);
   const points = flattened(path, chord);

@@ -17,14 +17,21 @@ export function boundsOf(points: Iterable<Pt>): Bounds | null {
 export function joined(a: Bounds | null, b: Bounds | null): Bounds | null {
   if (!a || !b) return a ?? b;
   return {
-    left: Math.min(a.left, b.left), right: Math.max(a.right, b.right),
-    low: Math.min(a.low, b.low), high: Math.max(a.high, b.high),
+    left: Math.min(a.left, b.left),
+    right: Math.max(a.right, b.right),
+    low: Math.min(a.low, b.low),
+    high: Math.max(a.high, b.high),
   };
 }
 
 /** What both boxes cover; the second where they have nothing in common. */
 export function common(a: Bounds, b: Bounds): Bounds {
-  const both = { left: Math.max(a.left, b.left), right: Math.min(a.right, b.right), low: Math.max(a.low, b.low), high: Math.min(a.high, b.high) };
+  const both = {
+    left: Math.max(a.left, b.left),
+    right: Math.min(a.right, b.right),
+    low: Math.max(a.low, b.low),
+    high: Math.min(a.high, b.high),
+  };
   return both.left < both.right && both.low < both.high ? both : b;
 }
 
@@ -35,8 +42,12 @@ export function mirrored(b: Bounds): Bounds {
 }
 
 /** A box grown by the same length on every side, mm. */
-export const grownBounds = (b: Bounds, by: number): Bounds =>
-  ({ left: b.left - by, right: b.right + by, low: b.low - by, high: b.high + by });
+export const grownBounds = (b: Bounds, by: number): Bounds => ({
+  left: b.left - by,
+  right: b.right + by,
+  low: b.low - by,
+  high: b.high + by,
+});
 
 /** End points of segments, enough to frame a picture of them. */
 export function* pointsOf(segments: Iterable<Segment>): Generator<Pt> {

@@ -5,7 +5,11 @@ import { fitted, panned, pinched, toPlace, toScreen, turnedOver, zoomed, type Ca
 
 const number = (min: number, max: number) => fc.double({ min, max, noNaN: true });
 const place = fc.record({ x: number(0, 2000), y: number(0, 2000) });
-const camera: fc.Arbitrary<Camera> = fc.record({ scale: number(0.1, 500), zero: fc.record({ x: number(-5000, 5000), y: number(-5000, 5000) }), xUp: fc.boolean() });
+const camera: fc.Arbitrary<Camera> = fc.record({
+  scale: number(0.1, 500),
+  zero: fc.record({ x: number(-5000, 5000), y: number(-5000, 5000) }),
+  xUp: fc.boolean(),
+});
 const point = fc.record({ z: number(-500, 500).map(axial), r: number(-300, 300).map(radius) });
 const near = (a: number, b: number) => expect(Math.abs(a - b)).toBeLessThan(1e-6);
 
@@ -68,7 +72,7 @@ test("a fitted picture shows all corners of its box", () => {
 });
 
 test("turning the picture over twice is no change", () => {
-  fc.assert(fc.property(camera, c => {
+  fc.assert(fc.property(camera, (c) => {
     const size = { width: 640, height: 420 }, back = turnedOver(turnedOver(c, size), size);
     expect(back.xUp).toBe(c.xUp);
     near(back.zero.y, c.zero.y);

@@ -48,12 +48,21 @@ export const toPlace = (camera: Camera, place: Place): Pt => ({
 });
 
 /** The same map as the six numbers of an SVG matrix, from (z, r) to (x, y). */
-export const matrix = (camera: Camera): readonly [number, number, number, number, number, number] =>
-  [camera.scale, 0, 0, sign(camera) * camera.scale, camera.zero.x, camera.zero.y];
+export const matrix =
+  (camera: Camera): readonly [number, number, number, number, number, number] => [
+    camera.scale,
+    0,
+    0,
+    sign(camera) * camera.scale,
+    camera.zero.x,
+    camera.zero.y,
+  ];
 
 /** Moves the picture by so many pixels. */
-export const panned = (camera: Camera, dx: number, dy: number): Camera =>
-  ({ ...camera, zero: { x: camera.zero.x + dx, y: camera.zero.y + dy } });
+export const panned = (camera: Camera, dx: number, dy: number): Camera => ({
+  ...camera,
+  zero: { x: camera.zero.x + dx, y: camera.zero.y + dy },
+});
 
 /** Zooms by a factor; what lies under `at` stays there. */
 export function zoomed(camera: Camera, factor: number, at: Place): Camera {
@@ -75,8 +84,11 @@ export function pinched(camera: Camera, before: readonly [Place, Place], after: 
 }
 
 /** Turns the picture over at the spindle axis, which stays where it is in the mirrored picture. */
-export const turnedOver = (camera: Camera, size: Size): Camera =>
-  ({ ...camera, xUp: !camera.xUp, zero: { x: camera.zero.x, y: size.height - camera.zero.y } });
+export const turnedOver = (camera: Camera, size: Size): Camera => ({
+  ...camera,
+  xUp: !camera.xUp,
+  zero: { x: camera.zero.x, y: size.height - camera.zero.y },
+});
 
 /** Free pixels round a fitted picture. */
 export interface Margin {

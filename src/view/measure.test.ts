@@ -4,7 +4,10 @@ import type { Pt } from "../kernel/point.ts";
 import { axial, radius } from "../kernel/units.ts";
 import { measure, nudged, snapPoints, snappedPoint } from "./measure.ts";
 
-const point = fc.record({ z: fc.double({ min: -200, max: 200, noNaN: true }).map(axial), r: fc.double({ min: 0, max: 200, noNaN: true }).map(radius) });
+const point = fc.record({
+  z: fc.double({ min: -200, max: 200, noNaN: true }).map(axial),
+  r: fc.double({ min: 0, max: 200, noNaN: true }).map(radius),
+});
 const at = (r: number, z: number): Pt => ({ z: axial(z), r: radius(r) });
 
 test("ΔX is a diameter, the distance is not", () => {
@@ -27,10 +30,13 @@ test("the ruler takes the nearest point within its reach, else the place itself"
 });
 
 test("a corner shared by two elements is one snap point; the centre of an arc is one too", () => {
-  const points = snapPoints([[
-    { kind: "line", from: at(10, 0), to: at(10, -5) },
-    { kind: "arc", from: at(10, -5), to: at(12, -7), centre: at(12, -5), turn: "cw" },
-  ]], []);
+  const points = snapPoints([[{ kind: "line", from: at(10, 0), to: at(10, -5) }, {
+    kind: "arc",
+    from: at(10, -5),
+    to: at(12, -7),
+    centre: at(12, -5),
+    turn: "cw",
+  }]], []);
   expect(points).toEqual([at(10, 0), at(10, -5), at(12, -7), at(12, -5)]);
 });
 

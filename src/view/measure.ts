@@ -56,5 +56,7 @@ export function snappedPoint(place: Pt, points: readonly Pt[], reach: number): P
 }
 
 /** A place moved by so much of Z and r, mm, on whole thousandths. */
-export const nudged = (p: Pt, dz: number, dr: number): Pt =>
-  ({ z: axial(Math.round((p.z + dz) * 1e3) / 1e3), r: radius(Math.round((p.r + dr) * 1e3) / 1e3) });
+export const nudged = (p: Pt, dz: number, dr: number): Pt => ({
+  z: axial(Math.round((p.z + dz) * 1e3) / 1e3),
+  r: radius(Math.round((p.r + dr) * 1e3) / 1e3),
+});

@@ -45,7 +45,7 @@ export function segmentData(segments: Iterable<Segment>): string {
 
 /** Polygons, holes included, as one path for the even-odd rule. */
 export const ringData = (rings: Iterable<Ring>): string =>
-  [...rings].filter(ring => ring.length > 2).map(ring => `M${ring.map(at).join("L")}Z`).join("");
+  [...rings].filter((ring) => ring.length > 2).map((ring) => `M${ring.map(at).join("L")}Z`).join("");
 
 /** Single motions, each from where it starts, as one path. */
 export const stretchData = (steps: readonly { readonly from: Pt; readonly move: Move }[]): string =>

@@ -3,16 +3,20 @@ import { expect, test } from "vitest";
 import { atStart, inRange, positionAt, reduce, secondsAt, settled, trackOf, type Action, type Playback } from "./playback.ts";
 
 const seconds = fc.oneof(fc.double({ min: 0, max: 30, noNaN: true }), fc.constant(0), fc.constant(Number.NaN));
-const track = fc.array(seconds.map(s => ({ seconds: s })), { maxLength: 40 }).map(trackOf);
-const lasting = fc.array(fc.double({ min: 0.01, max: 30, noNaN: true }).map(s => ({ seconds: s })), { minLength: 1, maxLength: 40 }).map(trackOf);
+const track = fc.array(seconds.map((s) => ({ seconds: s })), { maxLength: 40 }).map(trackOf);
+const lasting = fc.array(fc.double({ min: 0.01, max: 30, noNaN: true }).map((s) => ({ seconds: s })), { minLength: 1, maxLength: 40 }).map(
+  trackOf,
+);
 const part = fc.double({ min: 0, max: 1, noNaN: true });
 const action: fc.Arbitrary<Action> = fc.oneof(
-  fc.constantFrom("play", "pause", "toggle", "forward", "back", "first", "last").map(each => ({ do: each }) as Action),
-  fc.double({ min: -5, max: 60 }).map(s => ({ do: "tick", seconds: s }) as Action),
-  fc.double({ min: -5, max: 900 }).map(s => ({ do: "seekSeconds", seconds: s }) as Action),
-  fc.record({ step: fc.integer({ min: -3, max: 60 }), fraction: fc.double({ min: -1, max: 2 }) }).map(position => ({ do: "seek", position }) as Action),
-  fc.double({ min: 0.01, max: 500, noNaN: true }).map(rate => ({ do: "rate", rate }) as Action),
-  track.map(t => ({ do: "load", track: t }) as Action),
+  fc.constantFrom("play", "pause", "toggle", "forward", "back", "first", "last").map((each) => ({ do: each }) as Action),
+  fc.double({ min: -5, max: 60 }).map((s) => ({ do: "tick", seconds: s }) as Action),
+  fc.double({ min: -5, max: 900 }).map((s) => ({ do: "seekSeconds", seconds: s }) as Action),
+  fc.record({ step: fc.integer({ min: -3, max: 60 }), fraction: fc.double({ min: -1, max: 2 }) }).map((position) =>
+    ({ do: "seek", position }) as Action
+  ),
+  fc.double({ min: 0.01, max: 500, noNaN: true }).map((rate) => ({ do: "rate", rate }) as Action),
+  track.map((t) => ({ do: "load", track: t }) as Action),
 );
 const exists = ({ track: t, position }: Playback) => {
   expect(inRange(t, position)).toEqual(position);
@@ -22,7 +26,7 @@ const exists = ({ track: t, position }: Playback) => {
 test("whatever is pressed, the position exists", () => {
   fc.assert(fc.property(track, fc.array(action, { maxLength: 30 }), (t, actions) => {
     let p = atStart(t);
-    for (const each of actions) exists((p = reduce(p, each)));
+    for (const each of actions) exists(p = reduce(p, each));
   }));
 });
 
@@ -55,7 +59,7 @@ test("time never runs backwards and stops at the end", () => {
 });
 
 test("forward walks every move once, back walks them home", () => {
-  fc.assert(fc.property(track, t => {
+  fc.assert(fc.property(track, (t) => {
     let p = atStart(t);
     for (let i = 1; i <= t.ends.length; i++) expect((p = reduce(p, { do: "forward" })).position).toEqual({ step: i, fraction: 0 });
     expect(reduce(p, { do: "forward" }).position).toEqual(p.position);
@@ -76,7 +80,10 @@ test("play at the end starts again, and an empty run does not play", () => {
 
 test("a changed run keeps the end at the end", () => {
   const p = reduce(atStart(trackOf([{ seconds: 1 }, { seconds: 1 }])), { do: "last" });
-  expect(reduce(p, { do: "load", track: trackOf([{ seconds: 5 }, { seconds: 5 }, { seconds: 5 }]) }).position).toEqual({ step: 3, fraction: 0 });
+  expect(reduce(p, { do: "load", track: trackOf([{ seconds: 5 }, { seconds: 5 }, { seconds: 5 }]) }).position).toEqual({
+    step: 3,
+    fraction: 0,
+  });
 });
 
 test("without motion a move is shown only when it is done", () => {

@@ -37,7 +37,7 @@ const START: PlayPosition = { step: 0, fraction: 0 };
 /** The track of moves that last so long; a duration that is no number counts as none. */
 export function trackOf(steps: readonly { readonly seconds: number }[]): PlayedTrack {
   let total = 0;
-  const ends = steps.map(s => (total += Number.isFinite(s.seconds) && s.seconds > 0 ? s.seconds : 0));
+  const ends = steps.map((s) => (total += Number.isFinite(s.seconds) && s.seconds > 0 ? s.seconds : 0));
   return { ends, total };
 }
 

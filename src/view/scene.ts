@@ -56,7 +56,7 @@ export function toolpath(steps: readonly Step[]): readonly Shape[] {
     before = role;
     last = move.to;
   }
-  return PATH_ROLES.flatMap(role => {
+  return PATH_ROLES.flatMap((role) => {
     const list = data.get(role);
     return list ? [{ role, d: list.join("") }] : [];
   });
@@ -99,7 +99,7 @@ const AIR = 0.02;
 
 /** The picture frames the cycles; positioning from far away (a tool change) does not make the work small. */
 function framed(steps: readonly Step[]): readonly Step[] {
-  const cutting = steps.filter(step => step.operation !== null);
+  const cutting = steps.filter((step) => step.operation !== null);
   return cutting.length > 0 ? cutting : steps;
 }
 
@@ -107,7 +107,7 @@ function framed(steps: readonly Step[]): readonly Step[] {
 export function sceneOf({ blank, contours, steps }: SceneParts): Scene {
   const material = boundsOf(blank.flat());
   const path = boundsOf(tipsOf(steps));
-  const outline = boundsOf(contours.flatMap(c => [...pointsOf(c)]));
+  const outline = boundsOf(contours.flatMap((c) => [...pointsOf(c)]));
   const chuck = material ? chuckRings(material, joined(path, outline)) : null;
   const shapes: Shape[] = [];
   if (chuck) shapes.push({ role: "chuck", d: ringData([chuck.body]) }, { role: "jaw", d: ringData([chuck.jaw]) });

@@ -26,7 +26,8 @@ function differences(r: Report, e: Expected): string[] {
   wrong(e.errorAt !== undefined && !errors.some((i) => e.errorAt?.includes(i.at ?? "")), `no error at ${e.errorAt?.join()}`);
   wrong(e.gouge !== undefined && e.gouge !== proof.gouge > 0, `gouge ${proof.gouge}`);
   wrong(e.rapidInStock !== undefined && e.rapidInStock !== proof.rapidInStock > 0, `rapid in stock ${proof.rapidInStock}`);
-  wrong(e.verdict !== undefined && e.verdict !== (proof as { verdict?: string }).verdict, `verdict ${(proof as { verdict?: string }).verdict}`);
+  wrong(e.verdict !== undefined && e.verdict !== (proof as { verdict?: string }).verdict,
+    `verdict ${(proof as { verdict?: string }).verdict}`);
   const of = (reason: string) => proof.residual.reduce((sum, p) => (p.reason === reason ? sum + p.area : sum), 0);
   const left = proof.residual.reduce((sum, p) => sum + p.area, 0);
   wrong(e.left !== undefined && left > e.left, `${left} mm² stay`);
@@ -41,21 +42,28 @@ function differences(r: Report, e: Expected): string[] {
 function ofMotion(r: Report, e: Expected): string[] {
   const out: string[] = [];
   const wrong = (when: boolean, what: string) => void (when && out.push(what));
-  const cut = (r.operations[0]?.moves ?? []).map((m, i, all) => ({ ...m, before: all[i - 1] ?? { ...r.operations[0]?.start, kind: "rapid" } as ReportMove }));
+  const cut = (r.operations[0]?.moves ?? []).map((m, i, all) => ({
+    ...m,
+    before: all[i - 1] ?? { ...r.operations[0]?.start, kind: "rapid" } as ReportMove,
+  }));
   const feeds = cut.filter((m) => m.kind !== "rapid");
   if (e.path) {
     const ends = r.moves.slice(0, e.path.length);
-    wrong(ends.length < e.path.length || e.path.some(([x, z], i) => !near(ends[i]?.x, x) || !near(ends[i]?.z, z)), `goes to ${JSON.stringify(ends.map((m) => [m.x, m.z]))}`);
+    wrong(ends.length < e.path.length || e.path.some(([x, z], i) => !near(ends[i]?.x, x) || !near(ends[i]?.z, z)),
+      `goes to ${JSON.stringify(ends.map((m) => [m.x, m.z]))}`);
   }
   for (const [block, feed] of Object.entries(e.feeds ?? {})) {
     const found = r.moves.filter((m) => m.block === Number(block));
     wrong(!found.some((m) => near(m.feed, feed)), `block ${block} feeds ${found.map((m) => m.feed).join()}`);
   }
   if (e.lastLevel !== undefined) {
-    const levels = feeds.filter((m) => m.phase === "rough" && near(m.x, m.before.x) && Math.abs((m.z ?? 0) - (m.before.z ?? 0)) > 10).map((m) => m.x);
+    const levels = feeds.filter((m) => m.phase === "rough" && near(m.x, m.before.x) && Math.abs((m.z ?? 0) - (m.before.z ?? 0)) > 10).map(
+      (m) => m.x
+    );
     wrong(!near(Math.min(...levels), e.lastLevel), `last level at ${Math.min(...levels)}`);
   }
-  wrong(e.lowestZ !== undefined && !near(Math.min(...cut.map((m) => m.z ?? Infinity)), e.lowestZ), `lowest Z ${Math.min(...cut.map((m) => m.z ?? Infinity))}`);
+  wrong(e.lowestZ !== undefined && !near(Math.min(...cut.map((m) => m.z ?? Infinity)), e.lowestZ),
+    `lowest Z ${Math.min(...cut.map((m) => m.z ?? Infinity))}`);
   if (e.finishAlongZ) {
     const { z, beyond } = e.finishAlongZ;
     const finish = feeds.filter((m) => m.phase === "finish");
@@ -67,7 +75,8 @@ function ofMotion(r: Report, e: Expected): string[] {
     const arc = r.moves.find((m) => m.block === Number(block) && m.kind === "arc");
     wrong(!arc || !near(arc.cx, x) || !near(arc.cz, z), `block ${block}: ${JSON.stringify(arc)}`);
   }
-  wrong(e.inOrder === true && r.moves.some((m, i) => m.block < (r.moves[i - 1]?.block ?? 0)), `blocks ${r.moves.map((m) => m.block).join()}`);
+  wrong(e.inOrder === true && r.moves.some((m, i) => m.block < (r.moves[i - 1]?.block ?? 0)),
+    `blocks ${r.moves.map((m) => m.block).join()}`);
   return out;
 }
 

@@ -33,8 +33,10 @@ function Page() {
   return (
     <main style={{ display: "grid", gridTemplateColumns: asked.has("view") ? "1fr" : "400px 1fr", height: "100vh" }}>
       {!asked.has("view") && statement?.kind === "approach" && (
-        <ApproachDialog statement={statement} context={approachContext(program, index, made, {})} onChange={(next) => change(withBlock(program, index, next))}
-          found={made.issues.filter((f) => f.line !== null && f.block === (made.approaches.find((a) => a.index === index)?.block ?? -1)).map((f) => entryAt(f.issue, ("at" in f.issue ? f.issue.at : undefined) ?? null, f.block))} />
+        <ApproachDialog statement={statement} context={approachContext(program, index, made, {})} onChange={(next) =>
+          change(withBlock(program, index, next))} found={made.issues.filter((f) =>
+            f.line !== null && f.block === (made.approaches.find((a) => a.index === index)?.block ?? -1)
+          ).map((f) => entryAt(f.issue, ("at" in f.issue ? f.issue.at : undefined) ?? null, f.block))} />
       )}
       <PlaneView run={made} dimmed={false} playback={playback} clock={clock} />
     </main>

@@ -10,12 +10,18 @@ import { shippedTools } from "../../src/program/shipped-tools.ts";
 import { simulate } from "../../src/sim/simulate.ts";
 
 const at = (r: number, z: number): Pt => ({ z: axial(z), r: radius(r) });
-const box = (left: number, right: number, low: number, high: number): Ring => [at(low, left), at(low, right), at(high, right), at(high, left)];
+const box = (
+  left: number,
+  right: number,
+  low: number,
+  high: number,
+): Ring => [at(low, left), at(low, right), at(high, right), at(high, left)];
 const spindle: Spindle = { kind: "surface", cuttingSpeed: 180, limit: 2500 };
 
 /** A shoulder with a rounded inner corner, roughed in even passes and finished, written down by hand. */
 export function handMadeMoves(passes: number, floor: number): Move[] {
-  const moves: Move[] = [], cut = { feed: feed(0.3), feedUnit: "mm/rev" } as const, fine = { feed: feed(0.15), feedUnit: "mm/rev" } as const;
+  const moves: Move[] = [], cut = { feed: feed(0.3), feedUnit: "mm/rev" } as const,
+    fine = { feed: feed(0.15), feedUnit: "mm/rev" } as const;
   const infeed = (37 - 25.2) / passes;
   for (let pass = 1; pass <= passes; pass++) {
     const r = 37 - infeed * pass, rough = { phase: "rough", run: "rough", pass } as const;
@@ -47,19 +53,57 @@ export function exampleResult({ fault, many }: { readonly fault: boolean; readon
     from = move.to;
   }
   const line = (a: Pt, b: Pt): Segment => ({ kind: "line", from: a, to: b });
-  const contour: Segment[] = [
-    line(at(24.2, 0), at(25, -0.8)), line(at(25, -0.8), at(25, -52.5)),
-    { kind: "arc", from: at(25, -52.5), to: at(27.5, -55), centre: at(27.5, -52.5), turn: "cw" }, line(at(27.5, -55), at(37.5, -55)),
-  ];
+  const contour: Segment[] = [line(at(24.2, 0), at(25, -0.8)), line(at(25, -0.8), at(25, -52.5)), {
+    kind: "arc",
+    from: at(25, -52.5),
+    to: at(27.5, -55),
+    centre: at(27.5, -52.5),
+    turn: "cw",
+  }, line(at(27.5, -55), at(37.5, -55))];
   const part: Ring = [at(0, -100), at(0, 0), at(24.2, 0), at(25, -0.8), at(25, -55), at(37.5, -55), at(37.5, -100)];
   const area: Ring = [at(24.2, 0), at(24.2, 2), at(40, 2), at(40, -55), at(25, -55), at(25, -0.8)];
-  const plan: Plan = { moves: steps.map(s => s.move), issues: [], contour, passes: many ? 1000 : 5, infeed: length(2.36), area, part, openSide: at(1, 0), reach: [], kept: [], most: length(2) };
+  const plan: Plan = {
+    moves: steps.map((s) => s.move),
+    issues: [],
+    contour,
+    passes: many ? 1000 : 5,
+    infeed: length(2.36),
+    area,
+    part,
+    openSide: at(1, 0),
+    reach: [],
+    kept: [],
+    most: length(2),
+  };
   const seconds = steps.reduce((sum, s) => sum + s.seconds, 0);
   const operation: Operation = {
-    block: 12, definedIn: 10, definedLine: 11, cycle: 812, tool, start, feedUnit: "mm/rev", spindle, plan, seconds,
-    firstStep: 0, lastStep: steps.length - 1, issues: [], call: null,
+    block: 12,
+    definedIn: 10,
+    definedLine: 11,
+    cycle: 812,
+    tool,
+    start,
+    feedUnit: "mm/rev",
+    spindle,
+    plan,
+    seconds,
+    firstStep: 0,
+    lastStep: steps.length - 1,
+    issues: [],
+    call: null,
   };
   const blank = [box(-100, 2, 0, 38)];
-  const run: Run = { program: { name: "HAND", unit: "mm", blocks: 20 }, blank, operations: [operation], steps, stepBlocks: steps.map(() => 11), plane: [], approaches: [], unproved: [], issues: [], seconds };
+  const run: Run = {
+    program: { name: "HAND", unit: "mm", blocks: 20 },
+    blank,
+    operations: [operation],
+    steps,
+    stepBlocks: steps.map(() => 11),
+    plane: [],
+    approaches: [],
+    unproved: [],
+    issues: [],
+    seconds,
+  };
   return { run, simulation: simulate({ blank, steps, operations: [operation], unproved: [] }) };
 }

@@ -10,7 +10,9 @@ import { helpDrawing, type HelpDrawing } from "../../src/view/help/picture.ts";
 /** English lettering, independent of the page's texts. */
 export const speech: Speech = {
   number: (value, decimals) => String(Number(value.toFixed(decimals))),
-  element: ["none", "chamfer", "radius"], reserved: "(no function)", notToScale: "not to scale",
+  element: ["none", "chamfer", "radius"],
+  reserved: "(no function)",
+  notToScale: "not to scale",
 };
 
 const lineTo = (x: number, z: number) => ({ kind: "line", to: { z: axial(z), r: toRadius(diameter(x)) } }) as const;

@@ -15,8 +15,12 @@ if (ask.get("theme")) document.documentElement.dataset["theme"] = ask.get("theme
 const cycle = catalogue.find((c) => c.number === number)!;
 const at = (z: number, d: number) => ({ kind: "line", to: { z: axial(z), r: toRadius(diameter(d)) } }) as const;
 const contour = cycle.contour === "free"
-  ? contourFrom([at(-20, 75), at(-20, 50), { kind: "round", size: 2 }, at(-25, 20), { kind: "round", size: 2 }, at(0, 20)]).segments : null;
-const values = { ...Object.fromEntries(Object.entries(cycle.params).map(([q, p]) => [q, p.example])), ...JSON.parse(ask.get("values") ?? "{}") };
+  ? contourFrom([at(-20, 75), at(-20, 50), { kind: "round", size: 2 }, at(-25, 20), { kind: "round", size: 2 }, at(0, 20)]).segments
+  : null;
+const values = {
+  ...Object.fromEntries(Object.entries(cycle.params).map(([q, p]) => [q, p.example])),
+  ...JSON.parse(ask.get("values") ?? "{}"),
+};
 const list = ask.get("q") ? ask.get("q")!.split(",") : ["", ...Object.keys(cycle.params)];
 
 const language = (ask.get("language") ?? "en") as Language;

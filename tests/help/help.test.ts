@@ -38,7 +38,9 @@ describe("laws of the help picture", () => {
     expect(helpSvg(drawing)).not.toMatch(/NaN|Infinity|undefined/);
     expect(all.some((m) => m.active && m.q === q)).toBe(true);
     if (cycle.params[q]?.kind !== "choice") expect(all.some((m) => m.kind === "text" && m.active && m.role === "value")).toBe(true);
-    drawing.labels.forEach((a, i) => drawing.labels.slice(i + 1).forEach((b) => expect(labelsOverlap(a, b), JSON.stringify([a, b])).toBe(false)));
+    drawing.labels.forEach((a, i) =>
+      drawing.labels.slice(i + 1).forEach((b) => expect(labelsOverlap(a, b), JSON.stringify([a, b])).toBe(false))
+    );
   });
   test("the random values make contours often enough to mean something", () => {
     const made = cases(300).filter(({ cycle, values, q, size: s }) => drawn(cycle, values, q, s) !== null);

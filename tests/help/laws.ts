@@ -20,17 +20,29 @@ const grid = (min: number, max: number) => fc.integer({ min: Math.round(min * 10
 function valueOf(p: Param): fc.Arbitrary<number | "auto"> {
   if (p.choices) return fc.constantFrom(...p.choices);
   const [min, max] = p.range;
-  const usual = { diameter: grid(0, 300), oversizeDiameter: grid(0, 2), radial: grid(0.05, 8), axial: p.incremental ? grid(-1, 1) : grid(-200, 20), axialDepth: grid(0.05, 8),
-    length: grid(0, 6), angle: grid(0, 40), feed: grid(0.01, 1), choice: fc.constant(0) }[p.kind];
-  return fc.oneof({ weight: 30, arbitrary: usual }, { weight: 1, arbitrary: fc.constantFrom(min, max, 0, p.example) }, ...(p.kind === "feed" ? [{ weight: 1, arbitrary: fc.constant("auto" as const) }] : []));
+  const usual = {
+    diameter: grid(0, 300),
+    oversizeDiameter: grid(0, 2),
+    radial: grid(0.05, 8),
+    axial: p.incremental ? grid(-1, 1) : grid(-200, 20),
+    axialDepth: grid(0.05, 8),
+    length: grid(0, 6),
+    angle: grid(0, 40),
+    feed: grid(0.01, 1),
+    choice: fc.constant(0),
+  }[p.kind];
+  return fc.oneof({ weight: 30, arbitrary: usual }, { weight: 1, arbitrary: fc.constantFrom(min, max, 0, p.example) },
+    ...(p.kind === "feed" ? [{ weight: 1, arbitrary: fc.constant("auto" as const) }] : []));
 }
 
-const picture: fc.Arbitrary<Case> = fc.constantFrom(...cycles).chain((cycle) => fc.record({
-  cycle: fc.constant(cycle),
-  values: fc.record(Object.fromEntries(Object.entries(cycle.params).map(([q, p]) => [q, valueOf(p)]))) as fc.Arbitrary<Numbers>,
-  q: fc.constantFrom(...Object.keys(cycle.params)),
-  size: fc.record({ width: fc.integer({ min: 240, max: 900 }), height: fc.integer({ min: 160, max: 700 }) }),
-}));
+const picture: fc.Arbitrary<Case> = fc.constantFrom(...cycles).chain((cycle) =>
+  fc.record({
+    cycle: fc.constant(cycle),
+    values: fc.record(Object.fromEntries(Object.entries(cycle.params).map(([q, p]) => [q, valueOf(p)]))) as fc.Arbitrary<Numbers>,
+    q: fc.constantFrom(...Object.keys(cycle.params)),
+    size: fc.record({ width: fc.integer({ min: 240, max: 900 }), height: fc.integer({ min: 160, max: 700 }) }),
+  })
+);
 
 /** Random pictures with a fixed seed. */
 export const cases = (count: number): Case[] => fc.sample(picture, { numRuns: count, seed: 7 });

@@ -20,4 +20,8 @@ function Page() {
 }
 const language = (ask.get("language") ?? "en") as Language;
 await fetchTexts(language);
-createRoot(document.getElementById("root")!).render(<div style={{ padding: 12, width: Number(ask.get("width") ?? 400), boxSizing: "border-box", background: "var(--surface)" }}><Page /></div>);
+createRoot(document.getElementById("root")!).render(
+  <div style={{ padding: 12, width: Number(ask.get("width") ?? 400), boxSizing: "border-box", background: "var(--surface)" }}>
+    <Page />
+  </div>,
+);

@@ -25,13 +25,15 @@ const middle = (g: Grid, i: number) => g.from + (i + 0.5) * g.width;
 
 export const empty = (g: Grid): Field => Array.from({ length: g.count }, () => []);
 
-const turnOf = (ring: readonly P[]) => ring.reduce((sum, p, i) => {
-  const q = ring[(i + 1) % ring.length] as P;
-  return sum + p.z * q.r - q.z * p.r;
-}, 0);
+const turnOf = (ring: readonly P[]) =>
+  ring.reduce((sum, p, i) => {
+    const q = ring[(i + 1) % ring.length] as P;
+    return sum + p.z * q.r - q.z * p.r;
+  }, 0);
 
 /**
- * What closed polygons fill together: where they wind round in the direction that most of their area has. Holes run against it. `either`: loops
+ * What closed polygons fill together: where they wind round in the direction that most of their area has. Holes run against it.
+ * `either`: loops
  * of either direction count, as where a ring crosses itself.
  */
 export function filled(g: Grid, rings: readonly (readonly P[])[], either = false): Field {
@@ -142,7 +144,9 @@ export const lengthOf = (a: Spans): number => {
 export const areaOf = (g: Grid, f: Field): number => f.reduce((sum, column) => sum + lengthOf(column), 0) * g.width;
 
 const merged = (all: readonly number[]): number[] => {
-  const pairs = Array.from({ length: all.length / 2 }, (_, i) => [all[2 * i] as number, all[2 * i + 1] as number] as const).sort((a, b) => a[0] - b[0]);
+  const pairs = Array.from({ length: all.length / 2 }, (_, i) => [all[2 * i] as number, all[2 * i + 1] as number] as const).sort((a, b) =>
+    a[0] - b[0]
+  );
   const out: number[] = [];
   for (const [low, high] of pairs) {
     const last = out.length - 1;
@@ -159,8 +163,11 @@ export const grown = (f: Field, by: number): Field =>
 
 /** The same inwards: what stays lies surely inside. The first and the last column have no neighbour and stay as they are. */
 export const shrunk = (f: Field, by: number): Field =>
-  f.map((column, i) => moved(common(common(f[i - 1] ?? column, column), f[i + 1] ?? column), -by).flatMap((n, k, all) =>
-    k % 2 === 0 && (all[k + 1] as number) > n ? [n, all[k + 1] as number] : []));
+  f.map((column, i) =>
+    moved(common(common(f[i - 1] ?? column, column), f[i + 1] ?? column), -by).flatMap((n, k, all) =>
+      k % 2 === 0 && (all[k + 1] as number) > n ? [n, all[k + 1] as number] : []
+    )
+  );
 
 /** Column by column. */
 export const each = (a: Field, b: Field, make: (a: Spans, b: Spans) => number[]): Field => a.map((column, i) => make(column, b[i] ?? []));

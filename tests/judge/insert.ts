@@ -19,8 +19,19 @@ const BAR = 30;
 
 /** Where the tip lies from the centre of the nose, in radii, by TO. */
 const TIP: readonly P[] = [
-  { z: 0, r: 0 }, { z: -1, r: -1 }, { z: 0, r: -1 }, { z: 1, r: -1 }, { z: 1, r: 0 }, { z: 1, r: 1 }, { z: 0, r: 1 }, { z: -1, r: 1 },
-  { z: -1, r: 0 }, { z: 0, r: 0 },
+  { z: 0, r: 0 },
+  { z: -1, r: -1 },
+  { z: 0, r: -1 },
+  { z: 1, r: -1 },
+  { z: 1, r: 0 },
+  { z: 1, r: 1 },
+  {
+    z: 0,
+    r: 1,
+  },
+  { z: -1, r: 1 },
+  { z: -1, r: 0 },
+  { z: 0, r: 0 },
 ];
 
 const circle = (centre: P, radius: number): P[] =>
@@ -35,7 +46,8 @@ export function hull(points: readonly P[]): P[] {
   const half = (list: readonly P[]) => {
     const out: P[] = [];
     for (const p of list) {
-      for (let a = out.at(-2), b = out.at(-1); a && b && (b.z - a.z) * (p.r - a.r) - (b.r - a.r) * (p.z - a.z) <= 0; a = out.at(-2), b = out.at(-1)) out.pop();
+      for (let a = out.at(-2), b = out.at(-1); a && b && (b.z - a.z) * (p.r - a.r) - (b.r - a.r) * (p.z - a.z) <= 0;
+        a = out.at(-2), b = out.at(-1)) out.pop();
       out.push(p);
     }
     return out.slice(0, -1);
@@ -59,12 +71,19 @@ function turningInsert(tool: Tool, nose: number): P[] {
   const main = 180 - (tool["T-ANGLE"] ?? 0);
   const shape = twoEdges(nose, main - (tool["P-ANGLE"] ?? 0), main, tool.CUTLENGTH || EDGE, true);
   switch (tool.TO) {
-    case 3: return shape.map((p) => ({ z: -p.z, r: p.r }));
-    case 5: return shape.map((p) => ({ z: -p.z, r: -p.r }));
-    case 6: case 7: return shape.map((p) => ({ z: p.z, r: -p.r }));
-    case 8: return shape.map((p) => ({ z: p.r, r: p.z }));
-    case 4: return shape.map((p) => ({ z: -p.r, r: p.z }));
-    default: return shape;
+    case 3:
+      return shape.map((p) => ({ z: -p.z, r: p.r }));
+    case 5:
+      return shape.map((p) => ({ z: -p.z, r: -p.r }));
+    case 6:
+    case 7:
+      return shape.map((p) => ({ z: p.z, r: -p.r }));
+    case 8:
+      return shape.map((p) => ({ z: p.r, r: p.z }));
+    case 4:
+      return shape.map((p) => ({ z: -p.r, r: p.z }));
+    default:
+      return shape;
   }
 }
 
@@ -74,12 +93,21 @@ function bar(tool: Tool, nose: number): P[] {
   const long = tool.CUTLENGTH || BAR;
   const left = tool.TO === 1 || tool.TO === 7 ? 0 : tool.TO === 3 || tool.TO === 5 ? -width : -width / 2;
   const right = left + width;
-  const shape = [...circle({ z: left + nose, r: nose }, nose), ...circle({ z: right - nose, r: nose }, nose), { z: right, r: long }, { z: left, r: long }];
+  const shape = [...circle({ z: left + nose, r: nose }, nose), ...circle({ z: right - nose, r: nose }, nose), { z: right, r: long }, {
+    z: left,
+    r: long,
+  }];
   switch (tool.TO) {
-    case 5: case 6: case 7: return shape.map((p) => ({ z: p.z, r: -p.r }));
-    case 8: return shape.map((p) => ({ z: p.r, r: p.z }));
-    case 4: return shape.map((p) => ({ z: -p.r, r: p.z }));
-    default: return shape;
+    case 5:
+    case 6:
+    case 7:
+      return shape.map((p) => ({ z: p.z, r: -p.r }));
+    case 8:
+      return shape.map((p) => ({ z: p.r, r: p.z }));
+    case 4:
+      return shape.map((p) => ({ z: -p.r, r: p.z }));
+    default:
+      return shape;
   }
 }
 

@@ -21,7 +21,10 @@ const rapid = (z: number, r: number): Move => ({ kind: "rapid", to: at(z, r), ph
 const bar = { T: 1, NAME: "BAR", TYPE: "RECTURN", TO: 2, RS: length(0), CUTWIDTH: length(4), CUTLENGTH: length(30) } as Tool;
 
 describe("columns", () => {
-  const rings = [[{ z: 0, r: 0 }, { z: 10, r: 0 }, { z: 10, r: 5 }, { z: 0, r: 5 }], [{ z: 2, r: 1 }, { z: 2, r: 3 }, { z: 4, r: 3 }, { z: 4, r: 1 }]];
+  const rings = [[{ z: 0, r: 0 }, { z: 10, r: 0 }, { z: 10, r: 5 }, { z: 0, r: 5 }], [{ z: 2, r: 1 }, { z: 2, r: 3 }, { z: 4, r: 3 }, {
+    z: 4,
+    r: 1,
+  }]];
   test.each(["z", "r"] as const)("along %s: a box with a hole, grown and shrunk", (along) => {
     const grid = gridOver(rings, along, 0.01);
     const field = filled(grid, rings);
@@ -32,7 +35,9 @@ describe("columns", () => {
     expect(areaOf(grid, each(field, shrunk(field, 0.01), without))).toBeGreaterThan(0.1);
   });
   test("stretches: what two have in common and what one has alone make the whole", () => {
-    const spans = fc.array(mm(0, 9), { maxLength: 8 }).map((n) => n.sort((a, b) => a - b)).map((n) => n.slice(0, n.length - (n.length % 2)));
+    const spans = fc.array(mm(0, 9), { maxLength: 8 }).map((n) => n.sort((a, b) => a - b)).map((n) =>
+      n.slice(0, n.length - (n.length % 2))
+    );
     const size = (s: readonly number[]) => s.reduce((sum, n, i) => sum + (i % 2 ? n : -n), 0);
     fc.assert(fc.property(spans, spans, (a, b) => {
       expect(size(common(a, b)) + size(without(a, b))).toBeCloseTo(size(a), 9);
@@ -56,11 +61,29 @@ describe("columns", () => {
 
 describe("the insert read twice", () => {
   const tools = fc.record({
-    type: fc.constantFrom(...TOOL_TYPES), orientation: fc.constantFrom(1, 2, 3, 4, 5, 6, 7, 8), nose: mm(0, 1.2), delta: mm(0, 0.1),
-    angle: mm(91, 110), point: mm(35, 69), width: mm(3, 6), edge: mm(5, 20), z: mm(-1, 1), r: mm(-1, 1),
+    type: fc.constantFrom(...TOOL_TYPES),
+    orientation: fc.constantFrom(1, 2, 3, 4, 5, 6, 7, 8),
+    nose: mm(0, 1.2),
+    delta: mm(0, 0.1),
+    angle: mm(91, 110),
+    point: mm(35, 69),
+    width: mm(3, 6),
+    edge: mm(5, 20),
+    z: mm(-1, 1),
+    r: mm(-1, 1),
   }).map((t): Tool => ({
-    T: 1, NAME: "ANY", TYPE: t.type, TO: t.orientation as TipOrientation, RS: length(t.nose), DRS: length(t.delta), "T-ANGLE": degrees(t.angle),
-    "P-ANGLE": degrees(t.point), CUTWIDTH: length(t.width), DCW: length(t.delta), CUTLENGTH: length(t.edge), correction: { z: length(t.z), r: length(t.r) },
+    T: 1,
+    NAME: "ANY",
+    TYPE: t.type,
+    TO: t.orientation as TipOrientation,
+    RS: length(t.nose),
+    DRS: length(t.delta),
+    "T-ANGLE": degrees(t.angle),
+    "P-ANGLE": degrees(t.point),
+    CUTWIDTH: length(t.width),
+    DCW: length(t.delta),
+    CUTLENGTH: length(t.edge),
+    correction: { z: length(t.z), r: length(t.r) },
   }));
   test("kernel and judge draw the same shape, for every type and orientation", () => {
     fc.assert(fc.property(tools, (tool) => {
@@ -88,7 +111,8 @@ describe.each(["z", "r"] as const)("a cut on paper, columns along %s", (along) =
     }), part, grid);
   };
   test("a slot of 4 by 5", () => expect(Math.abs(run([], cut(-20, 15)).removed - 20)).toBeLessThan(0.11));
-  test("the same slot twice takes it once", () => expect(Math.abs(run([], cut(-20, 15), cut(-20, 25), cut(-20, 15)).removed - 20)).toBeLessThan(0.11));
+  test("the same slot twice takes it once", () =>
+    expect(Math.abs(run([], cut(-20, 15), cut(-20, 25), cut(-20, 15)).removed - 20)).toBeLessThan(0.11));
   test("across the axis: at −5 it has swept what stands at 5", () => {
     const across = run([], cut(-20, -5));
     expect(Math.abs(across.removed - 80)).toBeLessThan(0.25);

@@ -90,15 +90,18 @@ export function judge(blank: readonly (readonly P[])[], motions: readonly Motion
   };
   const first = motions[0];
   let inside = false;
-  if (first) for (const shape of both(at(insertFor(first.tool), first.from)))
-    crossed(grid, shape, (i, low, high) => {
-      if (lengthOf(common(stock[i] ?? [], [low + THIN, high - THIN])) > THIN) inside = true;
-    });
+  if (first) {
+    for (const shape of both(at(insertFor(first.tool), first.from)))
+      crossed(grid, shape, (i, low, high) => {
+        if (lengthOf(common(stock[i] ?? [], [low + THIN, high - THIN])) > THIN) inside = true;
+      });
+  }
   motions.forEach((motion, index) => {
     const gone = new Map<number, number[]>();
-    for (const piece of swept(motion, insertFor(motion.tool))) crossed(grid, piece, (i, low, high) => {
-      if (high > low && (stock[i]?.length ?? 0) > 0) gone.set(i, [...(gone.get(i) ?? []), low, high]);
-    });
+    for (const piece of swept(motion, insertFor(motion.tool)))
+      crossed(grid, piece, (i, low, high) => {
+        if (high > low && (stock[i]?.length ?? 0) > 0) gone.set(i, [...(gone.get(i) ?? []), low, high]);
+      });
     let [gouge, rapid] = [0, 0];
     const next: [number, number[]][] = [];
     for (const [i, spans] of gone) {
@@ -113,7 +116,9 @@ export function judge(blank: readonly (readonly P[])[], motions: readonly Motion
       if (motion.move.kind === "rapid") {
         const core = common(common(stock[i - 1] ?? [], here), stock[i + 1] ?? []);
         for (let k = 0; k < core.length; k += 2)
-          rapid += lengthOf(common(away, [(core[k] as number) + THIN, Math.max((core[k] as number) + THIN, (core[k + 1] as number) - THIN)])) * grid.width;
+          rapid +=
+            lengthOf(common(away, [(core[k] as number) + THIN, Math.max((core[k] as number) + THIN, (core[k + 1] as number) - THIN)]))
+            * grid.width;
       } else cut += taken * grid.width;
     }
     for (const [i, left] of next) stock[i] = left;

@@ -19,12 +19,23 @@ const APPROACHES = ["LT", "LN", "CT", "LCT", "PLT", "PLN", "PCT", "PLCT"] as con
 const DEPARTURES = ["LT", "LN", "CT", "LCT", "PLCT"] as const;
 
 const situation = fc.record({
-  form: fc.constantFrom(...APPROACHES), end: fc.constantFrom(...DEPARTURES), side: fc.constantFrom("RL", "RR"),
-  pole: point, far: fc.integer({ min: 5, max: 80 }), angle: fc.integer({ min: -180, max: 180 }),
-  start: point, finish: point, corners: fc.array(point, { minLength: 1, maxLength: 5 }),
-  kinds: fc.array(fc.constantFrom("L", "L", "CR+", "CR-"), { minLength: 5, maxLength: 5 }), rounding: fc.constantFrom(0, 0, 2),
-  length: fc.integer({ min: 1, max: 40 }), radius: fc.integer({ min: 1, max: 30 }), sweep: fc.integer({ min: 5, max: 360 }),
-  tool: fc.constantFrom(0, 3, 8.5), depth: fc.boolean(), control: fc.constantFrom("TNC 640" as const, "TNC7" as const),
+  form: fc.constantFrom(...APPROACHES),
+  end: fc.constantFrom(...DEPARTURES),
+  side: fc.constantFrom("RL", "RR"),
+  pole: point,
+  far: fc.integer({ min: 5, max: 80 }),
+  angle: fc.integer({ min: -180, max: 180 }),
+  start: point,
+  finish: point,
+  corners: fc.array(point, { minLength: 1, maxLength: 5 }),
+  kinds: fc.array(fc.constantFrom("L", "L", "CR+", "CR-"), { minLength: 5, maxLength: 5 }),
+  rounding: fc.constantFrom(0, 0, 2),
+  length: fc.integer({ min: 1, max: 40 }),
+  radius: fc.integer({ min: 1, max: 30 }),
+  sweep: fc.integer({ min: 5, max: 360 }),
+  tool: fc.constantFrom(0, 3, 8.5),
+  depth: fc.boolean(),
+  control: fc.constantFrom("TNC 640" as const, "TNC7" as const),
 });
 type Situation = typeof situation extends fc.Arbitrary<infer T> ? T : never;
 
@@ -39,10 +50,17 @@ function text(s: Situation): string {
   });
   const last = s.end === "LCT" ? at(s.finish) : s.end === "PLCT" ? `${word("PR", s.far)} ${word("PA", s.angle)}` : "";
   return [
-    "BEGIN PGM LAW MM", `TOOL DEF 1 L+0 R${word("", s.tool)}`, "TOOL CALL 1 Z S4000", "L Z+50 R0 FMAX", `L ${at(s.start)} R0 F900`, `CC ${at(s.pole)}`,
+    "BEGIN PGM LAW MM",
+    `TOOL DEF 1 L+0 R${word("", s.tool)}`,
+    "TOOL CALL 1 Z S4000",
+    "L Z+50 R0 FMAX",
+    `L ${at(s.start)} R0 F900`,
+    `CC ${at(s.pole)}`,
     `APPR ${s.form} ${first}${s.depth ? " Z-5" : ""} ${sizes(s.form, s)} ${s.side} F200`,
     ...path.flatMap((p, i) => (s.rounding > 0 && i === 1 && path.length > 2 ? [p, `RND R${s.rounding}`] : [p])),
-    `DEP ${s.end} ${last}${s.depth ? " Z+50" : ""} ${sizes(s.end, s)} F300`, "L Z+60 R0 FMAX M2", "END PGM LAW MM",
+    `DEP ${s.end} ${last}${s.depth ? " Z+50" : ""} ${sizes(s.end, s)} F300`,
+    "L Z+60 R0 FMAX M2",
+    "END PGM LAW MM",
   ].join("\n");
 }
 
@@ -65,7 +83,8 @@ describe("programs with every approach and departure", () => {
         expect(apart(before, step.from)).toBeLessThan(1e-9);
         expect(step.from.z).toBe(before.z);
       });
-      for (const step of done.plane) if (step.centre) expect(Math.abs(apart(step.from, step.centre) - apart(step.to, step.centre))).toBeLessThan(1e-8);
+      for (const step of done.plane)
+        if (step.centre) expect(Math.abs(apart(step.from, step.centre) - apart(step.to, step.centre))).toBeLessThan(1e-8);
     }), RUNS);
   });
 
@@ -90,7 +109,9 @@ describe("programs with every approach and departure", () => {
       for (const a of done.approaches) {
         const p = a.departing ? a.points.PE : a.points.PA;
         if (!p || a.tip.x !== 0) continue;
-        const i = a.departing ? steps.findLastIndex((step) => apart(step.from, p) < 1e-9) : steps.findIndex((step) => apart(step.to, p) < 1e-9);
+        const i = a.departing
+          ? steps.findLastIndex((step) => apart(step.from, p) < 1e-9)
+          : steps.findIndex((step) => apart(step.to, p) < 1e-9);
         const [one, two] = a.departing ? [steps[i - 1], steps[i]] : [steps[i], steps[i + 1]];
         if (!one || !two || apart(one.to, p) > 1e-9) continue;
         const [before, after] = [direction(pathOf(one), p), direction(pathOf(two), p)];
@@ -112,8 +133,14 @@ describe("programs with every approach and departure", () => {
     const mirrored = (p: PlanePoint) => ({ x: p.x, y: -p.y });
     fc.assert(fc.property(situation, (s) => {
       const image = runs({
-        ...s, side: s.side === "RL" ? "RR" : "RL", pole: mirrored(s.pole), angle: -s.angle, start: mirrored(s.start), finish: mirrored(s.finish),
-        corners: s.corners.map(mirrored), kinds: s.kinds.map((k) => (k === "CR+" ? "CR-" : k === "CR-" ? "CR+" : k)),
+        ...s,
+        side: s.side === "RL" ? "RR" : "RL",
+        pole: mirrored(s.pole),
+        angle: -s.angle,
+        start: mirrored(s.start),
+        finish: mirrored(s.finish),
+        corners: s.corners.map(mirrored),
+        kinds: s.kinds.map((k) => (k === "CR+" ? "CR-" : k === "CR-" ? "CR+" : k)),
       });
       const done = runs(s);
       expect(image.plane.length).toBe(done.plane.length);
@@ -130,7 +157,11 @@ describe("programs with every approach and departure", () => {
       if (!a?.free || a.departing) return;
       free += 1;
       const { free: way } = a;
-      const again = runs(way.kind === "point" ? { ...s, tool: 8.5, end: "LT", start: way.point } : { ...s, tool: 8.5, end: "LT", [way.word === "LEN" ? "length" : "radius"]: way.value });
+      const again = runs(
+        way.kind === "point"
+          ? { ...s, tool: 8.5, end: "LT", start: way.point }
+          : { ...s, tool: 8.5, end: "LT", [way.word === "LEN" ? "length" : "radius"]: way.value },
+      );
       expect(again.approaches[0]?.cut ?? null).toBeNull();
     }), { numRuns: 250 });
     expect(free).toBeGreaterThan(5);

@@ -111,15 +111,20 @@ const judgesAgreeOnResidue: CutLaw = (w) => {
   return null;
 };
 /** Without what is thinner than two columns or 0.02 mm. */
-const thickOf = (f: Field): Field => f.map((column, i) => {
-  const near = [f[i - 1] ?? [], f[i + 1] ?? []];
-  const core = near.reduce((a, b) => without(a, without(a, b)), [...column]);
-  return core.flatMap((n, k) => (k % 2 === 0 && (core[k + 1] as number) - n > 0.02 ? [n, core[k + 1] as number] : []));
-});
+const thickOf = (f: Field): Field =>
+  f.map((column, i) => {
+    const near = [f[i - 1] ?? [], f[i + 1] ?? []];
+    const core = near.reduce((a, b) => without(a, without(a, b)), [...column]);
+    return core.flatMap((n, k) => (k % 2 === 0 && (core[k + 1] as number) - n > 0.02 ? [n, core[k + 1] as number] : []));
+  });
 
 /** By name, so that a case on file says which of them it broke. */
 export const cutLaws: Readonly<Record<string, CutLaw>> = {
-  partStaysWhole, rapidsAreFree, judgesAgreeOnStock, judgesAgreeOnFaults, judgesAgreeOnResidue,
+  partStaysWhole,
+  rapidsAreFree,
+  judgesAgreeOnStock,
+  judgesAgreeOnFaults,
+  judgesAgreeOnResidue,
 };
 
 /** Every law that a situation breaks, with what it says. */

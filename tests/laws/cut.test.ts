@@ -22,9 +22,10 @@ for (const operation of [0, 1, 2, 3])
 
 describe("set-ups that broke a law once", () => {
   const found = Object.entries(import.meta.glob<FoundCase>("./found/*.json", { import: "default", eager: true }));
-  for (const [path, { cycle, situation }] of found) test(path, () => {
-    const known = cycleByNumber(cycle);
-    expect(known && brokenBy(known, situation)).toEqual([]);
-  });
+  for (const [path, { cycle, situation }] of found)
+    test(path, () => {
+      const known = cycleByNumber(cycle);
+      expect(known && brokenBy(known, situation)).toEqual([]);
+    });
   test("lie in a folder of their own", () => expect(found.every(([path]) => path.startsWith("./found/"))).toBe(true));
 });

@@ -13,8 +13,11 @@ const OTHER: Record<TipOrientation, TipOrientation> = { 1: 3, 2: 2, 3: 1, 4: 8, 
 const point = (p: Pt): Pt => at(-p.z, p.r);
 const ring = (r: Ring): Ring => r.map(point).reverse();
 const mirrored = (s: Situation): Situation => ({
-  ...s, values: { ...s.values, Q492: -(s.values["Q492"] ?? 0), Q494: -(s.values["Q494"] ?? 0) },
-  tool: { ...s.tool, TO: OTHER[s.tool.TO] }, start: point(s.start), blank: s.blank.map(ring),
+  ...s,
+  values: { ...s.values, Q492: -(s.values["Q492"] ?? 0), Q494: -(s.values["Q494"] ?? 0) },
+  tool: { ...s.tool, TO: OTHER[s.tool.TO] },
+  start: point(s.start),
+  blank: s.blank.map(ring),
 });
 /** What a move does, to the tenth of a micron. */
 const told = (m: Move, to: (p: Pt) => Pt) => {
@@ -22,7 +25,8 @@ const told = (m: Move, to: (p: Pt) => Pt) => {
   return [m.kind, m.phase, m.pass, m.run, m.step, ...places.map(to).flatMap((p) => [p.z, p.r].map((n) => Math.round(n * 1e4) / 1e4 + 0))];
 };
 
-// A free contour across the axis is open towards +Z whatever the tool (decision 0010), so only the cycles with their own contour turn round.
+// A free contour across the axis is open towards +Z whatever the tool (decision 0010), so only the cycles with their own
+// contour turn round.
 describe.each(situations(0).filter((s) => s.cycle.contour === "own"))("cycle $cycle.number", ({ cycle, arbitrary }) => {
   test("turned round in Z it runs the same path, turned round", () => {
     fc.assert(fc.property(arbitrary, (s) => {

@@ -5,7 +5,10 @@ import type { TipOrientation, Tool } from "../../src/kernel/tool.ts";
 import { axial, length, radius } from "../../src/kernel/units.ts";
 import { shippedTools } from "../../src/program/shipped-tools.ts";
 
-/** One random set-up of a cycle: values, contour, tool, start point and the blank that fits them. Plain data: it can be written to a file. */
+/**
+ * One random set-up of a cycle: values, contour, tool, start point and the blank that fits them. Plain data: it can be written
+ * to a file.
+ */
 export interface Situation {
   readonly values: Readonly<Record<string, number>>;
   readonly given: Given;
@@ -24,7 +27,8 @@ export const box = (z0: number, z1: number, r0: number, r1: number): Ring => {
 };
 
 /** A length on the control's grid, and an angle from 0. */
-export const mm = (min: number, max: number) => fc.integer({ min: Math.round(min * 1000), max: Math.round(max * 1000) }).map((n) => n / 1000);
+export const mm = (min: number, max: number) =>
+  fc.integer({ min: Math.round(min * 1000), max: Math.round(max * 1000) }).map((n) => n / 1000);
 export const deg = (max: number) => fc.integer({ min: 0, max: max * 1e4 }).map((n) => n / 1e4);
 export const sign = fc.constantFrom(1, -1);
 export const orZero = (of: fc.Arbitrary<number>) => fc.oneof(fc.constant(0), of);
@@ -34,11 +38,20 @@ export const mostly = <T>(usual: fc.Arbitrary<T>, other: fc.Arbitrary<T>) =>
 
 /** Values that every cycle has. */
 export const common = {
-  Q460: mm(0.5, 4), Q478: fc.constant(0.3), Q483: orZero(mm(0, 1.5)), Q484: orZero(mm(0, 0.7)), Q505: fc.constant(0.1), Q463: mm(0.3, 5),
+  Q460: mm(0.5, 4),
+  Q478: fc.constant(0.3),
+  Q483: orZero(mm(0, 1.5)),
+  Q484: orZero(mm(0, 0.7)),
+  Q505: fc.constant(0.1),
+  Q463: mm(0.3, 5),
 };
 /** Start element, corner and end element of the cycles that have their own contour. */
 export const elements = {
-  Q501: fc.constantFrom(0, 1, 2), Q502: mm(0, 2), Q500: orZero(mm(0, 3)), Q503: fc.constantFrom(0, 1, 2), Q504: mm(0, 2),
+  Q501: fc.constantFrom(0, 1, 2),
+  Q502: mm(0, 2),
+  Q500: orZero(mm(0, 3)),
+  Q503: fc.constantFrom(0, 1, 2),
+  Q504: mm(0, 2),
 };
 
 /** A shipped tool, with its tip turned another way and a shorter edge where they are given. */
@@ -49,9 +62,8 @@ export const toolAs = (t: number, TO: TipOrientation, edge: number | null = null
 /** Now and then a short cutting edge; null keeps the tool's own. */
 export const edge = mostly<number | null>(fc.constant(null), mm(2, 5));
 /** Now and then a tool that points somewhere else. */
-export const anyOrientation = mostly<TipOrientation | null>(
-  fc.constant(null), fc.constantFrom<TipOrientation | null>(null, null, 1, 2, 3, 4, 5, 6, 7, 8),
-);
+export const anyOrientation = mostly<TipOrientation | null>(fc.constant(null),
+  fc.constantFrom<TipOrientation | null>(null, null, 1, 2, 3, 4, 5, 6, 7, 8));
 
 /** Where the tip may stand at the cycle call: where it should, or anywhere round the blank and in it. */
 export interface Place {
@@ -61,7 +73,11 @@ export interface Place {
   readonly r: number;
 }
 const share = fc.integer({ min: 0, max: 1000 }).map((n) => n / 1000);
-export const place: fc.Arbitrary<Place> = fc.record({ kind: mostly<Place["kind"]>(fc.constant("usual"), fc.constant("anywhere")), z: share, r: share });
+export const place: fc.Arbitrary<Place> = fc.record({
+  kind: mostly<Place["kind"]>(fc.constant("usual"), fc.constant("anywhere")),
+  z: share,
+  r: share,
+});
 
 /** Room round the blank that a start point is looked for in, mm. */
 const ROOM = 15;

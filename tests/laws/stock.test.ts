@@ -22,17 +22,32 @@ const blank = [box(-60, 5, 0, 40)];
 const grid = (min: number, max: number) => fc.integer({ min: min * 1000, max: max * 1000 }).map((n) => n / 1000);
 
 const tools = fc.record({
-  type: fc.constantFrom(...TOOL_TYPES), orientation: fc.constantFrom(1, 2, 3, 4, 5, 6, 7, 8, 9), nose: grid(0.1, 1.2),
-  angle: grid(91, 110), point: grid(35, 69), width: grid(2.5, 6), edge: grid(4, 20),
+  type: fc.constantFrom(...TOOL_TYPES),
+  orientation: fc.constantFrom(1, 2, 3, 4, 5, 6, 7, 8, 9),
+  nose: grid(0.1, 1.2),
+  angle: grid(91, 110),
+  point: grid(35, 69),
+  width: grid(2.5, 6),
+  edge: grid(4, 20),
 }).map((t): Tool => ({
-  T: 1, NAME: "ANY", TYPE: t.type, TO: t.orientation as TipOrientation, RS: length(t.nose), "T-ANGLE": degrees(t.angle),
-  "P-ANGLE": degrees(t.point), CUTWIDTH: length(t.width), CUTLENGTH: length(t.edge),
+  T: 1,
+  NAME: "ANY",
+  TYPE: t.type,
+  TO: t.orientation as TipOrientation,
+  RS: length(t.nose),
+  "T-ANGLE": degrees(t.angle),
+  "P-ANGLE": degrees(t.point),
+  CUTWIDTH: length(t.width),
+  CUTLENGTH: length(t.edge),
 }));
 const places = fc.tuple(grid(-65, 5), grid(0, 45)).map(([z, r]) => at(z, r));
 const purpose = { phase: "rough", run: "rough", step: 1 } as const;
 type Way = { to: Pt; kind: "rapid" | "feed" | "arc"; bulge: number; turn: "cw" | "ccw" };
 const ways: fc.Arbitrary<Way> = fc.record({
-  to: places, kind: fc.constantFrom("rapid", "feed", "feed", "arc"), bulge: grid(-2, 2), turn: fc.constantFrom("cw", "ccw"),
+  to: places,
+  kind: fc.constantFrom("rapid", "feed", "feed", "arc"),
+  bulge: grid(-2, 2),
+  turn: fc.constantFrom("cw", "ccw"),
 });
 
 function moveOf(from: Pt, way: Way): Move {
@@ -87,7 +102,11 @@ test("the stock only shrinks, stays inside the blank and is always finite", () =
 
 test("going the same way a second time takes nothing more", () => {
   fc.assert(fc.property(programs, (steps) => {
-    const back: Step = { ...(steps[0] as Step), from: (steps.at(-1) as Step).move.to, move: { kind: "rapid", to: (steps[0] as Step).from, ...purpose } };
+    const back: Step = {
+      ...(steps[0] as Step),
+      from: (steps.at(-1) as Step).move.to,
+      move: { kind: "rapid", to: (steps[0] as Step).from, ...purpose },
+    };
     const [once, twice] = [run([...steps, back]), run([...steps, back, ...steps])];
     expect(Math.abs(areaOf(once.final) - areaOf(twice.final))).toBeLessThan(2e-3);
   }), RUNS);
@@ -142,7 +161,8 @@ test("point by point: gone where the insert has been, there where it has not", (
     });
     for (const [z, r] of points) {
       // The work turns: what is cut at -r is cut at r.
-      const nearest = tips.reduce((least, tip) => Math.min(least, outside(outline, tip, { z, r }), outside(outline, tip, { z, r: -r })), Infinity);
+      const nearest = tips.reduce((least, tip) => Math.min(least, outside(outline, tip, { z, r }), outside(outline, tip, { z, r: -r })),
+        Infinity);
       if (nearest < -0.01) expect(holds(final, { z, r })).toBe(false);
       else if (nearest > 0.06) expect(holds(final, { z, r })).toBe(true);
     }

@@ -18,9 +18,7 @@ export function ApproachBlock({ problems }: { readonly problems: readonly Findin
   const statement = program.blocks[index]?.statement;
   if (statement?.kind !== "approach") return null;
   return (
-    <ApproachDialog
-      statement={statement} context={context} found={problems} choosing={fresh}
-      onChange={(next, place) => editProgram(withBlock(program, index, next), place === null ? null : `block ${index} ${place}`)}
-    />
+    <ApproachDialog statement={statement} context={context} found={problems} choosing={fresh}
+      onChange={(next, place) => editProgram(withBlock(program, index, next), place === null ? null : `block ${index} ${place}`)} />
   );
 }

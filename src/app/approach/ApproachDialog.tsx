@@ -55,12 +55,16 @@ export function ApproachDialog({ statement, context, found = [], choosing: first
   const made = ready && approach(ready.request);
 
   const drag = (change: Dragged) => {
-    if (change.word !== "point") return typed.set({ [change.word]: positionAsTyped(change.word === "CCA" ? change.value : change.value / context.unit) });
+    if (change.word !== "point")
+      return typed.set({ [change.word]: positionAsTyped(change.word === "CCA" ? change.value : change.value / context.unit) });
     const words = wordsOfPoint(form, change.point, context);
     if (words) typed.set(words);
   };
   const session = useApproachSession({
-    statement, context, typed, findings: approachProblems(typed.reading, made?.issues ?? [], found),
+    statement,
+    context,
+    typed,
+    findings: approachProblems(typed.reading, made?.issues ?? [], found),
     picture: (active) => (
       <div className="help-slot">
         <ApproachPicture key={name} name={name} form={form} ready={ready} context={context} active={active} onDrag={drag} />
@@ -69,23 +73,21 @@ export function ApproachDialog({ statement, context, found = [], choosing: first
   });
 
   return (
-    <PromptDialog
-      session={session} className="approach-dialog" name={t.form(name)} listName={t.list} hint={t.drag} done={<ApproachDone session={session} />}
-      head={(
-        <div className="approach-title">
-          <h2><span className="number">{name}</span> <span className="soft">{t.shapes[shapeOf(form)].name}</span></h2>
-          <button type="button" className="button" aria-expanded={choosing} onClick={() => choose(!choosing)}>{t.otherForm}</button>
-        </div>
-      )}
-      instead={choosing ? (
-        <ApproachChooser
-          context={context} chosen={{ shape: shapeOf(form), departing }}
-          onChoose={(taken) => {
-            choose(false);
-            onChange(withForm(statement, taken, context), null);
-          }}
-        />
-      ) : null}
-    />
+    <PromptDialog session={session} className="approach-dialog" name={t.form(name)} listName={t.list} hint={t.drag}
+      done={<ApproachDone session={session} />} head={
+      <div className="approach-title">
+        <h2>
+          <span className="number">{name}</span> <span className="soft">{t.shapes[shapeOf(form)].name}</span>
+        </h2>
+        <button type="button" className="button" aria-expanded={choosing} onClick={() => choose(!choosing)}>{t.otherForm}</button>
+      </div>
+    } instead={choosing
+      ? (
+        <ApproachChooser context={context} chosen={{ shape: shapeOf(form), departing }} onChoose={(taken) => {
+          choose(false);
+          onChange(withForm(statement, taken, context), null);
+        }} />
+      )
+      : null} />
   );
 }

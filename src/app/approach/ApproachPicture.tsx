@@ -23,7 +23,10 @@ const { direction, scaled } = plane;
 /** Elements of a long contour farther away than this are not in the picture, mm. */
 const FARTHEST = 500;
 
-/** The drawing of one block: its points with their coordinates, tangent, dimensions and the path of the tool centre. Points can be dragged. */
+/**
+ * The drawing of one block: its points with their coordinates, tangent, dimensions and the path of the tool centre. Points can
+ * be dragged.
+ */
 export function ApproachPicture({ name, form, ready, context, active, onDrag }: {
   /** "APPR LT" */
   readonly name: string;
@@ -59,12 +62,24 @@ export function ApproachPicture({ name, form, ready, context, active, onDrag }: 
     const change = made && dragged(made.result, handle, to, gridOf(camera), offset());
     if (change) onDrag(change);
   });
-  const drawing = useMemo(() => made && approachDrawing({
-    ...made, toolRadius: context.toolRadius, rapidBefore: context.feedBefore === "rapid", active, size, small: false, speech,
-    ...(drag.camera && { camera: drag.camera }),
-  }), [made, context, active, size, speech, drag.camera]);
+  const drawing = useMemo(() =>
+    made && approachDrawing({
+      ...made,
+      toolRadius: context.toolRadius,
+      rapidBefore: context.feedBefore === "rapid",
+      active,
+      size,
+      small: false,
+      speech,
+      ...(drag.camera && { camera: drag.camera }),
+    }), [made, context, active, size, speech, drag.camera]);
 
-  if (!drawing || !made) return <div className="approach-picture" ref={box}><p className="approach-empty soft">{t.noPicture}</p></div>;
+  if (!drawing || !made)
+    return (
+      <div className="approach-picture" ref={box}>
+        <p className="approach-empty soft">{t.noPicture}</p>
+      </div>
+    );
   const spoken = drawing.points.map((p) => t.point(p.names.join(" = "), speech.point(p.at))).join(", ");
   const handles = handlesOf(made.result, form.startsWith("P") && !context.pole).flatMap((handle) => {
     const place = handle === "centre" ? drawing.centre?.place : drawing.points.find((p) => p.names.includes(handle))?.place;
@@ -72,13 +87,17 @@ export function ApproachPicture({ name, form, ready, context, active, onDrag }: 
   });
   return (
     <div className="help-picture approach-picture" ref={box}>
-      <svg role="img" aria-label={`${t.picture(name, spoken)}${ready ? "" : ` ${t.stale}`}`} viewBox={`0 0 ${size.width} ${size.height}`} {...(ready ? {} : { className: "dimmed" })}>
+      <svg role="img" aria-label={`${t.picture(name, spoken)}${ready ? "" : ` ${t.stale}`}`} viewBox={`0 0 ${size.width} ${size.height}`}
+        {...(ready ? {} : { className: "dimmed" })}
+      >
         <HelpMarks marks={drawing.marks} id={id} />
-        {drawing.points.map((p) => <circle key={p.names.join()} className="approach-point" cx={px(p.place.x)} cy={px(p.place.y)} r={3.5} />)}
+        {drawing.points.map((p) => <circle key={p.names.join()} className="approach-point" cx={px(p.place.x)} cy={px(p.place.y)}
+          r={3.5} />
+        )}
         {handles.map(({ handle, place }) => (
-          <g
-            key={handle} className={`approach-handle${drag.handle === handle ? " held" : ""}`} data-handle={handle}
-            onPointerDown={(event) => drag.begin(handle, drawing.camera, event)} onPointerMove={drag.move} onPointerUp={drag.end} onPointerCancel={drag.end}
+          <g key={handle} className={`approach-handle${drag.handle === handle ? " held" : ""}`} data-handle={handle}
+            onPointerDown={(event) => drag.begin(handle, drawing.camera, event)} onPointerMove={drag.move} onPointerUp={drag.end}
+            onPointerCancel={drag.end}
           >
             <circle className="reach" cx={px(place.x)} cy={px(place.y)} r={18} />
             {handle === "centre"

@@ -22,7 +22,10 @@ export function DepthPicture({ steps, playback }: { readonly steps: readonly Pla
   return (
     <div className="plane-depth" role="img" aria-label={t.depthStrip(low, high)}>
       <span className="plane-depth-name small soft">Z</span>
-      <span className="plane-depth-scale number" aria-hidden="true"><span>{high}</span><span>{low}</span></span>
+      <span className="plane-depth-scale number" aria-hidden="true">
+        <span>{high}</span>
+        <span>{low}</span>
+      </span>
       <div className="plane-depth-box">
         <svg viewBox="-0.002 -0.06 1.004 1.12" preserveAspectRatio="none" aria-hidden="true">
           {strip.zero !== null && <path className="lathe-axis" d={`M0 ${strip.zero}H1`} />}

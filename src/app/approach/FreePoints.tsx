@@ -8,7 +8,9 @@ import { useTexts } from "../settings/use-texts.ts";
 import type { CutPlace } from "./plane-places.ts";
 
 /** The start and end points that the check proposes: a cross in a ring, with its coordinates. */
-export function FreePoints({ viewport, places, speech }: { readonly viewport: Viewport; readonly places: readonly CutPlace[]; readonly speech: ApproachSpeech }) {
+export function FreePoints({ viewport, places, speech }: { readonly viewport: Viewport; readonly places: readonly CutPlace[];
+  readonly speech: ApproachSpeech })
+{
   const t = useTexts().approach, camera = useCamera(viewport);
   return (
     <g className="plane-free" aria-hidden="true">
@@ -17,8 +19,10 @@ export function FreePoints({ viewport, places, speech }: { readonly viewport: Vi
         const at = toScreen(camera, partPoint(free));
         return (
           <g key={id} transform={`translate(${px(at.x)} ${px(at.y)})`}>
-            <circle r="7" /><path d="M-11 0H11M0 -11V11" />
-            <text x="14" y="-10">{t.free} {point}</text><text className="number" x="14" y="6">{speech.point(free)}</text>
+            <circle r="7" />
+            <path d="M-11 0H11M0 -11V11" />
+            <text x="14" y="-10">{t.free} {point}</text>
+            <text className="number" x="14" y="6">{speech.point(free)}</text>
           </g>
         );
       })}

@@ -17,8 +17,12 @@ export function MachineView(props: ComponentProps<typeof LatheView>) {
     <div className="machine-view">
       {both && (
         <div className="machine-switch" role="group" aria-label={t.lathe.viewTools}>
-          <button type="button" className="button" aria-pressed={!plane} onClick={() => useAskedView.setState({ asked: "lathe" })}>{t.lathe.title}</button>
-          <button type="button" className="button" aria-pressed={plane} onClick={() => useAskedView.setState({ asked: "plane" })}>{t.approach.view}</button>
+          <button type="button" className="button" aria-pressed={!plane} onClick={() => useAskedView.setState({ asked: "lathe" })}>
+            {t.lathe.title}
+          </button>
+          <button type="button" className="button" aria-pressed={plane} onClick={() => useAskedView.setState({ asked: "plane" })}>
+            {t.approach.view}
+          </button>
         </div>
       )}
       {plane ? <PlaneView run={run} dimmed={dimmed} playback={playback} clock={clock} /> : <LatheView {...props} />}

@@ -20,8 +20,14 @@ export function PlaneAxes({ viewport, part }: { readonly viewport: Viewport; rea
   const placeY = (y: number) => toScreen(camera, partPoint({ x: 0, y })).y;
   const floor = height - SCALE_BELOW;
   if (part === "grid") {
-    const lines = alongX.values.map((x) => `M${placeX(x)} 0V${height}`).join("") + alongY.values.map((y) => `M0 ${placeY(y)}H${width}`).join("");
-    return <g><path className="lathe-grid" d={lines} /><path className="lathe-axis" d={`M0 ${placeY(0)}H${width}M${placeX(0)} 0V${height}`} /></g>;
+    const lines = alongX.values.map((x) => `M${placeX(x)} 0V${height}`).join("")
+      + alongY.values.map((y) => `M0 ${placeY(y)}H${width}`).join("");
+    return (
+      <g>
+        <path className="lathe-grid" d={lines} />
+        <path className="lathe-axis" d={`M0 ${placeY(0)}H${width}M${placeX(0)} 0V${height}`} />
+      </g>
+    );
   }
   const shownX = alongX.values.map((v) => ({ v, x: placeX(v) })).filter(({ x }) => x > SCALE_LEFT + 16 && x < width - 28);
   const shownY = alongY.values.map((v) => ({ v, y: placeY(v) })).filter(({ y }) => y > 28 && y < floor - 6);
@@ -29,9 +35,12 @@ export function PlaneAxes({ viewport, part }: { readonly viewport: Viewport; rea
     <g className="lathe-scales" aria-hidden="true">
       <path className="lathe-scale-ground" d={`M0 0H${SCALE_LEFT}V${floor}H${width}V${height}H0Z`} />
       <path className="lathe-scale-edge" d={`M${SCALE_LEFT} 0V${floor}H${width}`} />
-      <path className="lathe-tick" d={shownX.map(({ x }) => `M${x} ${floor}v4`).join("") + shownY.map(({ y }) => `M${SCALE_LEFT} ${y}h-4`).join("")} />
+      <path className="lathe-tick"
+        d={shownX.map(({ x }) => `M${x} ${floor}v4`).join("") + shownY.map(({ y }) => `M${SCALE_LEFT} ${y}h-4`).join("")} />
       {shownX.map(({ v, x }) => <text key={v} x={x} y={height - 6} textAnchor="middle">{formatNumber(language, v, alongX.decimals)}</text>)}
-      {shownY.map(({ v, y }) => <text key={v} x={SCALE_LEFT - 7} y={y + 4} textAnchor="end">{formatNumber(language, v, alongY.decimals)}</text>)}
+      {shownY.map(({ v, y }) => (
+        <text key={v} x={SCALE_LEFT - 7} y={y + 4} textAnchor="end">{formatNumber(language, v, alongY.decimals)}</text>
+      ))}
       <text className="lathe-scale-name" x={SCALE_LEFT - 7} y={16} textAnchor="end">Y</text>
       <text className="lathe-scale-name" x={width - 8} y={height - 6} textAnchor="end">X</text>
     </g>

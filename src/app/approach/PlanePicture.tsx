@@ -60,9 +60,15 @@ export function PlanePicture({ viewport, scene, steps, playback, name, children 
       <svg className="sheet">
         <PlaneAxes viewport={viewport} part="grid" />
       </svg>
-      <svg className="sheet still"><World viewport={viewport}><Still shapes={scene.shapes} /></World></svg>
+      <svg className="sheet still">
+        <World viewport={viewport}>
+          <Still shapes={scene.shapes} />
+        </World>
+      </svg>
       <svg className="sheet">
-        <World viewport={viewport}><MovingMill steps={steps} playback={playback} /></World>
+        <World viewport={viewport}>
+          <MovingMill steps={steps} playback={playback} />
+        </World>
         {children}
         <PlaneAxes viewport={viewport} part="scales" />
       </svg>

@@ -8,12 +8,9 @@ import type { Viewport } from "../lathe/viewport.ts";
 import type { ApproachSpeech } from "../../view/approach/speech.ts";
 
 /** PS, PH, PA, PE and PN of every approach and departure, with their coordinates where there is room. */
-export function PlanePoints({ viewport, approaches, speech, id }: {
-  readonly viewport: Viewport;
-  readonly approaches: readonly ApproachRun[];
-  readonly speech: ApproachSpeech;
-  readonly id: string;
-}) {
+export function PlanePoints({ viewport, approaches, speech, id }: { readonly viewport: Viewport;
+  readonly approaches: readonly ApproachRun[]; readonly speech: ApproachSpeech; readonly id: string })
+{
   const camera = useCamera(viewport), size = viewport.size();
   const names = useMemo(() => planeNames(approaches, camera, size, speech), [approaches, camera, size, speech]);
   return (

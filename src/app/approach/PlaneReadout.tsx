@@ -22,21 +22,32 @@ interface Moment {
 }
 
 /** Position, feed, and what the motion is for; null in an empty run. */
-export function momentText(t: Texts, language: Language, steps: readonly PlaneStep[], approaches: readonly ApproachRun[], position: PlayPosition): Moment | null {
+export function momentText(
+  t: Texts,
+  language: Language,
+  steps: readonly PlaneStep[],
+  approaches: readonly ApproachRun[],
+  position: PlayPosition,
+): Moment | null {
   const motion = steps[Math.min(position.step, steps.length - 1)], at = spotAt(steps, position.step, position.fraction);
   if (!motion || !at) return null;
   const lead = approaches.find((a) => a.index === motion.index);
   const what = lead ? `${lead.departing ? "DEP" : "APPR"} ${lead.form}` : isRapid(motion) ? t.lathe.rapid : t.approach.feedMove;
   const unit = motion.feedUnit === "mm/rev" ? t.lathe.perTurn : t.lathe.perMinute;
   return {
-    x: formatPosition(language, at.x), y: formatPosition(language, at.y), z: at.z === null ? "–" : formatPosition(language, at.z),
+    x: formatPosition(language, at.x),
+    y: formatPosition(language, at.y),
+    z: at.z === null ? "–" : formatPosition(language, at.z),
     feed: motion.feed === undefined ? t.lathe.rapid : `${formatNumber(language, motion.feed)} ${unit}`,
-    step: what, block: t.lathe.block(String(motion.block)),
+    step: what,
+    block: t.lathe.block(String(motion.block)),
   };
 }
 
 /** Live position, feed and block; the numbers change without rendering. */
-export function PlaneReadout({ steps, approaches, playback }: { readonly steps: readonly PlaneStep[]; readonly approaches: readonly ApproachRun[]; readonly playback: PlaybackStore }) {
+export function PlaneReadout({ steps, approaches, playback }: { readonly steps: readonly PlaneStep[];
+  readonly approaches: readonly ApproachRun[]; readonly playback: PlaybackStore })
+{
   const t = useTexts(), language = useSettings((s) => s.language);
   const group = useRef<HTMLDivElement>(null);
   useEachPicture(playback, useCallback(() => {
@@ -49,9 +60,18 @@ export function PlaneReadout({ steps, approaches, playback }: { readonly steps: 
   const cells = [["x", "X"], ["y", "Y"], ["z", "Z"], ["feed", t.lathe.feedName]] as const;
   return (
     <div ref={group} className="lathe-readout" role="group" aria-label={t.lathe.now}>
-      <dl className="number">{cells.map(([key, name]) => <div key={key} className={`readout-${key === "y" ? "x" : key}`}><dt>{name}</dt><dd data-says={key} /></div>)}</dl>
+      <dl className="number">
+        {cells.map(([key, name]) => (
+          <div key={key} className={`readout-${key === "y" ? "x" : key}`}>
+            <dt>{name}</dt>
+            <dd data-says={key} />
+          </div>
+        ))}
+      </dl>
       <p className="lathe-step" data-says="step" />
-      <p className="lathe-phase soft"><span data-says="block" /></p>
+      <p className="lathe-phase soft">
+        <span data-says="block" />
+      </p>
     </div>
   );
 }
@@ -66,12 +86,9 @@ export const momentSentence = (...given: Parameters<typeof momentText>): string 
 };
 
 /** The same read out: at once when something was pressed, now and then while it plays. */
-export function SpokenMoment({ steps, approaches, playback, clock }: {
-  readonly steps: readonly PlaneStep[];
-  readonly approaches: readonly ApproachRun[];
-  readonly playback: PlaybackStore;
-  readonly clock: Clock;
-}) {
+export function SpokenMoment({ steps, approaches, playback, clock }: { readonly steps: readonly PlaneStep[];
+  readonly approaches: readonly ApproachRun[]; readonly playback: PlaybackStore; readonly clock: Clock })
+{
   const t = useTexts(), language = useSettings((s) => s.language);
   const step = usePlayback(playback, (s) => s.get().position.step), playing = usePlayback(playback, (s) => s.get().playing);
   const [said, say] = useState("");

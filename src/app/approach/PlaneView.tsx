@@ -34,7 +34,10 @@ import "./approach.css";
 
 const NO_TIP = { x: 0, y: 0 };
 
-/** The working plane of a milling program: contours, the path of the tool centre with its named points, the height over the path, playback. */
+/**
+ * The working plane of a milling program: contours, the path of the tool centre with its named points, the height over the
+ * path, playback.
+ */
 export function PlaneView({ run, dimmed, playback, clock, children }: {
   readonly run: Run;
   /** The picture is older than what was typed. */
@@ -50,7 +53,10 @@ export function PlaneView({ run, dimmed, playback, clock, children }: {
   const [tools, showTools] = useState(false);
   const { plane: steps } = run;
   const approaches = useMemo(() => run.approaches.filter((a) => a.plane === "XY"), [run]);
-  const scene = useMemo(() => planeScene(steps, approaches.map((a) => a.contour), new Set(approaches.map((a) => a.index))), [steps, approaches]);
+  const scene = useMemo(() => planeScene(steps, approaches.map((a) => a.contour), new Set(approaches.map((a) => a.index))), [
+    steps,
+    approaches,
+  ]);
   const timed = useMemo(() => ({
     operations: run.operations,
     steps: steps.map((s) => ({ move: { kind: s.feed === undefined ? "rapid" : "feed" }, operation: null, seconds: s.seconds })),
@@ -63,10 +69,15 @@ export function PlaneView({ run, dimmed, playback, clock, children }: {
   useEffect(() => viewport.setBounds(scene.bounds), [scene, viewport]);
 
   const resting = usePlayback(playback, (s) => (s.get().playing ? -1 : s.get().position.step));
-  const name = useMemo(
-    () => own.viewPicture(resting >= 0 ? momentSentence(texts, language, steps, approaches, playback.shown()) : ""),
-    [own, texts, language, steps, approaches, playback, resting],
-  );
+  const name = useMemo(() => own.viewPicture(resting >= 0 ? momentSentence(texts, language, steps, approaches, playback.shown()) : ""), [
+    own,
+    texts,
+    language,
+    steps,
+    approaches,
+    playback,
+    resting,
+  ]);
   const found = usePlaces("XY");
   const places = useMemo(() => (dimmed ? [] : found.flatMap((place) => cutPlace(place) ?? [])), [dimmed, found]);
   const { chosen, choose } = useLooking(places, viewport, playback);
@@ -83,14 +94,23 @@ export function PlaneView({ run, dimmed, playback, clock, children }: {
         {children}
         <div className="lathe-gap">
           <ul className="lathe-legend small" aria-label={t.legend}>
-            {there.map((role) => <li key={role}><svg width="26" height="8" aria-hidden="true"><path className={`plane-${role}`} d="M1 4H25" /></svg>{lines[role]}</li>)}
+            {there.map((role) => (
+              <li key={role}>
+                <svg width="26" height="8" aria-hidden="true">
+                  <path className={`plane-${role}`} d="M1 4H25" />
+                </svg>
+                {lines[role]}
+              </li>
+            ))}
           </ul>
         </div>
         <GlyphButton glyph="zoomOut" name={t.zoomOut} onPress={() => viewport.zoom(1 / ZOOM)} />
         <GlyphButton glyph="zoomIn" name={t.zoomIn} onPress={() => viewport.zoom(ZOOM)} />
         <GlyphButton glyph="fit" name={t.fit} onPress={viewport.fit} />
       </div>
-      <div ref={stage} className={`lathe-stage${dimmed ? " dimmed" : ""}`} tabIndex={0} role="group" aria-label={own.view} aria-describedby={`${id}keys`}>
+      <div ref={stage} className={`lathe-stage${dimmed ? " dimmed" : ""}`} tabIndex={0} role="group" aria-label={own.view}
+        aria-describedby={`${id}keys`}
+      >
         <PlanePicture viewport={viewport} scene={scene} steps={steps} playback={playback} name={name}>
           <PlanePoints viewport={viewport} approaches={approaches} speech={speech} id={id} />
           <FreePoints viewport={viewport} places={places} speech={speech} />
@@ -103,7 +123,9 @@ export function PlaneView({ run, dimmed, playback, clock, children }: {
       <DepthPicture steps={steps} playback={playback} />
       <PlaneReadout steps={steps} approaches={approaches} playback={playback} />
       <PlaybackBar playback={playback}>
-        <span className="lathe-fold"><GlyphButton glyph="view" name={t.viewTools} expanded={tools} onPress={() => showTools(!tools)} /></span>
+        <span className="lathe-fold">
+          <GlyphButton glyph="view" name={t.viewTools} expanded={tools} onPress={() => showTools(!tools)} />
+        </span>
       </PlaybackBar>
       <Timeline run={timed} playback={playback} />
       <SpokenMoment steps={steps} approaches={approaches} playback={playback} clock={clock} />

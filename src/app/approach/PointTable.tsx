@@ -10,7 +10,9 @@ export function PointTable({ approaches, speech }: { readonly approaches: readon
     <details>
       <summary>{t.pointTable}</summary>
       <ul className="plane-point-list number small">
-        {approaches.flatMap((a, i) => Object.entries(a.points).map(([name, at]) => <li key={`${i} ${name}`}>{t.pointAt(name, speech.point(at), String(a.block))}</li>))}
+        {approaches.flatMap((a, i) =>
+          Object.entries(a.points).map(([name, at]) => <li key={`${i} ${name}`}>{t.pointAt(name, speech.point(at), String(a.block))}</li>)
+        )}
       </ul>
     </details>
   );

@@ -18,13 +18,18 @@ const NO_TIP = { x: 0, y: 0 };
 export function TurnPoints({ viewport, approaches }: { readonly viewport: Viewport; readonly approaches: readonly ApproachRun[] }) {
   const id = useId(), language = useSettings((s) => s.language);
   const camera = useCamera(viewport), size = viewport.size();
-  const names = useMemo(
-    () => planeNames(withRoom(approaches, camera), camera, size, approachSpeech(language, "ZX", NO_TIP)),
-    [approaches, camera, size, language],
-  );
+  const names = useMemo(() => planeNames(withRoom(approaches, camera), camera, size, approachSpeech(language, "ZX", NO_TIP)), [
+    approaches,
+    camera,
+    size,
+    language,
+  ]);
   return (
     <g className="plane-points" aria-hidden="true">
-      {names.points.map((p) => <circle key={p.names.join() + px(p.place.x) + px(p.place.y)} className="approach-point" cx={px(p.place.x)} cy={px(p.place.y)} r={3.5} />)}
+      {names.points.map((p) => (
+        <circle key={p.names.join() + px(p.place.x) + px(p.place.y)} className="approach-point" cx={px(p.place.x)} cy={px(p.place.y)}
+          r={3.5} />
+      ))}
       <HelpMarks marks={names.marks} id={id} />
     </g>
   );

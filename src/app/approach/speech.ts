@@ -14,7 +14,9 @@ export function approachSpeech(language: Language, plane: WorkingPlane, tip: Pla
     number: (n) => formatNumber(language, n).replace("-", "−"),
     point(p) {
       const at = sum(p, tip);
-      return plane === "ZX" ? `X⌀${formatNumber(language, toDiameter(radius(at.y)))} Z${signed(at.x)}` : `X${signed(at.x)} Y${signed(at.y)}`;
+      return plane === "ZX"
+        ? `X⌀${formatNumber(language, toDiameter(radius(at.y)))} Z${signed(at.x)}`
+        : `X${signed(at.x)} Y${signed(at.y)}`;
     },
   };
 }

@@ -1,9 +1,8 @@
 import { useState, type ReactNode } from "react";
 import type { Texts } from "../../i18n/index.ts";
 import { formatNumber, formatSigned } from "../../i18n/number.ts";
-import {
-  approachDraft, approachStatement, readApproach, SIDES, type ApproachDraft, type ApproachReading, type ApproachStatement,
-} from "../../program/approach-draft.ts";
+import { approachDraft, approachStatement, readApproach, SIDES, type ApproachDraft, type ApproachReading,
+  type ApproachStatement } from "../../program/approach-draft.ts";
 import { approachFields, type ApproachField, type ApproachWord } from "../../program/approach-fields.ts";
 import type { ApproachContext } from "../../program/approach-request.ts";
 import type { Prompt, PromptSession } from "../dialog/session.ts";
@@ -26,7 +25,9 @@ const same = (a: ApproachStatement, b: ApproachStatement) =>
  * changed elsewhere (undo, its text) takes the place of what was typed.
  */
 export function useTypedApproach(
-  statement: ApproachStatement, { plane, parameters }: ApproachContext, onChange: (next: ApproachStatement, place: string | null) => void,
+  statement: ApproachStatement,
+  { plane, parameters }: ApproachContext,
+  onChange: (next: ApproachStatement, place: string | null) => void,
 ): TypedApproach {
   const [draft, setDraft] = useState(() => approachDraft(statement));
   const [known, setKnown] = useState(statement);
@@ -54,11 +55,17 @@ export function useTypedApproach(
 function unitText(t: Texts, { kind }: ApproachField, inch: boolean): string {
   const long = inch ? "inch" : "mm";
   switch (kind) {
-    case "length": return long;
-    case "diameter": return inch ? `${long} ⌀` : t.dialog.units.diameter;
-    case "angle": return "°";
-    case "feed": return `${long}/min`;
-    case "side": case "functions": return "";
+    case "length":
+      return long;
+    case "diameter":
+      return inch ? `${long} ⌀` : t.dialog.units.diameter;
+    case "angle":
+      return "°";
+    case "feed":
+      return `${long}/min`;
+    case "side":
+    case "functions":
+      return "";
   }
 }
 
@@ -96,24 +103,36 @@ export function useApproachSession({ statement, context, typed, findings, pictur
     const letter = f.id === "SIDE" ? "RL/RR" : f.id;
     const [min, max] = f.range.map((n) => formatNumber(language, n, 4));
     return {
-      id: f.id, letter, question: prompt, label, about, name: t.approach.value(letter, prompt), unit: unitText(t, f, context.unit !== 1),
+      id: f.id,
+      letter,
+      question: prompt,
+      label,
+      about,
+      name: t.approach.value(letter, prompt),
+      unit: unitText(t, f, context.unit !== 1),
       range: f.kind === "side" || f.kind === "functions" ? null : t.dialog.range(min ?? "", max ?? ""),
       notes: [...(f.optional ? [t.dialog.optional] : []), ...(f.increments ? [t.approach.incremental] : [])],
       doubt: null,
       choices: f.kind === "side" ? SIDES.map((value) => ({ value, meaning: t.approach.sides[value] })) : null,
-      optional: f.optional, increments: f.increments ?? false, auto: false, decimals: 3,
+      optional: f.optional,
+      increments: f.increments ?? false,
+      auto: false,
+      decimals: 3,
       shown: shownOf(f),
     };
   };
   return {
     fields: fields.map(promptOf),
-    draft, readings: reading, findings,
+    draft,
+    readings: reading,
+    findings,
     set: (id, text) => typed.set({ [id]: text }),
     // What belongs to the block as a whole, or to a word that has no prompt, is said at every prompt.
-    besides: () => findings.flatMap((entry) => {
-      if (entry.at === null) return [{ entry }];
-      return fields.some((f) => f.id === entry.at) ? [] : [{ entry, place: entry.at }];
-    }),
+    besides: () =>
+      findings.flatMap((entry) => {
+        if (entry.at === null) return [{ entry }];
+        return fields.some((f) => f.id === entry.at) ? [] : [{ entry, place: entry.at }];
+      }),
     picture: picture(open),
     opened: { ...opened, id: open },
     open: (id, before) => setOpened((o) => ({ id, before, focus: o.focus + 1 })),

@@ -60,19 +60,17 @@ export function ContourCell({ row, field, name, language, text, shown, wrong, de
   return (
     <span className={`contour-cell field-${field}${shown?.solved ? " solved" : ""}`}>
       {incremental && (
-        <button
-          type="button" className="button plain contour-incremental number" aria-pressed={incremental.on} aria-label={incremental.name}
-          title={incremental.name} tabIndex={-1} onClick={incremental.toggle}
+        <button type="button" className="button plain contour-incremental number" aria-pressed={incremental.on}
+          aria-label={incremental.name} title={incremental.name} tabIndex={-1} onClick={incremental.toggle}
         >
           I
         </button>
       )}
-      <input
-        id={id} className="input number" type="text" inputMode="text" autoComplete="off" spellCheck={false} maxLength={200}
-        data-row={row} data-field={field} aria-label={name} aria-invalid={wrong} aria-describedby={shown === null ? describedBy : `${describedBy} ${id}-stays`}
-        value={inScreenWriting(language, text)} placeholder={shown?.text ?? ""}
-        onChange={(e) => onText(e.currentTarget.value)} onBlur={leave} onFocus={(e) => e.currentTarget.select()} onKeyDown={onKey} {...(incremental ? { "aria-keyshortcuts": "I" } : {})}
-      />
+      <input id={id} className="input number" type="text" inputMode="text" autoComplete="off" spellCheck={false} maxLength={200}
+        data-row={row} data-field={field} aria-label={name} aria-invalid={wrong}
+        aria-describedby={shown === null ? describedBy : `${describedBy} ${id}-stays`} value={inScreenWriting(language, text)}
+        placeholder={shown?.text ?? ""} onChange={(e) => onText(e.currentTarget.value)} onBlur={leave}
+        onFocus={(e) => e.currentTarget.select()} onKeyDown={onKey} {...(incremental ? { "aria-keyshortcuts": "I" } : {})} />
       {shown !== null && <span id={`${id}-stays`} className="unseen">{shown.name}</span>}
     </span>
   );

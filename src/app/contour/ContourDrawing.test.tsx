@@ -13,21 +13,19 @@ beforeAll(() => {
 });
 afterEach(cleanup);
 
-const shoulder = () => [newRow("e1", { x: "20", z: "0" }), newRow("e2", { z: "-20" }), newRow("e3", { x: "60" }), newRow("e4", { z: "-50" })];
+const shoulder =
+  () => [newRow("e1", { x: "20", z: "0" }), newRow("e2", { z: "-20" }), newRow("e3", { x: "60" }), newRow("e4", { z: "-50" })];
 
 function shown(start: readonly ContourRow[] = shoulder()) {
   const last = { rows: start, places: [] as (string | null)[] };
   function Page() {
     const [rows, setRows] = useState(start);
     return (
-      <ContourTable
-        rows={rows} language="en"
-        onChange={(next, place) => {
-          last.rows = next;
-          last.places.push(place);
-          setRows(next);
-        }}
-      />
+      <ContourTable rows={rows} language="en" onChange={(next, place) => {
+        last.rows = next;
+        last.places.push(place);
+        setRows(next);
+      }} />
     );
   }
   render(<Page />);
@@ -45,7 +43,8 @@ function mark(row: number) {
 function drag(from: { clientX: number; clientY: number }, dx: number, dy: number, end = true) {
   const options = { button: 0, pointerId: 1, pointerType: "mouse" };
   fireEvent.pointerDown(picture(), { ...options, ...from });
-  for (const k of [0.5, 1]) fireEvent.pointerMove(picture(), { ...options, clientX: from.clientX + dx * k, clientY: from.clientY + dy * k });
+  for (const k of [0.5, 1])
+    fireEvent.pointerMove(picture(), { ...options, clientX: from.clientX + dx * k, clientY: from.clientY + dy * k });
   if (end) fireEvent.pointerUp(picture(), options);
 }
 
@@ -121,7 +120,9 @@ test("angle and length: what is solved stands grey in its field and is read out 
   expect(last.rows[1]).toMatchObject({ angle: "135", x: "60", z: "" });
   expect(field("Element 2, Z").placeholder).toBe("-10");
   expect(field("Element 2, Z").closest(".solved")).not.toBeNull();
-  const about = (field("Element 2, Z").getAttribute("aria-describedby") ?? "").split(" ").map((id) => document.getElementById(id)?.textContent);
+  const about = (field("Element 2, Z").getAttribute("aria-describedby") ?? "").split(" ").map((id) =>
+    document.getElementById(id)?.textContent
+  );
   expect(about).toContain("solved: -10");
 });
 
@@ -155,7 +156,12 @@ test("an undercut has its form and its words", async () => {
 });
 
 test("a dragged polar point changes distance and angle, and a double click divides its element", () => {
-  const last = shown([newRow("e1", { x: "20", z: "0" }), newRow("e2", { kind: "CC", x: "20", z: "-30" }), newRow("e3", { kind: "LP", words: { PR: "20", PA: "0" } }), newRow("e4", { kind: "LP", words: { PR: "20", PA: "90" } })]);
+  const last = shown([
+    newRow("e1", { x: "20", z: "0" }),
+    newRow("e2", { kind: "CC", x: "20", z: "-30" }),
+    newRow("e3", { kind: "LP", words: { PR: "20", PA: "0" } }),
+    newRow("e4", { kind: "LP", words: { PR: "20", PA: "90" } }),
+  ]);
   const scale = (mark(0).clientX - mark(2).clientX) / 10;
   drag(mark(3), 0, -5.1 * scale);
   expect(last.rows[3]?.words).toEqual({ PR: "25", PA: "90" });

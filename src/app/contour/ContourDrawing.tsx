@@ -26,8 +26,12 @@ interface Props {
   readonly onEdited: (edited: Edited) => void;
 }
 
-const faultyRows = (reading: RowsReading) => new Set(reading.issues.flatMap(({ row, issue }) => (issue.severity === "info" ? []
-  : issue.code === "contourCrossesItself" ? [row, issue.data.other - 1] : [row])));
+const faultyRows = (reading: RowsReading) =>
+  new Set(
+    reading.issues.flatMap(
+      ({ row, issue }) => (issue.severity === "info" ? [] : issue.code === "contourCrossesItself" ? [row, issue.data.other - 1] : [row])
+    ),
+  );
 
 /** The contour of the table, to look at and to edit: arcs as arcs, points numbered and to be dragged, faults at their element. */
 export function ContourDrawing({ rows, reading, active, language, onPick, onRows, onEdited }: Props) {
@@ -37,10 +41,17 @@ export function ContourDrawing({ rows, reading, active, language, onPick, onRows
   const [mode, setMode] = useState<DrawingMode>("move");
   const [step, setStep] = useState<GridStep>(1);
   const [camera, setCamera] = useState<Camera | null>(null);
-  const picture = useMemo(() => contourDrawing({
-    contour: reading.contour.segments, rowOfSegment: reading.rowOfSegment, ends: reading.rows.map((r) => r.end), faulty: faultyRows(reading), active, size, camera,
-    grid: (scale) => ({ z: gridSpacing(step, scale), r: toRadius(diameter(gridSpacing(step, toRadius(diameter(scale))))) }),
-  }), [reading, active, size, camera, step]);
+  const picture = useMemo(() =>
+    contourDrawing({
+      contour: reading.contour.segments,
+      rowOfSegment: reading.rowOfSegment,
+      ends: reading.rows.map((r) => r.end),
+      faulty: faultyRows(reading),
+      active,
+      size,
+      camera,
+      grid: (scale) => ({ z: gridSpacing(step, scale), r: toRadius(diameter(gridSpacing(step, toRadius(diameter(scale))))) }),
+    }), [reading, active, size, camera, step]);
   const drawing = useDrawing({ rows, reading, picture, mode, step, onRows, onEdited, onPick, onCamera: setCamera });
   const { takeBack } = drawing;
   useEffect(() => {
@@ -57,11 +68,12 @@ export function ContourDrawing({ rows, reading, active, language, onPick, onRows
 
   return (
     <div className="contour-picture">
-      <DrawingTools mode={mode} step={step} language={language} onMode={setMode} onStep={setStep} onZoom={zoom} onFit={() => setCamera(null)} />
+      <DrawingTools mode={mode} step={step} language={language} onMode={setMode} onStep={setStep} onZoom={zoom}
+        onFit={() => setCamera(null)} />
       <div className={`contour-drawing mode-${mode}`} ref={box}>
-        <svg
-          role="img" aria-label={name} viewBox={`0 0 ${size.width} ${size.height}`} onPointerDown={drawing.onPointerDown} onPointerMove={drawing.onPointerMove}
-          onPointerUp={drawing.onPointerUp} onPointerCancel={drawing.onPointerCancel} onDoubleClick={drawing.onDoubleClick}
+        <svg role="img" aria-label={name} viewBox={`0 0 ${size.width} ${size.height}`} onPointerDown={drawing.onPointerDown}
+          onPointerMove={drawing.onPointerMove} onPointerUp={drawing.onPointerUp} onPointerCancel={drawing.onPointerCancel}
+          onDoubleClick={drawing.onDoubleClick}
         >
           <path className="grid" d={picture.grid} />
           <path className="axis" d={picture.axis} />
@@ -73,7 +85,8 @@ export function ContourDrawing({ rows, reading, active, language, onPick, onRows
           ))}
           {picture.points.map((p, i) => (
             <g key={i} className={`point${p.row === active ? " active" : ""}${p.faulty ? " faulty" : ""}`}>
-              <circle className="dot" cx={px(p.place.x)} cy={px(p.place.y)} r={rows[p.row]?.kind === "RND" || rows[p.row]?.kind === "CHF" ? 2.5 : 4.5} />
+              <circle className="dot" cx={px(p.place.x)} cy={px(p.place.y)}
+                r={rows[p.row]?.kind === "RND" || rows[p.row]?.kind === "CHF" ? 2.5 : 4.5} />
               {p.faulty && <circle className="ring" cx={px(p.place.x)} cy={px(p.place.y)} r={9} />}
               {p.label && <text x={px(p.label.x)} y={px(p.label.y)}>{p.faulty ? `${p.row + 1}!` : p.row + 1}</text>}
             </g>
@@ -81,7 +94,9 @@ export function ContourDrawing({ rows, reading, active, language, onPick, onRows
         </svg>
         {readout && (
           <p className="contour-readout number">
-            {readout.size === null ? `X ⌀ ${show(readout.spot.x)}  Z ${show(readout.spot.z)}` : `${mode === "round" ? "R" : "CHF"} ${show(readout.size)}`}
+            {readout.size === null
+              ? `X ⌀ ${show(readout.spot.x)}  Z ${show(readout.spot.z)}`
+              : `${mode === "round" ? "R" : "CHF"} ${show(readout.size)}`}
           </p>
         )}
       </div>

@@ -27,7 +27,8 @@ interface Props {
 
 const KINDS = ["L", "RND", "CHF", "CR", "CC", "C", "CT", "LP", "CP", "CTP", "UDC", "GRV"] as const;
 /** The form a new undercut or recess begins with. */
-const firstForm = (kind: ContourRow["kind"]): Partial<ContourRow> => (kind === "UDC" ? { form: "E" } : kind === "GRV" ? { form: "RADIAL" } : {});
+const firstForm =
+  (kind: ContourRow["kind"]): Partial<ContourRow> => (kind === "UDC" ? { form: "E" } : kind === "GRV" ? { form: "RADIAL" } : {});
 /** The elements that have an end point or a centre, a size, a turning direction, and those that can be tangential. */
 const POINT = ["L", "CR", "CC", "C", "CT"], SIZE = ["RND", "CHF", "CR"], TURN = ["CR", "C", "CP"], TANGENTIAL = ["L", "CR", "C"];
 
@@ -39,68 +40,83 @@ export function ContourLine({ row, number, reading, issues, active, details, lan
   /** What an empty field stands for: where the coordinate stays, what was solved, or that it is open. */
   const shown = (typed: string, solved: boolean, value: number | null | undefined, stays: number | null | undefined): Shown | null => {
     if (typed.trim() !== "" && typed.trim() !== "?") return null;
-    if (solved) return value === null || value === undefined ? { text: "?", name: t.sought, solved: true } : { text: write(value), name: t.solved(write(value)), solved: true };
+    if (solved)
+      return value === null || value === undefined
+        ? { text: "?", name: t.sought, solved: true }
+        : { text: write(value), name: t.solved(write(value)), solved: true };
     return stays === null || stays === undefined ? null : { text: write(stays), name: write(stays), solved: false };
   };
-  const cell = (field: Exclude<RowField, PolarName>, name: string, grey: Shown | null, incremental?: { on: boolean; name: string; toggle: () => void }): ReactNode => (
-    <ContourCell
-      row={row.id} field={field} name={name} language={language} text={row[field]} shown={grey} describedBy={`${id}-wrong`}
+  const cell = (
+    field: Exclude<RowField, PolarName>,
+    name: string,
+    grey: Shown | null,
+    incremental?: { on: boolean; name: string; toggle: () => void },
+  ): ReactNode => (
+    <ContourCell row={row.id} field={field} name={name} language={language} text={row[field]} shown={grey} describedBy={`${id}-wrong`}
       wrong={issues.some((found) => found.field === field)}
-      onText={(text) => text !== row[field] && onChange({ [field]: text }, `${row.id} ${field}`)}
-      {...(incremental ? { incremental } : {})}
-      {...(TANGENTIAL.includes(row.kind) && number > 1 ? { onTangent: () => onChange({ tangent: !row.tangent }, null) } : {})}
-    />
+      onText={(text) => text !== row[field] && onChange({ [field]: text }, `${row.id} ${field}`)} {...(incremental ? { incremental } : {})}
+      {...(TANGENTIAL.includes(row.kind) && number > 1 ? { onTangent: () => onChange({ tangent: !row.tangent }, null) } : {})} />
   );
   const polar = (name: PolarName): ReactNode => {
     if (!polarNames(row).includes(name)) return null;
     const typed = polarTyped(row, name), { x, z } = reading?.inherited ?? { x: null, z: null };
     const stays = reading?.pole && x !== null && z !== null ? polarOf(reading.pole, { z: axial(z), r: toRadius(diameter(x)) })[name] : null;
-    const change = (next: Partial<typeof typed>, place: string | null) => onChange({ words: withPolar(row.words, name, { ...typed, ...next }) }, place);
+    const change = (next: Partial<typeof typed>, place: string | null) =>
+      onChange({ words: withPolar(row.words, name, { ...typed, ...next }) }, place);
     return (
-      <ContourCell
-        row={row.id} field={name} name={(name === "PR" ? t.polarRadiusOf : t.polarAngleOf)(number)} language={language} text={typed.text}
-        shown={shown(typed.text, false, null, stays)} describedBy={`${id}-wrong`} wrong={issues.some((found) => found.field === name)}
-        onText={(text) => text !== typed.text && change({ text }, `${row.id} ${name}`)}
-        incremental={{ on: typed.incremental, name: (name === "PR" ? t.incrementalRadius : t.incrementalAngle)(number), toggle: () => change({ incremental: !typed.incremental }, null) }}
-      />
+      <ContourCell row={row.id} field={name} name={(name === "PR" ? t.polarRadiusOf : t.polarAngleOf)(number)} language={language}
+        text={typed.text} shown={shown(typed.text, false, null, stays)} describedBy={`${id}-wrong`}
+        wrong={issues.some((found) => found.field === name)} onText={(text) => text !== typed.text && change({ text }, `${row.id} ${name}`)}
+        incremental={{
+          on: typed.incremental,
+          name: (name === "PR" ? t.incrementalRadius : t.incrementalAngle)(number),
+          toggle: () => change({ incremental: !typed.incremental }, null),
+        }} />
     );
   };
   const size = row.kind === "CHF" ? t.chamferOf(number) : t.radiusOf(number);
   const measured = details && number > 1 && row.kind === "L", tangential = details && number > 1 && TANGENTIAL.includes(row.kind);
   const open = reading?.freedom ?? 0;
   return (
-    <tr role="row" className={`contour-line kind-${row.kind}${active ? " active" : ""}`} onFocus={onFocus} {...(active ? { "aria-current": true } : {})}>
+    <tr role="row" className={`contour-line kind-${row.kind}${active ? " active" : ""}`} onFocus={onFocus}
+      {...(active ? { "aria-current": true } : {})}
+    >
       <th role="rowheader" scope="row" className="contour-number number">{number}</th>
       <td role="cell" className="contour-kind">
-        <select
-          className="select" aria-label={t.kindOf(number)} value={row.kind} data-row={row.id} data-field="kind"
-          onChange={(e) => {
-            const kind = e.currentTarget.value as ContourRow["kind"];
-            onChange({ kind, ...firstForm(kind) }, null);
-          }}
-        >
+        <select className="select" aria-label={t.kindOf(number)} value={row.kind} data-row={row.id} data-field="kind" onChange={(e) => {
+          const kind = e.currentTarget.value as ContourRow["kind"];
+          onChange({ kind, ...firstForm(kind) }, null);
+        }}>
           {KINDS.map((kind) => <option key={kind} value={kind}>{`${kind} ${t.kinds[kind]}`}</option>)}
         </select>
       </td>
       <td role="cell" className="contour-x">
         {polar("PR")}
-        {POINT.includes(row.kind) && cell("x", t.xOf(number), shown(row.x, reading?.sought.x === true, reading?.end?.x, reading?.inherited.x),
-          { on: row.incrementalX, name: t.incrementalX(number), toggle: () => onChange({ incrementalX: !row.incrementalX }, null) })}
+        {POINT.includes(row.kind)
+          && cell("x", t.xOf(number), shown(row.x, reading?.sought.x === true, reading?.end?.x, reading?.inherited.x), {
+            on: row.incrementalX,
+            name: t.incrementalX(number),
+            toggle: () => onChange({ incrementalX: !row.incrementalX }, null),
+          })}
       </td>
       <td role="cell" className="contour-z">
         {polar("PA")}
-        {POINT.includes(row.kind) && cell("z", t.zOf(number), shown(row.z, reading?.sought.z === true, reading?.end?.z, reading?.inherited.z),
-          { on: row.incrementalZ, name: t.incrementalZ(number), toggle: () => onChange({ incrementalZ: !row.incrementalZ }, null) })}
+        {POINT.includes(row.kind)
+          && cell("z", t.zOf(number), shown(row.z, reading?.sought.z === true, reading?.end?.z, reading?.inherited.z), {
+            on: row.incrementalZ,
+            name: t.incrementalZ(number),
+            toggle: () => onChange({ incrementalZ: !row.incrementalZ }, null),
+          })}
       </td>
       <td role="cell" className="contour-size">
-        {SIZE.includes(row.kind) && cell("r", size, row.kind === "CR" ? shown(row.r, row.tangent || row.r.trim() === "?", reading?.radius, null) : null)}
+        {SIZE.includes(row.kind)
+          && cell("r", size, row.kind === "CR" ? shown(row.r, row.tangent || row.r.trim() === "?", reading?.radius, null) : null)}
         {measured && cell("angle", t.angleOf(number), shown(row.angle, true, reading?.angle, null))}
       </td>
       <td role="cell" className="contour-turn">
         {TURN.includes(row.kind) && (
-          <select
-            className="select" aria-label={t.turnOf(number)} value={row.turn} data-row={row.id} data-field="turn"
-            onChange={(e) => onChange({ turn: e.currentTarget.value as ContourRow["turn"] }, null)}
+          <select className="select" aria-label={t.turnOf(number)} value={row.turn} data-row={row.id} data-field="turn" onChange={(e) =>
+            onChange({ turn: e.currentTarget.value as ContourRow["turn"] }, null)}
           >
             <option value="cw">{t.clockwise}</option>
             <option value="ccw">{t.counterClockwise}</option>
@@ -110,21 +126,21 @@ export function ContourLine({ row, number, reading, issues, active, details, lan
       </td>
       <td role="cell" className="contour-tangent">
         {tangential && (
-          <button
-            type="button" className="button contour-t number" aria-pressed={row.tangent} aria-label={t.tangentOf(number)} title={t.tangentOf(number)}
-            onClick={() => onChange({ tangent: !row.tangent }, null)}
+          <button type="button" className="button contour-t number" aria-pressed={row.tangent} aria-label={t.tangentOf(number)}
+            title={t.tangentOf(number)} onClick={() => onChange({ tangent: !row.tangent }, null)}
           >
             T
           </button>
         )}
       </td>
       <td role="cell" className="contour-words">
-        {(row.kind === "UDC" || row.kind === "GRV") && <RecessFields row={row} number={number} language={language} describedBy={`${id}-wrong`} onChange={onChange} />}
+        {(row.kind === "UDC" || row.kind === "GRV") && (
+          <RecessFields row={row} number={number} language={language} describedBy={`${id}-wrong`} onChange={onChange} />
+        )}
       </td>
       <td role="cell" className="contour-wrong" id={`${id}-wrong`}>
         {(reading?.choices ?? 1) > 1 && (
-          <button
-            type="button" className="button small contour-second" aria-pressed={row.second} aria-label={t.secondOf(number)}
+          <button type="button" className="button small contour-second" aria-pressed={row.second} aria-label={t.secondOf(number)}
             onClick={() => onChange({ second: !row.second }, null)}
           >
             {t.secondShort}
@@ -132,7 +148,9 @@ export function ContourLine({ row, number, reading, issues, active, details, lan
         )}
         {open > 0 && <p className="small contour-open">{t.freedom(open)}</p>}
         {issues.filter(({ issue }) => open === 0 || issue.code !== "elementFree").map((found, i) => (
-          <p key={i} className={`field-message ${found.issue.severity} small`}><Icon name={found.issue.severity} /> {issueText(all, language, found.issue, null)}</p>
+          <p key={i} className={`field-message ${found.issue.severity} small`}>
+            <Icon name={found.issue.severity} /> {issueText(all, language, found.issue, null)}
+          </p>
         ))}
       </td>
     </tr>

@@ -76,43 +76,48 @@ export function ContourTable({ rows, onChange, language }: Props) {
     <section className="contour-editor" aria-label={t.title}>
       <div className="contour-layout">
         <div className="contour-side">
-          <ContourDrawing
-            rows={rows} reading={reading} active={active} language={language} onPick={(row) => setActive(rows[row]?.id ?? null)} onRows={onChange}
-            onEdited={drawn}
-          />
+          <ContourDrawing rows={rows} reading={reading} active={active} language={language}
+            onPick={(row) => setActive(rows[row]?.id ?? null)} onRows={onChange} onEdited={drawn} />
           <FaultList issues={reading.issues} language={language} onPick={pick} />
         </div>
         <div className="contour-fields">
-          <RowTools
-            number={active === null ? null : active + 1} count={rows.length} actions={actions} language={language} details={details}
-            corner={cornerRow !== null && isCorner(rows, cornerRow) ? cornerRow + 1 : null} onCorner={corner} onDetails={() => setAsked(!details)}
+          <RowTools number={active === null ? null : active + 1} count={rows.length} actions={actions} language={language} details={details}
+            corner={cornerRow !== null && isCorner(rows, cornerRow) ? cornerRow + 1 : null} onCorner={corner}
+            onDetails={() => setAsked(!details)}
           >
-            <DxfImport count={rows.length} language={language} onTake={(taken) => edit({ rows: taken, focus: taken[0]?.id ?? null }, t.done.added)} />
+            <DxfImport count={rows.length} language={language}
+              onTake={(taken) => edit({ rows: taken, focus: taken[0]?.id ?? null }, t.done.added)} />
           </RowTools>
           {details && <p className="small soft">{t.detailsAbout}</p>}
-          {rows.length === 0 ? <p className="soft">{t.empty}</p> : (
-            <table role="table" ref={table} aria-label={t.table} className="contour-table" onKeyDown={onKeyDown}>
-              <thead role="rowgroup">
-                <tr role="row">
-                  <th role="columnheader" scope="col">{t.head.number}</th><th role="columnheader" scope="col">{t.head.element}</th>
-                  <th role="columnheader" scope="col">{t.head.x}</th><th role="columnheader" scope="col">{t.head.z}</th>
-                  <th role="columnheader" scope="col" className="wide">{t.head.size}</th><th role="columnheader" scope="col" className="wide">{t.head.turn}</th>
-                </tr>
-              </thead>
-              <tbody role="rowgroup">
-                {rows.map((row, i) => (
-                  <ContourLine
-                    key={row.id} row={row} number={i + 1} reading={reading.rows[i]} issues={reading.issues.filter((issue) => issue.row === i)}
-                    active={row.id === activeId} details={details} language={language} onFocus={() => setActive(row.id)}
-                    onChange={(change, place) => onChange(changed(rows, row.id, change), place)}
-                  />
-                ))}
-              </tbody>
-            </table>
-          )}
+          {rows.length === 0
+            ? <p className="soft">{t.empty}</p>
+            : (
+              <table role="table" ref={table} aria-label={t.table} className="contour-table" onKeyDown={onKeyDown}>
+                <thead role="rowgroup">
+                  <tr role="row">
+                    <th role="columnheader" scope="col">{t.head.number}</th>
+                    <th role="columnheader" scope="col">{t.head.element}</th>
+                    <th role="columnheader" scope="col">{t.head.x}</th>
+                    <th role="columnheader" scope="col">{t.head.z}</th>
+                    <th role="columnheader" scope="col" className="wide">{t.head.size}</th>
+                    <th role="columnheader" scope="col" className="wide">{t.head.turn}</th>
+                  </tr>
+                </thead>
+                <tbody role="rowgroup">
+                  {rows.map((row, i) => (
+                    <ContourLine key={row.id} row={row} number={i + 1} reading={reading.rows[i]} issues={reading.issues.filter((issue) =>
+                      issue.row === i
+                    )} active={row.id === activeId} details={details} language={language} onFocus={() => setActive(row.id)}
+                      onChange={(change, place) => onChange(changed(rows, row.id, change), place)} />
+                  ))}
+                </tbody>
+              </table>
+            )}
           <p className="small soft contour-keys">{t.keys}</p>
           <p className="small soft">{t.intro}</p>
-          <p role="status" className="unseen"><span key={said.times}>{said.text}</span></p>
+          <p role="status" className="unseen">
+            <span key={said.times}>{said.text}</span>
+          </p>
         </div>
       </div>
     </section>

@@ -12,7 +12,11 @@ const modes = {
   round: "M5 20V13a8 8 0 0 1 8-8h7",
   chamfer: "M5 20V12l7-7h8",
 } as const;
-const zooms = { in: "M11 4a7 7 0 1 0 0 14 7 7 0 0 0 0-14zM16 16l5 5M8 11h6M11 8v6", out: "M11 4a7 7 0 1 0 0 14 7 7 0 0 0 0-14zM16 16l5 5M8 11h6", fit: "M4 9V4h5M20 9V4h-5M4 15v5h5M20 15v5h-5" } as const;
+const zooms = {
+  in: "M11 4a7 7 0 1 0 0 14 7 7 0 0 0 0-14zM16 16l5 5M8 11h6M11 8v6",
+  out: "M11 4a7 7 0 1 0 0 14 7 7 0 0 0 0-14zM16 16l5 5M8 11h6",
+  fit: "M4 9V4h5M20 9V4h-5M4 15v5h5M20 15v5h-5",
+} as const;
 
 interface Props {
   readonly mode: DrawingMode;
@@ -24,7 +28,11 @@ interface Props {
   readonly onFit: () => void;
 }
 
-const Shape = ({ d }: { readonly d: string }) => <svg className="icon" viewBox="0 0 24 24" aria-hidden="true" focusable="false"><path d={d} /></svg>;
+const Shape = ({ d }: { readonly d: string }) => (
+  <svg className="icon" viewBox="0 0 24 24" aria-hidden="true" focusable="false">
+    <path d={d} />
+  </svg>
+);
 
 /** What a pointer does in the drawing, the grid it keeps to, and how large the drawing is. */
 export function DrawingTools({ mode, step, language, onMode, onStep, onZoom, onFit }: Props) {
@@ -33,17 +41,27 @@ export function DrawingTools({ mode, step, language, onMode, onStep, onZoom, onF
   return (
     <div role="toolbar" aria-label={t.drawTools} className="contour-tools contour-draw-tools">
       {(["move", "draw", "round", "chamfer"] as const).map((m) => (
-        <button key={m} type="button" className="button icon" aria-label={t.modes[m]} title={t.modes[m]} aria-pressed={mode === m} onClick={() => onMode(m)}>
+        <button key={m} type="button" className="button icon" aria-label={t.modes[m]} title={t.modes[m]} aria-pressed={mode === m}
+          onClick={() => onMode(m)}
+        >
           <Shape d={modes[m]} />
         </button>
       ))}
       <label htmlFor={id} className="small soft contour-grid-label">{t.grid}</label>
-      <select id={id} className="select number contour-grid" value={step} onChange={(e) => onStep((GRID_STEPS.find((s) => s === Number(e.currentTarget.value)) ?? 1))}>
+      <select id={id} className="select number contour-grid" value={step}
+        onChange={(e) => onStep(GRID_STEPS.find((s) => s === Number(e.currentTarget.value)) ?? 1)}
+      >
         {GRID_STEPS.map((s) => <option key={s} value={s}>{formatNumber(language, s)}</option>)}
       </select>
-      <button type="button" className="button icon" aria-label={t.zoomIn} title={t.zoomIn} onClick={() => onZoom(1.5)}><Shape d={zooms.in} /></button>
-      <button type="button" className="button icon" aria-label={t.zoomOut} title={t.zoomOut} onClick={() => onZoom(1 / 1.5)}><Shape d={zooms.out} /></button>
-      <button type="button" className="button icon" aria-label={t.fit} title={t.fit} onClick={onFit}><Shape d={zooms.fit} /></button>
+      <button type="button" className="button icon" aria-label={t.zoomIn} title={t.zoomIn} onClick={() => onZoom(1.5)}>
+        <Shape d={zooms.in} />
+      </button>
+      <button type="button" className="button icon" aria-label={t.zoomOut} title={t.zoomOut} onClick={() => onZoom(1 / 1.5)}>
+        <Shape d={zooms.out} />
+      </button>
+      <button type="button" className="button icon" aria-label={t.fit} title={t.fit} onClick={onFit}>
+        <Shape d={zooms.fit} />
+      </button>
     </div>
   );
 }

@@ -33,9 +33,15 @@ export function DxfImport({ count, language, onTake }: Props) {
   const fine = readText(TOLERANCE, tolerance).issue === null;
   const read = useMemo(() => (opened?.kind === "drawing" ? readDxf(opened.dxf, choice) : null), [opened, choice]);
   const reading = useMemo(() => (read ? readRows(read.rows) : null), [read]);
-  const picture = useMemo(() => reading && contourDrawing({
-    contour: reading.contour.segments, rowOfSegment: reading.rowOfSegment, ends: reading.rows.map((r) => r.end), faulty: new Set(), active: null, size: SIZE,
-  }), [reading]);
+  const picture = useMemo(() =>
+    reading && contourDrawing({
+      contour: reading.contour.segments,
+      rowOfSegment: reading.rowOfSegment,
+      ends: reading.rows.map((r) => r.end),
+      faulty: new Set(),
+      active: null,
+      size: SIZE,
+    }), [reading]);
   const change = (more: Partial<DxfChoice>) => setChoice((old) => ({ ...old, ...more }));
   const open = async (chosen: File | undefined) => {
     if (!chosen) return;
@@ -45,23 +51,26 @@ export function DxfImport({ count, language, onTake }: Props) {
   };
   const close = () => dialog.current?.close();
   const tick = (name: string, key: "flipped" | "zeroRight" | "reversed") => (
-    <label className="dxf-tick"><input type="checkbox" checked={choice[key]} onChange={(e) => change({ [key]: e.currentTarget.checked })} /> <span>{name}</span></label>
+    <label className="dxf-tick">
+      <input type="checkbox" checked={choice[key]} onChange={(e) => change({ [key]: e.currentTarget.checked })} /> <span>{name}</span>
+    </label>
   );
 
   return (
     <>
       <button type="button" className="button contour-details" onClick={() => file.current?.click()}>{t.open}</button>
-      <input
-        ref={file} type="file" hidden accept=".dxf,image/vnd.dxf,application/dxf" aria-label={t.choose}
-        onChange={(e) => {
-          void open(e.currentTarget.files?.[0]);
-          e.currentTarget.value = "";
-        }}
-      />
+      <input ref={file} type="file" hidden accept=".dxf,image/vnd.dxf,application/dxf" aria-label={t.choose} onChange={(e) => {
+        void open(e.currentTarget.files?.[0]);
+        e.currentTarget.value = "";
+      }} />
       <dialog ref={dialog} className="dxf-import" aria-labelledby={`${id}-title`} onKeyDown={(e) => e.stopPropagation()}>
         <h2 id={`${id}-title`}>{t.title}</h2>
         <p className="soft">{opened?.name}</p>
-        {opened && opened.kind !== "drawing" && <p role="alert" className="field-message error"><Icon name="error" /> {t[opened.kind]}</p>}
+        {opened && opened.kind !== "drawing" && (
+          <p role="alert" className="field-message error">
+            <Icon name="error" /> {t[opened.kind]}
+          </p>
+        )}
         {read && (
           <>
             <div className="contour-drawing dxf-preview">
@@ -74,25 +83,27 @@ export function DxfImport({ count, language, onTake }: Props) {
             <div className="dxf-choices">
               <label>
                 <span>{t.tolerance}</span>
-                <input
-                  className="input number" type="text" inputMode="decimal" autoComplete="off" value={inScreenWriting(language, tolerance)} aria-invalid={!fine}
-                  onChange={(e) => {
-                    const text = e.currentTarget.value, { value } = readText(TOLERANCE, text);
-                    setTolerance(text);
-                    if (value !== null) change({ tolerance: value, chain: 0 });
-                  }}
-                />
+                <input className="input number" type="text" inputMode="decimal" autoComplete="off"
+                  value={inScreenWriting(language, tolerance)} aria-invalid={!fine} onChange={(e) => {
+                  const text = e.currentTarget.value, { value } = readText(TOLERANCE, text);
+                  setTolerance(text);
+                  if (value !== null) change({ tolerance: value, chain: 0 });
+                }} />
               </label>
               <label>
                 <span>{t.axes}</span>
-                <select className="select" value={choice.swapped ? "swapped" : "straight"} onChange={(e) => change({ swapped: e.currentTarget.value === "swapped" })}>
+                <select className="select" value={choice.swapped ? "swapped" : "straight"} onChange={(e) =>
+                  change({ swapped: e.currentTarget.value === "swapped" })}
+                >
                   <option value="straight">{t.straight}</option>
                   <option value="swapped">{t.swapped}</option>
                 </select>
               </label>
               <label>
                 <span>{t.measure}</span>
-                <select className="select" value={choice.diameters ? "diameter" : "radius"} onChange={(e) => change({ diameters: e.currentTarget.value === "diameter" })}>
+                <select className="select" value={choice.diameters ? "diameter" : "radius"} onChange={(e) =>
+                  change({ diameters: e.currentTarget.value === "diameter" })}
+                >
                   <option value="radius">{t.radius}</option>
                   <option value="diameter">{t.diameter}</option>
                 </select>
@@ -101,7 +112,8 @@ export function DxfImport({ count, language, onTake }: Props) {
                 <label>
                   <span>{t.chain}</span>
                   <select className="select" value={choice.chain} onChange={(e) => change({ chain: Number(e.currentTarget.value) })}>
-                    {Array.from({ length: Math.min(read.chains, 50) }, (_, i) => <option key={i} value={i}>{t.chainOf(i + 1, read.chains)}</option>)}
+                    {Array.from({ length: Math.min(read.chains, 50) },
+                      (_, i) => <option key={i} value={i}>{t.chainOf(i + 1, read.chains)}</option>)}
                   </select>
                 </label>
               )}
@@ -112,7 +124,9 @@ export function DxfImport({ count, language, onTake }: Props) {
             {read.issues.length > 0 && (
               <ul className="dxf-notes" aria-label={t.found} aria-live="polite">
                 {read.issues.slice(0, 12).map((found, i) => (
-                  <li key={i} className={`small ${found.severity}`}><Icon name={found.severity} /> <span>{dxfText(language, found)}</span></li>
+                  <li key={i} className={`small ${found.severity}`}>
+                    <Icon name={found.severity} /> <span>{dxfText(language, found)}</span>
+                  </li>
                 ))}
               </ul>
             )}
@@ -122,13 +136,10 @@ export function DxfImport({ count, language, onTake }: Props) {
         <div className="dxf-buttons">
           <button type="button" className="button" onClick={() => file.current?.click()}>{t.choose}</button>
           <button type="button" className="button" onClick={close}>{t.cancel}</button>
-          <button
-            type="button" className="button primary" disabled={!read || read.rows.length < 2}
-            onClick={() => {
-              if (read) onTake(read.rows);
-              close();
-            }}
-          >
+          <button type="button" className="button primary" disabled={!read || read.rows.length < 2} onClick={() => {
+            if (read) onTake(read.rows);
+            close();
+          }}>
             {t.take}
           </button>
         </div>

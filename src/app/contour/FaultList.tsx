@@ -23,7 +23,8 @@ export function FaultList({ issues, language, onPick }: Props) {
       {faults.slice(0, MOST).map((found, i) => (
         <li key={i}>
           <button type="button" className="button plain small" onClick={() => onPick(found.row)}>
-            <Icon name="error" /> <span className="number">{found.row + 1}!</span> <span>{issueText(all, language, found.issue, null)}</span>
+            <Icon name="error" /> <span className="number">{found.row + 1}!</span>{" "}
+            <span>{issueText(all, language, found.issue, null)}</span>
           </button>
         </li>
       ))}

@@ -24,8 +24,7 @@ export function RecessFields({ row, number, language, describedBy, onChange }: P
     <div className="contour-recess">
       <label>
         <span>{row.kind}</span>
-        <select
-          className="select" aria-label={t.formOf(number)} value={row.form} data-row={row.id} data-field="form"
+        <select className="select" aria-label={t.formOf(number)} value={row.form} data-row={row.id} data-field="form"
           onChange={(e) => onChange({ form: e.currentTarget.value }, null)}
         >
           {forms.map((form) => <option key={form} value={form}>{row.kind === "UDC" ? formWord(form) : form}</option>)}
@@ -34,11 +33,10 @@ export function RecessFields({ row, number, language, describedBy, onChange }: P
       {recessWords(row).map((word) => (
         <label key={word}>
           <span className="number">{isDiameterWord(row, word) ? `${word} ⌀` : word}</span>
-          <input
-            className="input number" type="text" inputMode="text" autoComplete="off" spellCheck={false} maxLength={200} aria-label={t.wordOf(number, word)} aria-describedby={describedBy}
-            data-row={row.id} data-field={word} value={inScreenWriting(language, row.words[word] ?? "")} onBlur={closeStep} onFocus={(e) => e.currentTarget.select()}
-            onChange={(e) => onChange({ words: { ...row.words, [word]: e.currentTarget.value } }, `${row.id} ${word}`)}
-          />
+          <input className="input number" type="text" inputMode="text" autoComplete="off" spellCheck={false} maxLength={200}
+            aria-label={t.wordOf(number, word)} aria-describedby={describedBy} data-row={row.id} data-field={word}
+            value={inScreenWriting(language, row.words[word] ?? "")} onBlur={closeStep} onFocus={(e) => e.currentTarget.select()}
+            onChange={(e) => onChange({ words: { ...row.words, [word]: e.currentTarget.value } }, `${row.id} ${word}`)} />
         </label>
       ))}
     </div>

@@ -39,24 +39,50 @@ export function RowTools({ number, count, actions, language, corner, onCorner, d
   const none = number === null;
   const tools = [
     { icon: "add", name: t.add, off: false, act: actions.add },
-    { icon: "insert", name: t.insertBefore(n), off: none, act: actions.insert },
+    {
+      icon: "insert",
+      name: t.insertBefore(n),
+      off: none,
+      act: actions.insert,
+    },
     { icon: "duplicate", name: t.duplicate(n), off: none, act: actions.duplicate },
-    { icon: "up", name: t.moveUp(n), off: none || n === 1, act: () => actions.move(-1) },
+    {
+      icon: "up",
+      name: t.moveUp(n),
+      off: none || n === 1,
+      act: () => actions.move(-1),
+    },
     { icon: "down", name: t.moveDown(n), off: none || n === count, act: () => actions.move(1) },
-    { icon: "round", name: t.round(corner ?? n), off: corner === null, act: () => onCorner("RND") },
+    {
+      icon: "round",
+      name: t.round(corner ?? n),
+      off: corner === null,
+      act: () => onCorner("RND"),
+    },
     { icon: "chamfer", name: t.chamfer(corner ?? n), off: corner === null, act: () => onCorner("CHF") },
-    { icon: "remove", name: t.remove(n), off: none, act: actions.remove },
+    {
+      icon: "remove",
+      name: t.remove(n),
+      off: none,
+      act: actions.remove,
+    },
   ] as const;
   return (
     <div role="toolbar" aria-label={t.head.actions} className="contour-tools">
       {tools.map(({ icon, name, off, act }) => (
         <button key={icon} type="button" className="button icon" aria-label={name} title={name} disabled={off} onClick={act}>
-          <svg className="icon" viewBox="0 0 24 24" aria-hidden="true" focusable="false"><path d={paths[icon]} /></svg>
+          <svg className="icon" viewBox="0 0 24 24" aria-hidden="true" focusable="false">
+            <path d={paths[icon]} />
+          </svg>
         </button>
       ))}
       <button type="button" className="button contour-details" aria-pressed={details} onClick={onDetails}>{t.details}</button>
       {children}
-      {number !== null && <span className="small soft contour-tools-row"><span className="number">{number}</span> / <span className="number">{count}</span></span>}
+      {number !== null && (
+        <span className="small soft contour-tools-row">
+          <span className="number">{number}</span> / <span className="number">{count}</span>
+        </span>
+      )}
     </div>
   );
 }

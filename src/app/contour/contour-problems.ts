@@ -4,7 +4,13 @@ import type { ContourRow } from "../../program/job.ts";
 
 /** Findings that only the table knows: in the program text an open or unreadable element does not stand at all. */
 const ONLY_HERE: ReadonlySet<Issue["code"]> = new Set<Issue["code"]>([
-  "elementFree", "elementContradicts", "elementUnreachable", "centreMissing", "notANumber", "badExpression", "unknownParameter",
+  "elementFree",
+  "elementContradicts",
+  "elementUnreachable",
+  "centreMissing",
+  "notANumber",
+  "badExpression",
+  "unknownParameter",
 ]);
 const read = new WeakMap<readonly ContourRow[], readonly Issue[]>();
 
@@ -12,7 +18,9 @@ const read = new WeakMap<readonly ContourRow[], readonly Issue[]>();
 export function contourProblems(rows: readonly ContourRow[]): readonly Issue[] {
   const known = read.get(rows);
   if (known) return known;
-  const found = readRows(rows).issues.map(({ issue }) => issue).filter((issue): issue is Issue => ONLY_HERE.has(issue.code as Issue["code"]));
+  const found = readRows(rows).issues.map(({ issue }) => issue).filter((issue): issue is Issue =>
+    ONLY_HERE.has(issue.code as Issue["code"])
+  );
   read.set(rows, found);
   return found;
 }

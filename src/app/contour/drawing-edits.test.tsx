@@ -27,9 +27,11 @@ test("a solved coordinate stays solved when its point is dragged", () => {
 test("dividing an element leaves the contour as it was", () => {
   const point = fc.record({ x: fc.integer({ min: 0, max: 200 }), z: fc.integer({ min: -100, max: 0 }) });
   fc.assert(fc.property(fc.array(point, { minLength: 3, maxLength: 6 }), fc.nat(), fc.boolean(), (points, pick, incremental) => {
-    const all = points.map((p, i) => row(`e${i + 1}`, incremental && i > 0
-      ? { x: String(p.x - (points[i - 1]?.x ?? 0)), z: String(p.z - (points[i - 1]?.z ?? 0)), incrementalX: true, incrementalZ: true }
-      : { x: String(p.x), z: String(p.z) }));
+    const all = points.map((p, i) =>
+      row(`e${i + 1}`, incremental && i > 0
+        ? { x: String(p.x - (points[i - 1]?.x ?? 0)), z: String(p.z - (points[i - 1]?.z ?? 0)), incrementalX: true, incrementalZ: true }
+        : { x: String(p.x), z: String(p.z) })
+    );
     const i = 1 + (pick % (all.length - 1)), [a, b] = [points[i - 1], points[i]];
     if (!a || !b) return;
     const divided = pointInserted(all, readRows(all), i, { x: (a.x + b.x) / 2, z: (a.z + b.z) / 2 }).rows;

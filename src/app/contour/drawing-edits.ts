@@ -14,7 +14,8 @@ export const typed = (n: number): string => String(Number(n.toFixed(3)) || 0);
 const SAME = 5e-4;
 
 /** True for rows that end in a point that may be dragged. */
-export const hasPoint = (row: ContourRow | undefined): boolean => row !== undefined && ["L", "CR", "C", "CT", "LP", "CP", "CTP"].includes(row.kind);
+export const hasPoint = (row: ContourRow | undefined): boolean =>
+  row !== undefined && ["L", "CR", "C", "CT", "LP", "CP", "CTP"].includes(row.kind);
 
 const pointAt = ({ x, z }: SnapSpot): Pt => ({ z: axial(z), r: toRadius(diameter(x)) });
 
@@ -24,7 +25,9 @@ export function pointMoved(rows: Rows, reading: RowsReading, row: number, to: Sn
   if (!at || !read || !hasPoint(at)) return rows;
   if (isPolarRow(at)) {
     const { x, z } = read.inherited;
-    return read.pole === null ? rows : changed(rows, at.id, { words: polarWordsTo(at, read.pole, x === null || z === null ? null : pointAt({ x, z }), pointAt(to)) });
+    return read.pole === null
+      ? rows
+      : changed(rows, at.id, { words: polarWordsTo(at, read.pole, x === null || z === null ? null : pointAt({ x, z }), pointAt(to)) });
   }
   const write = (axis: "x" | "z", incremental: boolean): string => {
     const before = read.inherited[axis], empty = at[axis].trim() === "";
@@ -47,13 +50,22 @@ export function pointInserted(rows: Rows, reading: RowsReading, row: number, to:
   if (!at || !read?.end || row === 0 || !hasPoint(at)) return { rows, focus: at?.id ?? null };
   if (isPolarRow(at)) return polarInserted(rows, read, row, at, to);
   const end = { x: typed(read.end.x), z: typed(read.end.z) };
-  const first = at.kind === "L"
-    ? newRow(freshId(rows), { x: typed(to.x), z: typed(to.z) })
-    : { ...at, kind: at.kind === "CT" ? "CR" as const : at.kind, id: freshId(rows), x: typed(to.x), z: typed(to.z), incrementalX: false, incrementalZ: false,
-      ...(at.kind === "CT" && { r: typed(Math.abs(read.radius ?? 0)), turn: read.turn ?? at.turn, tangent: true }) };
+  const first = at.kind === "L" ? newRow(freshId(rows), { x: typed(to.x), z: typed(to.z) }) : {
+    ...at,
+    kind: at.kind === "CT" ? "CR" as const : at.kind,
+    id: freshId(rows),
+    x: typed(to.x),
+    z: typed(to.z),
+    incrementalX: false,
+    incrementalZ: false,
+    ...(at.kind === "CT" && { r: typed(Math.abs(read.radius ?? 0)), turn: read.turn ?? at.turn, tangent: true }),
+  };
   // What was measured from the point before is written out, since that point is another one now.
   const second: ContourRow = {
-    ...at, length: "", ...(at.incrementalX ? { x: end.x, incrementalX: false } : {}), ...(at.incrementalZ ? { z: end.z, incrementalZ: false } : {}),
+    ...at,
+    length: "",
+    ...(at.incrementalX ? { x: end.x, incrementalX: false } : {}),
+    ...(at.incrementalZ ? { z: end.z, incrementalZ: false } : {}),
     ...(at.length.trim() === "" ? {} : end),
   };
   return { rows: rows.toSpliced(row, 1, first, second), focus: first.id };
@@ -63,7 +75,10 @@ export function pointInserted(rows: Rows, reading: RowsReading, row: number, to:
 function polarInserted(rows: Rows, read: RowReading, row: number, at: ContourRow, to: SnapSpot): Edited {
   if (!read.pole || !read.end) return { rows, focus: at.id };
   const place = { x: typed(to.x), z: typed(to.z) };
-  const first = at.kind === "LP" ? newRow(freshId(rows), place) : at.kind === "CP" ? newRow(freshId(rows), { kind: "C", ...place, turn: at.turn })
+  const first = at.kind === "LP"
+    ? newRow(freshId(rows), place)
+    : at.kind === "CP"
+    ? newRow(freshId(rows), { kind: "C", ...place, turn: at.turn })
     : newRow(freshId(rows), { kind: "CR", ...place, r: typed(Math.abs(read.radius ?? 0)), turn: read.turn ?? at.turn, tangent: true });
   const second = { ...at, words: polarWordsTo({ ...at, words: {} }, read.pole, null, pointAt(read.end)) };
   return { rows: rows.toSpliced(row, 1, first, second), focus: first.id };

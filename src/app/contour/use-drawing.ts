@@ -84,7 +84,11 @@ export function useDrawing(now: Surroundings) {
     const others = now.reading.rows.flatMap((r, i) => (r.end && i !== except ? [r.end] : []));
     const reach = 7 / camera.scale;
     const spot = spotAt(camera, place);
-    return snapped(spot, now.step, { x: others.map((o) => o.x), z: others.map((o) => o.z), reach: { x: toDiameter(radius(reach)), z: axial(reach) } });
+    return snapped(spot, now.step, {
+      x: others.map((o) => o.x),
+      z: others.map((o) => o.z),
+      reach: { x: toDiameter(radius(reach)), z: axial(reach) },
+    });
   };
   const divide = (row: number, place: Place, camera: Camera) => {
     const edited = pointInserted(now.rows, now.reading, row, nearestOn(now.reading, row, spotAt(camera, place), now.step));
@@ -102,10 +106,25 @@ export function useDrawing(now: Surroundings) {
       const place = placeOf(e), found = pointNear(place, e.pointerType === "mouse"), element = rowUnder(e);
       const row = found !== null && now.mode !== "move" && !hasPoint(now.rows[found]) ? found - 1 : found;
       const corner = (now.mode === "round" || now.mode === "chamfer") && row !== null && isCorner(now.rows, row);
-      const kind = corner ? "corner" : row !== null && now.mode !== "round" && now.mode !== "chamfer" && hasPoint(now.rows[row]) ? "point" : now.mode === "draw" || element !== null ? "tap" : "pan";
+      const kind = corner
+        ? "corner"
+        : row !== null && now.mode !== "round" && now.mode !== "chamfer" && hasPoint(now.rows[row])
+        ? "point"
+        : now.mode === "draw" || element !== null
+        ? "tap"
+        : "pan";
       count.current += 1;
       pressed.current = row === null ? element : null;
-      gesture.current = { kind, row: row ?? element, from: place, camera: now.picture.camera, rows: now.rows, reading: now.reading, place: `drawing ${count.current}`, moved: false };
+      gesture.current = {
+        kind,
+        row: row ?? element,
+        from: place,
+        camera: now.picture.camera,
+        rows: now.rows,
+        reading: now.reading,
+        place: `drawing ${count.current}`,
+        moved: false,
+      };
       e.currentTarget.setPointerCapture(e.pointerId);
       if (kind === "point" || kind === "corner") now.onCamera(now.picture.camera);
       if (e.pointerType !== "mouse" && row === null && element !== null && now.mode !== "draw")
@@ -119,7 +138,8 @@ export function useDrawing(now: Surroundings) {
       if (!g || (!g.moved && apart(place, g.from) < TAP)) return;
       g.moved = true;
       stopWaiting();
-      if (g.kind === "pan" || (g.kind === "tap" && now.mode !== "draw")) return now.onCamera(panned(g.camera, place.x - g.from.x, place.y - g.from.y));
+      if (g.kind === "pan" || (g.kind === "tap" && now.mode !== "draw"))
+        return now.onCamera(panned(g.camera, place.x - g.from.x, place.y - g.from.y));
       if (g.row === null) return;
       if (g.kind === "point") {
         const spot = snap(place, g.camera, g.row);

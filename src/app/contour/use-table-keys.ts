@@ -25,8 +25,14 @@ function sameField(table: HTMLElement, from: Field, by: 1 | -1): void {
   focusField(fields.find((f) => f.dataset["field"] === from.dataset["field"]) ?? fields.find((f) => f instanceof HTMLInputElement));
 }
 
-/** Keys of the table: Enter to the next field, arrows between rows, Alt and arrows to move, R and C for corners, and the rows' own commands. */
-export function useTableKeys(table: RefObject<HTMLElement | null>, actions: RowActions & { readonly corner: (kind: "RND" | "CHF") => void }): (e: KeyboardEvent) => void {
+/**
+ * Keys of the table: Enter to the next field, arrows between rows, Alt and arrows to move, R and C for corners, and the rows'
+ * own commands.
+ */
+export function useTableKeys(
+  table: RefObject<HTMLElement | null>,
+  actions: RowActions & { readonly corner: (kind: "RND" | "CHF") => void },
+): (e: KeyboardEvent) => void {
   return (e) => {
     const at = e.target;
     const root = table.current;

@@ -31,20 +31,13 @@ export function ChoiceInput({ session, prompt: { id, name }, choices, describedB
   };
 
   return (
-    <fieldset
-      ref={group}
-      className="choices"
-      role="radiogroup"
-      aria-label={name}
-      aria-describedby={describedBy}
-      onKeyDown={(event) => {
-        const by = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
-        const named = choices.findIndex(({ value }) => value === event.key);
-        if (by === 0 && named < 0) return;
-        event.preventDefault();
-        take(by === 0 ? named : Math.min(choices.length - 1, Math.max(0, chosen + by)));
-      }}
-    >
+    <fieldset ref={group} className="choices" role="radiogroup" aria-label={name} aria-describedby={describedBy} onKeyDown={(event) => {
+      const by = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
+      const named = choices.findIndex(({ value }) => value === event.key);
+      if (by === 0 && named < 0) return;
+      event.preventDefault();
+      take(by === 0 ? named : Math.min(choices.length - 1, Math.max(0, chosen + by)));
+    }}>
       {choices.map(({ value, meaning }, i) => (
         <label key={value} className="choice">
           <input type="radio" name={id} value={value} checked={i === chosen} onChange={() => take(i)} />

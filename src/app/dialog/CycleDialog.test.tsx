@@ -147,11 +147,12 @@ test("FAUTO stands in for a feed", async () => {
   expect(screen.getByRole("button", { name: new RegExp(`^${feed} .*FAUTO`) })).toBeTruthy();
 });
 
-test.each([
-  ["out of range", () => angle, "120", /Take 11\.0744/],
-  ["no number", () => diameter, "abc", null],
-  ["missing", () => diameter, "", null],
-])("%s is said at the field while it is typed, and never stops the typing", async (_, q, text, nearest) => {
+test.each([["out of range", () => angle, "120", /Take 11\.0744/], ["no number", () => diameter, "abc", null], [
+  "missing",
+  () => diameter,
+  "",
+  null,
+]])("%s is said at the field while it is typed, and never stops the typing", async (_, q, text, nearest) => {
   const user = userEvent.setup();
   goTo(q());
   await screen.findByDisplayValue(typed(q()) ?? "");

@@ -11,7 +11,8 @@ export function CycleDialog({ read, block = null }: { readonly read: JobReading;
   const session = useCycleSession(read, block);
   return (
     <CycleInWork value={read.cycle.number}>
-      <PromptDialog session={session} name={t.form} listName={t.list} hint={t.help} done={<DialogDone session={session} inBlock={block !== null} />} />
+      <PromptDialog session={session} name={t.form} listName={t.list} hint={t.help}
+        done={<DialogDone session={session} inBlock={block !== null} />} />
     </CycleInWork>
   );
 }

@@ -21,7 +21,13 @@ export function DialogDone({ session, inBlock }: { readonly session: PromptSessi
   const noContour = errors.some((e) => e.at === "contour" && e.issue.code === "contourMissing");
   const first = fields[0]?.id ?? null;
   const kind = open.length > 0 ? "open" : noContour && !inBlock ? "contour" : errors.length > 0 ? "faults" : "complete";
-  const title = kind === "open" ? t.open(open.length) : kind === "contour" ? words.done.contour : kind === "faults" ? words.done.faults(errors.length) : t.title;
+  const title = kind === "open"
+    ? t.open(open.length)
+    : kind === "contour"
+    ? words.done.contour
+    : kind === "faults"
+    ? words.done.faults(errors.length)
+    : t.title;
   const tone = kind === "complete" ? toneOf(verdict) : "bad";
   const was = useRef(focus);
 
@@ -35,27 +41,32 @@ export function DialogDone({ session, inBlock }: { readonly session: PromptSessi
   }, [focus, kind]);
 
   return (
-    <section
-      className="active-prompt dialog-done"
-      ref={box}
-      aria-label={active}
-      onKeyDown={(event) => {
-        if (event.key !== "ArrowUp") return;
-        event.preventDefault();
-        step(-1);
-      }}
-    >
+    <section className="active-prompt dialog-done" ref={box} aria-label={active} onKeyDown={(event) => {
+      if (event.key !== "ArrowUp") return;
+      event.preventDefault();
+      step(-1);
+    }}>
       <div role="status">
         <h2 className={`done-${tone === "good" ? "complete" : tone === "bad" ? "open" : "doubt"}`}>
           <Icon name={tone === "bad" ? "error" : tone === "doubt" ? "warning" : "check"} />
           {title}
         </h2>
-        {kind === "complete" && !inBlock && verdict.state !== "none" && <p className="done-verdict"><VerdictText verdict={verdict} reasons={1} /></p>}
+        {kind === "complete" && !inBlock && verdict.state !== "none" && (
+          <p className="done-verdict">
+            <VerdictText verdict={verdict} reasons={1} />
+          </p>
+        )}
       </div>
       <div className="done-buttons">
-        {kind === "open" && <button type="button" className="button primary" onClick={() => goTo(open[0] ?? first)}>{t.firstOpen}: {open[0]}</button>}
-        {kind === "contour" && <button type="button" className="button primary" onClick={() => showSection("contour")}>{words.done.toContour}</button>}
-        {kind === "faults" && <button type="button" className="button primary" onClick={() => showSection("findings")}>{words.leaving.look}</button>}
+        {kind === "open" && (
+          <button type="button" className="button primary" onClick={() => goTo(open[0] ?? first)}>{t.firstOpen}: {open[0]}</button>
+        )}
+        {kind === "contour" && (
+          <button type="button" className="button primary" onClick={() => showSection("contour")}>{words.done.toContour}</button>
+        )}
+        {kind === "faults" && (
+          <button type="button" className="button primary" onClick={() => showSection("findings")}>{words.leaving.look}</button>
+        )}
         {kind === "complete" && <CopyButton main long />}
         <button type="button" className="button" onClick={() => goTo(first)}>{t.first}</button>
       </div>

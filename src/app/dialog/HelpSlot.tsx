@@ -13,9 +13,8 @@ export function HelpSlot({ read, q }: { readonly read: JobReading; readonly q: s
   const given = useMemo(() => givenOf(unwritten ? { cycle: read.cycle, job: exampleJob(read.cycle) } : read), [unwritten, read]);
   return (
     <div className="help-slot">
-      <HelpPicture
-        cycle={read.cycle} values={read.reading.values} partial={read.reading.partial as Numbers} given={given} activeQ={q} language={language}
-      />
+      <HelpPicture cycle={read.cycle} values={read.reading.values} partial={read.reading.partial as Numbers} given={given} activeQ={q}
+        language={language} />
     </div>
   );
 }

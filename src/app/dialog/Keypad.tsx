@@ -42,11 +42,20 @@ export function Keypad({ session, prompt, input }: Props) {
     open.focus();
     open.write(by(open.read()));
   };
-  const written = (label: string, character: string, name: string): Key =>
-    ({ label, name, press: change((entry) => insert(entry, character)), className: "number", disabled: !numeric });
+  const written = (label: string, character: string, name: string): Key => ({
+    label,
+    name,
+    press: change((entry) => insert(entry, character)),
+    className: "number",
+    disabled: !numeric,
+  });
   const keys: Readonly<Record<string, Key>> = {
-    "/": written("÷", "/", t.dividedLong), "*": written("×", "*", t.timesLong), "-": written("−", "-", t.minusLong), "+": written("+", "+", t.plusLong),
-    Q: written(t.parameter, "Q", t.parameterLong), point: written(sign, sign, t.point),
+    "/": written("÷", "/", t.dividedLong),
+    "*": written("×", "*", t.timesLong),
+    "-": written("−", "-", t.minusLong),
+    "+": written("+", "+", t.plusLong),
+    Q: written(t.parameter, "Q", t.parameterLong),
+    point: written(sign, sign, t.point),
     I: { label: "I", name: approach.incremental, press: change(toggleIncremental), disabled: !prompt.increments },
     sign: { label: t.sign, name: t.signLong, press: change(toggleSign), className: "number", disabled: !numeric },
     erase: { label: t.erase, name: t.eraseLong, press: change(erase), disabled: !numeric },
@@ -59,8 +68,8 @@ export function Keypad({ session, prompt, input }: Props) {
   };
   const keyOf = (id: string): Key => keys[id] ?? written(id, id, id);
   const button = ({ label, name, press, className = "", disabled = false }: Key) => (
-    <button
-      key={name} type="button" className={`button key ${className}`} aria-label={name} disabled={disabled} onPointerDown={keepFocus} onClick={press}
+    <button key={name} type="button" className={`button key ${className}`} aria-label={name} disabled={disabled} onPointerDown={keepFocus}
+      onClick={press}
     >
       {label}
     </button>

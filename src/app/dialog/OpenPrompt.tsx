@@ -35,13 +35,10 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
   }, [prompt.id, opened.focus]);
 
   return (
-    <section
-      className="active-prompt" ref={card} aria-label={t.dialog.active}
-      onKeyDown={(event) => {
-        onPromptTab(event, session);
-        onPromptKey(event, session);
-      }}
-    >
+    <section className="active-prompt" ref={card} aria-label={t.dialog.active} onKeyDown={(event) => {
+      onPromptTab(event, session);
+      onPromptKey(event, session);
+    }}>
       <header>
         <span className="number prompt-q">{prompt.letter}</span>
         <h2>{prompt.question}</h2>
@@ -51,10 +48,8 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
         ? <ChoiceInput session={session} prompt={prompt} choices={prompt.choices} describedBy={`${id}-about`} />
         : (
           <div className="value-row">
-            <ValueInput
-              session={session} prompt={prompt} describedBy={`${id}-range ${id}-about`} ownKeypad={ownKeypad} input={input}
-              invalid={own.some((p) => p.issue.severity === "error" && !calm(p))}
-            />
+            <ValueInput session={session} prompt={prompt} describedBy={`${id}-range ${id}-about`} ownKeypad={ownKeypad} input={input}
+              invalid={own.some((p) => p.issue.severity === "error" && !calm(p))} />
             <span className="unit number">{prompt.unit}</span>
             {prompt.auto && (
               <button type="button" className="button" aria-label={t.dialog.autoLong} onClick={() => take("FAUTO")}>FAUTO</button>
@@ -62,12 +57,15 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
           </div>
         )}
       <p className="range small soft" id={`${id}-range`}>
-        {prompt.range !== null && <span>{t.dialog.rangeLabel} <span className="number">{prompt.range}</span></span>}
+        {prompt.range !== null && (
+          <span>
+            {t.dialog.rangeLabel} <span className="number">{prompt.range}</span>
+          </span>
+        )}
         {prompt.notes.map((note) => <span key={note}>{note}</span>)}
         {prompt.doubt !== null && (
-          <button
-            type="button" className="evidence" aria-expanded={explained === prompt.id}
-            onClick={() => explain(explained === prompt.id ? null : prompt.id)}
+          <button type="button" className="evidence" aria-expanded={explained === prompt.id} onClick={() =>
+            explain(explained === prompt.id ? null : prompt.id)}
           >
             {t.dialog.evidence.mark}
           </button>
@@ -76,10 +74,8 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
       <div className="about" id={`${id}-about`} tabIndex={0} role="group" aria-label={t.dialog.aboutPrompt(prompt.letter)}>
         <div role="status" aria-label={t.findings.title}>
           {own.map((entry, i) => (
-            <FieldMessage
-              key={i} problem={entry} calm={calm(entry)} decimals={prompt.decimals} onTake={(n) => take(String(n))}
-              parameterField={session.asksParameters}
-            />
+            <FieldMessage key={i} problem={entry} calm={calm(entry)} decimals={prompt.decimals} onTake={(n) => take(String(n))}
+              parameterField={session.asksParameters} />
           ))}
           {session.besides(prompt.id).map(({ entry, place }) => (
             <FieldMessage key={entry.id} problem={entry} decimals={prompt.decimals} {...(place !== undefined && { place })} />

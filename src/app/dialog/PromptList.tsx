@@ -17,7 +17,8 @@ export function PromptList({ session, name }: { readonly session: PromptSession;
     const height = row.offsetHeight;
     const top = row.offsetTop - box.offsetTop;
     if (top - height < box.scrollTop) box.scrollTop = top - height;
-    else if (top + 2 * height > box.scrollTop + box.clientHeight) box.scrollTop = Math.ceil((top + 2 * height - box.clientHeight) / height) * height;
+    else if (top + 2 * height > box.scrollTop + box.clientHeight)
+      box.scrollTop = Math.ceil((top + 2 * height - box.clientHeight) / height) * height;
   }, [active]);
 
   return (
@@ -27,17 +28,18 @@ export function PromptList({ session, name }: { readonly session: PromptSession;
         const note = worst ? `, ${t.findings.severities[worst]}` : "";
         return (
           <li key={id}>
-            <button
-              type="button"
-              tabIndex={id === (active ?? fields[0]?.id) ? 0 : -1}
-              className="prompt-line"
+            <button type="button" tabIndex={id === (active ?? fields[0]?.id) ? 0 : -1} className="prompt-line"
               aria-current={id === active ? "step" : undefined}
               aria-label={`${t.dialog.row(letter, label, `${shown.text} ${shown.unit}`.trim())}${note}`}
               onClick={() => commandsOf(session).goTo(id)}
             >
               <span className="number line-q">{letter}</span>
               <span className="line-label">{label}</span>
-              {worst && <span className={`line-mark ${worst}`}><Icon name={worst} /></span>}
+              {worst && (
+                <span className={`line-mark ${worst}`}>
+                  <Icon name={worst} />
+                </span>
+              )}
               <span className={`number line-value${shown.soft ? " soft" : ""}`}>{shown.text}</span>
               <span className="line-unit soft">{shown.unit}</span>
             </button>

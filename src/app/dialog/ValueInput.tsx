@@ -39,26 +39,11 @@ export function ValueInput({ session, prompt: { id, name }, describedBy, invalid
   useImperativeHandle(field, () => ({ read, write, focus: () => input.current?.focus({ preventScroll: true }) }));
 
   return (
-    <input
-      ref={input}
-      className="value number"
-      type="text"
-      inputMode={ownKeypad ? "none" : session.keypad === "sums" ? "decimal" : "text"}
-      enterKeyHint="next"
-      autoComplete="off"
-      autoCapitalize="characters"
-      spellCheck={false}
-      maxLength={200}
-      aria-label={name}
-      aria-describedby={describedBy}
-      aria-invalid={invalid}
-      value={inScreenWriting(language, text)}
-      onChange={(event) => {
-        onTyped();
-        session.set(id, event.currentTarget.value);
-      }}
-      onKeyDown={onKeyDown}
-      onBlur={() => commandsOf(session).leave()}
-    />
+    <input ref={input} className="value number" type="text" inputMode={ownKeypad ? "none" : session.keypad === "sums" ? "decimal" : "text"}
+      enterKeyHint="next" autoComplete="off" autoCapitalize="characters" spellCheck={false} maxLength={200} aria-label={name}
+      aria-describedby={describedBy} aria-invalid={invalid} value={inScreenWriting(language, text)} onChange={(event) => {
+      onTyped();
+      session.set(id, event.currentTarget.value);
+    }} onKeyDown={onKeyDown} onBlur={() => commandsOf(session).leave()} />
   );
 }

@@ -47,7 +47,9 @@ export function insert(entry: EntryState, characters: string): EntryState {
 
 /** The I in front of an incremental value: put there, or taken away. */
 export const toggleIncremental = ({ text, from, to }: EntryState): EntryState =>
-  /^I/i.test(text) ? { text: text.slice(1), from: 0, to: text.length - 1, negative: false } : { text: `I${text}`, from: from + 1, to: to + 1, negative: false };
+  /^I/i.test(text)
+    ? { text: text.slice(1), from: 0, to: text.length - 1, negative: false }
+    : { text: `I${text}`, from: from + 1, to: to + 1, negative: false };
 
 /** Takes away what is selected, or the character before the caret. */
 export function erase(entry: EntryState): EntryState {

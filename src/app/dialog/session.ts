@@ -117,7 +117,9 @@ export function commandsOf(session: PromptSession): PromptCommands {
     closeStep();
   };
   return {
-    leave, goTo, take,
+    leave,
+    goTo,
+    take,
     finish: () => goTo(null),
     step(by) {
       const next = nextOf(by);

@@ -44,7 +44,12 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
     const words = t.params[param.text as ParamTextId];
     const meanings: Readonly<Record<number, string>> = "choices" in words ? words.choices : {};
     return {
-      id: q, letter: q, question: words.prompt, label: words.label, about: words.explanation, name: t.dialog.value(q, words.prompt),
+      id: q,
+      letter: q,
+      question: words.prompt,
+      label: words.label,
+      about: words.explanation,
+      name: t.dialog.value(q, words.prompt),
       unit: units[unitOf(param, job.perRevolution)],
       range: param.choices ? null : t.dialog.range(number(param, param.range[0]), number(param, param.range[1])),
       notes: [
@@ -54,7 +59,10 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
       ],
       doubt: doubtOf(param),
       choices: param.choices?.map((n) => ({ value: String(n), meaning: meanings[n] ?? "" })) ?? null,
-      optional: param.optional, increments: false, auto: param.kind === "feed", decimals: param.decimals,
+      optional: param.optional,
+      increments: false,
+      auto: param.kind === "feed",
+      decimals: param.decimals,
       shown: shownOf(q, param),
     };
   };
@@ -64,12 +72,15 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
   };
   return {
     fields: Object.entries<Param>(cycle.params).map(promptOf),
-    draft, readings: reading.perField, findings,
+    draft,
+    readings: reading.perField,
+    findings,
     set: block?.set ?? setPrompt,
-    besides: (id) => findings.flatMap((entry) => {
-      const concerns = entry.at !== null && entry.at !== id && "other" in entry.issue.data && entry.issue.data.other === id;
-      return concerns && entry.at !== null ? [{ entry, place: placeOf(entry.at) }] : [];
-    }),
+    besides: (id) =>
+      findings.flatMap((entry) => {
+        const concerns = entry.at !== null && entry.at !== id && "other" in entry.issue.data && entry.issue.data.other === id;
+        return concerns && entry.at !== null ? [{ entry, place: placeOf(entry.at) }] : [];
+      }),
     picture: <HelpSlot read={read} q={opened.prompt} />,
     opened: { id: opened.prompt, before: opened.before, focus: opened.focus },
     open: openPrompt,

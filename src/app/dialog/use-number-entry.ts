@@ -24,7 +24,12 @@ export function useNumberEntry(input: RefObject<HTMLInputElement | null>, text: 
   const read = (): EntryState => {
     const element = input.current;
     const value = element?.value ?? "";
-    return { text: value, from: element?.selectionStart ?? value.length, to: element?.selectionEnd ?? value.length, negative: negative.current };
+    return {
+      text: value,
+      from: element?.selectionStart ?? value.length,
+      to: element?.selectionEnd ?? value.length,
+      negative: negative.current,
+    };
   };
   const write = (entry: EntryState) => {
     negative.current = entry.negative;
@@ -37,8 +42,11 @@ export function useNumberEntry(input: RefObject<HTMLInputElement | null>, text: 
     onKeyDown(event) {
       if (event.ctrlKey || event.metaKey || event.altKey) return;
       const entry = read();
-      const next = event.key === "-" || event.key === "−" ? minus(entry)
-        : entry.negative && /^[\d.,]$/.test(event.key) ? insert(entry, event.key) : null;
+      const next = event.key === "-" || event.key === "−"
+        ? minus(entry)
+        : entry.negative && /^[\d.,]$/.test(event.key)
+        ? insert(entry, event.key)
+        : null;
       if (!next) return;
       event.preventDefault();
       write(next);

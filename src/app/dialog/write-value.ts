@@ -28,8 +28,14 @@ export const inScreenWriting = (language: Language, text: string): string =>
 type UnitName = "diameter" | "radius" | "axial" | "degrees" | "perRevolution" | "perMinute" | "none";
 
 const units: Readonly<Record<Exclude<Kind, "feed">, UnitName>> = {
-  choice: "none", diameter: "diameter", oversizeDiameter: "diameter", radial: "radius",
-  axial: "axial", axialDepth: "axial", length: "axial", angle: "degrees",
+  choice: "none",
+  diameter: "diameter",
+  oversizeDiameter: "diameter",
+  radial: "radius",
+  axial: "axial",
+  axialDepth: "axial",
+  length: "axial",
+  angle: "degrees",
 };
 
 /** What the value of a parameter is measured in. */

@@ -53,15 +53,14 @@ export function BlockField({ field, statement, change }: Props) {
     return (
       <div className="block-field">
         <label htmlFor={id}>{name}</label>
-        <select
-          id={id} className="select" value={said}
-          onChange={(event) => {
-            closeStep();
-            write(event.target.value);
-            closeStep();
-          }}
-        >
-          {field.choices.map((choice) => <option key={choice} value={choice}>{choice === "" ? t.none : (choices[choice] ?? choice)}</option>)}
+        <select id={id} className="select" value={said} onChange={(event) => {
+          closeStep();
+          write(event.target.value);
+          closeStep();
+        }}>
+          {field.choices.map((choice) => (
+            <option key={choice} value={choice}>{choice === "" ? t.none : (choices[choice] ?? choice)}</option>
+          ))}
         </select>
       </div>
     );
@@ -71,32 +70,31 @@ export function BlockField({ field, statement, change }: Props) {
     <div className={`block-field${field.wide ? " wide" : ""}`}>
       <label htmlFor={id}>{name}</label>
       <span className="block-value">
-        <input
-          id={id} ref={input} type="text" className={`input${field.wide ? "" : " number"}`} inputMode={field.numeric ? "decimal" : "text"}
-          autoComplete="off" spellCheck={false} maxLength={500} aria-invalid={wrong} aria-describedby={`${id}-unit ${id}-wrong`}
-          value={field.numeric ? inScreenWriting(language, shown) : shown}
+        <input id={id} ref={input} type="text" className={`input${field.wide ? "" : " number"}`}
+          inputMode={field.numeric ? "decimal" : "text"} autoComplete="off" spellCheck={false} maxLength={500} aria-invalid={wrong}
+          aria-describedby={`${id}-unit ${id}-wrong`} value={field.numeric ? inScreenWriting(language, shown) : shown}
           onChange={(event) => {
             onTyped();
             write(event.currentTarget.value);
-          }}
-          onBlur={leave} {...(field.numeric && { onKeyDown })}
-        />
+          }} onBlur={leave} {...(field.numeric && { onKeyDown })} />
         <span className="soft small" id={`${id}-unit`}>{field.unit}</span>
         {incremental && (
-          <button
-            type="button" className="button incremental" aria-pressed={incremental.read(statement)} aria-label={t.incrementalOf(name)} title={t.incremental} disabled={said === ""}
-            onClick={() => {
-              closeStep();
-              change(incremental.write(statement, !incremental.read(statement)), `${field.id} incremental`);
-              closeStep();
-            }}
-          >
+          <button type="button" className="button incremental" aria-pressed={incremental.read(statement)} aria-label={t.incrementalOf(name)}
+            title={t.incremental} disabled={said === ""} onClick={() => {
+            closeStep();
+            change(incremental.write(statement, !incremental.read(statement)), `${field.id} incremental`);
+            closeStep();
+          }}>
             I
           </button>
         )}
       </span>
       <div id={`${id}-wrong`} className="block-wrong" role="status">
-        {wrong && <p className="field-message error"><Icon name="error" /> {t.notReadable}</p>}
+        {wrong && (
+          <p className="field-message error">
+            <Icon name="error" /> {t.notReadable}
+          </p>
+        )}
       </div>
     </div>
   );

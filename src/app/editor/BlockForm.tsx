@@ -25,14 +25,18 @@ export function BlockForm({ problems }: { readonly problems: readonly FindingEnt
   return (
     <div className="block-form" role="form" aria-label={t.form}>
       <code className="number block-text">{block.raw.trimEnd()}</code>
-      {s.kind === "unknown" && <p className="field-message info"><Icon name="info" /> {t.kept}</p>}
+      {s.kind === "unknown" && (
+        <p className="field-message info">
+          <Icon name="info" /> {t.kept}
+        </p>
+      )}
       {fieldsOf(s).map((field) => <BlockField key={`${index} ${field.id}`} field={field} statement={s} change={change} />)}
       {definition >= 0 && (
-        <button type="button" className="button" onClick={() => openBlock(definition)}>{t.goToDefinition(String(numbers[definition] ?? 0))}</button>
+        <button type="button" className="button" onClick={() => openBlock(definition)}>
+          {t.goToDefinition(String(numbers[definition] ?? 0))}
+        </button>
       )}
-      <div role="status">
-        {problems.map((problem, i) => <FieldMessage key={i} problem={problem} decimals={3} onTake={nothing} />)}
-      </div>
+      <div role="status">{problems.map((problem, i) => <FieldMessage key={i} problem={problem} decimals={3} onTake={nothing} />)}</div>
     </div>
   );
 }

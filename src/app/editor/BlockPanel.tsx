@@ -40,7 +40,9 @@ export function BlockPanel() {
     return <BlockForm key={index} problems={problems} />;
   };
   const tool = (icon: IconName, name: string, act: () => void, disabled = false) => (
-    <button type="button" className="button icon plain" aria-label={name} title={name} disabled={disabled} onClick={act}><Icon name={icon} /></button>
+    <button type="button" className="button icon plain" aria-label={name} title={name} disabled={disabled} onClick={act}>
+      <Icon name={icon} />
+    </button>
   );
 
   return (
@@ -49,7 +51,9 @@ export function BlockPanel() {
         <h2>{t.editor.heading(number, kind)}</h2>
       </header>
       <div className="block-tools" role="group" aria-label={t.editor.tools}>
-        <button type="button" className="button" aria-label={t.editor.insertLong} onClick={() => choose(true)}><Icon name="add" /> <span>{t.editor.insert}</span></button>
+        <button type="button" className="button" aria-label={t.editor.insertLong} onClick={() => choose(true)}>
+          <Icon name="add" /> <span>{t.editor.insert}</span>
+        </button>
         {tool("up", t.editor.previous, () => openBlock(index - 1), index <= 0)}
         {tool("down", t.editor.next, () => openBlock(index + 1), index >= last)}
         {tool("copy", t.editor.duplicate, () => editProgram(duplicated(program, index), null, index + 1))}

@@ -27,15 +27,14 @@ export function Palette({ index, done }: { readonly index: number; readonly done
   const nameOf = ({ kind, cycle }: Offered) =>
     cycle === undefined ? t.editor.kinds[kind] : t.editor.cycleNumber(cycle, t.cycles.of[cycle as CycleNumber].name);
   return (
-    <div
-      className="palette" ref={box} role="group" aria-label={t.editor.palette}
-      onKeyDown={(event) => {
-        if (event.key === "Escape") done();
-      }}
-    >
+    <div className="palette" ref={box} role="group" aria-label={t.editor.palette} onKeyDown={(event) => {
+      if (event.key === "Escape") done();
+    }}>
       <header className="block-head">
         <h2>{t.editor.palette}</h2>
-        <button type="button" className="button icon plain" aria-label={t.page.close} onClick={done}><Icon name="close" /></button>
+        <button type="button" className="button icon plain" aria-label={t.page.close} onClick={done}>
+          <Icon name="close" />
+        </button>
       </header>
       {groups.map((group) => (
         <section key={group} aria-label={t.editor.groups[group]}>

@@ -71,19 +71,22 @@ export function ProgramWorkplace() {
   return (
     <main className="workplace program-work">
       <div className="left">
-        <SectionTabs
-          name={t.sectionsName} open={open}
-          tabs={possible.map((section) => ({
-            section, name: section === "findings" ? words.title : t.sections[section], content: content[section],
-            ...(section === "findings" && findings[0] ? { badge: { count: findings.length, severity: findings[0].issue.severity } } : {}),
-          }))}
-        />
+        <SectionTabs name={t.sectionsName} open={open} tabs={possible.map((section) => ({
+          section,
+          name: section === "findings" ? words.title : t.sections[section],
+          content: content[section],
+          ...(section === "findings" && findings[0] ? { badge: { count: findings.length, severity: findings[0].issue.severity } } : {}),
+        }))} />
       </div>
       <TotalsStrip />
       <div className="centre">
         <MachineView result={shown} dimmed={dimmed} playback={playback} clock={clock} onMove={openMove} />
       </div>
-      {wide && <div className="right"><TextPanel /></div>}
+      {wide && (
+        <div className="right">
+          <TextPanel />
+        </div>
+      )}
       <LeavingDialog cycleOf={host.cycleOf} />
     </main>
   );

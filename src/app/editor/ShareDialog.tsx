@@ -26,32 +26,43 @@ export function ShareDialog() {
   const copied = useCopying((c) => c.state === "copied" && c.text === link);
   return (
     <>
-      <button
-        type="button" className="button"
-        onClick={() => {
-          handOverText();
-          const text = sessionText() ?? "";
-          void mayLeave("share", text).then((allowed) => {
-            if (!allowed) return;
-            setVerdict(allowed);
-            const made = shareLink(pageAddress(), text);
-            setLink(made.length > LONGEST_LINK ? "" : made);
-            dialog.current?.showModal();
-          });
-        }}
-      >
+      <button type="button" className="button" onClick={() => {
+        handOverText();
+        const text = sessionText() ?? "";
+        void mayLeave("share", text).then((allowed) => {
+          if (!allowed) return;
+          setVerdict(allowed);
+          const made = shareLink(pageAddress(), text);
+          setLink(made.length > LONGEST_LINK ? "" : made);
+          dialog.current?.showModal();
+        });
+      }}>
         {t.editor.share}
       </button>
       <dialog ref={dialog} className="share-program" aria-label={t.editor.shareTitle}>
         <h2>{t.editor.shareTitle}</h2>
         <p>{t.editor.shareText}</p>
         <label>
-          <span>{t.editor.shareLink} · <b className="number">{t.editor.shareSize(formatNumber(language, link.length / 1000, 1))}</b></span>
+          <span>
+            {t.editor.shareLink} · <b className="number">{t.editor.shareSize(formatNumber(language, link.length / 1000, 1))}</b>
+          </span>
           <textarea className="number" readOnly rows={5} value={link} onFocus={(event) => event.currentTarget.select()} />
         </label>
-        {link === "" && <p className="field-message warning"><Icon name="warning" /> {t.editor.shareTooLong}</p>}
-        {link.length > SAFE && <p className="field-message warning"><Icon name="warning" /> {t.editor.shareLong}</p>}
-        {verdict && <p><VerdictText verdict={verdict} reasons={2} /></p>}
+        {link === "" && (
+          <p className="field-message warning">
+            <Icon name="warning" /> {t.editor.shareTooLong}
+          </p>
+        )}
+        {link.length > SAFE && (
+          <p className="field-message warning">
+            <Icon name="warning" /> {t.editor.shareLong}
+          </p>
+        )}
+        {verdict && (
+          <p>
+            <VerdictText verdict={verdict} reasons={2} />
+          </p>
+        )}
         <div className="program-ways">
           <button type="button" className="button primary" disabled={link === ""} onClick={() => void copyText(link)}>
             <Icon name={copied ? "check" : "copy"} /> {copied ? t.page.text.copied : t.editor.copyLink}

@@ -17,11 +17,11 @@ const NOTHING = 0.005;
 function useDoneText(): (done: Done) => string {
   const t = useTexts();
   const language = useSettings((s) => s.language);
-  return ({ passes, seconds, residue }) => t.editor.operation(
-    t.editor.passes(passes),
-    t.page.effect.duration(Math.floor(Math.round(seconds) / 60), formatFixed(language, seconds < 60 ? seconds : Math.round(seconds) % 60, seconds < 60 ? 1 : 0)),
-    residue < NOTHING ? t.editor.noResidue : t.editor.residue(formatNumber(language, residue, 2)),
-  );
+  return ({ passes, seconds, residue }) =>
+    t.editor.operation(t.editor.passes(passes),
+      t.page.effect.duration(Math.floor(Math.round(seconds) / 60),
+        formatFixed(language, seconds < 60 ? seconds : Math.round(seconds) % 60, seconds < 60 ? 1 : 0)),
+      residue < NOTHING ? t.editor.noResidue : t.editor.residue(formatNumber(language, residue, 2)));
 }
 
 /** The parts of the program: tools, cycles with what they do, labels, contours, notes. Choosing one opens its block. */
@@ -41,9 +41,9 @@ export function StructurePanel() {
     const done = part.kind !== "cycle" ? "" : part.done ? doneText(part.done) : newest ? t.notRun : "";
     return (
       <li key={part.index} aria-setsize={shown.length} aria-posinset={place + 1}>
-        <button
-          type="button" className={`part part-${part.filter}`} aria-current={place === current ? "step" : undefined}
-          aria-label={`${t.line(String(part.number), `${t.kinds[part.kind]}, ${part.text}`)}${done && `, ${done}`}`} onClick={() => openBlock(part.index)}
+        <button type="button" className={`part part-${part.filter}`} aria-current={place === current ? "step" : undefined}
+          aria-label={`${t.line(String(part.number), `${t.kinds[part.kind]}, ${part.text}`)}${done && `, ${done}`}`}
+          onClick={() => openBlock(part.index)}
         >
           <span className="number part-number">{part.number}</span>
           <span className="part-words">

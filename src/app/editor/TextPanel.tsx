@@ -56,8 +56,12 @@ export function TextPanel({ toBlock }: { readonly toBlock?: () => void }) {
         }}>
           <Icon name={faults > 0 ? "warning" : copied ? "check" : "copy"} /> {copied ? t.page.text.copied : t.page.text.copy}
         </button>
-        {canSaveFiles() && <button type="button" className="button" aria-label={t.editor.saveLong(name)} onClick={() => void save()}>{t.editor.save}</button>}
-        <button type="button" className="button" aria-label={t.page.text.download(name)} onClick={() => void allowed("download").then((verdict) => verdict && downloadBytes(bytes(), name))}>
+        {canSaveFiles() && (
+          <button type="button" className="button" aria-label={t.editor.saveLong(name)} onClick={() => void save()}>{t.editor.save}</button>
+        )}
+        <button type="button" className="button" aria-label={t.page.text.download(name)}
+          onClick={() => void allowed("download").then((verdict) => verdict && downloadBytes(bytes(), name))}
+        >
           <Icon name="download" /> <span className="file-name">{name}</span>
         </button>
         <ShareDialog />

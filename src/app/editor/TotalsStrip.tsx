@@ -17,12 +17,18 @@ export function TotalsStrip() {
   const verdict = useVerdict();
   const effect = shown && effectOf(shown);
   const words = t.page.effect;
-  const number = (value: number | null | undefined, decimals: number) => (value === undefined || value === null ? words.unknown : formatFixed(language, value, decimals));
+  const number = (
+    value: number | null | undefined,
+    decimals: number,
+  ) => (value === undefined || value === null ? words.unknown : formatFixed(language, value, decimals));
   const tools = shown?.run.steps.reduce((n, step, i, all) => (step.tool.T === all[i - 1]?.tool.T ? n : n + 1), 0);
   const cell = (name: string, value: ReactNode, unit = "") => (
     <div className="effect-cell">
       <dt>{name}</dt>
-      <dd><span className="number">{value}</span>{unit && <span className="soft small"> {unit}</span>}</dd>
+      <dd>
+        <span className="number">{value}</span>
+        {unit && <span className="soft small">{unit}</span>}
+      </dd>
     </div>
   );
   const seconds = effect ? Math.round(effect.seconds) : 0;
@@ -37,7 +43,9 @@ export function TotalsStrip() {
         {cell(t.editor.blocks, number(shown?.run.program.blocks, 0))}
         <div className="effect-cell proof">
           <dt>{t.findings.verdict.title}</dt>
-          <dd><VerdictText verdict={verdict} reasons={verdict.state === "faults" ? 0 : 1} /></dd>
+          <dd>
+            <VerdictText verdict={verdict} reasons={verdict.state === "faults" ? 0 : 1} />
+          </dd>
         </div>
       </dl>
       <StripStatus />

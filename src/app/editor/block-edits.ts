@@ -13,7 +13,10 @@ export interface TextChange {
 const lineEndOf = (raw: string) => /(?:\r\n|\n|\r)$/.exec(raw)?.[0] ?? "";
 const withoutEnd = (raw: string) => raw.slice(0, raw.length - lineEndOf(raw).length);
 /** The block with another number, where it has one. */
-const numbered = (raw: string, number: number | null) => (number === null ? raw : raw.replace(/^([^\S\r\n]*\/?[^\S\r\n]*)\d+/, `$1${number}`));
+const numbered = (
+  raw: string,
+  number: number | null,
+) => (number === null ? raw : raw.replace(/^([^\S\r\n]*\/?[^\S\r\n]*)\d+/, `$1${number}`));
 
 /** Only what differs between two texts, ends alike left out; null where nothing differs. */
 function difference(before: string, after: string, offset: number): TextChange | null {
@@ -56,7 +59,11 @@ export function duplicated(program: Program, index: number): Program {
   if (!block) return program;
   const newLine = lineEndOf(block.raw) || lineEndOf(program.blocks[index - 1]?.raw ?? "") || "\n";
   const first = { ...block, raw: withoutEnd(block.raw) + newLine };
-  const second = { ...block, number: block.number === null ? null : block.number + 1, raw: numbered(block.raw, block.number === null ? null : block.number + 1) };
+  const second = {
+    ...block,
+    number: block.number === null ? null : block.number + 1,
+    raw: numbered(block.raw, block.number === null ? null : block.number + 1),
+  };
   return renumbered({ blocks: program.blocks.toSpliced(index, 1, first, second) }, index + 2);
 }
 

@@ -9,7 +9,8 @@ import { feedWord } from "../../program/field.ts";
 import { formOf, formWord } from "../../program/recess-words.ts";
 import { blockValue, feedAsTyped, parameterAsTyped, typedFeed, valueAsTyped } from "../../program/typed-value.ts";
 import { fieldOf, optionalValue, labelAsTyped, singleLine, shownLabel, type WordField } from "./field.ts";
-import { axisFields, axisField, compensationField, feedField, functionsField, namedFields, polarWord, retractField, turnField, valueWord } from "./word-fields.ts";
+import { axisFields, axisField, compensationField, feedField, functionsField, namedFields, polarWord, retractField, turnField,
+  valueWord } from "./word-fields.ts";
 
 const AXES = ["X", "Y", "Z"] as const satisfies readonly AxisName[];
 const TARGET = new RegExp(String.raw`^\s*${NUMBER_PARAMETER}\s*$`, "i");
@@ -32,7 +33,10 @@ export const statementLine = (s: Statement): string => statementLines(s, LAYOUTS
 
 /** The whole statement as text, for what has no words of its own. */
 const wholeText: WordField = {
-  id: "text", name: "text", wide: true, read: (s) => (s.kind === "unknown" ? s.text : statementLine(s)),
+  id: "text",
+  name: "text",
+  wide: true,
+  read: (s) => (s.kind === "unknown" ? s.text : statementLine(s)),
   write: (_, typed) => {
     const blocks = parse(typed).blocks;
     return blocks.length === 1 ? (blocks[0]?.statement ?? null) : null;
@@ -51,17 +55,23 @@ const paths: Readonly<Record<PathKind, (s: Statement) => readonly WordField[]>> 
   RND: () => [radius, feedField],
 };
 
-const frame = (kind: "begin" | "end"): readonly WordField[] => [
-  fieldOf(kind, "name", (s) => s.name, (s, typed) => (/^\S{1,60}$/.test(typed.trim()) ? { ...s, name: typed.trim() } : null)),
-  fieldOf(kind, "unit", (s) => s.unit, (s, typed) => ({ ...s, unit: typed === "INCH" ? "INCH" : "MM" }), { choices: ["MM", "INCH"] }),
-];
+const frame =
+  (kind: "begin" | "end"): readonly WordField[] => [
+    fieldOf(kind, "name", (s) => s.name, (s, typed) => (/^\S{1,60}$/.test(typed.trim()) ? { ...s, name: typed.trim() } : null)),
+    fieldOf(kind, "unit", (s) => s.unit, (s, typed) => ({ ...s, unit: typed === "INCH" ? "INCH" : "MM" }), { choices: ["MM", "INCH"] }),
+  ];
 
 /** A corner of a box names three coordinates. */
 const cornerField = (axis: AxisName): WordField => {
   const plain = axisField(axis);
-  const dressed = (s: Statement): Statement => (s.kind === "blankBox" ? { kind: "path", path: "L", words: { axes: s.axes, linear: [], functions: [], extra: [] } } : s);
+  const dressed =
+    (s:
+      Statement): Statement => (s.kind === "blankBox"
+        ? { kind: "path", path: "L", words: { axes: s.axes, linear: [], functions: [], extra: [] } }
+        : s);
   return {
-    ...plain, read: (s) => plain.read(dressed(s)),
+    ...plain,
+    read: (s) => plain.read(dressed(s)),
     write: (s, typed) => {
       const next = plain.write(dressed(s), typed);
       return s.kind === "blankBox" && next?.kind === "path" ? { ...s, axes: next.words.axes } : null;
@@ -86,32 +96,72 @@ type Table = { readonly [K in Statement["kind"]]: (s: Extract<Statement, { kind:
 /** The fields of every kind of block: the one description that all their dialogs are made from. */
 const table: Table = {
   empty: () => [],
-  comment: () => [fieldOf("comment", "text", (s) => s.text, (s, typed) => { const text = singleLine(typed); return text === null ? null : { ...s, text }; }, { wide: true })],
-  structure: () => [fieldOf("structure", "text", (s) => s.text, (s, typed) => { const text = singleLine(typed); return text === null ? null : { ...s, text: text.trimStart() }; }, { wide: true })],
+  comment: () => [fieldOf("comment", "text", (s) => s.text, (s, typed) => {
+    const text = singleLine(typed);
+    return text === null ? null : { ...s, text };
+  }, { wide: true })],
+  structure: () => [fieldOf("structure", "text", (s) => s.text, (s, typed) => {
+    const text = singleLine(typed);
+    return text === null ? null : { ...s, text: text.trimStart() };
+  }, { wide: true })],
   begin: () => frame("begin"),
   end: () => frame("end"),
-  blankBox: (s) => [
-    ...(s.corner === 1 ? [fieldOf("blankBox", "toolAxis", (b) => b.axis ?? "", (b, typed) => ({ ...b, axis: isAxis(typed) ? typed : null }), { choices: ["X", "Y", "Z"] })] : []),
-    ...AXES.map(cornerField),
-  ],
+  blankBox:
+    (s) => [
+      ...(s.corner === 1
+        ? [fieldOf("blankBox", "toolAxis", (b) =>
+          b.axis ?? "", (b, typed) => ({ ...b, axis: isAxis(typed) ? typed : null }), { choices: ["X", "Y", "Z"] })]
+        : []),
+      ...AXES.map(cornerField),
+    ],
   blankCylinder: () => [
-    fieldOf("blankCylinder", "toolAxis", (s) => s.axis, (s, typed) => (isAxis(typed) ? { ...s, axis: typed } : null), { choices: ["X", "Y", "Z"] }),
-    fieldOf("blankCylinder", "outside", (s) => valueAsTyped(s.outside?.value), (s, typed) => optionalValue(typed, (value) => ({ ...s, outside: value === null ? null : { measure: s.outside?.measure ?? "D", value } })), { numeric: true, unit: "mm" }),
-    fieldOf("blankCylinder", "outsideMeasure", (s) => s.outside?.measure ?? "D", (s, typed) => (s.outside ? { ...s, outside: { ...s.outside, measure: typed === "R" ? "R" : "D" } } : s), { choices: ["D", "R"] }),
-    fieldOf("blankCylinder", "length", (s) => valueAsTyped(s.length), (s, typed) => optionalValue(typed, (length) => ({ ...s, length })), { numeric: true, unit: "mm" }),
-    fieldOf("blankCylinder", "distance", (s) => valueAsTyped(s.distance), (s, typed) => optionalValue(typed, (distance) => ({ ...s, distance })), { numeric: true, unit: "mm" }),
-    fieldOf("blankCylinder", "inside", (s) => valueAsTyped(s.inside?.value), (s, typed) => optionalValue(typed, (value) => ({ ...s, inside: value === null ? null : { measure: s.inside?.measure ?? "DI", value } })), { numeric: true, unit: "mm" }),
-    fieldOf("blankCylinder", "insideMeasure", (s) => (s.inside?.measure === "RI" ? "R" : "D"), (s, typed) => (s.inside ? { ...s, inside: { ...s.inside, measure: typed === "R" ? "RI" : "DI" } } : s), { choices: ["D", "R"] }),
+    fieldOf("blankCylinder", "toolAxis", (s) => s.axis, (s, typed) => (isAxis(typed) ? { ...s, axis: typed } : null), {
+      choices: ["X", "Y", "Z"],
+    }),
+    fieldOf("blankCylinder", "outside", (s) => valueAsTyped(s.outside?.value), (s, typed) =>
+      optionalValue(typed, (value) => ({ ...s, outside: value === null ? null : { measure: s.outside?.measure ?? "D", value } })), {
+      numeric: true,
+      unit: "mm",
+    }),
+    fieldOf("blankCylinder", "outsideMeasure", (s) => s.outside?.measure ?? "D",
+      (s, typed) => (s.outside ? { ...s, outside: { ...s.outside, measure: typed === "R" ? "R" : "D" } } : s), { choices: ["D", "R"] }),
+    fieldOf("blankCylinder", "length", (s) => valueAsTyped(s.length), (s, typed) => optionalValue(typed, (length) => ({ ...s, length })), {
+      numeric: true,
+      unit: "mm",
+    }),
+    fieldOf("blankCylinder", "distance", (s) => valueAsTyped(s.distance), (s, typed) =>
+      optionalValue(typed, (distance) => ({ ...s, distance })), { numeric: true, unit: "mm" }),
+    fieldOf("blankCylinder", "inside", (s) => valueAsTyped(s.inside?.value), (s, typed) =>
+      optionalValue(typed, (value) => ({ ...s, inside: value === null ? null : { measure: s.inside?.measure ?? "DI", value } })), {
+      numeric: true,
+      unit: "mm",
+    }),
+    fieldOf("blankCylinder", "insideMeasure", (s) => (s.inside?.measure === "RI" ? "R" : "D"),
+      (s, typed) => (s.inside ? { ...s, inside: { ...s.inside, measure: typed === "R" ? "RI" : "DI" } } : s), { choices: ["D", "R"] }),
   ],
   blankRotation: () => [
-    fieldOf("blankRotation", "toolAxis", (s) => s.axis, (s, typed) => (isAxis(typed) ? { ...s, axis: typed } : null), { choices: ["X", "Y", "Z"] }),
-    fieldOf("blankRotation", "measure", (s) => s.measure, (s, typed) => ({ ...s, measure: typed === "R" ? "R" : "D" }), { choices: ["D", "R"] }),
-    fieldOf("blankRotation", "label", (s) => shownLabel(s.label), (s, typed) => { const label = labelAsTyped(typed); return label === null ? null : { ...s, label }; }),
+    fieldOf("blankRotation", "toolAxis", (s) => s.axis, (s, typed) => (isAxis(typed) ? { ...s, axis: typed } : null), {
+      choices: ["X", "Y", "Z"],
+    }),
+    fieldOf("blankRotation", "measure", (s) => s.measure, (s, typed) => ({ ...s, measure: typed === "R" ? "R" : "D" }), {
+      choices: ["D", "R"],
+    }),
+    fieldOf("blankRotation", "label", (s) => shownLabel(s.label), (s, typed) => {
+      const label = labelAsTyped(typed);
+      return label === null ? null : { ...s, label };
+    }),
   ],
   toolDefinition: () => [
-    fieldOf("toolDefinition", "tool", (s) => shownLabel(s.tool), (s, typed) => { const tool = labelAsTyped(typed); return tool === null ? null : { ...s, tool }; }),
-    fieldOf("toolDefinition", "length", (s) => valueAsTyped(s.length), (s, typed) => optionalValue(typed, (length) => ({ ...s, length })), { numeric: true, unit: "mm" }),
-    fieldOf("toolDefinition", "toolRadius", (s) => valueAsTyped(s.radius), (s, typed) => optionalValue(typed, (r) => ({ ...s, radius: r })), { numeric: true, unit: "mm" }),
+    fieldOf("toolDefinition", "tool", (s) => shownLabel(s.tool), (s, typed) => {
+      const tool = labelAsTyped(typed);
+      return tool === null ? null : { ...s, tool };
+    }),
+    fieldOf("toolDefinition", "length", (s) => valueAsTyped(s.length), (s, typed) => optionalValue(typed, (length) => ({ ...s, length })), {
+      numeric: true,
+      unit: "mm",
+    }),
+    fieldOf("toolDefinition", "toolRadius", (s) => valueAsTyped(s.radius), (s, typed) => optionalValue(typed, (r) => ({ ...s, radius: r })),
+      { numeric: true, unit: "mm" }),
   ],
   toolCall: () => [
     fieldOf("toolCall", "tool", (s) => (s.tool === null ? "" : shownLabel(s.tool)), (s, typed) => {
@@ -119,75 +169,139 @@ const table: Table = {
       const value = TOOL_VALUE.test(typed) ? blockValue(typed) : labelAsTyped(typed);
       return value === null ? null : { ...s, tool: value };
     }),
-    fieldOf("toolCall", "toolAxis", (s) => s.axis ?? "", (s, typed) => ({ ...s, axis: isAxis(typed) ? typed : null }), { choices: ["", "X", "Y", "Z"] }),
-    fieldOf("toolCall", "speed", (s) => valueAsTyped(s.speed), (s, typed) => optionalValue(typed, (speed) => ({ ...s, speed })), { numeric: true }),
-    fieldOf("toolCall", "feed", (s) => feedAsTyped(s.feed), (s, typed) => { const feed = typedFeed(typed); return feed === undefined ? null : { ...s, feed }; }),
-    fieldOf("toolCall", "deltaLength", (s) => valueAsTyped(s.deltaLength), (s, typed) => optionalValue(typed, (deltaLength) => ({ ...s, deltaLength })), { numeric: true, unit: "mm" }),
-    fieldOf("toolCall", "deltaRadius", (s) => valueAsTyped(s.deltaRadius), (s, typed) => optionalValue(typed, (deltaRadius) => ({ ...s, deltaRadius })), { numeric: true, unit: "mm" }),
+    fieldOf("toolCall", "toolAxis", (s) => s.axis ?? "", (s, typed) => ({ ...s, axis: isAxis(typed) ? typed : null }), {
+      choices: ["", "X", "Y", "Z"],
+    }),
+    fieldOf("toolCall", "speed", (s) => valueAsTyped(s.speed), (s, typed) => optionalValue(typed, (speed) => ({ ...s, speed })), {
+      numeric: true,
+    }),
+    fieldOf("toolCall", "feed", (s) => feedAsTyped(s.feed), (s, typed) => {
+      const feed = typedFeed(typed);
+      return feed === undefined ? null : { ...s, feed };
+    }),
+    fieldOf("toolCall", "deltaLength", (s) => valueAsTyped(s.deltaLength),
+      (s, typed) => optionalValue(typed, (deltaLength) => ({ ...s, deltaLength })), { numeric: true, unit: "mm" }),
+    fieldOf("toolCall", "deltaRadius", (s) => valueAsTyped(s.deltaRadius),
+      (s, typed) => optionalValue(typed, (deltaRadius) => ({ ...s, deltaRadius })), { numeric: true, unit: "mm" }),
   ],
   mode: () => [
-    fieldOf("mode", "mode", (s) => s.mode, (s, typed) => ({ ...s, mode: typed === "MILL" ? "MILL" : "TURN" }), { choices: ["TURN", "MILL"] }),
-    fieldOf("mode", "kinematics", (s) => s.kinematics ?? "", (s, typed) => (/["\r\n]/.test(typed) ? null : { ...s, kinematics: typed === "" ? null : typed })),
+    fieldOf("mode", "mode", (s) => s.mode, (s, typed) => ({ ...s, mode: typed === "MILL" ? "MILL" : "TURN" }), {
+      choices: ["TURN", "MILL"],
+    }),
+    fieldOf("mode", "kinematics", (s) => s.kinematics ?? "",
+      (s, typed) => (/["\r\n]/.test(typed) ? null : { ...s, kinematics: typed === "" ? null : typed })),
   ],
-  spin: () => [
-    fieldOf("spin", "constantSurface", (s) => (s.constantSurface ? "on" : "off"), (s, typed) => ({ ...s, constantSurface: typed === "on" }), { choices: ["on", "off"] }),
-    fieldOf("spin", "cuttingSpeed", (s) => valueAsTyped(s.cuttingSpeed), (s, typed) => optionalValue(typed, (cuttingSpeed) => ({ ...s, cuttingSpeed })), { numeric: true, unit: "m/min" }),
-    fieldOf("spin", "speed", (s) => valueAsTyped(s.speed), (s, typed) => optionalValue(typed, (speed) => ({ ...s, speed })), { numeric: true }),
-    fieldOf("spin", "speedLimit", (s) => valueAsTyped(s.limit), (s, typed) => optionalValue(typed, (limit) => ({ ...s, limit })), { numeric: true }),
-  ],
-  turnCorrection: (s) => [
-    fieldOf("turnCorrection", "system", (c) => c.system, (c, typed) => ({ ...c, system: typed === "WPL" ? "WPL" : "TCS" }), { choices: ["TCS", "WPL"] }),
-    fieldOf("turnCorrection", "plane", (c) => c.plane, (c, typed) => (/^[A-Z](\/[A-Z])?$/i.test(typed.trim()) ? { ...c, plane: typed.trim().toUpperCase() } : null)),
-    ...namedFields(s, ["DZL", "DXL"]),
-  ],
-  turnBlank: () => [
-    fieldOf("turnBlank", "blankSource", (s) => (s.blank === "off" ? "off" : "file" in s.blank ? "file" : "label"),
-      (s, typed) => {
+  spin:
+    () => [
+      fieldOf("spin", "constantSurface", (s) => (s.constantSurface ? "on" : "off"),
+        (s, typed) => ({ ...s, constantSurface: typed === "on" }), { choices: ["on", "off"] }),
+      fieldOf("spin", "cuttingSpeed", (s) => valueAsTyped(s.cuttingSpeed), (s, typed) =>
+        optionalValue(typed, (cuttingSpeed) => ({ ...s, cuttingSpeed })), { numeric: true, unit: "m/min" }),
+      fieldOf("spin", "speed", (s) => valueAsTyped(s.speed), (s, typed) => optionalValue(typed, (speed) => ({ ...s, speed })), {
+        numeric: true,
+      }),
+      fieldOf("spin", "speedLimit", (s) => valueAsTyped(s.limit), (s, typed) => optionalValue(typed, (limit) => ({ ...s, limit })), {
+        numeric: true,
+      }),
+    ],
+  turnCorrection:
+    (s) => [
+      fieldOf("turnCorrection", "system", (c) => c.system, (c, typed) => ({ ...c, system: typed === "WPL" ? "WPL" : "TCS" }), {
+        choices: ["TCS", "WPL"],
+      }),
+      fieldOf("turnCorrection", "plane", (c) => c.plane,
+        (c, typed) => (/^[A-Z](\/[A-Z])?$/i.test(typed.trim()) ? { ...c, plane: typed.trim().toUpperCase() } : null)),
+      ...namedFields(s, ["DZL", "DXL"]),
+    ],
+  turnBlank:
+    () => [
+      fieldOf("turnBlank", "blankSource", (s) => (s.blank === "off" ? "off" : "file" in s.blank ? "file" : "label"), (s, typed) => {
         const from = s.blank === "off" ? "off" : "file" in s.blank ? "file" : "label";
         return from === typed ? s : { ...s, blank: typed === "off" ? "off" : typed === "file" ? { file: "BLANK.H" } : { label: 1 } };
       }, { choices: ["off", "label", "file"] }),
-    fieldOf("turnBlank", "label", (s) => (s.blank !== "off" && "label" in s.blank ? shownLabel(s.blank.label) : ""), (s, typed) => { const label = labelAsTyped(typed); return label === null ? null : { ...s, blank: { label } }; }),
-    fieldOf("turnBlank", "file", (s) => (s.blank !== "off" && "file" in s.blank ? s.blank.file : ""), (s, typed) => (typed === "" || /["\r\n]/.test(typed) ? null : { ...s, blank: { file: typed } })),
-  ],
+      fieldOf("turnBlank", "label", (s) => (s.blank !== "off" && "label" in s.blank ? shownLabel(s.blank.label) : ""), (s, typed) => {
+        const label = labelAsTyped(typed);
+        return label === null ? null : { ...s, blank: { label } };
+      }),
+      fieldOf("turnBlank", "file", (s) => (s.blank !== "off" && "file" in s.blank ? s.blank.file : ""),
+        (s, typed) => (typed === "" || /["\r\n]/.test(typed) ? null : { ...s, blank: { file: typed } })),
+    ],
   path: (s) => paths[s.path](s),
-  chamfer: () => [fieldOf("chamfer", "chamfer", (s) => valueAsTyped(s.length), (s, typed) => optionalValue(typed, (length) => ({ ...s, length })), { numeric: true, unit: "mm" }), feedField],
+  chamfer:
+    () => [
+      fieldOf("chamfer", "chamfer", (s) => valueAsTyped(s.length), (s, typed) => optionalValue(typed, (length) => ({ ...s, length })), {
+        numeric: true,
+        unit: "mm",
+      }),
+      feedField,
+    ],
   approach: (s) => [
-    fieldOf("approach", "form", (a) => a.form, (a, typed) => { const form = APPROACH_FORMS.find((f) => f === typed); return form ? { ...a, form } : null; }, { choices: APPROACH_FORMS }),
+    fieldOf("approach", "form", (a) => a.form, (a, typed) => {
+      const form = APPROACH_FORMS.find((f) => f === typed);
+      return form ? { ...a, form } : null;
+    }, { choices: APPROACH_FORMS }),
     ...(s.form.startsWith("P") ? polar : axisFields(s, AXES)),
-    valueWord("length", "lineLength"), valueWord("centreAngle", "centreAngle", "°"), radius, ...tail,
+    valueWord("length", "lineLength"),
+    valueWord("centreAngle", "centreAngle", "°"),
+    radius,
+    ...tail,
   ],
-  undercut: (s) => [
-    fieldOf("undercut", "form", (u) => u.form, (u, typed) => ({ ...u, form: typed }), { choices: UNDERCUT_FORMS.map(formWord) }),
-    ...namedFields(s, undercutWords(s.form)),
-  ],
+  undercut:
+    (s) => [
+      fieldOf("undercut", "form", (u) => u.form, (u, typed) => ({ ...u, form: typed }), { choices: UNDERCUT_FORMS.map(formWord) }),
+      ...namedFields(s, undercutWords(s.form)),
+    ],
   groove: (s) => [
-    fieldOf("groove", "form", (g) => g.form, (g, typed) => ({ ...g, form: typed === "AXIAL" ? "AXIAL" : "RADIAL" }), { choices: ["RADIAL", "AXIAL"] }),
+    fieldOf("groove", "form", (g) => g.form, (g, typed) => ({ ...g, form: typed === "AXIAL" ? "AXIAL" : "RADIAL" }), {
+      choices: ["RADIAL", "AXIAL"],
+    }),
     ...namedFields(s, GROOVE_WORDS),
   ],
-  label: () => [fieldOf("label", "label", (s) => shownLabel(s.label), (s, typed) => { const label = labelAsTyped(typed); return label === null ? null : { ...s, label }; })],
+  label: () => [fieldOf("label", "label", (s) => shownLabel(s.label), (s, typed) => {
+    const label = labelAsTyped(typed);
+    return label === null ? null : { ...s, label };
+  })],
   call: () => [
-    fieldOf("call", "label", (s) => shownLabel(s.label), (s, typed) => { const label = labelAsTyped(typed); return label === null ? null : { ...s, label }; }),
-    fieldOf("call", "repeat", (s) => valueAsTyped(s.repeat), (s, typed) => optionalValue(typed, (repeat) => ({ ...s, repeat })), { numeric: true }),
+    fieldOf("call", "label", (s) => shownLabel(s.label), (s, typed) => {
+      const label = labelAsTyped(typed);
+      return label === null ? null : { ...s, label };
+    }),
+    fieldOf("call", "repeat", (s) => valueAsTyped(s.repeat), (s, typed) => optionalValue(typed, (repeat) => ({ ...s, repeat })), {
+      numeric: true,
+    }),
   ],
-  cycleLine: () => [fieldOf("cycleLine", "cycleLine", (s) => s.text, (s, typed) => { const text = singleLine(typed); return text === null ? null : { ...s, text }; }, { wide: true })],
-  cycle: (s) => s.parameters.map((p) => fieldOf("cycle", { word: p.label === null ? p.q : `${p.q} ${p.label.trim()}` },
-    (c) => parameterAsTyped(c.parameters.find((each) => each.q === p.q)?.value),
-    (c, typed) => {
-      const value = feedWord(typed) ?? blockValue(typed);
-      return value === null ? null : { ...c, parameters: c.parameters.map((each) => (each.q === p.q ? { ...each, value } : each)) };
-    }, { id: p.q, numeric: true })),
-  cycleCall: () => [
-    fieldOf("cycleCall", "how", (s) => (s.how === "" ? "here" : s.how), (s, typed) => ({ ...s, how: typed === "POS" || typed === "PAT" ? typed : "" }), { choices: ["here", "POS", "PAT"] }),
-    feedField, functionsField,
-  ],
-  selectContour: () => [fieldOf("selectContour", "file", (s) => s.file, (s, typed) => (/["\r\n]/.test(typed) ? null : { ...s, file: typed }), { wide: true })],
+  cycleLine: () => [fieldOf("cycleLine", "cycleLine", (s) => s.text, (s, typed) => {
+    const text = singleLine(typed);
+    return text === null ? null : { ...s, text };
+  }, { wide: true })],
+  cycle: (s) =>
+    s.parameters.map((p) =>
+      fieldOf("cycle", { word: p.label === null ? p.q : `${p.q} ${p.label.trim()}` }, (c) =>
+        parameterAsTyped(c.parameters.find((each) => each.q === p.q)?.value), (c, typed) => {
+        const value = feedWord(typed) ?? blockValue(typed);
+        return value === null ? null : { ...c, parameters: c.parameters.map((each) => (each.q === p.q ? { ...each, value } : each)) };
+      }, { id: p.q, numeric: true })
+    ),
+  cycleCall:
+    () => [
+      fieldOf("cycleCall", "how", (s) => (s.how === "" ? "here" : s.how),
+        (s, typed) => ({ ...s, how: typed === "POS" || typed === "PAT" ? typed : "" }), { choices: ["here", "POS", "PAT"] }),
+      feedField,
+      functionsField,
+    ],
+  selectContour:
+    () => [
+      fieldOf("selectContour", "file", (s) => s.file, (s, typed) => (/["\r\n]/.test(typed) ? null : { ...s, file: typed }), { wide: true }),
+    ],
   jump: () => [wholeText],
   datum: () => [wholeText],
-  assign: (s) => [
-    fieldOf("assign", "target", (a) => a.target, (a, typed) => (TARGET.test(typed) ? { ...a, target: typed.trim().toUpperCase() } : null)),
-    fieldOf("assign", "formula", (a) => statementLine(a).replace(/^.*?=\s*/, ""), (a, typed) =>
-      statementOf(`${s.fn === null ? "" : `FN ${s.fn}: `}${a.target} = ${typed}`, "assign"), { wide: true }),
-  ],
+  assign:
+    (s) => [
+      fieldOf("assign", "target", (a) => a.target,
+        (a, typed) => (TARGET.test(typed) ? { ...a, target: typed.trim().toUpperCase() } : null)),
+      fieldOf("assign", "formula", (a) => statementLine(a).replace(/^.*?=\s*/, ""),
+        (a, typed) => statementOf(`${s.fn === null ? "" : `FN ${s.fn}: `}${a.target} = ${typed}`, "assign"), { wide: true }),
+    ],
   functions: () => [functionsField],
   stop: () => [functionsField],
   unknown: () => [wholeText],

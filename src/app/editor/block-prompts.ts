@@ -20,7 +20,9 @@ export function readingOfBlock(program: Program, index: number, typed: Draft): J
   if (!cycle || s?.kind !== "cycle") return null;
   const draft: Draft = { ...Object.fromEntries(s.parameters.map((p) => [p.q, parameterAsTyped(p.value)])), ...typed };
   const job: Job = {
-    ...exampleJob(cycle), drafts: { [cycle.number]: draft }, perRevolution: perRevolutionBefore(program, index),
+    ...exampleJob(cycle),
+    drafts: { [cycle.number]: draft },
+    perRevolution: perRevolutionBefore(program, index),
     contour: cycle.contour === "free" ? contourBefore(program, index) : [],
   };
   return { job, cycle, draft, reading: readDraft(cycle, draft, parametersBefore(program, index)) };
@@ -32,7 +34,11 @@ export function withPrompt(program: Program, index: number, q: string, text: str
   if (s?.kind !== "cycle") return program;
   const param = cycleByNumber(s.cycle)?.params[q];
   const empty = text.trim() === "" && (param?.optional ?? false);
-  const value: CycleParameter["value"] = param?.kind === "feed" && feedWord(text) === "auto" ? "auto" : empty ? 0 : blockValue(text, param?.decimals);
+  const value: CycleParameter["value"] = param?.kind === "feed" && feedWord(text) === "auto"
+    ? "auto"
+    : empty
+    ? 0
+    : blockValue(text, param?.decimals);
   return value === null ? program : withBlock(program, index, withParameter(s, q, value));
 }
 
@@ -45,13 +51,19 @@ function withParameter(s: CycleStatement, q: string, value: CycleParameter["valu
 }
 
 /** What was found in the lines of a block, and what is wrong with its prompts as typed; none twice. */
-export function problemsOfBlock(program: Program, index: number, read: JobReading | null, findings: readonly RunFinding[]): readonly FindingEntry[] {
+export function problemsOfBlock(
+  program: Program,
+  index: number,
+  read: JobReading | null,
+  findings: readonly RunFinding[],
+): readonly FindingEntry[] {
   const line = startLines(program)[index] ?? 0;
   const last = line + (program.blocks[index]?.lines ?? 1) - 1;
   const block = blockNumbers(program)[index] ?? null;
   const typed = read?.reading.issues.map((issue): FindingEntry => entryAt(issue, issue.at ?? null, block)) ?? [];
-  const found = findings.filter((f) => f.line !== null && f.line >= line && f.line <= last)
-    .map(({ issue }): FindingEntry => entryAt(issue, ("at" in issue ? issue.at : null) ?? null, block));
+  const found = findings.filter((f) => f.line !== null && f.line >= line && f.line <= last).map(({ issue }): FindingEntry =>
+    entryAt(issue, ("at" in issue ? issue.at : null) ?? null, block)
+  );
   const all = new Map<string, FindingEntry>();
   for (const problem of [...typed, ...found]) {
     const key = JSON.stringify([problem.issue.code, problem.at, problem.issue.data]);

@@ -14,11 +14,15 @@ import { unitOf } from "../dialog/write-value.ts";
 import { readingField } from "./reading-field.ts";
 
 /** The cycle of the catalogue that the block at an offset defines, and the parameters that stand there. */
-function cycleAt(state: EditorState, offset: number): { readonly cycle: Cycle; readonly present: readonly string[]; readonly continued: boolean } | null {
+function cycleAt(
+  state: EditorState,
+  offset: number,
+): { readonly cycle: Cycle; readonly present: readonly string[]; readonly continued: boolean } | null {
   const reading = state.field(readingField);
   let index = blockAt(reading, offset);
   // What is just being typed behind a cycle may not belong to it yet.
-  while (index > 0 && reading.program.blocks[index]?.number === null && reading.program.blocks[index]?.statement.kind !== "cycle") index -= 1;
+  while (index > 0 && reading.program.blocks[index]?.number === null && reading.program.blocks[index]?.statement.kind !== "cycle")
+    index -= 1;
   const block = reading.program.blocks[index];
   if (block?.statement.kind !== "cycle") return null;
   const cycle = cycleByNumber(block.statement.cycle);
@@ -26,7 +30,10 @@ function cycleAt(state: EditorState, offset: number): { readonly cycle: Cycle; r
 }
 
 const rangeText = (t: Texts, language: Language, param: Param): string =>
-  param.choices ? param.choices.join(" / ") : `${t.dialog.range(formatNumber(language, param.range[0], param.decimals), formatNumber(language, param.range[1], param.decimals))} ${t.dialog.units[unitOf(param, true)]}`;
+  param.choices
+    ? param.choices.join(" / ")
+    : "" + (t.dialog.range(formatNumber(language, param.range[0], param.decimals), formatNumber(language, param.range[1], param.decimals)))
+      + ` ${t.dialog.units[unitOf(param, true)]}`;
 
 function helpElement(t: Texts, language: Language, q: string, param: Param): HTMLElement {
   const words = t.params[param.text as ParamTextId];
@@ -50,9 +57,37 @@ function helpElement(t: Texts, language: Language, q: string, param: Param): HTM
 
 /** Blocks that can be begun by typing. */
 const KEYWORDS = [
-  "BEGIN PGM", "BLK FORM CYLINDER Z", "BLK FORM ROTATION Z", "BLK FORM 0.1 Z", "TOOL CALL", "TOOL DEF", "FUNCTION MODE TURN", "FUNCTION MODE MILL",
-  "FUNCTION TURNDATA SPIN VCONST:ON VC:", "FUNCTION TURNDATA BLANK", "FUNCTION TURNDATA CORR-TCS:Z/X", "CYCL DEF", "CYCL CALL", "CALL LBL", "LBL", "SEL CONTOUR",
-  "APPR LT", "APPR LN", "APPR CT", "APPR LCT", "DEP LT", "DEP LN", "DEP CT", "DEP LCT", "RND", "CHF", "UDC TYPE_E", "GRV RADIAL", "GRV AXIAL", "STOP", "END PGM",
+  "BEGIN PGM",
+  "BLK FORM CYLINDER Z",
+  "BLK FORM ROTATION Z",
+  "BLK FORM 0.1 Z",
+  "TOOL CALL",
+  "TOOL DEF",
+  "FUNCTION MODE TURN",
+  "FUNCTION MODE MILL",
+  "FUNCTION TURNDATA SPIN VCONST:ON VC:",
+  "FUNCTION TURNDATA BLANK",
+  "FUNCTION TURNDATA CORR-TCS:Z/X",
+  "CYCL DEF",
+  "CYCL CALL",
+  "CALL LBL",
+  "LBL",
+  "SEL CONTOUR",
+  "APPR LT",
+  "APPR LN",
+  "APPR CT",
+  "APPR LCT",
+  "DEP LT",
+  "DEP LN",
+  "DEP CT",
+  "DEP LCT",
+  "RND",
+  "CHF",
+  "UDC TYPE_E",
+  "GRV RADIAL",
+  "GRV AXIAL",
+  "STOP",
+  "END PGM",
 ];
 
 function parameters(t: Texts, language: Language, context: CompletionContext): CompletionResult | null {
@@ -65,7 +100,9 @@ function parameters(t: Texts, language: Language, context: CompletionContext): C
     from: typed.from + typed.text.search(/Q/i),
     validFor: /^Q\d*$/i,
     options: missing.map(([q, param]): Completion => ({
-      label: q, detail: t.params[param.text as ParamTextId].label, type: "property",
+      label: q,
+      detail: t.params[param.text as ParamTextId].label,
+      type: "property",
       apply: `${q}=${param.example >= 0 ? "+" : ""}${param.example} ;${labels.label(param.text)}${at.continued ? " ~" : ""}`,
       info: () => helpElement(t, language, q, param),
     })),
@@ -88,7 +125,9 @@ export function cycleHelp(t: Texts, language: Language): Extension {
     autocompletion({ override: [(context) => parameters(t, language, context) ?? blockWords(context)], icons: false }),
     hoverTooltip((view, offset) => {
       const line = view.state.doc.lineAt(offset);
-      const found = [...line.text.matchAll(PARAMETERS)].find((m) => offset >= line.from + m.index && offset <= line.from + m.index + m[0].length);
+      const found = [...line.text.matchAll(PARAMETERS)].find((m) =>
+        offset >= line.from + m.index && offset <= line.from + m.index + m[0].length
+      );
       const at = found && cycleAt(view.state, offset);
       const q = found?.[0].toUpperCase() ?? "";
       const param = at?.cycle.params[q];

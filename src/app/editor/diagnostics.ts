@@ -12,7 +12,10 @@ import { readingField } from "./reading-field.ts";
 const MOST = 1500;
 
 /** Where a finding stands in the editor's text. */
-export function placeOf(state: EditorState, { issue, line }: Pick<RunFinding, "issue" | "line">): { readonly from: number; readonly to: number } | null {
+export function placeOf(
+  state: EditorState,
+  { issue, line }: Pick<RunFinding, "issue" | "line">,
+): { readonly from: number; readonly to: number } | null {
   if (line === null || line < 1 || line > state.doc.lines) return null;
   const at = state.doc.line(line);
   if ("column" in issue) {
@@ -40,7 +43,13 @@ export function cycleOf(state: EditorState, offset: number): number | null {
 }
 
 /** Marks all findings in text and margin, with their sentences in the screen language and what corrects them. */
-export function diagnosticsOf(view: EditorView, findings: readonly RunFinding[], t: Texts, language: Language, dispatch: (spec: TransactionSpec) => void): Pick<Transaction, "effects"> & TransactionSpec {
+export function diagnosticsOf(
+  view: EditorView,
+  findings: readonly RunFinding[],
+  t: Texts,
+  language: Language,
+  dispatch: (spec: TransactionSpec) => void,
+): Pick<Transaction, "effects"> & TransactionSpec {
   const { state } = view;
   const all: Diagnostic[] = [];
   for (const finding of findings.slice(0, MOST)) {
@@ -48,11 +57,18 @@ export function diagnosticsOf(view: EditorView, findings: readonly RunFinding[],
     if (!place) continue;
     const fix = fixOf(state, finding);
     all.push({
-      ...place, severity: finding.issue.severity, message: issueText(t, language, finding.issue, cycleOf(state, place.from)),
-      ...(fix && { actions: [{ name: t.findings.fix, apply: () => {
-        const now = fixOf(view.state, finding);
-        if (now) dispatch(now);
-      } }] }),
+      ...place,
+      severity: finding.issue.severity,
+      message: issueText(t, language, finding.issue, cycleOf(state, place.from)),
+      ...(fix && {
+        actions: [{
+          name: t.findings.fix,
+          apply: () => {
+            const now = fixOf(view.state, finding);
+            if (now) dispatch(now);
+          },
+        }],
+      }),
     });
   }
   return setDiagnostics(state, all.sort((a, b) => a.from - b.from)) as Pick<Transaction, "effects"> & TransactionSpec;

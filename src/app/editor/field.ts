@@ -27,15 +27,19 @@ export interface WordField {
 
 /** A field of statements of one kind; on any other statement it does nothing. */
 export function fieldOf<K extends Statement["kind"]>(
-  kind: K, name: FieldName,
+  kind: K,
+  name: FieldName,
   read: (s: Extract<Statement, { kind: K }>) => string,
   write: (s: Extract<Statement, { kind: K }>, typed: string) => Statement | null,
   more: Partial<Pick<WordField, "choices" | "wide" | "numeric" | "unit" | "id">> = {},
 ): WordField {
   const own = (s: Statement): s is Extract<Statement, { kind: K }> => s.kind === kind;
   return {
-    id: typeof name === "string" ? name : name.word, name, ...more,
-    read: (s) => (own(s) ? read(s) : ""), write: (s, typed) => (own(s) ? write(s, typed) : null),
+    id: typeof name === "string" ? name : name.word,
+    name,
+    ...more,
+    read: (s) => (own(s) ? read(s) : ""),
+    write: (s, typed) => (own(s) ? write(s, typed) : null),
   };
 }
 

@@ -10,7 +10,10 @@ import { partsOf } from "./program-parts.ts";
 
 const samples = import.meta.glob<string>("../../../tests/programs/**/*.h", { query: "?raw", import: "default", eager: true });
 const programs = Object.values(samples).map(parse);
-const statements: readonly Statement[] = [...programs.flatMap((p) => p.blocks.map((b) => b.statement)), ...palette.map((offered) => offered.make("en"))];
+const statements: readonly Statement[] = [
+  ...programs.flatMap((p) => p.blocks.map((b) => b.statement)),
+  ...palette.map((offered) => offered.make("en")),
+];
 const edited = (text: string, id: string, typed: string): string => {
   const program = parse(text);
   const s = program.blocks[0]?.statement;
@@ -20,11 +23,12 @@ const edited = (text: string, id: string, typed: string): string => {
 };
 
 test("what a field shows says the same when it is typed", () => {
-  for (const s of statements) for (const field of fieldsOf(s)) {
-    const shown = field.read(s);
-    if (shown === "" && field.write(s, "") === null) continue;
-    expect(field.write(s, shown), `${s.kind} ${field.id} ${shown}`).toEqual(s);
-  }
+  for (const s of statements)
+    for (const field of fieldsOf(s)) {
+      const shown = field.read(s);
+      if (shown === "" && field.write(s, "") === null) continue;
+      expect(field.write(s, shown), `${s.kind} ${field.id} ${shown}`).toEqual(s);
+    }
 });
 
 test("every kind of block that says something has a dialog with names of its own", () => {
@@ -42,7 +46,7 @@ test.each([
   ["7 L X+140\n", "feed", "0.2", "7 L X+140 F0.2\n"],
   ["7 L X+140\n", "functions", "8 M303", "7 L X+140 M8 M303\n"],
   ["7 CR X+1 Z+2 R5 DR-\n", "turn", "ccw", "7 CR X+1 Z+2 R+5 DR+\n"],
-  ["4 TOOL CALL 15\n", "tool", "CNMG", "4 TOOL CALL \"CNMG\"\n"],
+  ["4 TOOL CALL 15\n", "tool", "CNMG", '4 TOOL CALL "CNMG"\n'],
   ["3 UDC TYPE_E R1 DEPTH2\n", "word BREADTH", "15", "3 UDC TYPE_E R1 DEPTH2 BREADTH15\n"],
   ["3 Q1 = 2\n", "formula", "Q2 * 3", "3 Q1 = Q2 * 3\n"],
   ["3 L X+1\n", "X", "Q5", "3 L X+Q5\n"],
@@ -52,19 +56,24 @@ test.each([
 ])("%s: %s as %s", (text, id, typed, result) => expect(edited(text, id, typed)).toBe(result));
 
 test("a prompt of a cycle changes only its own characters", () => {
-  for (const program of programs) program.blocks.forEach((block, index) => {
-    const read = readingOfBlock(program, index, {});
-    if (!read || block.statement.kind !== "cycle") return;
-    for (const { q } of block.statement.parameters) {
-      if (read.cycle.params[q]?.choices || read.draft[q] === "") continue;
-      const after = print(withPrompt(program, index, q, "Q77"));
-      expect(after.replace(/\+Q77|Q77/, ""), q).not.toBe(print(program));
-      expect(after.split("\n").filter((line, i) => line !== print(program).split("\n")[i])).toHaveLength(1);
-    }
-  });
+  for (const program of programs)
+    program.blocks.forEach((block, index) => {
+      const read = readingOfBlock(program, index, {});
+      if (!read || block.statement.kind !== "cycle") return;
+      for (const { q } of block.statement.parameters) {
+        if (read.cycle.params[q]?.choices || read.draft[q] === "") continue;
+        const after = print(withPrompt(program, index, q, "Q77"));
+        expect(after.replace(/\+Q77|Q77/, ""), q).not.toBe(print(program));
+        expect(after.split("\n").filter((line, i) => line !== print(program).split("\n")[i])).toHaveLength(1);
+      }
+    });
 });
 
 test("the list of parts names tools, cycles, labels and notes", () => {
-  const program = parse("0 BEGIN PGM A MM\n1 * - FIRST\n2 TOOL CALL 3\n3 LBL \"C\"\n4 L X+1\n5 LBL 0\n6 END PGM A MM\n");
-  expect(partsOf(program, null).map((p) => `${p.number} ${p.kind} ${p.text}`)).toEqual(["1 structure * - FIRST", "2 toolCall TOOL CALL 3", "3 label LBL \"C\""]);
+  const program = parse('0 BEGIN PGM A MM\n1 * - FIRST\n2 TOOL CALL 3\n3 LBL "C"\n4 L X+1\n5 LBL 0\n6 END PGM A MM\n');
+  expect(partsOf(program, null).map((p) => `${p.number} ${p.kind} ${p.text}`)).toEqual([
+    "1 structure * - FIRST",
+    "2 toolCall TOOL CALL 3",
+    '3 label LBL "C"',
+  ]);
 });

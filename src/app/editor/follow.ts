@@ -39,7 +39,8 @@ function followSession(): () => void {
 function followPrompt(): () => void {
   return usePlace.subscribe((now, before) => {
     const { index, parameter } = useSession.getState();
-    if (now.prompt !== before.prompt && now.prompt !== null && now.prompt !== parameter && openReading()) openBlock(index, now.prompt, true);
+    if (now.prompt !== before.prompt && now.prompt !== null && now.prompt !== parameter && openReading())
+      openBlock(index, now.prompt, true);
   });
 }
 
@@ -85,7 +86,12 @@ function followPlayback(): () => void {
     if (!view || next === marked) return;
     marked = next;
     const range = next === null ? null : blockRange(view.state, next);
-    view.dispatch({ effects: [setRunning.of(next), ...(range && playback.get().playing ? [EditorView.scrollIntoView(range.from, { y: "nearest", yMargin: 40 })] : [])] });
+    view.dispatch({
+      effects: [
+        setRunning.of(next),
+        ...(range && playback.get().playing ? [EditorView.scrollIntoView(range.from, { y: "nearest", yMargin: 40 })] : []),
+      ],
+    });
   });
 }
 

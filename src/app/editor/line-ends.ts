@@ -15,4 +15,7 @@ export function lineEndsOf(text: string): LineEnds {
 export const toEditor = (text: string, ends: LineEnds): string => (ends === "mixed" || ends === "\n" ? text : text.replaceAll(ends, "\n"));
 
 /** The text as it was read. */
-export const fromEditor = (text: string, ends: LineEnds): string => (ends === "mixed" || ends === "\n" ? text : text.replaceAll("\n", ends));
+export const fromEditor = (
+  text: string,
+  ends: LineEnds,
+): string => (ends === "mixed" || ends === "\n" ? text : text.replaceAll("\n", ends));

@@ -8,8 +8,16 @@ interface LineState {
 }
 
 const TAGS = {
-  number: tags.labelName, keyword: tags.keyword, parameter: tags.variableName, value: tags.number, word: tags.attributeName,
-  comment: tags.comment, structure: tags.heading, string: tags.string, name: tags.className, mark: tags.punctuation,
+  number: tags.labelName,
+  keyword: tags.keyword,
+  parameter: tags.variableName,
+  value: tags.number,
+  word: tags.attributeName,
+  comment: tags.comment,
+  structure: tags.heading,
+  string: tags.string,
+  name: tags.className,
+  mark: tags.punctuation,
 } as const satisfies Readonly<Record<TokenKind, unknown>>;
 
 /** Klartext, coloured line by line by the reader's own scanner. */

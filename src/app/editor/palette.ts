@@ -18,7 +18,10 @@ export interface Offered {
   readonly make: (language: Language) => Statement;
 }
 
-const at = (x: number, z: number): Words["axes"] => [{ axis: "X", value: x, incremental: false }, { axis: "Z", value: z, incremental: false }];
+const at = (
+  x: number,
+  z: number,
+): Words["axes"] => [{ axis: "X", value: x, incremental: false }, { axis: "Z", value: z, incremental: false }];
 const offer = (group: Group, kind: BlockKind, statement: Statement): Offered => ({ group, kind, make: () => statement });
 const polar = { polarRadius: { value: 10, incremental: false }, polarAngle: { value: 0, incremental: false } };
 
@@ -26,7 +29,9 @@ const polar = { polarRadius: { value: 10, incremental: false }, polarAngle: { va
 export function cycleStatement(cycle: Cycle, language: Language): Statement {
   const labels = ncLabels(language);
   return {
-    kind: "cycle", cycle: cycle.number, name: labels.cycleName(cycle.number),
+    kind: "cycle",
+    cycle: cycle.number,
+    name: labels.cycleName(cycle.number),
     parameters: Object.entries(cycle.params).map(([q, p]) => ({ q, value: p.example, label: labels.label(p.text) })),
   };
 }
@@ -43,18 +48,56 @@ export const palette: readonly Offered[] = [
   offer("path", "CTP", { kind: "path", path: "CTP", words: { ...noWords, ...polar } }),
   offer("path", "RND", { kind: "path", path: "RND", words: { ...noWords, radius: 1 } }),
   offer("path", "chamfer", { kind: "chamfer", length: 1, words: noWords }),
-  offer("path", "approach", { kind: "approach", departing: false, form: "LT", words: { ...noWords, axes: [{ axis: "X", value: 0, incremental: false }, { axis: "Y", value: 0, incremental: false }], length: 15, compensation: "RR", feed: { value: 100, unit: "F" } } }),
+  offer("path", "approach", {
+    kind: "approach",
+    departing: false,
+    form: "LT",
+    words: {
+      ...noWords,
+      axes: [{ axis: "X", value: 0, incremental: false }, { axis: "Y", value: 0, incremental: false }],
+      length: 15,
+      compensation: "RR",
+      feed: { value: 100, unit: "F" },
+    },
+  }),
   offer("path", "departure", { kind: "approach", departing: true, form: "LT", words: { ...noWords, length: 15 } }),
-  ...catalogue.map((cycle): Offered => ({ group: "cycles", kind: "cycle", cycle: cycle.number, make: (language) => cycleStatement(cycle, language) })),
+  ...catalogue.map((cycle): Offered => ({
+    group: "cycles",
+    kind: "cycle",
+    cycle: cycle.number,
+    make: (language) => cycleStatement(cycle, language),
+  })),
   offer("cycles", "cycleCall", { kind: "cycleCall", how: "", words: noWords }),
-  { group: "contour", kind: "contour", make: (language) => ({ kind: "cycleLine", cycle: 14, line: 1, text: `${ncLabels(language).contour.label}2` }) },
+  {
+    group: "contour",
+    kind: "contour",
+    make: (language) => ({ kind: "cycleLine", cycle: 14, line: 1, text: `${ncLabels(language).contour.label}2` }),
+  },
   offer("contour", "selectContour", { kind: "selectContour", file: "CONTOUR.H" }),
-  offer("contour", "undercut", { kind: "undercut", form: "TYPE_E", words: [{ name: "R", value: 1 }, { name: "DEPTH", value: 2 }, { name: "BREADTH", value: 15 }] }),
+  offer("contour", "undercut", {
+    kind: "undercut",
+    form: "TYPE_E",
+    words: [{ name: "R", value: 1 }, { name: "DEPTH", value: 2 }, { name: "BREADTH", value: 15 }],
+  }),
   offer("contour", "groove", { kind: "groove", form: "RADIAL", words: [{ name: "DEPTH", value: 2 }, { name: "BREADTH", value: 5 }] }),
-  offer("technology", "toolCall", { kind: "toolCall", tool: 1, axis: null, speed: null, feed: null, deltaLength: null, deltaRadius: null, extra: [] }),
+  offer("technology", "toolCall", {
+    kind: "toolCall",
+    tool: 1,
+    axis: null,
+    speed: null,
+    feed: null,
+    deltaLength: null,
+    deltaRadius: null,
+    extra: [],
+  }),
   offer("technology", "spin", { kind: "spin", constantSurface: true, cuttingSpeed: 180, speed: null, limit: 2500 }),
   offer("technology", "mode", { kind: "mode", mode: "TURN", kinematics: null }),
-  offer("technology", "turnCorrection", { kind: "turnCorrection", system: "TCS", plane: "Z/X", words: [{ name: "DZL", value: 0 }, { name: "DXL", value: 0 }] }),
+  offer("technology", "turnCorrection", {
+    kind: "turnCorrection",
+    system: "TCS",
+    plane: "Z/X",
+    words: [{ name: "DZL", value: 0 }, { name: "DXL", value: 0 }],
+  }),
   offer("technology", "turnBlank", { kind: "turnBlank", blank: { label: 1 } }),
   offer("technology", "functions", { kind: "functions", words: { ...noWords, functions: [136] } }),
   offer("technology", "toolDefinition", { kind: "toolDefinition", tool: 1, length: 0, radius: 0 }),
@@ -65,8 +108,24 @@ export const palette: readonly Offered[] = [
   offer("notes", "structure", { kind: "structure", text: "" }),
   offer("notes", "comment", { kind: "comment", text: " " }),
   offer("frame", "begin", { kind: "begin", name: "PROGRAM", unit: "MM" }),
-  offer("frame", "blankCylinder", { kind: "blankCylinder", axis: "Z", outside: { measure: "D", value: 80 }, length: 100, distance: 1, inside: null }),
+  offer("frame", "blankCylinder", {
+    kind: "blankCylinder",
+    axis: "Z",
+    outside: { measure: "D", value: 80 },
+    length: 100,
+    distance: 1,
+    inside: null,
+  }),
   offer("frame", "blankRotation", { kind: "blankRotation", axis: "Z", measure: "D", label: 1 }),
-  offer("frame", "blankBox", { kind: "blankBox", corner: 1, axis: "Z", axes: [{ axis: "X", value: 0, incremental: false }, { axis: "Y", value: 0, incremental: false }, { axis: "Z", value: -20, incremental: false }] }),
+  offer("frame", "blankBox", {
+    kind: "blankBox",
+    corner: 1,
+    axis: "Z",
+    axes: [{ axis: "X", value: 0, incremental: false }, { axis: "Y", value: 0, incremental: false }, {
+      axis: "Z",
+      value: -20,
+      incremental: false,
+    }],
+  }),
   offer("frame", "end", { kind: "end", name: "PROGRAM", unit: "MM" }),
 ];

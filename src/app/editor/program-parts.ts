@@ -29,12 +29,25 @@ export interface Part {
 }
 
 const filters: Partial<Record<Statement["kind"], PartFilter>> = {
-  toolCall: "operations", cycle: "operations", mode: "operations", label: "labels", cycleLine: "labels", selectContour: "labels", call: "labels",
-  structure: "notes", comment: "notes", stop: "notes", unknown: "notes", blankCylinder: "labels", blankRotation: "labels", turnBlank: "labels",
+  toolCall: "operations",
+  cycle: "operations",
+  mode: "operations",
+  label: "labels",
+  cycleLine: "labels",
+  selectContour: "labels",
+  call: "labels",
+  structure: "notes",
+  comment: "notes",
+  stop: "notes",
+  unknown: "notes",
+  blankCylinder: "labels",
+  blankRotation: "labels",
+  turnBlank: "labels",
 };
 
 /** The first line of a block without number and continuation. */
-export const firstLine = (raw: string): string => (/^\s*\/?\s*(?:\d+(?![\d.,])\s*)?(.*?)\s*~?\s*(?:[\r\n]|$)/.exec(raw)?.[1] ?? "").replace(/\s+/g, " ");
+export const firstLine = (raw: string): string =>
+  (/^\s*\/?\s*(?:\d+(?![\d.,])\s*)?(.*?)\s*~?\s*(?:[\r\n]|$)/.exec(raw)?.[1] ?? "").replace(/\s+/g, " ");
 
 /** What the calls of each definition did, by the line of the definition. A call that makes no path has done nothing. */
 export function doneByLine({ run, simulation }: Outcome): ReadonlyMap<number, Done> {
@@ -44,7 +57,9 @@ export function doneByLine({ run, simulation }: Outcome): ReadonlyMap<number, Do
     const before = all.get(operation.definedLine) ?? { passes: 0, seconds: 0, residue: 0 };
     const residue = simulation.proof.residual.reduce((sum, r) => (r.operation === i ? sum + r.area : sum), 0);
     all.set(operation.definedLine, {
-      passes: before.passes + operation.plan.passes, seconds: before.seconds + operation.seconds, residue: before.residue + residue,
+      passes: before.passes + operation.plan.passes,
+      seconds: before.seconds + operation.seconds,
+      residue: before.residue + residue,
     });
   });
   return all;
@@ -60,7 +75,11 @@ export function partsOf(program: Program, outcome: Outcome | null): readonly Par
     const filter = filters[s.kind];
     if (filter === undefined || (s.kind === "label" && s.label === 0)) return;
     parts.push({
-      index, number: numbers[index] ?? 0, kind: kindOf(s), filter, text: firstLine(raw),
+      index,
+      number: numbers[index] ?? 0,
+      kind: kindOf(s),
+      filter,
+      text: firstLine(raw),
       done: s.kind === "cycle" ? (done?.get(lines[index] ?? 0) ?? null) : null,
     });
   });

@@ -10,7 +10,8 @@ import { repairsOf, withTool } from "./repairs.ts";
 const outcomeOf = (text: string): Outcome =>
   engine.update({ version: 1, text, table: { tools: shippedTools, mills: [], refused: new Map() }, rapid: 10_000, control: "TNC 640" });
 
-const cycle812 = (q = "") => `CYCL DEF 812 SHOULDER, LONG. EXT. ~
+const cycle812 = (q = "") =>
+  `CYCL DEF 812 SHOULDER, LONG. EXT. ~
 Q215=+0 ;MACHINING OPERATION ~
 Q460=+2.1 ;SAFETY CLEARANCE ~
 Q491=+61.3 ;DIAMETER AT CONTOUR START ~
@@ -33,8 +34,19 @@ Q506=+0 ;CONTOUR SMOOTHING${q}`;
 
 /** Blocks one a line; a whole program that is right. */
 const RIGHT = [
-  "BEGIN PGM A MM", "BLK FORM CYLINDER Z D61.3 L80 DIST+0", "FUNCTION MODE TURN", "TOOL CALL 1", "FUNCTION TURNDATA SPIN VCONST:ON VC:180 SMAX2500", "M136",
-  "L X+90 Z+40 R0 FMAX", cycle812(), "L X+61.3 Y+0 Z+2 FMAX M303", "CYCL CALL", "L Z+40 FMAX", "M30", "END PGM A MM",
+  "BEGIN PGM A MM",
+  "BLK FORM CYLINDER Z D61.3 L80 DIST+0",
+  "FUNCTION MODE TURN",
+  "TOOL CALL 1",
+  "FUNCTION TURNDATA SPIN VCONST:ON VC:180 SMAX2500",
+  "M136",
+  "L X+90 Z+40 R0 FMAX",
+  cycle812(),
+  "L X+61.3 Y+0 Z+2 FMAX M303",
+  "CYCL CALL",
+  "L Z+40 FMAX",
+  "M30",
+  "END PGM A MM",
 ];
 const numbered = (blocks: readonly string[]) => `${blocks.map((block, i) => `${i} ${block}`).join("\n")}\n`;
 const without = (...gone: string[]) => numbered(RIGHT.filter((block) => !gone.includes(block)));

@@ -25,7 +25,6 @@ export interface Repair {
   readonly asks?: boolean;
 }
 
-
 /** Index of the block that a finding belongs to; -1 when it belongs to none. */
 export function indexOf(program: Program, { line, block }: Pick<FindingEntry, "line" | "block">): number {
   if (line !== null) return startLines(program).findLastIndex((start) => start <= line);
@@ -55,7 +54,8 @@ function placeOfMode(program: Program, index: number): number {
 
 /** Behind the last of program begin, blank and mode: a tool call there comes before every positioning. */
 const placeBehindFrame = (program: Program, index: number): number =>
-  lastOf(program, index, (s) => s.kind === "begin" || s.kind === "mode" || s.kind === "blankCylinder" || s.kind === "blankRotation" || s.kind === "blankBox") + 1;
+  lastOf(program, index, (s) =>
+    s.kind === "begin" || s.kind === "mode" || s.kind === "blankCylinder" || s.kind === "blankRotation" || s.kind === "blankBox") + 1;
 
 /** Behind a definition and the block that positions to its start point. */
 function placeOfCall(program: Program, definition: number): number {
@@ -82,7 +82,10 @@ function insertion(program: Program, at: number, statements: readonly Statement[
   const style = styleAt(program, Math.max(0, Math.min(index, program.blocks.length - 1)));
   const text = statementLines(statements.at(-1) ?? { kind: "empty" }, style)[0] ?? "";
   return {
-    kind: "insert", text: text.trim(), block: "", open: at + statements.length - 1,
+    kind: "insert",
+    text: text.trim(),
+    block: "",
+    open: at + statements.length - 1,
     next: () => statements.reduce((made, statement, i) => withInserted(made, at + i, statement), program),
   };
 }
@@ -98,7 +101,8 @@ function contourLines(program: Program, language: Language): readonly Statement[
 
 /** The last block that switched radius compensation on, with R0 in its place. */
 function withoutCompensation(program: Program, index: number): Repair | null {
-  const at = lastOf(program, index + 1, (s) => "words" in s && "compensation" in s.words && s.words.compensation !== undefined && s.words.compensation !== "R0");
+  const at = lastOf(program, index + 1,
+    (s) => "words" in s && "compensation" in s.words && s.words.compensation !== undefined && s.words.compensation !== "R0");
   const s = program.blocks[at]?.statement;
   if (s?.kind !== "path") return null;
   const next = () => withBlock(program, at, { ...s, words: { ...s.words, compensation: "R0" } });
@@ -111,15 +115,26 @@ function withoutParameter(program: Program, index: number, q: string): Repair | 
   if (s?.kind !== "cycle") return null;
   const at = s.parameters.findLastIndex((p) => p.q === q);
   if (at < 0) return null;
-  return { kind: "remove", text: q, block: "", open: index, next: () => withBlock(program, index, { ...s, parameters: s.parameters.toSpliced(at, 1) }) };
+  return {
+    kind: "remove",
+    text: q,
+    block: "",
+    open: index,
+    next: () => withBlock(program, index, { ...s, parameters: s.parameters.toSpliced(at, 1) }),
+  };
 }
 
 /** Another start point of a call: in the block that positions for it, or in one of its own right before the call. */
 function withStart(program: Program, index: number, { x, z }: { readonly x: number; readonly z: number }): Repair {
-  const axes = [{ axis: "X", value: kept(x, POSITION_DECIMALS), incremental: false }, { axis: "Z", value: kept(z, POSITION_DECIMALS), incremental: false }] as const;
+  const axes = [{ axis: "X", value: kept(x, POSITION_DECIMALS), incremental: false }, {
+    axis: "Z",
+    value: kept(z, POSITION_DECIMALS),
+    incremental: false,
+  }] as const;
   const before = index - 1;
   const s = program.blocks[before]?.statement;
-  if (s?.kind !== "path" || s.path !== "L" || s.words.feed !== "max") return insertion(program, index, [{ kind: "path", path: "L", words: { ...noWords, axes, feed: "max" } }], index);
+  if (s?.kind !== "path" || s.path !== "L" || s.words.feed !== "max")
+    return insertion(program, index, [{ kind: "path", path: "L", words: { ...noWords, axes, feed: "max" } }], index);
   const others = s.words.axes.filter((w) => w.axis !== "X" && w.axis !== "Z");
   const next = () => withBlock(program, before, { ...s, words: { ...s.words, axes: [axes[0], ...others, axes[1]] } });
   return { kind: "write", text: `X${signed(x)} Z${signed(z)}`, block: String(blockNumbers(program)[before] ?? ""), next, open: before };
@@ -144,19 +159,34 @@ export function repairsOf(program: Program, entry: FindingEntry, language: Langu
   const insert = (place: number, ...statements: Statement[]) => [insertion(program, place, statements, index)];
   const maybe = (repair: Repair | null) => (repair ? [repair] : []);
   switch (issue.code as string) {
-    case "notInTurnMode": return insert(placeOfMode(program, index), { kind: "mode", mode: "TURN", kinematics: null });
-    case "cycleNeverCalled": return insert(placeOfCall(program, index), { kind: "cycleCall", how: "", words: noWords });
-    case "spindleMissing": return asking(insert(toolCallBefore(program, index) + 1, { kind: "spin", constantSurface: true, cuttingSpeed: 180, speed: null, limit: 2500 }));
-    case "programEndMissing": return insert(placeOfEnd(program), { kind: "functions", words: { ...noWords, functions: [30] } });
-    case "blankMissing": return asking(insert(lastOf(program, program.blocks.length, (s) => s.kind === "begin") + 1,
-      { kind: "blankCylinder", axis: "Z", outside: { measure: "D", value: 80 }, length: 100, distance: 1, inside: null }));
-    case "labelNotClosed": return insert(placeOfLabelEnd(program, index), { kind: "label", label: 0 });
+    case "notInTurnMode":
+      return insert(placeOfMode(program, index), { kind: "mode", mode: "TURN", kinematics: null });
+    case "cycleNeverCalled":
+      return insert(placeOfCall(program, index), { kind: "cycleCall", how: "", words: noWords });
+    case "spindleMissing":
+      return asking(
+        insert(toolCallBefore(program, index) + 1, { kind: "spin", constantSurface: true, cuttingSpeed: 180, speed: null, limit: 2500 }),
+      );
+    case "programEndMissing":
+      return insert(placeOfEnd(program), { kind: "functions", words: { ...noWords, functions: [30] } });
+    case "blankMissing":
+      return asking(insert(lastOf(program, program.blocks.length, (s) => s.kind === "begin") + 1, {
+        kind: "blankCylinder",
+        axis: "Z",
+        outside: { measure: "D", value: 80 },
+        length: 100,
+        distance: 1,
+        inside: null,
+      }));
+    case "labelNotClosed":
+      return insert(placeOfLabelEnd(program, index), { kind: "label", label: 0 });
     case "contourNotNamed": {
       const lines = contourLines(program, language);
       const definition = lastOf(program, index + 1, (s) => s.kind === "cycle");
       return lines.length > 0 ? insert(Math.max(definition, 0), ...lines) : [];
     }
-    case "compensationActive": return maybe(withoutCompensation(program, index));
+    case "compensationActive":
+      return maybe(withoutCompensation(program, index));
     case "parameterForeign": {
       const q = at ?? ("name" in issue.data ? String(issue.data.name) : null);
       return q === null ? [] : maybe(withoutParameter(program, index, q));
@@ -165,7 +195,16 @@ export function repairsOf(program: Program, entry: FindingEntry, language: Langu
   if (issue.code === "betterTool") {
     const { tool } = issue.data;
     if (toolCallBefore(program, index) < 0) {
-      return insert(placeBehindFrame(program, index), { kind: "toolCall", tool, axis: null, speed: null, feed: null, deltaLength: null, deltaRadius: null, extra: [] });
+      return insert(placeBehindFrame(program, index), {
+        kind: "toolCall",
+        tool,
+        axis: null,
+        speed: null,
+        feed: null,
+        deltaLength: null,
+        deltaRadius: null,
+        extra: [],
+      });
     }
   }
   if (issue.code === "startOnWrongSide") return [withStart(program, index, issue.data)];

@@ -96,7 +96,10 @@ export function openSession(program: ProgramWork): EditorView {
   const ends = lineEndsOf(program.text);
   open = { program, ends };
   view = new EditorView({
-    state: EditorState.create({ doc: toEditor(program.text, ends), extensions: [editorExtensions(ends === "mixed"), EditorView.updateListener.of(onUpdate)] }),
+    state: EditorState.create({
+      doc: toEditor(program.text, ends),
+      extensions: [editorExtensions(ends === "mixed"), EditorView.updateListener.of(onUpdate)],
+    }),
   });
   const run = (command: typeof undo) => () => {
     closeStep();
@@ -147,11 +150,14 @@ export function openBlock(index: number, parameter: string | null = null, byDial
   if (!range) return;
   let at = range.from;
   if (parameter !== null) {
-    const line = new RegExp(String.raw`(?:^|[\r\n])[^\S\r\n]*(${parameter})\s*[=+\-\d]`, "i").exec(view.state.sliceDoc(range.from, range.to));
+    const line = new RegExp(String.raw`(?:^|[\r\n])[^\S\r\n]*(${parameter})\s*[=+\-\d]`, "i").exec(
+      view.state.sliceDoc(range.from, range.to),
+    );
     if (line) at = range.from + line.index + line[0].search(/Q/i);
   }
   view.dispatch({
-    selection: { anchor: at }, effects: EditorView.scrollIntoView(at, { y: "nearest", yMargin: 60 }),
+    selection: { anchor: at },
+    effects: EditorView.scrollIntoView(at, { y: "nearest", yMargin: 60 }),
     ...(byDialog && { annotations: dialogEdit.of(true) }),
   });
 }

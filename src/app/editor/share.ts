@@ -11,7 +11,8 @@ const toBase64Url = (bytes: Uint8Array): string => {
   return btoa(text).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
 };
 
-const fromBase64Url = (text: string): Uint8Array => Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (c) => c.charCodeAt(0));
+const fromBase64Url = (text: string): Uint8Array =>
+  Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (c) => c.charCodeAt(0));
 
 /** A link that carries the program itself: nothing is stored anywhere. `page` is the address without anything behind `#`. */
 export const shareLink = (page: string, text: string): string => page + MARK + toBase64Url(deflateSync(strToU8(text), { level: 9 }));

@@ -42,12 +42,19 @@ test("a link carries the program, and a damaged one nothing", () => {
 test("changes between programs lead from one text to the other", () => {
   const before = parse(text);
   for (const after of [
-    inserted(before, 2, { kind: "structure", text: "HERE" }), removed(before, 2), duplicated(before, 2), exchanged(before, 2), exchanged(before, 0), before,
+    inserted(before, 2, { kind: "structure", text: "HERE" }),
+    removed(before, 2),
+    duplicated(before, 2),
+    exchanged(before, 2),
+    exchanged(before, 0),
+    before,
   ]) expect(applied(text, changesBetween(before, after))).toBe(print(after));
 });
 
 test("blocks are copied and moved letter by letter, numbers stay in order", () => {
-  expect(print(duplicated(parse(text), 2))).toBe("0 BEGIN PGM A MM\n1 L X+10 Z+2 R0 FMAX\n2 L Z-5 ;cut\n3 L Z-5 ;cut\n4 M30\n5 END PGM A MM\n");
+  expect(print(duplicated(parse(text), 2))).toBe(
+    "0 BEGIN PGM A MM\n1 L X+10 Z+2 R0 FMAX\n2 L Z-5 ;cut\n3 L Z-5 ;cut\n4 M30\n5 END PGM A MM\n",
+  );
   expect(print(exchanged(parse(text), 1))).toBe("0 BEGIN PGM A MM\n1 L Z-5 ;cut\n2 L X+10 Z+2 R0 FMAX\n3 M30\n4 END PGM A MM\n");
   expect(print(exchanged(parse("1 L X+1\n2 L X+2"), 0))).toBe("1 L X+2\n2 L X+1");
   expect(print(removed(parse(text), 1))).toBe("0 BEGIN PGM A MM\n1 L Z-5 ;cut\n2 M30\n3 END PGM A MM\n");

@@ -32,7 +32,8 @@ export function useWindow(count: number, current: number): Window {
     const element = box.current;
     if (!element || current < 0) return;
     const top = current * ROW;
-    if (top < element.scrollTop || top + ROW > element.scrollTop + element.clientHeight) element.scrollTop = Math.max(0, top - element.clientHeight / 3);
+    if (top < element.scrollTop || top + ROW > element.scrollTop + element.clientHeight)
+      element.scrollTop = Math.max(0, top - element.clientHeight / 3);
   }, [current]);
   const from = Math.max(0, Math.min(seen.top - MARGIN, count - seen.rows - MARGIN));
   const to = Math.min(count, seen.top + seen.rows + MARGIN);

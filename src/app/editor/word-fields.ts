@@ -26,13 +26,19 @@ export const axisField = (axis: AxisName): WordField => {
     const { axes } = wordsOf(s);
     const others = axes.filter((w) => w.axis !== axis);
     if (!word) return withWords(s, { ...wordsOf(s), axes: others });
-    const next = axes.some((w) => w.axis === axis) ? axes.map((w) => (w.axis === axis ? word : w)) : [...axes, word].sort((a, b) => rank(a) - rank(b));
+    const next = axes.some((w) => w.axis === axis)
+      ? axes.map((w) => (w.axis === axis ? word : w))
+      : [...axes, word].sort((a, b) => rank(a) - rank(b));
     return withWords(s, { ...wordsOf(s), axes: next });
   };
   return {
-    id: axis, name: NAMES[axis] ?? { word: axis }, numeric: true, unit: "mm",
+    id: axis,
+    name: NAMES[axis] ?? { word: axis },
+    numeric: true,
+    unit: "mm",
     read: (s) => valueAsTyped(find(s)?.value),
-    write: (s, typed) => optionalValue(typed, (value) => set(s, value === null ? null : { axis, value, incremental: find(s)?.incremental ?? false })),
+    write: (s, typed) =>
+      optionalValue(typed, (value) => set(s, value === null ? null : { axis, value, incremental: find(s)?.incremental ?? false })),
     incremental: {
       read: (s) => find(s)?.incremental ?? false,
       write: (s, on) => {
@@ -45,15 +51,25 @@ export const axisField = (axis: AxisName): WordField => {
 
 /** A word that carries a value: R, CCA, LEN. */
 export const valueWord = (key: "radius" | "centreAngle" | "length", name: FieldName, unit = "mm"): WordField => ({
-  id: key, name, numeric: true, unit, read: (s) => valueAsTyped(wordsOf(s)[key]), write: (s, typed) => optionalValue(typed, (value) => put(s, key, value)),
+  id: key,
+  name,
+  numeric: true,
+  unit,
+  read: (s) => valueAsTyped(wordsOf(s)[key]),
+  write: (s, typed) => optionalValue(typed, (value) => put(s, key, value)),
 });
 
 /** PR or PA with its switch for incremental. */
 export const polarWord = (key: "polarRadius" | "polarAngle", name: FieldName, unit: string): WordField => {
   const find = (s: Statement): PolarWord | undefined => wordsOf(s)[key];
   return {
-    id: key, name, numeric: true, unit, read: (s) => valueAsTyped(find(s)?.value),
-    write: (s, typed) => optionalValue(typed, (value) => put(s, key, value === null ? null : { value, incremental: find(s)?.incremental ?? false })),
+    id: key,
+    name,
+    numeric: true,
+    unit,
+    read: (s) => valueAsTyped(find(s)?.value),
+    write: (s, typed) =>
+      optionalValue(typed, (value) => put(s, key, value === null ? null : { value, incremental: find(s)?.incremental ?? false })),
     incremental: {
       read: (s) => find(s)?.incremental ?? false,
       write: (s, on) => {
@@ -65,17 +81,25 @@ export const polarWord = (key: "polarRadius" | "polarAngle", name: FieldName, un
 };
 
 export const turnField: WordField = {
-  id: "turn", name: "turn", choices: ["", "cw", "ccw"], read: (s) => wordsOf(s).turn ?? "",
+  id: "turn",
+  name: "turn",
+  choices: ["", "cw", "ccw"],
+  read: (s) => wordsOf(s).turn ?? "",
   write: (s, typed) => put(s, "turn", typed === "cw" || typed === "ccw" ? typed : null),
 };
 
 export const compensationField: WordField = {
-  id: "compensation", name: "compensation", choices: ["", "R0", "RL", "RR"], read: (s) => wordsOf(s).compensation ?? "",
+  id: "compensation",
+  name: "compensation",
+  choices: ["", "R0", "RL", "RR"],
+  read: (s) => wordsOf(s).compensation ?? "",
   write: (s, typed) => put(s, "compensation", typed === "R0" || typed === "RL" || typed === "RR" ? typed : null),
 };
 
 export const feedField: WordField = {
-  id: "feed", name: "feed", read: (s) => feedAsTyped(wordsOf(s).feed),
+  id: "feed",
+  name: "feed",
+  read: (s) => feedAsTyped(wordsOf(s).feed),
   write: (s, typed) => {
     const feed = typedFeed(typed);
     return feed === undefined ? null : put(s, "feed", feed);
@@ -84,7 +108,9 @@ export const feedField: WordField = {
 
 /** M functions as one types them: `M8 M303`, or `8 303`. */
 export const functionsField: WordField = {
-  id: "functions", name: "functions", read: (s) => wordsOf(s).functions.map((m) => `M${m}`).join(" "),
+  id: "functions",
+  name: "functions",
+  read: (s) => wordsOf(s).functions.map((m) => `M${m}`).join(" "),
   write: (s, typed) => {
     const functions = typedFunctions(typed);
     return functions && withWords(s, { ...wordsOf(s), functions });
@@ -92,7 +118,9 @@ export const functionsField: WordField = {
 };
 
 export const retractField: WordField = {
-  id: "retract", name: "retract", read: (s) => {
+  id: "retract",
+  name: "retract",
+  read: (s) => {
     const { retract } = wordsOf(s);
     return retract === "max" ? "MAX" : valueAsTyped(retract);
   },
@@ -113,13 +141,19 @@ export const namedField = (word: string, order: readonly string[]): WordField =>
   const set = (s: Statement, value: Value | null): Statement => {
     if (!hasNames(s)) return s;
     const there = s.words.some((w) => w.name === word);
-    const next = value === null ? s.words.filter((w) => w.name !== word)
-      : there ? s.words.map((w) => (w.name === word ? { name: word, value } : w))
+    const next = value === null
+      ? s.words.filter((w) => w.name !== word)
+      : there
+      ? s.words.map((w) => (w.name === word ? { name: word, value } : w))
       : [...s.words, { name: word, value }].sort((a, b) => order.indexOf(a.name) - order.indexOf(b.name));
     return { ...s, words: next } as Statement;
   };
   return {
-    id: `word ${word}`, name: { word }, numeric: true, unit: ANGLES.has(word) ? "°" : "mm", read: (s) => valueAsTyped(words(s).find((w) => w.name === word)?.value),
+    id: `word ${word}`,
+    name: { word },
+    numeric: true,
+    unit: ANGLES.has(word) ? "°" : "mm",
+    read: (s) => valueAsTyped(words(s).find((w) => w.name === word)?.value),
     write: (s, typed) => (typed.trim() === "" ? set(s, null) : ((value) => (value === null ? null : set(s, value)))(blockValue(typed))),
   };
 };

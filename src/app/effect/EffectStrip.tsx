@@ -23,7 +23,10 @@ export function EffectStrip({ read }: { readonly read: JobReading }) {
   const cell = (name: string, value: ReactNode, unit = "", className = "") => (
     <div className={`effect-cell ${className}`}>
       <dt>{name}</dt>
-      <dd><span className="number">{value}</span>{unit && <span className="soft small"> {unit}</span>}</dd>
+      <dd>
+        <span className="number">{value}</span>
+        {unit && <span className="soft small">{unit}</span>}
+      </dd>
     </div>
   );
   const minutes = effect ? Math.floor(Math.round(effect.seconds) / 60) : 0;
@@ -36,10 +39,13 @@ export function EffectStrip({ read }: { readonly read: JobReading }) {
         {cell(t.effect.infeed, number(effect?.infeed, 3), "mm")}
         {cell(t.effect.time, effect ? t.effect.duration(minutes, formatFixed(language, seconds, minutes > 0 ? 0 : 1)) : t.effect.unknown)}
         {cell(t.effect.chip, number(chip, 2), "mm²")}
-        {cell(t.effect.residual, effect && effect.residual === 0 ? t.effect.none : number(effect?.residual, 2), effect?.residual ? "mm²" : "")}
+        {cell(t.effect.residual, effect && effect.residual === 0 ? t.effect.none : number(effect?.residual, 2),
+          effect?.residual ? "mm²" : "")}
         <div className="effect-cell proof">
           <dt>{words.verdict.title}</dt>
-          <dd><VerdictText verdict={verdict} reasons={verdict.state === "faults" ? 0 : 1} /></dd>
+          <dd>
+            <VerdictText verdict={verdict} reasons={verdict.state === "faults" ? 0 : 1} />
+          </dd>
         </div>
       </dl>
       <StripStatus otherwise={dimmed ? t.effect.waiting : ""} />

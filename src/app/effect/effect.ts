@@ -28,7 +28,9 @@ export function effectOf(outcome: Outcome): Effect {
     passes: run.operations.reduce((sum, o) => sum + o.plan.passes, 0),
     infeed: run.operations[0]?.plan.infeed ?? 0,
     seconds: run.seconds,
-    residual: run.operations.some((o) => o.plan.moves.length === 0) ? null : area(simulation.proof.residual.reduce((sum, r) => sum + r.area, 0)),
+    residual: run.operations.some((o) => o.plan.moves.length === 0)
+      ? null
+      : area(simulation.proof.residual.reduce((sum, r) => sum + r.area, 0)),
   };
   effects.set(outcome, effect);
   return effect;

@@ -83,7 +83,8 @@ const USUAL_RAPID = 10_000;
 
 const rapidOf = (job: Job): number => readText(SETUP_FIELDS.rapid, job.rapid).value ?? USUAL_RAPID;
 
-let last: { readonly text: string; readonly table: ShopTools; readonly rapid: number; readonly control: Control; readonly cycle: number | null; readonly work: string | null } | null = null;
+let last: { readonly text: string; readonly table: ShopTools; readonly rapid: number; readonly control: Control;
+  readonly cycle: number | null; readonly work: string | null } | null = null;
 
 /** A whole program is calculated as it stands, right or wrong. */
 function followProgram({ text }: ProgramWork, name: string | null): void {

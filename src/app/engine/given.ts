@@ -29,5 +29,7 @@ function startOf(job: Job): Pt | null {
 }
 
 /** What the cycle of a job is given beside its values: the contour of the table, and the start point. */
-export const givenOf = ({ cycle, job }: Pick<JobReading, "cycle" | "job">): Given =>
-  ({ contour: cycle.contour === "free" ? contourOf(job.contour) : null, start: startOf(job) });
+export const givenOf = ({ cycle, job }: Pick<JobReading, "cycle" | "job">): Given => ({
+  contour: cycle.contour === "free" ? contourOf(job.contour) : null,
+  start: startOf(job),
+});

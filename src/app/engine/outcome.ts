@@ -44,8 +44,7 @@ export function takeOutcome(outcome: Outcome): void {
 }
 
 /** Values are incomplete: the last picture stays, dimmed; or they are complete again. */
-export const pause = (paused: boolean): void =>
-  useOutcome.setState((s) => (s.paused === paused ? s : settled({ ...s, paused })));
+export const pause = (paused: boolean): void => useOutcome.setState((s) => (s.paused === paused ? s : settled({ ...s, paused })));
 
 /** Another cycle or program: its first picture must not be that of the one before. */
 export function forgetOutcome(): void {

@@ -10,5 +10,6 @@ export function typingGoesOn(): void {
 
 /** Resolves at the next pause in typing; at once where nobody types. */
 export async function pauseInTyping(): Promise<void> {
-  for (let rest = until - performance.now(); rest > 0; rest = until - performance.now()) await new Promise((done) => setTimeout(done, rest));
+  for (let rest = until - performance.now(); rest > 0; rest = until - performance.now())
+    await new Promise((done) => setTimeout(done, rest));
 }

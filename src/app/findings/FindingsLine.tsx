@@ -11,7 +11,8 @@ export function FindingsLine() {
   return (
     <p className="findings-line">
       <VerdictText verdict={verdict} />
-      {length > 0 && <button type="button" className="button plain small" onClick={() => showSection("findings")}>{t.count(length)}</button>}
+      {length > 0 && <button type="button" className="button plain small" onClick={() => showSection("findings")}>{t.count(length)}
+      </button>}
     </p>
   );
 }

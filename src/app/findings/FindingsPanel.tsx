@@ -32,13 +32,11 @@ function Row({ entry, host, chosen }: { readonly entry: FindingEntry; readonly h
     <li ref={row} className={`finding ${issue.severity}${spot ? ` on-${spot.kind}` : ""}`} aria-current={chosen ? "true" : undefined}>
       {spot
         ? (
-          <button
-            type="button" className={`badge badge-${spot.kind}`} aria-label={t.findings.show(spot.mark)} title={t.findings.show(spot.mark)} aria-pressed={chosen}
-            onClick={() => {
-              chooseFinding(chosen ? null : entry.id);
-              if (!chosen) host.point(entry);
-            }}
-          >
+          <button type="button" className={`badge badge-${spot.kind}`} aria-label={t.findings.show(spot.mark)}
+            title={t.findings.show(spot.mark)} aria-pressed={chosen} onClick={() => {
+            chooseFinding(chosen ? null : entry.id);
+            if (!chosen) host.point(entry);
+          }}>
             {spot.mark}
           </button>
         )
@@ -46,22 +44,24 @@ function Row({ entry, host, chosen }: { readonly entry: FindingEntry; readonly h
       <div>
         <p className="small finding-head">
           <b>{t.findings.severities[issue.severity]}</b>
-          {target && <span> · {target.name}</span>}
-          {where !== null && target?.name !== where && <span className="soft"> · {where}</span>}
+          {target && <span>· {target.name}</span>}
+          {where !== null && target?.name !== where && <span className="soft">· {where}</span>}
         </p>
-        <p>{issueText(t, language, issue, host.cycleOf(entry))}{entry.thickness !== null && ` ${t.findings.residue.thick(writer(language).number(entry.thickness))}`}</p>
+        <p>
+          {issueText(t, language, issue, host.cycleOf(entry))}
+          {entry.thickness !== null && ` ${t.findings.residue.thick(writer(language).number(entry.thickness))}`}
+        </p>
         <div className="finding-ways">
-          {host.remediesOf(entry).map(({ name, apply }) => <button key={name} type="button" className="button small mend" onClick={apply}>{name}</button>)}
+          {host.remediesOf(entry).map(({ name, apply }) => (
+            <button key={name} type="button" className="button small mend" onClick={apply}>{name}</button>
+          ))}
           <ToolOffer entry={entry} host={host} />
           <ResidueTools entry={entry} host={host} />
           {target && (
-            <button
-              type="button" className="button small"
-              onClick={() => {
-                if (spot) chooseFinding(entry.id);
-                target.go();
-              }}
-            >
+            <button type="button" className="button small" onClick={() => {
+              if (spot) chooseFinding(entry.id);
+              target.go();
+            }}>
               {t.findings.goTo(target.name)}
             </button>
           )}
@@ -79,7 +79,9 @@ export function FindingsPanel({ host }: { readonly host: FindingsHost }) {
   const chosen = useChosen((c) => c.id);
   return (
     <div className="findings">
-      <p className="findings-verdict"><VerdictText verdict={verdict} reasons={4} /></p>
+      <p className="findings-verdict">
+        <VerdictText verdict={verdict} reasons={4} />
+      </p>
       {verdict.open > 0 && (
         <p className="findings-open">
           <Icon name="info" /> <span>{done.open(verdict.open)}</span>

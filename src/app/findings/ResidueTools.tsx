@@ -22,7 +22,10 @@ export function ResidueTools({ entry, host }: { readonly entry: FindingEntry; re
   const words = t.findings.residue;
   const write = writer(useSettings((s) => s.language));
   const newest = useOutcome((s) => s.newest);
-  const [asked, ask] = useState<{ readonly of: typeof newest; readonly tools: readonly Remedy[] | "trying" | null }>({ of: null, tools: null });
+  const [asked, ask] = useState<{ readonly of: typeof newest; readonly tools: readonly Remedy[] | "trying" | null }>({
+    of: null,
+    tools: null,
+  });
   const left = entry.residual === null ? undefined : newest?.simulation.proof.residual[entry.residual];
   const operation = left && newest?.run.operations[left.operation];
   if (!left || !operation || !byTool.has(left.reason)) return null;
@@ -45,7 +48,9 @@ export function ResidueTools({ entry, host }: { readonly entry: FindingEntry; re
               return (
                 <li key={tool.T}>
                   <span className="small">{stays < NOTHING ? words.all(name) : words.leaves(name, write.area(stays))}</span>
-                  <button type="button" className="button small mend" onClick={() => host.takeTool(entry, tool.T)}>{t.setup.tool.take(tool.T)}</button>
+                  <button type="button" className="button small mend" onClick={() => host.takeTool(entry, tool.T)}>
+                    {t.setup.tool.take(tool.T)}
+                  </button>
                 </li>
               );
             })}

@@ -7,7 +7,13 @@ import type { FindingEntry } from "./entry.ts";
 import type { FindingsHost } from "./host.ts";
 
 /** Findings that another tool would mend. */
-const byTool: ReadonlySet<string> = new Set(["toolUnfit", "toolOnWrongSide", "toolCannotCutSideways", "recessNarrowerThanTool", "angleNotFollowed"])
+const byTool: ReadonlySet<string> = new Set([
+  "toolUnfit",
+  "toolOnWrongSide",
+  "toolCannotCutSideways",
+  "recessNarrowerThanTool",
+  "angleNotFollowed",
+]);
 
 /** Rest after the last change before tools are tried, ms: it costs a plan per tool. */
 const REST = 120;
@@ -33,5 +39,9 @@ export function ToolOffer({ entry, host }: { readonly entry: FindingEntry; reado
     };
   }, [asked, newest, entry]);
   if (!asked || !best) return null;
-  return <button type="button" className="button small mend" title={best.tool.NAME} onClick={() => host.takeTool(entry, best.tool.T)}>{t.take(best.tool.T)}</button>;
+  return (
+    <button type="button" className="button small mend" title={best.tool.NAME} onClick={() => host.takeTool(entry, best.tool.T)}>
+      {t.take(best.tool.T)}
+    </button>
+  );
 }

@@ -5,7 +5,13 @@ import { toneOf, type ShownVerdict } from "./verdict.ts";
 import { verdictReasons, verdictTitle } from "./verdict-words.ts";
 import "./findings.css";
 
-const icons: Readonly<Record<ReturnType<typeof toneOf>, IconName | null>> = { good: "check", plain: "check", doubt: "warning", bad: "error", none: null };
+const icons: Readonly<Record<ReturnType<typeof toneOf>, IconName | null>> = {
+  good: "check",
+  plain: "check",
+  doubt: "warning",
+  bad: "error",
+  none: null,
+};
 
 /** Reasons beyond these stand in the list. */
 const MOST = 4;

@@ -4,4 +4,5 @@ import { create } from "zustand";
 export const useChosen = create<{ readonly id: string | null; readonly count: number }>(() => ({ id: null, count: 0 }));
 
 /** Shows a finding in the picture, or nothing. */
-export const chooseFinding = (id: string | null): void => useChosen.setState((c) => (id === null && c.id === null ? c : { id, count: c.count + 1 }));
+export const chooseFinding = (id: string | null): void =>
+  useChosen.setState((c) => (id === null && c.id === null ? c : { id, count: c.count + 1 }));

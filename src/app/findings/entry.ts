@@ -49,7 +49,23 @@ export const isError = ({ issue }: Pick<FindingEntry, "issue">): boolean => issu
 
 /** Findings about a tool name it, or the column of the tool table. */
 const toolPlaces: ReadonlySet<string> = new Set([
-  "tool", "T", "NAME", "TYPE", "TO", "RS", "DRS", "ZL", "XL", "DZL", "DXL", "ORI", "T-ANGLE", "P-ANGLE", "CUTLENGTH", "CUTWIDTH", "DCW",
+  "tool",
+  "T",
+  "NAME",
+  "TYPE",
+  "TO",
+  "RS",
+  "DRS",
+  "ZL",
+  "XL",
+  "DZL",
+  "DXL",
+  "ORI",
+  "T-ANGLE",
+  "P-ANGLE",
+  "CUTLENGTH",
+  "CUTWIDTH",
+  "DCW",
 ]);
 export const isAboutTool = (at: string | null): boolean => at !== null && toolPlaces.has(at);
 
@@ -64,5 +80,14 @@ export const inOrder = (entries: readonly FindingEntry[]): readonly FindingEntry
   entries.toSorted((a, b) => weight[a.issue.severity] - weight[b.issue.severity] || stage(a) - stage(b));
 
 /** A finding that stands at one field or block and nowhere in the picture. */
-export const entryAt = (issue: AnyIssue, at: string | null, block: number | null): FindingEntry =>
-  ({ id: `${issue.code} ${at ?? ""}`, issue, at, block, line: null, operation: null, spot: null, residual: null, thickness: null });
+export const entryAt = (issue: AnyIssue, at: string | null, block: number | null): FindingEntry => ({
+  id: `${issue.code} ${at ?? ""}`,
+  issue,
+  at,
+  block,
+  line: null,
+  operation: null,
+  spot: null,
+  residual: null,
+  thickness: null,
+});

@@ -18,7 +18,10 @@ function jobOf(number: number, change: (job: Job) => Job = (job) => job): Job {
   if (!cycle) throw new Error(`no cycle ${number}`);
   return change(exampleJob(cycle));
 }
-const withPrompt = (q: string, text: string) => (job: Job): Job => ({ ...job, drafts: { [job.cycle]: { ...job.drafts[job.cycle], [q]: text } } });
+const withPrompt = (q: string, text: string) => (job: Job): Job => ({
+  ...job,
+  drafts: { [job.cycle]: { ...job.drafts[job.cycle], [q]: text } },
+});
 
 function found(job: Job) {
   const read = readJob(job);
@@ -65,17 +68,20 @@ test("worst first, each place of the picture with its own mark", () => {
   const marks = entries.flatMap(({ spot }) => (spot ? [spot.mark] : []));
   expect(marks.length).toBeGreaterThan(0);
   expect(new Set(marks).size).toBe(marks.length);
-  for (const { spot } of entries) if (spot) {
-    expect(spot.bounds.left).toBeLessThan(spot.place.z);
-    expect(spot.bounds.right).toBeGreaterThan(spot.place.z);
-  }
+  for (const { spot } of entries)
+    if (spot) {
+      expect(spot.bounds.left).toBeLessThan(spot.place.z);
+      expect(spot.bounds.right).toBeGreaterThan(spot.place.z);
+    }
 });
 
-test.each([
-  ["a cycle that is kept", "CYCL DEF 811 SHOULDER, LONG.~\nQ215=+0\n5 CYCL CALL", "unproved"],
-  ["no cycle at all", "L X+50 Z-3 F0.2", "noOperation"],
-])("%s is never green", (_, blocks, kind) => {
-  const text = `0 BEGIN PGM A MM\n1 BLK FORM CYLINDER Z D60 L80 DIST+0\n2 FUNCTION MODE TURN\n3 TOOL CALL 1\n4 ${blocks}\n8 M30\n9 END PGM A MM\n`;
+test.each([["a cycle that is kept", "CYCL DEF 811 SHOULDER, LONG.~\nQ215=+0\n5 CYCL CALL", "unproved"], [
+  "no cycle at all",
+  "L X+50 Z-3 F0.2",
+  "noOperation",
+]])("%s is never green", (_, blocks, kind) => {
+  const text =
+    `0 BEGIN PGM A MM\n1 BLK FORM CYLINDER Z D60 L80 DIST+0\n2 FUNCTION MODE TURN\n3 TOOL CALL 1\n4 ${blocks}\n8 M30\n9 END PGM A MM\n`;
   const outcome = outcomeOf(text);
   const entries = findingsOf(null, outcome);
   const verdict = judged(entries, outcome);

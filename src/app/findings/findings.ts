@@ -27,14 +27,28 @@ function typed(read: JobReading): readonly Found[] {
 function calculated({ run, simulation }: Outcome): readonly Found[] {
   const ran = run.issues.map((f): Found => {
     const spot = spotOfRun(run, f);
-    return { ...nowhere, issue: f.issue, at: atOf(f.issue), block: f.block, line: f.line, operation: f.operation, spot: spot && { ...spot, mark: "" } };
+    return {
+      ...nowhere,
+      issue: f.issue,
+      at: atOf(f.issue),
+      block: f.block,
+      line: f.line,
+      operation: f.operation,
+      spot: spot && { ...spot, mark: "" },
+    };
   });
   const proved = stockIssues(simulation).map((p): Found => {
     const seen = spotOfProof(simulation, p);
     const operation = p.operation === null ? undefined : run.operations[p.operation];
     return {
-      ...nowhere, issue: p.issue, at: atOf(p.issue), block: p.block ?? operation?.block ?? null, operation: p.operation,
-      spot: seen && { ...seen.spot, mark: "" }, residual: seen?.residual ?? null, thickness: seen?.thickness ?? null,
+      ...nowhere,
+      issue: p.issue,
+      at: atOf(p.issue),
+      block: p.block ?? operation?.block ?? null,
+      operation: p.operation,
+      spot: seen && { ...seen.spot, mark: "" },
+      residual: seen?.residual ?? null,
+      thickness: seen?.thickness ?? null,
     };
   });
   return [...ran, ...proved];
@@ -42,20 +56,31 @@ function calculated({ run, simulation }: Outcome): readonly Found[] {
 
 /** A tool that can not do the work at all, and what follows from it: another drawing or another value would not help. */
 const wrongTool: ReadonlySet<string> = new Set(["toolUnfit", "toolOnWrongSide", "toolCannotCutSideways"]);
-const ofWrongTool: ReadonlySet<string> = new Set(["angleNotFollowed", "cornerSmallerThanInsert", "recessNarrowerThanTool", "nothingToCut", "depthOverCutLength", "nothingCut"]);
+const ofWrongTool: ReadonlySet<string> = new Set([
+  "angleNotFollowed",
+  "cornerSmallerThanInsert",
+  "recessNarrowerThanTool",
+  "nothingToCut",
+  "depthOverCutLength",
+  "nothingCut",
+]);
 
 /**
  * Without what only follows from something else that is listed, or says the same in other words: that nothing is proved
  * from a block on says more than that it is not simulated.
  */
 function withoutEchoes(all: readonly Found[]): readonly Found[] {
-  const unfit = new Set(all.flatMap(({ issue, operation }) => (issue.severity === "error" && wrongTool.has(issue.code) ? [operation] : [])));
+  const unfit = new Set(
+    all.flatMap(({ issue, operation }) => (issue.severity === "error" && wrongTool.has(issue.code) ? [operation] : [])),
+  );
   const unproved = new Set(all.flatMap(({ issue, block }) => (issue.code === "notProved" ? [block] : [])));
   const noContour = all.some(({ issue }) => issue.code === "contourMissing" && issue.data.label === "");
   return all.filter(({ issue, block, at, operation }) =>
-    !(unfit.has(operation) && issue.severity !== "error" && ofWrongTool.has(issue.code)) &&
-    !((issue.code === "cycleNotSimulated" || issue.code === "notSimulated") && unproved.has(block))
-    && !(noContour && (issue.code === "contourTooShort" || issue.code === "nothingToCut" || (issue.code === "contourMissing" && at !== "contour"))));
+    !(unfit.has(operation) && issue.severity !== "error" && ofWrongTool.has(issue.code))
+    && !((issue.code === "cycleNotSimulated" || issue.code === "notSimulated") && unproved.has(block))
+    && !(noContour
+      && (issue.code === "contourTooShort" || issue.code === "nothingToCut" || (issue.code === "contourMissing" && at !== "contour")))
+  );
 }
 
 /** Numbers for what was found at a place, letters for what stays, in the order of the list. */
@@ -63,7 +88,7 @@ function marked(entries: readonly FindingEntry[]): readonly FindingEntry[] {
   let [numbers, letters] = [0, 0];
   return entries.map((entry) => {
     if (!entry.spot) return entry;
-    const mark = entry.spot.kind === "finding" ? String((numbers += 1)) : letterOf((letters += 1) - 1);
+    const mark = entry.spot.kind === "finding" ? String(numbers += 1) : letterOf((letters += 1) - 1);
     return { ...entry, spot: { ...entry.spot, mark } };
   });
 }

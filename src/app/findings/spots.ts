@@ -20,12 +20,13 @@ const roundPoint = ({ z, r }: Pt): Bounds => ({ left: z - ROUND, right: z + ROUN
 function boundsOf(rings: readonly Ring[], place: Pt): Bounds {
   const box = roundPoint(place);
   let { left, right, low, high } = box;
-  for (const ring of rings) for (const p of ring) {
-    left = Math.min(left, p.z);
-    right = Math.max(right, p.z);
-    low = Math.min(low, p.r);
-    high = Math.max(high, p.r);
-  }
+  for (const ring of rings)
+    for (const p of ring) {
+      left = Math.min(left, p.z);
+      right = Math.max(right, p.z);
+      low = Math.min(low, p.r);
+      high = Math.max(high, p.r);
+    }
   return { left, right, low, high };
 }
 
@@ -50,18 +51,37 @@ function spotOfMove({ steps }: Simulation, step: number): Unmarked | null {
 /** Where the simulation saw what an issue of the proof names; null for what has no place. */
 export function spotOfProof(simulation: Simulation, { issue, step }: ProofIssue): Seen | null {
   const { findings, proof, steps } = simulation;
-  const isAt = ({ x, z }: { readonly x: number; readonly z: number }) => ({ place }: { readonly place: Pt }) => near(toDiameter(place.r), x) && near(place.z, z);
+  const isAt = ({ x, z }: { readonly x: number; readonly z: number }) => ({ place }: { readonly place: Pt }) =>
+    near(toDiameter(place.r), x) && near(place.z, z);
   switch (issue.code) {
     case "materialLeft": {
       const residual = proof.residual.findIndex(isAt(issue.data));
       const left = proof.residual[residual];
       if (!left) return null;
-      const spot: Unmarked = { plane: "ZX", kind: "residual", place: left.place, bounds: boundsOf([left.ring], left.place), position: { step: steps.length, fraction: 0 } };
+      const spot: Unmarked = {
+        plane: "ZX",
+        kind: "residual",
+        place: left.place,
+        bounds: boundsOf([left.ring], left.place),
+        position: { step: steps.length, fraction: 0 },
+      };
       return { spot, residual, thickness: left.thickness };
     }
-    case "gouge": case "rapidInStock": case "holderContact": {
+    case "gouge":
+    case "rapidInStock":
+    case "holderContact": {
       const f = findings.find((each) => each.kind === issue.code && isAt(issue.data)(each));
-      return f ? { spot: { plane: "ZX", kind: "finding", place: f.place, bounds: boundsOf(f.rings, f.place), position: { step: f.step, fraction: SEEN[f.kind] } } } : null;
+      return f
+        ? {
+          spot: {
+            plane: "ZX",
+            kind: "finding",
+            place: f.place,
+            bounds: boundsOf(f.rings, f.place),
+            position: { step: f.step, fraction: SEEN[f.kind] },
+          },
+        }
+        : null;
     }
     default: {
       const spot = step === null ? null : spotOfMove(simulation, step);

@@ -19,7 +19,11 @@ let last: { readonly read: JobReading | null; readonly newest: Outcome | null; r
 function known(read: JobReading | null, newest: Outcome | null): Findings {
   if (last?.read === read && last.newest === newest) return last.findings;
   const entries = findingsOf(read, newest);
-  const findings = { entries, listed: entries.filter((entry) => !isToDo(entry)), verdict: judged(entries, newest && (!read || read.reading.values) ? newest : null) };
+  const findings = {
+    entries,
+    listed: entries.filter((entry) => !isToDo(entry)),
+    verdict: judged(entries, newest && (!read || read.reading.values) ? newest : null),
+  };
   last = { read, newest, findings };
   return findings;
 }

@@ -36,14 +36,26 @@ export function useJobHost(read: JobReading): FindingsHost {
       if (at === "start.x") return { name: places.startX, go: () => goToField("setup", "start.x") };
       if (at === "start.z") return { name: places.startZ, go: () => goToField("setup", "start.z") };
       if (at === "contour") return { name: places.contour, go: () => showSection("contour") };
-      if (issue.code === "blankMissing" || issue.code === "blankImpossible") return { name: places.blank, go: () => goToField("setup", "blank.outside") };
-      if (issue.code === "spindleMissing") return { name: places.spindle, go: () => goToField("setup", job.spindle.mode === "constant" ? "spindle.speed" : "spindle.cuttingSpeed") };
+      if (issue.code === "blankMissing" || issue.code === "blankImpossible")
+        return {
+          name: places.blank,
+          go: () => goToField("setup", "blank.outside"),
+        };
+      if (issue.code === "spindleMissing")
+        return {
+          name: places.spindle,
+          go: () => goToField("setup", job.spindle.mode === "constant" ? "spindle.speed" : "spindle.cuttingSpeed"),
+        };
       if (isAboutTool(at) || issue.code === "toolUnknown") return { name: places.tool, go: () => goToField("setup", "tool") };
       return block === null ? null : { name: t.findings.inBlock(String(block)), go: () => showSection("program") };
     };
     const remediesOf = (entry: FindingEntry): readonly Mend[] => {
       const { issue, at } = entry;
-      if (issue.code === "betterTool") return [{ name: t.setup.tool.take(issue.data.tool), apply: oneStep(() => setTool(issue.data.tool)) }];
+      if (issue.code === "betterTool")
+        return [{
+          name: t.setup.tool.take(issue.data.tool),
+          apply: oneStep(() => setTool(issue.data.tool)),
+        }];
       if (issue.code === "startOnWrongSide") {
         const start = () => {
           setStart("x", positionAsTyped(issue.data.x));
@@ -54,7 +66,10 @@ export function useJobHost(read: JobReading): FindingsHost {
       const nearest = nearestOf(entry);
       const param = at === null ? undefined : cycle.params[at];
       if (nearest === null || at === null) return [];
-      const take = (decimals: number, apply: () => void): readonly Mend[] => [{ name: t.dialog.takeNearest(writeTyped(language, nearest, decimals)), apply: oneStep(apply) }];
+      const take = (decimals: number, apply: () => void): readonly Mend[] => [{
+        name: t.dialog.takeNearest(writeTyped(language, nearest, decimals)),
+        apply: oneStep(apply),
+      }];
       if (param) return take(param.decimals, () => setPrompt(at, String(nearest)));
       if (at === "start.x" || at === "start.z") return take(START_DECIMALS, () => setStart(at === "start.x" ? "x" : "z", String(nearest)));
       return [];

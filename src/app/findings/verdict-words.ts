@@ -17,13 +17,20 @@ export function verdictTitle(t: Words, language: Language, { state, doubts, faul
 
 function because(t: Words["because"], doubt: Doubt): readonly string[] {
   switch (doubt.kind) {
-    case "unproved": return [doubt.block === null ? t.unprovedAnywhere(doubt.what) : t.unproved(doubt.what, String(doubt.block))];
-    case "milling": return [t.milling(String(doubt.block))];
-    case "nothingCut": return [t.nothingCut(String(doubt.cycle), String(doubt.block))];
-    case "noOperation": return doubt.approachesClear ? [t.noOperation, t.approachesClear] : [t.noOperation];
-    case "holderUnknown": case "flanksUnknown": return [t[doubt.kind](doubt.tools.join(", "))];
+    case "unproved":
+      return [doubt.block === null ? t.unprovedAnywhere(doubt.what) : t.unproved(doubt.what, String(doubt.block))];
+    case "milling":
+      return [t.milling(String(doubt.block))];
+    case "nothingCut":
+      return [t.nothingCut(String(doubt.cycle), String(doubt.block))];
+    case "noOperation":
+      return doubt.approachesClear ? [t.noOperation, t.approachesClear] : [t.noOperation];
+    case "holderUnknown":
+    case "flanksUnknown":
+      return [t[doubt.kind](doubt.tools.join(", "))];
   }
 }
 
 /** Every reason why a program is not proved, or not wholly, as a sentence each. */
-export const verdictReasons = (t: Words, { doubts }: ShownVerdict): readonly string[] => doubts.flatMap((doubt) => because(t.because, doubt));
+export const verdictReasons = (t: Words, { doubts }: ShownVerdict): readonly string[] =>
+  doubts.flatMap((doubt) => because(t.because, doubt));

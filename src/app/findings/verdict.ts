@@ -29,14 +29,18 @@ function doubtsOf(reasons: readonly VerdictReason[], entries: readonly FindingEn
   const doubts: Doubt[] = [];
   for (const reason of reasons) {
     switch (reason.kind) {
-      case "unproved": case "milling":
+      case "unproved":
+      case "milling":
         doubts.push(reason);
         break;
       case "nothingCut":
         doubts.push({ kind: "nothingCut", block: reason.block, cycle: run.operations[reason.operation]?.cycle ?? 0 });
         break;
       case "noOperation":
-        doubts.push({ kind: "noOperation", approachesClear: run.approaches.length > 0 && !entries.some((e) => e.spot?.kind === "finding") });
+        doubts.push({
+          kind: "noOperation",
+          approachesClear: run.approaches.length > 0 && !entries.some((e) => e.spot?.kind === "finding"),
+        });
         break;
       default:
         break;
@@ -55,7 +59,10 @@ export function judged(entries: readonly FindingEntry[], outcome: Outcome | null
   const open = errors.filter(isToDo).length;
   const faults = errors.length - open;
   const warnings = entries.filter((e) => e.issue.severity === "warning" && e.issue.code !== "materialLeft").length;
-  const stays = entries.reduce((sum, { issue }) => (issue.code === "materialLeft" && issue.severity !== "info" ? sum + issue.data.area : sum), 0);
+  const stays = entries.reduce(
+    (sum, { issue }) => (issue.code === "materialLeft" && issue.severity !== "info" ? sum + issue.data.area : sum),
+    0,
+  );
   const counts = { faults, open, warnings, stays };
   if (!outcome) return { state: faults > 0 ? "faults" : "none", doubts: [], ...counts };
   const { verdict, reasons } = verdictOf(outcome.run, outcome.simulation);
@@ -65,4 +72,12 @@ export function judged(entries: readonly FindingEntry[], outcome: Outcome | null
 
 /** Green only where everything is proved, nothing was left unlooked at, and nothing is left to look at. */
 export const toneOf = ({ state, doubts, warnings, stays }: ShownVerdict): "good" | "plain" | "doubt" | "bad" | "none" =>
-  state === "none" ? "none" : state === "faults" ? "bad" : state === "incomplete" || doubts.length > 0 ? "doubt" : warnings > 0 || stays > 0 ? "plain" : "good";
+  state === "none"
+    ? "none"
+    : state === "faults"
+    ? "bad"
+    : state === "incomplete" || doubts.length > 0
+    ? "doubt"
+    : warnings > 0 || stays > 0
+    ? "plain"
+    : "good";

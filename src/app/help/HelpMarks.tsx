@@ -29,13 +29,14 @@ export function HelpMarks({ marks, id }: Props) {
     const own = { className: classOf(m), ...(m.q ? { "data-q": m.q } : {}) };
     switch (m.kind) {
       case "area":
-        return <path key={i} {...own} d={m.d} {...(m.fill === "part" || m.fill === "cut" ? { style: { fill: `url(#${id}${m.fill})` } } : {})} />;
+        return (
+          <path key={i} {...own} d={m.d} {...(m.fill === "part" || m.fill === "cut" ? { style: { fill: `url(#${id}${m.fill})` } } : {})} />
+        );
       case "line":
         return <path key={i} {...own} d={m.d} />;
       case "text":
         return (
-          <text
-            key={i} {...own} x={px(m.place.x)} y={px(m.place.y)} fontSize={m.size}
+          <text key={i} {...own} x={px(m.place.x)} y={px(m.place.y)} fontSize={m.size}
             {...(m.turn === 0 ? {} : { transform: `rotate(${m.turn} ${px(m.place.x)} ${px(m.place.y)})` })}
             {...(m.underlined ? { textDecoration: "underline" } : {})}
           >
@@ -45,8 +46,12 @@ export function HelpMarks({ marks, id }: Props) {
       case "detail":
         return (
           <g key={i}>
-            <clipPath id={`${id}lens`}><circle cx={m.centre.x} cy={m.centre.y} r={m.radius} /></clipPath>
-            <g clipPath={`url(#${id}lens)`}><HelpMarks marks={m.marks} id={id} /></g>
+            <clipPath id={`${id}lens`}>
+              <circle cx={m.centre.x} cy={m.centre.y} r={m.radius} />
+            </clipPath>
+            <g clipPath={`url(#${id}lens)`}>
+              <HelpMarks marks={m.marks} id={id} />
+            </g>
           </g>
         );
     }

@@ -15,8 +15,10 @@ afterEach(cleanup);
 
 const cycle = catalogue.find((c) => c.contour === "own") as Cycle;
 const example: Numbers = Object.fromEntries(Object.entries(cycle.params).map(([q, p]) => [q, p.example]));
-const picture = (values: Numbers | null, activeQ: string | null, language: Language = "en", partial: Numbers = values ?? {}) =>
-  <HelpPicture cycle={cycle} values={values} partial={partial} given={{ contour: null, start: null }} activeQ={activeQ} language={language} />;
+const picture = (values: Numbers | null, activeQ: string | null, language: Language = "en", partial: Numbers = values ?? {}) => (
+  <HelpPicture cycle={cycle} values={values} partial={partial} given={{ contour: null, start: null }} activeQ={activeQ}
+    language={language} />
+);
 const name = () => screen.getByRole("img").getAttribute("aria-label") ?? "";
 const active = () => [...document.querySelectorAll("svg text.active")].map((e) => e.textContent);
 

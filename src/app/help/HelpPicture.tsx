@@ -54,25 +54,35 @@ export function HelpPicture({ cycle, values, partial, given, activeQ, language }
   const [last, setLast] = useState<Drawn | null>(now);
   if (now && now !== last) setLast(now);
   const kept = now ?? (last?.cycle === cycle ? last : null);
-  const shown = useMemo(() => kept ?? { cycle, values: exampleOf(cycle), outline: outlineOf(cycle, exampleOf(cycle), given) }, [kept, cycle, given]);
+  const shown = useMemo(() => kept ?? { cycle, values: exampleOf(cycle), outline: outlineOf(cycle, exampleOf(cycle), given) }, [
+    kept,
+    cycle,
+    given,
+  ]);
   const t = texts(language);
   const { width } = size;
   // The printed example leaves room for its note; the last drawing stays as it is, so that nothing jumps while one types.
   const height = kept ? size.height : Math.max(1, size.height - NOTE);
-  const drawing = useMemo(() => helpDrawing({
-    group: cycle.group, params: cycle.params, values: shown.values, outline: shown.outline, active: activeQ, size: { width, height },
-    speech: {
-      number: (n, decimals) => formatNumber(language, n, decimals),
-      element: [t.help.element.none, t.help.element.chamfer, t.help.element.radius],
-      reserved: t.help.reserved, notToScale: t.help.notToScale,
-    },
-  }), [cycle, shown, activeQ, width, height, language, t]);
+  const drawing = useMemo(() =>
+    helpDrawing({
+      group: cycle.group,
+      params: cycle.params,
+      values: shown.values,
+      outline: shown.outline,
+      active: activeQ,
+      size: { width, height },
+      speech: {
+        number: (n, decimals) => formatNumber(language, n, decimals),
+        element: [t.help.element.none, t.help.element.chamfer, t.help.element.radius],
+        reserved: t.help.reserved,
+        notToScale: t.help.notToScale,
+      },
+    }), [cycle, shown, activeQ, width, height, language, t]);
   const said = partial ?? values ?? {};
   const note = now ? null : kept ? t.help.stale : t.help.example;
   return (
     <div className="help-picture" ref={box}>
-      <svg
-        role="img" viewBox={`0 0 ${size.width} ${size.height}`}
+      <svg role="img" viewBox={`0 0 ${size.width} ${size.height}`}
         aria-label={[pictureInWords(t, language, cycle, activeQ, said), note].filter((s) => s !== null).join(" ")}
         {...(now ? {} : { className: "dimmed" })}
       >

@@ -17,7 +17,13 @@ export function valueInWords(texts: Texts, language: Language, params: Params, q
 }
 
 /** What the picture shows, for those who do not see it. */
-export function pictureInWords(texts: Texts, language: Language, cycle: { readonly number: number; readonly params: Params }, q: string | null, values: Numbers): string {
+export function pictureInWords(
+  texts: Texts,
+  language: Language,
+  cycle: { readonly number: number; readonly params: Params },
+  q: string | null,
+  values: Numbers,
+): string {
   const name = texts.help.picture(String(cycle.number));
   const param = q === null ? undefined : cycle.params[q];
   if (q === null || !param) return name;

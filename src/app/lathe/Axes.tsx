@@ -16,7 +16,7 @@ const APART = { z: 72, x: 44 };
 /** Grid and scales: Z along the lower edge, X as diameter along the left one, the spindle axis as a chain line. */
 export function LatheAxes({ viewport, part }: { readonly viewport: Viewport; readonly part: "grid" | "scales" }) {
   const camera = useCamera(viewport), { width, height } = viewport.size();
-  const language = useSettings(s => s.language), t = useTexts().lathe;
+  const language = useSettings((s) => s.language), t = useTexts().lathe;
   const corner = toPlace(camera, { x: 0, y: 0 }), far = toPlace(camera, { x: width, y: height });
   const alongZ = ticks(corner.z, far.z, APART.z / camera.scale);
   const alongX = ticks(toDiameter(corner.r), toDiameter(far.r), toDiameter(radius(APART.x / camera.scale)));
@@ -24,16 +24,23 @@ export function LatheAxes({ viewport, part }: { readonly viewport: Viewport; rea
   const placeX = (x: number) => toScreen(camera, { z: axial(0), r: toRadius(diameter(x)) }).y;
   const right = SCALE_LEFT, floor = height - SCALE_BELOW;
   if (part === "grid") {
-    const lines = alongZ.values.map(z => `M${placeZ(z)} 0V${height}`).join("") + alongX.values.map(x => `M0 ${placeX(x)}H${width}`).join("");
-    return <g><path className="lathe-grid" d={lines} /><path className="lathe-axis" d={`M0 ${placeX(0)}H${width}`} /></g>;
+    const lines = alongZ.values.map((z) => `M${placeZ(z)} 0V${height}`).join("")
+      + alongX.values.map((x) => `M0 ${placeX(x)}H${width}`).join("");
+    return (
+      <g>
+        <path className="lathe-grid" d={lines} />
+        <path className="lathe-axis" d={`M0 ${placeX(0)}H${width}`} />
+      </g>
+    );
   }
-  const shownZ = alongZ.values.map(z => ({ z, x: placeZ(z) })).filter(({ x }) => x > right + 16 && x < width - 28);
-  const shownX = alongX.values.map(x => ({ x, y: placeX(x) })).filter(({ y }) => y > 28 && y < floor - 6);
+  const shownZ = alongZ.values.map((z) => ({ z, x: placeZ(z) })).filter(({ x }) => x > right + 16 && x < width - 28);
+  const shownX = alongX.values.map((x) => ({ x, y: placeX(x) })).filter(({ y }) => y > 28 && y < floor - 6);
   return (
     <g className="lathe-scales" aria-hidden="true">
       <path className="lathe-scale-ground" d={`M0 0H${right}V${floor}H${width}V${height}H0Z`} />
       <path className="lathe-scale-edge" d={`M${right} 0V${floor}H${width}`} />
-      <path className="lathe-tick" d={shownZ.map(({ x }) => `M${x} ${floor}v4`).join("") + shownX.map(({ y }) => `M${right} ${y}h-4`).join("")} />
+      <path className="lathe-tick"
+        d={shownZ.map(({ x }) => `M${x} ${floor}v4`).join("") + shownX.map(({ y }) => `M${right} ${y}h-4`).join("")} />
       {shownZ.map(({ z, x }) => <text key={z} x={x} y={height - 6} textAnchor="middle">{formatNumber(language, z, alongZ.decimals)}</text>)}
       {shownX.map(({ x, y }) => <text key={x} x={right - 7} y={y + 4} textAnchor="end">{formatNumber(language, x, alongX.decimals)}</text>)}
       <text className="lathe-scale-name" x={right - 7} y={16} textAnchor="end">{t.axisX}</text>

@@ -12,7 +12,9 @@ export function GlyphButton({ glyph, name, onPress, pressed, expanded, disabled 
   readonly disabled?: boolean;
 }) {
   return (
-    <button type="button" className="button icon" aria-label={name} title={name} aria-pressed={pressed} aria-expanded={expanded} disabled={disabled} onClick={onPress}>
+    <button type="button" className="button icon" aria-label={name} title={name} aria-pressed={pressed} aria-expanded={expanded}
+      disabled={disabled} onClick={onPress}
+    >
       <Glyph name={glyph} />
     </button>
   );

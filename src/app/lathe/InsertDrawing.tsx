@@ -40,8 +40,12 @@ export function InsertDrawing({ tool, width = 48, height = 48, span, whole = fal
   const scale = span ? Math.min(width, height) / span : Math.min((width - 8) / wide, (height - 8) / tall);
   const x = width / 2 - ((box.left + box.right) / 2) * scale, y = height / 2 + ((box.low + box.high) / 2) * scale;
   return (
-    <svg className="insert-drawing" role="img" aria-label={t.insert(String(tool.T))} width={width} height={height} viewBox={`0 0 ${width} ${height}`}>
-      <clipPath id={id}><rect width={width} height={height} /></clipPath>
+    <svg className="insert-drawing" role="img" aria-label={t.insert(String(tool.T))} width={width} height={height}
+      viewBox={`0 0 ${width} ${height}`}
+    >
+      <clipPath id={id}>
+        <rect width={width} height={height} />
+      </clipPath>
       <g clipPath={`url(#${id})`}>
         <g transform={`matrix(${scale} 0 0 ${-scale} ${x} ${y})`}>
           {holder && <path className="shape-holder" d={holder} />}

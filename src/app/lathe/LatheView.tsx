@@ -46,7 +46,18 @@ const NEAR = 10;
 
 const NOWHERE: readonly LookAt[] = [];
 
-const EMPTY_RUN: Run = { program: { name: "", unit: "mm", blocks: 0 }, blank: [], operations: [], steps: [], stepBlocks: [], plane: [], approaches: [], unproved: [], issues: [], seconds: 0 };
+const EMPTY_RUN: Run = {
+  program: { name: "", unit: "mm", blocks: 0 },
+  blank: [],
+  operations: [],
+  steps: [],
+  stepBlocks: [],
+  plane: [],
+  approaches: [],
+  unproved: [],
+  issues: [],
+  seconds: 0,
+};
 
 /** The lathe: picture, playback, timeline, findings. Keeps showing the last result it was given, dimmed when told so. */
 export function LatheView({ result, dimmed, playback, clock, onMove }: {
@@ -66,10 +77,10 @@ export function LatheView({ result, dimmed, playback, clock, onMove }: {
   const [viewport] = useState(() => createViewport(!xDown));
   const [tools, showTools] = useState(false);
 
-  const scene = useMemo(() => sceneOf({ blank: run.blank, contours: run.operations.map(o => o.plan.contour), steps: run.steps }), [run]);
-  const held = useMemo(() => run.steps.some(step => step.tool.holder), [run]);
-  const points = useMemo(() => snapPoints(run.operations.map(o => o.plan.contour), run.steps), [run]);
-  const starts = useMemo(() => run.operations.map(o => o.start), [run]);
+  const scene = useMemo(() => sceneOf({ blank: run.blank, contours: run.operations.map((o) => o.plan.contour), steps: run.steps }), [run]);
+  const held = useMemo(() => run.steps.some((step) => step.tool.holder), [run]);
+  const points = useMemo(() => snapPoints(run.operations.map((o) => o.plan.contour), run.steps), [run]);
+  const starts = useMemo(() => run.operations.map((o) => o.start), [run]);
   const moving = useMemo(() => {
     if (!simulation) return null;
     const player = playerOf(simulation);
@@ -88,23 +99,34 @@ export function LatheView({ result, dimmed, playback, clock, onMove }: {
   useEffect(() => viewport.setBounds(full ? mirrored(scene.bounds) : scene.bounds), [scene, full, viewport]);
   useEffect(() => viewport.setXUp(!xDown), [xDown, viewport]);
 
-  const ended = usePlayback(playback, s => s.get().track.ends.length > 0 && s.get().position.step >= s.get().track.ends.length);
-  const resting = usePlayback(playback, s => (s.get().playing ? -1 : s.get().position.step));
-  const name = useMemo(() => t.picture(resting >= 0 ? statusText(texts, language, run, playback) : ""), [t, texts, language, run, playback, resting]);
+  const ended = usePlayback(playback, (s) => s.get().track.ends.length > 0 && s.get().position.step >= s.get().track.ends.length);
+  const resting = usePlayback(playback, (s) => (s.get().playing ? -1 : s.get().position.step));
+  const name = useMemo(() => t.picture(resting >= 0 ? statusText(texts, language, run, playback) : ""), [
+    t,
+    texts,
+    language,
+    run,
+    playback,
+    resting,
+  ]);
   const found = usePlaces("ZX"), places = dimmed || !simulation ? NOWHERE : found;
-  const leads = useMemo(() => run.approaches.filter(a => a.plane === "ZX"), [run]);
+  const leads = useMemo(() => run.approaches.filter((a) => a.plane === "ZX"), [run]);
   const { chosen, choose } = useLooking(places, viewport, playback);
-  const seen = places.filter(each => ended || each.kind === "finding" || each === chosen);
+  const seen = places.filter((each) => ended || each.kind === "finding" || each === chosen);
   const residual = ended && simulation ? simulation.proof.residual : [], findings = simulation?.findings ?? [];
   return (
-    <section className="lathe" data-tools={tools} aria-label={t.title} onKeyDown={event => {
+    <section className="lathe" data-tools={tools} aria-label={t.title} onKeyDown={(event) => {
       const target = event.target as HTMLElement;
       if (event.ctrlKey || event.metaKey || event.altKey) return;
       const typed = { key: event.key, shift: event.shiftKey, element: target.localName, picture: target === stage.current };
       if (pressKey(typed, playback, viewport, measuring)) event.preventDefault();
     }}>
-      <ViewBar viewport={viewport} measuring={measuring}><Legend shapes={scene.shapes} holder={held} /></ViewBar>
-      <div ref={stage} className={`lathe-stage${dimmed ? " dimmed" : ""}${measuring.on ? " measuring" : ""}`} tabIndex={0} role="group" aria-label={t.title} aria-describedby={keysId}>
+      <ViewBar viewport={viewport} measuring={measuring}>
+        <Legend shapes={scene.shapes} holder={held} />
+      </ViewBar>
+      <div ref={stage} className={`lathe-stage${dimmed ? " dimmed" : ""}${measuring.on ? " measuring" : ""}`} tabIndex={0} role="group"
+        aria-label={t.title} aria-describedby={keysId}
+      >
         <Picture viewport={viewport} scene={scene} moving={moving} findings={findings} residual={residual} full={full} name={name}>
           <Marks viewport={viewport} starts={starts} />
           {leads.length > 0 && <TurnPoints viewport={viewport} approaches={leads} />}
@@ -119,7 +141,9 @@ export function LatheView({ result, dimmed, playback, clock, onMove }: {
       </div>
       <Readout run={run} playback={playback} />
       <PlaybackBar playback={playback}>
-        <span className="lathe-fold"><GlyphButton glyph="view" name={t.viewTools} expanded={tools} onPress={() => showTools(!tools)} /></span>
+        <span className="lathe-fold">
+          <GlyphButton glyph="view" name={t.viewTools} expanded={tools} onPress={() => showTools(!tools)} />
+        </span>
       </PlaybackBar>
       <Timeline run={run} playback={playback} />
       <SpokenStatus run={run} playback={playback} clock={clock} />

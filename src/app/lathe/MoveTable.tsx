@@ -10,8 +10,8 @@ import { usePlayback } from "./use-playback.ts";
 const PAGE = 50;
 
 function Rows({ run, playback }: { readonly run: Run; readonly playback: PlaybackStore }) {
-  const t = useTexts().lathe, language = useSettings(s => s.language);
-  const running = usePlayback(playback, s => s.get().position.step);
+  const t = useTexts().lathe, language = useSettings((s) => s.language);
+  const running = usePlayback(playback, (s) => s.get().position.step);
   const own = Math.floor(Math.min(running, run.steps.length - 1) / PAGE);
   const [turned, turn] = useState<number | null>(null);
   const last = Math.floor((run.steps.length - 1) / PAGE), page = Math.min(turned ?? own, last), from = page * PAGE;
@@ -20,20 +20,32 @@ function Rows({ run, playback }: { readonly run: Run; readonly playback: Playbac
       {last > 0 && (
         <div className="lathe-pages">
           <button type="button" className="button" disabled={page === 0} onClick={() => turn(page - 1)}>{t.earlier}</button>
-          <span className="number">{t.range(String(from + 1), String(Math.min(from + PAGE, run.steps.length)), String(run.steps.length))}</span>
+          <span className="number">
+            {t.range(String(from + 1), String(Math.min(from + PAGE, run.steps.length)), String(run.steps.length))}
+          </span>
           <button type="button" className="button" disabled={page === last} onClick={() => turn(page + 1)}>{t.later}</button>
         </div>
       )}
       <table>
-        <thead><tr>{[t.move, t.moveKind, t.axisX, t.axisZ, t.moveFeed, t.movePhase, t.moveBlock].map(head => <th key={head} scope="col">{head}</th>)}</tr></thead>
+        <thead>
+          <tr>
+            {[t.move, t.moveKind, t.axisX, t.axisZ, t.moveFeed, t.movePhase, t.moveBlock].map((head) => (
+              <th key={head} scope="col">{head}</th>
+            ))}
+          </tr>
+        </thead>
         <tbody>
           {run.steps.slice(from, from + PAGE).map((step, i) => {
             const index = from + i, { x, z } = placeText(language, step.move.to);
             return (
               <tr key={index} aria-current={index === running}>
                 <th scope="row">
-                  <button type="button" className="lathe-goto number" aria-label={t.goTo(String(index + 1))}
-                    onClick={() => { turn(null); playback.dispatch({ do: "seek", position: { step: index, fraction: 0 } }); }}>{index + 1}</button>
+                  <button type="button" className="lathe-goto number" aria-label={t.goTo(String(index + 1))} onClick={() => {
+                    turn(null);
+                    playback.dispatch({ do: "seek", position: { step: index, fraction: 0 } });
+                  }}>
+                    {index + 1}
+                  </button>
                 </th>
                 <td>{t.kinds[step.move.kind]}</td>
                 <td className="number">{x}</td>
@@ -55,7 +67,7 @@ export function MoveTable({ run, playback }: { readonly run: Run; readonly playb
   const t = useTexts().lathe;
   const [open, setOpen] = useState(false);
   return (
-    <details className="lathe-moves" name="lathe-more" onToggle={event => setOpen(event.currentTarget.open)}>
+    <details className="lathe-moves" name="lathe-more" onToggle={(event) => setOpen(event.currentTarget.open)}>
       <summary>{t.moves(String(run.steps.length))}</summary>
       {open && run.steps.length > 0 && <Rows run={run} playback={playback} />}
     </details>

@@ -19,7 +19,7 @@ export interface Moving {
   readonly playback: PlaybackStore;
 }
 
-const farSide = (rings: readonly Ring[]): Ring[] => rings.map(ring => ring.map(p => ({ z: p.z, r: radius(-p.r) })));
+const farSide = (rings: readonly Ring[]): Ring[] => rings.map((ring) => ring.map((p) => ({ z: p.z, r: radius(-p.r) })));
 
 /** The remaining material, painted with each picture without rendering. */
 function Stock({ moving: { stockAt, playback }, full, fill }: { readonly moving: Moving; readonly full: boolean; readonly fill: string }) {
@@ -49,7 +49,7 @@ function Insert({ tool }: { readonly tool: Tool }) {
 function Tool({ moving: { steps, playback } }: { readonly moving: Moving }) {
   const group = useRef<SVGGElement>(null), running = useRef<SVGPathElement>(null);
   const drawn = useRef(-1);
-  const index = usePlayback(playback, store => stepIndex(steps, store.shown()));
+  const index = usePlayback(playback, (store) => stepIndex(steps, store.shown()));
   const paint = useCallback(() => {
     const position = playback.shown(), tip = tipAt(steps, position), at = stepIndex(steps, position), step = steps[at];
     if (tip) group.current?.setAttribute("transform", `translate(${tip.z} ${tip.r})`);

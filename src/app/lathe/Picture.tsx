@@ -18,9 +18,11 @@ const Still = memo(function Still({ shapes, mirror }: { readonly shapes: readonl
   return <>{drawn}{mirror && <g transform="scale(1 -1)">{drawn}</g>}</>;
 });
 
-const Rings = memo(function Rings({ rings, role, fill }: { readonly rings: readonly Ring[]; readonly role: string; readonly fill?: string }) {
-  return <path className={`shape-${role}`} d={ringData(rings)} {...(fill && { style: { fill } })} />;
-});
+const Rings = memo(
+  function Rings({ rings, role, fill }: { readonly rings: readonly Ring[]; readonly role: string; readonly fill?: string }) {
+    return <path className={`shape-${role}`} d={ringData(rings)} {...(fill && { style: { fill } })} />;
+  },
+);
 
 /** Follows the camera with one attribute: a group whose content is drawn in part space. */
 function World({ viewport, children }: { readonly viewport: Viewport; readonly children: React.ReactNode }) {
@@ -76,9 +78,9 @@ export function Picture({ viewport, scene, moving, findings, residual, full, nam
 }) {
   const id = useId();
   const sheets = useMemo(() => ({
-    below: scene.shapes.filter(shape => !isPath(shape) && !UPPER.includes(shape.role)),
-    blank: scene.shapes.filter(shape => shape.role === "blank"),
-    contour: scene.shapes.filter(shape => shape.role === "contour"),
+    below: scene.shapes.filter((shape) => !isPath(shape) && !UPPER.includes(shape.role)),
+    blank: scene.shapes.filter((shape) => shape.role === "blank"),
+    contour: scene.shapes.filter((shape) => shape.role === "contour"),
     path: scene.shapes.filter(isPath),
   }), [scene]);
   return (
@@ -89,7 +91,7 @@ export function Picture({ viewport, scene, moving, findings, residual, full, nam
         <World viewport={viewport}>
           <Still shapes={sheets.below} mirror={full} />
           {moving && <MovingParts.Stock moving={moving} full={full} fill={`url(#${id}stock)`} />}
-          {residual.length > 0 && <Rings rings={residual.map(each => each.ring)} role="residual" fill={`url(#${id}residual)`} />}
+          {residual.length > 0 && <Rings rings={residual.map((each) => each.ring)} role="residual" fill={`url(#${id}residual)`} />}
         </World>
       </svg>
       <svg className="sheet still">
@@ -97,7 +99,7 @@ export function Picture({ viewport, scene, moving, findings, residual, full, nam
           <Still shapes={sheets.blank} mirror={full} />
           <Still shapes={sheets.path} mirror={false} />
           <Still shapes={sheets.contour} mirror={full} />
-          {findings.length > 0 && <Rings rings={findings.flatMap(each => [...each.rings])} role="gouge" />}
+          {findings.length > 0 && <Rings rings={findings.flatMap((each) => [...each.rings])} role="gouge" />}
         </World>
       </svg>
       <svg className="sheet">

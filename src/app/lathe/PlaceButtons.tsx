@@ -32,12 +32,9 @@ function apart(places: readonly LookAt[], camera: Camera): readonly Put[] {
 }
 
 /** The mark of each place in the picture: a number in a circle, a letter in a square. */
-export function PlaceButtons({ viewport, places, chosen, choose }: {
-  readonly viewport: Viewport;
-  readonly places: readonly LookAt[];
-  readonly chosen: LookAt | null;
-  readonly choose: (place: LookAt | null) => void;
-}) {
+export function PlaceButtons({ viewport, places, chosen, choose }: { readonly viewport: Viewport; readonly places: readonly LookAt[];
+  readonly chosen: LookAt | null; readonly choose: (place: LookAt | null) => void })
+{
   const camera = useCamera(viewport), { width, height } = viewport.size();
   return (
     <>
@@ -45,25 +42,36 @@ export function PlaceButtons({ viewport, places, chosen, choose }: {
         const at = toScreen(camera, each.place), on = chosen?.id === each.id;
         if (at.x < SCALE_LEFT || at.x > width || at.y < 0 || at.y > height - SCALE_BELOW) return null;
         return (
-          <button key={each.id} type="button" className={`lathe-place badge badge-${each.kind}`} style={{ left, top }}
-            title={each.line} aria-label={`${each.mark}: ${each.line}`} aria-pressed={on} onClick={() => choose(on ? null : each)}>{each.mark}</button>
+          <button key={each.id} type="button" className={`lathe-place badge badge-${each.kind}`} style={{ left, top }} title={each.line}
+            aria-label={`${each.mark}: ${each.line}`} aria-pressed={on} onClick={() => choose(on ? null : each)}
+          >
+            {each.mark}
+          </button>
         );
       })}
-      {chosen && <p className={`lathe-note lathe-note-${chosen.kind}`}><span className={`badge badge-${chosen.kind}`} aria-hidden="true">{chosen.mark}</span>{chosen.line}</p>}
+      {chosen && (
+        <p className={`lathe-note lathe-note-${chosen.kind}`}>
+          <span className={`badge badge-${chosen.kind}`} aria-hidden="true">{chosen.mark}</span>
+          {chosen.line}
+        </p>
+      )}
     </>
   );
 }
 
 /** The ring round each finding and the leader from each place to its mark. */
 export function PlaceLines({ viewport, places }: { readonly viewport: Viewport; readonly places: readonly LookAt[] }) {
-  const camera = useCamera(viewport), drawn = places.slice(0, MOST).map(each => ({ ...each, at: toScreen(camera, each.place) }));
-  const leaders = (kind: LookAt["kind"], from: number) => drawn.filter(each => each.kind === kind)
-    .map(({ at: { x, y } }) => `M${x + from} ${y - from}L${x + ASIDE.x - 6} ${y + ASIDE.y + 6}`).join("");
+  const camera = useCamera(viewport), drawn = places.slice(0, MOST).map((each) => ({ ...each, at: toScreen(camera, each.place) }));
+  const leaders = (kind: LookAt["kind"], from: number) =>
+    drawn.filter((each) => each.kind === kind).map(({ at: { x, y } }) => `M${x + from} ${y - from}L${x + ASIDE.x - 6} ${y + ASIDE.y + 6}`)
+      .join("");
   return (
     <g aria-hidden="true">
       <path className="lathe-leader-residual" d={leaders("residual", 0)} />
       <path className="lathe-leader-finding" d={leaders("finding", 6)} />
-      {drawn.filter(each => each.kind === "finding").map(({ id, at }) => <circle key={id} className="lathe-ring" cx={at.x} cy={at.y} r="9" />)}
+      {drawn.filter((each) => each.kind === "finding").map(({ id, at }) => (
+        <circle key={id} className="lathe-ring" cx={at.x} cy={at.y} r="9" />
+      ))}
     </g>
   );
 }

@@ -11,7 +11,7 @@ const FIELDS = ["x", "z", "feed", "speed"] as const;
 
 /** Live position, feed, spindle speed, phase, pass and the manual's step; the numbers change without rendering. */
 export function Readout({ run, playback }: { readonly run: Run; readonly playback: PlaybackStore }) {
-  const texts = useTexts(), t = texts.lathe, language = useSettings(s => s.language);
+  const texts = useTexts(), t = texts.lathe, language = useSettings((s) => s.language);
   const group = useRef<HTMLDivElement>(null);
   useEachPicture(playback, useCallback(() => {
     const now = runningText(texts, language, run, playback.shown());
@@ -24,10 +24,19 @@ export function Readout({ run, playback }: { readonly run: Run; readonly playbac
   return (
     <div ref={group} className="lathe-readout" role="group" aria-label={t.now}>
       <dl className="number">
-        {FIELDS.map(key => <div key={key} className={`readout-${key}`}><dt>{names[key]}</dt><dd data-says={key} /></div>)}
+        {FIELDS.map((key) => (
+          <div key={key} className={`readout-${key}`}>
+            <dt>{names[key]}</dt>
+            <dd data-says={key} />
+          </div>
+        ))}
       </dl>
       <p className="lathe-step" data-says="step" />
-      <p className="lathe-phase soft"><span data-says="phase" /><span data-says="pass" /><span data-says="block" /></p>
+      <p className="lathe-phase soft">
+        <span data-says="phase" />
+        <span data-says="pass" />
+        <span data-says="block" />
+      </p>
     </div>
   );
 }
@@ -37,8 +46,8 @@ const PAUSE = 2500;
 
 /** The same in a sentence, read out: at once when something was pressed, now and then while it plays. */
 export function SpokenStatus({ run, playback, clock }: { readonly run: Run; readonly playback: PlaybackStore; readonly clock: Clock }) {
-  const texts = useTexts(), language = useSettings(s => s.language);
-  const step = usePlayback(playback, s => s.get().position.step), playing = usePlayback(playback, s => s.get().playing);
+  const texts = useTexts(), language = useSettings((s) => s.language);
+  const step = usePlayback(playback, (s) => s.get().position.step), playing = usePlayback(playback, (s) => s.get().playing);
   const [said, say] = useState("");
   const last = useRef(-PAUSE);
   useEffect(() => {
@@ -50,10 +59,17 @@ export function SpokenStatus({ run, playback, clock }: { readonly run: Run; read
 }
 
 /** One sentence about the moment that is shown. */
-export function statusText(texts: ReturnType<typeof useTexts>, language: Parameters<typeof runningText>[1], run: Run, playback: PlaybackStore): string {
+export function statusText(
+  texts: ReturnType<typeof useTexts>,
+  language: Parameters<typeof runningText>[1],
+  run: Run,
+  playback: PlaybackStore,
+): string {
   const now = runningText(texts, language, run, playback.shown()), t = texts.lathe;
   if (!now) return t.pictureEmpty;
   const { position } = playback.get();
   const where = position.step >= run.steps.length ? t.atEnd : position.step === 0 && position.fraction === 0 ? t.atStart : "";
-  return [where, now.step, `${t.axisX} ${now.x}`, `${t.axisZ} ${now.z}`, now.feed, now.pass, now.block].filter(part => part !== "").join(". ");
+  return [where, now.step, `${t.axisX} ${now.x}`, `${t.axisZ} ${now.z}`, now.feed, now.pass, now.block].filter((part) => part !== "").join(
+    ". ",
+  );
 }

@@ -10,7 +10,9 @@ import { useCamera } from "./use-camera.ts";
 import type { Viewport } from "./viewport.ts";
 
 /** The ruler in the picture: cross, first place, and the legs of the triangle between two places. */
-export function RulerLines({ viewport, measuring: { on, cross, first, second } }: { readonly viewport: Viewport; readonly measuring: Measuring }) {
+export function RulerLines({ viewport, measuring: { on, cross, first, second } }: { readonly viewport: Viewport;
+  readonly measuring: Measuring })
+{
   const camera = useCamera(viewport);
   if (!on) return null;
   const place = (p: Pt) => toScreen(camera, p);
@@ -28,7 +30,7 @@ export function RulerLines({ viewport, measuring: { on, cross, first, second } }
 
 /** What the ruler reads, in words and numbers; changes are read out. */
 export function RulerReading({ measuring: { on, cross, first, second } }: { readonly measuring: Measuring }) {
-  const t = useTexts().lathe, language = useSettings(s => s.language);
+  const t = useTexts().lathe, language = useSettings((s) => s.language);
   if (!on) return null;
   const to = second ?? cross, m = first && to ? measure(first, to) : null;
   const n = (v: number) => formatPosition(language, v);
@@ -36,12 +38,34 @@ export function RulerReading({ measuring: { on, cross, first, second } }: { read
   return (
     <div className="lathe-reading">
       {m
-        ? <dl className="number">
-            <div><dt>{t.deltaX}</dt><dd>{n(m.dx)}</dd></div>
-            <div><dt>{t.deltaZ}</dt><dd>{n(m.dz)}</dd></div>
-            <div><dt>{t.distance}</dt><dd>{formatFixed(language, m.distance, 3)}</dd></div>
+        ? (
+          <dl className="number">
+            <div>
+              <dt>{t.deltaX}</dt>
+              <dd>{n(m.dx)}</dd>
+            </div>
+            <div>
+              <dt>{t.deltaZ}</dt>
+              <dd>{n(m.dz)}</dd>
+            </div>
+            <div>
+              <dt>{t.distance}</dt>
+              <dd>{formatFixed(language, m.distance, 3)}</dd>
+            </div>
           </dl>
-        : cross && <dl className="number"><div><dt>{t.axisX}</dt><dd>{n(toDiameter(cross.r))}</dd></div><div><dt>{t.axisZ}</dt><dd>{n(cross.z)}</dd></div></dl>}
+        )
+        : cross && (
+          <dl className="number">
+            <div>
+              <dt>{t.axisX}</dt>
+              <dd>{n(toDiameter(cross.r))}</dd>
+            </div>
+            <div>
+              <dt>{t.axisZ}</dt>
+              <dd>{n(cross.z)}</dd>
+            </div>
+          </dl>
+        )}
       <p role="status" className={second ? "unseen" : "small soft"}>{said}</p>
     </div>
   );

@@ -15,10 +15,10 @@ export interface TimedRun extends Pick<Run, "operations"> {
 
 /** Time of the whole run: cutting and rapids, boundaries of moves, operations by name. Dragging it scrubs. */
 export function Timeline({ run, playback }: { readonly run: TimedRun; readonly playback: PlaybackStore }) {
-  const t = useTexts().lathe, language = useSettings(s => s.language);
+  const t = useTexts().lathe, language = useSettings((s) => s.language);
   const bar = useMemo(() => timeBar(run.steps, trackOf(run.steps)), [run]);
   const input = useRef<HTMLInputElement>(null), head = useRef<HTMLDivElement>(null), time = useRef<HTMLSpanElement>(null);
-  const spoken = usePlayback(playback, store => {
+  const spoken = usePlayback(playback, (store) => {
     const { track, position, playing } = store.get();
     return playing ? "" : t.timeOf(clockText(language, secondsAt(track, position)), clockText(language, track.total));
   });
@@ -28,7 +28,7 @@ export function Timeline({ run, playback }: { readonly run: TimedRun; readonly p
     if (head.current) head.current.style.left = `${part * 100}%`;
     if (time.current) time.current.textContent = `${clockText(language, secondsAt(track, position))} / ${clockText(language, track.total)}`;
   }, [playback, language]));
-  const marks = bar.boundaries.map(b => `M${b * 1000} 0V1`).join("");
+  const marks = bar.boundaries.map((b) => `M${b * 1000} 0V1`).join("");
   return (
     <div className="lathe-timeline">
       <div className="lathe-timeline-names" aria-hidden="true">
@@ -46,13 +46,13 @@ export function Timeline({ run, playback }: { readonly run: TimedRun; readonly p
         <path className="rapid" d={bar.rapid} />
         <path className="cutting" d={bar.cutting} />
       </svg>
-      <svg className="lathe-timemarks" viewBox="0 0 1000 1" preserveAspectRatio="none" aria-hidden="true"><path d={marks} /></svg>
+      <svg className="lathe-timemarks" viewBox="0 0 1000 1" preserveAspectRatio="none" aria-hidden="true">
+        <path d={marks} />
+      </svg>
       <div ref={head} className="lathe-playhead" aria-hidden="true" />
-      <input
-        ref={input} type="range" min={0} max={1000} step={0.01} defaultValue={0} aria-label={t.timeline} {...(spoken && { "aria-valuetext": spoken })}
-        disabled={run.steps.length === 0}
-        onInput={event => playback.dispatch({ do: "seekSeconds", seconds: (Number(event.currentTarget.value) / 1000) * playback.get().track.total })}
-      />
+      <input ref={input} type="range" min={0} max={1000} step={0.01} defaultValue={0} aria-label={t.timeline}
+        {...(spoken && { "aria-valuetext": spoken })} disabled={run.steps.length === 0} onInput={(event) =>
+        playback.dispatch({ do: "seekSeconds", seconds: (Number(event.currentTarget.value) / 1000) * playback.get().track.total })} />
     </div>
   );
 }

@@ -14,10 +14,11 @@ export function ViewBar({ viewport, measuring, children }: {
   /** What stands between the switches and the zoom. */
   readonly children: React.ReactNode;
 }) {
-  const t = useTexts().lathe, full = useSettings(s => s.fullSection), down = useSettings(s => s.xDown);
+  const t = useTexts().lathe, full = useSettings((s) => s.fullSection), down = useSettings((s) => s.xDown);
   return (
     <div className="lathe-viewbar" role="toolbar" aria-label={t.viewTools}>
-      <GlyphButton glyph={full ? "fullSection" : "halfSection"} name={t.fullSection} pressed={full} onPress={() => changeSettings({ fullSection: !full })} />
+      <GlyphButton glyph={full ? "fullSection" : "halfSection"} name={t.fullSection} pressed={full}
+        onPress={() => changeSettings({ fullSection: !full })} />
       <GlyphButton glyph={down ? "xDown" : "xUp"} name={t.xDown} pressed={down} onPress={() => changeSettings({ xDown: !down })} />
       <GlyphButton glyph="ruler" name={t.ruler} pressed={measuring.on} onPress={measuring.toggle} />
       <div className="lathe-gap">{children}</div>

@@ -42,7 +42,9 @@ export function listenToGestures(element: Element & GlobalEventHandlers, viewpor
     const from = dragged || !begun ? before : begun;
     dragged = true;
     down.set(event.pointerId, here);
-    viewport.look(other ? pinched(viewport.get(), [before, other], [here, other]) : panned(viewport.get(), here.x - from.x, here.y - from.y));
+    viewport.look(
+      other ? pinched(viewport.get(), [before, other], [here, other]) : panned(viewport.get(), here.x - from.x, here.y - from.y),
+    );
   };
   const release = (event: PointerEvent) => {
     if (!down.delete(event.pointerId)) return;

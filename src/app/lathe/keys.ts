@@ -6,7 +6,12 @@ import type { Viewport } from "./viewport.ts";
 
 /** One press of an arrow with Shift moves the picture by this much, pixels. */
 const PAN = 40;
-const PANS: Readonly<Record<string, readonly [number, number]>> = { ArrowLeft: [PAN, 0], ArrowRight: [-PAN, 0], ArrowUp: [0, PAN], ArrowDown: [0, -PAN] };
+const PANS: Readonly<Record<string, readonly [number, number]>> = {
+  ArrowLeft: [PAN, 0],
+  ArrowRight: [-PAN, 0],
+  ArrowUp: [0, PAN],
+  ArrowDown: [0, -PAN],
+};
 
 /** What a key press in the lathe view was typed into. */
 export interface Typed {
@@ -32,14 +37,32 @@ export function pressKey(typed: Typed, playback: PlaybackStore, viewport: Viewpo
   }
   if ((typed.picture || key === "Escape") && measuring.key(key)) return true;
   switch (key) {
-    case " ": playback.dispatch({ do: "toggle" }); return true;
-    case "ArrowRight": playback.dispatch({ do: "forward" }); return true;
-    case "ArrowLeft": playback.dispatch({ do: "back" }); return true;
-    case "Home": playback.dispatch({ do: "first" }); return true;
-    case "End": playback.dispatch({ do: "last" }); return true;
-    case "+": case "=": viewport.zoom(ZOOM); return true;
-    case "-": viewport.zoom(1 / ZOOM); return true;
-    case "0": viewport.fit(); return true;
-    default: return false;
+    case " ":
+      playback.dispatch({ do: "toggle" });
+      return true;
+    case "ArrowRight":
+      playback.dispatch({ do: "forward" });
+      return true;
+    case "ArrowLeft":
+      playback.dispatch({ do: "back" });
+      return true;
+    case "Home":
+      playback.dispatch({ do: "first" });
+      return true;
+    case "End":
+      playback.dispatch({ do: "last" });
+      return true;
+    case "+":
+    case "=":
+      viewport.zoom(ZOOM);
+      return true;
+    case "-":
+      viewport.zoom(1 / ZOOM);
+      return true;
+    case "0":
+      viewport.fit();
+      return true;
+    default:
+      return false;
   }
 }

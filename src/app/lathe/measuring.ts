@@ -31,8 +31,12 @@ const OFF: State = { on: false, cross: null, first: null, second: null };
 const picked = (s: State, place: Pt): State =>
   s.first && !s.second ? { ...s, cross: place, second: place } : { ...s, cross: place, first: place, second: null };
 
-const ARROWS: Readonly<Record<string, readonly [number, number]>> =
-  { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, 1],
+  ArrowDown: [0, -1],
+};
 
 /** A ruler over a viewport that snaps to these points. */
 export function useMeasuring(viewport: Viewport, points: readonly Pt[]): Measuring {
@@ -43,15 +47,15 @@ export function useMeasuring(viewport: Viewport, points: readonly Pt[]): Measuri
     return placeOf({ x: width / 2, y: height / 2 });
   };
   const next = (from: Pt, way: number): Pt => {
-    const here = points.findIndex(p => Math.hypot(p.z - from.z, p.r - from.r) < 1e-3);
+    const here = points.findIndex((p) => Math.hypot(p.z - from.z, p.r - from.r) < 1e-3);
     const at = here < 0 ? (way > 0 ? 0 : points.length - 1) : (here + way + points.length) % points.length;
     return points[at] ?? from;
   };
   return {
     ...state,
-    toggle: () => set(s => (s.on ? OFF : { ...OFF, on: true, cross: middle() })),
-    tap: at => set(s => (s.on ? picked(s, placeOf(at)) : s)),
-    hover: at => set(s => (s.on && at ? { ...s, cross: placeOf(at) } : s)),
+    toggle: () => set((s) => (s.on ? OFF : { ...OFF, on: true, cross: middle() })),
+    tap: (at) => set((s) => (s.on ? picked(s, placeOf(at)) : s)),
+    hover: (at) => set((s) => (s.on && at ? { ...s, cross: placeOf(at) } : s)),
     key(name) {
       if (!state.on) return false;
       const { scale, xUp } = viewport.get(), cross = state.cross ?? middle(), arrow = ARROWS[name];

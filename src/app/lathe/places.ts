@@ -29,9 +29,20 @@ export function usePlaces(plane: FindingSpot["plane"]): readonly LookAt[] {
   const entries = useFindings();
   const say = useIssueText();
   const t = useTexts().findings;
-  return useMemo(() => entries.flatMap(({ id, issue, block, spot, residual }): LookAt[] => {
-    if (spot?.plane !== plane) return [];
-    const line = block === null ? say(issue) : `${say(issue)} (${t.inBlock(String(block))})`;
-    return [{ id, kind: spot.kind, mark: spot.mark, place: spot.place, bounds: spot.bounds, line, position: spot.position, issue, residual }];
-  }), [entries, plane, say, t]);
+  return useMemo(() =>
+    entries.flatMap(({ id, issue, block, spot, residual }): LookAt[] => {
+      if (spot?.plane !== plane) return [];
+      const line = block === null ? say(issue) : `${say(issue)} (${t.inBlock(String(block))})`;
+      return [{
+        id,
+        kind: spot.kind,
+        mark: spot.mark,
+        place: spot.place,
+        bounds: spot.bounds,
+        line,
+        position: spot.position,
+        issue,
+        residual,
+      }];
+    }), [entries, plane, say, t]);
 }

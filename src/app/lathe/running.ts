@@ -26,7 +26,10 @@ export interface Running {
 }
 
 /** A place as the control shows it: X as diameter. */
-export const placeText = (language: Language, p: Pt) => ({ x: formatPosition(language, toDiameter(p.r)), z: formatPosition(language, p.z) });
+export const placeText = (language: Language, p: Pt) => ({
+  x: formatPosition(language, toDiameter(p.r)),
+  z: formatPosition(language, p.z),
+});
 
 /** Feed with its unit, or that it is a rapid. */
 export function runningFeed(t: Texts["lathe"], language: Language, move: Move): string {
@@ -53,7 +56,9 @@ export function stepText(t: Texts, operation: Operation | undefined, move: Move)
 /** The spindle of a step: that of its operation, or of the nearest operation for moves between them. */
 function spindleOf(run: Run, index: number): Spindle | null {
   const own = run.steps[index]?.operation;
-  const operation = typeof own === "number" ? run.operations[own] : run.operations.find(o => o.firstStep > index) ?? run.operations.at(-1);
+  const operation = typeof own === "number"
+    ? run.operations[own]
+    : run.operations.find((o) => o.firstStep > index) ?? run.operations.at(-1);
   return operation?.spindle ?? null;
 }
 

@@ -5,7 +5,11 @@ import type { Viewport } from "./viewport.ts";
 import type { LookAt } from "./places.ts";
 
 /** The place that is looked at, chosen in the list or in the picture: the picture goes near it, and playback to its moment. */
-export function useLooking<P extends Pick<LookAt, "id" | "bounds" | "position">>(places: readonly P[], viewport: Viewport, playback: PlaybackStore) {
+export function useLooking<P extends Pick<LookAt, "id" | "bounds" | "position">>(
+  places: readonly P[],
+  viewport: Viewport,
+  playback: PlaybackStore,
+) {
   const { id, count } = useChosen();
   const chosen = places.find((place) => place.id === id) ?? null;
   const look = useEffectEvent(() => {

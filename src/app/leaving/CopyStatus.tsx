@@ -14,9 +14,16 @@ export function CopyStatus({ otherwise = "" }: { readonly otherwise?: string }) 
   useEffect(() => closeCopying, []);
   const copied = state === "copied" && verdict !== null;
   const tone = copied ? toneOf(verdict) : "good";
-  const note = !copied || tone === "good" || tone === "plain" ? ""
-    : verdict.faults > 0 ? t.findings.leaving.withFaults(verdict.faults)
-    : verdict.open > 0 ? `${t.dialog.done.open(verdict.open)}.`
+  const note = !copied || tone === "good" || tone === "plain"
+    ? ""
+    : verdict.faults > 0
+    ? t.findings.leaving.withFaults(verdict.faults)
+    : verdict.open > 0
+    ? `${t.dialog.done.open(verdict.open)}.`
     : [`${verdictTitle(t.findings.verdict, language, verdict)}.`, ...verdictReasons(t.findings.verdict, verdict).slice(0, 1)].join(" ");
-  return <p role="status" className={`small copy-status copy-${tone}`}>{copied ? `${t.page.text.copiedLong(blockCount(text))} ${note}`.trim() : otherwise}</p>;
+  return (
+    <p role="status" className={`small copy-status copy-${tone}`}>
+      {copied ? `${t.page.text.copiedLong(blockCount(text))} ${note}`.trim() : otherwise}
+    </p>
+  );
 }

@@ -14,14 +14,18 @@ const MOST = 4;
 /** The workplace knows which cycle a finding is about. */
 type Props = Pick<FindingsHost, "cycleOf">;
 
-function Question({ asking: { way, verdict, faults, unchecked, answer }, id, cycleOf }: Props & { readonly asking: Asking; readonly id: string }) {
+function Question({ asking: { way, verdict, faults, unchecked, answer }, id, cycleOf }: Props & { readonly asking: Asking;
+  readonly id: string })
+{
   const t = useTexts();
   const language = useSettings((s) => s.language);
   const words = t.findings.leaving;
   const doubts = verdictReasons(t.findings.verdict, verdict).slice(0, MOST);
   return (
     <>
-      <h2 id={`${id}-title`}><Icon name="error" /> {unchecked && faults.length === 0 ? words.unchecked : words.title}</h2>
+      <h2 id={`${id}-title`}>
+        <Icon name="error" /> {unchecked && faults.length === 0 ? words.unchecked : words.title}
+      </h2>
       <div id={`${id}-what`} className="leaving-what">
         {unchecked && <p>{words.uncheckedLead}</p>}
         {faults.length > 0 && <p>{words.lead(faults.length)}</p>}
@@ -29,7 +33,7 @@ function Question({ asking: { way, verdict, faults, unchecked, answer }, id, cyc
           {faults.slice(0, MOST).map((entry) => (
             <li key={entry.id}>
               {issueText(t, language, entry.issue, cycleOf(entry))}
-              {entry.block !== null && <span className="soft"> ({t.findings.inBlock(String(entry.block))})</span>}
+              {entry.block !== null && <span className="soft">({t.findings.inBlock(String(entry.block))})</span>}
             </li>
           ))}
           {verdict.open > 0 && <li>{t.dialog.done.open(verdict.open)}</li>}
@@ -38,13 +42,10 @@ function Question({ asking: { way, verdict, faults, unchecked, answer }, id, cyc
         {doubts.map((doubt) => <p key={doubt} className="small">{doubt}</p>)}
       </div>
       <div className="leaving-ways">
-        <button
-          type="button" className="button primary" autoFocus
-          onClick={() => {
-            answer(false);
-            showSection("findings");
-          }}
-        >
+        <button type="button" className="button primary" autoFocus onClick={() => {
+          answer(false);
+          showSection("findings");
+        }}>
           {words.look}
         </button>
         <button type="button" className="button" onClick={() => answer(false)}>{words.cancel}</button>
@@ -67,7 +68,9 @@ export function LeavingDialog({ cycleOf }: Props) {
   useEffect(() => () => useLeaving.getState().asking?.answer(false), []);
 
   return (
-    <dialog ref={dialog} className="leaving" role="alertdialog" aria-labelledby={`${id}-title`} aria-describedby={`${id}-what`} onClose={() => asking?.answer(false)}>
+    <dialog ref={dialog} className="leaving" role="alertdialog" aria-labelledby={`${id}-title`} aria-describedby={`${id}-what`}
+      onClose={() => asking?.answer(false)}
+    >
       {asking && <Question asking={asking} id={id} cycleOf={cycleOf} />}
     </dialog>
   );

@@ -15,7 +15,9 @@ export function CopyButton({ main = false, long = false }: { readonly main?: boo
   const wrong = faults > 0 || open > 0;
   if (!job) return null;
   return (
-    <button type="button" className={`button${main && !wrong ? " primary" : ""}`} aria-label={t.copyLong} onClick={() => void copyProgram(printedText(job))}>
+    <button type="button" className={`button${main && !wrong ? " primary" : ""}`} aria-label={t.copyLong}
+      onClick={() => void copyProgram(printedText(job))}
+    >
       <Icon name={wrong ? "warning" : done ? "check" : "copy"} />
       {done ? t.copied : long ? t.copyLong : t.copy}
     </button>

@@ -27,7 +27,9 @@ export function ProgramPanel({ read, foldable }: { readonly read: JobReading; re
       <header>
         <h2 className="panel-title">{t.title}</h2>
         {foldable && (
-          <button type="button" className="button icon plain" aria-label={t.fold} title={t.fold} onClick={() => changeSettings({ programFolded: true })}>
+          <button type="button" className="button icon plain" aria-label={t.fold} title={t.fold} onClick={() =>
+            changeSettings({ programFolded: true })}
+          >
             <Icon name="fold" />
           </button>
         )}
@@ -35,10 +37,8 @@ export function ProgramPanel({ read, foldable }: { readonly read: JobReading; re
       <div className="program-options">
         <label className="program-name">
           <span>{t.name}</span>
-          <input
-            className="input" type="text" value={job.name} maxLength={32} spellCheck={false} autoComplete="off"
-            onChange={(e) => setName(e.currentTarget.value)} onBlur={closeStep}
-          />
+          <input className="input" type="text" value={job.name} maxLength={32} spellCheck={false} autoComplete="off"
+            onChange={(e) => setName(e.currentTarget.value)} onBlur={closeStep} />
         </label>
         <label>
           <span>{t.layout}</span>
@@ -49,23 +49,30 @@ export function ProgramPanel({ read, foldable }: { readonly read: JobReading; re
         </label>
         <label>
           <span>{t.language}</span>
-          <select
-            className="select" aria-label={t.languageLong} value={job.ncLanguage}
+          <select className="select" aria-label={t.languageLong} value={job.ncLanguage}
             onChange={(e) => isLanguage(e.target.value) && setNcLanguage(e.target.value)}
           >
             {LANGUAGES.map((language) => <option key={language} value={language} lang={language}>{LANGUAGE_NAMES[language]}</option>)}
           </select>
         </label>
       </div>
-      {!read.reading.values && <p className="field-message warning"><Icon name="warning" /> {t.incomplete}</p>}
+      {!read.reading.values && (
+        <p className="field-message warning">
+          <Icon name="warning" /> {t.incomplete}
+        </p>
+      )}
       <ProgramText text={text} running={running} />
       <div className="program-buttons">
         <CopyButton main />
-        <button type="button" className="button" aria-label={t.download(file)} onClick={() => void mayLeave("download", text).then((verdict) => verdict && downloadText(text, file))}>
+        <button type="button" className="button" aria-label={t.download(file)}
+          onClick={() => void mayLeave("download", text).then((verdict) => verdict && downloadText(text, file))}
+        >
           <Icon name="download" /> <span className="file-name">{file}</span>
         </button>
       </div>
-      <button type="button" className="button plain open-as-program" title={open.fromJobLong} onClick={() => openText(text)}>{open.fromJob}</button>
+      <button type="button" className="button plain open-as-program" title={open.fromJobLong} onClick={() => openText(text)}>
+        {open.fromJob}
+      </button>
       <CopyStatus />
     </section>
   );

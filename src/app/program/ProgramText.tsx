@@ -36,14 +36,18 @@ export function ProgramText({ text, running }: { readonly text: string; readonly
   }, [running]);
 
   return (
-    <div className="program-text number" onCopy={(event) => guardCopy(event.nativeEvent, getSelection()?.toString() ?? "")} ref={box} tabIndex={0} role="group" aria-label={t.title}>
+    <div className="program-text number" onCopy={(event) => guardCopy(event.nativeEvent, getSelection()?.toString() ?? "")} ref={box}
+      tabIndex={0} role="group" aria-label={t.title}
+    >
       <ol aria-label={t.blocks}>
         {blocks.map((block, i) => {
           const runs = block.number !== null && block.number === running;
           return (
-            <li key={i} className={runs ? "running" : ""} aria-current={runs ? "step" : undefined} {...(block.number !== null ? { "data-block": block.number } : {})}>
+            <li key={i} className={runs ? "running" : ""} aria-current={runs ? "step" : undefined}
+              {...(block.number !== null ? { "data-block": block.number } : {})}
+            >
               {block.lines.map((line, n) => <code key={n}>{line || " "}</code>)}
-              {runs && <span className="unseen"> ({t.running})</span>}
+              {runs && <span className="unseen">({t.running})</span>}
             </li>
           );
         })}

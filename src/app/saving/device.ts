@@ -29,7 +29,8 @@ export type KeepState = "kept" | "full" | "refused";
 
 type Stores = { readonly works: ReturnType<typeof createStore>; readonly aside: ReturnType<typeof createStore> };
 let stores: Stores | null = null;
-const open = (): Stores => (stores ??= { works: createStore("turnwise-works", "works"), aside: createStore("turnwise-damaged", "damaged") });
+const open =
+  (): Stores => (stores ??= { works: createStore("turnwise-works", "works"), aside: createStore("turnwise-damaged", "damaged") });
 
 /** A device that does not answer must not keep the page from opening, ms. */
 const PATIENCE = 4000;
@@ -55,7 +56,12 @@ async function bringBack(): Promise<void> {
   }
 }
 
-const headOf = (work: string, { savedAt, job }: SaveFile): Kept => ({ work, savedAt, name: job.name, cycle: isProgram(job) ? null : job.cycle });
+const headOf = (work: string, { savedAt, job }: SaveFile): Kept => ({
+  work,
+  savedAt,
+  name: job.name,
+  cycle: isProgram(job) ? null : job.cycle,
+});
 
 /**
  * Reads what there is of saved works, one after the other, so that never more than one is in memory. What is damaged is moved

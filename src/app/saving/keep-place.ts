@@ -7,7 +7,10 @@ const KEY = "turnwise/place";
 
 const text = z.string().check(z.maxLength(500));
 const place = z.object({
-  work: text, section: z.enum(["prompts", "setup", "contour", "findings", "program"]), prompt: z.nullable(text), before: text,
+  work: text,
+  section: z.enum(["prompts", "setup", "contour", "findings", "program"]),
+  prompt: z.nullable(text),
+  before: text,
 });
 
 /** Opens the prompt that was open before the page was loaded again, when the same work is open again. */

@@ -6,13 +6,23 @@ import { begin, useEditor } from "../store.ts";
 import type { Found } from "./device.ts";
 import { openWork, putBack, refreshWorks, removeWork, resume, startKeeping, startWork, unkeptWorks, useKeeping } from "./keep.ts";
 
-const device = vi.hoisted(() => ({ works: new Map<string, { savedAt: number; job: unknown }>(), refuses: null as "full" | "refused" | null, setAside: 0, newer: 0, taken: new Set<string>() }));
+const device = vi.hoisted(() => ({
+  works: new Map<string, { savedAt: number; job: unknown }>(),
+  refuses: null as "full" | "refused" | null,
+  setAside: 0,
+  newer: 0,
+  taken: new Set<string>(),
+}));
 
 vi.mock("./device.ts", () => ({
-  findWorks: () => Promise.resolve({
-    works: [...device.works].map(([work, { savedAt, job }]) => ({ work, savedAt, name: (job as Job).name, cycle: (job as Job).cycle })).sort((a, b) => b.savedAt - a.savedAt),
-    setAside: device.setAside, newer: device.newer, available: device.refuses !== "refused",
-  } as unknown as Found),
+  findWorks: () =>
+    Promise.resolve({
+      works: [...device.works].map(([work, { savedAt, job }]) => ({ work, savedAt, name: (job as Job).name, cycle: (job as Job).cycle }))
+        .sort((a, b) => b.savedAt - a.savedAt),
+      setAside: device.setAside,
+      newer: device.newer,
+      available: device.refuses !== "refused",
+    } as unknown as Found),
   keepWork: (work: string, job: Job) => {
     if (!device.refuses) device.works.set(work, { savedAt: device.works.size, job });
     return Promise.resolve(device.refuses ?? "kept");

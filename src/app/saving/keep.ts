@@ -9,7 +9,9 @@ import { claimWork, leaveBehind, newWorkName, rememberedWork, rememberWork, take
 export interface Keeping {
   /** Works on this device, newest first. */
   readonly works: readonly Kept[];
-  readonly notices: readonly ("notKept" | "storageFull" | "newerWorks" | "copyOfOtherTab" | "engineFailed" | "linkDamaged" | "linkTooLarge" | "fileTooLarge" | "fileUnreadable" | "toolsDamaged" | "toolsNotKept")[];
+  readonly notices:
+    readonly ("notKept" | "storageFull" | "newerWorks" | "copyOfOtherTab" | "engineFailed" | "linkDamaged" | "linkTooLarge" | "fileTooLarge"
+      | "fileUnreadable" | "toolsDamaged" | "toolsNotKept")[];
   /** Damaged saves that were set aside when the page opened. */
   readonly damaged: number;
   /** False until the device was read. */

@@ -11,10 +11,16 @@ test("what is saved comes back the same", () => {
 });
 
 test.each<[string, unknown]>([
-  ["nothing", undefined], ["text", "{"], ["a list", []], ["another thing", { broken: true }],
+  ["nothing", undefined],
+  ["text", "{"],
+  ["a list", []],
+  ["another thing", { broken: true }],
   ["a newer edition", { ...saved()[0], version: SAVE_VERSION + 1 }],
   ["a job without a blank", { ...saved()[0], job: { ...saved()[0]?.job, blank: undefined } }],
-  ["a number where text was", { ...saved()[0], job: { ...saved()[0]?.job, rapid: 10000 } }],
+  ["a number where text was", {
+    ...saved()[0],
+    job: { ...saved()[0]?.job, rapid: 10000 },
+  }],
 ])("%s is damaged, not a reason to fail", (_, raw) => expect(readSave(raw)).toBeNull());
 
 test("no input makes reading fail", () =>

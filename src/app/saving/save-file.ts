@@ -20,9 +20,20 @@ const text = z.string().check(z.maxLength(500));
 /** What came later has a default here: the saves before it have no such field. */
 const later = { text: z._default(text, ""), flag: z._default(z.boolean(), false) };
 const row = z.object({
-  id: text, kind: z.enum(["L", "RND", "CHF", "CR", "CC", "C", "CT", "LP", "CP", "CTP", "UDC", "GRV"]), x: text, z: text, r: text, turn: z.enum(["cw", "ccw"]),
-  incrementalX: z.boolean(), incrementalZ: z.boolean(), angle: later.text, length: later.text, tangent: later.flag, second: later.flag,
-  form: later.text, words: z._default(z.record(z.string(), text), {}),
+  id: text,
+  kind: z.enum(["L", "RND", "CHF", "CR", "CC", "C", "CT", "LP", "CP", "CTP", "UDC", "GRV"]),
+  x: text,
+  z: text,
+  r: text,
+  turn: z.enum(["cw", "ccw"]),
+  incrementalX: z.boolean(),
+  incrementalZ: z.boolean(),
+  angle: later.text,
+  length: later.text,
+  tangent: later.flag,
+  second: later.flag,
+  form: later.text,
+  words: z._default(z.record(z.string(), text), {}),
 });
 const job = z.object({
   name: text,
@@ -41,7 +52,8 @@ const job = z.object({
 });
 const program = z.object({ name: text, text: z.string(), encoding: z.enum(["utf-8", "windows-1252"]) });
 /** Every field of a job has to stand in the layout above, or it would be lost in saving: a missing one does not compile. */
-type Complete = [keyof Job extends keyof z.output<typeof job> ? true : never, keyof ContourRow extends keyof z.output<typeof row> ? true : never];
+type Complete = [keyof Job extends keyof z.output<typeof job> ? true : never,
+  keyof ContourRow extends keyof z.output<typeof row> ? true : never];
 export const complete: Complete = [true, true];
 
 const file = z.object({ version: z.literal(SAVE_VERSION), savedAt: z.number(), job: z.union([job, program]) });

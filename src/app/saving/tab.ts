@@ -66,13 +66,11 @@ export async function claimWork(work: string): Promise<boolean> {
     return own;
   }
   return new Promise((answer) => {
-    void locks
-      .request(`turnwise ${work}`, { ifAvailable: true }, (lock) => {
-        answer(lock !== null);
-        if (!lock) return undefined;
-        mine.add(work);
-        return new Promise<void>(() => undefined);
-      })
-      .catch(() => answer(false));
+    void locks.request(`turnwise ${work}`, { ifAvailable: true }, (lock) => {
+      answer(lock !== null);
+      if (!lock) return undefined;
+      mine.add(work);
+      return new Promise<void>(() => undefined);
+    }).catch(() => answer(false));
   });
 }

@@ -8,13 +8,14 @@ export function SettingsDialog({ dialog }: { readonly dialog: RefObject<HTMLDial
   const t = useTexts().page;
   const settings = useSettings();
   return (
-    <dialog ref={dialog} className="settings" aria-label={t.settings} onClick={(e) => e.target === e.currentTarget && dialog.current?.close()}>
+    <dialog ref={dialog} className="settings" aria-label={t.settings}
+      onClick={(e) => e.target === e.currentTarget && dialog.current?.close()}
+    >
       <form method="dialog">
         <h2>{t.settings}</h2>
         <label>
           <span>{t.screenLanguage}</span>
-          <select
-            className="select" value={settings.language}
+          <select className="select" value={settings.language}
             onChange={(e) => isLanguage(e.target.value) && void changeLanguage(e.target.value)}
           >
             {LANGUAGES.map((language) => <option key={language} value={language} lang={language}>{LANGUAGE_NAMES[language]}</option>)}
@@ -22,8 +23,7 @@ export function SettingsDialog({ dialog }: { readonly dialog: RefObject<HTMLDial
         </label>
         <label>
           <span>{t.theme}</span>
-          <select
-            className="select" value={settings.theme}
+          <select className="select" value={settings.theme}
             onChange={(e) => changeSettings({ theme: e.target.value === "light" || e.target.value === "dark" ? e.target.value : "system" })}
           >
             <option value="system">{t.themes.system}</option>
@@ -33,8 +33,7 @@ export function SettingsDialog({ dialog }: { readonly dialog: RefObject<HTMLDial
         </label>
         <label>
           <span>{t.motion}</span>
-          <select
-            className="select" value={settings.motion}
+          <select className="select" value={settings.motion}
             onChange={(e) => changeSettings({ motion: e.target.value === "reduced" ? "reduced" : "system" })}
           >
             <option value="system">{t.motions.system}</option>
@@ -43,8 +42,7 @@ export function SettingsDialog({ dialog }: { readonly dialog: RefObject<HTMLDial
         </label>
         <label>
           <span>{t.control}</span>
-          <select
-            className="select" value={settings.control}
+          <select className="select" value={settings.control}
             onChange={(e) => changeSettings({ control: e.target.value === "TNC7" ? "TNC7" : "TNC 640" })}
           >
             <option value="TNC 640">{t.controls["TNC 640"]}</option>

@@ -36,8 +36,13 @@ function browserLanguage(): Language {
 
 function initial(): Settings {
   return {
-    language: browserLanguage(), theme: "system", motion: "system", control: "TNC 640",
-    programFolded: false, xDown: false, fullSection: false,
+    language: browserLanguage(),
+    theme: "system",
+    motion: "system",
+    control: "TNC 640",
+    programFolded: false,
+    xDown: false,
+    fullSection: false,
   };
 }
 

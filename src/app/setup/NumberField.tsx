@@ -59,20 +59,26 @@ export function NumberField({ name, unit, text, onText, field, ask }: Props) {
     <div className="setup-field">
       <label htmlFor={id}>{name}</label>
       <span className="setup-value">
-        <input
-          id={id} ref={input} className="input number" type="text" inputMode="decimal" autoComplete="off" spellCheck={false} maxLength={200}
-          aria-invalid={wrong !== null || problems.some((p) => p.issue.severity === "error")} aria-describedby={`${id}-unit ${id}-wrong`}
-          value={inScreenWriting(language, text)} onBlur={commit} onKeyDown={onKeyDown}
+        <input id={id} ref={input} className="input number" type="text" inputMode="decimal" autoComplete="off" spellCheck={false}
+          maxLength={200} aria-invalid={wrong !== null || problems.some((p) => p.issue.severity === "error")}
+          aria-describedby={`${id}-unit ${id}-wrong`} value={inScreenWriting(language, text)} onBlur={commit} onKeyDown={onKeyDown}
           onChange={(e) => {
             onTyped();
             onText(e.currentTarget.value);
-          }}
-        />
+          }} />
         <span className="soft small" id={`${id}-unit`}>{unit}</span>
       </span>
       <div id={`${id}-wrong`} className="setup-wrong" role="status">
-        {wrong && <p className="field-message error"><Icon name="error" /> {t.setup.wrong[wrong]}</p>}
-        {asking && <p className="field-message info"><Icon name="info" /> {ask}</p>}
+        {wrong && (
+          <p className="field-message error">
+            <Icon name="error" /> {t.setup.wrong[wrong]}
+          </p>
+        )}
+        {asking && (
+          <p className="field-message info">
+            <Icon name="info" /> {ask}
+          </p>
+        )}
         {!wrong && problems.map((p, i) => <FieldMessage key={i} problem={p} decimals={3} onTake={(n) => onText(String(n))} />)}
       </div>
     </div>

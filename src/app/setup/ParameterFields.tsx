@@ -15,10 +15,8 @@ export function ParameterFields({ read: { job } }: { readonly read: JobReading }
       <legend>{t.title}</legend>
       <p className="small soft">{t.hint}</p>
       {used.map((name) => (
-        <NumberField
-          key={name} field={parameterField(name)} name={name} unit="" text={job.parameters[name] ?? ""} ask={t.ask(name)}
-          onText={(value) => setParameter(name, value)}
-        />
+        <NumberField key={name} field={parameterField(name)} name={name} unit="" text={job.parameters[name] ?? ""} ask={t.ask(name)}
+          onText={(value) => setParameter(name, value)} />
       ))}
     </fieldset>
   );

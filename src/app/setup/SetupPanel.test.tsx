@@ -48,13 +48,14 @@ test("minus over a selected number begins a negative one, a sum is worked out wh
   expect(job().start.x).toBe("40");
 });
 
-test.each([["", "Enter a value."], ["ten", "This is not a number."], ["0", "The value must be more than 0."]])("length %j says: %s", async (text, said) => {
-  const user = userEvent.setup();
-  await user.clear(field("Length"));
-  if (text) await user.type(field("Length"), text);
-  expect(field("Length").getAttribute("aria-invalid")).toBe("true");
-  expect(screen.getByText(said)).toBeTruthy();
-});
+test.each([["", "Enter a value."], ["ten", "This is not a number."], ["0", "The value must be more than 0."]])("length %j says: %s",
+  async (text, said) => {
+    const user = userEvent.setup();
+    await user.clear(field("Length"));
+    if (text) await user.type(field("Length"), text);
+    expect(field("Length").getAttribute("aria-invalid")).toBe("true");
+    expect(screen.getByText(said)).toBeTruthy();
+  });
 
 test("spindle, feed unit and tool are chosen by name", async () => {
   const user = userEvent.setup();

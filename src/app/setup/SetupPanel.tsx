@@ -26,10 +26,14 @@ export function SetupPanel({ read }: { readonly read: JobReading }) {
       </fieldset>
       <fieldset className="setup-group">
         <legend>{t.blank.title}</legend>
-        <NumberField field={FIELDS.outside} name={t.blank.outside} unit={t.units.diameter} text={blank.outside} onText={(v) => setBlank("outside", v)} />
-        <NumberField field={FIELDS.bore} name={t.blank.bore} unit={t.units.diameter} text={blank.bore} onText={(v) => setBlank("bore", v)} />
-        <NumberField field={FIELDS.length} name={t.blank.length} unit={t.units.mm} text={blank.length} onText={(v) => setBlank("length", v)} />
-        <NumberField field={FIELDS.allowance} name={t.blank.allowance} unit={t.units.mm} text={blank.allowance} onText={(v) => setBlank("allowance", v)} />
+        <NumberField field={FIELDS.outside} name={t.blank.outside} unit={t.units.diameter} text={blank.outside}
+          onText={(v) => setBlank("outside", v)} />
+        <NumberField field={FIELDS.bore} name={t.blank.bore} unit={t.units.diameter} text={blank.bore}
+          onText={(v) => setBlank("bore", v)} />
+        <NumberField field={FIELDS.length} name={t.blank.length} unit={t.units.mm} text={blank.length}
+          onText={(v) => setBlank("length", v)} />
+        <NumberField field={FIELDS.allowance} name={t.blank.allowance} unit={t.units.mm} text={blank.allowance}
+          onText={(v) => setBlank("allowance", v)} />
       </fieldset>
       <fieldset className="setup-group">
         <legend>{t.spindle.title}</legend>
@@ -42,11 +46,16 @@ export function SetupPanel({ read }: { readonly read: JobReading }) {
           ))}
         </div>
         {spindle.mode === "constant"
-          ? <NumberField field={FIELDS.speed} name={t.spindle.speed} unit={t.units.rpm} text={spindle.speed} onText={(v) => setSpindle("speed", v)} />
+          ? (
+            <NumberField field={FIELDS.speed} name={t.spindle.speed} unit={t.units.rpm} text={spindle.speed}
+              onText={(v) => setSpindle("speed", v)} />
+          )
           : (
             <>
-              <NumberField field={FIELDS.cuttingSpeed} name={t.spindle.cuttingSpeed} unit={t.units.cuttingSpeed} text={spindle.cuttingSpeed} onText={(v) => setSpindle("cuttingSpeed", v)} />
-              <NumberField field={FIELDS.limit} name={t.spindle.limit} unit={t.units.rpm} text={spindle.limit} onText={(v) => setSpindle("limit", v)} />
+              <NumberField field={FIELDS.cuttingSpeed} name={t.spindle.cuttingSpeed} unit={t.units.cuttingSpeed} text={spindle.cuttingSpeed}
+                onText={(v) => setSpindle("cuttingSpeed", v)} />
+              <NumberField field={FIELDS.limit} name={t.spindle.limit} unit={t.units.rpm} text={spindle.limit}
+                onText={(v) => setSpindle("limit", v)} />
             </>
           )}
       </fieldset>

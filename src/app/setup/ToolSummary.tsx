@@ -30,7 +30,9 @@ export function ToolSummary({ read, fits }: { readonly read: JobReading; readonl
         <div className="tool-chosen">
           <InsertDrawing tool={tool} width={DRAWING} height={DRAWING} />
           <span className="tool-words">
-            <span><b className="number">{tool.T}</b> <b>{tool.NAME}</b></span>
+            <span>
+              <b className="number">{tool.T}</b> <b>{tool.NAME}</b>
+            </span>
             <span className="small soft">{details(tool)}</span>
             {own && <ToolVerdict fit={own} />}
           </span>
@@ -47,8 +49,12 @@ export function ToolSummary({ read, fits }: { readonly read: JobReading; readonl
         )}
       </div>
       <div className="tool-choices">
-        <button type="button" className="button choose-tool" onClick={() => goToField("setup", "tool")}>{t.choose} <Icon name="down" /></button>
-        <button type="button" className="button" onClick={() => showToolNumber(read.job.tool)}><Icon name="insert" /> {t.edit}</button>
+        <button type="button" className="button choose-tool" onClick={() => goToField("setup", "tool")}>
+          {t.choose} <Icon name="down" />
+        </button>
+        <button type="button" className="button" onClick={() => showToolNumber(read.job.tool)}>
+          <Icon name="insert" /> {t.edit}
+        </button>
       </div>
     </section>
   );

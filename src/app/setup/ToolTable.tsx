@@ -31,13 +31,13 @@ export function ToolTable({ read, fits }: { readonly read: JobReading; readonly 
         const fit = fits?.find((f) => f.tool.T === tool.T);
         return (
           <label key={tool.T} className="tool-row">
-            <input
-              type="radio" name="tool" checked={tool.T === read.job.tool} onChange={() => setTool(tool.T)}
-              aria-label={`${t.name(tool.T, tool.NAME)}, ${details(tool)}${fit ? `, ${verdict(fit)}` : ""}`}
-            />
+            <input type="radio" name="tool" checked={tool.T === read.job.tool} onChange={() => setTool(tool.T)}
+              aria-label={`${t.name(tool.T, tool.NAME)}, ${details(tool)}${fit ? `, ${verdict(fit)}` : ""}`} />
             <InsertDrawing tool={tool} width={DRAWING} height={DRAWING} />
             <span className="tool-words">
-              <span><b className="number">{tool.T}</b> <b>{tool.NAME}</b></span>
+              <span>
+                <b className="number">{tool.T}</b> <b>{tool.NAME}</b>
+              </span>
               <span className="small soft">{details(tool)}</span>
               {fit && <ToolVerdict fit={fit} />}
             </span>

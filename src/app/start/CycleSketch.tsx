@@ -10,7 +10,10 @@ import { useSettings } from "../settings/settings.ts";
 export function CycleSketch({ cycle }: { readonly cycle: Cycle }) {
   const language = useSettings((s) => s.language);
   const values = useMemo(() => readDraft(cycle, exampleDraft(cycle)).values, [cycle]);
-  const given = useMemo((): Given => ({ contour: cycle.contour === "free" ? readRows(exampleJob(cycle).contour).contour.segments : null, start: null }), [cycle]);
+  const given = useMemo(
+    (): Given => ({ contour: cycle.contour === "free" ? readRows(exampleJob(cycle).contour).contour.segments : null, start: null }),
+    [cycle],
+  );
   return (
     <div className="cycle-sketch">
       <HelpPicture cycle={cycle} values={values} given={given} activeQ={null} language={language} />

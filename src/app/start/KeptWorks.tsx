@@ -26,19 +26,15 @@ export function KeptWorks() {
       <ul>
         {(all ? works : works.slice(0, FIRST)).map(({ work, savedAt, name, cycle }) => (
           <li key={work}>
-            <button
-              type="button" className="button kept-open" aria-label={t.continueWork(name)}
-              onClick={() => {
-                usePlace.setState({ section: "prompts", prompt: null });
-                void openWork(work);
-              }}
-            >
+            <button type="button" className="button kept-open" aria-label={t.continueWork(name)} onClick={() => {
+              usePlace.setState({ section: "prompts", prompt: null });
+              void openWork(work);
+            }}>
               <span className="number card-number">{cycle ?? ".h"}</span>
               <b>{name}</b>
               <span className="soft small">{t.changed(when.format(savedAt))}</span>
             </button>
-            <button
-              type="button" className="button icon plain" aria-label={t.forget(name)}
+            <button type="button" className="button icon plain" aria-label={t.forget(name)}
               onClick={() => void removeWork(work).then((job) => setRemoved(job && { work, job }))}
             >
               <Icon name="close" />
@@ -46,18 +42,17 @@ export function KeptWorks() {
           </li>
         ))}
       </ul>
-      {!all && works.length > FIRST && <button type="button" className="button kept-all" onClick={() => showAll(true)}>{t.showAll(works.length)}</button>}
+      {!all && works.length > FIRST && (
+        <button type="button" className="button kept-all" onClick={() => showAll(true)}>{t.showAll(works.length)}</button>
+      )}
       <p role="status" className="kept-removed">
         {removed && (
           <>
             {t.removed(removed.job.name)}
-            <button
-              type="button" className="button"
-              onClick={() => {
-                setRemoved(null);
-                void putBack(removed.work, removed.job);
-              }}
-            >
+            <button type="button" className="button" onClick={() => {
+              setRemoved(null);
+              void putBack(removed.work, removed.job);
+            }}>
               <Icon name="undo" /> {undo}
             </button>
           </>

@@ -36,45 +36,45 @@ export function ProgramStart() {
       <p className="soft">{t.start.lead}</p>
       <div className="program-ways">
         <button type="button" className="button primary" onClick={() => void ask()}>{t.start.openFile}</button>
-        <input
-          ref={file} type="file" className="unseen" tabIndex={-1} aria-label={t.start.openFile} accept=".h,.H,.i,.txt,text/plain"
-          onChange={(event) => void take(event.currentTarget.files?.[0])}
-        />
+        <input ref={file} type="file" className="unseen" tabIndex={-1} aria-label={t.start.openFile} accept=".h,.H,.i,.txt,text/plain"
+          onChange={(event) => void take(event.currentTarget.files?.[0])} />
         <button type="button" className="button" onClick={() => dialog.current?.showModal()}>{t.start.paste}</button>
         <button type="button" className="button" onClick={() => openText(EMPTY)}>{t.start.create}</button>
         <span className="soft small">{t.start.drop}</span>
       </div>
-      <p role="status" className="program-unreadable">{opening !== "opened" && <><Icon name="error" /> {t.start[opening]}</>}</p>
+      <p role="status" className="program-unreadable">
+        {opening !== "opened" && (
+          <>
+            <Icon name="error" /> {t.start[opening]}
+          </>
+        )}
+      </p>
       <h3>{t.start.examples}</h3>
       <ul className="program-examples">
         {Object.entries(t.examples as Readonly<Record<ExampleId, string>>).map(([id, title]) => (
           <li key={id}>
-            <button type="button" className="button" aria-label={t.start.example(title)} onClick={() => void openExample(id)}>{title}</button>
+            <button type="button" className="button" aria-label={t.start.example(title)} onClick={() => void openExample(id)}>
+              {title}
+            </button>
           </li>
         ))}
       </ul>
       <dialog ref={dialog} className="paste-program" aria-label={t.start.pasteTitle}>
         <h2>{t.start.pasteTitle}</h2>
-        <textarea
-          className="number" rows={14} spellCheck={false} aria-label={t.start.pasteLabel} ref={area}
-          onChange={(event) => paste(event.currentTarget.value.trim() !== "")}
-          onPaste={(event) => {
-            // Set at once: typing it in would take a browser seconds for a long program.
-            const text = event.clipboardData.getData("text/plain");
-            if (event.currentTarget.value !== "" || text.trim() === "") return;
-            event.preventDefault();
-            event.currentTarget.value = text;
-            paste(true);
-          }}
-        />
+        <textarea className="number" rows={14} spellCheck={false} aria-label={t.start.pasteLabel} ref={area}
+          onChange={(event) => paste(event.currentTarget.value.trim() !== "")} onPaste={(event) => {
+          // Set at once: typing it in would take a browser seconds for a long program.
+          const text = event.clipboardData.getData("text/plain");
+          if (event.currentTarget.value !== "" || text.trim() === "") return;
+          event.preventDefault();
+          event.currentTarget.value = text;
+          paste(true);
+        }} />
         <div className="program-ways">
-          <button
-            type="button" className="button primary" disabled={!pasted}
-            onClick={() => {
-              dialog.current?.close();
-              openText(area.current?.value ?? "");
-            }}
-          >
+          <button type="button" className="button primary" disabled={!pasted} onClick={() => {
+            dialog.current?.close();
+            openText(area.current?.value ?? "");
+          }}>
             {t.start.pasteOpen}
           </button>
           <button type="button" className="button" onClick={() => dialog.current?.close()}>{t.start.cancel}</button>

@@ -41,7 +41,9 @@ export function StartPage() {
           const words = t.cycles.of[cycle.number as CycleNumber];
           return (
             <li key={cycle.number} className="cycle-card" aria-label={t.page.start.cycle(cycle.number, words.name)}>
-              <Suspense fallback={<div className="cycle-sketch" />}><CycleSketch cycle={cycle} /></Suspense>
+              <Suspense fallback={<div className="cycle-sketch" />}>
+                <CycleSketch cycle={cycle} />
+              </Suspense>
               <h2>
                 <span className="number card-number">{cycle.number}</span> {words.name}
               </h2>
@@ -49,14 +51,12 @@ export function StartPage() {
               <p className="card-summary">{words.summary}</p>
               {cycle.evidence !== "A" && <p className="small evidence-text">{t.page.start.unconfirmed}</p>}
               <div className="card-buttons">
-                <button
-                  type="button" className="button primary" onClick={() => begin(cycle, true, language)}
+                <button type="button" className="button primary" onClick={() => begin(cycle, true, language)}
                   aria-label={`${t.page.start.cycle(cycle.number, words.name)}: ${t.page.start.withExample}`}
                 >
                   {t.page.start.withExample}
                 </button>
-                <button
-                  type="button" className="button" onClick={() => begin(cycle, false, language)}
+                <button type="button" className="button" onClick={() => begin(cycle, false, language)}
                   aria-label={`${t.page.start.cycle(cycle.number, words.name)}: ${t.page.start.empty}`}
                 >
                   {t.page.start.empty}

@@ -22,9 +22,10 @@ function AxisField({ entry, issues }: Props) {
   const found = issues.filter((issue) => issue.at === "axis");
   return (
     <div className="tool-field">
-      <label htmlFor={id}><span className="soft small">{t.holder.axis}</span></label>
-      <select
-        id={id} className="select" value={axis ?? text} aria-invalid={found.length > 0} aria-describedby={`${id}-wrong`}
+      <label htmlFor={id}>
+        <span className="soft small">{t.holder.axis}</span>
+      </label>
+      <select id={id} className="select" value={axis ?? text} aria-invalid={found.length > 0} aria-describedby={`${id}-wrong`}
         onChange={(e) => {
           closeToolStep();
           setCell(entry.id, "axis", e.currentTarget.value);
@@ -47,12 +48,12 @@ function HeadField({ entry, issues }: Props) {
   const found = issues.filter((issue) => issue.at === "head");
   return (
     <div className="tool-field wide">
-      <label htmlFor={id}><span className="soft small">{t.holder.head}</span></label>
-      <textarea
-        id={id} className="input number head" rows={2} autoComplete="off" spellCheck={false} maxLength={500}
-        aria-invalid={found.length > 0} aria-describedby={`${id}-hint ${id}-wrong`}
-        value={text} onChange={(e) => setCell(entry.id, "head", e.currentTarget.value)} onBlur={closeToolStep}
-      />
+      <label htmlFor={id}>
+        <span className="soft small">{t.holder.head}</span>
+      </label>
+      <textarea id={id} className="input number head" rows={2} autoComplete="off" spellCheck={false} maxLength={500}
+        aria-invalid={found.length > 0} aria-describedby={`${id}-hint ${id}-wrong`} value={text}
+        onChange={(e) => setCell(entry.id, "head", e.currentTarget.value)} onBlur={closeToolStep} />
       <span className="soft small" id={`${id}-hint`}>{t.headHint}</span>
       <CellMessages id={`${id}-wrong`} issues={found} text={text} />
     </div>

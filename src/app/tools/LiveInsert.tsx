@@ -42,16 +42,27 @@ export function LiveInsert({ tool, now }: {
     const span = wholeAbove(Math.max((all.right - all.left) * (HEIGHT / WIDTH), all.high - all.low) * 1.12);
     return { width: insert.right - insert.left, height: insert.high - insert.low, span, bar: wholeAbove(span / 6) };
   }, [tool]);
-  if (!tool || !measured) return <div className="live-insert"><p className="soft small">{t.noDrawing}</p></div>;
+  if (!tool || !measured)
+    return (
+      <div className="live-insert">
+        <p className="soft small">{t.noDrawing}</p>
+      </div>
+    );
   const number = (n: number, decimals: number) => formatNumber(language, n, decimals);
   const pixels = (measured.bar * Math.min(WIDTH, HEIGHT)) / measured.span;
   return (
     <figure className={`live-insert${now ? "" : " dimmed"}`} aria-label={t.drawing}>
       <InsertDrawing tool={tool} width={WIDTH} height={HEIGHT} span={measured.span} whole />
       <figcaption className="small">
-        <span className="scale-bar number"><i style={{ width: `${pixels}px` }} /> {t.scale(number(measured.bar, 3))}</span>
+        <span className="scale-bar number">
+          <i style={{ width: `${pixels}px` }} /> {t.scale(number(measured.bar, 3))}
+        </span>
         <span className="soft number">{t.size(number(measured.width, 2), number(measured.height, 2))}</span>
-        {!now && <span className="last-possible"><Icon name="info" /> {t.lastPossible}</span>}
+        {!now && (
+          <span className="last-possible">
+            <Icon name="info" /> {t.lastPossible}
+          </span>
+        )}
       </figcaption>
     </figure>
   );

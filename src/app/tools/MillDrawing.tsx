@@ -13,7 +13,12 @@ const HEIGHT = 148;
 export function MillDrawing({ mill }: { readonly mill: MillTool | null }) {
   const t = useTexts().tools;
   const language = useSettings((s) => s.language);
-  if (!mill) return <div className="live-insert"><p className="soft small">{t.noDrawing}</p></div>;
+  if (!mill)
+    return (
+      <div className="live-insert">
+        <p className="soft small">{t.noDrawing}</p>
+      </div>
+    );
   const across = toDiameter(radius(mill.R + (mill.DR ?? 0)));
   const span = wholeAbove(Math.max(across * 1.4, 1));
   const scale = HEIGHT / span;
@@ -27,7 +32,9 @@ export function MillDrawing({ mill }: { readonly mill: MillTool | null }) {
         <path className="insert-tip" strokeDasharray="8 3 2 3" d={`M${middle} 0V${HEIGHT}`} />
       </svg>
       <figcaption className="small">
-        <span className="scale-bar number"><i style={{ width: `${bar * scale}px` }} /> {t.scale(formatNumber(language, bar))}</span>
+        <span className="scale-bar number">
+          <i style={{ width: `${bar * scale}px` }} /> {t.scale(formatNumber(language, bar))}
+        </span>
         <span className="soft number">⌀ {t.scale(formatNumber(language, across))}</span>
       </figcaption>
     </figure>

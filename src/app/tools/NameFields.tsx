@@ -21,12 +21,13 @@ function NameField({ entry, issues }: Props) {
   const found = issues.filter((issue) => issue.at === "NAME");
   return (
     <div className="tool-field wide">
-      <label htmlFor={id}><b className="number">NAME</b> <span className="soft small">{t.columns.NAME}</span></label>
-      <input
-        id={id} className="input number name" type="text" autoComplete="off" autoCapitalize="characters" spellCheck={false} maxLength={60}
-        aria-label={t.field("NAME", t.columns.NAME)} aria-invalid={found.some((issue) => issue.severity === "error")} aria-describedby={`${id}-wrong`}
-        value={text} onChange={(e) => setCell(entry.id, "NAME", e.currentTarget.value.toUpperCase())} onBlur={closeToolStep}
-      />
+      <label htmlFor={id}>
+        <b className="number">NAME</b> <span className="soft small">{t.columns.NAME}</span>
+      </label>
+      <input id={id} className="input number name" type="text" autoComplete="off" autoCapitalize="characters" spellCheck={false}
+        maxLength={60} aria-label={t.field("NAME", t.columns.NAME)} aria-invalid={found.some((issue) => issue.severity === "error")}
+        aria-describedby={`${id}-wrong`} value={text} onChange={(e) => setCell(entry.id, "NAME", e.currentTarget.value.toUpperCase())}
+        onBlur={closeToolStep} />
       <CellMessages id={`${id}-wrong`} issues={found} text={text} />
     </div>
   );
@@ -41,15 +42,15 @@ function TypeField({ entry, issues }: Props) {
   const found = issues.filter((issue) => issue.at === "TYPE");
   return (
     <div className="tool-field wide">
-      <label htmlFor={id}><b className="number">TYPE</b> <span className="soft small">{t.columns.TYPE}</span></label>
-      <select
-        id={id} className="select" aria-label={t.field("TYPE", t.columns.TYPE)} value={type} aria-invalid={found.length > 0} aria-describedby={`${id}-wrong`}
-        onChange={(e) => {
-          closeToolStep();
-          setCell(entry.id, "TYPE", e.currentTarget.value);
-          closeToolStep();
-        }}
-      >
+      <label htmlFor={id}>
+        <b className="number">TYPE</b> <span className="soft small">{t.columns.TYPE}</span>
+      </label>
+      <select id={id} className="select" aria-label={t.field("TYPE", t.columns.TYPE)} value={type} aria-invalid={found.length > 0}
+        aria-describedby={`${id}-wrong`} onChange={(e) => {
+        closeToolStep();
+        setCell(entry.id, "TYPE", e.currentTarget.value);
+        closeToolStep();
+      }}>
         {!isToolType(type) && <option value={type}>{type || t.anyType}</option>}
         {TOOL_TYPES.map((each) => <option key={each} value={each}>{each} · {texts.setup.tool.types[each]}</option>)}
       </select>

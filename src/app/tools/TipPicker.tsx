@@ -10,14 +10,22 @@ const DRAWING = 44;
 const PLACES: readonly TipOrientation[] = [7, 6, 5, 8, 9, 4, 1, 2, 3];
 const COLUMNS = 3;
 const STEPS: Readonly<Record<string, readonly [right: number, down: number]>> = {
-  ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowDown: [0, 1], ArrowUp: [0, -1],
+  ArrowRight: [1, 0],
+  ArrowLeft: [-1, 0],
+  ArrowDown: [0, 1],
+  ArrowUp: [0, -1],
 };
 
 /** An arrow towards one of the eight directions, or a ring for none. */
 function Arrow({ place }: { readonly place: number }) {
   const right = (place % COLUMNS) - 1;
   const down = Math.floor(place / COLUMNS) - 1;
-  if (right === 0 && down === 0) return <svg className="tip-arrow" viewBox="-12 -12 24 24"><circle r="6" /></svg>;
+  if (right === 0 && down === 0)
+    return (
+      <svg className="tip-arrow" viewBox="-12 -12 24 24">
+        <circle r="6" />
+      </svg>
+    );
   const angle = (Math.atan2(down, right) * 180) / Math.PI;
   return (
     <svg className="tip-arrow" viewBox="-12 -12 24 24">
@@ -48,19 +56,22 @@ export function TipPicker({ name, value, tool, onChoose }: {
   const chosen = PLACES.findIndex((to) => to === value);
   return (
     <fieldset className="tip-picker" role="radiogroup" aria-label={t.orientation}>
-      <legend><b className="number">TO</b> <span className="soft small">{t.columns.TO}</span></legend>
+      <legend>
+        <b className="number">TO</b> <span className="soft small">{t.columns.TO}</span>
+      </legend>
       <div className="tip-grid">
         {PLACES.map((to, place) => (
           <label key={to} className="tip-choice" title={t.orientationOf(to, t.directions[to - 1] ?? "")}>
-            <input
-              type="radio" name={name} checked={to === value} tabIndex={place === Math.max(chosen, 0) ? 0 : -1}
-              aria-label={t.orientationOf(to, t.directions[to - 1] ?? "")}
-              onChange={() => onChoose(to)} onKeyDown={(e) => onKeyDown(e, place)}
-            />
+            <input type="radio" name={name} checked={to === value} tabIndex={place === Math.max(chosen, 0) ? 0 : -1}
+              aria-label={t.orientationOf(to, t.directions[to - 1] ?? "")} onChange={() => onChoose(to)} onKeyDown={(e) =>
+              onKeyDown(e, place)} />
             <span className="tip-picture" aria-hidden="true">
               {tool && <InsertDrawing tool={{ ...tool, TO: to }} width={DRAWING} height={DRAWING} />}
             </span>
-            <span className="tip-words" aria-hidden="true"><b className="number">{to}</b><Arrow place={place} /></span>
+            <span className="tip-words" aria-hidden="true">
+              <b className="number">{to}</b>
+              <Arrow place={place} />
+            </span>
           </label>
         ))}
       </div>

@@ -13,20 +13,14 @@ import { setCell } from "./tool-edits.ts";
 import { closeToolStep } from "./tool-store.ts";
 
 /** What is wrong with a cell, read out when it changes. An empty cell that is needed is said calmly. */
-export function CellMessages({ id, issues, text, onTake, decimals = 4 }: {
-  readonly id: string;
-  readonly issues: readonly Issue[];
-  readonly text: string;
-  readonly decimals?: number;
-  readonly onTake?: (nearest: number) => void;
-}) {
+export function CellMessages({ id, issues, text, onTake, decimals = 4 }: { readonly id: string; readonly issues: readonly Issue[];
+  readonly text: string; readonly decimals?: number; readonly onTake?: (nearest: number) => void })
+{
   return (
     <div id={id} className="tool-wrong" role="status">
       {issues.map((issue) => (
-        <FieldMessage
-          key={issue.code} problem={{ issue }} decimals={decimals} calm={text.trim() === "" && issue.severity === "error"}
-          {...(onTake && { onTake })}
-        />
+        <FieldMessage key={issue.code} problem={{ issue }} decimals={decimals} calm={text.trim() === "" && issue.severity === "error"}
+          {...(onTake && { onTake })} />
       ))}
     </div>
   );
@@ -63,28 +57,26 @@ export function ToolField({ entry, cell, issues, unused = null }: {
 
   return (
     <div className={`tool-field${unused === null ? "" : " unused"}`}>
-      <label htmlFor={id}>{column && <b className="number">{column}</b>} <span className="soft small">{meaning}</span></label>
+      <label htmlFor={id}>
+        {column && <b className="number">{column}</b>} <span className="soft small">{meaning}</span>
+      </label>
       <span className="tool-value">
-        <input
-          id={id} ref={input} className="input number" type="text" inputMode="decimal" autoComplete="off" spellCheck={false} maxLength={200}
-          aria-label={column ? t.field(column, meaning) : meaning} disabled={unused !== null}
+        <input id={id} ref={input} className="input number" type="text" inputMode="decimal" autoComplete="off" spellCheck={false}
+          maxLength={200} aria-label={column ? t.field(column, meaning) : meaning} disabled={unused !== null}
           aria-invalid={found.some((issue) => issue.severity === "error")} aria-describedby={`${id}-unit ${id}-wrong`}
-          value={inScreenWriting(language, text)} onBlur={commit} onKeyDown={min < 0 ? onKeyDown : undefined}
-          onChange={(e) => {
-            onTyped();
-            put(e.currentTarget.value);
-          }}
-        />
-        <span className="soft small tool-unit" id={`${id}-unit`}>{unused === null ? UNITS[kind] && t.units[UNITS[kind]] : t.unused(unused)}</span>
+          value={inScreenWriting(language, text)} onBlur={commit} onKeyDown={min < 0 ? onKeyDown : undefined} onChange={(e) => {
+          onTyped();
+          put(e.currentTarget.value);
+        }} />
+        <span className="soft small tool-unit" id={`${id}-unit`}>
+          {unused === null ? UNITS[kind] && t.units[UNITS[kind]] : t.unused(unused)}
+        </span>
       </span>
-      <CellMessages
-        id={`${id}-wrong`} issues={found} text={text} decimals={decimals}
-        onTake={(nearest) => {
-          closeToolStep();
-          put(String(nearest));
-          closeToolStep();
-        }}
-      />
+      <CellMessages id={`${id}-wrong`} issues={found} text={text} decimals={decimals} onTake={(nearest) => {
+        closeToolStep();
+        put(String(nearest));
+        closeToolStep();
+      }} />
     </div>
   );
 }

@@ -25,7 +25,9 @@ function onEnter(event: KeyboardEvent<HTMLElement>): void {
   const from = event.target;
   if (event.key !== "Enter" || !(from instanceof HTMLInputElement)) return;
   event.preventDefault();
-  const fields = [...event.currentTarget.querySelectorAll<HTMLInputElement | HTMLSelectElement>("input:not(:disabled), select")].filter((f) => f.tabIndex >= 0);
+  const fields = [...event.currentTarget.querySelectorAll<HTMLInputElement | HTMLSelectElement>("input:not(:disabled), select")].filter(
+    (f) => f.tabIndex >= 0
+  );
   const next = fields[fields.indexOf(from) + 1];
   next?.focus();
   if (next instanceof HTMLInputElement && next.type === "text") next.select();
@@ -36,7 +38,9 @@ const shapeOf = (entry: ToolEntry, reading: EntryReading, instead: ToolEntry["ce
   reading.tool ?? readEntry({ ...entry, cells: { ...entry.cells, T: String(reading.number ?? 0), NAME: "", ...instead } }).tool;
 
 /** The orientation of a row with its picture and what is wrong with it. */
-function Orientation({ entry, reading, issues }: { readonly entry: ToolEntry; readonly reading: EntryReading; readonly issues: readonly Issue[] }) {
+function Orientation({ entry, reading, issues }: { readonly entry: ToolEntry; readonly reading: EntryReading;
+  readonly issues: readonly Issue[] })
+{
   const id = useId();
   const text = cellOf(entry, "TO");
   const without = useMemo(() => shapeOf(entry, reading, { TO: "1" }), [entry, reading]);
@@ -44,14 +48,11 @@ function Orientation({ entry, reading, issues }: { readonly entry: ToolEntry; re
   const value = Number(text);
   return (
     <div className="tool-field wide">
-      <TipPicker
-        name={`${id}-to`} value={text.trim() === "" ? null : value} tool={drawn}
-        onChoose={(to) => {
-          closeToolStep();
-          setCell(entry.id, "TO", String(to));
-          closeToolStep();
-        }}
-      />
+      <TipPicker name={`${id}-to`} value={text.trim() === "" ? null : value} tool={drawn} onChoose={(to) => {
+        closeToolStep();
+        setCell(entry.id, "TO", String(to));
+        closeToolStep();
+      }} />
       <CellMessages id={`${id}-wrong`} issues={issues.filter((issue) => issue.at === "TO")} text={text} />
     </div>
   );
@@ -75,14 +76,20 @@ function TurningColumns({ entry, reading }: Row) {
   return (
     <>
       <LiveInsert tool={drawn} now={shape !== null} />
-      <fieldset className="tool-group"><legend>{t.groups.name}</legend><NameFields entry={entry} issues={issues} /></fieldset>
+      <fieldset className="tool-group">
+        <legend>{t.groups.name}</legend>
+        <NameFields entry={entry} issues={issues} />
+      </fieldset>
       <fieldset className="tool-group">
         <legend>{t.groups.tip}</legend>
         <Orientation key={entry.id} entry={entry} reading={reading} issues={issues} />
         {field("RS")}
         {field("DRS")}
       </fieldset>
-      <fieldset className="tool-group"><legend>{t.groups.insert}</legend>{INSERT.map(field)}</fieldset>
+      <fieldset className="tool-group">
+        <legend>{t.groups.insert}</legend>
+        {INSERT.map(field)}
+      </fieldset>
       <fieldset className="tool-group">
         <legend>{t.groups.setting}</legend>
         <p className="soft small tool-note">{t.keptOnly}</p>
@@ -102,7 +109,10 @@ function MillColumns({ entry, reading: { issues, mill } }: Row) {
   return (
     <>
       <MillDrawing mill={mill} />
-      <fieldset className="tool-group"><legend>{t.groups.name}</legend><NameFields entry={entry} issues={issues} typed={false} /></fieldset>
+      <fieldset className="tool-group">
+        <legend>{t.groups.name}</legend>
+        <NameFields entry={entry} issues={issues} typed={false} />
+      </fieldset>
       <fieldset className="tool-group">
         <legend>{t.groups.mill}</legend>
         <p className="soft small tool-note">{t.millNote}</p>
@@ -113,15 +123,21 @@ function MillColumns({ entry, reading: { issues, mill } }: Row) {
 }
 
 /** All columns of one tool, drawn as they are typed, and what can be done with the row. */
-export function ToolForm({ entry, reading, onDuplicate, onRemove }: Row & { readonly onDuplicate: () => void; readonly onRemove: () => void }) {
+export function ToolForm({ entry, reading, onDuplicate, onRemove }: Row & { readonly onDuplicate: () => void;
+  readonly onRemove: () => void })
+{
   const t = useTexts().tools;
   const name = useToolName()(entry);
   return (
     <section className="tool-form" aria-label={t.form(name)} onKeyDown={onEnter}>
       <header>
         <h2>{name}</h2>
-        <button type="button" className="button" aria-label={t.duplicateLong(name)} onClick={onDuplicate}><Icon name="copy" /> {t.duplicate}</button>
-        <button type="button" className="button" aria-label={t.removeLong(name)} onClick={onRemove}><Icon name="close" /> {t.remove}</button>
+        <button type="button" className="button" aria-label={t.duplicateLong(name)} onClick={onDuplicate}>
+          <Icon name="copy" /> {t.duplicate}
+        </button>
+        <button type="button" className="button" aria-label={t.removeLong(name)} onClick={onRemove}>
+          <Icon name="close" /> {t.remove}
+        </button>
       </header>
       {isMillEntry(entry) ? <MillColumns entry={entry} reading={reading} /> : <TurningColumns entry={entry} reading={reading} />}
     </section>

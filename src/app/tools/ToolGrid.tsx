@@ -20,7 +20,8 @@ type Column = ToolColumn | MillColumn;
 
 /** Columns behind the two that name the row. */
 const COLUMNS: Readonly<Record<ToolKind, readonly Column[]>> = {
-  turning: TOOL_COLUMNS.filter((column) => column !== "T" && column !== "NAME"), milling: MILL_COLUMNS,
+  turning: TOOL_COLUMNS.filter((column) => column !== "T" && column !== "NAME"),
+  milling: MILL_COLUMNS,
 };
 /** A column of milling tools has a use for each of them. */
 const isUsed = (column: Column, type: string) => !TOOL_COLUMNS.some((each) => each === column) || applies(column as ToolColumn, type);
@@ -35,43 +36,48 @@ function useShown(): (column: Column, text: string) => string {
   };
 }
 
-const ToolRow = memo(function ToolRow({ entry, reading, kind, open, drawn }: {
-  readonly entry: ToolEntry;
-  readonly reading: EntryReading;
-  readonly kind: ToolKind;
-  readonly open: boolean;
-  readonly drawn: boolean;
-}) {
-  const t = useTexts().tools;
-  const name = useToolName()(entry);
-  const shown = useShown();
-  const type = cellOf(entry, "TYPE");
-  const wrong = new Set(reading.issues.filter((issue) => issue.severity === "error").map((issue) => issue.at));
-  return (
-    <tr className={open ? "open" : ""} onClick={() => openRow(entry.id)}>
-      <th scope="row" className={wrong.has("T") || wrong.has("NAME") ? "wrong" : ""}>
-        <button
-          type="button" data-row={entry.id} tabIndex={open ? 0 : -1} aria-current={open ? "true" : undefined}
-          aria-label={`${t.select(name)}${wrong.size > 0 ? `, ${t.hasError}` : ""}`}
-        >
-          {drawn && <span className="row-insert">{reading.tool ? <InsertDrawing tool={reading.tool} width={DRAWING} height={DRAWING} /> : !reading.mill && <Icon name="error" />}</span>}
-          <b className="number">{cellOf(entry, "T")}</b>
-          <span className="row-name number">{cellOf(entry, "NAME")}</span>
-          {wrong.size > 0 && !drawn && <Icon name="error" />}
-        </button>
-      </th>
-      {COLUMNS[kind].map((column) => {
-        const unused = !isUsed(column, type);
-        const text = cellOf(entry, column);
-        return (
-          <td key={column} className={`number${unused ? " unused" : ""}${wrong.has(column) ? " wrong" : ""}${column === "TYPE" ? " word" : ""}`}>
-            {text.trim() === "" ? (unused ? "–" : "") : shown(column, text)}
-          </td>
-        );
-      })}
-    </tr>
-  );
-});
+const ToolRow = memo(
+  function ToolRow({ entry, reading, kind, open, drawn }: { readonly entry: ToolEntry; readonly reading: EntryReading;
+    readonly kind: ToolKind; readonly open: boolean; readonly drawn: boolean })
+  {
+    const t = useTexts().tools;
+    const name = useToolName()(entry);
+    const shown = useShown();
+    const type = cellOf(entry, "TYPE");
+    const wrong = new Set(reading.issues.filter((issue) => issue.severity === "error").map((issue) => issue.at));
+    return (
+      <tr className={open ? "open" : ""} onClick={() => openRow(entry.id)}>
+        <th scope="row" className={wrong.has("T") || wrong.has("NAME") ? "wrong" : ""}>
+          <button type="button" data-row={entry.id} tabIndex={open ? 0 : -1} aria-current={open ? "true" : undefined}
+            aria-label={`${t.select(name)}${wrong.size > 0 ? `, ${t.hasError}` : ""}`}
+          >
+            {drawn && (
+              <span className="row-insert">
+                {reading.tool
+                  ? <InsertDrawing tool={reading.tool} width={DRAWING} height={DRAWING} />
+                  : !reading.mill && <Icon name="error" />}
+              </span>
+            )}
+            <b className="number">{cellOf(entry, "T")}</b>
+            <span className="row-name number">{cellOf(entry, "NAME")}</span>
+            {wrong.size > 0 && !drawn && <Icon name="error" />}
+          </button>
+        </th>
+        {COLUMNS[kind].map((column) => {
+          const unused = !isUsed(column, type);
+          const text = cellOf(entry, column);
+          return (
+            <td key={column}
+              className={`number${unused ? " unused" : ""}${wrong.has(column) ? " wrong" : ""}${column === "TYPE" ? " word" : ""}`}
+            >
+              {text.trim() === "" ? (unused ? "–" : "") : shown(column, text)}
+            </td>
+          );
+        })}
+      </tr>
+    );
+  },
+);
 
 /** The whole table; one row is open and can be edited beside it. Arrow keys go from row to row. */
 export function ToolGrid({ list, kind, read, open }: {
@@ -90,7 +96,15 @@ export function ToolGrid({ list, kind, read, open }: {
   }, [open]);
 
   const onKeyDown = (event: KeyboardEvent) => {
-    const to = event.key === "ArrowDown" ? at + 1 : event.key === "ArrowUp" ? at - 1 : event.key === "Home" ? 0 : event.key === "End" ? list.length - 1 : null;
+    const to = event.key === "ArrowDown"
+      ? at + 1
+      : event.key === "ArrowUp"
+      ? at - 1
+      : event.key === "Home"
+      ? 0
+      : event.key === "End"
+      ? list.length - 1
+      : null;
     const next = to === null ? undefined : list[to];
     if (!next) return;
     event.preventDefault();
@@ -102,14 +116,23 @@ export function ToolGrid({ list, kind, read, open }: {
       <table aria-label={kind === "milling" ? t.millTable : t.table}>
         <thead>
           <tr>
-            <th scope="col" title={t.columns.T}>T <span className="soft">NAME</span></th>
-            {COLUMNS[kind].map((column) => <th key={column} scope="col" className={column === "TYPE" ? "word" : undefined} title={t.field(column, t.columns[column])}>{column}</th>)}
+            <th scope="col" title={t.columns.T}>
+              T <span className="soft">NAME</span>
+            </th>
+            {COLUMNS[kind].map((column) => (
+              <th key={column} scope="col" className={column === "TYPE" ? "word" : undefined} title={t.field(column, t.columns[column])}>
+                {column}
+              </th>
+            ))}
           </tr>
         </thead>
         <tbody>
           {list.map((entry) => {
             const reading = read.rows.get(entry.id);
-            return reading && <ToolRow key={entry.id} entry={entry} reading={reading} kind={kind} open={entry.id === open} drawn={list.length <= MOST_DRAWN} />;
+            return reading && (
+              <ToolRow key={entry.id} entry={entry} reading={reading} kind={kind} open={entry.id === open}
+                drawn={list.length <= MOST_DRAWN} />
+            );
           })}
         </tbody>
       </table>

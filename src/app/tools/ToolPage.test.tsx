@@ -59,7 +59,9 @@ test("a cell that cannot be used is said at its column, refused for programs, an
   await user.clear(field("P-ANGLE: point angle"));
   await user.type(field("P-ANGLE: point angle"), "85");
   expect(field("P-ANGLE: point angle").getAttribute("aria-invalid")).toBe("true");
-  const described = field("P-ANGLE: point angle").getAttribute("aria-describedby")?.split(" ").map((id) => document.getElementById(id)?.textContent ?? "").join(" ");
+  const described = field("P-ANGLE: point angle").getAttribute("aria-describedby")?.split(" ").map((id) =>
+    document.getElementById(id)?.textContent ?? ""
+  ).join(" ");
   expect(described).toContain("It must be less than 85.");
   expect(within(screen.getByRole("figure")).getByText(/Last possible insert/)).toBeTruthy();
   expect([...toolTable().refused.keys()]).toEqual([1]);
@@ -70,7 +72,13 @@ test("columns that a type has no use for cannot be typed into and keep their val
   render(<ToolPage />);
   const user = userEvent.setup();
   await user.selectOptions(screen.getByRole("combobox", { name: "TYPE: type of tool" }), "BUTTON");
-  for (const name of ["T-ANGLE: setting angle", "P-ANGLE: point angle", "CUTLENGTH: length of the cutting edge", "CUTWIDTH: width of the cutting edge", "DCW: oversize of the width"])
+  for (const name of [
+    "T-ANGLE: setting angle",
+    "P-ANGLE: point angle",
+    "CUTLENGTH: length of the cutting edge",
+    "CUTWIDTH: width of the cutting edge",
+    "DCW: oversize of the width",
+  ])
     expect(field(name).disabled).toBe(true);
   expect(field("T-ANGLE: setting angle").value).toBe("95");
   await user.selectOptions(screen.getByRole("combobox", { name: "TYPE: type of tool" }), "ROUGH");
@@ -105,7 +113,9 @@ test("a file is taken over as one step, what it is missing is said", async () =>
   const text = writeTableText(shippedTools.slice(0, 2)).replace("CNMG", "SHOP").replace("[END]", "77      HALF");
   const input = document.querySelector<HTMLInputElement>("input[type=file]");
   await user.upload(input as HTMLInputElement, new File([text], "T.TRN"));
-  await vi.waitFor(() => expect(screen.getByText(/T\.TRN: 1 new, 2 replaced\. 1 row has an error\..*\[END\] is missing/)).toBeTruthy(), { timeout: 60_000 });
+  await vi.waitFor(() => expect(screen.getByText(/T\.TRN: 1 new, 2 replaced\. 1 row has an error\..*\[END\] is missing/)).toBeTruthy(), {
+    timeout: 60_000,
+  });
   expect(toolTable().tools[0]?.NAME).toBe("SHOP-80-R08");
   expect(steps()).toBe(1);
   await user.click(within(screen.getByText(/T\.TRN/).closest("p") as HTMLElement).getByRole("button", { name: "Undo" }));
@@ -124,10 +134,20 @@ test("what is kept comes back; the shipped table is not kept, so that it can be 
   const changed = list().map((entry) => (entry.id === "r2" ? { ...entry, cells: { ...entry.cells, RS: "abc" } } : entry));
   expect(readKept(writeKept(changed) ?? "")).toEqual(changed);
   expect(writeKept(shippedList)).toBeNull();
-  for (const damaged of ["", "{", "[]", '{"version":3,"rows":[]}', '{"version":1,"rows":[{"id":"a","cells":{"RS":1}}]}', '{"version":1,"rows":[{"id":"a","cells":{}},{"id":"a","cells":{}}]}'])
+  for (const damaged of [
+    "",
+    "{",
+    "[]",
+    '{"version":3,"rows":[]}',
+    '{"version":1,"rows":[{"id":"a","cells":{"RS":1}}]}',
+    '{"version":1,"rows":[{"id":"a","cells":{}},{"id":"a","cells":{}}]}',
+  ])
     expect(readKept(damaged)).toBeNull();
   expect(readKept('{"version":1,"rows":[]}')).toEqual([]);
-  const bare = shippedList.map(({ id, cells: { width: _w, length: _l, offsetZ: _z, offsetX: _x, axis: _a, head: _h, ...cells } }) => ({ id, cells }));
+  const bare = shippedList.map(({ id, cells: { width: _w, length: _l, offsetZ: _z, offsetX: _x, axis: _a, head: _h, ...cells } }) => ({
+    id,
+    cells,
+  }));
   const [first, second, ...others] = bare;
   const older = [first, { ...second, cells: { ...second?.cells, RS: "0.85" } }, ...others];
   const [one, two, ...rest] = readKept(JSON.stringify({ version: 1, rows: older })) ?? [];

@@ -30,11 +30,12 @@ export function ToolPage() {
   const wrong = list.length - read.table.tools.length - read.mills.length;
 
   const focusRow = () => requestAnimationFrame(() => page.current?.querySelector<HTMLElement>("tr.open button")?.focus());
-  const focusField = () => requestAnimationFrame(() => {
-    const field = page.current?.querySelector<HTMLInputElement>(".tool-form input[type=text]");
-    field?.focus();
-    field?.select();
-  });
+  const focusField = () =>
+    requestAnimationFrame(() => {
+      const field = page.current?.querySelector<HTMLInputElement>(".tool-form input[type=text]");
+      field?.focus();
+      field?.select();
+    });
   useEffect(() => {
     page.current?.querySelector<HTMLElement>("tr.open button")?.focus();
   }, []);
@@ -54,35 +55,48 @@ export function ToolPage() {
   return (
     <main className="tool-page" ref={page}>
       <div className="tool-head">
-        <button type="button" className="button" aria-label={t.backLong} onClick={hideTools}><Icon name="back" /> {t.back}</button>
+        <button type="button" className="button" aria-label={t.backLong} onClick={hideTools}>
+          <Icon name="back" /> {t.back}
+        </button>
         <div className="tool-title">
           <p>{t.lead}</p>
-          <p className="soft small">{t.count(list.length)}{wrong > 0 && <> · <span className="tool-errors">{t.wrongCount(wrong)}</span></>}</p>
+          <p className="soft small">
+            {t.count(list.length)}
+            {wrong > 0 && (
+              <>
+                · <span className="tool-errors">{t.wrongCount(wrong)}</span>
+              </>
+            )}
+          </p>
         </div>
         <div className="tool-buttons">
-          <button type="button" className="button primary" onClick={() => edited(addTool(kind))}><Icon name="add" /> {t.add}</button>
-          <button
-            type="button" className="button" aria-label={t.restoreLong}
-            onClick={() => {
-              takeShipped();
-              setSaid({ sentences: [t.restored], failed: false, changed: true });
-            }}
-          >
+          <button type="button" className="button primary" onClick={() => edited(addTool(kind))}>
+            <Icon name="add" /> {t.add}
+          </button>
+          <button type="button" className="button" aria-label={t.restoreLong} onClick={() => {
+            takeShipped();
+            setSaid({ sentences: [t.restored], failed: false, changed: true });
+          }}>
             {t.restore}
           </button>
         </div>
         <div className="tool-buttons" role="group" aria-label={t.files}>
-          <button type="button" className="button" aria-label={t.importLong} onClick={() => file.current?.click()}><Icon name="add" /> {t.import}</button>
-          <button type="button" className="button" aria-label={t.exportJsonLong} onClick={() => setSaid(exportTools("json", t))}><Icon name="download" /> {t.exportJson}</button>
-          <button type="button" className="button" aria-label={kind === "milling" ? t.exportMillLong : t.exportTextLong} onClick={() => setSaid(exportTools(kind, t))}><Icon name="download" /> {kind === "milling" ? "TOOL.T" : t.exportText}</button>
-          <input
-            ref={file} type="file" hidden accept=".json,.trn,.t,.tab,.txt,application/json,text/plain"
-            onChange={(e) => {
-              const [chosen] = e.currentTarget.files ?? [];
-              e.currentTarget.value = "";
-              if (chosen) void importFile(chosen, t).then(setSaid);
-            }}
-          />
+          <button type="button" className="button" aria-label={t.importLong} onClick={() => file.current?.click()}>
+            <Icon name="add" /> {t.import}
+          </button>
+          <button type="button" className="button" aria-label={t.exportJsonLong} onClick={() => setSaid(exportTools("json", t))}>
+            <Icon name="download" /> {t.exportJson}
+          </button>
+          <button type="button" className="button" aria-label={kind === "milling" ? t.exportMillLong : t.exportTextLong}
+            onClick={() => setSaid(exportTools(kind, t))}
+          >
+            <Icon name="download" /> {kind === "milling" ? "TOOL.T" : t.exportText}
+          </button>
+          <input ref={file} type="file" hidden accept=".json,.trn,.t,.tab,.txt,application/json,text/plain" onChange={(e) => {
+            const [chosen] = e.currentTarget.files ?? [];
+            e.currentTarget.value = "";
+            if (chosen) void importFile(chosen, t).then(setSaid);
+          }} />
         </div>
       </div>
       <div className="tool-status" role="status">
@@ -90,14 +104,11 @@ export function ToolPage() {
           <p className={`field-message ${said.failed ? "error" : "info"}`}>
             <Icon name={said.failed ? "error" : "info"} /> <span>{said.sentences.join(" ")}</span>
             {said.changed && (
-              <button
-                type="button" className="button"
-                onClick={() => {
-                  undoToolStep();
-                  setSaid(null);
-                  focusRow();
-                }}
-              >
+              <button type="button" className="button" onClick={() => {
+                undoToolStep();
+                setSaid(null);
+                focusRow();
+              }}>
                 <Icon name="undo" /> {t.undo}
               </button>
             )}
@@ -107,17 +118,19 @@ export function ToolPage() {
       <div className="tool-list">
         <div className="tool-kinds" role="group" aria-label={t.kinds.name}>
           {(["turning", "milling"] as const).map((each) => (
-            <button key={each} type="button" className="button" aria-pressed={each === kind} onClick={() => showKind(each)}>{t.kinds[each]}</button>
+            <button key={each} type="button" className="button" aria-pressed={each === kind} onClick={() => showKind(each)}>
+              {t.kinds[each]}
+            </button>
           ))}
         </div>
-        {rows.length === 0 ? <p className="tool-none">{t.none}</p> : <ToolGrid list={rows} kind={kind} read={read} open={entry?.id ?? null} />}
+        {rows.length === 0
+          ? <p className="tool-none">{t.none}</p>
+          : <ToolGrid list={rows} kind={kind} read={read} open={entry?.id ?? null} />}
         <p className="small evidence-text tool-note">{t.unconfirmed}</p>
       </div>
       {entry && reading && (
-        <ToolForm
-          entry={entry} reading={reading}
-          onDuplicate={() => edited(duplicateTool(entry.id))} onRemove={() => remove(entry.id, nameOf(entry))}
-        />
+        <ToolForm entry={entry} reading={reading} onDuplicate={() => edited(duplicateTool(entry.id))} onRemove={() =>
+          remove(entry.id, nameOf(entry))} />
       )}
     </main>
   );

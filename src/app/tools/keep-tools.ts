@@ -16,10 +16,14 @@ const WITHOUT_HOLDERS = 1;
 
 const cellText = z.string().check(z.maxLength(500));
 const cells = z.partialRecord(z.enum([...TOOL_COLUMNS, ...MILL_COLUMNS, ...HOLDER_CELLS]), cellText);
-const file = z.object({ version: z.union([z.literal(VERSION), z.literal(WITHOUT_HOLDERS)]), rows: z.array(z.object({ id: cellText, cells })) });
+const file = z.object({
+  version: z.union([z.literal(VERSION), z.literal(WITHOUT_HOLDERS)]),
+  rows: z.array(z.object({ id: cellText, cells })),
+});
 
 /** The text that is kept; null for the shipped table. */
-export const writeKept = (list: ToolList): string | null => (sameList(list, shippedList) ? null : JSON.stringify({ version: VERSION, rows: list }));
+export const writeKept =
+  (list: ToolList): string | null => (sameList(list, shippedList) ? null : JSON.stringify({ version: VERSION, rows: list }));
 
 /** A row as it was shipped but for its holder gets the holder; what was changed by hand stays as it is. */
 function withShippedHolder(row: ToolList[number]): ToolList[number] {

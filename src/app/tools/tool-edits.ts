@@ -6,15 +6,20 @@ import { editTools, redoTools, undoTools, useTools } from "./tool-store.ts";
 
 /** The typed text of one cell. */
 export function setCell(id: string, cell: CellName, text: string): void {
-  editTools((list) => list.map((entry) =>
-    entry.id === id && cellOf(entry, cell) !== text ? { ...entry, cells: { ...entry.cells, [cell]: text } } : entry), `${id} ${cell}`);
+  editTools(
+    (list) =>
+      list.map((entry) => entry.id === id && cellOf(entry, cell) !== text ? { ...entry, cells: { ...entry.cells, [cell]: text } } : entry),
+    `${id} ${cell}`,
+  );
 }
 
 /** A new row with the next free number and what every table begins with; gives its id. */
 export function addTool(kind: ToolKind): string {
   const { list } = useTools.getState();
   const id = newId(list);
-  editTools(() => [...list, { id, cells: { T: String(freeNumber(list)), ...(kind === "milling" ? { TYPE: MILL } : { TYPE: "ROUGH", TO: "1" }) } }]);
+  editTools(
+    () => [...list, { id, cells: { T: String(freeNumber(list)), ...(kind === "milling" ? { TYPE: MILL } : { TYPE: "ROUGH", TO: "1" }) } }]
+  );
   return id;
 }
 
@@ -42,7 +47,9 @@ export function removeTool(id: string): string | null {
 }
 
 /** Rows of a file, over those of the table: one step of undo. */
-export function takeRows(rows: readonly ToolEntry["cells"][]): { readonly replaced: number; readonly added: number; readonly first: string | null } {
+export function takeRows(rows: readonly ToolEntry["cells"][]): { readonly replaced: number; readonly added: number;
+  readonly first: string | null }
+{
   const { list } = useTools.getState();
   const made = mergedTools(list, rows);
   editTools(() => made.list);

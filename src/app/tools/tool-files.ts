@@ -32,9 +32,13 @@ export function importText(text: string, name: string, t: ToolsTexts): ToolImpor
   const read = readToolFile(text);
   if ("problem" in read) {
     switch (read.problem) {
-      case "columnsMissing": return failure(t.problems.columnsMissing(name, read.columns.join(", ")));
-      case "tooMany": return failure(t.problems.tooMany(name, read.most));
-      case "notATable": case "noRows": return failure(t.problems[read.problem](name));
+      case "columnsMissing":
+        return failure(t.problems.columnsMissing(name, read.columns.join(", ")));
+      case "tooMany":
+        return failure(t.problems.tooMany(name, read.most));
+      case "notATable":
+      case "noRows":
+        return failure(t.problems[read.problem](name));
     }
   }
   const { replaced, added, first } = takeRows(read.rows);
@@ -44,10 +48,13 @@ export function importText(text: string, name: string, t: ToolsTexts): ToolImpor
   const { rows } = toolsOnDevice(list);
   const wrong = list.filter((entry) => taken.has(entry.cells) && !isSound(rows.get(entry.id))).length;
   return {
-    failed: false, changed: true,
+    failed: false,
+    changed: true,
     sentences: [
-      t.imported(name, replaced, added), ...(wrong > 0 ? [t.importedWrong(wrong)] : []),
-      ...(read.leftOut.length > 0 ? [t.leftOut(read.leftOut.join(", "))] : []), ...(read.cutShort ? [t.cutShort] : []),
+      t.imported(name, replaced, added),
+      ...(wrong > 0 ? [t.importedWrong(wrong)] : []),
+      ...(read.leftOut.length > 0 ? [t.leftOut(read.leftOut.join(", "))] : []),
+      ...(read.cutShort ? [t.cutShort] : []),
     ],
   };
 }
@@ -77,11 +84,15 @@ export function exportTools(kind: "json" | "turning" | "milling", t: ToolsTexts)
   const { name, text, count } = files[kind];
   downloadText(text(), name);
   const meant = list.filter((entry) => kind === "json" || isMillEntry(entry) === (kind === "milling"));
-  const without = meant.filter((entry) => !isSound(rows.get(entry.id))).map((entry) => cellOf(entry, "T") || cellOf(entry, "NAME") || t.noNumber);
+  const without = meant.filter((entry) => !isSound(rows.get(entry.id))).map((entry) =>
+    cellOf(entry, "T") || cellOf(entry, "NAME") || t.noNumber
+  );
   return {
-    failed: false, changed: false,
+    failed: false,
+    changed: false,
     sentences: [
-      t.exported(name, count), ...(without.length > 0 ? [t.exportedWithout(without.join(", "))] : []),
+      t.exported(name, count),
+      ...(without.length > 0 ? [t.exportedWithout(without.join(", "))] : []),
       ...(kind === "turning" && table.tools.some((tool) => tool.holder) ? [t.holderNotExported] : []),
     ],
   };

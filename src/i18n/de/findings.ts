@@ -50,7 +50,10 @@ export const findings = {
   },
   leaving: {
     title: "Dieses Programm hat Fehler",
-    lead: (n) => (n === 1 ? "So darf es nicht auf einer Maschine laufen. Ein Fehler wurde gefunden:" : `So darf es nicht auf einer Maschine laufen. ${n} Fehler wurden gefunden:`),
+    lead:
+      (n) => (n === 1
+        ? "So darf es nicht auf einer Maschine laufen. Ein Fehler wurde gefunden:"
+        : `So darf es nicht auf einer Maschine laufen. ${n} Fehler wurden gefunden:`),
     unchecked: "Dieses Programm ist noch nicht geprüft",
     uncheckedLead: "Die Berechnung ist nicht zu Ende. Niemand weiß, ob Fehler darin sind.",
     go: { copy: "Trotzdem kopieren", save: "Trotzdem speichern", download: "Trotzdem herunterladen", share: "Trotzdem teilen" },
@@ -61,6 +64,9 @@ export const findings = {
   done: {
     contour: "Die Kontur fehlt noch",
     toContour: "Kontur eingeben",
-    faults: (n) => (n === 1 ? "Alle Eingaben sind gemacht, aber 1 Fehler wurde gefunden" : `Alle Eingaben sind gemacht, aber ${n} Fehler wurden gefunden`),
+    faults:
+      (n) => (n === 1
+        ? "Alle Eingaben sind gemacht, aber 1 Fehler wurde gefunden"
+        : `Alle Eingaben sind gemacht, aber ${n} Fehler wurden gefunden`),
   },
 } satisfies FindingsTexts;

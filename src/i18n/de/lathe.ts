@@ -4,7 +4,8 @@ export const lathe = {
   title: "Drehansicht",
   picture: (state) => `Schnitt durch das Werkstück, Z nach rechts. ${state}`,
   pictureEmpty: "Noch keine Bahn",
-  keys: "Leertaste startet und hält an, Pfeiltasten gehen Bewegung für Bewegung, Pos1 und Ende an den Anfang und das Ende, Plus und Minus zoomen, 0 passt ein.",
+  keys: "Leertaste startet und hält an, Pfeiltasten gehen Bewegung für Bewegung, Pos1 und Ende an den Anfang und das Ende, Plus "
+    + "und Minus zoomen, 0 passt ein.",
   outdated: "Letztes Bild, das möglich war",
 
   viewTools: "Ansicht",
@@ -20,7 +21,12 @@ export const lathe = {
   legend: "Linien",
   holder: "Halter",
   lines: {
-    rapid: "Eilgang", feed: "Schruppen", plunge: "Eintauchen", smooth: "Glätten", finish: "Schlichten", thread: "Gewinde",
+    rapid: "Eilgang",
+    feed: "Schruppen",
+    plunge: "Eintauchen",
+    smooth: "Glätten",
+    finish: "Schlichten",
+    thread: "Gewinde",
   },
 
   playback: "Ablauf",
@@ -59,7 +65,6 @@ export const lathe = {
   deltaX: "ΔX ⌀",
   deltaZ: "ΔZ",
   distance: "Abstand",
-
 
   moves: (count) => `Bewegungen (${count})`,
   move: "Nr.",

@@ -1,12 +1,22 @@
 import type { MessagesTexts } from "../message-texts.ts";
 
 /** What a finding offers, where it offers something. */
-const nearest = (value: number | undefined, say: (value: number) => string) => (value === undefined ? "" : ` Nächster möglicher Wert: ${say(value)}.`);
+const nearest = (
+  value: number | undefined,
+  say: (value: number) => string,
+) => (value === undefined ? "" : ` Nächster möglicher Wert: ${say(value)}.`);
 
 const reasons: MessagesTexts["reasons"] = {
-  insertRadius: "Schneidenradius", mainEdge: "Hauptschneide", secondaryEdge: "Nebenschneide", toolWidth: "Werkzeugbreite", cutLength: "CUTLENGTH",
-  limit: "Schnittbegrenzung", plunging: "nicht erlaubtes Eintauchen", oversize: "Aufmaß",
-  smoothing: "Stufen zwischen den Schnitten", correction: "Werkzeugkorrektur",
+  insertRadius: "Schneidenradius",
+  mainEdge: "Hauptschneide",
+  secondaryEdge: "Nebenschneide",
+  toolWidth: "Werkzeugbreite",
+  cutLength: "CUTLENGTH",
+  limit: "Schnittbegrenzung",
+  plunging: "nicht erlaubtes Eintauchen",
+  oversize: "Aufmaß",
+  smoothing: "Stufen zwischen den Schnitten",
+  correction: "Werkzeugkorrektur",
 };
 
 const ELEMENT = { angle: "Winkel", length: "Länge", radius: "Radius" };
@@ -19,50 +29,77 @@ export const messages = {
     notANumber: (d, w) => `„${w.text(d.text)}“ ist keine Zahl.`,
     badExpression: (d, w) => `„${w.text(d.text)}“ lässt sich nicht berechnen.`,
     unknownParameter: (d) => `${d.name} hat hier keinen Wert. Zahl eingeben.`,
-    outOfRange: (d, w) => `${w.value(d.value)} liegt außerhalb des Bereichs: ${w.value(d.min)} bis ${w.value(d.max)}.${nearest(d.nearest, w.value)}`,
+    outOfRange: (d, w) =>
+      `${w.value(d.value)} liegt außerhalb des Bereichs: ${w.value(d.min)} bis ${w.value(d.max)}.${nearest(d.nearest, w.value)}`,
     notAChoice: (d, w) => `${w.number(d.value)} steht nicht zur Wahl (${d.choices.join(", ")}).${nearest(d.nearest, w.number)}`,
     startEqualsEnd: (d, w) => `Start und Ende sind gleich: auch ${d.other} ist ${w.value(d.value)}.${nearest(d.nearest, w.value)}`,
-    diameterNegative: (d, w) => `${w.value(d.value)} ist ein Durchmesser jenseits der Achse, dort wird keine Kontur geplant.${nearest(d.nearest, w.value)}`,
-    elementTooLong: (d, w) => `${w.number(d.size)} ist länger, als das Element erlaubt: höchstens ${w.number(d.max)}.${nearest(d.nearest, w.number)}`,
-    cornersTooWide: (d, w) => `Zwei Eckenradien von ${w.number(d.radius)} sind breiter als der Grund: höchstens ${w.number(d.max)}.${nearest(d.nearest, w.number)}`,
-    wallsMeet: (d, w) => `Mit ${w.angle(d.angle)} treffen sich die Flanken über dem Grund: weniger als ${w.angle(d.max)}.${nearest(d.nearest, w.angle)}`,
+    diameterNegative: (d, w) =>
+      `${w.value(d.value)} ist ein Durchmesser jenseits der Achse, dort wird keine Kontur geplant.${nearest(d.nearest, w.value)}`,
+    elementTooLong: (d, w) =>
+      `${w.number(d.size)} ist länger, als das Element erlaubt: höchstens ${w.number(d.max)}.${nearest(d.nearest, w.number)}`,
+    cornersTooWide: (d, w) =>
+      `Zwei Eckenradien von ${w.number(d.radius)} sind breiter als der Grund: höchstens ${w.number(d.max)}.${nearest(d.nearest, w.number)}`,
+    wallsMeet: (d, w) =>
+      `Mit ${w.angle(d.angle)} treffen sich die Flanken über dem Grund: weniger als ${w.angle(d.max)}.${nearest(d.nearest, w.angle)}`,
     cornerSmallerThanInsert: (d, w) =>
-      `Eckenradius ${w.number(d.radius)} ist kleiner als der Schneidenradius ${w.number(d.insert)}: Die Ecke behält ${w.number(d.insert)}.${nearest(d.nearest, w.number)}`,
+      `Eckenradius ${w.number(d.radius)} ist kleiner als der Schneidenradius ${w.number(d.insert)}: Die Ecke `
+      + `behält ${w.number(d.insert)}.${nearest(d.nearest, w.number)}`,
     recessNarrowerThanTool: (d, w) =>
-      `Der Grund des Einstichs ist ${w.number(d.width)} breit, Werkzeug und Aufmaß brauchen ${w.number(d.tool)}.${nearest(d.nearest, w.value)}`,
+      `Der Grund des Einstichs ist ${w.number(d.width)} breit, Werkzeug und Aufmaß brauchen ${w.number(d.tool)}.`
+      + `${nearest(d.nearest, w.value)}`,
     angleNotFollowed: (d, w) =>
-      `Das Werkzeug kann ${w.angle(d.angle)} nicht folgen: Die ${reasons[d.edge]} lässt ${w.angle(d.max)} zu, Material bleibt stehen.${nearest(d.nearest, w.angle)}`,
+      `Das Werkzeug kann ${w.angle(d.angle)} nicht folgen: Die ${reasons[d.edge]} lässt ${w.angle(d.max)} zu, `
+      + `Material bleibt stehen.${nearest(d.nearest, w.angle)}`,
     tooManyPasses: (d, w) => `${d.passes} Schnitte sind mehr als ${d.most}.${nearest(d.nearest, w.number)}`,
     infeedOverCutLength: (d, w) =>
-      `Zustellung ${w.number(d.infeed)} ist größer als CUTLENGTH ${w.number(d.cutLength)}: Sie wird auf ${w.number(d.cutLength)} verringert.`,
-    depthOverCutLength: (d, w) => `Tiefe ${w.number(d.depth)} ist größer als CUTLENGTH ${w.number(d.cutLength)}: Der Rest bleibt stehen.${nearest(d.nearest, w.value)}`,
+      `Zustellung ${w.number(d.infeed)} ist größer als CUTLENGTH ${w.number(d.cutLength)}: Sie wird auf `
+      + `${w.number(d.cutLength)} verringert.`,
+    depthOverCutLength: (d, w) =>
+      `Tiefe ${w.number(d.depth)} ist größer als CUTLENGTH ${w.number(d.cutLength)}: Der Rest bleibt stehen.${nearest(d.nearest, w.value)}`,
     offsetReduced: (d, w) =>
-      `Versatz ${w.number(d.offset)} wird auf ${w.number(d.kept)} verringert: 80 % der wirksamen Breite müssen für ${d.passes === 1 ? "1 Schnitt" : `${d.passes} Schnitte`} reichen.`,
+      `Versatz ${w.number(d.offset)} wird auf ${w.number(d.kept)} verringert: 80 % der wirksamen Breite müssen ` + "für "
+      + (d.passes === 1 ? "1 Schnitt" : `${d.passes} Schnitte`) + " reichen.",
     offsetOverLimit: (d, w) =>
-      `Der seitliche Versatz von ${d.passes === 1 ? "1 Schnitt" : `${d.passes} Schnitten`} ergibt ${w.number(d.offset)}; 80 % der wirksamen Breite sind ${w.number(d.max)}.${nearest(d.nearest, w.number)}`,
-    toolUnfit: (d) => `Ein Werkzeug vom Typ ${d.type} mit Werkzeugorientierung ${d.orientation} kann das nicht. Geeignet: ${d.types.join(" oder ")} mit Orientierung ${d.orientations.join(", ")}.`,
+      "Der seitliche Versatz von " + (d.passes === 1 ? "1 Schnitt" : `${d.passes} Schnitten`)
+      + ` ergibt ${w.number(d.offset)}; 80 % der wirksamen Breite sind ${w.number(d.max)}.` + `${nearest(d.nearest, w.number)}`,
+    toolUnfit: (d) =>
+      `Ein Werkzeug vom Typ ${d.type} mit Werkzeugorientierung ${d.orientation} kann das nicht. Geeignet: `
+      + `${d.types.join(" oder ")} mit Orientierung ${d.orientations.join(", ")}.`,
     toolCannotCutSideways: (d) => `Ein ${d.type}-Werkzeug sticht nur ein, dieser Zyklus schneidet auch seitlich. RECTURN-Werkzeug nehmen.`,
     flanksNotChecked: () => "T-ANGLE oder P-ANGLE ist leer: Die Flanken der Schneide werden nicht geprüft.",
     toolColumn: (d, w) => {
       const what = d.value === null ? `${d.column} fehlt oder ist keine Zahl.` : `${d.column} ${w.value(d.value)} ist nicht möglich.`;
       if (d.min !== undefined && d.max !== undefined) return `${what} Erlaubt: ${w.value(d.min)} bis ${w.value(d.max)}.`;
-      if (d.min !== undefined) return `${what} Der Wert muss ${d.column === "CUTWIDTH" ? "größer als" : "mindestens"} ${w.value(d.min)} sein.`;
+      if (d.min !== undefined)
+        return `${what} Der Wert muss ${d.column === "CUTWIDTH" ? "größer als" : "mindestens"} ${w.value(d.min)} sein.`;
       return d.max === undefined ? what : `${what} Der Wert muss kleiner als ${w.value(d.max)} sein.`;
     },
     toolNumberTwice: (d) => `Werkzeug ${d.number} steht schon in der Tabelle.${nearest(d.nearest, String)}`,
-    toolName: (d, w) => `„${w.text(d.text)}“: Ein Name hat höchstens ${d.max} Zeichen, nur Großbuchstaben, Ziffern und # $ % & , - . sind erlaubt.`,
+    toolName: (d, w) =>
+      `„${w.text(d.text)}“: Ein Name hat höchstens ${d.max} Zeichen, nur Großbuchstaben, Ziffern und # $ % & , - . sind erlaubt.`,
     holderAxis: (d, w) => `„${w.text(d.text)}“: Der Schaft liegt längs X oder längs Z.`,
-    holderHead: (d, w) => `„${w.text(d.text)}“ ist kein Umriss. Jede Ecke ist Z/X ab der Spitze, Ecken durch Leerzeichen getrennt, Teile durch Semikolon; ein Teil braucht drei Ecken.`,
+    holderHead: (d, w) =>
+      `„${w.text(d.text)}“ ist kein Umriss. Jede Ecke ist Z/X ab der Spitze, Ecken durch Leerzeichen getrennt, `
+      + "Teile durch Semikolon; ein Teil braucht drei Ecken.",
     betterTool: (d) => `Werkzeug ${d.tool} ${d.name} kann diese Kontur herstellen.`,
-    startInArea: (d, w) => `Der Startpunkt ${w.place(d.x, d.z)} liegt im Zerspanbereich: Das Werkzeug fährt zuerst auf Sicherheits-Abstand.`,
+    startInArea: (d, w) =>
+      `Der Startpunkt ${w.place(d.x, d.z)} liegt im Zerspanbereich: Das Werkzeug fährt zuerst auf Sicherheits-Abstand.`,
     startInMaterial: (d, w) => `Der Startpunkt ${w.place(d.x, d.z)} steht im Material.`,
     startBelowContour: (d, w) => `Der Startpunkt liegt ${w.number(d.below)} mm unter dem Konturstart: Das Werkzeug fährt zuerst dorthin.`,
-    startInPart: (d, w) => `Der Startpunkt liegt im Fertigteil: Von dort wird nichts zerspant. Ein Startpunkt, der geht: ${w.place(d.x, d.z)}.`,
-    insertAcrossAxis: (d, w) => `Die Schneidplatte reicht ${w.number(d.reach)} mm über die Drehmitte und schneidet dort ins Fertigteil.${d.nearest === undefined ? " Für diese Bohrung ist sie zu lang." : ` Mit dem Startpunkt ab X${w.diameter(d.nearest)} bleibt sie frei.`}`,
-    startOnWrongSide: (d, w) => `Die Kontur läuft auf den Startpunkt zu: Von dort wird nichts zerspant. Ein Startpunkt, der geht: ${w.place(d.x, d.z)}.`,
+    startInPart: (d, w) =>
+      `Der Startpunkt liegt im Fertigteil: Von dort wird nichts zerspant. Ein Startpunkt, der geht: ${w.place(d.x, d.z)}.`,
+    insertAcrossAxis: (d, w) =>
+      `Die Schneidplatte reicht ${w.number(d.reach)} mm über die Drehmitte und schneidet dort ins Fertigteil.`
+      + (d.nearest === undefined
+        ? " Für diese Bohrung ist sie zu lang."
+        : ` Mit dem Startpunkt ab X${w.diameter(d.nearest)} bleibt sie frei.`),
+    startOnWrongSide: (d, w) =>
+      `Die Kontur läuft auf den Startpunkt zu: Von dort wird nichts zerspant. Ein Startpunkt, der geht: ${w.place(d.x, d.z)}.`,
     startInsideEnvelope: (d, w) =>
-      `Der Startpunkt liegt näher an der Kontur als der Abstand ${w.number(d.clearance)}: Das Werkzeug fährt mit Schlichtvorschub direkt zur Kontur.`,
-    limitOnWrongSide: (d, w) => `Mit der Grenze ${w.value(d.limit)} wird auf der Seite des Werkzeugs nichts zerspant.${nearest(d.nearest, w.value)}`,
+      `Der Startpunkt liegt näher an der Kontur als der Abstand ${w.number(d.clearance)}: Das Werkzeug fährt `
+      + "mit Schlichtvorschub direkt zur Kontur.",
+    limitOnWrongSide: (d, w) =>
+      `Mit der Grenze ${w.value(d.limit)} wird auf der Seite des Werkzeugs nichts zerspant.${nearest(d.nearest, w.value)}`,
     nothingToCut: () => "Zwischen Startpunkt und Kontur gibt es nichts zu zerspanen.",
     contourMissing: (d, w) => (d.label === "" ? "Die Kontur fehlt." : `Die Kontur LBL ${w.text(d.label)} gibt es nicht.`),
     contourTooShort: () => "Eine Kontur braucht mindestens zwei verschiedene Punkte.",
@@ -70,36 +107,56 @@ export const messages = {
     contourPoint: (d) => `Element ${d.element}: Der Endpunkt fehlt oder ist nicht erreichbar.`,
     cornerElementAlone: (d) => `Element ${d.element}: Fase und Rundung brauchen ein Element davor und dahinter, eine Fase zwei Geraden.`,
     cornerElementTooLong: (d, w) =>
-      `Element ${d.element}: ${w.number(d.size)} passt nicht zwischen seine Nachbarn: höchstens ${w.number(d.max)}.${nearest(d.nearest, w.number)}`,
-    arcOffCircle: (d, w) => `Element ${d.element}: Der Endpunkt verfehlt den Kreis um ${w.number(d.gap)}.${d.nearest === undefined ? "" : ` Möglicher Radius: ${w.number(d.nearest)}.`}`,
-    arcTooSmall: (d, w) => `Element ${d.element}: Radius ${w.number(d.radius)} ist zu klein für den Endpunkt.${nearest(d.nearest, w.number)}`,
-    elementFree: (d) => (d.freedom === 1 ? `Element ${d.element}: noch eine Angabe nötig.` : `Element ${d.element}: noch ${d.freedom} Angaben nötig.`),
-    elementContradicts: (d, w) => (d.quantity === "tangent"
+      `Element ${d.element}: ${w.number(d.size)} passt nicht zwischen seine Nachbarn: höchstens ${w.number(d.max)}`
+      + `.${nearest(d.nearest, w.number)}`,
+    arcOffCircle: (d, w) =>
+      `Element ${d.element}: Der Endpunkt verfehlt den Kreis um ${w.number(d.gap)}.`
+      + (d.nearest === undefined ? "" : ` Möglicher Radius: ${w.number(d.nearest)}.`),
+    arcTooSmall: (d, w) =>
+      `Element ${d.element}: Radius ${w.number(d.radius)} ist zu klein für den Endpunkt.${nearest(d.nearest, w.number)}`,
+    elementFree:
+      (d) => (d.freedom === 1 ? `Element ${d.element}: noch eine Angabe nötig.` : `Element ${d.element}: noch ${d.freedom} Angaben nötig.`),
+    elementContradicts: (
+      d,
+      w,
+    ) => (d.quantity === "tangent"
       ? `Element ${d.element} schließt nicht tangential an; die Abweichung ist ${w.number(d.nearest)}°.`
-      : `Element ${d.element}: ${ELEMENT[d.quantity]} ${w.number(d.given)} widerspricht den übrigen Angaben; ${w.number(d.nearest)} passt.`),
+      : `Element ${d.element}: ${ELEMENT[d.quantity]} ${w.number(d.given)} widerspricht den übrigen Angaben; `
+        + `${w.number(d.nearest)} passt.`),
     elementUnreachable: (d) => `Element ${d.element}: mit dieser Länge, diesem Radius oder Winkel erreicht es den Nachbarn nicht.`,
     centreMissing: (d) => `Element ${d.element}: der Mittelpunkt fehlt; CC davor setzen.`,
     contourCrossesItself: (d) => `Element ${d.element} kreuzt Element ${d.other}.`,
-    toolRadiusTooLarge: (d, w) => `Element ${d.element}: Ein Werkzeugradius von ${w.number(d.radius)} passt nicht.${nearest(d.nearest, w.number)}`,
+    toolRadiusTooLarge: (d, w) =>
+      `Element ${d.element}: Ein Werkzeugradius von ${w.number(d.radius)} passt nicht.${nearest(d.nearest, w.number)}`,
     approachNeedsSide: () => "CT braucht RL oder RR: Mit R0 hält die Steuerung hier an.",
-    approachSideAssumed: () => "R0 nennt keine Seite: Angenommen wird, dass das Werkzeug von links der Kontur kommt. An der Steuerung prüfen.",
+    approachSideAssumed: () =>
+      "R0 nennt keine Seite: Angenommen wird, dass das Werkzeug von links der Kontur kommt. An der Steuerung prüfen.",
     approachInsideCircle: (d, w) =>
       `${d.point} liegt im Kreis mit R ${w.number(d.radius)}: Keine Gerade von dort berührt ihn.${nearest(d.nearest, w.number)}`,
     approachCutsContour: (d, w) =>
-      `Zwischen ${d.point} und der Kontur schneidet das Werkzeug bei ${w.spot(d.x, d.y, d.z)} um ${w.number(d.depth)} mm in sie ein; die Steuerung prüft das nicht. Frei ist ${d.point} ${w.spot(d.freeX, d.freeY, d.freeZ)}.`,
+      `Zwischen ${d.point} und der Kontur schneidet das Werkzeug bei ${w.spot(d.x, d.y, d.z)} um ${w.number(d.depth)}`
+      + ` mm in sie ein; die Steuerung prüft das nicht. Frei ist ${d.point} ${w.spot(d.freeX, d.freeY, d.freeZ)}.`,
     approachValueCutsContour: (d, w) =>
-      `Zwischen ${d.point} und der Kontur schneidet das Werkzeug bei ${w.spot(d.x, d.y, d.z)} um ${w.number(d.depth)} mm in sie ein; die Steuerung prüft das nicht. Frei mit ${d.word} ${w.number(d.nearest)}.`,
+      `Zwischen ${d.point} und der Kontur schneidet das Werkzeug bei ${w.spot(d.x, d.y, d.z)} um ${w.number(d.depth)}`
+      + ` mm in sie ein; die Steuerung prüft das nicht. Frei mit ${d.word} ${w.number(d.nearest)}.`,
     approachBlocked: (d, w) =>
-      `Zwischen ${d.point} und der Kontur schneidet das Werkzeug bei ${w.spot(d.x, d.y, d.z)} um ${w.number(d.depth)} mm in sie ein; die Steuerung prüft das nicht.`,
-    undercutNeighbours: (d) => `Element ${d.element}: Ein Freistich braucht einen achsparallelen Zylinder und eine Planfläche dazu, ein Einstich ein gerades Element seiner Richtung.`,
+      `Zwischen ${d.point} und der Kontur schneidet das Werkzeug bei ${w.spot(d.x, d.y, d.z)} um ${w.number(d.depth)}`
+      + " mm in sie ein; die Steuerung prüft das nicht.",
+    undercutNeighbours: (d) =>
+      `Element ${d.element}: Ein Freistich braucht einen achsparallelen Zylinder und eine Planfläche dazu, ein Einstich ein `
+      + "gerades Element seiner Richtung.",
     recessWord: (d) => `Element ${d.element}: ${d.word} fehlt oder ergibt keine mögliche Form.`,
     undercutDefaults: (d) => `Element ${d.element}: ${d.words} aus der Norm, aus der Erinnerung; die Wörter am besten selbst angeben.`,
     materialLeft: (d, w) => `${w.area(d.area)} bleiben bei ${w.place(d.x, d.z)} stehen. Grund: ${reasons[d.reason]}.`,
     gouge: (d, w) => `${w.area(d.area)} des Fertigteils werden bei ${w.place(d.x, d.z)} weggeschnitten.`,
     rapidInStock: (d, w) => `Ein Eilgang fährt bei ${w.place(d.x, d.z)} durch ${w.area(d.area)} Material.`,
     holderContact: (d, w) => `Der Halter berührt bei ${w.place(d.x, d.z)} Material.`,
-    contactsUnlooked: (d) => `${d.limit} Bewegungen verletzen das Teil, fahren im Eilgang ins Material oder berühren es mit dem Halter: Ab hier wurde danach nicht mehr gesucht.`,
-    deeperThanInfeed: (d, w) => `${d.pass === undefined ? "Ein Glätt- oder Schlichtschnitt" : `Schnitt ${w.number(d.pass)}`} nimmt ${w.number(d.depth)} mm Material auf einmal; erlaubt sind ${w.number(d.allowed)} mm.`,
+    contactsUnlooked: (d) =>
+      `${d.limit} Bewegungen verletzen das Teil, fahren im Eilgang ins Material oder berühren es mit dem Halter: Ab hier wurde `
+      + "danach nicht mehr gesucht.",
+    deeperThanInfeed: (d, w) =>
+      "" + (d.pass === undefined ? "Ein Glätt- oder Schlichtschnitt" : `Schnitt ${w.number(d.pass)}`)
+      + ` nimmt ${w.number(d.depth)} mm Material auf einmal; erlaubt sind ${w.number(d.allowed)} mm.`,
     nothingCut: () => "Diese Bearbeitung trägt kein Material ab.",
     airPasses: (d) => (d.count === 1 ? "1 Schruppschnitt berührt kein Material." : `${d.count} Schruppschnitte berühren kein Material.`),
 
@@ -123,11 +180,14 @@ export const messages = {
     toolUnknown: (d, w) => `Werkzeug ${w.text(d.tool)} steht nicht in der Tabelle.`,
     notInTurnMode: () => "Der Zyklus läuft nur in FUNCTION MODE TURN: diesen Satz vor dem Aufruf programmieren.",
     compensationActive: (d) => `Hier ist ${d.side} aktiv, die Steuerung verlangt R0: R0 im Positioniersatz davor programmieren.`,
-    feedZero: (d, w) => `${w.text(d.word)}: Der Schnittvorschub ist hier 0. Einen Vorschub über 0 angeben; FAUTO nimmt das F aus TOOL CALL.`,
-    feedUnlikely: (d, w) => `Ein Vorschub von ${w.number(d.feed)} ${d.unit} ist kaum gemeint. M136 prüfen: Damit zählt F in mm pro Umdrehung.`,
+    feedZero: (d, w) =>
+      `${w.text(d.word)}: Der Schnittvorschub ist hier 0. Einen Vorschub über 0 angeben; FAUTO nimmt das F aus TOOL CALL.`,
+    feedUnlikely: (d, w) =>
+      `Ein Vorschub von ${w.number(d.feed)} ${d.unit} ist kaum gemeint. M136 prüfen: Damit zählt F in mm pro Umdrehung.`,
     cycleNeverCalled: (d) => `Zyklus ${d.cycle} ist definiert und wird nie aufgerufen: Dahinter fehlt CYCL CALL oder M99.`,
     neverReached: (d) => `Das Programm endet mit ${d.by} vor diesem Satz: Er wird nie ausgeführt.`,
-    parameterForeign: (d, w) => `${w.text(d.name)} gehört nicht hierher: Zyklus ${d.cycle} hat diesen Parameter nicht, oder er steht zweimal.`,
+    parameterForeign: (d, w) =>
+      `${w.text(d.name)} gehört nicht hierher: Zyklus ${d.cycle} hat diesen Parameter nicht, oder er steht zweimal.`,
     runsIntoLabel: (d, w) => `Das Programm läuft in die Kontur von LBL ${w.text(d.label)} hinein: Davor fehlt M30.`,
     contourStartIncomplete: (d) => `Der erste Satz der Kontur braucht X und Z; ${d.axis} fehlt.`,
     approachUncompensated: (d) => `${d.form} hat kein RL oder RR: Die Kontur dahinter läuft ohne Radiuskorrektur.`,
@@ -135,7 +195,8 @@ export const messages = {
     labelTwice: (d, w) => `LBL ${w.text(d.label)} steht zweimal im Programm.`,
     labelNotClosed: (d, w) => `LBL ${w.text(d.label)} wird nicht mit LBL 0 geschlossen.`,
     contourNotNamed: (d) => `Zyklus ${d.cycle} braucht vor dem Aufruf Zyklus 14 mit seiner Kontur.`,
-    contourInFile: (d, w) => `Die Kontur steht in der Datei ${w.text(d.file)}, die hier nicht vorliegt: in ein Label setzen und mit Zyklus 14 nennen.`,
+    contourInFile: (d, w) =>
+      `Die Kontur steht in der Datei ${w.text(d.file)}, die hier nicht vorliegt: in ein Label setzen und mit Zyklus 14 nennen.`,
     feedMissing: () => "Es ist kein Vorschub programmiert.",
     spindleMissing: () => "Es ist keine Spindeldrehzahl programmiert; Zeiten fehlen.",
     parameterUnset: (d) => `${d.name} hat hier keinen Wert.`,
@@ -152,9 +213,12 @@ export const messages = {
     radiusCompensation: (d) => `${d.side} wird gelesen, die Bahn aber nicht korrigiert.`,
     sideChanged: () => "Zwischen RL und RR braucht die Steuerung einen Satz mit R0.",
     approachWithoutContour: (d) => `${d.form} braucht ein Konturelement neben sich.`,
-    lengthDelta: (d) => `DZL und DXL von Werkzeug ${d.tool}: Die Steuerung rechnet sie zu den Werkzeuglängen. Die Spitze bleibt auf der Bahn, Bahn und Werkstück ändern sich nicht.`,
+    lengthDelta: (d) =>
+      `DZL und DXL von Werkzeug ${d.tool}: Die Steuerung rechnet sie zu den Werkzeuglängen. Die Spitze bleibt auf der Bahn, `
+      + "Bahn und Werkstück ändern sich nicht.",
     toolRadiusUnknown: (d, w) => `Der Radius von Werkzeug ${w.text(d.tool)} ist nicht bekannt: Die Bahn ist mit Radius 0 gerechnet.`,
-    wordsRecalled: (d, w) => `${w.text(d.what)}: Die Wörter sind aus der Erinnerung, nicht an einer gedruckten Seite geprüft. Bitte an der Steuerung prüfen.`,
+    wordsRecalled: (d, w) =>
+      `${w.text(d.what)}: Die Wörter sind aus der Erinnerung, nicht an einer gedruckten Seite geprüft. Bitte an der Steuerung prüfen.`,
     programEndMissing: () => "Am Ende des Hauptprogramms fehlt M30 oder M2.",
     tooManyBlocks: (d) => `Mehr als ${d.limit} Sätze wurden ausgeführt: dort angehalten.`,
     tooManyMoves: (d) => `Mehr als ${d.limit} Bewegungen: dort angehalten.`,

@@ -17,7 +17,8 @@ export const page = {
   themes: { system: "Wie das System", light: "Hell", dark: "Dunkel" },
   motion: "Bewegung",
   motions: { system: "Wie das System", reduced: "Keine" },
-  disclaimer: "Nach den gedruckten Zyklenseiten gebaut; kein Produkt von HEIDENHAIN. Jedes Programm vor dem Zerspanen an der Steuerung prüfen.",
+  disclaimer:
+    "Nach den gedruckten Zyklenseiten gebaut; kein Produkt von HEIDENHAIN. Jedes Programm vor dem Zerspanen an der Steuerung prüfen.",
   savedHere: "Auf diesem Gerät gespeichert",
 
   sections: "Teile des Programms",
@@ -71,7 +72,6 @@ export const page = {
     duration: (minutes, seconds) => (minutes > 0 ? `${minutes} min ${seconds} s` : `${seconds} s`),
   },
 
-
   text: {
     title: "Programmtext",
     name: "Programmname",
@@ -89,7 +89,8 @@ export const page = {
     blocks: "Sätze des Programms",
     running: "läuft",
     refusedTitle: "Von Hand kopieren",
-    refused: "Der Browser erlaubt keinen Zugriff auf die Zwischenablage. Der Text unten ist markiert: Strg+C drücken oder gedrückt halten und „Kopieren“ wählen.",
+    refused: "Der Browser erlaubt keinen Zugriff auf die Zwischenablage. Der Text unten ist markiert: Strg+C drücken oder gedrückt "
+      + "halten und „Kopieren“ wählen.",
     incomplete: "Einige Eingaben haben noch keinen brauchbaren Wert; das Programm ist nicht vollständig.",
   },
 
@@ -100,8 +101,11 @@ export const page = {
         ? "Eine gespeicherte Arbeit war nicht lesbar. Sie wurde beiseitegelegt, nichts wurde gelöscht."
         : `${n} gespeicherte Arbeiten waren nicht lesbar. Sie wurden beiseitegelegt, nichts wurde gelöscht.`,
     notKept: "Dieser Browser speichert nichts auf dem Gerät. Das Programm vor dem Schließen kopieren oder herunterladen.",
-    storageFull: "Auf dem Gerät ist kein Platz mehr: Die letzten Änderungen sind nicht gespeichert. Das Programm herunterladen oder auf der Startseite Arbeiten entfernen.",
-    newerWorks: "Einige gespeicherte Arbeiten stammen von einer neueren Ausgabe dieser Seite und sind nicht aufgeführt. Nichts wurde gelöscht.",
+    storageFull:
+      "Auf dem Gerät ist kein Platz mehr: Die letzten Änderungen sind nicht gespeichert. Das Programm herunterladen oder auf der "
+      + "Startseite Arbeiten entfernen.",
+    newerWorks:
+      "Einige gespeicherte Arbeiten stammen von einer neueren Ausgabe dieser Seite und sind nicht aufgeführt. Nichts wurde gelöscht.",
     downloadUnkept: "Programm herunterladen",
     copyOfOtherTab: "Diese Arbeit ist in einem anderen Tab offen. Hier wird eine Kopie bearbeitet; beide bleiben erhalten.",
     linkDamaged: "Der Link enthält kein lesbares Programm.",
@@ -109,7 +113,8 @@ export const page = {
     fileTooLarge: "Die Datei ist größer als 20 MB und wurde nicht geöffnet. Die eigene Arbeit ist unverändert.",
     fileUnreadable: "Die Datei war nicht lesbar und wurde nicht geöffnet. Die eigene Arbeit ist unverändert.",
     engineFailed: "Die Berechnung ist stehen geblieben und wurde neu gestartet. Die Werte sind sicher.",
-    toolsDamaged: "Die gespeicherte Werkzeugtabelle ließ sich nicht lesen. Sie wurde beiseitegelegt; es gelten die mitgelieferten Werkzeuge.",
+    toolsDamaged:
+      "Die gespeicherte Werkzeugtabelle ließ sich nicht lesen. Sie wurde beiseitegelegt; es gelten die mitgelieferten Werkzeuge.",
     toolsNotKept: "Dieser Browser speichert die Werkzeugtabelle nicht auf dem Gerät. Vor dem Schließen der Seite exportieren.",
     crashTitle: "Auf dieser Seite ist etwas schiefgegangen",
     crash: "Die Arbeit ist auf diesem Gerät gespeichert.",

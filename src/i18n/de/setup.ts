@@ -55,5 +55,10 @@ export const setup = {
     rapid: "Eilgang (nur für die Zeit)",
   },
   units: { diameter: "mm ⌀", mm: "mm", rpm: "1/min", cuttingSpeed: "m/min", perMinute: "mm/min" },
-  wrong: { missing: "Wert eingeben.", notANumber: "Das ist keine Zahl.", negative: "Der Wert muss 0 oder größer sein.", positive: "Der Wert muss größer als 0 sein." },
+  wrong: {
+    missing: "Wert eingeben.",
+    notANumber: "Das ist keine Zahl.",
+    negative: "Der Wert muss 0 oder größer sein.",
+    positive: "Der Wert muss größer als 0 sein.",
+  },
 } satisfies SetupTexts;

@@ -15,16 +15,44 @@ export const approach = {
   parameter: "A Q parameter without a value yet: the picture waits for it.",
   /* one prompt each */
   words: {
-    X: { label: "point", prompt: "X of the contour point?", about: "APPR: the first contour point PA. DEP LCT: the end point PN outside the contour." },
-    Y: { label: "point", prompt: "Y of the contour point?", about: "APPR: the first contour point PA. DEP LCT: the end point PN outside the contour." },
-    Z: { label: "tool axis", prompt: "Depth or height in the tool axis?", about: "Left out, the tool stays at its height. TNC 640 moves in the plane first, TNC7 in all axes at once." },
-    turningZ: { label: "point", prompt: "Z of the contour point?", about: "APPR: the first contour point PA. DEP LCT: the end point PN outside the contour." },
+    X: {
+      label: "point",
+      prompt: "X of the contour point?",
+      about: "APPR: the first contour point PA. DEP LCT: the end point PN outside the contour.",
+    },
+    Y: {
+      label: "point",
+      prompt: "Y of the contour point?",
+      about: "APPR: the first contour point PA. DEP LCT: the end point PN outside the contour.",
+    },
+    Z: {
+      label: "tool axis",
+      prompt: "Depth or height in the tool axis?",
+      about: "Left out, the tool stays at its height. TNC 640 moves in the plane first, TNC7 in all axes at once.",
+    },
+    turningZ: {
+      label: "point",
+      prompt: "Z of the contour point?",
+      about: "APPR: the first contour point PA. DEP LCT: the end point PN outside the contour.",
+    },
     PR: { label: "polar radius", prompt: "Distance from the pole CC?", about: "The pole is the CC block before." },
     PA: { label: "polar angle", prompt: "Angle round the pole CC?", about: "Counted from the first axis, counter-clockwise positive." },
-    LEN: { label: "length", prompt: "Length of the straight piece?", about: "From the auxiliary point PH to PA, or from PE to PN. A minus sign takes the other side." },
+    LEN: {
+      label: "length",
+      prompt: "Length of the straight piece?",
+      about: "From the auxiliary point PH to PA, or from PE to PN. A minus sign takes the other side.",
+    },
     CCA: { label: "centre angle", prompt: "Centre angle of the arc?", about: "How far round the arc runs, up to 360°." },
-    R: { label: "radius", prompt: "Radius of the arc?", about: "Radius of the path of the tool centre. In CT a minus sign takes the arc through the side of the contour." },
-    SIDE: { label: "compensation", prompt: "Radius compensation: RL, RR or R0?", about: "RL: the tool runs to the left of the contour, RR: to the right, R0: on the contour itself." },
+    R: {
+      label: "radius",
+      prompt: "Radius of the arc?",
+      about: "Radius of the path of the tool centre. In CT a minus sign takes the arc through the side of the contour.",
+    },
+    SIDE: {
+      label: "compensation",
+      prompt: "Radius compensation: RL, RR or R0?",
+      about: "RL: the tool runs to the left of the contour, RR: to the right, R0: on the contour itself.",
+    },
     F: { label: "feed", prompt: "Feed?", about: "From PH on; with LCT from PS on. FMAX and FAUTO are possible." },
     M: { label: "function", prompt: "Miscellaneous function M?", about: "Several with blanks between them." },
   },
@@ -38,7 +66,14 @@ export const approach = {
   /* the picture */
   picture: (block: string, points: string) => `Drawing of ${block}. ${points}`,
   point: (name: string, where: string) => `${name} at ${where}`,
-  points: { PS: "start point", PH: "auxiliary point", PA: "first contour point", PE: "last contour point", PN: "end point", centre: "centre of the arc" },
+  points: {
+    PS: "start point",
+    PH: "auxiliary point",
+    PA: "first contour point",
+    PE: "last contour point",
+    PN: "end point",
+    centre: "centre of the arc",
+  },
   drag: "Drag a point to change its value; the prompts do the same by keyboard.",
   centreLabel: "C",
   noPicture: "The picture comes as soon as the point is complete and a contour element stands next to the block.",

@@ -51,7 +51,11 @@ export const findings = {
   },
   leaving: {
     title: "This program has faults",
-    lead: (n: number) => (n === 1 ? "It must not run on a machine like this. One fault was found:" : `It must not run on a machine like this. ${n} faults were found:`),
+    lead:
+      (n:
+        number) => (n === 1
+          ? "It must not run on a machine like this. One fault was found:"
+          : `It must not run on a machine like this. ${n} faults were found:`),
     unchecked: "This program is not checked yet",
     uncheckedLead: "The calculation has not ended. Nobody knows whether there are faults in it.",
     go: { copy: "Copy all the same", save: "Save all the same", download: "Download all the same", share: "Share all the same" },
@@ -62,7 +66,8 @@ export const findings = {
   done: {
     contour: "The contour is still missing",
     toContour: "Enter the contour",
-    faults: (n: number) => (n === 1 ? "All prompts are answered, but 1 fault was found" : `All prompts are answered, but ${n} faults were found`),
+    faults:
+      (n: number) => (n === 1 ? "All prompts are answered, but 1 fault was found" : `All prompts are answered, but ${n} faults were found`),
   },
 };
 

@@ -22,7 +22,12 @@ export const lathe = {
   legend: "Lines",
   holder: "Holder",
   lines: {
-    rapid: "Rapid", feed: "Roughing", plunge: "Plunging", smooth: "Smoothing", finish: "Finishing", thread: "Thread",
+    rapid: "Rapid",
+    feed: "Roughing",
+    plunge: "Plunging",
+    smooth: "Smoothing",
+    finish: "Finishing",
+    thread: "Thread",
   },
 
   /* playback */

@@ -1,15 +1,24 @@
 import type { MessagesTexts } from "../message-texts.ts";
 
 /** What a finding offers, where it offers something. */
-const nearest = (value: number | undefined, say: (value: number) => string) => (value === undefined ? "" : ` Nearest value that works: ${say(value)}.`);
+const nearest = (
+  value: number | undefined,
+  say: (value: number) => string,
+) => (value === undefined ? "" : ` Nearest value that works: ${say(value)}.`);
 /** "4 blocks", "1 block". */
 const count = (n: number, one: string, many: string) => `${n} ${n === 1 ? one : many}`;
 
 const reasons: MessagesTexts["reasons"] = {
-  insertRadius: "the insert radius", mainEdge: "the main edge of the insert", secondaryEdge: "the secondary edge of the insert",
-  toolWidth: "the width of the tool", cutLength: "CUTLENGTH", limit: "the machining limit", plunging: "plunging not being allowed",
+  insertRadius: "the insert radius",
+  mainEdge: "the main edge of the insert",
+  secondaryEdge: "the secondary edge of the insert",
+  toolWidth: "the width of the tool",
+  cutLength: "CUTLENGTH",
+  limit: "the machining limit",
+  plunging: "plunging not being allowed",
   oversize: "the oversize",
-  smoothing: "steps between the passes", correction: "the correction of the tool",
+  smoothing: "steps between the passes",
+  correction: "the correction of the tool",
 };
 
 const ELEMENT = { angle: "angle", length: "length", radius: "radius" };
@@ -25,25 +34,36 @@ export const messages = {
     outOfRange: (d, w) => `${w.value(d.value)} is out of range: ${w.value(d.min)} to ${w.value(d.max)}.${nearest(d.nearest, w.value)}`,
     notAChoice: (d, w) => `${w.number(d.value)} is not one of ${d.choices.join(", ")}.${nearest(d.nearest, w.number)}`,
     startEqualsEnd: (d, w) => `Start and end are the same: ${d.other} is ${w.value(d.value)} too.${nearest(d.nearest, w.value)}`,
-    diameterNegative: (d, w) => `${w.value(d.value)} is a diameter on the far side of the axis, where no contour is planned.${nearest(d.nearest, w.value)}`,
-    elementTooLong: (d, w) => `${w.number(d.size)} is longer than the element allows: ${w.number(d.max)} at most.${nearest(d.nearest, w.number)}`,
-    cornersTooWide: (d, w) => `Two corner radii of ${w.number(d.radius)} are wider than the floor: ${w.number(d.max)} at most.${nearest(d.nearest, w.number)}`,
-    wallsMeet: (d, w) => `With ${w.angle(d.angle)} the walls meet above the floor: less than ${w.angle(d.max)}.${nearest(d.nearest, w.angle)}`,
+    diameterNegative: (d, w) =>
+      `${w.value(d.value)} is a diameter on the far side of the axis, where no contour is planned.${nearest(d.nearest, w.value)}`,
+    elementTooLong: (d, w) =>
+      `${w.number(d.size)} is longer than the element allows: ${w.number(d.max)} at most.${nearest(d.nearest, w.number)}`,
+    cornersTooWide: (d, w) =>
+      `Two corner radii of ${w.number(d.radius)} are wider than the floor: ${w.number(d.max)} at most.${nearest(d.nearest, w.number)}`,
+    wallsMeet: (d, w) =>
+      `With ${w.angle(d.angle)} the walls meet above the floor: less than ${w.angle(d.max)}.${nearest(d.nearest, w.angle)}`,
     cornerSmallerThanInsert: (d, w) =>
-      `Corner radius ${w.number(d.radius)} is smaller than the insert's ${w.number(d.insert)}: the corner will keep ${w.number(d.insert)}.${nearest(d.nearest, w.number)}`,
+      `Corner radius ${w.number(d.radius)} is smaller than the insert's ${w.number(d.insert)}: the corner will `
+      + `keep ${w.number(d.insert)}.${nearest(d.nearest, w.number)}`,
     recessNarrowerThanTool: (d, w) =>
       `The floor of the recess is ${w.number(d.width)} wide, tool and oversize need ${w.number(d.tool)}.${nearest(d.nearest, w.value)}`,
     angleNotFollowed: (d, w) =>
-      `The tool cannot follow ${w.angle(d.angle)}: ${reasons[d.edge]} allows ${w.angle(d.max)}, material stays.${nearest(d.nearest, w.angle)}`,
+      `The tool cannot follow ${w.angle(d.angle)}: ${reasons[d.edge]} allows ${w.angle(d.max)}, material stays.`
+      + `${nearest(d.nearest, w.angle)}`,
     tooManyPasses: (d, w) => `${d.passes} passes are more than ${d.most}.${nearest(d.nearest, w.number)}`,
     infeedOverCutLength: (d, w) =>
       `Infeed ${w.number(d.infeed)} is more than CUTLENGTH ${w.number(d.cutLength)}: it is reduced to ${w.number(d.cutLength)}.`,
-    depthOverCutLength: (d, w) => `Depth ${w.number(d.depth)} is more than CUTLENGTH ${w.number(d.cutLength)}: the rest stays.${nearest(d.nearest, w.value)}`,
+    depthOverCutLength: (d, w) =>
+      `Depth ${w.number(d.depth)} is more than CUTLENGTH ${w.number(d.cutLength)}: the rest stays.${nearest(d.nearest, w.value)}`,
     offsetReduced: (d, w) =>
-      `Offset ${w.number(d.offset)} is reduced to ${w.number(d.kept)}: ${count(d.passes, "pass shares", "passes share")} 80 % of the effective width.`,
+      `Offset ${w.number(d.offset)} is reduced to ${w.number(d.kept)}: `
+      + `${count(d.passes, "pass shares", "passes share")} 80 % of the effective width.`,
     offsetOverLimit: (d, w) =>
-      `The side offset of ${count(d.passes, "pass", "passes")} adds up to ${w.number(d.offset)}; 80 % of the effective width is ${w.number(d.max)}.${nearest(d.nearest, w.number)}`,
-    toolUnfit: (d) => `A ${d.type} tool with tip orientation ${d.orientation} cannot do this. Take ${d.types.join(" or ")} with orientation ${d.orientations.join(", ")}.`,
+      `The side offset of ${count(d.passes, "pass", "passes")} adds up to ${w.number(d.offset)}; 80 % of the `
+      + `effective width is ${w.number(d.max)}.${nearest(d.nearest, w.number)}`,
+    toolUnfit: (d) =>
+      `A ${d.type} tool with tip orientation ${d.orientation} cannot do this. Take ${d.types.join(" or ")} with `
+      + `orientation ${d.orientations.join(", ")}.`,
     toolCannotCutSideways: (d) => `A ${d.type} tool only plunges, this cycle also cuts sideways. Take a RECTURN tool.`,
     flanksNotChecked: () => "T-ANGLE or P-ANGLE is empty: the flanks of the insert are not checked.",
     toolColumn: (d, w) => {
@@ -55,54 +75,85 @@ export const messages = {
     toolNumberTwice: (d) => `Tool ${d.number} stands in the table already.${nearest(d.nearest, String)}`,
     toolName: (d, w) => `“${w.text(d.text)}”: a name has at most ${d.max} characters: capital letters, digits and # $ % & , - . only.`,
     holderAxis: (d, w) => `“${w.text(d.text)}”: the shank lies along X or along Z.`,
-    holderHead: (d, w) => `“${w.text(d.text)}” is no outline. Each corner is Z/X from the tip, blanks between corners, a semicolon between parts; a part needs three corners.`,
+    holderHead: (d, w) =>
+      `“${w.text(d.text)}” is no outline. Each corner is Z/X from the tip, blanks between corners, a semicolon `
+      + "between parts; a part needs three corners.",
     betterTool: (d) => `Tool ${d.tool} ${d.name} can make this contour.`,
     startInArea: (d, w) => `The start point ${w.place(d.x, d.z)} lies in the area to be cut: the tool first moves to the set-up clearance.`,
     startInMaterial: (d, w) => `The start point ${w.place(d.x, d.z)} stands in the material.`,
     startBelowContour: (d, w) => `The start point lies ${w.number(d.below)} mm below the contour start: the tool first moves up to it.`,
-    startInPart: (d, w) => `The start point lies inside the finished part: nothing is cut from there. A start point that works: ${w.place(d.x, d.z)}.`,
-    insertAcrossAxis: (d, w) => `The insert reaches ${w.number(d.reach)} mm across the axis and cuts into the finished part there.${d.nearest === undefined ? " It is too long for this bore." : ` From a start point at X${w.diameter(d.nearest)} on it stays clear.`}`,
-    startOnWrongSide: (d, w) => `The contour runs towards the start point: nothing is cut from there. A start point that works: ${w.place(d.x, d.z)}.`,
+    startInPart: (d, w) =>
+      `The start point lies inside the finished part: nothing is cut from there. A start point that works: ${w.place(d.x, d.z)}.`,
+    insertAcrossAxis: (d, w) =>
+      `The insert reaches ${w.number(d.reach)} mm across the axis and cuts into the finished part there.`
+      + (d.nearest === undefined
+        ? " It is too long for this bore."
+        : ` From a start point at X${w.diameter(d.nearest)} on it stays clear.`),
+    startOnWrongSide: (d, w) =>
+      `The contour runs towards the start point: nothing is cut from there. A start point that works: ${w.place(d.x, d.z)}.`,
     startInsideEnvelope: (d, w) =>
-      `The start point is nearer to the contour than the clearance of ${w.number(d.clearance)}: the tool goes straight to the contour at the finishing feed.`,
-    limitOnWrongSide: (d, w) => `With the limit ${w.value(d.limit)} nothing is cut on the side where the tool stands.${nearest(d.nearest, w.value)}`,
+      `The start point is nearer to the contour than the clearance of ${w.number(d.clearance)}: the tool goes `
+      + "straight to the contour at the finishing feed.",
+    limitOnWrongSide: (d, w) =>
+      `With the limit ${w.value(d.limit)} nothing is cut on the side where the tool stands.${nearest(d.nearest, w.value)}`,
     nothingToCut: () => "Between start point and contour there is nothing to cut.",
     contourMissing: (d, w) => (d.label === "" ? "The contour is missing." : `The contour LBL ${w.text(d.label)} does not exist.`),
     contourTooShort: () => "A contour needs at least two different points.",
     contourFlat: (d) => `Start and end of the contour have the same ${d.axis}: there is nothing between them to cut.`,
     contourPoint: (d) => `Element ${d.element}: the end point is missing or cannot be reached.`,
-    cornerElementAlone: (d) => `Element ${d.element}: a chamfer or rounding needs an element before and behind it; a chamfer needs two lines.`,
+    cornerElementAlone: (d) =>
+      `Element ${d.element}: a chamfer or rounding needs an element before and behind it; a chamfer needs two lines.`,
     cornerElementTooLong: (d, w) =>
-      `Element ${d.element}: ${w.number(d.size)} does not fit between its neighbours: ${w.number(d.max)} at most.${nearest(d.nearest, w.number)}`,
-    arcOffCircle: (d, w) => `Element ${d.element}: the end point misses its circle by ${w.number(d.gap)}.${d.nearest === undefined ? "" : ` Radius that works: ${w.number(d.nearest)}.`}`,
-    arcTooSmall: (d, w) => `Element ${d.element}: radius ${w.number(d.radius)} is too small for its end point.${nearest(d.nearest, w.number)}`,
-    elementFree: (d) => (d.freedom === 1 ? `Element ${d.element}: one more value is needed.` : `Element ${d.element}: ${d.freedom} more values are needed.`),
-    elementContradicts: (d, w) => (d.quantity === "tangent"
+      `Element ${d.element}: ${w.number(d.size)} does not fit between its neighbours: ${w.number(d.max)} at `
+      + `most.${nearest(d.nearest, w.number)}`,
+    arcOffCircle: (d, w) =>
+      `Element ${d.element}: the end point misses its circle by ${w.number(d.gap)}.`
+      + (d.nearest === undefined ? "" : ` Radius that works: ${w.number(d.nearest)}.`),
+    arcTooSmall: (d, w) =>
+      `Element ${d.element}: radius ${w.number(d.radius)} is too small for its end point.${nearest(d.nearest, w.number)}`,
+    elementFree:
+      (d) => (d.freedom === 1
+        ? `Element ${d.element}: one more value is needed.`
+        : `Element ${d.element}: ${d.freedom} more values are needed.`),
+    elementContradicts: (
+      d,
+      w,
+    ) => (d.quantity === "tangent"
       ? `Element ${d.element} does not leave the one before it tangentially; it is off by ${w.number(d.nearest)}°.`
-      : `Element ${d.element}: the ${ELEMENT[d.quantity]} ${w.number(d.given)} does not agree with the other values; ${w.number(d.nearest)} does.`),
+      : `Element ${d.element}: the ${ELEMENT[d.quantity]} ${w.number(d.given)} does not agree with the other `
+        + `values; ${w.number(d.nearest)} does.`),
     elementUnreachable: (d) => `Element ${d.element}: with this length, radius or angle it does not reach its neighbour.`,
     centreMissing: (d) => `Element ${d.element}: its centre is missing; put CC before it.`,
     contourCrossesItself: (d) => `Element ${d.element} crosses element ${d.other}.`,
-    toolRadiusTooLarge: (d, w) => `Element ${d.element}: a tool radius of ${w.number(d.radius)} does not fit.${nearest(d.nearest, w.number)}`,
+    toolRadiusTooLarge: (d, w) =>
+      `Element ${d.element}: a tool radius of ${w.number(d.radius)} does not fit.${nearest(d.nearest, w.number)}`,
     approachNeedsSide: () => "CT needs RL or RR: with R0 the control stops here.",
     approachSideAssumed: () => "R0 names no side: the tool is taken to come from the left of the contour. Verify on your control.",
     approachInsideCircle: (d, w) =>
       `${d.point} lies inside the circle of R ${w.number(d.radius)}: no line from there touches it.${nearest(d.nearest, w.number)}`,
     approachCutsContour: (d, w) =>
-      `Between ${d.point} and the contour the tool cuts ${w.number(d.depth)} mm into it at ${w.spot(d.x, d.y, d.z)}; the control does not check this. Free ${d.point}: ${w.spot(d.freeX, d.freeY, d.freeZ)}.`,
+      `Between ${d.point} and the contour the tool cuts ${w.number(d.depth)} mm into it at ${w.spot(d.x, d.y, d.z)}`
+      + `; the control does not check this. Free ${d.point}: ${w.spot(d.freeX, d.freeY, d.freeZ)}.`,
     approachValueCutsContour: (d, w) =>
-      `Between ${d.point} and the contour the tool cuts ${w.number(d.depth)} mm into it at ${w.spot(d.x, d.y, d.z)}; the control does not check this. Free with ${d.word} ${w.number(d.nearest)}.`,
+      `Between ${d.point} and the contour the tool cuts ${w.number(d.depth)} mm into it at ${w.spot(d.x, d.y, d.z)}`
+      + `; the control does not check this. Free with ${d.word} ${w.number(d.nearest)}.`,
     approachBlocked: (d, w) =>
-      `Between ${d.point} and the contour the tool cuts ${w.number(d.depth)} mm into it at ${w.spot(d.x, d.y, d.z)}; the control does not check this.`,
-    undercutNeighbours: (d) => `Element ${d.element}: an undercut needs a cylinder parallel to the axis and a face square to it; a recess needs a straight element of its direction.`,
+      `Between ${d.point} and the contour the tool cuts ${w.number(d.depth)} mm into it at ${w.spot(d.x, d.y, d.z)}`
+      + "; the control does not check this.",
+    undercutNeighbours: (d) =>
+      `Element ${d.element}: an undercut needs a cylinder parallel to the axis and a face square to it; a recess needs a `
+      + "straight element of its direction.",
     recessWord: (d) => `Element ${d.element}: ${d.word} is missing or makes no possible shape.`,
     undercutDefaults: (d) => `Element ${d.element}: ${d.words} taken from the standard as recalled; write the words to be sure.`,
     materialLeft: (d, w) => `${w.area(d.area)} stay at ${w.place(d.x, d.z)}, left by ${reasons[d.reason]}.`,
     gouge: (d, w) => `${w.area(d.area)} of the finished part are cut away at ${w.place(d.x, d.z)}.`,
     rapidInStock: (d, w) => `A rapid runs through ${w.area(d.area)} of material at ${w.place(d.x, d.z)}.`,
     holderContact: (d, w) => `The holder touches material at ${w.place(d.x, d.z)}.`,
-    contactsUnlooked: (d) => `${d.limit} moves cut the part, ran into material or touched it with the holder: from here on moves were not looked at for that.`,
-    deeperThanInfeed: (d, w) => `${d.pass === undefined ? "A smoothing or finishing cut" : `Pass ${w.number(d.pass)}`} takes ${w.number(d.depth)} mm of stock at once; ${w.number(d.allowed)} mm are allowed.`,
+    contactsUnlooked: (d) =>
+      `${d.limit} moves cut the part, ran into material or touched it with the holder: from here on moves were not looked at for that.`,
+    deeperThanInfeed: (d, w) =>
+      "" + (d.pass === undefined ? "A smoothing or finishing cut" : `Pass ${w.number(d.pass)}`)
+      + ` takes ${w.number(d.depth)} mm of stock at once; ${w.number(d.allowed)} mm are allowed.`,
     nothingCut: () => "This operation removes no stock.",
     airPasses: (d) => `${count(d.count, "roughing pass touches", "roughing passes touch")} no stock.`,
 
@@ -138,7 +189,8 @@ export const messages = {
     labelTwice: (d, w) => `LBL ${w.text(d.label)} stands twice in the program.`,
     labelNotClosed: (d, w) => `LBL ${w.text(d.label)} is not closed by LBL 0.`,
     contourNotNamed: (d) => `Cycle ${d.cycle} needs cycle 14 with its contour before the call.`,
-    contourInFile: (d, w) => `The contour is in the file ${w.text(d.file)}, which is not at hand: put it into a label and name it with cycle 14.`,
+    contourInFile: (d, w) =>
+      `The contour is in the file ${w.text(d.file)}, which is not at hand: put it into a label and name it with cycle 14.`,
     feedMissing: () => "No feed is programmed.",
     spindleMissing: () => "No spindle speed is programmed; times are missing.",
     parameterUnset: (d) => `${d.name} has no value here.`,
@@ -155,7 +207,9 @@ export const messages = {
     radiusCompensation: (d) => `${d.side} is read, but the path is not compensated.`,
     sideChanged: () => "Between RL and RR the control needs a block with R0.",
     approachWithoutContour: (d) => `${d.form} needs a contour element next to it.`,
-    lengthDelta: (d) => `DZL and DXL of tool ${d.tool}: the control adds them to the tool lengths. The tip stays on the path; neither path nor stock changes.`,
+    lengthDelta: (d) =>
+      `DZL and DXL of tool ${d.tool}: the control adds them to the tool lengths. The tip stays on the path; neither path nor `
+      + "stock changes.",
     toolRadiusUnknown: (d, w) => `The radius of tool ${w.text(d.tool)} is not known: the path is calculated with radius 0.`,
     wordsRecalled: (d, w) => `${w.text(d.what)}: its words are recalled, not checked against a printed page. Verify on your control.`,
     programEndMissing: () => "M30 or M2 is missing at the end of the main program.",

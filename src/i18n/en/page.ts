@@ -71,7 +71,6 @@ export const page = {
     duration: (minutes: number, seconds: string) => (minutes > 0 ? `${minutes} min ${seconds} s` : `${seconds} s`),
   },
 
-
   text: {
     title: "Program text",
     name: "Program name",

@@ -6,7 +6,14 @@ export const setup = {
     title: "Tool",
     list: "Turning tools",
     name: (number: number, name: string) => `Tool ${number} ${name}`,
-    types: { ROUGH: "roughing", FINISH: "finishing", RECESS: "recessing", RECTURN: "recess turning", BUTTON: "button", THREAD: "threading" },
+    types: {
+      ROUGH: "roughing",
+      FINISH: "finishing",
+      RECESS: "recessing",
+      RECTURN: "recess turning",
+      BUTTON: "button",
+      THREAD: "threading",
+    },
     radius: (value: string) => `nose ${value}`,
     width: (value: string) => `width ${value}`,
     angles: (setting: string, point: string) => `${setting}° / ${point}°`,
@@ -55,7 +62,12 @@ export const setup = {
     rapid: "Rapid rate (for the time only)",
   },
   units: { diameter: "mm ⌀", mm: "mm", rpm: "rpm", cuttingSpeed: "m/min", perMinute: "mm/min" },
-  wrong: { missing: "Enter a value.", notANumber: "This is not a number.", negative: "The value must be 0 or more.", positive: "The value must be more than 0." },
+  wrong: {
+    missing: "Enter a value.",
+    notANumber: "This is not a number.",
+    negative: "The value must be 0 or more.",
+    positive: "The value must be more than 0.",
+  },
 };
 
 export type SetupTexts = Shape<typeof setup>;

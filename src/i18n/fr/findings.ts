@@ -50,7 +50,10 @@ export const findings = {
   },
   leaving: {
     title: "Ce programme a des défauts",
-    lead: (n) => (n === 1 ? "Il ne doit pas tourner ainsi sur une machine. Un défaut a été trouvé :" : `Il ne doit pas tourner ainsi sur une machine. ${n} défauts ont été trouvés :`),
+    lead:
+      (n) => (n === 1
+        ? "Il ne doit pas tourner ainsi sur une machine. Un défaut a été trouvé :"
+        : `Il ne doit pas tourner ainsi sur une machine. ${n} défauts ont été trouvés :`),
     unchecked: "Ce programme n’est pas encore contrôlé",
     uncheckedLead: "Le calcul n’est pas terminé. Personne ne sait s’il contient des défauts.",
     go: { copy: "Copier quand même", save: "Enregistrer quand même", download: "Télécharger quand même", share: "Partager quand même" },
@@ -61,6 +64,9 @@ export const findings = {
   done: {
     contour: "Le contour manque encore",
     toContour: "Saisir le contour",
-    faults: (n) => (n === 1 ? "Toutes les réponses y sont, mais 1 défaut a été trouvé" : `Toutes les réponses y sont, mais ${n} défauts ont été trouvés`),
+    faults:
+      (n) => (n === 1
+        ? "Toutes les réponses y sont, mais 1 défaut a été trouvé"
+        : `Toutes les réponses y sont, mais ${n} défauts ont été trouvés`),
   },
 } satisfies FindingsTexts;

@@ -4,7 +4,8 @@ export const lathe = {
   title: "Vue du tour",
   picture: (state) => `Coupe de la pièce, Z vers la droite. ${state}`,
   pictureEmpty: "Pas encore de trajectoire",
-  keys: "Espace lance ou met en pause, les flèches avancent d’un déplacement, Début et Fin vont aux extrémités, plus et moins zooment, 0 ajuste.",
+  keys: "Espace lance ou met en pause, les flèches avancent d’un déplacement, Début et Fin vont aux extrémités, plus et moins "
+    + "zooment, 0 ajuste.",
   outdated: "Dernière image possible",
 
   viewTools: "Vue",
@@ -20,7 +21,12 @@ export const lathe = {
   legend: "Traits",
   holder: "Porte-outil",
   lines: {
-    rapid: "Rapide", feed: "Ébauche", plunge: "Plongée", smooth: "Lissage", finish: "Finition", thread: "Filetage",
+    rapid: "Rapide",
+    feed: "Ébauche",
+    plunge: "Plongée",
+    smooth: "Lissage",
+    finish: "Finition",
+    thread: "Filetage",
   },
 
   playback: "Lecture",
@@ -59,7 +65,6 @@ export const lathe = {
   deltaX: "ΔX ⌀",
   deltaZ: "ΔZ",
   distance: "Distance",
-
 
   moves: (count) => `Déplacements (${count})`,
   move: "N°",

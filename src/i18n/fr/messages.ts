@@ -1,13 +1,23 @@
 import type { MessagesTexts } from "../message-texts.ts";
 
 /** What a finding offers, where it offers something. */
-const nearest = (value: number | undefined, say: (value: number) => string) => (value === undefined ? "" : ` Valeur possible la plus proche : ${say(value)}.`);
+const nearest = (
+  value: number | undefined,
+  say: (value: number) => string,
+) => (value === undefined ? "" : ` Valeur possible la plus proche : ${say(value)}.`);
 const count = (n: number, one: string, many: string) => `${n} ${n < 2 ? one : many}`;
 
 const reasons: MessagesTexts["reasons"] = {
-  insertRadius: "rayon de plaquette", mainEdge: "arête principale", secondaryEdge: "arête secondaire", toolWidth: "largeur de l'outil",
-  cutLength: "CUTLENGTH", limit: "limite d'usinage", plunging: "plongée non autorisée", oversize: "surépaisseur",
-  smoothing: "marches entre les passes", correction: "correction de l'outil",
+  insertRadius: "rayon de plaquette",
+  mainEdge: "arête principale",
+  secondaryEdge: "arête secondaire",
+  toolWidth: "largeur de l'outil",
+  cutLength: "CUTLENGTH",
+  limit: "limite d'usinage",
+  plunging: "plongée non autorisée",
+  oversize: "surépaisseur",
+  smoothing: "marches entre les passes",
+  correction: "correction de l'outil",
 };
 
 const ELEMENT = { angle: "angle", length: "longueur", radius: "rayon" };
@@ -23,86 +33,133 @@ export const messages = {
     outOfRange: (d, w) => `${w.value(d.value)} est hors de la plage ${w.value(d.min)} à ${w.value(d.max)}.${nearest(d.nearest, w.value)}`,
     notAChoice: (d, w) => `${w.number(d.value)} n'est pas un des choix ${d.choices.join(", ")}.${nearest(d.nearest, w.number)}`,
     startEqualsEnd: (d, w) => `Départ et fin sont identiques : ${d.other} vaut aussi ${w.value(d.value)}.${nearest(d.nearest, w.value)}`,
-    diameterNegative: (d, w) => `${w.value(d.value)} est un diamètre au-delà de l'axe, où aucun contour n'est calculé.${nearest(d.nearest, w.value)}`,
-    elementTooLong: (d, w) => `${w.number(d.size)} est plus long que l'élément ne le permet : ${w.number(d.max)} au plus.${nearest(d.nearest, w.number)}`,
-    cornersTooWide: (d, w) => `Deux rayons de coin de ${w.number(d.radius)} dépassent la largeur du fond : ${w.number(d.max)} au plus.${nearest(d.nearest, w.number)}`,
-    wallsMeet: (d, w) => `Avec ${w.angle(d.angle)}, les flancs se rejoignent au-dessus du fond : moins de ${w.angle(d.max)}.${nearest(d.nearest, w.angle)}`,
+    diameterNegative: (d, w) =>
+      `${w.value(d.value)} est un diamètre au-delà de l'axe, où aucun contour n'est calculé.${nearest(d.nearest, w.value)}`,
+    elementTooLong: (d, w) =>
+      `${w.number(d.size)} est plus long que l'élément ne le permet : ${w.number(d.max)} au plus.${nearest(d.nearest, w.number)}`,
+    cornersTooWide: (d, w) =>
+      `Deux rayons de coin de ${w.number(d.radius)} dépassent la largeur du fond : ${w.number(d.max)} au plus.`
+      + `${nearest(d.nearest, w.number)}`,
+    wallsMeet: (d, w) =>
+      `Avec ${w.angle(d.angle)}, les flancs se rejoignent au-dessus du fond : moins de ${w.angle(d.max)}.${nearest(d.nearest, w.angle)}`,
     cornerSmallerThanInsert: (d, w) =>
-      `Le rayon de coin ${w.number(d.radius)} est inférieur à celui de la plaquette, ${w.number(d.insert)} : le coin gardera ${w.number(d.insert)}.${nearest(d.nearest, w.number)}`,
+      `Le rayon de coin ${w.number(d.radius)} est inférieur à celui de la plaquette, ${w.number(d.insert)} : le `
+      + `coin gardera ${w.number(d.insert)}.${nearest(d.nearest, w.number)}`,
     recessNarrowerThanTool: (d, w) =>
-      `Le fond de la gorge est large de ${w.number(d.width)}, l'outil et la surépaisseur demandent ${w.number(d.tool)}.${nearest(d.nearest, w.value)}`,
+      `Le fond de la gorge est large de ${w.number(d.width)}, l'outil et la surépaisseur demandent `
+      + `${w.number(d.tool)}.${nearest(d.nearest, w.value)}`,
     angleNotFollowed: (d, w) =>
-      `L'outil ne peut pas suivre ${w.angle(d.angle)} : l'${reasons[d.edge]} permet ${w.angle(d.max)}, de la matière reste.${nearest(d.nearest, w.angle)}`,
+      `L'outil ne peut pas suivre ${w.angle(d.angle)} : l'${reasons[d.edge]} permet ${w.angle(d.max)}, de la `
+      + `matière reste.${nearest(d.nearest, w.angle)}`,
     tooManyPasses: (d, w) => `${d.passes} passes, c’est plus que ${d.most}.${nearest(d.nearest, w.number)}`,
     infeedOverCutLength: (d, w) =>
       `La passe ${w.number(d.infeed)} dépasse CUTLENGTH ${w.number(d.cutLength)} : elle est réduite à ${w.number(d.cutLength)}.`,
-    depthOverCutLength: (d, w) => `La profondeur ${w.number(d.depth)} dépasse CUTLENGTH ${w.number(d.cutLength)} : le reste demeure.${nearest(d.nearest, w.value)}`,
+    depthOverCutLength: (d, w) =>
+      `La profondeur ${w.number(d.depth)} dépasse CUTLENGTH ${w.number(d.cutLength)} : le reste demeure.${nearest(d.nearest, w.value)}`,
     offsetReduced: (d, w) =>
-      `Le décalage ${w.number(d.offset)} est réduit à ${w.number(d.kept)} : ${count(d.passes, "passe se partage", "passes se partagent")} 80 % de la largeur effective.`,
+      `Le décalage ${w.number(d.offset)} est réduit à ${w.number(d.kept)} : `
+      + `${count(d.passes, "passe se partage", "passes se partagent")} 80 % de la largeur effective.`,
     offsetOverLimit: (d, w) =>
-      `Le décalage latéral de ${count(d.passes, "passe", "passes")} atteint ${w.number(d.offset)} ; 80 % de la largeur effective font ${w.number(d.max)}.${nearest(d.nearest, w.number)}`,
-    toolUnfit: (d) => `Un outil ${d.type} d’orientation ${d.orientation} ne convient pas. Prendre ${d.types.join(" ou ")} avec l’orientation ${d.orientations.join(", ")}.`,
+      `Le décalage latéral de ${count(d.passes, "passe", "passes")} atteint ${w.number(d.offset)} ; 80 % de la `
+      + `largeur effective font ${w.number(d.max)}.${nearest(d.nearest, w.number)}`,
+    toolUnfit: (d) =>
+      `Un outil ${d.type} d’orientation ${d.orientation} ne convient pas. Prendre ${d.types.join(" ou ")} avec `
+      + `l’orientation ${d.orientations.join(", ")}.`,
     toolCannotCutSideways: (d) => `Un outil ${d.type} ne fait que plonger, ce cycle coupe aussi latéralement. Prendre un outil RECTURN.`,
     flanksNotChecked: () => "T-ANGLE ou P-ANGLE est vide : les flancs de la plaquette ne sont pas contrôlés.",
     toolColumn: (d, w) => {
       const what = d.value === null ? `${d.column} manque ou n'est pas un nombre.` : `${d.column} ${w.value(d.value)} n'est pas possible.`;
       if (d.min !== undefined && d.max !== undefined) return `${what} Permis : ${w.value(d.min)} à ${w.value(d.max)}.`;
-      if (d.min !== undefined) return `${what} La valeur doit être ${d.column === "CUTWIDTH" ? "supérieure à" : "au moins"} ${w.value(d.min)}.`;
+      if (d.min !== undefined)
+        return `${what} La valeur doit être ${d.column === "CUTWIDTH" ? "supérieure à" : "au moins"} ${w.value(d.min)}.`;
       return d.max === undefined ? what : `${what} La valeur doit être inférieure à ${w.value(d.max)}.`;
     },
     toolNumberTwice: (d) => `L'outil ${d.number} est déjà dans le tableau.${nearest(d.nearest, String)}`,
     toolName: (d, w) => `« ${w.text(d.text)} » : un nom a au plus ${d.max} caractères, en majuscules, chiffres et # $ % & , - . seulement.`,
     holderAxis: (d, w) => `« ${w.text(d.text)} » : le corps est placé suivant X ou suivant Z.`,
-    holderHead: (d, w) => `« ${w.text(d.text)} » n’est pas un contour. Chaque coin s’écrit Z/X depuis la pointe, avec un espace entre les coins et un point-virgule entre les parties ; une partie a au moins trois coins.`,
+    holderHead: (d, w) =>
+      `« ${w.text(d.text)} » n’est pas un contour. Chaque coin s’écrit Z/X depuis la pointe, avec un espace `
+      + "entre les coins et un point-virgule entre les parties ; une partie a au moins trois coins.",
     betterTool: (d) => `L'outil ${d.tool} ${d.name} peut réaliser ce contour.`,
-    startInArea: (d, w) => `Le point de départ ${w.place(d.x, d.z)} est dans la zone à usiner : l'outil va d'abord à la distance d'approche.`,
+    startInArea: (d, w) =>
+      `Le point de départ ${w.place(d.x, d.z)} est dans la zone à usiner : l'outil va d'abord à la distance d'approche.`,
     startInMaterial: (d, w) => `Le point de départ ${w.place(d.x, d.z)} est dans la matière.`,
     startBelowContour: (d, w) => `Le point de départ est ${w.number(d.below)} mm sous le début du contour : l’outil s’y rend d’abord.`,
-    startInPart: (d, w) => `Le point de départ est dans la pièce finie : rien n’est usiné de là. Un point de départ possible : ${w.place(d.x, d.z)}.`,
-    insertAcrossAxis: (d, w) => `La plaquette dépasse l’axe de ${w.number(d.reach)} mm et y entame la pièce finie.${d.nearest === undefined ? " Elle est trop longue pour cet alésage." : ` Avec un point de départ à partir de X${w.diameter(d.nearest)}, elle reste dégagée.`}`,
-    startOnWrongSide: (d, w) => `Le contour se dirige vers le point de départ : rien n’est usiné de ce côté. Un point de départ possible : ${w.place(d.x, d.z)}.`,
+    startInPart: (d, w) =>
+      `Le point de départ est dans la pièce finie : rien n’est usiné de là. Un point de départ possible : ${w.place(d.x, d.z)}.`,
+    insertAcrossAxis: (d, w) =>
+      `La plaquette dépasse l’axe de ${w.number(d.reach)} mm et y entame la pièce finie.`
+      + (d.nearest === undefined
+        ? " Elle est trop longue pour cet alésage."
+        : ` Avec un point de départ à partir de X${w.diameter(d.nearest)}, elle reste dégagée.`),
+    startOnWrongSide: (d, w) =>
+      `Le contour se dirige vers le point de départ : rien n’est usiné de ce côté. Un point de départ possible : ${w.place(d.x, d.z)}.`,
     startInsideEnvelope: (d, w) =>
-      `Le point de départ est plus près du contour que la distance ${w.number(d.clearance)} : l'outil va droit au contour à l'avance de finition.`,
+      `Le point de départ est plus près du contour que la distance ${w.number(d.clearance)} : l'outil va droit `
+      + "au contour à l'avance de finition.",
     limitOnWrongSide: (d, w) => `Avec la limite ${w.value(d.limit)}, rien n'est usiné du côté de l'outil.${nearest(d.nearest, w.value)}`,
     nothingToCut: () => "Entre le point de départ et le contour, il n'y a rien à usiner.",
     contourMissing: (d, w) => (d.label === "" ? "Le contour manque." : `Le contour LBL ${w.text(d.label)} n'existe pas.`),
     contourTooShort: () => "Un contour demande au moins deux points différents.",
     contourFlat: (d) => `Début et fin du contour ont le même ${d.axis} : il n'y a rien à usiner entre eux.`,
     contourPoint: (d) => `Élément ${d.element} : le point final manque ou ne peut pas être atteint.`,
-    cornerElementAlone: (d) => `Élément ${d.element} : un chanfrein ou un arrondi demande un élément avant et après, un chanfrein deux droites.`,
+    cornerElementAlone: (d) =>
+      `Élément ${d.element} : un chanfrein ou un arrondi demande un élément avant et après, un chanfrein deux droites.`,
     cornerElementTooLong: (d, w) =>
-      `Élément ${d.element} : ${w.number(d.size)} ne tient pas entre ses voisins : ${w.number(d.max)} au plus.${nearest(d.nearest, w.number)}`,
-    arcOffCircle: (d, w) => `Élément ${d.element} : le point final manque son cercle de ${w.number(d.gap)}.${d.nearest === undefined ? "" : ` Rayon possible : ${w.number(d.nearest)}.`}`,
-    arcTooSmall: (d, w) => `Élément ${d.element} : le rayon ${w.number(d.radius)} est trop petit pour le point final.${nearest(d.nearest, w.number)}`,
-    elementFree: (d) => (d.freedom === 1 ? `Élément ${d.element} : il manque une valeur.` : `Élément ${d.element} : il manque ${d.freedom} valeurs.`),
-    elementContradicts: (d, w) => (d.quantity === "tangent"
+      `Élément ${d.element} : ${w.number(d.size)} ne tient pas entre ses voisins : ${w.number(d.max)} au plus.`
+      + `${nearest(d.nearest, w.number)}`,
+    arcOffCircle: (d, w) =>
+      `Élément ${d.element} : le point final manque son cercle de ${w.number(d.gap)}.`
+      + (d.nearest === undefined ? "" : ` Rayon possible : ${w.number(d.nearest)}.`),
+    arcTooSmall: (d, w) =>
+      `Élément ${d.element} : le rayon ${w.number(d.radius)} est trop petit pour le point final.${nearest(d.nearest, w.number)}`,
+    elementFree:
+      (d) => (d.freedom === 1 ? `Élément ${d.element} : il manque une valeur.` : `Élément ${d.element} : il manque ${d.freedom} valeurs.`),
+    elementContradicts: (
+      d,
+      w,
+    ) => (d.quantity === "tangent"
       ? `L'élément ${d.element} ne se raccorde pas tangentiellement ; l'écart est de ${w.number(d.nearest)}°.`
-      : `Élément ${d.element} : ${ELEMENT[d.quantity]} ${w.number(d.given)} contredit les autres valeurs ; ${w.number(d.nearest)} convient.`),
+      : `Élément ${d.element} : ${ELEMENT[d.quantity]} ${w.number(d.given)} contredit les autres valeurs ; `
+        + `${w.number(d.nearest)} convient.`),
     elementUnreachable: (d) => `Élément ${d.element} : avec cette longueur, ce rayon ou cet angle, il n'atteint pas son voisin.`,
     centreMissing: (d) => `Élément ${d.element} : le centre manque ; placez CC avant.`,
     contourCrossesItself: (d) => `L'élément ${d.element} croise l'élément ${d.other}.`,
-    toolRadiusTooLarge: (d, w) => `Élément ${d.element} : un rayon d’outil de ${w.number(d.radius)} ne passe pas.${nearest(d.nearest, w.number)}`,
+    toolRadiusTooLarge: (d, w) =>
+      `Élément ${d.element} : un rayon d’outil de ${w.number(d.radius)} ne passe pas.${nearest(d.nearest, w.number)}`,
     approachNeedsSide: () => "CT demande RL ou RR : avec R0, la commande s’arrête ici.",
-    approachSideAssumed: () => "R0 ne dit pas de quel côté : l’outil est supposé venir de la gauche du contour. À vérifier sur la commande.",
+    approachSideAssumed: () =>
+      "R0 ne dit pas de quel côté : l’outil est supposé venir de la gauche du contour. À vérifier sur la commande.",
     approachInsideCircle: (d, w) =>
-      `${d.point} est à l’intérieur du cercle de R ${w.number(d.radius)} : aucune droite ne le touche depuis ce point.${nearest(d.nearest, w.number)}`,
+      `${d.point} est à l’intérieur du cercle de R ${w.number(d.radius)} : aucune droite ne le touche depuis ce `
+      + `point.${nearest(d.nearest, w.number)}`,
     approachCutsContour: (d, w) =>
-      `Entre ${d.point} et le contour, l’outil l’entame de ${w.number(d.depth)} mm en ${w.spot(d.x, d.y, d.z)} ; la commande ne le contrôle pas. ${d.point} libre : ${w.spot(d.freeX, d.freeY, d.freeZ)}.`,
+      `Entre ${d.point} et le contour, l’outil l’entame de ${w.number(d.depth)} mm en ${w.spot(d.x, d.y, d.z)} `
+      + `; la commande ne le contrôle pas. ${d.point} libre : ${w.spot(d.freeX, d.freeY, d.freeZ)}.`,
     approachValueCutsContour: (d, w) =>
-      `Entre ${d.point} et le contour, l’outil l’entame de ${w.number(d.depth)} mm en ${w.spot(d.x, d.y, d.z)} ; la commande ne le contrôle pas. Libre avec ${d.word} ${w.number(d.nearest)}.`,
+      `Entre ${d.point} et le contour, l’outil l’entame de ${w.number(d.depth)} mm en ${w.spot(d.x, d.y, d.z)} `
+      + `; la commande ne le contrôle pas. Libre avec ${d.word} ${w.number(d.nearest)}.`,
     approachBlocked: (d, w) =>
-      `Entre ${d.point} et le contour, l’outil l’entame de ${w.number(d.depth)} mm en ${w.spot(d.x, d.y, d.z)} ; la commande ne le contrôle pas.`,
-    undercutNeighbours: (d) => `Élément ${d.element} : un dégagement demande un cylindre parallèle à l’axe et une face perpendiculaire, une gorge un élément droit de sa direction.`,
+      `Entre ${d.point} et le contour, l’outil l’entame de ${w.number(d.depth)} mm en ${w.spot(d.x, d.y, d.z)} `
+      + "; la commande ne le contrôle pas.",
+    undercutNeighbours: (d) =>
+      `Élément ${d.element} : un dégagement demande un cylindre parallèle à l’axe et une face perpendiculaire, une gorge un `
+      + "élément droit de sa direction.",
     recessWord: (d) => `Élément ${d.element} : ${d.word} manque ou ne donne aucune forme possible.`,
     undercutDefaults: (d) => `Élément ${d.element} : ${d.words} repris de la norme, de mémoire ; mieux vaut écrire ces mots.`,
     materialLeft: (d, w) => `Il reste ${w.area(d.area)} à ${w.place(d.x, d.z)}. Cause : ${reasons[d.reason]}.`,
     gouge: (d, w) => `${w.area(d.area)} de la pièce finie sont enlevés à ${w.place(d.x, d.z)}.`,
     rapidInStock: (d, w) => `Un rapide traverse ${w.area(d.area)} de matière à ${w.place(d.x, d.z)}.`,
     holderContact: (d, w) => `Le porte-outil touche la matière à ${w.place(d.x, d.z)}.`,
-    contactsUnlooked: (d) => `${d.limit} déplacements entament la pièce, entrent en rapide dans la matière ou la touchent avec le porte-outil : à partir d’ici, cela n’a plus été recherché.`,
-    deeperThanInfeed: (d, w) => `${d.pass === undefined ? "Une passe de lissage ou de finition" : `La passe ${w.number(d.pass)}`} prend ${w.number(d.depth)} mm de matière d'un coup ; ${w.number(d.allowed)} mm sont permis.`,
+    contactsUnlooked: (d) =>
+      `${d.limit} déplacements entament la pièce, entrent en rapide dans la matière ou la touchent avec le porte-outil : à `
+      + "partir d’ici, cela n’a plus été recherché.",
+    deeperThanInfeed: (d, w) =>
+      "" + (d.pass === undefined ? "Une passe de lissage ou de finition" : `La passe ${w.number(d.pass)}`)
+      + ` prend ${w.number(d.depth)} mm de matière d'un coup ; ${w.number(d.allowed)} mm sont permis.`,
     nothingCut: () => "Cette opération n'enlève pas de matière.",
-    airPasses: (d) => (d.count === 1 ? "1 passe d'ébauche ne touche pas de matière." : `${d.count} passes d'ébauche ne touchent pas de matière.`),
+    airPasses:
+      (d) => (d.count === 1 ? "1 passe d'ébauche ne touche pas de matière." : `${d.count} passes d'ébauche ne touchent pas de matière.`),
 
     notUnderstood: (d, w) => `« ${w.text(d.text)} » n'est pas compris : conservé, non simulé.`,
     wordNotUnderstood: (d, w) => `Le mot « ${w.text(d.text)} » n'est pas compris.`,
@@ -117,18 +174,23 @@ export const messages = {
     frameMissing: (d) => `Il manque ${d.which} au programme.`,
 
     notSimulated: (d, w) => `${w.text(d.what)} : conservé, non simulé.`,
-    notProved: (d, w) => `${w.text(d.what)} n’est pas simulé et peut modifier la trajectoire ou le brut : à partir d’ici, rien n’est prouvé.`,
+    notProved: (d, w) =>
+      `${w.text(d.what)} n’est pas simulé et peut modifier la trajectoire ou le brut : à partir d’ici, rien n’est prouvé.`,
     cycleNotSimulated: (d, w) => `Cycle ${d.cycle} ${w.text(d.name)} : conservé, non simulé.`,
     noCycleDefined: () => "Aucun cycle n'est défini avant l'appel.",
     noToolCalled: () => "Aucun outil n'est appelé avant cette séquence.",
     toolUnknown: (d, w) => `L'outil ${w.text(d.tool)} n'est pas dans le tableau.`,
     notInTurnMode: () => "Le cycle ne s'exécute qu'en FUNCTION MODE TURN : programmer cette séquence avant l'appel.",
-    compensationActive: (d) => `${d.side} est actif ici, or la commande exige R0 : programmer R0 dans la séquence de positionnement précédente.`,
-    feedZero: (d, w) => `${w.text(d.word)} : l'avance de coupe est de 0 ici. Indiquer une avance supérieure à 0 ; FAUTO prend le F de TOOL CALL.`,
-    feedUnlikely: (d, w) => `Une avance de ${w.number(d.feed)} ${d.unit} est peu vraisemblable. Vérifier M136 : avec lui, F compte en mm par tour.`,
+    compensationActive: (d) =>
+      `${d.side} est actif ici, or la commande exige R0 : programmer R0 dans la séquence de positionnement précédente.`,
+    feedZero: (d, w) =>
+      `${w.text(d.word)} : l'avance de coupe est de 0 ici. Indiquer une avance supérieure à 0 ; FAUTO prend le F de TOOL CALL.`,
+    feedUnlikely: (d, w) =>
+      `Une avance de ${w.number(d.feed)} ${d.unit} est peu vraisemblable. Vérifier M136 : avec lui, F compte en mm par tour.`,
     cycleNeverCalled: (d) => `Le cycle ${d.cycle} est défini et jamais appelé : il manque CYCL CALL ou M99 ensuite.`,
     neverReached: (d) => `Le programme se termine avec ${d.by}, avant cette séquence : elle n'est jamais exécutée.`,
-    parameterForeign: (d, w) => `${w.text(d.name)} n'a pas sa place ici : le cycle ${d.cycle} n'a pas ce paramètre, ou il figure deux fois.`,
+    parameterForeign: (d, w) =>
+      `${w.text(d.name)} n'a pas sa place ici : le cycle ${d.cycle} n'a pas ce paramètre, ou il figure deux fois.`,
     runsIntoLabel: (d, w) => `Le programme continue dans le contour de LBL ${w.text(d.label)} : il manque M30 avant.`,
     contourStartIncomplete: (d) => `La première séquence du contour a besoin de X et de Z ; il manque ${d.axis}.`,
     approachUncompensated: (d) => `${d.form} n'a ni RL ni RR : le contour qui suit est exécuté sans correction de rayon.`,
@@ -136,7 +198,8 @@ export const messages = {
     labelTwice: (d, w) => `LBL ${w.text(d.label)} figure deux fois dans le programme.`,
     labelNotClosed: (d, w) => `LBL ${w.text(d.label)} n'est pas fermé par LBL 0.`,
     contourNotNamed: (d) => `Le cycle ${d.cycle} demande, avant l'appel, le cycle 14 avec son contour.`,
-    contourInFile: (d, w) => `Le contour est dans le fichier ${w.text(d.file)}, absent ici : placez-le dans un label et nommez-le avec le cycle 14.`,
+    contourInFile: (d, w) =>
+      `Le contour est dans le fichier ${w.text(d.file)}, absent ici : placez-le dans un label et nommez-le avec le cycle 14.`,
     feedMissing: () => "Aucune avance n'est programmée.",
     spindleMissing: () => "Aucune vitesse de broche n'est programmée ; les temps manquent.",
     parameterUnset: (d) => `${d.name} n'a pas de valeur ici.`,
@@ -153,9 +216,12 @@ export const messages = {
     radiusCompensation: (d) => `${d.side} est lu, mais la trajectoire n'est pas corrigée.`,
     sideChanged: () => "Entre RL et RR, la commande demande une séquence avec R0.",
     approachWithoutContour: (d) => `${d.form} demande un élément de contour voisin.`,
-    lengthDelta: (d) => `DZL et DXL de l'outil ${d.tool} : la commande les ajoute aux longueurs d'outil. La pointe reste sur la trajectoire ; ni trajectoire ni brut ne changent.`,
+    lengthDelta: (d) =>
+      `DZL et DXL de l'outil ${d.tool} : la commande les ajoute aux longueurs d'outil. La pointe reste sur la trajectoire ; ni `
+      + "trajectoire ni brut ne changent.",
     toolRadiusUnknown: (d, w) => `Le rayon de l’outil ${w.text(d.tool)} n’est pas connu : la trajectoire est calculée avec le rayon 0.`,
-    wordsRecalled: (d, w) => `${w.text(d.what)} : ses mots sont cités de mémoire, sans contrôle sur une page imprimée. Vérifiez sur votre commande.`,
+    wordsRecalled: (d, w) =>
+      `${w.text(d.what)} : ses mots sont cités de mémoire, sans contrôle sur une page imprimée. Vérifiez sur votre commande.`,
     programEndMissing: () => "Il manque M30 ou M2 à la fin du programme principal.",
     tooManyBlocks: (d) => `Plus de ${d.limit} séquences exécutées : arrêt à cet endroit.`,
     tooManyMoves: (d) => `Plus de ${d.limit} déplacements : arrêt à cet endroit.`,

@@ -17,7 +17,8 @@ export const page = {
   themes: { system: "Comme le système", light: "Clair", dark: "Sombre" },
   motion: "Animation",
   motions: { system: "Comme le système", reduced: "Aucune" },
-  disclaimer: "Établi d’après les pages imprimées des cycles ; ce n’est pas un produit HEIDENHAIN. Vérifier chaque programme sur la commande avant d’usiner.",
+  disclaimer: "Établi d’après les pages imprimées des cycles ; ce n’est pas un produit HEIDENHAIN. Vérifier chaque programme sur la "
+    + "commande avant d’usiner.",
   savedHere: "Enregistré sur cet appareil",
 
   sections: "Parties du programme",
@@ -71,7 +72,6 @@ export const page = {
     duration: (minutes, seconds) => (minutes > 0 ? `${minutes} min ${seconds} s` : `${seconds} s`),
   },
 
-
   text: {
     title: "Texte du programme",
     name: "Nom du programme",
@@ -100,8 +100,11 @@ export const page = {
         ? "Un travail enregistré était illisible. Il a été mis de côté, rien n’a été effacé."
         : `${n} travaux enregistrés étaient illisibles. Ils ont été mis de côté, rien n’a été effacé.`,
     notKept: "Ce navigateur n’enregistre rien sur l’appareil. Copier ou télécharger le programme avant de fermer la page.",
-    storageFull: "L’appareil n’a plus de place : les dernières modifications ne sont pas enregistrées. Télécharger le programme, ou retirer des travaux sur la page d’accueil.",
-    newerWorks: "Certains travaux enregistrés proviennent d’une édition plus récente de cette page et ne sont pas listés. Rien n’a été supprimé.",
+    storageFull:
+      "L’appareil n’a plus de place : les dernières modifications ne sont pas enregistrées. Télécharger le programme, ou retirer "
+      + "des travaux sur la page d’accueil.",
+    newerWorks:
+      "Certains travaux enregistrés proviennent d’une édition plus récente de cette page et ne sont pas listés. Rien n’a été supprimé.",
     downloadUnkept: "Télécharger le programme",
     copyOfOtherTab: "Ce travail est ouvert dans un autre onglet. Ici, on modifie une copie ; les deux sont conservés.",
     linkDamaged: "Le lien ne contient aucun programme lisible.",

@@ -6,7 +6,14 @@ export const setup = {
     title: "Outil",
     list: "Outils de tournage",
     name: (number, name) => `Outil ${number} ${name}`,
-    types: { ROUGH: "ébauche", FINISH: "finition", RECESS: "gorge", RECTURN: "tournage de gorge", BUTTON: "plaquette ronde", THREAD: "filetage" },
+    types: {
+      ROUGH: "ébauche",
+      FINISH: "finition",
+      RECESS: "gorge",
+      RECTURN: "tournage de gorge",
+      BUTTON: "plaquette ronde",
+      THREAD: "filetage",
+    },
     radius: (value) => `rayon ${value}`,
     width: (value) => `largeur ${value}`,
     angles: (setting, point) => `${setting}° / ${point}°`,
@@ -55,5 +62,10 @@ export const setup = {
     rapid: "Avance rapide (pour le temps)",
   },
   units: { diameter: "mm ⌀", mm: "mm", rpm: "tr/min", cuttingSpeed: "m/min", perMinute: "mm/min" },
-  wrong: { missing: "Entrer une valeur.", notANumber: "Ce n’est pas un nombre.", negative: "La valeur doit être 0 ou plus.", positive: "La valeur doit être supérieure à 0." },
+  wrong: {
+    missing: "Entrer une valeur.",
+    notANumber: "Ce n’est pas un nombre.",
+    negative: "La valeur doit être 0 ou plus.",
+    positive: "La valeur doit être supérieure à 0.",
+  },
 } satisfies SetupTexts;

@@ -58,7 +58,6 @@ export const lathe = {
   deltaZ: "ΔZ",
   distance: "距离",
 
-
   moves: (count) => `运动（${count}）`,
   move: "序号",
   moveKind: "类型",

@@ -1,12 +1,22 @@
 import type { MessagesTexts } from "../message-texts.ts";
 
 /** What a finding offers, where it offers something. */
-const nearest = (value: number | undefined, say: (value: number) => string) => (value === undefined ? "" : `最接近的可用值:${say(value)}。`);
+const nearest = (
+  value: number | undefined,
+  say: (value: number) => string,
+) => (value === undefined ? "" : `最接近的可用值:${say(value)}。`);
 
 const reasons: MessagesTexts["reasons"] = {
-  insertRadius: "刀尖圆角半径", mainEdge: "刀片主切削刃", secondaryEdge: "刀片副切削刃", toolWidth: "刀具宽度", cutLength: "CUTLENGTH", limit: "加工极限",
-  plunging: "不允许切入", oversize: "余量",
-  smoothing: "各刀之间的台阶", correction: "刀具补偿",
+  insertRadius: "刀尖圆角半径",
+  mainEdge: "刀片主切削刃",
+  secondaryEdge: "刀片副切削刃",
+  toolWidth: "刀具宽度",
+  cutLength: "CUTLENGTH",
+  limit: "加工极限",
+  plunging: "不允许切入",
+  oversize: "余量",
+  smoothing: "各刀之间的台阶",
+  correction: "刀具补偿",
 };
 
 const ELEMENT = { angle: "角度", length: "长度", radius: "半径" };
@@ -29,13 +39,17 @@ export const messages = {
     cornerSmallerThanInsert: (d, w) =>
       `角半径${w.number(d.radius)}小于刀尖圆角${w.number(d.insert)}:该角将保留${w.number(d.insert)}。${nearest(d.nearest, w.number)}`,
     recessNarrowerThanTool: (d, w) => `槽底宽${w.number(d.width)},刀具和余量需要${w.number(d.tool)}。${nearest(d.nearest, w.value)}`,
-    angleNotFollowed: (d, w) => `刀具无法跟随${w.angle(d.angle)}:${reasons[d.edge]}允许${w.angle(d.max)},会残留材料。${nearest(d.nearest, w.angle)}`,
+    angleNotFollowed: (d, w) =>
+      `刀具无法跟随${w.angle(d.angle)}:${reasons[d.edge]}允许${w.angle(d.max)},会残留材料。${nearest(d.nearest, w.angle)}`,
     tooManyPasses: (d, w) => `${d.passes} 次走刀超过 ${d.most} 次。${nearest(d.nearest, w.number)}`,
     infeedOverCutLength: (d, w) => `进刀量${w.number(d.infeed)}大于CUTLENGTH ${w.number(d.cutLength)}:自动减小为${w.number(d.cutLength)}。`,
-    depthOverCutLength: (d, w) => `深度${w.number(d.depth)}大于CUTLENGTH ${w.number(d.cutLength)}:其余材料残留。${nearest(d.nearest, w.value)}`,
+    depthOverCutLength: (d, w) =>
+      `深度${w.number(d.depth)}大于CUTLENGTH ${w.number(d.cutLength)}:其余材料残留。${nearest(d.nearest, w.value)}`,
     offsetReduced: (d, w) => `偏移${w.number(d.offset)}减小为${w.number(d.kept)}:${d.passes}刀共用有效宽度的80%。`,
-    offsetOverLimit: (d, w) => `${d.passes}刀的侧向偏移共${w.number(d.offset)};有效宽度的80%为${w.number(d.max)}。${nearest(d.nearest, w.number)}`,
-    toolUnfit: (d) => `${d.type} 刀具、刀尖方向 ${d.orientation} 不能完成此加工。可用:${d.types.join(" 或 ")},刀尖方向 ${d.orientations.join("、")}。`,
+    offsetOverLimit: (d, w) =>
+      `${d.passes}刀的侧向偏移共${w.number(d.offset)};有效宽度的80%为${w.number(d.max)}。${nearest(d.nearest, w.number)}`,
+    toolUnfit: (d) =>
+      `${d.type} 刀具、刀尖方向 ${d.orientation} 不能完成此加工。可用:${d.types.join(" 或 ")},刀尖方向 ${d.orientations.join("、")}。`,
     toolCannotCutSideways: (d) => `${d.type}刀具只能切入,本循环还需横向切削。请使用RECTURN刀具。`,
     flanksNotChecked: () => "T-ANGLE或P-ANGLE为空:不检查刀片侧面。",
     toolColumn: (d, w) => {
@@ -53,7 +67,9 @@ export const messages = {
     startInMaterial: (d, w) => `起点${w.place(d.x, d.z)}在材料中。`,
     startBelowContour: (d, w) => `起点比轮廓起点低 ${w.number(d.below)} mm:刀具先移到轮廓起点的高度。`,
     startInPart: (d, w) => `起点位于成品工件内:从那里不会切削。可用的起点:${w.place(d.x, d.z)}。`,
-    insertAcrossAxis: (d, w) => `刀片越过轴线 ${w.number(d.reach)} mm,会在另一侧切入成品工件。${d.nearest === undefined ? "对这个孔来说刀片太长。" : `起点从 X${w.diameter(d.nearest)} 起即可避开。`}`,
+    insertAcrossAxis: (d, w) =>
+      `刀片越过轴线 ${w.number(d.reach)} mm,会在另一侧切入成品工件。`
+      + (d.nearest === undefined ? "对这个孔来说刀片太长。" : `起点从 X${w.diameter(d.nearest)} 起即可避开。`),
     startOnWrongSide: (d, w) => `轮廓朝起点方向走:从这一侧不会切削。可用的起点:${w.place(d.x, d.z)}。`,
     startInsideEnvelope: (d, w) => `起点距轮廓小于安全距离${w.number(d.clearance)}:刀具以精加工进给直接移至轮廓。`,
     limitOnWrongSide: (d, w) => `极限为${w.value(d.limit)}时,刀具所在一侧没有可加工的材料。${nearest(d.nearest, w.value)}`,
@@ -63,11 +79,16 @@ export const messages = {
     contourFlat: (d) => `轮廓的起点与终点${d.axis}相同:两者之间没有可加工的材料。`,
     contourPoint: (d) => `元素${d.element}:终点缺失或无法到达。`,
     cornerElementAlone: (d) => `元素${d.element}:倒角或倒圆前后都需要有元素,倒角需要两条直线。`,
-    cornerElementTooLong: (d, w) => `元素${d.element}:${w.number(d.size)}在相邻元素之间放不下,最大${w.number(d.max)}。${nearest(d.nearest, w.number)}`,
-    arcOffCircle: (d, w) => `元素${d.element}:终点偏离圆${w.number(d.gap)}。${d.nearest === undefined ? "" : `可用半径:${w.number(d.nearest)}。`}`,
+    cornerElementTooLong: (d, w) =>
+      `元素${d.element}:${w.number(d.size)}在相邻元素之间放不下,最大${w.number(d.max)}。${nearest(d.nearest, w.number)}`,
+    arcOffCircle: (d, w) =>
+      `元素${d.element}:终点偏离圆${w.number(d.gap)}。${d.nearest === undefined ? "" : `可用半径:${w.number(d.nearest)}。`}`,
     arcTooSmall: (d, w) => `元素${d.element}:半径${w.number(d.radius)}对该终点过小。${nearest(d.nearest, w.number)}`,
     elementFree: (d) => `元素${d.element}:还需要${d.freedom}个数值。`,
-    elementContradicts: (d, w) => (d.quantity === "tangent"
+    elementContradicts: (
+      d,
+      w,
+    ) => (d.quantity === "tangent"
       ? `元素${d.element}与前一元素不相切,偏差${w.number(d.nearest)}°。`
       : `元素${d.element}:${ELEMENT[d.quantity]}${w.number(d.given)}与其他数值矛盾,${w.number(d.nearest)}可用。`),
     elementUnreachable: (d) => `元素${d.element}:按此长度、半径或角度无法到达相邻元素。`,
@@ -79,9 +100,11 @@ export const messages = {
     approachInsideCircle: (d, w) =>
       `${d.point} 位于 R ${w.number(d.radius)} 的圆内：从该点没有直线与圆相切。${nearest(d.nearest, w.number)}`,
     approachCutsContour: (d, w) =>
-      `在 ${d.point} 与轮廓之间，刀具在 ${w.spot(d.x, d.y, d.z)} 切入轮廓 ${w.number(d.depth)} mm；数控系统不检查此处。可用的 ${d.point}：${w.spot(d.freeX, d.freeY, d.freeZ)}。`,
+      `在 ${d.point} 与轮廓之间，刀具在 ${w.spot(d.x, d.y, d.z)} 切入轮廓 ${w.number(d.depth)} mm；数控系统不检查此处。可用的 ${d.point}：`
+      + `${w.spot(d.freeX, d.freeY, d.freeZ)}。`,
     approachValueCutsContour: (d, w) =>
-      `在 ${d.point} 与轮廓之间，刀具在 ${w.spot(d.x, d.y, d.z)} 切入轮廓 ${w.number(d.depth)} mm；数控系统不检查此处。可用值：${d.word} ${w.number(d.nearest)}。`,
+      `在 ${d.point} 与轮廓之间，刀具在 ${w.spot(d.x, d.y, d.z)} 切入轮廓 ${w.number(d.depth)} mm；数控系统不检查此处。可用值：${d.word} `
+      + `${w.number(d.nearest)}。`,
     approachBlocked: (d, w) =>
       `在 ${d.point} 与轮廓之间，刀具在 ${w.spot(d.x, d.y, d.z)} 切入轮廓 ${w.number(d.depth)} mm；数控系统不检查此处。`,
     undercutNeighbours: (d) => `元素${d.element}:退刀槽需要相接的圆柱面和端面,凹槽需要与其方向一致的直线元素。`,
@@ -92,7 +115,9 @@ export const messages = {
     rapidInStock: (d, w) => `快移在${w.place(d.x, d.z)}处穿过${w.area(d.area)}材料。`,
     holderContact: (d, w) => `刀柄在${w.place(d.x, d.z)}处碰到材料。`,
     contactsUnlooked: (d) => `已有${d.limit}个运动伤及工件、快速进入材料或以刀柄触碰材料：从此处起不再检查。`,
-    deeperThanInfeed: (d, w) => `${d.pass === undefined ? "一次修平或精加工" : `第${w.number(d.pass)}刀`}一次切除${w.number(d.depth)} mm材料,允许值为${w.number(d.allowed)} mm。`,
+    deeperThanInfeed: (d, w) =>
+      "" + (d.pass === undefined ? "一次修平或精加工" : `第${w.number(d.pass)}刀`)
+      + `一次切除${w.number(d.depth)} mm材料,允许值为${w.number(d.allowed)} mm。`,
     nothingCut: () => "此次加工没有切除材料。",
     airPasses: (d) => `${d.count}刀粗加工没有碰到材料。`,
 

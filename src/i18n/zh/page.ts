@@ -71,7 +71,6 @@ export const page = {
     duration: (minutes, seconds) => (minutes > 0 ? `${minutes} 分 ${seconds} 秒` : `${seconds} 秒`),
   },
 
-
   text: {
     title: "程序文本",
     name: "程序名",

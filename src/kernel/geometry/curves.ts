@@ -54,7 +54,7 @@ export function curvesOf<P>(v: Vectors<P>, s: Segments<P>) {
     if (a.kind === "arc") {
       const way = unit(b.kind === "arc" ? difference(b.centre, a.centre) : leftOf(difference(b.to, b.from)));
       const size = s.radiusOf(a);
-      if (dot(way, way) > 0) for (const k of [size, -size]) found.push(s.nearestOn(a, beyond(a.centre, way, k)));
+      if (dot(way, way) > 0) { for (const k of [size, -size]) found.push(s.nearestOn(a, beyond(a.centre, way, k))); }
     }
     return found;
   }

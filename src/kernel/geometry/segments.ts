@@ -74,8 +74,10 @@ export function segmentsOf<P>({ x, y, point }: Axes<P>, v: Vectors<P>) {
 
   /** An end point that misses the circle a little makes a spiral, so that the path still ends where it says. */
   const polarOf = (s: ArcOf<P>): Polar => ({
-    start: Math.atan2(y(s.from) - y(s.centre), x(s.from) - x(s.centre)), sweep: signOf(s.turn) * sweepOf(s),
-    startRadius: radiusOf(s), endRadius: apart(s.to, s.centre),
+    start: Math.atan2(y(s.from) - y(s.centre), x(s.from) - x(s.centre)),
+    sweep: signOf(s.turn) * sweepOf(s),
+    startRadius: radiusOf(s),
+    endRadius: apart(s.to, s.centre),
   });
 
   /** Direction of travel in a point of a segment, length 1. */
@@ -103,7 +105,7 @@ export function segmentsOf<P>({ x, y, point }: Axes<P>, v: Vectors<P>) {
       : { kind: "arc", from: sum(s.from, by), to: sum(s.to, by), centre: sum(s.centre, by), turn: s.turn };
 
   /** The points of a segment by fractions 0 … 1 of its way. */
-  const pointsOn = (s: SegmentOf<P>): ((fraction: number) => P) => {
+  const pointsOn = (s: SegmentOf<P>): (fraction: number) => P => {
     const inside = s.kind === "line" ? (k: number) => beyond(s.from, difference(s.to, s.from), k) : alongSpiral(s.centre, polarOf(s));
     return (fraction) => (fraction <= 0 ? s.from : fraction >= 1 ? s.to : inside(fraction));
   };
@@ -165,13 +167,30 @@ export function segmentsOf<P>({ x, y, point }: Axes<P>, v: Vectors<P>) {
     const [size, sweep] = [radiusOf(s), sweepOf(s)];
     const passes = (dx: number, dy: number) => turnTo(s, point(x(s.centre) + dx, y(s.centre) + dy)) <= sweep;
     return {
-      left: passes(-1, 0) ? Math.min(left, x(s.centre) - size) : left, right: passes(1, 0) ? Math.max(right, x(s.centre) + size) : right,
-      low: passes(0, -1) ? Math.min(low, y(s.centre) - size) : low, high: passes(0, 1) ? Math.max(high, y(s.centre) + size) : high,
+      left: passes(-1, 0) ? Math.min(left, x(s.centre) - size) : left,
+      right: passes(1, 0) ? Math.max(right, x(s.centre) + size) : right,
+      low: passes(0, -1) ? Math.min(low, y(s.centre) - size) : low,
+      high: passes(0, 1) ? Math.max(high, y(s.centre) + size) : high,
     };
   };
 
   return {
-    line, sweepOf, radiusOf, polarOf, direction, along, lengthOf, reversed, shifted, pointsOn, pointOn, flattened, flattenedChain, nearestOn, distanceTo, footOn,
+    line,
+    sweepOf,
+    radiusOf,
+    polarOf,
+    direction,
+    along,
+    lengthOf,
+    reversed,
+    shifted,
+    pointsOn,
+    pointOn,
+    flattened,
+    flattenedChain,
+    nearestOn,
+    distanceTo,
+    footOn,
     boxOf,
   };
 }

@@ -9,7 +9,10 @@ import { axial, radius, toDiameter } from "../units.ts";
 /** Areas below this are the chords of two curves that touch, mm². */
 const REAL = 0.01;
 
-/** What of an insert lies across the axis while its tip stands at a distance of `r`: its stretch of z from the tip, and how far it reaches. */
+/**
+ * What of an insert lies across the axis while its tip stands at a distance of `r`: its stretch of z from the tip, and how far
+ * it reaches.
+ */
 function acrossAt(outline: Ring, r: number): { from: number; to: number; reach: number } | null {
   let [from, to, reach] = [Infinity, -Infinity, 0];
   const put = (z: number, beyond: number) => {
@@ -42,7 +45,8 @@ export function clearAcross(plan: Plan, { tool, start }: Setting, role: "startU"
     if (areaOf(intersection([plan.part], [box])) < REAL) continue;
     const free = Math.min(...plan.contour.flatMap((s) => [s.from.r, s.to.r]));
     const x = Math.ceil(toDiameter(radius(-lowest - free)) * 1000) / 1000;
-    const refused = issue("insertAcrossAxis", "error", x < toDiameter(radius(free)) ? { reach: across.reach, nearest: x } : { reach: across.reach }, role);
+    const refused = issue("insertAcrossAxis", "error",
+      x < toDiameter(radius(free)) ? { reach: across.reach, nearest: x } : { reach: across.reach }, role);
     return { ...plan, moves: [], passes: 0, reach: [], kept: [], issues: [...plan.issues, refused] };
   }
   return plan;

@@ -42,9 +42,11 @@ export function followContour(cutter: Cutter, f: Finish, issues: Issue[]): void 
   runs.forEach((run, i) => {
     const whole = i === 0 && f.ground.first >= f.from - SAME ? joined(f, run) : run;
     leadIn(cutter, f, whole, near && i === 0);
-    cutter.along(whole, (s) => f.smoothing && falls(s)
-      ? { feed: f.feeds.plunge, purpose: { ...purpose(f, 2), plunging: true } }
-      : { feed: feedOf(f), purpose: purpose(f, 2) });
+    cutter.along(whole,
+      (s) =>
+        f.smoothing && falls(s)
+          ? { feed: f.feeds.plunge, purpose: { ...purpose(f, 2), plunging: true } }
+          : { feed: feedOf(f), purpose: purpose(f, 2) });
     cutter.leave(f.clearance, -1, f.ground.envelope, feedOf(f), purpose(f, 3));
   });
 }
@@ -112,12 +114,14 @@ function leadIn(cutter: Cutter, f: Finish, run: readonly FlatSegment[], near: bo
   if (near && staysAbove(bare, cutter.at, to) && !blocked(bare, cutter.at, to)) return cutter.feed(to, feedOf(f), purpose(f, 1));
   const along = tangentAt(first, "from");
   const square = normalAt(first, "from");
-  const from = [{ u: -along.u, v: -along.v }, square].map((d): Flat => ({ u: to.u + d.u * f.clearance, v: to.v + d.v * f.clearance }))
-    .find((p) => staysAbove(bare, p, to) && !blocked(bare, p, to) && p.u >= f.from - f.clearance)
-    ?? { u: to.u, v: to.v + f.clearance };
+  const from =
+    [{ u: -along.u, v: -along.v }, square].map((d): Flat => ({ u: to.u + d.u * f.clearance, v: to.v + d.v * f.clearance })).find((p) =>
+      staysAbove(bare, p, to) && !blocked(bare, p, to) && p.u >= f.from - f.clearance
+    ) ?? { u: to.u, v: to.v + f.clearance };
   cutter.link(from, link);
   cutter.feed(to, feedOf(f), purpose(f, 1));
 }
 
 /** A way straight down past a corner that reaches over it. */
-const blocked = (part: Envelope, from: Flat, to: Flat) => Math.abs(from.u - to.u) <= SAME && heightAt(part, to.u) > Math.max(to.v, from.v) + SAME;
+const blocked = (part: Envelope, from: Flat, to: Flat) =>
+  Math.abs(from.u - to.u) <= SAME && heightAt(part, to.u) > Math.max(to.v, from.v) + SAME;

@@ -97,17 +97,18 @@ function sideBySide(cuts: readonly EnvelopePiece[]): EnvelopePiece[][] {
 /** How far the insert draws back above its widest place, behind and before the tip, mm. */
 function overhang(insert: Convex): [behind: number, before: number] {
   const { minU, maxU, maxV } = extent(insert);
-  const top = insert.flatMap((e) => (e.kind === "line" ? [e.from, e.to] : [{ u: e.centre.u, v: e.centre.v + e.radius }]))
-    .filter((p) => p.v > maxV - SAME);
+  const top = insert.flatMap((e) => (e.kind === "line" ? [e.from, e.to] : [{ u: e.centre.u, v: e.centre.v + e.radius }])).filter((p) =>
+    p.v > maxV - SAME
+  );
   const us = top.map((p) => p.u);
   return [Math.max(0, Math.min(...us) - minU), Math.max(0, maxU - Math.max(...us))];
 }
 
 /** What stands in front of a tool: chains of material (on the right of their direction), as its tip meets them. */
 function standing(chains: readonly (readonly FlatSegment[])[], insert: Convex): Envelope {
-  return chains.filter((c) => c.length > 0)
-    .map((c) => reachOver(c.map((segment): Bound => ({ segment, on: "edge" })), insert))
-    .reduce<Envelope>((all, e) => (all.length === 0 ? e : higherOf(all, e)), []);
+  return chains.filter((c) => c.length > 0).map((c) => reachOver(c.map((segment): Bound => ({ segment, on: "edge" })), insert)).reduce<
+    Envelope
+  >((all, e) => (all.length === 0 ? e : higherOf(all, e)), []);
 }
 
 /** A closed outline as a chain with its inside on the right, closed beyond its first corner. */
@@ -128,7 +129,8 @@ function outlineChain(points: readonly Flat[]): FlatSegment[] {
  */
 export function atCall(
   o: { readonly stock: readonly Ring[] | null; readonly area: readonly Flat[]; readonly frame: Frame; readonly insert: Convex },
-  part: Envelope, roughed: { readonly grown: Envelope; readonly infeed: number } | null,
+  part: Envelope,
+  roughed: { readonly grown: Envelope; readonly infeed: number } | null,
 ): Envelope {
   if (o.stock === null && roughed) {
     const us = o.area.map((p) => p.u);

@@ -42,7 +42,11 @@ export interface Ground {
  * oversize: the part is grown by the rectangle ±keepU × ±keepV.
  */
 export function groundOver(
-  contour: readonly Bound[], tool: Tool, frame: Frame, keep: { readonly u: number; readonly v: number }, s: Surroundings,
+  contour: readonly Bound[],
+  tool: Tool,
+  frame: Frame,
+  keep: { readonly u: number; readonly v: number },
+  s: Surroundings,
 ): Ground {
   const insert = grown(insertIn(tool, frame), keep.u, keep.v);
   const first = (contour[0] as Bound).segment;
@@ -53,10 +57,14 @@ export function groundOver(
   const chain: Bound[] = [...contour];
   // The walls close the area and are no part of the part: they keep no oversize.
   const open = first.from.u - keep.u;
-  if (s.frontWall !== null) chain.unshift(edge({ u: open - FAR, v: s.frontWall }, { u: open, v: s.frontWall }), edge({ u: open, v: s.frontWall }, { u: open, v: first.from.v }), edge({ u: open, v: first.from.v }, first.from));
+  if (s.frontWall !== null)
+    chain.unshift(edge({ u: open - FAR, v: s.frontWall }, { u: open, v: s.frontWall }),
+      edge({ u: open, v: s.frontWall }, { u: open, v: first.from.v }), edge({ u: open, v: first.from.v }, first.from));
   else if (s.front === "part") chain.unshift(edge({ u: first.from.u - FAR, v: first.from.v }, first.from));
   const close = last.to.u + keep.u;
-  if (s.wall !== null) chain.push(edge(last.to, { u: close, v: last.to.v }), edge({ u: close, v: last.to.v }, { u: close, v: s.wall }), edge({ u: close, v: s.wall }, { u: close + FAR, v: s.wall }));
+  if (s.wall !== null)
+    chain.push(edge(last.to, { u: close, v: last.to.v }), edge({ u: close, v: last.to.v }, { u: close, v: s.wall }),
+      edge({ u: close, v: s.wall }, { u: close + FAR, v: s.wall }));
   else chain.push(edge(last.to, { u: last.to.u + FAR, v: last.to.v }));
   const extra: EnvelopePiece[] = [];
   const bound = (u0: number, u1: number, v: number, on: Origin["on"]) => {

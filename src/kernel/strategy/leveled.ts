@@ -68,7 +68,9 @@ function siteOf(l: Leveled, setting: Setting): Site | null {
   if (!first) return null;
   const insert = insertIn(setting.tool, l.frame);
   return {
-    flat, insert, called: toFlat(l.frame, setting.start),
+    flat,
+    insert,
+    called: toFlat(l.frame, setting.start),
     keep: l.frame.transverse ? { u: l.oversize.r, v: l.oversize.z } : { u: l.oversize.z, v: l.oversize.r },
     outer: Math.max(l.outerHeight ?? first.from.v, first.from.v) - extent(insert).minV,
     highest: Math.max(...flat.flatMap((s) => [s.from.v, s.to.v])),
@@ -84,8 +86,13 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
   const { flat, called, keep, insert } = site;
   const last = flat[flat.length - 1] as FlatSegment;
   const sketch = {
-    ...empty([]), contour: l.contour, part: partUnder(flat, l.frame, site.pin), most: length(l.infeed),
-    area: areaOver(flat, l.frame, called.u, Math.max(called.v, site.outer)), openSide: toPart(l.frame, { u: 0, v: 1 }), oversize: l.oversize,
+    ...empty([]),
+    contour: l.contour,
+    part: partUnder(flat, l.frame, site.pin),
+    most: length(l.infeed),
+    area: areaOver(flat, l.frame, called.u, Math.max(called.v, site.outer)),
+    openSide: toPart(l.frame, { u: 0, v: 1 }),
+    oversize: l.oversize,
   };
   const issues: Issue[] = [];
   const refused = [unfit(tool, l.frame, TURNING), wrongStart(l, site, setting)].filter((i) => i !== null);
@@ -109,15 +116,22 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
   const grown = l.operation > 1 || l.smoothing === 1 ? groundOver(bounds, tool, l.frame, keep, over) : drawn;
   const stands = atCall({ stock: setting.stock, area: areaCorners(site, top), frame: l.frame, insert }, drawn.bare,
     l.operation > 1 ? { grown: grown.bare, infeed: l.infeed } : null);
-  const cutter = new Cutter(l.frame, setting.feedUnit, called, room, new Frontier(stands, insert, limits.ceiling), Math.max(called.v, start.v));
+  const cutter = new Cutter(l.frame, setting.feedUnit, called, room, new Frontier(stands, insert, limits.ceiling),
+    Math.max(called.v, start.v));
   place(cutter, l, site, start, setting, issues);
 
   const from = Math.max(start.u, limits.from, room.minU);
   const end = Math.max(kept.end.u, drawn.end.u, last.to.u + keep.u) + SAME;
   const to = Math.min(end, limits.to - leadOf(insert), room.maxU);
   const follow = {
-    contour: flat, start, clearance: l.clearance, runOut: wall === null ? null : last.to.v + keep.v, feeds: l.feeds,
-    from, to, ceiling: limits.ceiling,
+    contour: flat,
+    start,
+    clearance: l.clearance,
+    runOut: wall === null ? null : last.to.v + keep.v,
+    feeds: l.feeds,
+    from,
+    to,
+    ceiling: limits.ceiling,
   };
   const unlimited = () => {
     if (!l.limit) return {};
@@ -134,7 +148,14 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
     division = divided;
     if (division.passes === 0) issues.push(issue("nothingToCut", "warning", {}, "startU"));
     roughByLevels(cutter, {
-      envelope: kept.envelope, top: upper, ...division, from, to, smoothing: l.smoothing, clearance: l.clearance, feeds: l.feeds,
+      envelope: kept.envelope,
+      top: upper,
+      ...division,
+      from,
+      to,
+      smoothing: l.smoothing,
+      clearance: l.clearance,
+      feeds: l.feeds,
     });
     if (l.smoothing === 1 && division.passes > 0)
       followContour(cutter, { ...follow, ground: grown, smoothing: true }, issues);
@@ -145,7 +166,11 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
     back(cutter, start, l, "finish", 4);
   }
   return clearAcross({
-    ...sketch, moves: cutter.moves, issues, ...division, infeed: length(division.infeed),
+    ...sketch,
+    moves: cutter.moves,
+    issues,
+    ...division,
+    infeed: length(division.infeed),
     area: areaOver(flat, l.frame, start.u, top),
     reach: reachOf(drawn, Math.max(drawn.first, from), Math.min(drawn.end.u, to), l.frame, tool),
     kept: reachOf(kept, Math.max(kept.first, from), Math.min(kept.end.u, to), l.frame, tool),
@@ -157,7 +182,9 @@ const NOTHING: Flat = { u: 0, v: 0 };
 
 /** What bounds the finishing path beside the contour. */
 const toFinishOver = (site: Site, floor: number | null): Surroundings => ({
-  wall: null, front: site.pin ? "part" : "free", frontWall: null,
+  wall: null,
+  front: site.pin ? "part" : "free",
+  frontWall: null,
   floors: floor === null ? [] : [{ v: floor, on: "limit" as const }],
 });
 
@@ -235,6 +262,15 @@ function back(cutter: Cutter, start: Flat, l: Leveled, run: "rough" | "finish", 
 
 /** A plan without a path. */
 export const empty = (issues: readonly Issue[]): Plan => ({
-  moves: [], issues, contour: [], passes: 0, infeed: length(0), area: [], part: [],
-  openSide: { z: axial(0), r: radius(0) }, reach: [], kept: [], most: length(0),
+  moves: [],
+  issues,
+  contour: [],
+  passes: 0,
+  infeed: length(0),
+  area: [],
+  part: [],
+  openSide: { z: axial(0), r: radius(0) },
+  reach: [],
+  kept: [],
+  most: length(0),
 });

@@ -51,13 +51,16 @@ function* cuts(l: Levels): Generator<Cut> {
     });
   // A crest that stands higher than the start point ends the area.
   const front = Math.max(l.top, heightAt(l.envelope, l.from));
-  const reachable = below(l.envelope, level(l, 1), l.from, l.to)
-    .filter((v) => open(v) || highest(l.envelope, l.from, v.from).v <= front + SAME);
+  const reachable = below(l.envelope, level(l, 1), l.from, l.to).filter((v) =>
+    open(v) || highest(l.envelope, l.from, v.from).v <= front + SAME
+  );
   const pending = within(1, reachable, { from: l.from, to: l.to }).reverse();
   for (let cut = pending.pop(); cut; cut = pending.pop()) {
     yield cut;
     if (cut.pass < l.passes)
-      pending.push(...within(cut.pass + 1, below(l.envelope, level(l, cut.pass + 1), cut.valley.from, cut.valley.to), cut.valley).reverse());
+      pending.push(
+        ...within(cut.pass + 1, below(l.envelope, level(l, cut.pass + 1), cut.valley.from, cut.valley.to), cut.valley).reverse(),
+      );
   }
 }
 
@@ -76,7 +79,11 @@ export function roughByLevels(cutter: Cutter, l: Levels): void {
 }
 
 const linked = (l: Levels, pass: number) => ({
-  gap: Math.min(l.infeed, l.clearance), feed: l.feeds.plunge, out: purpose(4, pass), down: purpose(1, pass), enter: purpose(2, pass, true),
+  gap: Math.min(l.infeed, l.clearance),
+  feed: l.feeds.plunge,
+  out: purpose(4, pass),
+  down: purpose(1, pass),
+  enter: purpose(2, pass, true),
 });
 
 /** To where a cut begins: in front of it, or down along the element that falls into its valley. */
@@ -84,8 +91,8 @@ function enter(cutter: Cutter, l: Levels, { pass, valley, entry }: Cut) {
   const height = level(l, pass);
   if (entry === null) return cutter.link({ u: valley.from, v: height }, linked(l, pass));
   cutter.link({ u: entry, v: Math.max(height, heightAt(l.envelope, entry)) }, linked(l, pass));
-  cutter.along(pathAlong(l.envelope, entry, valley.from).map((s) => s.segment), (s) =>
-    ({ feed: falls(s) ? l.feeds.plunge : l.feeds.rough, purpose: purpose(2, pass, falls(s)) }));
+  cutter.along(pathAlong(l.envelope, entry, valley.from).map((s) => s.segment),
+    (s) => ({ feed: falls(s) ? l.feeds.plunge : l.feeds.rough, purpose: purpose(2, pass, falls(s)) }));
   cutter.feed({ u: valley.from, v: height }, l.feeds.plunge, purpose(2, pass, true));
 }
 

@@ -25,7 +25,9 @@ export function limitsOf(limit: Flat | null, called: Flat, contour: readonly Fla
   if (above ? limit.v >= Math.max(...vs) : limit.v <= Math.min(...vs))
     wrong(limit.v, above ? Math.min(...vs) : Math.max(...vs), "limitV");
   return {
-    from: before ? -Infinity : limit.u, to: before ? limit.u : Infinity,
-    floor: above ? limit.v : null, ceiling: above ? Infinity : limit.v,
+    from: before ? -Infinity : limit.u,
+    to: before ? limit.u : Infinity,
+    floor: above ? limit.v : null,
+    ceiling: above ? Infinity : limit.v,
   };
 }

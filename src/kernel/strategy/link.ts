@@ -20,7 +20,11 @@ export interface Link {
 /** A tool at work: its moves, and what still stands in front of it. Everything that runs at feed lowers the frontier. */
 export class Cutter extends Track {
   constructor(
-    frame: Frame, feedUnit: FeedUnit, start: Flat, room: Room, readonly frontier: Frontier,
+    frame: Frame,
+    feedUnit: FeedUnit,
+    start: Flat,
+    room: Room,
+    readonly frontier: Frontier,
     /** The tool rises no higher than this unless something stands higher. */
     private readonly ceiling: number,
   ) {

@@ -19,7 +19,10 @@ export function partUnder(contour: readonly FlatSegment[], frame: Frame, both: b
   return turned([...points, ...[...close, ...start].map((p) => toPart(frame, p))]);
 }
 
-/** The area to be removed: between the contour and the level and place of the start point; what stands above that level is no part of it. */
+/**
+ * The area to be removed: between the contour and the level and place of the start point; what stands above that level is no
+ * part of it.
+ */
 export function areaOver(contour: readonly FlatSegment[], frame: Frame, from: number, top: number): Ring {
   const points = chain(contour, frame).map((p) => toFlat(frame, p));
   const [first, last] = [points[0], points[points.length - 1]];
@@ -57,10 +60,13 @@ function turned(spiked: readonly Pt[]): Ring {
   return twice < 0 ? [...ring].reverse() : ring;
 }
 
-/** A ring without the points at which it turns back on itself, as where a wall of the contour lies in the line that closes it: the polygon engine loses corners beside them. */
+/**
+ * A ring without the points at which it turns back on itself, as where a wall of the contour lies in the line that closes it:
+ * the polygon engine loses corners beside them.
+ */
 function withoutSpikes(points: readonly Pt[]): Pt[] {
   const ring = [...points];
-  for (let i = 0, sound = 0; sound < ring.length && ring.length > 3; ) {
+  for (let i = 0, sound = 0; sound < ring.length && ring.length > 3;) {
     const [a, b, c] = [ring[(i + ring.length - 1) % ring.length], ring[i], ring[(i + 1) % ring.length]] as [Pt, Pt, Pt];
     const [z0, r0, z1, r1] = [b.z - a.z, b.r - a.r, c.z - b.z, c.r - b.r];
     const size = Math.hypot(z0, r0) * Math.hypot(z1, r1);

@@ -26,7 +26,11 @@ export interface RecessRough {
 type Side = "left" | "right";
 
 const purpose = (step: number, pass?: number, plunging = false): Purpose => ({
-  phase: "rough", run: "rough", step, ...(pass !== undefined && { pass }), ...(plunging ? { plunging: true as const } : {}),
+  phase: "rough",
+  run: "rough",
+  step,
+  ...(pass !== undefined && { pass }),
+  ...(plunging ? { plunging: true as const } : {}),
 });
 
 /** The printed steps 1 to 7 of roughing a recess: plunge, cut sideways, plunge …, and at the end one cut along each wall. */
@@ -56,8 +60,13 @@ export function roughRecess(cutter: Cutter, r: RecessRough): void {
   alongWalls(cutter, r, here, shortened);
 }
 
-const linked = (r: RecessRough, step: number, enter: Purpose) =>
-  ({ gap: RECESS_CLEARANCE, feed: r.feeds.plunge, out: purpose(step), down: purpose(step), enter });
+const linked = (r: RecessRough, step: number, enter: Purpose) => ({
+  gap: RECESS_CLEARANCE,
+  feed: r.feeds.plunge,
+  out: purpose(step),
+  down: purpose(step),
+  enter,
+});
 
 /** Down beside a wall, apart from it by what the passes are shortened there; where it cannot be followed, sideways and down. */
 function beside(cutter: Cutter, r: RecessRough, side: Side, here: Interval, next: Interval, shortened: Record<Side, number>, pass: number) {

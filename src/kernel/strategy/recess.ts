@@ -52,8 +52,13 @@ export function planRecess(l: Recess, setting: Setting): Plan {
   const opening = Math.max(first.from.v, last.to.v);
   const top = Math.max(called.v, opening);
   const sketch = {
-    ...empty([]), contour: l.contour, part: partUnder(flat, l.frame, true), area: areaOver(flat, l.frame, Infinity, top),
-    openSide: toPart(l.frame, { u: 0, v: 1 }), most: length(l.infeed), oversize: l.oversize,
+    ...empty([]),
+    contour: l.contour,
+    part: partUnder(flat, l.frame, true),
+    area: areaOver(flat, l.frame, Infinity, top),
+    openSide: toPart(l.frame, { u: 0, v: 1 }),
+    most: length(l.infeed),
+    oversize: l.oversize,
   };
   const refused = unfit(tool, l.frame, RECESSING);
   if (refused) return { ...sketch, issues: [refused] };
@@ -97,11 +102,22 @@ export function planRecess(l: Recess, setting: Setting): Plan {
     back(cutter, start, l.feeds.rough, "rough", 8);
   }
   if (l.operation !== 1 && lowest(drawn.envelope, span.from, span.to) < opening - SAME) {
-    finishRecess(cutter, { ground: l.operation === 3 ? grown : drawn, top, feed: l.feeds.finish, oneGo: l.roundedFloor, apart: keep.u + noseRadius(tool), span });
+    finishRecess(cutter, {
+      ground: l.operation === 3 ? grown : drawn,
+      top,
+      feed: l.feeds.finish,
+      oneGo: l.roundedFloor,
+      apart: keep.u + noseRadius(tool),
+      span,
+    });
     back(cutter, start, l.feeds.finish, "finish", 7);
   }
   return clearAcross({
-    ...sketch, moves: cutter.moves, issues, passes: division.passes, infeed: length(division.infeed),
+    ...sketch,
+    moves: cutter.moves,
+    issues,
+    passes: division.passes,
+    infeed: length(division.infeed),
     reach: reachOf(drawn, drawn.start.u, drawn.end.u, l.frame, tool),
     kept: reachOf(kept, kept.start.u, kept.end.u, l.frame, tool),
   }, setting, l.frame.transverse ? "startU" : "startV");
@@ -118,7 +134,9 @@ function floorOf(tool: Tool, opening: number, flat: readonly FlatSegment[], issu
 
 /** What lies beside the recess: the part, and in front of the opening walls as wide as it, when roughing. */
 const surroundingsOf = (top: number, inFront: boolean, deepest: number | null) => (walls: boolean): Surroundings => ({
-  wall: walls && inFront ? top + FAR : null, front: "part", frontWall: walls && inFront ? top + FAR : null,
+  wall: walls && inFront ? top + FAR : null,
+  front: "part",
+  frontWall: walls && inFront ? top + FAR : null,
   floors: deepest === null ? [] : [{ v: deepest, on: "cutLength" }],
 });
 

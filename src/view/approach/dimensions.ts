@@ -21,7 +21,9 @@ function lengthItem(tag: Tag, text: string, a: Place, b: Place): Item {
     const middle = moved({ x: (c.x + d.x) / 2, y: (c.y + d.y) / 2 }, nx, ny, Math.sign(k) * (Math.abs(nx) > 0.7 ? 22 : 11));
     return {
       marks: [...extension(tag, a, c), ...extension(tag, b, d), ...between(tag, c, d), value(tag, middle, text)],
-      label: textBox(middle, text, 0), lines: [lineBox(c, d)], cost: Math.abs(k),
+      label: textBox(middle, text, 0),
+      lines: [lineBox(c, d)],
+      cost: Math.abs(k),
     };
   });
   return { q: "LEN", candidates };
@@ -44,8 +46,14 @@ function radiusItem(tag: Tag, text: string, arc: Arc): Item {
       const end = at === 1 ? moved(tip, ux, uy, 16) : tip;
       const middle = at === 1 ? moved(tip, ux, uy, 32) : moved(moved(arc.centre, ux, uy, arc.radius * at), -uy, ux, 12);
       return {
-        marks: [stroke(tag, "thin", `M${arc.centre.x} ${arc.centre.y}L${end.x} ${end.y}`), filled(tag, "arrow", arrowHead(tip, ux, uy)), value(tag, middle, text)],
-        label: textBox(middle, text, 0), lines: [], cost: Math.abs(part - 0.5) * 2 + (at === 1 ? 1.5 : 0),
+        marks: [
+          stroke(tag, "thin", `M${arc.centre.x} ${arc.centre.y}L${end.x} ${end.y}`),
+          filled(tag, "arrow", arrowHead(tip, ux, uy)),
+          value(tag, middle, text),
+        ],
+        label: textBox(middle, text, 0),
+        lines: [],
+        cost: Math.abs(part - 0.5) * 2 + (at === 1 ? 1.5 : 0),
       };
     });
   });
@@ -57,7 +65,9 @@ function angleItem(tag: Tag, text: string, arc: Arc): Item {
   const to = arc.from + arc.sweep;
   const ray = (angle: number, k: number) => moved(arc.centre, Math.cos(angle), -Math.sin(angle), k);
   const whole = Math.abs(arc.sweep) >= 2 * Math.PI - 1e-6;
-  const drawn = whole ? arcPath(arc.centre, size, arc.from, arc.from + arc.sweep * 0.5) + arcPath(arc.centre, size, arc.from + arc.sweep * 0.5, to) : arcPath(arc.centre, size, arc.from, to);
+  const drawn = whole
+    ? arcPath(arc.centre, size, arc.from, arc.from + arc.sweep * 0.5) + arcPath(arc.centre, size, arc.from + arc.sweep * 0.5, to)
+    : arcPath(arc.centre, size, arc.from, to);
   const spokes = [arc.from, to].map((angle) => {
     const end = ray(angle, arc.radius);
     return stroke(tag, "thin", `M${arc.centre.x} ${arc.centre.y}L${end.x} ${end.y}`);
@@ -68,8 +78,13 @@ function angleItem(tag: Tag, text: string, arc: Arc): Item {
   const candidates = [0.35, 0.65, 0.5, 0.2, 0.8].flatMap((part) =>
     [size + 16, size * 0.5, size + 26].map((k, i): Candidate => {
       const middle = ray(arc.from + arc.sweep * part, k);
-      return { marks: [...spokes, stroke(tag, "thin", drawn), head, value(tag, middle, text)], label: textBox(middle, text, 0), lines: [], cost: i + Math.abs(part - 0.35) };
-    }),
+      return {
+        marks: [...spokes, stroke(tag, "thin", drawn), head, value(tag, middle, text)],
+        label: textBox(middle, text, 0),
+        lines: [],
+        cost: i + Math.abs(part - 0.35),
+      };
+    })
   );
   return { q: "CCA", candidates };
 }
@@ -86,8 +101,16 @@ export function dimensionItems(result: Approach, camera: Camera, speech: Approac
     const turn = arc.turn === "ccw" ? 1 : -1;
     const there = Math.atan2(-(at.y - centre.y), at.x - centre.x);
     const sweep = (turn * arc.angle * Math.PI) / 180;
-    const shown: Arc = { centre, radius: Math.hypot(at.x - centre.x, at.y - centre.y), from: result.departing ? there : there - sweep, sweep };
-    return [angleItem(tag("CCA"), `${speech.number(Math.round(arc.angle * 1000) / 1000)}°`, shown), radiusItem(tag("R"), `R${speech.number(arc.radius)}`, shown)];
+    const shown: Arc = {
+      centre,
+      radius: Math.hypot(at.x - centre.x, at.y - centre.y),
+      from: result.departing ? there : there - sweep,
+      sweep,
+    };
+    return [
+      angleItem(tag("CCA"), `${speech.number(Math.round(arc.angle * 1000) / 1000)}°`, shown),
+      radiusItem(tag("R"), `R${speech.number(arc.radius)}`, shown),
+    ];
   }
   const [inner, outer] = result.departing ? [points.PE, points.PN] : [points.PA, points.PH];
   if (!inner || !outer || result.shape === "CT" || result.shape === "LCT") return [];

@@ -9,10 +9,18 @@ import { suggestedForms } from "./forms.ts";
 import { approachSvg } from "./svg.ts";
 
 const corners = [[5, 5], [5, 95], [95, 95], [95, 5], [5, 5]] as const;
-const contour = corners.slice(1).map(([x, y], i): PlaneSegment => ({ kind: "line", from: { x: corners[i]?.[0] ?? 0, y: corners[i]?.[1] ?? 0 }, to: { x, y } }));
-const speech = { number: (n: number) => String(Math.round(n * 1000) / 1000), point: (p: { x: number; y: number }) => `X${Math.round(p.x * 1000) / 1000} Y${Math.round(p.y * 1000) / 1000}` };
+const contour = corners.slice(1).map(([x, y], i): PlaneSegment => ({
+  kind: "line",
+  from: { x: corners[i]?.[0] ?? 0, y: corners[i]?.[1] ?? 0 },
+  to: { x, y },
+}));
+const speech = {
+  number: (n: number) => String(Math.round(n * 1000) / 1000),
+  point: (p: { x: number; y: number }) => `X${Math.round(p.x * 1000) / 1000} Y${Math.round(p.y * 1000) / 1000}`,
+};
 const forms = [false, true].flatMap((departing) =>
-  suggestedForms({ contour, side: "left", toolRadius: 10, outside: departing ? null : { x: -30, y: -30 } }, departing));
+  suggestedForms({ contour, side: "left", toolRadius: 10, outside: departing ? null : { x: -30, y: -30 } }, departing)
+);
 
 describe.each(forms.map((f) => [`${f.departing ? "DEP" : "APPR"} ${f.shape}`, f] as const))("%s", (name, { request, result }) => {
   const size = { width: 400, height: 280 };
@@ -33,7 +41,11 @@ describe.each(forms.map((f) => [`${f.departing ? "DEP" : "APPR"} ${f.shape}`, f]
   test("a handle that is dragged to a place of its line or circle gives the value that brings it there", () => {
     const handle = request.departing ? "PN" : "PH";
     if (request.shape === "LCT") return;
-    const other = approach({ ...request, ...(request.length !== undefined && { length: 23 }), ...(request.centreAngle !== undefined && { centreAngle: 40 }) });
+    const other = approach({
+      ...request,
+      ...(request.length !== undefined && { length: 23 }),
+      ...(request.centreAngle !== undefined && { centreAngle: 40 }),
+    });
     const to = other.points[handle];
     expect(to && dragged(result, handle, to, 0.1, { x: 0, y: 0 })).toEqual(
       request.shape === "CT" ? { word: "CCA", value: 40 } : { word: "LEN", value: 23 },
@@ -43,10 +55,14 @@ describe.each(forms.map((f) => [`${f.departing ? "DEP" : "APPR"} ${f.shape}`, f]
 
 test("the strip shows the height over the whole path", () => {
   const at = (x: number, z: number | null) => ({ x, y: 0, z });
-  const strip = depthStrip([
-    { kind: "rapid", from: at(0, 10), to: at(30, 10), radius: 5, index: 1 },
-    { kind: "feed", from: at(30, 10), to: at(30, -10), feed: 100, radius: 5, index: 2 },
-  ]);
+  const strip = depthStrip([{ kind: "rapid", from: at(0, 10), to: at(30, 10), radius: 5, index: 1 }, {
+    kind: "feed",
+    from: at(30, 10),
+    to: at(30, -10),
+    feed: 100,
+    radius: 5,
+    index: 2,
+  }]);
   expect(strip).toMatchObject({ high: 10, low: -10, zero: 0.5, rapid: "M0 0L0.6 0", feed: "M0.6 0L1 1" });
   expect(strip && stripAt(strip, 1, 0.5)).toBeCloseTo(0.8);
 });

@@ -49,7 +49,8 @@ const SMALL = { left: 20, right: 20, top: 22, bottom: 22 };
 function tangentLine(scene: ApproachScene, camera: Camera, contact: PlanePoint): Mark {
   const far = Math.max(scene.toolRadius * 1.25, 34 / camera.scale);
   const { tangent } = scene.result;
-  return stroke(quiet, "axis", polyline([onScreen(camera, beyond(contact, tangent, -far)), onScreen(camera, beyond(contact, tangent, far))]));
+  return stroke(quiet, "axis",
+    polyline([onScreen(camera, beyond(contact, tangent, -far)), onScreen(camera, beyond(contact, tangent, far))]));
 }
 
 /** The right angle between contour and way of the perpendicular forms. */
@@ -94,7 +95,8 @@ export function approachDrawing(scene: ApproachScene): ApproachDrawing {
     }),
   ];
   const middle = { x: size.width / 2, y: size.height / 2 };
-  const lit = (p: ShownPoint) => (active === "X" || active === "Y" || active === "PR" || active === "PA") && p.names.includes(result.departing ? "PN" : "PA");
+  const lit = (p: ShownPoint) =>
+    (active === "X" || active === "Y" || active === "PR" || active === "PA") && p.names.includes(result.departing ? "PN" : "PA");
   const items = [
     ...points.map((p) => pointItem(p, scene.speech, middle, lit(p), !scene.small)),
     ...(scene.small ? [] : dimensionItems(result, camera, scene.speech, active)),
@@ -103,7 +105,10 @@ export function approachDrawing(scene: ApproachScene): ApproachDrawing {
   const kept = points.map((p) => ({ x: p.place.x - 7, y: p.place.y - 7, width: 14, height: 14 }));
   const placed = arrange(items, { ...size, avoid: scene.small ? [] : lines, kept });
   return {
-    size, camera, points, labels: placed.map((p) => p.label),
+    size,
+    camera,
+    points,
+    labels: placed.map((p) => p.label),
     centre: result.arc && { at: result.arc.centre, place: onScreen(camera, result.arc.centre) },
     marks: [...marks, ...placed.flatMap((p) => p.marks)],
   };

@@ -35,7 +35,9 @@ export function outsidePoint({ contour, side, toolRadius }: FormPlace, departing
   const corner = departing ? element.to : element.from;
   const way = direction(element, corner);
   const far = atLeast(toolRadius * 1.5 + 5);
-  return rounded(beyond(beyond(corner, towardsTool(way, side === "none" ? "left" : side), toolRadius + far * 1.4), way, (departing ? 1.6 : -1.6) * far));
+  return rounded(
+    beyond(beyond(corner, towardsTool(way, side === "none" ? "left" : side), toolRadius + far * 1.4), way, (departing ? 1.6 : -1.6) * far),
+  );
 }
 
 /** The four approaches or the four departures, side by side at the same contour. */
@@ -48,7 +50,11 @@ export function suggestedForms(place: FormPlace, departing: boolean): readonly S
   return SHAPES.map((shape) => {
     const sideOfForm = shape === "CT" && side === "none" ? "left" : side;
     const common = { shape, departing, side: sideOfForm, toolRadius, element, outside: departing && shape !== "LCT" ? null : outside };
-    const own = shape === "CT" ? { radius: size, centreAngle: 90 } : shape === "LCT" ? { radius: size } : { length: atLeast(Math.max(5, toolRadius * 1.2)) };
+    const own = shape === "CT"
+      ? { radius: size, centreAngle: 90 }
+      : shape === "LCT"
+      ? { radius: size }
+      : { length: atLeast(Math.max(5, toolRadius * 1.2)) };
     const request: ApproachRequest = { ...common, ...own };
     const result = approach(request);
     const inside = result.issues.find((found) => found.code === "approachInsideCircle");

@@ -31,9 +31,7 @@ export function planeFrameOf(result: Approach, element: PlaneSegment, toolRadius
   const [first] = points;
   const extent = first ? Math.max(...points.map((p) => apart(p, first))) : 0;
   const reach = Math.max(extent * 0.8, toolRadius * 1.5, 2);
-  const round = points.flatMap((p) => [
-    { x: p.x - toolRadius, y: p.y - toolRadius }, { x: p.x + toolRadius, y: p.y + toolRadius },
-  ]);
+  const round = points.flatMap((p) => [{ x: p.x - toolRadius, y: p.y - toolRadius }, { x: p.x + toolRadius, y: p.y + toolRadius }]);
   const all = [...round, ...along(result.legs.map((leg) => leg.segment), 24), ...along([nearPiece(element, result.departing, reach)], 8)];
   return boundsOf(all.map(partPoint)) ?? { left: -10, right: 10, low: -10, high: 10 };
 }

@@ -18,7 +18,10 @@ const ORDER: readonly PointName[] = ["PS", "PH", "PA", "PE", "PN"];
 
 /** The named points of a whole program, each place once, with texts that cover neither each other nor a point. */
 export function planeNames(
-  approaches: readonly { readonly points: NamedPoints; readonly departing: boolean }[], camera: Camera, size: Size, speech: ApproachSpeech,
+  approaches: readonly { readonly points: NamedPoints; readonly departing: boolean }[],
+  camera: Camera,
+  size: Size,
+  speech: ApproachSpeech,
 ): { readonly points: readonly ShownPoint[]; readonly marks: readonly Mark[] } {
   const shown: { names: PointName[]; at: PlanePoint }[] = [];
   for (const { points, departing } of approaches) {
@@ -30,14 +33,20 @@ export function planeNames(
       else if (!same.names.includes(name)) same.names.push(name);
     }
   }
-  const points = shown.map((p): ShownPoint => ({ ...p, place: onScreen(camera, p.at) }))
-    .filter(({ place }) => place.x > 0 && place.y > 0 && place.x < size.width && place.y < size.height);
+  const points = shown.map((p): ShownPoint => ({ ...p, place: onScreen(camera, p.at) })).filter(({ place }) =>
+    place.x > 0 && place.y > 0 && place.x < size.width && place.y < size.height
+  );
   const few = approaches.length <= FEW && size.width > 420;
   const middle = { x: size.width / 2, y: size.height / 2 };
   const kept = [
-    { x: 0, y: 0, width: 48, height: size.height }, { x: 0, y: size.height - 24, width: size.width, height: 24 },
+    { x: 0, y: 0, width: 48, height: size.height },
+    { x: 0, y: size.height - 24, width: size.width, height: 24 },
     ...points.map((p) => ({ x: p.place.x - 6, y: p.place.y - 6, width: 12, height: 12 })),
   ];
-  const placed = arrange(points.slice(0, MOST).map((p) => ({ ...pointItem(p, speech, middle, false, few), most: FAR })), { ...size, avoid: [], kept });
+  const placed = arrange(points.slice(0, MOST).map((p) => ({ ...pointItem(p, speech, middle, false, few), most: FAR })), {
+    ...size,
+    avoid: [],
+    kept,
+  });
   return { points, marks: placed.flatMap((p) => p.marks) };
 }

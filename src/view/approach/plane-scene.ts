@@ -62,7 +62,11 @@ const AIR = 0.04;
 const EMPTY: Bounds = { left: -10, right: 110, low: -10, high: 110 };
 
 /** The still part of the picture: contours, and the path told apart by what it is. `leads` are the blocks of APPR and DEP. */
-export function planeScene(motions: readonly MillMotion[], contours: readonly (readonly PlaneSegment[])[], leads: ReadonlySet<number>): PlaneScene {
+export function planeScene(
+  motions: readonly MillMotion[],
+  contours: readonly (readonly PlaneSegment[])[],
+  leads: ReadonlySet<number>,
+): PlaneScene {
   const ways: Record<PlaneRole, PlaneSegment[]> = { contour: [], rapid: [], feed: [], lead: [] };
   for (const m of motions) ways[isRapid(m) ? "rapid" : leads.has(m.index) ? "lead" : "feed"].push(wayOf(m));
   ways.contour.push(...contours.flat());

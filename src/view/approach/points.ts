@@ -49,12 +49,19 @@ export function pointItem(p: ShownPoint, speech: ApproachSpeech, middle: Place, 
       const centre = { x: p.place.x + cos * (gap + width / 2), y: p.place.y + sin * (gap + height / 2) };
       const tag = { q: p.names[0] ?? null, active };
       const text = (line: number, words: string, size: number): Mark => ({
-        ...tag, kind: "text", place: { x: centre.x, y: centre.y + (coordinates ? line * LINE - LINE / 2 : 0) }, text: words, size, turn: 0, underlined: false, role: "value",
+        ...tag,
+        kind: "text",
+        place: { x: centre.x, y: centre.y + (coordinates ? line * LINE - LINE / 2 : 0) },
+        text: words,
+        size,
+        turn: 0,
+        underlined: false,
+        role: "value",
       });
       const marks: Mark[] = [text(0, name, SIZE.strong), ...(coordinates ? [text(1, where, SIZE.quiet)] : [])];
       const label = { x: centre.x - width / 2, y: centre.y - height / 2, width, height };
       return { marks, label, lines: [], cost: (1 - Math.cos(angle - out)) * 2 + (eighth % 2) * 0.3 + (ring - 1) * 4 };
-    }),
+    })
   );
   return { q: name, candidates };
 }

@@ -29,7 +29,10 @@ export function operation(c: Context, l: Lettering): Explanation {
   return only([...cut, ...left, ...finish]);
 }
 
-/** Which way the contour is run through (the outline is already in machining direction); the mirrored tool is a small insert at the beginning of the cut. */
+/**
+ * Which way the contour is run through (the outline is already in machining direction); the mirrored tool is a small insert at
+ * the beginning of the cut.
+ */
 export function reverse(c: Context, l: Lettering): Explanation {
   const value = numberOf(c.values, l.q);
   const path = besides(c, c.section.line, 8);
@@ -38,7 +41,10 @@ export function reverse(c: Context, l: Lettering): Explanation {
   if (value === 2 && at) {
     const p = toScreen(c.layout.camera, at);
     const side = c.frame.infeed === "r" ? c.frame.feed : 1;
-    tool.push(filled(l, "tool", polygon([p, { x: p.x - side * 4, y: p.y - 15 }, { x: p.x - side * 17, y: p.y - 12 }, { x: p.x - side * 13, y: p.y + 3 }])));
+    tool.push(
+      filled(l, "tool",
+        polygon([p, { x: p.x - side * 4, y: p.y - 15 }, { x: p.x - side * 17, y: p.y - 12 }, { x: p.x - side * 13, y: p.y + 3 }])),
+    );
   }
   return only([...pathMarks(c, l, path), ...tool]);
 }
@@ -67,7 +73,8 @@ export function plunging(c: Context, l: Lettering): Explanation {
   const value = numberOf(c.values, l.q);
   const f = c.frame;
   const runs = falling(f, c.section.line);
-  if (value === 1) return only(runs.length > 0 ? runs.flatMap((run) => pathMarks(c, l, besides(c, run))) : pathMarks(c, l, besides(c, c.section.line)));
+  if (value === 1)
+    return only(runs.length > 0 ? runs.flatMap((run) => pathMarks(c, l, besides(c, run))) : pathMarks(c, l, besides(c, c.section.line)));
   const bridges = runs.flatMap((run) => {
     const from = run[0];
     if (!from) return [];
@@ -84,7 +91,12 @@ export function plunging(c: Context, l: Lettering): Explanation {
 export function limits(c: Context, l: Lettering): Explanation {
   const tag = { ...l, active: true };
   const [x, z] = [qOf(c.params, "limitDiameter"), qOf(c.params, "limitZ")];
-  return only([...(x ? limit(c, { ...tag, q: x }, "diameter").under : []), ...(z ? limit(c, { ...tag, q: z }, "z").under : [])].map((m) => ({ ...m, q: l.q })));
+  return only(
+    [...(x ? limit(c, { ...tag, q: x }, "diameter").under : []), ...(z ? limit(c, { ...tag, q: z }, "z").under : [])].map((m) => ({
+      ...m,
+      q: l.q,
+    })),
+  );
 }
 
 /** Cutting both ways in turn, or always the way of the contour. */

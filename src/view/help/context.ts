@@ -43,8 +43,9 @@ export function startPoint(f: HelpFrame, corner: Pt, clearance: number): Pt {
 
 /** Middle of the longest element of the contour that a test accepts; of any element when none is. */
 export function longest(context: Context, accepts: (dz: number, dr: number) => boolean): { readonly at: Pt; readonly found: boolean } {
-  const sized = context.outline.contour.map((s) => ({ s, dz: Math.abs(s.to.z - s.from.z), dr: Math.abs(s.to.r - s.from.r) }))
-    .sort((a, b) => Math.hypot(b.dz, b.dr) - Math.hypot(a.dz, a.dr));
+  const sized = context.outline.contour.map((s) => ({ s, dz: Math.abs(s.to.z - s.from.z), dr: Math.abs(s.to.r - s.from.r) })).sort((a, b) =>
+    Math.hypot(b.dz, b.dr) - Math.hypot(a.dz, a.dr)
+  );
   const one = sized.find(({ dz, dr }) => accepts(dz, dr));
   const any = one ?? sized[0];
   return { at: any ? part.pointOn(any.s, 0.5) : context.section.corner, found: one !== undefined };

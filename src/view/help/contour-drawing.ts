@@ -40,7 +40,9 @@ function cameraFor(points: readonly Pt[], size: Size): Camera {
   const all = boundsOf(points) ?? { left: -50, right: 5, low: 0, high: 40 };
   const span = Math.max(all.right - all.left, all.high - all.low, 1);
   const low = all.low < NEAR_AXIS * span ? Math.min(0, all.low) : all.low;
-  const box = all.right - all.left + all.high - low < 1e-6 ? { left: all.left - 10, right: all.right + 10, low: 0, high: all.high + 10 } : { ...all, low };
+  const box = all.right - all.left + all.high - low < 1e-6
+    ? { left: all.left - 10, right: all.right + 10, low: 0, high: all.high + 10 }
+    : { ...all, low };
   return fitted(box, size, MARGIN, true);
 }
 
@@ -50,10 +52,15 @@ function labelPlace(at: Place, text: string, taken: readonly LabelBox[], line: r
   let least = Infinity;
   for (const reach of text.endsWith("!") ? [20, 27] : [13, 19, 26])
     for (let k = 0; k < 8; k += 1) {
-      const p = { x: at.x + reach * Math.cos((k * Math.PI) / 4 - Math.PI / 4), y: at.y + reach * Math.sin((k * Math.PI) / 4 - Math.PI / 4) };
+      const p = {
+        x: at.x + reach * Math.cos((k * Math.PI) / 4 - Math.PI / 4),
+        y: at.y + reach * Math.sin((k * Math.PI) / 4 - Math.PI / 4),
+      };
       const box = textBox(p, text, 0, 12);
-      if (box.x < 0 || box.y < 0 || box.x + box.width > size.width || box.y + box.height > size.height || taken.some((b) => labelsOverlap(b, box))) continue;
-      const cost = reach / 10 + k / 10 + line.filter((q) => q.x > box.x && q.x < box.x + box.width && q.y > box.y && q.y < box.y + box.height).length * 3;
+      if (box.x < 0 || box.y < 0 || box.x + box.width > size.width || box.y + box.height > size.height
+        || taken.some((b) => labelsOverlap(b, box))) continue;
+      const cost = reach / 10 + k / 10
+        + line.filter((q) => q.x > box.x && q.x < box.x + box.width && q.y > box.y && q.y < box.y + box.height).length * 3;
       if (cost < least) [best, least] = [p, cost];
     }
   return best;
@@ -79,7 +86,11 @@ export function contourDrawing({ contour, rowOfSegment, ends, faulty, active, si
   const stops = ends.flatMap((e, row) => (e ? [{ row, at: { z: axial(e.z), r: toRadius(diameter(e.x)) } }] : []));
   const camera = given ?? cameraFor([...drawnLine(contour), ...stops.map((s) => s.at)], size);
   const rows = [...new Set(rowOfSegment)];
-  const elements = rows.map((row) => ({ row, faulty: faulty.has(row), d: segmentPath(contour.filter((_, i) => rowOfSegment[i] === row), camera) }));
+  const elements = rows.map((row) => ({
+    row,
+    faulty: faulty.has(row),
+    d: segmentPath(contour.filter((_, i) => rowOfSegment[i] === row), camera),
+  }));
   const corners = contour.flatMap((s, i) => {
     const row = rowOfSegment[i] ?? 0;
     // A recess has many segments and one number.
@@ -101,5 +112,11 @@ export function contourDrawing({ contour, rowOfSegment, ends, faulty, active, si
     return { row, place, label, faulty: faulty.has(row) };
   });
   const y = toScreen(camera, { z: axial(0), r: radius(0) }).y;
-  return { camera, grid: grid ? gridPath(camera, size, grid(camera.scale)) : "", axis: y > 0 && y < size.height ? polyline([{ x: 4, y }, { x: size.width - 4, y }]) : "", elements, points };
+  return {
+    camera,
+    grid: grid ? gridPath(camera, size, grid(camera.scale)) : "",
+    axis: y > 0 && y < size.height ? polyline([{ x: 4, y }, { x: size.width - 4, y }]) : "",
+    elements,
+    points,
+  };
 }

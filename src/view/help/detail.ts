@@ -24,11 +24,13 @@ function lensPlace(c: Context, radius: number, text: LabelBox, at: Place, placed
   let least = Infinity;
   for (let x = radius + 3; x <= width - radius - 3; x += 8)
     for (let y = radius + 3; y <= height - radius - text.height - 5; y += 8) {
-      const hit = (b: LabelBox) => b.x < x + radius && b.x + b.width > x - radius && b.y < y + radius + text.height + 4 && b.y + b.height > y - radius;
+      const hit = (b: LabelBox) =>
+        b.x < x + radius && b.x + b.width > x - radius && b.y < y + radius + text.height + 4 && b.y + b.height > y - radius;
       const over = (p: Place) => Math.hypot(p.x - x, p.y - y) < radius + 3;
       const gap = Math.hypot(at.x - x, at.y - y);
       const hidden = Math.abs(at.x - x) < text.width / 2 + 9 && Math.abs(at.y - (y + radius + text.height / 2 + 2)) < text.height / 2 + 9;
-      const cost = placed.filter((p) => hit(p.label) || p.lines.some(hit)).length * 6 + line.filter(over).length * 1.2 + blank.filter(over).length * 3
+      const cost = placed.filter((p) => hit(p.label) || p.lines.some(hit)).length * 6 + line.filter(over).length * 1.2
+        + blank.filter(over).length * 3
         + gap / 7 + (gap < radius + 14 || hidden ? 60 : 0) + (kept.some(hit) ? 500 : 0);
       if (cost < least) [best, least] = [{ x, y }, cost];
     }
@@ -49,7 +51,13 @@ function measure(c: Context, l: Lettering, element: Segment, camera: Camera): Ma
 }
 
 /** A lens over a small element, with its value below, and the boxes that nothing else may cover. */
-export function detail(c: Context, l: Lettering, { at, mm }: { readonly at: Pt; readonly mm: number }, placed: readonly Placed[], kept: readonly LabelBox[]): { readonly marks: Mark[]; readonly boxes: readonly LabelBox[]; readonly label: LabelBox } {
+export function detail(
+  c: Context,
+  l: Lettering,
+  { at, mm }: { readonly at: Pt; readonly mm: number },
+  placed: readonly Placed[],
+  kept: readonly LabelBox[],
+): { readonly marks: Mark[]; readonly boxes: readonly LabelBox[]; readonly label: LabelBox } {
   const { width, height } = c.layout.size;
   const radius = Math.min(52, 0.17 * Math.min(width, height));
   const spot = toScreen(c.layout.camera, at);
@@ -73,8 +81,16 @@ export function detail(c: Context, l: Lettering, { at, mm }: { readonly at: Pt; 
   return {
     marks: [
       stroke(l, "thin", circle(spot, 7)),
-      stroke(l, "thin", polyline([{ x: spot.x + u.x * 7, y: spot.y + u.y * 7 }, { x: centre.x - u.x * radius, y: centre.y - u.y * radius }])),
-      { kind: "detail", q: l.q, active: l.active, centre, radius, marks: inside },
+      stroke(l, "thin",
+        polyline([{ x: spot.x + u.x * 7, y: spot.y + u.y * 7 }, { x: centre.x - u.x * radius, y: centre.y - u.y * radius }])),
+      {
+        kind: "detail",
+        q: l.q,
+        active: l.active,
+        centre,
+        radius,
+        marks: inside,
+      },
       stroke(l, "frame", circle(centre, radius)),
       value(l, place, l.text),
     ],

@@ -13,9 +13,18 @@ export interface Lettering extends Tag {
   readonly underlined?: boolean;
 }
 
-const candidate = (l: Lettering, marks: readonly Mark[], middle: Place, turn: 0 | -90, lines: readonly LabelBox[], cost: number): Candidate => ({
+const candidate = (
+  l: Lettering,
+  marks: readonly Mark[],
+  middle: Place,
+  turn: 0 | -90,
+  lines: readonly LabelBox[],
+  cost: number,
+): Candidate => ({
   marks: [...marks, value({ q: l.q, active: l.active }, middle, l.text, turn, l.underlined ?? false)],
-  label: textBox(middle, l.text, turn), lines, cost,
+  label: textBox(middle, l.text, turn),
+  lines,
+  cost,
 });
 const width = (l: Lettering) => textWidth(l.text, SIZE.strong);
 const range = (n: number) => Array.from({ length: n }, (_, i) => i);
@@ -25,7 +34,9 @@ function tailed(p: Place, q: Place): LabelBox {
   const box = lineBox(p, q);
   const long = Math.hypot(q.x - p.x, q.y - p.y);
   if (long < 0.5 || long >= SHORT) return box;
-  return box.width > box.height ? { ...box, x: box.x - TAIL, width: box.width + 2 * TAIL } : { ...box, y: box.y - TAIL, height: box.height + 2 * TAIL };
+  return box.width > box.height
+    ? { ...box, x: box.x - TAIL, width: box.width + 2 * TAIL }
+    : { ...box, y: box.y - TAIL, height: box.height + 2 * TAIL };
 }
 
 /** Z dimensions: lines stacked above the drawing, then below it. */
@@ -47,7 +58,8 @@ function horizontal(layout: Layout, l: Lettering, a: Place, b: Place): Candidate
       const marks = [...extension(l, a, p), ...(point ? [] : extension(l, b, q)), ...between(l, p, q)];
       const lines = [lineBox(a, p), ...(point ? [] : [lineBox(b, q), tailed(p, q)])];
       return candidate(l, marks, { x, y }, 0, lines, cost + i);
-    }));
+    })
+  );
 }
 
 /** Diameters: an upright line from the surface to just past the axis, in columns beside the drawing. */
@@ -68,8 +80,12 @@ function diameter(layout: Layout, l: Lettering, at: Place): Candidate[] {
       filled(l, "arrow", arrowHead(head, 0, -down)),
     ];
     const boxes = [lineBox(at, head), lineBox(foot, head)];
-    const upright = long > width(l) + 18 ? [0.5, 0.62, 0.38].map((t, i) => candidate(l, line, { x, y: at.y + (axisY - at.y) * t }, -90, boxes, cost + i)) : [];
-    const flat = [1, -1].map((side, i) => candidate(l, line, { x: x + side * (width(l) / 2 + 6), y: at.y + down * Math.min(12, long / 2) }, 0, boxes, cost + 6 + i));
+    const upright = long > width(l) + 18
+      ? [0.5, 0.62, 0.38].map((t, i) => candidate(l, line, { x, y: at.y + (axisY - at.y) * t }, -90, boxes, cost + i))
+      : [];
+    const flat = [1, -1].map((side, i) =>
+      candidate(l, line, { x: x + side * (width(l) / 2 + 6), y: at.y + down * Math.min(12, long / 2) }, 0, boxes, cost + 6 + i)
+    );
     return [...upright, ...flat];
   });
 }
@@ -78,14 +94,19 @@ function diameter(layout: Layout, l: Lettering, at: Place): Candidate[] {
 function zigzag(foot: Place, head: Place): Place[] {
   const down = foot.y >= head.y ? 1 : -1;
   const y = foot.y - down * Math.min(11, Math.abs(foot.y - head.y) * 0.3);
-  return [{ x: foot.x, y: y - 4 * down }, { x: foot.x + 5, y: y - 1.5 * down }, { x: foot.x - 5, y: y + 1.5 * down }, { x: foot.x, y: y + 4 * down }];
+  return [{ x: foot.x, y: y - 4 * down }, { x: foot.x + 5, y: y - 1.5 * down }, { x: foot.x - 5, y: y + 1.5 * down }, {
+    x: foot.x,
+    y: y + 4 * down,
+  }];
 }
 
 /** Depths across the axis: an upright line beside its two points. */
 function upright(layout: Layout, l: Lettering, a: Place, b: Place): Candidate[] {
   const [low, high] = [Math.max(a.y, b.y), Math.min(a.y, b.y)];
   const [left, right] = [Math.min(a.x, b.x), Math.max(a.x, b.x)];
-  const columns = range(4).flatMap((k) => [{ x: right + 13 + k * 14, side: 1, cost: k * 3 }, { x: left - 13 - k * 14, side: -1, cost: 1 + k * 3 }]);
+  const columns = range(4).flatMap(
+    (k) => [{ x: right + 13 + k * 14, side: 1, cost: k * 3 }, { x: left - 13 - k * 14, side: -1, cost: 1 + k * 3 }]
+  );
   return columns.flatMap(({ x, side, cost }) => {
     const [p, q] = [{ x, y: a.y }, { x, y: b.y }];
     const marks = [...extension(l, a, p), ...extension(l, b, q), ...between(l, p, q)];
@@ -128,14 +149,20 @@ function angle(l: Lettering, vertex: Place, from: Place, to: Place): Candidate[]
       stroke(l, "thin", polyline([vertex, on(start, r + 8)])),
       stroke(l, "thin", polyline([vertex, on(start + sweep, r + 8)])),
       stroke(l, "thin", arcPath(vertex, r, begin, end)),
-      head(start, narrow ? way : -way), head(start + sweep, narrow ? -way : way),
+      head(start, narrow ? way : -way),
+      head(start + sweep, narrow ? -way : way),
     ];
     const half = width(l) / 2;
     const arc = lineBox(on(begin, r), on(end, r));
     const spots: { p: Place; cost: number }[] = narrow
-      ? [{ p: on(end + way * (10 / r), r + half * 0.3), cost: 0 }, { p: on(begin - way * (10 / r), r + half * 0.3), cost: 1 }, { p: on(start + sweep / 2, r + half + 14), cost: 1 }]
+      ? [{ p: on(end + way * (10 / r), r + half * 0.3), cost: 0 }, { p: on(begin - way * (10 / r), r + half * 0.3), cost: 1 }, {
+        p: on(start + sweep / 2, r + half + 14),
+        cost: 1,
+      }]
       : [{ p: on(start + sweep / 2, r + half + 6), cost: 0 }, { p: on(start + sweep / 2, r - half - 6), cost: 1 }];
-    return spots.map(({ p, cost }) => candidate(l, marks, p, 0, [lineBox(vertex, on(start, r)), lineBox(vertex, on(start + sweep, r)), arc], i * 1.5 + cost));
+    return spots.map(({ p, cost }) =>
+      candidate(l, marks, p, 0, [lineBox(vertex, on(start, r)), lineBox(vertex, on(start + sweep, r)), arc], i * 1.5 + cost)
+    );
   });
 }
 
@@ -143,32 +170,44 @@ function angle(l: Lettering, vertex: Place, from: Place, to: Place): Candidate[]
 export function leader(l: Lettering, at: Place, towards: Place): Candidate[] {
   const base = Math.hypot(towards.x - at.x, towards.y - at.y) < 0.5 ? -Math.PI / 4 : Math.atan2(towards.y - at.y, towards.x - at.x);
   const turns = [0, 0.4, -0.4, 0.8, -0.8, 1.3, -1.3, 2, -2, Math.PI];
-  return [22, 34, 50, 70, 95].flatMap((long) => turns.flatMap((turn, j) => {
-    const a = base + turn;
-    const knee = { x: at.x + Math.cos(a) * long, y: at.y + Math.sin(a) * long };
-    const side = Math.cos(a) >= 0 ? 1 : -1;
-    const shelf = { x: knee.x + side * 7, y: knee.y };
-    const middle = { x: shelf.x + side * (width(l) / 2 + 3), y: shelf.y };
-    const marks = [stroke(l, "thin", polyline([at, knee, shelf])), filled(l, "arrow", arrowHead(at, at.x - knee.x, at.y - knee.y))];
-    return [candidate(l, marks, middle, 0, stairs(at, knee), (long - 22) * 0.16 + j * 1.4 + (Math.min(Math.abs(Math.cos(a)), Math.abs(Math.sin(a))) < 0.25 ? 4 : 0))];
-  }));
+  return [22, 34, 50, 70, 95].flatMap((long) =>
+    turns.flatMap((turn, j) => {
+      const a = base + turn;
+      const knee = { x: at.x + Math.cos(a) * long, y: at.y + Math.sin(a) * long };
+      const side = Math.cos(a) >= 0 ? 1 : -1;
+      const shelf = { x: knee.x + side * 7, y: knee.y };
+      const middle = { x: shelf.x + side * (width(l) / 2 + 3), y: shelf.y };
+      const marks = [stroke(l, "thin", polyline([at, knee, shelf])), filled(l, "arrow", arrowHead(at, at.x - knee.x, at.y - knee.y))];
+      return [
+        candidate(l, marks, middle, 0, stairs(at, knee),
+          (long - 22) * 0.16 + j * 1.4 + (Math.min(Math.abs(Math.cos(a)), Math.abs(Math.sin(a))) < 0.25 ? 4 : 0)),
+      ];
+    })
+  );
 }
 
 /** A slanted line as small boxes, so that texts may stand beside it. */
-const stairs = (a: Place, b: Place): LabelBox[] => range(6).map((k) => {
-  const p = (t: number): Place => ({ x: a.x + (b.x - a.x) * t, y: a.y + (b.y - a.y) * t });
-  return lineBox(p(k / 6), p((k + 1) / 6));
-});
+const stairs = (a: Place, b: Place): LabelBox[] =>
+  range(6).map((k) => {
+    const p = (t: number): Place => ({ x: a.x + (b.x - a.x) * t, y: a.y + (b.y - a.y) * t });
+    return lineBox(p(k / 6), p((k + 1) / 6));
+  });
 
 /** All the places where a dimension of the outline could stand. */
 export function dimensionItem(layout: Layout, d: Dimension, l: Lettering): Item {
   const s = (p: Parameters<typeof spot>[1]) => spot(layout, p);
   switch (d.form) {
-    case "diameter": return { q: l.q, candidates: diameter(layout, l, s(d.at)) };
-    case "z": return { q: l.q, candidates: horizontal(layout, l, s(d.from), s(d.to)) };
-    case "r": return { q: l.q, candidates: upright(layout, l, s(d.from), s(d.to)) };
-    case "along": return { q: l.q, candidates: parallel(l, s(d.from), s(d.to)) };
-    case "angle": return { q: l.q, candidates: angle(l, s(d.vertex), s(d.from), s(d.to)) };
-    case "leader": return { q: l.q, candidates: leader(l, s(d.at), s(d.towards)) };
+    case "diameter":
+      return { q: l.q, candidates: diameter(layout, l, s(d.at)) };
+    case "z":
+      return { q: l.q, candidates: horizontal(layout, l, s(d.from), s(d.to)) };
+    case "r":
+      return { q: l.q, candidates: upright(layout, l, s(d.from), s(d.to)) };
+    case "along":
+      return { q: l.q, candidates: parallel(l, s(d.from), s(d.to)) };
+    case "angle":
+      return { q: l.q, candidates: angle(l, s(d.vertex), s(d.from), s(d.to)) };
+    case "leader":
+      return { q: l.q, candidates: leader(l, s(d.at), s(d.towards)) };
   }
 }

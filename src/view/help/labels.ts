@@ -55,11 +55,13 @@ export const labelsOverlap = (a: LabelBox, b: LabelBox): boolean =>
 
 /** The box round two places, a pixel thick at least. */
 export const lineBox = (a: Place, b: Place): LabelBox => ({
-  x: Math.min(a.x, b.x) - 0.5, y: Math.min(a.y, b.y) - 0.5, width: Math.abs(a.x - b.x) + 1, height: Math.abs(a.y - b.y) + 1,
+  x: Math.min(a.x, b.x) - 0.5,
+  y: Math.min(a.y, b.y) - 0.5,
+  width: Math.abs(a.x - b.x) + 1,
+  height: Math.abs(a.y - b.y) + 1,
 });
 
-const within = (b: LabelBox, width: number, height: number) =>
-  b.x >= 0 && b.y >= 0 && b.x + b.width <= width && b.y + b.height <= height;
+const within = (b: LabelBox, width: number, height: number) => b.x >= 0 && b.y >= 0 && b.x + b.width <= width && b.y + b.height <= height;
 
 /** Strong lines of the drawing that a text should rather not cover, and the picture they are in. */
 export interface Sheet {
@@ -91,14 +93,20 @@ function movedInside(c: Candidate, left: number, { width, height }: Sheet): Cand
   return { ...c, marks, label: { ...c.label, x: c.label.x + dx, y: c.label.y + dy }, cost: c.cost + Math.hypot(dx, dy) };
 }
 
-/** The place of a dimension that must show although it fits nowhere: its text is moved onto the sheet, off the areas kept free on its left. */
+/**
+ * The place of a dimension that must show although it fits nowhere: its text is moved onto the sheet, off the areas kept free
+ * on its left.
+ */
 export function forced(item: Item, sheet: Sheet): Placed | null {
   const left = Math.max(0, ...sheet.kept.filter((b) => b.x <= 0).map((b) => b.x + b.width));
   const cheapest = item.candidates.map((c) => movedInside(c, left, sheet)).sort((a, b) => a.cost - b.cost)[0];
   return cheapest ? { item, q: item.q, marks: cheapest.marks, label: cheapest.label, lines: cheapest.lines } : null;
 }
 
-/** Places dimensions in order, each where its text covers no other text nor dimension line; what finds no place is left out. Those that stand already stay. */
+/**
+ * Places dimensions in order, each where its text covers no other text nor dimension line; what finds no place is left out.
+ * Those that stand already stay.
+ */
 export function arrange(items: readonly Item[], sheet: Sheet, standing: readonly Placed[] = []): Placed[] {
   const out: Placed[] = [...standing];
   const labels: LabelBox[] = [...sheet.kept, ...standing.map((p) => p.label)];

@@ -42,19 +42,27 @@ const NEAR_DATUM = 0.9;
 function subject(points: readonly Pt[], dimensions: readonly Dimension[]): { core: Bounds; span: number } {
   const core = boundsOf(points) ?? { left: -50, right: 0, low: 0, high: 25 };
   const span = Math.max(core.right - core.left, core.high - core.low, 1e-3);
-  const near = dimensions.flatMap((d) => (d.form === "z" ? [d.from, d.to] : []))
-    .filter((p) => p.z > core.left - NEAR_DATUM * span && p.z < core.right + NEAR_DATUM * span);
+  const near = dimensions.flatMap((d) => (d.form === "z" ? [d.from, d.to] : [])).filter((p) =>
+    p.z > core.left - NEAR_DATUM * span && p.z < core.right + NEAR_DATUM * span
+  );
   const wide = boundsOf([...points, ...near.map((p) => ({ ...p, r: points[0]?.r ?? p.r }))]) ?? core;
   return { core: wide, span };
 }
 
 /** What the drawing shows of part space. */
-function reachOf(f: HelpFrame, line: readonly Pt[], core: Bounds, span: number, nearer: boolean): DrawnExtent & { axis: number; broken: boolean } {
+function reachOf(
+  f: HelpFrame,
+  line: readonly Pt[],
+  core: Bounds,
+  span: number,
+  nearer: boolean,
+): DrawnExtent & { axis: number; broken: boolean } {
   const ends = endWays(f, line);
   const feed = f.infeed === "r" ? { z: f.feed, r: 0 } : { z: 0, r: f.feed };
   const ways = [
     f.infeed === "r" ? { z: 0, r: -f.open } : { z: -f.open, r: 0 },
-    ...(ends.last === "feed" ? [feed] : []), ...(ends.first === "back" ? [{ z: -feed.z, r: -feed.r }] : []),
+    ...(ends.last === "feed" ? [feed] : []),
+    ...(ends.first === "back" ? [{ z: -feed.z, r: -feed.r }] : []),
   ];
   const more = (z: number, r: number) => (ways.some((w) => Math.abs(w.z - z) + Math.abs(w.r - r) < 0.5) ? BEHIND * span : 0.02 * span);
   const axis = nearer ? core.low - NEARER.axis * span : 0;
@@ -70,7 +78,11 @@ function tracks(dimensions: readonly Dimension[], more: { readonly top: number; 
 
 /** Fits contour, part and dimension lines into a picture; the scale is the same both ways. */
 export function layoutOf(
-  f: HelpFrame, line: readonly Pt[], points: readonly Pt[], dimensions: readonly Dimension[], size: Size,
+  f: HelpFrame,
+  line: readonly Pt[],
+  points: readonly Pt[],
+  dimensions: readonly Dimension[],
+  size: Size,
   more: { readonly top: number; readonly right: number; readonly indent: number },
 ): Layout {
   const { core, span } = subject(points, dimensions);
@@ -88,26 +100,34 @@ export function layoutOf(
 }
 
 function fitting(
-  reach: ReturnType<typeof reachOf>, dimensions: readonly Dimension[], size: Size,
+  reach: ReturnType<typeof reachOf>,
+  dimensions: readonly Dimension[],
+  size: Size,
   more: { readonly top: number; readonly right: number; readonly indent: number },
 ): Omit<Layout, "contour"> {
   const lines = tracks(dimensions, more);
   const margin = {
-    top: Math.min(FIRST + TRACK * lines.top, size.height * 0.35), bottom: Math.min(22, size.height * 0.14),
-    left: more.indent + Math.min(FIRST + TRACK * (lines.right > 1 ? 1.4 : 1), size.width * 0.25), right: Math.min(FIRST + TRACK * lines.right, size.width * 0.25),
+    top: Math.min(FIRST + TRACK * lines.top, size.height * 0.35),
+    bottom: Math.min(22, size.height * 0.14),
+    left: more.indent + Math.min(FIRST + TRACK * (lines.right > 1 ? 1.4 : 1), size.width * 0.25),
+    right: Math.min(FIRST + TRACK * lines.right, size.width * 0.25),
   };
   const low = Math.min(reach.axis, reach.low);
   const wide = Math.max(1, size.width - margin.left - margin.right), tall = Math.max(1, size.height - margin.top - margin.bottom);
   const scale = Math.min(wide / (reach.right - reach.left), tall / (reach.high - low));
   const spare = { x: wide - scale * (reach.right - reach.left), y: tall - scale * (reach.high - low) };
   const camera: Camera = {
-    scale, xUp: true,
+    scale,
+    xUp: true,
     zero: { x: margin.left + spare.x / 2 - reach.left * scale, y: margin.top + spare.y / 2 + reach.high * scale },
   };
   const from = toScreen(camera, { z: axial(reach.left), r: radius(reach.high) });
   const to = toScreen(camera, { z: axial(reach.right), r: radius(low) });
   return {
-    camera, size, reach, broken: reach.broken,
+    camera,
+    size,
+    reach,
+    broken: reach.broken,
     box: { x: from.x, y: from.y, width: to.x - from.x, height: to.y - from.y },
     axisY: toScreen(camera, { z: axial(0), r: radius(reach.axis) }).y,
   };

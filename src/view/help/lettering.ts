@@ -20,12 +20,21 @@ const signed = (text: string) => text.replace("-", "−");
 
 function plain(p: Param, number: (v: number) => string, value: number): string {
   switch (p.kind) {
-    case "diameter": return `⌀${number(value)}`;
-    case "oversizeDiameter": return `⌀+${number(value)}`;
-    case "axial": return p.incremental ? (value > 0 ? `+${number(value)}` : number(value)) : `Z${number(value)}`;
-    case "angle": return `${number(value)}°`;
-    case "feed": return `F${number(value)}`;
-    case "choice": case "radial": case "axialDepth": case "length": return number(value);
+    case "diameter":
+      return `⌀${number(value)}`;
+    case "oversizeDiameter":
+      return `⌀+${number(value)}`;
+    case "axial":
+      return p.incremental ? (value > 0 ? `+${number(value)}` : number(value)) : `Z${number(value)}`;
+    case "angle":
+      return `${number(value)}°`;
+    case "feed":
+      return `F${number(value)}`;
+    case "choice":
+    case "radial":
+    case "axialDepth":
+    case "length":
+      return number(value);
   }
 }
 

@@ -4,8 +4,7 @@ import { toScreen, type Camera, type Place } from "../camera.ts";
 /** What a filled shape stands for. */
 export type Fill = "part" | "cut" | "oversize" | "paper" | "arrow" | "tool" | "place";
 /** What a line stands for; form and colour belong to whoever paints it. */
-export type Line =
-  | "contour" | "axis" | "edge" | "break" | "area" | "thin" | "pass" | "path" | "rapid" | "limit" | "element" | "frame";
+export type Line = "contour" | "axis" | "edge" | "break" | "area" | "thin" | "pass" | "path" | "rapid" | "limit" | "element" | "frame";
 
 interface Belongs {
   /** The parameter this mark explains; null for the drawing itself. */
@@ -15,20 +14,20 @@ interface Belongs {
 }
 
 /** One mark of the help picture: all places in CSS pixels, path data likewise. */
-export type Mark = Belongs & (
-  | { readonly kind: "area"; readonly fill: Fill; readonly d: string }
-  | { readonly kind: "line"; readonly line: Line; readonly d: string }
-  | {
-      readonly kind: "text"; readonly place: Place; readonly text: string; readonly size: number;
+export type Mark = Belongs
+  & ({ readonly kind: "area"; readonly fill: Fill; readonly d: string } | { readonly kind: "line"; readonly line: Line; readonly d: string }
+    | {
+      readonly kind: "text";
+      readonly place: Place;
+      readonly text: string;
+      readonly size: number;
       /** Degrees, clockwise on the screen; −90 reads from the right. */
       readonly turn: 0 | -90;
       /** A dimension that is not to scale is underlined, as on a print. */
       readonly underlined: boolean;
       /** A caption is running text, a value is a number. */
       readonly role: "value" | "caption";
-    }
-  | { readonly kind: "detail"; readonly centre: Place; readonly radius: number; readonly marks: readonly Mark[] }
-);
+    } | { readonly kind: "detail"; readonly centre: Place; readonly radius: number; readonly marks: readonly Mark[] });
 
 /** A tenth of a pixel is finer than any screen draws. */
 export const px = (v: number): string => String(Math.round(v * 10) / 10 + 0);
@@ -37,12 +36,13 @@ const at = (p: Place) => `${px(p.x)} ${px(p.y)}`;
 /** Straight lines through places. */
 export const polyline = (places: readonly Place[]): string => (places.length > 1 ? `M${places.map(at).join("L")}` : "");
 /** Places along straight lines, at most four pixels apart. */
-export const dense = (line: readonly Place[]): Place[] => line.flatMap((b, i) => {
-  const a = line[i - 1];
-  if (!a) return [b];
-  const n = Math.min(200, Math.ceil(Math.hypot(b.x - a.x, b.y - a.y) / 4));
-  return Array.from({ length: n }, (_, k) => ({ x: a.x + ((b.x - a.x) * (k + 1)) / n, y: a.y + ((b.y - a.y) * (k + 1)) / n }));
-});
+export const dense = (line: readonly Place[]): Place[] =>
+  line.flatMap((b, i) => {
+    const a = line[i - 1];
+    if (!a) return [b];
+    const n = Math.min(200, Math.ceil(Math.hypot(b.x - a.x, b.y - a.y) / 4));
+    return Array.from({ length: n }, (_, k) => ({ x: a.x + ((b.x - a.x) * (k + 1)) / n, y: a.y + ((b.y - a.y) * (k + 1)) / n }));
+  });
 /** A closed shape through places. */
 export const polygon = (places: readonly Place[]): string => (places.length > 2 ? `M${places.map(at).join("L")}Z` : "");
 /** A full circle. */

@@ -29,7 +29,11 @@ function inside(f: HelpFrame, area: readonly Pt[], v: number): [number, number][
  * The roughing levels of an area, evenly divided as the control divides them; the drawing knows no tool, so these are
  * the levels of a pointed one.
  */
-export function passesOf(f: HelpFrame, area: readonly Pt[], infeed: number): { readonly passes: readonly Pass[]; readonly step: number; readonly top: number } {
+export function passesOf(
+  f: HelpFrame,
+  area: readonly Pt[],
+  infeed: number,
+): { readonly passes: readonly Pass[]; readonly step: number; readonly top: number } {
   const levels = area.map((p) => outward(f, p));
   const top = Math.max(...levels), depth = top - Math.min(...levels);
   if (!(depth > 1e-9) || !Number.isFinite(depth)) return { passes: [], step: 0, top: Number.isFinite(top) ? top : 0 };

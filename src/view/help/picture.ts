@@ -50,25 +50,44 @@ const CALM: readonly Topic[] = ALWAYS.slice(0, 5);
 
 function explanation(c: Context, topic: Topic, l: Lettering): explain.Explanation {
   switch (topic) {
-    case "outline": return explain.outlined(c, l, null);
-    case "element": return explain.outlined(c, l, partnerOf(c.params, l.q));
-    case "clearance": return explain.clearance(c, l);
-    case "infeed": return explain.infeed(c, l);
-    case "oversizeDiameter": return explain.oversize(c, l, "diameter");
-    case "oversizeZ": return explain.oversize(c, l, "z");
-    case "roughingFeed": return explain.roughingFeed(c, l);
-    case "finishingFeed": return explain.finishingFeed(c, l);
-    case "plungingFeed": return explain.plungingFeed(c, l);
-    case "limitDiameter": return explain.limit(c, l, "diameter");
-    case "limitZ": return explain.limit(c, l, "z");
-    case "offsetWidth": return explain.offsetWidth(c, l);
-    case "depthCompensation": return explain.depthCompensation(c, l);
-    case "operation": return choices.operation(c, l);
-    case "reverse": return choices.reverse(c, l);
-    case "smoothing": return choices.smoothing(c, l);
-    case "plunging": return choices.plunging(c, l);
-    case "limits": return choices.limits(c, l);
-    case "direction": return choices.direction(c, l);
+    case "outline":
+      return explain.outlined(c, l, null);
+    case "element":
+      return explain.outlined(c, l, partnerOf(c.params, l.q));
+    case "clearance":
+      return explain.clearance(c, l);
+    case "infeed":
+      return explain.infeed(c, l);
+    case "oversizeDiameter":
+      return explain.oversize(c, l, "diameter");
+    case "oversizeZ":
+      return explain.oversize(c, l, "z");
+    case "roughingFeed":
+      return explain.roughingFeed(c, l);
+    case "finishingFeed":
+      return explain.finishingFeed(c, l);
+    case "plungingFeed":
+      return explain.plungingFeed(c, l);
+    case "limitDiameter":
+      return explain.limit(c, l, "diameter");
+    case "limitZ":
+      return explain.limit(c, l, "z");
+    case "offsetWidth":
+      return explain.offsetWidth(c, l);
+    case "depthCompensation":
+      return explain.depthCompensation(c, l);
+    case "operation":
+      return choices.operation(c, l);
+    case "reverse":
+      return choices.reverse(c, l);
+    case "smoothing":
+      return choices.smoothing(c, l);
+    case "plunging":
+      return choices.plunging(c, l);
+    case "limits":
+      return choices.limits(c, l);
+    case "direction":
+      return choices.direction(c, l);
   }
 }
 
@@ -89,8 +108,16 @@ function contextOf(request: HelpRequest, size: Size, indent: number): Context {
     return s?.kind === "line" && Math.abs(Math.abs(s.to.z - s.from.z) - Math.abs(s.to.r - s.from.r)) < 1e-6;
   };
   return {
-    params, values, outline, frame, layout, passes, step, top,
-    section: sectionOf(frame, line, layout.reach), side: openSide(area),
+    params,
+    values,
+    outline,
+    frame,
+    layout,
+    passes,
+    step,
+    top,
+    section: sectionOf(frame, line, layout.reach),
+    side: openSide(area),
     letter: (q) => ({ q, active: q === active, text: letteringOf(params, q, values, speech, square(q)) }),
     plain: (kind, at) => ({ q: "", active: false, text: positionText(kind, kind === "axial" ? at.z : toDiameter(at.r), speech) }),
   };
@@ -135,10 +162,16 @@ function strongPlaces(c: Context): Place[] {
 /** When a dimension of the outline gets its place, 0 … 3: short lengths stand nearer to the part, leaders find a place almost anywhere. */
 function turnOf(d: Dimension): number {
   switch (d.form) {
-    case "diameter": return 1;
-    case "z": return Math.abs(d.to.z - d.from.z) / (Math.abs(d.to.z - d.from.z) + 100);
-    case "leader": return 3;
-    case "r": case "along": case "angle": return 2;
+    case "diameter":
+      return 1;
+    case "z":
+      return Math.abs(d.to.z - d.from.z) / (Math.abs(d.to.z - d.from.z) + 100);
+    case "leader":
+      return 3;
+    case "r":
+    case "along":
+    case "angle":
+      return 2;
   }
 }
 
@@ -186,17 +219,21 @@ export function helpDrawing(request: HelpRequest): HelpDrawing {
   if (lens) placed = besideLens(items, placed, lens.boxes, sheet);
   const back = (strong: boolean) => parts.filter((p) => (p.q === active) === strong).flatMap((p) => p.under);
   const marks: Mark[] = [
-    ...ground(c), ...back(false),
+    ...ground(c),
+    ...back(false),
     stroke({ q: null, active: false }, "contour", segmentPath(c.outline.contour, c.layout.camera)),
     ...back(true),
-    ...placed.filter((p) => p.q !== active).flatMap((p) => p.marks), ...placed.filter((p) => p.q === active).flatMap((p) => p.marks),
-    ...(lens?.marks ?? []), ...row,
+    ...placed.filter((p) => p.q !== active).flatMap((p) => p.marks),
+    ...placed.filter((p) => p.q === active).flatMap((p) => p.marks),
+    ...(lens?.marks ?? []),
+    ...row,
   ];
   const labels = [...placed.map((p) => p.label), ...(lens ? [lens.label] : [])];
   const scaled = marks.some((m) => m.kind === "text" && m.active && m.underlined);
   const note = textBox({ x: 0, y: 0 }, speech.notToScale, 0, SIZE.caption);
   const corner = [[1, 1], [1, 0], [0, 1], [0, 0]].map(([right, low]) => ({
-    x: right ? size.width - note.width / 2 - 2 : note.width / 2 + 2, y: low ? c.layout.size.height - FIRST / 2 - 1 : FIRST / 2 + 1,
+    x: right ? size.width - note.width / 2 - 2 : note.width / 2 + 2,
+    y: low ? c.layout.size.height - FIRST / 2 - 1 : FIRST / 2 + 1,
   })).find((p) => !labels.some((b) => labelsOverlap(b, textBox(p, speech.notToScale, 0, SIZE.caption))));
   const noted = scaled && active !== null && corner;
   return {

@@ -26,15 +26,20 @@ const BESIDE = 6;
 
 const screen = (c: Context, points: readonly Pt[]): Place[] => points.map((p) => toScreen(c.layout.camera, p));
 const mm = (c: Context, pixels: number) => pixels / c.layout.camera.scale;
-const pointed = (c: Context, l: Lettering, at: Pt, towards: Pt): Item =>
-  ({ q: l.q, candidates: leader(l, spot(c.layout, at), spot(c.layout, towards)) });
+const pointed = (c: Context, l: Lettering, at: Pt, towards: Pt): Item => ({
+  q: l.q,
+  candidates: leader(l, spot(c.layout, at), spot(c.layout, towards)),
+});
 /** A point a little out of the material from another. */
 const outside = (c: Context, p: Pt): Pt => pointAt(c.frame, along(c.frame, p), outward(c.frame, p) + mm(c, 20));
 
 /** A tool path with an arrowhead at its end. */
 export function pathMarks(c: Context, tag: Tag, points: readonly Pt[]): Mark[] {
   const places = screen(c, points);
-  const [tip, before] = [places.at(-1), [...places].reverse().find((p) => Math.hypot(p.x - (places.at(-1)?.x ?? 0), p.y - (places.at(-1)?.y ?? 0)) > 3)];
+  const [tip, before] = [
+    places.at(-1),
+    [...places].reverse().find((p) => Math.hypot(p.x - (places.at(-1)?.x ?? 0), p.y - (places.at(-1)?.y ?? 0)) > 3),
+  ];
   if (!tip || !before) return [];
   return [stroke(tag, "path", polyline(places)), filled(tag, "arrow", arrowHead(tip, tip.x - before.x, tip.y - before.y, 9))];
 }
@@ -55,7 +60,8 @@ export function clearance(c: Context, l: Lettering): Explanation {
   const value = Math.max(numberOf(c.values, l.q), mm(c, 1));
   const s = startPoint(c.frame, c.section.corner, value);
   const centre = toScreen(c.layout.camera, s);
-  const cross = `${polyline([{ x: centre.x - 6, y: centre.y }, { x: centre.x + 6, y: centre.y }])}${polyline([{ x: centre.x, y: centre.y - 6 }, { x: centre.x, y: centre.y + 6 }])}`;
+  const cross = `${polyline([{ x: centre.x - 6, y: centre.y }, { x: centre.x + 6, y: centre.y }])}`
+    + `${polyline([{ x: centre.x, y: centre.y - 6 }, { x: centre.x, y: centre.y + 6 }])}`;
   const form = c.frame.recess && c.frame.infeed === "r" ? "r" : "z";
   return {
     under: [stroke(l, "frame", circle(centre, 3.5) + cross)],
@@ -79,19 +85,27 @@ export function oversize(c: Context, l: Lettering, which: "diameter" | "z"): Exp
   const { at } = longest(c, which === "z" ? steep : (dz, dr) => dz > dr * 1.2);
   const size = mm(c, pixels);
   const way = grownLine(c.section.line, c.side, size, size);
-  const near = way.outer.reduce<Pt | null>((best, p) => (!best || Math.hypot(p.z - at.z, p.r - at.r) < Math.hypot(best.z - at.z, best.r - at.r) ? p : best), null);
+  const near = way.outer.reduce<Pt | null>(
+    (best, p) => (!best || Math.hypot(p.z - at.z, p.r - at.r) < Math.hypot(best.z - at.z, best.r - at.r) ? p : best),
+    null,
+  );
   const sign = which === "z" ? Math.sign((near?.z ?? 0) - at.z) || 1 : Math.sign((near?.r ?? 0) - at.r) || 1;
   const off: Pt = which === "z" ? { z: axial(at.z + sign * size), r: at.r } : { z: at.z, r: radius(at.r + sign * size) };
   return {
     under: l.active ? bandMarks(c, l, which, pixels) : [],
-    item: l.active ? dimensionItem(c.layout, { q: l.q, form: which === "z" ? "z" : "r", from: at, to: off }, { ...l, underlined: true }) : { ...pointed(c, l, at, outside(c, at)), most: 7 },
+    item: l.active
+      ? dimensionItem(c.layout, { q: l.q, form: which === "z" ? "z" : "r", from: at, to: off }, { ...l, underlined: true })
+      : { ...pointed(c, l, at, outside(c, at)), most: 7 },
   };
 }
 
 export function roughingFeed(c: Context, l: Lettering): Explanation {
   const pass = c.passes[Math.min(1, c.passes.length - 1)];
   if (!pass) return { under: [], item: pointed(c, l, c.section.corner, outside(c, c.section.corner)) };
-  const at = (t: number): Pt => ({ z: axial(pass.from.z + (pass.to.z - pass.from.z) * t), r: radius(pass.from.r + (pass.to.r - pass.from.r) * t) });
+  const at = (t: number): Pt => ({
+    z: axial(pass.from.z + (pass.to.z - pass.from.z) * t),
+    r: radius(pass.from.r + (pass.to.r - pass.from.r) * t),
+  });
   const lines = l.active ? c.passes.map((p) => stroke(l, "pass", polyline(screen(c, [p.from, p.to])))) : [];
   return { under: [...lines, ...pathMarks(c, l, [at(0.25), at(0.7)])], item: pointed(c, l, at(0.5), outside(c, at(0.5))) };
 }
@@ -100,14 +114,17 @@ export function finishingFeed(c: Context, l: Lettering): Explanation {
   const path = besides(c, c.section.line);
   const { at } = longest(c, () => true);
   const near = (p: Pt) => Math.hypot(p.z - at.z, p.r - at.r);
-  const middle = besides(c, [at, ...c.section.line.slice(-1)])[0] ?? path.reduce((best, p) => (near(p) < near(best) ? p : best), c.section.corner);
+  const middle = besides(c, [at, ...c.section.line.slice(-1)])[0]
+    ?? path.reduce((best, p) => (near(p) < near(best) ? p : best), c.section.corner);
   return { under: l.active ? pathMarks(c, l, path) : [], item: pointed(c, l, middle, outside(c, middle)) };
 }
 
 export function plungingFeed(c: Context, l: Lettering): Explanation {
   const found = falling(c.frame, c.section.line);
   const u = along(c.frame, c.section.corner);
-  const runs = found.length > 0 ? found.map((run) => besides(c, run)) : [[pointAt(c.frame, u, c.top + mm(c, 14)), pointAt(c.frame, u, c.top - c.step)]];
+  const runs = found.length > 0
+    ? found.map((run) => besides(c, run))
+    : [[pointAt(c.frame, u, c.top + mm(c, 14)), pointAt(c.frame, u, c.top - c.step)]];
   const first = runs[0] ?? [];
   const middle = first[Math.floor(first.length / 2)] ?? c.section.corner;
   return { under: l.active ? runs.flatMap((run) => pathMarks(c, l, run)) : [], item: pointed(c, l, middle, outside(c, middle)) };
@@ -152,7 +169,10 @@ export function depthCompensation(c: Context, l: Lettering): Explanation {
   const shift = c.values[l.q] === 0 ? 0 : by;
   return {
     under: pathMarks(c, l, [pointAt(f, a, low + shift), pointAt(f, b, low + shift)]),
-    item: dimensionItem(c.layout, { q: l.q, form: f.infeed, from: pointAt(f, (a + b) / 2, low), to: pointAt(f, (a + b) / 2, low + by) }, { ...l, underlined: true }),
+    item: dimensionItem(c.layout, { q: l.q, form: f.infeed, from: pointAt(f, (a + b) / 2, low), to: pointAt(f, (a + b) / 2, low + by) }, {
+      ...l,
+      underlined: true,
+    }),
   };
 }
 
@@ -161,10 +181,12 @@ export function plainDimensions(c: Context): Item[] {
   if (c.outline.dimensions.some((d) => topicOf(c.params[d.q]?.text ?? "") === "outline")) return [];
   const [start, end] = [c.section.line[0], c.section.line.at(-1)];
   const ends = [start, end].flatMap((p) => (p ? [p] : []));
-  return ends.flatMap((at) => [
-    dimensionItem(c.layout, { q: "", form: "diameter", at }, c.plain("diameter", at)),
-    dimensionItem(c.layout, { q: "", form: "z", from: { z: axial(0), r: at.r }, to: at }, c.plain("axial", at)),
-  ]);
+  return ends.flatMap(
+    (at) => [
+      dimensionItem(c.layout, { q: "", form: "diameter", at }, c.plain("diameter", at)),
+      dimensionItem(c.layout, { q: "", form: "z", from: { z: axial(0), r: at.r }, to: at }, c.plain("axial", at)),
+    ]
+  );
 }
 
 /** A dimension of the outline; a parameter that has none on this contour points at the end it belongs to. */

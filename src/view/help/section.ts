@@ -36,7 +36,7 @@ const FINE = 1e-3;
 export function drawnLine(contour: readonly Segment[]): Pt[] {
   let size = 1e-3;
   const first = contour[0]?.from;
-  if (first) for (const s of contour) size = Math.max(size, Math.abs(s.to.z - first.z), Math.abs(s.to.r - first.r));
+  if (first) { for (const s of contour) size = Math.max(size, Math.abs(s.to.z - first.z), Math.abs(s.to.r - first.r)); }
   return flattenedChain(contour, size * FINE);
 }
 

@@ -13,11 +13,27 @@ export const stroke = (tag: Tag, line: Line, d: string): Mark => ({ ...tag, kind
 /** A filled shape with a role. */
 export const filled = (tag: Tag, fill: Fill, d: string): Mark => ({ ...tag, kind: "area", fill, d });
 /** A value of a dimension about its middle. */
-export const value = (tag: Tag, place: Place, text: string, turn: 0 | -90 = 0, underlined = false): Mark =>
-  ({ ...tag, kind: "text", place, text, size: tag.active ? SIZE.strong : SIZE.quiet, turn, underlined, role: "value" });
+export const value = (tag: Tag, place: Place, text: string, turn: 0 | -90 = 0, underlined = false): Mark => ({
+  ...tag,
+  kind: "text",
+  place,
+  text,
+  size: tag.active ? SIZE.strong : SIZE.quiet,
+  turn,
+  underlined,
+  role: "value",
+});
 /** Running text about its middle. */
-export const caption = (tag: Tag, place: Place, text: string): Mark =>
-  ({ ...tag, kind: "text", place, text, size: SIZE.caption, turn: 0, underlined: false, role: "caption" });
+export const caption = (tag: Tag, place: Place, text: string): Mark => ({
+  ...tag,
+  kind: "text",
+  place,
+  text,
+  size: SIZE.caption,
+  turn: 0,
+  underlined: false,
+  role: "caption",
+});
 
 /** Under this length the arrows of a dimension stand outside and point inwards, pixels. */
 export const SHORT = 20;
@@ -30,11 +46,16 @@ export function between(tag: Tag, a: Place, b: Place): Mark[] {
   if (long < 0.5) return [];
   const u = { x: (b.x - a.x) / long, y: (b.y - a.y) / long };
   if (long >= SHORT)
-    return [stroke(tag, "thin", polyline([a, b])), filled(tag, "arrow", arrowHead(a, -u.x, -u.y)), filled(tag, "arrow", arrowHead(b, u.x, u.y))];
+    return [
+      stroke(tag, "thin", polyline([a, b])),
+      filled(tag, "arrow", arrowHead(a, -u.x, -u.y)),
+      filled(tag, "arrow", arrowHead(b, u.x, u.y)),
+    ];
   const out = (p: Place, k: number): Place => ({ x: p.x + u.x * k, y: p.y + u.y * k });
   return [
     stroke(tag, "thin", polyline([out(a, -TAIL), out(b, TAIL)])),
-    filled(tag, "arrow", arrowHead(a, u.x, u.y)), filled(tag, "arrow", arrowHead(b, -u.x, -u.y)),
+    filled(tag, "arrow", arrowHead(a, u.x, u.y)),
+    filled(tag, "arrow", arrowHead(b, -u.x, -u.y)),
   ];
 }
 

@@ -12,21 +12,29 @@ const escaped = (text: string) => text.replace(/&/g, "&amp;").replace(/</g, "&lt
 function element(m: Mark, indent: string): string {
   const own = `class="${classOf(m)}"${m.q ? ` data-q="${m.q}"` : ""}`;
   switch (m.kind) {
-    case "area": case "line": return `${indent}<path ${own} d="${m.d}"/>`;
+    case "area":
+    case "line":
+      return `${indent}<path ${own} d="${m.d}"/>`;
     case "text": {
       const turn = m.turn === 0 ? "" : ` transform="rotate(${m.turn} ${px(m.place.x)} ${px(m.place.y)})"`;
       const line = m.underlined ? ` text-decoration="underline"` : "";
-      return `${indent}<text ${own} x="${px(m.place.x)}" y="${px(m.place.y)}" font-size="${m.size}"${turn}${line}>${escaped(m.text)}</text>`;
+      return `${indent}<text ${own} x="${px(m.place.x)}" y="${px(m.place.y)}" font-size="${m.size}"${turn}${line}>`
+        + `${escaped(m.text)}</text>`;
     }
     case "detail":
-      return [`${indent}<g ${own} data-lens="${px(m.centre.x)} ${px(m.centre.y)} ${px(m.radius)}">`, ...m.marks.map((n) => element(n, `${indent}  `)), `${indent}</g>`].join("\n");
+      return [
+        `${indent}<g ${own} data-lens="${px(m.centre.x)} ${px(m.centre.y)} ${px(m.radius)}">`,
+        ...m.marks.map((n) => element(n, `${indent}  `)),
+        `${indent}</g>`,
+      ].join("\n");
   }
 }
 
 /** A help picture as a text of its own, one element a line, for goldens. Colours belong to the page's style sheet. */
-export const helpSvg = ({ size, marks }: HelpDrawing): string => [
-  `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${px(size.width)} ${px(size.height)}">`,
-  ...marks.map((m) => element(m, "  ")),
-  "</svg>",
-  "",
-].join("\n");
+export const helpSvg = ({ size, marks }: HelpDrawing): string =>
+  [
+    `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${px(size.width)} ${px(size.height)}">`,
+    ...marks.map((m) => element(m, "  ")),
+    "</svg>",
+    "",
+  ].join("\n");

@@ -6,9 +6,8 @@ import type { Topic } from "./topics.ts";
 
 /** A point of a small diagram: u with the cutting feed, v away from the material, both 0 … 1. */
 type Spot = readonly [u: number, v: number];
-type Stroke =
-  | { readonly line: Line; readonly at: readonly Spot[]; readonly arrow?: true }
-  | { readonly fill: Fill; readonly at: readonly Spot[] };
+type Stroke = { readonly line: Line; readonly at: readonly Spot[]; readonly arrow?: true } | { readonly fill: Fill;
+  readonly at: readonly Spot[] };
 
 /** One diagram and its drawing area, pixels. */
 const TILE = { width: 62, height: 50, least: 42, gap: 8, top: 2 } as const;
@@ -20,7 +19,11 @@ export function columnsFor(count: number, height: number): { readonly each: numb
   const most = Math.max(1, Math.floor(room / (TILE.least + TILE.gap)));
   const columns = Math.ceil(count / most);
   const each = Math.ceil(count / columns);
-  return { each, width: columns * (TILE.width + TILE.gap), tall: Math.max(TILE.least, Math.min(TILE.height, Math.floor(room / each) - TILE.gap)) };
+  return {
+    each,
+    width: columns * (TILE.width + TILE.gap),
+    tall: Math.max(TILE.least, Math.min(TILE.height, Math.floor(room / each) - TILE.gap)),
+  };
 }
 
 const STEP: readonly Spot[] = [[0, 0.22], [0.58, 0.22], [0.8, 0.8], [1, 0.8]];
@@ -34,7 +37,8 @@ const stock: Stroke[] = [cut, pass(0.42), pass(0.61)];
 const way = (at: readonly Spot[]): Stroke => ({ line: "path", at, arrow: true });
 
 const corner = (kind: 0 | 1 | 2): Stroke[] => {
-  const round: Spot[] = Array.from({ length: 7 }, (_, i) => [0.5 - 0.3 * Math.sin((i * Math.PI) / 12), 0.35 + 0.3 * Math.cos((i * Math.PI) / 12)] as const);
+  const round: Spot[] = Array.from({ length: 7 },
+    (_, i) => [0.5 - 0.3 * Math.sin((i * Math.PI) / 12), 0.35 + 0.3 * Math.cos((i * Math.PI) / 12)] as const);
   const at: readonly (readonly Spot[])[] = [[[0.2, 0.65]], [[0.2, 0.35], [0.5, 0.65]], [...round].reverse()];
   const line: Spot[] = [[0.2, 0], ...(at[kind] ?? []), [1, 0.65]];
   return [{ fill: "part", at: [...line, [1, 0]] }, { line: "contour", at: line }];
@@ -42,35 +46,37 @@ const corner = (kind: 0 | 1 | 2): Stroke[] => {
 
 /** The diagrams of each choice, by its value. */
 const diagrams: Readonly<Partial<Record<Topic, readonly (readonly Stroke[])[]>>> = {
-  operation: [
-    [...stock, ...drawn(STEP), way(raised(STEP, 0.1))],
-    [...stock, ...drawn(raised(STEP, 0.1)).slice(1), ...drawn(STEP)],
-    [...drawn(STEP), way(raised(STEP, 0.1))],
-    [...drawn(STEP), { line: "break", at: raised(STEP, 0.1) }, way(raised(STEP, 0.2))],
-  ],
-  smoothing: [
-    [...drawn(STEP), pass(0.72), way([[0, 0.45], [0.65, 0.45], [0.74, 0.7], [0.74, 0.95]])],
-    [...drawn(STEP), pass(0.72), way([[0, 0.45], [0.62, 0.45], [0.42, 0.75]]), way(raised(STEP, 0.09))],
-    [below([[0, 0.22], [0.58, 0.22], [0.58, 0.45], [0.67, 0.45], [0.67, 0.8], [1, 0.8]]),
-      { line: "contour", at: [[0, 0.22], [0.58, 0.22], [0.58, 0.45], [0.67, 0.45], [0.67, 0.8], [1, 0.8]] }, way([[0, 0.48], [0.64, 0.48], [0.44, 0.78]])],
-  ],
-  plunging: [
-    [...drawn(VALLEY), { fill: "cut", at: [[0.2, 0.75], [0.36, 0.25], [0.64, 0.25], [0.8, 0.75]] }, way([[0, 0.82], [1, 0.82]])],
-    [...drawn(VALLEY), way([[0, 0.82], [0.22, 0.82], [0.4, 0.34], [0.62, 0.34], [0.78, 0.84], [1, 0.84]])],
-  ],
-  reverse: [
-    [...drawn(STEP), way(raised(STEP, 0.12))],
-    [...drawn(STEP), way([...raised(STEP, 0.12)].reverse())],
-    [...drawn(STEP), way([...raised(STEP, 0.12)].reverse()), { fill: "tool", at: [[0.28, 0.4], [0.2, 0.9], [0.42, 0.95], [0.5, 0.55]] }],
-  ],
-  limits: [
-    [...stock, ...drawn(STEP)],
-    [{ fill: "cut", at: [[0, 0.22], [0.4, 0.22], [0.4, 0.8], [0, 0.8]] }, ...drawn(STEP), { line: "limit", at: [[0.4, 0], [0.4, 1]] }],
-  ],
-  direction: [
-    [...drawn(VALLEY), way([[0.28, 0.62], [0.74, 0.62]]), way([[0.68, 0.42], [0.32, 0.42]])],
-    [...drawn(VALLEY), way([[0.28, 0.62], [0.74, 0.62]]), way([[0.32, 0.42], [0.68, 0.42]])],
-  ],
+  operation: [[...stock, ...drawn(STEP), way(raised(STEP, 0.1))], [...stock, ...drawn(raised(STEP, 0.1)).slice(1), ...drawn(STEP)], [
+    ...drawn(STEP),
+    way(raised(STEP, 0.1)),
+  ], [...drawn(STEP), { line: "break", at: raised(STEP, 0.1) }, way(raised(STEP, 0.2))]],
+  smoothing: [[...drawn(STEP), pass(0.72), way([[0, 0.45], [0.65, 0.45], [0.74, 0.7], [0.74, 0.95]])], [
+    ...drawn(STEP),
+    pass(0.72),
+    way([[0, 0.45], [0.62, 0.45], [0.42, 0.75]]),
+    way(raised(STEP, 0.09)),
+  ], [below([[0, 0.22], [0.58, 0.22], [0.58, 0.45], [0.67, 0.45], [0.67, 0.8], [1, 0.8]]), {
+    line: "contour",
+    at: [[0, 0.22], [0.58, 0.22], [0.58, 0.45], [0.67, 0.45], [0.67, 0.8], [1, 0.8]],
+  }, way([[0, 0.48], [0.64, 0.48], [0.44, 0.78]])]],
+  plunging: [[...drawn(VALLEY), { fill: "cut", at: [[0.2, 0.75], [0.36, 0.25], [0.64, 0.25], [0.8, 0.75]] }, way([[0, 0.82], [1, 0.82]])], [
+    ...drawn(VALLEY),
+    way([[0, 0.82], [0.22, 0.82], [0.4, 0.34], [0.62, 0.34], [0.78, 0.84], [1, 0.84]]),
+  ]],
+  reverse: [[...drawn(STEP), way(raised(STEP, 0.12))], [...drawn(STEP), way([...raised(STEP, 0.12)].reverse())], [
+    ...drawn(STEP),
+    way([...raised(STEP, 0.12)].reverse()),
+    { fill: "tool", at: [[0.28, 0.4], [0.2, 0.9], [0.42, 0.95], [0.5, 0.55]] },
+  ]],
+  limits: [[...stock, ...drawn(STEP)], [{ fill: "cut", at: [[0, 0.22], [0.4, 0.22], [0.4, 0.8], [0, 0.8]] }, ...drawn(STEP), {
+    line: "limit",
+    at: [[0.4, 0], [0.4, 1]],
+  }]],
+  direction: [[...drawn(VALLEY), way([[0.28, 0.62], [0.74, 0.62]]), way([[0.68, 0.42], [0.32, 0.42]])], [
+    ...drawn(VALLEY),
+    way([[0.28, 0.62], [0.74, 0.62]]),
+    way([[0.32, 0.42], [0.68, 0.42]]),
+  ]],
   element: [corner(0), corner(1), corner(2)],
 };
 
@@ -78,7 +84,14 @@ const diagrams: Readonly<Partial<Record<Topic, readonly (readonly Stroke[])[]>>>
 export const hasTiles = (topic: Topic): boolean => diagrams[topic] !== undefined;
 
 /** Small diagrams in a row at the foot of the picture or in columns at its left, one for each value; the chosen one strong. */
-export function tiles(f: HelpFrame, topic: Topic, choices: readonly number[], tag: { readonly q: string; readonly chosen: number | null }, size: Size, column: boolean): Mark[] {
+export function tiles(
+  f: HelpFrame,
+  topic: Topic,
+  choices: readonly number[],
+  tag: { readonly q: string; readonly chosen: number | null },
+  size: Size,
+  column: boolean,
+): Mark[] {
   const width = column ? TILE.width : Math.min(TILE.width, (size.width - 8 - TILE.gap * (choices.length - 1)) / choices.length);
   const { each, tall: high } = columnsFor(choices.length, size.height);
   const tall = column ? high : TILE.height;
@@ -96,7 +109,10 @@ export function tiles(f: HelpFrame, topic: Topic, choices: readonly number[], ta
         : [f.open > 0 ? v : 1 - v, f.feed < 0 ? 1 - u : u];
       return { x: inner.x + across * inner.width, y: inner.y + (1 - up) * inner.height };
     };
-    const edge = polygon([{ x: left, y: top }, { x: left + width, y: top }, { x: left + width, y: top + tall }, { x: left, y: top + tall }]);
+    const edge = polygon([{ x: left, y: top }, { x: left + width, y: top }, { x: left + width, y: top + tall }, {
+      x: left,
+      y: top + tall,
+    }]);
     const drawing = (diagrams[topic]?.[choice] ?? []).flatMap((s): Mark[] => {
       const places = s.at.map(place);
       if ("fill" in s) return [filled(own, s.fill, polygon(places))];

@@ -2,10 +2,9 @@ import type { ParamTextId } from "../../cycles/index.ts";
 import type { Params } from "../../cycles/params.ts";
 
 /** How the picture explains a parameter: by a dimension of the outline, or by what the cycle does with the value. */
-export type Topic =
-  | "outline" | "element" | "clearance" | "infeed" | "oversizeDiameter" | "oversizeZ" | "roughingFeed" | "finishingFeed"
-  | "plungingFeed" | "operation" | "reverse" | "smoothing" | "plunging" | "limits" | "limitDiameter" | "limitZ"
-  | "direction" | "offsetWidth" | "depthCompensation";
+export type Topic = "outline" | "element" | "clearance" | "infeed" | "oversizeDiameter" | "oversizeZ" | "roughingFeed" | "finishingFeed"
+  | "plungingFeed" | "operation" | "reverse" | "smoothing" | "plunging" | "limits" | "limitDiameter" | "limitZ" | "direction"
+  | "offsetWidth" | "depthCompensation";
 
 /** One topic for each text of the catalogue: a parameter without a place in the picture does not compile. */
 const topics: Readonly<Record<ParamTextId, Topic>> = {
