@@ -4,12 +4,13 @@ import { issue, type Issue } from "../kernel/issue.ts";
 import { feedsOf } from "../kernel/strategy/feeds.ts";
 import { empty } from "../kernel/strategy/leveled.ts";
 import { planRecess } from "../kernel/strategy/recess.ts";
-import { axial, perSide, radius, toDiameter, type Axial, type Diameter } from "../kernel/units.ts";
+import { axial, type Axial, type Diameter, perSide, radius, rounded, toDiameter } from "../kernel/units.ts";
 import { defineCycle, printedContour } from "./define.ts";
 import { angle, axialDepth, axialParam, choice, diameterParam, feedParam, lengthParam, oversizeDiameter } from "./params.ts";
 import { recessOutline, type RecessOutline } from "./recess-outline.ts";
 import { atParameters } from "./roles.ts";
 import { angleIssues, cornerIssue, withIssues } from "./tool-issues.ts";
+import { ROUND } from "../kernel/tolerance.ts";
 
 /**
  * Recess turning, axial, extended: a groove in a face with two walls, a floor, and an element at either edge.
@@ -93,8 +94,8 @@ const finished = <
 
 /** A tool that is wider than the floor (with the oversize on both walls) cannot reach it; wider than the opening, not at all. */
 function narrowIssue(outline: RecessOutline, v: { Q491: Diameter; Q493: Diameter }, tool: number): Issue[] {
-  if (tool <= outline.floor + 1e-9) return [];
+  if (tool <= outline.floor + ROUND) return [];
   const missing = toDiameter(radius(tool - outline.floor));
-  const nearest = Math.round((v.Q493 + Math.sign(v.Q493 - v.Q491) * missing) * 1000) / 1000;
+  const nearest = rounded(v.Q493 + Math.sign(v.Q493 - v.Q491) * missing);
   return [issue("recessNarrowerThanTool", tool > outline.opening ? "error" : "warning", { width: outline.floor, tool, nearest }, "Q493")];
 }

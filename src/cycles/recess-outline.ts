@@ -1,12 +1,11 @@
 import { issue, type Issue } from "../kernel/issue.ts";
 import type { Pt } from "../kernel/point.ts";
-import { axial, inDegrees, radians, radius, toRadius } from "../kernel/units.ts";
-import { angleBelow, cornerElementOf, namedContour, roundOf, type NamedContour } from "./corner-element.ts";
+import { axial, inDegrees, radians, radius, roundedDown, toRadius } from "../kernel/units.ts";
+import { angleBelow, cornerElementOf, LEG, namedContour, type NamedContour, roundOf } from "./corner-element.ts";
 import type { Dimension, Outline } from "./define.ts";
 import { equalEnds, type ShoulderValues } from "./shoulder-outline.ts";
+import { JOINED, ROUND } from "../kernel/tolerance.ts";
 
-/** Longer than any part, mm. */
-const LEG = 1e5;
 const pt = (z: number, r: number): Pt => ({ z: axial(z), r: radius(r) });
 
 export interface RecessOutline extends Outline, NamedContour {
@@ -31,7 +30,7 @@ export function recessOutline(v: ShoulderValues, axialGroove: boolean): RecessOu
     : (w: number, d: number): Pt => pt(z1 + Math.sign(z2 - z1) * w, r1 + Math.sign(r2 - r1) * d);
   const [t1, t2] = [Math.tan(radians(v.Q495)), Math.tan(radians(v.Q496))];
   const [w1, w2] = [D * t1, W - D * t2];
-  if (w2 - w1 < 1e-9) {
+  if (w2 - w1 < ROUND) {
     const q = t1 >= t2 ? "Q495" : "Q496";
     const room = Math.max(0, W - D * Math.min(t1, t2));
     const max = inDegrees(Math.atan2(room, D));
@@ -39,15 +38,13 @@ export function recessOutline(v: ShoulderValues, axialGroove: boolean): RecessOu
   }
   const legs = Math.tan(radians(45 - v.Q495 / 2)) + Math.tan(radians(45 - v.Q496 / 2));
   const widest = (w2 - w1) / legs;
-  const tooWide = v.Q500 > widest + 1e-9;
+  const tooWide = v.Q500 > widest + ROUND;
   if (tooWide)
-    issues.push(
-      issue("cornersTooWide", "error", { radius: v.Q500, max: widest, nearest: Math.floor(widest * 1000 + 1e-6) / 1000 }, "Q500"),
-    );
+    issues.push(issue("cornersTooWide", "error", { radius: v.Q500, max: widest, nearest: roundedDown(widest) }, "Q500"));
   const round = roundOf(tooWide ? 0 : v.Q500);
   // Towards the axis a leg ends there: an outer element cannot be longer.
-  const start = axialGroove && r1 < r2 ? Math.max(r1, 1e-6) : LEG;
-  const end = axialGroove && r2 < r1 ? Math.max(r2, 1e-6) : LEG;
+  const start = axialGroove && r1 < r2 ? Math.max(r1, JOINED) : LEG;
+  const end = axialGroove && r2 < r1 ? Math.max(r2, JOINED) : LEG;
   const built = namedContour([at(-start, 0), at(0, 0), at(w1, D), at(w2, D), at(W, 0), at(W + end, 0)], [
     "Q492",
     "Q495",

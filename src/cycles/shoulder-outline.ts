@@ -1,8 +1,10 @@
 import { issue, type Issue } from "../kernel/issue.ts";
 import type { Pt } from "../kernel/point.ts";
-import { axial, inDegrees, radians, radius, toRadius, type Axial, type Degrees, type Diameter, type Length } from "../kernel/units.ts";
-import { angleBelow, cornerElementOf, namedContour, roundOf, type NamedContour } from "./corner-element.ts";
+import { axial, type Axial, type Degrees, type Diameter, inDegrees, type Length, radians, radius, rounded, STEP,
+  toRadius } from "../kernel/units.ts";
+import { angleBelow, cornerElementOf, LEG, namedContour, type NamedContour, roundOf } from "./corner-element.ts";
 import type { Dimension, Outline } from "./define.ts";
+import { JOINED } from "../kernel/tolerance.ts";
 
 /** The values that shape an extended shoulder, by what they mean. */
 export interface ShoulderValues {
@@ -22,8 +24,6 @@ export interface ShoulderValues {
 }
 
 const pt = (z: number, r: number): Pt => ({ z: axial(z), r: radius(r) });
-/** Longer than any part, mm. */
-const LEG = 1e5;
 
 /**
  * Contour of a longitudinal shoulder inside its box (decision "The box rule"): start element, circumferential surface
@@ -49,7 +49,7 @@ export function shoulderOutline(v: ShoulderValues): Outline & NamedContour {
   }
   const a = (A - H * t2) / (1 - t1 * t2);
   const corner = at(a, a * t1);
-  const lead = out > 0 ? Math.max(r2, 1e-6) : LEG;
+  const lead = out > 0 ? Math.max(r2, JOINED) : LEG;
   const built = namedContour([at(0, -lead), at(0, 0), corner, at(A, H), at(A + LEG, H)], ["Q492", "Q495", "Q496", "Q491"], [
     { element: cornerElementOf(v.Q501, v.Q502), q: "Q502" },
     { element: roundOf(v.Q500), q: "Q500" },
@@ -68,7 +68,7 @@ export function equalEnds(v: { Q491: Diameter; Q492: Axial; Q493: Diameter; Q494
   return issues;
 }
 /** The next value on the control's grid. */
-const nextTo = (n: number) => Math.round((n - 0.001) * 1000) / 1000;
+const nextTo = (n: number) => rounded(n - STEP);
 
 function dimensionsOf(v: ShoulderValues, g: { start: Pt; corner: Pt; end: Pt; along: number; out: number }): Dimension[] {
   const axisLine = pt(g.start.z + (g.corner.z - g.start.z), g.start.r);

@@ -7,7 +7,8 @@ import { issue, type Issue } from "../kernel/issue.ts";
 import type { Plan } from "../kernel/plan.ts";
 import type { Segment } from "../kernel/point.ts";
 import type { Tool } from "../kernel/tool.ts";
-import { inDegrees, type Length } from "../kernel/units.ts";
+import { inDegrees, type Length, roundedAngle } from "../kernel/units.ts";
+import { ROUND } from "../kernel/tolerance.ts";
 
 /** Rounding of angles, radians. */
 const ANGLE = 1e-6;
@@ -49,7 +50,7 @@ export function angleIssues(
     }));
     const { at: max, edge } = bounds.reduce((best, b) => (Math.abs(b.at - direction) < Math.abs(best.at - direction) ? b : best),
       bounds[0] ?? { at: 0, edge: "mainEdge" });
-    const nearest = Math.round(asValue(name, max) * 1e4) / 1e4;
+    const nearest = roundedAngle(asValue(name, max));
     found.set(name, issue("angleNotFollowed", "warning", {
       angle: asValue(name, direction),
       max: asValue(name, max),
@@ -63,7 +64,7 @@ export function angleIssues(
 /** A programmed corner radius that the insert is too round for. */
 export function cornerIssue(corner: Length, tool: Tool): Issue[] {
   const insert = noseRadius(tool);
-  return corner > 0 && corner < insert - 1e-9
+  return corner > 0 && corner < insert - ROUND
     ? [issue("cornerSmallerThanInsert", "warning", { radius: corner, insert, nearest: insert }, "Q500")]
     : [];
 }

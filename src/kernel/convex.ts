@@ -81,7 +81,7 @@ export function support(k: Convex, n: Flat): { at: Flat; feature: Feature } {
   const angle = angleOf(n);
   const offer = (at: Flat, feature: Feature) => {
     const d = dot(at, n);
-    if (d > best + 1e-10 || (d > best - 1e-10 && at.v < found.at.v - 1e-10)) {
+    if (d > best + ROUND || (d > best - ROUND && at.v < found.at.v - ROUND)) {
       best = Math.max(best, d);
       found = { at, feature };
     }

@@ -5,7 +5,8 @@ import { findAngles, findCircles, way } from "./solve-curves.ts";
 import { findTouches } from "./solve-touches.ts";
 import { pointOf, settle, startSolving, type SolveElement, type Solving } from "./solve-work.ts";
 import { ARC_END, SAME } from "./tolerance.ts";
-import { axial, degrees, inDegrees, length, radians, radius, type Axial, type Degrees, type Length, type Radius } from "./units.ts";
+import { axial, type Axial, degrees, type Degrees, inDegrees, length, type Length, radians, radius, type Radius,
+  roundedAngle } from "./units.ts";
 
 const { angleOf, apart, cross, difference, dot, heading } = part;
 
@@ -100,7 +101,7 @@ const between = (a: Pt, b: Pt) => Math.abs(inDegrees(Math.atan2(cross(a, b), dot
 function contradictions(w: Solving, e: SolveElement, i: number, freedom: number): Issue[] {
   const found: Issue[] = [], element = i + 1;
   const say = (quantity: "angle" | "length" | "tangent" | "radius", given: number, nearest: number) =>
-    found.push(issue("elementContradicts", "error", { element, quantity, given, nearest: Math.round(nearest * 1e4) / 1e4 }, "contour"));
+    found.push(issue("elementContradicts", "error", { element, quantity, given, nearest: roundedAngle(nearest) }, "contour"));
   const [from, to] = [pointOf(w, i - 1), pointOf(w, i)];
   if (freedom > 0 && !w.unreachable.has(i)) return [issue("elementFree", "error", { element, freedom }, "contour")];
   if (!to || freedom > 0) return w.unreachable.has(i) ? [issue("elementUnreachable", "error", { element }, "contour")] : [];

@@ -1,4 +1,5 @@
 import type { Diameter } from "./units.ts";
+import { ROUND } from "./tolerance.ts";
 
 /** Measures of an undercut, mm. */
 export interface UndercutMeasures {
@@ -55,7 +56,7 @@ export function undercutOfDiameter(diameter: Diameter): UndercutMeasures {
 
 /** What DIN 76 gives for a thread of this pitch; null for a pitch that is not in its list. */
 export function undercutOfPitch(pitch: number, inside: boolean): UndercutMeasures | null {
-  const row = DIN_76.find(([listed]) => Math.abs(listed - pitch) < 1e-6);
+  const row = DIN_76.find(([listed]) => Math.abs(listed - pitch) < ROUND);
   if (!row) return null;
   const [, R, outer, broad, inner, broadInside] = row;
   return { R, DEPTH: (inside ? inner : outer) / 2, BREADTH: inside ? broadInside : broad, FACEDEPTH: 0 };

@@ -41,7 +41,18 @@ export const inDegrees = (a: number) => degrees((a * 180) / Math.PI);
 
 /** Steps of a size in one mm that a control prints. */
 const STEPS = 1000;
+/** The finest step of a size, mm. */
+export const STEP = 1 / STEPS;
 /** A size on that grid: the nearest, the next below and the next above. Rounding of doubles moves no size to its neighbour. */
 export const rounded = (size: number) => Math.round(size * STEPS) / STEPS;
 export const roundedDown = (size: number) => Math.floor(size * STEPS + SAME_STEP) / STEPS;
 export const roundedUp = (size: number) => Math.ceil(size * STEPS - SAME_STEP) / STEPS;
+
+/** Steps of an angle in one degree that a control prints. */
+const ANGLE_STEPS = 10_000;
+/** An angle on that grid, and the next one that is really below it. */
+export const roundedAngle = (angle: number) => Math.round(angle * ANGLE_STEPS) / ANGLE_STEPS;
+export const angleUnder = (angle: number) => (Math.ceil(angle * ANGLE_STEPS - SAME_STEP) - 1) / ANGLE_STEPS;
+
+/** An inch in mm. */
+export const INCH = 25.4;

@@ -1,5 +1,5 @@
 import { plane, type PlanePoint } from "../kernel/plane.ts";
-import { diameter, toRadius } from "../kernel/units.ts";
+import { diameter, INCH, toRadius } from "../kernel/units.ts";
 import type { Program } from "../nc/program.ts";
 import type { AxisName } from "../nc/statement.ts";
 import type { WorkingPlane } from "./approach-fields.ts";
@@ -29,7 +29,7 @@ function inForce(program: Program, index: number, parameters: KnownParameters): 
     const coordinate = (axis: AxisName) => {
       const word = s.words.axes.find((w) => w.axis === axis && !w.incremental);
       const value = word && valueOf(word.value, known);
-      return typeof value === "number" ? value * (inch ? 25.4 : 1) : null;
+      return typeof value === "number" ? value * (inch ? INCH : 1) : null;
     };
     const [x, y, z] = [coordinate("X"), coordinate("Y"), coordinate("Z")];
     if (turning && x !== null && z !== null) pole = { x: z, y: toRadius(diameter(x)) };
@@ -64,7 +64,7 @@ export function approachContext(program: Program, index: number, run: Run | null
     plane,
     pole,
     parameters,
-    unit: inch ? 25.4 : 1,
+    unit: inch ? INCH : 1,
     before: outside && sum(outside, by),
     contour: found?.contour.map((s) => shifted(s, by)) ?? [],
     side: found?.side ?? "left",

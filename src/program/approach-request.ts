@@ -1,7 +1,7 @@
 import type { ApproachRequest } from "../kernel/approach.ts";
 import { partPoint, plane, planePoint, type PlanePoint, type PlaneSegment, type Side } from "../kernel/plane.ts";
 import { SAME } from "../kernel/tolerance.ts";
-import { inDegrees, radius, toDiameter } from "../kernel/units.ts";
+import { inDegrees, radius, rounded, toDiameter } from "../kernel/units.ts";
 import type { ApproachForm } from "../nc/statement.ts";
 import { SIDES, type ApproachReading } from "./approach-draft.ts";
 import { isPolar, shapeOf, type ApproachWord, type WorkingPlane } from "./approach-fields.ts";
@@ -28,7 +28,7 @@ export interface ApproachContext {
   /** The way to PH runs at the feed in force before the block: "rapid", a number, or null when none was programmed. */
   readonly feedBefore: number | "rapid" | null;
   /** Millimetres in the program's unit of length. */
-  readonly unit: 1 | 25.4;
+  readonly unit: number;
   /** Values of Q parameters at the block. */
   readonly parameters: KnownParameters;
 }
@@ -109,7 +109,7 @@ export function readyApproach(
   };
 }
 
-const printed = (n: number) => String(Math.round(n * 1000) / 1000 + 0);
+const printed = (n: number) => String(rounded(n) + 0);
 
 /** A point of the working plane as the words that name it in a form. */
 export function wordsOfPoint(form: ApproachForm, p: PlanePoint, context: ApproachContext): Partial<Record<ApproachWord, string>> | null {

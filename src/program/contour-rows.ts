@@ -7,6 +7,7 @@ import { toDiameter } from "../kernel/units.ts";
 import type { ContourRow } from "./job.ts";
 import { rowGiven, type RowGiven } from "./row-given.ts";
 import type { RowField, RowIssue, RowReader } from "./row-reader.ts";
+import { ROUND } from "../kernel/tolerance.ts";
 
 export type { RowField, RowIssue } from "./row-reader.ts";
 
@@ -96,7 +97,7 @@ function signedRadius(s: SolvedElement | undefined): number | null {
   const arc = s?.segment;
   if (arc?.kind !== "arc") return null;
   const size = Math.hypot(arc.from.z - arc.centre.z, arc.from.r - arc.centre.r);
-  return part.sweepOf(arc) > Math.PI + 1e-9 ? -size : size;
+  return part.sweepOf(arc) > Math.PI + ROUND ? -size : size;
 }
 
 /** The element with every coordinate filled in; null while its end is not known. */

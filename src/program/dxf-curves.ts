@@ -1,4 +1,5 @@
 import { at, type Pt, type Segment } from "../kernel/point.ts";
+import { JOINED, ROUND } from "../kernel/tolerance.ts";
 
 /** How the plane of a drawing becomes Z and X of a part. */
 export interface DxfPlacing {
@@ -48,7 +49,7 @@ const mirrored = (s: DxfCurve): DxfCurve => {
 
 /** A side of a polyline: its bulge is the tangent of a quarter of the angle it turns through, positive to the left. */
 export function bulged(from: Pt, to: Pt, bulge: number): DxfCurve {
-  if (Math.abs(bulge) < 1e-9) return { kind: "line", from, to };
+  if (Math.abs(bulge) < ROUND) return { kind: "line", from, to };
   const k = (1 - bulge * bulge) / (4 * bulge), [dz, dr] = [to.z - from.z, to.r - from.r];
   return { kind: "arc", from, to, centre: at((from.z + to.z) / 2 - dr * k, (from.r + to.r) / 2 + dz * k), turn: bulge > 0 ? "ccw" : "cw" };
 }
@@ -98,5 +99,5 @@ export function dxfCurves(entities: readonly unknown[], scale: number): DxfCurve
         : { ...s, from: sized(s.from), to: sized(s.to), centre: sized(s.centre) })
     );
   });
-  return { curves: curves.filter((s) => s.kind === "arc" || apart(s.from, s.to) > 1e-6), skipped, broken };
+  return { curves: curves.filter((s) => s.kind === "arc" || apart(s.from, s.to) > JOINED), skipped, broken };
 }

@@ -17,6 +17,7 @@ import { MillState, type Mill } from "./mill-state.ts";
 import { NOWHERE, pointIn, type Pole, type Position } from "./path.ts";
 import type { Guide } from "./plane-chain.ts";
 import type { Control } from "./plane-types.ts";
+import { INCH } from "../kernel/units.ts";
 
 /** What a run can use. */
 export interface Shop {
@@ -162,12 +163,12 @@ export class Machine {
 
   /** A length of the program in mm. */
   length(n: number): number {
-    return this.inch ? n * 25.4 : n;
+    return this.inch ? n * INCH : n;
   }
 
   /** A feed word as mm/rev or mm/min; inch programs count tenths of an inch per minute, or inches per revolution. */
   feedOf(n: number): Feed {
-    return (this.inch ? n * (this.perRevolution ? 25.4 : 2.54) : n) as Feed;
+    return (this.inch ? n * (this.perRevolution ? INCH : INCH / 10) : n) as Feed;
   }
 
   get feedUnit(): FeedUnit {

@@ -10,6 +10,7 @@ import { standing, wordReader } from "./path-block.ts";
 import { endOf, isPolarPath, segmentOf, type MillPlane, type PathBlock } from "./path.ts";
 import { startUnknown } from "./turn-run.ts";
 import { beginApproach, close, endWithDeparture, followPath, sideOf } from "./plane-guide.ts";
+import { ROUND } from "../kernel/tolerance.ts";
 
 const carrierOf = (machine: Machine) => () => millCarrier(machine);
 
@@ -86,7 +87,7 @@ function elementBetween(machine: Machine, block: PathBlock, start: PlanePoint, e
 function around(machine: Machine, { path, words }: PathBlock, s: PlaneSegment, index: number): PlaneSegment[] {
   const angle = path === "CP" && words.polarAngle?.incremental ? machine.number(words.polarAngle.value, index) : null;
   if (s.kind !== "arc" || angle === null || Math.abs(angle) <= 360) return [s];
-  const turns = Math.min(1000, Math.ceil(Math.abs(angle) / 360 - 1e-9) - 1);
+  const turns = Math.min(1000, Math.ceil(Math.abs(angle) / 360 - ROUND) - 1);
   return [...Array.from({ length: turns }, (): PlaneSegment => ({ ...s, to: s.from })), s];
 }
 

@@ -1,6 +1,6 @@
 import { at, part, type Pt, type Segment } from "../kernel/point.ts";
-import { SAME } from "../kernel/tolerance.ts";
-import { diameter, toDiameter, toRadius } from "../kernel/units.ts";
+import { ROUND, SAME } from "../kernel/tolerance.ts";
+import { diameter, INCH, toDiameter, toRadius } from "../kernel/units.ts";
 import { chainsOf, turnedAround } from "./dxf-chain.ts";
 import { dxfCurves, type DxfPlacing } from "./dxf-curves.ts";
 import { newRow, type ContourRow } from "./job.ts";
@@ -53,7 +53,7 @@ export interface ParsedDxf {
 /** Most lines and arcs that are read. */
 const MOST = 20_000;
 /** Millimetres in the units that a header names; drawings without units are in mm. */
-const UNITS: Readonly<Record<number, number>> = { 1: 25.4, 2: 304.8, 4: 1, 5: 10, 6: 1000 };
+const UNITS: Readonly<Record<number, number>> = { 1: INCH, 2: 12 * INCH, 4: 1, 5: 10, 6: 1000 };
 
 function placed(s: Segment, choice: DxfChoice): Segment {
   const put = (p: Pt): Pt => {
@@ -120,7 +120,7 @@ function rowsOf(run: readonly Segment[], zeroRight: boolean): ContourRow[] {
     if (end.x === before.x && end.z === before.z) return;
     if (s.kind === "line") rows.push(newRow(id, { x: end.x === before.x ? "" : end.x, z: end.z === before.z ? "" : end.z }));
     else {
-      const size = Math.hypot(s.from.z - s.centre.z, s.from.r - s.centre.r), long = part.sweepOf(s) > Math.PI + 1e-6;
+      const size = Math.hypot(s.from.z - s.centre.z, s.from.r - s.centre.r), long = part.sweepOf(s) > Math.PI + ROUND;
       rows.push(newRow(id, { kind: "CR", ...end, r: typed(long ? -size : size), turn: s.turn }));
     }
     before = end;

@@ -1,6 +1,7 @@
 import type { Tool } from "../kernel/tool.ts";
 import { COLUMN_RULES, MILL, MILL_COLUMNS, TOOL_COLUMNS, type MillColumn, type NumberColumn, type ToolColumn } from "./tool-columns.ts";
 import type { MillTool, ToolEntry } from "./tool-entry.ts";
+import { INCH } from "../kernel/units.ts";
 
 /*
  * The tables of turning and of milling tools as the control keeps it in a file: a BEGIN line, a line of column titles, one line a tool with
@@ -35,7 +36,6 @@ const WIDTHS: Readonly<Record<Column, number>> = {
   DR: 11,
 };
 const LINE_END = "\r\n";
-const MM_PER_INCH = 25.4;
 
 const rounded = (value: number, decimals: number) => {
   const text = value.toFixed(decimals).replace(/\.?0+$/, "");
@@ -110,7 +110,7 @@ function typed(column: Column, cell: string, inch: boolean): string {
   if (!/^[+-]?(\d+([.,]\d*)?|[.,]\d+)$/.test(cell)) return cell;
   const value = Number(cell.replace(",", "."));
   const { kind, decimals } = COLUMN_RULES[column as NumberColumn];
-  if (kind === "length" && inch) return rounded(value * MM_PER_INCH, decimals);
+  if (kind === "length" && inch) return rounded(value * INCH, decimals);
   return String(value === 0 ? 0 : value);
 }
 

@@ -1,5 +1,6 @@
 import type { Pt } from "../kernel/point.ts";
 import { axial, radius } from "../kernel/units.ts";
+import { JOINED } from "../kernel/tolerance.ts";
 
 /** A place on the screen, CSS pixels from the top left corner of the picture. */
 export interface Place {
@@ -102,7 +103,7 @@ export interface Margin {
 export function fitted(bounds: Bounds, size: Size, margin: Margin, xUp: boolean): Camera {
   const width = Math.max(1, size.width - margin.left - margin.right);
   const height = Math.max(1, size.height - margin.top - margin.bottom);
-  const wide = Math.max(1e-6, bounds.right - bounds.left), tall = Math.max(1e-6, bounds.high - bounds.low);
+  const wide = Math.max(JOINED, bounds.right - bounds.left), tall = Math.max(JOINED, bounds.high - bounds.low);
   const scale = Math.min(SCALE.max, Math.max(SCALE.min, Math.min(width / wide, height / tall)));
   const middle = { z: (bounds.left + bounds.right) / 2, r: (bounds.low + bounds.high) / 2 };
   return {

@@ -1,6 +1,6 @@
 import type { Pt, Segment } from "../kernel/point.ts";
 import type { Step } from "../kernel/step.ts";
-import { axial, radius, toDiameter, type Diameter } from "../kernel/units.ts";
+import { axial, type Diameter, radius, rounded, toDiameter } from "../kernel/units.ts";
 
 /** What lies between two places. */
 export interface Distance {
@@ -57,6 +57,6 @@ export function snappedPoint(place: Pt, points: readonly Pt[], reach: number): P
 
 /** A place moved by so much of Z and r, mm, on whole thousandths. */
 export const nudged = (p: Pt, dz: number, dr: number): Pt => ({
-  z: axial(Math.round((p.z + dz) * 1e3) / 1e3),
-  r: radius(Math.round((p.r + dr) * 1e3) / 1e3),
+  z: axial(rounded(p.z + dz)),
+  r: radius(rounded(p.r + dr)),
 });

@@ -1,5 +1,6 @@
 import type { Move } from "../kernel/move.ts";
 import { part, type Pt, type Ring, type Segment } from "../kernel/point.ts";
+import { JOINED } from "../kernel/tolerance.ts";
 
 const { pointOn, polarOf } = part;
 
@@ -36,7 +37,7 @@ export const startData = (p: Pt): string => `M${at(p)}`;
 export function segmentData(segments: Iterable<Segment>): string {
   let d = "", last: Pt | null = null;
   for (const s of segments) {
-    if (!last || Math.hypot(last.z - s.from.z, last.r - s.from.r) > 1e-6) d += startData(s.from);
+    if (!last || Math.hypot(last.z - s.from.z, last.r - s.from.r) > JOINED) d += startData(s.from);
     d += line(s);
     last = s.to;
   }

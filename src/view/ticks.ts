@@ -1,3 +1,4 @@
+import { ROUND } from "../kernel/tolerance.ts";
 /** Marks of a scale: which values, and how many decimals their labels need. */
 export interface Ticks {
   readonly step: number;
@@ -15,9 +16,9 @@ export function ticks(from: number, to: number, apart: number): Ticks {
     return { step: 1, decimals: 0, values: [] };
   const wanted = Math.max(apart, (high - low) / MOST);
   const power = 10 ** Math.floor(Math.log10(wanted));
-  const step = [1, 2, 5, 10].map((k) => k * power).find((s) => s >= wanted * (1 - 1e-9)) ?? 10 * power;
-  const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
-  const first = Math.ceil(low / step - 1e-9), last = Math.floor(high / step + 1e-9);
+  const step = [1, 2, 5, 10].map((k) => k * power).find((s) => s >= wanted * (1 - ROUND)) ?? 10 * power;
+  const decimals = Math.max(0, -Math.floor(Math.log10(step) + ROUND));
+  const first = Math.ceil(low / step - ROUND), last = Math.floor(high / step + ROUND);
   return {
     step,
     decimals,

@@ -1,3 +1,4 @@
+import { ROUND } from "../../kernel/tolerance.ts";
 /** A place in the measure of the table: X as diameter, mm. */
 export interface SnapSpot {
   readonly x: number;
@@ -34,6 +35,6 @@ export const snapped = (at: SnapSpot, step: number, magnets: Magnets): SnapSpot 
 /** Distance of grid lines that are far enough apart to be seen: the step, or the next rounder number. */
 export function gridSpacing(step: number, scale: number, pixels = 12): number {
   for (const ten of [0.001, 0.01, 0.1, 1, 10, 100, 1000])
-    for (const n of [1, 2, 5]) if (n * ten >= step - 1e-9 && n * ten * scale >= pixels) return tidy(n * ten);
+    for (const n of [1, 2, 5]) if (n * ten >= step - ROUND && n * ten * scale >= pixels) return tidy(n * ten);
   return 5000;
 }

@@ -9,6 +9,7 @@ import { closeStep } from "../store.ts";
 import { cornerSized, hasPoint, isCorner, pointAppended, pointInserted, pointMoved, typed } from "./drawing-edits.ts";
 import type { Edited } from "./row-edits.ts";
 import { onGrid, snapped, type GridStep, type SnapSpot } from "./snap.ts";
+import { SAME } from "../../kernel/tolerance.ts";
 
 /** What a pointer does in the drawing. */
 export type DrawingMode = "move" | "draw" | "round" | "chamfer";
@@ -209,6 +210,6 @@ function nearestOn(reading: RowsReading, row: number, spot: SnapSpot, step: numb
   const square = dz * dz + dr * dr;
   const k = square === 0 ? 0 : Math.min(1, Math.max(0, ((at.z - a.z) * dz + (at.r - a.r) * dr) / square));
   const on = { x: from.x + (to.x - from.x) * k, z: from.z + dz * k };
-  if (Math.abs(dr) < 1e-6) return { ...on, z: onGrid(on.z, step) };
-  return Math.abs(dz) < 1e-6 ? { ...on, x: onGrid(on.x, step) } : on;
+  if (Math.abs(dr) < SAME) return { ...on, z: onGrid(on.z, step) };
+  return Math.abs(dz) < SAME ? { ...on, x: onGrid(on.x, step) } : on;
 }

@@ -7,11 +7,9 @@ import { useTexts } from "../settings/use-texts.ts";
 import { partsOf, type Done, type Part, type PartFilter } from "./program-parts.ts";
 import { openBlock, useSession } from "./session.ts";
 import { useWindow } from "./use-window.ts";
+import { NO_AREA } from "../effect/effect.ts";
 
 const FILTERS = ["all", "operations", "labels", "notes"] as const satisfies readonly ("all" | PartFilter)[];
-
-/** Smaller areas are rounding of the polygon engine, mm². */
-const NOTHING = 0.005;
 
 /** What a cycle of the program does, in words of the screen language. */
 function useDoneText(): (done: Done) => string {
@@ -21,7 +19,7 @@ function useDoneText(): (done: Done) => string {
     t.editor.operation(t.editor.passes(passes),
       t.page.effect.duration(Math.floor(Math.round(seconds) / 60),
         formatFixed(language, seconds < 60 ? seconds : Math.round(seconds) % 60, seconds < 60 ? 1 : 0)),
-      residue < NOTHING ? t.editor.noResidue : t.editor.residue(formatNumber(language, residue, 2)));
+      residue < NO_AREA ? t.editor.noResidue : t.editor.residue(formatNumber(language, residue, 2)));
 }
 
 /** The parts of the program: tools, cycles with what they do, labels, contours, notes. Choosing one opens its block. */

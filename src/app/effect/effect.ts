@@ -15,8 +15,8 @@ export interface Effect {
 }
 
 /** Smaller areas are rounding of the polygon engine, mm². */
-const NOTHING = 0.005;
-const area = (value: number) => (value < NOTHING ? 0 : value);
+export const NO_AREA = 0.005;
+const area = (value: number) => (value < NO_AREA ? 0 : value);
 
 const effects = new WeakMap<Outcome, Effect>();
 

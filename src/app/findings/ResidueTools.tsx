@@ -7,11 +7,10 @@ import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import type { FindingEntry } from "./entry.ts";
 import type { FindingsHost } from "./host.ts";
+import { NO_AREA } from "../effect/effect.ts";
 
 /** Tools that are offered; the others leave more. */
 const MOST = 4;
-/** Less is nothing, mm². */
-const NOTHING = 0.005;
 
 /** What stays for another reason than the tool stays with every tool. */
 const byTool: ReadonlySet<string> = new Set(["insertRadius", "mainEdge", "secondaryEdge", "toolWidth", "cutLength"]);
@@ -47,7 +46,7 @@ export function ResidueTools({ entry, host }: { readonly entry: FindingEntry; re
               const name = `${tool.T} ${tool.NAME}`;
               return (
                 <li key={tool.T}>
-                  <span className="small">{stays < NOTHING ? words.all(name) : words.leaves(name, write.area(stays))}</span>
+                  <span className="small">{stays < NO_AREA ? words.all(name) : words.leaves(name, write.area(stays))}</span>
                   <button type="button" className="button small mend" onClick={() => host.takeTool(entry, tool.T)}>
                     {t.setup.tool.take(tool.T)}
                   </button>

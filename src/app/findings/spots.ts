@@ -6,6 +6,7 @@ import type { ProofIssue } from "../../sim/issues.ts";
 import type { Simulation } from "../../sim/simulation.ts";
 import type { Bounds } from "../../view/camera.ts";
 import type { FindingSpot } from "./entry.ts";
+import { JOINED } from "../../kernel/tolerance.ts";
 
 type Unmarked = Omit<FindingSpot, "mark">;
 
@@ -30,7 +31,7 @@ function boundsOf(rings: readonly Ring[], place: Pt): Bounds {
   return { left, right, low, high };
 }
 
-const near = (a: number, b: number) => Math.abs(a - b) < 1e-6;
+const near = (a: number, b: number) => Math.abs(a - b) < JOINED;
 
 /** What is to be seen of an issue of the proof; for what stays its index and its thickness, mm. */
 interface Seen {

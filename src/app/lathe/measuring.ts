@@ -3,6 +3,7 @@ import type { Pt } from "../../kernel/point.ts";
 import { toPlace, type Place } from "../../view/camera.ts";
 import { nudged, snappedPoint } from "../../view/measure.ts";
 import type { Viewport } from "./viewport.ts";
+import { SAME } from "../../kernel/tolerance.ts";
 
 /** A pointer this near to a point of the drawing means that point, pixels. */
 const REACH = 12;
@@ -47,7 +48,7 @@ export function useMeasuring(viewport: Viewport, points: readonly Pt[]): Measuri
     return placeOf({ x: width / 2, y: height / 2 });
   };
   const next = (from: Pt, way: number): Pt => {
-    const here = points.findIndex((p) => Math.hypot(p.z - from.z, p.r - from.r) < 1e-3);
+    const here = points.findIndex((p) => Math.hypot(p.z - from.z, p.r - from.r) < SAME);
     const at = here < 0 ? (way > 0 ? 0 : points.length - 1) : (here + way + points.length) % points.length;
     return points[at] ?? from;
   };

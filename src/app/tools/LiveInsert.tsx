@@ -1,7 +1,7 @@
 import { useMemo, useState } from "react";
 import { formatNumber } from "../../i18n/number.ts";
 import { insertOutline } from "../../kernel/insert.ts";
-import { CHORD } from "../../kernel/tolerance.ts";
+import { CHORD, ROUND, SAME } from "../../kernel/tolerance.ts";
 import type { Tool } from "../../kernel/tool.ts";
 import { boundsOf } from "../../view/bounds.ts";
 import { Icon } from "../Icon.tsx";
@@ -15,8 +15,8 @@ const HEIGHT = 148;
 
 /** The next of 1, 2, 5, 10, 20 … that is not below a length, so that the drawing does not change its scale at each keystroke. */
 export function wholeAbove(length: number): number {
-  const power = 10 ** Math.floor(Math.log10(Math.max(length, 1e-3)));
-  return [1, 2, 5, 10].map((n) => n * power).find((n) => n >= length - 1e-9) ?? length;
+  const power = 10 ** Math.floor(Math.log10(Math.max(length, SAME)));
+  return [1, 2, 5, 10].map((n) => n * power).find((n) => n >= length - ROUND) ?? length;
 }
 
 /** The tool of a row, or its last possible one while its cells make none. */

@@ -4,7 +4,7 @@ import { issue } from "../issue.ts";
 import type { Plan, Setting } from "../plan.ts";
 import type { Pt, Ring } from "../point.ts";
 import { CHORD, SAME } from "../tolerance.ts";
-import { axial, radius, toDiameter } from "../units.ts";
+import { axial, radius, roundedUp, toDiameter } from "../units.ts";
 
 /** Areas below this are the chords of two curves that touch, mm². */
 const REAL = 0.01;
@@ -44,7 +44,7 @@ export function clearAcross(plan: Plan, { tool, start }: Setting, role: "startU"
     const box = boxed(left + across.from, right + across.to, across.reach);
     if (areaOf(intersection([plan.part], [box])) < REAL) continue;
     const free = Math.min(...plan.contour.flatMap((s) => [s.from.r, s.to.r]));
-    const x = Math.ceil(toDiameter(radius(-lowest - free)) * 1000) / 1000;
+    const x = roundedUp(toDiameter(radius(-lowest - free)));
     const refused = issue("insertAcrossAxis", "error",
       x < toDiameter(radius(free)) ? { reach: across.reach, nearest: x } : { reach: across.reach }, role);
     return { ...plan, moves: [], passes: 0, reach: [], kept: [], issues: [...plan.issues, refused] };

@@ -131,5 +131,5 @@ function followBelow(cutter: Cutter, l: Levels) {
 /** First u at or after `from` where the envelope has risen to `height`; `limit` when it does not. */
 export function riseTo(e: Envelope, from: number, limit: number, height: number): number {
   const first = below(e, height, from, limit)[0];
-  return first && first.from <= from + 1e-6 ? first.to : from;
+  return first && first.from <= from + JOINED ? first.to : from;
 }

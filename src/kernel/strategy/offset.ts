@@ -1,5 +1,6 @@
 import { issue, type Issue } from "../issue.ts";
 import { SAME } from "../tolerance.ts";
+import { roundedDown } from "../units.ts";
 
 /** What the control takes off each recess-turning pass from the second on, mm (manual, recess turning). */
 export const CONTROL_OFFSET = 0.1;
@@ -18,7 +19,7 @@ export function offsetPerPass(programmed: number, passes: number, oneWay: boolea
   const most = max / times;
   const asked = programmed > 0 ? programmed : CONTROL_OFFSET;
   if (asked <= most + SAME / times) return asked;
-  const nearest = Math.floor(most * 1000) / 1000;
+  const nearest = roundedDown(most);
   issues.push(
     programmed > 0
       ? issue("offsetReduced", "warning", { offset: programmed, kept: nearest, nearest, passes }, "offset")

@@ -6,6 +6,8 @@ import { arcPath, arrowHead } from "../help/marks.ts";
 import { between, extension, filled, stroke, value, type Tag } from "../help/stroke.ts";
 import { onScreen } from "./frame.ts";
 import type { ApproachSpeech } from "./speech.ts";
+import { ROUND } from "../../kernel/tolerance.ts";
+import { rounded } from "../../kernel/units.ts";
 
 /** From the measured line to its dimension, pixels. */
 const ASIDE = 24;
@@ -64,7 +66,7 @@ function angleItem(tag: Tag, text: string, arc: Arc): Item {
   const size = Math.max(14, Math.min(arc.radius * 0.42, 60));
   const to = arc.from + arc.sweep;
   const ray = (angle: number, k: number) => moved(arc.centre, Math.cos(angle), -Math.sin(angle), k);
-  const whole = Math.abs(arc.sweep) >= 2 * Math.PI - 1e-6;
+  const whole = Math.abs(arc.sweep) >= 2 * Math.PI - ROUND;
   const drawn = whole
     ? arcPath(arc.centre, size, arc.from, arc.from + arc.sweep * 0.5) + arcPath(arc.centre, size, arc.from + arc.sweep * 0.5, to)
     : arcPath(arc.centre, size, arc.from, to);
@@ -108,7 +110,7 @@ export function dimensionItems(result: Approach, camera: Camera, speech: Approac
       sweep,
     };
     return [
-      angleItem(tag("CCA"), `${speech.number(Math.round(arc.angle * 1000) / 1000)}°`, shown),
+      angleItem(tag("CCA"), `${speech.number(rounded(arc.angle))}°`, shown),
       radiusItem(tag("R"), `R${speech.number(arc.radius)}`, shown),
     ];
   }

@@ -1,6 +1,6 @@
 import type { Approach, PointName } from "../../kernel/approach.ts";
 import { plane, type PlanePoint } from "../../kernel/plane.ts";
-import { inDegrees } from "../../kernel/units.ts";
+import { inDegrees, rounded } from "../../kernel/units.ts";
 
 const { cross, difference, dot, leftOf, scaled } = plane;
 
@@ -19,7 +19,7 @@ export function handlesOf({ shape, departing, arc }: Approach, polarWithoutPole:
 }
 
 /** Values follow the pointer in steps one can type. */
-const onGrid = (value: number, grid: number) => Math.round(Math.round(value / grid) * grid * 1000) / 1000 + 0;
+const onGrid = (value: number, grid: number) => rounded(Math.round(value / grid) * grid) + 0;
 
 /** The centre angle from a ray to another one in the turn of the arc, degrees. */
 function angleTo(contact: PlanePoint, p: PlanePoint, turn: "cw" | "ccw"): number {
