@@ -1,7 +1,7 @@
 import type { GivenCoordinate } from "../kernel/solve-work.ts";
 import { issue } from "../kernel/issue.ts";
 import type { Pt } from "../kernel/point.ts";
-import { axial, diameter, inDegrees, toDiameter, toRadius, type Axial, type Radius } from "../kernel/units.ts";
+import { axial, type Axial, diameter, inDegrees, type Radius, STEP, toDiameter, toRadius } from "../kernel/units.ts";
 import type { PolarWord, Words } from "../nc/statement.ts";
 import { programIssue } from "./issue.ts";
 import { kept } from "./field.ts";
@@ -58,7 +58,7 @@ export function polarWordsTo(row: ContourRow, pole: Pt, before: Pt | null, to: P
   const next = polarOf(pole, to), old = before && polarOf(pole, before);
   return polarNames(row).reduce((words, name) => {
     const { text, incremental } = polarTyped(row, name);
-    if (text.trim() === "" && old && Math.abs(next[name] - old[name]) < 5e-4) return words;
+    if (text.trim() === "" && old && Math.abs(next[name] - old[name]) < STEP / 2) return words;
     return withPolar(words, name, {
       text: String(kept(incremental && old ? next[name] - old[name] : next[name], decimalsOf(name))),
       incremental: incremental && old !== null,
