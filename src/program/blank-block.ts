@@ -10,7 +10,7 @@ export function blankBox(machine: Machine, s: StatementOf<"blankBox">, index: nu
   const word = s.corner === 2 ? s.axes.find((w) => w.axis === "Z") : undefined;
   const n = word ? machine.number(word.value, index) : null;
   if (n !== null) machine.mill.top = machine.length(n);
-  if (machine.turning) machine.log.say(programIssue("blankNotTurned", "info", { form: "BLK FORM 0.1" }), index);
+  if (machine.now.turning) machine.log.say(programIssue("blankNotTurned", "info", { form: "BLK FORM 0.1" }), index);
 }
 
 export function blankCylinder(machine: Machine, s: StatementOf<"blankCylinder">, index: number): void {
@@ -27,7 +27,7 @@ export function blankCylinder(machine: Machine, s: StatementOf<"blankCylinder">,
     length: length(long),
     front: axial(distance ?? 0),
   });
-  if (rings) machine.blank = rings;
+  if (rings) machine.set({ blank: rings });
   else machine.log.say(programIssue("blankImpossible", "error", {}), index);
 }
 
@@ -37,7 +37,7 @@ export function outlinedBlank(machine: Machine, label: number | string, radii: b
   if (!read) return;
   for (const i of read.contour.issues) machine.log.say(i, read.blocks["element" in i.data ? i.data.element - 1 : 0] ?? index);
   const rings = rotation(read.contour.segments);
-  if (rings) machine.blank = rings;
+  if (rings) machine.set({ blank: rings });
   else machine.log.say(programIssue("blankImpossible", "error", {}), index);
 }
 
@@ -45,9 +45,9 @@ export function outlinedBlank(machine: Machine, label: number | string, radii: b
 export function blankOfTurnData(machine: Machine, s: StatementOf<"turnBlank">, index: number): void {
   if (s.blank === "off") return;
   if ("file" in s.blank) return machine.log.leaveUnproved(`FUNCTION TURNDATA BLANK "${s.blank.file}"`, index);
-  const first = machine.blank.length === 0;
+  const first = machine.now.blank.length === 0;
   if (first) outlinedBlank(machine, s.blank.label, false, index);
   const label = String(s.blank.label);
   if (!first) machine.log.say(programIssue("blankNotTaken", "info", { label }), index);
-  else if (machine.blank.length > 0) machine.log.say(programIssue("blankTaken", "info", { label }), index);
+  else if (machine.now.blank.length > 0) machine.log.say(programIssue("blankTaken", "info", { label }), index);
 }

@@ -11,7 +11,8 @@ import { toDiameter } from "../kernel/units.ts";
 import { readContour } from "./contour-subprogram.ts";
 import { cycleValues } from "./cycle-values.ts";
 import { programIssue } from "./issue.ts";
-import type { Defined, Machine } from "./machine.ts";
+import type { Machine } from "./machine.ts";
+import type { Defined } from "./modal.ts";
 import { pointIn } from "./path.ts";
 import { unlikelyFeeds, foreignParameters, lineOfParameter, noTool } from "./preconditions.ts";
 import type { Operation } from "./run-types.ts";
@@ -35,13 +36,13 @@ function givenContour(
   index: number,
   operation: number,
 ): Pick<Given, "contour"> & { readonly isTroubled: boolean } {
-  if (machine.contourLabels.length === 0) {
-    const { contourFile: file } = machine;
+  if (machine.now.contourLabels.length === 0) {
+    const { contourFile: file } = machine.now;
     machine.log.say(file === null ? programIssue("contourNotNamed", "error", { cycle }) : programIssue("contourInFile", "error", { file }),
       index);
     return NO_CONTOUR;
   }
-  const read = machine.contourLabels.map((label) => readContour(machine, label, index));
+  const read = machine.now.contourLabels.map((label) => readContour(machine, label, index));
   // Where a block could not be read, what else is wrong with the contour is wrong for that reason.
   for (const r of read)
     for (const i of r && !r.isTroubled ? r.contour.issues : []) {
@@ -58,7 +59,7 @@ function givenContour(
  */
 function standIn(machine: Machine, cycle: Cycle, values: Values<Params> | null, given: Given, start: Pt, index: number): Tool | null {
   if (!values || (cycle.contour === "free" && !given.contour)) return null;
-  const best = rankTools(cycle, values, given, { start, feedUnit: machine.feedUnit, autoFeed: machine.toolFeed, stock: null },
+  const best = rankTools(cycle, values, given, { start, feedUnit: machine.feedUnit, autoFeed: machine.now.toolFeed, stock: null },
     machine.shop.tools)[0]?.tool;
   if (best) machine.log.say(issue("betterTool", "info", { tool: best.T, name: best.NAME }, "tool"), index);
   return best ?? null;
@@ -66,9 +67,10 @@ function standIn(machine: Machine, cycle: Cycle, values: Values<Params> | null, 
 
 /** What must hold at a cycle call, apart from its values. */
 function preconditions(machine: Machine, index: number): void {
-  if (machine.mode !== "TURN") machine.log.say(programIssue("notInTurnMode", "error", {}), index);
-  if (machine.compensation !== "R0") machine.log.say(programIssue("compensationActive", "error", { side: machine.compensation }), index);
-  if (!machine.tool) noTool(machine, index);
+  if (machine.now.mode !== "TURN") machine.log.say(programIssue("notInTurnMode", "error", {}), index);
+  if (machine.now.compensation !== "R0")
+    machine.log.say(programIssue("compensationActive", "error", { side: machine.now.compensation }), index);
+  if (!machine.now.tool) noTool(machine, index);
 }
 
 /**
@@ -77,12 +79,12 @@ function preconditions(machine: Machine, index: number): void {
  */
 function startOf(machine: Machine, index: number): Pt | null {
   const { mill } = machine;
-  if (!machine.turning) return pointIn("lathe", mill.at);
+  if (!machine.now.turning) return pointIn("lathe", mill.at);
   // With RL or RR still active the tip stands beside the programmed point.
-  const really = machine.compensation === "R0" ? null : machine.guide.here;
+  const really = machine.now.compensation === "R0" ? null : machine.guide.here;
   const start = really && machine.tip ? partPoint(really) : machine.tip;
-  if (start && (!machine.sure.x || !machine.sure.z)) machine.log.say(programIssue("startUnknown", "warning", {}), index);
-  else if (!start && machine.lost === "unproved") machine.log.leaveUnproved("CYCL CALL", index);
+  if (start && (!machine.now.sure.x || !machine.now.sure.z)) machine.log.say(programIssue("startUnknown", "warning", {}), index);
+  else if (!start && machine.now.lost === "unproved") machine.log.leaveUnproved("CYCL CALL", index);
   else if (!start) startUnknown(machine, index);
   return start;
 }
@@ -96,7 +98,7 @@ function otherCycle(machine: Machine, { index: definedIn, cycle }: Defined, inde
 
 /** Executes a cycle call: plans the defined cycle from where the tip stands and runs its moves. */
 export function callCycle(machine: Machine, index: number): void {
-  const { defined } = machine;
+  const { defined } = machine.now;
   if (!defined) return machine.log.say(programIssue("noCycleDefined", "error", {}), index);
   machine.called.add(defined.index);
   const cycle = cycleByNumber(defined.cycle);
@@ -104,10 +106,10 @@ export function callCycle(machine: Machine, index: number): void {
   preconditions(machine, index);
   const start = startOf(machine, index);
   if (!start) return;
-  if (!machine.spindle) machine.log.sayOnce(programIssue("spindleMissing", "warning", {}), index);
+  if (!machine.now.spindle) machine.log.sayOnce(programIssue("spindleMissing", "warning", {}), index);
   if (!machine.roomForOperation(index)) return;
   const operation = machine.log.operations.length;
-  const counted = countedPoint(start, machine.datum);
+  const counted = countedPoint(start, machine.now.datum);
   const { isTroubled, contour } = cycle.contour === "free"
     ? givenContour(machine, cycle.number, index, operation)
     : { contour: null, isTroubled: false };
@@ -115,19 +117,19 @@ export function callCycle(machine: Machine, index: number): void {
   const read = cycleValues(machine, cycle, defined.values);
   const { values } = read;
   const issues = read.issues.filter((i) => i.code !== "missing" || !defined.troubled.has(i.at ?? ""));
-  const tool = machine.tool ?? standIn(machine, cycle, values, given, counted, index);
+  const tool = machine.now.tool ?? standIn(machine, cycle, values, given, counted, index);
   if (!tool) return;
   // What earlier cycles have left is known to the simulation only.
-  const stock = operation === 0 && machine.blank.length > 0
-    ? machine.blank.map((ring) => ring.map((p) => countedPoint(p, machine.datum)))
+  const stock = operation === 0 && machine.now.blank.length > 0
+    ? machine.now.blank.map((ring) => ring.map((p) => countedPoint(p, machine.now.datum)))
     : null;
-  const setting = { tool, start: counted, feedUnit: machine.feedUnit, autoFeed: machine.toolFeed, stock };
+  const setting = { tool, start: counted, feedUnit: machine.feedUnit, autoFeed: machine.now.toolFeed, stock };
   const plan = values && (cycle.contour === "own" || given.contour) ? cycle.plan(values, setting, given) : nothing;
   const outlined = values && plan !== nothing ? cycle.outline(values, given).issues : [];
   // What a tool that was never called would do wrong is no fault of the program.
-  const planned = machine.tool ? plan.issues : [];
+  const planned = machine.now.tool ? plan.issues : [];
   const said = unique([...issues, ...outlined, ...planned].filter((i) => !isTroubled || i.at !== "contour"));
-  const all = triedOffers(cycle.params, read.partial, said, judgeOf(cycle, machine.tool ? setting : null, given));
+  const all = triedOffers(cycle.params, read.partial, said, judgeOf(cycle, machine.now.tool ? setting : null, given));
   const feeds = values && plan !== nothing
     ? unlikelyFeeds(cycle, values, plan.moves, machine, (v) => cycle.plan(v, setting, given).moves)
     : [];
@@ -136,9 +138,9 @@ export function callCycle(machine: Machine, index: number): void {
     defined,
     start,
     tool,
-    plan: shiftedPlan(plan, machine.datum),
+    plan: shiftedPlan(plan, machine.now.datum),
     issues: all,
-    call: values && { values, given, autoFeed: machine.toolFeed, start: counted, datum: machine.datum },
+    call: values && { values, given, autoFeed: machine.now.toolFeed, start: counted, datum: machine.now.datum },
   }, index);
   const where = machine.blocks[defined.index]?.raw ?? "";
   for (const i of [...all, ...feeds]) {
@@ -158,8 +160,7 @@ function perform(machine: Machine, { cycle, defined, start, tool, plan, issues, 
     seconds += machine.step(from, move, index, machine.log.operations.length, plan.tool ?? tool);
     from = move.to;
   }
-  machine.at = { x: toDiameter(from.r), y: null, z: from.z };
-  machine.last = null;
+  machine.set({ at: { x: toDiameter(from.r), y: null, z: from.z }, last: null });
   machine.log.operations.push({
     block: machine.log.numbers[index] ?? 0,
     definedIn: machine.log.numbers[defined.index] ?? 0,
@@ -168,7 +169,7 @@ function perform(machine: Machine, { cycle, defined, start, tool, plan, issues, 
     tool,
     start,
     feedUnit: machine.feedUnit,
-    spindle: machine.spindle,
+    spindle: machine.now.spindle,
     plan,
     seconds,
     firstStep,
@@ -201,6 +202,5 @@ export function cycleDefinition(machine: Machine, index: number): void {
     machine.definitions.add(index);
     foreignParameters(machine, cycle, s.parameters.map((p) => p.q), index);
   }
-  machine.modal = false;
-  machine.defined = { index, cycle: s.cycle, values, troubled } satisfies Defined;
+  machine.set({ callsBehindMoves: false, defined: { index, cycle: s.cycle, values, troubled } satisfies Defined });
 }

@@ -13,7 +13,7 @@ const isLength = (p: Param) => p.kind !== "choice" && p.kind !== "angle" && p.ki
 
 /** A number of the program in the unit of the parameter, rounded to what the control keeps of it before it is converted. */
 function inMillimetres(machine: Machine, p: Param, n: number): number {
-  if (!machine.inch) return kept(n, p.decimals);
+  if (!machine.now.inch) return kept(n, p.decimals);
   if (!(isLength(p) || p.kind === "feed")) return kept(n, CONVERTED_DECIMALS);
   const inches = kept(n, p.decimals + INCH_DECIMALS);
   return kept(p.kind === "feed" ? machine.feedOf(inches) : machine.length(inches), CONVERTED_DECIMALS);

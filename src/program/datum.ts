@@ -24,9 +24,9 @@ const KEYS: Readonly<Partial<Record<AxisName, keyof Datum>>> = { X: "x", Y: "y",
  */
 export function datumShiftOf(machine: Machine, axis: AxisName): number | null {
   const key = KEYS[axis];
-  if (!key || (key === "y" && machine.turning)) return null;
-  const by = machine.datum[key];
-  return key === "x" && machine.turning ? toDiameter(radius(by)) : by;
+  if (!key || (key === "y" && machine.now.turning)) return null;
+  const by = machine.now.datum[key];
+  return key === "x" && machine.now.turning ? toDiameter(radius(by)) : by;
 }
 
 /** Moves the datum: an absolute word takes the place of the shift in its axis, an incremental one adds to it. */
@@ -39,8 +39,8 @@ export function shiftDatum(machine: Machine, words: readonly AxisWord[], what: s
     } else if (n === null) machine.log.leaveUnproved(what, index);
     else {
       const typed = machine.length(n);
-      const by = key === "x" && machine.turning ? toRadius(diameter(typed)) : typed;
-      machine.datum = { ...machine.datum, [key]: length(by + (w.incremental ? machine.datum[key] : 0)) };
+      const by = key === "x" && machine.now.turning ? toRadius(diameter(typed)) : typed;
+      machine.set({ datum: { ...machine.now.datum, [key]: length(by + (w.incremental ? machine.now.datum[key] : 0)) } });
     }
   }
 }

@@ -18,19 +18,20 @@ export const retracts = (words: Words): boolean => words.functions.includes(RETR
 /** A block in machine coordinates: the axes that it names are not known behind it. The way there, from a known place, is not proved. */
 export function elsewhere(machine: Machine, words: Words, index: number): void {
   const { mill } = machine;
-  const wasKnown = machine.turning
-    ? machine.tip !== null && machine.sure.x && machine.sure.z
+  const wasKnown = machine.now.turning
+    ? machine.tip !== null && machine.now.sure.x && machine.now.sure.z
     : mill.at.z !== null && centreOf(mill.at) !== null;
   takeFeed(machine, words.feed, index);
   for (const { axis } of words.axes) {
     if (axis !== "X" && axis !== "Y" && axis !== "Z") continue;
     const unknown = { [axis.toLowerCase()]: null };
-    [machine.at, mill.at] = [{ ...machine.at, ...unknown }, { ...mill.at, ...unknown }];
+    machine.set({ at: { ...machine.now.at, ...unknown } });
+    mill.at = { ...mill.at, ...unknown };
   }
-  machine.sure = { x: machine.sure.x && machine.at.x !== null, z: machine.sure.z && machine.at.z !== null };
+  const { at, sure } = machine.now;
+  machine.set({ sure: { x: sure.x && at.x !== null, z: sure.z && at.z !== null }, last: null });
   mill.here = centreOf(mill.at);
   mill.last = null;
-  machine.last = null;
   const what = words.functions.filter((m) => MACHINE_COORDINATES.has(m)).map((m) => `M${m}`).join(" ");
   if (wasKnown) machine.log.leaveUnproved(what, index);
   else machine.log.notSimulated(what, index);
@@ -42,24 +43,25 @@ export function retract(machine: Machine, words: Words, index: number): void {
   const by = words.retract === undefined || words.retract === "max" ? null : machine.number(words.retract, index);
   if (words.retract === undefined || (words.retract !== "max" && by === null)) machine.log.leaveUnproved(`M${RETRACT}`, index);
   const far = by === null ? null : machine.length(by);
-  machine.last = machine.mill.last = null;
-  if (machine.turning) turned(machine, far, feed, index);
+  machine.mill.last = null;
+  machine.set({ last: null });
+  if (machine.now.turning) turned(machine, far, feed, index);
   else milled(machine, far, feed, index);
 }
 
 type Travel = Parameters<typeof millStep>[2];
 
 function turned(machine: Machine, far: number | null, feed: Travel["feed"], index: number): void {
-  const from = machine.sure.x && machine.sure.z ? machine.tip : null;
-  const ends = machine.blank.flat().map((p) => p.z);
+  const from = machine.now.sure.x && machine.now.sure.z ? machine.tip : null;
+  const ends = machine.now.blank.flat().map((p) => p.z);
   const blankEnd = ends.reduce((a, b) => Math.max(a, b), -Infinity);
   const z = far !== null && from ? from.z + far : from && Number.isFinite(blankEnd) ? Math.max(from.z, blankEnd + BEYOND_BLANK) : null;
   if (from && z !== null) {
     const to = { z: axial(z), r: from.r };
     if (z !== from.z) machine.step(from, moveOf(machine, part.line(from, to), feed), index, null);
   }
-  machine.at = { ...machine.at, z };
-  machine.sure = { ...machine.sure, z: z !== null };
+  machine.set({ at: { ...machine.now.at, z } });
+  machine.set({ sure: { ...machine.now.sure, z: z !== null } });
 }
 
 function milled(machine: Machine, far: number | null, feed: Travel["feed"], index: number): void {

@@ -24,7 +24,7 @@ const NAMED_BY_END: ReadonlySet<PathKind> = new Set(["CR", "CT"]);
 export function planeOf(machine: Machine, { path, words }: PathBlock): MillPlane {
   if (NAMED_BY_END.has(path)) return planeOfAxes(words.axes);
   if (!NAMED_BY_POLE.has(path) || (path === "CP" && words.axes.length > 0)) return "XY";
-  return machine.pole?.plane ?? "XY";
+  return machine.now.pole?.plane ?? "XY";
 }
 
 /** What ran last, in the plane of an arc that leaves it tangentially. */
@@ -44,6 +44,6 @@ export function millSideArc(machine: Machine, plane: SidePlane, side: SideBlock)
   const course = { from: start, to: end, pole: standing(machine, plane).pole, before: segmentBefore(machine, plane) };
   const made = segmentOf(wordReader(machine, index), block, course);
   machine.mill.last = { from: before, to, plane, segment: made.kind === "arc" ? made : null };
-  machine.last = null;
+  machine.set({ last: null });
   millSideStep(machine, plane, planeSegment(made), side);
 }

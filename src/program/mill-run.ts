@@ -21,7 +21,7 @@ export const closeMill = (machine: Machine): void => close(machine.mill, carrier
 const planeOfWords = (
   machine: Machine,
   block: PathBlock,
-): MillPlane => (block.path === "LP" ? (machine.pole?.plane ?? "XY") : planeOf(machine, block));
+): MillPlane => (block.path === "LP" ? (machine.now.pole?.plane ?? "XY") : planeOf(machine, block));
 
 /** One path block: L, C, CR, CT and the polar forms. */
 export function millPath(machine: Machine, block: PathBlock, index: number): void {
@@ -35,19 +35,19 @@ export function millPath(machine: Machine, block: PathBlock, index: number): voi
   if (words.compensation !== undefined) needsRadius(machine, requested, index);
   mill.at = to;
   const [start, end] = [centreOf(before), centreOf(to)];
-  if (end && to.z !== null) machine.lost = null;
+  if (end && to.z !== null) machine.set({ lost: null });
   if (!end) {
     closeMill(machine);
     mill.here = null;
     return takeFeed(machine, words.feed, index);
   }
-  const feed = isMoving ? blockFeed(machine, words.feed, index) : machine.feed;
+  const feed = isMoving ? blockFeed(machine, words.feed, index) : machine.now.feed;
   const travel = { fromZ: before.z ?? to.z, toZ: to.z, feed, index };
   if (!start && requested === "none") {
     closeMill(machine);
     millArrives(machine, end, travel);
     mill.here = end;
-    machine.last = null;
+    machine.set({ last: null });
     return;
   }
   const plane = planeOf(machine, block);
@@ -77,8 +77,8 @@ function sideArc(machine: Machine, plane: SidePlane, side: SideBlock & { readonl
 function elementBetween(machine: Machine, block: PathBlock, start: PlanePoint, end: PlanePoint, index: number): PlaneSegment {
   const { mill } = machine;
   const { pole } = standing(machine, "XY");
-  const made = segmentOf(wordReader(machine, index), block, { from: partPoint(start), to: partPoint(end), pole, before: machine.last });
-  machine.last = made;
+  const made = segmentOf(wordReader(machine, index), block, { from: partPoint(start), to: partPoint(end), pole, before: machine.now.last });
+  machine.set({ last: made });
   if (mill.last && made.kind === "arc") mill.last = { ...mill.last, segment: made };
   return planeSegment(made);
 }
@@ -113,5 +113,5 @@ export function millApproach(machine: Machine, s: Extract<Statement, { kind: "ap
   else beginApproach(mill, carrierOf(machine), block);
   const end = departing ? mill.here : target;
   mill.at = { x: end?.x ?? mill.at.x, y: end?.y ?? mill.at.y, z: to.z };
-  machine.last = null;
+  machine.set({ last: null });
 }

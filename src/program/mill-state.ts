@@ -53,7 +53,7 @@ export function millStep(machine: Machine, s: PlaneSegment, { fromZ, toZ, feed, 
   const isStill = s.kind === "line" && apart(s.from, s.to) <= ROUND;
   if ((isStill && fromZ === toZ) || !machine.roomForMove(index)) return;
   const long = travelLength(s, (toZ ?? 0) - (fromZ ?? toZ ?? 0));
-  const rate = feed === null ? machine.shop.rapid : machine.perRevolution ? 0 : feed;
+  const rate = feed === null ? machine.shop.rapid : machine.now.perRevolution ? 0 : feed;
   machine.log.milled.push({
     kind: s.kind === "arc" ? "arc" : feed === null ? "rapid" : "feed",
     from: { ...s.from, z: fromZ },
@@ -79,7 +79,7 @@ export function millSideStep(
   const [from, end] = [spotOf(before), spotOf(to)];
   if (!from || !end || !machine.roomForMove(index)) return;
   const other = plane === "ZX" ? end.y - from.y : end.x - from.x;
-  const rate = feed === null ? machine.shop.rapid : machine.perRevolution ? 0 : feed;
+  const rate = feed === null ? machine.shop.rapid : machine.now.perRevolution ? 0 : feed;
   machine.log.milled.push({
     kind: s.kind === "arc" ? "arc" : feed === null ? "rapid" : "feed",
     from,

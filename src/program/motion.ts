@@ -17,7 +17,7 @@ export function finish(machine: Machine): void {
 
 /** A mill whose tool axis is not Z moves in a plane that is not simulated. */
 function isAside(machine: Machine, what: string, index: number): boolean {
-  const aside = !machine.turning && machine.mill.otherAxis;
+  const aside = !machine.now.turning && machine.mill.otherAxis;
   if (aside) machine.log.leaveUnproved(what, index);
   return aside;
 }
@@ -25,13 +25,13 @@ function isAside(machine: Machine, what: string, index: number): boolean {
 /** L, C, CR, CT, CC, RND and the polar forms. */
 export function path(machine: Machine, s: StatementOf<"path">, index: number): void {
   const { path: kind, words } = s;
-  if (words.compensation !== undefined) machine.compensation = words.compensation;
+  if (words.compensation !== undefined) machine.set({ compensation: words.compensation });
   if (isElsewhere(words)) return elsewhere(machine, words, index);
   if (isAside(machine, kind, index)) return;
   if (kind === "RND") return corner(machine, "round", words.radius ?? null, words, index);
   if (kind === "CC") return pole(machine, words, index);
   const block = { path: kind, words };
-  if (!machine.turning) return millPath(machine, block, index);
+  if (!machine.now.turning) return millPath(machine, block, index);
   if (isGuided(machine, words)) return guidedPath(machine, block, index);
   pathBlock(machine, block, index);
 }
@@ -43,7 +43,7 @@ export function chamfer(machine: Machine, s: StatementOf<"chamfer">, index: numb
 
 /** APPR and DEP. */
 export function runApproach(machine: Machine, s: StatementOf<"approach">, index: number): void {
-  if (machine.turning) return turnApproach(machine, s, index);
+  if (machine.now.turning) return turnApproach(machine, s, index);
   if (!isAside(machine, s.form, index)) millApproach(machine, s, index);
 }
 
@@ -52,8 +52,8 @@ function corner(machine: Machine, kind: CornerElement["kind"], value: Value | nu
   const n = value === null ? null : machine.number(value, index);
   if (n === null) return;
   const element: CornerElement = { kind, size: machine.length(n) };
-  const guide = machine.turning ? machine.guide : machine.mill;
-  if (machine.turning && !guide.chain) return cornerBlock(machine, element, feed, index);
+  const guide = machine.now.turning ? machine.guide : machine.mill;
+  if (machine.now.turning && !guide.chain) return cornerBlock(machine, element, feed, index);
   const own = typeof feed === "object" ? machine.number(feed.value, index) : null;
   const items = guide.chain?.items ?? [];
   const last = items.at(-1);

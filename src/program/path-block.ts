@@ -24,8 +24,8 @@ export function moveOf(machine: Machine, s: Segment, feed: FeedNumber | null): M
 
 /** Runs the element that waited for a corner; called before anything that does not belong to the contour. */
 export function runHeldElement(machine: Machine): void {
-  const { held } = machine;
-  machine.held = null;
+  const { held } = machine.now;
+  machine.set({ held: null });
   if (!held) return;
   if (held.corner) machine.log.say(issue("cornerElementAlone", "error", { element: held.element }, "contour"), held.corner.index);
   run(machine, held.segment, held.feed, held.index);
@@ -37,11 +37,11 @@ function run(machine: Machine, s: Segment, feed: FeedNumber | null, index: numbe
 
 /** Holds a new element back until the next block shows whether a corner follows; runs the one before. */
 function hold(machine: Machine, segment: Segment, feed: FeedNumber | null, index: number): void {
-  const { held } = machine;
+  const { held } = machine.now;
   const { corner } = held ?? {};
   if (!held || !corner) {
     runHeldElement(machine);
-    machine.held = { segment, feed, index, corner: null, element: (held?.element ?? 0) + 1 };
+    machine.set({ held: { segment, feed, index, corner: null, element: (held?.element ?? 0) + 1 } });
     return;
   }
   const cut = cutCorner(held.segment, segment, corner.element);
@@ -53,15 +53,15 @@ function hold(machine: Machine, segment: Segment, feed: FeedNumber | null, index
   }
   run(machine, cut?.before ?? held.segment, held.feed, held.index);
   if (cut) run(machine, cut.between, corner.feed, corner.index);
-  machine.held = { segment: cut?.after ?? segment, feed, index, corner: null, element: held.element + 1 };
+  machine.set({ held: { segment: cut?.after ?? segment, feed, index, corner: null, element: held.element + 1 } });
 }
 
 /** A chamfer or rounding between plain path blocks; its own feed counts for it alone. */
 export function cornerBlock(machine: Machine, element: CornerElement, feed: FeedWord | undefined, index: number): void {
   const own = typeof feed === "object" ? machine.number(feed.value, index) : null;
-  const { held } = machine;
+  const { held } = machine.now;
   if (!held || held.corner) return machine.log.say(issue("cornerElementAlone", "error", { element: held?.element ?? 1 }, "contour"), index);
-  machine.held = { ...held, corner: { element, feed: own === null ? held.feed : machine.feedOf(own), index } };
+  machine.set({ held: { ...held, corner: { element, feed: own === null ? held.feed : machine.feedOf(own), index } } });
 }
 
 const isAbsolute = (w: PolarWord | undefined) => w !== undefined && !w.incremental;
@@ -70,12 +70,14 @@ const isAbsolute = (w: PolarWord | undefined) => w !== undefined && !w.increment
 export function standAt(machine: Machine, { path, words }: PathBlock, to: Position): void {
   const named = new Set(words.axes.filter((w) => !w.incremental).map((w) => w.axis));
   const both = isPolarPath(path) && isAbsolute(words.polarRadius) && isAbsolute(words.polarAngle);
-  machine.sure = {
-    x: to.x !== null && (machine.sure.x || both || named.has("X")),
-    z: to.z !== null && (machine.sure.z || both || named.has("Z")),
-  };
-  machine.at = to;
-  if (machine.sure.x && machine.sure.z) machine.lost = null;
+  machine.set({
+    sure: {
+      x: to.x !== null && (machine.now.sure.x || both || named.has("X")),
+      z: to.z !== null && (machine.now.sure.z || both || named.has("Z")),
+    },
+  });
+  machine.set({ at: to });
+  if (machine.now.sure.x && machine.now.sure.z) machine.set({ lost: null });
 }
 
 /** Reads the words of a path block. What is not known for a reason that has been told is not told again. */
@@ -84,15 +86,15 @@ export const wordReader = (machine: Machine, index: number): WordReader => ({
   length: (n) => machine.length(n),
   shift: (axis) => datumShiftOf(machine, axis),
   aside: (w) => machine.log.leaveUnproved(`${w.incremental ? "I" : ""}${w.axis}`, index),
-  lose: () => void (machine.lost = machine.known.trouble),
+  lose: () => void (machine.set({ lost: machine.known.trouble })),
   fault: (code) => {
-    if (code === "arcImpossible" || machine.lost === null)
+    if (code === "arcImpossible" || machine.now.lost === null)
       machine.log.say(programIssue(code, code === "startUnknown" ? "warning" : "error", {}), index);
   },
 });
 
 /** What a block counts from in a plane of the mill or of the lathe. */
-export const standing = ({ at, mill, pole }: Machine, plane: Plane): Standing => ({
+export const standing = ({ now: { at, pole }, mill }: Machine, plane: Plane): Standing => ({
   plane,
   at: plane === "lathe" ? at : mill.at,
   pole: pole && pointIn(plane, pole.at),
@@ -100,8 +102,8 @@ export const standing = ({ at, mill, pole }: Machine, plane: Plane): Standing =>
 
 /** The pole: CC with coordinates; those it leaves out are where the tool was programmed to. */
 export function pole(machine: Machine, { axes }: Words, index: number): void {
-  const from = machine.turning ? machine.at : machine.mill.at;
-  machine.pole = { at: coordinates(wordReader(machine, index), axes, from), plane: planeOfAxes(axes) };
+  const from = machine.now.turning ? machine.now.at : machine.mill.at;
+  machine.set({ pole: { at: coordinates(wordReader(machine, index), axes, from), plane: planeOfAxes(axes) } });
 }
 
 /** Where a block of a turning tool ends; null where it moves neither axis. */
@@ -112,8 +114,10 @@ export function targetOf(machine: Machine, block: PathBlock, index: number): Pos
 
 /** What a block of a turning tool moves along between two points. */
 export function elementBetween(machine: Machine, block: PathBlock, from: Pt, to: Pt, index: number): Segment {
-  machine.last = segmentOf(wordReader(machine, index), block, { from, to, pole: standing(machine, "lathe").pole, before: machine.last });
-  return machine.last;
+  const { pole } = standing(machine, "lathe");
+  const last = segmentOf(wordReader(machine, index), block, { from, to, pole, before: machine.now.last });
+  machine.set({ last });
+  return last;
 }
 
 /** One path block: L, C, CR, CT and the polar forms. */
@@ -121,15 +125,15 @@ export function pathBlock(machine: Machine, block: PathBlock, index: number): vo
   const { words } = block;
   if (words.compensation === "RL" || words.compensation === "RR")
     machine.log.say(programIssue("radiusCompensation", "warning", { side: words.compensation }), index);
-  const from = machine.sure.x && machine.sure.z ? machine.tip : null;
+  const from = machine.now.sure.x && machine.now.sure.z ? machine.tip : null;
   const target = targetOf(machine, block, index);
   if (!target) return takeFeed(machine, words.feed, index);
   const feed = blockFeed(machine, words.feed, index);
   standAt(machine, block, target);
-  const to = machine.sure.x && machine.sure.z ? machine.tip : null;
-  if (!from || !to || !machine.tool) {
+  const to = machine.now.sure.x && machine.now.sure.z ? machine.tip : null;
+  if (!from || !to || !machine.now.tool) {
     runHeldElement(machine);
-    machine.last = null;
+    machine.set({ last: null });
     return;
   }
   hold(machine, elementBetween(machine, block, from, to, index), feed, index);

@@ -90,7 +90,7 @@ function lead(f: Finishing, call: ApproachCall, element: PlaneSegment, contour: 
     contour: segments,
     tip: carrier.tip,
     pole: call.pole,
-    datum: carrier.plane === "XY" ? { x: machine.datum.x, y: machine.datum.y } : { x: machine.datum.z, y: machine.datum.x },
+    datum: carrier.plane === "XY" ? { x: machine.now.datum.x, y: machine.now.datum.y } : { x: machine.now.datum.z, y: machine.now.datum.x },
     feedBefore: call.before,
     cut: guarded ? guarded.cut : null,
     free: guarded ? guarded.free : null,

@@ -135,7 +135,7 @@ export interface WrittenApproach {
 
 function callOf(machine: Machine, b: WrittenApproach, feed: Travel["feed"], known: Travel["feed"] | undefined): ApproachCall {
   const { form, departing, index, target, fromZ, toZ } = b;
-  const pole = machine.pole && pointIn(machine.turning ? "lathe" : "XY", machine.pole.at);
+  const pole = machine.now.pole && pointIn(machine.now.turning ? "lathe" : "XY", machine.now.pole.at);
   return {
     form,
     shape: shapeOf(form),
@@ -152,7 +152,7 @@ function callOf(machine: Machine, b: WrittenApproach, feed: Travel["feed"], know
 }
 
 /** The feed that the block before ran at: null is rapid; undefined when none is programmed at all. */
-const feedBefore = (machine: Machine) => (machine.lastFeed === undefined ? (machine.feed ?? undefined) : machine.lastFeed);
+const feedBefore = (machine: Machine) => (machine.now.lastFeed === undefined ? (machine.now.feed ?? undefined) : machine.now.lastFeed);
 
 /** Forms that run without a side as if nothing were wrong; the others say what they take. */
 const UNCOMPENSATED: ReadonlySet<ApproachCall["shape"]> = new Set(["LT", "LCT"]);
@@ -161,15 +161,15 @@ const UNCOMPENSATED: ReadonlySet<ApproachCall["shape"]> = new Set(["LT", "LCT"])
 export function beginApproach(guide: Guide, carrier: CarrierFor, b: WrittenApproach): void {
   const side = sideOf(b.words, "none");
   const { machine } = carrier(side);
-  const now = machine.compensation;
+  const now = machine.now.compensation;
   if (now !== "R0") machine.log.say(programIssue("compensationActive", "error", { side: now }), b.index);
-  machine.compensation = b.words.compensation ?? "R0";
+  machine.set({ compensation: b.words.compensation ?? "R0" });
   if (side === "none" && UNCOMPENSATED.has(shapeOf(b.form)))
     machine.log.say(programIssue("approachUncompensated", "warning", { form: `APPR ${b.form}` }), b.index);
   close(guide, carrier);
   const known = feedBefore(machine);
   if (known === undefined) machine.log.sayOnce(programIssue("feedMissing", "error", {}), b.index);
-  if (!guide.here && machine.lost === null) machine.log.say(programIssue("startUnknown", "error", {}), b.index);
+  if (!guide.here && machine.now.lost === null) machine.log.say(programIssue("startUnknown", "error", {}), b.index);
   const feed = blockFeed(machine, b.words.feed, b.index);
   const before = known === undefined ? feed : known;
   guide.chain = { side, start: { kind: "approach", call: callOf(machine, b, feed, known), before }, lifts: [], items: [] };
@@ -178,7 +178,7 @@ export function beginApproach(guide: Guide, carrier: CarrierFor, b: WrittenAppro
 /** DEP: the contour ends, and compensation with it. */
 export function endWithDeparture(guide: Guide, carrier: CarrierFor, b: WrittenApproach): void {
   const { machine } = carrier("none");
-  machine.compensation = "R0";
+  machine.set({ compensation: "R0" });
   const known = feedBefore(machine);
   const call = callOf(machine, b, blockFeed(machine, b.words.feed, b.index), known);
   guide.chain ??= { side: "none", start: { kind: "here" }, lifts: [], items: [] };

@@ -8,7 +8,7 @@ import type { Machine } from "./machine.ts";
 
 /** No tool for this block. Where a TOOL CALL named one that can not be used, that has been told. */
 export function noTool(machine: Machine, index: number): void {
-  if (!machine.toolRefused) machine.log.say(programIssue("noToolCalled", "error", {}), index);
+  if (!machine.now.toolRefused) machine.log.say(programIssue("noToolCalled", "error", {}), index);
 }
 
 /** Line of a parameter inside its definition, from 0: the first time it stands there, or the second. */
@@ -48,7 +48,7 @@ export function unlikelyFeeds<P extends Params>(
   for (const q of names) {
     if (still === 0) break;
     const value = read(q);
-    if (value === undefined || (value === "auto" ? (machine.toolFeed ?? 0) : value) > 0) continue;
+    if (value === undefined || (value === "auto" ? (machine.now.toolFeed ?? 0) : value) > 0) continue;
     // A parameter is at fault when another value of it, and of those before it, lets more of the path move.
     const mended = { ...now, [q]: feedNumber(1) };
     const left = standsStill(planned(mended));
@@ -59,8 +59,8 @@ export function unlikelyFeeds<P extends Params>(
   const run = new Set(moves.filter(isCut).map((m) => m.feed));
   for (const q of names) {
     const value = read(q);
-    const feed = value === "auto" ? machine.toolFeed : (value ?? null);
-    if (feed !== null && run.has(feedNumber(feed)) && isUnlikely(feed, machine.perRevolution))
+    const feed = value === "auto" ? machine.now.toolFeed : (value ?? null);
+    if (feed !== null && run.has(feedNumber(feed)) && isUnlikely(feed, machine.now.perRevolution))
       found.push(programIssue("feedUnlikely", "warning", { feed, unit: machine.feedUnit }, q));
   }
   return found;

@@ -20,23 +20,24 @@ import { ACTIVE_AT_ONCE, actingLine, textBlock } from "./unproved-blocks.ts";
 /** Runs a program: executes block after block and plans every cycle that it calls. Never throws, always ends. */
 export function run(program: Program, shop: Shop): Run {
   const machine = new Machine(program, shop);
-  machine.turning = beginsTurning(program);
+  machine.set({ turning: beginsTurning(program) });
   const begin = program.blocks.find((b) => b.statement.kind === "begin")?.statement;
   const frame = begin?.kind === "begin" ? begin : { name: "", unit: "MM" as const };
-  machine.inch = frame.unit === "INCH";
+  machine.set({ inch: frame.unit === "INCH" });
   const ending = execute(machine, (s, index) => block(machine, s, index));
   finish(machine);
   if (!neverReached(machine, ending) && !ending.told) neverCalled(machine);
   if (ending.word === null && !ending.told && machine.log.steps.length > 0)
     machine.log.say(programIssue("programEndMissing", "warning", {}), machine.blocks.length - 1);
-  if (machine.log.operations.length > 0 && machine.blank.length === 0) machine.log.say(programIssue("blankMissing", "warning", {}), null);
+  if (machine.log.operations.length > 0 && machine.now.blank.length === 0)
+    machine.log.say(programIssue("blankMissing", "warning", {}), null);
   return {
     program: {
       name: frame.name,
-      unit: machine.inch ? "inch" : "mm",
+      unit: machine.now.inch ? "inch" : "mm",
       blocks: program.blocks.filter((b) => b.statement.kind !== "empty" && (b.number !== null || b.statement.kind !== "comment")).length,
     },
-    blank: machine.blank,
+    blank: machine.now.blank,
     operations: machine.log.operations,
     steps: machine.log.steps,
     stepBlocks: machine.log.stepBlocks,
@@ -71,7 +72,7 @@ const HANDLERS: { readonly [K in Statement["kind"]]?: (machine: Machine, s: Stat
   turnCorrection: correctTool,
   mode: (machine, s) => mode(machine, s.mode),
   datum: (machine, s, index) => {
-    if (s.shift === "reset") machine.datum = NO_SHIFT;
+    if (s.shift === "reset") machine.set({ datum: NO_SHIFT });
     else shiftDatum(machine, s.shift, "TRANS DATUM", index);
   },
   spin,
@@ -80,8 +81,7 @@ const HANDLERS: { readonly [K in Statement["kind"]]?: (machine: Machine, s: Stat
   cycleLine,
   cycleCall: (machine, s, index) => (s.how === "" ? callCycle(machine, index) : callPattern(machine, s.how, index)),
   selectContour: (machine, s, index) => {
-    machine.contourLabels = [];
-    machine.contourFile = s.file;
+    machine.set({ contourLabels: [], contourFile: s.file });
     machine.log.notSimulated(`SEL CONTOUR "${s.file}"`, index, "warning");
   },
   undercut: (machine, s, index) => machine.log.leaveUnproved(`UDC ${s.form}`, index),
@@ -114,34 +114,31 @@ function block(machine: Machine, s: Statement, index: number): void {
   handle(machine, s.kind, s, index);
   if (!words) return;
   const [once, on] = [words.functions.includes(99), words.functions.includes(89)];
-  if (once || on || (machine.modal && s.kind === "path" && words.axes.length > 0)) {
+  if (once || on || (machine.now.callsBehindMoves && s.kind === "path" && words.axes.length > 0)) {
     finish(machine);
     callCycle(machine, index);
   }
-  machine.modal = !once && (on || machine.modal);
+  machine.set({ callsBehindMoves: !once && (on || machine.now.callsBehindMoves) });
 }
 
 function functions(machine: Machine, words: Words, index: number): void {
-  for (const m of words.functions) if (FEED_UNITS.includes(m)) machine.perRevolution = m === 136;
+  for (const m of words.functions) if (FEED_UNITS.includes(m)) machine.set({ perRevolution: m === 136 });
   if (words.extra.length > 0) machine.log.leaveUnproved(words.extra.join(" ").slice(0, 40), index);
   if (retracts(words)) retract(machine, words, index);
 }
 
 /** Another kind of machining has other kinematics: where the tool stands in its coordinates, nobody knows. */
 function mode(machine: Machine, wanted: "TURN" | "MILL"): void {
-  machine.mode = wanted;
-  machine.last = null;
-  if (machine.turning === (wanted === "TURN")) return;
-  machine.turning = wanted === "TURN";
-  machine.pole = null;
-  machine.sure = { x: false, z: false };
+  machine.set({ mode: wanted, last: null });
+  if (machine.now.turning === (wanted === "TURN")) return;
+  machine.set({ turning: wanted === "TURN", pole: null, sure: { x: false, z: false } });
   machine.mill.at = NOWHERE;
   machine.mill.here = null;
 }
 
 /** CYCL CALL POS and PAT: the positions at which the cycle would run are not run. */
 function callPattern(machine: Machine, how: string, index: number): void {
-  if (machine.defined) machine.called.add(machine.defined.index);
+  if (machine.now.defined) machine.called.add(machine.now.defined.index);
   machine.loseAll();
   machine.log.leaveUnproved(`CYCL CALL ${how}`, index);
 }
@@ -150,8 +147,8 @@ function spin(machine: Machine, s: StatementOf<"spin">, index: number): void {
   const read = (v: typeof s.speed) => (v === null ? null : machine.number(v, index));
   const [speed, cuttingSpeed, limit] = [read(s.speed), read(s.cuttingSpeed), read(s.limit)];
   if (s.constantSurface && cuttingSpeed !== null && cuttingSpeed > 0) {
-    machine.spindle = { kind: "surface", cuttingSpeed, limit: Math.max(0, limit ?? 0) };
-  } else if (!s.constantSurface && speed !== null && speed > 0) machine.spindle = { kind: "constant", speed };
+    machine.set({ spindle: { kind: "surface", cuttingSpeed, limit: Math.max(0, limit ?? 0) } });
+  } else if (!s.constantSurface && speed !== null && speed > 0) machine.set({ spindle: { kind: "constant", speed } });
   else machine.log.say(programIssue("spindleMissing", "error", {}), index);
 }
 
@@ -159,13 +156,12 @@ function spin(machine: Machine, s: StatementOf<"spin">, index: number): void {
 function cycleLine(machine: Machine, s: StatementOf<"cycleLine">, index: number): void {
   const { cycle, line, text } = s;
   if (cycle === CONTOUR_CYCLE) {
-    machine.contourFile = null;
-    machine.contourLabels = line === 0 ? [] : contourLabels(text);
+    machine.set({ contourFile: null, contourLabels: line === 0 ? [] : contourLabels(text) });
   } else if (cycle === DATUM_CYCLE) {
     if (line > 0) datumLine(machine, text, `CYCL DEF ${cycle}`, index);
   } else {
     machine.log.say(programIssue("cycleNotSimulated", "info", { cycle, name: text }), index);
     if (ACTIVE_AT_ONCE.has(cycle)) actingLine(machine, s, index);
-    else if (line === 0) machine.defined = { index, cycle, values: new Map(), troubled: new Set() };
+    else if (line === 0) machine.set({ defined: { index, cycle, values: new Map(), troubled: new Set() } });
   }
 }

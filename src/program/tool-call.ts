@@ -3,6 +3,7 @@ import { length } from "../kernel/units.ts";
 import type { StatementOf } from "../nc/statement.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
+import type { Modal } from "./modal.ts";
 import { noTool } from "./preconditions.ts";
 
 /** TOOL DEF with L and R, as older programs define their tools. */
@@ -18,8 +19,8 @@ export function toolCall(machine: Machine, s: StatementOf<"toolCall">, index: nu
   if (wanted !== null) takeMill(machine, s, wanted, index);
   if (typeof s.feed === "object" && s.feed) {
     const n = machine.number(s.feed.value, index);
-    if (n !== null) machine.toolFeed = machine.feed = machine.feedOf(n);
-    machine.feedWord = "F";
+    if (n !== null) machine.set({ toolFeed: machine.feedOf(n), feed: machine.feedOf(n) });
+    machine.set({ feedWord: "F" });
   }
   if (wanted !== null) takeTool(machine, s, wanted, index);
 }
@@ -36,19 +37,14 @@ function takeMill(machine: Machine, s: StatementOf<"toolCall">, wanted: number |
 function takeTool(machine: Machine, s: StatementOf<"toolCall">, wanted: number | string, index: number): void {
   const refused = machine.shop.refused?.get(Number(wanted));
   const tool = refused ? undefined : find(machine.shop.tools, wanted);
-  machine.sure = { x: false, z: false };
-  machine.last = null;
-  machine.compensation = "R0";
-  machine.tool = tool ?? null;
-  machine.toolRefused = !tool;
-  machine.corrections = {};
+  machine.set({ sure: { x: false, z: false }, last: null, compensation: "R0", tool: tool ?? null, toolRefused: !tool, corrections: {} });
   if (refused && typeof wanted === "number") { for (const i of refused) machine.log.say(i, index); }
-  else if (!tool && (machine.turning || turnsLater(machine, index)))
+  else if (!tool && (machine.now.turning || turnsLater(machine, index)))
     machine.log.say(programIssue("toolUnknown", "error", { tool: String(wanted) }, "tool"), index);
   if (tool && ((tool.DZL ?? 0) !== 0 || (tool.DXL ?? 0) !== 0))
     machine.log.say(programIssue("lengthDelta", "info", { tool: tool.T }, "tool"), index);
   const deltas = [s.deltaLength, s.deltaRadius].some((d) => d !== null && d !== 0);
-  if (deltas && tool && machine.turning) machine.log.leaveUnproved("DL DR", index);
+  if (deltas && tool && machine.now.turning) machine.log.leaveUnproved("DL DR", index);
 }
 
 /** A tool of another table is no fault while only milling follows. */
@@ -73,7 +69,7 @@ const NONE: Correction = { z: length(0), r: length(0) };
 const plus: Plus = (a, b) => ({ z: length(a.z + b.z), r: length(a.r + b.r) });
 
 /** The tool as FUNCTION TURNDATA CORR leaves it; both systems add up. */
-function corrected(tool: Tool, corrections: Machine["corrections"]): Tool {
+function corrected(tool: Tool, corrections: Modal["corrections"]): Tool {
   const { correction: _, ...bare } = tool;
   const sum = plus(corrections.TCS ?? NONE, corrections.WPL ?? NONE);
   return sum.z === 0 && sum.r === 0 ? bare : { ...bare, correction: sum };
@@ -85,12 +81,12 @@ function corrected(tool: Tool, corrections: Machine["corrections"]): Tool {
  */
 export function correctTool(machine: Machine, s: StatementOf<"turnCorrection">, index: number): void {
   machine.log.say(programIssue("wordsRecalled", "info", { what: `FUNCTION TURNDATA CORR-${s.system}` }), index);
-  if (!machine.tool) return noTool(machine, index);
+  if (!machine.now.tool) return noTool(machine, index);
   const word = (name: string) => {
     const found = s.words.find((w) => w.name === name);
     return length(found ? machine.length(machine.number(found.value, index) ?? 0) : 0);
   };
   for (const { name } of s.words) if (name !== "DZL" && name !== "DXL") machine.log.leaveUnproved(name, index);
-  machine.corrections = { ...machine.corrections, [s.system]: { z: word("DZL"), r: word("DXL") } };
-  machine.tool = corrected(machine.tool, machine.corrections);
+  machine.set({ corrections: { ...machine.now.corrections, [s.system]: { z: word("DZL"), r: word("DXL") } } });
+  machine.set({ tool: corrected(machine.now.tool, machine.now.corrections) });
 }

@@ -15,7 +15,7 @@ import { beginApproach, close, endWithDeparture, followPath, sideOf, type Carrie
 
 /** The carrier of a turning tool: compensated by its nose radius, or as programmed; the program moves its theoretical tip. */
 const carrierOf = (machine: Machine): CarrierFor => (side): Carrier => {
-  const { tool } = machine;
+  const { tool } = machine.now;
   const tip = side === "none" || !tool ? { u: 0, v: 0 } : tipOffset(tool);
   return {
     machine,
@@ -39,13 +39,13 @@ export const closeTurn = (machine: Machine): void => {
 
 /** True when a path block belongs to a compensated contour. */
 export const isGuided = (machine: Machine, words: Words): boolean =>
-  machine.tool !== null && (machine.guide.chain !== null || words.compensation === "RL" || words.compensation === "RR");
+  machine.now.tool !== null && (machine.guide.chain !== null || words.compensation === "RL" || words.compensation === "RR");
 
 /** Begins where the tip stands, unless a contour is under way. */
 function start(machine: Machine): void {
   if (machine.guide.chain) return;
   runHeldElement(machine);
-  const tip = machine.sure.x && machine.sure.z ? machine.tip : null;
+  const tip = machine.now.sure.x && machine.now.sure.z ? machine.tip : null;
   machine.guide.here = tip && planePoint(tip);
 }
 
@@ -54,19 +54,19 @@ export function guidedPath(machine: Machine, block: PathBlock, index: number): v
   const { words } = block;
   start(machine);
   const { guide } = machine;
-  const from = machine.sure.x && machine.sure.z ? machine.tip : null;
+  const from = machine.now.sure.x && machine.now.sure.z ? machine.tip : null;
   const target = targetOf(machine, block, index);
   const requested = sideOf(words, guide.chain?.side ?? "none");
   if (!target && requested === (guide.chain?.side ?? "none")) {
     takeFeed(machine, words.feed, index);
     return;
   }
-  const feed = target ? blockFeed(machine, words.feed, index) : machine.feed;
-  standAt(machine, block, target ?? machine.at);
+  const feed = target ? blockFeed(machine, words.feed, index) : machine.now.feed;
+  standAt(machine, block, target ?? machine.now.at);
   const to = machine.tip;
   if (!to) return closeTurn(machine);
   const path = from && elementBetween(machine, block, from, to, index);
-  if (!path) machine.last = null;
+  if (!path) machine.set({ last: null });
   followPath(guide, carrierOf(machine), requested, {
     fromZ: null,
     toZ: null,
@@ -80,26 +80,26 @@ export function guidedPath(machine: Machine, block: PathBlock, index: number): v
 
 /** Nobody knows from where a block goes: a fault of the block, unless another one that was told has lost the position. */
 export function startUnknown(machine: Machine, index: number): void {
-  if (machine.lost === null) machine.log.say(programIssue("startUnknown", "error", {}), index);
+  if (machine.now.lost === null) machine.log.say(programIssue("startUnknown", "error", {}), index);
 }
 
 /** APPR and DEP in the Z/X plane. */
 export function turnApproach(machine: Machine, s: Extract<Statement, { kind: "approach" }>, index: number): void {
-  if (!machine.tool) return noTool(machine, index);
+  if (!machine.now.tool) return noTool(machine, index);
   start(machine);
   const { departing, form, words } = s;
   const isEnd = !departing || form === "LCT" || form === "PLCT";
   const path: PathBlock = { path: isPolar(form) ? "LP" : "L", words };
-  const to = isEnd ? targetOf(machine, path, index) : machine.at;
+  const to = isEnd ? targetOf(machine, path, index) : machine.now.at;
   if (isPolar(form) && !to) return;
-  if (!departing) standAt(machine, path, to ?? machine.at);
-  else if (to) machine.at = to;
+  if (!departing) standAt(machine, path, to ?? machine.now.at);
+  else if (to) machine.set({ at: to });
   const tip = machine.tip;
   if (isEnd && !tip) return startUnknown(machine, index);
   const block = { departing, form, words, index, target: isEnd && tip ? planePoint(tip) : null, fromZ: null, toZ: null };
   if (departing) endWithDeparture(machine.guide, carrierOf(machine), block);
   else beginApproach(machine.guide, carrierOf(machine), block);
   const { here } = machine.guide;
-  if (departing && here) machine.at = { ...machine.at, ...coordinatesIn("lathe", partPoint(here)) };
-  machine.last = null;
+  if (departing && here) machine.set({ at: { ...machine.now.at, ...coordinatesIn("lathe", partPoint(here)) } });
+  machine.set({ last: null });
 }

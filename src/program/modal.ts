@@ -1,0 +1,108 @@
+import type { CornerElement } from "../kernel/corner.ts";
+import type { Ring, Segment } from "../kernel/point.ts";
+import type { Spindle } from "../kernel/step.ts";
+import type { Tool } from "../kernel/tool.ts";
+import type { Feed } from "../kernel/units.ts";
+import type { Compensation, Label } from "../nc/statement.ts";
+import { NO_SHIFT, type Datum } from "./datum.ts";
+import type { UnknownReason } from "./known-values.ts";
+import { NOWHERE, type Pole, type Position } from "./path.ts";
+
+type Correction = NonNullable<Tool["correction"]>;
+
+/** A cycle definition waiting for its call. Numbers as they were when the definition was reached. */
+export interface Defined {
+  readonly index: number;
+  readonly cycle: number;
+  readonly values: ReadonlyMap<string, number | "auto" | null>;
+  /** Parameters without a number for a reason that has been told. */
+  readonly troubled: ReadonlySet<string>;
+}
+
+/** A plain path element that waits for the corner behind it. */
+export interface Held {
+  readonly segment: Segment;
+  readonly feed: Feed | null;
+  readonly index: number;
+  readonly corner: { readonly element: CornerElement; readonly feed: Feed | null; readonly index: number } | null;
+  /** Its number in the contour that runs on from block to block, from 1. */
+  readonly element: number;
+}
+
+/** What is in force between two blocks. X is a diameter, mm. Never changed in place: a block puts a new one in its place. */
+export interface Modal {
+  /** The program's unit of length. */
+  readonly inch: boolean;
+  readonly turning: boolean;
+  /** As FUNCTION MODE said; null while no block has. */
+  readonly mode: "TURN" | "MILL" | null;
+  /** The preset that counts; null before one was named. */
+  readonly preset: number | null;
+  /** Where the program counts from; all positions below are those of the workpiece. */
+  readonly datum: Datum;
+  readonly at: Position;
+  /** False after a tool change until the axis is programmed again: nobody knows where the change left it. */
+  readonly sure: { readonly x: boolean; readonly z: boolean };
+  /** Why a coordinate is not known any more, when a block that was not run or a fault that was told is the reason. */
+  readonly lost: UnknownReason | null;
+  /** RL or RR as programmed last. */
+  readonly compensation: Compensation;
+  readonly feed: Feed | null;
+  /** Feed of the last positioning block, null for rapid; undefined before the first. */
+  readonly lastFeed: Feed | null | undefined;
+  readonly toolFeed: Feed | null;
+  /** How the feed in force was written. */
+  readonly feedWord: "F" | "FAUTO";
+  /** The feed and unit that were judged last, so that a modal feed is judged once. */
+  readonly judged: string;
+  readonly perRevolution: boolean;
+  readonly spindle: Spindle | null;
+  readonly tool: Tool | null;
+  /** True when a TOOL CALL named a tool that can not be used: that has been told. */
+  readonly toolRefused: boolean;
+  readonly pole: Pole | null;
+  readonly contourLabels: readonly Label[];
+  /** File that SEL CONTOUR names, until cycle 14 names labels. */
+  readonly contourFile: string | null;
+  /** FUNCTION TURNDATA CORR of the tool in the spindle, mm. */
+  readonly corrections: { readonly TCS?: Correction; readonly WPL?: Correction };
+  readonly defined: Defined | null;
+  /** M89: the defined cycle is called behind every positioning block. */
+  readonly callsBehindMoves: boolean;
+  /** An element that waits for the corner behind it. */
+  readonly held: Held | null;
+  /** The last path element, for tangential arcs. */
+  readonly last: Segment | null;
+  readonly blank: readonly Ring[];
+}
+
+/** Before the first block. */
+export const AT_START: Modal = {
+  inch: false,
+  turning: false,
+  mode: null,
+  preset: null,
+  datum: NO_SHIFT,
+  at: NOWHERE,
+  sure: { x: false, z: false },
+  lost: null,
+  compensation: "R0",
+  feed: null,
+  lastFeed: undefined,
+  toolFeed: null,
+  feedWord: "F",
+  judged: "",
+  perRevolution: false,
+  spindle: null,
+  tool: null,
+  toolRefused: false,
+  pole: null,
+  contourLabels: [],
+  contourFile: null,
+  corrections: {},
+  defined: null,
+  callsBehindMoves: false,
+  held: null,
+  last: null,
+  blank: [],
+};
