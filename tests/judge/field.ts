@@ -171,3 +171,26 @@ export const shrunk = (f: Field, by: number): Field =>
 
 /** Column by column. */
 export const each = (a: Field, b: Field, make: (a: Spans, b: Spans) => number[]): Field => a.map((column, i) => make(column, b[i] ?? []));
+
+/** Without the pieces that are smaller than `least` mm². Stretches of neighbouring columns that overlap are one piece. */
+export function withoutCrumbs(g: Grid, f: Field, least: number): Field {
+  const columns = f.map((column, i) =>
+    column.flatMap((low, k) => (k % 2 === 0 ? [{ i, low, high: column[k + 1] as number, piece: -1 }] : []))
+  );
+  const areas: number[] = [];
+  for (const seed of columns.flat()) {
+    if (seed.piece >= 0) continue;
+    const piece = areas.push(0) - 1;
+    seed.piece = piece;
+    for (const open = [seed]; open.length > 0;) {
+      const s = open.pop() as typeof seed;
+      areas[piece] = (areas[piece] as number) + (s.high - s.low) * g.width;
+      for (const n of [s.i - 1, s.i, s.i + 1].flatMap((i) => columns[i] ?? [])) {
+        if (n.piece >= 0 || n.low > s.high || n.high < s.low) continue;
+        n.piece = piece;
+        open.push(n);
+      }
+    }
+  }
+  return columns.map((column) => column.filter((s) => (areas[s.piece] as number) >= least).flatMap((s) => [s.low, s.high]));
+}
