@@ -1,4 +1,4 @@
-import { Clipper64, ClipType, EndType, FillRule, inflatePaths, JoinType, PathType, type Path64 } from "clipper2-ts";
+import { Clipper64, ClipType, EndType, FillRule, inflatePaths, JoinType, PathType, simplifyPaths, type Path64 } from "clipper2-ts";
 import type { Pt, Ring } from "./point.ts";
 import { CHORD, GRID } from "./tolerance.ts";
 import { axial, radius } from "./units.ts";
@@ -78,6 +78,9 @@ export function offset(area: readonly Ring[], delta: number): Ring[] {
   if (!Number.isFinite(delta)) return [];
   return rings(inflatePaths(paths(outerFirst(area)), delta * UNITS, JoinType.Round, EndType.Polygon, 2, CHORD * UNITS));
 }
+
+/** With fewer corners, none of which was farther than `within` mm from the straight line that takes its place. */
+export const simplified = (area: readonly Ring[], within: number): Ring[] => rings(simplifyPaths(paths(area), within * UNITS, true));
 
 /** Without what is thinner than `width` mm; kept areas stay as they are, but for corners rounded by half that width. */
 export const opened = (area: readonly Ring[], width: number): Ring[] => offset(offset(area, -width / 2), width / 2);

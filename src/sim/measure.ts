@@ -1,4 +1,4 @@
-import { areaOf, offset } from "../kernel/clip.ts";
+import { areaOf, offset, simplified } from "../kernel/clip.ts";
 import type { Move } from "../kernel/move.ts";
 import type { Pt, Ring } from "../kernel/point.ts";
 import type { Step } from "../kernel/step.ts";
@@ -141,8 +141,10 @@ function thicker(known: Depth | null, taken: readonly Ring[], operation: Simulat
   const allowed = mostBeside(operation);
   if (allowed === 0) return known;
   const told = Math.max(allowed + TOLD, known?.depth ?? 0);
-  if (!hasRoomFor(taken, told) || offset(taken, -told / 2).length === 0) return known;
-  return { depth: thicknessOf(taken), allowed, ...where };
+  // The steps of a thousand passes in a wall take long to shrink, and are thinner than anything that is told.
+  const plain = simplified(taken, SLIVER);
+  if (!hasRoomFor(plain, told) || offset(plain, -told / 2).length === 0) return known;
+  return { depth: thicknessOf(plain), allowed, ...where };
 }
 
 /** Whether a measured depth is more than a script or an operator has to bear. */
