@@ -123,6 +123,24 @@ describe("what one file keeps to itself", () => {
   });
 });
 
+describe("what the start page waits for", () => {
+  const files = new Map(all.map((s) => [s.path, s]));
+  const reached = new Map<string, string>();
+  const visit = (path: string, from: string) => {
+    if (reached.has(path)) return;
+    reached.set(path, from);
+    for (const { target, typesOnly, lazy } of files.get(path)?.imports ?? []) if (!typesOnly && !lazy) visit(target, path);
+  };
+  visit("src/app/main.tsx", "");
+
+  test.each(["react-aria-components", "@codemirror/view", "dxf-parser"])("not %s", (name) => expect(reached.get(name)).toBe(undefined));
+
+  test("its files are followed at all", () => {
+    expect(reached.has("react")).toBe(true);
+    expect(reached.has("src/app/start/StartPage.tsx")).toBe(true);
+  });
+});
+
 describe("what is nowhere", () => {
   const bans: [string, RegExp, (path: string) => boolean][] = [
     ["eval of any kind", /\beval\s*\(|new Function\s*\(/, () => true],

@@ -10,6 +10,8 @@ export interface Import {
   readonly target: string;
   readonly relative: boolean;
   readonly typesOnly: boolean;
+  /** Fetched when it is asked for, not with the file. */
+  readonly lazy: boolean;
 }
 /** One source file, by its path from the project folder. */
 export interface Source {
@@ -34,7 +36,7 @@ function imports(path: string, text: string): Import[] {
     const to = fixed ?? lazy ?? url ?? "";
     const relative = to.startsWith(".");
     const target = relative ? posix.join(posix.dirname(path), to) : to.split("/").slice(0, to.startsWith("@") ? 2 : 1).join("/");
-    return { target, relative, typesOnly: type !== undefined || onlyTypes(names) };
+    return { target, relative, typesOnly: type !== undefined || onlyTypes(names), lazy: fixed === undefined };
   });
 }
 

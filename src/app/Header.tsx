@@ -37,7 +37,7 @@ export function Header() {
 
   return (
     <header className="top" aria-label={t.page.header}>
-      {read && section === "prompts" && !tools && <a className="skip" href="#panel-prompts">{t.page.skipToPrompts}</a>}
+      {read && section === "prompts" && !tools && <a className="skip" href="#prompts">{t.page.skipToPrompts}</a>}
       <p className="brand">
         <b>{t.page.product}</b>
       </p>

@@ -1,7 +1,8 @@
-import { useRef, type KeyboardEvent, type ReactNode } from "react";
+import type { ReactNode } from "react";
+import { Tab, TabList, TabPanel, Tabs } from "react-aria-components/Tabs";
 import { showSection, type WorkSection } from "./place.ts";
 
-interface Tab {
+interface Section {
   readonly section: WorkSection;
   readonly name: string;
   readonly content: ReactNode;
@@ -11,37 +12,23 @@ interface Tab {
   readonly badge?: { readonly count: number; readonly severity: "error" | "warning" | "info" };
 }
 
-/** Panels that take turns. Arrow keys move along the tabs, as everywhere. */
-export function SectionTabs({ name, tabs, open }: { readonly name: string; readonly tabs: readonly Tab[]; readonly open: WorkSection }) {
-  const list = useRef<HTMLDivElement>(null);
-  const at = tabs.findIndex((tab) => tab.section === open);
-  const onKeyDown = (event: KeyboardEvent) => {
-    const by = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
-    const next = tabs[(at + by + tabs.length) % tabs.length];
-    if (by === 0 || !next) return;
-    event.preventDefault();
-    showSection(next.section);
-    list.current?.querySelector<HTMLElement>(`#tab-${next.section}`)?.focus();
-  };
+/** Panels that take turns. */
+export function SectionTabs({ name, tabs, open }: { readonly name: string; readonly tabs: readonly Section[];
+  readonly open: WorkSection })
+{
   return (
-    <>
-      <div className="tabs" role="tablist" aria-label={name} ref={list} onKeyDown={onKeyDown}>
+    <Tabs className="sections" selectedKey={open} onSelectionChange={(key) => showSection(key as WorkSection)}>
+      <TabList className="tabs" aria-label={name}>
         {tabs.map(({ section, name: label, badge }) => (
-          <button key={section} type="button" role="tab" id={`tab-${section}`} className="tab" aria-selected={section === open}
-            aria-controls={`panel-${section}`} tabIndex={section === open ? 0 : -1} onClick={() => showSection(section)}
-          >
+          <Tab key={section} id={section} className="tab">
             {label}
             {badge && badge.count > 0 && <span className={`badge number ${badge.severity}`}>{badge.count}</span>}
-          </button>
+          </Tab>
         ))}
-      </div>
-      {tabs.filter(({ section, stays }) => stays === true || section === open).map(({ section, content }) => (
-        <div key={section} className={`panel panel-${section}`} role="tabpanel" id={`panel-${section}`} aria-labelledby={`tab-${section}`}
-          hidden={section !== open}
-        >
-          {content}
-        </div>
+      </TabList>
+      {tabs.map(({ section, stays = false, content }) => (
+        <TabPanel key={section} id={section} className={`panel panel-${section}`} shouldForceMount={stays}>{content}</TabPanel>
       ))}
-    </>
+    </Tabs>
   );
 }

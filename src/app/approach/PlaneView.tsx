@@ -1,4 +1,5 @@
 import { useEffect, useId, useMemo, useState } from "react";
+import { Toolbar } from "react-aria-components/Toolbar";
 import type { Run } from "../../program/run-types.ts";
 import { planeScene, PLANE_ROLES } from "../../view/approach/plane-scene.ts";
 import { trackOf } from "../../view/playback.ts";
@@ -90,7 +91,7 @@ export function PlaneView({ run, dimmed, playback, clock, children }: {
       const typed = { key: event.key, shift: event.shiftKey, element: target.localName, picture: target === stage.current };
       if (pressKey(typed, playback, viewport, noMeasuring)) event.preventDefault();
     }}>
-      <div className="lathe-viewbar" role="toolbar" aria-label={t.viewTools}>
+      <Toolbar className="lathe-viewbar" aria-label={t.viewTools}>
         {children}
         <div className="lathe-gap">
           <ul className="lathe-legend small" aria-label={t.legend}>
@@ -107,7 +108,7 @@ export function PlaneView({ run, dimmed, playback, clock, children }: {
         <GlyphButton glyph="zoomOut" name={t.zoomOut} onPress={() => viewport.zoom(1 / ZOOM)} />
         <GlyphButton glyph="zoomIn" name={t.zoomIn} onPress={() => viewport.zoom(ZOOM)} />
         <GlyphButton glyph="fit" name={t.fit} onPress={viewport.fit} />
-      </div>
+      </Toolbar>
       <div ref={stage} className={`lathe-stage${dimmed ? " dimmed" : ""}`} tabIndex={0} role="group" aria-label={own.view}
         aria-describedby={`${id}keys`}
       >

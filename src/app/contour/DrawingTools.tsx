@@ -1,4 +1,5 @@
 import { useId } from "react";
+import { Toolbar } from "react-aria-components/Toolbar";
 import { texts } from "../settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { formatNumber } from "../../i18n/number.ts";
@@ -39,7 +40,7 @@ export function DrawingTools({ mode, step, language, onMode, onStep, onZoom, onF
   const t = texts(language).contour;
   const id = useId();
   return (
-    <div role="toolbar" aria-label={t.drawTools} className="contour-tools contour-draw-tools">
+    <Toolbar aria-label={t.drawTools} className="contour-tools contour-draw-tools">
       {(["move", "draw", "round", "chamfer"] as const).map((m) => (
         <button key={m} type="button" className="button icon" aria-label={t.modes[m]} title={t.modes[m]} aria-pressed={mode === m}
           onClick={() => onMode(m)}
@@ -62,6 +63,6 @@ export function DrawingTools({ mode, step, language, onMode, onStep, onZoom, onF
       <button type="button" className="button icon" aria-label={t.fit} title={t.fit} onClick={onFit}>
         <Shape d={zooms.fit} />
       </button>
-    </div>
+    </Toolbar>
   );
 }

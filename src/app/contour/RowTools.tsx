@@ -1,4 +1,5 @@
 import type { ReactNode } from "react";
+import { Toolbar } from "react-aria-components/Toolbar";
 import { texts } from "../settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
 import type { CornerKind } from "./drawing-edits.ts";
@@ -68,7 +69,7 @@ export function RowTools({ number, count, actions, language, corner, onCorner, d
     },
   ] as const;
   return (
-    <div role="toolbar" aria-label={t.head.actions} className="contour-tools">
+    <Toolbar aria-label={t.head.actions} className="contour-tools">
       {tools.map(({ icon, name, off, act }) => (
         <button key={icon} type="button" className="button icon" aria-label={name} title={name} disabled={off} onClick={act}>
           <svg className="icon" viewBox="0 0 24 24" aria-hidden="true" focusable="false">
@@ -83,6 +84,6 @@ export function RowTools({ number, count, actions, language, corner, onCorner, d
           <span className="number">{number}</span> / <span className="number">{count}</span>
         </span>
       )}
-    </div>
+    </Toolbar>
   );
 }

@@ -1,4 +1,5 @@
 import { useEffectEvent, useLayoutEffect, useRef } from "react";
+import { Radio, RadioGroup, type RadioProps } from "react-aria-components/RadioGroup";
 import { closeStep } from "../store.ts";
 import type { Prompt, PromptSession } from "./session.ts";
 
@@ -9,42 +10,40 @@ interface Props {
   readonly describedBy: string;
 }
 
+type KeyboardEvent = Parameters<NonNullable<RadioProps["onKeyDown"]>>[0];
+
 /** The printed values of a choice with their meanings. A digit key takes one, left and right move, ENT goes on. */
 export function ChoiceInput({ session, prompt: { id, name }, choices, describedBy }: Props) {
-  const group = useRef<HTMLFieldSetElement>(null);
+  const group = useRef<HTMLDivElement>(null);
   const typed = (session.draft[id] ?? "").trim();
-  const chosen = choices.findIndex(({ value }) => value === typed || (typed !== "" && Number(value) === Number(typed)));
+  const chosen = choices.find(({ value }) => value === typed || (typed !== "" && Number(value) === Number(typed)));
+  const radio = (value: string | undefined) => group.current?.querySelector<HTMLInputElement>(`input[value="${value}"]`);
   const opened = useEffectEvent(() => {
-    if (!session.mayFocus()) return;
-    const radios = group.current?.querySelectorAll("input");
-    const current = group.current?.querySelector<HTMLInputElement>("input:checked");
-    (current ?? radios?.[0])?.focus({ preventScroll: true });
+    if (session.mayFocus()) radio((chosen ?? choices[0])?.value)?.focus({ preventScroll: true });
   });
   useLayoutEffect(() => opened(), [id, session.opened.focus]);
 
-  const take = (at: number) => {
-    const choice = choices[at];
-    if (!choice) return;
+  const take = (value: string) => {
     closeStep();
-    session.set(id, choice.value);
-    group.current?.querySelectorAll("input")[at]?.focus({ preventScroll: true });
+    session.set(id, value);
+  };
+  const onDigit = (event: KeyboardEvent) => {
+    const named = choices.find(({ value }) => value === event.key);
+    if (!named) return event.continuePropagation();
+    take(named.value);
+    radio(named.value)?.focus({ preventScroll: true });
   };
 
   return (
-    <fieldset ref={group} className="choices" role="radiogroup" aria-label={name} aria-describedby={describedBy} onKeyDown={(event) => {
-      const by = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
-      const named = choices.findIndex(({ value }) => value === event.key);
-      if (by === 0 && named < 0) return;
-      event.preventDefault();
-      take(by === 0 ? named : Math.min(choices.length - 1, Math.max(0, chosen + by)));
-    }}>
-      {choices.map(({ value, meaning }, i) => (
-        <label key={value} className="choice">
-          <input type="radio" name={id} value={value} checked={i === chosen} onChange={() => take(i)} />
+    <RadioGroup ref={group} className="choices" name={id} aria-label={name} aria-describedby={describedBy} value={chosen?.value ?? null}
+      onChange={take}
+    >
+      {choices.map(({ value, meaning }) => (
+        <Radio key={value} value={value} className="choice radio" onKeyDown={onDigit}>
           <span className="number choice-number">{value}</span>
           <span>{meaning}</span>
-        </label>
+        </Radio>
       ))}
-    </fieldset>
+    </RadioGroup>
   );
 }

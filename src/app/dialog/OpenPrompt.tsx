@@ -35,7 +35,7 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
   }, [prompt.id, opened.focus]);
 
   return (
-    <section className="active-prompt" ref={card} aria-label={t.dialog.active} onKeyDown={(event) => {
+    <section className="active-prompt" ref={card} aria-label={t.dialog.active} onKeyDownCapture={(event) => {
       onPromptTab(event, session);
       onPromptKey(event, session);
     }}>

@@ -28,7 +28,7 @@ export function PromptDialog({ session, name, listName, done, hint, head, instea
   const input = useRef<ValueField | null>(null);
   const open = openPromptOf(session);
   return (
-    <div className={`cycle-dialog ${className}`.trim()} role="form" aria-label={name}>
+    <div className={`cycle-dialog ${className}`.trim()} role="form" id="prompts" aria-label={name}>
       {head}
       {instead ?? (
         <>

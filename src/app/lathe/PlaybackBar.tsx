@@ -1,3 +1,4 @@
+import { Toolbar } from "react-aria-components/Toolbar";
 import { formatNumber } from "../../i18n/number.ts";
 import { RATES } from "../../view/playback.ts";
 import { useSettings } from "../settings/settings.ts";
@@ -14,7 +15,7 @@ export function PlaybackBar({ playback, children }: { readonly playback: Playbac
   const first = usePlayback(playback, (s) => s.get().position.step === 0 && s.get().position.fraction === 0);
   const last = usePlayback(playback, (s) => s.get().position.step >= s.get().track.ends.length);
   return (
-    <div className="lathe-playbar" role="toolbar" aria-label={t.playback}>
+    <Toolbar className="lathe-playbar" aria-label={t.playback}>
       <GlyphButton glyph="first" name={t.first} disabled={empty || first} onPress={() => playback.dispatch({ do: "first" })} />
       <GlyphButton glyph="back" name={t.back} disabled={empty || first} onPress={() => playback.dispatch({ do: "back" })} />
       <GlyphButton glyph={playing ? "pause" : "play"} name={playing ? t.pause : t.play} disabled={empty}
@@ -30,6 +31,6 @@ export function PlaybackBar({ playback, children }: { readonly playback: Playbac
         </select>
       </label>
       {children}
-    </div>
+    </Toolbar>
   );
 }

@@ -1,3 +1,4 @@
+import { Toolbar } from "react-aria-components/Toolbar";
 import { changeSettings, useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { GlyphButton } from "./GlyphButton.tsx";
@@ -16,7 +17,7 @@ export function ViewBar({ viewport, measuring, children }: {
 }) {
   const t = useTexts().lathe, full = useSettings((s) => s.fullSection), down = useSettings((s) => s.xDown);
   return (
-    <div className="lathe-viewbar" role="toolbar" aria-label={t.viewTools}>
+    <Toolbar className="lathe-viewbar" aria-label={t.viewTools}>
       <GlyphButton glyph={full ? "fullSection" : "halfSection"} name={t.fullSection} pressed={full}
         onPress={() => changeSettings({ fullSection: !full })} />
       <GlyphButton glyph={down ? "xDown" : "xUp"} name={t.xDown} pressed={down} onPress={() => changeSettings({ xDown: !down })} />
@@ -25,6 +26,6 @@ export function ViewBar({ viewport, measuring, children }: {
       <GlyphButton glyph="zoomOut" name={t.zoomOut} onPress={() => viewport.zoom(1 / ZOOM)} />
       <GlyphButton glyph="zoomIn" name={t.zoomIn} onPress={() => viewport.zoom(ZOOM)} />
       <GlyphButton glyph="fit" name={t.fit} onPress={viewport.fit} />
-    </div>
+    </Toolbar>
   );
 }

@@ -70,6 +70,6 @@ test("spindle, feed unit and tool are chosen by name", async () => {
 
 test("a finding leads the keyboard to its field", async () => {
   goToField("setup", "start.z");
-  await screen.findByDisplayValue(job().start.z);
+  await screen.findByRole("textbox", { name: "Start Z" });
   expect(document.activeElement).toBe(field("Start Z"));
 });

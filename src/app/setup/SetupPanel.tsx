@@ -1,3 +1,4 @@
+import { Radio, RadioGroup } from "react-aria-components/RadioGroup";
 import type { CycleNumber } from "../../cycles/index.ts";
 import { SETUP_FIELDS as FIELDS } from "../../program/setup-fields.ts";
 import { useFits } from "../engine/fits.ts";
@@ -37,14 +38,15 @@ export function SetupPanel({ read }: { readonly read: JobReading }) {
       </fieldset>
       <fieldset className="setup-group">
         <legend>{t.spindle.title}</legend>
-        <div className="choice-pair" role="radiogroup" aria-label={t.spindle.mode}>
+        <RadioGroup className="choice-pair" aria-label={t.spindle.mode} value={spindle.mode}
+          onChange={(mode) => setSpindle("mode", mode === "constant" ? mode : "surface")}
+        >
           {(["surface", "constant"] as const).map((mode) => (
-            <label key={mode} className="choice">
-              <input type="radio" name="spindle" checked={spindle.mode === mode} onChange={() => setSpindle("mode", mode)} />
+            <Radio key={mode} value={mode} className="choice radio">
               <span>{t.spindle[mode]}</span>
-            </label>
+            </Radio>
           ))}
-        </div>
+        </RadioGroup>
         {spindle.mode === "constant"
           ? (
             <NumberField field={FIELDS.speed} name={t.spindle.speed} unit={t.units.rpm} text={spindle.speed}

@@ -1,4 +1,5 @@
 import { useEffect, useRef } from "react";
+import { Radio, RadioGroup } from "react-aria-components/RadioGroup";
 import type { ToolFit } from "../../program/which-tool.ts";
 import { setTool } from "../edits.ts";
 import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
@@ -18,32 +19,36 @@ export function ToolTable({ read, fits }: { readonly read: JobReading; readonly 
   const details = useToolDetails();
   const verdict = useToolVerdict();
   const asked = usePlace((p) => (p.field === "tool" ? p.focus : 0));
-  const group = useRef<HTMLFieldSetElement>(null);
+  const group = useRef<HTMLDivElement>(null);
 
   useEffect(() => {
     if (asked > 0) group.current?.querySelector<HTMLElement>("input:checked")?.focus();
   }, [asked]);
 
   return (
-    <fieldset className="setup-group" ref={group} role="radiogroup" aria-label={t.list}>
+    <fieldset className="setup-group">
       <legend>{t.list}</legend>
-      {tools.map((tool) => {
-        const fit = fits?.find((f) => f.tool.T === tool.T);
-        return (
-          <label key={tool.T} className="tool-row">
-            <input type="radio" name="tool" checked={tool.T === read.job.tool} onChange={() => setTool(tool.T)}
-              aria-label={`${t.name(tool.T, tool.NAME)}, ${details(tool)}${fit ? `, ${verdict(fit)}` : ""}`} />
-            <InsertDrawing tool={tool} width={DRAWING} height={DRAWING} />
-            <span className="tool-words">
-              <span>
-                <b className="number">{tool.T}</b> <b>{tool.NAME}</b>
+      <RadioGroup ref={group} className="tool-rows" aria-label={t.list} value={String(read.job.tool)}
+        onChange={(number) => setTool(Number(number))}
+      >
+        {tools.map((tool) => {
+          const fit = fits?.find((f) => f.tool.T === tool.T);
+          return (
+            <Radio key={tool.T} value={String(tool.T)} className="tool-row radio"
+              aria-label={`${t.name(tool.T, tool.NAME)}, ${details(tool)}${fit ? `, ${verdict(fit)}` : ""}`}
+            >
+              <InsertDrawing tool={tool} width={DRAWING} height={DRAWING} />
+              <span className="tool-words">
+                <span>
+                  <b className="number">{tool.T}</b> <b>{tool.NAME}</b>
+                </span>
+                <span className="small soft">{details(tool)}</span>
+                {fit && <ToolVerdict fit={fit} />}
               </span>
-              <span className="small soft">{details(tool)}</span>
-              {fit && <ToolVerdict fit={fit} />}
-            </span>
-          </label>
-        );
-      })}
+            </Radio>
+          );
+        })}
+      </RadioGroup>
     </fieldset>
   );
 }

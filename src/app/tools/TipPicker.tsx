@@ -1,4 +1,5 @@
-import type { KeyboardEvent } from "react";
+import { useRef } from "react";
+import { Radio, RadioGroup, type RadioProps } from "react-aria-components/RadioGroup";
 import type { TipOrientation, Tool } from "../../kernel/tool.ts";
 import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
 import { useTexts } from "../settings/use-texts.ts";
@@ -9,12 +10,8 @@ const DRAWING = 44;
 /** The orientations where they point to on the lathe: Z to the right, X up. */
 const PLACES: readonly TipOrientation[] = [7, 6, 5, 8, 9, 4, 1, 2, 3];
 const COLUMNS = 3;
-const STEPS: Readonly<Record<string, readonly [right: number, down: number]>> = {
-  ArrowRight: [1, 0],
-  ArrowLeft: [-1, 0],
-  ArrowDown: [0, 1],
-  ArrowUp: [0, -1],
-};
+/** Up and down go by rows; left and right are those of every radio group. */
+const ROWS: Readonly<Record<string, number>> = { ArrowDown: COLUMNS, ArrowUp: -COLUMNS };
 
 /** An arrow towards one of the eight directions, or a ring for none. */
 function Arrow({ place }: { readonly place: number }) {
@@ -35,36 +32,35 @@ function Arrow({ place }: { readonly place: number }) {
 }
 
 /** TO by its picture: nine directions round the centre of the nose, each with the insert as it would stand. */
-export function TipPicker({ name, value, tool, onChoose }: {
-  readonly name: string;
+export function TipPicker({ value, tool, onChoose }: {
   readonly value: number | null;
   /** The tool to draw in each direction; null while its other columns make none. */
   readonly tool: Tool | null;
   readonly onChoose: (to: TipOrientation) => void;
 }) {
   const t = useTexts().tools;
-  const onKeyDown = (event: KeyboardEvent<HTMLInputElement>, place: number) => {
-    const step = STEPS[event.key];
-    if (!step || event.altKey || event.ctrlKey || event.metaKey) return;
+  const grid = useRef<HTMLDivElement>(null);
+  const choose = (to: TipOrientation | undefined) => to && onChoose(to);
+  const keys = (place: number): NonNullable<RadioProps["onKeyDown"]> => (event) => {
+    const by = event.altKey || event.ctrlKey || event.metaKey ? undefined : ROWS[event.key];
+    if (by === undefined) return event.continuePropagation();
     event.preventDefault();
-    const wrap = (n: number) => (n + COLUMNS) % COLUMNS;
-    const next = wrap(Math.floor(place / COLUMNS) + step[1]) * COLUMNS + wrap((place % COLUMNS) + step[0]);
-    event.currentTarget.closest("fieldset")?.querySelectorAll("input")[next]?.focus();
-    const to = PLACES[next];
-    if (to) onChoose(to);
+    const next = (place + by + PLACES.length) % PLACES.length;
+    choose(PLACES[next]);
+    grid.current?.querySelectorAll("input")[next]?.focus();
   };
-  const chosen = PLACES.findIndex((to) => to === value);
   return (
-    <fieldset className="tip-picker" role="radiogroup" aria-label={t.orientation}>
+    <fieldset className="tip-picker">
       <legend>
         <b className="number">TO</b> <span className="soft small">{t.columns.TO}</span>
       </legend>
-      <div className="tip-grid">
+      <RadioGroup ref={grid} className="tip-grid" aria-label={t.orientation} value={value === null ? null : String(value)}
+        onChange={(chosen) => choose(PLACES.find((to) => String(to) === chosen))}
+      >
         {PLACES.map((to, place) => (
-          <label key={to} className="tip-choice" title={t.orientationOf(to, t.directions[to - 1] ?? "")}>
-            <input type="radio" name={name} checked={to === value} tabIndex={place === Math.max(chosen, 0) ? 0 : -1}
-              aria-label={t.orientationOf(to, t.directions[to - 1] ?? "")} onChange={() => onChoose(to)} onKeyDown={(e) =>
-              onKeyDown(e, place)} />
+          <Radio key={to} value={String(to)} className="tip-choice" aria-label={t.orientationOf(to, t.directions[to - 1] ?? "")}
+            onKeyDown={keys(place)} render={(label) => <label {...label} title={t.orientationOf(to, t.directions[to - 1] ?? "")} />}
+          >
             <span className="tip-picture" aria-hidden="true">
               {tool && <InsertDrawing tool={{ ...tool, TO: to }} width={DRAWING} height={DRAWING} />}
             </span>
@@ -72,9 +68,9 @@ export function TipPicker({ name, value, tool, onChoose }: {
               <b className="number">{to}</b>
               <Arrow place={place} />
             </span>
-          </label>
+          </Radio>
         ))}
-      </div>
+      </RadioGroup>
       <p className="soft small">{t.orientationHint}</p>
     </fieldset>
   );

@@ -25,6 +25,7 @@ function onEnter(event: KeyboardEvent<HTMLElement>): void {
   const from = event.target;
   if (event.key !== "Enter" || !(from instanceof HTMLInputElement)) return;
   event.preventDefault();
+  event.stopPropagation();
   const fields = [...event.currentTarget.querySelectorAll<HTMLInputElement | HTMLSelectElement>("input:not(:disabled), select")].filter(
     (f) => f.tabIndex >= 0
   );
@@ -48,7 +49,7 @@ function Orientation({ entry, reading, issues }: { readonly entry: ToolEntry; re
   const value = Number(text);
   return (
     <div className="tool-field wide">
-      <TipPicker name={`${id}-to`} value={text.trim() === "" ? null : value} tool={drawn} onChoose={(to) => {
+      <TipPicker value={text.trim() === "" ? null : value} tool={drawn} onChoose={(to) => {
         closeToolStep();
         setCell(entry.id, "TO", String(to));
         closeToolStep();
@@ -129,7 +130,7 @@ export function ToolForm({ entry, reading, onDuplicate, onRemove }: Row & { read
   const t = useTexts().tools;
   const name = useToolName()(entry);
   return (
-    <section className="tool-form" aria-label={t.form(name)} onKeyDown={onEnter}>
+    <section className="tool-form" aria-label={t.form(name)} onKeyDownCapture={onEnter}>
       <header>
         <h2>{name}</h2>
         <button type="button" className="button" aria-label={t.duplicateLong(name)} onClick={onDuplicate}>
