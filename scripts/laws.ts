@@ -6,7 +6,7 @@ import fc from "fast-check";
 import { catalogue, cycleByNumber } from "../src/cycles/index.ts";
 import { brokenBy } from "../tests/laws/cut-laws.ts";
 import type { FoundCase } from "../tests/laws/found-case.ts";
-import { situations } from "../tests/laws/situations.ts";
+import { situations } from "../tests/laws/situation.ts";
 
 /** Machining operations (Q215), and set-ups that one process draws before the next one takes over. */
 const OPERATIONS = [0, 1, 2, 3];

@@ -8,6 +8,7 @@ import { atParameters } from "./roles.ts";
 import { edgesOf } from "./corner-element.ts";
 import { shoulderOutline } from "./shoulder-outline.ts";
 import { angleIssues, cornerIssue, withIssues } from "./tool-issues.ts";
+import { shoulderSetups, type Setups } from "./drawn-setup.ts";
 
 /** Shoulder, longitudinal, extended: circumferential surface, inner corner, face, with an element at either end. */
 export const c812 = defineCycle({
@@ -70,3 +71,6 @@ export const c812 = defineCycle({
     return atParameters(withIssues(plan, tool), frame, { infeed: "Q463" });
   },
 });
+
+/** Set-ups that the laws hold this cycle to. */
+export const setups812: Setups = shoulderSetups;

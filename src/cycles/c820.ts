@@ -8,6 +8,7 @@ import { axialDepth, axialParam, choice, diameterParam, feedParam, lengthParam, 
 import { freeFrame, freeOutline } from "./free-outline.ts";
 import { atParameters } from "./roles.ts";
 import { angleIssues, withIssues } from "./tool-issues.ts";
+import { contourSetups, type Setups } from "./drawn-setup.ts";
 
 /** Free contour of a subprogram, cut across the axis. */
 export const c820 = defineCycle({
@@ -66,3 +67,6 @@ export const c820 = defineCycle({
     return atParameters(withIssues(adapted, found), frame, { infeed: "Q463", limitX: "Q480", limitZ: "Q482" });
   },
 });
+
+/** Set-ups that the laws hold this cycle to. */
+export const setups820: Setups = contourSetups;

@@ -11,6 +11,7 @@ import { recessOutline, type RecessOutline } from "./recess-outline.ts";
 import { atParameters } from "./roles.ts";
 import { angleIssues, cornerIssue, withIssues } from "./tool-issues.ts";
 import { ROUND } from "../kernel/tolerance.ts";
+import { recessSetups, type Setups } from "./drawn-setup.ts";
 
 /**
  * Recess turning, axial, extended: a groove in a face with two walls, a floor, and an element at either edge.
@@ -99,3 +100,6 @@ function narrowIssue(outline: RecessOutline, v: { Q491: Diameter; Q493: Diameter
   const nearest = rounded(v.Q493 + Math.sign(v.Q493 - v.Q491) * missing);
   return [issue("recessNarrowerThanTool", tool > outline.opening ? "error" : "warning", { width: outline.floor, tool, nearest }, "Q493")];
 }
+
+/** Set-ups that the laws hold this cycle to. */
+export const setups852: Setups = recessSetups;

@@ -5,7 +5,8 @@ import type { Simulation } from "../../src/sim/simulation.ts";
 import { areaOf, each, filled, grown, without, withoutCrumbs, type Field, type Grid } from "../judge/field.ts";
 import type { P } from "../judge/insert.ts";
 import { gridOver, judge, sumOf, THIN, type Verdict } from "../judge/judge.ts";
-import { doing, planOf, simulated, stepsOf, type Situation } from "./situations.ts";
+import { doing, type Situation } from "./situation.ts";
+import { planOf, simulated, stepsOf } from "./worked-plans.ts";
 
 const { flattenedChain } = part;
 

@@ -3,7 +3,7 @@ import { describe, expect, test } from "vitest";
 import { cycleByNumber } from "../../src/cycles/index.ts";
 import { brokenBy } from "./cut-laws.ts";
 import type { FoundCase } from "./found-case.ts";
-import { situations } from "./situations.ts";
+import { situations } from "./situation.ts";
 
 /*
  * Every set-up that can be drawn is cut twice and held to the laws of cut-laws.ts, whatever its start point. `npm run laws` draws

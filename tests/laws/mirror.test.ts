@@ -1,10 +1,10 @@
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
 import type { Move } from "../../src/kernel/move.ts";
-import type { Pt, Ring } from "../../src/kernel/point.ts";
+import { at, type Pt, type Ring } from "../../src/kernel/point.ts";
 import type { TipOrientation } from "../../src/kernel/tool.ts";
-import { planOf, situations, type Situation } from "./situations.ts";
-import { at } from "./situation.ts";
+import { situations, type Situation } from "./situation.ts";
+import { planOf } from "./worked-plans.ts";
 
 /* A set-up turned round in Z, tool and all, is the same work seen from the other side. */
 const CASES = 4 * Number(process.env["LAW_CASES"] ?? 25);

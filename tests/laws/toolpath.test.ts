@@ -2,7 +2,8 @@ import fc from "fast-check";
 import { describe, expect, test } from "vitest";
 import { areaOf, difference, intersection, offset } from "../../src/kernel/clip.ts";
 import { SAME } from "../../src/kernel/tolerance.ts";
-import { planOf, simulated, situations, startsBadly, type Situation } from "./situations.ts";
+import { situations, type Situation } from "./situation.ts";
+import { planOf, simulated, startsBadly } from "./worked-plans.ts";
 
 /**
  * What a toolpath has to achieve: a cycle that does nothing keeps the laws of cut.test.ts, one that cuts everything away

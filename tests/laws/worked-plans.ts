@@ -1,25 +1,8 @@
-import type fc from "fast-check";
 import type { Cycle } from "../../src/cycles/define.ts";
-import { catalogue } from "../../src/cycles/index.ts";
 import type { Plan, Setting } from "../../src/kernel/plan.ts";
 import type { Step } from "../../src/kernel/step.ts";
 import { simulate } from "../../src/sim/simulate.ts";
-import { contour } from "./contours.ts";
-import { recess } from "./recesses.ts";
-import { shoulder } from "./shoulders.ts";
 import type { Situation } from "./situation.ts";
-
-export type { Situation } from "./situation.ts";
-
-/** Random situations by the group of a cycle: a new cycle of a known group is tested before anyone writes a test for it. */
-const byGroup: Record<Cycle["group"], fc.Arbitrary<Situation>> = { shoulder, recessTurning: recess, contour };
-
-/** The cycles of the catalogue, each with its random situations for one machining operation (Q215). */
-export const situations = (operation: number): { cycle: Cycle; arbitrary: fc.Arbitrary<Situation> }[] =>
-  catalogue.map((cycle) => ({ cycle, arbitrary: byGroup[cycle.group].map((s) => doing(s, operation)) }));
-
-/** A situation with another machining operation. */
-export const doing = (s: Situation, operation: number): Situation => ({ ...s, values: { ...s.values, Q215: operation } });
 
 /** Plans a situation. `first`: nothing has cut the blank yet, so what stands there is known. */
 export function planOf(cycle: Cycle, s: Situation, first = true): Plan {

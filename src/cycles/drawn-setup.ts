@@ -1,0 +1,164 @@
+import { contourFrom, type ContourElement } from "../kernel/contour.ts";
+import { at, part, type Pt, type Ring, type Segment } from "../kernel/point.ts";
+import type { TipOrientation } from "../kernel/tool.ts";
+import { radius, rounded, toDiameter } from "../kernel/units.ts";
+
+/** Numbers by chance, for set-ups that nobody thought of. Whoever asks for a set-up brings the dice: nothing here rolls any. */
+export interface Draw {
+  /** One of these, each as likely. */
+  one<T>(...of: readonly T[]): T;
+  /** A whole number. */
+  whole(min: number, max: number): number;
+}
+
+/** A set-up of a cycle as it was drawn: its values without Q215, and what fits them. mm; Q values as they are typed. */
+export interface DrawnSetup {
+  readonly values: Readonly<Record<string, number>>;
+  /** Of a free-contour cycle. */
+  readonly contour: readonly Segment[] | null;
+  /** A shipped tool, the tip turned towards the work, and what else is different. */
+  readonly tool: { readonly T: number; readonly TO: TipOrientation; readonly RS?: number; readonly CUTWIDTH?: number };
+  /** Where the tip stands at the call when nothing is wrong. */
+  readonly start: Pt;
+  readonly blank: Ring;
+}
+
+/** Draws a set-up; null when what was drawn makes no contour at all. */
+export type Setups = (draw: Draw) => DrawnSetup | null;
+
+/** A length on the grid of a control. */
+const mm = (draw: Draw, min: number, max: number) => draw.whole(Math.round(min * 1000), Math.round(max * 1000)) / 1000;
+/** An angle from 0. */
+const angle = (draw: Draw, max: number) => draw.whole(0, max * 10_000) / 10_000;
+/** Half a diameter on that grid. */
+const half = (draw: Draw, min: number, max: number) => radius(draw.whole(min * 2000, max * 2000) / 2000);
+/** Mostly the first, now and then the other. */
+const mostly = <T>(draw: Draw, usual: T, other: T) => draw.one(usual, usual, usual, usual, usual, other, other);
+
+/** A box, whichever of its corners comes first. */
+function box(z0: number, z1: number, r0: number, r1: number): Ring {
+  const [left, right, low, high] = [Math.min(z0, z1), Math.max(z0, z1), Math.min(r0, r1), Math.max(r0, r1)];
+  return [at(left, low), at(right, low), at(right, high), at(left, high)];
+}
+
+/** Values that every roughing cycle has. */
+const common = (draw: Draw) => ({
+  Q460: mm(draw, 0.5, 4),
+  Q478: 0.3,
+  Q483: draw.one(0, mm(draw, 0, 1.5)),
+  Q484: draw.one(0, mm(draw, 0, 0.7)),
+  Q505: 0.1,
+  Q463: mm(draw, 0.3, 5),
+});
+/** Start element, corner and end element of the cycles that have their own contour. */
+const elements = (draw: Draw) => ({
+  Q501: draw.one(0, 1, 2),
+  Q502: mm(draw, 0, 2),
+  Q500: draw.one(0, mm(draw, 0, 3)),
+  Q503: draw.one(0, 1, 2),
+  Q504: mm(draw, 0, 2),
+});
+
+/** Set-ups of the longitudinal shoulder cycles: outside and inside, towards −Z and +Z. */
+export const shoulderSetups: Setups = (draw) => {
+  const [out, along] = [draw.one<1 | -1>(1, -1), draw.one<1 | -1>(1, -1)];
+  const [r1, z1, T] = [half(draw, 20, 50), mm(draw, -5, 5), draw.one(1, 2, 4, 11)];
+  const z2 = rounded(z1 - along * mm(draw, 3, 70));
+  const side: TipOrientation = out > 0 ? (along > 0 ? 1 : 3) : along > 0 ? 7 : 5;
+  const over = draw.one(0, mm(draw, -2, 6));
+  return {
+    values: {
+      ...common(draw),
+      ...elements(draw),
+      Q495: draw.one(0, angle(draw, 20)),
+      Q496: draw.one(0, angle(draw, 30)),
+      Q506: draw.one(0, 1, 2),
+      Q491: toDiameter(r1),
+      Q492: z1,
+      Q493: rounded(toDiameter(r1) - out * mm(draw, 2, 30)),
+      Q494: z2,
+    },
+    contour: null,
+    tool: { T, TO: T === 11 ? (out > 0 ? 2 : 6) : side },
+    start: at(z1 + along * mm(draw, 0, 8), Math.max(0.5, r1 + out * over)),
+    blank: box(z1, z2 - along * 30, r1, out > 0 ? 0 : r1 + 60),
+  };
+};
+
+/** Set-ups of the axial recess-turning cycles: outer and inner wall first, from +Z and from −Z. */
+export const recessSetups: Setups = (draw) => {
+  const [out, along] = [draw.one<1 | -1>(1, -1), draw.one<1 | -1>(1, -1)];
+  const [r1, z1] = [half(draw, 20, 50), mm(draw, -20, 5)];
+  return {
+    values: {
+      ...common(draw),
+      ...elements(draw),
+      Q495: draw.one(0, angle(draw, 10)),
+      Q496: draw.one(0, angle(draw, 10)),
+      Q507: draw.one(0, 1),
+      Q508: draw.one(0, mm(draw, 0, 1)),
+      Q509: mostly(draw, 0, mm(draw, -0.3, 0.3)),
+      Q488: draw.one(0, 0.05),
+      Q491: toDiameter(r1),
+      Q492: z1,
+      Q493: rounded(toDiameter(radius(r1 - out * mm(draw, 3, 18)))),
+      Q494: rounded(z1 - along * mm(draw, 2, 28)),
+    },
+    contour: null,
+    tool: { T: 8, TO: along > 0 ? 8 : 4, CUTWIDTH: draw.one(2, 3, 4), RS: draw.one(0, 0.2, 0.4) },
+    start: at(z1 + along * mm(draw, 0, 6), Math.max(0.5, r1 + mm(draw, -5, 5))),
+    blank: box(z1, z1 - along * 60, 0, 110),
+  };
+};
+
+/** Two to six stretches towards the axis or away from it, with corners between them, now and then an arc or an end on the axis. */
+function drawnContour(draw: Draw, out: 1 | -1, first: Pt): ContourElement[] {
+  const made: ContourElement[] = [{ kind: "line", to: first }];
+  const count = draw.whole(2, 6);
+  let here = first;
+  for (let i = 1; i <= count; i += 1) {
+    const across = draw.one(mm(draw, 0.5, 6), mm(draw, 0.5, 6), 0);
+    const along = mm(draw, -6, 6);
+    const to = at(rounded(here.z + (across === 0 ? Math.abs(along) + 0.5 : along)), Math.max(0.5, rounded(here.r - out * across)));
+    const chord = part.apart(here, to);
+    const bulge = mostly(draw, 0, mm(draw, 0.6, 3));
+    if (bulge > 0 && chord > 0.5) made.push({ kind: "radius", to, radius: rounded(chord * bulge), turn: draw.one("cw", "ccw") });
+    else made.push({ kind: "line", to });
+    here = to;
+    const corner = draw.one("none", "round", "chamfer");
+    if (corner !== "none" && i < count) made.push({ kind: corner, size: mm(draw, 0.2, 1.5) });
+  }
+  const last = mostly(draw, null, draw.one(null, 0, -0.8, -0.4));
+  if (last !== null && out > 0) made.push({ kind: "line", to: at(here.z, last) });
+  return made;
+}
+
+/**
+ * Set-ups of the transverse free contours, in both directions, with limits on every side. A contour that crosses itself is refused
+ * before any cycle sees it.
+ */
+export const contourSetups: Setups = (draw) => {
+  const out = draw.one<1 | -1>(1, -1);
+  const r = mm(draw, 26, 45);
+  const first = at(mm(draw, -25, -5), out > 0 ? r : r - 10);
+  const built = contourFrom(drawnContour(draw, out, first));
+  if (built.issues.some((i) => i.severity === "error")) return null;
+  const top = Math.max(...built.segments.flatMap((s) => [s.from.z, s.to.z]), first.z);
+  const T = draw.one(15, 1, 2, 11);
+  return {
+    values: {
+      ...common(draw),
+      Q499: mostly(draw, 0, draw.one(1, 2)),
+      Q487: draw.one(0, 1),
+      Q488: draw.one(0, 0.1),
+      Q506: draw.one(0, 1, 2),
+      Q479: draw.one(0, 0, 1),
+      Q480: mm(draw, 0, 100),
+      Q482: mm(draw, -40, 10),
+    },
+    contour: built.segments,
+    tool: { T, TO: T === 11 ? 8 : out > 0 ? 1 : 7 },
+    start: at(top + mm(draw, 0, 3), Math.max(0.5, first.r + out * draw.one(0, mm(draw, 0, 3)))),
+    blank: box(top, -90, first.r, out > 0 ? 0 : first.r + 80),
+  };
+};
