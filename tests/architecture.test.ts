@@ -112,6 +112,13 @@ describe("what one file keeps to itself", () => {
     "toRadius(diameter(0))",
   ])("%s is no conversion", (line) => expect(converts(line, "cycles")).toBe(false));
 
+  test("view draws what is planned: it divides no infeed itself and reads nothing from the spelling of an id", () => {
+    const view = all.filter((s) => layerOf(s.path) === "view");
+    const dividing = /^src\/kernel\/strategy\/(?:infeed|levels|leveled|recess)/;
+    expect(view.filter((s) => s.imports.some((i) => dividing.test(i.target))).map((s) => s.path)).toEqual([]);
+    expect(view.filter((s) => /\.(?:startsWith|endsWith)\(|\.text [!=]==/.test(code(s.text))).map((s) => s.path)).toEqual([]);
+  });
+
   test("no cycle number outside the catalogue, the texts and the help picture", () => {
     const numbers = projectFolder("src/cycles").flatMap((name) => /^c(\d+)\.ts$/.exec(name)?.[1] ?? []);
     expect(numbers.length).toBeGreaterThan(2);

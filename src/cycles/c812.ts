@@ -1,4 +1,3 @@
-import type { Frame } from "../kernel/flat.ts";
 import { feedsOf } from "../kernel/strategy/feeds.ts";
 import { empty, planLeveled } from "../kernel/strategy/leveled.ts";
 import { perSide, toRadius } from "../kernel/units.ts";
@@ -18,25 +17,25 @@ export const c812 = defineCycle({
   evidence: "A",
   contour: "own",
   params: {
-    Q215: choice("operation", [0, 1, 2, 3], 0),
-    Q460: lengthParam("clearance", [0, 999.999], 2, { incremental: true, rangeEvidence: "I" }),
+    Q215: choice("operation", [0, 1, 2, 3], 0, { shown: "operation" }),
+    Q460: lengthParam("clearance", [0, 999.999], 2, { incremental: true, rangeEvidence: "I", shown: "clearance" }),
     Q491: diameterParam("startDiameter", [-99999.999, 99999.999], 75, { rangeEvidence: "K2" }),
     Q492: axialParam("startZ", [-99999.999, 99999.999], 0, { rangeEvidence: "K2" }),
-    Q493: diameterParam("endDiameter", [-99999.999, 99999.999], 50, { rangeEvidence: "K2" }),
-    Q494: axialParam("endZ", [-99999.999, 99999.999], -55, { rangeEvidence: "K2" }),
+    Q493: diameterParam("endDiameter", [-99999.999, 99999.999], 50, { rangeEvidence: "K2", place: "end" }),
+    Q494: axialParam("endZ", [-99999.999, 99999.999], -55, { rangeEvidence: "K2", place: "end" }),
     Q495: angle("surfaceAngle", [0, 89.9999], 5, { rangeEvidence: "K2" }),
-    Q501: choice("startElement", [0, 1, 2], 1),
-    Q502: lengthParam("startElementSize", [0, 999.999], 0.5, { rangeEvidence: "K2" }),
-    Q500: lengthParam("cornerRadius", [0, 999.999], 1.5, { rangeEvidence: "K2", optional: true }),
+    Q501: choice("startElement", [0, 1, 2], 1, { shown: "element" }),
+    Q502: lengthParam("startElementSize", [0, 999.999], 0.5, { rangeEvidence: "K2", sizes: "Q501" }),
+    Q500: lengthParam("cornerRadius", [0, 999.999], 1.5, { rangeEvidence: "K2", optional: true, rounds: true }),
     Q496: angle("faceAngle", [0, 89.9999], 0, { rangeEvidence: "K2" }),
-    Q503: choice("endElement", [0, 1, 2], 1),
-    Q504: lengthParam("endElementSize", [0, 999.999], 0.5, { rangeEvidence: "K2" }),
-    Q463: radial("infeedRadial", [0.001, 999.999], 3),
-    Q478: feedParam("roughingFeed", [0, 99999.999], 0.3, { rangeEvidence: "I" }),
-    Q483: oversizeDiameter("oversizeDiameter", [0, 99.999], 0.4, { incremental: true }),
-    Q484: lengthParam("oversizeZ", [0, 99.999], 0.2, { incremental: true, rangeEvidence: "I" }),
-    Q505: feedParam("finishingFeed", [0, 99999.999], 0.2, { rangeEvidence: "I" }),
-    Q506: choice("smoothing", [0, 1, 2], 0),
+    Q503: choice("endElement", [0, 1, 2], 1, { shown: "element", place: "end" }),
+    Q504: lengthParam("endElementSize", [0, 999.999], 0.5, { rangeEvidence: "K2", place: "end", sizes: "Q503" }),
+    Q463: radial("infeedRadial", [0.001, 999.999], 3, { shown: "infeed" }),
+    Q478: feedParam("roughingFeed", [0, 99999.999], 0.3, { rangeEvidence: "I", shown: "roughingFeed" }),
+    Q483: oversizeDiameter("oversizeDiameter", [0, 99.999], 0.4, { incremental: true, shown: "oversizeDiameter" }),
+    Q484: lengthParam("oversizeZ", [0, 99.999], 0.2, { incremental: true, rangeEvidence: "I", shown: "oversizeZ" }),
+    Q505: feedParam("finishingFeed", [0, 99999.999], 0.2, { rangeEvidence: "I", shown: "finishingFeed" }),
+    Q506: choice("smoothing", [0, 1, 2], 0, { shown: "smoothing" }),
   },
   setup: {
     name: "SHOULDER",
@@ -50,7 +49,7 @@ export const c812 = defineCycle({
   plan(v, setting) {
     const outline = shoulderOutline(v);
     if (outline.contour.length === 0 || outline.issues.length > 0) return empty(outline.issues);
-    const frame: Frame = { transverse: false, signU: v.Q494 < v.Q492 ? -1 : 1, signV: v.Q491 > v.Q493 ? 1 : -1 };
+    const { frame } = outline;
     const plan = planLeveled({
       frame,
       contour: outline.contour,

@@ -5,7 +5,7 @@ import { empty, planLeveled } from "../kernel/strategy/leveled.ts";
 import { perSide, toRadius } from "../kernel/units.ts";
 import { defineCycle, printedContour } from "./define.ts";
 import { axialDepth, axialParam, choice, diameterParam, feedParam, lengthParam, oversizeDiameter } from "./params.ts";
-import { freeFrame, freeOutline } from "./free-outline.ts";
+import { frameAt, freeOutline } from "./free-outline.ts";
 import { atParameters } from "./roles.ts";
 import { angleIssues, withIssues } from "./tool-issues.ts";
 import { contourSetups, type Setups } from "./drawn-setup.ts";
@@ -18,20 +18,20 @@ export const c820 = defineCycle({
   evidence: "A",
   contour: "free",
   params: {
-    Q215: choice("operation", [0, 1, 2, 3], 0),
-    Q460: lengthParam("clearance", [0, 999.999], 2, { incremental: true }),
-    Q499: choice("reverseContour", [0, 1, 2], 0),
-    Q463: axialDepth("infeedAxial", [0, 99.999], 3),
-    Q478: feedParam("roughingFeed", [0, 99999.999], 0.3),
-    Q483: oversizeDiameter("oversizeDiameter", [0, 99.999], 0.4, { incremental: true }),
-    Q484: lengthParam("oversizeZ", [0, 99.999], 0.2, { incremental: true }),
-    Q505: feedParam("finishingFeed", [0, 99999.999], 0.2),
-    Q487: choice("plunging", [0, 1], 1),
-    Q488: feedParam("plungingFeed", [0, 99999.999], 0, { optional: true }),
-    Q479: choice("limits", [0, 1], 0),
-    Q480: diameterParam("limitDiameter", [-99999.999, 99999.999], 0),
-    Q482: axialParam("limitZ", [-99999.999, 99999.999], 0),
-    Q506: choice("smoothing", [0, 1, 2], 0),
+    Q215: choice("operation", [0, 1, 2, 3], 0, { shown: "operation" }),
+    Q460: lengthParam("clearance", [0, 999.999], 2, { incremental: true, shown: "clearance" }),
+    Q499: choice("reverseContour", [0, 1, 2], 0, { shown: "reverse" }),
+    Q463: axialDepth("infeedAxial", [0, 99.999], 3, { shown: "infeed" }),
+    Q478: feedParam("roughingFeed", [0, 99999.999], 0.3, { shown: "roughingFeed" }),
+    Q483: oversizeDiameter("oversizeDiameter", [0, 99.999], 0.4, { incremental: true, shown: "oversizeDiameter" }),
+    Q484: lengthParam("oversizeZ", [0, 99.999], 0.2, { incremental: true, shown: "oversizeZ" }),
+    Q505: feedParam("finishingFeed", [0, 99999.999], 0.2, { shown: "finishingFeed" }),
+    Q487: choice("plunging", [0, 1], 1, { shown: "plunging" }),
+    Q488: feedParam("plungingFeed", [0, 99999.999], 0, { optional: true, shown: "plungingFeed" }),
+    Q479: choice("limits", [0, 1], 0, { shown: "limits" }),
+    Q480: diameterParam("limitDiameter", [-99999.999, 99999.999], 0, { shown: "limitDiameter" }),
+    Q482: axialParam("limitZ", [-99999.999, 99999.999], 0, { shown: "limitZ" }),
+    Q506: choice("smoothing", [0, 1, 2], 0, { shown: "smoothing" }),
   },
   setup: {
     name: "CONTOUR",
@@ -45,7 +45,7 @@ export const c820 = defineCycle({
   plan(v, setting, given) {
     const outline = freeOutline(v, given, true);
     if (outline.contour.length === 0 || outline.issues.length > 0) return empty(outline.issues);
-    const frame = freeFrame(outline.contour, setting, true);
+    const frame = frameAt(outline.contour, true, setting);
     const tool = v.Q499 === 2 ? mirroredTool(setting.tool, "r") : setting.tool;
     const plan = planLeveled({
       frame,

@@ -24,28 +24,33 @@ export const c852 = defineCycle({
   evidence: "A",
   contour: "own",
   params: {
-    Q215: choice("operation", [0, 1, 2, 3], 0),
-    Q460: lengthParam("clearanceReserved", [0, 999.999], 2, { incremental: true, rangeEvidence: "I", reserved: true }),
+    Q215: choice("operation", [0, 1, 2, 3], 0, { shown: "operation" }),
+    Q460: lengthParam("clearanceReserved", [0, 999.999], 2, { incremental: true, rangeEvidence: "I", reserved: true, shown: "clearance" }),
     Q491: diameterParam("startDiameter", [-99999.999, 99999.999], 75, { rangeEvidence: "K2" }),
     Q492: axialParam("startZ", [-99999.999, 99999.999], -20, { rangeEvidence: "K2" }),
-    Q493: diameterParam("endDiameter", [-99999.999, 99999.999], 50, { rangeEvidence: "K2" }),
-    Q494: axialParam("endZ", [-99999.999, 99999.999], -50, { rangeEvidence: "K2" }),
+    Q493: diameterParam("endDiameter", [-99999.999, 99999.999], 50, { rangeEvidence: "K2", place: "end" }),
+    Q494: axialParam("endZ", [-99999.999, 99999.999], -50, { rangeEvidence: "K2", place: "end" }),
     Q495: angle("flankAngle", [0, 89.9999], 5, { rangeEvidence: "K2" }),
-    Q501: choice("startElement", [0, 1, 2], 1),
-    Q502: lengthParam("startElementSize", [0, 999.999], 0.5, { rangeEvidence: "K2" }),
-    Q500: lengthParam("cornerRadius", [0, 999.999], 1.5, { rangeEvidence: "K2", optional: true }),
-    Q496: angle("secondFlankAngle", [0, 89.9999], 5, { rangeEvidence: "K2" }),
-    Q503: choice("endElement", [0, 1, 2], 1),
-    Q504: lengthParam("endElementSize", [0, 999.999], 0.5, { rangeEvidence: "K2" }),
-    Q478: feedParam("roughingFeed", [0, 99999.999], 0.3, { rangeEvidence: "I" }),
-    Q483: oversizeDiameter("oversizeDiameter", [0, 99.999], 0.4, { incremental: true }),
-    Q484: lengthParam("oversizeZ", [0, 99.999], 0.2, { incremental: true, rangeEvidence: "I" }),
-    Q505: feedParam("finishingFeed", [0, 99999.999], 0.2, { rangeEvidence: "I" }),
-    Q463: axialDepth("infeedGroove", [0.001, 999.999], 2),
-    Q507: choice("direction", [0, 1], 0),
-    Q508: lengthParam("offsetWidth", [0, 99.999], 0, { rangeEvidence: "K2" }),
-    Q509: axialParam("depthCompensation", [-9.9999, 9.9999], 0, { rangeEvidence: "K2", incremental: true, decimals: 4 }),
-    Q488: feedParam("plungingFeed", [0, 99999.999], 0, { optional: true, rangeEvidence: "I" }),
+    Q501: choice("startElement", [0, 1, 2], 1, { shown: "element" }),
+    Q502: lengthParam("startElementSize", [0, 999.999], 0.5, { rangeEvidence: "K2", sizes: "Q501" }),
+    Q500: lengthParam("cornerRadius", [0, 999.999], 1.5, { rangeEvidence: "K2", optional: true, rounds: true }),
+    Q496: angle("secondFlankAngle", [0, 89.9999], 5, { rangeEvidence: "K2", place: "end" }),
+    Q503: choice("endElement", [0, 1, 2], 1, { shown: "element", place: "end" }),
+    Q504: lengthParam("endElementSize", [0, 999.999], 0.5, { rangeEvidence: "K2", place: "end", sizes: "Q503" }),
+    Q478: feedParam("roughingFeed", [0, 99999.999], 0.3, { rangeEvidence: "I", shown: "roughingFeed" }),
+    Q483: oversizeDiameter("oversizeDiameter", [0, 99.999], 0.4, { incremental: true, shown: "oversizeDiameter" }),
+    Q484: lengthParam("oversizeZ", [0, 99.999], 0.2, { incremental: true, rangeEvidence: "I", shown: "oversizeZ" }),
+    Q505: feedParam("finishingFeed", [0, 99999.999], 0.2, { rangeEvidence: "I", shown: "finishingFeed" }),
+    Q463: axialDepth("infeedGroove", [0.001, 999.999], 2, { shown: "infeed" }),
+    Q507: choice("direction", [0, 1], 0, { shown: "direction" }),
+    Q508: lengthParam("offsetWidth", [0, 99.999], 0, { rangeEvidence: "K2", shown: "offsetWidth" }),
+    Q509: axialParam("depthCompensation", [-9.9999, 9.9999], 0, {
+      rangeEvidence: "K2",
+      incremental: true,
+      decimals: 4,
+      shown: "depthCompensation",
+    }),
+    Q488: feedParam("plungingFeed", [0, 99999.999], 0, { optional: true, rangeEvidence: "I", shown: "plungingFeed" }),
   },
   // The groove is printed 20 mm behind Z0, and its tool is 35 mm long: the face of this blank stands where the groove starts.
   setup: {
@@ -56,11 +61,11 @@ export const c852 = defineCycle({
     contour: printedContour,
   },
   steps: { rough: 8, finish: 7 },
-  outline: (v) => recessOutline(finished(v), true),
+  outline: (v) => recessOutline(finished(v), frameOf(v)),
   plan(v, setting) {
-    const outline = recessOutline(finished(v), true);
+    const outline = recessOutline(finished(v), frameOf(v));
     if (outline.contour.length === 0 || outline.issues.length > 0) return empty(outline.issues);
-    const frame = frameOf(v);
+    const { frame } = outline;
     const { tool } = setting;
     const plan = planRecess({
       frame,

@@ -1,3 +1,4 @@
+import type { Frame } from "../kernel/flat.ts";
 import type { Issue } from "../kernel/issue.ts";
 import type { Plan, Setting } from "../kernel/plan.ts";
 import type { Pt, Segment } from "../kernel/point.ts";
@@ -14,6 +15,10 @@ export type Dimension = { readonly q: string; readonly form: "diameter"; readonl
 /** The finished contour that values describe, and the dimension of every parameter that has a place on it. */
 export interface Outline {
   readonly contour: readonly Segment[];
+  /** How strategy space lies over it, as far as neither tool nor start point decide. */
+  readonly frame: Frame;
+  /** The tool goes in from the open side, and the part stands beyond both ends of the contour: a groove. */
+  readonly sunk: boolean;
   readonly dimensions: readonly Dimension[];
   readonly issues: readonly Issue[];
 }

@@ -6,6 +6,11 @@ export type Evidence = "A" | "B" | "L" | "I" | "K1" | "K2" | "K3";
 /** What a value measures. It belongs to cycle and Q together: Q463 is radial in one cycle and axial in another. */
 export type Kind = "choice" | "diameter" | "oversizeDiameter" | "radial" | "axial" | "axialDepth" | "length" | "angle" | "feed";
 
+/** How the help picture explains a value: by a dimension of the outline, or by what the cycle does with it. */
+export type Topic = "outline" | "element" | "clearance" | "infeed" | "oversizeDiameter" | "oversizeZ" | "roughingFeed" | "finishingFeed"
+  | "plungingFeed" | "operation" | "reverse" | "smoothing" | "plunging" | "limits" | "limitDiameter" | "limitZ" | "direction"
+  | "offsetWidth" | "depthCompensation";
+
 /** The value a kind yields. A feed is a number or "auto" (FAUTO). */
 interface ValueOf {
   choice: number;
@@ -37,6 +42,14 @@ export interface Param<K extends Kind = Kind, T extends string = string> {
   readonly decimals: number;
   /** The value says nothing in this cycle (printed as reserved). */
   readonly reserved: boolean;
+  /** How the help picture explains it. */
+  readonly shown: Topic;
+  /** The end of the contour that it belongs to, in machining direction. */
+  readonly place: "start" | "end";
+  /** The Q that says what this is the size of: a chamfer or a radius. */
+  readonly sizes?: string;
+  /** It is the radius of a rounded corner; 0 leaves the corner sharp. */
+  readonly rounds: boolean;
 }
 
 export type Params = Readonly<Record<string, Param>>;
@@ -49,6 +62,10 @@ interface Options {
   incremental?: boolean;
   reserved?: boolean;
   decimals?: number;
+  shown?: Topic;
+  place?: "start" | "end";
+  sizes?: string;
+  rounds?: boolean;
 }
 
 function param<K extends Kind, T extends string>(
@@ -71,6 +88,10 @@ function param<K extends Kind, T extends string>(
     evidence: o.evidence ?? "A",
     decimals: o.decimals ?? (kind === "angle" ? 4 : 3),
     reserved: o.reserved ?? false,
+    shown: o.shown ?? "outline",
+    place: o.place ?? "start",
+    ...(o.sizes === undefined ? {} : { sizes: o.sizes }),
+    rounds: o.rounds ?? false,
   };
 }
 

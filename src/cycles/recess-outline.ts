@@ -1,3 +1,4 @@
+import type { Frame } from "../kernel/flat.ts";
 import { issue, type Issue } from "../kernel/issue.ts";
 import type { Pt } from "../kernel/point.ts";
 import { axial, inDegrees, radians, radius, roundedDown, toRadius } from "../kernel/units.ts";
@@ -16,14 +17,15 @@ export interface RecessOutline extends Outline, NamedContour {
 
 /**
  * Contour of an extended recess inside its box (decision "The box rule"): both walls hinge on the edges of the opening
- * and lean inwards. `axialGroove`: the opening lies in the plane Q492 and the floor at Q494 (85x); else the opening lies
+ * and lean inwards. Cut across the axis, the opening lies in the plane Q492 and the floor at Q494 (85x); else the opening lies
  * on the diameter Q491 and the floor on Q493 (84x).
  */
-export function recessOutline(v: ShoulderValues, axialGroove: boolean): RecessOutline {
+export function recessOutline(v: ShoulderValues, frame: Frame): RecessOutline {
+  const axialGroove = frame.transverse;
   const issues: Issue[] = equalEnds(v);
-  const none = { contour: [], names: [], dimensions: [], opening: 0, floor: 0 };
-  if (issues.length > 0) return { ...none, issues };
   const [r1, r2, z1, z2] = [toRadius(v.Q491), toRadius(v.Q493), v.Q492, v.Q494];
+  const none = { contour: [], frame, sunk: true, names: [], dimensions: [], opening: 0, floor: 0 };
+  if (issues.length > 0) return { ...none, issues };
   const [W, D] = axialGroove ? [Math.abs(r2 - r1), Math.abs(z2 - z1)] : [Math.abs(z2 - z1), Math.abs(r2 - r1)];
   const at = axialGroove
     ? (w: number, d: number): Pt => pt(z1 + Math.sign(z2 - z1) * d, r1 + Math.sign(r2 - r1) * w)
@@ -64,7 +66,8 @@ export function recessOutline(v: ShoulderValues, axialGroove: boolean): RecessOu
     footD: at(W, D),
     out: (p: Pt) => beyond(p, at(W / 2, -D)),
   };
-  return { ...built, dimensions: dimensionsOf(v, shape, axialGroove), issues: [...issues, ...built.issues], opening: W, floor: w2 - w1 };
+  const dimensions = dimensionsOf(v, shape, axialGroove);
+  return { ...none, ...built, dimensions, issues: [...issues, ...built.issues], opening: W, floor: w2 - w1 };
 }
 
 /** A point a little from `p` towards `q`: where a leader points from. */

@@ -1,3 +1,4 @@
+import type { Frame } from "../kernel/flat.ts";
 import { issue, type Issue } from "../kernel/issue.ts";
 import type { Pt } from "../kernel/point.ts";
 import { axial, type Axial, type Degrees, type Diameter, inDegrees, type Length, radians, radius, rounded, STEP,
@@ -32,7 +33,8 @@ const pt = (z: number, r: number): Pt => ({ z: axial(z), r: radius(r) });
 export function shoulderOutline(v: ShoulderValues): Outline & NamedContour {
   const issues: Issue[] = equalEnds(v);
   const [r1, r2, z1, z2] = [toRadius(v.Q491), toRadius(v.Q493), v.Q492, v.Q494];
-  const none = { contour: [], names: [], dimensions: [] };
+  const frame: Frame = { transverse: false, signU: z2 < z1 ? -1 : 1, signV: r1 > r2 ? 1 : -1 };
+  const none = { contour: [], frame, sunk: false, names: [], dimensions: [] };
   if (issues.length > 0) return { ...none, issues };
   const along = Math.sign(z2 - z1);
   const out = Math.sign(r1 - r2);
@@ -55,7 +57,7 @@ export function shoulderOutline(v: ShoulderValues): Outline & NamedContour {
     { element: roundOf(v.Q500), q: "Q500" },
     { element: cornerElementOf(v.Q503, v.Q504), q: "Q504" },
   ]);
-  return { ...built, dimensions: dimensionsOf(v, { start: at(0, 0), corner, end: at(A, H), along, out }), issues: built.issues };
+  return { ...none, ...built, dimensions: dimensionsOf(v, { start: at(0, 0), corner, end: at(A, H), along, out }) };
 }
 
 /** A contour whose start and end agree in a coordinate has no area. */

@@ -19,7 +19,7 @@ export function bridged(contour: readonly FlatSegment[]): Bound[] {
     if (open && to.u - top.u > ROUND) out.push({ segment: { kind: "line", from: top, to: { u: to.u, v: top.v } }, on: "bridge" });
     open = false;
   };
-  for (const s of contour.flatMap(rising)) {
+  for (const s of contour.flatMap(oneWay)) {
     if (s.to.v < s.from.v - ROUND || s.to.v <= top.v - ROUND) {
       open = true;
       continue;
@@ -35,8 +35,21 @@ export function bridged(contour: readonly FlatSegment[]): Bound[] {
   return out.length > 0 ? out : [{ segment: { kind: "line", from: top, to: { u: last.to.u, v: top.v } }, on: "bridge" }];
 }
 
+/** The elements of a contour that fall, as they follow each other: into these a tool plunges. */
+export function fallingRuns(contour: readonly FlatSegment[]): FlatSegment[][] {
+  const runs: FlatSegment[][] = [];
+  let open = false;
+  for (const s of contour.flatMap(oneWay)) {
+    const falls = s.to.v < s.from.v - ROUND && s.to.u > s.from.u - ROUND;
+    if (falls && open) runs.at(-1)?.push(s);
+    else if (falls) runs.push([s]);
+    open = falls;
+  }
+  return runs;
+}
+
 /** Arcs split where they turn from rising to falling, so that each part only rises or only falls. */
-function rising(s: FlatSegment): FlatSegment[] {
+function oneWay(s: FlatSegment): FlatSegment[] {
   if (s.kind === "line") return [s];
   const { start, sweep, startRadius } = polarOf(s);
   const way = signOf(s.turn);

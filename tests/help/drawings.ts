@@ -1,5 +1,6 @@
 import { catalogue } from "../../src/cycles/index.ts";
 import type { Cycle, Given } from "../../src/cycles/define.ts";
+import { pointPlan } from "../../src/cycles/point-plan.ts";
 import { contourFrom } from "../../src/kernel/contour.ts";
 import { axial, diameter, toRadius } from "../../src/kernel/units.ts";
 import type { Size } from "../../src/view/camera.ts";
@@ -29,9 +30,11 @@ export const exampleOf = (cycle: Cycle): Numbers => Object.fromEntries(Object.en
 
 /** Draws a cycle with values; null when they make no contour. */
 export function drawn(cycle: Cycle, values: Numbers, active: string | null, size: Size, given: Given = printedContour): HelpDrawing | null {
-  const outline = cycle.outline(values as Parameters<Cycle["outline"]>[0], given);
+  const read = values as Parameters<Cycle["outline"]>[0];
+  const outline = cycle.outline(read, given);
   if (outline.contour.length === 0 || outline.issues.some((found) => found.severity === "error")) return null;
-  return helpDrawing({ group: cycle.group, params: cycle.params, values, outline, active, size, speech });
+  const plan = pointPlan(cycle, read, outline, given);
+  return helpDrawing({ params: cycle.params, values, outline, plan, active, size, speech });
 }
 
 /** All marks, those inside a lens too. */

@@ -1,4 +1,10 @@
 import { describe, expect, test } from "vitest";
+import { c852 } from "../../src/cycles/c852.ts";
+import { defineCycle, type Cycle } from "../../src/cycles/define.ts";
+import { choice, diameterParam, lengthParam, radial } from "../../src/cycles/params.ts";
+import { recessOutline } from "../../src/cycles/recess-outline.ts";
+import { empty } from "../../src/kernel/strategy/leveled.ts";
+import { axial, degrees, diameter, length } from "../../src/kernel/units.ts";
 import { labelsOverlap } from "../../src/view/help/labels.ts";
 import { helpSvg } from "../../src/view/help/svg.ts";
 import { cycles, drawn, exampleOf, flat } from "./drawings.ts";
@@ -23,6 +29,37 @@ describe.each(cycles.map((c) => [c.number, c] as const))("help picture of cycle 
     const texts = (drawing?.marks ?? []).flatMap((m) => (m.kind === "text" && m.active && m.role === "value" ? [m.text] : []));
     expect(texts.join()).toContain(String(Math.abs(cycle.params[q]?.example ?? NaN)));
   });
+});
+
+/** A groove along the axis that no file of the catalogue has, with texts that nobody knows and a plan that is not written yet. */
+const madeUp = defineCycle({
+  number: 1,
+  group: "recessTurning",
+  manual: { section: "", document: "" },
+  evidence: "I",
+  contour: "own",
+  params: {
+    Q1: choice("how", [0, 1], 0, { shown: "operation" }),
+    Q2: diameterParam("wide", [0, 999], 80),
+    Q3: choice("last corner", [0, 1, 2], 2, { shown: "element", place: "end" }),
+    Q4: lengthParam("its size", [0, 99], 2, { sizes: "Q3", place: "end" }),
+    Q5: radial("deep", [0, 99], 3, { shown: "infeed" }),
+    Q6: lengthParam("kept", [0, 99], 0.2, { shown: "oversizeZ" }),
+  },
+  setup: c852.setup,
+  steps: { rough: 0, finish: 0 },
+  outline: (v) => {
+    const box = { Q491: v.Q2, Q492: axial(-10), Q493: diameter(60), Q494: axial(-30), Q495: degrees(5), Q496: degrees(0) };
+    const corners = { Q501: 0, Q502: length(0), Q500: length(1), Q503: v.Q3, Q504: v.Q4 };
+    return recessOutline({ ...box, ...corners }, { transverse: false, signU: -1, signV: 1 });
+  },
+  plan: () => empty([]),
+});
+
+test.each(Object.keys(madeUp.params))("a cycle that the picture has never seen shows %s", (q) => {
+  const drawing = drawn(madeUp as unknown as Cycle, exampleOf(madeUp as unknown as Cycle), q, size);
+  expect(flat(drawing?.marks ?? []).filter((m) => m.active && m.q === q)).not.toEqual([]);
+  expect(drawing && helpSvg(drawing)).not.toMatch(/NaN|Infinity|undefined/);
 });
 
 test("a drawing holds no colours, only roles", () => {

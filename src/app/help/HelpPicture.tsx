@@ -1,5 +1,7 @@
 import { useId, useMemo, useRef, useState } from "react";
 import type { Cycle, Given, Outline } from "../../cycles/define.ts";
+import { pointPlan } from "../../cycles/point-plan.ts";
+import type { Plan } from "../../kernel/plan.ts";
 import { texts } from "../settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { formatNumber } from "../../i18n/number.ts";
@@ -25,21 +27,27 @@ interface Drawn {
   readonly cycle: Cycle;
   readonly values: Numbers;
   readonly outline: Outline;
+  readonly plan: Plan;
 }
 
 /** Height of the line that says what a dimmed drawing shows, pixels. */
 const NOTE = 22;
 
 const exampleOf = (cycle: Cycle): Numbers => Object.fromEntries(Object.entries(cycle.params).map(([q, p]) => [q, p.example]));
-const outlineOf = (cycle: Cycle, values: Numbers, given: Given) => cycle.outline(values as Parameters<Cycle["outline"]>[0], given);
 /** A contour that can be drawn: it has elements, and nothing in it is impossible. */
 const possible = (outline: Outline) => outline.contour.length > 0 && !outline.issues.some((found) => found.severity === "error");
 
-/** What these values draw; null while they draw nothing. */
-function drawnBy(cycle: Cycle, values: Numbers | null, given: Given): Drawn | null {
-  if (!values) return null;
-  const outline = outlineOf(cycle, values, given);
-  return possible(outline) ? { cycle, values, outline } : null;
+/** What these values draw. */
+function drawnBy(cycle: Cycle, values: Numbers, given: Given): Drawn {
+  const read = values as Parameters<Cycle["outline"]>[0];
+  const outline = cycle.outline(read, given);
+  return { cycle, values, outline, plan: pointPlan(cycle, read, outline, given) };
+}
+
+/** The same; null while they draw nothing. */
+function possiblyDrawnBy(cycle: Cycle, values: Numbers | null, given: Given): Drawn | null {
+  const drawn = values && drawnBy(cycle, values, given);
+  return drawn && possible(drawn.outline) ? drawn : null;
 }
 
 /**
@@ -50,25 +58,21 @@ export function HelpPicture({ cycle, values, partial, given, activeQ, language }
   const box = useRef<HTMLDivElement>(null);
   const id = useId();
   const size = useSize(box, { width: 400, height: 280 });
-  const now = useMemo(() => drawnBy(cycle, values, given), [cycle, values, given]);
+  const now = useMemo(() => possiblyDrawnBy(cycle, values, given), [cycle, values, given]);
   const [last, setLast] = useState<Drawn | null>(now);
   if (now && now !== last) setLast(now);
   const kept = now ?? (last?.cycle === cycle ? last : null);
-  const shown = useMemo(() => kept ?? { cycle, values: exampleOf(cycle), outline: outlineOf(cycle, exampleOf(cycle), given) }, [
-    kept,
-    cycle,
-    given,
-  ]);
+  const shown = useMemo(() => kept ?? drawnBy(cycle, exampleOf(cycle), given), [kept, cycle, given]);
   const t = texts(language);
   const { width } = size;
   // The printed example leaves room for its note; the last drawing stays as it is, so that nothing jumps while one types.
   const height = kept ? size.height : Math.max(1, size.height - NOTE);
   const drawing = useMemo(() =>
     helpDrawing({
-      group: cycle.group,
       params: cycle.params,
       values: shown.values,
       outline: shown.outline,
+      plan: shown.plan,
       active: activeQ,
       size: { width, height },
       speech: {

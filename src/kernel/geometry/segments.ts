@@ -40,6 +40,8 @@ export const overlap = (a: Box, b: Box) => a.left <= b.right && b.left <= a.righ
 export const FULL_TURN = 2 * Math.PI;
 /** An angle brought into [0, 2π). */
 export const positive = (angle: number) => ((angle % FULL_TURN) + FULL_TURN) % FULL_TURN;
+/** An angle brought into [−π, π): the shorter way round. */
+export const shortest = (angle: number) => positive(angle + Math.PI) - Math.PI;
 export const opposite = (turn: Turn): Turn => (turn === "ccw" ? "cw" : "ccw");
 /** 1 counter-clockwise, −1 clockwise. */
 export const signOf = (turn: Turn) => (turn === "ccw" ? 1 : -1);

@@ -47,10 +47,10 @@ function cameraFor(points: readonly Pt[], size: Size): Camera {
 }
 
 /** A place for a number beside its point that covers no other number and no line. */
-function labelPlace(at: Place, text: string, taken: readonly LabelBox[], line: readonly Place[], size: Size): Place | null {
+function labelPlace(at: Place, text: string, wide: boolean, taken: readonly LabelBox[], line: readonly Place[], size: Size): Place | null {
   let best: Place | null = null;
   let least = Infinity;
-  for (const reach of text.endsWith("!") ? [20, 27] : [13, 19, 26])
+  for (const reach of wide ? [20, 27] : [13, 19, 26])
     for (let k = 0; k < 8; k += 1) {
       const p = {
         x: at.x + reach * Math.cos((k * Math.PI) / 4 - Math.PI / 4),
@@ -107,7 +107,7 @@ export function contourDrawing({ contour, rowOfSegment, ends, faulty, active, si
   const points = marks.map(({ row, at }) => {
     const place = toScreen(camera, at);
     const text = faulty.has(row) ? `${row + 1}!` : String(row + 1);
-    const label = labelPlace(place, text, taken, line, size);
+    const label = labelPlace(place, text, faulty.has(row), taken, line, size);
     if (label) taken.push(textBox(label, text, 0, 12));
     return { row, place, label, faulty: faulty.has(row) };
   });

@@ -2,6 +2,7 @@ import { part, type Pt, type Segment } from "../../kernel/point.ts";
 import { toScreen, type Camera, type Place } from "../camera.ts";
 import { textBox, type LabelBox, type Placed } from "./labels.ts";
 import { elementAt } from "./process.ts";
+import { openSide } from "./frame.ts";
 import type { Context } from "./context.ts";
 import type { Lettering } from "./dimensions.ts";
 import { arrowHead, circle, dense, polygon, polyline, segmentPath, type Mark } from "./marks.ts";
@@ -42,7 +43,7 @@ function measure(c: Context, l: Lettering, element: Segment, camera: Camera): Ma
   const [from, to] = [toScreen(camera, element.from), toScreen(camera, element.to)];
   if (element.kind === "line") {
     const [dz, dr] = [element.to.z - element.from.z, element.to.r - element.from.r];
-    const corner = dz * dr * c.side > 0 ? { x: from.x, y: to.y } : { x: to.x, y: from.y };
+    const corner = dz * dr * openSide(c.frame) > 0 ? { x: from.x, y: to.y } : { x: to.x, y: from.y };
     return [stroke(l, "break", polyline([from, corner, to]))];
   }
   const middle = toScreen(camera, part.pointOn(element, 0.5));

@@ -1,4 +1,5 @@
 import type { Dimension } from "../../cycles/define.ts";
+import { shortest } from "../../kernel/geometry/segments.ts";
 import type { Place } from "../camera.ts";
 import { lineBox, SIZE, textBox, textWidth, type LabelBox, type Candidate, type Item } from "./labels.ts";
 import { FIRST, spot, TRACK, type Layout } from "./layout.ts";
@@ -135,9 +136,7 @@ function parallel(l: Lettering, a: Place, b: Place): Candidate[] {
 function angle(l: Lettering, vertex: Place, from: Place, to: Place): Candidate[] {
   const bearing = (p: Place) => Math.atan2(vertex.y - p.y, p.x - vertex.x);
   const start = bearing(from);
-  let sweep = bearing(to) - start;
-  if (sweep > Math.PI) sweep -= 2 * Math.PI;
-  if (sweep < -Math.PI) sweep += 2 * Math.PI;
+  const sweep = shortest(bearing(to) - start);
   const on = (a: number, r: number): Place => ({ x: vertex.x + r * Math.cos(a), y: vertex.y - r * Math.sin(a) });
   return [46, 62, 34, 80, 100, 26].flatMap((r, i) => {
     const narrow = Math.abs(sweep) * r < 24;

@@ -3,7 +3,7 @@ import type { Pt } from "../../kernel/point.ts";
 import { axial, radius } from "../../kernel/units.ts";
 import { boundsOf } from "../bounds.ts";
 import { toScreen, type Bounds, type Camera, type Place, type Size } from "../camera.ts";
-import type { HelpFrame } from "./frame.ts";
+import { pointAt, type HelpFrame } from "./frame.ts";
 import type { LabelBox } from "./labels.ts";
 import { endWays, type DrawnExtent } from "./section.ts";
 
@@ -58,11 +58,10 @@ function reachOf(
   nearer: boolean,
 ): DrawnExtent & { axis: number; broken: boolean } {
   const ends = endWays(f, line);
-  const feed = f.infeed === "r" ? { z: f.feed, r: 0 } : { z: 0, r: f.feed };
   const ways = [
-    f.infeed === "r" ? { z: 0, r: -f.open } : { z: -f.open, r: 0 },
-    ...(ends.last === "feed" ? [feed] : []),
-    ...(ends.first === "back" ? [{ z: -feed.z, r: -feed.r }] : []),
+    pointAt(f, 0, -1),
+    ...(ends.last === "feed" ? [pointAt(f, 1, 0)] : []),
+    ...(ends.first === "back" ? [pointAt(f, -1, 0)] : []),
   ];
   const more = (z: number, r: number) => (ways.some((w) => Math.abs(w.z - z) + Math.abs(w.r - r) < 0.5) ? BEHIND * span : 0.02 * span);
   const axis = nearer ? core.low - NEARER.axis * span : 0;

@@ -1,5 +1,5 @@
 import type { Param, Params } from "../../cycles/params.ts";
-import { partnerOf, topicOf } from "./topics.ts";
+import { partnerOf } from "./topics.ts";
 
 /** Values of a cycle by Q number, as its schemas give them. */
 export type Numbers = Readonly<Record<string, number | "auto">>;
@@ -48,13 +48,12 @@ export function letteringOf(params: Params, q: string, values: Numbers, speech: 
   if (!p || value === undefined) return "";
   if (value === "auto") return "FAUTO";
   const number = (v: number) => signed(speech.number(v, p.decimals));
-  const topic = topicOf(p.text);
   const text = number(value);
   if (p.reserved) return `${text} ${speech.reserved}`;
-  if (topic === "infeed") return value > 0 ? `≤${text}` : text;
-  if (topic === "oversizeZ") return `Z+${text}`;
-  if (topic === "element") return speech.element[value as 0 | 1 | 2] ?? text;
-  if (p.text === "cornerRadius") return `R${text}`;
+  if (p.shown === "infeed") return value > 0 ? `≤${text}` : text;
+  if (p.shown === "oversizeZ") return `Z+${text}`;
+  if (p.shown === "element") return speech.element[value as 0 | 1 | 2] ?? text;
+  if (p.rounds) return `R${text}`;
   const partner = partnerOf(params, q);
   const type = partner ? values[partner] : undefined;
   if (type === 1) return square ? `${text}×45°` : `${text}×${text}`;

@@ -1,30 +1,31 @@
-import type { Dimension, Group, Outline } from "../../cycles/define.ts";
-import type { Params } from "../../cycles/params.ts";
+import type { Dimension, Outline } from "../../cycles/define.ts";
+import type { Params, Topic } from "../../cycles/params.ts";
+import type { Plan } from "../../kernel/plan.ts";
 import { toDiameter } from "../../kernel/units.ts";
 import { toScreen, type Place, type Size } from "../camera.ts";
-import { openSide } from "./band.ts";
 import * as choices from "./choices.ts";
 import { numberOf, startPoint, type Context } from "./context.ts";
 import { detail, isSmall } from "./detail.ts";
 import type { Lettering } from "./dimensions.ts";
-import { helpFrameOf } from "./frame.ts";
+import { outward, type HelpFrame } from "./frame.ts";
 import { arrange, forced, labelsOverlap, SIZE, textBox, type LabelBox, type Item, type Placed, type Sheet } from "./labels.ts";
 import { FIRST, layoutOf } from "./layout.ts";
 import { letteringOf, positionText, type Numbers, type Speech } from "./lettering.ts";
 import { dense, polygon, polyline, segmentPath, type Mark } from "./marks.ts";
 import { passesOf } from "./passes.ts";
 import * as explain from "./process.ts";
-import { sectionArea, drawnLine, sectionOf } from "./section.ts";
+import { blankOver, drawnLine, sectionOf } from "./section.ts";
 import { caption, filled, stroke } from "./stroke.ts";
 import { columnsFor, hasTiles, TILE_ROW, tiles } from "./tiles.ts";
-import { partnerOf, qOf, topicOf, type Topic } from "./topics.ts";
+import { partnerOf, qOf, shownAs } from "./topics.ts";
 
 /** What to draw, and how large. */
 export interface HelpRequest {
-  readonly group: Group;
   readonly params: Params;
   readonly values: Numbers;
   readonly outline: Outline;
+  /** What the cycle plans for a point there. */
+  readonly plan: Plan;
   /** The Q that is asked for; null draws everything grey. */
   readonly active: string | null;
   /** CSS pixels. */
@@ -48,60 +49,40 @@ const QUIET_MOST = 30;
 /** Of these, what stays when the diagrams of a choice need room. */
 const CALM: readonly Topic[] = ALWAYS.slice(0, 5);
 
-function explanation(c: Context, topic: Topic, l: Lettering): explain.Explanation {
-  switch (topic) {
-    case "outline":
-      return explain.outlined(c, l, null);
-    case "element":
-      return explain.outlined(c, l, partnerOf(c.params, l.q));
-    case "clearance":
-      return explain.clearance(c, l);
-    case "infeed":
-      return explain.infeed(c, l);
-    case "oversizeDiameter":
-      return explain.oversize(c, l, "diameter");
-    case "oversizeZ":
-      return explain.oversize(c, l, "z");
-    case "roughingFeed":
-      return explain.roughingFeed(c, l);
-    case "finishingFeed":
-      return explain.finishingFeed(c, l);
-    case "plungingFeed":
-      return explain.plungingFeed(c, l);
-    case "limitDiameter":
-      return explain.limit(c, l, "diameter");
-    case "limitZ":
-      return explain.limit(c, l, "z");
-    case "offsetWidth":
-      return explain.offsetWidth(c, l);
-    case "depthCompensation":
-      return explain.depthCompensation(c, l);
-    case "operation":
-      return choices.operation(c, l);
-    case "reverse":
-      return choices.reverse(c, l);
-    case "smoothing":
-      return choices.smoothing(c, l);
-    case "plunging":
-      return choices.plunging(c, l);
-    case "limits":
-      return choices.limits(c, l);
-    case "direction":
-      return choices.direction(c, l);
-  }
-}
+const explanations: Readonly<Record<Topic, (c: Context, l: Lettering) => explain.Explanation>> = {
+  outline: (c, l) => explain.outlined(c, l, null),
+  element: (c, l) => explain.outlined(c, l, partnerOf(c.params, l.q)),
+  clearance: explain.clearance,
+  infeed: explain.infeed,
+  oversizeDiameter: (c, l) => explain.oversize(c, l, "diameter"),
+  oversizeZ: (c, l) => explain.oversize(c, l, "z"),
+  roughingFeed: explain.roughingFeed,
+  finishingFeed: explain.finishingFeed,
+  plungingFeed: explain.plungingFeed,
+  limitDiameter: (c, l) => explain.limit(c, l, "diameter"),
+  limitZ: (c, l) => explain.limit(c, l, "z"),
+  offsetWidth: explain.offsetWidth,
+  depthCompensation: explain.depthCompensation,
+  operation: choices.operation,
+  reverse: choices.reverse,
+  smoothing: choices.smoothing,
+  plunging: choices.plunging,
+  limits: choices.limits,
+  direction: choices.direction,
+};
 
 function contextOf(request: HelpRequest, size: Size, indent: number): Context {
-  const { params, values, outline, active, speech } = request;
-  const frame = helpFrameOf(request.group, params, outline.contour);
+  const { params, values, outline, plan, active, speech } = request;
+  const frame: HelpFrame = { ...outline.frame, sunk: outline.sunk };
   const line = drawnLine(outline.contour);
-  const { area, corner } = sectionArea(frame, line);
+  const { blank, corner } = blankOver(frame, line);
   const start = startPoint(frame, corner, Math.min(numberOf(values, qOf(params, "clearance")), 1e4));
   const span = Math.max(1e-3, ...line.map((p) => Math.hypot(p.z - corner.z, p.r - corner.r)));
   const near = Math.hypot(start.z - corner.z, start.r - corner.r) < span * 0.4 ? [start] : [];
-  const along = frame.infeed === "z" ? 2 : 1;
-  const layout = layoutOf(frame, line, [...line, ...area, ...near], outline.dimensions, size, { top: along, right: 0, indent });
-  const { passes, step, top } = passesOf(frame, area, numberOf(values, qOf(params, "infeed")));
+  const along = frame.transverse ? 2 : 1;
+  const layout = layoutOf(frame, line, [...line, ...blank, ...near], outline.dimensions, size, { top: along, right: 0, indent });
+  const passes = passesOf(frame, plan.moves);
+  const top = passes[0] ? passes[0].level + plan.infeed : outward(frame, corner);
   const square = (q: string) => {
     const d = outline.dimensions.find((o) => o.q === q && o.form === "leader");
     const s = d?.form === "leader" ? explain.nearestElement(outline.contour, d.at)?.element : undefined;
@@ -111,13 +92,13 @@ function contextOf(request: HelpRequest, size: Size, indent: number): Context {
     params,
     values,
     outline,
+    plan,
     frame,
     layout,
     passes,
-    step,
+    step: plan.infeed > 0 ? plan.infeed : plan.most,
     top,
     section: sectionOf(frame, line, layout.reach),
-    side: openSide(area),
     letter: (q) => ({ q, active: q === active, text: letteringOf(params, q, values, speech, square(q)) }),
     plain: (kind, at) => ({ q: "", active: false, text: positionText(kind, kind === "axial" ? at.z : toDiameter(at.r), speech) }),
   };
@@ -197,15 +178,15 @@ function besideLens(items: readonly Item[], placed: readonly Placed[], lens: rea
 /** Draws the contour of a cycle with its dimensions, the one of the active parameter strong. */
 export function helpDrawing(request: HelpRequest): HelpDrawing {
   const { params, active, size, values, speech } = request;
-  const topic = active === null ? null : topicOf(params[active]?.text ?? "");
+  const topic = active === null ? null : shownAs(params, active);
   const choice = active === null ? undefined : params[active]?.choices;
   const strip = topic !== null && choice !== undefined && hasTiles(topic);
   const { c, column } = strip ? besideTiles(request, choice.length) : { c: contextOf(request, size, 0), column: 0 };
-  const shown = Object.keys(params).filter((q) => q === active || (strip ? CALM : ALWAYS).includes(topicOf(params[q]?.text ?? "")));
+  const shown = Object.keys(params).filter((q) => q === active || (strip ? CALM : ALWAYS).includes(shownAs(params, q)));
   const turn = new Map(request.outline.dimensions.map((d) => [d.q, turnOf(d)] as const));
-  const rank = (q: string) => ALWAYS.indexOf(topicOf(params[q]?.text ?? "")) * 4 + (turn.get(q) ?? 2);
+  const rank = (q: string) => ALWAYS.indexOf(shownAs(params, q)) * 4 + (turn.get(q) ?? 2);
   const order = [...shown].sort((a, b) => rank(a) - rank(b));
-  const parts = order.map((q) => ({ q, ...explanation(c, topicOf(params[q]?.text ?? ""), c.letter(q)) }));
+  const parts = order.map((q) => ({ q, ...explanations[shownAs(params, q)](c, c.letter(q)) }));
   const strong = strongPlaces(c);
   const chosen = active === null || values[active] === undefined ? null : numberOf(values, active);
   const row = strip && active !== null ? tiles(c.frame, topic, choice, { q: active, chosen }, size, column > 0) : [];

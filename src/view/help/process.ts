@@ -1,17 +1,19 @@
 import type { Dimension } from "../../cycles/define.ts";
+import { fallingRuns } from "../../kernel/bridge.ts";
+import { segmentToFlat, segmentToPart } from "../../kernel/flat.ts";
 import { part, type Pt, type Segment } from "../../kernel/point.ts";
+import { keptOver } from "../../kernel/strategy/kept.ts";
 import { axial, diameter, radius, toRadius } from "../../kernel/units.ts";
 import { toScreen, type Place } from "../camera.ts";
-import { grownLine } from "./band.ts";
 import { longest, numberOf, startPoint, type Context } from "./context.ts";
 import { dimensionItem, leader, type Lettering } from "./dimensions.ts";
-import { along, outward, pointAt } from "./frame.ts";
+import { along, infeedForm, openSide, outward, pointAt } from "./frame.ts";
 import type { Item } from "./labels.ts";
 import { spot } from "./layout.ts";
 import { arrowHead, circle, polygon, polyline, segmentPath, type Mark } from "./marks.ts";
-import { falling } from "./passes.ts";
+import { drawnLine } from "./section.ts";
 import { filled, stroke, type Tag } from "./stroke.ts";
-import { partnerOf, qOf, topicOf } from "./topics.ts";
+import { partnerOf, qOf, shownAs } from "./topics.ts";
 
 /** Marks that are always drawn, and a dimension that needs a place for its text. */
 export interface Explanation {
@@ -44,16 +46,23 @@ export function pathMarks(c: Context, tag: Tag, points: readonly Pt[]): Mark[] {
   return [stroke(tag, "path", polyline(places)), filled(tag, "arrow", arrowHead(tip, tip.x - before.x, tip.y - before.y, 9))];
 }
 
+/** The contour with an oversize of so many pixels. */
+const kept = (c: Context, contour: readonly Segment[], z: number, r: number): Segment[] =>
+  keptOver(contour, c.frame, { z: mm(c, z), r: mm(c, r) });
+
 /** The contour as the finishing cut runs, a little beside the drawn line; farther off where oversize is left. */
-export const besides = (c: Context, line: readonly Pt[], pixels: number = BESIDE): Pt[] =>
-  grownLine(line, c.side, mm(c, pixels), mm(c, pixels)).outer;
+export const besides = (c: Context, contour: readonly Segment[], pixels: number = BESIDE): Pt[] =>
+  drawnLine(kept(c, contour, pixels, pixels));
+
+/** The elements of the contour that fall in machining direction, as they follow each other. */
+export const falling = (c: Context): Segment[][] =>
+  fallingRuns(c.outline.contour.map((s) => segmentToFlat(c.frame, s))).map((run) => run.map((s) => segmentToPart(c.frame, s)));
 
 /** The band that oversize leaves, drawn wider than it is; both components, or only the one asked for. */
 export function bandMarks(c: Context, tag: Tag, which: "diameter" | "z" | "both", pixels: number): Mark[] {
-  const size = mm(c, pixels);
-  const { outer, pieces } = grownLine(c.section.line, c.side, which === "diameter" ? 0 : size, which === "z" ? 0 : size);
-  const whole = pieces.map((p) => polygon(screen(c, p))).join("");
-  return [filled(tag, "oversize", whole), stroke(tag, "break", polyline(screen(c, outer)))];
+  const outer = drawnLine(kept(c, c.outline.contour, which === "diameter" ? 0 : pixels, which === "z" ? 0 : pixels));
+  const band = [...c.section.line, ...outer.toReversed()];
+  return [filled(tag, "oversize", polygon(screen(c, band))), stroke(tag, "break", polyline(screen(c, outer)))];
 }
 
 export function clearance(c: Context, l: Lettering): Explanation {
@@ -62,7 +71,7 @@ export function clearance(c: Context, l: Lettering): Explanation {
   const centre = toScreen(c.layout.camera, s);
   const cross = `${polyline([{ x: centre.x - 6, y: centre.y }, { x: centre.x + 6, y: centre.y }])}`
     + `${polyline([{ x: centre.x, y: centre.y - 6 }, { x: centre.x, y: centre.y + 6 }])}`;
-  const form = c.frame.recess && c.frame.infeed === "r" ? "r" : "z";
+  const form = c.frame.sunk ? infeedForm(c.frame) : "z";
   return {
     under: [stroke(l, "frame", circle(centre, 3.5) + cross)],
     item: c.params[l.q]?.reserved && !l.active ? null : dimensionItem(c.layout, { q: l.q, form, from: c.section.corner, to: s }, l),
@@ -75,22 +84,17 @@ export function infeed(c: Context, l: Lettering): Explanation {
   const lines = mm(c, 3) > c.step ? c.passes.slice(0, 3) : c.passes;
   return {
     under: lines.map((p) => stroke(l, "pass", polyline(screen(c, [p.from, p.to])))),
-    item: dimensionItem(c.layout, { q: l.q, form: c.frame.infeed, from, to }, l),
+    item: dimensionItem(c.layout, { q: l.q, form: infeedForm(c.frame), from, to }, l),
   };
 }
 
 export function oversize(c: Context, l: Lettering, which: "diameter" | "z"): Explanation {
   const pixels = l.active ? SHOWN.active : SHOWN.quiet;
   const steep = (dz: number, dr: number) => dr > dz * 1.2;
-  const { at } = longest(c, which === "z" ? steep : (dz, dr) => dz > dr * 1.2);
-  const size = mm(c, pixels);
-  const way = grownLine(c.section.line, c.side, size, size);
-  const near = way.outer.reduce<Pt | null>(
-    (best, p) => (!best || Math.hypot(p.z - at.z, p.r - at.r) < Math.hypot(best.z - at.z, best.r - at.r) ? p : best),
-    null,
-  );
-  const sign = which === "z" ? Math.sign((near?.z ?? 0) - at.z) || 1 : Math.sign((near?.r ?? 0) - at.r) || 1;
-  const off: Pt = which === "z" ? { z: axial(at.z + sign * size), r: at.r } : { z: at.z, r: radius(at.r + sign * size) };
+  const { element, at } = longest(c, which === "z" ? steep : (dz, dr) => dz > dr * 1.2);
+  const away = element ? part.scaled(part.leftOf(part.direction(element, at)), openSide(c.frame)) : at;
+  const size = (n: number) => (n < 0 ? -1 : 1) * mm(c, pixels);
+  const off: Pt = which === "z" ? { z: axial(at.z + size(away.z)), r: at.r } : { z: at.z, r: radius(at.r + size(away.r)) };
   return {
     under: l.active ? bandMarks(c, l, which, pixels) : [],
     item: l.active
@@ -111,16 +115,14 @@ export function roughingFeed(c: Context, l: Lettering): Explanation {
 }
 
 export function finishingFeed(c: Context, l: Lettering): Explanation {
-  const path = besides(c, c.section.line);
   const { at } = longest(c, () => true);
-  const near = (p: Pt) => Math.hypot(p.z - at.z, p.r - at.r);
-  const middle = besides(c, [at, ...c.section.line.slice(-1)])[0]
-    ?? path.reduce((best, p) => (near(p) < near(best) ? p : best), c.section.corner);
-  return { under: l.active ? pathMarks(c, l, path) : [], item: pointed(c, l, middle, outside(c, middle)) };
+  const found = kept(c, c.outline.contour, BESIDE, BESIDE).map((s) => part.nearestOn(s, at));
+  const middle = found.reduce((best, p) => (part.apart(p, at) < part.apart(best, at) ? p : best), found[0] ?? c.section.corner);
+  return { under: l.active ? pathMarks(c, l, besides(c, c.outline.contour)) : [], item: pointed(c, l, middle, outside(c, middle)) };
 }
 
 export function plungingFeed(c: Context, l: Lettering): Explanation {
-  const found = falling(c.frame, c.section.line);
+  const found = falling(c);
   const u = along(c.frame, c.section.corner);
   const runs = found.length > 0
     ? found.map((run) => besides(c, run))
@@ -150,8 +152,9 @@ export function offsetWidth(c: Context, l: Lettering): Explanation {
   const pass = c.passes[Math.min(1, c.passes.length - 1)];
   if (!pass) return { under: [], item: pointed(c, l, c.section.corner, outside(c, c.section.corner)) };
   const value = Math.max(numberOf(c.values, l.q), mm(c, SHOWN.active));
-  const end = pointAt(c.frame, along(c.frame, pass.to) - value, pass.level);
-  const form = c.frame.infeed === "r" ? "z" : "r";
+  const way = Math.sign(along(c.frame, pass.to) - along(c.frame, pass.from));
+  const end = pointAt(c.frame, along(c.frame, pass.to) - way * value, pass.level);
+  const form = c.frame.transverse ? "r" : "z";
   return {
     under: pathMarks(c, l, [pass.from, end]),
     item: dimensionItem(c.layout, { q: l.q, form, from: end, to: pass.to }, { ...l, underlined: true }),
@@ -169,7 +172,12 @@ export function depthCompensation(c: Context, l: Lettering): Explanation {
   const shift = c.values[l.q] === 0 ? 0 : by;
   return {
     under: pathMarks(c, l, [pointAt(f, a, low + shift), pointAt(f, b, low + shift)]),
-    item: dimensionItem(c.layout, { q: l.q, form: f.infeed, from: pointAt(f, (a + b) / 2, low), to: pointAt(f, (a + b) / 2, low + by) }, {
+    item: dimensionItem(c.layout, {
+      q: l.q,
+      form: infeedForm(f),
+      from: pointAt(f, (a + b) / 2, low),
+      to: pointAt(f, (a + b) / 2, low + by),
+    }, {
       ...l,
       underlined: true,
     }),
@@ -178,7 +186,7 @@ export function depthCompensation(c: Context, l: Lettering): Explanation {
 
 /** Where a free contour begins and ends: not values of the cycle, so they belong to no parameter. */
 export function plainDimensions(c: Context): Item[] {
-  if (c.outline.dimensions.some((d) => topicOf(c.params[d.q]?.text ?? "") === "outline")) return [];
+  if (c.outline.dimensions.some((d) => shownAs(c.params, d.q) === "outline")) return [];
   const [start, end] = [c.section.line[0], c.section.line.at(-1)];
   const ends = [start, end].flatMap((p) => (p ? [p] : []));
   return ends.flatMap(
@@ -195,15 +203,13 @@ export function outlined(c: Context, l: Lettering, partner: string | null): Expl
   const d = own.find((o) => o.q === l.q) ?? own[0];
   const type = partnerOf(c.params, l.q);
   const without = type !== null && numberOf(c.values, c.params[l.q]?.kind === "choice" ? l.q : type) === 0;
-  const nothing = c.params[l.q]?.text === "cornerRadius" && numberOf(c.values, l.q) === 0;
+  const nothing = c.params[l.q]?.rounds && numberOf(c.values, l.q) === 0;
   if (d && (l.active || !(without || nothing))) {
     const snapped = d.form === "leader" && !without ? { ...d, at: elementAt(c, d.at)?.at ?? d.at } : d;
     return { under: without ? [] : elementMarks(c, l, d), item: dimensionItem(c.layout, { ...snapped, q: l.q }, l) };
   }
   if (!l.active) return { under: [], item: null };
-  const text = c.params[l.q]?.text ?? "";
-  const end = text.startsWith("end") || text.startsWith("second") ? c.section.line.at(-1) : c.section.line[0];
-  const at = end ?? c.section.corner;
+  const at = c.section.line.at(c.params[l.q]?.place === "end" ? -1 : 0) ?? c.section.corner;
   return { under: [stroke(l, "frame", circle(spot(c.layout, at), 6))], item: pointed(c, l, at, outside(c, at)) };
 }
 

@@ -13,9 +13,7 @@ export interface Section {
   readonly edges: readonly (readonly [Pt, Pt])[];
   /** Where the part is broken off, as lines. */
   readonly breaks: readonly (readonly [Pt, Pt])[];
-  /** What is cut away, its first points being the contour. */
-  readonly area: readonly Pt[];
-  /** The part of the area's outline that is not contour. */
+  /** The outline of the area to be cut, where it is not contour. */
   readonly blank: readonly Pt[];
   /** Corner of the area next to the cycle start point. */
   readonly corner: Pt;
@@ -40,24 +38,24 @@ export function drawnLine(contour: readonly Segment[]): Pt[] {
   return flattenedChain(contour, size * FINE);
 }
 
-/** What the cycle cuts away, from contour and frame alone; its outline starts with the contour. */
-export function sectionArea(f: HelpFrame, line: readonly Pt[]): { readonly area: Pt[]; readonly blank: Pt[]; readonly corner: Pt } {
+/** What closes the area over a contour, from its end up to its highest point and back to its start. */
+export function blankOver(f: HelpFrame, line: readonly Pt[]): { readonly blank: Pt[]; readonly corner: Pt } {
   const start = line[0], end = line.at(-1);
-  if (!start || !end) return { area: [], blank: [], corner: pointAt(f, 0, 0) };
+  if (!start || !end) return { blank: [], corner: pointAt(f, 0, 0) };
   const top = Math.max(...line.map((p) => outward(f, p)));
   const corner = pointAt(f, along(f, start), top);
   const blank = [end, pointAt(f, along(f, end), top), corner, start].filter((p, i, all) => {
     const before = all[i - 1];
     return !before || Math.hypot(p.z - before.z, p.r - before.r) > 1e-9;
   });
-  return { area: [...line, ...blank.slice(1, -1)], blank, corner };
+  return { blank, corner };
 }
 
 /** Which way the part goes on behind the ends of a contour: the deeper end falls away from the open side, others go on along the cut. */
 export function endWays(f: HelpFrame, line: readonly Pt[]): { readonly first: "back" | "in"; readonly last: "feed" | "in" } {
   const start = line[0], end = line.at(-1);
   const rise = start && end ? outward(f, end) - outward(f, start) : 0;
-  return { first: !f.recess && rise > 1e-6 ? "in" : "back", last: !f.recess && rise < -1e-6 ? "in" : "feed" };
+  return { first: !f.sunk && rise > 1e-6 ? "in" : "back", last: !f.sunk && rise < -1e-6 ? "in" : "feed" };
 }
 
 /** How far the part reaches from a point in a direction of the frame, to the edge of the drawing. */
@@ -71,9 +69,9 @@ function toEdge(f: HelpFrame, p: Pt, way: "feed" | "back" | "in", reach: DrawnEx
 
 /** The section of a contour inside a drawing. The part goes on behind it: to the axis, or to a break line. */
 export function sectionOf(f: HelpFrame, line: readonly Pt[], reach: DrawnExtent): Section {
-  const { area, blank, corner } = sectionArea(f, line);
+  const { blank, corner } = blankOver(f, line);
   const start = line[0], end = line.at(-1);
-  if (!start || !end) return { line, part: [], edges: [], breaks: [], area, blank, corner };
+  if (!start || !end) return { line, part: [], edges: [], breaks: [], blank, corner };
   const ways = endWays(f, line);
   const first = toEdge(f, start, ways.first, reach);
   const last = toEdge(f, end, ways.last, reach);
@@ -86,5 +84,5 @@ export function sectionOf(f: HelpFrame, line: readonly Pt[], reach: DrawnExtent)
     const a = loop[i];
     return a && Math.hypot(a.z - b.z, a.r - b.r) > 1e-6 && !onAxis(a, b) ? [[a, b] as const] : [];
   });
-  return { line, part, edges: [[first, start], [end, last]], breaks, area, blank, corner };
+  return { line, part, edges: [[first, start], [end, last]], breaks, blank, corner };
 }

@@ -2,7 +2,7 @@ import type { Place, Size } from "../camera.ts";
 import type { HelpFrame } from "./frame.ts";
 import { arrowHead, polygon, polyline, type Fill, type Line, type Mark } from "./marks.ts";
 import { filled, stroke, value, type Tag } from "./stroke.ts";
-import type { Topic } from "./topics.ts";
+import type { Topic } from "../../cycles/params.ts";
 
 /** A point of a small diagram: u with the cutting feed, v away from the material, both 0 … 1. */
 type Spot = readonly [u: number, v: number];
@@ -104,9 +104,9 @@ export function tiles(
       : size.height - TILE_ROW + TILE.top;
     const inner = { x: left + 14, y: top + 4, width: width - 18, height: tall - 8 };
     const place = ([u, v]: Spot): Place => {
-      const [across, up] = f.infeed === "r"
-        ? [f.feed < 0 ? 1 - u : u, f.open > 0 ? v : 1 - v]
-        : [f.open > 0 ? v : 1 - v, f.feed < 0 ? 1 - u : u];
+      const [across, up] = !f.transverse
+        ? [f.signU < 0 ? 1 - u : u, f.signV > 0 ? v : 1 - v]
+        : [f.signV > 0 ? v : 1 - v, f.signU < 0 ? 1 - u : u];
       return { x: inner.x + across * inner.width, y: inner.y + (1 - up) * inner.height };
     };
     const edge = polygon([{ x: left, y: top }, { x: left + width, y: top }, { x: left + width, y: top + tall }, {

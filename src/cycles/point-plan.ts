@@ -1,0 +1,22 @@
+import { flat, segmentToFlat, toPart } from "../kernel/flat.ts";
+import type { Plan } from "../kernel/plan.ts";
+import { POINT } from "../kernel/strategy/kept.ts";
+import type { Cycle, Given, Outline } from "./define.ts";
+import type { Params, Values } from "./params.ts";
+
+/** Q215 = 1. */
+const ROUGHING = 1;
+
+/**
+ * What a cycle plans for a point: a picture of its values shows levels, area and reach before there is any tool. It stands where
+ * the contour begins, as high as the contour goes, and roughs whatever the operation is.
+ */
+export function pointPlan(cycle: Cycle, values: Values<Params>, { contour, frame }: Outline, given: Given): Plan {
+  const elements = contour.map((s) => segmentToFlat(frame, s));
+  const first = elements[0]?.from ?? { u: 0, v: 0 };
+  const highest = Math.max(first.v, ...elements.map((s) => flat.boxOf(s).high));
+  const operation = Object.keys(cycle.params).filter((q) => cycle.params[q]?.shown === "operation");
+  const roughing = { ...values, ...Object.fromEntries(operation.map((q) => [q, ROUGHING])) } as Values<Params>;
+  const start = toPart(frame, { u: first.u, v: highest });
+  return cycle.plan(roughing, { tool: POINT, start, feedUnit: "mm/rev", autoFeed: null, stock: null }, given);
+}

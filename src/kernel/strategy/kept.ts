@@ -1,0 +1,35 @@
+import { pathAlong } from "../envelope.ts";
+import { flat, normalAt, segmentToFlat, segmentToPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
+import type { Segment } from "../point.ts";
+import { JOINED, ROUND } from "../tolerance.ts";
+import type { Tool } from "../tool.ts";
+import { length } from "../units.ts";
+import { groundOver } from "./ground.ts";
+
+/** A nose without a radius, for what is drawn or divided without a tool: round ones stand and cut every way. */
+export const POINT: Tool = { T: 0, NAME: "", TYPE: "BUTTON", TO: 9, RS: length(0) };
+
+/**
+ * A contour with an oversize on it as a point follows it, in machining direction: what a cycle leaves there. It begins and ends
+ * beside the ends of the contour.
+ */
+export function keptOver(contour: readonly Segment[], frame: Frame, oversize: { readonly r: number; readonly z: number }): Segment[] {
+  const elements = contour.map((s) => segmentToFlat(frame, s));
+  const [first, last] = [elements[0], elements.at(-1)];
+  if (!first || !last) return [];
+  const keep = frame.transverse ? { u: oversize.r, v: oversize.z } : { u: oversize.z, v: oversize.r };
+  const around = { wall: null, front: "part", frontWall: null, floors: [] } as const;
+  const { envelope } = groundOver(elements.map((segment) => ({ segment, on: "contour" })), POINT, frame, keep, around);
+  const beside = (s: FlatSegment, end: "from" | "to"): Flat => {
+    const n = normalAt(s, end);
+    return { u: s[end].u + sign(n.u) * keep.u, v: s[end].v + Math.max(0, sign(n.v)) * keep.v };
+  };
+  const [start, end] = [beside(first, "from"), beside(last, "to")];
+  const path = pathAlong(envelope, start.u + JOINED, end.u - JOINED).map((s) => s.segment);
+  // A wall at an end of the contour is a step there.
+  const whole = [flat.line(start, path[0]?.from ?? end), ...path, ...(path.length > 0 ? [flat.line(path.at(-1)?.to ?? end, end)] : [])];
+  return whole.map((s) => segmentToPart(frame, s));
+}
+
+/** Zero for a direction along the other axis. */
+const sign = (n: number) => (Math.abs(n) < ROUND ? 0 : Math.sign(n));
