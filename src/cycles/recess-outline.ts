@@ -1,13 +1,13 @@
 import type { Frame } from "../kernel/flat.ts";
 import { issue, type Issue } from "../kernel/issue.ts";
-import type { Pt } from "../kernel/point.ts";
-import { axial, inDegrees, radians, radius, roundedDown, toRadius } from "../kernel/units.ts";
+import { part, type Pt } from "../kernel/point.ts";
+import { inDegrees, radians, roundedDown, toRadius } from "../kernel/units.ts";
 import { angleBelow, cornerElementOf, LEG, namedContour, type NamedContour, roundOf } from "./corner-element.ts";
 import type { Dimension, Outline } from "./define.ts";
 import { equalEnds, type ShoulderValues } from "./shoulder-outline.ts";
 import { JOINED, ROUND } from "../kernel/tolerance.ts";
 
-const pt = (z: number, r: number): Pt => ({ z: axial(z), r: radius(r) });
+const pt = part.point;
 
 export interface RecessOutline extends Outline, NamedContour {
   /** Width of the opening and of the flat floor, mm across the groove; 0 when there is no contour. */

@@ -1,8 +1,7 @@
 import type { Frame } from "../kernel/flat.ts";
 import { issue, type Issue } from "../kernel/issue.ts";
-import type { Pt } from "../kernel/point.ts";
-import { axial, type Axial, type Degrees, type Diameter, inDegrees, type Length, radians, radius, rounded, STEP,
-  toRadius } from "../kernel/units.ts";
+import { part, type Pt } from "../kernel/point.ts";
+import { type Axial, type Degrees, type Diameter, inDegrees, type Length, radians, rounded, STEP, toRadius } from "../kernel/units.ts";
 import { angleBelow, cornerElementOf, LEG, namedContour, type NamedContour, roundOf } from "./corner-element.ts";
 import type { Dimension, Outline } from "./define.ts";
 import { JOINED } from "../kernel/tolerance.ts";
@@ -24,7 +23,7 @@ export interface ShoulderValues {
   readonly Q504: Length;
 }
 
-const pt = (z: number, r: number): Pt => ({ z: axial(z), r: radius(r) });
+const pt = part.point;
 
 /**
  * Contour of a longitudinal shoulder inside its box (decision "The box rule"): start element, circumferential surface

@@ -1,8 +1,8 @@
 import { shiftOf, TIP } from "./insert.ts";
-import type { Pt, Ring } from "./point.ts";
+import { at, type Ring } from "./point.ts";
 import { ROUND } from "./tolerance.ts";
 import type { Holder, HolderCorner, TipOrientation, Tool } from "./tool.ts";
-import { axial, length, radius } from "./units.ts";
+import { length } from "./units.ts";
 
 /** The axis along which the shank lies: as the holder says, else as tools of this orientation are held. */
 export const shankAxis = (to: TipOrientation, axis?: "X" | "Z"): "X" | "Z" => axis ?? (to <= 3 || to === 9 ? "X" : "Z");
@@ -44,8 +44,9 @@ export function hullOf(corners: readonly Corner[]): readonly Corner[] {
 export function holderOutlines(t: Tool): readonly Ring[] {
   if (!t.holder) return [];
   const shift = shiftOf(t);
-  const at = ([z, x]: Corner): Pt => ({ z: axial(z + shift.u), r: radius(x + shift.v) });
-  return [...(t.holder.head ?? []), shank(t.holder, t.TO)].map((part) => hullOf(part).map(at)).filter((ring) => ring.length > 2);
+  return [...(t.holder.head ?? []), shank(t.holder, t.TO)].map((part) => hullOf(part).map(([z, x]) => at(z + shift.u, x + shift.v))).filter(
+    (ring) => ring.length > 2
+  );
 }
 
 const MIRRORED: Record<"r" | "z", Record<TipOrientation, TipOrientation>> = {

@@ -1,9 +1,8 @@
 import { areaOf, offset, simplified } from "../kernel/clip.ts";
 import type { Move } from "../kernel/move.ts";
-import type { Pt, Ring } from "../kernel/point.ts";
+import { at, type Pt, type Ring } from "../kernel/point.ts";
 import type { Step } from "../kernel/step.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
-import { axial, radius } from "../kernel/units.ts";
 import { boxAround } from "./box.ts";
 import { inStock, REAL_AREA, real } from "./contact.ts";
 import type { Cutting, Present } from "./cutting.ts";
@@ -120,7 +119,7 @@ export function measuring(operations: readonly SimulatedOperation[], blank: read
 /** Whether an insert stands in the stock, on this side of the axis or on the other. */
 function standsIn(insert: Ring, { z, r }: Pt, cut: Cutting): boolean {
   if (insert.length < 3) return false;
-  const rings = turned(insert.map((p) => ({ z: axial(p.z + z), r: radius(p.r + r) })));
+  const rings = turned(insert.map((p) => at(p.z + z, p.r + r)));
   return real(inStock([{ pieces: piecesOf(rings), rings }], cut.present())).length > 0;
 }
 

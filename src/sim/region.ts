@@ -1,6 +1,5 @@
 import { areaOfRing } from "../kernel/clip.ts";
-import type { Pt, Ring } from "../kernel/point.ts";
-import { axial, radius } from "../kernel/units.ts";
+import { at, type Pt, type Ring } from "../kernel/point.ts";
 
 /** One connected piece of an area: its outline, its holes, and its area in mm². */
 export interface Region {
@@ -45,7 +44,7 @@ export function placeIn(ring: Ring): Pt {
     const [from, to] = [crossings[i] as number, crossings[i + 1] as number];
     if (to - from > width) [best, width] = [(from + to) / 2, to - from];
   }
-  return { z: axial(best), r: radius(ring.length > 0 ? r : 0) };
+  return at(best, ring.length > 0 ? r : 0);
 }
 
 /** The largest ring, for the place of a finding. */

@@ -1,10 +1,9 @@
 import { areaOf, difference, intersection, opened } from "../kernel/clip.ts";
 import type { Reason } from "../kernel/issue.ts";
 import type { Plan, Reach } from "../kernel/plan.ts";
-import type { Pt, Ring } from "../kernel/point.ts";
+import { at, type Ring } from "../kernel/point.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
 import type { Tool } from "../kernel/tool.ts";
-import { axial, radius } from "../kernel/units.ts";
 import { boxOf } from "./box.ts";
 import { cutting } from "./cutting.ts";
 import { thicknessOf } from "./extent.ts";
@@ -18,7 +17,6 @@ import { coveredOn, hullAlong, type Sweep } from "./sweep.ts";
 /** Smaller regions are not reported, mm². */
 export const LEAST_RESIDUAL = 0.01;
 
-const at = (z: number, r: number): Pt => ({ z: axial(z), r: radius(r) });
 const ORIGIN = at(0, 0);
 
 /** Which path of a plan is meant, and with which insert. */

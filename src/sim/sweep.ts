@@ -1,8 +1,8 @@
-import { part, type Pt, type Ring, type Segment } from "../kernel/point.ts";
+import { at, part, type Pt, type Ring, type Segment } from "../kernel/point.ts";
 import type { Step } from "../kernel/step.ts";
 import { pathOf } from "../kernel/time.ts";
 import { CHORD, GRID } from "../kernel/tolerance.ts";
-import { axial, radius } from "../kernel/units.ts";
+import { radius } from "../kernel/units.ts";
 import { piecesOf, type ConvexPiece } from "./piece.ts";
 import { trackAlong } from "./track.ts";
 
@@ -20,11 +20,11 @@ export function hullAlong(outline: Ring, from: Pt, to: Pt): Ring {
   const count = outline.length;
   const before = (i: number) => {
     const p = outline[i] as Pt;
-    return { z: axial(from.z + p.z), r: radius(from.r + p.r) };
+    return at(from.z + p.z, from.r + p.r);
   };
   const after = (i: number) => {
     const p = outline[i] as Pt;
-    return { z: axial(to.z + p.z), r: radius(to.r + p.r) };
+    return at(to.z + p.z, to.r + p.r);
   };
   const looksForward = (i: number) => {
     const p = outline[i] as Pt;
@@ -53,7 +53,7 @@ export function notBehind(outline: Ring, other: Ring, from: Pt, to: Pt): Ring[] 
   const [dz, dr] = [to.z - from.z, to.r - from.r];
   const size = Math.hypot(dz, dr);
   if (!(size > 0) || other.length < 3) return [outline];
-  const track = hullAlong(other, { z: axial((-dz / size) * FAR), r: radius((-dr / size) * FAR) }, { z: axial(0), r: radius(0) });
+  const track = hullAlong(other, at((-dz / size) * FAR, (-dr / size) * FAR), at(0, 0));
   return track.flatMap((p, i) => {
     const q = track[(i + 1) % track.length] as Pt;
     const piece = rightOf(outline, p, q);
@@ -71,7 +71,7 @@ export function rightOf(ring: Ring, p: Pt, q: Pt): Ring {
     const [before, here] = [beside(a) - least, beside(b) - least];
     if (before > 0 !== here > 0) {
       const t = before / (before - here);
-      out.push({ z: axial(a.z + (b.z - a.z) * t), r: radius(a.r + (b.r - a.r) * t) });
+      out.push(at(a.z + (b.z - a.z) * t, a.r + (b.r - a.r) * t));
     }
     if (here > 0) out.push(b);
     a = b;

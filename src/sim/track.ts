@@ -1,5 +1,4 @@
-import type { Pt, Ring } from "../kernel/point.ts";
-import { axial, radius } from "../kernel/units.ts";
+import { at, type Pt, type Ring } from "../kernel/point.ts";
 
 /** Shorter edges are rounding of an outline, mm. */
 const NO_EDGE = 1e-7;
@@ -21,11 +20,11 @@ export function trackAlong(outline: Ring, way: readonly Pt[]): Ring {
   const count = around.length;
   const curve: Pt[] = [];
   const first = points[0] as Pt;
-  const put = (at: Pt, v: number) => {
+  const put = (to: Pt, v: number) => {
     const p = around[v] as Pt;
-    curve.push({ z: axial(at.z + p.z), r: radius(at.r + p.r) });
+    curve.push(at(to.z + p.z, to.r + p.r));
   };
-  if (points.length < 2 || count < 3) return around.map((p) => ({ z: axial(first.z + p.z), r: radius(first.r + p.r) }));
+  if (points.length < 2 || count < 3) return around.map((p) => at(first.z + p.z, first.r + p.r));
   /** Whether the edge that begins at a corner turns left of a direction. */
   const leftOf = (dz: number, dr: number, i: number) => {
     const [p, q] = [around[(i + count) % count] as Pt, around[(i + 1 + count) % count] as Pt];

@@ -1,5 +1,4 @@
-import type { Ring } from "../kernel/point.ts";
-import { axial, radius } from "../kernel/units.ts";
+import { at, type Ring } from "../kernel/point.ts";
 import type { Bounds } from "./camera.ts";
 
 /** A chuck drawn round the far end of the blank. It says where the work is held; it is no part of any check. */
@@ -9,7 +8,7 @@ export interface Chuck {
 }
 
 const box = (left: number, right: number, low: number, high: number): Ring =>
-  [[left, low], [right, low], [right, high], [left, high]].map(([z = 0, r = 0]) => ({ z: axial(z), r: radius(r) }));
+  [[left, low], [right, low], [right, high], [left, high]].map(([z = 0, r = 0]) => at(z, r));
 
 /**
  * The body stands against the blank's left end, the jaw grips its outside: as far as a sixth of its length, but never

@@ -2,9 +2,9 @@ import { areaOf, intersection } from "../clip.ts";
 import { insertOutline } from "../insert.ts";
 import { issue } from "../issue.ts";
 import type { Plan, Setting } from "../plan.ts";
-import type { Pt, Ring } from "../point.ts";
+import { at, type Pt, type Ring } from "../point.ts";
 import { CHORD, SAME } from "../tolerance.ts";
-import { axial, radius, roundedUp, toDiameter } from "../units.ts";
+import { radius, roundedUp, toDiameter } from "../units.ts";
 
 /** Areas below this are the chords of two curves that touch, mm². */
 const REAL = 0.01;
@@ -53,6 +53,5 @@ export function clearAcross(plan: Plan, { tool, start }: Setting, role: "startU"
 }
 
 function boxed(left: number, right: number, top: number): Ring {
-  const at = (z: number, r: number): Pt => ({ z: axial(z), r: radius(r) });
   return [at(left, 0), at(right, 0), at(right, top), at(left, top)];
 }

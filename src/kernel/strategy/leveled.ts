@@ -5,12 +5,12 @@ import { lowestOf, segmentToFlat, toFlat, toPart, type Flat, type FlatSegment, t
 import { flanksUnknown, isBar } from "../insert.ts";
 import { issue, type Issue } from "../issue.ts";
 import type { Plan, Setting } from "../plan.ts";
-import type { Segment } from "../point.ts";
+import { at, type Segment } from "../point.ts";
 import type { Bound } from "../reach.ts";
 import { SAME } from "../tolerance.ts";
 import type { ToolType } from "../tool.ts";
 import { roomOf } from "../track.ts";
-import { axial, length, radius, toDiameter } from "../units.ts";
+import { length, radius, toDiameter } from "../units.ts";
 import { clearAcross } from "./across.ts";
 import type { Feeds } from "./feeds.ts";
 import { followContour } from "./finish.ts";
@@ -269,7 +269,7 @@ export const empty = (issues: readonly Issue[]): Plan => ({
   infeed: length(0),
   area: [],
   part: [],
-  openSide: { z: axial(0), r: radius(0) },
+  openSide: at(0, 0),
   reach: [],
   kept: [],
   most: length(0),

@@ -1,5 +1,5 @@
 import { part, type Pt, type Segment } from "../../kernel/point.ts";
-import { axial, diameter, radius, toRadius } from "../../kernel/units.ts";
+import { axial, diameter, toRadius } from "../../kernel/units.ts";
 import { boundsOf } from "../bounds.ts";
 import { fitted, toPlace, toScreen, type Camera, type Place, type Size } from "../camera.ts";
 import { labelsOverlap, textBox, type LabelBox } from "./labels.ts";
@@ -76,8 +76,8 @@ function gridPath(camera: Camera, size: Size, step: { readonly z: number; readon
     const first = Math.ceil(from / by), count = Math.floor(to / by) - first + 1;
     return count > MOST_LINES ? [] : Array.from({ length: Math.max(0, count) }, (_, i) => (first + i) * by);
   };
-  const upright = multiples(low.z, high.z, step.z).map((z) => toScreen(camera, { z: axial(z), r: low.r }).x);
-  const level = multiples(low.r, high.r, step.r).map((r) => toScreen(camera, { z: low.z, r: radius(r) }).y);
+  const upright = multiples(low.z, high.z, step.z).map((z) => toScreen(camera, part.point(z, low.r)).x);
+  const level = multiples(low.r, high.r, step.r).map((r) => toScreen(camera, part.point(low.z, r)).y);
   return [...upright.map((x) => `M${px(x)} 0V${px(size.height)}`), ...level.map((y) => `M0 ${px(y)}H${px(size.width)}`)].join("");
 }
 
@@ -111,7 +111,7 @@ export function contourDrawing({ contour, rowOfSegment, ends, faulty, active, si
     if (label) taken.push(textBox(label, text, 0, 12));
     return { row, place, label, faulty: faulty.has(row) };
   });
-  const y = toScreen(camera, { z: axial(0), r: radius(0) }).y;
+  const y = toScreen(camera, part.point(0, 0)).y;
   return {
     camera,
     grid: grid ? gridPath(camera, size, grid(camera.scale)) : "",

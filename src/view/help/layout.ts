@@ -1,6 +1,5 @@
 import type { Dimension } from "../../cycles/define.ts";
-import type { Pt } from "../../kernel/point.ts";
-import { axial, radius } from "../../kernel/units.ts";
+import { at, type Pt } from "../../kernel/point.ts";
 import { boundsOf } from "../bounds.ts";
 import { toScreen, type Bounds, type Camera, type Place, type Size } from "../camera.ts";
 import { pointAt, type HelpFrame } from "./frame.ts";
@@ -88,7 +87,7 @@ export function layoutOf(
   const zs = line.map((p) => p.z);
   const fit = (nearer: boolean): Layout => {
     const fitted = fitting(reachOf(f, line, core, span, nearer), dimensions, size, more);
-    const across = (z: number) => toScreen(fitted.camera, { z: axial(z), r: radius(0) }).x;
+    const across = (z: number) => toScreen(fitted.camera, at(z, 0)).x;
     return { ...fitted, contour: { left: across(Math.min(...zs)), right: across(Math.max(...zs)) } };
   };
   if (core.low > NEAR_AXIS * span) return fit(true);
@@ -120,15 +119,15 @@ function fitting(
     xUp: true,
     zero: { x: margin.left + spare.x / 2 - reach.left * scale, y: margin.top + spare.y / 2 + reach.high * scale },
   };
-  const from = toScreen(camera, { z: axial(reach.left), r: radius(reach.high) });
-  const to = toScreen(camera, { z: axial(reach.right), r: radius(low) });
+  const from = toScreen(camera, at(reach.left, reach.high));
+  const to = toScreen(camera, at(reach.right, low));
   return {
     camera,
     size,
     reach,
     broken: reach.broken,
     box: { x: from.x, y: from.y, width: to.x - from.x, height: to.y - from.y },
-    axisY: toScreen(camera, { z: axial(0), r: radius(reach.axis) }).y,
+    axisY: toScreen(camera, at(0, reach.axis)).y,
   };
 }
 

@@ -3,7 +3,7 @@ import { fallingRuns } from "../../kernel/bridge.ts";
 import { segmentToFlat, segmentToPart } from "../../kernel/flat.ts";
 import { part, type Pt, type Segment } from "../../kernel/point.ts";
 import { keptOver } from "../../kernel/strategy/kept.ts";
-import { axial, diameter, radius, toRadius } from "../../kernel/units.ts";
+import { diameter, toRadius } from "../../kernel/units.ts";
 import { toScreen, type Place } from "../camera.ts";
 import { longest, numberOf, startPoint, type Context } from "./context.ts";
 import { dimensionItem, leader, type Lettering } from "./dimensions.ts";
@@ -94,7 +94,7 @@ export function oversize(c: Context, l: Lettering, which: "diameter" | "z"): Exp
   const { element, at } = longest(c, which === "z" ? steep : (dz, dr) => dz > dr * 1.2);
   const away = element ? part.scaled(part.leftOf(part.direction(element, at)), openSide(c.frame)) : at;
   const size = (n: number) => (n < 0 ? -1 : 1) * mm(c, pixels);
-  const off: Pt = which === "z" ? { z: axial(at.z + size(away.z)), r: at.r } : { z: at.z, r: radius(at.r + size(away.r)) };
+  const off: Pt = which === "z" ? part.point(at.z + size(away.z), at.r) : part.point(at.z, at.r + size(away.r));
   return {
     under: l.active ? bandMarks(c, l, which, pixels) : [],
     item: l.active
@@ -106,10 +106,7 @@ export function oversize(c: Context, l: Lettering, which: "diameter" | "z"): Exp
 export function roughingFeed(c: Context, l: Lettering): Explanation {
   const pass = c.passes[Math.min(1, c.passes.length - 1)];
   if (!pass) return { under: [], item: pointed(c, l, c.section.corner, outside(c, c.section.corner)) };
-  const at = (t: number): Pt => ({
-    z: axial(pass.from.z + (pass.to.z - pass.from.z) * t),
-    r: radius(pass.from.r + (pass.to.r - pass.from.r) * t),
-  });
+  const at = (t: number): Pt => part.beyond(pass.from, part.difference(pass.to, pass.from), t);
   const lines = l.active ? c.passes.map((p) => stroke(l, "pass", polyline(screen(c, [p.from, p.to])))) : [];
   return { under: [...lines, ...pathMarks(c, l, [at(0.25), at(0.7)])], item: pointed(c, l, at(0.5), outside(c, at(0.5))) };
 }
@@ -138,8 +135,8 @@ export function limit(c: Context, l: Lettering, which: "diameter" | "z"): Explan
   if (!on && !l.active) return { under: [], item: null };
   const value = numberOf(c.values, l.q);
   const { reach } = c.layout;
-  const at: Pt = which === "z" ? { z: axial(value), r: radius(reach.high) } : { z: axial(reach.right), r: toRadius(diameter(value)) };
-  const far: Pt = which === "z" ? { z: axial(value), r: radius(reach.low) } : { z: axial(reach.left), r: at.r };
+  const at: Pt = which === "z" ? part.point(value, reach.high) : part.point(reach.right, toRadius(diameter(value)));
+  const far: Pt = which === "z" ? part.point(value, reach.low) : part.point(reach.left, at.r);
   const line = stroke(l, on ? "limit" : "break", polyline([spot(c.layout, at), spot(c.layout, far)]));
   const form = which === "z"
     ? dimensionItem(c.layout, { q: l.q, form: "z", from: at, to: at }, l)
@@ -192,7 +189,7 @@ export function plainDimensions(c: Context): Item[] {
   return ends.flatMap(
     (at) => [
       dimensionItem(c.layout, { q: "", form: "diameter", at }, c.plain("diameter", at)),
-      dimensionItem(c.layout, { q: "", form: "z", from: { z: axial(0), r: at.r }, to: at }, c.plain("axial", at)),
+      dimensionItem(c.layout, { q: "", form: "z", from: part.point(0, at.r), to: at }, c.plain("axial", at)),
     ]
   );
 }
