@@ -2,7 +2,7 @@ import { lazy, Suspense, useEffect } from "react";
 import { Header } from "./Header.tsx";
 import { DropProgram } from "./files/DropProgram.tsx";
 import { Notices } from "./Notices.tsx";
-import { CopyByHand } from "./program/CopyByHand.tsx";
+import { useCopying } from "./program/copy.ts";
 import { useReading } from "./reading.ts";
 import { useKeeping } from "./saving/keep.ts";
 import { useTexts } from "./settings/use-texts.ts";
@@ -13,6 +13,7 @@ import { useToolPlace } from "./tools/tool-place.ts";
 /** Fetched when they are first shown; the workplace as soon as a hand moves, before a cycle is chosen. */
 const fetchWorkplace = async () => ({ default: (await import("./Workplace.tsx")).Workplace });
 const Workplace = lazy(fetchWorkplace);
+const CopyByHand = lazy(async () => ({ default: (await import("./program/CopyByHand.tsx")).CopyByHand }));
 const ToolPage = lazy(async () => ({ default: (await import("./tools/ToolPage.tsx")).ToolPage }));
 const ProgramWorkplace = lazy(async () => ({ default: (await import("./editor/ProgramWorkplace.tsx")).ProgramWorkplace }));
 
@@ -23,6 +24,7 @@ export function App() {
   const tools = useToolPlace((p) => p.shown);
   const program = useEditor((s) => (s.program ? s.work : null));
   const programName = useEditor((s) => s.program?.name);
+  const refused = useCopying((c) => c.state === "refused");
   const t = useTexts().editor;
   const name = read?.job.name ?? programName;
   useEffect(() => {
@@ -61,7 +63,11 @@ export function App() {
         )
         : <StartPage />)}
       <DropProgram />
-      <CopyByHand />
+      {refused && (
+        <Suspense>
+          <CopyByHand />
+        </Suspense>
+      )}
     </div>
   );
 }

@@ -1,23 +1,25 @@
-import { useEffect, useRef } from "react";
+import { lazy, Suspense, useEffect, useRef, useState } from "react";
 import { useStore } from "zustand";
 import type { CycleNumber } from "../cycles/index.ts";
 import { Icon } from "./Icon.tsx";
 import { usePlace } from "./place.ts";
 import { useProgramHistory } from "./program-history.ts";
 import { useReading } from "./reading.ts";
-import { SettingsDialog } from "./settings/SettingsDialog.tsx";
 import { useTexts } from "./settings/use-texts.ts";
 import { redoStep, undoStep } from "./history.ts";
 import { open, useEditor } from "./store.ts";
 import { showTools, useToolPlace } from "./tools/tool-place.ts";
 import { useTools } from "./tools/tool-store.ts";
 
+/** Fetched when it is first opened. */
+const SettingsDialog = lazy(async () => ({ default: (await import("./settings/SettingsDialog.tsx")).SettingsDialog }));
+
 /** The top line: what is open, undo and redo, a new program, settings. */
 export function Header() {
   const t = useTexts();
   const read = useReading();
   const section = usePlace((p) => p.section);
-  const settings = useRef<HTMLDialogElement>(null);
+  const [settings, showSettings] = useState(false);
   const program = useEditor((s) => s.program);
   const typed = useProgramHistory();
   const worksPast = useStore(useEditor.temporal, (s) => s.pastStates.length > 0);
@@ -77,12 +79,16 @@ export function Header() {
           </button>
         )}
         <button type="button" className="button icon plain" aria-label={t.page.settings} title={t.page.settings}
-          onClick={() => settings.current?.showModal()}
+          onClick={() => showSettings(true)}
         >
           <Icon name="settings" />
         </button>
       </div>
-      <SettingsDialog dialog={settings} />
+      {settings && (
+        <Suspense>
+          <SettingsDialog onClose={() => showSettings(false)} />
+        </Suspense>
+      )}
     </header>
   );
 }

@@ -1,14 +1,16 @@
-import type { RefObject } from "react";
+import { useLayoutEffect, useRef } from "react";
 import { LANGUAGE_NAMES, LANGUAGES, isLanguage } from "../../i18n/languages.ts";
 import { changeLanguage, changeSettings, useSettings } from "./settings.ts";
 import { useTexts } from "./use-texts.ts";
 
 /** Language, appearance and motion: choices of this device. */
-export function SettingsDialog({ dialog }: { readonly dialog: RefObject<HTMLDialogElement | null> }) {
+export function SettingsDialog({ onClose }: { readonly onClose: () => void }) {
+  const dialog = useRef<HTMLDialogElement>(null);
   const t = useTexts().page;
   const settings = useSettings();
+  useLayoutEffect(() => dialog.current?.showModal(), []);
   return (
-    <dialog ref={dialog} className="settings" aria-label={t.settings}
+    <dialog ref={dialog} className="settings" aria-label={t.settings} onClose={onClose}
       onClick={(e) => e.target === e.currentTarget && dialog.current?.close()}
     >
       <form method="dialog">
