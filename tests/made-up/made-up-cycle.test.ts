@@ -18,7 +18,7 @@ import { c899, setups899 } from "./c899.ts";
 
 /* A cycle is one file and one line of the index: this one is in neither the texts nor the tests, and everything runs with it. */
 vi.mock("../../src/cycles/index.ts", async (original) => {
-  const index = await original<typeof import("../../src/cycles/index.ts")>();
+  const index = await original<{ readonly catalogue: readonly Cycle[] }>();
   const { c899 } = await import("./c899.ts");
   const catalogue = [...index.catalogue, c899 as unknown as Cycle];
   return { ...index, catalogue, cycleByNumber: (number: number) => catalogue.find((c) => c.number === number) };
