@@ -136,6 +136,8 @@ export function atCall(
     const us = o.area.map((p) => p.u);
     return higherOf(higherOf(part, roughed.grown), raised(roughed.grown, Math.min(...us), Math.max(...us), roughed.infeed));
   }
-  const chains = o.stock === null ? [outlineChain(o.area)] : o.stock.map((ring) => outlineChain(ring.map((p) => toFlat(o.frame, p))));
-  return higherOf(part, standing(chains, o.insert));
+  const rings = o.stock === null ? [o.area] : o.stock.map((ring) => ring.map((p) => toFlat(o.frame, p)));
+  // The work turns: an insert that is past the axis meets the material of the other side there.
+  const turned = o.frame.transverse ? rings.map((ring) => ring.map(({ u, v }): Flat => ({ u: -u, v }))) : [];
+  return higherOf(part, standing([...rings, ...turned].map(outlineChain), o.insert));
 }
