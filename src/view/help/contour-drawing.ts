@@ -5,6 +5,7 @@ import { fitted, toPlace, toScreen, type Camera, type Place, type Size } from ".
 import { labelsOverlap, textBox, type LabelBox } from "./labels.ts";
 import { polyline, px, segmentPath } from "./marks.ts";
 import { drawnLine } from "./section.ts";
+import { SAME } from "../../kernel/tolerance.ts";
 
 const { pointOn } = part;
 
@@ -40,7 +41,7 @@ function cameraFor(points: readonly Pt[], size: Size): Camera {
   const all = boundsOf(points) ?? { left: -50, right: 5, low: 0, high: 40 };
   const span = Math.max(all.right - all.left, all.high - all.low, 1);
   const low = all.low < NEAR_AXIS * span ? Math.min(0, all.low) : all.low;
-  const box = all.right - all.left + all.high - low < 1e-6
+  const box = all.right - all.left + all.high - low < SAME
     ? { left: all.left - 10, right: all.right + 10, low: 0, high: all.high + 10 }
     : { ...all, low };
   return fitted(box, size, MARGIN, true);

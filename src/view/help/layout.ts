@@ -5,6 +5,7 @@ import { toScreen, type Bounds, type Camera, type Place, type Size } from "../ca
 import { pointAt, type HelpFrame } from "./frame.ts";
 import type { LabelBox } from "./labels.ts";
 import { endWays, type DrawnExtent } from "./section.ts";
+import { STEP } from "../../kernel/units.ts";
 
 /** Where everything goes: the camera, the drawing's box on the screen and the spindle axis. */
 export interface Layout {
@@ -40,7 +41,7 @@ const NEAR_DATUM = 0.9;
 /** Bounds of contour and dimensions, leaving out far datums. */
 function subject(points: readonly Pt[], dimensions: readonly Dimension[]): { core: Bounds; span: number } {
   const core = boundsOf(points) ?? { left: -50, right: 0, low: 0, high: 25 };
-  const span = Math.max(core.right - core.left, core.high - core.low, 1e-3);
+  const span = Math.max(core.right - core.left, core.high - core.low, STEP);
   const near = dimensions.flatMap((d) => (d.form === "z" ? [d.from, d.to] : [])).filter((p) =>
     p.z > core.left - NEAR_DATUM * span && p.z < core.right + NEAR_DATUM * span
   );

@@ -1,7 +1,7 @@
 import type { Dimension, Outline } from "../../cycles/define.ts";
 import type { Params, Topic } from "../../cycles/params.ts";
 import type { Plan } from "../../kernel/plan.ts";
-import { toDiameter } from "../../kernel/units.ts";
+import { STEP, toDiameter } from "../../kernel/units.ts";
 import { toScreen, type Place, type Size } from "../camera.ts";
 import * as choices from "./choices.ts";
 import { numberOf, startPoint, type Context } from "./context.ts";
@@ -18,6 +18,7 @@ import { blankOver, drawnLine, sectionOf } from "./section.ts";
 import { caption, filled, stroke } from "./stroke.ts";
 import { columnsFor, hasTiles, TILE_ROW, tiles } from "./tiles.ts";
 import { partnerOf, qOf, shownAs } from "./topics.ts";
+import { SAME } from "../../kernel/tolerance.ts";
 
 /** What to draw, and how large. */
 export interface HelpRequest {
@@ -77,7 +78,7 @@ function contextOf(request: HelpRequest, size: Size, indent: number): Context {
   const line = drawnLine(outline.contour);
   const { blank, corner } = blankOver(frame, line);
   const start = startPoint(frame, corner, Math.min(numberOf(values, qOf(params, "clearance")), 1e4));
-  const span = Math.max(1e-3, ...line.map((p) => Math.hypot(p.z - corner.z, p.r - corner.r)));
+  const span = Math.max(STEP, ...line.map((p) => Math.hypot(p.z - corner.z, p.r - corner.r)));
   const near = Math.hypot(start.z - corner.z, start.r - corner.r) < span * 0.4 ? [start] : [];
   const along = frame.transverse ? 2 : 1;
   const layout = layoutOf(frame, line, [...line, ...blank, ...near], outline.dimensions, size, { top: along, right: 0, indent });
@@ -86,7 +87,7 @@ function contextOf(request: HelpRequest, size: Size, indent: number): Context {
   const square = (q: string) => {
     const d = outline.dimensions.find((o) => o.q === q && o.form === "leader");
     const s = d?.form === "leader" ? explain.nearestElement(outline.contour, d.at)?.element : undefined;
-    return s?.kind === "line" && Math.abs(Math.abs(s.to.z - s.from.z) - Math.abs(s.to.r - s.from.r)) < 1e-6;
+    return s?.kind === "line" && Math.abs(Math.abs(s.to.z - s.from.z) - Math.abs(s.to.r - s.from.r)) < SAME;
   };
   return {
     params,

@@ -14,6 +14,7 @@ import { arrowHead, circle, polygon, polyline, segmentPath, type Mark } from "./
 import { drawnLine } from "./section.ts";
 import { filled, stroke, type Tag } from "./stroke.ts";
 import { partnerOf, qOf, shownAs } from "./topics.ts";
+import { SAME } from "../../kernel/tolerance.ts";
 
 /** Marks that are always drawn, and a dimension that needs a place for its text. */
 export interface Explanation {
@@ -162,7 +163,7 @@ export function depthCompensation(c: Context, l: Lettering): Explanation {
   if (!l.active) return { under: [], item: null };
   const line = c.section.line, f = c.frame;
   const low = Math.min(...line.map((p) => outward(f, p)));
-  const floor = line.filter((p) => outward(f, p) < low + 1e-6).map((p) => along(f, p));
+  const floor = line.filter((p) => outward(f, p) < low + SAME).map((p) => along(f, p));
   const [a, b] = [Math.min(...floor), Math.max(...floor)];
   const value = numberOf(c.values, l.q);
   const by = (Math.sign(value) || 1) * mm(c, SHOWN.active);

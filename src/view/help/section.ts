@@ -1,5 +1,6 @@
 import { part, type Pt, type Segment } from "../../kernel/point.ts";
 import { along, outward, pointAt, type HelpFrame } from "./frame.ts";
+import { ROUND, SAME } from "../../kernel/tolerance.ts";
 
 const { flattenedChain } = part;
 
@@ -32,7 +33,7 @@ const FINE = 1e-3;
 
 /** Points of a contour, fine enough for any picture. */
 export function drawnLine(contour: readonly Segment[]): Pt[] {
-  let size = 1e-3;
+  let size = FINE;
   const first = contour[0]?.from;
   if (first) { for (const s of contour) size = Math.max(size, Math.abs(s.to.z - first.z), Math.abs(s.to.r - first.r)); }
   return flattenedChain(contour, size * FINE);
@@ -46,7 +47,7 @@ export function blankOver(f: HelpFrame, line: readonly Pt[]): { readonly blank: 
   const corner = pointAt(f, along(f, start), top);
   const blank = [end, pointAt(f, along(f, end), top), corner, start].filter((p, i, all) => {
     const before = all[i - 1];
-    return !before || Math.hypot(p.z - before.z, p.r - before.r) > 1e-9;
+    return !before || Math.hypot(p.z - before.z, p.r - before.r) > ROUND;
   });
   return { blank, corner };
 }
@@ -55,7 +56,7 @@ export function blankOver(f: HelpFrame, line: readonly Pt[]): { readonly blank: 
 export function endWays(f: HelpFrame, line: readonly Pt[]): { readonly first: "back" | "in"; readonly last: "feed" | "in" } {
   const start = line[0], end = line.at(-1);
   const rise = start && end ? outward(f, end) - outward(f, start) : 0;
-  return { first: !f.sunk && rise > 1e-6 ? "in" : "back", last: !f.sunk && rise < -1e-6 ? "in" : "feed" };
+  return { first: !f.sunk && rise > SAME ? "in" : "back", last: !f.sunk && rise < -SAME ? "in" : "feed" };
 }
 
 /** How far the part reaches from a point in a direction of the frame, to the edge of the drawing. */
@@ -79,10 +80,10 @@ export function sectionOf(f: HelpFrame, line: readonly Pt[], reach: DrawnExtent)
   const far = [...(ways.last === "in" ? [] : [deepest(last)]), ...(ways.first === "in" ? [] : [deepest(first)])];
   const part = [first, ...line, last, ...far];
   const loop = [...part.slice(line.length + 1), first];
-  const onAxis = (a: Pt, b: Pt) => Math.abs(a.r) < 1e-6 && Math.abs(b.r) < 1e-6;
+  const onAxis = (a: Pt, b: Pt) => Math.abs(a.r) < SAME && Math.abs(b.r) < SAME;
   const breaks = loop.slice(1).flatMap((b, i) => {
     const a = loop[i];
-    return a && Math.hypot(a.z - b.z, a.r - b.r) > 1e-6 && !onAxis(a, b) ? [[a, b] as const] : [];
+    return a && Math.hypot(a.z - b.z, a.r - b.r) > SAME && !onAxis(a, b) ? [[a, b] as const] : [];
   });
   return { line, part, edges: [[first, start], [end, last]], breaks, blank, corner };
 }
