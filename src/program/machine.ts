@@ -70,7 +70,9 @@ export class Machine {
 
   /** Changes what is in force. */
   set(change: Partial<Modal>): void {
-    this.now = { ...this.now, ...change };
+    const names = Object.keys(change) as (keyof Modal)[];
+    // Most blocks leave most of it as it is, and a long program has many blocks.
+    if (names.some((name) => change[name] !== this.now[name])) this.now = { ...this.now, ...change };
   }
 
   /** The number of a value, or null with an issue at the block. */

@@ -70,14 +70,10 @@ const isAbsolute = (w: PolarWord | undefined) => w !== undefined && !w.increment
 export function standAt(machine: Machine, { path, words }: PathBlock, to: Position): void {
   const named = new Set(words.axes.filter((w) => !w.incremental).map((w) => w.axis));
   const both = isPolarPath(path) && isAbsolute(words.polarRadius) && isAbsolute(words.polarAngle);
-  machine.set({
-    sure: {
-      x: to.x !== null && (machine.now.sure.x || both || named.has("X")),
-      z: to.z !== null && (machine.now.sure.z || both || named.has("Z")),
-    },
-  });
-  machine.set({ at: to });
-  if (machine.now.sure.x && machine.now.sure.z) machine.set({ lost: null });
+  const { sure, lost } = machine.now;
+  const x = to.x !== null && (sure.x || both || named.has("X"));
+  const z = to.z !== null && (sure.z || both || named.has("Z"));
+  machine.set({ at: to, sure: { x, z }, lost: x && z ? null : lost });
 }
 
 /** Reads the words of a path block. What is not known for a reason that has been told is not told again. */
