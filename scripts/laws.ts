@@ -6,6 +6,7 @@ import fc from "fast-check";
 import { catalogue, cycleByNumber } from "../src/cycles/index.ts";
 import { brokenBy } from "../tests/laws/cut-laws.ts";
 import type { FoundCase } from "../tests/laws/found-case.ts";
+import { brokenByPlan } from "../tests/laws/plan-laws.ts";
 import { situations } from "../tests/laws/situation.ts";
 
 /** Machining operations (Q215), and set-ups that one process draws before the next one takes over. */
@@ -31,7 +32,7 @@ function tried({ cycle: number, operation, cases, seed }: Job): Outcome {
   const drawn = situations(operation).find((s) => s.cycle.number === number);
   if (!cycle || !drawn) throw new Error(`no cycle ${number}`);
   const found = fc.sample(drawn.arbitrary, { numRuns: cases, seed }).flatMap((situation): FoundCase[] => {
-    const said = brokenBy(cycle, situation);
+    const said = [...brokenByPlan(cycle, situation), ...brokenBy(cycle, situation)];
     return said.length > 0 ? [{ cycle: number, said, situation }] : [];
   });
   return { tried: cases, found };

@@ -1,12 +1,13 @@
 import type { Cycle } from "../../src/cycles/define.ts";
 import type { Plan } from "../../src/kernel/plan.ts";
-import { part } from "../../src/kernel/point.ts";
+import { areaOf as polygonArea, difference, intersection, offset } from "../../src/kernel/clip.ts";
+import { at, part } from "../../src/kernel/point.ts";
 import type { Simulation } from "../../src/sim/simulation.ts";
 import { areaOf, each, filled, grown, without, withoutCrumbs, type Field, type Grid } from "../judge/field.ts";
 import type { P } from "../judge/insert.ts";
 import { gridOver, judge, sumOf, THIN, type Verdict } from "../judge/judge.ts";
-import { doing, type Situation } from "./situation.ts";
-import { planOf, simulated, stepsOf } from "./worked-plans.ts";
+import { doing, type Finding, type Situation } from "./situation.ts";
+import { planOf, simulated, startsBadly, stepsOf } from "./worked-plans.ts";
 
 const { flattenedChain } = part;
 
@@ -53,8 +54,6 @@ export function worked(cycle: Cycle, situation: Situation, width = WIDTH): Worke
   return { cycle, situation, plans, simulation: simulated(plans, situation), verdicts };
 }
 
-/** What a law has to say against a situation; null when it holds. */
-type Finding = string | null;
 export type CutLaw = (w: Worked) => Finding;
 
 const mm2 = (n: number) => `${n.toFixed(3)} mm²`;
@@ -124,6 +123,26 @@ const thickOf = (f: Field): Field =>
     return core.flatMap((n, k) => (k % 2 === 0 && (core[k + 1] as number) - n > 0.02 ? [n, core[k + 1] as number] : []));
   });
 
+/** Roughing and finishing leave nothing that the tool could reach. */
+const nothingReachableStays: CutLaw = ({ plans: [plan], situation: { values }, simulation }) => {
+  if (!plan || values["Q215"] !== 0 || values["Q479"] === 1 || plan.passes === 0 || startsBadly(plan)) return null;
+  const left = simulation.proof.residual.find((r) => r.reason === "oversize" && r.area > 0.05);
+  return left ? `${mm2(left.area)} stay that the tool could reach` : null;
+};
+
+/** Roughing alone keeps the oversize: nothing of the part grown by it is cut. A rectangle holds the part moved to each of its corners. */
+const oversizeStays: CutLaw = ({ plans: [plan], situation: { values, blank }, simulation }) => {
+  if (!plan || values["Q215"] !== 1 || plan.part.length === 0 || startsBadly(plan)) return null;
+  const cut = difference(blank, simulation.final);
+  const [dz, dr] = [values["Q484"] ?? 0, (values["Q483"] ?? 0) / 2];
+  for (const [z, r] of [[dz, 0], [-dz, 0], [0, dr], [0, -dr]] as const) {
+    const moved = offset([plan.part.map((p) => at(p.z + z, p.r + r))], -0.004);
+    const taken = polygonArea(intersection(intersection(cut, moved), offset([plan.area], -0.004)));
+    if (taken > REAL) return `${mm2(taken)} of the oversize are cut`;
+  }
+  return null;
+};
+
 /** By name, so that a case on file says which of them it broke. */
 export const cutLaws: Readonly<Record<string, CutLaw>> = {
   partStaysWhole,
@@ -131,6 +150,8 @@ export const cutLaws: Readonly<Record<string, CutLaw>> = {
   judgesAgreeOnStock,
   judgesAgreeOnFaults,
   judgesAgreeOnResidue,
+  nothingReachableStays,
+  oversizeStays,
 };
 
 /** Every law that a situation breaks, with what it says. */

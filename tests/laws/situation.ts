@@ -19,6 +19,9 @@ export interface Situation {
   readonly blank: readonly Ring[];
 }
 
+/** What a law has to say against a situation; null when it holds. */
+export type Finding = string | null;
+
 /** fast-check as the dice of a cycle. */
 const drawing = (g: fc.GeneratorValue): Draw => ({
   one: <T>(...of: readonly T[]) => of[g(fc.nat, { max: of.length - 1 })] as T,

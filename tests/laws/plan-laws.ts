@@ -1,0 +1,118 @@
+import type { Cycle } from "../../src/cycles/define.ts";
+import type { Move } from "../../src/kernel/move.ts";
+import type { Plan } from "../../src/kernel/plan.ts";
+import { at, type Pt, type Ring } from "../../src/kernel/point.ts";
+import { SAME } from "../../src/kernel/tolerance.ts";
+import type { TipOrientation } from "../../src/kernel/tool.ts";
+import type { Finding, Situation } from "./situation.ts";
+import { planOf } from "./worked-plans.ts";
+
+/** What must hold of a path by itself, before anything is cut. */
+export type PlanLaw = (cycle: Cycle, situation: Situation, plan: Plan) => Finding;
+
+/** Does this operation rough? */
+const roughs = (s: Situation) => (s.values["Q215"] ?? 0) <= 1;
+
+const infeedsAreEven: PlanLaw = (_, s, plan) => {
+  if (!roughs(s)) return null;
+  const most = Math.min(s.values["Q463"] ?? 0, s.tool.CUTLENGTH || Infinity);
+  if (plan.infeed > most + SAME) return `an infeed of ${plan.infeed} where ${most} is the most`;
+  if (plan.passes > 1 && (plan.passes * plan.infeed) / (plan.passes - 1) <= most - SAME * most) {
+    return `${plan.passes} passes of ${plan.infeed} where one fewer would do with ${most}`;
+  }
+  const strange = plan.moves.find((m) => m.phase === "rough" && m.pass !== undefined && (m.pass < 1 || m.pass > plan.passes));
+  return strange ? `a cut of pass ${strange.pass} where there are ${plan.passes}` : null;
+};
+
+/** What is wrong with one move by itself. Over the axis it goes only as far as the contour does, and by the nose that faces it clean. */
+function wrongWith(m: Move, from: Pt, lowest: number): Finding {
+  const where = `${m.kind} to Z ${m.to.z} R ${m.to.r}`;
+  if (!Number.isFinite(m.to.z) || !Number.isFinite(m.to.r)) return `${where}: nowhere`;
+  if (m.to.r < lowest) return `${where}: below R ${lowest}`;
+  if (m.kind === "rapid" && Math.abs(m.to.z - from.z) >= SAME && Math.abs(m.to.r - from.r) >= SAME) return `${where}: not along an axis`;
+  if (m.kind !== "arc") return null;
+  const [a, b] = [from, m.to].map((p) => Math.hypot(p.z - m.centre.z, p.r - m.centre.r)) as [number, number];
+  return Math.abs(a - b) >= SAME ? `${where}: begins at radius ${a} and ends at ${b}` : null;
+}
+
+const pathIsBounded: PlanLaw = (_, s, plan) => {
+  const most = (plan.passes + 3) * (12 + 6 * (plan.contour.length + 4));
+  if (plan.moves.length > most) return `${plan.moves.length} moves where ${most} is a lot`;
+  const lowest = Math.min(0, ...plan.contour.flatMap((e) => [e.from.r, e.to.r])) - s.tool.RS - SAME;
+  let from = s.start;
+  for (const m of plan.moves) {
+    const wrong = wrongWith(m, from, lowest);
+    if (wrong) return wrong;
+    from = m.to;
+  }
+  return null;
+};
+
+/** k infeeds of exactly Q463 are k passes. */
+const divisionsAreExact: PlanLaw = (cycle, s, plan) => {
+  if (!roughs(s) || plan.passes === 0 || plan.passes > 200) return null;
+  const depth = plan.passes * plan.infeed;
+  for (const k of [1, 2, 3, 7]) {
+    if (depth / k < 0.3 || depth / k > (s.tool.CUTLENGTH ?? Infinity)) continue;
+    const again = planOf(cycle, { ...s, values: { ...s.values, Q463: depth / k } });
+    // A start point that had to be moved makes another depth.
+    if (Math.abs(again.passes * again.infeed - depth) < SAME && again.passes !== k) return `${again.passes} passes for ${k} infeeds`;
+  }
+  return null;
+};
+
+const OTHER: Record<TipOrientation, TipOrientation> = { 1: 3, 2: 2, 3: 1, 4: 8, 5: 7, 6: 6, 7: 5, 8: 4, 9: 9 };
+const point = (p: Pt): Pt => at(-p.z, p.r);
+const ring = (r: Ring): Ring => r.map(point).reverse();
+const mirrored = (s: Situation): Situation => ({
+  ...s,
+  values: { ...s.values, Q492: -(s.values["Q492"] ?? 0), Q494: -(s.values["Q494"] ?? 0) },
+  tool: { ...s.tool, TO: OTHER[s.tool.TO] },
+  start: point(s.start),
+  blank: s.blank.map(ring),
+});
+/** What a move does, to the tenth of a micron. */
+const told = (m: Move, to: (p: Pt) => Pt) => {
+  const places = m.kind === "arc" ? [m.to, m.centre] : [m.to];
+  const numbers = places.map(to).flatMap((p) => [p.z, p.r].map((n) => Math.round(n * 1e4) / 1e4 + 0));
+  return [m.kind, m.phase, m.pass, m.run, m.step, ...numbers].join(" ");
+};
+
+/** Is `b` on the straight way from `a` to `c`? */
+const isOnTheWay = (a: Pt, b: Pt, c: Pt) =>
+  Math.abs(Math.hypot(b.z - a.z, b.r - a.r) + Math.hypot(c.z - b.z, c.r - b.r) - Math.hypot(c.z - a.z, c.r - a.r)) < SAME;
+
+/** Every move as told, two lines of one piece as one: where a level meets its own continuation, the last digit says if they are two. */
+const allTold = ({ moves }: Plan, start: Pt, to: (p: Pt) => Pt) =>
+  moves.filter((m, i) => {
+    const [before, next] = [moves[i - 1]?.to ?? start, moves[i + 1]];
+    const same = next && m.kind !== "arc" && next.kind === m.kind && next.phase === m.phase && next.step === m.step;
+    return !(same && isOnTheWay(before, m.to, next.to));
+  }).map((m) => told(m, to));
+
+/**
+ * A set-up turned round in Z, tool and all, is the same work seen from the other side. A free contour across the axis is open
+ * towards +Z whatever the tool (decision 0010), so only the cycles with their own contour turn round. An insert that points straight
+ * at the axis leans to one side all the same: no other tool is its mirror image.
+ */
+const turnsRound: PlanLaw = (cycle, s, plan) => {
+  if (cycle.contour !== "own" || (s.tool["T-ANGLE"] !== undefined && [2, 6].includes(s.tool.TO))) return null;
+  const other = planOf(cycle, mirrored(s));
+  const [ours, theirs] = [allTold(plan, s.start, (p) => p), allTold(other, point(s.start), point)];
+  const apart = ours.findIndex((line, i) => line !== theirs[i]);
+  if (apart >= 0 || ours.length !== theirs.length) return `turned round, "${theirs[apart]}" stands where "${ours[apart]}" should`;
+  const [codes, others] = [plan, other].map((p) => p.issues.map((i) => i.code).join(", ")) as [string, string];
+  return codes === others ? null : `turned round, it says ${others || "nothing"} instead of ${codes || "nothing"}`;
+};
+
+/** By name, so that a case on file says which of them it broke. */
+export const planLaws: Readonly<Record<string, PlanLaw>> = { infeedsAreEven, pathIsBounded, divisionsAreExact, turnsRound };
+
+/** Every law of the path that a situation breaks, with what it says. */
+export function brokenByPlan(cycle: Cycle, situation: Situation): string[] {
+  const plan = planOf(cycle, situation);
+  return Object.entries(planLaws).flatMap(([name, law]) => {
+    const said = law(cycle, situation, plan);
+    return said === null ? [] : [`${name}: ${said}`];
+  });
+}
