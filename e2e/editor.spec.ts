@@ -54,6 +54,37 @@ test("typing and dialog are the same edit, with one history", async ({ page }) =
   await expect(editor.line("Q463=+2.4")).toBeVisible();
 });
 
+test("one history: text, tools and the way to another work are undone in their order; text just typed stays", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { editor, tools, t } = turnwise;
+  await editor.openExample("shoulder");
+  await editor.line("CYCL CALL").click();
+  await page.keyboard.press("End");
+  await page.keyboard.type(" ;FIRST");
+  await tools.open();
+  await tools.rowButton(3).click();
+  await tools.cell("RS").fill("1.2");
+  await tools.close();
+  await editor.line("CYCL CALL ;FIRST").click();
+  await page.keyboard.press("End");
+  await page.keyboard.type(" LAST");
+  await page.getByRole("button", { name: t.page.newProgram }).click();
+  await expect(editor.line("CYCL CALL")).toHaveCount(0);
+  await turnwise.undo();
+  await expect(editor.line("CYCL CALL ;FIRST LAST")).toBeVisible();
+  await turnwise.undo();
+  await expect(editor.line("LAST")).toHaveCount(0);
+  await turnwise.undo();
+  await expect(tools.cell("RS")).toHaveValue("0.4");
+  await turnwise.undo();
+  await expect(editor.line("CYCL CALL")).toBeVisible();
+  await expect(editor.line(";FIRST")).toHaveCount(0);
+  for (let steps = 0; steps < 4; steps++) await turnwise.redo();
+  await expect(editor.line("CYCL CALL")).toHaveCount(0);
+  await turnwise.undo();
+  await expect(editor.line("CYCL CALL ;FIRST LAST")).toBeVisible();
+});
+
 test("blocks are put in, doubled, moved and deleted by dialog", async ({ page }) => {
   const { editor } = await Turnwise.open(page);
   await editor.paste("0 BEGIN PGM A MM\n1 L X+10\n2 M30\n3 END PGM A MM\n");

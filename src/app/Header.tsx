@@ -1,15 +1,13 @@
 import { lazy, Suspense, useEffect, useRef, useState } from "react";
-import { useStore } from "zustand";
 import type { CycleNumber } from "../cycles/index.ts";
 import { Icon } from "./Icon.tsx";
 import { usePlace } from "./place.ts";
-import { useProgramHistory } from "./program-history.ts";
 import { useReading } from "./reading.ts";
 import { useTexts } from "./settings/use-texts.ts";
 import { redoStep, undoStep } from "./history.ts";
+import { useSteps } from "./steps.ts";
 import { open, useEditor } from "./store.ts";
 import { showTools, useToolPlace } from "./tools/tool-place.ts";
-import { useTools } from "./tools/tool-store.ts";
 
 /** Fetched when it is first opened. */
 const SettingsDialog = lazy(async () => ({ default: (await import("./settings/SettingsDialog.tsx")).SettingsDialog }));
@@ -21,15 +19,11 @@ export function Header() {
   const section = usePlace((p) => p.section);
   const [settings, showSettings] = useState(false);
   const program = useEditor((s) => s.program);
-  const typed = useProgramHistory();
-  const worksPast = useStore(useEditor.temporal, (s) => s.pastStates.length > 0);
-  const worksFuture = useStore(useEditor.temporal, (s) => s.futureStates.length > 0);
+  const past = useSteps((s) => s.past.length > 0);
+  const future = useSteps((s) => s.future.length > 0);
   const tools = useToolPlace((p) => p.shown);
-  const toolsPast = useStore(useTools.temporal, (s) => s.pastStates.length > 0);
-  const toolsFuture = useStore(useTools.temporal, (s) => s.futureStates.length > 0);
   const toTools = useRef<HTMLButtonElement>(null);
   const wereTools = useRef(false);
-  const { past, future } = tools ? { past: toolsPast, future: toolsFuture } : program ? typed : { past: worksPast, future: worksFuture };
   const words = read && t.cycles.of[read.cycle.number as CycleNumber];
 
   useEffect(() => {

@@ -1,37 +1,33 @@
 import { draftOf } from "./edits.ts";
 import { openPrompt, usePlace } from "./place.ts";
 import { readJob } from "./reading.ts";
-import { useProgramHistory } from "./program-history.ts";
-import { redo, undo, useEditor } from "./store.ts";
-import { redoToolStep, undoToolStep } from "./tools/tool-edits.ts";
-import { useToolPlace } from "./tools/tool-place.ts";
+import { redo, undo, useSteps, type Steps } from "./steps.ts";
+import { useEditor } from "./store.ts";
+import { hideTools, showTools } from "./tools/tool-place.ts";
+import { useTools } from "./tools/tool-store.ts";
 
-/** Opens the prompt whose value has just been undone or redone, so that the change is seen. */
-function showChange(run: () => void): void {
-  const before = useEditor.getState().job;
+/** Goes one step through the history and shows what has changed: the row of the tool, or the work with the prompt. */
+function goAndShow(way: keyof Steps, run: () => void): void {
+  if (useSteps.getState()[way].length === 0) return;
+  const [{ job: before }, { list: tools }] = [useEditor.getState(), useTools.getState()];
   run();
-  const after = useEditor.getState().job;
-  if (!before || !after || before === after) return;
-  if (before.cycle !== after.cycle) return;
-  const now = draftOf(after);
-  const then = draftOf(before);
+  const [{ job: after }, { list }] = [useEditor.getState(), useTools.getState()];
+  if (list !== tools) {
+    const known = new Set(tools);
+    showTools(list.find((entry) => !known.has(entry))?.id);
+    return;
+  }
+  hideTools();
+  if (!before || !after || before === after || before.cycle !== after.cycle) return;
+  const [now, then] = [draftOf(after), draftOf(before)];
   const read = readJob(after);
   const changed = read && Object.keys(read.cycle.params).find((q) => (now[q] ?? "") !== (then[q] ?? ""));
-  if (changed && (usePlace.getState().section === "prompts")) openPrompt(changed, now[changed] ?? "");
+  if (changed && usePlace.getState().section === "prompts") openPrompt(changed, now[changed] ?? "");
 }
 
-/** One step back: in the tool table while it is shown, in the open program by its own history, otherwise in the work. */
-export function undoStep(): void {
-  if (useToolPlace.getState().shown) undoToolStep();
-  else if (useEditor.getState().program) useProgramHistory.getState().undo();
-  else showChange(undo);
-}
-
-export function redoStep(): void {
-  if (useToolPlace.getState().shown) redoToolStep();
-  else if (useEditor.getState().program) useProgramHistory.getState().redo();
-  else showChange(redo);
-}
+/** One step back, whatever was changed last. */
+export const undoStep = (): void => goAndShow("past", undo);
+export const redoStep = (): void => goAndShow("future", redo);
 
 /** Ctrl+Z, Ctrl+Y, Ctrl+Shift+Z anywhere on the page; fields leave their own undo to this one. */
 export function onHistoryKey(event: KeyboardEvent): void {

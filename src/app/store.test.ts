@@ -1,14 +1,21 @@
 import { beforeEach, expect, test } from "vitest";
 import { catalogue } from "../cycles/index.ts";
 import { exampleJob } from "../program/job.ts";
+import { cellOf } from "../program/tool-entry.ts";
+import { shippedList } from "../program/tool-list.ts";
 import { draftOf, setBlank, setPrompt, setTool } from "./edits.ts";
-import { begin, closeStep, edit, open, redo, undo, useEditor } from "./store.ts";
+import { redoStep, undoStep } from "./history.ts";
+import { closeStep, redo, undo, useSteps } from "./steps.ts";
+import { begin, edit, open, useEditor } from "./store.ts";
+import { setCell } from "./tools/tool-edits.ts";
+import { hideTools, useToolPlace } from "./tools/tool-place.ts";
+import { takeTools, useTools } from "./tools/tool-store.ts";
 
 const [cycle] = catalogue;
 if (!cycle) throw new Error("the catalogue is empty");
 const [first = "", second = ""] = Object.keys(cycle.params).filter((q) => !cycle.params[q]?.choices);
 const value = (q: string) => draftOf(useEditor.getState().job ?? exampleJob(cycle))[q];
-const steps = () => useEditor.temporal.getState().pastStates.length;
+const steps = () => useSteps.getState().past.length;
 
 beforeEach(() => begin(exampleJob(cycle), "work"));
 
@@ -51,8 +58,35 @@ test("typing on after undo does not bring back what was undone", () => {
   setPrompt(first, "1");
   undo();
   setPrompt(first, "7");
-  expect(useEditor.temporal.getState().futureStates).toEqual([]);
+  expect(useSteps.getState().future).toEqual([]);
   undo();
+  expect(value(first)).toBe(exampleJob(cycle).drafts[cycle.number]?.[first]);
+});
+
+test("tools and work are undone in the order they were changed, and the changed one is shown", () => {
+  const cell = () => cellOf(useTools.getState().list[1] ?? shippedList[0]!, "RS");
+  const [value0, cell0] = [value(first), cell()];
+  setPrompt(first, "1");
+  setCell("r2", "RS", "0.7");
+  setPrompt(first, "12");
+  hideTools();
+  undoStep();
+  expect([value(first), cell(), useToolPlace.getState().shown]).toEqual(["1", "0.7", false]);
+  undoStep();
+  expect([value(first), cell(), useToolPlace.getState().shown, useToolPlace.getState().row]).toEqual(["1", cell0, true, "r2"]);
+  undoStep();
+  expect([value(first), cell(), useToolPlace.getState().shown]).toEqual([value0, cell0, false]);
+  redoStep();
+  redoStep();
+  expect([value(first), cell()]).toEqual(["1", "0.7"]);
+});
+
+test("a table that comes from elsewhere takes its steps along, and no others", () => {
+  setPrompt(first, "1");
+  setCell("r2", "RS", "0.7");
+  takeTools(shippedList);
+  expect(steps()).toBe(1);
+  undoStep();
   expect(value(first)).toBe(exampleJob(cycle).drafts[cycle.number]?.[first]);
 });
 

@@ -5,7 +5,7 @@ import type { RowsReading } from "../../program/contour-rows.ts";
 import type { ContourRow } from "../../program/job.ts";
 import { panned, toPlace, type Camera, type Place } from "../../view/camera.ts";
 import type { ContourPicture } from "../../view/help/contour-drawing.ts";
-import { closeStep } from "../store.ts";
+import { closeStep } from "../steps.ts";
 import { cornerSized, hasPoint, isCorner, pointAppended, pointInserted, pointMoved, typed } from "./drawing-edits.ts";
 import type { Edited } from "./row-edits.ts";
 import { onGrid, snapped, type GridStep, type SnapSpot } from "./snap.ts";

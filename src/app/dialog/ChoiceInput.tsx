@@ -1,6 +1,6 @@
 import { useEffectEvent, useLayoutEffect, useRef } from "react";
 import { Radio, RadioGroup, type RadioProps } from "react-aria-components/RadioGroup";
-import { closeStep } from "../store.ts";
+import { closeStep } from "../steps.ts";
 import type { Prompt, PromptSession } from "./session.ts";
 
 interface Props {

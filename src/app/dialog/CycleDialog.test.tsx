@@ -7,7 +7,8 @@ import { draftOf } from "../edits.ts";
 import { openPrompt } from "../place.ts";
 import { useReading } from "../reading.ts";
 import { changeSettings } from "../settings/settings.ts";
-import { begin, redo, undo, useEditor } from "../store.ts";
+import { redo, undo } from "../steps.ts";
+import { begin, useEditor } from "../store.ts";
 import { CycleDialog } from "./CycleDialog.tsx";
 
 const cycle = catalogue.find((c) => c.contour === "own");

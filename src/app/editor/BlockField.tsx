@@ -6,7 +6,7 @@ import { inScreenWriting } from "../dialog/write-value.ts";
 import { Icon } from "../Icon.tsx";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
-import { closeStep } from "../store.ts";
+import { closeStep } from "../steps.ts";
 import type { WordField } from "./field.ts";
 
 interface Props {

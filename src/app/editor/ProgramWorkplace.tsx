@@ -8,10 +8,9 @@ import { useListed } from "../findings/use-findings.ts";
 import { LeavingDialog } from "../leaving/LeavingDialog.tsx";
 import { showSection, usePlace, type ProgramSection } from "../place.ts";
 import { playback } from "../playback.ts";
-import { beforeLeaving } from "../saving/keep.ts";
 import { SectionTabs } from "../SectionTabs.tsx";
 import { useTexts } from "../settings/use-texts.ts";
-import { useEditor } from "../store.ts";
+import { beforeLeaving, useEditor } from "../store.ts";
 import { useMedia } from "../use-fingers.ts";
 import { BlockPanel } from "./BlockPanel.tsx";
 import { followProgram } from "./follow.ts";
@@ -26,9 +25,9 @@ import "./editor.css";
 /** Keeps the editor of the open program for as long as it is open. */
 function useProgramSession(): void {
   useEffect(() => {
-    const { program } = useEditor.getState();
-    if (!program) return undefined;
-    openSession(program);
+    const { program, work } = useEditor.getState();
+    if (!program || work === null) return undefined;
+    openSession(program, work);
     if (usePlace.getState().section === "prompts") showSection(matchMedia(WIDE).matches ? "structure" : "text");
     const stop = followProgram();
     beforeLeaving.add(handOverText);

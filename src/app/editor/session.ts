@@ -1,12 +1,12 @@
-import { isolateHistory, redo, redoDepth, undo, undoDepth } from "@codemirror/commands";
-import { EditorState, type TransactionSpec } from "@codemirror/state";
+import { isolateHistory, redo, undo, undoDepth } from "@codemirror/commands";
+import { EditorState, type StateCommand, type TransactionSpec } from "@codemirror/state";
 import { EditorView, type ViewUpdate } from "@codemirror/view";
 import { create } from "zustand";
 import { readingOf, type Reading } from "../../nc/reread.ts";
 import type { Program } from "../../nc/program.ts";
 import { typingGoesOn } from "../engine/quiet.ts";
-import { noHistory, useProgramHistory } from "../program-history.ts";
-import { closeStep, goesOn, setProgram, useEditor } from "../store.ts";
+import { goesOn, note } from "../steps.ts";
+import { setProgram, useEditor } from "../store.ts";
 import type { ProgramWork } from "../work.ts";
 import { changesBetween } from "./block-edits.ts";
 import { dialogEdit } from "./dialog-edit.ts";
@@ -36,27 +36,51 @@ const REST = 150;
 const LONG_REST = 700;
 const LONG = 1500;
 
+/** The text of a program with its own history. It outlives its editor, so that undo reaches it again when the program is opened again. */
+interface Text {
+  readonly work: string;
+  readonly ends: LineEnds;
+  state: EditorState;
+}
+
+/** Texts that are held after their program was left. */
+const HELD = 5;
+const texts = new Map<string, Text>();
+
 let view: EditorView | null = null;
-let open: { readonly program: ProgramWork; readonly ends: LineEnds } | null = null;
+let open: Text | null = null;
 let panels: ReturnType<typeof setTimeout> | undefined;
 let calculation: ReturnType<typeof setTimeout> | undefined;
 
+const fileText = ({ state, ends }: Text): string => fromEditor(state.doc.toString(), ends);
+
 /** The text of the open program as its file has it; null when none is open. */
-export const sessionText = (): string | null => (view && open ? fromEditor(view.state.doc.toString(), open.ends) : null);
+export const sessionText = (): string | null => (open ? fileText(open) : null);
 
 /** Hands the text to keeping and calculation now. */
 export function handOverText(): void {
   clearTimeout(calculation);
   calculation = undefined;
-  const text = sessionText();
-  const { program } = useEditor.getState();
-  if (text !== null && program && program.text !== text) setProgram({ ...program, text });
+  const { program, work } = useEditor.getState();
+  if (!open || !program || open.work !== work) return;
+  const text = fileText(open);
+  if (program.text !== text) setProgram({ ...program, text });
 }
 
-function showHistory(state: EditorState): void {
-  const [past, future] = [undoDepth(state) > 0, redoDepth(state) > 0];
-  const shown = useProgramHistory.getState();
-  if (shown.past !== past || shown.future !== future) useProgramHistory.setState({ past, future });
+/** Goes one step through the history of a text, in its editor when it is open. */
+function go(text: Text, command: StateCommand): boolean {
+  if (texts.get(text.work) !== text || useEditor.getState().work !== text.work) return false;
+  if (view && open === text) return command(view);
+  const { program } = useEditor.getState();
+  const done = command({ state: text.state, dispatch: (tr) => (text.state = tr.state) });
+  if (done && program) setProgram({ ...program, text: fileText(text) });
+  return done;
+}
+
+/** Notes what was typed as a step of the page's history, where the text's own begins a new one. */
+function noteTyping(text: Text, before: EditorState): void {
+  const more = undoDepth(text.state) > undoDepth(before);
+  if (more) note({ of: text, back: () => go(text, undo), forth: () => go(text, redo) });
 }
 
 function show(opened: boolean): void {
@@ -72,13 +96,14 @@ function show(opened: boolean): void {
 }
 
 function onUpdate(update: ViewUpdate): void {
+  if (open) open.state = update.state;
   if (update.docChanged) {
     const long = update.state.field(readingField).program.blocks.length > LONG;
     const rest = long ? LONG_REST : REST;
     if (long) typingGoesOn();
     clearTimeout(calculation);
     calculation = setTimeout(handOverText, rest);
-    showHistory(update.state);
+    if (open && !update.transactions.some((tr) => tr.isUserEvent("undo") || tr.isUserEvent("redo"))) noteTyping(open, update.startState);
   }
   if (!update.docChanged && !update.selectionSet) return;
   const typed = update.docChanged && update.transactions.some((tr) => tr.isUserEvent("input.type") || tr.isUserEvent("delete"));
@@ -90,22 +115,23 @@ function onUpdate(update: ViewUpdate): void {
   if (update.transactions.some((tr) => tr.isUserEvent("select.pointer"))) useSession.setState((s) => ({ pointed: s.pointed + 1 }));
 }
 
-/** Opens a program in a new editor; what was open before is let go. */
-export function openSession(program: ProgramWork): EditorView {
+/** The text of a program, with the history it has when it was open before and is still the same. */
+function textOf({ text }: ProgramWork, work: string): Text {
+  const held = texts.get(work);
+  if (held && fileText(held) === text) return held;
+  const ends = lineEndsOf(text);
+  const extensions = [editorExtensions(ends === "mixed"), EditorView.updateListener.of(onUpdate)];
+  return { work, ends, state: EditorState.create({ doc: toEditor(text, ends), extensions }) };
+}
+
+/** Opens a program in an editor; what was open before is left. */
+export function openSession(program: ProgramWork, work: string): EditorView {
   closeSession();
-  const ends = lineEndsOf(program.text);
-  open = { program, ends };
-  view = new EditorView({
-    state: EditorState.create({
-      doc: toEditor(program.text, ends),
-      extensions: [editorExtensions(ends === "mixed"), EditorView.updateListener.of(onUpdate)],
-    }),
-  });
-  const run = (command: typeof undo) => () => {
-    closeStep();
-    if (view) command(view);
-  };
-  useProgramHistory.setState({ past: false, future: false, undo: run(undo), redo: run(redo) });
+  open = textOf(program, work);
+  texts.delete(work);
+  texts.set(work, open);
+  for (const [oldest] of texts) if (texts.size > HELD) texts.delete(oldest);
+  view = new EditorView({ state: open.state });
   show(true);
   return view;
 }
@@ -117,7 +143,6 @@ export function closeSession(): void {
   view.destroy();
   view = null;
   open = null;
-  useProgramHistory.setState(noHistory);
   useSession.setState(none);
 }
 

@@ -8,7 +8,7 @@ import { goToField, openPrompt, showSection } from "../place.ts";
 import type { JobReading } from "../reading.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
-import { closeStep } from "../store.ts";
+import { closeStep } from "../steps.ts";
 import { isAboutTool, type FindingEntry } from "./entry.ts";
 import { nearestOf, type FindingsHost, type Mend, type Target } from "./host.ts";
 

@@ -8,7 +8,7 @@ import { printedText, programName } from "../printed.ts";
 import type { JobReading } from "../reading.ts";
 import { changeSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
-import { closeStep } from "../store.ts";
+import { closeStep } from "../steps.ts";
 import { CopyButton } from "./CopyButton.tsx";
 import { downloadText } from "../files/download.ts";
 import { ProgramText } from "./ProgramText.tsx";

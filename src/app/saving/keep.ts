@@ -1,5 +1,5 @@
 import { create } from "zustand";
-import { begin, open, useEditor } from "../store.ts";
+import { begin, handOver, open, useEditor } from "../store.ts";
 import type { Work } from "../work.ts";
 import { findWorks, forgetWork, keepWork, readWork, type Kept } from "./device.ts";
 import { readSave, SAVE_VERSION } from "./save-file.ts";
@@ -69,9 +69,6 @@ async function write(): Promise<void> {
 /** Rest before writing, so that writing never delays the picture of what is typed, ms. */
 const REST = 80;
 
-/** What hands over changes that it still holds back, before the page goes away. */
-export const beforeLeaving = new Set<() => void>();
-
 /** From now on each change of the work is kept on the device, a moment after it was made. */
 export function startKeeping(): () => void {
   let timer: ReturnType<typeof setTimeout> | undefined;
@@ -90,11 +87,11 @@ export function startKeeping(): () => void {
     }, REST);
   });
   const rest = () => {
-    for (const hand of beforeLeaving) hand();
+    handOver();
     void write();
   };
   const leave = () => {
-    for (const hand of beforeLeaving) hand();
+    handOver();
     if (!waiting) return;
     leaveBehind(waiting.work, { version: SAVE_VERSION, savedAt: Date.now(), job: waiting.job });
     void write();

@@ -8,7 +8,7 @@ import { usePlace } from "../place.ts";
 import { useFindings } from "../findings/use-findings.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
-import { closeStep } from "../store.ts";
+import { closeStep } from "../steps.ts";
 
 interface Props {
   readonly name: string;

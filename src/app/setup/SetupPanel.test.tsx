@@ -6,7 +6,8 @@ import { exampleJob } from "../../program/job.ts";
 import { goToField } from "../place.ts";
 import { useReading } from "../reading.ts";
 import { changeSettings } from "../settings/settings.ts";
-import { begin, undo, useEditor } from "../store.ts";
+import { undo } from "../steps.ts";
+import { begin, useEditor } from "../store.ts";
 import { SetupPanel } from "./SetupPanel.tsx";
 
 const [cycle] = catalogue;

@@ -5,7 +5,7 @@ import { HOLDER_NUMBERS } from "../../program/tool-columns.ts";
 import { cellOf, type ToolEntry } from "../../program/tool-entry.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { setCell } from "./tool-edits.ts";
-import { closeToolStep } from "./tool-store.ts";
+import { closeStep } from "../steps.ts";
 import { CellMessages, ToolField } from "./ToolField.tsx";
 
 interface Props {
@@ -27,9 +27,9 @@ function AxisField({ entry, issues }: Props) {
       </label>
       <select id={id} className="select" value={axis ?? text} aria-invalid={found.length > 0} aria-describedby={`${id}-wrong`}
         onChange={(e) => {
-          closeToolStep();
+          closeStep();
           setCell(entry.id, "axis", e.currentTarget.value);
-          closeToolStep();
+          closeStep();
         }}
       >
         {axis === null && <option value={text}>{text}</option>}
@@ -53,7 +53,7 @@ function HeadField({ entry, issues }: Props) {
       </label>
       <textarea id={id} className="input number head" rows={2} autoComplete="off" spellCheck={false} maxLength={500}
         aria-invalid={found.length > 0} aria-describedby={`${id}-hint ${id}-wrong`} value={text}
-        onChange={(e) => setCell(entry.id, "head", e.currentTarget.value)} onBlur={closeToolStep} />
+        onChange={(e) => setCell(entry.id, "head", e.currentTarget.value)} onBlur={closeStep} />
       <span className="soft small" id={`${id}-hint`}>{t.headHint}</span>
       <CellMessages id={`${id}-wrong`} issues={found} text={text} />
     </div>

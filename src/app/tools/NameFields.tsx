@@ -5,7 +5,7 @@ import { isToolType } from "../../program/tool-columns.ts";
 import { cellOf, type ToolEntry } from "../../program/tool-entry.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { setCell } from "./tool-edits.ts";
-import { closeToolStep } from "./tool-store.ts";
+import { closeStep } from "../steps.ts";
 import { CellMessages, ToolField } from "./ToolField.tsx";
 
 interface Props {
@@ -27,7 +27,7 @@ function NameField({ entry, issues }: Props) {
       <input id={id} className="input number name" type="text" autoComplete="off" autoCapitalize="characters" spellCheck={false}
         maxLength={60} aria-label={t.field("NAME", t.columns.NAME)} aria-invalid={found.some((issue) => issue.severity === "error")}
         aria-describedby={`${id}-wrong`} value={text} onChange={(e) => setCell(entry.id, "NAME", e.currentTarget.value.toUpperCase())}
-        onBlur={closeToolStep} />
+        onBlur={closeStep} />
       <CellMessages id={`${id}-wrong`} issues={found} text={text} />
     </div>
   );
@@ -47,9 +47,9 @@ function TypeField({ entry, issues }: Props) {
       </label>
       <select id={id} className="select" aria-label={t.field("TYPE", t.columns.TYPE)} value={type} aria-invalid={found.length > 0}
         aria-describedby={`${id}-wrong`} onChange={(e) => {
-        closeToolStep();
+        closeStep();
         setCell(entry.id, "TYPE", e.currentTarget.value);
-        closeToolStep();
+        closeStep();
       }}>
         {!isToolType(type) && <option value={type}>{type || t.anyType}</option>}
         {TOOL_TYPES.map((each) => <option key={each} value={each}>{each} · {texts.setup.tool.types[each]}</option>)}

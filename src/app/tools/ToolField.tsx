@@ -10,7 +10,7 @@ import { inScreenWriting } from "../dialog/write-value.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { setCell } from "./tool-edits.ts";
-import { closeToolStep } from "./tool-store.ts";
+import { closeStep } from "../steps.ts";
 
 /** What is wrong with a cell, read out when it changes. An empty cell that is needed is said calmly. */
 export function CellMessages({ id, issues, text, onTake, decimals = 4 }: { readonly id: string; readonly issues: readonly Issue[];
@@ -52,7 +52,7 @@ export function ToolField({ entry, cell, issues, unused = null }: {
   const commit = () => {
     const sum = sumOf(text);
     if (sum !== null) put(sum);
-    closeToolStep();
+    closeStep();
   };
 
   return (
@@ -73,9 +73,9 @@ export function ToolField({ entry, cell, issues, unused = null }: {
         </span>
       </span>
       <CellMessages id={`${id}-wrong`} issues={found} text={text} decimals={decimals} onTake={(nearest) => {
-        closeToolStep();
+        closeStep();
         put(String(nearest));
-        closeToolStep();
+        closeStep();
       }} />
     </div>
   );

@@ -10,7 +10,7 @@ import { MillDrawing } from "./MillDrawing.tsx";
 import { NameFields } from "./NameFields.tsx";
 import { TipPicker } from "./TipPicker.tsx";
 import { setCell } from "./tool-edits.ts";
-import { closeToolStep } from "./tool-store.ts";
+import { closeStep } from "../steps.ts";
 import { HolderFields } from "./HolderFields.tsx";
 import { CellMessages, ToolField } from "./ToolField.tsx";
 import { useToolName } from "./tool-name.ts";
@@ -50,9 +50,9 @@ function Orientation({ entry, reading, issues }: { readonly entry: ToolEntry; re
   return (
     <div className="tool-field wide">
       <TipPicker value={text.trim() === "" ? null : value} tool={drawn} onChoose={(to) => {
-        closeToolStep();
+        closeStep();
         setCell(entry.id, "TO", String(to));
-        closeToolStep();
+        closeStep();
       }} />
       <CellMessages id={`${id}-wrong`} issues={issues.filter((issue) => issue.at === "TO")} text={text} />
     </div>

@@ -8,15 +8,16 @@ import { writeTableText } from "../../program/tool-table-text.ts";
 import { onHistoryKey } from "../history.ts";
 import { useKeeping } from "../saving/keep.ts";
 import { changeSettings } from "../settings/settings.ts";
+import { undo, useSteps } from "../steps.ts";
 import { readKept, startTools, writeKept } from "./keep-tools.ts";
 import { showTools, showToolNumber, useToolPlace } from "./tool-place.ts";
-import { toolsOnDevice, takeTools, toolTable, undoTools, useTools } from "./tool-store.ts";
+import { toolsOnDevice, takeTools, toolTable, useTools } from "./tool-store.ts";
 import { ToolPage } from "./ToolPage.tsx";
 
 const field = (name: string) => screen.getByRole<HTMLInputElement>("textbox", { name });
 const list = () => useTools.getState().list;
 const row = (n: number) => list().find((entry) => entry.id === `r${n}`);
-const steps = () => useTools.temporal.getState().pastStates.length;
+const steps = () => useSteps.getState().past.length;
 
 beforeEach(() => {
   changeSettings({ language: "en" });
@@ -36,7 +37,7 @@ test("typing in one cell is one step of undo, and other tools stay as they are",
   expect(toolTable().tools[0]?.RS).toBe(1.25);
   expect(toolTable().tools.slice(1)).toEqual(shippedTools.slice(1));
   expect(steps()).toBe(1);
-  undoTools();
+  undo();
   expect(toolTable().tools).toEqual(shippedTools);
 });
 

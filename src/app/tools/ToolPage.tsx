@@ -1,7 +1,8 @@
 import { useEffect, useRef, useState } from "react";
+import { undoStep } from "../history.ts";
 import { Icon } from "../Icon.tsx";
 import { useTexts } from "../settings/use-texts.ts";
-import { addTool, duplicateTool, removeTool, takeShipped, undoToolStep } from "./tool-edits.ts";
+import { addTool, duplicateTool, removeTool, takeShipped } from "./tool-edits.ts";
 import { isMillEntry } from "../../program/tool-entry.ts";
 import { exportTools, importFile, type ToolImport } from "./tool-files.ts";
 import { hideTools, openRow, showKind, useToolPlace, type ToolKind } from "./tool-place.ts";
@@ -105,7 +106,7 @@ export function ToolPage() {
             <Icon name={said.failed ? "error" : "info"} /> <span>{said.sentences.join(" ")}</span>
             {said.changed && (
               <button type="button" className="button" onClick={() => {
-                undoToolStep();
+                undoStep();
                 setSaid(null);
                 focusRow();
               }}>

@@ -1,15 +1,15 @@
 import { MILL, type CellName } from "../../program/tool-columns.ts";
 import { cellOf, isMillEntry, readEntry, type ToolEntry } from "../../program/tool-entry.ts";
 import { freeNumber, mergedTools, newId, shippedList } from "../../program/tool-list.ts";
-import { openRow, type ToolKind } from "./tool-place.ts";
-import { editTools, redoTools, undoTools, useTools } from "./tool-store.ts";
+import type { ToolKind } from "./tool-place.ts";
+import { editTools, useTools } from "./tool-store.ts";
 
 /** The typed text of one cell. */
 export function setCell(id: string, cell: CellName, text: string): void {
   editTools(
     (list) =>
       list.map((entry) => entry.id === id && cellOf(entry, cell) !== text ? { ...entry, cells: { ...entry.cells, [cell]: text } } : entry),
-    `${id} ${cell}`,
+    `tool ${id} ${cell}`,
   );
 }
 
@@ -59,14 +59,3 @@ export function takeRows(rows: readonly ToolEntry["cells"][]): { readonly replac
 
 /** The shipped table in place of this one: one step of undo. */
 export const takeShipped = (): void => editTools(() => shippedList);
-
-/** Goes through the history and opens the row that has changed, so that the change is seen. */
-function showChange(run: () => void): void {
-  const before = new Set(useTools.getState().list);
-  run();
-  const changed = useTools.getState().list.find((entry) => !before.has(entry));
-  if (changed) openRow(changed.id);
-}
-
-export const undoToolStep = (): void => showChange(undoTools);
-export const redoToolStep = (): void => showChange(redoTools);

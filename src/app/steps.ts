@@ -1,0 +1,81 @@
+import { create } from "zustand";
+
+/**
+ * One step of undo. Both ways say whether they could be gone: a step whose text is no longer held is passed over.
+ */
+export interface Step {
+  /** What the step changes, by identity: only steps of the same thing join, and what is replaced from outside takes its steps along. */
+  readonly of: object;
+  readonly back: () => boolean;
+  readonly forth: () => boolean;
+}
+
+/** The one history of the page: prompts, contours, set-ups, program text, tools and which work is open, in the order they were changed. */
+export interface Steps {
+  readonly past: readonly Step[];
+  readonly future: readonly Step[];
+}
+
+/** Steps that undo keeps. Their states share what did not change, so this costs little. */
+const LIMIT = 1000;
+
+export const useSteps = create<Steps>(() => ({ past: [], future: [] }));
+
+/** What was changed last; typing on in the same place belongs to the same step. */
+let lastPlace: string | null = null;
+
+/** The next change begins its own step: a field was left, a key of its own was pressed. */
+export const closeStep = (): void => {
+  lastPlace = null;
+};
+
+/** True when a change at this place goes on with the step of the change before; the next one is asked about this place. */
+export function goesOn(place: string | null): boolean {
+  const on = place !== null && place === lastPlace;
+  lastPlace = place;
+  return on;
+}
+
+/** Notes a change that was just made. `on`: it goes on with the step before, which then leads here at once. */
+export function note(step: Step, on = false): void {
+  const { past } = useSteps.getState();
+  const last = past.at(-1);
+  const joined = on && last?.of === step.of;
+  useSteps.setState({
+    past: joined ? [...past.slice(0, -1), { ...step, back: last.back }] : [...past, step].slice(-LIMIT),
+    future: [],
+  });
+}
+
+/** Notes that a state was replaced; `put` puts either of the two in place, and is what the step is of. */
+export const noteChange = <S>(put: (state: S) => void, before: S, after: S, on = false): void =>
+  note({ of: put, back: () => (put(before), true), forth: () => (put(after), true) }, on);
+
+/** Lets go the steps of a thing that was replaced from outside, or all of them. */
+export function forget(of: object | null = null): void {
+  closeStep();
+  const kept = (steps: readonly Step[]) => (of === null ? [] : steps.filter((step) => step.of !== of));
+  useSteps.setState(({ past, future }) => ({ past: kept(past), future: kept(future) }));
+}
+
+/** Takes back the last change that can be taken back. */
+export function undo(): void {
+  closeStep();
+  for (let step = useSteps.getState().past.at(-1); step; step = useSteps.getState().past.at(-1)) {
+    const gone = step;
+    const done = gone.back();
+    useSteps.setState(({ past, future }) => ({ past: past.slice(0, -1), future: done ? [...future, gone] : future }));
+    if (done) return;
+  }
+}
+
+/** Makes the change again that was taken back last. */
+export function redo(): void {
+  closeStep();
+  for (let step = useSteps.getState().future.at(-1); step; step = useSteps.getState().future.at(-1)) {
+    const come = step;
+    const done = come.forth();
+    useSteps.setState(({ past, future }) => ({ future: future.slice(0, -1), past: done ? [...past, come] : past }));
+    if (done) return;
+  }
+}
