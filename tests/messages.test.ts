@@ -39,6 +39,7 @@ const SAMPLES: { readonly [C in AnyCode]: DataOf<C> } = {
   holderAxis: { text: "Y" },
   holderHead: { text: "1/2 3/4" },
   betterTool: { tool: 15, name: "FACE-DNMG-55-R08" },
+  contourEndCovered: { x: 81.5, z: -5.5 },
   startInArea: { x: 60.5, z: -5.5 },
   startInMaterial: { x: 60.5, z: -5.5 },
   startBelowContour: { below: 5.25 },

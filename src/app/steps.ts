@@ -3,7 +3,7 @@ import { create } from "zustand";
 /**
  * One step of undo. Both ways say whether they could be gone: a step whose text is no longer held is passed over.
  */
-export interface Step {
+export interface HistoryStep {
   /** What the step changes, by identity: only steps of the same thing join, and what is replaced from outside takes its steps along. */
   readonly of: object;
   readonly back: () => boolean;
@@ -12,8 +12,8 @@ export interface Step {
 
 /** The one history of the page: prompts, contours, set-ups, program text, tools and which work is open, in the order they were changed. */
 export interface Steps {
-  readonly past: readonly Step[];
-  readonly future: readonly Step[];
+  readonly past: readonly HistoryStep[];
+  readonly future: readonly HistoryStep[];
 }
 
 /** Steps that undo keeps. Their states share what did not change, so this costs little. */
@@ -37,7 +37,7 @@ export function goesOn(place: string | null): boolean {
 }
 
 /** Notes a change that was just made. `on`: it goes on with the step before, which then leads here at once. */
-export function note(step: Step, on = false): void {
+export function note(step: HistoryStep, on = false): void {
   const { past } = useSteps.getState();
   const last = past.at(-1);
   const joined = on && last?.of === step.of;
@@ -54,7 +54,7 @@ export const noteChange = <S>(put: (state: S) => void, before: S, after: S, on =
 /** Lets go the steps of a thing that was replaced from outside, or all of them. */
 export function forget(of: object | null = null): void {
   closeStep();
-  const kept = (steps: readonly Step[]) => (of === null ? [] : steps.filter((step) => step.of !== of));
+  const kept = (steps: readonly HistoryStep[]) => (of === null ? [] : steps.filter((step) => step.of !== of));
   useSteps.setState(({ past, future }) => ({ past: kept(past), future: kept(future) }));
 }
 

@@ -1,8 +1,10 @@
+import { selfCrossing } from "../kernel/crossing.ts";
 import type { Frame } from "../kernel/flat.ts";
 import { issue, type Issue } from "../kernel/issue.ts";
 import type { Setting } from "../kernel/plan.ts";
-import { at, part, type Segment } from "../kernel/point.ts";
-import { toRadius, type Axial, type Diameter } from "../kernel/units.ts";
+import { at, part, type Pt, type Segment } from "../kernel/point.ts";
+import { FAR } from "../kernel/strategy/ground.ts";
+import { toDiameter, toRadius, type Axial, type Diameter } from "../kernel/units.ts";
 import type { Dimension, Given, Outline } from "./define.ts";
 
 /** The values of a free-contour cycle that shape its outline. */
@@ -25,7 +27,23 @@ export function freeOutline(v: FreeValues, given: Given, transverse: boolean): O
   if (!first || !last) return refused(issue("contourTooShort", "error", {}, "contour"));
   const flat = transverse ? first.r === last.r : first.z === last.z;
   if (flat) return refused(issue("contourFlat", "error", { axis: transverse ? "X" : "Z" }, "contour"));
+  const covered = coveredEnd(contour, outline.frame);
+  if (covered) return refused(issue("contourEndCovered", "error", { x: toDiameter(covered.r), z: covered.z }, "contour"));
   return { ...outline, contour, dimensions: v.Q479 === 1 ? limitDimensions(v, contour) : [] };
+}
+
+/**
+ * The end of a contour from which the part cannot go on, because an element of the contour is in the way. It goes on in machining
+ * direction, and towards the axis where a contour is faced from there outwards.
+ */
+function coveredEnd(contour: readonly Segment[], { transverse, signU }: Frame): Pt | null {
+  const [first, last] = [contour[0] as Segment, contour.at(-1) as Segment];
+  const beyond = (p: Pt, way: 1 | -1) => (transverse ? at(p.z, p.r + way * FAR) : at(p.z + way * FAR, p.r));
+  const after: Segment = { kind: "line", from: last.to, to: beyond(last.to, signU) };
+  if (selfCrossing([...contour, after])) return last.to;
+  if (!transverse || signU < 0) return null;
+  const before: Segment = { kind: "line", from: beyond(first.from, -1), to: first.from };
+  return selfCrossing([before, ...contour]) ? first.from : null;
 }
 
 function limitDimensions(v: FreeValues, contour: readonly Segment[]): Dimension[] {

@@ -63,6 +63,8 @@ interface Data {
   contourTooShort: {};
   /** It starts and ends on one diameter (X) or in one plane (Z). */
   contourFlat: { axis: "X" | "Z" };
+  /** From its end the part cannot go on: an element of the contour is in the way. */
+  contourEndCovered: { x: number; z: number };
   contourPoint: { element: number };
   cornerElementAlone: { element: number };
   cornerElementTooLong: { element: number; size: number; max: number; nearest?: number };

@@ -104,6 +104,10 @@ export const messages = {
     contourMissing: (d, w) => (d.label === "" ? "Die Kontur fehlt." : `Die Kontur LBL ${w.text(d.label)} gibt es nicht.`),
     contourTooShort: () => "Eine Kontur braucht mindestens zwei verschiedene Punkte.",
     contourFlat: (d) => `Start und Ende der Kontur haben dasselbe ${d.axis}: Dazwischen ist nichts zu zerspanen.`,
+    contourEndCovered: (d, w) =>
+      `Die Kontur endet bei ${
+        w.place(d.x, d.z)
+      } in sich selbst: Ein Element reicht über dieses Ende hinaus, das Teil geht dort nicht weiter.`,
     contourPoint: (d) => `Element ${d.element}: Der Endpunkt fehlt oder ist nicht erreichbar.`,
     cornerElementAlone: (d) => `Element ${d.element}: Fase und Rundung brauchen ein Element davor und dahinter, eine Fase zwei Geraden.`,
     cornerElementTooLong: (d, w) =>

@@ -100,6 +100,8 @@ export const messages = {
     contourMissing: (d, w) => (d.label === "" ? "The contour is missing." : `The contour LBL ${w.text(d.label)} does not exist.`),
     contourTooShort: () => "A contour needs at least two different points.",
     contourFlat: (d) => `Start and end of the contour have the same ${d.axis}: there is nothing between them to cut.`,
+    contourEndCovered: (d, w) =>
+      `The contour ends at ${w.place(d.x, d.z)} inside itself: one of its elements reaches past this end, so that the part cannot go on.`,
     contourPoint: (d) => `Element ${d.element}: the end point is missing or cannot be reached.`,
     cornerElementAlone: (d) =>
       `Element ${d.element}: a chamfer or rounding needs an element before and behind it; a chamfer needs two lines.`,

@@ -102,6 +102,10 @@ export const messages = {
     contourMissing: (d, w) => (d.label === "" ? "Le contour manque." : `Le contour LBL ${w.text(d.label)} n'existe pas.`),
     contourTooShort: () => "Un contour demande au moins deux points différents.",
     contourFlat: (d) => `Début et fin du contour ont le même ${d.axis} : il n'y a rien à usiner entre eux.`,
+    contourEndCovered: (d, w) =>
+      `Le contour finit en ${
+        w.place(d.x, d.z)
+      } à l’intérieur de lui-même : un de ses éléments dépasse cette fin, la pièce ne peut continuer.`,
     contourPoint: (d) => `Élément ${d.element} : le point final manque ou ne peut pas être atteint.`,
     cornerElementAlone: (d) =>
       `Élément ${d.element} : un chanfrein ou un arrondi demande un élément avant et après, un chanfrein deux droites.`,

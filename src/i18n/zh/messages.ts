@@ -77,6 +77,7 @@ export const messages = {
     contourMissing: (d, w) => (d.label === "" ? "缺少轮廓。" : `轮廓LBL ${w.text(d.label)}不存在。`),
     contourTooShort: () => "轮廓至少需要两个不同的点。",
     contourFlat: (d) => `轮廓的起点与终点${d.axis}相同:两者之间没有可加工的材料。`,
+    contourEndCovered: (d, w) => `轮廓终点${w.place(d.x, d.z)}落在轮廓自身之内:有元素超出该终点,工件无法由此延续。`,
     contourPoint: (d) => `元素${d.element}:终点缺失或无法到达。`,
     cornerElementAlone: (d) => `元素${d.element}:倒角或倒圆前后都需要有元素,倒角需要两条直线。`,
     cornerElementTooLong: (d, w) =>
