@@ -2,6 +2,7 @@ import { readFileSync } from "node:fs";
 import react from "@vitejs/plugin-react";
 import type { Plugin } from "vite";
 import { configDefaults, defineConfig } from "vitest/config";
+import { MEDIA } from "./src/app/media.ts";
 
 /**
  * The static site (paths relative, so that it runs from any folder) and the tests. Tests run in a random order whose
@@ -37,9 +38,23 @@ const contentPolicy: Plugin = {
     () => [{ tag: "meta", attrs: { "http-equiv": "Content-Security-Policy", content: policy }, injectTo: "head-prepend" }],
 };
 
+/** `(--name)` in a media query stands for the condition of that name. */
+const namedMedia: Plugin = {
+  name: "named-media",
+  enforce: "pre",
+  transform(code, id) {
+    if (!/\.css(\?|$)/.test(id)) return undefined;
+    return code.replaceAll(/\(--([a-z]+)\)(?=[^;{}]*\{)/g, (written, name: string) => {
+      const condition = Object.entries(MEDIA).find(([known]) => known === name)?.[1];
+      if (condition === undefined) this.error(`${written} is no condition of src/app/media.ts`);
+      return condition;
+    });
+  },
+};
+
 export default defineConfig({
   base: "./",
-  plugins: [react(), contentPolicy],
+  plugins: [react(), contentPolicy, namedMedia],
   worker: { format: "es" },
   build: {
     target: "es2023",

@@ -172,6 +172,19 @@ test("no tolerance without a name", () => {
   expect(found).toEqual([]);
 });
 
+/** Style sheets name the conditions of app/media.ts; only its lathe and contour panels ask for their own width, by container. */
+test("breakpoints exist once", () => {
+  const styles = readdirSync(projectPath("src"), { recursive: true, encoding: "utf8" }).filter((name) => name.endsWith(".css")).map(
+    (name) => ({ path: `src/${name}`, text: readFileSync(projectPath(`src/${name}`), "utf8") })
+  );
+  expect(styles.length).toBeGreaterThan(5);
+  const bare = styles.flatMap(({ path, text }) =>
+    [...text.matchAll(/@media[^{]*?(?:width|height)[^{]*/g)].map(([query]) => `${path}: ${query}`)
+  );
+  const queries = all.filter(({ path, text }) => path !== "src/app/media.ts" && /\((?:min|max)-(?:width|height):/.test(code(text)));
+  expect([...bare, ...queries.map(({ path }) => path)]).toEqual([]);
+});
+
 test("no exported name means two things", () => {
   const owners = new Map<string, string[]>();
   for (const { path, text } of all.filter((s) => !s.path.startsWith("src/i18n/")))

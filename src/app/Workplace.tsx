@@ -19,19 +19,16 @@ import { SectionTabs } from "./SectionTabs.tsx";
 import { changeSettings, useSettings } from "./settings/settings.ts";
 import { useTexts } from "./settings/use-texts.ts";
 import { SetupPanel } from "./setup/SetupPanel.tsx";
-import { useMedia } from "./use-fingers.ts";
+import { useMedia } from "./use-media.ts";
 
 /** Loaded when its section is first shown. */
 const ContourTable = lazy(async () => ({ default: (await import("./contour/ContourTable.tsx")).ContourTable }));
-
-/** Three columns have room for the program beside the view. The same width stands in `layout.css`. */
-const WIDE = "(min-width: 1280px)";
 
 /** Prompts, lathe and program of the open job. */
 export function Workplace({ read }: { readonly read: JobReading }) {
   const { page: t, findings: { title: findingsTitle } } = useTexts();
   const language = useSettings((s) => s.language);
-  const wide = useMedia(WIDE);
+  const wide = useMedia("wide");
   const folded = useSettings((s) => s.programFolded);
   const asked = usePlace((p) => p.section);
   const shown = useOutcome((s) => s.shown);

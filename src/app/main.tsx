@@ -11,6 +11,7 @@ import { followAppearance } from "./settings/appearance.ts";
 import { fetchTexts } from "./settings/loaded-texts.ts";
 import { useSettings } from "./settings/settings.ts";
 import { startTools } from "./tools/keep-tools.ts";
+import "./styles/tokens.css";
 import "./styles/base.css";
 import "./styles/layout.css";
 import "./styles/dialog.css";

@@ -1,5 +1,5 @@
 import { useRef, type ReactNode } from "react";
-import { useFingers } from "../use-fingers.ts";
+import { useFingers } from "../use-media.ts";
 import { Keypad } from "./Keypad.tsx";
 import { OpenPrompt } from "./OpenPrompt.tsx";
 import { onPromptKey } from "./prompt-keys.ts";

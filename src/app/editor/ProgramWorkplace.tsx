@@ -11,7 +11,7 @@ import { playback } from "../playback.ts";
 import { SectionTabs } from "../SectionTabs.tsx";
 import { useTexts } from "../settings/use-texts.ts";
 import { beforeLeaving, useEditor } from "../store.ts";
-import { useMedia } from "../use-fingers.ts";
+import { holds, useMedia } from "../use-media.ts";
 import { BlockPanel } from "./BlockPanel.tsx";
 import { followProgram } from "./follow.ts";
 import { closeSession, handOverText, openBlock, openSession } from "./session.ts";
@@ -19,7 +19,6 @@ import { StructurePanel } from "./StructurePanel.tsx";
 import { TextPanel } from "./TextPanel.tsx";
 import { TotalsStrip } from "./TotalsStrip.tsx";
 import { useProgramHost } from "./use-program-host.ts";
-import { WIDE } from "./wide.ts";
 import "./editor.css";
 
 /** Keeps the editor of the open program for as long as it is open. */
@@ -28,7 +27,7 @@ function useProgramSession(): void {
     const { program, work } = useEditor.getState();
     if (!program || work === null) return undefined;
     openSession(program, work);
-    if (usePlace.getState().section === "prompts") showSection(matchMedia(WIDE).matches ? "structure" : "text");
+    if (usePlace.getState().section === "prompts") showSection(holds("wide") ? "structure" : "text");
     const stop = followProgram();
     beforeLeaving.add(handOverText);
     return () => {
@@ -51,7 +50,7 @@ function openMove(step: number): void {
 /** Blocks, lathe and text of a whole program. */
 export function ProgramWorkplace() {
   const { editor: t, findings: words } = useTexts();
-  const wide = useMedia(WIDE);
+  const wide = useMedia("wide");
   // What opens a prompt asks for the prompts: here they are those of the block.
   const asked = usePlace((p) => (p.section === "prompts" ? "block" : p.section));
   const shown = useOutcome((s) => s.shown);

@@ -11,7 +11,7 @@ import { diagnosticsOf } from "./diagnostics.ts";
 import { inWords } from "./editor-extensions.ts";
 import { openReading } from "./open-block.ts";
 import { blockRange } from "./reading-field.ts";
-import { WIDE } from "./wide.ts";
+import { holds } from "../use-media.ts";
 import { dispatchEdit, openBlock, sessionText, sessionView, useSession } from "./session.ts";
 
 /** True when a result was made from the text as it stands now. */
@@ -30,7 +30,7 @@ function showAskedPrompt(): void {
 
 function followSession(): () => void {
   return useSession.subscribe((now, before) => {
-    if (now.pointed !== before.pointed && matchMedia(WIDE).matches) showSection("block");
+    if (now.pointed !== before.pointed && holds("wide")) showSection("block");
     if (now.opened !== before.opened) showAskedPrompt();
   });
 }

@@ -1,7 +1,5 @@
 import { useSyncExternalStore } from "react";
-
-/** Where fingers work: a coarse pointer, or a screen without room for the three columns. */
-const FINGERS = "(pointer: coarse), (max-width: 1279px)";
+import { MEDIA } from "./media.ts";
 
 interface Watched {
   readonly matches: () => boolean;
@@ -28,11 +26,14 @@ function watch(condition: string): Watched {
   return made;
 }
 
-/** True where a media query holds; follows it. */
-export function useMedia(condition: string): boolean {
-  const { matches, subscribe } = watch(condition);
+/** True where one of the page's conditions holds; follows it. */
+export function useMedia(name: keyof typeof MEDIA): boolean {
+  const { matches, subscribe } = watch(MEDIA[name]);
   return useSyncExternalStore(subscribe, matches, () => false);
 }
 
-/** True where the page shows its own keypad and large targets. The same condition stands in `tokens.css`. */
-export const useFingers = (): boolean => useMedia(FINGERS);
+/** True where the page shows its own keypad and large targets. */
+export const useFingers = (): boolean => useMedia("fingers");
+
+/** True where one of the page's conditions holds now. */
+export const holds = (name: keyof typeof MEDIA): boolean => watch(MEDIA[name]).matches();
