@@ -9,7 +9,7 @@ import type { Machine } from "./machine.ts";
 export function blankBox(machine: Machine, s: StatementOf<"blankBox">, index: number): void {
   const word = s.corner === 2 ? s.axes.find((w) => w.axis === "Z") : undefined;
   const n = word ? machine.number(word.value, index) : null;
-  if (n !== null) machine.mill.top = machine.length(n);
+  if (n !== null) machine.setMill({ top: machine.length(n) });
   if (machine.now.turning) machine.log.say(programIssue("blankNotTurned", "info", { form: "BLK FORM 0.1" }), index);
 }
 

@@ -78,10 +78,9 @@ function preconditions(machine: Machine, index: number): void {
  * meant to be.
  */
 function startOf(machine: Machine, index: number): Pt | null {
-  const { mill } = machine;
-  if (!machine.now.turning) return pointIn("lathe", mill.at);
+  if (!machine.now.turning) return pointIn("lathe", machine.now.mill.at);
   // With RL or RR still active the tip stands beside the programmed point.
-  const really = machine.now.compensation === "R0" ? null : machine.guide.here;
+  const really = machine.now.compensation === "R0" ? null : machine.turnGuide.here;
   const start = really && machine.tip ? partPoint(really) : machine.tip;
   if (start && (!machine.now.sure.x || !machine.now.sure.z)) machine.log.say(programIssue("startUnknown", "warning", {}), index);
   else if (!start && machine.now.lost === "unproved") machine.log.leaveUnproved("CYCL CALL", index);

@@ -2,7 +2,7 @@ import { axial } from "../kernel/units.ts";
 import type { Words } from "../nc/statement.ts";
 import { functionFeed, takeFeed } from "./block-feed.ts";
 import type { Machine } from "./machine.ts";
-import { centreOf, millStep } from "./mill-state.ts";
+import { centreOf, millStep } from "./mill-moves.ts";
 import { moveOf } from "./path-block.ts";
 import { part } from "../kernel/point.ts";
 
@@ -17,7 +17,7 @@ export const retracts = (words: Words): boolean => words.functions.includes(RETR
 
 /** A block in machine coordinates: the axes that it names are not known behind it. The way there, from a known place, is not proved. */
 export function elsewhere(machine: Machine, words: Words, index: number): void {
-  const { mill } = machine;
+  const { mill } = machine.now;
   const wasKnown = machine.now.turning
     ? machine.tip !== null && machine.now.sure.x && machine.now.sure.z
     : mill.at.z !== null && centreOf(mill.at) !== null;
@@ -26,12 +26,12 @@ export function elsewhere(machine: Machine, words: Words, index: number): void {
     if (axis !== "X" && axis !== "Y" && axis !== "Z") continue;
     const unknown = { [axis.toLowerCase()]: null };
     machine.set({ at: { ...machine.now.at, ...unknown } });
-    mill.at = { ...mill.at, ...unknown };
+    machine.setMill({ at: { ...machine.now.mill.at, ...unknown } });
   }
   const { at, sure } = machine.now;
   machine.set({ sure: { x: sure.x && at.x !== null, z: sure.z && at.z !== null }, last: null });
-  mill.here = centreOf(mill.at);
-  mill.last = null;
+  machine.millGuide.here = centreOf(machine.now.mill.at);
+  machine.setMill({ last: null });
   const what = words.functions.filter((m) => MACHINE_COORDINATES.has(m)).map((m) => `M${m}`).join(" ");
   if (wasKnown) machine.log.leaveUnproved(what, index);
   else machine.log.notSimulated(what, index);
@@ -43,7 +43,7 @@ export function retract(machine: Machine, words: Words, index: number): void {
   const by = words.retract === undefined || words.retract === "max" ? null : machine.number(words.retract, index);
   if (words.retract === undefined || (words.retract !== "max" && by === null)) machine.log.leaveUnproved(`M${RETRACT}`, index);
   const far = by === null ? null : machine.length(by);
-  machine.mill.last = null;
+  machine.setMill({ last: null });
   machine.set({ last: null });
   if (machine.now.turning) turned(machine, far, feed, index);
   else milled(machine, far, feed, index);
@@ -65,10 +65,10 @@ function turned(machine: Machine, far: number | null, feed: Travel["feed"], inde
 }
 
 function milled(machine: Machine, far: number | null, feed: Travel["feed"], index: number): void {
-  const { mill } = machine;
+  const { now: { mill }, millGuide: { here } } = machine;
   if (mill.otherAxis) return machine.log.leaveUnproved(`M${RETRACT}`, index);
-  const [at, from] = [mill.here ?? centreOf(mill.at), mill.at.z];
+  const [at, from] = [here ?? centreOf(mill.at), mill.at.z];
   const to = far === null || from === null ? null : from + far;
   if (at && from !== null && to !== null) millStep(machine, { kind: "line", from: at, to: at }, { fromZ: from, toZ: to, feed, index });
-  mill.at = { ...mill.at, z: to };
+  machine.setMill({ at: { ...mill.at, z: to } });
 }

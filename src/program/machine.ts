@@ -11,11 +11,10 @@ import { formulaOf, valueOf, type Parameters, type Trouble } from "./formula.ts"
 import { programIssue, type ProgramIssue } from "./issue.ts";
 import { KnownValues } from "./known-values.ts";
 import { Log } from "./log.ts";
-import { MillState, type Mill } from "./mill-state.ts";
-import { AT_START, type Modal } from "./modal.ts";
+import { AT_START, type Milling, type Modal } from "./modal.ts";
 import { NOWHERE, pointIn } from "./path.ts";
 import type { Guide } from "./plane-chain.ts";
-import type { Control } from "./plane-types.ts";
+import type { Control, Mill } from "./plane-types.ts";
 
 /** What a run can use. */
 export interface Shop {
@@ -40,6 +39,8 @@ export class Machine {
   readonly blocks: readonly Block[];
   readonly log: Log;
   readonly labels = new Map<Label, number>();
+  /** Radii of TOOL DEF lines, mm. */
+  readonly radii = new Map<Label, number>();
   readonly parameters: Parameters = new Map();
   readonly known = new KnownValues(this.parameters);
   /** What is in force; a block that changes it puts a new one in its place. */
@@ -49,9 +50,9 @@ export class Machine {
   readonly called = new Set<number>();
   /** Blocks that were run or read as part of a contour. */
   readonly visited: Uint8Array;
-  /** Compensated contours in turning. */
-  readonly guide: Guide = { chain: null, here: null };
-  readonly mill = new MillState();
+  /** The contours that turning and milling are gathering. */
+  readonly turnGuide: Guide = { chain: null, here: null };
+  readonly millGuide: Guide = { chain: null, here: null };
   /** Blocks executed, those of contours that cycles read included. */
   private executed = 0;
   full = false;
@@ -75,6 +76,11 @@ export class Machine {
     if (names.some((name) => change[name] !== this.now[name])) this.now = { ...this.now, ...change };
   }
 
+  /** Changes what is in force for a mill. */
+  setMill(change: Partial<Milling>): void {
+    this.set({ mill: { ...this.now.mill, ...change } });
+  }
+
   /** The number of a value, or null with an issue at the block. */
   number(value: Value, index: number): number | null {
     return this.settle(valueOf(value, this.parameters), index);
@@ -91,8 +97,8 @@ export class Machine {
   /** Something else has moved the machine: no position is known. */
   loseAll(): void {
     this.set({ at: NOWHERE, sure: { x: false, z: false }, last: null, lost: "unproved" });
-    this.mill.at = NOWHERE;
-    this.mill.here = null;
+    this.setMill({ at: NOWHERE });
+    this.millGuide.here = null;
   }
 
   /** A preset takes the datum back; another one than before moves the workpiece against what was cut already. */

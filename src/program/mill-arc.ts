@@ -4,7 +4,7 @@ import { SAME } from "../kernel/tolerance.ts";
 import type { Feed } from "../kernel/units.ts";
 import type { PathKind } from "../nc/statement.ts";
 import type { Machine } from "./machine.ts";
-import { millSideStep, type SidePlane } from "./mill-state.ts";
+import { millSideStep, type SidePlane } from "./mill-moves.ts";
 import { standing, wordReader } from "./path-block.ts";
 import { planeOfAxes, pointIn, segmentOf, type MillPlane, type PathBlock, type Position } from "./path.ts";
 
@@ -29,7 +29,7 @@ export function planeOf(machine: Machine, { path, words }: PathBlock): MillPlane
 
 /** What ran last, in the plane of an arc that leaves it tangentially. */
 function segmentBefore(machine: Machine, plane: SidePlane): Segment | null {
-  const { last } = machine.mill;
+  const { last } = machine.now.mill;
   if (!last) return null;
   if (last.plane === plane && last.segment) return last.segment;
   const [from, to] = [pointIn(plane, last.from), pointIn(plane, last.to)];
@@ -43,7 +43,7 @@ export function millSideArc(machine: Machine, plane: SidePlane, side: SideBlock)
   if (!start || !end) return;
   const course = { from: start, to: end, pole: standing(machine, plane).pole, before: segmentBefore(machine, plane) };
   const made = segmentOf(wordReader(machine, index), block, course);
-  machine.mill.last = { from: before, to, plane, segment: made.kind === "arc" ? made : null };
+  machine.setMill({ last: { from: before, to, plane, segment: made.kind === "arc" ? made : null } });
   machine.set({ last: null });
   millSideStep(machine, plane, planeSegment(made), side);
 }

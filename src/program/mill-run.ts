@@ -5,7 +5,7 @@ import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
 import { blockFeed, takeFeed } from "./block-feed.ts";
 import { millSideArc, planeOf, type SideBlock } from "./mill-arc.ts";
-import { centreOf, millArrives, millCarrier, type SidePlane } from "./mill-state.ts";
+import { centreOf, millArrives, millCarrier, type SidePlane } from "./mill-moves.ts";
 import { standing, wordReader } from "./path-block.ts";
 import { endOf, isPolarPath, segmentOf, type MillPlane, type PathBlock } from "./path.ts";
 import { startUnknown } from "./turn-run.ts";
@@ -15,7 +15,7 @@ import { ROUND } from "../kernel/tolerance.ts";
 const carrierOf = (machine: Machine) => () => millCarrier(machine);
 
 /** Carries out what waits; called before anything that does not belong to a contour. */
-export const closeMill = (machine: Machine): void => close(machine.mill, carrierOf(machine));
+export const closeMill = (machine: Machine): void => close(machine.millGuide, carrierOf(machine));
 
 /** The plane in which the words of a block count: LP stays in that of its pole. */
 const planeOfWords = (
@@ -25,20 +25,20 @@ const planeOfWords = (
 
 /** One path block: L, C, CR, CT and the polar forms. */
 export function millPath(machine: Machine, block: PathBlock, index: number): void {
-  const { mill } = machine;
+  const { now: { mill }, millGuide: guide } = machine;
   const { words } = block;
-  const requested = sideOf(words, mill.chain?.side ?? "none");
+  const requested = sideOf(words, guide.chain?.side ?? "none");
   const before = mill.at;
   const to = endOf(wordReader(machine, index), block, standing(machine, planeOfWords(machine, block)));
   const isMoving = isPolarPath(block.path) || words.axes.length > 0;
   if (!to || (!isMoving && words.compensation === undefined)) return takeFeed(machine, words.feed, index);
   if (words.compensation !== undefined) needsRadius(machine, requested, index);
-  mill.at = to;
+  machine.setMill({ at: to });
   const [start, end] = [centreOf(before), centreOf(to)];
   if (end && to.z !== null) machine.set({ lost: null });
   if (!end) {
     closeMill(machine);
-    mill.here = null;
+    guide.here = null;
     return takeFeed(machine, words.feed, index);
   }
   const feed = isMoving ? blockFeed(machine, words.feed, index) : machine.now.feed;
@@ -46,13 +46,13 @@ export function millPath(machine: Machine, block: PathBlock, index: number): voi
   if (!start && requested === "none") {
     closeMill(machine);
     millArrives(machine, end, travel);
-    mill.here = end;
+    guide.here = end;
     machine.set({ last: null });
     return;
   }
   const plane = planeOf(machine, block);
   if (plane !== "XY" && start) return sideArc(machine, plane, { block, before, to, feed, index, requested });
-  mill.last = { from: before, to, plane: "XY", segment: null };
+  machine.setMill({ last: { from: before, to, plane: "XY", segment: null } });
   const pieces = start ? around(machine, block, elementBetween(machine, block, start, end, index), index) : [null];
   pieces.forEach((piece, i) => {
     const z =
@@ -60,26 +60,25 @@ export function millPath(machine: Machine, block: PathBlock, index: number): voi
         number) => (travel.fromZ === null || travel.toZ === null
           ? travel.toZ
           : travel.fromZ + ((travel.toZ - travel.fromZ) * k) / pieces.length);
-    followPath(mill, carrierOf(machine), requested, { ...travel, fromZ: z(i), toZ: z(i + 1), segment: piece, to: piece ? piece.to : end });
+    followPath(guide, carrierOf(machine), requested, { ...travel, fromZ: z(i), toZ: z(i + 1), segment: piece, to: piece ? piece.to : end });
   });
 }
 
 /** An arc beside the plane of the tool axis. The path before it is finished first: compensation does not reach it. */
 function sideArc(machine: Machine, plane: SidePlane, side: SideBlock & { readonly requested: Side }): void {
-  const { mill } = machine;
   const { requested, index, to } = side;
   closeMill(machine);
   if (requested !== "none") machine.log.leaveUnproved(side.block.path, index);
   millSideArc(machine, plane, side);
-  mill.here = centreOf(to);
+  machine.millGuide.here = centreOf(to);
 }
 
 function elementBetween(machine: Machine, block: PathBlock, start: PlanePoint, end: PlanePoint, index: number): PlaneSegment {
-  const { mill } = machine;
   const { pole } = standing(machine, "XY");
   const made = segmentOf(wordReader(machine, index), block, { from: partPoint(start), to: partPoint(end), pole, before: machine.now.last });
   machine.set({ last: made });
-  if (mill.last && made.kind === "arc") mill.last = { ...mill.last, segment: made };
+  const { last } = machine.now.mill;
+  if (last && made.kind === "arc") machine.setMill({ last: { ...last, segment: made } });
   return planeSegment(made);
 }
 
@@ -92,13 +91,13 @@ function around(machine: Machine, { path, words }: PathBlock, s: PlaneSegment, i
 }
 
 function needsRadius(machine: Machine, side: Side, index: number): void {
-  if (side !== "none" && machine.mill.radius === null)
-    machine.log.say(programIssue("toolRadiusUnknown", "warning", { tool: machine.mill.tool }), index);
+  if (side !== "none" && machine.now.mill.radius === null)
+    machine.log.say(programIssue("toolRadiusUnknown", "warning", { tool: machine.now.mill.tool }), index);
 }
 
 /** APPR and DEP. */
 export function millApproach(machine: Machine, s: Extract<Statement, { kind: "approach" }>, index: number): void {
-  const { mill } = machine;
+  const { now: { mill }, millGuide: guide } = machine;
   const { departing, form, words } = s;
   const path: PathBlock = { path: isPolar(form) ? "LP" : "L", words };
   const fromZ = mill.at.z;
@@ -109,9 +108,9 @@ export function millApproach(machine: Machine, s: Extract<Statement, { kind: "ap
   const target = isEnd ? centreOf(to) : null;
   if (isEnd && !target) return startUnknown(machine, index);
   const block = { departing, form, words, index, target, fromZ: fromZ ?? to.z, toZ: to.z };
-  if (departing) endWithDeparture(mill, carrierOf(machine), block);
-  else beginApproach(mill, carrierOf(machine), block);
-  const end = departing ? mill.here : target;
-  mill.at = { x: end?.x ?? mill.at.x, y: end?.y ?? mill.at.y, z: to.z };
+  if (departing) endWithDeparture(guide, carrierOf(machine), block);
+  else beginApproach(guide, carrierOf(machine), block);
+  const end = departing ? guide.here : target;
+  machine.setMill({ at: { x: end?.x ?? mill.at.x, y: end?.y ?? mill.at.y, z: to.z } });
   machine.set({ last: null });
 }

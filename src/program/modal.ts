@@ -6,7 +6,7 @@ import type { Feed } from "../kernel/units.ts";
 import type { Compensation, Label } from "../nc/statement.ts";
 import { NO_SHIFT, type Datum } from "./datum.ts";
 import type { UnknownReason } from "./known-values.ts";
-import { NOWHERE, type Pole, type Position } from "./path.ts";
+import { NOWHERE, type MillPlane, type Pole, type Position } from "./path.ts";
 
 type Correction = NonNullable<Tool["correction"]>;
 
@@ -27,6 +27,21 @@ export interface Held {
   readonly corner: { readonly element: CornerElement; readonly feed: Feed | null; readonly index: number } | null;
   /** Its number in the contour that runs on from block to block, from 1. */
   readonly element: number;
+}
+
+/** What is in force for a mill, mm. */
+export interface Milling {
+  /** The position as programmed. */
+  readonly at: Position;
+  /** Radius of the tool with its delta; null when no table and no TOOL DEF names it. */
+  readonly radius: number | null;
+  readonly tool: string;
+  /** True while the tool axis is not Z, so that the plane is not X/Y. */
+  readonly otherAxis: boolean;
+  /** Upper side of the blank. */
+  readonly top: number | null;
+  /** What ran last, for an arc that leaves it tangentially in a plane beside that of the tool axis; its arc, null for a line. */
+  readonly last: { readonly from: Position; readonly to: Position; readonly plane: MillPlane; readonly segment: Segment | null } | null;
 }
 
 /** What is in force between two blocks. X is a diameter, mm. Never changed in place: a block puts a new one in its place. */
@@ -74,6 +89,7 @@ export interface Modal {
   /** The last path element, for tangential arcs. */
   readonly last: Segment | null;
   readonly blank: readonly Ring[];
+  readonly mill: Milling;
 }
 
 /** Before the first block. */
@@ -105,4 +121,5 @@ export const AT_START: Modal = {
   held: null,
   last: null,
   blank: [],
+  mill: { at: NOWHERE, radius: null, tool: "", otherAxis: false, top: null, last: null },
 };

@@ -17,7 +17,7 @@ export function finish(machine: Machine): void {
 
 /** A mill whose tool axis is not Z moves in a plane that is not simulated. */
 function isAside(machine: Machine, what: string, index: number): boolean {
-  const aside = !machine.now.turning && machine.mill.otherAxis;
+  const aside = !machine.now.turning && machine.now.mill.otherAxis;
   if (aside) machine.log.leaveUnproved(what, index);
   return aside;
 }
@@ -52,7 +52,7 @@ function corner(machine: Machine, kind: CornerElement["kind"], value: Value | nu
   const n = value === null ? null : machine.number(value, index);
   if (n === null) return;
   const element: CornerElement = { kind, size: machine.length(n) };
-  const guide = machine.now.turning ? machine.guide : machine.mill;
+  const guide = machine.now.turning ? machine.turnGuide : machine.millGuide;
   if (machine.now.turning && !guide.chain) return cornerBlock(machine, element, feed, index);
   const own = typeof feed === "object" ? machine.number(feed.value, index) : null;
   const items = guide.chain?.items ?? [];

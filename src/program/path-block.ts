@@ -90,7 +90,7 @@ export const wordReader = (machine: Machine, index: number): WordReader => ({
 });
 
 /** What a block counts from in a plane of the mill or of the lathe. */
-export const standing = ({ now: { at, pole }, mill }: Machine, plane: Plane): Standing => ({
+export const standing = ({ now: { at, pole, mill } }: Machine, plane: Plane): Standing => ({
   plane,
   at: plane === "lathe" ? at : mill.at,
   pole: pole && pointIn(plane, pole.at),
@@ -98,7 +98,7 @@ export const standing = ({ now: { at, pole }, mill }: Machine, plane: Plane): St
 
 /** The pole: CC with coordinates; those it leaves out are where the tool was programmed to. */
 export function pole(machine: Machine, { axes }: Words, index: number): void {
-  const from = machine.now.turning ? machine.now.at : machine.mill.at;
+  const from = machine.now.turning ? machine.now.at : machine.now.mill.at;
   machine.set({ pole: { at: coordinates(wordReader(machine, index), axes, from), plane: planeOfAxes(axes) } });
 }
 

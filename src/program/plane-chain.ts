@@ -3,8 +3,6 @@ import type { CornerElement } from "../kernel/corner.ts";
 import type { PlanePoint, PlaneSegment, Side } from "../kernel/plane.ts";
 import type { Feed } from "../kernel/units.ts";
 import type { ApproachForm } from "../nc/statement.ts";
-import type { Machine } from "./machine.ts";
-import type { ApproachRun } from "./plane-types.ts";
 
 /** The tool axis and the feed of a block; `z` in mm, null while unknown and in turning. A feed of null is rapid. */
 export interface Travel {
@@ -48,23 +46,6 @@ export interface CompensatedChain {
   readonly start: ChainStart;
   lifts: readonly Travel[];
   readonly items: ChainItem[];
-}
-
-/** What carries a chain out: a mill in X/Y or a turning tool in Z/X. */
-export interface Carrier {
-  readonly machine: Machine;
-  readonly plane: "XY" | "ZX";
-  /** Radius to keep from the contour, mm. */
-  readonly toolRadius: number;
-  /** From the tool centre to the point that the program moves; nothing for a mill. */
-  readonly tip: PlanePoint;
-  /** Upper side of the part in the tool axis, where one is known. */
-  readonly top: number | null;
-  /** Runs a path of the programmed point. */
-  readonly emit: (s: PlaneSegment, travel: Travel) => void;
-  /** The first position of all: how the tool came there, nobody knows. */
-  readonly arrive: (at: PlanePoint, travel: Travel) => void;
-  readonly note: (run: ApproachRun) => void;
 }
 
 /** Where a chain is being built, and where the programmed point (mill centre, or tip) really stands. */

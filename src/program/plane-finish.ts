@@ -6,7 +6,8 @@ import { planeContour, type PlaneContour } from "../kernel/plane-contour.ts";
 import { ROUND, SAME } from "../kernel/tolerance.ts";
 import { radius, toDiameter } from "../kernel/units.ts";
 import { programIssue } from "./issue.ts";
-import type { ApproachCall, Carrier, CompensatedChain, Travel } from "./plane-chain.ts";
+import type { Carrier } from "./carrier.ts";
+import type { ApproachCall, CompensatedChain, Travel } from "./plane-chain.ts";
 
 const { apart, beyond, difference, direction, sum } = plane;
 

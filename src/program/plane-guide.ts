@@ -5,7 +5,8 @@ import { shapeOf } from "./approach-fields.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
 import { blockFeed } from "./block-feed.ts";
-import type { ApproachCall, Carrier, ChainItem, Guide, Travel } from "./plane-chain.ts";
+import type { Carrier } from "./carrier.ts";
+import type { ApproachCall, ChainItem, Guide, Travel } from "./plane-chain.ts";
 import { pointIn } from "./path.ts";
 import { finishChain } from "./plane-finish.ts";
 

@@ -72,3 +72,11 @@ export interface ApproachRun {
   readonly cut: ContourCut | null;
   readonly free: FreeWay | null;
 }
+
+/** A milling tool of the table: what the path needs of it, mm. */
+export interface Mill {
+  readonly T: number;
+  readonly NAME: string;
+  readonly R: number;
+  readonly DR?: number;
+}

@@ -3,7 +3,7 @@ import type { Issue } from "../kernel/issue.ts";
 import { TOOL_TYPES, type Tool } from "../kernel/tool.ts";
 import { checkTool } from "./check-tool.ts";
 import { soundHead } from "./holder-cells.ts";
-import type { Mill } from "./mill-state.ts";
+import type { Mill } from "./plane-types.ts";
 
 /** A cell that may be left out or written as null. */
 const cell = z.number().nullish();

@@ -132,8 +132,8 @@ function mode(machine: Machine, wanted: "TURN" | "MILL"): void {
   machine.set({ mode: wanted, last: null });
   if (machine.now.turning === (wanted === "TURN")) return;
   machine.set({ turning: wanted === "TURN", pole: null, sure: { x: false, z: false } });
-  machine.mill.at = NOWHERE;
-  machine.mill.here = null;
+  machine.setMill({ at: NOWHERE });
+  machine.millGuide.here = null;
 }
 
 /** CYCL CALL POS and PAT: the positions at which the cycle would run are not run. */

@@ -9,12 +9,12 @@ import { noTool } from "./preconditions.ts";
 /** TOOL DEF with L and R, as older programs define their tools. */
 export function toolDefinition(machine: Machine, s: StatementOf<"toolDefinition">, index: number): void {
   const n = s.radius === null ? null : machine.number(s.radius, index);
-  if (n !== null) machine.mill.defined.set(s.tool, machine.length(n));
+  if (n !== null) machine.radii.set(s.tool, machine.length(n));
 }
 
 /** TOOL CALL: feed and tool axis, and the tool of either table that has its number or name. */
 export function toolCall(machine: Machine, s: StatementOf<"toolCall">, index: number): void {
-  if (s.axis !== null) machine.mill.otherAxis = s.axis !== "Z";
+  if (s.axis !== null) machine.setMill({ otherAxis: s.axis !== "Z" });
   const wanted = typeof s.tool === "object" && s.tool !== null ? machine.number(s.tool, index) : s.tool;
   if (wanted !== null) takeMill(machine, s, wanted, index);
   if (typeof s.feed === "object" && s.feed) {
@@ -26,12 +26,11 @@ export function toolCall(machine: Machine, s: StatementOf<"toolCall">, index: nu
 }
 
 function takeMill(machine: Machine, s: StatementOf<"toolCall">, wanted: number | string, index: number): void {
-  const { mill, shop } = machine;
+  const { radii, shop } = machine;
   const row = shop.mills?.find((m) => m.T === wanted || m.NAME === wanted);
-  const radius = mill.defined.get(wanted) ?? (row ? row.R + (row.DR ?? 0) : null);
+  const radius = radii.get(wanted) ?? (row ? row.R + (row.DR ?? 0) : null);
   const delta = s.deltaRadius === null ? 0 : (machine.number(s.deltaRadius, index) ?? 0);
-  mill.tool = String(wanted);
-  mill.radius = radius === null ? null : Math.max(0, radius + machine.length(delta));
+  machine.setMill({ tool: String(wanted), radius: radius === null ? null : Math.max(0, radius + machine.length(delta)) });
 }
 
 function takeTool(machine: Machine, s: StatementOf<"toolCall">, wanted: number | string, index: number): void {

@@ -10,7 +10,7 @@ import { blockFeed, takeFeed } from "./block-feed.ts";
 import { noTool } from "./preconditions.ts";
 import { elementBetween, runHeldElement, moveOf, standAt, targetOf } from "./path-block.ts";
 import { coordinatesIn, type PathBlock } from "./path.ts";
-import type { Carrier } from "./plane-chain.ts";
+import type { Carrier } from "./carrier.ts";
 import { beginApproach, close, endWithDeparture, followPath, sideOf, type CarrierFor } from "./plane-guide.ts";
 
 /** The carrier of a turning tool: compensated by its nose radius, or as programmed; the program moves its theoretical tip. */
@@ -34,26 +34,26 @@ const carrierOf = (machine: Machine): CarrierFor => (side): Carrier => {
 
 /** Carries out what waits between RL or RR and its end. */
 export const closeTurn = (machine: Machine): void => {
-  if (machine.guide.chain) close(machine.guide, carrierOf(machine));
+  if (machine.turnGuide.chain) close(machine.turnGuide, carrierOf(machine));
 };
 
 /** True when a path block belongs to a compensated contour. */
 export const isGuided = (machine: Machine, words: Words): boolean =>
-  machine.now.tool !== null && (machine.guide.chain !== null || words.compensation === "RL" || words.compensation === "RR");
+  machine.now.tool !== null && (machine.turnGuide.chain !== null || words.compensation === "RL" || words.compensation === "RR");
 
 /** Begins where the tip stands, unless a contour is under way. */
 function start(machine: Machine): void {
-  if (machine.guide.chain) return;
+  if (machine.turnGuide.chain) return;
   runHeldElement(machine);
   const tip = machine.now.sure.x && machine.now.sure.z ? machine.tip : null;
-  machine.guide.here = tip && planePoint(tip);
+  machine.turnGuide.here = tip && planePoint(tip);
 }
 
 /** A path block from RL or RR on, up to and with the R0 that ends it. */
 export function guidedPath(machine: Machine, block: PathBlock, index: number): void {
   const { words } = block;
   start(machine);
-  const { guide } = machine;
+  const { turnGuide: guide } = machine;
   const from = machine.now.sure.x && machine.now.sure.z ? machine.tip : null;
   const target = targetOf(machine, block, index);
   const requested = sideOf(words, guide.chain?.side ?? "none");
@@ -97,9 +97,9 @@ export function turnApproach(machine: Machine, s: Extract<Statement, { kind: "ap
   const tip = machine.tip;
   if (isEnd && !tip) return startUnknown(machine, index);
   const block = { departing, form, words, index, target: isEnd && tip ? planePoint(tip) : null, fromZ: null, toZ: null };
-  if (departing) endWithDeparture(machine.guide, carrierOf(machine), block);
-  else beginApproach(machine.guide, carrierOf(machine), block);
-  const { here } = machine.guide;
+  if (departing) endWithDeparture(machine.turnGuide, carrierOf(machine), block);
+  else beginApproach(machine.turnGuide, carrierOf(machine), block);
+  const { here } = machine.turnGuide;
   if (departing && here) machine.set({ at: { ...machine.now.at, ...coordinatesIn("lathe", partPoint(here)) } });
   machine.set({ last: null });
 }

@@ -1,44 +1,16 @@
 import { partPoint, plane, type PlanePoint, type PlaneSegment } from "../kernel/plane.ts";
 import { ROUND } from "../kernel/tolerance.ts";
-import type { Label } from "../nc/statement.ts";
 import type { Machine } from "./machine.ts";
-import type { Carrier, Guide, Travel } from "./plane-chain.ts";
-import type { Segment } from "../kernel/point.ts";
+import type { Travel } from "./plane-chain.ts";
 import type { Feed } from "../kernel/units.ts";
-import { coordinatesIn, NOWHERE, type MillPlane, type Position } from "./path.ts";
+import { coordinatesIn, type MillPlane, type Position } from "./path.ts";
+import type { Carrier } from "./carrier.ts";
 import type { ApproachRun, Spot } from "./plane-types.ts";
 
 const { apart, sweepOf } = plane;
 
-/** A milling tool of the table: what the path needs of it, mm. */
-export interface Mill {
-  readonly T: number;
-  readonly NAME: string;
-  readonly R: number;
-  readonly DR?: number;
-}
-
 /** A plane beside that of the tool axis Z. */
 export type SidePlane = Exclude<MillPlane, "XY">;
-
-/** Everything that changes while a program mills. mm. */
-export class MillState implements Guide {
-  /** The position as programmed. */
-  at: Position = NOWHERE;
-  chain: Guide["chain"] = null;
-  here: PlanePoint | null = null;
-  /** Radius of the tool with its delta; null when no table and no TOOL DEF names it. */
-  radius: number | null = null;
-  tool = "";
-  /** Radii of TOOL DEF lines. */
-  readonly defined = new Map<Label, number>();
-  /** True while the tool axis is not Z, so that the plane is not X/Y. */
-  otherAxis = false;
-  /** Upper side of the blank. */
-  top: number | null = null;
-  /** What ran last, for an arc that leaves it tangentially in a plane beside that of the tool axis; its arc, null for a line. */
-  last: { readonly from: Position; readonly to: Position; readonly plane: MillPlane; readonly segment: Segment | null } | null = null;
-}
 
 const NO_TIP: PlanePoint = { x: 0, y: 0 };
 
@@ -49,7 +21,6 @@ function travelLength(s: PlaneSegment, dz: number): number {
 
 /** Adds one motion of the mill. */
 export function millStep(machine: Machine, s: PlaneSegment, { fromZ, toZ, feed, index }: Travel): void {
-  const { mill } = machine;
   const isStill = s.kind === "line" && apart(s.from, s.to) <= ROUND;
   if ((isStill && fromZ === toZ) || !machine.roomForMove(index)) return;
   const long = travelLength(s, (toZ ?? 0) - (fromZ ?? toZ ?? 0));
@@ -60,7 +31,7 @@ export function millStep(machine: Machine, s: PlaneSegment, { fromZ, toZ, feed, 
     to: { ...s.to, z: toZ },
     ...(s.kind === "arc" && { centre: s.centre, turn: s.turn }),
     ...(feed !== null && { feed, feedUnit: machine.feedUnit }),
-    radius: mill.radius ?? 0,
+    radius: machine.now.mill.radius ?? 0,
     block: machine.log.numbers[index] ?? 0,
     index,
     seconds: rate > 0 ? (60 * long) / rate : 0,
@@ -75,7 +46,6 @@ export function millSideStep(
   s: PlaneSegment,
   { before, to, feed, index }: { readonly before: Position; readonly to: Position; readonly feed: Feed | null; readonly index: number },
 ): void {
-  const { mill } = machine;
   const [from, end] = [spotOf(before), spotOf(to)];
   if (!from || !end || !machine.roomForMove(index)) return;
   const other = plane === "ZX" ? end.y - from.y : end.x - from.x;
@@ -86,7 +56,7 @@ export function millSideStep(
     to: end,
     ...(s.kind === "arc" && { side: { plane, centre: coordinatesIn(plane, partPoint(s.centre)), turn: s.turn } }),
     ...(feed !== null && { feed, feedUnit: machine.feedUnit }),
-    radius: mill.radius ?? 0,
+    radius: machine.now.mill.radius ?? 0,
     block: machine.log.numbers[index] ?? 0,
     index,
     seconds: rate > 0 ? (60 * travelLength(s, other)) / rate : 0,
@@ -106,7 +76,7 @@ export function millArrives(machine: Machine, to: PlanePoint, { toZ, feed, index
     from: at,
     to: at,
     ...(feed !== null && { feed, feedUnit: machine.feedUnit }),
-    radius: machine.mill.radius ?? 0,
+    radius: machine.now.mill.radius ?? 0,
     block: machine.log.numbers[index] ?? 0,
     index,
     seconds: 0,
@@ -119,9 +89,9 @@ export function millCarrier(machine: Machine): Carrier {
   return {
     machine,
     plane: "XY",
-    toolRadius: machine.mill.radius ?? 0,
+    toolRadius: machine.now.mill.radius ?? 0,
     tip: NO_TIP,
-    top: machine.mill.top,
+    top: machine.now.mill.top,
     emit: (s, travel) => millStep(machine, s, travel),
     arrive: (at, travel) => millArrives(machine, at, travel),
     note: (run: ApproachRun) => machine.log.approaches.push(run),
