@@ -185,6 +185,22 @@ test("breakpoints exist once", () => {
   expect([...bare, ...queries.map(({ path }) => path)]).toEqual([]);
 });
 
+/** What imports each other can only be read together; types count too. */
+test("no files import each other in a circle", () => {
+  const targets = new Map(all.map((s) => [s.path, s.imports.filter((i) => i.relative).map((i) => i.target)]));
+  const state = new Map<string, "open" | "done">();
+  const circles: string[] = [];
+  const visit = (path: string, way: readonly string[]): void => {
+    if (state.get(path) === "open") circles.push([...way.slice(way.indexOf(path)), path].join(" → "));
+    if (state.has(path)) return;
+    state.set(path, "open");
+    for (const target of targets.get(path) ?? []) visit(target, [...way, path]);
+    state.set(path, "done");
+  };
+  for (const path of targets.keys()) visit(path, []);
+  expect(circles).toEqual([]);
+});
+
 test("no exported name means two things", () => {
   const owners = new Map<string, string[]>();
   for (const { path, text } of all.filter((s) => !s.path.startsWith("src/i18n/")))

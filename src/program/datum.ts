@@ -1,17 +1,9 @@
-import { diameter, length, radius, toDiameter, toRadius, type Length } from "../kernel/units.ts";
+import { diameter, length, radius, toDiameter, toRadius } from "../kernel/units.ts";
 import { readWords } from "../nc/read-words.ts";
 import { Scan } from "../nc/scan.ts";
 import type { AxisName, AxisWord } from "../nc/statement.ts";
 import type { Machine } from "./machine.ts";
-
-/** How far the datum of the program stands from that of the workpiece, mm; X as a distance, never as a diameter. */
-export interface Datum {
-  readonly x: Length;
-  readonly y: Length;
-  readonly z: Length;
-}
-
-export const NO_SHIFT: Datum = { x: length(0), y: length(0), z: length(0) };
+import type { Datum } from "./modal.ts";
 
 /** The cycle that shifts the datum, one coordinate a line. */
 export const DATUM_CYCLE = 7;

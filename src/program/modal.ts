@@ -2,13 +2,21 @@ import type { CornerElement } from "../kernel/corner.ts";
 import type { Ring, Segment } from "../kernel/point.ts";
 import type { Spindle } from "../kernel/step.ts";
 import type { Tool } from "../kernel/tool.ts";
-import type { Feed } from "../kernel/units.ts";
+import { length, type Feed, type Length } from "../kernel/units.ts";
 import type { Compensation, Label } from "../nc/statement.ts";
-import { NO_SHIFT, type Datum } from "./datum.ts";
 import type { UnknownReason } from "./known-values.ts";
 import { NOWHERE, type MillPlane, type Pole, type Position } from "./path.ts";
 
 type Correction = NonNullable<Tool["correction"]>;
+
+/** How far the datum of the program stands from that of the workpiece, mm; X as a distance, never as a diameter. */
+export interface Datum {
+  readonly x: Length;
+  readonly y: Length;
+  readonly z: Length;
+}
+
+export const NO_SHIFT: Datum = { x: length(0), y: length(0), z: length(0) };
 
 /** A cycle definition waiting for its call. Numbers as they were when the definition was reached. */
 export interface Defined {

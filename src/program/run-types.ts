@@ -8,7 +8,7 @@ import type { Spindle, Step, Unproved } from "../kernel/step.ts";
 import type { Tool } from "../kernel/tool.ts";
 import type { Feed } from "../kernel/units.ts";
 import type { NcIssue } from "../nc/issue.ts";
-import type { Datum } from "./datum.ts";
+import type { Datum } from "./modal.ts";
 import type { ProgramIssue } from "./issue.ts";
 import type { ApproachRun, PlaneStep } from "./plane-types.ts";
 

@@ -2,7 +2,7 @@ import type { Plan } from "../kernel/plan.ts";
 import type { Move } from "../kernel/move.ts";
 import type { Pt, Segment } from "../kernel/point.ts";
 import { axial, radius } from "../kernel/units.ts";
-import type { Datum } from "./datum.ts";
+import type { Datum } from "./modal.ts";
 
 type By = Pick<Datum, "x" | "z">;
 
