@@ -1,4 +1,5 @@
-import { Clipper64, ClipType, EndType, FillRule, inflatePaths, JoinType, PathType, simplifyPaths, type Path64 } from "clipper2-ts";
+import { Clipper64, ClipType, EndType, FillRule, inflatePaths, JoinType, PathType, pointInPolygon, PointInPolygonResult, simplifyPaths,
+  type Path64 } from "clipper2-ts";
 import type { Pt, Ring } from "./point.ts";
 import { CHORD, GRID } from "./tolerance.ts";
 import { axial, radius } from "./units.ts";
@@ -78,6 +79,12 @@ export function offset(area: readonly Ring[], delta: number): Ring[] {
   if (!Number.isFinite(delta)) return [];
   return rings(inflatePaths(paths(outerFirst(area)), delta * UNITS, JoinType.Round, EndType.Polygon, 2, CHORD * UNITS));
 }
+
+/** Whether a point lies inside a ring; on its edge it does not. */
+export const isInside = (ring: Ring, p: Pt): boolean => {
+  const [path] = paths([ring]);
+  return path !== undefined && pointInPolygon({ x: toGrid(p.z), y: toGrid(p.r) }, path) === PointInPolygonResult.IsInside;
+};
 
 /** With fewer corners, none of which was farther than `within` mm from the straight line that takes its place. */
 export const simplified = (area: readonly Ring[], within: number): Ring[] => rings(simplifyPaths(paths(area), within * UNITS, true));

@@ -1,47 +1,41 @@
+import type { Box } from "../kernel/geometry/segments.ts";
 import type { Pt, Ring } from "../kernel/point.ts";
 import { axial, radius } from "../kernel/units.ts";
 
-/** A rectangle in part space, mm. */
-export interface StockBox {
-  readonly left: number;
-  readonly right: number;
-  readonly bottom: number;
-  readonly top: number;
-}
-
 /** The smallest box round a ring. */
-export function boxOf(ring: Ring): StockBox {
-  let [left, right, bottom, top] = [Infinity, -Infinity, Infinity, -Infinity];
+export function boxOf(ring: Ring): Box {
+  let [left, right, low, high] = [Infinity, -Infinity, Infinity, -Infinity];
   for (const p of ring) {
     if (p.z < left) left = p.z;
     if (p.z > right) right = p.z;
-    if (p.r < bottom) bottom = p.r;
-    if (p.r > top) top = p.r;
+    if (p.r < low) low = p.r;
+    if (p.r > high) high = p.r;
   }
-  return { left, right, bottom, top };
+  return { left, right, low, high };
 }
 
 /** How far two boxes are apart, mm; 0 when they overlap. */
-export const gapBetween = (a: StockBox, b: StockBox): number =>
-  Math.hypot(Math.max(0, a.left - b.right, b.left - a.right), Math.max(0, a.bottom - b.top, b.bottom - a.top));
+export const gapBetween = (a: Box, b: Box): number =>
+  Math.hypot(Math.max(0, a.left - b.right, b.left - a.right), Math.max(0, a.low - b.high, b.low - a.high));
 
 /** The box round several rings. */
-export const boxAround = (rings: readonly Ring[]): StockBox => boxOf(rings.flat());
+export const boxAround = (rings: readonly Ring[]): Box => boxOf(rings.flat());
 
 /**
  * What of an area lies in a box, for areas that are combined further: outlines may run along the sides of the box more
- * than once, which the non-zero rule of the polygon engine forgives. Much faster than a true intersection.
+ * than once, which the non-zero rule of the polygon engine forgives. Much faster than a true intersection. The engine's own clip
+ * to a rectangle loses a corner where a vertex lies on a side of it, which the law of this function finds.
  */
-export function inBox(area: readonly Ring[], box: StockBox): Ring[] {
+export function inBox(area: readonly Ring[], box: Box): Ring[] {
   const out: Ring[] = [];
   for (const ring of area) {
     const own = boxOf(ring);
-    if (own.left >= box.right || own.right <= box.left || own.bottom >= box.top || own.top <= box.bottom) continue;
+    if (own.left >= box.right || own.right <= box.left || own.low >= box.high || own.high <= box.low) continue;
     let cut: Ring = ring;
     if (own.left < box.left) cut = side(cut, "z", box.left, 1);
     if (own.right > box.right) cut = side(cut, "z", box.right, -1);
-    if (own.bottom < box.bottom) cut = side(cut, "r", box.bottom, 1);
-    if (own.top > box.top) cut = side(cut, "r", box.top, -1);
+    if (own.low < box.low) cut = side(cut, "r", box.low, 1);
+    if (own.high > box.high) cut = side(cut, "r", box.high, -1);
     if (cut.length > 2) out.push(cut);
   }
   return out;

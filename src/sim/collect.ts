@@ -1,6 +1,7 @@
 import { areaOf, union } from "../kernel/clip.ts";
 import type { Ring } from "../kernel/point.ts";
-import { boxAround, gapBetween, type StockBox } from "./box.ts";
+import { boxAround, gapBetween } from "./box.ts";
+import type { Box } from "../kernel/geometry/segments.ts";
 import type { StockFinding } from "./simulation.ts";
 
 /** Moves whose places are nearer than this do the same damage, mm. */
@@ -12,7 +13,7 @@ const RINGS = 64;
 
 interface Kept {
   finding: StockFinding;
-  box: StockBox;
+  box: Box;
   /** Area of the largest single piece, which gives the place. */
   largest: number;
   /** Rings after which they are merged: twice what the last merging left, so that merging does not become the work. */
@@ -25,11 +26,11 @@ export interface Collector {
   all(): StockFinding[];
 }
 
-const around = (a: StockBox, b: StockBox): StockBox => ({
+const around = (a: Box, b: Box): Box => ({
   left: Math.min(a.left, b.left),
   right: Math.max(a.right, b.right),
-  bottom: Math.min(a.bottom, b.bottom),
-  top: Math.max(a.top, b.top),
+  low: Math.min(a.low, b.low),
+  high: Math.max(a.high, b.high),
 });
 
 /** A gouge and a rapid take away what they find, so their areas add up; a holder leaves it, and finds it again. */
@@ -44,7 +45,7 @@ export function collector(): Collector {
   const groups = new Map<string, Kept[]>();
   const last = new Map<StockFinding["kind"], Kept>();
 
-  function join(k: Kept, f: StockFinding, box: StockBox): void {
+  function join(k: Kept, f: StockFinding, box: Box): void {
     let rings: readonly Ring[] = [...k.finding.rings, ...f.rings];
     if (rings.length > k.many) {
       rings = union(rings);

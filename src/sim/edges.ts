@@ -47,7 +47,7 @@ export function sidesOf(area: readonly Ring[]): Edges {
   /** Whether an edge runs through the inside of a piece: what stays of it after each side. */
   function enters(e: number, { box, sides }: ConvexPiece): boolean {
     const [az, ar, bz, br] = [z0[e] as number, r0[e] as number, z1[e] as number, r1[e] as number];
-    if ((ar < box.bottom && br < box.bottom) || (ar > box.top && br > box.top)) return false;
+    if ((ar < box.low && br < box.low) || (ar > box.high && br > box.high)) return false;
     if ((az < box.left && bz < box.left) || (az > box.right && bz > box.right)) return false;
     let start = 0;
     let end = 1;

@@ -69,7 +69,7 @@ const MOST_LINES = 4000;
 export function hasRoomFor(area: readonly Ring[], diameter: number): boolean {
   const box = boxAround(area);
   const space = GRATING * diameter;
-  if (!(box.right - box.left >= diameter && box.top - box.bottom >= diameter)) return false;
+  if (!(box.right - box.left >= diameter && box.high - box.low >= diameter)) return false;
   const chord = diameter * Math.sqrt(1 - (3 * GRATING) ** 2) - 2 * BESIDE;
   const count = Math.ceil((box.right - box.left) / space) + 1;
   if (!(count < MOST_LINES)) return true;
@@ -107,7 +107,7 @@ export function thicknessOf(area: readonly Ring[]): number {
   const box = boxAround(area);
   const outer = Math.max(...area.map(areaOfRing));
   let low = size / outline;
-  let high = Math.min(box.right - box.left, box.top - box.bottom, 2 * Math.sqrt(outer / Math.PI)) / 2;
+  let high = Math.min(box.right - box.left, box.high - box.low, 2 * Math.sqrt(outer / Math.PI)) / 2;
   let step = 1.04;
   for (let i = 0; i < TRIES && high > low * (1 + NEAR); i += 1) {
     const tried = low * step < high ? low * step : (low + high) / 2;

@@ -17,7 +17,7 @@ const PARTS = 16;
 function rectangle(outline: Ring, points: readonly Pt[]): Ring {
   const [own, way] = [boxOf(outline), boxOf(points)];
   const [left, right] = [own.left + way.left, own.right + way.right];
-  const [bottom, top] = [own.bottom + way.bottom, own.top + way.top];
+  const [bottom, top] = [own.low + way.low, own.high + way.high];
   return [[left, bottom], [right, bottom], [right, top], [left, top]].map(([z, r]) => ({ z, r }) as Pt);
 }
 

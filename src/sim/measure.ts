@@ -129,7 +129,7 @@ type Where = Pick<Depth, "step" | "block" | "pass">;
 function deeper(known: Depth | null, taken: readonly Ring[], operation: SimulatedOperation, where: Where): Depth | null {
   const { openSide } = operation.plan;
   const box = boxAround(taken);
-  const most = Math.abs(openSide.r) >= Math.abs(openSide.z) ? box.top - box.bottom : box.right - box.left;
+  const most = Math.abs(openSide.r) >= Math.abs(openSide.z) ? box.high - box.low : box.right - box.left;
   if (known && most <= known.depth + SLIVER) return known;
   const depth = deepestAlong(taken, openSide);
   return depth > (known?.depth ?? 0) ? { depth, allowed: mostOf(operation), ...where } : known;

@@ -1,6 +1,7 @@
 import type { Pt, Ring } from "../kernel/point.ts";
 import { GRID } from "../kernel/tolerance.ts";
-import { boxOf, type StockBox } from "./box.ts";
+import { boxOf } from "./box.ts";
+import type { Box } from "../kernel/geometry/segments.ts";
 
 /** A convex piece that goes less deep than this into an area only touches it: two steps of the polygon grid. */
 const GLANCE = 2 * GRID;
@@ -8,7 +9,7 @@ const GLANCE = 2 * GRID;
 /** A convex ring (counter-clockwise) with its box and its sides, ready to be asked many times. */
 export interface ConvexPiece {
   readonly ring: Ring;
-  readonly box: StockBox;
+  readonly box: Box;
   /** Half planes nz·z + nr·r < c with unit normals, moved inwards by GLANCE: nz, nr, c, nz, nr, c … */
   readonly sides: Float64Array;
 }

@@ -1,7 +1,8 @@
 import { isBar, noseRadius } from "../kernel/insert.ts";
 import type { Reason } from "../kernel/issue.ts";
 import type { Pt, Ring } from "../kernel/point.ts";
-import { boxOf, gapBetween, type StockBox } from "./box.ts";
+import { boxOf, gapBetween } from "./box.ts";
+import type { Box } from "../kernel/geometry/segments.ts";
 import type { Outlines } from "./outlines.ts";
 import type { SimulatedOperation } from "./simulation.ts";
 import { sweepAlong } from "./sweep.ts";
@@ -35,8 +36,8 @@ function samplesOf(ring: Ring): Sample[] {
 }
 
 /** Whether a point lies on the outline of a convex piece. */
-function against(piece: Ring, box: StockBox, s: Sample): boolean {
-  if (s.z < box.left - AGAINST || s.z > box.right + AGAINST || s.r < box.bottom - AGAINST || s.r > box.top + AGAINST) return false;
+function against(piece: Ring, box: Box, s: Sample): boolean {
+  if (s.z < box.left - AGAINST || s.z > box.right + AGAINST || s.r < box.low - AGAINST || s.r > box.high + AGAINST) return false;
   let worst = -Infinity;
   let p = piece[piece.length - 1] as Pt;
   for (const q of piece) {
@@ -61,10 +62,10 @@ const NOSE_CORNER = 3;
  * A nose leaves a corner of its own size, in a square one a square of its radius. What is larger a wide bar leaves by its
  * width; another insert by the edge that acts nearest to it, or that keeps it from the angle of an element.
  */
-function betweenContours(box: StockBox, operation: SimulatedOperation, acting: Reason | null): Reason {
+function betweenContours(box: Box, operation: SimulatedOperation, acting: Reason | null): Reason {
   const bar = isBar(operation.tool);
   const most = noseRadius(operation.tool) * (bar ? 1 : NOSE_CORNER) + 2 * AGAINST;
-  if (box.right - box.left <= most && box.top - box.bottom <= most) return "insertRadius";
+  if (box.right - box.left <= most && box.high - box.low <= most) return "insertRadius";
   if (bar) return "toolWidth";
   const angle = operation.plan.issues.find((i) => i.code === "angleNotFollowed");
   return acting ?? angle?.data.edge ?? "insertRadius";

@@ -1,4 +1,4 @@
-import { areaOfRing } from "../kernel/clip.ts";
+import { areaOfRing, isInside } from "../kernel/clip.ts";
 import { at, type Pt, type Ring } from "../kernel/point.ts";
 
 /** One connected piece of an area: its outline, its holes, and its area in mm². */
@@ -8,22 +8,11 @@ export interface Region {
   readonly area: number;
 }
 
-/** Whether a point lies inside a ring. */
-export function inside(ring: Ring, p: { readonly z: number; readonly r: number }): boolean {
-  let odd = false;
-  let a = ring[ring.length - 1];
-  for (const b of ring) {
-    if (a && a.r <= p.r !== b.r <= p.r && a.z + ((b.z - a.z) * (p.r - a.r)) / (b.r - a.r) > p.z) odd = !odd;
-    a = b;
-  }
-  return odd;
-}
-
 /** The connected pieces of an area that are larger than `least` mm². */
 export function regionsOf(area: readonly Ring[], least: number): Region[] {
   const holes = area.filter((ring) => areaOfRing(ring) < 0);
   return area.filter((ring) => areaOfRing(ring) > 0).map((outline) => {
-    const own = holes.filter((h) => h[0] && inside(outline, h[0]));
+    const own = holes.filter((h) => h[0] && isInside(outline, h[0]));
     return { outline, holes: own, area: [outline, ...own].reduce((sum, ring) => sum + areaOfRing(ring), 0) };
   }).filter((region) => region.area > least);
 }

@@ -1,4 +1,4 @@
-import { areaOf, difference, intersection, opened } from "../kernel/clip.ts";
+import { areaOf, difference, intersection, isInside, opened } from "../kernel/clip.ts";
 import type { Reason } from "../kernel/issue.ts";
 import type { Plan, Reach } from "../kernel/plan.ts";
 import { at, type Ring } from "../kernel/point.ts";
@@ -10,7 +10,7 @@ import { thicknessOf } from "./extent.ts";
 import { machiningArea } from "./finished.ts";
 import { outlinesOf, type Outlines } from "./outlines.ts";
 import { reasonFor } from "./reason.ts";
-import { inside, placeIn, regionsOf, type Region } from "./region.ts";
+import { placeIn, regionsOf, type Region } from "./region.ts";
 import type { Residual, SimulatedOperation } from "./simulation.ts";
 import { coveredOn, hullAlong, type Sweep } from "./sweep.ts";
 
@@ -43,7 +43,7 @@ function leftBy(
 function* coverOf({ area, openSide }: Plan, path: readonly Reach[], insert: Ring): Generator<Sweep> {
   if (insert.length < 3 || area.length < 3) return;
   const box = boxOf(area);
-  const far = box.right - box.left + box.top - box.bottom;
+  const far = box.right - box.left + box.high - box.low;
   const cover = hullAlong(insert, ORIGIN, at(openSide.z * far, openSide.r * far));
   for (const stretch of path) yield coveredOn(cover, stretch.path);
 }
@@ -73,7 +73,7 @@ const toolOf = (operation: SimulatedOperation): Tool => operation.plan.tool ?? o
 /** The last operation whose area holds a region; the last of all when it lies between areas. */
 function ownerOf(region: Region, operations: readonly SimulatedOperation[]): number {
   const place = placeIn(region.outline);
-  const index = operations.findLastIndex((o) => inside(o.plan.area, place));
+  const index = operations.findLastIndex((o) => isInside(o.plan.area, place));
   return index >= 0 ? index : operations.length - 1;
 }
 
