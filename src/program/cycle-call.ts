@@ -78,12 +78,12 @@ function preconditions(machine: Machine, index: number): void {
  * meant to be.
  */
 function startOf(machine: Machine, index: number): Pt | null {
-  if (!machine.now.turning) return pointIn("lathe", machine.now.mill.at);
+  if (!machine.now.turning) return pointIn("lathe", machine.place.mill);
   // With RL or RR still active the tip stands beside the programmed point.
   const really = machine.now.compensation === "R0" ? null : machine.turnGuide.here;
   const start = really && machine.tip ? partPoint(really) : machine.tip;
-  if (start && (!machine.now.sure.x || !machine.now.sure.z)) machine.log.say(programIssue("startUnknown", "warning", {}), index);
-  else if (!start && machine.now.lost === "unproved") machine.log.leaveUnproved("CYCL CALL", index);
+  if (start && (!machine.place.sure.x || !machine.place.sure.z)) machine.log.say(programIssue("startUnknown", "warning", {}), index);
+  else if (!start && machine.place.lost === "unproved") machine.log.leaveUnproved("CYCL CALL", index);
   else if (!start) startUnknown(machine, index);
   return start;
 }
@@ -159,7 +159,7 @@ function perform(machine: Machine, { cycle, defined, start, tool, plan, issues, 
     seconds += machine.step(from, move, index, machine.log.operations.length, plan.tool ?? tool);
     from = move.to;
   }
-  machine.set({ at: { x: toDiameter(from.r), y: null, z: from.z }, last: null });
+  machine.setPlace({ at: { x: toDiameter(from.r), y: null, z: from.z }, last: null });
   machine.log.operations.push({
     block: machine.log.numbers[index] ?? 0,
     definedIn: machine.log.numbers[defined.index] ?? 0,

@@ -17,21 +17,19 @@ export const retracts = (words: Words): boolean => words.functions.includes(RETR
 
 /** A block in machine coordinates: the axes that it names are not known behind it. The way there, from a known place, is not proved. */
 export function elsewhere(machine: Machine, words: Words, index: number): void {
-  const { mill } = machine.now;
+  const { mill } = machine.place;
   const wasKnown = machine.now.turning
-    ? machine.tip !== null && machine.now.sure.x && machine.now.sure.z
-    : mill.at.z !== null && centreOf(mill.at) !== null;
+    ? machine.tip !== null && machine.place.sure.x && machine.place.sure.z
+    : mill.z !== null && centreOf(mill) !== null;
   takeFeed(machine, words.feed, index);
   for (const { axis } of words.axes) {
     if (axis !== "X" && axis !== "Y" && axis !== "Z") continue;
     const unknown = { [axis.toLowerCase()]: null };
-    machine.set({ at: { ...machine.now.at, ...unknown } });
-    machine.setMill({ at: { ...machine.now.mill.at, ...unknown } });
+    machine.setPlace({ at: { ...machine.place.at, ...unknown }, mill: { ...machine.place.mill, ...unknown } });
   }
-  const { at, sure } = machine.now;
-  machine.set({ sure: { x: sure.x && at.x !== null, z: sure.z && at.z !== null }, last: null });
-  machine.millGuide.here = centreOf(machine.now.mill.at);
-  machine.setMill({ last: null });
+  const { at, sure } = machine.place;
+  machine.setPlace({ sure: { x: sure.x && at.x !== null, z: sure.z && at.z !== null }, last: null, milled: null });
+  machine.millGuide.here = centreOf(machine.place.mill);
   const what = words.functions.filter((m) => MACHINE_COORDINATES.has(m)).map((m) => `M${m}`).join(" ");
   if (wasKnown) machine.log.leaveUnproved(what, index);
   else machine.log.notSimulated(what, index);
@@ -43,8 +41,7 @@ export function retract(machine: Machine, words: Words, index: number): void {
   const by = words.retract === undefined || words.retract === "max" ? null : machine.number(words.retract, index);
   if (words.retract === undefined || (words.retract !== "max" && by === null)) machine.log.leaveUnproved(`M${RETRACT}`, index);
   const far = by === null ? null : machine.length(by);
-  machine.setMill({ last: null });
-  machine.set({ last: null });
+  machine.setPlace({ milled: null, last: null });
   if (machine.now.turning) turned(machine, far, feed, index);
   else milled(machine, far, feed, index);
 }
@@ -52,7 +49,7 @@ export function retract(machine: Machine, words: Words, index: number): void {
 type Travel = Parameters<typeof millStep>[2];
 
 function turned(machine: Machine, far: number | null, feed: Travel["feed"], index: number): void {
-  const from = machine.now.sure.x && machine.now.sure.z ? machine.tip : null;
+  const from = machine.place.sure.x && machine.place.sure.z ? machine.tip : null;
   const ends = machine.now.blank.flat().map((p) => p.z);
   const blankEnd = ends.reduce((a, b) => Math.max(a, b), -Infinity);
   const z = far !== null && from ? from.z + far : from && Number.isFinite(blankEnd) ? Math.max(from.z, blankEnd + BEYOND_BLANK) : null;
@@ -60,15 +57,15 @@ function turned(machine: Machine, far: number | null, feed: Travel["feed"], inde
     const to = { z: axial(z), r: from.r };
     if (z !== from.z) machine.step(from, moveOf(machine, part.line(from, to), feed), index, null);
   }
-  machine.set({ at: { ...machine.now.at, z } });
-  machine.set({ sure: { ...machine.now.sure, z: z !== null } });
+  const { at, sure } = machine.place;
+  machine.setPlace({ at: { ...at, z }, sure: { ...sure, z: z !== null } });
 }
 
 function milled(machine: Machine, far: number | null, feed: Travel["feed"], index: number): void {
-  const { now: { mill }, millGuide: { here } } = machine;
-  if (mill.otherAxis) return machine.log.leaveUnproved(`M${RETRACT}`, index);
-  const [at, from] = [here ?? centreOf(mill.at), mill.at.z];
+  const { now, place: { mill }, millGuide: { here } } = machine;
+  if (now.mill.otherAxis) return machine.log.leaveUnproved(`M${RETRACT}`, index);
+  const [at, from] = [here ?? centreOf(mill), mill.z];
   const to = far === null || from === null ? null : from + far;
   if (at && from !== null && to !== null) millStep(machine, { kind: "line", from: at, to: at }, { fromZ: from, toZ: to, feed, index });
-  machine.setMill({ at: { ...mill.at, z: to } });
+  machine.setPlace({ mill: { ...mill, z: to } });
 }

@@ -10,8 +10,8 @@ import { formulaOf, valueOf, type Parameters, type Trouble } from "./formula.ts"
 import { programIssue, type ProgramIssue } from "./issue.ts";
 import { KnownValues } from "./known-values.ts";
 import { Log } from "./log.ts";
-import { AT_START, NO_SHIFT, type Milling, type Modal } from "./modal.ts";
-import { NOWHERE, pointIn } from "./path.ts";
+import { AT_START, NO_SHIFT, NOT_PLACED, type Milling, type Modal, type Whereabouts } from "./modal.ts";
+import { pointIn } from "./path.ts";
 import type { Guide } from "./plane-chain.ts";
 import type { Control, Mill } from "./plane-types.ts";
 
@@ -44,6 +44,8 @@ export class Machine {
   readonly known = new KnownValues(this.parameters);
   /** What is in force; a block that changes it puts a new one in its place. */
   now: Modal = AT_START;
+  /** Where the tool stands; a move puts a new place in its place. */
+  place: Whereabouts = NOT_PLACED;
   /** Blocks of definitions that were taken up, and of those that were called. */
   readonly definitions = new Set<number>();
   readonly called = new Set<number>();
@@ -68,11 +70,15 @@ export class Machine {
     });
   }
 
-  /** Changes what is in force. */
+  /** Changes what is in force. Most blocks leave most of it as it is, and a long program has many blocks. */
   set(change: Partial<Modal>): void {
     const names = Object.keys(change) as (keyof Modal)[];
-    // Most blocks leave most of it as it is, and a long program has many blocks.
     if (names.some((name) => change[name] !== this.now[name])) this.now = { ...this.now, ...change };
+  }
+
+  /** Changes where the tool stands. */
+  setPlace(change: Partial<Whereabouts>): void {
+    this.place = { ...this.place, ...change };
   }
 
   /** Changes what is in force for a mill. */
@@ -95,8 +101,7 @@ export class Machine {
 
   /** Something else has moved the machine: no position is known. */
   loseAll(): void {
-    this.set({ at: NOWHERE, sure: { x: false, z: false }, last: null, lost: "unproved" });
-    this.setMill({ at: NOWHERE });
+    this.setPlace({ ...NOT_PLACED, lost: "unproved", held: this.place.held, milled: this.place.milled });
     this.millGuide.here = null;
   }
 
@@ -135,7 +140,7 @@ export class Machine {
 
   /** The tip, when both coordinates are known. */
   get tip(): Pt | null {
-    return pointIn("lathe", this.now.at);
+    return pointIn("lathe", this.place.at);
   }
 
   /** Ends the run at a block, because the program goes beyond what is simulated: what follows is not proved. */
@@ -144,7 +149,7 @@ export class Machine {
     this.full = true;
     this.log.say(why, index);
     // An element that waits for a corner stands before the end and is still run.
-    const step = this.log.steps.length + (this.now.held ? 1 : 0);
+    const step = this.log.steps.length + (this.place.held ? 1 : 0);
     this.log.unproved.push({
       step,
       block: this.log.numbers[index] ?? 0,

@@ -29,7 +29,7 @@ export function planeOf(machine: Machine, { path, words }: PathBlock): MillPlane
 
 /** What ran last, in the plane of an arc that leaves it tangentially. */
 function segmentBefore(machine: Machine, plane: SidePlane): Segment | null {
-  const { last } = machine.now.mill;
+  const { milled: last } = machine.place;
   if (!last) return null;
   if (last.plane === plane && last.segment) return last.segment;
   const [from, to] = [pointIn(plane, last.from), pointIn(plane, last.to)];
@@ -43,7 +43,7 @@ export function millSideArc(machine: Machine, plane: SidePlane, side: SideBlock)
   if (!start || !end) return;
   const course = { from: start, to: end, pole: standing(machine, plane).pole, before: segmentBefore(machine, plane) };
   const made = segmentOf(wordReader(machine, index), block, course);
-  machine.setMill({ last: { from: before, to, plane, segment: made.kind === "arc" ? made : null } });
-  machine.set({ last: null });
+  machine.setPlace({ milled: { from: before, to, plane, segment: made.kind === "arc" ? made : null } });
+  machine.setPlace({ last: null });
   millSideStep(machine, plane, planeSegment(made), side);
 }

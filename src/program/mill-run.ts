@@ -25,17 +25,16 @@ const planeOfWords = (
 
 /** One path block: L, C, CR, CT and the polar forms. */
 export function millPath(machine: Machine, block: PathBlock, index: number): void {
-  const { now: { mill }, millGuide: guide } = machine;
+  const { place: { mill: before }, millGuide: guide } = machine;
   const { words } = block;
   const requested = sideOf(words, guide.chain?.side ?? "none");
-  const before = mill.at;
   const to = endOf(wordReader(machine, index), block, standing(machine, planeOfWords(machine, block)));
   const isMoving = isPolarPath(block.path) || words.axes.length > 0;
   if (!to || (!isMoving && words.compensation === undefined)) return takeFeed(machine, words.feed, index);
   if (words.compensation !== undefined) needsRadius(machine, requested, index);
-  machine.setMill({ at: to });
+  machine.setPlace({ mill: to });
   const [start, end] = [centreOf(before), centreOf(to)];
-  if (end && to.z !== null) machine.set({ lost: null });
+  if (end && to.z !== null) machine.setPlace({ lost: null });
   if (!end) {
     closeMill(machine);
     guide.here = null;
@@ -47,12 +46,12 @@ export function millPath(machine: Machine, block: PathBlock, index: number): voi
     closeMill(machine);
     millArrives(machine, end, travel);
     guide.here = end;
-    machine.set({ last: null });
+    machine.setPlace({ last: null });
     return;
   }
   const plane = planeOf(machine, block);
   if (plane !== "XY" && start) return sideArc(machine, plane, { block, before, to, feed, index, requested });
-  machine.setMill({ last: { from: before, to, plane: "XY", segment: null } });
+  machine.setPlace({ milled: { from: before, to, plane: "XY", segment: null } });
   const pieces = start ? around(machine, block, elementBetween(machine, block, start, end, index), index) : [null];
   pieces.forEach((piece, i) => {
     const z =
@@ -75,10 +74,15 @@ function sideArc(machine: Machine, plane: SidePlane, side: SideBlock & { readonl
 
 function elementBetween(machine: Machine, block: PathBlock, start: PlanePoint, end: PlanePoint, index: number): PlaneSegment {
   const { pole } = standing(machine, "XY");
-  const made = segmentOf(wordReader(machine, index), block, { from: partPoint(start), to: partPoint(end), pole, before: machine.now.last });
-  machine.set({ last: made });
-  const { last } = machine.now.mill;
-  if (last && made.kind === "arc") machine.setMill({ last: { ...last, segment: made } });
+  const made = segmentOf(wordReader(machine, index), block, {
+    from: partPoint(start),
+    to: partPoint(end),
+    pole,
+    before: machine.place.last,
+  });
+  machine.setPlace({ last: made });
+  const { milled } = machine.place;
+  if (milled && made.kind === "arc") machine.setPlace({ milled: { ...milled, segment: made } });
   return planeSegment(made);
 }
 
@@ -97,10 +101,10 @@ function needsRadius(machine: Machine, side: Side, index: number): void {
 
 /** APPR and DEP. */
 export function millApproach(machine: Machine, s: Extract<Statement, { kind: "approach" }>, index: number): void {
-  const { now: { mill }, millGuide: guide } = machine;
+  const { place: { mill }, millGuide: guide } = machine;
   const { departing, form, words } = s;
   const path: PathBlock = { path: isPolar(form) ? "LP" : "L", words };
-  const fromZ = mill.at.z;
+  const fromZ = mill.z;
   const to = endOf(wordReader(machine, index), path, standing(machine, "XY"));
   if (!to) return;
   needsRadius(machine, departing ? "none" : sideOf(words, "none"), index);
@@ -111,6 +115,5 @@ export function millApproach(machine: Machine, s: Extract<Statement, { kind: "ap
   if (departing) endWithDeparture(guide, carrierOf(machine), block);
   else beginApproach(guide, carrierOf(machine), block);
   const end = departing ? guide.here : target;
-  machine.setMill({ at: { x: end?.x ?? mill.at.x, y: end?.y ?? mill.at.y, z: to.z } });
-  machine.set({ last: null });
+  machine.setPlace({ mill: { x: end?.x ?? mill.x, y: end?.y ?? mill.y, z: to.z }, last: null });
 }

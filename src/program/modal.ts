@@ -39,8 +39,6 @@ export interface Held {
 
 /** What is in force for a mill, mm. */
 export interface Milling {
-  /** The position as programmed. */
-  readonly at: Position;
   /** Radius of the tool with its delta; null when no table and no TOOL DEF names it. */
   readonly radius: number | null;
   readonly tool: string;
@@ -48,11 +46,26 @@ export interface Milling {
   readonly otherAxis: boolean;
   /** Upper side of the blank. */
   readonly top: number | null;
-  /** What ran last, for an arc that leaves it tangentially in a plane beside that of the tool axis; its arc, null for a line. */
-  readonly last: { readonly from: Position; readonly to: Position; readonly plane: MillPlane; readonly segment: Segment | null } | null;
 }
 
-/** What is in force between two blocks. X is a diameter, mm. Never changed in place: a block puts a new one in its place. */
+/** Where the tool stands between two blocks. X is a diameter, mm. Never changed in place: every move puts a new one in its place. */
+export interface Whereabouts {
+  readonly at: Position;
+  /** False after a tool change until the axis is programmed again: nobody knows where the change left it. */
+  readonly sure: { readonly x: boolean; readonly z: boolean };
+  /** Why a coordinate is not known any more, when a block that was not run or a fault that was told is the reason. */
+  readonly lost: UnknownReason | null;
+  /** An element that waits for the corner behind it. */
+  readonly held: Held | null;
+  /** The last path element, for tangential arcs. */
+  readonly last: Segment | null;
+  /** The position of a mill, as programmed. */
+  readonly mill: Position;
+  /** What a mill ran last, for an arc that leaves it tangentially beside the plane of the tool axis; its arc, null for a line. */
+  readonly milled: { readonly from: Position; readonly to: Position; readonly plane: MillPlane; readonly segment: Segment | null } | null;
+}
+
+/** What is in force between two blocks, mm. Never changed in place: a block puts a new one in its place. */
 export interface Modal {
   /** The program's unit of length. */
   readonly inch: boolean;
@@ -63,11 +76,6 @@ export interface Modal {
   readonly preset: number | null;
   /** Where the program counts from; all positions below are those of the workpiece. */
   readonly datum: Datum;
-  readonly at: Position;
-  /** False after a tool change until the axis is programmed again: nobody knows where the change left it. */
-  readonly sure: { readonly x: boolean; readonly z: boolean };
-  /** Why a coordinate is not known any more, when a block that was not run or a fault that was told is the reason. */
-  readonly lost: UnknownReason | null;
   /** RL or RR as programmed last. */
   readonly compensation: Compensation;
   readonly feed: Feed | null;
@@ -92,10 +100,6 @@ export interface Modal {
   readonly defined: Defined | null;
   /** M89: the defined cycle is called behind every positioning block. */
   readonly callsBehindMoves: boolean;
-  /** An element that waits for the corner behind it. */
-  readonly held: Held | null;
-  /** The last path element, for tangential arcs. */
-  readonly last: Segment | null;
   readonly blank: readonly Ring[];
   readonly mill: Milling;
 }
@@ -107,9 +111,6 @@ export const AT_START: Modal = {
   mode: null,
   preset: null,
   datum: NO_SHIFT,
-  at: NOWHERE,
-  sure: { x: false, z: false },
-  lost: null,
   compensation: "R0",
   feed: null,
   lastFeed: undefined,
@@ -126,8 +127,17 @@ export const AT_START: Modal = {
   corrections: {},
   defined: null,
   callsBehindMoves: false,
+  blank: [],
+  mill: { radius: null, tool: "", otherAxis: false, top: null },
+};
+
+/** Before the first move. */
+export const NOT_PLACED: Whereabouts = {
+  at: NOWHERE,
+  sure: { x: false, z: false },
+  lost: null,
   held: null,
   last: null,
-  blank: [],
-  mill: { at: NOWHERE, radius: null, tool: "", otherAxis: false, top: null, last: null },
+  mill: NOWHERE,
+  milled: null,
 };

@@ -24,8 +24,8 @@ export function moveOf(machine: Machine, s: Segment, feed: FeedNumber | null): M
 
 /** Runs the element that waited for a corner; called before anything that does not belong to the contour. */
 export function runHeldElement(machine: Machine): void {
-  const { held } = machine.now;
-  machine.set({ held: null });
+  const { held } = machine.place;
+  machine.setPlace({ held: null });
   if (!held) return;
   if (held.corner) machine.log.say(issue("cornerElementAlone", "error", { element: held.element }, "contour"), held.corner.index);
   run(machine, held.segment, held.feed, held.index);
@@ -37,11 +37,11 @@ function run(machine: Machine, s: Segment, feed: FeedNumber | null, index: numbe
 
 /** Holds a new element back until the next block shows whether a corner follows; runs the one before. */
 function hold(machine: Machine, segment: Segment, feed: FeedNumber | null, index: number): void {
-  const { held } = machine.now;
+  const { held } = machine.place;
   const { corner } = held ?? {};
   if (!held || !corner) {
     runHeldElement(machine);
-    machine.set({ held: { segment, feed, index, corner: null, element: (held?.element ?? 0) + 1 } });
+    machine.setPlace({ held: { segment, feed, index, corner: null, element: (held?.element ?? 0) + 1 } });
     return;
   }
   const cut = cutCorner(held.segment, segment, corner.element);
@@ -53,15 +53,15 @@ function hold(machine: Machine, segment: Segment, feed: FeedNumber | null, index
   }
   run(machine, cut?.before ?? held.segment, held.feed, held.index);
   if (cut) run(machine, cut.between, corner.feed, corner.index);
-  machine.set({ held: { segment: cut?.after ?? segment, feed, index, corner: null, element: held.element + 1 } });
+  machine.setPlace({ held: { segment: cut?.after ?? segment, feed, index, corner: null, element: held.element + 1 } });
 }
 
 /** A chamfer or rounding between plain path blocks; its own feed counts for it alone. */
 export function cornerBlock(machine: Machine, element: CornerElement, feed: FeedWord | undefined, index: number): void {
   const own = typeof feed === "object" ? machine.number(feed.value, index) : null;
-  const { held } = machine.now;
+  const { held } = machine.place;
   if (!held || held.corner) return machine.log.say(issue("cornerElementAlone", "error", { element: held?.element ?? 1 }, "contour"), index);
-  machine.set({ held: { ...held, corner: { element, feed: own === null ? held.feed : machine.feedOf(own), index } } });
+  machine.setPlace({ held: { ...held, corner: { element, feed: own === null ? held.feed : machine.feedOf(own), index } } });
 }
 
 const isAbsolute = (w: PolarWord | undefined) => w !== undefined && !w.incremental;
@@ -70,10 +70,10 @@ const isAbsolute = (w: PolarWord | undefined) => w !== undefined && !w.increment
 export function standAt(machine: Machine, { path, words }: PathBlock, to: Position): void {
   const named = new Set(words.axes.filter((w) => !w.incremental).map((w) => w.axis));
   const both = isPolarPath(path) && isAbsolute(words.polarRadius) && isAbsolute(words.polarAngle);
-  const { sure, lost } = machine.now;
+  const { sure, lost } = machine.place;
   const x = to.x !== null && (sure.x || both || named.has("X"));
   const z = to.z !== null && (sure.z || both || named.has("Z"));
-  machine.set({ at: to, sure: { x, z }, lost: x && z ? null : lost });
+  machine.setPlace({ at: to, sure: { x, z }, lost: x && z ? null : lost });
 }
 
 /** Reads the words of a path block. What is not known for a reason that has been told is not told again. */
@@ -82,23 +82,23 @@ export const wordReader = (machine: Machine, index: number): WordReader => ({
   length: (n) => machine.length(n),
   shift: (axis) => datumShiftOf(machine, axis),
   aside: (w) => machine.log.leaveUnproved(`${w.incremental ? "I" : ""}${w.axis}`, index),
-  lose: () => void (machine.set({ lost: machine.known.trouble })),
+  lose: () => void (machine.setPlace({ lost: machine.known.trouble })),
   fault: (code) => {
-    if (code === "arcImpossible" || machine.now.lost === null)
+    if (code === "arcImpossible" || machine.place.lost === null)
       machine.log.say(programIssue(code, code === "startUnknown" ? "warning" : "error", {}), index);
   },
 });
 
 /** What a block counts from in a plane of the mill or of the lathe. */
-export const standing = ({ now: { at, pole, mill } }: Machine, plane: Plane): Standing => ({
+export const standing = ({ now: { pole }, place: { at, mill } }: Machine, plane: Plane): Standing => ({
   plane,
-  at: plane === "lathe" ? at : mill.at,
+  at: plane === "lathe" ? at : mill,
   pole: pole && pointIn(plane, pole.at),
 });
 
 /** The pole: CC with coordinates; those it leaves out are where the tool was programmed to. */
 export function pole(machine: Machine, { axes }: Words, index: number): void {
-  const from = machine.now.turning ? machine.now.at : machine.now.mill.at;
+  const from = machine.now.turning ? machine.place.at : machine.place.mill;
   machine.set({ pole: { at: coordinates(wordReader(machine, index), axes, from), plane: planeOfAxes(axes) } });
 }
 
@@ -111,8 +111,8 @@ export function targetOf(machine: Machine, block: PathBlock, index: number): Pos
 /** What a block of a turning tool moves along between two points. */
 export function elementBetween(machine: Machine, block: PathBlock, from: Pt, to: Pt, index: number): Segment {
   const { pole } = standing(machine, "lathe");
-  const last = segmentOf(wordReader(machine, index), block, { from, to, pole, before: machine.now.last });
-  machine.set({ last });
+  const last = segmentOf(wordReader(machine, index), block, { from, to, pole, before: machine.place.last });
+  machine.setPlace({ last });
   return last;
 }
 
@@ -121,15 +121,15 @@ export function pathBlock(machine: Machine, block: PathBlock, index: number): vo
   const { words } = block;
   if (words.compensation === "RL" || words.compensation === "RR")
     machine.log.say(programIssue("radiusCompensation", "warning", { side: words.compensation }), index);
-  const from = machine.now.sure.x && machine.now.sure.z ? machine.tip : null;
+  const from = machine.place.sure.x && machine.place.sure.z ? machine.tip : null;
   const target = targetOf(machine, block, index);
   if (!target) return takeFeed(machine, words.feed, index);
   const feed = blockFeed(machine, words.feed, index);
   standAt(machine, block, target);
-  const to = machine.now.sure.x && machine.now.sure.z ? machine.tip : null;
+  const to = machine.place.sure.x && machine.place.sure.z ? machine.tip : null;
   if (!from || !to || !machine.now.tool) {
     runHeldElement(machine);
-    machine.set({ last: null });
+    machine.setPlace({ last: null });
     return;
   }
   hold(machine, elementBetween(machine, block, from, to, index), feed, index);

@@ -170,7 +170,7 @@ export function beginApproach(guide: Guide, carrier: CarrierFor, b: WrittenAppro
   close(guide, carrier);
   const known = feedBefore(machine);
   if (known === undefined) machine.log.sayOnce(programIssue("feedMissing", "error", {}), b.index);
-  if (!guide.here && machine.now.lost === null) machine.log.say(programIssue("startUnknown", "error", {}), b.index);
+  if (!guide.here && machine.place.lost === null) machine.log.say(programIssue("startUnknown", "error", {}), b.index);
   const feed = blockFeed(machine, b.words.feed, b.index);
   const before = known === undefined ? feed : known;
   guide.chain = { side, start: { kind: "approach", call: callOf(machine, b, feed, known), before }, lifts: [], items: [] };

@@ -130,10 +130,11 @@ function functions(machine: Machine, words: Words, index: number): void {
 
 /** Another kind of machining has other kinematics: where the tool stands in its coordinates, nobody knows. */
 function mode(machine: Machine, wanted: "TURN" | "MILL"): void {
-  machine.set({ mode: wanted, last: null });
+  machine.set({ mode: wanted });
+  machine.setPlace({ last: null });
   if (machine.now.turning === (wanted === "TURN")) return;
-  machine.set({ turning: wanted === "TURN", pole: null, sure: { x: false, z: false } });
-  machine.setMill({ at: NOWHERE });
+  machine.set({ turning: wanted === "TURN", pole: null });
+  machine.setPlace({ sure: { x: false, z: false }, mill: NOWHERE });
   machine.millGuide.here = null;
 }
 

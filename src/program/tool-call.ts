@@ -36,7 +36,8 @@ function takeMill(machine: Machine, s: StatementOf<"toolCall">, wanted: number |
 function takeTool(machine: Machine, s: StatementOf<"toolCall">, wanted: number | string, index: number): void {
   const refused = machine.shop.refused?.get(Number(wanted));
   const tool = refused ? undefined : find(machine.shop.tools, wanted);
-  machine.set({ sure: { x: false, z: false }, last: null, compensation: "R0", tool: tool ?? null, toolRefused: !tool, corrections: {} });
+  machine.setPlace({ sure: { x: false, z: false }, last: null });
+  machine.set({ compensation: "R0", tool: tool ?? null, toolRefused: !tool, corrections: {} });
   if (refused && typeof wanted === "number") { for (const i of refused) machine.log.say(i, index); }
   else if (!tool && (machine.now.turning || turnsLater(machine, index)))
     machine.log.say(programIssue("toolUnknown", "error", { tool: String(wanted) }, "tool"), index);

@@ -45,7 +45,7 @@ export const isGuided = (machine: Machine, words: Words): boolean =>
 function start(machine: Machine): void {
   if (machine.turnGuide.chain) return;
   runHeldElement(machine);
-  const tip = machine.now.sure.x && machine.now.sure.z ? machine.tip : null;
+  const tip = machine.place.sure.x && machine.place.sure.z ? machine.tip : null;
   machine.turnGuide.here = tip && planePoint(tip);
 }
 
@@ -54,7 +54,7 @@ export function guidedPath(machine: Machine, block: PathBlock, index: number): v
   const { words } = block;
   start(machine);
   const { turnGuide: guide } = machine;
-  const from = machine.now.sure.x && machine.now.sure.z ? machine.tip : null;
+  const from = machine.place.sure.x && machine.place.sure.z ? machine.tip : null;
   const target = targetOf(machine, block, index);
   const requested = sideOf(words, guide.chain?.side ?? "none");
   if (!target && requested === (guide.chain?.side ?? "none")) {
@@ -62,11 +62,11 @@ export function guidedPath(machine: Machine, block: PathBlock, index: number): v
     return;
   }
   const feed = target ? blockFeed(machine, words.feed, index) : machine.now.feed;
-  standAt(machine, block, target ?? machine.now.at);
+  standAt(machine, block, target ?? machine.place.at);
   const to = machine.tip;
   if (!to) return closeTurn(machine);
   const path = from && elementBetween(machine, block, from, to, index);
-  if (!path) machine.set({ last: null });
+  if (!path) machine.setPlace({ last: null });
   followPath(guide, carrierOf(machine), requested, {
     fromZ: null,
     toZ: null,
@@ -80,7 +80,7 @@ export function guidedPath(machine: Machine, block: PathBlock, index: number): v
 
 /** Nobody knows from where a block goes: a fault of the block, unless another one that was told has lost the position. */
 export function startUnknown(machine: Machine, index: number): void {
-  if (machine.now.lost === null) machine.log.say(programIssue("startUnknown", "error", {}), index);
+  if (machine.place.lost === null) machine.log.say(programIssue("startUnknown", "error", {}), index);
 }
 
 /** APPR and DEP in the Z/X plane. */
@@ -90,16 +90,16 @@ export function turnApproach(machine: Machine, s: Extract<Statement, { kind: "ap
   const { departing, form, words } = s;
   const isEnd = !departing || form === "LCT" || form === "PLCT";
   const path: PathBlock = { path: isPolar(form) ? "LP" : "L", words };
-  const to = isEnd ? targetOf(machine, path, index) : machine.now.at;
+  const to = isEnd ? targetOf(machine, path, index) : machine.place.at;
   if (isPolar(form) && !to) return;
-  if (!departing) standAt(machine, path, to ?? machine.now.at);
-  else if (to) machine.set({ at: to });
+  if (!departing) standAt(machine, path, to ?? machine.place.at);
+  else if (to) machine.setPlace({ at: to });
   const tip = machine.tip;
   if (isEnd && !tip) return startUnknown(machine, index);
   const block = { departing, form, words, index, target: isEnd && tip ? planePoint(tip) : null, fromZ: null, toZ: null };
   if (departing) endWithDeparture(machine.turnGuide, carrierOf(machine), block);
   else beginApproach(machine.turnGuide, carrierOf(machine), block);
   const { here } = machine.turnGuide;
-  if (departing && here) machine.set({ at: { ...machine.now.at, ...coordinatesIn("lathe", partPoint(here)) } });
-  machine.set({ last: null });
+  if (departing && here) machine.setPlace({ at: { ...machine.place.at, ...coordinatesIn("lathe", partPoint(here)) } });
+  machine.setPlace({ last: null });
 }
