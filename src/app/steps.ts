@@ -58,24 +58,19 @@ export function forget(of: object | null = null): void {
   useSteps.setState(({ past, future }) => ({ past: kept(past), future: kept(future) }));
 }
 
-/** Takes back the last change that can be taken back. */
-export function undo(): void {
+/** Goes the last step of one side and puts it on the other; what can not be gone any more falls out. */
+function go(from: keyof Steps, to: keyof Steps, way: "back" | "forth"): void {
   closeStep();
-  for (let step = useSteps.getState().past.at(-1); step; step = useSteps.getState().past.at(-1)) {
+  for (let step = useSteps.getState()[from].at(-1); step; step = useSteps.getState()[from].at(-1)) {
     const gone = step;
-    const done = gone.back();
-    useSteps.setState(({ past, future }) => ({ past: past.slice(0, -1), future: done ? [...future, gone] : future }));
+    const done = gone[way]();
+    useSteps.setState((s) => ({ ...s, [from]: s[from].slice(0, -1), [to]: done ? [...s[to], gone] : s[to] }));
     if (done) return;
   }
 }
 
+/** Takes back the last change that can be taken back. */
+export const undo = (): void => go("past", "future", "back");
+
 /** Makes the change again that was taken back last. */
-export function redo(): void {
-  closeStep();
-  for (let step = useSteps.getState().future.at(-1); step; step = useSteps.getState().future.at(-1)) {
-    const come = step;
-    const done = come.forth();
-    useSteps.setState(({ past, future }) => ({ future: future.slice(0, -1), past: done ? [...past, come] : past }));
-    if (done) return;
-  }
-}
+export const redo = (): void => go("future", "past", "forth");

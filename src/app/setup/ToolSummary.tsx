@@ -10,7 +10,7 @@ import type { JobReading } from "../reading.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { showToolNumber } from "../tools/tool-place.ts";
 import { useToolList } from "../tools/tool-store.ts";
-import { ToolVerdict, useToolDetails } from "./tool-words.tsx";
+import { ToolWords } from "./tool-words.tsx";
 
 /** Edge length of the insert drawing, px. */
 const DRAWING = 64;
@@ -18,7 +18,6 @@ const DRAWING = 64;
 /** The chosen tool, whether it can make the contour, and one that can where it cannot. */
 export function ToolSummary({ read, fits }: { readonly read: JobReading; readonly fits: readonly ToolFit[] | null }) {
   const t = useTexts().setup.tool;
-  const details = useToolDetails();
   const problems = useFindings().filter((p) => isAboutTool(p.at));
   const tool = useToolList().find((each) => each.T === read.job.tool);
   const own = fits?.find((f) => f.tool.T === read.job.tool);
@@ -29,13 +28,7 @@ export function ToolSummary({ read, fits }: { readonly read: JobReading; readonl
       {tool && (
         <div className="tool-chosen">
           <InsertDrawing tool={tool} width={DRAWING} height={DRAWING} />
-          <span className="tool-words">
-            <span>
-              <b className="number">{tool.T}</b> <b>{tool.NAME}</b>
-            </span>
-            <span className="small soft">{details(tool)}</span>
-            {own && <ToolVerdict fit={own} />}
-          </span>
+          <ToolWords tool={tool} fit={own} />
         </div>
       )}
       <div role="status">

@@ -7,7 +7,7 @@ import { usePlace } from "../place.ts";
 import type { JobReading } from "../reading.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { useToolList } from "../tools/tool-store.ts";
-import { ToolVerdict, useToolDetails, useToolVerdict } from "./tool-words.tsx";
+import { ToolWords, useToolDetails, useToolVerdict } from "./tool-words.tsx";
 
 /** Edge length of an insert drawing, px. */
 const DRAWING = 40;
@@ -38,13 +38,7 @@ export function ToolTable({ read, fits }: { readonly read: JobReading; readonly 
               aria-label={`${t.name(tool.T, tool.NAME)}, ${details(tool)}${fit ? `, ${verdict(fit)}` : ""}`}
             >
               <InsertDrawing tool={tool} width={DRAWING} height={DRAWING} />
-              <span className="tool-words">
-                <span>
-                  <b className="number">{tool.T}</b> <b>{tool.NAME}</b>
-                </span>
-                <span className="small soft">{details(tool)}</span>
-                {fit && <ToolVerdict fit={fit} />}
-              </span>
+              <ToolWords tool={tool} fit={fit} />
             </Radio>
           );
         })}

@@ -31,8 +31,22 @@ export function useToolVerdict(): (fit: ToolFit) => string {
   return (fit) => (fit.makesContour ? t.makes : fit.unreached > 0 ? t.leaves(formatNumber(language, fit.unreached, 2)) : t.cannot);
 }
 
+/** A tool in two lines, and whether it makes the open contour once that is known. */
+export function ToolWords({ tool, fit }: { readonly tool: Tool; readonly fit: ToolFit | undefined }) {
+  const details = useToolDetails();
+  return (
+    <span className="tool-words">
+      <span>
+        <b className="number">{tool.T}</b> <b>{tool.NAME}</b>
+      </span>
+      <span className="small soft">{details(tool)}</span>
+      {fit && <Verdict fit={fit} />}
+    </span>
+  );
+}
+
 /** The verdict with its mark. */
-export function ToolVerdict({ fit }: { readonly fit: ToolFit }) {
+function Verdict({ fit }: { readonly fit: ToolFit }) {
   const verdict = useToolVerdict();
   return (
     <span className={`small tool-fit ${fit.makesContour ? "good" : "bad"}`}>
