@@ -33,16 +33,16 @@ export function freeOutline(v: FreeValues, given: Given, transverse: boolean): O
 }
 
 /**
- * The end of a contour from which the part cannot go on, because an element of the contour is in the way. It goes on in machining
- * direction, and towards the axis where a contour is faced from there outwards.
+ * The end of a contour from which the part cannot go on across the cutting direction, because an element of the contour is in the way.
+ * A contour that crosses itself is told of as such.
  */
 function coveredEnd(contour: readonly Segment[], { transverse, signU }: Frame): Pt | null {
+  if (selfCrossing(contour)) return null;
   const [first, last] = [contour[0] as Segment, contour.at(-1) as Segment];
-  const beyond = (p: Pt, way: 1 | -1) => (transverse ? at(p.z, p.r + way * FAR) : at(p.z + way * FAR, p.r));
+  const beyond = (p: Pt, way: number) => (transverse ? at(p.z, p.r + way * FAR) : at(p.z + way * FAR, p.r));
   const after: Segment = { kind: "line", from: last.to, to: beyond(last.to, signU) };
   if (selfCrossing([...contour, after])) return last.to;
-  if (!transverse || signU < 0) return null;
-  const before: Segment = { kind: "line", from: beyond(first.from, -1), to: first.from };
+  const before: Segment = { kind: "line", from: beyond(first.from, -signU), to: first.from };
   return selfCrossing([before, ...contour]) ? first.from : null;
 }
 
