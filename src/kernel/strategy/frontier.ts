@@ -16,8 +16,8 @@ export class Frontier {
   private settled: Envelope;
   /** What has been cut since: a path is taken off in one go when somebody asks. */
   private cuts: EnvelopePiece[] = [];
-  /** Places where the tool went straight down: free for it in that very column. */
-  private readonly columns = new Map<number, number>();
+  /** Between which heights the tip went straight up or down: free for it in that very column. */
+  private readonly columns = new Map<number, readonly [low: number, top: number]>();
   private readonly before: number;
   private readonly behind: number;
   private readonly height: number;
@@ -39,9 +39,15 @@ export class Frontier {
     return b > a ? Math.min(this.roof, highest(this.now, a, b).v) : -Infinity;
   }
 
-  /** Whether the tip may cross at a height without touching what stands. */
+  /**
+   * Whether the tip, standing free at u0, may cross to u1 at a height without touching what stands. A wall in front of u1 that a
+   * cut lower down has left may hang over there; one behind u0 only falls back.
+   */
   clear(u0: number, u1: number, v: number): boolean {
-    return v >= this.over(u0, u1) - SAME && !this.roofed(Math.min(u0, u1), Math.max(u0, u1));
+    if (v < this.over(u0, u1) - SAME || this.roofed(Math.min(u0, u1), Math.max(u0, u1))) return false;
+    const [low, top] = this.columns.get(columnOf(u1)) ?? [Infinity, -Infinity];
+    if (v <= besideAt(this.now, u1) + SAME || (v >= low - SAME && v <= top + SAME)) return true;
+    return v >= this.hangs(u1, u1 > u0 ? 0 : this.behind, u1 > u0 ? this.before : 0) - SAME;
   }
 
   /**
@@ -50,11 +56,13 @@ export class Frontier {
    */
   freeFrom(u: number): number {
     if (this.roofed(u, u)) return Infinity;
-    const column = this.columns.get(columnOf(u));
-    const here = Math.min(besideAt(this.now, u), column ?? Infinity);
-    const once = besideAt(this.first, u);
-    if (once <= here + SAME || this.before + this.behind <= 0) return here;
-    return Math.max(here, Math.min(once, highest(this.now, u - this.behind, u + this.before).v));
+    const here = Math.min(besideAt(this.now, u), this.columns.get(columnOf(u))?.[0] ?? Infinity);
+    return Math.max(here, this.hangs(u, this.behind, this.before));
+  }
+
+  /** How high walls stand that hang over a place from so far behind and before it, where something stood there once. */
+  private hangs(u: number, behind: number, before: number): number {
+    return behind + before > 0 ? Math.min(besideAt(this.first, u), highest(this.now, u - behind, u + before).v) : -Infinity;
   }
 
   /** Lowers the frontier by one element that the tip has run at feed. */
@@ -64,7 +72,10 @@ export class Frontier {
       if (!this.roofed(piece.u0, piece.u1)) this.cuts.push(piece);
     } else {
       const key = columnOf(path.to.u);
-      this.columns.set(key, Math.min(this.columns.get(key) ?? Infinity, path.from.v, path.to.v));
+      const [low, top] = [Math.min(path.from.v, path.to.v), Math.max(path.from.v, path.to.v)];
+      const been = this.columns.get(key) ?? [low, top];
+      const joins = low <= been[1] && been[0] <= top;
+      this.columns.set(key, joins ? [Math.min(low, been[0]), Math.max(top, been[1])] : low < been[0] ? [low, top] : been);
     }
   }
 

@@ -18,8 +18,8 @@ const step = upperEnvelope([flat(0, 10, 0), flat(10, 20, 5), flat(20, 30, 0)].fl
 
 const purpose = { phase: "rough", run: "rough", step: 4 } as const;
 const link: Link = { gap: 0.7, feed: 0.2, out: purpose, down: { ...purpose, step: 1 }, enter: { ...purpose, step: 2 } };
-const linked = (from: Flat, to: Flat, roof = Infinity, before?: (cutter: Cutter) => void) => {
-  const cutter = new Cutter(frame, "mm/rev", from, roomOf(frame), new Frontier(step, insertIn(bar, frame), roof), 50);
+const linked = (from: Flat, to: Flat, roof = Infinity, before?: (cutter: Cutter) => void, tool = bar) => {
+  const cutter = new Cutter(frame, "mm/rev", from, roomOf(frame), new Frontier(step, insertIn(tool, frame), roof), 50);
   before?.(cutter);
   const count = cutter.moves.length;
   cutter.link(to, link);
@@ -46,6 +46,16 @@ describe("a link", () => {
       cutter.feed({ u: 5, v: 0.5 }, 0.2, purpose);
     };
     expect(linked({ u: 5, v: 0.5 }, { u: 25, v: 0.5 }, Infinity, through)).toEqual(["rapid 4 25/0.5"]);
+  });
+  test("goes at feed beside a wall that hangs over after a cut with a round insert, and at rapid short of it", () => {
+    const disc: Tool = { T: 2, NAME: "DISC", TYPE: "BUTTON", TO: 8, RS: length(3), CUTLENGTH: length(3) };
+    const cut = (cutter: Cutter) => {
+      cutter.feed({ u: 5, v: 0.5 }, 0.2, purpose);
+      cutter.feed({ u: 12.5, v: 0.5 }, 0.2, purpose);
+      cutter.feed({ u: 5, v: 1.9 }, 0.2, purpose);
+    };
+    expect(linked({ u: 5, v: 9 }, { u: 12.2, v: 1.9 }, Infinity, cut, disc)).toEqual(["feed 4 12.2/1.9"]);
+    expect(linked({ u: 5, v: 9 }, { u: 9.2, v: 1.9 }, Infinity, cut, disc)).toEqual(["rapid 4 9.2/1.9"]);
   });
   test("goes at feed under a roof that may not be cut", () => {
     expect(linked({ u: 5, v: 1 }, { u: 25, v: 1 }, 3)).toEqual(["rapid 4 5/3.7", "feed 4 25/3.7", "rapid 1 25/1"]);
