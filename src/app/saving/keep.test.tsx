@@ -8,7 +8,12 @@ import { openWork, putBack, refreshWorks, removeWork, resume, startKeeping, star
 
 const device = vi.hoisted(() => ({
   works: new Map<string, { savedAt: number; job: unknown }>(),
-  refuses: null as "full" | "refused" | null,
+  refuses: null as
+    | "full"
+    | "refused"
+    | null,
+  /** Holds every write until it is settled. */
+  slow: null as Promise<void> | null,
   setAside: 0,
   newer: 0,
   taken: new Set<string>(),
@@ -23,9 +28,10 @@ vi.mock("./device.ts", () => ({
       newer: device.newer,
       available: device.refuses !== "refused",
     } as unknown as Found),
-  keepWork: (work: string, job: Job) => {
+  keepWork: async (work: string, job: Job) => {
+    await device.slow;
     if (!device.refuses) device.works.set(work, { savedAt: device.works.size, job });
-    return Promise.resolve(device.refuses ?? "kept");
+    return device.refuses ?? "kept";
   },
   readWork: (work: string) => Promise.resolve(device.works.get(work) ?? null),
   forgetWork: (work: string) => Promise.resolve(device.works.delete(work)),
@@ -44,7 +50,7 @@ const locks = {
 beforeEach(() => {
   device.works.clear();
   device.taken.clear();
-  Object.assign(device, { refuses: null, setAside: 0, newer: 0 });
+  Object.assign(device, { refuses: null, slow: null, setAside: 0, newer: 0 });
   sessionStorage.clear();
   begin(null, null);
   useKeeping.setState({ works: [], notices: [], damaged: 0, ready: false });
@@ -122,9 +128,31 @@ test("what could not be written before the page went away is there after a reloa
   device.works.clear();
   await resume();
   expect(useEditor.getState()).toMatchObject({ work, job: { tool: 8 } });
-  sessionStorage.setItem("turnwise/pending", JSON.stringify({ work, file: { version: 1, savedAt: -1, job } }));
+  sessionStorage.setItem("turnwise/pending", JSON.stringify([{ work, file: { version: 1, savedAt: -1, job } }]));
   await resume();
   expect(useEditor.getState()).toMatchObject({ work, job: { tool: 8 } });
+});
+
+test("a page that goes away while a state is being written leaves it behind, and another work with it", async () => {
+  let done: () => void = () => undefined;
+  device.slow = new Promise((resolve) => (done = resolve));
+  const stop = startKeeping();
+  startWork({ ...job, name: "FIRST" });
+  startWork(job);
+  setTool(8);
+  document.dispatchEvent(new Event("visibilitychange"));
+  dispatchEvent(new Event("pagehide"));
+  expect(device.works.size).toBe(0);
+  const left = sessionStorage.getItem("turnwise/pending") ?? "";
+  done();
+  stop();
+  await settle();
+  device.works.clear();
+  sessionStorage.setItem("turnwise/pending", left);
+  await resume();
+  expect(useEditor.getState()).toMatchObject({ job: { tool: 8 } });
+  expect([...device.works.values()].map((file) => (file.job as Job).name).sort()).toEqual([job.name, "FIRST"].sort());
+  expect(sessionStorage.getItem("turnwise/pending")).toBeNull();
 });
 
 test("a device that keeps nothing, and damaged saves, are said and stop nothing", async () => {

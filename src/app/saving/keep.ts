@@ -3,7 +3,7 @@ import { begin, handOver, open, useEditor } from "../store.ts";
 import type { Work } from "../work.ts";
 import { findWorks, forgetWork, keepWork, readWork, type Kept } from "./device.ts";
 import { readSave, SAVE_VERSION } from "./save-file.ts";
-import { claimWork, leaveBehind, newWorkName, rememberedWork, rememberWork, takeBehind } from "./tab.ts";
+import { claimWork, leaveBehind, leftBehind, newWorkName, rememberedWork, rememberWork } from "./tab.ts";
 
 /** What the page says about saving. */
 export interface Keeping {
@@ -51,17 +51,18 @@ async function keep(work: string, job: Work): Promise<void> {
 async function keepAgain(): Promise<void> {
   for (const [work, job] of [...unkept]) await keep(work, job);
 }
-let waiting: { readonly work: string; readonly job: Work } | null = null;
+/** The newest state of each work that is not yet on the device, those that are being written among them. */
+const waiting = new Map<string, Work>();
 let writing = false;
 
-/** Writes what waits; while one write runs only the newest state waits. */
+/** Writes what waits, one work after the other. A state waits until it is written: the page may go away on the way. */
 async function write(): Promise<void> {
   if (writing) return;
   writing = true;
-  while (waiting) {
-    const { work, job } = waiting;
-    waiting = null;
+  for (let next = waiting.entries().next(); !next.done; next = waiting.entries().next()) {
+    const [work, job] = next.value;
     await keep(work, job);
+    if (waiting.get(work) === job) waiting.delete(work);
   }
   writing = false;
 }
@@ -79,8 +80,7 @@ export function startKeeping(): () => void {
     if (name !== known) rememberWork(name);
     known = name;
     if (!job || !work || written.get(work) === job) return;
-    if (waiting && waiting.work !== work) void keep(waiting.work, waiting.job);
-    waiting = { work, job };
+    waiting.set(work, job);
     timer ??= setTimeout(() => {
       timer = undefined;
       void write();
@@ -92,8 +92,8 @@ export function startKeeping(): () => void {
   };
   const leave = () => {
     handOver();
-    if (!waiting) return;
-    leaveBehind(waiting.work, { version: SAVE_VERSION, savedAt: Date.now(), job: waiting.job });
+    const savedAt = Date.now();
+    leaveBehind([...unkept, ...waiting].map(([work, job]) => ({ work, file: { version: SAVE_VERSION, savedAt, job } })));
     void write();
   };
   // The browser asks before it closes a page whose work is nowhere else.
@@ -130,13 +130,14 @@ async function nameFor(work: string, job: Work): Promise<string> {
   return copy;
 }
 
-/** Writes what the page before could not write in time. */
+/** Writes what the page before could not write in time; what the device does not take stays behind for the next page. */
 async function catchUp(): Promise<void> {
-  const behind = takeBehind();
-  const file = behind && readSave(behind.file);
-  if (!behind || !file) return;
-  const kept = await readWork(behind.work);
-  if (!kept || kept.savedAt <= file.savedAt) await keep(behind.work, file.job);
+  for (const { work, file: raw } of leftBehind()) {
+    const file = readSave(raw);
+    const kept = file && (await readWork(work));
+    if (file && (!kept || kept.savedAt <= file.savedAt)) await keep(work, file.job);
+  }
+  if (unkept.size === 0) leaveBehind([]);
 }
 
 /** Opens what this tab had open, or the newest work in a new tab, or the start page. Never fails. */

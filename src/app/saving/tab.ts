@@ -31,27 +31,34 @@ export function rememberWork(work: string | null): void {
   }
 }
 
-/** Leaves the last state of a work for the next page of this tab: writing to the device takes longer than leaving. */
-export function leaveBehind(work: string, file: unknown): void {
+/** The last state of a work as it would lie on the device. */
+export interface Behind {
+  readonly work: string;
+  readonly file: unknown;
+}
+
+/** Leaves states of works for the next page of this tab, in place of those left before: writing takes longer than leaving. */
+export function leaveBehind(states: readonly Behind[]): void {
   try {
-    sessionStorage.setItem(PENDING, JSON.stringify({ work, file }));
+    if (states.length > 0) sessionStorage.setItem(PENDING, JSON.stringify(states));
+    else sessionStorage.removeItem(PENDING);
   } catch {
     return;
   }
 }
 
-/** What the page before left behind, once. */
-export function takeBehind(): { readonly work: string; readonly file: unknown } | null {
+/** What the page before left behind. */
+export function leftBehind(): readonly Behind[] {
   try {
-    const text = sessionStorage.getItem(PENDING);
-    sessionStorage.removeItem(PENDING);
-    const raw: unknown = JSON.parse(text ?? "null");
-    if (typeof raw !== "object" || raw === null || !("work" in raw) || !("file" in raw) || typeof raw.work !== "string") return null;
-    return { work: raw.work, file: raw.file };
+    const raw: unknown = JSON.parse(sessionStorage.getItem(PENDING) ?? "[]");
+    return Array.isArray(raw) ? raw.filter(isBehind) : [];
   } catch {
-    return null;
+    return [];
   }
 }
+
+const isBehind = (raw: unknown): raw is Behind =>
+  typeof raw === "object" && raw !== null && "work" in raw && "file" in raw && typeof raw.work === "string";
 
 /**
  * Claims a work for this tab until it is closed; false when another tab has it open. Without locks (old browsers, plain
