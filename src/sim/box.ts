@@ -2,24 +2,25 @@ import type { Box } from "../kernel/geometry/segments.ts";
 import type { Pt, Ring } from "../kernel/point.ts";
 import { axial, radius } from "../kernel/units.ts";
 
-/** The smallest box round a ring. */
-export function boxOf(ring: Ring): Box {
+/** The box round several rings. */
+export function boxAround(rings: readonly Ring[]): Box {
   let [left, right, low, high] = [Infinity, -Infinity, Infinity, -Infinity];
-  for (const p of ring) {
-    if (p.z < left) left = p.z;
-    if (p.z > right) right = p.z;
-    if (p.r < low) low = p.r;
-    if (p.r > high) high = p.r;
-  }
+  for (const ring of rings)
+    for (const p of ring) {
+      if (p.z < left) left = p.z;
+      if (p.z > right) right = p.z;
+      if (p.r < low) low = p.r;
+      if (p.r > high) high = p.r;
+    }
   return { left, right, low, high };
 }
+
+/** The smallest box round a ring. */
+export const boxOf = (ring: Ring): Box => boxAround([ring]);
 
 /** How far two boxes are apart, mm; 0 when they overlap. */
 export const gapBetween = (a: Box, b: Box): number =>
   Math.hypot(Math.max(0, a.left - b.right, b.left - a.right), Math.max(0, a.low - b.high, b.low - a.high));
-
-/** The box round several rings. */
-export const boxAround = (rings: readonly Ring[]): Box => boxOf(rings.flat());
 
 /**
  * What of an area lies in a box, for areas that are combined further: outlines may run along the sides of the box more

@@ -2,7 +2,7 @@ import { areaOf, intersection } from "../kernel/clip.ts";
 import type { Ring } from "../kernel/point.ts";
 import type { Step } from "../kernel/step.ts";
 import { inStock, real } from "./contact.ts";
-import type { Cutting } from "./cutting.ts";
+import { near, type Cutting } from "./cutting.ts";
 import type { Edges } from "./edges.ts";
 import { holderHits } from "./holder.ts";
 import type { Outlines } from "./outlines.ts";
@@ -37,7 +37,7 @@ export function check(step: Step, index: number, outlines: Outlines, sweep: Swee
   const now = cut.present();
   // The quick look joins many pieces at once; what it finds is looked at again in the stock itself.
   const sure = (area: Ring[]) => (area.length === 0 ? area : real(intersection(cut.stock(), area)));
-  const touches = sweep.pieces.some((p) => now.meets(p));
+  const touches = near(sweep, now.meets).length > 0;
   if (touches && step.move.kind === "rapid") report("rapidInStock", sure(real(inStock([sweep], now))));
   if (touches && sweep.pieces.some((p) => finished.edges.meets(p))) report("gouge", sure(real(inStock([sweep], now, finished.rings))));
   report("holderContact", sure(holderHits(step, outlines, now)));

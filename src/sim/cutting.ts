@@ -5,9 +5,9 @@ import type { ConvexPiece } from "./piece.ts";
 import type { Sweep } from "./sweep.ts";
 
 /** Rings, or merged groups of them, that are merged in one go. Many that overlap cost the square of their number. */
-const GROUP = 8;
-/** Points swept that may wait before they are taken from the stock, and the part of the points of that stock that may wait beyond. */
-const [RECENT, PART] = [40, 4];
+const GROUP = 4;
+/** Points swept that may wait before they are taken from the stock, beside as many as that stock has. */
+const RECENT = 40;
 
 /** Rings that are merged in groups of groups as they come. The same rings in the same order always give the same areas. */
 function heap() {
@@ -39,10 +39,17 @@ export interface Present {
   meets(piece: ConvexPiece): boolean;
 }
 
+/** What a sweep met last: the same is asked for checks, for the measure and for the cut. */
+const asked = new WeakMap<Sweep, { readonly by: Present["meets"]; readonly rings: readonly Ring[] }>();
+
 /** The rings of a sweep as far as it may meet a stock. */
-export function near({ pieces, rings }: Sweep, meets: (piece: ConvexPiece) => boolean): readonly Ring[] {
-  const met = pieces.filter(meets);
-  return met.length < 2 ? met.map((piece) => piece.ring) : rings;
+export function near(sweep: Sweep, meets: Present["meets"]): readonly Ring[] {
+  const known = asked.get(sweep);
+  if (known?.by === meets) return known.rings;
+  const met = sweep.pieces.filter(meets);
+  const rings = met.length < 2 ? met.map((piece) => piece.ring) : sweep.rings;
+  asked.set(sweep, { by: meets, rings });
+  return rings;
 }
 
 const pointsOf = (rings: readonly Ring[]) => rings.reduce((sum, ring) => sum + ring.length, 0);
@@ -82,7 +89,7 @@ export function cutting(initial: readonly Ring[]): Cutting {
       pieces += sweep.pieces.length;
       rings.forEach(recent.add);
       waiting += pointsOf(rings);
-      if (waiting <= RECENT + pointsOf(base) / PART) return;
+      if (waiting <= RECENT + pointsOf(base)) return;
       base = difference(base, recent.all());
       [edges, recent, waiting] = [sidesOf(base), heap(), 0];
     },

@@ -36,11 +36,30 @@ export function sidesOf(area: readonly Ring[]): Edges {
   const columns = Math.max(1, Math.min(MOST_COLUMNS, Math.floor(count / PER_COLUMN)));
   const perMm = right > left ? columns / (right - left) : 0;
   const columnOf = (z: number) => Math.max(0, Math.min(columns - 1, Math.floor((z - left) * perMm)));
-  const lists: number[][] = Array.from({ length: columns }, () => []);
+  /** The edges of column c are listed from begins[c] to begins[c + 1]; they lie between low[c] and high[c]. */
+  const begins = new Int32Array(columns + 2);
+  const [low, high] = [new Float64Array(columns).fill(Infinity), new Float64Array(columns).fill(-Infinity)];
+  const firsts = new Int32Array(count);
+  const lasts = new Int32Array(count);
   for (let e = 0; e < count; e += 1) {
-    const [a, b] = [columnOf(Math.min(z0[e] ?? 0, z1[e] ?? 0)), columnOf(Math.max(z0[e] ?? 0, z1[e] ?? 0))];
-    for (let c = a; c <= b; c += 1) lists[c]?.push(e);
+    const [az, ar, bz, br] = [z0[e] as number, r0[e] as number, z1[e] as number, r1[e] as number];
+    const [first, last] = [columnOf(Math.min(az, bz)), columnOf(Math.max(az, bz))];
+    firsts[e] = first;
+    lasts[e] = last;
+    for (let c = first; c <= last; c += 1) {
+      begins[c + 2] = (begins[c + 2] as number) + 1;
+      low[c] = Math.min(low[c] as number, ar, br);
+      high[c] = Math.max(high[c] as number, ar, br);
+    }
   }
+  for (let c = 2; c < begins.length; c += 1) begins[c] = (begins[c] as number) + (begins[c - 1] as number);
+  const list = new Int32Array(begins[columns + 1] as number);
+  for (let e = 0; e < count; e += 1)
+    for (let c = firsts[e] as number; c <= (lasts[e] as number); c += 1) {
+      const next = begins[c + 1] as number;
+      list[next] = e;
+      begins[c + 1] = next + 1;
+    }
   const seen = new Int32Array(count).fill(-1);
   let question = 0;
 
@@ -68,7 +87,9 @@ export function sidesOf(area: readonly Ring[]): Edges {
   /** Whether a point lies inside: the edges above it, counted by their direction. */
   function holds(z: number, r: number): boolean {
     let winding = 0;
-    for (const e of lists[columnOf(z)] ?? []) {
+    const c = columnOf(z);
+    for (let i = begins[c] as number; i < (begins[c + 1] as number); i += 1) {
+      const e = list[i] as number;
       const [az, bz] = [z0[e] as number, z1[e] as number];
       if (az <= z === bz <= z) continue;
       const [ar, br] = [r0[e] as number, r1[e] as number];
@@ -83,12 +104,19 @@ export function sidesOf(area: readonly Ring[]): Edges {
       if (count === 0 || ring.length < 3 || !(box.right > left && box.left < right)) return false;
       question += 1;
       const last = columnOf(box.right);
-      for (let c = columnOf(box.left); c <= last; c += 1)
-        for (const e of lists[c] ?? []) {
+      let beside = true;
+      for (let c = columnOf(box.left); c <= last; c += 1) {
+        if (box.low >= (high[c] as number) || box.high <= (low[c] as number)) continue;
+        beside = false;
+        for (let i = begins[c] as number; i < (begins[c + 1] as number); i += 1) {
+          const e = list[i] as number;
           if (seen[e] === question) continue;
           seen[e] = question;
           if (enters(e, piece)) return true;
         }
+      }
+      // Above all edges and below all of them there is nothing.
+      if (beside) return false;
       const [p, q, s] = [ring[0] as Pt, ring[Math.floor(ring.length / 3)] as Pt, ring[Math.floor((2 * ring.length) / 3)] as Pt];
       return holds((p.z + q.z + s.z) / 3, (p.r + q.r + s.r) / 3);
     },
