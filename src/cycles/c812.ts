@@ -48,7 +48,7 @@ export const c812 = defineCycle({
   outline: (v) => shoulderOutline(v),
   plan(v, setting) {
     const outline = shoulderOutline(v);
-    if (outline.contour.length === 0 || outline.issues.length > 0) return empty(outline.issues);
+    if (outline.contour.length === 0 || outline.issues.length > 0) return empty(outline.issues, outline.contour);
     const { frame } = outline;
     const plan = planLeveled({
       frame,

@@ -44,7 +44,7 @@ export const c820 = defineCycle({
   outline: (v, given) => freeOutline(v, given, true),
   plan(v, setting, given) {
     const outline = freeOutline(v, given, true);
-    if (outline.contour.length === 0 || outline.issues.length > 0) return empty(outline.issues);
+    if (outline.contour.length === 0 || outline.issues.length > 0) return empty(outline.issues, outline.contour);
     const frame = frameAt(outline.contour, true, setting);
     const tool = v.Q499 === 2 ? mirroredTool(setting.tool, "r") : setting.tool;
     const plan = planLeveled({

@@ -64,7 +64,7 @@ export const c852 = defineCycle({
   outline: (v) => recessOutline(finished(v), frameOf(v)),
   plan(v, setting) {
     const outline = recessOutline(finished(v), frameOf(v));
-    if (outline.contour.length === 0 || outline.issues.length > 0) return empty(outline.issues);
+    if (outline.contour.length === 0 || outline.issues.length > 0) return empty(outline.issues, outline.contour);
     const { frame } = outline;
     const { tool } = setting;
     const plan = planRecess({

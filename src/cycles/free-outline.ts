@@ -20,24 +20,22 @@ export function freeOutline(v: FreeValues, given: Given, transverse: boolean): O
   const programmed = given.contour;
   const contour = v.Q499 === 0 ? programmed ?? [] : (programmed ?? []).map(part.reversed).reverse();
   const outline = { frame: freeFrame(contour, transverse, true), sunk: false, dimensions: [], issues: [] };
-  const refused = (found: Issue): Outline => ({ ...outline, contour: [], issues: [found] });
+  const refused = (found: Issue): Outline => ({ ...outline, contour, issues: [found] });
   if (programmed === null) return refused(issue("contourMissing", "error", { label: "" }, "contour"));
   const first = contour[0]?.from;
   const last = contour.at(-1)?.to;
   if (!first || !last) return refused(issue("contourTooShort", "error", {}, "contour"));
   const flat = transverse ? first.r === last.r : first.z === last.z;
   if (flat) return refused(issue("contourFlat", "error", { axis: transverse ? "X" : "Z" }, "contour"));
+  const crossing = selfCrossing(programmed);
+  if (crossing) return refused(issue("contourCrossesItself", "error", { element: crossing[0] + 1, other: crossing[1] + 1 }, "contour"));
   const covered = coveredEnd(contour, outline.frame);
   if (covered) return refused(issue("contourEndCovered", "error", { x: toDiameter(covered.r), z: covered.z }, "contour"));
   return { ...outline, contour, dimensions: v.Q479 === 1 ? limitDimensions(v, contour) : [] };
 }
 
-/**
- * The end of a contour from which the part cannot go on across the cutting direction, because an element of the contour is in the way.
- * A contour that crosses itself is told of as such.
- */
+/** The end of a contour from which the part cannot go on across the cutting direction, because an element of the contour is in the way. */
 function coveredEnd(contour: readonly Segment[], { transverse, signU }: Frame): Pt | null {
-  if (selfCrossing(contour)) return null;
   const [first, last] = [contour[0] as Segment, contour.at(-1) as Segment];
   const beyond = (p: Pt, way: number) => (transverse ? at(p.z, p.r + way * FAR) : at(p.z + way * FAR, p.r));
   const after: Segment = { kind: "line", from: last.to, to: beyond(last.to, signU) };

@@ -26,16 +26,16 @@ const nothing: Plan = empty([]);
 
 const unique = (issues: readonly Issue[]) => [...new Map(issues.map((i) => [JSON.stringify([i.code, i.at ?? "", i.data]), i])).values()];
 
+interface Read extends Pick<Given, "contour"> {
+  /** False for what a cycle says of its contour when that was told at its blocks, or follows from one that can not be read. */
+  isNews(issue: Issue): boolean;
+}
+
 /** That none is named, or that it can not be read, is told where it is met. */
-const NO_CONTOUR = { contour: null, isTroubled: true };
+const NO_CONTOUR: Read = { contour: null, isNews: () => false };
 
 /** The contour that cycle 14 names, with its issues said at their blocks. */
-function givenContour(
-  machine: Machine,
-  cycle: number,
-  index: number,
-  operation: number,
-): Pick<Given, "contour"> & { readonly isTroubled: boolean } {
+function givenContour(machine: Machine, cycle: number, index: number, operation: number): Read {
   if (machine.now.contourLabels.length === 0) {
     const { contourFile: file } = machine.now;
     machine.log.say(file === null ? programIssue("contourNotNamed", "error", { cycle }) : programIssue("contourInFile", "error", { file }),
@@ -50,7 +50,9 @@ function givenContour(
       machine.log.say(i, r?.blocks[element - 1] ?? index, 0, operation);
     }
   const segments = read.flatMap((r) => r?.contour.segments ?? []);
-  return { contour: segments.length > 0 ? segments : null, isTroubled: read.some((r) => r?.isTroubled ?? true) };
+  const isTroubled = read.some((r) => r?.isTroubled ?? true);
+  const told = new Set(read.flatMap((r) => r?.contour.issues ?? []).map((i) => i.code));
+  return { contour: segments.length > 0 ? segments : null, isNews: ({ code }) => !isTroubled && !told.has(code) };
 }
 
 /**
@@ -109,9 +111,9 @@ export function callCycle(machine: Machine, index: number): void {
   if (!machine.roomForOperation(index)) return;
   const operation = machine.log.operations.length;
   const counted = countedPoint(start, machine.now.datum);
-  const { isTroubled, contour } = cycle.contour === "free"
+  const { isNews, contour } = cycle.contour === "free"
     ? givenContour(machine, cycle.number, index, operation)
-    : { contour: null, isTroubled: false };
+    : { contour: null, isNews: () => true };
   const given: Given = { contour, start: counted };
   const read = cycleValues(machine, cycle, defined.values);
   const { values } = read;
@@ -127,7 +129,8 @@ export function callCycle(machine: Machine, index: number): void {
   const outlined = values && plan !== nothing ? cycle.outline(values, given).issues : [];
   // What a tool that was never called would do wrong is no fault of the program.
   const planned = machine.now.tool ? plan.issues : [];
-  const said = unique([...issues, ...outlined, ...planned].filter((i) => !isTroubled || i.at !== "contour"));
+  const found = unique([...issues, ...outlined, ...planned]);
+  const said = found.filter((i) => i.at !== "contour" || isNews(i));
   const all = triedOffers(cycle.params, read.partial, said, judgeOf(cycle, machine.now.tool ? setting : null, given));
   const feeds = values && plan !== nothing
     ? unlikelyFeeds(cycle, values, plan.moves, machine, (v) => cycle.plan(v, setting, given).moves)
@@ -138,7 +141,7 @@ export function callCycle(machine: Machine, index: number): void {
     start,
     tool,
     plan: shiftedPlan(plan, machine.now.datum),
-    issues: all,
+    issues: found,
     call: values && { values, given, autoFeed: machine.now.toolFeed, start: counted, datum: machine.now.datum },
   }, index);
   const where = machine.blocks[defined.index]?.raw ?? "";

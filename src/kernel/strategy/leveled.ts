@@ -260,11 +260,11 @@ function back(cutter: Cutter, start: Flat, l: Leveled, run: "rough" | "finish", 
   cutter.link(start, { gap: l.clearance, feed: run === "finish" ? l.feeds.finish : l.feeds.rough, out: p, down: p, enter: p });
 }
 
-/** A plan without a path. */
-export const empty = (issues: readonly Issue[]): Plan => ({
+/** A plan without a path, for the reasons told; `contour`: what is drawn of it, in machining direction. */
+export const empty = (issues: readonly Issue[], contour: readonly Segment[] = []): Plan => ({
   moves: [],
   issues,
-  contour: [],
+  contour,
   passes: 0,
   infeed: length(0),
   area: [],
