@@ -5,11 +5,21 @@ import tseslint from "typescript-eslint";
 
 /** No file is longer than this; tables of data and texts aside. */
 const LONGEST = 300;
+/** More arguments than this cannot be told apart where they stand. */
+const MOST_ARGUMENTS = 6;
 
-const form = [{ selector: "ExportAllDeclaration", message: "Name what is exported." }, {
-  selector: "ExportDefaultDeclaration",
-  message: "Named exports only.",
-}, { selector: "TSEnumDeclaration", message: "Use a union of literals." }];
+const form = [
+  { selector: "ExportAllDeclaration", message: "Name what is exported." },
+  {
+    selector: "ExportDefaultDeclaration",
+    message: "Named exports only.",
+  },
+  { selector: "TSEnumDeclaration", message: "Use a union of literals." },
+  {
+    selector: "ConditionalExpression > ConditionalExpression > ConditionalExpression",
+    message: "More than three cases: return early, or look the case up.",
+  },
+];
 const casts = [{
   selector: "CallExpression[callee.name='diameter']",
   message: "A diameter is born in units.ts, in parameters or in a reader; convert with toDiameter().",
@@ -44,6 +54,7 @@ export default defineConfig([
       "no-useless-assignment": "off",
       "no-warning-comments": "error",
       "max-lines": ["error", LONGEST],
+      "max-params": ["error", MOST_ARGUMENTS],
       "@typescript-eslint/consistent-type-imports": "error",
       "@typescript-eslint/no-empty-object-type": "off",
       "@typescript-eslint/no-unused-vars": ["error", {

@@ -1,5 +1,5 @@
 import { edgeEnd, edgeStart, normalEnd, normalStart, type Convex, type Edge, type Feature } from "./convex.ts";
-import { linePiece, upperEnvelope, type Envelope, type Origin, type EnvelopePiece } from "./envelope.ts";
+import { linePiece, upperEnvelope, type Envelope, type Interval, type Origin, type EnvelopePiece } from "./envelope.ts";
 import { flat, normalAt, type Flat, type FlatSegment } from "./flat.ts";
 import { FULL_TURN, positive, type ArcOf, type LineOf } from "./geometry/segments.ts";
 import { JOINED, NOTHING, ROUND } from "./tolerance.ts";
@@ -125,7 +125,8 @@ function alongArc(s: ArcOf<Flat>, k: Hull, on: Origin["on"], add: (p: EnvelopePi
     for (const e of k.edges) {
       if (e.kind === "arc") {
         const r = valley ? radius - e.radius : radius + e.radius;
-        halfArc(s, e.centre, r, Math.max(from, e.start), Math.min(to, e.start + e.sweep), { feature: e.feature, on, corner: false }, add);
+        const normals = { from: Math.max(from, e.start), to: Math.min(to, e.start + e.sweep) };
+        add(halfArc(s, e.centre, r, normals, { feature: e.feature, on, corner: false }));
       } else {
         const n = normalStart(e);
         if (n < from - ROUND || n > to + ROUND) continue;
@@ -134,16 +135,16 @@ function alongArc(s: ArcOf<Flat>, k: Hull, on: Origin["on"], add: (p: EnvelopePi
       }
     }
     for (const v of k.vertices)
-      halfArc(s, v.at, radius, Math.max(from, v.from), Math.min(to, v.to), { feature: v.feature, on, corner: false }, add);
+      add(halfArc(s, v.at, radius, { from: Math.max(from, v.from), to: Math.min(to, v.to) }, { feature: v.feature, on, corner: false }));
   }
 }
 
-/** The part of an offset arc whose normals lie in [from, to]: upper half for a hill, lower half for a valley. */
-function halfArc(s: ArcOf<Flat>, by: Flat, r: number, from: number, to: number, origin: Origin, add: (p: EnvelopePiece | null) => void) {
-  if (to - from <= ROUND || r <= ROUND) return;
+/** The part of an offset arc with certain normals: upper half for a hill, lower half for a valley. Null where there is none. */
+function halfArc(s: ArcOf<Flat>, by: Flat, r: number, { from, to }: Interval, origin: Origin): EnvelopePiece | null {
+  if (to - from <= ROUND || r <= ROUND) return null;
   const { u: cu, v: cv } = sum(s.centre, by);
   const [u0, u1] = isValley(s) ? [cu - r * Math.cos(from), cu - r * Math.cos(to)] : [cu + r * Math.cos(to), cu + r * Math.cos(from)];
-  if (u1 - u0 > ROUND) add({ arc: isValley(s) ? -1 : 1, u0, u1, cu, cv, radius: r, origin });
+  return u1 - u0 > ROUND ? { arc: isValley(s) ? -1 : 1, u0, u1, cu, cv, radius: r, origin } : null;
 }
 
 /** A convex corner carries the normals between its two elements (clockwise from `before` to `after`). */

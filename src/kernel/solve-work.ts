@@ -85,12 +85,19 @@ export function startSolving(elements: readonly SolveElement[]): Solving {
   };
   elements.forEach((e, i) => {
     for (const axis of ["z", "r"] as const) {
-      const given = e[axis], before = i === 0 ? 0 : (work[axis][i - 1] ?? null);
-      work[axis].push(given === null ? null : "at" in given ? given.at : before === null ? null : before + given.by);
+      const before = i === 0 ? 0 : (work[axis][i - 1] ?? null);
+      work[axis].push(coordinateOf(e[axis], before));
     }
     work.forms.push({ z: known(work.z[i] ?? 0), r: known(work.r[i] ?? 0) });
   });
   return work;
+}
+
+/** A given coordinate, counted from the one before where it is a distance; null where that is not known. */
+function coordinateOf(given: GivenCoordinate<Axial> | GivenCoordinate<Radius>, before: number | null): number | null {
+  if (given === null) return null;
+  if ("at" in given) return given.at;
+  return before === null ? null : before + given.by;
 }
 
 /** Everything that follows from coordinates, directions and lengths along them. True when something new became known. */

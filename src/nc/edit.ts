@@ -1,6 +1,5 @@
-import { valueText } from "./number-text.ts";
 import { parse } from "./parse.ts";
-import { statementLines } from "./print.ts";
+import { parameterValueText, statementLines } from "./print.ts";
 import type { Block, Program } from "./program.ts";
 import { styleAt } from "./read-style.ts";
 import type { Statement } from "./statement.ts";
@@ -23,7 +22,7 @@ function withValues(raw: string, before: CycleStatement, after: CycleStatement, 
     if (same(p.value, before.parameters[i]?.value)) continue;
     const at = new RegExp(String.raw`((?:^|[\s])${p.q}[ \t]*=?[ \t]*)([^\s;~]*(?:(?<=[+-])[ \t]+[^\s;~]+)?)`, "i").exec(text);
     if (!at) return null;
-    const written = p.value === null ? "" : p.value === "auto" ? "FAUTO" : p.value === "max" ? "FMAX" : valueText(p.value, style);
+    const written = parameterValueText(p.value, style);
     const front = (at[1] ?? "").includes("=") ? (at[1] ?? "") : `${(at[1] ?? "").trimEnd()}=`;
     text = text.slice(0, at.index) + front + written + text.slice(at.index + at[0].length);
   }

@@ -11,10 +11,15 @@ const bare = (word: string, value: Value | null, style: Style) => (value === nul
 /** R of APPR CT and DEP CT and LEN of the LN forms carry a sign; the others are bare. */
 const signsOf = (form: string) => ({ length: form.endsWith("LN"), radius: form === "CT" || form === "PCT" });
 
-function parameterText(p: CycleParameter, style: Style): string {
-  const value = p.value === null ? "" : p.value === "auto" ? "FAUTO" : p.value === "max" ? "FMAX" : valueText(p.value, style);
-  return `${style.indent}${p.q}=${value}${p.label === null ? "" : ` ;${p.label}`}`;
+/** A value of a cycle as it is written; nothing for one that is not set. */
+export function parameterValueText(value: CycleParameter["value"], style: Style): string {
+  if (value === null) return "";
+  if (value === "auto") return "FAUTO";
+  return value === "max" ? "FMAX" : valueText(value, style);
 }
+
+const parameterText = (p: CycleParameter, style: Style) =>
+  `${style.indent}${p.q}=${parameterValueText(p.value, style)}${p.label === null ? "" : ` ;${p.label}`}`;
 
 const namedText = (words: readonly NamedWord[], style: Style, colon = "") =>
   words.map((w) => ` ${w.name}${colon}${unsigned(w.value, style)}`).join("");

@@ -106,14 +106,10 @@ export function useDrawing(now: Surroundings) {
       if (e.button !== 0 || gesture.current) return;
       const place = placeOf(e), found = pointNear(place, e.pointerType === "mouse"), element = rowUnder(e);
       const row = found !== null && now.mode !== "move" && !hasPoint(now.rows[found]) ? found - 1 : found;
-      const corner = (now.mode === "round" || now.mode === "chamfer") && row !== null && isCorner(now.rows, row);
-      const kind = corner
-        ? "corner"
-        : row !== null && now.mode !== "round" && now.mode !== "chamfer" && hasPoint(now.rows[row])
-        ? "point"
-        : now.mode === "draw" || element !== null
-        ? "tap"
-        : "pan";
+      const atCorners = now.mode === "round" || now.mode === "chamfer";
+      const taken = row !== null && (atCorners ? isCorner(now.rows, row) : hasPoint(now.rows[row]));
+      const beside = now.mode === "draw" || element !== null ? "tap" : "pan";
+      const kind = taken ? (atCorners ? "corner" : "point") : beside;
       count.current += 1;
       pressed.current = row === null ? element : null;
       gesture.current = {

@@ -20,14 +20,15 @@ export function DialogDone({ session, inBlock }: { readonly session: PromptSessi
   const open = [...new Set(errors.flatMap((e) => (fields.some((f) => f.id === e.at) ? [e.at] : [])))];
   const noContour = errors.some((e) => e.at === "contour" && e.issue.code === "contourMissing");
   const first = fields[0]?.id ?? null;
-  const kind = open.length > 0 ? "open" : noContour && !inBlock ? "contour" : errors.length > 0 ? "faults" : "complete";
-  const title = kind === "open"
-    ? t.open(open.length)
-    : kind === "contour"
-    ? words.done.contour
-    : kind === "faults"
-    ? words.done.faults(errors.length)
-    : t.title;
+  const wrong = noContour && !inBlock ? "contour" : "faults";
+  const kind = open.length > 0 ? "open" : errors.length > 0 ? wrong : "complete";
+  const titles = {
+    open: t.open(open.length),
+    contour: words.done.contour,
+    faults: words.done.faults(errors.length),
+    complete: t.title,
+  };
+  const title = titles[kind];
   const tone = kind === "complete" ? toneOf(verdict) : "bad";
   const was = useRef(focus);
 

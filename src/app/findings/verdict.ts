@@ -71,13 +71,9 @@ export function judged(entries: readonly FindingEntry[], outcome: Outcome | null
 }
 
 /** Green only where everything is proved, nothing was left unlooked at, and nothing is left to look at. */
-export const toneOf = ({ state, doubts, warnings, stays }: ShownVerdict): "good" | "plain" | "doubt" | "bad" | "none" =>
-  state === "none"
-    ? "none"
-    : state === "faults"
-    ? "bad"
-    : state === "incomplete" || doubts.length > 0
-    ? "doubt"
-    : warnings > 0 || stays > 0
-    ? "plain"
-    : "good";
+export function toneOf({ state, doubts, warnings, stays }: ShownVerdict): "good" | "plain" | "doubt" | "bad" | "none" {
+  if (state === "none") return "none";
+  if (state === "faults") return "bad";
+  if (state === "incomplete" || doubts.length > 0) return "doubt";
+  return warnings > 0 || stays > 0 ? "plain" : "good";
+}

@@ -1,10 +1,19 @@
 import { useEffect } from "react";
-import { toneOf } from "../findings/verdict.ts";
+import type { Texts } from "../../i18n/index.ts";
+import type { Language } from "../../i18n/languages.ts";
+import { toneOf, type ShownVerdict } from "../findings/verdict.ts";
 import { verdictReasons, verdictTitle } from "../findings/verdict-words.ts";
 import { blockCount } from "../printed.ts";
 import { closeCopying, useCopying } from "../program/copy.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
+
+/** What is to be known of a program that is not all well. */
+function doubtOf(verdict: ShownVerdict, { dialog, findings }: Texts, language: Language): string {
+  if (verdict.faults > 0) return findings.leaving.withFaults(verdict.faults);
+  if (verdict.open > 0) return `${dialog.done.open(verdict.open)}.`;
+  return [`${verdictTitle(findings.verdict, language, verdict)}.`, ...verdictReasons(findings.verdict, verdict).slice(0, 1)].join(" ");
+}
 
 /** What was taken along, with the verdict on it; read out. `otherwise` is said while nothing was copied. */
 export function CopyStatus({ otherwise = "" }: { readonly otherwise?: string }) {
@@ -14,13 +23,7 @@ export function CopyStatus({ otherwise = "" }: { readonly otherwise?: string }) 
   useEffect(() => closeCopying, []);
   const copied = state === "copied" && verdict !== null;
   const tone = copied ? toneOf(verdict) : "good";
-  const note = !copied || tone === "good" || tone === "plain"
-    ? ""
-    : verdict.faults > 0
-    ? t.findings.leaving.withFaults(verdict.faults)
-    : verdict.open > 0
-    ? `${t.dialog.done.open(verdict.open)}.`
-    : [`${verdictTitle(t.findings.verdict, language, verdict)}.`, ...verdictReasons(t.findings.verdict, verdict).slice(0, 1)].join(" ");
+  const note = copied && tone !== "good" && tone !== "plain" ? doubtOf(verdict, t, language) : "";
   return (
     <p role="status" className={`small copy-status copy-${tone}`}>
       {copied ? `${t.page.text.copiedLong(blockCount(text))} ${note}`.trim() : otherwise}

@@ -96,16 +96,9 @@ export function ToolGrid({ list, kind, read, open }: {
   }, [open]);
 
   const onKeyDown = (event: KeyboardEvent) => {
-    const to = event.key === "ArrowDown"
-      ? at + 1
-      : event.key === "ArrowUp"
-      ? at - 1
-      : event.key === "Home"
-      ? 0
-      : event.key === "End"
-      ? list.length - 1
-      : null;
-    const next = to === null ? undefined : list[to];
+    const ways: Readonly<Record<string, number>> = { ArrowDown: at + 1, ArrowUp: at - 1, Home: 0, End: list.length - 1 };
+    const to = ways[event.key];
+    const next = to === undefined ? undefined : list[to];
     if (!next) return;
     event.preventDefault();
     openRow(next.id);

@@ -54,7 +54,7 @@ export function roughRecess(cutter: Cutter, r: RecessRough): void {
       cutter.feed({ u: end, v: level(i) + RECESS_CLEARANCE }, r.feeds.rough, purpose(4, i));
       cutter.link({ u: here.from, v: level(i) }, linked(r, 4, purpose(4, i)));
       down(cutter, pathAlong(e, here.from, next.from).map((s) => s.segment), { u: next.from, v: level(i + 1) }, r, i + 1);
-    } else beside(cutter, r, side, here, next, shortened, i + 1);
+    } else beside(cutter, r, side, { here, next, shortened }, i + 1);
     here = next;
   }
   alongWalls(cutter, r, here, shortened);
@@ -68,8 +68,15 @@ const linked = (r: RecessRough, step: number, enter: Purpose) => ({
   enter,
 });
 
+/** From a level of a valley to the next one, with what the passes are shortened on either side, mm. */
+interface Descent {
+  readonly here: Interval;
+  readonly next: Interval;
+  readonly shortened: Readonly<Record<Side, number>>;
+}
+
 /** Down beside a wall, apart from it by what the passes are shortened there; where it cannot be followed, sideways and down. */
-function beside(cutter: Cutter, r: RecessRough, side: Side, here: Interval, next: Interval, shortened: Record<Side, number>, pass: number) {
+function beside(cutter: Cutter, r: RecessRough, side: Side, { here, next, shortened }: Descent, pass: number) {
   const e = r.ground.envelope;
   const wall = side === "right"
     ? pathAlong(e, next.to, here.to).map((s) => shifted(reversed(s.segment), { u: -shortened.right, v: 0 })).reverse()

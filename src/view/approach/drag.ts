@@ -13,9 +13,10 @@ export type Dragged = { readonly word: "LEN" | "R" | "CCA"; readonly value: numb
 
 /** Which handles of a form change something in the block. */
 export function handlesOf({ shape, departing, arc }: Approach, polarWithoutPole: boolean): readonly Handle[] {
-  const named: readonly Handle[] = polarWithoutPole ? [] : departing ? (shape === "LCT" ? ["PN"] : []) : ["PA"];
-  const own: readonly Handle[] = shape === "LCT" ? [] : departing ? ["PN"] : ["PH"];
-  return [...named, ...own, ...(arc ? (["centre"] as const) : [])];
+  const end: Handle = departing ? "PN" : "PA";
+  const isNamed = !polarWithoutPole && (!departing || shape === "LCT");
+  const own: Handle = departing ? "PN" : "PH";
+  return [...(isNamed ? [end] : []), ...(shape === "LCT" ? [] : [own]), ...(arc ? (["centre"] as const) : [])];
 }
 
 /** Values follow the pointer in steps one can type. */

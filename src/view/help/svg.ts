@@ -3,9 +3,21 @@ import { px, type Mark } from "./marks.ts";
 
 /** Classes of a mark: its role, and whether it is the one asked for. */
 export const classOf = (m: Mark): string => {
-  const role = m.kind === "area" ? `fill-${m.fill}` : m.kind === "line" ? `line-${m.line}` : m.kind === "text" ? `text-${m.role}` : "lens";
-  return m.active ? `${role} active` : role;
+  return m.active ? `${roleOf(m)} active` : roleOf(m);
 };
+
+function roleOf(m: Mark): string {
+  switch (m.kind) {
+    case "area":
+      return `fill-${m.fill}`;
+    case "line":
+      return `line-${m.line}`;
+    case "text":
+      return `text-${m.role}`;
+    case "detail":
+      return "lens";
+  }
+}
 
 const escaped = (text: string) => text.replace(/&/g, "&amp;").replace(/</g, "&lt;");
 
