@@ -1,5 +1,7 @@
 import { expect, test } from "vitest";
+import { at, type Segment } from "../kernel/point.ts";
 import { radians } from "../kernel/units.ts";
+import { c820 } from "./c820.ts";
 import { cycleByNumber } from "./index.ts";
 
 /*
@@ -69,4 +71,18 @@ test("an element 2 is a radius: an arc, tangential on both sides", () => {
   };
   const first = cycle?.outline(values as never, { contour: null, start: null }).contour[0];
   expect(first).toMatchObject({ kind: "arc", from: { z: -20, r: 23.7 }, to: { z: -21.3, r: 25 }, centre: { z: -21.3, r: 23.7 } });
+});
+
+test("a free contour that crosses itself, or ends behind itself, is drawn and refused", () => {
+  const along = (...points: (readonly [number, number])[]): Segment[] =>
+    points.slice(1).map((p, i) => ({ kind: "line", from: at(...(points[i] as readonly [number, number])), to: at(...p) }));
+  const values = Object.fromEntries(Object.entries(c820.params).map(([q, p]) => [q, p.example])) as never;
+  const outlined = (contour: Segment[]) => {
+    const { contour: drawn, issues } = c820.outline(values, { contour, start: null });
+    return [drawn.length, ...issues.map((i) => i.code)];
+  };
+  const crossing = along([-6.4, 10], [-12, 30], [-4.5, 37.5], [-2.2, 25], [-13, 26], [-9, 41]);
+  expect(outlined(crossing)).toEqual([5, "contourCrossesItself"]);
+  expect(outlined(along([-6.4, 10], [-12, 30], [-4.5, 37.5], [-5.1, 33.2]))).toEqual([3, "contourEndCovered"]);
+  expect(outlined(along([-6.4, 10], [-4.5, 37.5]))).toEqual([1]);
 });
