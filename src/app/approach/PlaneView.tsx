@@ -4,7 +4,6 @@ import type { Run } from "../../program/run-types.ts";
 import { planeScene, PLANE_ROLES } from "../../view/approach/plane-scene.ts";
 import { trackOf } from "../../view/playback.ts";
 import type { Clock } from "../clock.ts";
-import { FindingsLine } from "../findings/FindingsLine.tsx";
 import { GlyphButton } from "../lathe/GlyphButton.tsx";
 import { pressKey } from "../lathe/keys.ts";
 import { PlaceButtons, PlaceLines } from "../lathe/PlaceButtons.tsx";
@@ -131,7 +130,6 @@ export function PlaneView({ run, dimmed, playback, clock, children }: {
       <Timeline run={timed} playback={playback} />
       <SpokenMoment steps={steps} approaches={approaches} playback={playback} clock={clock} />
       <div className="lathe-more">
-        <FindingsLine />
         <PointTable approaches={approaches} speech={speech} />
       </div>
     </section>

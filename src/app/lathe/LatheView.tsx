@@ -10,7 +10,6 @@ import { trackOf } from "../../view/playback.ts";
 import { sceneOf } from "../../view/scene.ts";
 import { TurnPoints } from "../approach/TurnPoints.tsx";
 import type { Clock } from "../clock.ts";
-import { FindingsLine } from "../findings/FindingsLine.tsx";
 import { reducedMotion } from "../settings/appearance.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
@@ -149,7 +148,6 @@ export function LatheView({ result, dimmed, playback, clock, onMove }: {
       <SpokenStatus run={run} playback={playback} clock={clock} />
       {simulation && (
         <div className="lathe-more">
-          <FindingsLine />
           <MoveTable run={run} playback={playback} />
         </div>
       )}
