@@ -66,7 +66,7 @@ export const c812 = defineCycle({
       startRule: "shoulder",
     }, setting);
     const value = (q: string, direction: number) => (q === "Q496" ? 90 - direction : direction);
-    const tool = [...cornerIssue(v.Q500, setting.tool), ...angleIssues(outline.contour, outline.names, setting.tool, frame, value)];
+    const tool = [...cornerIssue(v.Q500, setting.tool), ...angleIssues(outline, setting.tool, frame, value)];
     return atParameters(withIssues(plan, tool), frame, { infeed: "Q463" });
   },
 });

@@ -62,7 +62,7 @@ export const c820 = defineCycle({
       outerHeight: null,
       startRule: "contour",
     }, { ...setting, tool });
-    const found = angleIssues(outline.contour, outline.contour.map(() => "contour"), tool, frame, (_q, direction) => Math.abs(direction));
+    const found = angleIssues(outline, tool, frame, (_q, direction) => Math.abs(direction));
     const adapted = tool === setting.tool ? plan : { ...plan, tool };
     return atParameters(withIssues(adapted, found), frame, { infeed: "Q463", limitX: "Q480", limitZ: "Q482" });
   },

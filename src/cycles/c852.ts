@@ -81,7 +81,7 @@ export const c852 = defineCycle({
     const value = (_q: string, direction: number) => 90 - Math.abs(direction);
     const rough = v.Q215 !== 2;
     const narrow = narrowIssue(outline, v, isBar(tool) ? cuttingWidth(tool) + (rough ? v.Q483 : 0) : 0);
-    const found = [...narrow, ...cornerIssue(v.Q500, tool), ...angleIssues(outline.contour, outline.names, tool, frame, value)];
+    const found = [...narrow, ...cornerIssue(v.Q500, tool), ...angleIssues(outline, tool, frame, value)];
     return atParameters(withIssues(plan, found), frame, { infeed: "Q463", depth: "Q494", offset: "Q508" });
   },
 });

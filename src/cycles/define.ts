@@ -21,6 +21,8 @@ export interface Outline {
   readonly sunk: boolean;
   readonly dimensions: readonly Dimension[];
   readonly issues: readonly Issue[];
+  /** Of a free contour: where each segment stands in the programmed one, from 1. */
+  readonly elements?: readonly number[];
 }
 
 /** What a cycle is given beside its values. */

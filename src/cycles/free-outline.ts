@@ -19,7 +19,8 @@ interface FreeValues {
 export function freeOutline(v: FreeValues, given: Given, transverse: boolean): Outline {
   const programmed = given.contour;
   const contour = v.Q499 === 0 ? programmed ?? [] : (programmed ?? []).map(part.reversed).reverse();
-  const outline = { frame: freeFrame(contour, transverse, true), sunk: false, dimensions: [], issues: [] };
+  const elements = contour.map((_, i) => (v.Q499 === 0 ? i + 1 : contour.length - i));
+  const outline = { frame: freeFrame(contour, transverse, true), sunk: false, dimensions: [], issues: [], elements };
   const refused = (found: Issue): Outline => ({ ...outline, contour, issues: [found] });
   if (programmed === null) return refused(issue("contourMissing", "error", { label: "" }, "contour"));
   const first = contour[0]?.from;

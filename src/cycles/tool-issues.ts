@@ -13,13 +13,23 @@ import { ROUND } from "../kernel/tolerance.ts";
 /** Rounding of angles, radians. */
 const ANGLE = 1e-6;
 
+/** A contour with the Q that each segment comes from, or with the places of its segments in a programmed contour, from 1. */
+interface Named {
+  readonly contour: readonly Segment[];
+  readonly names?: readonly string[];
+  readonly elements?: readonly number[];
+}
+
+/** An angle in degrees between half a turn back (which it is not) and half a turn on. */
+const halfTurns = (degrees: number) => 180 - ((((180 - degrees) % 360) + 360) % 360);
+
 /**
- * Straight elements whose direction the nose cannot take, because a flank of the insert touches first. `names[i]` is the
- * Q of segment i; `asValue` turns a direction (degrees against the cutting direction, positive rising) into a value of that Q.
+ * Straight elements whose direction the nose cannot take, because a flank of the insert touches first; of one Q, or of a programmed
+ * contour, the one that leans farthest beyond what it can. `asValue` turns a direction (degrees against the cutting direction, positive
+ * rising) into a value of a Q.
  */
 export function angleIssues(
-  contour: readonly Segment[],
-  names: readonly string[],
+  { contour, names, elements }: Named,
   tool: Tool,
   frame: Frame,
   asValue: (q: string, direction: number) => number,
@@ -34,31 +44,29 @@ export function angleIssues(
     : [])
   );
   const width = shape.filter((e) => e.feature === "width").map((e) => normalStart(e) + Math.PI);
+  const bounds = normals.flatMap((x) => [{ at: x.from, edge: x.edges[0] }, { at: x.from + x.width, edge: x.edges[1] }]).map((b) => ({
+    at: halfTurns(inDegrees(b.at) - 90),
+    edge: b.edge,
+  }));
   const reached = (a: number) =>
     normals.some((n) => positive(a - n.from + ANGLE) <= n.width + 2 * ANGLE) || width.some((w) => Math.abs(Math.sin((a - w) / 2)) < ANGLE);
-  const found = new Map<string, Issue>();
+  const found = new Map<string, { readonly issue: Issue; readonly beyond: number }>();
   contour.forEach((segment, i) => {
     if (segment.kind !== "line") return;
     const n = normalAt(segmentToFlat(frame, segment), "from");
     const a = Math.atan2(n.v, n.u);
-    const name = names[i] ?? "contour";
-    if (reached(a) || found.has(name)) return;
-    const direction = inDegrees(a) - 90;
-    const bounds = normals.flatMap((x) => [{ at: x.from, edge: x.edges[0] }, { at: x.from + x.width, edge: x.edges[1] }]).map((b) => ({
-      at: inDegrees(Math.atan2(Math.sin(b.at), Math.cos(b.at))) - 90,
-      edge: b.edge,
-    }));
+    if (reached(a)) return;
+    const name = names?.[i] ?? "contour";
+    const direction = halfTurns(inDegrees(a) - 90);
     const { at: max, edge } = bounds.reduce((best, b) => (Math.abs(b.at - direction) < Math.abs(best.at - direction) ? b : best),
       bounds[0] ?? { at: 0, edge: "mainEdge" });
-    const nearest = roundedAngle(asValue(name, max));
-    found.set(name, issue("angleNotFollowed", "warning", {
-      angle: asValue(name, direction),
-      max: asValue(name, max),
-      nearest,
-      edge,
-    }, name));
+    const beyond = Math.abs(max - direction);
+    if (beyond <= (found.get(name)?.beyond ?? 0)) return;
+    const place = elements ? { element: elements[i] ?? 0 } : { nearest: roundedAngle(asValue(name, max)) };
+    const data = { angle: asValue(name, direction), max: asValue(name, max), edge, ...place };
+    found.set(name, { issue: issue("angleNotFollowed", "warning", data, name), beyond });
   });
-  return [...found.values()];
+  return [...found.values()].map((f) => f.issue);
 }
 
 /** A programmed corner radius that the insert is too round for. */

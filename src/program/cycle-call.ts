@@ -10,7 +10,7 @@ import type { Tool } from "../kernel/tool.ts";
 import { toDiameter } from "../kernel/units.ts";
 import { readContour } from "./contour-subprogram.ts";
 import { cycleValues } from "./cycle-values.ts";
-import { programIssue } from "./issue.ts";
+import { programIssue, type ProgramIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
 import type { Defined } from "./modal.ts";
 import { pointIn } from "./path.ts";
@@ -29,10 +29,12 @@ const unique = (issues: readonly Issue[]) => [...new Map(issues.map((i) => [JSON
 interface Read extends Pick<Given, "contour"> {
   /** False for what a cycle says of its contour when that was told at its blocks, or follows from one that can not be read. */
   isNews(issue: Issue): boolean;
+  /** Of each segment, in programmed order: its block, and the number of its element there. */
+  readonly places: readonly { readonly block: number; readonly element: number }[];
 }
 
 /** That none is named, or that it can not be read, is told where it is met. */
-const NO_CONTOUR: Read = { contour: null, isNews: () => false };
+const NO_CONTOUR: Read = { contour: null, isNews: () => false, places: [] };
 
 /** The contour that cycle 14 names, with its issues said at their blocks. */
 function givenContour(machine: Machine, cycle: number, index: number, operation: number): Read {
@@ -50,9 +52,26 @@ function givenContour(machine: Machine, cycle: number, index: number, operation:
       machine.log.say(i, r?.blocks[element - 1] ?? index, 0, operation);
     }
   const segments = read.flatMap((r) => r?.contour.segments ?? []);
+  const places = read.flatMap((r) => r?.contour.elements.map((element) => ({ element, block: r.blocks[element - 1] ?? index })) ?? []);
   const isTroubled = read.some((r) => r?.isTroubled ?? true);
   const told = new Set(read.flatMap((r) => r?.contour.issues ?? []).map((i) => i.code));
-  return { contour: segments.length > 0 ? segments : null, isNews: ({ code }) => !isTroubled && !told.has(code) };
+  return { contour: segments.length > 0 ? segments : null, isNews: ({ code }) => !isTroubled && !told.has(code), places };
+}
+
+/** What a cycle says of a segment of its contour, with the number and the block of that element; everything else at the call. */
+function inProgram<F extends Issue | ProgramIssue>(
+  found: F,
+  places: Read["places"],
+  call: number,
+): { readonly said: F; readonly block: number } {
+  const { element, other } = found.data as { readonly element?: unknown; readonly other?: unknown };
+  const placeOf = (segment: unknown) => (found.at === "contour" && typeof segment === "number" ? places[segment - 1] : undefined);
+  const [place, second] = [placeOf(element), placeOf(other)];
+  if (!place) return { said: found, block: call };
+  return {
+    said: { ...found, data: { ...found.data, element: place.element, ...(second && { other: second.element }) } },
+    block: place.block,
+  };
 }
 
 /**
@@ -111,9 +130,9 @@ export function callCycle(machine: Machine, index: number): void {
   if (!machine.roomForOperation(index)) return;
   const operation = machine.log.operations.length;
   const counted = countedPoint(start, machine.now.datum);
-  const { isNews, contour } = cycle.contour === "free"
+  const { isNews, places, contour } = cycle.contour === "free"
     ? givenContour(machine, cycle.number, index, operation)
-    : { contour: null, isNews: () => true };
+    : { contour: null, isNews: () => true, places: [] };
   const given: Given = { contour, start: counted };
   const read = cycleValues(machine, cycle, defined.values);
   const { values } = read;
@@ -147,8 +166,9 @@ export function callCycle(machine: Machine, index: number): void {
   const where = machine.blocks[defined.index]?.raw ?? "";
   for (const i of [...all, ...feeds]) {
     const parameter = i.at?.startsWith("Q") ? i.at : null;
+    const { said, block } = inProgram(i, places, index);
     if (parameter) machine.log.say(i, defined.index, lineOfParameter(where, parameter), operation);
-    else machine.log.say(i, index, 0, operation);
+    else machine.log.say(said, block, 0, operation);
   }
 }
 

@@ -48,8 +48,9 @@ export const messages = {
       `Der Grund des Einstichs ist ${w.number(d.width)} breit, Werkzeug und Aufmaß brauchen ${w.number(d.tool)}.`
       + `${nearest(d.nearest, w.value)}`,
     angleNotFollowed: (d, w) =>
-      `Das Werkzeug kann ${w.angle(d.angle)} nicht folgen: Die ${reasons[d.edge]} lässt ${w.angle(d.max)} zu, `
-      + `Material bleibt stehen.${nearest(d.nearest, w.angle)}`,
+      `${d.element === undefined ? "" : `Element ${d.element}: `}Das Werkzeug kann ${w.angle(d.angle)} nicht folgen: Die ${
+        reasons[d.edge]
+      } lässt ${w.angle(d.max)} zu, ` + `Material bleibt stehen.${nearest(d.nearest, w.angle)}`,
     tooManyPasses: (d, w) => `${d.passes} Schnitte sind mehr als ${d.most}.${nearest(d.nearest, w.number)}`,
     infeedOverCutLength: (d, w) =>
       `Zustellung ${w.number(d.infeed)} ist größer als CUTLENGTH ${w.number(d.cutLength)}: Sie wird auf `

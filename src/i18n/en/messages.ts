@@ -48,8 +48,9 @@ export const messages = {
     recessNarrowerThanTool: (d, w) =>
       `The floor of the recess is ${w.number(d.width)} wide, tool and oversize need ${w.number(d.tool)}.${nearest(d.nearest, w.value)}`,
     angleNotFollowed: (d, w) =>
-      `The tool cannot follow ${w.angle(d.angle)}: ${reasons[d.edge]} allows ${w.angle(d.max)}, material stays.`
-      + `${nearest(d.nearest, w.angle)}`,
+      `${d.element === undefined ? "The" : `Element ${d.element}: the`} tool cannot follow ${w.angle(d.angle)}: ${reasons[d.edge]} allows ${
+        w.angle(d.max)
+      }, material stays.` + `${nearest(d.nearest, w.angle)}`,
     tooManyPasses: (d, w) => `${d.passes} passes are more than ${d.most}.${nearest(d.nearest, w.number)}`,
     infeedOverCutLength: (d, w) =>
       `Infeed ${w.number(d.infeed)} is more than CUTLENGTH ${w.number(d.cutLength)}: it is reduced to ${w.number(d.cutLength)}.`,

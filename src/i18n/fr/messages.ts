@@ -49,8 +49,9 @@ export const messages = {
       `Le fond de la gorge est large de ${w.number(d.width)}, l'outil et la surépaisseur demandent `
       + `${w.number(d.tool)}.${nearest(d.nearest, w.value)}`,
     angleNotFollowed: (d, w) =>
-      `L'outil ne peut pas suivre ${w.angle(d.angle)} : l'${reasons[d.edge]} permet ${w.angle(d.max)}, de la `
-      + `matière reste.${nearest(d.nearest, w.angle)}`,
+      `${d.element === undefined ? "L'" : `Élément ${d.element} : l'`}outil ne peut pas suivre ${w.angle(d.angle)} : l'${
+        reasons[d.edge]
+      } permet ${w.angle(d.max)}, de la ` + `matière reste.${nearest(d.nearest, w.angle)}`,
     tooManyPasses: (d, w) => `${d.passes} passes, c’est plus que ${d.most}.${nearest(d.nearest, w.number)}`,
     infeedOverCutLength: (d, w) =>
       `La passe ${w.number(d.infeed)} dépasse CUTLENGTH ${w.number(d.cutLength)} : elle est réduite à ${w.number(d.cutLength)}.`,

@@ -40,7 +40,9 @@ export const messages = {
       `角半径${w.number(d.radius)}小于刀尖圆角${w.number(d.insert)}:该角将保留${w.number(d.insert)}。${nearest(d.nearest, w.number)}`,
     recessNarrowerThanTool: (d, w) => `槽底宽${w.number(d.width)},刀具和余量需要${w.number(d.tool)}。${nearest(d.nearest, w.value)}`,
     angleNotFollowed: (d, w) =>
-      `刀具无法跟随${w.angle(d.angle)}:${reasons[d.edge]}允许${w.angle(d.max)},会残留材料。${nearest(d.nearest, w.angle)}`,
+      `${d.element === undefined ? "" : `元素${d.element}:`}刀具无法跟随${w.angle(d.angle)}:${reasons[d.edge]}允许${
+        w.angle(d.max)
+      },会残留材料。${nearest(d.nearest, w.angle)}`,
     tooManyPasses: (d, w) => `${d.passes} 次走刀超过 ${d.most} 次。${nearest(d.nearest, w.number)}`,
     infeedOverCutLength: (d, w) => `进刀量${w.number(d.infeed)}大于CUTLENGTH ${w.number(d.cutLength)}:自动减小为${w.number(d.cutLength)}。`,
     depthOverCutLength: (d, w) =>
