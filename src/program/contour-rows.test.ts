@@ -1,6 +1,7 @@
 import { expect, test } from "vitest";
 import { readRows } from "./contour-rows.ts";
 import { newRow, type ContourRow } from "./job.ts";
+import { contourStatements } from "./print-contour.ts";
 
 const row = (kind: ContourRow["kind"], given: Partial<ContourRow> = {}): ContourRow => newRow("e", { kind, ...given });
 const codes = (rows: readonly ContourRow[]) => readRows(rows).issues.map((i) => [i.row + 1, i.field, i.issue.code]);
@@ -45,8 +46,19 @@ test("text that is no number is said at its field, and the rest is still drawn",
   expect(readRows(rows).contour.segments).toHaveLength(2);
 });
 
+test("a row in which nothing is typed is not wrong, and has no block", () => {
+  const begun = printed.slice(0, 2);
+  for (const kind of ["L", "CR", "CT"] as const) {
+    const rows = [...begun, row(kind)];
+    expect(readRows(rows).issues.filter((found) => found.row === 2 && found.issue.severity !== "info")).toEqual(
+      kind === "CR" ? [expect.objectContaining({ field: "r" })] : [],
+    );
+    expect(contourStatements(rows)).toEqual(contourStatements(begun));
+  }
+});
+
 test("an element that goes nowhere, a lone corner and a corner too long are said at their row", () => {
-  expect(codes([...printed.slice(0, 2), row("L")])).toContainEqual([3, null, "contourPoint"]);
+  expect(codes([...printed.slice(0, 2), row("CR", { r: "5" })])).toContainEqual([3, null, "contourPoint"]);
   expect(codes([row("RND", { r: "2" }), ...printed.slice(0, 2)])).toContainEqual([1, null, "cornerElementAlone"]);
   expect(codes([...printed.slice(0, 2), row("RND", { r: "200" }), ...printed.slice(3)])).toContainEqual([3, "r", "cornerElementTooLong"]);
 });

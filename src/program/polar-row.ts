@@ -7,7 +7,7 @@ import { programIssue } from "./issue.ts";
 import { kept } from "./field.ts";
 import type { ContourRow } from "./job.ts";
 import { plainReader, polarPoint } from "./path.ts";
-import { NEEDED, rowNumber, type RowReader } from "./row-reader.ts";
+import { NEEDED, goesNowhere, rowNumber, type RowReader } from "./row-reader.ts";
 import { noWords, POSITION_DECIMALS, typedValue } from "./typed-value.ts";
 
 /** A word that gives the end of a polar element: distance from the pole in mm, angle from +Z towards +X in degrees. */
@@ -93,8 +93,7 @@ function polarEnd(reader: RowReader, row: ContourRow, index: number): Pt | null 
     });
   }
   if (!readable) return null;
-  if (row.kind !== "CP" && !words.polarRadius && !words.polarAngle)
-    reader.issues.push({ row: index, field: null, issue: issue("contourPoint", "error", { element: index + 1 }, "contour") });
+  if (row.kind !== "CP" && !words.polarRadius && !words.polarAngle) goesNowhere(reader, row, index);
   return polarPoint(plainReader(1), words, reader.pole, before);
 }
 

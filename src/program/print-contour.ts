@@ -32,9 +32,13 @@ const namedWords = (row: ContourRow): NamedWord[] =>
     return value === null ? [] : [{ name, value }];
   });
 
+/** Elements that a block describes by their end; the others may be whole circles. */
+const NAMES_ITS_END: ReadonlySet<ContourRow["kind"]> = new Set(["L", "CR", "CT", "LP", "CTP"]);
+
 function statement(row: ContourRow, reading: RowReading | undefined): Statement[] {
   const axes = axesOf(row, reading), size = typedValue(row.r);
   if (reading && (reading.sought.x || reading.sought.z) && !reading.end && axes.length === 0) return [];
+  if (NAMES_ITS_END.has(row.kind) && axes.length === 0 && Object.keys(polarWords(row)).length === 0) return [];
   switch (row.kind) {
     case "L":
       return [path("L", { axes })];
@@ -63,6 +67,9 @@ function statement(row: ContourRow, reading: RowReading | undefined): Statement[
       return [{ kind: "chamfer", length: size, words: noWords }];
   }
 }
+
+/** Whether a row stands in the program. */
+export const hasBlock = (row: ContourRow, reading: RowReading | undefined): boolean => statement(row, reading).length > 0;
 
 /** The blocks of a contour table: what was typed, with the coordinates that were solved. An element that is still open has no block. */
 export function contourStatements(rows: readonly ContourRow[]): Statement[] {

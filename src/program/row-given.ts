@@ -8,7 +8,7 @@ import { UNDERCUT_FORMS, UNDERCUT_WORDS, type RecessWord, type RecessWords, type
 import type { Field } from "./field.ts";
 import type { ContourRow } from "./job.ts";
 import { isPolarRow, polarGiven } from "./polar-row.ts";
-import { ANY, NEEDED, rowNumber, type RowField, type RowReader } from "./row-reader.ts";
+import { ANY, NEEDED, goesNowhere, rowNumber, type RowField, type RowReader } from "./row-reader.ts";
 
 /** What one row gives: a corner, an element to be solved, an undercut or recess, or a centre, which is no element. */
 export type RowGiven = { readonly kind: "corner"; readonly corner: CornerElement } | { readonly kind: "element";
@@ -105,8 +105,7 @@ export function rowGiven(reader: RowReader, row: ContourRow, index: number): Row
   const before = { x: reader.x, z: reader.z };
   const [x, z] = [coordinate(reader, row, index, "x"), coordinate(reader, row, index, "z")];
   const still = empty(row.x) && empty(row.z) && before.x !== null && before.z !== null && !seeks(row);
-  if (still && row.kind !== "C")
-    reader.issues.push({ row: index, field: null, issue: issue("contourPoint", "error", { element: index + 1 }, "contour") });
+  if (still && row.kind !== "C") goesNowhere(reader, row, index);
   const common = { z: onAxis(z), r: onRadius(x), choice: row.second ? 1 as const : 0 as const };
   return {
     kind: "element",

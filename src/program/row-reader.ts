@@ -1,7 +1,8 @@
-import type { Issue } from "../kernel/issue.ts";
+import { issue, type Issue } from "../kernel/issue.ts";
 import type { Pt } from "../kernel/point.ts";
 import { anyNumber, readText, type Field } from "./field.ts";
 import type { ProgramIssue } from "./issue.ts";
+import type { ContourRow } from "./job.ts";
 
 /** A field of a contour row. */
 export type RowField = "x" | "z" | "r" | "angle" | "length" | "PR" | "PA";
@@ -31,4 +32,11 @@ export function rowNumber(reader: RowReader, row: number, at: RowField | null, t
   const { value, issue: found } = readText(field, typed);
   if (found) reader.issues.push({ row, field: at, issue: found });
   return value;
+}
+
+/** Says that an element goes nowhere. A row in which nothing is typed yet is not wrong, only not begun: it has no block either. */
+export function goesNowhere(reader: RowReader, row: ContourRow, index: number): void {
+  const begun = [row.x, row.z, row.r, row.angle, row.length, ...Object.values(row.words)].some((text) => text.trim() !== "");
+  const found = issue("contourPoint", begun ? "error" : "info", { element: index + 1 }, "contour");
+  reader.issues.push({ row: index, field: null, issue: found });
 }

@@ -1,6 +1,7 @@
 import type { Issue } from "../../kernel/issue.ts";
-import { readRows } from "../../program/contour-rows.ts";
+import { readRows, type RowIssue } from "../../program/contour-rows.ts";
 import type { ContourRow } from "../../program/job.ts";
+import { hasBlock } from "../../program/print-contour.ts";
 
 /** Findings that only the table knows: in the program text an open or unreadable element does not stand at all. */
 const ONLY_HERE: ReadonlySet<Issue["code"]> = new Set<Issue["code"]>([
@@ -18,8 +19,13 @@ const read = new WeakMap<readonly ContourRow[], readonly Issue[]>();
 export function contourProblems(rows: readonly ContourRow[]): readonly Issue[] {
   const known = read.get(rows);
   if (known) return known;
-  const found = readRows(rows).issues.map(({ issue }) => issue).filter((issue): issue is Issue =>
-    ONLY_HERE.has(issue.code as Issue["code"])
+  const reading = readRows(rows);
+  const isMissing = ({ row, issue }: RowIssue) => {
+    const typed = rows[row];
+    return issue.code === "contourPoint" && issue.severity === "error" && typed !== undefined && !hasBlock(typed, reading.rows[row]);
+  };
+  const found = reading.issues.filter((each) => ONLY_HERE.has(each.issue.code as Issue["code"]) || isMissing(each)).map(({ issue }) =>
+    issue as Issue
   );
   read.set(rows, found);
   return found;
