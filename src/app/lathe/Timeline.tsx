@@ -36,7 +36,8 @@ export function Timeline({ run, playback }: { readonly run: TimedRun; readonly p
           const named = run.operations[operation];
           return named && (
             <span key={`${operation}-${from}`} style={{ left: `${from * 100}%`, width: `${(to - from) * 100}%` }}>
-              {named.cycle} · T{named.tool.T}
+              <b>{named.cycle}</b>
+              <b>· T{named.tool.T}</b>
             </span>
           );
         })}
