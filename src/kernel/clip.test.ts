@@ -65,6 +65,13 @@ test("a stray ring of rounding does not turn an offset inside out", () => {
   const dust = ring([3, 5], [3.00001, 5.01], [3.00001, 5]);
   const turned = areaOfRing(dust) < 0 ? dust : [...dust].reverse();
   expect(areaOf(offset([turned, box(0, 0, 2, 2)], -0.5))).toBeCloseTo(1, 6);
+  // One that reaches just as far, beside the outline: at equal height the engine takes the one on the left.
+  const level = ring([-1, 2], [-0.999, 1.999], [-1, 1.999]);
+  expect(areaOfRing(level)).toBeLessThan(0);
+  for (const area of [[level, box(0, 0, 2, 2)], [box(0, 0, 2, 2), level]]) {
+    expect(areaOf(opened(area, 0.01))).toBeCloseTo(4, 2);
+    expect(areaOf(offset(area, 0.5))).toBeCloseTo(8 + Math.PI / 4, 2);
+  }
 });
 
 test("a blank larger than any lathe keeps its size when packed", () => {

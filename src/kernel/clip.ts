@@ -44,17 +44,6 @@ const DUST = 100 * GRID * GRID;
 const rings = (solution: readonly Path64[]): Ring[] => withoutDust(solution.map((p) => p.map((q) => point(q.x, q.y))));
 const withoutDust = (area: readonly Ring[]): Ring[] => area.filter((ring) => ring.length > 2 && Math.abs(areaOfRing(ring)) > DUST);
 
-/**
- * The engine takes the ring that reaches farthest for an outer one and turns everything round when it runs clockwise.
- * So outer rings come first, and a clockwise needle of rounding that sticks out beyond all of them goes.
- */
-function outerFirst(area: readonly Ring[]): Ring[] {
-  const outer = area.filter((ring) => areaOfRing(ring) > 0);
-  const reach = (ring: Ring) => ring.reduce((most, p) => Math.max(most, p.r), -Infinity);
-  const farthest = Math.max(...outer.map(reach));
-  return [...outer, ...area.filter((ring) => areaOfRing(ring) < 0 && reach(ring) <= farthest)];
-}
-
 function combine(type: ClipType, subject: readonly Ring[], clip: readonly Ring[]): Ring[] {
   const engine = new Clipper64();
   engine.preserveCollinear = false;
@@ -74,10 +63,25 @@ export const intersection = (subject: readonly Ring[], clip: readonly Ring[]): R
 /** What lies in any of the rings, overlaps merged. */
 export const union = (area: readonly Ring[], more: readonly Ring[] = []): Ring[] => combine(ClipType.Union, area, more);
 
-/** Grown (delta > 0) or shrunk (delta < 0) on all sides by a length in mm; grown corners are round to CHORD. */
+/** Room between an area and the guard over it, mm. */
+const APART = 1;
+
+/**
+ * Grown (delta > 0) or shrunk (delta < 0) on all sides by a length in mm; grown corners are round to CHORD. The engine takes the ring
+ * that reaches farthest for an outer one, and turns everything round when it runs clockwise, as a hole does that reaches as far as what
+ * it lies in. So a ring that is an outer one lies beyond all others, and is taken out again.
+ */
 export function offset(area: readonly Ring[], delta: number): Ring[] {
-  if (!Number.isFinite(delta)) return [];
-  return rings(inflatePaths(paths(outerFirst(area)), delta * UNITS, JoinType.Round, EndType.Polygon, 2, CHORD * UNITS));
+  if (!Number.isFinite(delta) || area.length === 0) return [];
+  const top = area.reduce((most, ring) => ring.reduce((m, p) => Math.max(m, p.r), most), -Infinity);
+  if (!Number.isFinite(top)) return [];
+  const [low, size] = [top + 2 * Math.abs(delta) + APART, 4 * Math.abs(delta) + APART];
+  const guard = [[0, low], [size, low], [size, low + size], [0, low + size]].map(([z, r]) => ({
+    z: axial(z as number),
+    r: radius(r as number),
+  }));
+  const grown = rings(inflatePaths(paths([...area, guard]), delta * UNITS, JoinType.Round, EndType.Polygon, 2, CHORD * UNITS));
+  return grown.filter((ring) => (ring[0]?.r ?? 0) < low - Math.abs(delta) - APART / 2);
 }
 
 /** Whether a point lies inside a ring; on its edge it does not. */

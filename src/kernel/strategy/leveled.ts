@@ -173,7 +173,7 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
     infeed: length(division.infeed),
     area: areaOver(flat, l.frame, start.u, top),
     reach: reachOf(drawn, Math.max(drawn.first, from), Math.min(drawn.end.u, to), l.frame, tool),
-    kept: reachOf(kept, Math.max(kept.first, from), Math.min(kept.end.u, to), l.frame, tool),
+    kept: reachOf(kept, Math.max(kept.first, from), Math.min(Math.max(kept.end.u, drawn.end.u), to), l.frame, tool),
     ...unlimited(),
   }, setting, l.frame.transverse ? "startU" : "startV");
 }
