@@ -40,6 +40,7 @@ test("a ring that is not finite is left out and nothing else is lost", () => {
   const broken = ring([0, 0], [NaN, 1], [1, Infinity]);
   expect(areaOf(difference([box(0, 0, 2, 2), broken], [broken]))).toBeCloseTo(4, 9);
   expect(offset([box(0, 0, 2, 2)], NaN)).toEqual([]);
+  expect(areaOf(offset([broken, box(0, 0, 2, 2)], -0.5))).toBeCloseTo(1, 6);
 });
 
 test("opening drops what is thinner and keeps what is thicker", () => {

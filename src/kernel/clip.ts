@@ -72,16 +72,14 @@ const APART = 1;
  * it lies in. So a ring that is an outer one lies beyond all others, and is taken out again.
  */
 export function offset(area: readonly Ring[], delta: number): Ring[] {
-  if (!Number.isFinite(delta) || area.length === 0) return [];
-  const top = area.reduce((most, ring) => ring.reduce((m, p) => Math.max(m, p.r), most), -Infinity);
-  if (!Number.isFinite(top)) return [];
-  const [low, size] = [top + 2 * Math.abs(delta) + APART, 4 * Math.abs(delta) + APART];
-  const guard = [[0, low], [size, low], [size, low + size], [0, low + size]].map(([z, r]) => ({
-    z: axial(z as number),
-    r: radius(r as number),
-  }));
-  const grown = rings(inflatePaths(paths([...area, guard]), delta * UNITS, JoinType.Round, EndType.Polygon, 2, CHORD * UNITS));
-  return grown.filter((ring) => (ring[0]?.r ?? 0) < low - Math.abs(delta) - APART / 2);
+  const own = paths(area);
+  if (!Number.isFinite(delta) || own.length === 0) return [];
+  const top = own.reduce((most, path) => path.reduce((m, q) => Math.max(m, q.y), most), -Infinity);
+  const [by, apart] = [toGrid(Math.abs(delta)), toGrid(APART)];
+  const [low, size] = [top + 2 * by + apart, 4 * by + apart];
+  const guard: Path64 = [{ x: 0, y: low }, { x: size, y: low }, { x: size, y: low + size }, { x: 0, y: low + size }];
+  const solution = inflatePaths([...own, guard], delta * UNITS, JoinType.Round, EndType.Polygon, 2, CHORD * UNITS);
+  return rings(solution.filter((path) => (path[0]?.y ?? 0) < low - by - apart / 2));
 }
 
 /** Whether a point lies inside a ring; on its edge it does not. */
