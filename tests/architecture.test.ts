@@ -140,7 +140,8 @@ describe("what the start page waits for", () => {
   };
   visit("src/app/main.tsx", "");
 
-  test.each(["react-aria-components", "@codemirror/view", "dxf-parser"])("not %s", (name) => expect(reached.get(name)).toBe(undefined));
+  test.each(["react-aria-components", "@codemirror/view", "dxf-parser", "clipper2-ts"])("not %s",
+    (name) => expect(reached.get(name)).toBe(undefined));
 
   test("its files are followed at all", () => {
     expect(reached.has("react")).toBe(true);

@@ -1,5 +1,6 @@
 import { describe, expect, test } from "vitest";
-import { areaOf, difference, offset, union } from "../src/kernel/clip.ts";
+import { areaOf } from "../src/kernel/area.ts";
+import { difference, offset, union } from "../src/kernel/clip.ts";
 import type { Ring } from "../src/kernel/point.ts";
 import { GRID } from "../src/kernel/tolerance.ts";
 import { axial, radius } from "../src/kernel/units.ts";

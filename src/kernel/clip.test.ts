@@ -1,6 +1,7 @@
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
-import { areaOf, areaOfRing, difference, intersection, offset, opened, packed, union, unpacked } from "./clip.ts";
+import { areaOf, areaOfRing } from "./area.ts";
+import { difference, intersection, offset, opened, packed, union, unpacked } from "./clip.ts";
 import type { Ring } from "./point.ts";
 import { axial, radius } from "./units.ts";
 

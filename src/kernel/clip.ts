@@ -1,5 +1,6 @@
 import { Clipper64, ClipType, EndType, FillRule, inflatePaths, JoinType, PathType, pointInPolygon, PointInPolygonResult, simplifyPaths,
   type Path64 } from "clipper2-ts";
+import { areaOfRing } from "./area.ts";
 import type { Pt, Ring } from "./point.ts";
 import { CHORD, GRID } from "./tolerance.ts";
 import { axial, radius } from "./units.ts";
@@ -93,20 +94,6 @@ export const simplified = (area: readonly Ring[], within: number): Ring[] => rin
 
 /** Without what is thinner than `width` mm; kept areas stay as they are, but for corners rounded by half that width. */
 export const opened = (area: readonly Ring[], width: number): Ring[] => offset(offset(area, -width / 2), width / 2);
-
-/** Signed area of one ring, mm²: positive counter-clockwise. */
-export function areaOfRing(ring: Ring): number {
-  let sum = 0;
-  let last = ring[ring.length - 1];
-  for (const p of ring) {
-    if (last) sum += last.z * p.r - p.z * last.r;
-    last = p;
-  }
-  return sum / 2;
-}
-
-/** Area of rings that do not overlap, mm²; holes count negative. */
-export const areaOf = (area: readonly Ring[]): number => area.reduce((sum, ring) => sum + areaOfRing(ring), 0);
 
 /** The compact form of rings that lie on the grid. */
 export const packed = (area: readonly Ring[]): PackedRings =>

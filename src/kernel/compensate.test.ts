@@ -1,6 +1,7 @@
 import * as fc from "fast-check";
 import { describe, expect, test } from "vitest";
-import { areaOf, difference, offset } from "./clip.ts";
+import { areaOf } from "./area.ts";
+import { difference, offset } from "./clip.ts";
 import { compensate } from "./compensate.ts";
 import { partSegment, plane, type PlanePoint, type PlaneSegment } from "./plane.ts";
 import { planeContour } from "./plane-contour.ts";

@@ -1,4 +1,5 @@
-import { areaOf, union } from "../kernel/clip.ts";
+import { areaOf } from "../kernel/area.ts";
+import { union } from "../kernel/clip.ts";
 import { SAME, CHORD } from "../kernel/tolerance.ts";
 import { part, type Pt, type Ring, type Segment } from "../kernel/point.ts";
 import { axial, diameter, radius, toRadius, type Radius } from "../kernel/units.ts";

@@ -1,5 +1,6 @@
 import { describe, expect, test } from "vitest";
-import { areaOf, intersection } from "../kernel/clip.ts";
+import { areaOf } from "../kernel/area.ts";
+import { intersection } from "../kernel/clip.ts";
 import { holderOutlines, mirroredTool } from "../kernel/holder.ts";
 import { insertOutline, insertShape, isBar } from "../kernel/insert.ts";
 import type { Pt, Ring } from "../kernel/point.ts";

@@ -1,4 +1,5 @@
-import { areaOf, intersection } from "../kernel/clip.ts";
+import { areaOf } from "../kernel/area.ts";
+import { intersection } from "../kernel/clip.ts";
 import type { Ring } from "../kernel/point.ts";
 import type { Step } from "../kernel/step.ts";
 import { inStock, real } from "./contact.ts";

@@ -1,6 +1,7 @@
-import { areaOf, union } from "../kernel/clip.ts";
+import { areaOf } from "../kernel/area.ts";
+import { union } from "../kernel/clip.ts";
 import type { Ring } from "../kernel/point.ts";
-import { boxAround, gapBetween } from "./box.ts";
+import { boxAround, gapBetween } from "../kernel/box.ts";
 import type { Box } from "../kernel/geometry/segments.ts";
 import type { StockFinding } from "./simulation.ts";
 

@@ -1,7 +1,8 @@
-import { areaOf, difference, intersection, opened } from "../kernel/clip.ts";
+import { areaOf } from "../kernel/area.ts";
+import { difference, intersection, opened } from "../kernel/clip.ts";
 import type { Ring } from "../kernel/point.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
-import { boxAround, inBox } from "./box.ts";
+import { boxAround, inBox } from "../kernel/box.ts";
 import { merged, near, type Present } from "./cutting.ts";
 import type { Sweep } from "./sweep.ts";
 

@@ -1,6 +1,7 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
-import { areaOf, difference } from "../kernel/clip.ts";
+import { areaOf } from "../kernel/area.ts";
+import { difference } from "../kernel/clip.ts";
 import type { Move } from "../kernel/move.ts";
 import type { Pt, Ring } from "../kernel/point.ts";
 import type { Step } from "../kernel/step.ts";

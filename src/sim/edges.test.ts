@@ -1,9 +1,10 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
-import { areaOf, intersection, isInside, union } from "../kernel/clip.ts";
+import { areaOf } from "../kernel/area.ts";
+import { intersection, isInside, union } from "../kernel/clip.ts";
 import type { Pt, Ring } from "../kernel/point.ts";
 import { axial, radius } from "../kernel/units.ts";
-import { inBox } from "./box.ts";
+import { inBox } from "../kernel/box.ts";
 import { sidesOf } from "./edges.ts";
 import { convexPieceOf } from "./piece.ts";
 import { placeIn, regionsOf } from "./region.ts";

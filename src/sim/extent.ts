@@ -1,7 +1,8 @@
-import { areaOf, areaOfRing, offset } from "../kernel/clip.ts";
+import { areaOf, areaOfRing } from "../kernel/area.ts";
+import { offset } from "../kernel/clip.ts";
 import type { Pt, Ring } from "../kernel/point.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
-import { boxAround } from "./box.ts";
+import { boxAround } from "../kernel/box.ts";
 import { scanCrossings } from "./scan.ts";
 
 /** So far beside a corner an area is looked at, mm: the corner itself belongs to both sides. */

@@ -1,9 +1,10 @@
-import { areaOf, offset, simplified } from "../kernel/clip.ts";
+import { areaOf } from "../kernel/area.ts";
+import { offset, simplified } from "../kernel/clip.ts";
 import type { Move } from "../kernel/move.ts";
 import { at, type Pt, type Ring } from "../kernel/point.ts";
 import type { Step } from "../kernel/step.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
-import { boxAround } from "./box.ts";
+import { boxAround } from "../kernel/box.ts";
 import { inStock, REAL_AREA, real } from "./contact.ts";
 import type { Cutting, Present } from "./cutting.ts";
 import { deepestAlong, hasRoomFor, thicknessOf } from "./extent.ts";

@@ -1,7 +1,7 @@
 import { isBar, noseRadius } from "../kernel/insert.ts";
 import type { Reason } from "../kernel/issue.ts";
 import type { Pt, Ring } from "../kernel/point.ts";
-import { boxOf, gapBetween } from "./box.ts";
+import { boxOf, gapBetween } from "../kernel/box.ts";
 import type { Box } from "../kernel/geometry/segments.ts";
 import type { Outlines } from "./outlines.ts";
 import type { SimulatedOperation } from "./simulation.ts";

@@ -1,4 +1,5 @@
-import { areaOfRing, isInside } from "../kernel/clip.ts";
+import { areaOfRing } from "../kernel/area.ts";
+import { isInside } from "../kernel/clip.ts";
 import { at, type Pt, type Ring } from "../kernel/point.ts";
 
 /** One connected piece of an area: its outline, its holes, and its area in mm². */

@@ -1,10 +1,11 @@
-import { areaOf, difference, intersection, isInside, opened } from "../kernel/clip.ts";
+import { areaOf } from "../kernel/area.ts";
+import { difference, intersection, isInside, opened } from "../kernel/clip.ts";
 import type { Reason } from "../kernel/issue.ts";
 import type { Plan, Reach } from "../kernel/plan.ts";
 import { at, type Ring } from "../kernel/point.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
 import type { Tool } from "../kernel/tool.ts";
-import { boxOf } from "./box.ts";
+import { boxOf } from "../kernel/box.ts";
 import { cutting } from "./cutting.ts";
 import { thicknessOf } from "./extent.ts";
 import { machiningArea } from "./finished.ts";

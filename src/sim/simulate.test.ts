@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { areaOf } from "../kernel/clip.ts";
+import { areaOf } from "../kernel/area.ts";
 import type { Move, Phase } from "../kernel/move.ts";
 import type { Plan } from "../kernel/plan.ts";
 import type { Pt, Ring, Segment } from "../kernel/point.ts";

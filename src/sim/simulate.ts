@@ -1,4 +1,4 @@
-import { areaOf } from "../kernel/clip.ts";
+import { areaOf } from "../kernel/area.ts";
 import type { Step } from "../kernel/step.ts";
 import { check, MOST_CONTACTS } from "./check.ts";
 import { collector } from "./collect.ts";

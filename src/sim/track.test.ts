@@ -1,6 +1,7 @@
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
-import { areaOf, difference, union } from "../kernel/clip.ts";
+import { areaOf } from "../kernel/area.ts";
+import { difference, union } from "../kernel/clip.ts";
 import { hullOf } from "../kernel/holder.ts";
 import type { Pt, Ring } from "../kernel/point.ts";
 import { axial, radius } from "../kernel/units.ts";

@@ -1,6 +1,7 @@
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
-import { areaOf as ringArea, difference } from "../../src/kernel/clip.ts";
+import { areaOf as ringArea } from "../../src/kernel/area.ts";
+import { difference } from "../../src/kernel/clip.ts";
 import { insertOutline } from "../../src/kernel/insert.ts";
 import type { Move } from "../../src/kernel/move.ts";
 import { TOOL_TYPES, type TipOrientation, type Tool } from "../../src/kernel/tool.ts";

@@ -1,6 +1,7 @@
 import type { Cycle } from "../../src/cycles/define.ts";
 import type { Plan } from "../../src/kernel/plan.ts";
-import { areaOf as polygonArea, difference, intersection, offset } from "../../src/kernel/clip.ts";
+import { areaOf as polygonArea } from "../../src/kernel/area.ts";
+import { difference, intersection, offset } from "../../src/kernel/clip.ts";
 import { at, part } from "../../src/kernel/point.ts";
 import type { Simulation } from "../../src/sim/simulation.ts";
 import { areaOf, each, filled, grown, without, withoutCrumbs, type Field, type Grid } from "../judge/field.ts";

@@ -1,6 +1,7 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
-import { areaOf, difference } from "../../src/kernel/clip.ts";
+import { areaOf } from "../../src/kernel/area.ts";
+import { difference } from "../../src/kernel/clip.ts";
 import { insertOutline } from "../../src/kernel/insert.ts";
 import type { Move } from "../../src/kernel/move.ts";
 import { part, type Pt, type Ring } from "../../src/kernel/point.ts";

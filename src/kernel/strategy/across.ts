@@ -1,8 +1,9 @@
-import { areaOf, intersection } from "../clip.ts";
+import { inBox } from "../box.ts";
+import { areaOf } from "../area.ts";
 import { insertOutline } from "../insert.ts";
 import { issue } from "../issue.ts";
 import type { Plan, Setting } from "../plan.ts";
-import { at, type Pt, type Ring } from "../point.ts";
+import type { Pt, Ring } from "../point.ts";
 import { CHORD, SAME } from "../tolerance.ts";
 import { radius, roundedUp, toDiameter } from "../units.ts";
 
@@ -41,8 +42,8 @@ export function clearAcross(plan: Plan, { tool, start }: Setting, role: "startU"
     const [left, right] = [Math.min(from.z, to.z), Math.max(from.z, to.z)];
     from = to;
     if (!across) continue;
-    const box = boxed(left + across.from, right + across.to, across.reach);
-    if (areaOf(intersection([plan.part], [box])) < REAL) continue;
+    const met = inBox([plan.part], { left: left + across.from, right: right + across.to, low: 0, high: across.reach });
+    if (areaOf(met) < REAL) continue;
     const free = Math.min(...plan.contour.flatMap((s) => [s.from.r, s.to.r]));
     const x = roundedUp(toDiameter(radius(-lowest - free)));
     const refused = issue("insertAcrossAxis", "error",
@@ -50,8 +51,4 @@ export function clearAcross(plan: Plan, { tool, start }: Setting, role: "startU"
     return { ...plan, moves: [], passes: 0, reach: [], kept: [], issues: [...plan.issues, refused] };
   }
   return plan;
-}
-
-function boxed(left: number, right: number, top: number): Ring {
-  return [at(left, 0), at(right, 0), at(right, top), at(left, top)];
 }

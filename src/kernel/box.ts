@@ -1,6 +1,6 @@
-import type { Box } from "../kernel/geometry/segments.ts";
-import type { Pt, Ring } from "../kernel/point.ts";
-import { axial, radius } from "../kernel/units.ts";
+import type { Box } from "./geometry/segments.ts";
+import type { Pt, Ring } from "./point.ts";
+import { axial, radius } from "./units.ts";
 
 /** The box round several rings. */
 export function boxAround(rings: readonly Ring[]): Box {
