@@ -23,9 +23,9 @@ export const gapBetween = (a: Box, b: Box): number =>
   Math.hypot(Math.max(0, a.left - b.right, b.left - a.right), Math.max(0, a.low - b.high, b.low - a.high));
 
 /**
- * What of an area lies in a box, for areas that are combined further: outlines may run along the sides of the box more
- * than once, which the non-zero rule of the polygon engine forgives. Much faster than a true intersection. The engine's own clip
- * to a rectangle loses a corner where a vertex lies on a side of it, which the law of this function finds.
+ * What of an area lies in a box, to be combined further or measured: outlines may run along the sides of the box more than once, which
+ * the non-zero rule of the polygon engine forgives and a signed area does not count. Much faster than a true intersection. The engine's
+ * own clip to a rectangle loses a corner where a vertex lies on a side of it, which the law of this function finds.
  */
 export function inBox(area: readonly Ring[], box: Box): Ring[] {
   const out: Ring[] = [];

@@ -155,6 +155,23 @@ test("a page that goes away while a state is being written leaves it behind, and
   expect(sessionStorage.getItem("turnwise/pending")).toBeNull();
 });
 
+test("of a work that the device has refused before, the newest state is left behind, once", async () => {
+  device.refuses = "full";
+  const stop = startKeeping();
+  startWork(job);
+  setTool(5);
+  document.dispatchEvent(new Event("visibilitychange"));
+  await settle();
+  setTool(6);
+  dispatchEvent(new Event("pagehide"));
+  const { work } = useEditor.getState();
+  const left = JSON.parse(sessionStorage.getItem("turnwise/pending") ?? "[]") as { work: string; file: { job: unknown } }[];
+  expect(left.filter((behind) => behind.work === work)).toMatchObject([{ file: { job: { tool: 6 } } }]);
+  device.refuses = null;
+  stop();
+  await refreshWorks();
+});
+
 test("a device that keeps nothing, and damaged saves, are said and stop nothing", async () => {
   Object.assign(device, { refuses: "refused", setAside: 2 });
   await resume();

@@ -93,7 +93,7 @@ export function startKeeping(): () => void {
   const leave = () => {
     handOver();
     const savedAt = Date.now();
-    leaveBehind([...unkept, ...waiting].map(([work, job]) => ({ work, file: { version: SAVE_VERSION, savedAt, job } })));
+    leaveBehind([...new Map([...unkept, ...waiting])].map(([work, job]) => ({ work, file: { version: SAVE_VERSION, savedAt, job } })));
     void write();
   };
   // The browser asks before it closes a page whose work is nowhere else.
