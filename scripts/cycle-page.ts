@@ -14,6 +14,10 @@ const units: Partial<Record<Param["kind"], string>> = {
   angle: "°",
   feed: "mm/rev, mm/min",
   choice: "",
+  count: "",
+  factor: "",
+  percent: "%",
+  revolutions: "rev",
 };
 const cell = (text: string) => text.replaceAll("|", "\\|");
 const list = (lines: readonly string[], mark: (i: number) => string) => lines.map((line, i) => `${mark(i)} ${line}`).join("\n");
@@ -44,7 +48,10 @@ function row(q: string, p: Param): string {
 export function cyclePage(cycle: Cycle): string {
   const number = cycle.number as CycleNumber;
   const text = cycles.of[number];
-  const source = `${cycle.manual.document}, section ${cycle.manual.section}${cycle.manual.page ? `, page ${cycle.manual.page}` : ""}`;
+  const { manual } = cycle;
+  const source = manual
+    ? `${manual.document}, section ${manual.section}${manual.page ? `, page ${manual.page}` : ""}`
+    : `parameter list recalled (${cycles.evidence[cycle.evidence]}), compare on your control`;
   const grades = Object.entries(cycles.evidence).map(([grade, meaning]) => `${grade}: ${meaning}`);
   return ""
     + ([

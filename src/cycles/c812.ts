@@ -12,7 +12,7 @@ import { shoulderSetups, type Setups } from "./drawn-setup.ts";
 /** Shoulder, longitudinal, extended: circumferential surface, inner corner, face, with an element at either end. */
 export const c812 = defineCycle({
   number: 812,
-  group: "shoulder",
+  group: "longitudinal",
   manual: { section: "14.8", document: "TNC 640, cycle programming, 10/2019" },
   evidence: "A",
   contour: "own",

@@ -13,7 +13,7 @@ import { contourSetups, type Setups } from "./drawn-setup.ts";
 /** Free contour of a subprogram, cut across the axis. */
 export const c820 = defineCycle({
   number: 820,
-  group: "contour",
+  group: "transverse",
   manual: { section: "14.17", document: "TNC 640, cycle programming, 10/2019; ranges: TNC7" },
   evidence: "A",
   contour: "free",

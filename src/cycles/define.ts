@@ -4,7 +4,8 @@ import type { Plan, Setting } from "../kernel/plan.ts";
 import type { Pt, Segment } from "../kernel/point.ts";
 import type { Evidence, Params, Values } from "./params.ts";
 
-export type Group = "shoulder" | "contour" | "recessTurning";
+/** Groups as the control has them. */
+export type Group = "special" | "longitudinal" | "transverse" | "recessTurning" | "recessing" | "thread";
 
 /** A dimension in the help picture, belonging to one Q. Positions in part space; the view draws arrowheads and text. */
 export type Dimension = { readonly q: string; readonly form: "diameter"; readonly at: Pt } | { readonly q: string;
@@ -70,8 +71,9 @@ export const printedContour: readonly Row[] = [
 export interface Cycle<P extends Params = Params, N extends number = number> {
   readonly number: N;
   readonly group: Group;
-  /** Section and document of the manual page this follows. */
-  readonly manual: { readonly section: string; readonly document: string; readonly page?: number };
+  /** Section and document of the manual page this follows; null where none that we hold prints the cycle. */
+  readonly manual: { readonly section: string; readonly document: string; readonly page?: number } | null;
+  /** How far the list of its parameters can be trusted. */
   readonly evidence: Evidence;
   /** "own": from its Q values; "free": from a contour subprogram named by cycle 14. */
   readonly contour: "own" | "free";

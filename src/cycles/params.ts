@@ -4,7 +4,8 @@ import type { Axial, Degrees, Diameter, Feed, Length, Radius } from "../kernel/u
 export type Evidence = "A" | "B" | "L" | "I" | "K1" | "K2" | "K3";
 
 /** What a value measures. It belongs to cycle and Q together: Q463 is radial in one cycle and axial in another. */
-export type Kind = "choice" | "diameter" | "oversizeDiameter" | "radial" | "axial" | "axialDepth" | "length" | "angle" | "feed";
+export type Kind = "choice" | "diameter" | "oversizeDiameter" | "radial" | "axial" | "axialDepth" | "length" | "angle" | "feed" | "count"
+  | "factor" | "percent" | "revolutions";
 
 /** How the help picture explains a value: by a dimension of the outline, or by what the cycle does with it. */
 export type Topic = "outline" | "element" | "clearance" | "infeed" | "oversizeDiameter" | "oversizeZ" | "roughingFeed" | "finishingFeed"
@@ -22,6 +23,10 @@ interface ValueOf {
   length: Length;
   angle: Degrees;
   feed: Feed | "auto";
+  count: number;
+  factor: number;
+  percent: number;
+  revolutions: number;
 }
 
 export interface Param<K extends Kind = Kind, T extends string = string> {
@@ -86,7 +91,7 @@ function param<K extends Kind, T extends string>(
     incremental: o.incremental ?? false,
     ...(choices ? { choices } : {}),
     evidence: o.evidence ?? "A",
-    decimals: o.decimals ?? (kind === "angle" ? 4 : 3),
+    decimals: o.decimals ?? (kind === "angle" ? 4 : kind === "count" ? 0 : 3),
     reserved: o.reserved ?? false,
     shown: o.shown ?? "outline",
     place: o.place ?? "start",
@@ -117,3 +122,21 @@ export const lengthParam = maker("length");
 export const angle = maker("angle");
 /** mm/rev or mm/min, or FAUTO. */
 export const feedParam = maker("feed");
+/** How often, without a unit. */
+export const countParam = maker("count");
+/** A share of something, without a unit. */
+export const factorParam = maker("factor");
+/** A share of something in percent. */
+export const percentParam = maker("percent");
+/** Turns of the spindle. */
+export const revolutionsParam = maker("revolutions");
+
+/**
+ * Parameters of a list that no page we hold prints, each with the tag of that: `K1` clearly recalled, its range probably right. They may
+ * be taken over from a cycle whose list is printed.
+ */
+export const recalled = <const P extends Params>(params: P): P =>
+  Object.fromEntries(Object.entries(params).map(([q, p]) => [q, { ...p, evidence: "K1", rangeEvidence: "K2" }])) as P;
+
+/** The same parameter with another value in the example of the list. */
+export const exampleOf = <P extends Param>(param: P, example: number): P => ({ ...param, example });

@@ -28,3 +28,6 @@ export interface CyclesTexts {
   readonly positioning: string;
   readonly of: Readonly<Record<CycleNumber, CycleText>>;
 }
+
+/** Texts of some of them: those of one group. */
+export type CycleTexts = Partial<Record<CycleNumber, CycleText>>;

@@ -19,3 +19,6 @@ export interface ChoiceText extends ParamText {
 
 /** A parameter of the catalogue without its texts is a compile error in each language. */
 export type ParamsTexts = { readonly [T in ParamTextId]: T extends ChoiceTextId ? ChoiceText : ParamText };
+
+/** Texts of some of them: what one group of cycles has for itself. */
+export type SomeParamTexts = Partial<ParamsTexts>;

@@ -9,7 +9,8 @@ const INCH_DECIMALS = 1;
 /** Decimals of a value that was converted from inches, mm. */
 const CONVERTED_DECIMALS = 6;
 
-const isLength = (p: Param) => p.kind !== "choice" && p.kind !== "angle" && p.kind !== "feed";
+const NO_LENGTH: ReadonlySet<Param["kind"]> = new Set(["choice", "angle", "feed", "count", "factor", "percent", "revolutions"]);
+const isLength = (p: Param) => !NO_LENGTH.has(p.kind);
 
 /** A number of the program in the unit of the parameter, rounded to what the control keeps of it before it is converted. */
 function inMillimetres(machine: Machine, p: Param, n: number): number {

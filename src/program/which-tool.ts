@@ -47,9 +47,12 @@ export function fitOf(tool: Tool, plan: Plan): ToolFit {
 
 /** Which tools a turner takes first for a kind of cycle; those not named come last. */
 const USUAL: Readonly<Record<Group, readonly ToolType[]>> = {
-  shoulder: ["ROUGH", "FINISH", "BUTTON", "RECTURN"],
-  contour: ["ROUGH", "FINISH", "BUTTON", "RECTURN"],
+  special: [],
+  longitudinal: ["ROUGH", "FINISH", "BUTTON", "RECTURN"],
+  transverse: ["ROUGH", "FINISH", "BUTTON", "RECTURN"],
   recessTurning: ["RECTURN", "RECESS"],
+  recessing: ["RECESS", "RECTURN"],
+  thread: ["THREAD"],
 };
 
 /** Place of a tool in the usual order of its cycle's group. */

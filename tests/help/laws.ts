@@ -30,6 +30,10 @@ function valueOf(p: Param): fc.Arbitrary<number | "auto"> {
     angle: grid(0, 40),
     feed: grid(0.01, 1),
     choice: fc.constant(0),
+    count: fc.integer({ min: 1, max: 6 }),
+    factor: grid(0.3, 1),
+    percent: grid(20, 120),
+    revolutions: grid(0, 5),
   }[p.kind];
   return fc.oneof({ weight: 30, arbitrary: usual }, { weight: 1, arbitrary: fc.constantFrom(min, max, 0, p.example) },
     ...(p.kind === "feed" ? [{ weight: 1, arbitrary: fc.constant("auto" as const) }] : []));

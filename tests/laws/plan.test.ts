@@ -1,7 +1,7 @@
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
 import { brokenByPlan } from "./plan-laws.ts";
-import { situations } from "./situation.ts";
+import { casesOf, situations } from "./situation.ts";
 
 /* Every set-up that can be drawn is planned and held to the laws of plan-laws.ts. Planning is quick, so there are many. */
 const CASES = 4 * Number(process.env["LAW_CASES"] ?? 25);
@@ -11,6 +11,6 @@ for (const operation of [0, 1, 2, 3])
     test("runs a path that is bounded, even and the same from the other side", () => {
       fc.assert(fc.property(arbitrary, (s) => {
         expect(brokenByPlan(cycle, s)).toEqual([]);
-      }), { numRuns: CASES });
+      }), { numRuns: casesOf(cycle, CASES) });
     });
   });

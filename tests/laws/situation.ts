@@ -73,10 +73,16 @@ const setups = new Map(
   ),
 );
 
-/** The cycles of the catalogue, each with its random situations for one machining operation. */
+/** Whether a cycle is asked for a machining operation (Q215); one that is not has only the one that counts as 0. */
+const choosesOperation = (cycle: Cycle) => Object.values(cycle.params).some((p) => p.shown === "operation");
+
+/** The cycles of the catalogue that cut, each with its random situations for one machining operation. */
 export const situations = (operation: number): { cycle: Cycle; arbitrary: fc.Arbitrary<Situation> }[] =>
-  catalogue.map((cycle) => {
+  catalogue.filter((cycle) => cycle.group !== "special" && (operation === 0 || choosesOperation(cycle))).map((cycle) => {
     const own = setups.get(cycle.number);
     if (!own) throw new Error(`src/cycles/c${cycle.number}.ts exports no setups${cycle.number}`);
     return { cycle, arbitrary: drawnFrom(own, operation) };
   });
+
+/** How many set-ups of a cycle `npm test` draws where one that a page prints draws `most`: the families share their strategies. */
+export const casesOf = (cycle: Cycle, most: number): number => (cycle.evidence === "A" ? most : Math.ceil(most / 6));

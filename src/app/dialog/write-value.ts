@@ -13,7 +13,7 @@ export function writeValue(language: Language, param: Param, field: FieldReading
   if (written === "auto") return "FAUTO";
   if (value === null) return null;
   if (typeof written === "object" && written !== null) return valueAsTyped(written);
-  if (param.kind === "choice") return String(value);
+  if (param.kind === "choice" || param.kind === "count") return String(value);
   const signed = param.range[0] < 0;
   return signed ? formatPosition(language, value, SHOWN) : formatFixed(language, value, SHOWN);
 }
@@ -25,7 +25,7 @@ export const writeTyped = (language: Language, value: number, decimals: number):
 export const inScreenWriting = (language: Language, text: string): string =>
   /^\s*[+-]?\d*\.?\d*\s*$/.test(text) ? text.replace(".", decimalSign(language)) : text;
 
-type UnitName = "diameter" | "radius" | "axial" | "degrees" | "perRevolution" | "perMinute" | "none";
+type UnitName = "diameter" | "radius" | "axial" | "degrees" | "perRevolution" | "perMinute" | "percent" | "revolutions" | "none";
 
 const units: Readonly<Record<Exclude<Kind, "feed">, UnitName>> = {
   choice: "none",
@@ -36,6 +36,10 @@ const units: Readonly<Record<Exclude<Kind, "feed">, UnitName>> = {
   axialDepth: "axial",
   length: "axial",
   angle: "degrees",
+  count: "none",
+  factor: "none",
+  percent: "percent",
+  revolutions: "revolutions",
 };
 
 /** What the value of a parameter is measured in. */

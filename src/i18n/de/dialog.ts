@@ -25,6 +25,8 @@ export const dialog = {
     degrees: "°",
     perRevolution: "mm/U",
     perMinute: "mm/min",
+    percent: "%",
+    revolutions: "U",
     none: "",
   },
   diameterMeaning: "Durchmessermaß",

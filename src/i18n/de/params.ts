@@ -1,4 +1,8 @@
 import type { ParamsTexts } from "../param-text.ts";
+import { turning } from "./params/turning.ts";
+import { recessing } from "./params/recessing.ts";
+import { threads } from "./params/threads.ts";
+import { special } from "./params/special.ts";
 
 const printed = false;
 const element = { 0: "kein Element", 1: "Fase", 2: "Radius" };
@@ -239,4 +243,8 @@ export const params = {
     explanation: "Verschiebt den Grund beim Schlichten und gleicht so aus, dass sich die Schneide beim seitlichen Drehen neigt: positiv "
       + "wird der Einstich flacher, negativ tiefer. Unsere Lesart des Vorzeichens; an der Steuerung prüfen.",
   },
+  ...turning,
+  ...recessing,
+  ...threads,
+  ...special,
 } satisfies ParamsTexts;

@@ -25,6 +25,8 @@ export const dialog = {
     degrees: "°",
     perRevolution: "mm/rev",
     perMinute: "mm/min",
+    percent: "%",
+    revolutions: "rev",
     none: "",
   },
   diameterMeaning: "A diameter",

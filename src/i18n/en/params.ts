@@ -1,4 +1,8 @@
 import type { ParamsTexts } from "../param-text.ts";
+import { turning } from "./params/turning.ts";
+import { recessing } from "./params/recessing.ts";
+import { threads } from "./params/threads.ts";
+import { special } from "./params/special.ts";
 
 const printed = false;
 const element = { 0: "no element", 1: "chamfer", 2: "radius" };
@@ -236,4 +240,8 @@ export const params = {
       "Shifts the floor of the finishing cut, to make up for the tilt of the insert while it turns sideways: positive leaves the "
       + "groove shallower, negative makes it deeper. Our reading of the sign; verify on your control.",
   },
+  ...turning,
+  ...recessing,
+  ...threads,
+  ...special,
 } satisfies ParamsTexts;

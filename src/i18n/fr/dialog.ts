@@ -25,6 +25,8 @@ export const dialog = {
     degrees: "°",
     perRevolution: "mm/tr",
     perMinute: "mm/min",
+    percent: "%",
+    revolutions: "tr",
     none: "",
   },
   diameterMeaning: "Cote au diamètre",

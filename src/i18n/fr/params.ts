@@ -1,4 +1,8 @@
 import type { ParamsTexts } from "../param-text.ts";
+import { turning } from "./params/turning.ts";
+import { recessing } from "./params/recessing.ts";
+import { threads } from "./params/threads.ts";
+import { special } from "./params/special.ts";
 
 const printed = true;
 const element = { 0: "aucun élément", 1: "chanfrein", 2: "rayon" };
@@ -237,4 +241,8 @@ export const params = {
       "Déplace le fond lors de la finition, pour compenser l'arête qui bascule en tournant latéralement : positive, la gorge est "
       + "moins profonde ; négative, plus profonde. Notre lecture du signe ; à vérifier sur la commande.",
   },
+  ...turning,
+  ...recessing,
+  ...threads,
+  ...special,
 } satisfies ParamsTexts;

@@ -1,11 +1,20 @@
 import type { CyclesTexts } from "../cycle-text.ts";
-
-const turnMode = "只能在车削模式(FUNCTION MODE TURN)下执行。在TNC7上,该功能须由机床制造商启用。";
-const safePosition = "调用前,用R0将刀具移至安全位置:该点为循环起点,决定被加工的部位。";
-const edgeLength = "刀具表中的CUTLENGTH值限制粗加工的进刀量;这时减小进刀量并显示提示信息。";
+import { longitudinal } from "./cycles/longitudinal.ts";
+import { transverse } from "./cycles/transverse.ts";
+import { recessTurning } from "./cycles/recess-turning.ts";
+import { recessing } from "./cycles/recessing.ts";
+import { threads } from "./cycles/threads.ts";
+import { special } from "./cycles/special.ts";
 
 export const cycles = {
-  groups: { shoulder: "台肩", contour: "自由轮廓", recessTurning: "凹槽车削" },
+  groups: {
+    special: "特殊循环",
+    longitudinal: "纵向车削",
+    transverse: "横向车削",
+    recessTurning: "凹槽车削",
+    recessing: "切槽",
+    thread: "螺纹",
+  },
   evidence: {
     A: "印于该数控系统的手册",
     B: "印于同系列数控系统的手册",
@@ -25,78 +34,13 @@ export const cycles = {
     length: "长度",
     angle: "角度",
     feed: "进给速率",
+    count: "次数",
+    factor: "系数",
+    percent: "百分比",
+    revolutions: "转数",
   },
   roughStep: (step, of, text) => `第${step}步(共${of}步):${text}`,
   finishStep: (step, of, text) => `精加工第${step}步(共${of}步):${text}`,
   positioning: "第1步之前的定位",
-  of: {
-    812: {
-      name: "台肩纵向车削(扩展)",
-      summary: "沿轴向车削台肩,可带倒角、角度和内角圆角。",
-      description: [
-        "沿纵向车削台肩。轮廓起点和终点的棱边可加倒角或圆角,圆周面和端面可倾斜,内角可倒圆。",
-        "平行轴粗加工、精加工或两者。起点直径大于终点直径:外尺寸加工;小于:内尺寸加工。",
-        "如果起点在加工区内,刀具先沿X轴、再沿Z轴移至安全高度;精加工时先沿Z轴移至安全高度。",
-      ],
-      rough: ["快移平行轴进刀", "以粗加工进给纵向切削", "退刀一个进刀量", "快移退至切削起点", "重复,直至轮廓完成", "快移退至循环起点"],
-      finish: ["快移平行轴进刀", "从起点到终点精加工轮廓", "退刀至安全高度", "快移退至循环起点"],
-      notes: [turnMode, safePosition, edgeLength],
-    },
-    820: {
-      name: "轮廓横向车削",
-      summary: "沿横向车削子程序中的自由轮廓。",
-      description: [
-        "沿横向车削任意轮廓。轮廓是由直线、圆角、倒角和圆弧组成的子程序,由循环14选择。",
-        "平行轴粗加工、精加工或两者。轮廓起点的X大于终点:外尺寸加工;小于:内尺寸加工。",
-        "如果起点的Z坐标小于轮廓起点,刀具先沿Z轴移至轮廓起点;精加工时移至安全高度。",
-      ],
-      rough: ["快移平行轴进刀", "以粗加工进给横向切削", "退刀一个进刀量", "快移退至切削起点", "重复,直至轮廓完成", "快移退至循环起点"],
-      finish: ["快移进刀", "从起点到终点精加工轮廓", "退刀至安全高度", "快移退至循环起点"],
-      notes: [
-        "碰撞危险:切削限位限制被加工的轮廓,但接近和离开路径可跨越限位。调用前,将刀具定位在需要切除材料的一侧。",
-        turnMode,
-        safePosition,
-        "考虑刀片形状,避免损坏轮廓元素。刀具无法到达之处保留材料并显示警告。",
-        "调用前必须编程循环14及轮廓的标签号。",
-        "轮廓中使用的局部参数(QL)必须在轮廓子程序中赋值。",
-        edgeLength,
-      ],
-    },
-    852: {
-      name: "轴向凹槽车削(扩展)",
-      summary: "在端面车削凹槽,可带斜侧壁、倒角和槽底圆角。",
-      description: [
-        "用凹槽车削在端面加工槽:刀具切入到一定深度后横向车削,因此退刀很少。棱边可加倒角或圆角,两侧壁可倾斜,槽底角可倒圆。",
-        "平行轴粗加工、精加工或两者。起点直径大于终点直径:外尺寸加工;小于:内尺寸加工。",
-        "如果起点的Z坐标小于轮廓起点Q492,刀具先沿Z轴移至Q492。",
-      ],
-      rough: [
-        "切入到第一个深度",
-        "在起点与终点之间以粗加工进给横向切削",
-        "以各自的进给加工切入元素",
-        "退刀、返回并重新接近(单向),或在两端进刀(双向)",
-        "切削到下一个深度",
-        "重复,直至达到槽深",
-        "快移至安全距离,再沿两侧壁各切一刀",
-        "快移退至循环起点",
-      ],
-      finish: [
-        "快移至第一侧壁",
-        "精加工第一侧壁",
-        "精加工槽底;有角半径时一次加工整个槽",
-        "快移退出",
-        "快移至第二侧壁",
-        "精加工第二侧壁",
-        "快移退至循环起点",
-      ],
-      notes: [
-        turnMode,
-        safePosition,
-        "从第二次进刀起,每次切削缩短0.1毫米,或缩短Q508,以减小侧向负荷。剩余材料在粗加工结束时一次切除。",
-        "如果偏移超过有效宽度(刃宽减两倍刃口半径)的80%,数控系统报错。",
-        edgeLength,
-        "手册页称Q460为保留,但有两步仍提到安全距离;我们在该处使用固定距离。",
-      ],
-    },
-  },
+  of: { ...special, ...longitudinal, ...transverse, ...recessTurning, ...recessing, ...threads },
 } satisfies CyclesTexts;

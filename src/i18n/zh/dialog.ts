@@ -25,6 +25,8 @@ export const dialog = {
     degrees: "°",
     perRevolution: "mm/转",
     perMinute: "mm/min",
+    percent: "%",
+    revolutions: "转",
     none: "",
   },
   diameterMeaning: "直径值",

@@ -1,4 +1,8 @@
 import type { ParamsTexts } from "../param-text.ts";
+import { turning } from "./params/turning.ts";
+import { recessing } from "./params/recessing.ts";
+import { threads } from "./params/threads.ts";
+import { special } from "./params/special.ts";
 
 const printed = true;
 /** Prompts that no Chinese page we have prints: worded in the style of those it prints. */
@@ -213,4 +217,8 @@ export const params = {
     label: "深度补偿",
     explanation: "移动精加工的槽底,补偿刀片横向车削时的倾斜:正值使槽变浅,负值使槽变深。符号为我们的理解,请在数控系统上核实。",
   },
+  ...turning,
+  ...recessing,
+  ...threads,
+  ...special,
 } satisfies ParamsTexts;

@@ -30,6 +30,12 @@ function plain(p: Param, number: (v: number) => string, value: number): string {
       return `${number(value)}°`;
     case "feed":
       return `F${number(value)}`;
+    case "percent":
+      return `${number(value)} %`;
+    case "factor":
+      return `×${number(value)}`;
+    case "count":
+    case "revolutions":
     case "choice":
     case "radial":
     case "axialDepth":

@@ -1,0 +1,3 @@
+import type { CycleTexts } from "../../cycle-text.ts";
+
+export const special = {} satisfies CycleTexts;

@@ -1,0 +1,3 @@
+import type { SomeParamTexts } from "../../param-text.ts";
+
+export const turning = {} satisfies SomeParamTexts;
