@@ -24,9 +24,9 @@ export interface Feeding {
 
 /**
  * One motion of the theoretical tool tip, from where the tip stands to `to`. Plain data: picture, simulation,
- * time, warnings and goldens all read the same list.
+ * time, warnings and goldens all read the same list. A feed that goes nowhere may stand still: `dwell`, turns of the spindle.
  */
 export type Move = ({ readonly kind: "rapid"; readonly to: Pt } & Purpose)
-  | ({ readonly kind: "feed"; readonly to: Pt } & Feeding & Purpose)
+  | ({ readonly kind: "feed"; readonly to: Pt; readonly dwell?: number } & Feeding & Purpose)
   | ({ readonly kind: "arc"; readonly to: Pt; readonly centre: Pt; readonly turn: Turn } & Feeding & Purpose)
   | ({ readonly kind: "thread"; readonly to: Pt; readonly pitch: Axial } & Purpose);

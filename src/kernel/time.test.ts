@@ -26,6 +26,11 @@ test("a feed per revolution follows the speed", () => {
 test("rapid moves go at the rapid rate", () => {
   expect(secondsOf(at(0, 0), { kind: "rapid", to: at(30, 40), ...purpose }, surface, 6000)).toBeCloseTo(0.5, 12);
 });
+test("a dwell counts the turns of the spindle where the tool stands, whatever the feed", () => {
+  const still = { ...cut(at(-5, 20), 0, "mm/min"), dwell: 3 };
+  expect(secondsOf(at(-5, 20), still, constant, 1)).toBeCloseTo((3 / 550) * 60, 12);
+  expect(secondsOf(at(-5, 20), still, surface, 1)).toBeCloseTo((3 * 60 * Math.PI * 40) / (1000 * 180), 12);
+});
 test("the speed follows the diameter up to its limit", () => {
   expect(speedAt(surface, 30)).toBeCloseTo((1000 * 180) / (Math.PI * 60), 9);
   expect(speedAt(surface, 1)).toBe(2500);

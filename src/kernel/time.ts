@@ -81,6 +81,8 @@ function minutesOf(path: Segment, move: Move, spindle: Spindle, rapidRate: numbe
     case "rapid":
       return travel / rapidRate;
     case "feed":
+      if (move.dwell !== undefined) return move.dwell * minutesPerTurn(spindle, move.to.r);
+      return move.feedUnit === "mm/min" ? travel / move.feed : (travel / move.feed) * meanOf(spindle, path);
     case "arc":
       return move.feedUnit === "mm/min" ? travel / move.feed : (travel / move.feed) * meanOf(spindle, path);
     case "thread": {

@@ -60,6 +60,13 @@ export class Track {
     this.at = to;
   }
 
+  /** Stands still for so many turns of the spindle. */
+  dwell(revolutions: number, value: number, purpose: Purpose) {
+    if (!(revolutions > 0)) return;
+    const to = toPart(this.frame, this.at);
+    this.moves.push({ kind: "feed", to, dwell: revolutions, feed: asFeed(value), feedUnit: this.feedUnit, ...purpose });
+  }
+
   /** Along an element at feed; an arc leaves as an arc. */
   follow(segment: FlatSegment, value: number, purpose: Purpose) {
     if (segment.kind === "line") return this.feed(segment.to, value, purpose);

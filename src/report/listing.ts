@@ -14,7 +14,7 @@ export function moveLine(m: Move): string {
     case "rapid":
       return `rapid  ${at} | ${why}`;
     case "feed":
-      return `feed   ${at} F${m.feed} ${m.feedUnit} | ${why}`;
+      return m.dwell === undefined ? `feed   ${at} F${m.feed} ${m.feedUnit} | ${why}` : `dwell  ${at} ${m.dwell} rev | ${why}`;
     case "arc":
       return `arc    ${at} ${m.turn} CX${number(toDiameter(m.centre.r))} CZ${number(m.centre.z)} F${m.feed} ${m.feedUnit} | ${why}`;
     case "thread":

@@ -34,6 +34,8 @@ export interface ReportMove {
   readonly dir?: "cw" | "ccw";
   readonly feed?: number;
   readonly feedUnit?: "mm/rev" | "mm/min";
+  /** The tool stands still for so many turns of the spindle; absent in every other move. */
+  readonly dwell?: number;
   readonly phase: Move["phase"];
   readonly pass?: number;
   readonly block: number;
@@ -120,7 +122,13 @@ function moveOf(move: Move, block: number): ReportMove {
     case "rapid":
       return { kind: move.kind, ...common };
     case "feed":
-      return { kind: move.kind, ...common, feed: move.feed, feedUnit: move.feedUnit };
+      return {
+        kind: move.kind,
+        ...common,
+        feed: move.feed,
+        feedUnit: move.feedUnit,
+        ...(move.dwell !== undefined && { dwell: move.dwell }),
+      };
     case "arc":
       return {
         kind: move.kind,

@@ -3,7 +3,7 @@ import type { Run } from "../../program/run-types.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import type { PlaybackStore } from "./playback-store.ts";
-import { runningFeed, phaseText, placeText } from "./running.ts";
+import { kindText, runningFeed, phaseText, placeText } from "./running.ts";
 import { usePlayback } from "./use-playback.ts";
 
 /** Rows at a time: thousands would be slow to build and no easier to read. */
@@ -47,7 +47,7 @@ function Rows({ run, playback }: { readonly run: Run; readonly playback: Playbac
                     {index + 1}
                   </button>
                 </th>
-                <td>{t.kinds[step.move.kind]}</td>
+                <td>{kindText(t, step.move)}</td>
                 <td className="number">{x}</td>
                 <td className="number">{z}</td>
                 <td className="number">{runningFeed(t, language, step.move)}</td>

@@ -31,12 +31,17 @@ export const placeText = (language: Language, p: Pt) => ({
   z: formatPosition(language, p.z),
 });
 
-/** Feed with its unit, or that it is a rapid. */
+/** Feed with its unit, that it is a rapid, or how long a dwell takes. */
 export function runningFeed(t: Texts["lathe"], language: Language, move: Move): string {
   if (move.kind === "rapid") return t.rapid;
   if (move.kind === "thread") return `${formatNumber(language, Math.abs(move.pitch))} ${t.perTurn}`;
+  if (move.kind === "feed" && move.dwell !== undefined) return t.turns(formatNumber(language, move.dwell));
   return `${formatNumber(language, move.feed)} ${move.feedUnit === "mm/rev" ? t.perTurn : t.perMinute}`;
 }
+
+/** What a move is, in a word. */
+export const kindText = (t: Texts["lathe"], move: Move): string =>
+  move.kind === "feed" && move.dwell !== undefined ? t.kinds.dwell : t.kinds[move.kind];
 
 /** Phase in words; plunging is said with it. */
 export const phaseText = (t: Texts["lathe"], move: Move): string =>

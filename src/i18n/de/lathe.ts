@@ -49,6 +49,7 @@ export const lathe = {
   rapid: "Eilgang",
   perTurn: "mm/U",
   perMinute: "mm/min",
+  turns: (n: string) => `${n} Umdr.`,
   rpm: "1/min",
   phases: { position: "Positionieren", rough: "Schruppen", smooth: "Glätten", finish: "Schlichten", thread: "Gewinde" },
   plunging: "Eintauchen",
@@ -76,7 +77,7 @@ export const lathe = {
   earlier: "Frühere Bewegungen",
   later: "Spätere Bewegungen",
   range: (from, to, of) => `${from} bis ${to} von ${of}`,
-  kinds: { rapid: "Eilgang", feed: "Gerade", arc: "Bogen", thread: "Gewinde" },
+  kinds: { rapid: "Eilgang", feed: "Gerade", arc: "Bogen", thread: "Gewinde", dwell: "Verweilen" },
   goTo: (move) => `Zu Bewegung ${move}`,
 
   insert: (tool) => `Schneidplatte von Werkzeug ${tool}, maßstäblich`,

@@ -52,6 +52,8 @@ export const lathe = {
   rapid: "Rapid",
   perTurn: "mm/rev",
   perMinute: "mm/min",
+  /** How long the tool stands still. */
+  turns: (n: string) => `${n} rev`,
   rpm: "rpm",
   phases: { position: "Positioning", rough: "Roughing", smooth: "Smoothing", finish: "Finishing", thread: "Threading" },
   plunging: "Plunging",
@@ -81,7 +83,7 @@ export const lathe = {
   earlier: "Earlier moves",
   later: "Later moves",
   range: (from: string, to: string, of: string) => `${from} to ${to} of ${of}`,
-  kinds: { rapid: "Rapid", feed: "Straight", arc: "Arc", thread: "Thread" },
+  kinds: { rapid: "Rapid", feed: "Straight", arc: "Arc", thread: "Thread", dwell: "Dwell" },
   goTo: (move: string) => `Go to move ${move}`,
 
   /* a tool's insert */

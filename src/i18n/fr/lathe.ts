@@ -49,6 +49,7 @@ export const lathe = {
   rapid: "Rapide",
   perTurn: "mm/tr",
   perMinute: "mm/min",
+  turns: (n: string) => `${n} tr`,
   rpm: "tr/min",
   phases: { position: "Positionnement", rough: "Ébauche", smooth: "Lissage", finish: "Finition", thread: "Filetage" },
   plunging: "Plongée",
@@ -76,7 +77,7 @@ export const lathe = {
   earlier: "Déplacements précédents",
   later: "Déplacements suivants",
   range: (from, to, of) => `${from} à ${to} sur ${of}`,
-  kinds: { rapid: "Rapide", feed: "Droite", arc: "Arc", thread: "Filetage" },
+  kinds: { rapid: "Rapide", feed: "Droite", arc: "Arc", thread: "Filetage", dwell: "Temporisation" },
   goTo: (move) => `Aller au déplacement ${move}`,
 
   insert: (tool) => `Plaquette de l’outil ${tool}, à l’échelle`,

@@ -41,6 +41,7 @@ export const lathe = {
   rapid: "快移",
   perTurn: "mm/rev",
   perMinute: "mm/min",
+  turns: (n: string) => `${n} 转`,
   rpm: "rpm",
   phases: { position: "定位", rough: "粗加工", smooth: "修光", finish: "精加工", thread: "车螺纹" },
   plunging: "切入",
@@ -68,7 +69,7 @@ export const lathe = {
   earlier: "前面的运动",
   later: "后面的运动",
   range: (from, to, of) => `${from}–${to} / ${of}`,
-  kinds: { rapid: "快移", feed: "直线", arc: "圆弧", thread: "螺纹" },
+  kinds: { rapid: "快移", feed: "直线", arc: "圆弧", thread: "螺纹", dwell: "停顿" },
   goTo: (move) => `到第 ${move} 段运动`,
 
   insert: (tool) => `刀具 ${tool} 的刀片，按比例`,
