@@ -1,0 +1,39 @@
+import { describe, expect, test } from "vitest";
+import { verified } from "../scripts/verify.ts";
+import { catalogue } from "../src/cycles/index.ts";
+import { ncLabels } from "../src/i18n/nc-labels.ts";
+import { LANGUAGES } from "../src/i18n/languages.ts";
+import { parse } from "../src/nc/parse.ts";
+import { issuesOf, print } from "../src/nc/program.ts";
+import { exampleJob } from "../src/program/job.ts";
+import { printJob } from "../src/program/print-job.ts";
+import { run } from "../src/program/run.ts";
+import { shippedTools } from "../src/program/shipped-tools.ts";
+
+/*
+ * The example of every cycle, as the page begins a work with it: whoever meets a cycle for the first time sees a program that is proved.
+ */
+const cutting = catalogue.filter((cycle) => cycle.group !== "special");
+const tools = { tools: shippedTools, refused: new Map() };
+
+describe.each(cutting.map((cycle) => [cycle.number, cycle] as const))("the example of cycle %i", (number, cycle) => {
+  test.each(["tnc640", "tnc7"] as const)("comes back to the byte in the layout of %s, in every label language", (layout) => {
+    for (const language of LANGUAGES) {
+      const text = printJob({ ...exampleJob(cycle), layout, ncLanguage: language }, ncLabels(language));
+      const program = parse(text);
+      expect(print(program)).toBe(text);
+      expect(issuesOf(program)).toEqual([]);
+    }
+  });
+
+  test("runs with its tool from its start point, cuts nothing it should not, and is proved", () => {
+    const text = printJob(exampleJob(cycle), ncLabels("en"));
+    const { operations } = run(parse(text), { tools: shippedTools, rapid: 10_000 });
+    expect(operations.map((o) => [o.cycle, o.tool.T])).toEqual([[number, cycle.setup.tool]]);
+    expect(operations[0]?.plan.moves.length).toBeGreaterThan(5);
+    expect(operations[0]?.plan.moves.length).toBeLessThan(20_000);
+    const { issues, proof } = verified("example.h", text, tools);
+    expect(issues.filter((i) => i.severity === "error")).toEqual([]);
+    expect(proof).toMatchObject({ verdict: "proved", gouge: 0, rapidInStock: 0 });
+  });
+});
