@@ -1,12 +1,7 @@
-import { feedsOf } from "../kernel/strategy/feeds.ts";
-import { empty, planLeveled } from "../kernel/strategy/leveled.ts";
-import { perSide, toRadius } from "../kernel/units.ts";
+import { planBox } from "./box-plan.ts";
 import { defineCycle, printedContour } from "./define.ts";
 import { angle, axialParam, choice, diameterParam, feedParam, lengthParam, oversizeDiameter, radial } from "./params.ts";
-import { atParameters } from "./roles.ts";
-import { edgesOf } from "./corner-element.ts";
 import { shoulderOutline } from "./shoulder-outline.ts";
-import { angleIssues, cornerIssue, withIssues } from "./tool-issues.ts";
 import { shoulderSetups, type Setups } from "./drawn-setup.ts";
 
 /** Shoulder, longitudinal, extended: circumferential surface, inner corner, face, with an element at either end. */
@@ -45,30 +40,8 @@ export const c812 = defineCycle({
     contour: printedContour,
   },
   steps: { rough: 6, finish: 4 },
-  outline: (v) => shoulderOutline(v),
-  plan(v, setting) {
-    const outline = shoulderOutline(v);
-    if (outline.contour.length === 0 || outline.issues.length > 0) return empty(outline.issues, outline.contour);
-    const { frame } = outline;
-    const plan = planLeveled({
-      frame,
-      contour: outline.contour,
-      edges: edgesOf(outline.names, "Q502", "Q504"),
-      operation: v.Q215,
-      clearance: v.Q460,
-      infeed: v.Q463,
-      feeds: feedsOf({ rough: v.Q478, finish: v.Q505 }, setting.autoFeed),
-      oversize: { r: perSide(v.Q483), z: v.Q484 },
-      plunging: true,
-      smoothing: v.Q506,
-      limit: null,
-      outerHeight: frame.signV * toRadius(v.Q491),
-      startRule: "shoulder",
-    }, setting);
-    const value = (q: string, direction: number) => (q === "Q496" ? 90 - direction : direction);
-    const tool = [...cornerIssue(v.Q500, setting.tool), ...angleIssues(outline, setting.tool, frame, value)];
-    return atParameters(withIssues(plan, tool), frame, { infeed: "Q463" });
-  },
+  outline: (v) => shoulderOutline(v, false),
+  plan: (v, setting) => planBox(shoulderOutline(v, false), v, setting),
 });
 
 /** Set-ups that the laws hold this cycle to. */

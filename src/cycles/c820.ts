@@ -1,13 +1,7 @@
-import { toFlat } from "../kernel/flat.ts";
-import { mirroredTool } from "../kernel/holder.ts";
-import { feedsOf } from "../kernel/strategy/feeds.ts";
-import { empty, planLeveled } from "../kernel/strategy/leveled.ts";
-import { perSide, toRadius } from "../kernel/units.ts";
 import { defineCycle, printedContour } from "./define.ts";
 import { axialDepth, axialParam, choice, diameterParam, feedParam, lengthParam, oversizeDiameter } from "./params.ts";
-import { frameAt, freeOutline } from "./free-outline.ts";
-import { atParameters } from "./roles.ts";
-import { angleIssues, withIssues } from "./tool-issues.ts";
+import { freeOutline } from "./free-outline.ts";
+import { planFree } from "./free-plan.ts";
 import { contourSetups, type Setups } from "./drawn-setup.ts";
 
 /** Free contour of a subprogram, cut across the axis. */
@@ -42,30 +36,7 @@ export const c820 = defineCycle({
   },
   steps: { rough: 6, finish: 4 },
   outline: (v, given) => freeOutline(v, given, true),
-  plan(v, setting, given) {
-    const outline = freeOutline(v, given, true);
-    if (outline.contour.length === 0 || outline.issues.length > 0) return empty(outline.issues, outline.contour);
-    const frame = frameAt(outline.contour, true, setting);
-    const tool = v.Q499 === 2 ? mirroredTool(setting.tool, "r") : setting.tool;
-    const plan = planLeveled({
-      frame,
-      contour: outline.contour,
-      edges: { start: 0, end: 0 },
-      operation: v.Q215,
-      clearance: v.Q460,
-      infeed: v.Q463,
-      feeds: feedsOf({ rough: v.Q478, finish: v.Q505, plunge: v.Q488 }, setting.autoFeed),
-      oversize: { r: perSide(v.Q483), z: v.Q484 },
-      plunging: v.Q487 === 1,
-      smoothing: v.Q506,
-      limit: v.Q479 === 1 ? toFlat(frame, { r: toRadius(v.Q480), z: v.Q482 }) : null,
-      outerHeight: null,
-      startRule: "contour",
-    }, { ...setting, tool });
-    const found = angleIssues(outline, tool, frame, (_q, direction) => Math.abs(direction));
-    const adapted = tool === setting.tool ? plan : { ...plan, tool };
-    return atParameters(withIssues(adapted, found), frame, { infeed: "Q463", limitX: "Q480", limitZ: "Q482" });
-  },
+  plan: (v, setting, given) => planFree(v, setting, given, true),
 });
 
 /** Set-ups that the laws hold this cycle to. */

@@ -2,13 +2,14 @@ import type { Frame } from "../kernel/flat.ts";
 import { cuttingWidth, isBar } from "../kernel/insert.ts";
 import { issue, type Issue } from "../kernel/issue.ts";
 import { feedsOf } from "../kernel/strategy/feeds.ts";
-import { empty } from "../kernel/strategy/leveled.ts";
 import { planRecess } from "../kernel/strategy/recess.ts";
 import { axial, type Axial, type Diameter, perSide, radius, rounded, toDiameter } from "../kernel/units.ts";
 import { defineCycle, printedContour } from "./define.ts";
 import { angle, axialDepth, axialParam, choice, diameterParam, feedParam, lengthParam, oversizeDiameter } from "./params.ts";
 import { recessOutline, type RecessOutline } from "./recess-outline.ts";
 import { atParameters } from "./roles.ts";
+import { boxFrame } from "./shoulder-outline.ts";
+import { refused } from "./refused.ts";
 import { angleIssues, cornerIssue, withIssues } from "./tool-issues.ts";
 import { ROUND } from "../kernel/tolerance.ts";
 import { recessSetups, type Setups } from "./drawn-setup.ts";
@@ -64,7 +65,8 @@ export const c852 = defineCycle({
   outline: (v) => recessOutline(finished(v), frameOf(v)),
   plan(v, setting) {
     const outline = recessOutline(finished(v), frameOf(v));
-    if (outline.contour.length === 0 || outline.issues.length > 0) return empty(outline.issues, outline.contour);
+    const none = refused(outline);
+    if (none) return none;
     const { frame } = outline;
     const { tool } = setting;
     const plan = planRecess({
@@ -78,17 +80,16 @@ export const c852 = defineCycle({
       offset: v.Q508,
       roundedFloor: v.Q500 > 0,
     }, setting);
-    const value = (_q: string, direction: number) => 90 - Math.abs(direction);
     const rough = v.Q215 !== 2;
     const narrow = narrowIssue(outline, v, isBar(tool) ? cuttingWidth(tool) + (rough ? v.Q483 : 0) : 0);
-    const found = [...narrow, ...cornerIssue(v.Q500, tool), ...angleIssues(outline, tool, frame, value)];
+    const found = [...narrow, ...cornerIssue(v.Q500, tool), ...angleIssues(outline, tool, frame, outline.angleAt)];
     return atParameters(withIssues(plan, found), frame, { infeed: "Q463", depth: "Q494", offset: "Q508" });
   },
 });
 
 type Ends = { readonly Q491: Diameter; readonly Q492: Axial; readonly Q493: Diameter; readonly Q494: Axial };
 
-const frameOf = (v: Ends): Frame => ({ transverse: true, signU: v.Q491 > v.Q493 ? -1 : 1, signV: v.Q494 < v.Q492 ? 1 : -1 });
+const frameOf = (v: Ends): Frame => boxFrame(v, true);
 
 /**
  * The values with the floor where Q509 shifts it, positive out of the material: that is the finished groove (decision "Recess

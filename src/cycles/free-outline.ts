@@ -8,7 +8,7 @@ import { toDiameter, toRadius, type Axial, type Diameter } from "../kernel/units
 import type { Dimension, Given, Outline } from "./define.ts";
 
 /** The values of a free-contour cycle that shape its outline. */
-interface FreeValues {
+export interface FreeValues {
   readonly Q499: number;
   readonly Q479: number;
   readonly Q480: Diameter;

@@ -2,14 +2,14 @@ import type { Frame } from "../kernel/flat.ts";
 import { issue, type Issue } from "../kernel/issue.ts";
 import { part, type Pt } from "../kernel/point.ts";
 import { inDegrees, radians, roundedDown, toRadius } from "../kernel/units.ts";
-import { angleBelow, cornerElementOf, LEG, namedContour, type NamedContour, roundOf } from "./corner-element.ts";
-import type { Dimension, Outline } from "./define.ts";
-import { equalEnds, type ShoulderValues } from "./shoulder-outline.ts";
+import { angleBelow, cornerElementOf, LEG, namedContour, roundOf } from "./corner-element.ts";
+import type { Dimension } from "./define.ts";
+import { type BoxOutline, equalEnds, type ShoulderValues } from "./shoulder-outline.ts";
 import { JOINED, ROUND } from "../kernel/tolerance.ts";
 
 const pt = part.point;
 
-export interface RecessOutline extends Outline, NamedContour {
+export interface RecessOutline extends BoxOutline {
   /** Width of the opening and of the flat floor, mm across the groove; 0 when there is no contour. */
   readonly opening: number;
   readonly floor: number;
@@ -24,7 +24,7 @@ export function recessOutline(v: ShoulderValues, frame: Frame): RecessOutline {
   const axialGroove = frame.transverse;
   const issues: Issue[] = equalEnds(v);
   const [r1, r2, z1, z2] = [toRadius(v.Q491), toRadius(v.Q493), v.Q492, v.Q494];
-  const none = { contour: [], frame, sunk: true, names: [], dimensions: [], opening: 0, floor: 0 };
+  const none = { contour: [], frame, sunk: true, names: [], dimensions: [], angleAt, opening: 0, floor: 0 };
   if (issues.length > 0) return { ...none, issues };
   const [W, D] = axialGroove ? [Math.abs(r2 - r1), Math.abs(z2 - z1)] : [Math.abs(z2 - z1), Math.abs(r2 - r1)];
   const at = axialGroove
@@ -69,6 +69,9 @@ export function recessOutline(v: ShoulderValues, frame: Frame): RecessOutline {
   const dimensions = dimensionsOf(v, shape, axialGroove);
   return { ...none, ...built, dimensions, issues: [...issues, ...built.issues], opening: W, floor: w2 - w1 };
 }
+
+/** Walls stand upright in strategy space: their angles count from there. */
+const angleAt = (_q: string, direction: number) => 90 - Math.abs(direction);
 
 /** A point a little from `p` towards `q`: where a leader points from. */
 const beyond = (p: Pt, q: Pt): Pt => pt(p.z + (q.z - p.z) / 4, p.r + (q.r - p.r) / 4);

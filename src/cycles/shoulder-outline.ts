@@ -1,4 +1,4 @@
-import type { Frame } from "../kernel/flat.ts";
+import { type Flat, type Frame, toFlat, toPart } from "../kernel/flat.ts";
 import { issue, type Issue } from "../kernel/issue.ts";
 import { part, type Pt } from "../kernel/point.ts";
 import { type Axial, type Degrees, type Diameter, inDegrees, type Length, radians, rounded, STEP, toRadius } from "../kernel/units.ts";
@@ -25,21 +25,32 @@ export interface ShoulderValues {
 
 const pt = part.point;
 
+/** An outline inside a box, with what a plan needs of it. */
+export interface BoxOutline extends Outline, NamedContour {
+  /** The value that an angle has whose wall runs in a direction: degrees against the cutting direction, positive rising. */
+  readonly angleAt: (q: string, direction: number) => number;
+}
+
+/** How strategy space lies over a box: from its first corner to its second, the second one deeper. */
+export const boxFrame = (v: Pick<ShoulderValues, "Q491" | "Q492" | "Q493" | "Q494">, transverse: boolean): Frame =>
+  transverse
+    ? { transverse, signU: v.Q491 > v.Q493 ? -1 : 1, signV: v.Q494 < v.Q492 ? 1 : -1 }
+    : { transverse, signU: v.Q494 < v.Q492 ? -1 : 1, signV: v.Q491 > v.Q493 ? 1 : -1 };
+
 /**
- * Contour of a longitudinal shoulder inside its box (decision "The box rule"): start element, circumferential surface
- * through (Q492, Q493), inner corner, face through (Q494, Q491), end element.
+ * Contour of a shoulder inside its box (decision "The box rule"), in cutting direction: start element, surface at the depth of the second
+ * corner, inner corner, wall up at its place, end element. Along the axis the surface is a circumferential one and the wall a face;
+ * across it the surface is the face.
  */
-export function shoulderOutline(v: ShoulderValues): Outline & NamedContour {
+export function shoulderOutline(v: ShoulderValues, transverse: boolean): BoxOutline {
   const issues: Issue[] = equalEnds(v);
-  const [r1, r2, z1, z2] = [toRadius(v.Q491), toRadius(v.Q493), v.Q492, v.Q494];
-  const frame: Frame = { transverse: false, signU: z2 < z1 ? -1 : 1, signV: r1 > r2 ? 1 : -1 };
-  const none = { contour: [], frame, sunk: false, names: [], dimensions: [] };
+  const frame = boxFrame(v, transverse);
+  const none = { contour: [], frame, sunk: false, names: [], dimensions: [], angleAt };
   if (issues.length > 0) return { ...none, issues };
-  const along = Math.sign(z2 - z1);
-  const out = Math.sign(r1 - r2);
-  const [A, H] = [Math.abs(z2 - z1), Math.abs(r1 - r2)];
+  const [p1, p2] = [pt(v.Q492, toRadius(v.Q491)), pt(v.Q494, toRadius(v.Q493))].map((p) => toFlat(frame, p)) as [Flat, Flat];
+  const [A, H] = [p2.u - p1.u, p1.v - p2.v];
   const [t1, t2] = [Math.tan(radians(v.Q495)), Math.tan(radians(v.Q496))];
-  const at = (a: number, h: number): Pt => pt(z1 + along * a, r2 + out * h);
+  const at = (a: number, h: number): Pt => toPart(frame, { u: p1.u + a, v: p2.v + h });
   if (A - H * t2 <= 0) {
     const max = inDegrees(Math.atan2(A, H));
     return { ...none, issues: [issue("wallsMeet", "error", { angle: v.Q496, max, nearest: angleBelow(max) }, "Q496")] };
@@ -50,14 +61,20 @@ export function shoulderOutline(v: ShoulderValues): Outline & NamedContour {
   }
   const a = (A - H * t2) / (1 - t1 * t2);
   const corner = at(a, a * t1);
-  const lead = out > 0 ? Math.max(r2, JOINED) : LEG;
-  const built = namedContour([at(0, -lead), at(0, 0), corner, at(A, H), at(A + LEG, H)], ["Q492", "Q495", "Q496", "Q491"], [
+  // Towards the axis the outside of the part ends there: an outer element cannot be longer.
+  const inwards = Math.max(toRadius(v.Q493), JOINED);
+  const lead = !transverse && frame.signV > 0 ? inwards : LEG;
+  const out = transverse && frame.signU < 0 ? inwards : LEG;
+  const built = namedContour([at(0, -lead), at(0, 0), corner, at(A, H), at(A + out, H)], ["", "Q495", "Q496", ""], [
     { element: cornerElementOf(v.Q501, v.Q502), q: "Q502" },
     { element: roundOf(v.Q500), q: "Q500" },
     { element: cornerElementOf(v.Q503, v.Q504), q: "Q504" },
   ]);
-  return { ...none, ...built, dimensions: dimensionsOf(v, { start: at(0, 0), corner, end: at(A, H), along, out }) };
+  const shape = { start: at(0, 0), corner, end: at(A, H), axisFoot: at(a, 0), wallFoot: at(A, a * t1) };
+  return { ...none, ...built, dimensions: dimensionsOf(v, shape, frame) };
 }
+
+const angleAt = (q: string, direction: number) => (q === "Q496" ? 90 - direction : direction);
 
 /** A contour whose start and end agree in a coordinate has no area. */
 export function equalEnds(v: { Q491: Diameter; Q492: Axial; Q493: Diameter; Q494: Axial }): Issue[] {
@@ -71,35 +88,22 @@ export function equalEnds(v: { Q491: Diameter; Q492: Axial; Q493: Diameter; Q494
 /** The next value on the control's grid. */
 const nextTo = (n: number) => rounded(n - STEP);
 
-function dimensionsOf(v: ShoulderValues, g: { start: Pt; corner: Pt; end: Pt; along: number; out: number }): Dimension[] {
-  const axisLine = pt(g.start.z + (g.corner.z - g.start.z), g.start.r);
-  const upright = pt(g.end.z, g.corner.r);
-  const away = (p: Pt, z: number, r: number): Pt => pt(p.z + z, p.r + r);
+function dimensionsOf(v: ShoulderValues, g: { start: Pt; corner: Pt; end: Pt; axisFoot: Pt; wallFoot: Pt }, frame: Frame): Dimension[] {
+  // Along the axis the contour begins in the plane of the first corner, across it on the diameter.
+  const [atR1, atR2] = frame.transverse ? [g.start, g.end] : [g.end, g.start];
+  const away = toPart(frame, { u: -1, v: 1 });
+  const leader = (q: string, at: Pt): Dimension => ({ q, form: "leader", at, towards: pt(at.z + away.z, at.r + away.r) });
   return [
-    { q: "Q491", form: "diameter", at: g.end },
-    { q: "Q492", form: "z", from: pt(0, g.start.r), to: g.start },
-    {
-      q: "Q493",
-      form: "diameter",
-      at: g.start,
-    },
-    { q: "Q494", form: "z", from: pt(0, g.end.r), to: g.end },
-    { q: "Q495", form: "angle", vertex: g.start, from: axisLine, to: g.corner },
-    { q: "Q502", form: "leader", at: g.start, towards: away(g.start, -g.along, g.out) },
-    {
-      q: "Q500",
-      form: "leader",
-      at: g.corner,
-      towards: away(g.corner, -g.along, g.out),
-    },
-    { q: "Q496", form: "angle", vertex: g.end, from: upright, to: g.corner },
-    {
-      q: "Q504",
-      form: "leader",
-      at: g.end,
-      towards: away(g.end, -g.along, g.out),
-    },
-    ...(v.Q501 > 0 ? [{ q: "Q501", form: "leader", at: g.start, towards: away(g.start, -g.along, g.out) } as const] : []),
-    ...(v.Q503 > 0 ? [{ q: "Q503", form: "leader", at: g.end, towards: away(g.end, -g.along, g.out) } as const] : []),
+    { q: "Q491", form: "diameter", at: atR1 },
+    { q: "Q492", form: "z", from: pt(0, atR2.r), to: atR2 },
+    { q: "Q493", form: "diameter", at: atR2 },
+    { q: "Q494", form: "z", from: pt(0, atR1.r), to: atR1 },
+    { q: "Q495", form: "angle", vertex: g.start, from: g.axisFoot, to: g.corner },
+    leader("Q502", g.start),
+    leader("Q500", g.corner),
+    { q: "Q496", form: "angle", vertex: g.end, from: g.wallFoot, to: g.corner },
+    leader("Q504", g.end),
+    ...(v.Q501 > 0 ? [leader("Q501", g.start)] : []),
+    ...(v.Q503 > 0 ? [leader("Q503", g.end)] : []),
   ];
 }
