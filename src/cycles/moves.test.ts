@@ -8,9 +8,10 @@ import { shippedTools } from "../program/shipped-tools.ts";
 import { cycleByNumber } from "./index.ts";
 
 /**
- * One line a case, in a file of a family: `812 from 75/2 | T1 Q463=3`: the cycle, the start point X/Z, then what differs from the example of
- * its list: tool, values, and for free contours the elements in order (`75/-20 50/-20 RND2 …`). Under it the moves: r rapid, f feed,
- * a arc, each with its end point X/Z; a number in brackets is the step of the manual that begins there.
+ * One line a case, in a file of a family: `812 from 75/2 | T1 Q463=3`: the cycle, the start point X/Z, then what differs from the
+ * example of its list: tool, values, and for free contours the elements in order (`75/-20 50/-20 RND2 …`). Under it the moves: r rapid,
+ * f feed, a arc, d dwell (behind it the turns of the spindle), each with its end point X/Z; a number in brackets is the step of the
+ * manual that begins there.
  */
 const at = (x: string, z: string): Pt => ({ z: axial(Number(z)), r: toRadius(diameter(Number(x))) });
 const PRINTED = "75/-20 50/-20 RND2 20/-25 RND2 20/0";
