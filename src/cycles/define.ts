@@ -7,6 +7,17 @@ import type { Evidence, Params, Values } from "./params.ts";
 /** Groups as the control has them. */
 export type Group = "special" | "longitudinal" | "transverse" | "recessTurning" | "recessing" | "thread";
 
+/** What one turns: a step with a shoulder, a plunge behind one, any contour at all, a groove, a thread. */
+export type TurnedShape = "step" | "plunge" | "free" | "groove" | "thread";
+
+/** What a cycle is proposed for, when somebody asks which one makes a shape. */
+export interface Use {
+  /** What it makes. A free contour may be made of a step or a plunge as well. */
+  readonly shapes: readonly TurnedShape[];
+  /** Its passes follow a blank that has the shape already. */
+  readonly preTurned?: true;
+}
+
 /** A dimension in the help picture, belonging to one Q. Positions in part space; the view draws arrowheads and text. */
 export type Dimension = { readonly q: string; readonly form: "diameter"; readonly at: Pt } | { readonly q: string;
   readonly form: "z" | "r" | "along"; readonly from: Pt; readonly to: Pt } | { readonly q: string; readonly form: "angle";
@@ -77,6 +88,8 @@ export interface Cycle<P extends Params = Params, N extends number = number> {
   readonly evidence: Evidence;
   /** "own": from its Q values; "free": from a contour subprogram named by cycle 14. */
   readonly contour: "own" | "free";
+  /** Given where it does not follow from group and contour (`useOf` in use.ts): one line, such as `use: { shapes: ["plunge"] }`. */
+  readonly use?: Use;
   /** In the printed order, which is the order of form and NC text. */
   readonly params: P;
   readonly setup: SetupExample;

@@ -1,0 +1,32 @@
+import type { Cycle, TurnedShape, Use } from "./define.ts";
+import type { Values } from "./params.ts";
+
+/** What a group makes with a contour of its own. */
+const OF_GROUP: Readonly<Record<Cycle["group"], readonly TurnedShape[]>> = {
+  special: [],
+  longitudinal: ["step"],
+  transverse: ["step"],
+  recessTurning: ["groove"],
+  recessing: ["groove"],
+  thread: ["thread"],
+};
+
+/** A flank at the start of a shoulder goes into the material: that is a plunge. */
+const falls = ({ params }: Cycle) => Object.values(params).some((p) => p.text === "flankAngle");
+
+/** What a cycle is proposed for: as its file says, or as its group and its contour tell. */
+export function useOf(cycle: Cycle): Use {
+  if (cycle.use) return cycle.use;
+  const { group, contour } = cycle;
+  if (group === "thread" || group === "special") return { shapes: OF_GROUP[group] };
+  if (contour === "free") return { shapes: ["free"] };
+  const turned = group === "longitudinal" || group === "transverse";
+  return { shapes: turned && falls(cycle) ? ["plunge"] : OF_GROUP[group] };
+}
+
+/** The values of the printed example. */
+const examples = ({ params }: Cycle) =>
+  Object.fromEntries(Object.entries(params).map(([q, { example }]) => [q, example])) as Values<Cycle["params"]>;
+
+/** Whether a cycle takes its depth along the axis (a face, a groove in one) or towards it. */
+export const worksAcross = (cycle: Cycle): boolean => cycle.outline(examples(cycle), { contour: null, start: null }).frame.transverse;

@@ -1,0 +1,71 @@
+import type { Segment } from "../kernel/point.ts";
+import type { Axial, Diameter, Length } from "../kernel/units.ts";
+import type { Cycle, TurnedShape } from "./define.ts";
+
+/** Where something is turned: on the circumference, in a bore, on a face. */
+export type Site = "outside" | "inside" | "face";
+
+/** A corner of the box round a shape, as a program writes it. */
+export interface Corner {
+  readonly diameter: Diameter;
+  readonly z: Axial;
+}
+
+/** What somebody wants to turn, in the words of a shop; which cycle does it is the question. */
+export interface Wanted {
+  readonly site: Site;
+  readonly shape: TurnedShape;
+  /** The corner where the shape begins, on the open side, and the one across: its depth and its end. */
+  readonly from: Corner;
+  readonly to: Corner;
+  /** Of a taper or of flanks, degrees, as the angles of the cycles count; 0: square. */
+  readonly angle: number;
+  /** Of a thread, mm. */
+  readonly pitch: number;
+  /** Of a free contour: the stretch that is to be turned, in any direction. */
+  readonly contour: readonly Segment[] | null;
+  /** What stands on the shape before, square to it, mm; 0: all of it is solid. */
+  readonly allowance: Length | 0;
+}
+
+/** An angle of a cycle. That of a face stays square; a taper is one of the surface, of a plunge and a groove it is one of the flanks. */
+function angleFor(text: string, q: string, { shape, angle }: Wanted): number {
+  if (text === "faceAngle") return 0;
+  if (text === "surfaceAngle") return shape === "step" ? angle : 0;
+  return shape === "groove" || (shape === "plunge" && q === "Q495") ? angle : 0;
+}
+
+/** Values of the geometry by their Q, which mean the same in each cycle that has them. */
+const GEOMETRY: Readonly<Record<string, (wanted: Wanted, text: string) => number>> = {
+  Q491: ({ from }) => from.diameter,
+  Q492: ({ from }) => from.z,
+  Q493: ({ to }) => to.diameter,
+  Q494: ({ to }) => to.z,
+  Q495: (wanted, text) => angleFor(text, "Q495", wanted),
+  Q496: (wanted, text) => angleFor(text, "Q496", wanted),
+  Q500: () => 0,
+  Q501: () => 0,
+  Q503: () => 0,
+  Q461: ({ site }) => (site === "face" ? 1 : 0),
+  Q464: () => 0,
+  Q471: ({ site }) => (site === "inside" ? 1 : 0),
+  Q472: ({ pitch }) => pitch,
+  Q473: () => 0,
+  Q475: () => 1,
+  Q476: () => 0,
+  Q485: ({ allowance }) => allowance,
+};
+
+/** The values of a cycle for what is wanted, by Q; all that is no geometry as in its printed example. */
+export const valuesFor = ({ params }: Cycle, wanted: Wanted): Readonly<Record<string, number>> =>
+  Object.fromEntries(Object.entries(params).map(([q, { text, example }]) => [q, GEOMETRY[q]?.(wanted, text) ?? example]));
+
+/** Whether a cycle can lean what is wanted, when that leans. */
+export const canLean = (cycle: Cycle, wanted: Wanted): boolean => {
+  if (wanted.angle === 0 || cycle.contour === "free") return true;
+  const values = valuesFor(cycle, wanted);
+  return values["Q495"] === wanted.angle || values["Q496"] === wanted.angle;
+};
+
+/** A cycle without a start diameter of its own begins its contour where the tip stands at the call. */
+export const beginsAtTip = ({ contour, params }: Cycle): boolean => contour === "own" && params["Q491"] === undefined;

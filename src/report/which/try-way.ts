@@ -1,0 +1,72 @@
+import type { Wanted } from "../../cycles/wanted.ts";
+import { areaOf } from "../../kernel/area.ts";
+import { intersection, opened } from "../../kernel/clip.ts";
+import type { Issue, Reason } from "../../kernel/issue.ts";
+import type { Ring } from "../../kernel/point.ts";
+import { SLIVER } from "../../kernel/tolerance.ts";
+import { ncLabels } from "../../i18n/nc-labels.ts";
+import { parse } from "../../nc/parse.ts";
+import type { Shop } from "../../program/machine.ts";
+import type { RunFinding } from "../../program/run-types.ts";
+import { run } from "../../program/run.ts";
+import { wantedText } from "../../program/wanted-text.ts";
+import { wantedArea } from "../../program/wanted-shape.ts";
+import { simulate } from "../../sim/simulate.ts";
+import { verdictOf, type Judged } from "../verdict.ts";
+import type { Way } from "./ways.ts";
+
+/** What comes of one way to make what is wanted. */
+export interface Tried {
+  readonly id: string;
+  readonly passes: number;
+  readonly seconds: number;
+  /** What stays of it, mm²: the same measure for every way. Null for a thread, whose form is no area. */
+  readonly stays: number | null;
+  /** Why, as its own cycle sees it, the largest first. */
+  readonly reasons: readonly { readonly reason: Reason; readonly area: number }[];
+  readonly judged: Judged;
+  /** Errors and warnings, the gravest first. */
+  readonly issues: readonly RunFinding["issue"][];
+  /** It cuts, and nothing is wrong with it. */
+  readonly works: boolean;
+}
+
+const WEIGHT: Readonly<Record<Issue["severity"], number>> = { error: 0, warning: 1, info: 2 };
+
+function summed(residual: readonly { readonly reason: Reason; readonly area: number }[]): Tried["reasons"] {
+  const sums = new Map<Reason, number>();
+  for (const { reason, area } of residual) sums.set(reason, (sums.get(reason) ?? 0) + area);
+  return [...sums].map(([reason, area]) => ({ reason, area })).sort((a, b) => b.area - a.area);
+}
+
+/** Runs the program of one way and looks at what it leaves; `stock` is what stands in the chuck, where that is no plain blank. */
+export function tryWay({ id, job }: Way, wanted: Wanted, stock: readonly Ring[] | null, shop: Shop): Tried {
+  const made = run(parse(wantedText(job, wanted, ncLabels(job.ncLanguage))), shop);
+  const simulation = simulate(stock ? { ...made, blank: stock } : made);
+  const judged = verdictOf(made, simulation);
+  const target = wantedArea(wanted);
+  const [operation] = made.operations;
+  const issues = made.issues.map((f) => f.issue).filter((i) => i.severity !== "info").sort((a, b) =>
+    WEIGHT[a.severity] - WEIGHT[b.severity]
+  );
+  return {
+    id,
+    passes: operation?.plan.passes ?? 0,
+    seconds: made.seconds,
+    stays: target ? areaOf(opened(intersection(simulation.final, [target]), SLIVER)) : null,
+    reasons: summed(simulation.proof.residual),
+    judged,
+    issues,
+    works: judged.verdict === "proved",
+  };
+}
+
+/** Less than this is no difference, mm²: no operator sees it. */
+const NO_DIFFERENCE = 0.05;
+
+/** Best first: what works, then what leaves least, then what takes least time. */
+export const bestFirst = (tried: readonly Tried[]): readonly Tried[] =>
+  tried.toSorted((a, b) => {
+    const left = (a.stays ?? 0) - (b.stays ?? 0);
+    return Number(b.works) - Number(a.works) || (Math.abs(left) < NO_DIFFERENCE ? 0 : left) || a.seconds - b.seconds;
+  });

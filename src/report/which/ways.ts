@@ -1,0 +1,108 @@
+import type { Cycle, Group } from "../../cycles/define.ts";
+import { catalogue } from "../../cycles/index.ts";
+import type { Topic } from "../../cycles/params.ts";
+import { useOf, worksAcross } from "../../cycles/use.ts";
+import { canLean, type Wanted } from "../../cycles/wanted.ts";
+import type { Ring } from "../../kernel/point.ts";
+import type { Tool } from "../../kernel/tool.ts";
+import { cuttingWidth, isBar, noseRadius } from "../../kernel/insert.ts";
+import { readRows } from "../../program/contour-rows.ts";
+import type { Job } from "../../program/job.ts";
+import { readDraft } from "../../program/read-draft.ts";
+import { jobFor, tipAtCall, withValue } from "../../program/wanted-job.ts";
+import { rankTools } from "../../program/which-tool.ts";
+
+/** One way to make what is wanted: a cycle with its values, and a tool. */
+export interface Way {
+  readonly id: string;
+  readonly job: Job;
+  readonly tool: Tool;
+  /** The value in which it differs from another way with the same cycle. */
+  readonly choice: { readonly q: string; readonly value: number } | null;
+}
+
+/** Ways that are looked at side by side; more say less. */
+const MOST = 8;
+/** Cycles among them. */
+const MOST_CYCLES = 4;
+
+/** Choices of a cycle that change its way over the same contour. */
+const COMPARED: ReadonlySet<Topic> = new Set<Topic>(["smoothing", "direction"]);
+
+/** In which order the kinds of cycles are looked at. */
+const ORDER: Readonly<Record<Wanted["site"], readonly Group[]>> = {
+  outside: ["longitudinal", "recessTurning", "recessing", "transverse", "thread"],
+  inside: ["longitudinal", "recessTurning", "recessing", "transverse", "thread"],
+  face: ["transverse", "recessTurning", "recessing", "longitudinal", "thread"],
+};
+
+/** Whether a cycle works from the side on which the shape is open. A step is open on two. */
+function isOpenTo(cycle: Cycle, { site, shape }: Wanted): boolean {
+  if (shape === "thread") return site !== "face" || cycle.params["Q461"] !== undefined;
+  const recess = cycle.group === "recessTurning" || cycle.group === "recessing";
+  const either = useOf(cycle).preTurned === true || (!recess && (shape === "step" || shape === "free"));
+  return either || worksAcross(cycle) === (site === "face");
+}
+
+/** Cycles that make what is wanted, the simplest of each kind, the likeliest first. */
+export function cyclesFor(wanted: Wanted): readonly Cycle[] {
+  const able = catalogue.filter((c) => useOf(c).shapes.includes(wanted.shape) && isOpenTo(c, wanted) && canLean(c, wanted));
+  const kind = (c: Cycle) => `${c.group} ${c.contour} ${useOf(c).preTurned === true}`;
+  const simplest = able.filter((c, i) => able.findIndex((other) => kind(other) === kind(c)) === i);
+  const follows = (c: Cycle) => Number(wanted.allowance > 0 && useOf(c).preTurned === true);
+  const place = (c: Cycle) => ORDER[wanted.site].indexOf(c.group);
+  return simplest.toSorted((a, b) => follows(b) - follows(a) || place(a) - place(b)).slice(0, MOST_CYCLES);
+}
+
+/** What of an insert decides what it leaves. */
+const sizeOf = (tool: Tool) => (isBar(tool) ? cuttingWidth(tool) : noseRadius(tool));
+
+/** The tools that fit a work best, and after them the next one with an insert of another size. */
+function toolsFor(cycle: Cycle, job: Job, tools: readonly Tool[]): readonly Tool[] {
+  const { values } = readDraft(cycle, job.drafts[job.cycle] ?? {});
+  const start = tipAtCall(job);
+  if (!values) return [];
+  const given = { contour: cycle.contour === "free" ? readRows(job.contour).contour.segments : null, start };
+  const fits = rankTools(cycle, values, given, { start, feedUnit: "mm/rev", autoFeed: null, stock: null }, tools);
+  const [best] = fits;
+  if (!best) return [];
+  const other = fits.find((f) => f.makesContour && f.cuts && sizeOf(f.tool) !== sizeOf(best.tool));
+  return other && best.makesContour ? [best.tool, other.tool] : [best.tool];
+}
+
+/** The choices of a cycle that are compared, each with another value than that of its example. */
+const choicesOf = (cycle: Cycle) =>
+  Object.entries(cycle.params).flatMap(([q, { shown, choices, example }]) => {
+    const value = COMPARED.has(shown) ? choices?.find((c) => c !== example) : undefined;
+    return value === undefined ? [] : [{ q, value, plain: example }];
+  });
+
+/**
+ * The ways to compare, without repetition, at most eight: each cycle with the tool that fits best; then, beginning with the likeliest
+ * cycle, its other choices and another tool.
+ */
+export function waysFor(wanted: Wanted, stock: readonly Ring[] | null, tools: readonly Tool[]): readonly Way[] {
+  const made = cyclesFor(wanted).map((cycle) => {
+    const job = jobFor(cycle, wanted, stock);
+    return { cycle, job, tools: toolsFor(cycle, job, tools) };
+  });
+  const one = (job: Job, tool: Tool, choice: Way["choice"]): Way => ({
+    id: `${job.cycle} ${tool.T} ${choice ? `${choice.q}=${choice.value}` : ""}`,
+    job: { ...(choice ? withValue(job, choice.q, choice.value) : job), tool: tool.T },
+    tool,
+    choice,
+  });
+  const first = made.flatMap(({ cycle, job, tools: [best] }) => {
+    const [choice] = choicesOf(cycle);
+    return best ? [one(job, best, choice ? { q: choice.q, value: choice.plain } : null)] : [];
+  });
+  const more = made.flatMap(({ cycle, job, tools: [best, other] }) => {
+    const choices = choicesOf(cycle);
+    const [plain] = choices;
+    return [
+      ...(best ? choices.map(({ q, value }) => one(job, best, { q, value })) : []),
+      ...(other ? [one(job, other, plain ? { q: plain.q, value: plain.plain } : null)] : []),
+    ];
+  });
+  return [...first, ...more].slice(0, MOST);
+}
