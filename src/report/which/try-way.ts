@@ -13,7 +13,7 @@ import { wantedText } from "../../program/wanted-text.ts";
 import { wantedArea } from "../../program/wanted-shape.ts";
 import { simulate } from "../../sim/simulate.ts";
 import { verdictOf, type Judged } from "../verdict.ts";
-import type { Way } from "./ways.ts";
+import type { Proposal } from "./ways.ts";
 
 /** What comes of one way to make what is wanted. */
 export interface Tried {
@@ -40,7 +40,7 @@ function summed(residual: readonly { readonly reason: Reason; readonly area: num
 }
 
 /** Runs the program of one way and looks at what it leaves; `stock` is what stands in the chuck, where that is no plain blank. */
-export function tryWay({ id, job }: Way, wanted: Wanted, stock: readonly Ring[] | null, shop: Shop): Tried {
+export function tryWay({ id, job }: Proposal, wanted: Wanted, stock: readonly Ring[] | null, shop: Shop): Tried {
   const made = run(parse(wantedText(job, wanted, ncLabels(job.ncLanguage))), shop);
   const simulation = simulate(stock ? { ...made, blank: stock } : made);
   const judged = verdictOf(made, simulation);

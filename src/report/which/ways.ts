@@ -13,7 +13,7 @@ import { jobFor, tipAtCall, withValue } from "../../program/wanted-job.ts";
 import { rankTools } from "../../program/which-tool.ts";
 
 /** One way to make what is wanted: a cycle with its values, and a tool. */
-export interface Way {
+export interface Proposal {
   readonly id: string;
   readonly job: Job;
   readonly tool: Tool;
@@ -81,12 +81,12 @@ const choicesOf = (cycle: Cycle) =>
  * The ways to compare, without repetition, at most eight: each cycle with the tool that fits best; then, beginning with the likeliest
  * cycle, its other choices and another tool.
  */
-export function waysFor(wanted: Wanted, stock: readonly Ring[] | null, tools: readonly Tool[]): readonly Way[] {
+export function waysFor(wanted: Wanted, stock: readonly Ring[] | null, tools: readonly Tool[]): readonly Proposal[] {
   const made = cyclesFor(wanted).map((cycle) => {
     const job = jobFor(cycle, wanted, stock);
     return { cycle, job, tools: toolsFor(cycle, job, tools) };
   });
-  const one = (job: Job, tool: Tool, choice: Way["choice"]): Way => ({
+  const one = (job: Job, tool: Tool, choice: Proposal["choice"]): Proposal => ({
     id: `${job.cycle} ${tool.T} ${choice ? `${choice.q}=${choice.value}` : ""}`,
     job: { ...(choice ? withValue(job, choice.q, choice.value) : job), tool: tool.T },
     tool,
