@@ -1,18 +1,8 @@
-import type { Frame } from "../kernel/flat.ts";
-import { cuttingWidth, isBar } from "../kernel/insert.ts";
-import { issue, type Issue } from "../kernel/issue.ts";
-import { feedsOf } from "../kernel/strategy/feeds.ts";
-import { planRecess } from "../kernel/strategy/recess.ts";
-import { axial, type Axial, type Diameter, perSide, radius, rounded, toDiameter } from "../kernel/units.ts";
 import { defineCycle, printedContour } from "./define.ts";
+import type { Setups } from "./drawn-setup.ts";
 import { angle, axialDepth, axialParam, choice, diameterParam, feedParam, lengthParam, oversizeDiameter } from "./params.ts";
-import { recessOutline, type RecessOutline } from "./recess-outline.ts";
-import { atParameters } from "./roles.ts";
-import { boxFrame } from "./shoulder-outline.ts";
-import { refused } from "./refused.ts";
-import { angleIssues, cornerIssue, withIssues } from "./tool-issues.ts";
-import { ROUND } from "../kernel/tolerance.ts";
-import { recessSetups, type Setups } from "./drawn-setup.ts";
+import { finishedRecess, planRecessTurning } from "./recess-plan.ts";
+import { axialRecesses } from "./recess-setups.ts";
 
 /**
  * Recess turning, axial, extended: a groove in a face with two walls, a floor, and an element at either edge.
@@ -62,50 +52,9 @@ export const c852 = defineCycle({
     contour: printedContour,
   },
   steps: { rough: 8, finish: 7 },
-  outline: (v) => recessOutline(finished(v), frameOf(v)),
-  plan(v, setting) {
-    const outline = recessOutline(finished(v), frameOf(v));
-    const none = refused(outline);
-    if (none) return none;
-    const { frame } = outline;
-    const { tool } = setting;
-    const plan = planRecess({
-      frame,
-      contour: outline.contour,
-      operation: v.Q215,
-      infeed: v.Q463,
-      feeds: feedsOf({ rough: v.Q478, finish: v.Q505, plunge: v.Q488 }, setting.autoFeed),
-      oversize: { r: perSide(v.Q483), z: v.Q484 },
-      oneWay: v.Q507 === 1,
-      offset: v.Q508,
-      roundedFloor: v.Q500 > 0,
-    }, setting);
-    const rough = v.Q215 !== 2;
-    const narrow = narrowIssue(outline, v, isBar(tool) ? cuttingWidth(tool) + (rough ? v.Q483 : 0) : 0);
-    const found = [...narrow, ...cornerIssue(v.Q500, tool), ...angleIssues(outline, tool, frame, outline.angleAt)];
-    return atParameters(withIssues(plan, found), frame, { infeed: "Q463", depth: "Q494", offset: "Q508" });
-  },
+  outline: (v) => finishedRecess(v, true),
+  plan: (v, setting) => planRecessTurning(v, finishedRecess(v, true), setting),
 });
 
-type Ends = { readonly Q491: Diameter; readonly Q492: Axial; readonly Q493: Diameter; readonly Q494: Axial };
-
-const frameOf = (v: Ends): Frame => boxFrame(v, true);
-
-/**
- * The values with the floor where Q509 shifts it, positive out of the material: that is the finished groove (decision "Recess
- * turning").
- */
-const finished = <
-  V extends Ends & { readonly Q509: Axial },
->(v: V): V => (v.Q509 === 0 ? v : { ...v, Q494: axial(v.Q494 + frameOf(v).signV * v.Q509) });
-
-/** A tool that is wider than the floor (with the oversize on both walls) cannot reach it; wider than the opening, not at all. */
-function narrowIssue(outline: RecessOutline, v: { Q491: Diameter; Q493: Diameter }, tool: number): Issue[] {
-  if (tool <= outline.floor + ROUND) return [];
-  const missing = toDiameter(radius(tool - outline.floor));
-  const nearest = rounded(v.Q493 + Math.sign(v.Q493 - v.Q491) * missing);
-  return [issue("recessNarrowerThanTool", tool > outline.opening ? "error" : "warning", { width: outline.floor, tool, nearest }, "Q493")];
-}
-
 /** Set-ups that the laws hold this cycle to. */
-export const setups852: Setups = recessSetups;
+export const setups852: Setups = axialRecesses;

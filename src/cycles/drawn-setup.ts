@@ -85,32 +85,6 @@ export const shoulderSetups: Setups = (draw) => {
   };
 };
 
-/** Set-ups of the axial recess-turning cycles: outer and inner wall first, from +Z and from −Z. */
-export const recessSetups: Setups = (draw) => {
-  const [out, along] = [draw.one<1 | -1>(1, -1), draw.one<1 | -1>(1, -1)];
-  const [r1, z1] = [half(draw, 20, 50), mm(draw, -20, 5)];
-  return {
-    values: {
-      ...common(draw),
-      ...elements(draw),
-      Q495: draw.one(0, angle(draw, 10)),
-      Q496: draw.one(0, angle(draw, 10)),
-      Q507: draw.one(0, 1),
-      Q508: draw.one(0, mm(draw, 0, 1)),
-      Q509: mostly(draw, 0, mm(draw, -0.3, 0.3)),
-      Q488: draw.one(0, 0.05),
-      Q491: toDiameter(r1),
-      Q492: z1,
-      Q493: rounded(toDiameter(radius(r1 - out * mm(draw, 3, 18)))),
-      Q494: rounded(z1 - along * mm(draw, 2, 28)),
-    },
-    contour: null,
-    tool: { T: 8, TO: along > 0 ? 8 : 4, CUTWIDTH: draw.one(2, 3, 4), RS: draw.one(0, 0.2, 0.4) },
-    start: at(z1 + along * mm(draw, 0, 6), Math.max(0.5, r1 + mm(draw, -5, 5))),
-    blank: box(z1, z1 - along * 60, 0, 110),
-  };
-};
-
 /** Two to six stretches towards the axis or away from it, with corners between them, now and then an arc or an end on the axis. */
 function drawnContour(draw: Draw, out: 1 | -1, first: Pt): ContourElement[] {
   const made: ContourElement[] = [{ kind: "line", to: first }];
@@ -162,3 +136,6 @@ export const contourSetups: Setups = (draw) => {
     blank: box(top, -90, first.r, out > 0 ? 0 : first.r + 80),
   };
 };
+
+/** What other families draw their set-ups with. */
+export const dice = { mm, angle, half, mostly, box, common, elements, contour: drawnContour };

@@ -47,12 +47,13 @@ export function recessOutline(v: ShoulderValues, frame: Frame): RecessOutline {
   // Towards the axis a leg ends there: an outer element cannot be longer.
   const start = axialGroove && r1 < r2 ? Math.max(r1, JOINED) : LEG;
   const end = axialGroove && r2 < r1 ? Math.max(r2, JOINED) : LEG;
+  const mouth = axialGroove ? "Q492" : "Q491";
   const built = namedContour([at(-start, 0), at(0, 0), at(w1, D), at(w2, D), at(W, 0), at(W + end, 0)], [
-    "Q492",
+    mouth,
     "Q495",
-    "Q494",
+    axialGroove ? "Q494" : "Q493",
     "Q496",
-    "Q492",
+    mouth,
   ], [{ element: cornerElementOf(v.Q501, v.Q502), q: "Q502" }, { element: round, q: "Q500" }, { element: round, q: "Q500" }, {
     element: cornerElementOf(v.Q503, v.Q504),
     q: "Q504",

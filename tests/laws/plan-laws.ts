@@ -69,6 +69,7 @@ const mirrored = (s: Situation): Situation => ({
   values: { ...s.values, Q492: -(s.values["Q492"] ?? 0), Q494: -(s.values["Q494"] ?? 0) },
   tool: { ...s.tool, TO: OTHER[s.tool.TO] },
   start: point(s.start),
+  given: { ...s.given, start: s.given.start && point(s.given.start) },
   blank: s.blank.map(ring),
 });
 /** What a move does, to the tenth of a micron. */

@@ -38,16 +38,17 @@ function situationOf({ values, contour, tool: { T, ...changed }, start, blank }:
   const [z0, z1, r1] = [Math.min(...blank.map((q) => q.z)), Math.max(...blank.map((q) => q.z)), Math.max(...blank.map((q) => q.r))];
   const anywhere = () => at(rounded(z0 - ROOM + share() * (z1 - z0 + 2 * ROOM)), rounded(share() * (r1 + ROOM)));
   const [isUsual, pointsThere, wholeEdge] = [draw.whole(1, 7) <= 5, draw.whole(1, 14) <= 12, draw.whole(1, 7) <= 5];
+  const called = isUsual ? start : anywhere();
   return {
     values,
-    given: { contour, start: null },
+    given: { contour, start: called },
     tool: {
       ...tool,
       ...changed as Partial<Tool>,
       ...(!pointsThere && { TO: draw.whole(1, 8) as TipOrientation }),
       ...(!wholeEdge && { CUTLENGTH: length(draw.whole(2000, 5000) / 1000) }),
     },
-    start: isUsual ? start : anywhere(),
+    start: called,
     blank: [blank],
   };
 }

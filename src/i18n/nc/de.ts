@@ -5,9 +5,15 @@ export const de = {
   cycles: {
     812: { text: "ABSATZ LAENGS ERWEITERT", evidence: "K2" },
     820: { text: "KONTUR PLAN", evidence: "K2" },
+    841: { text: "STECHDREHEN EINFACH RADIAL", evidence: "K3" },
+    842: { text: "STECHDREHEN ERWEITERT RADIAL", evidence: "K3" },
+    851: { text: "STECHDREHEN EINFACH AXIAL", evidence: "K3" },
     852: { text: "STECHDREHEN ERWEITERT AXIAL", evidence: "K3" },
   },
   params: {
+    flankAngleRadial: { text: "WINKEL FLANKE", evidence: "K2" },
+    secondFlankAngleRadial: { text: "WINKEL FLANKE", evidence: "K2" },
+    infeedFace: { text: "MAX. SCHNITTTIEFE", evidence: "K2" },
     operation: { text: "BEARBEITUNGS-UMFANG", evidence: "K2" },
     clearance: { text: "SICHERHEITS-ABSTAND", evidence: "K2" },
     clearanceReserved: { text: "SICHERHEITS-ABSTAND", evidence: "K2" },

@@ -5,9 +5,15 @@ export const en = {
   cycles: {
     812: { text: "SHOULDER, LONG. EXT.", evidence: "K1" },
     820: { text: "TURN CONTOUR TRANSV.", evidence: "A" },
+    841: { text: "SIMPLE REC. TURNG., RADIAL DIR.", evidence: "K1" },
+    842: { text: "ENH.REC.TURNNG, RAD.", evidence: "K1" },
+    851: { text: "SIMPLE REC TURNG, AX", evidence: "K1" },
     852: { text: "ENH.REC.TURNING, AX.", evidence: "K1" },
   },
   params: {
+    flankAngleRadial: { text: "ANGLE OF SIDE", evidence: "K1" },
+    secondFlankAngleRadial: { text: "ANGLE OF SIDE", evidence: "K3" },
+    infeedFace: { text: "MAX. CUTTING DEPTH", evidence: "K1" },
     operation: { text: "MACHINING OPERATION", evidence: "A" },
     clearance: { text: "SAFETY CLEARANCE", evidence: "A" },
     clearanceReserved: { text: "SAFETY CLEARANCE", evidence: "A" },

@@ -5,9 +5,15 @@ export const fr = {
   cycles: {
     812: { text: "EPAUL LONG ETENDU", evidence: "A" },
     820: { text: "TOURN. CONT. TRANSV.", evidence: "A" },
+    841: { text: "GORGE RAD. SIMPLE", evidence: "K3" },
+    842: { text: "GORGE RADIALE ETEND.", evidence: "K3" },
+    851: { text: "GORGE AX. SIMPLE", evidence: "K3" },
     852: { text: "GORGE AXIALE ETEND.", evidence: "A" },
   },
   params: {
+    flankAngleRadial: { text: "ANGLE FLANC", evidence: "K2" },
+    secondFlankAngleRadial: { text: "ANGLE DU FLANC", evidence: "K2" },
+    infeedFace: { text: "PASSE MAX", evidence: "K2" },
     operation: { text: "OPERATIONS D'USINAGE", evidence: "A" },
     clearance: { text: "DISTANCE D'APPROCHE", evidence: "A" },
     clearanceReserved: { text: "DISTANCE D'APPROCHE", evidence: "A" },

@@ -1,7 +1,77 @@
 import type { CycleTexts } from "../../cycle-text.ts";
 import { edgeLength, safePosition, turnMode } from "./notes.ts";
 
+const rough = [
+  "auf die erste Tiefe einstechen",
+  "seitlich zwischen Start und Ende schneiden mit Schruppvorschub",
+  "fallende Elemente mit eigenem Vorschub",
+  "abheben, zurückfahren und neu anfahren (eine Richtung) oder an beiden Enden zustellen (beide Richtungen)",
+  "auf die nächste Tiefe schneiden",
+  "wiederholen, bis die Einstichtiefe erreicht ist",
+  "im Eilgang auf Abstand, dann ein Schnitt an jeder Flanke",
+  "im Eilgang zum Zyklusstart",
+];
+const finish = [
+  "im Eilgang zur ersten Flanke",
+  "erste Flanke schlichten",
+  "Grund schlichten; mit Eckenradius den ganzen Einstich in einem Zug",
+  "im Eilgang freifahren",
+  "im Eilgang zur zweiten Flanke",
+  "zweite Flanke schlichten",
+  "im Eilgang zum Zyklusstart",
+];
+const shortened = "Ab der zweiten Zustellung wird jeder Schnitt um 0,1 mm kürzer, oder um Q508; das entlastet das Werkzeug seitlich. Der "
+  + "Rest fällt am Ende des Schruppens in einem Schnitt.";
+const tooFar = "Überschreitet der Versatz 80 % der wirksamen Breite (Schneidenbreite minus zweimal Schneidenradius), meldet die Steuerung "
+  + "einen Fehler.";
+const recalled = [
+  "Die Liste der Parameter ist von der gedruckten Schwester her erinnert, die Schritte ebenso. Unsere Lesart; an der Steuerung prüfen.",
+  "Q460 gilt wie in Zyklus 852 als reserviert; statt seiner wird ein fester Abstand gehalten.",
+];
+const notes = [turnMode, safePosition, shortened, tooFar, edgeLength, ...recalled];
+
 export const recessTurning = {
+  841: {
+    name: "Stechdrehen radial einfach",
+    summary: "Dreht einen Einstich mit senkrechten Flanken in einen Zylinder oder eine Bohrung, vom Startpunkt bis zu einer Ecke.",
+    description: [
+      "Fertigt einen Einstich in einem Zylinder oder in einer Bohrung zwischen dem Startpunkt des Zyklus und der Ecke Q493, "
+      + "Q494. Der Startpunkt ist die erste Ecke des Einstichs: Sein X ist die Öffnung, sein Z die erste Flanke.",
+      "Schruppt achsparallel, schlichtet oder macht beides. Startpunkt weiter außen als Q493: Außenbearbeitung. Näher an der "
+      + "Achse: Innenbearbeitung.",
+    ],
+    rough,
+    finish,
+    notes,
+  },
+  842: {
+    name: "Stechdrehen radial erweitert",
+    summary: "Dreht einen Einstich in einen Zylinder oder eine Bohrung, mit geneigten Flanken, Fasen und Eckenradien.",
+    description: [
+      "Fertigt einen Einstich in einem Zylinder oder in einer Bohrung durch Stechdrehen: Das Werkzeug sticht auf Tiefe und "
+      + "dreht dann seitlich, mit wenigen Abhebewegen. Die Kanten können eine Fase oder einen Radius bekommen, beide Flanken "
+      + "können geneigt, die Ecken am Grund verrundet sein.",
+      "Schruppt achsparallel, schlichtet oder macht beides. Startdurchmesser größer als Enddurchmesser: Außenbearbeitung. "
+      + "Kleiner: Innenbearbeitung.",
+      "Liegt X des Startpunkts näher am Grund als der Startdurchmesser Q491, fährt das Werkzeug zuerst in X auf Q491.",
+    ],
+    rough,
+    finish,
+    notes,
+  },
+  851: {
+    name: "Stechdrehen axial einfach",
+    summary: "Dreht einen Einstich mit senkrechten Flanken in eine Planfläche, vom Startpunkt bis zu einer Ecke.",
+    description: [
+      "Fertigt einen Einstich in der Planfläche zwischen dem Startpunkt des Zyklus und der Ecke Q493, Q494. Der Startpunkt ist "
+      + "die erste Ecke des Einstichs: Sein Z ist die Öffnung, sein X die erste Flanke.",
+      "Schruppt achsparallel, schlichtet oder macht beides. Startpunkt weiter außen als Q493: nach innen gearbeitet. Näher an "
+      + "der Achse: nach außen.",
+    ],
+    rough,
+    finish,
+    notes,
+  },
   852: {
     name: "Stechdrehen axial erweitert",
     summary: "Dreht einen Einstich in eine Planfläche, mit geneigten Flanken, Fasen und Eckenradien.",
@@ -13,32 +83,13 @@ export const recessTurning = {
       + "Kleiner: Innenbearbeitung.",
       "Liegt Z des Startpunkts unter dem Konturstart Q492, fährt das Werkzeug zuerst in Z auf Q492.",
     ],
-    rough: [
-      "auf die erste Tiefe einstechen",
-      "seitlich zwischen Start und Ende schneiden mit Schruppvorschub",
-      "fallende Elemente mit eigenem Vorschub",
-      "abheben, zurückfahren und neu anfahren (eine Richtung) oder an beiden Enden zustellen (beide Richtungen)",
-      "auf die nächste Tiefe schneiden",
-      "wiederholen, bis die Einstichtiefe erreicht ist",
-      "im Eilgang auf Abstand, dann ein Schnitt an jeder Flanke",
-      "im Eilgang zum Zyklusstart",
-    ],
-    finish: [
-      "im Eilgang zur ersten Flanke",
-      "erste Flanke schlichten",
-      "Grund schlichten; mit Eckenradius den ganzen Einstich in einem Zug",
-      "im Eilgang freifahren",
-      "im Eilgang zur zweiten Flanke",
-      "zweite Flanke schlichten",
-      "im Eilgang zum Zyklusstart",
-    ],
+    rough,
+    finish,
     notes: [
       turnMode,
       safePosition,
-      "Ab der zweiten Zustellung wird jeder Schnitt um 0,1 mm kürzer, oder um Q508; das entlastet das Werkzeug seitlich. Der "
-      + "Rest fällt am Ende des Schruppens in einem Schnitt.",
-      "Überschreitet der Versatz 80 % der wirksamen Breite (Schneidenbreite minus zweimal Schneidenradius), meldet die Steuerung "
-      + "einen Fehler.",
+      shortened,
+      tooFar,
       edgeLength,
       "Die Seite nennt Q460 reserviert und führt den Sicherheits-Abstand doch in zwei Schritten; wir nehmen dort einen festen Abstand.",
     ],

@@ -1,3 +1,24 @@
 import type { SomeParamTexts } from "../../param-text.ts";
 
-export const turning = {} satisfies SomeParamTexts;
+export const turning = {
+  flankAngleRadial: {
+    prompt: "Winkel Flanke?",
+    printed: false,
+    label: "Flankenwinkel",
+    explanation: "Winkel zwischen der Flanke am Konturstart und der Senkrechten zur Drehachse. Der Einstich wird zum Grund hin schmaler, "
+      + "nie breiter als seine Öffnung. Unsere Lesart; an der Steuerung prüfen.",
+  },
+  secondFlankAngleRadial: {
+    prompt: "Winkel zweite Flanke?",
+    printed: false,
+    label: "Winkel zweite Flanke",
+    explanation: "Winkel zwischen der Flanke am Konturende und der Senkrechten zur Drehachse.",
+  },
+  infeedFace: {
+    prompt: "Maximale Schnitttiefe?",
+    printed: false,
+    label: "Max. Zustellung",
+    explanation: "Größte Zustellung je Schnitt, in Z. Die Tiefe wird gleichmäßig aufgeteilt; die wirkliche Zustellung ist darum oft "
+      + "kleiner, und es bleibt kein Schleifschnitt.",
+  },
+} satisfies SomeParamTexts;

@@ -1,3 +1,24 @@
 import type { SomeParamTexts } from "../../param-text.ts";
 
-export const turning = {} satisfies SomeParamTexts;
+export const turning = {
+  flankAngleRadial: {
+    prompt: "Angle of flank?",
+    printed: false,
+    label: "Flank angle",
+    explanation: "Angle between the flank at the contour start and a perpendicular to the rotary axis. The groove gets narrower towards "
+      + "its floor, never wider than its opening. Our reading; verify on your control.",
+  },
+  secondFlankAngleRadial: {
+    prompt: "Angle of second flank?",
+    printed: false,
+    label: "Second flank angle",
+    explanation: "Angle between the flank at the contour end and a perpendicular to the rotary axis.",
+  },
+  infeedFace: {
+    prompt: "Maximum cutting depth?",
+    printed: false,
+    label: "Max. infeed",
+    explanation:
+      "Largest infeed per pass, along Z. The depth is divided evenly, so the real infeed is often smaller and no thin last cut remains.",
+  },
+} satisfies SomeParamTexts;

@@ -1,7 +1,78 @@
 import type { CycleTexts } from "../../cycle-text.ts";
 import { edgeLength, safePosition, turnMode } from "./notes.ts";
 
+const rough = [
+  "plongée à la première profondeur",
+  "coupe latérale entre départ et fin à l'avance d'ébauche",
+  "éléments plongeants à leur propre avance",
+  "relever, revenir et aborder de nouveau (un sens), ou prendre la passe aux deux bouts (deux sens)",
+  "coupe à la profondeur suivante",
+  "répéter jusqu'à la profondeur de la gorge",
+  "rapide à la distance, puis une coupe le long de chaque paroi",
+  "retour au départ du cycle en rapide",
+];
+const finish = [
+  "rapide à la première paroi",
+  "finition de la première paroi",
+  "finition du fond ; avec un rayon de coin, toute la gorge d'un seul trait",
+  "sortie de la gorge en rapide",
+  "rapide à la deuxième paroi",
+  "finition de la deuxième paroi",
+  "retour au départ du cycle en rapide",
+];
+const shortened = "À partir de la deuxième passe, chaque coupe est raccourcie de 0,1 mm, ou de Q508 ; l'outil est ainsi soulagé "
+  + "latéralement. Le reste part en une coupe à la fin de l'ébauche.";
+const tooFar = "Si le décalage dépasse 80 % de la largeur effective (largeur de la dent moins deux fois son rayon), la commande signale "
+  + "une erreur.";
+const recalled = [
+  "La liste des paramètres vient de mémoire, d'après le cycle jumeau imprimé, et les étapes aussi. Notre lecture ; à vérifier "
+  + "sur la commande.",
+  "Q460 est pris pour réservé, comme dans le cycle 852 ; une distance fixe est gardée à sa place.",
+];
+const notes = [turnMode, safePosition, shortened, tooFar, edgeLength, ...recalled];
+
 export const recessTurning = {
+  841: {
+    name: "Tournage de gorge radial simple",
+    summary: "Tourne une gorge à flancs droits dans un cylindre ou un alésage, du point de départ à un coin.",
+    description: [
+      "Réalise une gorge dans un cylindre, ou dans un alésage, entre le point de départ du cycle et le coin Q493, Q494. Le "
+      + "point de départ est le premier coin de la gorge : son X est l'ouverture, son Z le premier flanc.",
+      "Ébauche en passes paraxiales, finition, ou les deux. Point de départ plus loin de l'axe que Q493 : usinage extérieur. "
+      + "Plus près de l'axe : usinage intérieur.",
+    ],
+    rough,
+    finish,
+    notes,
+  },
+  842: {
+    name: "Tournage de gorge radial étendu",
+    summary: "Tourne une gorge dans un cylindre ou un alésage, avec flancs inclinés, chanfreins et rayons de fond.",
+    description: [
+      "Réalise une gorge dans un cylindre, ou dans un alésage, par tournage de gorge : l'outil plonge à une profondeur puis "
+      + "tourne latéralement, avec peu de dégagements. Les arêtes peuvent recevoir un chanfrein ou un arrondi, les deux "
+      + "flancs peuvent être inclinés, les coins du fond arrondis.",
+      "Ébauche en passes paraxiales, finition, ou les deux. Diamètre de départ supérieur au diamètre final : usinage extérieur. "
+      + "Inférieur : usinage intérieur.",
+      "Si le X du point de départ est plus près du fond que le diamètre de départ Q491, l'outil va d'abord en X à Q491.",
+    ],
+    rough,
+    finish,
+    notes,
+  },
+  851: {
+    name: "Tournage de gorge axial simple",
+    summary: "Tourne une gorge à flancs droits dans une face, du point de départ à un coin.",
+    description: [
+      "Réalise une gorge dans une face entre le point de départ du cycle et le coin Q493, Q494. Le point de départ est le "
+      + "premier coin de la gorge : son Z est l'ouverture, son X le premier flanc.",
+      "Ébauche en passes paraxiales, finition, ou les deux. Point de départ plus loin de l'axe que Q493 : usinage vers l'axe. "
+      + "Plus près de l'axe : en s'en éloignant.",
+    ],
+    rough,
+    finish,
+    notes,
+  },
   852: {
     name: "Tournage de gorge axial étendu",
     summary: "Tourne une gorge dans une face, avec flancs inclinés, chanfreins et rayons de fond.",
@@ -13,32 +84,13 @@ export const recessTurning = {
       + "Inférieur : usinage intérieur.",
       "Si le Z du point de départ est sous le départ du contour Q492, l'outil va d'abord en Z à Q492.",
     ],
-    rough: [
-      "plongée à la première profondeur",
-      "coupe latérale entre départ et fin à l'avance d'ébauche",
-      "éléments plongeants à leur propre avance",
-      "relever, revenir et aborder de nouveau (un sens), ou prendre la passe aux deux bouts (deux sens)",
-      "coupe à la profondeur suivante",
-      "répéter jusqu'à la profondeur de la gorge",
-      "rapide à la distance, puis une coupe le long de chaque paroi",
-      "retour au départ du cycle en rapide",
-    ],
-    finish: [
-      "rapide à la première paroi",
-      "finition de la première paroi",
-      "finition du fond ; avec un rayon de coin, toute la gorge d'un seul trait",
-      "sortie de la gorge en rapide",
-      "rapide à la deuxième paroi",
-      "finition de la deuxième paroi",
-      "retour au départ du cycle en rapide",
-    ],
+    rough,
+    finish,
     notes: [
       turnMode,
       safePosition,
-      "À partir de la deuxième passe, chaque coupe est raccourcie de 0,1 mm, ou de Q508 ; l'outil est ainsi soulagé "
-      + "latéralement. Le reste part en une coupe à la fin de l'ébauche.",
-      "Si le décalage dépasse 80 % de la largeur effective (largeur de la dent moins deux fois son rayon), la commande signale "
-      + "une erreur.",
+      shortened,
+      tooFar,
       edgeLength,
       "La page dit Q460 réservé et nomme pourtant la distance d'approche dans deux étapes ; nous y prenons une distance fixe.",
     ],

@@ -1,3 +1,24 @@
 import type { SomeParamTexts } from "../../param-text.ts";
 
-export const turning = {} satisfies SomeParamTexts;
+export const turning = {
+  flankAngleRadial: {
+    prompt: "Angle du flanc?",
+    printed: false,
+    label: "Angle du flanc",
+    explanation: "Angle entre le flanc au départ du contour et la perpendiculaire à l'axe de rotation. La gorge se resserre vers le fond, "
+      + "elle n'est jamais plus large que son ouverture. Notre lecture ; à vérifier sur la commande.",
+  },
+  secondFlankAngleRadial: {
+    prompt: "Angle du deuxième flanc?",
+    printed: false,
+    label: "Angle du 2e flanc",
+    explanation: "Angle entre le flanc en fin de contour et la perpendiculaire à l'axe de rotation.",
+  },
+  infeedFace: {
+    prompt: "Plongée max.?",
+    printed: false,
+    label: "Passe max.",
+    explanation: "Passe la plus grande, en Z. La profondeur est répartie uniformément : la passe réelle est souvent plus petite, sans "
+      + "dernière passe trop mince.",
+  },
+} satisfies SomeParamTexts;

@@ -1,3 +1,22 @@
 import type { SomeParamTexts } from "../../param-text.ts";
 
-export const turning = {} satisfies SomeParamTexts;
+export const turning = {
+  flankAngleRadial: {
+    prompt: "侧面角度?",
+    printed: false,
+    label: "侧面角度",
+    explanation: "轮廓起点处侧面与旋转轴垂线之间的夹角。槽向槽底变窄,不会宽于槽口。此为我们的理解,请在数控系统上确认。",
+  },
+  secondFlankAngleRadial: {
+    prompt: "第二侧面角度?",
+    printed: false,
+    label: "第二侧面角度",
+    explanation: "轮廓终点处侧面与旋转轴垂线之间的夹角。",
+  },
+  infeedFace: {
+    prompt: "最大切削深度?",
+    printed: false,
+    label: "最大进刀量",
+    explanation: "每刀沿Z轴的最大进刀量。深度均匀分配,因此实际进刀量往往更小,不会留下过薄的最后一刀。",
+  },
+} satisfies SomeParamTexts;

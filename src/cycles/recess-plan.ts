@@ -1,0 +1,131 @@
+import type { Frame } from "../kernel/flat.ts";
+import { cuttingWidth, isBar } from "../kernel/insert.ts";
+import { issue, type Issue } from "../kernel/issue.ts";
+import type { Plan, Setting } from "../kernel/plan.ts";
+import { part, type Pt } from "../kernel/point.ts";
+import { feedsOf } from "../kernel/strategy/feeds.ts";
+import { planRecess } from "../kernel/strategy/recess.ts";
+import { ROUND } from "../kernel/tolerance.ts";
+import { axial, degrees, type Diameter, type Feed, length, perSide, radius, rounded, toDiameter, toRadius } from "../kernel/units.ts";
+import type { Given } from "./define.ts";
+import { recessOutline, type RecessOutline } from "./recess-outline.ts";
+import { refused } from "./refused.ts";
+import { atParameters, type Roles } from "./roles.ts";
+import { boxFrame, type ShoulderValues } from "./shoulder-outline.ts";
+import { angleIssues, cornerIssue, withIssues } from "./tool-issues.ts";
+
+/** The ends of a recess, and where Q509 puts its floor. */
+type Ends = Pick<ShoulderValues, "Q491" | "Q492" | "Q493" | "Q494">;
+type Shifted = { readonly Q509: number };
+
+/**
+ * The finished recess: with the floor where Q509 shifts it, positive out of the material (decision "Recess turning"). Along Z in a
+ * face, on the radius in a cylinder.
+ */
+export function finishedRecess(v: ShoulderValues & Shifted, transverse: boolean): RecessOutline {
+  const frame = boxFrame(v, transverse);
+  const by = frame.signV * v.Q509;
+  if (by === 0) return recessOutline(v, frame);
+  const floor = transverse ? { Q494: axial(v.Q494 + by) } : { Q493: toDiameter(radius(toRadius(v.Q493) + by)) };
+  return recessOutline({ ...v, ...floor }, frame);
+}
+
+/** What turning a recess needs to know, whichever of it the cycle asks for. */
+export interface RecessTurning extends ShoulderValues, Shifted {
+  readonly Q215: number;
+  readonly Q478: Feed | "auto";
+  readonly Q483: Diameter;
+  readonly Q484: number;
+  readonly Q505: Feed | "auto";
+  readonly Q463: number;
+  readonly Q507: number;
+  readonly Q508: number;
+  readonly Q488: Feed | "auto";
+}
+
+/** The path of a recess-turning cycle with its own contour; `outline` is the finished recess. */
+export function planRecessTurning(v: RecessTurning, outline: RecessOutline, setting: Setting): Plan {
+  const none = refused(outline);
+  if (none) return none;
+  const { frame } = outline;
+  const { tool } = setting;
+  const oversize = { r: perSide(v.Q483), z: v.Q484 };
+  const plan = planRecess({
+    frame,
+    contour: outline.contour,
+    operation: v.Q215,
+    infeed: v.Q463,
+    feeds: feedsOf({ rough: v.Q478, finish: v.Q505, plunge: v.Q488 }, setting.autoFeed),
+    oversize,
+    oneWay: v.Q507 === 1,
+    offset: v.Q508,
+    roundedFloor: v.Q500 > 0,
+  }, setting);
+  const onWalls = v.Q215 === 2 ? 0 : 2 * (frame.transverse ? oversize.r : oversize.z);
+  const narrow = narrowIssue(outline, v, isBar(tool) ? cuttingWidth(tool) + onWalls : 0);
+  const found = [...narrow, ...cornerIssue(v.Q500, tool), ...angleIssues(outline, tool, frame, outline.angleAt)];
+  return atParameters(withIssues(plan, found), frame, rolesIn(frame));
+}
+
+const rolesIn = (frame: Frame): Roles => ({ infeed: "Q463", depth: frame.transverse ? "Q494" : "Q493", offset: "Q508" });
+
+/** A tool that is wider than the floor (with the oversize on both walls) cannot reach it; wider than the opening, not at all. */
+function narrowIssue(outline: RecessOutline, v: Ends, tool: number): Issue[] {
+  if (tool <= outline.floor + ROUND) return [];
+  const { transverse } = outline.frame;
+  const missing = tool - outline.floor;
+  const nearest = rounded(
+    transverse ? v.Q493 + Math.sign(v.Q493 - v.Q491) * toDiameter(radius(missing)) : v.Q494 + Math.sign(v.Q494 - v.Q492) * missing,
+  );
+  const at = transverse ? "Q493" : "Q494";
+  return [issue("recessNarrowerThanTool", tool > outline.opening ? "error" : "warning", { width: outline.floor, tool, nearest }, at)];
+}
+
+/** Opening of a simple recess in pictures that know no start point yet: so wide and so deep, mm. */
+const ASSUMED = { wide: 30, deep: 12.5 };
+
+/** The first corner of a simple recess: the tip at the call; where that is not known yet, one that makes a groove from outside. */
+function firstCorner(v: Pick<Ends, "Q493" | "Q494">, transverse: boolean, { start }: Given): Pt {
+  const [z, r] = transverse ? [ASSUMED.deep, ASSUMED.deep] : [ASSUMED.wide, ASSUMED.deep];
+  return start ?? part.point(v.Q494 + z, toRadius(v.Q493) + r);
+}
+
+/** A simple recess as the extended one that it is: from the tip at the call, with upright walls, and nothing at its corners. */
+export function simpleRecess<V extends Pick<Ends, "Q493" | "Q494">>(v: V, transverse: boolean, given: Given): V & ShoulderValues {
+  const first = firstCorner(v, transverse, given);
+  const none = length(0);
+  return {
+    ...v,
+    Q491: toDiameter(radius(first.r)),
+    Q492: axial(first.z),
+    Q495: degrees(0),
+    Q501: 0,
+    Q502: none,
+    Q500: none,
+    Q496: degrees(0),
+    Q503: 0,
+    Q504: none,
+  };
+}
+
+/** The outline of a simple recess speaks of its own two parameters; what the others would say is a matter of the start point. */
+export function simpleOutline(outline: RecessOutline): RecessOutline {
+  const { transverse } = outline.frame;
+  const own: Readonly<Record<string, string>> = {
+    Q491: "start.x",
+    Q492: "start.z",
+    Q495: transverse ? "start.x" : "start.z",
+    Q496: transverse ? "Q493" : "Q494",
+  };
+  const named = (q: string) => own[q] ?? q;
+  return {
+    ...outline,
+    names: outline.names.map(named),
+    dimensions: outline.dimensions.filter((d) => d.q === "Q493" || d.q === "Q494"),
+    issues: outline.issues.map((i): Issue =>
+      i.code === "startEqualsEnd"
+        ? { ...i, data: { ...i.data, other: i.data.other === "Q491" ? "X" : "Z" } }
+        : { ...i, ...(i.at !== undefined && { at: named(i.at) }) }
+    ),
+  };
+}
