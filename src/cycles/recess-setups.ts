@@ -1,8 +1,13 @@
-import { at } from "../kernel/point.ts";
-import { diameter, radius, rounded, toDiameter, toRadius } from "../kernel/units.ts";
-import { dice, type Draw, type Setups } from "./drawn-setup.ts";
+import { at, type Pt } from "../kernel/point.ts";
+import { radius, rounded, toDiameter } from "../kernel/units.ts";
+import { dice, type Draw, type DrawnSetup, type Setups } from "./drawn-setup.ts";
 
 const { angle, box, common, elements, half, mm, mostly } = dice;
+
+/** A set-up of a recess, with its first corner. */
+interface RecessSetup extends DrawnSetup {
+  readonly corner: Pt;
+}
 
 /** Values that every recess-turning cycle has. */
 export const turnedValues = (draw: Draw) => ({
@@ -30,7 +35,7 @@ export const radialTool = (draw: Draw, out: 1 | -1) => ({
 });
 
 /** Set-ups of the axial recess-turning cycles: outer and inner wall first, from +Z and from −Z. */
-export const axialRecesses: Setups = (draw) => {
+export const axialRecesses = (draw: Draw): RecessSetup => {
   const [out, along] = [draw.one<1 | -1>(1, -1), draw.one<1 | -1>(1, -1)];
   const [r1, z1] = [half(draw, 20, 50), mm(draw, -20, 5)];
   return {
@@ -42,6 +47,7 @@ export const axialRecesses: Setups = (draw) => {
       Q493: rounded(toDiameter(radius(r1 - out * mm(draw, 3, 18)))),
       Q494: rounded(z1 - along * mm(draw, 2, 28)),
     },
+    corner: at(z1, r1),
     contour: null,
     tool: axialTool(draw, along),
     start: at(z1 + along * mm(draw, 0, 6), Math.max(0.5, r1 + mm(draw, -5, 5))),
@@ -50,7 +56,7 @@ export const axialRecesses: Setups = (draw) => {
 };
 
 /** Set-ups of the radial recess-turning cycles: outside and inside, right and left wall first. */
-export const radialRecesses: Setups = (draw) => {
+export const radialRecesses = (draw: Draw): RecessSetup => {
   const [out, along] = [draw.one<1 | -1>(1, -1), draw.one<1 | -1>(1, -1)];
   const [r1, z1] = [half(draw, 22, 50), mm(draw, -20, 5)];
   return {
@@ -62,6 +68,7 @@ export const radialRecesses: Setups = (draw) => {
       Q493: rounded(toDiameter(radius(r1 - out * mm(draw, 2, out > 0 ? 18 : 10)))),
       Q494: rounded(z1 - along * mm(draw, 3, 28)),
     },
+    corner: at(z1, r1),
     contour: null,
     tool: radialTool(draw, out),
     start: at(z1 + mm(draw, -6, 6), Math.max(0.5, r1 + out * mm(draw, 0, 6))),
@@ -70,13 +77,18 @@ export const radialRecesses: Setups = (draw) => {
 };
 
 /** The same for the simple cycles, whose first corner is the tip at the call. */
-export const simpleRecesses = (extended: Setups, transverse: boolean): Setups => (draw) => {
-  const drawn = extended(draw);
-  if (!drawn) return null;
-  const { Q491, Q492, Q493, Q494, Q478, Q483, Q484, Q505, Q463, Q507, Q508, Q509, Q488, Q460 } = drawn.values as Record<string, number>;
-  const values = { Q493, Q494, Q478, Q483, Q484, Q505, Q463, Q507, Q508, Q509, Q488, Q460 } as Record<string, number>;
+export const simpleRecesses = (extended: (draw: Draw) => RecessSetup, transverse: boolean): Setups => (draw) => {
+  const { corner, ...drawn } = extended(draw);
+  const { start, values } = drawn;
   const above = draw.one(0, mm(draw, 0, 3));
-  const { start } = drawn;
-  const [z, r] = [Q492 ?? 0, toRadius(diameter(Q491 ?? 0))];
-  return { ...drawn, values, start: transverse ? at(z + Math.sign(start.z - z) * above, r) : at(z, r + Math.sign(start.r - r) * above) };
+  return {
+    ...drawn,
+    values: Object.fromEntries(Object.entries(values).filter(([q]) => !OWN_CORNERS.includes(q))),
+    start: transverse
+      ? at(corner.z + Math.sign(start.z - corner.z) * above, corner.r)
+      : at(corner.z, corner.r + Math.sign(start.r - corner.r) * above),
+  };
 };
+
+/** What the simple cycles do not ask for. */
+const OWN_CORNERS = ["Q491", "Q492", "Q495", "Q501", "Q502", "Q500", "Q496", "Q503", "Q504"];
