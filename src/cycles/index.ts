@@ -1,4 +1,5 @@
 import { c812 } from "./c812.ts";
+import { c815 } from "./c815.ts";
 import { c820 } from "./c820.ts";
 import { c841 } from "./c841.ts";
 import { c842 } from "./c842.ts";
@@ -8,7 +9,7 @@ import type { Cycle } from "./define.ts";
 import type { Param, Params } from "./params.ts";
 
 /** In menu order. A new cycle is one file and one entry here. */
-const list = [c812, c820, c841, c842, c851, c852] as const;
+const list = [c812, c815, c820, c841, c842, c851, c852] as const;
 type Listed = (typeof list)[number];
 
 /** All cycles in menu order. */

@@ -10,7 +10,7 @@ export type Kind = "choice" | "diameter" | "oversizeDiameter" | "radial" | "axia
 /** How the help picture explains a value: by a dimension of the outline, or by what the cycle does with it. */
 export type Topic = "outline" | "element" | "clearance" | "infeed" | "oversizeDiameter" | "oversizeZ" | "roughingFeed" | "finishingFeed"
   | "plungingFeed" | "operation" | "reverse" | "smoothing" | "plunging" | "limits" | "limitDiameter" | "limitZ" | "direction"
-  | "offsetWidth" | "depthCompensation";
+  | "offsetWidth" | "depthCompensation" | "allowance" | "cuttingLines";
 
 /** The value a kind yields. A feed is a number or "auto" (FAUTO). */
 interface ValueOf {

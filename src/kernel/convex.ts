@@ -1,9 +1,9 @@
 import { flat, toFlat, mirrors, type Flat, type Frame } from "./flat.ts";
-import { positive } from "./geometry/segments.ts";
+import { FULL_TURN, positive } from "./geometry/segments.ts";
 import { at } from "./point.ts";
-import { NOTHING, ROUND } from "./tolerance.ts";
+import { JOINED, NOTHING, ROUND } from "./tolerance.ts";
 
-const { angleOf, apart, dot, heading, onCircle, sum } = flat;
+const { angleOf, apart, dot, heading, onCircle, scaled, sum } = flat;
 
 /** Which part of the insert an edge belongs to. */
 export type Feature = "nose" | "mainEdge" | "secondaryEdge" | "width" | "back";
@@ -57,6 +57,18 @@ export function grown(k: Convex, a: number, b: number): Convex {
     if (apart(from, to) > NOTHING) out.push({ kind: "line", from, to, feature: e.feature === "nose" ? next.feature : e.feature });
   });
   return out;
+}
+/** Minkowski sum with a disc: every edge moves out by its radius, and arcs round the corners join them. */
+export function grownRound(k: Convex, by: number): Convex {
+  if (!(by > 0)) return k;
+  return k.flatMap((e, i): Edge[] => {
+    const next = k[(i + 1) % k.length] as Edge;
+    const [start, sweep] = [normalEnd(e), positive(normalStart(next) - normalEnd(e))];
+    const edge = e.kind === "arc" ? { ...e, radius: e.radius + by } : (moved([e], scaled(heading(normalStart(e)), by))[0] as Edge);
+    // Nearly a full turn is a joint without a bend, seen from its other side.
+    if (sweep < JOINED || sweep > FULL_TURN - JOINED) return [edge];
+    return [edge, { kind: "arc", centre: edgeEnd(e), radius: by, start, sweep, feature: e.feature === "nose" ? next.feature : e.feature }];
+  });
 }
 /** Zero for a direction along an axis: such an edge is bridged on both sides. */
 const sign = (x: number) => (Math.abs(x) < NOTHING ? 0 : Math.sign(x));

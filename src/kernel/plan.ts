@@ -30,7 +30,9 @@ export interface Plan {
   readonly issues: readonly Issue[];
   /** Finished contour in machining direction, part space, arcs kept. */
   readonly contour: readonly Segment[];
-  /** Roughing passes at distinct levels, and the infeed as divided. */
+  /** True when passes run along the contour: the depth of a cut is then square to its path, as of a finishing cut. */
+  readonly isParallel?: boolean;
+  /** Roughing passes at distinct levels, and the infeed as divided: of several, the greatest. */
   readonly passes: number;
   readonly infeed: Length;
   /** What this cycle takes away when it is perfect: between contour and start point (polygon, arcs flattened to CHORD). */

@@ -1,10 +1,10 @@
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
-import { inFrame, type Convex } from "./convex.ts";
+import { edgeEnd, edgeStart, extent, grownRound, inFrame, type Convex, type Edge } from "./convex.ts";
 import { heightAt, linePiece, staysAbove, upperEnvelope, valueAt } from "./envelope.ts";
 import { flat, type Flat, type FlatSegment } from "./flat.ts";
 import { insertShape } from "./insert.ts";
-import { reachOver } from "./reach.ts";
+import { reachOver, type Bound } from "./reach.ts";
 import type { Tool } from "./tool.ts";
 import { degrees, length } from "./units.ts";
 
@@ -136,5 +136,34 @@ describe("a straight way over an envelope", () => {
       fc.pre(Math.abs(deepest) > 1e-4);
       expect(staysAbove(e, from, to)).toBe(deepest < 0);
     }));
+  });
+});
+
+test("an insert grown by a disc keeps that distance from a corner, a line and an arc, with arcs that stay arcs", () => {
+  const corner: Bound[] = [flat.line({ u: -10, v: 2 }, { u: 0, v: 2 }), flat.line({ u: 0, v: 2 }, { u: 0, v: -3 })].map((segment) => ({
+    segment,
+    on: "contour" as const,
+  }));
+  const tip = grownRound(insertShape({ T: 1, NAME: "", TYPE: "BUTTON", TO: 9, RS: length(0.8) }), 1.3);
+  const e = reachOver(corner, tip);
+  for (const u of [-7, -0.4, 0, 0.6, 1.7]) {
+    const v = heightAt(e, u);
+    const nearest = Math.hypot(Math.max(0, u), v - 2);
+    expect(nearest).toBeCloseTo(2.1, 9);
+  }
+  expect(e.some((s) => s.piece.arc === 1)).toBe(true);
+});
+
+test("a corner of an insert grown by a disc becomes an arc of that radius", () => {
+  const square = [[0, 0], [3, 0], [3, 2], [0, 2]].map(([u, v], i, all): Edge => {
+    const [p, q] = all[(i + 1) % 4] as [number, number];
+    return { kind: "line", from: { u: u as number, v: v as number }, to: { u: p, v: q }, feature: "width" };
+  });
+  const grownBy = grownRound(square, 0.7);
+  expect(grownBy.map((e) => e.kind)).toEqual(["line", "arc", "line", "arc", "line", "arc", "line", "arc"]);
+  expect(extent(grownBy)).toEqual({ minU: -0.7, maxU: 3.7, minV: -0.7, maxV: 2.7 });
+  grownBy.forEach((e, i) => {
+    const next = grownBy[(i + 1) % grownBy.length] as Edge;
+    expect(Math.hypot(edgeEnd(e).u - edgeStart(next).u, edgeEnd(e).v - edgeStart(next).v)).toBeLessThan(1e-9);
   });
 });

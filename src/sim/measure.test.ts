@@ -86,6 +86,17 @@ describe("the real depth of a roughing pass", () => {
     expect(s.proof.deepest?.depth).toBeCloseTo(3, 2);
     expect(codes(s)).toContain("deeperThanInfeed");
   });
+  test("of passes along the contour is square to it, and at a right angle a sixth more is no fault", () => {
+    const bend = [cut(-20, 27, "rough", 1), cut(-20, 33, "rough", 1)];
+    const along = (allowed: number) => run(bar, at(2, 27), bend, { isParallel: true, most: length(allowed) });
+    expect(along(3).proof.deepest).toBeNull();
+    expect(along(2.4).proof.deepest).toMatchObject({ allowed: 2.4, pass: 1 });
+    expect(codes(along(2.4))).toContain("deeperThanInfeed");
+    // Up a face, what lies in the direction of infeed is the whole face.
+    const face = (isParallel: boolean) => run(bar, at(-2, 10), [cut(-2, 31, "rough", 1)], { isParallel, most: length(3) });
+    expect(codes(face(true))).not.toContain("deeperThanInfeed");
+    expect(codes(face(false))).toContain("deeperThanInfeed");
+  });
   test("a plunge counts what it takes in its direction", () => {
     expect(run(bar, at(-20, 31), [cut(-20, 27.4, "rough", 1)]).proof.deepest?.depth).toBeCloseTo(2.6, 2);
   });

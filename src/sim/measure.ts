@@ -15,6 +15,8 @@ import { turned, type Sweep } from "./sweep.ts";
 
 /** Real depths may pass what is allowed by this much before it is told, mm. */
 const TOLD = 0.05;
+/** What is as thick everywhere has room for a circle this many times as wide where it bends at a right angle. */
+const BEND = 2 * Math.SQRT2 / (1 + Math.SQRT2);
 /** A run of moves is measured in stretches of at most this many convex pieces: the cost of joining them is their square. */
 const LONG = 100;
 
@@ -74,8 +76,10 @@ export function measuring(operations: readonly SimulatedOperation[], blank: read
     if (passes) sum.passes.set(done.pass, (sum.passes.get(done.pass) ?? 0) + area);
     if (area < REAL_AREA) return;
     const place = { step: done.step, block: done.block };
-    if (passes) sum.deepest = deeper(sum.deepest, taken, operation, { ...place, pass: done.pass });
-    else if (done.phase !== "thread") sum.thickest = thicker(sum.thickest, taken, operation, place);
+    if (passes && operation.plan.isParallel)
+      sum.deepest = thicker(sum.deepest, taken, mostOf(operation), { ...place, pass: done.pass }, BEND);
+    else if (passes) sum.deepest = deeper(sum.deepest, taken, operation, { ...place, pass: done.pass });
+    else if (done.phase !== "thread") sum.thickest = thicker(sum.thickest, taken, mostBeside(operation), place);
   }
 
   function belongs(step: Step, operation: number): boolean {
@@ -136,11 +140,10 @@ function deeper(known: Depth | null, taken: readonly Ring[], operation: Simulate
   return depth > (known?.depth ?? 0) ? { depth, allowed: mostOf(operation), ...where } : known;
 }
 
-/** The thicker of a cut beside the contour and one just taken, when that is more than allowed. */
-function thicker(known: Depth | null, taken: readonly Ring[], operation: SimulatedOperation, where: Where): Depth | null {
-  const allowed = mostBeside(operation);
+/** The thicker of a cut beside the contour and one just taken, when that is more than allowed, and in a bend so many times. */
+function thicker(known: Depth | null, taken: readonly Ring[], allowed: number, where: Where, bend = 1): Depth | null {
   if (allowed === 0) return known;
-  const told = Math.max(allowed + TOLD, known?.depth ?? 0);
+  const told = Math.max(allowed * bend + TOLD, known?.depth ?? 0);
   // The steps of a thousand passes in a wall take long to shrink, and are thinner than anything that is told.
   const plain = simplified(taken, SLIVER);
   if (!hasRoomFor(plain, told) || offset(plain, -told / 2).length === 0) return known;

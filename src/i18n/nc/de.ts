@@ -4,6 +4,7 @@ import type { NcWords } from "../nc-words.ts";
 export const de = {
   cycles: {
     812: { text: "ABSATZ LAENGS ERWEITERT", evidence: "K2" },
+    815: { text: "KONTURPARALLEL", evidence: "K2" },
     820: { text: "KONTUR PLAN", evidence: "K2" },
     841: { text: "STECHDREHEN EINFACH RADIAL", evidence: "K3" },
     842: { text: "STECHDREHEN ERWEITERT RADIAL", evidence: "K3" },
@@ -46,6 +47,9 @@ export const de = {
     limitZ: { text: "GRENZWERT Z", evidence: "K2" },
     direction: { text: "BEARBEITUNGSRICHTUNG", evidence: "K2" },
     offsetWidth: { text: "VERSATZBREITE", evidence: "K2" },
+    blankAllowance: { text: "AUFMASS ROHTEIL", evidence: "K2" },
+    cuttingLines: { text: "SCHNITTLINIEN", evidence: "K2" },
+    infeedParallel: { text: "MAX. SCHNITTTIEFE", evidence: "K2" },
     depthCompensation: { text: "TIEFENKORREKTUR", evidence: "K2" },
   },
   contour: { title: "KONTUR", label: "KONTURLABEL", evidence: "B" },

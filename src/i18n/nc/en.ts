@@ -4,6 +4,7 @@ import type { NcWords } from "../nc-words.ts";
 export const en = {
   cycles: {
     812: { text: "SHOULDER, LONG. EXT.", evidence: "K1" },
+    815: { text: "CONTOUR-PAR. TURNING", evidence: "K1" },
     820: { text: "TURN CONTOUR TRANSV.", evidence: "A" },
     841: { text: "SIMPLE REC. TURNG., RADIAL DIR.", evidence: "K1" },
     842: { text: "ENH.REC.TURNNG, RAD.", evidence: "K1" },
@@ -46,6 +47,9 @@ export const en = {
     limitZ: { text: "LIMIT VALUE Z", evidence: "A" },
     direction: { text: "MACHINING DIRECTION", evidence: "K1" },
     offsetWidth: { text: "OFFSET WIDTH", evidence: "K1" },
+    blankAllowance: { text: "ALLOWANCE ON BLANK", evidence: "K1" },
+    cuttingLines: { text: "INTERSECTING LINES", evidence: "K1" },
+    infeedParallel: { text: "MAX. CUTTING DEPTH", evidence: "K1" },
     depthCompensation: { text: "DEPTH COMPENSATION", evidence: "K1" },
   },
   contour: { title: "CONTOUR GEOMETRY", label: "CONTOUR LABEL", evidence: "A" },

@@ -4,6 +4,7 @@ import type { NcWords } from "../nc-words.ts";
 export const fr = {
   cycles: {
     812: { text: "EPAUL LONG ETENDU", evidence: "A" },
+    815: { text: "CONTOUR PARALLELE", evidence: "K3" },
     820: { text: "TOURN. CONT. TRANSV.", evidence: "A" },
     841: { text: "GORGE RAD. SIMPLE", evidence: "K3" },
     842: { text: "GORGE RADIALE ETEND.", evidence: "K3" },
@@ -46,6 +47,9 @@ export const fr = {
     limitZ: { text: "VALEUR LIMITE Z", evidence: "A" },
     direction: { text: "SENS USINAGE", evidence: "A" },
     offsetWidth: { text: "LARGEUR DECALAGE", evidence: "A" },
+    blankAllowance: { text: "SUREPAISSEUR BRUT", evidence: "K3" },
+    cuttingLines: { text: "LIGNES DE COUPE", evidence: "K3" },
+    infeedParallel: { text: "PASSE MAX", evidence: "K3" },
     depthCompensation: { text: "CORRECTION DE PROF.", evidence: "A" },
   },
   contour: { title: "CONTOUR", label: "LABEL CONTOUR", evidence: "A" },

@@ -1,4 +1,5 @@
-import { heightAt, pathAlong, staysAbove, type Envelope, type Stretch } from "../envelope.ts";
+import { pieceOf } from "../cut-envelope.ts";
+import { crossings, heightAt, pathAlong, staysAbove, valueAt, type Envelope, type Stretch } from "../envelope.ts";
 import { flat, normalAt, tangentAt, type Flat, type FlatSegment } from "../flat.ts";
 import { issue, type Issue } from "../issue.ts";
 import { SAME } from "../tolerance.ts";
@@ -23,6 +24,8 @@ export interface Finish {
   readonly ceiling: number;
   /** The smoothing cut runs as part of roughing, at its feeds. */
   readonly smoothing: boolean;
+  /** Of a roughing pass along the contour, its number. */
+  readonly pass?: number;
 }
 
 /**
@@ -37,7 +40,7 @@ export function followContour(cutter: Cutter, f: Finish, issues: Issue[]): void 
   const along = u1 > u0 + SAME ? pathAlong(f.ground.envelope, u0, u1) : [];
   const runs = u1 > u0 - SAME ? withinLimits([...along, ...outAt(f, Math.max(u0, u1))], f.ceiling) : [];
   if (runs.length === 0) return void issues.push(issue("nothingToCut", "warning", {}, "tool"));
-  const near = !f.smoothing && f.contour.some((s) => flat.distanceTo(s, f.start) < f.clearance);
+  const near = !roughing(f) && f.contour.some((s) => flat.distanceTo(s, f.start) < f.clearance);
   if (near) issues.push(issue("startInsideEnvelope", "warning", { clearance: f.clearance }, "start"));
   runs.forEach((run, i) => {
     const whole = i === 0 && f.ground.first >= f.from - SAME ? joined(f, run) : run;
@@ -51,9 +54,12 @@ export function followContour(cutter: Cutter, f: Finish, issues: Issue[]): void 
   });
 }
 
-const purpose = (f: Finish, step: number): Purpose =>
-  f.smoothing ? { phase: "smooth", run: "rough", step: 5 } : { phase: "finish", run: "finish", step };
-const feedOf = (f: Finish) => (f.smoothing ? f.feeds.rough : f.feeds.finish);
+const roughing = (f: Finish) => f.smoothing || f.pass !== undefined;
+function purpose({ smoothing, pass }: Finish, step: number): Purpose {
+  if (pass !== undefined) return { phase: "rough", run: "rough", step, pass };
+  return smoothing ? { phase: "smooth", run: "rough", step: 5 } : { phase: "finish", run: "finish", step };
+}
+const feedOf = (f: Finish) => (roughing(f) ? f.feeds.rough : f.feeds.finish);
 
 /** The end of the path: up a wall that the contour ends with, or that closes the area behind it. */
 function outAt(f: Finish, u: number): Stretch[] {
@@ -72,26 +78,34 @@ function withinLimits(path: readonly Stretch[], ceiling: number): FlatSegment[][
     const next = path[i + 1];
     // A vertical step belongs to what it leads to.
     const behind = origin === null ? next?.origin?.on === "limit" : origin.on === "limit";
-    const above = Math.max(segment.from.v, segment.to.v) > ceiling + SAME;
-    const part = behind ? null : above ? under(segment, ceiling) : segment;
-    if (!part) {
-      open = false;
-      return;
+    const above = flat.boxOf(segment).high > ceiling + SAME;
+    const parts = behind ? [] : above ? under(segment, ceiling) : [segment];
+    if (parts.length === 0) open = false;
+    for (const part of parts) {
+      if (!open || part.from !== segment.from) runs.push([]);
+      runs.at(-1)?.push(part);
+      open = part.to === segment.to;
     }
-    if (!open || part.from !== segment.from) runs.push([]);
-    runs.at(-1)?.push(part);
-    open = part.to === segment.to;
   });
   return runs;
 }
 
-/** The part of an element below a height; null when there is none. An arc is kept whole or not at all. */
-function under(s: FlatSegment, height: number): FlatSegment | null {
-  if (s.kind === "arc" || Math.min(s.from.v, s.to.v) >= height - SAME) return null;
-  const k = (height - s.from.v) / (s.to.v - s.from.v);
-  const at: Flat = { u: s.from.u + k * (s.to.u - s.from.u), v: height };
-  return s.from.v > height ? { ...s, from: at } : { ...s, to: at };
+/** The parts of an element below a height: where it crosses that, they end or begin. */
+function under(s: FlatSegment, height: number): FlatSegment[] {
+  const on = { feature: "nose", on: "limit", corner: false } as const;
+  const piece = pieceOf(s, on);
+  if (!piece) return Math.min(s.from.v, s.to.v) >= height - SAME ? [] : [upTo(s, height)];
+  const level = { arc: 0, u0: piece.u0, u1: piece.u1, v0: height, slope: 0, origin: on } as const;
+  const points = [s.from, ...crossings(piece, level, piece.u0, piece.u1).map((u): Flat => ({ u, v: height })), s.to];
+  return points.slice(1).flatMap((to, i) => {
+    const from = points[i] as Flat;
+    return valueAt(piece, (from.u + to.u) / 2) < height ? [{ ...s, from, to }] : [];
+  });
 }
+
+/** A way straight up or down that ends, or begins, at a height. */
+const upTo = (s: FlatSegment, height: number): FlatSegment =>
+  s.from.v > height ? { ...s, from: { u: s.from.u, v: height } } : s.to.v > height ? { ...s, to: { u: s.to.u, v: height } } : s;
 
 /** A contour that begins with a wall is joined at the foot of that wall, or followed from its top down. */
 function joined(f: Finish, run: readonly FlatSegment[]): FlatSegment[] {
@@ -109,7 +123,13 @@ function joined(f: Finish, run: readonly FlatSegment[]): FlatSegment[] {
 function leadIn(cutter: Cutter, f: Finish, run: readonly FlatSegment[], near: boolean): void {
   const first = run[0] as FlatSegment;
   const to = first.from;
-  const link: Link = { gap: f.clearance, feed: feedOf(f), out: purpose(f, 1), down: purpose(f, 1), enter: purpose(f, 1) };
+  const link: Link = {
+    gap: f.clearance,
+    feed: feedOf(f),
+    out: purpose(f, (f.pass ?? 1) > 1 ? 4 : 1),
+    down: purpose(f, 1),
+    enter: purpose(f, 1),
+  };
   const bare = f.ground.bare;
   if (near && staysAbove(bare, cutter.at, to) && !blocked(bare, cutter.at, to)) return cutter.feed(to, feedOf(f), purpose(f, 1));
   const along = tangentAt(first, "from");

@@ -1,4 +1,4 @@
-import { extent, grown, inFrame, type Convex } from "../convex.ts";
+import { extent, grown, grownRound, inFrame, type Convex } from "../convex.ts";
 import { besideAt } from "../cut-envelope.ts";
 import { below, higherOf, linePiece, pathAlong, upperEnvelope, type Envelope, type Origin, type EnvelopePiece } from "../envelope.ts";
 import { flat, normalAt, segmentToPart, toPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
@@ -25,6 +25,11 @@ export interface Surroundings {
   readonly floors: readonly { readonly v: number; readonly on: Origin["on"] }[];
 }
 
+/** What a ground keeps off the contour: a rectangle ±u × ±v, and round it `round` mm square to the contour everywhere. */
+export interface Keep extends Flat {
+  readonly round?: number;
+}
+
 /** The set of tip positions that leave the part alone: an envelope, and where the contour's ends are touched. */
 export interface Ground {
   readonly envelope: Envelope;
@@ -39,16 +44,11 @@ export interface Ground {
 
 /**
  * Builds the reach over a contour (machining direction, material on its right) for a tool, kept off by an axis-parallel
- * oversize: the part is grown by the rectangle ±keepU × ±keepV.
+ * oversize: the part is grown by a rectangle, and by what is kept all round.
  */
-export function groundOver(
-  contour: readonly Bound[],
-  tool: Tool,
-  frame: Frame,
-  keep: { readonly u: number; readonly v: number },
-  s: Surroundings,
-): Ground {
-  const insert = grown(insertIn(tool, frame), keep.u, keep.v);
+export function groundOver(contour: readonly Bound[], tool: Tool, frame: Frame, keep: Keep, s: Surroundings): Ground {
+  const round = keep.round ?? 0;
+  const insert = grownRound(grown(insertIn(tool, frame), keep.u, keep.v), round);
   const first = (contour[0] as Bound).segment;
   const last = (contour[contour.length - 1] as Bound).segment;
   const start = touch(insert, first, "from");
@@ -56,12 +56,12 @@ export function groundOver(
   const edge = (from: Flat, to: Flat): Bound => ({ segment: { kind: "line", from, to }, on: "edge" });
   const chain: Bound[] = [...contour];
   // The walls close the area and are no part of the part: they keep no oversize.
-  const open = first.from.u - keep.u;
+  const open = first.from.u - keep.u - round;
   if (s.frontWall !== null)
     chain.unshift(edge({ u: open - FAR, v: s.frontWall }, { u: open, v: s.frontWall }),
       edge({ u: open, v: s.frontWall }, { u: open, v: first.from.v }), edge({ u: open, v: first.from.v }, first.from));
   else if (s.front === "part") chain.unshift(edge({ u: first.from.u - FAR, v: first.from.v }, first.from));
-  const close = last.to.u + keep.u;
+  const close = last.to.u + keep.u + round;
   if (s.wall !== null)
     chain.push(edge(last.to, { u: close, v: last.to.v }), edge({ u: close, v: last.to.v }, { u: close, v: s.wall }),
       edge({ u: close, v: s.wall }, { u: close + FAR, v: s.wall }));
@@ -74,13 +74,13 @@ export function groundOver(
   const low = first.from.u - FAR;
   const high = last.to.u + FAR;
   const bottom = extent(insertIn(tool, frame)).minV;
-  if (s.front === "free") bound(low, start.u, first.from.v + keep.v - bottom, "edge");
+  const level = first.from.v + keep.v + round - bottom;
+  if (s.front === "free") bound(low, start.u, level, "edge");
   for (const f of s.floors) bound(low, high, f.v - bottom, f.on);
   const axis = roomOf(frame, beyondAxis(tool, contour.map((b) => b.segment), frame)).minV;
   if (axis > -Infinity) bound(low, high, axis, "edge");
   const bare = reachOver(chain, insert);
   const envelope = extra.length === 0 ? bare : higherOf(bare, upperEnvelope(extra));
-  const level = first.from.v + keep.v - bottom;
   // No element can be touched farther in front of the first point than the insert reaches ahead of its tip.
   const ahead = first.from.u - extent(insert).maxU - SAME;
   const free = s.front === "free" && ahead < start.u ? below(envelope, level, ahead, start.u)[0]?.to : undefined;

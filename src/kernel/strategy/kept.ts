@@ -10,19 +10,23 @@ import { groundOver } from "./ground.ts";
 export const POINT: Tool = { T: 0, NAME: "", TYPE: "BUTTON", TO: 9, RS: length(0) };
 
 /**
- * A contour with an oversize on it as a point follows it, in machining direction: what a cycle leaves there. It begins and ends
- * beside the ends of the contour.
+ * A contour with an oversize on it as a point follows it, in machining direction: what a cycle leaves there, or with `round`, kept
+ * square to the contour everywhere, what stands there before it. It begins and ends beside the ends of the contour.
  */
-export function keptOver(contour: readonly Segment[], frame: Frame, oversize: { readonly r: number; readonly z: number }): Segment[] {
+export function keptOver(
+  contour: readonly Segment[],
+  frame: Frame,
+  { r, z, round = 0 }: { readonly r: number; readonly z: number; readonly round?: number },
+): Segment[] {
   const elements = contour.map((s) => segmentToFlat(frame, s));
   const [first, last] = [elements[0], elements.at(-1)];
   if (!first || !last) return [];
-  const keep = frame.transverse ? { u: oversize.r, v: oversize.z } : { u: oversize.z, v: oversize.r };
+  const keep = frame.transverse ? { u: r, v: z, round } : { u: z, v: r, round };
   const around = { wall: null, front: "part", frontWall: null, floors: [] } as const;
   const { envelope } = groundOver(elements.map((segment) => ({ segment, on: "contour" })), POINT, frame, keep, around);
   const beside = (s: FlatSegment, end: "from" | "to"): Flat => {
     const n = normalAt(s, end);
-    return { u: s[end].u + sign(n.u) * keep.u, v: s[end].v + Math.max(0, sign(n.v)) * keep.v };
+    return { u: s[end].u + sign(n.u) * keep.u + n.u * round, v: s[end].v + Math.max(0, sign(n.v)) * keep.v + n.v * round };
   };
   const [start, end] = [beside(first, "from"), beside(last, "to")];
   const path = pathAlong(envelope, start.u + JOINED, end.u - JOINED).map((s) => s.segment);

@@ -47,7 +47,7 @@ export interface Leveled {
 }
 
 /** What can cut along a surface. */
-const TURNING: readonly ToolType[] = ["ROUGH", "FINISH", "BUTTON", "RECTURN", "RECESS"];
+export const TURNING: readonly ToolType[] = ["ROUGH", "FINISH", "BUTTON", "RECTURN", "RECESS"];
 
 /** Everything about the place that the steps of a plan share, in strategy space. */
 interface Site {

@@ -1,5 +1,5 @@
 import { segmentToPart, toFlat, toPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
-import { part, type Pt, type Ring } from "../point.ts";
+import { at, part, type Pt, type Ring, type Segment } from "../point.ts";
 import { CHORD, ROUND } from "../tolerance.ts";
 
 const { flattenedChain } = part;
@@ -31,6 +31,12 @@ export function areaOver(contour: readonly FlatSegment[], frame: Frame, from: nu
   const front = Math.min(from, first.u);
   const corners: Flat[] = [{ u: last.u, v: level }, { u: front, v: level }, { u: front, v: first.v }];
   return turned([...under(points, level), ...corners].map((p) => toPart(frame, p)));
+}
+
+/** The area to be removed where the blank runs along the contour: between the two, on this side of the axis. */
+export function areaBetween(contour: readonly FlatSegment[], blank: readonly Segment[], frame: Frame): Ring {
+  const outer = flattenedChain(blank, CHORD).map((p) => (p.r < 0 ? at(p.z, 0) : p));
+  return turned([...chain(contour, frame), ...outer.reverse()]);
 }
 
 /** A line of points held down to a level, with the points where it meets it. */

@@ -11,7 +11,7 @@ import { qOf } from "./topics.ts";
 
 const only = (under: readonly Mark[]): Explanation => ({ under, item: null });
 const screen = (c: Context, points: readonly Pt[]) => points.map((p) => toScreen(c.layout.camera, p));
-const passMarks = (c: Context, l: Lettering): Mark[] => c.passes.map((p) => stroke(l, "pass", polyline(screen(c, [p.from, p.to]))));
+const passMarks = (c: Context, l: Lettering): Mark[] => c.passes.map((p) => stroke(l, "pass", polyline(screen(c, p.line))));
 
 /** Passes that stand for all, evenly spread, so that their ends can be told apart. */
 const some = (c: Context, every: number): Context["passes"] => c.passes.filter((_, i) => i % every === 0);
@@ -92,3 +92,7 @@ export function direction(c: Context, l: Lettering): Explanation {
   const every = fourth(c) + 1 - (fourth(c) % 2);
   return only(some(c, every).flatMap((p) => pathMarks(c, l, [p.from, p.to])));
 }
+
+/** All passes along the contour, as one of the two ways divides what stands on it. */
+export const cuttingLines = (c: Context, l: Lettering): Explanation =>
+  only([filled(l, "cut", polygon(screen(c, c.plan.area))), ...passMarks(c, l)]);

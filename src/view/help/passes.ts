@@ -1,22 +1,48 @@
 import type { Frame } from "../../kernel/flat.ts";
 import type { Move } from "../../kernel/move.ts";
-import type { Pt } from "../../kernel/point.ts";
+import type { Plan } from "../../kernel/plan.ts";
+import type { Pt, Segment } from "../../kernel/point.ts";
 import { SAME } from "../../kernel/tolerance.ts";
+import { pathOf } from "../../kernel/time.ts";
 import { outward } from "./frame.ts";
+import { drawnLine } from "./section.ts";
 
-/** One cut at one level: where it begins and where it ends, part space. */
+/** One cut at one level, or of a cycle that runs along the contour one pass: where it begins and where it ends, part space. */
 export interface Pass {
   readonly pass: number;
   readonly level: number;
   readonly from: Pt;
   readonly to: Pt;
+  /** How the tool runs between the two. */
+  readonly line: readonly Pt[];
 }
 
 /** More lines than this would be a grey area. */
 const MOST = 60;
 
-/** The cuts of roughing: of each pass what runs level at its depth; the ways in and out lie above it. */
-export function passesOf(f: Frame, moves: readonly Move[]): Pass[] {
+/** The cuts of roughing. */
+export const passesOf = (f: Frame, plan: Plan): Pass[] =>
+  (plan.isParallel ? parallels(f, plan.moves) : levels(f, plan.moves)).slice(0, MOST);
+
+/** Step of the manual in which a pass runs along the contour. */
+const CUT = 2;
+
+function parallels(f: Frame, moves: readonly Move[]): Pass[] {
+  const runs = new Map<number, Segment[]>();
+  moves.forEach((m, i) => {
+    const from = moves[i - 1]?.to;
+    if (!from || m.kind === "rapid" || m.phase !== "rough" || m.pass === undefined || m.step !== CUT) return;
+    runs.set(m.pass, [...(runs.get(m.pass) ?? []), pathOf(from, m)]);
+  });
+  return [...runs].flatMap(([pass, run]) => {
+    const line = drawnLine(run);
+    const [from, to] = [line[0], line.at(-1)];
+    return from && to ? [{ pass, level: outward(f, from), from, to, line }] : [];
+  });
+}
+
+/** Of each pass what runs level at its depth; the ways in and out lie above it. */
+function levels(f: Frame, moves: readonly Move[]): Pass[] {
   const level: Pass[] = [];
   const depths = new Map<number, number>();
   moves.forEach((m, i) => {
@@ -24,8 +50,8 @@ export function passesOf(f: Frame, moves: readonly Move[]): Pass[] {
     if (!from || m.kind !== "feed" || m.phase !== "rough" || m.pass === undefined || m.plunging) return;
     const v = outward(f, m.to);
     if (Math.abs(v - outward(f, from)) > SAME) return;
-    level.push({ pass: m.pass, level: v, from, to: m.to });
+    level.push({ pass: m.pass, level: v, from, to: m.to, line: [from, m.to] });
     depths.set(m.pass, Math.min(v, depths.get(m.pass) ?? v));
   });
-  return level.filter((p) => p.level < (depths.get(p.pass) ?? p.level) + SAME).slice(0, MOST);
+  return level.filter((p) => p.level < (depths.get(p.pass) ?? p.level) + SAME);
 }

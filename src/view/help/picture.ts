@@ -42,19 +42,29 @@ export interface HelpDrawing {
 }
 
 /** Topics whose dimension is drawn grey while another parameter is asked for. */
-const ALWAYS: readonly Topic[] = ["outline", "clearance", "infeed", "limitDiameter", "limitZ", "oversizeDiameter", "oversizeZ"];
+const ALWAYS: readonly Topic[] = [
+  "outline",
+  "clearance",
+  "infeed",
+  "limitDiameter",
+  "limitZ",
+  "allowance",
+  "oversizeDiameter",
+  "oversizeZ",
+];
 /** What a dimension rather does than cross another one's line: this much of its own cost. */
 const CROSSING = 1.5;
 /** A quiet dimension that would cost more than this is left out. */
 const QUIET_MOST = 30;
 /** Of these, what stays when the diagrams of a choice need room. */
-const CALM: readonly Topic[] = ALWAYS.slice(0, 5);
+const CALM: readonly Topic[] = ALWAYS.slice(0, 6);
 
 const explanations: Readonly<Record<Topic, (c: Context, l: Lettering) => explain.Explanation>> = {
   outline: (c, l) => explain.outlined(c, l, null),
   element: (c, l) => explain.outlined(c, l, partnerOf(c.params, l.q)),
   clearance: explain.clearance,
   infeed: explain.infeed,
+  allowance: explain.allowance,
   oversizeDiameter: (c, l) => explain.oversize(c, l, "diameter"),
   oversizeZ: (c, l) => explain.oversize(c, l, "z"),
   roughingFeed: explain.roughingFeed,
@@ -70,6 +80,7 @@ const explanations: Readonly<Record<Topic, (c: Context, l: Lettering) => explain
   plunging: choices.plunging,
   limits: choices.limits,
   direction: choices.direction,
+  cuttingLines: choices.cuttingLines,
 };
 
 function contextOf(request: HelpRequest, size: Size, indent: number): Context {
@@ -80,9 +91,11 @@ function contextOf(request: HelpRequest, size: Size, indent: number): Context {
   const start = startPoint(frame, corner, Math.min(numberOf(values, qOf(params, "clearance")), 1e4));
   const span = Math.max(STEP, ...line.map((p) => Math.hypot(p.z - corner.z, p.r - corner.r)));
   const near = Math.hypot(start.z - corner.z, start.r - corner.r) < span * 0.4 ? [start] : [];
+  const allowed = numberOf(values, qOf(params, "allowance"));
+  const outer = allowed > 0 && allowed < span * 0.4 ? plan.area : [];
   const along = frame.transverse ? 2 : 1;
-  const layout = layoutOf(frame, line, [...line, ...blank, ...near], outline.dimensions, size, { top: along, right: 0, indent });
-  const passes = passesOf(frame, plan.moves);
+  const layout = layoutOf(frame, line, [...line, ...blank, ...near, ...outer], outline.dimensions, size, { top: along, right: 0, indent });
+  const passes = passesOf(frame, plan);
   const top = passes[0] ? passes[0].level + plan.infeed : outward(frame, corner);
   const square = (q: string) => {
     const d = outline.dimensions.find((o) => o.q === q && o.form === "leader");

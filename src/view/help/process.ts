@@ -80,12 +80,42 @@ export function clearance(c: Context, l: Lettering): Explanation {
 }
 
 export function infeed(c: Context, l: Lettering): Explanation {
+  if (c.plan.isParallel) return infeedBeside(c, l);
   const u = along(c.frame, c.section.corner);
   const [from, to] = [pointAt(c.frame, u, c.top), pointAt(c.frame, u, c.top - c.step)];
   const lines = mm(c, 3) > c.step ? c.passes.slice(0, 3) : c.passes;
   return {
-    under: lines.map((p) => stroke(l, "pass", polyline(screen(c, [p.from, p.to])))),
+    under: lines.map((p) => stroke(l, "pass", polyline(screen(c, p.line)))),
     item: dimensionItem(c.layout, { q: l.q, form: infeedForm(c.frame), from, to }, l),
+  };
+}
+
+/** A place on the contour, and another so many mm square to it. */
+function beside(c: Context, by: number): { readonly at: Pt; readonly off: Pt } {
+  const { element, at } = longest(c, () => true);
+  const away = element ? part.scaled(part.leftOf(part.direction(element, at)), openSide(c.frame)) : part.point(0, 1);
+  return { at, off: part.beyond(at, away, by) };
+}
+
+/** The infeed of passes along the contour: the first of them, square to the blank. */
+function infeedBeside(c: Context, l: Lettering): Explanation {
+  const blank = numberOf(c.values, qOf(c.params, "allowance"));
+  const [from, to] = [beside(c, blank).off, beside(c, blank - c.step).off];
+  return {
+    under: c.passes.map((p) => stroke(l, "pass", polyline(screen(c, p.line)))),
+    item: dimensionItem(c.layout, { q: l.q, form: "along", from, to }, l),
+  };
+}
+
+/** What stands on the contour before the cycle, square to it. */
+export function allowance(c: Context, l: Lettering): Explanation {
+  const value = numberOf(c.values, l.q);
+  const { at, off } = beside(c, Math.max(value, mm(c, 1)));
+  const outer = drawnLine(keptOver(c.outline.contour, c.frame, { z: 0, r: 0, round: value }));
+  const band = l.active ? [filled(l, "cut", polygon(screen(c, [...c.section.line, ...outer.toReversed()])))] : [];
+  return {
+    under: [...band, stroke(l, "break", polyline(screen(c, outer)))],
+    item: dimensionItem(c.layout, { q: l.q, form: "along", from: at, to: off }, l),
   };
 }
 
@@ -107,8 +137,12 @@ export function oversize(c: Context, l: Lettering, which: "diameter" | "z"): Exp
 export function roughingFeed(c: Context, l: Lettering): Explanation {
   const pass = c.passes[Math.min(1, c.passes.length - 1)];
   if (!pass) return { under: [], item: pointed(c, l, c.section.corner, outside(c, c.section.corner)) };
+  const lines = l.active ? c.passes.map((p) => stroke(l, "pass", polyline(screen(c, p.line)))) : [];
   const at = (t: number): Pt => part.beyond(pass.from, part.difference(pass.to, pass.from), t);
-  const lines = l.active ? c.passes.map((p) => stroke(l, "pass", polyline(screen(c, [p.from, p.to])))) : [];
+  if (c.plan.isParallel) {
+    const middle = pass.line[Math.floor(pass.line.length / 2)] ?? pass.from;
+    return { under: [...lines, ...pathMarks(c, l, pass.line)], item: pointed(c, l, middle, outside(c, middle)) };
+  }
   return { under: [...lines, ...pathMarks(c, l, [at(0.25), at(0.7)])], item: pointed(c, l, at(0.5), outside(c, at(0.5))) };
 }
 

@@ -44,6 +44,14 @@ const corner = (kind: 0 | 1 | 2): Stroke[] => {
   return [{ fill: "part", at: [...line, [1, 0]] }, { line: "contour", at: line }];
 };
 
+/** Lines beside a hill, at these distances from it. */
+const HILL: readonly Spot[] = [[0, 0.1], [0.3, 0.1], [0.5, 0.4], [0.7, 0.1], [1, 0.1]];
+const thinner =
+  (distances: readonly number[]): Stroke[] => [
+    ...drawn(HILL),
+    ...distances.map((d): Stroke => ({ line: "pass", at: HILL.map(([u, v]): Spot => [u, v + d]) })),
+  ];
+
 /** The diagrams of each choice, by its value. */
 const diagrams: Readonly<Partial<Record<Topic, readonly (readonly Stroke[])[]>>> = {
   operation: [[...stock, ...drawn(STEP), way(raised(STEP, 0.1))], [...stock, ...drawn(raised(STEP, 0.1)).slice(1), ...drawn(STEP)], [
@@ -77,6 +85,7 @@ const diagrams: Readonly<Partial<Record<Topic, readonly (readonly Stroke[])[]>>>
     way([[0.28, 0.62], [0.74, 0.62]]),
     way([[0.32, 0.42], [0.68, 0.42]]),
   ]],
+  cuttingLines: [thinner([0.08, 0.18, 0.3, 0.46]), thinner([0.12, 0.23, 0.35, 0.46])],
   element: [corner(0), corner(1), corner(2)],
 };
 

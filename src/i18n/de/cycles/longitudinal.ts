@@ -29,4 +29,36 @@ export const longitudinal = {
     ],
     notes: [turnMode, safePosition, edgeLength],
   },
+  815: {
+    name: "Drehen konturparallel",
+    summary: "Zerspant eine freie Kontur mit Schnitten parallel zu ihr, wie an einem Guss- oder Schmiedeteil.",
+    description: [
+      "Dreht eine Kontur aus einem Unterprogramm. Als Rohteil gilt die Kontur mit einem Aufmaß ringsum; die Schnitte laufen an der Kontur "
+      + "entlang, jeder näher an ihr, statt längs der Achse.",
+      "Schruppt, schlichtet oder beides. Die Richtung, in der die Kontur programmiert ist, ist die Bearbeitungsrichtung. Der Startpunkt "
+      + "entscheidet zwischen außen und innen.",
+    ],
+    rough: [
+      "im Eilgang vor den Schnitt",
+      "Schnitt entlang der Kontur im Schruppvorschub",
+      "Abheben um den Sicherheitsabstand",
+      "im Eilgang vor den nächsten Schnitt",
+      "Wiederholen, bis das Aufmaß erreicht ist",
+      "im Eilgang zurück zum Zyklusstart",
+    ],
+    finish: [
+      "Zustellen im Eilgang",
+      "Kontur vom Anfang bis zum Ende schlichten",
+      "Abheben um den Sicherheitsabstand",
+      "im Eilgang zurück zum Zyklusstart",
+    ],
+    notes: [
+      turnMode,
+      "Zyklus 14 muss vor dem Aufruf das Unterprogramm der Kontur nennen.",
+      "Der erste Schnitt liegt eine Zustellung unter dem Aufmaß, wo auch immer der Startpunkt steht: Wo das Rohteil dicker ist, wird er "
+      + "tiefer. Unsere Auslegung; an der Steuerung prüfen.",
+      "In einer Innenecke der Kontur nimmt ein Schnitt kurz mehr als seine Zustellung: bei einem rechten Winkel bis zu einem Sechstel.",
+      edgeLength,
+    ],
+  },
 } satisfies CycleTexts;

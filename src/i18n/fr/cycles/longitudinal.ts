@@ -29,4 +29,36 @@ export const longitudinal = {
     ],
     notes: [turnMode, safePosition, edgeLength],
   },
+  815: {
+    name: "Tournage parallèle au contour",
+    summary: "Usine un contour libre par des passes parallèles à celui-ci, comme sur une pièce moulée ou forgée.",
+    description: [
+      "Tourne un contour d'un sous-programme. Le brut est supposé être le contour avec une surépaisseur tout autour ; les passes "
+      + "suivent le contour, chacune plus près, au lieu de suivre l'axe.",
+      "Ébauche, finition, ou les deux. Le sens dans lequel le contour est programmé est le sens d'usinage. Le point de départ décide entre "
+      + "extérieur et intérieur.",
+    ],
+    rough: [
+      "en rapide devant la passe",
+      "passe le long du contour à l'avance d'ébauche",
+      "dégagement de la distance d'approche",
+      "en rapide devant la passe suivante",
+      "répétition jusqu'à la surépaisseur",
+      "retour en rapide au départ du cycle",
+    ],
+    finish: [
+      "plongée en rapide",
+      "finition du contour du début à la fin",
+      "dégagement de la distance d'approche",
+      "retour en rapide au départ du cycle",
+    ],
+    notes: [
+      turnMode,
+      "Le cycle 14 doit nommer le sous-programme du contour avant l'appel.",
+      "La première passe se trouve une plongée sous la surépaisseur du brut, où que soit le point de départ : là où le brut est plus "
+      + "épais, elle est plus profonde. Notre lecture ; à vérifier sur la commande.",
+      "Dans un angle rentrant du contour, une passe prend un instant plus que sa plongée : jusqu'à un sixième pour un angle droit.",
+      edgeLength,
+    ],
+  },
 } satisfies CycleTexts;

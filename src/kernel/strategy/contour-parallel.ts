@@ -1,0 +1,164 @@
+import { heightAt, pathAlong } from "../envelope.ts";
+import { flat, segmentToFlat, toFlat, toPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
+import { flanksUnknown } from "../insert.ts";
+import { issue, type Issue } from "../issue.ts";
+import type { Plan, Setting } from "../plan.ts";
+import type { Segment } from "../point.ts";
+import type { Bound } from "../reach.ts";
+import { SAME } from "../tolerance.ts";
+import { roomOf } from "../track.ts";
+import { length, toDiameter } from "../units.ts";
+import { clearAcross } from "./across.ts";
+import type { Feeds } from "./feeds.ts";
+import { followContour, type Finish } from "./finish.ts";
+import { unfit } from "./fit.ts";
+import { atCall, Frontier } from "./frontier.ts";
+import { groundOver, insertIn, insidePart, leadOf, reachOf, startInPart, type Ground, type Surroundings } from "./ground.ts";
+import { limitedInfeed } from "./infeed.ts";
+import { keptOver } from "./kept.ts";
+import { empty, TURNING } from "./leveled.ts";
+import { Cutter } from "./link.ts";
+import { areaBetween, partUnder } from "./outline-area.ts";
+import { divideAllowance, type Allowance } from "./parallel-infeed.ts";
+
+/** A cycle whose passes run along the contour: the blank is the contour with an allowance, as of a casting. */
+export interface ContourParallel {
+  readonly frame: Frame;
+  /** In machining direction, part space. */
+  readonly contour: readonly Segment[];
+  readonly operation: number;
+  readonly clearance: number;
+  /** What stands on the contour, square to it, mm. */
+  readonly allowance: number;
+  /** Every pass takes the same area, so that longer ones are thinner; else every pass is as thick. */
+  readonly sameArea: boolean;
+  readonly infeed: number;
+  readonly feeds: Feeds;
+  /** Oversize on the radius and along Z, mm. */
+  readonly oversize: { readonly r: number; readonly z: number };
+}
+
+/** What bounds a path beside the contour. */
+const AROUND: Surroundings = { wall: null, front: "free", frontWall: null, floors: [] };
+
+/** Plans roughing and finishing along a contour. Never throws; what cannot be planned is an issue. */
+export function planContourParallel(l: ContourParallel, setting: Setting): Plan {
+  const { tool } = setting;
+  const contour = l.contour.map((s) => segmentToFlat(l.frame, s));
+  if (contour.length === 0) return empty([]);
+  const called = toFlat(l.frame, setting.start);
+  const sketch = {
+    ...empty([]),
+    contour: l.contour,
+    part: partUnder(contour, l.frame, false),
+    area: areaBetween(contour, keptOver(l.contour, l.frame, { r: 0, z: 0, round: l.allowance }), l.frame),
+    openSide: toPart(l.frame, { u: 0, v: 1 }),
+    isParallel: true,
+    most: length(l.infeed),
+    oversize: l.oversize,
+  };
+  const insert = insertIn(tool, l.frame);
+  const works = workingStart(l, contour, leadOf(insert));
+  const refused = [unfit(tool, l.frame, TURNING), wrongStart(contour, called, setting, works)].filter((i) => i !== null);
+  if (refused.length > 0) return { ...sketch, issues: refused };
+  const issues: Issue[] = [];
+  if (flanksUnknown(tool)) issues.push(issue("flanksNotChecked", "info", {}, "tool"));
+  if (tool.TYPE === "RECESS") issues.push(issue("toolCannotCutSideways", "warning", { type: tool.TYPE }, "tool"));
+
+  const bounds = contour.map((segment): Bound => ({ segment, on: "contour" }));
+  const keep = l.frame.transverse ? { u: l.oversize.r, v: l.oversize.z } : { u: l.oversize.z, v: l.oversize.r };
+  const over = (round: number) => groundOver(bounds, tool, l.frame, { ...keep, round }, AROUND);
+  const drawn = groundOver(bounds, tool, l.frame, { u: 0, v: 0 }, AROUND);
+  if (insidePart(drawn, called)) return { ...sketch, issues: [...issues, startInPart(works)] };
+  const kept = over(0);
+  const blank = groundOver(bounds, tool, l.frame, { u: 0, v: 0, round: l.allowance }, AROUND);
+  const stands = atCall({ stock: setting.stock, area: sketch.area.map((p) => toFlat(l.frame, p)), frame: l.frame, insert }, drawn.bare,
+    l.operation > 1 ? { grown: kept.bare, infeed: l.infeed } : null);
+  const start = startOf(l, called, blank);
+  if (start.v > called.v) issues.push(issue("startInArea", "warning", { x: toDiameter(setting.start.r), z: setting.start.z }, "start"));
+  const room = roomOf(l.frame);
+  const cutter = new Cutter(l.frame, setting.feedUnit, called, room, new Frontier(stands, insert), Math.max(called.v, start.v));
+  back(cutter, start, l, l.operation > 1 ? "finish" : "rough", 0);
+
+  const follow = {
+    contour,
+    start,
+    clearance: l.clearance,
+    runOut: null,
+    feeds: l.feeds,
+    from: room.minU,
+    to: room.maxU,
+    ceiling: room.maxV,
+    smoothing: false,
+  };
+  let passes: readonly number[] = [];
+  if (l.operation === 0 || l.operation === 1) {
+    const depth = l.allowance - Math.min(keep.u, keep.v);
+    const divided = divideAllowance(allowanceOf(l, depth, over), limitedInfeed(l.infeed, tool, depth, issues), issues);
+    if (!divided) return { ...sketch, issues };
+    passes = divided;
+    if (passes.length === 0) issues.push(issue("nothingToCut", "warning", {}, "infeed"));
+    roughAlong(cutter, { ...follow, ground: kept }, passes, over);
+    back(cutter, start, l, "rough", 6);
+  }
+  if (l.operation !== 1) {
+    followContour(cutter, { ...follow, ground: l.operation === 3 ? kept : drawn }, issues);
+    back(cutter, start, l, "finish", 4);
+  }
+  return clearAcross({
+    ...sketch,
+    moves: cutter.moves,
+    issues,
+    passes: passes.length,
+    infeed: length(greatest(passes)),
+    reach: reachOf(drawn, drawn.first, drawn.end.u, l.frame, tool),
+    kept: reachOf(kept, kept.first, Math.max(kept.end.u, drawn.end.u), l.frame, tool),
+  }, setting, l.frame.transverse ? "startU" : "startV");
+}
+
+/** The printed steps 1 to 5 of roughing: to the beginning of a pass, along the contour, lift, back, until the oversize is reached. */
+function roughAlong(cutter: Cutter, follow: Finish, passes: readonly number[], over: (round: number) => Ground): void {
+  let left = passes.reduce((sum, infeed) => sum + infeed, 0);
+  passes.forEach((infeed, i) => {
+    const last = i === passes.length - 1;
+    left = last ? 0 : left - infeed;
+    // What lies beyond the axis is no pass, and no fault.
+    followContour(cutter, { ...follow, ground: last ? follow.ground : over(left), pass: i + 1, clearance: follow.clearance }, []);
+  });
+}
+
+/** What there is to divide: the allowance, and how long a pass is where it begins and where it ends. */
+function allowanceOf(l: ContourParallel, depth: number, over: (round: number) => Ground): Allowance {
+  if (!l.sameArea || !(depth > SAME)) return { depth, outer: 1, inner: 1 };
+  const along = ({ envelope, first, end }: Ground) =>
+    pathAlong(envelope, first, end.u).reduce((sum, { segment }) => sum + flat.lengthOf(segment), 0);
+  return { depth, outer: along(over(depth)), inner: along(over(0)) };
+}
+
+const greatest = (infeeds: readonly number[]) => Math.max(0, ...infeeds);
+
+/** Where the cycle starts from: where it is called, or straight above that out of the allowance. */
+function startOf(l: ContourParallel, called: Flat, blank: Ground): Flat {
+  const height = called.u < blank.first ? -Infinity : heightAt(blank.envelope, called.u);
+  return called.v < height - SAME ? { u: called.u, v: height + l.clearance } : called;
+}
+
+/** A contour is not run towards the start point; nothing is run from the other side of the axis. */
+function wrongStart(contour: readonly FlatSegment[], called: Flat, { start }: Setting, works: { x: number; z: number }): Issue | null {
+  const last = (contour.at(-1) as FlatSegment).to;
+  return called.u > last.u - SAME || start.r < -SAME ? issue("startOnWrongSide", "error", works, "startU") : null;
+}
+
+/** A start point that works: in front of the contour and above what stands on it, by the clearance. */
+function workingStart(l: ContourParallel, contour: readonly FlatSegment[], lead: number): { x: number; z: number } {
+  const u = (contour[0] as FlatSegment).from.u - lead - l.clearance;
+  const v = Math.max(...contour.map((s) => flat.boxOf(s).high)) + l.allowance + l.clearance;
+  const works = toPart(l.frame, { u, v: Math.min(v, roomOf(l.frame).maxV) });
+  return { x: toDiameter(works.r), z: works.z };
+}
+
+/** Back to the cycle start. */
+function back(cutter: Cutter, start: Flat, l: ContourParallel, run: "rough" | "finish", step: number): void {
+  const p = { phase: "position", run, step } as const;
+  cutter.link(start, { gap: l.clearance, feed: run === "finish" ? l.feeds.finish : l.feeds.rough, out: p, down: p, enter: p });
+}
