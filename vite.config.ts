@@ -1,6 +1,6 @@
 import { readFileSync } from "node:fs";
 import react from "@vitejs/plugin-react";
-import type { Plugin } from "vite";
+import { runnerImport, type Plugin } from "vite";
 import { configDefaults, defineConfig } from "vitest/config";
 import { MEDIA } from "./src/app/media.ts";
 
@@ -52,9 +52,27 @@ const namedMedia: Plugin = {
   },
 };
 
+/** `virtual:cycle-menu`: what the first screen has to know of the catalogue and of its texts, without them. */
+function cycleMenu(): Plugin {
+  let modules: Promise<Readonly<Record<string, string>>> | null = null;
+  const made = () =>
+    modules ??= runnerImport<{ menuModules: () => Readonly<Record<string, string>> }>(new URL("scripts/menu.ts", import.meta.url).pathname, {
+      configFile: false,
+      logLevel: "error",
+    }).then(({ module }) => module.menuModules());
+  return {
+    name: "cycle-menu",
+    resolveId: (id) => (id.startsWith("virtual:cycle-menu") ? `\0${id}` : undefined),
+    load: async (id) => (id.startsWith("\0virtual:cycle-menu") ? (await made())[id.slice(1)] : undefined),
+    hotUpdate() {
+      modules = null;
+    },
+  };
+}
+
 export default defineConfig({
   base: "./",
-  plugins: [react(), contentPolicy, namedMedia],
+  plugins: [react(), contentPolicy, namedMedia, cycleMenu()],
   worker: { format: "es" },
   build: {
     target: "es2023",

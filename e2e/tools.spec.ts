@@ -9,7 +9,7 @@ test("a tool of one's own by keyboard alone: made, kept over a reload, offered i
   const { keyboard } = page;
   await turnwise.start.beginWithExample(812);
   await effect.proved();
-  await tabTo(page, page.getByRole("button", { name: t.tools.openLong }), "Shift+Tab");
+  await tabTo(page, page.getByRole("button", { name: t.page.tools.openLong }), "Shift+Tab");
   await keyboard.press("Enter");
   await expect(tools.rowButton(1)).toBeFocused();
   await keyboard.press("ArrowDown");

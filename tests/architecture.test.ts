@@ -140,8 +140,24 @@ describe("what the start page waits for", () => {
   };
   visit("src/app/main.tsx", "");
 
-  test.each(["react-aria-components", "@codemirror/view", "dxf-parser", "clipper2-ts"])("not %s",
-    (name) => expect(reached.get(name)).toBe(undefined));
+  test.each([
+    "react-aria-components",
+    "@codemirror/view",
+    "dxf-parser",
+    "clipper2-ts",
+    "src/cycles/index.ts",
+    "src/program/job.ts",
+    "src/i18n/index.ts",
+    "src/i18n/en/index.ts",
+    "src/app/settings/use-texts.ts",
+    "src/app/reading.ts",
+    "src/app/engine/client.ts",
+  ])("not %s", (name) => expect(reached.get(name)).toBe(undefined));
+
+  test("nothing of the catalogue, no strategy, no text of a dialog", () => {
+    const late = /^src\/(?:cycles|sim|report|kernel\/strategy|i18n\/(?:en|de|fr|zh))\//;
+    expect([...reached].filter(([path]) => late.test(path))).toEqual([]);
+  });
 
   test("its files are followed at all", () => {
     expect(reached.has("react")).toBe(true);

@@ -22,7 +22,7 @@ test.each(examples.map((e) => [e.id, e.text] as const))("%s is printed as it was
   const program = parse(text);
   expect(print(program)).toBe(text);
   expect(issuesOf(program)).toEqual([]);
-  for (const l of LANGUAGES) expect(texts(l).page.examples.names[id]).toBeTruthy();
+  for (const l of LANGUAGES) expect(texts(l).page.examples[id]).toBeTruthy();
 });
 
 test.each(examples.map((e) => [e.id, e.text] as const))("%s runs without a finding and cuts nothing it should not", (_, text) => {

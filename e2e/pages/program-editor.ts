@@ -1,7 +1,7 @@
 import { expect, type Locator } from "@playwright/test";
 import type { Context } from "./turnwise.ts";
 
-type Example = keyof Context["t"]["editor"]["examples"];
+type Example = keyof Context["t"]["page"]["examples"];
 type Section = keyof Context["t"]["editor"]["sections"] | "findings";
 
 /** Whole programs: opening, the text, the list of parts, the dialog of a block. */
@@ -13,7 +13,7 @@ export class ProgramEditor {
   }
 
   async openExample(id: Example): Promise<void> {
-    await this.context.page.getByRole("button", { name: this.words.start.example(this.words.examples[id]), exact: true }).click();
+    await this.context.page.getByRole("button", { name: this.context.t.page.programs.example(this.context.t.page.examples[id]), exact: true }).click();
     await expect(this.text).toBeVisible();
   }
 
@@ -25,10 +25,10 @@ export class ProgramEditor {
 
   async paste(text: string): Promise<void> {
     const { page } = this.context;
-    await page.getByRole("button", { name: this.words.start.paste, exact: true }).click();
-    const dialog = page.getByRole("dialog", { name: this.words.start.pasteTitle });
+    await page.getByRole("button", { name: this.context.t.page.programs.paste, exact: true }).click();
+    const dialog = page.getByRole("dialog", { name: this.context.t.page.programs.pasteTitle });
     await dialog.getByRole("textbox").fill(text);
-    await dialog.getByRole("button", { name: this.words.start.pasteOpen, exact: true }).click();
+    await dialog.getByRole("button", { name: this.context.t.page.programs.pasteOpen, exact: true }).click();
     await expect(this.text).toBeVisible();
   }
 

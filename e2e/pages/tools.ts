@@ -11,7 +11,7 @@ export class ToolTable {
 
   /** Opens the table from anywhere. */
   async open(): Promise<void> {
-    await this.button(this.context.t.tools.openLong).click();
+    await this.button(this.context.t.page.tools.openLong).click();
     await this.table.or(this.context.page.getByText(this.context.t.tools.none)).waitFor();
   }
 

@@ -1,45 +1,42 @@
 import { lazy, Suspense, useEffect } from "react";
+import { menuCycle } from "./chooser/menu.ts";
 import { Header } from "./Header.tsx";
 import { DropProgram } from "./files/DropProgram.tsx";
 import { Notices } from "./Notices.tsx";
 import { useCopying } from "./program/copy.ts";
-import { useReading } from "./reading.ts";
+import { fetchAtRest } from "./rest.ts";
 import { useKeeping } from "./saving/keep.ts";
-import { useTexts } from "./settings/use-texts.ts";
+import { fetchShownTexts } from "./settings/shown-texts.ts";
+import { useFirstTexts } from "./settings/use-first-texts.ts";
 import { StartPage } from "./start/StartPage.tsx";
 import { useEditor } from "./store.ts";
 import { useToolPlace } from "./tools/tool-place.ts";
 
-/** Fetched when they are first shown; the workplace as soon as a hand moves, before a cycle is chosen. */
-const fetchWorkplace = async () => ({ default: (await import("./Workplace.tsx")).Workplace });
-const Workplace = lazy(fetchWorkplace);
+/** Parts that are fetched when they are first shown, together with the texts that they need. */
+const later = <M,>(fetch: () => Promise<M>) => async (): Promise<M> => (await Promise.all([fetch(), fetchShownTexts()]))[0];
+const fetchWorkplace = later(() => import("./Workplace.tsx"));
+const Workplace = lazy(async () => ({ default: (await fetchWorkplace()).Workplace }));
 const CopyByHand = lazy(async () => ({ default: (await import("./program/CopyByHand.tsx")).CopyByHand }));
-const ToolPage = lazy(async () => ({ default: (await import("./tools/ToolPage.tsx")).ToolPage }));
-const ProgramWorkplace = lazy(async () => ({ default: (await import("./editor/ProgramWorkplace.tsx")).ProgramWorkplace }));
+const fetchTools = later(() => import("./tools/ToolPage.tsx"));
+const ToolPage = lazy(async () => ({ default: (await fetchTools()).ToolPage }));
+const fetchEditor = later(() => import("./editor/ProgramWorkplace.tsx"));
+const ProgramWorkplace = lazy(async () => ({ default: (await fetchEditor()).ProgramWorkplace }));
 
 /** The page: the top line, and below it the tool table, the choice of work, or the workplace of the open job or program. */
 export function App() {
   const ready = useKeeping((k) => k.ready);
-  const read = useReading();
+  const job = useEditor((s) => (s.job && menuCycle(s.job.cycle) ? s.job : null));
   const tools = useToolPlace((p) => p.shown);
   const program = useEditor((s) => (s.program ? s.work : null));
   const programName = useEditor((s) => s.program?.name);
   const refused = useCopying((c) => c.state === "refused");
-  const t = useTexts().editor;
-  const name = read?.job.name ?? programName;
+  const t = useFirstTexts().page;
+  const name = job?.name ?? programName;
   useEffect(() => {
     document.title = name ? `${name} · Turnwise` : "Turnwise";
   }, [name]);
 
-  useEffect(() => {
-    const begins = ["pointermove", "pointerdown", "keydown"];
-    const fetchNow = () => {
-      for (const sign of begins) removeEventListener(sign, fetchNow);
-      void fetchWorkplace().catch(() => undefined);
-    };
-    for (const sign of begins) addEventListener(sign, fetchNow, { passive: true });
-    return () => begins.forEach((sign) => removeEventListener(sign, fetchNow));
-  }, []);
+  useEffect(() => fetchAtRest(fetchWorkplace), []);
 
   return (
     <div className="page">
@@ -55,10 +52,10 @@ export function App() {
           <ProgramWorkplace key={program} />
         </Suspense>
       )}
-      {ready && !tools && program === null && (read
+      {ready && !tools && program === null && (job
         ? (
           <Suspense>
-            <Workplace read={read} />
+            <Workplace />
           </Suspense>
         )
         : <StartPage />)}

@@ -1,6 +1,6 @@
 import { Component, type ReactNode } from "react";
 import { rememberWork } from "./saving/tab.ts";
-import { texts } from "./settings/loaded-texts.ts";
+import { firstTexts } from "./settings/loaded-texts.ts";
 import { useSettings } from "./settings/settings.ts";
 
 interface State {
@@ -17,7 +17,7 @@ export class CrashGuard extends Component<{ readonly children: ReactNode }, Stat
 
   override render(): ReactNode {
     if (!this.state.crashed) return this.props.children;
-    const t = texts(useSettings.getState().language).page.notice;
+    const t = firstTexts(useSettings.getState().language).page.notice;
     return (
       <main className="crash" role="alert">
         <h1>{t.crashTitle}</h1>

@@ -1,9 +1,7 @@
 import { lazy, Suspense, useEffect, useRef, useState } from "react";
-import type { CycleNumber } from "../cycles/index.ts";
 import { Icon } from "./Icon.tsx";
 import { usePlace } from "./place.ts";
-import { useReading } from "./reading.ts";
-import { useTexts } from "./settings/use-texts.ts";
+import { useFirstTexts } from "./settings/use-first-texts.ts";
 import { redoStep, undoStep } from "./history.ts";
 import { useSteps } from "./steps.ts";
 import { open, useEditor } from "./store.ts";
@@ -14,8 +12,8 @@ const SettingsDialog = lazy(async () => ({ default: (await import("./settings/Se
 
 /** The top line: what is open, undo and redo, a new program, settings. */
 export function Header() {
-  const t = useTexts();
-  const read = useReading();
+  const t = useFirstTexts();
+  const job = useEditor((s) => s.job);
   const section = usePlace((p) => p.section);
   const [settings, showSettings] = useState(false);
   const program = useEditor((s) => s.program);
@@ -24,7 +22,7 @@ export function Header() {
   const tools = useToolPlace((p) => p.shown);
   const toTools = useRef<HTMLButtonElement>(null);
   const wereTools = useRef(false);
-  const words = read && t.cycles.of[read.cycle.number as CycleNumber];
+  const words = job && t.menu.of[job.cycle];
 
   useEffect(() => {
     if (wereTools.current && !tools) toTools.current?.focus();
@@ -33,14 +31,14 @@ export function Header() {
 
   return (
     <header className="top" aria-label={t.page.header}>
-      {read && section === "prompts" && !tools && <a className="skip" href="#prompts">{t.page.skipToPrompts}</a>}
+      {words && section === "prompts" && !tools && <a className="skip" href="#prompts">{t.page.skipToPrompts}</a>}
       <p className="brand">
         <b>{t.page.product}</b>
       </p>
-      {tools && <h1 className="open-cycle">{t.tools.title}</h1>}
-      {!tools && read && words && (
+      {tools && <h1 className="open-cycle">{t.page.tools.title}</h1>}
+      {!tools && words && (
         <h1 className="open-cycle">
-          <span className="number">{read.cycle.number}</span> {words.name}
+          <span className="number">{job.cycle}</span> {words.name}
         </h1>
       )}
       {!tools && program && <h1 className="open-cycle">{program.name}</h1>}
@@ -56,13 +54,13 @@ export function Header() {
           <Icon name="redo" />
         </button>
         {!tools && (
-          <button ref={toTools} type="button" className="button plain new-program" aria-label={t.tools.openLong} title={t.tools.openLong}
+          <button ref={toTools} type="button" className="button plain new-program" aria-label={t.page.tools.openLong} title={t.page.tools.openLong}
             onClick={() => showTools()}
           >
-            <Icon name="insert" /> <span>{t.tools.open}</span>
+            <Icon name="insert" /> <span>{t.page.tools.open}</span>
           </button>
         )}
-        {!tools && (read ?? program) && (
+        {!tools && (words ?? program) && (
           <button type="button" className="button plain new-program" aria-label={t.page.newProgram} title={t.page.newProgram}
             onClick={() => {
               usePlace.setState({ section: "prompts", prompt: null });

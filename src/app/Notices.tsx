@@ -1,10 +1,10 @@
 import { Icon } from "./Icon.tsx";
 import { dismiss, unkeptWorks, useKeeping } from "./saving/keep.ts";
-import { useTexts } from "./settings/use-texts.ts";
+import { useFirstTexts } from "./settings/use-first-texts.ts";
 
 /** The works that are nowhere but in this page, as files. */
 function DownloadUnkept() {
-  const t = useTexts().page.notice;
+  const t = useFirstTexts().page.notice;
   const works = unkeptWorks();
   if (works.length === 0) return null;
   return (
@@ -18,7 +18,7 @@ function DownloadUnkept() {
 
 /** What happened to saved work, until it is dismissed. */
 export function Notices() {
-  const t = useTexts().page.notice;
+  const t = useFirstTexts().page.notice;
   const { notices, damaged } = useKeeping();
   const line = (key: (typeof notices)[number] | "damaged", text: string) => (
     <p key={key} className="notice">

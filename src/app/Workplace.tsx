@@ -14,7 +14,7 @@ import { LatheView } from "./lathe/LatheView.tsx";
 import { usePlace, type JobSection } from "./place.ts";
 import { playback } from "./playback.ts";
 import { ProgramPanel } from "./program/ProgramPanel.tsx";
-import type { JobReading } from "./reading.ts";
+import { useReading, type JobReading } from "./reading.ts";
 import { SectionTabs } from "./SectionTabs.tsx";
 import { changeSettings, useSettings } from "./settings/settings.ts";
 import { useTexts } from "./settings/use-texts.ts";
@@ -25,7 +25,12 @@ import { useMedia } from "./use-media.ts";
 const ContourTable = lazy(async () => ({ default: (await import("./contour/ContourTable.tsx")).ContourTable }));
 
 /** Prompts, lathe and program of the open job. */
-export function Workplace({ read }: { readonly read: JobReading }) {
+export function Workplace() {
+  const read = useReading();
+  return read && <JobWorkplace read={read} />;
+}
+
+function JobWorkplace({ read }: { readonly read: JobReading }) {
   const { page: t, findings: { title: findingsTitle } } = useTexts();
   const language = useSettings((s) => s.language);
   const wide = useMedia("wide");

@@ -1,6 +1,5 @@
 import { draftOf } from "./edits.ts";
 import { openPrompt, usePlace } from "./place.ts";
-import { readJob } from "./reading.ts";
 import { redo, undo, useSteps, type Steps } from "./steps.ts";
 import { useEditor } from "./store.ts";
 import { hideTools, showTools } from "./tools/tool-place.ts";
@@ -20,9 +19,8 @@ function goAndShow(way: keyof Steps, run: () => void): void {
   hideTools();
   if (!before || !after || before === after || before.cycle !== after.cycle) return;
   const [now, then] = [draftOf(after), draftOf(before)];
-  const read = readJob(after);
-  const changed = read && Object.keys(read.cycle.params).find((q) => (now[q] ?? "") !== (then[q] ?? ""));
-  if (changed && usePlace.getState().section === "prompts") openPrompt(changed, now[changed] ?? "");
+  const changed = Object.keys({ ...now, ...then }).find((q) => (now[q] ?? "") !== (then[q] ?? ""));
+  if (changed !== undefined && usePlace.getState().section === "prompts") openPrompt(changed, now[changed] ?? "");
 }
 
 /** One step back, whatever was changed last. */

@@ -3,12 +3,13 @@ import { createRoot } from "react-dom/client";
 import { z } from "zod/mini";
 import { App } from "./App.tsx";
 import { CrashGuard } from "./CrashGuard.tsx";
+import { startEngineLater } from "./engine/later.ts";
 import { openShared } from "./files/open-shared.ts";
 import { onHistoryKey } from "./history.ts";
 import { resumePlace, startKeepingPlace } from "./saving/keep-place.ts";
-import { notice, resume, startKeeping } from "./saving/keep.ts";
+import { resume, startKeeping } from "./saving/keep.ts";
 import { followAppearance } from "./settings/appearance.ts";
-import { fetchTexts } from "./settings/loaded-texts.ts";
+import { fetchFirstTexts } from "./settings/loaded-texts.ts";
 import { useSettings } from "./settings/settings.ts";
 import { startTools } from "./tools/keep-tools.ts";
 import "./styles/tokens.css";
@@ -26,14 +27,13 @@ void resume().then(() => {
   resumePlace();
   startKeepingPlace();
   startKeeping();
-  // Nothing is calculated before a work is open; the buttons of the first screen need not wait for what does it.
-  void import("./engine/client.ts").then(({ startEngine }) => startEngine()).catch(() => notice("engineFailed"));
+  startEngineLater();
   void openShared();
   addEventListener("hashchange", () => void openShared());
 });
 
 const root = document.getElementById("root");
-void fetchTexts(useSettings.getState().language).then(() => {
+void fetchFirstTexts(useSettings.getState().language).then(() => {
   if (!root) return;
   createRoot(root).render(<StrictMode>
     <CrashGuard>

@@ -1,5 +1,6 @@
 import { de } from "./de/index.ts";
 import type { ApproachTexts } from "./en/approach.ts";
+import type { ChooserTexts } from "./en/chooser.ts";
 import type { ContourTexts } from "./en/contour.ts";
 import type { CyclesTexts } from "./cycle-text.ts";
 import type { DialogTexts } from "./en/dialog.ts";
@@ -20,6 +21,7 @@ import { zh } from "./zh/index.ts";
 /** All texts of one screen language, by area. A text missing in a language is a compile error. */
 export interface Texts {
   readonly page: PageTexts;
+  readonly chooser: ChooserTexts;
   readonly dialog: DialogTexts;
   readonly setup: SetupTexts;
   readonly lathe: LatheTexts;

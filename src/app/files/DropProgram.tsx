@@ -1,12 +1,12 @@
 import { useEffect, useState } from "react";
-import { useTexts } from "../settings/use-texts.ts";
+import { useFirstTexts } from "../settings/use-first-texts.ts";
 import { openDropped } from "./open-program.ts";
 
 const carriesFile = (event: DragEvent) => event.dataTransfer?.types.includes("Files") ?? false;
 
 /** A program file may be dropped anywhere on the page; while it hovers, the page says so. */
 export function DropProgram() {
-  const t = useTexts().editor.start;
+  const t = useFirstTexts().page.programs;
   const [over, setOver] = useState(false);
   useEffect(() => {
     const hover = (event: DragEvent) => {

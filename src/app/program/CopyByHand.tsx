@@ -1,10 +1,10 @@
 import { useLayoutEffect, useRef } from "react";
-import { useTexts } from "../settings/use-texts.ts";
+import { useFirstTexts } from "../settings/use-first-texts.ts";
 import { closeCopying, useCopying } from "./copy.ts";
 
 /** Where the clipboard is refused: the text, selected, to be copied by hand. */
 export function CopyByHand() {
-  const t = useTexts().page;
+  const t = useFirstTexts().page;
   const text = useCopying((c) => c.text);
   const dialog = useRef<HTMLDialogElement>(null);
   const area = useRef<HTMLTextAreaElement>(null);

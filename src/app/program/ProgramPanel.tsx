@@ -16,7 +16,7 @@ import { useRunningBlock } from "./running-block.ts";
 
 /** The program as the control writes it: to read, to copy, to take along. */
 export function ProgramPanel({ read, foldable }: { readonly read: JobReading; readonly foldable: boolean }) {
-  const { page: { text: t }, editor: { start: open } } = useTexts();
+  const { page: { text: t, programs: open } } = useTexts();
   const { job } = read;
   const text = printedText(job);
   const file = `${programName(text)}.h`;

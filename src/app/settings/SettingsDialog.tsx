@@ -1,12 +1,12 @@
 import { useLayoutEffect, useRef } from "react";
 import { LANGUAGE_NAMES, LANGUAGES, isLanguage } from "../../i18n/languages.ts";
 import { changeLanguage, changeSettings, useSettings } from "./settings.ts";
-import { useTexts } from "./use-texts.ts";
+import { useFirstTexts } from "./use-first-texts.ts";
 
 /** Language, appearance and motion: choices of this device. */
 export function SettingsDialog({ onClose }: { readonly onClose: () => void }) {
   const dialog = useRef<HTMLDialogElement>(null);
-  const t = useTexts().page;
+  const t = useFirstTexts().page;
   const settings = useSettings();
   useLayoutEffect(() => dialog.current?.showModal(), []);
   return (

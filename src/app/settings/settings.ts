@@ -1,7 +1,7 @@
 import { create } from "zustand";
 import { isLanguage, type Language } from "../../i18n/languages.ts";
 import type { Control } from "../../program/plane-types.ts";
-import { fetchTexts } from "./loaded-texts.ts";
+import { fetchFirstTexts, fetchTexts, lacksTexts } from "./loaded-texts.ts";
 
 /** Choices of this device, beside the work itself. Kept in the browser's local storage. */
 export interface Settings {
@@ -84,7 +84,8 @@ export const useSettings = create<Settings>(() => readSettings(stored()));
 /** Changes the screen language once its texts are here; where they cannot be fetched it stays as it is. */
 export async function changeLanguage(language: Language): Promise<void> {
   try {
-    await fetchTexts(language);
+    await fetchFirstTexts(language);
+    while (lacksTexts(language)) await fetchTexts(language);
     changeSettings({ language });
   } catch {
     return;

@@ -1,6 +1,10 @@
+import { use } from "react";
 import type { Texts } from "../../i18n/index.ts";
-import { texts } from "./loaded-texts.ts";
+import { fetchTexts, textsHere } from "./loaded-texts.ts";
 import { useSettings } from "./settings.ts";
 
-/** The texts of the screen language; a component that uses this follows the language switch. */
-export const useTexts = (): Texts => texts(useSettings((s) => s.language));
+/** All texts of the screen language, where there is more than the first screen; a component that uses this follows the language switch. */
+export function useTexts(): Texts {
+  const language = useSettings((s) => s.language);
+  return textsHere(language) ?? use(fetchTexts(language));
+}

@@ -1,10 +1,10 @@
 import { useState } from "react";
-import { cycleByNumber } from "../../cycles/index.ts";
+import { menuCycle } from "../chooser/menu.ts";
 import { Icon } from "../Icon.tsx";
 import { usePlace } from "../place.ts";
 import { openWork, putBack, removeWork, useKeeping } from "../saving/keep.ts";
 import { useSettings } from "../settings/settings.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useFirstTexts } from "../settings/use-first-texts.ts";
 import type { Work } from "../work.ts";
 
 /** Works that are listed before all are asked for. */
@@ -12,11 +12,11 @@ const FIRST = 20;
 
 /** Earlier programs on this device, newest first. */
 export function KeptWorks() {
-  const { start: t, undo } = useTexts().page;
+  const { start: t, undo } = useFirstTexts().page;
   const [removed, setRemoved] = useState<{ readonly work: string; readonly job: Work } | null>(null);
   const [all, showAll] = useState(false);
   const language = useSettings((s) => s.language);
-  const works = useKeeping((k) => k.works).filter(({ cycle }) => cycle === null || cycleByNumber(cycle));
+  const works = useKeeping((k) => k.works).filter(({ cycle }) => cycle === null || menuCycle(cycle));
   if (works.length === 0 && !removed) return null;
   const when = new Intl.DateTimeFormat(language, { dateStyle: "medium", timeStyle: "short" });
 

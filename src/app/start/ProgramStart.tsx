@@ -3,7 +3,7 @@ import type { ExampleId } from "../../examples/index.ts";
 import { canOpenFiles, pickFile } from "../files/file-handle.ts";
 import { openFile, openText, type Opening } from "../files/open-program.ts";
 import { Icon } from "../Icon.tsx";
-import { useTexts } from "../settings/use-texts.ts";
+import { useFirstTexts } from "../settings/use-first-texts.ts";
 
 /** A program of its own with nothing in it yet. */
 const EMPTY = "0 BEGIN PGM PROGRAM MM\n1 BLK FORM CYLINDER Z D80 L100 DIST+1\n2 FUNCTION MODE TURN\n3 M30\n4 END PGM PROGRAM MM\n";
@@ -16,7 +16,7 @@ async function openExample(id: string): Promise<void> {
 
 /** Ways to a whole program: a file, a paste, an empty one, an example. */
 export function ProgramStart() {
-  const t = useTexts().editor;
+  const t = useFirstTexts().page;
   const [opening, setOpening] = useState<Opening>("opened");
   const [pasted, paste] = useState(false);
   const area = useRef<HTMLTextAreaElement>(null);
@@ -31,37 +31,37 @@ export function ProgramStart() {
   };
 
   return (
-    <section className="program-start" aria-label={t.start.title}>
-      <h2>{t.start.title}</h2>
-      <p className="soft">{t.start.lead}</p>
+    <section className="program-start" aria-label={t.programs.title}>
+      <h2>{t.programs.title}</h2>
+      <p className="soft">{t.programs.lead}</p>
       <div className="program-ways">
-        <button type="button" className="button primary" onClick={() => void ask()}>{t.start.openFile}</button>
-        <input ref={file} type="file" className="unseen" tabIndex={-1} aria-label={t.start.openFile} accept=".h,.H,.i,.txt,text/plain"
+        <button type="button" className="button primary" onClick={() => void ask()}>{t.programs.openFile}</button>
+        <input ref={file} type="file" className="unseen" tabIndex={-1} aria-label={t.programs.openFile} accept=".h,.H,.i,.txt,text/plain"
           onChange={(event) => void take(event.currentTarget.files?.[0])} />
-        <button type="button" className="button" onClick={() => dialog.current?.showModal()}>{t.start.paste}</button>
-        <button type="button" className="button" onClick={() => openText(EMPTY)}>{t.start.create}</button>
-        <span className="soft small">{t.start.drop}</span>
+        <button type="button" className="button" onClick={() => dialog.current?.showModal()}>{t.programs.paste}</button>
+        <button type="button" className="button" onClick={() => openText(EMPTY)}>{t.programs.create}</button>
+        <span className="soft small">{t.programs.drop}</span>
       </div>
       <p role="status" className="program-unreadable">
         {opening !== "opened" && (
           <>
-            <Icon name="error" /> {t.start[opening]}
+            <Icon name="error" /> {t.programs[opening]}
           </>
         )}
       </p>
-      <h3>{t.start.examples}</h3>
+      <h3>{t.programs.examples}</h3>
       <ul className="program-examples">
         {Object.entries(t.examples as Readonly<Record<ExampleId, string>>).map(([id, title]) => (
           <li key={id}>
-            <button type="button" className="button" aria-label={t.start.example(title)} onClick={() => void openExample(id)}>
+            <button type="button" className="button" aria-label={t.programs.example(title)} onClick={() => void openExample(id)}>
               {title}
             </button>
           </li>
         ))}
       </ul>
-      <dialog ref={dialog} className="paste-program" aria-label={t.start.pasteTitle}>
-        <h2>{t.start.pasteTitle}</h2>
-        <textarea className="number" rows={14} spellCheck={false} aria-label={t.start.pasteLabel} ref={area}
+      <dialog ref={dialog} className="paste-program" aria-label={t.programs.pasteTitle}>
+        <h2>{t.programs.pasteTitle}</h2>
+        <textarea className="number" rows={14} spellCheck={false} aria-label={t.programs.pasteLabel} ref={area}
           onChange={(event) => paste(event.currentTarget.value.trim() !== "")} onPaste={(event) => {
           // Set at once: typing it in would take a browser seconds for a long program.
           const text = event.clipboardData.getData("text/plain");
@@ -75,9 +75,9 @@ export function ProgramStart() {
             dialog.current?.close();
             openText(area.current?.value ?? "");
           }}>
-            {t.start.pasteOpen}
+            {t.programs.pasteOpen}
           </button>
-          <button type="button" className="button" onClick={() => dialog.current?.close()}>{t.start.cancel}</button>
+          <button type="button" className="button" onClick={() => dialog.current?.close()}>{t.programs.cancel}</button>
         </div>
       </dialog>
     </section>

@@ -31,7 +31,7 @@ export const page = {
   helpPicture: "Hilfsbild",
 
   start: {
-    title: "Welcher Zyklus?",
+    title: "Zyklus wählen",
     lead: "Zyklus wählen, Fragen beantworten, der Maschine zusehen, Programm kopieren.",
     withExample: "Mit Beispielwerten beginnen",
     empty: "Leer beginnen",
@@ -45,17 +45,38 @@ export const page = {
     unconfirmed: "Die Parameterliste dieses Zyklus ist aus der Erinnerung, nicht an einer gedruckten Seite geprüft.",
   },
 
+  programs: {
+    title: "Ganze Programme",
+    lead: "Ein Klartext-Programm öffnen, verstehen, im Dialog ändern und unversehrt wieder mitnehmen.",
+    openFile: "Datei öffnen",
+    paste: "Programm einfügen",
+    create: "Neues leeres Programm",
+    drop: "oder eine Datei hier ablegen",
+    dropHere: "Programm hier ablegen",
+    examples: "Beispiele",
+    example: (title) => `Beispiel ${title} öffnen`,
+    fromJob: "Als Programm öffnen",
+    fromJobLong: "Dieses Programm als ganzes Programm öffnen; die Dialogwerte bleiben bei der bisherigen Arbeit",
+    pasteTitle: "Programm einfügen",
+    pasteLabel: "Programmtext",
+    pasteOpen: "Öffnen",
+    cancel: "Abbrechen",
+    unreadable: "Diese Datei konnte nicht gelesen werden.",
+    tooLarge: "Diese Datei ist größer als 20 MB.",
+  },
   examples: {
-    title: "Beispielprogramme",
-    open: (name) => `Beispiel öffnen: ${name}`,
-    names: {
-      flange: "Flansch: sechs Werkzeuge, vom Rohteil zum Fertigteil",
-      shoulder: "Absatz, Zyklus 812, wie für TNC 640 gedruckt (französische Texte)",
-      contour: "Kontur, Zyklus 820, wie für TNC 640 gedruckt (französische Texte)",
-      contourEnglish: "Kontur, Zyklus 820, wie für TNC7 gedruckt (englische Texte)",
-      groove: "Einstich, Zyklus 852, wie für TNC 640 gedruckt (französische Texte)",
-      plate: "Platte: An- und Wegfahren, gefräst",
-    },
+    flange: "Flansch: sechs Werkzeuge, acht Zyklen",
+    shoulder: "Absatz, wie gedruckt (französisch)",
+    contour: "Kontur plan, wie gedruckt (französisch)",
+    contourEnglish: "Kontur plan, wie gedruckt (englisch)",
+    groove: "Einstich, wie gedruckt (französisch)",
+    plate: "Gefräste Platte: An- und Wegfahren",
+  },
+  loading: "Der Editor wird geladen.",
+  tools: {
+    title: "Werkzeugtabelle",
+    open: "Werkzeuge",
+    openLong: "Werkzeugtabelle öffnen",
   },
 
   effect: {

@@ -1,9 +1,6 @@
 import type { ToolsTexts } from "../en/tools.ts";
 
 export const tools = {
-  title: "Werkzeugtabelle",
-  open: "Werkzeuge",
-  openLong: "Werkzeugtabelle öffnen",
   back: "Zurück",
   backLong: "Zurück zur Arbeit",
   table: "Drehwerkzeuge dieses Geräts",

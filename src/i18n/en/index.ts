@@ -1,4 +1,4 @@
-import { page } from "./page.ts";
+import { first } from "./first.ts";
 import { dialog } from "./dialog.ts";
 import { setup } from "./setup.ts";
 import { lathe } from "./lathe.ts";
@@ -12,4 +12,4 @@ import { messages } from "./messages.ts";
 import { params } from "./params.ts";
 import { cycles } from "./cycles.ts";
 
-export const en = { page, dialog, setup, lathe, help, contour, tools, editor, approach, findings, messages, params, cycles };
+export const en = { ...first, dialog, setup, lathe, help, contour, tools, editor, approach, findings, messages, params, cycles };

@@ -30,7 +30,7 @@ export const page = {
   helpPicture: "Help picture",
 
   start: {
-    title: "Which cycle?",
+    title: "Choose a cycle",
     lead: "Choose a cycle, answer its prompts, watch the lathe, copy the program.",
     withExample: "Start with example values",
     empty: "Start empty",
@@ -44,17 +44,38 @@ export const page = {
     unconfirmed: "The parameter list of this cycle is recalled, not checked against a printed page.",
   },
 
+  programs: {
+    title: "Whole programs",
+    lead: "Open a Klartext program, understand it, change it by dialog, and take it back unharmed.",
+    openFile: "Open a file",
+    paste: "Paste a program",
+    create: "New empty program",
+    drop: "or drop a file here",
+    dropHere: "Drop the program here",
+    examples: "Examples",
+    example: (title: string) => `Open the example ${title}`,
+    fromJob: "Open as a program",
+    fromJobLong: "Open this program as a whole program; the prompts stay with the work it came from",
+    pasteTitle: "Paste a program",
+    pasteLabel: "Program text",
+    pasteOpen: "Open",
+    cancel: "Cancel",
+    unreadable: "This file could not be read.",
+    tooLarge: "This file is larger than 20 MB.",
+  },
   examples: {
-    title: "Example programs",
-    open: (name: string) => `Open the example: ${name}`,
-    names: {
-      flange: "Flange: six tools, from blank to finished part",
-      shoulder: "Shoulder, cycle 812, as printed for TNC 640 (French labels)",
-      contour: "Contour, cycle 820, as printed for TNC 640 (French labels)",
-      contourEnglish: "Contour, cycle 820, as printed for TNC7 (English labels)",
-      groove: "Groove, cycle 852, as printed for TNC 640 (French labels)",
-      plate: "Plate: approach and departure, milled",
-    },
+    flange: "Flange: six tools, eight cycles",
+    shoulder: "Shoulder, as printed (French)",
+    contour: "Contour, transverse, as printed (French)",
+    contourEnglish: "Contour, transverse, as printed (English)",
+    groove: "Groove, as printed (French)",
+    plate: "Milled plate: approach and departure",
+  },
+  loading: "The editor is being loaded.",
+  tools: {
+    title: "Tool table",
+    open: "Tools",
+    openLong: "Open the tool table",
   },
 
   effect: {

@@ -1,9 +1,6 @@
 import type { Shape } from "../shape.ts";
 
 export const tools = {
-  title: "Tool table",
-  open: "Tools",
-  openLong: "Open the tool table",
   back: "Back",
   backLong: "Back to the work",
   table: "Turning tools of this device",

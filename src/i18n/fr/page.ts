@@ -31,7 +31,7 @@ export const page = {
   helpPicture: "Figure d’aide",
 
   start: {
-    title: "Quel cycle ?",
+    title: "Choisir un cycle",
     lead: "Choisir un cycle, répondre aux questions, observer le tour, copier le programme.",
     withExample: "Commencer avec les valeurs d’exemple",
     empty: "Commencer à vide",
@@ -45,17 +45,38 @@ export const page = {
     unconfirmed: "La liste des paramètres de ce cycle est citée de mémoire, sans contrôle sur une page imprimée.",
   },
 
+  programs: {
+    title: "Programmes entiers",
+    lead: "Ouvrir un programme Klartext, le comprendre, le modifier par dialogue et le reprendre intact.",
+    openFile: "Ouvrir un fichier",
+    paste: "Coller un programme",
+    create: "Nouveau programme vide",
+    drop: "ou déposer un fichier ici",
+    dropHere: "Déposer le programme ici",
+    examples: "Exemples",
+    example: (title) => `Ouvrir l’exemple ${title}`,
+    fromJob: "Ouvrir comme programme",
+    fromJobLong: "Ouvrir ce programme comme programme entier ; les valeurs du dialogue restent dans le travail d’origine",
+    pasteTitle: "Coller un programme",
+    pasteLabel: "Texte du programme",
+    pasteOpen: "Ouvrir",
+    cancel: "Annuler",
+    unreadable: "Ce fichier n’a pas pu être lu.",
+    tooLarge: "Ce fichier dépasse 20 Mo.",
+  },
   examples: {
-    title: "Programmes d’exemple",
-    open: (name) => `Ouvrir l’exemple : ${name}`,
-    names: {
-      flange: "Bride : six outils, du brut à la pièce finie",
-      shoulder: "Épaulement, cycle 812, tel qu’imprimé pour TNC 640 (textes français)",
-      contour: "Contour, cycle 820, tel qu’imprimé pour TNC 640 (textes français)",
-      contourEnglish: "Contour, cycle 820, tel qu’imprimé pour TNC7 (textes anglais)",
-      groove: "Gorge, cycle 852, tel qu’imprimé pour TNC 640 (textes français)",
-      plate: "Plaque : approche et sortie, en fraisage",
-    },
+    flange: "Bride : six outils, huit cycles",
+    shoulder: "Épaulement, tel qu’imprimé (français)",
+    contour: "Contour transversal, tel qu’imprimé (français)",
+    contourEnglish: "Contour transversal, tel qu’imprimé (anglais)",
+    groove: "Gorge, telle qu’imprimée (français)",
+    plate: "Plaque fraisée : approche et sortie",
+  },
+  loading: "L’éditeur est en cours de chargement.",
+  tools: {
+    title: "Tableau d’outils",
+    open: "Outils",
+    openLong: "Ouvrir le tableau d’outils",
   },
 
   effect: {

@@ -1,9 +1,6 @@
 import type { ToolsTexts } from "../en/tools.ts";
 
 export const tools = {
-  title: "Tableau d’outils",
-  open: "Outils",
-  openLong: "Ouvrir le tableau d’outils",
   back: "Retour",
   backLong: "Retour au travail",
   table: "Outils de tournage de cet appareil",

@@ -1,9 +1,6 @@
 import type { ToolsTexts } from "../en/tools.ts";
 
 export const tools = {
-  title: "刀具表",
-  open: "刀具",
-  openLong: "打开刀具表",
   back: "返回",
   backLong: "返回程序",
   table: "本设备的车削刀具",

@@ -1,0 +1,74 @@
+import type { MenuCycle } from "../src/app/chooser/menu.ts";
+import type { Cycle, Outline } from "../src/cycles/define.ts";
+import { catalogue } from "../src/cycles/index.ts";
+import { LANGUAGES } from "../src/i18n/languages.ts";
+import { menuWords } from "../src/i18n/menu-words.ts";
+import { readText } from "../src/program/field.ts";
+import { readRows } from "../src/program/contour-rows.ts";
+import { exampleJob, type Job } from "../src/program/job.ts";
+import { readDraft } from "../src/program/read-draft.ts";
+import { SETUP_FIELDS } from "../src/program/setup-fields.ts";
+import { at } from "../src/kernel/point.ts";
+import { diameter, toRadius } from "../src/kernel/units.ts";
+import { pictogram } from "../src/view/pictogram.ts";
+import type { Pictogram } from "../src/view/pictogram-box.ts";
+
+/** The contour that a job describes; null where it describes none. */
+function outlineOf(cycle: Cycle, job: Job): Outline | null {
+  const { values } = readDraft(cycle, job.drafts[cycle.number] ?? {});
+  if (!values) return null;
+  const [x, z] = [readText(SETUP_FIELDS.startX, job.start.x).value, readText(SETUP_FIELDS.startZ, job.start.z).value];
+  const outline = cycle.outline(values, {
+    contour: cycle.contour === "free" ? readRows(job.contour).contour.segments : null,
+    start: x === null || z === null ? null : at(z, toRadius(diameter(x))),
+  });
+  return outline.issues.some(({ severity }) => severity === "error") ? null : outline;
+}
+
+/** Exchanges what two texts say, so that what was outside is inside. */
+function inside(cycle: Cycle, job: Job): Job {
+  const found = Object.entries(cycle.params).filter(([, { kind, shown }]) => kind === "diameter" && shown === "outline").map(([q]) => q);
+  const draft = { ...job.drafts[cycle.number] };
+  const [first = "", last = ""] = found;
+  const [a = "", b = ""] = [draft[first], draft[last]];
+  const xs = job.contour.flatMap(({ x }) => (x === "" ? [] : [Number(x)]));
+  const mirrored = (x: string) => (x === "" ? "" : String(Math.min(...xs) + Math.max(...xs) - Number(x)));
+  return {
+    ...job,
+    drafts: { [cycle.number]: found.length === 2 ? { ...draft, [first]: b, [last]: a } : draft },
+    contour: job.contour.map((row) => ({ ...row, x: mirrored(row.x) })),
+  };
+}
+
+/** What a cycle makes of its example, and of the same the other way round where that is another thing. */
+function pictograms(cycle: Cycle): readonly Pictogram[] {
+  const example = exampleJob(cycle);
+  const drawn = [example, inside(cycle, example)].flatMap((job) => {
+    const outline = outlineOf(cycle, job);
+    return (outline && pictogram(cycle.group, outline)) ?? [];
+  });
+  return drawn.filter(({ body }, i) => drawn.findIndex((each) => each.body === body) === i);
+}
+
+/** What the first screen has to know of the catalogue: it is computed once, when the page is built. */
+export const menu: readonly MenuCycle[] = catalogue.map((cycle) => ({
+  number: cycle.number,
+  group: cycle.group,
+  free: cycle.contour === "free",
+  recalled: cycle.evidence.startsWith("K"),
+  pictograms: pictograms(cycle),
+}));
+
+/** The modules that the page imports by the names in src/app/chooser/cycle-menu.d.ts, by their ids. */
+export function menuModules(): Readonly<Record<string, string>> {
+  const id = "virtual:cycle-menu";
+  const cases = LANGUAGES.map((language) => `${language}: () => import("${id}/${language}")`);
+  return {
+    [id]: [
+      `export const menu = ${JSON.stringify(menu)};`,
+      `const words = { ${cases.join(", ")} };`,
+      "export const menuWordsOf = async (language) => (await words[language]()).words;",
+    ].join("\n"),
+    ...Object.fromEntries(LANGUAGES.map((language) => [`${id}/${language}`, `export const words = ${JSON.stringify(menuWords(language))};`])),
+  };
+}

@@ -1,0 +1,108 @@
+import { Suspense, useDeferredValue, useMemo, useRef, useState, type ComponentType, type KeyboardEvent } from "react";
+import { menu } from "virtual:cycle-menu";
+import { Icon } from "../Icon.tsx";
+import { useFirstTexts } from "../settings/use-first-texts.ts";
+import { useMedia } from "../use-media.ts";
+import { CycleGroup } from "./CycleGroup.tsx";
+import { CycleRow, type Way } from "./CycleRow.tsx";
+import { onChooserKey } from "./chooser-keys.ts";
+import { menuGroups } from "./menu.ts";
+import { noteRecent } from "./recent.ts";
+import { RecentCycles } from "./RecentCycles.tsx";
+import { findCycles } from "./search.ts";
+import { useMenuWords } from "./use-menu-words.ts";
+import "./chooser.css";
+
+/** What helps to find a cycle by the part; it takes the place of the list until it is done. */
+export type CycleFinder = ComponentType<{ readonly done: () => void; readonly take: (cycle: number) => void }>;
+
+interface Props {
+  readonly ways: readonly Way[];
+  readonly finder?: CycleFinder;
+  /** Beside other things: one column, and the groups folded. */
+  readonly narrow?: boolean;
+  /** The search takes the keyboard at once. */
+  readonly focus?: boolean;
+}
+
+/** All cycles, in the groups of the control: by search, by group, or those that were used last. */
+export function CycleChooser({ ways: given, finder: Finder, narrow = false, focus = false }: Props) {
+  const { chooser: t, page: { start }, menu: names } = useFirstTexts();
+  const phone = useMedia("phone");
+  const [typed, type] = useState("");
+  const [searching, search] = useState(false);
+  const [finding, find] = useState(false);
+  const [turn, giveTurn] = useState<number | null>(null);
+  const words = useMenuWords(searching);
+  const sought = useDeferredValue(typed.trim());
+  const found = useMemo(() => (sought === "" ? null : findCycles(menu, sought, words)), [sought, words]);
+  const box = useRef<HTMLDivElement>(null);
+  const input = useRef<HTMLInputElement>(null);
+  const ways = given.map((way): Way => ({
+    ...way,
+    go: (cycle) => {
+      noteRecent(cycle);
+      way.go(cycle);
+    },
+  }));
+  const best = found?.[0];
+  const nameOf = (cycle: number) => start.cycle(cycle, names.of[cycle]?.name ?? "");
+
+  const onSearchKey = (event: KeyboardEvent) => {
+    if (event.key === "Enter" && best) {
+      event.preventDefault();
+      ways[0]?.go(best.number);
+    } else if (event.key === "Escape" && typed !== "") {
+      event.stopPropagation();
+      type("");
+    }
+  };
+  if (Finder && finding) {
+    return (
+      <Suspense>
+        <Finder done={() => find(false)} take={(cycle) => ways[0]?.go(cycle)} />
+      </Suspense>
+    );
+  }
+  return (
+    <div className={`cycle-chooser${narrow ? " narrow" : ""}`} ref={box} role="group" aria-label={t.cycles}
+      onKeyDown={(event) => onChooserKey(event, input.current)} onFocus={({ target }) => {
+      const row = target.closest<HTMLElement>(".cycle-row");
+      if (row) giveTurn(Number(row.dataset["cycle"]));
+    }}
+    >
+      <div className="cycle-search">
+        <input ref={input} type="search" className="cycle-search-field" aria-label={t.search} placeholder={t.hint} autoComplete="off"
+          spellCheck={false} autoFocus={focus} value={typed} onFocus={() => search(true)} onKeyDown={onSearchKey}
+          onChange={(event) => type(event.currentTarget.value)} />
+        {Finder && (
+          <button type="button" className="button" aria-label={t.whichLong} title={t.whichLong} onClick={() => find(true)}>
+            <Icon name="question" /> {t.which}
+          </button>
+        )}
+      </div>
+      <p className="small soft cycle-found" role="status">
+        {found && best && `${t.found(found.length)} ${t.enter(nameOf(best.number))}`}
+        {found && !best && t.none}
+        {!found && t.keys}
+      </p>
+      {found
+        ? (
+          <ul className="cycle-rows">
+            {found.map((cycle, i) => (
+              <CycleRow key={cycle.number} cycle={cycle} ways={ways} first={i === 0} grouped
+                inTurn={cycle.number === (found.some(({ number }) => number === turn) ? turn : best?.number)} />
+            ))}
+          </ul>
+        )
+        : (
+          <>
+            <RecentCycles ways={ways} />
+            {menuGroups.map(([group, cycles]) => (
+              <CycleGroup key={group} group={group} cycles={cycles} ways={ways} turn={turn} startsOpen={!narrow && !phone} />
+            ))}
+          </>
+        )}
+    </div>
+  );
+}

@@ -1,0 +1,42 @@
+import type { KeyboardEvent } from "react";
+
+const ROW = ".cycle-take";
+const isText = (key: string) => key.length === 1 && key !== " ";
+
+/** The nearest of the elements in a direction; of those at the same height the one that stands most alike. */
+function nearest(from: DOMRect, all: readonly HTMLElement[], down: boolean): HTMLElement | undefined {
+  const far = (box: DOMRect) => (down ? box.top - from.bottom : from.top - box.bottom);
+  const aside = (box: DOMRect) => Math.abs(box.left - from.left);
+  /** Neighbours may overlap by the width of a line, px. */
+  const beyond = all.map((element) => [element, element.getBoundingClientRect()] as const).filter(([, box]) => far(box) > -2);
+  const [best] = beyond.sort(([, a], [, b]) => Math.round(far(a) - far(b)) || aside(a) - aside(b));
+  return best?.[0];
+}
+
+/**
+ * Arrow keys in the chooser: up and down from row to row and from group to group, left and right through the buttons of the rows. What is
+ * typed on a row goes on in the search.
+ */
+export function onChooserKey(event: KeyboardEvent<HTMLElement>, search: HTMLInputElement | null): void {
+  const { key, target, currentTarget: box } = event;
+  if (!(target instanceof HTMLElement) || event.ctrlKey || event.metaKey || event.altKey) return;
+  const stops = [...box.querySelectorAll<HTMLElement>(`${ROW}, .cycle-group-head`)];
+  const inRow = target.closest<HTMLElement>(".cycle-row");
+  if (key === "ArrowDown" || key === "ArrowUp") {
+    const from = inRow?.querySelector<HTMLElement>(ROW) ?? target;
+    const next = nearest(from.getBoundingClientRect(), stops.filter((each) => each !== from), key === "ArrowDown");
+    if (next || key === "ArrowUp") {
+      event.preventDefault();
+      (next ?? search)?.focus();
+    }
+    return;
+  }
+  if (!inRow) return;
+  if (key === "ArrowRight" || key === "ArrowLeft") {
+    const buttons = [...box.querySelectorAll<HTMLElement>(".cycle-row button")];
+    const next = buttons[buttons.indexOf(target) + (key === "ArrowRight" ? 1 : -1)];
+    if (!next) return;
+    event.preventDefault();
+    next.focus();
+  } else if (isText(key) && search) search.focus();
+}

@@ -1,0 +1,41 @@
+import type { MenuWords } from "../../i18n/menu-words.ts";
+import type { MenuCycle } from "./menu.ts";
+
+/** Letters without accents and case: what is typed at a machine has neither. */
+export const plain = (text: string): string =>
+  text.normalize("NFD").replace(/\p{M}/gu, "").toLowerCase().replaceAll("ß", "ss").replaceAll("œ", "oe").replaceAll("’", "'");
+
+/** How well a cycle fits a word, best first; null where it does not. */
+type Rank = 0 | 1 | 2 | 3;
+
+/** Shorter beginnings say too little to stand for the other words of the same thing. */
+const ENOUGH = 3;
+const isCjk = (word: string) => /\p{Script=Han}/u.test(word);
+
+/** The word, and all words for the same thing where it is the beginning of one. */
+function meant(word: string, languages: readonly MenuWords[]): readonly string[] {
+  const enough = isCjk(word) || word.length >= ENOUGH;
+  const same = languages.flatMap(({ shop }) => shop.same.map((words) => words.map(plain)));
+  return [word, ...(enough ? same.filter((words) => words.some((each) => each.startsWith(word))).flat() : [])];
+}
+
+function rankOf(cycle: MenuCycle, word: string, languages: readonly MenuWords[]): Rank | null {
+  if (/^\d+$/.test(word)) return String(cycle.number).startsWith(word) ? 0 : null;
+  const words = meant(word, languages);
+  const within = (texts: readonly string[]) => texts.some((text) => words.some((each) => plain(text).includes(each)));
+  const of = languages.flatMap((language) => language.of[cycle.number] ?? []);
+  if (within(of.map(({ name }) => name))) return 1;
+  if (within(languages.flatMap(({ shop, groups }) => [groups[cycle.group], ...shop.groups[cycle.group], ...(cycle.free ? shop.free : [])])))
+    return 2;
+  return within(of.flatMap(({ summary, nc }) => [summary, nc])) ? 3 : null;
+}
+
+/** The cycles that fit everything that was typed, the best first, in any of these languages. */
+export function findCycles(menu: readonly MenuCycle[], typed: string, languages: readonly MenuWords[]): readonly MenuCycle[] {
+  const words = plain(typed).split(/[\s,;]+/).filter((word) => word !== "");
+  const ranked = menu.flatMap((cycle) => {
+    const ranks = words.map((word) => rankOf(cycle, word, languages));
+    return ranks.some((rank) => rank === null) ? [] : [{ cycle, rank: Math.max(...ranks.map(Number)) }];
+  });
+  return ranked.sort((a, b) => a.rank - b.rank).map(({ cycle }) => cycle);
+}

@@ -1,0 +1,22 @@
+import { atRest } from "../rest.ts";
+import { notice } from "../saving/keep.ts";
+import { useEditor } from "../store.ts";
+
+/**
+ * Starts the calculation when a work is open, or else when the browser rests: nothing is calculated before, and the first
+ * screen need not wait for what does it.
+ */
+export function startEngineLater(): void {
+  let started = false;
+  const start = () => {
+    if (started) return;
+    started = true;
+    stop();
+    notYet();
+    void import("./client.ts").then(({ startEngine }) => startEngine()).catch(() => notice("engineFailed"));
+  };
+  const isOpen = ({ job, program }: ReturnType<typeof useEditor.getState>) => job !== null || program !== null;
+  const stop = useEditor.subscribe((now) => isOpen(now) && start());
+  const notYet = atRest(start);
+  if (isOpen(useEditor.getState())) start();
+}

@@ -1,0 +1,28 @@
+/** Where a browser cannot tell when it rests, this is waited after the page was shown, ms. */
+const WAIT = 1200;
+
+/** Runs once the browser has nothing else to do. Gives the way to call it off. */
+export function atRest(run: () => void): () => void {
+  if (typeof requestIdleCallback === "function") {
+    const id = requestIdleCallback(run);
+    return () => cancelIdleCallback(id);
+  }
+  const timer = setTimeout(run, WAIT);
+  return () => clearTimeout(timer);
+}
+
+/** Fetches what comes next as soon as a hand moves or the browser rests. What does not come is fetched again when it is needed. */
+export function fetchAtRest(fetch: () => Promise<unknown>): () => void {
+  const begins = ["pointermove", "pointerdown", "keydown"];
+  const now = () => {
+    stop();
+    void fetch().catch(() => undefined);
+  };
+  const notYet = atRest(now);
+  const stop = () => {
+    notYet();
+    for (const sign of begins) removeEventListener(sign, now);
+  };
+  for (const sign of begins) addEventListener(sign, now, { passive: true });
+  return stop;
+}

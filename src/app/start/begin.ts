@@ -1,0 +1,17 @@
+import { cycleByNumber } from "../../cycles/index.ts";
+import { exampleJob } from "../../program/job.ts";
+import { draftOf } from "../edits.ts";
+import { openPrompt } from "../place.ts";
+import { startWork } from "../saving/keep.ts";
+import { useSettings } from "../settings/settings.ts";
+
+/** Begins a program of a cycle, with the printed example's values or with empty prompts. */
+export function begin(number: number, withExample: boolean): void {
+  const cycle = cycleByNumber(number);
+  if (!cycle) return;
+  const example = { ...exampleJob(cycle), ncLanguage: useSettings.getState().language };
+  const job = withExample ? example : { ...example, drafts: {}, contour: [] };
+  startWork(job);
+  const first = Object.keys(cycle.params)[0] ?? null;
+  openPrompt(first, first === null ? "" : (draftOf(job)[first] ?? ""));
+}

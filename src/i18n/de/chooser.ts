@@ -1,0 +1,20 @@
+import type { ChooserTexts } from "../en/chooser.ts";
+
+export const chooser = {
+  cycles: "Zyklen",
+  search: "Zyklen durchsuchen",
+  hint: "Nummer, Name oder Werkstattwort, in jeder der vier Sprachen",
+  keys: "Pfeiltasten gehen von Zyklus zu Zyklus.",
+  found: (n) => (n === 1 ? "1 Zyklus gefunden." : `${n} Zyklen gefunden.`),
+  enter: (cycle) => `Enter nimmt ${cycle}.`,
+  none: "Kein Zyklus passt zu diesen Wörtern.",
+  recent: "Zuletzt verwendet",
+  recentOne: (cycle) => `Zuletzt verwendet: ${cycle}`,
+  count: (n) => (n === 1 ? "1 Zyklus" : `${n} Zyklen`),
+  recalled: "Liste aus der Erinnerung",
+  empty: "Leer",
+  insert: "Einfügen",
+  which: "Welcher Zyklus?",
+  whichLong: "Welcher Zyklus? Nach der Form des Teils finden",
+  back: "Alle Sätze",
+} satisfies ChooserTexts;

@@ -1,0 +1,20 @@
+import type { ChooserTexts } from "../en/chooser.ts";
+
+export const chooser = {
+  cycles: "Cycles",
+  search: "Chercher un cycle",
+  hint: "Numéro, nom ou mot d’atelier, dans l’une des quatre langues",
+  keys: "Les flèches vont d’un cycle à l’autre.",
+  found: (n) => (n === 1 ? "1 cycle trouvé." : `${n} cycles trouvés.`),
+  enter: (cycle) => `Entrée prend ${cycle}.`,
+  none: "Aucun cycle ne correspond à ces mots.",
+  recent: "Utilisés récemment",
+  recentOne: (cycle) => `Utilisé récemment : ${cycle}`,
+  count: (n) => (n === 1 ? "1 cycle" : `${n} cycles`),
+  recalled: "liste citée de mémoire",
+  empty: "Vide",
+  insert: "Insérer",
+  which: "Quel cycle ?",
+  whichLong: "Quel cycle ? Le trouver d’après la forme de la pièce",
+  back: "Toutes les séquences",
+} satisfies ChooserTexts;

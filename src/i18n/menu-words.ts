@@ -1,0 +1,36 @@
+import type { Group } from "../cycles/define.ts";
+import { shopWords as de } from "./de/shop-words.ts";
+import { shopWords as en } from "./en/shop-words.ts";
+import { shopWords as fr } from "./fr/shop-words.ts";
+import { texts } from "./index.ts";
+import type { Language } from "./languages.ts";
+import { ncLabels } from "./nc-labels.ts";
+import type { ShopWords } from "./shop-words.ts";
+import { shopWords as zh } from "./zh/shop-words.ts";
+
+const shop: Readonly<Record<Language, ShopWords>> = { en, de, fr, zh };
+
+/** What the menu says about one cycle. */
+export interface MenuWord {
+  readonly name: string;
+  readonly summary: string;
+  /** What the control writes behind its number. */
+  readonly nc: string;
+}
+
+/** Names of groups and cycles in one language, without what only their dialogs say. */
+export interface MenuWords {
+  readonly groups: Readonly<Record<Group, string>>;
+  readonly of: Readonly<Record<number, MenuWord>>;
+  readonly shop: ShopWords;
+}
+
+/** Takes the words of the menu out of all texts. The build does that, so that the first screen loads nothing else of them. */
+export function menuWords(language: Language): MenuWords {
+  const { groups, of } = texts(language).cycles;
+  const { cycleName } = ncLabels(language);
+  const words = Object.entries(of).map(([number, { name, summary }]) =>
+    [Number(number), { name, summary, nc: cycleName(Number(number)) }] as const
+  );
+  return { groups, of: Object.fromEntries(words), shop: shop[language] };
+}

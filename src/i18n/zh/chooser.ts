@@ -1,0 +1,20 @@
+import type { ChooserTexts } from "../en/chooser.ts";
+
+export const chooser = {
+  cycles: "循环",
+  search: "搜索循环",
+  hint: "编号、名称或车间用语，四种语言均可",
+  keys: "用方向键在循环之间移动。",
+  found: (n) => `找到 ${n} 个循环。`,
+  enter: (cycle) => `按回车选用${cycle}。`,
+  none: "没有符合这些词的循环。",
+  recent: "最近使用",
+  recentOne: (cycle) => `最近使用：${cycle}`,
+  count: (n) => `${n} 个循环`,
+  recalled: "参数表凭记忆",
+  empty: "空白",
+  insert: "插入",
+  which: "用哪个循环？",
+  whichLong: "用哪个循环？按零件形状查找",
+  back: "全部程序段",
+} satisfies ChooserTexts;
