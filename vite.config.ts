@@ -56,10 +56,11 @@ const namedMedia: Plugin = {
 function cycleMenu(): Plugin {
   let modules: Promise<Readonly<Record<string, string>>> | null = null;
   const made = () =>
-    modules ??= runnerImport<{ menuModules: () => Readonly<Record<string, string>> }>(new URL("scripts/menu.ts", import.meta.url).pathname, {
-      configFile: false,
-      logLevel: "error",
-    }).then(({ module }) => module.menuModules());
+    modules ??= runnerImport<{ menuModules: () => Readonly<Record<string, string>> }>(new URL("scripts/menu.ts", import.meta.url).pathname,
+      {
+        configFile: false,
+        logLevel: "error",
+      }).then(({ module }) => module.menuModules());
   return {
     name: "cycle-menu",
     resolveId: (id) => (id.startsWith("virtual:cycle-menu") ? `\0${id}` : undefined),

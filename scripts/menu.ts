@@ -25,29 +25,34 @@ function outlineOf(cycle: Cycle, job: Job): Outline | null {
   return outline.issues.some(({ severity }) => severity === "error") ? null : outline;
 }
 
-/** Exchanges what two texts say, so that what was outside is inside. */
-function inside(cycle: Cycle, job: Job): Job {
+/** Exchanges what two texts say, so that what was outside is inside: the diameters of the contour, or its only one with the start point. */
+function turnedInside(cycle: Cycle, job: Job): Job {
   const found = Object.entries(cycle.params).filter(([, { kind, shown }]) => kind === "diameter" && shown === "outline").map(([q]) => q);
   const draft = { ...job.drafts[cycle.number] };
-  const [first = "", last = ""] = found;
-  const [a = "", b = ""] = [draft[first], draft[last]];
+  const [first = "", last] = found;
   const xs = job.contour.flatMap(({ x }) => (x === "" ? [] : [Number(x)]));
   const mirrored = (x: string) => (x === "" ? "" : String(Math.min(...xs) + Math.max(...xs) - Number(x)));
+  const exchanged = {
+    ...draft,
+    [first]: last === undefined ? job.start.x : (draft[last] ?? ""),
+    ...(last && { [last]: draft[first] ?? "" }),
+  };
   return {
     ...job,
-    drafts: { [cycle.number]: found.length === 2 ? { ...draft, [first]: b, [last]: a } : draft },
+    drafts: { [cycle.number]: first === "" ? draft : exchanged },
+    start: { ...job.start, x: found.length === 1 ? (draft[first] ?? "") : job.start.x },
     contour: job.contour.map((row) => ({ ...row, x: mirrored(row.x) })),
   };
 }
 
-/** What a cycle makes of its example, and of the same the other way round where that is another thing. */
+/** What a cycle makes of its example, and of the same the other way round where that is inside. */
 function pictograms(cycle: Cycle): readonly Pictogram[] {
   const example = exampleJob(cycle);
-  const drawn = [example, inside(cycle, example)].flatMap((job) => {
+  const [outside, inside] = [example, turnedInside(cycle, example)].map((job) => {
     const outline = outlineOf(cycle, job);
-    return (outline && pictogram(cycle.group, outline)) ?? [];
+    return outline && pictogram(cycle.group, outline);
   });
-  return drawn.filter(({ body }, i) => drawn.findIndex((each) => each.body === body) === i);
+  return [...(outside ? [outside] : []), ...(inside?.inside ? [inside] : [])].map(({ inside: _, ...drawn }) => drawn);
 }
 
 /** What the first screen has to know of the catalogue: it is computed once, when the page is built. */
@@ -69,6 +74,8 @@ export function menuModules(): Readonly<Record<string, string>> {
       `const words = { ${cases.join(", ")} };`,
       "export const menuWordsOf = async (language) => (await words[language]()).words;",
     ].join("\n"),
-    ...Object.fromEntries(LANGUAGES.map((language) => [`${id}/${language}`, `export const words = ${JSON.stringify(menuWords(language))};`])),
+    ...Object.fromEntries(
+      LANGUAGES.map((language) => [`${id}/${language}`, `export const words = ${JSON.stringify(menuWords(language))};`]),
+    ),
   };
 }

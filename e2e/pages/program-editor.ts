@@ -13,7 +13,10 @@ export class ProgramEditor {
   }
 
   async openExample(id: Example): Promise<void> {
-    await this.context.page.getByRole("button", { name: this.context.t.page.programs.example(this.context.t.page.examples[id]), exact: true }).click();
+    await this.context.page.getByRole("button", {
+      name: this.context.t.page.programs.example(this.context.t.page.examples[id]),
+      exact: true,
+    }).click();
     await expect(this.text).toBeVisible();
   }
 

@@ -54,8 +54,8 @@ export function Header() {
           <Icon name="redo" />
         </button>
         {!tools && (
-          <button ref={toTools} type="button" className="button plain new-program" aria-label={t.page.tools.openLong} title={t.page.tools.openLong}
-            onClick={() => showTools()}
+          <button ref={toTools} type="button" className="button plain new-program" aria-label={t.page.tools.openLong}
+            title={t.page.tools.openLong} onClick={() => showTools()}
           >
             <Icon name="insert" /> <span>{t.page.tools.open}</span>
           </button>

@@ -8,7 +8,7 @@ import { PICTOGRAM, type Pictogram } from "./pictogram-box.ts";
 /** Where the part ends in the box. */
 const EDGE = { left: 4, right: 61, top: 4 } as const;
 /** How much one direction may be stretched against the other. */
-const STRETCH = 1.8;
+const STRETCH = 2.5;
 /** Rise of a thread's tooth, and its pitch. */
 const TOOTH = { rise: 5, pitch: 5 } as const;
 /** How far the drawing may cut an arc short, mm: the box is some fifty pixels wide. */
@@ -69,8 +69,8 @@ function toothed(line: readonly Place[], open: Open): Place[] {
   const { u, v, place } = across(open);
   const [long, rise] = [u(last) - u(first), v(last) - v(first)];
   const count = 2 * Math.max(2, Math.round(Math.hypot(long, rise) / TOOTH.pitch));
-  return Array.from({ length: count + 1 }, (_, i) =>
-    place(u(first) + (long * i) / count, v(first) + (rise * i) / count - (i % 2 ? TOOTH.rise : 0)));
+  return Array.from({ length: count + 1 },
+    (_, i) => place(u(first) + (long * i) / count, v(first) + (rise * i) / count - (i % 2 ? TOOTH.rise : 0)));
 }
 
 /** Where the part ends against the direction in which the contour is open. */
@@ -112,8 +112,8 @@ const PASSES: Readonly<Record<Group, Pictogram["passes"]>> = {
   thread: "profile",
 };
 
-/** The drawing of a contour; null where there is none. */
-export function pictogram(group: Group, { contour, frame, sunk }: Outline): Pictogram | null {
+/** The drawing of a contour, and whether it is cut inside; null where there is none. */
+export function pictogram(group: Group, { contour, frame, sunk }: Outline): Pictogram & { readonly inside: boolean } | null {
   const points = part.flattenedChain(contour, FINE);
   if (points.length === 0) return null;
   const out = toPart(frame, { u: 0, v: 1 });
@@ -122,5 +122,11 @@ export function pictogram(group: Group, { contour, frame, sunk }: Outline): Pict
   const shape: Shape = { open, sunk, bored: frame.transverse && along.r > 0 };
   const smooth = fitted(points.map((p) => ({ x: p.z, y: -p.r })), roomOf(shape));
   const line = group === "thread" ? toothed(smooth, open) : smooth;
-  return { body: polygon(bodyOf(line, shape)), cut: polygon(cutOf(line, open)), contour: polyline(line), passes: PASSES[group] };
+  return {
+    body: polygon(bodyOf(line, shape)),
+    cut: polygon(cutOf(line, open)),
+    contour: polyline(line),
+    passes: PASSES[group],
+    inside: open === "in" || (shape.bored && !sunk),
+  };
 }

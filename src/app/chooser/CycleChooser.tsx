@@ -4,7 +4,7 @@ import { Icon } from "../Icon.tsx";
 import { useFirstTexts } from "../settings/use-first-texts.ts";
 import { useMedia } from "../use-media.ts";
 import { CycleGroup } from "./CycleGroup.tsx";
-import { CycleRow, type Way } from "./CycleRow.tsx";
+import { CycleRow, type CycleWay } from "./CycleRow.tsx";
 import { onChooserKey } from "./chooser-keys.ts";
 import { menuGroups } from "./menu.ts";
 import { noteRecent } from "./recent.ts";
@@ -17,7 +17,7 @@ import "./chooser.css";
 export type CycleFinder = ComponentType<{ readonly done: () => void; readonly take: (cycle: number) => void }>;
 
 interface Props {
-  readonly ways: readonly Way[];
+  readonly ways: readonly CycleWay[];
   readonly finder?: CycleFinder;
   /** Beside other things: one column, and the groups folded. */
   readonly narrow?: boolean;
@@ -38,7 +38,7 @@ export function CycleChooser({ ways: given, finder: Finder, narrow = false, focu
   const found = useMemo(() => (sought === "" ? null : findCycles(menu, sought, words)), [sought, words]);
   const box = useRef<HTMLDivElement>(null);
   const input = useRef<HTMLInputElement>(null);
-  const ways = given.map((way): Way => ({
+  const ways = given.map((way): CycleWay => ({
     ...way,
     go: (cycle) => {
       noteRecent(cycle);
@@ -69,8 +69,7 @@ export function CycleChooser({ ways: given, finder: Finder, narrow = false, focu
       onKeyDown={(event) => onChooserKey(event, input.current)} onFocus={({ target }) => {
       const row = target.closest<HTMLElement>(".cycle-row");
       if (row) giveTurn(Number(row.dataset["cycle"]));
-    }}
-    >
+    }}>
       <div className="cycle-search">
         <input ref={input} type="search" className="cycle-search-field" aria-label={t.search} placeholder={t.hint} autoComplete="off"
           spellCheck={false} autoFocus={focus} value={typed} onFocus={() => search(true)} onKeyDown={onSearchKey}
@@ -91,7 +90,9 @@ export function CycleChooser({ ways: given, finder: Finder, narrow = false, focu
           <ul className="cycle-rows">
             {found.map((cycle, i) => (
               <CycleRow key={cycle.number} cycle={cycle} ways={ways} first={i === 0} grouped
-                inTurn={cycle.number === (found.some(({ number }) => number === turn) ? turn : best?.number)} />
+                inTurn={cycle.number === (found.some(({ number }) => number === turn)
+                  ? turn
+                  : best?.number)} />
             ))}
           </ul>
         )

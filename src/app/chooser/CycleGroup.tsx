@@ -2,13 +2,13 @@ import { useId, useState } from "react";
 import type { Group } from "../../cycles/define.ts";
 import { Icon } from "../Icon.tsx";
 import { useFirstTexts } from "../settings/use-first-texts.ts";
-import { CycleRow, type Way } from "./CycleRow.tsx";
+import { CycleRow, type CycleWay } from "./CycleRow.tsx";
 import type { MenuCycle } from "./menu.ts";
 
 interface Props {
   readonly group: Group;
   readonly cycles: readonly MenuCycle[];
-  readonly ways: readonly Way[];
+  readonly ways: readonly CycleWay[];
   /** The cycle that the Tab key comes to. */
   readonly turn: number | null;
   readonly startsOpen: boolean;

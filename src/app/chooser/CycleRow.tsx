@@ -4,7 +4,7 @@ import { Drawing } from "./Drawing.tsx";
 import type { MenuCycle } from "./menu.ts";
 
 /** What can be done with a cycle: the first of them by pressing its row, the others by a button of their own. */
-export interface Way {
+export interface CycleWay {
   /** What it does, for its name. */
   readonly name: string;
   /** What its own button says. */
@@ -14,7 +14,7 @@ export interface Way {
 
 interface Props {
   readonly cycle: MenuCycle;
-  readonly ways: readonly Way[];
+  readonly ways: readonly CycleWay[];
   /** Enter takes it while a search is typed. */
   readonly first: boolean;
   /** Its group is said, where it does not stand under it. */

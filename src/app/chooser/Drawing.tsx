@@ -9,7 +9,9 @@ const STRIPES: Readonly<Record<Pictogram["passes"], string>> = {
 };
 
 /** A cycle as a small section of the part; decoration only, its name stands beside it. */
-export function Drawing({ of, id, turned = false }: { readonly of: Pictogram | undefined; readonly id: string; readonly turned?: boolean }) {
+export function Drawing({ of, id, turned = false }: { readonly of: Pictogram | undefined; readonly id: string;
+  readonly turned?: boolean })
+{
   const { width, height, axis } = PICTOGRAM;
   const stripes = `stripes-${id}`;
   return (

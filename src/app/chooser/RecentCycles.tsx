@@ -1,12 +1,12 @@
 import { useId } from "react";
 import { useFirstTexts } from "../settings/use-first-texts.ts";
 import { Drawing } from "./Drawing.tsx";
-import type { Way } from "./CycleRow.tsx";
+import type { CycleWay } from "./CycleRow.tsx";
 import { menuCycle } from "./menu.ts";
 import { useRecent } from "./recent.ts";
 
 /** The cycles that were chosen last, as one row. */
-export function RecentCycles({ ways }: { readonly ways: readonly Way[] }) {
+export function RecentCycles({ ways }: { readonly ways: readonly CycleWay[] }) {
   const { chooser: t, page: { start }, menu } = useFirstTexts();
   const cycles = useRecent((r) => r.cycles).flatMap((number) => menuCycle(number) ?? []);
   const id = useId();

@@ -23,7 +23,7 @@ export function StartPage() {
     if (going.current) return;
     going.current = true;
     try {
-      (await fetchBegin()).begin(cycle, withExample);
+      (await fetchBegin()).beginCycle(cycle, withExample);
     } finally {
       going.current = false;
     }
@@ -35,10 +35,11 @@ export function StartPage() {
         <h1>{words.title}</h1>
         <p className="soft">{words.lead}</p>
       </div>
-      <CycleChooser ways={[
-        { name: words.withExample, short: words.withExample, go: (cycle) => void start(cycle, true) },
-        { name: words.empty, short: t.chooser.empty, go: (cycle) => void start(cycle, false) },
-      ]} />
+      <CycleChooser ways={[{ name: words.withExample, short: words.withExample, go: (cycle) => void start(cycle, true) }, {
+        name: words.empty,
+        short: t.chooser.empty,
+        go: (cycle) => void start(cycle, false),
+      }]} />
       <ProgramStart />
       <KeptWorks />
       <p className="small soft disclaimer">{t.page.disclaimer}</p>

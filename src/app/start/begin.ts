@@ -6,7 +6,7 @@ import { startWork } from "../saving/keep.ts";
 import { useSettings } from "../settings/settings.ts";
 
 /** Begins a program of a cycle, with the printed example's values or with empty prompts. */
-export function begin(number: number, withExample: boolean): void {
+export function beginCycle(number: number, withExample: boolean): void {
   const cycle = cycleByNumber(number);
   if (!cycle) return;
   const example = { ...exampleJob(cycle), ncLanguage: useSettings.getState().language };

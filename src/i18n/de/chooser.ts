@@ -3,8 +3,8 @@ import type { ChooserTexts } from "../en/chooser.ts";
 export const chooser = {
   cycles: "Zyklen",
   search: "Zyklen durchsuchen",
-  hint: "Nummer, Name oder Werkstattwort, in jeder der vier Sprachen",
-  keys: "Pfeiltasten gehen von Zyklus zu Zyklus.",
+  hint: "Nummer, Name oder Werkstattwort",
+  keys: "Suche in jeder der vier Sprachen; Pfeiltasten gehen von Zyklus zu Zyklus.",
   found: (n) => (n === 1 ? "1 Zyklus gefunden." : `${n} Zyklen gefunden.`),
   enter: (cycle) => `Enter nimmt ${cycle}.`,
   none: "Kein Zyklus passt zu diesen Wörtern.",

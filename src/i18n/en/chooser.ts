@@ -4,8 +4,8 @@ import type { Shape } from "../shape.ts";
 export const chooser = {
   cycles: "Cycles",
   search: "Search the cycles",
-  hint: "Number, name or shop word, in any of the four languages",
-  keys: "Arrow keys go from cycle to cycle.",
+  hint: "Number, name or shop word",
+  keys: "Search in any of the four languages; arrow keys go from cycle to cycle.",
   found: (n: number) => (n === 1 ? "1 cycle found." : `${n} cycles found.`),
   enter: (cycle: string) => `Enter takes ${cycle}.`,
   none: "No cycle fits these words.",

@@ -3,8 +3,8 @@ import type { ChooserTexts } from "../en/chooser.ts";
 export const chooser = {
   cycles: "Cycles",
   search: "Chercher un cycle",
-  hint: "Numéro, nom ou mot d’atelier, dans l’une des quatre langues",
-  keys: "Les flèches vont d’un cycle à l’autre.",
+  hint: "Numéro, nom ou mot d’atelier",
+  keys: "Recherche dans l’une des quatre langues ; les flèches vont d’un cycle à l’autre.",
   found: (n) => (n === 1 ? "1 cycle trouvé." : `${n} cycles trouvés.`),
   enter: (cycle) => `Entrée prend ${cycle}.`,
   none: "Aucun cycle ne correspond à ces mots.",

@@ -3,8 +3,8 @@ import type { ChooserTexts } from "../en/chooser.ts";
 export const chooser = {
   cycles: "循环",
   search: "搜索循环",
-  hint: "编号、名称或车间用语，四种语言均可",
-  keys: "用方向键在循环之间移动。",
+  hint: "编号、名称或车间用语",
+  keys: "可用四种语言搜索；用方向键在循环之间移动。",
   found: (n) => `找到 ${n} 个循环。`,
   enter: (cycle) => `按回车选用${cycle}。`,
   none: "没有符合这些词的循环。",
