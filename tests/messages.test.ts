@@ -17,6 +17,7 @@ const SAMPLES: { readonly [C in AnyCode]: DataOf<C> } = {
   outOfRange: { value: 1000.5, min: 0.001, max: 999.999, nearest: 999.999 },
   notAChoice: { value: 7, choices: [0, 1], nearest: 1 },
   startEqualsEnd: { other: "Q493", value: 50.5, nearest: 50.501 },
+  startLevelWithEnd: { axis: "X", value: 50.5 },
   diameterNegative: { value: -75.5, nearest: 75.5 },
   contourFlat: { axis: "X" },
   elementTooLong: { size: 30.5, max: 25.1, nearest: 25.1 },

@@ -115,6 +115,22 @@ export const rules: readonly Rule[] = [{
   trips: { change: { Q494: "0" } },
   passes: { change: { Q494: "-20" } },
 }, {
+  name: "start point on the diameter of the end",
+  cycle: 811,
+  code: "startLevelWithEnd",
+  field: "start.x",
+  severity: "error",
+  trips: { start: [50, 2] },
+  passes: { start: [50.001, 2] },
+}, {
+  name: "start point in the plane of the end",
+  cycle: 821,
+  code: "startLevelWithEnd",
+  field: "start.z",
+  severity: "error",
+  trips: { start: [79, -5] },
+  passes: { start: [79, -4.999] },
+}, {
   name: "start equals end in X of a recess",
   cycle: 852,
   code: "startEqualsEnd",

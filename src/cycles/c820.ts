@@ -40,4 +40,4 @@ export const c820 = defineCycle({
 });
 
 /** Set-ups that the laws hold this cycle to. */
-export const setups820: Setups = contourSetups;
+export const setups820: Setups = contourSetups(true);

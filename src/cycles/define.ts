@@ -41,12 +41,15 @@ export interface Outline {
 export interface Given {
   /** Of a free-contour cycle: the contour of its subprogram, in programmed order. */
   readonly contour: readonly Segment[] | null;
-  /** Theoretical tip at the call, from which the simple cycles start their contour; null where it is not known yet. */
+  /**
+   * Theoretical tip at the call: the simple cycles begin there, and a longitudinal contour is cut from its side. Null where it is not
+   * known yet.
+   */
   readonly start: Pt | null;
 }
 
 /** A contour row as it would be typed; missing fields are empty. */
-interface Row {
+export interface Row {
   readonly kind: "L" | "RND" | "CHF" | "CR";
   readonly x?: string;
   readonly z?: string;

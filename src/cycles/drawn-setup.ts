@@ -59,13 +59,18 @@ const elements = (draw: Draw) => ({
   Q504: mm(draw, 0, 2),
 });
 
-/** Set-ups of the longitudinal shoulder cycles: outside and inside, towards −Z and +Z. */
-export const shoulderSetups: Setups = (draw) => {
+/** Which way a tip points: from outside or inside towards the work, from +Z or −Z. */
+const tipOf = (out: 1 | -1, along: 1 | -1): TipOrientation => (out > 0 ? (along > 0 ? 1 : 3) : along > 0 ? 7 : 5);
+/** Where a button points that cuts along the axis, or across it. */
+const squareTip = (out: 1 | -1, along: 1 | -1, transverse: boolean): TipOrientation => transverse ? (along > 0 ? 8 : 4) : out > 0 ? 2 : 6;
+
+/** Set-ups of the shoulder cycles: outside and inside, towards −Z and +Z. */
+const boxSetups = (transverse: boolean): Setups => (draw) => {
   const [out, along] = [draw.one<1 | -1>(1, -1), draw.one<1 | -1>(1, -1)];
-  const [r1, z1, T] = [half(draw, 20, 50), mm(draw, -5, 5), draw.one(1, 2, 4, 11)];
-  const z2 = rounded(z1 - along * mm(draw, 3, 70));
-  const side: TipOrientation = out > 0 ? (along > 0 ? 1 : 3) : along > 0 ? 7 : 5;
-  const over = draw.one(0, mm(draw, -2, 6));
+  const [r1, z1, T] = [half(draw, 20, 50), mm(draw, -5, 5), transverse ? draw.one(15, 1, 2, 11) : draw.one(1, 2, 4, 11)];
+  const z2 = rounded(z1 - along * (transverse ? mm(draw, 1, 25) : mm(draw, 3, 70)));
+  const deep = transverse ? mm(draw, 4, 38) : mm(draw, 2, 30);
+  const [over, before] = [draw.one(0, mm(draw, -2, 6)), mm(draw, 0, 8)];
   return {
     values: {
       ...common(draw),
@@ -75,25 +80,39 @@ export const shoulderSetups: Setups = (draw) => {
       Q506: draw.one(0, 1, 2),
       Q491: toDiameter(r1),
       Q492: z1,
-      Q493: rounded(toDiameter(r1) - out * mm(draw, 2, 30)),
+      Q493: rounded(toDiameter(r1) - out * deep),
       Q494: z2,
     },
     contour: null,
-    tool: { T, TO: T === 11 ? (out > 0 ? 2 : 6) : side },
-    start: at(z1 + along * mm(draw, 0, 8), Math.max(0.5, r1 + out * over)),
+    tool: { T, TO: T === 11 ? squareTip(out, along, transverse) : tipOf(out, along) },
+    start: transverse ? at(z1 + along * over, Math.max(0.5, r1 + out * before)) : at(z1 + along * before, Math.max(0.5, r1 + out * over)),
     blank: box(z1, z2 - along * 30, r1, out > 0 ? 0 : r1 + 60),
   };
 };
+/** Along the axis, and across it. */
+export const shoulderSetups = boxSetups(false);
+export const faceSetups = boxSetups(true);
 
-/** Two to six stretches towards the axis or away from it, with corners between them, now and then an arc or an end on the axis. */
-function drawnContour(draw: Draw, out: 1 | -1, first: Pt): ContourElement[] {
+/** Set-ups of the simple twin of a cycle: it asks for the second corner of the box only. */
+export const simple = (setups: Setups): Setups => (draw) => {
+  const drawn = setups(draw);
+  const unasked = ["Q491", "Q492", "Q495", "Q496", "Q500", "Q501", "Q502", "Q503", "Q504"];
+  return drawn && { ...drawn, values: Object.fromEntries(Object.entries(drawn.values).filter(([q]) => !unasked.includes(q))) };
+};
+
+/**
+ * Two to six stretches on and on in the cutting direction, up and down, with corners between them, now and then an arc or an end on the
+ * axis. `place`: where a point lies that is so far on and so high.
+ */
+function drawnContour(draw: Draw, place: (on: number, up: number) => Pt, toAxis: boolean): ContourElement[] {
+  const [first, count] = [place(0, 0), draw.whole(2, 6)];
   const made: ContourElement[] = [{ kind: "line", to: first }];
-  const count = draw.whole(2, 6);
-  let here = first;
+  let [here, on, up] = [first, 0, 0];
   for (let i = 1; i <= count; i += 1) {
-    const across = draw.one(mm(draw, 0.5, 6), mm(draw, 0.5, 6), 0);
-    const along = mm(draw, -6, 6);
-    const to = at(rounded(here.z + (across === 0 ? Math.abs(along) + 0.5 : along)), Math.max(0.5, rounded(here.r - out * across)));
+    const step = draw.one(mm(draw, 0.5, 6), mm(draw, 0.5, 6), 0);
+    const rise = mm(draw, -6, 6);
+    [on, up] = [rounded(on + step), rounded(up + (step === 0 ? Math.abs(rise) + 0.5 : rise))];
+    const to = place(on, up);
     const chord = part.apart(here, to);
     const bulge = mostly(draw, 0, mm(draw, 0.6, 3));
     if (bulge > 0 && chord > 0.5) made.push({ kind: "radius", to, radius: rounded(chord * bulge), turn: draw.one("cw", "ccw") });
@@ -103,22 +122,66 @@ function drawnContour(draw: Draw, out: 1 | -1, first: Pt): ContourElement[] {
     if (corner !== "none" && i < count) made.push({ kind: corner, size: mm(draw, 0.2, 1.5) });
   }
   const last = mostly(draw, null, draw.one(null, 0, -0.8, -0.4));
-  if (last !== null && out > 0) made.push({ kind: "line", to: at(here.z, last) });
+  if (last !== null && toAxis) made.push({ kind: "line", to: at(here.z, last) });
   return made;
 }
 
-/**
- * Set-ups of the transverse free contours, in both directions, with limits on every side. A contour that crosses itself is refused
- * before any cycle sees it.
- */
-export const contourSetups: Setups = (draw) => {
+/** What a free contour needs round it: where it begins and runs, which way is out, and what it is cut from. */
+interface Free {
+  readonly place: (on: number, up: number) => Pt;
+  readonly toAxis: boolean;
+  readonly tool: { readonly T: number; readonly TO: TipOrientation };
+  /** Start point and blank over the points of the contour. */
+  readonly round: (points: readonly Pt[]) => { readonly start: Pt; readonly blank: Ring };
+}
+
+/** Across the axis towards it or away from it, open towards +Z. */
+function freeAcross(draw: Draw): Free {
   const out = draw.one<1 | -1>(1, -1);
   const r = mm(draw, 26, 45);
   const first = at(mm(draw, -25, -5), out > 0 ? r : r - 10);
-  const built = contourFrom(drawnContour(draw, out, first));
-  if (built.issues.some((i) => i.severity === "error")) return null;
-  const top = Math.max(...built.segments.flatMap((s) => [s.from.z, s.to.z]), first.z);
   const T = draw.one(15, 1, 2, 11);
+  const [over, before] = [mm(draw, 0, 3), out * draw.one(0, mm(draw, 0, 3))];
+  return {
+    place: (on, up) => at(rounded(first.z + up), Math.max(0.5, rounded(first.r - out * on))),
+    toAxis: out > 0,
+    tool: { T, TO: T === 11 ? 8 : tipOf(out, 1) },
+    round(points) {
+      const top = Math.max(...points.map((p) => p.z));
+      return { start: at(top + over, Math.max(0.5, first.r + before)), blank: box(top, -90, first.r, out > 0 ? 0 : first.r + 80) };
+    },
+  };
+}
+
+/** Along the axis towards −Z or +Z, a shaft or a bore. */
+function freeAlong(draw: Draw): Free {
+  const [out, along] = [draw.one<1 | -1>(1, -1), draw.one<1 | -1>(1, -1)];
+  const first = at(mm(draw, -5, 5), mm(draw, 20, 45));
+  const T = draw.one(2, 1, 3, 11);
+  const [over, before] = [mm(draw, 0, 3), draw.one(0, mm(draw, 0, 3))];
+  return {
+    place: (on, up) => at(rounded(first.z - along * on), Math.max(0.5, rounded(first.r + out * up))),
+    toAxis: false,
+    tool: { T, TO: T === 11 ? squareTip(out, along, false) : tipOf(out, along) },
+    round(points) {
+      const rs = points.map((p) => p.r);
+      const top = out > 0 ? Math.max(...rs) : Math.min(...rs);
+      return {
+        start: at(first.z + along * before, Math.max(0.5, top + out * over)),
+        blank: box(first.z, first.z - along * 70, top, out > 0 ? 0 : top + 80),
+      };
+    },
+  };
+}
+
+/**
+ * Set-ups of the free contours that are cut by levels, in both directions, with limits on every side. A contour that crosses itself is
+ * refused before any cycle sees it.
+ */
+export const contourSetups = (transverse: boolean): Setups => (draw) => {
+  const free = transverse ? freeAcross(draw) : freeAlong(draw);
+  const built = contourFrom(drawnContour(draw, free.place, free.toAxis));
+  if (built.issues.some((i) => i.severity === "error")) return null;
   return {
     values: {
       ...common(draw),
@@ -131,9 +194,8 @@ export const contourSetups: Setups = (draw) => {
       Q482: mm(draw, -40, 10),
     },
     contour: built.segments,
-    tool: { T, TO: T === 11 ? 8 : out > 0 ? 1 : 7 },
-    start: at(top + mm(draw, 0, 3), Math.max(0.5, first.r + out * draw.one(0, mm(draw, 0, 3)))),
-    blank: box(top, -90, first.r, out > 0 ? 0 : first.r + 80),
+    tool: free.tool,
+    ...free.round(built.segments.flatMap((s) => [s.from, s.to])),
   };
 };
 

@@ -1,6 +1,7 @@
 import { selfCrossing } from "../kernel/crossing.ts";
 import type { Frame } from "../kernel/flat.ts";
 import { issue, type Issue } from "../kernel/issue.ts";
+import { tipDirection } from "../kernel/insert.ts";
 import type { Setting } from "../kernel/plan.ts";
 import { at, part, type Pt, type Segment } from "../kernel/point.ts";
 import { FAR } from "../kernel/strategy/ground.ts";
@@ -20,7 +21,8 @@ export function freeOutline(v: FreeValues, given: Given, transverse: boolean): O
   const programmed = given.contour;
   const contour = v.Q499 === 0 ? programmed ?? [] : (programmed ?? []).map(part.reversed).reverse();
   const elements = contour.map((_, i) => (v.Q499 === 0 ? i + 1 : contour.length - i));
-  const outline = { frame: freeFrame(contour, transverse, true), sunk: false, dimensions: [], issues: [], elements };
+  const open = transverse || sideOf(contour, given.start) !== "inside";
+  const outline = { frame: freeFrame(contour, transverse, open), sunk: false, dimensions: [], issues: [], elements };
   const refused = (found: Issue): Outline => ({ ...outline, contour, issues: [found] });
   if (programmed === null) return refused(issue("contourMissing", "error", { label: "" }, "contour"));
   const first = contour[0]?.from;
@@ -52,6 +54,13 @@ function limitDimensions(v: FreeValues, contour: readonly Segment[]): Dimension[
   return [{ q: "Q480", form: "diameter", at: at(z, toRadius(v.Q480)) }, { q: "Q482", form: "z", from: at(0, r), to: at(v.Q482, r) }];
 }
 
+/** On which side of a contour a point lies that is farther from the axis than all of it, or nearer; null between the two. */
+function sideOf(contour: readonly Segment[], start: Pt | null): "outside" | "inside" | null {
+  const points = contour.flatMap((s) => [s.from, s.to]);
+  if (start === null || points.every((p) => start.r >= p.r)) return "outside";
+  return points.every((p) => start.r <= p.r) ? "inside" : null;
+}
+
 /** How strategy space lies: u runs from the first towards the last point; the open side is +Z or away from the axis, or `open` is false. */
 function freeFrame(contour: readonly Segment[], transverse: boolean, open: boolean): Frame {
   const [first, last] = [contour[0]?.from, contour.at(-1)?.to];
@@ -62,11 +71,12 @@ function freeFrame(contour: readonly Segment[], transverse: boolean, open: boole
 /**
  * The frame as it is cut. The open side of a transverse contour is −Z only when a tool that points to +Z stands behind the
  * contour (decision 0010). The open side of a longitudinal one is away from the axis when the start point lies farther out than
- * the contour.
+ * the contour; between its nearest and its farthest point the tip says which way it cuts.
  */
 export function frameAt(contour: readonly Segment[], transverse: boolean, { start, tool }: Setting): Frame {
   const points = contour.flatMap((s) => [s.from, s.to]);
   const behind = points.every((p) => start.z <= p.z) && [3, 4, 5].includes(tool.TO);
-  const outside = points.every((p) => start.r >= p.r);
+  const side = sideOf(contour, start);
+  const outside = side === null ? tipDirection(tool.TO).v <= 0 : side === "outside";
   return freeFrame(contour, transverse, transverse ? !behind : outside);
 }

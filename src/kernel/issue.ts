@@ -19,6 +19,8 @@ interface Data {
   notAChoice: { value: number; choices: readonly number[]; nearest?: number };
   /* values against each other */
   startEqualsEnd: { other: string; value: number; nearest?: number };
+  /** A simple cycle starts where the tool stands: level with its end there is nothing between the two. */
+  startLevelWithEnd: { axis: "X" | "Z"; value: number };
   /** A diameter in the range of the control that no contour of this cycle can have: the far side of the axis. */
   diameterNegative: { value: number; nearest?: number };
   elementTooLong: { size: number; max: number; nearest?: number };

@@ -31,6 +31,6 @@ export interface Unproved {
   readonly step: number;
   /** Number of its block; null when it concerns the whole program. */
   readonly block: number | null;
-  /** As the program spells it: "CYCL DEF 811", "M91", "CALL PGM". */
+  /** As the program spells it: "CYCL DEF 19", "M91", "CALL PGM". */
   readonly what: string;
 }

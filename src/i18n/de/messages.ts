@@ -33,6 +33,8 @@ export const messages = {
       `${w.value(d.value)} liegt außerhalb des Bereichs: ${w.value(d.min)} bis ${w.value(d.max)}.${nearest(d.nearest, w.value)}`,
     notAChoice: (d, w) => `${w.number(d.value)} steht nicht zur Wahl (${d.choices.join(", ")}).${nearest(d.nearest, w.number)}`,
     startEqualsEnd: (d, w) => `Start und Ende sind gleich: auch ${d.other} ist ${w.value(d.value)}.${nearest(d.nearest, w.value)}`,
+    startLevelWithEnd: (d, w) =>
+      `Der Startpunkt steht auf ${d.axis} ${w.number(d.value)}, wo die Kontur endet: Dazwischen gibt es nichts zu zerspanen.`,
     diameterNegative: (d, w) =>
       `${w.value(d.value)} ist ein Durchmesser jenseits der Achse, dort wird keine Kontur geplant.${nearest(d.nearest, w.value)}`,
     elementTooLong: (d, w) =>

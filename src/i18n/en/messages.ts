@@ -34,6 +34,8 @@ export const messages = {
     outOfRange: (d, w) => `${w.value(d.value)} is out of range: ${w.value(d.min)} to ${w.value(d.max)}.${nearest(d.nearest, w.value)}`,
     notAChoice: (d, w) => `${w.number(d.value)} is not one of ${d.choices.join(", ")}.${nearest(d.nearest, w.number)}`,
     startEqualsEnd: (d, w) => `Start and end are the same: ${d.other} is ${w.value(d.value)} too.${nearest(d.nearest, w.value)}`,
+    startLevelWithEnd: (d, w) =>
+      `The start point stands at ${d.axis} ${w.number(d.value)}, where the contour ends: between the two there is nothing to cut.`,
     diameterNegative: (d, w) =>
       `${w.value(d.value)} is a diameter on the far side of the axis, where no contour is planned.${nearest(d.nearest, w.value)}`,
     elementTooLong: (d, w) =>

@@ -33,6 +33,8 @@ export const messages = {
     outOfRange: (d, w) => `${w.value(d.value)} est hors de la plage ${w.value(d.min)} à ${w.value(d.max)}.${nearest(d.nearest, w.value)}`,
     notAChoice: (d, w) => `${w.number(d.value)} n'est pas un des choix ${d.choices.join(", ")}.${nearest(d.nearest, w.number)}`,
     startEqualsEnd: (d, w) => `Départ et fin sont identiques : ${d.other} vaut aussi ${w.value(d.value)}.${nearest(d.nearest, w.value)}`,
+    startLevelWithEnd: (d, w) =>
+      `Le point de départ est à ${d.axis} ${w.number(d.value)}, là où finit le contour : entre les deux, il n'y a rien à usiner.`,
     diameterNegative: (d, w) =>
       `${w.value(d.value)} est un diamètre au-delà de l'axe, où aucun contour n'est calculé.${nearest(d.nearest, w.value)}`,
     elementTooLong: (d, w) =>

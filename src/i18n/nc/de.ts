@@ -3,12 +3,16 @@ import type { NcWords } from "../nc-words.ts";
 /** German NC text. No printed page was seen: all recalled. */
 export const de = {
   cycles: {
+    810: { text: "KONTUR LAENGS", evidence: "K2" },
+    811: { text: "ABSATZ LAENGS", evidence: "K2" },
     812: { text: "ABSATZ LAENGS ERWEITERT", evidence: "K2" },
     815: { text: "KONTURPARALLEL", evidence: "K2" },
     820: { text: "KONTUR PLAN", evidence: "K2" },
     841: { text: "STECHDREHEN EINFACH RADIAL", evidence: "K3" },
     842: { text: "STECHDREHEN ERWEITERT RADIAL", evidence: "K3" },
     851: { text: "STECHDREHEN EINFACH AXIAL", evidence: "K3" },
+    821: { text: "ABSATZ PLAN", evidence: "K2" },
+    822: { text: "ABSATZ PLAN ERWEITERT", evidence: "K2" },
     852: { text: "STECHDREHEN ERWEITERT AXIAL", evidence: "K3" },
   },
   params: {
@@ -33,6 +37,7 @@ export const de = {
     endElementSize: { text: "GROESSE ENDELEMENT", evidence: "K2" },
     infeedRadial: { text: "MAX. SCHNITTTIEFE", evidence: "K2" },
     infeedAxial: { text: "MAX. SCHNITTTIEFE", evidence: "K2" },
+    infeedContour: { text: "MAX. SCHNITTTIEFE", evidence: "K2" },
     infeedGroove: { text: "MAX. SCHNITTTIEFE", evidence: "K2" },
     roughingFeed: { text: "VORSCHUB SCHRUPPEN", evidence: "K2" },
     oversizeDiameter: { text: "AUFMASS DURCHMESSER", evidence: "K2" },

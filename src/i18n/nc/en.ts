@@ -3,12 +3,16 @@ import type { NcWords } from "../nc-words.ts";
 /** English NC text, as printed on a TNC7 page; what no page shows is tagged K. */
 export const en = {
   cycles: {
+    810: { text: "TURN CONTOUR LONG.", evidence: "K1" },
+    811: { text: "SHOULDER, LONGITDNL.", evidence: "K1" },
     812: { text: "SHOULDER, LONG. EXT.", evidence: "K1" },
     815: { text: "CONTOUR-PAR. TURNING", evidence: "K1" },
     820: { text: "TURN CONTOUR TRANSV.", evidence: "A" },
     841: { text: "SIMPLE REC. TURNG., RADIAL DIR.", evidence: "K1" },
     842: { text: "ENH.REC.TURNNG, RAD.", evidence: "K1" },
     851: { text: "SIMPLE REC TURNG, AX", evidence: "K1" },
+    821: { text: "SHOULDER, FACE", evidence: "K1" },
+    822: { text: "SHOULDER, FACE. EXT.", evidence: "K1" },
     852: { text: "ENH.REC.TURNING, AX.", evidence: "K1" },
   },
   params: {
@@ -33,6 +37,7 @@ export const en = {
     endElementSize: { text: "SIZE OF END ELEMENT", evidence: "K1" },
     infeedRadial: { text: "MAX. CUTTING DEPTH", evidence: "A" },
     infeedAxial: { text: "MAX. CUTTING DEPTH", evidence: "A" },
+    infeedContour: { text: "MAX. CUTTING DEPTH", evidence: "K1" },
     infeedGroove: { text: "MAX. CUTTING DEPTH", evidence: "A" },
     roughingFeed: { text: "ROUGHING FEED RATE", evidence: "A" },
     oversizeDiameter: { text: "OVERSIZE FOR DIAMETER", evidence: "A" },

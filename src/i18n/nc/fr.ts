@@ -3,12 +3,16 @@ import type { NcWords } from "../nc-words.ts";
 /** French NC text, as printed in the TNC 640 pages of the three cycles. */
 export const fr = {
   cycles: {
+    810: { text: "TOURN. CONT. LONG.", evidence: "K2" },
+    811: { text: "EPAUL LONG", evidence: "K2" },
     812: { text: "EPAUL LONG ETENDU", evidence: "A" },
     815: { text: "CONTOUR PARALLELE", evidence: "K3" },
     820: { text: "TOURN. CONT. TRANSV.", evidence: "A" },
     841: { text: "GORGE RAD. SIMPLE", evidence: "K3" },
     842: { text: "GORGE RADIALE ETEND.", evidence: "K3" },
     851: { text: "GORGE AX. SIMPLE", evidence: "K3" },
+    821: { text: "EPAUL TRANSV.", evidence: "K2" },
+    822: { text: "EPAUL TRANSV. ETENDU", evidence: "K2" },
     852: { text: "GORGE AXIALE ETEND.", evidence: "A" },
   },
   params: {
@@ -33,6 +37,7 @@ export const fr = {
     endElementSize: { text: "TAILLE ELEMENT FINAL", evidence: "A" },
     infeedRadial: { text: "PASSE MAX", evidence: "A" },
     infeedAxial: { text: "PASSE MAX", evidence: "A" },
+    infeedContour: { text: "PASSE MAX", evidence: "K2" },
     infeedGroove: { text: "PASSE MAX", evidence: "A" },
     roughingFeed: { text: "AVANCE EBAUCHE", evidence: "A" },
     oversizeDiameter: { text: "SUREPAISSEUR DIAMETRE", evidence: "A" },

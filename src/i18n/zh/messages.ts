@@ -32,6 +32,7 @@ export const messages = {
     outOfRange: (d, w) => `${w.value(d.value)}超出范围${w.value(d.min)}至${w.value(d.max)}。${nearest(d.nearest, w.value)}`,
     notAChoice: (d, w) => `${w.number(d.value)}不在可选值${d.choices.join("、")}中。${nearest(d.nearest, w.number)}`,
     startEqualsEnd: (d, w) => `起点与终点相同:${d.other}也是${w.value(d.value)}。${nearest(d.nearest, w.value)}`,
+    startLevelWithEnd: (d, w) => `起点位于${d.axis} ${w.number(d.value)},与轮廓终点相同:两者之间没有可加工的材料。`,
     diameterNegative: (d, w) => `${w.value(d.value)}位于轴线另一侧,此处不计算轮廓。${nearest(d.nearest, w.value)}`,
     elementTooLong: (d, w) => `${w.number(d.size)}大于该元素的长度,最大${w.number(d.max)}。${nearest(d.nearest, w.number)}`,
     cornersTooWide: (d, w) => `两个半径${w.number(d.radius)}的圆角宽于槽底,最大${w.number(d.max)}。${nearest(d.nearest, w.number)}`,

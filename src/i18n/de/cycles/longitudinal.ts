@@ -1,7 +1,52 @@
 import type { CycleTexts } from "../../cycle-text.ts";
-import { edgeLength, safePosition, turnMode } from "./notes.ts";
+import { edgeLength, freeContour, safePosition, turnMode } from "./notes.ts";
+
+const rough = [
+  "achsparallel zustellen im Eilgang",
+  "längs schneiden mit Schruppvorschub",
+  "um die Zustellung zurückziehen",
+  "im Eilgang zum Anfang des Schnitts",
+  "wiederholen, bis die Kontur erreicht ist",
+  "im Eilgang zum Zyklusstart",
+];
+const finish = [
+  "achsparallel zustellen im Eilgang",
+  "Kontur von Start bis Ende schlichten",
+  "um den Sicherheits-Abstand zurückziehen",
+  "im Eilgang zum Zyklusstart",
+];
+const notes = [turnMode, safePosition, edgeLength];
 
 export const longitudinal = {
+  810: {
+    name: "Kontur längs",
+    summary: "Dreht eine freie Kontur aus einem Unterprogramm, in Längsrichtung.",
+    description: [
+      "Dreht eine beliebige Kontur in Längsrichtung: Wellen und Bohrungen mit Absätzen, Kegeln, Bögen, Freistichen und "
+      + "Einstichen. Die Kontur steht in einem Unterprogramm und wird mit Zyklus 14 oder SEL CONTOUR benannt.",
+      "Schruppt achsparallel, schlichtet oder macht beides. Startpunkt weiter von der Drehachse weg als die Kontur: "
+      + "Außenbearbeitung. Näher daran: Innenbearbeitung. Dazwischen entscheidet das Werkzeug, je nachdem wohin seine Spitze "
+      + "zeigt. Unsere Lesart; an der Steuerung prüfen.",
+      "Die Kontur wird in der programmierten Richtung zerspant. Liegt X des Startpunkts unter dem Konturstart, fährt das "
+      + "Werkzeug zuerst in X auf den Konturstart; beim Schlichten auf Sicherheits-Abstand.",
+    ],
+    rough,
+    finish,
+    notes: freeContour,
+  },
+  811: {
+    name: "Absatz längs",
+    summary: "Dreht einen rechtwinkligen Absatz längs, von der Werkzeugposition aus.",
+    description: [
+      "Dreht einen Zylinder und die Planfläche dahinter. Die Position des Werkzeugs beim Aufruf ist die eine Ecke des "
+      + "Zerspanbereichs, das programmierte Ende die andere; Winkel und gebrochene Kanten gibt es nicht.",
+      "Schruppt achsparallel, schlichtet oder macht beides. Startpunkt weiter von der Drehachse weg als Q493: "
+      + "Außenbearbeitung. Näher daran: Innenbearbeitung.",
+    ],
+    rough,
+    finish,
+    notes,
+  },
   812: {
     name: "Absatz längs erweitert",
     summary: "Dreht einen Absatz längs, mit Fasen, Winkeln und Eckenradius.",
@@ -13,21 +58,9 @@ export const longitudinal = {
       "Liegt der Startpunkt im Zerspanbereich, fährt das Werkzeug zuerst in X, dann in Z auf Sicherheits-Abstand; beim "
       + "Schlichten zuerst in Z auf Sicherheits-Abstand.",
     ],
-    rough: [
-      "achsparallel zustellen im Eilgang",
-      "längs schneiden mit Schruppvorschub",
-      "um die Zustellung zurückziehen",
-      "im Eilgang zum Anfang des Schnitts",
-      "wiederholen, bis die Kontur erreicht ist",
-      "im Eilgang zum Zyklusstart",
-    ],
-    finish: [
-      "achsparallel zustellen im Eilgang",
-      "Kontur von Start bis Ende schlichten",
-      "um den Sicherheits-Abstand zurückziehen",
-      "im Eilgang zum Zyklusstart",
-    ],
-    notes: [turnMode, safePosition, edgeLength],
+    rough,
+    finish,
+    notes,
   },
   815: {
     name: "Drehen konturparallel",

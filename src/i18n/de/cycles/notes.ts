@@ -4,3 +4,15 @@ export const safePosition =
   + "viel zerspant wird.";
 export const edgeLength =
   "Eine CUTLENGTH in der Werkzeugtabelle begrenzt beim Schruppen die Zustellung; sie wird dann mit einer Meldung verringert.";
+/** What holds for every cycle that takes its contour from a subprogram. */
+export const freeContour = [
+  "Kollisionsgefahr: Die Schnittbegrenzung begrenzt die bearbeitete Kontur, An- und Abfahrwege dürfen sie überschreiten. Das "
+  + "Werkzeug vor dem Aufruf auf die Seite der Grenze stellen, die zerspant werden soll.",
+  turnMode,
+  safePosition,
+  "Die Schneidenform wird berücksichtigt, damit kein Element verletzt wird. Was das Werkzeug nicht erreicht, bleibt mit "
+  + "einer Warnung stehen.",
+  "Vor dem Aufruf muss Zyklus 14 mit dem Label der Kontur oder SEL CONTOUR mit ihrer Datei stehen.",
+  "Lokale Parameter (QL) der Kontur müssen im Konturunterprogramm selbst belegt werden.",
+  edgeLength,
+];

@@ -1,5 +1,22 @@
 import type { CycleTexts } from "../../cycle-text.ts";
-import { edgeLength, safePosition, turnMode } from "./notes.ts";
+import { edgeLength, freeContour, safePosition, turnMode } from "./notes.ts";
+
+const rough = [
+  "achsparallel zustellen im Eilgang",
+  "plan schneiden mit Schruppvorschub",
+  "um die Zustellung zurückziehen",
+  "im Eilgang zum Anfang des Schnitts",
+  "wiederholen, bis die Kontur erreicht ist",
+  "im Eilgang zum Zyklusstart",
+];
+const finish = [
+  "zustellen im Eilgang",
+  "Kontur von Start bis Ende schlichten",
+  "um den Sicherheits-Abstand zurückziehen",
+  "im Eilgang zum Zyklusstart",
+];
+/** Of the cycles that have a contour of their own. */
+const own = { rough, finish, notes: [turnMode, safePosition, edgeLength] };
 
 export const transverse = {
   820: {
@@ -13,30 +30,31 @@ export const transverse = {
       "Liegt Z des Startpunkts unter dem Konturstart, fährt das Werkzeug zuerst in Z auf den Konturstart; beim Schlichten auf "
       + "Sicherheits-Abstand.",
     ],
-    rough: [
-      "achsparallel zustellen im Eilgang",
-      "plan schneiden mit Schruppvorschub",
-      "um die Zustellung zurückziehen",
-      "im Eilgang zum Anfang des Schnitts",
-      "wiederholen, bis die Kontur erreicht ist",
-      "im Eilgang zum Zyklusstart",
+    rough,
+    finish,
+    notes: freeContour,
+  },
+  821: {
+    name: "Absatz plan",
+    summary: "Plant einen rechtwinkligen Absatz, von der Werkzeugposition aus.",
+    description: [
+      "Dreht eine Planfläche und den Zylinder an ihrem Ende. Die Position des Werkzeugs beim Aufruf ist die eine Ecke des "
+      + "Zerspanbereichs, das programmierte Ende die andere; Winkel und gebrochene Kanten gibt es nicht.",
+      "Schruppt achsparallel in Planrichtung, schlichtet oder macht beides. Startpunkt weiter von der Drehachse weg als "
+      + "Q493: Außenbearbeitung. Näher daran: Innenbearbeitung.",
     ],
-    finish: [
-      "zustellen im Eilgang",
-      "Kontur von Start bis Ende schlichten",
-      "um den Sicherheits-Abstand zurückziehen",
-      "im Eilgang zum Zyklusstart",
+    ...own,
+  },
+  822: {
+    name: "Absatz plan erweitert",
+    summary: "Plant einen Absatz, mit Fasen, Winkeln und Eckenradius.",
+    description: [
+      "Dreht einen Absatz in Planrichtung. Die Kanten an Konturstart und Konturende können eine Fase oder einen Radius "
+      + "bekommen, Planfläche und Umfangsfläche können geneigt, die Innenecke kann verrundet sein.",
+      "Schruppt achsparallel in Planrichtung, schlichtet oder macht beides. Startdurchmesser größer als Enddurchmesser: "
+      + "Außenbearbeitung. Kleiner: Innenbearbeitung.",
+      "Liegt der Startpunkt im Zerspanbereich, fährt das Werkzeug zuerst in Z, dann in X auf Sicherheits-Abstand.",
     ],
-    notes: [
-      "Kollisionsgefahr: Die Schnittbegrenzung begrenzt die bearbeitete Kontur, An- und Abfahrwege dürfen sie überschreiten. Das "
-      + "Werkzeug vor dem Aufruf auf die Seite der Grenze stellen, die zerspant werden soll.",
-      turnMode,
-      safePosition,
-      "Die Schneidenform wird berücksichtigt, damit kein Element verletzt wird. Was das Werkzeug nicht erreicht, bleibt mit "
-      + "einer Warnung stehen.",
-      "Vor dem Aufruf muss Zyklus 14 mit dem Label der Kontur oder SEL CONTOUR mit ihrer Datei stehen.",
-      "Lokale Parameter (QL) der Kontur müssen im Konturunterprogramm selbst belegt werden.",
-      edgeLength,
-    ],
+    ...own,
   },
 } satisfies CycleTexts;

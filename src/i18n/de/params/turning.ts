@@ -20,5 +20,11 @@ export const turning = {
     label: "Max. Zustellung",
     explanation: "Größte Zustellung je Schnitt, in Z. Die Tiefe wird gleichmäßig aufgeteilt; die wirkliche Zustellung ist darum oft "
       + "kleiner, und es bleibt kein Schleifschnitt.",
+  infeedContour: {
+    prompt: "Maximale Schnitttiefe?",
+    printed: false,
+    label: "Max. Zustellung",
+    explanation: "Größte Zustellung je Schnitt, auf den Radius. Die Tiefe wird gleichmäßig aufgeteilt; die wirkliche Zustellung ist "
+      + "darum oft kleiner, und es bleibt kein Schleifschnitt. 0: ein Schnitt.",
   },
 } satisfies SomeParamTexts;

@@ -1,7 +1,52 @@
 import type { CycleTexts } from "../../cycle-text.ts";
-import { edgeLength, safePosition, turnMode } from "./notes.ts";
+import { edgeLength, freeContour, safePosition, turnMode } from "./notes.ts";
+
+const rough = [
+  "paraxial infeed at rapid",
+  "cut lengthwise at the roughing feed",
+  "retract by the infeed",
+  "back to the start of the cut at rapid",
+  "repeat until the contour is reached",
+  "back to the cycle start at rapid",
+];
+const finish = [
+  "paraxial infeed at rapid",
+  "finish the contour from start to end",
+  "retract by the set-up clearance",
+  "back to the cycle start at rapid",
+];
+const notes = [turnMode, safePosition, edgeLength];
 
 export const longitudinal = {
+  810: {
+    name: "Contour, longitudinal",
+    summary: "Cuts a free contour from a subprogram, along the axis.",
+    description: [
+      "Turns any contour lengthwise: shafts and bores with shoulders, tapers, arcs, undercuts and grooves. The contour "
+      + "stands in a subprogram, named by cycle 14 or SEL CONTOUR.",
+      "Roughs with paraxial passes, finishes, or both. A start point farther from the axis than the contour: outside "
+      + "machining. Nearer to it: inside machining. Between the two the tool decides, by the way its tip points. Our reading; "
+      + "verify on your control.",
+      "The contour is cut in the direction in which it is programmed. If X of the start point lies below the contour start, "
+      + "the tool first moves in X to the contour start; for finishing, to the set-up clearance.",
+    ],
+    rough,
+    finish,
+    notes: freeContour,
+  },
+  811: {
+    name: "Shoulder, longitudinal",
+    summary: "Cuts a square shoulder along the axis, from where the tool stands.",
+    description: [
+      "Turns a cylinder and the face behind it. The point where the tool stands at the call is one corner of the area to be "
+      + "cut, the programmed end is the other; there are no angles and no broken edges.",
+      "Roughs with paraxial passes, finishes, or both. Start point farther from the axis than Q493: outside machining. "
+      + "Nearer: inside machining.",
+    ],
+    rough,
+    finish,
+    notes,
+  },
   812: {
     name: "Shoulder, longitudinal, extended",
     summary: "Cuts a shoulder along the axis, with chamfers, angles and a corner radius.",
@@ -13,21 +58,9 @@ export const longitudinal = {
       "If the start point lies in the area to be cut, the tool first moves in X, then in Z, to the set-up clearance. For "
       + "finishing it first moves in Z to the set-up clearance.",
     ],
-    rough: [
-      "paraxial infeed at rapid",
-      "cut lengthwise at the roughing feed",
-      "retract by the infeed",
-      "back to the start of the cut at rapid",
-      "repeat until the contour is reached",
-      "back to the cycle start at rapid",
-    ],
-    finish: [
-      "paraxial infeed at rapid",
-      "finish the contour from start to end",
-      "retract by the set-up clearance",
-      "back to the cycle start at rapid",
-    ],
-    notes: [turnMode, safePosition, edgeLength],
+    rough,
+    finish,
+    notes,
   },
   815: {
     name: "Contour-parallel turning",

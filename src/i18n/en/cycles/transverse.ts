@@ -1,5 +1,22 @@
 import type { CycleTexts } from "../../cycle-text.ts";
-import { edgeLength, safePosition, turnMode } from "./notes.ts";
+import { edgeLength, freeContour, safePosition, turnMode } from "./notes.ts";
+
+const rough = [
+  "paraxial infeed at rapid",
+  "cut crosswise at the roughing feed",
+  "retract by the infeed",
+  "back to the start of the cut at rapid",
+  "repeat until the contour is reached",
+  "back to the cycle start at rapid",
+];
+const finish = [
+  "infeed at rapid",
+  "finish the contour from start to end",
+  "retract by the set-up clearance",
+  "back to the cycle start at rapid",
+];
+/** Of the cycles that have a contour of their own. */
+const own = { rough, finish, notes: [turnMode, safePosition, edgeLength] };
 
 export const transverse = {
   820: {
@@ -13,29 +30,31 @@ export const transverse = {
       "If Z of the start point is below the contour start, the tool first moves in Z to the contour start; for finishing, to the "
       + "set-up clearance.",
     ],
-    rough: [
-      "paraxial infeed at rapid",
-      "cut crosswise at the roughing feed",
-      "retract by the infeed",
-      "back to the start of the cut at rapid",
-      "repeat until the contour is reached",
-      "back to the cycle start at rapid",
+    rough,
+    finish,
+    notes: freeContour,
+  },
+  821: {
+    name: "Shoulder, face",
+    summary: "Faces a square shoulder across the axis, from where the tool stands.",
+    description: [
+      "Turns a face and the cylinder at its end. The point where the tool stands at the call is one corner of the area to be "
+      + "cut, the programmed end is the other; there are no angles and no broken edges.",
+      "Roughs with paraxial passes across the axis, finishes, or both. Start point farther from the axis than Q493: outside "
+      + "machining. Nearer: inside machining.",
     ],
-    finish: [
-      "infeed at rapid",
-      "finish the contour from start to end",
-      "retract by the set-up clearance",
-      "back to the cycle start at rapid",
+    ...own,
+  },
+  822: {
+    name: "Shoulder, face, extended",
+    summary: "Faces a shoulder across the axis, with chamfers, angles and a corner radius.",
+    description: [
+      "Turns a shoulder crosswise. The edges at the contour start and end can get a chamfer or a radius, the face and the "
+      + "circumferential surface can lean, and the inside corner can be rounded.",
+      "Roughs with paraxial passes across the axis, finishes, or both. Start diameter greater than end diameter: outside "
+      + "machining. Smaller: inside machining.",
+      "If the start point lies in the area to be cut, the tool first moves in Z, then in X, to the set-up clearance.",
     ],
-    notes: [
-      "Danger of collision: the machining limit restricts the contour that is cut, but approach and departure may cross it. "
-      + "Stand the tool, before the call, on the side of the limit that is to be cut.",
-      turnMode,
-      safePosition,
-      "The shape of the insert is taken into account so that no element is damaged. What the tool cannot reach stays, with a warning.",
-      "Cycle 14 with the label of the contour, or SEL CONTOUR with its file, must stand before the call.",
-      "Local parameters (QL) used in the contour must be set in the contour subprogram itself.",
-      edgeLength,
-    ],
+    ...own,
   },
 } satisfies CycleTexts;

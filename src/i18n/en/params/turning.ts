@@ -20,5 +20,11 @@ export const turning = {
     label: "Max. infeed",
     explanation:
       "Largest infeed per pass, along Z. The depth is divided evenly, so the real infeed is often smaller and no thin last cut remains.",
+  infeedContour: {
+    prompt: "Maximum cutting depth?",
+    printed: false,
+    label: "Max. infeed",
+    explanation: "Largest infeed per pass, on the radius. The depth is divided evenly, so the real infeed is often smaller and no thin "
+      + "last cut remains. 0: one pass.",
   },
 } satisfies SomeParamTexts;

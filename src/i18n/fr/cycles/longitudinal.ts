@@ -1,7 +1,52 @@
 import type { CycleTexts } from "../../cycle-text.ts";
-import { edgeLength, safePosition, turnMode } from "./notes.ts";
+import { edgeLength, freeContour, safePosition, turnMode } from "./notes.ts";
+
+const rough = [
+  "prise de passe paraxiale en rapide",
+  "coupe longitudinale à l'avance d'ébauche",
+  "retrait de la valeur de passe",
+  "retour au début de la coupe en rapide",
+  "répéter jusqu'au contour",
+  "retour au départ du cycle en rapide",
+];
+const finish = [
+  "prise de passe paraxiale en rapide",
+  "finition du contour, du départ à la fin",
+  "retrait de la distance d'approche",
+  "retour au départ du cycle en rapide",
+];
+const notes = [turnMode, safePosition, edgeLength];
 
 export const longitudinal = {
+  810: {
+    name: "Contour longitudinal",
+    summary: "Tourne un contour libre d'un sous-programme, dans le sens longitudinal.",
+    description: [
+      "Tourne un contour quelconque le long de l'axe : arbres et alésages avec épaulements, cônes, arcs, dégagements et "
+      + "gorges. Le contour est un sous-programme, désigné par le cycle 14 ou par SEL CONTOUR.",
+      "Ébauche en passes paraxiales, finition, ou les deux. Point de départ plus loin de l'axe que le contour : usinage "
+      + "extérieur. Plus près : usinage intérieur. Entre les deux, c'est l'outil qui décide, selon la direction de sa pointe. "
+      + "Notre lecture ; à vérifier sur la commande.",
+      "Le contour est usiné dans le sens où il est programmé. Si le X du point de départ est sous le départ du contour, "
+      + "l'outil va d'abord en X au départ du contour ; pour la finition, à la distance d'approche.",
+    ],
+    rough,
+    finish,
+    notes: freeContour,
+  },
+  811: {
+    name: "Épaulement longitudinal",
+    summary: "Tourne un épaulement droit dans le sens longitudinal, depuis la position de l'outil.",
+    description: [
+      "Tourne un cylindre et la face qui le termine. La position de l'outil à l'appel est un coin de la zone à usiner, la "
+      + "fin programmée est l'autre ; il n'y a ni angle ni arête cassée.",
+      "Ébauche en passes paraxiales, finition, ou les deux. Point de départ plus loin de l'axe que Q493 : usinage extérieur. "
+      + "Plus près : usinage intérieur.",
+    ],
+    rough,
+    finish,
+    notes,
+  },
   812: {
     name: "Épaulement longitudinal étendu",
     summary: "Tourne un épaulement dans le sens longitudinal, avec chanfreins, angles et rayon de coin.",
@@ -13,21 +58,9 @@ export const longitudinal = {
       "Si le point de départ se trouve dans la zone à usiner, l'outil va d'abord en X, puis en Z, à la distance d'approche ; "
       + "pour la finition, d'abord en Z.",
     ],
-    rough: [
-      "prise de passe paraxiale en rapide",
-      "coupe longitudinale à l'avance d'ébauche",
-      "retrait de la valeur de passe",
-      "retour au début de la coupe en rapide",
-      "répéter jusqu'au contour",
-      "retour au départ du cycle en rapide",
-    ],
-    finish: [
-      "prise de passe paraxiale en rapide",
-      "finition du contour, du départ à la fin",
-      "retrait de la distance d'approche",
-      "retour au départ du cycle en rapide",
-    ],
-    notes: [turnMode, safePosition, edgeLength],
+    rough,
+    finish,
+    notes,
   },
   815: {
     name: "Tournage parallèle au contour",

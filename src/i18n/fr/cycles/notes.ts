@@ -2,3 +2,15 @@ export const turnMode = "Ne s'exécute qu'en FUNCTION MODE TURN. Sur une TNC7, l
 export const safePosition =
   "Avant l'appel, positionner l'outil avec R0 à un endroit sûr : ce point est le départ du cycle et détermine ce qui est usiné.";
 export const edgeLength = "Une valeur CUTLENGTH du tableau d'outils limite la passe d'ébauche ; elle est alors réduite, avec un message.";
+/** What holds for every cycle that takes its contour from a subprogram. */
+export const freeContour = [
+  "Risque de collision : la limite d'usinage restreint le contour usiné, mais l'approche et la sortie peuvent la franchir. "
+  + "Placer l'outil, avant l'appel, du côté de la limite qui doit être usiné.",
+  turnMode,
+  safePosition,
+  "La forme de la plaquette est prise en compte pour ne blesser aucun élément. Ce que l'outil n'atteint pas reste, avec un "
+  + "avertissement.",
+  "Le cycle 14 avec le label du contour, ou SEL CONTOUR avec son fichier, doit précéder l'appel.",
+  "Les paramètres locaux (QL) du contour doivent être affectés dans le sous-programme lui-même.",
+  edgeLength,
+];

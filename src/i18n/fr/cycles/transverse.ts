@@ -1,5 +1,22 @@
 import type { CycleTexts } from "../../cycle-text.ts";
-import { edgeLength, safePosition, turnMode } from "./notes.ts";
+import { edgeLength, freeContour, safePosition, turnMode } from "./notes.ts";
+
+const rough = [
+  "prise de passe paraxiale en rapide",
+  "coupe transversale à l'avance d'ébauche",
+  "retrait de la valeur de passe",
+  "retour au début de la coupe en rapide",
+  "répéter jusqu'au contour",
+  "retour au départ du cycle en rapide",
+];
+const finish = [
+  "prise de passe en rapide",
+  "finition du contour, du départ à la fin",
+  "retrait de la distance d'approche",
+  "retour au départ du cycle en rapide",
+];
+/** Of the cycles that have a contour of their own. */
+const own = { rough, finish, notes: [turnMode, safePosition, edgeLength] };
 
 export const transverse = {
   820: {
@@ -13,30 +30,31 @@ export const transverse = {
       "Si le Z du point de départ est sous le départ du contour, l'outil va d'abord en Z au départ du contour ; pour la "
       + "finition, à la distance d'approche.",
     ],
-    rough: [
-      "prise de passe paraxiale en rapide",
-      "coupe transversale à l'avance d'ébauche",
-      "retrait de la valeur de passe",
-      "retour au début de la coupe en rapide",
-      "répéter jusqu'au contour",
-      "retour au départ du cycle en rapide",
+    rough,
+    finish,
+    notes: freeContour,
+  },
+  821: {
+    name: "Épaulement transversal",
+    summary: "Dresse un épaulement droit en travers de l'axe, depuis la position de l'outil.",
+    description: [
+      "Tourne une face et le cylindre qui la termine. La position de l'outil à l'appel est un coin de la zone à usiner, la "
+      + "fin programmée est l'autre ; il n'y a ni angle ni arête cassée.",
+      "Ébauche en passes transversales, finition, ou les deux. Point de départ plus loin de l'axe que Q493 : usinage "
+      + "extérieur. Plus près : usinage intérieur.",
     ],
-    finish: [
-      "prise de passe en rapide",
-      "finition du contour, du départ à la fin",
-      "retrait de la distance d'approche",
-      "retour au départ du cycle en rapide",
+    ...own,
+  },
+  822: {
+    name: "Épaulement transversal étendu",
+    summary: "Dresse un épaulement en travers de l'axe, avec chanfreins, angles et rayon de coin.",
+    description: [
+      "Tourne un épaulement en travers de l'axe. Les arêtes au départ et à la fin du contour peuvent recevoir un chanfrein "
+      + "ou un arrondi, la face et le pourtour peuvent être inclinés, le coin intérieur peut être arrondi.",
+      "Ébauche en passes transversales, finition, ou les deux. Diamètre de départ supérieur au diamètre final : usinage "
+      + "extérieur. Inférieur : usinage intérieur.",
+      "Si le point de départ se trouve dans la zone à usiner, l'outil va d'abord en Z, puis en X, à la distance d'approche.",
     ],
-    notes: [
-      "Risque de collision : la limite d'usinage restreint le contour usiné, mais l'approche et la sortie peuvent la franchir. "
-      + "Placer l'outil, avant l'appel, du côté de la limite qui doit être usiné.",
-      turnMode,
-      safePosition,
-      "La forme de la plaquette est prise en compte pour ne blesser aucun élément. Ce que l'outil n'atteint pas reste, avec un "
-      + "avertissement.",
-      "Le cycle 14 avec le label du contour, ou SEL CONTOUR avec son fichier, doit précéder l'appel.",
-      "Les paramètres locaux (QL) du contour doivent être affectés dans le sous-programme lui-même.",
-      edgeLength,
-    ],
+    ...own,
   },
 } satisfies CycleTexts;

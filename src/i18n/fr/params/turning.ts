@@ -20,5 +20,11 @@ export const turning = {
     label: "Passe max.",
     explanation: "Passe la plus grande, en Z. La profondeur est répartie uniformément : la passe réelle est souvent plus petite, sans "
       + "dernière passe trop mince.",
+  infeedContour: {
+    prompt: "Plongée max.?",
+    printed: false,
+    label: "Passe max.",
+    explanation: "Passe la plus grande, au rayon. La profondeur est répartie uniformément : la passe réelle est souvent plus petite, "
+      + "sans dernière passe trop mince. 0 : une seule passe.",
   },
 } satisfies SomeParamTexts;

@@ -1,7 +1,34 @@
 import type { CycleTexts } from "../../cycle-text.ts";
-import { edgeLength, safePosition, turnMode } from "./notes.ts";
+import { edgeLength, freeContour, safePosition, turnMode } from "./notes.ts";
+
+const rough = ["快移平行轴进刀", "以粗加工进给纵向切削", "退刀一个进刀量", "快移退至切削起点", "重复,直至轮廓完成", "快移退至循环起点"];
+const finish = ["快移平行轴进刀", "从起点到终点精加工轮廓", "退刀至安全高度", "快移退至循环起点"];
+const notes = [turnMode, safePosition, edgeLength];
 
 export const longitudinal = {
+  810: {
+    name: "轮廓纵向车削",
+    summary: "沿轴向车削子程序中的自由轮廓。",
+    description: [
+      "沿纵向车削任意轮廓:带台肩、锥面、圆弧、退刀槽和沟槽的轴和孔。轮廓是子程序,由循环14或SEL CONTOUR选择。",
+      "平行轴粗加工、精加工或两者。起点比轮廓离轴线更远:外尺寸加工;更近:内尺寸加工;介于两者之间时,由刀尖的朝向决定。此为我们的理解,请在数控系统上确认。",
+      "轮廓按编程的方向加工。如果起点的X低于轮廓起点,刀具先沿X轴移至轮廓起点;精加工时移至安全高度。",
+    ],
+    rough,
+    finish,
+    notes: freeContour,
+  },
+  811: {
+    name: "台肩纵向车削",
+    summary: "从刀具所在位置开始,沿轴向车削直角台肩。",
+    description: [
+      "车削圆柱面及其末端的端面。调用时的刀具位置是加工区的一角,编程的终点是另一角;没有角度,也没有倒角。",
+      "平行轴粗加工、精加工或两者。起点比Q493离轴线更远:外尺寸加工;更近:内尺寸加工。",
+    ],
+    rough,
+    finish,
+    notes,
+  },
   812: {
     name: "台肩纵向车削(扩展)",
     summary: "沿轴向车削台肩,可带倒角、角度和内角圆角。",
@@ -10,9 +37,9 @@ export const longitudinal = {
       "平行轴粗加工、精加工或两者。起点直径大于终点直径:外尺寸加工;小于:内尺寸加工。",
       "如果起点在加工区内,刀具先沿X轴、再沿Z轴移至安全高度;精加工时先沿Z轴移至安全高度。",
     ],
-    rough: ["快移平行轴进刀", "以粗加工进给纵向切削", "退刀一个进刀量", "快移退至切削起点", "重复,直至轮廓完成", "快移退至循环起点"],
-    finish: ["快移平行轴进刀", "从起点到终点精加工轮廓", "退刀至安全高度", "快移退至循环起点"],
-    notes: [turnMode, safePosition, edgeLength],
+    rough,
+    finish,
+    notes,
   },
   815: {
     name: "平行轮廓车削",

@@ -1,0 +1,24 @@
+import { c812 } from "./c812.ts";
+import { defineCycle } from "./define.ts";
+import { recalled } from "./params.ts";
+import { shoulderSetups, simple, type Setups } from "./drawn-setup.ts";
+import { planSimple, simpleShoulder } from "./simple-shoulder.ts";
+
+const { Q215, Q460, Q493, Q494, Q463, Q478, Q483, Q484, Q505, Q506 } = c812.params;
+
+/** Shoulder, longitudinal: a cylinder and a face, from where the tool stands. */
+export const c811 = defineCycle({
+  number: 811,
+  group: "longitudinal",
+  manual: null,
+  evidence: "K1",
+  contour: "own",
+  params: recalled({ Q215, Q460, Q493, Q494, Q463, Q478, Q483, Q484, Q505, Q506 }),
+  setup: { ...c812.setup },
+  steps: c812.steps,
+  outline: (v, { start }) => simpleShoulder(v, start, false),
+  plan: (v, setting) => planSimple(v, setting, false),
+});
+
+/** Set-ups that the laws hold this cycle to. */
+export const setups811: Setups = simple(shoulderSetups);
