@@ -8,11 +8,11 @@ export const de = {
     812: { text: "ABSATZ LAENGS ERWEITERT", evidence: "K2" },
     815: { text: "KONTURPARALLEL", evidence: "K2" },
     820: { text: "KONTUR PLAN", evidence: "K2" },
+    821: { text: "ABSATZ PLAN", evidence: "K2" },
+    822: { text: "ABSATZ PLAN ERWEITERT", evidence: "K2" },
     841: { text: "STECHDREHEN EINFACH RADIAL", evidence: "K3" },
     842: { text: "STECHDREHEN ERWEITERT RADIAL", evidence: "K3" },
     851: { text: "STECHDREHEN EINFACH AXIAL", evidence: "K3" },
-    821: { text: "ABSATZ PLAN", evidence: "K2" },
-    822: { text: "ABSATZ PLAN ERWEITERT", evidence: "K2" },
     852: { text: "STECHDREHEN ERWEITERT AXIAL", evidence: "K3" },
   },
   params: {

@@ -8,11 +8,11 @@ export const en = {
     812: { text: "SHOULDER, LONG. EXT.", evidence: "K1" },
     815: { text: "CONTOUR-PAR. TURNING", evidence: "K1" },
     820: { text: "TURN CONTOUR TRANSV.", evidence: "A" },
+    821: { text: "SHOULDER, FACE", evidence: "K1" },
+    822: { text: "SHOULDER, FACE. EXT.", evidence: "K1" },
     841: { text: "SIMPLE REC. TURNG., RADIAL DIR.", evidence: "K1" },
     842: { text: "ENH.REC.TURNNG, RAD.", evidence: "K1" },
     851: { text: "SIMPLE REC TURNG, AX", evidence: "K1" },
-    821: { text: "SHOULDER, FACE", evidence: "K1" },
-    822: { text: "SHOULDER, FACE. EXT.", evidence: "K1" },
     852: { text: "ENH.REC.TURNING, AX.", evidence: "K1" },
   },
   params: {

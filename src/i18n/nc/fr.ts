@@ -8,11 +8,11 @@ export const fr = {
     812: { text: "EPAUL LONG ETENDU", evidence: "A" },
     815: { text: "CONTOUR PARALLELE", evidence: "K3" },
     820: { text: "TOURN. CONT. TRANSV.", evidence: "A" },
+    821: { text: "EPAUL TRANSV.", evidence: "K2" },
+    822: { text: "EPAUL TRANSV. ETENDU", evidence: "K2" },
     841: { text: "GORGE RAD. SIMPLE", evidence: "K3" },
     842: { text: "GORGE RADIALE ETEND.", evidence: "K3" },
     851: { text: "GORGE AX. SIMPLE", evidence: "K3" },
-    821: { text: "EPAUL TRANSV.", evidence: "K2" },
-    822: { text: "EPAUL TRANSV. ETENDU", evidence: "K2" },
     852: { text: "GORGE AXIALE ETEND.", evidence: "A" },
   },
   params: {

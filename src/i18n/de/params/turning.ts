@@ -20,6 +20,7 @@ export const turning = {
     label: "Max. Zustellung",
     explanation: "Größte Zustellung je Schnitt, in Z. Die Tiefe wird gleichmäßig aufgeteilt; die wirkliche Zustellung ist darum oft "
       + "kleiner, und es bleibt kein Schleifschnitt.",
+  },
   infeedContour: {
     prompt: "Maximale Schnitttiefe?",
     printed: false,

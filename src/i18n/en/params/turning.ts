@@ -20,6 +20,7 @@ export const turning = {
     label: "Max. infeed",
     explanation:
       "Largest infeed per pass, along Z. The depth is divided evenly, so the real infeed is often smaller and no thin last cut remains.",
+  },
   infeedContour: {
     prompt: "Maximum cutting depth?",
     printed: false,

@@ -20,6 +20,7 @@ export const turning = {
     label: "Passe max.",
     explanation: "Passe la plus grande, en Z. La profondeur est répartie uniformément : la passe réelle est souvent plus petite, sans "
       + "dernière passe trop mince.",
+  },
   infeedContour: {
     prompt: "Plongée max.?",
     printed: false,

@@ -18,6 +18,7 @@ export const turning = {
     printed: false,
     label: "最大进刀量",
     explanation: "每刀沿Z轴的最大进刀量。深度均匀分配,因此实际进刀量往往更小,不会留下过薄的最后一刀。",
+  },
   infeedContour: {
     prompt: "最大切削深度?",
     printed: false,
