@@ -3,7 +3,7 @@ import { expect, test } from "vitest";
 import type { Move } from "./move.ts";
 import type { Pt } from "./point.ts";
 import { secondsOf, speedAt } from "./time.ts";
-import { axial, feed, radius } from "./units.ts";
+import { axial, degrees, feed, length, radius } from "./units.ts";
 
 const at = (z: number, r: number): Pt => ({ z: axial(z), r: radius(r) });
 const purpose = { phase: "rough", run: "rough", step: 1 } as const;
@@ -41,8 +41,10 @@ test("facing at constant cutting speed is integrated exactly", () => {
   expect(secondsOf(at(0, 37.5), cut(at(0, 0)), surface, 1)).toBeCloseTo(60 * (outer + knee / (0.3 * 2500)), 9);
 });
 test("a thread runs at the speed of its start", () => {
-  expect(secondsOf(at(2, 20), { kind: "thread", to: at(-28, 20), pitch: axial(1.5), ...purpose }, constant, 1)).toBeCloseTo((20 / 550) * 60,
-    9);
+  expect(
+    secondsOf(at(2, 20), { kind: "thread", to: at(-28, 20), pitch: length(1.5), axis: "z", angle: degrees(0), stops: true, ...purpose },
+      constant, 1),
+  ).toBeCloseTo((20 / 550) * 60, 9);
 });
 test("arcs agree with many short lines", () => {
   const arc: Move = { kind: "arc", to: at(10, 20), centre: at(0, 20), turn: "cw", feed: feed(0.2), feedUnit: "mm/rev", ...purpose };

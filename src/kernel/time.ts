@@ -1,6 +1,7 @@
 import type { Move } from "./move.ts";
 import { part, type Pt, type Segment } from "./point.ts";
 import type { Spindle } from "./step.ts";
+import { turnsIn } from "./thread-turns.ts";
 import { NOTHING } from "./tolerance.ts";
 
 /** The path of the theoretical tip in one move. */
@@ -85,9 +86,7 @@ function minutesOf(path: Segment, move: Move, spindle: Spindle, rapidRate: numbe
       return move.feedUnit === "mm/min" ? travel / move.feed : (travel / move.feed) * meanOf(spindle, path);
     case "arc":
       return move.feedUnit === "mm/min" ? travel / move.feed : (travel / move.feed) * meanOf(spindle, path);
-    case "thread": {
-      const lead = Math.abs(move.to.z - path.from.z) || travel;
-      return (lead / Math.abs(move.pitch)) * minutesPerTurn(spindle, path.from.r);
-    }
+    case "thread":
+      return turnsIn(path.from, move) * minutesPerTurn(spindle, path.from.r);
   }
 }

@@ -56,6 +56,7 @@ export function holderContact(step: Step, outlines: Outlines, now: Present): Rin
   if (areaOf(touched) < REAL_AREA) return [];
   const left = real(difference(touched, swept([outlines.insert])));
   if (left.length > 0) return left;
+  if (step.move.kind === "thread") return [];
   if (step.move.kind !== "arc") {
     const ahead = outlines.holder.flatMap((part) => notBehind(part, outlines.insert, step.from, step.move.to));
     return ahead.length === 0 ? [] : real(intersection(touched, swept(ahead)));
@@ -70,4 +71,4 @@ export function holderContact(step: Step, outlines: Outlines, now: Present): Rin
 
 /** What a holder touches in a step. */
 export const holderHits = (step: Step, outlines: Outlines, now: Present): Ring[] =>
-  mayTouch(step, outlines, now) ? holderContact(step, outlines, now) : [];
+  step.move.kind === "thread" || mayTouch(step, outlines, now) ? holderContact(step, outlines, now) : [];

@@ -1,5 +1,6 @@
 import { at, part, type Pt, type Ring, type Segment } from "../kernel/point.ts";
 import type { Step } from "../kernel/step.ts";
+import { stampsOf, type ThreadMove } from "../kernel/thread-turns.ts";
 import { pathOf } from "../kernel/time.ts";
 import { CHORD, GRID } from "../kernel/tolerance.ts";
 import { radius } from "../kernel/units.ts";
@@ -127,9 +128,20 @@ function sweptAlong(outline: Ring, points: readonly Pt[], across: (ring: Ring) =
   return { pieces: piecesOf(hulls), rings: hulls.length < 3 ? hulls : across(trackAlong(outline, points)) };
 }
 
+/** What an outline covers in the half plane of the stock while it cuts a thread: its own shape, once a turn. */
+function stamped(outline: Ring, from: Pt, move: ThreadMove, fraction: number): Sweep {
+  const places = stampsOf(from, move).filter((s) => s.fraction <= fraction).map((s) => s.at);
+  if (outline.length < 3 || !places.every(finite)) return { pieces: [], rings: [] };
+  const rings = places.flatMap((place) => turned(outline.map((p) => at(place.z + p.z, place.r + p.r))));
+  return { pieces: piecesOf(rings), rings };
+}
+
 /** Everything that an outline sweeps in a step up to `fraction`, on this side of the axis. */
-export const sweptBy = (outline: Ring, step: Step, fraction = 1, chord = CHORD): Sweep =>
-  fraction > 0 ? sweptAlong(outline, waypoints(step, fraction, chord)) : { pieces: [], rings: [] };
+export function sweptBy(outline: Ring, step: Step, fraction = 1, chord = CHORD): Sweep {
+  if (!(fraction > 0)) return { pieces: [], rings: [] };
+  if (step.move.kind === "thread") return stamped(outline, step.from, step.move, fraction);
+  return sweptAlong(outline, waypoints(step, fraction, chord));
+}
 
 /** Everything that an outline covers along a path and no tool sweeps: what of it lies across the axis does not turn round to this side. */
 export const coveredOn = (outline: Ring, path: Segment): Sweep => sweptAlong(outline, flattened(path, CHORD), asItIs);

@@ -60,8 +60,18 @@ const at = (shape: readonly P[], p: P): P[] => shape.map((q) => ({ z: q.z + p.z,
 /** The work turns: what is swept on the other side of the axis is swept on this one. */
 const both = (shape: P[]): P[][] => (shape.some((p) => p.r < 0) ? [shape, shape.map((p) => ({ z: p.z, r: -p.r })).reverse()] : [shape]);
 
+/** Where the tip of a thread meets the plane that is looked at: whenever the spindle has made a whole turn, and where it rests. */
+function meetings(from: P, move: Extract<Move, { kind: "thread" }>): P[] {
+  const way = Math.abs(move.to[move.axis] - from[move.axis]);
+  const out: P[] = [];
+  for (let gone = ((360 - (move.angle % 360)) % 360) / 360 * move.pitch; gone < way - 1e-7; gone += move.pitch)
+    out.push({ z: from.z + ((move.to.z - from.z) * gone) / way, r: from.r + ((move.to.r - from.r) * gone) / way });
+  return move.stops ? [...out, move.to] : out;
+}
+
 /** Convex pieces that a motion sweeps. */
 function swept({ from, move }: Motion, insert: readonly P[]): P[][] {
+  if (move.kind === "thread") return meetings(from, move).flatMap((p) => both(at(insert, p)));
   const stops = stations(from, move);
   return stops.slice(1).flatMap((to, i) => both(hull([...at(insert, stops[i] as P), ...at(insert, to)])));
 }
