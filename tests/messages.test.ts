@@ -11,6 +11,17 @@ type DataOf<C extends AnyCode> = Extract<AnyIssue, { code: C }>["data"];
 /** One case of every code there is; the compiler asks for the next one. */
 const SAMPLES: { readonly [C in AnyCode]: DataOf<C> } = {
   missing: {},
+  pitchZero: {},
+  depthFromPitch: { depth: 0.92, pitch: 1.5, factor: 0.613 },
+  threadOverInsert: { depth: 5.25, most: 4.33 },
+  flankInfeedTooSteep: { angle: 45.5, most: 27.5, nearest: 27.5 },
+  runOutTooLong: { size: 30.5, max: 25.1, nearest: 25.1 },
+  threadTurnsBack: { axis: "X" },
+  runInBlocked: { x: 60.5, z: -5.5, nearest: 7.25 },
+  threadTooMany: { turns: 250000, most: 100000 },
+  taperImpossible: { angle: 0.5 },
+  threadFeedOverLimit: { feed: 12000, most: 10000, speed: 3000, upTo: 2500 },
+  runInShort: { runIn: 2.5, needed: 7.5, speed: 2000, nearest: 7.5 },
   notANumber: { text: "abc" },
   badExpression: { text: "75/" },
   unknownParameter: { name: "Q7" },

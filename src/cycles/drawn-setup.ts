@@ -27,16 +27,16 @@ export interface DrawnSetup {
 export type Setups = (draw: Draw) => DrawnSetup | null;
 
 /** A length on the grid of a control. */
-const mm = (draw: Draw, min: number, max: number) => draw.whole(Math.round(min * 1000), Math.round(max * 1000)) / 1000;
+export const mm = (draw: Draw, min: number, max: number) => draw.whole(Math.round(min * 1000), Math.round(max * 1000)) / 1000;
 /** An angle from 0. */
 const angle = (draw: Draw, max: number) => draw.whole(0, max * 10_000) / 10_000;
 /** Half a diameter on that grid. */
-const half = (draw: Draw, min: number, max: number) => radius(draw.whole(min * 2000, max * 2000) / 2000);
+export const half = (draw: Draw, min: number, max: number) => radius(draw.whole(min * 2000, max * 2000) / 2000);
 /** Mostly the first, now and then the other. */
-const mostly = <T>(draw: Draw, usual: T, other: T) => draw.one(usual, usual, usual, usual, usual, other, other);
+export const mostly = <T>(draw: Draw, usual: T, other: T) => draw.one(usual, usual, usual, usual, usual, other, other);
 
 /** A box, whichever of its corners comes first. */
-function box(z0: number, z1: number, r0: number, r1: number): Ring {
+export function box(z0: number, z1: number, r0: number, r1: number): Ring {
   const [left, right, low, high] = [Math.min(z0, z1), Math.max(z0, z1), Math.min(r0, r1), Math.max(r0, r1)];
   return [at(left, low), at(right, low), at(right, high), at(left, high)];
 }

@@ -5,6 +5,9 @@ import { c815 } from "./c815.ts";
 import { c820 } from "./c820.ts";
 import { c821 } from "./c821.ts";
 import { c822 } from "./c822.ts";
+import { c830 } from "./c830.ts";
+import { c831 } from "./c831.ts";
+import { c832 } from "./c832.ts";
 import { c841 } from "./c841.ts";
 import { c842 } from "./c842.ts";
 import { c851 } from "./c851.ts";
@@ -14,6 +17,7 @@ import type { Param, Params } from "./params.ts";
 
 /** In menu order. A new cycle is one file and one entry here. */
 const list = [c810, c811, c812, c815, c820, c821, c822, c841, c842, c851, c852] as const;
+const list = [c812, c815, c820, c830, c831, c832, c841, c842, c851, c852] as const;
 type Listed = (typeof list)[number];
 
 /** All cycles in menu order. */

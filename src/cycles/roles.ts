@@ -11,6 +11,8 @@ export interface Roles {
   readonly offset?: string;
   readonly limitX?: string;
   readonly limitZ?: string;
+  /** Of roles that only one strategy has. */
+  readonly others?: Readonly<Record<string, string>>;
 }
 
 /** A coordinate of strategy space as the program writes it: a diameter across the axis, Z along it. */
@@ -41,7 +43,7 @@ function inCycle(found: Issue, frame: Frame, q: Roles): Issue {
     case "depth":
       break;
     default:
-      return found;
+      return found.at !== undefined && q.others?.[found.at] !== undefined ? at(q.others[found.at]) : found;
   }
   const named = at(found.at === "depth" ? q.depth : isX(frame, axis) ? q.limitX : q.limitZ);
   if (named.code !== "limitOnWrongSide" && named.code !== "depthOverCutLength") return named;

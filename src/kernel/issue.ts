@@ -46,6 +46,26 @@ interface Data {
   holderAxis: { text: string };
   holderHead: { text: string };
   betterTool: { tool: number; name: string };
+  /* threads */
+  pitchZero: {};
+  /** The depth that counts because none was entered: a part of the pitch. */
+  depthFromPitch: { depth: number; pitch: number; factor: number };
+  /** The insert is too low for the depth, or for what stands over the thread. */
+  threadOverInsert: { depth: number; most: number };
+  /** Steeper than the flank of the insert, so that passes would cut into the finished flank. */
+  flankInfeedTooSteep: { angle: number; most: number; nearest?: number };
+  runOutTooLong: { size: number; max: number; nearest?: number };
+  /** The thread does not run on along the axis that is locked to the spindle. */
+  threadTurnsBack: { axis: "X" | "Z" };
+  /** Where the run-in begins, the tool would stand in material. */
+  runInBlocked: { x: number; z: number; nearest?: number };
+  /** Turns of the spindle in all passes together. */
+  threadTooMany: { turns: number; most: number };
+  /** A cone whose angle does not lead from one diameter to the other. */
+  taperImpossible: { angle: number };
+  /** mm/min, and the speed up to which it is not more. */
+  threadFeedOverLimit: { feed: number; most: number; speed: number; upTo: number };
+  runInShort: { runIn: number; needed: number; speed: number; nearest?: number };
   /* start point and limits */
   startInArea: { x: number; z: number };
   startInMaterial: { x: number; z: number };

@@ -22,6 +22,22 @@ export interface Reach {
   readonly reason: Reason | null;
 }
 
+/** How a thread is cut. Lengths mm. */
+export interface ThreadPlan {
+  /** From one groove to the next; of several starts the part of the lead that each has. */
+  readonly pitch: Length;
+  /** Way in one turn of the spindle. */
+  readonly lead: Length;
+  readonly starts: number;
+  /** Depth of each pass, the last one that of the thread. */
+  readonly depths: readonly Length[];
+  /** How far a pass lies back along the thread for each mm that is missing in depth. */
+  readonly slope: number;
+  readonly runIn: Length;
+  /** The lower side of the insert in a groove, from the tip: along the thread and out of the material. */
+  readonly side: readonly { readonly u: number; readonly v: number }[];
+}
+
 /** What a cycle makes of its values: moves plus issues, and what can be planned is planned. */
 export interface Plan {
   /** The tool as the cycle adapts it (Q499 = 2 mirrors the tip); absent when it works as it is. */
@@ -49,6 +65,8 @@ export interface Plan {
   readonly most: Length;
   /** The oversize that the values leave on the radius and along Z, mm; absent when the cycle has none. */
   readonly oversize?: { readonly r: number; readonly z: number };
+  /** Of a thread. */
+  readonly thread?: ThreadPlan;
   /** The deepest path as it would run without machining limits; absent when there are none. */
   readonly unlimited?: readonly Reach[];
 }

@@ -1,5 +1,5 @@
 import { segmentToPart, toPart, type Flat, type FlatSegment, type Frame } from "./flat.ts";
-import type { FeedUnit, Move, Phase } from "./move.ts";
+import type { FeedUnit, Move, Phase, Threading } from "./move.ts";
 import { feed as asFeed } from "./units.ts";
 
 /** What the next moves are for; a track stamps it on each of them. */
@@ -65,6 +65,14 @@ export class Track {
     if (!(revolutions > 0)) return;
     const to = toPart(this.frame, this.at);
     this.moves.push({ kind: "feed", to, dwell: revolutions, feed: asFeed(value), feedUnit: this.feedUnit, ...purpose });
+  }
+
+  /** Straight, locked to the spindle. */
+  thread(point: Flat, locked: Threading, purpose: Purpose) {
+    const to = this.inside(point);
+    if (this.still(to)) return;
+    this.moves.push({ kind: "thread", to: toPart(this.frame, to), ...locked, ...purpose });
+    this.at = to;
   }
 
   /** Along an element at feed; an arc leaves as an arc. */

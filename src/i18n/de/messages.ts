@@ -1,4 +1,5 @@
 import type { MessagesTexts } from "../message-texts.ts";
+import { threads } from "./messages/threads.ts";
 
 /** What a finding offers, where it offers something. */
 const nearest = (
@@ -25,6 +26,7 @@ export const messages = {
   severity: { error: "Fehler", warning: "Warnung", info: "Hinweis" },
   reasons,
   of: {
+    ...threads,
     missing: () => "Wert eingeben.",
     notANumber: (d, w) => `„${w.text(d.text)}“ ist keine Zahl.`,
     badExpression: (d, w) => `„${w.text(d.text)}“ lässt sich nicht berechnen.`,

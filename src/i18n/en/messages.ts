@@ -1,4 +1,5 @@
 import type { MessagesTexts } from "../message-texts.ts";
+import { threads } from "./messages/threads.ts";
 
 /** What a finding offers, where it offers something. */
 const nearest = (
@@ -27,6 +28,7 @@ export const messages = {
   severity: { error: "Error", warning: "Warning", info: "Note" },
   reasons,
   of: {
+    ...threads,
     missing: () => "Enter a value.",
     notANumber: (d, w) => `“${w.text(d.text)}” is not a number.`,
     badExpression: (d, w) => `“${w.text(d.text)}” cannot be calculated.`,

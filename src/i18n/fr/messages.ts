@@ -1,4 +1,5 @@
 import type { MessagesTexts } from "../message-texts.ts";
+import { threads } from "./messages/threads.ts";
 
 /** What a finding offers, where it offers something. */
 const nearest = (
@@ -26,6 +27,7 @@ export const messages = {
   severity: { error: "Erreur", warning: "Avertissement", info: "Remarque" },
   reasons,
   of: {
+    ...threads,
     missing: () => "Saisir une valeur.",
     notANumber: (d, w) => `« ${w.text(d.text)} » n'est pas un nombre.`,
     badExpression: (d, w) => `« ${w.text(d.text)} » ne peut pas être calculé.`,

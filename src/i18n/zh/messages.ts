@@ -1,4 +1,5 @@
 import type { MessagesTexts } from "../message-texts.ts";
+import { threads } from "./messages/threads.ts";
 
 /** What a finding offers, where it offers something. */
 const nearest = (
@@ -25,6 +26,7 @@ export const messages = {
   severity: { error: "错误", warning: "警告", info: "提示" },
   reasons,
   of: {
+    ...threads,
     missing: () => "请输入数值。",
     notANumber: (d, w) => `“${w.text(d.text)}”不是数字。`,
     badExpression: (d, w) => `“${w.text(d.text)}”无法计算。`,

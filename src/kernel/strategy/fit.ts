@@ -10,6 +10,20 @@ import { insertIn } from "./ground.ts";
 
 const EVERY: readonly TipOrientation[] = [1, 2, 3, 4, 5, 6, 7, 8, 9];
 
+/** Why a tool cannot cut a thread: of another TYPE, or its tip does not point straight into the material. */
+export function unfitForThread(tool: Tool, frame: Frame): Issue | null {
+  const square = (TO: TipOrientation) => {
+    const tip = pointing(TO, frame);
+    return tip.u === 0 && tip.v < 0;
+  };
+  if (tool.TYPE === "THREAD" && square(tool.TO)) return null;
+  return issue("toolUnfit", "error", { type: tool.TYPE, orientation: tool.TO, types: ["THREAD"], orientations: EVERY.filter(square) },
+    "tool");
+}
+
+/** The orientation whose tip points straight into the material. */
+export const squareTo = (frame: Frame): TipOrientation => (frame.transverse ? (frame.signV > 0 ? 8 : 4) : frame.signV > 0 ? 2 : 6);
+
 /** Where the tip of an orientation points, in strategy space. */
 function pointing(TO: TipOrientation, frame: Frame): Flat {
   const tip = tipDirection(TO);

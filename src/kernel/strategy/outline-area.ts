@@ -39,6 +39,24 @@ export function areaBetween(contour: readonly FlatSegment[], blank: readonly Seg
   return turned([...chain(contour, frame), ...outer.reverse()]);
 }
 
+/** The finished part under a contour and nowhere else: what stands beside it this contour does not say. */
+export function partBetween(contour: readonly FlatSegment[], frame: Frame): Ring {
+  const points = chain(contour, frame);
+  const [first, last] = [contour[0]?.from, contour[contour.length - 1]?.to];
+  if (!first || !last) return [];
+  const deep = Math.min(first.v, last.v) - BEYOND;
+  return turned([...points, ...[{ u: last.u, v: deep }, { u: first.u, v: deep }].map((p) => toPart(frame, p))]);
+}
+
+/** A band thinner than anything that is looked at: it joins grooves that would touch in points only. */
+const THREAD_BAND = 0.001;
+
+/** What lies between a contour and a line over it, from left to right. */
+export function areaUnder(contour: readonly FlatSegment[], over: readonly Flat[], frame: Frame): Ring {
+  const top = [...over].reverse().map((p) => toPart(frame, { u: p.u, v: p.v + THREAD_BAND }));
+  return turned([...chain(contour, frame), ...top]);
+}
+
 /** A line of points held down to a level, with the points where it meets it. */
 function under(points: readonly Flat[], level: number): Flat[] {
   const out: Flat[] = [];

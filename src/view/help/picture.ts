@@ -17,6 +17,7 @@ import * as explain from "./process.ts";
 import { blankOver, drawnLine, sectionOf } from "./section.ts";
 import { caption, filled, stroke } from "./stroke.ts";
 import { columnsFor, hasTiles, TILE_ROW, tiles } from "./tiles.ts";
+import * as threads from "./threads.ts";
 import { partnerOf, qOf, shownAs } from "./topics.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 
@@ -81,6 +82,16 @@ const explanations: Readonly<Record<Topic, (c: Context, l: Lettering) => explain
   limits: choices.limits,
   direction: choices.direction,
   cuttingLines: choices.cuttingLines,
+  threadPosition: threads.alongThread,
+  threadOrientation: threads.alongThread,
+  taperForm: threads.alongThread,
+  infeedType: threads.alongThread,
+  pitch: (c, l) => explain.outlined(c, l, null),
+  threadDepth: (c, l) => explain.outlined(c, l, null),
+  runIn: (c, l) => explain.outlined(c, l, null),
+  startingAngle: threads.startingAngle,
+  threadStarts: threads.starts,
+  airCuts: threads.airCuts,
 };
 
 function contextOf(request: HelpRequest, size: Size, indent: number): Context {

@@ -52,6 +52,38 @@ const thinner =
     ...distances.map((d): Stroke => ({ line: "pass", at: HILL.map(([u, v]): Spot => [u, v + d]) })),
   ];
 
+const TEETH: readonly number[] = [0, 1, 2, 3, 4];
+/** Teeth along u whose crests stand at one height and their roots at another. */
+const toothed = (crest: number, root: number, from = 0.08, to = 0.92): Spot[] => {
+  const each = (to - from) / TEETH.length;
+  return TEETH.flatMap((i): Spot[] => [[from + each * i, crest], [from + each * (i + 0.5), root]]).concat([[to, crest]]);
+};
+/** The material between a toothed line and another height. */
+const threaded = (
+  line: readonly Spot[],
+  to: number,
+): Stroke[] => [{ fill: "part", at: [...line, [line.at(-1)?.[0] ?? 1, to], [line[0]?.[0] ?? 0, to]] }, { line: "contour", at: line }];
+const AXIS: Stroke = { line: "break", at: [[0, 0.5], [1, 0.5]] };
+
+const SLOPE: readonly Spot[] = [[0.15, 0.3], [0.85, 0.68]];
+const known = ([u, v]: Spot): Stroke => ({
+  fill: "arrow",
+  at: [[u - 0.06, v - 0.07], [u + 0.06, v - 0.07], [u + 0.06, v + 0.07], [u - 0.06, v + 0.07]],
+});
+/** A line of which a point is known, the angle, and of the other point the height or the place. */
+const tapered = (at: "start" | "end", other: "height" | "place"): Stroke[] => {
+  const [a, b] = SLOPE as [Spot, Spot];
+  const [point, open] = at === "start" ? [a, b] : [b, a];
+  const given: readonly Spot[] = other === "height" ? [[0.02, open[1]], [0.98, open[1]]] : [[open[0], 0.02], [open[0], 0.98]];
+  return [{ line: "limit", at: given }, { line: "contour", at: SLOPE }, { line: "break", at: [a, [0.85, a[1]]] }, known(point)];
+};
+/** A groove with the levels of its passes. */
+const groove =
+  (levels: readonly number[]): Stroke[] => [
+    ...drawn([[0, 0.85], [0.14, 0.85], [0.5, 0.1], [0.86, 0.85], [1, 0.85]]),
+    ...levels.map((v): Stroke => ({ line: "pass", at: [[0.5 - (v - 0.1) * 0.48, v], [0.5 + (v - 0.1) * 0.48, v]] })),
+  ];
+
 /** The diagrams of each choice, by its value. */
 const diagrams: Readonly<Partial<Record<Topic, readonly (readonly Stroke[])[]>>> = {
   operation: [[...stock, ...drawn(STEP), way(raised(STEP, 0.1))], [...stock, ...drawn(raised(STEP, 0.1)).slice(1), ...drawn(STEP)], [
@@ -87,6 +119,23 @@ const diagrams: Readonly<Partial<Record<Topic, readonly (readonly Stroke[])[]>>>
   ]],
   cuttingLines: [thinner([0.08, 0.18, 0.3, 0.46]), thinner([0.12, 0.23, 0.35, 0.46])],
   element: [corner(0), corner(1), corner(2)],
+  threadPosition: [[AXIS, ...threaded(toothed(0.85, 0.7), 0.5), ...threaded(toothed(0.15, 0.3), 0.5)], [
+    AXIS,
+    ...threaded(toothed(0.7, 0.85), 1),
+    ...threaded(toothed(0.3, 0.15), 0),
+  ]],
+  threadOrientation: [[...threaded(toothed(0.6, 0.4), 0.05), { line: "break", at: [[0, 0.05], [1, 0.05]] }], [
+    ...threaded(toothed(0.6, 0.4, 0.2, 0.95), 0.05),
+    { line: "break", at: [[0.1, 0], [0.1, 1]] },
+  ]],
+  taperForm: [
+    [{ line: "contour", at: SLOPE }, known([0.15, 0.3]), known([0.85, 0.68])],
+    tapered("end", "height"),
+    tapered("end", "place"),
+    tapered("start", "height"),
+    tapered("start", "place"),
+  ],
+  infeedType: [groove([0.53, 0.397, 0.295, 0.209]), groove([0.7, 0.55, 0.4, 0.25])],
 };
 
 /** Whether a choice has small diagrams. */

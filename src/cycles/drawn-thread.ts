@@ -1,0 +1,108 @@
+import { contourFrom, type ContourElement } from "../kernel/contour.ts";
+import { at } from "../kernel/point.ts";
+import { METRIC } from "../kernel/strategy/thread.ts";
+import type { TipOrientation } from "../kernel/tool.ts";
+import { rounded, toDiameter } from "../kernel/units.ts";
+import { box, half, mm, mostly, type Draw, type DrawnSetup, type Setups } from "./drawn-setup.ts";
+
+/** Values that every thread cycle has. */
+function threadValues(draw: Draw, out: 1 | -1) {
+  const starts = draw.one(1, 1, 2, 3);
+  const pitch = mm(draw, 0.5, 3);
+  const Q473 = mostly(draw, 0, mm(draw, 0.2, 1.6));
+  const depth = Q473 > 0 ? Q473 : pitch * (out > 0 ? METRIC.outside : METRIC.inside);
+  const values = {
+    Q471: out > 0 ? 0 : 1,
+    Q461: 0,
+    Q460: mm(draw, 0.5, 3),
+    Q472: rounded(pitch * starts),
+    Q473,
+    Q474: draw.one(0, mm(draw, 0.5, 4)),
+    Q465: mm(draw, 2, 8),
+    Q466: mm(draw, 0.5, 5),
+    Q463: mm(draw, 0.08, 0.6),
+    Q467: draw.one(0, 29.5, 30),
+    Q468: draw.one(0, 1),
+    Q470: draw.one(0, mm(draw, 0, 359)),
+    Q475: starts,
+    Q476: draw.one(0, 0, 1, 2),
+  };
+  return { values, depth };
+}
+
+const tool = (out: 1 | -1): DrawnSetup["tool"] => ({ T: out > 0 ? 12 : 13, TO: out > 0 ? 2 : 6 });
+
+/** A thread in a face, towards the axis or away from it, in front or behind. */
+function faceThread(draw: Draw): DrawnSetup {
+  const { values } = threadValues(draw, 1);
+  const [inwards, along] = [draw.one<1 | -1>(1, -1), draw.one<1 | -1>(1, -1)];
+  const [r1, z1] = [half(draw, 25, 40), mm(draw, -5, 5)];
+  const r2 = rounded(r1 - inwards * mm(draw, 8, 20));
+  const z2 = rounded(z1 + mostly(draw, 0, mm(draw, -1, 1)));
+  const TO: TipOrientation = along > 0 ? 8 : 4;
+  const face = along > 0 ? Math.max(z1, z2) : Math.min(z1, z2);
+  return {
+    values: { ...values, Q461: 1, Q464: 0, Q469: 0, Q491: toDiameter(r1), Q492: z1, Q493: 2 * r2, Q494: z2 },
+    contour: null,
+    tool: { T: 12, TO },
+    start: at(face + along * mm(draw, 1, 5), r1 + inwards * mm(draw, 2, 8)),
+    blank: box(face, face - along * 25, r1, inwards > 0 ? Math.max(0, r2 - 12) : r2 + 12),
+  };
+}
+
+/** A thread along the axis, outside and inside, towards −Z and +Z; `extended`: on a cone too, however that is dimensioned. */
+function longThread(draw: Draw, extended: boolean): DrawnSetup {
+  const [out, along] = [draw.one<1 | -1>(1, -1), draw.one<1 | -1>(1, -1)];
+  const { values, depth } = threadValues(draw, out);
+  const [r1, z1] = [half(draw, 20, 40), mm(draw, -5, 5)];
+  const z2 = rounded(z1 - along * mm(draw, 6, 25));
+  const r2 = rounded(r1 + (extended ? mostly(draw, 0, mm(draw, -2, 2)) : 0));
+  const taper = Math.sign(r2 - r1) * mm(draw, 4, 12);
+  const form = extended ? draw.one(0, 0, 1, 2, 3, 4) : 0;
+  const steep = Math.tan((Math.abs(taper) * Math.PI) / 180) * Math.abs(z2 - z1);
+  const [low, high] = [Math.min(r1, r2) - (form > 1 ? steep : 0), Math.max(r1, r2) + (form > 1 ? steep : 0)];
+  const surface = out > 0 ? high + mostly(draw, 0, 0.2) : low - depth - mostly(draw, 0, 0.2);
+  const long = form === 1 || form === 3 ? 40 : 0;
+  return {
+    values: {
+      ...values,
+      ...(extended && { Q464: form, Q469: form === 0 ? 0 : taper, Q493: 2 * r2 }),
+      Q491: toDiameter(r1),
+      Q492: z1,
+      Q494: z2,
+    },
+    contour: null,
+    tool: tool(out),
+    start: at(z1 + along * (mm(draw, 3, 12) + long), surface + out * mm(draw, 1, 5)),
+    blank: box(z1 + (form === 1 ? along * long : 0), z2 - along * (12 + long), surface, out > 0 ? 0 : surface + 25),
+  };
+}
+
+export const threadSetups = (draw: Draw, extended: boolean): DrawnSetup =>
+  extended && draw.one(false, false, true) ? faceThread(draw) : longThread(draw, extended);
+
+/** Set-ups of a thread along a free contour: lines, tapers and now and then an arc, always onwards along the axis. */
+export const threadContourSetups: Setups = (draw) => {
+  const [out, along] = [draw.one<1 | -1>(1, -1), draw.one<1 | -1>(1, -1)];
+  const { values, depth } = threadValues(draw, out);
+  const [r1, z1] = [half(draw, 22, 40), mm(draw, -5, 5)];
+  let here = at(z1, r1);
+  const made: ContourElement[] = [{ kind: "line", to: here }];
+  const count = draw.whole(1, 3);
+  for (let i = 0; i < count; i += 1) {
+    const to = at(rounded(here.z - along * mm(draw, 4, 10)), rounded(here.r + mostly(draw, 0, mm(draw, -1, 1))));
+    if (draw.one(false, false, true)) made.push({ kind: "radius", to, radius: mm(draw, 15, 40), turn: draw.one("cw", "ccw") });
+    else made.push({ kind: "line", to });
+    here = to;
+  }
+  const built = contourFrom(made);
+  if (built.issues.some((i) => i.severity === "error")) return null;
+  const surface = out > 0 ? r1 + 4 : r1 - 4 - depth;
+  return {
+    values,
+    contour: built.segments,
+    tool: tool(out),
+    start: at(z1 + along * mm(draw, 4, 12), surface + out * mm(draw, 1, 5)),
+    blank: box(z1, here.z - along * 12, surface, out > 0 ? 0 : surface + 25),
+  };
+};

@@ -1,0 +1,52 @@
+import type { Frame } from "../kernel/flat.ts";
+import type { Plan, Setting } from "../kernel/plan.ts";
+import type { Segment } from "../kernel/point.ts";
+import { planThread } from "../kernel/strategy/thread.ts";
+import type { Degrees, Length, Radius } from "../kernel/units.ts";
+import { atParameters, type Roles } from "./roles.ts";
+import type { ThreadValues } from "./thread-outline.ts";
+
+/** What every thread cycle asks for. */
+interface Threading extends ThreadValues {
+  readonly Q460: Length;
+  readonly Q463: Radius;
+  readonly Q468: number;
+  readonly Q470: Degrees;
+  readonly Q476: number;
+}
+
+const ROLES: Roles = {
+  infeed: "Q463",
+  others: { pitch: "Q472", threadDepth: "Q473", runOut: "Q474", infeedAngle: "Q467", runIn: "Q465" },
+};
+
+/** Cuts a thread along a line; what it is and how long its ways in and out are, the cycle says. */
+export function planThreadOn(
+  v: Threading,
+  line: { readonly contour: readonly Segment[]; readonly frame: Frame },
+  ways: { readonly runIn: number; readonly overrun: number; readonly runInAt?: string },
+  setting: Setting,
+): Plan {
+  // The open side of a face is that from which the tip points into it.
+  const behind = line.frame.transverse && [3, 4, 5].includes(setting.tool.TO);
+  const frame: Frame = behind ? { ...line.frame, signV: -1 } : line.frame;
+  const plan = planThread({
+    frame,
+    contour: line.contour,
+    inside: v.Q471 === 1,
+    lead: v.Q472,
+    starts: v.Q475,
+    depth: v.Q473,
+    runIn: ways.runIn,
+    overrun: ways.overrun,
+    runOut: v.Q474,
+    infeed: v.Q463,
+    flankAngle: v.Q467,
+    constantDepth: v.Q468 === 1,
+    startAngle: v.Q470,
+    airCuts: v.Q476,
+    clearance: v.Q460,
+  }, setting);
+  const roles = ways.runInAt === undefined ? ROLES : { ...ROLES, others: { ...ROLES.others, runIn: ways.runInAt } };
+  return atParameters(plan, frame, roles);
+}

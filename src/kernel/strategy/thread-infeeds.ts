@@ -1,0 +1,26 @@
+import { issue, type Issue } from "../issue.ts";
+import { SAME } from "../tolerance.ts";
+import { MOST_PASSES } from "./infeed.ts";
+
+/** The last infeed is never thinner than this part of the first: an insert that only rubs wears out. */
+const THINNEST = 1 / 20;
+
+/** How much deeper pass k goes than the one before, in first infeeds. */
+const share = (k: number, constant: boolean) => (constant ? 1 : Math.max(Math.sqrt(k) - Math.sqrt(k - 1), THINNEST));
+
+/**
+ * Depth of each pass of a thread, mm, the last one `depth`: as few as a first cut of at most `most` allows. With a constant chip
+ * cross-section the depth grows with the square root of the pass, since the area of a wedge grows with the square of its depth.
+ * Null when there would be too many, with the issue that says so.
+ */
+export function threadDepths(depth: number, most: number, constant: boolean, issues: Issue[]): number[] | null {
+  const sums = [1];
+  const enough = most > 0 ? depth / most - SAME : 0;
+  while ((sums.at(-1) as number) < enough && sums.length <= MOST_PASSES)
+    sums.push((sums.at(-1) as number) + share(sums.length + 1, constant));
+  const whole = sums.at(-1) as number;
+  if (sums.length <= MOST_PASSES) return sums.map((s) => (depth * s) / whole);
+  const nearest = Math.ceil((depth / (sums.at(-2) as number)) * 1000 - SAME) / 1000;
+  issues.push(issue("tooManyPasses", "error", { passes: sums.length, most: MOST_PASSES, nearest }, "infeed"));
+  return null;
+}

@@ -1,0 +1,282 @@
+import { extent } from "../convex.ts";
+import { segmentToPart, toFlat, toPart, type Flat, type Frame } from "../flat.ts";
+import { issue, type Issue } from "../issue.ts";
+import type { Plan, Setting } from "../plan.ts";
+import { part, type Segment } from "../point.ts";
+import { CHORD, ROUND, SAME } from "../tolerance.ts";
+import type { Tool } from "../tool.ts";
+import { roomOf, Track, type Purpose } from "../track.ts";
+import { angleUnder, degrees, type Length, length, radians, roundedAngle, roundedDown, roundedUp, toDiameter } from "../units.ts";
+import { clearAcross } from "./across.ts";
+import { squareTo, unfitForThread } from "./fit.ts";
+import { atCall, Frontier } from "./frontier.ts";
+import { FAR, insertIn, startInPart } from "./ground.ts";
+import { limitedInfeed } from "./infeed.ts";
+import { POINT } from "./kept.ts";
+import { empty } from "./leveled.ts";
+import { areaUnder, partBetween } from "./outline-area.ts";
+import { deepestPass, heightOn, passAt, type ThreadLine } from "./thread-path.ts";
+import { threadDepths } from "./thread-infeeds.ts";
+import { lowerSide, teeth, tipsOf } from "./thread-profile.ts";
+
+/** A cycle that cuts a thread. Lengths mm, angles degrees. */
+export interface Thread {
+  readonly frame: Frame;
+  /** The nominal line in cutting direction, part space: the crest of an outside thread, the root of an inside one. */
+  readonly contour: readonly Segment[];
+  readonly inside: boolean;
+  /** Way in one turn of the spindle. */
+  readonly lead: number;
+  readonly starts: number;
+  /** Across the cutting direction; 0 is that of the metric profile. */
+  readonly depth: number;
+  readonly runIn: number;
+  readonly overrun: number;
+  readonly runOut: number;
+  readonly infeed: number;
+  readonly flankAngle: number;
+  readonly constantDepth: boolean;
+  readonly startAngle: number;
+  readonly airCuts: number;
+  readonly clearance: number;
+}
+
+/** Depth of the metric profile in pitches: of an outside thread, and of an inside one. */
+export const METRIC = { outside: 0.6134, inside: 0.5413 } as const;
+
+/** More turns of the spindle than this in one operation no one can mean. */
+const MOST_TURNS = 100_000;
+
+/** The thread as it is to be, apart from how it is reached. */
+interface Wanted extends ThreadLine {
+  readonly pitch: number;
+}
+
+/** The crest, and everything that can be said of the thread without a tool; null where its values make none. */
+function wanted(t: Thread, issues: Issue[]): Wanted | null {
+  if (!(t.lead > 0)) {
+    issues.push(issue("pitchZero", "error", {}, "pitch"));
+    return null;
+  }
+  const pitch = t.lead / Math.max(1, t.starts);
+  const factor = t.inside ? METRIC.inside : METRIC.outside;
+  const depth = t.depth > 0 ? t.depth : pitch * factor;
+  if (!(t.depth > 0)) issues.push(issue("depthFromPitch", "info", { depth, pitch, factor }, "threadDepth"));
+  const crest = part.flattenedChain(t.contour, CHORD).map((p) => toFlat(t.frame, p)).map(({ u, v }) => ({
+    u,
+    v: t.inside ? v + depth : v,
+  }));
+  const [first, last] = [crest[0], crest.at(-1)];
+  if (!first || !last || crest.slice(1).some((p, i) => p.u - (crest[i] as Flat).u < SAME)) {
+    issues.push(issue("threadTurnsBack", "error", { axis: t.frame.transverse ? "X" : "Z" }, "contour"));
+    return null;
+  }
+  const size = last.u - first.u;
+  if (t.runOut > size + ROUND) {
+    issues.push(issue("runOutTooLong", "error", { size: t.runOut, max: size, nearest: roundedDown(size) }, "runOut"));
+    return null;
+  }
+  const room = roomOf(t.frame);
+  return {
+    crest,
+    pitch,
+    depth,
+    runIn: Math.min(t.runIn, first.u - room.minU),
+    overrun: Math.min(t.overrun, room.maxU - last.u),
+    runOut: t.runOut,
+  };
+}
+
+/** The insert of a thread tool, or for pictures one with the flanks of the metric profile. */
+const insertFor = (tool: Tool, frame: Frame): Tool => (tool === POINT ? { ...POINT, TYPE: "THREAD", TO: squareTo(frame) } : tool);
+
+/** What of a tool does not go with a thread. */
+function wrongTool(t: Thread, w: Wanted, tool: Tool): Issue[] {
+  const unfit = unfitForThread(tool, t.frame);
+  if (unfit) return [unfit];
+  const half = (tool["P-ANGLE"] ?? 60) / 2;
+  const found: Issue[] = [];
+  if (t.flankAngle > half + ROUND)
+    found.push(issue("flankInfeedTooSteep", "error", {
+      angle: t.flankAngle,
+      most: half,
+      nearest: roundedAngle(half) <= half ? roundedAngle(half) : angleUnder(half),
+    }, "infeedAngle"));
+  const high = extent(insertIn(tool, t.frame)).maxV;
+  if (w.depth > high + SAME) found.push(issue("threadOverInsert", "error", { depth: w.depth, most: high }, "threadDepth"));
+  return found;
+}
+
+/** Plans the passes of a thread. Never throws; what cannot be planned is an issue. */
+export function planThread(t: Thread, setting: Setting): Plan {
+  const issues: Issue[] = [];
+  const tool = insertFor(setting.tool, t.frame);
+  const w = wanted(t, issues);
+  if (!w) return empty(issues, t.contour);
+  const refused = wrongTool(t, w, tool);
+  const most = limitedInfeed(t.infeed, tool, w.depth, issues);
+  const depths = threadDepths(w.depth, most, t.constantDepth, issues);
+  const deepest = deepestPass(w);
+  const [begins, ends] = [deepest[0] as Flat, deepest.at(-1) as Flat];
+  const cuts = Math.max(1, t.starts) * ((depths?.length ?? 0) + t.airCuts);
+  const turns = Math.max(1, (ends.u - begins.u) / t.lead) * cuts;
+  if (turns > MOST_TURNS || (ends.u - begins.u) / w.pitch > MOST_TURNS)
+    refused.push(
+      issue("threadTooMany", "error", { turns: Math.round(Math.max(turns, (ends.u - begins.u) / w.pitch)), most: MOST_TURNS }, "pitch"),
+    );
+  if (!depths || refused.length > 0) return { ...empty([...refused, ...issues], t.contour) };
+  const side = lowerSide(tool, t.frame);
+  const tips = tipsOf(deepest, w.pitch, ((((-t.startAngle * t.starts) / 360) % 1) + 1) % 1);
+  const contour = teeth(w, tips, side);
+  const slope = Math.tan(radians(t.flankAngle));
+  const sketch: Plan = {
+    ...empty([]),
+    contour: contour.map((s) => segmentToPart(t.frame, s)),
+    part: partBetween(contour, t.frame),
+    area: areaUnder(contour, w.crest, t.frame),
+    openSide: toPart(t.frame, { u: 0, v: 1 }),
+    most: length(t.infeed),
+    thread: {
+      pitch: length(w.pitch),
+      lead: length(t.lead),
+      starts: t.starts,
+      depths: depths as Length[],
+      slope,
+      runIn: length(t.runIn),
+      side,
+    },
+  };
+  const way = wayFor(t, w, { tool, setting, deepest, depths, slope });
+  if ("code" in way) return { ...sketch, issues: [...issues, way] };
+  const reach = tips.map((p) => toPart(t.frame, p)).map((at) => ({ path: { kind: "line", from: at, to: at } as const, reason: null }));
+  return clearAcross({
+    ...sketch,
+    moves: movesOf(t, setting, way, { deepest, depths, slope }),
+    issues,
+    passes: depths.length,
+    infeed: length(depths[0] as number),
+    reach,
+    kept: reach,
+  }, setting, "startV");
+}
+
+interface Passes {
+  readonly deepest: readonly Flat[];
+  readonly depths: readonly number[];
+  readonly slope: number;
+}
+
+/** Heights at which the tip crosses: from the start point and back to it, and from pass to pass. */
+interface Way {
+  readonly start: Flat;
+  readonly link: number;
+  readonly over: number;
+}
+
+/** Where rapids are free; what is wrong where they are not. */
+function wayFor(t: Thread, w: Wanted, { tool, setting, deepest, depths, slope }: Passes & { tool: Tool; setting: Setting }): Way | Issue {
+  const { frame } = t;
+  const insert = insertIn(tool, frame);
+  const start = toFlat(frame, setting.start);
+  const [first, last] = [w.crest[0] as Flat, w.crest.at(-1) as Flat];
+  const top = Math.max(...w.crest.map((p) => p.v));
+  const corner = (u: number, v: number): Flat => ({ u, v });
+  const area = [corner(first.u, top - FAR), corner(first.u, top), corner(last.u, top), corner(last.u, top - FAR)];
+  const frontier = new Frontier(atCall({ stock: setting.stock, area, frame, insert }, [], null), insert);
+  const [begins, ends] = [deepest[0] as Flat, deepest.at(-1) as Flat];
+  const back = (w.depth - (depths[0] as number)) * slope;
+  const stands = Math.max(top, heightOn(w.crest, begins.u), heightOn(w.crest, ends.u),
+    frontier.over(begins.u - back - SAME, ends.u + SAME));
+  // Inside, the back of the insert keeps clear of the wall on the other side of the axis.
+  const ceiling = t.inside && !frame.transverse ? Math.min(0, -top - extent(insert).maxV) : Infinity;
+  const raised = (height: number) => Math.max(height, Math.min(height + t.clearance, ceiling));
+  const over = raised(stands);
+  const link = Math.max(over, start.v, raisedOver(frontier.over(start.u, begins.u - back)), raisedOver(frontier.over(ends.u, start.u)));
+  function raisedOver(height: number) {
+    return height > stands ? raised(height) : -Infinity;
+  }
+  const high = (depths[0] as number) + standingOver(w, frontier, begins.u - back, ends.u);
+  if (high > extent(insert).maxV + SAME) return issue("threadOverInsert", "error", { depth: high, most: extent(insert).maxV }, "tool");
+  const isFree = (runIn: number) =>
+    depths.every((d) => {
+      const [missing, u] = [w.depth - d, first.u - runIn];
+      return frontier.freeFrom(u - missing * slope) <= heightOn(w.crest, u) - d + SAME;
+    });
+  if (!isFree(w.runIn)) {
+    const at = toPart(frame, begins);
+    const nearest = shortestFree(isFree, w.runIn);
+    return issue("runInBlocked", "error", { x: toDiameter(at.r), z: at.z, ...(nearest !== null && { nearest }) }, "runIn");
+  }
+  if (frontier.freeFrom(start.u) > start.v + SAME) {
+    const works = toPart(frame, { u: begins.u, v: over });
+    return startInPart({ x: toDiameter(works.r), z: works.z });
+  }
+  return { start, link, over };
+}
+
+/** Places along a thread at which it is looked at how high material stands over it, and how near they are at the nearest, mm. */
+const PLACES = { most: 400, nearest: 0.5 } as const;
+
+/** How high material stands over the crest where it stands highest. */
+function standingOver(w: Wanted, frontier: Frontier, from: number, to: number): number {
+  const each = Math.max(PLACES.nearest, (to - from) / PLACES.most);
+  let most = 0;
+  for (let u = from; u < to; u += each)
+    most = Math.max(most, frontier.over(u, u + each) - Math.min(heightOn(w.crest, u), heightOn(w.crest, u + each)));
+  return most;
+}
+
+/** Run-ins that are looked at, mm. */
+const LONGEST = 100;
+
+/** The shortest run-in from which on the tool begins in free air; null when none of a likely length does. */
+function shortestFree(isFree: (runIn: number) => boolean, from: number): number | null {
+  if (!isFree(LONGEST)) return null;
+  let [low, high] = [from, LONGEST];
+  while (high - low > SAME) {
+    const middle = (low + high) / 2;
+    if (isFree(middle)) high = middle;
+    else low = middle;
+  }
+  return roundedUp(high);
+}
+
+/** The moves of all starts, step by step as the manual has them. */
+function movesOf(t: Thread, setting: Setting, way: Way, { deepest, depths, slope }: Passes): Plan["moves"] {
+  const track = new Track(t.frame, setting.feedUnit, way.start, roomOf(t.frame));
+  const depth = depths.at(-1) as number;
+  const axis = t.frame.transverse ? "r" : "z";
+  const at = (step: number, pass?: number): Purpose => ({
+    phase: pass === undefined ? "position" : "thread",
+    run: "rough",
+    step,
+    ...(pass !== undefined && { pass }),
+  });
+  const cut = (points: readonly Flat[], angle: number, purpose: Purpose) => {
+    const first = points[0] as Flat;
+    points.slice(1).forEach((p, i) => {
+      const turned = ((points[i] as Flat).u - first.u) / t.lead;
+      const locked = { pitch: length(t.lead), axis, angle: degrees((angle + 360 * turned) % 360), stops: i === points.length - 2 } as const;
+      track.thread(p, locked, purpose);
+    });
+  };
+  const starts = Math.max(1, t.starts);
+  for (let start = 0; start < starts; start += 1) {
+    const angle = (t.startAngle + (360 * start) / starts) % 360;
+    for (let pass = 1; pass <= depths.length + t.airCuts; pass += 1) {
+      const points = passAt(deepest, depth - (depths[Math.min(pass, depths.length) - 1] as number), slope);
+      const air = pass > depths.length;
+      const going = at(pass > 1 ? (air ? 6 : 4) : start > 0 ? 7 : 1);
+      if (start === 0 && pass === 1) track.rapid("v", way.link, going);
+      const first = points[0] as Flat;
+      track.rapid("u", first.u, going);
+      track.rapid("v", first.v, going);
+      cut(points, angle, at(air ? 6 : 2, pass));
+      track.rapid("v", way.over, at(air ? 6 : 3));
+    }
+  }
+  track.rapid("v", way.link, at(8));
+  track.rapid("u", way.start.u, at(8));
+  track.rapid("v", way.start.v, at(8));
+  return track.moves;
+}
