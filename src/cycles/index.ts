@@ -16,8 +16,7 @@ import type { Cycle } from "./define.ts";
 import type { Param, Params } from "./params.ts";
 
 /** In menu order. A new cycle is one file and one entry here. */
-const list = [c810, c811, c812, c815, c820, c821, c822, c841, c842, c851, c852] as const;
-const list = [c812, c815, c820, c830, c831, c832, c841, c842, c851, c852] as const;
+const list = [c810, c811, c812, c815, c820, c821, c822, c830, c831, c832, c841, c842, c851, c852] as const;
 type Listed = (typeof list)[number];
 
 /** All cycles in menu order. */
