@@ -12,11 +12,15 @@ import { c841 } from "./c841.ts";
 import { c842 } from "./c842.ts";
 import { c851 } from "./c851.ts";
 import { c852 } from "./c852.ts";
+import { c861 } from "./c861.ts";
+import { c862 } from "./c862.ts";
+import { c871 } from "./c871.ts";
+import { c872 } from "./c872.ts";
 import type { Cycle } from "./define.ts";
 import type { Param, Params } from "./params.ts";
 
 /** In menu order. A new cycle is one file and one entry here. */
-const list = [c810, c811, c812, c815, c820, c821, c822, c830, c831, c832, c841, c842, c851, c852] as const;
+const list = [c810, c811, c812, c815, c820, c821, c822, c830, c831, c832, c841, c842, c851, c852, c861, c862, c871, c872] as const;
 type Listed = (typeof list)[number];
 
 /** All cycles in menu order. */

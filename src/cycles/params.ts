@@ -7,14 +7,17 @@ export type Evidence = "A" | "B" | "L" | "I" | "K1" | "K2" | "K3";
 export type Kind = "choice" | "diameter" | "oversizeDiameter" | "radial" | "axial" | "axialDepth" | "length" | "angle" | "feed" | "count"
   | "factor" | "percent" | "revolutions";
 
+/** What the recessing cycles ask for beside the rest. */
+type PlungeTopic = "depthLimit" | "overlap" | "solidFeed" | "retraction" | "dwell" | "comb";
+
 /** What a thread has for itself. */
 type ThreadTopic = "threadPosition" | "threadOrientation" | "pitch" | "threadDepth" | "taperForm" | "runIn" | "infeedType" | "startingAngle"
   | "threadStarts" | "airCuts";
 
 /** How the help picture explains a value: by a dimension of the outline, or by what the cycle does with it. */
-export type Topic = ThreadTopic | "outline" | "element" | "clearance" | "infeed" | "oversizeDiameter" | "oversizeZ" | "roughingFeed"
-  | "finishingFeed" | "plungingFeed" | "operation" | "reverse" | "smoothing" | "plunging" | "limits" | "limitDiameter" | "limitZ"
-  | "direction" | "offsetWidth" | "depthCompensation" | "allowance" | "cuttingLines";
+export type Topic = ThreadTopic | PlungeTopic | "outline" | "element" | "clearance" | "infeed" | "oversizeDiameter" | "oversizeZ"
+  | "roughingFeed" | "finishingFeed" | "plungingFeed" | "operation" | "reverse" | "smoothing" | "plunging" | "limits" | "limitDiameter"
+  | "limitZ" | "direction" | "offsetWidth" | "depthCompensation" | "allowance" | "cuttingLines";
 
 /** The value a kind yields. A feed is a number or "auto" (FAUTO). */
 interface ValueOf {

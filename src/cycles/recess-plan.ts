@@ -70,7 +70,7 @@ export function planRecessTurning(v: RecessTurning, outline: RecessOutline, sett
 const rolesIn = (frame: Frame): Roles => ({ infeed: "Q463", depth: frame.transverse ? "Q494" : "Q493", offset: "Q508" });
 
 /** A tool that is wider than the floor (with the oversize on both walls) cannot reach it; wider than the opening, not at all. */
-function narrowIssue(outline: RecessOutline, v: Ends, tool: number): Issue[] {
+export function narrowIssue(outline: RecessOutline, v: Ends, tool: number): Issue[] {
   if (tool <= outline.floor + ROUND) return [];
   const { transverse } = outline.frame;
   const missing = tool - outline.floor;

@@ -9,6 +9,7 @@ export interface Roles {
   readonly infeed: string;
   readonly depth?: string;
   readonly offset?: string;
+  readonly overlap?: string;
   readonly limitX?: string;
   readonly limitZ?: string;
   /** Of roles that only one strategy has. */
@@ -33,6 +34,8 @@ function inCycle(found: Issue, frame: Frame, q: Roles): Issue {
       return at(q.infeed);
     case "offset":
       return at(q.offset);
+    case "overlap":
+      return at(q.overlap);
     case "startU":
     case "startV":
       return at(isX(frame, axis) ? "start.x" : "start.z");

@@ -1,4 +1,4 @@
-import { crossings, firstSpan, heightAt, linePiece, push, valueAt, type Envelope, type Origin, type EnvelopePiece,
+import { crossings, firstSpan, heightAt, linePiece, push, valueAt, type Envelope, type Origin, type EnvelopePiece, type Interval,
   type Span } from "./envelope.ts";
 import { flat, type FlatSegment } from "./flat.ts";
 import { JOINED, ROUND } from "./tolerance.ts";
@@ -39,6 +39,23 @@ export const raised = (e: Envelope, u0: number, u1: number, by: number): Envelop
   e.filter((s) => s.u1 > u0 && s.u0 < u1).map((s) => ({ piece: lifted(s.piece, by), u0: Math.max(s.u0, u0), u1: Math.min(s.u1, u1) }));
 
 const lifted = (p: EnvelopePiece, by: number): EnvelopePiece => (p.arc === 0 ? { ...p, v0: p.v0 + by } : { ...p, cv: p.cv + by });
+
+/** Where one envelope lies more than `by` mm over another, from left to right: looked at where either begins a piece, and in between. */
+export function aboveBy(e: Envelope, other: Envelope, from: number, to: number, by: number): Interval[] {
+  const found: Interval[] = [];
+  let j = firstSpan(other, from);
+  for (let i = firstSpan(e, from); i < e.length && (e[i] as Span).u0 < to; i++) {
+    const s = e[i] as Span;
+    while (j > 0 && (other[j]?.u0 ?? Infinity) > s.u0) j -= 1;
+    for (; j < other.length && (other[j] as Span).u0 < Math.min(s.u1, to); j++) {
+      const o = other[j] as Span;
+      const [a, b] = [Math.max(from, s.u0, o.u0), Math.min(to, s.u1, o.u1)];
+      if (b - a <= ROUND) continue;
+      if ([a, (a + b) / 2, b].some((u) => valueAt(s.piece, u) > valueAt(o.piece, u) + by)) found.push({ from: a, to: b });
+    }
+  }
+  return found;
+}
 
 /** A path element as a piece over u; null when it is vertical. Its arcs only rise or only fall in u. */
 export function pieceOf(s: FlatSegment, origin: Origin): EnvelopePiece | null {

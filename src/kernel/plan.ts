@@ -48,7 +48,10 @@ export interface Plan {
   readonly contour: readonly Segment[];
   /** True when passes run along the contour: the depth of a cut is then square to its path, as of a finishing cut. */
   readonly isParallel?: boolean;
-  /** Roughing passes at distinct levels, and the infeed as divided: of several, the greatest. */
+  /**
+   * Roughing passes at distinct levels, and the infeed as divided: of several, the greatest. Of plunges side by side: the bites they take,
+   * and the deepest one.
+   */
   readonly passes: number;
   readonly infeed: Length;
   /** What this cycle takes away when it is perfect: between contour and start point (polygon, arcs flattened to CHORD). */

@@ -13,15 +13,30 @@ export type PlanLaw = (cycle: Cycle, situation: Situation, plan: Plan) => Findin
 /** Does this operation rough? */
 const roughs = (s: Situation) => (s.values["Q215"] ?? 0) <= 1;
 
-const infeedsAreEven: PlanLaw = (_, s, plan) => {
-  if (!roughs(s)) return null;
-  const most = Math.min(s.values["Q463"] ?? 0, s.tool.CUTLENGTH || Infinity);
+/** The parameter of a cycle that is divided into even infeeds; a limit of a plunge, which 0 switches off, is none. */
+const infeedOf = (cycle: Cycle) => Object.entries(cycle.params).find(([, p]) => p.shown === "infeed")?.[0];
+
+const infeedsAreEven: PlanLaw = (cycle, s, plan) => {
+  const q = infeedOf(cycle);
+  if (!roughs(s) || q === undefined) return null;
+  const most = Math.min(s.values[q] ?? 0, s.tool.CUTLENGTH || Infinity);
   if (plan.infeed > most + SAME) return `an infeed of ${plan.infeed} where ${most} is the most`;
   if (plan.passes > 1 && (plan.passes * plan.infeed) / (plan.passes - 1) <= most - SAME * most) {
     return `${plan.passes} passes of ${plan.infeed} where one fewer would do with ${most}`;
   }
+  return null;
+};
+
+const passesAreNumbered: PlanLaw = (_, s, plan) => {
   const strange = plan.moves.find((m) => m.phase === "rough" && m.pass !== undefined && (m.pass < 1 || m.pass > plan.passes));
-  return strange ? `a cut of pass ${strange.pass} where there are ${plan.passes}` : null;
+  return roughs(s) && strange ? `a cut of pass ${strange.pass} where there are ${plan.passes}` : null;
+};
+
+/** No bite is deeper than the limit of a plunge. */
+const plungesAreLimited: PlanLaw = (cycle, s, plan) => {
+  const q = Object.entries(cycle.params).find(([, p]) => p.shown === "depthLimit")?.[0];
+  const most = q === undefined ? 0 : (s.values[q] ?? 0);
+  return most > 0 && plan.infeed > most + SAME ? `a bite of ${plan.infeed} where ${most} is the most` : null;
 };
 
 /** What is wrong with one move by itself. Over the axis it goes only as far as the contour does, and by the nose that faces it clean. */
@@ -50,11 +65,12 @@ const pathIsBounded: PlanLaw = (_, s, plan) => {
 
 /** k infeeds of exactly Q463 are k passes. */
 const divisionsAreExact: PlanLaw = (cycle, s, plan) => {
-  if (!roughs(s) || plan.passes === 0 || plan.passes > 200) return null;
+  const q = infeedOf(cycle);
+  if (!roughs(s) || q === undefined || plan.passes === 0 || plan.passes > 200) return null;
   const depth = plan.passes * plan.infeed;
   for (const k of [1, 2, 3, 7]) {
     if (depth / k < 0.3 || depth / k > (s.tool.CUTLENGTH ?? Infinity)) continue;
-    const again = planOf(cycle, { ...s, values: { ...s.values, Q463: depth / k } });
+    const again = planOf(cycle, { ...s, values: { ...s.values, [q]: depth / k } });
     // A start point that had to be moved makes another depth.
     if (Math.abs(again.passes * again.infeed - depth) < SAME && again.passes !== k) return `${again.passes} passes for ${k} infeeds`;
   }
@@ -107,7 +123,14 @@ const turnsRound: PlanLaw = (cycle, s, plan) => {
 };
 
 /** By name, so that a case on file says which of them it broke. */
-export const planLaws: Readonly<Record<string, PlanLaw>> = { infeedsAreEven, pathIsBounded, divisionsAreExact, turnsRound };
+export const planLaws: Readonly<Record<string, PlanLaw>> = {
+  infeedsAreEven,
+  passesAreNumbered,
+  plungesAreLimited,
+  pathIsBounded,
+  divisionsAreExact,
+  turnsRound,
+};
 
 /** Every law of the path that a situation breaks, with what it says. */
 export function brokenByPlan(cycle: Cycle, situation: Situation): string[] {

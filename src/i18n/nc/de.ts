@@ -17,6 +17,10 @@ export const de = {
     831: { text: "GEWINDE LAENGS", evidence: "K2" },
     832: { text: "GEWINDE ERWEITERT", evidence: "K2" },
     852: { text: "STECHDREHEN ERWEITERT AXIAL", evidence: "K3" },
+    861: { text: "STECHEN EINFACH RADIAL", evidence: "K3" },
+    862: { text: "STECHEN ERWEITERT RADIAL", evidence: "K3" },
+    871: { text: "STECHEN EINFACH AXIAL", evidence: "K3" },
+    872: { text: "STECHEN ERWEITERT AXIAL", evidence: "K3" },
   },
   params: {
     flankAngleRadial: { text: "WINKEL FLANKE", evidence: "K2" },
@@ -78,6 +82,12 @@ export const de = {
     startingAngle: { text: "STARTWINKEL", evidence: "K2" },
     threadStarts: { text: "ANZAHL GEWINDEGAENGE", evidence: "K2" },
     airCuts: { text: "ANZAHL LEERSCHNITTE", evidence: "K2" },
+    plungeLimit: { text: "BEGRENZUNG TIEFE", evidence: "K3" },
+    recessingOverlap: { text: "UEBERLAPPUNG STECHEN", evidence: "K3" },
+    solidFeed: { text: "VORSCHUBFAKTOR", evidence: "K3" },
+    retraction: { text: "RUECKZUGSMODUS", evidence: "K3" },
+    dwellTurns: { text: "VERWEILZEIT IN UMDR.", evidence: "K3" },
+    combRecessing: { text: "KAMMSTECHEN", evidence: "K3" },
   },
   contour: { title: "KONTUR", label: "KONTURLABEL", evidence: "B" },
 } satisfies NcWords;

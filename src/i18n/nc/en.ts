@@ -17,6 +17,10 @@ export const en = {
     831: { text: "THREAD LONGITUDINAL", evidence: "K1" },
     832: { text: "THREAD EXTENDED", evidence: "K1" },
     852: { text: "ENH.REC.TURNING, AX.", evidence: "K1" },
+    861: { text: "SIMPLE RECESS, RADL.", evidence: "K1" },
+    862: { text: "EXPND. RECESS, RADL.", evidence: "K1" },
+    871: { text: "SIMPLE RECESS, AXIAL", evidence: "K1" },
+    872: { text: "EXPND. RECESS, AXIAL", evidence: "K1" },
   },
   params: {
     flankAngleRadial: { text: "ANGLE OF SIDE", evidence: "K1" },
@@ -78,6 +82,12 @@ export const en = {
     startingAngle: { text: "STARTING ANGLE", evidence: "K1" },
     threadStarts: { text: "NUMBER OF THREAD GROOVES", evidence: "K1" },
     airCuts: { text: "NUMBER OF AIR CUTS", evidence: "K1" },
+    plungeLimit: { text: "LIMIT TO DEPTH", evidence: "K1" },
+    recessingOverlap: { text: "RECESSING OVERLAP", evidence: "K1" },
+    solidFeed: { text: "FEED RATE FACTOR", evidence: "K1" },
+    retraction: { text: "RETRACTION MODE", evidence: "K1" },
+    dwellTurns: { text: "DWELL TIME IN REVS", evidence: "K1" },
+    combRecessing: { text: "COMB RECESSING", evidence: "K1" },
   },
   contour: { title: "CONTOUR GEOMETRY", label: "CONTOUR LABEL", evidence: "A" },
 } satisfies NcWords;

@@ -17,6 +17,10 @@ export const fr = {
     831: { text: "FILETAGE LONGITUDINAL", evidence: "K3" },
     832: { text: "FILETAGE ETENDU", evidence: "K3" },
     852: { text: "GORGE AXIALE ETEND.", evidence: "A" },
+    861: { text: "GORGE SIMPLE RADIALE", evidence: "K3" },
+    862: { text: "GORGE ETENDUE RADIALE", evidence: "K3" },
+    871: { text: "GORGE SIMPLE AXIALE", evidence: "K3" },
+    872: { text: "GORGE ETENDUE AXIALE", evidence: "K3" },
   },
   params: {
     flankAngleRadial: { text: "ANGLE FLANC", evidence: "K2" },
@@ -78,6 +82,12 @@ export const fr = {
     startingAngle: { text: "ANGLE DE DEPART", evidence: "K3" },
     threadStarts: { text: "NOMBRE DE FILETS", evidence: "K3" },
     airCuts: { text: "NOMBRE PASSES A VIDE", evidence: "K3" },
+    plungeLimit: { text: "LIMITE PROFONDEUR", evidence: "K3" },
+    recessingOverlap: { text: "RECOUVREMENT GORGE", evidence: "K3" },
+    solidFeed: { text: "FACTEUR D'AVANCE", evidence: "K3" },
+    retraction: { text: "MODE DE RETRAIT", evidence: "K3" },
+    dwellTurns: { text: "TEMPORISATION EN TOURS", evidence: "K3" },
+    combRecessing: { text: "GORGE EN PEIGNE", evidence: "K3" },
   },
   contour: { title: "CONTOUR", label: "LABEL CONTOUR", evidence: "A" },
 } satisfies NcWords;

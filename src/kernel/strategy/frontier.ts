@@ -1,6 +1,6 @@
 import { extent, type Convex } from "../convex.ts";
-import { besideAt, loweredBy, pieceOf, raised } from "../cut-envelope.ts";
-import { highest, higherOf, type Envelope, type Origin, type EnvelopePiece } from "../envelope.ts";
+import { aboveBy, besideAt, loweredBy, pieceOf, raised } from "../cut-envelope.ts";
+import { highest, higherOf, type Envelope, type EnvelopePiece, type Interval, type Origin } from "../envelope.ts";
 import { toFlat, type Flat, type FlatSegment, type Frame } from "../flat.ts";
 import type { Ring } from "../point.ts";
 import { reachOver, type Bound } from "../reach.ts";
@@ -63,6 +63,13 @@ export class Frontier {
   /** How high walls stand that hang over a place from so far behind and before it, where something stood there once. */
   private hangs(u: number, behind: number, before: number): number {
     return behind + before > 0 ? Math.min(besideAt(this.first, u), highest(this.now, u - behind, u + before).v) : -Infinity;
+  }
+
+  /** Between which places material stands more than `by` mm over an envelope; null where none does. */
+  standsOver(e: Envelope, { from, to }: Interval, by: number): Interval | null {
+    const above = aboveBy(this.now, e, from, to, by);
+    const [first, last] = [above[0], above.at(-1)];
+    return first && last ? { from: first.from, to: last.to } : null;
   }
 
   /** Lowers the frontier by one element that the tip has run at feed. */

@@ -124,7 +124,7 @@ export function planRecess(l: Recess, setting: Setting): Plan {
 }
 
 /** The level that CUTLENGTH of a bar ends at; null when it reaches the floor. */
-function floorOf(tool: Tool, opening: number, flat: readonly FlatSegment[], issues: Issue[]): number | null {
+export function floorOf(tool: Tool, opening: number, flat: readonly FlatSegment[], issues: Issue[]): number | null {
   const edge = tool.CUTLENGTH;
   const depth = opening - Math.min(...flat.map(lowestOf));
   if (!isBar(tool) || edge === undefined || !(edge > 0) || depth <= edge + SAME) return null;

@@ -55,3 +55,24 @@ function levels(f: Frame, moves: readonly Move[]): Pass[] {
   });
   return level.filter((p) => p.level < (depths.get(p.pass) ?? p.level) + SAME);
 }
+
+/** The cuts of roughing that go straight into the material, each from where it begins to its ground: in the order they are made. */
+export function plungesOf(f: Frame, moves: readonly Move[]): Pass[] {
+  const found: Pass[] = [];
+  let [begin, last]: [Pt | null, number] = [null, -1];
+  moves.forEach((m, i) => {
+    const from = moves[i - 1]?.to;
+    if (m.kind !== "feed" || m.phase !== "rough" || m.pass === undefined || from === undefined) {
+      begin = null;
+      return;
+    }
+    begin ??= from;
+    const v = outward(f, m.to);
+    const cut: Pass = { pass: m.pass, level: v, from: begin, to: m.to, line: [begin, m.to] };
+    const before = found.at(-1);
+    if (before === undefined || last < 0 || before.from !== begin) found.push(cut);
+    else if (v < before.level) found[found.length - 1] = cut;
+    last = i;
+  });
+  return found.slice(0, MOST);
+}

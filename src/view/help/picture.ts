@@ -13,6 +13,7 @@ import { FIRST, layoutOf } from "./layout.ts";
 import { letteringOf, positionText, type Numbers, type Speech } from "./lettering.ts";
 import { dense, polygon, polyline, segmentPath, type Mark } from "./marks.ts";
 import { passesOf } from "./passes.ts";
+import * as plunges from "./plunges.ts";
 import * as explain from "./process.ts";
 import { blankOver, drawnLine, sectionOf } from "./section.ts";
 import { caption, filled, stroke } from "./stroke.ts";
@@ -92,6 +93,12 @@ const explanations: Readonly<Record<Topic, (c: Context, l: Lettering) => explain
   startingAngle: threads.startingAngle,
   threadStarts: threads.starts,
   airCuts: threads.airCuts,
+  depthLimit: plunges.depthLimit,
+  overlap: plunges.overlap,
+  solidFeed: plunges.solidFeed,
+  retraction: plunges.retraction,
+  dwell: plunges.dwell,
+  comb: plunges.comb,
 };
 
 function contextOf(request: HelpRequest, size: Size, indent: number): Context {

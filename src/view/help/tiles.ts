@@ -36,6 +36,11 @@ const cut: Stroke = { fill: "cut", at: [...STEP, [0, 0.8]] };
 const stock: Stroke[] = [cut, pass(0.42), pass(0.61)];
 const way = (at: readonly Spot[]): Stroke => ({ line: "path", at, arrow: true });
 
+/** A groove with upright walls, an insert in it, and the way of a plunge that begins at `u`. */
+const SLOT: readonly Spot[] = [[0, 0.75], [0.12, 0.75], [0.12, 0.15], [0.88, 0.15], [0.88, 0.75], [1, 0.75]];
+const insert = (u: number, v: number): Stroke => ({ fill: "tool", at: [[u, v], [u + 0.2, v], [u + 0.2, v + 0.3], [u, v + 0.3]] });
+const plunge = (u: number): Stroke => way([[u + 0.1, 0.98], [u + 0.1, 0.2]]);
+
 const corner = (kind: 0 | 1 | 2): Stroke[] => {
   const round: Spot[] = Array.from({ length: 7 },
     (_, i) => [0.5 - 0.3 * Math.sin((i * Math.PI) / 12), 0.35 + 0.3 * Math.cos((i * Math.PI) / 12)] as const);
@@ -136,6 +141,17 @@ const diagrams: Readonly<Partial<Record<Topic, readonly (readonly Stroke[])[]>>>
     tapered("start", "place"),
   ],
   infeedType: [groove([0.53, 0.397, 0.295, 0.209]), groove([0.7, 0.55, 0.4, 0.25])],
+  retraction: [[...drawn(SLOT), insert(0.3, 0.2), way([[0.4, 0.2], [0.4, 0.95]])], [
+    ...drawn(SLOT),
+    insert(0.3, 0.2),
+    way([[0.4, 0.2], [0.62, 0.42], [0.62, 0.95]]),
+  ]],
+  comb: [[...drawn(SLOT), ...[0.2, 0.36, 0.52, 0.68].map((u) => plunge(u))], [
+    ...drawn(SLOT),
+    { fill: "cut", at: [[0.34, 0.2], [0.44, 0.2], [0.44, 0.75], [0.34, 0.75]] },
+    { fill: "cut", at: [[0.58, 0.2], [0.68, 0.2], [0.68, 0.75], [0.58, 0.75]] },
+    ...[0.15, 0.39, 0.63].map((u) => plunge(u)),
+  ]],
 };
 
 /** Whether a choice has small diagrams. */

@@ -1,3 +1,83 @@
 import type { CycleTexts } from "../../cycle-text.ts";
+import { safePosition, turnMode } from "./notes.ts";
 
-export const recessing = {} satisfies CycleTexts;
+const rough = [
+  "ins Volle stechen mit dem Vorschub dafür, auf Tiefe mit Aufmaß",
+  "am Grund verweilen, dann aus dem Schnitt",
+  "seitlich um die Überlappung, vor dem Werkstück",
+  "neben dem Freigestochenen stechen, mit Schruppvorschub",
+  "wiederholen, bis die Breite erreicht ist, dann an schrägen oder runden Flanken entlang",
+  "im Eilgang zum Zyklusstart",
+];
+const finish = [
+  "im Eilgang zur ersten Seite",
+  "erste Flanke schlichten",
+  "halben Grund schlichten, abheben",
+  "im Eilgang freifahren",
+  "im Eilgang zur zweiten Seite",
+  "zweite Flanke schlichten",
+  "die andere Hälfte des Grunds schlichten, abheben",
+  "im Eilgang zum Zyklusstart",
+];
+const order = "Schruppt vom Grund zu einer Flanke und zurück zur anderen, schlichtet oder macht beides. Beim Kammstechen "
+  + "kommen erst die vollen Stiche, dann die Stege dazwischen.";
+const notes = [
+  turnMode,
+  safePosition,
+  "Zwei Stiche liegen nie weiter auseinander als der ebene Teil der Schneide (Breite minus zweimal Radius), wenn "
+  + "der mindestens halb so breit ist: So bleiben keine Kämme stehen.",
+  "Ein Einstich, der tiefer ist als CUTLENGTH, wird mit einer Meldung nur so tief gestochen, wie die Schneide lang " + "ist.",
+  "Parameterliste und Schritte sind aus der Erinnerung; keine Seite, die wir haben, druckt sie. Unsere Lesart; an "
+  + "der Steuerung prüfen.",
+];
+
+export const recessing = {
+  861: {
+    name: "Stechen radial einfach",
+    summary: "Sticht eine Nut mit geraden Flanken in Zylinder oder Bohrung, vom Startpunkt zu einer Ecke.",
+    description: [
+      "Fertigt im Zylinder oder in der Bohrung einen Einstich zwischen dem Startpunkt des Zyklus und der Ecke Q493, "
+      + "Q494, mit Stichen nebeneinander. Der Startpunkt ist die erste Ecke des Einstichs.",
+      order,
+    ],
+    rough,
+    finish,
+    notes,
+  },
+  862: {
+    name: "Stechen radial erweitert",
+    summary: "Sticht eine Nut in Zylinder oder Bohrung, mit geneigten Flanken, Fasen und Eckenradien.",
+    description: [
+      "Fertigt im Zylinder oder in der Bohrung einen Einstich mit Stichen nebeneinander. Die Kanten können eine Fase "
+      + "oder einen Radius bekommen, beide Flanken können geneigt, die Ecken am Grund verrundet sein.",
+      order,
+    ],
+    rough,
+    finish,
+    notes,
+  },
+  871: {
+    name: "Stechen axial einfach",
+    summary: "Sticht eine Nut mit geraden Flanken in eine Planfläche, vom Startpunkt zu einer Ecke.",
+    description: [
+      "Fertigt in der Planfläche einen Einstich zwischen dem Startpunkt des Zyklus und der Ecke Q493, Q494, mit "
+      + "Stichen nebeneinander. Der Startpunkt ist die erste Ecke des Einstichs.",
+      order,
+    ],
+    rough,
+    finish,
+    notes,
+  },
+  872: {
+    name: "Stechen axial erweitert",
+    summary: "Sticht eine Nut in eine Planfläche, mit geneigten Flanken, Fasen und Eckenradien.",
+    description: [
+      "Fertigt in der Planfläche einen Einstich mit Stichen nebeneinander. Die Kanten können eine Fase oder einen "
+      + "Radius bekommen, beide Flanken können geneigt, die Ecken am Grund verrundet sein.",
+      order,
+    ],
+    rough,
+    finish,
+    notes,
+  },
+} satisfies CycleTexts;

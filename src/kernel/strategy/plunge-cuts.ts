@@ -1,0 +1,141 @@
+import { pathAlong } from "../envelope.ts";
+import { flat, type Flat, type FlatSegment } from "../flat.ts";
+import { SAME } from "../tolerance.ts";
+import type { Purpose } from "../track.ts";
+import type { Basin } from "./basins.ts";
+import type { Ground } from "./ground.ts";
+import type { Cutter } from "./link.ts";
+import { reachOfStep, type Places, type Spacing } from "./plunge-places.ts";
+
+/** How a plunge runs. Lengths mm, feeds in the unit of the track. */
+export interface PlungeCut {
+  /** Kept from what stands, before a plunge and between two of them. */
+  readonly clearance: number;
+  readonly feed: number;
+  /** In solid material, where nothing is free on either side. */
+  readonly solidFeed: number;
+  /** The most of one bite; between two of them the tool goes back to break the chip. 0: in one go. */
+  readonly bite: number;
+  /** Turns of the spindle on the ground of each plunge. */
+  readonly dwell: number;
+  /** Out at an angle, away from what stands beside the tool, where a plunge before has made room; else straight. */
+  readonly aslant: boolean;
+}
+
+export interface PlungeRough extends PlungeCut {
+  readonly ground: Ground;
+  readonly basins: readonly Basin[];
+  readonly places: readonly Places[];
+  readonly spacing: Spacing;
+  /** Height that cutting begins at. */
+  readonly top: number;
+}
+
+/** How far the tool goes back between two bites, mm. */
+export const CHIP_BREAK = 0.5;
+/** How far the tool leans out of a plunge at the most, mm. */
+const ASLANT = 2;
+/** What plunges leave between them on a wall or a floor is cut along it when it is more than this, mm. */
+const LEFT = 0.02;
+
+const p = (step: number, pass?: number): Purpose => ({ phase: "rough", run: "rough", step, ...(pass !== undefined && { pass }) });
+
+/** How many bites a plunge takes. */
+export const bitesOf = (depth: number, bite: number): number => (bite > 0 ? Math.max(1, Math.ceil(depth / bite - SAME)) : 1);
+
+/** The bites that were taken, and the deepest of them, mm. */
+export interface Bites {
+  readonly passes: number;
+  readonly infeed: number;
+}
+
+/**
+ * The steps 1 to 5 of recessing: section by section, in each all plunges, then what they leave along the walls. Where nothing stands
+ * over its place, as beside a blank that is lower than the start point, no plunge is made.
+ */
+export function roughByPlunges(cutter: Cutter, r: PlungeRough): Bites {
+  const done: Flat[] = [];
+  let [passes, infeed] = [0, 0];
+  r.basins.forEach((basin, i) => {
+    const { full, webs } = r.places[i] as Places;
+    for (const place of [...full, ...webs]) {
+      if (cutter.frontier.freeFrom(place.u) > place.v + SAME) {
+        const count = bitesOf(r.top - place.v, r.bite);
+        plunge(cutter, r, place, done, { pass: passes, step: passes === 0 ? 1 : 4, count });
+        passes += count;
+        infeed = Math.max(infeed, (r.top - place.v) / count);
+        clearBeside(cutter, r.spacing, place, done);
+        retract(cutter, r, place, done);
+      } else clearBeside(cutter, r.spacing, place, done);
+      done.push(place);
+    }
+    alongWalls(cutter, r, basin);
+  });
+  return { passes, infeed };
+}
+
+interface Numbering {
+  readonly pass: number;
+  readonly step: number;
+  readonly count: number;
+}
+
+/** Down to a place in bites; at the feed for solid material below everything that stands free beside it. */
+function plunge(cutter: Cutter, r: PlungeRough, place: Flat, done: readonly Flat[], { pass, step, count }: Numbering): void {
+  const beside = done.filter((d) => Math.abs(d.u - place.u) < r.spacing.width - SAME);
+  const free = beside.length > 0 ? Math.min(...beside.map((d) => d.v)) : Infinity;
+  const [across, solid] = [p(3), (v: number) => (v < free - SAME ? r.solidFeed : r.feed)];
+  for (let k = 1; k <= count; k += 1) {
+    const depth = r.top - ((r.top - place.v) * k) / count;
+    const purpose = p(step, pass + k);
+    if (k === 1) {
+      const first = free < r.top && depth < free - SAME ? Math.max(depth, free) : depth;
+      cutter.link({ u: place.u, v: first }, { gap: r.clearance, feed: solid(first), out: across, down: across, enter: purpose });
+    } else if (cutter.at.v > free + SAME && depth < free - SAME) cutter.feed({ u: place.u, v: free }, r.feed, purpose);
+    cutter.feed({ u: place.u, v: depth }, solid(depth), purpose);
+    if (k < count) cutter.feed({ u: place.u, v: Math.min(r.top, depth + CHIP_BREAK) }, r.feed, purpose);
+  }
+  cutter.dwell(r.dwell, r.feed, p(2));
+}
+
+/** Between two plunges no farther apart than the level part of the edge nothing stands any more above the higher one. */
+function clearBeside(cutter: Cutter, { level }: Spacing, place: Flat, done: readonly Flat[]): void {
+  for (const d of done) {
+    if (Math.abs(d.u - place.u) > level + SAME) continue;
+    const v = Math.max(d.v, place.v);
+    cutter.frontier.lower({ kind: "line", from: { u: d.u, v }, to: { u: place.u, v } });
+  }
+}
+
+/** Step 2: out of the plunge, straight or aslant to the side that an earlier one as deep has freed. */
+function retract(cutter: Cutter, r: PlungeRough, place: Flat, done: readonly Flat[]): void {
+  const free = done.filter((d) => d.v < place.v + SAME && Math.abs(d.u - place.u) < r.spacing.level + SAME);
+  const sides = [-1, 1].filter((side) => free.some((d) => (d.u - place.u) * side > SAME));
+  if (r.aslant && sides.length > 0) {
+    const [side = 1] = sides;
+    const room = Math.max(...free.map((d) => (d.u - place.u) * side));
+    const by = Math.min(ASLANT, room, r.top - place.v);
+    cutter.feed({ u: place.u + side * by, v: place.v + by }, r.feed, p(2));
+  }
+  const out = p(2);
+  cutter.link({ u: cutter.at.u, v: r.top + r.clearance }, { gap: r.clearance, feed: r.feed, out, down: out, enter: out });
+}
+
+/** What stands between the plunges on leaning and round walls, and on a floor for a round edge: one cut down each side. */
+function alongWalls(cutter: Cutter, r: PlungeRough, { from, to, floor }: Basin): void {
+  const e = r.ground.envelope;
+  const cut = (path: readonly FlatSegment[], away: 1 | -1) => {
+    const [first] = path;
+    if (!first) return;
+    const purpose = p(5);
+    const link = { gap: r.clearance, feed: r.feed, out: purpose, down: purpose, enter: purpose };
+    cutter.link(first.from, link);
+    cutter.along(path, () => ({ feed: r.feed, purpose }));
+    cutter.leave(r.clearance, away, e, r.feed, purpose, Math.min(r.clearance, reachOfStep(r.spacing)));
+    cutter.link({ u: cutter.at.u, v: r.top + r.clearance }, link);
+  };
+  const left = cutter.frontier.standsOver(e, { from, to: floor.to }, LEFT);
+  if (left && left.to > left.from + SAME) cut(pathAlong(e, left.from, left.to).map((s) => s.segment), 1);
+  const right = cutter.frontier.standsOver(e, { from: floor.to, to }, LEFT);
+  if (right && right.to > right.from + SAME) cut(pathAlong(e, right.from, right.to).map((s) => flat.reversed(s.segment)).reverse(), -1);
+}

@@ -1,0 +1,60 @@
+import { heightAt, type Envelope } from "../envelope.ts";
+import type { Flat } from "../flat.ts";
+import { SAME } from "../tolerance.ts";
+import type { Basin } from "./basins.ts";
+
+/** How plunges lie side by side, mm. */
+export interface Spacing {
+  /** What one plunge takes: the width of the edge. */
+  readonly width: number;
+  /** Of that, what is level behind two plunges that lie no farther apart; 0 for a round edge. */
+  readonly level: number;
+  /** The widest side step; in a comb the widest web. */
+  readonly step: number;
+  /** First cuts with webs between them, then the webs. */
+  readonly comb: boolean;
+}
+
+/** Plunges of a basin in the order they are cut. */
+export interface Places {
+  readonly full: readonly Flat[];
+  readonly webs: readonly Flat[];
+}
+
+/** From one plunge to the next where they lie as far apart as they may, mm. */
+export const reachOfStep = ({ width, level, step, comb }: Spacing): number => {
+  const most = comb ? (width + step) / 2 : step;
+  // Rounded corners leave crests between two plunges, unless the level parts of the edge meet.
+  return level >= width / 2 ? Math.min(most, level) : most;
+};
+
+/**
+ * Where a basin is plunged: at its stops, and between two of them evenly, no farther apart than a step. It begins where the floor
+ * does, goes on to the far wall, and comes back for the near one: so every plunge behind the first has a side that is free.
+ */
+export function placesIn(basin: Basin, e: Envelope, s: Spacing): Places {
+  const [full, webs]: [Flat[], Flat[]] = [[], []];
+  const most = reachOfStep(s);
+  basin.stops.forEach((stop, i) => {
+    const before = basin.stops[i - 1];
+    if (before) {
+      const apart = stop.u - before.u;
+      const least = Math.max(1, Math.ceil(apart / most - SAME));
+      const count = s.comb && least > 1 ? least + (least % 2) : least;
+      for (let k = 1; k < count; k += 1) {
+        const u = before.u + (apart * k) / count;
+        const place = { u, v: heightAt(e, u) };
+        const web = s.comb && k % 2 === 1;
+        if (!web) full.push(place);
+        else if ((2 * apart) / count > (s.level > 0 ? s.level : 0) + SAME) webs.push(place);
+      }
+    }
+    full.push(stop);
+  });
+  return { full: fromFloor(full, basin), webs: fromFloor(webs, basin) };
+}
+
+const fromFloor = (
+  places: readonly Flat[],
+  { floor }: Basin,
+): Flat[] => [...places.filter((p) => p.u > floor.from - SAME), ...places.filter((p) => p.u <= floor.from - SAME).toReversed()];
