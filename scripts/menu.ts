@@ -1,6 +1,7 @@
 import type { MenuCycle } from "../src/app/chooser/menu.ts";
 import type { Cycle, Outline } from "../src/cycles/define.ts";
 import { catalogue } from "../src/cycles/index.ts";
+import { isRecalled } from "../src/cycles/params.ts";
 import { LANGUAGES } from "../src/i18n/languages.ts";
 import { menuWords } from "../src/i18n/menu-words.ts";
 import { readText } from "../src/program/field.ts";
@@ -60,7 +61,7 @@ export const menu: readonly MenuCycle[] = catalogue.map((cycle) => ({
   number: cycle.number,
   group: cycle.group,
   free: cycle.contour === "free",
-  recalled: cycle.evidence.startsWith("K"),
+  recalled: isRecalled(cycle),
   pictograms: pictograms(cycle),
 }));
 

@@ -147,3 +147,6 @@ export const recalled = <const P extends Params>(params: P): P =>
 
 /** The same parameter with another value in the example of the list. */
 export const exampleOf = <P extends Param>(param: P, example: number): P => ({ ...param, example });
+
+/** Whether a whole list is recalled: that is said once, for the cycle, and not again for each of its parameters. */
+export const isRecalled = ({ evidence }: { readonly evidence: Evidence }): boolean => evidence.startsWith("K");

@@ -1,3 +1,5 @@
+import { isRecalled } from "../../cycles/params.ts";
+import { Icon } from "../Icon.tsx";
 import { CycleInWork } from "../issue-text.ts";
 import type { JobReading } from "../reading.ts";
 import { useTexts } from "../settings/use-texts.ts";
@@ -12,7 +14,11 @@ export function CycleDialog({ read, block = null }: { readonly read: JobReading;
   return (
     <CycleInWork value={read.cycle.number}>
       <PromptDialog session={session} name={t.form} listName={t.list} hint={t.help}
-        done={<DialogDone session={session} inBlock={block !== null} />} />
+        head={isRecalled(read.cycle) && (
+          <p className="small soft recalled-list">
+            <Icon name="info" /> {t.recalled}
+          </p>
+        )} done={<DialogDone session={session} inBlock={block !== null} />} />
     </CycleInWork>
   );
 }

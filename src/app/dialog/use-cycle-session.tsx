@@ -1,4 +1,4 @@
-import type { Param } from "../../cycles/params.ts";
+import { isRecalled, type Param } from "../../cycles/params.ts";
 import type { ParamTextId } from "../../cycles/index.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import { setPrompt } from "../edits.ts";
@@ -37,6 +37,7 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
     return { text: written ?? draft[q] ?? "", unit: bare ? "" : units[unitOf(param, job.perRevolution)], soft: false };
   };
   const doubtOf = (param: Param): string | null => {
+    if (isRecalled(cycle)) return null;
     if (param.evidence !== "A") return evidence.parameter;
     return param.rangeEvidence !== "A" && !param.choices ? evidence.range : null;
   };

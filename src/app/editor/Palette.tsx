@@ -1,48 +1,71 @@
-import { useEffect, useRef } from "react";
+import { useEffect, useRef, useState } from "react";
 import { markFresh } from "../approach/fresh-block.ts";
-import type { CycleNumber } from "../../cycles/index.ts";
+import { cycleByNumber } from "../../cycles/index.ts";
+import { CycleChooser, type CycleFinder } from "../chooser/CycleChooser.tsx";
 import { Icon } from "../Icon.tsx";
+import type { Statement } from "../../nc/statement.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { inserted } from "./block-edits.ts";
-import { palette, type Offered } from "./palette.ts";
+import { cycleStatement, palette, type Offered } from "./palette.ts";
 import { editProgram, useSession } from "./session.ts";
 
 const groups = [...new Set(palette.map((offered) => offered.group))];
 
+interface Props {
+  readonly index: number;
+  readonly done: () => void;
+  readonly finder?: CycleFinder;
+}
+
 /** All kinds of blocks; choosing one puts it behind the open block and opens its dialog. */
-export function Palette({ index, done }: { readonly index: number; readonly done: () => void }) {
+export function Palette({ index, done, finder }: Props) {
   const t = useTexts();
   const language = useSettings((s) => s.language);
   const program = useSession((s) => s.reading.program);
   const box = useRef<HTMLDivElement>(null);
-  useEffect(() => box.current?.querySelector<HTMLElement>("button")?.focus({ preventScroll: true }), []);
+  const [cycles, showCycles] = useState(false);
+  useEffect(() => {
+    if (!cycles) box.current?.querySelector<HTMLElement>("button")?.focus({ preventScroll: true });
+  }, [cycles]);
 
-  const put = (offered: Offered) => {
-    const made = offered.make(language);
-    if (made.kind === "approach") markFresh(index + 1);
-    editProgram(inserted(program, index + 1, made), null, index + 1);
+  const put = (statement: Statement) => {
+    if (statement.kind === "approach") markFresh(index + 1);
+    editProgram(inserted(program, index + 1, statement), null, index + 1);
     done();
   };
-  const nameOf = ({ kind, cycle }: Offered) =>
-    cycle === undefined ? t.editor.kinds[kind] : t.editor.cycleNumber(cycle, t.cycles.of[cycle as CycleNumber].name);
+  const putCycle = (number: number) => {
+    const cycle = cycleByNumber(number);
+    if (cycle) put(cycleStatement(cycle, language));
+  };
+  const choose = (offered: Offered) => (offered.make ? put(offered.make(language)) : showCycles(true));
   return (
     <div className="palette" ref={box} role="group" aria-label={t.editor.palette} onKeyDown={(event) => {
-      if (event.key === "Escape") done();
+      if (event.key !== "Escape") return;
+      if (cycles) showCycles(false);
+      else done();
     }}>
       <header className="block-head">
-        <h2>{t.editor.palette}</h2>
+        {cycles && (
+          <button type="button" className="button" onClick={() => showCycles(false)}>
+            <Icon name="back" /> {t.chooser.back}
+          </button>
+        )}
+        <h2>{cycles ? t.chooser.cycles : t.editor.palette}</h2>
         <button type="button" className="button icon plain" aria-label={t.page.close} onClick={done}>
           <Icon name="close" />
         </button>
       </header>
-      {groups.map((group) => (
+      {cycles && (
+        <CycleChooser narrow focus ways={[{ name: t.chooser.insert, short: t.chooser.insert, go: putCycle }]} {...(finder && { finder })} />
+      )}
+      {!cycles && groups.map((group) => (
         <section key={group} aria-label={t.editor.groups[group]}>
           <h3 className="panel-title">{t.editor.groups[group]}</h3>
           <div className="palette-kinds">
             {palette.filter((offered) => offered.group === group).map((offered) => (
-              <button key={`${offered.kind} ${offered.cycle ?? ""}`} type="button" className="button" onClick={() => put(offered)}>
-                {/^[A-Z]/.test(offered.kind) && <b className="number">{offered.kind}</b>} {nameOf(offered)}
+              <button key={offered.kind} type="button" className="button" onClick={() => choose(offered)}>
+                {/^[A-Z]/.test(offered.kind) && <b className="number">{offered.kind}</b>} {t.editor.kinds[offered.kind]}
               </button>
             ))}
           </div>

@@ -1,18 +1,20 @@
 import { expect, test } from "vitest";
+import { catalogue } from "../../cycles/index.ts";
 import { withBlock } from "../../nc/edit.ts";
 import { parse } from "../../nc/parse.ts";
 import { print } from "../../nc/program.ts";
 import type { Statement } from "../../nc/statement.ts";
 import { fieldsOf } from "./block-fields.ts";
 import { readingOfBlock, withPrompt } from "./block-prompts.ts";
-import { palette } from "./palette.ts";
+import { cycleStatement, palette } from "./palette.ts";
 import { partsOf } from "./program-parts.ts";
 
 const samples = import.meta.glob<string>("../../../tests/programs/**/*.h", { query: "?raw", import: "default", eager: true });
 const programs = Object.values(samples).map(parse);
 const statements: readonly Statement[] = [
   ...programs.flatMap((p) => p.blocks.map((b) => b.statement)),
-  ...palette.map((offered) => offered.make("en")),
+  ...palette.flatMap((offered) => offered.make?.("en") ?? []),
+  ...catalogue.map((cycle) => cycleStatement(cycle, "en")),
 ];
 const edited = (text: string, id: string, typed: string): string => {
   const program = parse(text);

@@ -1,4 +1,3 @@
-import { catalogue } from "../../cycles/index.ts";
 import type { Cycle } from "../../cycles/define.ts";
 import type { EditorTexts } from "../../i18n/en/editor.ts";
 import { ncLabels } from "../../i18n/nc-labels.ts";
@@ -13,9 +12,8 @@ type Group = keyof EditorTexts["groups"];
 export interface Offered {
   readonly group: Group;
   readonly kind: BlockKind;
-  /** Number of the cycle where the block defines one of the catalogue. */
-  readonly cycle?: number;
-  readonly make: (language: Language) => Statement;
+  /** Null where the kind alone does not say it: which cycle is chosen next. */
+  readonly make: ((language: Language) => Statement) | null;
 }
 
 const at = (
@@ -61,12 +59,7 @@ export const palette: readonly Offered[] = [
     },
   }),
   offer("path", "departure", { kind: "approach", departing: true, form: "LT", words: { ...noWords, length: 15 } }),
-  ...catalogue.map((cycle): Offered => ({
-    group: "cycles",
-    kind: "cycle",
-    cycle: cycle.number,
-    make: (language) => cycleStatement(cycle, language),
-  })),
+  { group: "cycles", kind: "cycle", make: null },
   offer("cycles", "cycleCall", { kind: "cycleCall", how: "", words: noWords }),
   {
     group: "contour",

@@ -31,6 +31,7 @@ export const dialog = {
   },
   diameterMeaning: "Durchmessermaß",
   radiusMeaning: "Radiusmaß",
+  recalled: "Parameterliste aus der Erinnerung: an der Steuerung vergleichen.",
   evidence: {
     mark: "nicht bestätigt",
     range:

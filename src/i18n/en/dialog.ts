@@ -31,6 +31,7 @@ export const dialog = {
   },
   diameterMeaning: "A diameter",
   radiusMeaning: "On the radius",
+  recalled: "Parameter list recalled: compare it on your control.",
   evidence: {
     mark: "not confirmed",
     range: "This range is recalled or inferred, not checked against a printed page. Your control may allow another one.",

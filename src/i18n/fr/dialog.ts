@@ -31,6 +31,7 @@ export const dialog = {
   },
   diameterMeaning: "Cote au diamètre",
   radiusMeaning: "Cote au rayon",
+  recalled: "Liste des paramètres citée de mémoire : à comparer sur la commande.",
   evidence: {
     mark: "non confirmé",
     range: "Cette plage est citée de mémoire ou déduite, sans contrôle sur une page imprimée. La commande peut en admettre une autre.",

@@ -31,6 +31,7 @@ export const dialog = {
   },
   diameterMeaning: "直径值",
   radiusMeaning: "半径值",
+  recalled: "参数表凭记忆整理：请与您的数控系统核对。",
   evidence: {
     mark: "未证实",
     range: "此范围凭记忆或推断得出，未与印刷页核对。您的数控系统可能允许其他范围。",
