@@ -32,7 +32,12 @@ for (const { cycle, own, expected, contour } of JOBS) {
     const turnwise = await Turnwise.open(page);
     const { dialog, program, effect } = turnwise;
     const { keyboard } = page;
-    await tabTo(page, turnwise.start.button(cycle, false));
+    await tabTo(page, turnwise.start.search);
+    await keyboard.type(String(cycle));
+    await expect(turnwise.start.button(cycle, false)).toBeVisible();
+    await keyboard.press("ArrowDown");
+    await expect(turnwise.start.button(cycle, true)).toBeFocused();
+    await keyboard.press("ArrowRight");
     await keyboard.press("Enter");
 
     if (contour) {

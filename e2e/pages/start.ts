@@ -2,7 +2,7 @@ import type { Locator } from "@playwright/test";
 import { catalogue, type CycleNumber } from "../../src/cycles/index.ts";
 import type { Context } from "./turnwise.ts";
 
-/** The first screen: a card for every cycle, and earlier work. */
+/** The first screen: a row for every cycle, and earlier work. */
 export class Start {
   constructor(private readonly context: Context) {}
 
@@ -13,6 +13,21 @@ export class Start {
     const { page, t } = this.context;
     const name = t.page.start.cycle(cycle, t.cycles.of[cycle as CycleNumber].name);
     return page.getByRole("button", { name: `${name}: ${withExample ? t.page.start.withExample : t.page.start.empty}`, exact: true });
+  }
+
+  /** Searches the cycles by number, name or shop word. */
+  get search(): Locator {
+    return this.context.page.getByRole("searchbox", { name: this.context.t.chooser.search, exact: true });
+  }
+
+  /** The cycles that were used last. */
+  get recent(): Locator {
+    return this.context.page.getByRole("region", { name: this.context.t.chooser.recent, exact: true });
+  }
+
+  /** The head of a group, which folds its cycles away. */
+  group(name: string): Locator {
+    return this.context.page.getByRole("region", { name, exact: true }).getByRole("heading").getByRole("button");
   }
 
   async beginEmpty(cycle: number): Promise<void> {

@@ -2,7 +2,7 @@ import { Suspense, useDeferredValue, useMemo, useRef, useState, type ComponentTy
 import { menu } from "virtual:cycle-menu";
 import { Icon } from "../Icon.tsx";
 import { useFirstTexts } from "../settings/use-first-texts.ts";
-import { useMedia } from "../use-media.ts";
+import { useFingers, useMedia } from "../use-media.ts";
 import { CycleGroup } from "./CycleGroup.tsx";
 import { CycleRow, type CycleWay } from "./CycleRow.tsx";
 import { onChooserKey } from "./chooser-keys.ts";
@@ -29,6 +29,7 @@ interface Props {
 export function CycleChooser({ ways: given, finder: Finder, narrow = false, focus = false }: Props) {
   const { chooser: t, page: { start }, menu: names } = useFirstTexts();
   const phone = useMedia("phone");
+  const fingers = useFingers();
   const [typed, type] = useState("");
   const [searching, search] = useState(false);
   const [finding, find] = useState(false);
@@ -83,7 +84,7 @@ export function CycleChooser({ ways: given, finder: Finder, narrow = false, focu
       <p className="small soft cycle-found" role="status">
         {found && best && `${t.found(found.length)} ${t.enter(nameOf(best.number))}`}
         {found && !best && t.none}
-        {!found && t.keys}
+        {!found && (fingers ? t.languages : `${t.languages} ${t.keys}`)}
       </p>
       {found
         ? (

@@ -45,7 +45,7 @@ export function CycleRow({ cycle, ways, first, grouped, inTurn }: Props) {
             <b className="number card-number">{cycle.number}</b> <span>{words?.name}</span>
           </span>
           <span className="cycle-summary small soft" id={id}>
-            {grouped && <span>{menu.groups[cycle.group]}:</span>} {words?.summary}
+            {grouped && <span className="cycle-of">{menu.groups[cycle.group]}:</span>} {words?.summary}
             {cycle.recalled && <span className="recalled-mark" title={start.unconfirmed}>{t.recalled}</span>}
           </span>
         </span>

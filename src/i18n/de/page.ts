@@ -32,7 +32,7 @@ export const page = {
 
   start: {
     title: "Zyklus wählen",
-    lead: "Zyklus wählen, Fragen beantworten, der Maschine zusehen, Programm kopieren.",
+    lead: "Ein Druck auf den Zyklus beginnt mit Beispielwerten, „Leer“ ohne Werte. Fragen beantworten, zusehen, Programm kopieren.",
     withExample: "Mit Beispielwerten beginnen",
     empty: "Leer beginnen",
     cycle: (number, name) => `Zyklus ${number}, ${name}`,

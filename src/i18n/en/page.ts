@@ -31,7 +31,8 @@ export const page = {
 
   start: {
     title: "Choose a cycle",
-    lead: "Choose a cycle, answer its prompts, watch the lathe, copy the program.",
+    lead:
+      "Press a cycle to start with its example values, “Empty” to start without. Answer its prompts, watch the lathe, copy the program.",
     withExample: "Start with example values",
     empty: "Start empty",
     cycle: (number: number, name: string) => `Cycle ${number}, ${name}`,

@@ -32,7 +32,7 @@ export const page = {
 
   start: {
     title: "Choisir un cycle",
-    lead: "Choisir un cycle, répondre aux questions, observer le tour, copier le programme.",
+    lead: "Appuyer sur un cycle : valeurs d’exemple ; « Vide » : sans valeurs. Répondre aux questions, observer, copier le programme.",
     withExample: "Commencer avec les valeurs d’exemple",
     empty: "Commencer à vide",
     cycle: (number, name) => `Cycle ${number}, ${name}`,

@@ -31,7 +31,7 @@ export const page = {
 
   start: {
     title: "选择循环",
-    lead: "选择循环，回答提问，观看切削，复制程序。",
+    lead: "点按循环即用示例值开始，点按“空白”则不带数值。回答提问，观看切削，复制程序。",
     withExample: "用示例值开始",
     empty: "从空白开始",
     cycle: (number, name) => `循环 ${number}，${name}`,

@@ -1,0 +1,62 @@
+import { looksRight } from "./pages/look.ts";
+import { expect, test } from "./pages/test.ts";
+import { Turnwise } from "./pages/turnwise.ts";
+
+/** Smallest target for a gloved finger, px. */
+const TARGET = 44;
+
+test("a cycle by a word of another language, and again from those used last", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { start, dialog } = turnwise;
+  await start.search.fill("epaulement");
+  await expect(start.button(812, true)).toBeVisible();
+  await start.search.fill("812");
+  await page.keyboard.press("Enter");
+  await expect(dialog.question).toHaveText(dialog.promptOf(812, "Q215"));
+  await page.getByRole("button", { name: turnwise.t.page.newProgram }).click();
+  await start.recent.getByRole("button", { name: /812/ }).click();
+  await expect(dialog.question).toHaveText(dialog.promptOf(812, "Q215"));
+});
+
+test("arrow keys go through the rows of a group and from its buttons to the next", async ({ page }) => {
+  const { start } = await Turnwise.open(page);
+  await start.search.focus();
+  await page.keyboard.press("ArrowDown");
+  await expect(page.locator("[aria-expanded]").first()).toBeFocused();
+  await page.keyboard.press("ArrowDown");
+  await expect(page.locator(".cycle-take").first()).toBeFocused();
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("ArrowLeft");
+  await expect(page.locator(".cycle-take").first()).toBeFocused();
+  await page.keyboard.press("8");
+  await expect(start.search).toHaveValue("8");
+});
+
+for (const theme of ["light", "dark"] as const) {
+  test(`on a phone the groups are folded, and a search passes axe in ${theme}`, async ({ page }) => {
+    await page.setViewportSize({ width: 390, height: 844 });
+    const { start, t } = await Turnwise.open(page, { theme });
+    await expect(start.button(812, true)).toHaveCount(0);
+    await looksRight(page);
+    await start.group(t.cycles.groups.longitudinal).click();
+    await expect(start.button(812, true)).toBeVisible();
+    await start.search.fill("8");
+    await expect(start.button(852, true)).toBeVisible();
+    await looksRight(page);
+    for (const button of await page.getByRole("group", { name: t.chooser.cycles }).getByRole("button").all())
+      expect((await button.boundingBox())?.height).toBeGreaterThanOrEqual(TARGET);
+  });
+}
+
+test("a cycle is put into a program by the same chooser", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { editor, t } = turnwise;
+  await page.getByRole("button", { name: t.page.programs.create }).click();
+  await editor.show("block");
+  await editor.insert("cycle");
+  await turnwise.start.search.fill("852");
+  await looksRight(page);
+  await page.keyboard.press("Enter");
+  await expect(page.getByRole("form", { name: t.dialog.form })).toBeVisible();
+  await expect(page.getByRole("heading", { name: t.cycles.of[852].name })).toBeVisible();
+});
