@@ -27,6 +27,7 @@ export const c815 = defineCycle({
   manual: null,
   evidence: "K1",
   contour: "free",
+  use: { shapes: ["step", "plunge", "free"], preTurned: true },
   params: recalled({
     Q215,
     Q460,

@@ -18,7 +18,8 @@ const falls = ({ params }: Cycle) => Object.values(params).some((p) => p.text ==
 export function useOf(cycle: Cycle): Use {
   if (cycle.use) return cycle.use;
   const { group, contour } = cycle;
-  if (group === "thread" || group === "special") return { shapes: OF_GROUP[group] };
+  // A thread along a contour is chosen by that contour.
+  if (group === "thread" || group === "special") return { shapes: contour === "own" ? OF_GROUP[group] : [] };
   if (contour === "free") return { shapes: ["free"] };
   const turned = group === "longitudinal" || group === "transverse";
   return { shapes: turned && falls(cycle) ? ["plunge"] : OF_GROUP[group] };

@@ -1,5 +1,5 @@
 import type { Segment } from "../kernel/point.ts";
-import type { Axial, Diameter, Length } from "../kernel/units.ts";
+import { rounded, toRadius, type Axial, type Diameter, type Length } from "../kernel/units.ts";
 import type { Cycle, TurnedShape } from "./define.ts";
 
 /** Where something is turned: on the circumference, in a bore, on a face. */
@@ -35,6 +35,10 @@ function angleFor(text: string, q: string, { shape, angle }: Wanted): number {
   return shape === "groove" || (shape === "plunge" && q === "Q495") ? angle : 0;
 }
 
+/** How far the farthest corner of a solid box stands from the shape in it. */
+const depthOfBox = (from: Corner, to: Corner) =>
+  rounded(Math.min(Math.abs(toRadius(from.diameter) - toRadius(to.diameter)), Math.abs(from.z - to.z)));
+
 /** Values of the geometry by their Q, which mean the same in each cycle that has them. */
 const GEOMETRY: Readonly<Record<string, (wanted: Wanted, text: string) => number>> = {
   Q491: ({ from }) => from.diameter,
@@ -53,7 +57,7 @@ const GEOMETRY: Readonly<Record<string, (wanted: Wanted, text: string) => number
   Q473: () => 0,
   Q475: () => 1,
   Q476: () => 0,
-  Q485: ({ allowance }) => allowance,
+  Q485: ({ allowance, from, to }) => allowance || depthOfBox(from, to),
 };
 
 /** The values of a cycle for what is wanted, by Q; all that is no geometry as in its printed example. */

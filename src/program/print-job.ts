@@ -68,6 +68,12 @@ const assignments = (job: Job, known: KnownParameters): Statement[] =>
     return of === undefined ? [] : [{ kind: "assign", fn: null, target, formula: { kind: "value", value: kept(of, PARAMETER_DECIMALS) } }];
   });
 
+/** Whether the tip is called inside a bore behind the face: only along the axis does it come there. */
+function isInBore({ blank, start }: Job): boolean {
+  const [bore, x] = [number(blank.bore, 0), number(start.x, 0)];
+  return bore > 0 && x <= bore && number(start.z, 0) < number(blank.allowance, 0);
+}
+
 /** The blocks of a job, from BEGIN PGM to END PGM. */
 export function jobStatements(job: Job, cycle: Cycle, labels: Labels): Statement[] {
   const name = programName(job.name);
@@ -96,6 +102,7 @@ export function jobStatements(job: Job, cycle: Cycle, labels: Labels): Statement
     spin(job),
     functions(job.perRevolution ? 136 : 137),
     path({ axes: at(safeX, safeZ), compensation: "R0", feed: "max" }),
+    ...(isInBore(job) ? [path({ axes: axis("X", job.start.x), feed: "max" })] : []),
     ...assignments(job, known),
     ...(free ? [cycleLine(0, labels.contour.title), cycleLine(1, `${labels.contour.label}${CONTOUR_LABEL}`)] : []),
     {

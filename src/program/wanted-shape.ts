@@ -1,7 +1,8 @@
 import type { Site, Wanted } from "../cycles/wanted.ts";
 import { boxOf } from "../kernel/box.ts";
-import { difference, offset } from "../kernel/clip.ts";
+import { difference, offset, union } from "../kernel/clip.ts";
 import { at, part, type Pt, type Ring, type Segment } from "../kernel/point.ts";
+import { METRIC } from "../kernel/strategy/thread.ts";
 import { CHORD } from "../kernel/tolerance.ts";
 import { axial, diameter, radians, radius, rounded, toDiameter, toRadius } from "../kernel/units.ts";
 import { newRow, type BlankDraft, type ContourRow } from "./job.ts";
@@ -92,11 +93,12 @@ export function blankFor(wanted: Wanted, stock: readonly Ring[] | null): BlankDr
   }
   const { z1, z2, r1, r2, along, out } = boxOfWanted(wanted);
   const within = opensAhead(wanted);
+  const hole = wanted.shape === "thread" ? r1 - METRIC.inside * wanted.pitch : r1;
   const begins = wanted.shape === "step" || wanted.site === "face";
   const [near, far] = [begins ? z1 : along > 0 ? Math.max(z1, 0) : z1 - BEHIND, z2 - along * BEHIND];
   return written({
     outside: within ? Math.max(r1, r2) + ROUND_IT : out > 0 ? r1 : r2 + ROUND_IT,
-    bore: within || out > 0 ? 0 : r1,
+    bore: within || out > 0 ? 0 : Math.max(0, hole),
     front: Math.max(near, far),
     back: Math.min(near, far),
   });
@@ -105,7 +107,7 @@ export function blankFor(wanted: Wanted, stock: readonly Ring[] | null): BlankDr
 /** The blank that has the shape already, with its allowance; a cylinder where it is solid. */
 export function blankRings(wanted: Wanted, cylinder: readonly Ring[]): readonly Ring[] {
   const open = wanted.allowance > 0 ? between(wanted, OPEN) : null;
-  return open ? difference(cylinder, offset([open], -wanted.allowance)) : cylinder;
+  return open ? difference(cylinder, offset(union([open]), -wanted.allowance)) : cylinder;
 }
 
 /** The contour as rows of a table. */

@@ -35,6 +35,7 @@ const AGAINST_TOOL = new Set([
   "flanksNotChecked",
   "toolColumn",
   "offsetOverLimit",
+  "nothingToCut",
 ]);
 
 /** What a plan says about its tool. A notice (a reduced infeed) is no obstacle; a warning about the tool is one. */
@@ -54,6 +55,9 @@ const USUAL: Readonly<Record<Group, readonly ToolType[]>> = {
   recessing: ["RECESS", "RECTURN"],
   thread: ["THREAD"],
 };
+
+/** Whether a turner takes a tool of this type for a kind of cycle at all. */
+export const isUsualTool = (group: Group, { TYPE }: Tool): boolean => USUAL[group].includes(TYPE);
 
 /** Place of a tool in the usual order of its cycle's group. */
 function usualRank(group: Group, { TYPE }: Tool): number {

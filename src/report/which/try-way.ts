@@ -27,9 +27,14 @@ export interface Tried {
   readonly judged: Judged;
   /** Errors and warnings, the gravest first. */
   readonly issues: readonly RunFinding["issue"][];
+  /** Most of it stays: whatever is proved, that is no way to make it. */
+  readonly leavesMost: boolean;
   /** It cuts, and nothing is wrong with it. */
   readonly works: boolean;
 }
+
+/** The part of what is wanted that may stay at most. */
+const MOST_LEFT = 0.5;
 
 const WEIGHT: Readonly<Record<Issue["severity"], number>> = { error: 0, warning: 1, info: 2 };
 
@@ -49,24 +54,18 @@ export function tryWay({ id, job }: Proposal, wanted: Wanted, stock: readonly Ri
   const issues = made.issues.map((f) => f.issue).filter((i) => i.severity !== "info").sort((a, b) =>
     WEIGHT[a.severity] - WEIGHT[b.severity]
   );
+  const stays = target ? areaOf(opened(intersection(simulation.final, [target]), SLIVER)) : null;
+  const all = target ? areaOf(intersection(simulation.blank, [target])) : 0;
+  const leavesMost = stays !== null && stays > all * MOST_LEFT;
   return {
     id,
     passes: operation?.plan.passes ?? 0,
     seconds: made.seconds,
-    stays: target ? areaOf(opened(intersection(simulation.final, [target]), SLIVER)) : null,
+    stays,
     reasons: summed(simulation.proof.residual),
     judged,
     issues,
-    works: judged.verdict === "proved",
+    leavesMost,
+    works: judged.verdict === "proved" && !leavesMost,
   };
 }
-
-/** Less than this is no difference, mm²: no operator sees it. */
-const NO_DIFFERENCE = 0.05;
-
-/** Best first: what works, then what leaves least, then what takes least time. */
-export const bestFirst = (tried: readonly Tried[]): readonly Tried[] =>
-  tried.toSorted((a, b) => {
-    const left = (a.stays ?? 0) - (b.stays ?? 0);
-    return Number(b.works) - Number(a.works) || (Math.abs(left) < NO_DIFFERENCE ? 0 : left) || a.seconds - b.seconds;
-  });

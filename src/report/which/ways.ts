@@ -10,7 +10,7 @@ import { readRows } from "../../program/contour-rows.ts";
 import type { Job } from "../../program/job.ts";
 import { readDraft } from "../../program/read-draft.ts";
 import { jobFor, tipAtCall, withValue } from "../../program/wanted-job.ts";
-import { rankTools } from "../../program/which-tool.ts";
+import { isUsualTool, rankTools } from "../../program/which-tool.ts";
 
 /** One way to make what is wanted: a cycle with its values, and a tool. */
 export interface Proposal {
@@ -27,7 +27,7 @@ const MOST = 8;
 const MOST_CYCLES = 4;
 
 /** Choices of a cycle that change its way over the same contour. */
-const COMPARED: ReadonlySet<Topic> = new Set<Topic>(["smoothing", "direction"]);
+const COMPARED: ReadonlySet<Topic> = new Set<Topic>(["smoothing", "direction", "cuttingLines", "comb", "infeedType"]);
 
 /** In which order the kinds of cycles are looked at. */
 const ORDER: Readonly<Record<Wanted["site"], readonly Group[]>> = {
@@ -40,7 +40,7 @@ const ORDER: Readonly<Record<Wanted["site"], readonly Group[]>> = {
 function isOpenTo(cycle: Cycle, { site, shape }: Wanted): boolean {
   if (shape === "thread") return site !== "face" || cycle.params["Q461"] !== undefined;
   const recess = cycle.group === "recessTurning" || cycle.group === "recessing";
-  const either = useOf(cycle).preTurned === true || (!recess && (shape === "step" || shape === "free"));
+  const either = !recess && (shape === "step" || shape === "free");
   return either || worksAcross(cycle) === (site === "face");
 }
 
@@ -57,14 +57,17 @@ export function cyclesFor(wanted: Wanted): readonly Cycle[] {
 /** What of an insert decides what it leaves. */
 const sizeOf = (tool: Tool) => (isBar(tool) ? cuttingWidth(tool) : noseRadius(tool));
 
-/** The tools that fit a work best, and after them the next one with an insert of another size. */
+/** The tool that fits a work best, and the next one with an insert of another size. Where none makes it, the usual kind says why. */
 function toolsFor(cycle: Cycle, job: Job, tools: readonly Tool[]): readonly Tool[] {
   const { values } = readDraft(cycle, job.drafts[job.cycle] ?? {});
   const start = tipAtCall(job);
   if (!values) return [];
   const given = { contour: cycle.contour === "free" ? readRows(job.contour).contour.segments : null, start };
-  const fits = rankTools(cycle, values, given, { start, feedUnit: "mm/rev", autoFeed: null, stock: null }, tools);
-  const [best] = fits;
+  const setting = { start, feedUnit: "mm/rev", autoFeed: null, stock: null } as const;
+  const fits = rankTools(cycle, values, given, setting, tools);
+  const stands = (tool: Tool) => !cycle.plan(values, { ...setting, tool }, given).issues.some((i) => i.code === "toolUnfit");
+  const usual = fits.filter(({ tool }) => isUsualTool(cycle.group, tool)).toSorted((a, b) => sizeOf(a.tool) - sizeOf(b.tool));
+  const best = fits[0]?.makesContour ? fits[0] : (usual.find(({ tool }) => stands(tool)) ?? fits[0]);
   if (!best) return [];
   const other = fits.find((f) => f.makesContour && f.cuts && sizeOf(f.tool) !== sizeOf(best.tool));
   return other && best.makesContour ? [best.tool, other.tool] : [best.tool];

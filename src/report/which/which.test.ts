@@ -1,0 +1,105 @@
+import { describe, expect, test } from "vitest";
+import { readDraft } from "../../program/read-draft.ts";
+import { cycleByNumber } from "../../cycles/index.ts";
+import type { Wanted } from "../../cycles/wanted.ts";
+import { useOf } from "../../cycles/use.ts";
+import { axial, diameter, length } from "../../kernel/units.ts";
+import { shippedTools } from "../../program/shipped-tools.ts";
+import { bestFirst, bestOf } from "./best.ts";
+import { tryWay } from "./try-way.ts";
+import { waysFor } from "./ways.ts";
+
+const shop = { tools: shippedTools, rapid: 10_000 };
+const corner = (d: number, z: number) => ({ diameter: diameter(d), z: axial(z) });
+const wanted = (given: Partial<Wanted>): Wanted => ({
+  site: "outside",
+  shape: "step",
+  from: corner(75.3, 0),
+  to: corner(48.71, -41.237),
+  angle: 0,
+  pitch: 1.75,
+  contour: null,
+  allowance: 0,
+  ...given,
+});
+const compared = (of: Wanted) => {
+  const ways = waysFor(of, null, shippedTools);
+  return { ways, tried: ways.map((way) => tryWay(way, of, null, shop)) };
+};
+
+describe("the ways that are proposed", () => {
+  const asked: readonly (readonly [string, Partial<Wanted>])[] = [
+    ["a step outside", {}],
+    ["a tapered step", { angle: 3.217 }],
+    ["a step in a bore", { site: "inside", from: corner(30.3, 0), to: corner(48.71, -21.237) }],
+    ["a step on a face", { site: "face", to: corner(48.71, -7.313) }],
+    ["a groove outside", { shape: "groove", from: corner(75.3, -20.31), to: corner(58.77, -32.123) }],
+    ["a groove in a bore", { site: "inside", shape: "groove", from: corner(40.3, -20.31), to: corner(47.71, -29.123) }],
+    ["a thread", { shape: "thread", from: corner(30, 0), to: corner(30, -25.3) }],
+    ["a thread in a bore", { site: "inside", shape: "thread", from: corner(42, 0), to: corner(42, -18.3) }],
+    ["a groove in a face", { site: "face", shape: "groove", to: corner(48.71, -9.231) }],
+  ];
+  test.each(asked)("%s is made by some way that is proved, and there are two to compare", (_, given) => {
+    const { ways, tried } = compared(wanted(given));
+    expect(ways.length).toBeGreaterThan(1);
+    expect(ways.length).toBeLessThanOrEqual(8);
+    expect(new Set(ways.map((way) => way.id)).size).toBe(ways.length);
+    expect(bestOf(tried)).not.toBeNull();
+    const best = bestFirst(tried)[0];
+    expect(best?.stays ?? 0).toBeLessThan(0.2);
+    expect(best?.passes).toBeGreaterThan(0);
+  });
+
+  test("each has values that its own cycle takes", () => {
+    for (const { job } of waysFor(wanted({}), null, shippedTools)) {
+      const cycle = cycleByNumber(job.cycle);
+      expect(cycle && readDraft(cycle, job.drafts[job.cycle] ?? {}).issues).toEqual([]);
+    }
+  });
+
+  test("both choices of a cycle and two tools stand side by side", () => {
+    const ways = waysFor(wanted({}), null, shippedTools);
+    const [first] = ways;
+    const same = ways.filter((way) => way.job.cycle === first?.job.cycle);
+    expect(new Set(same.map((way) => way.choice?.value)).size).toBe(2);
+    expect(new Set(ways.map((way) => way.tool.T)).size).toBeGreaterThan(1);
+  });
+});
+
+test("the best leaves least, and among equals it is the fastest", () => {
+  const { tried } = compared(wanted({}));
+  const [best, ...rest] = bestFirst(tried);
+  for (const other of rest.filter((each) => each.works)) {
+    const more = (other.stays ?? 0) - (best?.stays ?? 0);
+    expect(more > -0.05 && (more > 0.05 || other.seconds >= (best?.seconds ?? 0))).toBe(true);
+  }
+});
+
+test("a groove narrower than every tool says so with each way", () => {
+  const { tried } = compared(wanted({ shape: "groove", from: corner(75.3, -20.31), to: corner(68.7, -21.123) }));
+  expect(bestOf(tried)).toBeNull();
+  for (const { issues, works } of tried) {
+    expect(works).toBe(false);
+    expect(issues.map((i) => i.code)).toContain("recessNarrowerThanTool");
+  }
+});
+
+test("a part that has its shape is turned faster by passes that follow it, in a blank that has it too", () => {
+  const of = wanted({ to: corner(58.71, -41.237), allowance: length(2.3) });
+  const { ways, tried } = compared(of);
+  const follows = (id: string) => {
+    const cycle = cycleByNumber(ways.find((way) => way.id === id)?.job.cycle ?? 0);
+    return cycle !== undefined && useOf(cycle).preTurned === true;
+  };
+  const fastest = (ids: readonly string[]) => Math.min(...tried.filter((t) => t.works && ids.includes(t.id)).map((t) => t.seconds));
+  const ids = ways.map((way) => way.id);
+  expect(fastest(ids.filter(follows))).toBeLessThan(fastest(ids.filter((id) => !follows(id))));
+  const solid = compared(wanted({ to: corner(58.71, -41.237) })).tried;
+  expect(solid.every((each) => each.seconds > fastest(ids))).toBe(true);
+});
+
+test("the holder that meets a wall higher than its insert is no way", () => {
+  const { tried } = compared(wanted({ to: corner(20.3, -41.237), allowance: length(3.1) }));
+  const [worst] = bestFirst(tried).slice(-1);
+  expect(worst?.judged.reasons.map((r) => r.kind)).toContain("holderContact");
+});
