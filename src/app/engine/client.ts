@@ -15,6 +15,7 @@ import { useSettings } from "../settings/settings.ts";
 import { useEditor, type Editor } from "../store.ts";
 import { toolTable, useTools } from "../tools/tool-store.ts";
 import type { ProgramWork } from "../work.ts";
+import type { Comparer } from "../which/comparison.ts";
 import type { Called, Engine, Request } from "./engine.ts";
 import { pauseInTyping } from "./quiet.ts";
 import { forgetOutcome, pause, takeOutcome, type Outcome } from "./outcome.ts";
@@ -171,3 +172,22 @@ export async function fitsOf(job: Job, outcome: Outcome): Promise<readonly ToolF
     return null;
   }
 }
+
+/** The ways to make what is wanted, and what comes of each; null when that cannot be said. */
+export const comparison: Comparer = {
+  async ways(wanted, stock) {
+    try {
+      return await inTime(started().ways(wanted, stock, toolTable().tools));
+    } catch {
+      return null;
+    }
+  },
+  async tryWay(proposal, wanted, stock) {
+    const { control } = useSettings.getState();
+    try {
+      return await inTime(started().tryWay(proposal, wanted, stock, { table: toolTable(), rapid: USUAL_RAPID, control }));
+    } catch {
+      return null;
+    }
+  },
+};

@@ -16,6 +16,10 @@ import type { Job } from "../../program/job.ts";
 import type { Operation } from "../../program/run-types.ts";
 import { givenOf } from "./given.ts";
 import type { Outcome } from "./outcome.ts";
+import type { Wanted } from "../../cycles/wanted.ts";
+import type { Ring } from "../../kernel/point.ts";
+import { waysFor, type Proposal } from "../../report/which/ways.ts";
+import { tryWay, type Tried } from "../../report/which/try-way.ts";
 
 /** A program to calculate. */
 export interface Request {
@@ -64,6 +68,17 @@ export const engine = {
     const cycle = cycleByNumber(number);
     if (!cycle || !call) return null;
     return rankTools(cycle, call.values, call.given, { start: call.start, feedUnit, autoFeed: call.autoFeed, stock: null }, tools);
+  },
+
+  /** The ways to make what is wanted, to be tried one by one. */
+  ways(wanted: Wanted, stock: readonly Ring[] | null, tools: readonly Tool[]): readonly Proposal[] {
+    return waysFor(wanted, stock, tools);
+  },
+
+  /** What comes of one of them. */
+  tryWay(proposal: Proposal, wanted: Wanted, stock: readonly Ring[] | null, shop: Pick<Request, "table" | "rapid" | "control">): Tried {
+    const { table, rapid, control } = shop;
+    return tryWay(proposal, wanted, stock, { ...table, rapid, control });
   },
 
   /** The tools that would take what a call left, the one that leaves least first. */

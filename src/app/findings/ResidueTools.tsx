@@ -5,6 +5,8 @@ import { remediesOf } from "../engine/client.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
+import { regionOfResidual } from "../which/region.ts";
+import { WhichButton } from "../which/WhichButton.tsx";
 import type { FindingEntry } from "./entry.ts";
 import type { FindingsHost } from "./host.ts";
 import { NO_AREA } from "../effect/effect.ts";
@@ -27,7 +29,12 @@ export function ResidueTools({ entry, host }: { readonly entry: FindingEntry; re
   });
   const left = entry.residual === null ? undefined : newest?.simulation.proof.residual[entry.residual];
   const operation = left && newest?.run.operations[left.operation];
-  if (!left || !operation || !byTool.has(left.reason)) return null;
+  if (!left || !operation) return null;
+  const which = (
+    <WhichButton name={words.askCycle} className="button small mend"
+      regionOf={() => regionOfResidual(left, operation, newest.simulation.final)} />
+  );
+  if (!byTool.has(left.reason)) return which;
   const tools = asked.of === newest ? asked.tools : null;
   const tryAll = async () => {
     ask({ of: newest, tools: "trying" });
@@ -36,6 +43,7 @@ export function ResidueTools({ entry, host }: { readonly entry: FindingEntry; re
   };
   return (
     <>
+      {which}
       {tools === null && <button type="button" className="button small mend" onClick={() => void tryAll()}>{words.ask}</button>}
       <div role="status" className={tools === null ? "unseen" : "finding-tools"}>
         {tools === "trying" && <p className="small soft">{words.trying}</p>}

@@ -1,4 +1,4 @@
-import { useEffect, useId, useMemo, useState } from "react";
+import { lazy, Suspense, useEffect, useId, useMemo, useState } from "react";
 import type { Run } from "../../program/run-types.ts";
 import type { Simulation } from "../../sim/simulation.ts";
 import { playerOf } from "../../sim/stock.ts";
@@ -30,9 +30,13 @@ import { Timeline } from "./Timeline.tsx";
 import { useLooking } from "./use-looking.ts";
 import { usePlayback } from "./use-playback.ts";
 import { useStage } from "./use-stage.ts";
+import type { WhichRegion } from "../which/asking.ts";
+import { contourAt } from "../which/region.ts";
 import { ViewBar } from "./ViewBar.tsx";
 import { createViewport } from "./viewport.ts";
 import "./lathe.css";
+
+const WhichCycle = lazy(async () => ({ default: (await import("../which/WhichCycle.tsx")).WhichCycle }));
 
 /** A run with its simulation: what the worker sends. */
 export interface LatheResult {
@@ -75,6 +79,7 @@ export function LatheView({ result, dimmed, playback, clock, onMove }: {
   const shown = result ?? (dimmed ? kept : null), run = shown?.run ?? EMPTY_RUN, simulation = shown?.simulation ?? null;
   const [viewport] = useState(() => createViewport(!xDown));
   const [tools, showTools] = useState(false);
+  const [asking, ask] = useState<WhichRegion | null>(null);
 
   const scene = useMemo(() => sceneOf({ blank: run.blank, contours: run.operations.map((o) => o.plan.contour), steps: run.steps }), [run]);
   const held = useMemo(() => run.steps.some((step) => step.tool.holder), [run]);
@@ -120,7 +125,10 @@ export function LatheView({ result, dimmed, playback, clock, onMove }: {
       const typed = { key: event.key, shift: event.shiftKey, element: target.localName, picture: target === stage.current };
       if (pressKey(typed, playback, viewport, measuring)) event.preventDefault();
     }}>
-      <ViewBar viewport={viewport} measuring={measuring}>
+      <ViewBar viewport={viewport} measuring={measuring} onWhich={contourAt(run, 0) && simulation && !dimmed
+        ? () => ask(contourAt(run, playback.get().position.step, simulation.final))
+        : null}
+      >
         <Legend shapes={scene.shapes} holder={held} />
       </ViewBar>
       <div ref={stage} className={`lathe-stage${dimmed ? " dimmed" : ""}${measuring.on ? " measuring" : ""}`} tabIndex={0} role="group"
@@ -146,6 +154,11 @@ export function LatheView({ result, dimmed, playback, clock, onMove }: {
       </PlaybackBar>
       <Timeline run={run} playback={playback} />
       <SpokenStatus run={run} playback={playback} clock={clock} />
+      {asking && (
+        <Suspense>
+          <WhichCycle region={asking} done={() => ask(null)} />
+        </Suspense>
+      )}
       {simulation && (
         <div className="lathe-more">
           <MoveTable run={run} playback={playback} />

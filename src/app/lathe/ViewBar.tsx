@@ -9,9 +9,11 @@ import type { Viewport } from "./viewport.ts";
 export const ZOOM = 1.4;
 
 /** How the picture is looked at: half or full section, X up or down, ruler, zoom and fit. */
-export function ViewBar({ viewport, measuring, children }: {
+export function ViewBar({ viewport, measuring, onWhich, children }: {
   readonly viewport: Viewport;
   readonly measuring: Measuring;
+  /** Asks which cycle makes the contour; null where there is none. */
+  readonly onWhich: (() => void) | null;
   /** What stands between the switches and the zoom. */
   readonly children: React.ReactNode;
 }) {
@@ -22,6 +24,7 @@ export function ViewBar({ viewport, measuring, children }: {
         onPress={() => changeSettings({ fullSection: !full })} />
       <GlyphButton glyph={down ? "xDown" : "xUp"} name={t.xDown} pressed={down} onPress={() => changeSettings({ xDown: !down })} />
       <GlyphButton glyph="ruler" name={t.ruler} pressed={measuring.on} onPress={measuring.toggle} />
+      <GlyphButton glyph="which" name={t.which} disabled={onWhich === null} onPress={() => onWhich?.()} />
       <div className="lathe-gap">{children}</div>
       <GlyphButton glyph="zoomOut" name={t.zoomOut} onPress={() => viewport.zoom(1 / ZOOM)} />
       <GlyphButton glyph="zoomIn" name={t.zoomIn} onPress={() => viewport.zoom(ZOOM)} />

@@ -3,6 +3,7 @@ import { CycleChooser } from "../chooser/CycleChooser.tsx";
 import { fetchAtRest } from "../rest.ts";
 import { refreshWorks } from "../saving/keep.ts";
 import { useFirstTexts } from "../settings/use-first-texts.ts";
+import { WhichButton } from "../which/WhichButton.tsx";
 import { KeptWorks } from "./KeptWorks.tsx";
 import { ProgramStart } from "./ProgramStart.tsx";
 
@@ -34,6 +35,7 @@ export function StartPage() {
       <div className="start-lead">
         <h1>{words.title}</h1>
         <p className="soft">{words.lead}</p>
+        <WhichButton className="button start-which" name={words.which} />
       </div>
       <CycleChooser ways={[{ name: words.withExample, short: words.withExample, go: (cycle) => void start(cycle, true) }, {
         name: words.empty,

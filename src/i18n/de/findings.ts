@@ -17,6 +17,7 @@ export const findings = {
   write: (text, block) => `${text} in Satz ${block} schreiben`,
   remove: (text) => `${text} entfernen`,
   residue: {
+    askCycle: "Welcher Zyklus nimmt es weg?",
     thick: (mm) => `Es ist bis zu ${mm} mm dick.`,
     ask: "Welches Werkzeug nimmt es weg?",
     trying: "Die Werkzeuge der Tabelle werden probiert.",

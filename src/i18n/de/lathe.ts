@@ -17,6 +17,7 @@ export const lathe = {
   zoomIn: "Vergrößern",
   zoomOut: "Verkleinern",
   fit: "Einpassen",
+  which: "Welcher Zyklus macht diese Kontur?",
   ruler: "Messen",
   legend: "Linien",
   holder: "Halter",

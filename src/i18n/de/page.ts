@@ -31,6 +31,7 @@ export const page = {
   helpPicture: "Hilfsbild",
 
   start: {
+    which: "Welcher Zyklus?",
     title: "Zyklus wählen",
     lead: "Ein Druck auf den Zyklus beginnt mit Beispielwerten, „Leer“ ohne Werte. Fragen beantworten, zusehen, Programm kopieren.",
     withExample: "Mit Beispielwerten beginnen",

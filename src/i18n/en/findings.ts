@@ -18,6 +18,7 @@ export const findings = {
   write: (text: string, block: string) => `Write ${text} in block ${block}`,
   remove: (text: string) => `Remove ${text}`,
   residue: {
+    askCycle: "Which cycle takes it away?",
     thick: (mm: string) => `It is up to ${mm} mm thick.`,
     ask: "Which tool takes it?",
     trying: "The tools of the table are being tried.",

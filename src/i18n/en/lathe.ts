@@ -18,6 +18,7 @@ export const lathe = {
   zoomIn: "Zoom in",
   zoomOut: "Zoom out",
   fit: "Fit",
+  which: "Which cycle makes this contour?",
   ruler: "Ruler",
   legend: "Lines",
   holder: "Holder",

@@ -30,6 +30,7 @@ export const page = {
   helpPicture: "Help picture",
 
   start: {
+    which: "Which cycle?",
     title: "Choose a cycle",
     lead:
       "Press a cycle to start with its example values, “Empty” to start without. Answer its prompts, watch the lathe, copy the program.",

@@ -17,6 +17,7 @@ export const findings = {
   write: (text, block) => `Écrire ${text} dans la séquence ${block}`,
   remove: (text) => `Supprimer ${text}`,
   residue: {
+    askCycle: "Quel cycle l’enlève ?",
     thick: (mm) => `Son épaisseur atteint ${mm} mm.`,
     ask: "Quel outil l’enlève ?",
     trying: "Les outils du tableau sont essayés.",

@@ -17,6 +17,7 @@ export const lathe = {
   zoomIn: "Agrandir",
   zoomOut: "Réduire",
   fit: "Ajuster",
+  which: "Quel cycle fait ce contour ?",
   ruler: "Mesurer",
   legend: "Traits",
   holder: "Porte-outil",

@@ -31,6 +31,7 @@ export const page = {
   helpPicture: "Figure d’aide",
 
   start: {
+    which: "Quel cycle ?",
     title: "Choisir un cycle",
     lead: "Appuyer sur un cycle : valeurs d’exemple ; « Vide » : sans valeurs. Répondre aux questions, observer, copier le programme.",
     withExample: "Commencer avec les valeurs d’exemple",

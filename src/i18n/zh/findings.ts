@@ -17,6 +17,7 @@ export const findings = {
   write: (text, block) => `在程序段 ${block} 写入 ${text}`,
   remove: (text) => `删除 ${text}`,
   residue: {
+    askCycle: "哪个循环能切除它？",
     thick: (mm) => `最厚处 ${mm} mm。`,
     ask: "哪把刀能切掉它？",
     trying: "正在试用刀具表中的刀具。",

@@ -16,6 +16,7 @@ export const lathe = {
   zoomIn: "放大",
   zoomOut: "缩小",
   fit: "适合窗口",
+  which: "哪个循环加工此轮廓？",
   ruler: "测量",
   legend: "线型",
   holder: "刀柄",

@@ -30,6 +30,7 @@ export const page = {
   helpPicture: "帮助图",
 
   start: {
+    which: "用哪个循环？",
     title: "选择循环",
     lead: "点按循环即用示例值开始，点按“空白”则不带数值。回答提问，观看切削，复制程序。",
     withExample: "用示例值开始",

@@ -1,0 +1,106 @@
+import { lazy, Suspense, useEffect, useLayoutEffect, useMemo, useRef, useState } from "react";
+import { loadWhich } from "../../i18n/load-which.ts";
+import type { WhichTexts } from "../../i18n/which-text.ts";
+import { rowsOf } from "../../program/wanted-shape.ts";
+import { comparison as byWorker } from "../engine/client.ts";
+import { Icon } from "../Icon.tsx";
+import { useSettings } from "../settings/settings.ts";
+import { useTexts } from "../settings/use-texts.ts";
+import { canBePreturned, readAsking, usualNumbers, type Sought, type WhichRegion } from "./asking.ts";
+import type { Comparer } from "./comparison.ts";
+import { Sentence } from "./Sentence.tsx";
+import { ContourStretch } from "./ContourStretch.tsx";
+import { takeWay } from "./take.ts";
+import { useComparison } from "./use-comparison.ts";
+import { WayCards } from "./WayCards.tsx";
+import "./which.css";
+
+const ContourTable = lazy(async () => ({ default: (await import("../contour/ContourTable.tsx")).ContourTable }));
+
+interface Props {
+  readonly done: () => void;
+  /** The place of an opened work that is asked about; null asks about nothing in particular. */
+  readonly region: WhichRegion | null;
+  readonly comparison?: Comparer;
+}
+
+const stretchOf = ({ contour, first, last }: WhichRegion) => rowsOf(contour.slice(first, last + 1));
+
+function begun(region: WhichRegion | null): Sought {
+  if (!region) return { site: "outside", shape: "step", stock: "solid", typed: usualNumbers("outside", "step"), rows: [] };
+  const { site, begins } = region;
+  return { site, shape: "free", stock: begins, typed: usualNumbers(site, "free"), rows: stretchOf(region) };
+}
+
+/** A change of the sentence with what follows from it: until a number is typed, each shape begins with usual ones. */
+function asked(before: Sought, change: Partial<Sought>, isTyped: boolean): Sought {
+  const next = { ...before, ...change };
+  const stock = next.stock === "preturned" && !canBePreturned(next.shape) ? "solid" : next.stock;
+  const reshaped = change.site !== undefined || change.shape !== undefined;
+  return { ...next, stock, typed: reshaped && !isTyped ? usualNumbers(next.site, next.shape) : next.typed };
+}
+
+/** Asks what is to be turned and shows the ways to do it side by side. */
+export function WhichCycle({ done, region, comparison = byWorker }: Props) {
+  const t = useTexts();
+  const language = useSettings((s) => s.language);
+  const dialog = useRef<HTMLDialogElement>(null);
+  const [words, say] = useState<WhichTexts | null>(null);
+  const [place, pick] = useState(region);
+  const [asking, ask] = useState(() => begun(region));
+  const [isTyped, type] = useState(false);
+  const { wanted, fault } = useMemo(() => readAsking(asking), [asking]);
+  const stock = asking.stock === "now" ? (place?.stock ?? null) : null;
+  const compared = useComparison(wanted, stock, comparison);
+
+  useLayoutEffect(() => dialog.current?.showModal(), []);
+  useEffect(() => {
+    let gone = false;
+    void loadWhich(language).then((loaded) => {
+      if (!gone) say(loaded);
+    });
+    return () => {
+      gone = true;
+    };
+  }, [language]);
+
+  const onAsk = (change: Partial<Sought>) => {
+    if (change.typed) type(true);
+    ask((before) => asked(before, change, isTyped || region !== null));
+  };
+  return (
+    <dialog ref={dialog} className="which" aria-label={words?.title} onClose={done} onKeyDown={(event) => event.stopPropagation()}>
+      {words && (
+        <>
+          <header className="which-head">
+            <h2>{words.title}</h2>
+            <button type="button" className="button icon plain" aria-label={t.page.close} onClick={() => dialog.current?.close()}>
+              <Icon name="close" />
+            </button>
+          </header>
+          <p className="soft">{words.lead}</p>
+          <Sentence words={words} asking={asking} fault={fault} inWork={place !== null} onAsk={onAsk} />
+          {asking.shape === "free" && place && (
+            <ContourStretch words={words} contour={place.contour} first={place.first} last={place.last} onPick={(first, last) => {
+              const next = { ...place, first, last };
+              pick(next);
+              onAsk({ rows: stretchOf(next) });
+            }} />
+          )}
+          {asking.shape === "free" && !place && (
+            <Suspense>
+              <ContourTable rows={asking.rows} onChange={(rows) => onAsk({ rows })} language={language} />
+            </Suspense>
+          )}
+          {fault?.at === "contour" && <p className="soft">{words.faults.contour}</p>}
+          {compared && (
+            <WayCards words={words} compared={compared} adds={asking.stock === "now"} onTake={(way) => {
+              dialog.current?.close();
+              void takeWay(way, compared.wanted, { language, adds: asking.stock === "now" });
+            }} />
+          )}
+        </>
+      )}
+    </dialog>
+  );
+}

@@ -1,0 +1,147 @@
+import type { TurnedShape } from "../../cycles/define.ts";
+import type { Site, Wanted } from "../../cycles/wanted.ts";
+import type { Ring, Segment } from "../../kernel/point.ts";
+import { axial, diameter, length } from "../../kernel/units.ts";
+import { readRows } from "../../program/contour-rows.ts";
+import { anyNumber, readText, type Field } from "../../program/field.ts";
+import type { ContourRow } from "../../program/job.ts";
+import { boxAroundContour } from "../../program/wanted-shape.ts";
+
+/** What stands in the chuck: all solid, the shape with an allowance, or what earlier operations have left. */
+export type StockChoice = "solid" | "preturned" | "now";
+/** Numbers of the sentence. */
+export type Measure = "d1" | "d2" | "z1" | "z2" | "angle" | "pitch" | "allowance";
+
+/** The sentence as it stands: choices, and numbers as typed. */
+export interface Sought {
+  readonly site: Site;
+  readonly shape: TurnedShape;
+  readonly stock: StockChoice;
+  readonly typed: Readonly<Record<Measure, string>>;
+  readonly rows: readonly ContourRow[];
+}
+
+/** A place in an opened work: its finished contour, the stretch that is meant, and what stands there. */
+export interface WhichRegion {
+  readonly contour: readonly Segment[];
+  readonly first: number;
+  readonly last: number;
+  readonly site: Site;
+  /** What stands in the chuck at the end of the work. */
+  readonly stock: readonly Ring[];
+  /** Which material is meant at first. */
+  readonly begins: "solid" | "now";
+}
+
+const MORE = Number.MIN_VALUE;
+const field = (id: Measure, [least, most]: readonly [number, number]): Field => ({
+  ...anyNumber,
+  id: `which.${id}`,
+  range: [least, most],
+  optional: false,
+  decimals: 3,
+});
+
+/** What each number of the sentence takes, mm and degrees. */
+export const ASKED: Readonly<Record<Measure, Field>> = {
+  d1: field("d1", [0, 99_999.999]),
+  d2: field("d2", [0, 99_999.999]),
+  z1: field("z1", [-99_999.999, 99_999.999]),
+  z2: field("z2", [-99_999.999, 99_999.999]),
+  angle: field("angle", [0, 89.9999]),
+  pitch: field("pitch", [MORE, 999.999]),
+  allowance: field("allowance", [MORE, 99.999]),
+};
+
+/** What can be wrong between two numbers, and the number at which it is said. */
+export interface AskingFault {
+  readonly at: Measure | "contour";
+  readonly code: "notSmaller" | "notLarger" | "same" | "contour";
+}
+
+export interface AskingReading {
+  /** Null as long as something is missing or wrong. */
+  readonly wanted: Wanted | null;
+  readonly fault: AskingFault | null;
+}
+
+/** The numbers that a shape asks for, in the order of the sentence. */
+export function measuresOf({ shape, stock }: Pick<Sought, "shape" | "stock">): readonly Measure[] {
+  const allowance: readonly Measure[] = stock === "preturned" && canBePreturned(shape) ? ["allowance"] : [];
+  switch (shape) {
+    case "free":
+      return allowance;
+    case "thread":
+      return ["d1", "z1", "z2", "pitch"];
+    default:
+      return ["d1", "d2", "z1", "z2", "angle", ...allowance];
+  }
+}
+
+/** A groove and a thread are cut in what is finished round them. */
+export const canBePreturned = (shape: TurnedShape): boolean => shape !== "groove" && shape !== "thread";
+
+function faultOf({ site, shape }: Sought, n: Readonly<Record<Measure, number>>): AskingFault | null {
+  if (n.z1 === n.z2) return { at: "z2", code: "same" };
+  if (shape === "thread") return null;
+  if (n.d1 === n.d2) return { at: "d2", code: "same" };
+  if (site === "outside" && n.d2 > n.d1) return { at: "d2", code: "notSmaller" };
+  return site === "inside" && n.d2 < n.d1 ? { at: "d2", code: "notLarger" } : null;
+}
+
+/** What is wanted, when all that is asked for can be read and fits together. */
+export function readAsking(asking: Sought): AskingReading {
+  const { site, shape, stock, typed, rows } = asking;
+  const asked = measuresOf(asking);
+  const numbers = Object.fromEntries(Object.entries(ASKED).map(([m, f]) => [m, readText(f, typed[m as Measure]).value])) as Record<Measure,
+    number | null>;
+  const value = (m: Measure) => numbers[m] ?? 0;
+  if (asked.some((m) => numbers[m] === null)) return { wanted: null, fault: null };
+  const rest = {
+    site,
+    shape,
+    angle: shape === "free" || shape === "thread" ? 0 : value("angle"),
+    pitch: value("pitch"),
+    allowance: asked.includes("allowance") && stock === "preturned" ? length(value("allowance")) : 0,
+  } as const;
+  if (shape === "free") {
+    const { contour } = readRows(rows);
+    const broken = contour.segments.length === 0 || contour.issues.some((i) => i.severity === "error");
+    if (broken) return { wanted: null, fault: { at: "contour", code: "contour" } };
+    return { wanted: { ...rest, ...boxAroundContour(contour.segments, site), contour: contour.segments }, fault: null };
+  }
+  const all = Object.fromEntries(Object.keys(ASKED).map((m) => [m, value(m as Measure)])) as Record<Measure, number>;
+  const fault = faultOf(asking, all);
+  if (fault) return { wanted: null, fault };
+  const corner = (d: number, z: number) => ({ diameter: diameter(d), z: axial(z) });
+  const to = corner(shape === "thread" ? all.d1 : all.d2, all.z2);
+  return { wanted: { ...rest, from: corner(all.d1, all.z1), to, contour: null }, fault: null };
+}
+
+type Typed = Sought["typed"];
+const numbers = (d1: string, d2: string, z1: string, z2: string, angle = "0"): Typed => ({
+  d1,
+  d2,
+  z1,
+  z2,
+  angle,
+  pitch: "2",
+  allowance: "2",
+});
+
+/** Numbers to begin with, so that the ways of a shape can be seen before anything is typed. */
+export function usualNumbers(site: Site, shape: TurnedShape): Typed {
+  const inside = site === "inside";
+  const [open, deep] = inside ? ["30", "40"] : ["75", "60"];
+  switch (shape) {
+    case "groove":
+      return site === "face" ? numbers("60", "40", "0", "-8") : numbers(open, inside ? "36" : deep, "-15", "-25");
+    case "plunge":
+      return site === "face" ? numbers("70", "30", "0", "-5", "60") : numbers(open, deep, "-10", "-50", "70");
+    case "thread":
+      return numbers("30", "30", "0", "-25");
+    case "step":
+    case "free":
+      return site === "face" ? numbers("75", "40", "0", "-6") : numbers(open, inside ? "50" : "50", "0", inside ? "-25" : "-40");
+  }
+}
