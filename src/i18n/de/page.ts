@@ -67,6 +67,7 @@ export const page = {
   },
   examples: {
     flange: "Flansch: sechs Werkzeuge, acht Zyklen",
+    shaft: "Welle: zehn Bearbeitungen mit sieben Werkzeugen, mit Kegel, Freistich, Einstichen und Gewinden außen und innen",
     shoulder: "Absatz, wie gedruckt (französisch)",
     contour: "Kontur plan, wie gedruckt (französisch)",
     contourEnglish: "Kontur plan, wie gedruckt (englisch)",

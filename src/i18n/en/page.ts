@@ -67,6 +67,7 @@ export const page = {
   },
   examples: {
     flange: "Flange: six tools, eight cycles",
+    shaft: "Shaft: ten operations with seven tools, with taper, undercut, recesses and threads outside and inside",
     shoulder: "Shoulder, as printed (French)",
     contour: "Contour, transverse, as printed (French)",
     contourEnglish: "Contour, transverse, as printed (English)",

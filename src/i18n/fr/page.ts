@@ -67,6 +67,7 @@ export const page = {
   },
   examples: {
     flange: "Bride : six outils, huit cycles",
+    shaft: "Arbre : dix opérations avec sept outils, avec cône, dégagement, gorges et filetages extérieur et intérieur",
     shoulder: "Épaulement, tel qu’imprimé (français)",
     contour: "Contour transversal, tel qu’imprimé (français)",
     contourEnglish: "Contour transversal, tel qu’imprimé (anglais)",
