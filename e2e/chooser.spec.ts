@@ -52,6 +52,7 @@ test("a cycle is put into a program by the same chooser", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { editor, t } = turnwise;
   await page.getByRole("button", { name: t.page.programs.create }).click();
+  await editor.line("M30").click();
   await editor.show("block");
   await editor.insert("cycle");
   await turnwise.start.search.fill("852");

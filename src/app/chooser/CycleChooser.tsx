@@ -1,4 +1,4 @@
-import { Suspense, useDeferredValue, useMemo, useRef, useState, type ComponentType, type KeyboardEvent } from "react";
+import { Suspense, useMemo, useRef, useState, type ComponentType, type KeyboardEvent } from "react";
 import { menu } from "virtual:cycle-menu";
 import { Icon } from "../Icon.tsx";
 import { useFirstTexts } from "../settings/use-first-texts.ts";
@@ -35,7 +35,7 @@ export function CycleChooser({ ways: given, finder: Finder, narrow = false, focu
   const [finding, find] = useState(false);
   const [turn, giveTurn] = useState<number | null>(null);
   const words = useMenuWords(searching);
-  const sought = useDeferredValue(typed.trim());
+  const sought = typed.trim();
   const found = useMemo(() => (sought === "" ? null : findCycles(menu, sought, words)), [sought, words]);
   const box = useRef<HTMLDivElement>(null);
   const input = useRef<HTMLInputElement>(null);

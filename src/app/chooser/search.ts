@@ -19,9 +19,14 @@ function meant(word: string, languages: readonly MenuWords[]): readonly string[]
   return [word, ...(enough ? same.filter((words) => words.some((each) => each.startsWith(word))).flat() : [])];
 }
 
-function rankOf(cycle: MenuCycle, word: string, languages: readonly MenuWords[]): Rank | null {
+/** A word that was typed, and what it stands for. */
+interface Sought {
+  readonly word: string;
+  readonly words: readonly string[];
+}
+
+function rankOf(cycle: MenuCycle, { word, words }: Sought, languages: readonly MenuWords[]): Rank | null {
   if (/^\d+$/.test(word)) return String(cycle.number).startsWith(word) ? 0 : null;
-  const words = meant(word, languages);
   const within = (texts: readonly string[]) => texts.some((text) => words.some((each) => plain(text).includes(each)));
   const of = languages.flatMap((language) => language.of[cycle.number] ?? []);
   if (within(of.map(({ name }) => name))) return 1;
@@ -32,9 +37,9 @@ function rankOf(cycle: MenuCycle, word: string, languages: readonly MenuWords[])
 
 /** The cycles that fit everything that was typed, the best first, in any of these languages. */
 export function findCycles(menu: readonly MenuCycle[], typed: string, languages: readonly MenuWords[]): readonly MenuCycle[] {
-  const words = plain(typed).split(/[\s,;]+/).filter((word) => word !== "");
+  const sought = plain(typed).split(/[\s,;]+/).filter((word) => word !== "").map((word) => ({ word, words: meant(word, languages) }));
   const ranked = menu.flatMap((cycle) => {
-    const ranks = words.map((word) => rankOf(cycle, word, languages));
+    const ranks = sought.map((each) => rankOf(cycle, each, languages));
     return ranks.some((rank) => rank === null) ? [] : [{ cycle, rank: Math.max(...ranks.map(Number)) }];
   });
   return ranked.sort((a, b) => a.rank - b.rank).map(({ cycle }) => cycle);
