@@ -40,6 +40,8 @@ export function planBox(outline: BoxOutline, v: LeveledValues & ShoulderValues, 
     smoothing: v.Q506,
     limit: null,
     outerHeight: toFlat(frame, at(v.Q492, toRadius(v.Q491))).v,
+    // What a tool plunges behind stays where it is.
+    partInFront: outline.sunk,
     startRule: "shoulder",
   }, setting);
   const tool = [...cornerIssue(v.Q500, setting.tool), ...angleIssues(outline, setting.tool, frame, outline.angleAt)];

@@ -66,6 +66,8 @@ export interface SetupExample {
   readonly blank: { readonly outside: string; readonly bore: string; readonly length: string; readonly allowance: string };
   readonly start: { readonly x: string; readonly z: string };
   readonly contour: readonly Row[];
+  /** By Q, where the example of a recalled list describes nothing that can be made. */
+  readonly values?: Readonly<Record<string, number>>;
 }
 
 /** The contour printed for the transverse free-contour cycle; every cycle offers it where a contour is asked for. */

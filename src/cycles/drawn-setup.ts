@@ -1,7 +1,7 @@
 import { contourFrom, type ContourElement } from "../kernel/contour.ts";
 import { at, part, type Pt, type Ring, type Segment } from "../kernel/point.ts";
 import type { TipOrientation } from "../kernel/tool.ts";
-import { radius, rounded, toDiameter } from "../kernel/units.ts";
+import { inDegrees, radius, rounded, toDiameter } from "../kernel/units.ts";
 
 /** Numbers by chance, for set-ups that nobody thought of. Whoever asks for a set-up brings the dice: nothing here rolls any. */
 export interface Draw {
@@ -93,12 +93,48 @@ const boxSetups = (transverse: boolean): Setups => (draw) => {
 export const shoulderSetups = boxSetups(false);
 export const faceSetups = boxSetups(true);
 
-/** Set-ups of the simple twin of a cycle: it asks for the second corner of the box only. */
-export const simple = (setups: Setups): Setups => (draw) => {
+/** Set-ups of the cycles that plunge behind a flank: outside and inside, towards −Z and +Z, with an edge that stays in front. */
+export const plungeSetups = (transverse: boolean): Setups => (draw) => {
+  const [out, along] = [draw.one<1 | -1>(1, -1), draw.one<1 | -1>(1, -1)];
+  const [r1, z1, T] = [half(draw, 24, 50), mm(draw, -15, 5), transverse ? draw.one(15, 15, 4, 11) : draw.one(2, 3, 4, 11)];
+  const [wide, deep] = transverse ? [mm(draw, 6, 20), mm(draw, 1, 12)] : [mm(draw, 10, 60), mm(draw, 1, 12)];
+  const z2 = rounded(z1 - along * (transverse ? deep : wide));
+  // A flank that takes three quarters of the width at the most.
+  const steepest = Math.min(85, Math.floor(inDegrees(Math.atan2(0.75 * wide, deep))));
+  const [over, before, room] = [draw.one(0, mm(draw, 0, 6)), mm(draw, 0, 8), mm(draw, 1, 9)];
+  return {
+    values: {
+      ...common(draw),
+      ...elements(draw),
+      Q495: draw.one(steepest, angle(draw, steepest)),
+      Q496: draw.one(0, angle(draw, 10)),
+      Q506: draw.one(0, 1, 2),
+      Q491: toDiameter(r1),
+      Q492: z1,
+      Q493: rounded(toDiameter(radius(r1 - out * (transverse ? wide : deep)))),
+      Q494: z2,
+    },
+    contour: null,
+    tool: { T, TO: T === 11 ? squareTip(out, along, transverse) : tipOf(out, along) },
+    start: transverse ? at(z1 + along * over, Math.max(0.5, r1 + out * before)) : at(z1 + along * before, Math.max(0.5, r1 + out * over)),
+    blank: transverse
+      ? box(z1, z2 - along * 30, r1 + out * room, out > 0 ? 0 : r1 + 60)
+      : box(z1 + along * room, z2 - along * 30, r1, out > 0 ? 0 : r1 + 60),
+  };
+};
+
+/** A set-up without some of its values. */
+const without = (setups: Setups, unasked: readonly string[]): Setups => (draw) => {
   const drawn = setups(draw);
-  const unasked = ["Q491", "Q492", "Q495", "Q496", "Q500", "Q501", "Q502", "Q503", "Q504"];
   return drawn && { ...drawn, values: Object.fromEntries(Object.entries(drawn.values).filter(([q]) => !unasked.includes(q))) };
 };
+
+/** Set-ups of a twin that breaks no edge, rounds no corner and has no angle at its end. */
+const CORNERS = ["Q496", "Q500", "Q501", "Q502", "Q503", "Q504"];
+export const unbroken = (setups: Setups): Setups => without(setups, CORNERS);
+
+/** Set-ups of the simple twin of a cycle: it asks for the second corner of the box only. */
+export const simple = (setups: Setups): Setups => without(setups, ["Q491", "Q492", "Q495", ...CORNERS]);
 
 /**
  * Two to six stretches on and on in the cutting direction, up and down, with corners between them, now and then an arc or an end on the

@@ -37,6 +37,7 @@ export function planFree(v: FreeLeveled, setting: Setting, given: Given, transve
     smoothing: v.Q506,
     limit: v.Q479 === 1 ? toFlat(frame, { r: toRadius(v.Q480), z: v.Q482 }) : null,
     outerHeight: null,
+    partInFront: false,
     startRule: "contour",
   }, { ...setting, tool });
   const found = angleIssues(outline, tool, frame, (_q, direction) => Math.abs(direction));

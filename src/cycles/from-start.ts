@@ -1,7 +1,7 @@
 import { issue, type Issue } from "../kernel/issue.ts";
 import { at, type Pt } from "../kernel/point.ts";
-import { type Axial, degrees, type Diameter, length, radius, toDiameter, toRadius } from "../kernel/units.ts";
-import type { BoxOutline, ShoulderValues } from "./shoulder-outline.ts";
+import { type Axial, degrees, type Diameter, radius, toDiameter, toRadius } from "../kernel/units.ts";
+import { type BoxOutline, PLAIN, type ShoulderValues } from "./shoulder-outline.ts";
 
 /** What a simple cycle asks for of its box: the second corner. The first one is where the tool stands at the call. */
 interface EndPoint {
@@ -10,15 +10,7 @@ interface EndPoint {
 }
 
 /** Nothing leans, no edge is broken, no corner is rounded. */
-const SQUARE = {
-  Q495: degrees(0),
-  Q501: 0,
-  Q502: length(0),
-  Q500: length(0),
-  Q496: degrees(0),
-  Q503: 0,
-  Q504: length(0),
-} as const;
+const SQUARE = { ...PLAIN, Q495: degrees(0) } as const;
 
 /** The smallest box that a picture draws where no start point is known, mm. */
 const LEAST = 5;

@@ -1,10 +1,14 @@
 import { c810 } from "./c810.ts";
 import { c811 } from "./c811.ts";
 import { c812 } from "./c812.ts";
+import { c813 } from "./c813.ts";
+import { c814 } from "./c814.ts";
 import { c815 } from "./c815.ts";
 import { c820 } from "./c820.ts";
 import { c821 } from "./c821.ts";
 import { c822 } from "./c822.ts";
+import { c823 } from "./c823.ts";
+import { c824 } from "./c824.ts";
 import { c830 } from "./c830.ts";
 import { c831 } from "./c831.ts";
 import { c832 } from "./c832.ts";
@@ -20,7 +24,30 @@ import type { Cycle } from "./define.ts";
 import type { Param, Params } from "./params.ts";
 
 /** In menu order. A new cycle is one file and one entry here. */
-const list = [c810, c811, c812, c815, c820, c821, c822, c830, c831, c832, c841, c842, c851, c852, c861, c862, c871, c872] as const;
+const list = [
+  c810,
+  c811,
+  c812,
+  c813,
+  c814,
+  c815,
+  c820,
+  c821,
+  c822,
+  c823,
+  c824,
+  c830,
+  c831,
+  c832,
+  c841,
+  c842,
+  c851,
+  c852,
+  c861,
+  c862,
+  c871,
+  c872,
+] as const;
 type Listed = (typeof list)[number];
 
 /** All cycles in menu order. */

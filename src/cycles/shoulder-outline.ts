@@ -1,7 +1,8 @@
 import { type Flat, type Frame, toFlat, toPart } from "../kernel/flat.ts";
 import { issue, type Issue } from "../kernel/issue.ts";
 import { part, type Pt } from "../kernel/point.ts";
-import { type Axial, type Degrees, type Diameter, inDegrees, type Length, radians, rounded, STEP, toRadius } from "../kernel/units.ts";
+import { type Axial, type Degrees, degrees, type Diameter, inDegrees, type Length, length, radians, rounded, STEP,
+  toRadius } from "../kernel/units.ts";
 import { angleBelow, cornerElementOf, LEG, namedContour, type NamedContour, roundOf } from "./corner-element.ts";
 import type { Dimension, Outline } from "./define.ts";
 import { JOINED } from "../kernel/tolerance.ts";
@@ -22,6 +23,9 @@ export interface ShoulderValues {
   readonly Q503: number;
   readonly Q504: Length;
 }
+
+/** What cycles without elements, corner radii and an angle at the end have in their place. */
+export const PLAIN = { Q501: 0, Q502: length(0), Q500: length(0), Q496: degrees(0), Q503: 0, Q504: length(0) } as const;
 
 const pt = part.point;
 

@@ -1,4 +1,5 @@
 import type { Cycle, TurnedShape, Use } from "./define.ts";
+import { firstValues } from "./first-values.ts";
 import type { Values } from "./params.ts";
 
 /** What a group makes with a contour of its own. */
@@ -26,8 +27,7 @@ export function useOf(cycle: Cycle): Use {
 }
 
 /** The values of the printed example. */
-const examples = ({ params }: Cycle) =>
-  Object.fromEntries(Object.entries(params).map(([q, { example }]) => [q, example])) as Values<Cycle["params"]>;
+const examples = (cycle: Cycle) => firstValues(cycle) as Values<Cycle["params"]>;
 
 /** Whether a cycle takes its depth along the axis (a face, a groove in one) or towards it. */
 export const worksAcross = (cycle: Cycle): boolean => cycle.outline(examples(cycle), { contour: null, start: null }).frame.transverse;

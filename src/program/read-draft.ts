@@ -1,3 +1,4 @@
+import { firstValues } from "../cycles/first-values.ts";
 import type { Cycle } from "../cycles/define.ts";
 import type { Param, Params, Values } from "../cycles/params.ts";
 import type { Issue } from "../kernel/issue.ts";
@@ -51,5 +52,5 @@ export function readDraft<P extends Params>(
 }
 
 /** The values of the printed example, as one types them. */
-export const exampleDraft = (cycle: Pick<Cycle, "params">): Draft =>
-  Object.fromEntries(Object.entries(cycle.params).map(([q, param]) => [q, String(param.example)]));
+export const exampleDraft = (cycle: Pick<Cycle, "params" | "setup">): Draft =>
+  Object.fromEntries(Object.entries(firstValues(cycle)).map(([q, value]) => [q, String(value)]));

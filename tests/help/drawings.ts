@@ -1,5 +1,6 @@
 import { catalogue } from "../../src/cycles/index.ts";
 import type { Cycle, Given } from "../../src/cycles/define.ts";
+import { firstValues } from "../../src/cycles/first-values.ts";
 import { pointPlan } from "../../src/cycles/point-plan.ts";
 import { contourFrom } from "../../src/kernel/contour.ts";
 import { axial, diameter, toRadius } from "../../src/kernel/units.ts";
@@ -26,7 +27,7 @@ export const printedContour: Given = {
 };
 
 export const cycles: readonly Cycle[] = catalogue;
-export const exampleOf = (cycle: Cycle): Numbers => Object.fromEntries(Object.entries(cycle.params).map(([q, p]) => [q, p.example]));
+export const exampleOf = (cycle: Cycle): Numbers => firstValues(cycle);
 
 /** Draws a cycle with values; null when they make no contour. */
 export function drawn(cycle: Cycle, values: Numbers, active: string | null, size: Size, given: Given = printedContour): HelpDrawing | null {

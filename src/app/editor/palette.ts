@@ -1,3 +1,4 @@
+import { firstValues } from "../../cycles/first-values.ts";
 import type { Cycle } from "../../cycles/define.ts";
 import type { EditorTexts } from "../../i18n/en/editor.ts";
 import { ncLabels } from "../../i18n/nc-labels.ts";
@@ -26,11 +27,12 @@ const polar = { polarRadius: { value: 10, incremental: false }, polarAngle: { va
 /** A cycle of the catalogue with the values of its printed example and labels in a language. */
 export function cycleStatement(cycle: Cycle, language: Language): Statement {
   const labels = ncLabels(language);
+  const values = firstValues(cycle);
   return {
     kind: "cycle",
     cycle: cycle.number,
     name: labels.cycleName(cycle.number),
-    parameters: Object.entries(cycle.params).map(([q, p]) => ({ q, value: p.example, label: labels.label(p.text) })),
+    parameters: Object.entries(cycle.params).map(([q, p]) => ({ q, value: values[q] ?? p.example, label: labels.label(p.text) })),
   };
 }
 

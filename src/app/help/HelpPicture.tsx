@@ -1,5 +1,6 @@
 import { useId, useMemo, useRef, useState } from "react";
 import type { Cycle, Given, Outline } from "../../cycles/define.ts";
+import { firstValues } from "../../cycles/first-values.ts";
 import { pointPlan } from "../../cycles/point-plan.ts";
 import type { Plan } from "../../kernel/plan.ts";
 import { texts } from "../settings/loaded-texts.ts";
@@ -33,7 +34,6 @@ interface Drawn {
 /** Height of the line that says what a dimmed drawing shows, pixels. */
 const NOTE = 22;
 
-const exampleOf = (cycle: Cycle): Numbers => Object.fromEntries(Object.entries(cycle.params).map(([q, p]) => [q, p.example]));
 /** A contour that can be drawn: it has elements, and nothing in it is impossible. */
 const possible = (outline: Outline) => outline.contour.length > 0 && !outline.issues.some((found) => found.severity === "error");
 
@@ -62,7 +62,7 @@ export function HelpPicture({ cycle, values, partial, given, activeQ, language }
   const [last, setLast] = useState<Drawn | null>(now);
   if (now && now !== last) setLast(now);
   const kept = now ?? (last?.cycle === cycle ? last : null);
-  const shown = useMemo(() => kept ?? drawnBy(cycle, exampleOf(cycle), given), [kept, cycle, given]);
+  const shown = useMemo(() => kept ?? drawnBy(cycle, firstValues(cycle), given), [kept, cycle, given]);
   const t = texts(language);
   const { width } = size;
   // The printed example leaves room for its note; the last drawing stays as it is, so that nothing jumps while one types.

@@ -42,6 +42,8 @@ export interface Leveled {
   readonly limit: Flat | null;
   /** Height of the outer corner of the area where that is higher than the contour's first point; else null. */
   readonly outerHeight: number | null;
+  /** The part goes on in front of the first point, at its height: the tool comes in over an edge that stays. */
+  readonly partInFront: boolean;
   /** "shoulder": clear of the box first across, then along. "contour": along the tool axis up to the contour start. */
   readonly startRule: "shoulder" | "contour";
 }
@@ -58,8 +60,8 @@ interface Site {
   /** Tip heights: of the outer corner of the area, and of the highest point of the contour. */
   readonly outer: number;
   readonly highest: number;
-  /** Cut from the middle outwards, the part goes on between the first point and the axis. */
-  readonly pin: boolean;
+  /** The part goes on in front of the first point: as the cycle says, or because a cut from the middle outwards leaves a pin there. */
+  readonly inFront: boolean;
 }
 
 function siteOf(l: Leveled, setting: Setting): Site | null {
@@ -74,7 +76,7 @@ function siteOf(l: Leveled, setting: Setting): Site | null {
     keep: l.frame.transverse ? { u: l.oversize.r, v: l.oversize.z } : { u: l.oversize.z, v: l.oversize.r },
     outer: Math.max(l.outerHeight ?? first.from.v, first.from.v) - extent(insert).minV,
     highest: Math.max(...flat.flatMap((s) => [s.from.v, s.to.v])),
-    pin: l.frame.transverse && l.frame.signU > 0,
+    inFront: l.partInFront || (l.frame.transverse && l.frame.signU > 0),
   };
 }
 
@@ -88,9 +90,9 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
   const sketch = {
     ...empty([]),
     contour: l.contour,
-    part: partUnder(flat, l.frame, site.pin),
+    part: partUnder(flat, l.frame, site.inFront),
     most: length(l.infeed),
-    area: areaOver(flat, l.frame, called.u, Math.max(called.v, site.outer)),
+    area: areaOver(flat, l.frame, frontOf(l, site, called.u), Math.max(called.v, site.outer)),
     openSide: toPart(l.frame, { u: 0, v: 1 }),
     oversize: l.oversize,
   };
@@ -151,6 +153,7 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
       envelope: kept.envelope,
       top: upper,
       ...division,
+      first: kept.first,
       from,
       to,
       smoothing: l.smoothing,
@@ -171,19 +174,22 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
     issues,
     ...division,
     infeed: length(division.infeed),
-    area: areaOver(flat, l.frame, start.u, top),
+    area: areaOver(flat, l.frame, frontOf(l, site, start.u), top),
     reach: reachOf(drawn, Math.max(drawn.first, from), Math.min(drawn.end.u, to), l.frame, tool),
     kept: reachOf(kept, Math.max(kept.first, from), Math.min(Math.max(kept.end.u, drawn.end.u), to), l.frame, tool),
     ...unlimited(),
   }, setting, l.frame.transverse ? "startU" : "startV");
 }
 
+/** Where the area begins: at the start point, or with the contour where what stands in front is none of its business. */
+const frontOf = (l: Leveled, site: Site, from: number) => (l.partInFront ? (site.flat[0] as FlatSegment).from.u : from);
+
 const NOTHING: Flat = { u: 0, v: 0 };
 
 /** What bounds the finishing path beside the contour. */
 const toFinishOver = (site: Site, floor: number | null): Surroundings => ({
   wall: null,
-  front: site.pin ? "part" : "free",
+  front: site.inFront ? "part" : "free",
   frontWall: null,
   floors: floor === null ? [] : [{ v: floor, on: "limit" as const }],
 });

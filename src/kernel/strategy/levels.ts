@@ -12,7 +12,8 @@ export interface Levels {
   readonly top: number;
   readonly passes: number;
   readonly infeed: number;
-  /** The tip stays within this stretch of u. */
+  /** The tip stays within this stretch of u, and meets the contour first at `first`. */
+  readonly first: number;
   readonly from: number;
   readonly to: number;
   /** 0: follow the contour after each pass; 1 and 2: lift at 45°. */
@@ -54,7 +55,9 @@ function* cuts(l: Levels): Generator<Cut> {
   const reachable = below(l.envelope, level(l, 1), l.from, l.to).filter((v) =>
     open(v) || highest(l.envelope, l.from, v.from).v <= front + SAME
   );
-  const pending = within(1, reachable, { from: l.from, to: l.to }).reverse();
+  // Where the part in front stands as high as the area, nothing is to be cut before the contour begins.
+  const begin = heightAt(l.envelope, l.from) >= l.top - SAME ? Math.min(l.first, reachable[0]?.from ?? l.from) : l.from;
+  const pending = within(1, reachable, { from: Math.max(begin, l.from), to: l.to }).reverse();
   for (let cut = pending.pop(); cut; cut = pending.pop()) {
     yield cut;
     if (cut.pass < l.passes)

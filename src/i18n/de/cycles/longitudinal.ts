@@ -1,5 +1,5 @@
 import type { CycleTexts } from "../../cycle-text.ts";
-import { edgeLength, freeContour, safePosition, turnMode } from "./notes.ts";
+import { edgeLength, freeContour, plunging, safePosition, turnMode } from "./notes.ts";
 
 const rough = [
   "achsparallel zustellen im Eilgang",
@@ -61,6 +61,37 @@ export const longitudinal = {
     rough,
     finish,
     notes,
+  },
+  813: {
+    name: "Eintauchen längs",
+    summary: "Dreht hinter einer Flanke in einen Zylinder ein, in Längsrichtung.",
+    description: [
+      "Dreht einen Bereich, in den das Werkzeug eintauchen muss: eine Flanke am Konturstart hinab, einen Zylinder entlang "
+      + "und bis an eine rechtwinklige Planfläche am Ende.",
+      "Was vor dem Konturstart steht, bleibt in der Höhe von Q491 stehen. Unsere Lesart; an der Steuerung prüfen.",
+      "Schruppt achsparallel, schlichtet oder macht beides. Startdurchmesser größer als Enddurchmesser: Außenbearbeitung. "
+      + "Kleiner: Innenbearbeitung.",
+      "Liegt der Startpunkt im Zerspanbereich, fährt das Werkzeug zuerst in X, dann in Z auf Sicherheits-Abstand vor den " + "Konturstart.",
+    ],
+    rough,
+    finish,
+    notes: [...notes, plunging],
+  },
+  814: {
+    name: "Eintauchen längs erweitert",
+    summary: "Dreht hinter einer Flanke in einen Zylinder ein, mit gebrochenen Kanten, Eckenradien und geneigter Planfläche.",
+    description: [
+      "Dreht einen Bereich, in den das Werkzeug eintauchen muss: eine Flanke am Konturstart hinab, einen Zylinder entlang "
+      + "und eine Planfläche am Ende hinauf. Die Kanten an beiden Enden können eine Fase oder einen Radius bekommen, beide "
+      + "Ecken am Zylinder können verrundet, die Planfläche kann geneigt sein.",
+      "Was vor dem Konturstart steht, bleibt in der Höhe von Q491 stehen. Unsere Lesart; an der Steuerung prüfen.",
+      "Schruppt achsparallel, schlichtet oder macht beides. Startdurchmesser größer als Enddurchmesser: Außenbearbeitung. "
+      + "Kleiner: Innenbearbeitung.",
+      "Liegt der Startpunkt im Zerspanbereich, fährt das Werkzeug zuerst in X, dann in Z auf Sicherheits-Abstand vor den " + "Konturstart.",
+    ],
+    rough,
+    finish,
+    notes: [...notes, plunging],
   },
   815: {
     name: "Drehen konturparallel",

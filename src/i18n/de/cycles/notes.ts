@@ -16,3 +16,7 @@ export const freeContour = [
   "Lokale Parameter (QL) der Kontur müssen im Konturunterprogramm selbst belegt werden.",
   edgeLength,
 ];
+/** What holds where a tool plunges and no feed is asked for it. */
+export const plunging =
+  "Eingetaucht wird mit dem Schruppvorschub: Einen eigenen Vorschub fragen diese Zyklen nicht ab. An einer Flanke, die "
+  + "steiler ist, als die Schneide folgen kann, bleibt mit einer Warnung Material stehen.";

@@ -1,5 +1,5 @@
 import type { CycleTexts } from "../../cycle-text.ts";
-import { edgeLength, freeContour, safePosition, turnMode } from "./notes.ts";
+import { edgeLength, freeContour, plunging, safePosition, turnMode } from "./notes.ts";
 
 const rough = [
   "achsparallel zustellen im Eilgang",
@@ -56,5 +56,38 @@ export const transverse = {
       "Liegt der Startpunkt im Zerspanbereich, fährt das Werkzeug zuerst in Z, dann in X auf Sicherheits-Abstand.",
     ],
     ...own,
+  },
+  823: {
+    name: "Eintauchen plan",
+    summary: "Dreht hinter einer Flanke in eine Planfläche ein, quer zur Drehachse.",
+    description: [
+      "Dreht einen Bereich in einer Planfläche, in den das Werkzeug eintauchen muss: eine Flanke am Konturstart hinab, über "
+      + "einen Grund und bis an eine rechtwinklige Wand am Ende.",
+      "Was neben dem Konturstart steht, bleibt in der Ebene von Q492 stehen. Unsere Lesart; an der Steuerung prüfen.",
+      "Schruppt achsparallel in Planrichtung, schlichtet oder macht beides. Startdurchmesser größer als Enddurchmesser: "
+      + "Außenbearbeitung. Kleiner: Innenbearbeitung.",
+      "Liegt der Startpunkt im Zerspanbereich, fährt das Werkzeug zuerst in Z, dann in X auf Sicherheits-Abstand neben den "
+      + "Konturstart.",
+    ],
+    rough,
+    finish,
+    notes: [...own.notes, plunging],
+  },
+  824: {
+    name: "Eintauchen plan erweitert",
+    summary: "Dreht hinter einer Flanke in eine Planfläche ein, mit gebrochenen Kanten, Eckenradien und geneigter Wand.",
+    description: [
+      "Dreht einen Bereich in einer Planfläche, in den das Werkzeug eintauchen muss: eine Flanke am Konturstart hinab, über "
+      + "einen Grund und eine Wand am Ende hinauf. Die Kanten an beiden Enden können eine Fase oder einen Radius bekommen, "
+      + "beide Ecken am Grund können verrundet, die Wand kann geneigt sein.",
+      "Was neben dem Konturstart steht, bleibt in der Ebene von Q492 stehen. Unsere Lesart; an der Steuerung prüfen.",
+      "Schruppt achsparallel in Planrichtung, schlichtet oder macht beides. Startdurchmesser größer als Enddurchmesser: "
+      + "Außenbearbeitung. Kleiner: Innenbearbeitung.",
+      "Liegt der Startpunkt im Zerspanbereich, fährt das Werkzeug zuerst in Z, dann in X auf Sicherheits-Abstand neben den "
+      + "Konturstart.",
+    ],
+    rough,
+    finish,
+    notes: [...own.notes, plunging],
   },
 } satisfies CycleTexts;

@@ -28,4 +28,18 @@ export const turning = {
     explanation: "Größte Zustellung je Schnitt, auf den Radius. Die Tiefe wird gleichmäßig aufgeteilt; die wirkliche Zustellung ist "
       + "darum oft kleiner, und es bleibt kein Schleifschnitt. 0: ein Schnitt.",
   },
+  plungeAngle: {
+    prompt: "Winkel Flanke?",
+    printed: false,
+    label: "Flankenwinkel",
+    explanation: "Winkel zwischen der Flanke am Konturstart und der Senkrechten zur Drehachse. Die Flanke fällt vom Konturstart in den "
+      + "Zerspanbereich hinein, nie hinter die Kante. Unsere Lesart; an der Steuerung prüfen.",
+  },
+  plungeAngleFace: {
+    prompt: "Winkel Flanke?",
+    printed: false,
+    label: "Flankenwinkel",
+    explanation: "Winkel zwischen der Flanke am Konturstart und der Parallelen zur Drehachse. Die Flanke fällt vom Konturstart in den "
+      + "Zerspanbereich hinein, nie hinter die Kante. Unsere Lesart; an der Steuerung prüfen.",
+  },
 } satisfies SomeParamTexts;

@@ -1,5 +1,5 @@
 import type { CycleTexts } from "../../cycle-text.ts";
-import { edgeLength, freeContour, safePosition, turnMode } from "./notes.ts";
+import { edgeLength, freeContour, plunging, safePosition, turnMode } from "./notes.ts";
 
 const rough = [
   "paraxial infeed at rapid",
@@ -61,6 +61,39 @@ export const longitudinal = {
     rough,
     finish,
     notes,
+  },
+  813: {
+    name: "Plunge turning, longitudinal",
+    summary: "Cuts behind a flank into a cylinder, along the axis.",
+    description: [
+      "Turns an area that the tool can only reach by plunging: down a flank at the contour start, along a cylinder, and up "
+      + "to a square face at the end.",
+      "What stands in front of the contour start stays, at the height of Q491. Our reading; verify on your control.",
+      "Roughs with paraxial passes, finishes, or both. Start diameter greater than end diameter: outside machining. Smaller: "
+      + "inside machining.",
+      "If the start point lies in the area to be cut, the tool first moves in X, then in Z, to the set-up clearance in front "
+      + "of the contour start.",
+    ],
+    rough,
+    finish,
+    notes: [...notes, plunging],
+  },
+  814: {
+    name: "Plunge turning, longitudinal, extended",
+    summary: "Cuts behind a flank into a cylinder, with broken edges, corner radii and a leaning face.",
+    description: [
+      "Turns an area that the tool can only reach by plunging: down a flank at the contour start, along a cylinder, and up a "
+      + "face at the end. The edges at either end can get a chamfer or a radius, both corners on the cylinder can be rounded, "
+      + "and the face can lean.",
+      "What stands in front of the contour start stays, at the height of Q491. Our reading; verify on your control.",
+      "Roughs with paraxial passes, finishes, or both. Start diameter greater than end diameter: outside machining. Smaller: "
+      + "inside machining.",
+      "If the start point lies in the area to be cut, the tool first moves in X, then in Z, to the set-up clearance in front "
+      + "of the contour start.",
+    ],
+    rough,
+    finish,
+    notes: [...notes, plunging],
   },
   815: {
     name: "Contour-parallel turning",

@@ -13,3 +13,7 @@ export const freeContour = [
   "Local parameters (QL) used in the contour must be set in the contour subprogram itself.",
   edgeLength,
 ];
+/** What holds where a tool plunges and no feed is asked for it. */
+export const plunging =
+  "The tool plunges at the roughing feed: these cycles ask for no feed of its own. A flank steeper than the insert can "
+  + "follow keeps material, with a warning.";

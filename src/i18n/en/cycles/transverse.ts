@@ -1,5 +1,5 @@
 import type { CycleTexts } from "../../cycle-text.ts";
-import { edgeLength, freeContour, safePosition, turnMode } from "./notes.ts";
+import { edgeLength, freeContour, plunging, safePosition, turnMode } from "./notes.ts";
 
 const rough = [
   "paraxial infeed at rapid",
@@ -56,5 +56,38 @@ export const transverse = {
       "If the start point lies in the area to be cut, the tool first moves in Z, then in X, to the set-up clearance.",
     ],
     ...own,
+  },
+  823: {
+    name: "Plunge turning, transverse",
+    summary: "Cuts behind a flank into a face, across the axis.",
+    description: [
+      "Turns an area in a face that the tool can only reach by plunging: down a flank at the contour start, across a floor, "
+      + "and up to a square wall at the end.",
+      "What stands beside the contour start stays, in the plane of Q492. Our reading; verify on your control.",
+      "Roughs with paraxial passes across the axis, finishes, or both. Start diameter greater than end diameter: outside "
+      + "machining. Smaller: inside machining.",
+      "If the start point lies in the area to be cut, the tool first moves in Z, then in X, to the set-up clearance beside "
+      + "the contour start.",
+    ],
+    rough,
+    finish,
+    notes: [...own.notes, plunging],
+  },
+  824: {
+    name: "Plunge turning, transverse, extended",
+    summary: "Cuts behind a flank into a face, with broken edges, corner radii and a leaning wall.",
+    description: [
+      "Turns an area in a face that the tool can only reach by plunging: down a flank at the contour start, across a floor, "
+      + "and up a wall at the end. The edges at either end can get a chamfer or a radius, both corners on the floor can be "
+      + "rounded, and the wall can lean.",
+      "What stands beside the contour start stays, in the plane of Q492. Our reading; verify on your control.",
+      "Roughs with paraxial passes across the axis, finishes, or both. Start diameter greater than end diameter: outside "
+      + "machining. Smaller: inside machining.",
+      "If the start point lies in the area to be cut, the tool first moves in Z, then in X, to the set-up clearance beside "
+      + "the contour start.",
+    ],
+    rough,
+    finish,
+    notes: [...own.notes, plunging],
   },
 } satisfies CycleTexts;

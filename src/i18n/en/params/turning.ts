@@ -28,4 +28,18 @@ export const turning = {
     explanation: "Largest infeed per pass, on the radius. The depth is divided evenly, so the real infeed is often smaller and no thin "
       + "last cut remains. 0: one pass.",
   },
+  plungeAngle: {
+    prompt: "Angle of flank?",
+    printed: false,
+    label: "Flank angle",
+    explanation: "Angle between the flank at the contour start and a perpendicular to the rotary axis. The flank falls from the contour "
+      + "start into the area to be cut, never behind the edge. Our reading; verify on your control.",
+  },
+  plungeAngleFace: {
+    prompt: "Angle of flank?",
+    printed: false,
+    label: "Flank angle",
+    explanation: "Angle between the flank at the contour start and a parallel to the rotary axis. The flank falls from the contour "
+      + "start into the area to be cut, never behind the edge. Our reading; verify on your control.",
+  },
 } satisfies SomeParamTexts;

@@ -1,5 +1,5 @@
 import type { CycleTexts } from "../../cycle-text.ts";
-import { edgeLength, freeContour, safePosition, turnMode } from "./notes.ts";
+import { edgeLength, freeContour, plunging, safePosition, turnMode } from "./notes.ts";
 
 const rough = [
   "prise de passe paraxiale en rapide",
@@ -61,6 +61,39 @@ export const longitudinal = {
     rough,
     finish,
     notes,
+  },
+  813: {
+    name: "Tournage en plongée longitudinal",
+    summary: "Descend derrière un flanc dans un cylindre, dans le sens longitudinal.",
+    description: [
+      "Tourne une zone où l'outil doit plonger : le long d'un flanc au départ du contour, sur un cylindre, puis jusqu'à une "
+      + "face droite à la fin.",
+      "Ce qui se trouve devant le départ du contour reste, à la hauteur de Q491. Notre lecture ; à vérifier sur la commande.",
+      "Ébauche en passes paraxiales, finition, ou les deux. Diamètre de départ supérieur au diamètre final : usinage "
+      + "extérieur. Inférieur : usinage intérieur.",
+      "Si le point de départ se trouve dans la zone à usiner, l'outil va d'abord en X, puis en Z, à la distance d'approche "
+      + "devant le départ du contour.",
+    ],
+    rough,
+    finish,
+    notes: [...notes, plunging],
+  },
+  814: {
+    name: "Tournage en plongée longitudinal étendu",
+    summary: "Descend derrière un flanc dans un cylindre, avec arêtes cassées, rayons de coin et face inclinée.",
+    description: [
+      "Tourne une zone où l'outil doit plonger : le long d'un flanc au départ du contour, sur un cylindre, puis en remontant "
+      + "une face à la fin. Les arêtes des deux extrémités peuvent recevoir un chanfrein ou un arrondi, les deux coins du "
+      + "cylindre peuvent être arrondis et la face peut être inclinée.",
+      "Ce qui se trouve devant le départ du contour reste, à la hauteur de Q491. Notre lecture ; à vérifier sur la commande.",
+      "Ébauche en passes paraxiales, finition, ou les deux. Diamètre de départ supérieur au diamètre final : usinage "
+      + "extérieur. Inférieur : usinage intérieur.",
+      "Si le point de départ se trouve dans la zone à usiner, l'outil va d'abord en X, puis en Z, à la distance d'approche "
+      + "devant le départ du contour.",
+    ],
+    rough,
+    finish,
+    notes: [...notes, plunging],
   },
   815: {
     name: "Tournage parallèle au contour",

@@ -14,3 +14,7 @@ export const freeContour = [
   "Les paramètres locaux (QL) du contour doivent être affectés dans le sous-programme lui-même.",
   edgeLength,
 ];
+/** What holds where a tool plunges and no feed is asked for it. */
+export const plunging =
+  "La plongée se fait à l'avance d'ébauche : ces cycles ne demandent pas d'avance propre pour elle. Sur un flanc plus "
+  + "raide que l'arête ne peut le suivre, de la matière reste, avec un avertissement.";

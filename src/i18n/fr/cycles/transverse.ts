@@ -1,5 +1,5 @@
 import type { CycleTexts } from "../../cycle-text.ts";
-import { edgeLength, freeContour, safePosition, turnMode } from "./notes.ts";
+import { edgeLength, freeContour, plunging, safePosition, turnMode } from "./notes.ts";
 
 const rough = [
   "prise de passe paraxiale en rapide",
@@ -56,5 +56,38 @@ export const transverse = {
       "Si le point de départ se trouve dans la zone à usiner, l'outil va d'abord en Z, puis en X, à la distance d'approche.",
     ],
     ...own,
+  },
+  823: {
+    name: "Tournage en plongée transversal",
+    summary: "Descend derrière un flanc dans une face, en travers de l'axe.",
+    description: [
+      "Tourne dans une face une zone où l'outil doit plonger : le long d'un flanc au départ du contour, sur un fond, puis "
+      + "jusqu'à une paroi droite à la fin.",
+      "Ce qui se trouve à côté du départ du contour reste, dans le plan de Q492. Notre lecture ; à vérifier sur la commande.",
+      "Ébauche en passes transversales, finition, ou les deux. Diamètre de départ supérieur au diamètre final : usinage "
+      + "extérieur. Inférieur : usinage intérieur.",
+      "Si le point de départ se trouve dans la zone à usiner, l'outil va d'abord en Z, puis en X, à la distance d'approche à "
+      + "côté du départ du contour.",
+    ],
+    rough,
+    finish,
+    notes: [...own.notes, plunging],
+  },
+  824: {
+    name: "Tournage en plongée transversal étendu",
+    summary: "Descend derrière un flanc dans une face, avec arêtes cassées, rayons de coin et paroi inclinée.",
+    description: [
+      "Tourne dans une face une zone où l'outil doit plonger : le long d'un flanc au départ du contour, sur un fond, puis en "
+      + "remontant une paroi à la fin. Les arêtes des deux extrémités peuvent recevoir un chanfrein ou un arrondi, les deux "
+      + "coins du fond peuvent être arrondis et la paroi peut être inclinée.",
+      "Ce qui se trouve à côté du départ du contour reste, dans le plan de Q492. Notre lecture ; à vérifier sur la commande.",
+      "Ébauche en passes transversales, finition, ou les deux. Diamètre de départ supérieur au diamètre final : usinage "
+      + "extérieur. Inférieur : usinage intérieur.",
+      "Si le point de départ se trouve dans la zone à usiner, l'outil va d'abord en Z, puis en X, à la distance d'approche à "
+      + "côté du départ du contour.",
+    ],
+    rough,
+    finish,
+    notes: [...own.notes, plunging],
   },
 } satisfies CycleTexts;

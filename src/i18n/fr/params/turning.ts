@@ -28,4 +28,18 @@ export const turning = {
     explanation: "Passe la plus grande, au rayon. La profondeur est répartie uniformément : la passe réelle est souvent plus petite, "
       + "sans dernière passe trop mince. 0 : une seule passe.",
   },
+  plungeAngle: {
+    prompt: "Angle du flanc?",
+    printed: false,
+    label: "Angle du flanc",
+    explanation: "Angle entre le flanc au départ du contour et la perpendiculaire à l'axe de rotation. Le flanc descend du départ du "
+      + "contour dans la zone à usiner, jamais derrière l'arête. Notre lecture ; à vérifier sur la commande.",
+  },
+  plungeAngleFace: {
+    prompt: "Angle du flanc?",
+    printed: false,
+    label: "Angle du flanc",
+    explanation: "Angle entre le flanc au départ du contour et la parallèle à l'axe de rotation. Le flanc descend du départ du contour "
+      + "dans la zone à usiner, jamais derrière l'arête. Notre lecture ; à vérifier sur la commande.",
+  },
 } satisfies SomeParamTexts;

@@ -1,5 +1,5 @@
 import type { CycleTexts } from "../../cycle-text.ts";
-import { edgeLength, freeContour, safePosition, turnMode } from "./notes.ts";
+import { edgeLength, freeContour, plunging, safePosition, turnMode } from "./notes.ts";
 
 const rough = ["快移平行轴进刀", "以粗加工进给纵向切削", "退刀一个进刀量", "快移退至切削起点", "重复,直至轮廓完成", "快移退至循环起点"];
 const finish = ["快移平行轴进刀", "从起点到终点精加工轮廓", "退刀至安全高度", "快移退至循环起点"];
@@ -40,6 +40,32 @@ export const longitudinal = {
     rough,
     finish,
     notes,
+  },
+  813: {
+    name: "切入纵向车削",
+    summary: "沿轴向在侧面之后切入圆柱面。",
+    description: [
+      "车削刀具必须切入才能到达的区域:沿轮廓起点处的侧面向下,沿圆柱面,直到终点处的直角端面。",
+      "轮廓起点之前的材料保持在Q491的高度不变。此为我们的理解,请在数控系统上确认。",
+      "平行轴粗加工、精加工或两者。起点直径大于终点直径:外尺寸加工;小于:内尺寸加工。",
+      "如果起点在加工区内,刀具先沿X轴、再沿Z轴移至轮廓起点之前的安全高度。",
+    ],
+    rough,
+    finish,
+    notes: [...notes, plunging],
+  },
+  814: {
+    name: "切入纵向车削(扩展)",
+    summary: "沿轴向在侧面之后切入圆柱面,可带倒角、圆角和倾斜端面。",
+    description: [
+      "车削刀具必须切入才能到达的区域:沿轮廓起点处的侧面向下,沿圆柱面,再沿终点处的端面向上。两端的棱边可加倒角或圆角,圆柱面两侧的内角可倒圆,端面可倾斜。",
+      "轮廓起点之前的材料保持在Q491的高度不变。此为我们的理解,请在数控系统上确认。",
+      "平行轴粗加工、精加工或两者。起点直径大于终点直径:外尺寸加工;小于:内尺寸加工。",
+      "如果起点在加工区内,刀具先沿X轴、再沿Z轴移至轮廓起点之前的安全高度。",
+    ],
+    rough,
+    finish,
+    notes: [...notes, plunging],
   },
   815: {
     name: "平行轮廓车削",

@@ -1,5 +1,5 @@
 import type { CycleTexts } from "../../cycle-text.ts";
-import { edgeLength, freeContour, safePosition, turnMode } from "./notes.ts";
+import { edgeLength, freeContour, plunging, safePosition, turnMode } from "./notes.ts";
 
 const rough = ["快移平行轴进刀", "以粗加工进给横向切削", "退刀一个进刀量", "快移退至切削起点", "重复,直至轮廓完成", "快移退至循环起点"];
 const finish = ["快移进刀", "从起点到终点精加工轮廓", "退刀至安全高度", "快移退至循环起点"];
@@ -37,5 +37,31 @@ export const transverse = {
       "如果起点在加工区内,刀具先沿Z轴、再沿X轴移至安全高度。",
     ],
     ...own,
+  },
+  823: {
+    name: "切入端面车削",
+    summary: "沿横向在侧面之后切入端面。",
+    description: [
+      "在端面上车削刀具必须切入才能到达的区域:沿轮廓起点处的侧面向下,沿底面,直到终点处的直角壁。",
+      "轮廓起点旁边的材料保持在Q492的平面不变。此为我们的理解,请在数控系统上确认。",
+      "横向平行轴粗加工、精加工或两者。起点直径大于终点直径:外尺寸加工;小于:内尺寸加工。",
+      "如果起点在加工区内,刀具先沿Z轴、再沿X轴移至轮廓起点旁边的安全高度。",
+    ],
+    rough,
+    finish,
+    notes: [...own.notes, plunging],
+  },
+  824: {
+    name: "切入端面车削(扩展)",
+    summary: "沿横向在侧面之后切入端面,可带倒角、圆角和倾斜壁。",
+    description: [
+      "在端面上车削刀具必须切入才能到达的区域:沿轮廓起点处的侧面向下,沿底面,再沿终点处的壁向上。两端的棱边可加倒角或圆角,底面两侧的内角可倒圆,壁可倾斜。",
+      "轮廓起点旁边的材料保持在Q492的平面不变。此为我们的理解,请在数控系统上确认。",
+      "横向平行轴粗加工、精加工或两者。起点直径大于终点直径:外尺寸加工;小于:内尺寸加工。",
+      "如果起点在加工区内,刀具先沿Z轴、再沿X轴移至轮廓起点旁边的安全高度。",
+    ],
+    rough,
+    finish,
+    notes: [...own.notes, plunging],
   },
 } satisfies CycleTexts;

@@ -25,4 +25,16 @@ export const turning = {
     label: "最大进刀量",
     explanation: "每刀最大进刀量(半径值)。深度均匀分配,因此实际进刀量往往更小,不会留下过薄的最后一刀。0:一刀完成。",
   },
+  plungeAngle: {
+    prompt: "侧面角度?",
+    printed: false,
+    label: "侧面角度",
+    explanation: "轮廓起点处侧面与旋转轴垂线之间的夹角。侧面从轮廓起点向加工区内下降,不会到棱边之后。此为我们的理解,请在数控系统上确认。",
+  },
+  plungeAngleFace: {
+    prompt: "侧面角度?",
+    printed: false,
+    label: "侧面角度",
+    explanation: "轮廓起点处侧面与旋转轴平行线之间的夹角。侧面从轮廓起点向加工区内下降,不会到棱边之后。此为我们的理解,请在数控系统上确认。",
+  },
 } satisfies SomeParamTexts;
