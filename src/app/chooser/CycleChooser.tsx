@@ -1,6 +1,5 @@
-import { Suspense, useMemo, useRef, useState, type ComponentType, type KeyboardEvent } from "react";
+import { useMemo, useRef, useState, type KeyboardEvent } from "react";
 import { menu } from "virtual:cycle-menu";
-import { Icon } from "../Icon.tsx";
 import { useFirstTexts } from "../settings/use-first-texts.ts";
 import { useFingers, useMedia } from "../use-media.ts";
 import { CycleGroup } from "./CycleGroup.tsx";
@@ -13,12 +12,8 @@ import { findCycles } from "./search.ts";
 import { useMenuWords } from "./use-menu-words.ts";
 import "./chooser.css";
 
-/** What helps to find a cycle by the part; it takes the place of the list until it is done. */
-export type CycleFinder = ComponentType<{ readonly done: () => void; readonly take: (cycle: number) => void }>;
-
 interface Props {
   readonly ways: readonly CycleWay[];
-  readonly finder?: CycleFinder;
   /** Beside other things: one column, and the groups folded. */
   readonly narrow?: boolean;
   /** The search takes the keyboard at once. */
@@ -26,13 +21,12 @@ interface Props {
 }
 
 /** All cycles, in the groups of the control: by search, by group, or those that were used last. */
-export function CycleChooser({ ways: given, finder: Finder, narrow = false, focus = false }: Props) {
+export function CycleChooser({ ways: given, narrow = false, focus = false }: Props) {
   const { chooser: t, page: { start }, menu: names } = useFirstTexts();
   const phone = useMedia("phone");
   const fingers = useFingers();
   const [typed, type] = useState("");
   const [searching, search] = useState(false);
-  const [finding, find] = useState(false);
   const [turn, giveTurn] = useState<number | null>(null);
   const words = useMenuWords(searching);
   const sought = typed.trim();
@@ -58,13 +52,6 @@ export function CycleChooser({ ways: given, finder: Finder, narrow = false, focu
       type("");
     }
   };
-  if (Finder && finding) {
-    return (
-      <Suspense>
-        <Finder done={() => find(false)} take={(cycle) => ways[0]?.go(cycle)} />
-      </Suspense>
-    );
-  }
   return (
     <div className={`cycle-chooser${narrow ? " narrow" : ""}`} ref={box} role="group" aria-label={t.cycles}
       onKeyDown={(event) => onChooserKey(event, input.current)} onFocus={({ target }) => {
@@ -75,11 +62,6 @@ export function CycleChooser({ ways: given, finder: Finder, narrow = false, focu
         <input ref={input} type="search" className="cycle-search-field" aria-label={t.search} placeholder={t.hint} autoComplete="off"
           spellCheck={false} autoFocus={focus} value={typed} onFocus={() => search(true)} onKeyDown={onSearchKey}
           onChange={(event) => type(event.currentTarget.value)} />
-        {Finder && (
-          <button type="button" className="button" aria-label={t.whichLong} title={t.whichLong} onClick={() => find(true)}>
-            <Icon name="question" /> {t.which}
-          </button>
-        )}
       </div>
       <p className="small soft cycle-found" role="status">
         {found && best && `${t.found(found.length)} ${t.enter(nameOf(best.number))}`}

@@ -14,10 +14,13 @@ export interface MenuCycle {
   readonly pictograms: readonly Pictogram[];
 }
 
-/** The groups that have a cycle, in menu order, with their cycles. */
-export const menuGroups: readonly (readonly [Group, readonly MenuCycle[]])[] = [...new Set(menu.map(({ group }) => group))].map((group) =>
+/** As the control shows them. */
+const GROUPS: readonly Group[] = ["special", "longitudinal", "transverse", "recessTurning", "recessing", "thread"];
+
+/** The groups that have a cycle, with their cycles in menu order. */
+export const menuGroups: readonly (readonly [Group, readonly MenuCycle[]])[] = GROUPS.map((group) =>
   [group, menu.filter((cycle) => cycle.group === group)] as const
-);
+).filter(([, cycles]) => cycles.length > 0);
 
 /** The cycle of a number; undefined when the catalogue does not have it. */
 export const menuCycle = (number: number): MenuCycle | undefined => menu.find((cycle) => cycle.number === number);

@@ -1,7 +1,7 @@
 import { useEffect, useRef, useState } from "react";
 import { markFresh } from "../approach/fresh-block.ts";
 import { cycleByNumber } from "../../cycles/index.ts";
-import { CycleChooser, type CycleFinder } from "../chooser/CycleChooser.tsx";
+import { CycleChooser } from "../chooser/CycleChooser.tsx";
 import { Icon } from "../Icon.tsx";
 import type { Statement } from "../../nc/statement.ts";
 import { useSettings } from "../settings/settings.ts";
@@ -15,11 +15,10 @@ const groups = [...new Set(palette.map((offered) => offered.group))];
 interface Props {
   readonly index: number;
   readonly done: () => void;
-  readonly finder?: CycleFinder;
 }
 
 /** All kinds of blocks; choosing one puts it behind the open block and opens its dialog. */
-export function Palette({ index, done, finder }: Props) {
+export function Palette({ index, done }: Props) {
   const t = useTexts();
   const language = useSettings((s) => s.language);
   const program = useSession((s) => s.reading.program);
@@ -56,9 +55,7 @@ export function Palette({ index, done, finder }: Props) {
           <Icon name="close" />
         </button>
       </header>
-      {cycles && (
-        <CycleChooser narrow focus ways={[{ name: t.chooser.insert, short: t.chooser.insert, go: putCycle }]} {...(finder && { finder })} />
-      )}
+      {cycles && <CycleChooser narrow focus ways={[{ name: t.chooser.insert, short: t.chooser.insert, go: putCycle }]} />}
       {!cycles && groups.map((group) => (
         <section key={group} aria-label={t.editor.groups[group]}>
           <h3 className="panel-title">{t.editor.groups[group]}</h3>

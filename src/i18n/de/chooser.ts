@@ -15,7 +15,5 @@ export const chooser = {
   recalled: "Liste aus der Erinnerung",
   empty: "Leer",
   insert: "Einfügen",
-  which: "Welcher Zyklus?",
-  whichLong: "Welcher Zyklus? Nach der Form des Teils finden",
   back: "Alle Sätze",
 } satisfies ChooserTexts;

@@ -17,8 +17,6 @@ export const chooser = {
   recalled: "list recalled",
   empty: "Empty",
   insert: "Insert",
-  which: "Which cycle?",
-  whichLong: "Which cycle? Find it by the shape of the part",
   back: "All blocks",
 };
 

@@ -15,7 +15,5 @@ export const chooser = {
   recalled: "liste citée de mémoire",
   empty: "Vide",
   insert: "Insérer",
-  which: "Quel cycle ?",
-  whichLong: "Quel cycle ? Le trouver d’après la forme de la pièce",
   back: "Toutes les séquences",
 } satisfies ChooserTexts;

@@ -15,7 +15,5 @@ export const chooser = {
   recalled: "参数表凭记忆",
   empty: "空白",
   insert: "插入",
-  which: "用哪个循环？",
-  whichLong: "用哪个循环？按零件形状查找",
   back: "全部程序段",
 } satisfies ChooserTexts;
