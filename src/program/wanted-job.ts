@@ -32,7 +32,9 @@ function startOfFree({ group }: Cycle, wanted: Wanted, contour: readonly Segment
   const first = contour[0]?.from ?? at(front, r1);
   if (group === "recessTurning" || group === "recessing") return across ? at(front, first.r) : at(first.z, r1);
   const side = out > 0 ? Math.max(r1, box.high) : Math.min(r1, box.low);
-  return at(front + along * CLEARANCE, side);
+  // A contour that begins at the open side falls into the material: the tip waits beside it.
+  const falls = (r1 - first.r) * out <= 0 && !across;
+  return at(front + along * CLEARANCE, falls ? side + out * CLEARANCE : side);
 }
 
 /** Where the tip stands at the call of a cycle with a contour of its own. */

@@ -65,7 +65,7 @@ test("what does not fit is said at its field, and nothing is compared meanwhile"
   shown();
   await best();
   await type("To ⌀", "80");
-  expect(await screen.findByText(/this ⌀ is smaller than the first/)).toBeDefined();
+  expect(await screen.findByText(/this ⌀ has to be smaller than the first/)).toBeDefined();
   expect(screen.queryByRole("list", { name: "Ways to make it, the best first" })).toBeNull();
   await type("To ⌀", "1x");
   expect((await field("To ⌀")).getAttribute("aria-invalid")).toBe("true");

@@ -1,12 +1,11 @@
 import { lazy, Suspense, useEffect, useLayoutEffect, useMemo, useRef, useState } from "react";
 import { loadWhich } from "../../i18n/load-which.ts";
 import type { WhichTexts } from "../../i18n/which-text.ts";
-import { rowsOf } from "../../program/wanted-shape.ts";
 import { comparison as byWorker } from "../engine/client.ts";
 import { Icon } from "../Icon.tsx";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
-import { canBePreturned, readAsking, usualNumbers, type Sought, type WhichRegion } from "./asking.ts";
+import { canBePreturned, readAsking, soughtAt, usualNumbers, type Sought, type WhichRegion } from "./asking.ts";
 import type { Comparer } from "./comparison.ts";
 import { Sentence } from "./Sentence.tsx";
 import { ContourStretch } from "./ContourStretch.tsx";
@@ -24,12 +23,9 @@ interface Props {
   readonly comparison?: Comparer;
 }
 
-const stretchOf = ({ contour, first, last }: WhichRegion) => rowsOf(contour.slice(first, last + 1));
-
 function begun(region: WhichRegion | null): Sought {
   if (!region) return { site: "outside", shape: "step", stock: "solid", typed: usualNumbers("outside", "step"), rows: [] };
-  const { site, begins } = region;
-  return { site, shape: "free", stock: begins, typed: usualNumbers(site, "free"), rows: stretchOf(region) };
+  return soughtAt(region);
 }
 
 /** A change of the sentence with what follows from it: until a number is typed, each shape begins with usual ones. */
@@ -80,11 +76,12 @@ export function WhichCycle({ done, region, comparison = byWorker }: Props) {
           </header>
           <p className="soft">{words.lead}</p>
           <Sentence words={words} asking={asking} fault={fault} inWork={place !== null} onAsk={onAsk} />
-          {asking.shape === "free" && place && (
+          {place && (
             <ContourStretch words={words} contour={place.contour} first={place.first} last={place.last} onPick={(first, last) => {
               const next = { ...place, first, last };
               pick(next);
-              onAsk({ rows: stretchOf(next) });
+              const { rows, typed, shape } = soughtAt(next);
+              onAsk({ rows, typed, shape });
             }} />
           )}
           {asking.shape === "free" && !place && (

@@ -1,11 +1,11 @@
 import type { TurnedShape } from "../../cycles/define.ts";
 import type { Site, Wanted } from "../../cycles/wanted.ts";
-import type { Ring, Segment } from "../../kernel/point.ts";
-import { axial, diameter, length } from "../../kernel/units.ts";
+import type { Pt, Ring, Segment } from "../../kernel/point.ts";
+import { axial, diameter, length, rounded, toDiameter } from "../../kernel/units.ts";
 import { readRows } from "../../program/contour-rows.ts";
 import { anyNumber, readText, type Field } from "../../program/field.ts";
 import type { ContourRow } from "../../program/job.ts";
-import { boxAroundContour } from "../../program/wanted-shape.ts";
+import { boxAroundContour, rowsOf } from "../../program/wanted-shape.ts";
 
 /** What stands in the chuck: all solid, the shape with an allowance, or what earlier operations have left. */
 export type StockChoice = "solid" | "preturned" | "now";
@@ -144,4 +144,33 @@ export function usualNumbers(site: Site, shape: TurnedShape): Typed {
     case "free":
       return site === "face" ? numbers("75", "40", "0", "-6") : numbers(open, inside ? "50" : "50", "0", inside ? "-25" : "-40");
   }
+}
+
+/** A number of a drawing as one types it. */
+const asTyped = (n: number) => String(rounded(n));
+
+/** How near an end of a stretch has to be to its open side for a groove, as a share of its depth. */
+const AT_THE_EDGE = 0.1;
+
+/** What a stretch of a contour most likely is: a groove where it begins and ends at its open side, else any contour. */
+function likelyShape(stretch: readonly Segment[], { d1, d2, z1, z2 }: Typed, site: Site): TurnedShape {
+  const depth = ({ z, r }: Pt) =>
+    site === "face" ? (Number(z1) - z) / (Number(z1) - Number(z2)) : (Number(d1) - toDiameter(r)) / (Number(d1) - Number(d2));
+  const [first, last] = [stretch[0]?.from, stretch.at(-1)?.to];
+  const isValley = stretch.length > 2 && first && last && Math.max(depth(first), depth(last)) < AT_THE_EDGE;
+  return isValley ? "groove" : "free";
+}
+
+/** What a place of an opened work asks for: its stretch as a contour, and the box round it in the numbers. */
+export function soughtAt({ contour, first, last, site, begins }: WhichRegion): Sought {
+  const stretch = contour.slice(first, last + 1);
+  const { from, to } = boxAroundContour(stretch, site);
+  const typed = {
+    ...usualNumbers(site, "free"),
+    d1: asTyped(from.diameter),
+    d2: asTyped(to.diameter),
+    z1: asTyped(from.z),
+    z2: asTyped(to.z),
+  };
+  return { site, shape: likelyShape(stretch, typed, site), stock: begins, typed, rows: rowsOf(stretch) };
 }

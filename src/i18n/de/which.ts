@@ -28,8 +28,8 @@ export const which = {
   threadDiameter: "Gewinde-⌀",
   degrees: "°",
   faults: {
-    notSmaller: "Außen geht es ins Material hinein: dieser ⌀ ist kleiner als der erste.",
-    notLarger: "Innen wächst die Bohrung: dieser ⌀ ist größer als der erste.",
+    notSmaller: "Außen muss dieser ⌀ kleiner sein als der erste.",
+    notLarger: "Innen muss dieser ⌀ größer sein als der erste.",
     same: "Anfang und Ende sind gleich.",
     contour: "Die Kontur ist noch nicht vollständig.",
   },

@@ -28,8 +28,8 @@ export const which = {
   threadDiameter: "Thread ⌀",
   degrees: "°",
   faults: {
-    notSmaller: "Outside, the material goes down: this ⌀ is smaller than the first.",
-    notLarger: "Inside, the bore grows: this ⌀ is larger than the first.",
+    notSmaller: "Outside, this ⌀ has to be smaller than the first.",
+    notLarger: "Inside, this ⌀ has to be larger than the first.",
     same: "Start and end are the same.",
     contour: "The contour is not complete yet.",
   },

@@ -28,8 +28,8 @@ export const which = {
   threadDiameter: "⌀ du filetage",
   degrees: "°",
   faults: {
-    notSmaller: "À l’extérieur, on entre dans la matière : ce ⌀ est plus petit que le premier.",
-    notLarger: "À l’intérieur, l’alésage s’agrandit : ce ⌀ est plus grand que le premier.",
+    notSmaller: "À l’extérieur, ce ⌀ doit être plus petit que le premier.",
+    notLarger: "À l’intérieur, ce ⌀ doit être plus grand que le premier.",
     same: "Le début et la fin sont identiques.",
     contour: "Le contour n’est pas encore complet.",
   },
