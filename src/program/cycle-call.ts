@@ -18,6 +18,7 @@ import { unlikelyFeeds, foreignParameters, lineOfParameter, noTool } from "./pre
 import type { Operation } from "./run-types.ts";
 import { countedPoint, shiftedPlan } from "./shifted-plan.ts";
 import { startUnknown } from "./turn-run.ts";
+import { threadWarnings } from "./thread-warnings.ts";
 import { judgeOf, triedOffers } from "./tried.ts";
 import { ACTIVE_AT_ONCE, actingCycle } from "./unproved-blocks.ts";
 import { rankTools } from "./which-tool.ts";
@@ -148,7 +149,8 @@ export function callCycle(machine: Machine, index: number): void {
   const outlined = values && plan !== nothing ? cycle.outline(values, given).issues : [];
   // What a tool that was never called would do wrong is no fault of the program.
   const planned = machine.now.tool ? plan.issues : [];
-  const found = unique([...issues, ...outlined, ...planned]);
+  const turning = threadWarnings(cycle, plan, machine.now.spindle, machine.shop.rapid);
+  const found = unique([...issues, ...outlined, ...planned, ...turning]);
   const said = found.filter((i) => i.at !== "contour" || isNews(i));
   const all = triedOffers(cycle.params, read.partial, said, judgeOf(cycle, machine.now.tool ? setting : null, given));
   const feeds = values && plan !== nothing
