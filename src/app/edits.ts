@@ -15,6 +15,10 @@ export function setPrompt(q: string, text: string): void {
   }, `prompt ${q}`);
 }
 
+/** The typed texts of several prompts of the job, in one step. */
+export const setPrompts = (texts: Draft): void =>
+  edit((job) => ({ ...job, drafts: { ...job.drafts, [job.cycle]: { ...draftOf(job), ...texts } } }));
+
 /** The value of a Q parameter that stands in prompts, as typed. */
 export const setParameter = (name: string, text: string): void =>
   edit((job) => ({ ...job, parameters: { ...job.parameters, [name]: text } }), `parameter ${name}`);

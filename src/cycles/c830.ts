@@ -6,7 +6,7 @@ import { threadContourSetups } from "./drawn-thread.ts";
 import { recalled, type Values } from "./params.ts";
 import { refused } from "./refused.ts";
 import { threadDimensions, threadFrame } from "./thread-outline.ts";
-import { threadParams } from "./thread-params.ts";
+import { threadParams, threadRoles } from "./thread-params.ts";
 import { planThreadOn } from "./thread-plan.ts";
 
 const { Q471, Q461, Q460, Q472, Q473, Q474, Q465, Q466, Q463, Q467, Q468, Q470, Q475, Q476 } = threadParams;
@@ -38,6 +38,7 @@ export const c830 = defineCycle({
     start: { x: "90", z: "10" },
     contour: [{ kind: "L", x: "80", z: "0" }, { kind: "L", z: "-20" }, { kind: "L", x: "76", z: "-35" }],
   },
+  thread: threadRoles(),
   steps: { rough: 8, finish: 0 },
   outline: outlineOf,
   plan(v, setting: Setting, given) {

@@ -84,6 +84,18 @@ export const printedContour: readonly Row[] = [
   { kind: "L", z: "0" },
 ];
 
+/** The parameters of a thread that a nominal size fills, by Q. */
+export interface ThreadRoles {
+  /** 0 outside, 1 inside. */
+  readonly position: string;
+  readonly pitch: string;
+  readonly depth: string;
+  readonly starts: string;
+  /** Angle of infeed. */
+  readonly flank: string;
+  readonly diameters: readonly string[];
+}
+
 export interface Cycle<P extends Params = Params, N extends number = number> {
   readonly number: N;
   readonly group: Group;
@@ -98,6 +110,8 @@ export interface Cycle<P extends Params = Params, N extends number = number> {
   /** In the printed order, which is the order of form and NC text. */
   readonly params: P;
   readonly setup: SetupExample;
+  /** Of a cycle that cuts threads. */
+  readonly thread?: ThreadRoles;
   /** Steps of the printed sequences, for "step 3 of 6". */
   readonly steps: { readonly rough: number; readonly finish: number };
   /** Pure geometry of the values: contour, help-picture dimensions, and cross-field issues. */

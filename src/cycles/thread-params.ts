@@ -1,3 +1,4 @@
+import type { ThreadRoles } from "./define.ts";
 import { angle, axialParam, choice, countParam, diameterParam, lengthParam, radial } from "./params.ts";
 
 const ON_DIAMETER = [-99999.999, 99999.999] as const;
@@ -25,3 +26,13 @@ export const threadParams = {
   Q475: countParam("threadStarts", [1, 500], 30, { shown: "threadStarts" }),
   Q476: countParam("airCuts", [0, 255], 30, { shown: "airCuts" }),
 };
+
+/** What a nominal size fills; `diameters` where the cycle asks for any. */
+export const threadRoles = (...diameters: readonly string[]): ThreadRoles => ({
+  position: "Q471",
+  pitch: "Q472",
+  depth: "Q473",
+  starts: "Q475",
+  flank: "Q467",
+  diameters,
+});

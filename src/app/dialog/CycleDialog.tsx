@@ -1,24 +1,50 @@
+import { lazy, Suspense } from "react";
 import { isRecalled } from "../../cycles/params.ts";
+import type { ThreadSize } from "../../cycles/thread-sizes.ts";
+import { setPrompts } from "../edits.ts";
 import { Icon } from "../Icon.tsx";
 import { CycleInWork } from "../issue-text.ts";
 import type { JobReading } from "../reading.ts";
 import { useTexts } from "../settings/use-texts.ts";
+import { closeStep } from "../steps.ts";
 import { DialogDone } from "./DialogDone.tsx";
 import { PromptDialog } from "./PromptDialog.tsx";
 import { useCycleSession, type PromptedBlock } from "./use-cycle-session.tsx";
+
+const ThreadSizes = lazy(async () => ({ default: (await import("./ThreadSizes.tsx")).ThreadSizes }));
 
 /** The dialog of a cycle: of the job, or of a block of a program. */
 export function CycleDialog({ read, block = null }: { readonly read: JobReading; readonly block?: PromptedBlock | null }) {
   const { dialog: t } = useTexts();
   const session = useCycleSession(read, block);
+  const { thread } = read.cycle;
+  const fill = async (size: ThreadSize) => {
+    if (!thread) return;
+    const { valuesOf } = await import("../../cycles/thread-sizes.ts");
+    const typed = (q: string) => Number(read.reading.partial[q] ?? 0);
+    const values = valuesOf(size, thread, typed(thread.position) === 1, typed(thread.flank));
+    closeStep();
+    (block?.setAll ?? setPrompts)(Object.fromEntries(Object.entries(values).map(([q, value]) => [q, String(value)])));
+    closeStep();
+  };
+  const head = (
+    <>
+      {isRecalled(read.cycle) && (
+        <p className="small soft recalled-list">
+          <Icon name="info" /> {t.recalled}
+        </p>
+      )}
+      {thread && (
+        <Suspense fallback={null}>
+          <ThreadSizes cycle={read.cycle.number} take={(size) => void fill(size)} />
+        </Suspense>
+      )}
+    </>
+  );
   return (
     <CycleInWork value={read.cycle.number}>
       <PromptDialog session={session} name={t.form} listName={t.list} hint={t.help}
-        head={isRecalled(read.cycle) && (
-          <p className="small soft recalled-list">
-            <Icon name="info" /> {t.recalled}
-          </p>
-        )} done={<DialogDone session={session} inBlock={block !== null} />} />
+        head={head} done={<DialogDone session={session} inBlock={block !== null} />} />
     </CycleInWork>
   );
 }

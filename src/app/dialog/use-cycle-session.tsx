@@ -16,6 +16,8 @@ import { unitOf, writeValue } from "./write-value.ts";
 export interface PromptedBlock {
   readonly problems: readonly FindingEntry[];
   readonly set: (q: string, text: string) => void;
+  /** Several prompts in one step of undo. */
+  readonly setAll: (texts: Readonly<Record<string, string>>) => void;
 }
 
 /** The prompts of a cycle: those of the job, or of a block of a program. */

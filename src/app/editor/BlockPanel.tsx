@@ -9,7 +9,7 @@ import { duplicated, exchanged, removed } from "./block-edits.ts";
 import { BlockForm } from "./BlockForm.tsx";
 import { kindOf } from "./block-kind.ts";
 import { Palette } from "./Palette.tsx";
-import { setBlockPrompt, useOpenBlock } from "./open-block.ts";
+import { setBlockPrompt, setBlockPrompts, useOpenBlock } from "./open-block.ts";
 import { editProgram, openBlock, useSession } from "./session.ts";
 
 /** The dialog of the open block, and what can be done with the block itself. */
@@ -35,7 +35,7 @@ export function BlockPanel() {
   const kind = words ?? t.editor.kinds[kindOf(s)];
   const number = String(blockNumbers(program)[index] ?? 0);
   const dialogOf = () => {
-    if (read) return <CycleDialog key={index} read={read} block={{ problems, set: setBlockPrompt }} />;
+    if (read) return <CycleDialog key={index} read={read} block={{ problems, set: setBlockPrompt, setAll: setBlockPrompts }} />;
     if (s.kind === "approach") return <ApproachBlock key={index} problems={problems} />;
     return <BlockForm key={index} problems={problems} />;
   };

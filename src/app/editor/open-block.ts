@@ -38,6 +38,15 @@ export function useOpenBlock(): { readonly read: JobReading | null; readonly pro
   return { read, problems };
 }
 
+/** Writes several prompts of the open block into its text, in one step. */
+export function setBlockPrompts(texts: Readonly<Record<string, string>>): void {
+  const session = useSession.getState();
+  const { reading: { program }, index } = session;
+  const draft = { ...draftIn(useTyped.getState(), session), ...texts };
+  editProgram(Object.entries(texts).reduce((now, [q, text]) => withPrompt(now, index, q, text), program), null);
+  useTyped.setState({ draft, reading: useSession.getState().reading, index });
+}
+
 /** Writes a prompt of the open block into its text. */
 export function setBlockPrompt(q: string, text: string): void {
   const session = useSession.getState();

@@ -2,6 +2,14 @@ import type { DialogTexts } from "../en/dialog.ts";
 
 export const dialog = {
   title: (cycle, name) => `Zyklus ${cycle} ${name}`,
+  sizes: {
+    title: "Nenngröße",
+    example: "M20, G1/2, Tr20",
+    found: "Gefundene Größen",
+    none: "Kein Gewinde dieses Namens.",
+    taken: (name: string, angle: string) =>
+      `${name}: Steigung, Tiefe und Durchmesser sind eingetragen. Die Schneidplatte braucht einen Spitzenwinkel von ${angle}°.`,
+  },
   form: "Eingaben des Zyklus",
   list: "Alle Eingaben",
   active: "Aktive Eingabe",

@@ -2,6 +2,14 @@ import type { Shape } from "../shape.ts";
 
 export const dialog = {
   title: (cycle: number, name: string) => `Cycle ${cycle} ${name}`,
+  sizes: {
+    title: "Nominal size",
+    example: "M20, G1/2, Tr20",
+    found: "Sizes found",
+    none: "No thread of this name.",
+    taken: (name: string, angle: string) =>
+      `${name}: pitch, depth and diameter are filled in. The insert needs a point angle of ${angle}°.`,
+  },
   form: "Prompts of the cycle",
   list: "All prompts",
   active: "Active prompt",

@@ -2,6 +2,14 @@ import type { DialogTexts } from "../en/dialog.ts";
 
 export const dialog = {
   title: (cycle, name) => `Cycle ${cycle} ${name}`,
+  sizes: {
+    title: "Taille nominale",
+    example: "M20, G1/2, Tr20",
+    found: "Tailles trouvées",
+    none: "Aucun filetage de ce nom.",
+    taken: (name: string, angle: string) =>
+      `${name} : pas, profondeur et diamètre sont inscrits. La plaquette doit avoir un angle de pointe de ${angle}°.`,
+  },
   form: "Questions du cycle",
   list: "Toutes les questions",
   active: "Question active",

@@ -2,6 +2,13 @@ import type { DialogTexts } from "../en/dialog.ts";
 
 export const dialog = {
   title: (cycle, name) => `循环 ${cycle} ${name}`,
+  sizes: {
+    title: "公称规格",
+    example: "M20, G1/2, Tr20",
+    found: "找到的规格",
+    none: "没有此名称的螺纹。",
+    taken: (name: string, angle: string) => `${name}:已填入螺距、深度和直径。刀片刀尖角须为${angle}°。`,
+  },
   form: "循环的提问",
   list: "全部提问",
   active: "当前提问",

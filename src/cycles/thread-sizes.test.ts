@@ -1,0 +1,37 @@
+import { expect, test } from "vitest";
+import { threadRoles } from "./thread-params.ts";
+import { sizesNamed, threadSizes, valuesOf } from "./thread-sizes.ts";
+
+const named = (typed: string) => sizesNamed(typed).map((s) => s.name);
+
+test("a size is found however it is typed", () => {
+  expect(named("M20×1.5")).toEqual(["M20×1.5"]);
+  expect(named("m20x1,5")).toEqual(["M20×1.5"]);
+  expect(named("M20")).toEqual(["M20", "M20×2", "M20×1.5", "M20×1"]);
+  expect(named("M20x2.5")).toEqual(["M20"]);
+  expect(named("G½")).toEqual(["G1/2"]);
+  expect(named('g 1 1/2"')).toEqual(["G1 1/2"]);
+  expect(named("Tr 20 x 4")).toEqual(["Tr20×4"]);
+  expect(named("Tr2")[0]).toBe("Tr20×4");
+  expect(named("")).toEqual([]);
+  expect(named("W20")).toEqual([]);
+});
+
+test("it gives pitch, depth and diameter, one start, and no infeed steeper than its flank", () => {
+  const roles = threadRoles("Q491", "Q493");
+  const values = (name: string, inside: boolean) => valuesOf(sizesNamed(name)[0] ?? threadSizes[0]!, roles, inside, 30);
+  expect(values("M20x1.5", false)).toEqual({ Q472: 1.5, Q473: 0.92, Q475: 1, Q491: 20, Q493: 20 });
+  expect(values("M20x1.5", true)).toEqual({ Q472: 1.5, Q473: 0.812, Q475: 1, Q491: 20, Q493: 20 });
+  expect(values("G1/2", false)).toEqual({ Q472: 1.814, Q473: 1.162, Q475: 1, Q491: 20.955, Q493: 20.955, Q467: 27.5 });
+  // Core of the external thread 15.5; root of the internal one 20.5 and its core 16.
+  expect(values("Tr20x4", false)).toEqual({ Q472: 4, Q473: 2.25, Q475: 1, Q491: 20, Q493: 20, Q467: 15 });
+  expect(values("Tr20x4", true)).toEqual({ Q472: 4, Q473: 2.25, Q475: 1, Q491: 20.5, Q493: 20.5, Q467: 15 });
+});
+
+test("no size stands twice, and none is deeper than its pitch", () => {
+  expect(new Set(threadSizes.map((s) => s.name)).size).toBe(threadSizes.length);
+  for (const s of threadSizes) {
+    expect([s.name, s.outside.depth > s.pitch / 2 && s.outside.depth < s.pitch]).toEqual([s.name, true]);
+    expect([s.name, s.inside.depth > s.pitch / 2 && s.inside.depth < s.pitch]).toEqual([s.name, true]);
+  }
+});

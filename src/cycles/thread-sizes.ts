@@ -1,0 +1,178 @@
+import { METRIC } from "../kernel/strategy/thread.ts";
+import { rounded } from "../kernel/units.ts";
+import type { ThreadRoles } from "./define.ts";
+
+/** A thread by its name in the trade: facts of ISO 261 and 262 (metric), ISO 228 (pipe) and ISO 2904 (trapezoidal). mm and degrees. */
+export interface ThreadSize {
+  readonly name: string;
+  /** Other ways to write it. */
+  readonly also: readonly string[];
+  readonly pitch: number;
+  /** Angle between the flanks, which the insert has to have. */
+  readonly angle: 60 | 55 | 30;
+  /** Crest of the external thread, root of the internal one, and the depth of each on the radius. */
+  readonly outside: { readonly diameter: number; readonly depth: number };
+  readonly inside: { readonly diameter: number; readonly depth: number };
+}
+
+/** Diameter, coarse pitch, fine pitches. */
+const METRIC_SIZES: readonly (readonly [diameter: number, coarse: number, ...fine: number[]])[] = [
+  [1.6, 0.35],
+  [2, 0.4],
+  [2.5, 0.45],
+  [3, 0.5],
+  [3.5, 0.6],
+  [4, 0.7],
+  [5, 0.8],
+  [6, 1],
+  [7, 1],
+  [8, 1.25, 1],
+  [10, 1.5, 1.25, 1],
+  [12, 1.75, 1.5, 1.25, 1],
+  [14, 2, 1.5],
+  [16, 2, 1.5, 1],
+  [18, 2.5, 2, 1.5, 1],
+  [20, 2.5, 2, 1.5, 1],
+  [22, 2.5, 2, 1.5, 1],
+  [24, 3, 2, 1.5, 1],
+  [27, 3, 2, 1.5, 1],
+  [30, 3.5, 2, 1.5, 1],
+  [33, 3.5, 2, 1.5],
+  [36, 4, 3, 2, 1.5],
+  [39, 4, 3, 2, 1.5],
+  [42, 4.5, 3, 2, 1.5],
+  [45, 4.5, 3, 2, 1.5],
+  [48, 5, 3, 2, 1.5],
+  [52, 5, 4, 3, 2, 1.5],
+  [56, 5.5, 4, 3, 2, 1.5],
+  [60, 5.5, 4, 3, 2, 1.5],
+  [64, 6, 4, 3, 2, 1.5],
+];
+
+/** Name in inches, major diameter, threads per inch. */
+const PIPE_SIZES: readonly (readonly [inches: string, diameter: number, perInch: 28 | 19 | 14 | 11])[] = [
+  ["1/16", 7.723, 28],
+  ["1/8", 9.728, 28],
+  ["1/4", 13.157, 19],
+  ["3/8", 16.662, 19],
+  ["1/2", 20.955, 14],
+  ["5/8", 22.911, 14],
+  ["3/4", 26.441, 14],
+  ["7/8", 30.201, 14],
+  ["1", 33.249, 11],
+  ["1 1/8", 37.897, 11],
+  ["1 1/4", 41.91, 11],
+  ["1 1/2", 47.803, 11],
+  ["1 3/4", 53.746, 11],
+  ["2", 59.614, 11],
+  ["2 1/4", 65.71, 11],
+  ["2 1/2", 75.184, 11],
+  ["2 3/4", 81.534, 11],
+  ["3", 87.884, 11],
+  ["3 1/2", 100.33, 11],
+  ["4", 113.03, 11],
+  ["4 1/2", 125.73, 11],
+  ["5", 138.43, 11],
+  ["5 1/2", 151.13, 11],
+  ["6", 163.83, 11],
+];
+/** Pitch and depth as the standard rounds them. */
+const PIPE = { 28: [0.907, 0.581], 19: [1.337, 0.856], 14: [1.814, 1.162], 11: [2.309, 1.479] } as const;
+
+const TRAPEZOIDAL_SIZES: readonly (readonly [diameter: number, pitch: number])[] = [
+  [8, 1.5],
+  [10, 2],
+  [12, 3],
+  [14, 3],
+  [16, 4],
+  [18, 4],
+  [20, 4],
+  [22, 5],
+  [24, 5],
+  [26, 5],
+  [28, 5],
+  [30, 6],
+  [32, 6],
+  [34, 6],
+  [36, 6],
+  [38, 7],
+  [40, 7],
+  [42, 7],
+  [44, 7],
+  [46, 8],
+  [48, 8],
+  [50, 8],
+  [52, 8],
+  [55, 9],
+  [60, 9],
+  [65, 10],
+  [70, 10],
+  [75, 10],
+  [80, 10],
+  [85, 12],
+  [90, 12],
+  [95, 12],
+  [100, 12],
+];
+/** Clearance at the crest. */
+const clearance = (pitch: number) => (pitch < 2 ? 0.15 : pitch <= 5 ? 0.25 : 0.5);
+
+function metric(diameter: number, pitch: number, isCoarse: boolean): ThreadSize {
+  const whole = `M${diameter}×${pitch}`;
+  const part = (factor: number) => ({ diameter, depth: rounded(pitch * factor) });
+  return {
+    name: isCoarse ? `M${diameter}` : whole,
+    also: isCoarse ? [whole] : [],
+    pitch,
+    angle: 60,
+    outside: part(METRIC.outside),
+    inside: part(METRIC.inside),
+  };
+}
+
+function pipe(inches: string, diameter: number, perInch: keyof typeof PIPE): ThreadSize {
+  const [pitch, depth] = PIPE[perInch];
+  return { name: `G${inches}`, also: [], pitch, angle: 55, outside: { diameter, depth }, inside: { diameter, depth } };
+}
+
+function trapezoidal(diameter: number, pitch: number): ThreadSize {
+  const gap = clearance(pitch);
+  const depth = rounded(pitch / 2 + gap);
+  const root = rounded(diameter + gap + gap);
+  return { name: `Tr${diameter}×${pitch}`, also: [], pitch, angle: 30, outside: { diameter, depth }, inside: { diameter: root, depth } };
+}
+
+/** Every size that can be chosen by name. */
+export const threadSizes: readonly ThreadSize[] = [
+  ...METRIC_SIZES.flatMap(([diameter, ...pitches]) => pitches.map((pitch, i) => metric(diameter, pitch, i === 0))),
+  ...PIPE_SIZES.map((size) => pipe(...size)),
+  ...TRAPEZOIDAL_SIZES.map((size) => trapezoidal(...size)),
+];
+
+const HALVES: Readonly<Record<string, string>> = { "½": "1/2", "¼": "1/4", "¾": "3/4", "⅛": "1/8", "⅜": "3/8", "⅝": "5/8", "⅞": "7/8" };
+/** A name however it is typed: M20x1,5, G 1 1/2", tr 20*4. */
+const plain = (name: string) =>
+  name.replace(/[½¼¾⅛⅜⅝⅞]/g, (c) => HALVES[c] ?? c).toLowerCase().replace(/[\s"″]/g, "").replace(/[×*]/g, "x").replaceAll(",", ".");
+
+/** Sizes whose name begins with what was typed, those of just that name first. */
+export function sizesNamed(typed: string): ThreadSize[] {
+  const asked = plain(typed);
+  if (asked === "") return [];
+  const names = ({ name, also }: ThreadSize) => [name, ...also].map(plain);
+  const found = threadSizes.filter((size) => names(size).some((name) => name.startsWith(asked)));
+  const isExact = (size: ThreadSize) => names(size).includes(asked);
+  return [...found.filter(isExact), ...found.filter((size) => !isExact(size))];
+}
+
+/** The values that a size gives a cycle, by Q. `flank`: the infeed angle that stands there; it may be at most half the point angle. */
+export function valuesOf(size: ThreadSize, roles: ThreadRoles, inside: boolean, flank: number): Readonly<Record<string, number>> {
+  const { diameter, depth } = inside ? size.inside : size.outside;
+  const half = size.angle * 0.5;
+  return {
+    [roles.pitch]: size.pitch,
+    [roles.depth]: depth,
+    [roles.starts]: 1,
+    ...Object.fromEntries(roles.diameters.map((q) => [q, diameter])),
+    ...(flank > half && { [roles.flank]: half }),
+  };
+}
