@@ -3,13 +3,14 @@ import { sizesNamed, type ThreadSize } from "../../cycles/thread-sizes.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
+import { ThreadPicture } from "./ThreadPicture.tsx";
 import "./thread-sizes.css";
 
 /** More names than this are not shown: one more letter leaves fewer. */
 const SHOWN = 6;
 
 /** A thread by its name: what is typed finds it, a tap fills the prompts. */
-export function ThreadSizes({ take }: { readonly take: (size: ThreadSize) => void }) {
+export function ThreadSizes({ cycle, take }: { readonly cycle: number; readonly take: (size: ThreadSize) => void }) {
   const { dialog: { sizes: t } } = useTexts();
   const language = useSettings((s) => s.language);
   const id = useId();
@@ -44,6 +45,7 @@ export function ThreadSizes({ take }: { readonly take: (size: ThreadSize) => voi
           ))}
         </div>
       )}
+      <ThreadPicture cycle={cycle} />
       <p className="small soft" role="status">
         {typed !== "" && found.length === 0 && t.none}
         {taken && t.taken(taken.name, number(taken.angle))}

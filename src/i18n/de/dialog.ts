@@ -7,6 +7,7 @@ export const dialog = {
     example: "M20, G1/2, Tr20",
     found: "Gefundene Größen",
     none: "Kein Gewinde dieses Namens.",
+    profile: (passes: number) => `Gewindeprofil mit den Spänen von ${passes === 1 ? "1 Durchgang" : `${passes} Durchgängen`}`,
     taken: (name: string, angle: string) =>
       `${name}: Steigung, Tiefe und Durchmesser sind eingetragen. Die Schneidplatte braucht einen Spitzenwinkel von ${angle}°.`,
   },

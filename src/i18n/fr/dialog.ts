@@ -7,6 +7,7 @@ export const dialog = {
     example: "M20, G1/2, Tr20",
     found: "Tailles trouvées",
     none: "Aucun filetage de ce nom.",
+    profile: (passes: number) => `Profil du filetage avec les copeaux de ${passes < 2 ? "1 passe" : `${passes} passes`}`,
     taken: (name: string, angle: string) =>
       `${name} : pas, profondeur et diamètre sont inscrits. La plaquette doit avoir un angle de pointe de ${angle}°.`,
   },
