@@ -43,8 +43,8 @@ export function CycleDialog({ read, block = null }: { readonly read: JobReading;
   );
   return (
     <CycleInWork value={read.cycle.number}>
-      <PromptDialog session={session} name={t.form} listName={t.list} hint={t.help}
-        head={head} done={<DialogDone session={session} inBlock={block !== null} />} />
+      <PromptDialog session={session} name={t.form} listName={t.list} hint={t.help} head={head}
+        done={<DialogDone session={session} inBlock={block !== null} />} />
     </CycleInWork>
   );
 }
