@@ -30,12 +30,19 @@ export class Start {
     return this.context.page.getByRole("region", { name, exact: true }).getByRole("heading").getByRole("button");
   }
 
+  /** Begins by the row of a cycle; where the groups are folded, by its number in the search. */
+  private async begin(cycle: number, withExample: boolean): Promise<void> {
+    await this.search.waitFor();
+    if (!(await this.button(cycle, withExample).isVisible())) await this.search.fill(String(cycle));
+    await this.button(cycle, withExample).click();
+  }
+
   async beginEmpty(cycle: number): Promise<void> {
-    await this.button(cycle, false).click();
+    await this.begin(cycle, false);
   }
 
   async beginWithExample(cycle: number): Promise<void> {
-    await this.button(cycle, true).click();
+    await this.begin(cycle, true);
   }
 
   /** Earlier work of this name. */
