@@ -16,8 +16,10 @@ import { c841 } from "./c841.ts";
 import { c842 } from "./c842.ts";
 import { c851 } from "./c851.ts";
 import { c852 } from "./c852.ts";
+import { c860 } from "./c860.ts";
 import { c861 } from "./c861.ts";
 import { c862 } from "./c862.ts";
+import { c870 } from "./c870.ts";
 import { c871 } from "./c871.ts";
 import { c872 } from "./c872.ts";
 import type { Cycle } from "./define.ts";
@@ -43,8 +45,10 @@ const list = [
   c842,
   c851,
   c852,
+  c860,
   c861,
   c862,
+  c870,
   c871,
   c872,
 ] as const;

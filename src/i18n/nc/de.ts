@@ -25,6 +25,8 @@ export const de = {
     862: { text: "STECHEN ERWEITERT RADIAL", evidence: "K3" },
     871: { text: "STECHEN EINFACH AXIAL", evidence: "K3" },
     872: { text: "STECHEN ERWEITERT AXIAL", evidence: "K3" },
+    860: { text: "STECHEN KONTUR RADIAL", evidence: "K3" },
+    870: { text: "STECHEN KONTUR AXIAL", evidence: "K3" },
   },
   params: {
     flankAngleRadial: { text: "WINKEL FLANKE", evidence: "K2" },

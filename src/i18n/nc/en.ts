@@ -25,6 +25,8 @@ export const en = {
     862: { text: "EXPND. RECESS, RADL.", evidence: "K1" },
     871: { text: "SIMPLE RECESS, AXIAL", evidence: "K1" },
     872: { text: "EXPND. RECESS, AXIAL", evidence: "K1" },
+    860: { text: "CONT. RECESS, RADIAL", evidence: "K1" },
+    870: { text: "CONT. RECESS, AXIAL", evidence: "K1" },
   },
   params: {
     flankAngleRadial: { text: "ANGLE OF SIDE", evidence: "K1" },

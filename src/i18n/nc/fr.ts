@@ -25,6 +25,8 @@ export const fr = {
     862: { text: "GORGE ETENDUE RADIALE", evidence: "K3" },
     871: { text: "GORGE SIMPLE AXIALE", evidence: "K3" },
     872: { text: "GORGE ETENDUE AXIALE", evidence: "K3" },
+    860: { text: "GORGE CONT. RADIALE", evidence: "K3" },
+    870: { text: "GORGE CONT. AXIALE", evidence: "K3" },
   },
   params: {
     flankAngleRadial: { text: "ANGLE FLANC", evidence: "K2" },

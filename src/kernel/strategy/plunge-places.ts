@@ -29,27 +29,30 @@ export const reachOfStep = ({ width, level, step, comb }: Spacing): number => {
 };
 
 /**
- * Where a basin is plunged: at its stops, and between two of them evenly, no farther apart than a step. It begins where the floor
+ * Where a basin is plunged: at its stops, and between them and its ends evenly, no farther apart than a step. It begins where the floor
  * does, goes on to the far wall, and comes back for the near one: so every plunge behind the first has a side that is free.
  */
 export function placesIn(basin: Basin, e: Envelope, s: Spacing): Places {
   const [full, webs]: [Flat[], Flat[]] = [[], []];
   const most = reachOfStep(s);
-  basin.stops.forEach((stop, i) => {
-    const before = basin.stops[i - 1];
-    if (before) {
-      const apart = stop.u - before.u;
+  // A leaning wall ends where nothing is left to plunge for: no stop, but its slope is divided as well.
+  const ends = [basin.from, ...basin.stops.map((p) => p.u), basin.to].filter((u, i, all) => i === 0 || u > (all[i - 1] ?? u) + SAME);
+  ends.forEach((u, i) => {
+    const before = ends[i - 1];
+    if (before !== undefined) {
+      const apart = u - before;
       const least = Math.max(1, Math.ceil(apart / most - SAME));
       const count = s.comb && least > 1 ? least + (least % 2) : least;
       for (let k = 1; k < count; k += 1) {
-        const u = before.u + (apart * k) / count;
-        const place = { u, v: heightAt(e, u) };
-        const web = s.comb && k % 2 === 1;
-        if (!web) full.push(place);
-        else if ((2 * apart) / count > (s.level > 0 ? s.level : 0) + SAME) webs.push(place);
+        const between = before + (apart * k) / count;
+        const place = { u: between, v: heightAt(e, between) };
+        const isWeb = s.comb && k % 2 === 1;
+        if (!isWeb) full.push(place);
+        else if ((2 * apart) / count > s.level + SAME) webs.push(place);
       }
     }
-    full.push(stop);
+    const stop = basin.stops.find((p) => Math.abs(p.u - u) <= SAME);
+    if (stop) full.push(stop);
   });
   return { full: fromFloor(full, basin), webs: fromFloor(webs, basin) };
 }

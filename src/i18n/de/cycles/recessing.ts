@@ -30,8 +30,23 @@ const notes = [
   "Parameterliste und Schritte sind aus der Erinnerung; keine Seite, die wir haben, druckt sie. Unsere Lesart; an "
   + "der Steuerung prüfen.",
 ];
+const sections = "Eine Kontur mit mehreren Tälern wird Abschnitt für Abschnitt gestochen, jeder bis zum Grund und an den Flanken "
+  + "entlang vor dem nächsten.";
 
 export const recessing = {
+  860: {
+    name: "Kontur stechen radial",
+    summary: "Sticht eine Kontur in Zylinder oder Bohrung, mit beliebig vielen Nuten.",
+    description: [
+      "Nimmt weg, was zwischen der Kontur eines Unterprogramms und dem Startpunkt liegt, mit Stichen zur Achse hin, in "
+      + "der Bohrung von ihr weg. Zyklus 14 nennt vorher die Kontur.",
+      order,
+      sections,
+    ],
+    rough,
+    finish,
+    notes,
+  },
   861: {
     name: "Stechen radial einfach",
     summary: "Sticht eine Nut mit geraden Flanken in Zylinder oder Bohrung, vom Startpunkt zu einer Ecke.",
@@ -51,6 +66,19 @@ export const recessing = {
       "Fertigt im Zylinder oder in der Bohrung einen Einstich mit Stichen nebeneinander. Die Kanten können eine Fase "
       + "oder einen Radius bekommen, beide Flanken können geneigt, die Ecken am Grund verrundet sein.",
       order,
+    ],
+    rough,
+    finish,
+    notes,
+  },
+  870: {
+    name: "Kontur stechen axial",
+    summary: "Sticht eine Kontur in eine Planfläche, mit beliebig vielen Nuten.",
+    description: [
+      "Nimmt weg, was zwischen der Kontur eines Unterprogramms und dem Startpunkt liegt, mit Stichen entlang der "
+      + "Achse. Zyklus 14 nennt vorher die Kontur.",
+      order,
+      sections,
     ],
     rough,
     finish,

@@ -29,8 +29,22 @@ const notes = [
   "A groove that is deeper than CUTLENGTH is cut as deep as the edge is long, with a message.",
   "The parameter list and the steps are recalled; no page we hold prints them. Our reading; verify on your control.",
 ];
+const sections = "A contour with several valleys is cut section by section, each to its floor and along its walls before the next.";
 
 export const recessing = {
+  860: {
+    name: "Recessing of a contour, radial",
+    summary: "Plunges a contour into a cylinder or a bore, with any number of grooves.",
+    description: [
+      "Takes what lies between the contour of a subprogram and the start point, by plunges towards the axis, or away "
+      + "from it in a bore. Cycle 14 names the contour before.",
+      order,
+      sections,
+    ],
+    rough,
+    finish,
+    notes,
+  },
   861: {
     name: "Recessing, radial, simple",
     summary: "Plunges a groove with upright walls into a cylinder or a bore, from the start point to one corner.",
@@ -50,6 +64,19 @@ export const recessing = {
       "Makes a groove in a cylinder, or in a bore, by plunges side by side. The edges can get a chamfer or a radius, "
       + "both walls can lean, and the floor corners can be rounded.",
       order,
+    ],
+    rough,
+    finish,
+    notes,
+  },
+  870: {
+    name: "Recessing of a contour, axial",
+    summary: "Plunges a contour into a face, with any number of grooves.",
+    description: [
+      "Takes what lies between the contour of a subprogram and the start point, by plunges along the axis. Cycle 14 "
+      + "names the contour before.",
+      order,
+      sections,
     ],
     rough,
     finish,

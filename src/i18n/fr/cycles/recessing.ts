@@ -30,8 +30,23 @@ const notes = [
   "La liste des paramètres et les étapes viennent de mémoire ; aucune page que nous avons ne les imprime. Notre "
   + "lecture ; à vérifier sur la commande.",
 ];
+const sections = "Un contour à plusieurs vallées est taillé section par section, chacune jusqu'au fond et le long de ses parois "
+  + "avant la suivante.";
 
 export const recessing = {
+  860: {
+    name: "Gorge de contour radiale",
+    summary: "Plonge un contour dans un cylindre ou un alésage, avec autant de gorges qu'on veut.",
+    description: [
+      "Enlève ce qui se trouve entre le contour d'un sous-programme et le point de départ, par plongées vers l'axe, ou "
+      + "depuis lui dans un alésage. Le cycle 14 nomme d'abord le contour.",
+      order,
+      sections,
+    ],
+    rough,
+    finish,
+    notes,
+  },
   861: {
     name: "Gorge radiale simple",
     summary: "Plonge une gorge à parois droites dans un cylindre ou un alésage, du point de départ à un coin.",
@@ -51,6 +66,19 @@ export const recessing = {
       "Réalise une gorge dans un cylindre ou un alésage par plongées côte à côte. Les arêtes peuvent recevoir un "
       + "chanfrein ou un arrondi, les deux flancs peuvent être inclinés, les coins du fond arrondis.",
       order,
+    ],
+    rough,
+    finish,
+    notes,
+  },
+  870: {
+    name: "Gorge de contour axiale",
+    summary: "Plonge un contour dans une face, avec autant de gorges qu'on veut.",
+    description: [
+      "Enlève ce qui se trouve entre le contour d'un sous-programme et le point de départ, par plongées le long de "
+      + "l'axe. Le cycle 14 nomme d'abord le contour.",
+      order,
+      sections,
     ],
     rough,
     finish,

@@ -27,8 +27,17 @@ const notes = [
   "槽深大于CUTLENGTH时,只切到刃长的深度,并显示提示。",
   "参数列表和步骤凭记忆写成,我们没有印有它们的手册页。这是我们的理解;请在数控系统上核对。",
 ];
+const sections = "有多个谷的轮廓逐段加工:每段切到底并沿侧壁切完,再切下一段。";
 
 export const recessing = {
+  860: {
+    name: "径向轮廓切槽",
+    summary: "在圆柱面或孔内按轮廓切槽,槽数不限。",
+    description: ["以朝向轴线(孔内则背离轴线)的并排切入去除子程序轮廓与起点之间的材料。之前须用循环14指定轮廓。", order, sections],
+    rough,
+    finish,
+    notes,
+  },
   861: {
     name: "径向切槽(简单)",
     summary: "在圆柱面或孔内切直壁槽,从起点到一个角点。",
@@ -41,6 +50,14 @@ export const recessing = {
     name: "径向切槽(扩展)",
     summary: "在圆柱面或孔内切槽,可带斜侧壁、倒角和槽底圆角。",
     description: ["以并排切入在圆柱面或孔内加工槽。棱边可加倒角或圆角,两侧壁可倾斜,槽底角可倒圆。", order],
+    rough,
+    finish,
+    notes,
+  },
+  870: {
+    name: "轴向轮廓切槽",
+    summary: "在端面按轮廓切槽,槽数不限。",
+    description: ["以沿轴线方向的并排切入去除子程序轮廓与起点之间的材料。之前须用循环14指定轮廓。", order, sections],
     rough,
     finish,
     notes,

@@ -1,0 +1,43 @@
+import { c820 } from "./c820.ts";
+import { c872 } from "./c872.ts";
+import { defineCycle } from "./define.ts";
+import type { Setups } from "./drawn-setup.ts";
+import { recalled } from "./params.ts";
+import { freeRecessing, planFreeRecessing } from "./recessing-free.ts";
+import { axialPlunges } from "./recessing-params.ts";
+import { plungedContours } from "./recessing-setups.ts";
+
+const { Q215, Q460, Q478, Q483, Q484, Q505 } = c872.params;
+const { Q479, Q480, Q482 } = c820.params;
+
+/** Recessing, axial: the contour of a subprogram with any number of valleys, in a face, by plunges side by side. */
+export const c870 = defineCycle({
+  number: 870,
+  group: "recessing",
+  manual: null,
+  evidence: "K1",
+  contour: "free",
+  params: recalled({ Q215, Q460, Q478, Q483, Q484, Q505, Q479, Q480, Q482, ...axialPlunges }),
+  setup: {
+    name: "GROOVES",
+    tool: 8,
+    blank: { outside: "90", bore: "", length: "60", allowance: "0" },
+    start: { x: "82", z: "2" },
+    contour: [
+      { kind: "L", x: "82", z: "0" },
+      { kind: "L", x: "79", z: "-9" },
+      { kind: "RND", r: "1.5" },
+      { kind: "L", x: "62" },
+      { kind: "L", x: "56", z: "-3" },
+      { kind: "L", x: "48" },
+      { kind: "CR", x: "24", r: "8", turn: "ccw" },
+      { kind: "L", x: "20", z: "0" },
+    ],
+  },
+  steps: c872.steps,
+  outline: (v, given) => freeRecessing(v, given, true),
+  plan: (v, setting, given) => planFreeRecessing(v, setting, given, true),
+});
+
+/** Set-ups that the laws hold this cycle to. */
+export const setups870: Setups = plungedContours(true);
