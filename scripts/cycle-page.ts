@@ -44,6 +44,22 @@ function row(q: string, p: Param): string {
   return `| ${cells.map(cell).join(" | ")} |`;
 }
 
+/** The table of the parameters, and what its tags mean; nothing for a cycle without any. */
+function parameters({ params: list }: Cycle): string[] {
+  const rows = Object.entries(list).map(([q, p]) => row(q, p));
+  if (rows.length === 0) return [];
+  const grades = Object.entries(cycles.evidence).map(([grade, meaning]) => `${grade}: ${meaning}`);
+  return [
+    "## Parameters",
+    [
+      "| Q | Prompt | Measures | Unit | Range | Example | Entry | NC label | Evidence | Meaning |",
+      "|---|---|---|---|---|---|---|---|---|---|",
+      ...rows,
+    ].join("\n"),
+    `Evidence of the parameter / of its range: ${grades.join("; ")}.`,
+  ];
+}
+
 /** The page of one cycle, all of it from the catalogue and the English texts. */
 export function cyclePage(cycle: Cycle): string {
   const number = cycle.number as CycleNumber;
@@ -52,7 +68,6 @@ export function cyclePage(cycle: Cycle): string {
   const source = manual
     ? `${manual.document}, section ${manual.section}${manual.page ? `, page ${manual.page}` : ""}`
     : `parameter list recalled (${cycles.evidence[cycle.evidence]}), compare on your control`;
-  const grades = Object.entries(cycles.evidence).map(([grade, meaning]) => `${grade}: ${meaning}`);
   return ""
     + ([
       `<!-- Written by \`npm run docs\` from src/cycles/c${number}.ts and src/i18n/en; edit those. -->`,
@@ -60,17 +75,9 @@ export function cyclePage(cycle: Cycle): string {
       text.summary,
       text.description.join("\n\n"),
       `Source: ${source}. In NC text: \`CYCL DEF ${number} ${labels.cycles[number].text}\`.`,
-      "## Parameters",
-      [
-        "| Q | Prompt | Measures | Unit | Range | Example | Entry | NC label | Evidence | Meaning |",
-        "|---|---|---|---|---|---|---|---|---|---|",
-        ...Object.entries(cycle.params).map(([q, p]) => row(q, p)),
-      ].join("\n"),
-      `Evidence of the parameter / of its range: ${grades.join("; ")}.`,
-      "## Roughing, step by step",
-      list(text.rough, (i) => `${i + 1}.`),
-      "## Finishing, step by step",
-      list(text.finish, (i) => `${i + 1}.`),
+      ...parameters(cycle),
+      ...(text.rough.length > 0 ? ["## Roughing, step by step", list(text.rough, (i) => `${i + 1}.`)] : []),
+      ...(text.finish.length > 0 ? ["## Finishing, step by step", list(text.finish, (i) => `${i + 1}.`)] : []),
       "## Notes",
       list(text.notes, () => "-"),
     ].join("\n\n"))

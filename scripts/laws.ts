@@ -3,7 +3,7 @@ import { writeFileSync } from "node:fs";
 import { availableParallelism } from "node:os";
 import { join } from "node:path";
 import fc from "fast-check";
-import { catalogue, cycleByNumber } from "../src/cycles/index.ts";
+import { cuttingCycles, cycleByNumber } from "../src/cycles/index.ts";
 import { brokenBy } from "../tests/laws/cut-laws.ts";
 import type { FoundCase } from "../tests/laws/found-case.ts";
 import { brokenByPlan } from "../tests/laws/plan-laws.ts";
@@ -68,7 +68,7 @@ export async function main(args: readonly string[]): Promise<number> {
   const [cases, only] = [option(args, "cases", 10_000), option(args, "cycle", 0)];
   console.log(`LAW_SEED=${seed}, ${cases} set-ups of each cycle`);
   const each = Math.ceil(cases / OPERATIONS.length);
-  const jobs = catalogue.filter((c) => only === 0 || c.number === only).flatMap(({ number }) =>
+  const jobs = cuttingCycles.filter((c) => only === 0 || c.number === only).flatMap(({ number }) =>
     OPERATIONS.flatMap((operation) =>
       Array.from({ length: Math.ceil(each / SHARE) },
         (_, i): Job => ({ cycle: number, operation, cases: Math.min(SHARE, each - i * SHARE), seed: (seed + i * 7919) % 2 ** 31 }))

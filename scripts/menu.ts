@@ -1,6 +1,6 @@
 import type { MenuCycle } from "../src/app/chooser/menu.ts";
 import type { Cycle, Outline } from "../src/cycles/define.ts";
-import { catalogue } from "../src/cycles/index.ts";
+import { cuttingCycles } from "../src/cycles/index.ts";
 import { isRecalled } from "../src/cycles/params.ts";
 import { LANGUAGES } from "../src/i18n/languages.ts";
 import { menuWords } from "../src/i18n/menu-words.ts";
@@ -57,7 +57,7 @@ function pictograms(cycle: Cycle): readonly Pictogram[] {
 }
 
 /** What the first screen has to know of the catalogue: it is computed once, when the page is built. */
-export const menu: readonly MenuCycle[] = catalogue.map((cycle) => ({
+export const menu: readonly MenuCycle[] = cuttingCycles.map((cycle) => ({
   number: cycle.number,
   group: cycle.group,
   free: cycle.contour === "free",

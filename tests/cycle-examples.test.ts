@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { verified } from "../scripts/verify.ts";
-import { catalogue } from "../src/cycles/index.ts";
+import { cuttingCycles } from "../src/cycles/index.ts";
 import { ncLabels } from "../src/i18n/nc-labels.ts";
 import { LANGUAGES } from "../src/i18n/languages.ts";
 import { parse } from "../src/nc/parse.ts";
@@ -13,7 +13,7 @@ import { shippedTools } from "../src/program/shipped-tools.ts";
 /*
  * The example of every cycle, as the page begins a work with it: whoever meets a cycle for the first time sees a program that is proved.
  */
-const cutting = catalogue.filter((cycle) => cycle.group !== "special");
+const cutting = cuttingCycles;
 const tools = { tools: shippedTools, refused: new Map() };
 
 describe.each(cutting.map((cycle) => [cycle.number, cycle] as const))("the example of cycle %i", (number, cycle) => {

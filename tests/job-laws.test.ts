@@ -1,6 +1,6 @@
 import * as fc from "fast-check";
 import { describe, expect, test } from "vitest";
-import { catalogue } from "../src/cycles/index.ts";
+import { cuttingCycles } from "../src/cycles/index.ts";
 import type { Param } from "../src/cycles/params.ts";
 import { ncLabels } from "../src/i18n/nc-labels.ts";
 import { parse } from "../src/nc/parse.ts";
@@ -40,7 +40,7 @@ const row = fc.record({
   tangent: fc.boolean(),
   second: fc.boolean(),
 }).map(({ id, ...given }) => newRow(id, given));
-const jobs: fc.Arbitrary<Job> = fc.constantFrom(...catalogue).chain((cycle) =>
+const jobs: fc.Arbitrary<Job> = fc.constantFrom(...cuttingCycles).chain((cycle) =>
   fc.record({
     draft: fc.record(Object.fromEntries(Object.entries(cycle.params).map(([q, p]) => [q, typed(p)]))),
     contour: fc.oneof(fc.constant(exampleJob(cycle).contour), fc.array(row, { maxLength: 8 })),
@@ -57,7 +57,7 @@ const shop = { tools: shippedTools, rapid: 10_000 };
 describe("whatever is typed", () => {
   test("both layouts say the same, and the text is read as it was meant", () => {
     fc.assert(fc.property(jobs, (job) => {
-      const cycle = catalogue.find((c) => c.number === job.cycle);
+      const cycle = cuttingCycles.find((c) => c.number === job.cycle);
       const [old, recent] = (["tnc640", "tnc7"] as const).map((layout) => printJob({ ...job, layout }, ncLabels(job.ncLanguage)));
       const [a, b] = [old, recent].map((text) => parse(text ?? ""));
       if (!a || !b || !cycle) throw new Error("no program");

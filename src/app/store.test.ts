@@ -1,5 +1,5 @@
 import { beforeEach, expect, test } from "vitest";
-import { catalogue } from "../cycles/index.ts";
+import { cuttingCycles } from "../cycles/index.ts";
 import { exampleJob } from "../program/job.ts";
 import { cellOf } from "../program/tool-entry.ts";
 import { shippedList } from "../program/tool-list.ts";
@@ -11,7 +11,7 @@ import { setCell } from "./tools/tool-edits.ts";
 import { hideTools, useToolPlace } from "./tools/tool-place.ts";
 import { takeTools, useTools } from "./tools/tool-store.ts";
 
-const [cycle] = catalogue;
+const [cycle] = cuttingCycles;
 if (!cycle) throw new Error("the catalogue is empty");
 const [first = "", second = ""] = Object.keys(cycle.params).filter((q) => !cycle.params[q]?.choices);
 const value = (q: string) => draftOf(useEditor.getState().job ?? exampleJob(cycle))[q];

@@ -96,6 +96,12 @@ export interface ThreadRoles {
   readonly diameters: readonly string[];
 }
 
+/** What is known of a cycle that acts where it is defined. */
+export interface Acting {
+  /** The parameters that change coordinates, each with the values that leave them as they are. */
+  readonly neutral: Readonly<Record<string, readonly number[]>>;
+}
+
 export interface Cycle<P extends Params = Params, N extends number = number> {
   readonly number: N;
   readonly group: Group;
@@ -103,8 +109,10 @@ export interface Cycle<P extends Params = Params, N extends number = number> {
   readonly manual: { readonly section: string; readonly document: string; readonly page?: number } | null;
   /** How far the list of its parameters can be trusted. */
   readonly evidence: Evidence;
-  /** "own": from its Q values; "free": from a contour subprogram named by cycle 14. */
-  readonly contour: "own" | "free";
+  /** "own": from its Q values; "free": from a contour subprogram named by cycle 14; "none": it cuts nothing. */
+  readonly contour: "own" | "free" | "none";
+  /** Of a cycle that acts where it is defined instead of cutting where it is called. */
+  readonly acts?: Acting;
   /** Given where it does not follow from group and contour (`useOf` in use.ts): one line, such as `use: { shapes: ["plunge"] }`. */
   readonly use?: Use;
   /** In the printed order, which is the order of form and NC text. */

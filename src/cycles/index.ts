@@ -1,3 +1,5 @@
+import { c800 } from "./c800.ts";
+import { c801 } from "./c801.ts";
 import { c810 } from "./c810.ts";
 import { c811 } from "./c811.ts";
 import { c812 } from "./c812.ts";
@@ -27,6 +29,8 @@ import type { Param, Params } from "./params.ts";
 
 /** In menu order. A new cycle is one file and one entry here. */
 const list = [
+  c800,
+  c801,
   c810,
   c811,
   c812,
@@ -52,10 +56,14 @@ const list = [
   c871,
   c872,
 ] as const;
+const list = [c800, c801, c810, c811, c812, c815, c820, c821, c822, c830, c831, c832, c841, c842, c851, c852] as const;
 type Listed = (typeof list)[number];
 
 /** All cycles in menu order. */
 export const catalogue: readonly Cycle[] = list;
+
+/** Those that a work can be made of: they cut. The others act where a program defines them. */
+export const cuttingCycles: readonly Cycle[] = catalogue.filter((c) => !c.acts);
 
 /** The numbers of the catalogue: a cycle without texts is a compile error. */
 export type CycleNumber = Listed["number"];

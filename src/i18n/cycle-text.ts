@@ -1,4 +1,5 @@
 import type { Group } from "../cycles/define.ts";
+import type { KeptNumber } from "../cycles/kept-cycles.ts";
 import type { CycleNumber } from "../cycles/index.ts";
 import type { Evidence, Kind } from "../cycles/params.ts";
 
@@ -26,6 +27,8 @@ export interface CyclesTexts {
   readonly finishStep: (step: number, of: number, text: string) => string;
   /** Before step 1. */
   readonly positioning: string;
+  /** Those that are read and kept, and not run. */
+  readonly kept: Readonly<Record<KeptNumber, string>>;
   readonly of: Readonly<Record<CycleNumber, CycleText>>;
 }
 

@@ -5,6 +5,7 @@ import { issue, type Issue } from "../kernel/issue.ts";
 import type { Plan } from "../kernel/plan.ts";
 import { empty } from "../kernel/strategy/leveled.ts";
 import { partPoint } from "../kernel/plane.ts";
+import type { CycleParameter, StatementOf } from "../nc/statement.ts";
 import type { Pt } from "../kernel/point.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { toDiameter } from "../kernel/units.ts";
@@ -20,7 +21,7 @@ import { countedPoint, shiftedPlan } from "./shifted-plan.ts";
 import { startUnknown } from "./turn-run.ts";
 import { threadWarnings } from "./thread-warnings.ts";
 import { judgeOf, triedOffers } from "./tried.ts";
-import { ACTIVE_AT_ONCE, actingCycle } from "./unproved-blocks.ts";
+import { actingCycle, actsAtOnce } from "./unproved-blocks.ts";
 import { rankTools } from "./which-tool.ts";
 
 const nothing: Plan = empty([]);
@@ -203,16 +204,11 @@ function perform(machine: Machine, { cycle, defined, start, tool, plan, issues, 
   });
 }
 
-/** Takes up a definition; parameters are read now, as the control does, and stand in Q parameters of their number. */
-export function cycleDefinition(machine: Machine, index: number): void {
-  const s = machine.blocks[index]?.statement;
-  if (s?.kind !== "cycle") return;
-  const cycle = cycleByNumber(s.cycle);
-  if (!cycle) machine.log.say(programIssue("cycleNotSimulated", "info", { cycle: s.cycle, name: s.name }), index);
-  if (ACTIVE_AT_ONCE.has(s.cycle)) return actingCycle(machine, s.cycle, s.parameters, index);
+/** The parameters of a definition as they are now, and those whose value is not known. */
+function readParameters(machine: Machine, parameters: readonly CycleParameter[], index: number): Pick<Defined, "values" | "troubled"> {
   const values = new Map<string, number | "auto" | null>();
   const troubled = new Set<string>();
-  for (const p of s.parameters) {
+  for (const p of parameters) {
     if (p.value === null || p.value === "max") values.set(p.q, null);
     else if (p.value === "auto") values.set(p.q, "auto");
     else {
@@ -221,6 +217,25 @@ export function cycleDefinition(machine: Machine, index: number): void {
       if (n === null) troubled.add(p.q);
     }
   }
+  return { values, troubled };
+}
+
+/** A cycle that acts here: values that it can not have are told, ones that are not given are those of an older control. */
+function act(machine: Machine, cycle: Cycle, s: StatementOf<"cycle">, index: number): void {
+  const { issues } = cycleValues(machine, cycle, readParameters(machine, s.parameters, index).values);
+  const raw = machine.blocks[index]?.raw ?? "";
+  for (const i of issues) if (i.code !== "missing" && i.at !== undefined) machine.log.say(i, index, lineOfParameter(raw, i.at));
+}
+
+/** Takes up a definition; parameters are read now, as the control does, and stand in Q parameters of their number. */
+export function cycleDefinition(machine: Machine, index: number): void {
+  const s = machine.blocks[index]?.statement;
+  if (s?.kind !== "cycle") return;
+  const cycle = cycleByNumber(s.cycle);
+  if (!cycle) machine.log.say(programIssue("cycleNotSimulated", "info", { cycle: s.cycle, name: s.name }), index);
+  if (cycle?.acts) act(machine, cycle, s, index);
+  if (actsAtOnce(s.cycle)) return actingCycle(machine, s.cycle, s.parameters, index);
+  const { values, troubled } = readParameters(machine, s.parameters, index);
   values.forEach((v, q) => typeof v === "number" && machine.parameters.set(q, v));
   if (cycle) {
     machine.definitions.add(index);

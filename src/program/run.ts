@@ -16,7 +16,7 @@ import { NOWHERE } from "./path.ts";
 import { neverCalled } from "./preconditions.ts";
 import type { Run } from "./run-types.ts";
 import { correctTool, toolCall, toolDefinition } from "./tool-call.ts";
-import { ACTIVE_AT_ONCE, actingLine, textBlock } from "./unproved-blocks.ts";
+import { actingLine, actsAtOnce, textBlock } from "./unproved-blocks.ts";
 
 /** Runs a program: executes block after block and plans every cycle that it calls. Never throws, always ends. */
 export function run(program: Program, shop: Shop): Run {
@@ -163,7 +163,7 @@ function cycleLine(machine: Machine, s: StatementOf<"cycleLine">, index: number)
     if (line > 0) datumLine(machine, text, `CYCL DEF ${cycle}`, index);
   } else {
     machine.log.say(programIssue("cycleNotSimulated", "info", { cycle, name: text }), index);
-    if (ACTIVE_AT_ONCE.has(cycle)) actingLine(machine, s, index);
+    if (actsAtOnce(cycle)) actingLine(machine, s, index);
     else if (line === 0) machine.set({ defined: { index, cycle, values: new Map(), troubled: new Set() } });
   }
 }

@@ -1,3 +1,4 @@
+import { cycleByNumber } from "../cycles/index.ts";
 import type { CycleParameter } from "../nc/statement.ts";
 import { NUMBER_PARAMETER, readValue, TEXT_PARAMETER, VALUE } from "../nc/value.ts";
 import type { Machine } from "./machine.ts";
@@ -71,15 +72,9 @@ export function actingLine(
   if (rule.letters ? /[A-Z]/i.test(text) : changes(machine, text, rule.neutral, index)) machine.log.leaveUnproved(what, index);
 }
 
-/** Cycles of Q parameters that act at once: the parameters that change coordinates, with the values that do not. */
-const ADAPTING = [{ q: "Q497", neutral: [0] }, { q: "Q498", neutral: [0] }, { q: "Q531", neutral: [0] }, {
-  q: "Q535",
-  neutral: [0, 3],
-}] as const;
 const PRESET = 247;
-const ADAPT = 800;
 
-/** A cycle that acts where it is defined: nothing is proved behind it when it changes the coordinates. */
+/** A cycle of Q parameters that acts where it is defined: nothing is proved behind it when it changes the coordinates. */
 export function actingCycle(machine: Machine, cycle: number, parameters: readonly CycleParameter[], index: number): void {
   const number = (q: string) => {
     const value = parameters.find((p) => p.q === q)?.value;
@@ -87,15 +82,16 @@ export function actingCycle(machine: Machine, cycle: number, parameters: readonl
   };
   const what = `CYCL DEF ${cycle}`;
   if (cycle === PRESET) return machine.usePreset(number("Q339") ?? null, what, index);
-  if (cycle === ADAPT) {
-    if (ADAPTING.some(({ q, neutral }) => {
-      const n = number(q);
-      return n !== undefined && !neutral.some((same) => same === n);
-    })) machine.log.leaveUnproved(what, index);
-  } else if (UNREAD.has(cycle)) machine.log.leaveUnproved(what, index);
+  const neutral = Object.entries(cycleByNumber(cycle)?.acts?.neutral ?? {});
+  const moves = neutral.some(([q, values]) => {
+    const n = number(q);
+    return n !== undefined && (n === null || !values.includes(n));
+  });
+  if (moves || UNREAD.has(cycle)) machine.log.leaveUnproved(what, index);
 }
 
 /** Spelt as cycles of Q parameters, which no control has: what they would do, nobody knows. */
 const UNREAD: ReadonlySet<number> = new Set([7, 8, 10, 11, 12, 19, 26, 220, 221]);
 /** Cycles that act where they are defined and leave the defined machining cycle as it is: datum, mirror, dwell and the like. */
-export const ACTIVE_AT_ONCE: ReadonlySet<number> = new Set([7, 8, 9, 10, 11, 12, 13, 14, 19, 20, 26, 32, 220, 221, 239, 247, 800, 801]);
+const ACTIVE_AT_ONCE: ReadonlySet<number> = new Set([7, 8, 9, 10, 11, 12, 13, 14, 19, 20, 26, 32, 220, 221, 239, 247]);
+export const actsAtOnce = (cycle: number): boolean => ACTIVE_AT_ONCE.has(cycle) || cycleByNumber(cycle)?.acts !== undefined;

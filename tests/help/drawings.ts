@@ -1,4 +1,4 @@
-import { catalogue } from "../../src/cycles/index.ts";
+import { cuttingCycles } from "../../src/cycles/index.ts";
 import type { Cycle, Given } from "../../src/cycles/define.ts";
 import { firstValues } from "../../src/cycles/first-values.ts";
 import { pointPlan } from "../../src/cycles/point-plan.ts";
@@ -26,7 +26,8 @@ export const printedContour: Given = {
   start: null,
 };
 
-export const cycles: readonly Cycle[] = catalogue;
+/** Those that have something to draw. */
+export const cycles: readonly Cycle[] = cuttingCycles;
 export const exampleOf = (cycle: Cycle): Numbers => firstValues(cycle);
 
 /** Draws a cycle with values; null when they make no contour. */

@@ -11,6 +11,8 @@ export function HelpSlot({ read, q }: { readonly read: JobReading; readonly q: s
   const language = useSettings((s) => s.language);
   const unwritten = read.job.contour.length === 0 && !read.reading.values;
   const given = useMemo(() => givenOf(unwritten ? { cycle: read.cycle, job: exampleJob(read.cycle) } : read), [unwritten, read]);
+  // What acts where it is defined has no contour to draw.
+  if (read.cycle.acts) return null;
   return (
     <div className="help-slot">
       <HelpPicture cycle={read.cycle} values={read.reading.values} partial={read.reading.partial as Numbers} given={given} activeQ={q}

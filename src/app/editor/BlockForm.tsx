@@ -1,3 +1,4 @@
+import { isKept } from "../../cycles/kept-cycles.ts";
 import { withBlock } from "../../nc/edit.ts";
 import { blockNumbers } from "../../nc/program.ts";
 import type { Statement } from "../../nc/statement.ts";
@@ -25,7 +26,7 @@ export function BlockForm({ problems }: { readonly problems: readonly FindingEnt
   return (
     <div className="block-form" role="form" aria-label={t.form}>
       <code className="number block-text">{block.raw.trimEnd()}</code>
-      {s.kind === "unknown" && (
+      {(s.kind === "unknown" || (s.kind === "cycle" && isKept(s.cycle))) && (
         <p className="field-message info">
           <Icon name="info" /> {t.kept}
         </p>

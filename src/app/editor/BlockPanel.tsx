@@ -1,6 +1,8 @@
 import { useRef, useState } from "react";
 import { blockNumbers } from "../../nc/program.ts";
 import { cycleByNumber, type CycleNumber } from "../../cycles/index.ts";
+import { isKept } from "../../cycles/kept-cycles.ts";
+import type { Texts } from "../../i18n/index.ts";
 import { ApproachBlock } from "../approach/ApproachBlock.tsx";
 import { CycleDialog } from "../dialog/CycleDialog.tsx";
 import { Icon, type IconName } from "../Icon.tsx";
@@ -11,6 +13,12 @@ import { kindOf } from "./block-kind.ts";
 import { Palette } from "./Palette.tsx";
 import { setBlockPrompt, setBlockPrompts, useOpenBlock } from "./open-block.ts";
 import { editProgram, openBlock, useSession } from "./session.ts";
+
+/** What a cycle is called on the screen; null for one that nobody here knows. */
+function nameOf(t: Texts, cycle: number): string | null {
+  if (cycleByNumber(cycle)) return t.cycles.of[cycle as CycleNumber].name;
+  return isKept(cycle) ? t.cycles.kept[cycle] : null;
+}
 
 /** The dialog of the open block, and what can be done with the block itself. */
 export function BlockPanel() {
@@ -31,7 +39,7 @@ export function BlockPanel() {
     );
   }
   const s = block.statement;
-  const words = s.kind === "cycle" && cycleByNumber(s.cycle) ? t.cycles.of[s.cycle as CycleNumber].name : null;
+  const words = s.kind === "cycle" ? nameOf(t, s.cycle) : null;
   const kind = words ?? t.editor.kinds[kindOf(s)];
   const number = String(blockNumbers(program)[index] ?? 0);
   const dialogOf = () => {

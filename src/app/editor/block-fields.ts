@@ -1,3 +1,4 @@
+import { isKept, keptLabels } from "../../cycles/kept-cycles.ts";
 import { GROOVE_WORDS } from "../../kernel/groove.ts";
 import { UNDERCUT_FORMS, UNDERCUT_WORDS } from "../../kernel/undercut.ts";
 import { parse } from "../../nc/parse.ts";
@@ -16,6 +17,8 @@ const AXES = ["X", "Y", "Z"] as const satisfies readonly AxisName[];
 const TARGET = new RegExp(String.raw`^\s*${NUMBER_PARAMETER}\s*$`, "i");
 /** A tool with its index, as in 5.1, or in a parameter; anything else is a number or a name. */
 const TOOL_VALUE = new RegExp(String.raw`^\s*(?:\d{1,9}\.\d\s*$|${NUMBER_PARAMETER})`, "i");
+/** What a parameter of a cycle that is kept is called where the program does not say it. */
+const labelOf = (cycle: number, q: string): string => (isKept(cycle) ? (keptLabels(cycle).get(q) ?? "") : "");
 const isAxis = (typed: string): typed is AxisName => /^[XYZABCUVW]$/.test(typed);
 const tail = [compensationField, feedField, functionsField];
 const polar = [polarWord("polarRadius", "polarRadius", "mm"), polarWord("polarAngle", "polarAngle", "°")];
@@ -276,7 +279,7 @@ const table: Table = {
   }, { wide: true })],
   cycle: (s) =>
     s.parameters.map((p) =>
-      fieldOf("cycle", { word: p.label === null ? p.q : `${p.q} ${p.label.trim()}` }, (c) =>
+      fieldOf("cycle", { word: `${p.q} ${(p.label ?? labelOf(s.cycle, p.q)).trim()}`.trim() }, (c) =>
         parameterAsTyped(c.parameters.find((each) => each.q === p.q)?.value), (c, typed) => {
         const value = feedWord(typed) ?? blockValue(typed);
         return value === null ? null : { ...c, parameters: c.parameters.map((each) => (each.q === p.q ? { ...each, value } : each)) };

@@ -1,5 +1,5 @@
 import { beforeEach, expect, test, vi } from "vitest";
-import { catalogue } from "../../cycles/index.ts";
+import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job.ts";
 import { findWorks, forgetWork, keepWork, readWork } from "./device.ts";
 import { SAVE_VERSION } from "./save-file.ts";
@@ -19,7 +19,7 @@ vi.mock("idb-keyval", () => {
   };
 });
 
-const [cycle] = catalogue;
+const [cycle] = cuttingCycles;
 if (!cycle) throw new Error("the catalogue is empty");
 const job = exampleJob(cycle);
 const works = () => device.stores.get("turnwise-works") ?? new Map<string, unknown>();

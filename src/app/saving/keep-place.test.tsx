@@ -1,11 +1,11 @@
 import { afterEach, expect, test, vi } from "vitest";
-import { catalogue } from "../../cycles/index.ts";
+import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job.ts";
 import { openPrompt, usePlace } from "../place.ts";
 import { begin } from "../store.ts";
 import { resumePlace, startKeepingPlace } from "./keep-place.ts";
 
-const [cycle] = catalogue;
+const [cycle] = cuttingCycles;
 if (!cycle) throw new Error("the catalogue is empty");
 const blank = usePlace.getState();
 

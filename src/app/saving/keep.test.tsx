@@ -1,5 +1,5 @@
 import { beforeEach, expect, test, vi } from "vitest";
-import { catalogue } from "../../cycles/index.ts";
+import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob, type Job } from "../../program/job.ts";
 import { setTool } from "../edits.ts";
 import { begin, useEditor } from "../store.ts";
@@ -37,7 +37,7 @@ vi.mock("./device.ts", () => ({
   forgetWork: (work: string) => Promise.resolve(device.works.delete(work)),
 }));
 
-const [cycle] = catalogue;
+const [cycle] = cuttingCycles;
 if (!cycle) throw new Error("the catalogue is empty");
 const job = exampleJob(cycle);
 const settle = () => new Promise((done) => setTimeout(done, 0));

@@ -1,10 +1,11 @@
 import { expect, test } from "vitest";
 import fc from "fast-check";
-import { catalogue } from "../../cycles/index.ts";
+import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job.ts";
 import { readSave, SAVE_VERSION, upgrade, type SaveFile } from "./save-file.ts";
 
-const saved = (): SaveFile[] => catalogue.map((cycle) => ({ version: SAVE_VERSION, savedAt: 1_700_000_000_000, job: exampleJob(cycle) }));
+const saved = (): SaveFile[] =>
+  cuttingCycles.map((cycle) => ({ version: SAVE_VERSION, savedAt: 1_700_000_000_000, job: exampleJob(cycle) }));
 
 test("what is saved comes back the same", () => {
   for (const file of saved()) expect(readSave(JSON.parse(JSON.stringify(file)))).toEqual(file);

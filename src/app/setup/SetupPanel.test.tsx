@@ -1,7 +1,7 @@
 import { cleanup, render, screen } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { afterEach, beforeEach, expect, test } from "vitest";
-import { catalogue } from "../../cycles/index.ts";
+import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job.ts";
 import { goToField } from "../place.ts";
 import { useReading } from "../reading.ts";
@@ -10,7 +10,7 @@ import { undo } from "../steps.ts";
 import { begin, useEditor } from "../store.ts";
 import { SetupPanel } from "./SetupPanel.tsx";
 
-const [cycle] = catalogue;
+const [cycle] = cuttingCycles;
 if (!cycle) throw new Error("the catalogue is empty");
 
 function Page() {

@@ -42,5 +42,6 @@ export const cycles = {
   roughStep: (step, of, text) => `Schritt ${step} von ${of}: ${text}`,
   finishStep: (step, of, text) => `Schlichten, Schritt ${step} von ${of}: ${text}`,
   positioning: "Positionieren vor Schritt 1",
+  kept: { 880: "Abwälzfräsen", 882: "Simultanschruppen", 883: "Simultanschlichten", 892: "Unwucht prüfen" },
   of: { ...special, ...longitudinal, ...transverse, ...recessTurning, ...recessing, ...threads },
 } satisfies CyclesTexts;

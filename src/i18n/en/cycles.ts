@@ -42,5 +42,6 @@ export const cycles = {
   roughStep: (step, of, text) => `Step ${step} of ${of}: ${text}`,
   finishStep: (step, of, text) => `Finishing, step ${step} of ${of}: ${text}`,
   positioning: "Positioning before step 1",
+  kept: { 880: "Gear hobbing", 882: "Simultaneous roughing", 883: "Simultaneous finishing", 892: "Check unbalance" },
   of: { ...special, ...longitudinal, ...transverse, ...recessTurning, ...recessing, ...threads },
 } satisfies CyclesTexts;

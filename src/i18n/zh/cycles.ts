@@ -42,5 +42,6 @@ export const cycles = {
   roughStep: (step, of, text) => `第${step}步(共${of}步):${text}`,
   finishStep: (step, of, text) => `精加工第${step}步(共${of}步):${text}`,
   positioning: "第1步之前的定位",
+  kept: { 880: "滚齿", 882: "同步粗车", 883: "同步精车", 892: "检查不平衡" },
   of: { ...special, ...longitudinal, ...transverse, ...recessTurning, ...recessing, ...threads },
 } satisfies CyclesTexts;
