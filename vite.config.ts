@@ -71,9 +71,20 @@ function cycleMenu(): Plugin {
   };
 }
 
+/** gallery.html: every golden and every cycle as drawings, of no weight for the page itself. */
+const gallery: Plugin = {
+  name: "gallery",
+  apply: (_, { command, isSsrBuild }) => command === "build" && !isSsrBuild,
+  async generateBundle() {
+    const from = new URL("scripts/gallery.ts", import.meta.url).pathname;
+    const { module } = await runnerImport<{ page: () => string }>(from, { configFile: false, logLevel: "error" });
+    this.emitFile({ type: "asset", fileName: "gallery.html", source: module.page() });
+  },
+};
+
 export default defineConfig({
   base: "./",
-  plugins: [react(), contentPolicy, namedMedia, cycleMenu()],
+  plugins: [react(), contentPolicy, namedMedia, cycleMenu(), gallery],
   worker: { format: "es" },
   build: {
     target: "es2023",

@@ -73,6 +73,7 @@ export function cyclePage(cycle: Cycle): string {
       `<!-- Written by \`npm run docs\` from src/cycles/c${number}.ts and src/i18n/en; edit those. -->`,
       `# ${number} ${text.name}`,
       text.summary,
+      ...(cycle.acts ? [] : [`![Help picture of cycle ${number}](${number}.svg)`]),
       text.description.join("\n\n"),
       `Source: ${source}. In NC text: \`CYCL DEF ${number} ${labels.cycles[number].text}\`.`,
       ...parameters(cycle),

@@ -1,6 +1,7 @@
 import { existsSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { describe, expect, test } from "vitest";
+import { cycleSvg } from "../scripts/cycle-picture.ts";
 import { cyclePage } from "../scripts/cycle-page.ts";
 import { catalogue } from "../src/cycles/index.ts";
 import { projectFile, projectFolder, projectPath } from "./sources.ts";
@@ -8,10 +9,14 @@ import { projectFile, projectFolder, projectPath } from "./sources.ts";
 describe("pages written from the catalogue", () => {
   test.each(catalogue.map((c) => [c.number, c] as const))("the page of %i is what `npm run docs` writes", (number, cycle) => {
     expect(projectFile(`docs/cycles/${number}.md`)).toBe(cyclePage(cycle));
+    const picture = cycleSvg(cycle);
+    if (picture !== null) expect(projectFile(`docs/cycles/${number}.svg`)).toBe(picture);
   });
 
   test("there is no page without its cycle", () => {
-    expect(projectFolder("docs/cycles").sort()).toEqual(catalogue.map((c) => `${c.number}.md`).sort());
+    expect(projectFolder("docs/cycles").sort()).toEqual(
+      catalogue.flatMap((c) => (c.acts ? [`${c.number}.md`] : [`${c.number}.md`, `${c.number}.svg`])).sort(),
+    );
   });
 });
 

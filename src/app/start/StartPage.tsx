@@ -44,6 +44,9 @@ export function StartPage() {
       }]} />
       <ProgramStart />
       <KeptWorks />
+      <p className="small">
+        <a href="gallery.html">{t.page.gallery}</a>
+      </p>
       <p className="small soft disclaimer">{t.page.disclaimer}</p>
     </main>
   );

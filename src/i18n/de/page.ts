@@ -17,6 +17,7 @@ export const page = {
   themes: { system: "Wie das System", light: "Hell", dark: "Dunkel" },
   motion: "Bewegung",
   motions: { system: "Wie das System", reduced: "Keine" },
+  gallery: "Galerie: jeder Zyklus und jedes Programm der Prüfungen, gezeichnet",
   disclaimer:
     "Nach den gedruckten Zyklenseiten gebaut; kein Produkt von HEIDENHAIN. Jedes Programm vor dem Zerspanen an der Steuerung prüfen.",
   savedHere: "Auf diesem Gerät gespeichert",

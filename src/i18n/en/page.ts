@@ -17,6 +17,7 @@ export const page = {
   themes: { system: "As the system", light: "Light", dark: "Dark" },
   motion: "Motion",
   motions: { system: "As the system", reduced: "None" },
+  gallery: "Gallery: every cycle and every program of the tests, drawn",
   disclaimer: "Built from the printed cycle pages; not a HEIDENHAIN product. Prove every program on your control before cutting.",
   savedHere: "Saved on this device",
 

@@ -17,6 +17,7 @@ export const page = {
   themes: { system: "Comme le système", light: "Clair", dark: "Sombre" },
   motion: "Animation",
   motions: { system: "Comme le système", reduced: "Aucune" },
+  gallery: "Galerie : tous les cycles et les programmes des tests, dessinés",
   disclaimer: "Établi d’après les pages imprimées des cycles ; ce n’est pas un produit HEIDENHAIN. Vérifier chaque programme sur la "
     + "commande avant d’usiner.",
   savedHere: "Enregistré sur cet appareil",

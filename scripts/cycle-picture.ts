@@ -1,0 +1,67 @@
+import type { Cycle } from "../src/cycles/define.ts";
+import { pointPlan } from "../src/cycles/point-plan.ts";
+import { texts } from "../src/i18n/index.ts";
+import { formatNumber } from "../src/i18n/number.ts";
+import { at } from "../src/kernel/point.ts";
+import { diameter, toRadius } from "../src/kernel/units.ts";
+import { readRows } from "../src/program/contour-rows.ts";
+import { exampleJob } from "../src/program/job.ts";
+import { exampleDraft, readDraft } from "../src/program/read-draft.ts";
+import { helpDrawing } from "../src/view/help/picture.ts";
+import { helpSvg } from "../src/view/help/svg.ts";
+import { helpRules, styled } from "./page-colours.ts";
+
+const SIZE = { width: 520, height: 340 };
+
+/** The hatches of the part and of what is cut, as the page has them. */
+const HATCHES = [["part", 7, 45], ["cut", 5, -45]].map(([name, size, turn]) =>
+  `<pattern id="hatch-${name}" width="${size}" height="${size}" patternUnits="userSpaceOnUse" patternTransform="rotate(${turn})">`
+  + `<rect class="hatch-ground" width="${size}" height="${size}"/><path class="hatch-${name}" d="M0.5 0V${size}"/></pattern>`
+).join("");
+
+/** The help picture of the example of a cycle, without colours of its own; null for a cycle that cuts nothing. */
+export function cyclePicture(cycle: Cycle): string | null {
+  const job = exampleJob(cycle);
+  const { values } = readDraft(cycle, exampleDraft(cycle));
+  if (cycle.acts || !values) return null;
+  const given = {
+    contour: cycle.contour === "free" ? readRows(job.contour).contour.segments : null,
+    start: at(Number(job.start.z), toRadius(diameter(Number(job.start.x)))),
+  };
+  const outline = cycle.outline(values, given);
+  if (outline.contour.length === 0) return null;
+  const { help } = texts("en");
+  const drawing = helpDrawing({
+    params: cycle.params,
+    values: values as Parameters<typeof helpDrawing>[0]["values"],
+    outline,
+    plan: pointPlan(cycle, values, outline, given),
+    active: null,
+    size: SIZE,
+    speech: {
+      number: (value, decimals) => formatNumber("en", value, decimals),
+      element: [help.element.none, help.element.chamfer, help.element.radius],
+      reserved: help.reserved,
+      notToScale: help.notToScale,
+    },
+  });
+  return helpSvg(drawing).replace("<svg ", `<svg class="help-picture" role="img" aria-label="${help.picture(String(cycle.number))}" `)
+    .replaceAll(/data-lens="(\S+) (\S+) (\S+)"/g, 'style="clip-path: circle($3px at $1px $2px)"');
+}
+
+/** The style of such pictures. */
+export const pictureRules = (): string =>
+  `${helpRules()}\n.help-picture .fill-part { fill: url(#hatch-part); }\n.help-picture .fill-cut { fill: url(#hatch-cut); }`;
+/** What they share. */
+export const pictureHatches = (): string => `<defs>${HATCHES}</defs>`;
+
+/** The same as a file of its own, light or dark as the system is. */
+export function cycleSvg(cycle: Cycle): string | null {
+  const drawn = cyclePicture(cycle);
+  const head = drawn?.indexOf(">") ?? 0;
+  if (!drawn) return null;
+  const ground = `<rect width="100%" height="100%" style="fill: var(--surface)"/>`;
+  return `${drawn.slice(0, head + 1)}\n  <style>${styled(pictureRules())}</style>\n  ${pictureHatches()}\n  ${ground}${
+    drawn.slice(head + 1)
+  }`;
+}
