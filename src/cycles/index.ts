@@ -56,7 +56,6 @@ const list = [
   c871,
   c872,
 ] as const;
-const list = [c800, c801, c810, c811, c812, c815, c820, c821, c822, c830, c831, c832, c841, c842, c851, c852] as const;
 type Listed = (typeof list)[number];
 
 /** All cycles in menu order. */
