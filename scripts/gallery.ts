@@ -130,9 +130,12 @@ export function page(): string {
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
 <meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'">
 <title>Turnwise: gallery</title><style>${styled(RULES + pictureRules())}</style></head>
-<body><svg class="help-picture" width="0" height="0" style="position: absolute" aria-hidden="true">${pictureHatches()}</svg>
-<header><h1>Gallery</h1><p>Every cycle with its help picture, and ${works.length} programs of the tests as they run: part, stock that is left,
-path, verdict, passes and time. Our reading of the manuals; verify on your control. <a href="./">Turnwise</a></p><nav>${links}</nav></header>
+<body>
+<svg class="help-picture" width="0" height="0" style="position: absolute" aria-hidden="true">${pictureHatches()}</svg>
+<header><h1>Gallery</h1>
+<p>Every cycle with its help picture, and ${works.length} programs of the tests as they run: part, stock that is left, path, verdict,
+passes and time. Our reading of the manuals; verify on your control. <a href="./">Turnwise</a></p>
+<nav>${links}</nav></header>
 <main>${sections.join("\n")}</main></body></html>
 `;
 }

@@ -7,7 +7,7 @@ import { recalled } from "./params.ts";
 import { simpleOutline, simpleRecess } from "./recess-plan.ts";
 import { radialRecesses, simpleRecesses } from "./recess-setups.ts";
 import { radialPlunges } from "./recessing-params.ts";
-import { planRecessing, recessOf } from "./recessing-plan.ts";
+import { planRecessing, recessingOutline } from "./recessing-plan.ts";
 import { plungedSetups } from "./recessing-setups.ts";
 
 const { Q460 } = c812.params;
@@ -29,10 +29,10 @@ export const c861 = defineCycle({
     contour: printedContour,
   },
   steps: c862.steps,
-  outline: (v, given) => simpleOutline(recessOf(simpleRecess(v, false, given), false)),
+  outline: (v, given) => simpleOutline(recessingOutline(simpleRecess(v, false, given), false)),
   plan(v, setting, given) {
     const whole = simpleRecess(v, false, given);
-    return planRecessing(whole, simpleOutline(recessOf(whole, false)), setting);
+    return planRecessing(whole, simpleOutline(recessingOutline(whole, false)), setting);
   },
 });
 

@@ -5,7 +5,7 @@ import type { Setups } from "./drawn-setup.ts";
 import { recalled } from "./params.ts";
 import { radialRecesses } from "./recess-setups.ts";
 import { radialPlunges } from "./recessing-params.ts";
-import { planRecessing, recessOf } from "./recessing-plan.ts";
+import { planRecessing, recessingOutline } from "./recessing-plan.ts";
 import { plungedSetups } from "./recessing-setups.ts";
 
 const { Q460 } = c812.params;
@@ -46,8 +46,8 @@ export const c862 = defineCycle({
     contour: printedContour,
   },
   steps: { rough: 6, finish: 8 },
-  outline: (v) => recessOf(v, false),
-  plan: (v, setting) => planRecessing(v, recessOf(v, false), setting),
+  outline: (v) => recessingOutline(v, false),
+  plan: (v, setting) => planRecessing(v, recessingOutline(v, false), setting),
 });
 
 /** Set-ups that the laws hold this cycle to. */

@@ -7,7 +7,7 @@ import { recalled } from "./params.ts";
 import { simpleOutline, simpleRecess } from "./recess-plan.ts";
 import { axialRecesses, simpleRecesses } from "./recess-setups.ts";
 import { axialPlunges } from "./recessing-params.ts";
-import { planRecessing, recessOf } from "./recessing-plan.ts";
+import { planRecessing, recessingOutline } from "./recessing-plan.ts";
 import { plungedSetups } from "./recessing-setups.ts";
 
 const { Q460 } = c812.params;
@@ -29,10 +29,10 @@ export const c871 = defineCycle({
     contour: printedContour,
   },
   steps: c872.steps,
-  outline: (v, given) => simpleOutline(recessOf(simpleRecess(v, true, given), true)),
+  outline: (v, given) => simpleOutline(recessingOutline(simpleRecess(v, true, given), true)),
   plan(v, setting, given) {
     const whole = simpleRecess(v, true, given);
-    return planRecessing(whole, simpleOutline(recessOf(whole, true)), setting);
+    return planRecessing(whole, simpleOutline(recessingOutline(whole, true)), setting);
   },
 });
 

@@ -5,7 +5,7 @@ import type { Setups } from "./drawn-setup.ts";
 import { recalled } from "./params.ts";
 import { axialRecesses } from "./recess-setups.ts";
 import { axialPlunges } from "./recessing-params.ts";
-import { planRecessing, recessOf } from "./recessing-plan.ts";
+import { planRecessing, recessingOutline } from "./recessing-plan.ts";
 import { plungedSetups } from "./recessing-setups.ts";
 
 const { Q460 } = c812.params;
@@ -46,8 +46,8 @@ export const c872 = defineCycle({
     contour: printedContour,
   },
   steps: { rough: 6, finish: 8 },
-  outline: (v) => recessOf(v, true),
-  plan: (v, setting) => planRecessing(v, recessOf(v, true), setting),
+  outline: (v) => recessingOutline(v, true),
+  plan: (v, setting) => planRecessing(v, recessingOutline(v, true), setting),
 });
 
 /** Set-ups that the laws hold this cycle to. */

@@ -55,7 +55,7 @@ export function planPlunges(
 }
 
 /** The finished recess of a cycle with its own contour: nothing shifts its floor. */
-export const recessOf = (v: ShoulderValues, transverse: boolean): RecessOutline => finishedRecess({ ...v, Q509: 0 }, transverse);
+export const recessingOutline = (v: ShoulderValues, transverse: boolean): RecessOutline => finishedRecess({ ...v, Q509: 0 }, transverse);
 
 /** The path of a recessing cycle with its own contour. */
 export function planRecessing(v: ShoulderValues & PlungeValues, outline: RecessOutline, setting: Setting): Plan {

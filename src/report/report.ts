@@ -3,43 +3,20 @@ import type { Language } from "../i18n/languages.ts";
 import type { AnyIssue } from "../i18n/message-texts.ts";
 import { cycleByNumber } from "../cycles/index.ts";
 import type { Severity } from "../kernel/issue.ts";
-import type { Move } from "../kernel/move.ts";
 import { part, type Pt, type Segment } from "../kernel/point.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { toDiameter } from "../kernel/units.ts";
 import { programIssue } from "../program/issue.ts";
-import type { PlaneStep } from "../program/plane-types.ts";
 import type { Operation, Run } from "../program/run-types.ts";
 import { stockIssues, type ProofIssue } from "../sim/issues.ts";
 import type { Simulation, Verdict } from "../sim/simulation.ts";
 import { remedies } from "./remedies.ts";
+import { moveOf, outsideCycles, type ReportMove } from "./report-moves.ts";
 import { verdictOf, type Judged, type VerdictReason } from "./verdict.ts";
 
 /** [z, r], mm. */
 export type ReportPoint = readonly [z: number, r: number];
 export type ReportRing = readonly ReportPoint[];
-
-/**
- * End points of the theoretical tip; X and the X of a centre are diameters. Of milling: end points of the tool centre, X and
- * Y as they are, no Z as long as the program has named none.
- */
-export interface ReportMove {
-  readonly kind: Move["kind"];
-  readonly x: number;
-  readonly y?: number;
-  readonly z?: number;
-  readonly cx?: number;
-  readonly cy?: number;
-  readonly cz?: number;
-  readonly dir?: "cw" | "ccw";
-  readonly feed?: number;
-  readonly feedUnit?: "mm/rev" | "mm/min";
-  /** The tool stands still for so many turns of the spindle; absent in every other move. */
-  readonly dwell?: number;
-  readonly phase: Move["phase"];
-  readonly pass?: number;
-  readonly block: number;
-}
 
 export interface ReportIssue {
   readonly code: string;
@@ -114,74 +91,6 @@ const LEAST_RESIDUAL = 0.01;
 
 const pointOf = (p: Pt): ReportPoint => [p.z, p.r];
 const ringOf = (ring: readonly Pt[]): ReportRing => ring.map(pointOf);
-
-function moveOf(move: Move, block: number): ReportMove {
-  const { phase, pass } = move;
-  const common = { x: toDiameter(move.to.r), z: move.to.z, phase, ...(pass !== undefined && { pass }), block };
-  switch (move.kind) {
-    case "rapid":
-      return { kind: move.kind, ...common };
-    case "feed":
-      return {
-        kind: move.kind,
-        ...common,
-        feed: move.feed,
-        feedUnit: move.feedUnit,
-        ...(move.dwell !== undefined && { dwell: move.dwell }),
-      };
-    case "arc":
-      return {
-        kind: move.kind,
-        ...common,
-        cx: toDiameter(move.centre.r),
-        cz: move.centre.z,
-        dir: move.turn,
-        feed: move.feed,
-        feedUnit: move.feedUnit,
-      };
-    case "thread":
-      return { kind: move.kind, ...common, feed: Math.abs(move.pitch), feedUnit: "mm/rev" };
-  }
-}
-
-function planeMoveOf(s: PlaneStep): ReportMove {
-  return {
-    kind: s.kind,
-    x: s.to.x,
-    y: s.to.y,
-    ...(s.to.z !== null && { z: s.to.z }),
-    phase: "position",
-    block: s.block,
-    ...(s.side && {
-      ...(s.side.centre.x !== undefined && { cx: s.side.centre.x }),
-      ...(s.side.centre.y !== undefined && { cy: s.side.centre.y }),
-      ...(s.side.centre.z !== undefined && { cz: s.side.centre.z }),
-      dir: s.side.turn,
-    }),
-    ...(s.centre && { cx: s.centre.x, cy: s.centre.y }),
-    ...(s.turn && { dir: s.turn }),
-    ...(s.feed !== undefined && { feed: s.feed }),
-    ...(s.feedUnit && { feedUnit: s.feedUnit }),
-  };
-}
-
-/** Motion outside cycles in the order it runs: turning and milling in turn. */
-function outsideCycles(run: Run): ReportMove[] {
-  const out: ReportMove[] = [];
-  let next = 0;
-  const mill = (before: number) => {
-    for (let s = run.plane[next]; s && s.turned <= before; s = run.plane[next]) {
-      out.push(planeMoveOf(s));
-      next += 1;
-    }
-  };
-  run.steps.forEach((s, i) => {
-    mill(i);
-    if (s.operation === null) out.push(moveOf(s.move, s.block));
-  });
-  mill(run.steps.length);
-  return out;
-}
 
 const columnsOf = (tool: Tool): Record<string, string | number> =>
   Object.fromEntries(Object.entries(tool).filter((e): e is [string, string | number] => typeof e[1] !== "object"));

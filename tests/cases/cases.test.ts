@@ -1,7 +1,8 @@
 import { describe, expect, test } from "vitest";
 import { verified } from "../../scripts/verify.ts";
 import { shippedTools } from "../../src/program/shipped-tools.ts";
-import type { Report, ReportMove } from "../../src/report/report.ts";
+import type { Report } from "../../src/report/report.ts";
+import type { ReportMove } from "../../src/report/report-moves.ts";
 import { expected, SEVERITY, type Expected } from "./expected.ts";
 
 const programs = import.meta.glob<string>("./*.h", { query: "?raw", import: "default", eager: true });

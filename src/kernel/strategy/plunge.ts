@@ -166,10 +166,10 @@ const surroundingsOf = ({ first, last, top, limits }: Site, deepest: number | nu
 
 /** How the plunges of a tool lie side by side over an opening. */
 function spacingOf(l: Plunging, tool: Tool, opening: number): Spacing {
-  const radius = noseRadius(tool);
-  const own = isBar(tool) ? cuttingWidth(tool) : 2 * radius;
+  const round = 2 * noseRadius(tool);
+  const own = isBar(tool) ? cuttingWidth(tool) : round;
   const width = own > SAME ? own : opening / NOMINAL;
-  return { width, level: isBar(tool) ? Math.max(0, own - 2 * radius) : 0, step: l.overlap * width, comb: l.comb };
+  return { width, level: isBar(tool) ? Math.max(0, own - round) : 0, step: l.overlap * width, comb: l.comb };
 }
 
 /** All bites of all plunges. */

@@ -94,7 +94,7 @@ const explanations: Readonly<Record<Topic, (c: Context, l: Lettering) => explain
   threadStarts: threads.starts,
   airCuts: threads.airCuts,
   depthLimit: plunges.depthLimit,
-  overlap: plunges.overlap,
+  overlap: plunges.sideStep,
   solidFeed: plunges.solidFeed,
   retraction: plunges.retraction,
   dwell: plunges.dwell,

@@ -34,7 +34,7 @@ function plunges(c: Context): Pass[] {
 }
 
 /** The side step between two neighbours. */
-export function overlap(c: Context, l: Lettering): Explanation {
+export function sideStep(c: Context, l: Lettering): Explanation {
   if (!l.active) return NOTHING;
   const [a, ...others] = plunges(c);
   if (!a) return nowhere(c, l);
