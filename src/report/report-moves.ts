@@ -26,7 +26,7 @@ export interface ReportMove {
 }
 
 /** A move of a turned block, as it is reported. */
-export function moveOf(move: Move, block: number): ReportMove {
+export function reportedMove(move: Move, block: number): ReportMove {
   const { phase, pass } = move;
   const common = { x: toDiameter(move.to.r), z: move.to.z, phase, ...(pass !== undefined && { pass }), block };
   switch (move.kind) {
@@ -88,7 +88,7 @@ export function outsideCycles(run: Run): ReportMove[] {
   };
   run.steps.forEach((s, i) => {
     mill(i);
-    if (s.operation === null) out.push(moveOf(s.move, s.block));
+    if (s.operation === null) out.push(reportedMove(s.move, s.block));
   });
   mill(run.steps.length);
   return out;

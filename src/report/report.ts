@@ -11,7 +11,7 @@ import type { Operation, Run } from "../program/run-types.ts";
 import { stockIssues, type ProofIssue } from "../sim/issues.ts";
 import type { Simulation, Verdict } from "../sim/simulation.ts";
 import { remedies } from "./remedies.ts";
-import { moveOf, outsideCycles, type ReportMove } from "./report-moves.ts";
+import { reportedMove, outsideCycles, type ReportMove } from "./report-moves.ts";
 import { verdictOf, type Judged, type VerdictReason } from "./verdict.ts";
 
 /** [z, r], mm. */
@@ -171,7 +171,7 @@ export function report(checked: Checked, language: Language): Report {
     contour: contourOf(o.plan.contour),
     passes: o.plan.passes,
     infeed: o.plan.infeed,
-    moves: run.steps.slice(o.firstStep, o.lastStep + 1).map((s) => moveOf(s.move, s.block)),
+    moves: run.steps.slice(o.firstStep, o.lastStep + 1).map((s) => reportedMove(s.move, s.block)),
     seconds: o.seconds,
     issues: [
       ...run.issues.filter((f) => f.operation === index).map((f) =>

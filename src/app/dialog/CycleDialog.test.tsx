@@ -11,7 +11,7 @@ import { redo, undo } from "../steps.ts";
 import { begin, useEditor } from "../store.ts";
 import { CycleDialog } from "./CycleDialog.tsx";
 
-const cycle = catalogue.find((c) => c.contour === "own");
+const cycle = catalogue.find((c) => c.contour === "own" && c.evidence === "A");
 if (!cycle) throw new Error("no cycle with a contour of its own");
 const prompts = Object.keys(cycle.params);
 const of = (kind: string) => Object.keys(cycle.params).find((q) => cycle.params[q]?.kind === kind) ?? "";
