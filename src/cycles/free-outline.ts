@@ -1,4 +1,4 @@
-import { selfCrossing } from "../kernel/crossing.ts";
+import { crossesChain, selfCrossing } from "../kernel/crossing.ts";
 import type { Frame } from "../kernel/flat.ts";
 import { issue, type Issue } from "../kernel/issue.ts";
 import { tipDirection } from "../kernel/insert.ts";
@@ -42,9 +42,9 @@ function coveredEnd(contour: readonly Segment[], { transverse, signU }: Frame): 
   const [first, last] = [contour[0] as Segment, contour.at(-1) as Segment];
   const beyond = (p: Pt, way: number) => (transverse ? at(p.z, p.r + way * FAR) : at(p.z + way * FAR, p.r));
   const after: Segment = { kind: "line", from: last.to, to: beyond(last.to, signU) };
-  if (selfCrossing([...contour, after])) return last.to;
+  if (crossesChain(after, contour)) return last.to;
   const before: Segment = { kind: "line", from: beyond(first.from, -signU), to: first.from };
-  return selfCrossing([before, ...contour]) ? first.from : null;
+  return crossesChain(before, contour) ? first.from : null;
 }
 
 function limitDimensions(v: FreeValues, contour: readonly Segment[]): Dimension[] {

@@ -53,7 +53,9 @@ function givenContour(machine: Machine, cycle: number, index: number, operation:
       const element = "element" in i.data ? i.data.element : 0;
       machine.log.say(i, r?.blocks[element - 1] ?? index, 0, operation);
     }
-  const segments = read.flatMap((r) => r?.contour.segments ?? []);
+  // One contour is handed on as it is: what was found out about it holds.
+  const [only] = read;
+  const segments = read.length === 1 ? only?.contour.segments ?? [] : read.flatMap((r) => r?.contour.segments ?? []);
   const places = read.flatMap((r) => r?.contour.elements.map((element) => ({ element, block: r.blocks[element - 1] ?? index })) ?? []);
   const isTroubled = read.some((r) => r?.isTroubled ?? true);
   const told = new Set(read.flatMap((r) => r?.contour.issues ?? []).map((i) => i.code));

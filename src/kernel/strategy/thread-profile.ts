@@ -38,8 +38,8 @@ export function teeth(line: ThreadLine, tips: readonly Flat[], side: readonly Fl
   const [first, last] = [line.crest[0] as Flat, line.crest.at(-1) as Flat];
   const rising = Math.max(0,
     ...line.crest.slice(1).map((p, i) => Math.abs(p.v - (line.crest[i] as Flat).v) / (p.u - (line.crest[i] as Flat).u)));
-  // Higher up a flank lies above the crest, whatever the taper.
-  const high = Math.min(...side.map((p) => p.v)) + line.depth * (3 + 3 * rising) + 1;
+  // Higher up a flank lies above the crest, whatever the taper; what a flank has too much is compared with its neighbours in vain.
+  const high = Math.min(...side.map((p) => p.v)) + line.depth * (1 + 3 * rising) + rising + 0.01;
   const pieces: EnvelopePiece[] = [];
   const put = (a: Flat, b: Flat) => {
     const piece = linePiece({ u: a.u, v: -a.v }, { u: b.u, v: -b.v }, TOOTH);
