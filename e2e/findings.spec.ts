@@ -43,8 +43,8 @@ const KEPT = `0 BEGIN PGM KEPT MM
 2 FUNCTION MODE TURN
 3 TOOL CALL 1
 4 L X+65 Z+2 FMAX
-5 CYCL DEF 811 SHOULDER, LONG.~
-Q215=+0
+5 CYCL DEF 892 CHECK UNBALANCE~
+Q450=+0
 6 CYCL CALL
 7 M30
 8 END PGM KEPT MM
@@ -55,7 +55,7 @@ test("a program that is not simulated is never called proved, and says from whic
   await editor.paste(KEPT);
   const proof = editor.total(t.findings.verdict.title);
   await expect(proof).toContainText(t.findings.verdict.unproved);
-  await expect(proof).toContainText("811");
+  await expect(proof).toContainText("892");
   await expect(proof).not.toContainText(t.findings.verdict.proved);
   await editor.show("findings");
   await expect(findings.panel).toContainText(t.findings.verdict.unproved);

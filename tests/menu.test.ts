@@ -1,18 +1,18 @@
 import { menu } from "virtual:cycle-menu";
 import { describe, expect, test } from "vitest";
-import { catalogue } from "../src/cycles/index.ts";
+import { cuttingCycles } from "../src/cycles/index.ts";
 import { texts } from "../src/i18n/index.ts";
 import { LANGUAGES } from "../src/i18n/languages.ts";
 import { menuWords } from "../src/i18n/menu-words.ts";
 import { PICTOGRAM } from "../src/view/pictogram-box.ts";
 
-test("the menu has the catalogue, in its order", () => {
-  expect(menu.map(({ number, group }) => [number, group])).toEqual(catalogue.map(({ number, group }) => [number, group]));
+test("the menu has the cycles that cut, in the order of the catalogue", () => {
+  expect(menu.map(({ number, group }) => [number, group])).toEqual(cuttingCycles.map(({ number, group }) => [number, group]));
 });
 
 test("only cycles that no page prints are marked", () => {
   expect(menu.filter(({ recalled }) => recalled).map(({ number }) => number)).toEqual(
-    catalogue.filter(({ manual }) => manual === null).map(({ number }) => number),
+    cuttingCycles.filter(({ manual }) => manual === null).map(({ number }) => number),
   );
 });
 

@@ -14,8 +14,10 @@ import { c824 } from "./c824.ts";
 import { c830 } from "./c830.ts";
 import { c831 } from "./c831.ts";
 import { c832 } from "./c832.ts";
+import { c840 } from "./c840.ts";
 import { c841 } from "./c841.ts";
 import { c842 } from "./c842.ts";
+import { c850 } from "./c850.ts";
 import { c851 } from "./c851.ts";
 import { c852 } from "./c852.ts";
 import { c860 } from "./c860.ts";
@@ -45,8 +47,10 @@ const list = [
   c830,
   c831,
   c832,
+  c840,
   c841,
   c842,
+  c850,
   c851,
   c852,
   c860,

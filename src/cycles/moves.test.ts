@@ -19,6 +19,8 @@ const PRINTED = "75/-20 50/-20 RND2 20/-25 RND2 20/0";
 function elements(words: readonly string[]): ContourElement[] {
   return words.map((w): ContourElement => {
     const [x, z] = w.split("/");
+    const [, ax = "", az = "", radius, turn] = /^CR(.+?)\/(.+?)\/([\d.]+)\/(cw|ccw)$/.exec(w) ?? [];
+    if (radius) return { kind: "radius", to: at(ax, az), radius: Number(radius), turn: turn === "cw" ? "cw" : "ccw" };
     if (w.startsWith("RND")) return { kind: "round", size: Number(w.slice(3)) };
     if (w.startsWith("CHF")) return { kind: "chamfer", size: Number(w.slice(3)) };
     return { kind: "line", to: at(x ?? "", z ?? "") };

@@ -30,8 +30,8 @@ export function finishedRecess(v: ShoulderValues & Shifted, transverse: boolean)
   return recessOutline({ ...v, ...floor }, frame);
 }
 
-/** What turning a recess needs to know, whichever of it the cycle asks for. */
-export interface RecessTurning extends ShoulderValues, Shifted {
+/** What turning a recess asks for, whatever its contour. */
+export interface TurnedRecess extends Shifted {
   readonly Q215: number;
   readonly Q478: Feed | "auto";
   readonly Q483: Diameter;
@@ -42,6 +42,8 @@ export interface RecessTurning extends ShoulderValues, Shifted {
   readonly Q508: number;
   readonly Q488: Feed | "auto";
 }
+/** The same between two walls. */
+type RecessTurning = ShoulderValues & TurnedRecess;
 
 /** The path of a recess-turning cycle with its own contour; `outline` is the finished recess. */
 export function planRecessTurning(v: RecessTurning, outline: RecessOutline, setting: Setting): Plan {
@@ -59,7 +61,9 @@ export function planRecessTurning(v: RecessTurning, outline: RecessOutline, sett
     oversize,
     oneWay: v.Q507 === 1,
     offset: v.Q508,
-    roundedFloor: v.Q500 > 0,
+    downwards: v.Q500 > 0 ? "none" : "every",
+    free: false,
+    limit: null,
   }, setting);
   const onWalls = v.Q215 === 2 ? 0 : 2 * (frame.transverse ? oversize.r : oversize.z);
   const narrow = narrowIssue(outline, v, isBar(tool) ? cuttingWidth(tool) + onWalls : 0);

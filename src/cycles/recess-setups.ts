@@ -1,3 +1,4 @@
+import { contourFrom, type ContourElement } from "../kernel/contour.ts";
 import { at, type Pt } from "../kernel/point.ts";
 import { radius, rounded, toDiameter } from "../kernel/units.ts";
 import { dice, type Draw, type DrawnSetup, type Setups } from "./drawn-setup.ts";
@@ -92,3 +93,55 @@ export const simpleRecesses = (extended: (draw: Draw) => RecessSetup, transverse
 
 /** What the simple cycles do not ask for. */
 const OWN_CORNERS = ["Q491", "Q492", "Q495", "Q501", "Q502", "Q500", "Q496", "Q503", "Q504"];
+
+/** Stretches over and in a part: walls, floors, tapers, arcs, with corners between them; `depth` mm at the most, from `wide` mm on. */
+function valleys(draw: Draw, depth: number): { along: number; deep: number; bulge: number; corner: "none" | "round" | "chamfer" }[] {
+  const count = draw.whole(3, 9);
+  let here = { along: 0, deep: mostly(draw, 0, mm(draw, 0, depth)) };
+  const made = [{ ...here, bulge: 0, corner: "none" as "none" | "round" | "chamfer" }];
+  for (let i = 1; i <= count; i += 1) {
+    const kind = draw.one("wall", "floor", "slope", "slope");
+    const deep = kind === "floor" ? here.deep : mm(draw, 0, depth);
+    here = { along: rounded(here.along + (kind === "wall" ? 0 : mm(draw, 0.6, 12))), deep };
+    made.push({ ...here, bulge: kind === "wall" ? 0 : mostly(draw, 0, mm(draw, 0.6, 3)), corner: draw.one("none", "round", "chamfer") });
+  }
+  return made;
+}
+
+/** Set-ups of the free recess-turning contours, in a cylinder, a bore or a face, in both directions, with limits on every side. */
+export const freeRecesses = (transverse: boolean): Setups => (draw) => {
+  const [out, way] = [transverse ? 1 : draw.one<1 | -1>(1, -1), draw.one<1 | -1>(1, -1)];
+  const [r0, z0] = transverse ? [mm(draw, 24, 30), mm(draw, -10, 5)] : [mm(draw, 26, 45), mm(draw, -10, 5)];
+  const shape = valleys(draw, out > 0 ? 14 : 9);
+  const whole = Math.max(...shape.map((p) => p.along));
+  const place = (along: number, deep: number): Pt => {
+    const run = way > 0 ? along : whole - along;
+    return transverse ? at(rounded(z0 - deep), rounded(r0 + run)) : at(rounded(z0 - run), rounded(r0 - out * deep));
+  };
+  const made: ContourElement[] = [];
+  shape.forEach((p, i) => {
+    const [to, before] = [place(p.along, p.deep), shape[i - 1]];
+    const chord = before ? Math.hypot(p.along - before.along, p.deep - before.deep) : 0;
+    if (p.bulge > 0 && chord > 0.5) made.push({ kind: "radius", to, radius: rounded(chord * p.bulge), turn: draw.one("cw", "ccw") });
+    else made.push({ kind: "line", to });
+    if (p.corner !== "none" && i > 0 && i < shape.length - 1) made.push({ kind: p.corner, size: mm(draw, 0.2, 1.5) });
+  });
+  const built = contourFrom(made);
+  if (whole < 4 || built.issues.some((i) => i.severity === "error")) return null;
+  const points = built.segments.flatMap((s) => [s.from, s.to]);
+  const above = draw.one(0, mm(draw, 0, 4));
+  const first = points[0] as Pt;
+  return {
+    values: {
+      ...turnedValues(draw),
+      Q499: mostly(draw, 0, draw.one(1, 2)),
+      Q479: draw.one(0, 0, 1),
+      Q480: mm(draw, 20, 100),
+      Q482: mm(draw, -40, 10),
+    },
+    contour: built.segments,
+    tool: transverse ? axialTool(draw, 1) : radialTool(draw, out),
+    start: transverse ? at(z0 + above, first.r) : at(first.z, Math.max(0.5, r0 + out * above)),
+    blank: transverse ? box(z0, z0 - 60, 0, 120) : box(z0 + 40, z0 - whole - 40, r0, out > 0 ? 0 : r0 + 40),
+  };
+};

@@ -57,6 +57,9 @@ export const normalAt = (s: FlatSegment, end: "from" | "to"): Flat => flat.leftO
 /** Lowest v of an element. */
 export const lowestOf = (s: FlatSegment): number => flat.boxOf(s).low;
 
+/** Highest v of an element. */
+export const highestOf = (s: FlatSegment): number => flat.boxOf(s).high;
+
 /** Direction of travel (unit) at one end of an element; that of a line of no length is +u. */
 export function tangentAt(s: FlatSegment, end: "from" | "to"): Flat {
   const way = flat.direction(s, s[end]);

@@ -75,7 +75,7 @@ test("worst first, each place of the picture with its own mark", () => {
     }
 });
 
-test.each([["a cycle that is kept", "CYCL DEF 811 SHOULDER, LONG.~\nQ215=+0\n5 CYCL CALL", "unproved"], [
+test.each([["a cycle that is kept", "CYCL DEF 892 CHECK UNBALANCE~\nQ450=+0\n5 CYCL CALL", "unproved"], [
   "no cycle at all",
   "L X+50 Z-3 F0.2",
   "noOperation",

@@ -32,17 +32,24 @@ function acrossAt(outline: Ring, r: number): { from: number; to: number; reach: 
  * The work turns: what an insert reaches across the axis meets the part on the other side, as in a bore that is narrower than the
  * insert is long. A plan that would is refused with the smallest diameter at which the tip stays clear.
  */
-export function clearAcross(plan: Plan, { tool, start }: Setting, role: "startU" | "startV"): Plan {
+export function clearAcross(plan: Plan, { tool, start, stock }: Setting, role: "startU" | "startV"): Plan {
   const outline = insertOutline(plan.tool ?? tool, CHORD, false);
   const lowest = Math.min(0, ...outline.map((p) => p.r));
   if (!(plan.moves.length > 0) || Math.min(start.r, ...plan.moves.map((m) => m.to.r)) + lowest > -SAME) return plan;
   let from = start;
-  for (const { to } of plan.moves) {
+  // From inside, a rapid through a core that nobody has bored cannot be meant.
+  const core = role === "startV" && stock ? [plan.part, ...stock] : [plan.part];
+  for (const { to, kind } of plan.moves) {
     const across = acrossAt(outline, Math.min(from.r, to.r));
     const [left, right] = [Math.min(from.z, to.z), Math.max(from.z, to.z)];
     from = to;
     if (!across) continue;
-    const met = inBox([plan.part], { left: left + across.from, right: right + across.to, low: 0, high: across.reach });
+    const met = inBox(kind === "rapid" ? core : [plan.part], {
+      left: left + across.from,
+      right: right + across.to,
+      low: 0,
+      high: across.reach,
+    });
     if (areaOf(met) < REAL) continue;
     const free = Math.min(...plan.contour.flatMap((s) => [s.from.r, s.to.r]));
     const x = roundedUp(toDiameter(radius(-lowest - free)));

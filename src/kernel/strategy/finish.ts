@@ -71,7 +71,7 @@ function outAt(f: Finish, u: number): Stretch[] {
 }
 
 /** A path cut into the runs that lie on this side of the machining limits. */
-function withinLimits(path: readonly Stretch[], ceiling: number): FlatSegment[][] {
+export function withinLimits(path: readonly Stretch[], ceiling: number): FlatSegment[][] {
   const runs: FlatSegment[][] = [];
   let open = false;
   path.forEach(({ segment, origin }, i) => {

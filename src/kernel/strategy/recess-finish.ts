@@ -1,58 +1,162 @@
-import { heightAt, lowest, pathAlong } from "../envelope.ts";
-import { flat, type FlatSegment } from "../flat.ts";
+import { heightAt, pathAlong, type Interval } from "../envelope.ts";
+import { flat, lowestOf, tangentAt, type Flat, type FlatSegment } from "../flat.ts";
 import { SAME } from "../tolerance.ts";
 import type { Purpose } from "../track.ts";
+import { withinLimits } from "./finish.ts";
 import type { Ground } from "./ground.ts";
+import { falls } from "./levels.ts";
 import type { Cutter } from "./link.ts";
-import { containing, deepestIn, RECESS_CLEARANCE } from "./valley.ts";
+import { RECESS_CLEARANCE } from "./valley.ts";
 
 export interface RecessFinish {
   readonly ground: Ground;
   /** Height in front of the recess at which the tool may travel. */
   readonly top: number;
   readonly feed: number;
-  /** The whole groove in one cut; otherwise from both walls, meeting on the floor. */
-  readonly oneGo: boolean;
+  /**
+   * Which walls are cut downwards, the tool coming from both sides to meet on the floor: none, every one that rises from a corner, or
+   * only those that rise steeply from a sharp one.
+   */
+  readonly downwards: "none" | "every" | "steep";
   /** Distance to keep from the second wall while its oversize still stands, mm. */
   readonly apart: number;
-  readonly span: { readonly from: number; readonly to: number };
+  /** Where the tip may be, and its greatest height (machining limits). */
+  readonly area: Interval;
+  readonly ceiling: number;
+}
+
+/** One finishing cut: from above its beginning along a path, ending at `foot`; the way it leaves has so much room behind it. */
+interface Cut {
+  readonly path: readonly FlatSegment[];
+  readonly foot: Flat;
+  readonly back: boolean;
+  readonly room: number;
+  /** Along the contour to the end of the run. */
+  readonly last: boolean;
 }
 
 const p = (step: number): Purpose => ({ phase: "finish", run: "finish", step });
 
-/** The printed finishing steps 1 to 6 of a recess; going back to the cycle start is the caller's. */
+/** The printed finishing steps 1 to 6 of a recess, valley by valley; going back to the cycle start is the caller's. */
 export function finishRecess(cutter: Cutter, f: RecessFinish): void {
   const e = f.ground.envelope;
-  const bottom = lowest(e, f.span.from, f.span.to);
-  const floor = containing(e, bottom, f.span, deepestIn(e, bottom, f.span));
-  const [left, right] = [f.ground.start.u, f.ground.end.u];
-  const onFloor = (s: FlatSegment) => s.kind === "line" && Math.abs(s.from.v - bottom) < SAME && Math.abs(s.to.v - bottom) < SAME;
+  const [left, right] = [Math.max(f.ground.start.u, f.area.from), Math.min(f.ground.end.u, f.area.to)];
+  const [begins, ends] = [left < f.ground.start.u + SAME, right > f.ground.end.u - SAME];
   const link = (step: number) => ({ gap: RECESS_CLEARANCE, feed: f.feed, out: p(step), down: p(step), enter: p(step) });
-
+  const out = (step: number) => cutter.link({ u: cutter.at.u, v: f.top + RECESS_CLEARANCE }, link(step));
   /** To the clearance over the beginning of a wall, at the most as high as the tool travels. */
   const into = (u: number, height: number, step: number) =>
     cutter.link({ u, v: Math.min(f.top + RECESS_CLEARANCE, Math.max(height, heightAt(e, u)) + RECESS_CLEARANCE) }, link(step));
-  const out = (step: number) => cutter.link({ u: cutter.at.u, v: f.top + RECESS_CLEARANCE }, link(step));
-  const cut = (path: readonly FlatSegment[], wallStep: number, floorStep: number) =>
-    cutter.along(path, (s) => ({ feed: f.feed, purpose: p(onFloor(s) ? floorStep : wallStep) }));
-  const segments = (from: number, to: number) => pathAlong(e, from, to).map((s) => s.segment);
 
-  into(left, f.ground.start.v, 1);
-  if (f.oneGo) {
-    cut(segments(left, right), 2, 3);
-    cutter.feed({ u: right, v: Math.max(cutter.at.v, f.ground.end.v) }, f.feed, p(3));
-    return out(4);
-  }
-  const width = floor.to - floor.from;
-  const meet = Math.max(floor.from + width / 2, floor.to - f.apart - RECESS_CLEARANCE / 2);
-  const leave = (step: number) => {
-    cutter.leave(RECESS_CLEARANCE, -1, e, f.feed, p(step), meet - floor.from);
-    out(step);
+  const whole = right > left + SAME ? pathAlong(e, left, right) : [];
+  const runs = whole.length > 0 ? withinLimits(whole, f.ceiling) : [[]];
+  runs.forEach((run, i) => {
+    const at = { u: left, v: heightAt(e, left) };
+    const [first, last] = [begins && i === 0, ends && i === runs.length - 1];
+    const walls = { left: first ? f.ground.start.v : -Infinity, right: last ? f.ground.end.v : -Infinity };
+    for (const cut of cutsOf(run, at, walls, f)) {
+      const begin = cut.path[0]?.from ?? cut.foot;
+      const height = cut.back ? (begin.u >= right - SAME ? walls.right : begin.v) : begin.u <= left + SAME ? walls.left : begin.v;
+      into(begin.u, Math.max(height, Math.min(begin.v, f.ceiling)), cut.back ? 5 : 1);
+      const floor = Math.min(cut.foot.v, ...cut.path.map(lowestOf));
+      const onFloor = (s: FlatSegment) => s.kind === "line" && Math.abs(s.from.v - floor) < SAME && Math.abs(s.to.v - floor) < SAME;
+      const step = (s: FlatSegment) => (cut.back ? 6 : onFloor(s) ? 3 : 2);
+      cutter.along(cut.path, (s) => ({ feed: f.feed, purpose: p(step(s)) }));
+      cutter.feed(cut.foot, f.feed, p(cut.back ? 6 : 2));
+      if (cut.last && last) cutter.feed({ u: right, v: Math.max(cutter.at.v, f.ground.end.v) }, f.feed, p(3));
+      else cutter.leave(RECESS_CLEARANCE, -1, e, f.feed, p(cut.back ? 6 : 4), cut.room);
+      out(cut.back ? 6 : 4);
+    }
+  });
+}
+
+/** Heights that the walls at the ends of a run go up to beyond it; −∞ where there is none. */
+interface EndWalls {
+  readonly left: number;
+  readonly right: number;
+}
+
+/** A rise at which a bar would lean sideways into the oversize of a wall: steeper than 45°, out of a corner sharper than 30°. */
+const STEEP = { rise: Math.SQRT1_2, turn: 0.5 };
+const UP: Flat = { u: 0, v: 1 };
+const LEVEL: Flat = { u: 1, v: 0 };
+
+/** The cuts along a run: each valley from its first wall to the floor, and from the top of its second wall to where the first ended. */
+function cutsOf(run: readonly FlatSegment[], at: Flat, walls: EndWalls, f: RecessFinish): Cut[] {
+  const segments = [...run];
+  const cuts: Cut[] = [];
+  let begin = 0;
+  const corner = (k: number): Flat => (k > 0 ? segments[k - 1]?.to : segments[0]?.from) ?? at;
+  const rises = (k: number): boolean => {
+    if (f.downwards === "none") return false;
+    const wall = walls.right > corner(k).v + SAME ? UP : LEVEL;
+    const [before, after] = [segments[k - 1], segments[k]];
+    const [a, b] = [before && k > begin ? tangentAt(before, "to") : LEVEL, after ? tangentAt(after, "from") : wall];
+    const turn = flat.cross(a, b);
+    return f.downwards === "every" ? b.v > SAME && turn > SAME : b.v >= STEEP.rise && turn >= STEEP.turn;
   };
-  cut(segments(left, meet), 2, 3);
-  if (width <= SAME) cutter.feed({ u: meet, v: bottom }, f.feed, p(2));
-  leave(4);
-  into(right, f.ground.end.v, 5);
-  cut(segments(meet, right).map(flat.reversed).reverse(), 6, 6);
-  leave(6);
+  for (let k = 0; k <= segments.length; k += 1) {
+    if (!rises(k)) continue;
+    const foot = corner(k);
+    let b = k;
+    while (b > begin && !falls(segments[b - 1] as FlatSegment)) b -= 1;
+    const ramp = segments[b - 1];
+    if (b === k && b > begin && ramp && f.downwards === "steep" && tangentAt(ramp, "to").u > STEEP.rise) b -= 1;
+    const from = segments[b]?.from.u ?? foot.u;
+    const floor = b < k ? { from: Math.min(from, foot.u), to: foot.u } : { from: foot.u, to: foot.u };
+    const meet = Math.max((floor.from + floor.to) / 2, floor.to - f.apart - RECESS_CLEARANCE / 2);
+    const split = b < k ? splitAt(segments, b, k, meet) : { at: k, added: 0 };
+    const end = k + split.added;
+    const top = f.downwards === "every" ? segments.length : topOf(segments, end);
+    const where = segments[split.at - 1]?.to ?? foot;
+    const here = split.at > 0 ? where : foot;
+    const room = here.u - floor.from;
+    const isWall = begin === 0 && walls.left > here.v + SAME;
+    if (split.at > begin || isWall) cuts.push({ path: segments.slice(begin, split.at), foot: here, back: false, room, last: false });
+    cuts.push({ path: segments.slice(split.at, top).map(flat.reversed).reverse(), foot: here, back: true, room, last: false });
+    begin = top;
+    k = top;
+  }
+  const rest = segments.slice(begin);
+  if (rest.length > 0 || cuts.length === 0)
+    cuts.push({ path: rest, foot: rest.at(-1)?.to ?? at, back: false, room: RECESS_CLEARANCE, last: true });
+  return cuts;
+}
+
+/** Cuts the path in two at a place between two of its joints; where that is a joint already, nothing is added. */
+function splitAt(segments: FlatSegment[], from: number, to: number, u: number): { at: number; added: number } {
+  for (let i = from; i < to; i += 1) {
+    const s = segments[i] as FlatSegment;
+    if (s.to.u < u - SAME) continue;
+    if (u <= s.from.u + SAME) return { at: i, added: 0 };
+    if (u >= s.to.u - SAME) return { at: i + 1, added: 0 };
+    segments.splice(i, 1, ...halves(s, u));
+    return { at: i + 1, added: 1 };
+  }
+  return { at: to, added: 0 };
+}
+
+/** An element of an envelope, cut at a place. */
+function halves(s: FlatSegment, u: number): [FlatSegment, FlatSegment] {
+  const k = (u - s.from.u) / (s.to.u - s.from.u);
+  const side = s.kind === "arc" && s.turn === "ccw" ? -1 : 1;
+  const v = s.kind === "line"
+    ? s.from.v + k * (s.to.v - s.from.v)
+    : s.centre.v + side * Math.sqrt(Math.max(0, flat.radiusOf(s) ** 2 - (u - s.centre.u) ** 2));
+  return [{ ...s, to: { u, v } }, { ...s, from: { u, v } }];
+}
+
+/** The joint at which a rise from `k` on ends; a hill is cut where it is highest. */
+function topOf(segments: FlatSegment[], k: number): number {
+  let top = k;
+  for (let s = segments[top]; s; s = segments[top]) {
+    const hill = s.kind === "arc" && s.turn === "cw" && s.centre.u > s.from.u + SAME && s.centre.u < s.to.u - SAME;
+    if (hill && s.kind === "arc") {
+      segments.splice(top, 1, ...halves(s, s.centre.u));
+      return top + 1;
+    }
+    if (s.to.v <= s.from.v + SAME) return top;
+    top += 1;
+  }
+  return top;
 }

@@ -1,20 +1,21 @@
-import { pathAlong, type Interval } from "../envelope.ts";
+import { lowest, pathAlong, type Interval } from "../envelope.ts";
 import { flat, type Flat, type FlatSegment } from "../flat.ts";
 import { SAME } from "../tolerance.ts";
 import type { Purpose } from "../track.ts";
 import type { Feeds } from "./feeds.ts";
-import { FAR, type Ground } from "./ground.ts";
+import type { Ground } from "./ground.ts";
+import { falls } from "./levels.ts";
 import type { Cutter } from "./link.ts";
-import { containing, deepestIn, RECESS_CLEARANCE } from "./valley.ts";
+import { heightOf, type Rim, type RecessSection, sectionsOf } from "./sections.ts";
+import { RECESS_CLEARANCE } from "./valley.ts";
 
 const { reversed, shifted } = flat;
 
 export interface RecessRough {
   readonly ground: Ground;
-  readonly span: Interval;
+  /** Where the tip may be: between the walls that close the area, or up to where the ends of the contour are touched. */
+  readonly area: Interval;
   readonly top: number;
-  /** The start point stands in front of the opening, so that there is something to cut there too. */
-  readonly inFront: boolean;
   readonly passes: number;
   readonly infeed: number;
   /** Shortening per pass on the side where it ends, mm. */
@@ -24,6 +25,8 @@ export interface RecessRough {
 }
 
 type Side = "left" | "right";
+/** What passes are shortened by so far on either side of a section, mm. */
+type Shortened = Readonly<Record<Side, number>>;
 
 const purpose = (step: number, pass?: number, plunging = false): Purpose => ({
   phase: "rough",
@@ -33,31 +36,44 @@ const purpose = (step: number, pass?: number, plunging = false): Purpose => ({
   ...(plunging ? { plunging: true as const } : {}),
 });
 
-/** The printed steps 1 to 7 of roughing a recess: plunge, cut sideways, plunge …, and at the end one cut along each wall. */
+/**
+ * The printed steps 1 to 7 of roughing a recess: plunge, cut sideways, plunge …, and at the end one cut along each wall. A contour with
+ * several valleys is cut section by section.
+ */
 export function roughRecess(cutter: Cutter, r: RecessRough): void {
-  const e = r.ground.envelope;
-  const level = (i: number) => r.top - i * r.infeed;
-  const centre = deepestIn(e, level(r.passes), r.span);
-  const valley = (i: number): Interval => containing(e, level(i), r.span, centre);
-  const shortened = { left: 0, right: 0 };
+  for (const section of sectionsOf(r.ground.envelope, r, r.area)) roughSection(cutter, r, section, { left: 0, right: 0 });
+}
 
-  let here = valley(1);
-  cutter.link({ u: here.from, v: level(1) }, linked(r, 1, purpose(1, 1, true)));
-  for (let i = 1; i <= r.passes; i++) {
-    const side: Side = r.oneWay || i % 2 === 1 ? "right" : "left";
-    if (i > 1) shortened[side] += r.offset;
+function roughSection(cutter: Cutter, r: RecessRough, s: RecessSection, before: Shortened): void {
+  const shortened = { ...before };
+  const e = r.ground.envelope;
+  s.levels.forEach((here, k) => {
+    const pass = s.first + k;
+    const side: Side = r.oneWay || pass % 2 === 1 ? "right" : "left";
+    const height = heightOf(r, pass);
+    if (k === 0) {
+      const begin = side === "right" ? Math.min(here.to, here.from + shortened.left) : Math.max(here.from, here.to - shortened.right);
+      cutter.link({ u: begin, v: height }, linked(r, 1, purpose(1, pass, true)));
+    }
+    if (pass > 1) shortened[side] += r.offset;
     const end = side === "right" ? Math.max(here.from, here.to - shortened.right) : Math.min(here.to, here.from + shortened.left);
-    cutter.feed({ u: end, v: level(i) }, r.feeds.rough, purpose(2, i));
-    if (i === r.passes) break;
-    const next = valley(i + 1);
+    cutter.feed({ u: end, v: height }, r.feeds.rough, purpose(2, pass));
+    const next = s.levels[k + 1];
+    if (!next) return;
     if (r.oneWay) {
-      cutter.feed({ u: end, v: level(i) + RECESS_CLEARANCE }, r.feeds.rough, purpose(4, i));
-      cutter.link({ u: here.from, v: level(i) }, linked(r, 4, purpose(4, i)));
-      down(cutter, pathAlong(e, here.from, next.from).map((s) => s.segment), { u: next.from, v: level(i + 1) }, r, i + 1);
-    } else beside(cutter, r, side, { here, next, shortened }, i + 1);
-    here = next;
-  }
-  alongWalls(cutter, r, here, shortened);
+      cutter.feed({ u: end, v: height + RECESS_CLEARANCE }, r.feeds.rough, purpose(4, pass));
+      const begin = Math.min(here.to, here.from + before.left);
+      cutter.link({ u: begin, v: height }, linked(r, 4, purpose(4, pass)));
+      const wall = before.left > 0 ? [] : pathAlong(e, here.from, next.from).map((x) => x.segment);
+      down(cutter, wall, { u: Math.min(next.to, next.from + before.left), v: heightOf(r, pass + 1) }, r, pass + 1);
+    } else beside(cutter, r, side, { here, next, shortened }, pass + 1);
+  });
+  const last = s.inner.length - 1;
+  s.inner.forEach((part, i) =>
+    roughSection(cutter, r, part, { left: i === 0 ? shortened.left : 0, right: i === last ? shortened.right : 0 })
+  );
+  if (s.levels.length === 0) alongFloor(cutter, r, s);
+  else if (last < 0) alongWalls(cutter, r, s, shortened);
 }
 
 const linked = (r: RecessRough, step: number, enter: Purpose) => ({
@@ -72,7 +88,7 @@ const linked = (r: RecessRough, step: number, enter: Purpose) => ({
 interface Descent {
   readonly here: Interval;
   readonly next: Interval;
-  readonly shortened: Readonly<Record<Side, number>>;
+  readonly shortened: Shortened;
 }
 
 /** Down beside a wall, apart from it by what the passes are shortened there; where it cannot be followed, sideways and down. */
@@ -82,9 +98,11 @@ function beside(cutter: Cutter, r: RecessRough, side: Side, { here, next, shorte
     ? pathAlong(e, next.to, here.to).map((s) => shifted(reversed(s.segment), { u: -shortened.right, v: 0 })).reverse()
     : pathAlong(e, here.from, next.from).map((s) => shifted(s.segment, { u: shortened.left, v: 0 }));
   const wanted = side === "right" ? next.to - shortened.right : next.from + shortened.left;
-  const target = { u: Math.min(Math.max(wanted, next.from), next.to), v: r.top - pass * r.infeed };
+  const target = { u: Math.min(Math.max(wanted, next.from), next.to), v: heightOf(r, pass) };
   const stands = side === "right" ? here.to - shortened.right : here.from + shortened.left;
-  const fits = Math.abs(target.u - wanted) < SAME && Math.abs(cutter.at.u - stands) < SAME;
+  // A shoulder between the two levels is no wall: it is left to the cut along the wall.
+  const steep = wall.every((s) => falls(s) || Math.abs(s.to.u - s.from.u) < SAME);
+  const fits = steep && Math.abs(target.u - wanted) < SAME && Math.abs(cutter.at.u - stands) < SAME;
   down(cutter, fits ? wall : [], target, r, pass);
 }
 
@@ -96,28 +114,57 @@ function down(cutter: Cutter, wall: readonly FlatSegment[], target: Flat, r: Rec
   cutter.feed(target, r.feeds.plunge, p);
 }
 
-/** What the shortening left: one plunging cut along each wall down to the floor, and the rest of the floor beside it. */
-function alongWalls(cutter: Cutter, r: RecessRough, floor: Interval, shortened: Record<Side, number>) {
+const p = purpose(7);
+const plunging: Purpose = { ...p, plunging: true };
+/** A cut along a wall plunges wherever it falls. */
+const alongWall = (r: RecessRough) => (s: FlatSegment) =>
+  falls(s) ? { feed: r.feeds.plunge, purpose: plunging } : { feed: r.feeds.rough, purpose: p };
+const out = (cutter: Cutter, r: RecessRough) => cutter.link({ u: cutter.at.u, v: r.top + RECESS_CLEARANCE }, linked(r, 7, p));
+/** To where the cut along a wall begins. */
+const onRim = (cutter: Cutter, r: RecessRough, rim: Rim, wall: readonly FlatSegment[]) =>
+  cutter.link({ u: rim.u, v: Math.max(rim.v, wall[0]?.from.v ?? rim.v) }, linked(r, 7, plunging));
+
+/** A valley that no level meets: along its floor. */
+function alongFloor(cutter: Cutter, r: RecessRough, s: RecessSection) {
   const e = r.ground.envelope;
-  const p = purpose(7);
-  const bottom = r.top - r.passes * r.infeed;
-  const open = containing(e, r.top, { from: r.span.from - FAR, to: r.span.to + FAR }, (floor.from + floor.to) / 2);
-  const left = r.inFront ? open.from : Math.max(open.from, r.ground.start.u);
-  const right = r.inFront ? open.to : Math.min(open.to, r.ground.end.u);
-  const out = () => cutter.link({ u: cutter.at.u, v: r.top + RECESS_CLEARANCE }, linked(r, 7, p));
-  const cut = (begin: number, path: readonly FlatSegment[], end: number, along: number, away: 1 | -1) => {
-    const from = path[0]?.from ?? { u: begin, v: r.top };
-    cutter.link({ u: begin, v: Math.max(r.top, from.v) }, linked(r, 7, { ...p, plunging: true }));
-    cutter.along(path, () => ({ feed: r.feeds.plunge, purpose: { ...p, plunging: true } }));
-    cutter.feed({ u: end, v: bottom }, r.feeds.plunge, { ...p, plunging: true });
-    cutter.feed({ u: along, v: bottom }, r.feeds.rough, p);
+  const floor = pathAlong(e, s.left.u, s.right.u).map((x) => x.segment);
+  onRim(cutter, r, s.left, floor);
+  cutter.along(floor, alongWall(r));
+  cutter.leave(RECESS_CLEARANCE, -1, e, r.feeds.rough, p, s.right.u - s.left.u);
+  out(cutter, r);
+}
+
+/** What levels and shortening left: the rest under the last level, one plunging cut down each wall, and the floor beside it. */
+function alongWalls(cutter: Cutter, r: RecessRough, s: RecessSection, shortened: Shortened) {
+  const e = r.ground.envelope;
+  const floor = s.levels.at(-1) as Interval;
+  const pass = s.first + s.levels.length - 1;
+  const bottom = heightOf(r, pass);
+  const [a, b] = [Math.min(floor.to, floor.from + shortened.left), Math.max(floor.from, floor.to - shortened.right)];
+  const deeper = lowest(e, floor.from, floor.to) < bottom - SAME;
+  const segments = (from: number, to: number) => (to > from + SAME ? pathAlong(e, from, to).map((x) => x.segment) : []);
+  const backwards = (path: readonly FlatSegment[]) => path.map(reversed).reverse();
+  if (deeper) {
+    const path = cutter.at.u > (a + b) / 2 ? backwards(segments(a, b)) : segments(a, b);
+    const how = (x: FlatSegment) =>
+      falls(x) ? { feed: r.feeds.plunge, purpose: purpose(5, undefined, true) } : { feed: r.feeds.rough, purpose: purpose(2) };
+    cutter.along(path, how);
+  }
+  const cut = (away: 1 | -1, rim: Rim, wall: readonly FlatSegment[], rest: readonly FlatSegment[]) => {
+    const [foot, end] = away > 0 ? [floor.from, a] : [floor.to, b];
+    onRim(cutter, r, rim, wall);
+    cutter.along(wall, alongWall(r));
+    cutter.feed({ u: foot, v: bottom }, r.feeds.plunge, plunging);
+    if (deeper) cutter.along(rest, alongWall(r));
+    else cutter.feed({ u: end, v: bottom }, r.feeds.rough, p);
     const room = away > 0 ? floor.to - cutter.at.u : cutter.at.u - floor.from;
     cutter.leave(RECESS_CLEARANCE, away, e, r.feeds.rough, p, room);
-    out();
+    out(cutter, r);
   };
-  cutter.feed({ u: cutter.at.u, v: bottom + Math.min(r.infeed, RECESS_CLEARANCE) }, r.feeds.rough, p);
-  out();
-  cut(left, pathAlong(e, left, floor.from).map((s) => s.segment), floor.from, Math.min(floor.to, floor.from + shortened.left), 1);
-  const wall = pathAlong(e, floor.to, right).map((s) => reversed(s.segment)).reverse();
-  cut(right, wall, floor.to, Math.max(floor.from, floor.to - shortened.right), -1);
+  cutter.feed({ u: cutter.at.u, v: cutter.at.v + Math.min(r.infeed, RECESS_CLEARANCE) }, r.feeds.rough, p);
+  out(cutter, r);
+  const onward = pathAlong(e, s.left.u, floor.from).map((x) => x.segment);
+  cut(1, s.left, onward, segments(floor.from, a));
+  const back = backwards(pathAlong(e, floor.to, s.right.u).map((x) => x.segment));
+  cut(-1, s.right, back, backwards(segments(b, floor.to)));
 }

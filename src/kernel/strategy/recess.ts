@@ -1,5 +1,6 @@
-import { lowest } from "../envelope.ts";
-import { lowestOf, segmentToFlat, toFlat, toPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
+import { extent, type Convex } from "../convex.ts";
+import { below, lowest, type Interval } from "../envelope.ts";
+import { highestOf, lowestOf, segmentToFlat, toFlat, toPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
 import { cuttingWidth, isBar, noseRadius } from "../insert.ts";
 import { issue, type Issue } from "../issue.ts";
 import type { Plan, Setting } from "../plan.ts";
@@ -13,13 +14,14 @@ import { clearAcross } from "./across.ts";
 import type { Feeds } from "./feeds.ts";
 import { unfit } from "./fit.ts";
 import { atCall, Frontier } from "./frontier.ts";
-import { FAR, groundOver, insertIn, insidePart, reachOf, startInPart, type Surroundings } from "./ground.ts";
+import { FAR, type Ground, groundOver, insertIn, insidePart, reachOf, startInPart, type Surroundings } from "./ground.ts";
 import { divide, limitedInfeed, type Division } from "./infeed.ts";
 import { empty } from "./leveled.ts";
+import { type Limits, limitsOf } from "./limits.ts";
 import { Cutter } from "./link.ts";
 import { offsetPerPass } from "./offset.ts";
 import { areaOver, partUnder } from "./outline-area.ts";
-import { finishRecess } from "./recess-finish.ts";
+import { finishRecess, type RecessFinish } from "./recess-finish.ts";
 import { roughRecess } from "./recess-rough.ts";
 import { RECESS_CLEARANCE } from "./valley.ts";
 
@@ -35,8 +37,12 @@ export interface Recess {
   readonly oneWay: boolean;
   /** Programmed shortening per pass, mm; 0: the control's own 0.1. */
   readonly offset: number;
-  /** A floor with rounded corners is finished in one go. */
-  readonly roundedFloor: boolean;
+  /** Which walls the finishing cut takes downwards; "none" finishes in one go. */
+  readonly downwards: RecessFinish["downwards"];
+  /** A programmed contour is cut wherever it runs; a groove only where its opening lets the tool in. */
+  readonly free: boolean;
+  /** Machining limits in strategy space; null where there is none. */
+  readonly limit: Flat | null;
 }
 
 /** What can plunge into solid material. */
@@ -49,7 +55,7 @@ export function planRecess(l: Recess, setting: Setting): Plan {
   const [first, last] = [flat[0], flat[flat.length - 1]];
   if (!first || !last) return empty([]);
   const called = toFlat(l.frame, setting.start);
-  const opening = Math.max(first.from.v, last.to.v);
+  const opening = Math.max(...flat.map(highestOf));
   const top = Math.max(called.v, opening);
   const sketch = {
     ...empty([]),
@@ -67,8 +73,21 @@ export function planRecess(l: Recess, setting: Setting): Plan {
   if (called.v < opening - SAME) issues.push(issue("startBelowContour", "info", { below: opening - called.v }, "startV"));
 
   const span = { from: first.from.u, to: last.to.u };
-  const inFront = top > opening + SAME;
-  const surroundings = surroundingsOf(top, inFront, floorOf(tool, opening, flat, issues));
+  const limits = limitsOf(l.limit, called, flat, issues);
+  const insert = insertIn(tool, l.frame);
+  const room = tipBetween(limits, insert);
+  const [wallFirst, wallLast] = [top > first.from.v + SAME, top > last.to.v + SAME];
+  const [deep, limit] = [floorOf(tool, opening, flat, issues), limits.floor];
+  const floors = [
+    ...(deep === null ? [] : [{ v: deep, on: "cutLength" as const }]),
+    ...(limit === null ? [] : [{ v: limit, on: "limit" as const }]),
+  ];
+  const surroundings = (walls: boolean): Surroundings => ({
+    wall: walls && wallLast ? top + FAR : null,
+    front: "part",
+    frontWall: walls && wallFirst ? top + FAR : null,
+    floors,
+  });
   const keep = l.frame.transverse ? { u: l.oversize.r, v: l.oversize.z } : { u: l.oversize.z, v: l.oversize.r };
   const bounds: Bound[] = flat.map((segment) => ({ segment, on: "contour" }));
   const kept = groundOver(bounds, tool, l.frame, keep, surroundings(true));
@@ -78,18 +97,36 @@ export function planRecess(l: Recess, setting: Setting): Plan {
     return { ...sketch, issues: [...issues, startInPart({ x: toDiameter(works.r), z: works.z })] };
   }
   const grown = groundOver(bounds, tool, l.frame, keep, surroundings(false));
-  const insert = insertIn(tool, l.frame);
+  // Beside an end that lies lower than the rest the blank may stand: the finishing cut stays between the walls there, as roughing does.
+  const low = { first: opening > first.from.v + SAME, last: opening > last.to.v + SAME };
+  const closed = low.first || low.last;
+  const finishedTo = (g: Ground, by: Flat): { readonly ground: Ground; readonly area: Interval } => {
+    if (!closed) return { ground: g, area: room };
+    const around = { ...surroundings(false), ...(low.last && { wall: top + FAR }), ...(low.first && { frontWall: top + FAR }) };
+    const ground = groundOver(bounds, tool, l.frame, by, around);
+    const open = below(ground.envelope, top, span.from - FAR, span.to + FAR);
+    const [from, to] = [low.first ? open[0]?.from ?? Infinity : -Infinity, low.last ? open.at(-1)?.to ?? -Infinity : Infinity];
+    return { ground, area: { from: Math.max(room.from, from), to: Math.min(room.to, to) } };
+  };
+  const deepestPath = finishedTo(drawn, { u: 0, v: 0 });
   const area = [{ u: span.from, v: top - FAR }, { u: span.from, v: top }, { u: span.to, v: top }, { u: span.to, v: top - FAR }];
   const stands = atCall({ stock: setting.stock, area, frame: l.frame, insert }, drawn.bare,
     l.operation > 1 ? { grown: grown.bare, infeed: l.infeed } : null);
-  const cutter = new Cutter(l.frame, setting.feedUnit, called, roomOf(l.frame), new Frontier(stands, insert), top + RECESS_CLEARANCE);
+  const cutter = new Cutter(l.frame, setting.feedUnit, called, roomOf(l.frame), new Frontier(stands, insert, limits.ceiling),
+    top + RECESS_CLEARANCE);
   const start = { u: called.u, v: top };
   back(cutter, start, l.operation > 1 ? l.feeds.finish : l.feeds.rough, l.operation > 1 ? "finish" : "rough", 0);
 
+  const unlimited = () => {
+    if (!l.limit) return {};
+    const whole = groundOver(bounds, tool, l.frame, { u: 0, v: 0 }, { ...surroundings(false), floors: [] });
+    return { unlimited: reachOf(whole, whole.start.u, whole.end.u, l.frame, tool) };
+  };
   let division: Division = { passes: 0, infeed: 0 };
   if (l.operation === 0 || l.operation === 1) {
-    const deepest = lowest(kept.envelope, span.from, span.to);
-    const depth = deepest > opening - SAME ? 0 : top - deepest;
+    const deepest = lowest(kept.envelope, Math.max(span.from, room.from), Math.min(span.to, room.to));
+    const upper = Math.min(top, limits.ceiling);
+    const depth = deepest > (l.free ? upper : opening) - SAME ? 0 : upper - deepest;
     const divided = divide(depth, limitedInfeed(l.infeed, tool, depth, issues), issues);
     if (!divided) return { ...sketch, issues };
     division = divided;
@@ -97,18 +134,23 @@ export function planRecess(l: Recess, setting: Setting): Plan {
     else {
       const usable = Math.max(0, cuttingWidth(tool) - 2 * noseRadius(tool));
       const offset = isBar(tool) ? offsetPerPass(l.offset, division.passes, l.oneWay, usable, issues) : 0;
-      roughRecess(cutter, { ground: kept, span, top, inFront, offset, ...division, oneWay: l.oneWay, feeds: l.feeds });
+      const between = {
+        from: Math.max(room.from, wallFirst ? span.from - FAR : kept.start.u),
+        to: Math.min(room.to, wallLast ? span.to + FAR : kept.end.u),
+      };
+      roughRecess(cutter, { ground: kept, area: between, top: upper, offset, ...division, oneWay: l.oneWay, feeds: l.feeds });
     }
     back(cutter, start, l.feeds.rough, "rough", 8);
   }
-  if (l.operation !== 1 && lowest(drawn.envelope, span.from, span.to) < opening - SAME) {
+  const enters = l.free || lowest(drawn.envelope, span.from, span.to) < opening - SAME;
+  if (l.operation !== 1 && enters) {
     finishRecess(cutter, {
-      ground: l.operation === 3 ? grown : drawn,
+      ...(l.operation === 3 ? finishedTo(grown, keep) : deepestPath),
       top,
       feed: l.feeds.finish,
-      oneGo: l.roundedFloor,
+      downwards: l.downwards,
       apart: keep.u + noseRadius(tool),
-      span,
+      ceiling: limits.ceiling,
     });
     back(cutter, start, l.feeds.finish, "finish", 7);
   }
@@ -118,8 +160,9 @@ export function planRecess(l: Recess, setting: Setting): Plan {
     issues,
     passes: division.passes,
     infeed: length(division.infeed),
-    reach: reachOf(drawn, drawn.start.u, drawn.end.u, l.frame, tool),
-    kept: reachOf(kept, kept.start.u, kept.end.u, l.frame, tool),
+    reach: reachWithin(deepestPath.ground, deepestPath.area, l.frame, tool),
+    kept: reachWithin(kept, room, l.frame, tool),
+    ...unlimited(),
   }, setting, l.frame.transverse ? "startU" : "startV");
 }
 
@@ -132,13 +175,14 @@ export function floorOf(tool: Tool, opening: number, flat: readonly FlatSegment[
   return opening - edge;
 }
 
-/** What lies beside the recess: the part, and in front of the opening walls as wide as it, when roughing. */
-const surroundingsOf = (top: number, inFront: boolean, deepest: number | null) => (walls: boolean): Surroundings => ({
-  wall: walls && inFront ? top + FAR : null,
-  front: "part",
-  frontWall: walls && inFront ? top + FAR : null,
-  floors: deepest === null ? [] : [{ v: deepest, on: "cutLength" }],
-});
+const reachWithin = (g: Ground, { from, to }: Interval, frame: Frame, tool: Tool) =>
+  reachOf(g, Math.max(g.start.u, from), Math.min(g.end.u, to), frame, tool);
+
+/** Where the tip may be so that neither corner of the edge crosses a machining limit. */
+function tipBetween({ from, to }: Limits, insert: Convex): Interval {
+  const { minU, maxU } = extent(insert);
+  return { from: from - minU, to: to - maxU };
+}
 
 /** To the cycle start, before and after. */
 function back(cutter: Cutter, start: Flat, feed: number, run: "rough" | "finish", step: number): void {

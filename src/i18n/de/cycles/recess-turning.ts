@@ -31,6 +31,25 @@ const recalled = [
 const notes = [turnMode, safePosition, shortened, tooFar, edgeLength, ...recalled];
 
 export const recessTurning = {
+  840: {
+    name: "Stechdrehen Kontur radial",
+    summary: "Dreht die Einstiche einer programmierten Kontur in einen Zylinder oder eine Bohrung, Tal für Tal.",
+    description: [
+      "Trägt das Material über einer Kontur aus einem Unterprogramm (Zyklus 14 oder SEL CONTOUR) durch Stechdrehen ab: Das "
+      + "Werkzeug sticht ein und dreht dann seitlich. Eine Kontur mit mehreren Tälern wird Abschnitt für Abschnitt "
+      + "bearbeitet, vom Konturstart an.",
+      "Schruppt achsparallel, schlichtet oder macht beides. Startpunkt weiter außen als die Kontur: Außenbearbeitung. Näher an "
+      + "der Achse: Innenbearbeitung.",
+      "Liegt X des Startpunkts näher am Grund als der höchste Punkt der Kontur, fährt das Werkzeug zuerst in X dorthin.",
+    ],
+    rough,
+    finish,
+    notes: [
+      ...notes,
+      "Q509 verschiebt die ganze Kontur in der Tiefe, da sie nicht den einen Grund hat; beim Schlichten wird eine steile Flanke "
+      + "aus einer scharfen Ecke von oben nach unten geschnitten. Unsere Lesart; an der Steuerung prüfen.",
+    ],
+  },
   841: {
     name: "Stechdrehen radial einfach",
     summary: "Dreht einen Einstich mit senkrechten Flanken in einen Zylinder oder eine Bohrung, vom Startpunkt bis zu einer Ecke.",
@@ -58,6 +77,25 @@ export const recessTurning = {
     rough,
     finish,
     notes,
+  },
+  850: {
+    name: "Stechdrehen Kontur axial",
+    summary: "Dreht die Einstiche einer programmierten Kontur in eine Planfläche, Tal für Tal.",
+    description: [
+      "Trägt das Material über einer Kontur aus einem Unterprogramm (Zyklus 14 oder SEL CONTOUR) durch Stechdrehen ab: Das "
+      + "Werkzeug sticht ein und dreht dann seitlich. Eine Kontur mit mehreren Tälern wird Abschnitt für Abschnitt "
+      + "bearbeitet, vom Konturstart an.",
+      "Schruppt achsparallel, schlichtet oder macht beides. Die Fläche wird von +Z bearbeitet; von −Z, wenn das Werkzeug nach "
+      + "+Z zeigt und hinter der Kontur steht.",
+      "Liegt Z des Startpunkts unter dem höchsten Punkt der Kontur, fährt das Werkzeug zuerst in Z dorthin.",
+    ],
+    rough,
+    finish,
+    notes: [
+      ...notes,
+      "Q509 verschiebt die ganze Kontur in der Tiefe, da sie nicht den einen Grund hat; beim Schlichten wird eine steile Flanke "
+      + "aus einer scharfen Ecke von oben nach unten geschnitten. Unsere Lesart; an der Steuerung prüfen.",
+    ],
   },
   851: {
     name: "Stechdrehen axial einfach",

@@ -1,6 +1,17 @@
 import type { SomeParamTexts } from "../../param-text.ts";
 
 export const turning = {
+  reverseAlong: {
+    prompt: "Kontur umkehren (0-2)?",
+    printed: false,
+    label: "Kontur umkehren",
+    explanation: "Richtung, in der die Kontur bearbeitet wird.",
+    choices: {
+      0: "wie programmiert",
+      1: "gegen die programmierte Richtung",
+      2: "gegen die programmierte Richtung, Schneide in Vorschubrichtung gespiegelt (Orientierung 1 schneidet als 3)",
+    },
+  },
   flankAngleRadial: {
     prompt: "Winkel Flanke?",
     printed: false,

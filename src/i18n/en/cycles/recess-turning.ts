@@ -31,6 +31,24 @@ const recalled = [
 const notes = [turnMode, safePosition, shortened, tooFar, edgeLength, ...recalled];
 
 export const recessTurning = {
+  840: {
+    name: "Recess turning, radial, contour",
+    summary: "Turns the recesses of a programmed contour into a cylinder or a bore, valley by valley.",
+    description: [
+      "Removes the material over a contour from a subprogram (cycle 14 or SEL CONTOUR) by recess turning: the tool plunges and "
+      + "then turns sideways. A contour with several valleys is cut section by section, from the contour start on.",
+      "Roughs with paraxial passes, finishes, or both. Start point farther out than the contour: outside machining. Nearer to "
+      + "the axis: inside machining.",
+      "If X of the start point lies nearer to the floor than the highest point of the contour, the tool first moves in X to it.",
+    ],
+    rough,
+    finish,
+    notes: [
+      ...notes,
+      "Q509 shifts the whole contour in depth, since it has no one floor; finishing takes a steep wall out of a sharp corner "
+      + "from its top down. Our reading; verify on your control.",
+    ],
+  },
   841: {
     name: "Recess turning, radial, simple",
     summary: "Turns a groove with upright walls into a cylinder or a bore, from the start point to one corner.",
@@ -58,6 +76,24 @@ export const recessTurning = {
     rough,
     finish,
     notes,
+  },
+  850: {
+    name: "Recess turning, axial, contour",
+    summary: "Turns the recesses of a programmed contour into a face, valley by valley.",
+    description: [
+      "Removes the material over a contour from a subprogram (cycle 14 or SEL CONTOUR) by recess turning: the tool plunges and "
+      + "then turns sideways. A contour with several valleys is cut section by section, from the contour start on.",
+      "Roughs with paraxial passes, finishes, or both. The face is worked from +Z; from −Z where the tool points to +Z and "
+      + "stands behind the contour.",
+      "If Z of the start point lies below the highest point of the contour, the tool first moves in Z to it.",
+    ],
+    rough,
+    finish,
+    notes: [
+      ...notes,
+      "Q509 shifts the whole contour in depth, since it has no one floor; finishing takes a steep wall out of a sharp corner "
+      + "from its top down. Our reading; verify on your control.",
+    ],
   },
   851: {
     name: "Recess turning, axial, simple",

@@ -1,6 +1,17 @@
 import type { SomeParamTexts } from "../../param-text.ts";
 
 export const turning = {
+  reverseAlong: {
+    prompt: "Reverse contour (0-2)?",
+    printed: false,
+    label: "Reverse contour",
+    explanation: "Direction in which the contour is machined.",
+    choices: {
+      0: "as programmed",
+      1: "against the programmed direction",
+      2: "against the programmed direction, with the tip mirrored in the feed direction (orientation 1 cuts as 3)",
+    },
+  },
   flankAngleRadial: {
     prompt: "Angle of flank?",
     printed: false,

@@ -32,6 +32,25 @@ const recalled = [
 const notes = [turnMode, safePosition, shortened, tooFar, edgeLength, ...recalled];
 
 export const recessTurning = {
+  840: {
+    name: "Tournage de gorge radial, contour",
+    summary: "Tourne les gorges d'un contour programmé dans un cylindre ou un alésage, creux par creux.",
+    description: [
+      "Enlève la matière au-dessus d'un contour de sous-programme (cycle 14 ou SEL CONTOUR) par tournage de gorge : l'outil "
+      + "plonge puis tourne latéralement. Un contour à plusieurs creux est usiné section par section, à partir du départ du "
+      + "contour.",
+      "Ébauche en passes paraxiales, finition, ou les deux. Point de départ plus loin de l'axe que le contour : usinage "
+      + "extérieur. Plus près de l'axe : usinage intérieur.",
+      "Si le X du point de départ est plus près du fond que le point le plus haut du contour, l'outil y va d'abord en X.",
+    ],
+    rough,
+    finish,
+    notes: [
+      ...notes,
+      "Q509 décale tout le contour en profondeur, puisqu'il n'a pas un seul fond ; en finition, une paroi raide issue d'un coin "
+      + "vif est coupée de haut en bas. Notre lecture ; à vérifier sur la commande.",
+    ],
+  },
   841: {
     name: "Tournage de gorge radial simple",
     summary: "Tourne une gorge à flancs droits dans un cylindre ou un alésage, du point de départ à un coin.",
@@ -59,6 +78,25 @@ export const recessTurning = {
     rough,
     finish,
     notes,
+  },
+  850: {
+    name: "Tournage de gorge axial, contour",
+    summary: "Tourne les gorges d'un contour programmé dans une face, creux par creux.",
+    description: [
+      "Enlève la matière au-dessus d'un contour de sous-programme (cycle 14 ou SEL CONTOUR) par tournage de gorge : l'outil "
+      + "plonge puis tourne latéralement. Un contour à plusieurs creux est usiné section par section, à partir du départ du "
+      + "contour.",
+      "Ébauche en passes paraxiales, finition, ou les deux. La face est usinée depuis +Z ; depuis −Z quand l'outil pointe vers "
+      + "+Z et se trouve derrière le contour.",
+      "Si le Z du point de départ est sous le point le plus haut du contour, l'outil y va d'abord en Z.",
+    ],
+    rough,
+    finish,
+    notes: [
+      ...notes,
+      "Q509 décale tout le contour en profondeur, puisqu'il n'a pas un seul fond ; en finition, une paroi raide issue d'un coin "
+      + "vif est coupée de haut en bas. Notre lecture ; à vérifier sur la commande.",
+    ],
   },
   851: {
     name: "Tournage de gorge axial simple",

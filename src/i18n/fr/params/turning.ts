@@ -1,6 +1,17 @@
 import type { SomeParamTexts } from "../../param-text.ts";
 
 export const turning = {
+  reverseAlong: {
+    prompt: "Inverser contour (0-2)?",
+    printed: false,
+    label: "Inverser contour",
+    explanation: "Sens dans lequel le contour est usiné.",
+    choices: {
+      0: "sens programmé",
+      1: "sens inverse",
+      2: "sens inverse, pointe inversée dans le sens d'avance (l'orientation 1 usine comme 3)",
+    },
+  },
   flankAngleRadial: {
     prompt: "Angle du flanc?",
     printed: false,

@@ -1,6 +1,13 @@
 import type { SomeParamTexts } from "../../param-text.ts";
 
 export const turning = {
+  reverseAlong: {
+    prompt: "逆轮廓(0-2)?",
+    printed: false,
+    label: "逆轮廓",
+    explanation: "轮廓的加工方向。",
+    choices: { 0: "沿编程方向", 1: "沿编程方向的反方向", 2: "沿编程方向的反方向,刀尖沿进给方向镜像(方位1按3切削)" },
+  },
   flankAngleRadial: {
     prompt: "侧面角度?",
     printed: false,
