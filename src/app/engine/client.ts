@@ -57,6 +57,8 @@ function inTime<T>(answer: Promise<T>): Promise<T> {
 }
 
 let version = 0;
+/** Answers up to this version belong to a work that was left: one that comes late must not stand under the name of the next. */
+let left = 0;
 let waiting: Request | null = null;
 let busy = false;
 
@@ -70,7 +72,7 @@ async function work(): Promise<void> {
     try {
       const outcome = await inTime(started().update(request));
       await pauseInTyping();
-      takeOutcome(outcome);
+      if (request.version > left) takeOutcome(outcome);
     } catch {
       stop();
       notice("engineFailed");
@@ -87,12 +89,17 @@ const rapidOf = (job: Job): number => readText(SETUP_FIELDS.rapid, job.rapid).va
 let last: { readonly text: string; readonly table: ShopTools; readonly rapid: number; readonly control: Control;
   readonly cycle: number | null; readonly work: string | null } | null = null;
 
+/** Another work, or none: nothing is known of it, and what is still being calculated is not of it. */
+function leave(): void {
+  last = null;
+  waiting = null;
+  left = version;
+  forgetOutcome();
+}
+
 /** A whole program is calculated as it stands, right or wrong. */
 function followProgram({ text }: ProgramWork, name: string | null): void {
-  if (last && (last.cycle !== null || last.work !== name)) {
-    last = null;
-    forgetOutcome();
-  }
+  if (last && (last.cycle !== null || last.work !== name)) leave();
   const table = toolTable();
   const { control } = useSettings.getState();
   if (last?.text === text && last.table === table && last.control === control) return;
@@ -106,16 +113,8 @@ function followProgram({ text }: ProgramWork, name: string | null): void {
 function follow({ job, program, work: name }: Editor): void {
   if (program) return followProgram(program, name);
   const read = job && readJob(job);
-  if (!job || !read) {
-    last = null;
-    waiting = null;
-    forgetOutcome();
-    return;
-  }
-  if (last && (last.cycle !== job.cycle || last.work !== name)) {
-    last = null;
-    forgetOutcome();
-  }
+  if (!job || !read) return leave();
+  if (last && (last.cycle !== job.cycle || last.work !== name)) leave();
   if (!read.reading.values) {
     waiting = null;
     pause(true);

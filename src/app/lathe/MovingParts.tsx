@@ -48,14 +48,14 @@ function Insert({ tool }: { readonly tool: Tool }) {
 /** Insert and holder at the tip, and the running move in its own strength. */
 function Tool({ moving: { steps, playback } }: { readonly moving: Moving }) {
   const group = useRef<SVGGElement>(null), running = useRef<SVGPathElement>(null);
-  const drawn = useRef(-1);
+  const drawn = useRef<Step | null>(null);
   const index = usePlayback(playback, (store) => stepIndex(steps, store.shown()));
   const paint = useCallback(() => {
-    const position = playback.shown(), tip = tipAt(steps, position), at = stepIndex(steps, position), step = steps[at];
+    const position = playback.shown(), tip = tipAt(steps, position), step = steps[stepIndex(steps, position)];
     if (tip) group.current?.setAttribute("transform", `translate(${tip.z} ${tip.r})`);
-    if (step && drawn.current !== at) {
+    if (step && drawn.current !== step) {
       running.current?.setAttribute("d", stretchData([step]));
-      drawn.current = at;
+      drawn.current = step;
     }
   }, [steps, playback]);
   useEachPicture(playback, () => paint());
