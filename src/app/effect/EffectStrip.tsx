@@ -7,7 +7,7 @@ import { VerdictText } from "../findings/VerdictText.tsx";
 import type { JobReading } from "../reading.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
-import { chipArea, effectOf } from "./effect.ts";
+import { chipArea, cutAtOnce, effectOf } from "./effect.ts";
 
 /** What the values do, while they are typed: passes, real infeed, time, chip, what stays, and the proof. */
 export function EffectStrip({ read }: { readonly read: JobReading }) {
@@ -17,7 +17,7 @@ export function EffectStrip({ read }: { readonly read: JobReading }) {
   const dimmed = useOutcome((s) => s.dimmed);
   const verdict = useVerdict();
   const effect = shown && effectOf(shown);
-  const chip = effect && chipArea(read, effect.infeed);
+  const chip = shown && chipArea(read, cutAtOnce(shown));
   const number = (value: number | null | undefined, decimals: number) =>
     value === null || value === undefined ? t.effect.unknown : formatFixed(language, value, decimals);
   const cell = (name: string, value: ReactNode, unit = "", className = "") => (

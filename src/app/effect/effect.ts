@@ -1,3 +1,4 @@
+import { cycleByNumber } from "../../cycles/index.ts";
 import { readText } from "../../program/field.ts";
 import { SETUP_FIELDS } from "../../program/setup-fields.ts";
 import type { Outcome } from "../engine/outcome.ts";
@@ -36,12 +37,19 @@ export function effectOf(outcome: Outcome): Effect {
   return effect;
 }
 
-/** Infeed times roughing feed per revolution, mm²; null where the feed per revolution is not known. */
-export function chipArea({ job, cycle, reading }: JobReading, infeed: number): number | null {
+/** What is cut at once, mm: a plunge is as wide as its tool and goes down by the feed, whatever its bites are. */
+export function cutAtOnce({ run }: Outcome): number {
+  const call = run.operations[0];
+  const plunges = call && cycleByNumber(call.cycle)?.group === "recessing";
+  return plunges ? call.tool.CUTWIDTH ?? 0 : call?.plan.infeed ?? 0;
+}
+
+/** What is cut at once times roughing feed per revolution, mm²; null where the feed per revolution is not known. */
+export function chipArea({ job, cycle, reading }: JobReading, atOnce: number): number | null {
   const roughing = Object.entries(cycle.params).find(([, p]) => p.text === "roughingFeed")?.[0];
   const feed = roughing === undefined ? undefined : reading.perField[roughing]?.value;
   if (typeof feed !== "number") return null;
-  if (job.perRevolution) return infeed * feed;
+  if (job.perRevolution) return atOnce * feed;
   const speed = job.spindle.mode === "constant" ? readText(SETUP_FIELDS.speed, job.spindle.speed).value : null;
-  return speed === null ? null : (infeed * feed) / speed;
+  return speed === null ? null : (atOnce * feed) / speed;
 }
