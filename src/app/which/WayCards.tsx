@@ -45,7 +45,7 @@ function problemsOf(t: Texts, words: WhichTexts, language: Language, { issues, j
 }
 
 /** The ways side by side: what each takes and leaves, and the button that takes it. */
-export function WayCards({ words, compared: { ways, tried }, adds, onTake }: Props) {
+export function WayCards({ words, compared: { ways, tried, isOld }, adds, onTake }: Props) {
   const t = useTexts();
   const language = useSettings((s) => s.language);
   const write = writer(language);
@@ -70,7 +70,7 @@ export function WayCards({ words, compared: { ways, tried }, adds, onTake }: Pro
         )}
       </p>
       {ways.length > 0 && (
-        <ul className="which-ways" aria-label={words.ways} aria-busy={!whole}>
+        <ul className="which-ways" aria-label={words.ways} aria-busy={!whole || isOld}>
           {sorted.map((way) => {
             const cycle = cycleByNumber(way.job.cycle);
             if (!cycle) return null;
@@ -126,7 +126,7 @@ export function WayCards({ words, compared: { ways, tried }, adds, onTake }: Pro
                   </ul>
                 )}
                 <button type="button" className={`button${isBest ? " primary" : ""}`}
-                  aria-label={adds ? words.insertLong(name) : words.takeLong(name)} disabled={!one} onClick={() => onTake(way)}
+                  aria-label={adds ? words.insertLong(name) : words.takeLong(name)} disabled={!one || isOld} onClick={() => onTake(way)}
                 >
                   {adds ? words.insert : words.take}
                 </button>

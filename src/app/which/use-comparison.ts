@@ -13,11 +13,13 @@ export interface Compared {
   readonly wanted: Wanted;
   readonly ways: readonly Proposal[];
   readonly tried: readonly Tried[];
+  /** Something else is wanted by now: these are shown until its own ways are there, and cannot be taken. */
+  readonly isOld: boolean;
 }
 
 /** Tries the ways one by one; what was asked before is forgotten as soon as something else is wanted. */
 export function useComparison(wanted: Wanted | null, stock: readonly Ring[] | null, { ways, tryWay }: Comparer): Compared | null {
-  const [compared, set] = useState<Compared | null>(null);
+  const [compared, set] = useState<Omit<Compared, "isOld"> | null>(null);
   useEffect(() => {
     if (!wanted) return undefined;
     let gone = false;
@@ -37,5 +39,5 @@ export function useComparison(wanted: Wanted | null, stock: readonly Ring[] | nu
       clearTimeout(timer);
     };
   }, [wanted, stock, ways, tryWay]);
-  return wanted ? compared : null;
+  return wanted && compared && { ...compared, isOld: compared.wanted !== wanted };
 }
