@@ -42,7 +42,7 @@ export const c815 = defineCycle({
   }),
   setup: {
     name: "PARALLEL",
-    tool: 1,
+    tool: 2,
     blank: { outside: "60", bore: "", length: "80", allowance: "0" },
     start: { x: "66", z: "4" },
     contour: [

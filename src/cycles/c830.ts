@@ -6,7 +6,7 @@ import { threadContourSetups } from "./drawn-thread.ts";
 import { recalled, type Values } from "./params.ts";
 import { refused } from "./refused.ts";
 import { threadDimensions, threadFrame } from "./thread-outline.ts";
-import { threadParams, threadRoles } from "./thread-params.ts";
+import { oneGroove, threadParams, threadRoles } from "./thread-params.ts";
 import { planThreadOn } from "./thread-plan.ts";
 
 const { Q471, Q461, Q460, Q472, Q473, Q474, Q465, Q466, Q463, Q467, Q468, Q470, Q475, Q476 } = threadParams;
@@ -37,6 +37,7 @@ export const c830 = defineCycle({
     blank: { outside: "80", bore: "", length: "90", allowance: "0" },
     start: { x: "90", z: "10" },
     contour: [{ kind: "L", x: "80", z: "0" }, { kind: "L", z: "-20" }, { kind: "L", x: "76", z: "-35" }],
+    values: oneGroove,
   },
   thread: threadRoles(),
   steps: { rough: 8, finish: 0 },

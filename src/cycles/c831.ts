@@ -6,7 +6,7 @@ import { threadSetups } from "./drawn-thread.ts";
 import { diameterParam, exampleOf, lengthParam, recalled, type Values } from "./params.ts";
 import { refused } from "./refused.ts";
 import { straightThread } from "./thread-outline.ts";
-import { threadParams, threadRoles } from "./thread-params.ts";
+import { oneGroove, threadParams, threadRoles } from "./thread-params.ts";
 import { planThreadOn } from "./thread-plan.ts";
 
 const { Q471, Q472, Q473, Q492, Q494, Q474, Q463, Q467, Q468, Q470, Q475, Q476 } = threadParams;
@@ -53,6 +53,7 @@ export const c831 = defineCycle({
     blank: { outside: "75", bore: "", length: "100", allowance: "0" },
     start: { x: "85", z: "10" },
     contour: printedContour,
+    values: oneGroove,
   },
   thread: threadRoles("Q491"),
   steps: { rough: 8, finish: 0 },

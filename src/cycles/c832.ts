@@ -6,7 +6,7 @@ import { threadSetups } from "./drawn-thread.ts";
 import { recalled, type Values } from "./params.ts";
 import { refused } from "./refused.ts";
 import { straightThread, taperEnds } from "./thread-outline.ts";
-import { threadParams, threadRoles } from "./thread-params.ts";
+import { oneGroove, threadParams, threadRoles } from "./thread-params.ts";
 import { planThreadOn } from "./thread-plan.ts";
 
 const { Q471, Q461, Q460, Q472, Q473, Q464, Q491, Q492, Q493, Q494, Q469, Q474, Q465, Q466, Q463, Q467, Q468, Q470, Q475, Q476 } =
@@ -63,6 +63,7 @@ export const c832 = defineCycle({
     blank: { outside: "110", bore: "", length: "100", allowance: "0" },
     start: { x: "120", z: "10" },
     contour: printedContour,
+    values: oneGroove,
   },
   thread: threadRoles("Q491", "Q493"),
   steps: { rough: 8, finish: 0 },

@@ -66,7 +66,7 @@ export interface SetupExample {
   readonly blank: { readonly outside: string; readonly bore: string; readonly length: string; readonly allowance: string };
   readonly start: { readonly x: string; readonly z: string };
   readonly contour: readonly Row[];
-  /** By Q, where the example of a recalled list describes nothing that can be made. */
+  /** By Q, where the example of a recalled list describes nothing that can be made, or nothing that anybody would make. */
   readonly values?: Readonly<Record<string, number>>;
 }
 

@@ -36,3 +36,6 @@ export const threadRoles = (...diameters: readonly string[]): ThreadRoles => ({
   flank: "Q467",
   diameters,
 });
+
+/** The recalled example has 30 grooves and 30 air cuts: a pitch of 0.067 mm, and half an hour in which nothing is to be seen. */
+export const oneGroove = { Q475: 1, Q476: 1 } as const;
