@@ -26,10 +26,11 @@ export function ThreadSizes({ cycle, take }: { readonly cycle: number; readonly 
   return (
     <section className="thread-sizes" aria-label={t.title}>
       <label htmlFor={id}>{t.title}</label>
-      <input id={id} type="search" autoComplete="off" spellCheck={false} placeholder={t.example} value={typed} onChange={(event) => {
-        type(event.target.value);
-        setTaken(null);
-      }} onKeyDown={(event) => {
+      <input id={id} className="input" type="search" autoComplete="off" spellCheck={false} placeholder={t.example} value={typed}
+        onChange={(event) => {
+          type(event.target.value);
+          setTaken(null);
+        }} onKeyDown={(event) => {
         const first = found[0];
         if (event.key !== "Enter" || !first) return;
         event.preventDefault();

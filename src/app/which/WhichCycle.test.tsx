@@ -43,6 +43,11 @@ const type = async (name: string, text: string) => {
   await userEvent.type(input, text);
 };
 const ways = () => screen.findByRole("list", { name: "Ways to make it, the best first" });
+/** Once the ways that stand there answer what is asked. */
+const settled = async () => {
+  const list = await ways();
+  await waitFor(() => expect(list.getAttribute("aria-busy")).toBe("false"));
+};
 const best = () => screen.findByText(/^Best: /);
 
 test("the ways to make a step stand side by side, the best is named, and taking one begins its work", async () => {
@@ -54,8 +59,7 @@ test("the ways to make a step stand side by side, the best is named, and taking 
   expect(first.getByText("Best")).toBeDefined();
   expect(first.getByText("Proved")).toBeDefined();
   await type("To ⌀", "41.37");
-  const list = await ways();
-  await waitFor(() => expect(list.getAttribute("aria-busy")).toBe("false"));
+  await settled();
   await userEvent.click(within(await ways()).getAllByRole("button", { name: /^Take it/ })[0] as HTMLElement);
   expect(done).toHaveBeenCalled();
   const { job } = useEditor.getState();
@@ -94,7 +98,7 @@ test("of an opened work two elements of the contour are pointed at, and what is 
   await best();
   await userEvent.selectOptions(screen.getByRole("combobox", { name: "From element" }), "3");
   expect(screen.getByRole("img", { name: /3 to 4/ })).toBeDefined();
-  await best();
+  await settled();
   await userEvent.click(within(await ways()).getAllByRole("button", { name: /^Take it/ })[0] as HTMLElement);
   expect(useEditor.getState().job?.contour.map((row) => [row.x, row.z])).toEqual([["48.4", "-18.3"], ["48.4", "-37.9"], ["70", "-37.9"]]);
 });
