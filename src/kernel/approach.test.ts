@@ -152,7 +152,9 @@ describe("laws over random elements, all forms, both sides", () => {
       const way = direction(leg.segment, at);
       if (q.shape === "LN") expect(Math.abs(dot(way, made.tangent))).toBeLessThan(1e-6);
       else {
-        expect(Math.abs(cross(way, made.tangent))).toBeLessThan(1e-6);
+        // An arc shorter than a nanometre is left out: its line then ends as far beside the tangent as that arc would have turned.
+        const turn = q.shape === "LCT" && leg.segment.kind === "line" ? 1e-6 / (q.radius ?? 1) : 0;
+        expect(Math.abs(cross(way, made.tangent))).toBeLessThan(1e-6 + turn);
         if (q.shape !== "LT" || (q.length ?? 0) > 0) expect(dot(way, made.tangent)).toBeGreaterThan(0);
       }
     }), RUNS);
