@@ -26,10 +26,13 @@ interface Outcome {
   readonly found: readonly FoundCase[];
 }
 
+/** The set-ups of one operation of a cycle; a thread has only one. */
+const drawnFor = (number: number, operation: number) => situations(operation).find((s) => s.cycle.number === number);
+
 /** Draws set-ups and holds each to the laws. None is made smaller: at a contour that takes longer than to draw thousands more. */
 function tried({ cycle: number, operation, cases, seed }: Job): Outcome {
   const cycle = cycleByNumber(number);
-  const drawn = situations(operation).find((s) => s.cycle.number === number);
+  const drawn = drawnFor(number, operation);
   if (!cycle || !drawn) throw new Error(`no cycle ${number}`);
   const found = fc.sample(drawn.arbitrary, { numRuns: cases, seed }).flatMap((situation): FoundCase[] => {
     const said = [...brokenByPlan(cycle, situation), ...brokenBy(cycle, situation)];
@@ -69,7 +72,7 @@ export async function main(args: readonly string[]): Promise<number> {
   console.log(`LAW_SEED=${seed}, ${cases} set-ups of each cycle`);
   const each = Math.ceil(cases / OPERATIONS.length);
   const jobs = cuttingCycles.filter((c) => only === 0 || c.number === only).flatMap(({ number }) =>
-    OPERATIONS.flatMap((operation) =>
+    OPERATIONS.filter((operation) => drawnFor(number, operation)).flatMap((operation) =>
       Array.from({ length: Math.ceil(each / SHARE) },
         (_, i): Job => ({ cycle: number, operation, cases: Math.min(SHARE, each - i * SHARE), seed: (seed + i * 7919) % 2 ** 31 }))
     )

@@ -89,9 +89,13 @@ function merge(a: readonly Span[], b: readonly Span[]): Span[] {
 export function push(out: Span[], piece: EnvelopePiece, u0: number, u1: number) {
   if (u1 - u0 <= 0) return;
   const last = out[out.length - 1];
-  if (last && last.piece === piece && u0 - last.u1 <= ROUND) out[out.length - 1] = { piece, u0: last.u0, u1 };
+  if (last && sameLine(last.piece, piece) && u0 - last.u1 <= ROUND) out[out.length - 1] = { piece: last.piece, u0: last.u0, u1 };
   else out.push({ piece, u0, u1 });
 }
+
+/** Whether a piece goes on where another ends: itself, or as level, as the floors that plunges side by side have left. */
+const sameLine = (p: EnvelopePiece, q: EnvelopePiece): boolean =>
+  p === q || (p.arc === 0 && q.arc === 0 && p.slope === 0 && q.slope === 0 && p.v0 === q.v0 && p.origin === q.origin);
 
 /** Both pieces live on [u0, u1]: the higher one wins between their crossings. */
 function higher(out: Span[], f: EnvelopePiece, g: EnvelopePiece, u0: number, u1: number) {
