@@ -98,12 +98,20 @@ function plunge(cutter: Cutter, r: PlungeRough, place: Flat, done: readonly Flat
   cutter.dwell(r.dwell, r.feed, p(2));
 }
 
-/** Between two plunges no farther apart than the level part of the edge nothing stands any more above the higher one. */
+/**
+ * Between two plunges no farther apart than the level part of the edge nothing stands any more above the higher one. What lies behind
+ * a plunge that is no higher was cleared with that one.
+ */
 function clearBeside(cutter: Cutter, { level }: Spacing, place: Flat, done: readonly Flat[]): void {
-  for (const d of done) {
-    if (Math.abs(d.u - place.u) > level + SAME) continue;
-    const v = Math.max(d.v, place.v);
-    cutter.frontier.lower({ kind: "line", from: { u: d.u, v }, to: { u: place.u, v } });
+  for (const side of [-1, 1]) {
+    const beside = done.map((d) => ({ v: d.v, away: (d.u - place.u) * side })).filter((d) => d.away >= 0 && d.away <= level + SAME);
+    let nearer = Infinity;
+    for (const d of beside.sort((a, b) => a.away - b.away)) {
+      const v = Math.max(d.v, place.v);
+      if (nearer <= v) continue;
+      nearer = Math.min(nearer, d.v);
+      cutter.frontier.lower({ kind: "line", from: { u: place.u + side * d.away, v }, to: { u: place.u, v } });
+    }
   }
 }
 
