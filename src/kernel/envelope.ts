@@ -88,7 +88,7 @@ function merge(a: readonly Span[], b: readonly Span[]): Span[] {
 /** Adds a stretch to an envelope under construction, joined to the last one when it goes on. */
 export function push(out: Span[], piece: EnvelopePiece, u0: number, u1: number) {
   if (u1 - u0 <= 0) return;
-  const last = out[out.length - 1];
+  const last = out.at(-1);
   if (last && sameLine(last.piece, piece) && u0 - last.u1 <= ROUND) out[out.length - 1] = { piece: last.piece, u0: last.u0, u1 };
   else out.push({ piece, u0, u1 });
 }

@@ -37,10 +37,11 @@ interface Cut {
 
 const p = (step: number): Purpose => ({ phase: "finish", run: "finish", step });
 
-/** The printed finishing steps 1 to 6 of a recess, valley by valley; going back to the cycle start is the caller's. */
+/** The printed finishing steps 1 to 6 of a recess, valley by valley; going back to the cycle start is the caller's. No place, no cut. */
 export function finishRecess(cutter: Cutter, f: RecessFinish): void {
   const e = f.ground.envelope;
   const [left, right] = [Math.max(f.ground.start.u, f.area.from), Math.min(f.ground.end.u, f.area.to)];
+  if (left > right + SAME) return;
   const [begins, ends] = [left < f.ground.start.u + SAME, right > f.ground.end.u - SAME];
   const link = (step: number) => ({ gap: RECESS_CLEARANCE, feed: f.feed, out: p(step), down: p(step), enter: p(step) });
   const out = (step: number) => cutter.link({ u: cutter.at.u, v: f.top + RECESS_CLEARANCE }, link(step));

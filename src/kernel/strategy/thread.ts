@@ -195,7 +195,8 @@ function wayFor(t: Thread, w: Wanted, { tool, setting, deepest, depths, slope }:
   function raisedOver(height: number) {
     return height > stands ? raised(height) : -Infinity;
   }
-  const high = (depths[0] as number) + standingOver(w, frontier, begins.u - back, ends.u);
+  // Over a groove deeper than the insert is high its own walls would close behind the insert, however thin each pass is.
+  const high = w.depth + standingOver(w, frontier, begins.u - back, ends.u);
   if (high > extent(insert).maxV + SAME) return issue("threadOverInsert", "error", { depth: high, most: extent(insert).maxV }, "tool");
   const isFree = (runIn: number) =>
     depths.every((d) => {
