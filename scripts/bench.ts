@@ -77,8 +77,10 @@ function all(): Record<string, Measured> {
     );
   }
   const long = parse(printJob(longContour(820, 1000), labels));
+  const along = parse(printJob(longContour(810, 1000), labels));
   const longText = printJob(longContour(820, 1000), labels);
   results["plan 820 1000"] = measured(() => run(long, { tools: shippedTools, rapid: 10_000 }));
+  results["plan 810 1000"] = measured(() => run(along, { tools: shippedTools, rapid: 10_000 }));
   results["stock 820 1000"] = measured(() => stock(longText));
   for (const [name, job] of [["seek 820", printedExample(820)], ["seek 820 1000", longContour(820, 1000)]] as const) {
     const { simulation } = stock(printJob(job, labels));
