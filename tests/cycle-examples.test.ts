@@ -37,3 +37,13 @@ describe.each(cutting.map((cycle) => [cycle.number, cycle] as const))("the examp
     expect(proof).toMatchObject({ verdict: "proved", gouge: 0, rapidInStock: 0 });
   });
 });
+
+test.each([811, 813, 821, 823])("the example of the simple shoulder %i leaves what a round nose leaves in a square corner, and no more",
+  (number) => {
+    const cycle = cutting.find((c) => c.number === number) as (typeof cutting)[number];
+    const { proof, operations } = verified("example.h", printJob(exampleJob(cycle), ncLabels("en")), tools);
+    const nose = Number(operations[0]?.tool["RS"]);
+    expect(proof.residual.map((left) => left.reason)).toEqual(["insertRadius"]);
+    // The simulation cuts with chords half a micron off.
+    expect(Math.abs((proof.residual[0]?.area ?? NaN) - (1 - Math.PI / 4) * nose ** 2)).toBeLessThan(0.002);
+  });
