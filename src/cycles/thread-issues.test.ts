@@ -1,0 +1,63 @@
+import { describe, expect, test } from "vitest";
+import { at, type Ring } from "../kernel/point.ts";
+import { shippedTools } from "../program/shipped-tools.ts";
+import { c831 } from "./c831.ts";
+
+/* A thread of 40 mm on a shaft of 60 mm that begins at Z0; the run-in is the clearance of 8 mm. */
+const box = (z0: number, z1: number, r: number): Ring => [at(z0, 0), at(z0, r), at(z1, r), at(z1, 0)];
+const shaft = box(0, -100, 20);
+
+function planned(own: Readonly<Record<string, number>>, stock: readonly Ring[] = [shaft]) {
+  const example = Object.fromEntries(Object.entries(c831.params).map(([q, p]) => [q, p.example]));
+  const values = { ...example, Q475: 1, Q476: 0, Q460: 8, Q491: 40, Q494: -30, ...own };
+  const tool = shippedTools.find((t) => t.T === 12) as (typeof shippedTools)[number];
+  const start = at(20, 30);
+  const plan = c831.plan(values as never, { tool, start, feedUnit: "mm/rev", autoFeed: null, stock }, { contour: null, start });
+  const errors = plan.issues.filter((i) => i.severity === "error");
+  // What is refused has no path, and what is not has one.
+  expect(plan.moves.length > 0).toBe(errors.length === 0);
+  return errors;
+}
+
+describe("an insert that is too low is refused", () => {
+  // T12: edges of 12 mm at 60°, about a nose of 0.1 mm.
+  test("for the depth of the thread", () => {
+    expect(planned({ Q473: 10 })).toEqual([]);
+    expect(planned({ Q473: 10.4 })).toMatchObject([{ code: "threadOverInsert", at: "Q473", data: { depth: 10.4 } }]);
+  });
+
+  test("for what stands over the thread, together with the first cut", () => {
+    expect(planned({ Q473: 1, Q463: 0.5 }, [box(0, -100, 29)])).toEqual([]);
+    const [found, ...more] = planned({ Q473: 1, Q463: 0.5 }, [box(0, -100, 30)]);
+    expect(more).toEqual([]);
+    expect(found).toMatchObject({ code: "threadOverInsert", at: "tool" });
+    const { depth, most } = found?.data as { depth: number; most: number };
+    expect(depth).toBeCloseTo(10.5, 2);
+    expect(most).toBeLessThan(depth);
+  });
+});
+
+test("a run-in that begins in material is refused with the shortest that does not", () => {
+  expect(planned({})).toEqual([]);
+  const collar = box(15, 0, 20);
+  const [found, ...more] = planned({}, [shaft, collar]);
+  expect(more).toEqual([]);
+  expect(found).toMatchObject({ code: "runInBlocked", at: "Q460" });
+  const { nearest } = found?.data as { nearest: number };
+  expect(nearest).toBeGreaterThan(15);
+  expect(planned({ Q460: nearest }, [shaft, collar])).toEqual([]);
+  expect(planned({ Q460: nearest - 0.01 }, [shaft, collar])).toMatchObject([{ code: "runInBlocked" }]);
+});
+
+test("a run-in that is blocked all the way has no offer", () => {
+  const [found] = planned({}, [box(200, -100, 20)]);
+  expect(found?.code).toBe("runInBlocked");
+  expect(found?.data).not.toHaveProperty("nearest");
+});
+
+test("more turns than anybody means are refused at the pitch", () => {
+  expect(planned({ Q472: 0.2, Q473: 0.1 })).toEqual([]);
+  expect(planned({ Q472: 0.0003, Q473: 0.1 })).toMatchObject([{ code: "threadTooMany", at: "Q472" }]);
+  // Passes and starts count as well: each goes along all of the thread.
+  expect(planned({ Q472: 0.2, Q473: 0.1, Q475: 500, Q476: 9 })).toMatchObject([{ code: "threadTooMany", at: "Q472" }]);
+});
