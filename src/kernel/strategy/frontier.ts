@@ -56,8 +56,10 @@ export class Frontier {
    */
   freeFrom(u: number): number {
     if (this.roofed(u, u)) return Infinity;
-    const here = Math.min(besideAt(this.now, u), this.columns.get(columnOf(u))?.[0] ?? Infinity);
-    return Math.max(here, this.hangs(u, this.behind, this.before));
+    const beside = besideAt(this.now, u);
+    const [low, top] = this.columns.get(columnOf(u)) ?? [Infinity, -Infinity];
+    // A column that ends under what an insert lower than its cut has left standing leads nowhere.
+    return Math.max(top >= beside - SAME ? Math.min(beside, low) : beside, this.hangs(u, this.behind, this.before));
   }
 
   /** How high walls stand that hang over a place from so far behind and before it, where something stood there once. */
@@ -70,6 +72,11 @@ export class Frontier {
     const above = aboveBy(this.now, e, from, to, by);
     const [first, last] = [above[0], above.at(-1)];
     return first && last ? { from: first.from, to: last.to } : null;
+  }
+
+  /** The tool stands there at the call: it came from above, so the way it came is free. */
+  cameDown({ u, v }: Flat): void {
+    this.columns.set(columnOf(u), [v, Infinity]);
   }
 
   /** Lowers the frontier by one element that the tip has run at feed. */

@@ -102,6 +102,7 @@ export function planPlunging(l: Plunging, setting: Setting): Plan {
     l.operation > 1 ? { grown: grown.bare, infeed: SAME } : null);
   const frontier = new Frontier(stands, insert, site.limits.ceiling);
   const cutter = new Cutter(l.frame, setting.feedUnit, called, roomOf(l.frame), frontier, top + l.clearance);
+  cutter.frontier.cameDown(called);
   const start = { u: called.u, v: top };
   const back = (run: "rough" | "finish", step: number) => {
     const p = { phase: "position", run, step } as const;

@@ -114,6 +114,7 @@ export function planRecess(l: Recess, setting: Setting): Plan {
     l.operation > 1 ? { grown: grown.bare, infeed: l.infeed } : null);
   const cutter = new Cutter(l.frame, setting.feedUnit, called, roomOf(l.frame), new Frontier(stands, insert, limits.ceiling),
     top + RECESS_CLEARANCE);
+  cutter.frontier.cameDown(called);
   const start = { u: called.u, v: top };
   back(cutter, start, l.operation > 1 ? l.feeds.finish : l.feeds.rough, l.operation > 1 ? "finish" : "rough", 0);
 
