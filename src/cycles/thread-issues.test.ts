@@ -26,13 +26,13 @@ describe("an insert that is too low is refused", () => {
     expect(planned({ Q473: 10.4 })).toMatchObject([{ code: "threadOverInsert", at: "Q473", data: { depth: 10.4 } }]);
   });
 
-  test("for what stands over the thread, together with the first cut", () => {
+  test("for what stands over the thread, together with its depth", () => {
     expect(planned({ Q473: 1, Q463: 0.5 }, [box(0, -100, 29)])).toEqual([]);
     const [found, ...more] = planned({ Q473: 1, Q463: 0.5 }, [box(0, -100, 30)]);
     expect(more).toEqual([]);
     expect(found).toMatchObject({ code: "threadOverInsert", at: "tool" });
     const { depth, most } = found?.data as { depth: number; most: number };
-    expect(depth).toBeCloseTo(10.5, 2);
+    expect(depth).toBeCloseTo(11, 2);
     expect(most).toBeLessThan(depth);
   });
 });

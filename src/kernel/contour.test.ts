@@ -31,6 +31,19 @@ describe("corner elements", () => {
     const over = withCorners(chain, [{ kind: "round", size: 2 }, { kind: "round", size: 3.5 }]);
     expect(over.issues[0]).toMatchObject({ data: { element: 2, nearest: 3 } });
   });
+  test("one so short that it has no direction leaves no gap", () => {
+    const flat = chainOf([p(0, 47.2), p(-0.002, 53.058), p(-9, 60)]);
+    const { segments } = withCorners([chainOf([p(0, 35), p(0, 47.2)])[0] as Segment, ...flat], [{ kind: "round", size: 0.25 }]);
+    expect(segments).toHaveLength(3);
+    segments.slice(1).forEach((s, i) => expect(s.from).toEqual(segments[i]?.to));
+    const arcs: Segment[] = [
+      { kind: "arc", from: p(0, 20), to: p(-5, 25), centre: p(0, 25), turn: "cw" },
+      { kind: "arc", from: p(-5.000_05, 25), to: p(-10, 20), centre: p(-10, 25), turn: "ccw" },
+    ];
+    const [one, two] = arcs as [Segment, Segment];
+    const closed = withCorners([one, { kind: "line", from: one.to, to: two.from }, two], []).segments;
+    closed.slice(1).forEach((s, i) => expect(part.apart(s.from, closed[i]?.to as Pt)).toBeLessThan(1e-9));
+  });
   test("a tangential transition needs no rounding", () => {
     expect(withCorners(chainOf([p(0, 10), p(-20, 10), p(-30, 10)]), [{ kind: "round", size: 3 }])).toMatchObject({ issues: [] });
   });
@@ -110,7 +123,7 @@ test("every contour is one chain, its roundings are tangential on both sides", (
       expect(Number.isFinite(s.to.z + s.to.r + lengthOf(s))).toBe(true);
       const next = c.segments[i + 1];
       if (!next) return;
-      expect(Math.hypot(next.from.z - s.to.z, next.from.r - s.to.r)).toBeLessThan(2e-4);
+      expect(Math.hypot(next.from.z - s.to.z, next.from.r - s.to.r)).toBeLessThan(1e-9);
       const roundings = [s, next].map((_, k) => elements[(c.elements[i + k] ?? 0) - 1]?.kind);
       if (!roundings.includes("round")) return;
       const [a, b] = [direction(s, s.to), direction(next, next.from)];

@@ -52,7 +52,7 @@ export function withCorners(
   },
 ): Contour {
   const issues: Issue[] = [];
-  const parts: { segment: Segment; element: number }[] = [];
+  const parts: Part[] = [];
   let current = chain[0];
   chain.forEach((_, i) => {
     const next = chain[i + 1];
@@ -76,8 +76,30 @@ export function withCorners(
     }
     current = cut?.after ?? next;
   });
-  const kept = parts.filter((p) => lengthOf(p.segment) > SAME);
+  const kept = withoutShort(parts);
   return { segments: kept.map((p) => p.segment), elements: kept.map((p) => p.element), issues };
+}
+
+/** A piece of a contour with the number of the element that it belongs to. */
+interface Part {
+  readonly segment: Segment;
+  readonly element: number;
+}
+
+/** Over a part too short to have a direction its neighbours go on where one of them is a line; else a short line closes the gap. */
+function withoutShort(parts: readonly Part[]): Part[] {
+  const kept: Part[] = [];
+  for (const p of parts) {
+    const [last, { segment }] = [kept.at(-1), p];
+    const short = lengthOf(segment) <= SAME;
+    if (last && short && last.segment.kind === "line") kept[kept.length - 1] = { ...last, segment: line(last.segment.from, segment.to) };
+    else if (last && !short) {
+      const gap = line(last.segment.to, segment.from);
+      if (segment.kind === "line") kept.push({ ...p, segment: line(gap.from, segment.to) });
+      else kept.push(...(lengthOf(gap) > ROUND ? [{ segment: gap, element: p.element }] : []), p);
+    } else if (!short) kept.push(p);
+  }
+  return kept;
 }
 
 /** A tangential transition has no corner to break. */
