@@ -29,14 +29,14 @@ export function CycleDialog({ read, block = null }: { readonly read: JobReading;
   };
   const head = (
     <>
-      {isRecalled(read.cycle) && (
+      {session.fields.length > 0 && isRecalled(read.cycle) && (
         <p className="small soft recalled-list">
           <Icon name="info" /> {t.recalled}
         </p>
       )}
       {thread && (
         <Suspense fallback={null}>
-          <ThreadSizes cycle={read.cycle.number} take={(size) => void fill(size)} />
+          <ThreadSizes line={block?.line ?? null} take={(size) => void fill(size)} />
         </Suspense>
       )}
     </>

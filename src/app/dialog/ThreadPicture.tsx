@@ -8,11 +8,11 @@ const SIZE = { width: 150, height: 84 } as const;
 /** Hues of the first and of the last pass, degrees. */
 const HUES = { first: 205, last: 25 } as const;
 
-/** The groove of the thread as it was planned last, the chip of every pass in its own colour. */
-export function ThreadPicture({ cycle }: { readonly cycle: number }) {
+/** The groove of the thread that the cycle in this line of a program plans, or of the job where there is none: each chip in its colour. */
+export function ThreadPicture({ line }: { readonly line: number | null }) {
   const { dialog: { sizes: t } } = useTexts();
   const shown = useOutcome((s) => s.shown);
-  const thread = shown?.run.operations.find((o) => o.cycle === cycle && o.plan.thread)?.plan.thread;
+  const thread = shown?.run.operations.find((o) => o.plan.thread && (line === null || o.definedLine === line))?.plan.thread;
   const drawing = useMemo(() => (thread ? threadProfile(thread, SIZE.width, SIZE.height) : null), [thread]);
   if (!thread || !drawing) return null;
   const last = Math.max(1, drawing.chips.length - 1);

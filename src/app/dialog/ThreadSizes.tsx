@@ -10,7 +10,7 @@ import "./thread-sizes.css";
 const SHOWN = 6;
 
 /** A thread by its name: what is typed finds it, a tap fills the prompts. */
-export function ThreadSizes({ cycle, take }: { readonly cycle: number; readonly take: (size: ThreadSize) => void }) {
+export function ThreadSizes({ line, take }: { readonly line: number | null; readonly take: (size: ThreadSize) => void }) {
   const { dialog: { sizes: t } } = useTexts();
   const language = useSettings((s) => s.language);
   const id = useId();
@@ -46,7 +46,7 @@ export function ThreadSizes({ cycle, take }: { readonly cycle: number; readonly 
           ))}
         </div>
       )}
-      <ThreadPicture cycle={cycle} />
+      <ThreadPicture line={line} />
       <p className="small soft" role="status">
         {typed !== "" && found.length === 0 && t.none}
         {taken && t.taken(taken.name, number(taken.angle))}

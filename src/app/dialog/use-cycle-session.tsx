@@ -14,6 +14,8 @@ import { unitOf, writeValue } from "./write-value.ts";
 
 /** A cycle block of a program: what is wrong with it only, and how its prompts are written into its text. */
 export interface PromptedBlock {
+  /** Its first line in the text, from 1. */
+  readonly line: number;
   readonly problems: readonly FindingEntry[];
   readonly set: (q: string, text: string) => void;
   /** Several prompts in one step of undo. */

@@ -1,5 +1,5 @@
 import { useRef, useState } from "react";
-import { blockNumbers } from "../../nc/program.ts";
+import { blockNumbers, startLines } from "../../nc/program.ts";
 import { cycleByNumber, type CycleNumber } from "../../cycles/index.ts";
 import { isKept } from "../../cycles/kept-cycles.ts";
 import type { Texts } from "../../i18n/index.ts";
@@ -42,8 +42,9 @@ export function BlockPanel() {
   const words = s.kind === "cycle" ? nameOf(t, s.cycle) : null;
   const kind = words ?? t.editor.kinds[kindOf(s)];
   const number = String(blockNumbers(program)[index] ?? 0);
+  const line = startLines(program)[index] ?? 1;
   const dialogOf = () => {
-    if (read) return <CycleDialog key={index} read={read} block={{ problems, set: setBlockPrompt, setAll: setBlockPrompts }} />;
+    if (read) return <CycleDialog key={index} read={read} block={{ line, problems, set: setBlockPrompt, setAll: setBlockPrompts }} />;
     if (s.kind === "approach") return <ApproachBlock key={index} problems={problems} />;
     return <BlockForm key={index} problems={problems} />;
   };
