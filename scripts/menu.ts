@@ -1,6 +1,7 @@
 import type { MenuCycle } from "../src/app/chooser/menu.ts";
 import type { Cycle, Outline } from "../src/cycles/define.ts";
-import { cuttingCycles } from "../src/cycles/index.ts";
+import { actingCycles, cuttingCycles } from "../src/cycles/index.ts";
+import { keptNumbers } from "../src/cycles/kept-cycles.ts";
 import { isRecalled } from "../src/cycles/params.ts";
 import { LANGUAGES } from "../src/i18n/languages.ts";
 import { menuWords } from "../src/i18n/menu-words.ts";
@@ -56,14 +57,18 @@ function pictograms(cycle: Cycle): readonly Pictogram[] {
   return [...(outside ? [outside] : []), ...(inside?.inside ? [inside] : [])].map(({ inside: _, ...drawn }) => drawn);
 }
 
-/** What the first screen has to know of the catalogue: it is computed once, when the page is built. */
-export const menu: readonly MenuCycle[] = cuttingCycles.map((cycle) => ({
+const row = (cycle: Cycle): MenuCycle => ({
   number: cycle.number,
   group: cycle.group,
   free: cycle.contour === "free",
   recalled: isRecalled(cycle),
-  pictograms: pictograms(cycle),
-}));
+  pictograms: cycle.acts ? [] : pictograms(cycle),
+});
+
+/** What the first screen has to know of the catalogue: it is computed once, when the page is built. */
+export const menu: readonly MenuCycle[] = cuttingCycles.map(row);
+/** What is no work by itself: it can be put into a program. */
+const acting = actingCycles.map(row);
 
 /** The modules that the page imports by the names in src/app/chooser/cycle-menu.d.ts, by their ids. */
 export function menuModules(): Readonly<Record<string, string>> {
@@ -72,6 +77,8 @@ export function menuModules(): Readonly<Record<string, string>> {
   return {
     [id]: [
       `export const menu = ${JSON.stringify(menu)};`,
+      `export const acting = ${JSON.stringify(acting)};`,
+      `export const kept = ${JSON.stringify(keptNumbers)};`,
       `const words = { ${cases.join(", ")} };`,
       "export const menuWordsOf = async (language) => (await words[language]()).words;",
     ].join("\n"),

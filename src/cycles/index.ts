@@ -67,6 +67,8 @@ export const catalogue: readonly Cycle[] = list;
 
 /** Those that a work can be made of: they cut. The others act where a program defines them. */
 export const cuttingCycles: readonly Cycle[] = catalogue.filter((c) => !c.acts);
+/** Those that act where they are defined. */
+export const actingCycles: readonly Cycle[] = catalogue.filter((c) => c.acts);
 
 /** The numbers of the catalogue: a cycle without texts is a compile error. */
 export type CycleNumber = Listed["number"];

@@ -22,15 +22,17 @@ export interface MenuWord {
 export interface MenuWords {
   readonly groups: Readonly<Record<Group, string>>;
   readonly of: Readonly<Record<number, MenuWord>>;
+  /** Names of the cycles that a program keeps and that are not run. */
+  readonly kept: Readonly<Record<number, string>>;
   readonly shop: ShopWords;
 }
 
 /** Takes the words of the menu out of all texts. The build does that, so that the first screen loads nothing else of them. */
 export function menuWords(language: Language): MenuWords {
-  const { groups, of } = texts(language).cycles;
+  const { groups, of, kept } = texts(language).cycles;
   const { cycleName } = ncLabels(language);
   const words = Object.entries(of).map(([number, { name, summary }]) =>
     [Number(number), { name, summary, nc: cycleName(Number(number)) }] as const
   );
-  return { groups, of: Object.fromEntries(words), shop: shop[language] };
+  return { groups, of: Object.fromEntries(words), kept, shop: shop[language] };
 }

@@ -1,4 +1,4 @@
-import { menu } from "virtual:cycle-menu";
+import { acting, kept, menu } from "virtual:cycle-menu";
 import { cleanup, render, screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { afterEach, beforeEach, describe, expect, test } from "vitest";
@@ -7,7 +7,8 @@ import { menuWords, type MenuWords } from "../../i18n/menu-words.ts";
 import { changeSettings } from "../settings/settings.ts";
 import { CycleChooser } from "./CycleChooser.tsx";
 import { useRecent } from "./recent.ts";
-import { findCycles } from "./search.ts";
+import { notHere } from "./menu.ts";
+import { findCycles, findElsewhere } from "./search.ts";
 
 const all = LANGUAGES.map(menuWords);
 const found = (typed: string, words: readonly MenuWords[] = all) => findCycles(menu, typed, words);
@@ -47,6 +48,46 @@ describe("what is typed finds", () => {
   });
 
   test("no word of another language while only one is here", () => expect(found("épaulement", all.slice(0, 1))).toEqual([]));
+});
+
+describe("what cannot be chosen here is found with the reason", () => {
+  const beside = (typed: string, inProgram: boolean) =>
+    findElsewhere(notHere(inProgram), typed, all).map(({ number, why }) => `${number} ${why}`);
+
+  test.each(acting.map(({ number }) => number))("%i acts in a program, and can be put into one", (number) => {
+    expect(beside(String(number), false)).toEqual([`${number} acts`]);
+    expect(beside(String(number), true)).toEqual([]);
+  });
+  test.each(kept.map((number) => [number]))("%i is kept, wherever it is looked for", (number) => {
+    for (const inProgram of [false, true]) expect(beside(String(number), inProgram)).toEqual([`${number} kept`]);
+    for (const words of all) expect(beside(words.kept[number] ?? "", true)).toContain(`${number} kept`);
+  });
+  test("a word of another language finds it too, nonsense nothing", () => {
+    expect(beside("hobbing", false)).toEqual(["880 kept"]);
+    expect(beside("880 xyzzy", false)).toEqual([]);
+  });
+
+  afterEach(cleanup);
+  const searchFor = async (typed: string, inProgram: boolean) => {
+    const user = userEvent.setup();
+    changeSettings({ language: "en" });
+    render(<CycleChooser inProgram={inProgram} ways={[{ name: "Take", short: "Take", go: () => undefined }]} />);
+    await user.type(screen.getByRole("searchbox"), typed);
+  };
+  test("the start page says where 800 is put in", async () => {
+    await searchFor("800", false);
+    expect(screen.getByRole("status").textContent?.trim()).toMatch(
+      /^Cycle 800, .*: no work by itself, it acts where it stands in a program/,
+    );
+  });
+  test("a program takes 800 like any cycle", async () => {
+    await searchFor("800", true);
+    expect(screen.getByRole("button", { name: /^Cycle 800, .*: Take$/ })).toBeDefined();
+  });
+  test("a program says of 880 that it is kept", async () => {
+    await searchFor("880", true);
+    expect(screen.getByRole("status").textContent?.trim()).toMatch(/^Cycle 880, Gear hobbing: shown and kept in a program, but not run/);
+  });
 });
 
 describe("the chooser", () => {

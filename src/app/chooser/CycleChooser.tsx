@@ -1,14 +1,14 @@
 import { useMemo, useRef, useState, type KeyboardEvent } from "react";
-import { menu } from "virtual:cycle-menu";
+import { Icon } from "../Icon.tsx";
 import { useFirstTexts } from "../settings/use-first-texts.ts";
 import { useFingers, useMedia } from "../use-media.ts";
 import { CycleGroup } from "./CycleGroup.tsx";
 import { CycleRow, type CycleWay } from "./CycleRow.tsx";
 import { onChooserKey } from "./chooser-keys.ts";
-import { menuGroups } from "./menu.ts";
+import { notHere, menuGroups, offered } from "./menu.ts";
 import { noteRecent } from "./recent.ts";
 import { RecentCycles } from "./RecentCycles.tsx";
-import { findCycles } from "./search.ts";
+import { findCycles, findElsewhere } from "./search.ts";
 import { useMenuWords } from "./use-menu-words.ts";
 import "./chooser.css";
 
@@ -16,12 +16,14 @@ interface Props {
   readonly ways: readonly CycleWay[];
   /** Beside other things: one column, and the groups folded. */
   readonly narrow?: boolean;
+  /** A cycle that is chosen is put into a program. */
+  readonly inProgram?: boolean;
   /** The search takes the keyboard at once. */
   readonly focus?: boolean;
 }
 
 /** All cycles, in the groups of the control: by search, by group, or those that were used last. */
-export function CycleChooser({ ways: given, narrow = false, focus = false }: Props) {
+export function CycleChooser({ ways: given, narrow = false, inProgram = false, focus = false }: Props) {
   const { chooser: t, page: { start }, menu: names } = useFirstTexts();
   const phone = useMedia("phone");
   const fingers = useFingers();
@@ -30,7 +32,14 @@ export function CycleChooser({ ways: given, narrow = false, focus = false }: Pro
   const [turn, giveTurn] = useState<number | null>(null);
   const words = useMenuWords(searching);
   const sought = typed.trim();
-  const found = useMemo(() => (sought === "" ? null : findCycles(menu, sought, words)), [sought, words]);
+  const cycles = useMemo(() => offered(inProgram), [inProgram]);
+  const found = useMemo(() => (sought === "" ? null : findCycles(cycles, sought, words)), [cycles, sought, words]);
+  const beside = useMemo(() => (found?.length === 0 ? findElsewhere(notHere(inProgram), sought, words) : []), [
+    found,
+    inProgram,
+    sought,
+    words,
+  ]);
   const box = useRef<HTMLDivElement>(null);
   const input = useRef<HTMLInputElement>(null);
   const ways = given.map((way): CycleWay => ({
@@ -41,7 +50,7 @@ export function CycleChooser({ ways: given, narrow = false, focus = false }: Pro
     },
   }));
   const best = found?.[0];
-  const nameOf = (cycle: number) => start.cycle(cycle, names.of[cycle]?.name ?? "");
+  const nameOf = (cycle: number) => start.cycle(cycle, names.of[cycle]?.name ?? names.kept[cycle] ?? "");
 
   const onSearchKey = (event: KeyboardEvent) => {
     if (event.key === "Enter" && best) {
@@ -63,11 +72,16 @@ export function CycleChooser({ ways: given, narrow = false, focus = false }: Pro
           spellCheck={false} autoFocus={focus} value={typed} onFocus={() => search(true)} onKeyDown={onSearchKey}
           onChange={(event) => type(event.currentTarget.value)} />
       </div>
-      <p className="small soft cycle-found" role="status">
+      <div className="small soft cycle-found" role="status">
         {found && best && `${t.found(found.length)} ${t.enter(nameOf(best.number))}`}
-        {found && !best && t.none}
+        {found && !best && beside.length === 0 && t.none}
+        {beside.map(({ number, why }) => (
+          <p key={number} className="field-message info">
+            <Icon name="info" /> <span>{t[why](nameOf(number))}</span>
+          </p>
+        ))}
         {!found && (fingers ? t.languages : `${t.languages} ${t.keys}`)}
-      </p>
+      </div>
       {found
         ? (
           <ul className="cycle-rows">
@@ -81,9 +95,9 @@ export function CycleChooser({ ways: given, narrow = false, focus = false }: Pro
         )
         : (
           <>
-            <RecentCycles ways={ways} />
-            {menuGroups.map(([group, cycles]) => (
-              <CycleGroup key={group} group={group} cycles={cycles} ways={ways} turn={turn} startsOpen={!narrow && !phone} />
+            <RecentCycles offered={cycles} ways={ways} />
+            {menuGroups(cycles).map(([group, own]) => (
+              <CycleGroup key={group} group={group} cycles={own} ways={ways} turn={turn} startsOpen={!narrow && !phone} />
             ))}
           </>
         )}

@@ -2,13 +2,13 @@ import { useId } from "react";
 import { useFirstTexts } from "../settings/use-first-texts.ts";
 import { Drawing } from "./Drawing.tsx";
 import type { CycleWay } from "./CycleRow.tsx";
-import { menuCycle } from "./menu.ts";
+import type { MenuCycle } from "./menu.ts";
 import { useRecent } from "./recent.ts";
 
 /** The cycles that were chosen last, as one row. */
-export function RecentCycles({ ways }: { readonly ways: readonly CycleWay[] }) {
+export function RecentCycles({ offered, ways }: { readonly offered: readonly MenuCycle[]; readonly ways: readonly CycleWay[] }) {
   const { chooser: t, page: { start }, menu } = useFirstTexts();
-  const cycles = useRecent((r) => r.cycles).flatMap((number) => menuCycle(number) ?? []);
+  const cycles = useRecent((r) => r.cycles).flatMap((number) => offered.find((cycle) => cycle.number === number) ?? []);
   const id = useId();
   const [main] = ways;
   if (cycles.length === 0 || !main) return null;

@@ -4,8 +4,12 @@ declare module "virtual:cycle-menu" {
   type MenuCycle = import("./menu.ts").MenuCycle;
   type MenuWords = import("../../i18n/menu-words.ts").MenuWords;
   type Language = import("../../i18n/languages.ts").Language;
-  /** Every cycle of the catalogue, in menu order. */
+  /** Every cycle of the catalogue that cuts, in menu order. */
   export const menu: readonly MenuCycle[];
+  /** Those that act where they stand in a program and are no work by themselves. */
+  export const acting: readonly MenuCycle[];
+  /** Numbers of those that a program keeps and that are not run. */
+  export const kept: readonly number[];
   /** Names of cycles and groups in a language. */
   export function menuWordsOf(language: Language): Promise<MenuWords>;
 }

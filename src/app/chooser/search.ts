@@ -1,5 +1,5 @@
 import type { MenuWords } from "../../i18n/menu-words.ts";
-import type { MenuCycle } from "./menu.ts";
+import type { Elsewhere, MenuCycle } from "./menu.ts";
 
 /** Letters without accents and case: what is typed at a machine has neither. */
 export const plain = (text: string): string =>
@@ -35,9 +35,20 @@ function rankOf(cycle: MenuCycle, { word, words }: Sought, languages: readonly M
   return within(of.flatMap(({ summary, nc }) => [summary, nc])) ? 3 : null;
 }
 
+const wordsOf = (typed: string): readonly string[] => plain(typed).split(/[\s,;]+/).filter((word) => word !== "");
+
+/** Those that fit everything that was typed by their number or name, in any of these languages. */
+export function findElsewhere(cycles: readonly Elsewhere[], typed: string, languages: readonly MenuWords[]): readonly Elsewhere[] {
+  const sought = wordsOf(typed);
+  return cycles.filter(({ number }) => {
+    const names = languages.map(({ of, kept }) => plain(of[number]?.name ?? kept[number] ?? ""));
+    return sought.every((word) => (/^\d+$/.test(word) ? String(number).startsWith(word) : names.some((name) => name.includes(word))));
+  });
+}
+
 /** The cycles that fit everything that was typed, the best first, in any of these languages. */
 export function findCycles(menu: readonly MenuCycle[], typed: string, languages: readonly MenuWords[]): readonly MenuCycle[] {
-  const sought = plain(typed).split(/[\s,;]+/).filter((word) => word !== "").map((word) => ({ word, words: meant(word, languages) }));
+  const sought = wordsOf(typed).map((word) => ({ word, words: meant(word, languages) }));
   const ranked = menu.flatMap((cycle) => {
     const ranks = sought.map((each) => rankOf(cycle, each, languages));
     return ranks.some((rank) => rank === null) ? [] : [{ cycle, rank: Math.max(...ranks.map(Number)) }];

@@ -55,7 +55,7 @@ export function Palette({ index, done }: Props) {
           <Icon name="close" />
         </button>
       </header>
-      {cycles && <CycleChooser narrow focus ways={[{ name: t.chooser.insert, short: t.chooser.insert, go: putCycle }]} />}
+      {cycles && <CycleChooser narrow inProgram focus ways={[{ name: t.chooser.insert, short: t.chooser.insert, go: putCycle }]} />}
       {!cycles && groups.map((group) => (
         <section key={group} aria-label={t.editor.groups[group]}>
           <h3 className="panel-title">{t.editor.groups[group]}</h3>

@@ -9,6 +9,10 @@ export const chooser = {
   found: (n) => (n === 1 ? "1 Zyklus gefunden." : `${n} Zyklen gefunden.`),
   enter: (cycle) => `Enter nimmt ${cycle}.`,
   none: "Kein Zyklus passt zu diesen Wörtern.",
+  acts: (cycle) =>
+    `${cycle}: allein keine Arbeit; er wirkt dort, wo er im Programm steht. Unten eines öffnen und ihn dort unter „Zyklus“ einfügen.`,
+  kept: (cycle) =>
+    `${cycle}: wird im Programm gezeigt und behalten, nicht ausgeführt; dahinter ist nichts geprüft. Seine Zeilen in den Text einfügen.`,
   recent: "Zuletzt verwendet",
   recentOne: (cycle) => `Zuletzt verwendet: ${cycle}`,
   count: (n) => (n === 1 ? "1 Zyklus" : `${n} Zyklen`),
