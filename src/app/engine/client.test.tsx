@@ -1,0 +1,71 @@
+import { afterEach, beforeEach, expect, test, vi } from "vitest";
+import { cuttingCycles } from "../../cycles/index.ts";
+import { exampleJob } from "../../program/job.ts";
+import { begin } from "../store.ts";
+import { startEngine } from "./client.ts";
+import { engine, type Request } from "./engine.ts";
+import { useOutcome, type Outcome } from "./outcome.ts";
+
+interface Asked {
+  readonly request: Request;
+  readonly answer: (outcome: Outcome) => void;
+}
+
+/** What the worker was asked and has not answered yet. */
+const asked = vi.hoisted(() => [] as Asked[]);
+vi.mock("comlink", () => ({
+  releaseProxy: Symbol("release"),
+  wrap: () => ({ update: (request: Request) => new Promise<Outcome>((answer) => asked.push({ request, answer })) }),
+}));
+vi.stubGlobal("Worker", class extends EventTarget {});
+
+const [first, second] = cuttingCycles;
+if (!first || !second) throw new Error("the catalogue has no two cycles");
+
+/** The worker answers what it was asked first, however late that is. */
+async function answerNext(): Promise<string> {
+  await vi.waitFor(() => expect(asked).not.toHaveLength(0));
+  const next = asked.shift();
+  if (!next) throw new Error("nothing was asked");
+  next.answer(engine.update(next.request));
+  await new Promise(setImmediate);
+  return next.request.text;
+}
+const shown = () => useOutcome.getState().shown?.text ?? null;
+
+let stop = () => undefined as void;
+beforeEach(() => {
+  begin(exampleJob(first), "first");
+  stop = startEngine();
+});
+afterEach(async () => {
+  begin(null, null);
+  while (asked.length > 0) await answerNext();
+  stop();
+});
+
+test("an answer is shown while its work is open", async () => {
+  const text = await answerNext();
+  expect(shown()).toBe(text);
+});
+
+test("the late answer of a work that was left is not shown under the next one", async () => {
+  begin(exampleJob(second), "second");
+  const left = await answerNext();
+  expect(shown()).toBeNull();
+  const next = await answerNext();
+  expect(next).not.toBe(left);
+  expect(shown()).toBe(next);
+});
+
+test("nor that of the same cycle in another work", async () => {
+  begin({ ...exampleJob(first), name: "OTHER" }, "other");
+  await answerNext();
+  expect(shown()).toBeNull();
+});
+
+test("nor one that comes when no work is open", async () => {
+  begin(null, null);
+  await answerNext();
+  expect(shown()).toBeNull();
+});
