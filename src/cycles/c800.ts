@@ -10,7 +10,7 @@ export const c800 = defineActing({
     Q498: choice("reverseTool", [0, 1], 0),
     Q530: choice("inclinedMachining", [0, 1, 2], 0),
     Q531: angle("incidenceAngle", [-180, 180], 0),
-    Q532: feedParam("tiltingFeed", [0.001, 99999.999], 750),
+    Q532: feedParam("tiltingFeed", [0.001, 99999.999], 750, { perMinute: true }),
     Q533: choice("preferredDirection", [0, 1, 2, -2, -1], 0),
     Q535: choice("eccentricTurning", [0, 1, 2, 3], 3),
     Q536: choice("eccentricWithoutStop", [0, 1], 0),

@@ -62,6 +62,8 @@ export interface Param<K extends Kind = Kind, T extends string = string> {
   readonly sizes?: string;
   /** It is the radius of a rounded corner; 0 leaves the corner sharp. */
   readonly rounds: boolean;
+  /** A feed of axes that do not cut: M136 does not make it one per revolution. */
+  readonly perMinute: boolean;
 }
 
 export type Params = Readonly<Record<string, Param>>;
@@ -78,6 +80,7 @@ interface Options {
   place?: "start" | "end";
   sizes?: string;
   rounds?: boolean;
+  perMinute?: boolean;
 }
 
 function param<K extends Kind, T extends string>(
@@ -104,6 +107,7 @@ function param<K extends Kind, T extends string>(
     place: o.place ?? "start",
     ...(o.sizes === undefined ? {} : { sizes: o.sizes }),
     rounds: o.rounds ?? false,
+    perMinute: o.perMinute ?? false,
   };
 }
 

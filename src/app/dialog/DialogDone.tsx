@@ -26,7 +26,7 @@ export function DialogDone({ session, inBlock }: { readonly session: PromptSessi
     open: t.open(open.length),
     contour: words.done.contour,
     faults: words.done.faults(errors.length),
-    complete: t.title,
+    complete: first === null ? t.nothing : t.title,
   };
   const title = titles[kind];
   const tone = kind === "complete" ? toneOf(verdict) : "bad";
@@ -69,7 +69,7 @@ export function DialogDone({ session, inBlock }: { readonly session: PromptSessi
           <button type="button" className="button primary" onClick={() => showSection("findings")}>{words.leaving.look}</button>
         )}
         {kind === "complete" && <CopyButton main long />}
-        <button type="button" className="button" onClick={() => goTo(first)}>{t.first}</button>
+        {first !== null && <button type="button" className="button" onClick={() => goTo(first)}>{t.first}</button>}
       </div>
     </section>
   );

@@ -1,10 +1,22 @@
 import { useMemo } from "react";
+import type { CycleNumber } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job.ts";
 import { givenOf } from "../engine/given.ts";
 import { HelpPicture } from "../help/HelpPicture.tsx";
 import type { Numbers } from "../../view/help/lettering.ts";
 import type { JobReading } from "../reading.ts";
 import { useSettings } from "../settings/settings.ts";
+import { useTexts } from "../settings/use-texts.ts";
+
+/** In place of a picture: what a cycle does where it stands. */
+function ActingWords({ cycle }: { readonly cycle: number }) {
+  const { description, notes } = useTexts().cycles.of[cycle as CycleNumber];
+  return (
+    <div className="help-slot acting-words small soft" tabIndex={0}>
+      {[...description, ...notes].map((sentence) => <p key={sentence}>{sentence}</p>)}
+    </div>
+  );
+}
 
 /** The help picture beside the prompts: this contour, the open prompt's dimension strong. */
 export function HelpSlot({ read, q }: { readonly read: JobReading; readonly q: string | null }) {
@@ -12,7 +24,7 @@ export function HelpSlot({ read, q }: { readonly read: JobReading; readonly q: s
   const unwritten = read.job.contour.length === 0 && !read.reading.values;
   const given = useMemo(() => givenOf(unwritten ? { cycle: read.cycle, job: exampleJob(read.cycle) } : read), [unwritten, read]);
   // What acts where it is defined has no contour to draw.
-  if (read.cycle.acts) return null;
+  if (read.cycle.acts) return <ActingWords cycle={read.cycle.number} />;
   return (
     <div className="help-slot">
       <HelpPicture cycle={read.cycle} values={read.reading.values} partial={read.reading.partial as Numbers} given={given} activeQ={q}

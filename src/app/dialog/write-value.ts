@@ -44,4 +44,4 @@ const units: Readonly<Record<Exclude<Kind, "feed">, UnitName>> = {
 
 /** What the value of a parameter is measured in. */
 export const unitOf = (param: Param, perRevolution: boolean): UnitName =>
-  param.kind === "feed" ? (perRevolution ? "perRevolution" : "perMinute") : units[param.kind];
+  param.kind === "feed" ? (perRevolution && !param.perMinute ? "perRevolution" : "perMinute") : units[param.kind];

@@ -13,6 +13,9 @@ import { editProgram, openBlock, useSession } from "./session.ts";
 /** Nothing offers a nearest value here. */
 const nothing = () => undefined;
 
+/** Findings that say of a block that it is kept and not run. */
+const SAYS_SO: ReadonlySet<string> = new Set(["cycleNotSimulated", "notSimulated", "notUnderstood"]);
+
 /** The dialog of a block that is no cycle of the catalogue: one field a word, made from the description of its kind. */
 export function BlockForm({ problems }: { readonly problems: readonly FindingEntry[] }) {
   const t = useTexts().editor;
@@ -26,7 +29,7 @@ export function BlockForm({ problems }: { readonly problems: readonly FindingEnt
   return (
     <div className="block-form" role="form" aria-label={t.form}>
       <code className="number block-text">{block.raw.trimEnd()}</code>
-      {(s.kind === "unknown" || (s.kind === "cycle" && isKept(s.cycle))) && (
+      {(s.kind === "unknown" || (s.kind === "cycle" && isKept(s.cycle))) && !problems.some(({ issue }) => SAYS_SO.has(issue.code)) && (
         <p className="field-message info">
           <Icon name="info" /> {t.kept}
         </p>

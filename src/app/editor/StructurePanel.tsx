@@ -36,7 +36,8 @@ export function StructurePanel() {
   const { box, from, to, above, below, measure } = useWindow(shown.length, current);
 
   const entry = (part: Part, place: number) => {
-    const run = part.done ? doneText(part.done) : newest ? t.notRun : "";
+    const unmade = part.acts ? t.acts : t.notRun;
+    const run = part.done ? doneText(part.done) : newest ? unmade : "";
     const done = part.kind === "cycle" ? run : "";
     return (
       <li key={part.index} aria-setsize={shown.length} aria-posinset={place + 1}>

@@ -71,6 +71,11 @@ test("a prompt of a cycle changes only its own characters", () => {
     });
 });
 
+test("a cycle that acts where it stands is no cycle that nobody calls", () => {
+  const program = parse("0 BEGIN PGM A MM\n1 CYCL DEF 801\n2 CYCL DEF 247 Q339=+1\n3 CYCL DEF 880 Q215=+0\n4 END PGM A MM\n");
+  expect(partsOf(program, null).map((p) => p.acts)).toEqual([true, true, false]);
+});
+
 test("the list of parts names tools, cycles, labels and notes", () => {
   const program = parse('0 BEGIN PGM A MM\n1 * - FIRST\n2 TOOL CALL 3\n3 LBL "C"\n4 L X+1\n5 LBL 0\n6 END PGM A MM\n');
   expect(partsOf(program, null).map((p) => `${p.number} ${p.kind} ${p.text}`)).toEqual([

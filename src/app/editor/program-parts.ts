@@ -1,5 +1,6 @@
 import { blockNumbers, startLines, type Program } from "../../nc/program.ts";
 import type { Statement } from "../../nc/statement.ts";
+import { actsAtOnce } from "../../program/unproved-blocks.ts";
 import type { Outcome } from "../engine/outcome.ts";
 import { kindOf, type BlockKind } from "./block-kind.ts";
 
@@ -26,6 +27,8 @@ export interface Part {
   readonly text: string;
   /** Cycles: what each of their calls did, added up; null where none was executed. */
   readonly done: Done | null;
+  /** A cycle that acts where it stands, and is not called. */
+  readonly acts: boolean;
 }
 
 const filters: Partial<Record<Statement["kind"], PartFilter>> = {
@@ -81,6 +84,7 @@ export function partsOf(program: Program, outcome: Outcome | null): readonly Par
       filter,
       text: firstLine(raw),
       done: s.kind === "cycle" ? (done?.get(lines[index] ?? 0) ?? null) : null,
+      acts: s.kind === "cycle" && actsAtOnce(s.cycle),
     });
   });
   return parts;

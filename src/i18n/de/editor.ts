@@ -26,6 +26,7 @@ export const editor = {
   noResidue: "nichts bleibt stehen",
   operation: (passes, time, residue) => `${passes}, ${time}, ${residue}`,
   notRun: "nicht ausgeführt",
+  acts: "wirkt, wo er steht",
   total: "Ganzes Programm",
   operations: "Bearbeitungen",
   toolChanges: "Werkzeugwechsel",

@@ -28,6 +28,7 @@ export const editor = {
   noResidue: "nothing stays",
   operation: (passes: string, time: string, residue: string) => `${passes}, ${time}, ${residue}`,
   notRun: "not run",
+  acts: "acts where it stands",
   total: "Whole program",
   operations: "Operations",
   toolChanges: "Tool changes",

@@ -26,6 +26,7 @@ export const editor = {
   noResidue: "rien ne reste",
   operation: (passes, time, residue) => `${passes}, ${time}, ${residue}`,
   notRun: "non exécuté",
+  acts: "agit là où il est",
   total: "Programme entier",
   operations: "Opérations",
   toolChanges: "Changements d’outil",

@@ -26,6 +26,7 @@ export const editor = {
   noResidue: "无残留",
   operation: (passes, time, residue) => `${passes}，${time}，${residue}`,
   notRun: "未执行",
+  acts: "在所处位置起作用",
   total: "整个程序",
   operations: "加工",
   toolChanges: "换刀",
