@@ -36,10 +36,13 @@ describe("corner elements", () => {
     const { segments } = withCorners([chainOf([p(0, 35), p(0, 47.2)])[0] as Segment, ...flat], [{ kind: "round", size: 0.25 }]);
     expect(segments).toHaveLength(3);
     segments.slice(1).forEach((s, i) => expect(s.from).toEqual(segments[i]?.to));
-    const arcs: Segment[] = [
-      { kind: "arc", from: p(0, 20), to: p(-5, 25), centre: p(0, 25), turn: "cw" },
-      { kind: "arc", from: p(-5.000_05, 25), to: p(-10, 20), centre: p(-10, 25), turn: "ccw" },
-    ];
+    const arcs: Segment[] = [{ kind: "arc", from: p(0, 20), to: p(-5, 25), centre: p(0, 25), turn: "cw" }, {
+      kind: "arc",
+      from: p(-5.000_05, 25),
+      to: p(-10, 20),
+      centre: p(-10, 25),
+      turn: "ccw",
+    }];
     const [one, two] = arcs as [Segment, Segment];
     const closed = withCorners([one, { kind: "line", from: one.to, to: two.from }, two], []).segments;
     closed.slice(1).forEach((s, i) => expect(part.apart(s.from, closed[i]?.to as Pt)).toBeLessThan(1e-9));

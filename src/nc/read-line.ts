@@ -16,6 +16,9 @@ function number(text: string): number | null {
   return n === 0 ? 0 : Number.isFinite(n) ? n : null;
 }
 
+/** One for all of them: most lines have none of these words. */
+const NONE: readonly never[] = [];
+
 /**
  * Reads a straight line in its usual form in one step, exactly as the word by word reader would; null for any other, which
  * that reader then takes. Long programs are mostly such lines, and a program that was just opened is read before
@@ -33,7 +36,7 @@ export function readLine(text: string, at: number): Statement | null {
     if (value === null) return null;
     axes.push({ axis: AXES[i] ?? "X", value, incremental: m[2 * i + 1] === "I" });
   }
-  const words: { -readonly [K in keyof Words]: Words[K] } = { axes, linear: [], functions: [], extra: [] };
+  const words: { -readonly [K in keyof Words]: Words[K] } = { axes, linear: NONE, functions: NONE, extra: NONE };
   if (m[7] !== undefined) words.compensation = m[7] as Compensation;
   if (m[8] !== undefined) words.feed = m[8] === "MAX" ? "max" : "auto";
   else if (m[9] !== undefined) {

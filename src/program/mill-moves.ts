@@ -25,18 +25,19 @@ export function millStep(machine: Machine, s: PlaneSegment, { fromZ, toZ, feed, 
   if ((isStill && fromZ === toZ) || !machine.roomForMove(index)) return;
   const long = travelLength(s, (toZ ?? 0) - (fromZ ?? toZ ?? 0));
   const rate = feed === null ? machine.shop.rapid : machine.now.perRevolution ? 0 : feed;
-  machine.log.milled.push({
-    kind: s.kind === "arc" ? "arc" : feed === null ? "rapid" : "feed",
-    from: { ...s.from, z: fromZ },
-    to: { ...s.to, z: toZ },
-    ...(s.kind === "arc" && { centre: s.centre, turn: s.turn }),
-    ...(feed !== null && { feed, feedUnit: machine.feedUnit }),
+  const common = {
+    from: { x: s.from.x, y: s.from.y, z: fromZ },
+    to: { x: s.to.x, y: s.to.y, z: toZ },
     radius: machine.now.mill.radius ?? 0,
     block: machine.log.numbers[index] ?? 0,
     index,
     seconds: rate > 0 ? (60 * long) / rate : 0,
     turned: machine.log.steps.length,
-  });
+  };
+  const rated = feed === null
+    ? { kind: "rapid" as const, ...common }
+    : { kind: "feed" as const, ...common, feed, feedUnit: machine.feedUnit };
+  machine.log.milled.push(s.kind === "arc" ? { ...rated, kind: "arc", centre: s.centre, turn: s.turn } : rated);
 }
 
 /** Adds an arc in a plane beside that of the tool axis. */

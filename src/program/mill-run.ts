@@ -7,6 +7,7 @@ import { blockFeed, takeFeed } from "./block-feed.ts";
 import { millSideArc, planeOf, type SideBlock } from "./mill-arc.ts";
 import { centreOf, millArrives, millCarrier, type SidePlane } from "./mill-moves.ts";
 import { standing, wordReader } from "./path-block.ts";
+import type { Whereabouts } from "./modal.ts";
 import { endOf, isPolarPath, segmentOf, type MillPlane, type PathBlock } from "./path.ts";
 import { startUnknown } from "./turn-run.ts";
 import { beginApproach, close, endWithDeparture, followPath, sideOf } from "./plane-guide.ts";
@@ -32,9 +33,8 @@ export function millPath(machine: Machine, block: PathBlock, index: number): voi
   const isMoving = isPolarPath(block.path) || words.axes.length > 0;
   if (!to || (!isMoving && words.compensation === undefined)) return takeFeed(machine, words.feed, index);
   if (words.compensation !== undefined) needsRadius(machine, requested, index);
-  machine.setPlace({ mill: to });
   const [start, end] = [centreOf(before), centreOf(to)];
-  if (end && to.z !== null) machine.setPlace({ lost: null });
+  machine.setPlace(end && to.z !== null ? { mill: to, lost: null } : { mill: to });
   if (!end) {
     closeMill(machine);
     guide.here = null;
@@ -51,15 +51,18 @@ export function millPath(machine: Machine, block: PathBlock, index: number): voi
   }
   const plane = planeOf(machine, block);
   if (plane !== "XY" && start) return sideArc(machine, plane, { block, before, to, feed, index, requested });
-  machine.setPlace({ milled: { from: before, to, plane: "XY", segment: null } });
-  const pieces = start ? around(machine, block, elementBetween(machine, block, start, end, index), index) : [null];
+  const milled = { from: before, to, plane: "XY" } as const;
+  if (!start) machine.setPlace({ milled: { ...milled, segment: null } });
+  const segment = start && elementBetween(machine, block, { start, end, milled }, index);
+  if (segment?.kind !== "arc") return followPath(guide, carrierOf(machine), requested, { ...travel, segment, to: end });
+  const pieces = around(machine, block, segment, index);
   pieces.forEach((piece, i) => {
     const z =
       (k:
         number) => (travel.fromZ === null || travel.toZ === null
           ? travel.toZ
           : travel.fromZ + ((travel.toZ - travel.fromZ) * k) / pieces.length);
-    followPath(guide, carrierOf(machine), requested, { ...travel, fromZ: z(i), toZ: z(i + 1), segment: piece, to: piece ? piece.to : end });
+    followPath(guide, carrierOf(machine), requested, { ...travel, fromZ: z(i), toZ: z(i + 1), segment: piece, to: piece.to });
   });
 }
 
@@ -72,7 +75,14 @@ function sideArc(machine: Machine, plane: SidePlane, side: SideBlock & { readonl
   machine.millGuide.here = centreOf(to);
 }
 
-function elementBetween(machine: Machine, block: PathBlock, start: PlanePoint, end: PlanePoint, index: number): PlaneSegment {
+/** Between which points of the plane a block mills, and between which positions. */
+interface Between {
+  readonly start: PlanePoint;
+  readonly end: PlanePoint;
+  readonly milled: Pick<NonNullable<Whereabouts["milled"]>, "from" | "to" | "plane">;
+}
+
+function elementBetween(machine: Machine, block: PathBlock, { start, end, milled }: Between, index: number): PlaneSegment {
   const { pole } = standing(machine, "XY");
   const made = segmentOf(wordReader(machine, index), block, {
     from: partPoint(start),
@@ -80,9 +90,8 @@ function elementBetween(machine: Machine, block: PathBlock, start: PlanePoint, e
     pole,
     before: machine.place.last,
   });
-  machine.setPlace({ last: made });
-  const { milled } = machine.place;
-  if (milled && made.kind === "arc") machine.setPlace({ milled: { ...milled, segment: made } });
+  const { from, to, plane } = milled;
+  machine.setPlace({ last: made, milled: { from, to, plane, segment: made.kind === "arc" ? made : null } });
   return planeSegment(made);
 }
 

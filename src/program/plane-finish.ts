@@ -22,8 +22,18 @@ class Finishing {
     this.run(s, travel);
   }
 
+  /** The elements one after another as they stand. */
+  asProgrammed(): void {
+    for (const t of this.chain.lifts) this.lift(t);
+    for (const item of this.chain.items) {
+      this.go(item.segment, item);
+      for (const t of item.lifts) this.lift(t);
+    }
+  }
+
   private run(s: PlaneSegment, travel: Travel): void {
-    this.carrier.emit(plane.shifted(s, this.carrier.tip), travel);
+    const { tip } = this.carrier;
+    this.carrier.emit(tip.x === 0 && tip.y === 0 ? s : plane.shifted(s, tip), travel);
     this.centre = s.to;
   }
 
@@ -171,6 +181,10 @@ function ownDirection(chain: CompensatedChain, here: PlanePoint | null): PlaneSe
 
 const hasRadius = (side: Side) => side !== "none";
 
+/** Nothing to compensate and no corner to put in: nearly every element of a long program. */
+const runsAsProgrammed = ({ side, start, items }: CompensatedChain) =>
+  !hasRadius(side) && start.kind === "here" && items.every((i) => i.corner === undefined);
+
 /** Carries out a chain and what ends it; gives where the programmed point then stands. */
 export function finishChain(
   carrier: Carrier,
@@ -179,6 +193,10 @@ export function finishChain(
   departure: ApproachCall | null,
 ): PlanePoint | null {
   const f = new Finishing(carrier, chain, here && difference(here, carrier.tip));
+  if (runsAsProgrammed(chain) && !departure) {
+    f.asProgrammed();
+    return f.centre && sum(f.centre, carrier.tip);
+  }
   const contour = planeContour(chain.items.map(({ segment, corner }) => ({ segment, ...(corner && { corner: corner.element }) })),
     chain.side, carrier.toolRadius);
   sayIssues(carrier, chain, contour);

@@ -34,7 +34,8 @@ export function close(guide: Guide, carrier: CarrierFor, departure: ApproachCall
 
 /** A line that begins where the element before it really ends, however little that is beside the programmed point. */
 function joined(segment: PlaneSegment, before: PlaneSegment | undefined): PlaneSegment {
-  return before && segment.kind === "line" && apart(before.to, segment.from) <= ARC_END ? { ...segment, from: before.to } : segment;
+  if (!before || segment.kind !== "line" || apart(before.to, segment.from) > ARC_END) return segment;
+  return { kind: "line", from: before.to, to: segment.to };
 }
 
 /** Longest compensated contour; beyond it the run ends, for a contour cut short would be another part. */
@@ -45,24 +46,27 @@ const WAITING = 1000;
 /** Carries out a contour without compensation up to its last element, so that a long program does not wait as a whole. */
 function advance(guide: Guide, carrier: CarrierFor): void {
   const items = guide.chain?.items ?? [];
+  if (items.length <= WAITING || guide.chain?.side !== "none") return;
   const [before, last] = items.slice(-2);
-  if (items.length <= WAITING || !before || !last || before.corner || guide.chain?.side !== "none") return;
+  if (!before || !last || before.corner) return;
   items.pop();
   close(guide, carrier);
   guide.chain = { side: "none", start: { kind: "here" }, lifts: [], items: [last] };
 }
 
+const NO_LIFTS: readonly Travel[] = [];
+
 function append(guide: Guide, step: PathStep, programmed: PlaneSegment): void {
   const { chain } = guide;
   if (!chain) return;
-  const segment = joined(programmed, chain.items.at(-1)?.segment);
+  const last = chain.items.at(-1);
+  const segment = joined(programmed, last?.segment);
   const { fromZ, toZ, feed, index } = step;
-  const travel: Travel = { fromZ, toZ, feed, index };
   if (lengthOf(segment) > SAME) {
-    chain.items.push({ ...travel, segment, lifts: [] });
+    chain.items.push({ fromZ, toZ, feed, index, segment, lifts: NO_LIFTS });
     return;
   }
-  const last = chain.items.at(-1);
+  const travel: Travel = { fromZ, toZ, feed, index };
   if (last) chain.items[chain.items.length - 1] = { ...last, lifts: [...last.lifts, travel] };
   else chain.lifts = [...chain.lifts, travel];
 }
