@@ -5,7 +5,8 @@ import type { Setups } from "./drawn-setup.ts";
 import { recalled } from "./params.ts";
 import { freeRecessing, planFreeRecessing } from "./recessing-free.ts";
 import { axialPlunges } from "./recessing-params.ts";
-import { plungedContours } from "./recessing-setups.ts";
+import { freeRecesses } from "./recess-setups.ts";
+import { plungedSetups } from "./recessing-setups.ts";
 
 const { Q215, Q460, Q478, Q483, Q484, Q505 } = c872.params;
 const { Q479, Q480, Q482 } = c820.params;
@@ -40,4 +41,4 @@ export const c870 = defineCycle({
 });
 
 /** Set-ups that the laws hold this cycle to. */
-export const setups870: Setups = plungedContours(true);
+export const setups870: Setups = plungedSetups(freeRecesses(true));

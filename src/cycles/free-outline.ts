@@ -80,3 +80,13 @@ export function frameAt(contour: readonly Segment[], transverse: boolean, { star
   const outside = side === null ? tipDirection(tool.TO).v <= 0 : side === "outside";
   return freeFrame(contour, transverse, transverse ? !behind : outside);
 }
+
+/**
+ * The same for a tool that plunges: it works from outside, between the heights of the contour, when it points to the axis.
+ */
+export function plungeFrame(contour: readonly Segment[], transverse: boolean, setting: Setting): Frame {
+  const rs = contour.flatMap((s) => [s.from.r, s.to.r]);
+  const between = setting.start.r > Math.min(...rs) && setting.start.r < Math.max(...rs);
+  const outwards = between && [1, 2, 3].includes(setting.tool.TO);
+  return frameAt(contour, transverse, outwards && !transverse ? { ...setting, start: at(setting.start.z, Math.max(...rs)) } : setting);
+}

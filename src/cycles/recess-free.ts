@@ -6,7 +6,7 @@ import { feedsOf } from "../kernel/strategy/feeds.ts";
 import { planRecess } from "../kernel/strategy/recess.ts";
 import { perSide, toRadius } from "../kernel/units.ts";
 import type { Given, Outline } from "./define.ts";
-import { frameAt, freeOutline, type FreeValues } from "./free-outline.ts";
+import { freeOutline, plungeFrame, type FreeValues } from "./free-outline.ts";
 import type { TurnedRecess } from "./recess-plan.ts";
 import { refused } from "./refused.ts";
 import { atParameters } from "./roles.ts";
@@ -27,23 +27,12 @@ function shifted(contour: readonly Segment[], { transverse, signV }: Frame, by: 
   return by === 0 ? contour : contour.map((s) => part.shifted(s, offset));
 }
 
-/**
- * Outside or inside is where the start point lies. Between the heights of the contour the tool says it: one that points to the axis
- * works from outside.
- */
-function frameOf(contour: readonly Segment[], transverse: boolean, setting: Setting): Frame {
-  const rs = contour.flatMap((s) => [s.from.r, s.to.r]);
-  const between = setting.start.r > Math.min(...rs) && setting.start.r < Math.max(...rs);
-  const outwards = between && [1, 2, 3].includes(setting.tool.TO);
-  return frameAt(contour, transverse, outwards && !transverse ? { ...setting, start: at(setting.start.z, Math.max(...rs)) } : setting);
-}
-
 /** Cuts the recesses of a programmed contour, in a cylinder or in a face. */
 export function planFreeRecess(v: FreeRecess, setting: Setting, given: Given, transverse: boolean): Plan {
   const outline = freeOutline(v, given, transverse);
   const none = refused(outline);
   if (none) return none;
-  const frame = frameOf(outline.contour, transverse, setting);
+  const frame = plungeFrame(outline.contour, transverse, setting);
   const tool = v.Q499 === 2 ? mirroredTool(setting.tool, transverse ? "r" : "z") : setting.tool;
   const plan = planRecess({
     frame,

@@ -11,7 +11,7 @@ interface RecessSetup extends DrawnSetup {
 }
 
 /** Values that every recess-turning cycle has. */
-export const turnedValues = (draw: Draw) => ({
+const turnedValues = (draw: Draw) => ({
   ...common(draw),
   Q507: draw.one(0, 1),
   Q508: draw.one(0, mm(draw, 0, 1)),
@@ -28,7 +28,7 @@ const axialTool = (draw: Draw, along: 1 | -1) => ({
   RS: draw.one(0, 0.2, 0.4),
 });
 /** A bar that points at the axis or away from it, its tip in the middle of the edge or at either corner. */
-export const radialTool = (draw: Draw, out: 1 | -1) => ({
+const radialTool = (draw: Draw, out: 1 | -1) => ({
   T: out > 0 ? 9 : 14,
   TO: out > 0 ? mostly(draw, 2 as const, draw.one(1 as const, 3 as const)) : mostly(draw, 6 as const, draw.one(5 as const, 7 as const)),
   CUTWIDTH: draw.one(2, 3, 4),

@@ -1,9 +1,8 @@
-import { toFlat, type Frame } from "../kernel/flat.ts";
+import { toFlat } from "../kernel/flat.ts";
 import type { Plan, Setting } from "../kernel/plan.ts";
-import { at, type Segment } from "../kernel/point.ts";
 import { type Axial, type Diameter, toRadius } from "../kernel/units.ts";
 import type { Given, Outline } from "./define.ts";
-import { frameAt, freeOutline } from "./free-outline.ts";
+import { freeOutline, plungeFrame } from "./free-outline.ts";
 import { planPlunges, type PlungeValues } from "./recessing-plan.ts";
 import { refused } from "./refused.ts";
 import { atParameters } from "./roles.ts";
@@ -22,21 +21,12 @@ export const freeRecessing = (v: Limited, given: Given, transverse: boolean): Ou
   sunk: true,
 });
 
-/** Outside or inside, by the start point; one between the heights of the contour leaves it to where the tip points. */
-function frameOf(contour: readonly Segment[], transverse: boolean, setting: Setting): Frame {
-  const high = Math.max(...contour.flatMap((s) => [s.from.r, s.to.r]));
-  const low = Math.min(...contour.flatMap((s) => [s.from.r, s.to.r]));
-  const { start, tool } = setting;
-  const outwards = !transverse && start.r > low && start.r < high && [1, 2, 3].includes(tool.TO);
-  return frameAt(contour, transverse, outwards ? { ...setting, start: at(start.z, high) } : setting);
-}
-
 /** Cuts a programmed contour by plunges, in a cylinder or in a face. */
 export function planFreeRecessing(v: Limited & PlungeValues, setting: Setting, given: Given, transverse: boolean): Plan {
   const outline = freeRecessing(v, given, transverse);
   const none = refused(outline);
   if (none) return none;
-  const frame = frameOf(outline.contour, transverse, setting);
+  const frame = plungeFrame(outline.contour, transverse, setting);
   const limit = v.Q479 === 1 ? toFlat(frame, { r: toRadius(v.Q480), z: v.Q482 }) : null;
   const plan = planPlunges(v, { contour: outline.contour, frame }, limit, setting);
   const found = angleIssues(outline, setting.tool, frame, (_q, direction) => Math.abs(direction));

@@ -127,5 +127,6 @@ test.each(ROWS)("$number with T$T leaves what cannot be taken ($out along $along
 });
 
 test("what roughing alone leaves is more than that", () => {
-  for (const row of ROWS.filter((r) => r.T !== 11)) expect(worked(valleys(row), row, { Q215: 1 }).over, `${row.number}`).toBeGreaterThan(2);
+  for (const row of ROWS.filter((r) => [3, 15, 9, 10].includes(r.T)))
+    expect(worked(valleys(row), row, { Q215: 1 }).over, `${row.number}`).toBeGreaterThan(2);
 });

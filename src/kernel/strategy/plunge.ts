@@ -1,10 +1,7 @@
-import { extent } from "../convex.ts";
-import { segmentToFlat, toFlat, toPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
+import { toPart } from "../flat.ts";
 import { cuttingWidth, isBar, noseRadius } from "../insert.ts";
 import { issue, type Issue } from "../issue.ts";
 import type { Plan, Setting } from "../plan.ts";
-import type { Segment } from "../point.ts";
-import type { Bound } from "../reach.ts";
 import { JOINED, SAME } from "../tolerance.ts";
 import type { Tool, ToolType } from "../tool.ts";
 import { roomOf } from "../track.ts";
@@ -12,32 +9,24 @@ import { length, toDiameter } from "../units.ts";
 import { clearAcross } from "./across.ts";
 import { basinsOf, type Basin } from "./basins.ts";
 import { unfit } from "./fit.ts";
-import { atCall, Frontier } from "./frontier.ts";
-import { FAR, groundOver, insertIn, insidePart, reachOf, startInPart, type Ground, type Surroundings } from "./ground.ts";
+import { groundOver, insertIn, insidePart, startInPart } from "./ground.ts";
 import { MOST_PASSES } from "./infeed.ts";
 import { empty } from "./leveled.ts";
-import { limitsOf, type Limits } from "./limits.ts";
+import { limitsOf } from "./limits.ts";
 import { Cutter } from "./link.ts";
-import { areaOver, partUnder } from "./outline-area.ts";
 import { bitesOf, roughByPlunges, type Bites, type PlungeCut } from "./plunge-cuts.ts";
 import { finishByHalves } from "./plunge-finish.ts";
 import { placesIn, reachOfStep, type Places, type Spacing } from "./plunge-places.ts";
-import { floorOf } from "./recess.ts";
+import { floorOf, frontierAt, onContour, reachWithin, siteOf, sketchOf, surroundingsOf, tipBetween, unlimitedReach,
+  type Sunk } from "./recess-site.ts";
 
 /** A recess, or a contour with any number of them, cut by plunges side by side. */
-export interface Plunging extends PlungeCut {
-  readonly frame: Frame;
-  /** The finished contour in machining direction, part space; the part goes on beyond both its ends. */
-  readonly contour: readonly Segment[];
-  readonly operation: number;
+export interface Plunging extends PlungeCut, Sunk {
   readonly clearance: number;
   readonly finishingFeed: number;
-  readonly oversize: { readonly r: number; readonly z: number };
   /** Side step as a share of the width of the edge. */
   readonly overlap: number;
   readonly comb: boolean;
-  /** Machining limits in strategy space; null where there are none. */
-  readonly limit: Flat | null;
 }
 
 /** What can plunge into solid material. */
@@ -50,45 +39,21 @@ const NOMINAL = 6;
 const slim = (tool: Tool): Tool =>
   isBar(tool) && cuttingWidth(tool) > 0 ? { ...tool, CUTWIDTH: length((tool.CUTWIDTH ?? 0) - 10 * JOINED) } : tool;
 
-/** Everything about the place that the steps of a plan share, in strategy space. */
-interface Site {
-  readonly flat: readonly FlatSegment[];
-  readonly first: Flat;
-  readonly last: Flat;
-  readonly called: Flat;
-  readonly keep: Flat;
-  /** Height that cutting begins at: the start point, or the contour where that stands higher. */
-  readonly top: number;
-  readonly limits: Limits;
-}
-
 /** Plans roughing and finishing by plunges. Never throws; what cannot be planned is an issue. */
 export function planPlunging(l: Plunging, setting: Setting): Plan {
-  const flat = l.contour.map((s) => segmentToFlat(l.frame, s));
-  const [first, last] = [flat[0]?.from, flat.at(-1)?.to];
-  if (!first || !last) return empty([]);
+  // A hill between two recesses is passed over: no plunge begins as high.
+  const site = siteOf(l, setting, (s) => Math.max(s.from.v, s.to.v));
+  if (!site) return empty([]);
+  const { bounds, first, last, called, keep, opening, top } = site;
   const issues: Issue[] = [];
-  const called = toFlat(l.frame, setting.start);
-  const opening = Math.max(...flat.flatMap((s) => [s.from.v, s.to.v]));
-  const top = Math.max(called.v, opening);
-  const keep = l.frame.transverse ? { u: l.oversize.r, v: l.oversize.z } : { u: l.oversize.z, v: l.oversize.r };
-  const sketch = {
-    ...empty([]),
-    contour: l.contour,
-    part: partUnder(flat, l.frame, true),
-    area: areaOver(flat, l.frame, Infinity, top),
-    openSide: toPart(l.frame, { u: 0, v: 1 }),
-    most: length(l.bite),
-    oversize: l.oversize,
-  };
+  const sketch = sketchOf(l, site, l.bite);
   const refused = unfit(setting.tool, l.frame, PLUNGING);
   if (refused) return { ...sketch, issues: [refused] };
   if (called.v < opening - SAME) issues.push(issue("startBelowContour", "info", { below: opening - called.v }, "startV"));
 
   const tool = slim(setting.tool);
-  const site: Site = { flat, first, last, called, keep, top, limits: limitsOf(l.limit, called, flat, issues) };
-  const over = surroundingsOf(site, floorOf(tool, opening, flat, issues));
-  const bounds: Bound[] = flat.map((segment) => ({ segment, on: "contour" }));
+  const limits = limitsOf(l.limit, called, site.flat, issues);
+  const over = surroundingsOf(site, limits, floorOf(tool, site, issues));
   const kept = groundOver(bounds, tool, l.frame, keep, over(true));
   const drawn = groundOver(bounds, tool, l.frame, { u: 0, v: 0 }, over(false));
   if (insidePart(drawn, called)) {
@@ -97,12 +62,8 @@ export function planPlunging(l: Plunging, setting: Setting): Plan {
   }
   const grown = groundOver(bounds, tool, l.frame, keep, over(false));
   const insert = insertIn(tool, l.frame);
-  const area = [{ u: first.u, v: top - FAR }, { u: first.u, v: top }, { u: last.u, v: top }, { u: last.u, v: top - FAR }];
-  const stands = atCall({ stock: setting.stock, area, frame: l.frame, insert }, drawn.bare,
-    l.operation > 1 ? { grown: grown.bare, infeed: SAME } : null);
-  const frontier = new Frontier(stands, insert, site.limits.ceiling);
+  const frontier = frontierAt(site, setting, insert, { drawn, grown, infeed: SAME, operation: l.operation, ceiling: limits.ceiling });
   const cutter = new Cutter(l.frame, setting.feedUnit, called, roomOf(l.frame), frontier, top + l.clearance);
-  cutter.frontier.cameDown(called);
   const start = { u: called.u, v: top };
   const back = (run: "rough" | "finish", step: number) => {
     const p = { phase: "position", run, step } as const;
@@ -110,14 +71,11 @@ export function planPlunging(l: Plunging, setting: Setting): Plan {
   };
   back(l.operation > 1 ? "finish" : "rough", 0);
 
-  const reachable = (g: Ground) => {
-    const { minU, maxU } = extent(insert);
-    return { from: Math.max(g.start.u, site.limits.from - minU), to: Math.min(g.end.u, site.limits.to - maxU) };
-  };
+  const room = tipBetween(limits, insert);
   let cuts: Bites = { passes: 0, infeed: 0 };
   if (l.operation === 0 || l.operation === 1) {
-    const upper = Math.min(top, site.limits.ceiling);
-    const { from, to } = reachable(kept);
+    const upper = Math.min(top, limits.ceiling);
+    const { from, to } = onContour(kept, room);
     const basins = to > from - SAME ? basinsOf(kept.envelope, { from, to: Math.max(from, to) }, upper) : [];
     const spacing = spacingOf(l, tool, last.u - first.u);
     if (plungesIn(basins, spacing) > MOST_PASSES) return { ...sketch, issues: [...issues, tooClose(basins, spacing)] };
@@ -130,40 +88,22 @@ export function planPlunging(l: Plunging, setting: Setting): Plan {
   }
   if (l.operation !== 1) {
     const ground = l.operation === 3 ? grown : drawn;
-    const { from, to } = reachable(ground);
+    const { from, to } = onContour(ground, room);
     const basins = to > from - SAME ? basinsOf(ground.envelope, { from, to: Math.max(from, to) }, Infinity) : [];
     finishByHalves(cutter, { ground, basins, top, clearance: l.clearance, feed: l.finishingFeed });
     back("finish", 8);
   }
-  const unlimited = () => {
-    if (!l.limit) return {};
-    const whole = groundOver(bounds, tool, l.frame, { u: 0, v: 0 },
-      surroundingsOf({ ...site, limits: limitsOf(null, called, flat, []) }, null)(false));
-    return { unlimited: reachOf(whole, whole.start.u, whole.end.u, l.frame, tool) };
-  };
-  const { from, to } = reachable(drawn);
   return clearAcross({
     ...sketch,
     moves: cutter.moves,
     issues,
     passes: cuts.passes,
     infeed: length(cuts.infeed),
-    reach: reachOf(drawn, from, to, l.frame, tool),
-    kept: reachOf(kept, Math.max(kept.start.u, from), Math.min(kept.end.u, to), l.frame, tool),
-    ...unlimited(),
+    reach: reachWithin(drawn, room, l.frame, tool),
+    kept: reachWithin(kept, onContour(drawn, room), l.frame, tool),
+    ...unlimitedReach(l, site, tool),
   }, setting, l.frame.transverse ? "startU" : "startV");
 }
-
-/** What lies beside the contour: the part, and in front of an end that is lower than the start point a wall, when roughing. */
-const surroundingsOf = ({ first, last, top, limits }: Site, deepest: number | null) => (walls: boolean): Surroundings => ({
-  wall: walls && top > last.v + SAME ? top + FAR : null,
-  front: "part",
-  frontWall: walls && top > first.v + SAME ? top + FAR : null,
-  floors: [
-    ...(deepest === null ? [] : [{ v: deepest, on: "cutLength" as const }]),
-    ...(limits.floor === null ? [] : [{ v: limits.floor, on: "limit" as const }]),
-  ],
-});
 
 /** How the plunges of a tool lie side by side over an opening. */
 function spacingOf(l: Plunging, tool: Tool, opening: number): Spacing {

@@ -1,39 +1,31 @@
-import { extent, type Convex } from "../convex.ts";
 import { below, lowest, type Interval } from "../envelope.ts";
-import { highestOf, lowestOf, segmentToFlat, toFlat, toPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
+import { toPart, type Flat } from "../flat.ts";
 import { cuttingWidth, isBar, noseRadius } from "../insert.ts";
 import { issue, type Issue } from "../issue.ts";
 import type { Plan, Setting } from "../plan.ts";
-import type { Segment } from "../point.ts";
-import type { Bound } from "../reach.ts";
 import { SAME } from "../tolerance.ts";
-import type { Tool, ToolType } from "../tool.ts";
+import type { ToolType } from "../tool.ts";
 import { roomOf } from "../track.ts";
 import { length, toDiameter } from "../units.ts";
 import { clearAcross } from "./across.ts";
 import type { Feeds } from "./feeds.ts";
 import { unfit } from "./fit.ts";
-import { atCall, Frontier } from "./frontier.ts";
-import { FAR, type Ground, groundOver, insertIn, insidePart, reachOf, startInPart, type Surroundings } from "./ground.ts";
+import { FAR, type Ground, groundOver, insertIn, insidePart, startInPart } from "./ground.ts";
 import { divide, limitedInfeed, type Division } from "./infeed.ts";
 import { empty } from "./leveled.ts";
-import { type Limits, limitsOf } from "./limits.ts";
+import { limitsOf } from "./limits.ts";
 import { Cutter } from "./link.ts";
 import { offsetPerPass } from "./offset.ts";
-import { areaOver, partUnder } from "./outline-area.ts";
 import { finishRecess, type RecessFinish } from "./recess-finish.ts";
 import { roughRecess } from "./recess-rough.ts";
+import { floorOf, frontierAt, reachWithin, siteOf, sketchOf, surroundingsOf, tipBetween, unlimitedReach,
+  type Sunk } from "./recess-site.ts";
 import { RECESS_CLEARANCE } from "./valley.ts";
 
-/** A groove turned by plunging and cutting sideways in turn. */
-export interface Recess {
-  readonly frame: Frame;
-  /** The finished groove from the edge where machining starts over both walls to the other edge, part space. */
-  readonly contour: readonly Segment[];
-  readonly operation: number;
+/** A groove turned by plunging and cutting sideways in turn: its contour goes from the edge where machining starts to the other edge. */
+export interface Recess extends Sunk {
   readonly infeed: number;
   readonly feeds: Feeds;
-  readonly oversize: { readonly r: number; readonly z: number };
   readonly oneWay: boolean;
   /** Programmed shortening per pass, mm; 0: the control's own 0.1. */
   readonly offset: number;
@@ -41,8 +33,6 @@ export interface Recess {
   readonly downwards: RecessFinish["downwards"];
   /** A programmed contour is cut wherever it runs; a groove only where its opening lets the tool in. */
   readonly free: boolean;
-  /** Machining limits in strategy space; null where there is none. */
-  readonly limit: Flat | null;
 }
 
 /** What can plunge into solid material. */
@@ -51,45 +41,21 @@ const RECESSING: readonly ToolType[] = ["RECTURN", "RECESS", "BUTTON"];
 /** Plans roughing and finishing of a recess. Never throws; what cannot be planned is an issue. */
 export function planRecess(l: Recess, setting: Setting): Plan {
   const { tool } = setting;
-  const flat = l.contour.map((s) => segmentToFlat(l.frame, s));
-  const [first, last] = [flat[0], flat[flat.length - 1]];
-  if (!first || !last) return empty([]);
-  const called = toFlat(l.frame, setting.start);
-  const opening = Math.max(...flat.map(highestOf));
-  const top = Math.max(called.v, opening);
-  const sketch = {
-    ...empty([]),
-    contour: l.contour,
-    part: partUnder(flat, l.frame, true),
-    area: areaOver(flat, l.frame, Infinity, top),
-    openSide: toPart(l.frame, { u: 0, v: 1 }),
-    most: length(l.infeed),
-    oversize: l.oversize,
-  };
+  const site = siteOf(l, setting);
+  if (!site) return empty([]);
+  const { flat, bounds, first, last, called, keep, opening, top } = site;
+  const sketch = sketchOf(l, site, l.infeed);
   const refused = unfit(tool, l.frame, RECESSING);
   if (refused) return { ...sketch, issues: [refused] };
   const issues: Issue[] = [];
   if (tool.TYPE === "RECESS") issues.push(issue("toolCannotCutSideways", "warning", { type: tool.TYPE }, "tool"));
   if (called.v < opening - SAME) issues.push(issue("startBelowContour", "info", { below: opening - called.v }, "startV"));
 
-  const span = { from: first.from.u, to: last.to.u };
+  const span = { from: first.u, to: last.u };
   const limits = limitsOf(l.limit, called, flat, issues);
   const insert = insertIn(tool, l.frame);
   const room = tipBetween(limits, insert);
-  const [wallFirst, wallLast] = [top > first.from.v + SAME, top > last.to.v + SAME];
-  const [deep, limit] = [floorOf(tool, opening, flat, issues), limits.floor];
-  const floors = [
-    ...(deep === null ? [] : [{ v: deep, on: "cutLength" as const }]),
-    ...(limit === null ? [] : [{ v: limit, on: "limit" as const }]),
-  ];
-  const surroundings = (walls: boolean): Surroundings => ({
-    wall: walls && wallLast ? top + FAR : null,
-    front: "part",
-    frontWall: walls && wallFirst ? top + FAR : null,
-    floors,
-  });
-  const keep = l.frame.transverse ? { u: l.oversize.r, v: l.oversize.z } : { u: l.oversize.z, v: l.oversize.r };
-  const bounds: Bound[] = flat.map((segment) => ({ segment, on: "contour" }));
+  const surroundings = surroundingsOf(site, limits, floorOf(tool, site, issues));
   const kept = groundOver(bounds, tool, l.frame, keep, surroundings(true));
   const drawn = groundOver(bounds, tool, l.frame, { u: 0, v: 0 }, surroundings(false));
   if (insidePart(drawn, called)) {
@@ -98,7 +64,7 @@ export function planRecess(l: Recess, setting: Setting): Plan {
   }
   const grown = groundOver(bounds, tool, l.frame, keep, surroundings(false));
   // Beside an end that lies lower than the rest the blank may stand: the finishing cut stays between the walls there, as roughing does.
-  const low = { first: opening > first.from.v + SAME, last: opening > last.to.v + SAME };
+  const low = { first: opening > first.v + SAME, last: opening > last.v + SAME };
   const closed = low.first || low.last;
   const finishedTo = (g: Ground, by: Flat): { readonly ground: Ground; readonly area: Interval } => {
     if (!closed) return { ground: g, area: room };
@@ -109,20 +75,11 @@ export function planRecess(l: Recess, setting: Setting): Plan {
     return { ground, area: { from: Math.max(room.from, from), to: Math.min(room.to, to) } };
   };
   const deepestPath = finishedTo(drawn, { u: 0, v: 0 });
-  const area = [{ u: span.from, v: top - FAR }, { u: span.from, v: top }, { u: span.to, v: top }, { u: span.to, v: top - FAR }];
-  const stands = atCall({ stock: setting.stock, area, frame: l.frame, insert }, drawn.bare,
-    l.operation > 1 ? { grown: grown.bare, infeed: l.infeed } : null);
-  const cutter = new Cutter(l.frame, setting.feedUnit, called, roomOf(l.frame), new Frontier(stands, insert, limits.ceiling),
-    top + RECESS_CLEARANCE);
-  cutter.frontier.cameDown(called);
+  const frontier = frontierAt(site, setting, insert, { drawn, grown, infeed: l.infeed, operation: l.operation, ceiling: limits.ceiling });
+  const cutter = new Cutter(l.frame, setting.feedUnit, called, roomOf(l.frame), frontier, top + RECESS_CLEARANCE);
   const start = { u: called.u, v: top };
   back(cutter, start, l.operation > 1 ? l.feeds.finish : l.feeds.rough, l.operation > 1 ? "finish" : "rough", 0);
 
-  const unlimited = () => {
-    if (!l.limit) return {};
-    const whole = groundOver(bounds, tool, l.frame, { u: 0, v: 0 }, { ...surroundings(false), floors: [] });
-    return { unlimited: reachOf(whole, whole.start.u, whole.end.u, l.frame, tool) };
-  };
   let division: Division = { passes: 0, infeed: 0 };
   if (l.operation === 0 || l.operation === 1) {
     const deepest = lowest(kept.envelope, Math.max(span.from, room.from), Math.min(span.to, room.to));
@@ -136,8 +93,8 @@ export function planRecess(l: Recess, setting: Setting): Plan {
       const usable = Math.max(0, cuttingWidth(tool) - 2 * noseRadius(tool));
       const offset = isBar(tool) ? offsetPerPass(l.offset, division.passes, l.oneWay, usable, issues) : 0;
       const between = {
-        from: Math.max(room.from, wallFirst ? span.from - FAR : kept.start.u),
-        to: Math.min(room.to, wallLast ? span.to + FAR : kept.end.u),
+        from: Math.max(room.from, top > first.v + SAME ? span.from - FAR : kept.start.u),
+        to: Math.min(room.to, top > last.v + SAME ? span.to + FAR : kept.end.u),
       };
       roughRecess(cutter, { ground: kept, area: between, top: upper, offset, ...division, oneWay: l.oneWay, feeds: l.feeds });
     }
@@ -163,26 +120,8 @@ export function planRecess(l: Recess, setting: Setting): Plan {
     infeed: length(division.infeed),
     reach: reachWithin(deepestPath.ground, deepestPath.area, l.frame, tool),
     kept: reachWithin(kept, room, l.frame, tool),
-    ...unlimited(),
+    ...unlimitedReach(l, site, tool),
   }, setting, l.frame.transverse ? "startU" : "startV");
-}
-
-/** The level that CUTLENGTH of a bar ends at; null when it reaches the floor. */
-export function floorOf(tool: Tool, opening: number, flat: readonly FlatSegment[], issues: Issue[]): number | null {
-  const edge = tool.CUTLENGTH;
-  const depth = opening - Math.min(...flat.map(lowestOf));
-  if (!isBar(tool) || edge === undefined || !(edge > 0) || depth <= edge + SAME) return null;
-  issues.push(issue("depthOverCutLength", "warning", { depth, cutLength: edge, nearest: opening - edge }, "depth"));
-  return opening - edge;
-}
-
-const reachWithin = (g: Ground, { from, to }: Interval, frame: Frame, tool: Tool) =>
-  reachOf(g, Math.max(g.start.u, from), Math.min(g.end.u, to), frame, tool);
-
-/** Where the tip may be so that neither corner of the edge crosses a machining limit. */
-function tipBetween({ from, to }: Limits, insert: Convex): Interval {
-  const { minU, maxU } = extent(insert);
-  return { from: from - minU, to: to - maxU };
 }
 
 /** To the cycle start, before and after. */

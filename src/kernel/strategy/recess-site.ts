@@ -1,0 +1,140 @@
+import { extent, type Convex } from "../convex.ts";
+import type { Interval } from "../envelope.ts";
+import { highestOf, lowestOf, segmentToFlat, toFlat, toPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
+import { isBar } from "../insert.ts";
+import { issue, type Issue } from "../issue.ts";
+import type { Plan, Reach, Setting } from "../plan.ts";
+import type { Segment } from "../point.ts";
+import type { Bound } from "../reach.ts";
+import { SAME } from "../tolerance.ts";
+import type { Tool } from "../tool.ts";
+import { length } from "../units.ts";
+import { atCall, Frontier } from "./frontier.ts";
+import { FAR, type Ground, groundOver, reachOf, type Surroundings } from "./ground.ts";
+import { empty } from "./leveled.ts";
+import type { Limits } from "./limits.ts";
+import { areaOver, partUnder } from "./outline-area.ts";
+
+/*
+ * A contour that a tool plunges into, whether it then goes on sideways or comes out again: the part goes on beyond both its ends.
+ */
+
+/** What such a machining is asked for, whatever its strategy. */
+export interface Sunk {
+  readonly frame: Frame;
+  /** The finished contour in machining direction, part space. */
+  readonly contour: readonly Segment[];
+  readonly operation: number;
+  readonly oversize: { readonly r: number; readonly z: number };
+  /** Machining limits in strategy space; null where there are none. */
+  readonly limit: Flat | null;
+}
+
+/** Everything about the place that the steps of a plan share, in strategy space. */
+export interface SunkSite {
+  readonly frame: Frame;
+  readonly flat: readonly FlatSegment[];
+  readonly bounds: readonly Bound[];
+  readonly first: Flat;
+  readonly last: Flat;
+  readonly called: Flat;
+  readonly keep: Flat;
+  /** Height of the contour where it stands highest. */
+  readonly opening: number;
+  /** Height that cutting begins at: the start point, or the contour where that stands higher. */
+  readonly top: number;
+}
+
+/** The place of a contour; null when it has no elements. `height`: how high an element stands for whoever cuts it. */
+export function siteOf(
+  { frame, contour, oversize }: Sunk,
+  { start }: Setting,
+  height: (s: FlatSegment) => number = highestOf,
+): SunkSite | null {
+  const flat = contour.map((s) => segmentToFlat(frame, s));
+  const [first, last] = [flat[0]?.from, flat.at(-1)?.to];
+  if (!first || !last) return null;
+  const called = toFlat(frame, start);
+  const opening = Math.max(...flat.map(height));
+  const keep = frame.transverse ? { u: oversize.r, v: oversize.z } : { u: oversize.z, v: oversize.r };
+  const bounds = flat.map((segment): Bound => ({ segment, on: "contour" }));
+  return { frame, flat, bounds, first, last, called, keep, opening, top: Math.max(called.v, opening) };
+}
+
+/** What is to be cut, before anything is known of the tool. */
+export const sketchOf = ({ contour, frame, oversize }: Sunk, { flat, top }: SunkSite, most: number): Plan => ({
+  ...empty([]),
+  contour,
+  part: partUnder(flat, frame, true),
+  area: areaOver(flat, frame, Infinity, top),
+  openSide: toPart(frame, { u: 0, v: 1 }),
+  most: length(most),
+  oversize,
+});
+
+/** What lies beside the contour: the part, and in front of an end that is lower than the start point a wall, when roughing. */
+export const surroundingsOf =
+  ({ first, last, top }: SunkSite, limits: Limits, deepest: number | null) => (walls: boolean): Surroundings => ({
+    wall: walls && top > last.v + SAME ? top + FAR : null,
+    front: "part",
+    frontWall: walls && top > first.v + SAME ? top + FAR : null,
+    floors: [
+      ...(deepest === null ? [] : [{ v: deepest, on: "cutLength" as const }]),
+      ...(limits.floor === null ? [] : [{ v: limits.floor, on: "limit" as const }]),
+    ],
+  });
+
+/** What a frontier is made of besides: where nobody knows, finishing expects `infeed` over what `grown` keeps. */
+interface Standing {
+  readonly drawn: Ground;
+  readonly grown: Ground;
+  readonly infeed: number;
+  readonly operation: number;
+  readonly ceiling: number;
+}
+
+/** What stands at the call. */
+export function frontierAt(site: SunkSite, setting: Setting, insert: Convex, o: Standing): Frontier {
+  const { first, last, called, top, frame } = site;
+  const area = [{ u: first.u, v: top - FAR }, { u: first.u, v: top }, { u: last.u, v: top }, { u: last.u, v: top - FAR }];
+  const roughed = o.operation > 1 ? { grown: o.grown.bare, infeed: o.infeed } : null;
+  const stands = atCall({ stock: setting.stock, area, frame, insert }, o.drawn.bare, roughed);
+  const frontier = new Frontier(stands, insert, o.ceiling);
+  frontier.cameDown(called);
+  return frontier;
+}
+
+/** The level that CUTLENGTH of a bar ends at; null when it reaches the floor. */
+export function floorOf(tool: Tool, { opening, flat }: SunkSite, issues: Issue[]): number | null {
+  const edge = tool.CUTLENGTH;
+  const depth = opening - Math.min(...flat.map(lowestOf));
+  if (!isBar(tool) || edge === undefined || !(edge > 0) || depth <= edge + SAME) return null;
+  issues.push(issue("depthOverCutLength", "warning", { depth, cutLength: edge, nearest: opening - edge }, "depth"));
+  return opening - edge;
+}
+
+/** Where the tip may be so that neither corner of the edge crosses a machining limit. */
+export function tipBetween({ from, to }: Limits, insert: Convex): Interval {
+  const { minU, maxU } = extent(insert);
+  return { from: from - minU, to: to - maxU };
+}
+
+/** Of these places those that lie on the contour. */
+export const onContour = ({ start, end }: Ground, { from, to }: Interval): Interval => ({
+  from: Math.max(start.u, from),
+  to: Math.min(end.u, to),
+});
+
+/** The deepest path over a ground, between such places. */
+export function reachWithin(g: Ground, places: Interval, frame: Frame, tool: Tool): Reach[] {
+  const { from, to } = onContour(g, places);
+  return reachOf(g, from, to, frame, tool);
+}
+
+/** The same as if there were no limits, for a plan that has some. */
+export function unlimitedReach({ limit, frame }: Sunk, site: SunkSite, tool: Tool): Pick<Plan, "unlimited"> {
+  if (!limit) return {};
+  const around = { wall: null, front: "part", frontWall: null, floors: [] } as const;
+  const whole = groundOver(site.bounds, tool, frame, { u: 0, v: 0 }, around);
+  return { unlimited: reachOf(whole, whole.start.u, whole.end.u, frame, tool) };
+}
