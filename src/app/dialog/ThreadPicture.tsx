@@ -4,7 +4,7 @@ import { useOutcome } from "../engine/outcome.ts";
 import { useTexts } from "../settings/use-texts.ts";
 
 /** Drawing area, pixels. */
-const SIZE = { width: 150, height: 84 } as const;
+const SIZE = { width: 150, height: 62 } as const;
 /** Hues of the first and of the last pass, degrees. */
 const HUES = { first: 205, last: 25 } as const;
 
@@ -12,14 +12,15 @@ const HUES = { first: 205, last: 25 } as const;
 export function ThreadPicture({ line }: { readonly line: number | null }) {
   const { dialog: { sizes: t } } = useTexts();
   const shown = useOutcome((s) => s.shown);
+  const dimmed = useOutcome((s) => s.dimmed);
   const thread = shown?.run.operations.find((o) => o.plan.thread && (line === null || o.definedLine === line))?.plan.thread;
   const drawing = useMemo(() => (thread ? threadProfile(thread, SIZE.width, SIZE.height) : null), [thread]);
   if (!thread || !drawing) return null;
   const last = Math.max(1, drawing.chips.length - 1);
   const hue = (i: number) => HUES.first + ((HUES.last - HUES.first) * i) / last;
   return (
-    <svg className="thread-picture" role="img" aria-label={t.profile(thread.depths.length)} viewBox={`0 0 ${SIZE.width} ${SIZE.height}`}
-      width={SIZE.width} height={SIZE.height}
+    <svg className={`thread-picture${dimmed ? " dimmed" : ""}`} role="img" aria-label={t.profile(thread.depths.length)}
+      viewBox={`0 0 ${SIZE.width} ${SIZE.height}`} width={SIZE.width} height={SIZE.height}
     >
       <path className="thread-material" d={`M0 ${drawing.crest}H${SIZE.width}V${SIZE.height}H0Z`} />
       {drawing.chips.map(({ pass, points }, i) => (

@@ -46,6 +46,7 @@ test("a tap takes the size, and a name that no standard has is said to be none",
   await user.type(field, "G½");
   await user.click(await screen.findByRole("button", { name: /^G1\/2/ }));
   expect(draft()[diameter]).toBe("20.955");
+  expect(document.activeElement).toBe(field);
   await screen.findByText(/point angle of 55°/);
   await user.type(field, "W7");
   await screen.findByText("No thread of this name.");

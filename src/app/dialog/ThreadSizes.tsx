@@ -1,4 +1,4 @@
-import { useId, useState } from "react";
+import { useId, useRef, useState } from "react";
 import { sizesNamed, type ThreadSize } from "../../cycles/thread-sizes.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import { useSettings } from "../settings/settings.ts";
@@ -14,6 +14,7 @@ export function ThreadSizes({ line, take }: { readonly line: number | null; read
   const { dialog: { sizes: t } } = useTexts();
   const language = useSettings((s) => s.language);
   const id = useId();
+  const input = useRef<HTMLInputElement>(null);
   const [typed, type] = useState("");
   const [taken, setTaken] = useState<ThreadSize | null>(null);
   const found = sizesNamed(typed).slice(0, SHOWN);
@@ -22,20 +23,25 @@ export function ThreadSizes({ line, take }: { readonly line: number | null; read
     take(size);
     setTaken(size);
     type("");
+    // The list goes, and with it what was pressed.
+    input.current?.focus({ preventScroll: true });
   };
   return (
     <section className="thread-sizes" aria-label={t.title}>
-      <label htmlFor={id}>{t.title}</label>
-      <input id={id} className="input" type="search" autoComplete="off" spellCheck={false} placeholder={t.example} value={typed}
-        onChange={(event) => {
+      <div className="thread-size">
+        <label htmlFor={id} className="small soft">{t.title}</label>
+        <input id={id} ref={input} className="input" type="search" autoComplete="off" spellCheck={false} placeholder={t.example}
+          value={typed} onChange={(event) => {
           type(event.target.value);
           setTaken(null);
         }} onKeyDown={(event) => {
-        const first = found[0];
-        if (event.key !== "Enter" || !first) return;
-        event.preventDefault();
-        choose(first);
-      }} />
+          const first = found[0];
+          if (event.key !== "Enter" || !first) return;
+          event.preventDefault();
+          choose(first);
+        }} />
+      </div>
+      <ThreadPicture line={line} />
       {found.length > 0 && (
         <div className="thread-sizes-found" role="group" aria-label={t.found}>
           {found.map((size) => (
@@ -46,7 +52,6 @@ export function ThreadSizes({ line, take }: { readonly line: number | null; read
           ))}
         </div>
       )}
-      <ThreadPicture line={line} />
       <p className="small soft" role="status">
         {typed !== "" && found.length === 0 && t.none}
         {taken && t.taken(taken.name, number(taken.angle))}
