@@ -49,9 +49,14 @@ export function cyclePicture(cycle: Cycle): string | null {
     .replaceAll(/data-lens="(\S+) (\S+) (\S+)"/g, 'style="clip-path: circle($3px at $1px $2px)"');
 }
 
-/** The style of such pictures. */
+/** The style of such pictures; the figures are laid out for letters of one width. */
 export const pictureRules = (): string =>
-  `${helpRules()}\n.help-picture .fill-part { fill: url(#hatch-part); }\n.help-picture .fill-cut { fill: url(#hatch-cut); }`;
+  [
+    helpRules(),
+    ".help-picture { font-family: var(--number-font); }",
+    ".help-picture .fill-part { fill: url(#hatch-part); }",
+    ".help-picture .fill-cut { fill: url(#hatch-cut); }",
+  ].join("\n");
 /** What they share. */
 export const pictureHatches = (): string => `<defs>${HATCHES}</defs>`;
 
