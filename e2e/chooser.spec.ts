@@ -61,3 +61,24 @@ test("a cycle is put into a program by the same chooser", async ({ page }) => {
   await expect(page.getByRole("form", { name: t.dialog.form })).toBeVisible();
   await expect(page.getByRole("heading", { name: t.cycles.of[852].name })).toBeVisible();
 });
+
+test("a cycle that acts in a program is put into one, and one that is only kept says so", async ({ page }) => {
+  const { start, editor, dialog, t } = await Turnwise.open(page);
+  const says = page.getByRole("group", { name: t.chooser.cycles }).getByRole("status");
+  const called = (number: number, name: string) => t.page.start.cycle(number, name);
+  await start.search.fill("800");
+  await expect(says).toHaveText(t.chooser.acts(called(800, t.cycles.of[800].name)));
+  await looksRight(page);
+  await page.getByRole("button", { name: t.page.programs.create }).click();
+  await editor.line("M30").click();
+  await editor.show("block");
+  await editor.insert("cycle");
+  await start.search.fill("880");
+  await expect(says).toHaveText(t.chooser.kept(called(880, t.cycles.kept[880])));
+  await looksRight(page);
+  await start.search.fill("800");
+  await page.keyboard.press("Enter");
+  await expect(dialog.question).toHaveText(dialog.promptOf(800, "Q497"));
+  await expect(page.getByText(t.cycles.of[800].description[0] ?? "")).toBeVisible();
+  await looksRight(page);
+});

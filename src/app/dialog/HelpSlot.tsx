@@ -10,9 +10,9 @@ import { useTexts } from "../settings/use-texts.ts";
 
 /** In place of a picture: what a cycle does where it stands. */
 function ActingWords({ cycle }: { readonly cycle: number }) {
-  const { description, notes } = useTexts().cycles.of[cycle as CycleNumber];
+  const { name, description, notes } = useTexts().cycles.of[cycle as CycleNumber];
   return (
-    <div className="help-slot acting-words small soft" tabIndex={0}>
+    <div className="help-slot acting-words small soft" role="group" aria-label={name} tabIndex={0}>
       {[...description, ...notes].map((sentence) => <p key={sentence}>{sentence}</p>)}
     </div>
   );
