@@ -22,7 +22,7 @@ export function depthStrip(motions: readonly MillMotion[]): DepthStrip | null {
   if (heights.length === 0) return null;
   const lengths = motions.map((m) => Math.hypot(plane.lengthOf(wayOf(m)), (m.to.z ?? 0) - (m.from.z ?? m.to.z ?? 0)));
   const whole = lengths.reduce((a, b) => a + b, 0) || 1;
-  const [high, low] = [Math.max(...heights), Math.min(...heights)];
+  const [high, low] = [heights.reduce((a, b) => Math.max(a, b)), heights.reduce((a, b) => Math.min(a, b))];
   const span = high - low || 1;
   const y = (z: number) => n((high - z) / span);
   const begins: number[] = [];

@@ -6,6 +6,7 @@ import { depthStrip, stripAt } from "./depth.ts";
 import { dragged } from "./drag.ts";
 import { approachDrawing } from "./drawing.ts";
 import { suggestedForms } from "./forms.ts";
+import { planeScene } from "./plane-scene.ts";
 import { approachSvg } from "./svg.ts";
 
 const corners = [[5, 5], [5, 95], [95, 95], [95, 5], [5, 5]] as const;
@@ -65,4 +66,20 @@ test("the strip shows the height over the whole path", () => {
   }]);
   expect(strip).toMatchObject({ high: 10, low: -10, zero: 0.5, rapid: "M0 0L0.6 0", feed: "M0.6 0L1 1" });
   expect(strip && stripAt(strip, 1, 0.5)).toBeCloseTo(0.8);
+});
+
+test("programs of more motions than a call takes arguments have a strip and a picture", () => {
+  const many = Array.from({ length: 150_000 }, (_, i) => ({
+    kind: "feed" as const,
+    from: { x: i / 1000, y: 0, z: -(i % 7) },
+    to: { x: (i + 1) / 1000, y: 0, z: -((i + 1) % 7) },
+    feed: 500,
+    radius: 3.5,
+    index: i,
+  }));
+  const { high, low } = depthStrip(many) ?? { high: 1, low: 1 };
+  expect([high + 0, low]).toEqual([0, -6]);
+  const { bounds } = planeScene(many, [], new Set());
+  expect(bounds.left).toBeLessThan(-3.5);
+  expect(bounds.right).toBeGreaterThan(153.5);
 });
