@@ -1,4 +1,5 @@
 import { edgeEnd, edgeStart, inFrame, moved, type Convex, type Edge, type Feature } from "./convex.ts";
+import { drillShape, isDrill } from "./drill.ts";
 import { flat, type Flat } from "./flat.ts";
 import { at, part, type Pt, type Ring } from "./point.ts";
 import { JOINED, ROUND } from "./tolerance.ts";
@@ -51,6 +52,7 @@ export function insertShape(t: Tool, body = false): Convex {
   const r = noseRadius(t);
   const tip = TIP[t.TO] ?? TIP[9];
   if (isBar(t)) return bar(t, r);
+  if (isDrill(t)) return drillShape(t);
   const shift = scaled(tip, -r);
   if (t.TYPE === "BUTTON") return moved(circle(r), shift);
   if (t.TYPE === "THREAD") return moved(wedge(r, Math.atan2(-tip.v, -tip.u), (t["P-ANGLE"] ?? 60) / 2, cutLength(t) ?? EDGE), shift);

@@ -2,6 +2,9 @@ import type { Degrees, Length } from "./units.ts";
 
 export const TOOL_TYPES = ["ROUGH", "FINISH", "RECESS", "RECTURN", "BUTTON", "THREAD"] as const;
 export type ToolType = (typeof TOOL_TYPES)[number];
+/** Tools that stand on the axis and cut a bore by their own shape; they are kept in the table of milling tools. */
+export const DRILL_TYPES = ["DRILL", "CENTER", "TAP"] as const;
+export type DrillType = (typeof DRILL_TYPES)[number];
 /** Tip orientation 1..9, as on HEIDENHAIN lathes. */
 export type TipOrientation = 1 | 2 | 3 | 4 | 5 | 6 | 7 | 8 | 9;
 
@@ -23,13 +26,17 @@ export interface Holder {
   readonly head?: readonly (readonly HolderCorner[])[];
 }
 
-/** One row of the turning-tool table, by the names of its columns. mm and degrees; a missing cell is absent. */
+/** One row of the turning-tool table, or a drill, by the names of its columns. mm and degrees; a missing cell is absent. */
 export interface Tool {
   readonly T: number;
   readonly NAME: string;
-  readonly TYPE: ToolType;
+  readonly TYPE: ToolType | DrillType;
   readonly TO: TipOrientation;
   readonly RS: Length;
+  /** Radius of a drill, with its delta. */
+  readonly R?: Length;
+  /** Pitch of a tap. */
+  readonly PITCH?: Length;
   readonly ZL?: Length;
   readonly XL?: Length;
   readonly DZL?: Length;

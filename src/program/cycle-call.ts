@@ -1,6 +1,7 @@
 import type { Cycle, Given } from "../cycles/define.ts";
 import { cycleByNumber } from "../cycles/index.ts";
 import type { Params, Values } from "../cycles/params.ts";
+import { isDrill } from "../kernel/drill.ts";
 import { issue, type Issue } from "../kernel/issue.ts";
 import type { Plan } from "../kernel/plan.ts";
 import { empty } from "../kernel/strategy/leveled.ts";
@@ -11,6 +12,7 @@ import type { Tool } from "../kernel/tool.ts";
 import { toDiameter } from "../kernel/units.ts";
 import { readContour } from "./contour-subprogram.ts";
 import { cycleValues } from "./cycle-values.ts";
+import { drillOnAxis, isDrilling } from "./drill-run.ts";
 import { programIssue, type ProgramIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
 import type { Defined } from "./modal.ts";
@@ -126,7 +128,7 @@ export function callCycle(machine: Machine, index: number): void {
   if (!defined) return machine.log.say(programIssue("noCycleDefined", "error", {}), index);
   machine.called.add(defined.index);
   const cycle = cycleByNumber(defined.cycle);
-  if (!cycle) return otherCycle(machine, defined, index);
+  if (!cycle) return drillOnAxis(machine, defined, index) ? undefined : otherCycle(machine, defined, index);
   preconditions(machine, index);
   const start = startOf(machine, index);
   if (!start) return;
@@ -144,7 +146,7 @@ export function callCycle(machine: Machine, index: number): void {
   const tool = machine.now.tool ?? standIn(machine, cycle, values, given, counted, index);
   if (!tool) return;
   // What earlier cycles have left is known to the simulation only.
-  const stock = operation === 0 && machine.now.blank.length > 0
+  const stock = operation === 0 && machine.now.blank.length > 0 && !machine.log.steps.some((s) => isDrill(s.tool))
     ? machine.now.blank.map((ring) => ring.map((p) => countedPoint(p, machine.now.datum)))
     : null;
   const setting = { tool, start: counted, feedUnit: machine.feedUnit, autoFeed: machine.now.toolFeed, stock };
@@ -234,14 +236,14 @@ export function cycleDefinition(machine: Machine, index: number): void {
   const s = machine.blocks[index]?.statement;
   if (s?.kind !== "cycle") return;
   const cycle = cycleByNumber(s.cycle);
-  if (!cycle) machine.log.say(programIssue("cycleNotSimulated", "info", { cycle: s.cycle, name: s.name }), index);
+  // Whether one that bores is run shows where it is called.
+  const bores = machine.now.turning && isDrilling(s.cycle);
+  if (!cycle && !bores) machine.log.say(programIssue("cycleNotSimulated", "info", { cycle: s.cycle, name: s.name }), index);
   if (cycle?.acts) act(machine, cycle, s, index);
   if (actsAtOnce(s.cycle)) return actingCycle(machine, s.cycle, s.parameters, index);
   const { values, troubled } = readParameters(machine, s.parameters, index);
   values.forEach((v, q) => typeof v === "number" && machine.parameters.set(q, v));
-  if (cycle) {
-    machine.definitions.add(index);
-    foreignParameters(machine, cycle, s.parameters.map((p) => p.q), index);
-  }
+  if (cycle || bores) machine.definitions.add(index);
+  if (cycle) foreignParameters(machine, cycle, s.parameters.map((p) => p.q), index);
   machine.set({ callsBehindMoves: false, defined: { index, cycle: s.cycle, values, troubled } satisfies Defined });
 }

@@ -19,6 +19,10 @@ interface Data {
   feedZero: { word: string };
   /** A feed that can be run and that nobody means. */
   feedUnlikely: { feed: number; unit: FeedUnit };
+  /** A bore deeper than the edges of its drill are long. */
+  drillTooShort: { depth: number; edges: number };
+  /** Another pitch in the cycle than that of the tap. */
+  pitchOfTap: { pitch: number; tap: number };
   cycleNeverCalled: { cycle: number };
   /** Motion or a call behind the end of the program. */
   neverReached: { by: string };

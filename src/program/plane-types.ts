@@ -3,6 +3,7 @@ import type { ContourCut, FreeWay } from "../kernel/approach-check.ts";
 import type { FeedUnit } from "../kernel/move.ts";
 import type { PlanePoint, PlaneSegment, Side } from "../kernel/plane.ts";
 import type { Turn } from "../kernel/point.ts";
+import type { DrillType } from "../kernel/tool.ts";
 import type { ApproachForm } from "../nc/statement.ts";
 
 /** How a control moves in the tool axis with APPR and DEP: "TNC 640" in the plane first, then in the axis; "TNC7" both at once. */
@@ -79,4 +80,11 @@ export interface Mill {
   readonly NAME: string;
   readonly R: number;
   readonly DR?: number;
+  /** Of a tool that can bore on the axis of the spindle. */
+  readonly TYPE?: DrillType;
+  /** Point angle, degrees. */
+  readonly "T-ANGLE"?: number;
+  /** Length of its edges. */
+  readonly LCUTS?: number;
+  readonly PITCH?: number;
 }

@@ -1,6 +1,6 @@
 import { z } from "zod";
 import type { Issue } from "../kernel/issue.ts";
-import { TOOL_TYPES, type Tool } from "../kernel/tool.ts";
+import { DRILL_TYPES, TOOL_TYPES, type Tool } from "../kernel/tool.ts";
 import { checkTool } from "./check-tool.ts";
 import { soundHead } from "./holder-cells.ts";
 import type { Mill } from "./plane-types.ts";
@@ -44,6 +44,9 @@ const mill = z.object({
   DR: cell,
   L: cell,
   DL: cell,
+  "T-ANGLE": z.number().min(0).max(180).nullish(),
+  LCUTS: z.number().min(0).nullish(),
+  PITCH: z.number().min(0).nullish(),
   TYPE: z.string().refine((type) => !TOOL_TYPES.some((t) => t === type)).nullish(),
 });
 const file = z.object({ tools: z.array(z.unknown()) }).transform(({ tools }, context) => ({
@@ -55,8 +58,26 @@ const file = z.object({ tools: z.array(z.unknown()) }).transform(({ tools }, con
     return [];
   }),
 }));
+type MillCells = z.infer<typeof mill>;
 type Row = z.infer<typeof mill> | z.infer<typeof row>;
 const isMill = (r: Row): r is z.infer<typeof mill> => "R" in r;
+
+/** What a run needs of a milling tool; an empty cell is absent, and so is a length or pitch of 0. */
+export function millOf(cells: MillCells): Mill {
+  const type = DRILL_TYPES.find((each) => each === cells.TYPE?.toUpperCase());
+  return {
+    T: cells.T,
+    NAME: cells.NAME ?? "",
+    R: cells.R,
+    DR: cells.DR ?? 0,
+    ...(type && {
+      TYPE: type,
+      ...(cells["T-ANGLE"] && { "T-ANGLE": cells["T-ANGLE"] }),
+      ...(cells.LCUTS && { LCUTS: cells.LCUTS }),
+      ...(cells.PITCH && { PITCH: cells.PITCH }),
+    }),
+  };
+}
 
 /** Tools that can cut, and for the others what is wrong with their columns. */
 export interface ShopTools {
@@ -84,7 +105,7 @@ export function readTools(text: string): ShopTools | { readonly problem: string 
   const refused = new Map<number, readonly Issue[]>();
   for (const cells of read.data.tools) {
     if (isMill(cells)) {
-      mills.push({ T: cells.T, NAME: cells.NAME ?? "", R: cells.R, DR: cells.DR ?? 0 });
+      mills.push(millOf(cells));
       continue;
     }
     const present = Object.fromEntries(

@@ -150,7 +150,7 @@ describe("cycles", () => {
         .contour.some((s) => toDiameter(s.to.r) < 50),
     ).toBe(true));
   test("an unknown cycle is kept and said, what follows runs", () => {
-    const found = body("CYCL DEF 200 DRILLING ~\nQ200=+2\nL X+75 Z+2 FMAX\nCYCL CALL\nL Z+5 FMAX");
+    const found = body("CYCL DEF 208 BORE MILLING ~\nQ200=+2\nL X+75 Z+2 FMAX\nCYCL CALL\nL Z+5 FMAX");
     expect(found.issues.map((f) => f.issue.code)).toContain("cycleNotSimulated");
     expect(found.steps).toHaveLength(2);
   });

@@ -1,9 +1,10 @@
 import type { Tool } from "../kernel/tool.ts";
-import { length } from "../kernel/units.ts";
+import { degrees, length } from "../kernel/units.ts";
 import type { StatementOf } from "../nc/statement.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
 import type { Modal } from "./modal.ts";
+import type { Mill } from "./plane-types.ts";
 import { noTool } from "./preconditions.ts";
 
 /** TOOL DEF with L and R, as older programs define their tools. */
@@ -35,7 +36,7 @@ function takeMill(machine: Machine, s: StatementOf<"toolCall">, wanted: number |
 
 function takeTool(machine: Machine, s: StatementOf<"toolCall">, wanted: number | string, index: number): void {
   const refused = machine.shop.refused?.get(Number(wanted));
-  const tool = refused ? undefined : find(machine.shop.tools, wanted);
+  const tool = refused ? undefined : (find(machine.shop.tools, wanted) ?? drillIn(machine.shop.mills ?? [], wanted));
   machine.setPlace({ sure: { x: false, z: false }, last: null });
   machine.set({ compensation: "R0", tool: tool ?? null, toolRefused: !tool, corrections: {} });
   if (refused && typeof wanted === "number") { for (const i of refused) machine.log.say(i, index); }
@@ -57,8 +58,25 @@ function turnsLater(machine: Machine, index: number): boolean {
   return false;
 }
 
+/** A drill of the table of milling tools, as a tool that turning can use on its axis. */
+function drillIn(mills: readonly Mill[], wanted: number | string): Tool | undefined {
+  const row = find(mills, wanted);
+  if (!row?.TYPE || !(row.R + (row.DR ?? 0) > 0)) return undefined;
+  return {
+    T: row.T,
+    NAME: row.NAME,
+    TYPE: row.TYPE,
+    TO: 8,
+    RS: length(0),
+    R: length(row.R + (row.DR ?? 0)),
+    ...(row["T-ANGLE"] !== undefined && { "T-ANGLE": degrees(row["T-ANGLE"]) }),
+    ...(row.LCUTS !== undefined && { CUTLENGTH: length(row.LCUTS) }),
+    ...(row.PITCH !== undefined && { PITCH: length(row.PITCH) }),
+  };
+}
+
 /** By number, the index behind the point aside, or by name. */
-const find = (tools: readonly Tool[], wanted: number | string) =>
+const find = <T extends Pick<Tool, "T" | "NAME">>(tools: readonly T[], wanted: number | string): T | undefined =>
   typeof wanted === "number"
     ? (tools.find((t) => t.T === wanted) ?? tools.find((t) => t.T === Math.floor(wanted)))
     : (tools.find((t) => t.NAME === wanted) ?? tools.find((t) => t.NAME.toUpperCase() === wanted.trim().toUpperCase()));

@@ -57,11 +57,11 @@ const USUAL: Readonly<Record<Group, readonly ToolType[]>> = {
 };
 
 /** Whether a turner takes a tool of this type for a kind of cycle at all. */
-export const isUsualTool = (group: Group, { TYPE }: Tool): boolean => USUAL[group].includes(TYPE);
+export const isUsualTool = (group: Group, { TYPE }: Tool): boolean => USUAL[group].some((each) => each === TYPE);
 
 /** Place of a tool in the usual order of its cycle's group. */
 function usualRank(group: Group, { TYPE }: Tool): number {
-  const place = USUAL[group].indexOf(TYPE);
+  const place = USUAL[group].findIndex((each) => each === TYPE);
   return place < 0 ? USUAL[group].length : place;
 }
 

@@ -1,5 +1,6 @@
 import { areaOf } from "../kernel/area.ts";
 import { intersection } from "../kernel/clip.ts";
+import { isDrill } from "../kernel/drill.ts";
 import type { Ring } from "../kernel/point.ts";
 import type { Step } from "../kernel/step.ts";
 import { inStock, real } from "./contact.ts";
@@ -40,7 +41,9 @@ export function check(step: Step, index: number, outlines: Outlines, sweep: Swee
   const sure = (area: Ring[]) => (area.length === 0 ? area : real(intersection(cut.stock(), area)));
   const touches = near(sweep, now.meets).length > 0;
   if (touches && step.move.kind === "rapid") report("rapidInStock", sure(real(inStock([sweep], now))));
-  if (touches && sweep.pieces.some((p) => finished.edges.meets(p))) report("gouge", sure(real(inStock([sweep], now, finished.rings))));
+  // A bore is cut by the shape of the drill: the contours of turning cycles say nothing of it.
+  if (touches && !isDrill(step.tool) && sweep.pieces.some((p) => finished.edges.meets(p)))
+    report("gouge", sure(real(inStock([sweep], now, finished.rings))));
   report("holderContact", sure(holderHits(step, outlines, now)));
   return found;
 }

@@ -193,6 +193,9 @@ export const messages = {
       `${w.text(d.word)}: Der Schnittvorschub ist hier 0. Einen Vorschub über 0 angeben; FAUTO nimmt das F aus TOOL CALL.`,
     feedUnlikely: (d, w) =>
       `Ein Vorschub von ${w.number(d.feed)} ${d.unit} ist kaum gemeint. M136 prüfen: Damit zählt F in mm pro Umdrehung.`,
+    drillTooShort: (d, w) =>
+      `Die Bohrung ist ${w.value(d.depth)} tief, die Schneiden des Bohrers (LCUTS) sind ${w.value(d.edges)} lang: Der Schaft kann reiben.`,
+    pitchOfTap: (d, w) => `Q239 ist ${w.value(d.pitch)}, der Gewindebohrer in der Tabelle hat aber PITCH ${w.value(d.tap)}.`,
     cycleNeverCalled: (d) => `Zyklus ${d.cycle} ist definiert und wird nie aufgerufen: Dahinter fehlt CYCL CALL oder M99.`,
     neverReached: (d) => `Das Programm endet mit ${d.by} vor diesem Satz: Er wird nie ausgeführt.`,
     parameterForeign: (d, w) =>

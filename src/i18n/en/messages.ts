@@ -186,6 +186,9 @@ export const messages = {
     compensationActive: (d) => `${d.side} is active here, and the control wants R0: program R0 in the positioning block before.`,
     feedZero: (d, w) => `${w.text(d.word)}: the cutting feed is 0 here. Give a feed above 0; FAUTO takes the F of TOOL CALL.`,
     feedUnlikely: (d, w) => `A feed of ${w.number(d.feed)} ${d.unit} is not likely. Check M136: with it F counts in mm per revolution.`,
+    drillTooShort: (d, w) =>
+      `The bore is ${w.value(d.depth)} deep, the edges of the drill (LCUTS) are ${w.value(d.edges)} long: it may rub on its shank.`,
+    pitchOfTap: (d, w) => `Q239 is ${w.value(d.pitch)}, and the tap in the table has a PITCH of ${w.value(d.tap)}.`,
     cycleNeverCalled: (d) => `Cycle ${d.cycle} is defined and never called: CYCL CALL or M99 is missing behind it.`,
     neverReached: (d) => `The program ends at ${d.by}, before this block: it is never run.`,
     parameterForeign: (d, w) => `${w.text(d.name)} does not belong here: cycle ${d.cycle} has no such parameter, or it stands twice.`,

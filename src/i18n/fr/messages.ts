@@ -196,6 +196,9 @@ export const messages = {
       `${w.text(d.word)} : l'avance de coupe est de 0 ici. Indiquer une avance supérieure à 0 ; FAUTO prend le F de TOOL CALL.`,
     feedUnlikely: (d, w) =>
       `Une avance de ${w.number(d.feed)} ${d.unit} est peu vraisemblable. Vérifier M136 : avec lui, F compte en mm par tour.`,
+    drillTooShort: (d, w) =>
+      `Le trou a ${w.value(d.depth)} de profondeur, les arêtes du foret (LCUTS) ${w.value(d.edges)} : la queue peut frotter.`,
+    pitchOfTap: (d, w) => `Q239 vaut ${w.value(d.pitch)}, mais le taraud de la table a un PITCH de ${w.value(d.tap)}.`,
     cycleNeverCalled: (d) => `Le cycle ${d.cycle} est défini et jamais appelé : il manque CYCL CALL ou M99 ensuite.`,
     neverReached: (d) => `Le programme se termine avec ${d.by}, avant cette séquence : elle n'est jamais exécutée.`,
     parameterForeign: (d, w) =>

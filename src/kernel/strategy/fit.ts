@@ -53,7 +53,7 @@ function carriedInside(tool: Tool, frame: Frame): boolean {
  * null when it can. Source: tool table of the control (TYPE, TO), decision "Tools that fit".
  */
 export function unfit(tool: Tool, frame: Frame, types: readonly ToolType[]): Issue | null {
-  const type = types.includes(tool.TYPE);
+  const type = types.some((each) => each === tool.TYPE);
   if (type && turnedRight(tool, frame)) return null;
   const shape = type ? tool : { ...tool, TYPE: types[0] ?? tool.TYPE };
   const orientations = EVERY.filter((TO) => TO !== 9 && turnedRight({ ...shape, TO }, frame));
