@@ -3,6 +3,7 @@ import { clock } from "./clock.ts";
 import { CycleDialog } from "./dialog/CycleDialog.tsx";
 import { setContour } from "./edits.ts";
 import { EffectStrip } from "./effect/EffectStrip.tsx";
+import { Working } from "./engine/Working.tsx";
 import { useOutcome } from "./engine/outcome.ts";
 import { FindingsPanel } from "./findings/FindingsPanel.tsx";
 import { useJobHost } from "./findings/use-job-host.ts";
@@ -78,6 +79,7 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
         <CycleInWork value={read.cycle.number}>
           <LatheView result={shown} dimmed={dimmed} playback={playback} clock={clock} />
         </CycleInWork>
+        <Working />
       </div>
       {wide && (
         <div className="right">

@@ -2,6 +2,7 @@ import { useEffect, type ReactNode } from "react";
 import { MachineView } from "../approach/MachineView.tsx";
 import { shownBlock } from "../approach/shown-view.ts";
 import { clock } from "../clock.ts";
+import { Working } from "../engine/Working.tsx";
 import { useOutcome } from "../engine/outcome.ts";
 import { FindingsPanel } from "../findings/FindingsPanel.tsx";
 import { useListed } from "../findings/use-findings.ts";
@@ -79,6 +80,7 @@ export function ProgramWorkplace() {
       <TotalsStrip />
       <div className="centre">
         <MachineView result={shown} dimmed={dimmed} playback={playback} clock={clock} onMove={openMove} />
+        <Working />
       </div>
       {wide && (
         <div className="right">

@@ -2,7 +2,7 @@ import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job.ts";
 import { begin } from "../store.ts";
-import { startEngine } from "./client.ts";
+import { calculateAgain, cancelCalculation, startEngine } from "./client.ts";
 import { engine, type Request } from "./engine.ts";
 import { useOutcome, type Outcome } from "./outcome.ts";
 
@@ -14,10 +14,18 @@ interface Asked {
 /** What the worker was asked and has not answered yet. */
 const asked = vi.hoisted(() => [] as Asked[]);
 vi.mock("comlink", () => ({
-  releaseProxy: Symbol("release"),
-  wrap: () => ({ update: (request: Request) => new Promise<Outcome>((answer) => asked.push({ request, answer })) }),
+  releaseProxy: Symbol.for("release"),
+  proxy: (f: unknown) => f,
+  wrap: () => ({
+    [Symbol.for("release")]: () => undefined,
+    update: (request: Request) => new Promise<Outcome>((answer) => asked.push({ request, answer })),
+  }),
 }));
-vi.stubGlobal("Worker", class extends EventTarget {});
+vi.stubGlobal("Worker", class extends EventTarget {
+  terminate() {
+    return undefined;
+  }
+});
 
 const [first, second] = cuttingCycles;
 if (!first || !second) throw new Error("the catalogue has no two cycles");
@@ -68,4 +76,19 @@ test("nor one that comes when no work is open", async () => {
   begin(null, null);
   await answerNext();
   expect(shown()).toBeNull();
+});
+
+test("a calculation that is stopped says so, keeps what is shown, and is done when it is wanted again", async () => {
+  await answerNext();
+  const before = shown();
+  begin(exampleJob(second), "second");
+  await vi.waitFor(() => expect(asked).toHaveLength(1));
+  cancelCalculation();
+  await vi.waitFor(() => expect(useOutcome.getState().stopped).toBe(true));
+  await answerNext();
+  expect(useOutcome.getState()).toMatchObject({ stopped: true, stage: null, shown: null });
+  calculateAgain();
+  const text = await answerNext();
+  expect(text).not.toBe(before);
+  expect(useOutcome.getState()).toMatchObject({ stopped: false, shown: { text } });
 });

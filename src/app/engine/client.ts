@@ -1,4 +1,4 @@
-import { releaseProxy, wrap, type Remote } from "comlink";
+import { proxy, releaseProxy, wrap, type Remote } from "comlink";
 import type { Job } from "../../program/job.ts";
 import { readText } from "../../program/field.ts";
 import { SETUP_FIELDS } from "../../program/setup-fields.ts";
@@ -18,7 +18,7 @@ import type { ProgramWork } from "../work.ts";
 import type { Comparer } from "../which/comparison.ts";
 import type { Called, Engine, Request } from "./engine.ts";
 import { pauseInTyping } from "./quiet.ts";
-import { forgetOutcome, pause, takeOutcome, type Outcome } from "./outcome.ts";
+import { atStage, calculationStopped, forgetOutcome, pause, takeOutcome, type Outcome, type Stage } from "./outcome.ts";
 
 /**
  * A calculation that takes longer has lost its way: the worker is replaced, ms. The longest programs that are simulated
@@ -62,6 +62,22 @@ let left = 0;
 let waiting: Request | null = null;
 let busy = false;
 
+const CANCELLED = new Error("the operator stopped the calculation");
+let cancel: (why: Error) => void = () => undefined;
+
+/** The answer to a request; its stages are told while it is that of the open work. */
+function outcomeOf(request: Request): Promise<Outcome> {
+  const toldOf = (stage: Stage) => {
+    if (busy && request.version > left) atStage(stage);
+  };
+  return Promise.race([
+    inTime(started().update(request, proxy(toldOf))),
+    new Promise<never>((_, reject) => {
+      cancel = reject;
+    }),
+  ]);
+}
+
 /** Calculates what waits; while one calculation runs only the newest request waits. */
 async function work(): Promise<void> {
   if (busy) return;
@@ -69,16 +85,31 @@ async function work(): Promise<void> {
   while (waiting) {
     const request = waiting;
     waiting = null;
+    atStage("reading");
     try {
-      const outcome = await inTime(started().update(request));
+      const outcome = await outcomeOf(request);
       await pauseInTyping();
       if (request.version > left) takeOutcome(outcome);
-    } catch {
+    } catch (error) {
       stop();
-      notice("engineFailed");
+      if (error === CANCELLED) calculationStopped();
+      else notice("engineFailed");
     }
   }
   busy = false;
+  atStage(null);
+}
+
+/** Ends a calculation that takes too long; text and last picture stay. */
+export function cancelCalculation(): void {
+  waiting = null;
+  cancel(CANCELLED);
+}
+
+/** Calculates what is open once more. */
+export function calculateAgain(): void {
+  last = null;
+  follow(useEditor.getState());
 }
 
 /** Rapid rate that times are estimated with when none can be read, mm/min. */

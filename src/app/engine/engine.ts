@@ -15,7 +15,7 @@ import type { Control } from "../../program/plane-types.ts";
 import type { Job } from "../../program/job.ts";
 import type { Operation } from "../../program/run-types.ts";
 import { givenOf } from "./given.ts";
-import type { Outcome } from "./outcome.ts";
+import type { Outcome, Stage } from "./outcome.ts";
 import type { Wanted } from "../../cycles/wanted.ts";
 import type { Ring } from "../../kernel/point.ts";
 import { waysFor, type Proposal } from "../../report/which/ways.ts";
@@ -45,10 +45,13 @@ export type Called = Pick<Operation, "cycle" | "tool" | "feedUnit" | "call">;
 
 /** Everything that takes time, as plain functions of plain data. Runs in a worker. */
 export const engine = {
-  /** From the program text to moves, stock, proof and times. */
-  update({ version, text, table, rapid, control }: Request): Outcome {
+  /** From the program text to moves, stock, proof and times. `atStage` is told what it begins. */
+  update({ version, text, table, rapid, control }: Request, atStage: (stage: Stage) => void = () => undefined): Outcome {
+    atStage("reading");
     const program = parse(text);
+    atStage("running");
     const made = run(program, { ...table, rapid, control });
+    atStage("proving");
     const simulation = simulate(made);
     return { version, text, run: made, simulation };
   },

@@ -12,6 +12,10 @@ export interface Outcome {
   readonly simulation: Simulation;
 }
 
+/** From text to proof. */
+export const STAGES = ["reading", "running", "proving"] as const;
+export type Stage = (typeof STAGES)[number];
+
 export interface OutcomeState {
   /** The newest result, possible or not: its issues are the ones to show. */
   readonly newest: Outcome | null;
@@ -19,11 +23,15 @@ export interface OutcomeState {
   readonly shown: Outcome | null;
   /** The picture is older than the values, because they make no path. */
   readonly dimmed: boolean;
+  /** What the worker is at; null while it rests. */
+  readonly stage: Stage | null;
+  /** The operator stopped the calculation of what is open. */
+  readonly stopped: boolean;
   /** Prompts are incomplete; nothing is calculated until they can be read again. */
   readonly paused: boolean;
 }
 
-const none: OutcomeState = { newest: null, shown: null, dimmed: false, paused: false };
+const none: OutcomeState = { newest: null, shown: null, dimmed: false, stage: null, stopped: false, paused: false };
 export const useOutcome = create<OutcomeState>(() => none);
 
 /** A cycle with its moves, or in a program without cycles any move, turned or milled. */
@@ -42,6 +50,11 @@ export function takeOutcome(outcome: Outcome): void {
     return settled({ ...s, newest: outcome, shown: makesPath(outcome) || !makesPath(s.shown) ? outcome : s.shown });
   });
 }
+
+/** The worker begins something, or rests. */
+export const atStage = (stage: Stage | null): void => useOutcome.setState({ stage, ...(stage && { stopped: false }) });
+/** Nothing is calculated any more until something changes or the operator wants it again. */
+export const calculationStopped = (): void => useOutcome.setState({ stage: null, stopped: true });
 
 /** Values are incomplete: the last picture stays, dimmed; or they are complete again. */
 export const pause = (paused: boolean): void => useOutcome.setState((s) => (s.paused === paused ? s : settled({ ...s, paused })));

@@ -7,6 +7,10 @@ export const lathe = {
   keys: "Leertaste startet und hält an, Pfeiltasten gehen Bewegung für Bewegung, Pos1 und Ende an den Anfang und das Ende, Plus "
     + "und Minus zoomen, 0 passt ein.",
   outdated: "Letztes Bild, das möglich war",
+  stages: { reading: "Programm wird gelesen …", running: "Bahn wird berechnet …", proving: "Abtrag und Prüfung …" },
+  stopWorking: "Abbrechen",
+  stopped: "Abgebrochen. Text und letztes Bild bleiben.",
+  workAgain: "Berechnen",
 
   viewTools: "Ansicht",
   section: "Schnitt",

@@ -7,6 +7,10 @@ export const lathe = {
   pictureEmpty: "No path yet",
   keys: "Space plays or pauses, arrow keys go move by move, Home and End go to the ends, plus and minus zoom, 0 fits.",
   outdated: "Last picture that could be made",
+  stages: { reading: "Reading the program …", running: "Working out the path …", proving: "Cutting and checking …" },
+  stopWorking: "Stop",
+  stopped: "Stopped. Text and last picture stay.",
+  workAgain: "Work it out",
 
   /* the view */
   viewTools: "View",

@@ -7,6 +7,10 @@ export const lathe = {
   keys: "Espace lance ou met en pause, les flèches avancent d’un déplacement, Début et Fin vont aux extrémités, plus et moins "
     + "zooment, 0 ajuste.",
   outdated: "Dernière image possible",
+  stages: { reading: "Lecture du programme …", running: "Calcul de la trajectoire …", proving: "Enlèvement et contrôle …" },
+  stopWorking: "Arrêter",
+  stopped: "Arrêté. Le texte et la dernière image restent.",
+  workAgain: "Calculer",
 
   viewTools: "Vue",
   section: "Coupe",

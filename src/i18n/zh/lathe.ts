@@ -6,6 +6,10 @@ export const lathe = {
   pictureEmpty: "尚无刀具路径",
   keys: "空格键播放或暂停，方向键逐段移动，Home 和 End 键到起点和终点，加号和减号缩放，0 键适合窗口。",
   outdated: "上一张可用的图形",
+  stages: { reading: "正在读取程序…", running: "正在计算路径…", proving: "正在切削与检查…" },
+  stopWorking: "停止",
+  stopped: "已停止。文本和上一张图形保留。",
+  workAgain: "计算",
 
   viewTools: "视图",
   section: "剖视",
