@@ -76,7 +76,7 @@ describe("what is impossible is said with what would work", () => {
   });
   test("missing and wrong words", () => {
     const { length: _l, ...withoutLength } = base;
-    expect(approach(withoutLength).issues.map((i) => [i.code, i.at])).toEqual([["missing", "LEN"]]);
+    expect(approach(withoutLength).issues.map((i) => [i.code, i.at, i.severity])).toEqual([["missing", "LEN", "warning"]]);
     expect(said({ shape: "CT", side: "none" })).toEqual([["approachNeedsSide", undefined, null]]);
     expect(said({ shape: "CT", centreAngle: 400 })).toEqual([["outOfRange", "CCA", 360]]);
     expect(said({ shape: "LCT", radius: -10 })).toEqual([["outOfRange", "R", 10]]);

@@ -81,7 +81,8 @@ const flipped = (hand: "left" | "right") => (hand === "left" ? "right" : "left")
 const lineTo = (from: PlanePoint | null, to: PlanePoint): PlaneSegment[] => (from ? [{ kind: "line", from, to }] : []);
 
 function straight(q: ApproachRequest, a: Anchor, issues: Issue[]): Arrival {
-  if (q.length === undefined) issues.push(issue("missing", "error", {}, "LEN"));
+  // A control goes straight to the contour then.
+  if (q.length === undefined) issues.push(issue("missing", "warning", {}, "LEN"));
   const length = q.length ?? 0;
   // LN takes the other side with a minus; from the other end of a tangent there is no way onto the contour.
   if (q.shape === "LT" && length < 0)

@@ -8,7 +8,7 @@ import type { Style } from "./style.ts";
 const same = (a: unknown, b: unknown) => JSON.stringify(a) === JSON.stringify(b);
 
 /** Number and skip mark exactly as they stand in front of a block. */
-const headOf = (raw: string) => /^[ \t\u00a0\ufeff]*\/?[ \t]*(?:\d+(?![\d.,])[ \t\u00a0]*\/?)?[ \t\u00a0]*/.exec(raw)?.[0] ?? "";
+const headOf = (raw: string) => /^[ \t\u00a0\ufeff]*\/?[ \t]*(?:[Nn]?\d+(?![\d.,])[ \t\u00a0]*\/?)?[ \t\u00a0]*/.exec(raw)?.[0] ?? "";
 const lineEndOf = (raw: string) => /(?:\r\n|\n|\r)$/.exec(raw)?.[0] ?? "";
 
 type CycleStatement = Extract<Statement, { kind: "cycle" }>;
@@ -73,7 +73,9 @@ export function withInserted(program: Program, index: number, statement: Stateme
   const number = program.blocks[index]?.number ?? nextNumber(program.blocks.slice(0, index));
   const before = program.blocks[index - 1];
   const open = before !== undefined && lineEndOf(before.raw) === "";
-  const text = (numbered && statement.kind !== "empty" ? `${number} ` : "") + statementLines(statement, style).join(style.newLine)
+  // Where the blocks beside it are numbered N10, so is this one.
+  const letter = [program.blocks[index], before].some((b) => b && /^[ \t]*\/?[ \t]*N\d/i.test(b.raw)) ? "N" : "";
+  const text = (numbered && statement.kind !== "empty" ? `${letter}${number} ` : "") + statementLines(statement, style).join(style.newLine)
     + style.newLine;
   const blocks = open ? program.blocks.with(index - 1, { ...before, raw: before.raw + style.newLine }) : program.blocks;
   return renumbered({ blocks: blocks.toSpliced(index, 0, ...parse(text).blocks) }, index + 1);

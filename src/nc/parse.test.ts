@@ -32,6 +32,26 @@ describe("blocks", () => {
     expect(startLines(parse("1 M3\r\n2 CYCL DEF 7 N ~\rQ1=1\n3 M4"))).toEqual([1, 2, 4]));
 });
 
+describe("spellings of posts and of older controls", () => {
+  test.each([
+    ["CYCLDEF 9.0 DWELL", { kind: "cycleLine", cycle: 9, line: 0, text: "DWELL" }],
+    ["CYCL DEF9 .1 DWELL 2.5", { kind: "cycleLine", cycle: 9, line: 1, text: "DWELL 2.5" }],
+    ["CYCLE DEF 7.1 X-3.7", { kind: "cycleLine", cycle: 7, line: 1, text: "X-3.7" }],
+    ["CYCLE CALL M3", { kind: "cycleCall", how: "" }],
+    ["N40 L X+1.5 FMAX", { kind: "path", path: "L" }],
+    ["n45 CYCL DEF 17.0 RIGID TAPPING GS", { kind: "cycleLine", cycle: 17, line: 0 }],
+  ])("%s", (text, statement) => {
+    expect(one(text)?.statement).toMatchObject(statement);
+    expect(print(parse(text))).toBe(text);
+  });
+  test("an N number is a block number, and begins a block", () => {
+    expect(one("/N12 L X+1")).toMatchObject({ number: 12, skip: true });
+    expect(parse("N10 CYCLE DEF 200 D ~\nQ200=2 ~\nQ201=-5\nN20 M3\n").blocks.map((b) => [b.number, b.lines])).toEqual([[10, 3], [20, 1]]);
+    expect(one("NOTE 1")).toMatchObject({ number: null, statement: { kind: "unknown" } });
+    expect(one("N10.5 L X+1")).toMatchObject({ number: null, statement: { kind: "unknown" } });
+  });
+});
+
 describe("findings have a place, and a fix where it is plain", () => {
   test.each([
     ["1 L X+1 FOO", "wordNotUnderstood 2:9"],

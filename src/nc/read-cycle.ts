@@ -10,7 +10,8 @@ export interface BlockLine {
   readonly comment: string | null;
 }
 
-const NUMBER = /(\d{1,9})(?:\.(\d{1,3}))?(?![\d.])/y;
+/** Of a cycle, and of its line; some posts leave a blank before the point. */
+const NUMBER = /(?:(\d{1,2})[ \t]+\.(\d{1,3})(?!\S)|(\d{1,9})(?:\.(\d{1,3}))?(?![\d.]))/y;
 const Q_HEAD = new RegExp(String.raw`(${NUMBER_PARAMETER})([ \t]*)(=?)[ \t]*`, "iy");
 const Q_INLINE = new RegExp(String.raw`\s${NUMBER_PARAMETER}[ \t]*=`, "i");
 const Q_VALUE = new RegExp(String.raw`(?:F?[ \t]*(MAX|AUTO)(?![A-Z])|F?[ \t]*(${VALUE}))`, "iy");
@@ -19,11 +20,12 @@ const Q_VALUE = new RegExp(String.raw`(?:F?[ \t]*(MAX|AUTO)(?![A-Z])|F?[ \t]*(${
 export function readCycle(scan: Scan, lines: readonly BlockLine[], issues: BlockIssue[]): Statement | null {
   const number = scan.take(NUMBER);
   if (!number) return null;
-  const cycle = Number(number[1]);
-  if (number[2] !== undefined) {
+  const cycle = Number(number[1] ?? number[3]);
+  const numbered = number[2] ?? number[4];
+  if (numbered !== undefined) {
     const text = scan.rest;
     scan.at = scan.text.length;
-    return { kind: "cycleLine", cycle, line: Number(number[2]), text };
+    return { kind: "cycleLine", cycle, line: Number(numbered), text };
   }
   const inline = Q_INLINE.exec(scan.text.slice(scan.at));
   const end = inline ? scan.at + inline.index : scan.text.length;

@@ -10,7 +10,7 @@ import { APPROACH_FORMS, type ApproachForm, type PathKind, type Statement, type 
 import { NUMBER_PARAMETER, PARAMETER, readLabel, TEXT_PARAMETER, VALUE } from "./value.ts";
 
 const KEYWORD = new RegExp(
-  String.raw`(?:(CYCL[ \t]+(?:DEF|CALL)|BEGIN[ \t]+PGM|END[ \t]+PGM|BLK[ \t]+FORM|TOOL[ \t]+(?:CALL|DEF)|CALL[ \t]+LBL|SEL[ \t]+CONTOUR|`
+  String.raw`(?:(CYCLE?[ \t]*(?:DEF|CALL)|BEGIN[ \t]+PGM|END[ \t]+PGM|BLK[ \t]+FORM|TOOL[ \t]+(?:CALL|DEF)|CALL[ \t]+LBL|SEL[ \t]+CONTOUR|`
     + String.raw`TRANS[ \t]+DATUM|FUNCTION|LBL|STOP|APPR|DEP|UDC|GRV|RND|CHF|CTP|CR|CT|CC|CP|LP|L|C)(?![A-Z_]))`,
   "iy",
 );
@@ -68,7 +68,7 @@ function dispatch(scan: Scan, lines: readonly BlockLine[], issues: BlockIssue[])
   if (!keyword) return withoutKeyword(scan);
   const word = keyword[0].toUpperCase();
   if (PATHS.has(word)) return path(scan, word as PathKind);
-  switch (word.replace(/[ \t]+/, " ")) {
+  switch (word.replace(/^CYCLE?[ \t]*/, "CYCL ").replace(/[ \t]+/, " ")) {
     case "CYCL DEF":
       return readCycle(scan, lines, issues);
     case "CYCL CALL": {

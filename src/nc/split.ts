@@ -40,12 +40,13 @@ export function splitLines(text: string): Lines {
   return { starts, ends };
 }
 
-const HEAD = /[ \t\u00a0\ufeff]*(\/?)[ \t]*(?:(\d+)(?![\d.,])[ \t\u00a0]*(\/?))?[ \t\u00a0]*/y;
-const CYCLE_HEAD = /(?:CYCL[ \t]+DEF|TCH[ \t]+PROBE)[ \t]*\d+(?![\d.])/iy;
+const HEAD = /[ \t\u00a0\ufeff]*(\/?)[ \t]*(?:[Nn]?(\d+)(?![\d.,])[ \t\u00a0]*(\/?))?[ \t\u00a0]*/y;
+const CYCLE_HEAD = /(?:CYCLE?[ \t]*DEF|TCH[ \t]+PROBE)[ \t]*(?!\d{1,2}[ \t]+\.\d{1,3}(?!\S))\d+(?![\d.])/iy;
 const Q_LINE = /[ \t\u00a0]*Q(\d+)[ \t\u00a0]*(?:=|[+-][ \t]*[\d.,])/iy;
 const NEW_BLOCK = new RegExp(
-  String.raw`[ \t\u00a0\ufeff]*(?:\/?[ \t]*\d+[ \t/]|`
-    + String.raw`(?:CYCL|BEGIN|END|LBL|CALL|TOOL|BLK|FUNCTION|L|C|CR|CT|CC|RND|CHF|APPR|DEP|STOP|M\d+|SEL|FN|IF|TRANS)(?![A-Z])|\*|;)`,
+  String.raw`[ \t\u00a0\ufeff]*(?:\/?[ \t]*N?\d+[ \t/]|`
+    + String.raw`(?:CYCLE?(?:DEF|CALL)?|BEGIN|END|LBL|CALL|TOOL|BLK|FUNCTION|L|C|CR|CT|CC|RND|CHF|APPR|DEP|STOP|`
+    + String.raw`M\d+|SEL|FN|IF|TRANS)(?![A-Z])|\*|;)`,
   "iy",
 );
 

@@ -11,9 +11,10 @@ export interface Token {
   readonly to: number;
 }
 
-const HEAD = /(\/)?[ \t]*(\d{1,9}(?![\d.,]))?[ \t]*(\/)?/y;
+const HEAD = /(\/)?[ \t]*([Nn]?\d{1,9}(?![\d.,]))?[ \t]*(\/)?/y;
 const KEYWORD = new RegExp(
-  String.raw`(?:CYCL[ \t]+(?:DEF|CALL)(?:[ \t]+(?:POS|PAT)(?![A-Z]))?|(?:BEGIN|END)[ \t]+PGM|BLK[ \t]+FORM(?:[ \t]+(?:CYLINDER|ROTATION))?|`
+  String
+    .raw`(?:CYCLE?[ \t]*(?:DEF|CALL)(?:[ \t]+(?:POS|PAT)(?![A-Z]))?|(?:BEGIN|END)[ \t]+PGM|BLK[ \t]+FORM(?:[ \t]+(?:CYLINDER|ROTATION))?|`
     + String.raw`TOOL[ \t]+(?:CALL|DEF)|CALL[ \t]+LBL|SEL[ \t]+CONTOUR|TRANS[ \t]+[A-Z]+(?:[ \t]+(?:AXIS|RESET))?|GOTO[ \t]+LBL|IF|`
     + String.raw`FUNCTION(?:[ \t]+(?:MODE[ \t]+(?:TURN|MILL)|TURNDATA[ \t]+(?:SPIN|BLANK|CORR-(?:TCS|WPL)(?::[A-Z](?:\/[A-Z])?)?)))?|`
     + String.raw`FN[ \t]*\d+[ \t]*:|LBL|STOP|APPR(?:[ \t]+[A-Z]+)?|DEP(?:[ \t]+[A-Z]+)?|UDC(?:[ \t]+[A-Z_]+)?|GRV(?:[ \t]+[A-Z]+)?|`
@@ -23,7 +24,7 @@ const KEYWORD = new RegExp(
 const STRUCTURE = /\*[ \t]*-?.*/y;
 const COMMENT = /;.*/y;
 const STRING = /"[^"]*"?/y;
-const CYCLE_NUMBER = /\d+(?:\.\d+)?/y;
+const CYCLE_NUMBER = /\d+(?:[ \t]*\.\d+)?/y;
 const NAMED = new RegExp(PARAMETER, "iy");
 const ADDRESS = new RegExp(
   String.raw`(?:DR(?=[+-](?![\d.,Q]))|F[ \t]*(?:MAX|AUTO)|VCONST|SMAX|DIST|LEN|CCA|REP|VC|I?P[RA]|R[0LR](?![\d.,])|DI|DL|DR|`
@@ -33,7 +34,7 @@ const ADDRESS = new RegExp(
 const VALUE = /[+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)/y;
 const MARK = /[~=:+\-*/()%^]/y;
 /** Behind these a free name follows, not words with values. */
-const NAMES = /^(?:CYCL[ \t]+DEF|BEGIN|END)/i;
+const NAMES = /^(?:CYCLE?[ \t]*DEF|BEGIN|END)/i;
 
 /** Splits one line into stretches for colouring; never throws, and leaves out what says nothing. */
 export function tokensOf(line: string): Token[] {

@@ -29,8 +29,10 @@ export interface Shop {
 }
 
 /** Bounds that keep every program finite and its memory small; far above what programs need (docs/performance.md). */
-const MOST_BLOCKS = 200_000;
-const MOST_MOVES = 400_000;
+const MOST_BLOCKS = 1_500_000;
+/** Of milling and turning together, and of turning, which is simulated move by move. */
+const MOST_MOVES = 1_200_000;
+const MOST_TURNED = 400_000;
 const MOST_OPERATIONS = 2_000;
 
 /** A program as it runs: what is in force, what was said and done, and the bounds that end a run. */
@@ -173,8 +175,10 @@ export class Machine {
 
   /** Whether turning and milling together may move once more; ends the run when not. */
   roomForMove(index: number): boolean {
-    if (this.log.steps.length + this.log.milled.length < MOST_MOVES) return true;
-    this.stop(programIssue("tooManyMoves", "error", { limit: MOST_MOVES }), index);
+    const turned = this.log.steps.length;
+    const limit = turned < MOST_TURNED ? MOST_MOVES : MOST_TURNED;
+    if (turned < MOST_TURNED && turned + this.log.milled.length < MOST_MOVES) return true;
+    this.stop(programIssue("tooManyMoves", "error", { limit }), index);
     return false;
   }
 
