@@ -1,6 +1,6 @@
 import { segmentToPart, toFlat, toPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
 import { at, part, type Pt, type Ring, type Segment } from "../point.ts";
-import { CHORD, ROUND } from "../tolerance.ts";
+import { CHORD, GRID, ROUND } from "../tolerance.ts";
 
 const { flattenedChain } = part;
 
@@ -73,9 +73,12 @@ function under(points: readonly Flat[], level: number): Flat[] {
 
 const chain = (contour: readonly FlatSegment[], frame: Frame) => flattenedChain(contour.map((s) => segmentToPart(frame, s)), CHORD);
 
+/** As the polygon engine takes it: a spike may be one only there. */
+const onGrid = ({ z, r }: Pt): Pt => at(Math.round(z / GRID) * GRID, Math.round(r / GRID) * GRID);
+
 /** Counter-clockwise, whatever the frame mirrors, and without spikes. */
 function turned(spiked: readonly Pt[]): Ring {
-  const ring = withoutSpikes(spiked);
+  const ring = withoutSpikes(spiked.map(onGrid));
   let twice = 0;
   ring.forEach((p, i) => {
     const q = ring[(i + 1) % ring.length] as Pt;
