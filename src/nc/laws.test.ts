@@ -125,6 +125,18 @@ const statements: fc.Arbitrary<Statement> = fc.oneof<fc.Arbitrary<Statement>[]>(
     label,
   }),
   fc.record({ kind: fc.constant("datum"), shift: fc.oneof(axes, fc.constant("reset" as const)) }),
+  fc.record({ kind: fc.constant("datumTable"), row: fc.constantFrom("", "TABLINE5", 'TABLINE7 "TNC:\\A.D"') }),
+  fc.record({
+    kind: fc.constant("mirror"),
+    axes: fc.oneof(fc.uniqueArray(fc.constantFrom("X", "Y", "Z"), { minLength: 1 }), fc.constant("reset" as const)),
+  }),
+  fc.record({ kind: fc.constant("rotation"), angle: fc.oneof(polar, fc.constant("reset" as const)) }),
+  fc.record({ kind: fc.constant("scale"), factor: fc.oneof(value, fc.constant("reset" as const)) }),
+  fc.record({
+    kind: fc.constant("plane"),
+    text: fc.constantFrom("PLANE RESET STAY", "PLANE SPATIAL SPA+0 SPB+45 SPC+0 TURN FMAX", "FUNCTION RESET TCPM",
+      "FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS"),
+  }),
   fc.record({ kind: fc.constant("call"), label, repeat: maybe(fc.integer({ min: 1, max: 65534 })) }),
   fc.record({ kind: fc.constant("cycleCall"), how: fc.constantFrom("" as const, "POS" as const), words: words(withAxes) }),
   fc.record({ kind: fc.constant("stop"), words: words() }).map((s) => s as Statement),

@@ -56,7 +56,7 @@ describe("findings have a place, and a fix where it is plain", () => {
   test.each([
     ["1 L X+1 FOO", "wordNotUnderstood 2:9"],
     ["1 L X+1 X+2", "wordTwice 2:9"],
-    ["1 PLANE RESET", "notUnderstood 2:3"],
+    ["1 PLANET RESET", "notUnderstood 2:3"],
     ["1 CYCL DEF 7 N ~\nQ1=abc", "badNumber 3:4"],
     ["1 CYCL DEF 7 N ~\nQ1=", "wordMissing 3:4"],
     ["1 CYCL DEF 7 N\nQ491+5 ;A", "equalsMissing 3:1"],
@@ -85,6 +85,7 @@ describe("spellings", () => {
     ["CALL LBL 2 REP8", "CALL LBL 2 REP 8"],
     ["TOOL  CALL 5 Z S3000 F MAX", "TOOL CALL 5 Z S3000 FMAX"],
     ["l x+1", "L X+1"],
+    ["trans  rotation rot12,5", "TRANS ROTATION ROT+12.5"],
   ])("%s is %s", (one1, other) => {
     const [a, b] = [one(one1)?.statement, one(other)?.statement];
     if (a?.kind === "unknown") expect(b?.kind).toBe("unknown");
@@ -103,6 +104,15 @@ describe("spellings", () => {
     "CP IPA-1800 IZ+5 DR- RL F50",
     'SEL CONTOUR "a.h"',
     "STOP M6",
+    "TRANS DATUM TABLE TABLINE5",
+    "TRANS MIRROR AXIS X Y",
+    "TRANS MIRROR RESET",
+    "TRANS ROTATION ROT+12.5",
+    "TRANS ROTATION IROT-Q5",
+    "TRANS SCALE SCL0.995",
+    "PLANE RESET STAY",
+    "PLANE SPATIAL SPA+0 SPB+20 SPC+0 MOVE DIST50 F1000",
+    "FUNCTION RESET TCPM",
   ])("%s is understood", (text) => expect(one(text)?.issues).toEqual([]));
 });
 

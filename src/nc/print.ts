@@ -110,10 +110,19 @@ function statementText(s: Exclude<Statement, { kind: "cycle" }>, style: Style): 
         + (s.shift === "reset"
           ? "RESET"
           : `AXIS${s.shift.map((w) => ` ${w.incremental ? "I" : ""}${w.axis}${valueText(w.value, style)}`).join("")}`);
+    case "datumTable":
+      return `TRANS DATUM TABLE${s.row === "" ? "" : ` ${s.row}`}`;
+    case "mirror":
+      return `TRANS MIRROR ${s.axes === "reset" ? "RESET" : `AXIS ${s.axes.join(" ")}`}`;
+    case "rotation":
+      return "TRANS ROTATION " + (s.angle === "reset" ? "RESET" : `${s.angle.incremental ? "I" : ""}ROT${valueText(s.angle.value, style)}`);
+    case "scale":
+      return `TRANS SCALE ${s.factor === "reset" ? "RESET" : `SCL${unsigned(s.factor, style)}`}`;
     case "functions":
       return wordsText(s.words, style).trimStart();
     case "stop":
       return `STOP${wordsText(s.words, { ...style, wide: false })}`;
+    case "plane":
     case "unknown":
       return s.text;
   }

@@ -1,4 +1,3 @@
-import { readWords } from "./read-words.ts";
 import type { Scan } from "./scan.ts";
 import { COMPARISONS, type Statement } from "./statement.ts";
 import { PARAMETER, readLabel, readValue, VALUE } from "./value.ts";
@@ -26,16 +25,4 @@ export function readJump(scan: Scan): Statement | null {
   const fn = head[1] === undefined ? null : (Number(head[1]) as 9 | 10 | 11 | 12);
   const label = target[3] === undefined ? readLabel(target[1], target[2]) : { parameter: target[3].toUpperCase(), negative: false };
   return { kind: "jump", fn, left, compare, right, label };
-}
-
-const AXIS = /AXIS(?![A-Z])/iy;
-const RESET = /RESET(?![A-Z])/iy;
-
-/** What follows TRANS DATUM: AXIS with its words, or RESET; null for a row of a datum table. */
-export function readDatum(scan: Scan): Statement | null {
-  if (scan.take(RESET)) {
-    scan.leftOver();
-    return { kind: "datum", shift: "reset" };
-  }
-  return scan.take(AXIS) ? { kind: "datum", shift: readWords(scan).axes } : null;
 }

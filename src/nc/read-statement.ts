@@ -3,7 +3,8 @@ import { readCycle, type BlockLine } from "./read-cycle.ts";
 import { readAssignment } from "./read-formula.ts";
 import { readBlank, readFrame, readNamedWords, readToolCall, readToolDefinition } from "./read-frame.ts";
 import { readFunction } from "./read-function.ts";
-import { JUMP, readDatum, readJump } from "./read-jump.ts";
+import { JUMP, readJump } from "./read-jump.ts";
+import { readTrans, type TransWord } from "./read-trans.ts";
 import { readWords } from "./read-words.ts";
 import { Scan } from "./scan.ts";
 import { APPROACH_FORMS, type ApproachForm, type PathKind, type Statement, type Words } from "./statement.ts";
@@ -11,7 +12,8 @@ import { NUMBER_PARAMETER, PARAMETER, readLabel, TEXT_PARAMETER, VALUE } from ".
 
 const KEYWORD = new RegExp(
   String.raw`(?:(CYCLE?[ \t]*(?:DEF|CALL)|BEGIN[ \t]+PGM|END[ \t]+PGM|BLK[ \t]+FORM|TOOL[ \t]+(?:CALL|DEF)|CALL[ \t]+LBL|SEL[ \t]+CONTOUR|`
-    + String.raw`TRANS[ \t]+DATUM|FUNCTION|LBL|STOP|APPR|DEP|UDC|GRV|RND|CHF|CTP|CR|CT|CC|CP|LP|L|C)(?![A-Z_]))`,
+    + String.raw`TRANS[ \t]+(?:DATUM|MIRROR|ROTATION|SCALE)|PLANE|`
+    + String.raw`FUNCTION|LBL|STOP|APPR|DEP|UDC|GRV|RND|CHF|CTP|CR|CT|CC|CP|LP|L|C)(?![A-Z_]))`,
   "iy",
 );
 const ASSIGNMENT = new RegExp(String.raw`(?:FN[ \t]*[0-5][ \t]*:|${NUMBER_PARAMETER}[ \t]*=)`, "iy");
@@ -28,6 +30,7 @@ const UNDERCUT = /(TYPE[ \t]*_[ \t]*[A-Z]|THREAD)(?![A-Z])/iy;
 const GROOVE = /(RADIAL|AXIAL)(?![A-Z])/iy;
 const HOW = /(POS|PAT)(?![A-Z])/iy;
 const QUOTED = /"([^"]*)"/y;
+const TILTED_TOOL = /^(?:RESET[ \t]+)?TCPM(?![A-Z])/i;
 const PATHS: ReadonlySet<string> = new Set<PathKind>(["L", "C", "CR", "CT", "CTP", "LP", "CP", "CC"]);
 
 /** Characters of one line; what is longer is no block of a control and would fill the memory word by word. */
@@ -86,7 +89,7 @@ function dispatch(scan: Scan, lines: readonly BlockLine[], issues: BlockIssue[])
     case "TOOL DEF":
       return readToolDefinition(scan);
     case "FUNCTION":
-      return readFunction(scan);
+      return readFunction(scan) ?? (TILTED_TOOL.test(scan.rest) ? kept(scan, "FUNCTION") : null);
     case "RND":
       return rounding(scan);
     case "CHF":
@@ -112,12 +115,24 @@ function dispatch(scan: Scan, lines: readonly BlockLine[], issues: BlockIssue[])
       return file && { kind: "selectContour", file: file[1] ?? "" };
     }
     case "TRANS DATUM":
-      return readDatum(scan);
+    case "TRANS MIRROR":
+    case "TRANS ROTATION":
+    case "TRANS SCALE":
+      return readTrans(scan, word.replace(/^TRANS[ \t]+/, "") as TransWord);
+    case "PLANE":
+      return kept(scan, "PLANE");
     case "STOP":
       return { kind: "stop", words: readWords(scan) };
     default:
       return null;
   }
+}
+
+/** A block whose words only what runs it looks at. */
+function kept(scan: Scan, word: string): Statement {
+  const text = `${word} ${scan.rest}`.trimEnd();
+  scan.at = scan.text.length;
+  return { kind: "plane", text };
 }
 
 function withoutKeyword(scan: Scan): Statement | null {

@@ -143,6 +143,14 @@ export type Statement =
   }
   /** TRANS DATUM: the words of AXIS, or RESET. */
   | { readonly kind: "datum"; readonly shift: readonly AxisWord[] | "reset" }
+  /** TRANS DATUM TABLE with the row as it is written. */
+  | { readonly kind: "datumTable"; readonly row: string }
+  /** TRANS MIRROR, TRANS ROTATION and TRANS SCALE. */
+  | { readonly kind: "mirror"; readonly axes: readonly AxisName[] | "reset" }
+  | { readonly kind: "rotation"; readonly angle: PolarWord | "reset" }
+  | { readonly kind: "scale"; readonly factor: Value | "reset" }
+  /** PLANE in all its forms, FUNCTION TCPM and its reset: read by what runs them. */
+  | { readonly kind: "plane"; readonly text: string }
   /** `fn` is the number of the FN function, null for a formula. */
   | { readonly kind: "assign"; readonly fn: 0 | 1 | 2 | 3 | 4 | 5 | null; readonly target: string; readonly formula: Formula }
   /** M functions without a path. */

@@ -1,9 +1,10 @@
-import { plane, type PlanePoint } from "../kernel/plane.ts";
+import { plane, type PlanePoint, type PlaneSegment, type Side } from "../kernel/plane.ts";
 import { diameter, INCH, toRadius } from "../kernel/units.ts";
 import type { Program } from "../nc/program.ts";
 import type { AxisName } from "../nc/statement.ts";
 import type { WorkingPlane } from "./approach-fields.ts";
 import type { ApproachContext } from "./approach-request.ts";
+import { growthIn, isFlipped, NO_TRANSFORM, toProgram } from "./coordinates-frame.ts";
 import { valueOf } from "./formula.ts";
 import type { KnownParameters } from "./expression.ts";
 import type { ApproachRun } from "./plane-types.ts";
@@ -48,6 +49,26 @@ function feedBefore(run: Run, index: number, plane: WorkingPlane): ApproachConte
   return !move || move.kind === "thread" ? null : move.kind === "rapid" ? "rapid" : move.feed;
 }
 
+/** From the workpiece to the coordinates that the words of an APPR or DEP block count. */
+function countingOf(found: ApproachRun | undefined) {
+  const by = found ? difference(NO_TIP, found.datum) : NO_TIP;
+  if (!found || found.transform === NO_TRANSFORM)
+    return { point: (p: PlanePoint) => sum(p, by), segment: (s: PlaneSegment) => shifted(s, by), side: (s: Side) => s, growth: 1 };
+  const { transform, datum } = found;
+  const point = (p: PlanePoint): PlanePoint => {
+    const { x, y } = toProgram({ shift: { ...datum, z: 0 }, transform }, { ...p, z: 0 });
+    return { x: x ?? 0, y: y ?? 0 };
+  };
+  const flipped = isFlipped(transform, "XY");
+  const segment = (s: PlaneSegment): PlaneSegment => {
+    const ends = { from: point(s.from), to: point(s.to) };
+    if (s.kind === "line") return { ...s, ...ends };
+    return { ...s, ...ends, centre: point(s.centre), turn: flipped ? (s.turn === "cw" ? "ccw" : "cw") : s.turn };
+  };
+  const side = (s: Side): Side => (!flipped || s === "none" ? s : s === "left" ? "right" : "left");
+  return { point, segment, side, growth: growthIn(transform, "XY") ?? 1 };
+}
+
 const NO_TIP: PlanePoint = { x: 0, y: 0 };
 
 /** What stands round the APPR or DEP block at `index`: from the last run, and from the text where the run says nothing about it. */
@@ -58,17 +79,17 @@ export function approachContext(program: Program, index: number, run: Run | null
   const found: ApproachRun | undefined = run?.approaches.findLast((a) => a.index === index && a.departing === departing);
   const plane = found?.plane ?? (turning ? "ZX" : "XY");
   // The words of the block count from the datum of the program.
-  const by = found ? difference(NO_TIP, found.datum) : NO_TIP;
+  const count = countingOf(found);
   const outside = found && !departing ? found.request.outside : null;
   return {
     plane,
     pole,
     parameters,
     unit: inch ? INCH : 1,
-    before: outside && sum(outside, by),
-    contour: found?.contour.map((s) => shifted(s, by)) ?? [],
-    side: found?.side ?? "left",
-    toolRadius: found?.toolRadius ?? 0,
+    before: outside && count.point(outside),
+    contour: found?.contour.map(count.segment) ?? [],
+    side: count.side(found?.side ?? "left"),
+    toolRadius: (found?.toolRadius ?? 0) / count.growth,
     tip: found?.tip ?? NO_TIP,
     feedBefore: run ? feedBefore(run, index, plane) : null,
   };

@@ -80,6 +80,11 @@ function element(reader: Reader, s: Statement, index: number): void {
     case "cycleCall":
     case "jump":
     case "datum":
+    case "datumTable":
+    case "mirror":
+    case "rotation":
+    case "scale":
+    case "plane":
     case "unknown":
       return reader.machine.log.leaveUnproved(nameOf(lineOfBlock(reader.machine, index)), index);
     default:
@@ -103,6 +108,7 @@ const corner = (reader: Reader, kind: "chamfer" | "round", size: number | null, 
 const wordsOf = (reader: Reader, index: number): WordReader => ({
   ...wordReader(reader.machine, index),
   shift: (axis) => (axis === "X" || axis === "Z" ? 0 : null),
+  frame: null,
   lose: () => void (reader.isTroubled = true),
   fault: (code) => {
     if (code === "startUnknown") return;

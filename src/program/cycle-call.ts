@@ -23,7 +23,7 @@ import { countedPoint, shiftedPlan } from "./shifted-plan.ts";
 import { startUnknown } from "./turn-run.ts";
 import { threadWarnings } from "./thread-warnings.ts";
 import { judgeOf, triedOffers } from "./tried.ts";
-import { actingCycle, actsAtOnce } from "./unproved-blocks.ts";
+import { actingCycle, actsAtOnce, isSilent } from "./unproved-blocks.ts";
 import { rankTools } from "./which-tool.ts";
 
 const nothing: Plan = empty([]);
@@ -238,7 +238,8 @@ export function cycleDefinition(machine: Machine, index: number): void {
   const cycle = cycleByNumber(s.cycle);
   // Whether one that bores is run shows where it is called.
   const bores = machine.now.turning && isDrilling(s.cycle);
-  if (!cycle && !bores) machine.log.say(programIssue("cycleNotSimulated", "info", { cycle: s.cycle, name: s.name }), index);
+  if (!cycle && !bores && !isSilent(s.cycle))
+    machine.log.say(programIssue("cycleNotSimulated", "info", { cycle: s.cycle, name: s.name }), index);
   if (cycle?.acts) act(machine, cycle, s, index);
   if (actsAtOnce(s.cycle)) return actingCycle(machine, s.cycle, s.parameters, index);
   const { values, troubled } = readParameters(machine, s.parameters, index);

@@ -6,6 +6,7 @@ import type { Tool } from "../kernel/tool.ts";
 import { INCH, type Feed } from "../kernel/units.ts";
 import type { Block, Program } from "../nc/program.ts";
 import type { Label, Statement, Value } from "../nc/statement.ts";
+import { NO_TRANSFORM } from "./coordinates-frame.ts";
 import { formulaOf, valueOf, type Parameters, type Trouble } from "./formula.ts";
 import { programIssue, type ProgramIssue } from "./issue.ts";
 import { KnownValues } from "./known-values.ts";
@@ -107,9 +108,9 @@ export class Machine {
     this.millGuide.here = null;
   }
 
-  /** A preset takes the datum back; another one than before moves the workpiece against what was cut already. */
+  /** A preset takes shift, mirror, rotation and scale back; another one than before moves the workpiece against what was cut already. */
   usePreset(n: number | null, what: string, index: number): void {
-    this.set({ datum: NO_SHIFT });
+    this.set({ datum: NO_SHIFT, unknownDatum: [], transform: NO_TRANSFORM });
     if (n === null || (this.now.preset !== null && this.now.preset !== n)) this.log.leaveUnproved(what, index);
     this.set({ preset: n });
   }

@@ -6,6 +6,7 @@ import type { Machine } from "./machine.ts";
 import { blockFeed, takeFeed } from "./block-feed.ts";
 import { millSideArc, planeOf, type SideBlock } from "./mill-arc.ts";
 import { centreOf, millArrives, millCarrier, type SidePlane } from "./mill-moves.ts";
+import { millApproachWords, millBlock } from "./mill-frame.ts";
 import { standing, wordReader } from "./path-block.ts";
 import type { Whereabouts } from "./modal.ts";
 import { endOf, isPolarPath, segmentOf, type MillPlane, type PathBlock } from "./path.ts";
@@ -25,7 +26,8 @@ const planeOfWords = (
 ): MillPlane => (block.path === "LP" ? (machine.now.pole?.plane ?? "XY") : planeOf(machine, block));
 
 /** One path block: L, C, CR, CT and the polar forms. */
-export function millPath(machine: Machine, block: PathBlock, index: number): void {
+export function millPath(machine: Machine, written: PathBlock, index: number): void {
+  const block = millBlock(machine, written, planeOfWords(machine, written), index);
   const { place: { mill: before }, millGuide: guide } = machine;
   const { words } = block;
   const requested = sideOf(words, guide.chain?.side ?? "none");
@@ -111,7 +113,8 @@ function needsRadius(machine: Machine, side: Side, index: number): void {
 /** APPR and DEP. */
 export function millApproach(machine: Machine, s: Extract<Statement, { kind: "approach" }>, index: number): void {
   const { place: { mill }, millGuide: guide } = machine;
-  const { departing, form, words } = s;
+  const { departing, form } = s;
+  const words = millApproachWords(machine, s.words, form, index);
   const path: PathBlock = { path: isPolar(form) ? "LP" : "L", words };
   const fromZ = mill.z;
   const to = endOf(wordReader(machine, index), path, standing(machine, "XY"));
@@ -122,7 +125,10 @@ export function millApproach(machine: Machine, s: Extract<Statement, { kind: "ap
   if (isEnd && !target) return startUnknown(machine, index);
   const block = { departing, form, words, index, target, fromZ: fromZ ?? to.z, toZ: to.z };
   if (departing) endWithDeparture(guide, carrierOf(machine), block);
-  else beginApproach(guide, carrierOf(machine), block);
+  else {
+    beginApproach(guide, carrierOf(machine), block);
+    machine.set({ compensation: s.words.compensation ?? "R0" });
+  }
   const end = departing ? guide.here : target;
   machine.setPlace({ mill: { x: end?.x ?? mill.x, y: end?.y ?? mill.y, z: to.z }, last: null });
 }

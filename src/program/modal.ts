@@ -4,6 +4,7 @@ import type { Spindle } from "../kernel/step.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { length, type Feed, type Length } from "../kernel/units.ts";
 import type { Compensation, Label } from "../nc/statement.ts";
+import { NO_TRANSFORM, type Transform } from "./coordinates-frame.ts";
 import type { UnknownReason } from "./known-values.ts";
 import { NOWHERE, type MillPlane, type Pole, type Position } from "./path.ts";
 
@@ -76,6 +77,10 @@ export interface Modal {
   readonly preset: number | null;
   /** Where the program counts from; all positions below are those of the workpiece. */
   readonly datum: Datum;
+  /** Axes whose shift nobody knows: it stands in a table, or in a parameter without a number. */
+  readonly unknownDatum: readonly (keyof Datum)[];
+  /** How coordinates are mirrored, turned and scaled about the datum. */
+  readonly transform: Transform;
   /** RL or RR as programmed last. */
   readonly compensation: Compensation;
   readonly feed: Feed | null;
@@ -111,6 +116,8 @@ export const AT_START: Modal = {
   mode: null,
   preset: null,
   datum: NO_SHIFT,
+  unknownDatum: [],
+  transform: NO_TRANSFORM,
   compensation: "R0",
   feed: null,
   lastFeed: undefined,

@@ -3,6 +3,7 @@ import type { CornerElement } from "../kernel/corner.ts";
 import type { StatementOf, Value, Words } from "../nc/statement.ts";
 import type { Machine } from "./machine.ts";
 import { elsewhere, isElsewhere } from "./machine-moves.ts";
+import { cornerGrowth } from "./mill-frame.ts";
 import { closeMill, millApproach, millPath } from "./mill-run.ts";
 import { cornerBlock, runHeldElement, pathBlock, pole } from "./path-block.ts";
 import { addCorner } from "./plane-guide.ts";
@@ -51,7 +52,9 @@ export function runApproach(machine: Machine, s: StatementOf<"approach">, index:
 function corner(machine: Machine, kind: CornerElement["kind"], value: Value | null, { feed }: Words, index: number): void {
   const n = value === null ? null : machine.number(value, index);
   if (n === null) return;
-  const element: CornerElement = { kind, size: machine.length(n) };
+  const growth = cornerGrowth(machine, kind === "round" ? "RND" : "CHF", index);
+  if (growth === null) return;
+  const element: CornerElement = { kind, size: machine.length(n) * growth };
   const guide = machine.now.turning ? machine.turnGuide : machine.millGuide;
   if (machine.now.turning && !guide.chain) return cornerBlock(machine, element, feed, index);
   const own = typeof feed === "object" ? machine.number(feed.value, index) : null;

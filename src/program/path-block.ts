@@ -8,6 +8,7 @@ import { roundedDown, type Feed as FeedNumber } from "../kernel/units.ts";
 import type { FeedWord, PolarWord, Words } from "../nc/statement.ts";
 import { blockFeed, takeFeed } from "./block-feed.ts";
 import { datumShiftOf } from "./datum.ts";
+import { frameOf } from "./transform-blocks.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
 import { coordinates, endOf, isPolarPath, planeOfAxes, pointIn, segmentOf, type PathBlock, type Plane, type Position, type Standing,
@@ -80,7 +81,12 @@ export function standAt(machine: Machine, { path, words }: PathBlock, to: Positi
 export const wordReader = (machine: Machine, index: number): WordReader => ({
   number: (value) => machine.number(value, index),
   length: (n) => machine.length(n),
-  shift: (axis) => datumShiftOf(machine, axis),
+  shift: (axis) => {
+    const by = datumShiftOf(machine, axis);
+    if (by === "unknown") machine.known.trouble = "unproved";
+    return by;
+  },
+  frame: frameOf(machine.now),
   aside: (w) => machine.log.leaveUnproved(`${w.incremental ? "I" : ""}${w.axis}`, index),
   lose: () => void (machine.setPlace({ lost: machine.known.trouble })),
   fault: (code) => {

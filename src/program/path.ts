@@ -3,6 +3,7 @@ import type { Issue } from "../kernel/issue.ts";
 import type { Pt, Segment } from "../kernel/point.ts";
 import { axial, diameter, inDegrees, radians, radius, toDiameter, toRadius } from "../kernel/units.ts";
 import type { AxisName, AxisWord, PathKind, PolarWord, Value, Words } from "../nc/statement.ts";
+import { toProgram, toWorkpiece, type CoordinateFrame } from "./coordinates-frame.ts";
 
 /** A place as a program names it, mm; null where nobody knows. X is a diameter while turning. */
 export interface Position {
@@ -59,10 +60,12 @@ export interface WordReader {
   /** A length of the program in mm. */
   readonly length: (n: number) => number;
   /**
-   * How far the datum that absolute coordinates of an axis count from stands from that of the positions; null where no path
-   * runs along it.
+   * How far the datum that absolute coordinates of an axis count from stands from that of the positions, "unknown" where nobody
+   * knows; null where no path runs along it.
    */
-  readonly shift: (axis: AxisName) => number | null;
+  readonly shift: (axis: AxisName) => number | "unknown" | null;
+  /** The frame of coordinates that are mirrored, turned or scaled; null where they are at most shifted. */
+  readonly frame: CoordinateFrame | null;
   /** An axis that no path runs along is moved. */
   readonly aside: (word: AxisWord) => void;
   /** A coordinate has no number, for a reason that has been told. */
@@ -75,6 +78,7 @@ export const plainReader = (unit: number): WordReader => ({
   number: (value) => (typeof value === "number" && !Number.isNaN(value) ? value : null),
   length: (n) => n * unit,
   shift: () => 0,
+  frame: null,
   aside: () => undefined,
   lose: () => undefined,
   fault: () => undefined,
@@ -98,20 +102,38 @@ export const isPolarPath = (path: PathKind): boolean => POLAR.has(path);
 
 /** Axis words on top of the position before them. */
 export function coordinates(read: WordReader, words: readonly AxisWord[], at: Position): Position {
+  if (!read.frame || words.length === 0) return counted(read, words, at, read.shift);
+  const along = (axis: AxisName) => (read.shift(axis) === null ? null : 0);
+  return placed(read.frame, counted(read, words, toProgram(read.frame, at), along), at, words.map((w) => w.axis));
+}
+
+/** Where a place of the program lies; an axis that no word moves stays to the last bit where it was. */
+function placed(frame: CoordinateFrame, to: Position, before: Position, axes: readonly AxisName[]): Position {
+  const made = toWorkpiece(frame, to);
+  const mixed = frame.transform.rotation !== 0 && (axes.includes("X") || axes.includes("Y"));
+  return {
+    x: mixed || axes.includes("X") ? made.x : before.x,
+    y: mixed || axes.includes("Y") ? made.y : before.y,
+    z: axes.includes("Z") ? made.z : before.z,
+  };
+}
+
+/** Axis words on top of a position in their own coordinates, or in ones shifted against them. */
+function counted(read: WordReader, words: readonly AxisWord[], at: Position, shiftOf: WordReader["shift"]): Position {
   const to = { ...at };
   for (const w of words) {
     const n = read.number(w.value);
-    const shift = read.shift(w.axis);
+    const shift = shiftOf(w.axis);
     if (shift === null) {
       if (n !== null && n !== 0) read.aside(w);
       continue;
     }
     const key = w.axis.toLowerCase() as keyof Position;
     const before = to[key];
-    if (n === null) {
+    if (n === null || (shift === "unknown" && !w.incremental)) {
       to[key] = null;
       read.lose();
-    } else if (!w.incremental) to[key] = read.length(n) + shift;
+    } else if (!w.incremental && shift !== "unknown") to[key] = read.length(n) + shift;
     else if (before !== null) to[key] = before + read.length(n);
     else read.fault("startUnknown");
   }
@@ -139,6 +161,8 @@ export function polarPoint(read: WordReader, { polarRadius, polarAngle }: Words,
 /** Whether polar words count from the point before. */
 const leans = ({ polarRadius, polarAngle }: Words) => [polarRadius, polarAngle].some((w) => !w || w.incremental);
 
+const pick = (p: Position, a: keyof Position, b: keyof Position) => ({ [a]: p[a], [b]: p[b] });
+
 /** Where a block ends, by its axes or round the pole; null where its pole is missing, which has been told. */
 export function endOf(read: WordReader, { path, words }: PathBlock, { plane, at, pole }: Standing): Position | null {
   const to = coordinates(read, [...words.axes, ...words.linear], at);
@@ -147,15 +171,18 @@ export function endOf(read: WordReader, { path, words }: PathBlock, { plane, at,
     read.fault("poleMissing");
     return null;
   }
-  const before = pointIn(plane, at);
+  const { frame } = read;
+  const before = pointIn(plane, frame ? toProgram(frame, at) : at);
+  const centre = frame ? pointIn(plane, toProgram(frame, { ...NOWHERE, ...coordinatesIn(plane, pole) })) : pole;
   const [a, b] = AXES_OF[plane];
   const nowhere = { ...to, [a]: null, [b]: null };
   if (!before && leans(words)) {
     read.fault("startUnknown");
     return nowhere;
   }
-  const end = polarPoint(read, words, pole, before);
-  if (end) return { ...to, ...coordinatesIn(plane, end) };
+  const end = centre && polarPoint(read, words, centre, before);
+  const made = end && coordinatesIn(plane, end);
+  if (made) return { ...to, ...(frame ? pick(toWorkpiece(frame, { ...NOWHERE, ...made }), a, b) : made) };
   read.lose();
   return nowhere;
 }

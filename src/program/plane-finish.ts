@@ -5,9 +5,11 @@ import { plane, towardsTool, type PlanePoint, type PlaneSegment, type Side } fro
 import { planeContour, type PlaneContour } from "../kernel/plane-contour.ts";
 import { ROUND, SAME } from "../kernel/tolerance.ts";
 import { radius, toDiameter } from "../kernel/units.ts";
+import { NO_TRANSFORM } from "./coordinates-frame.ts";
 import { programIssue } from "./issue.ts";
 import type { Carrier } from "./carrier.ts";
 import type { ApproachCall, CompensatedChain, Travel } from "./plane-chain.ts";
+import { frameOf } from "./transform-blocks.ts";
 
 const { apart, beyond, difference, direction, sum } = plane;
 
@@ -102,6 +104,7 @@ function lead(f: Finishing, call: ApproachCall, element: PlaneSegment, contour: 
     tip: carrier.tip,
     pole: call.pole,
     datum: carrier.plane === "XY" ? { x: machine.now.datum.x, y: machine.now.datum.y } : { x: machine.now.datum.z, y: machine.now.datum.x },
+    transform: frameOf(machine.now)?.transform ?? NO_TRANSFORM,
     feedBefore: call.before,
     cut: guarded ? guarded.cut : null,
     free: guarded ? guarded.free : null,

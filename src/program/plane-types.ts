@@ -5,6 +5,7 @@ import type { PlanePoint, PlaneSegment, Side } from "../kernel/plane.ts";
 import type { Turn } from "../kernel/point.ts";
 import type { DrillType } from "../kernel/tool.ts";
 import type { ApproachForm } from "../nc/statement.ts";
+import type { Transform } from "./coordinates-frame.ts";
 
 /** How a control moves in the tool axis with APPR and DEP: "TNC 640" in the plane first, then in the axis; "TNC7" both at once. */
 export type Control = "TNC 640" | "TNC7";
@@ -65,6 +66,8 @@ export interface ApproachRun {
   readonly tip: PlanePoint;
   /** How far the datum of the program stands from that of the workpiece, in the plane. */
   readonly datum: PlanePoint;
+  /** How the program's coordinates are mirrored, turned and scaled besides. */
+  readonly transform: Transform;
   /** CC at the block. */
   readonly pole: PlanePoint | null;
   /** Feed in force before the block, in its unit; "rapid", or null when none was programmed. */

@@ -4,8 +4,7 @@ import type { Statement, StatementOf, Words } from "../nc/statement.ts";
 import { blankBox, blankCylinder, blankOfTurnData, outlinedBlank } from "./blank-block.ts";
 import { CONTOUR_CYCLE, contourLabels } from "./contour-names.ts";
 import { callCycle, cycleDefinition } from "./cycle-call.ts";
-import { datumLine, DATUM_CYCLE, shiftDatum } from "./datum.ts";
-import { NO_SHIFT } from "./modal.ts";
+import { datumLine, DATUM_CYCLE, resetDatum, shiftDatum, tableDatum } from "./datum.ts";
 import { execute, neverReached, wordsOf } from "./flow.ts";
 import { programIssue } from "./issue.ts";
 import { Machine, type Shop } from "./machine.ts";
@@ -16,7 +15,8 @@ import { NOWHERE } from "./path.ts";
 import { neverCalled } from "./preconditions.ts";
 import type { Run } from "./run-types.ts";
 import { correctTool, toolCall, toolDefinition } from "./tool-call.ts";
-import { actingLine, actsAtOnce, textBlock } from "./unproved-blocks.ts";
+import { mirrorAxes, scaleAxes, transformedTurning, transformLine, transforms, turnPlane } from "./transform-blocks.ts";
+import { actingLine, actsAtOnce, isSilent, textBlock } from "./unproved-blocks.ts";
 
 /** Runs a program: executes block after block and plans every cycle that it calls. Never throws, always ends. */
 export function run(program: Program, shop: Shop): Run {
@@ -71,11 +71,16 @@ const HANDLERS: { readonly [K in Statement["kind"]]?: (machine: Machine, s: Stat
   blankRotation: (machine, s, index) => outlinedBlank(machine, s.label, s.measure === "R", index),
   turnBlank: blankOfTurnData,
   turnCorrection: correctTool,
-  mode: (machine, s) => mode(machine, s.mode),
+  mode: (machine, s, index) => mode(machine, s.mode, index),
   datum: (machine, s, index) => {
-    if (s.shift === "reset") machine.set({ datum: NO_SHIFT });
+    if (s.shift === "reset") resetDatum(machine);
     else shiftDatum(machine, s.shift, "TRANS DATUM", index);
   },
+  datumTable: (machine, s, index) => tableDatum(machine, `TRANS DATUM TABLE ${s.row}`.trim(), index),
+  mirror: (machine, s, index) => mirrorAxes(machine, s.axes, { what: "TRANS MIRROR", index }),
+  rotation: (machine, s, index) => turnPlane(machine, s.angle, { what: "TRANS ROTATION", index }),
+  scale: (machine, s, index) => scaleAxes(machine, s.factor, { what: "TRANS SCALE", index }),
+  plane: (machine, s, index) => textBlock(machine, s.text, index),
   spin,
   assign: (machine, s, index) => machine.assign(s, index),
   cycle: (machine, _, index) => cycleDefinition(machine, index),
@@ -129,8 +134,9 @@ function functions(machine: Machine, words: Words, index: number): void {
 }
 
 /** Another kind of machining has other kinematics: where the tool stands in its coordinates, nobody knows. */
-function mode(machine: Machine, wanted: "TURN" | "MILL"): void {
+function mode(machine: Machine, wanted: "TURN" | "MILL", index: number): void {
   machine.set({ mode: wanted });
+  if (wanted === "TURN") transformedTurning(machine, index);
   machine.setPlace({ last: null });
   if (machine.now.turning === (wanted === "TURN")) return;
   machine.set({ turning: wanted === "TURN", pole: null });
@@ -154,15 +160,16 @@ function spin(machine: Machine, s: StatementOf<"spin">, index: number): void {
   else machine.log.say(programIssue("spindleMissing", "error", {}), index);
 }
 
-/** One line of an older cycle: the datum shift is run, the contour's labels are noted, what else moves coordinates is told. */
+/** One line of an older cycle: what shifts, mirrors, turns and scales is run, a contour's labels are noted, other cycles are told. */
 function cycleLine(machine: Machine, s: StatementOf<"cycleLine">, index: number): void {
   const { cycle, line, text } = s;
   if (cycle === CONTOUR_CYCLE) {
     machine.set({ contourFile: null, contourLabels: line === 0 ? [] : contourLabels(text) });
   } else if (cycle === DATUM_CYCLE) {
     if (line > 0) datumLine(machine, text, `CYCL DEF ${cycle}`, index);
-  } else {
-    machine.log.say(programIssue("cycleNotSimulated", "info", { cycle, name: text }), index);
+  } else if (transforms(cycle)) transformLine(machine, s, index);
+  else {
+    if (!isSilent(cycle)) machine.log.say(programIssue("cycleNotSimulated", "info", { cycle, name: text }), index);
     if (actsAtOnce(cycle)) actingLine(machine, s, index);
     else if (line === 0) machine.set({ defined: { index, cycle, values: new Map(), troubled: new Set() } });
   }

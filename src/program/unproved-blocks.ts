@@ -10,7 +10,7 @@ import type { Machine } from "./machine.ts";
 const HARMLESS = new RegExp(
   String.raw`^(?:FN[ \t]*(?:1[4569]|2[06-9]|3[789])[ \t]*:|FUNCTION[ \t]+(?:TCPM|RESET|FEED|S-PULSE|COUNT|DWELL|DCM|FILE)|`
     + String.raw`${TEXT_PARAMETER}[ \t]*=|DECLARE|SQL|OPEN|CLOSE|SEL[ \t]+(?:TABLE|CORR-TABLE)|PATTERN[ \t]+DEF|`
-    + String.raw`POLARKIN[ \t]+OFF|MONITORING|STOP|TRANS[ \t]+[A-Z]+[ \t]+RESET|PLANE[ \t]+RESET)`,
+    + String.raw`POLARKIN[ \t]+OFF|MONITORING|STOP|PLANE[ \t]+RESET)`,
   "i",
 );
 /** FN 18 and FN 28 only read a value into a parameter. */
@@ -37,42 +37,29 @@ export function textBlock(machine: Machine, text: string, index: number): void {
   if (text === "" || HARMLESS.test(text)) return;
   const read = READING.exec(text)?.[1];
   if (read !== undefined) return machine.known.forget(read.toUpperCase());
-  if (/^TRANS[ \t]+ROTATION/i.test(text) && !changes(machine, text, 0, index)) return;
-  if (/^TRANS[ \t]+SCALE/i.test(text) && !changes(machine, text, 1, index)) return;
   if (/^PLANE[ \t]/i.test(text) && !changes(machine, text, 0, index, /^(?!(?:MB|F|DIST)$)/i)) return;
   if (ELSEWHERE.test(text)) machine.loseAll();
   if (/^TCH[ \t]+PROBE/i.test(text)) machine.known.probed = true;
   machine.log.leaveUnproved(nameOf(text), index);
 }
 
-/** Older cycles that change coordinates: the words that do, and the value with which they do not. */
-const LINES: ReadonlyMap<number, { readonly neutral: number; readonly letters?: true }> = new Map([
-  [8, { neutral: 0, letters: true }],
-  [10, { neutral: 0 }],
-  [11, { neutral: 1 }],
-  [19, { neutral: 0 }],
-  [26, { neutral: 1 }],
-]);
+const [PROGRAM_CALL, WORKING_PLANE] = [12, 19];
+const PRESET = 247;
+/** Cycles of which there is nothing to say: dwell, oriented spindle and tolerance leave path and stock as they are, a preset is run. */
+const SILENT: ReadonlySet<number> = new Set([9, 13, 32, PRESET]);
+export const isSilent = (cycle: number): boolean => SILENT.has(cycle);
 
-/** One line of an older cycle that acts at once: mirror, rotation, scale, tilted plane, program call. */
+/** One line of an older cycle that acts at once and is not run: program call, tilted plane. */
 export function actingLine(
   machine: Machine,
-  s: { readonly cycle: number; readonly line: number; readonly text: string },
+  { cycle, line, text }: { readonly cycle: number; readonly line: number; readonly text: string },
   index: number,
 ): void {
-  if (s.line === 0) return;
-  const what = `CYCL DEF ${s.cycle}`;
-  if (s.cycle === 12) {
-    machine.loseAll();
-    return machine.log.leaveUnproved(what, index);
-  }
-  const rule = LINES.get(s.cycle);
-  if (!rule) return;
-  const text = s.cycle === 26 ? s.text.replace(/CC[XYZ][ \t]*[+-]?[\d.,]+/gi, "") : s.text;
-  if (rule.letters ? /[A-Z]/i.test(text) : changes(machine, text, rule.neutral, index)) machine.log.leaveUnproved(what, index);
+  if (line === 0) return;
+  if (cycle === PROGRAM_CALL) machine.loseAll();
+  if (cycle === PROGRAM_CALL || (cycle === WORKING_PLANE && changes(machine, text, 0, index)))
+    machine.log.leaveUnproved(`CYCL DEF ${cycle}`, index);
 }
-
-const PRESET = 247;
 
 /** A cycle of Q parameters that acts where it is defined: nothing is proved behind it when it changes the coordinates. */
 export function actingCycle(machine: Machine, cycle: number, parameters: readonly CycleParameter[], index: number): void {

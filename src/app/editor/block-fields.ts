@@ -298,6 +298,11 @@ const table: Table = {
     ],
   jump: () => [wholeText],
   datum: () => [wholeText],
+  datumTable: () => [wholeText],
+  mirror: () => [wholeText],
+  rotation: () => [wholeText],
+  scale: () => [wholeText],
+  plane: () => [wholeText],
   assign:
     (s) => [
       fieldOf("assign", "target", (a) => a.target,
