@@ -1,11 +1,15 @@
 import type { Issue } from "../kernel/issue.ts";
+import type { Pt } from "../kernel/point.ts";
 import type { Step, Unproved } from "../kernel/step.ts";
+import { axial, radius } from "../kernel/units.ts";
 import type { NcIssue } from "../nc/issue.ts";
 import { blockNumbers, eachIssue, startLines, type Program } from "../nc/program.ts";
 import { fewAlike, MOST_ALIKE } from "./alike.ts";
 import { programIssue, type ProgramIssue } from "./issue.ts";
 import type { ApproachRun, PlaneStep } from "./plane-types.ts";
-import type { RunFinding, Operation } from "./run-types.ts";
+import type { Operation, Run, RunFinding } from "./run-types.ts";
+
+const NO_SHIFT_POINT: Pt = { z: axial(0), r: radius(0) };
 
 /** What a run has done and said so far, each at its block. */
 export class Log {
@@ -18,6 +22,7 @@ export class Log {
   readonly milled: PlaneStep[] = [];
   readonly operations: Operation[] = [];
   readonly approaches: ApproachRun[] = [];
+  readonly datums: Run["datums"][number][] = [];
   readonly findings: RunFinding[] = [];
   readonly unproved: Unproved[] = [];
   private readonly said = new Set<string>();
@@ -37,6 +42,15 @@ export class Log {
       ? { block: null, line: null }
       : { block: this.numbers[index] ?? 0, line: (this.lines[index] ?? 1) + within };
     this.findings.push({ issue, ...place, operation });
+  }
+
+  /** Notes from which point the program counts at the step that comes next. */
+  countsFrom(x: number, z: number): void {
+    const last = this.datums.at(-1)?.at ?? NO_SHIFT_POINT;
+    if (last.r === x && last.z === z) return;
+    const [step, at] = [this.steps.length, { z: axial(z), r: radius(x) }];
+    if (this.datums.at(-1)?.step === step) this.datums.pop();
+    this.datums.push({ step, at });
   }
 
   notSimulated(what: string, index: number, severity: "info" | "warning" = "info"): void {

@@ -68,6 +68,8 @@ export interface Run {
   readonly plane: readonly PlaneStep[];
   /** Every APPR and DEP with its points, in both planes, in the order they ran. */
   readonly approaches: readonly ApproachRun[];
+  /** Where a turning program counts from, from a step on, in the order of the steps; empty when that is the workpiece zero throughout. */
+  readonly datums: readonly { readonly step: number; readonly at: Pt }[];
   /** What was not simulated though it can move the path or the stock, in the order it was met. */
   readonly unproved: readonly Unproved[];
   /** All findings in the order of the text, those of operations included. */

@@ -27,6 +27,7 @@ export function run(program: Program, shop: Shop): Run {
   machine.set({ inch: frame.unit === "INCH" });
   const ending = execute(machine, (s, index) => block(machine, s, index));
   finish(machine);
+  if (machine.now.turning && machine.log.steps.length > 0) machine.log.countsFrom(machine.now.datum.x, machine.now.datum.z);
   if (!neverReached(machine, ending) && !ending.told) neverCalled(machine);
   if (ending.word === null && !ending.told && machine.log.steps.length > 0)
     machine.log.say(programIssue("programEndMissing", "warning", {}), machine.blocks.length - 1);
@@ -44,6 +45,7 @@ export function run(program: Program, shop: Shop): Run {
     stepBlocks: machine.log.stepBlocks,
     plane: machine.log.milled,
     approaches: machine.log.approaches,
+    datums: machine.log.datums,
     unproved: machine.log.unproved,
     issues: machine.log.allFindings(),
     seconds: [...machine.log.steps, ...machine.log.milled].reduce((sum, s) => sum + s.seconds, 0),

@@ -101,6 +101,7 @@ export function exampleResult({ fault, many }: { readonly fault: boolean; readon
     stepBlocks: steps.map(() => 11),
     plane: [],
     approaches: [],
+    datums: [],
     unproved: [],
     issues: [],
     seconds,

@@ -4,6 +4,7 @@ import type { Simulation } from "../../sim/simulation.ts";
 import { playerOf } from "../../sim/stock.ts";
 import { mirrored } from "../../view/bounds.ts";
 import { toPlace, type Place } from "../../view/camera.ts";
+import { datumAt, datumIndex } from "../../view/datum.ts";
 import { snapPoints } from "../../view/measure.ts";
 import { moveAt } from "../../view/pick.ts";
 import { trackOf } from "../../view/playback.ts";
@@ -25,6 +26,7 @@ import { usePlaces, type LookAt } from "./places.ts";
 import { PlaybackBar } from "./PlaybackBar.tsx";
 import type { PlaybackStore } from "./playback-store.ts";
 import { Readout, SpokenStatus, statusText } from "./Readout.tsx";
+import { placeText } from "./running.ts";
 import { RulerLines, RulerReading } from "./Ruler.tsx";
 import { Timeline } from "./Timeline.tsx";
 import { useLooking } from "./use-looking.ts";
@@ -57,6 +59,7 @@ const EMPTY_RUN: Run = {
   stepBlocks: [],
   plane: [],
   approaches: [],
+  datums: [],
   unproved: [],
   issues: [],
   seconds: 0,
@@ -105,14 +108,11 @@ export function LatheView({ result, dimmed, playback, clock, onMove }: {
 
   const ended = usePlayback(playback, (s) => s.get().track.ends.length > 0 && s.get().position.step >= s.get().track.ends.length);
   const resting = usePlayback(playback, (s) => (s.get().playing ? -1 : s.get().position.step));
-  const name = useMemo(() => t.picture(resting >= 0 ? statusText(texts, language, run, playback) : ""), [
-    t,
-    texts,
-    language,
-    run,
-    playback,
-    resting,
-  ]);
+  const marked = usePlayback(playback, (s) => datumIndex(run.datums, s.get().position.step)), datum = datumAt(run.datums, marked);
+  const name = useMemo(() => {
+    const { x, z } = placeText(language, datum), state = resting >= 0 ? statusText(texts, language, run, playback) : "";
+    return t.picture(run.datums.length > 0 ? `${state} ${t.countsFrom(x, z)}` : state);
+  }, [t, texts, language, run, playback, resting, datum]);
   const found = usePlaces("ZX"), places = dimmed || !simulation ? NOWHERE : found;
   const leads = useMemo(() => run.approaches.filter((a) => a.plane === "ZX"), [run]);
   const { chosen, choose } = useLooking(places, viewport, playback);
@@ -135,7 +135,7 @@ export function LatheView({ result, dimmed, playback, clock, onMove }: {
         aria-label={t.title} aria-describedby={keysId}
       >
         <Picture viewport={viewport} scene={scene} moving={moving} findings={findings} residual={residual} full={full} name={name}>
-          <Marks viewport={viewport} starts={starts} />
+          <Marks viewport={viewport} starts={starts} datum={datum} />
           {leads.length > 0 && <TurnPoints viewport={viewport} approaches={leads} />}
           <PlaceLines viewport={viewport} places={seen} />
           <RulerLines viewport={viewport} measuring={measuring} />

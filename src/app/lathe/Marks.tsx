@@ -1,16 +1,22 @@
 import type { Pt } from "../../kernel/point.ts";
-import { axial, radius } from "../../kernel/units.ts";
 import { toScreen } from "../../view/camera.ts";
+import { WORKPIECE_ZERO } from "../../view/datum.ts";
 import { useCamera } from "./use-camera.ts";
 import type { Viewport } from "./viewport.ts";
 
-const ZERO: Pt = { z: axial(0), r: radius(0) };
-
-/** The workpiece zero as quartered circle, and each start point as a cross in a ring. */
-export function Marks({ viewport, starts }: { readonly viewport: Viewport; readonly starts: readonly Pt[] }) {
-  const camera = useCamera(viewport), zero = toScreen(camera, ZERO);
+/**
+ * The point that the program counts from as quartered circle, the workpiece zero as a thin ring when that is another one, and each
+ * start point as a cross in a ring. What they say is in the name of the picture.
+ */
+export function Marks({ viewport, starts, datum }: { readonly viewport: Viewport; readonly starts: readonly Pt[]; readonly datum: Pt }) {
+  const camera = useCamera(viewport), zero = toScreen(camera, datum), work = toScreen(camera, WORKPIECE_ZERO);
   return (
     <g aria-hidden="true">
+      {(datum.z !== 0 || datum.r !== 0) && (
+        <g className="lathe-zero" transform={`translate(${work.x} ${work.y})`}>
+          <circle className="edge" r="4" />
+        </g>
+      )}
       <g className="lathe-zero" transform={`translate(${zero.x} ${zero.y})`}>
         <circle className="ground" r="7" />
         <path className="quarters" d="M0 0V-7A7 7 0 0 1 7 0ZM0 0V7A7 7 0 0 1 -7 0Z" />

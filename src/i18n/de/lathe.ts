@@ -3,6 +3,7 @@ import type { LatheTexts } from "../en/lathe.ts";
 export const lathe = {
   title: "Drehansicht",
   picture: (state) => `Schnitt durch das Werkstück, Z nach rechts. ${state}`,
+  countsFrom: (x, z) => `Das Programm zählt ab X⌀ ${x}, Z ${z}.`,
   pictureEmpty: "Noch keine Bahn",
   keys: "Leertaste startet und hält an, Pfeiltasten gehen Bewegung für Bewegung, Pos1 und Ende an den Anfang und das Ende, Plus "
     + "und Minus zoomen, 0 passt ein.",

@@ -4,6 +4,7 @@ import type { Shape } from "../shape.ts";
 export const lathe = {
   title: "Lathe view",
   picture: (state: string) => `Section of the work, Z to the right. ${state}`,
+  countsFrom: (x: string, z: string) => `The program counts from X⌀ ${x}, Z ${z}.`,
   pictureEmpty: "No path yet",
   keys: "Space plays or pauses, arrow keys go move by move, Home and End go to the ends, plus and minus zoom, 0 fits.",
   outdated: "Last picture that could be made",

@@ -3,6 +3,7 @@ import type { LatheTexts } from "../en/lathe.ts";
 export const lathe = {
   title: "Vue du tour",
   picture: (state) => `Coupe de la pièce, Z vers la droite. ${state}`,
+  countsFrom: (x, z) => `Le programme compte à partir de X⌀ ${x}, Z ${z}.`,
   pictureEmpty: "Pas encore de trajectoire",
   keys: "Espace lance ou met en pause, les flèches avancent d’un déplacement, Début et Fin vont aux extrémités, plus et moins "
     + "zooment, 0 ajuste.",

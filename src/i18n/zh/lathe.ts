@@ -3,6 +3,7 @@ import type { LatheTexts } from "../en/lathe.ts";
 export const lathe = {
   title: "车削视图",
   picture: (state) => `工件剖视图，Z 轴向右。${state}`,
+  countsFrom: (x, z) => `程序以 X⌀ ${x}、Z ${z} 为原点。`,
   pictureEmpty: "尚无刀具路径",
   keys: "空格键播放或暂停，方向键逐段移动，Home 和 End 键到起点和终点，加号和减号缩放，0 键适合窗口。",
   outdated: "上一张可用的图形",
