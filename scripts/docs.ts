@@ -3,8 +3,9 @@ import { join } from "node:path";
 import { catalogue } from "../src/cycles/index.ts";
 import { cycleSvg } from "./cycle-picture.ts";
 import { cyclePage } from "./cycle-page.ts";
+import { klartextPage } from "./klartext-page.ts";
 
-/** `npm run docs`: writes the page of every cycle, and its picture beside it. Runs in the project folder. */
+/** `npm run docs`: writes the page of every cycle, its picture beside it, and the page of all blocks. Runs in the project folder. */
 export function main(): number {
   const folder = join("docs", "cycles");
   mkdirSync(folder, { recursive: true });
@@ -14,5 +15,6 @@ export function main(): number {
     const picture = cycleSvg(cycle);
     if (picture) writeFileSync(join(folder, `${cycle.number}.svg`), picture);
   }
+  writeFileSync(join("docs", "klartext.md"), klartextPage());
   return 0;
 }

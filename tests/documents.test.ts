@@ -3,6 +3,7 @@ import { dirname, join } from "node:path";
 import { describe, expect, test } from "vitest";
 import { cycleSvg } from "../scripts/cycle-picture.ts";
 import { cyclePage } from "../scripts/cycle-page.ts";
+import { klartextPage } from "../scripts/klartext-page.ts";
 import { catalogue } from "../src/cycles/index.ts";
 import { projectFile, projectFolder, projectPath } from "./sources.ts";
 
@@ -12,6 +13,8 @@ describe("pages written from the catalogue", () => {
     const picture = cycleSvg(cycle);
     if (picture !== null) expect(projectFile(`docs/cycles/${number}.svg`)).toBe(picture);
   });
+
+  test("the page of all blocks is what `npm run docs` writes", () => expect(projectFile("docs/klartext.md")).toBe(klartextPage()));
 
   test("there is no page without its cycle", () => {
     expect(projectFolder("docs/cycles").sort()).toEqual(

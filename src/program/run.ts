@@ -97,6 +97,12 @@ const HANDLERS: { readonly [K in Statement["kind"]]?: (machine: Machine, s: Stat
   unknown: (machine, s, index) => textBlock(machine, s.text, index),
 };
 
+/** Kinds that are run by the order of the blocks, or by their M functions. */
+const IN_ORDER: ReadonlySet<Statement["kind"]> = new Set(["begin", "end", "label", "call", "jump", "functions", "stop"]);
+
+/** Whether a block of a kind does anything. */
+export const acts = (kind: Statement["kind"]): boolean => HANDLERS[kind] !== undefined || IN_ORDER.has(kind);
+
 /** Blocks behind which no contour goes on. */
 const ENDING: ReadonlySet<Statement["kind"]> = new Set(["mode", "toolCall", "cycleCall"]);
 /** Blocks between an element and the rounding or chamfer on its end. */

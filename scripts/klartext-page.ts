@@ -1,0 +1,115 @@
+import { parse } from "../src/nc/parse.ts";
+import type { Statement } from "../src/nc/statement.ts";
+import { acts, run } from "../src/program/run.ts";
+import { shippedTools } from "../src/program/shipped-tools.ts";
+
+/** Blocks as a program writes them, for each kind of statement that the reader knows. */
+const BLOCKS: Readonly<Record<Statement["kind"], readonly string[]>> = {
+  empty: [""],
+  comment: ["; TEXT"],
+  structure: ["* - TEXT"],
+  begin: ["BEGIN PGM NAME MM"],
+  end: ["END PGM NAME MM"],
+  blankBox: ["BLK FORM 0.1 Z X-40 Y-40 Z-90"],
+  blankCylinder: ["BLK FORM CYLINDER Z D80 L100 DIST+0 DI20"],
+  blankRotation: ["BLK FORM ROTATION Z DIM_D LBL 7"],
+  toolDefinition: ["TOOL DEF 2", "TOOL DEF 7 L+0 R+5"],
+  toolCall: ["TOOL CALL 2", 'TOOL CALL "DNMG-55-R04"', "TOOL CALL S1200"],
+  mode: ["FUNCTION MODE TURN", "FUNCTION MODE MILL"],
+  spin: ["FUNCTION TURNDATA SPIN VCONST:ON VC:180 SMAX2500", "FUNCTION TURNDATA SPIN VCONST:OFF S900"],
+  turnCorrection: ["FUNCTION TURNDATA CORR-TCS:Z/X DZL:0.1"],
+  turnBlank: ["FUNCTION TURNDATA BLANK LBL 7", 'FUNCTION TURNDATA BLANK "BLANK.H"', "FUNCTION TURNDATA BLANK OFF"],
+  path: [
+    "L X+70 Z+3 FMAX",
+    "CC X+40 Z-5",
+    "CR X+60 Z-5 R+8 DR+",
+    "CT X+60 Z-5",
+    "LP PR+20 PA+30",
+    "CP PA+40 DR+",
+    "CTP PR+20 PA+30",
+    "RND R2",
+  ],
+  chamfer: ["CHF 2"],
+  approach: ["APPR LT X+60 Z+2 LEN4 RL F0.2", "DEP LN LEN4"],
+  undercut: ["UDC TYPE_E R0.6 DEPTH0.3 LEN2.5"],
+  groove: ["GRV RADIAL POS-20 BREADTH5 DEPTH3"],
+  label: ["LBL 3", "LBL 0"],
+  call: ["CALL LBL 7", "CALL LBL 7 REP2"],
+  cycleLine: ["CYCL DEF 7.1 Z-20", "CYCL DEF 9.1 V.ZEIT 0.5", "CYCL DEF 10.1 ROT+30", "CYCL DEF 19.1 A+10"],
+  cycle: ["CYCL DEF 812 SHOULDER, LONG. EXT. ~\n Q215=+0", "CYCL DEF 247 PRESETTING ~\n Q339=+1", "CYCL DEF 880 GEAR HOBBING ~\n Q215=+0"],
+  cycleCall: ["CYCL CALL", "CYCL CALL PAT", "CYCL CALL POS X+0 Y+0 Z+0"],
+  selectContour: ['SEL CONTOUR "PART.H"'],
+  jump: ["FN 9: IF +Q1 EQU +0 GOTO LBL 7", "IF Q1 > 3 GOTO LBL 7"],
+  datum: ["TRANS DATUM AXIS Z-20", "TRANS DATUM RESET"],
+  datumTable: ["TRANS DATUM TABLE TABLINE3"],
+  mirror: ["TRANS MIRROR AXIS X"],
+  rotation: ["TRANS ROTATION ROT+30"],
+  scale: ["TRANS SCALE SCL0.99"],
+  plane: ["PLANE SPATIAL SPA+0 SPB+45 SPC+0 TURN MB MAX FMAX", "PLANE RESET STAY"],
+  assign: ["FN 0: Q1 =+3", "Q1 = SIN 30 + 2", "QL2 = 4 * 3"],
+  functions: ["M8", "M136", "M140 MB MAX"],
+  stop: ["STOP"],
+  unknown: [
+    "FN 18: SYSREAD Q1 = ID20 NR1",
+    "TCH PROBE 410",
+    "FN 17: SYSWRITE ID20 NR1 =+1",
+    "FN 16: F-PRINT A.A / B.TXT",
+    "FUNCTION RESET TCPM",
+    "SQL BIND Q1",
+  ],
+};
+
+/** What becomes of a block: it is run; it is kept and changes nothing; it is kept, and nothing behind it is proved. */
+export const FATES = ["run", "kept", "unproved"] as const;
+export type Fate = (typeof FATES)[number];
+
+const PLACES = {
+  turning: [
+    "FUNCTION MODE TURN",
+    "FUNCTION TURNDATA SPIN VCONST:ON VC:150 SMAX2000",
+    "M136",
+    "L X+80 Z+5 R0 F0.3",
+    "CC X+30 Z+0",
+    "L X+70 Z+2",
+  ],
+  milling: ["FUNCTION MODE MILL", "CC X+30 Y+0", "L X+60 Y+0 Z+20 R0 F400", "L X+50 Z+5"],
+} as const;
+
+/** The block in a small program, and what that program says of it. */
+function fateOf(block: string, place: keyof typeof PLACES): Fate {
+  const before = ["BEGIN PGM K MM", "BLK FORM CYLINDER Z D80 L100 DIST+0", "TOOL CALL 1", ...PLACES[place]];
+  const behind = ["L X+62 IZ+1", "M30", "LBL 7", "L X+10 Z+0", "L Z-80", "LBL 0", "END PGM K MM"];
+  // What a cycle does shows when it is called.
+  const called = block.startsWith("CYCL DEF") && block.includes("~") ? ["CYCL CALL"] : [];
+  const text = [...before, block, ...called, ...behind].map((b, i) => `${i} ${b}`).join("\n");
+  const program = parse(text);
+  const statement = program.blocks[before.length]?.statement;
+  if (!statement || !acts(statement.kind)) return "kept";
+  const { unproved, issues } = run(program, { tools: shippedTools, rapid: 10_000, control: "TNC 640", refused: new Map() });
+  if (unproved.some((u) => u.block >= before.length && u.block <= before.length + called.length)) return "unproved";
+  const silent = statement.kind === "unknown" || issues.some((f) => f.issue.code === "notSimulated" && f.block === before.length);
+  return silent ? "kept" : "run";
+}
+
+const HEAD = `# Blocks of a program
+
+Every kind of block that the reader knows, in one of its spellings, and what becomes of it while turning and while milling:
+
+- **run**: it does here what it does on the control.
+- **kept**: it comes back to the byte and changes neither path nor stock.
+- **unproved**: it comes back to the byte; what it would move nobody here knows, and the report says so from that block on.
+
+UDC and GRV are run where they belong, in a contour. A block that is not in the list is kept as text and unproved. The page is written by \`npm run docs\`: each block is run in a small program.
+
+| Block | Turning | Milling |
+|---|---|---|
+`;
+
+/** The page of all kinds of blocks. */
+export function klartextPage(): string {
+  const rows = Object.values(BLOCKS).flat().filter((b) => b !== "").map((b) => {
+    const shown = (b.split("\n")[0] ?? "").replace(" ~", " …").replaceAll("|", "\\|");
+    return `| \`${shown}\` | ${fateOf(b, "turning")} | ${fateOf(b, "milling")} |\n`;
+  });
+  return HEAD + rows.join("");
+}
