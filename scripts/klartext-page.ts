@@ -86,7 +86,7 @@ function fateOf(block: string, place: keyof typeof PLACES): Fate {
   const statement = program.blocks[before.length]?.statement;
   if (!statement || !acts(statement.kind)) return "kept";
   const { unproved, issues } = run(program, { tools: shippedTools, rapid: 10_000, control: "TNC 640", refused: new Map() });
-  if (unproved.some((u) => u.block >= before.length && u.block <= before.length + called.length)) return "unproved";
+  if (unproved.some(({ block: at }) => at !== null && at >= before.length && at <= before.length + called.length)) return "unproved";
   const silent = statement.kind === "unknown" || issues.some((f) => f.issue.code === "notSimulated" && f.block === before.length);
   return silent ? "kept" : "run";
 }
