@@ -1,8 +1,10 @@
-import { accessSync, constants, readFileSync, statSync } from "node:fs";
+import { accessSync, constants, readdirSync, readFileSync, statSync } from "node:fs";
+import { basename, dirname, join } from "node:path";
 import { setFlagsFromString } from "node:v8";
 import { parse } from "../src/nc/parse.ts";
 import { print } from "../src/nc/program.ts";
 import type { Control } from "../src/program/plane-types.ts";
+import { fileKey, type ProgramFile, type ProgramFiles } from "../src/program/program-files.ts";
 import { over, readTools, type ShopTools } from "../src/program/read-tools.ts";
 import { run } from "../src/program/run.ts";
 import { shippedTools } from "../src/program/shipped-tools.ts";
@@ -22,18 +24,20 @@ interface Command {
   readonly json: boolean;
   readonly print: boolean;
   readonly control: Control;
+  readonly skip: boolean;
 }
 
 const CONTROLS: Readonly<Record<string, Control>> = { tnc640: "TNC 640", tnc7: "TNC7" };
 
 function command(args: readonly string[]): Command {
   const files: string[] = [];
-  let [tools, json, printing]: [string | null, boolean, boolean] = [null, false, false];
+  let [tools, json, printing, skip]: [string | null, boolean, boolean, boolean] = [null, false, false, false];
   let control: Control = "TNC 640";
   for (let i = 0; i < args.length; i += 1) {
     const arg = args[i] ?? "";
     if (arg === "--json") json = true;
     else if (arg === "--print") printing = true;
+    else if (arg === "--skip") skip = true;
     else if (arg === "--tools") {
       tools = args[i += 1] ?? null;
       if (tools === null) throw new Refusal("--tools needs a file");
@@ -46,9 +50,9 @@ function command(args: readonly string[]): Command {
   }
   if (files.length === 0)
     throw new Refusal(
-      "usage: npm run --silent verify -- FILE.h [FILE.h …] [--tools TOOLS.json] [--control tnc640|tnc7] [--json | --print]",
+      "usage: npm run --silent verify -- FILE.h [FILE.h …] [--tools TOOLS.json] [--control tnc640|tnc7] [--skip] [--json | --print]",
     );
-  return { files, tools, json, print: printing, control };
+  return { files, tools, json, print: printing, control, skip };
 }
 
 function bytes(path: string): Buffer {
@@ -90,22 +94,66 @@ function toolsOf(path: string | null): ShopTools {
   return over(shippedTools, read);
 }
 
+/** How a program is run. */
+interface Setting {
+  readonly control?: Control;
+  readonly files?: ProgramFiles;
+  /** Leave out the blocks that are marked with `/`. */
+  readonly skipMarked?: boolean;
+}
+
 /** Reads and runs a program. Its blocks are not kept: of a long one they would fill the memory that the report needs. */
-function ran(text: string, shop: ShopTools, control: Control) {
+function ran(text: string, shop: ShopTools, setting: Setting) {
   const started = performance.now();
   const program = parse(text);
   const read = performance.now();
-  const done = run(program, { ...shop, rapid: RAPID, control });
+  const done = run(program, { ...shop, rapid: RAPID, ...setting });
   return { done, parsing: read - started, planning: performance.now() - read };
 }
 
 /** Reads, runs and simulates one program. */
-export function verified(file: string, text: string, shop: ShopTools, control: Control = "TNC 640"): Report {
-  const { done, parsing, planning } = ran(text, shop, control);
+export function verified(file: string, text: string, shop: ShopTools, setting: Setting = {}): Report {
+  const { done, parsing, planning } = ran(text, shop, setting);
   const planned = performance.now();
   const simulation = simulate(done);
   const milliseconds = { parse: parsing, plan: planning, simulate: performance.now() - planned };
   return report({ file, run: done, simulation, milliseconds, tools: shop.tools }, "en");
+}
+
+/** The names of a folder's files by what they are compared by; empty where it can not be read. */
+function namesIn(folder: string): ReadonlyMap<string, string> {
+  try {
+    return new Map(readdirSync(folder).toSorted().reverse().map((name) => [fileKey(name), name]));
+  } catch {
+    return new Map();
+  }
+}
+
+/** What a program can call: the files that lie in its folder, and those that were given with it; each is read when it is called. */
+function besides(path: string, given: ReadonlyMap<string, string>): ProgramFiles {
+  const folder = dirname(path);
+  const read = new Map<string, ProgramFile | null>();
+  let names: ReadonlyMap<string, string> | null = null;
+  const made = (key: string): ProgramFile | null => {
+    names ??= namesIn(folder);
+    const name = names.get(key);
+    const place = name === undefined ? given.get(key) : join(folder, name);
+    if (place === undefined) return null;
+    try {
+      return { name: basename(place), program: parse(decoded(readFileSync(place)).text) };
+    } catch {
+      return null;
+    }
+  };
+  return {
+    find: (key) => {
+      const known = read.get(key);
+      if (known !== undefined) return known;
+      const found = made(key);
+      read.set(key, found);
+      return found;
+    },
+  };
 }
 
 /** `npm run --silent verify -- FILE.h …`: 0 no error, 1 an error in a program, 2 the command could not run. */
@@ -113,9 +161,10 @@ export function main(args: readonly string[]): number {
   // Whole folders of long programs go through one process: it tidies up before its memory has doubled.
   setFlagsFromString("--heap-growing-percent=30");
   try {
-    const { files, tools, json, print: printing, control } = command(args);
+    const { files, tools, json, print: printing, control, skip } = command(args);
     const shop = toolsOf(tools);
     for (const file of files) readable(file);
+    const given = new Map(files.toReversed().map((file) => [fileKey(basename(file)), file]));
     let status = 0;
     for (const file of files) {
       const { text, encoding } = decoded(bytes(file));
@@ -123,7 +172,7 @@ export function main(args: readonly string[]): number {
         process.stdout.write(Buffer.from(print(parse(text)), encoding));
         continue;
       }
-      const made = verified(file, text, shop, control);
+      const made = verified(file, text, shop, { control, files: besides(file, given), skipMarked: skip });
       if (hasErrors(made)) status = 1;
       process.stdout.write(json ? `${JSON.stringify(made)}\n` : summary(made));
     }

@@ -151,6 +151,10 @@ const SAMPLES: { readonly [C in AnyCode]: DataOf<C> } = {
   tooManyOperations: { limit: 500 },
   moreAlike: { code: "gouge", count: 37 },
   callsTooDeep: { limit: 20 },
+  programsTooDeep: { limit: 19 },
+  endInCalled: { word: "M30" },
+  programNotOpened: { file: "DRILL.H" },
+  programNotSelected: {},
 };
 const found = (code: AnyCode): AnyIssue => ({ code, severity: "error", data: SAMPLES[code] }) as AnyIssue;
 const codes = Object.keys(SAMPLES) as AnyCode[];

@@ -20,6 +20,8 @@ export interface Step {
   readonly operation: number | null;
   /** Duration from feed, spindle and rapid rate. */
   readonly seconds: number;
+  /** File of the called program whose block this is; absent for the program itself. */
+  readonly file?: string;
 }
 
 /**
@@ -33,4 +35,6 @@ export interface Unproved {
   readonly block: number | null;
   /** As the program spells it: "CYCL DEF 19", "M91", "CALL PGM". */
   readonly what: string;
+  /** File of the called program that says it; absent for the program itself. */
+  readonly file?: string;
 }

@@ -1,7 +1,7 @@
 import { valueText } from "./number-text.ts";
-import { assignmentText } from "./print-formula.ts";
+import { assignmentText, textAssignmentText } from "./print-formula.ts";
 import { feedText, unsigned, wordsText } from "./print-words.ts";
-import type { CycleParameter, Label, NamedWord, Statement, Value } from "./statement.ts";
+import type { ContourArea, CycleParameter, FileName, Label, NamedWord, Statement, Value } from "./statement.ts";
 import type { Style } from "./style.ts";
 
 const labelText = (label: Label) => (typeof label === "number" ? String(label) : /^QS\d/i.test(label) ? label : `"${label}"`);
@@ -23,6 +23,15 @@ const parameterText = (p: CycleParameter, style: Style) =>
 
 const namedText = (words: readonly NamedWord[], style: Style, colon = "") =>
   words.map((w) => ` ${w.name}${colon}${unsigned(w.value, style)}`).join("");
+
+const fileText = (file: FileName, isBare: boolean) => (typeof file === "object" ? file.parameter : isBare ? file : `"${file}"`);
+
+function areaText({ role, number, from, depth }: ContourArea, style: Style): string {
+  const of = "file" in from
+    ? fileText(from.file, false)
+    : `LBL ${typeof from.label === "object" ? from.label.parameter : labelText(from.label)}`;
+  return ` ${role}${number} = ${of}${depth === null ? "" : ` DEPTH${unsigned(depth, style)}`}`;
+}
 
 /** The lines of a statement without block number and line ends; only cycles have more than one. */
 export function statementLines(s: Statement, style: Style): string[] {
@@ -69,7 +78,7 @@ function statementText(s: Exclude<Statement, { kind: "cycle" }>, style: Style): 
       return `FUNCTION MODE ${s.mode}${s.kinematics === null ? "" : ` "${s.kinematics}"`}`;
     case "spin":
       return `FUNCTION TURNDATA SPIN VCONST:${s.constantSurface ? "ON" : "OFF"}${bare("VC:", s.cuttingSpeed, style)}`
-        + `${bare("S", s.speed, style)}${bare("SMAX", s.limit, style)}`;
+        + `${bare("S", s.speed, style)}${bare("SMAX", s.limit, style)}${bare("GEARRANGE:", s.gear ?? null, style)}`;
     case "turnCorrection":
       return `FUNCTION TURNDATA CORR-${s.system}:${s.plane}${namedText(s.words, style, ":")}`;
     case "turnBlank":
@@ -96,7 +105,16 @@ function statementText(s: Exclude<Statement, { kind: "cycle" }>, style: Style): 
     case "cycleCall":
       return `CYCL CALL${s.how === "" ? "" : ` ${s.how}`}${wordsText(s.words, { ...style, wide: false })}`;
     case "selectContour":
-      return `SEL CONTOUR "${s.file}"`;
+      return `SEL CONTOUR ${fileText(s.file, false)}`;
+    case "contourDefinition":
+      return `CONTOUR DEF${s.areas.map((a) => areaText(a, style)).join("")}`;
+    case "callProgram":
+    case "selectProgram":
+      return `${s.kind === "callProgram" ? "CALL" : "SEL"} PGM ${fileText(s.file, s.bare)}`;
+    case "callSelected":
+      return "CALL SELECTED PGM";
+    case "assignText":
+      return textAssignmentText(s, style);
     case "assign":
       return assignmentText(s, style);
     case "jump": {

@@ -1,17 +1,29 @@
 import type { Scan } from "./scan.ts";
-import type { Formula, Statement } from "./statement.ts";
+import { readNumberOfText } from "./read-text.ts";
+import { FUNCTION_NUMBERS, type Formula, type FunctionNumber, type Statement } from "./statement.ts";
 import { PARAMETER } from "./value.ts";
 
 const TARGET = new RegExp(String.raw`(${PARAMETER})[ \t]*=`, "iy");
+const UNDEFINED = /SET[ \t]+UNDEFINED(?![A-Z])/iy;
 const NUMBER = new RegExp(String.raw`(?:\d+(?:[.,]\d*)?|[.,]\d+|${PARAMETER}|PI(?![A-Z]))`, "iy");
 const CALL = /(SIN|COS|TAN|ASIN|ACOS|ATAN|SQRT|SQ|LN|LOG|EXP|NEG|INT|ABS|FRAC|SGN)(?![A-Z])/iy;
-const FN = /FN[ \t]*([0-5])[ \t]*:/iy;
-/** Signs between two values of FN 1 to FN 4. */
-const FN_SIGN: Readonly<Record<string, { readonly sign: RegExp; readonly kind: "sum" | "difference" | "product" | "quotient" }>> = {
+const FN = /FN[ \t]*(1?\d)[ \t]*:/iy;
+/** Functions of one value: what stands before it may be left out of FN 5 only, which older programs do. */
+const FN_CALL: Readonly<Record<number, { readonly word: RegExp; readonly name: string }>> = {
+  5: { word: /(?:SQRT(?![A-Z]))?/iy, name: "SQRT" },
+  6: { word: /SIN(?![A-Z])/iy, name: "SIN" },
+  7: { word: /COS(?![A-Z])/iy, name: "COS" },
+};
+/** Signs between the two values of the others. */
+const FN_SIGN: Readonly<
+  Record<string, { readonly sign: RegExp; readonly kind: "sum" | "difference" | "product" | "quotient" | "length" | "angle" }>
+> = {
   1: { sign: /\+/y, kind: "sum" },
   2: { sign: /-/y, kind: "difference" },
   3: { sign: /\*/y, kind: "product" },
   4: { sign: /DIV(?![A-Z])|\//iy, kind: "quotient" },
+  8: { sign: /LEN(?![A-Z])/iy, kind: "length" },
+  13: { sign: /ANG(?![A-Z])/iy, kind: "angle" },
 };
 /** Deeper nesting than anyone writes is refused, so that the reader never runs out of stack. */
 const DEEPEST = 50;
@@ -71,6 +83,8 @@ class FormulaReader {
       const inner = this.sum();
       return inner && this.scan.take(/\)/y) ? inner : null;
     }
+    const ofText = readNumberOfText(this.scan);
+    if (ofText) return ofText;
     const call = this.scan.take(CALL);
     if (call) {
       const of = this.factor();
@@ -93,21 +107,22 @@ function negated(f: Extract<Formula, { kind: "value" }>): Formula {
 /** Reads `FN 1: Q1 = +Q2 + +5` and `Q1 = Q2 * ( 3 + Q4 )`; null when it is neither. Chains nest to the left. */
 export function readAssignment(scan: Scan): Statement | null {
   const fn = scan.take(FN);
+  const number = fn ? (FUNCTION_NUMBERS.find((n) => n === Number(fn[1])) ?? null) : null;
   const target = scan.take(TARGET);
-  if (!target) return null;
+  if (!target || (fn && number === null)) return null;
   const name = (target[1] ?? "").toUpperCase();
   if (name.startsWith("QS")) return null;
   const reader = new FormulaReader(scan);
-  const number = fn ? (Number(fn[1]) as 0 | 1 | 2 | 3 | 4 | 5) : null;
+  if (scan.take(UNDEFINED)) return scan.done ? { kind: "assign", fn: number, target: name, formula: { kind: "undefined" } } : null;
   const formula = number === null ? reader.sum() : twoValues(scan, reader, number);
   return formula && scan.done ? { kind: "assign", fn: number, target: name, formula } : null;
 }
 
-function twoValues(scan: Scan, reader: FormulaReader, fn: number): Formula | null {
-  if (fn === 5) {
-    scan.take(/SQRT(?![A-Z])/iy);
-    const of = reader.factor();
-    return of && { kind: "call", name: "SQRT", of };
+function twoValues(scan: Scan, reader: FormulaReader, fn: FunctionNumber): Formula | null {
+  const call = FN_CALL[fn];
+  if (call) {
+    const of = scan.take(call.word) && reader.factor();
+    return of && { kind: "call", name: call.name, of };
   }
   const left = reader.factor();
   const between = FN_SIGN[fn];

@@ -11,7 +11,7 @@ const QUOTED = /"([^"]*)"/y;
 const LBL = /LBL[ \t]*(?:(\d{1,9})|"([^"]*)")/iy;
 const VCONST = /VCONST[ \t]*:?[ \t]*(ON|OFF)(?![A-Z])/iy;
 const value = (word: string) => new RegExp(String.raw`${word}[ \t]*:?[ \t]*(${VALUE})`, "iy");
-const [VC, SMAX, S] = [value("VC"), value("SMAX"), value("S")] as const;
+const [VC, SMAX, S, GEAR] = [value("VC"), value("SMAX"), value("S"), value("GEARRANGE")] as const;
 
 /** What follows FUNCTION; null when it is none of the functions of turning. */
 export function readFunction(scan: Scan): Statement | null {
@@ -43,13 +43,15 @@ function readSpin(scan: Scan): Statement {
     speed: null as ReturnType<Scan["value"]>,
     limit: null as ReturnType<Scan["value"]>,
   };
+  let gear: ReturnType<Scan["value"]> = null;
   for (;;) {
     let m: RegExpExecArray | null;
     if ((m = scan.take(VC))) spin.cuttingSpeed = scan.value(m[1] ?? "");
     else if ((m = scan.take(SMAX))) spin.limit = scan.value(m[1] ?? "");
     else if ((m = scan.take(S))) spin.speed = scan.value(m[1] ?? "");
+    else if ((m = scan.take(GEAR))) gear = scan.value(m[1] ?? "");
     else break;
   }
   scan.leftOver();
-  return { kind: "spin", constantSurface: constant?.[1]?.toUpperCase() === "ON", ...spin };
+  return { kind: "spin", constantSurface: constant?.[1]?.toUpperCase() === "ON", ...spin, ...(gear !== null && { gear }) };
 }

@@ -6,7 +6,7 @@ import { PARAMETER, readLabel, readValue, VALUE } from "./value.ts";
 export const JUMP = /(?:FN[ \t]*(9|1[0-2])[ \t]*:[ \t]*)?IF(?![A-Z])/iy;
 const OPERAND = new RegExp(VALUE, "iy");
 const COMPARE = /(EQU|NE|GT|LT|IS[ \t]+DEFINED|IS[ \t]+UNDEFINED)(?![A-Z])/iy;
-const TARGET = new RegExp(String.raw`GOTO[ \t]+LBL[ \t]*(?:(\d{1,9})|"([^"]*)"|(${PARAMETER}))`, "iy");
+const TARGET = new RegExp(String.raw`GOTO[ \t]*LBL[ \t]*(?:(\d{1,9})|"([^"]*)"|(${PARAMETER}))`, "iy");
 
 /** `FN 9: IF +Q1 EQU +Q3 GOTO LBL "END"`; null when it is no jump that can be read. */
 export function readJump(scan: Scan): Statement | null {

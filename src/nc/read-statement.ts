@@ -4,6 +4,8 @@ import { readAssignment } from "./read-formula.ts";
 import { readBlank, readFrame, readNamedWords, readToolCall, readToolDefinition } from "./read-frame.ts";
 import { readFunction } from "./read-function.ts";
 import { JUMP, readJump } from "./read-jump.ts";
+import { readContourDefinition, readProgramBlock } from "./read-program.ts";
+import { readTextAssignment, TEXT_ASSIGNMENT } from "./read-text.ts";
 import { readTrans, type TransWord } from "./read-trans.ts";
 import { readWords } from "./read-words.ts";
 import { Scan } from "./scan.ts";
@@ -11,12 +13,12 @@ import { APPROACH_FORMS, type ApproachForm, type PathKind, type Statement, type 
 import { NUMBER_PARAMETER, PARAMETER, readLabel, TEXT_PARAMETER, VALUE } from "./value.ts";
 
 const KEYWORD = new RegExp(
-  String.raw`(?:(CYCLE?[ \t]*(?:DEF|CALL)|BEGIN[ \t]+PGM|END[ \t]+PGM|BLK[ \t]+FORM|TOOL[ \t]+(?:CALL|DEF)|CALL[ \t]+LBL|SEL[ \t]+CONTOUR|`
+  String.raw`(?:(CYCLE?[ \t]*(?:DEF|CALL)|BEGIN[ \t]+PGM|END[ \t]+PGM|BLK[ \t]+FORM|TOOL[ \t]+(?:CALL|DEF)|CALL[ \t]+LBL|`
     + String.raw`TRANS[ \t]+(?:DATUM|MIRROR|ROTATION|SCALE)|PLANE|`
     + String.raw`FUNCTION|LBL|STOP|APPR|DEP|UDC|GRV|RND|CHF|CTP|CR|CT|CC|CP|LP|L|C)(?![A-Z_]))`,
   "iy",
 );
-const ASSIGNMENT = new RegExp(String.raw`(?:FN[ \t]*[0-5][ \t]*:|${NUMBER_PARAMETER}[ \t]*=)`, "iy");
+const ASSIGNMENT = new RegExp(String.raw`(?:FN[ \t]*(?:[0-8]|13)[ \t]*:|${NUMBER_PARAMETER}[ \t]*=)`, "iy");
 const FUNCTIONS = /M\d/iy;
 /** A paraxial block: a coordinate without L. */
 const PARAXIAL = new RegExp(String.raw`I?[XYZABUVW][ \t]*${VALUE}`, "iy");
@@ -29,7 +31,6 @@ const FORM = /(P?L?(?:LT|LN|CT))(?![A-Z])/iy;
 const UNDERCUT = /(TYPE[ \t]*_[ \t]*[A-Z]|THREAD)(?![A-Z])/iy;
 const GROOVE = /(RADIAL|AXIAL)(?![A-Z])/iy;
 const HOW = /(POS|PAT)(?![A-Z])/iy;
-const QUOTED = /"([^"]*)"/y;
 const TILTED_TOOL = /^(?:RESET[ \t]+)?TCPM(?![A-Z])/i;
 const PATHS: ReadonlySet<string> = new Set<PathKind>(["L", "C", "CR", "CT", "CTP", "LP", "CP", "CC"]);
 
@@ -110,10 +111,6 @@ function dispatch(scan: Scan, lines: readonly BlockLine[], issues: BlockIssue[])
       return label(scan);
     case "CALL LBL":
       return call(scan);
-    case "SEL CONTOUR": {
-      const file = scan.take(QUOTED);
-      return file && { kind: "selectContour", file: file[1] ?? "" };
-    }
     case "TRANS DATUM":
     case "TRANS MIRROR":
     case "TRANS ROTATION":
@@ -147,6 +144,10 @@ function withoutKeyword(scan: Scan): Statement | null {
     scan.at = from;
     return readAssignment(scan);
   }
+  if (scan.take(TEXT_ASSIGNMENT)) {
+    scan.at = from;
+    return readTextAssignment(scan);
+  }
   if (scan.take(JUMP)) {
     scan.at = from;
     return readJump(scan);
@@ -155,9 +156,11 @@ function withoutKeyword(scan: Scan): Statement | null {
     scan.at = from;
     return path(scan, "L");
   }
-  if (!scan.take(FUNCTIONS)) return null;
-  scan.at = from;
-  return { kind: "functions", words: readWords(scan) };
+  if (scan.take(FUNCTIONS)) {
+    scan.at = from;
+    return { kind: "functions", words: readWords(scan) };
+  }
+  return readProgramBlock(scan) ?? readContourDefinition(scan);
 }
 
 /** A line that starts with the letter of a path function and has none of its words is something else. */

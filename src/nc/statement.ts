@@ -68,10 +68,35 @@ export interface CycleParameter {
 /** Right side of an assignment. */
 export type Formula = { readonly kind: "value"; readonly value: Value } | { readonly kind: "call"; readonly name: string;
   readonly of: Formula } | { readonly kind: "negative"; readonly of: Formula } | {
-  readonly kind: "sum" | "difference" | "product" | "quotient" | "power" | "remainder";
+  /** "length" is LEN of FN 8, "angle" ANG of FN 13. */
+  readonly kind: "sum" | "difference" | "product" | "quotient" | "power" | "remainder" | "length" | "angle";
   readonly left: Formula;
   readonly right: Formula;
-};
+} | {
+  readonly kind: "ofText";
+  readonly name: "TONUMB" | "INSTR" | "STRLEN" | "STRCOMP";
+  readonly source: TextFormula;
+  /** What INSTR looks for and STRCOMP compares with. */
+  readonly search: TextFormula | null;
+  readonly begin: Value | null;
+} | { readonly kind: "undefined" };
+
+/** Right side of an assignment to a QS parameter. */
+export type TextFormula = { readonly kind: "quoted"; readonly text: string } | { readonly kind: "parameter"; readonly parameter: string }
+  | { readonly kind: "joined"; readonly parts: readonly TextFormula[] } | { readonly kind: "toChar"; readonly value: Value;
+  readonly decimals: Value | null } | { readonly kind: "part"; readonly source: TextFormula; readonly begin: Value | null;
+  readonly length: Value | null };
+
+/** The file that a block names, or the parameter that holds its name. */
+export type FileName = string | Parameter;
+
+/** One area of CONTOUR DEF: pocket, island or void, by its label or its file. */
+export interface ContourArea {
+  readonly role: "P" | "I" | "V";
+  readonly number: number;
+  readonly from: { readonly label: Label | Parameter } | { readonly file: FileName };
+  readonly depth: Value | null;
+}
 
 /** A named word of an undercut, a groove or a correction. */
 export interface NamedWord {
@@ -82,6 +107,10 @@ export interface NamedWord {
 export const COMPARISONS = ["EQU", "NE", "GT", "LT", "IS DEFINED", "IS UNDEFINED"] as const;
 /** What a jump asks of two values, or of one parameter. */
 export type Comparison = (typeof COMPARISONS)[number];
+
+/** FN functions that set a parameter to what they work out. */
+export const FUNCTION_NUMBERS = [0, 1, 2, 3, 4, 5, 6, 7, 8, 13] as const;
+export type FunctionNumber = (typeof FUNCTION_NUMBERS)[number];
 
 /** What one block says. */
 export type Statement =
@@ -115,6 +144,8 @@ export type Statement =
     readonly cuttingSpeed: Value | null;
     readonly speed: Value | null;
     readonly limit: Value | null;
+    /** GEARRANGE: which gear of the spindle. */
+    readonly gear?: Value | null;
   }
   | { readonly kind: "turnCorrection"; readonly system: "TCS" | "WPL"; readonly plane: string; readonly words: readonly NamedWord[] }
   | { readonly kind: "turnBlank"; readonly blank: { readonly file: string } | { readonly label: Label } | "off" }
@@ -130,7 +161,12 @@ export type Statement =
   | { readonly kind: "cycleLine"; readonly cycle: number; readonly line: number; readonly text: string }
   | { readonly kind: "cycle"; readonly cycle: number; readonly name: string; readonly parameters: readonly CycleParameter[] }
   | { readonly kind: "cycleCall"; readonly how: "" | "POS" | "PAT"; readonly words: Words }
-  | { readonly kind: "selectContour"; readonly file: string }
+  | { readonly kind: "selectContour"; readonly file: FileName }
+  | { readonly kind: "contourDefinition"; readonly areas: readonly ContourArea[] }
+  /** `bare`: the name stands without quotes. */
+  | { readonly kind: "callProgram"; readonly file: FileName; readonly bare: boolean }
+  | { readonly kind: "selectProgram"; readonly file: FileName; readonly bare: boolean }
+  | { readonly kind: "callSelected" }
   /** A jump when a comparison holds; `fn` is the number of the FN function, null where only IF stands. */
   | {
     readonly kind: "jump";
@@ -152,7 +188,9 @@ export type Statement =
   /** PLANE in all its forms, FUNCTION TCPM and its reset: read by what runs them. */
   | { readonly kind: "plane"; readonly text: string }
   /** `fn` is the number of the FN function, null for a formula. */
-  | { readonly kind: "assign"; readonly fn: 0 | 1 | 2 | 3 | 4 | 5 | null; readonly target: string; readonly formula: Formula }
+  | { readonly kind: "assign"; readonly fn: FunctionNumber | null; readonly target: string; readonly formula: Formula }
+  /** `declared`: DECLARE STRING stands before it. */
+  | { readonly kind: "assignText"; readonly declared: boolean; readonly target: string; readonly text: TextFormula }
   /** M functions without a path. */
   | { readonly kind: "functions"; readonly words: Words }
   | { readonly kind: "stop"; readonly words: Words }

@@ -12,7 +12,9 @@ export function namesIn(blocks: readonly Block[]): Set<Label> {
   const names = new Set<Label>();
   for (const { statement: s } of blocks) {
     if (s.kind === "cycleLine" && s.cycle === CONTOUR_CYCLE && s.line > 0) { for (const label of contourLabels(s.text)) names.add(label); }
-    else if (s.kind === "blankRotation") names.add(s.label);
+    else if (s.kind === "contourDefinition") {
+      for (const { from } of s.areas) if ("label" in from && typeof from.label !== "object") names.add(from.label);
+    } else if (s.kind === "blankRotation") names.add(s.label);
     else if (s.kind === "turnBlank" && s.blank !== "off" && "label" in s.blank) names.add(s.blank.label);
   }
   return names;

@@ -3,6 +3,7 @@ import type { Pt } from "../kernel/point.ts";
 import type { Label, Statement } from "../nc/statement.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
+import type { ContourSource } from "./modal.ts";
 import { coordinates, elementOf, endOf, NOWHERE, pointIn, type PathBlock, type Position, type WordReader } from "./path.ts";
 import { wordReader } from "./path-block.ts";
 import { recessOf } from "./recess-words.ts";
@@ -32,27 +33,36 @@ interface Reader {
 /** Longest contour that is read; beyond it the run ends, for a contour cut short would be another part. */
 const MOST_BLOCKS = 20_000;
 
-/** Reads the contour behind a label, up to LBL 0. Null when the label does not exist. `radii`: X words are radii (DIM_R). */
-export function readContour(machine: Machine, label: Label, at: number, radii = false): Subprogram | null {
-  const start = machine.labels.get(label);
+/** Reads the contour behind a label of the program that runs. Null when the label does not exist. `radii`: X words are radii (DIM_R). */
+export const readContour = (machine: Machine, label: Label, at: number, radii = false): Subprogram | null =>
+  readContourOf(machine, { unit: machine.unit, label }, at, radii);
+
+/** Reads a contour up to the LBL 0 of its label, or to the end of its file. */
+export function readContourOf(machine: Machine, { unit, label }: ContourSource, at: number, radii = false): Subprogram | null {
+  const start = label === null ? unit.from - 1 : unit.labels.get(label);
   if (start === undefined) {
     machine.log.say(programIssue("labelMissing", "error", { label: String(label) }), at);
     return null;
   }
   const outer = new Map(machine.parameters);
   for (const name of [...machine.parameters.keys()]) if (name.startsWith("QL")) machine.parameters.delete(name);
+  const { inch } = machine.now;
+  machine.set({ inch: unit.inch });
   const reader: Reader = { machine, plane: radii ? "ZX" : "lathe", elements: [], blocks: [], at: NOWHERE, pole: null, isTroubled: false };
   let i = start + 1;
-  for (; i < machine.blocks.length; i += 1) {
+  for (; i < unit.to; i += 1) {
     machine.visited[i] = 1;
+    if (machine.isSkipped(i)) continue;
     const statement = machine.blocks[i]?.statement;
     if (!statement || (statement.kind === "label" && statement.label === 0) || statement.kind === "end") break;
     if (i - start > MOST_BLOCKS) machine.stop(programIssue("contourTooLong", "error", { limit: MOST_BLOCKS }), at);
     if (!machine.roomForBlock(at)) break;
     element(reader, statement, i);
   }
-  const end = machine.blocks[i]?.statement;
-  if (end?.kind !== "label" && !machine.full) machine.log.say(programIssue("labelNotClosed", "warning", { label: String(label) }), start);
+  const end = i < unit.to ? machine.blocks[i]?.statement : undefined;
+  if (label !== null && end?.kind !== "label" && !machine.full)
+    machine.log.say(programIssue("labelNotClosed", "warning", { label: String(label) }), start);
+  machine.set({ inch });
   machine.parameters.clear();
   outer.forEach((value, name) => machine.parameters.set(name, value));
   if (machine.full) return null;
@@ -70,6 +80,8 @@ function element(reader: Reader, s: Statement, index: number): void {
       return corner(reader, "chamfer", s.length === null ? null : reader.machine.number(s.length, index), index);
     case "assign":
       return reader.machine.assign(s, index);
+    case "assignText":
+      return reader.machine.assignText(s, index);
     case "undercut":
     case "groove": {
       const recess = recessOf(reader.machine, s, index);
@@ -77,6 +89,8 @@ function element(reader: Reader, s: Statement, index: number): void {
     }
     case "approach":
     case "call":
+    case "callProgram":
+    case "callSelected":
     case "cycleCall":
     case "jump":
     case "datum":

@@ -76,7 +76,8 @@ describe("the datum is shifted", () => {
     ["CYCL DEF 19.0 WORKING PLANE\nCYCL DEF 19.1 A+0 B+45 C+0", ["CYCL DEF 19@8"]],
     ["CYCL DEF 19.0 WORKING PLANE\nCYCL DEF 19.1 A+0 B+0 C+0", []],
     ["CYCL DEF 7.0 DATUM\nCYCL DEF 7.1 #5", ["CYCL DEF 7 #5@8"]],
-    ["CYCL DEF 12.0 PGM CALL\nCYCL DEF 12.1 SUB.H", ["CYCL DEF 12@8"]],
+    ["CYCL DEF 12.0 PGM CALL\nCYCL DEF 12.1 SUB.H", []],
+    ["CYCL DEF 12.0 PGM CALL\nCYCL DEF 12.1 SUB.H\nCYCL CALL", ["CYCL DEF 12@9"]],
     ["TRANS MIRROR AXIS X", ["TRANS MIRROR@7"]],
     ["TRANS MIRROR RESET", []],
     ["TRANS ROTATION ROT+12.5", ["TRANS ROTATION@7"]],
@@ -161,7 +162,8 @@ describe("positions that nobody knows are not invented", () => {
   });
   test.each([
     ["CALL PGM TNC:\\SUB.H", ["CALL PGM@7"]],
-    ['SEL PGM "SUB.H"', ["SEL PGM@7"]],
+    ['SEL PGM "SUB.H"', []],
+    ['SEL PGM "SUB.H"\nCALL SELECTED PGM', ["CALL SELECTED PGM@8"]],
     ["TCH PROBE 0.0 REF. PLANE Q5 Z-", ["TCH PROBE 0.0@7"]],
     ["FN 18: SYSREAD Q5 = ID270 NR1 IDX3", []],
     ["FN 18: SYSREAD Q5 = ID270 NR1 IDX3\nL Z+Q5 FMAX", ["Q5@8"]],

@@ -10,7 +10,7 @@ import type { CycleParameter, StatementOf } from "../nc/statement.ts";
 import type { Pt } from "../kernel/point.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { toDiameter } from "../kernel/units.ts";
-import { readContour } from "./contour-subprogram.ts";
+import { readContourOf } from "./contour-subprogram.ts";
 import { cycleValues } from "./cycle-values.ts";
 import { drillOnAxis, isDrilling } from "./drill-run.ts";
 import { programIssue, type ProgramIssue } from "./issue.ts";
@@ -19,6 +19,7 @@ import type { Defined } from "./modal.ts";
 import { pointIn } from "./path.ts";
 import { unlikelyFeeds, foreignParameters, lineOfParameter, noTool } from "./preconditions.ts";
 import type { Operation } from "./run-types.ts";
+import { callNamed } from "./program-calls.ts";
 import { countedPoint, shiftedPlan } from "./shifted-plan.ts";
 import { startUnknown } from "./turn-run.ts";
 import { threadWarnings } from "./thread-warnings.ts";
@@ -42,13 +43,18 @@ const NO_CONTOUR: Read = { contour: null, isNews: () => false, places: [] };
 
 /** The contour that cycle 14 names, with its issues said at their blocks. */
 function givenContour(machine: Machine, cycle: number, index: number, operation: number): Read {
-  if (machine.now.contourLabels.length === 0) {
+  const { contours } = machine.now;
+  if (contours === "unknown") {
+    machine.log.leaveUnproved("CYCL CALL", index);
+    return NO_CONTOUR;
+  }
+  if (contours.length === 0) {
     const { contourFile: file } = machine.now;
     machine.log.say(file === null ? programIssue("contourNotNamed", "error", { cycle }) : programIssue("contourInFile", "error", { file }),
       index);
     return NO_CONTOUR;
   }
-  const read = machine.now.contourLabels.map((label) => readContour(machine, label, index));
+  const read = contours.map((source) => readContourOf(machine, source, index));
   // Where a block could not be read, what else is wrong with the contour is wrong for that reason.
   for (const r of read)
     for (const i of r && !r.isTroubled ? r.contour.issues : []) {
@@ -127,6 +133,7 @@ export function callCycle(machine: Machine, index: number): void {
   const { defined } = machine.now;
   if (!defined) return machine.log.say(programIssue("noCycleDefined", "error", {}), index);
   machine.called.add(defined.index);
+  if (defined.program !== undefined) return callNamed(machine, defined.program, `CYCL DEF ${defined.cycle}`, index);
   const cycle = cycleByNumber(defined.cycle);
   if (!cycle) return drillOnAxis(machine, defined, index) ? undefined : otherCycle(machine, defined, index);
   preconditions(machine, index);

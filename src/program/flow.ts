@@ -1,7 +1,7 @@
-import type { Label, Statement, Words } from "../nc/statement.ts";
-import { namesIn } from "./contour-names.ts";
+import type { Label, Parameter, Statement, Value, Words } from "../nc/statement.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
+import type { Unit } from "./units.ts";
 
 /** Nesting of subprograms on the control. */
 const DEEPEST_CALL = 19;
@@ -14,13 +14,20 @@ const endOf = (s: Statement): string | null => {
   return m === undefined ? null : `M${m}`;
 };
 
+/** Where a call goes on when it comes back. */
+interface Return {
+  readonly on: number;
+  /** Of a program that was called: what it goes back to. */
+  readonly caller: { readonly unit: Unit; readonly inch: boolean; readonly locals: () => void } | null;
+}
+
 interface Flow {
   readonly machine: Machine;
-  readonly returns: number[];
+  readonly returns: Return[];
   readonly repeats: Map<number, number>;
-  /** Labels of contours: a program never runs into them. */
-  readonly contours: ReadonlySet<Label>;
 }
+
+const isText = (parameter: string) => parameter.startsWith("QS");
 
 /** How a program came to its end: the block that ended it and its word, or none when the text ran out or a bound was met. */
 export interface Ending {
@@ -30,35 +37,77 @@ export interface Ending {
   readonly told: boolean;
 }
 
-/** Runs block after block, with calls, repetitions and jumps. */
+/** Runs block after block, with calls, repetitions, jumps and the programs that are called. */
 export function execute(machine: Machine, block: (s: Statement, index: number) => void): Ending {
-  const flow: Flow = { machine, returns: [], repeats: new Map(), contours: namesIn(machine.blocks) };
+  const flow: Flow = { machine, returns: [], repeats: new Map() };
   let [next, told] = [0, false];
-  while (next < machine.blocks.length) {
+  for (;;) {
+    if (next >= machine.unit.to) {
+      const on = back(flow);
+      if (on === null) return { index: next, word: null, told };
+      next = on;
+      continue;
+    }
     if (!machine.roomForBlock(next)) return { index: next, word: null, told: true };
     const index = next;
     next += 1;
     const s = machine.blocks[index]?.statement;
     if (!s) continue;
     machine.visited[index] = 1;
-    if (s.kind === "label" && s.label === 0) next = flow.returns.pop() ?? next;
-    else if (s.kind === "label" && flow.contours.has(s.label) && machine.labels.get(s.label) === index) {
+    if (machine.isSkipped(index)) continue;
+    if (s.kind === "label" && s.label === 0) next = fromLabel(flow, next);
+    else if (s.kind === "label" && machine.unit.contours.has(s.label) && machine.labels.get(s.label) === index) {
       machine.log.say(programIssue("runsIntoLabel", "error", { label: String(s.label) }), index);
       told = true;
       next = behindLabel(machine, index);
     } else if (s.kind === "call") next = call(flow, s, index);
     else if (s.kind === "jump") next = jump(machine, s, index);
     else if (s.kind !== "end") block(s, index);
+    if (machine.next) next = enter(flow, machine.next, next);
     const word = endOf(s);
-    if (word !== null) return { index, word, told };
+    if (word === null) continue;
+    const on = back(flow);
+    if (on === null) return { index, word, told };
+    if (s.kind !== "end") machine.log.say(programIssue("endInCalled", "warning", { word }), index);
+    next = on;
   }
-  return { index: machine.blocks.length, word: null, told };
+}
+
+/** LBL 0 goes back behind the call of its label, but not out of a program. */
+function fromLabel({ returns }: Flow, next: number): number {
+  if (returns.at(-1)?.caller !== null) return next;
+  return returns.pop()?.on ?? next;
+}
+
+/** Goes into a program that was called: it has its own blocks, labels, local parameters and unit. */
+function enter({ machine, returns }: Flow, unit: Unit, on: number): number {
+  machine.next = null;
+  if (returns.filter((r) => r.caller).length >= DEEPEST_CALL) {
+    machine.stop(programIssue("programsTooDeep", "error", { limit: DEEPEST_CALL }), on - 1);
+    return on;
+  }
+  returns.push({ on, caller: { unit: machine.unit, inch: machine.now.inch, locals: machine.known.withoutLocals() } });
+  machine.unit = unit;
+  machine.set({ inch: unit.inch });
+  return unit.from;
+}
+
+/** Where a program goes on that has come to its end; null when it is the one that was started. */
+function back({ machine, returns }: Flow): number | null {
+  for (let r = returns.pop(); r; r = returns.pop()) {
+    if (!r.caller) continue;
+    machine.unit = r.caller.unit;
+    machine.set({ inch: r.caller.inch });
+    r.caller.locals();
+    return r.on;
+  }
+  return null;
 }
 
 /** The block behind the LBL 0 that closes a label. */
 function behindLabel(machine: Machine, index: number): number {
   let i = index + 1;
-  for (; i < machine.blocks.length; i += 1) {
+  for (; i < machine.unit.to; i += 1) {
     const s = machine.blocks[i]?.statement;
     machine.visited[i] = 1;
     if (s?.kind === "end") return i;
@@ -67,14 +116,26 @@ function behindLabel(machine: Machine, index: number): number {
   return i;
 }
 
+/** The label that is meant: as it is written, or what a parameter holds. */
+function labelOf(machine: Machine, named: Label | Parameter, index: number): Label | null {
+  if (typeof named !== "object") return named;
+  const { parameter } = named;
+  if (!isText(parameter)) return machine.number(named, index);
+  // A label may carry the name of the parameter itself.
+  return machine.labels.has(parameter) ? parameter : machine.text(parameter, index);
+}
+
 /** The block of a label; null when there is none, or none that is known. */
 function target(machine: Machine, named: Extract<Statement, { kind: "call" | "jump" }>["label"], index: number): number | null {
-  const label = typeof named === "object" ? machine.number(named, index) : named;
+  const label = labelOf(machine, named, index);
   if (label === null) return null;
   const found = machine.labels.get(label);
   if (found === undefined) machine.log.say(programIssue("labelMissing", "error", { label: String(label) }), index);
   return found ?? null;
 }
+
+/** How many labels of the program that runs have called each other. */
+const depthOf = (returns: readonly Return[]) => returns.length - 1 - returns.findLastIndex((r) => r.caller !== null);
 
 /** Where a label call goes on. A call with REP repeats the blocks between label and call; one without returns at LBL 0. */
 function call({ machine, returns, repeats }: Flow, s: Extract<Statement, { kind: "call" }>, index: number): number {
@@ -88,11 +149,11 @@ function call({ machine, returns, repeats }: Flow, s: Extract<Statement, { kind:
     repeats.set(index, left - 1);
     return to + 1;
   }
-  if (returns.length >= DEEPEST_CALL) {
+  if (depthOf(returns) >= DEEPEST_CALL) {
     machine.log.say(programIssue("callsTooDeep", "error", { limit: DEEPEST_CALL }), index);
     return on;
   }
-  returns.push(on);
+  returns.push({ on, caller: null });
   return to + 1;
 }
 
@@ -109,7 +170,9 @@ function compare(machine: Machine, s: Extract<Statement, { kind: "jump" }>, inde
     if (set === null) machine.log.leaveUnproved(s.fn === null ? "IF" : `FN ${s.fn}`, index);
     return set !== null && set === (s.compare === "IS DEFINED");
   }
-  const [left, right] = [machine.number(s.left, index), machine.number(s.right, index)];
+  const read = (value: Value) =>
+    typeof value === "object" && isText(value.parameter) ? machine.text(value.parameter, index) : machine.number(value, index);
+  const [left, right] = [read(s.left), read(s.right)];
   if (left === null || right === null) {
     if (machine.known.isUnproved) machine.log.leaveUnproved(s.fn === null ? "IF" : `FN ${s.fn}`, index);
     return false;
@@ -129,16 +192,17 @@ function compare(machine: Machine, s: Extract<Statement, { kind: "jump" }>, inde
 }
 
 const runs = (s: Statement) =>
-  s.kind === "cycleCall" || s.kind === "call" || s.kind === "approach" || (s.kind === "path" && s.path !== "CC")
+  s.kind === "cycleCall" || s.kind === "call" || s.kind === "callProgram" || s.kind === "callSelected" || s.kind === "approach"
+  || (s.kind === "path" && s.path !== "CC")
   || (wordsOf(s)?.functions.includes(99) ?? false);
 
 /** Motion and calls behind the end of the program that nothing has run: the first of them is named. True when there is one. */
 export function neverReached(machine: Machine, ending: Ending): boolean {
   if (ending.word === null) return false;
   const used = usedLabels(machine);
-  for (let i = ending.index + 1; i < machine.blocks.length; i += 1) {
+  for (let i = ending.index + 1; i < machine.unit.to; i += 1) {
     const s = machine.blocks[i]?.statement;
-    if (!s || machine.visited[i]) continue;
+    if (!s || machine.visited[i] || machine.isSkipped(i)) continue;
     if (s.kind === "label" && s.label !== 0 && (used === "all" || used.has(s.label))) i = behindLabel(machine, i) - 1;
     else if (runs(s)) {
       machine.log.say(programIssue("neverReached", "warning", { by: ending.word }), i);
@@ -150,8 +214,8 @@ export function neverReached(machine: Machine, ending: Ending): boolean {
 
 /** Labels that a block of the program names: why they were not run is another matter. */
 function usedLabels(machine: Machine): ReadonlySet<Label> | "all" {
-  const used = new Set<Label>(namesIn(machine.blocks));
-  for (const { statement: s } of machine.blocks) {
+  const used = new Set<Label>(machine.unit.contours);
+  for (const { statement: s } of machine.program.blocks) {
     if (s.kind !== "call" && s.kind !== "jump") continue;
     if (typeof s.label === "object") return "all";
     used.add(s.label);

@@ -74,6 +74,13 @@ interface Data {
   /** Findings of one code that are not listed, from this place on. */
   moreAlike: { code: string; count: number };
   callsTooDeep: { limit: number };
+  programsTooDeep: { limit: number };
+  /** M2 or M30 in a program that is called. */
+  endInCalled: { word: string };
+  /** A program that is called and was not opened with this one. */
+  programNotOpened: { file: string };
+  /** CALL SELECTED PGM without SEL PGM before it. */
+  programNotSelected: {};
 }
 
 export type ProgramCode = keyof Data;

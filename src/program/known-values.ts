@@ -1,14 +1,19 @@
-import type { Parameters } from "./formula.ts";
+import type { Parameters, Texts } from "./formula.ts";
 
 /** Why something is not known: a block was not run, or a fault that was told. */
 export type UnknownReason = "unproved" | "told";
 
 /** Parameters that touch probe cycles write their results into. */
-const RESULT = /^Q1\d\d$/;
+const RESULT = /^Q(?:1\d\d|9[5-9]\d)$/;
+/** Parameters that count in one subprogram or program only. */
+const LOCAL = /^QL/;
 
 /** What is known of the Q parameters while a program runs: a value that nobody knows is another thing than one that was never set. */
 export class KnownValues {
   private readonly forgotten = new Map<string, UnknownReason>();
+  private readonly held = new Map<string, string>();
+  /** Parameters that SQL BIND has tied to a column: a fetch writes into them. */
+  readonly bound = new Set<string>();
   /** True once a touch probe has run: parameters that hold results are set, nobody here knows to what. */
   probed = false;
   /** Why the last value without a number had none. */
@@ -21,21 +26,62 @@ export class KnownValues {
     this.forgotten.delete(name);
   }
 
+  /** What the QS parameters hold. */
+  get texts(): Texts {
+    return this.held;
+  }
+
+  setText(name: string, text: string): void {
+    this.held.set(name, text);
+    this.forgotten.delete(name);
+  }
+
+  /** Back to a parameter that was never set. */
+  unset(name: string): void {
+    this.parameters.delete(name);
+    this.held.delete(name);
+    this.forgotten.delete(name);
+  }
+
+  /** A touch probe has run: what its result parameters held before counts no more. */
+  probe(): void {
+    this.probed = true;
+    for (const name of [...this.parameters.keys()]) if (RESULT.test(name)) this.parameters.delete(name);
+  }
+
+  /** Takes the local parameters away and gives back what puts them in their place again. */
+  withoutLocals(): () => void {
+    const [kept, lost] = [
+      [...this.parameters].filter(([name]) => LOCAL.test(name)),
+      [...this.forgotten].filter(([name]) => LOCAL.test(name)),
+    ];
+    const clear = () => {
+      for (const name of [...this.parameters.keys(), ...this.forgotten.keys()]) if (LOCAL.test(name)) this.unset(name);
+    };
+    clear();
+    return () => {
+      clear();
+      for (const [name, value] of kept) this.set(name, value);
+      for (const [name, reason] of lost) this.forget(name, reason);
+    };
+  }
+
   /** Nobody knows what a parameter holds from here on. */
   forget(name: string, reason: UnknownReason = "unproved"): void {
     this.parameters.delete(name);
+    this.held.delete(name);
     this.forgotten.set(name, reason);
   }
 
   /** Why nobody knows what a parameter holds; null when its value is known, or none was ever set. */
   reasonOf(name: string): UnknownReason | null {
-    if (this.parameters.has(name)) return null;
+    if (this.parameters.has(name) || this.held.has(name)) return null;
     return this.forgotten.get(name) ?? (this.probed && RESULT.test(name) ? "unproved" : null);
   }
 
   /** True when a parameter holds a value, false when none was ever set, null when nobody knows. */
   isSet(name: string): boolean | null {
-    return this.parameters.has(name) ? true : this.reasonOf(name) ? null : false;
+    return this.parameters.has(name) || this.held.has(name) ? true : this.reasonOf(name) ? null : false;
   }
 
   /** True when the last value without a number hangs on a block that was not run. */

@@ -7,15 +7,28 @@ import { blockNumbers, eachIssue, startLines, type Program } from "../nc/program
 import { fewAlike, MOST_ALIKE } from "./alike.ts";
 import { programIssue, type ProgramIssue } from "./issue.ts";
 import type { ApproachRun, PlaneStep } from "./plane-types.ts";
+import type { ProgramFile } from "./program-files.ts";
 import type { Operation, Run, RunFinding } from "./run-types.ts";
 
 const NO_SHIFT_POINT: Pt = { z: axial(0), r: radius(0) };
 
-/** What a run has done and said so far, each at its block. */
-export class Log {
-  /** Number of each block, and its line in the text. */
+interface Appended {
+  readonly file: ProgramFile;
+  readonly from: number;
   readonly numbers: readonly number[];
   readonly lines: readonly number[];
+  caller: number;
+}
+
+const IN_PROGRAM = {};
+
+/** What a run has done and said so far, each at its block. */
+export class Log {
+  /** Number of each block, and its line in the text; of a block of another program, those of the block that called it. */
+  readonly numbers: number[];
+  readonly lines: number[];
+  /** Texts of called programs, in the order of their blocks: each with where its first block stands and which block has called it. */
+  private readonly appended: Appended[] = [];
   readonly steps: Step[] = [];
   readonly stepBlocks: number[] = [];
   /** Motions of mills. */
@@ -28,9 +41,46 @@ export class Log {
   private readonly said = new Set<string>();
   private readonly left = new Set<string>();
 
+  /** How many blocks the program itself has. */
+  private readonly own: number;
+
   constructor(private readonly program: Program) {
+    this.own = program.blocks.length;
     this.numbers = blockNumbers(program);
     this.lines = startLines(program);
+  }
+
+  /** Adds the blocks of a program that is called. */
+  append(file: ProgramFile, from: number): void {
+    const { program } = file;
+    this.appended.push({ file, from, numbers: blockNumbers(program), lines: startLines(program), caller: -1 });
+  }
+
+  /** Notes that a block, of the program itself or of one that it has called, calls a program or reads it. */
+  calledBy(index: number, from: number): void {
+    const called = this.appended.find((a) => a.from === from);
+    const caller = this.inProgram(index);
+    if (!called || called.caller === caller) return;
+    called.caller = caller;
+    this.numbers.length = Math.max(this.numbers.length, from + called.numbers.length);
+    this.lines.length = this.numbers.length;
+    this.numbers.fill(this.numbers[caller] ?? 0, from, from + called.numbers.length);
+    this.lines.fill(this.lines[caller] ?? 1, from, from + called.numbers.length);
+  }
+
+  private textOf(index: number): Appended | undefined {
+    return this.appended.findLast((a) => a.from <= index);
+  }
+
+  /** The block of the program itself: the one that called, for a block of another. */
+  inProgram(index: number): number {
+    return index < this.own ? index : (this.textOf(index)?.caller ?? index);
+  }
+
+  /** The file of a block that is not one of the program itself. */
+  fileOf(index: number): { readonly file?: string } {
+    const text = index < this.own ? undefined : this.textOf(index);
+    return text ? { file: text.file.name } : IN_PROGRAM;
   }
 
   /** Notes a finding at a block, once however often the block runs. `within` counts lines inside the block. */
@@ -38,9 +88,11 @@ export class Log {
     const key = `${index} ${issue.code} ${issue.at ?? ""} ${operation ?? ""} ${operation === null ? "" : JSON.stringify(issue.data)}`;
     if (this.said.has(key)) return;
     this.said.add(key);
-    const place = index === null
-      ? { block: null, line: null }
-      : { block: this.numbers[index] ?? 0, line: (this.lines[index] ?? 1) + within };
+    const place = index === null ? { block: null, line: null } : {
+      block: this.numbers[index] ?? 0,
+      line: (this.lines[index] ?? 1) + (index < this.own ? within : 0),
+      ...this.inFile(index, within),
+    };
     this.findings.push({ issue, ...place, operation });
   }
 
@@ -51,6 +103,14 @@ export class Log {
     const [step, at] = [this.steps.length, { z: axial(z), r: radius(x) }];
     if (this.datums.at(-1)?.step === step) this.datums.pop();
     this.datums.push({ step, at });
+  }
+
+  /** Where a finding stands in the file of a called program. */
+  private inFile(index: number, within: number): Pick<RunFinding, "inFile"> {
+    const text = index < this.own ? undefined : this.textOf(index);
+    if (!text) return IN_PROGRAM;
+    const at = index - text.from;
+    return { inFile: { file: text.file.name, block: text.numbers[at] ?? 0, line: (text.lines[at] ?? 1) + within } };
   }
 
   notSimulated(what: string, index: number, severity: "info" | "warning" = "info"): void {
@@ -68,11 +128,11 @@ export class Log {
   /** Notes that from here on nothing is proved, once for each block. `what` as the program spells it. */
   leaveUnproved(what: string, index: number): void {
     const block = this.numbers[index] ?? 0;
-    const key = `${block} ${what}`;
+    const key = `${index < this.own ? block : index} ${what}`;
     if (this.left.has(key)) return;
     this.left.add(key);
     // The first of all says from where on nothing is proved; a list of all that follow would fill the memory.
-    if (this.unproved.length < MOST_ALIKE) this.unproved.push({ step: this.steps.length, block, what });
+    if (this.unproved.length < MOST_ALIKE) this.unproved.push({ step: this.steps.length, block, what, ...this.fileOf(index) });
     this.say(programIssue("notProved", "warning", { what }), index);
   }
 
@@ -86,6 +146,11 @@ export class Log {
   /** What the reader found, less what is also said as a missing parameter. */
   private *read(missing: ReadonlySet<number | null>): Generator<RunFinding> {
     for (const i of eachIssue(this.program)) if (!(i.code === "wordMissing" && missing.has(i.line))) yield this.located(i);
+    for (const { file, caller } of this.appended) {
+      const at = { block: this.numbers[caller] ?? null, line: this.lines[caller] ?? null };
+      for (const issue of eachIssue(file.program))
+        if (issue.severity !== "info") yield { issue, ...at, operation: null, inFile: { file: file.name, block: null, line: issue.line } };
+    }
   }
 
   private located(issue: NcIssue): RunFinding {

@@ -5,9 +5,9 @@ import { secondsOf } from "../kernel/time.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { INCH, type Feed } from "../kernel/units.ts";
 import type { Block, Program } from "../nc/program.ts";
-import type { Label, Statement, Value } from "../nc/statement.ts";
+import type { FileName, Label, Statement, Value } from "../nc/statement.ts";
 import { NO_TRANSFORM } from "./coordinates-frame.ts";
-import { formulaOf, valueOf, type Parameters, type Trouble } from "./formula.ts";
+import { formulaOf, textOf, valueOf, type Parameters, type Trouble } from "./formula.ts";
 import { programIssue, type ProgramIssue } from "./issue.ts";
 import { KnownValues } from "./known-values.ts";
 import { Log } from "./log.ts";
@@ -15,6 +15,8 @@ import { AT_START, NO_SHIFT, NOT_PLACED, type Milling, type Modal, type Whereabo
 import { pointIn } from "./path.ts";
 import type { Guide } from "./plane-chain.ts";
 import type { Control, Mill } from "./plane-types.ts";
+import { fileKey, type ProgramFiles } from "./program-files.ts";
+import { isSkipped, unitOf, type Unit } from "./units.ts";
 
 /** What a run can use. */
 export interface Shop {
@@ -27,6 +29,10 @@ export interface Shop {
   readonly mills?: readonly Mill[];
   /** Which control it is: how APPR and DEP move in the tool axis. "TNC 640" when absent. */
   readonly control?: Control;
+  /** Programs that the one that runs can call. */
+  readonly files?: ProgramFiles;
+  /** True to leave out the blocks that are marked with `/`. */
+  readonly skipMarked?: boolean;
 }
 
 /** Bounds that keep every program finite and its memory small; far above what programs need (docs/performance.md). */
@@ -38,9 +44,14 @@ const MOST_OPERATIONS = 2_000;
 
 /** A program as it runs: what is in force, what was said and done, and the bounds that end a run. */
 export class Machine {
-  readonly blocks: readonly Block[];
+  /** The blocks of the program, and behind them those of the programs that it has called. */
+  blocks: readonly Block[];
   readonly log: Log;
-  readonly labels = new Map<Label, number>();
+  /** The text that runs. */
+  unit: Unit;
+  private readonly units = new Map<Program, Unit>();
+  /** The program that the block that runs has called: it runs next. */
+  next: Unit | null = null;
   /** Radii of TOOL DEF lines, mm. */
   readonly radii = new Map<Label, number>();
   readonly parameters: Parameters = new Map();
@@ -65,12 +76,50 @@ export class Machine {
     this.blocks = program.blocks;
     this.log = new Log(program);
     this.visited = new Uint8Array(this.blocks.length);
-    this.blocks.forEach((b, i) => {
-      if (b.statement.kind !== "label" || b.statement.label === 0) return;
-      const { label } = b.statement;
-      if (this.labels.has(label)) this.log.say(programIssue("labelTwice", "error", { label: String(label) }), i);
-      else this.labels.set(label, i);
-    });
+    this.unit = this.takeUp(program, null, 0);
+  }
+
+  private takeUp(program: Program, file: string | null, from: number): Unit {
+    const unit = unitOf(program, { file, from, skipMarked: this.shop.skipMarked ?? false },
+      (label, index) => this.log.say(programIssue("labelTwice", "error", { label: String(label) }), index));
+    this.units.set(program, unit);
+    return unit;
+  }
+
+  get labels(): ReadonlyMap<Label, number> {
+    return this.unit.labels;
+  }
+
+  /** The text of a file beside the program, for a block that names it; null when it was not opened with it. */
+  unitOfFile(name: string, index: number): Unit | null {
+    const found = this.shop.files?.find(fileKey(name));
+    if (!found) return null;
+    const known = this.units.get(found.program);
+    const from = known?.from ?? this.blocks.length;
+    if (!known) {
+      this.blocks = [...this.blocks, ...found.program.blocks];
+      this.log.append(found, from);
+    }
+    this.log.calledBy(index, from);
+    return known ?? this.takeUp(found.program, found.name, from);
+  }
+
+  /** True when a block is left out because of its skip mark. */
+  isSkipped(index: number): boolean {
+    return isSkipped(this.blocks[index], this.shop.skipMarked ?? false);
+  }
+
+  /** The name that a block gives a file; null when it hangs on a parameter that holds none. */
+  fileName(file: FileName, index: number): string | null {
+    return typeof file === "object" ? this.text(file.parameter, index) : file;
+  }
+
+  /** The text of a QS parameter, or null with an issue at the block. */
+  text(name: string, index: number): string | null {
+    const held = this.known.texts.get(name);
+    if (held !== undefined) return held;
+    this.settle({ kind: "unset", name }, index);
+    return null;
   }
 
   /** Changes what is in force. Most blocks leave most of it as it is, and a long program has many blocks. */
@@ -95,11 +144,21 @@ export class Machine {
   }
 
   assign(s: Extract<Statement, { kind: "assign" }>, index: number): void {
-    const result = formulaOf(s.formula, this.parameters);
+    if (s.formula.kind === "undefined") return this.known.unset(s.target);
+    this.keep(s.target, formulaOf(s.formula, this.parameters, this.known.texts), index);
+  }
+
+  assignText(s: Extract<Statement, { kind: "assignText" }>, index: number): void {
+    this.keep(s.target, textOf(s.text, this.parameters, this.known.texts), index);
+  }
+
+  /** Keeps what was worked out; what hangs on a value that nobody knows is not known either. */
+  private keep(target: string, result: number | string | Trouble, index: number): void {
+    if (typeof result === "string") return this.known.setText(target, result);
     const passedOn = typeof result !== "number" && result.kind === "unset" ? this.known.reasonOf(result.name) : null;
     const n = passedOn ? null : this.settle(result, index);
-    if (n === null) this.known.forget(s.target, passedOn ?? "told");
-    else this.known.set(s.target, n);
+    if (n === null) this.known.forget(target, passedOn ?? "told");
+    else this.known.set(target, n);
   }
 
   /** Something else has moved the machine: no position is known. */
@@ -190,8 +249,8 @@ export class Machine {
     const spindle = this.now.spindle ?? { kind: "constant" as const, speed: 0 };
     const seconds = secondsOf(from, move, spindle, this.shop.rapid);
     this.log.countsFrom(this.now.datum.x, this.now.datum.z);
-    this.log.steps.push({ from, move, tool: adapted, block: this.log.numbers[index] ?? 0, operation, seconds });
-    this.log.stepBlocks.push(index);
+    this.log.steps.push({ from, move, tool: adapted, block: this.log.numbers[index] ?? 0, operation, seconds, ...this.log.fileOf(index) });
+    this.log.stepBlocks.push(this.log.inProgram(index));
     return seconds;
   }
 }

@@ -6,6 +6,7 @@ import { length, type Feed, type Length } from "../kernel/units.ts";
 import type { Compensation, Label } from "../nc/statement.ts";
 import { NO_TRANSFORM, type Transform } from "./coordinates-frame.ts";
 import type { UnknownReason } from "./known-values.ts";
+import type { Unit } from "./units.ts";
 import { NOWHERE, type MillPlane, type Pole, type Position } from "./path.ts";
 
 type Correction = NonNullable<Tool["correction"]>;
@@ -26,6 +27,14 @@ export interface Defined {
   readonly values: ReadonlyMap<string, number | "auto" | null>;
   /** Parameters without a number for a reason that has been told. */
   readonly troubled: ReadonlySet<string>;
+  /** Program that the call runs in place of a cycle; null when nobody knows its name. */
+  readonly program?: string | null;
+}
+
+/** Where a contour stands: behind a label of a text, or all of that text. */
+export interface ContourSource {
+  readonly unit: Unit;
+  readonly label: Label | null;
 }
 
 /** A plain path element that waits for the corner behind it. */
@@ -97,11 +106,14 @@ export interface Modal {
   /** True when a TOOL CALL named a tool that can not be used: that has been told. */
   readonly toolRefused: boolean;
   readonly pole: Pole | null;
-  readonly contourLabels: readonly Label[];
-  /** File that SEL CONTOUR names, until cycle 14 names labels. */
+  /** What cycle 14, CONTOUR DEF or SEL CONTOUR name. */
+  readonly contours: readonly ContourSource[] | "unknown";
+  /** File that SEL CONTOUR or CONTOUR DEF names and that is not at hand. */
   readonly contourFile: string | null;
   /** FUNCTION TURNDATA CORR of the tool in the spindle, mm. */
   readonly corrections: { readonly TCS?: Correction; readonly WPL?: Correction };
+  /** What SEL PGM names; without a name where it hangs on a value that nobody knows. */
+  readonly selectedProgram: { readonly name: string | null } | null;
   readonly defined: Defined | null;
   /** M89: the defined cycle is called behind every positioning block. */
   readonly callsBehindMoves: boolean;
@@ -129,9 +141,10 @@ export const AT_START: Modal = {
   tool: null,
   toolRefused: false,
   pole: null,
-  contourLabels: [],
+  contours: [],
   contourFile: null,
   corrections: {},
+  selectedProgram: null,
   defined: null,
   callsBehindMoves: false,
   blank: [],

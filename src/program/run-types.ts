@@ -21,6 +21,8 @@ export interface RunFinding {
   readonly line: number | null;
   /** Index into `Run.operations` when it belongs to a cycle call. */
   readonly operation: number | null;
+  /** Where it stands in the file of a called program; `block` and `line` are those of the call then. */
+  readonly inFile?: { readonly file: string; readonly block: number | null; readonly line: number };
 }
 
 /** One executed cycle call. */

@@ -10,6 +10,8 @@ import { programIssue } from "./issue.ts";
 import { Machine, type Shop } from "./machine.ts";
 import { isElsewhere, retract, retracts } from "./machine-moves.ts";
 import { runApproach, chamfer, finish, path } from "./motion.ts";
+import { callProgram, callSelected, contourDefinition, PROGRAM_CYCLE, programCycle, selectContour,
+  selectProgram } from "./program-calls.ts";
 import { runHeldElement } from "./path-block.ts";
 import { NOWHERE } from "./path.ts";
 import { neverCalled } from "./preconditions.ts";
@@ -30,7 +32,7 @@ export function run(program: Program, shop: Shop): Run {
   if (machine.now.turning && machine.log.steps.length > 0) machine.log.countsFrom(machine.now.datum.x, machine.now.datum.z);
   if (!neverReached(machine, ending) && !ending.told) neverCalled(machine);
   if (ending.word === null && !ending.told && machine.log.steps.length > 0)
-    machine.log.say(programIssue("programEndMissing", "warning", {}), machine.blocks.length - 1);
+    machine.log.say(programIssue("programEndMissing", "warning", {}), program.blocks.length - 1);
   if (machine.log.operations.length > 0 && machine.now.blank.length === 0)
     machine.log.say(programIssue("blankMissing", "warning", {}), null);
   return {
@@ -85,13 +87,15 @@ const HANDLERS: { readonly [K in Statement["kind"]]?: (machine: Machine, s: Stat
   plane: (machine, s, index) => textBlock(machine, s.text, index),
   spin,
   assign: (machine, s, index) => machine.assign(s, index),
+  assignText: (machine, s, index) => machine.assignText(s, index),
   cycle: (machine, _, index) => cycleDefinition(machine, index),
   cycleLine,
   cycleCall: (machine, s, index) => (s.how === "" ? callCycle(machine, index) : callPattern(machine, s.how, index)),
-  selectContour: (machine, s, index) => {
-    machine.set({ contourLabels: [], contourFile: s.file });
-    machine.log.notSimulated(`SEL CONTOUR "${s.file}"`, index, "warning");
-  },
+  selectContour,
+  contourDefinition,
+  callProgram,
+  selectProgram,
+  callSelected: (machine, _, index) => callSelected(machine, index),
   undercut: (machine, s, index) => machine.log.leaveUnproved(`UDC ${s.form}`, index),
   groove: (machine, s, index) => machine.log.leaveUnproved(`GRV ${s.form}`, index),
   unknown: (machine, s, index) => textBlock(machine, s.text, index),
@@ -172,8 +176,10 @@ function spin(machine: Machine, s: StatementOf<"spin">, index: number): void {
 function cycleLine(machine: Machine, s: StatementOf<"cycleLine">, index: number): void {
   const { cycle, line, text } = s;
   if (cycle === CONTOUR_CYCLE) {
-    machine.set({ contourFile: null, contourLabels: line === 0 ? [] : contourLabels(text) });
-  } else if (cycle === DATUM_CYCLE) {
+    const contours = line === 0 ? [] : contourLabels(text).map((label) => ({ unit: machine.unit, label }));
+    machine.set({ contourFile: null, contours });
+  } else if (cycle === PROGRAM_CYCLE) programCycle(machine, s, index);
+  else if (cycle === DATUM_CYCLE) {
     if (line > 0) datumLine(machine, text, `CYCL DEF ${cycle}`, index);
   } else if (transforms(cycle)) transformLine(machine, s, index);
   else {

@@ -1,6 +1,6 @@
 import type { Tool } from "../kernel/tool.ts";
 import { degrees, length } from "../kernel/units.ts";
-import type { StatementOf } from "../nc/statement.ts";
+import type { Parameter, StatementOf } from "../nc/statement.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
 import type { Modal } from "./modal.ts";
@@ -16,7 +16,8 @@ export function toolDefinition(machine: Machine, s: StatementOf<"toolDefinition"
 /** TOOL CALL: feed and tool axis, and the tool of either table that has its number or name. */
 export function toolCall(machine: Machine, s: StatementOf<"toolCall">, index: number): void {
   if (s.axis !== null) machine.setMill({ otherAxis: s.axis !== "Z" });
-  const wanted = typeof s.tool === "object" && s.tool !== null ? machine.number(s.tool, index) : s.tool;
+  const wanted = typeof s.tool === "object" && s.tool !== null ? toolOf(machine, s.tool, index) : s.tool;
+  if (wanted === null && s.tool !== null) unknownTool(machine);
   if (wanted !== null) takeMill(machine, s, wanted, index);
   if (typeof s.feed === "object" && s.feed) {
     const n = machine.number(s.feed.value, index);
@@ -24,6 +25,16 @@ export function toolCall(machine: Machine, s: StatementOf<"toolCall">, index: nu
     machine.set({ feedWord: "F" });
   }
   if (wanted !== null) takeTool(machine, s, wanted, index);
+}
+
+const toolOf = (machine: Machine, held: Parameter, index: number) =>
+  held.parameter.startsWith("QS") ? machine.text(held.parameter, index) : machine.number(held, index);
+
+/** Nobody knows which tool is called: the one before is not in the spindle any more. */
+function unknownTool(machine: Machine): void {
+  machine.setMill({ tool: "", radius: null });
+  machine.setPlace({ sure: { x: false, z: false }, last: null });
+  machine.set({ compensation: "R0", tool: null, toolRefused: true, corrections: {} });
 }
 
 function takeMill(machine: Machine, s: StatementOf<"toolCall">, wanted: number | string, index: number): void {
@@ -50,7 +61,7 @@ function takeTool(machine: Machine, s: StatementOf<"toolCall">, wanted: number |
 
 /** A tool of another table is no fault while only milling follows. */
 function turnsLater(machine: Machine, index: number): boolean {
-  for (let i = index + 1; i < machine.blocks.length; i += 1) {
+  for (let i = index + 1; i < machine.unit.to; i += 1) {
     const s = machine.blocks[i]?.statement;
     if (s?.kind === "mode") return s.mode === "TURN";
     if (s?.kind === "toolCall") return false;

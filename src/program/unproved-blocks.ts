@@ -1,6 +1,6 @@
 import { cycleByNumber } from "../cycles/index.ts";
 import type { CycleParameter } from "../nc/statement.ts";
-import { NUMBER_PARAMETER, readValue, TEXT_PARAMETER, VALUE } from "../nc/value.ts";
+import { NUMBER_PARAMETER, PARAMETER, readValue, VALUE } from "../nc/value.ts";
 import type { Machine } from "./machine.ts";
 
 /**
@@ -9,14 +9,35 @@ import type { Machine } from "./machine.ts";
  */
 const HARMLESS = new RegExp(
   String.raw`^(?:FN[ \t]*(?:1[4569]|2[06-9]|3[789])[ \t]*:|FUNCTION[ \t]+(?:TCPM|RESET|FEED|S-PULSE|COUNT|DWELL|DCM|FILE)|`
-    + String.raw`${TEXT_PARAMETER}[ \t]*=|DECLARE|SQL|OPEN|CLOSE|SEL[ \t]+(?:TABLE|CORR-TABLE)|PATTERN[ \t]+DEF|`
+    + String.raw`DECLARE|OPEN|CLOSE|SEL[ \t]+(?:TABLE|CORR-TABLE)|PATTERN[ \t]+DEF|`
     + String.raw`POLARKIN[ \t]+OFF|MONITORING|STOP|PLANE[ \t]+RESET)`,
   "i",
 );
 /** FN 18 and FN 28 only read a value into a parameter. */
 const READING = new RegExp(String.raw`^FN[ \t]*(?:18|28)[ \t]*:[^=]*?(${NUMBER_PARAMETER})`, "i");
-/** Programs that run on their own leave the tool wherever they end. */
+/** Programs that run on their own leave the tool wherever they end, and so do probes. */
 const ELSEWHERE = /^(?:CALL[ \t]+(?:PGM|SELECTED)|TCH[ \t]+PROBE|CALL[ \t]+LBL)/i;
+const PROBE = /^TCH[ \t]+PROBE/i;
+/** A formula that reads what only the machine or its tables know. */
+const UNREAD_ASSIGNMENT = new RegExp(String.raw`^(?:FN[ \t]*\d+[ \t]*:[ \t]*|DECLARE[ \t]+STRING[ \t]+)?(${PARAMETER})[ \t]*=`, "i");
+const ANY_PARAMETER = new RegExp(String.raw`(${PARAMETER})(?![ \t]*=)`, "gi");
+const SQL = /^SQL[ \t]+([A-Z]*)/i;
+
+/** SQL reads into the parameters that it names; BIND ties them to columns, which every later fetch reads into. */
+function readTable(machine: Machine, text: string): void {
+  const word = SQL.exec(text)?.[1]?.toUpperCase();
+  const named = [...text.replace(/"[^"]*"|'[^']*'/g, "").matchAll(ANY_PARAMETER)].map(([name]) => name.toUpperCase());
+  if (word === "BIND") { for (const name of named) machine.known.bound.add(name); }
+  for (const name of [...named, ...machine.known.bound]) machine.known.forget(name);
+}
+
+/** A probe writes into the parameters that it names, the older measuring cycle into those behind them too. */
+function probed(machine: Machine, text: string): void {
+  machine.known.probe();
+  for (const [name] of text.matchAll(ANY_PARAMETER)) machine.known.forget(name.toUpperCase());
+  const first = /^TCH[ \t]+PROBE[ \t]*[34]\.1[ \t]+Q(\d+)/i.exec(text)?.[1];
+  if (first !== undefined) { for (const more of [1, 2, 3]) machine.known.forget(`Q${Number(first) + more}`); }
+}
 /** What a block is called: its first words, with the number of FN and TCH PROBE. */
 const NAME = /^(?:FN[ \t]*\d+|TCH[ \t]+PROBE[ \t]*\d+(?:\.\d+)?|[A-Z][A-Z-]*(?:[ \t]+[A-Z][A-Z-]*(?![\w:.\\]))?)/i;
 const NUMBERS = new RegExp(String.raw`([A-Z]+)[ \t]*(${VALUE})`, "gi");
@@ -34,31 +55,32 @@ function changes(machine: Machine, text: string, neutral: number, index: number,
 
 /** A block that the reader keeps as text: nothing is proved behind it, unless it is known to change nothing. */
 export function textBlock(machine: Machine, text: string, index: number): void {
-  if (text === "" || HARMLESS.test(text)) return;
+  if (text === "") return;
+  if (SQL.test(text)) return readTable(machine, text);
+  const assigned = UNREAD_ASSIGNMENT.exec(text)?.[1];
+  if (assigned !== undefined) return machine.known.forget(assigned.toUpperCase());
+  if (HARMLESS.test(text)) return;
   const read = READING.exec(text)?.[1];
   if (read !== undefined) return machine.known.forget(read.toUpperCase());
   if (/^PLANE[ \t]/i.test(text) && !changes(machine, text, 0, index, /^(?!(?:MB|F|DIST)$)/i)) return;
   if (ELSEWHERE.test(text)) machine.loseAll();
-  if (/^TCH[ \t]+PROBE/i.test(text)) machine.known.probed = true;
+  if (PROBE.test(text)) probed(machine, text);
   machine.log.leaveUnproved(nameOf(text), index);
 }
 
-const [PROGRAM_CALL, WORKING_PLANE] = [12, 19];
+const WORKING_PLANE = 19;
 const PRESET = 247;
 /** Cycles of which there is nothing to say: dwell, oriented spindle and tolerance leave path and stock as they are, a preset is run. */
 const SILENT: ReadonlySet<number> = new Set([9, 13, 32, PRESET]);
 export const isSilent = (cycle: number): boolean => SILENT.has(cycle);
 
-/** One line of an older cycle that acts at once and is not run: program call, tilted plane. */
+/** One line of an older cycle that acts at once and is not run: the tilted plane. */
 export function actingLine(
   machine: Machine,
   { cycle, line, text }: { readonly cycle: number; readonly line: number; readonly text: string },
   index: number,
 ): void {
-  if (line === 0) return;
-  if (cycle === PROGRAM_CALL) machine.loseAll();
-  if (cycle === PROGRAM_CALL || (cycle === WORKING_PLANE && changes(machine, text, 0, index)))
-    machine.log.leaveUnproved(`CYCL DEF ${cycle}`, index);
+  if (line > 0 && cycle === WORKING_PLANE && changes(machine, text, 0, index)) machine.log.leaveUnproved(`CYCL DEF ${cycle}`, index);
 }
 
 /** A cycle of Q parameters that acts where it is defined: nothing is proved behind it when it changes the coordinates. */

@@ -5,7 +5,7 @@ import { parse } from "../../nc/parse.ts";
 import { statementLines } from "../../nc/print.ts";
 import { APPROACH_FORMS, type AxisName, type PathKind, type Statement } from "../../nc/statement.ts";
 import { LAYOUTS } from "../../nc/style.ts";
-import { NUMBER_PARAMETER } from "../../nc/value.ts";
+import { NUMBER_PARAMETER, parameterOf } from "../../nc/value.ts";
 import { feedWord } from "../../program/field.ts";
 import { formOf, formWord } from "../../program/recess-words.ts";
 import { blockValue, feedAsTyped, parameterAsTyped, typedFeed, valueAsTyped } from "../../program/typed-value.ts";
@@ -294,8 +294,13 @@ const table: Table = {
     ],
   selectContour:
     () => [
-      fieldOf("selectContour", "file", (s) => s.file, (s, typed) => (/["\r\n]/.test(typed) ? null : { ...s, file: typed }), { wide: true }),
+      fieldOf("selectContour", "file", (s) => (typeof s.file === "object" ? s.file.parameter : s.file),
+        (s, typed) => (/["\r\n]/.test(typed) ? null : { ...s, file: parameterOf(typed.trim()) ?? typed }), { wide: true }),
     ],
+  contourDefinition: () => [wholeText],
+  callProgram: () => [wholeText],
+  selectProgram: () => [wholeText],
+  callSelected: () => [],
   jump: () => [wholeText],
   datum: () => [wholeText],
   datumTable: () => [wholeText],
@@ -310,6 +315,7 @@ const table: Table = {
       fieldOf("assign", "formula", (a) => statementLine(a).replace(/^.*?=\s*/, ""),
         (a, typed) => statementOf(`${s.fn === null ? "" : `FN ${s.fn}: `}${a.target} = ${typed}`, "assign"), { wide: true }),
     ],
+  assignText: () => [wholeText],
   functions: () => [functionsField],
   stop: () => [functionsField],
   unknown: () => [wholeText],

@@ -232,11 +232,18 @@ export const messages = {
     wordsRecalled: (d, w) =>
       `${w.text(d.what)}: Die Wörter sind aus der Erinnerung, nicht an einer gedruckten Seite geprüft. Bitte an der Steuerung prüfen.`,
     programEndMissing: () => "Am Ende des Hauptprogramms fehlt M30 oder M2.",
-    tooManyBlocks: (d) => `Mehr als ${d.limit} Sätze wurden ausgeführt: dort angehalten.`,
+    tooManyBlocks: (d) =>
+      `Mehr als ${d.limit} Sätze wurden ausgeführt: dort angehalten. Hat das Programm weniger, kommt ein Sprung oder eine Wiederholung nicht zum Ende.`,
     tooManyMoves: (d) => `Mehr als ${d.limit} Bewegungen: dort angehalten.`,
     contourTooLong: (d) => `Die Kontur hat mehr als ${d.limit} Sätze: dort angehalten.`,
     tooManyOperations: (d) => `Mehr als ${d.limit} Zyklusaufrufe: dort angehalten.`,
     moreAlike: (d, w) => `Ab hier sind ${w.number(d.count)} weitere Befunde derselben Art (${d.code}) nur gezählt, nicht aufgeführt.`,
     callsTooDeep: (d) => `Labels rufen sich mehr als ${d.limit}-fach verschachtelt auf.`,
+    programsTooDeep: (d) =>
+      `Programme rufen sich mehr als ${d.limit}-fach verschachtelt auf: Eines ruft sich ohne Ende selbst. Dort angehalten.`,
+    endInCalled: (d) =>
+      `${d.word} steht in einem aufgerufenen Programm, wo die Steuerung es nicht erlaubt: Das rufende Programm läuft hinter dem Aufruf weiter.`,
+    programNotOpened: (d, w) => `${w.text(d.file)} ist nicht geöffnet: Zusammen mit diesem Programm geöffnet, wird es mit ausgeführt.`,
+    programNotSelected: () => "CALL SELECTED PGM braucht ein Programm, das SEL PGM vorher genannt hat.",
   },
 } satisfies MessagesTexts;

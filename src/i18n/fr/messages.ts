@@ -235,11 +235,18 @@ export const messages = {
     wordsRecalled: (d, w) =>
       `${w.text(d.what)} : ses mots sont cités de mémoire, sans contrôle sur une page imprimée. Vérifiez sur votre commande.`,
     programEndMissing: () => "Il manque M30 ou M2 à la fin du programme principal.",
-    tooManyBlocks: (d) => `Plus de ${d.limit} séquences exécutées : arrêt à cet endroit.`,
+    tooManyBlocks: (d) =>
+      `Plus de ${d.limit} séquences exécutées : arrêt à cet endroit. S’il en a moins, un saut ou une répétition ne se termine pas.`,
     tooManyMoves: (d) => `Plus de ${d.limit} déplacements : arrêt à cet endroit.`,
     contourTooLong: (d) => `Le contour compte plus de ${d.limit} séquences : arrêt à cet endroit.`,
     tooManyOperations: (d) => `Plus de ${d.limit} appels de cycle : arrêt à cet endroit.`,
     moreAlike: (d, w) => `À partir d’ici, ${w.number(d.count)} autres constats du même genre (${d.code}) sont comptés, sans être listés.`,
     callsTooDeep: (d) => `Les labels s'appellent sur plus de ${d.limit} niveaux.`,
+    programsTooDeep: (d) =>
+      `Des programmes s'appellent sur plus de ${d.limit} niveaux : l'un d'eux s'appelle sans fin. Arrêt à cet endroit.`,
+    endInCalled: (d) =>
+      `${d.word} se trouve dans un programme appelé, où la commande ne le permet pas : le programme appelant continue après l'appel.`,
+    programNotOpened: (d, w) => `${w.text(d.file)} n'est pas ouvert : ouvert avec ce programme, il est exécuté aussi.`,
+    programNotSelected: () => "CALL SELECTED PGM demande un programme que SEL PGM a nommé avant.",
   },
 } satisfies MessagesTexts;
