@@ -16,7 +16,7 @@ import { pointIn } from "./path.ts";
 import type { Guide } from "./plane-chain.ts";
 import type { Control, Mill } from "./plane-types.ts";
 import { fileKey, type ProgramFiles } from "./program-files.ts";
-import { isSkipped, unitOf, type Unit } from "./units.ts";
+import { isSkipped, unitFrom, type Unit } from "./units.ts";
 
 /** What a run can use. */
 export interface Shop {
@@ -80,7 +80,7 @@ export class Machine {
   }
 
   private takeUp(program: Program, file: string | null, from: number): Unit {
-    const unit = unitOf(program, { file, from, skipMarked: this.shop.skipMarked ?? false },
+    const unit = unitFrom(program, { file, from, skipMarked: this.shop.skipMarked ?? false },
       (label, index) => this.log.say(programIssue("labelTwice", "error", { label: String(label) }), index));
     this.units.set(program, unit);
     return unit;

@@ -23,7 +23,7 @@ export interface Unit {
 export const isSkipped = (block: Block | undefined, skipMarked: boolean): boolean => skipMarked && (block?.skip ?? false);
 
 /** A text as part of a run. `twice` hears of each label that is set a second time. */
-export function unitOf(
+export function unitFrom(
   program: Program,
   { file, from, skipMarked }: { readonly file: string | null; readonly from: number; readonly skipMarked: boolean },
   twice: (label: Label, index: number) => void,

@@ -23,6 +23,8 @@ export interface ReportMove {
   readonly phase: Move["phase"];
   readonly pass?: number;
   readonly block: number;
+  /** File of the called program that moves; `block` is that of the call then. */
+  readonly file?: string;
 }
 
 /** A move of a turned block, as it is reported. */
@@ -88,7 +90,7 @@ export function outsideCycles(run: Run): ReportMove[] {
   };
   run.steps.forEach((s, i) => {
     mill(i);
-    if (s.operation === null) out.push(reportedMove(s.move, s.block));
+    if (s.operation === null) out.push({ ...reportedMove(s.move, s.block), ...(s.file !== undefined && { file: s.file }) });
   });
   mill(run.steps.length);
   return out;

@@ -7,7 +7,7 @@ import { part, type Pt, type Segment } from "../kernel/point.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { toDiameter } from "../kernel/units.ts";
 import { programIssue } from "../program/issue.ts";
-import type { Operation, Run } from "../program/run-types.ts";
+import type { Operation, Run, RunFinding } from "../program/run-types.ts";
 import { stockIssues, type ProofIssue } from "../sim/issues.ts";
 import type { Simulation, Verdict } from "../sim/simulation.ts";
 import { remedies } from "./remedies.ts";
@@ -23,6 +23,8 @@ export interface ReportIssue {
   readonly severity: Severity;
   readonly at?: string;
   readonly block?: number;
+  /** Where it stands in the file of a called program; `block` is that of the call then. */
+  readonly inFile?: NonNullable<RunFinding["inFile"]>;
   readonly data?: object;
   readonly text: string;
 }
@@ -104,15 +106,17 @@ interface Place {
   readonly at?: string | undefined;
   readonly block: number | null;
   readonly cycle: number | null;
+  readonly inFile?: RunFinding["inFile"];
 }
 
-function issueOf(found: AnyIssue, { at, block, cycle }: Place, language: Language): ReportIssue {
+function issueOf(found: AnyIssue, { at, block, cycle, inFile }: Place, language: Language): ReportIssue {
   const field = at === undefined || cycle === null ? undefined : cycleByNumber(cycle)?.params[at]?.kind;
   return {
     code: found.code,
     severity: found.severity,
     ...(at !== undefined && { at }),
     ...(block !== null && { block }),
+    ...(inFile && { inFile }),
     data: found.data,
     text: message(language, found, field),
   };
@@ -175,7 +179,12 @@ export function report(checked: Checked, language: Language): Report {
     seconds: o.seconds,
     issues: [
       ...run.issues.filter((f) => f.operation === index).map((f) =>
-        issueOf(f.issue, { at: "at" in f.issue ? f.issue.at : undefined, block: f.block, cycle: o.cycle }, language)
+        issueOf(f.issue, {
+          at: "at" in f.issue ? f.issue.at : undefined,
+          block: f.block,
+          cycle: o.cycle,
+          ...(f.inFile && { inFile: f.inFile }),
+        }, language)
       ),
       ...proved.filter((p) => p.operation === index).map(proofIssue),
     ],
@@ -201,7 +210,12 @@ export function report(checked: Checked, language: Language): Report {
     },
     issues: [
       ...run.issues.map((f) =>
-        issueOf(f.issue, { at: "at" in f.issue ? f.issue.at : undefined, block: f.block, cycle: cycleOf(f.operation) }, language)
+        issueOf(f.issue, {
+          at: "at" in f.issue ? f.issue.at : undefined,
+          block: f.block,
+          cycle: cycleOf(f.operation),
+          ...(f.inFile && { inFile: f.inFile }),
+        }, language)
       ),
       ...judged.reasons.flatMap((r) => (r.kind === "milling"
         ? [issueOf(programIssue("notProved", "warning", { what: MILLING }), { block: r.block, cycle: null }, language)]

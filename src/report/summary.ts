@@ -16,6 +16,9 @@ const operationLine = (o: ReportOperation) =>
 const many = (n: number, one: string, more: string) => `${n} ${n === 1 ? one : more}`;
 const inBlock = (block: number | null) => (block === null ? "" : ` in block ${block}`);
 
+const placeInFile = (place: Report["issues"][number]["inFile"]) =>
+  place ? `, ${place.file}${place.block === null ? "" : ` block ${place.block}`}` : "";
+
 /** A reason of the verdict in words. */
 function because(r: VerdictReason): string {
   switch (r.kind) {
@@ -76,7 +79,9 @@ export function summary(r: Report): string {
     ...residual.map(leftLine),
     cutLine(r.proof),
     ...r.issues.map((i) =>
-      `  ${i.severity}${i.block === undefined ? "" : ` in block ${i.block}`}${i.at === undefined ? "" : ` (${i.at})`}: ${i.text}`
+      `  ${i.severity}${i.block === undefined ? "" : ` in block ${i.block}`}${placeInFile(i.inFile)}${
+        i.at === undefined ? "" : ` (${i.at})`
+      }: ${i.text}`
     ),
     `  ${count("error")} errors, ${count("warning")} warnings`,
     "",

@@ -242,7 +242,7 @@ export const messages = {
     programsTooDeep: (d) =>
       `Programme rufen sich mehr als ${d.limit}-fach verschachtelt auf: Eines ruft sich ohne Ende selbst. Dort angehalten.`,
     endInCalled: (d) =>
-      `${d.word} steht in einem aufgerufenen Programm, wo die Steuerung es nicht erlaubt: Das rufende Programm läuft hinter dem Aufruf weiter.`,
+      `${d.word} steht in einem gerufenen Programm, was die Steuerung nicht erlaubt: Das rufende läuft hinter dem Aufruf weiter.`,
     programNotOpened: (d, w) => `${w.text(d.file)} ist nicht geöffnet: Zusammen mit diesem Programm geöffnet, wird es mit ausgeführt.`,
     programNotSelected: () => "CALL SELECTED PGM braucht ein Programm, das SEL PGM vorher genannt hat.",
   },

@@ -224,7 +224,7 @@ export const messages = {
     wordsRecalled: (d, w) => `${w.text(d.what)}: its words are recalled, not checked against a printed page. Verify on your control.`,
     programEndMissing: () => "M30 or M2 is missing at the end of the main program.",
     tooManyBlocks: (d) =>
-      `More than ${d.limit} blocks were executed: stopped there. If the program has fewer, a jump or a repetition does not come to its end.`,
+      `More than ${d.limit} blocks were executed: stopped there. If it has fewer, a jump or a repetition does not come to its end.`,
     tooManyMoves: (d) => `More than ${d.limit} moves: stopped there.`,
     contourTooLong: (d) => `The contour has more than ${d.limit} blocks: stopped there.`,
     tooManyOperations: (d) => `More than ${d.limit} cycle calls: stopped there.`,
@@ -232,7 +232,7 @@ export const messages = {
     callsTooDeep: (d) => `Labels call each other more than ${d.limit} deep.`,
     programsTooDeep: (d) => `Programs call each other more than ${d.limit} deep: one of them calls itself without end. Stopped there.`,
     endInCalled: (d) =>
-      `${d.word} stands in a program that is called, where a control does not allow it: the program that calls goes on behind the call.`,
+      `${d.word} stands in a called program, where a control does not allow it: the calling program goes on behind the call.`,
     programNotOpened: (d, w) => `${w.text(d.file)} is not open: open it together with this program, and it is run too.`,
     programNotSelected: () => "CALL SELECTED PGM needs a program that SEL PGM has named before.",
   },
