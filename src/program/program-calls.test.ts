@@ -77,8 +77,8 @@ describe("a program calls another", () => {
     expect(path(made("LBL 4\nCALL PGM S\nCALL LBL 4 REP 2", { "S.H": pgm("LBL 4\nL IX+1 FMAX\nCALL LBL 4 REP 1") }))).toHaveLength(6));
 });
 
-const SHOULDER =
-  "TOOL CALL 15\nL Z+50 FMAX\nCYCL DEF 820 TURN CONTOUR TRANSV. ~\nQ215=+0 ~\nQ460=+2 ~\nQ499=+0 ~\nQ463=+2 ~\nQ478=+0.3 ~\nQ483=+0 ~\nQ484=+0 ~\n"
+const SHOULDER = "TOOL CALL 15\nL Z+50 FMAX\nCYCL DEF 820 TURN CONTOUR TRANSV. ~\nQ215=+0 ~\nQ460=+2 ~\nQ499=+0 ~\nQ463=+2 ~\nQ478=+0.3 ~\n"
+  + "Q483=+0 ~\nQ484=+0 ~\n"
   + "Q505=+0.2 ~\nQ487=+1 ~\nQ488=+0 ~\nQ479=+0 ~\nQ480=+0 ~\nQ482=+0 ~\nQ506=+0\nL X+82 Z+3 FMAX\nCYCL CALL";
 const OUTLINE = "L X+80 Z-20.5\nL X+50\nL Z+0";
 const contourOf = (r: Made) => r.operations[0]?.call?.given.contour?.map((s) => `${+toDiameter(s.to.r).toFixed(3)} ${+s.to.z.toFixed(3)}`);

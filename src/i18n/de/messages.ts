@@ -233,7 +233,7 @@ export const messages = {
       `${w.text(d.what)}: Die Wörter sind aus der Erinnerung, nicht an einer gedruckten Seite geprüft. Bitte an der Steuerung prüfen.`,
     programEndMissing: () => "Am Ende des Hauptprogramms fehlt M30 oder M2.",
     tooManyBlocks: (d) =>
-      `Mehr als ${d.limit} Sätze wurden ausgeführt: dort angehalten. Hat das Programm weniger, kommt ein Sprung oder eine Wiederholung nicht zum Ende.`,
+      `Mehr als ${d.limit} Sätze wurden ausgeführt: dort angehalten. Hat es weniger, endet ein Sprung oder eine Wiederholung nie.`,
     tooManyMoves: (d) => `Mehr als ${d.limit} Bewegungen: dort angehalten.`,
     contourTooLong: (d) => `Die Kontur hat mehr als ${d.limit} Sätze: dort angehalten.`,
     tooManyOperations: (d) => `Mehr als ${d.limit} Zyklusaufrufe: dort angehalten.`,
