@@ -39,6 +39,10 @@ const BLOCKS: Readonly<Record<Statement["kind"], readonly string[]>> = {
   cycle: ["CYCL DEF 812 SHOULDER, LONG. EXT. ~\n Q215=+0", "CYCL DEF 247 PRESETTING ~\n Q339=+1", "CYCL DEF 880 GEAR HOBBING ~\n Q215=+0"],
   cycleCall: ["CYCL CALL", "CYCL CALL PAT", "CYCL CALL POS X+0 Y+0 Z+0"],
   selectContour: ['SEL CONTOUR "PART.H"'],
+  contourDefinition: ['CONTOUR DEF P1 = LBL 7 I2 = "ISLAND.H" DEPTH5'],
+  callProgram: ["CALL PGM DRILL.H"],
+  selectProgram: ['SEL PGM "DRILL.H"'],
+  callSelected: ["CALL SELECTED PGM"],
   jump: ["FN 9: IF +Q1 EQU +0 GOTO LBL 7", "IF Q1 > 3 GOTO LBL 7"],
   datum: ["TRANS DATUM AXIS Z-20", "TRANS DATUM RESET"],
   datumTable: ["TRANS DATUM TABLE TABLINE3"],
@@ -47,6 +51,7 @@ const BLOCKS: Readonly<Record<Statement["kind"], readonly string[]>> = {
   scale: ["TRANS SCALE SCL0.99"],
   plane: ["PLANE SPATIAL SPA+0 SPB+45 SPC+0 TURN MB MAX FMAX", "PLANE RESET STAY"],
   assign: ["FN 0: Q1 =+3", "Q1 = SIN 30 + 2", "QL2 = 4 * 3"],
+  assignText: ['QS1 = "DRILL" || ".H"'],
   functions: ["M8", "M136", "M140 MB MAX"],
   stop: ["STOP"],
   unknown: [
