@@ -30,7 +30,7 @@ export function CycleDialog({ read, block = null }: { readonly read: JobReading;
   const head = (
     <>
       {session.fields.length > 0 && isRecalled(read.cycle) && (
-        <p className="small soft recalled-list">
+        <p className="small soft recalled-list" title={t.recalled}>
           <Icon name="info" /> {t.recalled}
         </p>
       )}

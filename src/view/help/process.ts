@@ -216,15 +216,23 @@ export function depthCompensation(c: Context, l: Lettering): Explanation {
   };
 }
 
-/** Where a free contour begins and ends: not values of the cycle, so they belong to no parameter. */
+/** Dearer places of a quiet diameter lie in the middle of the contour. */
+const OUTSIDE = 19;
+
+/** Where a free contour begins and ends: not values of the cycle, so they belong to no parameter. What both ends share is said once. */
 export function plainDimensions(c: Context): Item[] {
   if (c.outline.dimensions.some((d) => shownAs(c.params, d.q) === "outline")) return [];
   const [start, end] = [c.section.line[0], c.section.line.at(-1)];
   const ends = [start, end].flatMap((p) => (p ? [p] : []));
+  const isNew = (at: Pt, one: (p: Pt) => number) => at === start || !start || Math.abs(one(at) - one(start)) > SAME;
   return ends.flatMap(
     (at) => [
-      dimensionItem(c.layout, { q: "", form: "diameter", at }, c.plain("diameter", at)),
-      dimensionItem(c.layout, { q: "", form: "z", from: part.point(0, at.r), to: at }, c.plain("axial", at)),
+      ...(isNew(at, (p) => p.r)
+        ? [{ ...dimensionItem(c.layout, { q: "", form: "diameter", at }, c.plain("diameter", at)), most: OUTSIDE }]
+        : []),
+      ...(isNew(at, (p) => p.z)
+        ? [dimensionItem(c.layout, { q: "", form: "z", from: part.point(0, at.r), to: at }, c.plain("axial", at))]
+        : []),
     ]
   );
 }
