@@ -31,6 +31,7 @@ const BLOCKS: Readonly<Record<Statement["kind"], readonly string[]>> = {
   ],
   chamfer: ["CHF 2"],
   approach: ["APPR LT X+60 Z+2 LEN4 RL F0.2", "DEP LN LEN4"],
+  free: ["FL X+10 AN+30"],
   undercut: ["UDC TYPE_E R0.6 DEPTH0.3 LEN2.5"],
   groove: ["GRV RADIAL POS-20 BREADTH5 DEPTH3"],
   label: ["LBL 3", "LBL 0"],

@@ -44,6 +44,22 @@ describe("spellings of posts and of older controls", () => {
     expect(one(text)?.statement).toMatchObject(statement);
     expect(print(parse(text))).toBe(text);
   });
+  test("the blocks of a free contour", () => {
+    expect(one("7 FLT AN+33.5 LEN 12 R0 F200")?.statement).toMatchObject({
+      kind: "free",
+      form: "FLT",
+      given: [{ name: "AN", value: 33.5 }],
+      words: { length: 12, compensation: "R0" },
+    });
+    expect(one("FC DR- R15.5 CCX+2 CCY-Q4")?.statement).toMatchObject({
+      form: "FC",
+      given: [{ name: "CCX", value: 2 }, { name: "CCY", value: { parameter: "Q4", negative: true } }],
+      words: { radius: 15.5, turn: "cw" },
+    });
+    expect(one("FSELECT2")?.statement).toMatchObject({ form: "FSELECT", given: [{ value: 2 }] });
+    expect(one("FSELECT")?.statement.kind).toBe("unknown");
+    expect(said("1 FL X+1 P1X+4")).toEqual(["wordNotUnderstood 2:10"]);
+  });
   test("an N number is a block number, and begins a block", () => {
     expect(one("/N12 L X+1")).toMatchObject({ number: 12, skip: true });
     expect(parse("N10 CYCLE DEF 200 D ~\nQ200=2 ~\nQ201=-5\nN20 M3\n").blocks.map((b) => [b.number, b.lines])).toEqual([[10, 3], [20, 1]]);

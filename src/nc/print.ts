@@ -1,7 +1,7 @@
 import { valueText } from "./number-text.ts";
 import { assignmentText, textAssignmentText } from "./print-formula.ts";
 import { feedText, unsigned, wordsText } from "./print-words.ts";
-import type { ContourArea, CycleParameter, FileName, Label, NamedWord, Statement, Value } from "./statement.ts";
+import type { ContourArea, CycleParameter, FileName, Label, NamedWord, Statement, StatementOf, Value } from "./statement.ts";
 import type { Style } from "./style.ts";
 
 const labelText = (label: Label) => (typeof label === "number" ? String(label) : /^QS\d/i.test(label) ? label : `"${label}"`);
@@ -32,6 +32,10 @@ function areaText({ role, number, from, depth }: ContourArea, style: Style): str
     : `LBL ${typeof from.label === "object" ? from.label.parameter : labelText(from.label)}`;
   return ` ${role}${number} = ${of}${depth === null ? "" : ` DEPTH${unsigned(depth, style)}`}`;
 }
+
+/** What only free contours have stands between the end point and the feed; a control reads any order. */
+const freeText = (s: StatementOf<"free">, style: Style) =>
+  `${s.form}${wordsText(s.words, style)}${s.given.map((w) => ` ${w.name}${valueText(w.value, style)}`).join("")}`;
 
 /** The lines of a statement without block number and line ends; only cycles have more than one. */
 export function statementLines(s: Statement, style: Style): string[] {
@@ -90,6 +94,8 @@ function statementText(s: Exclude<Statement, { kind: "cycle" }>, style: Style): 
       return `CHF${s.length === null ? "" : two + unsigned(s.length, style)}${wordsText(s.words, style)}`;
     case "approach":
       return `${s.departing ? "DEP" : "APPR"} ${s.form}${wordsText(s.words, { ...style, wide: false }, signsOf(s.form))}`;
+    case "free":
+      return s.form === "FSELECT" ? `FSELECT ${unsigned(s.given[0]?.value ?? 1, style)}` : freeText(s, style);
     case "undercut":
       return `UDC ${s.form}${namedText(s.words, style)}`;
     case "groove":

@@ -3,19 +3,20 @@ import { readCycle, type BlockLine } from "./read-cycle.ts";
 import { readAssignment } from "./read-formula.ts";
 import { readBlank, readFrame, readNamedWords, readToolCall, readToolDefinition } from "./read-frame.ts";
 import { readFunction } from "./read-function.ts";
+import { readFree } from "./read-free.ts";
 import { JUMP, readJump } from "./read-jump.ts";
 import { readContourDefinition, readProgramBlock } from "./read-program.ts";
 import { readTextAssignment, TEXT_ASSIGNMENT } from "./read-text.ts";
 import { readTrans, type TransWord } from "./read-trans.ts";
 import { readWords } from "./read-words.ts";
 import { Scan } from "./scan.ts";
-import { APPROACH_FORMS, type ApproachForm, type PathKind, type Statement, type Words } from "./statement.ts";
+import { APPROACH_FORMS, FREE_FORMS, type ApproachForm, type PathKind, type Statement, type Words } from "./statement.ts";
 import { NUMBER_PARAMETER, PARAMETER, readLabel, TEXT_PARAMETER, VALUE } from "./value.ts";
 
 const KEYWORD = new RegExp(
   String.raw`(?:(CYCLE?[ \t]*(?:DEF|CALL)|BEGIN[ \t]+PGM|END[ \t]+PGM|BLK[ \t]+FORM|TOOL[ \t]+(?:CALL|DEF)|CALL[ \t]+LBL|`
     + String.raw`TRANS[ \t]+(?:DATUM|MIRROR|ROTATION|SCALE)|PLANE|`
-    + String.raw`FUNCTION|LBL|STOP|APPR|DEP|UDC|GRV|RND|CHF|CTP|CR|CT|CC|CP|LP|L|C)(?![A-Z_]))`,
+    + String.raw`FUNCTION|FSELECT|FPOL|FLT|FCT|FL|FC|LBL|STOP|APPR|DEP|UDC|GRV|RND|CHF|CTP|CR|CT|CC|CP|LP|L|C)(?![A-Z_]))`,
   "iy",
 );
 const ASSIGNMENT = new RegExp(String.raw`(?:FN[ \t]*(?:[0-8]|13)[ \t]*:|${NUMBER_PARAMETER}[ \t]*=)`, "iy");
@@ -72,6 +73,8 @@ function dispatch(scan: Scan, lines: readonly BlockLine[], issues: BlockIssue[])
   if (!keyword) return withoutKeyword(scan);
   const word = keyword[0].toUpperCase();
   if (PATHS.has(word)) return path(scan, word as PathKind);
+  const free = FREE_FORMS.find((form) => form === word);
+  if (free) return readFree(scan, free);
   switch (word.replace(/^CYCLE?[ \t]*/, "CYCL ").replace(/[ \t]+/, " ")) {
     case "CYCL DEF":
       return readCycle(scan, lines, issues);

@@ -56,6 +56,9 @@ export type PathKind = (typeof PATH_KINDS)[number];
 export const APPROACH_FORMS = ["LT", "LN", "CT", "LCT", "PLT", "PLN", "PCT", "PLCT"] as const;
 export type ApproachForm = (typeof APPROACH_FORMS)[number];
 
+export const FREE_FORMS = ["FL", "FLT", "FC", "FCT", "FPOL", "FSELECT"] as const;
+export type FreeForm = (typeof FREE_FORMS)[number];
+
 export interface CycleParameter {
   /** "Q215". */
   readonly q: string;
@@ -150,6 +153,8 @@ export type Statement =
   | { readonly kind: "turnCorrection"; readonly system: "TCS" | "WPL"; readonly plane: string; readonly words: readonly NamedWord[] }
   | { readonly kind: "turnBlank"; readonly blank: { readonly file: string } | { readonly label: Label } | "off" }
   | { readonly kind: "path"; readonly path: PathKind; readonly words: Words }
+  /** An element of a free contour, its pole, or which solution is meant; `given`: what only such elements have. */
+  | { readonly kind: "free"; readonly form: FreeForm; readonly given: readonly NamedWord[]; readonly words: Words }
   /** Chamfer with its side length. */
   | { readonly kind: "chamfer"; readonly length: Value | null; readonly words: Words }
   | { readonly kind: "approach"; readonly departing: boolean; readonly form: ApproachForm; readonly words: Words }

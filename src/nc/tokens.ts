@@ -17,7 +17,8 @@ const KEYWORD = new RegExp(
     .raw`(?:CYCLE?[ \t]*(?:DEF|CALL)(?:[ \t]+(?:POS|PAT)(?![A-Z]))?|(?:BEGIN|END)[ \t]+PGM|BLK[ \t]+FORM(?:[ \t]+(?:CYLINDER|ROTATION))?|`
     + String.raw`TOOL[ \t]+(?:CALL|DEF)|CALL[ \t]+LBL|SEL[ \t]+CONTOUR|TRANS[ \t]+[A-Z]+(?:[ \t]+(?:AXIS|RESET))?|GOTO[ \t]+LBL|IF|`
     + String.raw`FUNCTION(?:[ \t]+(?:MODE[ \t]+(?:TURN|MILL)|TURNDATA[ \t]+(?:SPIN|BLANK|CORR-(?:TCS|WPL)(?::[A-Z](?:\/[A-Z])?)?)))?|`
-    + String.raw`FN[ \t]*\d+[ \t]*:|LBL|STOP|APPR(?:[ \t]+[A-Z]+)?|DEP(?:[ \t]+[A-Z]+)?|UDC(?:[ \t]+[A-Z_]+)?|GRV(?:[ \t]+[A-Z]+)?|`
+    + String.raw`FN[ \t]*\d+[ \t]*:|F(?:SELECT|POL|LT|CT|L|C)|LBL|STOP|APPR(?:[ \t]+[A-Z]+)?|DEP(?:[ \t]+[A-Z]+)?|`
+    + String.raw`UDC(?:[ \t]+[A-Z_]+)?|GRV(?:[ \t]+[A-Z]+)?|`
     + String.raw`RND|CHF|CTP|CR|CT|CC|CP|LP|L|C)(?![A-Z_])`,
   "iy",
 );

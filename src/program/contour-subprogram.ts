@@ -1,10 +1,12 @@
 import { contourFrom, type Contour, type ContourElement } from "../kernel/contour.ts";
-import type { Pt } from "../kernel/point.ts";
-import type { Label, Statement } from "../nc/statement.ts";
+import { at as pointAt, type Pt, type Segment } from "../kernel/point.ts";
+import type { Label, Statement, StatementOf } from "../nc/statement.ts";
+import { isFreeElement, solveFree, type FreeBlock } from "./free-contour.ts";
+import { collectFree, sayUnsolved } from "./free-words.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
 import type { ContourSource } from "./modal.ts";
-import { coordinates, elementOf, endOf, NOWHERE, pointIn, type PathBlock, type Position, type WordReader } from "./path.ts";
+import { coordinates, elementOf, endOf, NOWHERE, pointIn, segmentOf, type PathBlock, type Position, type WordReader } from "./path.ts";
 import { wordReader } from "./path-block.ts";
 import { recessOf } from "./recess-words.ts";
 import { nameOf } from "./unproved-blocks.ts";
@@ -26,6 +28,10 @@ interface Reader {
   readonly blocks: number[];
   at: Position;
   pole: Pt | null;
+  /** The element before, for a free contour that leaves it tangentially. */
+  last: Segment | null;
+  /** Elements of free contours, by their blocks. */
+  solved: ReadonlyMap<number, FreeBlock>;
   /** A word of a place had no number. */
   isTroubled: boolean;
 }
@@ -48,7 +54,17 @@ export function readContourOf(machine: Machine, { unit, label }: ContourSource, 
   for (const name of [...machine.parameters.keys()]) if (name.startsWith("QL")) machine.parameters.delete(name);
   const { inch } = machine.now;
   machine.set({ inch: unit.inch });
-  const reader: Reader = { machine, plane: radii ? "ZX" : "lathe", elements: [], blocks: [], at: NOWHERE, pole: null, isTroubled: false };
+  const reader: Reader = {
+    machine,
+    plane: radii ? "ZX" : "lathe",
+    elements: [],
+    blocks: [],
+    at: NOWHERE,
+    pole: null,
+    last: null,
+    solved: new Map(),
+    isTroubled: false,
+  };
   let i = start + 1;
   for (; i < unit.to; i += 1) {
     machine.visited[i] = 1;
@@ -76,6 +92,8 @@ function element(reader: Reader, s: Statement, index: number): void {
   switch (s.kind) {
     case "path":
       return path(reader, s, index);
+    case "free":
+      return free(reader, s, index);
     case "chamfer":
       return corner(reader, "chamfer", s.length === null ? null : reader.machine.number(s.length, index), index);
     case "assign":
@@ -142,8 +160,38 @@ function path(reader: Reader, { path: kind, words }: Extract<Statement, { kind: 
   const block: PathBlock = { path: kind, words };
   reader.at = endOf(read, block, { plane, at, pole }) ?? at;
   const to = pointIn(plane, reader.at);
+  const from = pointIn(plane, at);
+  reader.last = from && to && segmentOf({ ...read, fault: () => undefined }, block, { from, to, pole, before: reader.last });
   if (to) push(reader, elementOf(read, block, to, pole) ?? { kind: "line", to }, index);
   else incomplete(reader, index);
+}
+
+const scaled = (s: Segment, unit: number): Segment => {
+  const smaller = (p: Pt) => pointAt(p.z / unit, p.r / unit);
+  const [from, to] = [smaller(s.from), smaller(s.to)];
+  return s.kind === "line" ? { kind: "line", from, to } : { ...s, from, to, centre: smaller(s.centre) };
+};
+
+/** An element of a free contour: solved with those that follow where the first of them stands. */
+function free(reader: Reader, s: StatementOf<"free">, index: number): void {
+  if (!isFreeElement(s)) return;
+  const { machine, plane, at } = reader;
+  if (!reader.solved.has(index)) {
+    const { run, indices } = collectFree(machine, index);
+    const from = pointIn(plane, at);
+    const unit = machine.length(1);
+    const blocks = solveFree(run, {
+      plane: plane === "lathe" ? "lathe" : "radii",
+      from: from && pointAt(from.z / unit, from.r / unit),
+      before: reader.last && scaled(reader.last, unit),
+      number: (value) => machine.number(value, index),
+    });
+    reader.solved = new Map(indices.map((i, k) => [i, blocks[k] ?? null]));
+  }
+  const made = reader.solved.get(index);
+  if (made) return path(reader, made, index);
+  reader.isTroubled = true;
+  sayUnsolved(machine, s, index);
 }
 
 /** The first block of a contour names both coordinates: a control knows no point before it. */

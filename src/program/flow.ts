@@ -193,7 +193,7 @@ function compare(machine: Machine, s: Extract<Statement, { kind: "jump" }>, inde
 
 const runs = (s: Statement) =>
   s.kind === "cycleCall" || s.kind === "call" || s.kind === "callProgram" || s.kind === "callSelected" || s.kind === "approach"
-  || (s.kind === "path" && s.path !== "CC")
+  || s.kind === "free" || (s.kind === "path" && s.path !== "CC")
   || (wordsOf(s)?.functions.includes(99) ?? false);
 
 /** Motion and calls behind the end of the program that nothing has run: the first of them is named. True when there is one. */

@@ -54,6 +54,8 @@ interface Data {
   blankNotTaken: { label: string };
   poleMissing: {};
   startUnknown: {};
+  /** An element of a free contour that what is given does not determine, or not without contradiction. */
+  freeUnsolved: { form: string };
   arcImpossible: {};
   radiusCompensation: { side: "RL" | "RR" };
   /** RL to RR or back without R0 between. */

@@ -9,6 +9,7 @@ import type { FileName, Label, Statement, Value } from "../nc/statement.ts";
 import { NO_TRANSFORM } from "./coordinates-frame.ts";
 import { formulaOf, textOf, valueOf, type Parameters, type Trouble } from "./formula.ts";
 import { programIssue, type ProgramIssue } from "./issue.ts";
+import type { FreeRun } from "./free-contour.ts";
 import { KnownValues } from "./known-values.ts";
 import { Log } from "./log.ts";
 import { AT_START, NO_SHIFT, NOT_PLACED, type Milling, type Modal, type Whereabouts } from "./modal.ts";
@@ -68,6 +69,8 @@ export class Machine {
   /** The contours that turning and milling are gathering. */
   readonly turnGuide: Guide = { chain: null, here: null };
   readonly millGuide: Guide = { chain: null, here: null };
+  /** The free contour that is being run. */
+  freeRun: FreeRun | null = null;
   /** Blocks executed, those of contours that cycles read included. */
   private executed = 0;
   full = false;

@@ -6,6 +6,7 @@ import { CONTOUR_CYCLE, contourLabels } from "./contour-names.ts";
 import { callCycle, cycleDefinition } from "./cycle-call.ts";
 import { datumLine, DATUM_CYCLE, resetDatum, shiftDatum, tableDatum } from "./datum.ts";
 import { execute, neverReached, wordsOf } from "./flow.ts";
+import { runFree } from "./free-run.ts";
 import { programIssue } from "./issue.ts";
 import { Machine, type Shop } from "./machine.ts";
 import { isElsewhere, retract, retracts } from "./machine-moves.ts";
@@ -67,6 +68,7 @@ const beginsTurning = (program: Program) => {
 const HANDLERS: { readonly [K in Statement["kind"]]?: (machine: Machine, s: StatementOf<K>, index: number) => void } = {
   path,
   chamfer,
+  free: runFree,
   approach: runApproach,
   toolDefinition,
   toolCall,
@@ -110,7 +112,7 @@ export const acts = (kind: Statement["kind"]): boolean => HANDLERS[kind] !== und
 /** Blocks behind which no contour goes on. */
 const ENDING: ReadonlySet<Statement["kind"]> = new Set(["mode", "toolCall", "cycleCall"]);
 /** Blocks between an element and the rounding or chamfer on its end. */
-const WAITING: ReadonlySet<Statement["kind"]> = new Set(["path", "chamfer", "empty", "comment", "structure"]);
+const WAITING: ReadonlySet<Statement["kind"]> = new Set(["path", "free", "chamfer", "empty", "comment", "structure"]);
 /** Feed per revolution, and per minute. */
 const FEED_UNITS: readonly number[] = [136, 137];
 

@@ -308,6 +308,7 @@ const table: Table = {
   rotation: () => [wholeText],
   scale: () => [wholeText],
   plane: () => [wholeText],
+  free: () => [wholeText],
   assign:
     (s) => [
       fieldOf("assign", "target", (a) => a.target,

@@ -87,6 +87,7 @@ export const editor = {
     chamfer: "Fase",
     approach: "Anfahren",
     departure: "Wegfahren",
+    free: "Freie Kontur",
     undercut: "Freistich",
     groove: "Einstich",
     label: "Label",

@@ -196,6 +196,8 @@ export const messages = {
     drillTooShort: (d, w) =>
       `Die Bohrung ist ${w.value(d.depth)} tief, die Schneiden des Bohrers (LCUTS) sind ${w.value(d.edges)} lang: Der Schaft kann reiben.`,
     pitchOfTap: (d, w) => `Q239 ist ${w.value(d.pitch)}, der Gewindebohrer in der Tabelle hat aber PITCH ${w.value(d.tap)}.`,
+    freeUnsolved: (d, w) =>
+      `${w.text(d.form)}: Die Angaben bestimmen dieses Element nicht oder widersprechen sich. Mehr Angaben machen oder FSELECT wählen.`,
     cycleNeverCalled: (d) => `Zyklus ${d.cycle} ist definiert und wird nie aufgerufen: Dahinter fehlt CYCL CALL oder M99.`,
     neverReached: (d) => `Das Programm endet mit ${d.by} vor diesem Satz: Er wird nie ausgeführt.`,
     parameterForeign: (d, w) =>

@@ -91,6 +91,7 @@ export const editor = {
     chamfer: "Chamfer",
     approach: "Approach",
     departure: "Departure",
+    free: "Free contour",
     undercut: "Undercut",
     groove: "Recess",
     label: "Label",

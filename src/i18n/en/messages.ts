@@ -189,6 +189,8 @@ export const messages = {
     drillTooShort: (d, w) =>
       `The bore is ${w.value(d.depth)} deep, the edges of the drill (LCUTS) are ${w.value(d.edges)} long: it may rub on its shank.`,
     pitchOfTap: (d, w) => `Q239 is ${w.value(d.pitch)}, and the tap in the table has a PITCH of ${w.value(d.tap)}.`,
+    freeUnsolved: (d, w) =>
+      `${w.text(d.form)}: what is given does not determine this element, or contradicts itself. Give more values, or FSELECT.`,
     cycleNeverCalled: (d) => `Cycle ${d.cycle} is defined and never called: CYCL CALL or M99 is missing behind it.`,
     neverReached: (d) => `The program ends at ${d.by}, before this block: it is never run.`,
     parameterForeign: (d, w) => `${w.text(d.name)} does not belong here: cycle ${d.cycle} has no such parameter, or it stands twice.`,

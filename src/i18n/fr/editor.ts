@@ -87,6 +87,7 @@ export const editor = {
     chamfer: "Chanfrein",
     approach: "Approche",
     departure: "Sortie",
+    free: "Contour libre",
     undercut: "Dégagement",
     groove: "Gorge",
     label: "Label",

@@ -79,6 +79,7 @@ export const editor = {
     chamfer: "倒角",
     approach: "接近",
     departure: "离开",
+    free: "自由轮廓",
     undercut: "退刀槽",
     groove: "凹槽",
     label: "标记",

@@ -151,6 +151,7 @@ export const messages = {
     feedUnlikely: (d, w) => `${w.number(d.feed)} ${d.unit}的进给不合常理。请检查M136:有它时F以毫米/转计。`,
     drillTooShort: (d, w) => `孔深${w.value(d.depth)},而钻头切削刃长度(LCUTS)为${w.value(d.edges)}:刀柄可能摩擦孔壁。`,
     pitchOfTap: (d, w) => `Q239为${w.value(d.pitch)},而刀具表中丝锥的PITCH为${w.value(d.tap)}。`,
+    freeUnsolved: (d, w) => `${w.text(d.form)}:所给数据不能确定该元素,或相互矛盾。请给出更多数据,或使用FSELECT。`,
     cycleNeverCalled: (d) => `循环${d.cycle}已定义但从未调用:其后缺少CYCL CALL或M99。`,
     neverReached: (d) => `程序在此程序段之前以${d.by}结束:该程序段从不执行。`,
     parameterForeign: (d, w) => `${w.text(d.name)}不属于此处:循环${d.cycle}没有该参数,或该参数出现两次。`,

@@ -1,0 +1,46 @@
+import type { Statement, StatementOf } from "../nc/statement.ts";
+import { isFreeElement } from "./free-contour.ts";
+import { programIssue } from "./issue.ts";
+import type { Machine } from "./machine.ts";
+
+type Free = StatementOf<"free">;
+
+/** Blocks that stand between the elements of one contour and give none. */
+const BETWEEN: ReadonlySet<Statement["kind"]> = new Set(["empty", "comment", "structure", "chamfer"]);
+/** Elements that are solved at once; a control does not take more either. */
+const MOST = 200;
+
+interface Collected {
+  readonly run: readonly Free[];
+  readonly indices: readonly number[];
+}
+
+/** The elements that follow one another from a block on, with what is said between them. */
+export function collectFree(machine: Machine, from: number): Collected {
+  const [run, indices]: [Free[], number[]] = [[], []];
+  for (let i = from; i < machine.blocks.length && indices.length < MOST; i += 1) {
+    if (machine.isSkipped(i)) continue;
+    const s = machine.blocks[i]?.statement;
+    if (s?.kind === "free") {
+      run.push(s);
+      if (isFreeElement(s)) indices.push(i);
+    } else if (!s || !(BETWEEN.has(s.kind) || (s.kind === "path" && s.path === "RND"))) break;
+  }
+  return { run: withPole(machine, from, run), indices };
+}
+
+/** FPOL stands in front of the elements that count from it. */
+function withPole(machine: Machine, from: number, run: readonly Free[]): readonly Free[] {
+  for (let i = from - 1; i >= 0; i -= 1) {
+    const s = machine.blocks[i]?.statement;
+    if (s?.kind === "free" && s.form === "FPOL") return [s, ...run];
+    if (!s || (s.kind !== "free" && !BETWEEN.has(s.kind))) return run;
+  }
+  return run;
+}
+
+/** Says of an element that it can not be solved. */
+export function sayUnsolved(machine: Machine, s: Free, index: number): void {
+  machine.log.say(programIssue("freeUnsolved", "warning", { form: s.form }), index);
+  machine.log.leaveUnproved(s.form, index);
+}
