@@ -105,7 +105,8 @@ Every kind of block that the reader knows, in one of its spellings, and what bec
 - **kept**: it comes back to the byte and changes neither path nor stock.
 - **unproved**: it comes back to the byte; what it would move nobody here knows, and the report says so from that block on.
 
-UDC and GRV are run where they belong, in a contour. A block that is not in the list is kept as text and unproved. The page is written by \`npm run docs\`: each block is run in a small program.
+UDC and GRV are run where they belong, in a contour. A block that is not in the list is kept as text and unproved.
+The page is written by \`npm run docs\`: each block is run in a small program.
 
 | Block | Turning | Milling |
 |---|---|---|

@@ -184,8 +184,7 @@ export function lowest(e: Envelope, u0: number, u1: number): number {
     const s = e[i] as Span;
     if (s.u0 >= u1) break;
     if (s.u0 > covered + ROUND) return -Infinity;
-    const a = Math.max(u0, s.u0);
-    const b = Math.min(u1, s.u1);
+    const [a, b] = [Math.max(u0, s.u0), Math.min(u1, s.u1)];
     if (b < a) continue;
     low = Math.min(low, valueAt(s.piece, a), valueAt(s.piece, b));
     if (s.piece.arc === -1 && s.piece.cu > a && s.piece.cu < b) low = Math.min(low, s.piece.cv - s.piece.radius);
@@ -203,8 +202,7 @@ export function highest(e: Envelope, u0: number, u1: number): { u: number; v: nu
   for (let i = firstSpan(e, u0); i < e.length; i++) {
     const s = e[i] as Span;
     if (s.u0 > u1) break;
-    const a = Math.max(u0, s.u0);
-    const b = Math.min(u1, s.u1);
+    const [a, b] = [Math.max(u0, s.u0), Math.min(u1, s.u1)];
     if (b < a) continue;
     offer(a, valueAt(s.piece, a));
     offer(b, valueAt(s.piece, b));
