@@ -69,10 +69,14 @@ function turnsLater(machine: Machine, index: number): boolean {
   return false;
 }
 
-/** A drill of the table of milling tools, as a tool that turning can use on its axis. */
 function drillIn(mills: readonly Mill[], wanted: number | string): Tool | undefined {
   const row = find(mills, wanted);
-  if (!row?.TYPE || !(row.R + (row.DR ?? 0) > 0)) return undefined;
+  return row && (drillOf(row) ?? undefined);
+}
+
+/** A drill of the table of milling tools, as a tool that turning can use on its axis; null for a mill. An empty cell may be 0. */
+export function drillOf(row: Mill): Tool | null {
+  if (!row.TYPE || !(row.R + (row.DR ?? 0) > 0)) return null;
   return {
     T: row.T,
     NAME: row.NAME,
@@ -80,9 +84,9 @@ function drillIn(mills: readonly Mill[], wanted: number | string): Tool | undefi
     TO: 8,
     RS: length(0),
     R: length(row.R + (row.DR ?? 0)),
-    ...(row["T-ANGLE"] !== undefined && { "T-ANGLE": degrees(row["T-ANGLE"]) }),
-    ...(row.LCUTS !== undefined && { CUTLENGTH: length(row.LCUTS) }),
-    ...(row.PITCH !== undefined && { PITCH: length(row.PITCH) }),
+    ...(row.TYPE !== "TAP" && row["T-ANGLE"] && { "T-ANGLE": degrees(row["T-ANGLE"]) }),
+    ...(row.LCUTS && { CUTLENGTH: length(row.LCUTS) }),
+    ...(row.PITCH && { PITCH: length(row.PITCH) }),
   };
 }
 

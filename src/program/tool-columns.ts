@@ -1,4 +1,4 @@
-import { TOOL_TYPES, type ToolType } from "../kernel/tool.ts";
+import { DRILL_TYPES, TOOL_TYPES, type DrillType, type ToolType } from "../kernel/tool.ts";
 import type { Field } from "./field.ts";
 
 /** The columns of the turning-tool table, in the order of the table. */
@@ -27,13 +27,20 @@ export type HolderNumber = (typeof HOLDER_NUMBERS)[number];
 /** Cells of the holder: its numbers, the axis of its shank, and its head as corners. */
 export const HOLDER_CELLS = [...HOLDER_NUMBERS, "axis", "head"] as const;
 export type HolderCell = (typeof HOLDER_CELLS)[number];
-/** Columns of a milling tool beside T and NAME: length, radius, and what is added to both. */
-export const MILL_COLUMNS = ["L", "R", "DL", "DR"] as const;
+/**
+ * Columns of a milling tool beside T and NAME: length, radius, and what is added to both; how long the edges of a drill are, and the
+ * pitch of a tap. The point angle of a drill stands under T-ANGLE.
+ */
+export const MILL_COLUMNS = ["L", "R", "DL", "DR", "LCUTS", "PITCH"] as const;
 export type MillColumn = (typeof MILL_COLUMNS)[number];
 export type NumberColumn = Exclude<ToolColumn, "NAME" | "TYPE"> | MillColumn;
 export type CellName = ToolColumn | MillColumn | HolderCell;
-/** What stands as the type of a milling tool. */
+/** What stands as the type of a milling tool that is no drill. */
 export const MILL = "MILL";
+/** Types of the table of milling tools. */
+export const MILL_TYPES = [MILL, ...DRILL_TYPES] as const;
+/** Columns of that table behind T, NAME and the type, in their order. */
+export const MILL_TABLE = ["R", "DR", "L", "DL", "T-ANGLE", "LCUTS", "PITCH"] as const satisfies readonly NumberColumn[];
 
 /** What a column of numbers holds. The ranges are recalled (tag K1, K2), not read on a printed page. */
 export interface ColumnRule {
@@ -67,7 +74,11 @@ export const COLUMN_RULES: Readonly<Record<NumberColumn, ColumnRule>> = {
   R: size,
   DL: anyLength,
   DR: { ...anyLength, range: [-999.9999, 999.9999] },
+  LCUTS: size,
+  PITCH: { ...size, range: [0, 9.9999] },
 };
+/** The point of a drill may be flat. */
+const POINT: ColumnRule = { ...angle, range: [0, 180] };
 
 /** The smallest side of a holder box, mm. */
 const LEAST_SIDE = 0.001;
@@ -80,21 +91,29 @@ export const HOLDER_RULES: Readonly<Record<HolderNumber, ColumnRule>> = {
 
 const isHolderNumber = (cell: NumberColumn | HolderNumber): cell is HolderNumber => HOLDER_NUMBERS.some((each) => each === cell);
 
-export const ruleOf = (cell: NumberColumn | HolderNumber): ColumnRule => (isHolderNumber(cell) ? HOLDER_RULES[cell] : COLUMN_RULES[cell]);
-
 export const isToolType = (text: string): text is ToolType => TOOL_TYPES.some((type) => type === text);
+export const isDrillType = (text: string): text is DrillType => DRILL_TYPES.some((type) => type === text);
+export const isMillType = (text: string): boolean => MILL_TYPES.some((type) => type === text);
+
+/** What a cell may hold in the row of a tool of a type. */
+export function ruleOf(cell: NumberColumn | HolderNumber, type = ""): ColumnRule {
+  if (isHolderNumber(cell)) return HOLDER_RULES[cell];
+  return cell === "T-ANGLE" && isDrillType(type) ? POINT : COLUMN_RULES[cell];
+}
 
 /** Columns that shape the insert of some types only; all others hold for every type. */
-const SHAPING: Partial<Record<ToolColumn, readonly ToolType[]>> = {
-  "T-ANGLE": ["ROUGH", "FINISH"],
+const SHAPING: Partial<Record<CellName, readonly (ToolType | DrillType)[]>> = {
+  "T-ANGLE": ["ROUGH", "FINISH", "DRILL", "CENTER"],
   "P-ANGLE": ["ROUGH", "FINISH", "THREAD"],
   CUTLENGTH: ["ROUGH", "FINISH", "RECESS", "RECTURN", "THREAD"],
   CUTWIDTH: ["RECESS", "RECTURN"],
   DCW: ["RECESS", "RECTURN"],
+  LCUTS: DRILL_TYPES,
+  PITCH: ["TAP"],
 };
 
 /** Whether a column means anything for a type; an unknown type leaves all of them open. */
-export function applies(column: ToolColumn, type: string): boolean {
-  const types = SHAPING[column];
-  return !types || !isToolType(type) || types.includes(type);
+export function applies(column: CellName, type: string): boolean {
+  const types: readonly string[] | undefined = SHAPING[column];
+  return !types || !(isToolType(type) || isMillType(type)) || types.includes(type);
 }

@@ -1,10 +1,10 @@
 import { issue, type Issue } from "../kernel/issue.ts";
 import { mends, offerOf, withOffer } from "../kernel/offer.ts";
-import type { Tool } from "../kernel/tool.ts";
+import type { DrillType, Tool } from "../kernel/tool.ts";
 import { checkTool } from "./check-tool.ts";
 import { readText } from "./field.ts";
 import { readAxis, readHead, writeHead } from "./holder-cells.ts";
-import { applies, HOLDER_CELLS, HOLDER_NUMBERS, MILL, MILL_COLUMNS, ruleOf, TOOL_COLUMNS, type CellName, type HolderNumber, type MillColumn,
+import { applies, HOLDER_CELLS, HOLDER_NUMBERS, isDrillType, isMillType, MILL_TABLE, ruleOf, TOOL_COLUMNS, type CellName, type HolderNumber,
   type NumberColumn, type ToolColumn } from "./tool-columns.ts";
 
 /** One row of the tool table as typed: every cell is text, an empty or missing cell is empty. */
@@ -13,9 +13,9 @@ export interface ToolEntry {
   readonly cells: Readonly<Partial<Record<CellName, string>>>;
 }
 
-/** A milling tool with all its columns, mm; a missing cell is absent. */
-export type MillTool = { readonly T: number; readonly NAME: string; readonly R: number } & {
-  readonly [C in Exclude<MillColumn, "R">]?: number;
+/** A milling tool or a drill with all its columns, mm and degrees; a missing cell is absent, and so is the type of a mill. */
+export type MillTool = { readonly T: number; readonly NAME: string; readonly R: number; readonly TYPE?: DrillType } & {
+  readonly [C in Exclude<(typeof MILL_TABLE)[number], "R">]?: number;
 };
 
 /** A row read: the tool when every cell can be used, and everything found, each at its column. */
@@ -30,7 +30,7 @@ export interface EntryReading {
 
 export const cellOf = (entry: ToolEntry, cell: CellName): string => entry.cells[cell] ?? "";
 
-export const isMillEntry = (entry: ToolEntry): boolean => cellOf(entry, "TYPE") === MILL;
+export const isMillEntry = (entry: ToolEntry): boolean => isMillType(cellOf(entry, "TYPE"));
 
 /** A tool as a row that one would have typed. */
 export function entryOf(tool: Tool, id: string): ToolEntry {
@@ -58,8 +58,8 @@ function nameIssues(text: string): Issue[] {
 }
 
 /** One number: its value, null when empty, or what is wrong with it. */
-function numberOf(cell: NumberColumn | HolderNumber, text: string): number | null | Issue {
-  const { value, issue: found } = readText({ ...ruleOf(cell), id: cell, optional: true, decimals: null }, text);
+function numberOf(cell: NumberColumn | HolderNumber, text: string, type: string): number | null | Issue {
+  const { value, issue: found } = readText({ ...ruleOf(cell, type), id: cell, optional: true, decimals: null }, text);
   return found?.code === "outOfRange" ? issue("toolColumn", "error", { column: cell, ...found.data }, cell) : (found ?? value);
 }
 
@@ -75,7 +75,7 @@ function numbersOf(entry: ToolEntry): Numbers {
   const issues: Issue[] = [];
   const columns = TOOL_COLUMNS.filter((column) => column !== "NAME" && column !== "TYPE");
   for (const cell of [...columns, ...HOLDER_NUMBERS]) {
-    const read = numberOf(cell, cellOf(entry, cell));
+    const read = numberOf(cell, cellOf(entry, cell), type);
     if (read === null) continue;
     if (typeof read === "number") values[cell] = read;
     else if (HOLDER_NUMBERS.some((each) => each === cell) || applies(cell as ToolColumn, type)) issues.push(read);
@@ -104,23 +104,32 @@ function firstOfEach(all: readonly Issue[]): Issue[] {
   return [...found.values()];
 }
 
-/** Reads the row of a milling tool: its radius is needed, and must be left with its delta. */
+/** Smallest radius of a drill: without one it makes no bore. */
+const LEAST_DRILL = 0.001;
+
+/** Reads the row of a milling tool or a drill: its radius is needed, and must be left with its delta. */
 function readMill(entry: ToolEntry): EntryReading {
+  const type = cellOf(entry, "TYPE");
+  const drill = isDrillType(type) ? type : null;
   const values: Partial<Record<NumberColumn, number>> = {};
   const found: Issue[] = [];
-  for (const column of ["T", ...MILL_COLUMNS] as const) {
-    const read = numberOf(column, cellOf(entry, column));
+  for (const column of ["T", ...MILL_TABLE] as const) {
+    if (!applies(column, type)) continue;
+    const read = numberOf(column, cellOf(entry, column), type);
     if (typeof read === "number") values[column] = read;
     else if (read !== null) found.push(read);
     else if (column === "T" || column === "R") found.push(issue("missing", "error", {}, column));
   }
   const { T, R, ...others } = values;
   const wear = values.DR ?? 0;
-  if (R !== undefined && R + wear < 0) found.push(issue("toolColumn", "error", { column: "DR", value: wear, min: -R, nearest: -R }, "DR"));
+  const least = drill ? LEAST_DRILL : 0;
+  if (R !== undefined && R < least) found.push(issue("toolColumn", "error", { column: "R", value: R, min: least, nearest: least }, "R"));
+  else if (R !== undefined && R + wear < least)
+    found.push(issue("toolColumn", "error", { column: "DR", value: wear, min: least - R, nearest: least - R }, "DR"));
   const NAME = cellOf(entry, "NAME");
   const issues = firstOfEach([...found, ...nameIssues(NAME)]);
   const sound = T !== undefined && R !== undefined && issues.every((each) => each.severity !== "error");
-  return { tool: null, mill: sound ? { T, NAME, R, ...others } : null, number: T ?? null, issues };
+  return { tool: null, mill: sound ? { T, NAME, ...(drill && { TYPE: drill }), R, ...others } : null, number: T ?? null, issues };
 }
 
 /** Reads one row, of a turning tool or of a milling tool. A value that it offers for a cell has been tried there. */

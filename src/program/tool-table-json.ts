@@ -1,6 +1,6 @@
 import type { Holder, Tool } from "../kernel/tool.ts";
 import { writeHead } from "./holder-cells.ts";
-import { HOLDER_CELLS, isToolType, MILL, MILL_COLUMNS, TOOL_COLUMNS, type CellName } from "./tool-columns.ts";
+import { HOLDER_CELLS, isDrillType, isToolType, MILL, MILL_TABLE, TOOL_COLUMNS, type CellName } from "./tool-columns.ts";
 import type { MillTool, ToolEntry } from "./tool-entry.ts";
 import { readTableText, type TableFile } from "./tool-table-text.ts";
 
@@ -31,8 +31,9 @@ function cellsOf(row: Readonly<Record<string, unknown>>, leftOut: Set<string>): 
     if (value !== null && value !== undefined && value !== "") cells[name] = asText(value);
   };
   const isMill = "R" in row && !isToolType(String(row["TYPE"]));
-  if (isMill) cells.TYPE = MILL;
-  const columns: readonly CellName[] = isMill ? ["T", "NAME", ...MILL_COLUMNS] : TOOL_COLUMNS;
+  const drill = String(row["TYPE"]).toUpperCase();
+  if (isMill) cells.TYPE = isDrillType(drill) ? drill : MILL;
+  const columns: readonly CellName[] = isMill ? ["T", "NAME", ...MILL_TABLE] : TOOL_COLUMNS;
   for (const [name, value] of Object.entries(row)) {
     const column = columns.find((each) => each === name);
     if (column) take(column, value);

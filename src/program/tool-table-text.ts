@@ -1,7 +1,7 @@
-import type { Tool } from "../kernel/tool.ts";
-import { COLUMN_RULES, MILL, MILL_COLUMNS, TOOL_COLUMNS, type MillColumn, type NumberColumn, type ToolColumn } from "./tool-columns.ts";
-import type { MillTool, ToolEntry } from "./tool-entry.ts";
+import type { DrillType, Tool } from "../kernel/tool.ts";
 import { INCH } from "../kernel/units.ts";
+import { MILL, MILL_COLUMNS, ruleOf, TOOL_COLUMNS, type MillColumn, type NumberColumn, type ToolColumn } from "./tool-columns.ts";
+import type { MillTool, ToolEntry } from "./tool-entry.ts";
 
 /*
  * The tables of turning and of milling tools as the control keeps it in a file: a BEGIN line, a line of column titles, one line a tool with
@@ -9,8 +9,15 @@ import { INCH } from "../kernel/units.ts";
  * other tables of the control. Reasons: docs/decisions, the tool-table layout.
  */
 
-type Column = ToolColumn | MillColumn;
-const MILL_TABLE = ["T", "NAME", ...MILL_COLUMNS] as const;
+/** In the table of milling tools the type stands under a title of its own. */
+type Column = ToolColumn | MillColumn | "TYP";
+const MILL_FILE = ["T", "NAME", "L", "R", "DL", "DR", "TYP", "LCUTS", "T-ANGLE", "PITCH"] as const;
+/** How the control calls the types that count here: by a word, in older tables by its number. */
+const DRILLS: readonly { readonly type: DrillType; readonly words: readonly [string, ...string[]] }[] = [
+  { type: "DRILL", words: ["DRILL", "1"] },
+  { type: "TAP", words: ["TAP", "2"] },
+  { type: "CENTER", words: ["CENT", "CENTER", "4"] },
+];
 
 /** Characters of each column with the space behind it. */
 const WIDTHS: Readonly<Record<Column, number>> = {
@@ -34,6 +41,9 @@ const WIDTHS: Readonly<Record<Column, number>> = {
   R: 12,
   DL: 13,
   DR: 11,
+  TYP: 8,
+  LCUTS: 12,
+  PITCH: 9,
 };
 const LINE_END = "\r\n";
 
@@ -44,8 +54,8 @@ const rounded = (value: number, decimals: number) => {
 
 function written(value: string | number | undefined, column: Column): string {
   if (value === undefined) return "";
-  if (typeof value === "string" || column === "NAME" || column === "TYPE") return String(value);
-  const { decimals, range: [min] } = COLUMN_RULES[column];
+  if (typeof value === "string" || column === "NAME" || column === "TYPE" || column === "TYP") return String(value);
+  const { decimals, range: [min] } = ruleOf(column);
   const text = decimals === 0 ? String(value) : rounded(value, decimals);
   return min < 0 && !text.startsWith("-") ? `+${text}` : text;
 }
@@ -60,7 +70,8 @@ function table<C extends Column>(name: string, columns: readonly C[], rows: read
 export const writeTableText = (tools: readonly Tool[]): string => table("TOOLTURN.TRN", TOOL_COLUMNS, tools);
 
 /** Writes milling tools as the control's tool table, with the columns that count here. */
-export const writeMillText = (mills: readonly MillTool[]): string => table("TOOL.T", MILL_TABLE, mills);
+export const writeMillText = (mills: readonly MillTool[]): string =>
+  table("TOOL.T", MILL_FILE, mills.map((mill) => ({ ...mill, TYP: DRILLS.find((each) => each.type === mill.TYPE)?.words[0] ?? MILL })));
 
 /** Rows of a file with the names of what has no place in this table; or why it is none. */
 export type TableFile = { readonly rows: readonly ToolEntry["cells"][]; readonly leftOut: readonly string[]; readonly cutShort: boolean }
@@ -96,9 +107,15 @@ const isMillTable = (titles: readonly Title[]) =>
   ["T", "R"].every((name) => titles.some((title) => title.name === name))
   && !titles.some((title) => title.name === "TO" || title.name === "RS");
 
+/** The type of a row of the milling table: its column has either title. */
+const typeIn = (cells: Readonly<Record<string, string>>) => cells["TYP"] ?? cells["TYPE"] ?? "";
+
+const millTypeOf = (cells: Readonly<Record<string, string>>) =>
+  DRILLS.find(({ words }) => words.includes(typeIn(cells).toUpperCase()))?.type ?? MILL;
+
 /** Places of a milling table that hold no tool of its own: empty ones, and turning tools, whose data are elsewhere. */
 function isNoMill(cells: Readonly<Record<string, string>>): boolean {
-  if (/TURN/i.test(cells["TYPE"] ?? "")) return true;
+  if (/TURN|^29$/i.test(typeIn(cells))) return true;
   return (cells["NAME"] ?? "") === "" && MILL_COLUMNS.every((column) => !(Number((cells[column] ?? "0").replace(",", ".")) !== 0));
 }
 
@@ -109,7 +126,7 @@ function typed(column: Column, cell: string, inch: boolean): string {
   if (column === "TYPE") return cell.toUpperCase();
   if (!/^[+-]?(\d+([.,]\d*)?|[.,]\d+)$/.test(cell)) return cell;
   const value = Number(cell.replace(",", "."));
-  const { kind, decimals } = COLUMN_RULES[column as NumberColumn];
+  const { kind, decimals } = ruleOf(column as NumberColumn);
   if (kind === "length" && inch) return rounded(value * INCH, decimals);
   return String(value === 0 ? 0 : value);
 }
@@ -124,7 +141,7 @@ export function readTableText(text: string): TableFile {
   while (at < lines.length && lines[at] === "") at++;
   const titles = titlesOf(lines[at] ?? "");
   const milling = isMillTable(titles);
-  const known: readonly Column[] = milling ? MILL_TABLE : TOOL_COLUMNS;
+  const known: readonly Column[] = milling ? [...MILL_FILE, "TYPE"] : TOOL_COLUMNS;
   const columns = milling ? [] : NEEDED.filter((column) => !titles.some((title) => title.name === column));
   if (columns.length > 0) return { problem: "columnsMissing", columns };
   const inch = header[1]?.toUpperCase() === "INCH";
@@ -134,8 +151,10 @@ export function readTableText(text: string): TableFile {
     if (line === "") continue;
     const raw = Object.fromEntries(titles.map(({ name, from, to }) => [name, line.slice(from, to).trim()]));
     if (milling && isNoMill(raw)) continue;
-    const cells: Partial<Record<Column, string>> = milling ? { TYPE: MILL } : {};
-    for (const [name, cell] of Object.entries(raw)) if (cell !== "" && isOf(known, name)) cells[name] = typed(name, cell, inch);
+    const cells: Partial<Record<ToolColumn | MillColumn, string>> = milling ? { TYPE: millTypeOf(raw) } : {};
+    for (const [name, cell] of Object.entries(raw)) {
+      if (cell !== "" && isOf(known, name) && name !== "TYP" && !(milling && name === "TYPE")) cells[name] = typed(name, cell, inch);
+    }
     rows.push(cells);
   }
   if (rows.length === 0) return { problem: "noRows" };

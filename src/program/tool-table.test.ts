@@ -8,6 +8,7 @@ import { checkTool } from "./check-tool.ts";
 import { soundHead } from "./holder-cells.ts";
 import { readTools } from "./read-tools.ts";
 import { shippedTools } from "./shipped-tools.ts";
+import { drillOf } from "./tool-call.ts";
 import { entryOf, readEntry, type MillTool, type ToolEntry } from "./tool-entry.ts";
 import { freeNumber, mergedTools, newId, readList, sameList, shippedList } from "./tool-list.ts";
 import { readTableJson, readToolFile, writeTableJson } from "./tool-table-json.ts";
@@ -94,7 +95,8 @@ describe("a row of the table", () => {
     [{ "P-ANGLE": "85" }, ["P-ANGLE toolColumn"]],
     [{ "P-ANGLE": "" }, ["P-ANGLE flanksNotChecked"]],
     [{ NAME: "a" }, ["NAME toolName"]],
-    [{ TYPE: "DRILL" }, ["TYPE toolColumn"]],
+    [{ TYPE: "REAM" }, ["TYPE toolColumn"]],
+    [{ TYPE: "DRILL" }, ["R missing"]],
     [{ ORI: "361" }, ["ORI toolColumn"]],
     [{
       CUTLENGTH: "1/",
@@ -270,14 +272,20 @@ describe("the control's column text", () => {
 });
 
 describe("milling tools", () => {
-  const mill = fc.record({
+  const sizes = {
     T: fc.integer({ min: 0, max: 32767 }),
     NAME: fc.stringMatching(/^[A-Z0-9#$%&,.-]{1,32}$/),
     R: length(0, 100),
     L: length(-999, 999),
     DL: length(-9, 9),
     DR: length(0, 1),
-  }, { requiredKeys: ["T", "NAME", "R"] }) as fc.Arbitrary<MillTool>;
+  };
+  const made = (of: Record<string, fc.Arbitrary<unknown>>) => fc.record(of, { requiredKeys: ["T", "NAME", "R", "TYPE"] });
+  const point = fc.integer({ min: 0, max: 180_000 }).map((n) => n / 1e3);
+  const drills = { ...sizes, R: length(1, 100), LCUTS: length(0, 300) };
+  const mill = fc.oneof(fc.record(sizes, { requiredKeys: ["T", "NAME", "R"] }),
+    made({ ...drills, TYPE: fc.constantFrom("DRILL", "CENTER"), "T-ANGLE": point }),
+    made({ ...drills, TYPE: fc.constant("TAP"), PITCH: length(0, 9) })) as fc.Arbitrary<MillTool>;
   const mills = fc.uniqueArray(mill, { selector: (m) => m.T, minLength: 1, maxLength: 12 });
   const millsOf = (rows: readonly ToolEntry["cells"][]) => rows.map((row) => readEntry({ id: "r", cells: row }).mill);
 
@@ -289,6 +297,7 @@ describe("milling tools", () => {
       const fromText = readTableText(writeMillText(all));
       expect("rows" in fromText && millsOf(fromText.rows)).toEqual(all);
       const verified = readTools(json);
+      expect("mills" in verified && verified.mills?.map(drillOf)).toEqual(all.map(drillOf));
       expect("mills" in verified && verified.mills?.map(({ T, R, DR }) => ({ T, R, DR }))).toEqual(
         all.map(({ T, R, DR }) => ({ T, R, DR: DR ?? 0 })),
       );
@@ -310,12 +319,71 @@ describe("milling tools", () => {
       R: "-1",
     }, ["R toolColumn"]],
     [{ T: "1", R: "1", DR: "-2" }, ["DR toolColumn"]],
-    [{ T: "1", R: "a", L: "b" }, ["L notANumber", "R notANumber"]],
+    [{ T: "1", R: "a", L: "b" }, ["R notANumber", "L notANumber"]],
   ])("%o: %s",
     (cells, expected) =>
       expect(readEntry({ id: "m", cells: { ...cells, TYPE: "MILL" } }).issues.map((found) => `${found.at} ${found.code}`)).toEqual(
         expected,
       ));
+
+  test.each<[ToolEntry["cells"], string[]]>([
+    [{ TYPE: "DRILL", R: "4,25" }, []],
+    [{ TYPE: "DRILL", R: "4.25", "T-ANGLE": "180" }, []],
+    [{ TYPE: "DRILL", R: "4.25", "T-ANGLE": "180.5" }, ["T-ANGLE toolColumn"]],
+    [{ TYPE: "CENTER", R: "0" }, ["R toolColumn"]],
+    [{ TYPE: "CENTER", R: "3.15", DR: "-3.15" }, ["DR toolColumn"]],
+    [{ TYPE: "TAP", R: "5", PITCH: "10" }, ["PITCH toolColumn"]],
+    [{ TYPE: "TAP", R: "5", PITCH: "1.5", LCUTS: "-1", "T-ANGLE": "abc" }, ["LCUTS toolColumn"]],
+    [{ TYPE: "DRILL", R: "5", PITCH: "abc", TO: "x" }, []],
+    [{ TYPE: "MILL", R: "0", LCUTS: "abc" }, []],
+  ])("%o: %s",
+    (cells, expected) =>
+      expect(readEntry({ id: "d", cells: { T: "31", ...cells } }).issues.map((found) => `${found.at} ${found.code}`)).toEqual(expected));
+
+  test("a drill of the table bores as what its columns say, and a mill does not", () => {
+    const cells = { T: "31", TYPE: "DRILL", R: "4.25", DR: "-0.01", "T-ANGLE": "118", LCUTS: "0", PITCH: "2" };
+    expect(readList([{ id: "d", cells }]).table.mills?.map(drillOf)).toMatchObject([{ TYPE: "DRILL", R: 4.24, "T-ANGLE": 118 }]);
+    expect(readList([{ id: "d", cells }]).table.mills?.map(drillOf)[0]).not.toHaveProperty("CUTLENGTH");
+    expect(readList([{ id: "d", cells: { ...cells, TYPE: "MILL" } }]).table.mills?.map(drillOf)).toEqual([null]);
+  });
+
+  test("drills of a control's table are known by their word or their number, under either title", () => {
+    const rows = (title: string, types: readonly string[]) =>
+      readTableText(
+        [
+          "BEGIN TOOL.T INCH",
+          `T  NAME R      ${title} LCUTS T-ANGLE PITCH  DOC`,
+          ...types.map((type, i) => `${i + 1}  A    +0,125 ${type.padEnd(title.length)} 2     118     0,05`),
+          "[END]",
+        ].join("\r\n"),
+      );
+    const read = rows("TYPE  ", ["DRILL", "cent", "TAP", "MILL", "REAM", "TURN"]);
+    expect("rows" in read && read.rows.map((row) => row.TYPE)).toEqual(["DRILL", "CENTER", "TAP", "MILL", "MILL"]);
+    expect("rows" in read && read.rows[2]).toMatchObject({ R: "3.175", LCUTS: "50.8", "T-ANGLE": "118", PITCH: "1.27" });
+    const older = rows("TYP", ["1", "4", "2", "0", "3", "29"]);
+    expect("rows" in older && older.rows.map((row) => row.TYPE)).toEqual(["DRILL", "CENTER", "TAP", "MILL", "MILL"]);
+    expect("rows" in older && older.leftOut).toEqual(["DOC"]);
+  });
+
+  test("drills are written by the words of the control", () => {
+    const text = writeMillText([{ T: 1, NAME: "ZB", TYPE: "CENTER", R: 3.15, "T-ANGLE": 120 }, {
+      T: 2,
+      NAME: "M10",
+      TYPE: "TAP",
+      R: 5,
+      PITCH: 1.5,
+      LCUTS: 22,
+    }, { T: 3, NAME: "F", R: 8 }]);
+    expect(text.split("\r\n").map((line) => line.split(/ +/).join(" ").trim())).toEqual([
+      "BEGIN TOOL.T MM",
+      "T NAME L R DL DR TYP LCUTS T-ANGLE PITCH",
+      "1 ZB 3.15 CENT 120",
+      "2 M10 5 TAP 22 1.5",
+      "3 F 8 MILL",
+      "[END]",
+      "",
+    ]);
+  });
 
   test("a tool table of a control: empty places and turning tools are passed over, decimal commas read", () => {
     const text = [
@@ -330,7 +398,7 @@ describe("milling tools", () => {
     const read = readToolFile(text);
     expect(read).toMatchObject({
       rows: [{ T: "5", NAME: "14MM_CRB", TYPE: "MILL", L: "-4.686", R: "7", DR: "-0.425" }],
-      leftOut: ["TYPE", "DOC"],
+      leftOut: ["DOC"],
     });
   });
 });

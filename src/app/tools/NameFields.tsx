@@ -1,7 +1,7 @@
 import { useId } from "react";
 import type { Issue } from "../../kernel/issue.ts";
 import { TOOL_TYPES } from "../../kernel/tool.ts";
-import { isToolType } from "../../program/tool-columns.ts";
+import { isMillType, isToolType, MILL_TYPES } from "../../program/tool-columns.ts";
 import { cellOf, type ToolEntry } from "../../program/tool-entry.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { setCell } from "./tool-edits.ts";
@@ -51,21 +51,28 @@ function TypeField({ entry, issues }: Props) {
         setCell(entry.id, "TYPE", e.currentTarget.value);
         closeStep();
       }}>
-        {!isToolType(type) && <option value={type}>{type || t.anyType}</option>}
-        {TOOL_TYPES.map((each) => <option key={each} value={each}>{each} · {texts.setup.tool.types[each]}</option>)}
+        {!isToolType(type) && !isMillType(type) && <option value={type}>{type || t.anyType}</option>}
+        <optgroup label={t.kinds.turning}>
+          {TOOL_TYPES.map((each) => <option key={each} value={each}>{each} · {texts.setup.tool.types[each]}</option>)}
+        </optgroup>
+        <optgroup label={t.kinds.milling}>
+          {MILL_TYPES.map((each) => (
+            <option key={each} value={each}>{each} · {each === "MILL" ? t.mill : texts.setup.tool.types[each]}</option>
+          ))}
+        </optgroup>
       </select>
       <CellMessages id={`${id}-wrong`} issues={found} text={type} />
     </div>
   );
 }
 
-/** What a tool is called by, and its type where it is a turning tool. */
-export function NameFields({ entry, issues, typed = true }: Props & { readonly typed?: boolean }) {
+/** What a tool is called by, and its type. */
+export function NameFields({ entry, issues }: Props) {
   return (
     <>
       <ToolField entry={entry} cell="T" issues={issues} />
       <NameField entry={entry} issues={issues} />
-      {typed && <TypeField entry={entry} issues={issues} />}
+      <TypeField entry={entry} issues={issues} />
     </>
   );
 }

@@ -2,7 +2,7 @@ import { useId, useRef } from "react";
 import type { Issue } from "../../kernel/issue.ts";
 import { sumOf } from "../../program/field.ts";
 import type { HolderNumber, NumberColumn } from "../../program/tool-columns.ts";
-import { ruleOf } from "../../program/tool-columns.ts";
+import { isDrillType, ruleOf } from "../../program/tool-columns.ts";
 import { cellOf, type ToolEntry } from "../../program/tool-entry.ts";
 import { FieldMessage } from "../dialog/FieldMessage.tsx";
 import { useNumberEntry } from "../dialog/use-number-entry.ts";
@@ -43,10 +43,11 @@ export function ToolField({ entry, cell, issues, unused = null }: {
   const text = cellOf(entry, cell);
   const put = (next: string) => setCell(entry.id, cell, next);
   const { onKeyDown, onTyped } = useNumberEntry(input, text, put);
-  const { kind, range: [min], decimals } = ruleOf(cell);
+  const { kind, range: [min], decimals } = ruleOf(cell, cellOf(entry, "TYPE"));
   const isHolder = cell in t.holder;
   const column = isHolder ? null : cell as NumberColumn;
-  const meaning = column ? t.columns[column] : t.holder[cell as HolderNumber];
+  const drills = cell === "T-ANGLE" && isDrillType(cellOf(entry, "TYPE"));
+  const meaning = drills ? t.drillAngle : column ? t.columns[column] : t.holder[cell as HolderNumber];
   const found = issues.filter((issue) => issue.at === cell);
 
   const commit = () => {

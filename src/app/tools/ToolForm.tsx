@@ -1,7 +1,7 @@
 import { useId, useMemo, type KeyboardEvent } from "react";
 import type { Issue } from "../../kernel/issue.ts";
 import type { Tool } from "../../kernel/tool.ts";
-import { applies, type MillColumn, type NumberColumn } from "../../program/tool-columns.ts";
+import { applies, isDrillType, MILL_TABLE, type MillColumn, type NumberColumn } from "../../program/tool-columns.ts";
 import { cellOf, isMillEntry, readEntry, type EntryReading, type ToolEntry } from "../../program/tool-entry.ts";
 import { Icon } from "../Icon.tsx";
 import { useTexts } from "../settings/use-texts.ts";
@@ -17,7 +17,6 @@ import { useToolName } from "./tool-name.ts";
 
 type TurningColumn = Exclude<NumberColumn, MillColumn>;
 const INSERT: readonly TurningColumn[] = ["T-ANGLE", "P-ANGLE", "CUTLENGTH", "CUTWIDTH", "DCW"];
-const MILL_FIELDS: readonly MillColumn[] = ["R", "DR", "L", "DL"];
 const SETTING: readonly TurningColumn[] = ["ZL", "XL", "DZL", "DXL", "ORI"];
 
 /** Enter goes on to the next field that can be filled, as ENT does on the control. */
@@ -104,20 +103,21 @@ function TurningColumns({ entry, reading }: Row) {
   );
 }
 
-/** The columns of a milling tool. */
+/** The columns that a milling tool or a drill of its type has. */
 function MillColumns({ entry, reading: { issues, mill } }: Row) {
   const t = useTexts().tools;
+  const type = cellOf(entry, "TYPE");
   return (
     <>
       <MillDrawing mill={mill} />
       <fieldset className="tool-group">
         <legend>{t.groups.name}</legend>
-        <NameFields entry={entry} issues={issues} typed={false} />
+        <NameFields entry={entry} issues={issues} />
       </fieldset>
       <fieldset className="tool-group">
         <legend>{t.groups.mill}</legend>
-        <p className="soft small tool-note">{t.millNote}</p>
-        {MILL_FIELDS.map((cell) => <ToolField key={cell} entry={entry} cell={cell} issues={issues} />)}
+        <p className="soft small tool-note">{isDrillType(type) ? t.drillNote : t.millNote}</p>
+        {MILL_TABLE.filter((cell) => applies(cell, type)).map((cell) => <ToolField key={cell} entry={entry} cell={cell} issues={issues} />)}
       </fieldset>
     </>
   );

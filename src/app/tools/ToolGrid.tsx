@@ -1,6 +1,6 @@
 import { memo, useEffect, useRef, type KeyboardEvent } from "react";
 import { formatNumber } from "../../i18n/number.ts";
-import { applies, MILL_COLUMNS, ruleOf, TOOL_COLUMNS, type MillColumn, type ToolColumn } from "../../program/tool-columns.ts";
+import { applies, MILL_TABLE, ruleOf, TOOL_COLUMNS, type MillColumn, type ToolColumn } from "../../program/tool-columns.ts";
 import { cellOf, type EntryReading, type ToolEntry } from "../../program/tool-entry.ts";
 import type { ToolListReading } from "../../program/tool-list.ts";
 import { anyNumber, readText } from "../../program/field.ts";
@@ -8,6 +8,7 @@ import { Icon } from "../Icon.tsx";
 import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
+import { drillOf } from "../../program/tool-call.ts";
 import { openRow, type ToolKind } from "./tool-place.ts";
 import { useToolName } from "./tool-name.ts";
 
@@ -21,11 +22,8 @@ type Column = ToolColumn | MillColumn;
 /** Columns behind the two that name the row. */
 const COLUMNS: Readonly<Record<ToolKind, readonly Column[]>> = {
   turning: TOOL_COLUMNS.filter((column) => column !== "T" && column !== "NAME"),
-  milling: MILL_COLUMNS,
+  milling: ["TYPE", ...MILL_TABLE],
 };
-/** A column of milling tools has a use for each of them. */
-const isUsed = (column: Column, type: string) => !TOOL_COLUMNS.some((each) => each === column) || applies(column as ToolColumn, type);
-
 /** A number as the screen language writes it; other text as it was typed. */
 function useShown(): (column: Column, text: string) => string {
   const language = useSettings((s) => s.language);
@@ -44,6 +42,7 @@ const ToolRow = memo(
     const name = useToolName()(entry);
     const shown = useShown();
     const type = cellOf(entry, "TYPE");
+    const cutter = reading.tool ?? (reading.mill && drillOf(reading.mill));
     const wrong = new Set(reading.issues.filter((issue) => issue.severity === "error").map((issue) => issue.at));
     return (
       <tr className={open ? "open" : ""} onClick={() => openRow(entry.id)}>
@@ -53,9 +52,7 @@ const ToolRow = memo(
           >
             {drawn && (
               <span className="row-insert">
-                {reading.tool
-                  ? <InsertDrawing tool={reading.tool} width={DRAWING} height={DRAWING} />
-                  : !reading.mill && <Icon name="error" />}
+                {cutter ? <InsertDrawing tool={cutter} width={DRAWING} height={DRAWING} /> : !reading.mill && <Icon name="error" />}
               </span>
             )}
             <b className="number">{cellOf(entry, "T")}</b>
@@ -64,7 +61,7 @@ const ToolRow = memo(
           </button>
         </th>
         {COLUMNS[kind].map((column) => {
-          const unused = !isUsed(column, type);
+          const unused = !applies(column, type);
           const text = cellOf(entry, column);
           return (
             <td key={column}
@@ -113,7 +110,9 @@ export function ToolGrid({ list, kind, read, open }: {
               T <span className="soft">NAME</span>
             </th>
             {COLUMNS[kind].map((column) => (
-              <th key={column} scope="col" className={column === "TYPE" ? "word" : undefined} title={t.field(column, t.columns[column])}>
+              <th key={column} scope="col" className={column === "TYPE" ? "word" : undefined}
+                title={t.field(column, kind === "milling" && column === "T-ANGLE" ? t.drillAngle : t.columns[column])}
+              >
                 {column}
               </th>
             ))}

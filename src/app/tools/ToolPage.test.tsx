@@ -25,7 +25,7 @@ beforeEach(() => {
   localStorage.removeItem("turnwise/tools/damaged");
   useKeeping.setState({ notices: [] });
   takeTools(shippedList);
-  useToolPlace.setState({ shown: true, row: null });
+  useToolPlace.setState({ shown: true, row: null, kind: "turning" });
 });
 afterEach(cleanup);
 
@@ -173,4 +173,25 @@ test("changes are kept on the device, damaged tables are set aside, other tabs a
   expect(steps()).toBe(0);
   stop();
   expect(toolsOnDevice(list()).table.tools).toEqual(shippedTools.slice(0, 5));
+});
+
+test("a drill shows only the columns that it has, stands among the milling tools, and gives programs its point", async () => {
+  render(<ToolPage />);
+  const user = userEvent.setup();
+  await user.click(screen.getByRole("button", { name: "Milling and drilling" }));
+  await user.click(screen.getByRole("button", { name: "New tool" }));
+  await user.selectOptions(screen.getByRole("combobox", { name: "TYPE: type of tool" }), "DRILL");
+  const names = screen.getAllByRole<HTMLInputElement>("textbox").map((each) => each.getAttribute("aria-label")?.split(":")[0]);
+  expect(names).toEqual(["T", "NAME", "R", "DR", "L", "DL", "T-ANGLE", "LCUTS"]);
+  await user.type(field("R: tool radius"), "4,25");
+  await user.type(field("T-ANGLE: point angle"), "118");
+  await user.type(field("LCUTS: length of the edges"), "47");
+  expect(toolTable().mills).toEqual([{ T: 16, NAME: "", TYPE: "DRILL", R: 4.25, "T-ANGLE": 118, LCUTS: 47 }]);
+  expect(screen.getByRole("figure", { name: "Tool to scale" }).textContent).toContain("8.5 mm · 118°");
+  await user.selectOptions(screen.getByRole("combobox", { name: "TYPE: type of tool" }), "TAP");
+  await user.type(field("PITCH: thread pitch"), "1.25");
+  expect(toolTable().mills).toEqual([{ T: 16, NAME: "", TYPE: "TAP", R: 4.25, LCUTS: 47, PITCH: 1.25 }]);
+  await user.selectOptions(screen.getByRole("combobox", { name: "TYPE: type of tool" }), "MILL");
+  expect(screen.queryByRole("textbox", { name: "PITCH: thread pitch" })).toBeNull();
+  expect(toolTable().mills).toEqual([{ T: 16, NAME: "", R: 4.25 }]);
 });

@@ -23,10 +23,16 @@ export const tools = {
   restore: "Mitgelieferte",
   restoreLong: "Diese Tabelle durch die mitgelieferten Werkzeuge ersetzen",
 
-  kinds: { name: "Art der Werkzeuge", turning: "Drehen", milling: "Fräsen" },
-  millTable: "Fräswerkzeuge dieses Geräts",
+  kinds: { name: "Art der Werkzeuge", turning: "Drehen", milling: "Fräsen und Bohren" },
+  millTable: "Fräs- und Bohrwerkzeuge dieses Geräts",
   millNote: "Hier zählt nur der Radius mit seinem Aufmaß; Längen werden für die Steuerung geführt.",
-  millDrawing: "Fräser maßstäblich",
+  drillNote: "R mit Aufmaß, Spitzenwinkel und Schneiden ergeben beim Drehen die Bohrung auf der Achse; Längen werden für die Steuerung "
+    + "geführt.",
+  mill: "Fräser",
+  millDrawing: "Werkzeug maßstäblich",
+  flat: "flach",
+  edges: (length: string) => `Schneiden ${length} mm`,
+  pitch: (length: string) => `Steigung ${length} mm`,
   exportMillLong: "Fräswerkzeuge als Spaltentext der Steuerung exportieren: TOOL.T",
 
   form: (tool) => `Spalten von ${tool}`,
@@ -59,7 +65,10 @@ export const tools = {
     R: "Werkzeugradius",
     DL: "Aufmaß Länge",
     DR: "Aufmaß Radius",
+    LCUTS: "Länge der Schneiden",
+    PITCH: "Gewindesteigung",
   },
+  drillAngle: "Spitzenwinkel",
   holder: {
     width: "Schaftbreite",
     length: "Schaftlänge",

@@ -23,10 +23,17 @@ export const tools = {
   restore: "Outils fournis",
   restoreLong: "Remplacer ce tableau par les outils fournis",
 
-  kinds: { name: "Sorte d’outils", turning: "Tournage", milling: "Fraisage" },
-  millTable: "Outils de fraisage de cet appareil",
+  kinds: { name: "Sorte d’outils", turning: "Tournage", milling: "Fraisage et perçage" },
+  millTable: "Outils de fraisage et de perçage de cet appareil",
   millNote: "Seul compte ici le rayon avec sa surépaisseur ; les longueurs sont conservées pour la commande.",
-  millDrawing: "Fraise à l’échelle",
+  drillNote:
+    "R avec sa surépaisseur, l’angle de pointe et les arêtes font le perçage sur l’axe en tournage ; les longueurs sont conservées "
+    + "pour la commande.",
+  mill: "fraise",
+  millDrawing: "Outil à l’échelle",
+  flat: "plat",
+  edges: (length: string) => `arêtes ${length} mm`,
+  pitch: (length: string) => `pas ${length} mm`,
   exportMillLong: "Exporter les outils de fraisage en texte en colonnes de la commande : TOOL.T",
 
   form: (tool) => `Colonnes : ${tool}`,
@@ -59,7 +66,10 @@ export const tools = {
     R: "rayon d’outil",
     DL: "surépaisseur de la longueur",
     DR: "surépaisseur du rayon",
+    LCUTS: "longueur des arêtes",
+    PITCH: "pas du filetage",
   },
+  drillAngle: "angle de pointe",
   holder: {
     width: "Largeur du corps",
     length: "Longueur du corps",
