@@ -5,7 +5,7 @@ import type { Travel } from "./plane-chain.ts";
 import type { Feed } from "../kernel/units.ts";
 import { coordinatesIn, type MillPlane, type Position } from "./path.ts";
 import type { Carrier } from "./carrier.ts";
-import type { ApproachRun, Spot } from "./plane-types.ts";
+import type { ApproachRun, PlaneStep, Spot } from "./plane-types.ts";
 
 const { apart, sweepOf } = plane;
 
@@ -25,19 +25,14 @@ export function millStep(machine: Machine, s: PlaneSegment, { fromZ, toZ, feed, 
   if ((isStill && fromZ === toZ) || !machine.roomForMove(index)) return;
   const long = travelLength(s, (toZ ?? 0) - (fromZ ?? toZ ?? 0));
   const rate = feed === null ? machine.shop.rapid : machine.now.perRevolution ? 0 : feed;
-  const common = {
-    from: { x: s.from.x, y: s.from.y, z: fromZ },
-    to: { x: s.to.x, y: s.to.y, z: toZ },
-    radius: machine.now.mill.radius ?? 0,
-    block: machine.log.numbers[index] ?? 0,
-    index,
-    seconds: rate > 0 ? (60 * long) / rate : 0,
-    turned: machine.log.steps.length,
-  };
-  const rated = feed === null
-    ? { kind: "rapid" as const, ...common }
-    : { kind: "feed" as const, ...common, feed, feedUnit: machine.feedUnit };
-  machine.log.milled.push(s.kind === "arc" ? { ...rated, kind: "arc", centre: s.centre, turn: s.turn } : rated);
+  const [from, to] = [{ x: s.from.x, y: s.from.y, z: fromZ }, { x: s.to.x, y: s.to.y, z: toZ }];
+  const [{ feedUnit }, radius, block] = [machine, machine.now.mill.radius ?? 0, machine.log.numbers[index] ?? 0];
+  const [seconds, turned] = [rate > 0 ? (60 * long) / rate : 0, machine.log.steps.length];
+  // Written out: of the many objects of a long program, copies of objects take most of the time.
+  const straight: PlaneStep = feed === null
+    ? { kind: "rapid", from, to, radius, block, index, seconds, turned }
+    : { kind: "feed", from, to, feed, feedUnit, radius, block, index, seconds, turned };
+  machine.log.milled.push(s.kind === "arc" ? { ...straight, kind: "arc", centre: s.centre, turn: s.turn } : straight);
 }
 
 /** Adds an arc in a plane beside that of the tool axis. */

@@ -43,10 +43,10 @@ export function millPath(machine: Machine, written: PathBlock, index: number): v
     return takeFeed(machine, words.feed, index);
   }
   const feed = isMoving ? blockFeed(machine, words.feed, index) : machine.now.feed;
-  const travel = { fromZ: before.z ?? to.z, toZ: to.z, feed, index };
+  const [fromZ, toZ] = [before.z ?? to.z, to.z];
   if (!start && requested === "none") {
     closeMill(machine);
-    millArrives(machine, end, travel);
+    millArrives(machine, end, { fromZ, toZ, feed, index });
     guide.here = end;
     machine.setPlace({ last: null });
     return;
@@ -56,16 +56,12 @@ export function millPath(machine: Machine, written: PathBlock, index: number): v
   const milled = { from: before, to, plane: "XY" } as const;
   if (!start) machine.setPlace({ milled: { ...milled, segment: null } });
   const segment = start && elementBetween(machine, block, { start, end, milled }, index);
-  if (segment?.kind !== "arc") return followPath(guide, carrierOf(machine), requested, { ...travel, segment, to: end });
+  if (segment?.kind !== "arc") return followPath(guide, carrierOf(machine), requested, { fromZ, toZ, feed, index, segment, to: end });
   const pieces = around(machine, block, segment, index);
-  pieces.forEach((piece, i) => {
-    const z =
-      (k:
-        number) => (travel.fromZ === null || travel.toZ === null
-          ? travel.toZ
-          : travel.fromZ + ((travel.toZ - travel.fromZ) * k) / pieces.length);
-    followPath(guide, carrierOf(machine), requested, { ...travel, fromZ: z(i), toZ: z(i + 1), segment: piece, to: piece.to });
-  });
+  const z = (k: number) => (fromZ === null || toZ === null ? toZ : fromZ + ((toZ - fromZ) * k) / pieces.length);
+  pieces.forEach((piece, i) =>
+    followPath(guide, carrierOf(machine), requested, { fromZ: z(i), toZ: z(i + 1), feed, index, segment: piece, to: piece.to })
+  );
 }
 
 /** An arc beside the plane of the tool axis. The path before it is finished first: compensation does not reach it. */

@@ -47,7 +47,7 @@ const WAITING = 1000;
 function advance(guide: Guide, carrier: CarrierFor): void {
   const items = guide.chain?.items ?? [];
   if (items.length <= WAITING || guide.chain?.side !== "none") return;
-  const [before, last] = items.slice(-2);
+  const [before, last] = [items.at(-2), items.at(-1)];
   if (!before || !last || before.corner) return;
   items.pop();
   close(guide, carrier);

@@ -58,6 +58,8 @@ export function reportedMove(move: Move, block: number): ReportMove {
 }
 
 function planeMoveOf(s: PlaneStep): ReportMove {
+  const { kind, to: { x, y, z }, block, feed, feedUnit } = s;
+  if (kind === "feed" && z !== null && feed !== undefined && feedUnit) return { kind, x, y, z, phase: "position", block, feed, feedUnit };
   return {
     kind: s.kind,
     x: s.to.x,

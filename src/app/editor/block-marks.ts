@@ -64,7 +64,7 @@ const countedNumbers = gutter({
     if (block.statement.kind === "empty" || block.statement.kind === "comment") return null;
     return new NumberMarker(String(numbersOf(reading.program)[index] ?? ""));
   },
-  lineMarkerChange: (update) => update.docChanged,
+  lineMarkerChange: (update) => update.state.field(readingField) !== update.startState.field(readingField),
   markers: () => RangeSet.empty,
 });
 

@@ -3,12 +3,12 @@ export type LineEnds = "\n" | "\r\n" | "\r" | "mixed";
 
 /** Line ends of a text; a text of one line counts as ending in \n. */
 export function lineEndsOf(text: string): LineEnds {
-  let found: LineEnds | null = null;
-  for (const [end] of text.matchAll(/\r\n|\n|\r/g)) {
-    if (found !== null && found !== end) return "mixed";
-    found = end as LineEnds;
-  }
-  return found ?? "\n";
+  if (!text.includes("\r")) return "\n";
+  const ends: LineEnds[] = [];
+  if (text.includes("\r\n")) ends.push("\r\n");
+  if (/\r(?!\n)/.test(text)) ends.push("\r");
+  if (/(?:^|[^\r])\n/.test(text)) ends.push("\n");
+  return ends.length === 1 ? (ends[0] ?? "\n") : "mixed";
 }
 
 /** The text as an editor holds it, lines ending in \n. Mixed ends stay as they are: their \r are characters. */

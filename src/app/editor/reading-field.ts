@@ -1,4 +1,4 @@
-import { StateField, type EditorState, type Transaction } from "@codemirror/state";
+import { StateEffect, StateField, type EditorState, type Text, type Transaction } from "@codemirror/state";
 import { blockAt, readingOf, reread, type Change, type Reading } from "../../nc/reread.ts";
 import { NUMBER_PARAMETER } from "../../nc/value.ts";
 
@@ -14,15 +14,46 @@ function changeOf(tr: Transaction): Change | null {
   return to < 0 ? null : { from, to, length: toNew - fromNew };
 }
 
-/** The blocks of the text, read again near each change, so that they are right at every keystroke. */
+/** So much of a long text is read before it is shown, and so much at a time behind that, characters. */
+const AT_FIRST = 100_000;
+const AT_A_TIME = 400_000;
+
+/** Where a piece of about that many characters ends: behind a line. */
+const pieceEnd = (doc: Text, offset: number): number => Math.min(doc.length, doc.lineAt(Math.min(doc.length, offset)).to + 1);
+
+const endOf = (reading: Reading): number => reading.starts.at(-1) ?? 0;
+
+/** Reads on in a text that has not been read to its end. */
+const readOn = StateEffect.define<null>();
+
+/** A change as the part of the text sees it that has been read; null where it lies behind that part. */
+function seen({ from, to, length }: Change, end: number, whole: boolean): Change | null {
+  if (whole || to < end) return { from, to, length };
+  return from >= end ? null : { from, to: end, length: 0 };
+}
+
+/**
+ * The blocks of the text, read again near each change, so that they are right at every keystroke. Of a long text the first
+ * blocks are there at once; `readFurther` brings the others.
+ */
 export const readingField = StateField.define<Reading>({
-  create: (state) => readingOf(state.doc.toString()),
+  create: ({ doc }) => readingOf(doc.sliceString(0, pieceEnd(doc, AT_FIRST))),
   update(reading, tr) {
-    if (!tr.docChanged) return reading;
-    const change = changeOf(tr);
-    return change ? reread(reading, change, (from, to) => tr.newDoc.sliceString(from, to)) : reading;
+    const slice = (from: number, to: number) => tr.newDoc.sliceString(from, to);
+    const change = tr.docChanged ? changeOf(tr) : null;
+    const part = change && seen(change, endOf(reading), endOf(reading) === tr.startState.doc.length);
+    const now = part ? reread(reading, part, slice) : reading;
+    if (!tr.effects.some((effect) => effect.is(readOn))) return now;
+    const end = endOf(now);
+    return reread(now, { from: end, to: end, length: pieceEnd(tr.newDoc, end + AT_A_TIME) - end }, slice);
   },
 });
+
+/** True when every block of the text has been read. */
+export const isRead = (state: EditorState): boolean => endOf(state.field(readingField)) === state.doc.length;
+
+/** The next piece of a long text, as a change of its state. */
+export const readFurther = { effects: readOn.of(null) } as const;
 
 /** Index of the block in which the cursor stands; -1 in an empty text. */
 export const cursorBlock = (state: EditorState): number => blockAt(state.field(readingField), state.selection.main.head);

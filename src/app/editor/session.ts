@@ -12,7 +12,7 @@ import { changesBetween } from "./block-edits.ts";
 import { dialogEdit } from "./dialog-edit.ts";
 import { editorExtensions } from "./editor-extensions.ts";
 import { fromEditor, lineEndsOf, toEditor, type LineEnds } from "./line-ends.ts";
-import { blockRange, cursorBlock, parameterAt, readingField } from "./reading-field.ts";
+import { blockRange, cursorBlock, isRead, parameterAt, readFurther, readingField } from "./reading-field.ts";
 
 /** What the panels beside the text show: the blocks, and which one is open. */
 export interface Session {
@@ -51,8 +51,16 @@ let view: EditorView | null = null;
 let open: Text | null = null;
 let panels: ReturnType<typeof setTimeout> | undefined;
 let calculation: ReturnType<typeof setTimeout> | undefined;
+let reading: ReturnType<typeof setTimeout> | undefined;
 
-const fileText = ({ state, ends }: Text): string => fromEditor(state.doc.toString(), ends);
+/** Texts as their files have them: a long one is not put together each time it is asked for. */
+const files = new WeakMap<EditorState["doc"], string>();
+
+function fileText({ state: { doc }, ends }: Text): string {
+  const known = files.get(doc) ?? fromEditor(doc.toString(), ends);
+  files.set(doc, known);
+  return known;
+}
 
 /** The text of the open program as its file has it; null when none is open. */
 export const sessionText = (): string | null => (open ? fileText(open) : null);
@@ -105,7 +113,8 @@ function onUpdate(update: ViewUpdate): void {
     calculation = setTimeout(handOverText, rest);
     if (open && !update.transactions.some((tr) => tr.isUserEvent("undo") || tr.isUserEvent("redo"))) noteTyping(open, update.startState);
   }
-  if (!update.docChanged && !update.selectionSet) return;
+  const more = update.state.field(readingField) !== update.startState.field(readingField);
+  if (!more && !update.selectionSet) return;
   const typed = update.docChanged && update.transactions.some((tr) => tr.isUserEvent("input.type") || tr.isUserEvent("delete"));
   const byDialog = update.transactions.some((tr) => tr.annotation(dialogEdit));
   if (typed && !byDialog) {
@@ -124,6 +133,16 @@ function textOf({ text }: ProgramWork, work: string): Text {
   return { work, ends, state: EditorState.create({ doc: toEditor(text, ends), extensions }) };
 }
 
+/** Reads a long text to its end, piece by piece, so that the page answers in between. */
+function readToEnd(): void {
+  clearTimeout(reading);
+  if (!view || isRead(view.state)) return;
+  reading = setTimeout(() => {
+    view?.dispatch(readFurther);
+    readToEnd();
+  });
+}
+
 /** Opens a program in an editor; what was open before is left. */
 export function openSession(program: ProgramWork, work: string): EditorView {
   closeSession();
@@ -133,6 +152,7 @@ export function openSession(program: ProgramWork, work: string): EditorView {
   for (const [oldest] of texts) if (texts.size > HELD) texts.delete(oldest);
   view = new EditorView({ state: open.state });
   show(true);
+  readToEnd();
   return view;
 }
 
@@ -140,6 +160,7 @@ export function closeSession(): void {
   if (!view) return;
   handOverText();
   clearTimeout(panels);
+  clearTimeout(reading);
   view.destroy();
   view = null;
   open = null;

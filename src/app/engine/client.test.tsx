@@ -15,6 +15,7 @@ interface Asked {
 const asked = vi.hoisted(() => [] as Asked[]);
 vi.mock("comlink", () => ({
   releaseProxy: Symbol.for("release"),
+  transferHandlers: new Map(),
   proxy: (f: unknown) => f,
   wrap: () => ({
     [Symbol.for("release")]: () => undefined,

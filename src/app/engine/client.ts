@@ -18,6 +18,7 @@ import type { ProgramWork } from "../work.ts";
 import type { Comparer } from "../which/comparison.ts";
 import type { Called, Engine, Request } from "./engine.ts";
 import { pauseInTyping } from "./quiet.ts";
+import { wireOutcomes } from "./wire.ts";
 import { atStage, calculationStopped, forgetOutcome, pause, takeOutcome, type Outcome, type Stage } from "./outcome.ts";
 
 /**
@@ -32,6 +33,7 @@ let engine: Remote<Engine> | null = null;
 function started(): Remote<Engine> {
   if (engine) return engine;
   worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module", name: "turnwise" });
+  wireOutcomes();
   engine = wrap<Engine>(worker);
   return engine;
 }
