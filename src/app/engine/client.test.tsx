@@ -93,3 +93,14 @@ test("a calculation that is stopped says so, keeps what is shown, and is done wh
   expect(text).not.toBe(before);
   expect(useOutcome.getState()).toMatchObject({ stopped: false, shown: { text } });
 });
+
+test("the next work does not wait for a long calculation of the one that was left", async () => {
+  await vi.waitFor(() => expect(asked).toHaveLength(1));
+  const [long] = asked;
+  begin(exampleJob(second), "second");
+  await vi.waitFor(() => expect(asked).toHaveLength(2), { timeout: 5000 });
+  asked.reverse();
+  const text = await answerNext();
+  expect(text).not.toBe(long?.request.text);
+  expect(shown()).toBe(text);
+});

@@ -65,6 +65,10 @@ let waiting: Request | null = null;
 let busy = false;
 
 const CANCELLED = new Error("the operator stopped the calculation");
+const LEFT = new Error("the work was left");
+/** What is left is given up after this time, so that the next work does not wait for it; most are done before a new worker were there, ms. */
+const GIVEN_UP_AFTER = 400;
+let running: Request | null = null;
 let cancel: (why: Error) => void = () => undefined;
 
 /** The answer to a request; its stages are told while it is that of the open work. */
@@ -87,6 +91,7 @@ async function work(): Promise<void> {
   while (waiting) {
     const request = waiting;
     waiting = null;
+    running = request;
     atStage("reading");
     try {
       const outcome = await outcomeOf(request);
@@ -95,10 +100,11 @@ async function work(): Promise<void> {
     } catch (error) {
       stop();
       if (error === CANCELLED) calculationStopped();
-      else notice("engineFailed");
+      else if (error !== LEFT) notice("engineFailed");
     }
   }
   busy = false;
+  running = null;
   atStage(null);
 }
 
@@ -127,6 +133,11 @@ function leave(): void {
   last = null;
   waiting = null;
   left = version;
+  const request = running;
+  if (request)
+    setTimeout(() => {
+      if (request === running) cancel(LEFT);
+    }, GIVEN_UP_AFTER);
   forgetOutcome();
 }
 

@@ -16,26 +16,61 @@ export interface DepthStrip {
 
 const n = (v: number) => String(Math.round(v * 1e4) / 1e4 + 0);
 
+/** A strip of more motions is drawn by columns: finer than a picture has points, each from its highest to its lowest place. */
+const COLUMNS = 6000;
+
+/** Lines from one place of the strip to the next, as one path for each way of moving. */
+function drawn(motions: readonly MillMotion[], begins: readonly number[], y: (z: number) => number): Pick<DepthStrip, "rapid" | "feed"> {
+  const paths = { rapid: "", feed: "" };
+  motions.forEach((m, i) => {
+    if (m.from.z === null || m.to.z === null) return;
+    paths[isRapid(m) ? "rapid" : "feed"] += `M${n(begins[i] ?? 0)} ${n(y(m.from.z))}L${n(begins[i + 1] ?? 1)} ${n(y(m.to.z))}`;
+  });
+  return paths;
+}
+
+/** The same by columns: no single motion of so many can be told from the next. */
+function drawnByColumns(
+  motions: readonly MillMotion[],
+  begins: readonly number[],
+  y: (z: number) => number,
+): Pick<DepthStrip, "rapid" | "feed"> {
+  const made = () => ({ top: new Float64Array(COLUMNS + 1).fill(Infinity), foot: new Float64Array(COLUMNS + 1).fill(-Infinity) });
+  const columns = { rapid: made(), feed: made() };
+  motions.forEach((m, i) => {
+    if (m.from.z === null || m.to.z === null) return;
+    const { top, foot } = columns[isRapid(m) ? "rapid" : "feed"];
+    const [begin, end, from, to] = [begins[i] ?? 0, begins[i + 1] ?? 1, y(m.from.z), y(m.to.z)];
+    const [first, last] = [Math.floor(begin * COLUMNS), Math.ceil(end * COLUMNS)];
+    for (let column = first; column <= last; column += 1) {
+      const part = end > begin ? Math.min(1, Math.max(0, (column / COLUMNS - begin) / (end - begin))) : 0;
+      const at = from + (to - from) * part;
+      top[column] = Math.min(top[column] ?? at, at);
+      foot[column] = Math.max(foot[column] ?? at, at);
+    }
+  });
+  const path = ({ top, foot }: ReturnType<typeof made>) =>
+    Array.from(top, (high, column) => {
+      const low = foot[column] ?? high;
+      return high > low ? "" : `M${n(column / COLUMNS)} ${n(high)}L${n((column + 1) / COLUMNS)} ${n(low)}`;
+    }).join("");
+  return { rapid: path(columns.rapid), feed: path(columns.feed) };
+}
+
 /** Z along the whole path. Motions of unknown height are left out. */
 export function depthStrip(motions: readonly MillMotion[]): DepthStrip | null {
   const heights = motions.flatMap((m) => [m.from.z, m.to.z]).filter((z) => z !== null);
   if (heights.length === 0) return null;
-  const lengths = motions.map((m) => Math.hypot(plane.lengthOf(wayOf(m)), (m.to.z ?? 0) - (m.from.z ?? m.to.z ?? 0)));
-  const whole = lengths.reduce((a, b) => a + b, 0) || 1;
   const [high, low] = [heights.reduce((a, b) => Math.max(a, b)), heights.reduce((a, b) => Math.min(a, b))];
   const span = high - low || 1;
-  const y = (z: number) => n((high - z) / span);
-  const begins: number[] = [];
-  const paths = { rapid: "", feed: "" };
+  const ends = [0];
   let far = 0;
-  motions.forEach((m, i) => {
-    begins.push(far / whole);
-    const from = far / whole;
-    far += lengths[i] ?? 0;
-    if (m.from.z === null || m.to.z === null) return;
-    paths[isRapid(m) ? "rapid" : "feed"] += `M${n(from)} ${y(m.from.z)}L${n(far / whole)} ${y(m.to.z)}`;
-  });
-  begins.push(far / whole);
+  for (const m of motions) {
+    far += Math.hypot(plane.lengthOf(wayOf(m)), (m.to.z ?? 0) - (m.from.z ?? m.to.z ?? 0));
+    ends.push(far);
+  }
+  const begins = ends.map((end) => end / (far || 1));
+  const paths = (motions.length > COLUMNS ? drawnByColumns : drawn)(motions, begins, (z) => (high - z) / span);
   return { ...paths, high, low, zero: high >= 0 && low <= 0 ? high / span : null, begins };
 }
 

@@ -83,3 +83,22 @@ test("programs of more motions than a call takes arguments have a strip and a pi
   expect(bounds.left).toBeLessThan(-3.5);
   expect(bounds.right).toBeGreaterThan(153.5);
 });
+
+test("a strip of very many motions keeps the highest and the lowest place of every stretch", () => {
+  const heights = Array.from({ length: 40_001 }, (_, i) => (i === 31_250 ? -9 : i > 10_000 && i < 20_000 ? -4 : 2));
+  const motions = heights.slice(1).map((z, i) => ({
+    kind: "feed" as const,
+    from: { x: i, y: 0, z: heights[i] ?? 0 },
+    to: { x: i + 1, y: 0, z },
+    feed: 500,
+    radius: 3.5,
+    index: i,
+  }));
+  const { feed = "", begins = [] } = depthStrip(motions) ?? {};
+  const lines = feed.split("M").slice(1).map((line) => line.split(/[ L]/).map(Number));
+  const lowestNear = (place: number) => Math.max(...lines.filter(([x = 0]) => Math.abs(x - place) < 3e-4).map(([, , , y = 0]) => y));
+  expect(lowestNear(begins[31_250] ?? 0)).toBeCloseTo(1, 2);
+  expect(lowestNear(begins[15_000] ?? 0)).toBeCloseTo(6 / 11, 2);
+  expect(lowestNear(begins[25_000] ?? 0)).toBeCloseTo(0, 2);
+  expect(feed.length).toBeLessThan(200_000);
+});

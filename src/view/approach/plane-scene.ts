@@ -1,5 +1,5 @@
 import { partPoint, partSegment, plane, type PlanePoint, type PlaneSegment } from "../../kernel/plane.ts";
-import type { Pt, Turn } from "../../kernel/point.ts";
+import type { Turn } from "../../kernel/point.ts";
 import { boundsOf, grownBounds, joined } from "../bounds.ts";
 import type { Bounds } from "../camera.ts";
 import { segmentData } from "../path.ts";
@@ -61,11 +61,24 @@ export function spotAt(motions: readonly MillMotion[], step: number, fraction: n
 const AIR = 0.04;
 const EMPTY: Bounds = { left: -10, right: 110, low: -10, high: 110 };
 
-/** Corners of what the tool reaches on a motion. */
-const reachOf = (m: MillMotion): Pt[] =>
-  (m.centre ? [0, 0.25, 0.5, 0.75, 1].map((k) => spotOn(m, k)) : [m.from, m.to]).flatMap(
-    ({ x, y }) => [partPoint({ x: x - m.radius, y: y - m.radius }), partPoint({ x: x + m.radius, y: y + m.radius })]
-  );
+const ARC_PARTS = [0.25, 0.5, 0.75];
+
+/** Box round what the tool reaches on all motions; null without one. */
+function reachOf(motions: readonly MillMotion[]): Bounds | null {
+  let left = Infinity, right = -Infinity, low = Infinity, high = -Infinity;
+  const reach = ({ x, y }: MillSpot, radius: number) => {
+    left = Math.min(left, x - radius);
+    right = Math.max(right, x + radius);
+    low = Math.min(low, y - radius);
+    high = Math.max(high, y + radius);
+  };
+  for (const m of motions) {
+    reach(m.from, m.radius);
+    reach(m.to, m.radius);
+    if (m.centre) { for (const part of ARC_PARTS) reach(spotOn(m, part), m.radius); }
+  }
+  return left <= right && low <= high ? { left, right, low, high } : null;
+}
 
 /** The still part of the picture: contours, and the path told apart by what it is. `leads` are the blocks of APPR and DEP. */
 export function planeScene(
@@ -76,7 +89,7 @@ export function planeScene(
   const ways: Record<PlaneRole, PlaneSegment[]> = { contour: [], rapid: [], feed: [], lead: [] };
   for (const m of motions) ways[isRapid(m) ? "rapid" : leads.has(m.index) ? "lead" : "feed"].push(wayOf(m));
   ways.contour.push(...contours.flat());
-  const box = boundsOf(motions.flatMap(reachOf));
+  const box = reachOf(motions);
   const drawn = boundsOf(ways.contour.flatMap((s) => [s.from, s.to]).map(partPoint));
   const all = joined(box, drawn) ?? EMPTY;
   return {
