@@ -129,6 +129,10 @@ interface Data {
   deeperThanInfeed: { depth: number; allowed: number; pass?: number };
   /** The operation removed no stock. */
   nothingCut: {};
+  /** The outline of a blank that is stated has less than what stands there: how much, mm². */
+  blankLacks: { what: string; area: number };
+  /** It has more than what stands there after the cuts so far. */
+  blankGone: { what: string; area: number };
   /** Roughing passes that touched no stock. */
   airPasses: { count: number };
 }

@@ -1,5 +1,5 @@
 import type { Move } from "./move.ts";
-import type { Pt } from "./point.ts";
+import type { Pt, Ring } from "./point.ts";
 import type { Tool } from "./tool.ts";
 
 /** Spindle set-up: constant speed in rpm, or constant cutting speed in m/min with a limit in rpm. */
@@ -21,6 +21,18 @@ export interface Step {
   /** Duration from feed, spindle and rapid rate. */
   readonly seconds: number;
   /** File of the called program whose block this is; absent for the program itself. */
+  readonly file?: string;
+}
+
+/** A blank that a program states while it runs: what stands in the chuck at a step, by its outline. */
+export interface Stated {
+  /** Index of the first step that comes after it. */
+  readonly step: number;
+  readonly block: number;
+  /** As the program spells it. */
+  readonly what: string;
+  readonly rings: readonly Ring[];
+  /** File of the called program that says it; absent for the program itself. */
   readonly file?: string;
 }
 

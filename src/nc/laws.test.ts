@@ -177,7 +177,14 @@ const statements: fc.Arbitrary<Statement> = fc.oneof<fc.Arbitrary<Statement>[]>(
     distance: maybe(value),
     inside: maybe(fc.record({ measure: fc.constantFrom("DI", "RI"), value })),
   }),
-  fc.record({ kind: fc.constant("blankRotation"), axis: fc.constant("Z"), measure: fc.constantFrom("D", "R"), label }),
+  fc.record({
+    kind: fc.constant("blankRotation"),
+    axis: fc.constant("Z"),
+    measure: fc.constantFrom("D", "R"),
+    outline: fc.oneof(name.map((file) => ({ file })), label.map((l) => ({ label: l }))),
+    inner: maybe(label),
+  }),
+  fc.record({ kind: fc.constant("blankFile"), file: name, target: maybe(name) }),
   fc.record({ kind: fc.constant("blankBox"), corner: fc.constant(1), axis: fc.constant("Z"), axes }),
   fc.record({
     kind: fc.constant("undercut"),

@@ -1,7 +1,7 @@
 import { valueText } from "./number-text.ts";
 import { assignmentText, textAssignmentText } from "./print-formula.ts";
 import { feedText, unsigned, wordsText } from "./print-words.ts";
-import type { ContourArea, CycleParameter, FileName, Label, NamedWord, Statement, StatementOf, Value } from "./statement.ts";
+import type { ContourArea, CycleParameter, FileName, Label, NamedWord, OutlineSource, Statement, StatementOf, Value } from "./statement.ts";
 import type { Style } from "./style.ts";
 
 const labelText = (label: Label) => (typeof label === "number" ? String(label) : /^QS\d/i.test(label) ? label : `"${label}"`);
@@ -24,6 +24,7 @@ const parameterText = (p: CycleParameter, style: Style) =>
 const namedText = (words: readonly NamedWord[], style: Style, colon = "") =>
   words.map((w) => ` ${w.name}${colon}${unsigned(w.value, style)}`).join("");
 
+const outlineText = (from: OutlineSource) => ("file" in from ? fileText(from.file, false) : `LBL ${labelText(from.label)}`);
 const fileText = (file: FileName, isBare: boolean) => (typeof file === "object" ? file.parameter : isBare ? file : `"${file}"`);
 
 function areaText({ role, number, from, depth }: ContourArea, style: Style): string {
@@ -68,7 +69,10 @@ function statementText(s: Exclude<Statement, { kind: "cycle" }>, style: Style): 
       return `BLK FORM CYLINDER ${s.axis}${s.outside ? bare(s.outside.measure, s.outside.value, style) : ""}${bare("L", s.length, style)}`
         + `${optional("DIST", s.distance, style)}${s.inside ? bare(s.inside.measure, s.inside.value, style) : ""}`;
     case "blankRotation":
-      return `BLK FORM ROTATION ${s.axis} DIM_${s.measure} LBL ${labelText(s.label)}`;
+      return `BLK FORM ROTATION ${s.axis} DIM_${s.measure} ${outlineText(s.outline)}`
+        + (s.inner === null ? "" : ` LBLIN ${labelText(s.inner)}`);
+    case "blankFile":
+      return `BLK FORM FILE "${s.file}"${s.target === null ? "" : ` TARGET "${s.target}"`}`;
     case "toolDefinition":
       return `TOOL DEF ${labelText(s.tool)}${optional("L", s.length, style)}${optional("R", s.radius, style)}`;
     case "toolCall": {
@@ -86,8 +90,7 @@ function statementText(s: Exclude<Statement, { kind: "cycle" }>, style: Style): 
     case "turnCorrection":
       return `FUNCTION TURNDATA CORR-${s.system}:${s.plane}${namedText(s.words, style, ":")}`;
     case "turnBlank":
-      return "FUNCTION TURNDATA BLANK "
-        + (s.blank === "off" ? "OFF" : "file" in s.blank ? `"${s.blank.file}"` : `LBL ${labelText(s.blank.label)}`);
+      return `FUNCTION TURNDATA BLANK ${s.blank === "off" ? "OFF" : outlineText(s.blank)}`;
     case "path":
       return `${s.path}${wordsText(s.words, style, { length: true, radius: s.path !== "RND" })}`;
     case "chamfer":

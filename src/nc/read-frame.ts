@@ -1,7 +1,7 @@
 import { axisName, readWords } from "./read-words.ts";
 import type { Scan } from "./scan.ts";
-import type { FeedWord, NamedWord, Statement, Value } from "./statement.ts";
-import { PARAMETER, parameterOf, readLabel, VALUE } from "./value.ts";
+import type { FeedWord, Label, NamedWord, OutlineSource, Statement, Value } from "./statement.ts";
+import { PARAMETER, parameterOf, readLabel, TEXT_PARAMETER, VALUE } from "./value.ts";
 
 const named = (word: string) => new RegExp(String.raw`${word}[ \t]*(${VALUE})`, "iy");
 const NUMBERED_OR_QUOTED = /(?:(\d{1,9}(?:[.,]\d)?)(?![\d.,])|"([^"]*)")/y;
@@ -18,12 +18,19 @@ export function readFrame(scan: Scan, kind: "begin" | "end"): Statement {
   return { kind, name, unit: unit?.[1]?.toUpperCase() === "INCH" ? "INCH" : "MM" };
 }
 
+const LBL = /LBL(?:_?OUT)?(?![A-Z_])/iy;
+const INNER = /LBL_?IN(?![A-Z_])/iy;
+const LABEL = /(?:(\d{1,9})|"([^"]*)")/y;
+
 const CORNER = /0[.,]([12])(?![\d])/y;
 const CYLINDER = /CYLINDER(?![A-Z])/iy;
 const ROTATION = /ROTATION(?![A-Z])/iy;
 const [D, R, L, DIST, DI, RI] = ["D", "R", "L", "DIST", "DI", "RI"].map(named) as [RegExp, RegExp, RegExp, RegExp, RegExp, RegExp];
 const DIMENSION = /DIM_([DR])(?![A-Z])/iy;
-const LBL = /LBL[ \t]*(?:(\d{1,9})|"([^"]*)")/iy;
+const FILE = /FILE(?![A-Z])/iy;
+const TARGET = /TARGET(?![A-Z])/iy;
+const QUOTED = /"([^"]*)"/y;
+const HELD = new RegExp(TEXT_PARAMETER, "iy");
 
 /** The blank in one of its forms; null when it is none of them. */
 export function readBlank(scan: Scan): Statement | null {
@@ -34,17 +41,39 @@ export function readBlank(scan: Scan): Statement | null {
     return { kind: "blankBox", corner: corner[1] === "1" ? 1 : 2, axis: axis ? axisName(axis[1] ?? "") : null, axes: words.axes };
   }
   if (scan.take(CYLINDER)) return readCylinder(scan);
+  if (scan.take(FILE)) return readBlankFile(scan);
   if (!scan.take(ROTATION)) return null;
   const axis = scan.take(AXIS);
   const measure = scan.take(DIMENSION);
-  const label = scan.take(LBL);
-  if (!label || !axis) return null;
-  return {
-    kind: "blankRotation",
-    axis: axisName(axis[1] ?? ""),
-    measure: measure?.[1]?.toUpperCase() === "R" ? "R" : "D",
-    label: readLabel(label[1], label[2]),
-  };
+  const outline = readOutline(scan);
+  if (!outline || !axis) return null;
+  const inner = labelBehind(scan, INNER);
+  scan.leftOver();
+  return { kind: "blankRotation", axis: axisName(axis[1] ?? ""), measure: measure?.[1]?.toUpperCase() === "R" ? "R" : "D", outline, inner };
+}
+function labelBehind(scan: Scan, word: RegExp): Label | null {
+  const m = scan.take(word) && scan.take(LABEL);
+  return m && readLabel(m[1], m[2]);
+}
+
+/** An outline behind a label, or in a file, before which FILE may stand. */
+export function readOutline(scan: Scan): OutlineSource | null {
+  const label = labelBehind(scan, LBL);
+  if (label !== null) return { label };
+  scan.take(FILE);
+  const file = scan.take(QUOTED);
+  if (file) return { file: file[1] ?? "" };
+  const held = scan.take(HELD);
+  return held && { file: { parameter: held[0].toUpperCase(), negative: false } };
+}
+
+/** `BLK FORM FILE "BLANK.STL" TARGET "PART.STL"`. */
+function readBlankFile(scan: Scan): Statement | null {
+  const file = scan.take(QUOTED);
+  if (!file) return null;
+  const target = scan.take(TARGET) ? scan.take(QUOTED) : null;
+  scan.leftOver();
+  return { kind: "blankFile", file: file[1] ?? "", target: target?.[1] ?? null };
 }
 const AXIS_ALONE = /([XYZABCUVW])(?=[ \t]|$)/iy;
 

@@ -1,14 +1,13 @@
-import { readNamedWords } from "./read-frame.ts";
+import { readNamedWords, readOutline } from "./read-frame.ts";
 import type { Scan } from "./scan.ts";
 import type { Statement } from "./statement.ts";
-import { readLabel, VALUE } from "./value.ts";
+import { VALUE } from "./value.ts";
 
 const MODE = /MODE[ \t]+(TURN|MILL)(?![A-Z])/iy;
 const SPIN = /TURNDATA[ \t]+SPIN(?![A-Z])/iy;
 const CORRECTION = /TURNDATA[ \t]+CORR[ \t]*-[ \t]*(TCS|WPL)[ \t]*:[ \t]*([A-Z](?:[ \t]*\/[ \t]*[A-Z])?)(?![A-Z])/iy;
 const BLANK = /TURNDATA[ \t]+BLANK(?![A-Z])/iy;
 const QUOTED = /"([^"]*)"/y;
-const LBL = /LBL[ \t]*(?:(\d{1,9})|"([^"]*)")/iy;
 const VCONST = /VCONST[ \t]*:?[ \t]*(ON|OFF)(?![A-Z])/iy;
 const value = (word: string) => new RegExp(String.raw`${word}[ \t]*:?[ \t]*(${VALUE})`, "iy");
 const [VC, SMAX, S, GEAR] = [value("VC"), value("SMAX"), value("S"), value("GEARRANGE")] as const;
@@ -28,10 +27,8 @@ export function readFunction(scan: Scan): Statement | null {
     return { kind: "turnCorrection", system: correction[1]?.toUpperCase() === "WPL" ? "WPL" : "TCS", plane, words: readNamedWords(scan) };
   }
   if (!scan.take(BLANK)) return null;
-  const file = scan.take(QUOTED);
-  if (file) return { kind: "turnBlank", blank: { file: file[1] ?? "" } };
-  const label = scan.take(LBL);
-  if (label) return { kind: "turnBlank", blank: { label: readLabel(label[1], label[2]) } };
+  const blank = readOutline(scan);
+  if (blank) return { kind: "turnBlank", blank };
   return scan.take(/OFF(?![A-Z])/iy) ? { kind: "turnBlank", blank: "off" } : null;
 }
 

@@ -93,6 +93,9 @@ export type TextFormula = { readonly kind: "quoted"; readonly text: string } | {
 /** The file that a block names, or the parameter that holds its name. */
 export type FileName = string | Parameter;
 
+/** Where an outline of a blank stands: behind a label, or in a file. */
+export type OutlineSource = { readonly label: Label } | { readonly file: FileName };
+
 /** One area of CONTOUR DEF: pocket, island or void, by its label or its file. */
 export interface ContourArea {
   readonly role: "P" | "I" | "V";
@@ -126,7 +129,11 @@ export type Statement =
   | { readonly kind: "blankCylinder"; readonly axis: AxisName;
     readonly outside: { readonly measure: "D" | "R"; readonly value: Value } | null; readonly length: Value | null;
     readonly distance: Value | null; readonly inside: { readonly measure: "DI" | "RI"; readonly value: Value } | null }
-  | { readonly kind: "blankRotation"; readonly axis: AxisName; readonly measure: "D" | "R"; readonly label: Label }
+  /** `inner`: label of what it is hollow by. */
+  | { readonly kind: "blankRotation"; readonly axis: AxisName; readonly measure: "D" | "R"; readonly outline: OutlineSource;
+    readonly inner: Label | null }
+  /** A body in a file of its own; `target` is that of the finished part. */
+  | { readonly kind: "blankFile"; readonly file: string; readonly target: string | null }
   | { readonly kind: "toolDefinition"; readonly tool: Label; readonly length: Value | null; readonly radius: Value | null }
   | {
     readonly kind: "toolCall";
@@ -151,7 +158,7 @@ export type Statement =
     readonly gear?: Value | null;
   }
   | { readonly kind: "turnCorrection"; readonly system: "TCS" | "WPL"; readonly plane: string; readonly words: readonly NamedWord[] }
-  | { readonly kind: "turnBlank"; readonly blank: { readonly file: string } | { readonly label: Label } | "off" }
+  | { readonly kind: "turnBlank"; readonly blank: OutlineSource | "off" }
   | { readonly kind: "path"; readonly path: PathKind; readonly words: Words }
   /** An element of a free contour, its pole, or which solution is meant; `given`: what only such elements have. */
   | { readonly kind: "free"; readonly form: FreeForm; readonly given: readonly NamedWord[]; readonly words: Words }

@@ -13,8 +13,8 @@ export interface Token {
 
 const HEAD = /(\/)?[ \t]*([Nn]?\d{1,9}(?![\d.,]))?[ \t]*(\/)?/y;
 const KEYWORD = new RegExp(
-  String
-    .raw`(?:CYCLE?[ \t]*(?:DEF|CALL)(?:[ \t]+(?:POS|PAT)(?![A-Z]))?|(?:BEGIN|END)[ \t]+PGM|BLK[ \t]+FORM(?:[ \t]+(?:CYLINDER|ROTATION))?|`
+  String.raw`(?:CYCLE?[ \t]*(?:DEF|CALL)(?:[ \t]+(?:POS|PAT)(?![A-Z]))?|(?:BEGIN|END)[ \t]+PGM|`
+    + String.raw`BLK[ \t]+FORM(?:[ \t]+(?:CYLINDER|ROTATION|FILE))?|`
     + String.raw`TOOL[ \t]+(?:CALL|DEF)|CALL[ \t]+LBL|SEL[ \t]+CONTOUR|TRANS[ \t]+[A-Z]+(?:[ \t]+(?:AXIS|RESET))?|GOTO[ \t]+LBL|IF|`
     + String.raw`FUNCTION(?:[ \t]+(?:MODE[ \t]+(?:TURN|MILL)|TURNDATA[ \t]+(?:SPIN|BLANK|CORR-(?:TCS|WPL)(?::[A-Z](?:\/[A-Z])?)?)))?|`
     + String.raw`FN[ \t]*\d+[ \t]*:|F(?:SELECT|POL|LT|CT|L|C)|LBL|STOP|APPR(?:[ \t]+[A-Z]+)?|DEP(?:[ \t]+[A-Z]+)?|`

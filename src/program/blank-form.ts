@@ -20,6 +20,40 @@ export function cylinder({ outside, inside, length, front }: Cylinder): Ring[] |
   return [[{ z: far, r: inside }, { z: near, r: inside }, { z: near, r: outside }, { z: far, r: outside }]];
 }
 
+/** A corner of a box; null: not given, or not known. */
+export interface BoxCorner {
+  readonly x: number | null;
+  readonly y: number | null;
+  readonly z: number | null;
+}
+
+/** A box that turns round the axis: the cylinder round its corners, and the radius within which there is material all round. */
+export interface TurnedBox {
+  readonly rings: Ring[];
+  readonly outer: Radius;
+  readonly inner: Radius;
+}
+
+const lowAndHigh = (
+  a: number | null,
+  b: number | null,
+): readonly [number, number] => [Math.min(a ?? NaN, b ?? NaN), Math.max(a ?? NaN, b ?? NaN)];
+
+/**
+ * What a box is while it turns round X0 Y0: wherever one of its corners comes by there may be material. "impossible" when it has no
+ * volume, "beside" when the axis does not go through it, "unknown" when a coordinate is.
+ */
+export function turnedBox(a: BoxCorner, b: BoxCorner): TurnedBox | "impossible" | "beside" | "unknown" {
+  const [[left, right], [low, high], [far, near]] = [lowAndHigh(a.x, b.x), lowAndHigh(a.y, b.y), lowAndHigh(a.z, b.z)];
+  if (![left, right, low, high, far, near].every(Number.isFinite)) return "unknown";
+  if (!(right - left > SAME) || !(high - low > SAME) || !(near - far > SAME)) return "impossible";
+  const inner = Math.min(-left, right, -low, high);
+  if (!(inner > 0)) return "beside";
+  const outer = radius(Math.hypot(Math.max(-left, right), Math.max(-low, high)));
+  const rings = cylinder({ outside: outer, inside: radius(0), length: near - far, front: near });
+  return rings ? { rings, outer, inner: radius(inner) } : "impossible";
+}
+
 /** A measure of the program as a radius, whether it was given as one or as a diameter. */
 export const measured = (n: number, isDiameter: boolean): Radius => (isDiameter ? toRadius(diameter(n)) : radius(n));
 

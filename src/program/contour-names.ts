@@ -14,8 +14,10 @@ export function namesIn(blocks: readonly Block[]): Set<Label> {
     if (s.kind === "cycleLine" && s.cycle === CONTOUR_CYCLE && s.line > 0) { for (const label of contourLabels(s.text)) names.add(label); }
     else if (s.kind === "contourDefinition") {
       for (const { from } of s.areas) if ("label" in from && typeof from.label !== "object") names.add(from.label);
-    } else if (s.kind === "blankRotation") names.add(s.label);
-    else if (s.kind === "turnBlank" && s.blank !== "off" && "label" in s.blank) names.add(s.blank.label);
+    } else if (s.kind === "blankRotation") {
+      if ("label" in s.outline) names.add(s.outline.label);
+      if (s.inner !== null) names.add(s.inner);
+    } else if (s.kind === "turnBlank" && s.blank !== "off" && "label" in s.blank) names.add(s.blank.label);
   }
   return names;
 }

@@ -153,7 +153,9 @@ export function callCycle(machine: Machine, index: number): void {
   const tool = machine.now.tool ?? standIn(machine, cycle, values, given, counted, index);
   if (!tool) return;
   // What earlier cycles have left is known to the simulation only.
-  const stock = operation === 0 && machine.now.blank.length > 0 && !machine.log.steps.some((s) => isDrill(s.tool))
+  const { operations, steps } = machine.now.blankSince;
+  const isUncut = operation === operations && !machine.log.steps.slice(steps).some((s) => isDrill(s.tool));
+  const stock = isUncut && machine.now.blank.length > 0
     ? machine.now.blank.map((ring) => ring.map((p) => countedPoint(p, machine.now.datum)))
     : null;
   const setting = { tool, start: counted, feedUnit: machine.feedUnit, autoFeed: machine.now.toolFeed, stock };

@@ -48,10 +48,14 @@ interface Data {
   blankMissing: {};
   blankNotTurned: { form: string };
   blankImpossible: {};
-  /** The outline of FUNCTION TURNDATA BLANK is the stock, since BLK FORM gives none. */
-  blankTaken: { label: string };
-  /** It is not, since BLK FORM gives one. */
-  blankNotTaken: { label: string };
+  /** A box turns: the cylinder round its corners is the stock, and there is material all round within the inner diameter only. */
+  boxTurned: { outer: number; inner: number };
+  /** The outline of FUNCTION TURNDATA BLANK is the stock, since BLK FORM gives none that is turned. */
+  blankTaken: { what: string };
+  /** It is, though it has more than BLK FORM, mm². */
+  blankAdds: { what: string; area: number };
+  /** Cuts in the air that the control leaves out are run here. */
+  blankTraced: {};
   poleMissing: {};
   startUnknown: {};
   /** An element of a free contour that what is given does not determine, or not without contradiction. */

@@ -1,6 +1,6 @@
 import type { Issue } from "../kernel/issue.ts";
-import type { Pt } from "../kernel/point.ts";
-import type { Step, Unproved } from "../kernel/step.ts";
+import type { Pt, Ring } from "../kernel/point.ts";
+import type { Stated, Step, Unproved } from "../kernel/step.ts";
 import { axial, radius } from "../kernel/units.ts";
 import type { NcIssue } from "../nc/issue.ts";
 import { blockNumbers, eachIssue, startLines, type Program } from "../nc/program.ts";
@@ -38,6 +38,9 @@ export class Log {
   readonly datums: Run["datums"][number][] = [];
   readonly findings: RunFinding[] = [];
   readonly unproved: Unproved[] = [];
+  /** Blanks that were stated after something had been cut, and the one before the first of them. */
+  readonly stated: Stated[] = [];
+  firstBlank: readonly Ring[] | null = null;
   private readonly said = new Set<string>();
   private readonly left = new Set<string>();
 
@@ -134,6 +137,12 @@ export class Log {
     // The first of all says from where on nothing is proved; a list of all that follow would fill the memory.
     if (this.unproved.length < MOST_ALIKE) this.unproved.push({ step: this.steps.length, block, what, ...this.fileOf(index) });
     this.say(programIssue("notProved", "warning", { what }), index);
+  }
+
+  /** Notes that from the step that comes next on another blank stands in the chuck. */
+  states(rings: readonly Ring[], { what, before }: { readonly what: string; readonly before: readonly Ring[] }, index: number): void {
+    this.firstBlank ??= before;
+    this.stated.push({ step: this.steps.length, block: this.numbers[index] ?? 0, what, rings, ...this.fileOf(index) });
   }
 
   /** All findings in the order of the text, those of the reader included. */

@@ -4,6 +4,7 @@ import type { Spindle } from "../kernel/step.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { length, type Feed, type Length } from "../kernel/units.ts";
 import type { Compensation, Label } from "../nc/statement.ts";
+import type { BoxCorner } from "./blank-form.ts";
 import { NO_TRANSFORM, type Transform } from "./coordinates-frame.ts";
 import type { UnknownReason } from "./known-values.ts";
 import type { Unit } from "./units.ts";
@@ -46,6 +47,13 @@ export interface Held {
   /** Its number in the contour that runs on from block to block, from 1. */
   readonly element: number;
 }
+
+/** A blank of another form: a box, a body in a file, or one round another axis. */
+export type UnturnedBlank = { readonly kind: "box"; readonly index: number; readonly corners: readonly [BoxCorner, BoxCorner] } | {
+  readonly kind: "file" | "otherAxis";
+  readonly index: number;
+  readonly form: string;
+};
 
 /** What is in force for a mill, mm. */
 export interface Milling {
@@ -118,6 +126,10 @@ export interface Modal {
   /** M89: the defined cycle is called behind every positioning block. */
   readonly callsBehindMoves: boolean;
   readonly blank: readonly Ring[];
+  /** How many cycles had been called, and steps run, when the blank was as it is stated. */
+  readonly blankSince: { readonly operations: number; readonly steps: number };
+  /** A blank that is no body round the axis of the spindle: what stands for it shows when the program turns. */
+  readonly unturned: UnturnedBlank | null;
   readonly mill: Milling;
 }
 
@@ -148,6 +160,8 @@ export const AT_START: Modal = {
   defined: null,
   callsBehindMoves: false,
   blank: [],
+  blankSince: { operations: 0, steps: 0 },
+  unturned: null,
   mill: { radius: null, tool: "", otherAxis: false, top: null },
 };
 

@@ -4,7 +4,7 @@ import type { Issue } from "../kernel/issue.ts";
 import type { FeedUnit } from "../kernel/move.ts";
 import type { Plan } from "../kernel/plan.ts";
 import type { Pt, Ring } from "../kernel/point.ts";
-import type { Spindle, Step, Unproved } from "../kernel/step.ts";
+import type { Spindle, Stated, Step, Unproved } from "../kernel/step.ts";
 import type { Tool } from "../kernel/tool.ts";
 import type { Feed } from "../kernel/units.ts";
 import type { NcIssue } from "../nc/issue.ts";
@@ -62,6 +62,8 @@ export interface Run {
   readonly program: { readonly name: string; readonly unit: "mm" | "inch"; readonly blocks: number };
   /** Outlines of the blank in the half plane, outer rings counter-clockwise; empty when the program states none. */
   readonly blank: readonly Ring[];
+  /** Blanks that the program states after it has begun to cut, in the order of the steps. */
+  readonly stated: readonly Stated[];
   readonly operations: readonly Operation[];
   readonly steps: readonly Step[];
   /** For each step the index of its block in the parsed program, which stays unique when block numbers do not. */

@@ -1,7 +1,7 @@
 import { cycleByNumber } from "../cycles/index.ts";
 import type { Block, Program } from "../nc/program.ts";
 import type { Statement, StatementOf, Words } from "../nc/statement.ts";
-import { blankBox, blankCylinder, blankOfTurnData, outlinedBlank } from "./blank-block.ts";
+import { blankBox, blankCylinder, blankFile, blankOfTurnData, blankRotation, tellBox, turnBlank } from "./blank-block.ts";
 import { CONTOUR_CYCLE, contourLabels } from "./contour-names.ts";
 import { callCycle, cycleDefinition } from "./cycle-call.ts";
 import { datumLine, DATUM_CYCLE, resetDatum, shiftDatum, tableDatum } from "./datum.ts";
@@ -30,11 +30,12 @@ export function run(program: Program, shop: Shop): Run {
   machine.set({ inch: frame.unit === "INCH" });
   const ending = execute(machine, (s, index) => block(machine, s, index));
   finish(machine);
+  tellBox(machine);
   if (machine.now.turning && machine.log.steps.length > 0) machine.log.countsFrom(machine.now.datum.x, machine.now.datum.z);
   if (!neverReached(machine, ending) && !ending.told) neverCalled(machine);
   if (ending.word === null && !ending.told && machine.log.steps.length > 0)
     machine.log.say(programIssue("programEndMissing", "warning", {}), program.blocks.length - 1);
-  if (machine.log.operations.length > 0 && machine.now.blank.length === 0)
+  if (machine.log.operations.length > 0 && machine.now.blank.length === 0 && machine.now.unturned?.kind !== "file")
     machine.log.say(programIssue("blankMissing", "warning", {}), null);
   return {
     program: {
@@ -42,7 +43,8 @@ export function run(program: Program, shop: Shop): Run {
       unit: machine.now.inch ? "inch" : "mm",
       blocks: program.blocks.filter((b) => b.statement.kind !== "empty" && (b.number !== null || b.statement.kind !== "comment")).length,
     },
-    blank: machine.now.blank,
+    blank: machine.log.firstBlank ?? machine.now.blank,
+    stated: machine.log.stated,
     operations: machine.log.operations,
     steps: machine.log.steps,
     stepBlocks: machine.log.stepBlocks,
@@ -74,7 +76,8 @@ const HANDLERS: { readonly [K in Statement["kind"]]?: (machine: Machine, s: Stat
   toolCall,
   blankBox,
   blankCylinder,
-  blankRotation: (machine, s, index) => outlinedBlank(machine, s.label, s.measure === "R", index),
+  blankRotation,
+  blankFile,
   turnBlank: blankOfTurnData,
   turnCorrection: correctTool,
   mode: (machine, s, index) => mode(machine, s.mode, index),
@@ -150,7 +153,10 @@ function functions(machine: Machine, words: Words, index: number): void {
 /** Another kind of machining has other kinematics: where the tool stands in its coordinates, nobody knows. */
 function mode(machine: Machine, wanted: "TURN" | "MILL", index: number): void {
   machine.set({ mode: wanted });
-  if (wanted === "TURN") transformedTurning(machine, index);
+  if (wanted === "TURN") {
+    transformedTurning(machine, index);
+    turnBlank(machine);
+  }
   machine.setPlace({ last: null });
   if (machine.now.turning === (wanted === "TURN")) return;
   machine.set({ turning: wanted === "TURN", pole: null });

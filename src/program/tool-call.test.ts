@@ -39,14 +39,17 @@ const withBlank = (blank: string, ...turnData: string[]) =>
 test("FUNCTION TURNDATA BLANK gives the stock where BLK FORM gives none", () => {
   const own = withBlank("BLK FORM 0.1 Z X+0 Y+0 Z-20", 'FUNCTION TURNDATA BLANK LBL "CASTING"', "FUNCTION TURNDATA BLANK OFF");
   expect(own.blank.flat().map((p) => toDiameter(p.r)).sort((a, b) => a - b)).toEqual([0, 0, 58, 72, 72]);
-  expect(own.issues.map((f) => f.issue.code)).toEqual(["blankTaken"]);
+  expect(own.issues.map((f) => f.issue.code)).toEqual(["blankTraced", "blankTaken"]);
   const given = withBlank("BLK FORM CYLINDER Z D80 L60", 'FUNCTION TURNDATA BLANK LBL "CASTING"');
-  expect(Math.max(...given.blank.flat().map((p) => p.r))).toBe(40);
-  expect(given.issues.map((f) => f.issue.code)).toEqual(["blankNotTaken"]);
+  expect(Math.max(...given.blank.flat().map((p) => p.r))).toBe(36);
+  expect(given.issues.map((f) => f.issue.code)).toEqual(["blankTraced", "blankLacks", "notProved", "blankAdds"]);
 });
 
 test("a blank or a contour in another file is said where it is named and where it is missed", () => {
   expect(withBlank("BLK FORM CYLINDER Z D80 L60", 'FUNCTION TURNDATA BLANK "CAST.H"').issues.map((f) => f.issue)).toMatchObject([{
+    code: "programNotOpened",
+    data: { file: "CAST.H" },
+  }, {
     code: "notProved",
     severity: "warning",
   }, { code: "neverReached", data: { by: "M30" } }]);

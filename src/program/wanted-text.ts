@@ -27,7 +27,7 @@ export function wantedText(job: Job, wanted: Wanted, labels: Labels): string {
   const plain = jobStatements(job, cycle, labels);
   const [shaped] = wanted.allowance > 0 ? blankRings(wanted, [ringOf(job.blank)]) : [];
   if (!shaped) return programText(plain, LAYOUTS[job.layout]);
-  const blank: Statement = { kind: "blankRotation", axis: "Z", measure: "D", label: BLANK_LABEL };
+  const blank: Statement = { kind: "blankRotation", axis: "Z", measure: "D", outline: { label: BLANK_LABEL }, inner: null };
   const outline: Statement[] = [{ kind: "label", label: BLANK_LABEL }, ...contourStatements(rowsOf(round(shaped))), {
     kind: "label",
     label: 0,

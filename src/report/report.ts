@@ -167,6 +167,8 @@ export function report(checked: Checked, language: Language): Report {
     const block = p.block ?? (p.operation === null ? null : (run.operations[p.operation]?.block ?? null));
     return issueOf(p.issue, { at: p.issue.at, block, cycle: null }, language);
   };
+  const notProved = (what: string, block: number | null) =>
+    issueOf(programIssue("notProved", "warning", { what }), { block, cycle: null }, language);
   const operation = (o: Operation, index: number): ReportOperation => ({
     block: o.block,
     cycle: o.cycle,
@@ -217,10 +219,8 @@ export function report(checked: Checked, language: Language): Report {
           ...(f.inFile && { inFile: f.inFile }),
         }, language)
       ),
-      ...judged.reasons.flatMap((r) => (r.kind === "milling"
-        ? [issueOf(programIssue("notProved", "warning", { what: MILLING }), { block: r.block, cycle: null }, language)]
-        : [])
-      ),
+      ...judged.reasons.flatMap((r) => (r.kind === "milling" ? [notProved(MILLING, r.block)] : [])),
+      ...simulation.proof.unproved.slice(run.unproved.length).map(({ what, block }) => notProved(what, block)),
       ...proved.map(proofIssue),
     ],
     milliseconds,

@@ -1,7 +1,7 @@
 import { flanksUnknown } from "../kernel/insert.ts";
 import type { Tool } from "../kernel/tool.ts";
 import type { Run } from "../program/run-types.ts";
-import { REAL_AREA } from "../sim/contact.ts";
+import { REAL_AREA } from "../kernel/real-area.ts";
 import type { StockFinding, Simulation, Verdict } from "../sim/simulation.ts";
 
 /** Why a verdict is what it is, as data: the block where it begins (null: the whole program) and what it is about. */

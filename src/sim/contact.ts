@@ -1,20 +1,8 @@
-import { areaOf } from "../kernel/area.ts";
-import { difference, intersection, opened } from "../kernel/clip.ts";
+import { difference, intersection } from "../kernel/clip.ts";
 import type { Ring } from "../kernel/point.ts";
-import { SLIVER } from "../kernel/tolerance.ts";
 import { boxAround, inBox } from "../kernel/box.ts";
 import { merged, near, type Present } from "./cutting.ts";
 import type { Sweep } from "./sweep.ts";
-
-/** Smaller areas are chord and grid errors of two curves that touch, mm². */
-export const REAL_AREA = 0.01;
-
-/** An area without slivers; nothing when that is too small to be true. */
-export const real = (area: Ring[]): Ring[] => {
-  if (areaOf(area) < REAL_AREA) return [];
-  const thick = opened(area, SLIVER);
-  return areaOf(thick) < REAL_AREA ? [] : thick;
-};
 
 /** What sweeps have in common with an area and with the stock as it is now. */
 export function inStock(sweeps: readonly Sweep[], now: Present, within: readonly Ring[] | null = null): Ring[] {

@@ -1,9 +1,10 @@
 import { areaOf } from "../kernel/area.ts";
 import { difference, intersection } from "../kernel/clip.ts";
 import type { Pt, Ring } from "../kernel/point.ts";
+import { real, REAL_AREA } from "../kernel/real-area.ts";
 import type { Step } from "../kernel/step.ts";
 import { boxOf } from "../kernel/box.ts";
-import { inStock, real, REAL_AREA } from "./contact.ts";
+import { inStock } from "./contact.ts";
 import { merged, type Present } from "./cutting.ts";
 import type { Outlines } from "./outlines.ts";
 import { convexPieceOf } from "./piece.ts";

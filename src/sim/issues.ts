@@ -1,7 +1,7 @@
 import { issue, type Issue } from "../kernel/issue.ts";
+import { REAL_AREA } from "../kernel/real-area.ts";
 import { toDiameter } from "../kernel/units.ts";
 import { MOST_CONTACTS } from "./check.ts";
-import { REAL_AREA } from "./contact.ts";
 import { isTooDeep } from "./measure.ts";
 import type { Depth, StockFinding, OperationProof, Residual, Simulation } from "./simulation.ts";
 
@@ -48,6 +48,17 @@ function fromOperation(
   return out;
 }
 
+/** A blank that was stated after cuts: what it leaves out, or what it has though that has been cut. */
+const fromStated = ({ stated }: Simulation["proof"]): ProofIssue[] =>
+  stated.flatMap(({ step, block, what, lacks, adds }) => {
+    const found = lacks > 0
+      ? issue("blankLacks", "warning", { what, area: lacks })
+      : adds > 0
+      ? issue("blankGone", "info", { what, area: adds })
+      : null;
+    return found ? [{ issue: found, step, block, operation: null }] : [];
+  });
+
 /** Where the simulation no longer looked for contacts of moves. */
 const fromUnlooked = ({ unlooked }: Simulation["proof"]): ProofIssue[] =>
   unlooked ? [{ issue: issue("contactsUnlooked", "error", { limit: MOST_CONTACTS }), ...unlooked, operation: null }] : [];
@@ -57,6 +68,7 @@ export const stockIssues =
   (simulation: Pick<Simulation, "findings" | "proof">): ProofIssue[] => [
     ...simulation.findings.map(fromFinding),
     ...fromUnlooked(simulation.proof),
+    ...fromStated(simulation.proof),
     ...simulation.proof.operations.flatMap(fromOperation),
     ...simulation.proof.residual.map(fromResidual),
   ];

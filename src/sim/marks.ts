@@ -7,7 +7,8 @@ const MOST_POINTS = 1_500_000;
 
 /** The marks of a run, with no more kept stocks than fit into memory. */
 export interface StockMarks {
-  add(step: number, stock: readonly Ring[]): void;
+  /** `isStated`: this stock is not what was left before, and is never let go. */
+  add(step: number, stock: readonly Ring[], isStated?: boolean): void;
   all(): readonly Checkpoint[];
 }
 
@@ -20,14 +21,15 @@ export function marksOf(most = MOST_POINTS): StockMarks {
   let [every, points] = [1, 0];
   const sizeOf = ({ stock }: Checkpoint) => (stock ?? []).reduce((sum, ring) => sum + ring.length / 2, 0);
   return {
-    add(step, stock) {
-      const mark = { step, stock: marks.length % every === 0 ? packed(stock) : null };
+    add(step, stock, isStated = false) {
+      const kept = isStated || marks.length % every === 0;
+      const mark: Checkpoint = { step, stock: kept ? packed(stock) : null, ...(isStated && { isStated }) };
       marks.push(mark);
       points += sizeOf(mark);
       while (points > most && every < marks.length) {
         every *= 2;
         marks.forEach((m, i) => {
-          if (i % every !== 0 && m.stock) marks[i] = { step: m.step, stock: null };
+          if (i % every !== 0 && m.stock && !m.isStated) marks[i] = { step: m.step, stock: null };
         });
         points = marks.reduce((sum, m) => sum + sizeOf(m), 0);
       }

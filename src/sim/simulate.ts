@@ -11,6 +11,7 @@ import { measuring } from "./measure.ts";
 import { outlinesOf } from "./outlines.ts";
 import { residualOf } from "./residual.ts";
 import type { Depth, StockFinding, Proof, Simulation, SimulationInput } from "./simulation.ts";
+import { statedBlanks } from "./stated.ts";
 import { sweptBy } from "./sweep.ts";
 
 /** Moves from one checkpoint to the next. */
@@ -43,12 +44,19 @@ export function simulate(input: SimulationInput): Simulation {
   let contacts = 0;
   let unlooked: Proof["unlooked"] = null;
   let cut = cutting(blank);
-  let last = 0;
+  let marked = 0;
+  const statements = statedBlanks(input.stated ?? []);
   steps.forEach((step, i) => {
-    if (i - last >= CHECKPOINT_STEPS || cut.pieces >= CHECKPOINT_PIECES) {
+    const now = statements.at(i, cut);
+    if (now) {
+      cut = cutting(now);
+      marks.add(i, now, true);
+      marked = i;
+    }
+    if (i - marked >= CHECKPOINT_STEPS || cut.pieces >= CHECKPOINT_PIECES) {
       cut = cutting(cut.stock());
       marks.add(i, cut.initial);
-      last = i;
+      marked = i;
     }
     const shapes = outlines(step.tool);
     const sweep = sweptBy(shapes.insert, step);
@@ -62,7 +70,9 @@ export function simulate(input: SimulationInput): Simulation {
     if (step.move.kind === "rapid" && !unlooked) byRapids += areaOf(inStock([sweep], cut.present()));
     cut.add(sweep);
   });
-  const final = cut.stock();
+  const last = statements.at(steps.length, cut);
+  if (last) marks.add(steps.length, last, true);
+  const final = last ?? cut.stock();
   const findings = found.all();
   const measured = measure.results();
   const startTimes = startTimesOf(steps);
@@ -78,11 +88,12 @@ export function simulate(input: SimulationInput): Simulation {
       gouge: total(findings, "gouge"),
       rapidInStock: total(findings, "rapidInStock"),
       residual: residualOf(final, operations, outlines),
-      cut: Math.max(0, areaOf(blank) - areaOf(final) - byRapids),
+      cut: Math.max(0, areaOf(blank) + statements.added() - areaOf(final) - byRapids),
       airPasses: measured.reduce((sum, o) => sum + o.airPasses, 0),
       deepest: measured.reduce<Depth | null>((best, { deepest }) => (deepest && deepest.depth > (best?.depth ?? 0) ? deepest : best), null),
       holder: findings.some((f) => f.kind === "holderContact") ? "contact" : steps.some((s) => !s.tool.holder) ? "unknown" : "clear",
-      unproved,
+      unproved: [...unproved, ...statements.unproved()],
+      stated: statements.all(),
       unlooked,
       operations: measured,
     },

@@ -2,7 +2,7 @@ import type { PackedRings } from "../kernel/clip.ts";
 import type { Issue, Reason } from "../kernel/issue.ts";
 import type { Plan } from "../kernel/plan.ts";
 import type { Pt, Ring } from "../kernel/point.ts";
-import type { Step, Unproved } from "../kernel/step.ts";
+import type { Stated, Step, Unproved } from "../kernel/step.ts";
 import type { Tool } from "../kernel/tool.ts";
 
 /** One executed cycle call: its plan and its steps, `firstStep` to `lastStep` included (none: lastStep < firstStep). */
@@ -18,6 +18,8 @@ export interface SimulatedOperation {
 /** What is simulated. The blank is what stands in the chuck at the first step. */
 export interface SimulationInput {
   readonly blank: readonly Ring[];
+  /** Blanks that are stated later, in the order of their steps; none where absent. */
+  readonly stated?: readonly Stated[];
   readonly steps: readonly Step[];
   readonly operations: readonly SimulatedOperation[];
   /** What the run read and did not simulate. */
@@ -37,6 +39,8 @@ export interface PlayPosition {
 export interface Checkpoint {
   readonly step: number;
   readonly stock: PackedRings | null;
+  /** True where the program states another blank: its stock is kept, and is not what was left before. */
+  readonly isStated?: true;
 }
 
 /** Something that must not happen, found by the stock: where the tool cut the finished part, or ran into material. */
@@ -67,6 +71,17 @@ export interface Residual {
   readonly operation: number;
 }
 
+/** What became of a blank that was stated while the program ran, mm². */
+export interface StatedProof {
+  readonly step: number;
+  readonly block: number;
+  readonly what: string;
+  /** What stood beyond the outline: nobody knows where it went. */
+  readonly lacks: number;
+  /** What the outline has where nothing stood any more. */
+  readonly adds: number;
+}
+
 /** Sums over the run in mm² of the half plane. */
 export interface Proof {
   readonly gouge: number;
@@ -86,6 +101,7 @@ export interface Proof {
    */
   readonly unlooked: { readonly step: number; readonly block: number } | null;
   readonly unproved: readonly Unproved[];
+  readonly stated: readonly StatedProof[];
   /** For each operation of the run, in its order. */
   readonly operations: readonly OperationProof[];
 }

@@ -52,7 +52,9 @@ export function playerOf(simulation: Simulation): Player {
     if (!now || now.mark < mark || now.next > step)
       now = { mark, next: checkpoints[mark]?.step ?? 0, cut: cutting(unpacked(checkpoints[mark]?.stock ?? [])) };
     for (;;) {
-      if (checkpoints[now.mark + 1]?.step === now.next) now = { mark: now.mark + 1, next: now.next, cut: cutting(now.cut.stock()) };
+      const begun: Checkpoint | undefined = checkpoints[now.mark + 1];
+      if (begun?.step === now.next)
+        now = { mark: now.mark + 1, next: now.next, cut: cutting(begun.isStated ? unpacked(begun.stock ?? []) : now.cut.stock()) };
       if (now.next >= step) return now.cut;
       const s = simulation.steps[now.next];
       if (s) now.cut.add(sweptBy(outlines(s.tool).insert, s));

@@ -3,7 +3,7 @@ import { GROOVE_WORDS } from "../../kernel/groove.ts";
 import { UNDERCUT_FORMS, UNDERCUT_WORDS } from "../../kernel/undercut.ts";
 import { parse } from "../../nc/parse.ts";
 import { statementLines } from "../../nc/print.ts";
-import { APPROACH_FORMS, type AxisName, type PathKind, type Statement } from "../../nc/statement.ts";
+import { APPROACH_FORMS, type AxisName, type FileName, type OutlineSource, type PathKind, type Statement } from "../../nc/statement.ts";
 import { LAYOUTS } from "../../nc/style.ts";
 import { NUMBER_PARAMETER, parameterOf } from "../../nc/value.ts";
 import { feedWord } from "../../program/field.ts";
@@ -94,6 +94,17 @@ const undercutWords = (word: string): readonly string[] => {
   return form ? UNDERCUT_WORDS[form] : [];
 };
 
+/** Where the outline of a blank stands, as its fields show it. */
+const sourceOf = (from: OutlineSource) => ("file" in from ? "file" : "label");
+const labelIn = (from: OutlineSource) => ("label" in from ? shownLabel(from.label) : "");
+const fileIn = (from: OutlineSource) => ("label" in from ? "" : typeof from.file === "object" ? from.file.parameter : from.file);
+const outlineFrom = (source: string): OutlineSource => (source === "file" ? { file: "BLANK.H" } : { label: 1 });
+const fileAsTyped = (typed: string): FileName | null => {
+  if (typed === "" || /["\r\n]/.test(typed)) return null;
+  const held = parameterOf(typed);
+  return held?.parameter.startsWith("QS") ? held : typed;
+};
+
 type Table = { readonly [K in Statement["kind"]]: (s: Extract<Statement, { kind: K }>) => readonly WordField[] };
 
 /** The fields of every kind of block: the one description that all their dialogs are made from. */
@@ -149,11 +160,18 @@ const table: Table = {
     fieldOf("blankRotation", "measure", (s) => s.measure, (s, typed) => ({ ...s, measure: typed === "R" ? "R" : "D" }), {
       choices: ["D", "R"],
     }),
-    fieldOf("blankRotation", "label", (s) => shownLabel(s.label), (s, typed) => {
+    fieldOf("blankRotation", "blankSource", (s) => sourceOf(s.outline),
+      (s, typed) => (sourceOf(s.outline) === typed ? s : { ...s, outline: outlineFrom(typed) }), { choices: ["label", "file"] }),
+    fieldOf("blankRotation", "label", (s) => labelIn(s.outline), (s, typed) => {
       const label = labelAsTyped(typed);
-      return label === null ? null : { ...s, label };
+      return label === null ? null : { ...s, outline: { label } };
+    }),
+    fieldOf("blankRotation", "file", (s) => fileIn(s.outline), (s, typed) => {
+      const file = fileAsTyped(typed);
+      return file === null ? null : { ...s, outline: { file } };
     }),
   ],
+  blankFile: () => [wholeText],
   toolDefinition: () => [
     fieldOf("toolDefinition", "tool", (s) => shownLabel(s.tool), (s, typed) => {
       const tool = labelAsTyped(typed);
@@ -216,19 +234,20 @@ const table: Table = {
         (c, typed) => (/^[A-Z](\/[A-Z])?$/i.test(typed.trim()) ? { ...c, plane: typed.trim().toUpperCase() } : null)),
       ...namedFields(s, ["DZL", "DXL"]),
     ],
-  turnBlank:
-    () => [
-      fieldOf("turnBlank", "blankSource", (s) => (s.blank === "off" ? "off" : "file" in s.blank ? "file" : "label"), (s, typed) => {
-        const from = s.blank === "off" ? "off" : "file" in s.blank ? "file" : "label";
-        return from === typed ? s : { ...s, blank: typed === "off" ? "off" : typed === "file" ? { file: "BLANK.H" } : { label: 1 } };
-      }, { choices: ["off", "label", "file"] }),
-      fieldOf("turnBlank", "label", (s) => (s.blank !== "off" && "label" in s.blank ? shownLabel(s.blank.label) : ""), (s, typed) => {
-        const label = labelAsTyped(typed);
-        return label === null ? null : { ...s, blank: { label } };
-      }),
-      fieldOf("turnBlank", "file", (s) => (s.blank !== "off" && "file" in s.blank ? s.blank.file : ""),
-        (s, typed) => (typed === "" || /["\r\n]/.test(typed) ? null : { ...s, blank: { file: typed } })),
-    ],
+  turnBlank: () => [
+    fieldOf("turnBlank", "blankSource", (s) => (s.blank === "off" ? "off" : sourceOf(s.blank)), (s, typed) => {
+      const from = s.blank === "off" ? "off" : sourceOf(s.blank);
+      return from === typed ? s : { ...s, blank: typed === "off" ? "off" : outlineFrom(typed) };
+    }, { choices: ["off", "label", "file"] }),
+    fieldOf("turnBlank", "label", (s) => (s.blank === "off" ? "" : labelIn(s.blank)), (s, typed) => {
+      const label = labelAsTyped(typed);
+      return label === null ? null : { ...s, blank: { label } };
+    }),
+    fieldOf("turnBlank", "file", (s) => (s.blank === "off" ? "" : fileIn(s.blank)), (s, typed) => {
+      const file = fileAsTyped(typed);
+      return file === null ? null : { ...s, blank: { file } };
+    }),
+  ],
   path: (s) => paths[s.path](s),
   chamfer:
     () => [

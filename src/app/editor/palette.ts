@@ -111,7 +111,7 @@ export const palette: readonly Offered[] = [
     distance: 1,
     inside: null,
   }),
-  offer("frame", "blankRotation", { kind: "blankRotation", axis: "Z", measure: "D", label: 1 }),
+  offer("frame", "blankRotation", { kind: "blankRotation", axis: "Z", measure: "D", outline: { label: 1 }, inner: null }),
   offer("frame", "blankBox", {
     kind: "blankBox",
     corner: 1,

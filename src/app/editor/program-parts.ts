@@ -45,6 +45,7 @@ const filters: Partial<Record<Statement["kind"], PartFilter>> = {
   unknown: "notes",
   blankCylinder: "labels",
   blankRotation: "labels",
+  blankFile: "labels",
   turnBlank: "labels",
 };
 

@@ -55,7 +55,8 @@ function placeOfMode(program: Program, index: number): number {
 /** Behind the last of program begin, blank and mode: a tool call there comes before every positioning. */
 const placeBehindFrame = (program: Program, index: number): number =>
   lastOf(program, index, (s) =>
-    s.kind === "begin" || s.kind === "mode" || s.kind === "blankCylinder" || s.kind === "blankRotation" || s.kind === "blankBox") + 1;
+    s.kind === "begin" || s.kind === "mode" || s.kind === "blankCylinder" || s.kind === "blankRotation" || s.kind === "blankFile"
+    || s.kind === "blankBox") + 1;
 
 /** Behind a definition and the block that positions to its start point. */
 function placeOfCall(program: Program, definition: number): number {

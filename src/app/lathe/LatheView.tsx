@@ -54,6 +54,7 @@ const NOWHERE: readonly LookAt[] = [];
 const EMPTY_RUN: Run = {
   program: { name: "", unit: "mm", blocks: 0 },
   blank: [],
+  stated: [],
   operations: [],
   steps: [],
   stepBlocks: [],

@@ -69,6 +69,7 @@ export const editor = {
     blankBox: "Rohteil: Quader-Ecke",
     blankCylinder: "Rohteil: Zylinder",
     blankRotation: "Rohteil: Rotation einer Kontur",
+    blankFile: "Rohteil: Körper in einer Datei",
     toolDefinition: "Werkzeugdefinition",
     toolCall: "Werkzeugaufruf",
     mode: "Drehen oder Fräsen",

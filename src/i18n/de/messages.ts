@@ -166,6 +166,9 @@ export const messages = {
     deeperThanInfeed: (d, w) =>
       "" + (d.pass === undefined ? "Ein Glätt- oder Schlichtschnitt" : `Schnitt ${w.number(d.pass)}`)
       + ` nimmt ${w.number(d.depth)} mm Material auf einmal; erlaubt sind ${w.number(d.allowed)} mm.`,
+    blankLacks: (d, w) =>
+      `${w.text(d.what)} lässt ${w.area(d.area)} von dem Material aus, das nach dem Programm dort steht. Der Umriss gilt.`,
+    blankGone: (d, w) => `${w.text(d.what)} umreißt ${w.area(d.area)}, wo nichts mehr steht. Was abgetragen ist, bleibt abgetragen.`,
     nothingCut: () => "Diese Bearbeitung trägt kein Material ab.",
     airPasses: (d) => (d.count === 1 ? "1 Schruppschnitt berührt kein Material." : `${d.count} Schruppschnitte berühren kein Material.`),
 
@@ -218,9 +221,14 @@ export const messages = {
     notFinite: (d, w) => `„${w.text(d.text)}“ ergibt keine brauchbare Zahl.`,
     blankMissing: () => "Das Programm nennt kein Rohteil.",
     blankNotTurned: (d, w) => `Ein Rohteil der Form ${w.text(d.form)} ist kein Drehkörper um die Achse.`,
-    blankImpossible: () => "Das Rohteil hat kein Volumen: Durchmesser, Bohrung und Länge prüfen.",
-    blankTaken: (d, w) => `LBL ${w.text(d.label)} wird als Rohteil genommen; Luftschnitte bleiben.`,
-    blankNotTaken: (d, w) => `LBL ${w.text(d.label)} ist gelesen, es gilt aber das Rohteil aus BLK FORM; Luftschnitte bleiben.`,
+    blankImpossible: () => "Das Rohteil hat kein Volumen: seine Maße prüfen.",
+    boxTurned: (d, w) =>
+      `Der Quader dreht sich als Zylinder um seine Ecken, Durchmesser ${w.value(d.outer)}. Nur innerhalb von Durchmesser ${
+        w.value(d.inner)
+      } steht ringsum sicher Material. ` + "Rundmaterial ist ein BLK FORM CYLINDER.",
+    blankTaken: (d, w) => `${w.text(d.what)} wird als Rohteil genommen.`,
+    blankAdds: (d, w) => `${w.text(d.what)} umreißt ${w.area(d.area)} mehr, als BLK FORM hat. Der Umriss gilt.`,
+    blankTraced: () => "Während der Rohteilnachführung lässt die Steuerung Luftschnitte aus; hier sind sie gezeigt.",
     poleMissing: () => "Der Satz braucht vorher einen Pol CC.",
     startUnknown: () => "Die Position vor diesem Satz ist nicht bekannt.",
     arcImpossible: () => "Zu diesen Werten gibt es keinen Bogen.",

@@ -73,6 +73,7 @@ export const editor = {
     blankBox: "Blank: box corner",
     blankCylinder: "Blank: cylinder",
     blankRotation: "Blank: rotation of a contour",
+    blankFile: "Blank: body in a file",
     toolDefinition: "Tool definition",
     toolCall: "Tool call",
     mode: "Turning or milling",

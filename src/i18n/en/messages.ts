@@ -161,6 +161,9 @@ export const messages = {
     deeperThanInfeed: (d, w) =>
       "" + (d.pass === undefined ? "A smoothing or finishing cut" : `Pass ${w.number(d.pass)}`)
       + ` takes ${w.number(d.depth)} mm of stock at once; ${w.number(d.allowed)} mm are allowed.`,
+    blankLacks: (d, w) =>
+      `${w.text(d.what)} leaves out ${w.area(d.area)} of the material that stands there by the program. The outline counts.`,
+    blankGone: (d, w) => `${w.text(d.what)} outlines ${w.area(d.area)} where nothing stands any more. What has been cut stays cut.`,
     nothingCut: () => "This operation removes no stock.",
     airPasses: (d) => `${count(d.count, "roughing pass touches", "roughing passes touch")} no stock.`,
 
@@ -210,9 +213,14 @@ export const messages = {
     notFinite: (d, w) => `“${w.text(d.text)}” gives no usable number.`,
     blankMissing: () => "The program states no blank.",
     blankNotTurned: (d, w) => `A blank of the form ${w.text(d.form)} is not turned round the axis.`,
-    blankImpossible: () => "The blank has no volume: check diameter, bore and length.",
-    blankTaken: (d, w) => `LBL ${w.text(d.label)} is taken as the blank; cuts in the air are not left out.`,
-    blankNotTaken: (d, w) => `LBL ${w.text(d.label)} is read, but the blank of BLK FORM counts; cuts in the air are not left out.`,
+    blankImpossible: () => "The blank has no volume: check its measures.",
+    boxTurned: (d, w) =>
+      `The box turns as the cylinder round its corners, diameter ${w.value(d.outer)}. Only within diameter ${
+        w.value(d.inner)
+      } is there material all round for sure. ` + "A round bar is a BLK FORM CYLINDER.",
+    blankTaken: (d, w) => `${w.text(d.what)} is taken as the blank.`,
+    blankAdds: (d, w) => `${w.text(d.what)} outlines ${w.area(d.area)} more than BLK FORM has. The outline counts.`,
+    blankTraced: () => "While the blank is traced the control leaves out cuts in the air; here they are shown.",
     poleMissing: () => "The block needs a pole CC before it.",
     startUnknown: () => "The position before this block is not known.",
     arcImpossible: () => "No arc fits these values.",

@@ -69,6 +69,7 @@ export const editor = {
     blankBox: "Pièce brute : coin du parallélépipède",
     blankCylinder: "Pièce brute : cylindre",
     blankRotation: "Pièce brute : rotation d’un contour",
+    blankFile: "Pièce brute : solide dans un fichier",
     toolDefinition: "Définition d’outil",
     toolCall: "Appel d’outil",
     mode: "Tournage ou fraisage",

@@ -166,6 +166,9 @@ export const messages = {
     deeperThanInfeed: (d, w) =>
       "" + (d.pass === undefined ? "Une passe de lissage ou de finition" : `La passe ${w.number(d.pass)}`)
       + ` prend ${w.number(d.depth)} mm de matière d'un coup ; ${w.number(d.allowed)} mm sont permis.`,
+    blankLacks: (d, w) =>
+      `${w.text(d.what)} omet ${w.area(d.area)} de la matière qui s’y trouve d’après le programme. C’est ce contour qui compte.`,
+    blankGone: (d, w) => `${w.text(d.what)} décrit ${w.area(d.area)} là où il n’y a plus rien. Ce qui est enlevé reste enlevé.`,
     nothingCut: () => "Cette opération n'enlève pas de matière.",
     airPasses:
       (d) => (d.count === 1 ? "1 passe d'ébauche ne touche pas de matière." : `${d.count} passes d'ébauche ne touchent pas de matière.`),
@@ -221,9 +224,15 @@ export const messages = {
     notFinite: (d, w) => `« ${w.text(d.text)} » ne donne pas de nombre utilisable.`,
     blankMissing: () => "Le programme n'indique pas de pièce brute.",
     blankNotTurned: (d, w) => `Une pièce brute de forme ${w.text(d.form)} n'est pas un corps de révolution autour de l'axe.`,
-    blankImpossible: () => "La pièce brute n'a pas de volume : vérifier diamètre, alésage et longueur.",
-    blankTaken: (d, w) => `LBL ${w.text(d.label)} sert de pièce brute ; les passes à vide restent.`,
-    blankNotTaken: (d, w) => `LBL ${w.text(d.label)} est lu, mais la pièce brute de BLK FORM compte ; les passes à vide restent.`,
+    blankImpossible: () => "La pièce brute n'a pas de volume : vérifier ses cotes.",
+    boxTurned: (d, w) =>
+      `Le parallélépipède tourne comme le cylindre autour de ses coins, diamètre ${
+        w.value(d.outer)
+      }. Il n’y a sûrement de la matière tout autour `
+      + `qu’en dessous du diamètre ${w.value(d.inner)}. Une barre ronde est un BLK FORM CYLINDER.`,
+    blankTaken: (d, w) => `${w.text(d.what)} sert de pièce brute.`,
+    blankAdds: (d, w) => `${w.text(d.what)} décrit ${w.area(d.area)} de plus que BLK FORM. C’est ce contour qui compte.`,
+    blankTraced: () => "Tant que la pièce brute est actualisée, la commande omet les passes à vide ; elles sont montrées ici.",
     poleMissing: () => "La séquence demande un pôle CC avant elle.",
     startUnknown: () => "La position avant cette séquence n'est pas connue.",
     arcImpossible: () => "Aucun arc ne convient à ces valeurs.",

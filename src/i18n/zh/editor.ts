@@ -61,6 +61,7 @@ export const editor = {
     blankBox: "毛坯：长方体角点",
     blankCylinder: "毛坯：圆柱",
     blankRotation: "毛坯：轮廓旋转体",
+    blankFile: "毛坯：文件中的实体",
     toolDefinition: "刀具定义",
     toolCall: "刀具调用",
     mode: "车削或铣削",

@@ -124,6 +124,8 @@ export const messages = {
     deeperThanInfeed: (d, w) =>
       "" + (d.pass === undefined ? "一次修平或精加工" : `第${w.number(d.pass)}刀`)
       + `一次切除${w.number(d.depth)} mm材料,允许值为${w.number(d.allowed)} mm。`,
+    blankLacks: (d, w) => `${w.text(d.what)} 的轮廓缺少按程序仍在那里的${w.area(d.area)}材料。以该轮廓为准。`,
+    blankGone: (d, w) => `${w.text(d.what)} 的轮廓中有${w.area(d.area)}已没有材料。已切除的不会恢复。`,
     nothingCut: () => "此次加工没有切除材料。",
     airPasses: (d) => `${d.count}刀粗加工没有碰到材料。`,
 
@@ -170,9 +172,14 @@ export const messages = {
     notFinite: (d, w) => `“${w.text(d.text)}”得不到可用的数值。`,
     blankMissing: () => "程序没有定义毛坯。",
     blankNotTurned: (d, w) => `${w.text(d.form)}形式的毛坯不是绕轴的回转体。`,
-    blankImpossible: () => "毛坯没有体积:请检查直径、孔径和长度。",
-    blankTaken: (d, w) => `LBL ${w.text(d.label)} 用作毛坯;空切不省略。`,
-    blankNotTaken: (d, w) => `LBL ${w.text(d.label)} 已读取,但以BLK FORM的毛坯为准;空切不省略。`,
+    blankImpossible: () => "毛坯没有体积：请检查其尺寸。",
+    boxTurned: (d, w) =>
+      `方料按包住其各角的圆柱旋转，直径 ${w.value(d.outer)}。只有直径 ${
+        w.value(d.inner)
+      } 以内整圈一定有材料。圆棒料请用 BLK FORM CYLINDER。`,
+    blankTaken: (d, w) => `${w.text(d.what)} 用作毛坯。`,
+    blankAdds: (d, w) => `${w.text(d.what)} 的轮廓比 BLK FORM 多出${w.area(d.area)}。以该轮廓为准。`,
+    blankTraced: () => "毛坯跟踪期间控制系统会省略空切；这里仍然显示。",
     poleMissing: () => "该程序段之前需要极点CC。",
     startUnknown: () => "该程序段之前的位置未知。",
     arcImpossible: () => "这些数值无法构成圆弧。",
