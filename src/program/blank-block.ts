@@ -3,7 +3,7 @@ import { issue } from "../kernel/issue.ts";
 import type { Ring } from "../kernel/point.ts";
 import { areaOutside } from "../kernel/real-area.ts";
 import { axial, length, toDiameter } from "../kernel/units.ts";
-import type { AxisName, Label, OutlineSource, StatementOf, Value } from "../nc/statement.ts";
+import type { AxisName, FileName, Label, OutlineSource, StatementOf, Value } from "../nc/statement.ts";
 import { cylinder, measured, rotation, turnedBox, type BoxCorner } from "./blank-form.ts";
 import { readContourOf } from "./contour-subprogram.ts";
 import { valueOf } from "./formula.ts";
@@ -15,11 +15,19 @@ const impossible = (machine: Machine, index: number): void => machine.log.say(pr
 
 const now = ({ log }: Machine) => ({ operations: log.operations.length, steps: log.steps.length });
 
+/** A program that is called says again what its blank would be: that of its caller stands in the chuck. */
+function isOfCaller(machine: Machine): boolean {
+  const { blankIn } = machine.now;
+  if (blankIn === undefined) machine.set({ blankIn: machine.unit.file });
+  return blankIn !== undefined && blankIn !== machine.unit.file;
+}
+
 /** Takes a body round the axis of the spindle as the blank; one round another axis is told where the program turns. */
 function take(machine: Machine, rings: readonly Ring[] | null, axis: AxisName, index: number): void {
+  if (isOfCaller(machine)) return;
   if (!rings) return impossible(machine, index);
   if (axis === "Z") return machine.set({ blank: rings, blankSince: now(machine), unturned: null });
-  machine.set({ unturned: { kind: "otherAxis", index, form: `BLK FORM … ${axis}` } });
+  machine.set({ blank: [], unturned: { kind: "otherAxis", index, form: `BLK FORM … ${axis}` } });
   if (machine.now.turning) turnBlank(machine);
 }
 
@@ -33,6 +41,7 @@ export function blankBox(machine: Machine, s: StatementOf<"blankBox">, index: nu
   const top = s.corner === 2 ? s.axes.find((w) => w.axis === "Z") : undefined;
   const n = top ? machine.number(top.value, index) : null;
   if (n !== null) machine.setMill({ top: machine.length(n) });
+  if (isOfCaller(machine)) return;
   const { unturned } = machine.now;
   const first = s.corner === 2 && unturned?.kind === "box" ? unturned.corners[0] : NOTHING;
   const along = (axis: "X" | "Y" | "Z", before: number | null): number | null => {
@@ -42,7 +51,7 @@ export function blankBox(machine: Machine, s: StatementOf<"blankBox">, index: nu
     return word.incremental ? before && before + machine.length(value) : machine.length(value);
   };
   const corner: BoxCorner = { x: along("X", first.x), y: along("Y", first.y), z: along("Z", first.z) };
-  machine.set({ unturned: { kind: "box", index, corners: s.corner === 1 ? [corner, NOTHING] : [first, corner] } });
+  machine.set({ blank: [], unturned: { kind: "box", index, corners: s.corner === 1 ? [corner, NOTHING] : [first, corner] } });
   if (machine.now.turning && s.corner === 2) turnBlank(machine);
 }
 
@@ -67,7 +76,10 @@ export function blankCylinder(machine: Machine, s: StatementOf<"blankCylinder">,
 
 /** BLK FORM ROTATION: an outline turned round the axis, less what an inner outline takes away. */
 export function blankRotation(machine: Machine, s: StatementOf<"blankRotation">, index: number): void {
+  if (isOfCaller(machine)) return;
   const radii = s.measure === "R";
+  const missing = "file" in s.outline ? notAtHand(machine, s.outline.file, index) : null;
+  if (missing !== null) return unread(machine, `BLK FORM ROTATION "${missing}"`, index);
   const outer = outlined(machine, s.outline, { radii, what: "BLK FORM ROTATION" }, index);
   const inner = s.inner === null ? [] : behindLabel(machine, s.inner, radii, index);
   if (s.inner !== null) machine.log.say(programIssue("wordsRecalled", "info", { what: "LBLIN" }), index);
@@ -78,8 +90,22 @@ export function blankRotation(machine: Machine, s: StatementOf<"blankRotation">,
 
 /** BLK FORM FILE: the body is kept, and not read; a program that turns is not proved with it. */
 export function blankFile(machine: Machine, s: StatementOf<"blankFile">, index: number): void {
-  machine.set({ unturned: { kind: "file", index, form: `BLK FORM FILE "${s.file}"` } });
+  if (isOfCaller(machine)) return;
+  unread(machine, `BLK FORM FILE "${s.file}"`, index);
+}
+
+/** A blank whose file is not read: nothing is proved with it where the program turns. */
+function unread(machine: Machine, form: string, index: number): void {
+  machine.set({ blank: [], unturned: { kind: "file", index, form } });
   if (machine.now.turning) turnBlank(machine);
+}
+
+/** The name of a file that was not opened with the program, which is told; null for one that was, or whose name nobody knows. */
+function notAtHand(machine: Machine, named: FileName, index: number): string | null {
+  const file = machine.fileName(named, index);
+  if (file === null || machine.unitOfFile(file, index)) return null;
+  machine.log.say(programIssue("programNotOpened", "info", { file }), index);
+  return file;
 }
 
 /** An outline of FUNCTION TURNDATA says what is turned: what a blank of another form would be is no matter then. */
@@ -97,6 +123,11 @@ export function turnBlank(machine: Machine): void {
   const form = unturned.kind === "box" ? "BLK FORM 0.1" : unturned.form;
   if (made === "file" || made === "unknown") machine.log.leaveUnproved(form, index);
   else machine.log.say(programIssue("blankNotTurned", "info", { form }), index);
+}
+
+/** Says that a cycle was called without a blank, unless it has been told why there is none. */
+export function tellMissing({ log }: Machine): void {
+  if (!log.unproved.some((u) => u.what.startsWith("BLK FORM"))) log.say(programIssue("blankMissing", "warning", {}), null);
 }
 
 /** Says that a box stands for the stock, unless an outline has taken its place before anything was cut. */
@@ -128,11 +159,11 @@ function outlined(
   index: number,
 ): Outlined {
   if ("label" in from) return behindLabel(machine, from.label, radii, index);
-  const file = machine.fileName(from.file, index);
+  const missing = notAtHand(machine, from.file, index);
+  const file = missing === null ? machine.fileName(from.file, index) : null;
   const unit = file === null ? null : machine.unitOfFile(file, index);
   if (unit) return behind(machine, { unit, label: null }, radii, index);
-  if (file !== null) machine.log.say(programIssue("programNotOpened", "info", { file }), index);
-  machine.log.leaveUnproved(file === null ? what : `${what} "${file}"`, index);
+  machine.log.leaveUnproved(missing === null ? what : `${what} "${missing}"`, index);
   return "unread";
 }
 
@@ -146,6 +177,8 @@ function sourceName(machine: Machine, from: OutlineSource, index: number): strin
 export function blankOfTurnData(machine: Machine, { blank }: StatementOf<"turnBlank">, index: number): void {
   if (blank === "off") return;
   const what = "FUNCTION TURNDATA BLANK";
+  // While milling no blank is traced.
+  if (!machine.now.turning) return machine.log.notSimulated(what, index);
   const rings = outlined(machine, blank, { radii: false, what }, index);
   if (rings === "unread") return;
   if (!rings) return impossible(machine, index);

@@ -86,6 +86,7 @@ describe("other forms", () => {
     expect(areaOf(made(['BLK FORM ROTATION Z DIM_R "TNC:\\CAST.H"', ...TURN, "M30"], file).blank)).toBeCloseTo(31 * 48.7, 6);
     const missing = made(['BLK FORM ROTATION Z DIM_D FILE "GONE.H"', ...TURN, "M30"], file);
     expect([missing.blank, told(missing)]).toEqual([[], ["programNotOpened@2", "notProved@2"]]);
+    expect(told(made(['BLK FORM ROTATION Z DIM_D "GONE.H"', "FUNCTION MODE MILL", "M30"], file))).toEqual(["programNotOpened@2"]);
     expect(missing.unproved).toMatchObject([{ what: 'BLK FORM ROTATION "GONE.H"', step: 0 }]);
   });
   test("what an inner outline leaves nothing of, and a word that nobody knows, are told", () => {
@@ -112,6 +113,14 @@ describe("other forms", () => {
     expect(of("D62.4 L70.3 DIST+2.1 DI16.9")).toEqual(of("R31.2 L70.3 DIST+2.1 RI8.45"));
     expect(of("D62.4 L70.3")).toEqual([0, 62.4, -70.3, 0]);
   });
+});
+
+test("the blank of a program that is called counts only where its caller has none", () => {
+  const called = (words: string) => ({ "CUT.H": ["BEGIN PGM CUT MM", words, "L X+90 Z+5 R0 FMAX", "END PGM CUT MM"].join("\n") });
+  const box = "BLK FORM 0.1 Z X-10 Y-10 Z-10\nBLK FORM 0.2 X+10 Y+10 Z+0";
+  for (const words of ["BLK FORM CYLINDER Z D33 L20", box, 'BLK FORM FILE "A.STL"'])
+    expect(extent(made(["BLK FORM CYLINDER Z D62.4 L70.3", ...TURN, "CALL PGM CUT", "M30"], called(words)))).toEqual([0, 62.4, -70.3, 0]);
+  expect(extent(made([...TURN, "CALL PGM CUT", "M30"], called("BLK FORM CYLINDER Z D33 L20")))).toEqual([0, 33, -20, 0]);
 });
 
 describe("FUNCTION TURNDATA BLANK", () => {
@@ -154,6 +163,10 @@ describe("FUNCTION TURNDATA BLANK", () => {
     expect(at(other.r.steps.length)).toBe(areaOf(other.simulation.final));
     expect(areaOf(other.simulation.final)).toBeLessThan(30.1 * 48.3);
     expect(other.simulation.proof.cut).toBeGreaterThan(0);
+  });
+  test("while milling nothing is traced", () => {
+    const r = made([bar, "FUNCTION MODE MILL", "FUNCTION TURNDATA BLANK LBL 3", ...TURN, "M30", ...bowl("3", 57.6, 0.8)]);
+    expect([told(r), extent(r)[1]]).toEqual([["notSimulated@4"], 62]);
   });
   test("one in a file is read; OFF says nothing", () => {
     const text = { "FORGED.H": ["BEGIN PGM F MM", "L X+0 Z+0.8", "L X+62", "L Z-47.9", "L X+0", "L Z+0.8", "END PGM F MM"].join("\n") };

@@ -128,6 +128,8 @@ export interface Modal {
   readonly blank: readonly Ring[];
   /** How many cycles had been called, and steps run, when the blank was as it is stated. */
   readonly blankSince: { readonly operations: number; readonly steps: number };
+  /** File of the program that states it, null for the one that was started; undefined before a BLK FORM. */
+  readonly blankIn: string | null | undefined;
   /** A blank that is no body round the axis of the spindle: what stands for it shows when the program turns. */
   readonly unturned: UnturnedBlank | null;
   readonly mill: Milling;
@@ -161,6 +163,7 @@ export const AT_START: Modal = {
   callsBehindMoves: false,
   blank: [],
   blankSince: { operations: 0, steps: 0 },
+  blankIn: undefined,
   unturned: null,
   mill: { radius: null, tool: "", otherAxis: false, top: null },
 };

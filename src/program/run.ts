@@ -1,7 +1,7 @@
 import { cycleByNumber } from "../cycles/index.ts";
 import type { Block, Program } from "../nc/program.ts";
 import type { Statement, StatementOf, Words } from "../nc/statement.ts";
-import { blankBox, blankCylinder, blankFile, blankOfTurnData, blankRotation, tellBox, turnBlank } from "./blank-block.ts";
+import { blankBox, blankCylinder, blankFile, blankOfTurnData, blankRotation, tellBox, tellMissing, turnBlank } from "./blank-block.ts";
 import { CONTOUR_CYCLE, contourLabels } from "./contour-names.ts";
 import { callCycle, cycleDefinition } from "./cycle-call.ts";
 import { datumLine, DATUM_CYCLE, resetDatum, shiftDatum, tableDatum } from "./datum.ts";
@@ -35,8 +35,7 @@ export function run(program: Program, shop: Shop): Run {
   if (!neverReached(machine, ending) && !ending.told) neverCalled(machine);
   if (ending.word === null && !ending.told && machine.log.steps.length > 0)
     machine.log.say(programIssue("programEndMissing", "warning", {}), program.blocks.length - 1);
-  if (machine.log.operations.length > 0 && machine.now.blank.length === 0 && machine.now.unturned?.kind !== "file")
-    machine.log.say(programIssue("blankMissing", "warning", {}), null);
+  if (machine.log.operations.length > 0 && machine.now.blank.length === 0) tellMissing(machine);
   return {
     program: {
       name: frame.name,
