@@ -3,6 +3,7 @@ import { menuCycle } from "./chooser/menu.ts";
 import { Header } from "./Header.tsx";
 import { DropProgram } from "./files/DropProgram.tsx";
 import { Notices } from "./Notices.tsx";
+import { useOwnPlace } from "./own/own-place.ts";
 import { useCopying } from "./program/copy.ts";
 import { fetchAtRest } from "./rest.ts";
 import { useKeeping } from "./saving/keep.ts";
@@ -19,6 +20,8 @@ const Workplace = lazy(async () => ({ default: (await fetchWorkplace()).Workplac
 const CopyByHand = lazy(async () => ({ default: (await import("./program/CopyByHand.tsx")).CopyByHand }));
 const fetchTools = later(() => import("./tools/ToolPage.tsx"));
 const ToolPage = lazy(async () => ({ default: (await fetchTools()).ToolPage }));
+const fetchOwn = later(() => import("./own/OwnPage.tsx"));
+const OwnPage = lazy(async () => ({ default: (await fetchOwn()).OwnPage }));
 const fetchEditor = later(() => import("./editor/ProgramWorkplace.tsx"));
 const ProgramWorkplace = lazy(async () => ({ default: (await fetchEditor()).ProgramWorkplace }));
 
@@ -27,6 +30,7 @@ export function App() {
   const ready = useKeeping((k) => k.ready);
   const job = useEditor((s) => (s.job && menuCycle(s.job.cycle) ? s.job : null));
   const tools = useToolPlace((p) => p.shown);
+  const own = useOwnPlace((p) => p.shown);
   const program = useEditor((s) => (s.program ? s.work : null));
   const programName = useEditor((s) => s.program?.name);
   const refused = useCopying((c) => c.state === "refused");
@@ -42,17 +46,22 @@ export function App() {
     <div className="page">
       <Header />
       <Notices />
-      {ready && tools && (
+      {ready && tools && !own && (
         <Suspense>
           <ToolPage />
         </Suspense>
       )}
-      {ready && !tools && program !== null && (
+      {ready && own && (
+        <Suspense>
+          <OwnPage />
+        </Suspense>
+      )}
+      {ready && !tools && !own && program !== null && (
         <Suspense fallback={<p className="editor-loading soft" role="status">{t.loading}</p>}>
           <ProgramWorkplace key={program} />
         </Suspense>
       )}
-      {ready && !tools && program === null && (job
+      {ready && !tools && !own && program === null && (job
         ? (
           <Suspense>
             <Workplace />

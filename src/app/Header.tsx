@@ -2,6 +2,7 @@ import { lazy, Suspense, useEffect, useRef, useState } from "react";
 import { Icon } from "./Icon.tsx";
 import { usePlace } from "./place.ts";
 import { useFirstTexts } from "./settings/use-first-texts.ts";
+import { useOwnPlace } from "./own/own-place.ts";
 import { redoStep, undoStep } from "./history.ts";
 import { useSteps } from "./steps.ts";
 import { open, useEditor } from "./store.ts";
@@ -19,7 +20,8 @@ export function Header() {
   const program = useEditor((s) => s.program);
   const past = useSteps((s) => s.past.length > 0);
   const future = useSteps((s) => s.future.length > 0);
-  const tools = useToolPlace((p) => p.shown);
+  const own = useOwnPlace((p) => p.shown);
+  const tools = useToolPlace((p) => p.shown) || own;
   const toTools = useRef<HTMLButtonElement>(null);
   const wereTools = useRef(false);
   const words = job && t.menu.of[job.cycle];
@@ -35,7 +37,7 @@ export function Header() {
       <p className="brand">
         <b>{t.page.product}</b>
       </p>
-      {tools && <h1 className="open-cycle">{t.page.tools.title}</h1>}
+      {tools && <h1 className="open-cycle">{own ? t.page.own.title : t.page.tools.title}</h1>}
       {!tools && words && (
         <h1 className="open-cycle">
           <span className="number">{job.cycle}</span> {words.name}

@@ -1,15 +1,23 @@
 import { draftOf } from "./edits.ts";
 import { openPrompt, usePlace } from "./place.ts";
+import { hideOwn, showOwn } from "./own/own-place.ts";
+import { useOwn } from "./own/own-store.ts";
 import { redo, undo, useSteps, type Steps } from "./steps.ts";
 import { useEditor } from "./store.ts";
 import { hideTools, showTools } from "./tools/tool-place.ts";
 import { useTools } from "./tools/tool-store.ts";
 
-/** Goes one step through the history and shows what has changed: the row of the tool, or the work with the prompt. */
+/** Goes one step through the history and shows what has changed: the row of the tool, the description of a cycle, or the work with the prompt. */
 function goAndShow(way: keyof Steps, run: () => void): void {
   if (useSteps.getState()[way].length === 0) return;
-  const [{ job: before }, { list: tools }] = [useEditor.getState(), useTools.getState()];
+  const [{ job: before }, { list: tools }, { list: own }] = [useEditor.getState(), useTools.getState(), useOwn.getState()];
   run();
+  const described = useOwn.getState().list;
+  if (described !== own) {
+    const known = new Set(own);
+    return showOwn(described.find((entry) => !known.has(entry))?.id);
+  }
+  hideOwn();
   const [{ job: after }, { list }] = [useEditor.getState(), useTools.getState()];
   if (list !== tools) {
     const known = new Set(tools);

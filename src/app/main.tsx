@@ -6,6 +6,7 @@ import { CrashGuard } from "./CrashGuard.tsx";
 import { startEngineLater } from "./engine/later.ts";
 import { openShared } from "./files/open-shared.ts";
 import { onHistoryKey } from "./history.ts";
+import { startOwn } from "./own/keep-own.ts";
 import { resumePlace, startKeepingPlace } from "./saving/keep-place.ts";
 import { resume, startKeeping } from "./saving/keep.ts";
 import { followAppearance } from "./settings/appearance.ts";
@@ -23,6 +24,7 @@ z.config({ jitless: true });
 followAppearance();
 document.addEventListener("keydown", onHistoryKey);
 startTools();
+startOwn();
 void resume().then(() => {
   resumePlace();
   startKeepingPlace();

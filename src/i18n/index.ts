@@ -10,6 +10,7 @@ import type { FindingsTexts } from "./en/findings.ts";
 import { en } from "./en/index.ts";
 import type { LatheTexts } from "./en/lathe.ts";
 import type { MessagesTexts } from "./message-texts.ts";
+import type { OwnTexts } from "./en/own.ts";
 import type { PageTexts } from "./en/page.ts";
 import type { ParamsTexts } from "./param-text.ts";
 import type { SetupTexts } from "./en/setup.ts";
@@ -32,6 +33,7 @@ export interface Texts {
   readonly approach: ApproachTexts;
   readonly findings: FindingsTexts;
   readonly messages: MessagesTexts;
+  readonly own: OwnTexts;
   readonly params: ParamsTexts;
   readonly cycles: CyclesTexts;
 }

@@ -18,7 +18,8 @@ const entry = (given: Partial<OwnEntry> = {}): OwnEntry => ({
   ...given,
 });
 const codes = (e: OwnEntry) => readOwn(e).problems.map(({ at, code }) => `${at} ${code}`);
-const withParameter = (given: Parameters<typeof newParameter>[1]) => entry({ parameters: [newParameter("p1", { q: "Q7", prompt: "X", ...given })] });
+const withParameter = (given: Parameters<typeof newParameter>[1]) =>
+  entry({ parameters: [newParameter("p1", { q: "Q7", prompt: "X", ...given })] });
 const block = (text: string) => {
   const s = parse(text).blocks[0]?.statement;
   if (s?.kind !== "cycle") throw new Error("no cycle");
@@ -32,19 +33,15 @@ describe("a description", () => {
     expect(cycle).toEqual({
       number: 317,
       name: "BAR PULLER",
-      parameters: [
-        { q: "Q1711", prompt: "PULL LENGTH", kind: "length", range: [0.5, 187.25], bounded: true, choices: null, first: 31.7 },
-        {
-          q: "Q1712",
-          prompt: "GRIP",
-          kind: "choice",
-          range: [-99999.9999, 99999.9999],
-          bounded: false,
-          choices: [{ value: 0, meaning: "open" }, { value: 1, meaning: "closed" }, { value: 3, meaning: "" }],
-          first: 0,
-        },
-        { q: "Q1713", prompt: "FEED RATE", kind: "feed", range: [0, 99999.9999], bounded: false, choices: null, first: "auto" },
-      ],
+      parameters: [{ q: "Q1711", prompt: "PULL LENGTH", kind: "length", range: [0.5, 187.25], bounded: true, choices: null, first: 31.7 }, {
+        q: "Q1712",
+        prompt: "GRIP",
+        kind: "choice",
+        range: [-99999.9999, 99999.9999],
+        bounded: false,
+        choices: [{ value: 0, meaning: "open" }, { value: 1, meaning: "closed" }, { value: 3, meaning: "" }],
+        first: 0,
+      }, { q: "Q1713", prompt: "FEED RATE", kind: "feed", range: [0, 99999.9999], bounded: false, choices: null, first: "auto" }],
     });
   });
 
@@ -91,12 +88,10 @@ describe("a description", () => {
     [{ kind: "choice" as const, choices: Array.from({ length: 21 }, (_, i) => i).join() }, "p1.choices tooMany"],
   ])("a parameter with %j: %s", (given, code) => expect(codes(withParameter(given))).toEqual([code]));
 
-  test.each([
-    [{ number: "0317" }],
-    [{ number: "199" }],
-    [{ name: "SCHLEIFEN Ö 5/2 (A)" }],
-    [{ name: "X".repeat(OWN_SIZES.name) }],
-  ])("%j is nothing wrong", (given) => expect(codes(entry(given))).toEqual([]));
+  test.each([[{ number: "0317" }], [{ number: "199" }], [{ name: "SCHLEIFEN Ö 5/2 (A)" }], [{ name: "X".repeat(OWN_SIZES.name) }]])(
+    "%j is nothing wrong",
+    (given) => expect(codes(entry(given))).toEqual([]),
+  );
 
   test.each([{ q: "QL3" }, { q: "QR03" }, { q: "17" }, { q: "q17" }, { min: "3", max: "3", first: "3" }, { prompt: "A; B" }])(
     "a parameter with %j is nothing wrong",
@@ -111,9 +106,14 @@ describe("a description", () => {
   test("prompts hold what is typed to its range and choices", () => {
     const [length, grip, feed] = readOwn(entry()).cycle?.parameters.map(ownField) ?? [];
     const said = (field: typeof length, typed: string) => field && (readText(field, typed).issue?.code ?? "good");
-    expect([said(length, "0.5"), said(length, "0.4"), said(length, ""), said(grip, "3"), said(grip, "2"), said(feed, "FMAX")]).toEqual(
-      ["good", "outOfRange", "missing", "good", "notAChoice", "good"],
-    );
+    expect([said(length, "0.5"), said(length, "0.4"), said(length, ""), said(grip, "3"), said(grip, "2"), said(feed, "FMAX")]).toEqual([
+      "good",
+      "outOfRange",
+      "missing",
+      "good",
+      "notAChoice",
+      "good",
+    ]);
   });
 });
 
@@ -129,7 +129,7 @@ describe("text", () => {
     expect(parse(text).blocks[1]?.statement).toEqual(ownStatement(cycle));
   });
 
-  test.each(["A; B", "NUR Ö", "Ø 5 \"x\"", "Q5=3", "12.5", "-", ";", "50 % 'a'", "直径"])("a prompt %s comes back", (prompt) => {
+  test.each(["A; B", "NUR Ö", 'Ø 5 "x"', "Q5=3", "12.5", "-", ";", "50 % 'a'", "直径"])("a prompt %s comes back", (prompt) => {
     const { cycle } = readOwn(withParameter({ prompt }));
     if (!cycle) throw new Error("not read");
     const statement = ownStatement(cycle);
@@ -137,7 +137,9 @@ describe("text", () => {
   });
 
   test("a block proposes its description", () => {
-    const s = block("7 CYCL DEF 317 BAR PULLER ~\n  Q1711=+31.7 ;PULL LENGTH ~\n  Q1712=+Q5 ; GRIP ~\n  Q1713=FAUTO ;VORSCHUB ~\n  Q1711=+2 ;AGAIN\n");
+    const s = block(
+      "7 CYCL DEF 317 BAR PULLER ~\n  Q1711=+31.7 ;PULL LENGTH ~\n  Q1712=+Q5 ; GRIP ~\n  Q1713=FAUTO ;VORSCHUB ~\n  Q1711=+2 ;AGAIN\n",
+    );
     const made = describedFrom(s, "c4");
     expect(made).toEqual({
       id: "c4",
@@ -177,7 +179,9 @@ describe("the list", () => {
   });
 
   test("a file names what it brings that means nothing", () => {
-    const read = readLibraryFile('{"cycles":[{"number":317,"colour":1,"name":"A","parameters":[{"q":7,"prompt":"B","kind":"depth","min":1.5}]}]}');
+    const read = readLibraryFile(
+      '{"cycles":[{"number":317,"colour":1,"name":"A","parameters":[{"q":7,"prompt":"B","kind":"depth","min":1.5}]}]}',
+    );
     expect(read).toEqual({
       entries: [{ id: "c1", number: "317", name: "A", parameters: [newParameter("p1", { q: "7", prompt: "B", min: "1.5" })] }],
       leftOut: ["colour", "kind depth"],

@@ -204,12 +204,13 @@ export const newParameter = (id: string, given: Partial<Omit<OwnParameterEntry, 
 });
 
 /** What the text of a program calls a parameter says of its kind: only where it can hardly be anything else. */
-const WORDS: readonly (readonly [RegExp, OwnKind])[] = [
-  [/\bFEED(?!ER)|VORSCHUB|\bAVANCE|进给/i, "feed"],
-  [/\bANG(?:LE|\b)|WINKEL|角/i, "angle"],
-  [/DIAMETER|DURCHMESSER|DIAM[EÈ]TRE|\bDEPTH|TIEFE|PROFONDEUR|LENGTH|LAENGE|LÄNGE|LONGUEUR|CLEARANCE|ABSTAND|DISTANCE|直径|深度|长度/i,
-    "length"],
-];
+const WORDS: readonly (readonly [RegExp, OwnKind])[] = [[/\bFEED(?!ER)|VORSCHUB|\bAVANCE|进给/i, "feed"], [
+  /\bANG(?:LE|\b)|WINKEL|角/i,
+  "angle",
+], [
+  /DIAMETER|DURCHMESSER|DIAM[EÈ]TRE|\bDEPTH|TIEFE|PROFONDEUR|LENGTH|LAENGE|LÄNGE|LONGUEUR|CLEARANCE|ABSTAND|DISTANCE|直径|深度|长度/i,
+  "length",
+]];
 
 function kindOf({ value, label }: CycleParameter): OwnKind {
   if (value === "auto" || value === "max") return "feed";

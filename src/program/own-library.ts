@@ -20,13 +20,11 @@ export function readLibrary(list: OwnList): OwnLibrary {
     const reading = readOwn(entry);
     const isSecond = reading.number !== null && taken.has(reading.number);
     if (reading.number !== null) taken.add(reading.number);
-    rows.set(
-      entry.id,
-      isSecond
-        ? { ...reading, cycle: null, problems: [{ at: "number", code: "twice", text: String(reading.number) }, ...reading.problems] }
-        : reading,
-    );
-    if (reading.cycle && !isSecond) cycles.set(reading.cycle.number, reading.cycle);
+    rows.set(entry.id, isSecond
+      ? { ...reading, cycle: null, problems: [{ at: "number", code: "twice", text: String(reading.number) }, ...reading.problems] }
+      : reading);
+    if (reading.cycle && !isSecond)
+      cycles.set(reading.cycle.number, reading.cycle);
   }
   return { rows, cycles };
 }
@@ -49,7 +47,9 @@ export function freeCycle(list: OwnList, from: number): number | null {
 /** The same list, whatever the ids. */
 export function sameLibrary(a: OwnList, b: OwnList): boolean {
   const bare = (list: OwnList) =>
-    list.map(({ number, name, parameters }) => [number, name, parameters.map(({ kind, ...p }) => [kind, OWN_CELLS.map((cell) => p[cell])])]);
+    list.map(
+      ({ number, name, parameters }) => [number, name, parameters.map(({ kind, ...p }) => [kind, OWN_CELLS.map((cell) => p[cell])])]
+    );
   return a === b || JSON.stringify(bare(a)) === JSON.stringify(bare(b));
 }
 
@@ -71,7 +71,8 @@ export function mergedLibrary(
 }
 
 /** A number as a number where it says the same, any other text as it is typed. */
-const written = (text: string): string | number => (/^-?(?:0|[1-9]\d{0,8})(?:\.\d*[1-9])?$/.test(text) && text !== "-0" ? Number(text) : text);
+const written =
+  (text: string): string | number => (/^-?(?:0|[1-9]\d{0,8})(?:\.\d*[1-9])?$/.test(text) && text !== "-0" ? Number(text) : text);
 
 /** Writes the list as a file, one parameter a line. What is typed wrong is in it as well. */
 export function writeLibrary(list: OwnList): string {
@@ -109,10 +110,9 @@ const fileShape = z.looseObject({ cycles: z.array(z.unknown()) });
 const asText = (value: string | number | null | undefined): string => (value === null || value === undefined ? "" : String(value));
 
 /** What a file brings: descriptions, and the names in it that mean nothing here; or why it brings none. */
-export type OwnFile =
-  | { readonly entries: OwnList; readonly leftOut: readonly string[] }
-  | { readonly problem: "notALibrary" | "nothing" | "tooMany" }
-  | { readonly problem: "wrongCycle"; readonly at: number };
+export type OwnFile = { readonly entries: OwnList; readonly leftOut: readonly string[] } | {
+  readonly problem: "notALibrary" | "nothing" | "tooMany";
+} | { readonly problem: "wrongCycle"; readonly at: number };
 
 const isOneOf = <T extends string>(all: readonly T[], text: string): text is T => all.some((each) => each === text);
 const NAMES: ReadonlySet<string> = new Set(["number", "name", "parameters", "kind", ...OWN_CELLS]);

@@ -1,4 +1,4 @@
-import { useMemo, useRef, useState, type KeyboardEvent } from "react";
+import { useMemo, useRef, useState, type KeyboardEvent, type ReactNode } from "react";
 import { Icon } from "../Icon.tsx";
 import { useFirstTexts } from "../settings/use-first-texts.ts";
 import { useFingers, useMedia } from "../use-media.ts";
@@ -12,6 +12,13 @@ import { findCycles, findElsewhere } from "./search.ts";
 import { useMenuWords } from "./use-menu-words.ts";
 import "./chooser.css";
 
+/** Cycles beside those of the catalogue: what fits the words that are sought (null: all), and `isFirst` when Enter would take its best. */
+export type More = (
+  sought: string | null,
+  turn: number | null,
+  isFirst: boolean,
+) => { readonly count: number; readonly best: { readonly name: string; readonly go: () => void } | null; readonly shown: ReactNode };
+
 interface Props {
   readonly ways: readonly CycleWay[];
   /** Beside other things: one column, and the groups folded. */
@@ -20,10 +27,11 @@ interface Props {
   readonly inProgram?: boolean;
   /** The search takes the keyboard at once. */
   readonly focus?: boolean;
+  readonly more?: More;
 }
 
 /** All cycles, in the groups of the control: by search, by group, or those that were used last. */
-export function CycleChooser({ ways: given, narrow = false, inProgram = false, focus = false }: Props) {
+export function CycleChooser({ ways: given, narrow = false, inProgram = false, focus = false, more }: Props) {
   const { chooser: t, page: { start }, menu: names } = useFirstTexts();
   const phone = useMedia("phone");
   const fingers = useFingers();
@@ -34,8 +42,11 @@ export function CycleChooser({ ways: given, narrow = false, inProgram = false, f
   const sought = typed.trim();
   const cycles = useMemo(() => offered(inProgram), [inProgram]);
   const found = useMemo(() => (sought === "" ? null : findCycles(cycles, sought, words)), [cycles, sought, words]);
-  const beside = useMemo(() => (found?.length === 0 ? findElsewhere(notHere(inProgram), sought, words) : []), [
+  const others = more?.(found && sought, turn, found?.length === 0);
+  const count = (found?.length ?? 0) + (others?.count ?? 0);
+  const beside = useMemo(() => (found && count === 0 ? findElsewhere(notHere(inProgram), sought, words) : []), [
     found,
+    count,
     inProgram,
     sought,
     words,
@@ -49,13 +60,14 @@ export function CycleChooser({ ways: given, narrow = false, inProgram = false, f
       way.go(cycle);
     },
   }));
-  const best = found?.[0];
   const nameOf = (cycle: number) => start.cycle(cycle, names.of[cycle]?.name ?? names.kept[cycle] ?? "");
+  const best = found?.[0];
+  const taken = best ? { name: nameOf(best.number), go: () => ways[0]?.go(best.number) } : others?.best;
 
   const onSearchKey = (event: KeyboardEvent) => {
-    if (event.key === "Enter" && best) {
+    if (event.key === "Enter" && found && taken) {
       event.preventDefault();
-      ways[0]?.go(best.number);
+      taken.go();
     } else if (event.key === "Escape" && typed !== "") {
       event.stopPropagation();
       type("");
@@ -73,8 +85,8 @@ export function CycleChooser({ ways: given, narrow = false, inProgram = false, f
           onChange={(event) => type(event.currentTarget.value)} />
       </div>
       <div className="small soft cycle-found" role="status">
-        {found && best && `${t.found(found.length)} ${t.enter(nameOf(best.number))}`}
-        {found && !best && beside.length === 0 && t.none}
+        {found && taken && `${t.found(count)} ${t.enter(taken.name)}`}
+        {found && !taken && beside.length === 0 && t.none}
         {beside.map(({ number, why }) => (
           <p key={number} className="field-message info">
             <Icon name="info" /> <span>{t[why](nameOf(number))}</span>
@@ -101,6 +113,7 @@ export function CycleChooser({ ways: given, narrow = false, inProgram = false, f
             ))}
           </>
         )}
+      {others?.shown}
     </div>
   );
 }

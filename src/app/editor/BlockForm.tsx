@@ -5,6 +5,7 @@ import type { Statement } from "../../nc/statement.ts";
 import { FieldMessage } from "../dialog/FieldMessage.tsx";
 import type { FindingEntry } from "../findings/entry.ts";
 import { Icon } from "../Icon.tsx";
+import { DescribeCycle } from "../own/DescribeCycle.tsx";
 import { useTexts } from "../settings/use-texts.ts";
 import { BlockField } from "./BlockField.tsx";
 import { fieldsOf } from "./block-fields.ts";
@@ -34,6 +35,7 @@ export function BlockForm({ problems }: { readonly problems: readonly FindingEnt
           <Icon name="info" /> {t.kept}
         </p>
       )}
+      {s.kind === "cycle" && <DescribeCycle statement={s} />}
       {fieldsOf(s).map((field) => <BlockField key={`${index} ${field.id}`} field={field} statement={s} change={change} />)}
       {definition >= 0 && (
         <button type="button" className="button" onClick={() => openBlock(definition)}>

@@ -6,6 +6,8 @@ import type { Texts } from "../../i18n/index.ts";
 import { ApproachBlock } from "../approach/ApproachBlock.tsx";
 import { CycleDialog } from "../dialog/CycleDialog.tsx";
 import { Icon, type IconName } from "../Icon.tsx";
+import type { OwnBlock } from "../own/own-block.ts";
+import { OwnDialog } from "../own/OwnDialog.tsx";
 import { useTexts } from "../settings/use-texts.ts";
 import { duplicated, exchanged, removed } from "./block-edits.ts";
 import { BlockForm } from "./BlockForm.tsx";
@@ -15,16 +17,16 @@ import { setBlockPrompt, setBlockPrompts, useOpenBlock } from "./open-block.ts";
 import { editProgram, openBlock, useSession } from "./session.ts";
 
 /** What a cycle is called on the screen; null for one that nobody here knows. */
-function nameOf(t: Texts, cycle: number): string | null {
+function nameOf(t: Texts, cycle: number, own: OwnBlock | null): string | null {
   if (cycleByNumber(cycle)) return t.cycles.of[cycle as CycleNumber].name;
-  return isKept(cycle) ? t.cycles.kept[cycle] : null;
+  return isKept(cycle) ? t.cycles.kept[cycle] : (own?.own.name ?? null);
 }
 
 /** The dialog of the open block, and what can be done with the block itself. */
 export function BlockPanel() {
   const t = useTexts();
   const { reading: { program }, index } = useSession();
-  const { read, problems } = useOpenBlock();
+  const { read, own, problems } = useOpenBlock();
   const [choosing, choose] = useState(false);
   const panel = useRef<HTMLDivElement>(null);
   const block = program.blocks[index];
@@ -39,12 +41,13 @@ export function BlockPanel() {
     );
   }
   const s = block.statement;
-  const words = s.kind === "cycle" ? nameOf(t, s.cycle) : null;
+  const words = s.kind === "cycle" ? nameOf(t, s.cycle, own) : null;
   const kind = words ?? t.editor.kinds[kindOf(s)];
   const number = String(blockNumbers(program)[index] ?? 0);
   const line = startLines(program)[index] ?? 1;
   const dialogOf = () => {
     if (read) return <CycleDialog key={index} read={read} block={{ line, problems, set: setBlockPrompt, setAll: setBlockPrompts }} />;
+    if (own) return <OwnDialog key={index} block={own} problems={problems} set={setBlockPrompt} />;
     if (s.kind === "approach") return <ApproachBlock key={index} problems={problems} />;
     return <BlockForm key={index} problems={problems} />;
   };

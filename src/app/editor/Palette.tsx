@@ -2,8 +2,10 @@ import { useEffect, useRef, useState } from "react";
 import { markFresh } from "../approach/fresh-block.ts";
 import { cycleByNumber } from "../../cycles/index.ts";
 import { CycleChooser } from "../chooser/CycleChooser.tsx";
+import { ownStatement } from "../../program/own-cycle.ts";
 import { Icon } from "../Icon.tsx";
 import type { Statement } from "../../nc/statement.ts";
+import { useOwnOffer } from "../own/OwnCycles.tsx";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { inserted } from "./block-edits.ts";
@@ -38,6 +40,7 @@ export function Palette({ index, done }: Props) {
     if (cycle) put(cycleStatement(cycle, language));
   };
   const choose = (offered: Offered) => (offered.make ? put(offered.make(language)) : showCycles(true));
+  const own = useOwnOffer(t.chooser.insert, (cycle) => put(ownStatement(cycle)));
   return (
     <div className="palette" ref={box} role="group" aria-label={t.editor.palette} onKeyDown={(event) => {
       if (event.key !== "Escape") return;
@@ -55,7 +58,9 @@ export function Palette({ index, done }: Props) {
           <Icon name="close" />
         </button>
       </header>
-      {cycles && <CycleChooser narrow inProgram focus ways={[{ name: t.chooser.insert, short: t.chooser.insert, go: putCycle }]} />}
+      {cycles && (
+        <CycleChooser narrow inProgram focus more={own} ways={[{ name: t.chooser.insert, short: t.chooser.insert, go: putCycle }]} />
+      )}
       {!cycles && groups.map((group) => (
         <section key={group} aria-label={t.editor.groups[group]}>
           <h3 className="panel-title">{t.editor.groups[group]}</h3>

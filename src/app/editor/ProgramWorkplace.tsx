@@ -20,6 +20,7 @@ import { StructurePanel } from "./StructurePanel.tsx";
 import { TextPanel } from "./TextPanel.tsx";
 import { TotalsStrip } from "./TotalsStrip.tsx";
 import { useProgramHost } from "./use-program-host.ts";
+import "../own/own-block.css";
 import "./editor.css";
 
 /** Keeps the editor of the open program for as long as it is open. */

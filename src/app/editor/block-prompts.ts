@@ -1,7 +1,11 @@
 import { cycleByNumber } from "../../cycles/index.ts";
+import type { Issue } from "../../kernel/issue.ts";
 import { blockNumbers, startLines, type Program } from "../../nc/program.ts";
 import { withBlock } from "../../nc/edit.ts";
+import type { Param } from "../../cycles/params.ts";
 import type { CycleParameter, Statement } from "../../nc/statement.ts";
+import { OWN_DECIMALS, ownField } from "../../program/own-cycle.ts";
+import { ownCycle } from "../own/own-reading.ts";
 import { feedWord } from "../../program/field.ts";
 import { exampleJob, type Job } from "../../program/job.ts";
 import { readDraft, type Draft } from "../../program/read-draft.ts";
@@ -28,39 +32,58 @@ export function readingOfBlock(program: Program, index: number, typed: Draft): J
   return { job, cycle, draft, reading: readDraft(cycle, draft, parametersBefore(program, index)) };
 }
 
+/** What a parameter takes, and what its text is called where it is put in. */
+interface Asked {
+  readonly kind: Param["kind"] | "number";
+  readonly optional: boolean;
+  readonly decimals: number;
+  readonly rapid?: boolean;
+  readonly label?: string;
+}
+
+/** The parameters of a cycle in their order, whoever describes it: the catalogue, or the operator. */
+function askedOf(number: number): Readonly<Record<string, Asked>> {
+  const known = cycleByNumber(number)?.params;
+  if (known) return known;
+  const own = ownCycle(number)?.parameters ?? [];
+  return Object.fromEntries(own.map((p) => [p.q, { ...ownField(p), decimals: OWN_DECIMALS, label: p.prompt }]));
+}
+
 /** The program with another value in a cycle block; the same program where the text can not be read as one. */
 export function withPrompt(program: Program, index: number, q: string, text: string): Program {
   const s = program.blocks[index]?.statement;
   if (s?.kind !== "cycle") return program;
-  const param = cycleByNumber(s.cycle)?.params[q];
+  const param = askedOf(s.cycle)[q];
   const empty = text.trim() === "" && (param?.optional ?? false);
-  const value: CycleParameter["value"] = param?.kind === "feed" && feedWord(text) === "auto"
-    ? "auto"
+  const word = param?.kind === "feed" ? feedWord(text) : null;
+  const value: CycleParameter["value"] = word === "auto" || (word === "max" && param?.rapid)
+    ? word
     : empty
     ? 0
     : blockValue(text, param?.decimals);
   return value === null ? program : withBlock(program, index, withParameter(s, q, value));
 }
 
-/** A missing parameter is put where the catalogue has it. */
+/** A missing parameter is put where the catalogue or the description has it. */
 function withParameter(s: CycleStatement, q: string, value: CycleParameter["value"]): CycleStatement {
   if (s.parameters.some((p) => p.q === q)) return { ...s, parameters: s.parameters.map((p) => (p.q === q ? { ...p, value } : p)) };
-  const order = Object.keys(cycleByNumber(s.cycle)?.params ?? {});
+  const asked = askedOf(s.cycle);
+  const order = Object.keys(asked);
   const before = s.parameters.findLastIndex((p) => order.indexOf(p.q) >= 0 && order.indexOf(p.q) < order.indexOf(q));
-  return { ...s, parameters: s.parameters.toSpliced(before + 1, 0, { q, value, label: null }) };
+  return { ...s, parameters: s.parameters.toSpliced(before + 1, 0, { q, value, label: asked[q]?.label ?? null }) };
 }
 
 /** What was found in the lines of a block, and what is wrong with its prompts as typed; none twice. */
 export function problemsOfBlock(
   program: Program,
   index: number,
-  read: JobReading | null,
+  issues: readonly Issue[],
   findings: readonly RunFinding[],
 ): readonly FindingEntry[] {
   const line = startLines(program)[index] ?? 0;
   const last = line + (program.blocks[index]?.lines ?? 1) - 1;
   const block = blockNumbers(program)[index] ?? null;
-  const typed = read?.reading.issues.map((issue): FindingEntry => entryAt(issue, issue.at ?? null, block)) ?? [];
+  const typed = issues.map((issue): FindingEntry => entryAt(issue, issue.at ?? null, block));
   const found = findings.filter((f) => f.line !== null && f.line >= line && f.line <= last).map(({ issue }): FindingEntry =>
     entryAt(issue, ("at" in issue ? issue.at : null) ?? null, block)
   );

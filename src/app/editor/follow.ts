@@ -9,7 +9,7 @@ import { useEditor } from "../store.ts";
 import { setRunning } from "./block-marks.ts";
 import { diagnosticsOf } from "./diagnostics.ts";
 import { inWords } from "./editor-extensions.ts";
-import { openReading } from "./open-block.ts";
+import { openPrompts } from "./open-block.ts";
 import { blockRange } from "./reading-field.ts";
 import { holds } from "../use-media.ts";
 import { dispatchEdit, openBlock, sessionText, sessionView, useSession } from "./session.ts";
@@ -20,12 +20,12 @@ const isPresent = (outcome: Outcome | null): outcome is Outcome =>
 
 /** Opens the prompt that the cursor stands at, or the first one, where the open block has prompts. */
 function showAskedPrompt(): void {
-  const read = openReading();
-  if (!read) return;
+  const prompts = openPrompts();
+  if (!prompts) return;
+  const { ids, draft } = prompts;
   const { parameter } = useSession.getState();
-  const [first] = Object.keys(read.cycle.params);
-  const q = parameter !== null && parameter in read.cycle.params ? parameter : first;
-  if (q !== undefined) usePlace.setState({ prompt: q, before: read.draft[q] ?? "", field: null });
+  const q = parameter !== null && ids.includes(parameter) ? parameter : ids[0];
+  if (q !== undefined) usePlace.setState({ prompt: q, before: draft[q] ?? "", field: null });
 }
 
 function followSession(): () => void {
@@ -39,7 +39,7 @@ function followSession(): () => void {
 function followPrompt(): () => void {
   return usePlace.subscribe((now, before) => {
     const { index, parameter } = useSession.getState();
-    if (now.prompt !== before.prompt && now.prompt !== null && now.prompt !== parameter && openReading())
+    if (now.prompt !== before.prompt && now.prompt !== null && now.prompt !== parameter && openPrompts())
       openBlock(index, now.prompt, true);
   });
 }

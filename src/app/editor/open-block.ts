@@ -1,10 +1,14 @@
 import { useMemo } from "react";
 import { create } from "zustand";
+import type { Issue } from "../../kernel/issue.ts";
 import type { Reading } from "../../nc/reread.ts";
 import type { Draft } from "../../program/read-draft.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import type { FindingEntry } from "../findings/entry.ts";
 import type { JobReading } from "../reading.ts";
+import { useOwn } from "../own/own-store.ts";
+import { libraryOf, useOwnCycles } from "../own/own-reading.ts";
+import { readingOfOwn, type OwnBlock } from "../own/own-block.ts";
 import { problemsOfBlock, readingOfBlock, withPrompt } from "./block-prompts.ts";
 import { editProgram, useSession, type Session } from "./session.ts";
 
@@ -18,24 +22,35 @@ interface Typed {
 
 const useTyped = create<Typed>(() => ({ draft: {}, reading: null, index: -1 }));
 const untyped: Draft = {};
+const none: readonly Issue[] = [];
 const draftIn = ({ draft, reading, index }: Typed, session: Session): Draft =>
   reading === session.reading && index === session.index ? draft : untyped;
 
-/** The prompts of the open block; null where it is no cycle of the catalogue. */
-export function openReading(): JobReading | null {
+/** The prompts of the open block with their texts; null where it is a cycle that nobody has described. */
+export function openPrompts(): { readonly ids: readonly string[]; readonly draft: Draft } | null {
   const session = useSession.getState();
-  return readingOfBlock(session.reading.program, session.index, draftIn(useTyped.getState(), session));
+  const { reading: { program }, index } = session;
+  const typed = draftIn(useTyped.getState(), session);
+  const read = readingOfBlock(program, index, typed);
+  if (read) return { ids: Object.keys(read.cycle.params), draft: read.draft };
+  const own = readingOfOwn(program, index, typed, libraryOf(useOwn.getState().list).cycles);
+  return own && { ids: own.parameters.map(({ q }) => q), draft: own.draft };
 }
 
 /** The prompts of the open block and what is wrong with it, followed by a component. */
-export function useOpenBlock(): { readonly read: JobReading | null; readonly problems: readonly FindingEntry[] } {
+export function useOpenBlock(): { readonly read: JobReading | null; readonly own: OwnBlock | null;
+  readonly problems: readonly FindingEntry[] }
+{
   const session = useSession();
   const draft = useTyped((typed) => draftIn(typed, session));
   const findings = useOutcome((s) => s.newest?.run.issues);
   const { reading: { program }, index } = session;
   const read = useMemo(() => readingOfBlock(program, index, draft), [program, index, draft]);
-  const problems = useMemo(() => problemsOfBlock(program, index, read, findings ?? []), [program, index, read, findings]);
-  return { read, problems };
+  const cycles = useOwnCycles();
+  const own = useMemo(() => readingOfOwn(program, index, draft, cycles), [program, index, draft, cycles]);
+  const issues = read?.reading.issues ?? own?.issues ?? none;
+  const problems = useMemo(() => problemsOfBlock(program, index, issues, findings ?? []), [program, index, issues, findings]);
+  return { read, own, problems };
 }
 
 /** Writes several prompts of the open block into its text, in one step. */

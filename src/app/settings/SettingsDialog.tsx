@@ -1,5 +1,6 @@
 import { useLayoutEffect, useRef } from "react";
 import { LANGUAGE_NAMES, LANGUAGES, isLanguage } from "../../i18n/languages.ts";
+import { showOwn } from "../own/own-place.ts";
 import { changeLanguage, changeSettings, useSettings } from "./settings.ts";
 import { useFirstTexts } from "./use-first-texts.ts";
 
@@ -51,6 +52,12 @@ export function SettingsDialog({ onClose }: { readonly onClose: () => void }) {
             <option value="TNC7">{t.controls.TNC7}</option>
           </select>
         </label>
+        <button type="button" className="button" onClick={() => {
+          dialog.current?.close();
+          showOwn();
+        }}>
+          {t.own.title}
+        </button>
         <p className="small soft">{t.disclaimer}</p>
         <p className="small soft">Turnwise {import.meta.env.VITE_VERSION}</p>
         <button type="submit" className="button primary">{t.close}</button>

@@ -2,12 +2,14 @@ import { useEffect, useRef, useState } from "react";
 import { undoStep } from "../history.ts";
 import { Icon } from "../Icon.tsx";
 import { useTexts } from "../settings/use-texts.ts";
+import { showOwn } from "../own/own-place.ts";
 import { addTool, duplicateTool, removeTool, takeShipped } from "./tool-edits.ts";
 import { isMillEntry } from "../../program/tool-entry.ts";
 import { exportTools, importFile, type ToolImport } from "./tool-files.ts";
 import { hideTools, openRow, showKind, useToolPlace, type ToolKind } from "./tool-place.ts";
 import { toolsOnDevice, useTools } from "./tool-store.ts";
 import { useToolName } from "./tool-name.ts";
+import { TableTabs } from "./TableTabs.tsx";
 import { ToolForm } from "./ToolForm.tsx";
 import { ToolGrid } from "./ToolGrid.tsx";
 import "./tools.css";
@@ -117,13 +119,7 @@ export function ToolPage() {
         )}
       </div>
       <div className="tool-list">
-        <div className="tool-kinds" role="group" aria-label={t.kinds.name}>
-          {(["turning", "milling"] as const).map((each) => (
-            <button key={each} type="button" className="button" aria-pressed={each === kind} onClick={() => showKind(each)}>
-              {t.kinds[each]}
-            </button>
-          ))}
-        </div>
+        <TableTabs open={kind} onTools={showKind} onOwn={() => showOwn()} />
         {rows.length === 0
           ? <p className="tool-none">{t.none}</p>
           : <ToolGrid list={rows} kind={kind} read={read} open={entry?.id ?? null} />}

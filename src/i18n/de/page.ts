@@ -81,6 +81,7 @@ export const page = {
     open: "Werkzeuge",
     openLong: "Werkzeugtabelle öffnen",
   },
+  own: { title: "Eigene Zyklen" },
 
   effect: {
     title: "Was diese Werte bewirken",
@@ -140,6 +141,8 @@ export const page = {
     toolsDamaged:
       "Die gespeicherte Werkzeugtabelle ließ sich nicht lesen. Sie wurde beiseitegelegt; es gelten die mitgelieferten Werkzeuge.",
     toolsNotKept: "Dieser Browser speichert die Werkzeugtabelle nicht auf dem Gerät. Vor dem Schließen der Seite exportieren.",
+    ownDamaged: "Die gespeicherten eigenen Zyklen waren nicht lesbar. Sie wurden beiseitegelegt, nichts wurde gelöscht.",
+    ownNotKept: "Dieser Browser behält die eigenen Zyklen nicht auf dem Gerät. Exportieren Sie sie, bevor Sie die Seite schließen.",
     crashTitle: "Auf dieser Seite ist etwas schiefgegangen",
     crash: "Die Arbeit ist auf diesem Gerät gespeichert.",
     reload: "Seite neu laden",

@@ -81,6 +81,7 @@ export const page = {
     open: "Tools",
     openLong: "Open the tool table",
   },
+  own: { title: "Own cycles" },
 
   effect: {
     title: "What these values do",
@@ -135,6 +136,8 @@ export const page = {
     engineFailed: "The calculation stopped and was started again. Your values are safe.",
     toolsDamaged: "The saved tool table could not be read. It was set aside; the shipped tools are in place.",
     toolsNotKept: "This browser does not keep the tool table on the device. Export it before you close the page.",
+    ownDamaged: "The saved own cycles could not be read. They were set aside, nothing was deleted.",
+    ownNotKept: "This browser does not keep the own cycles on the device. Export them before you close the page.",
     crashTitle: "Something went wrong on this page",
     crash: "Your work is saved on this device.",
     reload: "Load the page again",

@@ -9,7 +9,8 @@ import { editor } from "./editor.ts";
 import { approach } from "./approach.ts";
 import { findings } from "./findings.ts";
 import { messages } from "./messages.ts";
+import { own } from "./own.ts";
 import { params } from "./params.ts";
 import { cycles } from "./cycles.ts";
 
-export const fr = { ...first, dialog, setup, lathe, help, contour, tools, editor, approach, findings, messages, params, cycles };
+export const fr = { ...first, dialog, setup, lathe, help, contour, tools, editor, approach, findings, messages, own, params, cycles };

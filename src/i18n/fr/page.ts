@@ -81,6 +81,7 @@ export const page = {
     open: "Outils",
     openLong: "Ouvrir le tableau d’outils",
   },
+  own: { title: "Cycles maison" },
 
   effect: {
     title: "Effet de ces valeurs",
@@ -138,6 +139,8 @@ export const page = {
     engineFailed: "Le calcul s’est arrêté et a été relancé. Les valeurs sont conservées.",
     toolsDamaged: "Le tableau d’outils enregistré est illisible. Il a été mis de côté ; les outils fournis sont en place.",
     toolsNotKept: "Ce navigateur ne conserve pas le tableau d’outils sur l’appareil. L’exporter avant de fermer la page.",
+    ownDamaged: "Les cycles maison enregistrés étaient illisibles. Ils ont été mis de côté, rien n’a été supprimé.",
+    ownNotKept: "Ce navigateur ne garde pas les cycles maison sur l’appareil. Exportez-les avant de fermer la page.",
     crashTitle: "Une erreur est survenue sur cette page",
     crash: "Le travail est enregistré sur cet appareil.",
     reload: "Recharger la page",

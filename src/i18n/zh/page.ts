@@ -80,6 +80,7 @@ export const page = {
     open: "刀具",
     openLong: "打开刀具表",
   },
+  own: { title: "自有循环" },
 
   effect: {
     title: "这些值的效果",
@@ -131,6 +132,8 @@ export const page = {
     engineFailed: "计算中断，已重新启动。您输入的值没有丢失。",
     toolsDamaged: "已保存的刀具表无法读取，已另存；现使用随附刀具。",
     toolsNotKept: "此浏览器不在设备上保存刀具表。关闭页面前请导出。",
+    ownDamaged: "保存的自有循环无法读取，已另存，未删除任何内容。",
+    ownNotKept: "此浏览器不在本机保存自有循环。关闭页面前请先导出。",
     crashTitle: "页面出错",
     crash: "您的工作已保存在本设备。",
     reload: "重新加载页面",
