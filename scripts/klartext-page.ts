@@ -1,5 +1,6 @@
 import { parse } from "../src/nc/parse.ts";
 import type { Statement } from "../src/nc/statement.ts";
+import { filesByName } from "../src/program/program-files.ts";
 import { acts, run } from "../src/program/run.ts";
 import { shippedTools } from "../src/program/shipped-tools.ts";
 
@@ -41,7 +42,10 @@ const BLOCKS: Readonly<Record<Statement["kind"], readonly string[]>> = {
   cycle: ["CYCL DEF 812 SHOULDER, LONG. EXT. ~\n Q215=+0", "CYCL DEF 247 PRESETTING ~\n Q339=+1", "CYCL DEF 880 GEAR HOBBING ~\n Q215=+0"],
   cycleCall: ["CYCL CALL", "CYCL CALL PAT", "CYCL CALL POS X+0 Y+0 Z+0"],
   selectContour: ['SEL CONTOUR "PART.H"'],
-  contourDefinition: ['CONTOUR DEF P1 = LBL 7 I2 = "ISLAND.H" DEPTH5'],
+  contourDefinition: ["CONTOUR DEF P1 = LBL 7", 'CONTOUR DEF P1 = LBL 7 I2 = "PART.H" DEPTH5'],
+  declareContour: ['DECLARE CONTOUR QC1 = "POCKET.H" DEPTH5'],
+  contourFormula: ["QC10 = ( QC1 | QC2 ) \\ QC3"],
+  raise: ["FN 14: ERROR=1000"],
   callProgram: ["CALL PGM DRILL.H"],
   selectProgram: ['SEL PGM "DRILL.H"'],
   callSelected: ["CALL SELECTED PGM"],
@@ -82,17 +86,45 @@ const PLACES = {
   milling: ["FUNCTION MODE MILL", "CC X+30 Y+0", "L X+60 Y+0 Z+20 R0 F400", "L X+50 Z+5"],
 } as const;
 
+/** What a block needs before it. */
+const FIRST: Readonly<Record<string, readonly string[]>> = { "CALL SELECTED PGM": ['SEL PGM "DRILL.H"'] };
+/** Blocks whose work shows when a cycle takes the contour that they name. */
+const TAKEN: ReadonlySet<Statement["kind"]> = new Set(["selectContour", "contourDefinition"]);
+const TAKING = {
+  turning: [
+    "L X+90 FMAX",
+    "CYCL DEF 820 TURN CONTOUR TRANSV. ~\nQ215=+0 ~\nQ460=+2 ~\nQ499=+0 ~\nQ463=+2 ~\nQ478=+0.3 ~\nQ483=+0 ~\nQ484=+0 ~\n"
+    + "Q505=+0.2 ~\nQ479=+0 ~\nQ480=+0 ~\nQ482=+0 ~\nQ506=+0 ~\nQ487=+0 ~\nQ488=+0",
+    "CYCL CALL",
+  ],
+  milling: ["CYCL DEF 22 ROUGH-OUT ~\nQ10=+5", "CYCL CALL"],
+} as const;
+
+/** Files that lie beside the small program. */
+const FILES = filesByName([{ name: "DRILL.H", text: "0 BEGIN PGM DRILL MM\n1 L IZ+5 FMAX\n2 END PGM DRILL MM\n" }, {
+  name: "PART.H",
+  text: "0 BEGIN PGM PART MM\n1 L X+70 Z-9\n2 L X+50\n3 L Z+0\n4 END PGM PART MM\n",
+}], parse);
+
 /** The block in a small program, and what that program says of it. */
 function fateOf(block: string, place: keyof typeof PLACES): Fate {
-  const before = ["BEGIN PGM K MM", "BLK FORM CYLINDER Z D80 L100 DIST+0", "TOOL CALL 1", ...PLACES[place]];
-  const behind = ["L X+62 IZ+1", "M30", "LBL 7", "L X+10 Z+0", "L Z-80", "LBL 0", "END PGM K MM"];
-  // What a cycle does shows when it is called.
-  const called = block.startsWith("CYCL DEF") && block.includes("~") ? ["CYCL CALL"] : [];
+  const first = FIRST[block] ?? [];
+  const before = ["BEGIN PGM K MM", "BLK FORM CYLINDER Z D80 L100 DIST+0", "TOOL CALL 1", ...PLACES[place], ...first];
+  const behind = ["L X+62 IZ+1", "M30", "LBL 7", "L X+70 Z-9", "L X+50", "L Z+0", "LBL 0", "END PGM K MM"];
+  // What a cycle does shows when it is called, and a contour when a cycle takes it.
+  const kind = parse(`0 ${block}`).blocks[0]?.statement.kind ?? "empty";
+  const called = TAKEN.has(kind) ? TAKING[place] : block.startsWith("CYCL DEF") && block.includes("~") ? ["CYCL CALL"] : [];
   const text = [...before, block, ...called, ...behind].map((b, i) => `${i} ${b}`).join("\n");
   const program = parse(text);
   const statement = program.blocks[before.length]?.statement;
   if (!statement || !acts(statement.kind)) return "kept";
-  const { unproved, issues } = run(program, { tools: shippedTools, rapid: 10_000, control: "TNC 640", refused: new Map() });
+  const { unproved, issues } = run(program, {
+    tools: shippedTools,
+    rapid: 10_000,
+    control: "TNC 640",
+    refused: new Map(),
+    files: FILES,
+  });
   if (unproved.some(({ block: at }) => at !== null && at >= before.length && at <= before.length + called.length)) return "unproved";
   const silent = statement.kind === "unknown" || issues.some((f) => f.issue.code === "notSimulated" && f.block === before.length);
   return silent ? "kept" : "run";
@@ -106,7 +138,8 @@ Every kind of block that the reader knows, in one of its spellings, and what bec
 - **kept**: it comes back to the byte and changes neither path nor stock.
 - **unproved**: it comes back to the byte; what it would move nobody here knows, and the report says so from that block on.
 
-UDC and GRV are run where they belong, in a contour. A block that is not in the list is kept as text and unproved.
+UDC and GRV are run where they belong, in a contour. DRILL.H and PART.H lie beside the program; a program or contour that is
+missing is unproved. A block that is not in the list is kept as text and unproved.
 The page is written by \`npm run docs\`: each block is run in a small program.
 
 | Block | Turning | Milling |

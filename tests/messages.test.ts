@@ -160,6 +160,8 @@ const SAMPLES: { readonly [C in AnyCode]: DataOf<C> } = {
   endInCalled: { word: "M30" },
   programNotOpened: { file: "DRILL.H" },
   programNotSelected: {},
+  contoursJoined: { cycle: 820, joined: "( QC1 | QC2 ) \\ QC3" },
+  errorRaised: { error: 1037 },
 };
 const found = (code: AnyCode): AnyIssue => ({ code, severity: "error", data: SAMPLES[code] }) as AnyIssue;
 const codes = Object.keys(SAMPLES) as AnyCode[];

@@ -129,7 +129,44 @@ describe("spellings", () => {
     "PLANE RESET STAY",
     "PLANE SPATIAL SPA+0 SPB+20 SPC+0 MOVE DIST50 F1000",
     "FUNCTION RESET TCPM",
+    "FN14: ERROR = +Q5",
+    'DECLARE CONTOUR QC1 = "TNC:\\A.H" DEPTH5',
+    "declare contour QC2 = LBL QS3",
+    "DECLARE CONTOUR QC3 = QS7",
+    "QC10 = QC1",
+    "QC10 = ( QC1|QC2 ) \\ ( QC3 & ( QC4 ^ QC5 ) )",
+    'CONTOUR DEF P1 = LBL 1 ~\n    I2 = "B.H" DEPTH+Q5 ~\n    V3 = LBL "C" ;the rest',
   ])("%s is understood", (text) => expect(one(text)?.issues).toEqual([]));
+});
+
+test.each([
+  "QC1 = QC2 QC3",
+  "QC1 = | QC2",
+  "QC1 = ( QC2",
+  "QC1 = QC2 )",
+  "QC1 = QC2 + QC3",
+  "QC1 =",
+  "DECLARE CONTOUR QC1 = 7",
+  "CONTOUR DEF P1 = LBL 1 ~\n    FOO 7",
+  "FN 14: ERROR",
+])("%s is kept as text", (text) => {
+  const block = one(text);
+  expect(block?.statement.kind).toBe("unknown");
+  expect(print(parse(text))).toBe(text);
+});
+
+test("an area of several lines is read with everything in its place", () => {
+  const block = one("7 CONTOUR DEF ~\n  P1 = LBL 1 ~ \n  I12 = QS4 DEPTH0.5");
+  expect(block?.statement).toEqual({
+    kind: "contourDefinition",
+    areas: [{ role: "P", number: 1, from: { label: 1 }, depth: null }, {
+      role: "I",
+      number: 12,
+      from: { file: { parameter: "QS4", negative: false } },
+      depth: 0.5,
+    }],
+  });
+  expect(block?.lines).toBe(3);
 });
 
 test("10,000 blocks are read, each as it would be alone", () => {

@@ -27,11 +27,11 @@ const namedText = (words: readonly NamedWord[], style: Style, colon = "") =>
 const outlineText = (from: OutlineSource) => ("file" in from ? fileText(from.file, false) : `LBL ${labelText(from.label)}`);
 const fileText = (file: FileName, isBare: boolean) => (typeof file === "object" ? file.parameter : isBare ? file : `"${file}"`);
 
-function areaText({ role, number, from, depth }: ContourArea, style: Style): string {
+function areaText({ from, depth }: Pick<ContourArea, "from" | "depth">, style: Style): string {
   const of = "file" in from
     ? fileText(from.file, false)
     : `LBL ${typeof from.label === "object" ? from.label.parameter : labelText(from.label)}`;
-  return ` ${role}${number} = ${of}${depth === null ? "" : ` DEPTH${unsigned(depth, style)}`}`;
+  return `${of}${depth === null ? "" : ` DEPTH${unsigned(depth, style)}`}`;
 }
 
 /** What only free contours have stands between the end point and the feed; a control reads any order. */
@@ -116,7 +116,13 @@ function statementText(s: Exclude<Statement, { kind: "cycle" }>, style: Style): 
     case "selectContour":
       return `SEL CONTOUR ${fileText(s.file, false)}`;
     case "contourDefinition":
-      return `CONTOUR DEF${s.areas.map((a) => areaText(a, style)).join("")}`;
+      return `CONTOUR DEF${s.areas.map((a) => ` ${a.role}${a.number} = ${areaText(a, style)}`).join("")}`;
+    case "declareContour":
+      return `DECLARE CONTOUR ${s.contour} = ${areaText(s, style)}`;
+    case "contourFormula":
+      return `${s.target} = ${s.terms.join(" ")}`;
+    case "raise":
+      return `FN 14: ERROR=${unsigned(s.error, style)}`;
     case "callProgram":
     case "selectProgram":
       return `${s.kind === "callProgram" ? "CALL" : "SEL"} PGM ${fileText(s.file, s.bare)}`;

@@ -24,7 +24,7 @@ export function readFree(scan: Scan, form: FreeForm): Statement | null {
   });
   // The other words stand where they stood, so that what is wrong with them has its place.
   const inner = new Scan(rest, scan.offset + scan.at);
-  const words = readWords(inner, form === "FC" || form === "FCT");
+  const words = readWords(inner);
   for (const found of inner.issues) scan.issues.push(found);
   scan.at = scan.text.length;
   return { kind: "free", form, given, words };

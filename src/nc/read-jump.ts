@@ -8,6 +8,15 @@ const OPERAND = new RegExp(VALUE, "iy");
 const COMPARE = /(EQU|NE|GT|LT|IS[ \t]+DEFINED|IS[ \t]+UNDEFINED)(?![A-Z])/iy;
 const TARGET = new RegExp(String.raw`GOTO[ \t]*LBL[ \t]*(?:(\d{1,9})|"([^"]*)"|(${PARAMETER}))`, "iy");
 
+const RAISE = new RegExp(String.raw`FN[ \t]*14[ \t]*:[ \t]*ERROR[ \t]*=?[ \t]*(${VALUE})`, "iy");
+
+/** `FN 14: ERROR=1000`; null when it is none. */
+export function readRaise(scan: Scan): Statement | null {
+  const m = scan.take(RAISE);
+  const error = m && readValue(m[1] ?? "");
+  return error !== null && scan.done ? { kind: "raise", error } : null;
+}
+
 /** `FN 9: IF +Q1 EQU +Q3 GOTO LBL "END"`; null when it is no jump that can be read. */
 export function readJump(scan: Scan): Statement | null {
   const head = scan.take(JUMP);

@@ -4,8 +4,8 @@ import { readAssignment } from "./read-formula.ts";
 import { readBlank, readFrame, readNamedWords, readToolCall, readToolDefinition } from "./read-frame.ts";
 import { readFunction } from "./read-function.ts";
 import { readFree } from "./read-free.ts";
-import { JUMP, readJump } from "./read-jump.ts";
-import { readContourDefinition, readProgramBlock } from "./read-program.ts";
+import { JUMP, readJump, readRaise } from "./read-jump.ts";
+import { readContourDefinition, readContourFormula, readProgramBlock } from "./read-program.ts";
 import { readTextAssignment, TEXT_ASSIGNMENT } from "./read-text.ts";
 import { readTrans, type TransWord } from "./read-trans.ts";
 import { readWords } from "./read-words.ts";
@@ -16,13 +16,14 @@ import { NUMBER_PARAMETER, PARAMETER, readLabel, TEXT_PARAMETER, VALUE } from ".
 const KEYWORD = new RegExp(
   String.raw`(?:(CYCLE?[ \t]*(?:DEF|CALL)|BEGIN[ \t]+PGM|END[ \t]+PGM|BLK[ \t]+FORM|TOOL[ \t]+(?:CALL|DEF)|CALL[ \t]+LBL|`
     + String.raw`TRANS[ \t]+(?:DATUM|MIRROR|ROTATION|SCALE)|PLANE|`
-    + String.raw`FUNCTION|FSELECT|FPOL|FLT|FCT|FL|FC|LBL|STOP|APPR|DEP|UDC|GRV|RND|CHF|CTP|CR|CT|CC|CP|LP|L|C)(?![A-Z_]))`,
+    + String.raw`FUNCTION|FSELECT|FPOL|FLT|FCT|FL|FC|LBL|STOP|APPR|DEP|UDC|GRV|RND|CHF|CTP|CR|CT|CC|CP|LP|L|`
+    + String.raw`C(?![ \t]*[+\-.\d]))(?![A-Z_]))`,
   "iy",
 );
 const ASSIGNMENT = new RegExp(String.raw`(?:FN[ \t]*(?:[0-8]|13)[ \t]*:|${NUMBER_PARAMETER}[ \t]*=)`, "iy");
 const FUNCTIONS = /M\d/iy;
 /** A paraxial block: a coordinate without L. */
-const PARAXIAL = new RegExp(String.raw`I?[XYZABUVW][ \t]*${VALUE}`, "iy");
+const PARAXIAL = new RegExp(String.raw`I?[XYZABCUVW][ \t]*${VALUE}`, "iy");
 const LABEL = /(?:(\d{1,9})|"([^"]*)")/y;
 const NAMED_LABEL = new RegExp(`()(${TEXT_PARAMETER})`, "iy");
 const LABEL_PARAMETER = new RegExp(`(${PARAMETER})`, "iy");
@@ -33,6 +34,8 @@ const UNDERCUT = /(TYPE[ \t]*_[ \t]*[A-Z]|THREAD)(?![A-Z])/iy;
 const GROOVE = /(RADIAL|AXIAL)(?![A-Z])/iy;
 const HOW = /(POS|PAT)(?![A-Z])/iy;
 const TILTED_TOOL = /^(?:RESET[ \t]+)?TCPM(?![A-Z])/i;
+/** Besides cycles the only blocks that a control writes on several lines. */
+const WRAPPED = /^[ \t]*CONTOUR[ \t]+DEF(?![A-Z])/i;
 const PATHS: ReadonlySet<string> = new Set<PathKind>(["L", "C", "CR", "CT", "CTP", "LP", "CP", "CC"]);
 
 /** Characters of one line; what is longer is no block of a control and would fill the memory word by word. */
@@ -47,13 +50,13 @@ export interface Read {
 export function readStatement(lines: readonly BlockLine[]): Read {
   const head = lines[0];
   if (!head) return { statement: { kind: "empty" }, issues: [] };
-  const scan = new Scan(head.text, head.offset);
+  const isWrapped = WRAPPED.test(head.text);
+  const scan = new Scan(isWrapped ? joined(lines) : head.text, head.offset);
   if (scan.done && lines.length === 1)
     return { statement: head.comment === null ? { kind: "empty" } : { kind: "comment", text: head.comment }, issues: [] };
   const issues: BlockIssue[] = [];
   const statement = head.text.length > LONGEST ? null : dispatch(scan, lines, issues);
-  const cycle = statement?.kind === "cycle";
-  if (!statement || (lines.length > 1 && !cycle)) {
+  if (!statement || (lines.length > 1 && statement.kind !== "cycle" && !isWrapped)) {
     const text = lines.map((l) => l.text.trim()).join(" ");
     const whole: BlockIssue = {
       code: "notUnderstood",
@@ -67,6 +70,10 @@ export function readStatement(lines: readonly BlockLine[]): Read {
   for (const i of scan.issues) issues.push(i);
   return { statement, issues };
 }
+
+/** The lines of one block as one text in which everything stands at its own place; comments are left out. */
+const joined = (lines: readonly BlockLine[]): string =>
+  lines.reduce((text, line) => text.padEnd(line.offset - (lines[0]?.offset ?? 0)) + line.text, "");
 
 function dispatch(scan: Scan, lines: readonly BlockLine[], issues: BlockIssue[]): Statement | null {
   const keyword = scan.take(KEYWORD);
@@ -163,7 +170,7 @@ function withoutKeyword(scan: Scan): Statement | null {
     scan.at = from;
     return { kind: "functions", words: readWords(scan) };
   }
-  return readProgramBlock(scan) ?? readContourDefinition(scan);
+  return readRaise(scan) ?? readProgramBlock(scan) ?? readContourDefinition(scan) ?? readContourFormula(scan);
 }
 
 /** A line that starts with the letter of a path function and has none of its words is something else. */

@@ -93,6 +93,9 @@ export type TextFormula = { readonly kind: "quoted"; readonly text: string } | {
 /** The file that a block names, or the parameter that holds its name. */
 export type FileName = string | Parameter;
 
+/** Where an outline stands: behind a label of the program, or in a file. */
+export type OutlinePlace = { readonly label: Label | Parameter } | { readonly file: FileName };
+
 /** Where an outline of a blank stands: behind a label, or in a file. */
 export type OutlineSource = { readonly label: Label } | { readonly file: FileName };
 
@@ -100,7 +103,7 @@ export type OutlineSource = { readonly label: Label } | { readonly file: FileNam
 export interface ContourArea {
   readonly role: "P" | "I" | "V";
   readonly number: number;
-  readonly from: { readonly label: Label | Parameter } | { readonly file: FileName };
+  readonly from: OutlinePlace;
   readonly depth: Value | null;
 }
 
@@ -175,6 +178,12 @@ export type Statement =
   | { readonly kind: "cycleCall"; readonly how: "" | "POS" | "PAT"; readonly words: Words }
   | { readonly kind: "selectContour"; readonly file: FileName }
   | { readonly kind: "contourDefinition"; readonly areas: readonly ContourArea[] }
+  /** A contour QC1 of a contour formula. */
+  | { readonly kind: "declareContour"; readonly contour: string; readonly from: OutlinePlace; readonly depth: Value | null }
+  /** How declared contours make one: their names, the signs between them, brackets. */
+  | { readonly kind: "contourFormula"; readonly target: string; readonly terms: readonly string[] }
+  /** FN 14: the control stops with an error of this number. */
+  | { readonly kind: "raise"; readonly error: Value }
   /** `bare`: the name stands without quotes. */
   | { readonly kind: "callProgram"; readonly file: FileName; readonly bare: boolean }
   | { readonly kind: "selectProgram"; readonly file: FileName; readonly bare: boolean }

@@ -170,7 +170,6 @@ describe("positions that nobody knows are not invented", () => {
     ["FN 18: SYSREAD Q5 = ID270 NR1 IDX3\nQ6 = Q5 + 1\nL Z+Q6 FMAX", ["Q6@9"]],
     ["FN 18: SYSREAD Q5 = ID1\nQ5 = 4\nL Z+Q5 FMAX", []],
     ["FN 18: SYSREAD Q5 = ID1\nFN 9: IF +Q5 EQU +1 GOTO LBL 1\nLBL 1", ["Q5@8", "FN 9@8"]],
-    ["FN 14: ERROR = 1000", []],
     ["FN 16: F-PRINT TNC:\\A.A", []],
     ["TCH PROBE 427 MEASURE ~\nQ263=+1\nL Z+Q160 FMAX", ["TCH PROBE 427@7", "Q160@8"]],
     ["FOO BAR", ["FOO BAR@7"]],

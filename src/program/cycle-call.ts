@@ -48,6 +48,11 @@ function givenContour(machine: Machine, cycle: number, index: number, operation:
     machine.log.leaveUnproved("CYCL CALL", index);
     return NO_CONTOUR;
   }
+  if ("joined" in contours) {
+    machine.log.say(programIssue("contoursJoined", "warning", { cycle, joined: contours.joined }), contours.index);
+    machine.log.leaveUnproved("CYCL CALL", index);
+    return NO_CONTOUR;
+  }
   if (contours.length === 0) {
     const { contourFile: file } = machine.now;
     machine.log.say(file === null ? programIssue("contourNotNamed", "error", { cycle }) : programIssue("contourInFile", "error", { file }),

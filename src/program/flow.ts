@@ -25,6 +25,8 @@ interface Flow {
   readonly machine: Machine;
   readonly returns: Return[];
   readonly repeats: Map<number, number>;
+  /** A jump hung on a value that nobody knows: the control may have gone another way. */
+  guessed: boolean;
 }
 
 const isText = (parameter: string) => parameter.startsWith("QS");
@@ -39,7 +41,7 @@ export interface Ending {
 
 /** Runs block after block, with calls, repetitions, jumps and the programs that are called. */
 export function execute(machine: Machine, block: (s: Statement, index: number) => void): Ending {
-  const flow: Flow = { machine, returns: [], repeats: new Map() };
+  const flow: Flow = { machine, returns: [], repeats: new Map(), guessed: false };
   let [next, told] = [0, false];
   for (;;) {
     if (next >= machine.unit.to) {
@@ -61,8 +63,10 @@ export function execute(machine: Machine, block: (s: Statement, index: number) =
       told = true;
       next = behindLabel(machine, index);
     } else if (s.kind === "call") next = call(flow, s, index);
-    else if (s.kind === "jump") next = jump(machine, s, index);
-    else if (s.kind !== "end") block(s, index);
+    else if (s.kind === "jump") next = jump(flow, s, index);
+    else if (s.kind === "raise") {
+      if (raises(flow, s, index)) return { index, word: null, told: true };
+    } else if (s.kind !== "end") block(s, index);
     if (machine.next) next = enter(flow, machine.next, next);
     const word = endOf(s);
     if (word === null) continue;
@@ -158,24 +162,34 @@ function call({ machine, returns, repeats }: Flow, s: Extract<Statement, { kind:
 }
 
 /** Where a jump goes on. One that hangs on a value nobody knows goes on behind it, and nothing is proved from there. */
-function jump(machine: Machine, s: Extract<Statement, { kind: "jump" }>, index: number): number {
+function jump(flow: Flow, s: Extract<Statement, { kind: "jump" }>, index: number): number {
+  const { machine } = flow;
   const on = index + 1;
   const holds = compare(machine, s, index);
+  flow.guessed ||= holds === null;
   return holds ? (target(machine, s.label, index) ?? on) : on;
 }
 
-function compare(machine: Machine, s: Extract<Statement, { kind: "jump" }>, index: number): boolean {
+/** FN 14: the control stops here with an error. True, unless it may have gone another way before. */
+function raises({ machine, guessed }: Flow, s: Extract<Statement, { kind: "raise" }>, index: number): boolean {
+  if (guessed) machine.log.leaveUnproved("FN 14", index);
+  else machine.log.say(programIssue("errorRaised", "error", { error: machine.number(s.error, index) }), index);
+  return !guessed;
+}
+
+/** Whether a comparison holds; null when that hangs on a value that is not known. */
+function compare(machine: Machine, s: Extract<Statement, { kind: "jump" }>, index: number): boolean | null {
   if (s.right === null) {
     const set = typeof s.left === "number" || machine.known.isSet(s.left.parameter);
     if (set === null) machine.log.leaveUnproved(s.fn === null ? "IF" : `FN ${s.fn}`, index);
-    return set !== null && set === (s.compare === "IS DEFINED");
+    return set === null ? null : set === (s.compare === "IS DEFINED");
   }
   const read = (value: Value) =>
     typeof value === "object" && isText(value.parameter) ? machine.text(value.parameter, index) : machine.number(value, index);
   const [left, right] = [read(s.left), read(s.right)];
   if (left === null || right === null) {
     if (machine.known.isUnproved) machine.log.leaveUnproved(s.fn === null ? "IF" : `FN ${s.fn}`, index);
-    return false;
+    return null;
   }
   switch (s.compare) {
     case "EQU":

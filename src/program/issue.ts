@@ -40,6 +40,8 @@ interface Data {
   contourNotNamed: { cycle: number };
   /** SEL CONTOUR names a file, and the run has this program only. */
   contourInFile: { file: string };
+  /** Several contours that a formula or CONTOUR DEF joins: a turning cycle takes one. */
+  contoursJoined: { cycle: number; joined: string };
   feedMissing: {};
   spindleMissing: {};
   parameterUnset: { name: string };
@@ -85,6 +87,8 @@ interface Data {
   endInCalled: { word: string };
   /** A program that is called and was not opened with this one. */
   programNotOpened: { file: string };
+  /** FN 14: the control stops with this error; null when its number is not known. */
+  errorRaised: { error: number | null };
   /** CALL SELECTED PGM without SEL PGM before it. */
   programNotSelected: {};
 }

@@ -38,6 +38,12 @@ export interface ContourSource {
   readonly label: Label | null;
 }
 
+/** Several contours that make one by a rule of milling: how they are joined, and the block that says so. */
+export interface JoinedContours {
+  readonly joined: string;
+  readonly index: number;
+}
+
 /** A plain path element that waits for the corner behind it. */
 export interface Held {
   readonly segment: Segment;
@@ -115,7 +121,7 @@ export interface Modal {
   readonly toolRefused: boolean;
   readonly pole: Pole | null;
   /** What cycle 14, CONTOUR DEF or SEL CONTOUR name. */
-  readonly contours: readonly ContourSource[] | "unknown";
+  readonly contours: readonly ContourSource[] | JoinedContours | "unknown";
   /** File that SEL CONTOUR or CONTOUR DEF names and that is not at hand. */
   readonly contourFile: string | null;
   /** FUNCTION TURNDATA CORR of the tool in the spindle, mm. */

@@ -2,7 +2,8 @@ import { cycleByNumber } from "../cycles/index.ts";
 import type { Block, Program } from "../nc/program.ts";
 import type { Statement, StatementOf, Words } from "../nc/statement.ts";
 import { blankBox, blankCylinder, blankFile, blankOfTurnData, blankRotation, tellBox, tellMissing, turnBlank } from "./blank-block.ts";
-import { CONTOUR_CYCLE, contourLabels } from "./contour-names.ts";
+import { contourCycle, contourDefinition, selectContour } from "./contour-choice.ts";
+import { CONTOUR_CYCLE } from "./contour-names.ts";
 import { callCycle, cycleDefinition } from "./cycle-call.ts";
 import { datumLine, DATUM_CYCLE, resetDatum, shiftDatum, tableDatum } from "./datum.ts";
 import { execute, neverReached, wordsOf } from "./flow.ts";
@@ -11,8 +12,7 @@ import { programIssue } from "./issue.ts";
 import { Machine, type Shop } from "./machine.ts";
 import { isElsewhere, retract, retracts } from "./machine-moves.ts";
 import { runApproach, chamfer, finish, path } from "./motion.ts";
-import { callProgram, callSelected, contourDefinition, PROGRAM_CYCLE, programCycle, selectContour,
-  selectProgram } from "./program-calls.ts";
+import { callProgram, callSelected, PROGRAM_CYCLE, programCycle, selectProgram } from "./program-calls.ts";
 import { runHeldElement } from "./path-block.ts";
 import { NOWHERE } from "./path.ts";
 import { neverCalled } from "./preconditions.ts";
@@ -106,7 +106,7 @@ const HANDLERS: { readonly [K in Statement["kind"]]?: (machine: Machine, s: Stat
 };
 
 /** Kinds that are run by the order of the blocks, or by their M functions. */
-const IN_ORDER: ReadonlySet<Statement["kind"]> = new Set(["begin", "end", "label", "call", "jump", "functions", "stop"]);
+const IN_ORDER: ReadonlySet<Statement["kind"]> = new Set(["begin", "end", "label", "call", "jump", "raise", "functions", "stop"]);
 
 /** Whether a block of a kind does anything. */
 export const acts = (kind: Statement["kind"]): boolean => HANDLERS[kind] !== undefined || IN_ORDER.has(kind);
@@ -182,10 +182,8 @@ function spin(machine: Machine, s: StatementOf<"spin">, index: number): void {
 /** One line of an older cycle: what shifts, mirrors, turns and scales is run, a contour's labels are noted, other cycles are told. */
 function cycleLine(machine: Machine, s: StatementOf<"cycleLine">, index: number): void {
   const { cycle, line, text } = s;
-  if (cycle === CONTOUR_CYCLE) {
-    const contours = line === 0 ? [] : contourLabels(text).map((label) => ({ unit: machine.unit, label }));
-    machine.set({ contourFile: null, contours });
-  } else if (cycle === PROGRAM_CYCLE) programCycle(machine, s, index);
+  if (cycle === CONTOUR_CYCLE) contourCycle(machine, s, index);
+  else if (cycle === PROGRAM_CYCLE) programCycle(machine, s, index);
   else if (cycle === DATUM_CYCLE) {
     if (line > 0) datumLine(machine, text, `CYCL DEF ${cycle}`, index);
   } else if (transforms(cycle)) transformLine(machine, s, index);

@@ -212,6 +212,14 @@ export const messages = {
     labelTwice: (d, w) => `LBL ${w.text(d.label)} steht zweimal im Programm.`,
     labelNotClosed: (d, w) => `LBL ${w.text(d.label)} wird nicht mit LBL 0 geschlossen.`,
     contourNotNamed: (d) => `Zyklus ${d.cycle} braucht vor dem Aufruf Zyklus 14 mit seiner Kontur.`,
+    contoursJoined: (d, w) =>
+      `${w.text(d.joined)}: Hier ergeben mehrere Konturen eine. Zyklus ${
+        w.number(d.cycle)
+      } nimmt eine Kontur; seine Bahn wird nicht gezeigt.`,
+    errorRaised: (d, w) =>
+      d.error === null
+        ? "FN 14: Die Steuerung hält hier mit einem Fehler an; dahinter läuft nichts."
+        : `FN 14: Die Steuerung hält hier mit Fehler ${w.number(d.error)} an; dahinter läuft nichts.`,
     contourInFile: (d, w) =>
       `Die Kontur steht in der Datei ${w.text(d.file)}, die hier nicht vorliegt: in ein Label setzen und mit Zyklus 14 nennen.`,
     feedMissing: () => "Es ist kein Vorschub programmiert.",

@@ -204,6 +204,12 @@ export const messages = {
     labelTwice: (d, w) => `LBL ${w.text(d.label)} stands twice in the program.`,
     labelNotClosed: (d, w) => `LBL ${w.text(d.label)} is not closed by LBL 0.`,
     contourNotNamed: (d) => `Cycle ${d.cycle} needs cycle 14 with its contour before the call.`,
+    contoursJoined: (d, w) =>
+      `${w.text(d.joined)}: several contours make one here. Cycle ${w.number(d.cycle)} takes one contour; its path is not shown.`,
+    errorRaised: (d, w) =>
+      d.error === null
+        ? "FN 14: the control stops here with an error; nothing behind it is run."
+        : `FN 14: the control stops here with error ${w.number(d.error)}; nothing behind it is run.`,
     contourInFile: (d, w) =>
       `The contour is in the file ${w.text(d.file)}, which is not at hand: put it into a label and name it with cycle 14.`,
     feedMissing: () => "No feed is programmed.",

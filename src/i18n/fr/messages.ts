@@ -215,6 +215,14 @@ export const messages = {
     labelTwice: (d, w) => `LBL ${w.text(d.label)} figure deux fois dans le programme.`,
     labelNotClosed: (d, w) => `LBL ${w.text(d.label)} n'est pas fermé par LBL 0.`,
     contourNotNamed: (d) => `Le cycle ${d.cycle} demande, avant l'appel, le cycle 14 avec son contour.`,
+    contoursJoined: (d, w) =>
+      `${w.text(d.joined)} : plusieurs contours en font ici un seul. Le cycle ${
+        w.number(d.cycle)
+      } en prend un ; sa trajectoire n’est pas montrée.`,
+    errorRaised: (d, w) =>
+      d.error === null
+        ? "FN 14 : la commande s’arrête ici sur une erreur ; rien n’est exécuté après."
+        : `FN 14 : la commande s’arrête ici sur l’erreur ${w.number(d.error)} ; rien n’est exécuté après.`,
     contourInFile: (d, w) =>
       `Le contour est dans le fichier ${w.text(d.file)}, absent ici : placez-le dans un label et nommez-le avec le cycle 14.`,
     feedMissing: () => "Aucune avance n'est programmée.",

@@ -164,6 +164,11 @@ export const messages = {
     labelTwice: (d, w) => `LBL ${w.text(d.label)}在程序中出现两次。`,
     labelNotClosed: (d, w) => `LBL ${w.text(d.label)}没有用LBL 0结束。`,
     contourNotNamed: (d) => `循环${d.cycle}调用前需要循环14及其轮廓。`,
+    contoursJoined: (d, w) => `${w.text(d.joined)}：此处由多个轮廓合成一个。循环${w.number(d.cycle)}只接受一个轮廓，其路径不显示。`,
+    errorRaised: (d, w) =>
+      d.error === null
+        ? "FN 14：数控系统在此报错停止，其后不再运行。"
+        : `FN 14：数控系统在此报错停止（错误号${w.number(d.error)}），其后不再运行。`,
     contourInFile: (d, w) => `轮廓在文件${w.text(d.file)}中,此处没有:请写入标签并用循环14指定。`,
     feedMissing: () => "没有编程进给速率。",
     spindleMissing: () => "没有编程主轴转速,无法计算时间。",
