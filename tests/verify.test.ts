@@ -92,6 +92,23 @@ describe("verify", () => {
     expect(main([program("shoulder-812")])).toBe(0);
     expect(out).toMatch(/cycle 812, tool 1 .*\n.*gouge 0 mm².*\n.*0 errors/s);
   });
+  test("a cycle that nobody here knows is named by its number and name, and nothing behind its call is proved", () => {
+    const cycle = ["CYCL DEF 317 BAR PULLER ~", "  Q1711=+31.7 ;PULL LENGTH", "L X+30 Z+1.5 R0 FMAX", "CYCL CALL"];
+    const text = ["BEGIN PGM A MM", "BLK FORM CYLINDER Z D27 L61", "FUNCTION MODE TURN", "TOOL CALL 1", ...cycle, "END PGM A MM"].join(
+      "\n",
+    );
+    main([file("called.h", text), file("defined.h", text.replace("CYCL CALL\n", "")), "--json"]);
+    const [called, defined] = reports();
+    const unproved = "CYCL DEF 317 BAR PULLER";
+    expect(called?.issues).toContainEqual(
+      expect.objectContaining({ code: "notProved", text: expect.stringContaining(unproved) as string }),
+    );
+    expect(called?.issues).toContainEqual(
+      expect.objectContaining({ code: "cycleNotSimulated", text: expect.stringContaining("317 BAR PULLER") as string }),
+    );
+    expect(JSON.stringify(called?.proof.unproved)).toContain(unproved);
+    expect(defined?.issues.map(({ code }) => code)).not.toContain("notProved");
+  });
   test("an error in a program is status 1, and its report is whole", () => {
     expect(main([program("shoulder-812"), program("bad/words"), "--json"])).toBe(1);
     expect(reports()[1]?.issues.some((i) => i.severity === "error" && i.block === 4 && i.text.length > 5)).toBe(true);

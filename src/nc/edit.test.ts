@@ -32,6 +32,12 @@ describe("one block changes", () => {
     const text = "1 CYCL DEF 99 N\nQ491+50 ;A\nQ492+1 ;B\nQ499 =+0 ;C\n";
     expect(set(text, 0, "Q491", 20)).toBe("1 CYCL DEF 99 N\nQ491=+20 ;A\nQ492+1 ;B\nQ499 =+0 ;C\n");
   });
+  test("a feed whose F stands apart from its value", () => {
+    const text = "1 CYCL DEF 99 N\nQ478=F AUTO ;A\nQ488= F 0.2 ;B\nQ499=+1 ;F AUTO\n";
+    expect(set(text, 0, "Q478", 0.25)).toBe(text.replace("=F AUTO", "=+0.25"));
+    expect(set(text, 0, "Q488", "max")).toBe(text.replace("F 0.2", "FMAX"));
+    expect(set(text, 0, "Q499", 2)).toBe(text.replace("+1", "+2"));
+  });
   test("in the style around it: two blanks, comma, no plus, F MAX", () => {
     const wide = "7 L  X+75 Z-20\r\n8 L  X+50 ;here\r\n";
     expect(print(withBlock(parse(wide), 1, line(x(12.5))))).toBe("7 L  X+75 Z-20\r\n8 L  X+12.5 FMAX ;here\r\n");

@@ -20,7 +20,7 @@ function withValues(raw: string, before: CycleStatement, after: CycleStatement, 
   let text = raw;
   for (const [i, p] of after.parameters.entries()) {
     if (same(p.value, before.parameters[i]?.value)) continue;
-    const at = new RegExp(String.raw`((?:^|[\s])${p.q}[ \t]*=?[ \t]*)([^\s;~]*(?:(?<=[+-])[ \t]+[^\s;~]+)?)`, "i").exec(text);
+    const at = new RegExp(String.raw`((?:^|[\s])${p.q}[ \t]*=?[ \t]*)([^\s;~]*(?:(?<=[+-]|[=\s]F)[ \t]+[^\s;~]+)?)`, "i").exec(text);
     if (!at) return null;
     const written = parameterValueText(p.value, style);
     const front = (at[1] ?? "").includes("=") ? (at[1] ?? "") : `${(at[1] ?? "").trimEnd()}=`;

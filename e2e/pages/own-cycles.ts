@@ -1,0 +1,80 @@
+import type { Locator } from "@playwright/test";
+import type { OwnTexts } from "../../src/i18n/en/own.ts";
+import type { Context } from "./turnwise.ts";
+
+type Cell = keyof OwnTexts["cells"];
+
+/** The operator's own cycles: their list, the form of one, and the ways that lead there. */
+export class OwnCycles {
+  constructor(private readonly context: Context) {}
+
+  private get words() {
+    return this.context.t.own;
+  }
+
+  /** From the block of a cycle that the page does not know. */
+  get describe(): Locator {
+    return this.button(this.words.describe);
+  }
+
+  /** From the dialog of a described cycle. */
+  get change(): Locator {
+    return this.button(this.words.change);
+  }
+
+  get back(): Locator {
+    return this.button(this.words.backLong);
+  }
+
+  get add(): Locator {
+    return this.button(this.words.add);
+  }
+
+  get status(): Locator {
+    return this.context.page.locator(".tool-status");
+  }
+
+  get takeBack(): Locator {
+    return this.status.getByRole("button", { name: this.words.undo, exact: true });
+  }
+
+  row(number: number, name: string): Locator {
+    return this.context.page.getByRole("list", { name: this.words.list }).getByRole("button", {
+      name: new RegExp(this.words.select(this.words.cycleName(String(number), name))),
+    });
+  }
+
+  remove(number: number, name: string): Locator {
+    return this.button(this.words.removeLong(this.words.cycleName(String(number), name)));
+  }
+
+  get number(): Locator {
+    return this.context.page.getByRole("textbox", { name: this.words.number, exact: true });
+  }
+
+  get name(): Locator {
+    return this.context.page.getByRole("textbox", { name: this.words.name, exact: true });
+  }
+
+  cell(q: string, cell: Cell): Locator {
+    return this.context.page.getByRole("textbox", { name: `${q}: ${this.words.cells[cell]}`, exact: true });
+  }
+
+  kind(q: string): Locator {
+    return this.context.page.getByRole("combobox", { name: `${q}: ${this.words.kind}`, exact: true });
+  }
+
+  /** The block as it will stand in a program. */
+  get text(): Locator {
+    return this.context.page.getByRole("figure", { name: this.words.text });
+  }
+
+  /** Their group where a cycle is chosen. */
+  get group(): Locator {
+    return this.context.page.getByRole("region", { name: this.context.t.page.own.title, exact: true });
+  }
+
+  private button(name: string): Locator {
+    return this.context.page.getByRole("button", { name, exact: true });
+  }
+}
