@@ -57,7 +57,9 @@ export function OwnForm({ entry, reading, name, onDuplicate, onRemove }: Props) 
       <h3>{t.parameters}</h3>
       <ol className="own-parameters">
         {entry.parameters.map((p, i) => (
-          <ParameterCard key={p.id} cycle={entry.id} parameter={p} at={i} count={entry.parameters.length} problems={reading.problems} />
+          <li key={p.id}>
+            <ParameterCard cycle={entry.id} parameter={p} at={i} count={entry.parameters.length} problems={reading.problems} />
+          </li>
         ))}
       </ol>
       <OwnProblems id="own-parameters-wrong" problems={at("parameters")} text="." />

@@ -33,7 +33,7 @@ export function ParameterCard({ cycle, parameter, at, count, problems }: Props) 
     </button>
   );
   return (
-    <li className="own-parameter" role="group" aria-label={t.parameter(q)} data-parameter={parameter.id}>
+    <div className="own-parameter" role="group" aria-label={t.parameter(q)} data-parameter={parameter.id}>
       {cell("q")}
       <div className="own-field own-kind">
         <label htmlFor={id}>{t.kind}</label>
@@ -53,6 +53,6 @@ export function ParameterCard({ cycle, parameter, at, count, problems }: Props) 
       {cell("prompt")}
       {parameter.kind === "choice" ? cell("choices", false, t.choicesHint) : [cell("min", true), cell("max", true)]}
       {cell("first", true)}
-    </li>
+    </div>
   );
 }
