@@ -1,6 +1,7 @@
 import type { StatementOf } from "../nc/statement.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
+import { nameInCycle } from "./program-files.ts";
 
 /** The older cycle that names a program, which a cycle call then runs. */
 export const PROGRAM_CYCLE = 12;
@@ -35,10 +36,10 @@ export function callSelected(machine: Machine, index: number): void {
   else machine.log.say(programIssue("programNotSelected", "error", {}), index);
 }
 
-/** The second line of cycle 12 names the program: `PGM TNC:\DRILL.H`, or the name alone. */
+/** The second line of cycle 12 names the program. */
 export function programCycle(machine: Machine, { line, text }: StatementOf<"cycleLine">, index: number): void {
   if (line !== 1) return;
-  const name = text.replace(/^PGM[ \t]+/i, "").replaceAll('"', "").trim();
+  const name = nameInCycle(text);
   const program = /^QS\d{1,4}$/i.test(name) ? machine.text(name.toUpperCase(), index) : name;
   machine.set({ callsBehindMoves: false, defined: { index, cycle: PROGRAM_CYCLE, values: new Map(), troubled: new Set(), program } });
 }

@@ -20,6 +20,9 @@ export function fileKey(name: string): string {
   return bare === "" || bare.includes(".") ? bare : `${bare}.H`;
 }
 
+/** The name that the second line of cycle 12 gives a program: `PGM TNC:\DRILL.H`, or the name alone. */
+export const nameInCycle = (text: string): string => text.replace(/^PGM[ \t]+/i, "").replaceAll('"', "").trim();
+
 /** Files by their names, each read when it is first called. Of two with one name the first counts. */
 export function filesByName(
   files: readonly { readonly name: string; readonly text: string }[],
