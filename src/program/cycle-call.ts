@@ -204,10 +204,12 @@ function perform(machine: Machine, { cycle, defined, start, tool, plan, issues, 
     from = move.to;
   }
   machine.setPlace({ at: { x: toDiameter(from.r), y: null, z: from.z }, last: null });
+  const { file, ...definition } = machine.log.placeOf(defined.index);
   machine.log.operations.push({
     block: machine.log.numbers[index] ?? 0,
-    definedIn: machine.log.numbers[defined.index] ?? 0,
-    definedLine: machine.log.lines[defined.index] ?? 1,
+    definedIn: definition.block,
+    definedLine: definition.line,
+    ...(file !== undefined && { definedFile: file }),
     cycle,
     tool,
     start,

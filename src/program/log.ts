@@ -108,6 +108,13 @@ export class Log {
     this.datums.push({ step, at });
   }
 
+  /** Where a block stands in the text that it is from. */
+  placeOf(index: number): { readonly block: number; readonly line: number; readonly file?: string } {
+    const { inFile } = this.inFile(index, 0);
+    if (inFile) return { ...inFile, block: inFile.block ?? 0 };
+    return { block: this.numbers[index] ?? 0, line: this.lines[index] ?? 1 };
+  }
+
   /** Where a finding stands in the file of a called program. */
   private inFile(index: number, within: number): Pick<RunFinding, "inFile"> {
     const text = index < this.own ? undefined : this.textOf(index);

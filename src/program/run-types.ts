@@ -32,6 +32,8 @@ export interface Operation {
   /** Number of the block that defines it, and that definition's line (from 1). */
   readonly definedIn: number;
   readonly definedLine: number;
+  /** File of the called program that defines it, which block and line are of then; absent for the program itself. */
+  readonly definedFile?: string;
   readonly cycle: number;
   readonly tool: Tool;
   /** Theoretical tip at the call. */

@@ -16,6 +16,8 @@ const operationLine = (o: ReportOperation) =>
 const many = (n: number, one: string, more: string) => `${n} ${n === 1 ? one : more}`;
 const inBlock = (block: number | null) => (block === null ? "" : ` in block ${block}`);
 
+const inFile = (file: string | undefined) => (file === undefined ? "" : ` (${file})`);
+
 const placeInFile = (place: Report["issues"][number]["inFile"]) =>
   place ? `, ${place.file}${place.block === null ? "" : ` block ${place.block}`}` : "";
 
@@ -23,7 +25,7 @@ const placeInFile = (place: Report["issues"][number]["inFile"]) =>
 function because(r: VerdictReason): string {
   switch (r.kind) {
     case "error":
-      return `${many(r.count, "error", "errors")} in the program, the first${inBlock(r.block)}`;
+      return `${many(r.count, "error", "errors")} in the program, the first${inBlock(r.block)}${inFile(r.file)}`;
     case "gouge":
       return `${fixed(r.area, 3)} mm² of the finished part cut away, first${inBlock(r.block)}`;
     case "rapidInStock":
@@ -31,7 +33,9 @@ function because(r: VerdictReason): string {
     case "holderContact":
       return `holder touches stock, first${inBlock(r.block)}`;
     case "unproved":
-      return `${r.what} was not simulated: nothing is proved from${r.block === null ? " the beginning" : ` block ${r.block}`} on`;
+      return `${r.what} was not simulated: nothing is proved from${r.block === null ? " the beginning" : ` block ${r.block}`}${
+        inFile(r.file)
+      } on`;
     case "milling":
       return `milling was not simulated: nothing is proved from block ${r.block} on`;
     case "nothingCut":

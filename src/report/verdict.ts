@@ -4,14 +4,17 @@ import type { Run } from "../program/run-types.ts";
 import { REAL_AREA } from "../kernel/real-area.ts";
 import type { StockFinding, Simulation, Verdict } from "../sim/simulation.ts";
 
-/** Why a verdict is what it is, as data: the block where it begins (null: the whole program) and what it is about. */
+/**
+ * Why a verdict is what it is, as data: the block where it begins (null: the whole program) and what it is about. `file` is that of
+ * a called program in which it stands; the block is that of the call then.
+ */
 export type VerdictReason =
   /** Errors that the run found in the program: how many, and the block of the first. */
-  | { readonly kind: "error"; readonly block: number | null; readonly count: number }
+  | { readonly kind: "error"; readonly block: number | null; readonly count: number; readonly file?: string }
   /** Found in the stock: how many places, and mm² of all of them. */
   | { readonly kind: StockFinding["kind"]; readonly block: number; readonly count: number; readonly area: number }
   /** Something was read and not simulated; nothing is proved from its block on. */
-  | { readonly kind: "unproved"; readonly block: number | null; readonly what: string }
+  | { readonly kind: "unproved"; readonly block: number | null; readonly what: string; readonly file?: string }
   /** Milling changes the stock, which the half plane can not show. */
   | { readonly kind: "milling"; readonly block: number }
   | { readonly kind: "nothingCut"; readonly block: number; readonly operation: number }
@@ -39,7 +42,8 @@ const FOUND = ["gouge", "rapidInStock", "holderContact"] as const;
 function faultsOf(run: Run, { findings }: Pick<Simulation, "findings">): VerdictReason[] {
   const out: VerdictReason[] = [];
   const errors = run.issues.filter((f) => f.issue.severity === "error");
-  if (errors[0]) out.push({ kind: "error", block: errors[0].block, count: errors.length });
+  const [first] = errors;
+  if (first) out.push({ kind: "error", block: first.block, count: errors.length, ...(first.inFile && { file: first.inFile.file }) });
   for (const kind of FOUND) {
     const of = findings.filter((f) => f.kind === kind);
     if (of[0]) out.push({ kind, block: of[0].block, count: of.length, area: of.reduce((sum, f) => sum + f.area, 0) });
@@ -49,7 +53,12 @@ function faultsOf(run: Run, { findings }: Pick<Simulation, "findings">): Verdict
 
 /** What was not simulated or did nothing, in the order of the program where that is known. */
 function gapsOf(run: Run, { proof }: Pick<Simulation, "proof">): VerdictReason[] {
-  const out: VerdictReason[] = proof.unproved.map(({ block, what }) => ({ kind: "unproved", block, what }));
+  const out: VerdictReason[] = proof.unproved.map(({ block, what, file }) => ({
+    kind: "unproved",
+    block,
+    what,
+    ...(file !== undefined && { file }),
+  }));
   const milled = run.plane.find((s) => s.kind !== "rapid");
   if (milled) out.push({ kind: "milling", block: milled.block });
   run.operations.forEach((o, operation) => {
