@@ -26,6 +26,32 @@ export class ProgramEditor {
     await expect(this.text).toBeVisible();
   }
 
+  /** Drops files on the page, as from a folder. */
+  async drop(files: Readonly<Record<string, string>>): Promise<void> {
+    const { page } = this.context;
+    const data = await page.evaluateHandle((all) => {
+      const made = new DataTransfer();
+      for (const [name, text] of Object.entries(all)) made.items.add(new File([text], name, { type: "text/plain" }));
+      return made;
+    }, files);
+    await page.dispatchEvent("body", "drop", { dataTransfer: data });
+  }
+
+  /** The list of the files of the work. */
+  get files(): Locator {
+    return this.context.page.getByRole("region", { name: this.words.files.title, exact: true });
+  }
+
+  /** The button that shows a file of the work. */
+  file(name: string): Locator {
+    return this.files.getByRole("button", { name: this.words.files.show(name), exact: true });
+  }
+
+  /** The switch for blocks behind a skip mark. */
+  get leaveOut(): Locator {
+    return this.context.page.getByRole("checkbox", { name: this.words.leaveOut, exact: true });
+  }
+
   async paste(text: string): Promise<void> {
     const { page } = this.context;
     await page.getByRole("button", { name: this.context.t.page.programs.paste, exact: true }).click();

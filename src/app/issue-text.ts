@@ -4,6 +4,7 @@ import type { Language } from "../i18n/languages.ts";
 import type { Texts } from "../i18n/index.ts";
 import type { AnyIssue } from "../i18n/message-texts.ts";
 import { writer, type Write } from "../i18n/write.ts";
+import type { RunFinding } from "../program/run-types.ts";
 import { useSettings } from "./settings/settings.ts";
 import { useTexts } from "./settings/use-texts.ts";
 
@@ -14,6 +15,10 @@ export function issueText(texts: Texts, language: Language, found: AnyIssue, cyc
   const say = texts.messages.of[found.code] as (data: AnyIssue["data"], write: Write) => string;
   return say(found.data, writer(language, param?.kind));
 }
+
+/** Where something stands in the file of a called program, in words. */
+export const placeInFile = ({ findings: t }: Texts, { file, block, line }: NonNullable<RunFinding["inFile"]>): string =>
+  block === null ? t.lineOf(String(line), file) : t.blockOf(String(block), file);
 
 /** The cycle whose parameters findings may stand at: that of the job, or of the open block. */
 export const CycleInWork = createContext<number | null>(null);

@@ -1,6 +1,6 @@
 import { create } from "zustand";
 import type { Job } from "../program/job.ts";
-import { closeStep, forget, goesOn, noteChange } from "./steps.ts";
+import { closeStep, forget, goesOn, note, noteChange } from "./steps.ts";
 import { isProgram, type ProgramWork, type Work } from "./work.ts";
 
 /** What is worked on, and the name it is kept under on this device. */
@@ -57,3 +57,23 @@ export function begin(content: Work | null, work: string | null): void {
 
 /** The text of the open program after a change. Its steps are noted where it is typed. */
 export const setProgram = (program: ProgramWork): void => useEditor.setState({ program });
+
+/** What steps that change more of a program than a text are steps of. */
+const OF_FILES = {};
+
+/** Changes what belongs to the open program, as one step of undo. */
+export function changeProgram(change: (program: ProgramWork) => ProgramWork): void {
+  handOver();
+  const { program: before, work } = useEditor.getState();
+  const after = before && change(before);
+  if (!after || after === before) return;
+  const put = (program: ProgramWork) => {
+    if (useEditor.getState().work !== work) return false;
+    handOver();
+    setProgram(program);
+    return true;
+  };
+  closeStep();
+  setProgram(after);
+  note({ of: OF_FILES, back: () => put(before), forth: () => put(after) });
+}

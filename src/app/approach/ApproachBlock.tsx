@@ -3,6 +3,7 @@ import { withBlock } from "../../nc/edit.ts";
 import { approachContext } from "../../program/approach-context.ts";
 import { parametersBefore } from "../editor/block-context.ts";
 import { editProgram, useSession } from "../editor/session.ts";
+import { useShownBeside } from "../files/shown-file.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import type { FindingEntry } from "../findings/entry.ts";
 import { ApproachDialog } from "./ApproachDialog.tsx";
@@ -11,7 +12,9 @@ import { isFresh, markFresh } from "./fresh-block.ts";
 /** The dialog of the open APPR or DEP block of the program. One that was just put in begins with the choice of its form. */
 export function ApproachBlock({ problems }: { readonly problems: readonly FindingEntry[] }) {
   const { reading: { program }, index } = useSession();
-  const run = useOutcome((s) => s.newest?.run ?? null);
+  const newest = useOutcome((s) => s.newest?.run ?? null);
+  // The approaches of a run are known by the blocks of the program that called.
+  const run = useShownBeside() === null ? newest : null;
   const [fresh] = useState(() => isFresh(index));
   useEffect(() => markFresh(null), []);
   const context = useMemo(() => approachContext(program, index, run, parametersBefore(program, index)), [program, index, run]);

@@ -1,6 +1,9 @@
 import { useMemo } from "react";
 import { threadProfile } from "../../view/thread-profile.ts";
 import { useOutcome } from "../engine/outcome.ts";
+import type { Operation } from "../../program/run-types.ts";
+import { useShownBeside } from "../files/shown-file.ts";
+import { isDefinedIn } from "../files/shown-findings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 
 /** Drawing area, pixels. */
@@ -13,7 +16,9 @@ export function ThreadPicture({ line }: { readonly line: number | null }) {
   const { dialog: { sizes: t } } = useTexts();
   const shown = useOutcome((s) => s.shown);
   const dimmed = useOutcome((s) => s.dimmed);
-  const thread = shown?.run.operations.find((o) => o.plan.thread && (line === null || o.definedLine === line))?.plan.thread;
+  const file = useShownBeside();
+  const isMeant = (o: Operation) => line === null || (o.definedLine === line && isDefinedIn(o, file));
+  const thread = shown?.run.operations.find((o) => o.plan.thread && isMeant(o))?.plan.thread;
   const drawing = useMemo(() => (thread ? threadProfile(thread, SIZE.width, SIZE.height) : null), [thread]);
   if (!thread || !drawing) return null;
   const last = Math.max(1, drawing.chips.length - 1);

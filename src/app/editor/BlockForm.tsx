@@ -1,15 +1,21 @@
 import { isKept } from "../../cycles/kept-cycles.ts";
 import { withBlock } from "../../nc/edit.ts";
-import { blockNumbers } from "../../nc/program.ts";
+import { blockNumbers, startLines } from "../../nc/program.ts";
 import type { Statement } from "../../nc/statement.ts";
 import { FieldMessage } from "../dialog/FieldMessage.tsx";
 import type { FindingEntry } from "../findings/entry.ts";
 import { Icon } from "../Icon.tsx";
 import { DescribeCycle } from "../own/DescribeCycle.tsx";
+import { useOutcome, type Outcome } from "../engine/outcome.ts";
+import { showFile, useShownBeside } from "../files/shown-file.ts";
+import { placeInFile } from "../issue-text.ts";
+import { fileKey } from "../../program/program-files.ts";
+import { useEditor } from "../store.ts";
+import { fileOf } from "../work.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { BlockField } from "./BlockField.tsx";
 import { fieldsOf } from "./block-fields.ts";
-import { editProgram, openBlock, useSession } from "./session.ts";
+import { editProgram, openBlock, readWhole, useSession } from "./session.ts";
 
 /** Nothing offers a nearest value here. */
 const nothing = () => undefined;
@@ -17,15 +23,29 @@ const nothing = () => undefined;
 /** Findings that say of a block that it is kept and not run. */
 const SAYS_SO: ReadonlySet<string> = new Set(["cycleNotSimulated", "notSimulated", "notUnderstood"]);
 
+/** Where the cycle that a block calls is defined, when that is in a called program; null when it is not, or nobody knows. */
+function definedElsewhere(outcome: Outcome | null, call: number | undefined) {
+  const found = outcome?.run.operations.find(({ block, definedFile }) => block === call && definedFile !== undefined);
+  const { program } = useEditor.getState();
+  if (found?.definedFile === undefined || !program || !fileOf(program, fileKey(found.definedFile))) return null;
+  return { file: found.definedFile, block: found.definedIn, line: found.definedLine };
+}
+
 /** The dialog of a block that is no cycle of the catalogue: one field a word, made from the description of its kind. */
 export function BlockForm({ problems }: { readonly problems: readonly FindingEntry[] }) {
-  const t = useTexts().editor;
+  const all = useTexts();
+  const { editor: t } = all;
+  const file = useShownBeside();
+  const newest = useOutcome((s) => s.newest);
   const { reading: { program }, index } = useSession();
   const block = program.blocks[index];
   if (!block) return null;
   const s = block.statement;
   const change = (next: Statement, field: string) => editProgram(withBlock(program, index, next), `block ${index} ${field}`);
-  const definition = s.kind === "cycleCall" ? program.blocks.slice(0, index).findLastIndex((b) => b.statement.kind === "cycle") : -1;
+  const away = s.kind === "cycleCall" && file === null ? definedElsewhere(newest, blockNumbers(program)[index]) : null;
+  const definition = s.kind === "cycleCall" && !away
+    ? program.blocks.slice(0, index).findLastIndex((b) => b.statement.kind === "cycle")
+    : -1;
   const numbers = definition >= 0 ? blockNumbers(program) : [];
   return (
     <div className="block-form" role="form" aria-label={t.form}>
@@ -42,7 +62,21 @@ export function BlockForm({ problems }: { readonly problems: readonly FindingEnt
           {t.goToDefinition(String(numbers[definition] ?? 0))}
         </button>
       )}
-      <div role="status">{problems.map((problem, i) => <FieldMessage key={i} problem={problem} decimals={3} onTake={nothing} />)}</div>
+      {away && (
+        <button type="button" className="button" onClick={() => {
+          showFile(away.file);
+          readWhole();
+          openBlock(startLines(useSession.getState().reading.program).indexOf(away.line));
+        }}>
+          {t.goToDefinitionIn(String(away.block), away.file)}
+        </button>
+      )}
+      <div role="status">
+        {problems.map((problem, i) => (
+          <FieldMessage key={i} problem={problem} decimals={3} onTake={nothing}
+            {...(problem.inFile && { place: placeInFile(all, problem.inFile) })} />
+        ))}
+      </div>
     </div>
   );
 }

@@ -16,6 +16,7 @@ import { holds, useMedia } from "../use-media.ts";
 import { BlockPanel } from "./BlockPanel.tsx";
 import { followProgram } from "./follow.ts";
 import { closeSession, handOverText, openBlock, openSession } from "./session.ts";
+import { showFile } from "../files/shown-file.ts";
 import { StructurePanel } from "./StructurePanel.tsx";
 import { TextPanel } from "./TextPanel.tsx";
 import { TotalsStrip } from "./TotalsStrip.tsx";
@@ -36,6 +37,7 @@ function useProgramSession(): void {
       beforeLeaving.delete(handOverText);
       stop();
       closeSession();
+      showFile(null);
     };
   }, []);
 }
@@ -45,6 +47,7 @@ function openMove(step: number): void {
   const { shown } = useOutcome.getState();
   const index = shown ? shownBlock(shown.run, step) : null;
   if (index === null) return;
+  showFile(null);
   openBlock(index);
   showSection("block");
 }

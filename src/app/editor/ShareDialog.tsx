@@ -7,8 +7,9 @@ import { mayLeave } from "../leaving/leaving.ts";
 import { copyText, useCopying } from "../program/copy.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
+import { useEditor } from "../store.ts";
 import { LONGEST_LINK } from "../files/limits.ts";
-import { handOverText, sessionText } from "./session.ts";
+import { handOverText } from "./session.ts";
 import { shareLink } from "./share.ts";
 
 /** Links longer than this are cut by many programs, characters. */
@@ -28,11 +29,12 @@ export function ShareDialog() {
     <>
       <button type="button" className="button" onClick={() => {
         handOverText();
-        const text = sessionText() ?? "";
-        void mayLeave("share", text).then((allowed) => {
+        const { program } = useEditor.getState();
+        if (!program) return;
+        void mayLeave("share", program.text).then((allowed) => {
           if (!allowed) return;
           setVerdict(allowed);
-          const made = shareLink(pageAddress(), text);
+          const made = shareLink(pageAddress(), program);
           setLink(made.length > LONGEST_LINK ? "" : made);
           dialog.current?.showModal();
         });

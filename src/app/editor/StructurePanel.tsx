@@ -6,6 +6,7 @@ import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { partsOf, type Done, type Part, type PartFilter } from "./program-parts.ts";
 import { openBlock, useSession } from "./session.ts";
+import { useShownBeside } from "../files/shown-file.ts";
 import { useWindow } from "./use-window.ts";
 import { NO_AREA } from "../effect/effect.ts";
 
@@ -30,7 +31,8 @@ export function StructurePanel() {
   const index = useSession((s) => s.index);
   const newest = useOutcome((s) => s.newest);
   const [filter, show] = useState<(typeof FILTERS)[number]>("all");
-  const parts = useMemo(() => partsOf(reading.program, newest), [reading, newest]);
+  const file = useShownBeside();
+  const parts = useMemo(() => partsOf(reading.program, newest, file), [reading, newest, file]);
   const shown = useMemo(() => (filter === "all" ? parts : parts.filter((part) => part.filter === filter)), [parts, filter]);
   const current = shown.findLastIndex((part) => part.index <= index);
   const { box, from, to, above, below, measure } = useWindow(shown.length, current);

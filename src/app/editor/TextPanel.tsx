@@ -12,6 +12,9 @@ import { encode } from "./encoding.ts";
 import { downloadBytes } from "../files/download.ts";
 import { handOverText, sessionText, sessionView, useSession } from "./session.ts";
 import { ShareDialog } from "./ShareDialog.tsx";
+import { shownFile, useShownName } from "../files/shown-file.ts";
+import { SkipSwitch } from "./SkipSwitch.tsx";
+import { WorkFiles } from "./WorkFiles.tsx";
 
 type Saving = "saved" | "notSaved" | null;
 
@@ -19,10 +22,11 @@ type Saving = "saved" | "notSaved" | null;
 export function TextPanel({ toBlock }: { readonly toBlock?: () => void }) {
   const t = useTexts();
   const box = useRef<HTMLDivElement>(null);
-  const name = useEditor((s) => s.program?.name ?? "");
+  const name = useShownName();
   const ready = useSession((s) => s.reading);
   const { faults } = useVerdict();
   const copied = useCopying((c) => c.state === "copied" && c.verdict !== null);
+  const leavesOut = useEditor((s) => s.program?.skipMarked ?? false);
   const [saving, setSaving] = useState<Saving>(null);
 
   useEffect(() => {
@@ -32,11 +36,16 @@ export function TextPanel({ toBlock }: { readonly toBlock?: () => void }) {
     view.requestMeasure();
   }, [ready]);
 
-  const bytes = () => encode(sessionText() ?? "", useEditor.getState().program?.encoding ?? "utf-8");
-  const allowed = (way: Way) => {
-    handOverText();
-    return mayLeave(way, sessionText() ?? "");
+  const bytes = () => {
+    const { program } = useEditor.getState();
+    return encode(sessionText() ?? "", program ? shownFile(program).encoding : "utf-8");
   };
+  /** What is said of a file that leaves is said of the program that runs with it. */
+  const running = () => {
+    handOverText();
+    return useEditor.getState().program?.text ?? "";
+  };
+  const allowed = (way: Way) => mayLeave(way, running());
   const save = async () => {
     if (!(await allowed("save"))) return;
     const { work } = useEditor.getState();
@@ -46,13 +55,14 @@ export function TextPanel({ toBlock }: { readonly toBlock?: () => void }) {
   };
 
   return (
-    <section className="program text-panel" aria-label={t.page.text.title}>
+    <section className={`program text-panel${leavesOut ? " leaves-out" : ""}`} aria-label={t.page.text.title}>
+      <WorkFiles />
+      <SkipSwitch />
       <div ref={box} className="text-editor number" />
       {toBlock && <button type="button" className="button to-block" onClick={toBlock}>{t.editor.form}</button>}
       <div className="program-buttons">
         <button type="button" className="button" aria-label={t.page.text.copyLong} onClick={() => {
-          handOverText();
-          void copyProgram(sessionText() ?? "");
+          void copyProgram(running(), sessionText() ?? "");
         }}>
           <Icon name={faults > 0 ? "warning" : copied ? "check" : "copy"} /> {copied ? t.page.text.copied : t.page.text.copy}
         </button>

@@ -1,4 +1,4 @@
-import { RangeSet, StateEffect, StateField, type EditorState, type Extension } from "@codemirror/state";
+import { RangeSet, StateEffect, type Range, StateField, type EditorState, type Extension } from "@codemirror/state";
 import { Decoration, EditorView, GutterMarker, gutter, type DecorationSet } from "@codemirror/view";
 import { blockNumbers, type Program } from "../../nc/program.ts";
 import { blockAt } from "../../nc/reread.ts";
@@ -34,6 +34,28 @@ const runningField = StateField.define<DecorationSet>({
   provide: (field) => EditorView.decorations.from(field),
 });
 
+const optionalLine = Decoration.line({ class: "nc-optional" });
+
+/** Lines of the blocks in sight that stand behind a skip mark: while the switch is on they are left out. */
+function optionalIn({ state, visibleRanges }: EditorView): DecorationSet {
+  const reading = state.field(readingField);
+  const { program, starts } = reading;
+  const lines: Range<Decoration>[] = [];
+  for (const { from, to } of visibleRanges) {
+    for (let i = Math.max(0, blockAt(reading, from)); i < starts.length && (starts[i] ?? to) <= to; i += 1) {
+      const range = program.blocks[i]?.skip ? blockRange(state, i) : null;
+      for (let at = range?.from ?? Infinity; range && at <= range.to;) {
+        const line = state.doc.lineAt(at);
+        lines.push(optionalLine.range(line.from));
+        at = line.to + 1;
+      }
+    }
+  }
+  return Decoration.set(lines, true);
+}
+
+const optionalBlocks = EditorView.decorations.of(optionalIn);
+
 const numbers = new WeakMap<Program, readonly number[]>();
 function numbersOf(program: Program): readonly number[] {
   const known = numbers.get(program) ?? blockNumbers(program);
@@ -68,4 +90,4 @@ const countedNumbers = gutter({
   markers: () => RangeSet.empty,
 });
 
-export const blockMarks: Extension = [openBlock, runningField, countedNumbers];
+export const blockMarks: Extension = [openBlock, runningField, optionalBlocks, countedNumbers];

@@ -84,12 +84,12 @@ export function problemsOfBlock(
   const last = line + (program.blocks[index]?.lines ?? 1) - 1;
   const block = blockNumbers(program)[index] ?? null;
   const typed = issues.map((issue): FindingEntry => entryAt(issue, issue.at ?? null, block));
-  const found = findings.filter((f) => f.line !== null && f.line >= line && f.line <= last).map(({ issue }): FindingEntry =>
-    entryAt(issue, ("at" in issue ? issue.at : null) ?? null, block)
+  const found = findings.filter((f) => f.line !== null && f.line >= line && f.line <= last).map(({ issue, inFile }): FindingEntry =>
+    entryAt(issue, ("at" in issue ? issue.at : null) ?? null, block, inFile)
   );
   const all = new Map<string, FindingEntry>();
   for (const problem of [...typed, ...found]) {
-    const key = JSON.stringify([problem.issue.code, problem.at, problem.issue.data]);
+    const key = JSON.stringify([problem.issue.code, problem.at, problem.issue.data, problem.inFile]);
     if (!all.has(key)) all.set(key, problem);
   }
   return [...all.values()];

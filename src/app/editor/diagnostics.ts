@@ -5,20 +5,19 @@ import type { Texts } from "../../i18n/index.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { blockAt } from "../../nc/reread.ts";
 import type { RunFinding } from "../../program/run-types.ts";
-import { issueText } from "../issue-text.ts";
+import { issueText, placeInFile } from "../issue-text.ts";
 import { readingField } from "./reading-field.ts";
 
 /** More marks than these would say no more. */
 const MOST = 1500;
 
+type Found = Pick<RunFinding, "issue" | "line"> & { readonly inFile?: RunFinding["inFile"] | undefined };
+
 /** Where a finding stands in the editor's text. */
-export function placeOf(
-  state: EditorState,
-  { issue, line }: Pick<RunFinding, "issue" | "line">,
-): { readonly from: number; readonly to: number } | null {
+export function placeOf(state: EditorState, { issue, line, inFile }: Found): { readonly from: number; readonly to: number } | null {
   if (line === null || line < 1 || line > state.doc.lines) return null;
   const at = state.doc.line(line);
-  if ("column" in issue) {
+  if ("column" in issue && !inFile) {
     const from = Math.min(at.to, at.from + issue.column - 1);
     return { from, to: Math.min(at.to, from + issue.length) };
   }
@@ -26,10 +25,10 @@ export function placeOf(
 }
 
 /** The correction that a finding of the reader offers, in the editor's text; null without one. */
-export function fixOf(state: EditorState, finding: Pick<RunFinding, "issue" | "line">): TransactionSpec | null {
+export function fixOf(state: EditorState, finding: Found): TransactionSpec | null {
   const { issue } = finding;
   const place = placeOf(state, finding);
-  if (!place || !("fix" in issue) || !issue.fix) return null;
+  if (!place || finding.inFile || !("fix" in issue) || !issue.fix) return null;
   const from = place.from + issue.fix.offset - issue.offset;
   const to = from + issue.fix.length;
   return from < 0 || to > state.doc.length ? null : { changes: { from, to, insert: issue.fix.text }, userEvent: "input.fix" };
@@ -56,10 +55,11 @@ export function diagnosticsOf(
     const place = placeOf(state, finding);
     if (!place) continue;
     const fix = fixOf(state, finding);
+    const said = issueText(t, language, finding.issue, cycleOf(state, place.from));
     all.push({
       ...place,
       severity: finding.issue.severity,
-      message: issueText(t, language, finding.issue, cycleOf(state, place.from)),
+      message: finding.inFile ? `${placeInFile(t, finding.inFile)}: ${said}` : said,
       ...(fix && {
         actions: [{
           name: t.findings.fix,

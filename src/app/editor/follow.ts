@@ -1,6 +1,6 @@
 import { EditorView } from "@codemirror/view";
 import { shownBlock } from "../approach/shown-view.ts";
-import { useOutcome, type Outcome } from "../engine/outcome.ts";
+import { isMadeFrom, useOutcome, type Outcome } from "../engine/outcome.ts";
 import { showSection, usePlace } from "../place.ts";
 import { playback } from "../playback.ts";
 import { texts } from "../settings/loaded-texts.ts";
@@ -12,11 +12,15 @@ import { inWords } from "./editor-extensions.ts";
 import { openPrompts } from "./open-block.ts";
 import { blockRange } from "./reading-field.ts";
 import { holds } from "../use-media.ts";
-import { dispatchEdit, openBlock, sessionText, sessionView, useSession } from "./session.ts";
+import { dispatchEdit, followShown, openBlock, sessionText, sessionView, useSession } from "./session.ts";
+import { findingsShown } from "../files/shown-findings.ts";
+import { shownBeside, shownFile } from "../files/shown-file.ts";
 
-/** True when a result was made from the text as it stands now. */
-const isPresent = (outcome: Outcome | null): outcome is Outcome =>
-  outcome !== null && outcome.text === useEditor.getState().program?.text && outcome.text === sessionText();
+/** True when a result was made from the work as it stands now, the text in the editor included. */
+export function isPresent(outcome: Outcome | null): outcome is Outcome {
+  const { program } = useEditor.getState();
+  return outcome !== null && program !== null && isMadeFrom(outcome, program) && shownFile(program).text === sessionText();
+}
 
 /** Opens the prompt that the cursor stands at, or the first one, where the open block has prompts. */
 function showAskedPrompt(): void {
@@ -49,7 +53,10 @@ function mark(): void {
   const { newest } = useOutcome.getState();
   if (!view || !isPresent(newest)) return;
   const { language } = useSettings.getState();
-  view.dispatch(diagnosticsOf(view, newest.run.issues, texts(language), language, (spec) => dispatchEdit(spec, null)));
+  view.dispatch(
+    diagnosticsOf(view, findingsShown(newest.run.issues, shownBeside()?.name ?? null), texts(language), language, (spec) =>
+      dispatchEdit(spec, null)),
+  );
 }
 
 function followOutcome(): () => void {
@@ -65,16 +72,27 @@ function followLanguage(): () => void {
     mark();
   };
   put();
-  return useSettings.subscribe((now, before) => {
-    if (now.language !== before.language) put();
-  });
+  const stops = [
+    useSettings.subscribe((now, before) => {
+      if (now.language !== before.language) put();
+    }),
+    useSession.subscribe((now, before) => {
+      if (now.put !== before.put) put();
+    }),
+  ];
+  return () => {
+    for (const stop of stops) stop();
+  };
 }
 
-/** Index of the block whose move stands at the playback's position; null at the start, and where the text has changed since. */
+/**
+ * Index of the block whose move stands at the playback's position; null at the start, where the text has changed since, and
+ * in the text of a called program: a move knows the block of the program that called.
+ */
 function runningBlock(): number | null {
   const { shown } = useOutcome.getState();
   const { position } = playback.get();
-  if (!isPresent(shown) || (position.step === 0 && position.fraction === 0)) return null;
+  if (shownBeside() || !isPresent(shown) || (position.step === 0 && position.fraction === 0)) return null;
   return shownBlock(shown.run, position.step);
 }
 
@@ -97,7 +115,7 @@ function followPlayback(): () => void {
 
 /** From now on text, dialog, marks and animation of the open program go together. */
 export function followProgram(): () => void {
-  const stops = [followSession(), followPrompt(), followOutcome(), followLanguage(), followPlayback()];
+  const stops = [followShown(), followSession(), followPrompt(), followOutcome(), followLanguage(), followPlayback()];
   showAskedPrompt();
   return () => {
     for (const stop of stops) stop();

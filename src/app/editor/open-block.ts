@@ -11,6 +11,8 @@ import { libraryOf, useOwnCycles } from "../own/own-reading.ts";
 import { readingOfOwn, type OwnBlock } from "../own/own-block.ts";
 import { problemsOfBlock, readingOfBlock, withPrompt } from "./block-prompts.ts";
 import { editProgram, useSession, type Session } from "./session.ts";
+import { useShownBeside } from "../files/shown-file.ts";
+import { findingsShown } from "../files/shown-findings.ts";
 
 /** What is typed into the prompts of the open block; the text has it as soon as it can be read. */
 interface Typed {
@@ -44,12 +46,19 @@ export function useOpenBlock(): { readonly read: JobReading | null; readonly own
   const session = useSession();
   const draft = useTyped((typed) => draftIn(typed, session));
   const findings = useOutcome((s) => s.newest?.run.issues);
+  const file = useShownBeside();
   const { reading: { program }, index } = session;
   const read = useMemo(() => readingOfBlock(program, index, draft), [program, index, draft]);
   const cycles = useOwnCycles();
   const own = useMemo(() => readingOfOwn(program, index, draft, cycles), [program, index, draft, cycles]);
   const issues = read?.reading.issues ?? own?.issues ?? none;
-  const problems = useMemo(() => problemsOfBlock(program, index, issues, findings ?? []), [program, index, issues, findings]);
+  const problems = useMemo(() => problemsOfBlock(program, index, issues, findingsShown(findings ?? [], file)), [
+    program,
+    index,
+    issues,
+    findings,
+    file,
+  ]);
   return { read, own, problems };
 }
 

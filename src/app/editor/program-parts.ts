@@ -3,6 +3,7 @@ import type { Statement } from "../../nc/statement.ts";
 import { actsAtOnce } from "../../program/unproved-blocks.ts";
 import type { Outcome } from "../engine/outcome.ts";
 import { kindOf, type BlockKind } from "./block-kind.ts";
+import { isDefinedIn } from "../files/shown-findings.ts";
 
 /** What the list of parts can be narrowed to. */
 export type PartFilter = "operations" | "labels" | "notes";
@@ -53,11 +54,14 @@ const filters: Partial<Record<Statement["kind"], PartFilter>> = {
 export const firstLine = (raw: string): string =>
   (/^\s*\/?\s*(?:\d+(?![\d.,])\s*)?(.*?)\s*~?\s*(?:[\r\n]|$)/.exec(raw)?.[1] ?? "").replace(/\s+/g, " ");
 
-/** What the calls of each definition did, by the line of the definition. A call that makes no path has done nothing. */
-export function doneByLine({ run, simulation }: Outcome): ReadonlyMap<number, Done> {
+/**
+ * What the calls of each definition in one text did, by the line of the definition; `file` is that of a called program. A call
+ * that makes no path has done nothing.
+ */
+export function doneByLine({ run, simulation }: Outcome, file: string | null): ReadonlyMap<number, Done> {
   const all = new Map<number, Done>();
   run.operations.forEach((operation, i) => {
-    if (operation.plan.moves.length === 0) return;
+    if (operation.plan.moves.length === 0 || !isDefinedIn(operation, file)) return;
     const before = all.get(operation.definedLine) ?? { passes: 0, seconds: 0, residue: 0 };
     const residue = simulation.proof.residual.reduce((sum, r) => (r.operation === i ? sum + r.area : sum), 0);
     all.set(operation.definedLine, {
@@ -70,10 +74,10 @@ export function doneByLine({ run, simulation }: Outcome): ReadonlyMap<number, Do
 }
 
 /** The parts of a program in their order: tools, cycles, labels, contours, notes. */
-export function partsOf(program: Program, outcome: Outcome | null): readonly Part[] {
+export function partsOf(program: Program, outcome: Outcome | null, file: string | null = null): readonly Part[] {
   const numbers = blockNumbers(program);
   const lines = outcome ? startLines(program) : [];
-  const done = outcome ? doneByLine(outcome) : null;
+  const done = outcome ? doneByLine(outcome, file) : null;
   const parts: Part[] = [];
   program.blocks.forEach(({ statement: s, raw }, index) => {
     const filter = filters[s.kind];

@@ -4,15 +4,17 @@ import { EditorView, type ViewUpdate } from "@codemirror/view";
 import { create } from "zustand";
 import { readingOf, type Reading } from "../../nc/reread.ts";
 import type { Program } from "../../nc/program.ts";
+import { fileKey } from "../../program/program-files.ts";
 import { typingGoesOn } from "../engine/quiet.ts";
-import { goesOn, note } from "../steps.ts";
+import { closeStep, goesOn, note } from "../steps.ts";
 import { setProgram, useEditor } from "../store.ts";
-import type { ProgramWork } from "../work.ts";
+import { fileOf, withText, type ProgramWork, type WorkFile } from "../work.ts";
 import { changesBetween } from "./block-edits.ts";
 import { dialogEdit } from "./dialog-edit.ts";
 import { editorExtensions } from "./editor-extensions.ts";
 import { fromEditor, lineEndsOf, toEditor, type LineEnds } from "./line-ends.ts";
 import { blockRange, cursorBlock, isRead, parameterAt, readFurther, readingField } from "./reading-field.ts";
+import { onShown, shownFile, showFile } from "../files/shown-file.ts";
 
 /** What the panels beside the text show: the blocks, and which one is open. */
 export interface Session {
@@ -25,9 +27,11 @@ export interface Session {
   readonly opened: number;
   /** Counts up with each block that was pointed at in the text. */
   readonly pointed: number;
+  /** Counts up with each text that is put into the editor in place of another. */
+  readonly put: number;
 }
 
-const none: Session = { reading: readingOf(""), index: -1, parameter: null, opened: 0, pointed: 0 };
+const none: Session = { reading: readingOf(""), index: -1, parameter: null, opened: 0, pointed: 0, put: 0 };
 export const useSession = create<Session>(() => none);
 
 /** Rest after typing before panels follow, and before a text of this many blocks is calculated and kept, ms. */
@@ -36,19 +40,24 @@ const REST = 150;
 const LONG_REST = 700;
 const LONG = 1500;
 
-/** The text of a program with its own history. It outlives its editor, so that undo reaches it again when the program is opened again. */
+/** The text of a file with its own history. It outlives its editor, so that undo reaches it again when the file is opened again. */
 interface Text {
   readonly work: string;
+  /** Key of its file in the work. */
+  readonly file: string;
   readonly ends: LineEnds;
   state: EditorState;
 }
 
-/** Texts that are held after their program was left. */
-const HELD = 5;
+/** Texts that are held after they were left. */
+const HELD = 8;
 const texts = new Map<string, Text>();
+const nameOf = ({ work, file }: Pick<Text, "work" | "file">) => `${work} ${file}`;
 
 let view: EditorView | null = null;
 let open: Text | null = null;
+/** The work is taking in what stands in the editor: nothing has to be put there. */
+let handing = false;
 let panels: ReturnType<typeof setTimeout> | undefined;
 let calculation: ReturnType<typeof setTimeout> | undefined;
 let reading: ReturnType<typeof setTimeout> | undefined;
@@ -62,7 +71,7 @@ function fileText({ state: { doc }, ends }: Text): string {
   return known;
 }
 
-/** The text of the open program as its file has it; null when none is open. */
+/** The text in the editor as its file has it; null when none is open. */
 export const sessionText = (): string | null => (open ? fileText(open) : null);
 
 /** Hands the text to keeping and calculation now. */
@@ -72,17 +81,25 @@ export function handOverText(): void {
   const { program, work } = useEditor.getState();
   if (!open || !program || open.work !== work) return;
   const text = fileText(open);
-  if (program.text !== text) setProgram({ ...program, text });
+  const before = fileOf(program, open.file)?.text;
+  if (before === undefined || before === text) return;
+  handing = true;
+  setProgram(withText(program, open.file, text));
+  handing = false;
 }
 
-/** Goes one step through the history of a text, in its editor when it is open. */
+/** Goes one step through the history of a text, in its editor when it is open; another one is opened to be seen. */
 function go(text: Text, command: StateCommand): boolean {
-  if (texts.get(text.work) !== text || useEditor.getState().work !== text.work) return false;
+  if (texts.get(nameOf(text)) !== text || useEditor.getState().work !== text.work) return false;
   if (view && open === text) return command(view);
+  handOverText();
   const { program } = useEditor.getState();
+  if (!program || !fileOf(program, text.file)) return false;
   const done = command({ state: text.state, dispatch: (tr) => (text.state = tr.state) });
-  if (done && program) setProgram({ ...program, text: fileText(text) });
-  return done;
+  if (!done) return false;
+  setProgram(withText(program, text.file, fileText(text)));
+  showFile(text.file);
+  return true;
 }
 
 /** Notes what was typed as a step of the page's history, where the text's own begins a new one. */
@@ -124,13 +141,23 @@ function onUpdate(update: ViewUpdate): void {
   if (update.transactions.some((tr) => tr.isUserEvent("select.pointer"))) useSession.setState((s) => ({ pointed: s.pointed + 1 }));
 }
 
-/** The text of a program, with the history it has when it was open before and is still the same. */
-function textOf({ text }: ProgramWork, work: string): Text {
-  const held = texts.get(work);
+/** The text of a file, with the history it has when it was open before and is still the same. */
+function textOf({ name, text }: WorkFile, work: string): Text {
+  const file = fileKey(name);
+  const held = texts.get(nameOf({ work, file }));
   if (held && fileText(held) === text) return held;
   const ends = lineEndsOf(text);
   const extensions = [editorExtensions(ends === "mixed"), EditorView.updateListener.of(onUpdate)];
-  return { work, ends, state: EditorState.create({ doc: toEditor(text, ends), extensions }) };
+  return { work, file, ends, state: EditorState.create({ doc: toEditor(text, ends), extensions }) };
+}
+
+/** Takes up the text that is to be shown, and holds it for later. */
+function takeUp(program: ProgramWork, work: string): Text {
+  const text = textOf(shownFile(program), work);
+  texts.delete(nameOf(text));
+  texts.set(nameOf(text), text);
+  for (const [oldest] of texts) if (texts.size > HELD) texts.delete(oldest);
+  return text;
 }
 
 /** Reads a long text to its end, piece by piece, so that the page answers in between. */
@@ -143,17 +170,49 @@ function readToEnd(): void {
   });
 }
 
+/** Reads the shown text to its end now: a place far down in it is to be shown. */
+export function readWhole(): void {
+  while (view && !isRead(view.state)) view.dispatch(readFurther);
+}
+
 /** Opens a program in an editor; what was open before is left. */
 export function openSession(program: ProgramWork, work: string): EditorView {
   closeSession();
-  open = textOf(program, work);
-  texts.delete(work);
-  texts.set(work, open);
-  for (const [oldest] of texts) if (texts.size > HELD) texts.delete(oldest);
+  open = takeUp(program, work);
   view = new EditorView({ state: open.state });
   show(true);
   readToEnd();
   return view;
+}
+
+/** Puts the text that is to be shown into the editor, where that is another file, or one that was changed elsewhere. */
+function putShown(): void {
+  const { program, work } = useEditor.getState();
+  if (!view || !open || !program || open.work !== work) return;
+  const shown = shownFile(program);
+  if (fileKey(shown.name) === open.file && shown.text === fileText(open)) return;
+  closeStep();
+  open = takeUp(program, open.work);
+  view.setState(open.state);
+  show(true);
+  readToEnd();
+  useSession.setState((s) => ({ put: s.put + 1 }));
+}
+
+/** From now on the editor goes along when another file is to be shown, or the shown one changes elsewhere: it is replaced, or undone. */
+export function followShown(): () => void {
+  const stops = [
+    onShown(() => {
+      handOverText();
+      putShown();
+    }),
+    useEditor.subscribe((now, before) => {
+      if (!handing && now.program !== before.program) putShown();
+    }),
+  ];
+  return () => {
+    for (const stop of stops) stop();
+  };
 }
 
 export function closeSession(): void {

@@ -31,12 +31,27 @@ test("bytes come back as they were, whatever they stand for", () => {
 
 test("a link carries the program, and a damaged one nothing", () => {
   fc.assert(fc.property(fc.string({ unit: "grapheme" }), (t) => {
-    const link = shareLink("https://example.org/page", t);
+    const link = shareLink("https://example.org/page", { name: "T.H", text: t, encoding: "utf-8" });
     expect(link).toMatch(/^https:\/\/example\.org\/page#p=[\w-]*$/);
-    expect(sharedProgram(new URL(link).hash)).toEqual({ kind: "program", text: t });
+    expect(sharedProgram(new URL(link).hash)).toEqual({ kind: "text", text: t });
   }));
   expect(sharedProgram("#p=%%%")).toEqual({ kind: "damaged" });
   expect(sharedProgram("#q=1")).toEqual({ kind: "damaged" });
+});
+
+test("a link carries what belongs to the program, and only that", () => {
+  const work = {
+    name: "MAIN.H",
+    text: "CALL PGM CUT\r\n",
+    encoding: "windows-1252" as const,
+    files: [{ name: "cut.h", text: "L X+1 ;Ø\n", encoding: "utf-8" as const }],
+    skipMarked: true,
+  };
+  const link = shareLink("https://example.org/page", work);
+  expect(sharedProgram(new URL(link).hash)).toEqual({ kind: "work", program: work });
+  const foreign = shareLink("https://example.org/page", { ...work, files: [{ name: "a.h" } as never] });
+  expect(sharedProgram(new URL(foreign).hash)).toEqual({ kind: "damaged" });
+  expect(sharedProgram(new URL(link).hash, 40)).toEqual({ kind: "tooLarge" });
 });
 
 test("changes between programs lead from one text to the other", () => {

@@ -22,8 +22,8 @@ test("a link that unpacks to more than is opened says so, one byte less is a pro
   expect(sharedProgram(hashOf(bomb))).toEqual({ kind: "tooLarge" });
   const text = "0 BEGIN PGM Ø MM\n".repeat(3000);
   const size = strToU8(text).length;
-  const hash = new URL(shareLink("https://example.org/", text)).hash;
-  expect(sharedProgram(hash, size)).toEqual({ kind: "program", text });
+  const hash = new URL(shareLink("https://example.org/", { name: "T.H", text, encoding: "utf-8" })).hash;
+  expect(sharedProgram(hash, size)).toEqual({ kind: "text", text });
   expect(sharedProgram(hash, size - 1)).toEqual({ kind: "tooLarge" });
 });
 

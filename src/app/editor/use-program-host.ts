@@ -3,44 +3,83 @@ import { writeTyped } from "../dialog/write-value.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import type { FindingEntry } from "../findings/entry.ts";
 import type { FindingsHost, Mend } from "../findings/host.ts";
+import { askForFiles } from "../files/file-handle.ts";
+import { missingFile } from "../files/missing-files.ts";
+import { addFiles } from "../files/open-program.ts";
+import { showFile, useShownBeside } from "../files/shown-file.ts";
+import { isIn, ownPlace } from "../files/shown-findings.ts";
+import { placeInFile } from "../issue-text.ts";
+import type { Program } from "../../nc/program.ts";
 import { showSection } from "../place.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { fixOf } from "./diagnostics.ts";
-import { indexOf, repairsOf, withTool, type Repair } from "./repairs.ts";
-import { dispatchEdit, editProgram, openBlock, sessionText, sessionView, useSession } from "./session.ts";
+import { fileKey } from "../../program/program-files.ts";
+import { useEditor } from "../store.ts";
+import { fileOf } from "../work.ts";
+import { isPresent } from "./follow.ts";
+import { indexOf, repairsOf, toolCallBefore, withTool, type Repair } from "./repairs.ts";
+import { dispatchEdit, editProgram, openBlock, readWhole, sessionView, useSession } from "./session.ts";
 
 /** Decimals of offered values. */
 const DECIMALS = 4;
 
-/** The workplace of a whole program: its blocks and their dialogs. What is found in an older text offers no changes. */
+/** The blocks of the text that is shown now. */
+const shownProgram = (): Program => useSession.getState().reading.program;
+
+/** The file beside the program in which a finding stands; null for the program that runs, or a file that is no longer there. */
+function fileOfEntry({ inFile }: FindingEntry): string | null {
+  const { program } = useEditor.getState();
+  return inFile && program && fileOf(program, fileKey(inFile.file)) ? inFile.file : null;
+}
+
+/** A finding at its place in the text of its own file. */
+const inOwnText =
+  (entry: FindingEntry): FindingEntry => (fileOfEntry(entry) === null ? entry : { ...entry, ...ownPlace(entry), inFile: undefined });
+
+/** Shows the text in which a finding stands, and gives the index of its block there. */
+function showPlace(entry: FindingEntry): number {
+  showFile(fileOfEntry(entry));
+  readWhole();
+  return indexOf(shownProgram(), inOwnText(entry));
+}
+
+/**
+ * The workplace of a whole program: its blocks and their dialogs. What is found in an older text offers no changes, and what is
+ * found in a text that is not shown offers the way there first.
+ */
 export function useProgramHost(): FindingsHost {
   const t = useTexts();
   const language = useSettings((s) => s.language);
   const reading = useSession((s) => s.reading);
   const newest = useOutcome((s) => s.newest);
+  const beside = useShownBeside();
   return useMemo(() => {
     const { program } = reading;
-    const isPresent = () => newest !== null && newest.text === sessionText();
+    const isShown = (entry: FindingEntry) => isIn({ inFile: fileOfEntry(entry) === null ? undefined : entry.inFile }, beside);
     const nameOf = ({ kind, text, block }: Repair): string => {
       if (kind === "take") return t.dialog.takeNearest(typeof text === "number" ? writeTyped(language, text, DECIMALS) : text);
       if (kind === "write") return t.findings.write(String(text), block);
       return kind === "insert" ? t.findings.insert(String(text)) : t.findings.remove(String(text));
     };
-    const open = (entry: FindingEntry) => openBlock(indexOf(program, entry), entry.at);
+    const open = (entry: FindingEntry) => openBlock(showPlace(entry), entry.at);
     const targetOf: FindingsHost["targetOf"] = (entry) => {
-      const index = indexOf(program, entry);
-      if (index < 0) return null;
+      const index = isShown(entry) ? indexOf(program, inOwnText(entry)) : null;
+      if (index === -1 || (entry.block === null && entry.line === null)) return null;
       const go = () => {
         open(entry);
         showSection("block");
       };
-      return { name: t.findings.inBlock(String(entry.block ?? index)), go };
+      return { name: entry.inFile ? placeInFile(t, entry.inFile) : t.findings.inBlock(String(entry.block ?? index)), go };
     };
     const remediesOf: FindingsHost["remediesOf"] = (entry) => {
+      const missing = missingFile(entry);
+      if (missing !== null)
+        return [{ name: t.editor.files.addOne(missing), apply: () => void askForFiles().then((chosen) => addFiles(chosen, missing)) }];
       const view = sessionView();
-      if (!view || !isPresent()) return [];
-      const repairs = repairsOf(program, entry, language).map((repair): Mend => ({
+      if (!view || !isPresent(newest) || !isShown(entry)) return [];
+      const own = inOwnText(entry);
+      const repairs = repairsOf(program, own, language).map((repair): Mend => ({
         name: nameOf(repair),
         apply: () => {
           editProgram(repair.next(), null, repair.open);
@@ -49,17 +88,24 @@ export function useProgramHost(): FindingsHost {
       }));
       const tool = entry.issue.code === "betterTool" && repairs.length === 0 ? entry.issue.data.tool : null;
       if (tool !== null) return [{ name: t.setup.tool.take(tool), apply: () => takeTool(entry, tool) }];
-      const fix = fixOf(view.state, entry);
+      const fix = fixOf(view.state, own);
       return fix ? [{ name: t.findings.fix, apply: () => dispatchEdit(fix, null) }, ...repairs] : repairs;
     };
     const takeTool: FindingsHost["takeTool"] = (entry, tool) => {
-      const index = indexOf(program, entry);
-      if (index >= 0 && isPresent()) editProgram(withTool(program, index, tool), null);
+      if (!isPresent(newest)) return;
+      let index = showPlace(entry);
+      // A called program may leave the tool to the one that calls it.
+      if (entry.inFile && toolCallBefore(shownProgram(), index) < 0) {
+        showFile(null);
+        index = indexOf(shownProgram(), entry);
+      }
+      if (index >= 0) editProgram(withTool(shownProgram(), index, tool), null);
     };
     const cycleOf: FindingsHost["cycleOf"] = (entry) => {
-      const s = program.blocks[indexOf(program, entry)]?.statement;
+      if (!isShown(entry)) return entry.operation === null ? null : (newest?.run.operations[entry.operation]?.cycle ?? null);
+      const s = program.blocks[indexOf(program, inOwnText(entry))]?.statement;
       return s?.kind === "cycle" ? s.cycle : null;
     };
     return { targetOf, remediesOf, cycleOf, point: open, toFirstOpen: () => undefined, takeTool };
-  }, [t, language, reading, newest]);
+  }, [t, language, reading, newest, beside]);
 }

@@ -2,6 +2,7 @@ import { proxy, releaseProxy, wrap, type Remote } from "comlink";
 import type { Job } from "../../program/job.ts";
 import { readText } from "../../program/field.ts";
 import { SETUP_FIELDS } from "../../program/setup-fields.ts";
+import { fileKey } from "../../program/program-files.ts";
 import type { ShopTools } from "../../program/read-tools.ts";
 import type { Control } from "../../program/plane-types.ts";
 import type { Operation } from "../../program/run-types.ts";
@@ -14,7 +15,7 @@ import { notice } from "../saving/keep.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useEditor, type Editor } from "../store.ts";
 import { toolTable, useTools } from "../tools/tool-store.ts";
-import type { ProgramWork } from "../work.ts";
+import { filesOf, type ProgramWork, type WorkFile } from "../work.ts";
 import type { Comparer } from "../which/comparison.ts";
 import type { Called, Engine, Request } from "./engine.ts";
 import { pauseInTyping } from "./quiet.ts";
@@ -61,7 +62,11 @@ function inTime<T>(answer: Promise<T>): Promise<T> {
 let version = 0;
 /** Answers up to this version belong to a work that was left: one that comes late must not stand under the name of the next. */
 let left = 0;
-let waiting: Request | null = null;
+/** A request with the very files that it was made of: what comes back from the worker has none. */
+interface Wanted extends Request {
+  readonly files?: readonly WorkFile[];
+}
+let waiting: Wanted | null = null;
 let busy = false;
 
 const CANCELLED = new Error("the operator stopped the calculation");
@@ -72,16 +77,18 @@ let running: Request | null = null;
 let cancel: (why: Error) => void = () => undefined;
 
 /** The answer to a request; its stages are told while it is that of the open work. */
-function outcomeOf(request: Request): Promise<Outcome> {
+async function outcomeOf(request: Wanted): Promise<Outcome> {
+  const { files, skipMarked } = request;
   const toldOf = (stage: Stage) => {
     if (busy && request.version > left) atStage(stage);
   };
-  return Promise.race([
+  const made = await Promise.race([
     inTime(started().update(request, proxy(toldOf))),
     new Promise<never>((_, reject) => {
       cancel = reject;
     }),
   ]);
+  return { ...made, ...(files && { files }), ...(skipMarked !== undefined && { skipMarked }) };
 }
 
 /** Calculates what waits; while one calculation runs only the newest request waits. */
@@ -126,7 +133,7 @@ const USUAL_RAPID = 10_000;
 const rapidOf = (job: Job): number => readText(SETUP_FIELDS.rapid, job.rapid).value ?? USUAL_RAPID;
 
 let last: { readonly text: string; readonly table: ShopTools; readonly rapid: number; readonly control: Control;
-  readonly cycle: number | null; readonly work: string | null } | null = null;
+  readonly cycle: number | null; readonly work: string | null; readonly program?: ProgramWork } | null = null;
 
 /** Another work, or none: nothing is known of it, and what is still being calculated is not of it. */
 function leave(): void {
@@ -141,16 +148,21 @@ function leave(): void {
   forgetOutcome();
 }
 
+const isSameProgram = (a: ProgramWork, b: ProgramWork | undefined): boolean =>
+  a.text === b?.text && a.name === b.name && filesOf(a) === filesOf(b) && (a.skipMarked ?? false) === (b.skipMarked ?? false);
+
 /** A whole program is calculated as it stands, right or wrong. */
-function followProgram({ text }: ProgramWork, name: string | null): void {
-  if (last && (last.cycle !== null || last.work !== name)) leave();
+function followProgram(program: ProgramWork, name: string | null): void {
+  const isOther = last?.program && fileKey(last.program.name) !== fileKey(program.name);
+  if (last && (last.cycle !== null || last.work !== name || isOther)) leave();
   const table = toolTable();
   const { control } = useSettings.getState();
-  if (last?.text === text && last.table === table && last.control === control) return;
+  if (last && isSameProgram(program, last.program) && last.table === table && last.control === control) return;
   pause(false);
-  last = { text, table, rapid: USUAL_RAPID, control, cycle: null, work: name };
+  const { text, skipMarked = false } = program;
+  last = { text, table, rapid: USUAL_RAPID, control, cycle: null, work: name, program };
   version += 1;
-  waiting = { version, text, table, rapid: USUAL_RAPID, control };
+  waiting = { version, text, name: program.name, files: filesOf(program), skipMarked, table, rapid: USUAL_RAPID, control };
   void work();
 }
 

@@ -3,6 +3,7 @@ import { parse } from "../../nc/parse.ts";
 import { knownParameters } from "../../program/job-parameters.ts";
 import { readDraft } from "../../program/read-draft.ts";
 import type { ShopTools } from "../../program/read-tools.ts";
+import { filesByName } from "../../program/program-files.ts";
 import { run } from "../../program/run.ts";
 import { rankTools, type ToolFit } from "../../program/which-tool.ts";
 import { remedies, type Remedy } from "../../report/remedies.ts";
@@ -15,6 +16,7 @@ import type { Control } from "../../program/plane-types.ts";
 import type { Job } from "../../program/job.ts";
 import type { Operation } from "../../program/run-types.ts";
 import { givenOf } from "./given.ts";
+import type { WorkFile } from "../work.ts";
 import type { Outcome, Stage } from "./outcome.ts";
 import type { Wanted } from "../../cycles/wanted.ts";
 import type { Ring } from "../../kernel/point.ts";
@@ -25,6 +27,12 @@ import { tryWay, type Tried } from "../../report/which/try-way.ts";
 export interface Request {
   readonly version: number;
   readonly text: string;
+  /** Name of its file. */
+  readonly name?: string;
+  /** The files beside it: what it can call. */
+  readonly files?: readonly Pick<WorkFile, "name" | "text">[];
+  /** Blocks behind a skip mark are left out. */
+  readonly skipMarked?: boolean;
   /** The tools that the program can call. */
   readonly table: ShopTools;
   /** Rapid rate for times, mm/min. */
@@ -46,14 +54,25 @@ export type Called = Pick<Operation, "cycle" | "tool" | "feedUnit" | "call">;
 /** Everything that takes time, as plain functions of plain data. Runs in a worker. */
 export const engine = {
   /** From the program text to moves, stock, proof and times. `atStage` is told what it begins. */
-  update({ version, text, table, rapid, control }: Request, atStage: (stage: Stage) => void = () => undefined): Outcome {
+  update(
+    { version, text, name, files = [], skipMarked = false, table, rapid, control }: Request,
+    atStage: (stage: Stage) => void = () => undefined,
+  ): Outcome {
     atStage("reading");
     const program = parse(text);
     atStage("running");
-    const made = run(program, { ...table, rapid, control });
+    const beside = filesByName(name === undefined ? files : [{ name, text }, ...files], parse);
+    const taken = new Set([program]);
+    const find = (key: string) => {
+      const found = beside.find(key);
+      if (found) taken.add(found.program);
+      return found;
+    };
+    const made = run(program, { ...table, rapid, control, files: { find }, skipMarked });
     atStage("proving");
     const simulation = simulate(made);
-    return { version, text, run: made, simulation };
+    const marked = [...taken].some(({ blocks }) => blocks.some(({ skip }) => skip));
+    return { version, text, marked, run: made, simulation };
   },
 
   /** What each tool can do with the values of a job, best first; null while they make no contour. */

@@ -1,5 +1,6 @@
 import { create } from "zustand";
 import { chooseFinding } from "../findings/chosen.ts";
+import { filesOf, type ProgramWork, type WorkFile } from "../work.ts";
 import type { Run } from "../../program/run-types.ts";
 import type { Simulation } from "../../sim/simulation.ts";
 
@@ -8,9 +9,18 @@ export interface Outcome {
   /** Counts up with each text that was sent. */
   readonly version: number;
   readonly text: string;
+  /** The files beside it and the switch of the skip mark, as they were sent; absent for a job. */
+  readonly files?: readonly WorkFile[];
+  readonly skipMarked?: boolean;
+  /** The program, or one that it has called, has blocks behind a skip mark. */
+  readonly marked?: boolean;
   readonly run: Run;
   readonly simulation: Simulation;
 }
+
+/** True when a result was made from a program as it stands. */
+export const isMadeFrom = ({ text, files, skipMarked = false }: Outcome, program: ProgramWork): boolean =>
+  text === program.text && files === filesOf(program) && skipMarked === (program.skipMarked ?? false);
 
 /** From text to proof. */
 export const STAGES = ["reading", "running", "proving"] as const;

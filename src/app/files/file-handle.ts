@@ -1,3 +1,5 @@
+import { fileKey } from "../../program/program-files.ts";
+
 /** A file that the browser lets the page write back to. */
 export interface FileHandle {
   readonly name: string;
@@ -12,24 +14,52 @@ interface FilePickers {
 }
 
 const pickers = (): FilePickers => window as FilePickers;
-const types = [{ description: "Klartext", accept: { "text/plain": [".h", ".H", ".i", ".txt"] } }];
+/** Endings of programs, and of the points and tables beside them. */
+export const ENDINGS: readonly string[] = [".h", ".H", ".i", ".I", ".hc", ".hu", ".d", ".tab", ".pnt", ".txt"];
+const types = [{ description: "Klartext", accept: { "text/plain": ENDINGS } }];
 
 /** Files of the works that were opened since the page was loaded. */
 const handles = new Map<string, FileHandle>();
+const nameOf = (work: string, file: string) => `${work} ${fileKey(file)}`;
 
-export const rememberHandle = (work: string, handle: FileHandle): void => void handles.set(work, handle);
-export const knownHandle = (work: string | null): FileHandle | null => (work === null ? null : (handles.get(work) ?? null));
+/** Notes the file on the device that a file of a work came from. */
+export const rememberHandle = (work: string, file: string, handle: FileHandle): void => void handles.set(nameOf(work, file), handle);
 
 export const canOpenFiles = (): boolean => typeof pickers().showOpenFilePicker === "function";
 export const canSaveFiles = (): boolean => typeof pickers().showSaveFilePicker === "function";
 
-/** Asks for a file; null when the operator closes the question. */
-export async function pickFile(): Promise<FileHandle | null> {
+/** A file that was chosen, with the right to write it back where the browser gives it. */
+export interface Chosen {
+  readonly file: File;
+  readonly handle: FileHandle | null;
+}
+
+/** Files without that right. */
+export const plainFiles = (files: FileList | readonly File[] | null): readonly Chosen[] =>
+  Array.from(files ?? [], (file) => ({ file, handle: null }));
+
+/** Asks for files; none when the operator closes the question. */
+export async function pickFiles(): Promise<readonly Chosen[]> {
   try {
-    return (await pickers().showOpenFilePicker?.({ types, excludeAcceptAllOption: false }))?.[0] ?? null;
+    const picked = (await pickers().showOpenFilePicker?.({ types, excludeAcceptAllOption: false, multiple: true })) ?? [];
+    return await Promise.all(picked.map(async (handle) => ({ file: await handle.getFile(), handle })));
   } catch {
-    return null;
+    return [];
   }
+}
+
+/** Asks for files in whichever way the browser has. */
+export function askForFiles(): Promise<readonly Chosen[]> {
+  if (canOpenFiles()) return pickFiles();
+  return new Promise((resolve) => {
+    const input = document.createElement("input");
+    input.type = "file";
+    input.multiple = true;
+    input.accept = [...ENDINGS, "text/plain"].join(",");
+    input.addEventListener("change", () => resolve(plainFiles(input.files)));
+    input.addEventListener("cancel", () => resolve([]));
+    input.click();
+  });
 }
 
 /** The file behind something that was dropped; null where the browser gives no access to it. */
@@ -44,7 +74,7 @@ export async function handleOf(item: DataTransferItem): Promise<FileHandle | nul
 
 /** Writes to the file of a work, asking where when none is known; "closed" when the operator closes the question. */
 export async function writeFile(work: string, name: string, bytes: BufferSource): Promise<"written" | "closed" | "failed"> {
-  let handle = knownHandle(work);
+  let handle = handles.get(nameOf(work, name)) ?? null;
   if (!handle) {
     try {
       handle = (await pickers().showSaveFilePicker?.({ suggestedName: name, types })) ?? null;
@@ -57,7 +87,7 @@ export async function writeFile(work: string, name: string, bytes: BufferSource)
     const out = await handle.createWritable();
     await out.write(bytes);
     await out.close();
-    rememberHandle(work, handle);
+    rememberHandle(work, name, handle);
     return "written";
   } catch {
     return "failed";

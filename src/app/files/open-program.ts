@@ -1,29 +1,90 @@
 import { decode } from "../editor/encoding.ts";
+import { useOutcome } from "../engine/outcome.ts";
+import { fileKey } from "../../program/program-files.ts";
 import { notice, startWork } from "../saving/keep.ts";
-import { useEditor } from "../store.ts";
-import type { ProgramWork } from "../work.ts";
-import { handleOf, rememberHandle, type FileHandle } from "./file-handle.ts";
+import { changeProgram, useEditor } from "../store.ts";
+import { textsOf, withFile, type ProgramWork, type WorkFile } from "../work.ts";
+import { handleOf, plainFiles, rememberHandle, type Chosen, type FileHandle } from "./file-handle.ts";
 import { LARGEST_PROGRAM } from "./limits.ts";
+import { missingFiles } from "./missing-files.ts";
 
 /** Opens a program as work of its own; what was open stays on the device. */
-export function openProgram(program: ProgramWork, handle: FileHandle | null = null): void {
-  startWork(program);
-  const { work } = useEditor.getState();
-  if (work !== null && handle) rememberHandle(work, handle);
-}
+export const openProgram = (program: ProgramWork): void => startWork(program);
 
-/** What became of a file that was to be opened. */
+/** What became of files that were to be opened. */
 export type Opening = "opened" | "tooLarge" | "unreadable";
 
-/** Opens a file of the device. What was open before stays open when it can not. */
-export async function openFile(file: File, handle: FileHandle | null = null): Promise<Opening> {
+interface Read {
+  readonly files: readonly WorkFile[];
+  readonly handles: readonly { readonly name: string; readonly handle: FileHandle }[];
+  /** False when one of them could not be read. */
+  readonly whole: boolean;
+}
+
+/** The texts of chosen files; of two with one name the first counts. */
+async function read(chosen: readonly Chosen[]): Promise<Read> {
+  const all = await Promise.all(chosen.map(async ({ file, handle }) => {
+    try {
+      return { file: { name: file.name, ...decode(new Uint8Array(await file.arrayBuffer())) }, handle };
+    } catch {
+      return null;
+    }
+  }));
+  const found = [...new Map(all.flatMap((each) => (each ? [[fileKey(each.file.name), each] as const] : [])).reverse()).values()].reverse();
+  return {
+    files: found.map(({ file }) => file),
+    handles: found.flatMap(({ file, handle }) => (handle ? [{ name: file.name, handle }] : [])),
+    whole: all.every((each) => each !== null),
+  };
+}
+
+function remember({ handles }: Read): void {
+  const { work } = useEditor.getState();
+  if (work !== null) { for (const { name, handle } of handles) rememberHandle(work, name, handle); }
+}
+
+/** Files that were opened together as one work: the program that no other calls runs, the others stand beside it. */
+async function together(files: readonly WorkFile[]): Promise<ProgramWork | null> {
+  const [first] = files;
+  if (!first || files.length === 1) return first ?? null;
+  const [{ mainOf }, { parse }] = await Promise.all([import("../../program/main-program.ts"), import("../../nc/parse.ts")]);
+  const { index, sure } = mainOf(files, parse);
+  const main = files[index] ?? first;
+  if (!sure) notice("mainUnsure");
+  return { ...main, files: files.filter((file) => file !== main) };
+}
+
+const sizeOf = (chosen: readonly Chosen[]): number => chosen.reduce((sum, { file }) => sum + file.size, 0);
+
+/** Opens files of the device as one work. What was open before stays open when they can not be. */
+export async function openFiles(chosen: readonly Chosen[]): Promise<Opening> {
   try {
-    if (file.size > LARGEST_PROGRAM) return "tooLarge";
-    openProgram({ name: file.name, ...decode(new Uint8Array(await file.arrayBuffer())) }, handle);
+    if (sizeOf(chosen) > LARGEST_PROGRAM) return "tooLarge";
+    const found = await read(chosen);
+    const program = await together(found.files);
+    if (!program) return "unreadable";
+    openProgram(program);
+    remember(found);
+    if (!found.whole) notice("fileUnreadable");
     return "opened";
   } catch {
     return "unreadable";
   }
+}
+
+/** Puts files beside the open program, as one step of undo. A single one may stand under the name by which it is called. */
+export async function addFiles(chosen: readonly Chosen[], name: string | null = null): Promise<void> {
+  const { program, work } = useEditor.getState();
+  if (!program || chosen.length === 0) return;
+  const held = textsOf(program).reduce((sum, { text }) => sum + text.length, 0);
+  if (held + sizeOf(chosen) > LARGEST_PROGRAM) return notice("fileTooLarge");
+  const found = await read(chosen);
+  if (useEditor.getState().work !== work) return;
+  const named = ([file]: readonly WorkFile[]) => (file && name !== null ? [{ ...file, name }] : []);
+  const files = name !== null && found.files.length === 1 ? named(found.files) : found.files;
+  changeProgram((now) => files.reduce(withFile, now));
+  remember(found);
+  if (!found.whole) notice("fileUnreadable");
 }
 
 /** The name of a program's file, from its first block. */
@@ -32,16 +93,26 @@ export const fileNameOf = (text: string): string => `${/BEGIN PGM (\S+)/.exec(te
 /** Opens text that was pasted, shared or printed. */
 export const openText = (text: string): void => openProgram({ name: fileNameOf(text), text, encoding: "utf-8" });
 
+/** What is dropped on a program that waits for just these files belongs to it. */
+function areWaitedFor(chosen: readonly Chosen[]): boolean {
+  const { program } = useEditor.getState();
+  const missing = new Set(program ? missingFiles(program, useOutcome.getState().newest).map(fileKey) : []);
+  return chosen.every(({ file }) => missing.has(fileKey(file.name)));
+}
+
 /** Opens what was dropped on the page, with the right to write it back where the browser gives it. What can not be opened is said. */
 export async function openDropped(data: DataTransfer): Promise<void> {
-  const [file] = data.files;
-  const item = [...data.items].find((each) => each.kind === "file");
-  if (file) {
-    const handle = item ? handleOf(item) : Promise.resolve(null);
-    const opening = await openFile(file, await handle);
+  // What is dropped can only be asked for at once.
+  const handles = [...data.items].filter((each) => each.kind === "file").map(handleOf);
+  const files = [...data.files];
+  const text = data.getData("text/plain");
+  if (files.length > 0) {
+    const known = await Promise.all(handles);
+    const chosen = plainFiles(files).map((each, i) => ({ ...each, handle: known[i] ?? null }));
+    if (areWaitedFor(chosen)) return addFiles(chosen);
+    const opening = await openFiles(chosen);
     if (opening !== "opened") notice(opening === "tooLarge" ? "fileTooLarge" : "fileUnreadable");
     return;
   }
-  const text = data.getData("text/plain");
   if (text.trim() !== "") openText(text);
 }

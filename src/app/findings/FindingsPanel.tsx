@@ -1,7 +1,7 @@
 import { useEffect, useRef } from "react";
 import { Icon } from "../Icon.tsx";
 import { writer } from "../../i18n/write.ts";
-import { issueText } from "../issue-text.ts";
+import { issueText, placeInFile } from "../issue-text.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { chooseFinding, useChosen } from "./chosen.ts";
@@ -22,7 +22,7 @@ function Row({ entry, host, chosen }: { readonly entry: FindingEntry; readonly h
   const row = useRef<HTMLLIElement>(null);
   const { issue, block, spot } = entry;
   const target = host.targetOf(entry);
-  const where = block === null ? null : t.findings.inBlock(String(block));
+  const where = entry.inFile ? placeInFile(t, entry.inFile) : block === null ? null : t.findings.inBlock(String(block));
 
   useEffect(() => {
     if (chosen) row.current?.scrollIntoView?.({ block: "nearest" });

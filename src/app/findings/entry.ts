@@ -3,6 +3,7 @@ import type { Severity } from "../../kernel/issue.ts";
 import type { AnyIssue } from "../../i18n/message-texts.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import type { Bounds } from "../../view/camera.ts";
+import type { RunFinding } from "../../program/run-types.ts";
 
 /** Where a finding is to be seen in the picture, and when. */
 export interface FindingSpot {
@@ -28,6 +29,8 @@ export interface FindingEntry {
   readonly block: number | null;
   /** Line of the program text, from 1; null when it belongs to none. */
   readonly line: number | null;
+  /** Where it stands in the file of a called program; block and line are those of the call then. */
+  readonly inFile?: RunFinding["inFile"] | undefined;
   /** Index of its operation in the run. */
   readonly operation: number | null;
   readonly spot: FindingSpot | null;
@@ -80,12 +83,13 @@ export const inOrder = (entries: readonly FindingEntry[]): readonly FindingEntry
   entries.toSorted((a, b) => weight[a.issue.severity] - weight[b.issue.severity] || stage(a) - stage(b));
 
 /** A finding that stands at one field or block and nowhere in the picture. */
-export const entryAt = (issue: AnyIssue, at: string | null, block: number | null): FindingEntry => ({
+export const entryAt = (issue: AnyIssue, at: string | null, block: number | null, inFile?: FindingEntry["inFile"]): FindingEntry => ({
   id: `${issue.code} ${at ?? ""}`,
   issue,
   at,
   block,
   line: null,
+  inFile,
   operation: null,
   spot: null,
   residual: null,

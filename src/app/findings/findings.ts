@@ -33,6 +33,7 @@ function calculated({ run, simulation }: Outcome): readonly Found[] {
       at: atOf(f.issue),
       block: f.block,
       line: f.line,
+      inFile: f.inFile,
       operation: f.operation,
       spot: spot && { ...spot, mark: "" },
     };
@@ -73,14 +74,16 @@ function withoutEchoes(all: readonly Found[]): readonly Found[] {
   const unfit = new Set(
     all.flatMap(({ issue, operation }) => (issue.severity === "error" && wrongTool.has(issue.code) ? [operation] : [])),
   );
-  const unproved = new Set(all.flatMap(({ issue, block }) => (issue.code === "notProved" ? [block] : [])));
+  const placeOf = ({ block, inFile }: Found) => (inFile ? `${inFile.file} ${inFile.line}` : block);
+  const unproved = new Set(all.flatMap((found) => (found.issue.code === "notProved" ? [placeOf(found)] : [])));
   const noContour = all.some(({ issue }) => issue.code === "contourMissing" && issue.data.label === "");
-  return all.filter(({ issue, block, at, operation }) =>
-    !(unfit.has(operation) && issue.severity !== "error" && ofWrongTool.has(issue.code))
-    && !((issue.code === "cycleNotSimulated" || issue.code === "notSimulated") && unproved.has(block))
-    && !(noContour
-      && (issue.code === "contourTooShort" || issue.code === "nothingToCut" || (issue.code === "contourMissing" && at !== "contour")))
-  );
+  return all.filter((found) => {
+    const { issue, at, operation } = found;
+    return !(unfit.has(operation) && issue.severity !== "error" && ofWrongTool.has(issue.code))
+      && !((issue.code === "cycleNotSimulated" || issue.code === "notSimulated") && unproved.has(placeOf(found)))
+      && !(noContour
+        && (issue.code === "contourTooShort" || issue.code === "nothingToCut" || (issue.code === "contourMissing" && at !== "contour")));
+  });
 }
 
 /** Numbers for what was found at a place, letters for what stays, in the order of the list. */
@@ -102,9 +105,9 @@ export function findingsOf(read: JobReading | null, outcome: Outcome | null): re
   const late = outcome && (!read || read.reading.values) ? calculated(outcome) : [];
   const all = new Map<string, FindingEntry>();
   for (const found of withoutEchoes([...early, ...late])) {
-    const { issue, at, line } = found;
+    const { issue, at, line, inFile } = found;
     // The text of a job is made from its prompts: what both say is said once.
-    const key = JSON.stringify([issue.code, at, issue.data, read ? null : line]);
+    const key = JSON.stringify([issue.code, at, issue.data, read ? null : line, inFile]);
     if (!all.has(key)) all.set(key, { ...found, id: `${issue.code} ${at ?? ""} ${found.block ?? ""} ${all.size}` });
   }
   return marked(inOrder([...all.values()]));

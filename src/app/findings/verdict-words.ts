@@ -6,19 +6,23 @@ import type { Doubt, ShownVerdict } from "./verdict.ts";
 type Words = Texts["findings"]["verdict"];
 
 /** The verdict in a few words. */
-export function verdictTitle(t: Words, language: Language, { state, doubts, faults, stays, warnings }: ShownVerdict): string {
+export function verdictTitle(t: Words, language: Language, { state, doubts, faults, file, stays, warnings }: ShownVerdict): string {
   if (state === "none") return t.none;
-  if (state === "faults") return t.faults(faults);
+  if (state === "faults") return file === null ? t.faults(faults) : t.faultsIn(faults, file);
   const first = doubts[0];
+  if (first?.kind === "unproved" && first.file !== undefined) return t.unprovedIn(first.file);
   if (first) return t[first.kind];
   if (stays > 0) return t.stays(writer(language).area(stays));
   return warnings > 0 ? t.warnings(warnings) : t.proved;
 }
 
+const whatOf = (t: Words["because"], { what, file }: Extract<Doubt, { kind: "unproved" }>): string =>
+  file === undefined ? what : t.whatIn(what, file);
+
 function because(t: Words["because"], doubt: Doubt): readonly string[] {
   switch (doubt.kind) {
     case "unproved":
-      return [doubt.block === null ? t.unprovedAnywhere(doubt.what) : t.unproved(doubt.what, String(doubt.block))];
+      return [doubt.block === null ? t.unprovedAnywhere(whatOf(t, doubt)) : t.unproved(whatOf(t, doubt), String(doubt.block))];
     case "milling":
       return [t.milling(String(doubt.block))];
     case "nothingCut":

@@ -18,6 +18,8 @@ export interface ShownVerdict {
   readonly doubts: readonly Doubt[];
   /** Errors, things only not done yet aside. */
   readonly faults: number;
+  /** The called program in which the first of them stands; null for the program itself. */
+  readonly file: string | null;
   /** Prompts that are still empty. */
   readonly open: number;
   readonly warnings: number;
@@ -58,12 +60,13 @@ export function judged(entries: readonly FindingEntry[], outcome: Outcome | null
   const errors = entries.filter(isError);
   const open = errors.filter(isToDo).length;
   const faults = errors.length - open;
+  const file = errors.find((entry) => !isToDo(entry))?.inFile?.file ?? null;
   const warnings = entries.filter((e) => e.issue.severity === "warning" && e.issue.code !== "materialLeft").length;
   const stays = entries.reduce(
     (sum, { issue }) => (issue.code === "materialLeft" && issue.severity !== "info" ? sum + issue.data.area : sum),
     0,
   );
-  const counts = { faults, open, warnings, stays };
+  const counts = { faults, file, open, warnings, stays };
   if (!outcome) return { state: faults > 0 ? "faults" : "none", doubts: [], ...counts };
   const { verdict, reasons } = verdictOf(outcome.run, outcome.simulation);
   const state = faults > 0 ? "faults" : verdict;

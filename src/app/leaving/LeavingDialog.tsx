@@ -1,7 +1,7 @@
 import { useEffect, useId, useRef } from "react";
 import { showSection } from "../place.ts";
 import { Icon } from "../Icon.tsx";
-import { issueText } from "../issue-text.ts";
+import { issueText, placeInFile } from "../issue-text.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import type { FindingsHost } from "../findings/host.ts";
@@ -33,7 +33,9 @@ function Question({ asking: { way, verdict, faults, unchecked, answer }, id, cyc
           {faults.slice(0, MOST).map((entry) => (
             <li key={entry.id}>
               {issueText(t, language, entry.issue, cycleOf(entry))}
-              {entry.block !== null && <span className="soft">({t.findings.inBlock(String(entry.block))})</span>}
+              {entry.block !== null && (
+                <span className="soft">({entry.inFile ? placeInFile(t, entry.inFile) : t.findings.inBlock(String(entry.block))})</span>
+              )}
             </li>
           ))}
           {verdict.open > 0 && <li>{t.dialog.done.open(verdict.open)}</li>}

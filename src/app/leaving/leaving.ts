@@ -1,5 +1,5 @@
 import { create } from "zustand";
-import { useOutcome } from "../engine/outcome.ts";
+import { isMadeFrom, useOutcome } from "../engine/outcome.ts";
 import { isError, isToDo, type FindingEntry } from "../findings/entry.ts";
 import { presentFindings } from "../findings/use-findings.ts";
 import type { ShownVerdict } from "../findings/verdict.ts";
@@ -27,8 +27,11 @@ const PATIENCE = 3000;
 
 /** Resolves when the result for a text is there; false when it does not come in time, or can not come at all. */
 function calculated(text: string): Promise<boolean> {
-  const isThere = () => useOutcome.getState().newest?.text === text;
-  const { job } = useEditor.getState();
+  const { job, program } = useEditor.getState();
+  const isThere = () => {
+    const { newest } = useOutcome.getState();
+    return newest !== null && (program ? isMadeFrom(newest, program) : newest.text === text);
+  };
   if (isThere() || (job && !readJob(job)?.reading.values)) return Promise.resolve(isThere());
   return new Promise((resolve) => {
     const stop = useOutcome.subscribe(() => {

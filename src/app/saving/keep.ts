@@ -11,7 +11,7 @@ export interface Keeping {
   readonly works: readonly Kept[];
   readonly notices:
     readonly ("notKept" | "storageFull" | "newerWorks" | "copyOfOtherTab" | "engineFailed" | "linkDamaged" | "linkTooLarge" | "fileTooLarge"
-      | "fileUnreadable" | "toolsDamaged" | "toolsNotKept" | "ownDamaged" | "ownNotKept")[];
+      | "fileUnreadable" | "mainUnsure" | "toolsDamaged" | "toolsNotKept" | "ownDamaged" | "ownNotKept")[];
   /** Damaged saves that were set aside when the page opened. */
   readonly damaged: number;
   /** False until the device was read. */

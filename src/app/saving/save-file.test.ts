@@ -11,6 +11,14 @@ test("what is saved comes back the same", () => {
   for (const file of saved()) expect(readSave(JSON.parse(JSON.stringify(file)))).toEqual(file);
 });
 
+test("the files beside a program and the switch of its skip mark are saved with it; a save without them is as before", () => {
+  const program = { name: "MAIN.H", text: "CALL PGM A", encoding: "utf-8" as const };
+  const file = { name: "a.h", text: "L X+1 ;\u00d8", encoding: "windows-1252" as const };
+  for (const job of [program, { ...program, files: [file], skipMarked: true }])
+    expect(readSave(JSON.parse(JSON.stringify({ version: SAVE_VERSION, savedAt: 1, job })))?.job).toEqual(job);
+  expect(readSave({ version: SAVE_VERSION, savedAt: 1, job: { ...program, files: [{ name: "a.h" }] } })).toBeNull();
+});
+
 test.each<[string, unknown]>([
   ["nothing", undefined],
   ["text", "{"],

@@ -1,7 +1,7 @@
 import { z } from "zod/mini";
 import { NUMBER_PARAMETER } from "../../nc/value.ts";
 import type { ContourRow, Job } from "../../program/job.ts";
-import type { Work } from "../work.ts";
+import type { ProgramWork, Work, WorkFile } from "../work.ts";
 
 /** Counts up whenever the layout of a saved work changes; each step has its upgrade below. */
 export const SAVE_VERSION = 1;
@@ -50,11 +50,15 @@ const job = z.object({
   layout: z.enum(["tnc640", "tnc7"]),
   ncLanguage: z.enum(["en", "de", "fr", "zh"]),
 });
-const program = z.object({ name: text, text: z.string(), encoding: z.enum(["utf-8", "windows-1252"]) });
-/** Every field of a job has to stand in the layout above, or it would be lost in saving: a missing one does not compile. */
+const textFile = { name: text, text: z.string(), encoding: z.enum(["utf-8", "windows-1252"]) };
+const workFile = z.object(textFile);
+const program = z.object({ ...textFile, files: z.optional(z.array(workFile)), skipMarked: z.optional(z.boolean()) });
+/** Every field of a work has to stand in the layout above, or it would be lost in saving: a missing one does not compile. */
 type Complete = [keyof Job extends keyof z.output<typeof job> ? true : never,
-  keyof ContourRow extends keyof z.output<typeof row> ? true : never];
-export const complete: Complete = [true, true];
+  keyof ContourRow extends keyof z.output<typeof row> ? true : never,
+  keyof ProgramWork extends keyof z.output<typeof program> ? true : never,
+  keyof WorkFile extends keyof z.output<typeof workFile> ? true : never];
+export const complete: Complete = [true, true, true, true];
 
 const file = z.object({ version: z.literal(SAVE_VERSION), savedAt: z.number(), job: z.union([job, program]) });
 
@@ -84,6 +88,12 @@ export function readSave(raw: unknown): SaveFile | null {
   } catch {
     return null;
   }
+}
+
+/** A program with the files beside it, from plain data that anybody may have written; null when it is none. */
+export function readProgram(raw: unknown): ProgramWork | null {
+  const read = program.safeParse(raw);
+  return read.success ? (read.data as ProgramWork) : null;
 }
 
 /** Whether something was saved by a newer edition than this one, which can not read it and must not touch it. */

@@ -1,7 +1,7 @@
 import { useRef, useState } from "react";
 import type { ExampleId } from "../../examples/index.ts";
-import { canOpenFiles, pickFile } from "../files/file-handle.ts";
-import { openFile, openText, type Opening } from "../files/open-program.ts";
+import { canOpenFiles, ENDINGS, pickFiles, plainFiles, type Chosen } from "../files/file-handle.ts";
+import { openFiles, openText, type Opening } from "../files/open-program.ts";
 import { Icon } from "../Icon.tsx";
 import { useFirstTexts } from "../settings/use-first-texts.ts";
 
@@ -23,11 +23,10 @@ export function ProgramStart() {
   const file = useRef<HTMLInputElement>(null);
   const dialog = useRef<HTMLDialogElement>(null);
 
-  const take = async (chosen: File | undefined) => setOpening(chosen ? await openFile(chosen) : "opened");
+  const take = async (chosen: readonly Chosen[]) => setOpening(chosen.length > 0 ? await openFiles(chosen) : "opened");
   const ask = async () => {
     if (!canOpenFiles()) return file.current?.click();
-    const handle = await pickFile();
-    if (handle) setOpening(await openFile(await handle.getFile(), handle));
+    await take(await pickFiles());
   };
 
   return (
@@ -36,8 +35,8 @@ export function ProgramStart() {
       <p className="soft">{t.programs.lead}</p>
       <div className="program-ways">
         <button type="button" className="button primary" onClick={() => void ask()}>{t.programs.openFile}</button>
-        <input ref={file} type="file" className="unseen" tabIndex={-1} aria-label={t.programs.openFile} accept=".h,.H,.i,.txt,text/plain"
-          onChange={(event) => void take(event.currentTarget.files?.[0])} />
+        <input ref={file} type="file" multiple className="unseen" tabIndex={-1} aria-label={t.programs.openFile}
+          accept={[...ENDINGS, "text/plain"].join(",")} onChange={(event) => void take(plainFiles(event.currentTarget.files))} />
         <button type="button" className="button" onClick={() => dialog.current?.showModal()}>{t.programs.paste}</button>
         <button type="button" className="button" onClick={() => openText(EMPTY)}>{t.programs.create}</button>
         <span className="soft small">{t.programs.drop}</span>

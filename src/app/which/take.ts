@@ -23,7 +23,11 @@ export async function takeWay(
   const made = { ...job, ncLanguage: language };
   const labels = ncLabels(language);
   if (adds && program) {
-    const { editProgram, sessionText } = await import("../editor/session.ts");
+    const [{ editProgram, sessionText }, { showFile }] = await Promise.all([
+      import("../editor/session.ts"),
+      import("../files/shown-file.ts"),
+    ]);
+    showFile(null);
     return editProgram(withOperation(parse(sessionText() ?? program.text), made, labels), null);
   }
   if (adds && open) return openText(print(withOperation(parse(printedText(open)), { ...made, layout: open.layout }, labels)));

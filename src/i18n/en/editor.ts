@@ -34,6 +34,19 @@ export const editor = {
   toolChanges: "Tool changes",
   blocks: "Blocks",
 
+  /* files of a work */
+  files: {
+    title: "Files of this work",
+    add: "Add files",
+    show: (file: string) => `Show ${file}`,
+    runs: "main program",
+    run: "Make main",
+    runLong: (file: string) => `Make ${file} the main program`,
+    remove: (file: string) => `Take ${file} out of this work`,
+    missing: "is not here",
+    addShort: "Add",
+    addOne: (file: string) => `Add ${file}`,
+  },
   /* dialog of a block */
   form: "Dialog of the block",
   heading: (block: string, kind: string) => `Block ${block}: ${kind}`,
@@ -60,8 +73,10 @@ export const editor = {
   cycleNumber: (number: number, name: string) => `${number} ${name}`,
   kept: "Kept, not simulated",
   goToDefinition: (block: string) => `To the cycle in block ${block}`,
+  goToDefinitionIn: (block: string, file: string) => `To the cycle in block ${block} of ${file}`,
   wholeText: "Text of the block",
   skip: "Optional block (/)",
+  leaveOut: "Leave out blocks with /",
   comment: "Comment",
   none: "none",
   notReadable: "This cannot be read as the value of this field.",

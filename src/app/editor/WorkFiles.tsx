@@ -1,0 +1,91 @@
+import { useEffect, useMemo, useRef } from "react";
+import { useOutcome } from "../engine/outcome.ts";
+import { askForFiles } from "../files/file-handle.ts";
+import { missingFiles } from "../files/missing-files.ts";
+import { addFiles } from "../files/open-program.ts";
+import { Icon } from "../Icon.tsx";
+import { fileKey } from "../../program/program-files.ts";
+import { useTexts } from "../settings/use-texts.ts";
+import { changeProgram, useEditor } from "../store.ts";
+import { filesOf, withMain, withoutFile, type ProgramWork } from "../work.ts";
+import { showFile, useShownName } from "../files/shown-file.ts";
+import "./work-files.css";
+
+const isProgramText = (text: string): boolean => /BEGIN[ \t]+PGM/i.test(text);
+
+const add = async (name: string | null = null) => addFiles(await askForFiles(), name);
+
+function List({ program, missing }: { readonly program: ProgramWork; readonly missing: readonly string[] }) {
+  const t = useTexts().editor.files;
+  const shown = useShownName();
+  const files = filesOf(program);
+  const programs = useMemo(() => new Set(files.filter(({ text }) => isProgramText(text))), [files]);
+  const list = useRef<HTMLUListElement>(null);
+  useEffect(() => {
+    list.current?.querySelector("[aria-current]")?.scrollIntoView?.({ block: "nearest" });
+  }, [shown]);
+  const open = (name: string, runs: boolean) => (
+    <button type="button" className="button plain work-file" aria-current={name === shown ? "true" : undefined} title={name}
+      aria-label={t.show(name)} onClick={() => showFile(runs ? null : name)}
+    >
+      <span className="file-name number">{name}</span>
+    </button>
+  );
+  return (
+    <ul ref={list} aria-label={t.title}>
+      <li>
+        {open(program.name, true)}
+        <span className="small soft work-file-note">{t.runs}</span>
+      </li>
+      {missing.map((name) => (
+        <li key={fileKey(name)}>
+          <span className="work-file missing" title={name}>
+            <Icon name="warning" /> <span className="file-name number">{name}</span>
+          </span>
+          <span className="small soft work-file-note">{t.missing}</span>
+          <button type="button" className="button small" aria-label={t.addOne(name)} onClick={() => void add(name)}>{t.addShort}</button>
+        </li>
+      ))}
+      {files.map((file) => (
+        <li key={fileKey(file.name)}>
+          {open(file.name, false)}
+          {programs.has(file) && (
+            <button type="button" className="button small plain" aria-label={t.runLong(file.name)} title={t.runLong(file.name)}
+              onClick={() => {
+                changeProgram((now) => withMain(now, fileKey(file.name)));
+                showFile(null);
+              }}
+            >
+              {t.run}
+            </button>
+          )}
+          <button type="button" className="button icon plain" aria-label={t.remove(file.name)} title={t.remove(file.name)}
+            onClick={() => changeProgram((now) => withoutFile(now, fileKey(file.name)))}
+          >
+            <Icon name="close" />
+          </button>
+        </li>
+      ))}
+    </ul>
+  );
+}
+
+/** The files of the open work, as soon as there is more than its program: which one runs, which one is shown, and which one is missing. */
+export function WorkFiles() {
+  const t = useTexts().editor.files;
+  const program = useEditor((s) => s.program);
+  const newest = useOutcome((s) => s.newest);
+  const missing = useMemo(() => (program ? missingFiles(program, newest) : []), [program, newest]);
+  if (!program || filesOf(program).length + missing.length === 0) return null;
+  return (
+    <section className="work-files" aria-label={t.title}>
+      <header>
+        <h2>{t.title}</h2>
+        <button type="button" className="button small plain" onClick={() => void add()}>
+          <Icon name="add" /> {t.add}
+        </button>
+      </header>
+      <List program={program} missing={missing} />
+    </section>
+  );
+}

@@ -1,0 +1,21 @@
+import { fileKey } from "../../program/program-files.ts";
+import type { RunFinding } from "../../program/run-types.ts";
+import type { Outcome } from "../engine/outcome.ts";
+import { fileOf, type ProgramWork } from "../work.ts";
+
+/** A file name without its folder. */
+const bare = (name: string): string => name.trim().replace(/^.*[\\/:]/, "");
+
+/** The file that a finding misses beside the program, by its name without folder; null for findings of another kind. */
+export function missingFile({ issue }: Pick<RunFinding, "issue">): string | null {
+  if (issue.code !== "programNotOpened" && issue.code !== "contourInFile") return null;
+  const name = bare(issue.data.file);
+  return name.includes(".") ? name : `${name}.H`;
+}
+
+/** The files that a program calls and that were not opened with it, each once, by their names without folder. */
+export function missingFiles(program: ProgramWork, newest: Outcome | null): readonly string[] {
+  const names = (newest?.run.issues ?? []).flatMap((found) => missingFile(found) ?? []);
+  const missing = new Map(names.map((name) => [fileKey(name), name]));
+  return [...missing].flatMap(([key, name]) => (fileOf(program, key) ? [] : [name]));
+}
