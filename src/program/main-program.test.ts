@@ -18,6 +18,7 @@ test.each([
   ["cycle 12", "CYCL DEF 12.0 PGM CALL\nCYCL DEF 12.1 PGM TNC:\\CUT.H"],
   ["a text parameter", 'QS3 = "TNC:\\" || "CUT"\nCALL PGM QS3'],
   ["a declared contour", 'DECLARE CONTOUR QC1 = "CUT.H"'],
+  ["the outline of a blank", 'FUNCTION TURNDATA BLANK "CUT.H"'],
 ])("the program that no other calls runs, by %s", (_, lines) => {
   expect(main({ "cut.h": pgm("L IX+1"), "points.tab": "BEGIN POINTS\n1 2", "whole.h": pgm(lines) })).toBe("whole.h");
 });

@@ -17,30 +17,21 @@ function quotedIn(text: TextFormula): readonly string[] {
   return text.kind === "joined" ? text.parts.flatMap(quotedIn) : [];
 }
 
-function namedBy(s: Statement): readonly unknown[] {
-  switch (s.kind) {
-    case "callProgram":
-    case "selectProgram":
-    case "selectContour":
-      return [s.file];
-    case "contourDefinition":
-      return s.areas.map(({ from }) => ("file" in from ? from.file : null));
-    case "cycleLine":
-      return s.cycle === PROGRAM_CYCLE && s.line === 1 ? [nameInCycle(s.text)] : [];
-    case "turnBlank":
-      return s.blank !== "off" && "file" in s.blank ? [s.blank.file] : [];
-    case "assignText":
-      return quotedIn(s.text);
-    case "unknown":
-      return Array.from(s.text.matchAll(/"([^"]+)"/g), ([, name]) => name);
-    default:
-      return [];
-  }
+/** Every file that a value names anywhere in it: blocks of many kinds do, in places of their own. */
+function filesIn(value: unknown): readonly string[] {
+  if (typeof value !== "object" || value === null) return [];
+  return Object.entries(value).flatMap(([key, held]) => (key === "file" && typeof held === "string" ? [held] : filesIn(held)));
+}
+
+function namedBy(s: Statement): readonly string[] {
+  if (s.kind === "assignText") return quotedIn(s.text);
+  if (s.kind === "cycleLine") return s.cycle === PROGRAM_CYCLE && s.line === 1 ? [nameInCycle(s.text)] : [];
+  return filesIn(s);
 }
 
 /** Keys of all files that a program may name. */
 export const namedFiles = (program: Program): ReadonlySet<string> =>
-  new Set(program.blocks.flatMap(({ statement }) => namedBy(statement)).flatMap((name) => (typeof name === "string" ? fileKey(name) : [])));
+  new Set(program.blocks.flatMap(({ statement }) => namedBy(statement)).map(fileKey));
 
 /** How many of the files a program reaches by calls of calls, itself not counted. */
 function reachOf(key: string, names: ReadonlyMap<string, ReadonlySet<string>>): number {
