@@ -11,6 +11,7 @@ import { shippedTools } from "../src/program/shipped-tools.ts";
 import { hasErrors, report, type Report } from "../src/report/report.ts";
 import { summary } from "../src/report/summary.ts";
 import { simulate } from "../src/sim/simulate.ts";
+import { tracing } from "../src/sim/tracing.ts";
 
 /** Rapid rate of the times, mm/min. */
 const RAPID = 10_000;
@@ -107,7 +108,7 @@ function ran(text: string, shop: ShopTools, setting: Setting) {
   const started = performance.now();
   const program = parse(text);
   const read = performance.now();
-  const done = run(program, { ...shop, rapid: RAPID, ...setting });
+  const done = run(program, { ...shop, rapid: RAPID, tracing, ...setting });
   return { done, parsing: read - started, planning: performance.now() - read };
 }
 

@@ -7,10 +7,11 @@ import { shippedTools } from "../src/program/shipped-tools.ts";
 import { listing } from "../src/report/listing.ts";
 import { report } from "../src/report/report.ts";
 import { simulate } from "../src/sim/simulate.ts";
+import { tracing } from "../src/sim/tracing.ts";
 
 const programs = Object.entries(import.meta.glob<string>("./programs/*.h", { query: "?raw", import: "default", eager: true }));
 const broken = Object.entries(import.meta.glob<string>("./programs/bad/*.h", { query: "?raw", import: "default", eager: true }));
-const shop = { tools: shippedTools, rapid: 10_000 };
+const shop = { tools: shippedTools, rapid: 10_000, tracing };
 
 describe("every program of the folder", () => {
   test.each(programs)("%s is printed as it was read, and moves as before", async (path, text) => {

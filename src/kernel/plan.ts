@@ -14,6 +14,8 @@ export interface Setting {
   readonly autoFeed: Feed | null;
   /** Outlines of what stands in the chuck at the call; null where earlier cuts have left nobody knows what. */
   readonly stock: readonly Ring[] | null;
+  /** True where roughing leaves out passes that touch nothing of that stock. */
+  readonly leavesOutAir?: boolean;
 }
 
 /** A stretch of the finishing path, with what keeps the insert from going deeper there (null: it lies on the contour). */

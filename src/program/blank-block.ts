@@ -10,6 +10,7 @@ import { valueOf } from "./formula.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
 import type { ContourSource } from "./modal.ts";
+import { traceBlank } from "./stock-at-call.ts";
 
 const impossible = (machine: Machine, index: number): void => machine.log.say(programIssue("blankImpossible", "error", {}), index);
 
@@ -175,7 +176,7 @@ function sourceName(machine: Machine, from: OutlineSource, index: number): strin
 
 /** FUNCTION TURNDATA BLANK: the outline in a label or a file is what stands from here on. */
 export function blankOfTurnData(machine: Machine, { blank }: StatementOf<"turnBlank">, index: number): void {
-  if (blank === "off") return;
+  if (blank === "off") return void (machine.traced = null);
   const what = "FUNCTION TURNDATA BLANK";
   // While milling no blank is traced.
   if (!machine.now.turning) return machine.log.notSimulated(what, index);
@@ -193,6 +194,7 @@ export function blankOfTurnData(machine: Machine, { blank }: StatementOf<"turnBl
     machine.log.states(rings, { what: named, before }, index);
   } else compare(machine, { before, rings, stated, named }, index);
   machine.set({ blank: rings, blankSince: now(machine), unturned: null });
+  traceBlank(machine, rings);
 }
 
 interface Compared {

@@ -7,9 +7,31 @@ import { verdictOf } from "../report/verdict.ts";
 import { stockIssues } from "../sim/issues.ts";
 import { simulate } from "../sim/simulate.ts";
 import { stockAt } from "../sim/stock.ts";
+import { tracing } from "../sim/tracing.ts";
 import { filesByName } from "./program-files.ts";
 import { run } from "./run.ts";
 import { shippedTools } from "./shipped-tools.ts";
+
+/** A shoulder roughed by levels, called from far outside. */
+const shoulder = (
+  diameter: number,
+  end: number,
+) => [
+  [
+    "CYCL DEF 811 SHOULDER",
+    "Q215=+1",
+    "Q460=+2",
+    `Q493=+${diameter}`,
+    `Q494=${end}`,
+    "Q463=+2.4",
+    "Q478=+0.25",
+    "Q483=+0.4",
+    "Q484=+0.2",
+    "Q505=+0.15",
+    "Q506=+0",
+  ].join(" ~\n"),
+  "L X+92.6 Z+3 R0 FMAX M99",
+];
 
 const TURN = ["FUNCTION MODE TURN", "TOOL CALL 1", "FUNCTION TURNDATA SPIN VCONST:OFF S700", "M136"];
 const made = (blocks: readonly string[], files: Readonly<Record<string, string>> = {}, unit = "MM") => {
@@ -19,6 +41,7 @@ const made = (blocks: readonly string[], files: Readonly<Record<string, string>>
   return run(program, {
     tools: shippedTools,
     rapid: 10_000,
+    tracing,
     files: filesByName(Object.entries(files).map(([name, t]) => ({ name, text: t })), parse),
   });
 };
@@ -163,6 +186,24 @@ describe("FUNCTION TURNDATA BLANK", () => {
     expect(at(other.r.steps.length)).toBe(areaOf(other.simulation.final));
     expect(areaOf(other.simulation.final)).toBeLessThan(30.1 * 48.3);
     expect(other.simulation.proof.cut).toBeGreaterThan(0);
+  });
+  test("while it is traced, roughing leaves out the levels that cuts before and the outline have left in the air", () => {
+    const passes = (before: readonly string[], between: readonly string[] = []) => {
+      const { r, simulation } = judged([...before, ...shoulder(51.3, -30.4), ...between, ...shoulder(41.7, -17.9)], bowl("3", 62, 0.8));
+      return {
+        passes: r.operations.map((o) => o.plan.passes),
+        air: simulation.proof.airPasses,
+        final: areaOf(simulation.final),
+        rapidInStock: simulation.proof.rapidInStock,
+      };
+    };
+    const [full, traced] = [passes([]), passes(["FUNCTION TURNDATA BLANK LBL 3"])];
+    expect(full.passes).toEqual([9, 11]);
+    expect(traced).toMatchObject({ passes: [3, 3], air: 0, rapidInStock: 0 });
+    expect(full.air).toBe(14);
+    expect(traced.final).toBeCloseTo(full.final, 2);
+    for (const end of ["FUNCTION TURNDATA BLANK OFF", "FUNCTION MODE MILL\nFUNCTION MODE TURN\nTOOL CALL 1"])
+      expect(passes(["FUNCTION TURNDATA BLANK LBL 3"], [end]).passes).toEqual([3, 11]);
   });
   test("while milling nothing is traced", () => {
     const r = made([bar, "FUNCTION MODE MILL", "FUNCTION TURNDATA BLANK LBL 3", ...TURN, "M30", ...bowl("3", 57.6, 0.8)]);

@@ -1,7 +1,6 @@
 import type { Cycle, Given } from "../cycles/define.ts";
 import { cycleByNumber } from "../cycles/index.ts";
 import type { Params, Values } from "../cycles/params.ts";
-import { isDrill } from "../kernel/drill.ts";
 import { issue, type Issue } from "../kernel/issue.ts";
 import type { Plan } from "../kernel/plan.ts";
 import { empty } from "../kernel/strategy/leveled.ts";
@@ -21,6 +20,7 @@ import { unlikelyFeeds, foreignParameters, lineOfParameter, noTool } from "./pre
 import type { Operation } from "./run-types.ts";
 import { callNamed } from "./program-calls.ts";
 import { countedPoint, shiftedPlan } from "./shifted-plan.ts";
+import { stockAtCall } from "./stock-at-call.ts";
 import { startUnknown } from "./turn-run.ts";
 import { threadWarnings } from "./thread-warnings.ts";
 import { judgeOf, triedOffers } from "./tried.ts";
@@ -157,13 +157,15 @@ export function callCycle(machine: Machine, index: number): void {
   const issues = read.issues.filter((i) => i.code !== "missing" || !defined.troubled.has(i.at ?? ""));
   const tool = machine.now.tool ?? standIn(machine, cycle, values, given, counted, index);
   if (!tool) return;
-  // What earlier cycles have left is known to the simulation only.
-  const { operations, steps } = machine.now.blankSince;
-  const isUncut = operation === operations && !machine.log.steps.slice(steps).some((s) => isDrill(s.tool));
-  const stock = isUncut && machine.now.blank.length > 0
-    ? machine.now.blank.map((ring) => ring.map((p) => countedPoint(p, machine.now.datum)))
-    : null;
-  const setting = { tool, start: counted, feedUnit: machine.feedUnit, autoFeed: machine.now.toolFeed, stock };
+  const stock = stockAtCall(machine)?.map((ring) => ring.map((p) => countedPoint(p, machine.now.datum))) ?? null;
+  const setting = {
+    tool,
+    start: counted,
+    feedUnit: machine.feedUnit,
+    autoFeed: machine.now.toolFeed,
+    stock,
+    leavesOutAir: machine.traced !== null,
+  };
   const plan = values && (cycle.contour === "own" || given.contour) ? cycle.plan(values, setting, given) : nothing;
   const outlined = values && plan !== nothing ? cycle.outline(values, given).issues : [];
   // What a tool that was never called would do wrong is no fault of the program.

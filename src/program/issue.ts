@@ -56,7 +56,7 @@ interface Data {
   blankTaken: { what: string };
   /** It is, though it has more than BLK FORM, mm². */
   blankAdds: { what: string; area: number };
-  /** Cuts in the air that the control leaves out are run here. */
+  /** Roughing leaves out what touches nothing of the blank that is traced; other cuts in the air are run here. */
   blankTraced: {};
   poleMissing: {};
   startUnknown: {};

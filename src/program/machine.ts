@@ -17,6 +17,7 @@ import { pointIn } from "./path.ts";
 import type { Guide } from "./plane-chain.ts";
 import type { Control, Mill } from "./plane-types.ts";
 import { fileKey, type ProgramFiles } from "./program-files.ts";
+import type { TracedBlank, Tracing } from "./tracing.ts";
 import { isSkipped, unitFrom, type Unit } from "./units.ts";
 
 /** What a run can use. */
@@ -32,6 +33,8 @@ export interface Shop {
   readonly control?: Control;
   /** Programs that the one that runs can call. */
   readonly files?: ProgramFiles;
+  /** Traces the blank that a program asks to be traced; without it the cycles are planned as if it did not. */
+  readonly tracing?: Tracing;
   /** True to leave out the blocks that are marked with `/`. */
   readonly skipMarked?: boolean;
 }
@@ -69,6 +72,8 @@ export class Machine {
   /** The contours that turning and milling are gathering. */
   readonly turnGuide: Guide = { chain: null, here: null };
   readonly millGuide: Guide = { chain: null, here: null };
+  /** The blank that is traced, and the first step that has not cut it yet. */
+  traced: { readonly blank: TracedBlank; next: number } | null = null;
   /** The free contour that is being run. */
   freeRun: FreeRun | null = null;
   /** Blocks executed, those of contours that cycles read included. */

@@ -155,7 +155,7 @@ function mode(machine: Machine, wanted: "TURN" | "MILL", index: number): void {
   if (wanted === "TURN") {
     transformedTurning(machine, index);
     turnBlank(machine);
-  }
+  } else machine.traced = null;
   machine.setPlace({ last: null });
   if (machine.now.turning === (wanted === "TURN")) return;
   machine.set({ turning: wanted === "TURN", pole: null });

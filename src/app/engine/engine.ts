@@ -8,6 +8,7 @@ import { run } from "../../program/run.ts";
 import { rankTools, type ToolFit } from "../../program/which-tool.ts";
 import { remedies, type Remedy } from "../../report/remedies.ts";
 import { simulate } from "../../sim/simulate.ts";
+import { tracing } from "../../sim/tracing.ts";
 import type { Residual } from "../../sim/simulation.ts";
 import type { FeedUnit } from "../../kernel/move.ts";
 import type { Pt } from "../../kernel/point.ts";
@@ -68,7 +69,7 @@ export const engine = {
       if (found) taken.add(found.program);
       return found;
     };
-    const made = run(program, { ...table, rapid, control, files: { find }, skipMarked });
+    const made = run(program, { ...table, rapid, control, files: { find }, skipMarked, tracing });
     atStage("proving");
     const simulation = simulate(made);
     const marked = [...taken].some(({ blocks }) => blocks.some(({ skip }) => skip));

@@ -236,7 +236,9 @@ export const messages = {
       } steht ringsum sicher Material. ` + "Rundmaterial ist ein BLK FORM CYLINDER.",
     blankTaken: (d, w) => `${w.text(d.what)} wird als Rohteil genommen.`,
     blankAdds: (d, w) => `${w.text(d.what)} umreißt ${w.area(d.area)} mehr, als BLK FORM hat. Der Umriss gilt.`,
-    blankTraced: () => "Während der Rohteilnachführung lässt die Steuerung Luftschnitte aus; hier sind sie gezeigt.",
+    blankTraced: () =>
+      "Während der Rohteilnachführung lässt das Schruppen Ebenen aus, die nichts berühren. "
+      + "Andere Wege in der Luft, die die Steuerung kürzen kann, sind ganz gezeigt.",
     poleMissing: () => "Der Satz braucht vorher einen Pol CC.",
     startUnknown: () => "Die Position vor diesem Satz ist nicht bekannt.",
     arcImpossible: () => "Zu diesen Werten gibt es keinen Bogen.",

@@ -226,7 +226,9 @@ export const messages = {
       } is there material all round for sure. ` + "A round bar is a BLK FORM CYLINDER.",
     blankTaken: (d, w) => `${w.text(d.what)} is taken as the blank.`,
     blankAdds: (d, w) => `${w.text(d.what)} outlines ${w.area(d.area)} more than BLK FORM has. The outline counts.`,
-    blankTraced: () => "While the blank is traced the control leaves out cuts in the air; here they are shown.",
+    blankTraced: () =>
+      "While the blank is traced, roughing leaves out levels that touch nothing. "
+      + "Other ways in the air, which the control may shorten, are shown in full.",
     poleMissing: () => "The block needs a pole CC before it.",
     startUnknown: () => "The position before this block is not known.",
     arcImpossible: () => "No arc fits these values.",

@@ -240,7 +240,9 @@ export const messages = {
       + `qu’en dessous du diamètre ${w.value(d.inner)}. Une barre ronde est un BLK FORM CYLINDER.`,
     blankTaken: (d, w) => `${w.text(d.what)} sert de pièce brute.`,
     blankAdds: (d, w) => `${w.text(d.what)} décrit ${w.area(d.area)} de plus que BLK FORM. C’est ce contour qui compte.`,
-    blankTraced: () => "Tant que la pièce brute est actualisée, la commande omet les passes à vide ; elles sont montrées ici.",
+    blankTraced: () =>
+      "Tant que la pièce brute est actualisée, l’ébauche omet les niveaux qui ne touchent rien. "
+      + "Les autres trajets à vide, que la commande peut raccourcir, sont montrés en entier.",
     poleMissing: () => "La séquence demande un pôle CC avant elle.",
     startUnknown: () => "La position avant cette séquence n'est pas connue.",
     arcImpossible: () => "Aucun arc ne convient à ces valeurs.",

@@ -184,7 +184,7 @@ export const messages = {
       } 以内整圈一定有材料。圆棒料请用 BLK FORM CYLINDER。`,
     blankTaken: (d, w) => `${w.text(d.what)} 用作毛坯。`,
     blankAdds: (d, w) => `${w.text(d.what)} 的轮廓比 BLK FORM 多出${w.area(d.area)}。以该轮廓为准。`,
-    blankTraced: () => "毛坯跟踪期间控制系统会省略空切；这里仍然显示。",
+    blankTraced: () => "毛坯跟踪期间，粗加工省略不接触材料的层。控制系统可能缩短的其他空行程仍完整显示。",
     poleMissing: () => "该程序段之前需要极点CC。",
     startUnknown: () => "该程序段之前的位置未知。",
     arcImpossible: () => "这些数值无法构成圆弧。",

@@ -18,7 +18,7 @@ import { unfit } from "./fit.ts";
 import { atCall, Frontier } from "./frontier.ts";
 import { beyondAxis, FAR, groundOver, insertIn, insidePart, leadOf, reachOf, startInPart, type Surroundings } from "./ground.ts";
 import { divide, limitedInfeed, type Division } from "./infeed.ts";
-import { roughByLevels } from "./levels.ts";
+import { countedAnew, roughByLevels } from "./levels.ts";
 import { limitsOf } from "./limits.ts";
 import { Cutter } from "./link.ts";
 import { areaOver, partUnder } from "./outline-area.ts";
@@ -159,6 +159,7 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
       smoothing: l.smoothing,
       clearance: l.clearance,
       feeds: l.feeds,
+      leavesOutAir: setting.leavesOutAir ?? false,
     });
     if (l.smoothing === 1 && division.passes > 0)
       followContour(cutter, { ...follow, ground: grown, smoothing: true }, issues);
@@ -173,6 +174,7 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
     moves: cutter.moves,
     issues,
     ...division,
+    ...(setting.leavesOutAir && countedAnew(cutter.moves)),
     infeed: length(division.infeed),
     area: areaOver(flat, l.frame, frontOf(l, site, start.u), top),
     reach: reachOf(drawn, Math.max(drawn.first, from), Math.min(drawn.end.u, to), l.frame, tool),

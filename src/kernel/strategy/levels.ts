@@ -1,6 +1,8 @@
-import { below, heightAt, highest, pathAlong, type Envelope, type Interval } from "../envelope.ts";
+import { below, heightAt, higherOf, highest, linePiece, pathAlong, upperEnvelope, type Envelope, type Interval,
+  type Origin } from "../envelope.ts";
 import type { FlatSegment } from "../flat.ts";
-import { JOINED, ROUND, SAME } from "../tolerance.ts";
+import type { Move } from "../move.ts";
+import { JOINED, ROUND, SAME, SLIVER } from "../tolerance.ts";
 import type { Purpose } from "../track.ts";
 import type { Feeds } from "./feeds.ts";
 import type { Cutter } from "./link.ts";
@@ -20,6 +22,8 @@ export interface Levels {
   readonly smoothing: number;
   readonly clearance: number;
   readonly feeds: Feeds;
+  /** Leave out passes that touch nothing that stands. */
+  readonly leavesOutAir: boolean;
 }
 
 /** One cut: a valley at a level, where it is entered (null: from the front), and how far its lift may follow the contour. */
@@ -74,11 +78,35 @@ function* cuts(l: Levels): Generator<Cut> {
 export function roughByLevels(cutter: Cutter, l: Levels): void {
   if (l.passes === 0) return;
   for (const cut of cuts(l)) {
+    if (l.leavesOutAir && isInAir(cutter, l, cut)) continue;
     enter(cutter, l, cut);
     cutter.feed({ u: cut.valley.to, v: level(l, cut.pass) }, l.feeds.rough, purpose(2, cut.pass));
     lift(cutter, l, cut);
   }
   if (l.smoothing === 0) followBelow(cutter, l);
+}
+
+/** Moves whose passes are counted anew where some were left out, and how many passes that makes. */
+export function countedAnew(moves: readonly Move[]): { readonly moves: readonly Move[]; readonly passes: number } {
+  const left = [...new Set(moves.flatMap(({ phase, pass }) => (phase === "rough" && pass !== undefined ? [pass] : [])))].sort((a, b) =>
+    a - b
+  );
+  const number = new Map(left.map((pass, i) => [pass, i + 1]));
+  const counted = moves.map((move): Move => {
+    const pass = move.phase === "rough" && move.pass !== undefined ? number.get(move.pass) : undefined;
+    return pass === undefined ? move : { ...move, pass };
+  });
+  return { moves: counted, passes: left.length };
+}
+
+const FLOOR: Origin = { feature: "nose", on: "edge", corner: false };
+
+/** Whether nothing stands over a level where its cut runs, and along the contour where it lifts; slivers are nothing. */
+function isInAir({ frontier }: Cutter, l: Levels, { pass, valley, entry, limit }: Cut): boolean {
+  const [from, to] = [entry ?? valley.from, l.smoothing === 0 ? Math.max(valley.to, limit) : valley.to];
+  const height = level(l, pass);
+  const floor = linePiece({ u: from, v: height }, { u: to, v: height }, FLOOR);
+  return floor === null || frontier.standsOver(higherOf(l.envelope, upperEnvelope([floor])), { from, to }, SLIVER) === null;
 }
 
 const linked = (l: Levels, pass: number) => ({

@@ -1,0 +1,23 @@
+import { isDrill } from "../kernel/drill.ts";
+import type { Ring } from "../kernel/point.ts";
+import type { Machine } from "./machine.ts";
+
+/** FUNCTION TURNDATA BLANK: from here on the run knows what stands. */
+export function traceBlank(machine: Machine, rings: readonly Ring[]): void {
+  const { shop, log } = machine;
+  machine.traced = shop.tracing ? { blank: shop.tracing(rings), next: log.steps.length } : null;
+}
+
+/**
+ * What stands when a cycle is called; null where earlier cuts have left nobody knows what, since only the simulation knows that.
+ * A blank that is traced is cut by the steps up to here.
+ */
+export function stockAtCall(machine: Machine): readonly Ring[] | null {
+  const { traced, now: { blank, blankSince }, log: { steps, operations } } = machine;
+  if (traced) {
+    for (; traced.next < steps.length; traced.next += 1) traced.blank.add(steps[traced.next] as (typeof steps)[number]);
+    return traced.blank.stock();
+  }
+  const isUncut = operations.length === blankSince.operations && !steps.slice(blankSince.steps).some((s) => isDrill(s.tool));
+  return isUncut && blank.length > 0 ? blank : null;
+}

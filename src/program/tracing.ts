@@ -1,0 +1,12 @@
+import type { Ring } from "../kernel/point.ts";
+import type { Step } from "../kernel/step.ts";
+
+/** A blank that is cut by the steps of a run while it runs. */
+export interface TracedBlank {
+  add(step: Step): void;
+  /** What stands now. */
+  stock(): readonly Ring[];
+}
+
+/** Begins to cut a blank: the simulation does it, and is handed to the run by whoever knows both. */
+export type Tracing = (blank: readonly Ring[]) => TracedBlank;

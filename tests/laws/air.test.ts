@@ -1,0 +1,44 @@
+import fc from "fast-check";
+import { describe, expect, test } from "vitest";
+import type { Cycle } from "../../src/cycles/define.ts";
+import type { Ring } from "../../src/kernel/point.ts";
+import { areaOutside } from "../../src/kernel/real-area.ts";
+import { casesOf, situations, type Situation } from "./situation.ts";
+import { simulated, startsBadly } from "./worked-plans.ts";
+
+/*
+ * A blank that is traced: roughing that leaves out what touches nothing cuts the same stock as roughing in full, in the blank and in
+ * what an earlier call has left of it, and its rapids stay free.
+ */
+const CASES = Number(process.env["LAW_CASES"] ?? 8);
+
+function roughed(cycle: Cycle, s: Situation, blank: readonly Ring[], leavesOutAir: boolean) {
+  const setting = { tool: s.tool, start: s.start, feedUnit: "mm/rev" as const, autoFeed: null, stock: blank, leavesOutAir };
+  const plan = cycle.plan(s.values as never, setting, s.given);
+  return { plan, simulation: simulated([plan], { ...s, blank }) };
+}
+const same = (a: readonly Ring[], b: readonly Ring[]) => areaOutside(a, b) + areaOutside(b, a);
+
+/** Roughs a blank in full and without air cuts, and gives back what stands then and how many passes each took. */
+function bothWays(cycle: Cycle, s: Situation, blank: readonly Ring[]) {
+  const [full, short] = [roughed(cycle, s, blank, false), roughed(cycle, s, blank, true)];
+  expect(same(full.simulation.final, short.simulation.final)).toBeLessThan(0.05);
+  expect(short.simulation.proof.gouge).toBe(0);
+  if (!startsBadly(full.plan) && full.simulation.proof.rapidInStock === 0) expect(short.simulation.proof.rapidInStock).toBe(0);
+  expect(short.plan.passes).toBeLessThanOrEqual(full.plan.passes);
+  const counted = new Set(short.plan.moves.flatMap((m) => m.pass ?? []));
+  expect([...counted].sort((a, b) => a - b)).toEqual(Array.from({ length: counted.size }, (_, i) => i + 1));
+  return { final: full.simulation.final, full: full.plan.passes, short: short.plan.passes };
+}
+
+/** Groups that rough by levels. */
+const LEVELLED: readonly string[] = ["longitudinal", "transverse"];
+
+describe.each(situations(1).filter(({ cycle }) => LEVELLED.includes(cycle.group)))("cycle $cycle.number", ({ cycle, arbitrary }) => {
+  test("cuts the same without its cuts in the air, and again in what it has left", () => {
+    fc.assert(fc.property(arbitrary, (s) => {
+      const first = bothWays(cycle, s, s.blank);
+      bothWays(cycle, s, first.final);
+    }), { numRuns: casesOf(cycle, CASES) });
+  });
+});
