@@ -109,12 +109,12 @@ export function OwnPage() {
           </p>
         )}
       </div>
+      <TableTabs open="own" onOwn={() => undefined} onTools={(kind) => {
+        hideOwn();
+        showKind(kind);
+        showTools();
+      }} />
       <div className="tool-list">
-        <TableTabs open="own" onOwn={() => undefined} onTools={(kind) => {
-          hideOwn();
-          showKind(kind);
-          showTools();
-        }} />
         {list.length === 0
           ? <p className="tool-none">{t.none}</p>
           : (

@@ -23,7 +23,7 @@ export const tools = {
   restore: "Mitgelieferte",
   restoreLong: "Diese Tabelle durch die mitgelieferten Werkzeuge ersetzen",
 
-  kinds: { name: "Art der Werkzeuge", turning: "Drehen", milling: "Fräsen und Bohren" },
+  kinds: { name: "Tabellen dieses Geräts", turning: "Drehen", milling: "Fräsen und Bohren" },
   millTable: "Fräs- und Bohrwerkzeuge dieses Geräts",
   millNote: "Hier zählt nur der Radius mit seinem Aufmaß; Längen werden für die Steuerung geführt.",
   drillNote: "R mit Aufmaß, Spitzenwinkel und Schneiden ergeben beim Drehen die Bohrung auf der Achse; Längen werden für die Steuerung "

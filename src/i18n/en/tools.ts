@@ -23,7 +23,7 @@ export const tools = {
   restore: "Shipped tools",
   restoreLong: "Put the shipped tools in place of this table",
 
-  kinds: { name: "Kind of tools", turning: "Turning", milling: "Milling and drilling" },
+  kinds: { name: "Tables of this device", turning: "Turning", milling: "Milling and drilling" },
   millTable: "Milling and drilling tools of this device",
   millNote: "Only the radius with its delta counts here; lengths are kept for the control.",
   drillNote: "R with its delta, point angle and edges make the bore on the axis while turning; lengths are kept for the control.",

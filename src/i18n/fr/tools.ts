@@ -23,7 +23,7 @@ export const tools = {
   restore: "Outils fournis",
   restoreLong: "Remplacer ce tableau par les outils fournis",
 
-  kinds: { name: "Sorte d’outils", turning: "Tournage", milling: "Fraisage et perçage" },
+  kinds: { name: "Tables de cet appareil", turning: "Tournage", milling: "Fraisage et perçage" },
   millTable: "Outils de fraisage et de perçage de cet appareil",
   millNote: "Seul compte ici le rayon avec sa surépaisseur ; les longueurs sont conservées pour la commande.",
   drillNote:

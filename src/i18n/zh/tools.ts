@@ -23,7 +23,7 @@ export const tools = {
   restore: "随附刀具",
   restoreLong: "用随附刀具替换此刀具表",
 
-  kinds: { name: "刀具种类", turning: "车削", milling: "铣削与钻削" },
+  kinds: { name: "本机的表", turning: "车削", milling: "铣削与钻削" },
   millTable: "本设备的铣削与钻削刀具",
   millNote: "此处仅使用半径及其差值；长度仅为数控系统保存。",
   drillNote: "车削时，R 及其差值、顶角和切削刃长度决定轴线上的孔；长度仅为数控系统保存。",
