@@ -40,7 +40,9 @@ function bare(f: Formula, style: Style): string {
     }
     default: {
       const rank = RANK[f.kind];
-      return `${formulaText(f.left, style, rank)} ${SIGNS[f.kind]} ${formulaText(f.right, style, rank + 1)}`;
+      // Of equal signs the left one is worked out first, but for powers.
+      const [left, right] = f.kind === "power" ? [rank + 1, rank] : [rank, rank + 1];
+      return `${formulaText(f.left, style, left)} ${SIGNS[f.kind]} ${formulaText(f.right, style, right)}`;
     }
   }
 }

@@ -54,13 +54,12 @@ class FormulaReader {
     return left;
   }
 
+  /** Powers of powers are worked out from the right, all other signs from the left. */
   private power(): Formula | null {
-    let left = this.factor();
-    while (left && this.scan.take(/\^/y)) {
-      const right = this.factor();
-      left = right && { kind: "power", left, right };
-    }
-    return left;
+    const left = this.factor();
+    if (!left || !this.scan.take(/\^/y)) return left;
+    const right = this.power();
+    return right && { kind: "power", left, right };
   }
 
   factor(): Formula | null {

@@ -13,6 +13,7 @@ import { readContourOf } from "./contour-subprogram.ts";
 import { cycleValues } from "./cycle-values.ts";
 import { drillOnAxis, isDrilling } from "./drill-run.ts";
 import { programIssue, type ProgramIssue } from "./issue.ts";
+import type { UnknownReason } from "./known-values.ts";
 import type { Machine } from "./machine.ts";
 import type { Defined } from "./modal.ts";
 import { pointIn } from "./path.ts";
@@ -226,17 +227,22 @@ function perform(machine: Machine, { cycle, defined, start, tool, plan, issues, 
   });
 }
 
-/** The parameters of a definition as they are now, and those whose value is not known. */
-function readParameters(machine: Machine, parameters: readonly CycleParameter[], index: number): Pick<Defined, "values" | "troubled"> {
+/** The parameters of a definition as they are now, and why some are not known. */
+interface Parameters {
+  readonly values: Defined["values"];
+  readonly troubled: ReadonlyMap<string, UnknownReason>;
+}
+
+function readParameters(machine: Machine, parameters: readonly CycleParameter[], index: number): Parameters {
   const values = new Map<string, number | "auto" | null>();
-  const troubled = new Set<string>();
+  const troubled = new Map<string, UnknownReason>();
   for (const p of parameters) {
     if (p.value === null || p.value === "max") values.set(p.q, null);
     else if (p.value === "auto") values.set(p.q, "auto");
     else {
       const n = machine.number(p.value, index);
       values.set(p.q, n);
-      if (n === null) troubled.add(p.q);
+      if (n === null) troubled.set(p.q, machine.known.trouble);
     }
   }
   return { values, troubled };
@@ -261,8 +267,9 @@ export function cycleDefinition(machine: Machine, index: number): void {
   if (cycle?.acts) act(machine, cycle, s, index);
   if (actsAtOnce(s.cycle)) return actingCycle(machine, s.cycle, s.parameters, index);
   const { values, troubled } = readParameters(machine, s.parameters, index);
-  values.forEach((v, q) => typeof v === "number" && machine.parameters.set(q, v));
+  values.forEach((v, q) => typeof v === "number" && machine.known.set(q, v));
+  troubled.forEach((reason, q) => machine.known.forget(q, reason));
   if (cycle || bores) machine.definitions.add(index);
   if (cycle) foreignParameters(machine, cycle, s.parameters.map((p) => p.q), index);
-  machine.set({ callsBehindMoves: false, defined: { index, cycle: s.cycle, values, troubled } satisfies Defined });
+  machine.set({ callsBehindMoves: false, defined: { index, cycle: s.cycle, values, troubled: new Set(troubled.keys()) } });
 }

@@ -4,7 +4,11 @@ import type { Parameters, Texts } from "./formula.ts";
 export type UnknownReason = "unproved" | "told";
 
 /** Parameters that touch probe cycles write their results into. */
-const RESULT = /^Q(?:1\d\d|9[5-9]\d)$/;
+const RESULT = /^Q(?:1(?!08|13)\d\d|9[5-9]\d)$/;
+/** Parameters that the control itself keeps: what the machine, its tool and its probes say. A program that reads them is no fault. */
+const KEPT_BY_CONTROL = /^Q1\d\d$/;
+/** Of those the two that a program alone can tell: radius of the tool, and unit of the program. */
+const [TOOL_RADIUS, UNIT] = ["Q108", "Q113"] as const;
 /** Parameters that count in one subprogram or program only. */
 const LOCAL = /^QL/;
 
@@ -34,6 +38,17 @@ export class KnownValues {
   setText(name: string, text: string): void {
     this.held.set(name, text);
     this.forgotten.delete(name);
+  }
+
+  /** What the control keeps of the tool that is called, in the unit of the program; null when nobody knows its radius. */
+  setToolRadius(radius: number | null): void {
+    if (radius === null) this.forget(TOOL_RADIUS);
+    else this.set(TOOL_RADIUS, radius);
+  }
+
+  /** What the control keeps of the program that was started. */
+  setUnit(inch: boolean): void {
+    this.set(UNIT, inch ? 1 : 0);
   }
 
   /** Back to a parameter that was never set. */
@@ -76,7 +91,8 @@ export class KnownValues {
   /** Why nobody knows what a parameter holds; null when its value is known, or none was ever set. */
   reasonOf(name: string): UnknownReason | null {
     if (this.parameters.has(name) || this.held.has(name)) return null;
-    return this.forgotten.get(name) ?? (this.probed && RESULT.test(name) ? "unproved" : null);
+    const unknown = KEPT_BY_CONTROL.test(name) || (this.probed && RESULT.test(name));
+    return this.forgotten.get(name) ?? (unknown ? "unproved" : null);
   }
 
   /** True when a parameter holds a value, false when none was ever set, null when nobody knows. */

@@ -138,12 +138,39 @@ describe("values", () => {
     ["Q9 = SQ ( 1 + 2 ) ^ 2 % 50", "", "31"],
     ["Q9 = NEG ( LOG 0.01 ) + LN EXP 3 + SGN -7 + INT 2.9 + FRAC 2.25 + ABS -1", "", "7.25"],
     ["Q9 = TAN 45 * PI", "", "3.142"],
+    ["Q9 = 2 ^ 3 ^ 2 / 64", "", "8"],
+    ["Q9 = ( 2 ^ 3 ) ^ 2", "", "64"],
+    ["Q9 = - 3 ^ 2 + SIN 30 ^ 2", "", "9.25"],
+    ["Q9 = 2 - 3 - 4 + 60 / 4 / 5", "", "-2"],
+    ["Q9 = Q113 + 5", "", "5"],
+    ["Q9 = Q463 + 1", "CYCL DEF 200 DRILLING ~\nQ201=-20 ~\nQ463=+2.25", "3.25"],
     ["Q9 = STRLEN ( SRC_QS1 )", 'QS1 = "CUT12.H"', "7"],
     ["Q9 = INSTR ( SRC_QS1 SEA_QS2 BEG1 )", 'QS1 = "ABCAB"\nQS2 = "AB"', "3"],
     ["Q9 = TONUMB ( SRC_QS1 )", 'QS2 = "X12,5"\nQS1 = SUBSTR ( SRC_QS2 BEG1 LEN4 )', "12.5"],
     ["Q9 = 4 + STRCOMP ( SRC_QS1 SEA_QS2 )", 'QS1 = "A"\nDECLARE STRING QS2 = "B"', "3"],
     ["Q9 = TONUMB ( SRC_QS1 )", 'QS1 = "1" || TOCHAR ( DAT+2.346 DECIMALS2 )', "12.35"],
   ])("%s with %s is %s", (formula, before, result) => expect(at(`${before}\n${formula}`)).toBe(result));
+  test("what the control keeps: the radius of the tool in the unit of the program, all else is unknown and no fault", () => {
+    const mills = [{ T: 31, NAME: "D8", R: 4, DR: -0.25 }];
+    const radius = (unit: string, lines: string) => {
+      const text = `BEGIN PGM R ${unit}\nTOOL DEF 7 L+0 R+0.75\n${lines}\nL X+0 Y+0 Z+5 R0 FMAX\nL X+Q108 FMAX\nM30\nEND PGM R ${unit}\n`;
+      const r = run(parse(text), { tools: shippedTools, rapid: 10_000, mills });
+      return [
+        r.plane.at(-1)?.to.x ?? null,
+        ...unproved(r).filter((u) => u.startsWith("Q")),
+        ...told(r).filter((c) => !c.startsWith("not")),
+      ];
+    };
+    expect(radius("MM", "TOOL CALL 31 Z S100 DR+0.5")).toEqual([4.25]);
+    expect(radius("INCH", "TOOL CALL 7 Z S100")).toEqual([0.75 * 25.4]);
+    expect(radius("MM", "TOOL CALL 77 Z S100")).toEqual([0, "Q108@4"]);
+    expect(unproved(made("L X+Q110 FMAX"))).toEqual(["Q110@7"]);
+    expect(told(made("L X+Q99 FMAX"))).toEqual(["parameterUnset@7"]);
+    expect(unproved(made("FN 18: SYSREAD Q1 = ID1\nQ200 = 3\nCYCL DEF 200 DRILLING ~\nQ200=+Q1\nL X+Q200 FMAX"))).toEqual([
+      "Q1@9",
+      "Q200@10",
+    ]);
+  });
   test("a tool by its name in a parameter", () => {
     const name = shippedTools[1]?.NAME ?? "";
     const r = made(`QS1 = "${name}"\nTOOL CALL QS1\nL X+90 Z+5 FMAX\nL X+80 FMAX`);

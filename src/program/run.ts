@@ -28,6 +28,7 @@ export function run(program: Program, shop: Shop): Run {
   const begin = program.blocks.find((b) => b.statement.kind === "begin")?.statement;
   const frame = begin?.kind === "begin" ? begin : { name: "", unit: "MM" as const };
   machine.set({ inch: frame.unit === "INCH" });
+  machine.known.setUnit(frame.unit === "INCH");
   const ending = execute(machine, (s, index) => block(machine, s, index));
   finish(machine);
   tellBox(machine);

@@ -33,6 +33,7 @@ const toolOf = (machine: Machine, held: Parameter, index: number) =>
 /** Nobody knows which tool is called: the one before is not in the spindle any more. */
 function unknownTool(machine: Machine): void {
   machine.setMill({ tool: "", radius: null });
+  machine.known.setToolRadius(null);
   machine.setPlace({ sure: { x: false, z: false }, last: null });
   machine.set({ compensation: "R0", tool: null, toolRefused: true, corrections: {} });
 }
@@ -42,7 +43,9 @@ function takeMill(machine: Machine, s: StatementOf<"toolCall">, wanted: number |
   const row = shop.mills?.find((m) => m.T === wanted || m.NAME === wanted);
   const radius = radii.get(wanted) ?? (row ? row.R + (row.DR ?? 0) : null);
   const delta = s.deltaRadius === null ? 0 : (machine.number(s.deltaRadius, index) ?? 0);
-  machine.setMill({ tool: String(wanted), radius: radius === null ? null : Math.max(0, radius + machine.length(delta)) });
+  const own = radius === null ? null : Math.max(0, radius + machine.length(delta));
+  machine.setMill({ tool: String(wanted), radius: own });
+  machine.known.setToolRadius(own === null ? null : own / machine.length(1));
 }
 
 function takeTool(machine: Machine, s: StatementOf<"toolCall">, wanted: number | string, index: number): void {
