@@ -36,7 +36,9 @@ function areaText({ from, depth }: Pick<ContourArea, "from" | "depth">, style: S
 
 /** What only free contours have stands between the end point and the feed; a control reads any order. */
 const freeText = (s: StatementOf<"free">, style: Style) =>
-  `${s.form}${wordsText(s.words, style)}${s.given.map((w) => ` ${w.name}${valueText(w.value, style)}`).join("")}`;
+  `${s.form}${wordsText(s.words, style)}${
+    s.given.map((w) => ` ${w.name}${w.name === "CLSD" ? (w.value === -1 ? "-" : "+") : valueText(w.value, style)}`).join("")
+  }`;
 
 /** The lines of a statement without block number and line ends; only cycles have more than one. */
 export function statementLines(s: Statement, style: Style): string[] {

@@ -1,7 +1,7 @@
 import { solveContour } from "../kernel/solve-contour.ts";
 import type { GivenCoordinate, SolveElement } from "../kernel/solve-work.ts";
 import { at, part, type Pt, type Segment } from "../kernel/point.ts";
-import { SAME } from "../kernel/tolerance.ts";
+import { ARC_END, SAME } from "../kernel/tolerance.ts";
 import { axial, degrees, diameter, inDegrees, length, radians, radius, toDiameter, toRadius, type Axial,
   type Radius } from "../kernel/units.ts";
 import type { AxisName, AxisWord, FreeForm, StatementOf, Value, Words } from "../nc/statement.ts";
@@ -68,10 +68,19 @@ export function solveFree(run: readonly Free[], setting: FreeSetting): FreeBlock
     const solved = elements[start.length + i];
     const segment = solved?.segment ?? null;
     open ||= !solved || !segment || solved.freedom > 0 || wrong.has(start.length + i);
+    open ||= segment !== null && !isRound(segment, k.element);
     // Of two solutions one has to be chosen.
     open ||= (solved?.choices ?? 1) > 1 && k.selected === null;
     return open || !segment ? null : pathOf(k.s, segment, plane, up);
   });
+}
+
+/** An arc whose ends lie on one circle about its centre, of the radius that is given. */
+function isRound(s: Segment, e: SolveElement | null): boolean {
+  if (s.kind !== "arc") return true;
+  const { startRadius, endRadius } = part.polarOf(s);
+  const given = e?.kind === "arc" && e.radius !== null ? Math.abs(e.radius) : startRadius;
+  return Math.abs(startRadius - endRadius) <= ARC_END && Math.abs(startRadius - given) <= ARC_END;
 }
 
 /** The start point, with the element before it where that is known. */
@@ -98,7 +107,21 @@ function readRun(run: readonly Free[], setting: FreeSetting): Known[] {
       } else if (last) known[known.length - 1] = { ...last, element: null };
     } else known.push({ s, element: elementOf(s, setting, pole), selected: null });
   }
-  return known;
+  return closed(known, setting);
+}
+
+const closing = (s: Free) => s.given.find((w) => w.name === "CLSD")?.value;
+
+/** CLSD: the element that closes a contour ends where the one that begins it does. Where that is not known, nothing is gained. */
+function closed(known: readonly Known[], { from, plane }: FreeSetting): Known[] {
+  let begun: Pt | null = null;
+  return known.map((k, i) => {
+    const before = i === 0 ? from : null;
+    if (closing(k.s) === 1) begun = before;
+    if (closing(k.s) !== -1 || !begun || !k.element) return k;
+    const end = { z: k.element.z ?? { at: begun.z }, r: k.element.r ?? { at: radius(begun.r + (plane === "XY" ? ASIDE : 0)) } };
+    return { ...k, element: { ...k.element, ...end } };
+  });
 }
 
 const one = (words: readonly AxisWord[], axis: AxisName) => words.find((w) => w.axis === axis);
@@ -140,15 +163,19 @@ function elementOf(s: Free, setting: FreeSetting, pole: Pt | null): SolveElement
   }
   const [angle, far, size] = [given("AN"), read(words.length), read(words.radius)];
   const [cu, cv] = [given(`CC${first}`), given(`CC${second}`)];
+  const [polarFar, polarAngle] = [given("CCPR"), given("CCPA")];
   const common = { z, r, tangent: s.form === "FLT" || s.form === "FCT", choice: 0 as const };
   if (unknown) return null;
   if (s.form === "FL" || s.form === "FLT") {
-    if (cu !== null || cv !== null || size !== null || words.turn) return null;
+    if (cu !== null || cv !== null || polarFar !== null || polarAngle !== null || size !== null || words.turn) return null;
     return { ...common, kind: "line", angle: angle === null ? null : degrees(angle), length: far === null ? null : length(far) };
   }
   if (angle !== null || far !== null || (cu === null) !== (cv === null)) return null;
-  const centre = cu === null || cv === null ? null : { z: axial(cu), r: above(cv, plane) };
-  return { ...common, kind: "arc", turn: words.turn ?? null, radius: centre ? null : size, centre };
+  if ((polarFar === null) !== (polarAngle === null) || (polarFar !== null && (!pole || cu !== null))) return null;
+  const polar = pole && polarFar !== null && polarAngle !== null ? part.beyond(pole, part.heading(radians(polarAngle)), polarFar) : null;
+  const lifted = polar && at(polar.z, polar.r + (plane === "XY" ? ASIDE : 0));
+  const centre = cu === null || cv === null ? lifted : { z: axial(cu), r: above(cv, plane) };
+  return { ...common, kind: "arc", turn: words.turn ?? null, radius: size, centre };
 }
 
 /** The element as a block that names its end. An arc of more than half a turn has a negative radius. */

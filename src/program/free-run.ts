@@ -13,6 +13,7 @@ type Free = StatementOf<"free">;
 
 /** One block of a free contour: solved with those that follow, it runs as the line or arc that it is. */
 export function runFree(machine: Machine, s: Free, index: number): void {
+  if (s.form === "FPOL") machine.freePole = s;
   if (!isFreeElement(s)) return;
   const run = machine.freeRun?.expected === index ? machine.freeRun : solved(machine, index);
   const after = [...run.blocks.keys()].find((i) => i > index) ?? null;
@@ -31,7 +32,8 @@ function solved(machine: Machine, index: number): FreeRun {
   if (elsewhere || (!turning && mill.otherAxis)) return { blocks: new Map(), expected: null };
   const { at, sure, last, mill: centre } = machine.place;
   const from = turning ? (sure.x && sure.z ? pointIn("lathe", at) : null) : pointIn("XY", centre);
-  const blocks = solveFree(run, {
+  const { freePole } = machine;
+  const blocks = solveFree(freePole && run[0]?.form !== "FPOL" ? [freePole, ...run] : run, {
     plane: turning ? "lathe" : "XY",
     from: from && counted(machine, from),
     before: last && moved(machine, last),

@@ -34,6 +34,43 @@ describe("free contours of a mill", () => {
     expect(places("TRANS DATUM AXIS X+100\nFL X+5 Y-7")).toEqual(["feed 105 -7"]);
     expect(places("FL AN+0 LEN1", "INCH")).toEqual(["feed -50.8 -177.8"]);
   });
+  test("tangents between circles that are known, a contour that closes", () => {
+    const lines = "L X+2 Y+30\nFC DR- R18 CLSD+ CCX+20 CCY+30\nFLT\nFCT DR- R15 CCX+50 CCY+75\nFLT\nFCT DR+ R10 CCX+75 CCY+20\nFLT\n"
+      + "FCT DR- R18 CLSD- CCX+20 CCY+30\nL X+2 Y+31";
+    const done = milled(lines);
+    expect(done.issues.filter((f) => f.issue.code === "freeUnsolved")).toEqual([]);
+    const ends = done.plane.slice(2).map((m) => [m.to.x, m.to.y] as const);
+    const circles = [[20, 30, 18], [50, 75, 15], [75, 20, 10], [20, 30, 18]] as const;
+    // Every line touches the circle that it leaves and the one that it comes to, and runs square to both radii.
+    for (const k of [0, 1, 2]) {
+      const [a, b] = [ends[2 * k], ends[2 * k + 1]];
+      for (const [p, circle] of [[a, circles[k]], [b, circles[k + 1]]] as const) {
+        const [x, y] = [(p?.[0] ?? NaN) - (circle?.[0] ?? NaN), (p?.[1] ?? NaN) - (circle?.[1] ?? NaN)];
+        expect(Math.hypot(x, y)).toBeCloseTo(circle?.[2] ?? NaN, 6);
+        expect(x * ((b?.[0] ?? NaN) - (a?.[0] ?? NaN)) + y * ((b?.[1] ?? NaN) - (a?.[1] ?? NaN))).toBeCloseTo(0, 6);
+      }
+    }
+    expect(ends[0]?.map(round)).toEqual([5.6, 40.8]);
+    expect(ends[6]?.map(round)).toEqual([2, 30]);
+  });
+  test("circles that lie in each other have no tangent, and a radius that is not that of its centre is no circle", () => {
+    expect(codes("L X+2 Y+30\nFC DR- R18 CCX+20 CCY+30\nFLT\nFCT DR- R5 CCX+22 CCY+30\nFLT X+90")).toContain("freeUnsolved");
+    expect(codes("L X+2 Y+30\nFC DR- R17 CCX+20 CCY+30 X+20 Y+48")).toContain("freeUnsolved");
+    expect(codes("L X+2 Y+30\nFC DR- R18 CCX+20 CCY+30 X+20 Y+47")).toContain("freeUnsolved");
+    expect(codes("L X+2 Y+30\nFC DR- R18 CCX+20 CCY+30 X+20 Y+48")).toEqual([]);
+  });
+  test("a centre by FPOL, which counts until the next one", () => {
+    expect(places("FPOL X-3 Y-27\nL X-3 Y-7\nFC DR- CCPR+10 CCPA+90 X+7 Y-17").at(-1)).toBe("arc 7 -17");
+    expect(places("FPOL X+2 Y-7\nL Y+0\nCC X+0 Y+0\nFL PR+8 PA+90").at(-1)).toBe("feed 2 1");
+    expect(codes("FC DR- CCPR+10 CCPA+90 X+7 Y-17")).toContain("freeUnsolved");
+  });
+  test("an approach to an element that nobody could work out is unproved, and no fault", () => {
+    const done = milled(
+      "TOOL DEF 5 L+0 R+2\nTOOL CALL 5 Z S900\nL X-30 Y-7\nAPPR LT X+0 Y+0 LEN5 RL F100\nFL PDX+3 D4\nDEP LT LEN9\nL X-30 Y-40 R0",
+    );
+    expect(done.issues.filter((f) => f.issue.severity === "error")).toEqual([]);
+    expect(done.unproved.map((u) => u.what)).toEqual(expect.arrayContaining(["APPR LT", "FL", "DEP LT"]));
+  });
   test("an incremental end counts from the element before", () => expect(places("FL IX+4 IY-2")).toEqual(["feed 1 -9"]));
   test("what is not determined, contradicts or is not understood is unproved, with a reason", () => {
     for (const lines of ["FL X+10 AN+90 LEN3", "FL AN+30", "FL P1X+5 P1Y+6 AN+10 X+7", "FC R5", "FL X+10 AN+Q99", "FLT X+10"])

@@ -5,7 +5,7 @@ import { secondsOf } from "../kernel/time.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { INCH, type Feed } from "../kernel/units.ts";
 import type { Block, Program } from "../nc/program.ts";
-import type { FileName, Label, Statement, Value } from "../nc/statement.ts";
+import type { FileName, Label, Statement, StatementOf, Value } from "../nc/statement.ts";
 import { NO_TRANSFORM } from "./coordinates-frame.ts";
 import { formulaOf, textOf, valueOf, type Parameters, type Trouble } from "./formula.ts";
 import { programIssue, type ProgramIssue } from "./issue.ts";
@@ -76,6 +76,8 @@ export class Machine {
   traced: { readonly blank: TracedBlank; next: number } | null = null;
   /** The free contour that is being run. */
   freeRun: FreeRun | null = null;
+  /** FPOL that counts until another does. */
+  freePole: StatementOf<"free"> | null = null;
   /** Blocks executed, those of contours that cycles read included. */
   private executed = 0;
   full = false;

@@ -5,6 +5,7 @@ import { plane, towardsTool, type PlanePoint, type PlaneSegment, type Side } fro
 import { planeContour, type PlaneContour } from "../kernel/plane-contour.ts";
 import { ROUND, SAME } from "../kernel/tolerance.ts";
 import { radius, toDiameter } from "../kernel/units.ts";
+import type { Statement } from "../nc/statement.ts";
 import { NO_TRANSFORM } from "./coordinates-frame.ts";
 import { programIssue } from "./issue.ts";
 import type { Carrier } from "./carrier.ts";
@@ -132,6 +133,19 @@ function runDeparture(f: Finishing, call: ApproachCall, made: Approach): void {
   if (!atOnce || last < 0) f.lift(call);
 }
 
+/** Blocks that stand between an approach and its element without being one. */
+const BETWEEN: ReadonlySet<Statement["kind"]> = new Set(["empty", "comment", "structure", "assign"]);
+
+/** An approach or departure next to no element; where that is one nobody could work out, it is no fault. */
+function sayAlone({ carrier: { machine } }: Finishing, form: string, index: number): void {
+  const step = form.startsWith("APPR") ? 1 : -1;
+  let i = index + step;
+  while (BETWEEN.has(machine.blocks[i]?.statement.kind ?? "end")) i += step;
+  const unknown = machine.blocks[i]?.statement.kind === "free" || machine.place.lost === "unproved";
+  if (unknown) machine.log.leaveUnproved(form, index);
+  else machine.log.say(programIssue("approachWithoutContour", "error", { form }), index);
+}
+
 /** Comes to the first element. */
 function begin(f: Finishing, contour: PlaneContour, reference: PlaneSegment | undefined): void {
   const { start, side } = f.chain;
@@ -144,7 +158,7 @@ function begin(f: Finishing, contour: PlaneContour, reference: PlaneSegment | un
   } else if (start.kind === "approach") {
     const { call } = start;
     if (reference) return runApproach(f, call, lead(f, call, reference, contour), start.before);
-    f.carrier.machine.log.say(programIssue("approachWithoutContour", "error", { form: `APPR ${call.form}` }), call.index);
+    sayAlone(f, `APPR ${call.form}`, call.index);
     const to = difference(call.target ?? f.centre ?? { x: 0, y: 0 }, f.carrier.tip);
     f.go({ kind: "line", from: f.centre ?? to, to }, call);
   }
@@ -210,7 +224,7 @@ export function finishChain(
   along(f, contour);
   if (departure && last) runDeparture(f, departure, lead(f, departure, last, contour));
   else if (departure) {
-    carrier.machine.log.say(programIssue("approachWithoutContour", "error", { form: `DEP ${departure.form}` }), departure.index);
+    sayAlone(f, `DEP ${departure.form}`, departure.index);
     if (f.centre && departure.target)
       f.go({ kind: "line", from: f.centre, to: difference(departure.target, carrier.tip) }, { ...departure, toZ: departure.fromZ });
     f.lift(departure);

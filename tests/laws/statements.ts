@@ -89,10 +89,11 @@ const terms: fc.Arbitrary<readonly string[]> = fc.letrec<{ t: readonly string[] 
     tie("t").map((inner) => ["(", ...inner, ")"])),
 })).t;
 /** Words that only elements of free contours have. */
-const freeWords = fc.uniqueArray(fc.record({ name: fc.constantFrom("AN", "CCX", "CCY", "CCZ"), value }), {
-  selector: (w) => w.name,
-  maxLength: 4,
-});
+const freeWords = fc.uniqueArray(
+  fc.oneof(fc.record({ name: fc.constantFrom("AN", "CCX", "CCY", "CCZ", "CCPR", "CCPA"), value }),
+    fc.record({ name: fc.constant("CLSD"), value: fc.constantFrom(1, -1) })),
+  { selector: (w) => w.name, maxLength: 4 },
+);
 
 /** Any statement as a reader may give it. */
 export const statements: fc.Arbitrary<Statement> = fc.oneof<fc.Arbitrary<Statement>[]>(
