@@ -107,6 +107,7 @@ const SAMPLES: { readonly [C in AnyCode]: DataOf<C> } = {
   feedZero: { word: "FAUTO" },
   drillTooShort: { depth: 52.5, edges: 43 },
   pitchOfTap: { pitch: 1.25, tap: 1.5 },
+  freeChosen: {},
   freeUnsolved: { form: "FCT" },
   feedUnlikely: { feed: 0.3, unit: "mm/min" },
   cycleNeverCalled: { cycle: 812 },

@@ -1,5 +1,4 @@
 import type { CurveOf } from "./geometry/curves.ts";
-import { signOf } from "./geometry/segments.ts";
 import { at, part, type Pt, type Turn } from "./point.ts";
 import { arcRank, aside, byRank, pointOf, same, type Circle, type Rank, type Solving } from "./solve-work.ts";
 import { ROUND, SAME } from "./tolerance.ts";
@@ -29,28 +28,12 @@ export function findAngles(w: Solving): boolean {
     if (e.kind === "arc" && w.circle[i] !== "straight") return;
     const [from, to] = [pointOf(w, i - 1), pointOf(w, i)];
     const ends = from && to && apart(from, to) > SAME ? difference(to, from) : null;
-    const found = ends ?? (tangent(w, i) ? way(w, i - 1, i - 1) : null) ?? (tangent(w, i + 1) ? way(w, i + 1, i) : null)
-      ?? betweenCircles(w, i);
+    const found = ends ?? (tangent(w, i) ? way(w, i - 1, i - 1) : null) ?? (tangent(w, i + 1) ? way(w, i + 1, i) : null);
     if (!found) return;
     w.angle[i] = angleOf(found);
     changed = true;
   });
   return changed;
-}
-
-/** The direction of a line that leaves one known circle and runs into another, tangentially both times. */
-function betweenCircles(w: Solving, i: number): Pt | null {
-  const [one, two] = [w.circle[i - 1] ?? null, w.circle[i + 1] ?? null];
-  if (w.elements[i]?.kind !== "line" || !tangent(w, i) || !tangent(w, i + 1)) return null;
-  if (!one || !two || one === "straight" || two === "straight") return null;
-  const gap = apart(one.centre, two.centre);
-  // Each centre lies its radius to the left of the line, or to the right: the line leans by what the two differ.
-  const lean = (signOf(two.turn) * two.radius - signOf(one.turn) * one.radius) / gap;
-  if (!(Math.abs(lean) <= 1)) {
-    w.unreachable.add(i);
-    return null;
-  }
-  return heading(angleOf(difference(two.centre, one.centre)) - Math.asin(lean));
 }
 
 /** Circles of arcs that follow from centre, radius, ends and neighbours. */

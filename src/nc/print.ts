@@ -36,9 +36,12 @@ function areaText({ from, depth }: Pick<ContourArea, "from" | "depth">, style: S
 
 /** What only free contours have stands between the end point and the feed; a control reads any order. */
 const freeText = (s: StatementOf<"free">, style: Style) =>
-  `${s.form}${wordsText(s.words, style)}${
-    s.given.map((w) => ` ${w.name}${w.name === "CLSD" ? (w.value === -1 ? "-" : "+") : valueText(w.value, style)}`).join("")
-  }`;
+  `${s.form}${wordsText(s.words, style)}${s.given.map((w) => ` ${w.name}${givenText(w, style)}`).join("")}`;
+/** Blocks that are referred to are bare numbers, and CLSD has a sign alone. */
+function givenText({ name, value }: NamedWord, style: Style): string {
+  if (name === "CLSD") return value === -1 ? "-" : "+";
+  return /^(?:PAR|RCC?.*|RPR|RPA|RAN|R[XYZ])$/.test(name) ? unsigned(value, style) : valueText(value, style);
+}
 
 /** The lines of a statement without block number and line ends; only cycles have more than one. */
 export function statementLines(s: Statement, style: Style): string[] {

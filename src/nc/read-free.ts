@@ -3,8 +3,12 @@ import { Scan } from "./scan.ts";
 import type { FreeForm, NamedWord, Statement } from "./statement.ts";
 import { VALUE } from "./value.ts";
 
-/** Words that only free contours have: the angle of a line, the centre of an arc, and where a closed contour begins and ends. */
-const GIVEN = new RegExp(String.raw`(?<![A-Z_])(?:(AN|CCP[RA]|CC[XYZ])[ \t]*(${VALUE})|(CLSD)[ \t]*([+-])(?![\d.,Q]))`, "gi");
+/**
+ * Words that only free contours have: angles, centres, points that an element runs through or past, parallels, and the block
+ * from which a value counts.
+ */
+const NAMES = "I?AN|I?CC[XYZ]|CCPR|CCPA|P[123][XYZ]|PD[XYZ]|PAR|DP|D|RCC[XYZ]|RPR|RPA|RAN|R[XYZ]";
+const GIVEN = new RegExp(String.raw`(?<![A-Z_])(?:(CLSD)[ \t]*([+-])|(${NAMES})[ \t]*(${VALUE}))`, "gi");
 const SOLUTION = /\d{1,2}(?![\d.,])/y;
 
 /** FL, FC, FLT, FCT, FPOL and FSELECT: elements of which some things are given. */
@@ -17,9 +21,9 @@ export function readFree(scan: Scan, form: FreeForm): Statement | null {
     scan.leftOver();
     return { kind: "free", form, given, words: { axes: [], linear: [], functions: [], extra: [] } };
   }
-  const rest = scan.text.slice(scan.at).replace(GIVEN, (text, name?: string, digits?: string, closed?: string, sign?: string) => {
-    const value = digits === undefined ? (sign === "-" ? -1 : 1) : scan.value(digits);
-    if (value !== null) given.push({ name: (name ?? closed ?? "").toUpperCase(), value });
+  const rest = scan.text.slice(scan.at).replace(GIVEN, (text, closes?: string, sign?: string, name = "", digits = "") => {
+    const value = closes ? (sign === "-" ? -1 : 1) : scan.value(digits);
+    if (value !== null) given.push({ name: (closes ?? name).toUpperCase(), value });
     return " ".repeat(text.length);
   });
   // The other words stand where they stood, so that what is wrong with them has its place.

@@ -2,7 +2,7 @@ import { contourFrom, type Contour, type ContourElement } from "../kernel/contou
 import { at as pointAt, type Pt, type Segment } from "../kernel/point.ts";
 import type { Label, Statement, StatementOf } from "../nc/statement.ts";
 import { isFreeElement, solveFree, type FreeBlock } from "./free-contour.ts";
-import { collectFree, sayUnsolved } from "./free-words.ts";
+import { collectFree, sayChosen, sayUnsolved } from "./free-words.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
 import type { ContourSource } from "./modal.ts";
@@ -31,7 +31,7 @@ interface Reader {
   /** The element before, for a free contour that leaves it tangentially. */
   last: Segment | null;
   /** Elements of free contours, by their blocks. */
-  solved: ReadonlyMap<number, FreeBlock>;
+  solved: ReadonlyMap<number, FreeBlock | null>;
   /** A word of a place had no number. */
   isTroubled: boolean;
 }
@@ -182,14 +182,17 @@ function free(reader: Reader, s: StatementOf<"free">, index: number): void {
     const unit = machine.length(1);
     const blocks = solveFree(run, {
       plane: plane === "lathe" ? "lathe" : "radii",
-      from: from && pointAt(from.z / unit, from.r / unit),
+      from: from && { x: from.z / unit, y: from.r / unit },
       before: reader.last && scaled(reader.last, unit),
       number: (value) => machine.number(value, index),
     });
     reader.solved = new Map(indices.map((i, k) => [i, blocks[k] ?? null]));
   }
   const made = reader.solved.get(index);
-  if (made) return path(reader, made, index);
+  if (made) {
+    if (made.isChosen) sayChosen(machine, index);
+    return path(reader, made.path, index);
+  }
   reader.isTroubled = true;
   sayUnsolved(machine, s, index);
 }

@@ -1,9 +1,10 @@
 import { at as pointAt, type Pt, type Segment } from "../kernel/point.ts";
+import { planePoint } from "../kernel/plane.ts";
 import { radius, toDiameter, toRadius, diameter } from "../kernel/units.ts";
 import type { StatementOf } from "../nc/statement.ts";
 import { datumShiftOf } from "./datum.ts";
 import { isFreeElement, solveFree, type FreeRun } from "./free-contour.ts";
-import { collectFree, sayUnsolved } from "./free-words.ts";
+import { collectFree, sayChosen, sayUnsolved } from "./free-words.ts";
 import type { Machine } from "./machine.ts";
 import { path } from "./motion.ts";
 import { wordReader } from "./path-block.ts";
@@ -19,7 +20,10 @@ export function runFree(machine: Machine, s: Free, index: number): void {
   const after = [...run.blocks.keys()].find((i) => i > index) ?? null;
   machine.freeRun = { ...run, expected: after };
   const made = run.blocks.get(index);
-  if (made) return path(machine, made, index);
+  if (made) {
+    if (made.isChosen) sayChosen(machine, index);
+    return path(machine, made.path, index);
+  }
   machine.loseAll();
   sayUnsolved(machine, s, index);
 }
@@ -33,9 +37,9 @@ function solved(machine: Machine, index: number): FreeRun {
   const { at, sure, last, mill: centre } = machine.place;
   const from = turning ? (sure.x && sure.z ? pointIn("lathe", at) : null) : pointIn("XY", centre);
   const { freePole } = machine;
-  const blocks = solveFree(freePole && run[0]?.form !== "FPOL" ? [freePole, ...run] : run, {
+  const blocks = solveFree(freePole && run[0]?.s.form !== "FPOL" ? [{ s: freePole, block: -1 }, ...run] : run, {
     plane: turning ? "lathe" : "XY",
-    from: from && counted(machine, from),
+    from: from && planePoint(counted(machine, from)),
     before: last && moved(machine, last),
     number: (value) => machine.number(value, index),
   });

@@ -1,5 +1,5 @@
 import type { Statement, StatementOf } from "../nc/statement.ts";
-import { isFreeElement } from "./free-contour.ts";
+import { isFreeElement, type FreeWritten } from "./free-contour.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
 
@@ -11,18 +11,18 @@ const BETWEEN: ReadonlySet<Statement["kind"]> = new Set(["empty", "comment", "st
 const MOST = 200;
 
 interface Collected {
-  readonly run: readonly Free[];
+  readonly run: readonly FreeWritten[];
   readonly indices: readonly number[];
 }
 
 /** The elements that follow one another from a block on, with what is said between them. */
 export function collectFree(machine: Machine, from: number): Collected {
-  const [run, indices]: [Free[], number[]] = [[], []];
+  const [run, indices]: [FreeWritten[], number[]] = [[], []];
   for (let i = from; i < machine.blocks.length && indices.length < MOST; i += 1) {
     if (machine.isSkipped(i)) continue;
     const s = machine.blocks[i]?.statement;
     if (s?.kind === "free") {
-      run.push(s);
+      run.push({ s, block: machine.log.numbers[i] ?? i });
       if (isFreeElement(s)) indices.push(i);
     } else if (!s || !(BETWEEN.has(s.kind) || (s.kind === "path" && s.path === "RND"))) break;
   }
@@ -30,10 +30,10 @@ export function collectFree(machine: Machine, from: number): Collected {
 }
 
 /** FPOL stands in front of the elements that count from it. */
-function withPole(machine: Machine, from: number, run: readonly Free[]): readonly Free[] {
+function withPole(machine: Machine, from: number, run: readonly FreeWritten[]): readonly FreeWritten[] {
   for (let i = from - 1; i >= 0; i -= 1) {
     const s = machine.blocks[i]?.statement;
-    if (s?.kind === "free" && s.form === "FPOL") return [s, ...run];
+    if (s?.kind === "free" && s.form === "FPOL") return [{ s, block: machine.log.numbers[i] ?? i }, ...run];
     if (!s || (s.kind !== "free" && !BETWEEN.has(s.kind))) return run;
   }
   return run;
@@ -43,4 +43,10 @@ function withPole(machine: Machine, from: number, run: readonly Free[]): readonl
 export function sayUnsolved(machine: Machine, s: Free, index: number): void {
   machine.log.say(programIssue("freeUnsolved", "warning", { form: s.form }), index);
   machine.log.leaveUnproved(s.form, index);
+}
+
+/** Says that another contour fits too from here on. */
+export function sayChosen(machine: Machine, index: number): void {
+  machine.log.say(programIssue("freeChosen", "warning", {}), index);
+  machine.log.leaveUnproved("FSELECT", index);
 }

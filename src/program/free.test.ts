@@ -71,9 +71,55 @@ describe("free contours of a mill", () => {
     expect(done.issues.filter((f) => f.issue.severity === "error")).toEqual([]);
     expect(done.unproved.map((u) => u.what)).toEqual(expect.arrayContaining(["APPR LT", "FL", "DEP LT"]));
   });
+  test("lines between circles, closed where they began", () => {
+    const lines =
+      "L X+2 Y+30\nFC DR- R17.5 CLSD+ CCX+19.5 CCY+30\nFLT\nFCT DR- R14 CCX+52 CCY+73\nFLT\nFCT DR- R17.5 CLSD- CCX+19.5 CCY+30";
+    expect(codes(lines)).toEqual([]);
+    const { plane } = milled(lines);
+    expect(plane.at(-1)?.to).toMatchObject({ x: expect.closeTo(2, 6) as number, y: expect.closeTo(30, 6) as number });
+    expect(plane.slice(-5).map((m) => m.kind)).toEqual(["arc", "feed", "arc", "feed", "arc"]);
+  });
+  test("angles, ends and centres that count from other blocks, by their numbers", () => {
+    const numbered = milled(
+      "12 FL AN+15 LEN20 F300\n13 FL AN+105 LEN12.5\n14 FL PAR12 DP12.5 AN+195 LEN5\n15 FL IAN+90 LEN3\n16 FL IAN+45 RAN13 LEN2\n"
+        + "17 FL IX+7 RX12 IY+1 RY13",
+    );
+    const way = numbered.plane.slice(1).map((m) => [m.to.x - m.from.x, m.to.y - m.from.y].map((n) => n ?? 0));
+    expect(way.map(([x = 0, y = 0]) => Math.round((Math.atan2(y, x) * 180) / Math.PI + 360) % 360).slice(0, 5)).toEqual([
+      15,
+      105,
+      195,
+      285,
+      150,
+    ]);
+    const [first, second] = numbered.plane.slice(1);
+    expect(round((numbered.plane.at(-1)?.to.x ?? 0) - (first?.to.x ?? 0))).toBe(7);
+    expect(round((numbered.plane.at(-1)?.to.y ?? 0) - (second?.to.y ?? 0))).toBe(1);
+    expect(places("5 FL X+10 Y+0\n6 FC DR- ICCX+0 ICCY-8 RCCX5 RCCY5 CCA90")).toEqual(["feed 10 0", "arc 18 -8"]);
+  });
+  test("points that an element runs through or past, and a centre from the pole", () => {
+    expect(places("FL P1X+0 P1Y-7 X+12 Y-7")).toEqual(["feed 12 -7"]);
+    expect(places("FL AN+90 Y+1\nFL AN+0 PDX+50 PDY+4 D3 X+20", "MM").at(-1)).toBe("feed 20 1");
+    expect(places("FPOL X-3 Y+13\nFC DR+ CCPR+10 CCPA-90 R10 X+7 Y+3")).toEqual(["arc 7 3"]);
+  });
+  test("where another contour fits as well, the shortest runs and is unproved, once", () => {
+    expect(codes("FC DR+ R10 CCX+7 CCY-7 X+1 F200\nFSELECT2\nFL X+30 Y+0").filter((c) => c !== "notInTurnMode")).toEqual(
+      expect.arrayContaining(["freeChosen", "notProved"]),
+    );
+    expect(codes("FC DR+ R10 CCX+7 CCY-7 X+1 F200\nFL AN+0 LEN4\nFL X+30 Y+0").filter((c) => c === "freeChosen")).toHaveLength(1);
+  });
   test("an incremental end counts from the element before", () => expect(places("FL IX+4 IY-2")).toEqual(["feed 1 -9"]));
   test("what is not determined, contradicts or is not understood is unproved, with a reason", () => {
-    for (const lines of ["FL X+10 AN+90 LEN3", "FL AN+30", "FL P1X+5 P1Y+6 AN+10 X+7", "FC R5", "FL X+10 AN+Q99", "FLT X+10"])
+    for (const lines of [
+      "FL X+10 AN+90 LEN3",
+      "FL AN+30",
+      "FL P1X+5 P1Y+6 AN+10 X+7",
+      "FL PAR99 DP3 X+2",
+      "FL PDX+3 PDY+4 X+9 Y+1",
+      "FC R5",
+      "FL X+10 AN+Q99",
+      "FLT X+10",
+    ])
       expect(codes(lines).filter((c) => c === "notProved" || c === "freeUnsolved").sort(), lines).toEqual(
         expect.arrayContaining(["freeUnsolved", "notProved"]),
       );

@@ -61,6 +61,7 @@ interface Data {
   poleMissing: {};
   startUnknown: {};
   /** An element of a free contour that what is given does not determine, or not without contradiction. */
+  freeChosen: {};
   freeUnsolved: { form: string };
   arcImpossible: {};
   radiusCompensation: { side: "RL" | "RR" };

@@ -90,8 +90,10 @@ const terms: fc.Arbitrary<readonly string[]> = fc.letrec<{ t: readonly string[] 
 })).t;
 /** Words that only elements of free contours have. */
 const freeWords = fc.uniqueArray(
-  fc.oneof(fc.record({ name: fc.constantFrom("AN", "CCX", "CCY", "CCZ", "CCPR", "CCPA"), value }),
-    fc.record({ name: fc.constant("CLSD"), value: fc.constantFrom(1, -1) })),
+  fc.oneof(
+    fc.record({ name: fc.constantFrom("AN", "IAN", "CCX", "CCY", "CCZ", "ICCX", "CCPR", "CCPA", "P1X", "P3Y", "PDX", "D", "DP"), value }),
+    fc.record({ name: fc.constant("CLSD"), value: fc.constantFrom(1, -1) }),
+  ),
   { selector: (w) => w.name, maxLength: 4 },
 );
 

@@ -199,6 +199,8 @@ export const messages = {
     drillTooShort: (d, w) =>
       `Die Bohrung ist ${w.value(d.depth)} tief, die Schneiden des Bohrers (LCUTS) sind ${w.value(d.edges)} lang: Der Schaft kann reiben.`,
     pitchOfTap: (d, w) => `Q239 ist ${w.value(d.pitch)}, der Gewindebohrer in der Tabelle hat aber PITCH ${w.value(d.tap)}.`,
+    freeChosen: () =>
+      "Ab hier passen mehrere Konturen zu den Angaben: Die kürzeste wird gezeigt. Die Steuerung nimmt die, die FSELECT nennt.",
     freeUnsolved: (d, w) =>
       `${w.text(d.form)}: Die Angaben bestimmen dieses Element nicht oder widersprechen sich. Mehr Angaben machen oder FSELECT wählen.`,
     cycleNeverCalled: (d) => `Zyklus ${d.cycle} ist definiert und wird nie aufgerufen: Dahinter fehlt CYCL CALL oder M99.`,

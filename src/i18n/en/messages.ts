@@ -192,6 +192,7 @@ export const messages = {
     drillTooShort: (d, w) =>
       `The bore is ${w.value(d.depth)} deep, the edges of the drill (LCUTS) are ${w.value(d.edges)} long: it may rub on its shank.`,
     pitchOfTap: (d, w) => `Q239 is ${w.value(d.pitch)}, and the tap in the table has a PITCH of ${w.value(d.tap)}.`,
+    freeChosen: () => "From here on several contours fit what is given: the shortest is shown. A control takes the one that FSELECT names.",
     freeUnsolved: (d, w) =>
       `${w.text(d.form)}: what is given does not determine this element, or contradicts itself. Give more values, or FSELECT.`,
     cycleNeverCalled: (d) => `Cycle ${d.cycle} is defined and never called: CYCL CALL or M99 is missing behind it.`,

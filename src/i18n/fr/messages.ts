@@ -202,6 +202,8 @@ export const messages = {
     drillTooShort: (d, w) =>
       `Le trou a ${w.value(d.depth)} de profondeur, les arêtes du foret (LCUTS) ${w.value(d.edges)} : la queue peut frotter.`,
     pitchOfTap: (d, w) => `Q239 vaut ${w.value(d.pitch)}, mais le taraud de la table a un PITCH de ${w.value(d.tap)}.`,
+    freeChosen: () =>
+      "À partir d'ici, plusieurs contours conviennent aux données : le plus court est montré. La commande prend celui que FSELECT désigne.",
     freeUnsolved: (d, w) =>
       `${w.text(d.form)} : les données ne déterminent pas cet élément ou se contredisent. Donner d'autres valeurs, ou FSELECT.`,
     cycleNeverCalled: (d) => `Le cycle ${d.cycle} est défini et jamais appelé : il manque CYCL CALL ou M99 ensuite.`,

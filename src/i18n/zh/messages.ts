@@ -153,6 +153,7 @@ export const messages = {
     feedUnlikely: (d, w) => `${w.number(d.feed)} ${d.unit}的进给不合常理。请检查M136:有它时F以毫米/转计。`,
     drillTooShort: (d, w) => `孔深${w.value(d.depth)},而钻头切削刃长度(LCUTS)为${w.value(d.edges)}:刀柄可能摩擦孔壁。`,
     pitchOfTap: (d, w) => `Q239为${w.value(d.pitch)},而刀具表中丝锥的PITCH为${w.value(d.tap)}。`,
+    freeChosen: () => "从这里起有多个轮廓符合所给数据:显示的是最短的一个。控制系统采用FSELECT指定的那个。",
     freeUnsolved: (d, w) => `${w.text(d.form)}:所给数据不能确定该元素,或相互矛盾。请给出更多数据,或使用FSELECT。`,
     cycleNeverCalled: (d) => `循环${d.cycle}已定义但从未调用:其后缺少CYCL CALL或M99。`,
     neverReached: (d) => `程序在此程序段之前以${d.by}结束:该程序段从不执行。`,

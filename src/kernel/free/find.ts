@@ -1,0 +1,114 @@
+import { FULL_TURN } from "../geometry/segments.ts";
+import { plane, type PlanePoint } from "../plane.ts";
+import type { Curve, FreeElement } from "./element.ts";
+import { leastSquares } from "./least-squares.ts";
+import { directionAt, givenAngle, type Found, type Window } from "./window.ts";
+
+const { apart, difference, dot, heading } = plane;
+
+/** Starts of the search in all. */
+const MOST_STARTS = 60_000;
+/** Residuals of an exact solution. */
+const EXACT = 1e-9;
+/** The same for given values, which are rounded to a thousandth, mm. */
+export const ROUNDED = 0.006;
+/** How exactly such a place is found, of the size of the contour. */
+const TOUCHING = 1e-4;
+
+/** A contour that is being solved. */
+export interface Search {
+  readonly elements: readonly FreeElement[];
+  /** Lengths are measured by it. */
+  readonly size: number;
+  readonly middle: PlanePoint;
+  starts: number;
+}
+
+/** Evenly spread numbers from 0 to 1, the same in every run (van der Corput). */
+function spread(n: number, base: number): number {
+  let [value, part] = [0, 1 / base];
+  for (let rest = n; rest > 0; rest = Math.floor(rest / base), part /= base) value += (rest % base) * part;
+  return value;
+}
+/** Without 2, so that they do not go in step with the reaches. */
+const BASES = [3, 5, 7, 11, 13, 17, 19, 23, 29, 31];
+
+/** Starts lie near what is given, and some far from it. */
+const REACHES = [1, 2.5, 0.4, 6] as const;
+
+export function startOf(w: Window, s: Search, n: number): number[] {
+  const reach = s.size * (REACHES[n % REACHES.length] ?? 1);
+  return w.unknowns.map((kind, i) => {
+    const part = spread(n + 1, BASES[i] ?? 37);
+    if (kind === "angle") return part * FULL_TURN;
+    if (kind === "radius") return part * reach;
+    const middle = kind === "x" ? s.middle.x : kind === "y" ? s.middle.y : 0;
+    return middle + (part * 2 - 1) * (kind === "offset" ? 2 : 1) * reach;
+  });
+}
+
+const startsFor = (unknowns: number) => 24 * Math.min(16, 2 ** Math.ceil(unknowns / 1.5));
+
+/** Solutions of a window that run in the right directions; null where they are not separate. */
+export function solutionsOf(w: Window, s: Search): readonly Found[] | null {
+  const [exact, near]: [Found[], Found[]] = [[], []];
+  /** Where curves only just touch, a solution counts twice and seems loose; all starts come to the same place then. */
+  const loose: Found[] = [];
+  for (let n = 0; n < startsFor(w.unknowns.length) && s.starts < MOST_STARTS; n += 1) {
+    s.starts += 1;
+    const fit = leastSquares(w.residuals, startOf(w, s, n));
+    if (fit.rest > ROUNDED / s.size) continue;
+    const made = w.read(fit.at);
+    if (!isSound(w, made, s)) continue;
+    const list = fit.rest > EXACT ? near : fit.isolated ? exact : loose;
+    if (!list.some((other) => alike(w, other, made, list === loose ? TOUCHING * s.size : 1e-6 * s.size))) list.push(made);
+    if (loose.length > 2) return null;
+  }
+  // A search that was broken off proves nothing.
+  if (s.starts >= MOST_STARTS) return null;
+  const separate = [...exact, ...loose.filter((one) => !exact.some((other) => alike(w, other, one, TOUCHING * s.size)))];
+  return separate.length > 0 ? separate : near;
+}
+
+function alike(w: Window, a: Found, b: Found, near: number): boolean {
+  for (let k = w.first; k <= w.last; k += 1) {
+    const [one, two] = [a.curve(k), b.curve(k)];
+    if (one?.kind === "line" && two?.kind === "line"
+      && (Math.cos(one.angle - two.angle) < 1 - 1e-7 || Math.abs(one.offset - two.offset) > near))
+      return false;
+    if (one?.kind === "arc" && two?.kind === "arc" && (apart(one.centre, two.centre) > near || Math.abs(one.radius - two.radius) > near))
+      return false;
+    const [p, q] = [a.point(k), b.point(k)];
+    if (p && q && apart(p, q) > near) return false;
+  }
+  return true;
+}
+
+/** Lines run forwards, arcs have a size, and what goes over into one another does so in the same direction. */
+function isSound(w: Window, found: Found, { elements, size }: Search): boolean {
+  const least = 1e-7 * size;
+  for (let k = w.first; k <= w.last; k += 1) {
+    const [e, own, from, to] = [elements[k - 1], found.curve(k), found.point(k - 1), found.point(k)];
+    if (!e || !own) continue;
+    if (own.kind === "arc" && (own.radius < least || own.radius > 100 * size)) return false;
+    if (from && to
+      && (own.kind === "line" ? dot(difference(to, from), heading(own.angle)) < least : apart(from, to) < least && e.closes === null))
+      return false;
+    const before = found.curve(k - 1);
+    if (e.tangent && before && from && Math.cos(directionAt(own, from) - directionAt(before, from)) < 0.99) return false;
+    const angle = givenAngle(e, found);
+    if (angle !== null && own.kind === "arc" && from && Math.cos(directionAt(own, from) - angle) < 0.99) return false;
+    if (e.sweep !== null && own.kind === "arc" && from && to && Math.abs(sweepOf(own, from, to) - e.sweep) > 0.01) return false;
+    if (!polarSound(e, to)) return false;
+  }
+  return true;
+}
+
+const sweepOf = (own: Extract<Curve, { kind: "arc" }>, from: PlanePoint, to: PlanePoint): number =>
+  plane.sweepOf({ kind: "arc", from, to, centre: own.centre, turn: own.turn });
+
+/** An angle from a pole tells which way, not only which line. */
+function polarSound(e: FreeElement, p: PlanePoint | null): boolean {
+  const angle = e.polar?.angle;
+  return !p || !e.polar || !angle || !("at" in angle) || dot(difference(p, e.polar.pole), heading(angle.at)) >= 0;
+}

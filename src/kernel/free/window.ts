@@ -1,0 +1,244 @@
+import { signOf, type Turn } from "../geometry/segments.ts";
+import { plane, type PlanePoint } from "../plane.ts";
+import type { Curve, FreeElement, FromPole, Given } from "./element.ts";
+import type { Residuals } from "./least-squares.ts";
+
+const { apart, cross, difference, dot, scaled, sum, angleOf, heading } = plane;
+
+/** What is known while a contour is being solved: the curve of each element and the point at its end; 0 is what stands before. */
+export interface Known {
+  readonly curves: readonly (Curve | null)[];
+  readonly points: readonly (PlanePoint | null)[];
+}
+
+/** Curves and points of some neighbouring elements; null where the window does not reach. */
+export interface Found {
+  readonly curve: (k: number) => Curve | null;
+  readonly point: (k: number) => PlanePoint | null;
+}
+
+/** Some neighbouring elements as equations. */
+export interface Window {
+  readonly first: number;
+  readonly last: number;
+  /** Of each unknown: an angle, a distance to the left or right, a radius, or a coordinate in the first or second axis. */
+  readonly unknowns: readonly ("angle" | "offset" | "radius" | "x" | "y")[];
+  readonly residuals: Residuals;
+  readonly read: (at: readonly number[]) => Found;
+}
+
+/** The unit vector to the left of a direction. */
+const leftOf = (angle: number): PlanePoint => ({ x: -Math.sin(angle), y: Math.cos(angle) });
+type Arc = Extract<Curve, { kind: "arc" }>;
+const reach = ({ radius, turn }: Arc): number => signOf(turn) * radius;
+
+/** The direction in which a curve runs at a point of it, radians. */
+export function directionAt(curve: Curve, p: PlanePoint): number {
+  return curve.kind === "line" ? curve.angle : angleOf(difference(p, curve.centre)) + (signOf(curve.turn) * Math.PI) / 2;
+}
+
+/** How far a point is from a curve: to the left of a line, outside of a circle. */
+export const distanceFrom = (curve: Curve, p: PlanePoint): number =>
+  curve.kind === "line" ? dot(leftOf(curve.angle), p) - curve.offset : apart(p, curve.centre) - curve.radius;
+
+/** Where two curves touch that go over into one another; null for two lines. */
+function touch(a: Curve, b: Curve): PlanePoint | null {
+  if (a.kind === "line" && b.kind === "line") return null;
+  if (a.kind === "arc" && b.kind === "arc") {
+    const [between, off] = [difference(b.centre, a.centre), reach(b) - reach(a)];
+    const far = Math.hypot(between.x, between.y);
+    return far === 0 || off === 0 ? a.centre : sum(a.centre, scaled(between, (-reach(a) * Math.sign(off)) / far));
+  }
+  const [line, arc] = a.kind === "line" ? [a, b as Arc] : [b as Extract<Curve, { kind: "line" }>, a as Arc];
+  return sum(arc.centre, scaled(leftOf(line.angle), -reach(arc)));
+}
+
+/** Zero where two curves go over into one another, wherever that is. */
+function touching(a: Curve, b: Curve, size: number): number {
+  if (a.kind === "line" && b.kind === "line") return Math.sin(b.angle - a.angle);
+  if (a.kind === "arc" && b.kind === "arc") return (apart(a.centre, b.centre) - Math.abs(reach(b) - reach(a))) / size;
+  const [line, arc] = a.kind === "line" ? [a, b as Arc] : [b as Extract<Curve, { kind: "line" }>, a as Arc];
+  return (distanceFrom(line, arc.centre) - reach(arc)) / size;
+}
+
+/** The number that is given, as far as what it counts from is there. */
+export function numberOf(given: Given, base: (of: number) => number | null): number | null {
+  if (given === null) return null;
+  if ("at" in given) return given.at;
+  const from = base(given.of);
+  return from === null ? null : from + given.by;
+}
+
+/** Residuals of a point that is given by its distance and angle from a pole. */
+function fromPole({ pole, radius, angle }: FromPole, p: PlanePoint, point: Found["point"], size: number): number[] {
+  const way = difference(p, pole);
+  const far = numberOf(radius, (of) => (point(of) ? apart(point(of) ?? pole, pole) : null));
+  const turned = numberOf(angle, (of) => (point(of) ? angleOf(difference(point(of) ?? pole, pole)) : null));
+  const out: number[] = [];
+  if (far !== null) out.push((Math.hypot(way.x, way.y) - Math.abs(far)) / size);
+  if (turned !== null) out.push(cross(heading(turned), way) / size);
+  return out;
+}
+
+/** What an element says of its end point. */
+export function endResiduals(e: FreeElement, k: number, { point }: Found, size: number): number[] {
+  const p = point(k);
+  if (!p) return [];
+  const out: number[] = [];
+  const [x, y] = [numberOf(e.x, (of) => point(of)?.x ?? null), numberOf(e.y, (of) => point(of)?.y ?? null)];
+  if (x !== null) out.push((p.x - x) / size);
+  if (y !== null) out.push((p.y - y) / size);
+  if (e.polar) out.push(...fromPole(e.polar, p, point, size));
+  const end = e.closes === null ? null : point(e.closes);
+  if (end) out.push((p.x - end.x) / size, (p.y - end.y) / size);
+  return out;
+}
+
+/** What an element says of its curve alone. */
+function curveResiduals(e: FreeElement, found: Found, own: Curve, size: number): number[] {
+  const out = e.through.map((p) => distanceFrom(own, p) / size);
+  if (e.beside) out.push((Math.abs(distanceFrom(own, e.beside.point)) - e.beside.distance) / size);
+  if (own.kind === "line") {
+    const other = e.parallel && found.curve(e.parallel.of);
+    if (other?.kind !== "line" || !e.parallel) return out;
+    out.push(Math.sin(own.angle - other.angle));
+    const along = Math.cos(own.angle - other.angle) < 0 ? -other.offset : other.offset;
+    if (e.parallel.distance !== null) out.push((Math.abs(own.offset - along) - e.parallel.distance) / size);
+    return out;
+  }
+  const [x, y] = [numberOf(e.centreX, (of) => found.point(of)?.x ?? null), numberOf(e.centreY, (of) => found.point(of)?.y ?? null)];
+  // A centre that is given outright is no unknown.
+  if (x !== null && e.centreX && "by" in e.centreX) out.push((own.centre.x - x) / size);
+  if (y !== null && e.centreY && "by" in e.centreY) out.push((own.centre.y - y) / size);
+  if (e.centrePolar) out.push(...fromPole(e.centrePolar, own.centre, found.point, size));
+  return out;
+}
+
+/** The direction that is given for an element, or for the beginning of an arc; null where it is not known yet. */
+export function givenAngle(e: FreeElement, { curve, point }: Found): number | null {
+  return numberOf(e.angle, (of) => {
+    const [other, end] = [curve(of), point(of)];
+    return other?.kind === "line" ? other.angle : other && end ? directionAt(other, end) : null;
+  });
+}
+
+/** What an element says of itself together with both its ends. */
+function spanResiduals(e: FreeElement, k: number, found: Found, own: Curve, size: number): number[] {
+  const [from, to] = [found.point(k - 1), found.point(k)];
+  const out: number[] = [];
+  if (own.kind === "arc" && from) {
+    const angle = givenAngle(e, found);
+    if (angle !== null) out.push(dot(difference(own.centre, from), heading(angle)) / size);
+  }
+  if (!from || !to) return out;
+  if (e.length !== null)
+    out.push(((own.kind === "line" ? dot(difference(to, from), heading(own.angle)) : apart(from, to)) - e.length) / size);
+  if (e.sweep !== null && own.kind === "arc") {
+    const turned = angleOf(difference(from, own.centre)) + signOf(own.turn) * e.sweep;
+    out.push(cross(heading(turned), difference(to, own.centre)) / size);
+  }
+  return out;
+}
+
+/** A direction change at a known point, between the curves before and behind it. */
+const bend = (a: Curve, b: Curve, p: PlanePoint): number => Math.sin(directionAt(b, p) - directionAt(a, p));
+
+/** Numbers for an element that has not been found yet, taken one after the other from the unknowns. */
+type Take = (kind: Window["unknowns"][number]) => (at: readonly number[]) => number;
+
+function curveFrom(e: FreeElement, found: Found, take: Take): (at: readonly number[]) => Curve {
+  if (e.kind === "line") {
+    const given = givenAngle(e, found);
+    const [angle, offset] = [given === null ? take("angle") : () => given, take("offset")];
+    return (at) => ({ kind: "line", angle: angle(at), offset: offset(at) });
+  }
+  const direct = (given: Given) => (given && "at" in given ? given.at : null);
+  const [cx, cy] = [direct(e.centreX), direct(e.centreY)];
+  const turn: Turn = e.turn, size = e.radius;
+  const [x, y, radius] = [
+    cx === null ? take("x") : () => cx,
+    cy === null ? take("y") : () => cy,
+    size === null ? take("radius") : () => size,
+  ];
+  return (at) => ({ kind: "arc", centre: { x: x(at), y: y(at) }, radius: Math.abs(radius(at)), turn });
+}
+
+/** A line whose direction nothing tells but its two ends. */
+const undirected = (e: FreeElement) => e.kind === "line" && e.angle === null && !e.tangent;
+
+const ends = (e: FreeElement) =>
+  [e.x, e.y, e.polar?.radius ?? null, e.polar?.angle ?? null, e.length, e.sweep, e.closes].filter((given) => given !== null).length;
+
+/** The equations of elements `first` to `last`; null where they can not stand for themselves. `size` makes lengths comparable. */
+export function windowOf(elements: readonly FreeElement[], known: Known, first: number, last: number, size: number): Window | null {
+  const at = (k: number) => elements[k - 1];
+  const standing: Found = { curve: (k) => known.curves[k] ?? null, point: (k) => known.points[k] ?? null };
+  const [head, tail] = [at(first), at(last)];
+  if (!head || !tail) return null;
+  const [curved, placed] = [(k: number) => (known.curves[k] ?? null) !== null, (k: number) => (known.points[k] ?? null) !== null];
+  const single = first === last;
+  const [headKnown, tailKnown] = [curved(first), curved(last)];
+  if (single && headKnown && placed(last)) return null;
+  const withStart = placed(first - 1) && (!headKnown || single);
+  const withEnd = placed(last) || (tailKnown ? single : ends(tail) > (undirected(tail) ? 0 : 1));
+  const unknowns: Window["unknowns"][number][] = [];
+  const take: Take = (kind) => {
+    const place = unknowns.push(kind) - 1;
+    return (values) => values[place] ?? 0;
+  };
+  const curves = new Map<number, (at: readonly number[]) => Curve>();
+  for (let k = first; k <= last; k += 1) {
+    const [e, own] = [at(k), known.curves[k] ?? null];
+    if (!e || (e.angle && "by" in e.angle && givenAngle(e, standing) === null)) return null;
+    if (e.parallel && !known.curves[e.parallel.of]) return null;
+    const open = (k === first && !withStart) || (k === last && !withEnd);
+    if (!own && undirected(e) && open) return null;
+    curves.set(k, own ? () => own : curveFrom(e, standing, take));
+  }
+  const points = new Map<number, ((at: readonly number[]) => PlanePoint) | "touch">();
+  for (let k = first; k <= last; k += 1) {
+    if (placed(k) || (k === last && !withEnd)) continue;
+    const [e, next] = [at(k), at(k + 1)];
+    if (k < last && next?.tangent && !(e?.kind === "line" && next.kind === "line")) points.set(k, "touch");
+    else {
+      const [x, y] = [take("x"), take("y")];
+      points.set(k, (values) => ({ x: x(values), y: y(values) }));
+    }
+  }
+  const read = (values: readonly number[]): Found => {
+    const made = new Map([...curves].map(([k, make]) => [k, make(values)] as const));
+    const curve = (k: number) => made.get(k) ?? known.curves[k] ?? null;
+    const point = (k: number): PlanePoint | null => {
+      const own = points.get(k);
+      if (own !== "touch") return own ? own(values) : (known.points[k] ?? null);
+      const [a, b] = [curve(k), curve(k + 1)];
+      return a && b && touch(a, b);
+    };
+    return { curve, point };
+  };
+  const residuals = (values: readonly number[]): number[] => {
+    const found = read(values);
+    const out: number[] = [];
+    for (let k = first; k <= last; k += 1) {
+      const [e, own] = [at(k), found.curve(k)];
+      if (!e || !own) continue;
+      const isNew = !curved(k);
+      const [from, to] = [k > first || withStart ? found.point(k - 1) : null, k < last || withEnd ? found.point(k) : null];
+      if (isNew) out.push(...curveResiduals(e, found, own, size));
+      // Where curves touch, their point lies on both.
+      if (from && points.get(k - 1) !== "touch" && (isNew || !placed(k - 1))) out.push(distanceFrom(own, from) / size);
+      if (to && points.get(k) !== "touch" && (isNew || !placed(k))) out.push(distanceFrom(own, to) / size);
+      if (to && !placed(k)) out.push(...endResiduals(e, k, found, size));
+      out.push(
+        ...spanResiduals(e, k, { curve: found.curve, point: (n) => (n === k - 1 ? from : n === k ? to : found.point(n)) }, own, size),
+      );
+      const before = k > first || withStart ? found.curve(k - 1) : null;
+      if (!e.tangent || !before) continue;
+      const fixed = known.points[k - 1];
+      if (fixed) out.push(bend(before, own, fixed));
+      else if (k > first) out.push(touching(before, own, size));
+    }
+    return out;
+  };
+  return { first, last, unknowns, residuals, read };
+}
