@@ -58,7 +58,10 @@ describe("spellings of posts and of older controls", () => {
     });
     expect(one("FSELECT2")?.statement).toMatchObject({ form: "FSELECT", given: [{ value: 2 }] });
     expect(one("FSELECT")?.statement.kind).toBe("unknown");
-    expect(said("1 FL X+1 P1X+4")).toEqual(["wordNotUnderstood 2:10"]);
+    const far = "7 FC IX+4 DR- R10 CLSD- P1X+4 P1Y-Q3 PDX+1 PDY+2 D3.5 ICCX+2 ICCY-1 RCCX5 RX12 IAN+20 RAN13 F200";
+    expect(one(far)?.statement).toMatchObject({ words: { axes: [{ axis: "X", incremental: true }], radius: 10 }, given: { length: 12 } });
+    expect(said(far)).toEqual([]);
+    expect(said("1 FL X+1 P4X+4")).toEqual(["wordNotUnderstood 2:10"]);
   });
   test("an N number is a block number, and begins a block", () => {
     expect(one("/N12 L X+1")).toMatchObject({ number: 12, skip: true });

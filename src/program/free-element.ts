@@ -1,4 +1,4 @@
-import type { FreeElement, FromPole, Given } from "../kernel/free/element.ts";
+import type { FreeElement, FromPole, FreeValue } from "../kernel/free/element.ts";
 import type { PlanePoint } from "../kernel/plane.ts";
 import type { Segment } from "../kernel/point.ts";
 import { degrees, diameter, radians, toRadius } from "../kernel/units.ts";
@@ -85,7 +85,7 @@ class FreeReader {
   }
 
   /** A coordinate: from zero, or from the point that a reference names. */
-  coordinate(axis: AxisName, isAcross: boolean): Given {
+  coordinate(axis: AxisName, isAcross: boolean): FreeValue {
     const word = one(this.s.words.axes, axis);
     const of = this.reference(`R${axis}`);
     if (!word) return null;
@@ -94,14 +94,14 @@ class FreeReader {
   }
 
   /** A coordinate of the centre. */
-  centre(axis: AxisName, isAcross: boolean): Given {
+  centre(axis: AxisName, isAcross: boolean): FreeValue {
     const scale = (n: number) => (isAcross ? across(n, this.r.setting.plane) : n);
     const [at, by, of] = [this.given(`CC${axis}`), this.given(`ICC${axis}`), this.reference(`RCC${axis}`)];
     return at !== null ? { at: scale(at) } : by !== null ? { by: scale(by), of } : null;
   }
 
   /** Distance and angle from the pole. */
-  polar(far: Given, angle: Given): FromPole | null {
+  polar(far: FreeValue, angle: FreeValue): FromPole | null {
     if (!far && !angle) return null;
     if (!this.r.pole) throw new Unreadable();
     return { pole: this.r.pole, radius: far, angle };
@@ -136,7 +136,7 @@ function elementFrom(s: Free, r: FreeReading, read: FreeReader): FreeElement | n
   const [first, second] = axes;
   const { words } = s;
   const turned = (n: number | null) => (n === null ? null : inRadians(n));
-  const polarWord = (w: Words["polarRadius"], of: number, of1: (n: number) => number): Given => {
+  const polarWord = (w: Words["polarRadius"], of: number, of1: (n: number) => number): FreeValue => {
     const n = w ? of1(read.number(w.value)) : null;
     return n === null ? null : w?.incremental ? { by: n, of } : { at: n };
   };
@@ -175,4 +175,4 @@ function elementFrom(s: Free, r: FreeReading, read: FreeReader): FreeElement | n
   return half || foreign || !read.isWhole ? null : element;
 }
 
-const absolute = (n: number | null): Given => (n === null ? null : { at: n });
+const absolute = (n: number | null): FreeValue => (n === null ? null : { at: n });

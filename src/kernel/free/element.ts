@@ -2,13 +2,13 @@ import type { Turn } from "../geometry/segments.ts";
 import type { PlanePoint } from "../plane.ts";
 
 /** A number that is given outright, or counted from that of the end point of element `of` (0: the start point). */
-export type Given = { readonly at: number } | { readonly by: number; readonly of: number } | null;
+export type FreeValue = { readonly at: number } | { readonly by: number; readonly of: number } | null;
 
 /** A point given by its distance and angle (radians) from a pole. */
 export interface FromPole {
   readonly pole: PlanePoint;
-  readonly radius: Given;
-  readonly angle: Given;
+  readonly radius: FreeValue;
+  readonly angle: FreeValue;
 }
 
 /**
@@ -19,18 +19,18 @@ export interface FreeElement {
   readonly kind: "line" | "arc";
   /** It leaves the element before it in that one's direction. */
   readonly tangent: boolean;
-  readonly x: Given;
-  readonly y: Given;
+  readonly x: FreeValue;
+  readonly y: FreeValue;
   readonly polar: FromPole | null;
   /** Direction of a line; of an arc that in which it begins. Counted from the direction of a line where it says so. */
-  readonly angle: Given;
+  readonly angle: FreeValue;
   /** Length of a line, chord of an arc. */
   readonly length: number | null;
   /** Of an arc. */
   readonly turn: Turn;
   readonly radius: number | null;
-  readonly centreX: Given;
-  readonly centreY: Given;
+  readonly centreX: FreeValue;
+  readonly centreY: FreeValue;
   readonly centrePolar: FromPole | null;
   readonly sweep: number | null;
   /** Points that it, or its extension, runs through. */

@@ -2,7 +2,7 @@ import { FULL_TURN } from "../geometry/segments.ts";
 import { plane, type PlanePoint } from "../plane.ts";
 import type { Curve, FreeElement } from "./element.ts";
 import { leastSquares } from "./least-squares.ts";
-import { directionAt, givenAngle, type Found, type Window } from "./window.ts";
+import { directionAt, givenAngle, type FreePlaces, type Window } from "./window.ts";
 
 const { apart, difference, dot, heading } = plane;
 
@@ -14,6 +14,10 @@ const EXACT = 1e-9;
 export const ROUNDED = 0.006;
 /** How exactly such a place is found, of the size of the contour. */
 const TOUCHING = 1e-4;
+/** The same of any other place, and the least that counts as a length. */
+const SEPARATE = 1e-6;
+/** Directions whose cosine is nearer to 1 are one. */
+const ONE_WAY = 1e-7;
 
 /** A contour that is being solved. */
 export interface Search {
@@ -50,10 +54,10 @@ export function startOf(w: Window, s: Search, n: number): number[] {
 const startsFor = (unknowns: number) => 24 * Math.min(16, 2 ** Math.ceil(unknowns / 1.5));
 
 /** Solutions of a window that run in the right directions; null where they are not separate. */
-export function solutionsOf(w: Window, s: Search): readonly Found[] | null {
-  const [exact, near]: [Found[], Found[]] = [[], []];
+export function solutionsOf(w: Window, s: Search): readonly FreePlaces[] | null {
+  const [exact, near]: [FreePlaces[], FreePlaces[]] = [[], []];
   /** Where curves only just touch, a solution counts twice and seems loose; all starts come to the same place then. */
-  const loose: Found[] = [];
+  const loose: FreePlaces[] = [];
   for (let n = 0; n < startsFor(w.unknowns.length) && s.starts < MOST_STARTS; n += 1) {
     s.starts += 1;
     const fit = leastSquares(w.residuals, startOf(w, s, n));
@@ -61,7 +65,7 @@ export function solutionsOf(w: Window, s: Search): readonly Found[] | null {
     const made = w.read(fit.at);
     if (!isSound(w, made, s)) continue;
     const list = fit.rest > EXACT ? near : fit.isolated ? exact : loose;
-    if (!list.some((other) => alike(w, other, made, list === loose ? TOUCHING * s.size : 1e-6 * s.size))) list.push(made);
+    if (!list.some((other) => alike(w, other, made, list === loose ? TOUCHING * s.size : SEPARATE * s.size))) list.push(made);
     if (loose.length > 2) return null;
   }
   // A search that was broken off proves nothing.
@@ -70,11 +74,11 @@ export function solutionsOf(w: Window, s: Search): readonly Found[] | null {
   return separate.length > 0 ? separate : near;
 }
 
-function alike(w: Window, a: Found, b: Found, near: number): boolean {
+function alike(w: Window, a: FreePlaces, b: FreePlaces, near: number): boolean {
   for (let k = w.first; k <= w.last; k += 1) {
     const [one, two] = [a.curve(k), b.curve(k)];
     if (one?.kind === "line" && two?.kind === "line"
-      && (Math.cos(one.angle - two.angle) < 1 - 1e-7 || Math.abs(one.offset - two.offset) > near))
+      && (Math.cos(one.angle - two.angle) < 1 - ONE_WAY || Math.abs(one.offset - two.offset) > near))
       return false;
     if (one?.kind === "arc" && two?.kind === "arc" && (apart(one.centre, two.centre) > near || Math.abs(one.radius - two.radius) > near))
       return false;
@@ -85,8 +89,8 @@ function alike(w: Window, a: Found, b: Found, near: number): boolean {
 }
 
 /** Lines run forwards, arcs have a size, and what goes over into one another does so in the same direction. */
-function isSound(w: Window, found: Found, { elements, size }: Search): boolean {
-  const least = 1e-7 * size;
+function isSound(w: Window, found: FreePlaces, { elements, size }: Search): boolean {
+  const least = SEPARATE * size;
   for (let k = w.first; k <= w.last; k += 1) {
     const [e, own, from, to] = [elements[k - 1], found.curve(k), found.point(k - 1), found.point(k)];
     if (!e || !own) continue;

@@ -13,11 +13,14 @@ const ROUNDS = 60;
 /** Steps below this change nothing, and pivots below it count as none. */
 const STILL = 1e-15;
 const FLAT = 1e-7;
+/** Of a difference instead of a derivative, of the value. */
+const DIFFERENCE = 1e-6;
+const [FIRST_DAMPING, LEAST_DAMPING] = [0.001, STILL];
 
 /** Columns of derivatives, by small steps to both sides. */
 function slopes(f: Residuals, at: readonly number[]): number[][] {
   return at.map((value, i) => {
-    const step = 1e-6 * Math.max(1, Math.abs(value));
+    const step = DIFFERENCE * Math.max(1, Math.abs(value));
     const [up, down] = [f(at.with(i, value + step)), f(at.with(i, value - step))];
     return up.map((u, k) => (u - (down[k] ?? 0)) / (2 * step));
   });
@@ -47,7 +50,7 @@ function eliminated(matrix: readonly (readonly number[])[], right: readonly numb
 
 /** The nearest least of the squares of residuals, by damped steps from a start (Levenberg and Marquardt). */
 export function leastSquares(f: Residuals, start: readonly number[]): Fit {
-  let [at, damping]: [readonly number[], number] = [start, 1e-3];
+  let [at, damping]: [readonly number[], number] = [start, FIRST_DAMPING];
   let residuals = f(at);
   let error = dot(residuals, residuals);
   for (let round = 0; round < ROUNDS && error > STILL * STILL; round += 1) {
@@ -63,7 +66,7 @@ export function leastSquares(f: Residuals, start: readonly number[]): Fit {
       if (next && found && less < error) {
         moved = error - less > STILL * error;
         [at, residuals, error] = [next, found, less];
-        damping = Math.max(1e-12, damping / 8);
+        damping = Math.max(LEAST_DAMPING, damping / 8);
         if (!moved) break;
       } else damping *= 6;
     }

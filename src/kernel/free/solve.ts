@@ -1,7 +1,7 @@
 import { plane, type PlanePoint, type PlaneSegment } from "../plane.ts";
 import type { Curve, FreeElement } from "./element.ts";
 import { ROUNDED, solutionsOf, startOf, type Search } from "./find.ts";
-import { distanceFrom, endResiduals, windowOf, type Found, type Known, type Window } from "./window.ts";
+import { distanceFrom, endResiduals, windowOf, type FreePlaces, type Known, type Window } from "./window.ts";
 
 const { apart, difference, dot, heading, lengthOf } = plane;
 
@@ -35,7 +35,7 @@ const copy = (b: Branch): Branch => ({
   uncertain: new Set(b.uncertain),
 });
 
-function take(b: Branch, w: Window, found: Found): void {
+function take(b: Branch, w: Window, found: FreePlaces): void {
   for (let k = w.first; k <= w.last; k += 1) {
     b.curves[k] ??= found.curve(k);
     if (k < w.last || found.point(k)) b.points[k] ??= found.point(k);
@@ -51,7 +51,7 @@ const keyOf = (b: Branch, first: number, last: number): string => {
 
 interface Choice {
   readonly window: Window;
-  readonly found: readonly Found[];
+  readonly found: readonly FreePlaces[];
 }
 
 /** Finds all that follows without a choice. Then the smallest choice that is left, null where none is; "nowhere" where something contradicts. */
@@ -107,7 +107,7 @@ const wayOf = (b: Branch, { size }: Search): number =>
 
 /** What was found agrees with everything that is given. */
 function agrees(b: Branch, { elements, size }: Search): boolean {
-  const found: Found = { curve: (k) => b.curves[k] ?? null, point: (k) => b.points[k] ?? null };
+  const found: FreePlaces = { curve: (k) => b.curves[k] ?? null, point: (k) => b.points[k] ?? null };
   return elements.every((e, i) => {
     const [own, from, to] = [b.curves[i + 1], b.points[i], b.points[i + 1]];
     if (!own || !from || !to) return true;
@@ -199,7 +199,7 @@ function solvedElements(elements: readonly FreeElement[], start: PlanePoint, bef
     if (leading.length > 1) { for (let k = window.first; k <= window.last; k += 1) b.uncertain.add(k); }
   }
   let open = false;
-  const found: Found = { curve: (k) => b.curves[k] ?? null, point: (k) => b.points[k] ?? null };
+  const found: FreePlaces = { curve: (k) => b.curves[k] ?? null, point: (k) => b.points[k] ?? null };
   return elements.map((e, i) => {
     const segment = segmentOf(b.curves[i + 1] ?? null, b.points[i] ?? null, b.points[i + 1] ?? null);
     open ||= !segment || !fits(e, i + 1, segment, found, s.size);
@@ -208,7 +208,7 @@ function solvedElements(elements: readonly FreeElement[], start: PlanePoint, bef
 }
 
 /** What was found agrees with what is given of an element. */
-function fits(e: FreeElement, k: number, segment: PlaneSegment, found: Found, size: number): boolean {
+function fits(e: FreeElement, k: number, segment: PlaneSegment, found: FreePlaces, size: number): boolean {
   const own = found.curve(k);
   if (!own) return false;
   if (endResiduals(e, k, found, size).some((r) => Math.abs(r) * size > ROUNDED)) return false;

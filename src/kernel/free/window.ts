@@ -1,6 +1,6 @@
 import { signOf, type Turn } from "../geometry/segments.ts";
 import { plane, type PlanePoint } from "../plane.ts";
-import type { Curve, FreeElement, FromPole, Given } from "./element.ts";
+import type { Curve, FreeElement, FromPole, FreeValue } from "./element.ts";
 import type { Residuals } from "./least-squares.ts";
 
 const { apart, cross, difference, dot, scaled, sum, angleOf, heading } = plane;
@@ -12,7 +12,7 @@ export interface Known {
 }
 
 /** Curves and points of some neighbouring elements; null where the window does not reach. */
-export interface Found {
+export interface FreePlaces {
   readonly curve: (k: number) => Curve | null;
   readonly point: (k: number) => PlanePoint | null;
 }
@@ -24,7 +24,7 @@ export interface Window {
   /** Of each unknown: an angle, a distance to the left or right, a radius, or a coordinate in the first or second axis. */
   readonly unknowns: readonly ("angle" | "offset" | "radius" | "x" | "y")[];
   readonly residuals: Residuals;
-  readonly read: (at: readonly number[]) => Found;
+  readonly read: (at: readonly number[]) => FreePlaces;
 }
 
 /** The unit vector to the left of a direction. */
@@ -62,7 +62,7 @@ function touching(a: Curve, b: Curve, size: number): number {
 }
 
 /** The number that is given, as far as what it counts from is there. */
-export function numberOf(given: Given, base: (of: number) => number | null): number | null {
+export function freeValueOf(given: FreeValue, base: (of: number) => number | null): number | null {
   if (given === null) return null;
   if ("at" in given) return given.at;
   const from = base(given.of);
@@ -70,10 +70,10 @@ export function numberOf(given: Given, base: (of: number) => number | null): num
 }
 
 /** Residuals of a point that is given by its distance and angle from a pole. */
-function fromPole({ pole, radius, angle }: FromPole, p: PlanePoint, point: Found["point"], size: number): number[] {
+function fromPole({ pole, radius, angle }: FromPole, p: PlanePoint, point: FreePlaces["point"], size: number): number[] {
   const way = difference(p, pole);
-  const far = numberOf(radius, (of) => (point(of) ? apart(point(of) ?? pole, pole) : null));
-  const turned = numberOf(angle, (of) => (point(of) ? angleOf(difference(point(of) ?? pole, pole)) : null));
+  const far = freeValueOf(radius, (of) => (point(of) ? apart(point(of) ?? pole, pole) : null));
+  const turned = freeValueOf(angle, (of) => (point(of) ? angleOf(difference(point(of) ?? pole, pole)) : null));
   const out: number[] = [];
   if (far !== null) out.push((Math.hypot(way.x, way.y) - Math.abs(far)) / size);
   if (turned !== null) out.push(cross(heading(turned), way) / size);
@@ -81,11 +81,11 @@ function fromPole({ pole, radius, angle }: FromPole, p: PlanePoint, point: Found
 }
 
 /** What an element says of its end point. */
-export function endResiduals(e: FreeElement, k: number, { point }: Found, size: number): number[] {
+export function endResiduals(e: FreeElement, k: number, { point }: FreePlaces, size: number): number[] {
   const p = point(k);
   if (!p) return [];
   const out: number[] = [];
-  const [x, y] = [numberOf(e.x, (of) => point(of)?.x ?? null), numberOf(e.y, (of) => point(of)?.y ?? null)];
+  const [x, y] = [freeValueOf(e.x, (of) => point(of)?.x ?? null), freeValueOf(e.y, (of) => point(of)?.y ?? null)];
   if (x !== null) out.push((p.x - x) / size);
   if (y !== null) out.push((p.y - y) / size);
   if (e.polar) out.push(...fromPole(e.polar, p, point, size));
@@ -95,7 +95,7 @@ export function endResiduals(e: FreeElement, k: number, { point }: Found, size: 
 }
 
 /** What an element says of its curve alone. */
-function curveResiduals(e: FreeElement, found: Found, own: Curve, size: number): number[] {
+function curveResiduals(e: FreeElement, found: FreePlaces, own: Curve, size: number): number[] {
   const out = e.through.map((p) => distanceFrom(own, p) / size);
   if (e.beside) out.push((Math.abs(distanceFrom(own, e.beside.point)) - e.beside.distance) / size);
   if (own.kind === "line") {
@@ -106,7 +106,7 @@ function curveResiduals(e: FreeElement, found: Found, own: Curve, size: number):
     if (e.parallel.distance !== null) out.push((Math.abs(own.offset - along) - e.parallel.distance) / size);
     return out;
   }
-  const [x, y] = [numberOf(e.centreX, (of) => found.point(of)?.x ?? null), numberOf(e.centreY, (of) => found.point(of)?.y ?? null)];
+  const [x, y] = [freeValueOf(e.centreX, (of) => found.point(of)?.x ?? null), freeValueOf(e.centreY, (of) => found.point(of)?.y ?? null)];
   // A centre that is given outright is no unknown.
   if (x !== null && e.centreX && "by" in e.centreX) out.push((own.centre.x - x) / size);
   if (y !== null && e.centreY && "by" in e.centreY) out.push((own.centre.y - y) / size);
@@ -115,15 +115,15 @@ function curveResiduals(e: FreeElement, found: Found, own: Curve, size: number):
 }
 
 /** The direction that is given for an element, or for the beginning of an arc; null where it is not known yet. */
-export function givenAngle(e: FreeElement, { curve, point }: Found): number | null {
-  return numberOf(e.angle, (of) => {
+export function givenAngle(e: FreeElement, { curve, point }: FreePlaces): number | null {
+  return freeValueOf(e.angle, (of) => {
     const [other, end] = [curve(of), point(of)];
     return other?.kind === "line" ? other.angle : other && end ? directionAt(other, end) : null;
   });
 }
 
 /** What an element says of itself together with both its ends. */
-function spanResiduals(e: FreeElement, k: number, found: Found, own: Curve, size: number): number[] {
+function spanResiduals(e: FreeElement, k: number, found: FreePlaces, own: Curve, size: number): number[] {
   const [from, to] = [found.point(k - 1), found.point(k)];
   const out: number[] = [];
   if (own.kind === "arc" && from) {
@@ -146,13 +146,13 @@ const bend = (a: Curve, b: Curve, p: PlanePoint): number => Math.sin(directionAt
 /** Numbers for an element that has not been found yet, taken one after the other from the unknowns. */
 type Take = (kind: Window["unknowns"][number]) => (at: readonly number[]) => number;
 
-function curveFrom(e: FreeElement, found: Found, take: Take): (at: readonly number[]) => Curve {
+function curveFrom(e: FreeElement, found: FreePlaces, take: Take): (at: readonly number[]) => Curve {
   if (e.kind === "line") {
     const given = givenAngle(e, found);
     const [angle, offset] = [given === null ? take("angle") : () => given, take("offset")];
     return (at) => ({ kind: "line", angle: angle(at), offset: offset(at) });
   }
-  const direct = (given: Given) => (given && "at" in given ? given.at : null);
+  const direct = (given: FreeValue) => (given && "at" in given ? given.at : null);
   const [cx, cy] = [direct(e.centreX), direct(e.centreY)];
   const turn: Turn = e.turn, size = e.radius;
   const [x, y, radius] = [
@@ -172,7 +172,7 @@ const ends = (e: FreeElement) =>
 /** The equations of elements `first` to `last`; null where they can not stand for themselves. `size` makes lengths comparable. */
 export function windowOf(elements: readonly FreeElement[], known: Known, first: number, last: number, size: number): Window | null {
   const at = (k: number) => elements[k - 1];
-  const standing: Found = { curve: (k) => known.curves[k] ?? null, point: (k) => known.points[k] ?? null };
+  const standing: FreePlaces = { curve: (k) => known.curves[k] ?? null, point: (k) => known.points[k] ?? null };
   const [head, tail] = [at(first), at(last)];
   if (!head || !tail) return null;
   const [curved, placed] = [(k: number) => (known.curves[k] ?? null) !== null, (k: number) => (known.points[k] ?? null) !== null];
@@ -205,7 +205,7 @@ export function windowOf(elements: readonly FreeElement[], known: Known, first: 
       points.set(k, (values) => ({ x: x(values), y: y(values) }));
     }
   }
-  const read = (values: readonly number[]): Found => {
+  const read = (values: readonly number[]): FreePlaces => {
     const made = new Map([...curves].map(([k, make]) => [k, make(values)] as const));
     const curve = (k: number) => made.get(k) ?? known.curves[k] ?? null;
     const point = (k: number): PlanePoint | null => {
