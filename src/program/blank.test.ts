@@ -187,6 +187,16 @@ describe("FUNCTION TURNDATA BLANK", () => {
     expect(areaOf(other.simulation.final)).toBeLessThan(30.1 * 48.3);
     expect(other.simulation.proof.cut).toBeGreaterThan(0);
   });
+  test("work that was turned round is judged side by side: residue as it stood before, gouges by the contours behind", () => {
+    const first = judged(shoulder(51.3, -30.4));
+    const other = judged([...shoulder(51.3, -30.4), "L X+80 Z+20 FMAX", "FUNCTION TURNDATA BLANK LBL 3", ...shoulder(33.1, -11.2)],
+      bowl("3", 58.2, 0.4));
+    const left = (of: typeof first, operation: number) =>
+      of.simulation.proof.residual.filter((r) => r.operation === operation).map((r) => r.area);
+    expect(left(other, 0)).toEqual(left(first, 0));
+    expect(left(other, 1).length).toBeGreaterThan(0);
+    expect(other.simulation.proof.gouge).toBe(0);
+  });
   test("while it is traced, roughing leaves out the levels that cuts before and the outline have left in the air", () => {
     const passes = (before: readonly string[], between: readonly string[] = []) => {
       const { r, simulation } = judged([...before, ...shoulder(51.3, -30.4), ...between, ...shoulder(41.7, -17.9)], bowl("3", 62, 0.8));

@@ -9,7 +9,8 @@ interface TextFile {
 }
 
 /** Texts without any of these name no other file, and need not be read for it: most of a folder is long and calls nothing. */
-const MAY_NAME = /(?:CALL|SEL)[ \t]+PGM|SEL[ \t]+CONTOUR|CONTOUR[ \t]+DEF|DECLARE|CYCL[ \t]+DEF[ \t]*12|BLANK|FILE|QS\d/i;
+const MAY_NAME =
+  /(?:CALL|SEL)[ \t]+PGM|SEL[ \t]+CONTOUR|CONTOUR[ \t]+DEF|DECLARE|CYCL[ \t]+DEF[ \t]*12|BLANK|FILE|FORM[ \t]+ROTATION|QS\d/i;
 const BEGIN = /^[ \t]*(?:N?\d+[ \t]+)?BEGIN[ \t]+PGM/im;
 
 function quotedIn(text: TextFormula): readonly string[] {

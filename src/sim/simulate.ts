@@ -1,6 +1,7 @@
 import { areaOf } from "../kernel/area.ts";
+import type { Ring } from "../kernel/point.ts";
 import type { Step } from "../kernel/step.ts";
-import { check, MOST_CONTACTS } from "./check.ts";
+import { check, MOST_CONTACTS, type Finished } from "./check.ts";
 import { collector } from "./collect.ts";
 import { inStock } from "./contact.ts";
 import { cutting } from "./cutting.ts";
@@ -10,7 +11,7 @@ import { marksOf } from "./marks.ts";
 import { measuring } from "./measure.ts";
 import { outlinesOf } from "./outlines.ts";
 import { residualOf } from "./residual.ts";
-import type { Depth, StockFinding, Proof, Simulation, SimulationInput } from "./simulation.ts";
+import type { Depth, StockFinding, Proof, Residual, SimulatedOperation, Simulation, SimulationInput } from "./simulation.ts";
 import { statedBlanks } from "./stated.ts";
 import { sweptBy } from "./sweep.ts";
 
@@ -30,12 +31,38 @@ function startTimesOf(steps: readonly Step[]): Float64Array {
 const total = (findings: readonly StockFinding[], kind: StockFinding["kind"]) =>
   findings.reduce((sum, f) => (f.kind === kind ? sum + f.area : sum), 0);
 
+/**
+ * The work as it is held: what an outline that is stated later takes the place of is judged as it stood until then, and the contours
+ * of before say nothing of what comes behind.
+ */
+function setupsOf(operations: readonly SimulatedOperation[], outlines: ReturnType<typeof outlinesOf>) {
+  const left: Residual[] = [];
+  let first = 0;
+  const known = (from: number): Finished => {
+    const rings = finishedPart(operations.slice(from));
+    return { rings, edges: sidesOf(rings) };
+  };
+  let finished = known(0);
+  const until = (stock: readonly Ring[], end: number): Residual[] =>
+    residualOf(stock, operations.slice(first, end), outlines).map((r) => ({ ...r, operation: r.operation + first }));
+  return {
+    finished: () => finished,
+    change(stock: readonly Ring[], step: number): void {
+      const next = operations.findIndex((o) => o.firstStep >= step);
+      const end = next < 0 ? operations.length : next;
+      left.push(...until(stock, end));
+      first = end;
+      finished = known(first);
+    },
+    residual: (stock: readonly Ring[]): readonly Residual[] => [...left, ...until(stock, operations.length)],
+  };
+}
+
 /** Cuts the blank by every step and looks at each before it cuts. */
 export function simulate(input: SimulationInput): Simulation {
   const { blank, steps, operations, unproved } = input;
   const outlines = outlinesOf();
-  const part = finishedPart(operations);
-  const finished = { rings: part, edges: sidesOf(part) };
+  const setups = setupsOf(operations, outlines);
   const marks = marksOf();
   marks.add(0, blank);
   const found = collector();
@@ -49,6 +76,7 @@ export function simulate(input: SimulationInput): Simulation {
   steps.forEach((step, i) => {
     const now = statements.at(i, cut);
     if (now) {
+      setups.change(cut.stock(), i);
       cut = cutting(now);
       marks.add(i, now, true);
       marked = i;
@@ -62,7 +90,7 @@ export function simulate(input: SimulationInput): Simulation {
     const sweep = sweptBy(shapes.insert, step);
     const touching = shapes.checked === shapes.insert ? sweep : sweptBy(shapes.checked, step);
     if (contacts < MOST_CONTACTS) {
-      const damage = check(step, i, shapes, touching, cut, finished);
+      const damage = check(step, i, shapes, touching, cut, setups.finished());
       found.add(damage);
       if (damage.length > 0) contacts += 1;
     } else unlooked ??= { step: i, block: step.block };
@@ -71,7 +99,10 @@ export function simulate(input: SimulationInput): Simulation {
     cut.add(sweep);
   });
   const last = statements.at(steps.length, cut);
-  if (last) marks.add(steps.length, last, true);
+  if (last) {
+    setups.change(cut.stock(), steps.length);
+    marks.add(steps.length, last, true);
+  }
   const final = last ?? cut.stock();
   const findings = found.all();
   const measured = measure.results();
@@ -87,7 +118,7 @@ export function simulate(input: SimulationInput): Simulation {
     proof: {
       gouge: total(findings, "gouge"),
       rapidInStock: total(findings, "rapidInStock"),
-      residual: residualOf(final, operations, outlines),
+      residual: setups.residual(final),
       cut: Math.max(0, areaOf(blank) + statements.added() - areaOf(final) - byRapids),
       airPasses: measured.reduce((sum, o) => sum + o.airPasses, 0),
       deepest: measured.reduce<Depth | null>((best, { deepest }) => (deepest && deepest.depth > (best?.depth ?? 0) ? deepest : best), null),
