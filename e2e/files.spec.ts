@@ -94,12 +94,17 @@ test("a called program is looked at and edited, the one that calls runs again, a
   await findings.items.filter({ hasText: "QL7" }).getByRole("button", { name: t.findings.goTo(place) }).first().click();
   await expect(editor.file("defines.h")).toHaveAttribute("aria-current", "true");
 
-  await editor.files.getByRole("button", { name: t.editor.files.runLong("away.h"), exact: true }).click();
+  await editor.files.getByRole("button", { name: t.editor.files.runLong("away.h"), exact: true }).press("Enter");
+  await expect(editor.file("away.h")).toBeFocused();
   await expect(page.getByRole("heading", { level: 1 })).toHaveText("away.h");
   await expect(editor.total(t.editor.operations)).toHaveText("0");
   await turnwise.undo();
   await expect(page.getByRole("heading", { level: 1 })).toHaveText("MAIN.h");
   await expect(editor.total(t.editor.operations)).toHaveText("1");
+  for (const name of ["defines.h", "away.h"])
+    await editor.files.getByRole("button", { name: t.editor.files.remove(name), exact: true }).press("Enter");
+  await expect(editor.total(t.findings.verdict.title)).not.toHaveText(provedIn(t));
+  await expect(editor.file("MAIN.h")).toBeFocused();
 });
 
 test("blocks behind a skip mark are left out by a switch of the work", async ({ page }) => {

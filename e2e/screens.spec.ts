@@ -45,6 +45,15 @@ for (const theme of ["light", "dark"] as const) {
       await looksRight(page);
     });
 
+  test(`the files of a work pass axe in ${theme}, and fit`, async ({ page }) => {
+    const { editor } = await Turnwise.open(page, { theme });
+    await editor.drop({ "MAIN.h": "BEGIN PGM MAIN MM\nCALL PGM CUT\n/CALL PGM AWAY\nM30\n", "cut.h": "BEGIN PGM CUT MM\nL X+1\n" });
+    await editor.show("text");
+    await expect(editor.leaveOut).toBeVisible();
+    await expect(editor.files.getByText("AWAY.H")).toBeVisible();
+    await looksRight(page);
+  });
+
   test(`a choice passes axe in ${theme}, and fits`, async ({ page }) => {
     const { dialog } = await example(page, theme);
     await dialog.open("Q215");

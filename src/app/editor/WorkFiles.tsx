@@ -8,6 +8,7 @@ import { fileKey } from "../../program/program-files.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { changeProgram, useEditor } from "../store.ts";
 import { filesOf, withMain, withoutFile, type ProgramWork } from "../work.ts";
+import { sessionView } from "./session.ts";
 import { showFile, useShownName } from "../files/shown-file.ts";
 import "./work-files.css";
 
@@ -24,6 +25,14 @@ function List({ program, missing }: { readonly program: ProgramWork; readonly mi
   useEffect(() => {
     list.current?.querySelector("[aria-current]")?.scrollIntoView?.({ block: "nearest" });
   }, [shown]);
+  useEffect(() => () => {
+    if (document.activeElement === document.body) sessionView()?.focus();
+  }, []);
+  /** What was pressed goes away with its row: the keyboard stays in the list. */
+  const change = (next: (now: ProgramWork) => ProgramWork) => {
+    list.current?.querySelector("button")?.focus();
+    changeProgram(next);
+  };
   const open = (name: string, runs: boolean) => (
     <button type="button" className="button plain work-file" aria-current={name === shown ? "true" : undefined} title={name}
       aria-label={t.show(name)} onClick={() => showFile(runs ? null : name)}
@@ -52,7 +61,7 @@ function List({ program, missing }: { readonly program: ProgramWork; readonly mi
           {programs.has(file) && (
             <button type="button" className="button small plain" aria-label={t.runLong(file.name)} title={t.runLong(file.name)}
               onClick={() => {
-                changeProgram((now) => withMain(now, fileKey(file.name)));
+                change((now) => withMain(now, fileKey(file.name)));
                 showFile(null);
               }}
             >
@@ -60,7 +69,7 @@ function List({ program, missing }: { readonly program: ProgramWork; readonly mi
             </button>
           )}
           <button type="button" className="button icon plain" aria-label={t.remove(file.name)} title={t.remove(file.name)}
-            onClick={() => changeProgram((now) => withoutFile(now, fileKey(file.name)))}
+            onClick={() => change((now) => withoutFile(now, fileKey(file.name)))}
           >
             <Icon name="close" />
           </button>

@@ -194,6 +194,7 @@ function putShown(): void {
   closeStep();
   open = takeUp(program, open.work);
   view.setState(open.state);
+  view.dispatch({ effects: EditorView.scrollIntoView(open.state.selection.main.head, { y: "center" }) });
   show(true);
   readToEnd();
   useSession.setState((s) => ({ put: s.put + 1 }));
