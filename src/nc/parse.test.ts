@@ -104,6 +104,12 @@ describe("spellings", () => {
     ["CALL LBL 2 REP8", "CALL LBL 2 REP 8"],
     ["TOOL  CALL 5 Z S3000 F MAX", "TOOL CALL 5 Z S3000 FMAX"],
     ["l x+1", "L X+1"],
+    ["L X+30 R F M", "L X+30"],
+    ["L Z+2,5 R F9999 M", "L Z+2.5 F9999"],
+    ["C X+5 Y+6 DR- R F MAX M", "C X+5 Y+6 DR- FMAX"],
+    ["STOP M", "STOP"],
+    ["C+90 R0 FMAX", "L C+90 R0 FMAX"],
+    ["CYCL CALL M", "CYCL CALL"],
     ["trans  rotation rot12,5", "TRANS ROTATION ROT+12.5"],
   ])("%s is %s", (one1, other) => {
     const [a, b] = [one(one1)?.statement, one(other)?.statement];
@@ -113,6 +119,7 @@ describe("spellings", () => {
   test.each([
     "CC",
     "L",
+    "L R F M",
     "M140 MB MAX",
     "CYCL CALL POS X+1",
     "BLK FORM CYLINDER Z R50 L105 DIST+5 RI10",

@@ -7,6 +7,8 @@ const WORD = new RegExp(String.raw`(LIN_[XYZABCUVW]|CCA|LEN|IP[RA]|P[RA]|I?[XYZA
   "iy");
 const COMPENSATION = /R[ \t]?0(?![\d.,])|(?:RL|RR)(?![A-Z])/iy;
 const SIDE = /(RL|RR)(?![A-Z])/iy;
+/** Older controls print R, F and M also where nothing was typed for them: what was in force stays so. */
+const UNTYPED = /[RFM](?![^ \t\u00a0])/iy;
 const TURN = /DR[ \t]*([+-])/iy;
 
 type Building = { -readonly [K in keyof Words]: Words[K] };
@@ -46,7 +48,7 @@ export function readWords(scan: Scan, radiusFirst = false): Words {
       put("turn", "DR", m[1] === "+" ? "ccw" : "cw", m[0].length);
     } else if ((m = scan.take(WORD))) {
       readWord(scan, m, { axes, linear, functions, extra }, put);
-    } else {
+    } else if (!scan.take(UNTYPED)) {
       const word = scan.word();
       extra.push(word);
       scan.issue({ code: "wordNotUnderstood", severity: "warning", data: { text: word.slice(0, 40) } }, word.length);
