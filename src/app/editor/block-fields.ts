@@ -10,7 +10,7 @@ import { feedWord } from "../../program/field.ts";
 import { formOf, formWord } from "../../program/recess-words.ts";
 import { blockValue, feedAsTyped, parameterAsTyped, typedFeed, valueAsTyped } from "../../program/typed-value.ts";
 import { fieldOf, optionalValue, labelAsTyped, singleLine, shownLabel, type WordField } from "./field.ts";
-import { axisFields, axisField, compensationField, feedField, functionsField, namedFields, polarWord, retractField, turnField,
+import { axisFields, compensationField, feedField, freeFields, functionsField, listedAxis, namedFields, polarWord, retractField, turnField,
   valueWord } from "./word-fields.ts";
 
 const AXES = ["X", "Y", "Z"] as const satisfies readonly AxisName[];
@@ -65,29 +65,31 @@ const frame =
   ];
 
 /** A corner of a box names three coordinates. */
-const cornerField = (axis: AxisName): WordField => {
-  const plain = axisField(axis);
-  const dressed =
-    (s:
-      Statement): Statement => (s.kind === "blankBox"
-        ? { kind: "path", path: "L", words: { axes: s.axes, linear: [], functions: [], extra: [] } }
-        : s);
-  return {
-    ...plain,
-    read: (s) => plain.read(dressed(s)),
-    write: (s, typed) => {
-      const next = plain.write(dressed(s), typed);
-      return s.kind === "blankBox" && next?.kind === "path" ? { ...s, axes: next.words.axes } : null;
-    },
-    incremental: {
-      read: (s) => plain.incremental?.read(dressed(s)) ?? false,
-      write: (s, on) => {
-        const next = plain.incremental?.write(dressed(s), on);
-        return s.kind === "blankBox" && next?.kind === "path" ? { ...s, axes: next.words.axes } : s;
-      },
-    },
-  };
-};
+const cornerField = (axis: AxisName): WordField =>
+  listedAxis(axis, (s) => (s.kind === "blankBox" ? s.axes : null), (s, axes) => (s.kind === "blankBox" ? { ...s, axes } : s));
+const shiftField = (axis: AxisName): WordField =>
+  listedAxis(axis, (s) => (s.kind === "datum" && s.shift !== "reset" ? s.shift : null),
+    (s, shift) => (s.kind === "datum" ? { ...s, shift } : s));
+
+const lineWords = [valueWord("length", "lineLength"), ...tail];
+const arcWords = [radius, turnField, valueWord("length", "lineLength"), valueWord("centreAngle", "centreAngle", "°"), ...tail];
+const present = (s: Statement) => polar.filter((field) => field.read(s) !== "");
+
+/** What can be given of the forms of a free contour. */
+function freeForm(s: Extract<Statement, { kind: "free" }>): readonly WordField[] {
+  switch (s.form) {
+    case "FSELECT":
+      return [wholeText];
+    case "FPOL":
+      return axisFields(s, AXES);
+    case "FL":
+    case "FLT":
+      return [...axisFields(s, AXES), ...present(s), ...freeFields(s, ["AN"]), ...lineWords];
+    case "FC":
+    case "FCT":
+      return [...axisFields(s, AXES), ...present(s), ...freeFields(s, ["CCX", "CCY"]), ...arcWords];
+  }
+}
 
 const undercutWords = (word: string): readonly string[] => {
   const form = formOf(word);
@@ -324,13 +326,25 @@ const table: Table = {
   selectProgram: () => [wholeText],
   callSelected: () => [],
   jump: () => [wholeText],
-  datum: () => [wholeText],
+  datum: (s) => (s.shift === "reset" ? [wholeText] : AXES.map(shiftField)),
   datumTable: () => [wholeText],
   mirror: () => [wholeText],
-  rotation: () => [wholeText],
-  scale: () => [wholeText],
+  rotation: (s) =>
+    s.angle === "reset"
+      ? [wholeText]
+      : [fieldOf("rotation", { word: "ROT" }, (r) => (r.angle === "reset" ? "" : valueAsTyped(r.angle.value)), (r, typed) => {
+        const value = blockValue(typed);
+        return value === null || r.angle === "reset" ? null : { ...r, angle: { ...r.angle, value } };
+      }, { numeric: true, unit: "°" })],
+  scale: (s) =>
+    s.factor === "reset"
+      ? [wholeText]
+      : [fieldOf("scale", { word: "SCL" }, (f) => (f.factor === "reset" ? "" : valueAsTyped(f.factor)), (f, typed) => {
+        const factor = blockValue(typed);
+        return factor === null ? null : { ...f, factor };
+      }, { numeric: true })],
   plane: () => [wholeText],
-  free: () => [wholeText],
+  free: freeForm,
   assign:
     (s) => [
       fieldOf("assign", "target", (a) => a.target,

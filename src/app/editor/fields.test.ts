@@ -15,6 +15,10 @@ const statements: readonly Statement[] = [
   ...programs.flatMap((p) => p.blocks.map((b) => b.statement)),
   ...palette.flatMap((offered) => offered.make?.("en") ?? []),
   ...catalogue.map((cycle) => cycleStatement(cycle, "en")),
+  ...parse(
+    "TRANS DATUM AXIS X+3 IZ-2.5\nTRANS DATUM RESET\nTRANS ROTATION IROT-12.5\nTRANS SCALE SCL0.75\nFPOL X+2 Y-7\nFSELECT 2\n"
+      + "FLT PR+8 IPA+30 AN+20 P1X+2 P1Y+Q4 PAR12 CLSD+ F300\nFC IX+4 DR- R10.5 CCX+2 ICCY-1 RCCY5 CCA90 LEN7 RL",
+  ).blocks.map((b) => b.statement),
 ];
 const edited = (text: string, id: string, typed: string): string => {
   const program = parse(text);
@@ -54,6 +58,10 @@ test.each([
   ["3 L X+1\n", "X", "Q5", "3 L X+Q5\n"],
   ["3 L X+1\n", "X", "one", "refused"],
   ["3 * - PART\n", "text", "OTHER", "3 * - OTHER\n"],
+  ["3 FL X+1 AN+20 F300\n", "word AN", "31,5", "3 FL X+1 F300 AN+31.5\n"],
+  ["3 FC DR- R5\n", "word CCX", "-2", "3 FC R+5 DR- CCX-2\n"],
+  ["3 TRANS DATUM AXIS X+3\n", "Z", "-4.2", "3 TRANS DATUM AXIS X+3 Z-4.2\n"],
+  ["3 TRANS ROTATION ROT+20\n", "ROT", "-7", "3 TRANS ROTATION ROT-7\n"],
   ["3 STRANGE 1\n", "text", "STOP M8", "3 STOP M8\n"],
 ])("%s: %s as %s", (text, id, typed, result) => expect(edited(text, id, typed)).toBe(result));
 

@@ -48,7 +48,19 @@ const filters: Partial<Record<Statement["kind"], PartFilter>> = {
   blankRotation: "labels",
   blankFile: "labels",
   turnBlank: "labels",
+  datum: "labels",
+  datumTable: "labels",
+  mirror: "labels",
+  rotation: "labels",
+  scale: "labels",
+  callProgram: "labels",
+  selectProgram: "labels",
+  callSelected: "labels",
 };
+
+/** What ends a subprogram, and the further lines of an old cycle, are no parts of their own. */
+const isPart = (s: Statement): boolean =>
+  !(s.kind === "label" && s.label === 0) && !(s.kind === "cycleLine" && s.line > 0 && s.cycle !== 14);
 
 /** The first line of a block without number and continuation. */
 export const firstLine = (raw: string): string =>
@@ -81,7 +93,7 @@ export function partsOf(program: Program, outcome: Outcome | null, file: string 
   const parts: Part[] = [];
   program.blocks.forEach(({ statement: s, raw }, index) => {
     const filter = filters[s.kind];
-    if (filter === undefined || (s.kind === "label" && s.label === 0)) return;
+    if (filter === undefined || !isPart(s)) return;
     parts.push({
       index,
       number: numbers[index] ?? 0,

@@ -131,6 +131,65 @@ export const retractField: WordField = {
 export const axisFields = (s: Statement, usual: readonly AxisName[]): readonly WordField[] =>
   ORDER.filter((axis) => usual.includes(axis) || wordsOf(s).axes.some((w) => w.axis === axis)).map(axisField);
 
+/** A coordinate of a block that lists its axes and has no other words. */
+export function listedAxis(
+  axis: AxisName,
+  list: (s: Statement) => readonly AxisWord[] | null,
+  withList: (s: Statement, axes: readonly AxisWord[]) => Statement,
+): WordField {
+  const plain = axisField(axis);
+  const dressed = (s: Statement): Statement => ({ kind: "path", path: "L", words: { ...noWords, axes: list(s) ?? [] } });
+  const taken = (s: Statement, next: Statement | null | undefined): Statement | null =>
+    list(s) && next?.kind === "path" ? withList(s, next.words.axes) : null;
+  return {
+    ...plain,
+    read: (s) => plain.read(dressed(s)),
+    write: (s, typed) => taken(s, plain.write(dressed(s), typed)),
+    incremental: {
+      read: (s) => plain.incremental?.read(dressed(s)) ?? false,
+      write: (s, on) => taken(s, plain.incremental?.write(dressed(s), on)) ?? s,
+    },
+  };
+}
+
+const SIGNS: ReadonlyMap<string, number> = new Map([["+", 1], ["-", -1]]);
+
+/** A word that only free contours have: an angle, a centre, a point, the block that a value counts from. */
+const freeField = (word: string): WordField => {
+  const given = (s: Statement): readonly NamedWord[] => (s.kind === "free" ? s.given : []);
+  const set = (s: Statement, value: Value | null): Statement => {
+    if (s.kind !== "free") return s;
+    const others = s.given.filter((w) => w.name !== word);
+    if (value === null) return { ...s, given: others };
+    const there = s.given.some((w) => w.name === word);
+    return { ...s, given: there ? s.given.map((w) => (w.name === word ? { name: word, value } : w)) : [...others, { name: word, value }] };
+  };
+  const closes = word === "CLSD";
+  return {
+    id: `word ${word}`,
+    name: { word },
+    ...(closes ? { choices: ["", "+", "-"] } : { numeric: true, ...freeUnit(word) }),
+    read: (s) => {
+      const value = given(s).find((w) => w.name === word)?.value;
+      if (!closes || value === undefined) return valueAsTyped(value);
+      return value === -1 ? "-" : "+";
+    },
+    write: (s, typed) => closes ? set(s, SIGNS.get(typed) ?? null) : optionalValue(typed, (value) => set(s, value)),
+  };
+};
+
+/** Angles, numbers of blocks, and lengths. */
+function freeUnit(word: string): { readonly unit?: string } {
+  if (/^(?:PAR|RCC?[XYZ]|RPR|RPA|RAN)$/.test(word)) return {};
+  return { unit: /^(?:I?AN|CCPA)$/.test(word) ? "°" : "mm" };
+}
+
+/** The words of a free element: those that are usual for its form, and any other that stands there. */
+export function freeFields(s: Statement, usual: readonly string[]): readonly WordField[] {
+  const there = s.kind === "free" ? s.given.map((w) => w.name) : [];
+  return [...new Set([...usual, ...there])].map(freeField);
+}
+
 const ANGLES: ReadonlySet<string> = ANGLE_WORDS;
 type WithNames = Extract<Statement, { words: readonly NamedWord[] }>;
 const hasNames = (s: Statement): s is WithNames => "words" in s && Array.isArray(s.words);
