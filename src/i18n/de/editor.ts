@@ -37,7 +37,7 @@ export const editor = {
     add: "Dateien dazunehmen",
     show: (file) => `${file} zeigen`,
     runs: "Hauptprogramm",
-    run: "Als Haupt",
+    run: "Als Hauptprogramm",
     runLong: (file) => `${file} zum Hauptprogramm machen`,
     remove: (file) => `${file} aus dieser Arbeit nehmen`,
     missing: "fehlt hier",

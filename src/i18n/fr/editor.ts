@@ -37,7 +37,7 @@ export const editor = {
     add: "Ajouter des fichiers",
     show: (file) => `Afficher ${file}`,
     runs: "principal",
-    run: "Principal",
+    run: "Rendre principal",
     runLong: (file) => `Faire de ${file} le programme principal`,
     remove: (file) => `Retirer ${file} de ce travail`,
     missing: "n’est pas ici",
