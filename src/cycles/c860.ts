@@ -1,4 +1,5 @@
 import { c820 } from "./c820.ts";
+import { c840 } from "./c840.ts";
 import { c862 } from "./c862.ts";
 import { defineCycle } from "./define.ts";
 import type { Setups } from "./drawn-setup.ts";
@@ -19,24 +20,7 @@ export const c860 = defineCycle({
   evidence: "K1",
   contour: "free",
   params: recalled({ Q215, Q460, Q478, Q483, Q484, Q505, Q479, Q480, Q482, ...radialPlunges }),
-  setup: {
-    name: "GROOVES",
-    tool: 10,
-    blank: { outside: "75", bore: "", length: "90", allowance: "0" },
-    start: { x: "77", z: "-15" },
-    contour: [
-      { kind: "L", x: "75", z: "-15" },
-      { kind: "L", x: "58", z: "-16.5" },
-      { kind: "RND", r: "2" },
-      { kind: "L", z: "-30" },
-      { kind: "RND", r: "2" },
-      { kind: "L", x: "68", z: "-31.5" },
-      { kind: "L", z: "-38" },
-      { kind: "CR", z: "-58", r: "13", turn: "cw" },
-      { kind: "L", z: "-62" },
-      { kind: "L", x: "75", z: "-65" },
-    ],
-  },
+  setup: { ...c840.setup, tool: 10 },
   steps: c862.steps,
   outline: (v, given) => freeRecessing(v, given, false),
   plan: (v, setting, given) => planFreeRecessing(v, setting, given, false),
