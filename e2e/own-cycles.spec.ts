@@ -58,6 +58,8 @@ test("an unknown block is described, its dialog changes the text, and it is put 
   await editor.line("Q1713").click();
   await editor.show("block");
   await expect(dialog.question).toHaveText("FEED RATE");
+  await editor.line("Q1712").getByText("Q1712", { exact: true }).hover();
+  await expect(page.locator(".nc-help")).toContainText("1: closed");
   await editor.tool("insertLong").click();
   await page.getByRole("group", { name: t.editor.palette }).getByRole("button", { name: t.editor.kinds.cycle, exact: true }).click();
   await own.group.getByRole("button", { name: t.page.own.title }).click();
