@@ -7,7 +7,7 @@ import { useEditor } from "./store.ts";
 import { hideTools, showTools } from "./tools/tool-place.ts";
 import { useTools } from "./tools/tool-store.ts";
 
-/** Goes one step through the history and shows what has changed: the row of the tool, the description of a cycle, or the work with the prompt. */
+/** Goes one step through the history and shows what has changed: a row of the tools, a described cycle, or the work with the prompt. */
 function goAndShow(way: keyof Steps, run: () => void): void {
   if (useSteps.getState()[way].length === 0) return;
   const [{ job: before }, { list: tools }, { list: own }] = [useEditor.getState(), useTools.getState(), useOwn.getState()];

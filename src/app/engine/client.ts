@@ -71,7 +71,7 @@ let busy = false;
 
 const CANCELLED = new Error("the operator stopped the calculation");
 const LEFT = new Error("the work was left");
-/** What is left is given up after this time, so that the next work does not wait for it; most are done before a new worker were there, ms. */
+/** What is left is given up after this time, so that the next work does not wait for it; most are done sooner than a worker starts, ms. */
 const GIVEN_UP_AFTER = 400;
 let running: Request | null = null;
 let cancel: (why: Error) => void = () => undefined;

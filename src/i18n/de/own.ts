@@ -6,8 +6,7 @@ export const own: OwnTexts = {
   lead: "Zyklen, die diese Seite nicht kennt, einmal beschrieben: Sie bekommen Dialog und sauberen Text. Simuliert werden sie nicht.",
   count: (n) => (n === 1 ? "1 Zyklus" : `${n} Zyklen`),
   list: "Eigene Zyklen dieses Geräts",
-  none:
-    "Noch ist kein Zyklus beschrieben. Beginnen Sie hier einen, oder öffnen Sie seinen Satz im Programm und wählen Sie „Zyklus beschreiben“.",
+  none: "Noch ist kein Zyklus beschrieben. Beginnen Sie hier, oder öffnen Sie seinen Satz im Programm und wählen Sie „Zyklus beschreiben“.",
   unnamed: "ohne Nummer",
   cycleName: (number, name) => `Zyklus ${number} ${name}`.trim(),
   select: (cycle) => `${cycle} bearbeiten`,

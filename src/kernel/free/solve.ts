@@ -54,7 +54,7 @@ interface Choice {
   readonly found: readonly FreePlaces[];
 }
 
-/** Finds all that follows without a choice. Then the smallest choice that is left, null where none is; "nowhere" where something contradicts. */
+/** Finds all that follows without a choice; then the smallest choice that is left, null without one, "nowhere" at a contradiction. */
 function follow(b: Branch, s: Search): Choice | null | "nowhere" {
   for (;;) {
     let [choice, went]: [Choice | null, boolean] = [null, false];
