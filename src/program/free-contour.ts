@@ -1,5 +1,5 @@
-import type { Curve } from "../kernel/free/element.ts";
-import { solveFreeContour } from "../kernel/free/solve.ts";
+import type { Curve, FreeElement } from "../kernel/free/element.ts";
+import { solveFreeContour, type FreeSolved } from "../kernel/free/solve.ts";
 import { plane as flat, planeSegment, type PlanePoint, type PlaneSegment } from "../kernel/plane.ts";
 import { SAME } from "../kernel/tolerance.ts";
 import { inDegrees, radius, toDiameter } from "../kernel/units.ts";
@@ -32,13 +32,26 @@ export interface FreeWritten {
 const IS_ELEMENT: ReadonlySet<FreeForm> = new Set(["FL", "FLT", "FC", "FCT"]);
 export const isFreeElement = (s: Free): boolean => IS_ELEMENT.has(s.form);
 
+/** Contours that are remembered: one in a loop, or that an edit elsewhere leaves as it is, is solved once. */
+const REMEMBERED = 64;
+const remembered = new Map<string, readonly (FreeSolved | null)[]>();
+
+function solvedOnce(elements: readonly FreeElement[], start: PlanePoint, before: Curve | null): readonly (FreeSolved | null)[] {
+  const key = JSON.stringify([elements, start, before]);
+  const solved = remembered.get(key) ?? solveFreeContour(elements, start, before);
+  remembered.delete(key);
+  remembered.set(key, solved);
+  for (const [oldest] of remembered) if (remembered.size > REMEMBERED) remembered.delete(oldest);
+  return solved;
+}
+
 /** Solves a run of free elements from a known point. One result for each of its elements, in order. */
 export function solveFree(run: readonly FreeWritten[], setting: FreeSetting): (FreeBlock | null)[] {
   const read = readRun(run, setting);
   const unreadable = read.findIndex((r) => r.element === null);
   const elements = (unreadable < 0 ? read : read.slice(0, unreadable)).flatMap((r) => r.element ?? []);
   if (!setting.from || elements.length === 0) return read.map(() => null);
-  const solved = solveFreeContour(elements, setting.from, setting.before && curveOf(planeSegment(setting.before)));
+  const solved = solvedOnce(elements, setting.from, setting.before && curveOf(planeSegment(setting.before)));
   return read.map(({ s }, i): FreeBlock | null => {
     const found = solved[i];
     const path = found && pathOf(s, found.segment, setting.plane);
