@@ -31,6 +31,7 @@ import { approachSpeech } from "./speech.ts";
 import "../help/help.css";
 import "../lathe/lathe.css";
 import "./approach.css";
+import { Outdated } from "../lathe/Outdated.tsx";
 
 const NO_TIP = { x: 0, y: 0 };
 
@@ -117,7 +118,7 @@ export function PlaneView({ run, dimmed, playback, clock, children }: {
           <PlaceLines viewport={viewport} places={places} />
         </PlanePicture>
         <PlaceButtons viewport={viewport} places={places} chosen={chosen} choose={choose} />
-        {dimmed && <p className="lathe-outdated small">{t.outdated}</p>}
+        {dimmed && <Outdated />}
         <p id={`${id}keys`} className="unseen">{t.keys}</p>
       </div>
       <DepthPicture steps={steps} playback={playback} />

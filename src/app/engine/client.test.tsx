@@ -104,3 +104,17 @@ test("the next work does not wait for a long calculation of the one that was lef
   expect(text).not.toBe(long?.request.text);
   expect(shown()).toBe(text);
 });
+
+test("of a long program the beginning is shown until the whole is there", async () => {
+  const text = `BEGIN PGM LONG MM\nTOOL CALL 1 Z S900 F300\nL X+0 Y+0 Z+2 R0 FMAX\n${
+    "L X+1.25 Y+3.5\nL X-2.75 Y+0.5\n".repeat(36_000)
+  }END PGM LONG MM\n`;
+  begin({ name: "LONG.H", text, encoding: "utf-8" }, "long");
+  while (asked.length === 0 || !asked[0]?.request.text.startsWith("BEGIN PGM LONG")) await answerNext();
+  const first = await answerNext();
+  expect(first.length).toBeLessThan(text.length);
+  expect(text.startsWith(first) && first.endsWith("\n")).toBe(true);
+  expect(useOutcome.getState()).toMatchObject({ newest: null, dimmed: true, shown: { isBeginning: true } });
+  expect(await answerNext()).toBe(text);
+  expect(useOutcome.getState()).toMatchObject({ dimmed: false, shown: { text } });
+});

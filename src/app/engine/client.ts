@@ -20,7 +20,8 @@ import type { Comparer } from "../which/comparison.ts";
 import type { Called, Engine, Request } from "./engine.ts";
 import { pauseInTyping } from "./quiet.ts";
 import { wireOutcomes } from "./wire.ts";
-import { atStage, calculationStopped, forgetOutcome, pause, takeOutcome, type Outcome, type Stage } from "./outcome.ts";
+import { atStage, calculationStopped, forgetOutcome, pause, showBeginning, takeOutcome, useOutcome, type Outcome,
+  type Stage } from "./outcome.ts";
 
 /**
  * A calculation that takes longer has lost its way: the worker is replaced, ms. The longest programs that are simulated
@@ -91,6 +92,18 @@ async function outcomeOf(request: Wanted): Promise<Outcome> {
   return { ...made, ...(files && { files }), ...(skipMarked !== undefined && { skipMarked }) };
 }
 
+/** Of a text longer than this its beginning is shown first, which is this long, characters. */
+const LONG_TEXT = 1_000_000;
+const BEGINNING = 300_000;
+const beginningOf = (text: string): string => text.slice(0, text.lastIndexOf("\n", BEGINNING) + 1);
+
+/** The picture of the first blocks is there soon, while that of the whole is made. */
+async function showFirst(request: Wanted): Promise<void> {
+  if (request.text.length < LONG_TEXT || useOutcome.getState().shown) return;
+  const first = await outcomeOf({ ...request, text: beginningOf(request.text) });
+  if (request.version > left) showBeginning(first);
+}
+
 /** Calculates what waits; while one calculation runs only the newest request waits. */
 async function work(): Promise<void> {
   if (busy) return;
@@ -101,6 +114,7 @@ async function work(): Promise<void> {
     running = request;
     atStage("reading");
     try {
+      await showFirst(request);
       const outcome = await outcomeOf(request);
       await pauseInTyping();
       if (request.version > left) takeOutcome(outcome);

@@ -16,6 +16,8 @@ export interface Outcome {
   readonly marked?: boolean;
   readonly run: Run;
   readonly simulation: Simulation;
+  /** Made of the first blocks of a long text, to be looked at until the whole is there. */
+  readonly isBeginning?: boolean;
 }
 
 /** True when a result was made from a program as it stands. */
@@ -59,6 +61,11 @@ export function takeOutcome(outcome: Outcome): void {
     if (s.newest && s.newest.version >= outcome.version) return s;
     return settled({ ...s, newest: outcome, shown: makesPath(outcome) || !makesPath(s.shown) ? outcome : s.shown });
   });
+}
+
+/** Shows the beginning of a program as long as there is nothing else to look at. */
+export function showBeginning(outcome: Outcome): void {
+  useOutcome.setState((s) => (s.shown || !makesPath(outcome) ? s : settled({ ...s, shown: { ...outcome, isBeginning: true } })));
 }
 
 /** The worker begins something, or rests. */

@@ -37,6 +37,7 @@ import { contourAt } from "../which/region.ts";
 import { ViewBar } from "./ViewBar.tsx";
 import { createViewport } from "./viewport.ts";
 import "./lathe.css";
+import { Outdated } from "./Outdated.tsx";
 
 const WhichCycle = lazy(async () => ({ default: (await import("../which/WhichCycle.tsx")).WhichCycle }));
 
@@ -144,7 +145,7 @@ export function LatheView({ result, dimmed, playback, clock, onMove }: {
         <PlaceButtons viewport={viewport} places={seen} chosen={chosen} choose={choose} />
         <RulerReading measuring={measuring} />
         {run.steps.length === 0 && run.blank.length === 0 && <p className="lathe-empty soft">{t.pictureEmpty}</p>}
-        {dimmed && run.steps.length > 0 && <p className="lathe-outdated small">{t.outdated}</p>}
+        {dimmed && run.steps.length > 0 && <Outdated />}
         <p id={keysId} className="unseen">{t.keys}</p>
       </div>
       <Readout run={run} playback={playback} />

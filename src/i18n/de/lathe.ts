@@ -7,6 +7,7 @@ export const lathe = {
   pictureEmpty: "Noch keine Bahn",
   keys: "Leertaste startet und hält an, Pfeiltasten gehen Bewegung für Bewegung, Pos1 und Ende an den Anfang und das Ende, Plus "
     + "und Minus zoomen, 0 passt ein.",
+  beginning: "Die ersten Sätze des Programms",
   outdated: "Letztes Bild, das möglich war",
   stages: { reading: "Programm wird gelesen …", running: "Bahn wird berechnet …", proving: "Abtrag und Prüfung …" },
   stopWorking: "Abbrechen",

@@ -7,6 +7,7 @@ export const lathe = {
   countsFrom: (x: string, z: string) => `The program counts from X⌀ ${x}, Z ${z}.`,
   pictureEmpty: "No path yet",
   keys: "Space plays or pauses, arrow keys go move by move, Home and End go to the ends, plus and minus zoom, 0 fits.",
+  beginning: "First blocks of the program",
   outdated: "Last picture that could be made",
   stages: { reading: "Reading the program …", running: "Working out the path …", proving: "Cutting and checking …" },
   stopWorking: "Stop",

@@ -7,6 +7,7 @@ export const lathe = {
   pictureEmpty: "Pas encore de trajectoire",
   keys: "Espace lance ou met en pause, les flèches avancent d’un déplacement, Début et Fin vont aux extrémités, plus et moins "
     + "zooment, 0 ajuste.",
+  beginning: "Premières séquences du programme",
   outdated: "Dernière image possible",
   stages: { reading: "Lecture du programme …", running: "Calcul de la trajectoire …", proving: "Enlèvement et contrôle …" },
   stopWorking: "Arrêter",

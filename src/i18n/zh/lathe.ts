@@ -6,6 +6,7 @@ export const lathe = {
   countsFrom: (x, z) => `程序以 X⌀ ${x}、Z ${z} 为原点。`,
   pictureEmpty: "尚无刀具路径",
   keys: "空格键播放或暂停，方向键逐段移动，Home 和 End 键到起点和终点，加号和减号缩放，0 键适合窗口。",
+  beginning: "程序的前面部分",
   outdated: "上一张可用的图形",
   stages: { reading: "正在读取程序…", running: "正在计算路径…", proving: "正在切削与检查…" },
   stopWorking: "停止",
