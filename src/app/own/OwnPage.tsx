@@ -1,12 +1,12 @@
 import { useEffect, useRef, useState, type KeyboardEvent } from "react";
 import type { OwnEntry } from "../../program/own-cycle.ts";
-import { undoStep } from "../history.ts";
 import { Icon } from "../Icon.tsx";
 import { useTexts } from "../settings/use-texts.ts";
+import { TableStatus, type TableSaid } from "../tools/TableStatus.tsx";
 import { TableTabs } from "../tools/TableTabs.tsx";
 import { showKind, showTools } from "../tools/tool-place.ts";
 import { addOwn, duplicateOwn, isFull, removeOwn } from "./own-edits.ts";
-import { exportOwn, importOwnFile, type OwnSaid } from "./own-files.ts";
+import { exportOwn, importOwnFile } from "./own-files.ts";
 import { hideOwn, openOwn, useOwnPlace } from "./own-place.ts";
 import { libraryOf } from "./own-reading.ts";
 import { useOwn } from "./own-store.ts";
@@ -19,7 +19,7 @@ export function OwnPage() {
   const t = useTexts().own;
   const list = useOwn((s) => s.list);
   const { row: asked, focus } = useOwnPlace();
-  const [said, setSaid] = useState<OwnSaid | null>(null);
+  const [said, setSaid] = useState<TableSaid | null>(null);
   const page = useRef<HTMLElement>(null);
   const file = useRef<HTMLInputElement>(null);
   const { rows } = libraryOf(list);
@@ -93,22 +93,10 @@ export function OwnPage() {
           }} />
         </div>
       </div>
-      <div className="tool-status" role="status">
-        {said && (
-          <p className={`field-message ${said.failed ? "error" : "info"}`}>
-            <Icon name={said.failed ? "error" : "info"} /> <span>{said.sentences.join(" ")}</span>
-            {said.changed && (
-              <button type="button" className="button" onClick={() => {
-                undoStep();
-                setSaid(null);
-                focusRow();
-              }}>
-                <Icon name="undo" /> {t.undo}
-              </button>
-            )}
-          </p>
-        )}
-      </div>
+      <TableStatus said={said} undo={t.undo} done={() => {
+        setSaid(null);
+        focusRow();
+      }} />
       <TableTabs open="own" onOwn={() => undefined} onTools={(kind) => {
         hideOwn();
         showKind(kind);

@@ -6,18 +6,12 @@ import { takeEntries } from "./own-edits.ts";
 import { openOwn } from "./own-place.ts";
 import { libraryOf } from "./own-reading.ts";
 import { useOwn } from "./own-store.ts";
+import type { TableSaid } from "../tools/TableStatus.tsx";
 
-/** What came of a file: sentences, and whether the list was changed. */
-export interface OwnSaid {
-  readonly sentences: readonly string[];
-  readonly failed: boolean;
-  readonly changed: boolean;
-}
-
-const failure = (sentence: string): OwnSaid => ({ sentences: [sentence], failed: true, changed: false });
+const failure = (sentence: string): TableSaid => ({ sentences: [sentence], failed: true, changed: false });
 
 /** Takes the descriptions of a text into the list: one step of undo. */
-export function importOwnText(text: string, name: string, t: OwnTexts): OwnSaid {
+export function importOwnText(text: string, name: string, t: OwnTexts): TableSaid {
   const read = readLibraryFile(text);
   if ("problem" in read) {
     if (read.problem === "wrongCycle") return failure(t.files.wrongCycle(name, read.at));
@@ -46,7 +40,7 @@ export function importOwnText(text: string, name: string, t: OwnTexts): OwnSaid 
 const LARGEST = 2_000_000;
 
 /** Takes the descriptions of a file into the list. */
-export async function importOwnFile(file: File, t: OwnTexts): Promise<OwnSaid> {
+export async function importOwnFile(file: File, t: OwnTexts): Promise<TableSaid> {
   if (file.size > LARGEST) return failure(t.files.tooLarge(file.name));
   try {
     return importOwnText(new TextDecoder("utf-8", { fatal: true }).decode(await file.arrayBuffer()), file.name, t);
@@ -56,7 +50,7 @@ export async function importOwnFile(file: File, t: OwnTexts): Promise<OwnSaid> {
 }
 
 /** Hands the list to the downloads of the browser, what is still wrong in it too. */
-export function exportOwn(t: OwnTexts): OwnSaid {
+export function exportOwn(t: OwnTexts): TableSaid {
   const { list } = useOwn.getState();
   downloadText(writeLibrary(list), "CYCLES.json");
   return { sentences: [t.files.exported("CYCLES.json", list.length)], failed: false, changed: false };

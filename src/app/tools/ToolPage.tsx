@@ -1,14 +1,14 @@
 import { useEffect, useRef, useState } from "react";
-import { undoStep } from "../history.ts";
 import { Icon } from "../Icon.tsx";
 import { useTexts } from "../settings/use-texts.ts";
 import { showOwn } from "../own/own-place.ts";
 import { addTool, duplicateTool, removeTool, takeShipped } from "./tool-edits.ts";
 import { isMillEntry } from "../../program/tool-entry.ts";
-import { exportTools, importFile, type ToolImport } from "./tool-files.ts";
+import { exportTools, importFile } from "./tool-files.ts";
 import { hideTools, openRow, showKind, useToolPlace, type ToolKind } from "./tool-place.ts";
 import { toolsOnDevice, useTools } from "./tool-store.ts";
 import { useToolName } from "./tool-name.ts";
+import { TableStatus, type TableSaid } from "./TableStatus.tsx";
 import { TableTabs } from "./TableTabs.tsx";
 import { ToolForm } from "./ToolForm.tsx";
 import { ToolGrid } from "./ToolGrid.tsx";
@@ -21,7 +21,7 @@ export function ToolPage() {
   const list = useTools((s) => s.list);
   const asked = useToolPlace((p) => p.row);
   const lastKind = useToolPlace((p) => p.kind);
-  const [said, setSaid] = useState<ToolImport | null>(null);
+  const [said, setSaid] = useState<TableSaid | null>(null);
   const page = useRef<HTMLElement>(null);
   const file = useRef<HTMLInputElement>(null);
   const read = toolsOnDevice(list);
@@ -102,22 +102,10 @@ export function ToolPage() {
           }} />
         </div>
       </div>
-      <div className="tool-status" role="status">
-        {said && (
-          <p className={`field-message ${said.failed ? "error" : "info"}`}>
-            <Icon name={said.failed ? "error" : "info"} /> <span>{said.sentences.join(" ")}</span>
-            {said.changed && (
-              <button type="button" className="button" onClick={() => {
-                undoStep();
-                setSaid(null);
-                focusRow();
-              }}>
-                <Icon name="undo" /> {t.undo}
-              </button>
-            )}
-          </p>
-        )}
-      </div>
+      <TableStatus said={said} undo={t.undo} done={() => {
+        setSaid(null);
+        focusRow();
+      }} />
       <div className="tool-list">
         <TableTabs open={kind} onTools={showKind} onOwn={() => showOwn()} />
         {rows.length === 0

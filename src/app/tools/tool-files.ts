@@ -6,15 +6,9 @@ import { downloadText } from "../files/download.ts";
 import { takeRows } from "./tool-edits.ts";
 import { openRow } from "./tool-place.ts";
 import { toolsOnDevice, useTools } from "./tool-store.ts";
+import type { TableSaid } from "./TableStatus.tsx";
 
-/** What came of a file: sentences, and whether the table was changed. */
-export interface ToolImport {
-  readonly sentences: readonly string[];
-  readonly failed: boolean;
-  readonly changed: boolean;
-}
-
-const failure = (sentence: string): ToolImport => ({ sentences: [sentence], failed: true, changed: false });
+const failure = (sentence: string): TableSaid => ({ sentences: [sentence], failed: true, changed: false });
 
 const isSound = (reading: EntryReading | undefined) => Boolean(reading?.tool ?? reading?.mill);
 
@@ -28,7 +22,7 @@ function decoded(bytes: ArrayBuffer): string {
 }
 
 /** Takes the rows of a text into the table: one step of undo. */
-export function importText(text: string, name: string, t: ToolsTexts): ToolImport {
+export function importText(text: string, name: string, t: ToolsTexts): TableSaid {
   const read = readToolFile(text);
   if ("problem" in read) {
     switch (read.problem) {
@@ -63,7 +57,7 @@ export function importText(text: string, name: string, t: ToolsTexts): ToolImpor
 const LARGEST = 20_000_000;
 
 /** Takes the rows of a file into the table. */
-export async function importFile(file: File, t: ToolsTexts): Promise<ToolImport> {
+export async function importFile(file: File, t: ToolsTexts): Promise<TableSaid> {
   if (file.size > LARGEST) return failure(t.problems.tooLarge(file.name));
   try {
     return importText(decoded(await file.arrayBuffer()), file.name, t);
@@ -73,7 +67,7 @@ export async function importFile(file: File, t: ToolsTexts): Promise<ToolImport>
 }
 
 /** Hands the table to the downloads of the browser. Rows with errors stay here, and that is said. */
-export function exportTools(kind: "json" | "turning" | "milling", t: ToolsTexts): ToolImport {
+export function exportTools(kind: "json" | "turning" | "milling", t: ToolsTexts): TableSaid {
   const { list } = useTools.getState();
   const { table, mills, rows } = toolsOnDevice(list);
   const files = {

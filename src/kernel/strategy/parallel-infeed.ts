@@ -28,9 +28,11 @@ export function divideAllowance(a: Allowance, most: number, issues: Issue[]): re
 
 /** So many infeeds of one area. */
 function infeedsOf({ depth, outer, inner }: Allowance, passes: number): number[] {
+  // A contour without length has no areas to share.
+  if (outer + inner <= SAME) return Array.from({ length: passes }, () => depth / passes);
   const area = depth * (outer + inner) / 2;
   const grows = (inner - outer) / depth;
   const behind = (share: number) => 2 * share * area / (outer + Math.sqrt(Math.max(0, outer * outer + 2 * grows * share * area)));
-  const depths = Array.from({ length: passes + 1 }, (_, i) => (i === passes ? depth : behind(i / passes)));
+  const depths = Array.from({ length: passes + 1 }, (_, i) => (i === 0 ? 0 : i === passes ? depth : behind(i / passes)));
   return depths.slice(1).map((d, i) => d - (depths[i] ?? 0));
 }

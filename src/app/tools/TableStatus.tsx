@@ -1,0 +1,36 @@
+import { undoStep } from "../history.ts";
+import { Icon } from "../Icon.tsx";
+
+/** What came of a file, or of a change: sentences, and whether the table was changed. */
+export interface TableSaid {
+  readonly sentences: readonly string[];
+  readonly failed: boolean;
+  readonly changed: boolean;
+}
+
+/** What a change of a table of the device came to, with a way back. */
+export function TableStatus({ said, undo, done }: {
+  readonly said: TableSaid | null;
+  /** What the button that takes it back is called. */
+  readonly undo: string;
+  /** It was taken back. */
+  readonly done: () => void;
+}) {
+  return (
+    <div className="tool-status" role="status">
+      {said && (
+        <p className={`field-message ${said.failed ? "error" : "info"}`}>
+          <Icon name={said.failed ? "error" : "info"} /> <span>{said.sentences.join(" ")}</span>
+          {said.changed && (
+            <button type="button" className="button" onClick={() => {
+              undoStep();
+              done();
+            }}>
+              <Icon name="undo" /> {undo}
+            </button>
+          )}
+        </p>
+      )}
+    </div>
+  );
+}
