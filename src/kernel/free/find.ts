@@ -53,19 +53,27 @@ export function startOf(w: Window, s: Search, n: number): number[] {
 
 const startsFor = (unknowns: number) => 24 * Math.min(16, 2 ** Math.ceil(unknowns / 1.5));
 
+/** So many starts that come to what is known already tell that nothing else is there: the more unknowns, the more. */
+const enough = (unknowns: number) => 12 * 2 ** unknowns;
+
 /** Solutions of a window that run in the right directions; null where they are not separate. */
 export function solutionsOf(w: Window, s: Search): readonly FreePlaces[] | null {
   const [exact, near]: [FreePlaces[], FreePlaces[]] = [[], []];
   /** Where curves only just touch, a solution counts twice and seems loose; all starts come to the same place then. */
   const loose: FreePlaces[] = [];
-  for (let n = 0; n < startsFor(w.unknowns.length) && s.starts < MOST_STARTS; n += 1) {
+  let repeated = 0;
+  for (let n = 0; n < startsFor(w.unknowns.length) && repeated < enough(w.unknowns.length) && s.starts < MOST_STARTS; n += 1) {
     s.starts += 1;
     const fit = leastSquares(w.residuals, startOf(w, s, n));
     if (fit.rest > ROUNDED / s.size) continue;
     const made = w.read(fit.at);
     if (!isSound(w, made, s)) continue;
     const list = fit.rest > EXACT ? near : fit.isolated ? exact : loose;
-    if (!list.some((other) => alike(w, other, made, list === loose ? TOUCHING * s.size : SEPARATE * s.size))) list.push(made);
+    if (list.some((other) => alike(w, other, made, list === loose ? TOUCHING * s.size : SEPARATE * s.size))) repeated += 1;
+    else {
+      list.push(made);
+      repeated = 0;
+    }
     if (loose.length > 2) return null;
   }
   // A search that was broken off proves nothing.

@@ -17,12 +17,11 @@ const FLAT = 1e-7;
 const DIFFERENCE = 1e-6;
 const [FIRST_DAMPING, LEAST_DAMPING] = [0.001, STILL];
 
-/** Columns of derivatives, by small steps to both sides. */
-function slopes(f: Residuals, at: readonly number[]): number[][] {
+/** Columns of derivatives, by small steps from where the residuals are `here`. */
+function slopes(f: Residuals, at: readonly number[], here: readonly number[]): number[][] {
   return at.map((value, i) => {
     const step = DIFFERENCE * Math.max(1, Math.abs(value));
-    const [up, down] = [f(at.with(i, value + step)), f(at.with(i, value - step))];
-    return up.map((u, k) => (u - (down[k] ?? 0)) / (2 * step));
+    return f(at.with(i, value + step)).map((there, k) => (there - (here[k] ?? 0)) / step);
   });
 }
 
@@ -54,7 +53,7 @@ export function leastSquares(f: Residuals, start: readonly number[]): Fit {
   let residuals = f(at);
   let error = dot(residuals, residuals);
   for (let round = 0; round < ROUNDS && error > STILL * STILL; round += 1) {
-    const columns = slopes(f, at);
+    const columns = slopes(f, at, residuals);
     const normal = columns.map((a) => columns.map((b) => dot(a, b)));
     const down = columns.map((a) => -dot(a, residuals));
     let moved = false;
@@ -72,7 +71,7 @@ export function leastSquares(f: Residuals, start: readonly number[]): Fit {
     }
     if (!moved) break;
   }
-  const columns = slopes(f, at);
+  const columns = slopes(f, at, residuals);
   const isolated = eliminated(columns.map((a) => columns.map((b) => dot(a, b))), columns.map(() => 0), FLAT * FLAT) !== null;
   return { at, rest: residuals.reduce((most, r) => Math.max(most, Math.abs(r)), 0), isolated };
 }

@@ -1,5 +1,5 @@
 import { plane, type PlanePoint, type PlaneSegment } from "../plane.ts";
-import type { Curve, FreeElement } from "./element.ts";
+import type { Curve, FreeElement, FreeValue, FromPole } from "./element.ts";
 import { ROUNDED, solutionsOf, startOf, type Search } from "./find.ts";
 import { distanceFrom, endResiduals, windowOf, type FreePlaces, type Known, type Window } from "./window.ts";
 
@@ -20,18 +20,18 @@ const CLOSED = 1000;
 /** How many later choices are looked at to see that a solution leads nowhere. */
 const AHEAD = 2;
 
-/** What is known, and which windows brought nothing new. */
+/** What is known, and what windows brought that were not unique: nothing, or the solutions to choose from. */
 interface Branch extends Known {
   readonly curves: (Curve | null)[];
   readonly points: (PlanePoint | null)[];
-  readonly tried: Set<string>;
+  readonly tried: Map<string, Choice | null>;
   readonly uncertain: Set<number>;
 }
 
 const copy = (b: Branch): Branch => ({
   curves: [...b.curves],
   points: [...b.points],
-  tried: new Set(b.tried),
+  tried: new Map(b.tried),
   uncertain: new Set(b.uncertain),
 });
 
@@ -54,25 +54,35 @@ interface Choice {
   readonly found: readonly FreePlaces[];
 }
 
+/** Solves one window: takes what is unique, and remembers what is not. */
+function madeOf(b: Branch, s: Search, first: number, last: number): Choice | null | "unique" | "nowhere" {
+  const key = keyOf(b, first, last);
+  const before = b.tried.get(key);
+  if (before !== undefined) return before;
+  const window = windowOf(s.elements, b, first, last, s.size);
+  const n = window?.unknowns.length ?? 0;
+  if (!window || n === 0 || n > MOST_UNKNOWNS || window.residuals(startOf(window, s, 0)).length < n) return null;
+  const found = solutionsOf(window, s);
+  if (found?.length === 0) return "nowhere";
+  if (found?.length === 1 && found[0]) {
+    take(b, window, found[0]);
+    return "unique";
+  }
+  const choice = found && { window, found };
+  b.tried.set(key, choice);
+  return choice;
+}
+
 /** Finds all that follows without a choice; then the smallest choice that is left, null without one, "nowhere" at a contradiction. */
 function follow(b: Branch, s: Search): Choice | null | "nowhere" {
   for (;;) {
     let [choice, went]: [Choice | null, boolean] = [null, false];
     for (let width = 1; width <= WIDEST && !went; width += 1) {
       for (let first = 1; first + width - 1 <= s.elements.length && !went; first += 1) {
-        const key = keyOf(b, first, first + width - 1);
-        if (b.tried.has(key)) continue;
-        const window = windowOf(s.elements, b, first, first + width - 1, s.size);
-        const n = window?.unknowns.length ?? 0;
-        if (!window || n === 0 || n > MOST_UNKNOWNS || window.residuals(startOf(window, s, 0)).length < n) continue;
-        const found = solutionsOf(window, s);
-        if (found === null) b.tried.add(key);
-        else if (found.length === 0) return "nowhere";
-        else if (found.length === 1 && found[0]) {
-          take(b, window, found[0]);
-          went = true;
-        } else if (!choice || found.length < choice.found.length) choice = { window, found };
-        if (choice && !went && choice.window === window && width > 1) break;
+        const made = madeOf(b, s, first, first + width - 1);
+        if (made === "nowhere") return made;
+        if (made === "unique") went = true;
+        else if (made && (!choice || made.found.length < choice.found.length)) choice = made;
       }
       if (choice && !went) return choice;
     }
@@ -121,12 +131,21 @@ function segmentOf(own: Curve | null, from: PlanePoint | null, to: PlanePoint | 
   return own.kind === "line" ? { kind: "line", from, to } : { kind: "arc", from, to, centre: own.centre, turn: own.turn };
 }
 
+const given = (value: FreeValue): number | null => (value && "at" in value ? value.at : null);
+
+/** A point that is given outright, by its coordinates or from a pole. */
+function placeOf(x: FreeValue, y: FreeValue, polar: FromPole | null): PlanePoint | null {
+  const [u, v] = [given(x), given(y)];
+  if (u !== null && v !== null) return { x: u, y: v };
+  const [far, angle] = [given(polar?.radius ?? null), given(polar?.angle ?? null)];
+  return polar && far !== null && angle !== null ? plane.beyond(polar.pole, heading(angle), far) : null;
+}
+
 function beginning(elements: readonly FreeElement[], start: PlanePoint, before: Curve | null): Branch {
-  const b: Branch = { curves: [before], points: [start], tried: new Set(), uncertain: new Set() };
+  const b: Branch = { curves: [before], points: [start], tried: new Map(), uncertain: new Set() };
   elements.forEach((e, i) => {
-    const both = e.x && e.y && "at" in e.x && "at" in e.y ? { x: e.x.at, y: e.y.at } : null;
-    b.points.push(both ?? (e.closes === null ? null : (b.points[e.closes] ?? null)));
-    const centre = e.centreX && e.centreY && "at" in e.centreX && "at" in e.centreY ? { x: e.centreX.at, y: e.centreY.at } : null;
+    b.points.push(placeOf(e.x, e.y, e.polar) ?? (e.closes === null ? null : (b.points[e.closes] ?? null)));
+    const centre = placeOf(e.centreX, e.centreY, e.centrePolar);
     const [from, to] = [b.points[i], b.points[i + 1]];
     // The point that is given outright counts more than a radius.
     const radius = centre && (from ? apart(from, centre) : (e.radius ?? (to ? apart(to, centre) : null)));
@@ -135,23 +154,27 @@ function beginning(elements: readonly FreeElement[], start: PlanePoint, before: 
   return b;
 }
 
+/** The lengths that an element names: how large its contour may be. */
+function lengthsOf(e: FreeElement): number[] {
+  const values = [e.x, e.y, e.centreX, e.centreY, e.polar?.radius, e.centrePolar?.radius].map((v) => (v && "by" in v ? v.by : null));
+  const polar = [e.polar, e.centrePolar].map((p) => given(p?.radius ?? null));
+  return [...values, ...polar, e.radius, e.length, e.beside?.distance, e.parallel?.distance].map((n) => Math.abs(n ?? 0));
+}
+
 function searchOf(elements: readonly FreeElement[], b: Branch): Search {
-  const places = [...b.points, ...elements.flatMap((e) => e.through), ...b.curves.map((c) => (c?.kind === "arc" ? c.centre : null))].filter(
-    (p) => p !== null
+  const named = elements.flatMap((e) => [...e.through, e.beside?.point, e.polar?.pole, e.centrePolar?.pole]);
+  const places = [...b.points, ...named, ...b.curves.map((c) => (c?.kind === "arc" ? c.centre : null))].filter((p) =>
+    p !== null && p !== undefined
   );
-  const lengths = elements.flatMap(
-    (e) => [
-      e.radius,
-      e.length,
-      e.x && "at" in e.x ? e.x.at - (places[0]?.x ?? 0) : null,
-      e.y && "at" in e.y ? e.y.at - (places[0]?.y ?? 0) : null,
-    ]
-  ).map((n) => Math.abs(n ?? 0));
-  const [xs, ys] = [places.map((p) => p.x), places.map((p) => p.y)];
-  const [left, right, low, high] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
+  const [xs, ys] = [
+    elements.flatMap((e) => given(e.x) ?? given(e.centreX) ?? []),
+    elements.flatMap((e) => given(e.y) ?? given(e.centreY) ?? []),
+  ];
+  const box = (values: readonly number[]) => [Math.min(...values), Math.max(...values)] as const;
+  const [[left, right], [low, high]] = [box([...places.map((p) => p.x), ...xs]), box([...places.map((p) => p.y), ...ys])];
   return {
     elements,
-    size: Math.max(1, right - left, high - low, ...lengths),
+    size: Math.max(1, right - left, high - low, ...elements.flatMap(lengthsOf)),
     middle: { x: (left + right) / 2, y: (low + high) / 2 },
     starts: 0,
   };
