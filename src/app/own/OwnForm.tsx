@@ -1,4 +1,5 @@
 import { useRef, type KeyboardEvent } from "react";
+import { flushSync } from "react-dom";
 import { statementLines } from "../../nc/print.ts";
 import { LAYOUTS } from "../../nc/style.ts";
 import { ownStatement, type OwnEntry, type OwnReading } from "../../program/own-cycle.ts";
@@ -33,8 +34,9 @@ export function OwnForm({ entry, reading, name, onDuplicate, onRemove }: Props) 
   const form = useRef<HTMLElement>(null);
   const at = (field: string) => reading.problems.filter((problem) => problem.at === field);
   const add = () => {
-    const id = addParameter(entry);
-    requestAnimationFrame(() => form.current?.querySelector<HTMLElement>(`[data-parameter="${id}"] input`)?.focus());
+    // Drawn at once, so that what is typed next goes into it.
+    const id = flushSync(() => addParameter(entry));
+    form.current?.querySelector<HTMLElement>(`[data-parameter="${id}"] input`)?.focus();
   };
   return (
     <section className="own-form" ref={form} aria-label={t.form(name)} onKeyDown={onEnter}>
