@@ -34,6 +34,7 @@ export class ProgramEditor {
       for (const [name, text] of Object.entries(all)) made.items.add(new File([text], name, { type: "text/plain" }));
       return made;
     }, files);
+    await page.getByRole("main").waitFor();
     await page.dispatchEvent("body", "drop", { dataTransfer: data });
   }
 

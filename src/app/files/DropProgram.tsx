@@ -1,4 +1,4 @@
-import { useEffect, useState } from "react";
+import { useLayoutEffect, useState } from "react";
 import { useFirstTexts } from "../settings/use-first-texts.ts";
 import { openDropped } from "./open-program.ts";
 
@@ -8,7 +8,8 @@ const carriesFile = (event: DragEvent) => event.dataTransfer?.types.includes("Fi
 export function DropProgram() {
   const t = useFirstTexts().page.programs;
   const [over, setOver] = useState(false);
-  useEffect(() => {
+  // As soon as the page is seen, a file may fall on it.
+  useLayoutEffect(() => {
     const hover = (event: DragEvent) => {
       if (!carriesFile(event)) return;
       event.preventDefault();
