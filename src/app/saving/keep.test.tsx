@@ -218,3 +218,25 @@ test("saves of a newer edition are said", async () => {
   await resume();
   expect(useKeeping.getState().notices).toEqual(["newerWorks"]);
 });
+
+test("a state that comes back before the one behind it is written is the one that is kept", async () => {
+  const stop = startKeeping();
+  startWork(job);
+  const rested = () => new Promise((done) => setTimeout(done, 120));
+  await rested();
+  const first = useEditor.getState();
+  setTool(7);
+  useEditor.setState(first);
+  await rested();
+  expect([...device.works.values()].map(({ job: kept }) => kept)).toEqual([first.job]);
+
+  let write = () => undefined as void;
+  device.slow = new Promise((done) => (write = () => done()));
+  setTool(8);
+  await rested();
+  useEditor.setState(first);
+  write();
+  await rested();
+  expect([...device.works.values()].map(({ job: kept }) => kept)).toEqual([first.job]);
+  stop();
+});

@@ -79,7 +79,9 @@ export function startKeeping(): () => void {
     const name = job ? work : null;
     if (name !== known) rememberWork(name);
     known = name;
-    if (!job || !work || written.get(work) === job) return;
+    if (!job || !work) return;
+    // Undo and redo come back to a state that was written, while another one waits or is on its way.
+    if (written.get(work) === job && !waiting.has(work)) return;
     waiting.set(work, job);
     timer ??= setTimeout(() => {
       timer = undefined;
