@@ -38,13 +38,21 @@ const contentPolicy: Plugin = {
     () => [{ tag: "meta", attrs: { "http-equiv": "Content-Security-Policy", content: policy }, injectTo: "head-prepend" }],
 };
 
-/** `(--name)` in a media query stands for the condition of that name. */
-const namedMedia: Plugin = {
-  name: "named-media",
+/** What a root font size of 100 % is for: style sheets are written for it, in pixels. */
+const ROOT_SIZE = 16;
+
+/**
+ * `(--name)` in a media query stands for the condition of that name. Lengths in pixels become shares of the root's size, so that
+ * the page grows as a whole; hairlines stay what they are.
+ */
+const pageStyles: Plugin = {
+  name: "page-styles",
   enforce: "pre",
   transform(code, id) {
-    if (!/\.css(\?|$)/.test(id)) return undefined;
-    return code.replaceAll(/\(--([a-z]+)\)(?=[^;{}]*\{)/g, (written, name: string) => {
+    if (!/\.css(\?|$)/.test(id) || id.includes("node_modules")) return undefined;
+    const grown = code.replaceAll(/(?<![\w.])(\d*\.?\d+)px\b/g,
+      (written, n: string) => Number(n) > 1 ? `${Number(n) / ROOT_SIZE}rem` : written);
+    return grown.replaceAll(/\(--([a-z]+)\)(?=[^;{}]*\{)/g, (written, name: string) => {
       const condition = Object.entries(MEDIA).find(([known]) => known === name)?.[1];
       if (condition === undefined) this.error(`${written} is no condition of src/app/media.ts`);
       return condition;
@@ -84,7 +92,7 @@ const gallery: Plugin = {
 
 export default defineConfig({
   base: "./",
-  plugins: [react(), contentPolicy, namedMedia, cycleMenu(), gallery],
+  plugins: [react(), contentPolicy, pageStyles, cycleMenu(), gallery],
   worker: { format: "es" },
   build: {
     target: "es2023",

@@ -1,6 +1,7 @@
 import { lazy, Suspense, type ReactNode } from "react";
 import { clock } from "./clock.ts";
 import { CycleDialog } from "./dialog/CycleDialog.tsx";
+import { HelpDock } from "./dialog/HelpDock.tsx";
 import { setContour } from "./edits.ts";
 import { EffectStrip } from "./effect/EffectStrip.tsx";
 import { Working } from "./engine/Working.tsx";
@@ -20,7 +21,7 @@ import { SectionTabs } from "./SectionTabs.tsx";
 import { changeSettings, useSettings } from "./settings/settings.ts";
 import { useTexts } from "./settings/use-texts.ts";
 import { SetupPanel } from "./setup/SetupPanel.tsx";
-import { useMedia } from "./use-media.ts";
+import { useThirdColumn } from "./use-media.ts";
 
 /** Loaded when its section is first shown. */
 const ContourTable = lazy(async () => ({ default: (await import("./contour/ContourTable.tsx")).ContourTable }));
@@ -34,7 +35,7 @@ export function Workplace() {
 function JobWorkplace({ read }: { readonly read: JobReading }) {
   const { page: t, findings: { title: findingsTitle } } = useTexts();
   const language = useSettings((s) => s.language);
-  const wide = useMedia("wide");
+  const wide = useThirdColumn();
   const folded = useSettings((s) => s.programFolded);
   const asked = usePlace((p) => p.section);
   const shown = useOutcome((s) => s.shown);
@@ -64,7 +65,7 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
   };
 
   return (
-    <main className={`workplace${wide && folded ? " program-folded" : ""}`}>
+    <main className={`workplace${wide ? (folded ? " program-folded" : "") : " two-columns"}`}>
       <div className="left">
         <SectionTabs name={t.sections} open={open} tabs={possible.map((section) => ({
           section,
@@ -79,6 +80,7 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
         <CycleInWork value={read.cycle.number}>
           <LatheView result={shown} dimmed={dimmed} playback={playback} clock={clock} />
         </CycleInWork>
+        <HelpDock />
         <Working />
       </div>
       {wide && (

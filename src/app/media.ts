@@ -4,9 +4,13 @@
  */
 export const MEDIA = {
   /** One thing at a time. */
-  phone: "(max-width: 819px)",
-  /** Two columns: a tablet. */
-  tablet: "(819px < width <= 1279px)",
+  phone: "(max-width: 599px)",
+  /** Pages of lists and forms have one column. */
+  slim: "(max-width: 819px)",
+  /** The picture over the prompts: a tablet held upright. */
+  portrait: "(599px < width <= 1279px) and (orientation: portrait)",
+  /** The picture beside the prompts: a tablet that lies, or a small window. */
+  landscape: "(599px < width <= 1279px) and (orientation: landscape)",
   /** No room for three columns. */
   narrow: "(max-width: 1279px)",
   /** Three columns: the program or the text stands beside the view. */
@@ -15,6 +19,10 @@ export const MEDIA = {
   roomy: "(min-width: 1440px)",
   /** The view becomes wider too. */
   broad: "(min-width: 1760px)",
+  /** A second pane beside the view: large screens and projectors of their size. */
+  vast: "(min-width: 2200px)",
+  /** The help picture lies in the pane of the view, not among the prompts. */
+  docked: "((599px < width <= 1279px) and (orientation: landscape)) or (min-width: 2200px)",
   /** A notebook: little height. */
   low: "(max-height: 899px)",
   /** Fingers work here: the page shows its own keypad and large targets. */

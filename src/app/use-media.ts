@@ -1,5 +1,6 @@
 import { useSyncExternalStore } from "react";
 import { MEDIA } from "./media.ts";
+import { useSettings } from "./settings/settings.ts";
 
 interface Watched {
   readonly matches: () => boolean;
@@ -37,3 +38,12 @@ export const useFingers = (): boolean => useMedia("fingers");
 
 /** True where one of the page's conditions holds now. */
 export const holds = (name: keyof typeof MEDIA): boolean => watch(MEDIA[name]).matches();
+
+/** Large type takes the room of the third column on screens of usual size. */
+const hasColumns = (wide: boolean, broad: boolean, presentation: boolean): boolean => wide && (broad || !presentation);
+
+/** True where the program stands beside the view, and not among the panels that take turns. */
+export const useThirdColumn = (): boolean => hasColumns(useMedia("wide"), useMedia("broad"), useSettings((s) => s.presentation));
+
+/** The same, as it is now. */
+export const thirdColumn = (): boolean => hasColumns(holds("wide"), holds("broad"), useSettings.getState().presentation);

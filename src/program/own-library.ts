@@ -44,15 +44,6 @@ export function freeCycle(list: OwnList, from: number): number | null {
   return null;
 }
 
-/** The same list, whatever the ids. */
-export function sameLibrary(a: OwnList, b: OwnList): boolean {
-  const bare = (list: OwnList) =>
-    list.map(
-      ({ number, name, parameters }) => [number, name, parameters.map(({ kind, ...p }) => [kind, OWN_CELLS.map((cell) => p[cell])])]
-    );
-  return a === b || JSON.stringify(bare(a)) === JSON.stringify(bare(b));
-}
-
 /** Descriptions of a file over those of the list: one of the same number takes the place of the old one, others follow. */
 export function mergedLibrary(
   list: OwnList,

@@ -1,5 +1,6 @@
 import { useState, type PointerEvent } from "react";
 import { planePoint, type PlanePoint } from "../../kernel/plane.ts";
+import { pageUnit } from "../unit.ts";
 import { toPlace, type Camera } from "../../view/camera.ts";
 import type { Handle } from "../../view/approach/drag.ts";
 
@@ -29,7 +30,9 @@ export function useDrag(onMove: (handle: Handle, to: PlanePoint, camera: Camera)
       const picture = event.currentTarget.ownerDocument.defaultView && event.currentTarget.closest("svg");
       if (!held || !picture) return;
       const box = picture.getBoundingClientRect();
-      onMove(held.handle, planePoint(toPlace(held.camera, { x: event.clientX - box.left, y: event.clientY - box.top })), held.camera);
+      const unit = pageUnit();
+      const place = { x: (event.clientX - box.left) / unit, y: (event.clientY - box.top) / unit };
+      onMove(held.handle, planePoint(toPlace(held.camera, place)), held.camera);
     },
     end: () => hold(null),
   };

@@ -33,7 +33,7 @@ interface Props {
 /** All cycles, in the groups of the control: by search, by group, or those that were used last. */
 export function CycleChooser({ ways: given, narrow = false, inProgram = false, focus = false, more }: Props) {
   const { chooser: t, page: { start }, menu: names } = useFirstTexts();
-  const phone = useMedia("phone");
+  const phone = useMedia("slim");
   const fingers = useFingers();
   const [typed, type] = useState("");
   const [searching, search] = useState(false);

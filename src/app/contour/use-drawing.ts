@@ -1,3 +1,4 @@
+import { pageUnit } from "../unit.ts";
 import { useEffect, useRef, useState, type MouseEvent, type PointerEvent } from "react";
 import type { Pt } from "../../kernel/point.ts";
 import { axial, diameter, radius, toDiameter, toRadius } from "../../kernel/units.ts";
@@ -49,7 +50,8 @@ interface Gesture {
 const apart = (a: Place, b: Place) => Math.hypot(a.x - b.x, a.y - b.y);
 const placeOf = (e: MouseEvent<SVGSVGElement>): Place => {
   const box = e.currentTarget.getBoundingClientRect();
-  return { x: e.clientX - box.left, y: e.clientY - box.top };
+  const unit = pageUnit();
+  return { x: (e.clientX - box.left) / unit, y: (e.clientY - box.top) / unit };
 };
 const rowUnder = (e: { target: EventTarget }): number | null => {
   const row = e.target instanceof Element ? e.target.closest("[data-row]")?.getAttribute("data-row") : null;

@@ -1,5 +1,7 @@
 import { useRef, type ReactNode } from "react";
+import { createPortal } from "react-dom";
 import { useFingers } from "../use-media.ts";
+import { useHelpDock } from "./help-dock.ts";
 import { Keypad } from "./Keypad.tsx";
 import { OpenPrompt } from "./OpenPrompt.tsx";
 import { onPromptKey } from "./prompt-keys.ts";
@@ -27,6 +29,7 @@ export function PromptDialog({ session, name, listName, done, hint, head, instea
   const fingers = useFingers();
   const input = useRef<ValueField | null>(null);
   const open = openPromptOf(session);
+  const dock = useHelpDock((d) => d.dock);
   return (
     <div className={`cycle-dialog ${className}`.trim()} role="form" id="prompts" aria-label={name}>
       {head}
@@ -35,7 +38,7 @@ export function PromptDialog({ session, name, listName, done, hint, head, instea
           {open ? <OpenPrompt session={session} prompt={open} ownKeypad={fingers} input={input} /> : done}
           {fingers && open && <Keypad session={session} prompt={open} input={input} />}
           <div className="below-prompt">
-            {session.picture}
+            {dock ? createPortal(session.picture, dock) : session.picture}
             <div className="prompt-list-box" onKeyDown={(event) => onPromptKey(event, session)}>
               <PromptList session={session} name={listName} />
               {!fingers && <p className="small soft dialog-keys">{hint}</p>}

@@ -2,6 +2,7 @@ import { useEffect, type ReactNode } from "react";
 import { MachineView } from "../approach/MachineView.tsx";
 import { shownBlock } from "../approach/shown-view.ts";
 import { clock } from "../clock.ts";
+import { HelpDock } from "../dialog/HelpDock.tsx";
 import { Working } from "../engine/Working.tsx";
 import { useOutcome } from "../engine/outcome.ts";
 import { FindingsPanel } from "../findings/FindingsPanel.tsx";
@@ -12,7 +13,7 @@ import { playback } from "../playback.ts";
 import { SectionTabs } from "../SectionTabs.tsx";
 import { useTexts } from "../settings/use-texts.ts";
 import { beforeLeaving, useEditor } from "../store.ts";
-import { holds, useMedia } from "../use-media.ts";
+import { thirdColumn, useThirdColumn } from "../use-media.ts";
 import { BlockPanel } from "./BlockPanel.tsx";
 import { followProgram } from "./follow.ts";
 import { closeSession, handOverText, openBlock, openSession } from "./session.ts";
@@ -30,7 +31,7 @@ function useProgramSession(): void {
     const { program, work } = useEditor.getState();
     if (!program || work === null) return undefined;
     openSession(program, work);
-    if (usePlace.getState().section === "prompts") showSection(holds("wide") ? "structure" : "text");
+    if (usePlace.getState().section === "prompts") showSection(thirdColumn() ? "structure" : "text");
     const stop = followProgram();
     beforeLeaving.add(handOverText);
     return () => {
@@ -55,7 +56,7 @@ function openMove(step: number): void {
 /** Blocks, lathe and text of a whole program. */
 export function ProgramWorkplace() {
   const { editor: t, findings: words } = useTexts();
-  const wide = useMedia("wide");
+  const wide = useThirdColumn();
   // What opens a prompt asks for the prompts: here they are those of the block.
   const asked = usePlace((p) => (p.section === "prompts" ? "block" : p.section));
   const shown = useOutcome((s) => s.shown);
@@ -72,7 +73,7 @@ export function ProgramWorkplace() {
     findings: <FindingsPanel host={host} />,
   };
   return (
-    <main className="workplace program-work">
+    <main className={`workplace program-work${wide ? "" : " two-columns"}`}>
       <div className="left">
         <SectionTabs name={t.sectionsName} open={open} tabs={possible.map((section) => ({
           section,
@@ -84,6 +85,7 @@ export function ProgramWorkplace() {
       <TotalsStrip />
       <div className="centre">
         <MachineView result={shown} dimmed={dimmed} playback={playback} clock={clock} onMove={openMove} />
+        <HelpDock />
         <Working />
       </div>
       {wide && (

@@ -11,7 +11,7 @@ import { diagnosticsOf } from "./diagnostics.ts";
 import { inWords } from "./editor-extensions.ts";
 import { openPrompts } from "./open-block.ts";
 import { blockRange } from "./reading-field.ts";
-import { holds } from "../use-media.ts";
+import { thirdColumn } from "../use-media.ts";
 import { dispatchEdit, followShown, openBlock, sessionText, sessionView, useSession } from "./session.ts";
 import { findingsShown } from "../files/shown-findings.ts";
 import { shownBeside, shownFile } from "../files/shown-file.ts";
@@ -34,7 +34,7 @@ function showAskedPrompt(): void {
 
 function followSession(): () => void {
   return useSession.subscribe((now, before) => {
-    if (now.pointed !== before.pointed && holds("wide")) showSection("block");
+    if (now.pointed !== before.pointed && thirdColumn()) showSection("block");
     if (now.opened !== before.opened) showAskedPrompt();
   });
 }

@@ -4,25 +4,26 @@ import { toPlace, toScreen } from "../../view/camera.ts";
 import { ticks } from "../../view/ticks.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
+import { usePageUnit } from "../unit.ts";
 import { useCamera } from "./use-camera.ts";
 import type { Viewport } from "./viewport.ts";
 
-/** Widths of the scales at the left and the lower edge, pixels. */
+/** Widths of the scales at the left and the lower edge, units of the page. */
 export const SCALE_LEFT = 46;
 export const SCALE_BELOW = 22;
-/** Least distance of two marks, pixels. */
+/** Least distance of two marks, units of the page. */
 const APART = { z: 72, x: 44 };
 
 /** Grid and scales: Z along the lower edge, X as diameter along the left one, the spindle axis as a chain line. */
 export function LatheAxes({ viewport, part }: { readonly viewport: Viewport; readonly part: "grid" | "scales" }) {
   const camera = useCamera(viewport), { width, height } = viewport.size();
-  const language = useSettings((s) => s.language), t = useTexts().lathe;
+  const language = useSettings((s) => s.language), t = useTexts().lathe, unit = usePageUnit();
   const corner = toPlace(camera, { x: 0, y: 0 }), far = toPlace(camera, { x: width, y: height });
-  const alongZ = ticks(corner.z, far.z, APART.z / camera.scale);
-  const alongX = ticks(toDiameter(corner.r), toDiameter(far.r), toDiameter(radius(APART.x / camera.scale)));
+  const alongZ = ticks(corner.z, far.z, unit * APART.z / camera.scale);
+  const alongX = ticks(toDiameter(corner.r), toDiameter(far.r), toDiameter(radius(unit * APART.x / camera.scale)));
   const placeZ = (z: number) => toScreen(camera, { z: axial(z), r: radius(0) }).x;
   const placeX = (x: number) => toScreen(camera, { z: axial(0), r: toRadius(diameter(x)) }).y;
-  const right = SCALE_LEFT, floor = height - SCALE_BELOW;
+  const right = unit * SCALE_LEFT, floor = height - unit * SCALE_BELOW;
   if (part === "grid") {
     const lines = alongZ.values.map((z) => `M${placeZ(z)} 0V${height}`).join("")
       + alongX.values.map((x) => `M0 ${placeX(x)}H${width}`).join("");
@@ -33,18 +34,22 @@ export function LatheAxes({ viewport, part }: { readonly viewport: Viewport; rea
       </g>
     );
   }
-  const shownZ = alongZ.values.map((z) => ({ z, x: placeZ(z) })).filter(({ x }) => x > right + 16 && x < width - 28);
-  const shownX = alongX.values.map((x) => ({ x, y: placeX(x) })).filter(({ y }) => y > 28 && y < floor - 6);
+  const shownZ = alongZ.values.map((z) => ({ z, x: placeZ(z) })).filter(({ x }) => x > right + 16 * unit && x < width - 28 * unit);
+  const shownX = alongX.values.map((x) => ({ x, y: placeX(x) })).filter(({ y }) => y > 28 * unit && y < floor - 6 * unit);
   return (
     <g className="lathe-scales" aria-hidden="true">
       <path className="lathe-scale-ground" d={`M0 0H${right}V${floor}H${width}V${height}H0Z`} />
       <path className="lathe-scale-edge" d={`M${right} 0V${floor}H${width}`} />
       <path className="lathe-tick"
         d={shownZ.map(({ x }) => `M${x} ${floor}v4`).join("") + shownX.map(({ y }) => `M${right} ${y}h-4`).join("")} />
-      {shownZ.map(({ z, x }) => <text key={z} x={x} y={height - 6} textAnchor="middle">{formatNumber(language, z, alongZ.decimals)}</text>)}
-      {shownX.map(({ x, y }) => <text key={x} x={right - 7} y={y + 4} textAnchor="end">{formatNumber(language, x, alongX.decimals)}</text>)}
-      <text className="lathe-scale-name" x={right - 7} y={16} textAnchor="end">{t.axisX}</text>
-      <text className="lathe-scale-name" x={width - 8} y={height - 6} textAnchor="end">{t.axisZ}</text>
+      {shownZ.map(({ z, x }) => (
+        <text key={z} x={x} y={height - 6 * unit} textAnchor="middle">{formatNumber(language, z, alongZ.decimals)}</text>
+      ))}
+      {shownX.map(({ x, y }) => (
+        <text key={x} x={right - 7 * unit} y={y + 4 * unit} textAnchor="end">{formatNumber(language, x, alongX.decimals)}</text>
+      ))}
+      <text className="lathe-scale-name" x={right - 7 * unit} y={16 * unit} textAnchor="end">{t.axisX}</text>
+      <text className="lathe-scale-name" x={width - 8 * unit} y={height - 6 * unit} textAnchor="end">{t.axisZ}</text>
     </g>
   );
 }

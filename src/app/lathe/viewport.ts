@@ -1,3 +1,5 @@
+import { holds as holdsOnScreen } from "../use-media.ts";
+import { pageUnit } from "../unit.ts";
 import { fitted, turnedOver, zoomed, type Bounds, type Camera, type Margin, type Place, type Size } from "../../view/camera.ts";
 
 /** Where the picture looks, shared by its layers. */
@@ -19,9 +21,14 @@ export interface Viewport {
 
 const START: Bounds = { left: -80, right: 20, low: 0, high: 40 };
 
-/** Scales along two edges and buttons along the top need their room, pixels. */
-const marginOf = (size: Size): Margin =>
-  size.width < 480 || size.height < 300 ? { left: 40, right: 8, top: 14, bottom: 26 } : { left: 60, right: 20, top: 24, bottom: 40 };
+/** Scales along two edges and buttons along the top need their room, units of the page. */
+function marginOf(size: Size): Margin {
+  const unit = pageUnit();
+  const { left, right, top, bottom } = size.width < 480 * unit || size.height < 300 * unit
+    ? { left: 50, right: 8, top: 14, bottom: 26 }
+    : { left: 60, right: holdsOnScreen("narrow") ? 64 : 20, top: 24, bottom: 40 };
+  return { left: left * unit, right: right * unit, top: top * unit, bottom: bottom * unit };
+}
 
 /** A fitted picture keeps its camera while the new box still fills most of it. */
 const FILLS = 0.6;

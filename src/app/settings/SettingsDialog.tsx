@@ -35,6 +35,15 @@ export function SettingsDialog({ onClose }: { readonly onClose: () => void }) {
           </select>
         </label>
         <label>
+          <span>{t.size}</span>
+          <select className="select" value={settings.presentation ? "presentation" : "usual"}
+            onChange={(e) => changeSettings({ presentation: e.target.value === "presentation" })}
+          >
+            <option value="usual">{t.sizes.usual}</option>
+            <option value="presentation">{t.sizes.presentation}</option>
+          </select>
+        </label>
+        <label>
           <span>{t.motion}</span>
           <select className="select" value={settings.motion}
             onChange={(e) => changeSettings({ motion: e.target.value === "reduced" ? "reduced" : "system" })}

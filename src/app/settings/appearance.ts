@@ -11,6 +11,7 @@ function apply(settings: Settings): void {
   const root = document.documentElement;
   root.lang = settings.language;
   root.dataset["theme"] = settings.theme === "system" ? (dark().matches ? "dark" : "light") : settings.theme;
+  root.dataset["size"] = settings.presentation ? "presentation" : "usual";
   root.dataset["motion"] = reducedMotion(settings) ? "reduced" : "full";
 }
 

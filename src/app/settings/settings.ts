@@ -11,6 +11,8 @@ export interface Settings {
   readonly theme: "system" | "light" | "dark";
   /** Motion as the system says, or none. */
   readonly motion: "system" | "reduced";
+  /** Large type and thick lines, for a class or from afar. */
+  readonly presentation: boolean;
   /** How APPR and DEP move in the tool axis. */
   readonly control: Control;
   /** The program text takes part of the screen, or is folded away. */
@@ -39,6 +41,7 @@ function initial(): Settings {
     language: browserLanguage(),
     theme: "system",
     motion: "system",
+    presentation: false,
     control: "TNC 640",
     programFolded: false,
     xDown: false,
@@ -64,6 +67,7 @@ export function readSettings(text: string | null): Settings {
     language: typeof kept["language"] === "string" && isLanguage(kept["language"]) ? kept["language"] : first.language,
     theme: oneOf(kept["theme"], ["system", "light", "dark"], first.theme),
     motion: oneOf(kept["motion"], ["system", "reduced"], first.motion),
+    presentation: flag(kept["presentation"], first.presentation),
     control: oneOf(kept["control"], CONTROLS, first.control),
     programFolded: flag(kept["programFolded"], first.programFolded),
     xDown: flag(kept["xDown"], first.xDown),

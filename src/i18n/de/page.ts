@@ -16,6 +16,8 @@ export const page = {
   theme: "Darstellung",
   themes: { system: "Wie das System", light: "Hell", dark: "Dunkel" },
   motion: "Bewegung",
+  size: "Schriftgröße",
+  sizes: { usual: "Üblich", presentation: "Groß, für den Unterricht" },
   motions: { system: "Wie das System", reduced: "Keine" },
   gallery: "Galerie: jeder Zyklus und jedes Programm der Prüfungen, gezeichnet",
   disclaimer:

@@ -16,6 +16,8 @@ export const page = {
   theme: "Appearance",
   themes: { system: "As the system", light: "Light", dark: "Dark" },
   motion: "Motion",
+  size: "Type size",
+  sizes: { usual: "Usual", presentation: "Large, for a class" },
   motions: { system: "As the system", reduced: "None" },
   gallery: "Gallery: every cycle and every program of the tests, drawn",
   disclaimer: "Built from the printed cycle pages; not a HEIDENHAIN product. Prove every program on your control before cutting.",

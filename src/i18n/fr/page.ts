@@ -16,6 +16,8 @@ export const page = {
   theme: "Apparence",
   themes: { system: "Comme le système", light: "Clair", dark: "Sombre" },
   motion: "Animation",
+  size: "Taille du texte",
+  sizes: { usual: "Habituelle", presentation: "Grande, pour une classe" },
   motions: { system: "Comme le système", reduced: "Aucune" },
   gallery: "Galerie : tous les cycles et les programmes des tests, dessinés",
   disclaimer: "Établi d’après les pages imprimées des cycles ; ce n’est pas un produit HEIDENHAIN. Vérifier chaque programme sur la "

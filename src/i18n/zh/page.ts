@@ -16,6 +16,8 @@ export const page = {
   theme: "外观",
   themes: { system: "跟随系统", light: "浅色", dark: "深色" },
   motion: "动画",
+  size: "字号",
+  sizes: { usual: "普通", presentation: "大字（教学演示）" },
   motions: { system: "跟随系统", reduced: "无" },
   gallery: "图库:所有循环和测试程序的图形",
   disclaimer: "依据印刷版循环手册编写，非海德汉产品。切削前请在数控系统上验证每个程序。",
