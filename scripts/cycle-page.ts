@@ -22,13 +22,14 @@ const units: Partial<Record<Param["kind"], string>> = {
 const cell = (text: string) => text.replaceAll("|", "\\|");
 const list = (lines: readonly string[], mark: (i: number) => string) => lines.map((line, i) => `${mark(i)} ${line}`).join("\n");
 
+const countsOnly = ({ counts }: Param) => (counts === null ? "" : `only with ${counts.q} = ${counts.among.join(" or ")}`);
+
 function row(q: string, p: Param): string {
   const text = params[p.text as ParamTextId];
   const choices = "choices" in text ? Object.entries(text.choices).map(([n, meaning]) => `${n}: ${meaning}`).join("; ") : "";
   const range = p.choices ? p.choices.join(", ") : `${p.range[0]} … ${p.range[1]}`;
-  const notes = [p.optional ? "NO ENT allowed" : "", p.incremental ? "incremental" : "", p.reserved ? "reserved" : ""].filter(Boolean).join(
-    ", ",
-  );
+  const notes = [p.optional ? "NO ENT allowed" : "", p.incremental ? "incremental" : "", p.reserved ? "reserved" : "", countsOnly(p)]
+    .filter(Boolean).join(", ");
   const cells = [
     q,
     text.prompt,

@@ -1,10 +1,13 @@
+import { saysNothing } from "../../src/cycles/effect.ts";
 import { cycleByNumber } from "../../src/cycles/index.ts";
 
 /** A value to answer each prompt of a cycle with, in the order of the prompts. */
 export type Answers = Readonly<Record<string, string>>;
 
-/** The printed example values of a cycle, with some of one's own. */
+/** The printed example values of a cycle, with some of one's own; without those that ENT passes by, because they have no effect. */
 export function answers(cycle: number, own: Answers = {}): Answers {
   const params = Object.entries(cycleByNumber(cycle)?.params ?? {});
-  return Object.fromEntries(params.map(([q, p]) => [q, own[q] ?? String(p.example)]));
+  const all = params.map(([q, p]) => [q, p, own[q] ?? String(p.example)] as const);
+  const values = Object.fromEntries(all.map(([q, , typed]) => [q, Number(typed)]));
+  return Object.fromEntries(all.filter(([, p]) => !saysNothing(p, values)).map(([q, , typed]) => [q, typed]));
 }

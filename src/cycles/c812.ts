@@ -1,6 +1,6 @@
 import { planBox } from "./box-plan.ts";
 import { defineCycle, printedContour } from "./define.ts";
-import { angle, axialParam, choice, diameterParam, feedParam, lengthParam, oversizeDiameter, radial } from "./params.ts";
+import { angle, axialParam, choice, diameterParam, feedParam, finishes, lengthParam, oversizeDiameter, radial, roughs } from "./params.ts";
 import { shoulderOutline } from "./shoulder-outline.ts";
 import { shoulderSetups, type Setups } from "./drawn-setup.ts";
 
@@ -26,11 +26,11 @@ export const c812 = defineCycle({
     Q503: choice("endElement", [0, 1, 2], 1, { shown: "element", place: "end" }),
     Q504: lengthParam("endElementSize", [0, 999.999], 0.5, { rangeEvidence: "K2", place: "end", sizes: "Q503" }),
     Q463: radial("infeedRadial", [0.001, 999.999], 3, { shown: "infeed" }),
-    Q478: feedParam("roughingFeed", [0, 99999.999], 0.3, { rangeEvidence: "I", shown: "roughingFeed" }),
+    Q478: feedParam("roughingFeed", [0, 99999.999], 0.3, { rangeEvidence: "I", shown: "roughingFeed", counts: roughs }),
     Q483: oversizeDiameter("oversizeDiameter", [0, 99.999], 0.4, { incremental: true, shown: "oversizeDiameter" }),
     Q484: lengthParam("oversizeZ", [0, 99.999], 0.2, { incremental: true, rangeEvidence: "I", shown: "oversizeZ" }),
-    Q505: feedParam("finishingFeed", [0, 99999.999], 0.2, { rangeEvidence: "I", shown: "finishingFeed" }),
-    Q506: choice("smoothing", [0, 1, 2], 0, { shown: "smoothing" }),
+    Q505: feedParam("finishingFeed", [0, 99999.999], 0.2, { rangeEvidence: "I", shown: "finishingFeed", counts: finishes }),
+    Q506: choice("smoothing", [0, 1, 2], 0, { shown: "smoothing", counts: roughs }),
   },
   setup: {
     name: "SHOULDER",

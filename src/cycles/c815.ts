@@ -9,7 +9,7 @@ import { defineCycle, type Given } from "./define.ts";
 import { allowanceSetups } from "./allowance-setups.ts";
 import type { Setups } from "./drawn-setup.ts";
 import { frameAt, freeOutline } from "./free-outline.ts";
-import { choice, lengthParam, radial, recalled } from "./params.ts";
+import { choice, lengthParam, radial, recalled, roughs } from "./params.ts";
 import { atParameters } from "./roles.ts";
 import { angleIssues, withIssues } from "./tool-issues.ts";
 
@@ -32,7 +32,7 @@ export const c815 = defineCycle({
     Q215,
     Q460,
     Q485: lengthParam("blankAllowance", [0, 99.999], 5, { incremental: true, shown: "allowance" }),
-    Q486: choice("cuttingLines", [0, 1], 0, { shown: "cuttingLines" }),
+    Q486: choice("cuttingLines", [0, 1], 0, { shown: "cuttingLines", counts: roughs }),
     Q499,
     Q463: radial("infeedParallel", [0, 99.999], 3, { shown: "infeed" }),
     Q478,

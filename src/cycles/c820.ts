@@ -1,5 +1,6 @@
 import { defineCycle, printedContour } from "./define.ts";
-import { axialDepth, axialParam, choice, diameterParam, feedParam, lengthParam, oversizeDiameter } from "./params.ts";
+import { axialDepth, axialParam, choice, diameterParam, feedParam, finishes, lengthParam, limited, oversizeDiameter,
+  roughs } from "./params.ts";
 import { freeOutline } from "./free-outline.ts";
 import { planFree } from "./free-plan.ts";
 import { contourSetups, type Setups } from "./drawn-setup.ts";
@@ -16,16 +17,16 @@ export const c820 = defineCycle({
     Q460: lengthParam("clearance", [0, 999.999], 2, { incremental: true, shown: "clearance" }),
     Q499: choice("reverseContour", [0, 1, 2], 0, { shown: "reverse" }),
     Q463: axialDepth("infeedAxial", [0, 99.999], 3, { shown: "infeed" }),
-    Q478: feedParam("roughingFeed", [0, 99999.999], 0.3, { shown: "roughingFeed" }),
+    Q478: feedParam("roughingFeed", [0, 99999.999], 0.3, { shown: "roughingFeed", counts: roughs }),
     Q483: oversizeDiameter("oversizeDiameter", [0, 99.999], 0.4, { incremental: true, shown: "oversizeDiameter" }),
     Q484: lengthParam("oversizeZ", [0, 99.999], 0.2, { incremental: true, shown: "oversizeZ" }),
-    Q505: feedParam("finishingFeed", [0, 99999.999], 0.2, { shown: "finishingFeed" }),
+    Q505: feedParam("finishingFeed", [0, 99999.999], 0.2, { shown: "finishingFeed", counts: finishes }),
     Q487: choice("plunging", [0, 1], 1, { shown: "plunging" }),
-    Q488: feedParam("plungingFeed", [0, 99999.999], 0, { optional: true, shown: "plungingFeed" }),
+    Q488: feedParam("plungingFeed", [0, 99999.999], 0, { optional: true, shown: "plungingFeed", counts: roughs }),
     Q479: choice("limits", [0, 1], 0, { shown: "limits" }),
-    Q480: diameterParam("limitDiameter", [-99999.999, 99999.999], 0, { shown: "limitDiameter" }),
-    Q482: axialParam("limitZ", [-99999.999, 99999.999], 0, { shown: "limitZ" }),
-    Q506: choice("smoothing", [0, 1, 2], 0, { shown: "smoothing" }),
+    Q480: diameterParam("limitDiameter", [-99999.999, 99999.999], 0, { shown: "limitDiameter", counts: limited }),
+    Q482: axialParam("limitZ", [-99999.999, 99999.999], 0, { shown: "limitZ", counts: limited }),
+    Q506: choice("smoothing", [0, 1, 2], 0, { shown: "smoothing", counts: roughs }),
   },
   setup: {
     name: "CONTOUR",

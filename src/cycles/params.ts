@@ -36,6 +36,17 @@ interface ValueOf {
   revolutions: number;
 }
 
+/** Where a value says something: only where another one of its cycle is among these. */
+export interface Condition {
+  readonly q: string;
+  readonly among: readonly number[];
+}
+
+/** What only roughing reads, what only finishing reads (Q215), and what only a limit of the area reads (Q479). */
+export const roughs: Condition = { q: "Q215", among: [0, 1] };
+export const finishes: Condition = { q: "Q215", among: [0, 2, 3] };
+export const limited: Condition = { q: "Q479", among: [1] };
+
 export interface Param<K extends Kind = Kind, T extends string = string> {
   readonly kind: K;
   /** Key of prompt, explanation and NC label in `i18n`. */
@@ -60,6 +71,8 @@ export interface Param<K extends Kind = Kind, T extends string = string> {
   readonly place: "start" | "end";
   /** The Q that says what this is the size of: a chamfer or a radius. */
   readonly sizes?: string;
+  /** It says something only where this holds; the size of an element only where there is one. Null: always, as far as is certain. */
+  readonly counts: Condition | null;
   /** It is the radius of a rounded corner; 0 leaves the corner sharp. */
   readonly rounds: boolean;
   /** A feed of axes that do not cut: M136 does not make it one per revolution. */
@@ -79,6 +92,7 @@ interface Options {
   shown?: Topic;
   place?: "start" | "end";
   sizes?: string;
+  counts?: Condition;
   rounds?: boolean;
   perMinute?: boolean;
 }
@@ -106,6 +120,7 @@ function param<K extends Kind, T extends string>(
     shown: o.shown ?? "outline",
     place: o.place ?? "start",
     ...(o.sizes === undefined ? {} : { sizes: o.sizes }),
+    counts: o.counts ?? (o.sizes === undefined ? null : { q: o.sizes, among: [1, 2] }),
     rounds: o.rounds ?? false,
     perMinute: o.perMinute ?? false,
   };

@@ -1,12 +1,12 @@
-import { axialDepth, choice, factorParam, percentParam, radial, revolutionsParam } from "./params.ts";
+import { axialDepth, choice, factorParam, percentParam, radial, revolutionsParam, roughs } from "./params.ts";
 
 /** What the recessing cycles have behind their limit of a plunge, in the order of their lists. */
 const side = {
-  Q510: factorParam("recessingOverlap", [0.001, 1], 0.8, { shown: "overlap" }),
-  Q511: percentParam("solidFeed", [0.001, 150], 100, { shown: "solidFeed" }),
-  Q462: choice("retraction", [0, 1], 0, { shown: "retraction" }),
-  Q211: revolutionsParam("dwellTurns", [0, 999.99], 3, { decimals: 2, shown: "dwell" }),
-  Q562: choice("combRecessing", [0, 1], 0, { shown: "comb" }),
+  Q510: factorParam("recessingOverlap", [0.001, 1], 0.8, { shown: "overlap", counts: roughs }),
+  Q511: percentParam("solidFeed", [0.001, 150], 100, { shown: "solidFeed", counts: roughs }),
+  Q462: choice("retraction", [0, 1], 0, { shown: "retraction", counts: roughs }),
+  Q211: revolutionsParam("dwellTurns", [0, 999.99], 3, { decimals: 2, shown: "dwell", counts: roughs }),
+  Q562: choice("combRecessing", [0, 1], 0, { shown: "comb", counts: roughs }),
 };
 
 /** The end of the list of every recessing cycle: the limit of a plunge runs on the radius, or along Z. */

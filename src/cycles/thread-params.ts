@@ -15,7 +15,7 @@ export const threadParams = {
   Q492: axialParam("startZ", ON_DIAMETER, 0),
   Q493: diameterParam("threadEndDiameter", ON_DIAMETER, 110, { place: "end" }),
   Q494: axialParam("endZ", ON_DIAMETER, -35, { place: "end" }),
-  Q469: angle("taperAngle", [-180, 180], 0),
+  Q469: angle("taperAngle", [-180, 180], 0, { counts: { q: "Q464", among: [1, 2, 3, 4] } }),
   Q474: lengthParam("threadRunOut", [0, 999.999], 0, { place: "end" }),
   Q465: lengthParam("threadRunIn", [0.1, 99.9], 4, { incremental: true, shown: "runIn" }),
   Q466: lengthParam("threadOverrun", [0.1, 99.9], 4, { incremental: true, place: "end" }),

@@ -9,6 +9,7 @@ import { knownParameters, usedParameters } from "./job-parameters.ts";
 import type { Job } from "./job.ts";
 import { contourStatements } from "./print-contour.ts";
 import { anyNumber, kept, readText } from "./field.ts";
+import { readDraft, type Draft } from "./read-draft.ts";
 import { noWords, POSITION_DECIMALS, typedAxis as axis, typedValue as value } from "./typed-value.ts";
 
 /** The words of NC text in one language; `i18n` has them, since the printer knows no cycle by name. */
@@ -32,9 +33,13 @@ const number = (typed: string, otherwise: number) => {
   return typeof read === "number" ? read : otherwise;
 };
 
-function parameter(q: string, p: Param, typed: string, known: KnownParameters, labels: Labels): CycleParameter {
-  const { written, empty } = readText({ ...anyNumber, kind: p.kind, decimals: p.decimals }, typed, known);
-  return { q, value: written ?? (empty && p.optional ? 0 : null), label: labels.label(p.text) };
+/** The list of a cycle as typed; what is left out where it may be counts as 0 or says nothing. */
+function parameters(cycle: Cycle, draft: Draft, known: KnownParameters, labels: Labels): CycleParameter[] {
+  const { partial } = readDraft({ params: cycle.params }, draft, known);
+  return Object.entries<Param>(cycle.params).map(([q, p]) => {
+    const { written, empty } = readText({ ...anyNumber, kind: p.kind, decimals: p.decimals }, draft[q] ?? "", known);
+    return { q, value: written ?? (empty ? (partial[q] ?? null) : null), label: labels.label(p.text) };
+  });
 }
 
 function spin(job: Job): Statement {
@@ -109,7 +114,7 @@ export function jobStatements(job: Job, cycle: Cycle, labels: Labels): Statement
       kind: "cycle",
       cycle: cycle.number,
       name: labels.cycleName(cycle.number),
-      parameters: Object.entries(cycle.params).map(([q, p]) => parameter(q, p, draft[q] ?? "", known, labels)),
+      parameters: parameters(cycle, draft, known, labels),
     },
     path({
       axes: [...axis("X", job.start.x), { axis: "Y", value: 0, incremental: false }, ...axis("Z", job.start.z)],

@@ -1,5 +1,6 @@
-import { firstValues } from "../cycles/first-values.ts";
 import type { Cycle } from "../cycles/define.ts";
+import { neutralOf, saysNothing } from "../cycles/effect.ts";
+import { firstValues } from "../cycles/first-values.ts";
 import type { Param, Params, Values } from "../cycles/params.ts";
 import type { Issue } from "../kernel/issue.ts";
 import type { KnownParameters } from "./expression.ts";
@@ -26,7 +27,8 @@ const valueOf = (param: Param, { written, value, empty }: FieldReading): number 
 
 /**
  * The only way from typed text to the values of a cycle. Empty stays missing and never becomes 0, unless the control
- * lets the parameter be left out. A value that is offered in place of a wrong one fits the others, as far as the contour tells.
+ * lets the parameter be left out, or the others say that it has no effect (decision 0013). A value that is offered in place of a wrong
+ * one fits the others, as far as the contour tells.
  */
 export function readDraft<P extends Params>(
   cycle: Pick<Cycle<P>, "params"> & Partial<Pick<Cycle<P>, "contour" | "outline">>,
@@ -40,6 +42,12 @@ export function readDraft<P extends Params>(
     perField[q] = field;
     const value = valueOf(param, field);
     if (value !== null) partial[q] = value;
+  }
+  for (const [q, param] of Object.entries<Param>(cycle.params)) {
+    const field = perField[q];
+    if (!field?.issue || !field.empty || !saysNothing(param, partial)) continue;
+    perField[q] = { ...field, issue: null };
+    partial[q] = neutralOf(param);
   }
   const { contour, outline } = cycle;
   const judge = contour === "own" && outline

@@ -115,6 +115,7 @@ export function useApproachSession({ statement, context, typed, findings, pictur
       doubt: null,
       choices: f.kind === "side" ? SIDES.map((value) => ({ value, meaning: t.approach.sides[value] })) : null,
       optional: f.optional,
+      idle: false,
       increments: f.increments ?? false,
       auto: false,
       decimals: 3,

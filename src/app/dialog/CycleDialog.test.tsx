@@ -1,9 +1,9 @@
-import { cleanup, render, screen, within } from "@testing-library/react";
+import { cleanup, render, screen, waitFor, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { afterEach, beforeEach, expect, test } from "vitest";
 import { catalogue } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job.ts";
-import { draftOf } from "../edits.ts";
+import { draftOf, setPrompt } from "../edits.ts";
 import { openPrompt } from "../place.ts";
 import { useReading } from "../reading.ts";
 import { changeSettings } from "../settings/settings.ts";
@@ -46,6 +46,29 @@ test("ENT takes each value and ends with the copy button", async () => {
   }
   expect(question()).toBe("All prompts are answered");
   expect(document.activeElement).toBe(screen.getByRole("button", { name: "Copy the program" }));
+});
+
+test("ENT passes by what has no effect; arrows go there, NO ENT leaves it out, and what was typed is kept", async () => {
+  const user = userEvent.setup();
+  const size = prompts.find((q) => cycle.params[q]?.sizes !== undefined) ?? "";
+  const element = cycle.params[size]?.sizes ?? "";
+  const line = () => screen.getByRole("button", { name: new RegExp(`^${size} `) });
+  setPrompt(element, "0");
+  goTo(element);
+  await waitFor(() => expect(line().getAttribute("aria-label")).toContain("no effect"));
+  await user.keyboard("{Enter}");
+  expect(shows(after(size))).toBe(true);
+  expect(typed(size)).toBe(String(cycle.params[size]?.example));
+  await user.keyboard("{ArrowUp}");
+  expect(shows(size)).toBe(true);
+  expect(within(active()).getByText(`no effect with ${element} = 0`)).toBeTruthy();
+  await user.keyboard("{Delete}");
+  expect(typed(size)).toBe("");
+  expect(shows(after(size))).toBe(true);
+  await user.keyboard("{End}");
+  expect(question()).toBe("All prompts are answered");
+  setPrompt(element, "1");
+  await screen.findByText("1 prompt has no usable value");
 });
 
 test("arrows and Tab move, and the first prompt stays", async () => {

@@ -34,7 +34,7 @@ const ROWS = {
 export function Keypad({ session, prompt, input }: Props) {
   const { dialog: { keys: t, keypad }, approach } = useTexts();
   const sign = decimalSign(useSettings((s) => s.language));
-  const { step, noEntry, cancel, finish, take } = commandsOf(session);
+  const { enter, step, noEntry, cancel, finish, take } = commandsOf(session);
   const numeric = prompt.choices === null;
   const change = (by: (entry: EntryState) => EntryState) => () => {
     const open = input.current;
@@ -61,10 +61,10 @@ export function Keypad({ session, prompt, input }: Props) {
     erase: { label: t.erase, name: t.eraseLong, press: change(erase), disabled: !numeric },
     up: { label: <Icon name="up" />, name: t.previous, press: () => step(-1) },
     down: { label: <Icon name="down" />, name: t.next, press: () => step(1) },
-    noEnter: { label: t.noEnter, name: t.noEnterLong, press: noEntry, className: "small", disabled: !prompt.optional },
+    noEnter: { label: t.noEnter, name: t.noEnterLong, press: noEntry, className: "small", disabled: !prompt.optional && !prompt.idle },
     cancel: { label: "CE", name: t.cancel, press: cancel },
     end: { label: t.end, name: t.endLong, press: finish },
-    enter: { label: t.enter, name: t.enterLong, press: () => step(1), className: "primary enter" },
+    enter: { label: t.enter, name: t.enterLong, press: enter, className: "primary enter" },
   };
   const keyOf = (id: string): Key => keys[id] ?? written(id, id, id);
   const button = ({ label, name, press, className = "", disabled = false }: Key) => (

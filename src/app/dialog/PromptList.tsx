@@ -23,14 +23,15 @@ export function PromptList({ session, name }: { readonly session: PromptSession;
 
   return (
     <ol className="prompt-list" aria-label={name} ref={list}>
-      {fields.map(({ id, letter, label, shown }) => {
+      {fields.map(({ id, letter, label, idle, shown }) => {
         const worst = findings.find((p) => p.at === id && !isOpen(p))?.issue.severity;
+        const quiet = idle ? `, ${t.dialog.idle}` : "";
         const note = worst ? `, ${t.findings.severities[worst]}` : "";
         return (
           <li key={id}>
-            <button type="button" tabIndex={id === (active ?? fields[0]?.id) ? 0 : -1} className="prompt-line"
+            <button type="button" tabIndex={id === (active ?? fields[0]?.id) ? 0 : -1} className={`prompt-line${idle ? " idle" : ""}`}
               aria-current={id === active ? "step" : undefined}
-              aria-label={`${t.dialog.row(letter, label, `${shown.text} ${shown.unit}`.trim())}${note}`}
+              aria-label={`${t.dialog.row(letter, label, `${shown.text} ${shown.unit}`.trim())}${quiet}${note}`}
               onClick={() => commandsOf(session).goTo(id)}
             >
               <span className="number line-q">{letter}</span>

@@ -28,15 +28,16 @@ export function onPromptTab(event: KeyboardEvent<HTMLElement>, session: PromptSe
 /** Keys of the control on a keyboard. What is not one of them is left to the field. */
 export function onPromptKey(event: KeyboardEvent<HTMLElement>, session: PromptSession): void {
   if (event.ctrlKey || event.metaKey || event.altKey || event.nativeEvent.isComposing) return;
-  const { step, finish, cancel, noEntry } = commandsOf(session);
+  const { enter, step, finish, cancel, noEntry } = commandsOf(session);
+  const open = openPromptOf(session);
   const onButton = event.target instanceof HTMLButtonElement;
   const keys: Readonly<Record<string, (() => void) | null>> = {
-    Enter: onButton ? null : () => step(1),
+    Enter: onButton ? null : enter,
     ArrowDown: () => step(1),
     ArrowUp: () => step(-1),
     End: finish,
     Escape: cancel,
-    Delete: openPromptOf(session)?.optional ? noEntry : null,
+    Delete: open?.optional || open?.idle ? noEntry : null,
   };
   const act = keys[event.key];
   if (!act) return;

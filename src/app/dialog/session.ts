@@ -24,6 +24,8 @@ export interface Prompt {
   /** Printed values with their meanings, where only these may be taken. */
   readonly choices: readonly { readonly value: string; readonly meaning: string }[] | null;
   readonly optional: boolean;
+  /** The other values say that it has no effect: ENT passes it by, and it may be left out. */
+  readonly idle: boolean;
   /** May have an I in front. */
   readonly increments: boolean;
   /** FAUTO has a button of its own. */
@@ -81,6 +83,8 @@ export interface PromptCommands {
   readonly leave: () => void;
   /** Opens a prompt after leaving the one before it. */
   readonly goTo: (id: string | null) => void;
+  /** ENT: the next prompt that has an effect; behind the last one the dialog is at its end. */
+  readonly enter: () => void;
   /** The prompt `by` places further on; past the last one the dialog is at its end, before the first it stays. */
   readonly step: (by: number) => void;
   /** NO ENT: the prompt is left out, where it may be. */
@@ -100,6 +104,7 @@ export function commandsOf(session: PromptSession): PromptCommands {
   const text = (id: string | null) => (id === null ? "" : (draft[id] ?? ""));
   const show = (id: string | null) => session.open(id, text(id));
   const nextOf = (by: number) => (at >= 0 ? at + by : by > 0 ? 0 : fields.length - 1);
+  const onwards = () => fields.slice(nextOf(1)).find((f) => !f.idle)?.id ?? null;
   const leave = () => {
     const typed = text(opened.id);
     const stays = open && settled(session.readings[open.id], typed);
@@ -121,14 +126,15 @@ export function commandsOf(session: PromptSession): PromptCommands {
     goTo,
     take,
     finish: () => goTo(null),
+    enter: () => goTo(onwards()),
     step(by) {
       const next = nextOf(by);
       if (next >= 0) goTo(fields[next]?.id ?? null);
     },
     noEntry() {
-      if (!open?.optional) return;
+      if (!open?.optional && !open?.idle) return;
       take("");
-      show(fields[nextOf(1)]?.id ?? null);
+      show(onwards());
     },
     cancel() {
       if (!open) return;

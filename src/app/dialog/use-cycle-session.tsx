@@ -1,3 +1,4 @@
+import { saysNothing } from "../../cycles/effect.ts";
 import { isRecalled, type Param } from "../../cycles/params.ts";
 import type { ParamTextId } from "../../cycles/index.ts";
 import { formatNumber } from "../../i18n/number.ts";
@@ -35,7 +36,7 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
 
   const shownOf = (q: string, param: Param): Prompt["shown"] => {
     const field = reading.perField[q];
-    if (field?.empty) return { text: param.optional ? t.dialog.noEntry : t.dialog.noValue, unit: "", soft: true };
+    if (field?.empty) return { text: field.issue ? t.dialog.noValue : t.dialog.noEntry, unit: "", soft: true };
     const written = field ? writeValue(language, param, field) : null;
     const bare = written === null || field?.written === "auto";
     return { text: written ?? draft[q] ?? "", unit: bare ? "" : units[unitOf(param, job.perRevolution)], soft: false };
@@ -48,6 +49,8 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
   const promptOf = ([q, param]: readonly [string, Param]): Prompt => {
     const words = t.params[param.text as ParamTextId];
     const meanings: Readonly<Record<number, string>> = "choices" in words ? words.choices : {};
+    const idle = saysNothing(param, reading.partial);
+    const without = idle && param.counts ? `${param.counts.q} = ${String(reading.partial[param.counts.q])}` : null;
     return {
       id: q,
       letter: q,
@@ -61,10 +64,12 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
         ...(param.incremental ? [t.dialog.incremental] : []),
         ...(param.optional ? [t.dialog.optional] : []),
         ...(param.reserved ? [t.dialog.reserved] : []),
+        ...(without === null ? [] : [t.dialog.withoutEffect(without)]),
       ],
       doubt: doubtOf(param),
       choices: param.choices?.map((n) => ({ value: String(n), meaning: meanings[n] ?? "" })) ?? null,
       optional: param.optional,
+      idle,
       increments: false,
       auto: param.kind === "feed",
       decimals: param.decimals,

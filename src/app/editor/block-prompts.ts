@@ -1,3 +1,4 @@
+import { neutralOf, saysNothing, type SomeValues } from "../../cycles/effect.ts";
 import { cycleByNumber } from "../../cycles/index.ts";
 import type { Issue } from "../../kernel/issue.ts";
 import { blockNumbers, startLines, type Program } from "../../nc/program.ts";
@@ -54,14 +55,22 @@ export function withPrompt(program: Program, index: number, q: string, text: str
   const s = program.blocks[index]?.statement;
   if (s?.kind !== "cycle") return program;
   const param = askedOf(s.cycle)[q];
-  const empty = text.trim() === "" && (param?.optional ?? false);
+  const left = text.trim() === "" ? leftOut(s, q) : null;
   const word = param?.kind === "feed" ? feedWord(text) : null;
   const value: CycleParameter["value"] = word === "auto" || (word === "max" && param?.rapid)
     ? word
-    : empty
-    ? 0
-    : blockValue(text, param?.decimals);
+    : left ?? blockValue(text, param?.decimals);
   return value === null ? program : withBlock(program, index, withParameter(s, q, value));
+}
+
+/** What stands in the text for a prompt that is left out; null where it may not be. */
+function leftOut(s: CycleStatement, q: string): number | null {
+  if (askedOf(s.cycle)[q]?.optional) return 0;
+  const param = cycleByNumber(s.cycle)?.params[q];
+  const known: SomeValues = Object.fromEntries(
+    s.parameters.map(({ q: name, value }) => [name, typeof value === "number" ? value : undefined]),
+  );
+  return param && saysNothing(param, known) ? neutralOf(param) : null;
 }
 
 /** A missing parameter is put where the catalogue or the description has it. */

@@ -57,6 +57,7 @@ function useOwnSession({ block, problems, set }: Props): PromptSession {
     doubt: null,
     choices: p.choices?.map(({ value, meaning }) => ({ value: String(value), meaning })) ?? null,
     optional: false,
+    idle: false,
     increments: false,
     auto: p.kind === "feed",
     decimals: OWN_DECIMALS,

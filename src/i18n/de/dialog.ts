@@ -27,6 +27,8 @@ export const dialog = {
   optional: "optional",
   incremental: "inkremental",
   reserved: "reserviert, hier ohne Funktion",
+  idle: "ohne Wirkung",
+  withoutEffect: (setting) => `ohne Wirkung bei ${setting}`,
   units: {
     diameter: "mm ⌀",
     radius: "mm r",

@@ -27,6 +27,8 @@ export const dialog = {
   optional: "optional",
   incremental: "incremental",
   reserved: "reserved, no function here",
+  idle: "no effect",
+  withoutEffect: (setting: string) => `no effect with ${setting}`,
   units: {
     diameter: "mm ⌀",
     radius: "mm r",

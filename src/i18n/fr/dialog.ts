@@ -27,6 +27,8 @@ export const dialog = {
   optional: "facultatif",
   incremental: "incrémental",
   reserved: "réservé, sans fonction ici",
+  idle: "sans effet",
+  withoutEffect: (setting) => `sans effet avec ${setting}`,
   units: {
     diameter: "mm ⌀",
     radius: "mm r",

@@ -26,6 +26,8 @@ export const dialog = {
   optional: "可选",
   incremental: "增量",
   reserved: "保留，在此无作用",
+  idle: "无作用",
+  withoutEffect: (setting) => `${setting} 时无作用`,
   units: {
     diameter: "mm ⌀",
     radius: "mm r",

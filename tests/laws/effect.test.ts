@@ -1,0 +1,55 @@
+import fc from "fast-check";
+import { describe, expect, test } from "vitest";
+import { neutralOf, saysNothing } from "../../src/cycles/effect.ts";
+import { cuttingCycles } from "../../src/cycles/index.ts";
+import { kept } from "../../src/program/field.ts";
+import type { Param } from "../../src/cycles/params.ts";
+import { casesOf, situations, type Situation } from "./situation.ts";
+import { planOf } from "./worked-plans.ts";
+
+/* What a cycle's file says to be without effect has none: neither the plan nor the outline can tell one value of it from another. */
+const CASES = Number(process.env["LAW_CASES"] ?? 25);
+
+/** Another value that may be entered, from a share of the range; feeds may be FAUTO. */
+function valueAt({ kind, range: [min, max], choices, decimals }: Param, share: number): number | "auto" {
+  if (choices) return choices[Math.floor(share * choices.length)] as number;
+  if (kind === "feed" && share > 0.9) return "auto";
+  // Sizes of a part, where the range has them: nobody turns 99 m.
+  const [low, high] = [Math.max(min, -300), Math.min(max, 300)];
+  return kept(low + share * (high - low), decimals);
+}
+
+const share = fc.integer({ min: 0, max: 999 }).map((n) => n / 1000);
+
+const told = (cycle: (typeof cuttingCycles)[number], s: Situation) =>
+  JSON.stringify([planOf(cycle, s), cycle.outline(s.values as never, s.given)]);
+
+for (const operation of [0, 1, 2, 3])
+  describe.each(situations(operation))(`cycle $cycle.number, Q215 = ${operation}`, ({ cycle, arbitrary }) => {
+    const conditions = Object.values<Param>(cycle.params).flatMap((p) => (p.counts === null ? [] : [p.counts.q]));
+    const set = [...new Set(conditions)].filter((q) => q !== "Q215" && cycle.params[q]?.choices);
+
+    test("what is without effect changes nothing", () => {
+      fc.assert(fc.property(arbitrary, fc.array(share, { minLength: 40, maxLength: 40 }), (drawn, shares) => {
+        const chosen = Object.fromEntries(set.map((q, i) => [q, valueAt(cycle.params[q] as Param, shares[i] as number)]));
+        const s = { ...drawn, values: { ...drawn.values, ...chosen } as Situation["values"] };
+        const quiet = Object.entries<Param>(cycle.params).filter(([, p]) => saysNothing(p, s.values));
+        if (quiet.length === 0) return;
+        const other = Object.fromEntries(quiet.map(([q, p], i) => [q, valueAt(p, shares[10 + i] as number)]));
+        const neutral = Object.fromEntries(quiet.map(([q, p]) => [q, neutralOf(p)]));
+        const before = told(cycle, s);
+        expect(told(cycle, { ...s, values: { ...s.values, ...other } as never })).toBe(before);
+        expect(told(cycle, { ...s, values: { ...s.values, ...neutral } })).toBe(before);
+      }), { numRuns: casesOf(cycle, CASES) });
+    });
+  });
+
+test("a condition names a choice of the same list, and only values that it has", () => {
+  const wrong = cuttingCycles.flatMap((cycle) =>
+    Object.entries<Param>(cycle.params).filter(([, p]) => {
+      const on = p.counts === null ? undefined : cycle.params[p.counts.q];
+      return p.counts !== null && on !== undefined && !p.counts.among.every((n) => on.choices?.includes(n));
+    }).map(([q]) => `${cycle.number} ${q}`)
+  );
+  expect(wrong).toEqual([]);
+});
