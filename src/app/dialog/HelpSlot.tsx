@@ -21,14 +21,15 @@ function ActingWords({ cycle }: { readonly cycle: number }) {
 /** The help picture beside the prompts: this contour, the open prompt's dimension strong. */
 export function HelpSlot({ read, q }: { readonly read: JobReading; readonly q: string | null }) {
   const language = useSettings((s) => s.language);
-  const unwritten = read.job.contour.length === 0 && !read.reading.values;
-  const given = useMemo(() => givenOf(unwritten ? { cycle: read.cycle, job: exampleJob(read.cycle) } : read), [unwritten, read]);
+  const isBorrowed = read.cycle.contour === "free" && read.job.contour.length === 0;
+  const given = useMemo(() => givenOf(isBorrowed ? { cycle: read.cycle, job: exampleJob(read.cycle) } : read), [isBorrowed, read]);
+  const wrong = read.reading.issues.some((found) => found.code !== "missing");
   // What acts where it is defined has no contour to draw.
   if (read.cycle.acts) return <ActingWords cycle={read.cycle.number} />;
   return (
     <div className="help-slot">
-      <HelpPicture cycle={read.cycle} values={read.reading.values} partial={read.reading.partial as Numbers} given={given} activeQ={q}
-        language={language} />
+      <HelpPicture cycle={read.cycle} values={read.reading.values} partial={read.reading.partial as Numbers} wrong={wrong} given={given}
+        isBorrowed={isBorrowed} activeQ={q} language={language} />
     </div>
   );
 }

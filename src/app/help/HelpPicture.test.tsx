@@ -40,24 +40,38 @@ test("the active dimension stands in the picture with its value", () => {
   expect(active()).toEqual(["Z−40,25"]);
 });
 
-test("missing or impossible values leave the last possible drawing, dimmed, and it says so", () => {
+test("impossible values leave the last possible drawing, dimmed, and it says so", () => {
   const { rerender } = render(picture({ ...example, Q491: 80 }, "Q491"));
   expect(active()).toEqual(["⌀80"]);
-  for (const bad of [null, { ...example, Q491: 50 }]) {
-    rerender(picture(bad, "Q491", "en", { Q492: 0 }));
-    expect(active()).toEqual(["⌀80"]);
-    expect(screen.getByRole("img").classList.contains("dimmed")).toBe(true);
-    expect(name()).toContain("no value yet");
-    expect(name()).toContain("last possible drawing");
-  }
+  rerender(picture({ ...example, Q491: 50 }, "Q491", "en"));
+  expect(active()).toEqual(["⌀80"]);
+  expect(screen.getByRole("img").classList.contains("dimmed")).toBe(true);
+  expect(name()).toContain("last possible drawing");
   rerender(picture(example, "Q491"));
   expect(screen.getByRole("img").classList.contains("dimmed")).toBe(false);
 });
 
-test("before there was a drawing it shows the printed example, dimmed", () => {
-  render(picture(null, "Q491"));
-  expect(active()).toEqual(["⌀75"]);
-  expect(name()).toContain("printed example");
+test("a value that is missing shows its Q number, and no number that nobody typed is there", () => {
+  const { rerender } = render(picture(null, "Q491"));
+  expect(active()).toEqual(["Q491"]);
+  expect(name()).toContain("no value yet");
+  expect(name()).toContain("Q numbers stand for values");
+  const texts = () => [...document.querySelectorAll("svg text")].map((e) => e.textContent);
+  expect(texts().filter((text) => !/^Q\d+$/.test(text ?? ""))).toEqual([]);
+  rerender(picture(null, "Q494", "en", { Q491: 61.37, Q492: 0.8 }));
+  expect(active()).toEqual(["Q494"]);
+  expect(texts()).toEqual(expect.arrayContaining(["⌀61.37", "Z0.8", "Q493"]));
+  expect(screen.getByRole("img").classList.contains("dimmed")).toBe(false);
+});
+
+test("a value that is taken away leaves the drawing as it was, with its Q number", () => {
+  const { rerender } = render(picture(example, "Q494"));
+  const contour = () => document.querySelector("svg .line-contour")?.getAttribute("d");
+  const before = contour();
+  const { Q494: _, ...partial } = example;
+  rerender(picture(null, "Q494", "en", partial));
+  expect(active()).toEqual(["Q494"]);
+  expect(contour()).toBe(before);
 });
 
 test("a free contour that is missing draws nothing and does not break", () => {

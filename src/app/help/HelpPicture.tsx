@@ -1,6 +1,6 @@
 import { useId, useMemo, useRef, useState } from "react";
+import { likelyCompletion } from "../../cycles/completions.ts";
 import type { Cycle, Given, Outline } from "../../cycles/define.ts";
-import { firstValues } from "../../cycles/first-values.ts";
 import { pointPlan } from "../../cycles/point-plan.ts";
 import type { Plan } from "../../kernel/plan.ts";
 import { texts } from "../settings/loaded-texts.ts";
@@ -17,60 +17,81 @@ interface Props {
   readonly cycle: Cycle;
   /** All values of the cycle; null while one is missing or no number. */
   readonly values: Numbers | null;
-  /** Values that can be read so far: what the active prompt says. */
+  /** Values that can be read so far. */
   readonly partial?: Numbers;
+  /** One of the prompts holds what is no value: until it does, the last drawing stays. */
+  readonly wrong?: boolean;
   readonly given: Given;
+  /** The contour is there to draw with; the operator has none yet. */
+  readonly isBorrowed?: boolean;
   readonly activeQ: string | null;
   readonly language: Language;
 }
 
 interface Drawn {
   readonly cycle: Cycle;
+  readonly typed: Numbers;
   readonly values: Numbers;
+  readonly isBorrowed: boolean;
   readonly outline: Outline;
   readonly plan: Plan;
 }
 
-/** Height of the line that says what a dimmed drawing shows, pixels. */
-const NOTE = 22;
-
-/** A contour that can be drawn: it has elements, and nothing in it is impossible. */
-const possible = (outline: Outline) => outline.contour.length > 0 && !outline.issues.some((found) => found.severity === "error");
-
-/** What these values draw. */
-function drawnBy(cycle: Cycle, values: Numbers, given: Given): Drawn {
-  const read = values as Parameters<Cycle["outline"]>[0];
-  const outline = cycle.outline(read, given);
-  return { cycle, values, outline, plan: pointPlan(cycle, read, outline, given) };
+/** What these values draw, with others in place of those that are missing; null while they make no contour. */
+function drawnBy(
+  { cycle, given, isBorrowed }: Required<Pick<Props, "cycle" | "given" | "isBorrowed">>,
+  typed: Numbers,
+  before: Numbers | null,
+): Drawn | null {
+  const made = likelyCompletion(cycle, typed, given, before);
+  if (!made) return null;
+  const { values, outline } = made;
+  return { cycle, typed, values: values as Numbers, isBorrowed, outline, plan: pointPlan(cycle, values, outline, given) };
 }
 
-/** The same; null while they draw nothing. */
-function possiblyDrawnBy(cycle: Cycle, values: Numbers | null, given: Given): Drawn | null {
-  const drawn = values && drawnBy(cycle, values, given);
-  return drawn && possible(drawn.outline) ? drawn : null;
-}
+const NOTHING: Numbers = {};
 
 /**
- * A shop drawing of the contour that the values describe, the active prompt's dimension strong. Values that are missing
- * or impossible leave the last possible drawing, dimmed; before there was one, the printed example.
+ * A shop drawing of the contour that the values describe, the active prompt's dimension strong. A value that is missing is drawn with
+ * its Q number in place of a measure. What can not be drawn leaves the last possible drawing, dimmed.
  */
-export function HelpPicture({ cycle, values, partial, given, activeQ, language }: Props) {
+export function HelpPicture(props: Props) {
+  const { cycle, values, partial, wrong = false, given, isBorrowed = false, activeQ, language } = props;
   const box = useRef<HTMLDivElement>(null);
   const id = useId();
   const size = useSize(box, { width: 400, height: 280 });
-  const now = useMemo(() => possiblyDrawnBy(cycle, values, given), [cycle, values, given]);
-  const [last, setLast] = useState<Drawn | null>(now);
+  const said = values ?? partial ?? NOTHING;
+  const [whole, setWhole] = useState<{ readonly cycle: Cycle; readonly values: Numbers } | null>(null);
+  const [last, setLast] = useState<Drawn | null>(null);
+  const before = whole?.cycle === cycle ? whole.values : null;
+  const kept = last?.cycle === cycle ? last : null;
+  const now = useMemo(() => (wrong ? null : drawnBy({ cycle, given, isBorrowed }, said, before)), [
+    wrong,
+    cycle,
+    said,
+    before,
+    given,
+    isBorrowed,
+  ]);
   if (now && now !== last) setLast(now);
-  const kept = now ?? (last?.cycle === cycle ? last : null);
-  const shown = useMemo(() => kept ?? drawnBy(cycle, firstValues(cycle), given), [kept, cycle, given]);
+  if (now && values && whole?.values !== values) setWhole({ cycle, values });
+  // Where nothing was possible so far, what can be drawn of the values, or of the cycle.
+  const first = useMemo(() => drawnBy({ cycle, given, isBorrowed }, said, null) ?? drawnBy({ cycle, given, isBorrowed }, NOTHING, null), [
+    cycle,
+    said,
+    given,
+    isBorrowed,
+  ]);
+  const shown = now ?? kept ?? first;
+  const isStale = !now && kept !== null;
   const t = texts(language);
-  const { width } = size;
-  // The printed example leaves room for its note; the last drawing stays as it is, so that nothing jumps while one types.
-  const height = kept ? size.height : Math.max(1, size.height - NOTE);
+  const { width, height } = size;
   const drawing = useMemo(() =>
-    helpDrawing({
+    shown && helpDrawing({
       params: cycle.params,
       values: shown.values,
+      typed: shown.typed,
+      isBorrowed: shown.isBorrowed,
       outline: shown.outline,
       plan: shown.plan,
       active: activeQ,
@@ -82,18 +103,17 @@ export function HelpPicture({ cycle, values, partial, given, activeQ, language }
         notToScale: t.help.notToScale,
       },
     }), [cycle, shown, activeQ, width, height, language, t]);
-  const said = partial ?? values ?? {};
-  const note = now ? null : kept ? t.help.stale : t.help.example;
+  const note = isStale ? t.help.stale : values === null || isBorrowed ? t.help.partial : null;
   return (
     <div className="help-picture" ref={box}>
       <svg role="img" viewBox={`0 0 ${size.width} ${size.height}`}
         aria-label={[pictureInWords(t, language, cycle, activeQ, said), note].filter((s) => s !== null).join(" ")}
-        {...(now ? {} : { className: "dimmed" })}
+        {...(isStale ? { className: "dimmed" } : {})}
       >
         <Hatches id={id} />
-        <HelpMarks marks={drawing.marks} id={id} />
+        {drawing && <HelpMarks marks={drawing.marks} id={id} />}
       </svg>
-      {note && <p className="help-note" aria-hidden="true">{note}</p>}
+      {isStale && <p className="help-note" aria-hidden="true">{t.help.stale}</p>}
     </div>
   );
 }

@@ -4,7 +4,7 @@ export const help = {
   picture: (cycle) => `Zeichnung der Kontur, Zyklus ${cycle}`,
   highlighted: (parameter, label, value) => `Hervorgehoben: ${parameter} ${label}, ${value}`,
   stale: "Diese Werte ergeben keine Kontur: letzte Zeichnung.",
-  example: "Werte noch unvollständig: das gedruckte Beispiel.",
+  partial: "Q-Nummern stehen für Werte, die noch fehlen.",
   noValue: "noch kein Wert",
   inWords: {
     diameter: (value) => `Durchmesser ${value} mm`,

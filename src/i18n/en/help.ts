@@ -4,7 +4,7 @@ export const help = {
   picture: (cycle: string) => `Drawing of the contour, cycle ${cycle}`,
   highlighted: (parameter: string, label: string, value: string) => `Highlighted: ${parameter} ${label}, ${value}`,
   stale: "These values make no contour: last possible drawing.",
-  example: "Values not complete yet: the printed example.",
+  partial: "Q numbers stand for values that are not typed yet.",
   noValue: "no value yet",
   inWords: {
     diameter: (value: string) => `diameter ${value} mm`,

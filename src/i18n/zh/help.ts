@@ -4,7 +4,7 @@ export const help = {
   picture: (cycle) => `轮廓图,循环 ${cycle}`,
   highlighted: (parameter, label, value) => `突出显示:${parameter} ${label},${value}`,
   stale: "这些数值不能构成轮廓：保留上一图形。",
-  example: "数值尚不完整：手册示例。",
+  partial: "Q 编号代表尚未输入的值。",
   noValue: "尚无数值",
   inWords: {
     diameter: (value) => `直径 ${value} mm`,

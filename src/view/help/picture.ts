@@ -26,6 +26,10 @@ import { SAME } from "../../kernel/tolerance.ts";
 export interface HelpRequest {
   readonly params: Params;
   readonly values: Numbers;
+  /** Those of the values that somebody typed; the others are there to draw with, and only their Q is written. All of them when left out. */
+  readonly typed?: Numbers;
+  /** The contour is not the operator's own: none of its numbers is written. */
+  readonly isBorrowed?: boolean;
   readonly outline: Outline;
   /** What the cycle plans for a point there. */
   readonly plan: Plan;
@@ -102,7 +106,7 @@ const explanations: Readonly<Record<Topic, (c: Context, l: Lettering) => explain
 };
 
 function contextOf(request: HelpRequest, size: Size, indent: number): Context {
-  const { params, values, outline, plan, active, speech } = request;
+  const { params, values, typed = values, outline, plan, active, speech } = request;
   const frame: HelpFrame = { ...outline.frame, sunk: outline.sunk };
   const line = drawnLine(outline.contour);
   const { blank, corner } = blankOver(frame, line);
@@ -131,7 +135,7 @@ function contextOf(request: HelpRequest, size: Size, indent: number): Context {
     step: plan.infeed > 0 ? plan.infeed : plan.most,
     top,
     section: sectionOf(frame, line, layout.reach),
-    letter: (q) => ({ q, active: q === active, text: letteringOf(params, q, values, speech, square(q)) }),
+    letter: (q) => ({ q, active: q === active, text: typed[q] === undefined ? q : letteringOf(params, q, typed, speech, square(q)) }),
     plain: (kind, at) => ({ q: "", active: false, text: positionText(kind, kind === "axial" ? at.z : toDiameter(at.r), speech) }),
   };
 }
@@ -209,7 +213,7 @@ function besideLens(items: readonly Item[], placed: readonly Placed[], lens: rea
 
 /** Draws the contour of a cycle with its dimensions, the one of the active parameter strong. */
 export function helpDrawing(request: HelpRequest): HelpDrawing {
-  const { params, active, size, values, speech } = request;
+  const { params, active, size, values, typed = values, isBorrowed = false, speech } = request;
   const topic = active === null ? null : shownAs(params, active);
   const choice = active === null ? undefined : params[active]?.choices;
   const strip = topic !== null && choice !== undefined && hasTiles(topic);
@@ -220,13 +224,15 @@ export function helpDrawing(request: HelpRequest): HelpDrawing {
   const order = [...shown].sort((a, b) => rank(a) - rank(b));
   const parts = order.map((q) => ({ q, ...explanations[shownAs(params, q)](c, c.letter(q)) }));
   const strong = strongPlaces(c);
-  const chosen = active === null || values[active] === undefined ? null : numberOf(values, active);
+  const chosen = active === null || typed[active] === undefined ? null : numberOf(typed, active);
   const row = strip && active !== null ? tiles(c.frame, topic, choice, { q: active, chosen }, size, column > 0) : [];
   const kept: LabelBox[] = column > 0 ? [{ x: 0, y: 0, width: column, height: size.height }] : [];
   const sheet = { width: c.layout.size.width, height: c.layout.size.height, avoid: strong, kept, crossing: CROSSING };
   const small = active === null ? null : smallFeature(c, active);
   const own = parts.flatMap((p) => (p.item && !(small && p.q === active) ? [p.item] : []));
-  const items = [...own, ...explain.plainDimensions(c)].map((i): Item => (i.q === active ? i : { ...i, most: i.most ?? QUIET_MOST }));
+  const items = [...own, ...(isBorrowed ? [] : explain.plainDimensions(c))].map(
+    (i): Item => (i.q === active ? i : { ...i, most: i.most ?? QUIET_MOST })
+  );
   let placed: readonly Placed[] = arranged(items, active, sheet);
   const lens = small && active ? detail(c, c.letter(active), small, placed, kept) : null;
   if (lens) placed = besideLens(items, placed, lens.boxes, sheet);

@@ -1,0 +1,80 @@
+import fc from "fast-check";
+import { describe, expect, test } from "vitest";
+import { situations } from "./situation.ts";
+import { firstValues } from "../../src/cycles/first-values.ts";
+import { cuttingCycles, cycleByNumber } from "../../src/cycles/index.ts";
+import { knownOutline, sameSegment } from "../../src/cycles/known-outline.ts";
+import { likelyCompletion } from "../../src/cycles/completions.ts";
+import type { Cycle } from "../../src/cycles/define.ts";
+import type { Params, Values } from "../../src/cycles/params.ts";
+
+const RUNS = 40;
+
+describe.each(situations(0))("what is known of the contour of cycle $cycle.number", ({ cycle, arbitrary }) => {
+  const contourOf = (values: object, given: Parameters<Cycle["outline"]>[1]) => {
+    const { contour, issues } = cycle.outline(values as Values<Params>, given);
+    return issues.some((i) => i.severity === "error") ? [] : contour;
+  };
+  test("is all of it when all is typed", () => {
+    fc.assert(fc.property(arbitrary, ({ values, given }) => {
+      expect(knownOutline(cycle, values, given).contour).toEqual(contourOf(values, given));
+    }), { numRuns: RUNS });
+  });
+  test("is a part of it while values are missing, and no less with one value more", () => {
+    fc.assert(fc.property(arbitrary, fc.array(fc.boolean(), { minLength: 40, maxLength: 40 }), fc.nat(39), (s, typed, one) => {
+      const whole = contourOf(s.values, s.given);
+      if (whole.length === 0) return;
+      const all = Object.entries(s.values);
+      const few = Object.fromEntries(all.filter((_, i) => typed[i]));
+      const [q, value] = all[one % all.length] as [string, number];
+      const known = knownOutline(cycle, few, s.given).contour;
+      const more = knownOutline(cycle, { ...few, [q]: value }, s.given).contour;
+      for (const segment of known) {
+        expect(whole.some((w) => sameSegment(w, segment)), JSON.stringify([segment, few])).toBe(true);
+        // Where hardly anything fits any more, nothing is said.
+        if (more.length > 0) expect(more.some((w) => sameSegment(w, segment)), JSON.stringify([segment, few, q])).toBe(true);
+      }
+    }), { numRuns: RUNS });
+  });
+  test("can be drawn with every value more", () => {
+    const example = firstValues(cycle);
+    const given = { contour: null, start: null };
+    if (cycle.contour === "free") return;
+    Object.keys(example).forEach((_, n) => {
+      const few = Object.fromEntries(Object.entries(example).slice(0, n));
+      const made = likelyCompletion(cycle, few, given);
+      expect(made?.values).toMatchObject(few);
+    });
+  });
+});
+
+describe("a shoulder, value by value", () => {
+  const cycle = cycleByNumber(812) as Cycle;
+  const at = (values: Record<string, number>) => knownOutline(cycle, values, { contour: null, start: null });
+  const box = { Q491: 61.37, Q492: 0.8, Q493: 42.11, Q494: -23.9 };
+
+  test("a diameter is a position, with its Z it is a point", () => {
+    expect(at({ Q491: 61.37 })).toMatchObject({ positions: [{ q: "Q491", axis: "x", value: 61.37 }], points: [], contour: [], sketch: [] });
+    expect(at({ Q491: 61.37, Q492: 0.8 }).points).toEqual([{ z: 0.8, r: 61.37 / 2 }]);
+  });
+  test("both corners make a sketch with square walls", () => {
+    const { sketch, contour, points, whole } = at(box);
+    expect(points).toHaveLength(2);
+    expect(sketch.map(({ from, to }) => [from.z, from.r * 2, to.z, to.r * 2])).toEqual([[0.8, 42.11, -23.9, 42.11], [
+      -23.9,
+      42.11,
+      -23.9,
+      61.37,
+    ]]);
+    expect(contour).toEqual([]);
+    expect(whole).toBe(false);
+  });
+  test("an element is known as soon as nothing that is missing touches it", () => {
+    const few = { ...box, Q495: 0, Q501: 1, Q502: 0.7, Q500: 0, Q496: 0 };
+    expect(at(few).contour.map((s) => s.to.z.toFixed(3))).toEqual(["0.100", "-23.900"]);
+    expect(at({ ...few, Q503: 0 })).toMatchObject({ whole: true, sketch: [] });
+    expect(at({ ...few, Q503: 0 }).contour).toHaveLength(3);
+  });
+});
+
+test("every cycle is here", () => expect(situations(0).map((s) => s.cycle)).toEqual(cuttingCycles));
