@@ -1,9 +1,11 @@
-import { lazy, Suspense, type ReactNode } from "react";
+import { lazy, Suspense, useMemo, type ReactNode } from "react";
+import { knownWork } from "../program/known-work.ts";
 import { clock } from "./clock.ts";
 import { CycleDialog } from "./dialog/CycleDialog.tsx";
 import { HelpDock } from "./dialog/HelpDock.tsx";
 import { setContour } from "./edits.ts";
 import { EffectStrip } from "./effect/EffectStrip.tsx";
+import { givenOf } from "./engine/given.ts";
 import { Working } from "./engine/Working.tsx";
 import { useOutcome } from "./engine/outcome.ts";
 import { FindingsPanel } from "./findings/FindingsPanel.tsx";
@@ -22,6 +24,7 @@ import { changeSettings, useSettings } from "./settings/settings.ts";
 import { useTexts } from "./settings/use-texts.ts";
 import { SetupPanel } from "./setup/SetupPanel.tsx";
 import { useThirdColumn } from "./use-media.ts";
+import { useToolList } from "./tools/tool-store.ts";
 
 /** Loaded when its section is first shown. */
 const ContourTable = lazy(async () => ({ default: (await import("./contour/ContourTable.tsx")).ContourTable }));
@@ -42,6 +45,8 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
   const dimmed = useOutcome((s) => s.dimmed);
   const findings = useListed();
   const host = useJobHost(read);
+  const tools = useToolList();
+  const known = useMemo(() => knownWork(read.cycle, read.job, read.reading, givenOf(read), tools), [read, tools]);
   const free = read.cycle.contour === "free";
   const possible: readonly JobSection[] = [
     "prompts",
@@ -78,7 +83,7 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
       <EffectStrip read={read} />
       <div className="centre">
         <CycleInWork value={read.cycle.number}>
-          <LatheView result={shown} dimmed={dimmed} playback={playback} clock={clock} />
+          <LatheView result={shown} known={known} dimmed={dimmed} playback={playback} clock={clock} />
         </CycleInWork>
         <HelpDock />
         <Working />

@@ -12,6 +12,9 @@ export interface Completion {
 /** A position on the contour: a diameter or a Z that a shop drawing would have. */
 export const isPosition = ({ kind, shown }: Param): boolean => (kind === "diameter" || kind === "axial") && shown === "outline";
 
+/** It corrects what a drawing says: as long as it is missing, nothing is corrected. */
+const isCorrection = ({ shown }: Param): boolean => shown === "depthCompensation";
+
 /** How long a part is taken to be, on the radius or along Z, where nothing says it: against its radius, and at least, mm. */
 const [SHARE, LEAST] = [0.4, 5];
 
@@ -49,6 +52,7 @@ const inRange = ({ range: [min, max] }: Param, n: number): number => Math.min(ma
 
 /** A small value in place of one that is missing, another one with each number; of a choice each of its values in turn. */
 function smallOf(p: Param, n: number): number {
+  if (isCorrection(p)) return neutralOf(p);
   if (p.choices) return p.choices[n % p.choices.length] as number;
   return inRange(p, neutralOf(p) + (SIZES[n % SIZES.length] as number));
 }
@@ -66,8 +70,8 @@ function completion(cycle: Cycle, values: SomeValues, given: Given): Completion 
 const DRAWS = 40;
 
 /**
- * Contours that agree with a few values and differ in everything that is missing. One where nothing is; none where so little fits that
- * a missing value is the same in all of them.
+ * Contours that agree with a few values and differ in everything that is missing, but for corrections. One where nothing is; none where
+ * so little fits that a missing value is the same in all of them.
  */
 export function completions(cycle: Cycle, known: SomeValues, given: Given): readonly Completion[] {
   const missing = Object.entries<Param>(cycle.params).filter(([q]) => known[q] === undefined);
@@ -79,7 +83,7 @@ export function completions(cycle: Cycle, known: SomeValues, given: Given): read
     return completion(cycle, { ...rest, ...positionsFor(cycle.params, known, example, way), ...known }, given);
   }).flatMap((one) => one ?? []);
   const differs = (q: string) => made.some(({ values }) => values[q] !== made[0]?.values[q]);
-  return missing.every(([q]) => differs(q)) ? made : [];
+  return missing.every(([q, p]) => isCorrection(p) || differs(q)) ? made : [];
 }
 
 /**

@@ -13,7 +13,7 @@ export const PATH_ROLES = ["rapid", "feed", "plunge", "smooth", "finish", "threa
 export type PathRole = (typeof PATH_ROLES)[number];
 
 /** What a shape stands for. Its form and colour belong to whoever paints it. */
-export type Role = PathRole | "chuck" | "jaw" | "blank" | "contour" | "stock" | "residual" | "gouge";
+export type Role = PathRole | "chuck" | "jaw" | "blank" | "sketch" | "contour" | "stock" | "residual" | "gouge";
 
 /** One shape of the display list: path data in part space (x = z, y = r, mm). */
 export interface Shape {
@@ -26,6 +26,12 @@ export interface SceneParts {
   readonly blank: readonly Ring[];
   readonly contours: readonly (readonly Segment[])[];
   readonly steps: readonly Step[];
+  /** A contour as far as it is known, where it is not whole yet. */
+  readonly sketch?: readonly Segment[];
+  /** Points beside all that which are to be seen as well. */
+  readonly near?: readonly Pt[];
+  /** Where a tool stands before there is a path, and which. */
+  readonly waits?: { readonly at: Pt; readonly tool: Tool | null } | null;
 }
 
 /** The still part of the picture, from back to front, and the box that shows all of it. */
@@ -65,6 +71,14 @@ export function toolpath(steps: readonly Step[]): readonly Shape[] {
 /** Inserts are drawn with chords this fine when only their size counts, mm. */
 const COARSE = 0.2;
 
+/** The box round an insert whose tip goes through a box. */
+function insertBox(way: Bounds, tool: Tool): Bounds {
+  const insert = boundsOf(insertOutline(tool, COARSE));
+  return insert
+    ? { left: way.left + insert.left, right: way.right + insert.right, low: way.low + insert.low, high: way.high + insert.high }
+    : way;
+}
+
 /** The box round every place of every insert. */
 function workingBox(steps: readonly Step[]): Bounds | null {
   const tips = new Map<Tool, Pt[]>();
@@ -75,11 +89,8 @@ function workingBox(steps: readonly Step[]): Bounds | null {
   }
   let all: Bounds | null = null;
   for (const [tool, list] of tips) {
-    const way = boundsOf(list), insert = boundsOf(insertOutline(tool, COARSE));
-    if (!way) continue;
-    all = joined(all, insert
-      ? { left: way.left + insert.left, right: way.right + insert.right, low: way.low + insert.low, high: way.high + insert.high }
-      : way);
+    const way = boundsOf(list);
+    if (way) all = joined(all, insertBox(way, tool));
   }
   return all;
 }
@@ -104,17 +115,20 @@ function framed(steps: readonly Step[]): readonly Step[] {
 }
 
 /** Builds the still part of the picture. */
-export function sceneOf({ blank, contours, steps }: SceneParts): Scene {
+export function sceneOf({ blank, contours, steps, sketch = [], near = [], waits = null }: SceneParts): Scene {
   const material = boundsOf(blank.flat());
   const path = boundsOf(tipsOf(steps));
-  const outline = boundsOf(contours.flatMap((c) => [...pointsOf(c)]));
+  const outline = boundsOf([...contours, sketch].flatMap((c) => [...pointsOf(c)]).concat(near));
   const chuck = material ? chuckRings(material, joined(path, outline)) : null;
   const shapes: Shape[] = [];
   if (chuck) shapes.push({ role: "chuck", d: ringData([chuck.body]) }, { role: "jaw", d: ringData([chuck.jaw]) });
   if (blank.length > 0) shapes.push({ role: "blank", d: ringData(blank) });
+  if (sketch.length > 0) shapes.push({ role: "sketch", d: segmentData(sketch) });
   for (const contour of contours) shapes.push({ role: "contour", d: segmentData(contour) });
   shapes.push(...toolpath(steps));
-  const all = joined(joined(material, joined(workingBox(framed(steps)), outline)), chuck ? boundsOf(chuck.jaw) : null) ?? EMPTY;
+  const tip = boundsOf(waits ? [waits.at] : []), standing = tip && waits?.tool ? insertBox(tip, waits.tool) : tip;
+  const all = joined(joined(material, joined(joined(workingBox(framed(steps)), standing), outline)), chuck ? boundsOf(chuck.jaw) : null)
+    ?? EMPTY;
   const axis = { ...all, low: Math.min(0, path?.low ?? 0) };
   return { shapes, bounds: grownBounds(axis, AIR * Math.max(axis.right - axis.left, axis.high - axis.low)) };
 }

@@ -22,10 +22,13 @@ describe.each(situations(0))("what is known of the contour of cycle $cycle.numbe
   });
   test("is a part of it while values are missing, and no less with one value more", () => {
     fc.assert(fc.property(arbitrary, fc.array(fc.boolean(), { minLength: 40, maxLength: 40 }), fc.nat(39), (s, typed, one) => {
-      const whole = contourOf(s.values, s.given);
+      const few = Object.fromEntries(Object.entries(s.values).filter((_, i) => typed[i]));
+      // Nothing is corrected that is not typed.
+      const corrections = Object.keys(cycle.params).filter((c) => cycle.params[c]?.shown === "depthCompensation" && !(c in few));
+      const values = { ...s.values, ...Object.fromEntries(corrections.map((c) => [c, 0])) };
+      const whole = contourOf(values, s.given);
       if (whole.length === 0) return;
-      const all = Object.entries(s.values);
-      const few = Object.fromEntries(all.filter((_, i) => typed[i]));
+      const all = Object.entries(values);
       const [q, value] = all[one % all.length] as [string, number];
       const known = knownOutline(cycle, few, s.given).contour;
       const more = knownOutline(cycle, { ...few, [q]: value }, s.given).contour;

@@ -1,6 +1,9 @@
 import { lazy, Suspense, useEffect, useId, useMemo, useState } from "react";
+import type { KnownWork } from "../../program/known-work.ts";
 import type { Run } from "../../program/run-types.ts";
 import type { Simulation } from "../../sim/simulation.ts";
+import type { Pt } from "../../kernel/point.ts";
+import { axial, diameter, radius, toRadius } from "../../kernel/units.ts";
 import { playerOf } from "../../sim/stock.ts";
 import { mirrored } from "../../view/bounds.ts";
 import { toPlace, type Place } from "../../view/camera.ts";
@@ -8,7 +11,7 @@ import { datumAt, datumIndex } from "../../view/datum.ts";
 import { snapPoints } from "../../view/measure.ts";
 import { moveAt } from "../../view/pick.ts";
 import { trackOf } from "../../view/playback.ts";
-import { sceneOf } from "../../view/scene.ts";
+import { sceneOf, type SceneParts } from "../../view/scene.ts";
 import { TurnPoints } from "../approach/TurnPoints.tsx";
 import type { Clock } from "../clock.ts";
 import { reducedMotion } from "../settings/appearance.ts";
@@ -16,6 +19,7 @@ import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { GlyphButton } from "./GlyphButton.tsx";
 import { pressKey } from "./keys.ts";
+import { KnownMarks, knownText } from "./KnownMarks.tsx";
 import { Legend } from "./Legend.tsx";
 import { Marks } from "./Marks.tsx";
 import { useMeasuring } from "./measuring.ts";
@@ -34,6 +38,7 @@ import { usePlayback } from "./use-playback.ts";
 import { useStage } from "./use-stage.ts";
 import type { WhichRegion } from "../which/asking.ts";
 import { contourAt } from "../which/region.ts";
+import { ToolAway } from "./ToolAway.tsx";
 import { ViewBar } from "./ViewBar.tsx";
 import { createViewport } from "./viewport.ts";
 import "./lathe.css";
@@ -67,9 +72,24 @@ const EMPTY_RUN: Run = {
   seconds: 0,
 };
 
+const partsOf = (run: Run): SceneParts => ({ blank: run.blank, contours: run.operations.map((o) => o.plan.contour), steps: run.steps });
+
+/** What is known without a run: blank, contour as far as it is typed, and where the tool starts. */
+function knownParts({ blank, start, tool, outline }: KnownWork, run: Run): Partial<SceneParts> {
+  const { contour, sketch, points, positions } = outline;
+  const alone = positions.map(
+    ({ axis, value }): Pt => (axis === "x" ? { z: axial(0), r: toRadius(diameter(value)) } : { z: axial(value), r: radius(0) })
+  );
+  const near = [...points, ...alone];
+  const waits = start && run.steps.length === 0 ? { at: start, tool } : null;
+  return { contours: [contour], sketch, near, waits, ...(run.blank.length === 0 && { blank }) };
+}
+
 /** The lathe: picture, playback, timeline, findings. Keeps showing the last result it was given, dimmed when told so. */
-export function LatheView({ result, dimmed, playback, clock, onMove }: {
+export function LatheView({ result, known = null, dimmed, playback, clock, onMove }: {
   readonly result: LatheResult | null;
+  /** What is typed so far: drawn as long as there is no contour in the result. */
+  readonly known?: KnownWork | null;
   /** The picture is older than what was typed. */
   readonly dimmed: boolean;
   readonly playback: PlaybackStore;
@@ -86,10 +106,12 @@ export function LatheView({ result, dimmed, playback, clock, onMove }: {
   const [tools, showTools] = useState(false);
   const [asking, ask] = useState<WhichRegion | null>(null);
 
-  const scene = useMemo(() => sceneOf({ blank: run.blank, contours: run.operations.map((o) => o.plan.contour), steps: run.steps }), [run]);
+  const typed = run.operations.every((o) => o.plan.contour.length === 0) ? known : null;
+  const waiting = run.steps.length === 0 ? typed : null;
+  const scene = useMemo(() => sceneOf({ ...partsOf(run), ...(typed && knownParts(typed, run)) }), [run, typed]);
   const held = useMemo(() => run.steps.some((step) => step.tool.holder), [run]);
   const points = useMemo(() => snapPoints(run.operations.map((o) => o.plan.contour), run.steps), [run]);
-  const starts = useMemo(() => run.operations.map((o) => o.start), [run]);
+  const starts = useMemo(() => (waiting?.start ? [waiting.start] : run.operations.map((o) => o.start)), [run, waiting]);
   const moving = useMemo(() => {
     if (!simulation) return null;
     const player = playerOf(simulation);
@@ -112,9 +134,10 @@ export function LatheView({ result, dimmed, playback, clock, onMove }: {
   const resting = usePlayback(playback, (s) => (s.get().playing ? -1 : s.get().position.step));
   const marked = usePlayback(playback, (s) => datumIndex(run.datums, s.get().position.step)), datum = datumAt(run.datums, marked);
   const name = useMemo(() => {
-    const { x, z } = placeText(language, datum), state = resting >= 0 ? statusText(texts, language, run, playback) : "";
+    const { x, z } = placeText(language, datum), rests = resting >= 0 ? statusText(texts, language, run, playback) : "";
+    const state = typed ? `${rests} ${knownText(t, language, typed.outline)}`.trim() : rests;
     return t.picture(run.datums.length > 0 ? `${state} ${t.countsFrom(x, z)}` : state);
-  }, [t, texts, language, run, playback, resting, datum]);
+  }, [t, texts, language, run, playback, resting, datum, typed]);
   const found = usePlaces("ZX"), places = dimmed || !simulation ? NOWHERE : found;
   const leads = useMemo(() => run.approaches.filter((a) => a.plane === "ZX"), [run]);
   const { chosen, choose } = useLooking(places, viewport, playback);
@@ -136,15 +159,21 @@ export function LatheView({ result, dimmed, playback, clock, onMove }: {
       <div ref={stage} className={`lathe-stage${dimmed ? " dimmed" : ""}${measuring.on ? " measuring" : ""}`} tabIndex={0} role="group"
         aria-label={t.title} aria-describedby={keysId}
       >
-        <Picture viewport={viewport} scene={scene} moving={moving} findings={findings} residual={residual} full={full} name={name}>
+        <Picture viewport={viewport} scene={scene} moving={moving} waiting={waiting} findings={findings} residual={residual} full={full}
+          name={name}
+        >
           <Marks viewport={viewport} starts={starts} datum={datum} />
+          {typed && <KnownMarks viewport={viewport} known={typed.outline} />}
+          {run.steps.length > 0 && <ToolAway viewport={viewport} playback={playback} steps={run.steps} />}
           {leads.length > 0 && <TurnPoints viewport={viewport} approaches={leads} />}
           <PlaceLines viewport={viewport} places={seen} />
           <RulerLines viewport={viewport} measuring={measuring} />
         </Picture>
         <PlaceButtons viewport={viewport} places={seen} chosen={chosen} choose={choose} />
         <RulerReading measuring={measuring} />
-        {run.steps.length === 0 && run.blank.length === 0 && <p className="lathe-empty soft">{t.pictureEmpty}</p>}
+        {run.steps.length === 0 && run.blank.length === 0 && (
+          <p className={waiting ? "lathe-outdated small" : "lathe-empty soft"}>{t.pictureEmpty}</p>
+        )}
         {dimmed && run.steps.length > 0 && <Outdated />}
         <p id={keysId} className="unseen">{t.keys}</p>
       </div>

@@ -1,7 +1,7 @@
 import { useCallback, useMemo, useRef } from "react";
 import { holderOutlines } from "../../kernel/holder.ts";
 import { insertOutline } from "../../kernel/insert.ts";
-import type { Ring } from "../../kernel/point.ts";
+import type { Pt, Ring } from "../../kernel/point.ts";
 import type { Step } from "../../kernel/step.ts";
 import { CHORD } from "../../kernel/tolerance.ts";
 import { radius } from "../../kernel/units.ts";
@@ -17,6 +17,13 @@ export interface Moving {
   readonly steps: readonly Step[];
   readonly stockAt: (position: PlayPosition) => readonly Ring[];
   readonly playback: PlaybackStore;
+}
+
+/** What stands there before anything moves. */
+export interface Waiting {
+  readonly blank: readonly Ring[];
+  readonly tool: Tool | null;
+  readonly start: Pt | null;
 }
 
 const farSide = (rings: readonly Ring[]): Ring[] => rings.map((ring) => ring.map((p) => ({ z: p.z, r: radius(-p.r) })));
@@ -46,7 +53,7 @@ function Insert({ tool }: { readonly tool: Tool }) {
 }
 
 /** Insert and holder at the tip, and the running move in its own strength. */
-function Tool({ moving: { steps, playback } }: { readonly moving: Moving }) {
+function Running({ moving: { steps, playback } }: { readonly moving: Moving }) {
   const group = useRef<SVGGElement>(null), running = useRef<SVGPathElement>(null);
   const drawn = useRef<Step | null>(null);
   const index = usePlayback(playback, (store) => stepIndex(steps, store.shown()));
@@ -68,4 +75,11 @@ function Tool({ moving: { steps, playback } }: { readonly moving: Moving }) {
   );
 }
 
-export const MovingParts = { Stock, Tool };
+/** The tool where it stands at the call of the cycle. */
+const Still = ({ tool, at }: { readonly tool: Tool; readonly at: Pt }) => (
+  <g transform={`translate(${at.z} ${at.r})`}>
+    <Insert tool={tool} />
+  </g>
+);
+
+export const MovingParts = { Stock, Tool: Running, Still };

@@ -5,7 +5,7 @@ import { ringData } from "../../view/path.ts";
 import { PATH_ROLES, type Scene, type Shape } from "../../view/scene.ts";
 import { transform } from "../../view/svg.ts";
 import { LatheAxes } from "./Axes.tsx";
-import { MovingParts, type Moving } from "./MovingParts.tsx";
+import { MovingParts, type Moving, type Waiting } from "./MovingParts.tsx";
 import type { Viewport } from "./viewport.ts";
 
 /** Pixels between two hatch lines. */
@@ -58,16 +58,18 @@ function Hatches({ viewport, id }: { readonly viewport: Viewport; readonly id: s
 }
 
 /** Blank under the path; the contour over it as a thinner line, so that both are seen where the tip runs on the contour. */
-const UPPER: readonly Shape["role"][] = ["blank", "contour"];
+const UPPER: readonly Shape["role"][] = ["blank", "sketch", "contour"];
 
 /**
  * Section of the work with path and tool, in three sheets: material, drawing, tool. The drawing is painted once, however
  * long the path; zooming changes one matrix a sheet, playing two elements.
  */
-export function Picture({ viewport, scene, moving, findings, residual, full, name, children }: {
+export function Picture({ viewport, scene, moving, waiting, findings, residual, full, name, children }: {
   readonly viewport: Viewport;
   readonly scene: Scene;
   readonly moving: Moving | null;
+  /** The blank and the tool at its start, as long as nothing moves. */
+  readonly waiting: Waiting | null;
   readonly findings: readonly StockFinding[];
   /** Shown only when the run is at its end. */
   readonly residual: readonly Residual[];
@@ -80,7 +82,7 @@ export function Picture({ viewport, scene, moving, findings, residual, full, nam
   const sheets = useMemo(() => ({
     below: scene.shapes.filter((shape) => !isPath(shape) && !UPPER.includes(shape.role)),
     blank: scene.shapes.filter((shape) => shape.role === "blank"),
-    contour: scene.shapes.filter((shape) => shape.role === "contour"),
+    contour: scene.shapes.filter((shape) => shape.role === "contour" || shape.role === "sketch"),
     path: scene.shapes.filter(isPath),
   }), [scene]);
   return (
@@ -91,6 +93,7 @@ export function Picture({ viewport, scene, moving, findings, residual, full, nam
         <World viewport={viewport}>
           <Still shapes={sheets.below} mirror={full} />
           {moving && <MovingParts.Stock moving={moving} full={full} fill={`url(#${id}stock)`} />}
+          {waiting && <Rings rings={waiting.blank} role="stock" fill={`url(#${id}stock)`} />}
           {residual.length > 0 && <Rings rings={residual.map((each) => each.ring)} role="residual" fill={`url(#${id}residual)`} />}
         </World>
       </svg>
@@ -103,7 +106,10 @@ export function Picture({ viewport, scene, moving, findings, residual, full, nam
         </World>
       </svg>
       <svg className="sheet">
-        <World viewport={viewport}>{moving && <MovingParts.Tool moving={moving} />}</World>
+        <World viewport={viewport}>
+          {moving && <MovingParts.Tool moving={moving} />}
+          {waiting?.tool && waiting.start && <MovingParts.Still tool={waiting.tool} at={waiting.start} />}
+        </World>
         {children}
         <LatheAxes viewport={viewport} part="scales" />
       </svg>

@@ -5,6 +5,13 @@ export const lathe = {
   picture: (state) => `Schnitt durch das Werkstück, Z nach rechts. ${state}`,
   countsFrom: (x, z) => `Das Programm zählt ab X⌀ ${x}, Z ${z}.`,
   pictureEmpty: "Noch keine Bahn",
+  known: {
+    soFar: (list) => `Bisher bekannt: ${list}.`,
+    nothing: "Von der Kontur ist noch kein Wert bekannt.",
+    elements: (n) => (n === 1 ? "1 Konturelement" : `${n} Konturelemente`),
+    sketch: "Kontur mit scharfen Ecken",
+    whole: "die ganze Kontur",
+  },
   keys: "Leertaste startet und hält an, Pfeiltasten gehen Bewegung für Bewegung, Pos1 und Ende an den Anfang und das Ende, Plus "
     + "und Minus zoomen, 0 passt ein.",
   beginning: "Die ersten Sätze des Programms",

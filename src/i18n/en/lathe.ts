@@ -6,6 +6,13 @@ export const lathe = {
   picture: (state: string) => `Section of the work, Z to the right. ${state}`,
   countsFrom: (x: string, z: string) => `The program counts from X⌀ ${x}, Z ${z}.`,
   pictureEmpty: "No path yet",
+  known: {
+    soFar: (list: string) => `Known so far: ${list}.`,
+    nothing: "No value of the contour is known yet.",
+    elements: (n: number) => (n === 1 ? "1 element of the contour" : `${n} elements of the contour`),
+    sketch: "contour with sharp corners",
+    whole: "the whole contour",
+  },
   keys: "Space plays or pauses, arrow keys go move by move, Home and End go to the ends, plus and minus zoom, 0 fits.",
   beginning: "First blocks of the program",
   outdated: "Last picture that could be made",

@@ -5,6 +5,13 @@ export const lathe = {
   picture: (state) => `Coupe de la pièce, Z vers la droite. ${state}`,
   countsFrom: (x, z) => `Le programme compte à partir de X⌀ ${x}, Z ${z}.`,
   pictureEmpty: "Pas encore de trajectoire",
+  known: {
+    soFar: (list) => `Connu jusqu’ici : ${list}.`,
+    nothing: "Aucune valeur du contour n’est encore connue.",
+    elements: (n) => (n === 1 ? "1 élément du contour" : `${n} éléments du contour`),
+    sketch: "contour à angles vifs",
+    whole: "tout le contour",
+  },
   keys: "Espace lance ou met en pause, les flèches avancent d’un déplacement, Début et Fin vont aux extrémités, plus et moins "
     + "zooment, 0 ajuste.",
   beginning: "Premières séquences du programme",

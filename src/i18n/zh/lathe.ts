@@ -5,6 +5,13 @@ export const lathe = {
   picture: (state) => `工件剖视图，Z 轴向右。${state}`,
   countsFrom: (x, z) => `程序以 X⌀ ${x}、Z ${z} 为原点。`,
   pictureEmpty: "尚无刀具路径",
+  known: {
+    soFar: (list) => `目前已知:${list}。`,
+    nothing: "轮廓的数值尚未输入。",
+    elements: (n) => `${n} 个轮廓元素`,
+    sketch: "尖角轮廓",
+    whole: "完整轮廓",
+  },
   keys: "空格键播放或暂停，方向键逐段移动，Home 和 End 键到起点和终点，加号和减号缩放，0 键适合窗口。",
   beginning: "程序的前面部分",
   outdated: "上一张可用的图形",

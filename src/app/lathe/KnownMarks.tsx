@@ -1,0 +1,75 @@
+import type { KnownOutline, KnownPosition } from "../../cycles/known-outline.ts";
+import { formatNumber } from "../../i18n/number.ts";
+import type { Language } from "../../i18n/languages.ts";
+import { axial, diameter, radius, toRadius } from "../../kernel/units.ts";
+import { toScreen } from "../../view/camera.ts";
+import type { Texts } from "../../i18n/index.ts";
+import { useSettings } from "../settings/settings.ts";
+import { SCALE_BELOW, SCALE_LEFT } from "./Axes.tsx";
+import { useCamera } from "./use-camera.ts";
+import type { Viewport } from "./viewport.ts";
+
+/** Decimals that a control keeps of a position. */
+const DECIMALS = 3;
+/** Least distance of two texts: of one line, and side by side, pixels. */
+const ROW = 15, WIDE = 104;
+/** Room above the picture that the texts of the upright lines leave to its notes, pixels. */
+const TOP = 44;
+
+/** A typed position as a drawing writes it: Q491 ⌀61.37. */
+const positionText = (language: Language, { q, axis, value }: KnownPosition): string =>
+  `${q} ${axis === "x" ? "⌀" : "Z"}${formatNumber(language, value, DECIMALS)}`;
+
+/** What is known of a contour, in words. */
+export function knownText(t: Texts["lathe"], language: Language, { positions, contour, sketch, whole }: KnownOutline): string {
+  const said = positions.map((p) => positionText(language, p));
+  if (contour.length > 0) said.push(whole ? t.known.whole : t.known.elements(contour.length));
+  else if (sketch.length > 0) said.push(t.known.sketch);
+  return said.length > 0 ? t.known.soFar(said.join(", ")) : t.known.nothing;
+}
+
+/** Each text in the first row or column that is free there. */
+function spread(places: readonly number[], apart: number): readonly number[] {
+  const rows: number[][] = [];
+  return places.map((place) => {
+    let row = 0;
+    while (rows[row]?.some((other) => Math.abs(other - place) < apart)) row += 1;
+    (rows[row] ??= []).push(place);
+    return row;
+  });
+}
+
+/** The positions that are typed so far as lines through the picture, and the corners that they make. */
+export function KnownMarks({ viewport, known: { positions, points } }: { readonly viewport: Viewport; readonly known: KnownOutline }) {
+  const camera = useCamera(viewport), { width, height } = viewport.size();
+  const language = useSettings((s) => s.language);
+  const floor = height - SCALE_BELOW;
+  const level = positions.filter((p) => p.axis === "x").map((p) => ({
+    p,
+    y: toScreen(camera, { z: axial(0), r: toRadius(diameter(p.value)) }).y,
+  }));
+  const upright = positions.filter((p) => p.axis === "z").map((p) => ({ p, x: toScreen(camera, { z: axial(p.value), r: radius(0) }).x }));
+  const columns = spread(level.map(({ y }) => y), ROW), rows = spread(upright.map(({ x }) => x), WIDE);
+  return (
+    <g className="lathe-known" aria-hidden="true">
+      <path className="line"
+        d={[...level.map(({ y }) => `M${SCALE_LEFT} ${y}H${width}`), ...upright.map(({ x }) => `M${x} 0V${floor}`)].join("")} />
+      {level.map(({ p, y }, i) => (
+        <text key={p.q} className="number" x={width - 8 - (columns[i] ?? 0) * WIDE} y={y - 5} textAnchor="end">
+          {positionText(language, p)}
+        </text>
+      ))}
+      {upright.map(({ p, x }, i) => (
+        <text key={p.q} className="number" {...(x > width - WIDE ? { x: x - 5, textAnchor: "end" } : { x: x + 5 })}
+          y={TOP + (rows[i] ?? 0) * ROW}
+        >
+          {positionText(language, p)}
+        </text>
+      ))}
+      {points.map((point, i) => {
+        const at = toScreen(camera, point);
+        return <circle key={i} cx={at.x} cy={at.y} r="4.5" />;
+      })}
+    </g>
+  );
+}

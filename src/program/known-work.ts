@@ -1,0 +1,39 @@
+import type { Cycle, Given } from "../cycles/define.ts";
+import { knownOutline, type KnownOutline } from "../cycles/known-outline.ts";
+import type { Pt, Ring } from "../kernel/point.ts";
+import type { Tool } from "../kernel/tool.ts";
+import { diameter, radius, toRadius } from "../kernel/units.ts";
+import { cylinder } from "./blank-form.ts";
+import { readText } from "./field.ts";
+import { knownParameters } from "./job-parameters.ts";
+import type { Job } from "./job.ts";
+import type { DraftReading } from "./read-draft.ts";
+import { SETUP_FIELDS } from "./setup-fields.ts";
+
+/** What can be drawn of a job before it makes a path: everything that is typed so far. */
+export interface KnownWork {
+  readonly blank: readonly Ring[];
+  readonly start: Pt | null;
+  readonly tool: Tool | null;
+  readonly outline: KnownOutline;
+}
+
+/** The half section of the blank as typed; nothing as long as its measures make none. */
+export function blankOf(job: Job): readonly Ring[] {
+  const known = knownParameters(job);
+  const typed = (field: "outside" | "bore" | "length" | "allowance") => readText(SETUP_FIELDS[field], job.blank[field], known);
+  const [outside, length] = [typed("outside").value, typed("length").value];
+  const [bore, front] = [typed("bore").value ?? 0, typed("allowance").value ?? 0];
+  if (outside === null || length === null) return [];
+  return cylinder({ outside: toRadius(diameter(outside)), inside: bore > 0 ? toRadius(diameter(bore)) : radius(0), length, front }) ?? [];
+}
+
+/** What is known of a job: its set-up, and of its contour what the values typed so far determine. */
+export function knownWork(cycle: Cycle, job: Job, { partial }: DraftReading, given: Given, tools: readonly Tool[]): KnownWork {
+  return {
+    blank: blankOf(job),
+    start: given.start,
+    tool: tools.find((tool) => tool.T === job.tool) ?? null,
+    outline: knownOutline(cycle, partial, given),
+  };
+}
