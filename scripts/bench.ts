@@ -1,7 +1,7 @@
 import { spawnSync } from "node:child_process";
 import { ncLabels } from "../src/i18n/nc-labels.ts";
 import { parse } from "../src/nc/parse.ts";
-import type { Job } from "../src/program/job.ts";
+import type { SetJob } from "../src/program/job.ts";
 import { printJob } from "../src/program/print-job.ts";
 import { run } from "../src/program/run.ts";
 import { shippedTools } from "../src/program/shipped-tools.ts";
@@ -42,7 +42,7 @@ function measured(work: (count: number) => unknown): Measured {
 
 const labels = ncLabels("en");
 /** The same job with its oversize in Z changed a little: a real edit, another text and another path each time. */
-const changed = (job: Job, count: number): Job => {
+const changed = (job: SetJob, count: number): SetJob => {
   const draft = job.drafts[job.cycle] ?? {};
   return { ...job, drafts: { [job.cycle]: { ...draft, Q484: (0.1 + (count % 200) * 0.001).toFixed(3) } } };
 };
@@ -52,7 +52,7 @@ const stock = (text: string) => {
   return { made, simulation: simulate(made) };
 };
 /** From a changed value to everything that is drawn: text, moves, stock, proof, picture. */
-const update = (job: Job, count: number) => {
+const update = (job: SetJob, count: number) => {
   const { made, simulation } = stock(printJob(changed(job, count), labels));
   const scene = sceneOf({ blank: made.blank, contours: made.operations.map((o) => o.plan.contour), steps: made.steps });
   return [scene, ringData(simulation.final)];

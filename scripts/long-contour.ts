@@ -1,6 +1,6 @@
 import { cycleByNumber } from "../src/cycles/index.ts";
 import { never } from "../src/kernel/never.ts";
-import { exampleJob, newRow, type ContourRow, type Job } from "../src/program/job.ts";
+import { exampleJob, newRow, type ContourRow, type SetJob } from "../src/program/job.ts";
 
 /** ⌀ and Z of the outer and the inner end, mm; how many waves lie between them and how deep they are. */
 const RIM = { x: 200, z: -30 };
@@ -21,13 +21,13 @@ function waves(elements: number, from: typeof RIM, to: typeof RIM): ContourRow[]
 }
 
 /** The job of a printed example. */
-export function printedExample(cycle: number): Job {
+export function printedExample(cycle: number): SetJob {
   const known = cycleByNumber(cycle);
   return known ? exampleJob(known) : never("a cycle that is not in the catalogue", cycle);
 }
 
 /** A free contour of many elements on a blank that contains it, in the direction in which its cycle cuts. */
-export const longContour = (cycle: number, elements: number): Job => ({
+export const longContour = (cycle: number, elements: number): SetJob => ({
   ...printedExample(cycle),
   name: "WAVES",
   contour: cycleByNumber(cycle)?.group === "longitudinal" ? waves(elements, NOSE, RIM) : waves(elements, RIM, NOSE),

@@ -5,7 +5,7 @@ import type { Param } from "../src/cycles/params.ts";
 import { ncLabels } from "../src/i18n/nc-labels.ts";
 import { parse } from "../src/nc/parse.ts";
 import { issuesOf, print } from "../src/nc/program.ts";
-import { exampleJob, newRow, type Job } from "../src/program/job.ts";
+import { exampleJob, newRow, type SetJob } from "../src/program/job.ts";
 import { printJob } from "../src/program/print-job.ts";
 import { readDraft } from "../src/program/read-draft.ts";
 import { run } from "../src/program/run.ts";
@@ -40,7 +40,7 @@ const row = fc.record({
   tangent: fc.boolean(),
   second: fc.boolean(),
 }).map(({ id, ...given }) => newRow(id, given));
-const jobs: fc.Arbitrary<Job> = fc.constantFrom(...cuttingCycles).chain((cycle) =>
+const jobs: fc.Arbitrary<SetJob> = fc.constantFrom(...cuttingCycles).chain((cycle) =>
   fc.record({
     draft: fc.record(Object.fromEntries(Object.entries(cycle.params).map(([q, p]) => [q, typed(p)]))),
     contour: fc.oneof(fc.constant(exampleJob(cycle).contour), fc.array(row, { maxLength: 8 })),

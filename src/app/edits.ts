@@ -23,7 +23,7 @@ export const setPrompts = (texts: Draft): void =>
 export const setParameter = (name: string, text: string): void =>
   edit((job) => ({ ...job, parameters: { ...job.parameters, [name]: text } }), `parameter ${name}`);
 
-export const setTool = (tool: number): void => edit((job) => (job.tool === tool ? job : { ...job, tool }));
+export const setTool = (tool: number | null): void => edit((job) => (job.tool === tool ? job : { ...job, tool }));
 
 export const setBlank = (field: keyof BlankDraft, text: string): void =>
   edit((job) => ({ ...job, blank: { ...job.blank, [field]: text } }), `blank ${field}`);

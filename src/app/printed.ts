@@ -1,11 +1,13 @@
 import { ncLabels } from "../i18n/nc-labels.ts";
-import type { Job } from "../program/job.ts";
+import type { Job, SetJob } from "../program/job.ts";
 import { printJob } from "../program/print-job.ts";
+import { setJobOf } from "./reading.ts";
 
-const printed = new WeakMap<Job, string>();
+const printed = new WeakMap<SetJob, string>();
 
-/** The program text of a job in its own layout and label language, made once per state of the job. */
-export function printedText(job: Job): string {
+/** The program text of a job with its set-up, in its own layout and label language, made once per state of the job. */
+export function printedText(typed: Job): string {
+  const job = setJobOf(typed);
   const known = printed.get(job);
   if (known !== undefined) return known;
   const text = printJob(job, ncLabels(job.ncLanguage));

@@ -1,29 +1,58 @@
 import type { Cycle } from "../cycles/define.ts";
 import { cycleByNumber } from "../cycles/index.ts";
-import type { Job } from "../program/job.ts";
+import type { Job, SetJob } from "../program/job.ts";
 import { knownParameters } from "../program/job-parameters.ts";
 import { readDraft, type Draft, type DraftReading } from "../program/read-draft.ts";
+import { setupOf, withSetup, type Setup } from "../program/setup.ts";
+import type { Tool } from "../kernel/tool.ts";
 import { draftOf } from "./edits.ts";
 import { useEditor } from "./store.ts";
+import { toolTable, useToolList } from "./tools/tool-store.ts";
 
 /** The open job with its cycle and what its prompts hold. */
 export interface JobReading {
-  readonly job: Job;
+  /** With what is proposed where its set-up is not set. */
+  readonly job: SetJob;
+  /** Null in a block of a program, which has none of its own. */
+  readonly setup: Setup | null;
   readonly cycle: Cycle;
   readonly draft: Draft;
   readonly reading: DraftReading;
 }
 
-const read = new WeakMap<Job, JobReading>();
+interface Completed {
+  readonly tools: readonly Tool[];
+  readonly setup: Setup;
+  readonly job: SetJob;
+}
+
+const completed = new WeakMap<Job, Completed>();
+
+/** A job with its set-up, made once per state of the job and of the tool table. */
+function completedBy(job: Job, tools: readonly Tool[]): Completed {
+  const known = completed.get(job);
+  if (known?.tools === tools) return known;
+  const setup = setupOf(job, tools);
+  const made = { tools, setup, job: withSetup(job, setup) };
+  completed.set(job, made);
+  completed.set(made.job, made);
+  return made;
+}
+
+/** The job with a value in every place of its set-up: what is printed, drawn and run. */
+export const setJobOf = (job: Job): SetJob => completedBy(job, toolTable().tools).job;
+
+const read = new WeakMap<SetJob, JobReading>();
 
 /** Reads the prompts of a job, once per state of the job; null when its cycle is not in the catalogue. */
-export function readJob(job: Job): JobReading | null {
+export function readJob(typed: Job, tools: readonly Tool[] = toolTable().tools): JobReading | null {
+  const { job, setup } = completedBy(typed, tools);
   const known = read.get(job);
   if (known) return known;
   const cycle = cycleByNumber(job.cycle);
   if (!cycle) return null;
   const draft = draftOf(job);
-  const made = { job, cycle, draft, reading: readDraft(cycle, draft, knownParameters(job)) };
+  const made = { job, setup, cycle, draft, reading: readDraft(cycle, draft, knownParameters(job)) };
   read.set(job, made);
   return made;
 }
@@ -31,5 +60,6 @@ export function readJob(job: Job): JobReading | null {
 /** The open job, read; null on the start page. */
 export const useReading = (): JobReading | null => {
   const job = useEditor((s) => s.job);
-  return job && readJob(job);
+  const tools = useToolList();
+  return job && readJob(job, tools);
 };

@@ -3,7 +3,7 @@ import { withInserted } from "../nc/edit.ts";
 import type { Program } from "../nc/program.ts";
 import type { Statement } from "../nc/statement.ts";
 import { wordsOf } from "./flow.ts";
-import type { Job } from "./job.ts";
+import type { SetJob } from "./job.ts";
 import { jobStatements, type Labels } from "./print-job.ts";
 
 /** Ends of a main program. */
@@ -23,7 +23,7 @@ function freeLabel({ blocks }: Program): number {
  * A program with the operation of a work behind all others: its tool call, its cycle and its call in front of the end of the main
  * program, and its contour, under a label of its own, at the end of the file.
  */
-export function withOperation(program: Program, job: Job, labels: Labels): Program {
+export function withOperation(program: Program, job: SetJob, labels: Labels): Program {
   const cycle = cycleByNumber(job.cycle);
   if (!cycle) return program;
   const label = freeLabel(program);

@@ -3,7 +3,7 @@ import { catalogue } from "../cycles/index.ts";
 import { ncLabels } from "../i18n/nc-labels.ts";
 import { parse } from "../nc/parse.ts";
 import { parametersIn } from "./expression.ts";
-import { exampleJob, type Job } from "./job.ts";
+import { exampleJob, type SetJob } from "./job.ts";
 import { knownParameters, usedParameters } from "./job-parameters.ts";
 import { printJob } from "./print-job.ts";
 import { run } from "./run.ts";
@@ -12,13 +12,13 @@ import { shippedTools } from "./shipped-tools.ts";
 const cycle = catalogue.find((c) => c.params["Q493"]);
 if (!cycle) throw new Error("no cycle ends at a diameter");
 const example = exampleJob(cycle);
-const job = (draft: Record<string, string>, parameters: Record<string, string> = {}): Job => ({
+const job = (draft: Record<string, string>, parameters: Record<string, string> = {}): SetJob => ({
   ...example,
   parameters,
   drafts: { [cycle.number]: { ...example.drafts[cycle.number], ...draft } },
 });
-const lines = (of: Job) => printJob(of, ncLabels("en")).split("\n");
-const pathOf = (of: Job) => run(parse(printJob(of, ncLabels("en"))), { tools: shippedTools, rapid: 10_000 });
+const lines = (of: SetJob) => printJob(of, ncLabels("en")).split("\n");
+const pathOf = (of: SetJob) => run(parse(printJob(of, ncLabels("en"))), { tools: shippedTools, rapid: 10_000 });
 
 test.each<[string, readonly string[]]>([
   ["Q5", ["Q5"]],

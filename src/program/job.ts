@@ -49,7 +49,7 @@ export const newRow = (id: string, given: Partial<ContourRow> = {}): ContourRow 
   id,
 });
 
-/** Cylinder as typed, mm: outside and bore as ⌀, whole length, and how far it reaches in front of Z0. */
+/** Cylinder as typed, mm: outside and bore as ⌀, whole length, and how far it reaches in front of Z0. An empty field is proposed. */
 export interface BlankDraft {
   readonly outside: string;
   readonly bore: string;
@@ -73,9 +73,10 @@ export interface Job {
   readonly drafts: Readonly<Record<number, Draft>>;
   /** Values of Q parameters that stand in prompts, as typed, by upper-case name: "Q5". */
   readonly parameters: Readonly<Record<string, string>>;
-  readonly tool: number;
+  /** Null as long as nobody has chosen one: it is proposed then. */
+  readonly tool: number | null;
   readonly blank: BlankDraft;
-  /** Tip at the cycle call: ⌀ and Z, mm. */
+  /** Tip at the cycle call: ⌀ and Z, mm. An empty field is proposed. */
   readonly start: { readonly x: string; readonly z: string };
   readonly spindle: SpindleDraft;
   /** M136: feeds in mm/rev. */
@@ -87,8 +88,16 @@ export interface Job {
   readonly ncLanguage: "en" | "de" | "fr" | "zh";
 }
 
+/** A job with a value in every place of its set-up: set, or proposed. */
+export interface SetJob extends Job {
+  readonly tool: number;
+}
+
+/** A set-up of which nobody has set anything yet. */
+export const UNSET = { tool: null, blank: { outside: "", bore: "", length: "", allowance: "" }, start: { x: "", z: "" } } as const;
+
 /** A job that shows the printed example of a cycle. */
-export function exampleJob(cycle: Cycle): Job {
+export function exampleJob(cycle: Cycle): SetJob {
   const example = cycle.setup;
   return {
     name: `${example.name}${cycle.number}`,
@@ -96,7 +105,7 @@ export function exampleJob(cycle: Cycle): Job {
     drafts: { [cycle.number]: exampleDraft(cycle) },
     parameters: {},
     tool: example.tool,
-    blank: example.blank,
+    blank: { ...example.blank, bore: example.blank.bore || "0" },
     start: example.start,
     spindle: { mode: "surface", speed: "800", cuttingSpeed: "180", limit: "2500" },
     perRevolution: true,

@@ -6,7 +6,7 @@ import type { AxisWord, CycleParameter, Statement, Value, Words } from "../nc/st
 import { LAYOUTS } from "../nc/style.ts";
 import type { KnownParameters } from "./expression.ts";
 import { knownParameters, usedParameters } from "./job-parameters.ts";
-import type { Job } from "./job.ts";
+import type { Job, SetJob } from "./job.ts";
 import { contourStatements } from "./print-contour.ts";
 import { anyNumber, kept, readText } from "./field.ts";
 import { readDraft, type Draft } from "./read-draft.ts";
@@ -80,7 +80,7 @@ function isInBore({ blank, start }: Job): boolean {
 }
 
 /** The blocks of a job, from BEGIN PGM to END PGM. */
-export function jobStatements(job: Job, cycle: Cycle, labels: Labels): Statement[] {
+export function jobStatements(job: SetJob, cycle: Cycle, labels: Labels): Statement[] {
   const name = programName(job.name);
   const safeX = kept(Math.max(number(job.blank.outside, 0), number(job.start.x, 0)) + AWAY.x, POSITION_DECIMALS);
   const safeZ = kept(Math.max(number(job.blank.allowance, 0), number(job.start.z, 0), 0) + AWAY.z, POSITION_DECIMALS);
@@ -132,7 +132,7 @@ export function jobStatements(job: Job, cycle: Cycle, labels: Labels): Statement
 }
 
 /** The complete program text of a job, as the control writes it; empty when its cycle is not in the catalogue. */
-export function printJob(job: Job, labels: Labels): string {
+export function printJob(job: SetJob, labels: Labels): string {
   const cycle = cycleByNumber(job.cycle);
   return cycle ? programText(jobStatements(job, cycle, labels), LAYOUTS[job.layout]) : "";
 }

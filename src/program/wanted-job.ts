@@ -4,7 +4,7 @@ import { beginsAtTip, valuesFor, type Wanted } from "../cycles/wanted.ts";
 import { boxOf } from "../kernel/box.ts";
 import { at, part, type Pt, type Ring, type Segment } from "../kernel/point.ts";
 import { diameter, radius, toDiameter, toRadius } from "../kernel/units.ts";
-import { exampleJob, type BlankDraft, type Job } from "./job.ts";
+import { exampleJob, type BlankDraft, type SetJob } from "./job.ts";
 import { positionAsTyped } from "./typed-value.ts";
 import { blankFor, boxOfWanted, rowsOf, wantedContour } from "./wanted-shape.ts";
 
@@ -47,7 +47,7 @@ function startOfOwn(cycle: Cycle, wanted: Wanted, across: boolean): Pt {
 }
 
 /** The work that makes what is wanted with a cycle; its tool is still that of the printed example. */
-export function jobFor(cycle: Cycle, wanted: Wanted, stock: readonly Ring[] | null): Job {
+export function jobFor(cycle: Cycle, wanted: Wanted, stock: readonly Ring[] | null): SetJob {
   const across = worksAcross(cycle);
   const contour = directed(wantedContour(wanted), wanted, across);
   const start = cycle.contour === "free" ? startOfFree(cycle, wanted, contour, across) : startOfOwn(cycle, wanted, across);
@@ -62,7 +62,7 @@ export function jobFor(cycle: Cycle, wanted: Wanted, stock: readonly Ring[] | nu
 }
 
 /** The same work with one value of its cycle changed. */
-export const withValue = (job: Job, q: string, value: number): Job => ({
+export const withValue = (job: SetJob, q: string, value: number): SetJob => ({
   ...job,
   drafts: { ...job.drafts, [job.cycle]: { ...job.drafts[job.cycle], [q]: String(value) } },
 });
@@ -75,4 +75,4 @@ export function ringOf({ outside, bore, length, allowance }: BlankDraft): Ring {
 }
 
 /** The tip at the call of a work whose start is a plain number. */
-export const tipAtCall = ({ start }: Job): Pt => at(numberOf(start.z), toRadius(diameter(numberOf(start.x))));
+export const tipAtCall = ({ start }: SetJob): Pt => at(numberOf(start.z), toRadius(diameter(numberOf(start.x))));

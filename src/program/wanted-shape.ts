@@ -83,7 +83,7 @@ export const wantedArea = (wanted: Wanted): Ring | null => between(wanted, 0);
 export function blankFor(wanted: Wanted, stock: readonly Ring[] | null): BlankDraft {
   const written = ({ outside, bore, front, back }: { outside: number; bore: number; front: number; back: number }): BlankDraft => ({
     outside: positionAsTyped(toDiameter(radius(outside))),
-    bore: bore > 0 ? positionAsTyped(toDiameter(radius(bore))) : "",
+    bore: bore > 0 ? positionAsTyped(toDiameter(radius(bore))) : "0",
     length: positionAsTyped(front - back),
     allowance: positionAsTyped(front),
   });

@@ -3,7 +3,7 @@ import type { Wanted } from "../cycles/wanted.ts";
 import { programText } from "../nc/print.ts";
 import type { Statement } from "../nc/statement.ts";
 import { LAYOUTS } from "../nc/style.ts";
-import type { Job } from "./job.ts";
+import type { SetJob } from "./job.ts";
 import { contourStatements } from "./print-contour.ts";
 import { jobStatements, type Labels } from "./print-job.ts";
 import { ringOf } from "./wanted-job.ts";
@@ -21,7 +21,7 @@ const round = (ring: Ring): Segment[] =>
   });
 
 /** The program of a work; where the blank has the shape of what is wanted already, that blank stands in it. */
-export function wantedText(job: Job, wanted: Wanted, labels: Labels): string {
+export function wantedText(job: SetJob, wanted: Wanted, labels: Labels): string {
   const cycle = cycleByNumber(job.cycle);
   if (!cycle) return "";
   const plain = jobStatements(job, cycle, labels);

@@ -65,6 +65,10 @@ function usualRank(group: Group, { TYPE }: Tool): number {
   return place < 0 ? USUAL[group].length : place;
 }
 
+/** Tools in the usual order of a kind of cycle. */
+export const usualFirst = (group: Group, tools: readonly Tool[]): readonly Tool[] =>
+  tools.toSorted((a, b) => usualRank(group, a) - usualRank(group, b));
+
 /** All tools, best first: those that make the contour in the usual order, then those that cut, by what they leave. */
 export function rankTools<P extends Params>(
   cycle: Cycle<P>,

@@ -8,7 +8,7 @@ import type { CycleParameter, Statement } from "../../nc/statement.ts";
 import { OWN_DECIMALS, ownField } from "../../program/own-cycle.ts";
 import { ownCycle } from "../own/own-reading.ts";
 import { feedWord } from "../../program/field.ts";
-import { exampleJob, type Job } from "../../program/job.ts";
+import { exampleJob, type SetJob } from "../../program/job.ts";
 import { readDraft, type Draft } from "../../program/read-draft.ts";
 import type { RunFinding } from "../../program/run-types.ts";
 import { entryAt, type FindingEntry } from "../findings/entry.ts";
@@ -24,13 +24,13 @@ export function readingOfBlock(program: Program, index: number, typed: Draft): J
   const cycle = s?.kind === "cycle" ? cycleByNumber(s.cycle) : undefined;
   if (!cycle || s?.kind !== "cycle") return null;
   const draft: Draft = { ...Object.fromEntries(s.parameters.map((p) => [p.q, parameterAsTyped(p.value)])), ...typed };
-  const job: Job = {
+  const job: SetJob = {
     ...exampleJob(cycle),
     drafts: { [cycle.number]: draft },
     perRevolution: perRevolutionBefore(program, index),
     contour: cycle.contour === "free" ? contourBefore(program, index) : [],
   };
-  return { job, cycle, draft, reading: readDraft(cycle, draft, parametersBefore(program, index)) };
+  return { job, setup: null, cycle, draft, reading: readDraft(cycle, draft, parametersBefore(program, index)) };
 }
 
 /** What a parameter takes, and what its text is called where it is put in. */

@@ -10,7 +10,7 @@ import type { ToolFit } from "../../program/which-tool.ts";
 import type { Remedy } from "../../report/remedies.ts";
 import type { Residual } from "../../sim/simulation.ts";
 import { printedText } from "../printed.ts";
-import { readJob } from "../reading.ts";
+import { readJob, setJobOf } from "../reading.ts";
 import { notice } from "../saving/keep.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useEditor, type Editor } from "../store.ts";
@@ -236,7 +236,7 @@ export async function fitsOf(job: Job, outcome: Outcome): Promise<readonly ToolF
   const call = operations[0];
   if (!call) return null;
   try {
-    return await inTime(started().fits(job, { start: call.start, feedUnit: call.feedUnit, tools: toolTable().tools }));
+    return await inTime(started().fits(setJobOf(job), { start: call.start, feedUnit: call.feedUnit, tools: toolTable().tools }));
   } catch {
     return null;
   }

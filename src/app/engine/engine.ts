@@ -14,7 +14,7 @@ import type { FeedUnit } from "../../kernel/move.ts";
 import type { Pt } from "../../kernel/point.ts";
 import type { Tool } from "../../kernel/tool.ts";
 import type { Control } from "../../program/plane-types.ts";
-import type { Job } from "../../program/job.ts";
+import type { SetJob } from "../../program/job.ts";
 import type { Operation } from "../../program/run-types.ts";
 import { givenOf } from "./given.ts";
 import type { WorkFile } from "../work.ts";
@@ -77,7 +77,7 @@ export const engine = {
   },
 
   /** What each tool can do with the values of a job, best first; null while they make no contour. */
-  fits(job: Job, { start, feedUnit, tools }: Circumstances): readonly ToolFit[] | null {
+  fits(job: SetJob, { start, feedUnit, tools }: Circumstances): readonly ToolFit[] | null {
     const cycle = cycleByNumber(job.cycle);
     const values = cycle && readDraft(cycle, job.drafts[job.cycle] ?? {}, knownParameters(job)).values;
     if (!cycle || !values) return null;

@@ -4,7 +4,7 @@ import type { ContourRow, Job } from "../../program/job.ts";
 import type { ProgramWork, Work, WorkFile } from "../work.ts";
 
 /** Counts up whenever the layout of a saved work changes; each step has its upgrade below. */
-export const SAVE_VERSION = 1;
+export const SAVE_VERSION = 2;
 
 /** One work as it is kept on the device. */
 export interface SaveFile {
@@ -40,7 +40,7 @@ const job = z.object({
   cycle: z.int(),
   drafts: z.record(z.string().check(z.regex(/^\d+$/)), z.record(z.string(), text)),
   parameters: z._default(z.record(z.string().check(z.regex(PARAMETER_NAME)), text), {}),
-  tool: z.number(),
+  tool: z.nullable(z.number()),
   blank: z.object({ outside: text, bore: text, length: text, allowance: text }),
   start: z.object({ x: text, z: text }),
   spindle: z.object({ mode: z.enum(["constant", "surface"]), speed: text, cuttingSpeed: text, limit: text }),
@@ -64,7 +64,19 @@ const file = z.object({ version: z.literal(SAVE_VERSION), savedAt: z.number(), j
 
 /** From version n to n + 1. A saved work passes all steps from its own version to the present one. */
 export type Upgrades = Readonly<Record<number, (old: Readonly<Record<string, unknown>>) => Readonly<Record<string, unknown>>>>;
-const upgrades: Upgrades = {};
+const upgrades: Upgrades = {
+  // An empty field of the set-up became one that is proposed: a blank without a bore, or without anything in front of Z0, has 0 there.
+  1: (old) => ({ ...old, version: 2, job: withBlankSet(old["job"]) }),
+};
+
+const asText = (value: unknown, otherwise: string) => (value === "" ? otherwise : value);
+
+function withBlankSet(job: unknown): unknown {
+  if (typeof job !== "object" || job === null || !("blank" in job) || typeof job.blank !== "object" || job.blank === null) return job;
+  const { blank } = job;
+  const [bore, allowance] = ["bore" in blank ? blank.bore : undefined, "allowance" in blank ? blank.allowance : undefined];
+  return { ...job, blank: { ...blank, bore: asText(bore, "0"), allowance: asText(allowance, "0") } };
+}
 
 /** A saved work of any version in today's layout; anything else comes back as it was. */
 export function upgrade(raw: unknown, steps: Upgrades = upgrades, to = SAVE_VERSION): unknown {

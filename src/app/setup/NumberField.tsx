@@ -19,6 +19,8 @@ interface Props {
   readonly field: Field;
   /** What an empty field asks for, calmly: it is not done wrong, only not done yet. */
   readonly ask?: string;
+  /** What holds as long as the field is empty. */
+  readonly proposal?: string | undefined;
 }
 
 /** What is wrong with a typed number, in the words of the set-up; null when it can be used. */
@@ -31,7 +33,7 @@ function wrongNumber(field: Field, text: string): "missing" | "notANumber" | "ne
 }
 
 /** One number of the set-up: typed text goes to the work at each keystroke, sums are worked out when the field is left. */
-export function NumberField({ name, unit, text, onText, field, ask }: Props) {
+export function NumberField({ name, unit, text, onText, field, ask, proposal }: Props) {
   const t = useTexts();
   const id = useId();
   const input = useRef<HTMLInputElement>(null);
@@ -41,7 +43,9 @@ export function NumberField({ name, unit, text, onText, field, ask }: Props) {
   const problems = useFindings().filter((p) => p.at === field.id);
   const found = wrongNumber(field, text);
   const asking = found === "missing" && ask !== undefined;
-  const wrong = asking ? null : found;
+  const open = found === "missing" && proposal !== undefined;
+  const isProposed = proposal !== undefined && text.trim() === "";
+  const wrong = asking || open ? null : found;
 
   useEffect(() => {
     if (asked === 0) return;
@@ -61,13 +65,28 @@ export function NumberField({ name, unit, text, onText, field, ask }: Props) {
       <span className="setup-value">
         <input id={id} ref={input} className="input number" type="text" inputMode="decimal" autoComplete="off" spellCheck={false}
           maxLength={200} aria-invalid={wrong !== null || problems.some((p) => p.issue.severity === "error")}
-          aria-describedby={`${id}-unit ${id}-wrong`} value={inScreenWriting(language, text)} onBlur={commit} onKeyDown={onKeyDown}
-          onChange={(e) => {
-            onTyped();
-            onText(e.currentTarget.value);
-          }} />
+          aria-describedby={`${id}-unit ${id}-proposed ${id}-wrong`}
+          {...(isProposed && { placeholder: inScreenWriting(language, proposal) })} value={inScreenWriting(language, text)} onBlur={commit}
+          onKeyDown={onKeyDown} onChange={(e) => {
+          onTyped();
+          onText(e.currentTarget.value);
+        }} />
         <span className="soft small" id={`${id}-unit`}>{unit}</span>
       </span>
+      {isProposed && (
+        <p className="setup-proposed small soft" id={`${id}-proposed`}>
+          <span>{t.setup.proposed}: {inScreenWriting(language, proposal)}</span>
+          <button type="button" className="button small" aria-label={t.setup.keepLong(name, inScreenWriting(language, proposal))}
+            onClick={() => {
+              closeStep();
+              onText(proposal);
+              closeStep();
+            }}
+          >
+            {t.setup.keep}
+          </button>
+        </p>
+      )}
       <div id={`${id}-wrong`} className="setup-wrong" role="status">
         {wrong && (
           <p className="field-message error">

@@ -49,14 +49,26 @@ test("minus over a selected number begins a negative one, a sum is worked out wh
   expect(job().start.x).toBe("40");
 });
 
-test.each([["", "Enter a value."], ["ten", "This is not a number."], ["0", "The value must be more than 0."]])("length %j says: %s",
-  async (text, said) => {
-    const user = userEvent.setup();
-    await user.clear(field("Length"));
-    if (text) await user.type(field("Length"), text);
-    expect(field("Length").getAttribute("aria-invalid")).toBe("true");
-    expect(screen.getByText(said)).toBeTruthy();
-  });
+test.each([["ten", "This is not a number."], ["0", "The value must be more than 0."]])("length %j says: %s", async (text, said) => {
+  const user = userEvent.setup();
+  await user.clear(field("Length"));
+  if (text) await user.type(field("Length"), text);
+  expect(field("Length").getAttribute("aria-invalid")).toBe("true");
+  expect(screen.getByText(said)).toBeTruthy();
+});
+
+test("an empty field shows what is proposed for the values, and keeps it when asked to", async () => {
+  const user = userEvent.setup();
+  await user.clear(field("Length"));
+  const proposed = field("Length").placeholder;
+  expect(Number(proposed)).toBeGreaterThan(40);
+  expect(field("Length").getAttribute("aria-invalid")).toBe("false");
+  expect(job().blank.length).toBe("");
+  await user.click(screen.getByRole("button", { name: `Length: keep ${proposed}` }));
+  expect([job().blank.length, field("Length").value]).toEqual([proposed, proposed]);
+  undo();
+  expect(job().blank.length).toBe("");
+});
 
 test("spindle, feed unit and tool are chosen by name", async () => {
   const user = userEvent.setup();

@@ -1,5 +1,6 @@
 import { Radio, RadioGroup } from "react-aria-components/RadioGroup";
 import type { CycleNumber } from "../../cycles/index.ts";
+import type { SetupPlace } from "../../program/setup.ts";
 import { SETUP_FIELDS as FIELDS } from "../../program/setup-fields.ts";
 import { useFits } from "../engine/fits.ts";
 import { setBlank, setPerRevolution, setRapid, setSpindle, setStart } from "../edits.ts";
@@ -14,7 +15,11 @@ import { ToolTable } from "./ToolTable.tsx";
 export function SetupPanel({ read }: { readonly read: JobReading }) {
   const { setup: t, cycles } = useTexts();
   const fits = useFits();
-  const { blank, start, spindle, perRevolution, rapid } = read.job;
+  const { spindle, perRevolution, rapid } = read.job;
+  const { blank, start } = read.job;
+  /** A place as it was typed, with what is proposed for it where nobody has. */
+  const placeOf = (place: SetupPlace, value: string) =>
+    read.setup?.proposed.has(place) ? { text: "", proposal: value } : { text: value, proposal: undefined };
   return (
     <div className="setup">
       <ParameterFields read={read} />
@@ -22,18 +27,20 @@ export function SetupPanel({ read }: { readonly read: JobReading }) {
       <fieldset className="setup-group">
         <legend>{t.start.title}</legend>
         <p className="small soft">{t.start.hint}</p>
-        <NumberField field={FIELDS.startX} name={t.start.x} unit={t.units.diameter} text={start.x} onText={(x) => setStart("x", x)} />
-        <NumberField field={FIELDS.startZ} name={t.start.z} unit={t.units.mm} text={start.z} onText={(z) => setStart("z", z)} />
+        <NumberField field={FIELDS.startX} name={t.start.x} unit={t.units.diameter} {...placeOf("start.x", start.x)}
+          onText={(x) => setStart("x", x)} />
+        <NumberField field={FIELDS.startZ} name={t.start.z} unit={t.units.mm} {...placeOf("start.z", start.z)}
+          onText={(z) => setStart("z", z)} />
       </fieldset>
       <fieldset className="setup-group">
         <legend>{t.blank.title}</legend>
-        <NumberField field={FIELDS.outside} name={t.blank.outside} unit={t.units.diameter} text={blank.outside}
+        <NumberField field={FIELDS.outside} name={t.blank.outside} unit={t.units.diameter} {...placeOf("blank.outside", blank.outside)}
           onText={(v) => setBlank("outside", v)} />
-        <NumberField field={FIELDS.bore} name={t.blank.bore} unit={t.units.diameter} text={blank.bore}
+        <NumberField field={FIELDS.bore} name={t.blank.bore} unit={t.units.diameter} {...placeOf("blank.bore", blank.bore)}
           onText={(v) => setBlank("bore", v)} />
-        <NumberField field={FIELDS.length} name={t.blank.length} unit={t.units.mm} text={blank.length}
+        <NumberField field={FIELDS.length} name={t.blank.length} unit={t.units.mm} {...placeOf("blank.length", blank.length)}
           onText={(v) => setBlank("length", v)} />
-        <NumberField field={FIELDS.allowance} name={t.blank.allowance} unit={t.units.mm} text={blank.allowance}
+        <NumberField field={FIELDS.allowance} name={t.blank.allowance} unit={t.units.mm} {...placeOf("blank.allowance", blank.allowance)}
           onText={(v) => setBlank("allowance", v)} />
       </fieldset>
       <fieldset className="setup-group">

@@ -17,7 +17,8 @@ const DRAWING = 64;
 
 /** The chosen tool, whether it can make the contour, and one that can where it cannot. */
 export function ToolSummary({ read, fits }: { readonly read: JobReading; readonly fits: readonly ToolFit[] | null }) {
-  const t = useTexts().setup.tool;
+  const { setup } = useTexts();
+  const t = setup.tool;
   const problems = useFindings().filter((p) => isAboutTool(p.at));
   const tool = useToolList().find((each) => each.T === read.job.tool);
   const own = fits?.find((f) => f.tool.T === read.job.tool);
@@ -30,6 +31,16 @@ export function ToolSummary({ read, fits }: { readonly read: JobReading; readonl
           <InsertDrawing tool={tool} width={DRAWING} height={DRAWING} />
           <ToolWords tool={tool} fit={own} />
         </div>
+      )}
+      {read.setup?.proposed.has("tool") && (
+        <p className="setup-proposed small soft">
+          <span>{setup.proposed}</span>
+          <button type="button" className="button small" aria-label={setup.keepLong(t.title, String(read.job.tool))} onClick={() =>
+            setTool(read.job.tool)}
+          >
+            {setup.keep}
+          </button>
+        </p>
       )}
       <div role="status">
         {problems.map((problem, i) => <FieldMessage key={i} problem={problem} decimals={3} />)}

@@ -1,5 +1,5 @@
 import { cycleByNumber } from "../../cycles/index.ts";
-import { exampleJob } from "../../program/job.ts";
+import { exampleJob, UNSET } from "../../program/job.ts";
 import { draftOf } from "../edits.ts";
 import { openPrompt } from "../place.ts";
 import { startWork } from "../saving/keep.ts";
@@ -10,7 +10,7 @@ export function beginCycle(number: number, withExample: boolean): void {
   const cycle = cycleByNumber(number);
   if (!cycle) return;
   const example = { ...exampleJob(cycle), ncLanguage: useSettings.getState().language };
-  const job = withExample ? example : { ...example, drafts: {}, contour: [] };
+  const job = withExample ? example : { ...example, ...UNSET, drafts: {}, contour: [] };
   startWork(job);
   const first = Object.keys(cycle.params)[0] ?? null;
   openPrompt(first, first === null ? "" : (draftOf(job)[first] ?? ""));

@@ -2,6 +2,10 @@ import type { SetupTexts } from "../en/setup.ts";
 
 export const setup = {
   notes: "Damit dieser Zyklus läuft",
+  proposed: "vorgeschlagen",
+  keep: "Behalten",
+  keepLong: (name, value) => `${name}: ${value} behalten`,
+  follows: "Solange ein Feld leer bleibt, folgt es den eingegebenen Werten.",
   tool: {
     title: "Werkzeug",
     list: "Drehwerkzeuge",

@@ -2,6 +2,10 @@ import type { Shape } from "../shape.ts";
 
 export const setup = {
   notes: "Before this cycle runs",
+  proposed: "proposed",
+  keep: "Keep",
+  keepLong: (name: string, value: string) => `${name}: keep ${value}`,
+  follows: "As long as you leave a field empty it follows your values.",
   tool: {
     title: "Tool",
     list: "Turning tools",

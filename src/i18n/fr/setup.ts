@@ -2,6 +2,10 @@ import type { SetupTexts } from "../en/setup.ts";
 
 export const setup = {
   notes: "Pour que ce cycle s’exécute",
+  proposed: "proposé",
+  keep: "Garder",
+  keepLong: (name, value) => `${name} : garder ${value}`,
+  follows: "Tant qu’un champ reste vide, il suit vos valeurs.",
   tool: {
     title: "Outil",
     list: "Outils de tournage",

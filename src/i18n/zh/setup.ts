@@ -2,6 +2,10 @@ import type { SetupTexts } from "../en/setup.ts";
 
 export const setup = {
   notes: "执行此循环之前",
+  proposed: "建议值",
+  keep: "保留",
+  keepLong: (name, value) => `${name}：保留 ${value}`,
+  follows: "字段留空时，会随您输入的值变化。",
   tool: {
     title: "刀具",
     list: "车削刀具",

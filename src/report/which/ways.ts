@@ -7,7 +7,7 @@ import type { Ring } from "../../kernel/point.ts";
 import type { Tool } from "../../kernel/tool.ts";
 import { cuttingWidth, isBar, noseRadius } from "../../kernel/insert.ts";
 import { readRows } from "../../program/contour-rows.ts";
-import type { Job } from "../../program/job.ts";
+import type { SetJob } from "../../program/job.ts";
 import { readDraft } from "../../program/read-draft.ts";
 import { jobFor, tipAtCall, withValue } from "../../program/wanted-job.ts";
 import { isUsualTool, rankTools } from "../../program/which-tool.ts";
@@ -15,7 +15,7 @@ import { isUsualTool, rankTools } from "../../program/which-tool.ts";
 /** One way to make what is wanted: a cycle with its values, and a tool. */
 export interface Proposal {
   readonly id: string;
-  readonly job: Job;
+  readonly job: SetJob;
   readonly tool: Tool;
   /** The value in which it differs from another way with the same cycle. */
   readonly choice: { readonly q: string; readonly value: number } | null;
@@ -58,7 +58,7 @@ export function cyclesFor(wanted: Wanted): readonly Cycle[] {
 const sizeOf = (tool: Tool) => (isBar(tool) ? cuttingWidth(tool) : noseRadius(tool));
 
 /** The tool that fits a work best, and the next one with an insert of another size. Where none makes it, the usual kind says why. */
-function toolsFor(cycle: Cycle, job: Job, tools: readonly Tool[]): readonly Tool[] {
+function toolsFor(cycle: Cycle, job: SetJob, tools: readonly Tool[]): readonly Tool[] {
   const { values } = readDraft(cycle, job.drafts[job.cycle] ?? {});
   const start = tipAtCall(job);
   if (!values) return [];
@@ -89,7 +89,7 @@ export function waysFor(wanted: Wanted, stock: readonly Ring[] | null, tools: re
     const job = jobFor(cycle, wanted, stock);
     return { cycle, job, tools: toolsFor(cycle, job, tools) };
   });
-  const one = (job: Job, tool: Tool, choice: Proposal["choice"]): Proposal => ({
+  const one = (job: SetJob, tool: Tool, choice: Proposal["choice"]): Proposal => ({
     id: `${job.cycle} ${tool.T} ${choice ? `${choice.q}=${choice.value}` : ""}`,
     job: { ...(choice ? withValue(job, choice.q, choice.value) : job), tool: tool.T },
     tool,

@@ -1,0 +1,85 @@
+import { describe, expect, test } from "vitest";
+import { cuttingCycles, cycleByNumber } from "../cycles/index.ts";
+import { ncLabels } from "../i18n/nc-labels.ts";
+import { parse } from "../nc/parse.ts";
+import { simulate } from "../sim/simulate.ts";
+import { exampleJob, UNSET, type Job } from "./job.ts";
+import { printJob } from "./print-job.ts";
+import { run } from "./run.ts";
+import { setupOf, withSetup } from "./setup.ts";
+import { shippedTools } from "./shipped-tools.ts";
+
+const cycleOf = (number: number) => {
+  const cycle = cycleByNumber(number);
+  if (!cycle) throw new Error(`no cycle ${number}`);
+  return cycle;
+};
+const emptyJob = (number: number, draft: Readonly<Record<string, string>> = {}, rest: Partial<Job> = {}): Job => ({
+  ...exampleJob(cycleOf(number)),
+  ...UNSET,
+  contour: [],
+  drafts: { [number]: draft },
+  ...rest,
+});
+const setup = (job: Job) => setupOf(job, shippedTools);
+const ran = (job: Job) => {
+  const made = run(parse(printJob(withSetup(job, setup(job)), ncLabels("en"))), { tools: shippedTools, rapid: 10_000 });
+  return { made, simulation: simulate(made) };
+};
+
+describe.each(cuttingCycles.map((cycle) => [cycle.number, cycle] as const))("cycle %i", (number, cycle) => {
+  const example = exampleJob(cycle);
+  test("with the values of its example is cut in the blank, from the start and with the tool that are proposed", () => {
+    const { made, simulation } = ran({ ...example, ...UNSET });
+    expect(made.issues.filter((found) => found.issue.severity !== "info").map((found) => found.issue)).toEqual([]);
+    expect(simulation.findings.map((found) => found.kind)).toEqual([]);
+    expect(simulation.proof.cut).toBeGreaterThan(1);
+  });
+  test("proposes something that can be drawn before the first value", () => {
+    const { made } = ran(emptyJob(number));
+    expect(made.blank.length).toBeGreaterThan(0);
+    const { blank, start, tool } = setup(emptyJob(number));
+    expect([blank.outside, blank.length, start.x].every((typed) => Number(typed) > 0)).toBe(true);
+    expect(shippedTools.some(({ T }) => T === tool)).toBe(true);
+  });
+});
+
+test("a groove from 0 to -12 gets a blank whose face is where it starts, and is cut in it", () => {
+  const draft = { ...exampleJob(cycleOf(852)).drafts[852], Q491: "61.3", Q492: "0", Q493: "42.7", Q494: "-12" };
+  const { blank, start } = setup(emptyJob(852, draft));
+  expect(blank).toEqual({ outside: "83", bore: "0", length: "42", allowance: "0" });
+  expect(start).toEqual({ x: "61.3", z: "2" });
+  const { made, simulation } = ran(emptyJob(852, draft));
+  expect(made.issues.filter((found) => found.issue.severity === "error")).toEqual([]);
+  expect([simulation.findings.length, simulation.proof.cut > 50]).toEqual([0, true]);
+});
+
+test("each typed value moves what is proposed, and what is set stays and moves the rest", () => {
+  const at = (draft: Readonly<Record<string, string>>, rest: Partial<Job> = {}) => setup(emptyJob(812, draft, rest));
+  expect(at({ Q491: "61.3" }).blank).toMatchObject({ outside: "61.3", allowance: "0" });
+  expect(at({ Q491: "61.3", Q492: "1.5", Q493: "40", Q494: "-33.2" })).toMatchObject({
+    blank: { outside: "61.3", bore: "0", length: "65", allowance: "1.5" },
+    start: { x: "61.3", z: "3.5" },
+  });
+  const set = at({ Q491: "61.3", Q492: "0", Q494: "-33.2" }, { blank: { outside: "66", bore: "", length: "", allowance: "2.2" } });
+  expect([set.blank.outside, set.start.x, set.start.z]).toEqual(["66", "66", "4.2"]);
+  expect([...set.proposed].toSorted()).toEqual(["blank.bore", "blank.length", "start.x", "start.z", "tool"]);
+  expect(set.proposal.blank.outside).toBe("61.3");
+});
+
+test("a bore gets a hollow blank, a start inside it and a tool that points outwards", () => {
+  const { blank, start, tool } = setup(emptyJob(812, { Q491: "30.4", Q492: "0", Q493: "47.1", Q494: "-21" }));
+  expect(blank).toMatchObject({ outside: "68", bore: "30.4" });
+  expect(start).toEqual({ x: "30.4", z: "2" });
+  expect(shippedTools.find(({ T }) => T === tool)?.TO).toBe(7);
+});
+
+test("a number that is only half there changes nothing that depends on it", () => {
+  const typed = { Q491: "61.3", Q492: "0", Q493: "40" };
+  for (const half of ["-", "+", "2*", "("]) expect(setup(emptyJob(812, { ...typed, Q494: half }))).toEqual(setup(emptyJob(812, typed)));
+});
+
+test("material in front of the face is not proposed for an end that was typed without its minus", () => {
+  const { blank } = setup(emptyJob(812, { Q491: "61.3", Q492: "0", Q493: "40", Q494: "55" }));
+  expect(blank).toMatchObject({ length: "85", allowance: "0" });
+});
