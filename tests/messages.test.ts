@@ -130,6 +130,8 @@ const SAMPLES: { readonly [C in AnyCode]: DataOf<C> } = {
   blankMissing: {},
   blankNotTurned: { form: "0.1" },
   blankImpossible: {},
+  endInFront: { value: 55.5, nearest: -55.5 },
+  blankAgainstContour: { place: "outside", contour: 75.5, blank: 60, nearest: 75.5 },
   boxTurned: { outer: 113.137, inner: 80 },
   blankTaken: { what: "FUNCTION TURNDATA BLANK LBL 20" },
   blankAdds: { what: "FUNCTION TURNDATA BLANK LBL 20", area: 12.5 },
@@ -170,9 +172,9 @@ const codes = Object.keys(SAMPLES) as AnyCode[];
 describe.each(LANGUAGES)("messages in %s", (language) => {
   test.each(codes)("%s is a whole sentence with its data", (code) => {
     const sentence = message(language, found(code));
-    expect(sentence).toMatch(/\S.*[.。]$/);
+    expect(sentence).toMatch(/\S.*[.。?？]$/);
     expect(sentence).not.toMatch(/undefined|NaN|\[object|null/);
-    const own = Object.entries(SAMPLES[code]).filter(([key]) => !["reason", "edge", "quantity"].includes(key));
+    const own = Object.entries(SAMPLES[code]).filter(([key]) => !["reason", "edge", "quantity", "place"].includes(key));
     const shown = own.map(([, value]) => (typeof value === "number" ? formatNumber(language, value, 4) : String(value)));
     for (const data of shown.filter((text) => !text.includes(","))) expect(sentence).toContain(data);
     if ("nearest" in SAMPLES[code]) expect(sentence).toContain(formatNumber(language, (SAMPLES[code] as { nearest: number }).nearest, 4));

@@ -1,6 +1,7 @@
 import { lazy, Suspense, useMemo, type ReactNode } from "react";
 import { knownWork } from "../program/known-work.ts";
 import { clock } from "./clock.ts";
+import { BackToPrompts } from "./dialog/BackToPrompts.tsx";
 import { CycleDialog } from "./dialog/CycleDialog.tsx";
 import { HelpDock } from "./dialog/HelpDock.tsx";
 import { setContour } from "./edits.ts";
@@ -62,6 +63,7 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
     setup: <SetupPanel read={read} />,
     contour: (
       <Suspense>
+        <BackToPrompts read={read} />
         <ContourTable rows={read.job.contour} onChange={setContour} language={language} />
       </Suspense>
     ),

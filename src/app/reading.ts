@@ -15,6 +15,8 @@ export interface JobReading {
   readonly job: SetJob;
   /** Null in a block of a program, which has none of its own. */
   readonly setup: Setup | null;
+  /** The tools that can be called. */
+  readonly tools: readonly Tool[];
   readonly cycle: Cycle;
   readonly draft: Draft;
   readonly reading: DraftReading;
@@ -52,7 +54,7 @@ export function readJob(typed: Job, tools: readonly Tool[] = toolTable().tools):
   const cycle = cycleByNumber(job.cycle);
   if (!cycle) return null;
   const draft = draftOf(job);
-  const made = { job, setup, cycle, draft, reading: readDraft(cycle, draft, knownParameters(job)) };
+  const made = { job, setup, tools, cycle, draft, reading: readDraft(cycle, draft, knownParameters(job)) };
   read.set(job, made);
   return made;
 }

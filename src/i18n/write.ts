@@ -10,6 +10,8 @@ export interface Write {
   readonly value: (value: number) => string;
   readonly diameter: (value: number) => string;
   readonly angle: (value: number) => string;
+  /** A position with its sign: +55. */
+  readonly signed: (value: number) => string;
   /** mm² of the half plane. */
   readonly area: (value: number) => string;
   /** Typed or read text, cut short where it is long. */
@@ -38,6 +40,7 @@ export function writer(language: Language, kind?: Kind): Write {
     number,
     value: isDiameter(kind) ? diameter : plain,
     diameter,
+    signed: (value) => formatSigned(language, value),
     angle,
     area: (value) => `${formatNumber(language, value, value < 0.1 ? 3 : 2)} mm²`,
     text: (text) => (text.length > LONGEST ? `${text.slice(0, LONGEST - 1)}…` : text),

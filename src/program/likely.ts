@@ -38,6 +38,8 @@ export interface LikelyWork {
   readonly pitch: number;
   /** A free contour has a cylinder on its largest diameter, which is to be turned as well. */
   readonly ringed: boolean;
+  /** Its contour stands there, and is none of a usual size. */
+  readonly drawn: boolean;
 }
 
 /** Where the face of a part stands as long as nobody says otherwise, Z mm. */
@@ -58,10 +60,15 @@ function likelyEnds(cycle: Cycle, { typed, tip, blank }: KnownSoFar): { readonly
     z2: usual["Q494"] ?? 0,
   };
   const [deep, long] = [example.d1 - example.d2, Math.abs(example.z1 - example.z2)];
-  const [d2, z2] = [number(typed["Q493"]), number(typed["Q494"])];
+  // A diameter that nobody can turn says nothing yet.
+  const across = (q: string) => {
+    const d = number(typed[q]);
+    return d !== null && d > 0 ? d : null;
+  };
+  const [d2, z2] = [across("Q493") ?? (typed["Q493"] === 0 ? 0 : null), number(typed["Q494"])];
   const outside = blank.outside === null ? null : toDiameter(radius(blank.outside));
   const tipDiameter = tip.r === null ? null : toDiameter(radius(tip.r));
-  const first = simple ? tipDiameter ?? outside : number(typed["Q491"]);
+  const first = simple ? tipDiameter ?? outside : across("Q491");
   const d1 = first ?? (d2 === null ? example.d1 : d2 + deep);
   const end = d2 ?? Math.max(d1 - deep, toRadius(diameter(d1)));
   // A shoulder begins at the face, and so does what nobody has given a place.
@@ -120,5 +127,16 @@ export function likelyWork(cycle: Cycle, known: KnownSoFar): LikelyWork {
     : [];
   const corners = points.length > 0 ? points : [from, to, ...part.flattenedChain(outline, CHORD)];
   const box = boxOf([...corners]);
-  return { values, from, to, box, across, inside, shape, pitch, ringed: cycle.group === "longitudinal" && isRinged(points, box) };
+  return {
+    values,
+    from,
+    to,
+    box,
+    across,
+    inside,
+    shape,
+    pitch,
+    drawn: points.length > 0,
+    ringed: cycle.group === "longitudinal" && isRinged(points, box),
+  };
 }

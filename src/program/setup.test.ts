@@ -6,6 +6,8 @@ import { simulate } from "../sim/simulate.ts";
 import { exampleJob, UNSET, type Job } from "./job.ts";
 import { printJob } from "./print-job.ts";
 import { run } from "./run.ts";
+import { readDraft } from "./read-draft.ts";
+import { setupQuestions } from "./setup-questions.ts";
 import { setupOf, withSetup } from "./setup.ts";
 import { shippedTools } from "./shipped-tools.ts";
 
@@ -82,4 +84,58 @@ test("a number that is only half there changes nothing that depends on it", () =
 test("material in front of the face is not proposed for an end that was typed without its minus", () => {
   const { blank } = setup(emptyJob(812, { Q491: "61.3", Q492: "0", Q493: "40", Q494: "55" }));
   expect(blank).toMatchObject({ length: "85", allowance: "0" });
+});
+
+describe("questions where values and set-up do not agree", () => {
+  const asked = (job: Job) => {
+    const s = setup(job);
+    const cycle = cycleOf(job.cycle);
+    const { partial } = readDraft(cycle, job.drafts[job.cycle] ?? {});
+    return setupQuestions({ cycle, job: withSetup(job, s), setup: s, partial, tools: shippedTools }).map(
+      ({ code, at, data }) => [code, at, data]
+    );
+  };
+  const shoulder = { Q491: "61.3", Q492: "0", Q493: "40", Q494: "-33.2" };
+
+  test.each(cuttingCycles.map((cycle) => [cycle.number, cycle] as const))("none of the example of cycle %i", (_, cycle) => {
+    expect(asked(exampleJob(cycle))).toEqual([]);
+  });
+  test.each<[string, Readonly<Record<string, string>>, Partial<Job>]>([
+    ["a contour that begins in front of the face", { ...shoulder, Q492: "2" }, {}],
+    ["a datum far behind", { ...shoulder, Q492: "120.5", Q494: "70" }, {}],
+    ["an end that is not answered yet", { Q491: "61.3", Q494: "55" }, {}],
+    ["a tool that works away from the chuck", { ...shoulder, Q492: "-60", Q494: "21" }, { tool: 7 }],
+    ["a blank that reaches there", { ...shoulder, Q494: "33.2" }, { blank: { ...UNSET.blank, length: "100", allowance: "40" } }],
+  ])("none about %s", (_, draft, rest) => expect(asked(emptyJob(812, draft, rest))).toEqual([]));
+
+  test("an end in front of its start is asked about with its minus", () => {
+    expect(asked(emptyJob(812, { ...shoulder, Q494: "55.4" }))).toEqual([["endInFront", "Q494", { value: 55.4, nearest: -55.4 }]]);
+  });
+  test.each<[number, Readonly<Record<string, string>>, Partial<Job["blank"]>, string, object]>([
+    [812, shoulder, { outside: "60" }, "blank.outside", { place: "outside", contour: 61.3, blank: 60, other: "Q491", nearest: 61.3 }],
+    [812, shoulder, { length: "30" }, "blank.length", { place: "length", contour: -33.2, blank: -30, other: "Q494", nearest: 64 }],
+    [852, { Q491: "61.3", Q492: "0", Q493: "42.7", Q494: "-12" }, { allowance: "-20" }, "blank.allowance", {
+      place: "allowance",
+      contour: 0,
+      blank: -20,
+      other: "Q492",
+      nearest: 0,
+    }],
+    [812, { ...shoulder, Q491: "30", Q493: "41.5" }, { bore: "43" }, "blank.bore", {
+      place: "bore",
+      contour: 41.5,
+      blank: 43,
+      other: "Q493",
+      nearest: 30,
+    }],
+    [831, { Q471: "0", Q491: "20", Q492: "0", Q494: "-15" }, { outside: "75" }, "blank.outside", {
+      place: "thread",
+      contour: 20,
+      blank: 75,
+      other: "Q491",
+      nearest: 20,
+    }],
+  ])("cycle %i with %j in %j is asked about", (number, draft, blank, at, data) => {
+    expect(asked(emptyJob(number, draft, { blank: { ...UNSET.blank, ...blank } }))).toEqual([["blankAgainstContour", at, data]]);
+  });
 });

@@ -27,6 +27,8 @@ export interface Setup {
   readonly start: { readonly x: string; readonly z: string };
   /** Places that nobody has set. */
   readonly proposed: ReadonlySet<SetupPlace>;
+  /** The work that the typed values describe; null of a cycle that is not known. */
+  readonly work: LikelyWork | null;
   /** What would be proposed for every place if nobody had set it, the others being as they are. */
   readonly proposal: Pick<SetJob, "tool" | "blank" | "start">;
 }
@@ -132,7 +134,14 @@ export function setupOf(job: Job, tools: readonly Tool[]): Setup {
     ...(["x", "z"] as const).flatMap((f) => (isSet(set[f]) ? [] : [`start.${f}` as const])),
   ]);
   if (!cycle)
-    return { tool: job.tool ?? 0, blank: job.blank, start: job.start, proposed, proposal: { tool: 0, blank: job.blank, start: job.start } };
+    return {
+      tool: job.tool ?? 0,
+      blank: job.blank,
+      start: job.start,
+      proposed,
+      work: null,
+      proposal: { tool: 0, blank: job.blank, start: job.start },
+    };
   const rows = cycle.contour === "free" ? readRows(job.contour).contour.segments : [];
   const contour = rows.length > 0 ? rows : null;
   const given: KnownSoFar = {
@@ -164,7 +173,7 @@ export function setupOf(job: Job, tools: readonly Tool[]): Setup {
   const [x, z] = [half(read(FIELDS.startX, start.x)), read(FIELDS.startZ, start.z)];
   const tool = () => toolOf(cycle, work, { contour, start: x === null || z === null ? null : at(z, x) }, tools);
   const suggested = tool();
-  return { tool: job.tool ?? suggested, blank, start, proposed, proposal: { tool: suggested, blank: made, start: point } };
+  return { tool: job.tool ?? suggested, blank, start, proposed, work, proposal: { tool: suggested, blank: made, start: point } };
 }
 
 /** The job as it is printed, drawn and run: with a value in every place of its set-up. */

@@ -1,7 +1,7 @@
 import { useEffectEvent, useLayoutEffect, useRef } from "react";
 import { Radio, RadioGroup, type RadioProps } from "react-aria-components/RadioGroup";
 import { closeStep } from "../steps.ts";
-import type { Prompt, PromptSession } from "./session.ts";
+import { suggestionFor, type Prompt, type PromptSession } from "./session.ts";
 
 interface Props {
   readonly session: PromptSession;
@@ -13,13 +13,15 @@ interface Props {
 type KeyboardEvent = Parameters<NonNullable<RadioProps["onKeyDown"]>>[0];
 
 /** The printed values of a choice with their meanings. A digit key takes one, left and right move, ENT goes on. */
-export function ChoiceInput({ session, prompt: { id, name }, choices, describedBy }: Props) {
+export function ChoiceInput({ session, prompt, choices, describedBy }: Props) {
+  const { id, name } = prompt;
+  const suggested = suggestionFor(session, prompt);
   const group = useRef<HTMLDivElement>(null);
   const typed = (session.draft[id] ?? "").trim();
   const chosen = choices.find(({ value }) => value === typed || (typed !== "" && Number(value) === Number(typed)));
   const radio = (value: string | undefined) => group.current?.querySelector<HTMLInputElement>(`input[value="${value}"]`);
   const opened = useEffectEvent(() => {
-    if (session.mayFocus()) radio((chosen ?? choices[0])?.value)?.focus({ preventScroll: true });
+    if (session.mayFocus()) radio(chosen?.value ?? suggested ?? choices[0]?.value)?.focus({ preventScroll: true });
   });
   useLayoutEffect(() => opened(), [id, session.opened.focus]);
 
@@ -39,7 +41,7 @@ export function ChoiceInput({ session, prompt: { id, name }, choices, describedB
       onChange={take}
     >
       {choices.map(({ value, meaning }) => (
-        <Radio key={value} value={value} className="choice radio" onKeyDown={onDigit}>
+        <Radio key={value} value={value} className={`choice radio${value === suggested ? " suggested" : ""}`} onKeyDown={onDigit}>
           <span className="number choice-number">{value}</span>
           <span>{meaning}</span>
         </Radio>

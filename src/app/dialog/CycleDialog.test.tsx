@@ -71,11 +71,15 @@ test("ENT passes by what has no effect; arrows go there, NO ENT leaves it out, a
   await screen.findByText("1 prompt has no usable value");
 });
 
-test("arrows and Tab move, and the first prompt stays", async () => {
+test("arrows and Tab move, in front of the first prompt through the set-up, whose first place stays", async () => {
   const user = userEvent.setup();
   await user.keyboard("{ArrowDown}{ArrowDown}{ArrowUp}");
   expect(shows(prompts[1] ?? "")).toBe(true);
-  await user.keyboard("{ArrowUp}{ArrowUp}");
+  await user.keyboard("{ArrowUp}");
+  expect(shows(prompts[0] ?? "")).toBe(true);
+  await user.keyboard("{ArrowUp}".repeat(9));
+  expect(question()).toBe("Outside ⌀");
+  await user.keyboard("{End}");
   expect(shows(prompts[0] ?? "")).toBe(true);
   goTo(axial);
   await user.keyboard("{Tab}");

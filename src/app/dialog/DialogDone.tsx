@@ -7,7 +7,8 @@ import { Icon } from "../Icon.tsx";
 import { mayTakeKeyboard, showSection } from "../place.ts";
 import { CopyButton } from "../program/CopyButton.tsx";
 import { useTexts } from "../settings/use-texts.ts";
-import { commandsOf, type PromptSession } from "./session.ts";
+import { closeStep } from "../steps.ts";
+import { commandsOf, openSuggestions, type PromptSession } from "./session.ts";
 
 /** The end of the dialog: what is still open, what is wrong, or the program to take along. */
 export function DialogDone({ session, inBlock }: { readonly session: PromptSession; readonly inBlock: boolean }) {
@@ -17,9 +18,11 @@ export function DialogDone({ session, inBlock }: { readonly session: PromptSessi
   const box = useRef<HTMLElement>(null);
   const verdict = useVerdict();
   const errors = entries.filter(isError);
-  const open = [...new Set(errors.flatMap((e) => (fields.some((f) => f.id === e.at) ? [e.at] : [])))];
+  const open = [...new Set(errors.flatMap((e) => (fields.some((f) => f.id === e.at && !f.bare) ? [e.at] : [])))];
   const noContour = errors.some((e) => e.at === "contour" && e.issue.code === "contourMissing");
-  const first = fields[0]?.id ?? null;
+  const first = fields.find((f) => !f.group && !f.bare)?.id ?? null;
+  const suggested = openSuggestions(session);
+  const suggestions = Object.keys(suggested).length;
   const wrong = noContour && !inBlock ? "contour" : "faults";
   const kind = open.length > 0 ? "open" : errors.length > 0 ? wrong : "complete";
   const titles = {
@@ -59,8 +62,19 @@ export function DialogDone({ session, inBlock }: { readonly session: PromptSessi
         )}
       </div>
       <div className="done-buttons">
+        {kind === "open" && suggestions > 0 && session.setAll && (
+          <button type="button" className={`button${suggestions === open.length ? " primary" : ""}`} onClick={() => {
+            closeStep();
+            session.setAll?.(suggested);
+            closeStep();
+          }}>
+            {t.takeAll(suggestions)}
+          </button>
+        )}
         {kind === "open" && (
-          <button type="button" className="button primary" onClick={() => goTo(open[0] ?? first)}>{t.firstOpen}: {open[0]}</button>
+          <button type="button" className={`button${suggestions === open.length ? "" : " primary"}`} onClick={() => goTo(open[0] ?? first)}>
+            {t.firstOpen}: {open[0]}
+          </button>
         )}
         {kind === "contour" && (
           <button type="button" className="button primary" onClick={() => showSection("contour")}>{words.done.toContour}</button>

@@ -2,13 +2,25 @@ import { useEffect, useRef } from "react";
 import { isOpen } from "../findings/entry.ts";
 import { Icon } from "../Icon.tsx";
 import { useTexts } from "../settings/use-texts.ts";
-import { commandsOf, type PromptSession } from "./session.ts";
+import { commandsOf, type Prompt, type PromptGroup, type PromptSession } from "./session.ts";
+
+/** A group of the set-up as one row. */
+const rowOf = ({ letter, name, text, unit, soft }: PromptGroup) => ({ letter, label: name, shown: { text, unit, soft } });
+
+/** Whether a prompt has a row: of a group that is not open only the first has one. */
+function isOwnRow(field: Prompt, fields: readonly Prompt[], active: string | null): boolean {
+  const { group } = field;
+  if (!group || fields.some((f) => f.id === active && f.group?.id === group.id)) return true;
+  return fields.find((f) => f.group?.id === group.id) === field;
+}
 
 /** All prompts, one line each. Lines never change their height, so the list never jumps. */
 export function PromptList({ session, name }: { readonly session: PromptSession; readonly name: string }) {
   const t = useTexts();
   const list = useRef<HTMLOListElement>(null);
   const { fields, findings, opened: { id: active } } = session;
+
+  const openGroup = fields.find((f) => f.id === active)?.group?.id;
 
   useEffect(() => {
     const box = list.current;
@@ -23,7 +35,9 @@ export function PromptList({ session, name }: { readonly session: PromptSession;
 
   return (
     <ol className="prompt-list" aria-label={name} ref={list}>
-      {fields.map(({ id, letter, label, idle, shown }) => {
+      {fields.filter((f) => isOwnRow(f, fields, active)).map((field) => {
+        const { id, idle } = field;
+        const { letter, label, shown } = field.group && field.group.id !== openGroup ? rowOf(field.group) : field;
         const worst = findings.find((p) => p.at === id && !isOpen(p))?.issue.severity;
         const quiet = idle ? `, ${t.dialog.idle}` : "";
         const note = worst ? `, ${t.findings.severities[worst]}` : "";

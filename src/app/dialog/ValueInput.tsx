@@ -23,7 +23,7 @@ export interface ValueField {
 }
 
 /** The large value of the open prompt. Every keystroke reaches the work; leaving the field settles it. */
-export function ValueInput({ session, prompt: { id, name }, describedBy, invalid, ownKeypad, input: field }: Props) {
+export function ValueInput({ session, prompt: { id, name, suggestion }, describedBy, invalid, ownKeypad, input: field }: Props) {
   const input = useRef<HTMLInputElement>(null);
   const language = useSettings((s) => s.language);
   const text = session.draft[id] ?? "";
@@ -41,7 +41,8 @@ export function ValueInput({ session, prompt: { id, name }, describedBy, invalid
   return (
     <input ref={input} className="value number" type="text" inputMode={ownKeypad ? "none" : session.keypad === "sums" ? "decimal" : "text"}
       enterKeyHint="next" autoComplete="off" autoCapitalize="characters" spellCheck={false} maxLength={200} aria-label={name}
-      aria-describedby={describedBy} aria-invalid={invalid} value={inScreenWriting(language, text)} onChange={(event) => {
+      aria-describedby={describedBy} aria-invalid={invalid} {...(suggestion && { placeholder: inScreenWriting(language, suggestion.text) })}
+      value={inScreenWriting(language, text)} onChange={(event) => {
       onTyped();
       session.set(id, event.currentTarget.value);
     }} onKeyDown={onKeyDown} onBlur={() => commandsOf(session).leave()} />

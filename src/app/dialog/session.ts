@@ -33,6 +33,25 @@ export interface Prompt {
   readonly decimals: number;
   /** What the list of prompts shows. */
   readonly shown: { readonly text: string; readonly unit: string; readonly soft: boolean };
+  /** What may stand in the field while it is empty: ENT takes it, unless it `holds` already as long as nobody enters anything. */
+  readonly suggestion?: { readonly text: string; readonly holds: boolean } | undefined;
+  /** Prompts of the set-up, in front of those of the cycle: a group is one row of the list while none of it is open. */
+  readonly group?: PromptGroup;
+  /** It has no value of its own: only the way to another place. */
+  readonly bare?: true;
+  /** A place beside the dialog that it leads to; `needed`: ENT goes there first. */
+  readonly action?: { readonly label: string; readonly run: () => void; readonly needed: boolean };
+}
+
+export interface PromptGroup {
+  readonly id: string;
+  readonly letter: string;
+  readonly name: string;
+  readonly text: string;
+  readonly unit: string;
+  readonly soft: boolean;
+  /** Place in the set-up, and how many it has. */
+  readonly at: readonly [number, number];
 }
 
 /** Which prompt is open. */
@@ -61,11 +80,27 @@ export interface PromptSession {
   readonly mayFocus: () => boolean;
   /** The set-up has fields for the values of Q parameters. */
   readonly asksParameters: boolean;
+  /** What has no effect once a prompt is answered so; asked before the answer is there to be read. */
+  readonly idleWith?: (id: string, text: string) => (other: string) => boolean;
+  /** Takes several answers in one step of undo. */
+  readonly setAll?: (texts: Readonly<Record<string, string>>) => void;
   /** The keys under fingers: those of a calculator, or those of path words. */
   readonly keypad: "sums" | "words";
 }
 
 export const openPromptOf = ({ fields, opened }: PromptSession): Prompt | null => fields.find((f) => f.id === opened.id) ?? null;
+
+/** What an empty prompt is suggested to be answered with; null where it is answered, or where the suggestion counts already. */
+export function suggestionFor({ draft }: Pick<PromptSession, "draft">, { id, suggestion, idle }: Prompt): string | null {
+  return suggestion && !suggestion.holds && !idle && (draft[id] ?? "").trim() === "" ? suggestion.text : null;
+}
+
+/** All suggestions for prompts that nobody has answered yet. */
+export const openSuggestions = (session: PromptSession): Readonly<Record<string, string>> =>
+  Object.fromEntries(session.fields.flatMap((f) => {
+    const text = suggestionFor(session, f);
+    return text === null || session.readings[f.id]?.issue === null ? [] : [[f.id, text] as const];
+  }));
 
 /** A text as it stays when its field is left: a sum becomes its value, one with a Q parameter once that has a value. */
 function settled(reading: FieldReading | undefined, text: string): string {
@@ -104,7 +139,7 @@ export function commandsOf(session: PromptSession): PromptCommands {
   const text = (id: string | null) => (id === null ? "" : (draft[id] ?? ""));
   const show = (id: string | null) => session.open(id, text(id));
   const nextOf = (by: number) => (at >= 0 ? at + by : by > 0 ? 0 : fields.length - 1);
-  const onwards = () => fields.slice(nextOf(1)).find((f) => !f.idle)?.id ?? null;
+  const onwards = (idle = (f: Prompt) => f.idle) => fields.slice(nextOf(1)).find((f) => !idle(f))?.id ?? null;
   const leave = () => {
     const typed = text(opened.id);
     const stays = open && settled(session.readings[open.id], typed);
@@ -125,8 +160,15 @@ export function commandsOf(session: PromptSession): PromptCommands {
     leave,
     goTo,
     take,
-    finish: () => goTo(null),
-    enter: () => goTo(onwards()),
+    finish: () => goTo(open?.group ? (fields.find((f) => !f.group)?.id ?? null) : null),
+    enter() {
+      if (open?.action?.needed) return open.action.run();
+      const suggested = open && suggestionFor(session, open);
+      if (!open || suggested === null) return goTo(onwards());
+      take(suggested);
+      const idle = session.idleWith?.(open.id, suggested);
+      show(onwards(idle && ((f) => idle(f.id))));
+    },
     step(by) {
       const next = nextOf(by);
       if (next >= 0) goTo(fields[next]?.id ?? null);

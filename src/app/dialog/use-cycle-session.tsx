@@ -2,14 +2,19 @@ import { saysNothing } from "../../cycles/effect.ts";
 import { isRecalled, type Param } from "../../cycles/params.ts";
 import type { ParamTextId } from "../../cycles/index.ts";
 import { formatNumber } from "../../i18n/number.ts";
-import { setPrompt } from "../edits.ts";
+import { anyNumber, readText } from "../../program/field.ts";
+import type { SetupPlace } from "../../program/setup.ts";
+import { suggestedValue, type SuggestionContext } from "../../program/suggestion.ts";
+import { setPrompt, setPrompts } from "../edits.ts";
 import type { FindingEntry } from "../findings/entry.ts";
 import { useFindings } from "../findings/use-findings.ts";
-import { mayTakeKeyboard, openPrompt, usePlace } from "../place.ts";
+import { mayTakeKeyboard, openPrompt, showSection, usePlace } from "../place.ts";
 import type { JobReading } from "../reading.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
+import { useToolList } from "../tools/tool-store.ts";
 import { HelpSlot } from "./HelpSlot.tsx";
+import { isSetupPlace, setPlace, setupPrompts } from "./setup-prompts.ts";
 import type { Prompt, PromptSession } from "./session.ts";
 import { unitOf, writeValue } from "./write-value.ts";
 
@@ -23,6 +28,16 @@ export interface PromptedBlock {
   readonly setAll: (texts: Readonly<Record<string, string>>) => void;
 }
 
+/** What suggestions go by: the blank, where somebody has set it. */
+function suggestionContext({ job, setup }: JobReading): SuggestionContext {
+  const set = (place: SetupPlace, text: string) => (setup && !setup.proposed.has(place) ? readText(anyNumber, text).value : null);
+  const { outside, bore, allowance } = job.blank;
+  return {
+    blank: { outside: set("blank.outside", outside), bore: set("blank.bore", bore), front: set("blank.allowance", allowance) },
+    perRevolution: job.perRevolution,
+  };
+}
+
 /** The prompts of a cycle: those of the job, or of a block of a program. */
 export function useCycleSession(read: JobReading, block: PromptedBlock | null): PromptSession {
   const { cycle, job, draft, reading } = read;
@@ -31,6 +46,8 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
   const opened = usePlace();
   const all = useFindings();
   const findings = block?.problems ?? all;
+  const tools = useToolList();
+  const context = suggestionContext(read);
   const { units, evidence } = t.dialog;
   const number = (param: Param, n: number) => formatNumber(language, n, param.decimals);
 
@@ -74,24 +91,63 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
       auto: param.kind === "feed",
       decimals: param.decimals,
       shown: shownOf(q, param),
+      suggestion: suggestionOf(q, param),
     };
   };
+  const suggestionOf = (q: string, param: Param): Prompt["suggestion"] => {
+    const found = suggestedValue(cycle, q, context);
+    return found === null || param.optional ? undefined : { text: String(found), holds: false };
+  };
+  const contourPrompt = (): Prompt => {
+    const { contour: words } = t.dialog;
+    const has = job.contour.length > 0;
+    return {
+      id: "contour",
+      letter: "LBL",
+      question: words.question,
+      label: words.label,
+      about: words.about,
+      name: words.label,
+      unit: "",
+      range: null,
+      notes: [],
+      doubt: null,
+      choices: null,
+      optional: true,
+      idle: false,
+      increments: false,
+      auto: false,
+      decimals: 0,
+      shown: { text: has ? words.elements(job.contour.length) : words.none, unit: "", soft: !has },
+      bare: true,
+      action: { label: has ? words.change : t.findings.done.toContour, run: () => showSection("contour"), needed: !has },
+    };
+  };
+  const setup = setupPrompts(read, t, language, tools);
+  const contour = block === null && cycle.contour === "free" ? [contourPrompt()] : [];
   const placeOf = (at: string): string => {
+    const place = setup.fields.find((f) => f.id === at);
+    if (place) return place.name;
     const param = cycle.params[at];
     return t.dialog.value(at, param ? t.params[param.text as ParamTextId].label : "");
   };
   return {
-    fields: Object.entries<Param>(cycle.params).map(promptOf),
-    draft,
-    readings: reading.perField,
+    fields: [...setup.fields, ...contour, ...Object.entries<Param>(cycle.params).map(promptOf)],
+    draft: { ...draft, ...setup.draft },
+    readings: { ...reading.perField, ...setup.readings },
     findings,
-    set: block?.set ?? setPrompt,
+    set: block?.set ?? ((id, text) => (isSetupPlace(id) ? setPlace(id, text) : setPrompt(id, text))),
+    setAll: block?.setAll ?? setPrompts,
+    idleWith: (id, text) => (other) => {
+      const param = cycle.params[other];
+      return param !== undefined && saysNothing(param, { ...reading.partial, [id]: Number(text) });
+    },
     besides: (id) =>
       findings.flatMap((entry) => {
         const concerns = entry.at !== null && entry.at !== id && "other" in entry.issue.data && entry.issue.data.other === id;
         return concerns && entry.at !== null ? [{ entry, place: placeOf(entry.at) }] : [];
       }),
-    picture: <HelpSlot read={read} q={opened.prompt} />,
+    picture: <HelpSlot read={read} q={opened.prompt !== null && opened.prompt in cycle.params ? opened.prompt : null} />,
     opened: { id: opened.prompt, before: opened.before, focus: opened.focus },
     open: openPrompt,
     mayFocus: mayTakeKeyboard,

@@ -30,7 +30,7 @@ export function readingOfBlock(program: Program, index: number, typed: Draft): J
     perRevolution: perRevolutionBefore(program, index),
     contour: cycle.contour === "free" ? contourBefore(program, index) : [],
   };
-  return { job, setup: null, cycle, draft, reading: readDraft(cycle, draft, parametersBefore(program, index)) };
+  return { job, setup: null, tools: [], cycle, draft, reading: readDraft(cycle, draft, parametersBefore(program, index)) };
 }
 
 /** What a parameter takes, and what its text is called where it is put in. */

@@ -1,5 +1,6 @@
 import { issue as contourIssue } from "../../kernel/issue.ts";
 import type { AnyIssue } from "../../i18n/message-texts.ts";
+import { setupQuestions } from "../../program/setup-questions.ts";
 import { stockIssues } from "../../sim/issues.ts";
 import { contourProblems } from "../contour/contour-problems.ts";
 import type { Outcome } from "../engine/outcome.ts";
@@ -14,7 +15,9 @@ const atOf = (issue: AnyIssue): string | null => ("at" in issue ? (issue.at ?? n
 
 /** What the prompts and the contour table say by themselves, before anything is calculated. */
 function typed(read: JobReading): readonly Found[] {
-  const prompts = read.reading.issues.map((issue): Found => ({ ...nowhere, issue, at: issue.at ?? null }));
+  const { setup, cycle, job, reading, tools } = read;
+  const asked = setup ? setupQuestions({ setup, cycle, job, partial: reading.partial, tools }) : [];
+  const prompts = [...reading.issues, ...asked].map((issue): Found => ({ ...nowhere, issue, at: issue.at ?? null }));
   if (read.cycle.contour !== "free") return prompts;
   const { contour } = read.job;
   // As long as prompts are open, a contour that is not begun is not done wrong, only not done yet.

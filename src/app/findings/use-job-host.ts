@@ -2,6 +2,7 @@ import { useMemo } from "react";
 import type { ParamTextId } from "../../cycles/index.ts";
 import { writer } from "../../i18n/write.ts";
 import { positionAsTyped } from "../../program/typed-value.ts";
+import { isSetupPlace, setPlace } from "../dialog/setup-prompts.ts";
 import { writeTyped } from "../dialog/write-value.ts";
 import { setPrompt, setStart, setTool } from "../edits.ts";
 import { goToField, openPrompt, showSection } from "../place.ts";
@@ -33,6 +34,7 @@ export function useJobHost(read: JobReading): FindingsHost {
     const targetOf = ({ issue, at, block }: FindingEntry): Target | null => {
       const param = at === null ? undefined : cycle.params[at];
       if (at !== null && param) return { name: t.dialog.value(at, t.params[param.text as ParamTextId].label), go: () => goTo(at) };
+      if (issue.code === "blankAgainstContour" && at !== null) return { name: places.blank, go: () => openPrompt(at, "") };
       if (at === "start.x") return { name: places.startX, go: () => goToField("setup", "start.x") };
       if (at === "start.z") return { name: places.startZ, go: () => goToField("setup", "start.z") };
       if (at === "contour") return { name: places.contour, go: () => showSection("contour") };
@@ -65,6 +67,11 @@ export function useJobHost(read: JobReading): FindingsHost {
       }
       const nearest = nearestOf(entry);
       const param = at === null ? undefined : cycle.params[at];
+      if (nearest !== null && at !== null && issue.code === "blankAgainstContour" && isSetupPlace(at))
+        return [{
+          name: t.dialog.takeNearest(writeTyped(language, nearest, START_DECIMALS)),
+          apply: oneStep(() => setPlace(at, String(nearest))),
+        }];
       if (nearest === null || at === null) return [];
       const take = (decimals: number, apply: () => void): readonly Mend[] => [{
         name: t.dialog.takeNearest(writeTyped(language, nearest, decimals)),

@@ -1,6 +1,7 @@
 import { cycleByNumber } from "../../cycles/index.ts";
 import { exampleJob, UNSET } from "../../program/job.ts";
 import { draftOf } from "../edits.ts";
+import { FIRST_PLACE } from "../dialog/setup-prompts.ts";
 import { openPrompt } from "../place.ts";
 import { startWork } from "../saving/keep.ts";
 import { useSettings } from "../settings/settings.ts";
@@ -12,6 +13,8 @@ export function beginCycle(number: number, withExample: boolean): void {
   const example = { ...exampleJob(cycle), ncLanguage: useSettings.getState().language };
   const job = withExample ? example : { ...example, ...UNSET, drafts: {}, contour: [] };
   startWork(job);
-  const first = Object.keys(cycle.params)[0] ?? null;
+  const [question = null] = Object.keys(cycle.params);
+  // A new work begins with what a setter knows; that of an example is there already.
+  const first = withExample ? question : FIRST_PLACE;
   openPrompt(first, first === null ? "" : (draftOf(job)[first] ?? ""));
 }

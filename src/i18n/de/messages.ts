@@ -231,6 +231,23 @@ export const messages = {
     notFinite: (d, w) => `„${w.text(d.text)}“ ergibt keine brauchbare Zahl.`,
     blankMissing: () => "Das Programm nennt kein Rohteil.",
     blankNotTurned: (d, w) => `Ein Rohteil der Form ${w.text(d.form)} ist kein Drehkörper um die Achse.`,
+    endInFront: (d, w) => `Z${w.signed(d.value)} liegt vor dem Werkstück. ${w.signed(d.nearest)}?`,
+    blankAgainstContour: (d, w) =>
+      ({
+        outside: `Die Kontur reicht bis ${w.diameter(d.contour)}, das Rohteil nur bis ${w.diameter(d.blank)}. Vorschlag: ${
+          w.diameter(d.nearest)
+        }.`,
+        bore: `Die Bohrung des Rohteils hat ${w.diameter(d.blank)}, die Kontur endet bei ${
+          w.diameter(d.contour)
+        }: Es wird nichts zerspant. Vorschlag: ${w.diameter(d.nearest)}.`,
+        length: `Die Kontur reicht bis Z${w.signed(d.contour)}, das Rohteil nur bis Z${w.signed(d.blank)}. Vorschlag: ${
+          w.number(d.nearest)
+        }.`,
+        allowance: `Die Kontur beginnt bei Z${w.signed(d.contour)}, das Rohteil erst bei Z${
+          w.signed(d.blank)
+        }: Das sind Luftschnitte. Vorschlag: ${w.signed(d.nearest)}.`,
+        thread: `Das Gewinde hat ${w.diameter(d.contour)}, das Rohteil ${w.diameter(d.blank)}. Vorschlag: ${w.diameter(d.nearest)}.`,
+      })[d.place],
     blankImpossible: () => "Das Rohteil hat kein Volumen: seine Maße prüfen.",
     boxTurned: (d, w) =>
       `Der Quader dreht sich als Zylinder um seine Ecken, Durchmesser ${w.value(d.outer)}. Nur innerhalb von Durchmesser ${

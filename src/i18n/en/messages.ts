@@ -220,6 +220,19 @@ export const messages = {
     notFinite: (d, w) => `“${w.text(d.text)}” gives no usable number.`,
     blankMissing: () => "The program states no blank.",
     blankNotTurned: (d, w) => `A blank of the form ${w.text(d.form)} is not turned round the axis.`,
+    endInFront: (d, w) => `Z${w.signed(d.value)} is in front of the workpiece. ${w.signed(d.nearest)}?`,
+    blankAgainstContour: (d, w) =>
+      ({
+        outside: `The contour reaches ${w.diameter(d.contour)}, the blank only ${w.diameter(d.blank)}. Proposed: ${w.diameter(d.nearest)}.`,
+        bore: `The bore of the blank is ${w.diameter(d.blank)}, the contour ends at ${w.diameter(d.contour)}: nothing is cut. Proposed: ${
+          w.diameter(d.nearest)
+        }.`,
+        length: `The contour reaches Z${w.signed(d.contour)}, the blank only Z${w.signed(d.blank)}. Proposed: ${w.number(d.nearest)}.`,
+        allowance: `The contour begins at Z${w.signed(d.contour)}, the blank at Z${w.signed(d.blank)}: it is cut in the air. Proposed: ${
+          w.signed(d.nearest)
+        }.`,
+        thread: `The thread is ${w.diameter(d.contour)}, the blank ${w.diameter(d.blank)}. Proposed: ${w.diameter(d.nearest)}.`,
+      })[d.place],
     blankImpossible: () => "The blank has no volume: check its measures.",
     boxTurned: (d, w) =>
       `The box turns as the cylinder round its corners, diameter ${w.value(d.outer)}. Only within diameter ${

@@ -234,6 +234,23 @@ export const messages = {
     notFinite: (d, w) => `« ${w.text(d.text)} » ne donne pas de nombre utilisable.`,
     blankMissing: () => "Le programme n'indique pas de pièce brute.",
     blankNotTurned: (d, w) => `Une pièce brute de forme ${w.text(d.form)} n'est pas un corps de révolution autour de l'axe.`,
+    endInFront: (d, w) => `Z${w.signed(d.value)} est devant la pièce. ${w.signed(d.nearest)} ?`,
+    blankAgainstContour: (d, w) =>
+      ({
+        outside: `Le contour va jusqu’à ${w.diameter(d.contour)}, le brut seulement jusqu’à ${w.diameter(d.blank)}. Proposé : ${
+          w.diameter(d.nearest)
+        }.`,
+        bore: `L’alésage du brut est de ${w.diameter(d.blank)}, le contour finit à ${w.diameter(d.contour)} : rien n’est usiné. Proposé : ${
+          w.diameter(d.nearest)
+        }.`,
+        length: `Le contour va jusqu’à Z${w.signed(d.contour)}, le brut seulement jusqu’à Z${w.signed(d.blank)}. Proposé : ${
+          w.number(d.nearest)
+        }.`,
+        allowance: `Le contour commence à Z${w.signed(d.contour)}, le brut à Z${w.signed(d.blank)} : passes à vide. Proposé : ${
+          w.signed(d.nearest)
+        }.`,
+        thread: `Le filet a ${w.diameter(d.contour)}, le brut ${w.diameter(d.blank)}. Proposé : ${w.diameter(d.nearest)}.`,
+      })[d.place],
     blankImpossible: () => "La pièce brute n'a pas de volume : vérifier ses cotes.",
     boxTurned: (d, w) =>
       `Le parallélépipède tourne comme le cylindre autour de ses coins, diamètre ${

@@ -178,6 +178,15 @@ export const messages = {
     notFinite: (d, w) => `“${w.text(d.text)}”得不到可用的数值。`,
     blankMissing: () => "程序没有定义毛坯。",
     blankNotTurned: (d, w) => `${w.text(d.form)}形式的毛坯不是绕轴的回转体。`,
+    endInFront: (d, w) => `Z${w.signed(d.value)} 在工件前方。是否为 ${w.signed(d.nearest)}？`,
+    blankAgainstContour: (d, w) =>
+      ({
+        outside: `轮廓达到 ${w.diameter(d.contour)}，毛坯只有 ${w.diameter(d.blank)}。建议：${w.diameter(d.nearest)}。`,
+        bore: `毛坯内孔为 ${w.diameter(d.blank)}，轮廓止于 ${w.diameter(d.contour)}：没有切削。建议：${w.diameter(d.nearest)}。`,
+        length: `轮廓达到 Z${w.signed(d.contour)}，毛坯只到 Z${w.signed(d.blank)}。建议：${w.number(d.nearest)}。`,
+        allowance: `轮廓从 Z${w.signed(d.contour)} 开始，毛坯从 Z${w.signed(d.blank)} 开始：空切。建议：${w.signed(d.nearest)}。`,
+        thread: `螺纹为 ${w.diameter(d.contour)}，毛坯为 ${w.diameter(d.blank)}。建议：${w.diameter(d.nearest)}。`,
+      })[d.place],
     blankImpossible: () => "毛坯没有体积：请检查其尺寸。",
     boxTurned: (d, w) =>
       `方料按包住其各角的圆柱旋转，直径 ${w.value(d.outer)}。只有直径 ${
