@@ -2,6 +2,7 @@ import { lazy, Suspense, useEffect } from "react";
 import { menuCycle } from "./chooser/menu.ts";
 import { Header } from "./Header.tsx";
 import { DropProgram } from "./files/DropProgram.tsx";
+import { NumberKeys } from "./keypad/NumberKeys.tsx";
 import { Notices } from "./Notices.tsx";
 import { useOwnPlace } from "./own/own-place.ts";
 import { useCopying } from "./program/copy.ts";
@@ -69,6 +70,7 @@ export function App() {
         )
         : <StartPage />)}
       <DropProgram />
+      <NumberKeys />
       {refused && (
         <Suspense>
           <CopyByHand />

@@ -25,6 +25,8 @@ export const MEDIA = {
   docked: "((599px < width <= 1279px) and (orientation: landscape)) or (min-width: 2200px)",
   /** A notebook: little height. */
   low: "(max-height: 899px)",
+  /** The main pointer is a finger. */
+  coarse: "(pointer: coarse)",
   /** Fingers work here: the page shows its own keypad and large targets. */
   fingers: "(pointer: coarse), (max-width: 1279px)",
 } as const;

@@ -1,9 +1,10 @@
-import type { PointerEvent, ReactNode, RefObject } from "react";
+import type { RefObject } from "react";
 import { decimalSign } from "../../i18n/number.ts";
 import { Icon } from "../Icon.tsx";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
-import { erase, insert, toggleIncremental, toggleSign, type EntryState } from "./number-entry.ts";
+import { padButton, writingKeys, type PadKey } from "./KeyGrid.tsx";
+import { toggleIncremental, type EntryState } from "./number-entry.ts";
 import { commandsOf, type Prompt, type PromptSession } from "./session.ts";
 import type { ValueField } from "./ValueInput.tsx";
 
@@ -12,17 +13,6 @@ interface Props {
   readonly prompt: Prompt;
   readonly input: RefObject<ValueField | null>;
 }
-
-interface Key {
-  readonly label: ReactNode;
-  readonly name: string;
-  readonly press: () => void;
-  readonly className?: string;
-  readonly disabled?: boolean;
-}
-
-/** Pressing a key leaves the caret where it is. */
-const keepFocus = (event: PointerEvent) => event.preventDefault();
 
 /** The keys in their rows: a calculator with the keys of the control beside it, and the keys of path words. */
 const ROWS = {
@@ -42,23 +32,9 @@ export function Keypad({ session, prompt, input }: Props) {
     open.focus();
     open.write(by(open.read()));
   };
-  const written = (label: string, character: string, name: string): Key => ({
-    label,
-    name,
-    press: change((entry) => insert(entry, character)),
-    className: "number",
-    disabled: !numeric,
-  });
-  const keys: Readonly<Record<string, Key>> = {
-    "/": written("÷", "/", t.dividedLong),
-    "*": written("×", "*", t.timesLong),
-    "-": written("−", "-", t.minusLong),
-    "+": written("+", "+", t.plusLong),
-    Q: written(t.parameter, "Q", t.parameterLong),
-    point: written(sign, sign, t.point),
+  const writing = writingKeys(t, sign, numeric, change);
+  const keys: Readonly<Record<string, PadKey>> = {
     I: { label: "I", name: approach.incremental, press: change(toggleIncremental), disabled: !prompt.increments },
-    sign: { label: t.sign, name: t.signLong, press: change(toggleSign), className: "number", disabled: !numeric },
-    erase: { label: t.erase, name: t.eraseLong, press: change(erase), disabled: !numeric },
     up: { label: <Icon name="up" />, name: t.previous, press: () => step(-1) },
     down: { label: <Icon name="down" />, name: t.next, press: () => step(1) },
     noEnter: { label: t.noEnter, name: t.noEnterLong, press: noEntry, className: "small", disabled: !prompt.optional && !prompt.idle },
@@ -66,27 +42,20 @@ export function Keypad({ session, prompt, input }: Props) {
     end: { label: t.end, name: t.endLong, press: finish },
     enter: { label: t.enter, name: t.enterLong, press: enter, className: "primary enter" },
   };
-  const keyOf = (id: string): Key => keys[id] ?? written(id, id, id);
-  const button = ({ label, name, press, className = "", disabled = false }: Key) => (
-    <button key={name} type="button" className={`button key ${className}`} aria-label={name} disabled={disabled} onPointerDown={keepFocus}
-      onClick={press}
-    >
-      {label}
-    </button>
-  );
+  const keyOf = (id: string): PadKey => keys[id] ?? writing(id);
 
   if (prompt.choices && session.keypad === "sums") {
     return (
       <div className="keypad" role="group" aria-label={keypad}>
-        {prompt.choices.map(({ value }) => button({ label: value, name: value, press: () => take(value), className: "number" }))}
+        {prompt.choices.map(({ value }) => padButton({ label: value, name: value, press: () => take(value), className: "number" }))}
         <span className="key-rest" />
-        {["up", "down", "cancel", "noEnter", "end", "enter"].map((id) => button(keyOf(id)))}
+        {["up", "down", "cancel", "noEnter", "end", "enter"].map((id) => padButton(keyOf(id)))}
       </div>
     );
   }
   return (
     <div className={`keypad${session.keypad === "words" ? " approach-keypad" : ""}`} role="group" aria-label={keypad}>
-      {ROWS[session.keypad].map((id) => button(keyOf(id)))}
+      {ROWS[session.keypad].map((id) => padButton(keyOf(id)))}
     </div>
   );
 }

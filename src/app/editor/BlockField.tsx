@@ -71,12 +71,12 @@ export function BlockField({ field, statement, change }: Props) {
       <label htmlFor={id}>{name}</label>
       <span className="block-value">
         <input id={id} ref={input} type="text" className={`input${field.wide ? "" : " number"}`}
-          inputMode={field.numeric ? "decimal" : "text"} autoComplete="off" spellCheck={false} maxLength={500} aria-invalid={wrong}
-          aria-describedby={`${id}-unit ${id}-wrong`} value={field.numeric ? inScreenWriting(language, shown) : shown}
-          onChange={(event) => {
-            onTyped();
-            write(event.currentTarget.value);
-          }} onBlur={leave} {...(field.numeric && { onKeyDown })} />
+          inputMode={field.numeric ? "decimal" : "text"} {...(field.numeric && { "data-number": "words" })} autoComplete="off"
+          spellCheck={false} maxLength={500} aria-invalid={wrong} aria-describedby={`${id}-unit ${id}-wrong`}
+          value={field.numeric ? inScreenWriting(language, shown) : shown} onChange={(event) => {
+          onTyped();
+          write(event.currentTarget.value);
+        }} onBlur={leave} {...(field.numeric && { onKeyDown })} />
         <span className="soft small" id={`${id}-unit`}>{field.unit}</span>
         {incremental && (
           <button type="button" className="button incremental" aria-pressed={incremental.read(statement)} aria-label={t.incrementalOf(name)}

@@ -60,9 +60,9 @@ export function OwnField({ className, label, name, text, problems, onText, numer
     <div className={`own-field ${className}`}>
       <label htmlFor={id}>{label}</label>
       <input id={id} ref={input} type="text" className={`input${numeric || whole ? " number" : ""}`}
-        inputMode={numeric ? "decimal" : whole ? "numeric" : "text"} autoComplete="off" spellCheck={false} maxLength={500} aria-label={name}
-        aria-invalid={text.trim() !== "" && problems.length > 0} aria-describedby={`${id}-wrong`} placeholder={hint}
-        value={numeric ? inScreenWriting(language, text) : text} onChange={(event) => {
+        inputMode={numeric ? "decimal" : whole ? "numeric" : "text"} {...((numeric || whole) && { "data-number": "words" })}
+        autoComplete="off" spellCheck={false} maxLength={500} aria-label={name} aria-invalid={text.trim() !== "" && problems.length > 0}
+        aria-describedby={`${id}-wrong`} placeholder={hint} value={numeric ? inScreenWriting(language, text) : text} onChange={(event) => {
         onTyped();
         onText(event.currentTarget.value);
       }} onBlur={leave} {...(numeric && { onKeyDown })} />

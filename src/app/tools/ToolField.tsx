@@ -62,8 +62,8 @@ export function ToolField({ entry, cell, issues, unused = null }: {
         {column && <b className="number">{column}</b>} <span className="soft small">{meaning}</span>
       </label>
       <span className="tool-value">
-        <input id={id} ref={input} className="input number" type="text" inputMode="decimal" autoComplete="off" spellCheck={false}
-          maxLength={200} aria-label={column ? t.field(column, meaning) : meaning} disabled={unused !== null}
+        <input id={id} ref={input} className="input number" type="text" data-number="words" inputMode="decimal" autoComplete="off"
+          spellCheck={false} maxLength={200} aria-label={column ? t.field(column, meaning) : meaning} disabled={unused !== null}
           aria-invalid={found.some((issue) => issue.severity === "error")} aria-describedby={`${id}-unit ${id}-wrong`}
           value={inScreenWriting(language, text)} onBlur={commit} onKeyDown={min < 0 ? onKeyDown : undefined} onChange={(e) => {
           onTyped();

@@ -1,0 +1,64 @@
+import { lazy, Suspense, useEffect, useRef, useState } from "react";
+import { holds } from "../use-media.ts";
+import { numberFieldOf } from "./field-typing.ts";
+
+const FieldKeypad = lazy(async () => ({ default: (await import("./FieldKeypad.tsx")).FieldKeypad }));
+
+/**
+ * Brings the keypad to every number field of the app (an input marked with `data-number`) where fingers work, and keeps the keyboard of
+ * the device away from it, which would cover the picture. Fields for names keep that keyboard.
+ */
+export function NumberKeys() {
+  const [field, setField] = useState<HTMLInputElement | null>(null);
+  /** The last press was by a finger or a pen. */
+  const touched = useRef(false);
+  /** The field for which the keyboard of the device was asked for. */
+  const spelled = useRef<HTMLInputElement | null>(null);
+
+  useEffect(() => {
+    const onPress = (e: PointerEvent) => {
+      touched.current = e.pointerType !== "mouse";
+      const pressed = numberFieldOf(e.target);
+      if (pressed && touched.current && spelled.current !== pressed) pressed.inputMode = "none";
+    };
+    const onFocus = (e: FocusEvent) => {
+      const focused = numberFieldOf(e.target), fits = focused !== null && (touched.current || holds("coarse"));
+      if (fits && spelled.current !== focused) {
+        focused.inputMode = "none";
+        setField(focused);
+      } else setField(null);
+    };
+    // A field that is taken out of the page is not always left first.
+    const onLeave = () =>
+      requestAnimationFrame(() => {
+        if (spelled.current && document.activeElement !== spelled.current) {
+          spelled.current.inputMode = "none";
+          spelled.current = null;
+        }
+        setField((open) => (open !== null && document.activeElement === open ? open : null));
+      });
+    document.addEventListener("pointerdown", onPress, true);
+    document.addEventListener("focusin", onFocus);
+    document.addEventListener("focusout", onLeave);
+    document.addEventListener("pointerup", onLeave);
+    return () => {
+      document.removeEventListener("pointerdown", onPress, true);
+      document.removeEventListener("focusin", onFocus);
+      document.removeEventListener("focusout", onLeave);
+      document.removeEventListener("pointerup", onLeave);
+    };
+  }, []);
+
+  if (!field) return null;
+  return (
+    <Suspense>
+      <FieldKeypad field={field} onLetters={(open) => {
+        setField(null);
+        open.blur();
+        open.inputMode = "text";
+        spelled.current = open;
+        open.focus();
+      }} />
+    </Suspense>
+  );
+}
