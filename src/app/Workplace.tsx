@@ -1,6 +1,8 @@
 import { lazy, Suspense, useMemo, type ReactNode } from "react";
 import { knownWork } from "../program/known-work.ts";
 import { clock } from "./clock.ts";
+import { ContourViews } from "./contour/ContourViews.tsx";
+import { useContourPlace } from "./contour/contour-place.ts";
 import { BackToPrompts } from "./dialog/BackToPrompts.tsx";
 import { CycleDialog } from "./dialog/CycleDialog.tsx";
 import { HelpDock } from "./dialog/HelpDock.tsx";
@@ -29,6 +31,7 @@ import { useToolList } from "./tools/tool-store.ts";
 
 /** Loaded when its section is first shown. */
 const ContourTable = lazy(async () => ({ default: (await import("./contour/ContourTable.tsx")).ContourTable }));
+const ContourStage = lazy(async () => ({ default: (await import("./contour/ContourStage.tsx")).ContourStage }));
 
 /** Prompts, lathe and program of the open job. */
 export function Workplace() {
@@ -45,6 +48,7 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
   const shown = useOutcome((s) => s.shown);
   const dimmed = useOutcome((s) => s.dimmed);
   const findings = useListed();
+  const view = useContourPlace((p) => p.view);
   const host = useJobHost(read);
   const tools = useToolList();
   const known = useMemo(() => knownWork(read.cycle, read.job, read.reading, givenOf(read), tools), [read, tools]);
@@ -64,7 +68,7 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
     contour: (
       <Suspense>
         <BackToPrompts read={read} />
-        <ContourTable rows={read.job.contour} onChange={setContour} language={language} />
+        <ContourTable rows={read.job.contour} onChange={setContour} language={language} apart />
       </Suspense>
     ),
     findings: <FindingsPanel host={host} />,
@@ -84,9 +88,24 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
       </div>
       <EffectStrip read={read} />
       <div className="centre">
-        <CycleInWork value={read.cycle.number}>
-          <LatheView result={shown} known={known} dimmed={dimmed} playback={playback} clock={clock} />
-        </CycleInWork>
+        {open === "contour" && view === "draw"
+          ? (
+            <Suspense>
+              <ContourStage rows={read.job.contour} blank={known.blank} language={language} onChange={setContour} lead={<ContourViews />} />
+            </Suspense>
+          )
+          : (
+            <div className="lathe-column">
+              {open === "contour" && (
+                <div className="contour-bar">
+                  <ContourViews />
+                </div>
+              )}
+              <CycleInWork value={read.cycle.number}>
+                <LatheView result={shown} known={known} dimmed={dimmed} playback={playback} clock={clock} />
+              </CycleInWork>
+            </div>
+          )}
         <HelpDock />
         <Working />
       </div>

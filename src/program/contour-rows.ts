@@ -6,7 +6,7 @@ import type { SolveElement } from "../kernel/solve-work.ts";
 import { toDiameter } from "../kernel/units.ts";
 import type { ContourRow } from "./job.ts";
 import { rowGiven, type RowGiven } from "./row-given.ts";
-import type { RowField, RowIssue, RowReader } from "./row-reader.ts";
+import { begun, type RowField, type RowIssue, type RowReader } from "./row-reader.ts";
 import { ROUND } from "../kernel/tolerance.ts";
 
 export type { RowField, RowIssue } from "./row-reader.ts";
@@ -80,9 +80,13 @@ export function readRows(rows: readonly ContourRow[]): RowsReading {
     rows: readings(given, poles, solved),
     contour,
     rowOfSegment: contour.elements.map((n) => rowOf(n) ?? 0),
-    issues: [...reader.issues, ...found].sort((a, b) => a.row - b.row),
+    issues: [...reader.issues, ...found].map((each) => (begun(rows[each.row]) ? each : calm(each))).sort((a, b) => a.row - b.row),
   };
 }
+
+/** A row in which nothing is typed yet is not wrong, only not begun. */
+const calm = (found: RowIssue): RowIssue =>
+  found.issue.code === "missing" ? { ...found, issue: { ...found.issue, severity: "info" } as RowIssue["issue"] } : found;
 
 /** The finding with the numbers of rows, where rows before it make no element. */
 function numbered(found: Issue, row: number, rowOf: (n: number) => number | null): Issue {

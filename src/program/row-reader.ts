@@ -34,9 +34,12 @@ export function rowNumber(reader: RowReader, row: number, at: RowField | null, t
   return value;
 }
 
+/** Whether anything is typed in a row. */
+export const begun = (row: ContourRow | undefined): boolean =>
+  row !== undefined && [row.x, row.z, row.r, row.angle, row.length, ...Object.values(row.words)].some((text) => text.trim() !== "");
+
 /** Says that an element goes nowhere. A row in which nothing is typed yet is not wrong, only not begun: it has no block either. */
 export function goesNowhere(reader: RowReader, row: ContourRow, index: number): void {
-  const begun = [row.x, row.z, row.r, row.angle, row.length, ...Object.values(row.words)].some((text) => text.trim() !== "");
-  const found = issue("contourPoint", begun ? "error" : "info", { element: index + 1 }, "contour");
+  const found = issue("contourPoint", begun(row) ? "error" : "info", { element: index + 1 }, "contour");
   reader.issues.push({ row: index, field: null, issue: found });
 }

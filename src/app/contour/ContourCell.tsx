@@ -66,8 +66,8 @@ export function ContourCell({ row, field, name, language, text, shown, wrong, de
           I
         </button>
       )}
-      <input id={id} className="input number" type="text" inputMode="text" autoComplete="off" spellCheck={false} maxLength={200}
-        data-row={row} data-field={field} aria-label={name} aria-invalid={wrong}
+      <input id={id} className="input number" type="text" data-number="open" inputMode="text" autoComplete="off" spellCheck={false}
+        maxLength={200} data-row={row} data-field={field} aria-label={name} aria-invalid={wrong}
         aria-describedby={shown === null ? describedBy : `${describedBy} ${id}-stays`} value={inScreenWriting(language, text)}
         placeholder={shown?.text ?? ""} onChange={(e) => onText(e.currentTarget.value)} onBlur={leave}
         onFocus={(e) => e.currentTarget.select()} onKeyDown={onKey} {...(incremental ? { "aria-keyshortcuts": "I" } : {})} />

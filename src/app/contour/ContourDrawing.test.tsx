@@ -4,6 +4,7 @@ import { useState } from "react";
 import { afterEach, beforeAll, expect, test } from "vitest";
 import { newRow, type ContourRow } from "../../program/job.ts";
 import { fetchTexts } from "../settings/loaded-texts.ts";
+import { chooseElement } from "./contour-place.ts";
 import { ContourTable } from "./ContourTable.tsx";
 
 beforeAll(() => {
@@ -11,7 +12,10 @@ beforeAll(() => {
   SVGElement.prototype.hasPointerCapture = () => false;
   return fetchTexts("en");
 });
-afterEach(cleanup);
+afterEach(() => {
+  cleanup();
+  chooseElement(null);
+});
 
 const shoulder =
   () => [newRow("e1", { x: "20", z: "0" }), newRow("e2", { z: "-20" }), newRow("e3", { x: "60" }), newRow("e4", { z: "-50" })];

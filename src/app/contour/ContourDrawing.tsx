@@ -1,18 +1,37 @@
-import { useEffect, useMemo, useRef, useState } from "react";
-import { diameter, toRadius } from "../../kernel/units.ts";
+import { useEffect, useId, useMemo, useRef, useState, type KeyboardEvent, type ReactNode } from "react";
+import type { Ring } from "../../kernel/point.ts";
+import { axial, diameter, toRadius } from "../../kernel/units.ts";
 import { texts } from "../settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import type { RowsReading } from "../../program/contour-rows.ts";
 import type { ContourRow } from "../../program/job.ts";
-import { zoomed, type Camera } from "../../view/camera.ts";
+import { toScreen, zoomed, type Camera, type Margin, type Place } from "../../view/camera.ts";
+import { WORKPIECE_ZERO } from "../../view/datum.ts";
 import { contourDrawing } from "../../view/help/contour-drawing.ts";
 import { px } from "../../view/help/marks.ts";
 import { useSize } from "../help/use-size.ts";
+import { CameraAxes } from "../lathe/Axes.tsx";
+import { ZeroMark } from "../lathe/Marks.tsx";
+import { useSettings } from "../settings/settings.ts";
+import { useFingers } from "../use-media.ts";
+import { DrawingDimensions } from "./DrawingDimensions.tsx";
+import { BlankOutline, HoldSigns, SnapLines } from "./DrawingLayers.tsx";
 import { DrawingTools } from "./DrawingTools.tsx";
+import { pressDrawingKey } from "./drawing-keys.ts";
 import type { Edited } from "./row-edits.ts";
 import { gridSpacing, type GridStep } from "./snap.ts";
 import { useDrawing, type DrawingMode } from "./use-drawing.ts";
+import { useWheel } from "./use-wheel.ts";
+
+/** What the drawing on the large canvas has beside the contour. */
+export interface Canvas {
+  readonly blank: readonly Ring[];
+  /** What stands before the tools. */
+  readonly lead: ReactNode;
+  /** What stands in the middle while there is no element. */
+  readonly empty: ReactNode;
+}
 
 interface Props {
   readonly rows: readonly ContourRow[];
@@ -20,11 +39,20 @@ interface Props {
   /** Index of the row that is being edited; null when none is. */
   readonly active: number | null;
   readonly language: Language;
+  /** Axes, blank and dimensions; without it the drawing is a small one beside its table. */
+  readonly canvas?: Canvas;
   readonly onPick: (row: number) => void;
   /** Rows during a gesture; the same `place` is one step of undo. */
-  readonly onRows: (rows: readonly ContourRow[], place: string) => void;
+  readonly onRows: (rows: readonly ContourRow[], place: string | null) => void;
   readonly onEdited: (edited: Edited) => void;
 }
+
+/** Scales along two edges, a row of positions over the lower one, diameters along the right one. */
+const MARGINS: Readonly<Record<"mouse" | "fingers", Margin>> = {
+  mouse: { left: 66, right: 100, top: 34, bottom: 78 },
+  fingers: { left: 60, right: 92, top: 24, bottom: 86 },
+};
+const NO_RINGS: readonly Ring[] = [];
 
 const faultyRows = (reading: RowsReading) =>
   new Set(
@@ -34,13 +62,15 @@ const faultyRows = (reading: RowsReading) =>
   );
 
 /** The contour of the table, to look at and to edit: arcs as arcs, points numbered and to be dragged, faults at their element. */
-export function ContourDrawing({ rows, reading, active, language, onPick, onRows, onEdited }: Props) {
-  const t = texts(language).contour;
+export function ContourDrawing({ rows, reading, active, language, canvas, onPick, onRows, onEdited }: Props) {
+  const t = texts(language).contour, keysId = useId();
   const box = useRef<HTMLDivElement>(null);
   const size = useSize(box, { width: 380, height: 240 });
-  const [mode, setMode] = useState<DrawingMode>("move");
+  const fingers = useFingers(), xUp = !useSettings((s) => s.xDown);
+  const [mode, setMode] = useState<DrawingMode>(rows.length === 0 ? "draw" : "move");
   const [step, setStep] = useState<GridStep>(1);
   const [camera, setCamera] = useState<Camera | null>(null);
+  const large = canvas !== undefined, blank = canvas?.blank ?? NO_RINGS;
   const picture = useMemo(() =>
     contourDrawing({
       contour: reading.contour.segments,
@@ -50,39 +80,54 @@ export function ContourDrawing({ rows, reading, active, language, onPick, onRows
       active,
       size,
       camera,
+      ...(large && { margin: MARGINS[fingers ? "fingers" : "mouse"], xUp, beside: blank.flat() }),
       grid: (scale) => ({ z: gridSpacing(step, scale), r: toRadius(diameter(gridSpacing(step, toRadius(diameter(scale))))) }),
-    }), [reading, active, size, camera, step]);
-  const drawing = useDrawing({ rows, reading, picture, mode, step, onRows, onEdited, onPick, onCamera: setCamera });
-  const { takeBack } = drawing;
+    }), [reading, active, size, camera, step, large, fingers, xUp, blank]);
+  const drawing = useDrawing({ rows, reading, picture, mode, step, onRows, onEdited, onPick, camera, onCamera: setCamera });
+  const { takeBack, pointing } = drawing;
   useEffect(() => {
-    const onKey = (e: KeyboardEvent) => {
+    const onKey = (e: globalThis.KeyboardEvent) => {
       if (e.key === "Escape" && takeBack()) e.stopPropagation();
     };
     document.addEventListener("keydown", onKey, true);
     return () => document.removeEventListener("keydown", onKey, true);
   }, [takeBack]);
-  const zoom = (factor: number) => setCamera(zoomed(picture.camera, factor, { x: size.width / 2, y: size.height / 2 }));
+  const zoom = (factor: number, at: Place = { x: size.width / 2, y: size.height / 2 }) => setCamera(zoomed(picture.camera, factor, at));
+  useWheel(box, zoom);
   const name = t.drawing(reading.rows.length) + (active === null ? "" : `, ${t.drawingElement(active + 1)}`);
   const show = (n: number) => formatNumber(language, n, 3);
-  const { readout } = drawing;
+  const last = mode === "draw" && pointing?.row === null ? reading.rows.findLast((r) => r.end)?.end : null;
+  const tools = (
+    <DrawingTools mode={mode} step={step} language={language} onMode={setMode} onStep={setStep} onZoom={zoom}
+      onFit={() => setCamera(null)} />
+  );
+  const onKeyDown = (e: KeyboardEvent<HTMLDivElement>) => {
+    if (e.target !== box.current || e.ctrlKey || e.metaKey || e.altKey) return;
+    const done = pressDrawingKey(e, { rows, active, camera: picture.camera, onPick, onEdited, onZoom: zoom, onCamera: setCamera });
+    if (done) e.preventDefault();
+  };
 
   return (
-    <div className="contour-picture">
-      <DrawingTools mode={mode} step={step} language={language} onMode={setMode} onStep={setStep} onZoom={zoom}
-        onFit={() => setCamera(null)} />
-      <div className={`contour-drawing mode-${mode}`} ref={box}>
-        <svg role="img" aria-label={name} viewBox={`0 0 ${size.width} ${size.height}`} onPointerDown={drawing.onPointerDown}
-          onPointerMove={drawing.onPointerMove} onPointerUp={drawing.onPointerUp} onPointerCancel={drawing.onPointerCancel}
-          onDoubleClick={drawing.onDoubleClick}
+    <div className={`contour-picture${large ? " large" : ""}`}>
+      {canvas ? <div className="contour-bar">{canvas.lead}{tools}</div> : tools}
+      <div className={`contour-drawing mode-${mode}`} ref={box}
+        {...(large && { tabIndex: 0, role: "group", "aria-label": t.canvas, "aria-describedby": keysId, onKeyDown })}
+      >
+        <svg className="contour-sheet" role="img" aria-label={name} viewBox={`0 0 ${size.width} ${size.height}`}
+          onPointerDown={drawing.onPointerDown} onPointerMove={drawing.onPointerMove} onPointerUp={drawing.onPointerUp}
+          onPointerCancel={drawing.onPointerCancel} onPointerLeave={drawing.onPointerLeave} onDoubleClick={drawing.onDoubleClick}
         >
           <path className="grid" d={picture.grid} />
+          {large && <BlankOutline blank={blank} camera={picture.camera} />}
           <path className="axis" d={picture.axis} />
+          {large && <ZeroMark at={toScreen(picture.camera, WORKPIECE_ZERO)} />}
           {picture.elements.map((e, i) => (
             <g key={i} data-row={e.row} className={[e.row === active ? "active" : "", e.faulty ? "faulty" : ""].join(" ").trim()}>
               <path className="reach" d={e.d} />
               <path className="element" d={e.d} />
             </g>
           ))}
+          {large && <HoldSigns rows={rows} reading={reading} picture={picture} active={active} />}
           {picture.points.map((p, i) => (
             <g key={i} className={`point${p.row === active ? " active" : ""}${p.faulty ? " faulty" : ""}`}>
               <circle className="dot" cx={px(p.place.x)} cy={px(p.place.y)}
@@ -91,14 +136,25 @@ export function ContourDrawing({ rows, reading, active, language, onPick, onRows
               {p.label && <text x={px(p.label.x)} y={px(p.label.y)}>{p.faulty ? `${p.row + 1}!` : p.row + 1}</text>}
             </g>
           ))}
+          {pointing && pointing.size === null && (
+            <SnapLines pointing={pointing} camera={picture.camera} size={size}
+              from={last ? toScreen(picture.camera, { z: axial(last.z), r: toRadius(diameter(last.x)) }) : null} />
+          )}
+          {large && <CameraAxes camera={picture.camera} size={size} part="scales" />}
         </svg>
-        {readout && (
+        {large && (
+          <DrawingDimensions rows={rows} reading={reading} picture={picture} size={size} chosen={active} language={language} onPick={onPick}
+            onTyped={(next) => onRows(next, null)} />
+        )}
+        {rows.length === 0 && canvas?.empty}
+        {pointing && (
           <p className="contour-readout number">
-            {readout.size === null
-              ? `X ⌀ ${show(readout.spot.x)}  Z ${show(readout.spot.z)}`
-              : `${mode === "round" ? "R" : "CHF"} ${show(readout.size)}`}
+            {pointing.size === null
+              ? `X ⌀ ${show(pointing.aim.spot.x)}  Z ${show(pointing.aim.spot.z)}`
+              : `${mode === "round" ? "R" : "CHF"} ${show(pointing.size)}`}
           </p>
         )}
+        {large && <p id={keysId} className="unseen">{t.canvasKeys}</p>}
       </div>
     </div>
   );

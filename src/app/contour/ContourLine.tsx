@@ -53,7 +53,7 @@ export function ContourLine({ row, number, reading, issues, active, details, lan
     incremental?: { on: boolean; name: string; toggle: () => void },
   ): ReactNode => (
     <ContourCell row={row.id} field={field} name={name} language={language} text={row[field]} shown={grey} describedBy={`${id}-wrong`}
-      wrong={issues.some((found) => found.field === field)}
+      wrong={issues.some((found) => found.field === field && found.issue.severity !== "info")}
       onText={(text) => text !== row[field] && onChange({ [field]: text }, `${row.id} ${field}`)} {...(incremental ? { incremental } : {})}
       {...(TANGENTIAL.includes(row.kind) && number > 1 ? { onTangent: () => onChange({ tangent: !row.tangent }, null) } : {})} />
   );
@@ -66,12 +66,12 @@ export function ContourLine({ row, number, reading, issues, active, details, lan
     return (
       <ContourCell row={row.id} field={name} name={(name === "PR" ? t.polarRadiusOf : t.polarAngleOf)(number)} language={language}
         text={typed.text} shown={shown(typed.text, false, null, stays)} describedBy={`${id}-wrong`}
-        wrong={issues.some((found) => found.field === name)} onText={(text) => text !== typed.text && change({ text }, `${row.id} ${name}`)}
-        incremental={{
-          on: typed.incremental,
-          name: (name === "PR" ? t.incrementalRadius : t.incrementalAngle)(number),
-          toggle: () => change({ incremental: !typed.incremental }, null),
-        }} />
+        wrong={issues.some((found) => found.field === name && found.issue.severity !== "info")}
+        onText={(text) => text !== typed.text && change({ text }, `${row.id} ${name}`)} incremental={{
+        on: typed.incremental,
+        name: (name === "PR" ? t.incrementalRadius : t.incrementalAngle)(number),
+        toggle: () => change({ incremental: !typed.incremental }, null),
+      }} />
     );
   };
   const size = row.kind === "CHF" ? t.chamferOf(number) : t.radiusOf(number);
@@ -83,7 +83,9 @@ export function ContourLine({ row, number, reading, issues, active, details, lan
     >
       <th role="rowheader" scope="row" className="contour-number number">{number}</th>
       <td role="cell" className="contour-kind">
-        <select className="select" aria-label={t.kindOf(number)} value={row.kind} data-row={row.id} data-field="kind" onChange={(e) => {
+        <b className="number contour-code" aria-hidden="true">{row.kind}</b>
+        <select className="select" aria-label={t.kindOf(number)} title={t.kinds[row.kind]} value={row.kind} data-row={row.id}
+          data-field="kind" onChange={(e) => {
           const kind = e.currentTarget.value as ContourRow["kind"];
           onChange({ kind, ...firstForm(kind) }, null);
         }}>

@@ -5,10 +5,14 @@ import { afterEach, beforeAll, expect, test } from "vitest";
 import { catalogue } from "../../cycles/index.ts";
 import { exampleJob, newRow, type ContourRow } from "../../program/job.ts";
 import { fetchTexts } from "../settings/loaded-texts.ts";
+import { chooseElement } from "./contour-place.ts";
 import { ContourTable } from "./ContourTable.tsx";
 
 beforeAll(() => fetchTexts("en"));
-afterEach(cleanup);
+afterEach(() => {
+  cleanup();
+  chooseElement(null);
+});
 
 const example = () => {
   const cycle = catalogue.find((c) => c.contour === "free" && c.evidence === "A");
@@ -95,8 +99,9 @@ test("a fault stands at its field and in the drawing", async () => {
   const user = userEvent.setup();
   shown();
   await user.clear(field("Element 3, radius"));
-  expect(field("Element 3, radius").getAttribute("aria-invalid")).toBe("true");
+  expect(field("Element 3, radius").getAttribute("aria-invalid")).toBe("false");
   await user.type(field("Element 3, radius"), "200");
+  expect(field("Element 3, radius").getAttribute("aria-invalid")).toBe("true");
   const wrong = field("Element 3, radius").getAttribute("aria-describedby") ?? "";
   expect(document.getElementById(wrong)?.textContent).toContain("200");
   expect(document.querySelectorAll(".contour-drawing .faulty").length).toBeGreaterThan(0);
@@ -111,6 +116,18 @@ test("minus anywhere in a number changes its sign", async () => {
   z.setSelectionRange(3, 3);
   await user.keyboard("-");
   expect(last.rows[3]?.z).toBe("25");
+});
+
+test("a new element is chosen and says calmly what it needs: nothing is red before the first digit", async () => {
+  const user = userEvent.setup();
+  shown([]);
+  await user.click(screen.getByRole("button", { name: "Add element" }));
+  expect(document.activeElement).toBe(field("Element 1, X diameter"));
+  expect(document.querySelectorAll(".field-message.error, [aria-invalid=true]")).toHaveLength(0);
+  await user.keyboard("17.4");
+  expect(field("Element 1, Z").getAttribute("aria-invalid")).toBe("true");
+  await user.click(screen.getByRole("button", { name: "Add element" }));
+  expect(document.querySelector("tr.active .contour-number")?.textContent).toBe("2");
 });
 
 test("an empty table asks for the start point", async () => {

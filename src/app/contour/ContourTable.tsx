@@ -1,12 +1,12 @@
-import { useMemo, useRef, useState } from "react";
+import { useEffect, useEffectEvent, useRef, useState } from "react";
 import { texts } from "../settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
-import { readRows } from "../../program/contour-rows.ts";
 import type { ContourRow } from "../../program/job.ts";
 import { ContourDrawing } from "./ContourDrawing.tsx";
 import { ContourLine } from "./ContourLine.tsx";
 import { RowTools } from "./RowTools.tsx";
-import { cornerBehind, cornerSized, isCorner, type CornerKind } from "./drawing-edits.ts";
+import { chooseElement, contourReading, useChosenRow, useContourPlace } from "./contour-place.ts";
+import { cornerOf, cornerRowOf, type CornerKind } from "./drawing-edits.ts";
 import { DxfImport } from "./DxfImport.tsx";
 import { FaultList } from "./FaultList.tsx";
 import { changed, withRowTwice, withRow, withRowMoved, withoutRow, type Edited } from "./row-edits.ts";
@@ -18,34 +18,35 @@ interface Props {
   /** `place` names the field that is typed into, so that typing is one step of undo; null for a change of its own. */
   readonly onChange: (rows: readonly ContourRow[], place: string | null) => void;
   readonly language: Language;
+  /** The drawing stands elsewhere, on the large canvas. */
+  readonly apart?: boolean;
 }
 
-/** The contour subprogram as a table beside its drawing. */
-export function ContourTable({ rows, onChange, language }: Props) {
+/** The contour subprogram as a table, with its drawing unless that stands elsewhere. */
+export function ContourTable({ rows, onChange, language, apart = false }: Props) {
   const t = texts(language).contour;
   const table = useRef<HTMLTableElement>(null);
-  const [activeId, setActive] = useState<string | null>(rows[0]?.id ?? null);
+  const active = useChosenRow(rows), activeId = active === null ? null : (rows[active]?.id ?? null);
+  const asked = useContourPlace((p) => p.keyboard);
   const [said, setSaid] = useState({ text: "", times: 0 });
   /** Says what was done, also when the same is done again. */
   const say = (text: string) => setSaid((old) => ({ text, times: old.times + 1 }));
-  const reading = useMemo(() => readRows(rows), [rows]);
+  const reading = contourReading(rows);
   const focusRow = useRowFocus(table);
-  const found = rows.findIndex((r) => r.id === activeId);
-  const active = found < 0 ? null : found;
   const uses = rows.some((r) => r.angle !== "" || r.length !== "" || r.tangent);
-  const [asked, setAsked] = useState(uses);
-  const details = asked || uses;
+  const [wanted, setWanted] = useState(uses);
+  const details = wanted || uses;
 
   const edit = (edited: Edited, done: string, field?: string) => {
     if (edited.rows === rows) return;
     focusRow(edited.focus, field);
-    if (edited.focus !== null) setActive(edited.focus);
+    if (edited.focus !== null) chooseElement(edited.focus);
     say(done);
     onChange(edited.rows, null);
   };
   /** An edit in the drawing leaves the keyboard where it is: a field that takes it would scroll the drawing away. */
   const drawn = (edited: Edited) => {
-    setActive(edited.focus);
+    chooseElement(edited.focus);
     say(t.done.added);
     onChange(edited.rows, null);
   };
@@ -56,34 +57,46 @@ export function ContourTable({ rows, onChange, language }: Props) {
     remove: () => active !== null && edit(withoutRow(rows, active), t.done.removed),
     move: (by) => active !== null && edit(withRowMoved(rows, active, by), t.done.moved, fieldInUse(table.current)),
   };
-  /** The row whose corner the keyboard means: the active one, or the one before the active corner element. */
-  const cornerRow = active !== null && (rows[active]?.kind === "RND" || rows[active]?.kind === "CHF") ? active - 1 : active;
+  const cornerRow = cornerRowOf(rows, active);
   const corner = (kind: CornerKind) => {
-    if (cornerRow === null || !isCorner(rows, cornerRow)) return;
-    const size = Number(cornerBehind(rows, cornerRow)?.r.replace(",", ".")) || 1;
-    edit(cornerSized(rows, cornerRow, kind, size), t.done.added, "r");
+    const edited = cornerOf(rows, active, kind);
+    if (edited) edit(edited, t.done.added, "r");
   };
   const onKeyDown = useTableKeys(table, { ...actions, corner });
   const pick = (row: number) => {
     const id = rows[row]?.id;
     if (id === undefined) return;
     focusRow(id);
-    setActive(id);
+    chooseElement(id);
     say("");
   };
+  const called = useEffectEvent(() => {
+    focusRow(activeId);
+    setSaid((old) => ({ ...old, text: "" }));
+  });
+  const answered = useRef(asked);
+  useEffect(() => {
+    if (asked === answered.current) return;
+    answered.current = asked;
+    called();
+  }, [asked]);
+  useEffect(() => {
+    table.current?.querySelector("tr.active")?.scrollIntoView?.({ block: "nearest" });
+  }, [activeId, rows.length]);
 
   return (
     <section className="contour-editor" aria-label={t.title}>
       <div className="contour-layout">
-        <div className="contour-side">
-          <ContourDrawing rows={rows} reading={reading} active={active} language={language}
-            onPick={(row) => setActive(rows[row]?.id ?? null)} onRows={onChange} onEdited={drawn} />
-          <FaultList issues={reading.issues} language={language} onPick={pick} />
-        </div>
+        {!apart && (
+          <div className="contour-side">
+            <ContourDrawing rows={rows} reading={reading} active={active} language={language} onPick={(row) =>
+              chooseElement(rows[row]?.id ?? null)} onRows={onChange} onEdited={drawn} />
+            <FaultList issues={reading.issues} language={language} onPick={pick} />
+          </div>
+        )}
         <div className="contour-fields">
           <RowTools number={active === null ? null : active + 1} count={rows.length} actions={actions} language={language} details={details}
-            corner={cornerRow !== null && isCorner(rows, cornerRow) ? cornerRow + 1 : null} onCorner={corner}
-            onDetails={() => setAsked(!details)}
+            corner={cornerRow === null ? null : cornerRow + 1} onCorner={corner} onDetails={() => setWanted(!details)}
           >
             <DxfImport count={rows.length} language={language}
               onTake={(taken) => edit({ rows: taken, focus: taken[0]?.id ?? null }, t.done.added)} />
@@ -107,7 +120,7 @@ export function ContourTable({ rows, onChange, language }: Props) {
                   {rows.map((row, i) => (
                     <ContourLine key={row.id} row={row} number={i + 1} reading={reading.rows[i]} issues={reading.issues.filter((issue) =>
                       issue.row === i
-                    )} active={row.id === activeId} details={details} language={language} onFocus={() => setActive(row.id)}
+                    )} active={row.id === activeId} details={details} language={language} onFocus={() => chooseElement(row.id)}
                       onChange={(change, place) => onChange(changed(rows, row.id, change), place)} />
                   ))}
                 </tbody>

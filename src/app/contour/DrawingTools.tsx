@@ -45,7 +45,7 @@ export function DrawingTools({ mode, step, language, onMode, onStep, onZoom, onF
         <button key={m} type="button" className="button icon" aria-label={t.modes[m]} title={t.modes[m]} aria-pressed={mode === m}
           onClick={() => onMode(m)}
         >
-          <Shape d={modes[m]} />
+          <Shape d={modes[m]} /> <span className="contour-mode" aria-hidden="true">{t.modeShort[m]}</span>
         </button>
       ))}
       <label htmlFor={id} className="small soft contour-grid-label">{t.grid}</label>

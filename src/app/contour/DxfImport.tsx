@@ -83,7 +83,7 @@ export function DxfImport({ count, language, onTake }: Props) {
             <div className="dxf-choices">
               <label>
                 <span>{t.tolerance}</span>
-                <input className="input number" type="text" inputMode="decimal" autoComplete="off"
+                <input className="input number" type="text" data-number="words" inputMode="decimal" autoComplete="off"
                   value={inScreenWriting(language, tolerance)} aria-invalid={!fine} onChange={(e) => {
                   const text = e.currentTarget.value, { value } = readText(TOLERANCE, text);
                   setTolerance(text);

@@ -33,8 +33,8 @@ export function RecessFields({ row, number, language, describedBy, onChange }: P
       {recessWords(row).map((word) => (
         <label key={word}>
           <span className="number">{isDiameterWord(row, word) ? `${word} ⌀` : word}</span>
-          <input className="input number" type="text" inputMode="text" autoComplete="off" spellCheck={false} maxLength={200}
-            aria-label={t.wordOf(number, word)} aria-describedby={describedBy} data-row={row.id} data-field={word}
+          <input className="input number" type="text" data-number="words" inputMode="text" autoComplete="off" spellCheck={false}
+            maxLength={200} aria-label={t.wordOf(number, word)} aria-describedby={describedBy} data-row={row.id} data-field={word}
             value={inScreenWriting(language, row.words[word] ?? "")} onBlur={closeStep} onFocus={(e) => e.currentTarget.select()}
             onChange={(e) => onChange({ words: { ...row.words, [word]: e.currentTarget.value } }, `${row.id} ${word}`)} />
         </label>

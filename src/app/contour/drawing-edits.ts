@@ -113,3 +113,16 @@ export function cornerSized(rows: Rows, row: number, kind: CornerKind, size: num
   if (wrong?.code !== "cornerElementTooLong") return { rows: made, focus: corner.id };
   return { rows: made.with(row + 1, { ...corner, r: typed(wrong.data.nearest ?? wrong.data.max) }), focus: corner.id };
 }
+
+/** The row whose corner is meant while a row is chosen: itself, or the one before a corner element; null where there is no corner. */
+export function cornerRowOf(rows: Rows, row: number | null): number | null {
+  if (row === null) return null;
+  const at = rows[row]?.kind === "RND" || rows[row]?.kind === "CHF" ? row - 1 : row;
+  return isCorner(rows, at) ? at : null;
+}
+
+/** Breaks the corner at a chosen row: with the size that stands there, or 1 mm. */
+export function cornerOf(rows: Rows, row: number | null, kind: CornerKind): Edited | null {
+  const at = cornerRowOf(rows, row);
+  return at === null ? null : cornerSized(rows, at, kind, Number(cornerBehind(rows, at)?.r.replace(",", ".")) || 1);
+}

@@ -1,6 +1,6 @@
 import { diameter, toDiameter, toRadius, axial, radius } from "../../kernel/units.ts";
 import { formatNumber } from "../../i18n/number.ts";
-import { toPlace, toScreen } from "../../view/camera.ts";
+import { toPlace, toScreen, type Camera, type Size } from "../../view/camera.ts";
 import { ticks } from "../../view/ticks.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
@@ -16,8 +16,18 @@ const APART = { z: 72, x: 44 };
 
 /** Grid and scales: Z along the lower edge, X as diameter along the left one, the spindle axis as a chain line. */
 export function LatheAxes({ viewport, part }: { readonly viewport: Viewport; readonly part: "grid" | "scales" }) {
-  const camera = useCamera(viewport), { width, height } = viewport.size();
-  const language = useSettings((s) => s.language), t = useTexts().lathe, unit = usePageUnit();
+  return <CameraAxes camera={useCamera(viewport)} size={viewport.size()} part={part} unit={usePageUnit()} />;
+}
+
+/** The same for a picture that keeps its camera itself. */
+export function CameraAxes({ camera, size: { width, height }, part, unit = 1 }: {
+  readonly camera: Camera;
+  readonly size: Size;
+  readonly part: "grid" | "scales";
+  /** How much larger than written its letters are, in the measure of the size. */
+  readonly unit?: number;
+}) {
+  const language = useSettings((s) => s.language), t = useTexts().lathe;
   const corner = toPlace(camera, { x: 0, y: 0 }), far = toPlace(camera, { x: width, y: height });
   const alongZ = ticks(corner.z, far.z, unit * APART.z / camera.scale);
   const alongX = ticks(toDiameter(corner.r), toDiameter(far.r), toDiameter(radius(unit * APART.x / camera.scale)));

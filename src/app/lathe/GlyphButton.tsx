@@ -1,7 +1,7 @@
 import { Glyph, type GlyphName } from "./Glyph.tsx";
 
-/** A button that shows a glyph and is called by its name. */
-export function GlyphButton({ glyph, name, onPress, pressed, expanded, disabled }: {
+/** A button that shows a glyph and is called by its name; with a text beside it where there is room. */
+export function GlyphButton({ glyph, name, onPress, pressed, expanded, disabled, text }: {
   readonly glyph: GlyphName;
   readonly name: string;
   readonly onPress: () => void;
@@ -10,12 +10,15 @@ export function GlyphButton({ glyph, name, onPress, pressed, expanded, disabled 
   /** For a button that folds something: open or closed. */
   readonly expanded?: boolean;
   readonly disabled?: boolean;
+  /** Its name, or a shorter one. */
+  readonly text?: string;
 }) {
   return (
     <button type="button" className="button icon" aria-label={name} title={name} aria-pressed={pressed} aria-expanded={expanded}
       disabled={disabled} onClick={onPress}
     >
       <Glyph name={glyph} />
+      {text !== undefined && <span className="glyph-text" aria-hidden="true">{text}</span>}
     </button>
   );
 }

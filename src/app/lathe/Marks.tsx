@@ -1,8 +1,20 @@
 import type { Pt } from "../../kernel/point.ts";
-import { toScreen } from "../../view/camera.ts";
+import { toScreen, type Place } from "../../view/camera.ts";
 import { WORKPIECE_ZERO } from "../../view/datum.ts";
 import { useCamera } from "./use-camera.ts";
 import type { Viewport } from "./viewport.ts";
+
+/** The point that dimensions count from, as a quartered circle. */
+export function ZeroMark({ at }: { readonly at: Place }) {
+  return (
+    <g className="lathe-zero" aria-hidden="true" transform={`translate(${at.x} ${at.y})`}>
+      <circle className="ground" r="7" />
+      <path className="quarters" d="M0 0V-7A7 7 0 0 1 7 0ZM0 0V7A7 7 0 0 1 -7 0Z" />
+      <circle className="edge" r="7" />
+      <path className="edge" d="M-11 0H11M0 -11V11" />
+    </g>
+  );
+}
 
 /**
  * The point that the program counts from as quartered circle, the workpiece zero as a thin ring when that is another one, and each
@@ -17,12 +29,7 @@ export function Marks({ viewport, starts, datum }: { readonly viewport: Viewport
           <circle className="edge" r="4" />
         </g>
       )}
-      <g className="lathe-zero" transform={`translate(${zero.x} ${zero.y})`}>
-        <circle className="ground" r="7" />
-        <path className="quarters" d="M0 0V-7A7 7 0 0 1 7 0ZM0 0V7A7 7 0 0 1 -7 0Z" />
-        <circle className="edge" r="7" />
-        <path className="edge" d="M-11 0H11M0 -11V11" />
-      </g>
+      <ZeroMark at={zero} />
       {starts.map((start, i) => {
         const at = toScreen(camera, start);
         return (

@@ -20,10 +20,11 @@ export function ViewBar({ viewport, measuring, onWhich, children }: {
   const t = useTexts().lathe, full = useSettings((s) => s.fullSection), down = useSettings((s) => s.xDown);
   return (
     <Toolbar className="lathe-viewbar" aria-label={t.viewTools}>
-      <GlyphButton glyph={full ? "fullSection" : "halfSection"} name={t.fullSection} pressed={full}
+      <GlyphButton glyph={full ? "fullSection" : "halfSection"} name={t.fullSection} text={t.fullSection} pressed={full}
         onPress={() => changeSettings({ fullSection: !full })} />
-      <GlyphButton glyph={down ? "xDown" : "xUp"} name={t.xDown} pressed={down} onPress={() => changeSettings({ xDown: !down })} />
-      <GlyphButton glyph="ruler" name={t.ruler} pressed={measuring.on} onPress={measuring.toggle} />
+      <GlyphButton glyph={down ? "xDown" : "xUp"} name={t.xDown} text={t.xDown} pressed={down}
+        onPress={() => changeSettings({ xDown: !down })} />
+      <GlyphButton glyph="ruler" name={t.ruler} text={t.ruler} pressed={measuring.on} onPress={measuring.toggle} />
       <GlyphButton glyph="which" name={t.which} disabled={onWhich === null} onPress={() => onWhich?.()} />
       <div className="lathe-gap">{children}</div>
       <GlyphButton glyph="zoomOut" name={t.zoomOut} onPress={() => viewport.zoom(1 / ZOOM)} />

@@ -63,8 +63,8 @@ export function NumberField({ name, unit, text, onText, field, ask, proposal }: 
     <div className="setup-field">
       <label htmlFor={id}>{name}</label>
       <span className="setup-value">
-        <input id={id} ref={input} className="input number" type="text" data-number="words" inputMode="decimal" autoComplete="off" spellCheck={false}
-          maxLength={200} aria-invalid={wrong !== null || problems.some((p) => p.issue.severity === "error")}
+        <input id={id} ref={input} className="input number" type="text" data-number="words" inputMode="decimal" autoComplete="off"
+          spellCheck={false} maxLength={200} aria-invalid={wrong !== null || problems.some((p) => p.issue.severity === "error")}
           aria-describedby={`${id}-unit ${id}-proposed ${id}-wrong`}
           {...(isProposed && { placeholder: inScreenWriting(language, proposal) })} value={inScreenWriting(language, text)} onBlur={commit}
           onKeyDown={onKeyDown} onChange={(e) => {

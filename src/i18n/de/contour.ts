@@ -49,6 +49,16 @@ export const contour = {
   round: (element) => `Ecke hinter Element ${element} runden`,
   chamfer: (element) => `Ecke hinter Element ${element} fasen`,
   drawTools: "Zeichenwerkzeuge",
+  views: { label: "Bild", draw: "Zeichnen", lathe: "Drehen" },
+  modeShort: { move: "Schieben", draw: "Zeichnen", round: "Runden", chamfer: "Fasen" },
+  canvas: "Konturzeichnung",
+  canvasKeys: "Pfeiltasten wählen ein Element, Tab geht durch seine Maße, Enter öffnet eines. "
+    + "R und C brechen die Ecke, Plus und Minus zoomen, 0 zeigt alles, "
+    + "Umschalt mit Pfeilen verschiebt das Bild.",
+  dimension: (name, value) => `${name}: ${value}`,
+  inDrawing: (name) => `${name}, in der Zeichnung`,
+  emptyDrawing: "Dort tippen, wo die Kontur beginnt, oder den ersten Punkt eingeben.",
+  typeFirst: "Ersten Punkt eingeben",
   modes: {
     move: "Punkte und Bild verschieben",
     draw: "Zeichnen: Punkte anfügen, Elemente teilen",

@@ -49,6 +49,16 @@ export const contour = {
   round: (element: number) => `Round the corner behind element ${element}`,
   chamfer: (element: number) => `Chamfer the corner behind element ${element}`,
   drawTools: "Drawing tools",
+  views: { label: "Picture", draw: "Draw", lathe: "Lathe" },
+  modeShort: { move: "Move", draw: "Draw", round: "Round", chamfer: "Chamfer" },
+  canvas: "Contour drawing",
+  canvasKeys: "Arrow keys choose an element, Tab goes through its dimensions, Enter opens one. "
+    + "R and C break the corner, plus and minus zoom, 0 shows all, "
+    + "Shift with arrows moves the picture.",
+  dimension: (name: string, value: string) => `${name}: ${value}`,
+  inDrawing: (name: string) => `${name}, in the drawing`,
+  emptyDrawing: "Tap where the contour begins, or type the first point.",
+  typeFirst: "Type the first point",
   modes: {
     move: "Move points and the picture",
     draw: "Draw: add points, divide elements",

@@ -49,6 +49,16 @@ export const contour = {
   round: (element) => `Arrondir l’angle après l’élément ${element}`,
   chamfer: (element) => `Chanfreiner l’angle après l’élément ${element}`,
   drawTools: "Outils de dessin",
+  views: { label: "Image", draw: "Dessin", lathe: "Tour" },
+  modeShort: { move: "Déplacer", draw: "Dessiner", round: "Arrondir", chamfer: "Chanfreiner" },
+  canvas: "Dessin du contour",
+  canvasKeys: "Les flèches choisissent un élément, Tab parcourt ses cotes, Entrée en ouvre une. "
+    + "R et C cassent l’angle, plus et moins zooment, 0 montre tout, "
+    + "Maj avec les flèches déplace l’image.",
+  dimension: (name, value) => `${name} : ${value}`,
+  inDrawing: (name) => `${name}, dans le dessin`,
+  emptyDrawing: "Toucher l’endroit où le contour commence, ou saisir le premier point.",
+  typeFirst: "Saisir le premier point",
   modes: {
     move: "Déplacer les points et l’image",
     draw: "Dessiner : ajouter des points, diviser",

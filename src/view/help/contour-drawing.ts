@@ -1,7 +1,7 @@
 import { part, type Pt, type Segment } from "../../kernel/point.ts";
 import { axial, diameter, toRadius } from "../../kernel/units.ts";
 import { boundsOf } from "../bounds.ts";
-import { fitted, toPlace, toScreen, type Camera, type Place, type Size } from "../camera.ts";
+import { fitted, toPlace, toScreen, type Camera, type Margin, type Place, type Size } from "../camera.ts";
 import { labelsOverlap, textBox, type LabelBox } from "./labels.ts";
 import { polyline, px, segmentPath } from "./marks.ts";
 import { drawnLine } from "./section.ts";
@@ -20,6 +20,11 @@ export interface ContourRequest {
   readonly size: Size;
   /** How part space lies in the drawing; without one the contour fills it. */
   readonly camera?: Camera | null;
+  /** Room round a contour that fills the drawing. */
+  readonly margin?: Margin;
+  readonly xUp?: boolean;
+  /** What the drawing shows beside the contour: the blank. */
+  readonly beside?: readonly Pt[];
   /** Distance of grid lines, mm on the radius and along Z; none without it. */
   readonly grid?: ((scale: number) => { readonly z: number; readonly r: number }) | null;
 }
@@ -31,20 +36,38 @@ export interface ContourPicture {
   readonly axis: string;
   readonly elements: readonly { readonly row: number; readonly d: string; readonly faulty: boolean }[];
   readonly points: readonly { readonly row: number; readonly place: Place; readonly label: Place | null; readonly faulty: boolean }[];
+  /** Places along the contour, which other texts should not cover, and the boxes of the numbers, which they must not. */
+  readonly avoid: readonly Place[];
+  readonly kept: readonly LabelBox[];
 }
 
-const MARGIN = { left: 26, right: 26, top: 22, bottom: 22 };
+const MARGIN: Margin = { left: 26, right: 26, top: 22, bottom: 22 };
 /** Farther away than this many contour sizes the axis is left out, so that the contour stays large. */
 const NEAR_AXIS = 2;
 
-function cameraFor(points: readonly Pt[], size: Size): Camera {
+function cameraFor(points: readonly Pt[], size: Size, margin: Margin, xUp: boolean): Camera {
   const all = boundsOf(points) ?? { left: -50, right: 5, low: 0, high: 40 };
   const span = Math.max(all.right - all.left, all.high - all.low, 1);
   const low = all.low < NEAR_AXIS * span ? Math.min(0, all.low) : all.low;
   const box = all.right - all.left + all.high - low < SAME
     ? { left: all.left - 10, right: all.right + 10, low: 0, high: all.high + 10 }
     : { ...all, low };
-  return fitted(box, size, MARGIN, true);
+  return fitted(box, size, margin, xUp);
+}
+
+/** How much of what lies beside the contour is shown round it, as a share of the contour's size. */
+const ROUND_ABOUT = 0.35;
+
+/** A contour of fewer points than this has no size yet that could say how large to draw it. */
+const FEW = 3;
+
+/** The points that lie beside the contour, moved to where they widen its picture only so far. */
+function nearby(points: readonly Pt[], beside: readonly Pt[]): readonly Pt[] {
+  const own = boundsOf(points);
+  if (!own || points.length < FEW) return beside;
+  const by = ROUND_ABOUT * Math.max(own.right - own.left, own.high - own.low);
+  const between = (low: number, n: number, high: number) => Math.max(low, Math.min(n, high));
+  return beside.map((p) => part.point(between(own.left - by, p.z, own.right + by), between(own.low - by, p.r, own.high + by)));
 }
 
 /** A place for a number beside its point that covers no other number and no line. */
@@ -72,20 +95,23 @@ const MOST_LINES = 300;
 
 /** Grid lines at whole multiples of a distance, over the whole drawing. */
 function gridPath(camera: Camera, size: Size, step: { readonly z: number; readonly r: number }): string {
-  const [low, high] = [toPlace(camera, { x: 0, y: size.height }), toPlace(camera, { x: size.width, y: 0 })];
+  const [left, right] = [toPlace(camera, { x: 0, y: size.height }), toPlace(camera, { x: size.width, y: 0 })];
+  const [low, high] = [{ z: left.z, r: Math.min(left.r, right.r) }, { z: right.z, r: Math.max(left.r, right.r) }];
   const multiples = (from: number, to: number, by: number) => {
     const first = Math.ceil(from / by), count = Math.floor(to / by) - first + 1;
     return count > MOST_LINES ? [] : Array.from({ length: Math.max(0, count) }, (_, i) => (first + i) * by);
   };
-  const upright = multiples(low.z, high.z, step.z).map((z) => toScreen(camera, part.point(z, low.r)).x);
-  const level = multiples(low.r, high.r, step.r).map((r) => toScreen(camera, part.point(low.z, r)).y);
+  const upright = multiples(low.z, high.z, step.z).map((z) => toScreen(camera, part.point(z, 0)).x);
+  const level = multiples(low.r, high.r, step.r).map((r) => toScreen(camera, part.point(0, r)).y);
   return [...upright.map((x) => `M${px(x)} 0V${px(size.height)}`), ...level.map((y) => `M0 ${px(y)}H${px(size.width)}`)].join("");
 }
 
 /** Draws the contour of a table as data. */
-export function contourDrawing({ contour, rowOfSegment, ends, faulty, active, size, camera: given, grid }: ContourRequest): ContourPicture {
+export function contourDrawing(request: ContourRequest): ContourPicture {
+  const { contour, rowOfSegment, ends, faulty, active, size, camera: given, grid, margin = MARGIN, xUp = true, beside = [] } = request;
   const stops = ends.flatMap((e, row) => (e ? [{ row, at: { z: axial(e.z), r: toRadius(diameter(e.x)) } }] : []));
-  const camera = given ?? cameraFor([...drawnLine(contour), ...stops.map((s) => s.at)], size);
+  const shown = [...drawnLine(contour), ...stops.map((s) => s.at)];
+  const camera = given ?? cameraFor([...shown, ...nearby(shown, beside)], size, margin, xUp);
   const rows = [...new Set(rowOfSegment)];
   const elements = rows.map((row) => ({
     row,
@@ -102,13 +128,13 @@ export function contourDrawing({ contour, rowOfSegment, ends, faulty, active, si
     const before = stops.filter((s) => s.row < row).at(-1) ?? stops[0];
     return before ? [{ row, at: before.at }] : [];
   });
-  const line = contour.flatMap((s) => Array.from({ length: 24 }, (_, k) => toScreen(camera, pointOn(s, k / 24))));
+  const avoid = contour.flatMap((s) => Array.from({ length: 24 }, (_, k) => toScreen(camera, pointOn(s, k / 24))));
   const taken: LabelBox[] = [];
   const marks = [...stops, ...corners, ...missing].sort((a, b) => Number(b.row === active) - Number(a.row === active) || a.row - b.row);
   const points = marks.map(({ row, at }) => {
     const place = toScreen(camera, at);
     const text = faulty.has(row) ? `${row + 1}!` : String(row + 1);
-    const label = labelPlace(place, text, faulty.has(row), taken, line, size);
+    const label = labelPlace(place, text, faulty.has(row), taken, avoid, size);
     if (label) taken.push(textBox(label, text, 0, 12));
     return { row, place, label, faulty: faulty.has(row) };
   });
@@ -119,5 +145,7 @@ export function contourDrawing({ contour, rowOfSegment, ends, faulty, active, si
     axis: y > 0 && y < size.height ? polyline([{ x: 4, y }, { x: size.width - 4, y }]) : "",
     elements,
     points,
+    avoid,
+    kept: taken,
   };
 }

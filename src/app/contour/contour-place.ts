@@ -1,0 +1,38 @@
+import { create } from "zustand";
+import { readRows, type RowsReading } from "../../program/contour-rows.ts";
+import type { ContourRow } from "../../program/job.ts";
+
+/** What the middle of the page shows while a contour is edited. */
+export type ContourView = "draw" | "lathe";
+
+/** What drawing and table of a contour have in common beside its rows: not part of the work, so undo does not touch it. */
+interface ContourPlace {
+  readonly view: ContourView;
+  /** Id of the chosen element. */
+  readonly chosen: string | null;
+  /** Counts up each time the table should take the keyboard at the chosen element. */
+  readonly keyboard: number;
+}
+
+export const useContourPlace = create<ContourPlace>(() => ({ view: "draw", chosen: null, keyboard: 0 }));
+
+export const showContourView = (view: ContourView): void => useContourPlace.setState({ view });
+export const chooseElement = (chosen: string | null): void => useContourPlace.setState({ chosen });
+/** Chooses an element and puts the keyboard into its row. */
+export const goToElement = (chosen: string | null): void => useContourPlace.setState((p) => ({ chosen, keyboard: p.keyboard + 1 }));
+
+/** Index of the chosen element; the first one where none of these is chosen, null where there is none. */
+export function useChosenRow(rows: readonly ContourRow[]): number | null {
+  const chosen = useContourPlace((p) => p.chosen);
+  const found = rows.findIndex((r) => r.id === chosen);
+  return found >= 0 ? found : rows.length > 0 ? 0 : null;
+}
+
+const read = new WeakMap<readonly ContourRow[], RowsReading>();
+
+/** The rows as they are read, once per state of the table: drawing, table and findings look at the same. */
+export function contourReading(rows: readonly ContourRow[]): RowsReading {
+  const known = read.get(rows) ?? readRows(rows);
+  read.set(rows, known);
+  return known;
+}
