@@ -1,4 +1,5 @@
 import { cuttingCycles } from "../../src/cycles/index.ts";
+import { likelyCompletion } from "../../src/cycles/completions.ts";
 import type { Cycle, Given } from "../../src/cycles/define.ts";
 import { firstValues } from "../../src/cycles/first-values.ts";
 import { pointPlan } from "../../src/cycles/point-plan.ts";
@@ -37,6 +38,16 @@ export function drawn(cycle: Cycle, values: Numbers, active: string | null, size
   if (outline.contour.length === 0 || outline.issues.some((found) => found.severity === "error")) return null;
   const plan = pointPlan(cycle, read, outline, given);
   return helpDrawing({ params: cycle.params, values, outline, plan, active, size, speech });
+}
+
+/** Draws a cycle as long as values are missing. */
+export function partlyDrawn(cycle: Cycle, typed: Numbers, active: string | null, size: Size): HelpDrawing | null {
+  const made = likelyCompletion(cycle, typed, printedContour);
+  if (!made) return null;
+  const plan = pointPlan(cycle, made.values, made.outline, printedContour);
+  const { values, outline } = made;
+  const isBorrowed = cycle.contour === "free";
+  return helpDrawing({ params: cycle.params, values: values as Numbers, typed, isBorrowed, outline, plan, active, size, speech });
 }
 
 /** All marks, those inside a lens too. */

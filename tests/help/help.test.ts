@@ -5,9 +5,10 @@ import { choice, diameterParam, lengthParam, radial } from "../../src/cycles/par
 import { recessOutline } from "../../src/cycles/recess-outline.ts";
 import { empty } from "../../src/kernel/strategy/leveled.ts";
 import { axial, degrees, diameter, length } from "../../src/kernel/units.ts";
+import type { Numbers } from "../../src/view/help/lettering.ts";
 import { labelsOverlap } from "../../src/view/help/labels.ts";
 import { helpSvg } from "../../src/view/help/svg.ts";
-import { cycles, drawn, exampleOf, flat } from "./drawings.ts";
+import { cycles, drawn, exampleOf, flat, partlyDrawn } from "./drawings.ts";
 import { cases, laws } from "./laws.ts";
 
 const size = { width: 400, height: 280 };
@@ -65,6 +66,30 @@ test.each(Object.keys(madeUp.params))("a cycle that the picture has never seen s
 test("a drawing holds no colours, only roles", () => {
   const text = cycles.map((c) => helpSvg(drawn(c, exampleOf(c), null, size) ?? { size, marks: [], labels: [] })).join("");
   expect(text).not.toMatch(/fill="|stroke="/);
+});
+
+describe("as long as values are missing", () => {
+  test.each<[number, string, Numbers]>([
+    [812, "Q502", { Q215: 1, Q460: 1.7, Q491: 38.46, Q492: 1.7, Q493: 26.04, Q494: -17.3, Q495: 2.5, Q501: 2 }],
+    [820, "Q478", { Q215: 0, Q463: 1.35 }],
+    [831, "Q494", { Q471: 0, Q491: 23.9, Q492: -3.2 }],
+    [852, "Q494", { Q215: 0, Q491: 61.37, Q492: 0.8, Q493: 42.11 }],
+    [861, "Q493", {}],
+  ])("cycle %i at %s is drawn with what is typed", async (number, q, typed) => {
+    const cycle = cycles.find((c) => c.number === number) as Cycle;
+    const drawing = partlyDrawn(cycle, typed, q, size);
+    await expect(drawing && helpSvg(drawing)).toMatchFileSnapshot(`${number}-partial.svg`);
+  });
+
+  test.each(cycles.map((c) => [c.number, c] as const))("cycle %i shows no number that nobody typed", (_, cycle) => {
+    // The diagrams of a choice carry the numbers that may be chosen.
+    for (const q of Object.keys(cycle.params).filter((each) => !cycle.params[each]?.choices)) {
+      const marks = flat(partlyDrawn(cycle, {}, q, size)?.marks ?? []);
+      const texts = marks.flatMap((m) => (m.kind === "text" && m.role === "value" ? [m.text] : []));
+      expect(texts).toContain(q);
+      expect(texts.filter((text) => !/^Q\d+$/.test(text)), q).toEqual([]);
+    }
+  });
 });
 
 describe("laws of the help picture", () => {

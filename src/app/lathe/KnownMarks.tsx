@@ -11,14 +11,17 @@ import type { Viewport } from "./viewport.ts";
 
 /** Decimals that a control keeps of a position. */
 const DECIMALS = 3;
-/** Least distance of two texts: of one line, and side by side, pixels. */
-const ROW = 15, WIDE = 104;
-/** Room above the picture that the texts of the upright lines leave to its notes, pixels. */
-const TOP = 44;
+/** Height of a text, pixels. */
+const ROW = 15;
+/** How texts stand in a picture: the room of one, and how far below the upper edge and its notes the first row is, pixels. */
+const LARGE = { wide: 104, top: 44 }, SMALL = { wide: 58, top: 18 };
+/** A picture less wide or high than this has room for the numbers alone, pixels. */
+const ROOM = { width: 480, height: 240 };
 
-/** A typed position as a drawing writes it: Q491 ⌀61.37. */
-const positionText = (language: Language, { q, axis, value }: KnownPosition): string =>
-  `${q} ${axis === "x" ? "⌀" : "Z"}${formatNumber(language, value, DECIMALS)}`;
+const valueText = (language: Language, { axis, value }: KnownPosition): string =>
+  `${axis === "x" ? "⌀" : "Z"}${formatNumber(language, value, DECIMALS)}`;
+/** A typed position as a drawing writes it, with its Q: Q491 ⌀61.37. */
+const positionText = (language: Language, p: KnownPosition): string => `${p.q} ${valueText(language, p)}`;
 
 /** What is known of a contour, in words. */
 export function knownText(t: Texts["lathe"], language: Language, { positions, contour, sketch, whole }: KnownOutline): string {
@@ -49,21 +52,21 @@ export function KnownMarks({ viewport, known: { positions, points } }: { readonl
     y: toScreen(camera, { z: axial(0), r: toRadius(diameter(p.value)) }).y,
   }));
   const upright = positions.filter((p) => p.axis === "z").map((p) => ({ p, x: toScreen(camera, { z: axial(p.value), r: radius(0) }).x }));
-  const columns = spread(level.map(({ y }) => y), ROW), rows = spread(upright.map(({ x }) => x), WIDE);
+  const isSmall = width < ROOM.width || height < ROOM.height;
+  const { wide, top } = isSmall ? SMALL : LARGE, text = isSmall ? valueText : positionText;
+  const columns = spread(level.map(({ y }) => y), ROW), rows = spread(upright.map(({ x }) => x), wide);
   return (
     <g className="lathe-known" aria-hidden="true">
       <path className="line"
         d={[...level.map(({ y }) => `M${SCALE_LEFT} ${y}H${width}`), ...upright.map(({ x }) => `M${x} 0V${floor}`)].join("")} />
       {level.map(({ p, y }, i) => (
-        <text key={p.q} className="number" x={width - 8 - (columns[i] ?? 0) * WIDE} y={y - 5} textAnchor="end">
-          {positionText(language, p)}
-        </text>
+        <text key={p.q} className="number" x={width - 8 - (columns[i] ?? 0) * wide} y={y - 5} textAnchor="end">{text(language, p)}</text>
       ))}
       {upright.map(({ p, x }, i) => (
-        <text key={p.q} className="number" {...(x > width - WIDE ? { x: x - 5, textAnchor: "end" } : { x: x + 5 })}
-          y={TOP + (rows[i] ?? 0) * ROW}
+        <text key={p.q} className="number" {...(x > width - wide ? { x: x - 5, textAnchor: "end" } : { x: x + 5 })}
+          y={top + (rows[i] ?? 0) * ROW}
         >
-          {positionText(language, p)}
+          {text(language, p)}
         </text>
       ))}
       {points.map((point, i) => {

@@ -135,7 +135,7 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
   const marked = usePlayback(playback, (s) => datumIndex(run.datums, s.get().position.step)), datum = datumAt(run.datums, marked);
   const name = useMemo(() => {
     const { x, z } = placeText(language, datum), rests = resting >= 0 ? statusText(texts, language, run, playback) : "";
-    const state = typed ? `${rests} ${knownText(t, language, typed.outline)}`.trim() : rests;
+    const state = typed ? `${rests}. ${knownText(t, language, typed.outline)}` : rests;
     return t.picture(run.datums.length > 0 ? `${state} ${t.countsFrom(x, z)}` : state);
   }, [t, texts, language, run, playback, resting, datum, typed]);
   const found = usePlaces("ZX"), places = dimmed || !simulation ? NOWHERE : found;
