@@ -74,3 +74,14 @@ export const undo = (): void => go("past", "future", "back");
 
 /** Makes the change again that was taken back last. */
 export const redo = (): void => go("future", "past", "forth");
+
+/** The last two changes become one step, for what is one to the operator and is kept in two places. */
+export function joinLastTwo(): void {
+  const { past } = useSteps.getState();
+  const [first, second] = past.slice(-2);
+  if (!first || !second) return;
+  const both = (a: () => boolean, b: () => boolean) => () => [a(), b()].includes(true);
+  const joined: HistoryStep = { of: second.of, back: both(second.back, first.back), forth: both(first.forth, second.forth) };
+  closeStep();
+  useSteps.setState({ past: [...past.slice(0, -2), joined] });
+}

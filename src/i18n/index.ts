@@ -10,6 +10,7 @@ import type { FindingsTexts } from "./en/findings.ts";
 import { en } from "./en/index.ts";
 import type { LatheTexts } from "./en/lathe.ts";
 import type { MessagesTexts } from "./message-texts.ts";
+import type { OperationsTexts } from "./en/operations.ts";
 import type { OwnTexts } from "./en/own.ts";
 import type { PageTexts } from "./en/page.ts";
 import type { ParamsTexts } from "./param-text.ts";
@@ -33,6 +34,7 @@ export interface Texts {
   readonly approach: ApproachTexts;
   readonly findings: FindingsTexts;
   readonly messages: MessagesTexts;
+  readonly operations: OperationsTexts;
   readonly own: OwnTexts;
   readonly params: ParamsTexts;
   readonly cycles: CyclesTexts;

@@ -1,15 +1,20 @@
 import { cycleByNumber } from "../cycles/index.ts";
-import { withInserted } from "../nc/edit.ts";
 import type { Program } from "../nc/program.ts";
+import { withBlocks } from "../nc/replace.ts";
 import type { Statement } from "../nc/statement.ts";
-import { wordsOf } from "./flow.ts";
 import type { SetJob } from "./job.ts";
+import { blocksOf, withAddedBehind } from "./operation-edits.ts";
+import { endsMain, operationsOf } from "./operations.ts";
 import { jobStatements, type Labels } from "./print-job.ts";
+import { noWords } from "./typed-value.ts";
 
-/** Ends of a main program. */
-const ENDS: ReadonlySet<number> = new Set([2, 30]);
-
-const endsMain = (s: Statement) => s.kind === "end" || (wordsOf(s)?.functions.some((m) => ENDS.has(m)) ?? false);
+/** Where an operation is added, and what it is called. */
+export interface Adding {
+  /** Behind this operation, null before the first; without it behind the last. */
+  readonly behind?: number | null;
+  /** Words of its structure comment. */
+  readonly title?: string;
+}
 
 /** The lowest label number that a program has not. */
 function freeLabel({ blocks }: Program): number {
@@ -19,11 +24,23 @@ function freeLabel({ blocks }: Program): number {
   return n;
 }
 
+const END: Statement = { kind: "functions", words: { ...noWords, functions: [30] } };
+const TURNING: Statement = { kind: "mode", mode: "TURN", kinematics: null };
+
+/** The program with M30 before its subprograms, where it had none. */
+function withEnd(program: Program): Program {
+  const { blocks } = program;
+  const { to } = operationsOf(program);
+  const s = blocks[to]?.statement;
+  if (s && endsMain(s) && s.kind !== "end") return program;
+  return withBlocks(program, [...blocks.slice(0, to), ...blocksOf(program, to, [END]), ...blocks.slice(to)]);
+}
+
 /**
- * A program with the operation of a work behind all others: its tool call, its cycle and its call in front of the end of the main
- * program, and its contour, under a label of its own, at the end of the file.
+ * A program with the operation of a work among its others: structure comment, tool call, spindle, feed unit, way there, cycle, call and
+ * way back, and its contour, under a label of its own, at the end of the file. Turning and M30 are written where they are missing.
  */
-export function withOperation(program: Program, job: SetJob, labels: Labels): Program {
+export function withOperation(program: Program, job: SetJob, labels: Labels, { behind, title }: Adding = {}): Program {
   const cycle = cycleByNumber(job.cycle);
   if (!cycle) return program;
   const label = freeLabel(program);
@@ -32,14 +49,20 @@ export function withOperation(program: Program, job: SetJob, labels: Labels): Pr
     return s.kind === "label" && s.label !== 0 ? { ...s, label } : s;
   });
   const ending = all.findIndex(endsMain);
-  const main = all.slice(all.findIndex((s) => s.kind === "toolCall"), ending);
+  const ended = withEnd(program);
+  const { from, units } = operationsOf(ended);
+  const place = behind === undefined ? units.length - 1 : (behind ?? -1);
+  const before = ended.blocks.slice(0, place < 0 ? from : (units[place]?.to ?? from)).findLast(({ statement: s }) => s.kind === "mode");
+  const isTurning = before?.statement.kind === "mode" && before.statement.mode === "TURN";
+  const main: readonly Statement[] = [
+    ...(isTurning ? [] : [TURNING]),
+    ...(title === undefined || title.trim() === "" ? [] : [{ kind: "structure" as const, text: title.trim() }]),
+    ...all.slice(all.findIndex((s) => s.kind === "toolCall"), ending),
+  ];
+  const operated = withAddedBehind(ended, place < 0 ? null : place, blocksOf(ended, from, main));
   const subprogram = all.slice(ending + 1).filter((s) => s.kind !== "end");
-  const put = (into: Program, index: number, statements: readonly Statement[]) =>
-    statements.reduce((now, s, i) => withInserted(now, index + i, s), into);
-  const placeOf = (into: Program, is: (s: Statement) => boolean) => {
-    const found = into.blocks.findIndex(({ statement }) => is(statement));
-    return found < 0 ? into.blocks.length : found;
-  };
-  const operated = put(program, placeOf(program, endsMain), main);
-  return put(operated, placeOf(operated, (s) => s.kind === "end"), subprogram);
+  const end = operated.blocks.findLastIndex(({ statement: s }) => s.kind === "end");
+  const at = end < 0 ? operated.blocks.length : end;
+  const behindIt = [...operated.blocks.slice(0, at), ...blocksOf(operated, at, subprogram), ...operated.blocks.slice(at)];
+  return subprogram.length > 0 ? withBlocks(operated, behindIt) : operated;
 }

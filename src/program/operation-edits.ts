@@ -87,8 +87,13 @@ function withoutNeedless(blocks: readonly Block[], now: InForce): readonly Block
   return inForce && JSON.stringify(s) === JSON.stringify(functionsOf(s.words.functions)) ? blocks.slice(1) : blocks;
 }
 
+/** Something new between operations. */
+interface Added {
+  readonly added: readonly Block[];
+}
+
 /** The operations in another order, of which some may have been merged or parted, put together again. */
-function composed(program: Program, all: Operations, groups: readonly Group[], joins: ReadonlySet<number>): Program {
+function composed(program: Program, all: Operations, groups: readonly (Group | Added)[], joins: ReadonlySet<number>): Program {
   const before = states(program, all);
   const made: Block[] = [];
   let now = inForceBehind(program.blocks.slice(0, all.from), NOTHING_IN_FORCE);
@@ -96,7 +101,12 @@ function composed(program: Program, all: Operations, groups: readonly Group[], j
     made.push(...blocks);
     now = inForceBehind(blocks, now);
   };
-  for (const { section, units, opening } of groups) {
+  for (const group of groups) {
+    if ("added" in group) {
+      put(group.added);
+      continue;
+    }
+    const { section, units, opening } = group;
     const own = opening ?? cut(program, section.opening);
     const parts = units.flatMap((unit) => cut(program, all.units[unit] ?? section.closing));
     const setting = missingSetting([...own, ...parts], before.sections.get(section) ?? NOTHING_IN_FORCE, now);
@@ -182,6 +192,21 @@ export function movedOperation(program: Program, unit: number, to: number): Prog
   order.splice(to, 0, unit);
   const { groups, joins } = grouped(program, all, order);
   return composed(program, all, groups, joins);
+}
+
+/** The program with blocks behind an operation, or before all of them; what shares its tool with those behind gets it again. */
+export function withAddedBehind(program: Program, unit: number | null, added: readonly Block[]): Program {
+  const all = operationsOf(program);
+  const behind = unit === null ? -1 : unit;
+  const groups = all.sections.flatMap((section): readonly (Group | Added)[] => {
+    const [before, rest] = [section.units.filter((i) => i <= behind), section.units.filter((i) => i > behind)];
+    const part = (units: readonly number[]): readonly Group[] => (units.length > 0 ? [{ section, units }] : []);
+    return before.length > 0 && rest[0] !== undefined ? [...part(before), { added }, ...part(rest)] : part(section.units);
+  });
+  const parted = groups.some((group) => "added" in group);
+  const first = groups.findIndex((group) => "units" in group && (group.units[0] ?? 0) > behind);
+  const at = first < 0 ? groups.length : first;
+  return composed(program, all, parted ? groups : groups.toSpliced(at, 0, { added }), new Set());
 }
 
 /** The operation once more behind itself, with the same tool. */

@@ -66,6 +66,8 @@ export const callsCycle = (s: Statement): boolean =>
 export const definesCycle = (s: Statement): boolean =>
   (s.kind === "cycle" && !actsAtOnce(s.cycle)) || (s.kind === "cycleLine" && s.line === 0 && !actsAtOnce(s.cycle));
 
+const callsTool = (s: Statement): boolean => s.kind === "toolCall" && s.tool !== null;
+
 const changesFrame = (s: Statement): boolean => {
   if (s.kind === "cycle" || s.kind === "cycleLine")
     return s.cycle !== CONTOUR_CYCLE && actsAtOnce(s.cycle) && (s.cycle === PRESET || !isSilent(s.cycle));
@@ -75,7 +77,6 @@ const changesFrame = (s: Statement): boolean => {
 const PRESET = 247;
 
 const isNote = (s: Statement): boolean => s.kind === "structure" || s.kind === "comment" || s.kind === "empty";
-const callsTool = (s: Statement): boolean => s.kind === "toolCall" && s.tool !== null;
 export const setsFeedUnit = (s: Statement): boolean => s.kind === "functions" && functionsOf(s).every((m) => FEED_UNITS.includes(m));
 const isFrame = (s: Statement): boolean =>
   s.kind === "begin" || s.kind === "blankBox" || s.kind === "blankCylinder" || s.kind === "blankRotation" || s.kind === "blankFile"
@@ -108,13 +109,14 @@ function backOver(blocks: readonly Block[], at: number, least: number, is: (s: S
   return from;
 }
 
-/** Where the main program ends: at M30, at END PGM, or at the first label behind all calls where neither stands. */
+/** Where the main program ends: at M30, or where neither M30 nor M2 stands at the first label behind all calls, or at END PGM. */
 function endOfMain(blocks: readonly Block[]): number {
-  const end = blocks.findIndex(({ statement: s, skip }) => endsMain(s) && !skip);
-  if (end >= 0) return end;
-  const last = blocks.findLastIndex(({ statement: s }) => callsCycle(s));
-  const label = blocks.findIndex(({ statement: s }, i) => i > last && s.kind === "label");
-  return label < 0 ? blocks.length : label;
+  const found = blocks.findIndex(({ statement: s, skip }) => endsMain(s) && !skip);
+  if (found >= 0 && blocks[found]?.statement.kind !== "end") return found;
+  const end = found < 0 ? blocks.length : found;
+  const last = blocks.findLastIndex(({ statement: s }, i) => i < end && (callsCycle(s) || callsTool(s)));
+  const label = blocks.findIndex(({ statement: s }, i) => i > last && i < end && s.kind === "label");
+  return label < 0 ? end : label;
 }
 
 const titleIn = (blocks: readonly Block[], { from, to }: Stretch): string | null => {

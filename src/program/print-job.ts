@@ -6,7 +6,7 @@ import type { AxisWord, CycleParameter, Statement, Value, Words } from "../nc/st
 import { LAYOUTS } from "../nc/style.ts";
 import type { KnownParameters } from "./expression.ts";
 import { knownParameters, usedParameters } from "./job-parameters.ts";
-import type { Job, SetJob } from "./job.ts";
+import type { BlankDraft, Job, SetJob } from "./job.ts";
 import { contourStatements } from "./print-contour.ts";
 import { anyNumber, kept, readText } from "./field.ts";
 import { readDraft, type Draft } from "./read-draft.ts";
@@ -51,10 +51,10 @@ function spin(job: Job): Statement {
 }
 
 /** Names of programs on the control: letters, digits and underscores. */
-const programName = (typed: string) => typed.trim().replace(/[^\p{L}\p{N}_+-]+/gu, "_").slice(0, 32) || "PROGRAM";
+export const programName = (typed: string) => typed.trim().replace(/[^\p{L}\p{N}_+-]+/gu, "_").slice(0, 32) || "PROGRAM";
 
-function blank(job: Job): Statement {
-  const { outside, bore, length, allowance } = job.blank;
+/** BLK FORM of a typed cylinder. */
+export function blankStatement({ outside, bore, length, allowance }: BlankDraft): Statement {
   const [wide, hole] = [value(outside), value(bore)];
   return {
     kind: "blankCylinder",
@@ -92,7 +92,7 @@ export function jobStatements(job: SetJob, cycle: Cycle, labels: Labels): Statem
   const functions = (m: number): Statement => ({ kind: "functions", words: { ...noWords, functions: [m] } });
   return [
     { kind: "begin", name, unit: "MM" },
-    blank(job),
+    blankStatement(job.blank),
     { kind: "mode", mode: "TURN", kinematics: null },
     {
       kind: "toolCall",

@@ -1,4 +1,4 @@
-import { useEffect, type ReactNode } from "react";
+import { lazy, Suspense, useEffect, type ReactNode } from "react";
 import { MachineView } from "../approach/MachineView.tsx";
 import { shownBlock } from "../approach/shown-view.ts";
 import { clock } from "../clock.ts";
@@ -8,6 +8,7 @@ import { useOutcome } from "../engine/outcome.ts";
 import { FindingsPanel } from "../findings/FindingsPanel.tsx";
 import { useListed } from "../findings/use-findings.ts";
 import { LeavingDialog } from "../leaving/LeavingDialog.tsx";
+import { stopInserting, useInserting } from "../operations/inserting.ts";
 import { showSection, usePlace, type ProgramSection } from "../place.ts";
 import { playback } from "../playback.ts";
 import { SectionTabs } from "../SectionTabs.tsx";
@@ -25,6 +26,8 @@ import { useProgramHost } from "./use-program-host.ts";
 import "../own/own-block.css";
 import "./editor.css";
 
+const InsertOperation = lazy(async () => ({ default: (await import("../operations/InsertOperation.tsx")).InsertOperation }));
+
 /** Keeps the editor of the open program for as long as it is open. */
 function useProgramSession(): void {
   useEffect(() => {
@@ -37,6 +40,7 @@ function useProgramSession(): void {
     return () => {
       beforeLeaving.delete(handOverText);
       stop();
+      stopInserting();
       closeSession();
       showFile(null);
     };
@@ -63,6 +67,7 @@ export function ProgramWorkplace() {
   const dimmed = useOutcome((s) => s.dimmed);
   const findings = useListed();
   const host = useProgramHost();
+  const inserting = useInserting();
   useProgramSession();
   const possible: readonly ProgramSection[] = [...(wide ? [] : ["text" as const]), "block", "structure", "findings"];
   const open = possible.find((section) => section === asked) ?? (wide ? "structure" : "text");
@@ -92,6 +97,11 @@ export function ProgramWorkplace() {
         <div className="right">
           <TextPanel />
         </div>
+      )}
+      {inserting.asked && (
+        <Suspense>
+          <InsertOperation behind={inserting.behind} />
+        </Suspense>
       )}
       <LeavingDialog cycleOf={host.cycleOf} />
     </main>

@@ -1,36 +1,28 @@
 import { useMemo, useState } from "react";
-import { formatFixed, formatNumber } from "../../i18n/number.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import { KEEPS_KEYBOARD } from "../place.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
-import { partsOf, type Done, type Part, type PartFilter } from "./program-parts.ts";
+import { partsOf, type Part, type PartFilter } from "./program-parts.ts";
 import { openBlock, useSession } from "./session.ts";
 import { useShownBeside } from "../files/shown-file.ts";
 import { useWindow } from "./use-window.ts";
-import { NO_AREA } from "../effect/effect.ts";
+import { OperationList } from "../operations/OperationList.tsx";
+import { doneWords } from "../operations/words.ts";
+import { useToolList } from "../tools/tool-store.ts";
 
-const FILTERS = ["all", "operations", "labels", "notes"] as const satisfies readonly ("all" | PartFilter)[];
-
-/** What a cycle of the program does, in words of the screen language. */
-function useDoneText(): (done: Done) => string {
-  const t = useTexts();
-  const language = useSettings((s) => s.language);
-  return ({ passes, seconds, residue }) =>
-    t.editor.operation(t.editor.passes(passes),
-      t.page.effect.duration(Math.floor(Math.round(seconds) / 60),
-        formatFixed(language, seconds < 60 ? seconds : Math.round(seconds) % 60, seconds < 60 ? 1 : 0)),
-      residue < NO_AREA ? t.editor.noResidue : t.editor.residue(formatNumber(language, residue, 2)));
-}
+const FILTERS = ["operations", "all", "labels", "notes"] as const satisfies readonly ("all" | PartFilter)[];
 
 /** The parts of the program: tools, cycles with what they do, labels, contours, notes. Choosing one opens its block. */
 export function StructurePanel() {
-  const t = useTexts().editor;
-  const doneText = useDoneText();
+  const all = useTexts();
+  const { editor: t } = all;
+  const language = useSettings((s) => s.language);
+  const tools = useToolList();
   const reading = useSession((s) => s.reading);
   const index = useSession((s) => s.index);
   const newest = useOutcome((s) => s.newest);
-  const [filter, show] = useState<(typeof FILTERS)[number]>("all");
+  const [filter, show] = useState<(typeof FILTERS)[number]>("operations");
   const file = useShownBeside();
   const parts = useMemo(() => partsOf(reading.program, newest, file), [reading, newest, file]);
   const shown = useMemo(() => (filter === "all" ? parts : parts.filter((part) => part.filter === filter)), [parts, filter]);
@@ -39,8 +31,10 @@ export function StructurePanel() {
 
   const entry = (part: Part, place: number) => {
     const unmade = part.acts ? t.acts : t.notRun;
-    const run = part.done ? doneText(part.done) : newest ? unmade : "";
+    const run = part.done ? doneWords(all, language, part.done) : newest ? unmade : "";
     const done = part.kind === "cycle" ? run : "";
+    const tool = part.tool === null ? undefined : tools.find(({ T, NAME }) => String(T) === part.tool || NAME === part.tool);
+    const more = done || (tool ? tool.NAME : part.kind === "structure" ? "" : t.kinds[part.kind]);
     return (
       <li key={part.index} aria-setsize={shown.length} aria-posinset={place + 1}>
         <button type="button" className={`part part-${part.filter}`} aria-current={place === current ? "step" : undefined}
@@ -50,7 +44,7 @@ export function StructurePanel() {
           <span className="number part-number">{part.number}</span>
           <span className="part-words">
             <span className="number part-text">{part.text}</span>
-            <span className="small soft">{done || t.kinds[part.kind]}</span>
+            {more && <span className="small soft">{more}</span>}
           </span>
         </button>
       </li>
@@ -65,12 +59,16 @@ export function StructurePanel() {
           {FILTERS.map((each) => <option key={each} value={each}>{t.filters[each]}</option>)}
         </select>
       </label>
-      {shown.length === 0 && <p className="soft structure-empty">{t.nothing}</p>}
-      <div className="structure-list" ref={box} onScroll={measure}>
-        <ol aria-label={t.list} style={{ paddingTop: above, paddingBottom: below }}>
-          {shown.slice(from, to).map((part, i) => entry(part, from + i))}
-        </ol>
-      </div>
+      {filter === "operations" ? <OperationList /> : (
+        <>
+          {shown.length === 0 && <p className="soft structure-empty">{t.nothing}</p>}
+          <div className="structure-list" ref={box} onScroll={measure}>
+            <ol aria-label={t.list} style={{ paddingTop: above, paddingBottom: below }}>
+              {shown.slice(from, to).map((part, i) => entry(part, from + i))}
+            </ol>
+          </div>
+        </>
+      )}
     </div>
   );
 }

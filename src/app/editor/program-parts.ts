@@ -28,6 +28,8 @@ export interface Part {
   readonly text: string;
   /** Cycles: what each of their calls did, added up; null where none was executed. */
   readonly done: Done | null;
+  /** Tool calls: number or name of the tool; null elsewhere. */
+  readonly tool: string | null;
   /** A cycle that acts where it stands, and is not called. */
   readonly acts: boolean;
 }
@@ -36,6 +38,7 @@ const filters: Partial<Record<Statement["kind"], PartFilter>> = {
   toolCall: "operations",
   cycle: "operations",
   mode: "operations",
+  approach: "operations",
   label: "labels",
   cycleLine: "labels",
   selectContour: "labels",
@@ -101,6 +104,7 @@ export function partsOf(program: Program, outcome: Outcome | null, file: string 
       filter,
       text: firstLine(raw),
       done: s.kind === "cycle" ? (done?.get(lines[index] ?? 0) ?? null) : null,
+      tool: s.kind === "toolCall" && s.tool !== null && typeof s.tool !== "object" ? String(s.tool) : null,
       acts: s.kind === "cycle" && actsAtOnce(s.cycle),
     });
   });

@@ -242,6 +242,15 @@ export async function fitsOf(job: Job, outcome: Outcome): Promise<readonly ToolF
   }
 }
 
+/** The same for a work that is not run: from its own start point. */
+export async function fitsOfWork(job: Job): Promise<readonly ToolFit[] | null> {
+  try {
+    return await inTime(started().fitsOfWork(job, toolTable().tools));
+  } catch {
+    return null;
+  }
+}
+
 /** The ways to make what is wanted, and what comes of each; null when that cannot be said. */
 export const comparison: Comparer = {
   async ways(wanted, stock) {

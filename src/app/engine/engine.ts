@@ -5,6 +5,7 @@ import { readDraft } from "../../program/read-draft.ts";
 import type { ShopTools } from "../../program/read-tools.ts";
 import { filesByName } from "../../program/program-files.ts";
 import { run } from "../../program/run.ts";
+import { tipAtCall } from "../../program/wanted-job.ts";
 import { rankTools, type ToolFit } from "../../program/which-tool.ts";
 import { remedies, type Remedy } from "../../report/remedies.ts";
 import { simulate } from "../../sim/simulate.ts";
@@ -84,6 +85,11 @@ export const engine = {
     const given = givenOf({ cycle, job });
     if (cycle.outline(values, given).issues.some((found) => found.severity === "error")) return null;
     return rankTools(cycle, values, given, { start, feedUnit, autoFeed: null, stock: null }, tools);
+  },
+
+  /** The same for a work that is not run, from its own start point. */
+  fitsOfWork(job: Job, tools: readonly Tool[]): readonly ToolFit[] | null {
+    return engine.fits(job, { start: tipAtCall(job), feedUnit: job.perRevolution ? "mm/rev" : "mm/min", tools });
   },
 
   /** What each tool can do in place of the one that was called, best first; null while the call makes no contour. */

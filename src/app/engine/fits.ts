@@ -1,7 +1,8 @@
-import { useEffect, useState } from "react";
+import { useEffect, useRef, useState } from "react";
 import type { ToolFit } from "../../program/which-tool.ts";
+import type { Job } from "../../program/job.ts";
 import { useEditor } from "../store.ts";
-import { fitsOf } from "./client.ts";
+import { fitsOf, fitsOfCall, fitsOfWork } from "./client.ts";
 import { useOutcome } from "./outcome.ts";
 
 /** Rest after the last change before all tools are tried, ms: it costs a plan per tool. */
@@ -27,3 +28,34 @@ export function useFits(): readonly ToolFit[] | null {
   }, [newest]);
   return fits;
 }
+
+/** What comes of a question for all tools, asked a moment after the last change; null until it is known. */
+function useAsked(ask: (() => Promise<readonly ToolFit[] | null>) | null, of: unknown): readonly ToolFit[] | null {
+  const [fits, setFits] = useState<{ readonly of: unknown; readonly fits: readonly ToolFit[] | null }>({ of: null, fits: null });
+  const asked = useRef(ask);
+  useEffect(() => {
+    asked.current = ask;
+  });
+  useEffect(() => {
+    let gone = false;
+    const timer = setTimeout(() => {
+      void asked.current?.().then((found) => {
+        if (!gone) setFits({ of, fits: found });
+      });
+    }, REST);
+    return () => {
+      gone = true;
+      clearTimeout(timer);
+    };
+  }, [of]);
+  return fits.of === of ? fits.fits : null;
+}
+
+/** What each tool can do in place of the one that runs the cycle defined in a line of the program; null where it was not run. */
+export function useFitsOfLine(line: number | null): readonly ToolFit[] | null {
+  const operation = useOutcome((s) => s.newest?.run.operations.find(({ definedLine, definedFile }) => definedLine === line && !definedFile));
+  return useAsked(operation ? () => fitsOfCall(operation) : null, operation);
+}
+
+/** What each tool can do with the values of a work that is not open. */
+export const useFitsOfWork = (job: Job | null): readonly ToolFit[] | null => useAsked(job ? () => fitsOfWork(job) : null, job);

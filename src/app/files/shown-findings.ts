@@ -23,3 +23,7 @@ export function findingsShown(findings: readonly RunFinding[], file: string | nu
 /** True when the cycle of an operation is defined in the text of a file, null being the program that runs. */
 export const isDefinedIn = ({ definedFile }: Pick<Operation, "definedFile">, file: string | null): boolean =>
   file === null ? definedFile === undefined : definedFile !== undefined && fileKey(definedFile) === fileKey(file);
+
+/** Findings of a list that stand in the text of a file, null being the program that runs. */
+export const findingsHere = <F extends Pick<Placed, "inFile">>(findings: readonly F[], file: string | null): readonly F[] =>
+  findings.filter((found) => isIn(found, file));

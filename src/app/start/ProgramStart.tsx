@@ -1,12 +1,15 @@
-import { useRef, useState } from "react";
+import { lazy, Suspense, useRef, useState } from "react";
 import type { ExampleId } from "../../examples/index.ts";
 import { canOpenFiles, ENDINGS, pickFiles, plainFiles, type Chosen } from "../files/file-handle.ts";
 import { openFiles, openText, type Opening } from "../files/open-program.ts";
 import { Icon } from "../Icon.tsx";
+import { fetchShownTexts } from "../settings/shown-texts.ts";
 import { useFirstTexts } from "../settings/use-first-texts.ts";
 
-/** A program of its own with nothing in it yet. */
-const EMPTY = "0 BEGIN PGM PROGRAM MM\n1 BLK FORM CYLINDER Z D80 L100 DIST+1\n2 FUNCTION MODE TURN\n3 M30\n4 END PGM PROGRAM MM\n";
+const NewProgram = lazy(async () => {
+  const [{ NewProgram: dialog }] = await Promise.all([import("../operations/NewProgram.tsx"), fetchShownTexts()]);
+  return { default: dialog };
+});
 
 async function openExample(id: string): Promise<void> {
   const { examples } = await import("../../examples/index.ts");
@@ -18,6 +21,7 @@ async function openExample(id: string): Promise<void> {
 export function ProgramStart() {
   const t = useFirstTexts().page;
   const [opening, setOpening] = useState<Opening>("opened");
+  const [creating, create] = useState(false);
   const [pasted, paste] = useState(false);
   const area = useRef<HTMLTextAreaElement>(null);
   const file = useRef<HTMLInputElement>(null);
@@ -38,7 +42,7 @@ export function ProgramStart() {
         <input ref={file} type="file" multiple className="unseen" tabIndex={-1} aria-label={t.programs.openFile}
           accept={[...ENDINGS, "text/plain"].join(",")} onChange={(event) => void take(plainFiles(event.currentTarget.files))} />
         <button type="button" className="button" onClick={() => dialog.current?.showModal()}>{t.programs.paste}</button>
-        <button type="button" className="button" onClick={() => openText(EMPTY)}>{t.programs.create}</button>
+        <button type="button" className="button" onClick={() => create(true)}>{t.programs.create}</button>
         <span className="soft small">{t.programs.drop}</span>
       </div>
       <p role="status" className="program-unreadable">
@@ -58,6 +62,11 @@ export function ProgramStart() {
           </li>
         ))}
       </ul>
+      {creating && (
+        <Suspense>
+          <NewProgram done={() => create(false)} />
+        </Suspense>
+      )}
       <dialog ref={dialog} className="paste-program" aria-label={t.programs.pasteTitle}>
         <h2>{t.programs.pasteTitle}</h2>
         <textarea className="number" rows={14} spellCheck={false} aria-label={t.programs.pasteLabel} ref={area}

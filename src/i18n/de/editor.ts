@@ -18,7 +18,7 @@ export const editor = {
   copyLink: "Link kopieren",
   list: "Teile des Programms",
   filter: "Zeigen",
-  filters: { all: "Alles", operations: "Werkzeuge und Zyklen", labels: "Labels und Konturen", notes: "Notizen" },
+  filters: { all: "Alles", operations: "Bearbeitungen", labels: "Labels und Konturen", notes: "Notizen" },
   nothing: "Davon steht nichts im Programm.",
   line: (block, text) => `Satz ${block}: ${text}`,
   passes: (n) => (n === 1 ? "1 Schnitt" : `${n} Schnitte`),

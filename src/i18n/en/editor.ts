@@ -20,7 +20,7 @@ export const editor = {
   /* list of parts and totals */
   list: "Parts of the program",
   filter: "Show",
-  filters: { all: "All", operations: "Tools and cycles", labels: "Labels and contours", notes: "Notes" },
+  filters: { all: "All", operations: "Operations", labels: "Labels and contours", notes: "Notes" },
   nothing: "Nothing of this kind in the program.",
   line: (block: string, text: string) => `Block ${block}: ${text}`,
   passes: (n: number) => (n === 1 ? "1 pass" : `${n} passes`),

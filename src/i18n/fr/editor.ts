@@ -18,7 +18,7 @@ export const editor = {
   copyLink: "Copier le lien",
   list: "Parties du programme",
   filter: "Afficher",
-  filters: { all: "Tout", operations: "Outils et cycles", labels: "Labels et contours", notes: "Notes" },
+  filters: { all: "Tout", operations: "Opérations", labels: "Labels et contours", notes: "Notes" },
   nothing: "Rien de tel dans le programme.",
   line: (block, text) => `Séquence ${block} : ${text}`,
   passes: (n) => (n === 1 ? "1 passe" : `${n} passes`),

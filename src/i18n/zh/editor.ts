@@ -18,7 +18,7 @@ export const editor = {
   copyLink: "复制链接",
   list: "程序的各部分",
   filter: "显示",
-  filters: { all: "全部", operations: "刀具和循环", labels: "标记和轮廓", notes: "注释" },
+  filters: { all: "全部", operations: "工序", labels: "标记和轮廓", notes: "注释" },
   nothing: "程序中没有此类内容。",
   line: (block, text) => `程序段 ${block}：${text}`,
   passes: (n) => `${n} 次走刀`,

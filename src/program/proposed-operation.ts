@@ -1,0 +1,116 @@
+import type { Cycle, TurnedShape } from "../cycles/define.ts";
+import { useOf, worksAcross } from "../cycles/use.ts";
+import type { Corner, Site, Wanted } from "../cycles/wanted.ts";
+import { boxOf } from "../kernel/box.ts";
+import { type Ring } from "../kernel/point.ts";
+import { axial, diameter, radius, rounded, toDiameter } from "../kernel/units.ts";
+import type { Job, SpindleDraft } from "./job.ts";
+import type { Operation } from "./run-types.ts";
+import { valueAsTyped } from "./typed-value.ts";
+import { jobFor } from "./wanted-job.ts";
+import { boxAroundContour, wantedContour } from "./wanted-shape.ts";
+
+/** What a new operation finds: the blank, and what was run before it. */
+export interface Surroundings {
+  readonly blank: readonly Ring[];
+  /** Those before it, in their order. */
+  readonly before: readonly Operation[];
+}
+
+/** How much of a diameter and of a length a first proposal takes, and how deep and wide a recess it draws, mm. */
+const PART = { diameter: 0.8, length: 0.4 };
+const RECESS = { depth: 6, width: 5, behind: 10 };
+const FACE = 5;
+const PITCH = 1.5;
+
+/** A diameter and a length that one would write: whole ones. */
+const whole = (n: number): number => Math.round(n);
+
+interface Room {
+  readonly outer: number;
+  readonly bore: number;
+  readonly front: number;
+  readonly back: number;
+}
+
+/** The blank as diameters and Z; the usual one where a program states none. */
+function roomOf(blank: readonly Ring[]): Room {
+  if (blank.length === 0) return { outer: 80, bore: 0, front: 1, back: -99 };
+  const { left, right, low, high } = boxOf(blank.flat());
+  return { outer: rounded(toDiameter(radius(high))), bore: rounded(toDiameter(radius(Math.max(0, low)))), front: right, back: left };
+}
+
+const corner = (d: number, z: number): Corner => ({ diameter: diameter(rounded(Math.max(0, d))), z: axial(rounded(z)) });
+
+/** The corners of the last operation before that works from the same side; null where none has. */
+function lastOf(before: readonly Operation[], site: Site): Pick<Wanted, "from" | "to"> | null {
+  const sideOf = ({ plan: { openSide } }: Operation): Site => {
+    if (Math.abs(openSide.z) > Math.abs(openSide.r)) return "face";
+    return openSide.r < 0 ? "inside" : "outside";
+  };
+  const found = before.findLast((operation) => sideOf(operation) === site && operation.plan.contour.length > 0);
+  return found ? boxAroundContour(found.plan.contour, site) : null;
+}
+
+function stepOutside({ outer, front, back }: Room, last: Pick<Wanted, "from" | "to"> | null): Pick<Wanted, "from" | "to"> {
+  const length = whole((front - back) * PART.length);
+  if (!last) return { from: corner(outer, 0), to: corner(whole(outer * PART.diameter), -length) };
+  // A shoulder goes on where the one before it ended, and one diameter out.
+  const rest = Math.max(1, whole((last.to.z - back) * PART.length));
+  const inner = last.from.diameter < outer ? last.from.diameter : last.to.diameter + (outer - last.to.diameter) * PART.diameter;
+  return { from: corner(outer, last.to.z), to: corner(inner, last.to.z - rest) };
+}
+
+function onFace({ outer, bore, front }: Room, last: Pick<Wanted, "from" | "to"> | null): Pick<Wanted, "from" | "to"> {
+  // What stands before Z0 is faced first.
+  if (front > 0 && !last) return { from: corner(outer, front), to: corner(bore, 0) };
+  return { from: corner(outer, 0), to: corner(whole(outer * PART.diameter), -FACE) };
+}
+
+function inRecess(room: Room, site: Site, last: Pick<Wanted, "from" | "to"> | null): Pick<Wanted, "from" | "to"> {
+  const { outer, front, back } = room;
+  if (site === "face") {
+    const middle = whole((outer + room.bore) * PART.length);
+    return { from: corner(middle + RECESS.depth, 0), to: corner(middle - RECESS.depth, -RECESS.width) };
+  }
+  const top = last ? Math.min(last.to.diameter, outer) : outer;
+  const z = Math.max(last ? last.to.z + RECESS.behind : -RECESS.behind, back + (front - back) * PART.length);
+  return { from: corner(top, z), to: corner(top - RECESS.depth, z - RECESS.width) };
+}
+
+/** What a cycle would make here: as the last operation left off, and within the blank. */
+function wantedHere(cycle: Cycle, { blank, before }: Surroundings): Wanted {
+  const room = roomOf(blank);
+  const across = worksAcross(cycle);
+  const [shape = "step"] = useOf(cycle).shapes as readonly TurnedShape[];
+  const site: Site = across ? "face" : "outside";
+  const last = lastOf(before, site) ?? (across ? null : lastOf(before, "outside"));
+  const rest = { site, angle: 0, pitch: PITCH, contour: null, allowance: 0 } as const;
+  if (cycle.group === "thread") {
+    const on = last ?? stepOutside(room, null);
+    return { ...rest, site: "outside", shape: "thread", from: corner(on.to.diameter, on.from.z), to: corner(on.to.diameter, on.to.z) };
+  }
+  if (shape === "groove" || cycle.group === "recessing" || cycle.group === "recessTurning")
+    return { ...rest, shape: "groove", ...inRecess(room, site, last) };
+  const corners = across ? onFace(room, last) : stepOutside(room, last);
+  return { ...rest, shape: shape === "plunge" ? "plunge" : "step", ...corners };
+}
+
+/** The same, drawn as a contour of its own where the cycle takes one. */
+function drawn(cycle: Cycle, wanted: Wanted): Wanted {
+  return cycle.contour === "free" ? { ...wanted, shape: "free", contour: wantedContour(wanted) } : wanted;
+}
+
+/** The work of a cycle with values that fit what stands there and what was made before; all of it can be changed afterwards. */
+export function proposedOperation(cycle: Cycle, here: Surroundings): Job {
+  const wanted = drawn(cycle, wantedHere(cycle, here));
+  const job = jobFor(cycle, wanted, here.blank.length > 0 ? here.blank : null);
+  const last = here.before.at(-1)?.spindle;
+  return { ...job, spindle: last ? spindleAsTyped(job.spindle, last) : job.spindle };
+}
+
+function spindleAsTyped(usual: SpindleDraft, spindle: NonNullable<Operation["spindle"]>): SpindleDraft {
+  return spindle.kind === "constant"
+    ? { ...usual, mode: "constant", speed: valueAsTyped(spindle.speed) }
+    : { ...usual, mode: "surface", cuttingSpeed: valueAsTyped(spindle.cuttingSpeed), limit: valueAsTyped(spindle.limit) };
+}
