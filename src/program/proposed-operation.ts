@@ -2,12 +2,12 @@ import type { Cycle, TurnedShape } from "../cycles/define.ts";
 import { useOf, worksAcross } from "../cycles/use.ts";
 import type { Corner, Site, Wanted } from "../cycles/wanted.ts";
 import { boxOf } from "../kernel/box.ts";
-import { type Ring } from "../kernel/point.ts";
-import { axial, diameter, radius, rounded, toDiameter } from "../kernel/units.ts";
+import { at, part, type Ring } from "../kernel/point.ts";
+import { axial, diameter, radius, rounded, toDiameter, toRadius } from "../kernel/units.ts";
 import type { Job, SpindleDraft } from "./job.ts";
 import type { Operation } from "./run-types.ts";
-import { valueAsTyped } from "./typed-value.ts";
-import { jobFor } from "./wanted-job.ts";
+import { positionAsTyped, valueAsTyped } from "./typed-value.ts";
+import { jobFor, withValue } from "./wanted-job.ts";
 import { boxAroundContour, wantedContour } from "./wanted-shape.ts";
 
 /** What a new operation finds: the blank, and what was run before it. */
@@ -22,6 +22,8 @@ const PART = { diameter: 0.8, length: 0.4 };
 const RECESS = { depth: 6, width: 5, behind: 10 };
 const FACE = 5;
 const PITCH = 1.5;
+/** Between a start point and the face, mm: more than the clearance of the cycles. */
+const CLEARANCE = 3;
 
 /** A diameter and a length that one would write: whole ones. */
 const whole = (n: number): number => Math.round(n);
@@ -87,7 +89,8 @@ function wantedHere(cycle: Cycle, { blank, before }: Surroundings): Wanted {
   const last = lastOf(before, site) ?? (across ? null : lastOf(before, "outside"));
   const rest = { site, angle: 0, pitch: PITCH, contour: null, allowance: 0 } as const;
   if (cycle.group === "thread") {
-    const on = last ?? stepOutside(room, null);
+    const { from, to } = stepOutside(room, null);
+    const on = last ?? { from, to: { ...to, diameter: from.diameter } };
     return { ...rest, site: "outside", shape: "thread", from: corner(on.to.diameter, on.from.z), to: corner(on.to.diameter, on.to.z) };
   }
   if (shape === "groove" || cycle.group === "recessing" || cycle.group === "recessTurning")
@@ -98,13 +101,30 @@ function wantedHere(cycle: Cycle, { blank, before }: Surroundings): Wanted {
 
 /** The same, drawn as a contour of its own where the cycle takes one. */
 function drawn(cycle: Cycle, wanted: Wanted): Wanted {
-  return cycle.contour === "free" ? { ...wanted, shape: "free", contour: wantedContour(wanted) } : wanted;
+  if (cycle.contour !== "free") return wanted;
+  const r = toRadius(wanted.from.diameter);
+  const line = [part.line(at(wanted.from.z, r), at(wanted.to.z, r))];
+  return { ...wanted, shape: "free", contour: wanted.shape === "thread" ? line : wantedContour(wanted) };
+}
+
+/** The edge of a shoulder as an insert leaves it: what it cannot turn is not asked of it. */
+const EDGE = { q: "Q500", size: 1 };
+
+function withEdge(job: Job, cycle: Cycle, wanted: Wanted): Job {
+  if (cycle.params[EDGE.q] === undefined || wanted.shape !== "step" || wanted.site === "face") return job;
+  return withValue(job, EDGE.q, EDGE.size);
+}
+
+/** A face is called from beside it and from in front of it. */
+function withFaceStart(job: Job, { site, shape, from }: Wanted): Job {
+  return site === "face" && shape === "step" ? { ...job, start: { ...job.start, z: positionAsTyped(from.z + CLEARANCE) } } : job;
 }
 
 /** The work of a cycle with values that fit what stands there and what was made before; all of it can be changed afterwards. */
 export function proposedOperation(cycle: Cycle, here: Surroundings): Job {
-  const wanted = drawn(cycle, wantedHere(cycle, here));
-  const job = jobFor(cycle, wanted, here.blank.length > 0 ? here.blank : null);
+  const wanted = wantedHere(cycle, here);
+  const plain = jobFor(cycle, drawn(cycle, wanted), here.blank.length > 0 ? here.blank : null);
+  const job = withFaceStart(withEdge(plain, cycle, wanted), wanted);
   const last = here.before.at(-1)?.spindle;
   return { ...job, spindle: last ? spindleAsTyped(job.spindle, last) : job.spindle };
 }

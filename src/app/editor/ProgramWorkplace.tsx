@@ -8,7 +8,7 @@ import { useOutcome } from "../engine/outcome.ts";
 import { FindingsPanel } from "../findings/FindingsPanel.tsx";
 import { useListed } from "../findings/use-findings.ts";
 import { LeavingDialog } from "../leaving/LeavingDialog.tsx";
-import { stopInserting, useInserting } from "../operations/inserting.ts";
+import { useInserting } from "../operations/inserting.ts";
 import { showSection, usePlace, type ProgramSection } from "../place.ts";
 import { playback } from "../playback.ts";
 import { SectionTabs } from "../SectionTabs.tsx";
@@ -40,7 +40,6 @@ function useProgramSession(): void {
     return () => {
       beforeLeaving.delete(handOverText);
       stop();
-      stopInserting();
       closeSession();
       showFile(null);
     };
@@ -98,7 +97,7 @@ export function ProgramWorkplace() {
           <TextPanel />
         </div>
       )}
-      {inserting.asked && (
+      {inserting && (
         <Suspense>
           <InsertOperation behind={inserting.behind} />
         </Suspense>

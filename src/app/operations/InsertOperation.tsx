@@ -63,6 +63,8 @@ export function InsertOperation({ behind }: { readonly behind: number | null }) 
   useLayoutEffect(() => {
     if (!which) dialog.current?.showModal();
   }, [which]);
+  const asks = job === null;
+  useLayoutEffect(() => dialog.current?.querySelector("input")?.focus(), [asks]);
 
   if (which) {
     const { newest } = useOutcome.getState();
@@ -98,7 +100,7 @@ export function InsertOperation({ behind }: { readonly behind: number | null }) 
       </header>
       {!job && (
         <div className="operation-body">
-          <CycleChooser narrow focus ways={[{ name: words.choose, short: words.choose, go: choose }]} />
+          <CycleChooser narrow ways={[{ name: words.choose, short: words.choose, go: choose }]} />
         </div>
       )}
       {job && (
@@ -112,7 +114,7 @@ export function InsertOperation({ behind }: { readonly behind: number | null }) 
             <div className="operation-ask">
               <label className="wide">
                 <span>{words.title}</span>
-                <input className="input" type="text" autoFocus maxLength={60} autoComplete="off" value={title}
+                <input className="input" type="text" maxLength={60} autoComplete="off" value={title}
                   onFocus={(event) => event.currentTarget.select()} onChange={(event) => setTitle(event.currentTarget.value)} />
                 <span className="small soft">{words.titleHint}</span>
               </label>

@@ -18,7 +18,10 @@ export function NewProgram({ done }: { readonly done: () => void }) {
   const dialog = useRef<HTMLDialogElement>(null);
   const [name, setName] = useState("PROGRAM");
   const [blank, setBlank] = useState(USUAL);
-  useLayoutEffect(() => dialog.current?.showModal(), []);
+  useLayoutEffect(() => {
+    dialog.current?.showModal();
+    dialog.current?.querySelector("input")?.focus();
+  }, []);
   const usable = name.trim() !== "" && (["outside", "bore", "length", "allowance"] as const).every((each) =>
     isUsable(FIELDS[each], blank[each]));
   const number = (field: keyof BlankDraft, unit: string) => (
@@ -46,7 +49,7 @@ export function NewProgram({ done }: { readonly done: () => void }) {
           <div className="operation-ask">
             <label className="wide">
               <span>{words.programName}</span>
-              <input className="input" type="text" autoFocus maxLength={32} autoComplete="off" spellCheck={false} value={name}
+              <input className="input" type="text" maxLength={32} autoComplete="off" spellCheck={false} value={name}
                 onFocus={(event) => event.currentTarget.select()} onChange={(event) => setName(event.currentTarget.value)} />
             </label>
           </div>

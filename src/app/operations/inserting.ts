@@ -1,8 +1,22 @@
 import { create } from "zustand";
+import { useEditor } from "../store.ts";
 
-/** Whether an operation is being put in, and behind which: its place in the list, null for the first of all. */
-export const useInserting = create<{ readonly behind: number | null; readonly asked: boolean }>(() => ({ behind: null, asked: false }));
+interface Inserting {
+  /** Behind which operation, by its place in the list; null puts it before all others. */
+  readonly behind: number | null;
+  /** The work that it is asked for; null while nobody asks. */
+  readonly work: string | null;
+}
 
-/** Asks for an operation behind another one; null puts it before all others. */
-export const askForOperation = (behind: number | null): void => useInserting.setState({ behind, asked: true });
-export const stopInserting = (): void => useInserting.setState({ asked: false });
+const useAsked = create<Inserting>(() => ({ behind: null, work: null }));
+
+/** The operation that is being put into the open work; null while none is. */
+export function useInserting(): Inserting | null {
+  const asked = useAsked();
+  const work = useEditor((s) => s.work);
+  return asked.work !== null && asked.work === work ? asked : null;
+}
+
+/** Asks for an operation of the open work behind another one; null puts it before all others. */
+export const askForOperation = (behind: number | null): void => useAsked.setState({ behind, work: useEditor.getState().work });
+export const stopInserting = (): void => useAsked.setState({ work: null });
