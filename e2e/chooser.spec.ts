@@ -51,7 +51,7 @@ for (const theme of ["light", "dark"] as const) {
 test("a cycle is put into a program by the same chooser", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { editor, t } = turnwise;
-  await page.getByRole("button", { name: t.page.programs.create }).click();
+  await editor.create();
   await editor.line("M30").click();
   await editor.show("block");
   await editor.insert("cycle");
@@ -69,7 +69,7 @@ test("a cycle that acts in a program is put into one, and one that is only kept 
   await start.search.fill("800");
   await expect(says).toHaveText(t.chooser.acts(called(800, t.cycles.of[800].name)));
   await looksRight(page);
-  await page.getByRole("button", { name: t.page.programs.create }).click();
+  await editor.create();
   await editor.line("M30").click();
   await editor.show("block");
   await editor.insert("cycle");

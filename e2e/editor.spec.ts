@@ -24,6 +24,8 @@ test("the shipped program of six tools and eight cycles runs clean, and its part
   await expect(editor.total(t.editor.operations)).toHaveText("8");
   await expect(editor.total(t.editor.toolChanges)).toHaveText("6");
   await editor.show("structure");
+  await expect(editor.operation(8)).toContainText(t.editor.noResidue);
+  await editor.filter("all");
   await expect(editor.part("CYCL DEF 852")).toContainText(t.editor.noResidue);
   await editor.part("TOOL CALL 15").click();
   await editor.show("block");

@@ -95,6 +95,37 @@ export class ProgramEditor {
       .first();
   }
 
+  /** What the list of parts is narrowed to. */
+  async filter(kind: keyof Context["t"]["editor"]["filters"]): Promise<void> {
+    await this.context.page.getByLabel(this.words.filter, { exact: true }).selectOption(kind);
+  }
+
+  /** An operation of the program by its number. */
+  operation(number: number): Locator {
+    return this.context.page.getByRole("list", { name: this.context.t.operations.list, exact: true })
+      .getByRole("button", { name: new RegExp(`^${this.context.t.operations.name(number, "")}`) });
+  }
+
+  /** What can be done with the open operation. */
+  operationTool(name: "duplicate" | "up" | "down" | "switchOff" | "switchOn" | "retool" | "remove"): Locator {
+    return this.context.page.getByRole("button", { name: this.context.t.operations[name], exact: true });
+  }
+
+  /** The dialog that asks for an operation. */
+  get inserting(): Locator {
+    return this.context.page.getByRole("dialog", { name: this.context.t.operations.insert, exact: true });
+  }
+
+  /** Begins a program with its blank, and leaves out its first operation. */
+  async create(): Promise<void> {
+    const { page, t } = this.context;
+    await page.getByRole("button", { name: t.page.programs.create, exact: true }).click();
+    const dialog = page.getByRole("dialog", { name: t.operations.newProgram, exact: true });
+    await dialog.getByRole("button", { name: t.operations.create, exact: true }).click();
+    await this.inserting.getByRole("button", { name: t.operations.close, exact: true }).click();
+    await expect(this.text).toBeVisible();
+  }
+
   tool(name: "insertLong" | "duplicate" | "remove" | "up" | "down"): Locator {
     return this.context.page.getByRole("group", { name: this.words.tools }).getByRole("button", { name: this.words[name], exact: true });
   }

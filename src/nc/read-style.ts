@@ -28,11 +28,7 @@ const continued =
   (raw: string) => (/CYCL DEF \d+(?!\.)[^\r\n]*[\r\n]/i.test(raw) && /[\r\n]\s*Q\d/.test(raw) ? /~[ \t]*(?:\r|\n)/.test(raw) : null);
 /** An axis or a value of a cycle; the X of SMAX2500 is neither. */
 const plus =
-  (raw: string) => (/(?:(?<![A-Z])I?[XYZ]|=)\+[\d.,]/.test(code(raw))
-    ? true
-    : /(?:(?<![A-Z])I?[XYZ]|=)\d/.test(code(raw))
-    ? false
-    : null);
+  (raw: string) => (/(?:(?<![A-Z])I?[XYZ]|=)\+[\d.,]/.test(code(raw)) ? true : /(?:(?<![A-Z])I?[XYZ]|=)\d/.test(code(raw)) ? false : null);
 const decimal =
   (raw: string): "," | "."
     | null => (/\d,\d/.test(code(raw))

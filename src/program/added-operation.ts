@@ -3,7 +3,7 @@ import type { Program } from "../nc/program.ts";
 import { withBlocks } from "../nc/replace.ts";
 import type { Statement } from "../nc/statement.ts";
 import type { SetJob } from "./job.ts";
-import { blocksOf, withAddedBehind } from "./operation-edits.ts";
+import { blocksOfStatements, withAddedBehind } from "./operation-edits.ts";
 import { endsMain, operationsOf } from "./operations.ts";
 import { jobStatements, type Labels } from "./print-job.ts";
 import { noWords } from "./typed-value.ts";
@@ -33,7 +33,7 @@ function withEnd(program: Program): Program {
   const { to } = operationsOf(program);
   const s = blocks[to]?.statement;
   if (s && endsMain(s) && s.kind !== "end") return program;
-  return withBlocks(program, [...blocks.slice(0, to), ...blocksOf(program, to, [END]), ...blocks.slice(to)]);
+  return withBlocks(program, [...blocks.slice(0, to), ...blocksOfStatements(program, to, [END]), ...blocks.slice(to)]);
 }
 
 /**
@@ -59,10 +59,10 @@ export function withOperation(program: Program, job: SetJob, labels: Labels, { b
     ...(title === undefined || title.trim() === "" ? [] : [{ kind: "structure" as const, text: title.trim() }]),
     ...all.slice(all.findIndex((s) => s.kind === "toolCall"), ending),
   ];
-  const operated = withAddedBehind(ended, place < 0 ? null : place, blocksOf(ended, from, main));
+  const operated = withAddedBehind(ended, place < 0 ? null : place, blocksOfStatements(ended, from, main));
   const subprogram = all.slice(ending + 1).filter((s) => s.kind !== "end");
   const end = operated.blocks.findLastIndex(({ statement: s }) => s.kind === "end");
   const at = end < 0 ? operated.blocks.length : end;
-  const behindIt = [...operated.blocks.slice(0, at), ...blocksOf(operated, at, subprogram), ...operated.blocks.slice(at)];
+  const behindIt = [...operated.blocks.slice(0, at), ...blocksOfStatements(operated, at, subprogram), ...operated.blocks.slice(at)];
   return subprogram.length > 0 ? withBlocks(operated, behindIt) : operated;
 }

@@ -7,7 +7,7 @@ import { withBlocks, withSkip } from "../nc/replace.ts";
 import type { Statement } from "../nc/statement.ts";
 import { wordsOf } from "./flow.ts";
 import { inForceBehind, NOTHING_IN_FORCE, type InForce } from "./in-force.ts";
-import { definesCycle, isNote, isOfFreeContour, KEPT_ON, namesContour, operationsOf, setsFeedUnit, wholeOf, type Operations, type Section,
+import { definesCycle, isNote, isOfFreeContour, KEPT_ON, namesContour, operationsOf, setsFeedUnit, wholeOf, type Operations, type ToolSection,
   type Tie } from "./operations.ts";
 import { parametersOf, sharedParameter } from "./shared-parameters.ts";
 import { noWords } from "./typed-value.ts";
@@ -30,7 +30,7 @@ const alike = (a: readonly Block[], b: readonly Block[]): boolean =>
 const bare = ({ raw }: Block): string => raw.replace(/^([ \t]*\/?[ \t]*[Nn]?)\d+(?![\d.,])/, "$1");
 
 /** Blocks of statements, in the style of a program; numbered where its blocks are. */
-export function blocksOf(program: Program, index: number, statements: readonly Statement[]): readonly Block[] {
+export function blocksOfStatements(program: Program, index: number, statements: readonly Statement[]): readonly Block[] {
   const style = styleAt(program, Math.max(0, Math.min(index, program.blocks.length - 1)));
   const letter = program.blocks.some(({ raw }) => /^[ \t]*\/?[ \t]*N\d/i.test(raw)) ? "N" : "";
   const head = program.blocks.some(({ number }) => number !== null) ? `${letter}0 ` : "";
@@ -41,7 +41,7 @@ export function blocksOf(program: Program, index: number, statements: readonly S
 
 /** A run of operations with one tool, as they are to stand: with the blocks that begin and end them. */
 interface Group {
-  readonly section: Section;
+  readonly section: ToolSection;
   readonly units: readonly number[];
   /** Another opening than that of its section. */
   readonly opening?: readonly Block[];
@@ -112,12 +112,12 @@ function composed(program: Program, all: Operations, groups: readonly (Group | A
     const setting = missingSetting([...own, ...parts], before.sections.get(section) ?? NOTHING_IN_FORCE, now);
     const tool = own.findIndex(({ statement: s }) => s.kind === "toolCall") + 1;
     put(own.slice(0, tool));
-    put(blocksOf(program, section.from, setting));
+    put(blocksOfStatements(program, section.from, setting));
     put(own.slice(tool));
     for (const unit of units) {
       const blocks = cut(program, all.units[unit] ?? section.closing);
       const bared = joins.has(unit) ? withoutNeedless(blocks, now) : blocks;
-      const missing = blocksOf(program, section.from, missingBefore(bared, before.units.get(unit) ?? NOTHING_IN_FORCE, now));
+      const missing = blocksOfStatements(program, section.from, missingBefore(bared, before.units.get(unit) ?? NOTHING_IN_FORCE, now));
       const words = bared.findIndex(({ statement: s }) => !isNote(s));
       put(missing.length > 0 ? [...bared.slice(0, words), ...missing, ...bared.slice(words)] : bared);
     }
@@ -128,7 +128,7 @@ function composed(program: Program, all: Operations, groups: readonly (Group | A
 
 /** What is in force where each section and each operation begins now. */
 function states({ blocks }: Program, all: Operations) {
-  const sections = new Map<Section, InForce>();
+  const sections = new Map<ToolSection, InForce>();
   const units = new Map<number, InForce>();
   let [now, at] = [NOTHING_IN_FORCE, 0];
   const goTo = (to: number) => {
@@ -149,7 +149,7 @@ function grouped(
   all: Operations,
   order: readonly number[],
 ): { readonly groups: readonly Group[]; readonly joins: ReadonlySet<number> } {
-  const groups: { section: Section; units: number[] }[] = [];
+  const groups: { section: ToolSection; units: number[] }[] = [];
   const joins = new Set<number>();
   for (const unit of order) {
     const section = all.sections[all.units[unit]?.section ?? -1];
@@ -225,7 +225,7 @@ export function withoutOperation(program: Program, unit: number): Program | Refu
   const tie = tieOf(all, unit);
   if (tie || !all.units[unit]) return tie ?? program;
   const order = all.units.map((_, i) => i).filter((i) => i !== unit);
-  const groups = order.reduce<{ section: Section; units: number[] }[]>((made, i) => {
+  const groups = order.reduce<{ section: ToolSection; units: number[] }[]>((made, i) => {
     const section = all.sections[all.units[i]?.section ?? -1];
     const last = made.at(-1);
     if (section && last?.section === section) last.units.push(i);

@@ -6,7 +6,7 @@ import { wordsOf } from "./flow.ts";
 import { actsAtOnce, isSilent } from "./unproved-blocks.ts";
 
 /** Blocks from `from` to the one before `to`. */
-export interface Stretch {
+export interface BlockRange {
   readonly from: number;
   readonly to: number;
 }
@@ -15,7 +15,7 @@ export interface Stretch {
 export type Tie = "label" | "frame" | "tool";
 
 /** One operation: a cycle with its calls, or what is cut without one, and the tool that it runs with. */
-export interface Unit extends Stretch {
+export interface OperationPart extends BlockRange {
   /** Its section in `Operations.sections`. */
   readonly section: number;
   /** Words of its structure comment; null where it has none of its own. */
@@ -31,17 +31,17 @@ export interface Unit extends Stretch {
 }
 
 /** Operations with one tool: what begins them together, each of them, and the way back that ends them. */
-export interface Section extends Stretch {
-  readonly opening: Stretch;
-  readonly closing: Stretch;
+export interface ToolSection extends BlockRange {
+  readonly opening: BlockRange;
+  readonly closing: BlockRange;
   /** Indices in `Operations.units`. */
   readonly units: readonly number[];
 }
 
 /** A program as its operations. What stands before and behind them is frame, blank, end and subprograms. */
-export interface Operations extends Stretch {
-  readonly sections: readonly Section[];
-  readonly units: readonly Unit[];
+export interface Operations extends BlockRange {
+  readonly sections: readonly ToolSection[];
+  readonly units: readonly OperationPart[];
 }
 
 const ENDS: readonly number[] = [2, 30];
@@ -119,15 +119,15 @@ function endOfMain(blocks: readonly Block[]): number {
   return label < 0 ? end : label;
 }
 
-const titleIn = (blocks: readonly Block[], { from, to }: Stretch): string | null => {
+const titleIn = (blocks: readonly Block[], { from, to }: BlockRange): string | null => {
   const found = blocks.slice(from, to).find(({ statement: s }) => s.kind === "structure")?.statement;
   return found?.kind === "structure" && found.text.trim() !== "" ? found.text.trim() : null;
 };
 
-type Cuts = { readonly opening: Stretch; readonly closing: Stretch; readonly parts: readonly Stretch[] };
+type Cuts = { readonly opening: BlockRange; readonly closing: BlockRange; readonly parts: readonly BlockRange[] };
 
 /** The parts of a section that may stand alone, with what begins and ends them together. */
-function partsOf(blocks: readonly Block[], { from, to }: Stretch): Cuts {
+function partsOf(blocks: readonly Block[], { from, to }: BlockRange): Cuts {
   const at = (i: number): Statement => blocks[i]?.statement ?? { kind: "empty" };
   const definitions: number[] = [];
   for (let i = from; i < to; i += 1) if (definesCycle(at(i))) definitions.push(i);
@@ -179,12 +179,12 @@ function lastCallIn(at: (i: number) => Statement, from: number, to: number): num
 }
 
 /** Stretches of the main program between a label and what calls or jumps to it: what stands there stays. */
-function tiedStretches(blocks: readonly Block[], end: number): readonly Stretch[] {
+function tiedStretches(blocks: readonly Block[], end: number): readonly BlockRange[] {
   const labels = new Map<Label, number>();
   blocks.forEach(({ statement: s }, i) => {
     if (i < end && s.kind === "label" && s.label !== 0 && !labels.has(s.label)) labels.set(s.label, i);
   });
-  const tied: Stretch[] = [...labels.values()].map((i) => ({ from: i, to: i + 1 }));
+  const tied: BlockRange[] = [...labels.values()].map((i) => ({ from: i, to: i + 1 }));
   const ofUnknown = (label: Label | Parameter) => typeof label === "object" && labels.size > 0;
   blocks.forEach(({ statement: s }, i) => {
     if (i >= end || (s.kind !== "call" && s.kind !== "jump")) return;
@@ -215,15 +215,15 @@ export function operationsOf({ blocks }: Program): Operations {
   const headless = firstCut >= 0 && firstCut < firstTool;
   const starts = [...(headless ? [frame] : []), ...toolStarts];
   const tied = tiedStretches(blocks, end);
-  const isTied = ({ from, to }: Stretch) => tied.some((each) => each.from < to && each.to > from);
-  const units: Unit[] = [];
-  const sections = starts.map((from, section): Section => {
+  const isTied = ({ from, to }: BlockRange) => tied.some((each) => each.from < to && each.to > from);
+  const units: OperationPart[] = [];
+  const sections = starts.map((from, section): ToolSection => {
     const whole = { from, to: starts[section + 1] ?? end };
     const hasLabel = isTied(whole);
     const cuts = hasLabel
       ? { opening: { from, to: from }, closing: { from: whole.to, to: whole.to }, parts: [whole] }
       : partsOf(blocks, whole);
-    const own = cuts.parts.map((part, k): Unit => {
+    const own = cuts.parts.map((part, k): OperationPart => {
       const inside = blocks.slice(part.from, part.to);
       const toolCall = blocks.slice(0, part.to).findLastIndex(({ statement: s }) => callsTool(s));
       const framed = blocks.slice(k === 0 ? from : part.from, k === cuts.parts.length - 1 ? whole.to : part.to).some(({ statement: s }) =>
@@ -248,7 +248,7 @@ export function operationsOf({ blocks }: Program): Operations {
 }
 
 /** All blocks of an operation: with those that begin and end it where it shares them with no other. */
-export function wholeOf({ sections, units }: Operations, unit: number): Stretch {
+export function wholeOf({ sections, units }: Operations, unit: number): BlockRange {
   const own = units[unit];
   const section = own && sections[own.section];
   if (!own || !section) return { from: 0, to: 0 };
@@ -258,7 +258,7 @@ export function wholeOf({ sections, units }: Operations, unit: number): Stretch 
 }
 
 /** True for an operation whose cycles and calls all stand behind a skip mark. */
-export function isOff({ blocks }: Program, { from, to }: Stretch): boolean {
+export function isOff({ blocks }: Program, { from, to }: BlockRange): boolean {
   const acting = blocks.slice(from, to).filter(({ statement: s }) => definesCycle(s) || callsCycle(s));
   const all = acting.length > 0 ? acting : blocks.slice(from, to).filter(({ statement: s }) => s.kind === "path" || s.kind === "approach");
   return all.length > 0 && all.every(({ skip }) => skip);

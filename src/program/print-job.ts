@@ -51,7 +51,7 @@ function spin(job: Job): Statement {
 }
 
 /** Names of programs on the control: letters, digits and underscores. */
-export const programName = (typed: string) => typed.trim().replace(/[^\p{L}\p{N}_+-]+/gu, "_").slice(0, 32) || "PROGRAM";
+export const nameOnControl = (typed: string) => typed.trim().replace(/[^\p{L}\p{N}_+-]+/gu, "_").slice(0, 32) || "PROGRAM";
 
 /** BLK FORM of a typed cylinder. */
 export function blankStatement({ outside, bore, length, allowance }: BlankDraft): Statement {
@@ -81,7 +81,7 @@ function isInBore({ blank, start }: Job): boolean {
 
 /** The blocks of a job, from BEGIN PGM to END PGM. */
 export function jobStatements(job: SetJob, cycle: Cycle, labels: Labels): Statement[] {
-  const name = programName(job.name);
+  const name = nameOnControl(job.name);
   const safeX = kept(Math.max(number(job.blank.outside, 0), number(job.start.x, 0)) + AWAY.x, POSITION_DECIMALS);
   const safeZ = kept(Math.max(number(job.blank.allowance, 0), number(job.start.z, 0), 0) + AWAY.z, POSITION_DECIMALS);
   const at = (x: Value, z: Value): AxisWord[] => [{ axis: "X", value: x, incremental: false }, { axis: "Z", value: z, incremental: false }];

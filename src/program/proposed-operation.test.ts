@@ -97,6 +97,8 @@ describe("an operation that is put in", () => {
     const next = parse(print(withOperation(parse(twice), job, ncLabels("en"), { behind: 0, title: "RECESS" })));
     const tools = operationsOf(next).units.map(({ toolCall }) => next.blocks[toolCall ?? -1]?.raw.replace(/^\d+ /, "").trim());
     expect(tools).toEqual(["TOOL CALL 3", "TOOL CALL 10", "TOOL CALL 3"]);
-    expect(print(next)).toMatch(/TOOL CALL 3\n\d+ FUNCTION TURNDATA SPIN VCONST:OFF S731\n\d+ M136\n\d+ L X\+90 Z\+44 FMAX\n\d+ M303\n\d+ CYCL DEF/);
+    expect(print(next)).toMatch(
+      /TOOL CALL 3\n\d+ FUNCTION TURNDATA SPIN VCONST:OFF S731\n\d+ M136\n\d+ L X\+90 Z\+44 FMAX\n\d+ M303\n\d+ CYCL DEF/,
+    );
   });
 });

@@ -4,14 +4,14 @@ import type { Corner, Site, Wanted } from "../cycles/wanted.ts";
 import { boxOf } from "../kernel/box.ts";
 import { at, part, type Ring } from "../kernel/point.ts";
 import { axial, diameter, radius, rounded, toDiameter, toRadius } from "../kernel/units.ts";
-import type { Job, SpindleDraft } from "./job.ts";
+import type { SetJob, SpindleDraft } from "./job.ts";
 import type { Operation } from "./run-types.ts";
 import { positionAsTyped, valueAsTyped } from "./typed-value.ts";
 import { jobFor, withValue } from "./wanted-job.ts";
 import { boxAroundContour, wantedContour } from "./wanted-shape.ts";
 
 /** What a new operation finds: the blank, and what was run before it. */
-export interface Surroundings {
+export interface BeforeOperation {
   readonly blank: readonly Ring[];
   /** Those before it, in their order. */
   readonly before: readonly Operation[];
@@ -24,6 +24,8 @@ const FACE = 5;
 const PITCH = 1.5;
 /** Between a start point and the face, mm: more than the clearance of the cycles. */
 const CLEARANCE = 3;
+/** Between a start point and a thread on a contour, mm. */
+const RUN_IN = 10;
 
 /** A diameter and a length that one would write: whole ones. */
 const whole = (n: number): number => Math.round(n);
@@ -81,7 +83,7 @@ function inRecess(room: Room, site: Site, last: Pick<Wanted, "from" | "to"> | nu
 }
 
 /** What a cycle would make here: as the last operation left off, and within the blank. */
-function wantedHere(cycle: Cycle, { blank, before }: Surroundings): Wanted {
+function wantedHere(cycle: Cycle, { blank, before }: BeforeOperation): Wanted {
   const room = roomOf(blank);
   const across = worksAcross(cycle);
   const [shape = "step"] = useOf(cycle).shapes as readonly TurnedShape[];
@@ -110,21 +112,25 @@ function drawn(cycle: Cycle, wanted: Wanted): Wanted {
 /** The edge of a shoulder as an insert leaves it: what it cannot turn is not asked of it. */
 const EDGE = { q: "Q500", size: 1 };
 
-function withEdge(job: Job, cycle: Cycle, wanted: Wanted): Job {
+function withEdge(job: SetJob, cycle: Cycle, wanted: Wanted): SetJob {
   if (cycle.params[EDGE.q] === undefined || wanted.shape !== "step" || wanted.site === "face") return job;
   return withValue(job, EDGE.q, EDGE.size);
 }
 
-/** A face is called from beside it and from in front of it. */
-function withFaceStart(job: Job, { site, shape, from }: Wanted): Job {
+/** A face is called from beside it and from in front of it, a thread on a contour from in front of it. */
+function withOwnStart(job: SetJob, cycle: Cycle, { site, shape, from }: Wanted): SetJob {
+  if (shape === "thread" && cycle.contour === "free") {
+    const [x, z] = [from.diameter + RUN_IN, from.z + RUN_IN];
+    return { ...job, start: { x: positionAsTyped(x), z: positionAsTyped(z) } };
+  }
   return site === "face" && shape === "step" ? { ...job, start: { ...job.start, z: positionAsTyped(from.z + CLEARANCE) } } : job;
 }
 
 /** The work of a cycle with values that fit what stands there and what was made before; all of it can be changed afterwards. */
-export function proposedOperation(cycle: Cycle, here: Surroundings): Job {
+export function proposedOperation(cycle: Cycle, here: BeforeOperation): SetJob {
   const wanted = wantedHere(cycle, here);
   const plain = jobFor(cycle, drawn(cycle, wanted), here.blank.length > 0 ? here.blank : null);
-  const job = withFaceStart(withEdge(plain, cycle, wanted), wanted);
+  const job = withOwnStart(withEdge(plain, cycle, wanted), cycle, wanted);
   const last = here.before.at(-1)?.spindle;
   return { ...job, spindle: last ? spindleAsTyped(job.spindle, last) : job.spindle };
 }

@@ -56,7 +56,7 @@ const changed = (before: string, after: string) => numbered(RIGHT.map((block) =>
 const cases: readonly (readonly [code: string, text: string, offered: string | number])[] = [
   ["spindleMissing", without("FUNCTION TURNDATA SPIN VCONST:ON VC:180 SMAX2500"), "FUNCTION TURNDATA SPIN VCONST:ON VC:180 SMAX2500"],
   ["programEndMissing", without("M30", "END PGM A MM"), "M30"],
-  ["blankMissing", without("BLK FORM CYLINDER Z D61.3 L80 DIST+0"), "BLK FORM CYLINDER Z D80 L100 DIST1"],
+  ["blankMissing", without("BLK FORM CYLINDER Z D61.3 L80 DIST+0"), "BLK FORM CYLINDER Z D80 L100 DIST+1"],
   ["notInTurnMode", changed("FUNCTION MODE TURN", "FUNCTION MODE MILL"), "FUNCTION MODE TURN"],
   ["cycleNeverCalled", without("CYCL CALL"), "CYCL CALL"],
   ["parameterForeign", changed(cycle812(), cycle812(" ~\nQ999=+3 ;STRANGE")), "Q999"],

@@ -1,5 +1,5 @@
 import { proxy, releaseProxy, wrap, type Remote } from "comlink";
-import type { Job } from "../../program/job.ts";
+import type { Job, SetJob } from "../../program/job.ts";
 import { readText } from "../../program/field.ts";
 import { SETUP_FIELDS } from "../../program/setup-fields.ts";
 import { fileKey } from "../../program/program-files.ts";
@@ -243,7 +243,7 @@ export async function fitsOf(job: Job, outcome: Outcome): Promise<readonly ToolF
 }
 
 /** The same for a work that is not run: from its own start point. */
-export async function fitsOfWork(job: Job): Promise<readonly ToolFit[] | null> {
+export async function fitsOfWork(job: SetJob): Promise<readonly ToolFit[] | null> {
   try {
     return await inTime(started().fitsOfWork(job, toolTable().tools));
   } catch {

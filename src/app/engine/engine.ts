@@ -88,7 +88,7 @@ export const engine = {
   },
 
   /** The same for a work that is not run, from its own start point. */
-  fitsOfWork(job: Job, tools: readonly Tool[]): readonly ToolFit[] | null {
+  fitsOfWork(job: SetJob, tools: readonly Tool[]): readonly ToolFit[] | null {
     return engine.fits(job, { start: tipAtCall(job), feedUnit: job.perRevolution ? "mm/rev" : "mm/min", tools });
   },
 

@@ -1,6 +1,6 @@
 import { useEffect, useRef, useState } from "react";
 import type { ToolFit } from "../../program/which-tool.ts";
-import type { Job } from "../../program/job.ts";
+import type { SetJob } from "../../program/job.ts";
 import { useEditor } from "../store.ts";
 import { fitsOf, fitsOfCall, fitsOfWork } from "./client.ts";
 import { useOutcome } from "./outcome.ts";
@@ -53,9 +53,11 @@ function useAsked(ask: (() => Promise<readonly ToolFit[] | null>) | null, of: un
 
 /** What each tool can do in place of the one that runs the cycle defined in a line of the program; null where it was not run. */
 export function useFitsOfLine(line: number | null): readonly ToolFit[] | null {
-  const operation = useOutcome((s) => s.newest?.run.operations.find(({ definedLine, definedFile }) => definedLine === line && !definedFile));
+  const operation = useOutcome((s) =>
+    s.newest?.run.operations.find(({ definedLine, definedFile }) => definedLine === line && !definedFile)
+  );
   return useAsked(operation ? () => fitsOfCall(operation) : null, operation);
 }
 
 /** What each tool can do with the values of a work that is not open. */
-export const useFitsOfWork = (job: Job | null): readonly ToolFit[] | null => useAsked(job ? () => fitsOfWork(job) : null, job);
+export const useFitsOfWork = (job: SetJob | null): readonly ToolFit[] | null => useAsked(job ? () => fitsOfWork(job) : null, job);

@@ -40,7 +40,8 @@ export function AskedNumber({ name, unit, field, text, onText }: Props) {
         }} />
         <span className="soft small" id={`${id}-unit`}>{unit}</span>
       </span>
-      {wrong && <span className="field-message error small" role="status">{text.trim() === "" ? t.wrong.missing : t.wrong.notANumber}</span>}
+      {wrong && <span className="field-message error small" role="status">{text.trim() === "" ? t.wrong.missing : t.wrong.notANumber}
+      </span>}
     </label>
   );
 }

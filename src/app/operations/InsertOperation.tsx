@@ -3,7 +3,7 @@ import { cycleByNumber } from "../../cycles/index.ts";
 import { ncLabels } from "../../i18n/nc-labels.ts";
 import type { Cycle } from "../../cycles/define.ts";
 import { withOperation } from "../../program/added-operation.ts";
-import type { Job } from "../../program/job.ts";
+import type { SetJob } from "../../program/job.ts";
 import { operationsOf } from "../../program/operations.ts";
 import { proposedOperation } from "../../program/proposed-operation.ts";
 import { SETUP_FIELDS as FIELDS } from "../../program/setup-fields.ts";
@@ -28,7 +28,7 @@ import "./operations.css";
 const WhichCycle = lazy(async () => ({ default: (await import("../which/WhichCycle.tsx")).WhichCycle }));
 
 /** What the new operation finds: the blank, and what runs before its place. */
-function proposalFor(cycle: Cycle, behind: number | null): Job {
+function proposalFor(cycle: Cycle, behind: number | null): SetJob {
   const { newest } = useOutcome.getState();
   const { program } = useSession.getState().reading;
   const until = behind === null ? 0 : (operationsOf(program).units[behind]?.to ?? 0);
@@ -38,7 +38,7 @@ function proposalFor(cycle: Cycle, behind: number | null): Job {
 }
 
 /** Writes all blocks of the operation, and opens its first prompt. */
-function insertOperation(job: Job, title: string, behind: number | null): void {
+function insertOperation(job: SetJob, title: string, behind: number | null): void {
   const { language } = useSettings.getState();
   showFile(null);
   const { program } = useSession.getState().reading;
@@ -53,7 +53,7 @@ export function InsertOperation({ behind }: { readonly behind: number | null }) 
   const words = t.operations;
   const language = useSettings((s) => s.language);
   const dialog = useRef<HTMLDialogElement>(null);
-  const [job, setJob] = useState<Job | null>(null);
+  const [job, setJob] = useState<SetJob | null>(null);
   const [title, setTitle] = useState("");
   const [tool, setTool] = useState<number | null>(null);
   const [which, ask] = useState(false);
@@ -114,18 +114,19 @@ export function InsertOperation({ behind }: { readonly behind: number | null }) 
             <div className="operation-ask">
               <label className="wide">
                 <span>{words.title}</span>
-                <input className="input" type="text" maxLength={60} autoComplete="off" value={title}
-                  onFocus={(event) => event.currentTarget.select()} onChange={(event) => setTitle(event.currentTarget.value)} />
+                <input className="input" type="text" maxLength={60} autoComplete="off" value={title} onFocus={(event) =>
+                  event.currentTarget.select()} onChange={(event) => setTitle(event.currentTarget.value)} />
                 <span className="small soft">{words.titleHint}</span>
               </label>
-              <AskedNumber name={t.setup.start.x} unit={t.setup.units.diameter} field={FIELDS.startX} text={job.start.x}
-                onText={(x) => setJob({ ...job, start: { ...job.start, x } })} />
-              <AskedNumber name={t.setup.start.z} unit={t.setup.units.mm} field={FIELDS.startZ} text={job.start.z}
-                onText={(z) => setJob({ ...job, start: { ...job.start, z } })} />
+              <AskedNumber name={t.setup.start.x} unit={t.setup.units.diameter} field={FIELDS.startX} text={job.start.x} onText={(x) =>
+                setJob({ ...job, start: { ...job.start, x } })} />
+              <AskedNumber name={t.setup.start.z} unit={t.setup.units.mm} field={FIELDS.startZ} text={job.start.z} onText={(z) =>
+                setJob({ ...job, start: { ...job.start, z } })} />
               <label>
                 <span>{words.spindle}</span>
                 <select className="select" value={job.spindle.mode} onChange={(event) =>
-                  setJob({ ...job, spindle: { ...job.spindle, mode: event.target.value === "constant" ? "constant" : "surface" } })}>
+                  setJob({ ...job, spindle: { ...job.spindle, mode: event.target.value === "constant" ? "constant" : "surface" } })}
+                >
                   {(["surface", "constant"] as const).map((mode) => <option key={mode} value={mode}>{t.setup.spindle[mode]}</option>)}
                 </select>
               </label>
@@ -133,10 +134,11 @@ export function InsertOperation({ behind }: { readonly behind: number | null }) 
                 ? (
                   <>
                     <AskedNumber name={t.setup.spindle.cuttingSpeed} unit={t.setup.units.cuttingSpeed} field={FIELDS.cuttingSpeed}
-                      text={job.spindle.cuttingSpeed}
-                      onText={(cuttingSpeed) => setJob({ ...job, spindle: { ...job.spindle, cuttingSpeed } })} />
+                      text={job.spindle.cuttingSpeed} onText={(cuttingSpeed) =>
+                      setJob({ ...job, spindle: { ...job.spindle, cuttingSpeed } })} />
                     <AskedNumber name={t.setup.spindle.limit} unit={t.setup.units.rpm} field={FIELDS.limit} text={job.spindle.limit}
-                      onText={(limit) => setJob({ ...job, spindle: { ...job.spindle, limit } })} />
+                      onText={(limit) =>
+                        setJob({ ...job, spindle: { ...job.spindle, limit } })} />
                   </>
                 )
                 : (

@@ -22,8 +22,8 @@ export function NewProgram({ done }: { readonly done: () => void }) {
     dialog.current?.showModal();
     dialog.current?.querySelector("input")?.focus();
   }, []);
-  const usable = name.trim() !== "" && (["outside", "bore", "length", "allowance"] as const).every((each) =>
-    isUsable(FIELDS[each], blank[each]));
+  const usable = name.trim() !== ""
+    && (["outside", "bore", "length", "allowance"] as const).every((each) => isUsable(FIELDS[each], blank[each]));
   const number = (field: keyof BlankDraft, unit: string) => (
     <AskedNumber name={t.setup.blank[field]} unit={unit} field={FIELDS[field]} text={blank[field]}
       onText={(text) => setBlank((now) => ({ ...now, [field]: text }))} />

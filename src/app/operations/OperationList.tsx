@@ -93,9 +93,10 @@ export function OperationList() {
     else head(at + way)?.focus();
   };
 
-  const why = refused && (refused.refused === "parameter"
-    ? words.refused.parameter(refused.unit + 1, refused.parameter ?? "")
-    : words.refused[refused.refused](refused.unit + 1));
+  const why = refused
+    && (refused.refused === "parameter"
+      ? words.refused.parameter(refused.unit + 1, refused.parameter ?? "")
+      : words.refused[refused.refused](refused.unit + 1));
   return (
     <div className="operations">
       <div className="operations-top">
@@ -117,15 +118,15 @@ export function OperationList() {
         <ol ref={list} aria-label={words.list} onKeyDown={onKeyDown}>
           {rows.map((row) => (
             <OperationItem key={row.unit} row={row} last={row.unit === rows.length - 1} isCurrent={row.unit === current}
-              isOpen={row.unit === current && !folded} index={index} onAct={(what) => act(row, what)}
-              onDrop={(to) => to !== row.unit && tell(moveOperation(row.unit, to), to)} />
+              isOpen={row.unit === current && !folded} index={index} onAct={(what) => act(row, what)} onDrop={(to) =>
+              to !== row.unit && tell(moveOperation(row.unit, to), to)} />
           ))}
         </ol>
       </div>
       {retooled && (
         <Suspense>
-          <ToolDialog title={titleOf(t, retooled)} taken={retooled.tool} line={retooled.opens} done={() => retool(null)}
-            onTake={(tool) => tell(retoolOperation(retooled.unit, tool), retooled.unit)} />
+          <ToolDialog title={titleOf(t, retooled)} taken={retooled.tool} line={retooled.opens} done={() => retool(null)} onTake={(tool) =>
+            tell(retoolOperation(retooled.unit, tool), retooled.unit)} />
         </Suspense>
       )}
     </div>

@@ -14,4 +14,20 @@ import { own } from "./own.ts";
 import { params } from "./params.ts";
 import { cycles } from "./cycles.ts";
 
-export const zh = { ...first, dialog, setup, lathe, help, contour, tools, editor, approach, findings, messages, operations, own, params, cycles };
+export const zh = {
+  ...first,
+  dialog,
+  setup,
+  lathe,
+  help,
+  contour,
+  tools,
+  editor,
+  approach,
+  findings,
+  messages,
+  operations,
+  own,
+  params,
+  cycles,
+};

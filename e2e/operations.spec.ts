@@ -1,0 +1,91 @@
+import { readFileSync } from "node:fs";
+import { provedIn } from "./pages/effect.ts";
+import { tabTo } from "./pages/keyboard.ts";
+import { looksRight } from "./pages/look.ts";
+import { expect, test } from "./pages/test.ts";
+import { Turnwise } from "./pages/turnwise.ts";
+
+const flange = readFileSync(new URL("../src/examples/flange.h", import.meta.url), "utf8");
+
+test("operations of the flange are doubled, moved, switched off and taken back to the byte", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { editor, t } = turnwise;
+  const text = async () => (await editor.downloaded()).toString();
+  await editor.openExample("flange");
+  await expect(editor.total(t.editor.operations)).toHaveText("8");
+  await editor.show("structure");
+  await editor.operation(3).click();
+  await looksRight(page);
+
+  await editor.operationTool("down").click();
+  await expect(editor.operation(4)).toHaveAttribute("aria-expanded", "true");
+  expect(await text()).not.toBe(flange);
+  await expect(editor.total(t.editor.toolChanges)).toHaveText("8");
+  await editor.operationTool("up").click();
+  expect(await text()).toBe(flange);
+
+  await editor.operationTool("duplicate").click();
+  await expect(editor.total(t.editor.operations)).toHaveText("9");
+  await editor.operationTool("remove").click();
+  expect(await text()).toBe(flange);
+
+  await editor.operation(2).click();
+  await editor.operationTool("switchOff").click();
+  await expect(editor.operation(2)).toContainText(t.operations.off);
+  await expect(editor.total(t.editor.operations)).toHaveText("7");
+  await turnwise.undo();
+  expect(await text()).toBe(flange);
+  await expect(editor.total(t.editor.operations)).toHaveText("8");
+  await expect(editor.leaveOut).toHaveCount(0);
+  await turnwise.redo();
+  await expect(editor.total(t.editor.operations)).toHaveText("7");
+  await editor.operationTool("switchOn").click();
+  expect(await text()).toBe(flange);
+});
+
+test("a program of three operations from nothing, by keyboard alone", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { editor, t } = turnwise;
+  const { keyboard } = page;
+  await tabTo(page, page.getByRole("button", { name: t.page.programs.create, exact: true }));
+  await keyboard.press("Enter");
+  await expect(page.getByRole("textbox", { name: t.operations.programName })).toBeFocused();
+  await keyboard.type("SPINDLE");
+  await keyboard.press("Tab");
+  await keyboard.type("62.5");
+  await keyboard.press("Enter");
+  const put = async (cycle: number) => {
+    await expect(editor.inserting.getByRole("searchbox")).toBeFocused();
+    await keyboard.type(String(cycle));
+    await keyboard.press("Enter");
+    await expect(editor.inserting.getByRole("textbox", { name: t.operations.title })).toBeFocused();
+    await looksRight(page);
+    await keyboard.press("Enter");
+    await expect(editor.inserting).toHaveCount(0);
+    await expect(page.getByRole("form", { name: t.dialog.form })).toBeVisible();
+  };
+  await put(822);
+  for (const [done, cycle] of [[1, 812], [2, 862]] as const) {
+    await expect(editor.total(t.editor.operations)).toHaveText(String(done));
+    await tabTo(page, page.getByRole("tab", { name: t.editor.sections.block, exact: true }), "Shift+Tab");
+    await keyboard.press("ArrowRight");
+    await tabTo(page, page.getByRole("button", { name: t.operations.insert, exact: true }));
+    await keyboard.press("Enter");
+    await put(cycle);
+  }
+  await expect(editor.total(t.editor.operations)).toHaveText("3");
+  await expect(editor.total(t.findings.verdict.title)).toHaveText(provedIn(t));
+  await turnwise.undo();
+  await expect(editor.total(t.editor.operations)).toHaveText("2");
+});
+
+test("a new program that is given up at its first operation is a sane one, and offers the operation again", async ({ page }) => {
+  const { editor, t } = await Turnwise.open(page, { language: "de" });
+  await editor.create();
+  await editor.show("structure");
+  expect((await editor.downloaded()).toString()).toBe(
+    "0 BEGIN PGM PROGRAM MM\n1 BLK FORM CYLINDER Z D80 L100 DIST+1\n2 FUNCTION MODE TURN\n3 M30\n4 END PGM PROGRAM MM\n",
+  );
+  await page.getByRole("button", { name: t.operations.insert, exact: true }).click();
+  await expect(editor.inserting).toBeVisible();
+});
