@@ -80,7 +80,7 @@ test("a program of three operations from nothing, by keyboard alone", async ({ p
 });
 
 test("a new program that is given up at its first operation is a sane one, and offers the operation again", async ({ page }) => {
-  const { editor, t } = await Turnwise.open(page, { language: "de" });
+  const { editor, t } = await Turnwise.open(page);
   await editor.create();
   await editor.show("structure");
   expect((await editor.downloaded()).toString()).toBe(

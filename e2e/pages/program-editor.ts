@@ -102,8 +102,9 @@ export class ProgramEditor {
 
   /** An operation of the program by its number. */
   operation(number: number): Locator {
-    return this.context.page.getByRole("list", { name: this.context.t.operations.list, exact: true })
-      .getByRole("button", { name: new RegExp(`^${this.context.t.operations.name(number, "")}`) });
+    return this.context.page.getByRole("list", { name: this.context.t.operations.list, exact: true }).getByRole("button", {
+      name: new RegExp(`^${this.context.t.operations.name(number, "")}`),
+    });
   }
 
   /** What can be done with the open operation. */

@@ -7,8 +7,8 @@ import { withBlocks, withSkip } from "../nc/replace.ts";
 import type { Statement } from "../nc/statement.ts";
 import { wordsOf } from "./flow.ts";
 import { inForceBehind, NOTHING_IN_FORCE, type InForce } from "./in-force.ts";
-import { definesCycle, isNote, isOfFreeContour, KEPT_ON, namesContour, operationsOf, setsFeedUnit, wholeOf, type Operations, type ToolSection,
-  type Tie } from "./operations.ts";
+import { definesCycle, isNote, isOfFreeContour, KEPT_ON, namesContour, operationsOf, setsFeedUnit, wholeOf, type Operations,
+  type ToolSection, type Tie } from "./operations.ts";
 import { parametersOf, sharedParameter } from "./shared-parameters.ts";
 import { noWords } from "./typed-value.ts";
 
