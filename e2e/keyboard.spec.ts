@@ -39,11 +39,12 @@ for (const { cycle, own, expected, contour } of JOBS) {
     await expect(turnwise.start.button(cycle, true)).toBeFocused();
     await keyboard.press("ArrowRight");
     await keyboard.press("Enter");
+    await expect(dialog.question).toHaveText(turnwise.t.setup.blank.outside);
+    await keyboard.press("End");
 
     if (contour) {
-      await tabTo(page, page.getByRole("tab", { selected: true }), "Shift+Tab");
-      const tab = page.getByRole("tab", { name: new RegExp(`^${turnwise.t.page.contour}`) });
-      for (let i = 0; i < 5 && (await tab.getAttribute("aria-selected")) !== "true"; i += 1) await keyboard.press("ArrowRight");
+      await expect(dialog.question).toHaveText(turnwise.t.dialog.contour.question);
+      await keyboard.press("Enter");
       const table = turnwise.contour;
       for (const [i, row] of CONTOUR.entries()) {
         await tabTo(page, table.add, i === 0 ? "Tab" : "Tab");
@@ -64,10 +65,8 @@ for (const { cycle, own, expected, contour } of JOBS) {
           await keyboard.type(text);
         }
       }
-      await tabTo(page, page.getByRole("tab", { selected: true }), "Shift+Tab");
-      const prompts = page.getByRole("tab", { name: turnwise.t.page.prompts });
-      for (let i = 0; i < 5 && (await prompts.getAttribute("aria-selected")) !== "true"; i += 1) await keyboard.press("ArrowLeft");
-      await tabTo(page, dialog.value.or(dialog.active.getByRole("radio").first()));
+      await tabTo(page, page.getByRole("button", { name: turnwise.t.dialog.contour.back, exact: true }), "Shift+Tab");
+      await keyboard.press("Enter");
     }
 
     for (const [q, value] of Object.entries(answers(cycle, own))) {

@@ -11,6 +11,8 @@ test("a shoulder by touch at tablet size, from the empty page to the copied prog
   const turnwise = await Turnwise.open(page);
   const { dialog, program } = turnwise;
   await turnwise.start.button(812, false).tap();
+  await expect(dialog.question).toHaveText(turnwise.t.setup.blank.outside);
+  await dialog.key("endLong").tap();
   for (const [q, value] of Object.entries(answers(812, { Q493: "48.5", Q494: "-42" }))) {
     await expect(dialog.question).toHaveText(dialog.promptOf(812, q));
     for (const character of value) {

@@ -33,6 +33,8 @@ export function writingKeys(
     "*": written("×", "*", t.timesLong),
     "-": written("−", "-", t.minusLong),
     "+": written("+", "+", t.plusLong),
+    "(": written("(", "(", t.bracketOpen),
+    ")": written(")", ")", t.bracketClose),
     Q: written(t.parameter, "Q", t.parameterLong),
     point: written(sign, sign, t.point),
     sign: { label: t.sign, name: t.signLong, press: change(toggleSign), className: "number", disabled: !numeric },

@@ -16,7 +16,7 @@ interface Props {
 
 /** The keys in their rows: a calculator with the keys of the control beside it, and the keys of path words. */
 const ROWS = {
-  sums: "7 8 9 / up erase 4 5 6 * down noEnter 1 2 3 - cancel end sign 0 point + Q enter".split(" "),
+  sums: "7 8 9 / ( up erase 4 5 6 * ) down noEnter 1 2 3 - Q cancel end sign 0 point + enter".split(" "),
   words: "7 8 9 up erase noEnter end 4 5 6 down sign point I 1 2 3 0 enter".split(" "),
 } as const;
 
@@ -53,9 +53,5 @@ export function Keypad({ session, prompt, input }: Props) {
       </div>
     );
   }
-  return (
-    <div className={`keypad${session.keypad === "words" ? " approach-keypad" : ""}`} role="group" aria-label={keypad}>
-      {ROWS[session.keypad].map((id) => padButton(keyOf(id)))}
-    </div>
-  );
+  return <div className="keypad" role="group" aria-label={keypad}>{ROWS[session.keypad].map((id) => padButton(keyOf(id)))}</div>;
 }

@@ -39,7 +39,7 @@ export function PromptList({ session, name }: { readonly session: PromptSession;
         const { id, idle } = field;
         const { letter, label, shown } = field.group && field.group.id !== openGroup ? rowOf(field.group) : field;
         const worst = findings.find((p) => p.at === id && !isOpen(p))?.issue.severity;
-        const quiet = idle ? `, ${t.dialog.idle}` : "";
+        const quiet = idle ? `, ${t.dialog.idle}` : field.group && shown.soft ? `, ${t.setup.proposed}` : "";
         const note = worst ? `, ${t.findings.severities[worst]}` : "";
         return (
           <li key={id}>

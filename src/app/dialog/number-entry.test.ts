@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { erase, insert, minus, toggleSign, type EntryState } from "./number-entry.ts";
+import { erase, insert, minuendOf, minus, subtracted, toggleSign, type EntryState } from "./number-entry.ts";
 
 /** "12|" is a caret behind 12; "[12]" is 12 selected. */
 function entry(picture: string): EntryState {
@@ -25,6 +25,12 @@ test.each([["[50]", "-5"], ["[-50]", "-5"]])("minus, then 5, over %s begins a ne
 
 test.each([["[50]", "-4"], ["[-55]", "4"]])("the ± key, then 4, over %s keeps the sign that is seen",
   (before, after) => expect(insert(toggleSign(entry(before)), "4").text).toBe(after));
+
+test.each([["60|", "60-2"], ["3,5|", "3,5-2"]])("minus and a digit behind %s make a sum", (before, after) => {
+  const minuend = minuendOf(entry(before));
+  expect(subtracted(minus(entry(before)), minuend ?? "", "2")?.text).toBe(after);
+});
+test.each(["6|0", "[60]", "-60|", "|", "60+3|"])("minus in %s begins no sum", (before) => expect(minuendOf(entry(before))).toBeNull());
 
 test("digits take the place of what is selected", () => expect(insert(entry("[75]"), "8").text).toBe("8"));
 test("erase takes the selection, or one character", () => {

@@ -38,6 +38,17 @@ export function minus(entry: EntryState): EntryState {
   return { ...toggleSign(entry), negative: allSelected(entry) };
 }
 
+/**
+ * A digit behind a minus that changed the sign of the number before it: a sum is typed, as 60-2. `minuend` is what stood there before
+ * the minus; null where the digit just goes on with the number.
+ */
+export const subtracted = ({ text, from }: EntryState, minuend: string, digit: string): EntryState | null =>
+  text === `-${minuend}` && from === text.length ? caretAt(`${minuend}-${digit}`, minuend.length + 1 + digit.length) : null;
+
+/** What a minus at its end may be taken from: digits that were typed, with the caret behind them. */
+export const minuendOf = ({ text, from, to }: EntryState): string | null =>
+  from === to && to === text.length && /^\d+[.,]?\d*$/.test(text) ? text : null;
+
 /** One character, or several, in place of what is selected. */
 export function insert(entry: EntryState, characters: string): EntryState {
   if (entry.negative && allSelected(entry)) return caretAt(`-${characters}`, characters.length + 1);

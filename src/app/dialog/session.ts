@@ -95,12 +95,14 @@ export function suggestionFor({ draft }: Pick<PromptSession, "draft">, { id, sug
   return suggestion && !suggestion.holds && !idle && (draft[id] ?? "").trim() === "" ? suggestion.text : null;
 }
 
-/** All suggestions for prompts that nobody has answered yet. */
-export const openSuggestions = (session: PromptSession): Readonly<Record<string, string>> =>
-  Object.fromEntries(session.fields.flatMap((f) => {
+/** All suggestions for prompts that nobody has answered yet, without those that the others leave without effect. */
+export function openSuggestions(session: PromptSession): Readonly<Record<string, string>> {
+  const all = session.fields.flatMap((f) => {
     const text = suggestionFor(session, f);
     return text === null || session.readings[f.id]?.issue === null ? [] : [[f.id, text] as const];
-  }));
+  });
+  return Object.fromEntries(all.filter(([id]) => !all.some(([other, text]) => session.idleWith?.(other, text)(id))));
+}
 
 /** A text as it stays when its field is left: a sum becomes its value, one with a Q parameter once that has a value. */
 function settled(reading: FieldReading | undefined, text: string): string {

@@ -1,5 +1,5 @@
 import { useLayoutEffect, useRef, type KeyboardEvent, type RefObject } from "react";
-import { insert, minus, type EntryState } from "./number-entry.ts";
+import { insert, minuendOf, minus, subtracted, type EntryState } from "./number-entry.ts";
 
 /** The typing of numbers in an input element: the minus key changes the sign, wherever the caret is. */
 export interface NumberEntry {
@@ -13,6 +13,8 @@ export interface NumberEntry {
 /** `text` is what the element shows; `onText` takes what it shall show. */
 export function useNumberEntry(input: RefObject<HTMLInputElement | null>, text: string, onText: (text: string) => void): NumberEntry {
   const negative = useRef(false);
+  /** What stood in the field when the last key was a minus that changed its sign. */
+  const minuend = useRef<string | null>(null);
   const pending = useRef<EntryState | null>(null);
 
   useLayoutEffect(() => {
@@ -42,11 +44,12 @@ export function useNumberEntry(input: RefObject<HTMLInputElement | null>, text: 
     onKeyDown(event) {
       if (event.ctrlKey || event.metaKey || event.altKey) return;
       const entry = read();
-      const next = event.key === "-" || event.key === "−"
-        ? minus(entry)
-        : entry.negative && /^[\d.,]$/.test(event.key)
-        ? insert(entry, event.key)
-        : null;
+      const isMinus = event.key === "-" || event.key === "−";
+      const isDigit = /^[\d.,]$/.test(event.key);
+      const from = minuend.current;
+      minuend.current = isMinus ? minuendOf(entry) : null;
+      const sum = isDigit && from !== null ? subtracted(entry, from, event.key) : null;
+      const next = sum ?? (isMinus ? minus(entry) : entry.negative && isDigit ? insert(entry, event.key) : null);
       if (!next) return;
       event.preventDefault();
       write(next);

@@ -8,8 +8,8 @@ import { enterField, fieldEntry, scopeOf, stepField, writeEntry } from "./field-
 import "./keypad.css";
 
 const ROWS = {
-  words: "7 8 9 / up erase 4 5 6 * down letters 1 2 3 - Q ready sign 0 point + enter".split(" "),
-  open: "7 8 9 / up erase 4 5 6 * down letters 1 2 3 - ? ready sign 0 point + enter".split(" "),
+  words: "7 8 9 / ( up erase 4 5 6 * ) down letters 1 2 3 - Q ready sign 0 point + enter".split(" "),
+  open: "7 8 9 / ( up erase 4 5 6 * ) down letters 1 2 3 - ? ready sign 0 point + enter".split(" "),
 } as const;
 
 /** The keys of the prompts for the number field that has the keyboard, at the lower edge of the page, which makes room for them. */
@@ -39,7 +39,7 @@ export function FieldKeypad({ field, onLetters }: {
     up: { label: "▲", name: t.previousField, press: () => stepField(field, -1) },
     down: { label: "▼", name: t.nextField, press: () => stepField(field, 1) },
     letters: { label: t.letters, name: t.lettersLong, press: () => onLetters(field), className: "small" },
-    ready: { label: t.ready, name: t.readyLong, press: () => field.blur(), className: "small" },
+    ready: { label: t.ready, name: t.readyLong, press: () => field.blur(), className: "small ready" },
     "?": { ...writing("?"), name: t.notGiven },
     enter: { label: "ENT", name: t.enterField, press: () => enterField(field), className: "primary enter" },
   };
