@@ -1,6 +1,6 @@
 import { part, type Pt, type Segment } from "../kernel/point.ts";
 import { JOINED } from "../kernel/tolerance.ts";
-import { axial, diameter, toRadius } from "../kernel/units.ts";
+import { axial, toRadius, type Diameter } from "../kernel/units.ts";
 import { completions, isPosition, plainCompletion } from "./completions.ts";
 import type { Cycle, Given } from "./define.ts";
 import type { SomeValues } from "./effect.ts";
@@ -45,7 +45,7 @@ export function knownOutline(cycle: Cycle, known: SomeValues, given: Given): Kno
   });
   const points = ["start", "end"].flatMap((place): Pt[] => {
     const [x, z] = (["x", "z"] as const).map((axis) => positions.find((p) => p.axis === axis && p.place === place)?.value);
-    return x === undefined || z === undefined ? [] : [{ z: axial(z), r: toRadius(diameter(x)) }];
+    return x === undefined || z === undefined ? [] : [{ z: axial(z), r: toRadius(x as Diameter) }];
   });
   const made = completions(cycle, known, given).map(({ outline }) => outline.contour);
   const [first = [], ...others] = made;
