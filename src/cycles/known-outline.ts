@@ -1,6 +1,5 @@
 import { part, type Pt, type Segment } from "../kernel/point.ts";
 import { JOINED } from "../kernel/tolerance.ts";
-import { axial, toRadius, type Diameter } from "../kernel/units.ts";
 import { completions, isPosition, plainCompletion } from "./completions.ts";
 import type { Cycle, Given } from "./define.ts";
 import type { SomeValues } from "./effect.ts";
@@ -16,8 +15,8 @@ export interface KnownPosition {
 /** What of a contour a few values determine. */
 export interface KnownOutline {
   readonly positions: readonly KnownPosition[];
-  /** The corners whose diameter and Z are both typed: start and end. */
-  readonly points: readonly Pt[];
+  /** The corners whose diameter and Z are both typed, start and end: X as diameter, mm. */
+  readonly corners: readonly { readonly x: number; readonly z: number }[];
   /** The elements that are as they are drawn, whatever is still missing. */
   readonly contour: readonly Segment[];
   /** The contour with square walls and sharp corners where nothing is typed yet; empty while a position is missing. */
@@ -43,14 +42,16 @@ export function knownOutline(cycle: Cycle, known: SomeValues, given: Given): Kno
     if (!isPosition(p) || typeof value !== "number") return [];
     return [{ q, axis: p.kind === "diameter" ? "x" : "z", value, place: p.place }];
   });
-  const points = ["start", "end"].flatMap((place): Pt[] => {
+  const corners = ["start", "end"].flatMap((place) => {
     const [x, z] = (["x", "z"] as const).map((axis) => positions.find((p) => p.axis === axis && p.place === place)?.value);
-    return x === undefined || z === undefined ? [] : [{ z: axial(z), r: toRadius(x as Diameter) }];
+    return x === undefined || z === undefined ? [] : [{ x, z }];
   });
   const made = completions(cycle, known, given).map(({ outline }) => outline.contour);
   const [first = [], ...others] = made;
   const sure = first.filter((s) => others.every((all) => all.some((o) => sameSegment(o, s))));
   const whole = sure.length > 0 && made.every((all) => all.length === sure.length);
+  // A programmed contour is typed by itself: it is known even where no cycle can cut it yet.
+  const contour = made.length === 0 && cycle.contour === "free" ? (given.contour ?? []) : sure;
   const sketch = whole ? [] : (plainCompletion(cycle, known, given)?.outline.contour ?? []);
-  return { positions: positions.map(({ q, axis, value }) => ({ q, axis, value })), points, contour: sure, sketch, whole };
+  return { positions: positions.map(({ q, axis, value }) => ({ q, axis, value })), corners, contour, sketch, whole };
 }

@@ -2,8 +2,9 @@ import type { Cycle, Given } from "../cycles/define.ts";
 import { knownOutline, type KnownOutline } from "../cycles/known-outline.ts";
 import type { Pt, Ring } from "../kernel/point.ts";
 import type { Tool } from "../kernel/tool.ts";
-import { diameter, radius, toRadius } from "../kernel/units.ts";
+import { axial, diameter, radius, toRadius } from "../kernel/units.ts";
 import { cylinder } from "./blank-form.ts";
+import { readRows } from "./contour-rows.ts";
 import { readText } from "./field.ts";
 import { knownParameters } from "./job-parameters.ts";
 import type { Job } from "./job.ts";
@@ -16,6 +17,8 @@ export interface KnownWork {
   readonly start: Pt | null;
   readonly tool: Tool | null;
   readonly outline: KnownOutline;
+  /** Its corners so far; of a programmed contour the ends of its elements. */
+  readonly points: readonly Pt[];
 }
 
 /** The half section of the blank as typed; nothing as long as its measures make none. */
@@ -28,12 +31,17 @@ export function blankOf(job: Job): readonly Ring[] {
   return cylinder({ outside: toRadius(diameter(outside)), inside: bore > 0 ? toRadius(diameter(bore)) : radius(0), length, front }) ?? [];
 }
 
+/** Where the elements of the contour table end, as far as that is known. */
+const endsOf = (job: Job) => readRows(job.contour).rows.flatMap(({ end }) => end ?? []);
+
 /** What is known of a job: its set-up, and of its contour what the values typed so far determine. */
 export function knownWork(cycle: Cycle, job: Job, { partial }: DraftReading, given: Given, tools: readonly Tool[]): KnownWork {
+  const outline = knownOutline(cycle, partial, given);
   return {
     blank: blankOf(job),
     start: given.start,
     tool: tools.find((tool) => tool.T === job.tool) ?? null,
-    outline: knownOutline(cycle, partial, given),
+    outline,
+    points: (cycle.contour === "free" ? endsOf(job) : outline.corners).map(({ x, z }) => ({ z: axial(z), r: toRadius(diameter(x)) })),
   };
 }

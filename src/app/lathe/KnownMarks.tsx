@@ -1,4 +1,5 @@
 import type { KnownOutline, KnownPosition } from "../../cycles/known-outline.ts";
+import type { KnownWork } from "../../program/known-work.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { axial, diameter, radius, toRadius } from "../../kernel/units.ts";
@@ -43,7 +44,9 @@ function spread(places: readonly number[], apart: number): readonly number[] {
 }
 
 /** The positions that are typed so far as lines through the picture, and the corners that they make. */
-export function KnownMarks({ viewport, known: { positions, points } }: { readonly viewport: Viewport; readonly known: KnownOutline }) {
+export function KnownMarks({ viewport, known: { outline: { positions }, points } }: { readonly viewport: Viewport;
+  readonly known: KnownWork })
+{
   const camera = useCamera(viewport), { width, height } = viewport.size();
   const language = useSettings((s) => s.language);
   const floor = height - SCALE_BELOW;

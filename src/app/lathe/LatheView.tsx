@@ -75,8 +75,8 @@ const EMPTY_RUN: Run = {
 const partsOf = (run: Run): SceneParts => ({ blank: run.blank, contours: run.operations.map((o) => o.plan.contour), steps: run.steps });
 
 /** What is known without a run: blank, contour as far as it is typed, and where the tool starts. */
-function knownParts({ blank, start, tool, outline }: KnownWork, run: Run): Partial<SceneParts> {
-  const { contour, sketch, points, positions } = outline;
+function knownParts({ blank, start, tool, outline, points }: KnownWork, run: Run): Partial<SceneParts> {
+  const { contour, sketch, positions } = outline;
   const alone = positions.map(
     ({ axis, value }): Pt => (axis === "x" ? { z: axial(0), r: toRadius(diameter(value)) } : { z: axial(value), r: radius(0) })
   );
@@ -163,7 +163,7 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
           name={name}
         >
           <Marks viewport={viewport} starts={starts} datum={datum} />
-          {typed && <KnownMarks viewport={viewport} known={typed.outline} />}
+          {typed && <KnownMarks viewport={viewport} known={typed} />}
           {run.steps.length > 0 && <ToolAway viewport={viewport} playback={playback} steps={run.steps} />}
           {leads.length > 0 && <TurnPoints viewport={viewport} approaches={leads} />}
           <PlaceLines viewport={viewport} places={seen} />
