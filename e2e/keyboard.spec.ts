@@ -86,3 +86,32 @@ for (const { cycle, own, expected, contour } of JOBS) {
     expect(await program.shown()).toEqual(text.trimEnd().split(/\r?\n/).map((line) => line.trimEnd()));
   });
 }
+
+test("dimensions of the contour are chosen and typed on the drawing by keyboard alone", async ({ page }) => {
+  const turnwise = await Turnwise.open(page, { language: "de" });
+  const { contour, t } = turnwise;
+  const { keyboard } = page;
+  await turnwise.start.beginWithExample(820);
+  await turnwise.show("contour");
+  await tabTo(page, contour.canvas);
+  // On the way the keyboard went through the table: its last element is the chosen one.
+  for (let i = 0; i < 2; i += 1) await keyboard.press("ArrowLeft");
+  await expect(contour.drawing).toHaveAccessibleName(new RegExp(t.contour.drawingElement(4)));
+  const x = t.contour.xOf(4), z = t.contour.zOf(4);
+  await keyboard.press("Tab");
+  await expect(contour.dimension(x)).toBeFocused();
+  await keyboard.press("Enter");
+  await keyboard.type("21+2,5/2");
+  await keyboard.press("Enter");
+  await expect(contour.x(4)).toHaveValue("22,25");
+  await expect(contour.dimension(x)).toBeFocused();
+  await keyboard.press("Tab");
+  await expect(contour.dimension(z)).toBeFocused();
+  await keyboard.press("Enter");
+  await keyboard.type("-31");
+  await keyboard.press("Escape");
+  await expect(contour.z(4)).toHaveValue("-25");
+  await expect(contour.dimension(z)).toBeFocused();
+  await keyboard.press("Control+z");
+  await expect(contour.x(4)).toHaveValue("20");
+});

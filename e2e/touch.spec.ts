@@ -1,3 +1,4 @@
+import { dragFinger } from "./pages/finger.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 import { answers } from "./pages/values.ts";
@@ -42,4 +43,66 @@ test("the keys of the keypad are large enough for a glove, and keep the system k
   await expect(dialog.value).toHaveValue("-50");
   await dialog.key("cancel").tap();
   await expect(dialog.value).toHaveValue("50");
+});
+
+test("a contour of five elements by touch: drawn, a diameter changed on the drawing, a corner chamfered, each undone", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { contour, dialog, t } = turnwise;
+  await turnwise.start.button(820, false).tap();
+  await page.getByRole("tab", { name: t.page.contour }).tap();
+  const box = await contour.drawing.boundingBox();
+  if (!box) throw new Error("no drawing");
+  const spot = (x: number, y: number) => ({ x: box.x + box.width * x, y: box.y + box.height * y });
+  const spots = [spot(0.72, 0.6), spot(0.55, 0.6), spot(0.55, 0.42), spot(0.36, 0.42), spot(0.36, 0.24)];
+  for (const [i, at] of spots.entries()) {
+    await page.touchscreen.tap(at.x, at.y);
+    await expect(contour.kind(i + 1)).toBeVisible();
+  }
+  await expect(contour.drawing).toHaveAccessibleName(new RegExp(t.contour.drawingElement(5)));
+
+  const name = t.contour.xOf(5), drawn = await contour.x(5).inputValue();
+  await contour.dimension(name).tap();
+  await expect(contour.dimensionField(name)).toHaveAttribute("inputmode", "none");
+  for (const key of [7, 3, "point", 4] as const) await dialog.key(key).tap();
+  await dialog.keypad.getByRole("button", { name: t.dialog.keys.enterField, exact: true }).tap();
+  await expect(dialog.keypad).toBeHidden();
+  await expect(contour.x(5)).toHaveValue("73.4");
+
+  await contour.drawingMode("chamfer").tap();
+  const corner = spots[2] ?? spot(0.5, 0.5);
+  await dragFinger(page, corner, { x: corner.x + 26, y: corner.y + 4 });
+  await expect(contour.kind(4)).toHaveValue("CHF");
+
+  const undo = page.getByRole("button", { name: t.page.undo, exact: true });
+  await undo.tap();
+  await expect(contour.kind(4)).toHaveValue("L");
+  await undo.tap();
+  await expect(contour.x(5)).toHaveValue(drawn);
+  for (const left of [4, 3, 2, 1]) {
+    await undo.tap();
+    await expect(contour.kind(left + 1)).toHaveCount(0);
+    await expect(contour.kind(left)).toBeVisible();
+  }
+});
+
+test("every number field brings the keypad and stays in sight above it; a name keeps the keyboard of the device", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { dialog, setup, t } = turnwise;
+  await turnwise.start.button(812, true).tap();
+  await page.getByRole("tab", { name: t.page.setup }).tap();
+  const field = setup.start("z");
+  await field.tap();
+  await expect(field).toHaveAttribute("inputmode", "none");
+  for (const key of await dialog.keypad.getByRole("button").all()) {
+    const size = await key.boundingBox();
+    expect(Math.min(size?.width ?? 0, size?.height ?? 0)).toBeGreaterThanOrEqual(TARGET);
+  }
+  for (const key of [4, "point", 5] as const) await dialog.key(key).tap();
+  await expect(field).toHaveValue("4.5");
+  await dialog.keypad.getByRole("button", { name: t.dialog.keys.enterField, exact: true }).tap();
+  await expect(field).not.toBeFocused();
+  const focused = page.locator(":focus"), above = await dialog.keypad.boundingBox(), at = await focused.boundingBox();
+  expect((at?.y ?? 0) + (at?.height ?? 0)).toBeLessThanOrEqual(above?.y ?? 0);
+  await dialog.keypad.getByRole("button", { name: t.dialog.keys.readyLong, exact: true }).tap();
+  await expect(dialog.keypad).toBeHidden();
 });

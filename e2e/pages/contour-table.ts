@@ -51,6 +51,31 @@ export class ContourTable {
     return this.context.page.getByRole("button", { name: this.context.t.contour.modes[mode], exact: true });
   }
 
+  /** The drawing on the large canvas. */
+  get canvas(): Locator {
+    return this.context.page.getByRole("group", { name: this.context.t.contour.canvas, exact: true });
+  }
+
+  get drawing(): Locator {
+    return this.canvas.getByRole("img");
+  }
+
+  /** Which picture stands in the middle. */
+  view(view: "draw" | "lathe"): Locator {
+    const { label, [view]: name } = this.context.t.contour.views;
+    return this.context.page.getByRole("group", { name: label, exact: true }).getByRole("button", { name, exact: true });
+  }
+
+  /** A dimension on the drawing, by the name of its field: "Element 2, Z". */
+  dimension(field: string): Locator {
+    return this.canvas.getByRole("button", { name: this.context.t.contour.dimension(field, "") });
+  }
+
+  /** The field that a dimension becomes when it is pressed. */
+  dimensionField(field: string): Locator {
+    return this.canvas.getByRole("textbox", { name: this.context.t.contour.inDrawing(field), exact: true });
+  }
+
   remove(element: number): Locator {
     return this.context.page.getByRole("button", { name: this.context.t.contour.remove(element), exact: true });
   }

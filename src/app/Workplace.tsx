@@ -61,6 +61,7 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
     ...(wide ? [] : ["program" as const]),
   ];
   const open = possible.find((section) => section === asked) ?? "prompts";
+  const drawing = open === "contour" && view === "draw";
 
   const content: Readonly<Record<JobSection, ReactNode>> = {
     prompts: <CycleDialog read={read} />,
@@ -88,7 +89,7 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
       </div>
       <EffectStrip read={read} />
       <div className="centre">
-        {open === "contour" && view === "draw"
+        {drawing
           ? (
             <Suspense>
               <ContourStage rows={read.job.contour} blank={known.blank} language={language} onChange={setContour} lead={<ContourViews />} />
@@ -106,7 +107,7 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
               </CycleInWork>
             </div>
           )}
-        <HelpDock />
+        {!drawing && <HelpDock />}
         <Working />
       </div>
       {wide && (

@@ -12,6 +12,8 @@ export function NumberKeys() {
   const [field, setField] = useState<HTMLInputElement | null>(null);
   /** The last press was by a finger or a pen. */
   const touched = useRef(false);
+  /** The field that was just come to. */
+  const fresh = useRef<HTMLInputElement | null>(null);
   /** The field for which the keyboard of the device was asked for. */
   const spelled = useRef<HTMLInputElement | null>(null);
 
@@ -25,8 +27,14 @@ export function NumberKeys() {
       const focused = numberFieldOf(e.target), fits = focused !== null && (touched.current || holds("coarse"));
       if (fits && spelled.current !== focused) {
         focused.inputMode = "none";
+        fresh.current = focused;
         setField(focused);
       } else setField(null);
+    };
+    // As in the prompts, what is typed first takes the place of what stands there; the next touch sets the caret.
+    const onClick = (e: MouseEvent) => {
+      if (fresh.current !== null && fresh.current === e.target) fresh.current.select();
+      fresh.current = null;
     };
     // A field that is taken out of the page is not always left first.
     const onLeave = () =>
@@ -39,11 +47,13 @@ export function NumberKeys() {
       });
     document.addEventListener("pointerdown", onPress, true);
     document.addEventListener("focusin", onFocus);
+    document.addEventListener("click", onClick);
     document.addEventListener("focusout", onLeave);
     document.addEventListener("pointerup", onLeave);
     return () => {
       document.removeEventListener("pointerdown", onPress, true);
       document.removeEventListener("focusin", onFocus);
+      document.removeEventListener("click", onClick);
       document.removeEventListener("focusout", onLeave);
       document.removeEventListener("pointerup", onLeave);
     };
