@@ -32,9 +32,9 @@ export function AskedNumber({ name, unit, field, text, onText }: Props) {
     <label htmlFor={id}>
       <span>{name}</span>
       <span className="asked-value">
-        <input id={id} ref={input} className="input number" type="text" inputMode="decimal" autoComplete="off" spellCheck={false}
-          maxLength={200} aria-invalid={wrong} aria-describedby={`${id}-unit`} value={inScreenWriting(language, text)} onBlur={commit}
-          onKeyDown={onKeyDown} onFocus={(event) => event.currentTarget.select()} onChange={(event) => {
+        <input id={id} ref={input} className="input number" type="text" data-number="words" inputMode="decimal" autoComplete="off"
+          spellCheck={false} maxLength={200} aria-invalid={wrong} aria-describedby={`${id}-unit`} value={inScreenWriting(language, text)}
+          onBlur={commit} onKeyDown={onKeyDown} onFocus={(event) => event.currentTarget.select()} onChange={(event) => {
           onTyped();
           onText(event.currentTarget.value);
         }} />
