@@ -1,13 +1,14 @@
-import { lazy, Suspense, useMemo, type ReactNode } from "react";
+import { lazy, Suspense, useEffect, useMemo, type ReactNode } from "react";
 import { knownWork } from "../program/known-work.ts";
 import { clock } from "./clock.ts";
 import { ContourViews } from "./contour/ContourViews.tsx";
-import { useContourPlace } from "./contour/contour-place.ts";
+import { chooseElement, useContourPlace } from "./contour/contour-place.ts";
 import { BackToPrompts } from "./dialog/BackToPrompts.tsx";
 import { CycleDialog } from "./dialog/CycleDialog.tsx";
 import { HelpDock } from "./dialog/HelpDock.tsx";
-import { setContour } from "./edits.ts";
+import { setContour, setPrompt } from "./edits.ts";
 import { EffectStrip } from "./effect/EffectStrip.tsx";
+import { PinnedCard } from "./effect/Pinned.tsx";
 import { givenOf } from "./engine/given.ts";
 import { Working } from "./engine/Working.tsx";
 import { useOutcome } from "./engine/outcome.ts";
@@ -18,8 +19,11 @@ import { Icon } from "./Icon.tsx";
 import { CycleInWork } from "./issue-text.ts";
 import { LeavingDialog } from "./leaving/LeavingDialog.tsx";
 import { LatheView } from "./lathe/LatheView.tsx";
+import { MeasuredInto } from "./lathe/measured-into.ts";
+import { useMeasuredTarget } from "./measured-target.ts";
 import { usePlace, type JobSection } from "./place.ts";
 import { playback } from "./playback.ts";
+import { openAsked } from "./program/choose-line.ts";
 import { ProgramPanel } from "./program/ProgramPanel.tsx";
 import { useReading, type JobReading } from "./reading.ts";
 import { SectionTabs } from "./SectionTabs.tsx";
@@ -52,6 +56,8 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
   const host = useJobHost(read);
   const tools = useToolList();
   const known = useMemo(() => knownWork(read.cycle, read.job, read.reading, givenOf(read), tools), [read, tools]);
+  const measured = useMeasuredTarget(read, setPrompt);
+  useEffect(() => () => chooseElement(null), []);
   const free = read.cycle.contour === "free";
   const possible: readonly JobSection[] = [
     "prompts",
@@ -103,11 +109,15 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
                 </div>
               )}
               <CycleInWork value={read.cycle.number}>
-                <LatheView result={shown} known={known} dimmed={dimmed} playback={playback} clock={clock} />
+                <MeasuredInto value={measured}>
+                  <LatheView result={shown} known={known} dimmed={dimmed} playback={playback} clock={clock}
+                    onMove={(step, byKey) => openAsked(read, step, byKey)} />
+                </MeasuredInto>
               </CycleInWork>
             </div>
           )}
         {!drawing && <HelpDock />}
+        {!drawing && <PinnedCard />}
         <Working />
       </div>
       {wide && (

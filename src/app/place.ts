@@ -31,6 +31,9 @@ export const mayTakeKeyboard = (): boolean => !document.activeElement?.closest(`
 export const openPrompt = (prompt: string | null, before: string): void =>
   usePlace.setState((p) => ({ section: "prompts", prompt, before, focus: p.focus + 1, field: null }));
 
+/** Opens a prompt beside what is worked with: a field takes the keyboard only where nothing else keeps it. */
+export const showPrompt = (prompt: string, before: string): void => usePlace.setState({ section: "prompts", prompt, before, field: null });
+
 export const showSection = (section: WorkSection): void => usePlace.setState({ section, field: null });
 
 /** Shows a section and puts the keyboard into one of its fields. */

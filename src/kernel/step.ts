@@ -22,6 +22,8 @@ export interface Step {
   readonly seconds: number;
   /** File of the called program whose block this is; absent for the program itself. */
   readonly file?: string;
+  /** Line of that block in its file, from 1. */
+  readonly line?: number;
 }
 
 /** A blank that a program states while it runs: what stands in the chuck at a step, by its outline. */

@@ -18,7 +18,7 @@ import type { Machine } from "./machine.ts";
 import type { Defined } from "./modal.ts";
 import { pointIn } from "./path.ts";
 import { unlikelyFeeds, foreignParameters, lineOfParameter, noTool } from "./preconditions.ts";
-import type { Operation } from "./run-types.ts";
+import type { Operation, TextLine } from "./run-types.ts";
 import { callNamed } from "./program-calls.ts";
 import { countedPoint, shiftedPlan } from "./shifted-plan.ts";
 import { stockAtCall } from "./stock-at-call.ts";
@@ -186,6 +186,7 @@ export function callCycle(machine: Machine, index: number): void {
     plan: shiftedPlan(plan, machine.now.datum),
     issues: found,
     call: values && { values, given, autoFeed: machine.now.toolFeed, start: counted, datum: machine.now.datum },
+    ...(contour && { contourLines: places.map(({ block }) => lineAt(machine, block)) }),
   }, index);
   const where = machine.blocks[defined.index]?.raw ?? "";
   for (const i of [...all, ...feeds]) {
@@ -196,10 +197,17 @@ export function callCycle(machine: Machine, index: number): void {
   }
 }
 
-type Called = Pick<Operation, "cycle" | "start" | "tool" | "plan" | "issues" | "call"> & { readonly defined: Defined };
+/** The line on which a block begins, in the text that it stands in. */
+function lineAt(machine: Machine, block: number): TextLine {
+  const { line, file } = machine.log.placeOf(block);
+  return { line, ...(file !== undefined && { file }) };
+}
+
+type Called = Pick<Operation, "cycle" | "start" | "tool" | "plan" | "issues" | "call" | "contourLines"> & { readonly defined: Defined };
 
 /** Runs the moves of a plan and notes the operation. */
-function perform(machine: Machine, { cycle, defined, start, tool, plan, issues, call }: Called, index: number): void {
+function perform(machine: Machine, { defined, ...called }: Called, index: number): void {
+  const { start, tool, plan } = called;
   const firstStep = machine.log.steps.length;
   let [from, seconds] = [start, 0];
   for (const move of plan.moves) {
@@ -213,17 +221,12 @@ function perform(machine: Machine, { cycle, defined, start, tool, plan, issues, 
     definedIn: definition.block,
     definedLine: definition.line,
     ...(file !== undefined && { definedFile: file }),
-    cycle,
-    tool,
-    start,
+    ...called,
     feedUnit: machine.feedUnit,
     spindle: machine.now.spindle,
-    plan,
     seconds,
     firstStep,
     lastStep: machine.log.steps.length - 1,
-    issues,
-    call,
   });
 }
 

@@ -80,6 +80,12 @@ export class Log {
     return index < this.own ? index : (this.textOf(index)?.caller ?? index);
   }
 
+  /** Where the block of a step stands that is not one of the program itself. */
+  lineOf(index: number): Pick<Step, "file" | "line"> {
+    const { inFile } = this.inFile(index, 0);
+    return inFile ? { file: inFile.file, line: inFile.line } : IN_PROGRAM;
+  }
+
   /** The file of a block that is not one of the program itself. */
   fileOf(index: number): { readonly file?: string } {
     const text = index < this.own ? undefined : this.textOf(index);

@@ -25,6 +25,14 @@ export interface RunFinding {
   readonly inFile?: { readonly file: string; readonly block: number | null; readonly line: number };
 }
 
+/** A line of the program, or of a file that it calls. */
+export interface TextLine {
+  /** From 1. */
+  readonly line: number;
+  /** Absent for the program itself. */
+  readonly file?: string;
+}
+
 /** One executed cycle call. */
 export interface Operation {
   /** Number of the block that calls the cycle. */
@@ -48,6 +56,8 @@ export interface Operation {
   readonly lastStep: number;
   /** Issues of the values, the tool and the plan. */
   readonly issues: readonly Issue[];
+  /** Where each segment of the contour that it was given is written, in programmed order; absent where it follows none. */
+  readonly contourLines?: readonly TextLine[];
   /** What the cycle was called with, so that it can be planned again with another tool; null when its values make none. */
   readonly call: {
     readonly values: Values<Params>;

@@ -10,7 +10,8 @@ export const shiftedPoint = (p: Pt, by: By): Pt => ({ z: axial(p.z + by.z), r: r
 /** A point of the workpiece as the program counts it. */
 export const countedPoint = (p: Pt, by: By): Pt => ({ z: axial(p.z - by.z), r: radius(p.r - by.x) });
 
-const segment = (s: Segment, by: By): Segment => {
+/** A segment of a contour as the program counts it, where the shifted datum puts it on the workpiece. */
+export const shiftedSegment = (s: Segment, by: By): Segment => {
   const ends = { from: shiftedPoint(s.from, by), to: shiftedPoint(s.to, by) };
   return s.kind === "line" ? { ...s, ...ends } : { ...s, ...ends, centre: shiftedPoint(s.centre, by) };
 };
@@ -21,11 +22,11 @@ const move = (m: Move, by: By): Move =>
 /** A plan made in the coordinates of the program, where the shifted datum puts it on the workpiece. */
 export function shiftedPlan(plan: Plan, by: By): Plan {
   if (by.x === 0 && by.z === 0) return plan;
-  const reach = (all: Plan["reach"]) => all.map((r) => ({ ...r, path: segment(r.path, by) }));
+  const reach = (all: Plan["reach"]) => all.map((r) => ({ ...r, path: shiftedSegment(r.path, by) }));
   return {
     ...plan,
     moves: plan.moves.map((m) => move(m, by)),
-    contour: plan.contour.map((s) => segment(s, by)),
+    contour: plan.contour.map((s) => shiftedSegment(s, by)),
     area: plan.area.map((p) => shiftedPoint(p, by)),
     part: plan.part.map((p) => shiftedPoint(p, by)),
     reach: reach(plan.reach),

@@ -2,7 +2,7 @@ import fc from "fast-check";
 import { expect, test } from "vitest";
 import type { Pt } from "../kernel/point.ts";
 import { axial, radius } from "../kernel/units.ts";
-import { measure, nudged, snapPoints, snappedPoint } from "./measure.ts";
+import { measure, measuredFor, nudged, snapPoints, snappedPoint } from "./measure.ts";
 
 const point = fc.record({
   z: fc.double({ min: -200, max: 200, noNaN: true }).map(axial),
@@ -42,4 +42,17 @@ test("a corner shared by two elements is one snap point; the centre of an arc is
 
 test("nudging stays on whole thousandths", () => {
   expect(nudged(at(10.00004, -0.12345), 0.1, 0)).toEqual(at(10, -0.023));
+});
+
+test("what a ruler reads for a value: places for positions, ways for sizes", () => {
+  const [first, second] = [at(12.46, -41.37), at(30.11, -3.17)];
+  const between = measure(first, second);
+  expect(measuredFor("diameter", first, null)).toBe(24.92);
+  expect(measuredFor("axial", second, between)).toBe(-3.17);
+  expect(measuredFor("radial", second, between)).toBe(17.65);
+  expect(measuredFor("oversizeDiameter", second, between)).toBe(35.3);
+  expect(measuredFor("axialDepth", second, between)).toBe(38.2);
+  expect(measuredFor("length", second, between)).toBeCloseTo(Math.hypot(38.2, 17.65), 3);
+  expect(measuredFor("radial", first, null)).toBeNull();
+  expect(measuredFor("feed", first, between)).toBeNull();
 });

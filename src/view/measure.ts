@@ -1,6 +1,7 @@
+import type { Kind } from "../cycles/params.ts";
 import type { Pt, Segment } from "../kernel/point.ts";
 import type { Step } from "../kernel/step.ts";
-import { axial, type Diameter, radius, rounded, toDiameter } from "../kernel/units.ts";
+import { axial, type Diameter, radius, rounded, toDiameter, toRadius } from "../kernel/units.ts";
 
 /** What lies between two places. */
 export interface Distance {
@@ -18,6 +19,26 @@ export const measure = (from: Pt, to: Pt): Distance => ({
   dz: to.z - from.z,
   distance: Math.hypot(to.z - from.z, to.r - from.r),
 });
+
+/** What a ruler reads for a value of a kind: a place for positions, the way between two places for sizes; null where it reads none. */
+export function measuredFor(kind: Kind, place: Pt | null, between: Distance | null): number | null {
+  switch (kind) {
+    case "diameter":
+      return place && rounded(toDiameter(place.r));
+    case "axial":
+      return place && rounded(place.z);
+    case "axialDepth":
+      return between && rounded(between.dz);
+    case "radial":
+      return between && rounded(Math.abs(toRadius(between.dx)));
+    case "oversizeDiameter":
+      return between && rounded(Math.abs(between.dx));
+    case "length":
+      return between && rounded(between.distance);
+    default:
+      return null;
+  }
+}
 
 /** The places a ruler snaps to, in the order in which Tab would walk them: contour corners first, then ends of moves. */
 export function snapPoints(contours: readonly (readonly Segment[])[], steps: readonly Step[]): readonly Pt[] {

@@ -12,4 +12,5 @@ export const noMeasuring: Measuring = {
   key: () => false,
   tap: nothing,
   hover: nothing,
+  drag: nothing,
 };

@@ -19,7 +19,9 @@ function ActingWords({ cycle }: { readonly cycle: number }) {
 }
 
 /** The help picture beside the prompts: this contour, the open prompt's dimension strong. */
-export function HelpSlot({ read, q }: { readonly read: JobReading; readonly q: string | null }) {
+export function HelpSlot({ read, q, onPick }: { readonly read: JobReading; readonly q: string | null;
+  readonly onPick: (q: string, taken: boolean) => void })
+{
   const language = useSettings((s) => s.language);
   const isBorrowed = read.cycle.contour === "free" && read.job.contour.length === 0;
   const given = useMemo(() => givenOf(isBorrowed ? { cycle: read.cycle, job: exampleJob(read.cycle) } : read), [isBorrowed, read]);
@@ -29,7 +31,7 @@ export function HelpSlot({ read, q }: { readonly read: JobReading; readonly q: s
   return (
     <div className="help-slot">
       <HelpPicture cycle={read.cycle} values={read.reading.values} partial={read.reading.partial as Numbers} wrong={wrong} given={given}
-        isBorrowed={isBorrowed} activeQ={q} language={language} />
+        isBorrowed={isBorrowed} activeQ={q} language={language} onPick={onPick} />
     </div>
   );
 }

@@ -12,6 +12,7 @@ import { mayTakeKeyboard, openPrompt, showSection, usePlace } from "../place.ts"
 import type { JobReading } from "../reading.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
+import { closeStep } from "../steps.ts";
 import { useToolList } from "../tools/tool-store.ts";
 import { HelpSlot } from "./HelpSlot.tsx";
 import { isSetupPlace, setPlace, setupPrompts } from "./setup-prompts.ts";
@@ -131,12 +132,21 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
     const param = cycle.params[at];
     return t.dialog.value(at, param ? t.params[param.text as ParamTextId].label : "");
   };
+  const set: PromptSession["set"] = block?.set ?? ((id, text) => (isSetupPlace(id) ? setPlace(id, text) : setPrompt(id, text)));
+  /** A pressed dimension opens its prompt; taken, its value goes into the open one, as a step of undo of its own. */
+  const onPick = (q: string, taken: boolean) => {
+    const into = opened.prompt;
+    if (!taken || into === null || into === q || cycle.params[into]?.choices) return openPrompt(q, draft[q] ?? "");
+    closeStep();
+    set(into, draft[q] ?? "");
+    closeStep();
+  };
   return {
     fields: [...setup.fields, ...contour, ...Object.entries<Param>(cycle.params).map(promptOf)],
     draft: { ...draft, ...setup.draft },
     readings: { ...reading.perField, ...setup.readings },
     findings,
-    set: block?.set ?? ((id, text) => (isSetupPlace(id) ? setPlace(id, text) : setPrompt(id, text))),
+    set,
     setAll: block?.setAll ?? setPrompts,
     idleWith: (id, text) => (other) => {
       const param = cycle.params[other];
@@ -147,7 +157,7 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
         const concerns = entry.at !== null && entry.at !== id && "other" in entry.issue.data && entry.issue.data.other === id;
         return concerns && entry.at !== null ? [{ entry, place: placeOf(entry.at) }] : [];
       }),
-    picture: <HelpSlot read={read} q={opened.prompt !== null && opened.prompt in cycle.params ? opened.prompt : null} />,
+    picture: <HelpSlot read={read} q={opened.prompt !== null && opened.prompt in cycle.params ? opened.prompt : null} onPick={onPick} />,
     opened: { id: opened.prompt, before: opened.before, focus: opened.focus },
     open: openPrompt,
     mayFocus: mayTakeKeyboard,

@@ -1,13 +1,15 @@
 import { lazy, Suspense, useEffect, type ReactNode } from "react";
 import { MachineView } from "../approach/MachineView.tsx";
-import { shownBlock } from "../approach/shown-view.ts";
 import { clock } from "../clock.ts";
 import { HelpDock } from "../dialog/HelpDock.tsx";
+import { PinnedCard } from "../effect/Pinned.tsx";
 import { Working } from "../engine/Working.tsx";
 import { useOutcome } from "../engine/outcome.ts";
 import { FindingsPanel } from "../findings/FindingsPanel.tsx";
 import { useListed } from "../findings/use-findings.ts";
+import { MeasuredInto } from "../lathe/measured-into.ts";
 import { LeavingDialog } from "../leaving/LeavingDialog.tsx";
+import { useMeasuredTarget } from "../measured-target.ts";
 import { useInserting } from "../operations/inserting.ts";
 import { showSection, usePlace, type ProgramSection } from "../place.ts";
 import { playback } from "../playback.ts";
@@ -17,7 +19,10 @@ import { beforeLeaving, useEditor } from "../store.ts";
 import { thirdColumn, useThirdColumn } from "../use-media.ts";
 import { BlockPanel } from "./BlockPanel.tsx";
 import { followProgram } from "./follow.ts";
-import { closeSession, handOverText, openBlock, openSession } from "./session.ts";
+import { openChosen } from "./choose-block.ts";
+import { setBlockPrompt, useOpenBlock } from "./open-block.ts";
+import { openMaker } from "./open-maker.ts";
+import { closeSession, handOverText, openSession } from "./session.ts";
 import { showFile } from "../files/shown-file.ts";
 import { StructurePanel } from "./StructurePanel.tsx";
 import { TextPanel } from "./TextPanel.tsx";
@@ -46,14 +51,13 @@ function useProgramSession(): void {
   }, []);
 }
 
-/** A move was pointed at in the picture: the block that makes it opens. */
-function openMove(step: number): void {
+/** A move was pointed at in the picture: the dialog of the block that makes it opens. */
+function openMove(step: number, byKey = false): void {
   const { shown } = useOutcome.getState();
-  const index = shown ? shownBlock(shown.run, step) : null;
-  if (index === null) return;
-  showFile(null);
-  openBlock(index);
+  if (!shown) return;
+  openChosen(() => openMaker(shown.run, step));
   showSection("block");
+  if (byKey) usePlace.setState((p) => ({ focus: p.focus + 1 }));
 }
 
 /** Blocks, lathe and text of a whole program. */
@@ -67,6 +71,7 @@ export function ProgramWorkplace() {
   const findings = useListed();
   const host = useProgramHost();
   const inserting = useInserting();
+  const measured = useMeasuredTarget(useOpenBlock().read, setBlockPrompt);
   useProgramSession();
   const possible: readonly ProgramSection[] = [...(wide ? [] : ["text" as const]), "block", "structure", "findings"];
   const open = possible.find((section) => section === asked) ?? (wide ? "structure" : "text");
@@ -88,8 +93,11 @@ export function ProgramWorkplace() {
       </div>
       <TotalsStrip />
       <div className="centre">
-        <MachineView result={shown} dimmed={dimmed} playback={playback} clock={clock} onMove={openMove} />
+        <MeasuredInto value={measured}>
+          <MachineView result={shown} dimmed={dimmed} playback={playback} clock={clock} onMove={openMove} />
+        </MeasuredInto>
         <HelpDock />
+        <PinnedCard />
         <Working />
       </div>
       {wide && (

@@ -3,6 +3,7 @@ import { useOutcome } from "../engine/outcome.ts";
 import { KEEPS_KEYBOARD } from "../place.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
+import { chooseOpenBlock } from "./choose-block.ts";
 import { partsOf, type Part, type PartFilter } from "./program-parts.ts";
 import { openBlock, useSession } from "./session.ts";
 import { useShownBeside } from "../files/shown-file.ts";
@@ -38,9 +39,10 @@ export function StructurePanel() {
     return (
       <li key={part.index} aria-setsize={shown.length} aria-posinset={place + 1}>
         <button type="button" className={`part part-${part.filter}`} aria-current={place === current ? "step" : undefined}
-          aria-label={`${t.line(String(part.number), `${t.kinds[part.kind]}, ${part.text}`)}${done && `, ${done}`}`}
-          onClick={() => openBlock(part.index)}
-        >
+          aria-label={`${t.line(String(part.number), `${t.kinds[part.kind]}, ${part.text}`)}${done && `, ${done}`}`} onClick={() => {
+          openBlock(part.index);
+          chooseOpenBlock();
+        }}>
           <span className="number part-number">{part.number}</span>
           <span className="part-words">
             <span className="number part-text">{part.text}</span>

@@ -1,12 +1,17 @@
-import type { ReactNode } from "react";
+import { useEffect, type ReactNode } from "react";
 import { formatFixed } from "../../i18n/number.ts";
+import { compareFromHere, followComparing } from "../effect/before.ts";
+import type { ComparedNumber } from "../effect/changes.ts";
 import { effectOf } from "../effect/effect.ts";
+import { PinButton } from "../effect/Pinned.tsx";
+import { MoreFaults, useChanges } from "../effect/Was.tsx";
 import { useOutcome } from "../engine/outcome.ts";
 import { StripStatus } from "../findings/StripStatus.tsx";
 import { useVerdict } from "../findings/use-findings.ts";
 import { VerdictText } from "../findings/VerdictText.tsx";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
+import { useSession } from "./session.ts";
 
 /** What the whole program does: operations, passes, tool changes, time, what stays, and the proof. */
 export function TotalsStrip() {
@@ -22,10 +27,22 @@ export function TotalsStrip() {
     decimals: number,
   ) => (value === undefined || value === null ? words.unknown : formatFixed(language, value, decimals));
   const tools = shown?.run.steps.reduce((n, step, i, all) => (step.tool.T === all[i - 1]?.tool.T ? n : n + 1), 0);
-  const cell = (name: string, value: ReactNode, unit = "") => (
+  useEffect(() => {
+    const stop = followComparing();
+    // Another block is another dialog, where the same prompt may be open.
+    const stopBlocks = useSession.subscribe((now, before) => {
+      if (now.index !== before.index) compareFromHere();
+    });
+    return () => {
+      stopBlocks();
+      stop();
+    };
+  }, []);
+  const { changed } = useChanges();
+  const cell = (name: string, value: ReactNode, unit = "", compared: ComparedNumber | null = null) => (
     <div className="effect-cell">
       <dt>{name}</dt>
-      <dd>
+      <dd {...(compared && changed(compared))}>
         <span className="number">{value}</span>
         {unit && <span className="soft small">{unit}</span>}
       </dd>
@@ -37,17 +54,22 @@ export function TotalsStrip() {
       <dl className={dimmed ? "dimmed" : ""}>
         {cell(t.editor.operations, number(shown?.run.operations.length, 0))}
         {cell(t.editor.toolChanges, number(tools, 0))}
-        {cell(words.passes, number(effect?.passes, 0))}
-        {cell(words.time, effect ? words.duration(Math.floor(seconds / 60), formatFixed(language, seconds % 60, 0)) : words.unknown)}
-        {cell(words.residual, effect && effect.residual === 0 ? words.none : number(effect?.residual, 2), effect?.residual ? "mm²" : "")}
+        {cell(words.passes, number(effect?.passes, 0), "", "passes")}
+        {cell(words.time, effect ? words.duration(Math.floor(seconds / 60), formatFixed(language, seconds % 60, 0)) : words.unknown, "",
+          "time")}
+        {cell(words.residual, effect && effect.residual === 0 ? words.none : number(effect?.residual, 2), effect?.residual ? "mm²" : "",
+          "residual")}
         {cell(t.editor.blocks, number(shown?.run.program.blocks, 0))}
         <div className="effect-cell proof">
-          <dt>{t.findings.verdict.title}</dt>
+          <dt>
+            {t.findings.verdict.title} <MoreFaults />
+          </dt>
           <dd>
             <VerdictText verdict={verdict} reasons={verdict.state === "faults" ? 0 : 1} />
           </dd>
         </div>
       </dl>
+      <PinButton />
       <StripStatus />
     </section>
   );

@@ -1,26 +1,21 @@
 import { EditorView } from "@codemirror/view";
 import { shownBlock } from "../approach/shown-view.ts";
-import { isMadeFrom, useOutcome, type Outcome } from "../engine/outcome.ts";
+import { useOutcome } from "../engine/outcome.ts";
 import { showSection, usePlace } from "../place.ts";
 import { playback } from "../playback.ts";
 import { texts } from "../settings/loaded-texts.ts";
 import { useSettings } from "../settings/settings.ts";
-import { useEditor } from "../store.ts";
 import { setRunning } from "./block-marks.ts";
+import { chooseOpenBlock, followOpenBlock } from "./choose-block.ts";
 import { diagnosticsOf } from "./diagnostics.ts";
 import { inWords } from "./editor-extensions.ts";
 import { openPrompts } from "./open-block.ts";
 import { blockRange } from "./reading-field.ts";
 import { thirdColumn } from "../use-media.ts";
-import { dispatchEdit, followShown, openBlock, sessionText, sessionView, useSession } from "./session.ts";
+import { isPresent } from "./present.ts";
+import { dispatchEdit, followShown, openBlock, sessionView, useSession } from "./session.ts";
 import { findingsShown } from "../files/shown-findings.ts";
-import { shownBeside, shownFile } from "../files/shown-file.ts";
-
-/** True when a result was made from the work as it stands now, the text in the editor included. */
-export function isPresent(outcome: Outcome | null): outcome is Outcome {
-  const { program } = useEditor.getState();
-  return outcome !== null && program !== null && isMadeFrom(outcome, program) && shownFile(program).text === sessionText();
-}
+import { shownBeside } from "../files/shown-file.ts";
 
 /** Opens the prompt that the cursor stands at, or the first one, where the open block has prompts. */
 function showAskedPrompt(): void {
@@ -36,6 +31,8 @@ function followSession(): () => void {
   return useSession.subscribe((now, before) => {
     if (now.pointed !== before.pointed && thirdColumn()) showSection("block");
     if (now.opened !== before.opened) showAskedPrompt();
+    // What is pointed at once more is chosen once more.
+    if (now.opened !== before.opened || now.pointed !== before.pointed) chooseOpenBlock();
   });
 }
 
@@ -61,7 +58,9 @@ function mark(): void {
 
 function followOutcome(): () => void {
   return useOutcome.subscribe((now, before) => {
-    if (now.newest !== before.newest) mark();
+    if (now.newest === before.newest) return;
+    mark();
+    followOpenBlock();
   });
 }
 

@@ -17,7 +17,7 @@ import { fixOf } from "./diagnostics.ts";
 import { fileKey } from "../../program/program-files.ts";
 import { useEditor } from "../store.ts";
 import { fileOf } from "../work.ts";
-import { isPresent } from "./follow.ts";
+import { isPresent } from "./present.ts";
 import { indexOf, repairsOf, toolCallBefore, withTool, type Repair } from "./repairs.ts";
 import { dispatchEdit, editProgram, openBlock, readWhole, sessionView, useSession } from "./session.ts";
 

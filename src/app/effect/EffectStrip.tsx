@@ -1,4 +1,4 @@
-import type { ReactNode } from "react";
+import { useEffect, type ReactNode } from "react";
 import { formatFixed } from "../../i18n/number.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import { StripStatus } from "../findings/StripStatus.tsx";
@@ -7,7 +7,11 @@ import { VerdictText } from "../findings/VerdictText.tsx";
 import type { JobReading } from "../reading.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
+import { followComparing } from "./before.ts";
+import type { ComparedNumber } from "./changes.ts";
 import { chipArea, cutAtOnce, effectOf } from "./effect.ts";
+import { PinButton } from "./Pinned.tsx";
+import { MoreFaults, useChanges } from "./Was.tsx";
 
 /** What the values do, while they are typed: passes, real infeed, time, chip, what stays, and the proof. */
 export function EffectStrip({ read }: { readonly read: JobReading }) {
@@ -20,10 +24,12 @@ export function EffectStrip({ read }: { readonly read: JobReading }) {
   const chip = shown && chipArea(read, cutAtOnce(shown));
   const number = (value: number | null | undefined, decimals: number) =>
     value === null || value === undefined ? t.effect.unknown : formatFixed(language, value, decimals);
-  const cell = (name: string, value: ReactNode, unit = "", className = "") => (
-    <div className={`effect-cell ${className}`}>
+  useEffect(followComparing, []);
+  const { changed } = useChanges();
+  const cell = (name: string, value: ReactNode, unit = "", compared: ComparedNumber | null = null) => (
+    <div className="effect-cell">
       <dt>{name}</dt>
-      <dd>
+      <dd {...(compared && changed(compared))}>
         <span className="number">{value}</span>
         {unit && <span className="soft small">{unit}</span>}
       </dd>
@@ -35,19 +41,23 @@ export function EffectStrip({ read }: { readonly read: JobReading }) {
   return (
     <section className="effect" aria-label={t.effect.title}>
       <dl className={dimmed ? "dimmed" : ""}>
-        {cell(t.effect.passes, number(effect?.passes, 0))}
-        {cell(t.effect.infeed, number(effect?.infeed, 3), "mm")}
-        {cell(t.effect.time, effect ? t.effect.duration(minutes, formatFixed(language, seconds, minutes > 0 ? 0 : 1)) : t.effect.unknown)}
-        {cell(t.effect.chip, number(chip, 2), "mm²")}
+        {cell(t.effect.passes, number(effect?.passes, 0), "", "passes")}
+        {cell(t.effect.infeed, number(effect?.infeed, 3), "mm", "infeed")}
+        {cell(t.effect.time, effect ? t.effect.duration(minutes, formatFixed(language, seconds, minutes > 0 ? 0 : 1)) : t.effect.unknown,
+          "", "time")}
+        {cell(t.effect.chip, number(chip, 2), "mm²", "chip")}
         {cell(t.effect.residual, effect && effect.residual === 0 ? t.effect.none : number(effect?.residual, 2),
-          effect?.residual ? "mm²" : "")}
+          effect?.residual ? "mm²" : "", "residual")}
         <div className="effect-cell proof">
-          <dt>{words.verdict.title}</dt>
+          <dt>
+            {words.verdict.title} <MoreFaults />
+          </dt>
           <dd>
             <VerdictText verdict={verdict} reasons={verdict.state === "faults" ? 0 : 1} />
           </dd>
         </div>
       </dl>
+      <PinButton />
       <StripStatus otherwise={dimmed ? t.effect.waiting : ""} />
     </section>
   );

@@ -1,5 +1,6 @@
 import { create } from "zustand";
 import { chooseFinding } from "../findings/chosen.ts";
+import { clearSelection } from "../selected.ts";
 import { filesOf, type ProgramWork, type WorkFile } from "../work.ts";
 import type { Run } from "../../program/run-types.ts";
 import type { Simulation } from "../../sim/simulation.ts";
@@ -79,5 +80,6 @@ export const pause = (paused: boolean): void => useOutcome.setState((s) => (s.pa
 /** Another cycle or program: its first picture must not be that of the one before. */
 export function forgetOutcome(): void {
   chooseFinding(null);
+  clearSelection();
   useOutcome.setState(none);
 }

@@ -10,6 +10,7 @@ import type { Numbers } from "../../view/help/lettering.ts";
 import { helpDrawing } from "../../view/help/picture.ts";
 import { Hatches, HelpMarks } from "./HelpMarks.tsx";
 import { pictureInWords } from "./spoken.ts";
+import { dimensionAt, usePressing } from "./press-dimension.ts";
 import { useSize } from "./use-size.ts";
 import "./help.css";
 
@@ -26,6 +27,8 @@ interface Props {
   readonly isBorrowed?: boolean;
   readonly activeQ: string | null;
   readonly language: Language;
+  /** A dimension was pressed: the parameter that it shows. `taken`: its value is wanted for the open prompt. */
+  readonly onPick?: (q: string, taken: boolean) => void;
 }
 
 interface Drawn {
@@ -56,7 +59,7 @@ const NOTHING: Numbers = {};
  * its Q number in place of a measure. What can not be drawn leaves the last possible drawing, dimmed.
  */
 export function HelpPicture(props: Props) {
-  const { cycle, values, partial, wrong = false, given, isBorrowed = false, activeQ, language } = props;
+  const { cycle, values, partial, wrong = false, given, isBorrowed = false, activeQ, language, onPick } = props;
   const box = useRef<HTMLDivElement>(null);
   const id = useId();
   const size = useSize(box, { width: 400, height: 280 });
@@ -104,11 +107,15 @@ export function HelpPicture(props: Props) {
       },
     }), [cycle, shown, activeQ, width, height, language, t]);
   const note = isStale ? t.help.stale : values === null || isBorrowed ? t.help.partial : null;
+  const pressing = usePressing((at, taken) => {
+    const q = dimensionAt(at);
+    if (q !== null) onPick?.(q, taken);
+  });
   return (
     <div className="help-picture" ref={box}>
       <svg role="img" viewBox={`0 0 ${size.width} ${size.height}`}
         aria-label={[pictureInWords(t, language, cycle, activeQ, said), note].filter((s) => s !== null).join(" ")}
-        {...(isStale ? { className: "dimmed" } : {})}
+        {...(isStale ? { className: "dimmed" } : {})} {...(onPick && pressing)}
       >
         <Hatches id={id} />
         {drawing && <HelpMarks marks={drawing.marks} id={id} />}

@@ -6,17 +6,18 @@ import type { Pt } from "../../kernel/point.ts";
 import { axial, diameter, radius, toRadius } from "../../kernel/units.ts";
 import { playerOf } from "../../sim/stock.ts";
 import { mirrored } from "../../view/bounds.ts";
-import { toPlace, type Place } from "../../view/camera.ts";
 import { datumAt, datumIndex } from "../../view/datum.ts";
 import { snapPoints } from "../../view/measure.ts";
-import { moveAt } from "../../view/pick.ts";
 import { trackOf } from "../../view/playback.ts";
 import { sceneOf, type SceneParts } from "../../view/scene.ts";
 import { TurnPoints } from "../approach/TurnPoints.tsx";
 import type { Clock } from "../clock.ts";
+import { KEEPS_KEYBOARD } from "../place.ts";
 import { reducedMotion } from "../settings/appearance.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
+import { ChosenPath, HoveredMove } from "./Chosen.tsx";
+import { GhostPaths } from "./Ghost.tsx";
 import { GlyphButton } from "./GlyphButton.tsx";
 import { pressKey } from "./keys.ts";
 import { KnownMarks, knownText } from "./KnownMarks.tsx";
@@ -32,10 +33,14 @@ import type { PlaybackStore } from "./playback-store.ts";
 import { Readout, SpokenStatus, statusText } from "./Readout.tsx";
 import { placeText } from "./running.ts";
 import { RulerLines, RulerReading } from "./Ruler.tsx";
+import { StepList } from "./StepList.tsx";
 import { Timeline } from "./Timeline.tsx";
 import { useLooking } from "./use-looking.ts";
+import { useShownPath } from "./use-paths.ts";
+import { usePicking } from "./use-picking.ts";
 import { usePlayback } from "./use-playback.ts";
 import { useStage } from "./use-stage.ts";
+import { chooseMove } from "../selection.ts";
 import type { WhichRegion } from "../which/asking.ts";
 import { contourAt } from "../which/region.ts";
 import { ToolAway } from "./ToolAway.tsx";
@@ -51,9 +56,6 @@ export interface LatheResult {
   readonly run: Run;
   readonly simulation: Simulation;
 }
-
-/** A pointer this near to a move means that move, pixels. */
-const NEAR = 10;
 
 const NOWHERE: readonly LookAt[] = [];
 
@@ -84,6 +86,8 @@ function knownParts({ blank, start, tool, outline, points }: KnownWork, run: Run
   const waits = start && run.steps.length === 0 ? { at: start, tool } : null;
   return { contours: [contour], sketch, near, waits, ...(run.blank.length === 0 && { blank }) };
 }
+/** A move was pointed at; `byKey`: with the keyboard, which goes along to its dialog. */
+export type MovePointed = (step: number, byKey?: boolean) => void;
 
 /** The lathe: picture, playback, timeline, findings. Keeps showing the last result it was given, dimmed when told so. */
 export function LatheView({ result, known = null, dimmed, playback, clock, onMove }: {
@@ -94,8 +98,8 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
   readonly dimmed: boolean;
   readonly playback: PlaybackStore;
   readonly clock: Clock;
-  /** Called with the index of a move or of an element's move that was pointed at. */
-  readonly onMove?: (step: number) => void;
+  /** Called with the index of a move that was pointed at, after the tool went there. */
+  readonly onMove?: MovePointed;
 }) {
   const texts = useTexts(), t = texts.lathe, keysId = useId();
   const { language, fullSection: full, xDown, motion } = useSettings();
@@ -118,17 +122,25 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
     return { steps: simulation.steps, stockAt: player.at, playback };
   }, [simulation, playback]);
   const measuring = useMeasuring(viewport, points);
-  const tap = (at: Place) => {
-    if (measuring.on) return measuring.tap(at);
-    const camera = viewport.get(), step = onMove ? moveAt(run.steps, toPlace(camera, at), NEAR / camera.scale) : null;
-    if (step !== null) onMove?.(step);
-  };
-  const stage = useStage(viewport, { tap, hover: measuring.hover });
+  const path = useShownPath(run, scene, playback);
+  const { hover, over, tap } = usePicking({ run, viewport, shown: path.has, onMove });
+  const look = measuring.on ? measuring : { tap, hover: over, drag: null };
+  const stage = useStage(viewport, look);
 
   useEffect(() => playback.dispatch({ do: "load", track: trackOf(run.steps) }), [run, playback]);
   useEffect(() => playback.setStill(reducedMotion({ motion })), [motion, playback]);
   useEffect(() => viewport.setBounds(full ? mirrored(scene.bounds) : scene.bounds), [scene, full, viewport]);
   useEffect(() => viewport.setXUp(!xDown), [xDown, viewport]);
+
+  /** Enter in the picture chooses the move that runs, and its dialog takes the keyboard. */
+  const chooseByKey = ({ key, picture }: { readonly key: string; readonly picture: boolean }) => {
+    const { position } = playback.get(), step = Math.min(position.step, run.steps.length - 1);
+    if (key !== "Enter" || !picture || step < 0) return false;
+    chooseMove(run, position);
+    stage.current?.blur();
+    onMove?.(step, true);
+    return true;
+  };
 
   const ended = usePlayback(playback, (s) => s.get().track.ends.length > 0 && s.get().position.step >= s.get().track.ends.length);
   const resting = usePlayback(playback, (s) => (s.get().playing ? -1 : s.get().position.step));
@@ -148,7 +160,7 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
       const target = event.target as HTMLElement;
       if (event.ctrlKey || event.metaKey || event.altKey) return;
       const typed = { key: event.key, shift: event.shiftKey, element: target.localName, picture: target === stage.current };
-      if (pressKey(typed, playback, viewport, measuring)) event.preventDefault();
+      if (pressKey(typed, playback, viewport, measuring) || chooseByKey(typed)) event.preventDefault();
     }}>
       <ViewBar viewport={viewport} measuring={measuring} onWhich={contourAt(run, 0) && simulation && !dimmed
         ? () => ask(contourAt(run, playback.get().position.step, simulation.final))
@@ -156,11 +168,12 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
       >
         <Legend shapes={scene.shapes} holder={held} />
       </ViewBar>
-      <div ref={stage} className={`lathe-stage${dimmed ? " dimmed" : ""}${measuring.on ? " measuring" : ""}`} tabIndex={0} role="group"
-        aria-label={t.title} aria-describedby={keysId}
+      <div ref={stage} className={`lathe-stage${dimmed ? " dimmed" : ""}${measuring.on ? " measuring" : ""}${ended ? " ended" : ""}`}
+        tabIndex={0} role="group" aria-label={t.title} aria-describedby={keysId} {...{ [KEEPS_KEYBOARD]: "" }}
       >
         <Picture viewport={viewport} scene={scene} moving={moving} waiting={waiting} findings={findings} residual={residual} full={full}
-          name={name}
+          name={name} path={path.shapes} ghosts={<GhostPaths scene={scene} clock={clock} />} chosen={<ChosenPath run={run} />}
+          hovered={<HoveredMove run={run} hover={hover} />}
         >
           <Marks viewport={viewport} starts={starts} datum={datum} />
           {typed && <KnownMarks viewport={viewport} known={typed} />}
@@ -178,6 +191,7 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
         <p id={keysId} className="unseen">{t.keys}</p>
       </div>
       <Readout run={run} playback={playback} />
+      <StepList run={run} playback={playback} />
       <PlaybackBar playback={playback}>
         <span className="lathe-fold">
           <GlyphButton glyph="view" name={t.viewTools} expanded={tools} onPress={() => showTools(!tools)} />

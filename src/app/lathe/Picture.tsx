@@ -64,7 +64,7 @@ const UPPER: readonly Shape["role"][] = ["blank", "sketch", "contour"];
  * Section of the work with path and tool, in three sheets: material, drawing, tool. The drawing is painted once, however
  * long the path; zooming changes one matrix a sheet, playing two elements.
  */
-export function Picture({ viewport, scene, moving, waiting, findings, residual, full, name, children }: {
+export function Picture({ viewport, scene, moving, waiting, findings, residual, full, path, ghosts, chosen, hovered, name, children }: {
   readonly viewport: Viewport;
   readonly scene: Scene;
   readonly moving: Moving | null;
@@ -74,6 +74,14 @@ export function Picture({ viewport, scene, moving, waiting, findings, residual, 
   /** Shown only when the run is at its end. */
   readonly residual: readonly Residual[];
   readonly full: boolean;
+  /** The lines of the path that are shown. */
+  readonly path: readonly Shape[];
+  /** Paths of other settings, in part space: under the path. */
+  readonly ghosts: React.ReactNode;
+  /** What is chosen, in part space: over the path. */
+  readonly chosen: React.ReactNode;
+  /** What is pointed at, in part space: under the tool. */
+  readonly hovered: React.ReactNode;
   readonly name: string;
   /** What stands in screen space above the picture. */
   readonly children: React.ReactNode;
@@ -83,7 +91,6 @@ export function Picture({ viewport, scene, moving, waiting, findings, residual, 
     below: scene.shapes.filter((shape) => !isPath(shape) && !UPPER.includes(shape.role)),
     blank: scene.shapes.filter((shape) => shape.role === "blank"),
     contour: scene.shapes.filter((shape) => shape.role === "contour" || shape.role === "sketch"),
-    path: scene.shapes.filter(isPath),
   }), [scene]);
   return (
     <div className="lathe-picture" role="img" aria-label={name}>
@@ -97,16 +104,23 @@ export function Picture({ viewport, scene, moving, waiting, findings, residual, 
           {residual.length > 0 && <Rings rings={residual.map((each) => each.ring)} role="residual" fill={`url(#${id}residual)`} />}
         </World>
       </svg>
+      <svg className="sheet ghosts">
+        <World viewport={viewport}>{ghosts}</World>
+      </svg>
       <svg className="sheet still">
         <World viewport={viewport}>
           <Still shapes={sheets.blank} mirror={full} />
-          <Still shapes={sheets.path} mirror={false} />
+          <g className="lathe-paths">
+            <Still shapes={path} mirror={false} />
+          </g>
           <Still shapes={sheets.contour} mirror={full} />
           {findings.length > 0 && <Rings rings={findings.flatMap((each) => [...each.rings])} role="gouge" />}
+          {chosen}
         </World>
       </svg>
       <svg className="sheet">
         <World viewport={viewport}>
+          {hovered}
           {moving && <MovingParts.Tool moving={moving} />}
           {waiting?.tool && waiting.start && <MovingParts.Still tool={waiting.tool} at={waiting.start} />}
         </World>

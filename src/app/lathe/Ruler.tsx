@@ -1,10 +1,12 @@
+import { useContext } from "react";
 import type { Pt } from "../../kernel/point.ts";
 import { toDiameter } from "../../kernel/units.ts";
-import { formatPosition, formatFixed } from "../../i18n/number.ts";
+import { formatPosition, formatFixed, formatNumber } from "../../i18n/number.ts";
 import { toScreen } from "../../view/camera.ts";
-import { measure } from "../../view/measure.ts";
+import { measure, measuredFor } from "../../view/measure.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
+import { MeasuredInto } from "./measured-into.ts";
 import type { Measuring } from "./measuring.ts";
 import { useCamera } from "./use-camera.ts";
 import type { Viewport } from "./viewport.ts";
@@ -31,7 +33,9 @@ export function RulerLines({ viewport, measuring: { on, cross, first, second } }
 /** What the ruler reads, in words and numbers; changes are read out. */
 export function RulerReading({ measuring: { on, cross, first, second } }: { readonly measuring: Measuring }) {
   const t = useTexts().lathe, language = useSettings((s) => s.language);
+  const target = useContext(MeasuredInto);
   if (!on) return null;
+  const value = target && (first ? measuredFor(target.kind, second ?? first, second && measure(first, second)) : null);
   const to = second ?? cross, m = first && to ? measure(first, to) : null;
   const n = (v: number) => formatPosition(language, v);
   const said = second && m ? t.rulerResult(n(m.dx), n(m.dz), formatFixed(language, m.distance, 3)) : first ? t.rulerSecond : t.rulerHint;
@@ -66,6 +70,11 @@ export function RulerReading({ measuring: { on, cross, first, second } }: { read
             </div>
           </dl>
         )}
+      {target && value !== null && (
+        <button type="button" className="button small" onClick={() => target.take(value)}>
+          {t.takeInto(`${target.kind === "diameter" ? "⌀" : ""}${formatNumber(language, value, 3)}`, target.q)}
+        </button>
+      )}
       <p role="status" className={second ? "unseen" : "small soft"}>{said}</p>
     </div>
   );

@@ -35,7 +35,10 @@ export function Timeline({ run, playback }: { readonly run: TimedRun; readonly p
         {bar.operations.map(({ operation, from, to }) => {
           const named = run.operations[operation];
           return named && (
-            <span key={`${operation}-${from}`} style={{ left: `${from * 100}%`, width: `${(to - from) * 100}%` }}>
+            <span key={`${operation}-${from}`} style={{
+              left: `${from * 100}%`,
+              width: `max(0px, min(${(to - from) * 100}%, ${(1 - from) * 100}% - var(--clock)))`,
+            }}>
               <b>{named.cycle}</b>
               <b>· T{named.tool.T}</b>
             </span>

@@ -1,5 +1,5 @@
 import { Toolbar } from "react-aria-components/Toolbar";
-import { changeSettings, useSettings } from "../settings/settings.ts";
+import { changeSettings, SHOWN_PATHS, useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { GlyphButton } from "./GlyphButton.tsx";
 import type { Measuring } from "./measuring.ts";
@@ -18,6 +18,7 @@ export function ViewBar({ viewport, measuring, onWhich, children }: {
   readonly children: React.ReactNode;
 }) {
   const t = useTexts().lathe, full = useSettings((s) => s.fullSection), down = useSettings((s) => s.xDown);
+  const paths = useSettings((s) => s.paths);
   return (
     <Toolbar className="lathe-viewbar" aria-label={t.viewTools}>
       <GlyphButton glyph={full ? "fullSection" : "halfSection"} name={t.fullSection} text={t.fullSection} pressed={full}
@@ -26,6 +27,14 @@ export function ViewBar({ viewport, measuring, onWhich, children }: {
         onPress={() => changeSettings({ xDown: !down })} />
       <GlyphButton glyph="ruler" name={t.ruler} text={t.ruler} pressed={measuring.on} onPress={measuring.toggle} />
       <GlyphButton glyph="which" name={t.which} disabled={onWhich === null} onPress={() => onWhich?.()} />
+      <label className="lathe-which-paths">
+        <span className="unseen">{t.paths.title}</span>
+        <select className="select" title={t.paths.title} value={paths}
+          onChange={(event) => changeSettings({ paths: SHOWN_PATHS.find((each) => each === event.target.value) ?? "all" })}
+        >
+          {SHOWN_PATHS.map((each) => <option key={each} value={each}>{t.paths[each]}</option>)}
+        </select>
+      </label>
       <div className="lathe-gap">{children}</div>
       <GlyphButton glyph="zoomOut" name={t.zoomOut} onPress={() => viewport.zoom(1 / ZOOM)} />
       <GlyphButton glyph="zoomIn" name={t.zoomIn} onPress={() => viewport.zoom(ZOOM)} />

@@ -7,6 +7,8 @@ export interface Touches {
   readonly tap: (at: Place) => void;
   /** The pointer moves over the picture without pressing. */
   readonly hover: (at: Place | null) => void;
+  /** Takes drags of one pointer for itself, from where they began to where they are; null leaves them to looking around. */
+  readonly drag?: ((from: Place, to: Place, done: boolean) => void) | null;
 }
 
 /** A pointer that moved less than this was a tap, pixels. */
@@ -19,6 +21,8 @@ export function listenToGestures(element: Element & GlobalEventHandlers, viewpor
   const down = new Map<number, Place>();
   let begun: Place | null = null;
   let dragged = false;
+  /** A drag that is not looking around, by where it began. */
+  let drawn: Place | null = null;
 
   const placeOf = (event: MouseEvent): Place => {
     const box = element.getBoundingClientRect();
@@ -33,6 +37,7 @@ export function listenToGestures(element: Element & GlobalEventHandlers, viewpor
       begun = placeOf(event);
       dragged = false;
     } else dragged = true;
+    drawn = null;
   };
   const move = (event: PointerEvent) => {
     const before = down.get(event.pointerId), here = placeOf(event);
@@ -40,15 +45,19 @@ export function listenToGestures(element: Element & GlobalEventHandlers, viewpor
     const [other] = [...down].filter(([id]) => id !== event.pointerId).map(([, place]) => place);
     if (!dragged && begun && Math.hypot(here.x - begun.x, here.y - begun.y) < TAP) return;
     const from = dragged || !begun ? before : begun;
+    if (!dragged && !other && touches.drag) drawn = begun;
     dragged = true;
     down.set(event.pointerId, here);
+    if (drawn) return touches.drag?.(drawn, here, false);
     viewport.look(
       other ? pinched(viewport.get(), [before, other], [here, other]) : panned(viewport.get(), here.x - from.x, here.y - from.y),
     );
   };
   const release = (event: PointerEvent) => {
     if (!down.delete(event.pointerId)) return;
-    if (down.size === 0 && !dragged && event.type === "pointerup") touches.tap(placeOf(event));
+    if (down.size > 0 || event.type !== "pointerup") return;
+    if (drawn) touches.drag?.(drawn, placeOf(event), true);
+    else if (!dragged) touches.tap(placeOf(event));
   };
   const leave = () => touches.hover(null);
   const wheel = (event: WheelEvent) => {

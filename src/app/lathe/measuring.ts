@@ -23,6 +23,8 @@ export interface Measuring extends State {
   readonly toggle: () => void;
   readonly tap: (at: Place) => void;
   readonly hover: (at: Place | null) => void;
+  /** Measures from where a pointer was pressed to where it is. */
+  readonly drag: (from: Place, to: Place, done: boolean) => void;
   /** True when the key was meant for the ruler. */
   readonly key: (name: string) => boolean;
 }
@@ -57,6 +59,8 @@ export function useMeasuring(viewport: Viewport, points: readonly Pt[]): Measuri
     toggle: () => set((s) => (s.on ? OFF : { ...OFF, on: true, cross: middle() })),
     tap: (at) => set((s) => (s.on ? picked(s, placeOf(at)) : s)),
     hover: (at) => set((s) => (s.on && at ? { ...s, cross: placeOf(at) } : s)),
+    drag: (from, to, done) =>
+      set((s) => (s.on ? { ...s, cross: placeOf(to), first: placeOf(from), second: done ? placeOf(to) : null } : s)),
     key(name) {
       if (!state.on) return false;
       const { scale, xUp } = viewport.get(), cross = state.cross ?? middle(), arrow = ARROWS[name];

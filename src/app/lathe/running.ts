@@ -58,6 +58,64 @@ export function stepText(t: Texts, operation: Operation | undefined, move: Move)
   return (move.run === "rough" ? t.cycles.roughStep : t.cycles.finishStep)(move.step, count, words);
 }
 
+/** One of the numbered steps of the manual. */
+export interface ManualStep {
+  readonly number: number;
+  readonly words: string;
+  /** Its first move in the phase that runs; null where it moves nothing. */
+  readonly first: number | null;
+  readonly runs: boolean;
+}
+
+/** For each step the first one of its phase; between two cycles that of the next one. Looked up with every picture. */
+const phases = new WeakMap<Run["steps"], Int32Array>();
+const NO_PHASE = -1;
+
+function phasesOf(steps: Run["steps"]): Int32Array {
+  const first = new Int32Array(steps.length).fill(NO_PHASE);
+  let last = NO_PHASE;
+  steps.forEach(({ operation, move }, i) => {
+    const before = steps[i - 1];
+    if (operation === null) return;
+    if (before?.operation !== operation || before.move.run !== move.run) last = i;
+    first[i] = last;
+  });
+  let next = last;
+  for (let i = steps.length - 1; i >= 0; i -= 1) {
+    if (first[i] === NO_PHASE) first[i] = next;
+    else next = first[i] ?? NO_PHASE;
+  }
+  return first;
+}
+
+/** A move of the phase that runs, or between two cycles the first of the one that comes; null where no cycle has any. */
+export function nearestCycle(run: Run, step: number): number | null {
+  const known = phases.get(run.steps) ?? phasesOf(run.steps);
+  phases.set(run.steps, known);
+  const first = known[Math.min(step, known.length - 1)] ?? NO_PHASE;
+  return first === NO_PHASE ? null : first;
+}
+
+/** The numbered steps of the sequence that a move belongs to; none outside the cycles. `now` is the move that runs. */
+export function runningSteps(t: Texts, run: Run, index: number, now: number | null): readonly ManualStep[] {
+  const { operation: at, move } = run.steps[index] ?? {};
+  const running = now === null ? undefined : run.steps[now]?.move.step;
+  const operation = at === null || at === undefined ? undefined : run.operations[at];
+  if (!operation || !move) return [];
+  const all: Partial<Record<number, CyclesTexts["of"][keyof CyclesTexts["of"]]>> = t.cycles.of;
+  const firsts = new Map<number, number>();
+  for (let i = operation.firstStep; i <= operation.lastStep; i += 1) {
+    const made = run.steps[i]?.move;
+    if (made?.run === move.run && !firsts.has(made.step)) firsts.set(made.step, i);
+  }
+  return (all[operation.cycle]?.[move.run] ?? []).map((words, i) => ({
+    number: i + 1,
+    words,
+    first: firsts.get(i + 1) ?? null,
+    runs: running === i + 1,
+  }));
+}
+
 /** The spindle of a step: that of its operation, or of the nearest operation for moves between them. */
 function spindleOf(run: Run, index: number): Spindle | null {
   const own = run.steps[index]?.operation;

@@ -18,7 +18,13 @@ export function useStage(viewport: Viewport, touches: Touches): RefObject<HTMLDi
     measure();
     const sizes = typeof ResizeObserver === "undefined" ? null : new ResizeObserver(measure);
     sizes?.observe(element);
-    const deaf = listenToGestures(element, viewport, { tap: (at) => now.current.tap(at), hover: (at) => now.current.hover(at) });
+    const deaf = listenToGestures(element, viewport, {
+      tap: (at) => now.current.tap(at),
+      hover: (at) => now.current.hover(at),
+      get drag() {
+        return now.current.drag ?? null;
+      },
+    });
     return () => {
       deaf();
       sizes?.disconnect();

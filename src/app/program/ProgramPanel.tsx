@@ -9,6 +9,7 @@ import type { JobReading } from "../reading.ts";
 import { changeSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { closeStep } from "../steps.ts";
+import { chooseJobLine, useChosenLine } from "./choose-line.ts";
 import { CopyButton } from "./CopyButton.tsx";
 import { downloadText } from "../files/download.ts";
 import { ProgramText } from "./ProgramText.tsx";
@@ -21,6 +22,7 @@ export function ProgramPanel({ read, foldable }: { readonly read: JobReading; re
   const text = printedText(job);
   const file = `${programName(text)}.h`;
   const running = useRunningBlock();
+  const chosen = useChosenLine(read);
 
   return (
     <section className="program" aria-label={t.title}>
@@ -61,7 +63,7 @@ export function ProgramPanel({ read, foldable }: { readonly read: JobReading; re
           <Icon name="warning" /> {t.incomplete}
         </p>
       )}
-      <ProgramText text={text} running={running} />
+      <ProgramText text={text} running={running} chosen={chosen} choose={(line) => chooseJobLine(read, line)} />
       <div className="program-buttons">
         <CopyButton main />
         <button type="button" className="button" aria-label={t.download(file)}

@@ -1,5 +1,6 @@
 import { useEffect, useMemo, useRef } from "react";
 import { guardCopy } from "../leaving/whole-program.ts";
+import { KEEPS_KEYBOARD } from "../place.ts";
 import { useTexts } from "../settings/use-texts.ts";
 
 /** One block of the program: its number and its lines. */
@@ -20,33 +21,78 @@ export function blocksOf(text: string): readonly Shown[] {
   return blocks;
 }
 
+/** A line of the program, by the number of its block, and the parameter that stands on it. */
+export interface ChosenLine {
+  readonly block: number;
+  readonly q: string | null;
+}
+
+const qOfLine = (line = ""): string | null => /^\s*(Q\d+)=/.exec(line)?.[1] ?? null;
+
+/** Scrolls a row into sight where it is not. */
+function show(frame: HTMLElement | null, row: HTMLElement | null | undefined): void {
+  if (!frame || !row) return;
+  const top = row.offsetTop - frame.offsetTop;
+  if (top < frame.scrollTop || top + row.offsetHeight > frame.scrollTop + frame.clientHeight)
+    frame.scrollTop = Math.max(0, top - frame.clientHeight / 3);
+}
+
 /** The text as the control writes it, one list item a block; the running one is marked and kept in sight. */
-export function ProgramText({ text, running }: { readonly text: string; readonly running: number | null }) {
+export function ProgramText({ text, running, chosen, choose }: {
+  readonly text: string;
+  readonly running: number | null;
+  /** The line that was pointed at. */
+  readonly chosen: ChosenLine | null;
+  readonly choose: (line: ChosenLine) => void;
+}) {
   const t = useTexts().page.text;
   const blocks = useMemo(() => blocksOf(text), [text]);
   const box = useRef<HTMLDivElement>(null);
 
   useEffect(() => {
     const frame = box.current;
-    const row = frame?.querySelector<HTMLElement>("[aria-current]");
-    if (!frame || !row) return;
-    const top = row.offsetTop - frame.offsetTop;
-    if (top < frame.scrollTop || top + row.offsetHeight > frame.scrollTop + frame.clientHeight)
-      frame.scrollTop = Math.max(0, top - frame.clientHeight / 3);
+    show(frame, frame?.querySelector<HTMLElement>("[aria-current]"));
   }, [running]);
+  useEffect(() => {
+    const frame = box.current;
+    show(frame, frame?.querySelector<HTMLElement>(".chosen-line"));
+  }, [chosen]);
+
+  const press = (block: Shown, n: number) => {
+    // Marking text with the mouse to copy it is no choice.
+    if (block.number === null || getSelection()?.isCollapsed === false) return;
+    choose({ block: block.number, q: qOfLine(block.lines[n]) });
+  };
+  /** Up and down go from line to line: the lines of a cycle are its parameters. */
+  const step = (by: number) => {
+    const lines = blocks.flatMap(({ number, lines: all }) =>
+      number === null ? [] : all.map((line): ChosenLine => ({ block: number, q: qOfLine(line) }))
+    );
+    const at = lines.findIndex((line) => line.block === (chosen?.block ?? running) && line.q === (chosen?.q ?? null));
+    const next = lines[Math.min(lines.length - 1, Math.max(0, at + by))];
+    if (next) choose(next);
+  };
 
   return (
     <div className="program-text number" onCopy={(event) => guardCopy(event.nativeEvent, getSelection()?.toString() ?? "")} ref={box}
-      tabIndex={0} role="group" aria-label={t.title}
-    >
+      tabIndex={0} role="group" aria-label={t.title} {...{ [KEEPS_KEYBOARD]: "" }} onKeyDown={(event) => {
+      if (event.key !== "ArrowDown" && event.key !== "ArrowUp") return;
+      event.preventDefault();
+      step(event.key === "ArrowDown" ? 1 : -1);
+    }}>
       <ol aria-label={t.blocks}>
         {blocks.map((block, i) => {
           const runs = block.number !== null && block.number === running;
+          const isChosen = block.number !== null && block.number === chosen?.block;
           return (
-            <li key={i} className={runs ? "running" : ""} aria-current={runs ? "step" : undefined}
+            <li key={i} className={`${runs ? "running" : ""}${isChosen ? " chosen" : ""}`.trim()} aria-current={runs ? "step" : undefined}
               {...(block.number !== null ? { "data-block": block.number } : {})}
             >
-              {block.lines.map((line, n) => <code key={n}>{line || " "}</code>)}
+              {block.lines.map((line, n) => (
+                <code key={n} className={isChosen && chosen.q === qOfLine(line) ? "chosen-line" : ""} onClick={() => press(block, n)}>
+                  {line || " "}
+                </code>
+              ))}
               {runs && <span className="unseen">({t.running})</span>}
             </li>
           );

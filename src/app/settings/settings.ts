@@ -21,7 +21,15 @@ export interface Settings {
   readonly xDown: boolean;
   /** The lathe view shows both halves of the section. */
   readonly fullSection: boolean;
+  /** Which paths the lathe view shows. */
+  readonly paths: ShownPaths;
+  /** The steps of the manual stand as a list under the picture, or as one line. */
+  readonly stepList: boolean;
 }
+
+/** All paths, or those of what runs now: its cycle call, its phase, its pass; or none. */
+export const SHOWN_PATHS = ["all", "operation", "phase", "pass", "none"] as const;
+export type ShownPaths = (typeof SHOWN_PATHS)[number];
 
 const CONTROLS: readonly Control[] = ["TNC 640", "TNC7"];
 const KEY = "turnwise/settings";
@@ -46,6 +54,8 @@ function initial(): Settings {
     programFolded: false,
     xDown: false,
     fullSection: false,
+    paths: "all",
+    stepList: true,
   };
 }
 
@@ -72,6 +82,8 @@ export function readSettings(text: string | null): Settings {
     programFolded: flag(kept["programFolded"], first.programFolded),
     xDown: flag(kept["xDown"], first.xDown),
     fullSection: flag(kept["fullSection"], first.fullSection),
+    paths: oneOf(kept["paths"], SHOWN_PATHS, first.paths),
+    stepList: flag(kept["stepList"], first.stepList),
   };
 }
 

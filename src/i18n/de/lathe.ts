@@ -34,6 +34,19 @@ export const lathe = {
   ruler: "Messen",
   legend: "Linien",
   holder: "Halter",
+  paths: {
+    title: "Welche Bahnen zu sehen sind",
+    all: "Alle Bahnen",
+    operation: "Diese Bearbeitung",
+    phase: "Diese Phase",
+    pass: "Dieser Schnitt",
+    none: "Keine Bahnen",
+  },
+  stepList: {
+    title: "Schritte nach Handbuch",
+    unfold: "Alle Schritte zeigen",
+    fold: "Eine Zeile",
+  },
   lines: {
     rapid: "Eilgang",
     feed: "Schruppen",
@@ -76,6 +89,7 @@ export const lathe = {
 
   rulerHint: "Zwei Stellen wählen. Pfeiltasten bewegen das Kreuz, N springt zum nächsten Punkt der Zeichnung, Enter setzt, Esc beendet.",
   rulerSecond: "Zweite Stelle wählen.",
+  takeInto: (value: string, q: string) => `${value} in ${q} übernehmen`,
   rulerResult: (dx, dz, distance) => `ΔX ⌀ ${dx} mm, ΔZ ${dz} mm, Abstand ${distance} mm`,
   deltaX: "ΔX ⌀",
   deltaZ: "ΔZ",

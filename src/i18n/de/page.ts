@@ -97,6 +97,18 @@ export const page = {
     unknown: "–",
     waiting: "Die Werte ergeben noch keinen Weg. Das letzte mögliche Bild bleibt stehen.",
     duration: (minutes, seconds) => (minutes > 0 ? `${minutes} min ${seconds} s` : `${seconds} s`),
+    longer: (by: string) => `${by} s`,
+    faults: "Verletzungen und Kollisionen",
+    pin: {
+      make: "Einstellung merken",
+      title: "Gemerkte Einstellung",
+      pinned: "Gemerkt",
+      now: "Jetzt",
+      back: "Zurück zur gemerkten",
+      letGo: "Vergessen",
+      fold: "Vergleich einklappen",
+      unfold: "Vergleich zeigen",
+    },
   },
 
   text: {

@@ -35,6 +35,19 @@ export const lathe = {
   ruler: "Ruler",
   legend: "Lines",
   holder: "Holder",
+  paths: {
+    title: "Which paths are shown",
+    all: "All paths",
+    operation: "This operation",
+    phase: "This phase",
+    pass: "This pass",
+    none: "No paths",
+  },
+  stepList: {
+    title: "Steps of the manual",
+    unfold: "Show all steps",
+    fold: "One line",
+  },
   lines: {
     rapid: "Rapid",
     feed: "Roughing",
@@ -81,6 +94,7 @@ export const lathe = {
   /* ruler */
   rulerHint: "Pick two places. Arrow keys move the cross, N goes to the next point of the drawing, Enter sets a place, Escape leaves.",
   rulerSecond: "Pick the second place.",
+  takeInto: (value: string, q: string) => `Take ${value} into ${q}`,
   rulerResult: (dx: string, dz: string, distance: string) => `ΔX ⌀ ${dx} mm, ΔZ ${dz} mm, distance ${distance} mm`,
   deltaX: "ΔX ⌀",
   deltaZ: "ΔZ",

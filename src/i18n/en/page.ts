@@ -97,6 +97,18 @@ export const page = {
     unknown: "–",
     waiting: "The values make no path yet. The last possible picture stays.",
     duration: (minutes: number, seconds: string) => (minutes > 0 ? `${minutes} min ${seconds} s` : `${seconds} s`),
+    longer: (by: string) => `${by} s`,
+    faults: "Gouges and collisions",
+    pin: {
+      make: "Pin this setting",
+      title: "Pinned setting",
+      pinned: "Pinned",
+      now: "Now",
+      back: "Take back to pinned",
+      letGo: "Let go",
+      fold: "Fold the comparison",
+      unfold: "Show the comparison",
+    },
   },
 
   text: {

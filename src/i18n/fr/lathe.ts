@@ -34,6 +34,19 @@ export const lathe = {
   ruler: "Mesurer",
   legend: "Traits",
   holder: "Porte-outil",
+  paths: {
+    title: "Trajectoires affichées",
+    all: "Toutes les trajectoires",
+    operation: "Cette opération",
+    phase: "Cette phase",
+    pass: "Cette passe",
+    none: "Aucune trajectoire",
+  },
+  stepList: {
+    title: "Étapes du manuel",
+    unfold: "Afficher toutes les étapes",
+    fold: "Une seule ligne",
+  },
   lines: {
     rapid: "Rapide",
     feed: "Ébauche",
@@ -76,6 +89,7 @@ export const lathe = {
 
   rulerHint: "Choisir deux points. Les flèches déplacent la croix, N va au point suivant du dessin, Entrée pose le point, Échap quitte.",
   rulerSecond: "Choisir le deuxième point.",
+  takeInto: (value: string, q: string) => `Reprendre ${value} dans ${q}`,
   rulerResult: (dx, dz, distance) => `ΔX ⌀ ${dx} mm, ΔZ ${dz} mm, distance ${distance} mm`,
   deltaX: "ΔX ⌀",
   deltaZ: "ΔZ",

@@ -97,6 +97,18 @@ export const page = {
     unknown: "–",
     waiting: "Ces valeurs ne donnent pas encore de trajectoire. La dernière image possible reste affichée.",
     duration: (minutes, seconds) => (minutes > 0 ? `${minutes} min ${seconds} s` : `${seconds} s`),
+    longer: (by: string) => `${by} s`,
+    faults: "Contour endommagé et collisions",
+    pin: {
+      make: "Épingler ce réglage",
+      title: "Réglage épinglé",
+      pinned: "Épinglé",
+      now: "Maintenant",
+      back: "Revenir au réglage épinglé",
+      letGo: "Détacher",
+      fold: "Replier la comparaison",
+      unfold: "Afficher la comparaison",
+    },
   },
 
   text: {

@@ -33,6 +33,19 @@ export const lathe = {
   ruler: "测量",
   legend: "线型",
   holder: "刀柄",
+  paths: {
+    title: "显示哪些路径",
+    all: "全部路径",
+    operation: "本工序",
+    phase: "本阶段",
+    pass: "本刀",
+    none: "不显示路径",
+  },
+  stepList: {
+    title: "手册步骤",
+    unfold: "显示全部步骤",
+    fold: "只显示一行",
+  },
   lines: { rapid: "快移", feed: "粗加工", plunge: "切入", smooth: "修光", finish: "精加工", thread: "螺纹" },
 
   playback: "播放",
@@ -68,6 +81,7 @@ export const lathe = {
 
   rulerHint: "选择两点。方向键移动十字线，N 键到图中下一点，回车键确定，Esc 键退出。",
   rulerSecond: "选择第二点。",
+  takeInto: (value: string, q: string) => `将 ${value} 填入 ${q}`,
   rulerResult: (dx, dz, distance) => `ΔX ⌀ ${dx} mm，ΔZ ${dz} mm，距离 ${distance} mm`,
   deltaX: "ΔX ⌀",
   deltaZ: "ΔZ",

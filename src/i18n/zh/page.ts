@@ -96,6 +96,18 @@ export const page = {
     unknown: "–",
     waiting: "这些值还不能生成刀具路径，保留最后一幅可行的图。",
     duration: (minutes, seconds) => (minutes > 0 ? `${minutes} 分 ${seconds} 秒` : `${seconds} 秒`),
+    longer: (by: string) => `${by} 秒`,
+    faults: "过切与碰撞",
+    pin: {
+      make: "固定当前设置",
+      title: "已固定的设置",
+      pinned: "已固定",
+      now: "当前",
+      back: "恢复为已固定的设置",
+      letGo: "取消固定",
+      fold: "收起对比",
+      unfold: "显示对比",
+    },
   },
 
   text: {

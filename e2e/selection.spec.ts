@@ -1,0 +1,185 @@
+import { readFileSync } from "node:fs";
+import type { Locator, Page } from "@playwright/test";
+import { expect, test } from "./pages/test.ts";
+import { Turnwise } from "./pages/turnwise.ts";
+
+const FLANGE = readFileSync(new URL("../src/examples/flange.h", import.meta.url), "utf8");
+/** The infeed of the first roughing cycle, mistyped: far more than the others take. */
+const WRONG = FLANGE.replace("Q463=+3 ;MAX. CUTTING DEPTH", "Q463=+0.3 ;MAX. CUTTING DEPTH");
+
+const stageOf = (turnwise: Turnwise) => turnwise.lathe.view.getByRole("group", { name: turnwise.t.lathe.title });
+
+/** A place of the picture by the numbers on its scales: Z, and X as a diameter. */
+async function placeOf(page: Page, stage: Locator, z: number, x: number): Promise<{ readonly x: number; readonly y: number }> {
+  const box = await stage.boundingBox();
+  const matrix = await page.locator(".lathe-picture .still > g").first().getAttribute("transform");
+  const [a = 1, , , d = -1, e = 0, f = 0] = (/\(([^)]*)\)/.exec(matrix ?? "")?.[1] ?? "").split(/[\s,]+/).map(Number);
+  return { x: (box?.x ?? 0) + a * z + e, y: (box?.y ?? 0) + d * (x / 2) + f };
+}
+
+const differing = (text: string) => text.split(/\r?\n/).filter((line, i) => line !== FLANGE.split(/\r?\n/)[i]);
+
+test("a wrong infeed is found in the picture and mended at its prompt; nothing else changes", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { editor, lathe, dialog, program } = turnwise;
+  await editor.paste(WRONG);
+  await expect(editor.total(turnwise.t.page.effect.passes)).not.toHaveText("25");
+  const at = await placeOf(page, stageOf(turnwise), -22.3, 78);
+  await page.mouse.move(at.x, at.y);
+  await page.mouse.click(at.x, at.y);
+  await expect(lathe.running).toContainText("Step 2 of 6");
+  await expect(editor.heading).toContainText("19");
+  await expect(dialog.value).toHaveAccessibleName(/^Q463/);
+  await expect(dialog.value).toHaveValue("0.3");
+  await dialog.value.fill("3");
+  await dialog.value.press("Enter");
+  await expect(editor.total(turnwise.t.page.effect.passes)).toHaveText("25");
+  expect(differing(await program.copy())).toEqual([]);
+});
+
+test("the same by keyboard: from the picture to the prompt and back", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { editor, lathe, dialog, program } = turnwise;
+  await editor.paste(WRONG);
+  await expect(editor.total(turnwise.t.page.effect.passes)).not.toHaveText("25");
+  await stageOf(turnwise).focus();
+  for (let i = 0; i < 200 && !/Block 21/.test((await lathe.running.textContent()) ?? ""); i += 1) await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("Enter");
+  await expect(dialog.value).toHaveAccessibleName(/^Q463/);
+  await expect(dialog.value).toBeFocused();
+  await page.keyboard.type("3");
+  await page.keyboard.press("Enter");
+  await expect(editor.total(turnwise.t.page.effect.passes)).toHaveText("25");
+  expect(differing(await program.copy())).toEqual([]);
+});
+
+test("a line of the text takes the tool to where its block begins, and marks its path", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { editor, lathe, t } = turnwise;
+  await editor.openExample("flange");
+  await expect(editor.total(t.page.effect.passes)).toHaveText("25");
+  await editor.show("structure");
+  await editor.part("TOOL CALL 1").click();
+  await expect(lathe.running).toContainText("Block 1");
+  await editor.line("12 CYCL CALL").click();
+  await expect(lathe.running).toContainText("Block 12");
+  await expect(lathe.view.locator(".shape-marked")).toHaveCount(1);
+  await page.keyboard.press("ArrowUp");
+  await expect(lathe.running).toContainText("Block 11");
+  await editor.show("structure");
+  await editor.part("TOOL CALL 3").click();
+  await expect(lathe.running).toContainText("Block 33");
+});
+
+test("in the workplace of one cycle: line, prompt, path and step are the same place", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { lathe, dialog, effect, program, t } = turnwise;
+  await turnwise.start.beginWithExample(812);
+  await effect.proved();
+  await program.panel.getByRole("code").filter({ hasText: /^Q505=/ }).click();
+  await expect(dialog.value).toHaveAccessibleName(/^Q505/);
+  await expect(program.runningBlock).toContainText("CYCL CALL");
+  const steps = lathe.view.getByRole("list", { name: t.lathe.stepList.title }).getByRole("listitem");
+  await expect(steps).toHaveCount(6);
+  await steps.nth(2).getByRole("button").click();
+  await expect(lathe.running).toContainText("Step 3 of 6");
+  await expect(steps.nth(2)).toHaveAttribute("aria-current", "step");
+  const at = await placeOf(page, stageOf(turnwise), -20.7, 65);
+  await page.mouse.click(at.x, at.y);
+  await expect(dialog.value).toHaveAccessibleName(/^Q463/);
+  await expect(lathe.running).toContainText("Step 2 of 6");
+});
+
+test("paths are narrowed to what runs, or hidden, and that is remembered", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { lathe, effect, t } = turnwise;
+  await turnwise.start.beginWithExample(812);
+  await effect.proved();
+  const paths = lathe.view.getByRole("combobox", { name: t.lathe.paths.title });
+  const drawn = lathe.view.locator(".lathe-paths path");
+  await expect(drawn).not.toHaveCount(0);
+  await paths.selectOption("none");
+  await expect(drawn).toHaveCount(0);
+  await page.reload();
+  await effect.proved();
+  await expect(paths).toHaveValue("none");
+  await expect(drawn).toHaveCount(0);
+});
+
+test("a drag with the ruler measures, and leaves the picture where it is", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { lathe, effect } = turnwise;
+  await turnwise.start.beginWithExample(812);
+  await effect.proved();
+  await lathe.button("ruler").click();
+  const stage = stageOf(turnwise);
+  const from = await placeOf(page, stage, -90, 20), to = await placeOf(page, stage, -70, 30);
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move((from.x + to.x) / 2, to.y, { steps: 4 });
+  await page.mouse.move(to.x, to.y, { steps: 4 });
+  await page.mouse.up();
+  const reading = lathe.view.locator(".lathe-reading");
+  await expect(reading.getByRole("status")).toContainText(/20/);
+  expect(await placeOf(page, stage, -90, 20)).toEqual(from);
+});
+
+test("a changed value says what it was, and the path before it stays for two seconds", async ({ page }) => {
+  const turnwise = await Turnwise.open(page, { heldClock: true });
+  const { lathe, dialog, effect } = turnwise;
+  await turnwise.start.beginWithExample(812);
+  await effect.proved();
+  const ghost = lathe.view.locator(".lathe-former");
+  await dialog.open("Q463");
+  await dialog.value.fill("2");
+  await expect(effect.cell("passes")).toHaveText("7");
+  await expect(effect.cell("passes")).toHaveAttribute("data-was", "5");
+  await expect(effect.cell("time")).toHaveAttribute("data-by", /^\+/);
+  await expect(ghost).toHaveCount(1);
+  await lathe.advance(1900);
+  await expect(ghost).toHaveCount(1);
+  await lathe.advance(200);
+  await expect(ghost).toHaveCount(0);
+  await dialog.value.press("Enter");
+  await expect(effect.cell("passes")).not.toHaveAttribute("data-was");
+});
+
+test("two settings side by side, and back to the pinned one in one step", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { lathe, dialog, effect, t } = turnwise;
+  await turnwise.start.beginWithExample(812);
+  await effect.proved();
+  const words = t.page.effect.pin;
+  await effect.strip.getByRole("button", { name: words.make }).click();
+  await dialog.set("Q463", "2");
+  await dialog.set("Q505", "0.13");
+  await expect(effect.cell("passes")).toHaveText("7");
+  const card = page.getByRole("region", { name: words.title, exact: true });
+  await expect(card.getByRole("row", { name: /^Passes/ })).toHaveText(/5.*7/);
+  await expect(card.getByRole("row", { name: /^Q505/ })).toHaveText(/0\.2.*0\.13/);
+  await expect(lathe.view.locator(".lathe-pinned")).toHaveCount(1);
+  await card.getByRole("button", { name: words.back }).click();
+  await expect(effect.cell("passes")).toHaveText("5");
+  await expect(lathe.view.locator(".lathe-pinned")).toHaveCount(0);
+  await page.keyboard.press("ControlOrMeta+z");
+  await expect(effect.cell("passes")).toHaveText("7");
+  await card.getByRole("button", { name: words.letGo }).click();
+  await expect(card).toHaveCount(0);
+});
+
+test("a dimension in the help picture opens its prompt; a measured way goes into the open one", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { lathe, dialog, effect, t } = turnwise;
+  await turnwise.start.beginWithExample(812);
+  await effect.proved();
+  await page.locator(".help-picture text[data-q=Q493]").click();
+  await expect(dialog.value).toHaveAccessibleName(/^Q493/);
+  await lathe.button("ruler").click();
+  const at = await placeOf(page, stageOf(turnwise), 0, 0);
+  await page.mouse.click(at.x, at.y);
+  const offer = lathe.view.getByRole("button", { name: t.lathe.takeInto("⌀0", "Q493") });
+  await offer.click();
+  await expect(dialog.value).toHaveValue("0");
+  await page.keyboard.press("ControlOrMeta+z");
+  await expect(dialog.value).toHaveValue("50");
+});

@@ -1,0 +1,53 @@
+import { blockSpan } from "../../program/block-span.ts";
+import { planeBegin, type PathChoice } from "../../program/path-index.ts";
+import { showsPlane, useAskedView } from "../approach/shown-view.ts";
+import { useOutcome } from "../engine/outcome.ts";
+import { shownBeside } from "../files/shown-file.ts";
+import { useSelection } from "../selected.ts";
+import { choosePath } from "../selection.ts";
+import { isPresent } from "./present.ts";
+import { blockRange } from "./reading-field.ts";
+import { sessionView, useSession } from "./session.ts";
+
+/** What the open block stands for in the picture; null where no block is open. */
+function choiceOfOpenBlock(): PathChoice | null {
+  const view = sessionView();
+  const { index, reading: { program } } = useSession.getState();
+  const range = view && blockRange(view.state, index);
+  if (!range) return null;
+  const line = view.state.doc.lineAt(range.from).number;
+  const file = shownBeside()?.name;
+  if (file !== undefined) return { kind: "inFile", file, line };
+  return { kind: "blocks", span: blockSpan(program, index), line };
+}
+
+/** A block is opened for something that is chosen already: the tool stays where it is. */
+let isChosen = false;
+
+/** Opens a block by `open` without choosing it anew: it was chosen in the picture. */
+export function openChosen(open: () => void): void {
+  isChosen = true;
+  try {
+    open();
+  } finally {
+    isChosen = false;
+  }
+}
+
+/** The block that is open in the text is chosen: its path is marked, and the tool goes to where it begins. */
+export function chooseOpenBlock(): void {
+  const { shown } = useOutcome.getState();
+  const choice = isChosen ? null : choiceOfOpenBlock();
+  if (!choice) return;
+  const run = isPresent(shown) ? shown.run : null;
+  const mills = run !== null && showsPlane(run, useAskedView.getState().asked);
+  choosePath(run, choice, mills && choice.kind === "blocks" ? planeBegin(run, choice.span.from) : undefined);
+}
+
+/** Blocks may stand elsewhere in a changed text: what is marked goes along with the open one. */
+export function followOpenBlock(): void {
+  const { choice } = useSelection.getState();
+  if (choice?.kind !== "blocks" && choice?.kind !== "inFile") return;
+  const now = choiceOfOpenBlock();
+  if (now) useSelection.setState({ choice: now });
+}

@@ -1,0 +1,12 @@
+import { createContext } from "react";
+import type { Kind } from "../../cycles/params.ts";
+
+/** The open prompt, for what is measured in the picture. */
+export interface MeasuredTarget {
+  readonly q: string;
+  readonly kind: Kind;
+  readonly take: (value: number) => void;
+}
+
+/** Where a measured value can go; null while no prompt that holds a number is open. */
+export const MeasuredInto = createContext<MeasuredTarget | null>(null);

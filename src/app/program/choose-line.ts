@@ -1,0 +1,51 @@
+import { askedByMove } from "../../cycles/asked-by-move.ts";
+import { parse } from "../../nc/parse.ts";
+import { blockNumbers, startLines } from "../../nc/program.ts";
+import { blockSpan } from "../../program/block-span.ts";
+import type { PathChoice } from "../../program/path-index.ts";
+import { useOutcome } from "../engine/outcome.ts";
+import { openPrompt, showPrompt, showSection, usePlace } from "../place.ts";
+import { printedText } from "../printed.ts";
+import type { JobReading } from "../reading.ts";
+import { useSelection } from "../selected.ts";
+import { chooseLine } from "../selection.ts";
+import type { ChosenLine } from "./ProgramText.tsx";
+
+/** What a block of a job's program stands for in the picture. */
+function choiceOfBlock(text: string, block: number): PathChoice | null {
+  const program = parse(text);
+  const index = blockNumbers(program).indexOf(block);
+  return index < 0 ? null : { kind: "blocks", span: blockSpan(program, index), line: startLines(program)[index] ?? 0 };
+}
+
+/** A line of the program was pointed at: the tool goes to its block, the path of that is marked, and its prompt opens. */
+export function chooseJobLine(read: JobReading, line: ChosenLine): void {
+  const text = printedText(read.job);
+  const { shown } = useOutcome.getState();
+  const choice = choiceOfBlock(text, line.block);
+  if (line.q !== null && read.cycle.params[line.q]) showPrompt(line.q, read.draft[line.q] ?? "");
+  if (choice) chooseLine(shown?.text === text ? shown.run : null, choice, { ...line, prompt: usePlace.getState().prompt });
+}
+
+/** The line that is marked in the program: the one pointed at, or that of the open prompt in its place. */
+export function useChosenLine(read: JobReading): ChosenLine | null {
+  const line = useSelection((s) => s.line);
+  const prompt = usePlace((p) => p.prompt);
+  const shown = useOutcome((s) => s.shown);
+  if (line && line.prompt === prompt) return line;
+  const definition = shown?.run.operations[0]?.definedIn;
+  return definition === undefined || prompt === null || !read.cycle.params[prompt] ? null : { block: definition, q: prompt };
+}
+
+/** A move was pointed at in the picture: the prompt that decides most about it opens. */
+export function openAsked(read: JobReading, step: number, byKey = false): void {
+  // Beside the contour table its element is chosen, and it stays.
+  if (usePlace.getState().section === "contour") return;
+  const { shown } = useOutcome.getState();
+  const { operation = null, move } = shown?.run.steps[step] ?? {};
+  const q = operation === null || !move ? null : askedByMove(read.cycle.params, move);
+  if (q === null) return showSection("prompts");
+  const before = read.draft[q] ?? "";
+  if (byKey) openPrompt(q, before);
+  else showPrompt(q, before);
+}
