@@ -1,6 +1,7 @@
 import { useRef } from "react";
 import { Drawing } from "../chooser/Drawing.tsx";
 import { menuCycle } from "../chooser/menu.ts";
+import { chooseOpenBlock } from "../editor/choose-block.ts";
 import { openBlock } from "../editor/session.ts";
 import { Icon, type IconName } from "../Icon.tsx";
 import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
@@ -107,7 +108,10 @@ export function OperationItem({ row, last, isCurrent, isOpen, index, onAct, onDr
             {row.blocks.map((block) => (
               <li key={block.index}>
                 <button type="button" className="number operation-block" aria-current={block.index === index ? "true" : undefined}
-                  onClick={() => openBlock(block.index)}
+                  onClick={() => {
+                    openBlock(block.index);
+                    chooseOpenBlock();
+                  }}
                 >
                   <span className="soft">{block.number}</span> <span>{block.text}</span>
                 </button>

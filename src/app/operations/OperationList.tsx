@@ -1,7 +1,8 @@
 import { lazy, Suspense, useEffect, useMemo, useRef, useState, type KeyboardEvent } from "react";
 import type { Refusal } from "../../program/operation-edits.ts";
 import { openBlock, useSession } from "../editor/session.ts";
-import { isPresent } from "../editor/follow.ts";
+import { chooseOpenBlock } from "../editor/choose-block.ts";
+import { isPresent } from "../editor/present.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import { useShownBeside } from "../files/shown-file.ts";
 import { findingsHere } from "../files/shown-findings.ts";
@@ -62,6 +63,7 @@ export function OperationList() {
         else {
           fold(false);
           openBlock(row.opens);
+          chooseOpenBlock();
         }
         return;
       case "insert":
