@@ -106,3 +106,27 @@ test("every number field brings the keypad and stays in sight above it; a name k
   await dialog.keypad.getByRole("button", { name: t.dialog.keys.readyLong, exact: true }).tap();
   await expect(dialog.keypad).toBeHidden();
 });
+
+test("a program of three operations from nothing, by touch alone", async ({ page }) => {
+  const { editor, t } = await Turnwise.open(page);
+  await page.getByRole("button", { name: t.page.programs.create, exact: true }).tap();
+  await page.getByRole("button", { name: t.operations.create, exact: true }).tap();
+  const put = async (group: "transverse" | "longitudinal" | "recessing", cycle: 822 | 812 | 862) => {
+    await editor.inserting.getByRole("button", { name: new RegExp(t.cycles.groups[group]) }).tap();
+    await editor.inserting.getByRole("button", { name: new RegExp(`^${t.page.start.cycle(cycle, t.cycles.of[cycle].name)}`) }).first()
+      .tap();
+    await editor.inserting.getByRole("button", { name: t.operations.put, exact: true }).tap();
+    await expect(editor.inserting).toHaveCount(0);
+  };
+  await put("transverse", 822);
+  for (const [done, group, cycle] of [[1, "longitudinal", 812], [2, "recessing", 862]] as const) {
+    await expect(editor.total(t.editor.operations)).toHaveText(String(done));
+    await page.getByRole("tab", { name: t.editor.sections.structure, exact: true }).tap();
+    await page.getByRole("button", { name: t.operations.insert, exact: true }).tap();
+    await put(group, cycle);
+  }
+  await expect(editor.total(t.editor.operations)).toHaveText("3");
+  await page.getByRole("tab", { name: t.editor.sections.structure, exact: true }).tap();
+  for (const button of await page.getByRole("tabpanel").getByRole("button").all())
+    expect((await button.boundingBox())?.height ?? TARGET).toBeGreaterThanOrEqual(44);
+});

@@ -5,6 +5,7 @@ import type { Statement } from "../../nc/statement.ts";
 import { FieldMessage } from "../dialog/FieldMessage.tsx";
 import type { FindingEntry } from "../findings/entry.ts";
 import { Icon } from "../Icon.tsx";
+import { CalledTool } from "../operations/CalledTool.tsx";
 import { DescribeCycle } from "../own/DescribeCycle.tsx";
 import { useOutcome, type Outcome } from "../engine/outcome.ts";
 import { showFile, useShownBeside } from "../files/shown-file.ts";
@@ -56,6 +57,7 @@ export function BlockForm({ problems }: { readonly problems: readonly FindingEnt
         </p>
       )}
       {s.kind === "cycle" && <DescribeCycle statement={s} />}
+      {s.kind === "toolCall" && <CalledTool key={index} statement={s} change={(next) => change(next, "tool chosen")} />}
       {fieldsOf(s).map((field) => <BlockField key={`${index} ${field.id}`} field={field} statement={s} change={change} />)}
       {definition >= 0 && (
         <button type="button" className="button" onClick={() => openBlock(definition)}>

@@ -52,6 +52,23 @@ const numbered = (blocks: readonly string[]) => `${blocks.map((block, i) => `${i
 const without = (...gone: string[]) => numbered(RIGHT.filter((block) => !gone.includes(block)));
 const changed = (before: string, after: string) => numbered(RIGHT.map((block) => (block === before ? after : block)));
 
+/** A cycle that takes its contour from a subprogram. */
+const FREE = `CYCL DEF 810 TURN CONTOUR LONG. ~
+Q215=+0 ~
+Q460=+2 ~
+Q499=+0 ~
+Q463=+2.3 ~
+Q478=+0.27 ~
+Q483=+0.4 ~
+Q484=+0.2 ~
+Q505=+0.19 ~
+Q487=+1 ~
+Q488=+0 ~
+Q479=+0 ~
+Q480=+0 ~
+Q482=+0 ~
+Q506=+0`;
+
 /** What is wrong, in which program, and the block, word or value that is offered first. */
 const cases: readonly (readonly [code: string, text: string, offered: string | number])[] = [
   ["spindleMissing", without("FUNCTION TURNDATA SPIN VCONST:ON VC:180 SMAX2500"), "FUNCTION TURNDATA SPIN VCONST:ON VC:180 SMAX2500"],
@@ -59,6 +76,10 @@ const cases: readonly (readonly [code: string, text: string, offered: string | n
   ["blankMissing", without("BLK FORM CYLINDER Z D61.3 L80 DIST+0"), "BLK FORM CYLINDER Z D80 L100 DIST+1"],
   ["notInTurnMode", changed("FUNCTION MODE TURN", "FUNCTION MODE MILL"), "FUNCTION MODE TURN"],
   ["cycleNeverCalled", without("CYCL CALL"), "CYCL CALL"],
+  ["noToolCalled", without("TOOL CALL 1"), "TOOL CALL 1"],
+  ["startUnknown", without("L X+90 Z+40 R0 FMAX", "L X+61.3 Y+0 Z+2 FMAX M303"), "L X+61.3 Z+2 FMAX M303"],
+  ["contourNotNamed", changed(cycle812(), FREE), "CYCL DEF 14, LBL 1"],
+  ["labelMissing", changed(cycle812(), `CYCL DEF 14.0 CONTOUR\nCYCL DEF 14.1 LABEL7\n${FREE}`), "LBL 7"],
   ["parameterForeign", changed(cycle812(), cycle812(" ~\nQ999=+3 ;STRANGE")), "Q999"],
   ["compensationActive", changed("L X+61.3 Y+0 Z+2 FMAX M303", "L X+61.3 Y+0 Z+2 RR FMAX M303"), "R0"],
   ["outOfRange", changed(cycle812(), cycle812().replace("Q463=+2.3", "Q463=+1200")), 999.999],

@@ -10,6 +10,7 @@ import type { Language } from "../../i18n/languages.ts";
 import type { FindingEntry } from "../findings/entry.ts";
 import { nearestOf } from "../findings/host.ts";
 import { withPrompt } from "./block-prompts.ts";
+import { withContour, withContourNamed } from "./missing-contour.ts";
 
 /** A change of the program that mends a finding: a value taken, a block put in, a word written, something taken out. */
 export interface Repair {
@@ -143,6 +144,36 @@ function withStart(program: Program, index: number, { x, z }: { readonly x: numb
 
 const signed = (mm: number) => positionAsTyped(mm).replace(/^(?!-)/, "+");
 
+const toolCallOf = (tool: number): Statement => ({
+  kind: "toolCall",
+  tool,
+  axis: null,
+  speed: null,
+  feed: null,
+  deltaLength: null,
+  deltaRadius: null,
+  extra: [],
+});
+
+/** How far from the blank a start point stands that nobody has chosen, ⌀ and Z, mm. */
+const CLEAR = 2;
+
+/** A start point beside the blank right before a call that has none, with the spindle on. */
+function withKnownStart(program: Program, index: number): Repair | null {
+  const called = program.blocks[index]?.statement;
+  const blank = program.blocks.find(({ statement: s }) => s.kind === "blankCylinder")?.statement;
+  if (called?.kind !== "cycleCall" || blank?.kind !== "blankCylinder") return null;
+  const { outside, distance } = blank;
+  if (outside?.measure !== "D" || typeof outside.value !== "number" || typeof distance === "object" && distance !== null) return null;
+  const axes = [{ axis: "X" as const, value: outside.value, incremental: false }, {
+    axis: "Z" as const,
+    value: kept(distance ?? 0, POSITION_DECIMALS) + CLEAR,
+    incremental: false,
+  }];
+  const start: Statement = { kind: "path", path: "L", words: { ...noWords, axes, feed: "max", functions: [303] } };
+  return asking([insertion(program, index, [start], index)])[0] ?? null;
+}
+
 /** Another length or radius of an approach or departure. */
 function withLead(program: Program, index: number, word: "LEN" | "R", value: number): Repair | null {
   const s = program.blocks[index]?.statement;
@@ -150,6 +181,9 @@ function withLead(program: Program, index: number, word: "LEN" | "R", value: num
   const next = () => withBlock(program, index, { ...s, words: { ...s.words, [word === "LEN" ? "length" : "radius"]: value } });
   return { kind: "write", text: `${word}${value}`, block: String(blockNumbers(program)[index] ?? ""), next, open: index };
 }
+
+/** Label of a contour in a program that has no label yet. */
+const FIRST_LABEL = 1;
 
 const asking = (repairs: readonly Repair[]): readonly Repair[] => repairs.map((repair) => ({ ...repair, asks: true }));
 
@@ -168,6 +202,10 @@ export function repairsOf(program: Program, entry: FindingEntry, language: Langu
       return asking(
         insert(toolCallBefore(program, index) + 1, { kind: "spin", constantSurface: true, cuttingSpeed: 180, speed: null, limit: 2500 }),
       );
+    case "noToolCalled":
+      return asking(insert(placeBehindFrame(program, index), toolCallOf(1)));
+    case "startUnknown":
+      return maybe(withKnownStart(program, index));
     case "programEndMissing":
       return insert(placeOfEnd(program), { kind: "functions", words: { ...noWords, functions: [30] } });
     case "blankMissing":
@@ -184,7 +222,20 @@ export function repairsOf(program: Program, entry: FindingEntry, language: Langu
     case "contourNotNamed": {
       const lines = contourLines(program, language);
       const definition = lastOf(program, index + 1, (s) => s.kind === "cycle");
-      return lines.length > 0 ? insert(Math.max(definition, 0), ...lines) : [];
+      if (lines.length > 0) return insert(Math.max(definition, 0), ...lines);
+      const number = "cycle" in issue.data ? Number(issue.data.cycle) : 0;
+      const contour = definition < 0 ? null : withContour(program, number, FIRST_LABEL);
+      const next = () => withContourNamed(contour ?? program, definition, FIRST_LABEL, language);
+      return contour ? [{ kind: "insert", text: `CYCL DEF 14, LBL ${FIRST_LABEL}`, block: "", open: definition, next }] : [];
+    }
+    case "labelMissing": {
+      const missing = "label" in issue.data ? String(issue.data.label) : "";
+      const before = lastOf(program, index + 1, (s) => s.kind === "cycle");
+      const behind = program.blocks.findIndex(({ statement: s }, i) => i > index && s.kind === "cycle");
+      const definition = program.blocks[before >= 0 ? before : behind]?.statement;
+      const label = /^\d+$/.test(missing) ? Number(missing) : missing;
+      const contour = definition?.kind === "cycle" && missing !== "" ? withContour(program, definition.cycle, label) : null;
+      return contour ? [{ kind: "insert", text: `LBL ${missing}`, block: "", open: index, next: () => contour }] : [];
     }
     case "compensationActive":
       return maybe(withoutCompensation(program, index));
@@ -196,16 +247,7 @@ export function repairsOf(program: Program, entry: FindingEntry, language: Langu
   if (issue.code === "betterTool") {
     const { tool } = issue.data;
     if (toolCallBefore(program, index) < 0) {
-      return insert(placeBehindFrame(program, index), {
-        kind: "toolCall",
-        tool,
-        axis: null,
-        speed: null,
-        feed: null,
-        deltaLength: null,
-        deltaRadius: null,
-        extra: [],
-      });
+      return insert(placeBehindFrame(program, index), toolCallOf(tool));
     }
   }
   if (issue.code === "startOnWrongSide") return [withStart(program, index, issue.data)];
