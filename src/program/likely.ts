@@ -44,6 +44,8 @@ export interface LikelyWork {
 
 /** Where the face of a part stands as long as nobody says otherwise, Z mm. */
 const FRONT = 0;
+/** How long a contour is taken to be that nobody has drawn yet, mm. */
+const UNDRAWN = 50;
 
 const number = (value: number | "auto" | undefined): number | null => (typeof value === "number" ? value : null);
 
@@ -59,7 +61,7 @@ function likelyEnds(cycle: Cycle, { typed, tip, blank }: KnownSoFar): { readonly
     z1: usual["Q492"] ?? (grooves && !worksAcross(cycle) ? Number(cycle.setup.start.z) : FRONT),
     z2: usual["Q494"] ?? 0,
   };
-  const [deep, long] = [example.d1 - example.d2, Math.abs(example.z1 - example.z2)];
+  const [deep, long] = [example.d1 - example.d2, Math.abs(example.z1 - example.z2) || UNDRAWN];
   // A diameter that nobody can turn says nothing yet.
   const across = (q: string) => {
     const d = number(typed[q]);
