@@ -59,7 +59,8 @@ export function DrawingDimensions({ rows, reading, picture, size, chosen, langua
   useLayoutEffect(() => {
     const key = back.current;
     back.current = null;
-    if (key !== null) box.current?.querySelector<HTMLElement>(`[data-dimension="${CSS.escape(key)}"]`)?.focus();
+    if (key === null) return;
+    [...box.current?.querySelectorAll<HTMLElement>("[data-dimension]") ?? []].find((each) => each.dataset["dimension"] === key)?.focus();
   });
 
   const close = (key: string, keyboard: boolean) => {
