@@ -13,6 +13,7 @@ import { useFirstTexts } from "./settings/use-first-texts.ts";
 import { StartPage } from "./start/StartPage.tsx";
 import { useEditor } from "./store.ts";
 import { useToolPlace } from "./tools/tool-place.ts";
+import { hideWhich, useWhichPlace } from "./which/which-place.ts";
 
 /** Parts that are fetched when they are first shown, together with the texts that they need. */
 const later = <M,>(fetch: () => Promise<M>) => async (): Promise<M> => (await Promise.all([fetch(), fetchShownTexts()]))[0];
@@ -23,6 +24,8 @@ const fetchTools = later(() => import("./tools/ToolPage.tsx"));
 const ToolPage = lazy(async () => ({ default: (await fetchTools()).ToolPage }));
 const fetchOwn = later(() => import("./own/OwnPage.tsx"));
 const OwnPage = lazy(async () => ({ default: (await fetchOwn()).OwnPage }));
+/** Fetched with its texts when somebody asks. */
+const WhichCycle = lazy(async () => ({ default: (await import("./which/WhichCycle.tsx")).WhichCycle }));
 const fetchEditor = later(() => import("./editor/ProgramWorkplace.tsx"));
 const ProgramWorkplace = lazy(async () => ({ default: (await fetchEditor()).ProgramWorkplace }));
 
@@ -34,6 +37,7 @@ export function App() {
   const own = useOwnPlace((p) => p.shown);
   const program = useEditor((s) => (s.program ? s.work : null));
   const programName = useEditor((s) => s.program?.name);
+  const which = useWhichPlace();
   const refused = useCopying((c) => c.state === "refused");
   const t = useFirstTexts().page;
   const name = job?.name ?? programName;
@@ -69,6 +73,11 @@ export function App() {
           </Suspense>
         )
         : <StartPage />)}
+      {ready && which.shown && (
+        <Suspense>
+          <WhichCycle done={hideWhich} region={which.region} />
+        </Suspense>
+      )}
       <DropProgram />
       <NumberKeys />
       {refused && (

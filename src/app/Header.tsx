@@ -1,15 +1,22 @@
-import { lazy, Suspense, useEffect, useRef, useState } from "react";
+import { lazy, Suspense, useEffect, useRef, useState, type MouseEvent } from "react";
+import { goHome } from "./address/go-home.ts";
 import { Icon } from "./Icon.tsx";
 import { usePlace } from "./place.ts";
 import { useFirstTexts } from "./settings/use-first-texts.ts";
 import { useOwnPlace } from "./own/own-place.ts";
 import { redoStep, undoStep } from "./history.ts";
 import { useSteps } from "./steps.ts";
-import { open, useEditor } from "./store.ts";
+import { useEditor } from "./store.ts";
 import { showTools, useToolPlace } from "./tools/tool-place.ts";
 
 /** Fetched when it is first opened. */
 const SettingsDialog = lazy(async () => ({ default: (await import("./settings/SettingsDialog.tsx")).SettingsDialog }));
+
+/** The address says where the page is, so a link into it cannot stand there. */
+function toPrompts(event: MouseEvent): void {
+  event.preventDefault();
+  document.getElementById("prompts")?.querySelector<HTMLElement>("button, input, [tabindex]")?.focus();
+}
 
 /** The top line: what is open, undo and redo, a new program, settings. */
 export function Header() {
@@ -33,10 +40,14 @@ export function Header() {
 
   return (
     <header className="top" aria-label={t.page.header}>
-      {words && section === "prompts" && !tools && <a className="skip" href="#prompts">{t.page.skipToPrompts}</a>}
-      <p className="brand">
-        <b>{t.page.product}</b>
-      </p>
+      {words && section === "prompts" && !tools && <a className="skip" href="#prompts" onClick={toPrompts}>{t.page.skipToPrompts}</a>}
+      <a className="brand" href="#/" aria-label={t.page.home} title={t.page.home} onClick={(event) => {
+        if (event.ctrlKey || event.metaKey || event.shiftKey) return;
+        event.preventDefault();
+        goHome();
+      }}>
+        <Icon name="home" /> <b>{t.page.product}</b>
+      </a>
       {tools && <h1 className="open-cycle">{own ? t.page.own.title : t.page.tools.title}</h1>}
       {!tools && words && (
         <h1 className="open-cycle">
@@ -64,10 +75,7 @@ export function Header() {
         )}
         {!tools && (words ?? program) && (
           <button type="button" className="button plain new-program" aria-label={t.page.newProgram} title={t.page.newProgram}
-            onClick={() => {
-              usePlace.setState({ section: "prompts", prompt: null });
-              open(null, null);
-            }}
+            onClick={goHome}
           >
             <Icon name="add" /> <span>{t.page.newProgram}</span>
           </button>

@@ -1,17 +1,20 @@
 import { StrictMode } from "react";
 import { createRoot } from "react-dom/client";
 import { z } from "zod/mini";
+import { parseAddress } from "./address/address.ts";
+import { followAddress, resumePrompt } from "./address/follow-address.ts";
+import { goTo } from "./address/here.ts";
 import { App } from "./App.tsx";
 import { CrashGuard } from "./CrashGuard.tsx";
 import { startEngineLater } from "./engine/later.ts";
 import { openShared } from "./files/open-shared.ts";
 import { onHistoryKey } from "./history.ts";
 import { startOwn } from "./own/keep-own.ts";
-import { resumePlace, startKeepingPlace } from "./saving/keep-place.ts";
 import { resume, startKeeping } from "./saving/keep.ts";
 import { followAppearance } from "./settings/appearance.ts";
 import { fetchFirstTexts } from "./settings/loaded-texts.ts";
 import { useSettings } from "./settings/settings.ts";
+import { useEditor } from "./store.ts";
 import { startTools } from "./tools/keep-tools.ts";
 import "./styles/tokens.css";
 import "./styles/base.css";
@@ -25,12 +28,16 @@ followAppearance();
 document.addEventListener("keydown", onHistoryKey);
 startTools();
 startOwn();
-void resume().then(() => {
-  resumePlace();
-  startKeepingPlace();
+const asked = parseAddress(location.hash);
+const askedWork = asked?.page === "work" ? asked.work : asked?.page === "start" ? null : undefined;
+void resume(askedWork).then(async () => {
+  resumePrompt();
+  // A work that is not here was said to be missing.
+  if (asked && !(asked.page === "work" && asked.work !== useEditor.getState().work)) await goTo(asked);
   startKeeping();
   startEngineLater();
   void openShared();
+  followAddress();
   addEventListener("hashchange", () => void openShared());
 });
 

@@ -11,7 +11,7 @@ export interface Keeping {
   readonly works: readonly Kept[];
   readonly notices:
     readonly ("notKept" | "storageFull" | "newerWorks" | "copyOfOtherTab" | "engineFailed" | "linkDamaged" | "linkTooLarge" | "fileTooLarge"
-      | "fileUnreadable" | "mainUnsure" | "toolsDamaged" | "toolsNotKept" | "ownDamaged" | "ownNotKept")[];
+      | "fileUnreadable" | "mainUnsure" | "toolsDamaged" | "toolsNotKept" | "ownDamaged" | "ownNotKept" | "workNotHere")[];
   /** Damaged saves that were set aside when the page opened. */
   readonly damaged: number;
   /** False until the device was read. */
@@ -142,15 +142,27 @@ async function catchUp(): Promise<void> {
   if (unkept.size === 0) leaveBehind([]);
 }
 
-/** Opens what this tab had open, or the newest work in a new tab, or the start page. Never fails. */
-export async function resume(): Promise<void> {
+/** What the page's address asks to be opened: a work by its name, null for the start page; undefined where it says nothing of it. */
+export type AskedWork = string | null | undefined;
+
+/** The work to begin with: the one that is asked for, what this tab had open, or the newest one in a new tab. */
+function firstWork(asked: AskedWork, works: readonly Kept[]): Kept | undefined {
+  const remembered = asked === undefined ? rememberedWork() : (asked ?? "");
+  if (remembered === null) return works[0];
+  const found = works.find((w) => w.work === remembered);
+  if (!found && asked) notice("workNotHere");
+  if (!found) rememberWork(null);
+  return found;
+}
+
+/** Opens what was asked for, what this tab had open, or the newest work in a new tab, or the start page. Never fails. */
+export async function resume(asked: AskedWork = undefined): Promise<void> {
   await catchUp();
   const found = await findWorks();
   useKeeping.setState({ works: found.works, damaged: found.setAside });
   if (!found.available) notice("notKept");
   if (found.newer > 0) notice("newerWorks");
-  const remembered = rememberedWork();
-  const last = remembered === "" ? undefined : remembered === null ? found.works[0] : found.works.find((w) => w.work === remembered);
+  const last = firstWork(asked, found.works);
   const file = last && (await readWork(last.work));
   if (last && file) begin(file.job, await nameFor(last.work, file.job));
   else begin(null, null);
@@ -165,10 +177,12 @@ export function startWork(job: Work): void {
   open(job, work);
 }
 
-/** Opens a work of the list. */
-export async function openWork(work: string): Promise<void> {
-  const file = await readWork(work);
-  if (file) open(file.job, await nameFor(work, file.job));
+/** Opens a work of this device, also one that the device did not take; false when there is none of this name. */
+export async function openWork(work: string): Promise<boolean> {
+  const job = waiting.get(work) ?? unkept.get(work) ?? (await readWork(work))?.job;
+  if (!job) return false;
+  open(job, await nameFor(work, job));
+  return true;
 }
 
 /** Reads the list again, for the start page, where works may have been removed and room made. */

@@ -49,7 +49,12 @@ export function WhichCycle({ done, region, comparison = byWorker }: Props) {
   const stock = asking.stock === "now" ? (place?.stock ?? null) : null;
   const compared = useComparison(wanted, stock, comparison);
 
-  useLayoutEffect(() => dialog.current?.showModal(), []);
+  // Closed before it goes, so that the keyboard returns to where it was.
+  useLayoutEffect(() => {
+    const { current } = dialog;
+    current?.showModal();
+    return () => current?.close();
+  }, []);
   useEffect(() => {
     let gone = false;
     void loadWhich(language).then((loaded) => {
@@ -65,7 +70,9 @@ export function WhichCycle({ done, region, comparison = byWorker }: Props) {
     ask((before) => asked(before, change, isTyped || region !== null));
   };
   return (
-    <dialog ref={dialog} className="which" aria-label={words?.title} onClose={done} onKeyDown={(event) => event.stopPropagation()}>
+    <dialog ref={dialog} className="which" aria-label={words?.title} onClose={() => !dialog.current?.open && done()}
+      onKeyDown={(event) => event.stopPropagation()}
+    >
       {words && (
         <>
           <header className="which-head">
@@ -92,7 +99,7 @@ export function WhichCycle({ done, region, comparison = byWorker }: Props) {
           {fault?.at === "contour" && <p className="soft">{words.faults.contour}</p>}
           {compared && (
             <WayCards words={words} compared={compared} adds={asking.stock === "now"} onTake={(way) => {
-              dialog.current?.close();
+              done();
               void takeWay(way, compared.wanted, { language, adds: asking.stock === "now" });
             }} />
           )}

@@ -2,6 +2,7 @@ import type { PageTexts } from "../en/page.ts";
 
 export const page = {
   product: "Turnwise",
+  home: "Turnwise, Startseite",
   promise: "HEIDENHAIN-Drehzyklen im Dialog: Schnitt sehen, prüfen, Programm kopieren.",
   skipToPrompts: "Zu den Eingaben springen",
   header: "Arbeit und Einstellungen",
@@ -147,6 +148,7 @@ export const page = {
       "Einige gespeicherte Arbeiten stammen von einer neueren Ausgabe dieser Seite und sind nicht aufgeführt. Nichts wurde gelöscht.",
     downloadUnkept: "Programm herunterladen",
     copyOfOtherTab: "Diese Arbeit ist in einem anderen Tab offen. Hier wird eine Kopie bearbeitet; beide bleiben erhalten.",
+    workNotHere: "Die Arbeit dieser Adresse liegt nicht auf diesem Gerät: anderer Browser, oder aus der Liste entfernt.",
     linkDamaged: "Der Link enthält kein lesbares Programm.",
     linkTooLarge: "Das Programm im Link ist größer als 20 MB und wurde nicht geöffnet. Die eigene Arbeit ist unverändert.",
     fileTooLarge: "Das sind mehr als 20 MB; es wurde nichts geöffnet. Die eigene Arbeit ist unverändert.",

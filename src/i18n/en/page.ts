@@ -2,6 +2,7 @@ import type { Shape } from "../shape.ts";
 
 export const page = {
   product: "Turnwise",
+  home: "Turnwise, start page",
   promise: "HEIDENHAIN turning cycles by prompts: see the cut, check it, copy the program.",
   skipToPrompts: "Skip to the prompts",
   header: "Work and settings",
@@ -143,6 +144,7 @@ export const page = {
     newerWorks: "Some saved works come from a newer edition of this page and are not listed. Nothing was deleted.",
     downloadUnkept: "Download the program",
     copyOfOtherTab: "This work is open in another tab. Here you edit a copy; both are kept.",
+    workNotHere: "The work of this address is not on this device. It may be in another browser, or was removed from the list.",
     linkDamaged: "The link holds no program that can be read.",
     linkTooLarge: "The program in the link is larger than 20 MB and was not opened. Your own work is as it was.",
     fileTooLarge: "This is more than 20 MB and was not opened. Your own work is as it was.",

@@ -2,6 +2,7 @@ import type { PageTexts } from "../en/page.ts";
 
 export const page = {
   product: "Turnwise",
+  home: "Turnwise, page d’accueil",
   promise: "Cycles de tournage HEIDENHAIN par dialogue : voir la coupe, la contrôler, copier le programme.",
   skipToPrompts: "Aller au dialogue",
   header: "Travail et réglages",
@@ -146,6 +147,7 @@ export const page = {
       "Certains travaux enregistrés proviennent d’une édition plus récente de cette page et ne sont pas listés. Rien n’a été supprimé.",
     downloadUnkept: "Télécharger le programme",
     copyOfOtherTab: "Ce travail est ouvert dans un autre onglet. Ici, on modifie une copie ; les deux sont conservés.",
+    workNotHere: "Le travail de cette adresse n’est pas sur cet appareil : autre navigateur, ou retiré de la liste.",
     linkDamaged: "Le lien ne contient aucun programme lisible.",
     linkTooLarge: "Le programme contenu dans le lien dépasse 20 Mo et n’a pas été ouvert. Votre travail est inchangé.",
     fileTooLarge: "Cela dépasse 20 Mo et n’a pas été ouvert. Votre travail est inchangé.",

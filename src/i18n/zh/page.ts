@@ -2,6 +2,7 @@ import type { PageTexts } from "../en/page.ts";
 
 export const page = {
   product: "Turnwise",
+  home: "Turnwise，首页",
   promise: "以对话方式编写海德汉车削循环：查看切削、检查、复制程序。",
   skipToPrompts: "跳到对话",
   header: "工作与设置",
@@ -139,6 +140,7 @@ export const page = {
     newerWorks: "部分已保存的工作来自此页面的更新版本，未列出。没有删除任何内容。",
     downloadUnkept: "下载程序",
     copyOfOtherTab: "此工作已在另一个标签页打开。这里编辑的是副本，两份都会保留。",
+    workNotHere: "此地址的工作不在本设备上：可能在另一浏览器中，或已从列表中移除。",
     linkDamaged: "链接中没有可读取的程序。",
     linkTooLarge: "链接中的程序大于 20 MB,未打开。您当前的工作保持不变。",
     fileTooLarge: "总大小超过 20 MB，未打开。您当前的工作保持不变。",

@@ -1,0 +1,83 @@
+import { looksRight } from "./pages/look.ts";
+import { expect, test } from "./pages/test.ts";
+import { Turnwise } from "./pages/turnwise.ts";
+
+test("Back and Forward walk through start page, cycle, set-up and tools", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { t, start, dialog, setup } = turnwise;
+  const back = page.getByRole("button", { name: t.tools.backLong });
+  await start.beginWithExample(812);
+  await expect(dialog.question).toHaveText(dialog.promptOf(812, "Q215"));
+  await turnwise.show("setup");
+  await expect(setup.start("x")).toBeVisible();
+  await page.getByRole("button", { name: t.page.tools.openLong }).click();
+  await expect(page.getByRole("heading", { name: t.page.tools.title, level: 1 })).toBeVisible();
+  await page.goBack();
+  await expect(setup.start("x")).toBeVisible();
+  await page.goBack();
+  await expect(dialog.question).toHaveText(dialog.promptOf(812, "Q215"));
+  await page.goBack();
+  await expect(start.button(812, true)).toBeVisible();
+  await page.goForward();
+  await expect(dialog.question).toHaveText(dialog.promptOf(812, "Q215"));
+  await page.goForward();
+  await expect(setup.start("x")).toBeVisible();
+  await page.goForward();
+  await back.click();
+  await expect(setup.start("x")).toBeVisible();
+  await page.goBack();
+  await expect(dialog.question).toHaveText(dialog.promptOf(812, "Q215"));
+  await page.getByRole("link", { name: t.page.home }).click();
+  await expect(start.button(812, true)).toBeVisible();
+});
+
+test("every place can be reloaded at its address", async ({ page }) => {
+  const turnwise = await Turnwise.open(page, { heldClock: true });
+  const { t, start, dialog, setup } = turnwise;
+  const again = async (address: RegExp) => {
+    await expect(page).toHaveURL(address);
+    await page.reload();
+    await expect(page).toHaveURL(address);
+  };
+  await again(/\?clock=manual#\/$/);
+  await expect(start.button(812, true)).toBeVisible();
+  await page.getByRole("button", { name: t.page.start.which }).click();
+  await again(/#\/which$/);
+  await expect(page.getByRole("dialog", { name: /./ })).toBeVisible();
+  await page.keyboard.press("Escape");
+  await again(/#\/$/);
+  await start.beginWithExample(820);
+  await dialog.open("Q463");
+  await again(/#\/work\/[\w-]+$/);
+  await expect(dialog.question).toHaveText(dialog.promptOf(820, "Q463"));
+  await turnwise.show("setup");
+  await again(/#\/work\/[\w-]+\/setup$/);
+  await expect(setup.start("x")).toBeVisible();
+  await turnwise.show("contour");
+  await again(/#\/work\/[\w-]+\/contour$/);
+  await expect(turnwise.contour.table).toBeVisible();
+  await page.getByRole("button", { name: t.page.tools.openLong }).click();
+  await again(/#\/tools$/);
+  await page.goto("./#/tools/5");
+  await again(/#\/tools\/5$/);
+  await expect(turnwise.tools.form).toBeVisible();
+  await page.goto("./#/own");
+  await again(/#\/own$/);
+  await expect(page.getByRole("heading", { name: t.page.own.title, level: 1 })).toBeVisible();
+  await page.goto("./#/");
+  await page.getByRole("button", { name: t.page.programs.example(t.page.examples.flange) }).click();
+  const findings = page.getByRole("tab", { name: new RegExp(`^${t.findings.title}`) });
+  await findings.click();
+  await again(/#\/work\/[\w-]+\/findings$/);
+  await expect(findings).toHaveAttribute("aria-selected", "true");
+});
+
+test("the address of a work that is not here says so", async ({ page }) => {
+  const { t, start } = await Turnwise.open(page);
+  await page.goto("./#/work/nowhere/contour");
+  await expect(page.getByText(t.page.notice.workNotHere)).toBeVisible();
+  await page.goto("./?clock=manual#/work/nowhere/contour");
+  await expect(page.getByText(t.page.notice.workNotHere)).toBeVisible();
+  await expect(start.button(812, true)).toBeVisible();
+  await looksRight(page);
+});

@@ -1,0 +1,47 @@
+import fc from "fast-check";
+import { expect, test } from "vitest";
+import { parseAddress, printAddress, type Address } from "./address.ts";
+
+const name = fc.string({ minLength: 1, unit: "grapheme" });
+const places: fc.Arbitrary<Address> = fc.oneof(fc.record({ page: fc.constant("start" as const), which: fc.boolean() }), fc.record({
+  page: fc.constant("work" as const),
+  work: fc.oneof(name, fc.constantFrom("which", "..", "a/b", "#p=x", "100%")),
+  section: fc.constantFrom("prompts" as const, "setup" as const, "contour" as const, "findings" as const, "program" as const,
+    "text" as const, "block" as const, "structure" as const),
+  which: fc.boolean(),
+}), fc.integer({ min: 0, max: 32_767 }).map((n) => ({ page: "tools" as const, number: n / 10, milling: false })),
+  fc.boolean().map((milling) => ({ page: "tools" as const, number: null, milling })),
+  fc.record({ page: fc.constant("own" as const), row: fc.option(name) }));
+
+test("every place is found again by its address", () => {
+  fc.assert(fc.property(places, (address) => {
+    expect(parseAddress(printAddress(address))).toEqual(address);
+  }));
+});
+
+test.each([
+  ["#/", { page: "start", which: false }],
+  ["#/which", { page: "start", which: true }],
+  ["#/work/7f3a/contour", { page: "work", work: "7f3a", section: "contour", which: false }],
+  ["#/work/7f3a", { page: "work", work: "7f3a", section: "prompts", which: false }],
+  ["#/tools/5", { page: "tools", number: 5, milling: false }],
+  ["#/tools/milling/", { page: "tools", number: null, milling: true }],
+  ["#/own", { page: "own", row: null }],
+])("%s is read", (hash, address) => expect(parseAddress(hash)).toEqual(address));
+
+test.each([
+  "",
+  "#",
+  "#p=80",
+  "#w=80",
+  "#prompts",
+  "#/nowhere",
+  "#/work",
+  "#/work/a/kitchen",
+  "#/work/a/setup/contour",
+  "#/tools/x",
+  "#/tools/5/6",
+  "#/own/a/b",
+  "#/which/a",
+  "#/work/%",
+])("%j is no place", (hash) => expect(parseAddress(hash)).toBeNull());

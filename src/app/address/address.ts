@@ -1,0 +1,105 @@
+import type { WorkSection } from "../place.ts";
+
+/** A place of the page that has an address of its own: behind `#`, so that it works in any folder and without a server. */
+export type Address = StartAddress | WorkAddress | ToolsAddress | OwnAddress;
+
+/** The first screen, and whether it is asked there which cycle makes a shape. */
+export interface StartAddress {
+  readonly page: "start";
+  readonly which: boolean;
+}
+
+/** A work of this device by the name it is kept under, with the section that is shown. */
+export interface WorkAddress {
+  readonly page: "work";
+  readonly work: string;
+  readonly section: WorkSection;
+  readonly which: boolean;
+}
+
+/** The tool table: with the row of a number, or one of its two kinds. */
+export interface ToolsAddress {
+  readonly page: "tools";
+  readonly number: number | null;
+  readonly milling: boolean;
+}
+
+/** The own cycles, with the id of the open description. */
+export interface OwnAddress {
+  readonly page: "own";
+  readonly row: string | null;
+}
+
+const SECTIONS: Readonly<Record<WorkSection, true>> = {
+  prompts: true,
+  setup: true,
+  contour: true,
+  findings: true,
+  program: true,
+  text: true,
+  block: true,
+  structure: true,
+};
+const isSection = (text: string): text is WorkSection => Object.hasOwn(SECTIONS, text);
+const WHICH = "which";
+
+function parts(address: Address): readonly string[] {
+  switch (address.page) {
+    case "start":
+      return address.which ? [WHICH] : [];
+    case "work": {
+      const { work, section, which } = address;
+      return ["work", work, ...(section === "prompts" ? [] : [section]), ...(which ? [WHICH] : [])];
+    }
+    case "tools":
+      if (address.number !== null) return ["tools", String(address.number)];
+      return address.milling ? ["tools", "milling"] : ["tools"];
+    case "own":
+      return address.row === null ? ["own"] : ["own", address.row];
+  }
+}
+
+/** What stands in the page's address for a place, from `#` on. */
+export const printAddress = (address: Address): string => `#/${parts(address).map(encodeURIComponent).join("/")}`;
+
+function decoded(part: string): string | null {
+  try {
+    return decodeURIComponent(part);
+  } catch {
+    return null;
+  }
+}
+
+function workAddress([work = "", ...more]: readonly string[]): WorkAddress | null {
+  const which = more.at(-1) === WHICH;
+  const [section = "prompts", ...rest] = which ? more.slice(0, -1) : more;
+  return work !== "" && rest.length === 0 && isSection(section) ? { page: "work", work, section, which } : null;
+}
+
+function toolsAddress([row, ...more]: readonly string[]): ToolsAddress | null {
+  if (more.length > 0) return null;
+  if (row === undefined || row === "milling") return { page: "tools", number: null, milling: row !== undefined };
+  return /^\d{1,9}(?:\.\d{1,9})?$/.test(row) ? { page: "tools", number: Number(row), milling: false } : null;
+}
+
+/** The place that the part of an address from `#` on names; null where it names none. */
+export function parseAddress(hash: string): Address | null {
+  if (!hash.startsWith("#/")) return null;
+  const found = hash.slice(2).split("/").filter((part) => part !== "").map(decoded);
+  const [page, ...more] = found.filter((part) => part !== null);
+  if (found.includes(null)) return null;
+  switch (page) {
+    case undefined:
+      return { page: "start", which: false };
+    case WHICH:
+      return more.length === 0 ? { page: "start", which: true } : null;
+    case "work":
+      return workAddress(more);
+    case "tools":
+      return toolsAddress(more);
+    case "own":
+      return more.length < 2 ? { page: "own", row: more[0] ?? null } : null;
+    default:
+      return null;
+  }
+}

@@ -1,0 +1,129 @@
+import { afterEach, beforeEach, expect, test, vi } from "vitest";
+import { cuttingCycles } from "../../cycles/index.ts";
+import { exampleJob } from "../../program/job.ts";
+import { hideOwn, showOwn } from "../own/own-place.ts";
+import { openPrompt, showSection, usePlace } from "../place.ts";
+import { dismiss, startKeeping, startWork, useKeeping } from "../saving/keep.ts";
+import { begin, useEditor } from "../store.ts";
+import { hideTools, openRow, showTools, useToolPlace } from "../tools/tool-place.ts";
+import { hideWhich, showWhich, useWhichPlace } from "../which/which-place.ts";
+import { followAddress } from "./follow-address.ts";
+import { goHome } from "./go-home.ts";
+
+const [cycle] = cuttingCycles;
+if (!cycle) throw new Error("the catalogue is empty");
+const job = exampleJob(cycle);
+const place = usePlace.getState();
+let stops: (() => void)[] = [];
+
+beforeEach(() => {
+  begin(null, null);
+  usePlace.setState(place);
+  hideTools();
+  hideOwn();
+  hideWhich();
+  openRow(null);
+  dismiss("workNotHere");
+  history.pushState(null, "", "/");
+  stops = [startKeeping(), followAddress()];
+});
+afterEach(() => stops.forEach((stop) => stop()));
+
+/** Waits as long as a slow machine may take. */
+const until = (holds: () => void) => vi.waitFor(holds, { timeout: 20_000 });
+const settled = () => new Promise((done) => setTimeout(done));
+const is = (hash: string) => until(() => expect(location.hash).toBe(hash));
+/** Starts a work; its name. */
+async function started(): Promise<string> {
+  startWork(job);
+  await settled();
+  return useEditor.getState().work ?? "";
+}
+
+test("Back goes through tools, set-up and work to the start page, and Forward the same way", async () => {
+  const work = await started();
+  showSection("setup");
+  await is(`#/work/${work}/setup`);
+  showTools("r5");
+  await is("#/tools/5");
+  history.back();
+  await until(() => expect(useToolPlace.getState().shown).toBe(false));
+  await is(`#/work/${work}/setup`);
+  history.back();
+  await until(() => expect(usePlace.getState().section).toBe("prompts"));
+  history.back();
+  await until(() => expect(useEditor.getState().work).toBeNull());
+  await is("#/");
+  history.forward();
+  await until(() => expect(useEditor.getState().work).toBe(work));
+  history.forward();
+  await until(() => expect(usePlace.getState().section).toBe("setup"));
+  history.forward();
+  await until(() => expect(useToolPlace.getState()).toMatchObject({ shown: true, row: "r5" }));
+});
+
+test("what is changed in one go, and what does not change, is one entry or none", async () => {
+  const before = history.length;
+  showTools("r3");
+  hideTools();
+  startWork(job);
+  openPrompt("Q494", "-3.25");
+  await settled();
+  expect(history.length).toBe(before + 1);
+  showSection("prompts");
+  openPrompt("Q491", "41.3");
+  await settled();
+  expect(history.length).toBe(before + 1);
+});
+
+test("going through the rows of a table is no journey, and closing it goes back", async () => {
+  const work = await started();
+  const before = history.length;
+  showTools();
+  await is("#/tools");
+  openRow("r2");
+  await is("#/tools/2");
+  openRow("r7");
+  await is("#/tools/7");
+  hideTools();
+  await is(`#/work/${work}`);
+  expect(history.length).toBe(before + 1);
+  history.forward();
+  await is("#/tools/7");
+});
+
+test("the question which cycle has an entry, and the own cycles too", async () => {
+  showWhich();
+  await is("#/which");
+  history.back();
+  await until(() => expect(useWhichPlace.getState().shown).toBe(false));
+  showOwn();
+  await is("#/own");
+  hideOwn();
+  await is("#/");
+});
+
+test("a work that is gone leads to the start page, which says so", async () => {
+  location.hash = "#/work/gone/setup";
+  await until(() => expect(useKeeping.getState().notices).toContain("workNotHere"));
+  await is("#/");
+  expect(useEditor.getState().work).toBeNull();
+});
+
+test("an address that names nothing gives way to the present one", async () => {
+  const work = await started();
+  location.hash = "#/kitchen";
+  await is(`#/work/${work}`);
+  expect(useEditor.getState().work).toBe(work);
+});
+
+test("Back to a work finds the prompt that was open there", async () => {
+  const work = await started();
+  openPrompt("Q494", "-3.25");
+  await until(() => expect(history.state).toMatchObject({ prompt: "Q494" }));
+  goHome();
+  await is("#/");
+  history.back();
+  await is(`#/work/${work}`);
+  await until(() => expect(usePlace.getState()).toMatchObject({ prompt: "Q494", before: "-3.25" }));
+});

@@ -1,0 +1,172 @@
+import { z } from "zod/mini";
+import { useOwnPlace } from "../own/own-place.ts";
+import { usePlace } from "../place.ts";
+import { useEditor } from "../store.ts";
+import { useToolPlace } from "../tools/tool-place.ts";
+import { useWhichPlace } from "../which/which-place.ts";
+import { parseAddress, printAddress } from "./address.ts";
+import { beginProgram, goTo, here } from "./here.ts";
+
+/** What the browser keeps with each entry of its history, over a reload too. */
+const text = z.string().check(z.maxLength(500));
+const entryShape = z.object({
+  /** Address of the entry that this one was reached from. */
+  from: z.nullable(z.string()),
+  /** The open prompt, and its text when it opened, for Escape. */
+  prompt: z.nullable(text),
+  before: text,
+});
+type Entry = z.output<typeof entryShape>;
+
+function entryOf(raw: unknown): Entry | null {
+  const read = entryShape.safeParse(raw);
+  return read.success ? read.data : null;
+}
+
+const entry = (): Entry | null => entryOf(history.state);
+
+/** The present entry as it was when the page went away: a browser notes nothing in its history any more by then. */
+const LEFT = "turnwise/place";
+
+function leave(address: string | null, note: Entry): void {
+  try {
+    sessionStorage.setItem(LEFT, JSON.stringify({ address, note }));
+  } catch {
+    return;
+  }
+}
+
+/** The entry that the page before this one left at the same address. */
+function left(): Entry | null {
+  try {
+    const raw = JSON.parse(sessionStorage.getItem(LEFT) ?? "null") as { readonly address: unknown; readonly note: unknown } | null;
+    sessionStorage.removeItem(LEFT);
+    return raw?.address === location.hash ? entryOf(raw.note) : null;
+  } catch {
+    return null;
+  }
+}
+
+/** Opens the prompt that was open in this entry of the history. */
+export function resumePrompt(): void {
+  const kept = left() ?? entry();
+  if (kept && usePlace.getState().prompt === null) usePlace.setState({ prompt: kept.prompt, before: kept.before });
+}
+
+/** Rest before the open prompt is noted in the history, which browsers allow a few times a second only, ms. */
+const REST = 400;
+
+/** Pages over the work that have a button of their own to leave them. */
+const isOver = (hash: string): boolean => {
+  const address = parseAddress(hash);
+  return address !== null && (address.page === "tools" || address.page === "own" || (address.page !== "start" && address.which));
+};
+
+/** Rows of one table are one place: going through them is no journey. */
+const isSamePage = (a: string, b: string): boolean => {
+  const [one, other] = [parseAddress(a), parseAddress(b)];
+  return one !== null && one.page === other?.page && (one.page === "tools" || one.page === "own");
+};
+
+const noteOf = (from: string | null): Entry => {
+  const { prompt, before } = usePlace.getState();
+  return { from, prompt, before: before.slice(0, 500) };
+};
+
+/**
+ * From now on the browser's history and address go along with what the page shows, and what the page shows with Back and Forward.
+ * The stores say where the page is; the address only follows them, and asks them.
+ */
+export function followAddress(): () => void {
+  /** Address of the present entry, as this page wrote it. */
+  let shown = parseAddress(location.hash) ? location.hash : null;
+  /** A page closed itself: the browser is on its way back to the entry before. */
+  let returning = false;
+  /** Places that were asked for; only the last one counts. */
+  let asked = 0;
+  let going = false;
+  let waiting = false;
+  let rest: ReturnType<typeof setTimeout> | undefined;
+
+  const replace = () => {
+    clearTimeout(rest);
+    rest = undefined;
+    shown = printAddress(here());
+    history.replaceState(noteOf(entry()?.from ?? null), "", shown);
+  };
+  const follow = () => {
+    waiting = false;
+    if (going || returning) return;
+    const now = printAddress(here());
+    if (now === shown) return;
+    if (shown === null || isSamePage(shown, now)) return replace();
+    if (isOver(shown) && entry()?.from === now) {
+      returning = true;
+      return history.back();
+    }
+    clearTimeout(rest);
+    rest = undefined;
+    history.pushState(noteOf(shown), "", now);
+    shown = now;
+  };
+  // All that one press changes is one step: the stores change one after the other.
+  const soon = () => {
+    if (waiting) return;
+    waiting = true;
+    queueMicrotask(follow);
+  };
+  const onBack = () => {
+    const place = parseAddress(location.hash);
+    if (returning) {
+      returning = false;
+      shown = place ? location.hash : null;
+      return soon();
+    }
+    // A share link is opened where links are; anything else leads nowhere.
+    if (!place && location.hash !== "") {
+      shown = null;
+      return /^#[pw]=/.test(location.hash) ? undefined : replace();
+    }
+    const mine = ++asked;
+    going = true;
+    void goTo(place ?? { page: "start", which: false }).finally(() => {
+      if (mine !== asked) return;
+      going = false;
+      resumePrompt();
+      replace();
+    });
+  };
+  const noteNow = () => {
+    if (rest === undefined) return;
+    clearTimeout(rest);
+    rest = undefined;
+    if (!going && !returning && shown !== null) history.replaceState(noteOf(entry()?.from ?? null), "", shown);
+  };
+  const noteSoon = () => {
+    rest ??= setTimeout(noteNow, REST);
+  };
+  const note = () => leave(shown, noteOf(entry()?.from ?? null));
+  const stops = [
+    useEditor.subscribe((now, before) => {
+      if (now.work === before.work) return;
+      if (now.program && !going) beginProgram();
+      soon();
+    }),
+    usePlace.subscribe((now, before) => {
+      if (now.section !== before.section) soon();
+      if (now.prompt !== before.prompt) noteSoon();
+    }),
+    useToolPlace.subscribe(soon),
+    useOwnPlace.subscribe(soon),
+    useWhichPlace.subscribe(soon),
+  ];
+  addEventListener("popstate", onBack);
+  addEventListener("pagehide", note);
+  replace();
+  return () => {
+    for (const stop of stops) stop();
+    clearTimeout(rest);
+    removeEventListener("popstate", onBack);
+    removeEventListener("pagehide", note);
+  };
+}

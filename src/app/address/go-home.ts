@@ -1,0 +1,14 @@
+import { hideOwn } from "../own/own-place.ts";
+import { usePlace } from "../place.ts";
+import { open, useEditor } from "../store.ts";
+import { hideTools } from "../tools/tool-place.ts";
+import { hideWhich } from "../which/which-place.ts";
+
+/** Shows the start page. What was open stays on the device, and undo opens it again. */
+export function goHome(): void {
+  hideTools();
+  hideOwn();
+  hideWhich();
+  usePlace.setState({ section: "prompts", prompt: null, field: null });
+  if (useEditor.getState().work !== null) open(null, null);
+}

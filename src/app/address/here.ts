@@ -1,0 +1,77 @@
+import { hideOwn, showOwn, useOwnPlace } from "../own/own-place.ts";
+import { usePlace, type WorkSection } from "../place.ts";
+import { notice, openWork } from "../saving/keep.ts";
+import { useEditor } from "../store.ts";
+import { hideTools, openRow, showKind, showToolNumber, showTools, useToolPlace } from "../tools/tool-place.ts";
+import { toolsOnDevice, useTools } from "../tools/tool-store.ts";
+import { holds } from "../use-media.ts";
+import { hideWhich, showWhich, useWhichPlace } from "../which/which-place.ts";
+import type { Address, ToolsAddress, WorkAddress } from "./address.ts";
+import { goHome } from "./go-home.ts";
+
+const JOB_SECTIONS: readonly WorkSection[] = ["prompts", "setup", "contour", "findings", "program"];
+const PROGRAM_SECTIONS: readonly WorkSection[] = ["text", "block", "structure", "findings"];
+
+/** The section of a program that is shown first: where its text stands beside it, its parts. */
+const firstOfProgram = (): WorkSection => (holds("wide") ? "structure" : "text");
+
+/** The section that an opened program begins with, where none was asked for. */
+export function beginProgram(): void {
+  if (!PROGRAM_SECTIONS.includes(usePlace.getState().section)) usePlace.setState({ section: firstOfProgram(), field: null });
+}
+
+/** The section of the open work as its workplace shows it. */
+function shownSection(): WorkSection {
+  const { section } = usePlace.getState();
+  if (useEditor.getState().program) return PROGRAM_SECTIONS.includes(section) ? section : "block";
+  return JOB_SECTIONS.includes(section) ? section : "prompts";
+}
+
+function toolsHere(): ToolsAddress {
+  const { row, kind } = useToolPlace.getState();
+  const number = row === null ? null : toolsOnDevice(useTools.getState().list).rows.get(row)?.number ?? null;
+  return { page: "tools", number, milling: number === null && kind === "milling" };
+}
+
+/** The place that the page shows now. */
+export function here(): Address {
+  const own = useOwnPlace.getState();
+  if (own.shown) return { page: "own", row: own.row };
+  if (useToolPlace.getState().shown) return toolsHere();
+  const { work } = useEditor.getState();
+  const which = useWhichPlace.getState().shown;
+  return work === null ? { page: "start", which } : { page: "work", work, section: shownSection(), which };
+}
+
+async function openNamed({ work, section }: WorkAddress): Promise<void> {
+  if (useEditor.getState().work !== work) {
+    usePlace.setState({ section: "prompts", prompt: null, field: null });
+    if (!await openWork(work)) {
+      notice("workNotHere");
+      return goHome();
+    }
+  }
+  if (usePlace.getState().section !== section) usePlace.setState({ section, field: null });
+  if (useEditor.getState().program) beginProgram();
+}
+
+function showRow({ number, milling }: ToolsAddress): void {
+  showTools();
+  if (number !== null) showToolNumber(number);
+  else {
+    openRow(null);
+    showKind(milling ? "milling" : "turning");
+  }
+}
+
+/** Shows a place. A work that is not on this device is said so, on the start page. */
+export async function goTo(address: Address): Promise<void> {
+  if (address.page === "own") return showOwn(address.row ?? undefined);
+  hideOwn();
+  if (address.page === "tools") return showRow(address);
+  hideTools();
+  if (address.page === "start") goHome();
+  else await openNamed(address);
+  if (address.which) showWhich(useWhichPlace.getState().region);
+  else hideWhich();
+}
