@@ -81,3 +81,37 @@ test("the address of a work that is not here says so", async ({ page }) => {
   await expect(start.button(812, true)).toBeVisible();
   await looksRight(page);
 });
+
+test("undo goes on after a reload, in a cycle and in a program", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { t, start, dialog, editor } = turnwise;
+  await start.beginWithExample(812);
+  await dialog.set("Q493", "51.5");
+  await dialog.set("Q494", "-44");
+  await dialog.open("Q463");
+  await dialog.type("2.4");
+  await page.reload();
+  await expect(dialog.question).toHaveText(dialog.promptOf(812, "Q463"));
+  await turnwise.undo();
+  await expect(dialog.line("Q463")).toContainText("3");
+  await turnwise.undo();
+  await turnwise.undo();
+  await expect(dialog.line("Q493")).not.toContainText("51.5");
+  await turnwise.redo();
+  await expect(dialog.line("Q493")).toContainText("51.5");
+  await page.reload();
+  await expect(dialog.line("Q493")).toContainText("51.5");
+  await turnwise.undo();
+  await expect(dialog.line("Q493")).not.toContainText("51.5");
+
+  await page.getByRole("link", { name: t.page.home }).click();
+  await page.getByRole("button", { name: t.page.programs.example(t.page.examples.flange) }).click();
+  await editor.line("M30").click();
+  await page.keyboard.press("End");
+  await page.keyboard.type(" ; END");
+  await expect(editor.line("M30")).toContainText("; END");
+  await page.reload();
+  await expect(editor.line("M30")).toContainText("; END");
+  await turnwise.undo();
+  await expect(editor.line("M30")).not.toContainText("; END");
+});

@@ -10,6 +10,7 @@ import { startEngineLater } from "./engine/later.ts";
 import { openShared } from "./files/open-shared.ts";
 import { onHistoryKey } from "./history.ts";
 import { startOwn } from "./own/keep-own.ts";
+import { startKeepingSteps, takeKeptSteps } from "./saving/keep-steps.ts";
 import { resume, startKeeping } from "./saving/keep.ts";
 import { followAppearance } from "./settings/appearance.ts";
 import { fetchFirstTexts } from "./settings/loaded-texts.ts";
@@ -34,7 +35,9 @@ void resume(askedWork).then(async () => {
   resumePrompt();
   // A work that is not here was said to be missing.
   if (asked && !(asked.page === "work" && asked.work !== useEditor.getState().work)) await goTo(asked);
+  takeKeptSteps();
   startKeeping();
+  startKeepingSteps();
   startEngineLater();
   void openShared();
   followAddress();

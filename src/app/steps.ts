@@ -8,6 +8,10 @@ export interface HistoryStep {
   readonly of: object;
   readonly back: () => boolean;
   readonly forth: () => boolean;
+  /** The states that it leads back and forth to, where it puts whole ones in place. */
+  readonly states?: readonly [before: unknown, after: unknown];
+  /** Key of the file whose text it goes through, where the text editor holds what changed. */
+  readonly file?: string;
 }
 
 /** The one history of the page: prompts, contours, set-ups, program text, tools and which work is open, in the order they were changed. */
@@ -36,20 +40,40 @@ export function goesOn(place: string | null): boolean {
   return on;
 }
 
+/** One step in place of two that follow each other. */
+const joinedStep = (first: HistoryStep, second: HistoryStep): HistoryStep => ({
+  ...second,
+  back: first.back,
+  ...(first.states && second.states && { states: [first.states[0], second.states[1]] as const }),
+});
+
 /** Notes a change that was just made. `on`: it goes on with the step before, which then leads here at once. */
 export function note(step: HistoryStep, on = false): void {
   const { past } = useSteps.getState();
   const last = past.at(-1);
   const joined = on && last?.of === step.of;
   useSteps.setState({
-    past: joined ? [...past.slice(0, -1), { ...step, back: last.back }] : [...past, step].slice(-LIMIT),
+    past: joined ? [...past.slice(0, -1), joinedStep(last, step)] : [...past, step].slice(-LIMIT),
     future: [],
   });
 }
 
+/** The step between two states, either of which `put` puts in place. */
+export const stepBetween = <S>(put: (state: S) => unknown, before: S, after: S, of: object = put): HistoryStep => ({
+  of,
+  back: () => put(before) !== false,
+  forth: () => put(after) !== false,
+  states: [before, after],
+});
+
+/** Puts steps in place that outlasted the page before, where none were made since. */
+export function resumeSteps(past: readonly HistoryStep[], future: readonly HistoryStep[]): void {
+  const now = useSteps.getState();
+  if (now.past.length === 0 && now.future.length === 0) useSteps.setState({ past, future });
+}
+
 /** Notes that a state was replaced; `put` puts either of the two in place, and is what the step is of. */
-export const noteChange = <S>(put: (state: S) => void, before: S, after: S, on = false): void =>
-  note({ of: put, back: () => (put(before), true), forth: () => (put(after), true) }, on);
+export const noteChange = <S>(put: (state: S) => void, before: S, after: S, on = false): void => note(stepBetween(put, before, after), on);
 
 /** Lets go the steps of a thing that was replaced from outside, or all of them. */
 export function forget(of: object | null = null): void {

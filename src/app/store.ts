@@ -1,6 +1,6 @@
 import { create } from "zustand";
 import type { Job } from "../program/job.ts";
-import { closeStep, forget, goesOn, note, noteChange } from "./steps.ts";
+import { closeStep, forget, goesOn, note, noteChange, stepBetween } from "./steps.ts";
 import { isProgram, type ProgramWork, type Work } from "./work.ts";
 
 /** What is worked on, and the name it is kept under on this device. */
@@ -21,7 +21,8 @@ export function handOver(): void {
   for (const hand of beforeLeaving) hand();
 }
 
-const putJob = (job: Job): void => useEditor.setState({ job });
+/** Puts a state of the open job in place; what its steps are steps of. */
+export const putJob = (job: Job): void => useEditor.setState({ job });
 const putWork = (state: Editor): void => {
   handOver();
   useEditor.setState(state);
@@ -59,7 +60,15 @@ export function begin(content: Work | null, work: string | null): void {
 export const setProgram = (program: ProgramWork): void => useEditor.setState({ program });
 
 /** What steps that change more of a program than a text are steps of. */
-const OF_FILES = {};
+export const OF_FILES = {};
+
+/** Puts a state of a program in place, as long as it is open. */
+export const putProgram = (work: string | null) => (program: ProgramWork): boolean => {
+  if (useEditor.getState().work !== work) return false;
+  handOver();
+  setProgram(program);
+  return true;
+};
 
 /** Changes what belongs to the open program, as one step of undo. */
 export function changeProgram(change: (program: ProgramWork) => ProgramWork): void {
@@ -67,13 +76,7 @@ export function changeProgram(change: (program: ProgramWork) => ProgramWork): vo
   const { program: before, work } = useEditor.getState();
   const after = before && change(before);
   if (!after || after === before) return;
-  const put = (program: ProgramWork) => {
-    if (useEditor.getState().work !== work) return false;
-    handOver();
-    setProgram(program);
-    return true;
-  };
   closeStep();
   setProgram(after);
-  note({ of: OF_FILES, back: () => put(before), forth: () => put(after) });
+  note(stepBetween(putProgram(work), before, after, OF_FILES));
 }

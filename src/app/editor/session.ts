@@ -6,12 +6,14 @@ import { readingOf, type Reading } from "../../nc/reread.ts";
 import type { Program } from "../../nc/program.ts";
 import { fileKey } from "../../program/program-files.ts";
 import { typingGoesOn } from "../engine/quiet.ts";
-import { closeStep, goesOn, note } from "../steps.ts";
+import { takeKeptSteps, textKeepers } from "../saving/keep-steps.ts";
+import { closeStep, goesOn, note, type HistoryStep } from "../steps.ts";
 import { setProgram, useEditor } from "../store.ts";
 import { fileOf, withText, type ProgramWork, type WorkFile } from "../work.ts";
 import { changesBetween } from "./block-edits.ts";
 import { dialogEdit } from "./dialog-edit.ts";
 import { editorExtensions } from "./editor-extensions.ts";
+import { withHistory, writtenState } from "./kept-text.ts";
 import { fromEditor, lineEndsOf, toEditor, type LineEnds } from "./line-ends.ts";
 import { blockRange, cursorBlock, isRead, parameterAt, readFurther, readingField } from "./reading-field.ts";
 import { onShown, shownFile, showFile } from "../files/shown-file.ts";
@@ -105,8 +107,10 @@ function go(text: Text, command: StateCommand): boolean {
 /** Notes what was typed as a step of the page's history, where the text's own begins a new one. */
 function noteTyping(text: Text, before: EditorState): void {
   const more = undoDepth(text.state) > undoDepth(before);
-  if (more) note({ of: text, back: () => go(text, undo), forth: () => go(text, redo) });
+  if (more) note(stepOf(text));
 }
+
+const stepOf = (text: Text): HistoryStep => ({ of: text, back: () => go(text, undo), forth: () => go(text, redo), file: text.file });
 
 function show(opened: boolean): void {
   clearTimeout(panels);
@@ -141,14 +145,15 @@ function onUpdate(update: ViewUpdate): void {
   if (update.transactions.some((tr) => tr.isUserEvent("select.pointer"))) useSession.setState((s) => ({ pointed: s.pointed + 1 }));
 }
 
+const extensionsOf = (ends: LineEnds) => [editorExtensions(ends === "mixed"), EditorView.updateListener.of(onUpdate)];
+
 /** The text of a file, with the history it has when it was open before and is still the same. */
 function textOf({ name, text }: WorkFile, work: string): Text {
   const file = fileKey(name);
   const held = texts.get(nameOf({ work, file }));
   if (held && fileText(held) === text) return held;
   const ends = lineEndsOf(text);
-  const extensions = [editorExtensions(ends === "mixed"), EditorView.updateListener.of(onUpdate)];
-  return { work, file, ends, state: EditorState.create({ doc: toEditor(text, ends), extensions }) };
+  return { work, file, ends, state: EditorState.create({ doc: toEditor(text, ends), extensions: extensionsOf(ends) }) };
 }
 
 /** Takes up the text that is to be shown, and holds it for later. */
@@ -175,9 +180,31 @@ export function readWhole(): void {
   while (view && !isRead(view.state)) view.dispatch(readFurther);
 }
 
+textKeepers.add((work) =>
+  [...texts.values()].flatMap((text) => (text.work === work ? [{ file: text.file, state: writtenState(text.state) }] : []))
+);
+
+/** Puts the texts of a work back with the histories and cursors that they had before the page was loaded again. */
+function resumeTexts(program: ProgramWork, work: string): void {
+  takeKeptSteps((kept) => {
+    for (const { file, state } of kept) {
+      const found = fileOf(program, file);
+      const text = found && textOf(found, work);
+      if (!text) continue;
+      text.state = withHistory(state, text.state, extensionsOf(text.ends));
+      texts.set(nameOf(text), text);
+    }
+    return (file) => {
+      const text = texts.get(nameOf({ work, file }));
+      return text ? stepOf(text) : null;
+    };
+  });
+}
+
 /** Opens a program in an editor; what was open before is left. */
 export function openSession(program: ProgramWork, work: string): EditorView {
   closeSession();
+  resumeTexts(program, work);
   open = takeUp(program, work);
   view = new EditorView({ state: open.state });
   show(true);

@@ -1,0 +1,147 @@
+import { afterEach, beforeEach, expect, test } from "vitest";
+import { cuttingCycles } from "../../cycles/index.ts";
+import { exampleJob } from "../../program/job.ts";
+import { draftOf, setContour, setPrompt, setRapid } from "../edits.ts";
+import { closeSession, dispatchEdit, handOverText, openBlock, openSession, sessionText, sessionView, useSession } from "../editor/session.ts";
+import { closeStep, forget, redo, undo, useSteps } from "../steps.ts";
+import { beforeLeaving, begin, changeProgram, open, useEditor } from "../store.ts";
+import { setCell } from "../tools/tool-edits.ts";
+import type { Work } from "../work.ts";
+import { startKeepingSteps, takeKeptSteps } from "./keep-steps.ts";
+
+const [cycle] = cuttingCycles;
+if (!cycle) throw new Error("the catalogue is empty");
+const job = exampleJob(cycle);
+const [q = "", other = ""] = Object.keys(cycle.params);
+const TEXT = "0 BEGIN PGM A MM\n1 L X+41.3 Z-3.25 FMAX\n2 M30\n3 END PGM A MM\n";
+let stop = () => undefined as void;
+
+beforeEach(() => {
+  sessionStorage.clear();
+  beforeLeaving.add(handOverText);
+  stop = startKeepingSteps();
+});
+afterEach(() => {
+  stop();
+  beforeLeaving.delete(handOverText);
+  closeSession();
+  forget();
+});
+
+const typed = (text: string, at = q) => {
+  closeStep();
+  for (let i = 1; i <= text.length; i++) setPrompt(at, text.slice(0, i));
+};
+const value = (at = q) => draftOf(useEditor.getState().job ?? job)[at];
+/** The page goes away and comes back with what the device has: an equal work, and nothing in memory. */
+function reload(work = "w", elsewhere: Work | null = null): void {
+  dispatchEvent(new Event("pagehide"));
+  const content = elsewhere ?? useEditor.getState().job ?? useEditor.getState().program;
+  closeSession();
+  forget();
+  // Whoever reads a work may give its fields in another order.
+  const entries = Object.entries(JSON.parse(JSON.stringify(content)) as object).reverse();
+  begin(Object.fromEntries(entries) as unknown as Work, work);
+  const { program } = useEditor.getState();
+  if (program) openSession(program, work);
+  else takeKeptSteps();
+}
+const lengths = () => [useSteps.getState().past.length, useSteps.getState().future.length];
+
+test("after a reload a number that was typed is taken back in one step, and made again, over another reload too", () => {
+  begin(job, "w");
+  const first = value();
+  typed("-41.37");
+  typed("7.25", other);
+  closeStep();
+  setRapid("8125");
+  closeStep();
+  setContour([]);
+  reload();
+  expect(lengths()[0]).toBeGreaterThan(2);
+  undo();
+  undo();
+  undo();
+  undo();
+  expect(value()).toBe(first);
+  expect(useEditor.getState().job).toEqual(job);
+  redo();
+  expect(value()).toBe("-41.37");
+  reload();
+  undo();
+  expect(value()).toBe(first);
+  redo();
+  redo();
+  expect([value(), value(other)]).toEqual(["-41.37", "7.25"]);
+  typed("3", other);
+  expect(lengths()[1]).toBe(0);
+});
+
+test("steps of the tool table in between do not come back, those of the work do", () => {
+  begin(job, "w");
+  const first = value();
+  typed("-41.37");
+  setCell("r2", "RS", "0.7");
+  typed("7.25", other);
+  reload();
+  expect(lengths()).toEqual([2, 0]);
+  undo();
+  undo();
+  expect(value()).toBe(first);
+});
+
+test("what was opened before the work is no part of its history", () => {
+  begin({ ...job, name: "BEFORE" }, "v");
+  typed("1.5");
+  open(job, "w");
+  typed("-41.37");
+  reload();
+  expect(lengths()).toEqual([1, 0]);
+});
+
+test("a work that was changed meanwhile, or is another one, has no history", () => {
+  begin(job, "w");
+  typed("-41.37");
+  reload("w", { ...job, rapid: "9125" });
+  expect(lengths()).toEqual([0, 0]);
+  begin(job, "w");
+  typed("-41.37");
+  reload("copy");
+  expect(lengths()).toEqual([0, 0]);
+});
+
+test.each(["", "{", "3", '{"work":"w"}', '{"work":"w","print":1,"past":3}'])("a damaged note %j is passed over", (note) => {
+  begin(job, "w");
+  sessionStorage.setItem("turnwise/steps", note);
+  takeKeptSteps();
+  expect(lengths()).toEqual([0, 0]);
+});
+
+test("a program's text, its files and the cursor come back with their history", () => {
+  begin({ name: "A.h", text: TEXT, encoding: "utf-8" }, "w");
+  openSession(useEditor.getState().program!, "w");
+  const at = TEXT.indexOf("-3.25");
+  dispatchEdit({ changes: { from: at, to: at + 5, insert: "-4.75" } }, null);
+  changeProgram((program) => ({ ...program, skipMarked: true }));
+  dispatchEdit({ changes: { from: at, to: at + 5, insert: "-5.5" } }, null);
+  openBlock(2);
+  reload();
+  expect(useSession.getState().index).toBe(2);
+  expect(sessionText()).toContain("Z-5.5");
+  undo();
+  expect(sessionText()).toContain("Z-4.75");
+  undo();
+  expect(useEditor.getState().program?.skipMarked).toBeUndefined();
+  undo();
+  expect(sessionText()).toBe(TEXT);
+  expect(lengths()).toEqual([0, 3]);
+  redo();
+  expect(sessionText()).toContain("Z-4.75");
+  reload();
+  undo();
+  expect(sessionText()).toBe(TEXT);
+  redo();
+  redo();
+  expect(useEditor.getState().program?.skipMarked).toBe(true);
+  expect(sessionView()).not.toBeNull();
+});
