@@ -60,24 +60,28 @@ const pageStyles: Plugin = {
   },
 };
 
-/** `virtual:cycle-menu`: what the first screen has to know of the catalogue and of its texts, without them. */
-function cycleMenu(): Plugin {
+/** Modules that a script makes when the page is built, by ids that begin with one name. */
+function madeModules(id: string, script: string, made: string): Plugin {
   let modules: Promise<Readonly<Record<string, string>>> | null = null;
-  const made = () =>
-    modules ??= runnerImport<{ menuModules: () => Readonly<Record<string, string>> }>(new URL("scripts/menu.ts", import.meta.url).pathname,
-      {
-        configFile: false,
-        logLevel: "error",
-      }).then(({ module }) => module.menuModules());
+  const make = () =>
+    modules ??= runnerImport<Readonly<Record<string, () => Readonly<Record<string, string>>>>>(new URL(script, import.meta.url).pathname, {
+      configFile: false,
+      logLevel: "error",
+    }).then(({ module }) => module[made]?.() ?? {});
   return {
-    name: "cycle-menu",
-    resolveId: (id) => (id.startsWith("virtual:cycle-menu") ? `\0${id}` : undefined),
-    load: async (id) => (id.startsWith("\0virtual:cycle-menu") ? (await made())[id.slice(1)] : undefined),
+    name: id,
+    resolveId: (asked) => (asked.startsWith(id) ? `\0${asked}` : undefined),
+    load: async (asked) => (asked.startsWith(`\0${id}`) ? (await make())[asked.slice(1)] : undefined),
     hotUpdate() {
       modules = null;
     },
   };
 }
+
+/** What the first screen has to know of the catalogue and of its texts, without them. */
+const cycleMenu = madeModules("virtual:cycle-menu", "scripts/menu.ts", "menuModules");
+/** What it shows of the programs that ship with it, without running them. */
+const startPictures = madeModules("virtual:start-pictures", "scripts/start-pictures.ts", "pictureModules");
 
 /** gallery.html: every golden and every cycle as drawings, of no weight for the page itself. */
 const gallery: Plugin = {
@@ -92,7 +96,7 @@ const gallery: Plugin = {
 
 export default defineConfig({
   base: "./",
-  plugins: [react(), contentPolicy, pageStyles, cycleMenu(), gallery],
+  plugins: [react(), contentPolicy, pageStyles, cycleMenu, startPictures, gallery],
   worker: { format: "es" },
   build: {
     target: "es2023",

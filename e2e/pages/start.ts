@@ -15,9 +15,11 @@ export class Start {
     return page.getByRole("button", { name: `${name}: ${withExample ? t.page.start.withExample : t.page.start.empty}`, exact: true });
   }
 
-  /** Searches the cycles by number, name or shop word. */
+  /** Searches the cycles by number, name or shop word; on the start page examples and earlier work too. */
   get search(): Locator {
-    return this.context.page.getByRole("searchbox", { name: this.context.t.chooser.search, exact: true });
+    const { page, t } = this.context;
+    const named = (name: string) => page.getByRole("searchbox", { name, exact: true });
+    return named(t.page.start.search).or(named(t.chooser.search));
   }
 
   /** The cycles that were used last. */

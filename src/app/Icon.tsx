@@ -19,6 +19,8 @@ const paths = {
   home: "M4 11l8-7 8 7M6 9.5V20h4v-6h4v6h4V9.5",
   insert: "M12 2.5l6 9.5-6 9.5-6-9.5zM12 10.4a1.6 1.6 0 1 0 0 3.2 1.6 1.6 0 0 0 0-3.2z",
   close: "M6 6l12 12M18 6L6 18",
+  play: "M7 4l13 8-13 8z",
+  pause: "M8 5v14M16 5v14",
   raise: "M12 20V6M6 12l6-6 6 6M5 3h14",
   lower: "M12 4v14M6 12l6 6 6-6M5 21h14",
   remove: "M5 7h14M10 7V4h4v3M7 7l1 13h8l1-13M10 11v5M14 11v5",

@@ -10,7 +10,6 @@ import { startEngineLater } from "./engine/later.ts";
 import { openShared } from "./files/open-shared.ts";
 import { onHistoryKey } from "./history.ts";
 import { startOwn } from "./own/keep-own.ts";
-import { startKeepingSteps, takeKeptSteps } from "./saving/keep-steps.ts";
 import { resume, startKeeping } from "./saving/keep.ts";
 import { followAppearance } from "./settings/appearance.ts";
 import { fetchFirstTexts } from "./settings/loaded-texts.ts";
@@ -29,15 +28,25 @@ followAppearance();
 document.addEventListener("keydown", onHistoryKey);
 startTools();
 startOwn();
+/** What is kept beside the work: its history in this tab, and its picture. The first screen waits for neither. */
+async function keepBeside(): Promise<void> {
+  const [{ startKeepingSteps, takeKeptSteps }, { startKeepingPictures }] = await Promise.all([
+    import("./saving/keep-steps.ts"),
+    import("./saving/keep-pictures.ts"),
+  ]);
+  takeKeptSteps();
+  startKeepingSteps();
+  startKeepingPictures();
+}
+
 const asked = parseAddress(location.hash);
 const askedWork = asked?.page === "work" ? asked.work : asked?.page === "start" ? null : undefined;
 void resume(askedWork).then(async () => {
   resumePrompt();
   // A work that is not here was said to be missing.
   if (asked && !(asked.page === "work" && asked.work !== useEditor.getState().work)) await goTo(asked);
-  takeKeptSteps();
   startKeeping();
-  startKeepingSteps();
+  void keepBeside();
   startEngineLater();
   void openShared();
   followAddress();

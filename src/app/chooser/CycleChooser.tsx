@@ -28,10 +28,15 @@ interface Props {
   /** The search takes the keyboard at once. */
   readonly focus?: boolean;
   readonly more?: More;
+  /** What the search is called, and how it counts, where it finds more than cycles. */
+  readonly search?: string;
+  readonly found?: (n: number) => string;
 }
 
 /** All cycles, in the groups of the control: by search, by group, or those that were used last. */
-export function CycleChooser({ ways: given, narrow = false, inProgram = false, focus = false, more }: Props) {
+export function CycleChooser({ ways: given, narrow = false, inProgram = false, focus = false, more, search: searchName, found: foundWords }:
+  Props)
+{
   const { chooser: t, page: { start }, menu: names } = useFirstTexts();
   const phone = useMedia("slim");
   const fingers = useFingers();
@@ -80,12 +85,12 @@ export function CycleChooser({ ways: given, narrow = false, inProgram = false, f
       if (row) giveTurn(Number(row.dataset["cycle"]));
     }}>
       <div className="cycle-search">
-        <input ref={input} type="search" className="cycle-search-field" aria-label={t.search} placeholder={t.hint} autoComplete="off"
-          spellCheck={false} autoFocus={focus} value={typed} onFocus={() => search(true)} onKeyDown={onSearchKey}
+        <input ref={input} type="search" className="cycle-search-field" aria-label={searchName ?? t.search} placeholder={t.hint}
+          autoComplete="off" spellCheck={false} autoFocus={focus} value={typed} onFocus={() => search(true)} onKeyDown={onSearchKey}
           onChange={(event) => type(event.currentTarget.value)} />
       </div>
       <div className="small soft cycle-found" role="status">
-        {found && taken && `${t.found(count)} ${t.enter(taken.name)}`}
+        {found && taken && `${(others?.count ? foundWords : undefined)?.(count) ?? t.found(count)} ${t.enter(taken.name)}`}
         {found && !taken && beside.length === 0 && t.none}
         {beside.map(({ number, why }) => (
           <p key={number} className="field-message info">

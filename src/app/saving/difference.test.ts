@@ -1,6 +1,6 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
-import { changed, difference, fingerprint, type Json } from "./difference.ts";
+import { withDifference, differenceOf, fingerprint, type Json } from "./difference.ts";
 
 const { value } = fc.letrec<{ value: Json }>((tie) => ({
   value: fc.oneof({ maxDepth: 3 }, fc.constantFrom<Json>(null, true, "", "Q494=-3.25", "Q494=-3.2", 41.3, 0), fc.string(),
@@ -10,7 +10,7 @@ const { value } = fc.letrec<{ value: Json }>((tie) => ({
 
 test("a value with its difference is the other value", () => {
   fc.assert(fc.property(value, value, (a, b) => {
-    expect(changed(a, JSON.parse(JSON.stringify(difference(a, b))) as ReturnType<typeof difference>)).toEqual(b);
+    expect(withDifference(a, JSON.parse(JSON.stringify(differenceOf(a, b))) as ReturnType<typeof differenceOf>)).toEqual(b);
   }), { numRuns: 1500 });
 });
 
@@ -18,15 +18,15 @@ test("what did not change is shared, and costs nothing", () => {
   const rows = Array.from({ length: 90 }, (_, i) => ({ x: String(i), z: "-7.5" }));
   const before: Json = { name: "A", contour: rows, drafts: { 1: { Q1: "4" } } };
   const after: Json = { ...before, drafts: { 1: { Q1: "41" } } };
-  const found = difference(before, after);
+  const found = differenceOf(before, after);
   expect(JSON.stringify(found).length).toBeLessThan(100);
-  expect((changed(before, found) as { contour: Json }).contour).toBe(rows);
+  expect((withDifference(before, found) as { contour: Json }).contour).toBe(rows);
 });
 
 test("a mark does not ask for the order of fields, and tells values apart", () => {
   expect(fingerprint({ a: 1, b: { c: "x", d: [2, 3] } })).toBe(fingerprint({ b: { d: [2, 3], c: "x" }, a: 1 }));
   expect(fingerprint({ a: "12" })).not.toBe(fingerprint({ a: "21" }));
   fc.assert(fc.property(value, value, (a, b) => {
-    expect(fingerprint(a) === fingerprint(b)).toBe(difference(a, b) === 0);
+    expect(fingerprint(a) === fingerprint(b)).toBe(differenceOf(a, b) === 0);
   }));
 });

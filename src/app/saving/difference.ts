@@ -30,7 +30,7 @@ function betweenObjects(a: { readonly [key: string]: Json }, b: { readonly [key:
   for (const [key, value] of Object.entries(b)) {
     if (value === undefined) continue;
     const before = Object.hasOwn(a, key) ? a[key] : undefined;
-    const found = before === undefined ? { to: value } : difference(before, value);
+    const found = before === undefined ? { to: value } : differenceOf(before, value);
     if (found !== 0) fields.push([key, found]);
   }
   const without = Object.keys(a).filter((key) => a[key] !== undefined && (!Object.hasOwn(b, key) || b[key] === undefined));
@@ -39,17 +39,17 @@ function betweenObjects(a: { readonly [key: string]: Json }, b: { readonly [key:
 }
 
 function betweenLists(a: readonly Json[], b: readonly Json[]): Difference {
-  const found = a.length === b.length ? a.map((value, i) => difference(value, b[i] as Json)) : null;
+  const found = a.length === b.length ? a.map((value, i) => differenceOf(value, b[i] as Json)) : null;
   if (found) {
     const each = found.flatMap((one, i) => (one === 0 ? [] : [[String(i), one] as const]));
     return each.length === 0 ? 0 : { each: Object.fromEntries(each) };
   }
-  const [start, end] = common(a, b, (i, j) => difference(a[i] as Json, b[j] as Json) === 0);
+  const [start, end] = common(a, b, (i, j) => differenceOf(a[i] as Json, b[j] as Json) === 0);
   return { list: [start, end, b.slice(start, b.length - end)] };
 }
 
 /** How a value becomes another one. What they share by identity is not looked at. */
-export function difference(a: Json, b: Json): Difference {
+export function differenceOf(a: Json, b: Json): Difference {
   if (a === b) return 0;
   if (typeof a === "string" && typeof b === "string") {
     const [start, end] = common(a, b, (i, j) => a.charCodeAt(i) === b.charCodeAt(j));
@@ -62,15 +62,15 @@ export function difference(a: Json, b: Json): Difference {
 const ownOf = (fields: { readonly [key: string]: Difference }, key: string): Difference => (Object.hasOwn(fields, key) && fields[key]) || 0;
 
 /** A value after a difference. What the difference does not name is the same as before, by identity. */
-export function changed(a: Json, by: Difference): Json {
+export function withDifference(a: Json, by: Difference): Json {
   if (by === 0) return a;
   if ("to" in by) return by.to;
   if ("text" in by && typeof a === "string") return a.slice(0, by.text[0]) + by.text[2] + a.slice(a.length - by.text[1]);
   if ("list" in by && isList(a)) return [...a.slice(0, by.list[0]), ...by.list[2], ...a.slice(a.length - by.list[1])];
-  if ("each" in by && isList(a)) return a.map((value, i) => changed(value, by.each[i] ?? 0));
+  if ("each" in by && isList(a)) return a.map((value, i) => withDifference(value, by.each[i] ?? 0));
   if (!("fields" in by) || !isObject(a)) throw new Error("the difference is one of another value");
   const kept = Object.entries(a).filter(([key]) => !by.without?.includes(key)).map(
-    ([key, value]) => [key, changed(value, ownOf(by.fields, key))]
+    ([key, value]) => [key, withDifference(value, ownOf(by.fields, key))]
   );
   const fresh = Object.entries(by.fields).filter(([key]) => !Object.hasOwn(a, key) || a[key] === undefined).flatMap(
     ([key, found]) => (found !== 0 && "to" in found ? [[key, found.to]] : [])

@@ -2,7 +2,8 @@ import { afterEach, beforeEach, expect, test } from "vitest";
 import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job.ts";
 import { draftOf, setContour, setPrompt, setRapid } from "../edits.ts";
-import { closeSession, dispatchEdit, handOverText, openBlock, openSession, sessionText, sessionView, useSession } from "../editor/session.ts";
+import { closeSession, dispatchEdit, handOverText, openBlock, openSession, sessionText, sessionView,
+  useSession } from "../editor/session.ts";
 import { closeStep, forget, redo, undo, useSteps } from "../steps.ts";
 import { beforeLeaving, begin, changeProgram, open, useEditor } from "../store.ts";
 import { setCell } from "../tools/tool-edits.ts";

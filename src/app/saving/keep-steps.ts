@@ -1,7 +1,7 @@
 import { handOver, OF_FILES, putJob, putProgram, useEditor } from "../store.ts";
 import { resumeSteps, stepBetween, useSteps, type HistoryStep } from "../steps.ts";
 import type { Work } from "../work.ts";
-import { changed, difference, fingerprint, type Difference, type Json } from "./difference.ts";
+import { withDifference, differenceOf, fingerprint, type Difference, type Json } from "./difference.ts";
 
 /*
  * The history of the open work outlasts a reload of its tab. It is written when the page goes away, so that typing never waits for it,
@@ -50,7 +50,7 @@ function kept(steps: readonly HistoryStep[], present: Work, nearSide: 0 | 1): re
     else if (step.states) {
       const near = step.states[nearSide] as Json;
       const far = step.states[nearSide === 0 ? 1 : 0] as Json;
-      const made = { near: difference(known, near), far: difference(near, far) };
+      const made = { near: differenceOf(known, near), far: differenceOf(near, far) };
       known = far;
       size += JSON.stringify(made).length;
       if (size > MOST.size / 4) break;
@@ -124,8 +124,8 @@ function stepsOf(list: readonly KeptStep[], present: Work, nearSide: 0 | 1, text
       steps.push(step);
       continue;
     }
-    const near = changed(known, one.near);
-    const far = changed(near, one.far);
+    const near = withDifference(known, one.near);
+    const far = withDifference(near, one.far);
     known = far;
     const [before, after] = (nearSide === 1 ? [far, near] : [near, far]) as unknown[];
     steps.push(

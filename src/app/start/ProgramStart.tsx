@@ -5,20 +5,24 @@ import { openFiles, openText, type Opening } from "../files/open-program.ts";
 import { Icon } from "../Icon.tsx";
 import { fetchShownTexts } from "../settings/shown-texts.ts";
 import { useFirstTexts } from "../settings/use-first-texts.ts";
+import { WhichButton } from "../which/WhichButton.tsx";
+import { PartPicture } from "./PartPicture.tsx";
+import type { StartPictures } from "./pictures.ts";
 
 const NewProgram = lazy(async () => {
   const [{ NewProgram: dialog }] = await Promise.all([import("../operations/NewProgram.tsx"), fetchShownTexts()]);
   return { default: dialog };
 });
 
-async function openExample(id: string): Promise<void> {
+/** Opens one of the programs that ship with the page. */
+export async function openExample(id: string): Promise<void> {
   const { examples } = await import("../../examples/index.ts");
   const found = examples.find((example) => example.id === id);
   if (found) openText(found.text);
 }
 
 /** Ways to a whole program: a file, a paste, an empty one, an example. */
-export function ProgramStart() {
+export function ProgramStart({ pictures }: { readonly pictures: StartPictures | null }) {
   const t = useFirstTexts().page;
   const [opening, setOpening] = useState<Opening>("opened");
   const [creating, create] = useState(false);
@@ -43,6 +47,7 @@ export function ProgramStart() {
           accept={[...ENDINGS, "text/plain"].join(",")} onChange={(event) => void take(plainFiles(event.currentTarget.files))} />
         <button type="button" className="button" onClick={() => dialog.current?.showModal()}>{t.programs.paste}</button>
         <button type="button" className="button" onClick={() => create(true)}>{t.programs.create}</button>
+        <WhichButton className="button" name={t.start.which} />
         <span className="soft small">{t.programs.drop}</span>
       </div>
       <p role="status" className="program-unreadable">
@@ -56,8 +61,11 @@ export function ProgramStart() {
       <ul className="program-examples">
         {Object.entries(t.examples as Readonly<Record<ExampleId, string>>).map(([id, title]) => (
           <li key={id}>
-            <button type="button" className="button" aria-label={t.programs.example(title)} onClick={() => void openExample(id)}>
-              {title}
+            <button type="button" className="button program-example" aria-label={t.programs.example(title)}
+              onClick={() => void openExample(id)}
+            >
+              <PartPicture of={pictures?.examples[id as ExampleId]} />
+              <span>{title}</span>
             </button>
           </li>
         ))}

@@ -1,19 +1,53 @@
-import { useEffect, useRef } from "react";
-import { CycleChooser } from "../chooser/CycleChooser.tsx";
+import { lazy, Suspense, useEffect, useRef, useState, type ReactNode } from "react";
+import type { ExampleId } from "../../examples/index.ts";
+import { CycleChooser, type More } from "../chooser/CycleChooser.tsx";
+import { useRecent } from "../chooser/recent.ts";
 import { fetchAtRest } from "../rest.ts";
-import { refreshWorks } from "../saving/keep.ts";
+import { refreshWorks, useKeeping } from "../saving/keep.ts";
 import { useFirstTexts } from "../settings/use-first-texts.ts";
-import { WhichButton } from "../which/WhichButton.tsx";
-import { KeptWorks } from "./KeptWorks.tsx";
-import { ProgramStart } from "./ProgramStart.tsx";
+import { findMore } from "./find-more.ts";
+import { KeptWorks, openKept } from "./KeptWorks.tsx";
+import { openExample, ProgramStart } from "./ProgramStart.tsx";
+import { usePictures } from "./use-pictures.ts";
+
+/** It comes a moment after the rest, into a place that is kept for it. */
+const Welcome = lazy(async () => ({ default: (await import("./Welcome.tsx")).Welcome }));
 
 /** Needs the catalogue, which is fetched while the operator looks. */
 const fetchBegin = () => import("./begin.ts");
 
-/** The first screen: which cycle, or which earlier work. */
+/** Saved works and examples that a search finds beside the cycles. */
+function useMore(): More {
+  const { start: t, examples } = useFirstTexts().page;
+  const works = useKeeping((k) => k.works);
+  return (sought) => {
+    if (sought === null) return { count: 0, best: null, shown: null };
+    const found = findMore(sought, works, examples);
+    const all = [
+      ...found.works.map(({ work, name }) => ({ id: work, name: t.foundWork(name), go: () => void openKept(work) })),
+      ...found.examples.map((id: ExampleId) => ({ id, name: t.foundExample(examples[id]), go: () => void openExample(id) })),
+    ];
+    const shown: ReactNode = all.length > 0 && (
+      <ul className="found-more">
+        {all.map(({ id, name, go }) => (
+          <li key={id}>
+            <button type="button" className="button found-one" onClick={go}>{name}</button>
+          </li>
+        ))}
+      </ul>
+    );
+    return { count: all.length, best: all[0] ?? null, shown };
+  };
+}
+
+/** The first screen: earlier work, what the page is, and the ways to new work. */
 export function StartPage() {
   const t = useFirstTexts();
   const going = useRef(false);
+  const pictures = usePictures();
+  const more = useMore();
+  // Who was here before comes for the work: what the page is stands behind it. It keeps its place while somebody looks.
+  const [returns] = useState(() => useKeeping.getState().works.length > 0 || useRecent.getState().cycles.length > 0);
   useEffect(() => {
     void refreshWorks();
   }, []);
@@ -30,20 +64,36 @@ export function StartPage() {
     }
   };
   const { start: words } = t.page;
+  const welcome = (
+    <div className="welcome-place">
+      <Suspense>
+        <Welcome pictures={pictures} />
+      </Suspense>
+    </div>
+  );
   return (
     <main className="start-page">
       <div className="start-lead">
         <h1>{words.title}</h1>
         <p className="soft">{words.lead}</p>
-        <WhichButton className="button start-which" name={words.which} />
       </div>
-      <CycleChooser ways={[{ name: words.withExample, short: words.withExample, go: (cycle) => void start(cycle, true) }, {
-        name: words.empty,
-        short: t.chooser.empty,
-        go: (cycle) => void start(cycle, false),
-      }]} />
-      <ProgramStart />
       <KeptWorks />
+      {!returns && welcome}
+      <ProgramStart pictures={pictures} />
+      <section className="start-cycles" aria-label={words.choose}>
+        <h2>{words.choose}</h2>
+        <p className="soft">{words.chooseLead}</p>
+        <CycleChooser search={words.search} found={words.found} more={more} ways={[{
+          name: words.withExample,
+          short: words.withExample,
+          go: (cycle) => void start(cycle, true),
+        }, {
+          name: words.empty,
+          short: t.chooser.empty,
+          go: (cycle) => void start(cycle, false),
+        }]} />
+      </section>
+      {returns && welcome}
       <p className="small">
         <a href="gallery.html">{t.page.gallery}</a>
       </p>

@@ -10,7 +10,7 @@ export const chooser = {
   enter: (cycle) => `Enter nimmt ${cycle}.`,
   none: "Kein Zyklus passt zu diesen Wörtern.",
   acts: (cycle) =>
-    `${cycle}: allein keine Arbeit; er wirkt dort, wo er im Programm steht. Unten eines öffnen und ihn dort unter „Zyklus“ einfügen.`,
+    `${cycle}: allein keine Arbeit; er wirkt dort, wo er im Programm steht. Eines öffnen und ihn dort unter „Zyklus“ einfügen.`,
   kept: (cycle) =>
     `${cycle}: wird im Programm gezeigt und behalten, nicht ausgeführt; dahinter ist nichts geprüft. Seine Zeilen in den Text einfügen.`,
   recent: "Zuletzt verwendet",

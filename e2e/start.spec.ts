@@ -1,0 +1,74 @@
+import { looksRight } from "./pages/look.ts";
+import { expect, test } from "./pages/test.ts";
+import { Turnwise } from "./pages/turnwise.ts";
+
+const SIZES = [[390, 844], [768, 1024], [1024, 768], [1440, 900], [2560, 1440]] as const;
+
+for (const [width, height] of SIZES) {
+  for (const theme of ["light", "dark"] as const) {
+    test(`the start page is right at ${width} by ${height}, ${theme}, for the first visit and with work`, async ({ page }) => {
+      await page.setViewportSize({ width, height });
+      const turnwise = await Turnwise.open(page, { theme, heldClock: true });
+      const { t, start } = turnwise;
+      const live = page.getByRole("img", { name: t.page.start.live.name(812) });
+      await expect(live).toBeVisible();
+      await looksRight(page);
+      await start.beginWithExample(812);
+      await turnwise.effect.proved();
+      await page.getByRole("link", { name: t.page.home }).click();
+      await expect(page.getByRole("region", { name: t.page.start.kept })).toBeVisible();
+      await looksRight(page);
+    });
+  }
+}
+
+test("the picture on the start page plays, is held, and stands still where motion is not wanted", async ({ page }) => {
+  const { t, lathe } = await Turnwise.open(page, { heldClock: true });
+  const tool = page.locator("[data-live=tool]");
+  const { live } = t.page.start;
+  await expect(tool).toHaveAttribute("transform", /translate/);
+  const first = await tool.getAttribute("transform");
+  await lathe.advance(2400);
+  await expect(tool).not.toHaveAttribute("transform", first ?? "");
+  await expect(page.getByText(live.pass(1, 5))).toBeVisible();
+  await page.getByRole("button", { name: live.pause }).click();
+  const held = await tool.getAttribute("transform");
+  await lathe.advance(900);
+  await expect(tool).toHaveAttribute("transform", held ?? "");
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await page.reload();
+  await expect(page.getByRole("button", { name: live.play })).toBeVisible();
+});
+
+test("kept work stands first, opens with one press, and is taken out with a way back", async ({ page }) => {
+  const { t, start, dialog } = await Turnwise.open(page);
+  await start.beginWithExample(852);
+  await expect(dialog.question).toBeVisible();
+  await page.getByRole("link", { name: t.page.home }).click();
+  const kept = page.getByRole("region", { name: t.page.start.kept });
+  await expect(kept).toContainText(t.cycles.of[852].name);
+  const [top, cycles] = [await kept.boundingBox(), await start.search.boundingBox()];
+  expect(top?.y).toBeLessThan(cycles?.y ?? 0);
+  const name = await kept.locator("b.kept-name").first().textContent() ?? "";
+  await kept.getByRole("button", { name: t.page.start.forget(name) }).click();
+  await expect(start.kept(name)).toHaveCount(0);
+  await kept.getByRole("button", { name: t.page.undo }).click();
+  await start.kept(name).click();
+  await expect(dialog.question).toBeVisible();
+});
+
+test("one search finds an example, a cycle and a kept work", async ({ page }) => {
+  const { t, start, dialog } = await Turnwise.open(page);
+  await start.beginWithExample(812);
+  await expect(dialog.question).toBeVisible();
+  await page.getByRole("link", { name: t.page.home }).click();
+  await start.search.fill("852");
+  await expect(start.button(852, true)).toBeVisible();
+  await start.search.fill("shaft ten");
+  await expect(page.getByRole("button", { name: t.page.start.foundExample(t.page.examples.shaft) })).toBeVisible();
+  await start.search.fill("shoulder8");
+  await expect(page.getByRole("button", { name: t.page.start.foundWork("SHOULDER812") })).toBeVisible();
+  await looksRight(page);
+  await page.keyboard.press("Enter");
+  await expect(dialog.question).toBeVisible();
+});

@@ -1,0 +1,37 @@
+import { thumbnailOf } from "../../view/thumbnail.ts";
+import { isMadeFrom, useOutcome } from "../engine/outcome.ts";
+import { useEditor } from "../store.ts";
+import { keepPicture } from "./kept-picture.ts";
+
+/** Rest after a result before the part is drawn in small, ms: nobody looks at that while typing. */
+const REST = 1500;
+
+/** From now on each work is drawn in small as it was last seen, for the list of works. */
+export function startKeepingPictures(): () => void {
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  const draw = (work: string | null) => {
+    clearTimeout(timer);
+    timer = undefined;
+    const { shown, dimmed } = useOutcome.getState();
+    if (work === null || !shown || dimmed || shown.isBeginning || shown.run.operations.length === 0) return;
+    const made = thumbnailOf(shown.run.blank, shown.simulation.final);
+    if (made) keepPicture(work, made);
+  };
+  const stops = [
+    useOutcome.subscribe((now, before) => {
+      if (now.shown === before.shown) return;
+      clearTimeout(timer);
+      timer = now.shown ? setTimeout(() => draw(useEditor.getState().work), REST) : undefined;
+    }),
+    useEditor.subscribe((now, before) => {
+      if (now.work === before.work || timer === undefined) return;
+      const { shown } = useOutcome.getState();
+      if (shown && before.program && !isMadeFrom(shown, before.program)) clearTimeout(timer);
+      else draw(before.work);
+    }),
+  ];
+  return () => {
+    clearTimeout(timer);
+    for (const stop of stops) stop();
+  };
+}

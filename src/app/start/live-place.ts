@@ -1,0 +1,36 @@
+import type { LiveRun, Waypoint } from "./pictures.ts";
+
+/** A moment of a run that plays. */
+export interface LivePlace {
+  readonly z: number;
+  readonly r: number;
+  /** The tool goes towards the chuck: what lies beyond it is still there. */
+  readonly inwards: boolean;
+  /** Indexes of the stock before and after the motion that goes on. */
+  readonly before: number;
+  readonly after: number;
+  readonly pass: number;
+}
+
+/** How long the finished part stands still before the run begins again, ms. */
+export const STANDS = 2500;
+
+/** Duration of a run with its rest, ms. */
+export const durationOf = ({ way }: LiveRun): number => (way.at(-1)?.[0] ?? 0) + STANDS;
+
+/** Where a run is at a time, ms. */
+export function livePlace({ way }: LiveRun, time: number): LivePlace {
+  const next = way.findIndex(([at]) => at >= time);
+  const last = way.at(-1) as Waypoint;
+  const to = next < 0 ? last : (way[next] as Waypoint);
+  const from = next < 0 ? last : (way[Math.max(0, next - 1)] as Waypoint);
+  const part = to[0] > from[0] ? (time - from[0]) / (to[0] - from[0]) : 1;
+  return {
+    z: from[1] + (to[1] - from[1]) * part,
+    r: from[2] + (to[2] - from[2]) * part,
+    inwards: to[1] <= from[1],
+    before: from[3],
+    after: to[3],
+    pass: to[4],
+  };
+}

@@ -1,0 +1,54 @@
+import type { Pt, Ring } from "../kernel/point.ts";
+import { boundsOf } from "./bounds.ts";
+
+/** Numbers of an SVG `viewBox`. Such a picture is in part space turned up: x is z, y is −r, both mm. */
+export type ViewBox = readonly [left: number, top: number, width: number, height: number];
+
+/** A part in small, as it comes out of its program, and what it was turned from. */
+export interface Thumbnail {
+  readonly box: ViewBox;
+  readonly part: string;
+  readonly blank: string;
+  /** The way of a mill in the plane, where nothing is turned. */
+  readonly plane?: string;
+}
+
+/** Places nearer to each other than this part of the picture's width are one. */
+const FINE = 1 / 400;
+/** Space left round the part, of the picture's width. */
+const AIR = 0.03;
+
+const n = (v: number) => String(Math.round(v * 100) / 100 + 0);
+/** A place in such a picture, as path data. */
+export const thumbPlace = (p: Pt): string => `${n(p.z)} ${n(-p.r)}`;
+
+/** A ring without the places that no small picture shows. */
+function coarse(ring: Ring, fine: number): Ring {
+  const kept: Pt[] = [];
+  for (const p of ring) {
+    const last = kept.at(-1);
+    if (!last || Math.hypot(p.z - last.z, p.r - last.r) >= fine) kept.push(p);
+  }
+  return kept;
+}
+
+/** Rings as one path, no finer than `fine` mm. */
+export const thumbRings = (rings: readonly Ring[], fine: number): string =>
+  rings.map((ring) => coarse(ring, fine)).filter((ring) => ring.length > 2).map((ring) => `M${ring.map(thumbPlace).join("L")}Z`).join("");
+
+/** The box of a part drawn on both sides of its axis. */
+export function thumbBox(points: readonly Pt[]): ViewBox {
+  const box = boundsOf(points) ?? { left: -1, right: 0, low: 0, high: 1 };
+  const air = AIR * Math.max(box.right - box.left, box.high);
+  const half = box.high + air;
+  const [left, width] = [box.left - air, box.right - box.left + 2 * air];
+  return [Number(n(left)), Number(n(-half)), Number(n(width)), Number(n(half + half))];
+}
+
+/** The picture of a part; null where there is none. */
+export function thumbnailOf(blank: readonly Ring[], part: readonly Ring[]): Thumbnail | null {
+  if (part.length === 0) return null;
+  const box = thumbBox([...blank, ...part].flat());
+  const fine = box[2] * FINE;
+  return { box, part: thumbRings(part, fine), blank: thumbRings(blank, fine) };
+}
