@@ -30,7 +30,7 @@ test("the picture on the start page plays, is held, and stands still where motio
   const first = await tool.getAttribute("transform");
   await lathe.advance(2400);
   await expect(tool).not.toHaveAttribute("transform", first ?? "");
-  await expect(page.getByText(live.pass(1, 5))).toBeVisible();
+  await expect(page.getByText(live.pass(2, 5))).toBeVisible();
   await page.getByRole("button", { name: live.pause }).click();
   const held = await tool.getAttribute("transform");
   await lathe.advance(900);
