@@ -4,17 +4,17 @@ import { join } from "node:path";
 /* Reads the style sheets of the page, so that a static drawing has its colours. Runs in the project folder. */
 const sheet = (path: string) => readFileSync(join("src", "app", path), "utf8");
 
-/** The declarations of the first rule with a selector. */
-function ruleOf(css: string, selector: string): string {
-  const from = css.indexOf(`${selector} {`);
-  return from < 0 ? "" : css.slice(css.indexOf("{", from) + 1, css.indexOf("}", from));
-}
+/** The declarations of all rules with a selector that stand at the beginning of a line: those of no `@media`. */
+const rulesOf = (css: string, selector: string): string =>
+  css.split("\n").flatMap((line, i, lines) => (line.startsWith(`${selector} {`) ? [lines.slice(i).join("\n")] : [])).map((rule) =>
+    rule.slice(rule.indexOf("{") + 1, rule.indexOf("}"))
+  ).join(";");
 
 /** The colours by name, light, and dark where the system is. Only those that a text uses. */
 function colours(used: string): string {
   const tokens = sheet("styles/tokens.css");
   const of = (selector: string) =>
-    ruleOf(tokens, selector).split(";").map((d) => d.trim()).filter((d) => used.includes(`var(${d.split(":")[0]})`)).join(";");
+    rulesOf(tokens, selector).split(";").map((d) => d.trim()).filter((d) => used.includes(`var(${d.split(":")[0]})`)).join(";");
   return `:root{color-scheme:light dark;${of(":root")}}@media (prefers-color-scheme: dark){:root{${of(':root[data-theme="dark"]')}}}`;
 }
 
