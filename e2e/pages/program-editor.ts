@@ -97,7 +97,7 @@ export class ProgramEditor {
 
   /** What the list of parts is narrowed to. */
   async filter(kind: keyof Context["t"]["editor"]["filters"]): Promise<void> {
-    await this.context.page.getByRole("combobox", { name: this.words.filter }).selectOption(kind);
+    await this.context.page.getByRole("combobox", { name: this.words.filter, exact: true }).selectOption(kind);
   }
 
   /** An operation of the program by its number. */

@@ -1,4 +1,4 @@
-import { useMemo, useState } from "react";
+import { useEffect, useMemo, useRef, useState } from "react";
 import { useOutcome } from "../engine/outcome.ts";
 import { KEEPS_KEYBOARD } from "../place.ts";
 import { useSettings } from "../settings/settings.ts";
@@ -24,6 +24,8 @@ export function StructurePanel() {
   const index = useSession((s) => s.index);
   const newest = useOutcome((s) => s.newest);
   const [filter, show] = useState<(typeof FILTERS)[number]>("operations");
+  const select = useRef<HTMLSelectElement>(null);
+  const narrowing = useRef(false);
   const file = useShownBeside();
   const parts = useMemo(() => partsOf(reading.program, newest, file), [reading, newest, file]);
   const shown = useMemo(() => (filter === "all" ? parts : parts.filter((part) => part.filter === filter)), [parts, filter]);
@@ -53,16 +55,27 @@ export function StructurePanel() {
     );
   };
 
+  // The list is another one then: the keyboard stays at what narrows it.
+  useEffect(() => {
+    if (narrowing.current) select.current?.focus();
+    narrowing.current = false;
+  }, [filter]);
+  const narrowed = (
+    <label className="structure-filter">
+      <span className="small soft">{t.filter}</span>
+      <select ref={select} className="select" aria-label={t.filter} value={filter} onChange={(event) => {
+        narrowing.current = true;
+        show(FILTERS.find((each) => each === event.target.value) ?? "all");
+      }}>
+        {FILTERS.map((each) => <option key={each} value={each}>{t.filters[each]}</option>)}
+      </select>
+    </label>
+  );
   return (
     <div className="structure" {...{ [KEEPS_KEYBOARD]: "" }}>
-      <label className="structure-filter">
-        <span className="small soft">{t.filter}</span>
-        <select className="select" value={filter} onChange={(event) => show(FILTERS.find((each) => each === event.target.value) ?? "all")}>
-          {FILTERS.map((each) => <option key={each} value={each}>{t.filters[each]}</option>)}
-        </select>
-      </label>
-      {filter === "operations" ? <OperationList /> : (
+      {filter === "operations" ? <OperationList filter={narrowed} /> : (
         <>
+          {narrowed}
           {shown.length === 0 && <p className="soft structure-empty">{t.nothing}</p>}
           <div className="structure-list" ref={box} onScroll={measure}>
             <ol aria-label={t.list} style={{ paddingTop: above, paddingBottom: below }}>

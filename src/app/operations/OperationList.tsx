@@ -1,4 +1,4 @@
-import { lazy, Suspense, useEffect, useMemo, useRef, useState, type KeyboardEvent } from "react";
+import { lazy, Suspense, useEffect, useMemo, useRef, useState, type KeyboardEvent, type ReactNode } from "react";
 import type { Refusal } from "../../program/operation-edits.ts";
 import { openBlock, useSession } from "../editor/session.ts";
 import { chooseOpenBlock } from "../editor/choose-block.ts";
@@ -20,7 +20,7 @@ import "./operations.css";
 const ToolDialog = lazy(async () => ({ default: (await import("./ToolDialog.tsx")).ToolDialog }));
 
 /** The operations of the shown text, each with what can be done with it as a whole. */
-export function OperationList() {
+export function OperationList({ filter }: { readonly filter: ReactNode }) {
   const t = useTexts();
   const words = t.operations;
   const program = useSession((s) => s.reading.program);
@@ -102,6 +102,7 @@ export function OperationList() {
   return (
     <div className="operations">
       <div className="operations-top">
+        {filter}
         <button type="button" className={`button${rows.length === 0 ? " primary" : ""}`}
           onClick={() => askForOperation(rows.length === 0 ? null : current >= 0 ? current : rows.length - 1)}
         >
