@@ -1,5 +1,5 @@
 import { readFileSync } from "node:fs";
-import type { Locator, Page } from "@playwright/test";
+import { pictureAt } from "./pages/picture.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
@@ -9,14 +9,6 @@ const WRONG = FLANGE.replace("Q463=+3 ;MAX. CUTTING DEPTH", "Q463=+0.3 ;MAX. CUT
 
 const stageOf = (turnwise: Turnwise) => turnwise.lathe.view.getByRole("group", { name: turnwise.t.lathe.title });
 
-/** A place of the picture by the numbers on its scales: Z, and X as a diameter. */
-async function placeOf(page: Page, stage: Locator, z: number, x: number): Promise<{ readonly x: number; readonly y: number }> {
-  const box = await stage.boundingBox();
-  const matrix = await page.locator(".lathe-picture .still > g").first().getAttribute("transform");
-  const [a = 1, , , d = -1, e = 0, f = 0] = (/\(([^)]*)\)/.exec(matrix ?? "")?.[1] ?? "").split(/[\s,]+/).map(Number);
-  return { x: (box?.x ?? 0) + a * z + e, y: (box?.y ?? 0) + d * (x / 2) + f };
-}
-
 const differing = (text: string) => text.split(/\r?\n/).filter((line, i) => line !== FLANGE.split(/\r?\n/)[i]);
 
 test("a wrong infeed is found in the picture and mended at its prompt; nothing else changes", async ({ page }) => {
@@ -24,7 +16,7 @@ test("a wrong infeed is found in the picture and mended at its prompt; nothing e
   const { editor, lathe, dialog, program } = turnwise;
   await editor.paste(WRONG);
   await expect(editor.total(turnwise.t.page.effect.passes)).not.toHaveText("25");
-  const at = await placeOf(page, stageOf(turnwise), -22.3, 78);
+  const at = await pictureAt(page, stageOf(turnwise), -22.3, 78);
   await page.mouse.move(at.x, at.y);
   await page.mouse.click(at.x, at.y);
   await expect(lathe.running).toContainText("Step 2 of 6");
@@ -84,7 +76,7 @@ test("in the workplace of one cycle: line, prompt, path and step are the same pl
   await steps.nth(2).getByRole("button").click();
   await expect(lathe.running).toContainText("Step 3 of 6");
   await expect(steps.nth(2)).toHaveAttribute("aria-current", "step");
-  const at = await placeOf(page, stageOf(turnwise), -20.7, 65);
+  const at = await pictureAt(page, stageOf(turnwise), -20.7, 65);
   await page.mouse.click(at.x, at.y);
   await expect(dialog.value).toHaveAccessibleName(/^Q463/);
   await expect(lathe.running).toContainText("Step 2 of 6");
@@ -113,7 +105,7 @@ test("a drag with the ruler measures, and leaves the picture where it is", async
   await effect.proved();
   await lathe.button("ruler").click();
   const stage = stageOf(turnwise);
-  const from = await placeOf(page, stage, -90, 20), to = await placeOf(page, stage, -70, 30);
+  const from = await pictureAt(page, stage, -90, 20), to = await pictureAt(page, stage, -70, 30);
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();
   await page.mouse.move((from.x + to.x) / 2, to.y, { steps: 4 });
@@ -121,7 +113,7 @@ test("a drag with the ruler measures, and leaves the picture where it is", async
   await page.mouse.up();
   const reading = lathe.view.locator(".lathe-reading");
   await expect(reading.getByRole("status")).toContainText(/20/);
-  expect(await placeOf(page, stage, -90, 20)).toEqual(from);
+  expect(await pictureAt(page, stage, -90, 20)).toEqual(from);
 });
 
 test("a changed value says what it was, and the path before it stays for two seconds", async ({ page }) => {
@@ -175,7 +167,7 @@ test("a dimension in the help picture opens its prompt; a measured way goes into
   await page.locator(".help-picture text[data-q=Q493]").click();
   await expect(dialog.value).toHaveAccessibleName(/^Q493/);
   await lathe.button("ruler").click();
-  const at = await placeOf(page, stageOf(turnwise), 0, 0);
+  const at = await pictureAt(page, stageOf(turnwise), 0, 0);
   await page.mouse.click(at.x, at.y);
   const offer = lathe.view.getByRole("button", { name: t.lathe.takeInto("⌀0", "Q493") });
   await offer.click();

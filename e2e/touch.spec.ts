@@ -1,5 +1,7 @@
+import { readFileSync } from "node:fs";
 import { dragFinger } from "./pages/finger.ts";
 import { expect, test } from "./pages/test.ts";
+import { pictureAt } from "./pages/picture.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 import { answers } from "./pages/values.ts";
 
@@ -129,4 +131,21 @@ test("a program of three operations from nothing, by touch alone", async ({ page
   await page.getByRole("tab", { name: t.editor.sections.structure, exact: true }).tap();
   for (const button of await page.getByRole("tabpanel").getByRole("button").all())
     expect((await button.boundingBox())?.height ?? TARGET).toBeGreaterThanOrEqual(44);
+});
+
+test("a wrong infeed is mended by touch: the pass in the picture, its prompt, the keypad", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { editor, lathe, dialog, t } = turnwise;
+  const flange = readFileSync(new URL("../src/examples/flange.h", import.meta.url), "utf8");
+  await editor.paste(flange.replace("Q463=+3 ;MAX. CUTTING DEPTH", "Q463=+0.3 ;MAX. CUTTING DEPTH"));
+  const passes = editor.total(t.page.effect.passes);
+  await expect(passes).not.toHaveText(/^(25|–)$/);
+  const at = await pictureAt(page, lathe.view.getByRole("group", { name: t.lathe.title }), -22.3, 78);
+  await page.touchscreen.tap(at.x, at.y);
+  await expect(dialog.value).toHaveAccessibleName(/^Q463/);
+  await dialog.value.tap();
+  await dialog.value.press("ControlOrMeta+a");
+  await dialog.key(3).tap();
+  await dialog.key("enterLong").tap();
+  await expect(passes).toHaveText("25");
 });
