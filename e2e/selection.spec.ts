@@ -51,14 +51,16 @@ test("a line of the text takes the tool to where its block begins, and marks its
   await editor.openExample("flange");
   await expect(editor.total(t.page.effect.passes)).toHaveText("25");
   await editor.show("structure");
-  await editor.part("TOOL CALL 1").click();
-  await expect(lathe.running).toContainText("Block 1");
+  await editor.filter("all");
+  await editor.part("TOOL CALL 15").click();
+  await expect(lathe.running).toContainText("Block 11");
   await editor.line("12 CYCL CALL").click();
   await expect(lathe.running).toContainText("Block 12");
   await expect(lathe.view.locator(".shape-marked")).toHaveCount(1);
   await page.keyboard.press("ArrowUp");
   await expect(lathe.running).toContainText("Block 11");
   await editor.show("structure");
+  await editor.filter("all");
   await editor.part("TOOL CALL 3").click();
   await expect(lathe.running).toContainText("Block 33");
 });
