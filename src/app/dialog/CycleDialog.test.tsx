@@ -44,7 +44,7 @@ test("ENT takes each value and ends with the copy button", async () => {
     expect(shows(q), q).toBe(true);
     await user.keyboard("{Enter}");
   }
-  expect(question()).toBe("All prompts are answered");
+  expect(question()).toBe("Being checked …");
   expect(document.activeElement).toBe(screen.getByRole("button", { name: "Copy the program" }));
 });
 
@@ -66,7 +66,7 @@ test("ENT passes by what has no effect; arrows go there, NO ENT leaves it out, a
   expect(typed(size)).toBe("");
   expect(shows(after(size))).toBe(true);
   await user.keyboard("{End}");
-  expect(question()).toBe("All prompts are answered");
+  expect(question()).toBe("Being checked …");
   setPrompt(element, "1");
   await screen.findByText("1 prompt has no usable value");
 });

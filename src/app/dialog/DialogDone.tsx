@@ -10,6 +10,8 @@ import { useTexts } from "../settings/use-texts.ts";
 import { closeStep } from "../steps.ts";
 import { commandsOf, openSuggestions, type PromptSession } from "./session.ts";
 
+const ICONS = { bad: "error", doubt: "warning", none: "info", plain: "check", good: "check" } as const;
+
 /** The end of the dialog: what is still open, what is wrong, or the program to take along. */
 export function DialogDone({ session, inBlock }: { readonly session: PromptSession; readonly inBlock: boolean }) {
   const { dialog: { done: t, active }, findings: words } = useTexts();
@@ -24,15 +26,17 @@ export function DialogDone({ session, inBlock }: { readonly session: PromptSessi
   const suggested = openSuggestions(session);
   const suggestions = Object.keys(suggested).length;
   const wrong = noContour && !inBlock ? "contour" : "faults";
-  const kind = open.length > 0 ? "open" : errors.length > 0 ? wrong : "complete";
+  const answered = first !== null && !inBlock && verdict.state === "none" ? "checking" : "complete";
+  const kind = open.length > 0 ? "open" : errors.length > 0 ? wrong : answered;
   const titles = {
     open: t.open(open.length),
     contour: words.done.contour,
     faults: words.done.faults(errors.length),
+    checking: t.checking,
     complete: first === null ? t.nothing : t.title,
   };
   const title = titles[kind];
-  const tone = kind === "complete" ? toneOf(verdict) : "bad";
+  const tone = kind === "complete" || kind === "checking" ? toneOf(verdict) : "bad";
   const was = useRef(focus);
 
   useLayoutEffect(() => {
@@ -52,7 +56,7 @@ export function DialogDone({ session, inBlock }: { readonly session: PromptSessi
     }}>
       <div role="status">
         <h2 className={`done-${tone === "good" ? "complete" : tone === "bad" ? "open" : "doubt"}`}>
-          <Icon name={tone === "bad" ? "error" : tone === "doubt" ? "warning" : "check"} />
+          <Icon name={ICONS[tone]} />
           {title}
         </h2>
         {kind === "complete" && !inBlock && verdict.state !== "none" && (
@@ -82,7 +86,7 @@ export function DialogDone({ session, inBlock }: { readonly session: PromptSessi
         {kind === "faults" && (
           <button type="button" className="button primary" onClick={() => showSection("findings")}>{words.leaving.look}</button>
         )}
-        {kind === "complete" && <CopyButton main long />}
+        {(kind === "complete" || kind === "checking") && <CopyButton main long />}
         {first !== null && <button type="button" className="button" onClick={() => goTo(first)}>{t.first}</button>}
       </div>
     </section>

@@ -31,9 +31,10 @@ export function NumberKeys() {
         setField(focused);
       } else setField(null);
     };
-    // As in the prompts, what is typed first takes the place of what stands there; the next touch sets the caret.
-    const onClick = (e: MouseEvent) => {
-      if (fresh.current !== null && fresh.current === e.target) fresh.current.select();
+    // As in the prompts, what is typed first takes the place of what stands there; the next touch sets the caret. The field may have
+    // moved away under the finger when its keypad came.
+    const onClick = () => {
+      if (fresh.current !== null && fresh.current === document.activeElement) fresh.current.select();
       fresh.current = null;
     };
     // A field that is taken out of the page is not always left first.

@@ -107,6 +107,7 @@ export const dialog = {
   },
   help: "Enter: weiter · ↑ ↓: wechseln · Entf: NO ENT · Ende: END · Esc: abbrechen · −: Vorzeichen",
   done: {
+    checking: "Wird geprüft …",
     title: "Alle Eingaben sind gemacht",
     nothing: "Dieser Zyklus fragt nichts",
     open: (n) => (n === 1 ? "1 Eingabe hat keinen brauchbaren Wert" : `${n} Eingaben haben keinen brauchbaren Wert`),

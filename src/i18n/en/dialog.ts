@@ -107,6 +107,7 @@ export const dialog = {
   },
   help: "Enter: next · ↑ ↓: move · Del: NO ENT · End: END · Esc: cancel · −: sign",
   done: {
+    checking: "Being checked …",
     title: "All prompts are answered",
     nothing: "This cycle asks nothing",
     open: (n: number) => (n === 1 ? "1 prompt has no usable value" : `${n} prompts have no usable value`),

@@ -107,6 +107,7 @@ export const dialog = {
   },
   help: "Entrée : suite · ↑ ↓ : changer · Suppr : NO ENT · Fin : END · Échap : annuler · − : signe",
   done: {
+    checking: "Vérification en cours …",
     title: "Toutes les questions ont leur réponse",
     nothing: "Ce cycle ne demande rien",
     open: (n) => (n === 1 ? "1 question n’a pas de valeur utilisable" : `${n} questions n’ont pas de valeur utilisable`),

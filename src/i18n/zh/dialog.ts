@@ -105,6 +105,7 @@ export const dialog = {
   },
   help: "Enter：下一项 · ↑ ↓：移动 · Del：NO ENT · End：END · Esc：取消 · −：正负号",
   done: {
+    checking: "正在检查……",
     title: "所有提问已回答",
     nothing: "此循环没有提问",
     open: (n) => `${n} 项提问没有可用的值`,
