@@ -13,7 +13,7 @@ test("a cycle by a word of another language, and again from those used last", as
   await start.search.fill("812");
   await page.keyboard.press("Enter");
   await expect(dialog.question).toHaveText(dialog.promptOf(812, "Q215"));
-  await page.getByRole("button", { name: turnwise.t.page.newProgram }).click();
+  await page.getByRole("link", { name: turnwise.t.page.home }).click();
   await start.recent.getByRole("button", { name: /812/ }).click();
   await expect(dialog.question).toHaveText(dialog.promptOf(812, "Q215"));
 });

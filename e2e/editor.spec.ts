@@ -71,6 +71,9 @@ test("one history: text, tools and the way to another work are undone in their o
   await page.keyboard.press("End");
   await page.keyboard.type(" LAST");
   await page.getByRole("button", { name: t.page.newProgram }).click();
+  await page.getByRole("dialog", { name: t.operations.newProgram }).getByRole("button", { name: t.operations.cancel }).click();
+  await expect(editor.line("CYCL CALL ;FIRST LAST")).toBeVisible();
+  await editor.create("top");
   await expect(editor.line("CYCL CALL")).toHaveCount(0);
   await turnwise.undo();
   await expect(editor.line("CYCL CALL ;FIRST LAST")).toBeVisible();

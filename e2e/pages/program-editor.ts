@@ -117,10 +117,10 @@ export class ProgramEditor {
     return this.context.page.getByRole("dialog", { name: this.context.t.operations.insert, exact: true });
   }
 
-  /** Begins a program with its blank, and leaves out its first operation. */
-  async create(): Promise<void> {
+  /** Begins a program with its blank, from the start page or the top line, and leaves out its first operation. */
+  async create(from: "start" | "top" = "start"): Promise<void> {
     const { page, t } = this.context;
-    await page.getByRole("button", { name: t.page.programs.create, exact: true }).click();
+    await page.getByRole("button", { name: from === "top" ? t.page.newProgram : t.page.programs.create, exact: true }).click();
     const dialog = page.getByRole("dialog", { name: t.operations.newProgram, exact: true });
     await dialog.getByRole("button", { name: t.operations.create, exact: true }).click();
     await this.inserting.getByRole("button", { name: t.operations.close, exact: true }).click();

@@ -4,6 +4,7 @@ import { Icon } from "./Icon.tsx";
 import { usePlace } from "./place.ts";
 import { useFirstTexts } from "./settings/use-first-texts.ts";
 import { useOwnPlace } from "./own/own-place.ts";
+import { CreateProgram } from "./start/CreateProgram.tsx";
 import { redoStep, undoStep } from "./history.ts";
 import { useSteps } from "./steps.ts";
 import { useEditor } from "./store.ts";
@@ -24,6 +25,7 @@ export function Header() {
   const job = useEditor((s) => s.job);
   const section = usePlace((p) => p.section);
   const [settings, showSettings] = useState(false);
+  const [creating, create] = useState(false);
   const program = useEditor((s) => s.program);
   const past = useSteps((s) => s.past.length > 0);
   const future = useSteps((s) => s.future.length > 0);
@@ -74,8 +76,8 @@ export function Header() {
           </button>
         )}
         {!tools && (words ?? program) && (
-          <button type="button" className="button plain new-program" aria-label={t.page.newProgram} title={t.page.newProgram}
-            onClick={goHome}
+          <button type="button" className="button plain new-program" aria-label={t.page.newProgram} title={t.page.newProgram} onClick={() =>
+            create(true)}
           >
             <Icon name="add" /> <span>{t.page.newProgram}</span>
           </button>
@@ -86,6 +88,7 @@ export function Header() {
           <Icon name="settings" />
         </button>
       </div>
+      {creating && <CreateProgram done={() => create(false)} />}
       {settings && (
         <Suspense>
           <SettingsDialog onClose={() => showSettings(false)} />

@@ -4,6 +4,7 @@ import { SETUP_FIELDS as FIELDS } from "../../program/setup-fields.ts";
 import type { BlankDraft } from "../../program/job.ts";
 import { openText } from "../files/open-program.ts";
 import { Icon } from "../Icon.tsx";
+import { usePlace } from "../place.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { AskedNumber, isUsable } from "./AskedNumber.tsx";
 import { askForOperation } from "./inserting.ts";
@@ -42,6 +43,7 @@ export function NewProgram({ done }: { readonly done: () => void }) {
         event.preventDefault();
         if (!usable) return;
         dialog.current?.close();
+        usePlace.setState({ section: "prompts", prompt: null, field: null });
         openText(emptyProgram(name, blank));
         askForOperation(null);
       }}>

@@ -1,18 +1,13 @@
-import { lazy, Suspense, useRef, useState } from "react";
+import { useRef, useState } from "react";
 import type { ExampleId } from "../../examples/index.ts";
 import { canOpenFiles, ENDINGS, pickFiles, plainFiles, type Chosen } from "../files/file-handle.ts";
 import { openFiles, openText, type Opening } from "../files/open-program.ts";
 import { Icon } from "../Icon.tsx";
-import { fetchShownTexts } from "../settings/shown-texts.ts";
 import { useFirstTexts } from "../settings/use-first-texts.ts";
 import { WhichButton } from "../which/WhichButton.tsx";
+import { CreateProgram } from "./CreateProgram.tsx";
 import { PartPicture } from "./PartPicture.tsx";
 import type { StartPictures } from "./pictures.ts";
-
-const NewProgram = lazy(async () => {
-  const [{ NewProgram: dialog }] = await Promise.all([import("../operations/NewProgram.tsx"), fetchShownTexts()]);
-  return { default: dialog };
-});
 
 /** Opens one of the programs that ship with the page. */
 export async function openExample(id: string): Promise<void> {
@@ -70,11 +65,7 @@ export function ProgramStart({ pictures }: { readonly pictures: StartPictures | 
           </li>
         ))}
       </ul>
-      {creating && (
-        <Suspense>
-          <NewProgram done={() => create(false)} />
-        </Suspense>
-      )}
+      {creating && <CreateProgram done={() => create(false)} />}
       <dialog ref={dialog} className="paste-program" aria-label={t.programs.pasteTitle}>
         <h2>{t.programs.pasteTitle}</h2>
         <textarea className="number" rows={14} spellCheck={false} aria-label={t.programs.pasteLabel} ref={area}

@@ -1,0 +1,17 @@
+import { lazy, Suspense } from "react";
+import { fetchShownTexts } from "../settings/shown-texts.ts";
+
+/** Fetched with its texts when it is first opened. */
+const NewProgram = lazy(async () => {
+  const [{ NewProgram: dialog }] = await Promise.all([import("../operations/NewProgram.tsx"), fetchShownTexts()]);
+  return { default: dialog };
+});
+
+/** The dialog that begins a program, over whatever is open: that stays as it is until the program is there. */
+export function CreateProgram({ done }: { readonly done: () => void }) {
+  return (
+    <Suspense>
+      <NewProgram done={done} />
+    </Suspense>
+  );
+}
