@@ -16,6 +16,14 @@ const Welcome = lazy(async () => ({ default: (await import("./Welcome.tsx")).Wel
 /** Needs the catalogue, which is fetched while the operator looks. */
 const fetchBegin = () => import("./begin.ts");
 
+/** What is typed on the first screen goes to its search, wherever the keyboard is. */
+function typeIntoSearch(page: HTMLElement, event: KeyboardEvent): void {
+  const { key, target } = event;
+  const isTyped = key.length === 1 && key !== " " && !event.ctrlKey && !event.metaKey && !event.altKey;
+  if (!isTyped || document.querySelector("dialog[open]") || (target as HTMLElement).closest("input, select, textarea")) return;
+  page.querySelector<HTMLInputElement>("input[type=search]")?.focus();
+}
+
 /** Saved works and examples that a search finds beside the cycles. */
 function useMore(): More {
   const { start: t, examples } = useFirstTexts().page;
@@ -52,6 +60,12 @@ export function StartPage() {
     void refreshWorks();
   }, []);
   useEffect(() => fetchAtRest(fetchBegin), []);
+  const page = useRef<HTMLElement>(null);
+  useEffect(() => {
+    const onKey = (event: KeyboardEvent) => page.current && typeIntoSearch(page.current, event);
+    document.addEventListener("keydown", onKey);
+    return () => document.removeEventListener("keydown", onKey);
+  }, []);
 
   /** Pressed twice while the catalogue is on its way, it still begins one work. */
   const start = async (cycle: number, withExample: boolean) => {
@@ -72,7 +86,7 @@ export function StartPage() {
     </div>
   );
   return (
-    <main className="start-page">
+    <main className="start-page" ref={page}>
       <div className="start-lead">
         <h1>{words.title}</h1>
         <p className="soft">{words.lead}</p>
