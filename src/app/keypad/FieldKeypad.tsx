@@ -44,9 +44,11 @@ export function FieldKeypad({ field, onLetters }: {
     enter: { label: "ENT", name: t.enterField, press: () => enterField(field), className: "primary enter" },
   };
   return createPortal(
-    <div className="keypad field-keypad" role="group" aria-label={keypad} ref={box}>
-      {ROWS[field.dataset["number"] === "open" ? "open" : "words"].map((id) => padButton(keys[id] ?? writing(id), false))}
-    </div>,
+    <section className="field-keypad-place" aria-label={keypad}>
+      <div className="keypad field-keypad" role="group" aria-label={keypad} ref={box}>
+        {ROWS[field.dataset["number"] === "open" ? "open" : "words"].map((id) => padButton(keys[id] ?? writing(id), false))}
+      </div>
+    </section>,
     scopeOf(field),
   );
 }
