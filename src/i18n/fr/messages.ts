@@ -12,13 +12,13 @@ const reasons: MessagesTexts["reasons"] = {
   insertRadius: "rayon de plaquette",
   mainEdge: "arête principale",
   secondaryEdge: "arête secondaire",
-  toolWidth: "largeur de l'outil",
+  toolWidth: "largeur de l’outil",
   cutLength: "CUTLENGTH",
-  limit: "limite d'usinage",
+  limit: "limite d’usinage",
   plunging: "plongée non autorisée",
   oversize: "surépaisseur",
   smoothing: "marches entre les passes",
-  correction: "correction de l'outil",
+  correction: "correction de l’outil",
 };
 
 const ELEMENT = { angle: "angle", length: "longueur", radius: "rayon" };
@@ -29,18 +29,18 @@ export const messages = {
   of: {
     ...threads,
     missing: () => "Saisir une valeur.",
-    notANumber: (d, w) => `« ${w.text(d.text)} » n'est pas un nombre.`,
+    notANumber: (d, w) => `« ${w.text(d.text)} » n’est pas un nombre.`,
     badExpression: (d, w) => `« ${w.text(d.text)} » ne peut pas être calculé.`,
-    unknownParameter: (d) => `${d.name} n'a pas de valeur ici. Saisir un nombre.`,
+    unknownParameter: (d) => `${d.name} n’a pas de valeur ici. Saisir un nombre.`,
     outOfRange: (d, w) => `${w.value(d.value)} est hors de la plage ${w.value(d.min)} à ${w.value(d.max)}.${nearest(d.nearest, w.value)}`,
-    notAChoice: (d, w) => `${w.number(d.value)} n'est pas un des choix ${d.choices.join(", ")}.${nearest(d.nearest, w.number)}`,
+    notAChoice: (d, w) => `${w.number(d.value)} n’est pas un des choix ${d.choices.join(", ")}.${nearest(d.nearest, w.number)}`,
     startEqualsEnd: (d, w) => `Départ et fin sont identiques : ${d.other} vaut aussi ${w.value(d.value)}.${nearest(d.nearest, w.value)}`,
     startLevelWithEnd: (d, w) =>
-      `Le point de départ est à ${d.axis} ${w.number(d.value)}, là où finit le contour : entre les deux, il n'y a rien à usiner.`,
+      `Le point de départ est à ${d.axis} ${w.number(d.value)}, là où finit le contour : entre les deux, il n’y a rien à usiner.`,
     diameterNegative: (d, w) =>
-      `${w.value(d.value)} est un diamètre au-delà de l'axe, où aucun contour n'est calculé.${nearest(d.nearest, w.value)}`,
+      `${w.value(d.value)} est un diamètre au-delà de l’axe, où aucun contour n’est calculé.${nearest(d.nearest, w.value)}`,
     elementTooLong: (d, w) =>
-      `${w.number(d.size)} est plus long que l'élément ne le permet : ${w.number(d.max)} au plus.${nearest(d.nearest, w.number)}`,
+      `${w.number(d.size)} est plus long que l’élément ne le permet : ${w.number(d.max)} au plus.${nearest(d.nearest, w.number)}`,
     cornersTooWide: (d, w) =>
       `Deux rayons de coin de ${w.number(d.radius)} dépassent la largeur du fond : ${w.number(d.max)} au plus.`
       + `${nearest(d.nearest, w.number)}`,
@@ -50,10 +50,10 @@ export const messages = {
       `Le rayon de coin ${w.number(d.radius)} est inférieur à celui de la plaquette, ${w.number(d.insert)} : le `
       + `coin gardera ${w.number(d.insert)}.${nearest(d.nearest, w.number)}`,
     recessNarrowerThanTool: (d, w) =>
-      `Le fond de la gorge est large de ${w.number(d.width)}, l'outil et la surépaisseur demandent `
+      `Le fond de la gorge est large de ${w.number(d.width)}, l’outil et la surépaisseur demandent `
       + `${w.number(d.tool)}.${nearest(d.nearest, w.value)}`,
     angleNotFollowed: (d, w) =>
-      `${d.element === undefined ? "L'" : `Élément ${d.element} : l'`}outil ne peut pas suivre ${w.angle(d.angle)} : l'${
+      `${d.element === undefined ? "L’" : `Élément ${d.element} : l’`}outil ne peut pas suivre ${w.angle(d.angle)} : l’${
         reasons[d.edge]
       } permet ${w.angle(d.max)}, de la ` + `matière reste.${nearest(d.nearest, w.angle)}`,
     tooManyPasses: (d, w) => `${d.passes} passes, c’est plus que ${d.most}.${nearest(d.nearest, w.number)}`,
@@ -73,21 +73,21 @@ export const messages = {
     toolCannotCutSideways: (d) => `Un outil ${d.type} ne fait que plonger, ce cycle coupe aussi latéralement. Prendre un outil RECTURN.`,
     flanksNotChecked: () => "T-ANGLE ou P-ANGLE est vide : les flancs de la plaquette ne sont pas contrôlés.",
     toolColumn: (d, w) => {
-      const what = d.value === null ? `${d.column} manque ou n'est pas un nombre.` : `${d.column} ${w.value(d.value)} n'est pas possible.`;
+      const what = d.value === null ? `${d.column} manque ou n’est pas un nombre.` : `${d.column} ${w.value(d.value)} n’est pas possible.`;
       if (d.min !== undefined && d.max !== undefined) return `${what} Permis : ${w.value(d.min)} à ${w.value(d.max)}.`;
       if (d.min !== undefined)
         return `${what} La valeur doit être ${d.column === "CUTWIDTH" ? "supérieure à" : "au moins"} ${w.value(d.min)}.`;
       return d.max === undefined ? what : `${what} La valeur doit être inférieure à ${w.value(d.max)}.`;
     },
-    toolNumberTwice: (d) => `L'outil ${d.number} est déjà dans le tableau.${nearest(d.nearest, String)}`,
+    toolNumberTwice: (d) => `L’outil ${d.number} est déjà dans le tableau.${nearest(d.nearest, String)}`,
     toolName: (d, w) => `« ${w.text(d.text)} » : un nom a au plus ${d.max} caractères, en majuscules, chiffres et # $ % & , - . seulement.`,
     holderAxis: (d, w) => `« ${w.text(d.text)} » : le corps est placé suivant X ou suivant Z.`,
     holderHead: (d, w) =>
       `« ${w.text(d.text)} » n’est pas un contour. Chaque coin s’écrit Z/X depuis la pointe, avec un espace `
       + "entre les coins et un point-virgule entre les parties ; une partie a au moins trois coins.",
-    betterTool: (d) => `L'outil ${d.tool} ${d.name} peut réaliser ce contour.`,
+    betterTool: (d) => `L’outil ${d.tool} ${d.name} peut réaliser ce contour.`,
     startInArea: (d, w) =>
-      `Le point de départ ${w.place(d.x, d.z)} est dans la zone à usiner : l'outil va d'abord à la distance d'approche.`,
+      `Le point de départ ${w.place(d.x, d.z)} est dans la zone à usiner : l’outil va d’abord à la distance d’approche.`,
     startInMaterial: (d, w) => `Le point de départ ${w.place(d.x, d.z)} est dans la matière.`,
     startBelowContour: (d, w) => `Le point de départ est ${w.number(d.below)} mm sous le début du contour : l’outil s’y rend d’abord.`,
     startInPart: (d, w) =>
@@ -100,13 +100,13 @@ export const messages = {
     startOnWrongSide: (d, w) =>
       `Le contour se dirige vers le point de départ : rien n’est usiné de ce côté. Un point de départ possible : ${w.place(d.x, d.z)}.`,
     startInsideEnvelope: (d, w) =>
-      `Le point de départ est plus près du contour que la distance ${w.number(d.clearance)} : l'outil va droit `
-      + "au contour à l'avance de finition.",
-    limitOnWrongSide: (d, w) => `Avec la limite ${w.value(d.limit)}, rien n'est usiné du côté de l'outil.${nearest(d.nearest, w.value)}`,
-    nothingToCut: () => "Entre le point de départ et le contour, il n'y a rien à usiner.",
-    contourMissing: (d, w) => (d.label === "" ? "Le contour manque." : `Le contour LBL ${w.text(d.label)} n'existe pas.`),
+      `Le point de départ est plus près du contour que la distance ${w.number(d.clearance)} : l’outil va droit `
+      + "au contour à l’avance de finition.",
+    limitOnWrongSide: (d, w) => `Avec la limite ${w.value(d.limit)}, rien n’est usiné du côté de l’outil.${nearest(d.nearest, w.value)}`,
+    nothingToCut: () => "Entre le point de départ et le contour, il n’y a rien à usiner.",
+    contourMissing: (d, w) => (d.label === "" ? "Le contour manque." : `Le contour LBL ${w.text(d.label)} n’existe pas.`),
     contourTooShort: () => "Un contour demande au moins deux points différents.",
-    contourFlat: (d) => `Début et fin du contour ont le même ${d.axis} : il n'y a rien à usiner entre eux.`,
+    contourFlat: (d) => `Début et fin du contour ont le même ${d.axis} : il n’y a rien à usiner entre eux.`,
     contourEndCovered: (d, w) =>
       `Le contour finit en ${
         w.place(d.x, d.z)
@@ -128,12 +128,12 @@ export const messages = {
       d,
       w,
     ) => (d.quantity === "tangent"
-      ? `L'élément ${d.element} ne se raccorde pas tangentiellement ; l'écart est de ${w.number(d.nearest)}°.`
+      ? `L’élément ${d.element} ne se raccorde pas tangentiellement ; l’écart est de ${w.number(d.nearest)}°.`
       : `Élément ${d.element} : ${ELEMENT[d.quantity]} ${w.number(d.given)} contredit les autres valeurs ; `
         + `${w.number(d.nearest)} convient.`),
-    elementUnreachable: (d) => `Élément ${d.element} : avec cette longueur, ce rayon ou cet angle, il n'atteint pas son voisin.`,
+    elementUnreachable: (d) => `Élément ${d.element} : avec cette longueur, ce rayon ou cet angle, il n’atteint pas son voisin.`,
     centreMissing: (d) => `Élément ${d.element} : le centre manque ; placez CC avant.`,
-    contourCrossesItself: (d) => `L'élément ${d.element} croise l'élément ${d.other}.`,
+    contourCrossesItself: (d) => `L’élément ${d.element} croise l’élément ${d.other}.`,
     toolRadiusTooLarge: (d, w) =>
       `Élément ${d.element} : un rayon d’outil de ${w.number(d.radius)} ne passe pas.${nearest(d.nearest, w.number)}`,
     approachNeedsSide: () => "CT demande RL ou RR : avec R0, la commande s’arrête ici.",
@@ -165,58 +165,58 @@ export const messages = {
       + "partir d’ici, cela n’a plus été recherché.",
     deeperThanInfeed: (d, w) =>
       "" + (d.pass === undefined ? "Une passe de lissage ou de finition" : `La passe ${w.number(d.pass)}`)
-      + ` prend ${w.number(d.depth)} mm de matière d'un coup ; ${w.number(d.allowed)} mm sont permis.`,
+      + ` prend ${w.number(d.depth)} mm de matière d’un coup ; ${w.number(d.allowed)} mm sont permis.`,
     blankLacks: (d, w) =>
       `${w.text(d.what)} omet ${w.area(d.area)} de la matière qui s’y trouve d’après le programme. C’est ce contour qui compte.`,
     blankGone: (d, w) => `${w.text(d.what)} décrit ${w.area(d.area)} là où il n’y a plus rien. Ce qui est enlevé reste enlevé.`,
-    nothingCut: () => "Cette opération n'enlève pas de matière.",
+    nothingCut: () => "Cette opération n’enlève pas de matière.",
     airPasses:
-      (d) => (d.count === 1 ? "1 passe d'ébauche ne touche pas de matière." : `${d.count} passes d'ébauche ne touchent pas de matière.`),
+      (d) => (d.count === 1 ? "1 passe d’ébauche ne touche pas de matière." : `${d.count} passes d’ébauche ne touchent pas de matière.`),
 
-    notUnderstood: (d, w) => `« ${w.text(d.text)} » n'est pas compris : conservé, non simulé.`,
-    wordNotUnderstood: (d, w) => `Le mot « ${w.text(d.text)} » n'est pas compris.`,
+    notUnderstood: (d, w) => `« ${w.text(d.text)} » n’est pas compris : conservé, non simulé.`,
+    wordNotUnderstood: (d, w) => `Le mot « ${w.text(d.text)} » n’est pas compris.`,
     wordTwice: (d, w) => `${w.text(d.word)} figure deux fois dans cette séquence ; le dernier compte.`,
-    equalsMissing: (d, w) => `« ${w.text(d.text)} » n'a pas de signe égal. Il est lu comme s'il y était.`,
+    equalsMissing: (d, w) => `« ${w.text(d.text)} » n’a pas de signe égal. Il est lu comme s’il y était.`,
     blankBeforeEquals: (d, w) => `« ${w.text(d.text)} » a un espace avant le signe égal.`,
-    badNumber: (d, w) => `« ${w.text(d.text)} » n'est pas un nombre.`,
+    badNumber: (d, w) => `« ${w.text(d.text)} » n’est pas un nombre.`,
     wordMissing: (d, w) => `${w.text(d.word)} manque dans cette séquence.`,
     blockNumber: (d) => `Le numéro de séquence ${d.found} ne suit pas ; ce serait ${d.expected}.`,
-    blockNumberMissing: (d) => `La séquence n'a pas de numéro ; ce serait ${d.expected}.`,
-    continuationOpen: () => "La ligne finit par ~, mais aucune suite n'est là.",
+    blockNumberMissing: (d) => `La séquence n’a pas de numéro ; ce serait ${d.expected}.`,
+    continuationOpen: () => "La ligne finit par ~, mais aucune suite n’est là.",
     frameMissing: (d) => `Il manque ${d.which} au programme.`,
 
     notSimulated: (d, w) => `${w.text(d.what)} : conservé, non simulé.`,
     notProved: (d, w) =>
       `${w.text(d.what)} n’est pas simulé et peut modifier la trajectoire ou le brut : à partir d’ici, rien n’est prouvé.`,
     cycleNotSimulated: (d, w) => `Cycle ${d.cycle} ${w.text(d.name)} : conservé, non simulé.`,
-    noCycleDefined: () => "Aucun cycle n'est défini avant l'appel.",
-    noToolCalled: () => "Aucun outil n'est appelé avant cette séquence.",
-    toolUnknown: (d, w) => `L'outil ${w.text(d.tool)} n'est pas dans le tableau.`,
-    notInTurnMode: () => "Le cycle ne s'exécute qu'en FUNCTION MODE TURN : programmer cette séquence avant l'appel.",
+    noCycleDefined: () => "Aucun cycle n’est défini avant l’appel.",
+    noToolCalled: () => "Aucun outil n’est appelé avant cette séquence.",
+    toolUnknown: (d, w) => `L’outil ${w.text(d.tool)} n’est pas dans le tableau.`,
+    notInTurnMode: () => "Le cycle ne s’exécute qu’en FUNCTION MODE TURN : programmer cette séquence avant l’appel.",
     compensationActive: (d) =>
       `${d.side} est actif ici, or la commande exige R0 : programmer R0 dans la séquence de positionnement précédente.`,
     feedZero: (d, w) =>
-      `${w.text(d.word)} : l'avance de coupe est de 0 ici. Indiquer une avance supérieure à 0 ; FAUTO prend le F de TOOL CALL.`,
+      `${w.text(d.word)} : l’avance de coupe est de 0 ici. Indiquer une avance supérieure à 0 ; FAUTO prend le F de TOOL CALL.`,
     feedUnlikely: (d, w) =>
       `Une avance de ${w.number(d.feed)} ${d.unit} est peu vraisemblable. Vérifier M136 : avec lui, F compte en mm par tour.`,
     drillTooShort: (d, w) =>
       `Le trou a ${w.value(d.depth)} de profondeur, les arêtes du foret (LCUTS) ${w.value(d.edges)} : la queue peut frotter.`,
     pitchOfTap: (d, w) => `Q239 vaut ${w.value(d.pitch)}, mais le taraud de la table a un PITCH de ${w.value(d.tap)}.`,
     freeChosen: () =>
-      "À partir d'ici, plusieurs contours conviennent aux données : le plus court est montré. La commande prend celui que FSELECT désigne.",
+      "À partir d’ici, plusieurs contours conviennent aux données : le plus court est montré. La commande prend celui que FSELECT désigne.",
     freeUnsolved: (d, w) =>
-      `${w.text(d.form)} : les données ne déterminent pas cet élément ou se contredisent. Donner d'autres valeurs, ou FSELECT.`,
+      `${w.text(d.form)} : les données ne déterminent pas cet élément ou se contredisent. Donner d’autres valeurs, ou FSELECT.`,
     cycleNeverCalled: (d) => `Le cycle ${d.cycle} est défini et jamais appelé : il manque CYCL CALL ou M99 ensuite.`,
-    neverReached: (d) => `Le programme se termine avec ${d.by}, avant cette séquence : elle n'est jamais exécutée.`,
+    neverReached: (d) => `Le programme se termine avec ${d.by}, avant cette séquence : elle n’est jamais exécutée.`,
     parameterForeign: (d, w) =>
-      `${w.text(d.name)} n'a pas sa place ici : le cycle ${d.cycle} n'a pas ce paramètre, ou il figure deux fois.`,
+      `${w.text(d.name)} n’a pas sa place ici : le cycle ${d.cycle} n’a pas ce paramètre, ou il figure deux fois.`,
     runsIntoLabel: (d, w) => `Le programme continue dans le contour de LBL ${w.text(d.label)} : il manque M30 avant.`,
     contourStartIncomplete: (d) => `La première séquence du contour a besoin de X et de Z ; il manque ${d.axis}.`,
-    approachUncompensated: (d) => `${d.form} n'a ni RL ni RR : le contour qui suit est exécuté sans correction de rayon.`,
-    labelMissing: (d, w) => `LBL ${w.text(d.label)} n'existe pas.`,
+    approachUncompensated: (d) => `${d.form} n’a ni RL ni RR : le contour qui suit est exécuté sans correction de rayon.`,
+    labelMissing: (d, w) => `LBL ${w.text(d.label)} n’existe pas.`,
     labelTwice: (d, w) => `LBL ${w.text(d.label)} figure deux fois dans le programme.`,
-    labelNotClosed: (d, w) => `LBL ${w.text(d.label)} n'est pas fermé par LBL 0.`,
-    contourNotNamed: (d) => `Le cycle ${d.cycle} demande, avant l'appel, le cycle 14 avec son contour.`,
+    labelNotClosed: (d, w) => `LBL ${w.text(d.label)} n’est pas fermé par LBL 0.`,
+    contourNotNamed: (d) => `Le cycle ${d.cycle} demande, avant l’appel, le cycle 14 avec son contour.`,
     contoursJoined: (d, w) =>
       `${w.text(d.joined)} : plusieurs contours en font ici un seul. Le cycle ${
         w.number(d.cycle)
@@ -227,13 +227,13 @@ export const messages = {
         : `FN 14 : la commande s’arrête ici sur l’erreur ${w.number(d.error)} ; rien n’est exécuté après.`,
     contourInFile: (d, w) =>
       `Le contour est dans le fichier ${w.text(d.file)}, absent ici : placez-le dans un label et nommez-le avec le cycle 14.`,
-    feedMissing: () => "Aucune avance n'est programmée.",
-    spindleMissing: () => "Aucune vitesse de broche n'est programmée ; les temps manquent.",
-    parameterUnset: (d) => `${d.name} n'a pas de valeur ici.`,
+    feedMissing: () => "Aucune avance n’est programmée.",
+    spindleMissing: () => "Aucune vitesse de broche n’est programmée ; les temps manquent.",
+    parameterUnset: (d) => `${d.name} n’a pas de valeur ici.`,
     divisionByZero: () => "Division par zéro.",
     notFinite: (d, w) => `« ${w.text(d.text)} » ne donne pas de nombre utilisable.`,
-    blankMissing: () => "Le programme n'indique pas de pièce brute.",
-    blankNotTurned: (d, w) => `Une pièce brute de forme ${w.text(d.form)} n'est pas un corps de révolution autour de l'axe.`,
+    blankMissing: () => "Le programme n’indique pas de pièce brute.",
+    blankNotTurned: (d, w) => `Une pièce brute de forme ${w.text(d.form)} n’est pas un corps de révolution autour de l’axe.`,
     endInFront: (d, w) => `Z${w.signed(d.value)} est devant la pièce. ${w.signed(d.nearest)} ?`,
     blankAgainstContour: (d, w) =>
       ({
@@ -251,7 +251,7 @@ export const messages = {
         }.`,
         thread: `Le filet a ${w.diameter(d.contour)}, le brut ${w.diameter(d.blank)}. Proposé : ${w.diameter(d.nearest)}.`,
       })[d.place],
-    blankImpossible: () => "La pièce brute n'a pas de volume : vérifier ses cotes.",
+    blankImpossible: () => "La pièce brute n’a pas de volume : vérifier ses cotes.",
     boxTurned: (d, w) =>
       `Le parallélépipède tourne comme le cylindre autour de ses coins, diamètre ${
         w.value(d.outer)
@@ -263,13 +263,13 @@ export const messages = {
       "Tant que la pièce brute est actualisée, l’ébauche omet les niveaux qui ne touchent rien. "
       + "Les autres trajets à vide, que la commande peut raccourcir, sont montrés en entier.",
     poleMissing: () => "La séquence demande un pôle CC avant elle.",
-    startUnknown: () => "La position avant cette séquence n'est pas connue.",
+    startUnknown: () => "La position avant cette séquence n’est pas connue.",
     arcImpossible: () => "Aucun arc ne convient à ces valeurs.",
-    radiusCompensation: (d) => `${d.side} est lu, mais la trajectoire n'est pas corrigée.`,
+    radiusCompensation: (d) => `${d.side} est lu, mais la trajectoire n’est pas corrigée.`,
     sideChanged: () => "Entre RL et RR, la commande demande une séquence avec R0.",
     approachWithoutContour: (d) => `${d.form} demande un élément de contour voisin.`,
     lengthDelta: (d) =>
-      `DZL et DXL de l'outil ${d.tool} : la commande les ajoute aux longueurs d'outil. La pointe reste sur la trajectoire ; ni `
+      `DZL et DXL de l’outil ${d.tool} : la commande les ajoute aux longueurs d’outil. La pointe reste sur la trajectoire ; ni `
       + "trajectoire ni brut ne changent.",
     toolRadiusUnknown: (d, w) => `Le rayon de l’outil ${w.text(d.tool)} n’est pas connu : la trajectoire est calculée avec le rayon 0.`,
     wordsRecalled: (d, w) =>
@@ -281,12 +281,12 @@ export const messages = {
     contourTooLong: (d) => `Le contour compte plus de ${d.limit} séquences : arrêt à cet endroit.`,
     tooManyOperations: (d) => `Plus de ${d.limit} appels de cycle : arrêt à cet endroit.`,
     moreAlike: (d, w) => `À partir d’ici, ${w.number(d.count)} autres constats du même genre (${d.code}) sont comptés, sans être listés.`,
-    callsTooDeep: (d) => `Les labels s'appellent sur plus de ${d.limit} niveaux.`,
+    callsTooDeep: (d) => `Les labels s’appellent sur plus de ${d.limit} niveaux.`,
     programsTooDeep: (d) =>
-      `Des programmes s'appellent sur plus de ${d.limit} niveaux : l'un d'eux s'appelle sans fin. Arrêt à cet endroit.`,
+      `Des programmes s’appellent sur plus de ${d.limit} niveaux : l’un d’eux s’appelle sans fin. Arrêt à cet endroit.`,
     endInCalled: (d) =>
-      `${d.word} se trouve dans un programme appelé, où la commande ne le permet pas : le programme appelant continue après l'appel.`,
-    programNotOpened: (d, w) => `${w.text(d.file)} n'est pas ouvert : ouvert avec ce programme, il est exécuté aussi.`,
+      `${d.word} se trouve dans un programme appelé, où la commande ne le permet pas : le programme appelant continue après l’appel.`,
+    programNotOpened: (d, w) => `${w.text(d.file)} n’est pas ouvert : ouvert avec ce programme, il est exécuté aussi.`,
     programNotSelected: () => "CALL SELECTED PGM demande un programme que SEL PGM a nommé avant.",
   },
 } satisfies MessagesTexts;

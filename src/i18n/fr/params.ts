@@ -23,14 +23,14 @@ export const params = {
   clearance: {
     prompt: "Distance d'approche?",
     printed,
-    label: "Distance d'approche",
+    label: "Distance d’approche",
     explanation: "Distance gardée à la matière au prépositionnement et au retrait.",
   },
   clearanceReserved: {
     prompt: "Distance d'approche?",
     printed,
-    label: "Distance d'approche (réservé)",
-    explanation: "Réservé : dans ce cycle, la valeur n'a aucune fonction. Les dégagements prennent une distance fixe. Notre lecture ; à "
+    label: "Distance d’approche (réservé)",
+    explanation: "Réservé : dans ce cycle, la valeur n’a aucune fonction. Les dégagements prennent une distance fixe. Notre lecture ; à "
       + "vérifier sur la commande.",
   },
   startDiameter: {
@@ -61,35 +61,35 @@ export const params = {
     prompt: "Angle de surface du pourtour?",
     printed,
     label: "Angle du pourtour",
-    explanation: "Angle entre le pourtour et l'axe de rotation ; 0 donne un cylindre. La surface penche vers la zone à usiner, jamais en "
+    explanation: "Angle entre le pourtour et l’axe de rotation ; 0 donne un cylindre. La surface penche vers la zone à usiner, jamais en "
       + "dessous. Notre lecture ; à vérifier sur la commande.",
   },
   flankAngle: {
     prompt: "Angle du flanc?",
     printed,
     label: "Angle du flanc",
-    explanation: "Angle entre le flanc au départ du contour et la parallèle à l'axe de rotation. La gorge se resserre vers le fond, elle "
-      + "n'est jamais plus large que son ouverture. Notre lecture ; à vérifier sur la commande.",
+    explanation: "Angle entre le flanc au départ du contour et la parallèle à l’axe de rotation. La gorge se resserre vers le fond, elle "
+      + "n’est jamais plus large que son ouverture. Notre lecture ; à vérifier sur la commande.",
   },
   faceAngle: {
     prompt: "Angle face transversale?",
     printed,
     label: "Angle de la face",
     explanation:
-      "Inclinaison de la face ; 0 est perpendiculaire à l'axe de rotation. La face penche vers la zone à usiner. Notre lecture ; "
+      "Inclinaison de la face ; 0 est perpendiculaire à l’axe de rotation. La face penche vers la zone à usiner. Notre lecture ; "
       + "à vérifier sur la commande.",
   },
   secondFlankAngle: {
     prompt: "Angle du deuxième flanc?",
     printed,
     label: "Angle du 2e flanc",
-    explanation: "Angle entre le flanc en fin de contour et la parallèle à l'axe de rotation.",
+    explanation: "Angle entre le flanc en fin de contour et la parallèle à l’axe de rotation.",
   },
   startElement: {
     prompt: "Type élément de départ (0/1/2)?",
     printed,
     label: "Élément de départ",
-    explanation: "Ce qui casse l'arête au départ du contour.",
+    explanation: "Ce qui casse l’arête au départ du contour.",
     choices: element,
   },
   startElementSize: {
@@ -108,7 +108,7 @@ export const params = {
     prompt: "Type élément final (0/1/2)?",
     printed,
     label: "Élément final",
-    explanation: "Ce qui casse l'arête à la fin du contour.",
+    explanation: "Ce qui casse l’arête à la fin du contour.",
     choices: element,
   },
   endElementSize: {
@@ -136,13 +136,13 @@ export const params = {
     printed,
     label: "Passe max.",
     explanation: "Passe la plus grande, en Z, répartie uniformément. La page du manuel la dit radiale ; une gorge axiale se prend en Z, "
-      + "nous y voyons une erreur d'impression. À vérifier sur la commande.",
+      + "nous y voyons une erreur d’impression. À vérifier sur la commande.",
   },
   roughingFeed: {
     prompt: "Avance d'ébauche?",
     printed,
-    label: "Avance d'ébauche",
-    explanation: "Avance des passes d'ébauche : en mm par tour avec M136, sinon en mm par minute. FAUTO prend l'avance de l'appel d'outil.",
+    label: "Avance d’ébauche",
+    explanation: "Avance des passes d’ébauche : en mm par tour avec M136, sinon en mm par minute. FAUTO prend l’avance de l’appel d’outil.",
   },
   oversizeDiameter: {
     prompt: "Surépaisseur diamètre ?",
@@ -161,13 +161,13 @@ export const params = {
     printed,
     label: "Avance de finition",
     explanation:
-      "Avance de la passe de finition : en mm par tour avec M136, sinon en mm par minute. FAUTO prend l'avance de l'appel d'outil.",
+      "Avance de la passe de finition : en mm par tour avec M136, sinon en mm par minute. FAUTO prend l’avance de l’appel d’outil.",
   },
   smoothing: {
     prompt: "Lissage du contour (0/1/2)?",
     printed,
     label: "Lissage",
-    explanation: "Comment disparaissent les marches entre les passes, et comment l'outil se relève.",
+    explanation: "Comment disparaissent les marches entre les passes, et comment l’outil se relève.",
     choices: {
       0: "après chaque passe le long du contour, dans la passe",
       1: "une fois après la dernière passe, sur tout le contour ; relevage à 45°",
@@ -182,7 +182,7 @@ export const params = {
     choices: {
       0: "sens programmé",
       1: "sens inverse",
-      2: "sens inverse, pointe inversée dans le sens d'avance (l'orientation 1 usine comme 7)",
+      2: "sens inverse, pointe inversée dans le sens d’avance (l’orientation 1 usine comme 7)",
     },
   },
   plunging: {
@@ -196,13 +196,13 @@ export const params = {
     prompt: "Avance plongée (0=autom.)?",
     printed,
     label: "Avance de plongée",
-    explanation: "Avance sur les éléments qui descendent dans la matière. 0 ou rien : l'avance de tournage.",
+    explanation: "Avance sur les éléments qui descendent dans la matière. 0 ou rien : l’avance de tournage.",
   },
   limits: {
     prompt: "Limites d'usinage (0/1)?",
     printed,
     label: "Limites",
-    explanation: "Restreint le contour usiné à un côté de Q480 et Q482 : celui où se trouve l'outil à l'appel. L'approche et la sortie "
+    explanation: "Restreint le contour usiné à un côté de Q480 et Q482 : celui où se trouve l’outil à l’appel. L’approche et la sortie "
       + "peuvent franchir les limites.",
     choices: { 0: "pas de limite", 1: "limites à Q480 et Q482" },
   },
@@ -229,8 +229,8 @@ export const params = {
     prompt: "Largeur de décalage?",
     printed,
     label: "Largeur de décalage",
-    explanation: "Raccourcit chaque passe à partir de la deuxième, ce qui soulage l'arête latéralement. 0 : 0,1 mm par passe. Ce qui reste "
-      + "sur les flancs part à la fin de l'ébauche. La somme peut atteindre 80 % de la largeur effective ; nous cumulons par côté. "
+    explanation: "Raccourcit chaque passe à partir de la deuxième, ce qui soulage l’arête latéralement. 0 : 0,1 mm par passe. Ce qui reste "
+      + "sur les flancs part à la fin de l’ébauche. La somme peut atteindre 80 % de la largeur effective ; nous cumulons par côté. "
       + "Notre lecture ; à vérifier sur la commande.",
   },
   depthCompensation: {
@@ -238,7 +238,7 @@ export const params = {
     printed,
     label: "Correction de profondeur",
     explanation:
-      "Déplace le fond lors de la finition, pour compenser l'arête qui bascule en tournant latéralement : positive, la gorge est "
+      "Déplace le fond lors de la finition, pour compenser l’arête qui bascule en tournant latéralement : positive, la gorge est "
       + "moins profonde ; négative, plus profonde. Notre lecture du signe ; à vérifier sur la commande.",
   },
   ...turning,

@@ -5,8 +5,8 @@ const rough = [
   "plongée en pleine matière à son avance, à la profondeur avec surépaisseur",
   "temporisation au fond, puis sortie de la coupe",
   "décalage latéral du recouvrement, devant la pièce",
-  "plongée à côté de ce qui est dégagé, à l'avance d'ébauche",
-  "répéter jusqu'à la largeur, puis le long des parois inclinées ou rondes",
+  "plongée à côté de ce qui est dégagé, à l’avance d’ébauche",
+  "répéter jusqu’à la largeur, puis le long des parois inclinées ou rondes",
   "retour au départ du cycle en rapide",
 ];
 const finish = [
@@ -16,30 +16,30 @@ const finish = [
   "sortie de la gorge en rapide",
   "rapide au deuxième côté",
   "finition de la deuxième paroi",
-  "finition de l'autre moitié du fond, puis relever",
+  "finition de l’autre moitié du fond, puis relever",
   "retour au départ du cycle en rapide",
 ];
-const order = "Ébauche du fond vers une paroi puis vers l'autre, finition, ou les deux. En peigne, d'abord les coupes pleines, "
+const order = "Ébauche du fond vers une paroi puis vers l’autre, finition, ou les deux. En peigne, d’abord les coupes pleines, "
   + "puis les nervures entre elles.";
 const notes = [
   turnMode,
   safePosition,
   "Deux plongées ne sont jamais plus écartées que la partie plate de la dent (largeur moins deux fois le rayon), "
   + "si celle-ci en fait la moitié ou plus : il ne reste pas de crêtes.",
-  "Une gorge plus profonde que CUTLENGTH n'est taillée que sur la longueur de la dent, avec un message.",
+  "Une gorge plus profonde que CUTLENGTH n’est taillée que sur la longueur de la dent, avec un message.",
   "La liste des paramètres et les étapes viennent de mémoire ; aucune page que nous avons ne les imprime. Notre "
   + "lecture ; à vérifier sur la commande.",
 ];
-const sections = "Un contour à plusieurs vallées est taillé section par section, chacune jusqu'au fond et le long de ses parois "
+const sections = "Un contour à plusieurs vallées est taillé section par section, chacune jusqu’au fond et le long de ses parois "
   + "avant la suivante.";
 
 export const recessing = {
   860: {
     name: "Gorge de contour radiale",
-    summary: "Plonge un contour dans un cylindre ou un alésage, avec autant de gorges qu'on veut.",
+    summary: "Plonge un contour dans un cylindre ou un alésage, avec autant de gorges qu’on veut.",
     description: [
-      "Enlève ce qui se trouve entre le contour d'un sous-programme et le point de départ, par plongées vers l'axe, ou "
-      + "depuis lui dans un alésage. Le cycle 14 nomme d'abord le contour.",
+      "Enlève ce qui se trouve entre le contour d’un sous-programme et le point de départ, par plongées vers l’axe, ou "
+      + "depuis lui dans un alésage. Le cycle 14 nomme d’abord le contour.",
       order,
       sections,
     ],
@@ -73,10 +73,10 @@ export const recessing = {
   },
   870: {
     name: "Gorge de contour axiale",
-    summary: "Plonge un contour dans une face, avec autant de gorges qu'on veut.",
+    summary: "Plonge un contour dans une face, avec autant de gorges qu’on veut.",
     description: [
-      "Enlève ce qui se trouve entre le contour d'un sous-programme et le point de départ, par plongées le long de "
-      + "l'axe. Le cycle 14 nomme d'abord le contour.",
+      "Enlève ce qui se trouve entre le contour d’un sous-programme et le point de départ, par plongées le long de "
+      + "l’axe. Le cycle 14 nomme d’abord le contour.",
       order,
       sections,
     ],

@@ -6,16 +6,16 @@ export const threads = {
   clearanceRunIn: {
     prompt: "Distance d'approche?",
     printed,
-    label: "Distance d'approche",
-    explanation: "Distance gardée quand l'outil se dégage entre les passes. Dans ce cycle, c'est aussi l'engagement : "
-      + "chaque passe débute d'autant avant le départ.",
+    label: "Distance d’approche",
+    explanation: "Distance gardée quand l’outil se dégage entre les passes. Dans ce cycle, c’est aussi l’engagement : "
+      + "chaque passe débute d’autant avant le départ.",
   },
   threadPosition: {
     prompt: "Position du filetage (0=ext./1=int.)?",
     printed,
     label: "Position",
-    explanation: "Filetage à l'extérieur ou à l'intérieur. Le diamètre nominal est le sommet à l'extérieur, le fond à "
-      + "l'intérieur. Notre lecture ; à vérifier sur la commande.",
+    explanation: "Filetage à l’extérieur ou à l’intérieur. Le diamètre nominal est le sommet à l’extérieur, le fond à "
+      + "l’intérieur. Notre lecture ; à vérifier sur la commande.",
     choices: { 0: "filetage extérieur", 1: "filetage intérieur" },
   },
   threadOrientation: {
@@ -23,66 +23,66 @@ export const threads = {
     printed,
     label: "Orientation",
     explanation: "Axe lié à la broche : le pas est mesuré le long de cet axe.",
-    choices: { 0: "longitudinale, parallèle à l'axe", 1: "transversale, dans une face" },
+    choices: { 0: "longitudinale, parallèle à l’axe", 1: "transversale, dans une face" },
   },
   threadDiameter: {
     prompt: "Diamètre du filetage?",
     printed,
     label: "⌀ filetage",
     explanation:
-      "Diamètre nominal : sommet d'un filetage extérieur, fond d'un filetage intérieur. Notre lecture ; à vérifier sur la commande.",
+      "Diamètre nominal : sommet d’un filetage extérieur, fond d’un filetage intérieur. Notre lecture ; à vérifier sur la commande.",
   },
   threadStartDiameter: {
     prompt: "Diamètre au départ du filetage?",
     printed,
     label: "⌀ départ",
-    explanation: "Diamètre nominal au départ du filetage. Avec Q464 = 2, il résulte de la fin et de l'angle.",
+    explanation: "Diamètre nominal au départ du filetage. Avec Q464 = 2, il résulte de la fin et de l’angle.",
   },
   threadEndDiameter: {
     prompt: "Diamètre à la fin du filetage?",
     printed,
     label: "⌀ fin",
-    explanation: "Diamètre nominal à la fin du filetage. Avec Q464 = 4, il résulte du départ et de l'angle.",
+    explanation: "Diamètre nominal à la fin du filetage. Avec Q464 = 4, il résulte du départ et de l’angle.",
   },
   threadPitch: {
     prompt: "Pas du filetage?",
     printed,
     label: "Pas",
-    explanation: "Course de l'outil par tour de broche. Avec plusieurs filets, c'est le pas hélicoïdal ; d'un sillon au "
+    explanation: "Course de l’outil par tour de broche. Avec plusieurs filets, c’est le pas hélicoïdal ; d’un sillon au "
       + "suivant il y a la part de chaque filet. Notre lecture ; à vérifier sur la commande.",
   },
   threadDepth: {
     prompt: "Profondeur du filetage?",
     printed,
     label: "Profondeur",
-    explanation: "Profondeur au rayon. 0 : d'après le pas, comme pour un filetage ISO métrique (extérieur 0,6134, intérieur "
+    explanation: "Profondeur au rayon. 0 : d’après le pas, comme pour un filetage ISO métrique (extérieur 0,6134, intérieur "
       + "0,5413 × pas).",
   },
   threadRunOut: {
     prompt: "Longueur de sortie du filetage?",
     printed,
     label: "Sortie",
-    explanation: "Course à la fin du filetage sur laquelle l'outil remonte du fond au sommet. 0 : il se dégage après le "
+    explanation: "Course à la fin du filetage sur laquelle l’outil remonte du fond au sommet. 0 : il se dégage après le "
       + "dépassement, à pleine profondeur.",
   },
   threadRunIn: {
     prompt: "Course d'engagement?",
     printed,
     label: "Engagement",
-    explanation: "Course avant le filetage sur laquelle l'axe atteint l'avance.",
+    explanation: "Course avant le filetage sur laquelle l’axe atteint l’avance.",
   },
   threadOverrun: {
     prompt: "Course de dépassement?",
     printed,
     label: "Dépassement",
     explanation:
-      "Course après le filetage sur laquelle l'axe s'arrête. Sans sortie elle se fait à pleine profondeur : il y faut un dégagement.",
+      "Course après le filetage sur laquelle l’axe s’arrête. Sans sortie elle se fait à pleine profondeur : il y faut un dégagement.",
   },
   taperForm: {
     prompt: "Type de cotation du cône (0-4)?",
     printed,
     label: "Cône défini par",
-    explanation: "Valeurs qui décrivent la ligne du filetage. L'angle Q469 s'ouvre depuis une parallèle à l'axe dans le "
+    explanation: "Valeurs qui décrivent la ligne du filetage. L’angle Q469 s’ouvre depuis une parallèle à l’axe dans le "
       + "sens de coupe. Notre lecture ; à vérifier sur la commande.",
     choices: {
       0: "points de départ et de fin",
@@ -96,7 +96,7 @@ export const threads = {
     prompt: "Angle du cône?",
     printed,
     label: "Angle du cône",
-    explanation: "Angle entre la ligne du filetage et l'axe, positif si le diamètre croît dans le sens de coupe. Sans effet "
+    explanation: "Angle entre la ligne du filetage et l’axe, positif si le diamètre croît dans le sens de coupe. Sans effet "
       + "avec Q464 = 0.",
   },
   firstInfeed: {
@@ -104,14 +104,14 @@ export const threads = {
     printed,
     label: "Première passe",
     explanation: "Profondeur de la première passe, au rayon. À section de copeau constante, chaque passe suivante est "
-      + "plus faible, mais jamais moins d'un vingtième de la première.",
+      + "plus faible, mais jamais moins d’un vingtième de la première.",
   },
   infeedAngle: {
     prompt: "Angle de prise de passe?",
     printed,
     label: "Angle de pénétration",
-    explanation: "Direction de la prise de passe par rapport à la perpendiculaire au filetage : l'outil se décale aussi "
-      + "latéralement, le flanc avant coupe surtout. Au plus la moitié de l'angle de pointe.",
+    explanation: "Direction de la prise de passe par rapport à la perpendiculaire au filetage : l’outil se décale aussi "
+      + "latéralement, le flanc avant coupe surtout. Au plus la moitié de l’angle de pointe.",
   },
   infeedType: {
     prompt: "Type de prise de passe (0/1)?",
@@ -124,7 +124,7 @@ export const threads = {
     prompt: "Angle de départ?",
     printed,
     label: "Angle de départ",
-    explanation: "Angle de la broche où débute le filetage : il tourne le filetage autour de l'axe.",
+    explanation: "Angle de la broche où débute le filetage : il tourne le filetage autour de l’axe.",
   },
   threadStarts: {
     prompt: "Nombre de filets?",
