@@ -1,11 +1,11 @@
 import type { ApproachTexts } from "../en/approach.ts";
 
 export const approach = {
-  form: (block) => `${block} 的输入项`,
+  form: (block) => `${block} 的提问`,
   approach: "接近",
   departure: "离开",
   value: (word, prompt) => `${word}：${prompt}`,
-  list: "程序段的全部输入项",
+  list: "程序段的全部提问",
   empty: "未设置",
   left: "省略",
   function: "功能",
@@ -23,7 +23,7 @@ export const approach = {
     CCA: { label: "圆心角", prompt: "圆弧的圆心角？", about: "圆弧绕行的角度，最大 360°。" },
     R: { label: "半径", prompt: "圆弧半径？", about: "刀具中心路径的半径。CT 中负号表示圆弧从轮廓一侧通过。" },
     SIDE: { label: "补偿", prompt: "半径补偿：RL、RR 或 R0？", about: "RL：刀具在轮廓左侧，RR：右侧，R0：在轮廓线上。" },
-    F: { label: "进给", prompt: "进给速度？", about: "从 PH 起有效；LCT 从 PS 起有效。可用 FMAX 和 FAUTO。" },
+    F: { label: "进给", prompt: "进给速率？", about: "从 PH 起有效；LCT 从 PS 起有效。可用 FMAX 和 FAUTO。" },
     M: { label: "功能", prompt: "辅助功能 M？", about: "多个功能之间用空格分开。" },
   },
   sides: { RL: "轮廓左侧", RR: "轮廓右侧", R0: "无补偿" },
@@ -36,7 +36,7 @@ export const approach = {
   picture: (block, points) => `${block} 的图形。${points}`,
   point: (name, where) => `${name} 位于 ${where}`,
   points: { PS: "起点", PH: "辅助点", PA: "第一个轮廓点", PE: "最后一个轮廓点", PN: "终点", centre: "圆弧圆心" },
-  drag: "拖动点即可改变数值；用键盘在输入项中同样可以。",
+  drag: "拖动点即可改变数值；也可用键盘在提问中输入。",
   centreLabel: "C",
   noPicture: "点坐标完整且程序段旁有轮廓元素时显示图形。",
   stale: "上一张可用的图形",

@@ -1,8 +1,8 @@
 import type { HelpTexts } from "../en/help.ts";
 
 export const help = {
-  picture: (cycle) => `轮廓图,循环 ${cycle}`,
-  highlighted: (parameter, label, value) => `突出显示:${parameter} ${label},${value}`,
+  picture: (cycle) => `轮廓图，循环 ${cycle}`,
+  highlighted: (parameter, label, value) => `突出显示：${parameter} ${label}，${value}`,
   stale: "这些数值不能构成轮廓：保留上一图形。",
   partial: "Q 编号代表尚未输入的值。",
   noValue: "尚无数值",
@@ -19,10 +19,10 @@ export const help = {
     factor: (value) => `系数 ${value}`,
     percent: (value) => `百分之 ${value}`,
     revolutions: (value) => `${value} 转`,
-    auto: "FAUTO,即刀具调用的进给",
-    choice: (value, meaning) => `${value},${meaning}`,
+    auto: "FAUTO，即刀具调用的进给",
+    choice: (value, meaning) => `${value}，${meaning}`,
   },
   element: { none: "无", chamfer: "倒角", radius: "圆角" },
-  reserved: "(无功能)",
+  reserved: "（无功能）",
   notToScale: "未按比例",
 } satisfies HelpTexts;

@@ -21,7 +21,7 @@ export const setup = {
       CENTER: "中心钻",
       TAP: "丝锥",
     },
-    radius: (value) => `刀尖圆弧 ${value}`,
+    radius: (value) => `刀尖半径 ${value}`,
     width: (value) => `刃宽 ${value}`,
     angles: (setting, point) => `${setting}° / ${point}°`,
     cutLength: (value) => `切削刃长 ${value}`,
@@ -39,7 +39,7 @@ export const setup = {
   parameters: {
     title: "使用的Q参数",
     hint: "它们用在提问中，程序在循环之前为其赋值。",
-    ask: (name) => `${name}的值是多少?`,
+    ask: (name) => `${name}的值是多少？`,
   },
   blank: {
     title: "毛坯：圆柱",
@@ -66,7 +66,7 @@ export const setup = {
   feed: {
     title: "进给与快移",
     perRevolution: "M136：进给按 mm/转",
-    rapid: "快移速度（仅用于时间）",
+    rapid: "快移速度（仅用于计算时间）",
   },
   units: { diameter: "mm ⌀", mm: "mm", rpm: "转/分", cuttingSpeed: "m/min", perMinute: "mm/min" },
   wrong: { missing: "请输入值。", notANumber: "这不是数字。", negative: "值须大于或等于 0。", positive: "值须大于 0。" },

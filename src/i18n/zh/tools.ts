@@ -23,7 +23,7 @@ export const tools = {
   restore: "随附刀具",
   restoreLong: "用随附刀具替换此刀具表",
 
-  kinds: { name: "本机的表", turning: "车削", milling: "铣削与钻削" },
+  kinds: { name: "本设备的表", turning: "车削", milling: "铣削与钻削" },
   millTable: "本设备的铣削与钻削刀具",
   millNote: "此处仅使用半径及其差值；长度仅为数控系统保存。",
   drillNote: "车削时，R 及其差值、顶角和切削刃长度决定轴线上的孔；长度仅为数控系统保存。",
@@ -43,9 +43,9 @@ export const tools = {
     XL: "刀具长度 2（X 向）",
     DZL: "长度 1 差值",
     DXL: "长度 2 差值",
-    RS: "刀尖圆弧半径",
+    RS: "刀尖半径",
     DRS: "半径差值",
-    TO: "刀具方位",
+    TO: "刀尖方位",
     ORI: "主轴定向角",
     "T-ANGLE": "主偏角",
     "P-ANGLE": "刀尖角",
@@ -75,7 +75,7 @@ export const tools = {
   units: { mm: "mm", degrees: "°" },
   unused: (type) => `${type} 不使用`,
   keptOnly:
-    "长度与定向角仅为数控系统保存；轨迹按理论刀尖计算。DZL 和 DXL 是刀具与测量长度的偏差：数控系统已计入，轨迹和毛坯均不变。FUNCTION TURNDATA CORR 才会移动切削位置。",
+    "长度与定向角仅为数控系统保存；路径按理论刀尖计算。DZL 和 DXL 是刀具与测量长度的偏差：数控系统已计入，路径和毛坯均不变。FUNCTION TURNDATA CORR 才会移动切削位置。",
   anyType: "选择",
 
   orientation: "TO：刀尖朝向",
