@@ -17,11 +17,11 @@ export const cycles = {
   },
   evidence: {
     A: "gedruckt in einem Handbuch dieser Steuerung",
-    B: "gedruckt für eine Schwestersteuerung",
+    B: "gedruckt für eine verwandte Steuerung",
     L: "von den Drehsteuerungen, aus denen diese Zyklen stammen",
     I: "aus gedruckten Angaben erschlossen",
-    K1: "sicher erinnert, nicht an einer gedruckten Seite geprüft",
-    K2: "erinnert, nicht an einer gedruckten Seite geprüft",
+    K1: "sicher aus der Erinnerung, nicht an einer gedruckten Seite geprüft",
+    K2: "aus der Erinnerung, nicht an einer gedruckten Seite geprüft",
     K3: "unsicher, nicht an einer gedruckten Seite geprüft",
   },
   kinds: {

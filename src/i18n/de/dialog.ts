@@ -7,7 +7,7 @@ export const dialog = {
     example: "M20, G1/2, Tr20",
     found: "Gefundene Größen",
     none: "Kein Gewinde dieses Namens.",
-    profile: (passes: number) => `Gewindeprofil mit den Spänen von ${passes === 1 ? "1 Durchgang" : `${passes} Durchgängen`}`,
+    profile: (passes: number) => `Gewindeprofil mit den Spänen von ${passes === 1 ? "1 Schnitt" : `${passes} Schnitten`}`,
     taken: (name: string, angle: string) =>
       `${name}: Steigung, Tiefe und Durchmesser sind eingetragen. Die Schneidplatte braucht einen Spitzenwinkel von ${angle}°.`,
   },
@@ -46,17 +46,18 @@ export const dialog = {
   evidence: {
     mark: "nicht bestätigt",
     range:
-      "Dieser Bereich ist erinnert oder abgeleitet, nicht an einer gedruckten Seite geprüft. Die Steuerung kann einen anderen zulassen.",
-    parameter: "Dieser Parameter ist erinnert oder abgeleitet, nicht an einer gedruckten Seite geprüft. Bitte an der Steuerung prüfen.",
+      "Dieser Bereich ist aus der Erinnerung oder abgeleitet, nicht an einer gedruckten Seite geprüft. Die Steuerung kann einen anderen "
+      + "zulassen.",
+    parameter: "Dieser Parameter ist aus der Erinnerung oder abgeleitet, nicht an einer gedruckten Seite geprüft. An der Steuerung prüfen.",
   },
   setup: {
     blank: {
-      "blank.outside": "Größter ⌀ der Stange oder des Rohlings. Er steht in BLK FORM.",
+      "blank.outside": "Größter ⌀ der Stange oder des Rohteils. Er steht in BLK FORM.",
       "blank.bore": "⌀ der vorhandenen Bohrung; 0 bei vollem Rohteil.",
-      "blank.length": "Ganze Länge mit dem Teil im Futter.",
+      "blank.length": "Gesamtlänge mit dem Teil im Futter.",
       "blank.allowance": "So weit steht die Planfläche des Rohteils vor Z0 (DIST).",
     },
-    tool: "Nummer in TOOL CALL. Solange das Feld leer ist, wird ein Werkzeug vorgeschlagen, das die Kontur herstellen kann.",
+    tool: "Nummer in TOOL CALL. Solange das Feld leer ist, wird ein Werkzeug vorgeschlagen, das die Kontur fertigen kann.",
     toPrompts: "Zu den Eingaben",
     position: (n, of) => `Einrichten ${n} von ${of}`,
   },
@@ -64,7 +65,8 @@ export const dialog = {
   contour: {
     question: "Kontur des Fertigteils",
     label: "Kontur",
-    about: "Dieser Zyklus bearbeitet eine eigene Kontur. Sie wird in der Tabelle oder Zeichnung eingegeben und steht hinter dem Programm.",
+    about: "Dieser Zyklus bearbeitet eine eigene Kontur. Sie wird in Tabelle oder Zeichnung eingegeben und steht hinter dem Programm "
+      + "unter einem Label.",
     elements: (n) => (n === 1 ? "1 Element" : `${n} Elemente`),
     none: "noch keine",
     change: "Kontur ändern",
@@ -79,7 +81,7 @@ export const dialog = {
     noEnter: "NO ENT",
     noEnterLong: "NO ENT: Eingabe weglassen",
     end: "END",
-    endLong: "END: Rest lassen, wie er ist",
+    endLong: "END: übrige Eingaben lassen, wie sie sind",
     sign: "±",
     signLong: "Vorzeichen wechseln",
     point: "Dezimalzeichen",

@@ -3,7 +3,7 @@ import type { HelpTexts } from "../en/help.ts";
 export const help = {
   picture: (cycle) => `Zeichnung der Kontur, Zyklus ${cycle}`,
   highlighted: (parameter, label, value) => `Hervorgehoben: ${parameter} ${label}, ${value}`,
-  stale: "Diese Werte ergeben keine Kontur: letzte Zeichnung.",
+  stale: "Diese Werte ergeben keine Kontur: letzte mögliche Zeichnung.",
   partial: "Q-Nummern stehen für Werte, die noch fehlen.",
   noValue: "noch kein Wert",
   inWords: {

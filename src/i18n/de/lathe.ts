@@ -3,7 +3,7 @@ import type { LatheTexts } from "../en/lathe.ts";
 export const lathe = {
   title: "Drehansicht",
   picture: (state) => `Schnitt durch das Werkstück, Z nach rechts. ${state}`,
-  countsFrom: (x, z) => `Das Programm zählt ab X⌀ ${x}, Z ${z}.`,
+  countsFrom: (x, z) => `Nullpunkt des Programms: X ⌀ ${x}, Z ${z}.`,
   pictureEmpty: "Noch keine Bahn",
   known: {
     soFar: (list) => `Bisher bekannt: ${list}.`,
@@ -12,11 +12,11 @@ export const lathe = {
     sketch: "Kontur mit scharfen Ecken",
     whole: "die ganze Kontur",
   },
-  keys: "Leertaste startet und hält an, Pfeiltasten gehen Bewegung für Bewegung, Pos1 und Ende an den Anfang und das Ende, Plus "
+  keys: "Leertaste startet und hält an, Pfeiltasten gehen Bewegung für Bewegung, Pos1 und Ende zum Anfang und zum Ende, Plus "
     + "und Minus zoomen, 0 passt ein.",
   beginning: "Die ersten Sätze des Programms",
-  outdated: "Letztes Bild, das möglich war",
-  stages: { reading: "Programm wird gelesen …", running: "Bahn wird berechnet …", proving: "Abtrag und Prüfung …" },
+  outdated: "Letztes mögliches Bild",
+  stages: { reading: "Programm wird gelesen …", running: "Bahn wird berechnet …", proving: "Abtrag wird geprüft …" },
   stopWorking: "Abbrechen",
   stopped: "Abgebrochen. Text und letztes Bild bleiben.",
   workAgain: "Berechnen",
@@ -68,7 +68,7 @@ export const lathe = {
   timeOf: (now, total) => `${now} von ${total}`,
   operation: (cycle, tool) => `Zyklus ${cycle}, Werkzeug ${tool}`,
 
-  now: "Laufende Bewegung",
+  now: "Aktuelle Bewegung",
   axisX: "X ⌀",
   axisZ: "Z",
   feedName: "F",

@@ -87,8 +87,7 @@ export const messages = {
       `„${w.text(d.text)}“ ist kein Umriss. Jede Ecke ist Z/X ab der Spitze, Ecken durch Leerzeichen getrennt, `
       + "Teile durch Semikolon; ein Teil braucht drei Ecken.",
     betterTool: (d) => `Werkzeug ${d.tool} ${d.name} kann diese Kontur herstellen.`,
-    startInArea: (d, w) =>
-      `Der Startpunkt ${w.place(d.x, d.z)} liegt im Zerspanbereich: Das Werkzeug fährt zuerst auf Sicherheits-Abstand.`,
+    startInArea: (d, w) => `Der Startpunkt ${w.place(d.x, d.z)} liegt im Zerspanbereich: Das Werkzeug fährt zuerst auf Sicherheitsabstand.`,
     startInMaterial: (d, w) => `Der Startpunkt ${w.place(d.x, d.z)} steht im Material.`,
     startBelowContour: (d, w) => `Der Startpunkt liegt ${w.number(d.below)} mm unter dem Konturstart: Das Werkzeug fährt zuerst dorthin.`,
     startInPart: (d, w) =>

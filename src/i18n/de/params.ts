@@ -21,16 +21,17 @@ export const params = {
     },
   },
   clearance: {
-    prompt: "Sicherheits-Abstand?",
+    prompt: "Sicherheitsabstand?",
     printed,
-    label: "Sicherheits-Abstand",
+    label: "Sicherheitsabstand",
     explanation: "Abstand zum Material beim Vorpositionieren und beim Rückzug.",
   },
   clearanceReserved: {
-    prompt: "Sicherheits-Abstand?",
+    prompt: "Sicherheitsabstand?",
     printed,
-    label: "Sicherheits-Abstand (reserviert)",
-    explanation: "Reserviert: In diesem Zyklus hat der Wert keine Funktion. Abgehoben wird um einen festen Abstand. Unsere Lesart; an der "
+    label: "Sicherheitsabstand (reserviert)",
+    explanation:
+      "Reserviert: In diesem Zyklus hat der Wert keine Funktion. Abgehoben wird um einen festen Abstand. Unsere Auslegung; an der "
       + "Steuerung prüfen.",
   },
   startDiameter: {
@@ -62,7 +63,7 @@ export const params = {
     printed,
     label: "Winkel Umfangsfläche",
     explanation: "Winkel zwischen Umfangsfläche und Drehachse; 0 ist ein Zylinder. Die Fläche neigt sich in den Zerspanbereich hinein, nie "
-      + "darunter. Unsere Lesart; an der Steuerung prüfen.",
+      + "darunter. Unsere Auslegung; an der Steuerung prüfen.",
   },
   flankAngle: {
     prompt: "Winkel Flanke?",
@@ -70,14 +71,14 @@ export const params = {
     label: "Flankenwinkel",
     explanation:
       "Winkel zwischen der Flanke am Konturstart und der Parallelen zur Drehachse. Der Einstich wird zum Grund hin schmaler, nie "
-      + "breiter als seine Öffnung. Unsere Lesart; an der Steuerung prüfen.",
+      + "breiter als seine Öffnung. Unsere Auslegung; an der Steuerung prüfen.",
   },
   faceAngle: {
     prompt: "Winkel Planfläche?",
     printed,
     label: "Winkel Planfläche",
     explanation: "Neigung der Planfläche; 0 steht rechtwinklig zur Drehachse. Die Fläche neigt sich in den Zerspanbereich hinein. Unsere "
-      + "Lesart; an der Steuerung prüfen.",
+      + "Auslegung; an der Steuerung prüfen.",
   },
   secondFlankAngle: {
     prompt: "Winkel zweite Flanke?",
@@ -102,7 +103,7 @@ export const params = {
     prompt: "Radius Konturecke?",
     printed,
     label: "Eckenradius",
-    explanation: "Radius in der Innenecke. 0 oder keine Eingabe: scharfe Ecke, in der die Schneide ihren eigenen Radius stehen lässt.",
+    explanation: "Radius in der Innenecke. 0 oder keine Eingabe: scharfe Ecke, in der die Schneide ihren Schneidenradius stehen lässt.",
   },
   endElement: {
     prompt: "Typ Endelement (0/1/2)?",
@@ -136,8 +137,8 @@ export const params = {
     printed,
     label: "Max. Zustellung",
     explanation:
-      "Größte Zustellung je Schnitt, in Z, gleichmäßig aufgeteilt. Die Handbuchseite nennt sie radial; ein axialer Einstich wird "
-      + "aber in Z zugestellt, wir halten das für einen Druckfehler. An der Steuerung prüfen.",
+      "Größte Zustellung je Schnitt, in Z, gleichmäßig aufgeteilt. Die Handbuchseite nennt sie radial; bei einem axialen Einstich "
+      + "wird aber in Z zugestellt, wir halten das für einen Druckfehler. An der Steuerung prüfen.",
   },
   roughingFeed: {
     prompt: "Vorschub Schruppen?",
@@ -184,14 +185,14 @@ export const params = {
     choices: {
       0: "wie programmiert",
       1: "gegen die programmierte Richtung",
-      2: "gegen die programmierte Richtung, Schneide in Vorschubrichtung gespiegelt (Orientierung 1 schneidet als 7)",
+      2: "gegen die programmierte Richtung, Schneide in Vorschubrichtung gespiegelt (Werkzeugorientierung 1 schneidet als 7)",
     },
   },
   plunging: {
     prompt: "Eintauchen erlauben (0/1)?",
     printed,
     label: "Eintauchen",
-    explanation: "Ob Elemente bearbeitet werden, die ins Material fallen.",
+    explanation: "Ob Konturelemente bearbeitet werden, die ins Material fallen.",
     choices: { 0: "fallende Elemente bleiben stehen", 1: "fallende Elemente werden bearbeitet" },
   },
   plungingFeed: {
@@ -223,7 +224,7 @@ export const params = {
   direction: {
     prompt: "Bearbeitungsrichtung (0=bidir./1=unidir.)?",
     printed,
-    label: "Richtung",
+    label: "Bearbeitungsrichtung",
     explanation: "Ob die Schnitte zwischen beiden Richtungen wechseln.",
     choices: { 0: "beide Richtungen", 1: "eine Richtung, die der Kontur" },
   },
@@ -233,15 +234,15 @@ export const params = {
     label: "Versatzbreite",
     explanation:
       "Verkürzt ab der zweiten Zustellung jeden Schnitt und entlastet so die Schneide seitlich. 0: 0,1 mm je Schnitt. Was an den "
-      + "Flanken stehen bleibt, fällt am Ende des Schruppens. Die Summe darf 80 % der wirksamen Breite erreichen; wir zählen je "
-      + "Seite zusammen. Unsere Lesart; an der Steuerung prüfen.",
+      + "Flanken stehen bleibt, wird am Ende des Schruppens abgetragen. Die Summe darf 80 % der wirksamen Breite erreichen; gezählt "
+      + "wird je Seite. Unsere Auslegung; an der Steuerung prüfen.",
   },
   depthCompensation: {
     prompt: "Tiefenkorrektur Schlichten?",
     printed,
     label: "Tiefenkorrektur",
     explanation: "Verschiebt den Grund beim Schlichten und gleicht so aus, dass sich die Schneide beim seitlichen Drehen neigt: positiv "
-      + "wird der Einstich flacher, negativ tiefer. Unsere Lesart des Vorzeichens; an der Steuerung prüfen.",
+      + "wird der Einstich flacher, negativ tiefer. Unsere Auslegung des Vorzeichens; an der Steuerung prüfen.",
   },
   ...turning,
   ...recessing,

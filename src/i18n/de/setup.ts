@@ -1,11 +1,11 @@
 import type { SetupTexts } from "../en/setup.ts";
 
 export const setup = {
-  notes: "Damit dieser Zyklus läuft",
+  notes: "Vor dem Zyklusaufruf",
   proposed: "vorgeschlagen",
   keep: "Behalten",
   keepLong: (name, value) => `${name}: ${value} behalten`,
-  follows: "Solange ein Feld leer bleibt, folgt es den eingegebenen Werten.",
+  follows: "Solange ein Feld leer ist, richtet es sich nach den eingegebenen Werten.",
   tool: {
     title: "Werkzeug",
     list: "Drehwerkzeuge",
@@ -25,7 +25,7 @@ export const setup = {
     width: (value) => `Breite ${value}`,
     angles: (setting, point) => `${setting}° / ${point}°`,
     cutLength: (value) => `Schneidenlänge ${value}`,
-    orientation: (value) => `Lage ${value}`,
+    orientation: (value) => `Werkzeugorientierung ${value}`,
     makes: "fertigt die Kontur",
     leaves: (length) => `lässt ${length} mm der Kontur stehen`,
     cannot: "kann die Kontur nicht fertigen",
@@ -38,12 +38,12 @@ export const setup = {
   },
   parameters: {
     title: "Verwendete Q-Parameter",
-    hint: "Sie stehen in Eingaben. Das Programm setzt sie vor dem Zyklus.",
+    hint: "Sie kommen in den Eingaben vor. Das Programm setzt sie vor dem Zyklus.",
     ask: (name) => `Welchen Wert hat ${name}?`,
   },
   blank: {
     title: "Rohteil: Zylinder",
-    outside: "Außen-⌀",
+    outside: "Außen ⌀",
     bore: "Bohrung ⌀ (0: voll)",
     length: "Länge",
     allowance: "Vor Z0",
@@ -61,12 +61,12 @@ export const setup = {
     surface: "Konstante Schnittgeschwindigkeit",
     speed: "Drehzahl S",
     cuttingSpeed: "Schnittgeschwindigkeit VC",
-    limit: "Drehzahlgrenze SMAX",
+    limit: "Max. Drehzahl SMAX",
   },
   feed: {
     title: "Vorschub und Eilgang",
-    perRevolution: "M136: Vorschübe in mm je Umdrehung",
-    rapid: "Eilgang (nur für die Zeit)",
+    perRevolution: "M136: Vorschübe in mm pro Umdrehung",
+    rapid: "Eilgang (nur für die Zeitberechnung)",
   },
   units: { diameter: "mm ⌀", mm: "mm", rpm: "1/min", cuttingSpeed: "m/min", perMinute: "mm/min" },
   wrong: {

@@ -12,7 +12,7 @@ const rough = [
 const finish = [
   "achsparallel zustellen im Eilgang",
   "Kontur von Start bis Ende schlichten",
-  "um den Sicherheits-Abstand zurückziehen",
+  "um den Sicherheitsabstand zurückziehen",
   "im Eilgang zum Zyklusstart",
 ];
 const notes = [turnMode, safePosition, edgeLength];
@@ -26,9 +26,9 @@ export const longitudinal = {
       + "Einstichen. Die Kontur steht in einem Unterprogramm und wird mit Zyklus 14 oder SEL CONTOUR benannt.",
       "Schruppt achsparallel, schlichtet oder macht beides. Startpunkt weiter von der Drehachse weg als die Kontur: "
       + "Außenbearbeitung. Näher daran: Innenbearbeitung. Dazwischen entscheidet das Werkzeug, je nachdem wohin seine Spitze "
-      + "zeigt. Unsere Lesart; an der Steuerung prüfen.",
+      + "zeigt. Unsere Auslegung; an der Steuerung prüfen.",
       "Die Kontur wird in der programmierten Richtung zerspant. Liegt X des Startpunkts unter dem Konturstart, fährt das "
-      + "Werkzeug zuerst in X auf den Konturstart; beim Schlichten auf Sicherheits-Abstand.",
+      + "Werkzeug zuerst in X auf den Konturstart; beim Schlichten auf Sicherheitsabstand.",
     ],
     rough,
     finish,
@@ -55,39 +55,39 @@ export const longitudinal = {
       + "bekommen, Umfangsfläche und Planfläche können geneigt, die Innenecke kann verrundet sein.",
       "Schruppt achsparallel, schlichtet oder macht beides. Startdurchmesser größer als Enddurchmesser: Außenbearbeitung. "
       + "Kleiner: Innenbearbeitung.",
-      "Liegt der Startpunkt im Zerspanbereich, fährt das Werkzeug zuerst in X, dann in Z auf Sicherheits-Abstand; beim "
-      + "Schlichten zuerst in Z auf Sicherheits-Abstand.",
+      "Liegt der Startpunkt im Zerspanbereich, fährt das Werkzeug zuerst in X, dann in Z auf Sicherheitsabstand; beim "
+      + "Schlichten zuerst in Z auf Sicherheitsabstand.",
     ],
     rough,
     finish,
     notes,
   },
   813: {
-    name: "Eintauchen längs",
+    name: "Drehen Eintauchen längs",
     summary: "Dreht hinter einer Flanke in einen Zylinder ein, in Längsrichtung.",
     description: [
       "Dreht einen Bereich, in den das Werkzeug eintauchen muss: eine Flanke am Konturstart hinab, einen Zylinder entlang "
       + "und bis an eine rechtwinklige Planfläche am Ende.",
-      "Was vor dem Konturstart steht, bleibt in der Höhe von Q491 stehen. Unsere Lesart; an der Steuerung prüfen.",
+      "Was vor dem Konturstart steht, bleibt in der Höhe von Q491 stehen. Unsere Auslegung; an der Steuerung prüfen.",
       "Schruppt achsparallel, schlichtet oder macht beides. Startdurchmesser größer als Enddurchmesser: Außenbearbeitung. "
       + "Kleiner: Innenbearbeitung.",
-      "Liegt der Startpunkt im Zerspanbereich, fährt das Werkzeug zuerst in X, dann in Z auf Sicherheits-Abstand vor den " + "Konturstart.",
+      "Liegt der Startpunkt im Zerspanbereich, fährt das Werkzeug zuerst in X, dann in Z auf Sicherheitsabstand vor den " + "Konturstart.",
     ],
     rough,
     finish,
     notes: [...notes, plunging],
   },
   814: {
-    name: "Eintauchen längs erweitert",
+    name: "Drehen Eintauchen längs erweitert",
     summary: "Dreht hinter einer Flanke in einen Zylinder ein, mit gebrochenen Kanten, Eckenradien und geneigter Planfläche.",
     description: [
       "Dreht einen Bereich, in den das Werkzeug eintauchen muss: eine Flanke am Konturstart hinab, einen Zylinder entlang "
       + "und eine Planfläche am Ende hinauf. Die Kanten an beiden Enden können eine Fase oder einen Radius bekommen, beide "
       + "Ecken am Zylinder können verrundet, die Planfläche kann geneigt sein.",
-      "Was vor dem Konturstart steht, bleibt in der Höhe von Q491 stehen. Unsere Lesart; an der Steuerung prüfen.",
+      "Was vor dem Konturstart steht, bleibt in der Höhe von Q491 stehen. Unsere Auslegung; an der Steuerung prüfen.",
       "Schruppt achsparallel, schlichtet oder macht beides. Startdurchmesser größer als Enddurchmesser: Außenbearbeitung. "
       + "Kleiner: Innenbearbeitung.",
-      "Liegt der Startpunkt im Zerspanbereich, fährt das Werkzeug zuerst in X, dann in Z auf Sicherheits-Abstand vor den " + "Konturstart.",
+      "Liegt der Startpunkt im Zerspanbereich, fährt das Werkzeug zuerst in X, dann in Z auf Sicherheitsabstand vor den " + "Konturstart.",
     ],
     rough,
     finish,
@@ -99,22 +99,22 @@ export const longitudinal = {
     description: [
       "Dreht eine Kontur aus einem Unterprogramm. Als Rohteil gilt die Kontur mit einem Aufmaß ringsum; die Schnitte laufen an der Kontur "
       + "entlang, jeder näher an ihr, statt längs der Achse.",
-      "Schruppt, schlichtet oder beides. Die Richtung, in der die Kontur programmiert ist, ist die Bearbeitungsrichtung. Der Startpunkt "
-      + "entscheidet zwischen außen und innen.",
+      "Schruppt, schlichtet oder macht beides. Die Richtung, in der die Kontur programmiert ist, ist die Bearbeitungsrichtung. Der "
+      + "Startpunkt entscheidet zwischen außen und innen.",
     ],
     rough: [
       "im Eilgang vor den Schnitt",
-      "Schnitt entlang der Kontur im Schruppvorschub",
-      "Abheben um den Sicherheitsabstand",
+      "entlang der Kontur schneiden mit Schruppvorschub",
+      "um den Sicherheitsabstand abheben",
       "im Eilgang vor den nächsten Schnitt",
-      "Wiederholen, bis das Aufmaß erreicht ist",
-      "im Eilgang zurück zum Zyklusstart",
+      "wiederholen, bis das Aufmaß erreicht ist",
+      "im Eilgang zum Zyklusstart",
     ],
     finish: [
-      "Zustellen im Eilgang",
-      "Kontur vom Anfang bis zum Ende schlichten",
-      "Abheben um den Sicherheitsabstand",
-      "im Eilgang zurück zum Zyklusstart",
+      "zustellen im Eilgang",
+      "Kontur von Start bis Ende schlichten",
+      "um den Sicherheitsabstand abheben",
+      "im Eilgang zum Zyklusstart",
     ],
     notes: [
       turnMode,

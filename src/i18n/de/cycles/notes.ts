@@ -7,10 +7,10 @@ export const edgeLength =
 /** What holds for every cycle that takes its contour from a subprogram. */
 export const freeContour = [
   "Kollisionsgefahr: Die Schnittbegrenzung begrenzt die bearbeitete Kontur, An- und Abfahrwege dürfen sie überschreiten. Das "
-  + "Werkzeug vor dem Aufruf auf die Seite der Grenze stellen, die zerspant werden soll.",
+  + "Werkzeug vor dem Aufruf auf der Seite der Grenze positionieren, die zerspant werden soll.",
   turnMode,
   safePosition,
-  "Die Schneidenform wird berücksichtigt, damit kein Element verletzt wird. Was das Werkzeug nicht erreicht, bleibt mit "
+  "Die Schneidengeometrie wird berücksichtigt, damit kein Konturelement verletzt wird. Was das Werkzeug nicht erreicht, bleibt mit "
   + "einer Warnung stehen.",
   "Vor dem Aufruf muss Zyklus 14 mit dem Label der Kontur oder SEL CONTOUR mit ihrer Datei stehen.",
   "Lokale Parameter (QL) der Kontur müssen im Konturunterprogramm selbst belegt werden.",
@@ -18,5 +18,5 @@ export const freeContour = [
 ];
 /** What holds where a tool plunges and no feed is asked for it. */
 export const plunging =
-  "Eingetaucht wird mit dem Schruppvorschub: Einen eigenen Vorschub fragen diese Zyklen nicht ab. An einer Flanke, die "
+  "Eingetaucht wird mit dem Schruppvorschub: Einen eigenen Vorschub dafür haben diese Zyklen nicht. An einer Flanke, die "
   + "steiler ist, als die Schneide folgen kann, bleibt mit einer Warnung Material stehen.";

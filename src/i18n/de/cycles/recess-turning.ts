@@ -4,7 +4,7 @@ import { edgeLength, safePosition, turnMode } from "./notes.ts";
 const rough = [
   "auf die erste Tiefe einstechen",
   "seitlich zwischen Start und Ende schneiden mit Schruppvorschub",
-  "fallende Elemente mit eigenem Vorschub",
+  "fallende Elemente mit eigenem Vorschub schneiden",
   "abheben, zurückfahren und neu anfahren (eine Richtung) oder an beiden Enden zustellen (beide Richtungen)",
   "auf die nächste Tiefe schneiden",
   "wiederholen, bis die Einstichtiefe erreicht ist",
@@ -20,12 +20,12 @@ const finish = [
   "zweite Flanke schlichten",
   "im Eilgang zum Zyklusstart",
 ];
-const shortened = "Ab der zweiten Zustellung wird jeder Schnitt um 0,1 mm kürzer, oder um Q508; das entlastet das Werkzeug seitlich. Der "
-  + "Rest fällt am Ende des Schruppens in einem Schnitt.";
+const shortened = "Ab der zweiten Zustellung wird jeder Schnitt um 0,1 mm kürzer, oder um Q508; das entlastet das Werkzeug seitlich. Was "
+  + "stehen bleibt, wird am Ende des Schruppens in einem Schnitt abgetragen.";
 const tooFar = "Überschreitet der Versatz 80 % der wirksamen Breite (Schneidenbreite minus zweimal Schneidenradius), meldet die Steuerung "
   + "einen Fehler.";
 const recalled = [
-  "Die Liste der Parameter ist von der gedruckten Schwester her erinnert, die Schritte ebenso. Unsere Lesart; an der Steuerung prüfen.",
+  "Parameterliste und Schritte sind aus der Erinnerung, nach dem gedruckten Gegenstück. Unsere Auslegung; an der Steuerung prüfen.",
   "Q460 gilt wie in Zyklus 852 als reserviert; statt seiner wird ein fester Abstand gehalten.",
 ];
 const notes = [turnMode, safePosition, shortened, tooFar, edgeLength, ...recalled];
@@ -46,12 +46,12 @@ export const recessTurning = {
     finish,
     notes: [
       ...notes,
-      "Q509 verschiebt die ganze Kontur in der Tiefe, da sie nicht den einen Grund hat; beim Schlichten wird eine steile Flanke "
-      + "aus einer scharfen Ecke von oben nach unten geschnitten. Unsere Lesart; an der Steuerung prüfen.",
+      "Q509 verschiebt die ganze Kontur in der Tiefe, da sie mehr als einen Grund haben kann; beim Schlichten wird eine steile Flanke "
+      + "aus einer scharfen Ecke von oben nach unten geschnitten. Unsere Auslegung; an der Steuerung prüfen.",
     ],
   },
   841: {
-    name: "Stechdrehen radial einfach",
+    name: "Stechdrehen einfach radial",
     summary: "Dreht einen Einstich mit senkrechten Flanken in einen Zylinder oder eine Bohrung, vom Startpunkt bis zu einer Ecke.",
     description: [
       "Fertigt einen Einstich in einem Zylinder oder in einer Bohrung zwischen dem Startpunkt des Zyklus und der Ecke Q493, "
@@ -64,11 +64,11 @@ export const recessTurning = {
     notes,
   },
   842: {
-    name: "Stechdrehen radial erweitert",
+    name: "Stechdrehen erweitert radial",
     summary: "Dreht einen Einstich in einen Zylinder oder eine Bohrung, mit geneigten Flanken, Fasen und Eckenradien.",
     description: [
       "Fertigt einen Einstich in einem Zylinder oder in einer Bohrung durch Stechdrehen: Das Werkzeug sticht auf Tiefe und "
-      + "dreht dann seitlich, mit wenigen Abhebewegen. Die Kanten können eine Fase oder einen Radius bekommen, beide Flanken "
+      + "dreht dann seitlich, mit wenigen Abhebebewegungen. Die Kanten können eine Fase oder einen Radius bekommen, beide Flanken "
       + "können geneigt, die Ecken am Grund verrundet sein.",
       "Schruppt achsparallel, schlichtet oder macht beides. Startdurchmesser größer als Enddurchmesser: Außenbearbeitung. "
       + "Kleiner: Innenbearbeitung.",
@@ -93,29 +93,29 @@ export const recessTurning = {
     finish,
     notes: [
       ...notes,
-      "Q509 verschiebt die ganze Kontur in der Tiefe, da sie nicht den einen Grund hat; beim Schlichten wird eine steile Flanke "
-      + "aus einer scharfen Ecke von oben nach unten geschnitten. Unsere Lesart; an der Steuerung prüfen.",
+      "Q509 verschiebt die ganze Kontur in der Tiefe, da sie mehr als einen Grund haben kann; beim Schlichten wird eine steile Flanke "
+      + "aus einer scharfen Ecke von oben nach unten geschnitten. Unsere Auslegung; an der Steuerung prüfen.",
     ],
   },
   851: {
-    name: "Stechdrehen axial einfach",
+    name: "Stechdrehen einfach axial",
     summary: "Dreht einen Einstich mit senkrechten Flanken in eine Planfläche, vom Startpunkt bis zu einer Ecke.",
     description: [
       "Fertigt einen Einstich in der Planfläche zwischen dem Startpunkt des Zyklus und der Ecke Q493, Q494. Der Startpunkt ist "
       + "die erste Ecke des Einstichs: Sein Z ist die Öffnung, sein X die erste Flanke.",
-      "Schruppt achsparallel, schlichtet oder macht beides. Startpunkt weiter außen als Q493: nach innen gearbeitet. Näher an "
-      + "der Achse: nach außen.",
+      "Schruppt achsparallel, schlichtet oder macht beides. Startpunkt weiter außen als Q493: Bearbeitung nach innen. Näher an "
+      + "der Achse: Bearbeitung nach außen.",
     ],
     rough,
     finish,
     notes,
   },
   852: {
-    name: "Stechdrehen axial erweitert",
+    name: "Stechdrehen erweitert axial",
     summary: "Dreht einen Einstich in eine Planfläche, mit geneigten Flanken, Fasen und Eckenradien.",
     description: [
       "Fertigt einen Einstich in der Planfläche durch Stechdrehen: Das Werkzeug sticht auf Tiefe und dreht dann seitlich, mit "
-      + "wenigen Abhebewegen. Die Kanten können eine Fase oder einen Radius bekommen, beide Flanken können geneigt, die Ecken am "
+      + "wenigen Abhebebewegungen. Die Kanten können eine Fase oder einen Radius bekommen, beide Flanken können geneigt, die Ecken am "
       + "Grund verrundet sein.",
       "Schruppt achsparallel, schlichtet oder macht beides. Startdurchmesser größer als Enddurchmesser: Außenbearbeitung. "
       + "Kleiner: Innenbearbeitung.",
@@ -129,7 +129,7 @@ export const recessTurning = {
       shortened,
       tooFar,
       edgeLength,
-      "Die Seite nennt Q460 reserviert und führt den Sicherheits-Abstand doch in zwei Schritten; wir nehmen dort einen festen Abstand.",
+      "Die Handbuchseite nennt Q460 reserviert, den Sicherheitsabstand aber in zwei Schritten; dort gilt hier ein fester Abstand.",
     ],
   },
 } satisfies CycleTexts;

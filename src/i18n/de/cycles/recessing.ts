@@ -2,11 +2,11 @@ import type { CycleTexts } from "../../cycle-text.ts";
 import { safePosition, turnMode } from "./notes.ts";
 
 const rough = [
-  "ins Volle stechen mit dem Vorschub dafür, auf Tiefe mit Aufmaß",
-  "am Grund verweilen, dann aus dem Schnitt",
+  "ins Volle stechen mit dem Vorschub im Vollen, bis auf das Aufmaß",
+  "am Grund verweilen, dann aus dem Einstich zurückziehen",
   "seitlich um die Überlappung, vor dem Werkstück",
-  "neben dem Freigestochenen stechen, mit Schruppvorschub",
-  "wiederholen, bis die Breite erreicht ist, dann an schrägen oder runden Flanken entlang",
+  "neben dem vorigen Stich einstechen, mit Schruppvorschub",
+  "wiederholen, bis die Breite erreicht ist, dann entlang schräger oder runder Flanken schneiden",
   "im Eilgang zum Zyklusstart",
 ];
 const finish = [
@@ -25,9 +25,9 @@ const notes = [
   turnMode,
   safePosition,
   "Zwei Stiche liegen nie weiter auseinander als der ebene Teil der Schneide (Breite minus zweimal Radius), wenn "
-  + "der mindestens halb so breit ist: So bleiben keine Kämme stehen.",
+  + "der mindestens halb so breit ist: So bleibt dazwischen nichts stehen.",
   "Ein Einstich, der tiefer ist als CUTLENGTH, wird mit einer Meldung nur so tief gestochen, wie die Schneide lang " + "ist.",
-  "Parameterliste und Schritte sind aus der Erinnerung; keine Seite, die wir haben, druckt sie. Unsere Lesart; an "
+  "Parameterliste und Schritte sind aus der Erinnerung; eine gedruckte Seite liegt uns nicht vor. Unsere Auslegung; an "
   + "der Steuerung prüfen.",
 ];
 const sections = "Eine Kontur mit mehreren Tälern wird Abschnitt für Abschnitt gestochen, jeder bis zum Grund und an den Flanken "
@@ -35,8 +35,8 @@ const sections = "Eine Kontur mit mehreren Tälern wird Abschnitt für Abschnitt
 
 export const recessing = {
   860: {
-    name: "Kontur stechen radial",
-    summary: "Sticht eine Kontur in Zylinder oder Bohrung, mit beliebig vielen Nuten.",
+    name: "Stechen Kontur radial",
+    summary: "Sticht eine Kontur in Zylinder oder Bohrung, mit beliebig vielen Einstichen.",
     description: [
       "Nimmt weg, was zwischen der Kontur eines Unterprogramms und dem Startpunkt liegt, mit Stichen zur Achse hin, in "
       + "der Bohrung von ihr weg. Zyklus 14 nennt vorher die Kontur.",
@@ -48,8 +48,8 @@ export const recessing = {
     notes,
   },
   861: {
-    name: "Stechen radial einfach",
-    summary: "Sticht eine Nut mit geraden Flanken in Zylinder oder Bohrung, vom Startpunkt zu einer Ecke.",
+    name: "Stechen einfach radial",
+    summary: "Sticht einen Einstich mit geraden Flanken in Zylinder oder Bohrung, vom Startpunkt zu einer Ecke.",
     description: [
       "Fertigt im Zylinder oder in der Bohrung einen Einstich zwischen dem Startpunkt des Zyklus und der Ecke Q493, "
       + "Q494, mit Stichen nebeneinander. Der Startpunkt ist die erste Ecke des Einstichs.",
@@ -60,8 +60,8 @@ export const recessing = {
     notes,
   },
   862: {
-    name: "Stechen radial erweitert",
-    summary: "Sticht eine Nut in Zylinder oder Bohrung, mit geneigten Flanken, Fasen und Eckenradien.",
+    name: "Stechen erweitert radial",
+    summary: "Sticht einen Einstich in Zylinder oder Bohrung, mit geneigten Flanken, Fasen und Eckenradien.",
     description: [
       "Fertigt im Zylinder oder in der Bohrung einen Einstich mit Stichen nebeneinander. Die Kanten können eine Fase "
       + "oder einen Radius bekommen, beide Flanken können geneigt, die Ecken am Grund verrundet sein.",
@@ -72,8 +72,8 @@ export const recessing = {
     notes,
   },
   870: {
-    name: "Kontur stechen axial",
-    summary: "Sticht eine Kontur in eine Planfläche, mit beliebig vielen Nuten.",
+    name: "Stechen Kontur axial",
+    summary: "Sticht eine Kontur in eine Planfläche, mit beliebig vielen Einstichen.",
     description: [
       "Nimmt weg, was zwischen der Kontur eines Unterprogramms und dem Startpunkt liegt, mit Stichen entlang der "
       + "Achse. Zyklus 14 nennt vorher die Kontur.",
@@ -85,8 +85,8 @@ export const recessing = {
     notes,
   },
   871: {
-    name: "Stechen axial einfach",
-    summary: "Sticht eine Nut mit geraden Flanken in eine Planfläche, vom Startpunkt zu einer Ecke.",
+    name: "Stechen einfach axial",
+    summary: "Sticht einen Einstich mit geraden Flanken in eine Planfläche, vom Startpunkt zu einer Ecke.",
     description: [
       "Fertigt in der Planfläche einen Einstich zwischen dem Startpunkt des Zyklus und der Ecke Q493, Q494, mit "
       + "Stichen nebeneinander. Der Startpunkt ist die erste Ecke des Einstichs.",
@@ -97,8 +97,8 @@ export const recessing = {
     notes,
   },
   872: {
-    name: "Stechen axial erweitert",
-    summary: "Sticht eine Nut in eine Planfläche, mit geneigten Flanken, Fasen und Eckenradien.",
+    name: "Stechen erweitert axial",
+    summary: "Sticht einen Einstich in eine Planfläche, mit geneigten Flanken, Fasen und Eckenradien.",
     description: [
       "Fertigt in der Planfläche einen Einstich mit Stichen nebeneinander. Die Kanten können eine Fase oder einen "
       + "Radius bekommen, beide Flanken können geneigt, die Ecken am Grund verrundet sein.",

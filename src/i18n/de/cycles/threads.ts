@@ -2,7 +2,7 @@ import type { CycleTexts } from "../../cycle-text.ts";
 import { safePosition, turnMode } from "./notes.ts";
 
 const steps = [
-  "im Eilgang auf Sicherheitsabstand und Tiefe des Durchgangs",
+  "im Eilgang auf Sicherheitsabstand und Tiefe des Schnitts",
   "schneiden, der Vorschub an die Spindel gekoppelt",
   "im Eilgang um den Sicherheitsabstand abheben",
   "im Eilgang zurück, Zustellung entlang Q467",
@@ -12,11 +12,11 @@ const steps = [
   "im Eilgang zurück zum Zyklusstart",
 ];
 const thread = [
-  "Jeder Durchgang läuft vom Anlauf bis zum Ende des Gewindes, an die Spindel gekoppelt; dazwischen fährt das "
-  + "Werkzeug im Eilgang zurück. Bei konstantem Spanquerschnitt wächst die Tiefe mit der Wurzel der Nummer des " + "Durchgangs.",
-  "Der Nenndurchmesser ist beim Außengewinde die Spitze, beim Innengewinde der Grund. Geschnitten wird von "
-  + "Start-Z nach End-Z; daraus und aus der Drehrichtung der Spindel folgt, ob es rechts- oder linksgängig wird. "
-  + "Unsere Lesart; an der Steuerung prüfen.",
+  "Jeder Schnitt läuft vom Anlauf bis zum Ende des Gewindes, an die Spindel gekoppelt; dazwischen fährt das "
+  + "Werkzeug im Eilgang zurück. Bei konstantem Spanquerschnitt wächst die Tiefe mit der Wurzel der Schnittnummer.",
+  "Der Nenndurchmesser liegt beim Außengewinde an der Spitze, beim Innengewinde am Grund. Geschnitten wird von "
+  + "Start-Z nach End-Z; daraus und aus der Drehrichtung der Spindel folgt, ob ein Rechts- oder ein Linksgewinde entsteht. "
+  + "Unsere Auslegung; an der Steuerung prüfen.",
 ];
 const notes = [
   turnMode,
@@ -43,7 +43,7 @@ export const threads = {
     summary: "Schneidet ein Gewinde auf einem Zylinder, außen oder innen.",
     description: [
       ...thread,
-      "Anlauf ist der Sicherheitsabstand Q460, Überlauf eine Spindelumdrehung. Unsere Lesart; an der Steuerung prüfen.",
+      "Anlauf ist der Sicherheitsabstand Q460, Überlauf eine Spindelumdrehung. Unsere Auslegung; an der Steuerung prüfen.",
     ],
     rough: steps,
     finish: [],

@@ -12,7 +12,7 @@ const rough = [
 const finish = [
   "zustellen im Eilgang",
   "Kontur von Start bis Ende schlichten",
-  "um den Sicherheits-Abstand zurückziehen",
+  "um den Sicherheitsabstand zurückziehen",
   "im Eilgang zum Zyklusstart",
 ];
 /** Of the cycles that have a contour of their own. */
@@ -28,7 +28,7 @@ export const transverse = {
       "Schruppt achsparallel, schlichtet oder macht beides. Erster Konturpunkt in X größer als der letzte: Außenbearbeitung. "
       + "Kleiner: Innenbearbeitung.",
       "Liegt Z des Startpunkts unter dem Konturstart, fährt das Werkzeug zuerst in Z auf den Konturstart; beim Schlichten auf "
-      + "Sicherheits-Abstand.",
+      + "Sicherheitsabstand.",
     ],
     rough,
     finish,
@@ -53,20 +53,20 @@ export const transverse = {
       + "bekommen, Planfläche und Umfangsfläche können geneigt, die Innenecke kann verrundet sein.",
       "Schruppt achsparallel in Planrichtung, schlichtet oder macht beides. Startdurchmesser größer als Enddurchmesser: "
       + "Außenbearbeitung. Kleiner: Innenbearbeitung.",
-      "Liegt der Startpunkt im Zerspanbereich, fährt das Werkzeug zuerst in Z, dann in X auf Sicherheits-Abstand.",
+      "Liegt der Startpunkt im Zerspanbereich, fährt das Werkzeug zuerst in Z, dann in X auf Sicherheitsabstand.",
     ],
     ...own,
   },
   823: {
-    name: "Eintauchen plan",
+    name: "Drehen Eintauchen plan",
     summary: "Dreht hinter einer Flanke in eine Planfläche ein, quer zur Drehachse.",
     description: [
       "Dreht einen Bereich in einer Planfläche, in den das Werkzeug eintauchen muss: eine Flanke am Konturstart hinab, über "
       + "einen Grund und bis an eine rechtwinklige Wand am Ende.",
-      "Was neben dem Konturstart steht, bleibt in der Ebene von Q492 stehen. Unsere Lesart; an der Steuerung prüfen.",
+      "Was neben dem Konturstart steht, bleibt in der Ebene von Q492 stehen. Unsere Auslegung; an der Steuerung prüfen.",
       "Schruppt achsparallel in Planrichtung, schlichtet oder macht beides. Startdurchmesser größer als Enddurchmesser: "
       + "Außenbearbeitung. Kleiner: Innenbearbeitung.",
-      "Liegt der Startpunkt im Zerspanbereich, fährt das Werkzeug zuerst in Z, dann in X auf Sicherheits-Abstand neben den "
+      "Liegt der Startpunkt im Zerspanbereich, fährt das Werkzeug zuerst in Z, dann in X auf Sicherheitsabstand neben den "
       + "Konturstart.",
     ],
     rough,
@@ -74,16 +74,16 @@ export const transverse = {
     notes: [...own.notes, plunging],
   },
   824: {
-    name: "Eintauchen plan erweitert",
+    name: "Drehen Eintauchen plan erweitert",
     summary: "Dreht hinter einer Flanke in eine Planfläche ein, mit gebrochenen Kanten, Eckenradien und geneigter Wand.",
     description: [
       "Dreht einen Bereich in einer Planfläche, in den das Werkzeug eintauchen muss: eine Flanke am Konturstart hinab, über "
       + "einen Grund und eine Wand am Ende hinauf. Die Kanten an beiden Enden können eine Fase oder einen Radius bekommen, "
       + "beide Ecken am Grund können verrundet, die Wand kann geneigt sein.",
-      "Was neben dem Konturstart steht, bleibt in der Ebene von Q492 stehen. Unsere Lesart; an der Steuerung prüfen.",
+      "Was neben dem Konturstart steht, bleibt in der Ebene von Q492 stehen. Unsere Auslegung; an der Steuerung prüfen.",
       "Schruppt achsparallel in Planrichtung, schlichtet oder macht beides. Startdurchmesser größer als Enddurchmesser: "
       + "Außenbearbeitung. Kleiner: Innenbearbeitung.",
-      "Liegt der Startpunkt im Zerspanbereich, fährt das Werkzeug zuerst in Z, dann in X auf Sicherheits-Abstand neben den "
+      "Liegt der Startpunkt im Zerspanbereich, fährt das Werkzeug zuerst in Z, dann in X auf Sicherheitsabstand neben den "
       + "Konturstart.",
     ],
     rough,

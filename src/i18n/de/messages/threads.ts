@@ -10,21 +10,21 @@ export const threads = {
   pitchZero: () => "Ein Gewinde braucht eine Steigung größer als 0.",
   depthFromPitch: (d, w) =>
     `Tiefe aus der Steigung, metrisches ISO-Profil: ${w.number(d.factor)} × ${w.number(d.pitch)} = ${w.number(d.depth)} mm im Radius.`,
-  threadOverInsert: (d, w) => `${w.number(d.depth)} mm sind tiefer, als die Schneidplatte hoch ist: ${w.number(d.most)} mm.`,
+  threadOverInsert: (d, w) => `${w.number(d.depth)} mm sind tiefer, als die Schneide hoch ist: ${w.number(d.most)} mm.`,
   flankInfeedTooSteep: (d, w) =>
-    `Mit ${w.angle(d.angle)} schneiden die Durchgänge in die fertige Flanke: höchstens der halbe Spitzenwinkel, ${w.angle(d.most)}.`
+    `Mit ${w.angle(d.angle)} verletzen die Schnitte die fertige Flanke: höchstens der halbe Spitzenwinkel, ${w.angle(d.most)}.`
     + nearest(d.nearest, w.angle),
   runOutTooLong: (d, w) =>
     `Der Auslauf von ${w.number(d.size)} ist länger als das Gewinde: höchstens ${w.number(d.max)}.${nearest(d.nearest, w.number)}`,
   threadTurnsBack: (d) => `Das Gewinde muss vom Start zum Ende entlang ${d.axis} weiterlaufen: Diese Achse ist mit der Spindel gekoppelt.`,
   runInBlocked: (d, w) =>
     `Wo der Anlauf beginnt, bei ${w.place(d.x, d.z)}, stünde das Werkzeug im Material.${nearest(d.nearest, w.number)}`,
-  threadTooMany: (d, w) => `${w.number(d.turns)} Spindelumdrehungen in allen Durchgängen sind mehr als ${w.number(d.most)}.`,
+  threadTooMany: (d, w) => `${w.number(d.turns)} Spindelumdrehungen in allen Schnitten sind mehr als ${w.number(d.most)}.`,
   taperImpossible: (d, w) => `Ein Winkel von ${w.angle(d.angle)} führt nie von einem Durchmesser zum anderen.`,
   threadFeedOverLimit: (d, w) =>
     `Drehzahl ${w.number(d.speed)} × Steigung ergibt ${w.number(d.feed)} mm/min, mehr als die Achse kann: ${w.number(d.most)}. Bis `
-    + `${w.number(d.upTo)} U/min kann sie folgen.`,
+    + `${w.number(d.upTo)} 1/min kann sie folgen.`,
   runInShort: (d, w) =>
-    `Bei ${w.number(d.speed)} U/min ist der Anlauf von ${w.number(d.runIn)} zu kurz für den Vorschub: Drehzahl × Steigung / 400 ergibt `
+    `Bei ${w.number(d.speed)} 1/min ist der Anlauf von ${w.number(d.runIn)} zu kurz für den Vorschub: Drehzahl × Steigung / 400 ergibt `
     + `${w.number(d.needed)} mm. Unsere Faustregel.${nearest(d.nearest, w.number)}`,
 } satisfies Partial<MessagesTexts["of"]>;

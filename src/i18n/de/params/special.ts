@@ -12,7 +12,7 @@ export const special = {
     prompt: "Art der Schnittlinien (0/1)?",
     printed: false,
     label: "Schnittlinien",
-    explanation: "Wie das Aufmaß in Schnitte geteilt wird.",
+    explanation: "Wie das Aufmaß in Schnitte aufgeteilt wird.",
     choices: {
       0: "konstanter Spanquerschnitt: längere Schnitte sind dünner, jeder nimmt dieselbe Fläche",
       1: "äquidistant: jeder Schnitt gleich dick",
@@ -22,7 +22,7 @@ export const special = {
     prompt: "Maximale Schnitttiefe?",
     printed: false,
     label: "Max. Zustellung",
-    explanation: "Das Meiste, was ein Schnitt nimmt, senkrecht zur Kontur gemessen. 0: alles in einem Schnitt.",
+    explanation: "Größte Zustellung je Schnitt, senkrecht zur Kontur gemessen. 0: alles in einem Schnitt.",
   },
   precessionAngle: {
     prompt: "Präzessionswinkel?",
@@ -34,7 +34,7 @@ export const special = {
     prompt: "Werkzeug umkehren (0=nein/1=ja)?",
     printed: false,
     label: "Werkzeug umkehren",
-    explanation: "Kehrt das Werkzeug um seine Achse um, was es spiegelt.",
+    explanation: "Dreht das Werkzeug um seine Achse um; die Schneide liegt dann gespiegelt.",
     choices: { 0: "wie es steht", 1: "um 180° gedreht" },
   },
   inclinedMachining: {
@@ -43,9 +43,9 @@ export const special = {
     label: "Angestellte Bearbeitung",
     explanation: "Wie die Schwenkachsen auf den Anstellwinkel fahren.",
     choices: {
-      0: "Achsen stehen lassen",
-      1: "Achsen bewegen, die Spitze wird nachgeführt",
-      2: "Achsen drehen, die Spitze wird nicht nachgeführt",
+      0: "Schwenkachsen stehen lassen",
+      1: "Schwenkachsen positionieren, Werkzeugspitze nachführen",
+      2: "Schwenkachsen positionieren, ohne Nachführung",
     },
   },
   incidenceAngle: {
@@ -58,7 +58,7 @@ export const special = {
     prompt: "Vorschub Positionieren?",
     printed: false,
     label: "Vorschub Positionieren",
-    explanation: "Vorschub, mit dem die Schwenkachsen fahren, mm/min.",
+    explanation: "Vorschub, mit dem die Schwenkachsen fahren, in mm/min.",
   },
   preferredDirection: {
     prompt: "Vorzugsrichtung Anstellwinkel?",
@@ -77,7 +77,8 @@ export const special = {
     prompt: "Exzentrisches Drehen (0-3)?",
     printed: false,
     label: "Exzentrisches Drehen",
-    explanation: "Koppelt die Achsen zum Drehen außerhalb der Tischmitte. Andere Werte als 0 und 3 bleiben stehen und sind nicht bewiesen.",
+    explanation:
+      "Koppelt die Achsen zum Drehen außerhalb der Tischmitte. Andere Werte als 0 und 3 bleiben im Programm, sind aber nicht geprüft.",
     choices: {
       0: "Kopplungen aus",
       1: "Kopplungen ein, Drehung um den Bezugspunkt",

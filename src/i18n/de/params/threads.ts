@@ -7,48 +7,48 @@ export const threads = {
     prompt: "Sicherheitsabstand?",
     printed,
     label: "Sicherheitsabstand",
-    explanation: "Abstand beim Abheben zwischen den Durchgängen. In diesem Zyklus zugleich der Anlauf: So weit vor dem "
-      + "Start beginnt jeder Durchgang.",
+    explanation: "Abstand beim Abheben zwischen den Schnitten. In diesem Zyklus zugleich der Anlaufweg: So weit vor dem "
+      + "Start beginnt jeder Schnitt.",
   },
   threadPosition: {
     prompt: "Gewindelage (0=außen/1=innen)?",
     printed,
-    label: "Lage",
-    explanation: "Ob das Gewinde außen oder innen geschnitten wird. Der Nenndurchmesser ist außen die Spitze, innen der "
-      + "Grund. Unsere Lesart; an der Steuerung prüfen.",
+    label: "Gewindelage",
+    explanation: "Ob das Gewinde außen oder innen geschnitten wird. Der Nenndurchmesser liegt außen an der Spitze, innen am "
+      + "Grund. Unsere Auslegung; an der Steuerung prüfen.",
     choices: { 0: "Außengewinde", 1: "Innengewinde" },
   },
   threadOrientation: {
     prompt: "Gewindeorientierung (0=längs/1=plan)?",
     printed,
-    label: "Orientierung",
+    label: "Gewindeorientierung",
     explanation: "Welche Achse mit der Spindel gekoppelt ist: Entlang dieser Achse wird die Steigung gemessen.",
     choices: { 0: "längs, parallel zur Achse", 1: "plan, in einer Stirnfläche" },
   },
   threadDiameter: {
     prompt: "Gewindedurchmesser?",
     printed,
-    label: "Gewinde-⌀",
-    explanation: "Nenndurchmesser: beim Außengewinde die Spitze, beim Innengewinde der Grund. Unsere Lesart; an der Steuerung prüfen.",
+    label: "Gewinde ⌀",
+    explanation: "Nenndurchmesser: beim Außengewinde an der Spitze, beim Innengewinde am Grund. Unsere Auslegung; an der Steuerung prüfen.",
   },
   threadStartDiameter: {
     prompt: "Durchmesser Gewindestart?",
     printed,
-    label: "Start-⌀",
+    label: "Start ⌀",
     explanation: "Nenndurchmesser am Gewindestart. Mit Q464 = 2 ergibt er sich aus Ende und Winkel.",
   },
   threadEndDiameter: {
     prompt: "Durchmesser Gewindeende?",
     printed,
-    label: "End-⌀",
+    label: "Ende ⌀",
     explanation: "Nenndurchmesser am Gewindeende. Mit Q464 = 4 ergibt er sich aus Start und Winkel.",
   },
   threadPitch: {
     prompt: "Gewindesteigung?",
     printed,
     label: "Steigung",
-    explanation: "Weg des Werkzeugs in einer Spindelumdrehung. Bei mehreren Gängen ist das die Steigung eines Gangs; von "
-      + "Rille zu Rille liegt der Anteil eines Gangs. Unsere Lesart; an der Steuerung prüfen.",
+    explanation: "Weg des Werkzeugs in einer Spindelumdrehung. Beim mehrgängigen Gewinde ist das die Steigung eines Gangs; "
+      + "von Gang zu Gang liegt die Teilung: Steigung durch Anzahl der Gänge. Unsere Auslegung; an der Steuerung prüfen.",
   },
   threadDepth: {
     prompt: "Gewindetiefe?",
@@ -61,7 +61,7 @@ export const threads = {
     printed,
     label: "Auslauf",
     explanation: "Weg am Gewindeende, auf dem das Werkzeug von der Tiefe zur Spitze ansteigt. 0: Es hebt erst nach dem "
-      + "Überlauf ab, aus voller Tiefe.",
+      + "Überlaufweg ab, aus voller Tiefe.",
   },
   threadRunIn: {
     prompt: "Anlaufweg?",
@@ -81,7 +81,7 @@ export const threads = {
     printed,
     label: "Kegel durch",
     explanation: "Welche Werte die Linie des Gewindes beschreiben. Der Winkel Q469 öffnet sich von einer Parallelen zur "
-      + "Achse in Schnittrichtung. Unsere Lesart; an der Steuerung prüfen.",
+      + "Achse in Schnittrichtung. Unsere Auslegung; an der Steuerung prüfen.",
     choices: {
       0: "Start- und Endpunkt",
       1: "Endpunkt, Startdurchmesser, Winkel",
@@ -109,13 +109,13 @@ export const threads = {
     printed,
     label: "Zustellwinkel",
     explanation: "Richtung der Zustellung gegen die Senkrechte auf das Gewinde: Mit der Tiefe wandert das Werkzeug auch "
-      + "seitlich, sodass vor allem die vordere Flanke schneidet. Höchstens der halbe Spitzenwinkel der Platte.",
+      + "seitlich, sodass vor allem die vordere Flanke schneidet. Höchstens der halbe Spitzenwinkel der Schneidplatte.",
   },
   infeedType: {
     prompt: "Zustellart (0/1)?",
     printed,
     label: "Zustellart",
-    explanation: "Wie die Tiefe auf die Durchgänge verteilt wird.",
+    explanation: "Wie die Tiefe auf die Schnitte verteilt wird.",
     choices: { 0: "konstanter Spanquerschnitt", 1: "konstante Eindringtiefe" },
   },
   startingAngle: {
@@ -134,6 +134,6 @@ export const threads = {
     prompt: "Anzahl Leerschnitte?",
     printed,
     label: "Leerschnitte",
-    explanation: "Durchgänge auf fertiger Tiefe ohne Zustellung, je Gang.",
+    explanation: "Schnitte auf fertiger Tiefe ohne Zustellung, je Gang.",
   },
 } satisfies SomeParamTexts;

@@ -9,7 +9,7 @@ export const turning = {
     choices: {
       0: "wie programmiert",
       1: "gegen die programmierte Richtung",
-      2: "gegen die programmierte Richtung, Schneide in Vorschubrichtung gespiegelt (Orientierung 1 schneidet als 3)",
+      2: "gegen die programmierte Richtung, Schneide in Vorschubrichtung gespiegelt (Werkzeugorientierung 1 schneidet als 3)",
     },
   },
   flankAngleRadial: {
@@ -17,7 +17,7 @@ export const turning = {
     printed: false,
     label: "Flankenwinkel",
     explanation: "Winkel zwischen der Flanke am Konturstart und der Senkrechten zur Drehachse. Der Einstich wird zum Grund hin schmaler, "
-      + "nie breiter als seine Öffnung. Unsere Lesart; an der Steuerung prüfen.",
+      + "nie breiter als seine Öffnung. Unsere Auslegung; an der Steuerung prüfen.",
   },
   secondFlankAngleRadial: {
     prompt: "Winkel zweite Flanke?",
@@ -44,13 +44,13 @@ export const turning = {
     printed: false,
     label: "Flankenwinkel",
     explanation: "Winkel zwischen der Flanke am Konturstart und der Senkrechten zur Drehachse. Die Flanke fällt vom Konturstart in den "
-      + "Zerspanbereich hinein, nie hinter die Kante. Unsere Lesart; an der Steuerung prüfen.",
+      + "Zerspanbereich hinein, nie hinter die Kante. Unsere Auslegung; an der Steuerung prüfen.",
   },
   plungeAngleFace: {
     prompt: "Winkel Flanke?",
     printed: false,
     label: "Flankenwinkel",
     explanation: "Winkel zwischen der Flanke am Konturstart und der Parallelen zur Drehachse. Die Flanke fällt vom Konturstart in den "
-      + "Zerspanbereich hinein, nie hinter die Kante. Unsere Lesart; an der Steuerung prüfen.",
+      + "Zerspanbereich hinein, nie hinter die Kante. Unsere Auslegung; an der Steuerung prüfen.",
   },
 } satisfies SomeParamTexts;
