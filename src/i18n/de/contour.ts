@@ -2,11 +2,11 @@ import type { ContourTexts } from "../en/contour.ts";
 
 export const contour = {
   title: "Kontur",
-  intro: "Die erste Zeile ist der Startpunkt. Geraden und Bögen gehen von Punkt zu Punkt; RND und CHF stehen zwischen den beiden "
+  intro: "Die erste Zeile ist der Startpunkt. Geraden und Bögen laufen von Punkt zu Punkt; RND und CHF stehen zwischen den beiden "
     + "Elementen, deren Ecke sie brechen.",
   table: "Kontur-Unterprogramm",
   empty: "Noch kein Element. Zuerst den Startpunkt der Kontur eingeben.",
-  drawing: (elements) => `Zeichnung der Kontur mit ${elements} Elementen`,
+  drawing: (elements) => `Zeichnung der Kontur mit ${elements === 1 ? "1 Element" : `${elements} Elementen`}`,
   drawingElement: (element) => `Element ${element} ist hervorgehoben`,
   head: { number: "Nr.", element: "Element", x: "X ⌀", z: "Z", size: "R / Länge", turn: "Drehsinn", actions: "Ändern" },
   kinds: {
@@ -14,7 +14,7 @@ export const contour = {
     RND: "Rundung",
     CHF: "Fase",
     CR: "Bogen mit Radius",
-    CC: "Bogenmittelpunkt",
+    CC: "Kreismittelpunkt",
     C: "Bogen um Mittelpunkt",
     CT: "Tangentialer Bogen",
     LP: "Gerade polar",
@@ -44,7 +44,7 @@ export const contour = {
   sought: "noch nicht bestimmt",
   freedom: (values) => (values === 1 ? "1 Angabe fehlt" : `${values} Angaben fehlen`),
   details: "Winkel und Länge",
-  detailsAbout: "Winkel, Länge oder T für tangential angeben und Koordinaten weglassen: sie werden vorwärts und rückwärts berechnet. Ein "
+  detailsAbout: "Winkel, Länge oder T für tangential angeben und Koordinaten weglassen: Sie werden vorwärts und rückwärts berechnet. Ein "
     + "Fragezeichen lässt jede Koordinate offen. Ins Programm kommen die Koordinaten.",
   round: (element) => `Ecke hinter Element ${element} runden`,
   chamfer: (element) => `Ecke hinter Element ${element} fasen`,
@@ -53,7 +53,7 @@ export const contour = {
   modeShort: { move: "Schieben", draw: "Zeichnen", round: "Runden", chamfer: "Fasen" },
   canvas: "Konturzeichnung",
   canvasKeys: "Pfeiltasten wählen ein Element, Tab geht durch seine Maße, Enter öffnet eines. "
-    + "R und C brechen die Ecke, Plus und Minus zoomen, 0 zeigt alles, "
+    + "R rundet die Ecke, C fast sie, Plus und Minus zoomen, 0 zeigt alles, "
     + "Umschalt mit Pfeilen verschiebt das Bild.",
   dimension: (name, value) => `${name}: ${value}`,
   inDrawing: (name) => `${name}, in der Zeichnung`,
@@ -93,7 +93,7 @@ export const contour = {
   dxf: {
     open: "DXF importieren",
     title: "Kontur aus einer DXF-Zeichnung",
-    preview: (elements) => `Vorschau der Kontur mit ${elements} Elementen`,
+    preview: (elements) => `Vorschau der Kontur mit ${elements === 1 ? "1 Element" : `${elements} Elementen`}`,
     file: "Zeichnung",
     choose: "Datei wählen",
     tolerance: "Enden verbinden bis (mm)",
@@ -106,13 +106,16 @@ export const contour = {
     flipped: "Z umkehren",
     zeroRight: "Z0 am rechten Ende",
     reversed: "Vom anderen Ende her",
-    chain: "Zug",
+    chain: "Linienzug",
     chainOf: (number, all) => `${number} von ${all}`,
     take: "Übernehmen",
     cancel: "Abbrechen",
-    replaces: (elements) => `Ersetzt die ${elements} Elemente der Tabelle; Rückgängig holt sie zurück.`,
+    replaces: (elements) =>
+      elements === 1
+        ? "Ersetzt das Element der Tabelle; Rückgängig holt es zurück."
+        : `Ersetzt die ${elements} Elemente der Tabelle; Rückgängig holt sie zurück.`,
     found: "Hinweise zur Zeichnung",
-    unreadable: "Diese Datei ist keine lesbare DXF-Zeichnung (Textform, jede Version).",
+    unreadable: "Diese Datei ist keine lesbare DXF-Zeichnung (Textformat, jede Version).",
     tooLarge: "Diese Datei ist größer als 20 MB.",
     of: {
       nothing: "Die Zeichnung enthält keine Linien, Bögen oder Polylinien.",
@@ -120,14 +123,14 @@ export const contour = {
       tooMany: "Die Zeichnung enthält mehr als 20.000 Linien und Bögen.",
       onlyAxis: "Alle Linien liegen auf der Drehachse.",
       skipped: (kind, count) => `Nicht verwendet: ${count} × ${kind}.`,
-      broken: (count) => `Ausgelassen, weil Zahlen fehlen: ${count}.`,
-      chains: (count) => `Die Linien ergeben ${count} getrennte Züge; einen wählen oder die Toleranz erhöhen.`,
+      broken: (count) => `Ausgelassen, weil Zahlen unvollständig sind: ${count}.`,
+      chains: (count) => `Die Linien ergeben ${count} getrennte Linienzüge; einen wählen oder die Toleranz erhöhen.`,
       branch: (x, z) => `Bei X ⌀ ${x}, Z ${z} treffen sich mehr als zwei Linien.`,
       gapsClosed: (count, widest) => `Geschlossene Lücken: ${count}, die größte ${widest} mm.`,
       axisDropped: "Linien auf der Drehachse sind ausgelassen.",
-      closed: "Der Zug ist geschlossen; er beginnt, wo die Zeichnung ihn beginnt.",
+      closed: "Der Linienzug ist geschlossen; er beginnt, wo die Zeichnung ihn beginnt.",
       inches: "Die Zeichnung ist in Zoll und wird in mm umgerechnet.",
-      belowAxis: (x, z) => `Bei X ⌀ ${x}, Z ${z} liegt die Kontur unter der Drehachse.`,
+      belowAxis: (x, z) => `Bei X ⌀ ${x}, Z ${z} liegt die Kontur jenseits der Drehachse.`,
     },
   },
   notANumber: "Das ist keine Zahl.",

@@ -38,7 +38,7 @@ export const messages = {
     startLevelWithEnd: (d, w) =>
       `Der Startpunkt steht auf ${d.axis} ${w.number(d.value)}, wo die Kontur endet: Dazwischen gibt es nichts zu zerspanen.`,
     diameterNegative: (d, w) =>
-      `${w.value(d.value)} ist ein Durchmesser jenseits der Achse, dort wird keine Kontur geplant.${nearest(d.nearest, w.value)}`,
+      `${w.value(d.value)} ist ein Durchmesser jenseits der Drehachse, dort wird keine Kontur geplant.${nearest(d.nearest, w.value)}`,
     elementTooLong: (d, w) =>
       `${w.number(d.size)} ist länger, als das Element erlaubt: höchstens ${w.number(d.max)}.${nearest(d.nearest, w.number)}`,
     cornersTooWide: (d, w) =>
@@ -69,8 +69,9 @@ export const messages = {
       + ` ergibt ${w.number(d.offset)}; 80 % der wirksamen Breite sind ${w.number(d.max)}.` + `${nearest(d.nearest, w.number)}`,
     toolUnfit: (d) =>
       `Ein Werkzeug vom Typ ${d.type} mit Werkzeugorientierung ${d.orientation} kann das nicht. Geeignet: `
-      + `${d.types.join(" oder ")} mit Orientierung ${d.orientations.join(", ")}.`,
-    toolCannotCutSideways: (d) => `Ein ${d.type}-Werkzeug sticht nur ein, dieser Zyklus schneidet auch seitlich. RECTURN-Werkzeug nehmen.`,
+      + `${d.types.join(" oder ")} mit Werkzeugorientierung ${d.orientations.join(", ")}.`,
+    toolCannotCutSideways: (d) =>
+      `Ein Werkzeug vom Typ ${d.type} sticht nur ein, dieser Zyklus schneidet auch seitlich. Ein Werkzeug vom Typ RECTURN nehmen.`,
     flanksNotChecked: () => "T-ANGLE oder P-ANGLE ist leer: Die Flanken der Schneide werden nicht geprüft.",
     toolColumn: (d, w) => {
       const what = d.value === null ? `${d.column} fehlt oder ist keine Zahl.` : `${d.column} ${w.value(d.value)} ist nicht möglich.`;
@@ -86,14 +87,14 @@ export const messages = {
     holderHead: (d, w) =>
       `„${w.text(d.text)}“ ist kein Umriss. Jede Ecke ist Z/X ab der Spitze, Ecken durch Leerzeichen getrennt, `
       + "Teile durch Semikolon; ein Teil braucht drei Ecken.",
-    betterTool: (d) => `Werkzeug ${d.tool} ${d.name} kann diese Kontur herstellen.`,
+    betterTool: (d) => `Werkzeug ${d.tool} ${d.name} kann diese Kontur fertigen.`,
     startInArea: (d, w) => `Der Startpunkt ${w.place(d.x, d.z)} liegt im Zerspanbereich: Das Werkzeug fährt zuerst auf Sicherheitsabstand.`,
     startInMaterial: (d, w) => `Der Startpunkt ${w.place(d.x, d.z)} steht im Material.`,
     startBelowContour: (d, w) => `Der Startpunkt liegt ${w.number(d.below)} mm unter dem Konturstart: Das Werkzeug fährt zuerst dorthin.`,
     startInPart: (d, w) =>
       `Der Startpunkt liegt im Fertigteil: Von dort wird nichts zerspant. Ein Startpunkt, der geht: ${w.place(d.x, d.z)}.`,
     insertAcrossAxis: (d, w) =>
-      `Die Schneidplatte reicht ${w.number(d.reach)} mm über die Drehmitte und schneidet dort ins Fertigteil.`
+      `Die Schneidplatte reicht ${w.number(d.reach)} mm über die Drehachse und verletzt dort das Fertigteil.`
       + (d.nearest === undefined
         ? " Für diese Bohrung ist sie zu lang."
         : ` Mit dem Startpunkt ab X${w.diameter(d.nearest)} bleibt sie frei.`),
@@ -115,7 +116,7 @@ export const messages = {
     contourPoint: (d) => `Element ${d.element}: Der Endpunkt fehlt oder ist nicht erreichbar.`,
     cornerElementAlone: (d) => `Element ${d.element}: Fase und Rundung brauchen ein Element davor und dahinter, eine Fase zwei Geraden.`,
     cornerElementTooLong: (d, w) =>
-      `Element ${d.element}: ${w.number(d.size)} passt nicht zwischen seine Nachbarn: höchstens ${w.number(d.max)}`
+      `Element ${d.element}: ${w.number(d.size)} passt nicht zwischen die Nachbarelemente: höchstens ${w.number(d.max)}`
       + `.${nearest(d.nearest, w.number)}`,
     arcOffCircle: (d, w) =>
       `Element ${d.element}: Der Endpunkt verfehlt den Kreis um ${w.number(d.gap)}.`
@@ -123,7 +124,9 @@ export const messages = {
     arcTooSmall: (d, w) =>
       `Element ${d.element}: Radius ${w.number(d.radius)} ist zu klein für den Endpunkt.${nearest(d.nearest, w.number)}`,
     elementFree:
-      (d) => (d.freedom === 1 ? `Element ${d.element}: noch eine Angabe nötig.` : `Element ${d.element}: noch ${d.freedom} Angaben nötig.`),
+      (d) => (d.freedom === 1
+        ? `Element ${d.element}: Noch 1 Angabe ist nötig.`
+        : `Element ${d.element}: Noch ${d.freedom} Angaben sind nötig.`),
     elementContradicts: (
       d,
       w,
@@ -131,8 +134,9 @@ export const messages = {
       ? `Element ${d.element} schließt nicht tangential an; die Abweichung ist ${w.number(d.nearest)}°.`
       : `Element ${d.element}: ${ELEMENT[d.quantity]} ${w.number(d.given)} widerspricht den übrigen Angaben; `
         + `${w.number(d.nearest)} passt.`),
-    elementUnreachable: (d) => `Element ${d.element}: mit dieser Länge, diesem Radius oder Winkel erreicht es den Nachbarn nicht.`,
-    centreMissing: (d) => `Element ${d.element}: der Mittelpunkt fehlt; CC davor setzen.`,
+    elementUnreachable: (d) =>
+      `Element ${d.element}: Mit dieser Länge, diesem Radius oder diesem Winkel ist das Nachbarelement nicht erreichbar.`,
+    centreMissing: (d) => `Element ${d.element}: Der Kreismittelpunkt fehlt; CC davor programmieren.`,
     contourCrossesItself: (d) => `Element ${d.element} kreuzt Element ${d.other}.`,
     toolRadiusTooLarge: (d, w) =>
       `Element ${d.element}: Ein Werkzeugradius von ${w.number(d.radius)} passt nicht.${nearest(d.nearest, w.number)}`,
@@ -154,38 +158,38 @@ export const messages = {
       `Element ${d.element}: Ein Freistich braucht einen achsparallelen Zylinder und eine Planfläche dazu, ein Einstich ein `
       + "gerades Element seiner Richtung.",
     recessWord: (d) => `Element ${d.element}: ${d.word} fehlt oder ergibt keine mögliche Form.`,
-    undercutDefaults: (d) => `Element ${d.element}: ${d.words} aus der Norm, aus der Erinnerung; die Wörter am besten selbst angeben.`,
-    materialLeft: (d, w) => `${w.area(d.area)} bleiben bei ${w.place(d.x, d.z)} stehen. Grund: ${reasons[d.reason]}.`,
-    gouge: (d, w) => `${w.area(d.area)} des Fertigteils werden bei ${w.place(d.x, d.z)} weggeschnitten.`,
-    rapidInStock: (d, w) => `Ein Eilgang fährt bei ${w.place(d.x, d.z)} durch ${w.area(d.area)} Material.`,
-    holderContact: (d, w) => `Der Halter berührt bei ${w.place(d.x, d.z)} Material.`,
+    undercutDefaults: (d) =>
+      `Element ${d.element}: ${d.words} nach der Norm, aus der Erinnerung; sicherer ist es, die Werte selbst anzugeben.`,
+    materialLeft: (d, w) => `Restmaterial bei ${w.place(d.x, d.z)}: ${w.area(d.area)}. Grund: ${reasons[d.reason]}.`,
+    gouge: (d, w) => `Konturverletzung bei ${w.place(d.x, d.z)}: ${w.area(d.area)} des Fertigteils weggeschnitten.`,
+    rapidInStock: (d, w) => `Eine Eilgangbewegung fährt bei ${w.place(d.x, d.z)} durch ${w.area(d.area)} Material.`,
+    holderContact: (d, w) => `Der Halter berührt bei ${w.place(d.x, d.z)} das Material.`,
     contactsUnlooked: (d) =>
-      `${d.limit} Bewegungen verletzen das Teil, fahren im Eilgang ins Material oder berühren es mit dem Halter: Ab hier wurde `
+      `${d.limit} Bewegungen verletzen die Kontur, fahren im Eilgang ins Material oder berühren es mit dem Halter: Ab hier wird `
       + "danach nicht mehr gesucht.",
     deeperThanInfeed: (d, w) =>
       "" + (d.pass === undefined ? "Ein Glätt- oder Schlichtschnitt" : `Schnitt ${w.number(d.pass)}`)
       + ` nimmt ${w.number(d.depth)} mm Material auf einmal; erlaubt sind ${w.number(d.allowed)} mm.`,
-    blankLacks: (d, w) =>
-      `${w.text(d.what)} lässt ${w.area(d.area)} von dem Material aus, das nach dem Programm dort steht. Der Umriss gilt.`,
+    blankLacks: (d, w) => `${w.text(d.what)} lässt ${w.area(d.area)} von dem Material aus, das laut Programm dort steht. Der Umriss gilt.`,
     blankGone: (d, w) => `${w.text(d.what)} umreißt ${w.area(d.area)}, wo nichts mehr steht. Was abgetragen ist, bleibt abgetragen.`,
     nothingCut: () => "Diese Bearbeitung trägt kein Material ab.",
     airPasses: (d) => (d.count === 1 ? "1 Schruppschnitt berührt kein Material." : `${d.count} Schruppschnitte berühren kein Material.`),
 
-    notUnderstood: (d, w) => `„${w.text(d.text)}“ wird nicht verstanden: bleibt stehen, wird nicht simuliert.`,
+    notUnderstood: (d, w) => `„${w.text(d.text)}“ wird nicht verstanden: bleibt im Programm, wird nicht simuliert.`,
     wordNotUnderstood: (d, w) => `Das Wort „${w.text(d.text)}“ wird nicht verstanden.`,
     wordTwice: (d, w) => `${w.text(d.word)} steht zweimal im Satz; das letzte gilt.`,
     equalsMissing: (d, w) => `In „${w.text(d.text)}“ fehlt das Gleichheitszeichen. Es wird so gelesen, als stünde es da.`,
     blankBeforeEquals: (d, w) => `In „${w.text(d.text)}“ steht ein Leerzeichen vor dem Gleichheitszeichen.`,
     badNumber: (d, w) => `„${w.text(d.text)}“ ist keine Zahl.`,
     wordMissing: (d, w) => `${w.text(d.word)} fehlt in diesem Satz.`,
-    blockNumber: (d) => `Satznummer ${d.found} folgt nicht; ${d.expected} wäre an der Reihe.`,
+    blockNumber: (d) => `Satznummer ${d.found} passt nicht in die Reihenfolge; ${d.expected} wäre an der Reihe.`,
     blockNumberMissing: (d) => `Der Satz hat keine Nummer; ${d.expected} wäre an der Reihe.`,
     continuationOpen: () => "Die Zeile endet mit ~, aber es folgt keine Fortsetzung.",
     frameMissing: (d) => `Dem Programm fehlt ${d.which}.`,
 
-    notSimulated: (d, w) => `${w.text(d.what)}: bleibt stehen, wird nicht simuliert.`,
+    notSimulated: (d, w) => `${w.text(d.what)}: bleibt im Programm, wird nicht simuliert.`,
     notProved: (d, w) => `${w.text(d.what)} wird nicht simuliert und kann Bahn oder Rohteil verändern: Ab hier ist nichts geprüft.`,
-    cycleNotSimulated: (d, w) => `Zyklus ${d.cycle} ${w.text(d.name)}: bleibt stehen, wird nicht simuliert.`,
+    cycleNotSimulated: (d, w) => `Zyklus ${d.cycle} ${w.text(d.name)}: bleibt im Programm, wird nicht simuliert.`,
     noCycleDefined: () => "Vor dem Aufruf ist kein Zyklus definiert.",
     noToolCalled: () => "Vor diesem Satz ist kein Werkzeug aufgerufen.",
     toolUnknown: (d, w) => `Werkzeug ${w.text(d.tool)} steht nicht in der Tabelle.`,
@@ -194,12 +198,12 @@ export const messages = {
     feedZero: (d, w) =>
       `${w.text(d.word)}: Der Schnittvorschub ist hier 0. Einen Vorschub über 0 angeben; FAUTO nimmt das F aus TOOL CALL.`,
     feedUnlikely: (d, w) =>
-      `Ein Vorschub von ${w.number(d.feed)} ${d.unit} ist kaum gemeint. M136 prüfen: Damit zählt F in mm pro Umdrehung.`,
+      `Ein Vorschub von ${w.number(d.feed)} ${d.unit} ist unwahrscheinlich. M136 prüfen: Damit zählt F in mm pro Umdrehung.`,
     drillTooShort: (d, w) =>
       `Die Bohrung ist ${w.value(d.depth)} tief, die Schneiden des Bohrers (LCUTS) sind ${w.value(d.edges)} lang: Der Schaft kann reiben.`,
     pitchOfTap: (d, w) => `Q239 ist ${w.value(d.pitch)}, der Gewindebohrer in der Tabelle hat aber PITCH ${w.value(d.tap)}.`,
     freeChosen: () =>
-      "Ab hier passen mehrere Konturen zu den Angaben: Die kürzeste wird gezeigt. Die Steuerung nimmt die, die FSELECT nennt.",
+      "Ab hier passen mehrere Konturen zu den Angaben: Die kürzeste wird gezeigt. Die Steuerung nimmt die, die FSELECT auswählt.",
     freeUnsolved: (d, w) =>
       `${w.text(d.form)}: Die Angaben bestimmen dieses Element nicht oder widersprechen sich. Mehr Angaben machen oder FSELECT wählen.`,
     cycleNeverCalled: (d) => `Zyklus ${d.cycle} ist definiert und wird nie aufgerufen: Dahinter fehlt CYCL CALL oder M99.`,
@@ -211,7 +215,7 @@ export const messages = {
     approachUncompensated: (d) => `${d.form} hat kein RL oder RR: Die Kontur dahinter läuft ohne Radiuskorrektur.`,
     labelMissing: (d, w) => `LBL ${w.text(d.label)} gibt es nicht.`,
     labelTwice: (d, w) => `LBL ${w.text(d.label)} steht zweimal im Programm.`,
-    labelNotClosed: (d, w) => `LBL ${w.text(d.label)} wird nicht mit LBL 0 geschlossen.`,
+    labelNotClosed: (d, w) => `LBL ${w.text(d.label)} wird nicht mit LBL 0 abgeschlossen.`,
     contourNotNamed: (d) => `Zyklus ${d.cycle} braucht vor dem Aufruf Zyklus 14 mit seiner Kontur.`,
     contoursJoined: (d, w) =>
       `${w.text(d.joined)}: Hier ergeben mehrere Konturen eine. Zyklus ${
@@ -222,7 +226,7 @@ export const messages = {
         ? "FN 14: Die Steuerung hält hier mit einem Fehler an; dahinter läuft nichts."
         : `FN 14: Die Steuerung hält hier mit Fehler ${w.number(d.error)} an; dahinter läuft nichts.`,
     contourInFile: (d, w) =>
-      `Die Kontur steht in der Datei ${w.text(d.file)}, die hier nicht vorliegt: in ein Label setzen und mit Zyklus 14 nennen.`,
+      `Die Kontur steht in der Datei ${w.text(d.file)}, die hier nicht vorliegt: Sie in ein Label schreiben und mit Zyklus 14 nennen.`,
     feedMissing: () => "Es ist kein Vorschub programmiert.",
     spindleMissing: () => "Es ist keine Spindeldrehzahl programmiert; Zeiten fehlen.",
     parameterUnset: (d) => `${d.name} hat hier keinen Wert.`,
@@ -244,10 +248,10 @@ export const messages = {
         }.`,
         allowance: `Die Kontur beginnt bei Z${w.signed(d.contour)}, das Rohteil erst bei Z${
           w.signed(d.blank)
-        }: Das sind Luftschnitte. Vorschlag: ${w.signed(d.nearest)}.`,
+        }: Das sind Leerschnitte. Vorschlag: ${w.signed(d.nearest)}.`,
         thread: `Das Gewinde hat ${w.diameter(d.contour)}, das Rohteil ${w.diameter(d.blank)}. Vorschlag: ${w.diameter(d.nearest)}.`,
       })[d.place],
-    blankImpossible: () => "Das Rohteil hat kein Volumen: seine Maße prüfen.",
+    blankImpossible: () => "Das Rohteil hat kein Volumen: Maße prüfen.",
     boxTurned: (d, w) =>
       `Der Quader dreht sich als Zylinder um seine Ecken, Durchmesser ${w.value(d.outer)}. Nur innerhalb von Durchmesser ${
         w.value(d.inner)
@@ -255,20 +259,20 @@ export const messages = {
     blankTaken: (d, w) => `${w.text(d.what)} wird als Rohteil genommen.`,
     blankAdds: (d, w) => `${w.text(d.what)} umreißt ${w.area(d.area)} mehr, als BLK FORM hat. Der Umriss gilt.`,
     blankTraced: () =>
-      "Während der Rohteilnachführung lässt das Schruppen Ebenen aus, die nichts berühren. "
-      + "Andere Wege in der Luft, die die Steuerung kürzen kann, sind ganz gezeigt.",
-    poleMissing: () => "Der Satz braucht vorher einen Pol CC.",
+      "Während der Rohteilnachführung lässt das Schruppen Zustellungen aus, die kein Material berühren. "
+      + "Andere Leerwege, die die Steuerung kürzen kann, werden ganz gezeigt.",
+    poleMissing: () => "Der Satz braucht davor einen Pol CC.",
     startUnknown: () => "Die Position vor diesem Satz ist nicht bekannt.",
     arcImpossible: () => "Zu diesen Werten gibt es keinen Bogen.",
     radiusCompensation: (d) => `${d.side} wird gelesen, die Bahn aber nicht korrigiert.`,
     sideChanged: () => "Zwischen RL und RR braucht die Steuerung einen Satz mit R0.",
     approachWithoutContour: (d) => `${d.form} braucht ein Konturelement neben sich.`,
     lengthDelta: (d) =>
-      `DZL und DXL von Werkzeug ${d.tool}: Die Steuerung rechnet sie zu den Werkzeuglängen. Die Spitze bleibt auf der Bahn, `
-      + "Bahn und Werkstück ändern sich nicht.",
+      `DZL und DXL von Werkzeug ${d.tool}: Die Steuerung rechnet sie zu den Werkzeuglängen. Die Schneidenspitze bleibt auf der `
+      + "Bahn; Bahn und Werkstück ändern sich nicht.",
     toolRadiusUnknown: (d, w) => `Der Radius von Werkzeug ${w.text(d.tool)} ist nicht bekannt: Die Bahn ist mit Radius 0 gerechnet.`,
     wordsRecalled: (d, w) =>
-      `${w.text(d.what)}: Die Wörter sind aus der Erinnerung, nicht an einer gedruckten Seite geprüft. Bitte an der Steuerung prüfen.`,
+      `${w.text(d.what)}: Die Wörter sind aus der Erinnerung, nicht an einer gedruckten Seite geprüft. An der Steuerung prüfen.`,
     programEndMissing: () => "Am Ende des Hauptprogramms fehlt M30 oder M2.",
     tooManyBlocks: (d) =>
       `Mehr als ${d.limit} Sätze wurden ausgeführt: dort angehalten. Hat es weniger, endet ein Sprung oder eine Wiederholung nie.`,
@@ -276,12 +280,12 @@ export const messages = {
     contourTooLong: (d) => `Die Kontur hat mehr als ${d.limit} Sätze: dort angehalten.`,
     tooManyOperations: (d) => `Mehr als ${d.limit} Zyklusaufrufe: dort angehalten.`,
     moreAlike: (d, w) => `Ab hier sind ${w.number(d.count)} weitere Befunde derselben Art (${d.code}) nur gezählt, nicht aufgeführt.`,
-    callsTooDeep: (d) => `Labels rufen sich mehr als ${d.limit}-fach verschachtelt auf.`,
+    callsTooDeep: (d) => `Label-Aufrufe sind mehr als ${d.limit}-fach verschachtelt.`,
     programsTooDeep: (d) =>
-      `Programme rufen sich mehr als ${d.limit}-fach verschachtelt auf: Eines ruft sich ohne Ende selbst. Dort angehalten.`,
+      `Programmaufrufe sind mehr als ${d.limit}-fach verschachtelt: Ein Programm ruft sich endlos selbst auf. Dort angehalten.`,
     endInCalled: (d) =>
-      `${d.word} steht in einem gerufenen Programm, was die Steuerung nicht erlaubt: Das rufende läuft hinter dem Aufruf weiter.`,
-    programNotOpened: (d, w) => `${w.text(d.file)} ist nicht geöffnet: Zusammen mit diesem Programm geöffnet, wird es mit ausgeführt.`,
+      `${d.word} steht in einem aufgerufenen Programm, was die Steuerung nicht erlaubt: Das aufrufende läuft hinter dem Aufruf weiter.`,
+    programNotOpened: (d, w) => `${w.text(d.file)} ist nicht geöffnet: Zusammen mit diesem Programm öffnen, dann wird es mit ausgeführt.`,
     programNotSelected: () => "CALL SELECTED PGM braucht ein Programm, das SEL PGM vorher genannt hat.",
   },
 } satisfies MessagesTexts;

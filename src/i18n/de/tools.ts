@@ -13,8 +13,8 @@ export const tools = {
   hasError: "Fehler",
   none: "Die Tabelle ist leer.",
   add: "Neues Werkzeug",
-  duplicate: "Kopieren",
-  duplicateLong: (tool) => `${tool} kopieren`,
+  duplicate: "Duplizieren",
+  duplicateLong: (tool) => `${tool} duplizieren`,
   remove: "Löschen",
   removeLong: (tool) => `${tool} löschen`,
   removed: (tool) => `Gelöscht: ${tool}.`,
@@ -25,13 +25,13 @@ export const tools = {
 
   kinds: { name: "Tabellen dieses Geräts", turning: "Drehen", milling: "Fräsen und Bohren" },
   millTable: "Fräs- und Bohrwerkzeuge dieses Geräts",
-  millNote: "Hier zählt nur der Radius mit seinem Aufmaß; Längen werden für die Steuerung geführt.",
-  drillNote: "R mit Aufmaß, Spitzenwinkel und Schneiden ergeben beim Drehen die Bohrung auf der Achse; Längen werden für die Steuerung "
-    + "geführt.",
+  millNote: "Hier zählt nur der Radius mit seinem Aufmaß; Längen werden nur für die Steuerung mitgeführt.",
+  drillNote: "R mit Aufmaß, Spitzenwinkel und Schneidenlänge ergeben beim Drehen die Bohrung auf der Achse; Längen werden nur für die "
+    + "Steuerung mitgeführt.",
   mill: "Fräser",
   millDrawing: "Werkzeug maßstäblich",
   flat: "flach",
-  edges: (length: string) => `Schneiden ${length} mm`,
+  edges: (length: string) => `Schneidenlänge ${length} mm`,
   pitch: (length: string) => `Steigung ${length} mm`,
   exportMillLong: "Fräswerkzeuge als Spaltentext der Steuerung exportieren: TOOL.T",
 
@@ -65,7 +65,7 @@ export const tools = {
     R: "Werkzeugradius",
     DL: "Aufmaß Länge",
     DR: "Aufmaß Radius",
-    LCUTS: "Länge der Schneiden",
+    LCUTS: "Schneidenlänge",
     PITCH: "Gewindesteigung",
   },
   drillAngle: "Spitzenwinkel",
@@ -82,12 +82,12 @@ export const tools = {
   field: (column, meaning) => `${column}: ${meaning}`,
   units: { mm: "mm", degrees: "°" },
   unused: (type) => `von ${type} nicht genutzt`,
-  keptOnly: "Längen und Orientierung werden für die Steuerung geführt; gefahren wird mit der theoretischen Spitze. DZL und DXL sagen, "
-    + "wie weit das Werkzeug von den gemessenen Längen abweicht: Die Steuerung rechnet sie ein, Bahn und Werkstück bleiben "
-    + "gleich. FUNCTION TURNDATA CORR verschiebt den Schnitt.",
+  keptOnly: "Längen und Orientierung werden nur für die Steuerung mitgeführt; die Bahn ist die der theoretischen Schneidenspitze. "
+    + "DZL und DXL sagen, wie weit das Werkzeug von den gemessenen Längen abweicht: Die Steuerung rechnet sie ein, Bahn und "
+    + "Werkstück bleiben gleich. FUNCTION TURNDATA CORR verschiebt den Schnitt.",
   anyType: "Wählen",
 
-  orientation: "TO: wohin die Spitze zeigt",
+  orientation: "TO: wohin die Schneidenspitze zeigt",
   orientationOf: (to, where) => `TO ${to}: ${where}`,
   directions: ["−Z −X", "−X", "+Z −X", "+Z", "+Z +X", "+X", "−Z +X", "−Z", "rund, ohne Richtung"],
   orientationHint: "Z nach rechts, X nach oben. 1 dreht außen nach −Z, 7 ist die übliche Bohrstange.",

@@ -40,13 +40,13 @@ export const approach = {
     LEN: {
       label: "length",
       prompt: "Length of the straight piece?",
-      about: "From the auxiliary point PH to PA, or from PE to PN. A minus sign takes the other side.",
+      about: "From the auxiliary point PH to PA, or from PE to PN. With LN a minus sign takes the other side.",
     },
     CCA: { label: "centre angle", prompt: "Centre angle of the arc?", about: "How far round the arc runs, up to 360°." },
     R: {
       label: "radius",
       prompt: "Radius of the arc?",
-      about: "Radius of the path of the tool centre. In CT a minus sign takes the arc through the side of the contour.",
+      about: "Radius of the path of the tool centre. With CT a minus sign puts the arc on the side of the workpiece.",
     },
     SIDE: {
       label: "compensation",

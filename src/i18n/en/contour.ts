@@ -6,7 +6,7 @@ export const contour = {
     + "whose corner they break.",
   table: "Contour subprogram",
   empty: "No element yet. Add the start point of the contour first.",
-  drawing: (elements: number) => `Drawing of the contour with ${elements} elements`,
+  drawing: (elements: number) => `Drawing of the contour with ${elements === 1 ? "1 element" : `${elements} elements`}`,
   drawingElement: (element: number) => `element ${element} is highlighted`,
   head: { number: "No.", element: "Element", x: "X ⌀", z: "Z", size: "R / length", turn: "Turn", actions: "Change" },
   kinds: {
@@ -93,7 +93,7 @@ export const contour = {
   dxf: {
     open: "Import DXF",
     title: "Contour from a DXF drawing",
-    preview: (elements: number) => `Preview of the contour with ${elements} elements`,
+    preview: (elements: number) => `Preview of the contour with ${elements === 1 ? "1 element" : `${elements} elements`}`,
     file: "Drawing",
     choose: "Choose a file",
     tolerance: "Join ends up to (mm)",
@@ -110,7 +110,10 @@ export const contour = {
     chainOf: (number: number, all: number) => `${number} of ${all}`,
     take: "Take over",
     cancel: "Cancel",
-    replaces: (elements: number) => `Replaces the ${elements} elements of the table; undo brings them back.`,
+    replaces: (elements: number) =>
+      elements === 1
+        ? "Replaces the element of the table; undo brings it back."
+        : `Replaces the ${elements} elements of the table; undo brings them back.`,
     found: "Notes on the drawing",
     unreadable: "This file is no DXF drawing that can be read (text form, any release).",
     tooLarge: "This file is larger than 20 MB.",

@@ -60,8 +60,8 @@ export const findings = {
     lead:
       (n:
         number) => (n === 1
-          ? "It must not run on a machine like this. One fault was found:"
-          : `It must not run on a machine like this. ${n} faults were found:`),
+          ? "As it is it must not run on a machine. One fault was found:"
+          : `As it is it must not run on a machine. ${n} faults were found:`),
     unchecked: "This program is not checked yet",
     uncheckedLead: "The calculation has not ended. Nobody knows whether there are faults in it.",
     go: { copy: "Copy all the same", save: "Save all the same", download: "Download all the same", share: "Share all the same" },

@@ -39,7 +39,7 @@ export const setup = {
   parameters: {
     title: "Q parameters used",
     hint: "They stand in prompts. The program sets them before the cycle.",
-    ask: (name: string) => `Which value has ${name}?`,
+    ask: (name: string) => `What value does ${name} have?`,
   },
   blank: {
     title: "Blank: cylinder",

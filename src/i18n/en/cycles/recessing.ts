@@ -3,7 +3,7 @@ import { safePosition, turnMode } from "./notes.ts";
 
 const rough = [
   "plunge into the solid at the feed for it, to the depth with its oversize",
-  "dwell on the ground, then out of the cut",
+  "dwell on the floor, then out of the cut",
   "sideways by the overlap, in front of the work",
   "plunge beside what is cut already, at the roughing feed",
   "repeat until the width is reached, then cut along walls that lean or are round",

@@ -33,7 +33,7 @@ export const recessing = {
     prompt: "Dwell in revolutions?",
     printed: false,
     label: "Dwell",
-    explanation: "How many turns the spindle makes while the tool stands on the ground of a plunge, before it retracts.",
+    explanation: "How many turns the spindle makes while the tool stands on the floor of a plunge, before it retracts.",
   },
   combRecessing: {
     prompt: "Comb recessing (0/1)?",
