@@ -33,6 +33,8 @@ test("a tool of one's own by keyboard alone: made, kept over a reload, offered i
   await expect(tools.drawing).toBeVisible();
   await expect.poll(() => page.evaluate(() => localStorage.getItem("turnwise/tools") ?? "")).toContain("SHOP 35");
   await page.reload();
+  await expect(tools.rowButton(21)).toBeVisible();
+  await tools.close();
   await expect(turnwise.dialog.question).toBeVisible();
   await turnwise.show("setup");
   await setup.tool(21).check();

@@ -39,7 +39,8 @@ async function keepBeside(): Promise<void> {
   startKeepingPictures();
 }
 
-const asked = parseAddress(location.hash);
+const begun = location.hash;
+const asked = parseAddress(begun);
 const askedWork = asked?.page === "work" ? asked.work : asked?.page === "start" ? null : undefined;
 void resume(askedWork).then(async () => {
   resumePrompt();
@@ -49,7 +50,7 @@ void resume(askedWork).then(async () => {
   void keepBeside();
   startEngineLater();
   void openShared();
-  followAddress();
+  followAddress(begun);
   addEventListener("hashchange", () => void openShared());
 });
 

@@ -75,9 +75,10 @@ const noteOf = (from: string | null): Entry => {
 
 /**
  * From now on the browser's history and address go along with what the page shows, and what the page shows with Back and Forward.
- * The stores say where the page is; the address only follows them, and asks them.
+ * The stores say where the page is; the address only follows them, and asks them. `begun` is the address that the page has opened: it
+ * may have been changed while that went on.
  */
-export function followAddress(): () => void {
+export function followAddress(begun = location.hash): () => void {
   /** Address of the present entry, as this page wrote it. */
   let shown = parseAddress(location.hash) ? location.hash : null;
   /** A page closed itself: the browser is on its way back to the entry before. */
@@ -162,7 +163,8 @@ export function followAddress(): () => void {
   ];
   addEventListener("popstate", onBack);
   addEventListener("pagehide", note);
-  replace();
+  if (location.hash === begun) replace();
+  else onBack();
   return () => {
     for (const stop of stops) stop();
     clearTimeout(rest);
