@@ -12,7 +12,6 @@ import { PinnedCard } from "./effect/Pinned.tsx";
 import { givenOf } from "./engine/given.ts";
 import { Working } from "./engine/Working.tsx";
 import { useOutcome } from "./engine/outcome.ts";
-import { FindingsPanel } from "./findings/FindingsPanel.tsx";
 import { useJobHost } from "./findings/use-job-host.ts";
 import { useListed } from "./findings/use-findings.ts";
 import { Icon } from "./Icon.tsx";
@@ -26,14 +25,18 @@ import { playback } from "./playback.ts";
 import { openAsked } from "./program/choose-line.ts";
 import { ProgramPanel } from "./program/ProgramPanel.tsx";
 import { useReading, type JobReading } from "./reading.ts";
+import { fetchAtRest } from "./rest.ts";
 import { SectionTabs } from "./SectionTabs.tsx";
 import { changeSettings, useSettings } from "./settings/settings.ts";
 import { useTexts } from "./settings/use-texts.ts";
-import { SetupPanel } from "./setup/SetupPanel.tsx";
 import { useThirdColumn } from "./use-media.ts";
 import { useToolList } from "./tools/tool-store.ts";
 
-/** Loaded when its section is first shown. */
+/** Loaded when its section is first shown, or before that when there is nothing else to do. */
+const fetchSetup = () => import("./setup/SetupPanel.tsx");
+const SetupPanel = lazy(async () => ({ default: (await fetchSetup()).SetupPanel }));
+const fetchFindings = () => import("./findings/FindingsPanel.tsx");
+const FindingsPanel = lazy(async () => ({ default: (await fetchFindings()).FindingsPanel }));
 const ContourTable = lazy(async () => ({ default: (await import("./contour/ContourTable.tsx")).ContourTable }));
 const ContourStage = lazy(async () => ({ default: (await import("./contour/ContourStage.tsx")).ContourStage }));
 
@@ -58,6 +61,7 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
   const known = useMemo(() => knownWork(read.cycle, read.job, read.reading, givenOf(read), tools), [read, tools]);
   const measured = useMeasuredTarget(read, setPrompt);
   useEffect(() => () => chooseElement(null), []);
+  useEffect(() => fetchAtRest(() => Promise.all([fetchSetup(), fetchFindings()])), []);
   const free = read.cycle.contour === "free";
   const possible: readonly JobSection[] = [
     "prompts",
@@ -71,14 +75,22 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
 
   const content: Readonly<Record<JobSection, ReactNode>> = {
     prompts: <CycleDialog read={read} />,
-    setup: <SetupPanel read={read} />,
+    setup: (
+      <Suspense>
+        <SetupPanel read={read} />
+      </Suspense>
+    ),
     contour: (
       <Suspense>
         <BackToPrompts read={read} />
         <ContourTable rows={read.job.contour} onChange={setContour} language={language} apart />
       </Suspense>
     ),
-    findings: <FindingsPanel host={host} />,
+    findings: (
+      <Suspense>
+        <FindingsPanel host={host} />
+      </Suspense>
+    ),
     program: <ProgramPanel read={read} foldable={false} />,
   };
 

@@ -17,9 +17,10 @@ import { useEditor, type Editor } from "../store.ts";
 import { toolTable, useTools } from "../tools/tool-store.ts";
 import { filesOf, type ProgramWork, type WorkFile } from "../work.ts";
 import type { Comparer } from "../which/comparison.ts";
-import type { Called, Engine, Request } from "./engine.ts";
+import type { Called, Request } from "./engine.ts";
 import { pauseInTyping } from "./quiet.ts";
 import { wireOutcomes } from "./wire.ts";
+import type { Engine } from "./worker.ts";
 import { atStage, calculationStopped, forgetOutcome, pause, showBeginning, takeOutcome, useOutcome, type Outcome,
   type Stage } from "./outcome.ts";
 

@@ -5,12 +5,9 @@ import { readDraft } from "../../program/read-draft.ts";
 import type { ShopTools } from "../../program/read-tools.ts";
 import { filesByName } from "../../program/program-files.ts";
 import { run } from "../../program/run.ts";
-import { tipAtCall } from "../../program/wanted-job.ts";
 import { rankTools, type ToolFit } from "../../program/which-tool.ts";
-import { remedies, type Remedy } from "../../report/remedies.ts";
 import { simulate } from "../../sim/simulate.ts";
 import { tracing } from "../../sim/tracing.ts";
-import type { Residual } from "../../sim/simulation.ts";
 import type { FeedUnit } from "../../kernel/move.ts";
 import type { Pt } from "../../kernel/point.ts";
 import type { Tool } from "../../kernel/tool.ts";
@@ -20,10 +17,6 @@ import type { Operation } from "../../program/run-types.ts";
 import { givenOf } from "./given.ts";
 import type { WorkFile } from "../work.ts";
 import type { Outcome, Stage } from "./outcome.ts";
-import type { Wanted } from "../../cycles/wanted.ts";
-import type { Ring } from "../../kernel/point.ts";
-import { waysFor, type Proposal } from "../../report/which/ways.ts";
-import { tryWay, type Tried } from "../../report/which/try-way.ts";
 
 /** A program to calculate. */
 export interface Request {
@@ -53,7 +46,7 @@ export interface Circumstances {
 /** What trying other tools at a call of the run needs of it. */
 export type Called = Pick<Operation, "cycle" | "tool" | "feedUnit" | "call">;
 
-/** Everything that takes time, as plain functions of plain data. Runs in a worker. */
+/** What every work needs that takes time, as plain functions of plain data. Runs in a worker. */
 export const engine = {
   /** From the program text to moves, stock, proof and times. `atStage` is told what it begins. */
   update(
@@ -87,33 +80,10 @@ export const engine = {
     return rankTools(cycle, values, given, { start, feedUnit, autoFeed: null, stock: null }, tools);
   },
 
-  /** The same for a work that is not run, from its own start point. */
-  fitsOfWork(job: SetJob, tools: readonly Tool[]): readonly ToolFit[] | null {
-    return engine.fits(job, { start: tipAtCall(job), feedUnit: job.perRevolution ? "mm/rev" : "mm/min", tools });
-  },
-
   /** What each tool can do in place of the one that was called, best first; null while the call makes no contour. */
   fitsOfCall({ cycle: number, call, feedUnit }: Called, tools: readonly Tool[]): readonly ToolFit[] | null {
     const cycle = cycleByNumber(number);
     if (!cycle || !call) return null;
     return rankTools(cycle, call.values, call.given, { start: call.start, feedUnit, autoFeed: call.autoFeed, stock: null }, tools);
   },
-
-  /** The ways to make what is wanted, to be tried one by one. */
-  ways(wanted: Wanted, stock: readonly Ring[] | null, tools: readonly Tool[]): readonly Proposal[] {
-    return waysFor(wanted, stock, tools);
-  },
-
-  /** What comes of one of them. */
-  tryWay(proposal: Proposal, wanted: Wanted, stock: readonly Ring[] | null, shop: Pick<Request, "table" | "rapid" | "control">): Tried {
-    const { table, rapid, control } = shop;
-    return tryWay(proposal, wanted, stock, { ...table, rapid, control });
-  },
-
-  /** The tools that would take what a call left, the one that leaves least first. */
-  remediesOf(called: Called, left: Residual, tools: readonly Tool[]): readonly Remedy[] {
-    return remedies(tools)(called, left);
-  },
 };
-
-export type Engine = typeof engine;

@@ -1,8 +1,23 @@
 import { expose } from "comlink";
 import { z } from "zod/mini";
+import type { advice } from "./advice.ts";
 import { engine } from "./engine.ts";
 import { wireOutcomes } from "./wire.ts";
 
 z.config({ jitless: true });
 wireOutcomes();
-expose(engine);
+
+type Advice = typeof advice;
+const fetchAdvice = async (): Promise<Advice> => (await import("./advice.ts")).advice;
+
+/** What the page can ask: what every work needs is there at once, advice is fetched when it is first asked for. */
+const served = {
+  ...engine,
+  fitsOfWork: async (...asked: Parameters<Advice["fitsOfWork"]>) => (await fetchAdvice()).fitsOfWork(...asked),
+  ways: async (...asked: Parameters<Advice["ways"]>) => (await fetchAdvice()).ways(...asked),
+  tryWay: async (...asked: Parameters<Advice["tryWay"]>) => (await fetchAdvice()).tryWay(...asked),
+  remediesOf: async (...asked: Parameters<Advice["remediesOf"]>) => (await fetchAdvice()).remediesOf(...asked),
+};
+expose(served);
+
+export type Engine = typeof served;

@@ -63,7 +63,7 @@ export function ProgramPanel({ read, foldable }: { readonly read: JobReading; re
           <Icon name="warning" /> {t.incomplete}
         </p>
       )}
-      <ProgramText text={text} running={running} chosen={chosen} choose={(line) => chooseJobLine(read, line)} />
+      <ProgramText text={text} running={running} chosen={chosen} choose={(line) => void chooseJobLine(read, line)} />
       <div className="program-buttons">
         <CopyButton main />
         <button type="button" className="button" aria-label={t.download(file)}

@@ -1,30 +1,24 @@
 import { askedByMove } from "../../cycles/asked-by-move.ts";
-import { parse } from "../../nc/parse.ts";
-import { blockNumbers, startLines } from "../../nc/program.ts";
-import { blockSpan } from "../../program/block-span.ts";
-import type { PathChoice } from "../../program/path-index.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import { openPrompt, showPrompt, showSection, usePlace } from "../place.ts";
 import { printedText } from "../printed.ts";
 import type { JobReading } from "../reading.ts";
-import { useSelection } from "../selected.ts";
+import { NOTHING_SELECTED, useSelection } from "../selected.ts";
 import { chooseLine } from "../selection.ts";
 import type { ChosenLine } from "./ProgramText.tsx";
 
-/** What a block of a job's program stands for in the picture. */
-function choiceOfBlock(text: string, block: number): PathChoice | null {
-  const program = parse(text);
-  const index = blockNumbers(program).indexOf(block);
-  return index < 0 ? null : { kind: "blocks", span: blockSpan(program, index), line: startLines(program)[index] ?? 0 };
-}
-
-/** A line of the program was pointed at: the tool goes to its block, the path of that is marked, and its prompt opens. */
-export function chooseJobLine(read: JobReading, line: ChosenLine): void {
+/** A line of the program was pointed at: it is marked, its prompt opens, the tool goes to its block, and the path of that is marked. */
+export async function chooseJobLine(read: JobReading, line: ChosenLine): Promise<void> {
   const text = printedText(read.job);
+  if (line.q !== null && read.cycle.params[line.q]) showPrompt(line.q, read.draft[line.q] ?? "");
+  const marked = { ...line, prompt: usePlace.getState().prompt };
+  useSelection.setState({ ...NOTHING_SELECTED, line: marked });
+  // Reading a program is fetched when a line is first pointed at: to type values nothing of it is needed.
+  const { choiceOfBlock } = await import("./block-choice.ts");
+  if (useSelection.getState().line !== marked) return;
   const { shown } = useOutcome.getState();
   const choice = choiceOfBlock(text, line.block);
-  if (line.q !== null && read.cycle.params[line.q]) showPrompt(line.q, read.draft[line.q] ?? "");
-  if (choice) chooseLine(shown?.text === text ? shown.run : null, choice, { ...line, prompt: usePlace.getState().prompt });
+  if (choice) chooseLine(shown?.text === text ? shown.run : null, choice, marked);
 }
 
 /** The line that is marked in the program: the one pointed at, or that of the open prompt in its place. */

@@ -1,0 +1,35 @@
+import type { Wanted } from "../../cycles/wanted.ts";
+import type { Ring } from "../../kernel/point.ts";
+import type { Tool } from "../../kernel/tool.ts";
+import type { SetJob } from "../../program/job.ts";
+import { tipAtCall } from "../../program/wanted-job.ts";
+import type { ToolFit } from "../../program/which-tool.ts";
+import { remedies, type Remedy } from "../../report/remedies.ts";
+import { tryWay, type Tried } from "../../report/which/try-way.ts";
+import { waysFor, type Proposal } from "../../report/which/ways.ts";
+import type { Residual } from "../../sim/simulation.ts";
+import { engine, type Called, type Request } from "./engine.ts";
+
+/** What takes time and is worked out only when somebody asks, as plain functions of plain data. Runs in the worker, fetched by then. */
+export const advice = {
+  /** What each tool can do with the values of a work that is not run, from its own start point. */
+  fitsOfWork(job: SetJob, tools: readonly Tool[]): readonly ToolFit[] | null {
+    return engine.fits(job, { start: tipAtCall(job), feedUnit: job.perRevolution ? "mm/rev" : "mm/min", tools });
+  },
+
+  /** The ways to make what is wanted, to be tried one by one. */
+  ways(wanted: Wanted, stock: readonly Ring[] | null, tools: readonly Tool[]): readonly Proposal[] {
+    return waysFor(wanted, stock, tools);
+  },
+
+  /** What comes of one of them. */
+  tryWay(proposal: Proposal, wanted: Wanted, stock: readonly Ring[] | null, shop: Pick<Request, "table" | "rapid" | "control">): Tried {
+    const { table, rapid, control } = shop;
+    return tryWay(proposal, wanted, stock, { ...table, rapid, control });
+  },
+
+  /** The tools that would take what a call left, the one that leaves least first. */
+  remediesOf(called: Called, left: Residual, tools: readonly Tool[]): readonly Remedy[] {
+    return remedies(tools)(called, left);
+  },
+};
