@@ -2,6 +2,7 @@ import { describe, expect, test } from "vitest";
 import { catalogue, cycleByNumber } from "../src/cycles/index.ts";
 import type { ParamTextId } from "../src/cycles/index.ts";
 import type { Kind } from "../src/cycles/params.ts";
+import { typeset } from "../src/i18n/fr/typeset.ts";
 import { texts } from "../src/i18n/index.ts";
 import { type Language, LANGUAGES } from "../src/i18n/languages.ts";
 import { ncLabels, ncWords } from "../src/i18n/nc-labels.ts";
@@ -225,7 +226,7 @@ describe.each(cycles)("cycle %i", (number, cycle) => {
       const printed = prompts[language]?.[`${number}/${q}`] ?? prompts[language]?.[q];
       const words = texts(language).params[p.text as ParamTextId];
       expect([q, words.printed]).toEqual([q, printed !== undefined]);
-      if (printed !== undefined) expect([q, words.prompt]).toEqual([q, printed]);
+      if (printed !== undefined) expect([q, words.prompt]).toEqual([q, language === "fr" ? typeset(printed) : printed]);
     }
   });
 

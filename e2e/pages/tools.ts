@@ -3,7 +3,8 @@ import type { CellName, HolderCell, ToolColumn } from "../../src/program/tool-co
 import type { Context } from "./turnwise.ts";
 
 /** Text inside a pattern. */
-const plain = (text: string) => text.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
+/** As a pattern; names are compared with plain spaces in them. */
+const plain = (text: string) => text.replaceAll("\u00a0", " ").replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
 
 /** The tool table: the rows of the device on one side, the columns of the open row on the other. */
 export class ToolTable {
@@ -46,7 +47,7 @@ export class ToolTable {
 
   /** The columns of the open row. */
   get form(): Locator {
-    return this.context.page.getByRole("region", { name: new RegExp(this.context.t.tools.form("").trim()) });
+    return this.context.page.getByRole("region", { name: new RegExp(plain(this.context.t.tools.form("").trim())) });
   }
 
   /** A text field of the open row. */

@@ -1,11 +1,11 @@
 import type { ApproachTexts } from "../en/approach.ts";
 
 export const approach = {
-  form: (block) => `Saisies de ${block}`,
+  form: (block) => `Questions de ${block}`,
   approach: "Approche",
   departure: "Sortie",
   value: (word, prompt) => `${word} : ${prompt}`,
-  list: "Toutes les saisies de la séquence",
+  list: "Toutes les questions de la séquence",
   empty: "non défini",
   left: "omis",
   function: "Fonction",
@@ -26,7 +26,7 @@ export const approach = {
     Z: {
       label: "axe d’outil",
       prompt: "Profondeur ou hauteur dans l’axe d’outil ?",
-      about: "Omis, l’outil garde sa hauteur. TNC 640 se déplace d’abord dans le plan, TNC7 sur tous les axes à la fois.",
+      about: "Omis, l’outil garde sa hauteur. La TNC 640 se déplace d’abord dans le plan, la TNC7 sur tous les axes à la fois.",
     },
     turningZ: {
       label: "point",
@@ -37,7 +37,7 @@ export const approach = {
     PA: {
       label: "angle polaire",
       prompt: "Angle autour du pôle CC ?",
-      about: "À partir du premier axe, positif dans le sens anti-horaire.",
+      about: "À partir du premier axe, positif dans le sens antihoraire.",
     },
     LEN: {
       label: "longueur",
@@ -75,7 +75,7 @@ export const approach = {
     PN: "point final",
     centre: "centre de l’arc",
   },
-  drag: "Glisser un point change sa valeur ; les saisies font de même au clavier.",
+  drag: "Glisser un point change sa valeur ; les questions font de même au clavier.",
   centreLabel: "C",
   noPicture: "L’image apparaît dès que le point est complet et qu’un élément de contour touche la séquence.",
   stale: "Dernière image possible",

@@ -9,8 +9,10 @@ export const chooser = {
   found: (n) => (n === 1 ? "1 cycle trouvé." : `${n} cycles trouvés.`),
   enter: (cycle) => `Entrée prend ${cycle}.`,
   none: "Aucun cycle ne correspond à ces mots.",
-  acts: (cycle) => `${cycle} : pas un travail à lui seul, il agit là où il est dans un programme. En ouvrir un et l’y insérer (Cycle).`,
-  kept: (cycle) => `${cycle} : montré et gardé, pas exécuté ; après lui rien n’est contrôlé. Coller ses lignes dans le texte du programme.`,
+  acts: (cycle) =>
+    `${cycle} : pas un travail à lui seul, il agit là où il est dans un programme. Ouvrir un programme et l’y insérer, sous Cycle.`,
+  kept: (cycle) =>
+    `${cycle} : affiché et conservé, non exécuté ; après lui, rien n’est contrôlé. Coller ses lignes dans le texte du programme.`,
   recent: "Utilisés récemment",
   recentOne: (cycle) => `Utilisé récemment : ${cycle}`,
   count: (n) => (n === 1 ? "1 cycle" : `${n} cycles`),

@@ -42,6 +42,11 @@ export const cycles = {
   roughStep: (step, of, text) => `Étape ${step} sur ${of} : ${text}`,
   finishStep: (step, of, text) => `Finition, étape ${step} sur ${of} : ${text}`,
   positioning: "Positionnement avant l’étape 1",
-  kept: { 880: "Taillage d’engrenage par génération", 882: "Ébauche simultanée", 883: "Finition simultanée", 892: "Contrôler le balourd" },
+  kept: {
+    880: "Taillage d’engrenage à la fraise-mère",
+    882: "Ébauche simultanée",
+    883: "Finition simultanée",
+    892: "Contrôler le balourd",
+  },
   of: { ...special, ...longitudinal, ...transverse, ...recessTurning, ...recessing, ...threads },
 } satisfies CyclesTexts;

@@ -4,7 +4,7 @@ export const help = {
   picture: (cycle) => `Dessin du contour, cycle ${cycle}`,
   highlighted: (parameter, label, value) => `En évidence : ${parameter} ${label}, ${value}`,
   stale: "Pas de contour avec ces valeurs : dernier dessin possible.",
-  partial: "Les numéros Q remplacent les valeurs pas encore saisies.",
+  partial: "Les numéros Q tiennent lieu des valeurs pas encore saisies.",
   noValue: "pas encore de valeur",
   inWords: {
     diameter: (value) => `diamètre ${value} mm`,

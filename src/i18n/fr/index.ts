@@ -13,21 +13,24 @@ import { operations } from "./operations.ts";
 import { own } from "./own.ts";
 import { params } from "./params.ts";
 import { cycles } from "./cycles.ts";
+import { typeset } from "./typeset.ts";
 
 export const fr = {
   ...first,
-  dialog,
-  setup,
-  lathe,
-  help,
-  contour,
-  tools,
-  editor,
-  approach,
-  findings,
-  messages,
-  operations,
-  own,
-  params,
-  cycles,
+  ...typeset({
+    dialog,
+    setup,
+    lathe,
+    help,
+    contour,
+    tools,
+    editor,
+    approach,
+    findings,
+    messages,
+    operations,
+    own,
+    params,
+    cycles,
+  }),
 };

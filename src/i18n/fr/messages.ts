@@ -60,7 +60,7 @@ export const messages = {
     infeedOverCutLength: (d, w) =>
       `La passe ${w.number(d.infeed)} dépasse CUTLENGTH ${w.number(d.cutLength)} : elle est réduite à ${w.number(d.cutLength)}.`,
     depthOverCutLength: (d, w) =>
-      `La profondeur ${w.number(d.depth)} dépasse CUTLENGTH ${w.number(d.cutLength)} : le reste demeure.${nearest(d.nearest, w.value)}`,
+      `La profondeur ${w.number(d.depth)} dépasse CUTLENGTH ${w.number(d.cutLength)} : de la matière reste.${nearest(d.nearest, w.value)}`,
     offsetReduced: (d, w) =>
       `Le décalage ${w.number(d.offset)} est réduit à ${w.number(d.kept)} : `
       + `${count(d.passes, "passe se partage", "passes se partagent")} 80 % de la largeur effective.`,
@@ -132,7 +132,7 @@ export const messages = {
       : `Élément ${d.element} : ${ELEMENT[d.quantity]} ${w.number(d.given)} contredit les autres valeurs ; `
         + `${w.number(d.nearest)} convient.`),
     elementUnreachable: (d) => `Élément ${d.element} : avec cette longueur, ce rayon ou cet angle, il n’atteint pas son voisin.`,
-    centreMissing: (d) => `Élément ${d.element} : le centre manque ; placez CC avant.`,
+    centreMissing: (d) => `Élément ${d.element} : le centre manque ; placer CC avant.`,
     contourCrossesItself: (d) => `L’élément ${d.element} croise l’élément ${d.other}.`,
     toolRadiusTooLarge: (d, w) =>
       `Élément ${d.element} : un rayon d’outil de ${w.number(d.radius)} ne passe pas.${nearest(d.nearest, w.number)}`,
@@ -155,11 +155,11 @@ export const messages = {
       `Élément ${d.element} : un dégagement demande un cylindre parallèle à l’axe et une face perpendiculaire, une gorge un `
       + "élément droit de sa direction.",
     recessWord: (d) => `Élément ${d.element} : ${d.word} manque ou ne donne aucune forme possible.`,
-    undercutDefaults: (d) => `Élément ${d.element} : ${d.words} repris de la norme, de mémoire ; mieux vaut écrire ces mots.`,
-    materialLeft: (d, w) => `Il reste ${w.area(d.area)} à ${w.place(d.x, d.z)}. Cause : ${reasons[d.reason]}.`,
-    gouge: (d, w) => `${w.area(d.area)} de la pièce finie sont enlevés à ${w.place(d.x, d.z)}.`,
-    rapidInStock: (d, w) => `Un rapide traverse ${w.area(d.area)} de matière à ${w.place(d.x, d.z)}.`,
-    holderContact: (d, w) => `Le porte-outil touche la matière à ${w.place(d.x, d.z)}.`,
+    undercutDefaults: (d) => `Élément ${d.element} : ${d.words} repris de la norme, de mémoire ; mieux vaut les écrire.`,
+    materialLeft: (d, w) => `Il reste ${w.area(d.area)} en ${w.place(d.x, d.z)}. Cause : ${reasons[d.reason]}.`,
+    gouge: (d, w) => `${w.area(d.area)} de la pièce finie sont enlevés en ${w.place(d.x, d.z)}.`,
+    rapidInStock: (d, w) => `Un rapide traverse ${w.area(d.area)} de matière en ${w.place(d.x, d.z)}.`,
+    holderContact: (d, w) => `Le porte-outil touche la matière en ${w.place(d.x, d.z)}.`,
     contactsUnlooked: (d) =>
       `${d.limit} déplacements entament la pièce, entrent en rapide dans la matière ou la touchent avec le porte-outil : à `
       + "partir d’ici, cela n’a plus été recherché.",
@@ -187,7 +187,7 @@ export const messages = {
 
     notSimulated: (d, w) => `${w.text(d.what)} : conservé, non simulé.`,
     notProved: (d, w) =>
-      `${w.text(d.what)} n’est pas simulé et peut modifier la trajectoire ou le brut : à partir d’ici, rien n’est prouvé.`,
+      `${w.text(d.what)} n’est pas simulé et peut modifier la trajectoire ou le brut : à partir d’ici, rien n’est contrôlé.`,
     cycleNotSimulated: (d, w) => `Cycle ${d.cycle} ${w.text(d.name)} : conservé, non simulé.`,
     noCycleDefined: () => "Aucun cycle n’est défini avant l’appel.",
     noToolCalled: () => "Aucun outil n’est appelé avant cette séquence.",
@@ -201,7 +201,7 @@ export const messages = {
       `Une avance de ${w.number(d.feed)} ${d.unit} est peu vraisemblable. Vérifier M136 : avec lui, F compte en mm par tour.`,
     drillTooShort: (d, w) =>
       `Le trou a ${w.value(d.depth)} de profondeur, les arêtes du foret (LCUTS) ${w.value(d.edges)} : la queue peut frotter.`,
-    pitchOfTap: (d, w) => `Q239 vaut ${w.value(d.pitch)}, mais le taraud de la table a un PITCH de ${w.value(d.tap)}.`,
+    pitchOfTap: (d, w) => `Q239 vaut ${w.value(d.pitch)}, mais le taraud du tableau a un PITCH de ${w.value(d.tap)}.`,
     freeChosen: () =>
       "À partir d’ici, plusieurs contours conviennent aux données : le plus court est montré. La commande prend celui que FSELECT désigne.",
     freeUnsolved: (d, w) =>
@@ -226,14 +226,14 @@ export const messages = {
         ? "FN 14 : la commande s’arrête ici sur une erreur ; rien n’est exécuté après."
         : `FN 14 : la commande s’arrête ici sur l’erreur ${w.number(d.error)} ; rien n’est exécuté après.`,
     contourInFile: (d, w) =>
-      `Le contour est dans le fichier ${w.text(d.file)}, absent ici : placez-le dans un label et nommez-le avec le cycle 14.`,
+      `Le contour est dans le fichier ${w.text(d.file)}, absent ici : le placer dans un label et le nommer avec le cycle 14.`,
     feedMissing: () => "Aucune avance n’est programmée.",
     spindleMissing: () => "Aucune vitesse de broche n’est programmée ; les temps manquent.",
     parameterUnset: (d) => `${d.name} n’a pas de valeur ici.`,
     divisionByZero: () => "Division par zéro.",
     notFinite: (d, w) => `« ${w.text(d.text)} » ne donne pas de nombre utilisable.`,
-    blankMissing: () => "Le programme n’indique pas de pièce brute.",
-    blankNotTurned: (d, w) => `Une pièce brute de forme ${w.text(d.form)} n’est pas un corps de révolution autour de l’axe.`,
+    blankMissing: () => "Le programme n’indique pas de brut.",
+    blankNotTurned: (d, w) => `Un brut de forme ${w.text(d.form)} n’est pas un corps de révolution autour de l’axe.`,
     endInFront: (d, w) => `Z${w.signed(d.value)} est devant la pièce. ${w.signed(d.nearest)} ?`,
     blankAgainstContour: (d, w) =>
       ({
@@ -251,16 +251,14 @@ export const messages = {
         }.`,
         thread: `Le filet a ${w.diameter(d.contour)}, le brut ${w.diameter(d.blank)}. Proposé : ${w.diameter(d.nearest)}.`,
       })[d.place],
-    blankImpossible: () => "La pièce brute n’a pas de volume : vérifier ses cotes.",
+    blankImpossible: () => "Le brut n’a pas de volume : vérifier ses cotes.",
     boxTurned: (d, w) =>
-      `Le parallélépipède tourne comme le cylindre autour de ses coins, diamètre ${
-        w.value(d.outer)
-      }. Il n’y a sûrement de la matière tout autour `
-      + `qu’en dessous du diamètre ${w.value(d.inner)}. Une barre ronde est un BLK FORM CYLINDER.`,
-    blankTaken: (d, w) => `${w.text(d.what)} sert de pièce brute.`,
+      `Le parallélépipède tourne comme le cylindre autour de ses coins, diamètre ${w.value(d.outer)}. La matière n’est sûre tout autour `
+      + `que jusqu’au diamètre ${w.value(d.inner)}. Une barre ronde est un BLK FORM CYLINDER.`,
+    blankTaken: (d, w) => `${w.text(d.what)} sert de brut.`,
     blankAdds: (d, w) => `${w.text(d.what)} décrit ${w.area(d.area)} de plus que BLK FORM. C’est ce contour qui compte.`,
     blankTraced: () =>
-      "Tant que la pièce brute est actualisée, l’ébauche omet les niveaux qui ne touchent rien. "
+      "Tant que le brut est actualisé, l’ébauche omet les niveaux qui ne touchent rien. "
       + "Les autres trajets à vide, que la commande peut raccourcir, sont montrés en entier.",
     poleMissing: () => "La séquence demande un pôle CC avant elle.",
     startUnknown: () => "La position avant cette séquence n’est pas connue.",
@@ -273,7 +271,7 @@ export const messages = {
       + "trajectoire ni brut ne changent.",
     toolRadiusUnknown: (d, w) => `Le rayon de l’outil ${w.text(d.tool)} n’est pas connu : la trajectoire est calculée avec le rayon 0.`,
     wordsRecalled: (d, w) =>
-      `${w.text(d.what)} : ses mots sont cités de mémoire, sans contrôle sur une page imprimée. Vérifiez sur votre commande.`,
+      `${w.text(d.what)} : ses mots sont cités de mémoire, sans contrôle sur une page imprimée. À vérifier sur la commande.`,
     programEndMissing: () => "Il manque M30 ou M2 à la fin du programme principal.",
     tooManyBlocks: (d) =>
       `Plus de ${d.limit} séquences exécutées : arrêt à cet endroit. S’il en a moins, un saut ou une répétition ne se termine pas.`,

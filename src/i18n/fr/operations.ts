@@ -52,7 +52,7 @@ export const operations = {
   start: "Point de départ",
   newProgram: "Nouveau programme",
   programName: "Nom",
-  blank: "Pièce brute",
+  blank: "Brut",
   create: "Créer et insérer la première opération",
   unknownTool: (tool) => `L’outil ${tool} n’est pas dans le tableau d’outils.`,
   chooseTool: "Choisir l’outil",

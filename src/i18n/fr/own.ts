@@ -7,7 +7,7 @@ export const own: OwnTexts = {
     "Des cycles que cette page ne connaît pas, décrits une fois : ils reçoivent un dialogue et un texte propre. Ils ne sont pas simulés.",
   count: (n) => (n === 1 ? "1 cycle" : `${n} cycles`),
   list: "Cycles maison de cet appareil",
-  none: "Aucun cycle n’est encore décrit. Commencez-en un ici, ou ouvrez sa séquence dans un programme et choisissez « Décrire ce cycle ».",
+  none: "Aucun cycle n’est encore décrit. En commencer un ici, ou ouvrir sa séquence dans un programme et choisir « Décrire ce cycle ».",
   unnamed: "sans numéro",
   cycleName: (number, name) => `cycle ${number} ${name}`.trim(),
   select: (cycle) => `Modifier ${cycle}`,
@@ -35,7 +35,7 @@ export const own: OwnTexts = {
     choices: "Valeurs et leur sens",
   },
   choicesHint: "0 extérieur, 1 intérieur",
-  kind: "Genre",
+  kind: "Type",
   kinds: { length: "Longueur (mm)", angle: "Angle (°)", feed: "Avance", choice: "Choix", number: "Nombre" },
   addParameter: "Ajouter un paramètre",
   removeParameter: (q) => `Supprimer le paramètre ${q}`.trim(),
@@ -47,7 +47,7 @@ export const own: OwnTexts = {
   problems: {
     missing: () => "Ceci est nécessaire.",
     noNumber: (text) => `${text} n’est pas un numéro de cycle : un entier de 1 à 9999.`,
-    known: (text) => `Cette page connaît le cycle ${text}. Prenez un autre numéro.`,
+    known: (text) => `Cette page connaît le cycle ${text}. Prendre un autre numéro.`,
     twice: (text) => `Le cycle ${text} est déjà décrit plus haut. C’est cette description qui compte.`,
     characters: (text) => `Ces caractères ne peuvent pas figurer ici : ${text}, ni ceux qui ne s’impriment pas.`,
     tooLong: (text) => `Au plus ${text} caractères.`,
@@ -84,7 +84,7 @@ export const own: OwnTexts = {
   change: "Modifier la description",
   unproved: "Décrit par vous, non simulé",
   unprovedLong:
-    "Cette page ne sait pas ce que le cycle fait à la trajectoire et à la matière. Là où il est appelé, rien n’est prouvé ensuite.",
+    "Cette page ne sait pas ce que le cycle fait à la trajectoire et à la matière. Là où il est appelé, rien n’est contrôlé ensuite.",
   notDescribed: "absent de la description",
   anyNumber: "tout nombre",
 

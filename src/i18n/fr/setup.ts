@@ -5,7 +5,7 @@ export const setup = {
   proposed: "proposé",
   keep: "Garder",
   keepLong: (name, value) => `${name} : garder ${value}`,
-  follows: "Tant qu’un champ reste vide, il suit vos valeurs.",
+  follows: "Tant qu’un champ reste vide, il suit les valeurs saisies.",
   tool: {
     title: "Outil",
     list: "Outils de tournage",
@@ -24,7 +24,7 @@ export const setup = {
     radius: (value) => `rayon ${value}`,
     width: (value) => `largeur ${value}`,
     angles: (setting, point) => `${setting}° / ${point}°`,
-    cutLength: (value) => `longueur de coupe ${value}`,
+    cutLength: (value) => `longueur de dent ${value}`,
     orientation: (value) => `orientation ${value}`,
     makes: "réalise le contour",
     leaves: (length) => `laisse ${length} mm du contour`,
@@ -59,9 +59,9 @@ export const setup = {
     mode: "Vitesse",
     constant: "Vitesse de rotation constante",
     surface: "Vitesse de coupe constante",
-    speed: "Vitesse S",
+    speed: "Vitesse de rotation S",
     cuttingSpeed: "Vitesse de coupe VC",
-    limit: "Limite de rotation SMAX",
+    limit: "Vitesse maximale SMAX",
   },
   feed: {
     title: "Avance et rapide",
@@ -70,7 +70,7 @@ export const setup = {
   },
   units: { diameter: "mm ⌀", mm: "mm", rpm: "tr/min", cuttingSpeed: "m/min", perMinute: "mm/min" },
   wrong: {
-    missing: "Entrer une valeur.",
+    missing: "Saisir une valeur.",
     notANumber: "Ce n’est pas un nombre.",
     negative: "La valeur doit être 0 ou plus.",
     positive: "La valeur doit être supérieure à 0.",

@@ -23,7 +23,7 @@ export const tools = {
   restore: "Outils fournis",
   restoreLong: "Remplacer ce tableau par les outils fournis",
 
-  kinds: { name: "Tables de cet appareil", turning: "Tournage", milling: "Fraisage et perçage" },
+  kinds: { name: "Tableaux de cet appareil", turning: "Tournage", milling: "Fraisage et perçage" },
   millTable: "Outils de fraisage et de perçage de cet appareil",
   millNote: "Seul compte ici le rayon avec sa surépaisseur ; les longueurs sont conservées pour la commande.",
   drillNote:
@@ -31,7 +31,7 @@ export const tools = {
     + "pour la commande.",
   mill: "fraise",
   millDrawing: "Outil à l’échelle",
-  flat: "plat",
+  flat: "plate",
   edges: (length: string) => `arêtes ${length} mm`,
   pitch: (length: string) => `pas ${length} mm`,
   exportMillLong: "Exporter les outils de fraisage en texte en colonnes de la commande : TOOL.T",
@@ -52,7 +52,7 @@ export const tools = {
     XL: "longueur d’outil 2, en X",
     DZL: "surépaisseur longueur 1",
     DXL: "surépaisseur longueur 2",
-    RS: "rayon de la dent",
+    RS: "rayon de plaquette",
     DRS: "surépaisseur du rayon",
     TO: "orientation de l’outil",
     ORI: "orientation de broche",

@@ -1,8 +1,9 @@
 import type { WhichTexts } from "../which-text.ts";
+import { typeset } from "./typeset.ts";
 
-export const which = {
+export const which = typeset<WhichTexts>({
   title: "Quel cycle ?",
-  lead: "Dites ce qu’il faut tourner. Chaque façon de le faire est exécutée et simulée dans la même matière.",
+  lead: "Dire ce qu’il faut tourner. Chaque façon de le faire est exécutée et simulée dans la même matière.",
   sentence: "Je tourne {site} {shape} dans {stock}.",
   site: { label: "Où", of: { outside: "à l’extérieur", inside: "à l’intérieur", face: "sur la face" } },
   shape: {
@@ -15,7 +16,7 @@ export const which = {
       thread: "un filetage",
     },
   },
-  stock: { label: "Matière", of: { solid: "la matière pleine", preturned: "une ébauche déjà tournée", now: "ce qui reste maintenant" } },
+  stock: { label: "Matière", of: { solid: "la matière pleine", preturned: "une pièce déjà ébauchée", now: "ce qui reste maintenant" } },
   measures: {
     d1: "De ⌀",
     d2: "À ⌀",
@@ -51,33 +52,33 @@ export const which = {
   bestIs: (name, why) => `Meilleure : ${name}, ${why}.`,
   passes: "Passes",
   time: "Temps",
-  stays: "Reste",
-  nothing: "rien",
+  stays: "Matière restante",
+  nothing: "aucune",
   noArea: "non mesuré",
   tool: (number, name) => `Outil ${number} ${name}`,
-  proved: "Vérifié",
+  proved: "Contrôlé",
   problems: {
     gouge: "Il entame la pièce finie.",
-    rapidInStock: "Un déplacement rapide entre dans la matière.",
+    rapidInStock: "Un rapide entre dans la matière.",
     holderContact: "Le porte-outil touche la matière.",
     nothingCut: "Il n’enlève rien.",
-    unproved: "Tout ne peut pas être vérifié.",
+    unproved: "Tout ne peut pas être contrôlé.",
     leavesMost: "Il en laisse la plus grande partie.",
   },
   reasons: {
-    insertRadius: "rayon de bec",
+    insertRadius: "rayon de plaquette",
     mainEdge: "arête principale",
     secondaryEdge: "arête secondaire",
-    toolWidth: "largeur d’outil",
-    cutLength: "longueur de coupe",
-    limit: "limite",
-    plunging: "sans plongée",
+    toolWidth: "largeur de l’outil",
+    cutLength: "longueur de dent",
+    limit: "limite d’usinage",
+    plunging: "plongée non autorisée",
     oversize: "surépaisseur",
-    smoothing: "gradins",
-    correction: "correction",
+    smoothing: "marches entre les passes",
+    correction: "correction de l’outil",
   },
   take: "Prendre",
   takeLong: (name) => `Prendre : ${name}`,
   insert: "Ajouter au programme",
   insertLong: (name) => `Ajouter au programme : ${name}`,
-} satisfies WhichTexts;
+});

@@ -107,23 +107,23 @@ export const longitudinal = {
     rough: [
       "en rapide devant la passe",
       "passe le long du contour à l’avance d’ébauche",
-      "dégagement de la distance d’approche",
+      "retrait de la distance d’approche",
       "en rapide devant la passe suivante",
-      "répétition jusqu’à la surépaisseur",
-      "retour en rapide au départ du cycle",
+      "répéter jusqu’à la surépaisseur",
+      "retour au départ du cycle en rapide",
     ],
     finish: [
-      "plongée en rapide",
-      "finition du contour du début à la fin",
-      "dégagement de la distance d’approche",
-      "retour en rapide au départ du cycle",
+      "prise de passe en rapide",
+      "finition du contour, du départ à la fin",
+      "retrait de la distance d’approche",
+      "retour au départ du cycle en rapide",
     ],
     notes: [
       turnMode,
       "Le cycle 14 doit nommer le sous-programme du contour avant l’appel.",
-      "La première passe se trouve une plongée sous la surépaisseur du brut, où que soit le point de départ : là où le brut est plus "
+      "La première passe se trouve une valeur de passe sous la surépaisseur du brut, où que soit le point de départ : là où le brut est plus "
       + "épais, elle est plus profonde. Notre lecture ; à vérifier sur la commande.",
-      "Dans un angle rentrant du contour, une passe prend un instant plus que sa plongée : jusqu’à un sixième pour un angle droit.",
+      "Dans un angle rentrant du contour, une passe prend un instant plus que sa valeur : jusqu’à un sixième pour un angle droit.",
       edgeLength,
     ],
   },

@@ -8,7 +8,7 @@ export const freeContour = [
   + "Placer l’outil, avant l’appel, du côté de la limite qui doit être usiné.",
   turnMode,
   safePosition,
-  "La forme de la plaquette est prise en compte pour ne blesser aucun élément. Ce que l’outil n’atteint pas reste, avec un "
+  "La forme de la plaquette est prise en compte pour ne endommager aucun élément. Ce que l’outil n’atteint pas reste, avec un "
   + "avertissement.",
   "Le cycle 14 avec le label du contour, ou SEL CONTOUR avec son fichier, doit précéder l’appel.",
   "Les paramètres locaux (QL) du contour doivent être affectés dans le sous-programme lui-même.",

@@ -26,11 +26,11 @@ const notes = [
   safePosition,
   "Deux plongées ne sont jamais plus écartées que la partie plate de la dent (largeur moins deux fois le rayon), "
   + "si celle-ci en fait la moitié ou plus : il ne reste pas de crêtes.",
-  "Une gorge plus profonde que CUTLENGTH n’est taillée que sur la longueur de la dent, avec un message.",
+  "Une gorge plus profonde que CUTLENGTH n’est usinée que sur la longueur de la dent, avec un message.",
   "La liste des paramètres et les étapes viennent de mémoire ; aucune page que nous avons ne les imprime. Notre "
   + "lecture ; à vérifier sur la commande.",
 ];
-const sections = "Un contour à plusieurs vallées est taillé section par section, chacune jusqu’au fond et le long de ses parois "
+const sections = "Un contour à plusieurs creux est usiné section par section, chacune jusqu’au fond et le long de ses parois "
   + "avant la suivante.";
 
 export const recessing = {

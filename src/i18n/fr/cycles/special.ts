@@ -15,7 +15,7 @@ export const special = {
     notes: [
       turnMode,
       "Avec tous les angles à 0, sans outil retourné et avec Q535 = 0 ou 3, il ne change rien et le programme continue. Avec "
-      + "toute autre valeur, la séquence est conservée et rien n’est prouvé derrière elle.",
+      + "toute autre valeur, la séquence est conservée et rien n’est contrôlé après elle.",
       "Un logiciel plus récent ajoute un paramètre de retrait Q599 ; il est conservé.",
     ],
   },
@@ -28,6 +28,6 @@ export const special = {
     ],
     rough: [],
     finish: [],
-    notes: [turnMode, "Ce que le cycle 800 a laissé sans preuve le reste : où se trouve alors la machine, personne ici ne le sait."],
+    notes: [turnMode, "Ce que le cycle 800 a laissé sans contrôle le reste : où se trouve alors la machine, personne ici ne le sait."],
   },
 } satisfies CycleTexts;

@@ -4,12 +4,12 @@ import { safePosition, turnMode } from "./notes.ts";
 const steps = [
   "en rapide à la distance d’approche et à la profondeur de la passe",
   "usinage, avance liée à la broche",
-  "dégagement en rapide de la distance d’approche",
+  "retrait de la distance d’approche en rapide",
   "retour en rapide, prise de passe selon Q467",
   "répéter jusqu’à la profondeur",
   "passes à vide à la profondeur finie",
   "de même pour le filet suivant",
-  "retour en rapide au départ du cycle",
+  "retour au départ du cycle en rapide",
 ];
 const thread = [
   "Chaque passe va de l’engagement à la fin du filetage, liée à la broche ; entre les passes l’outil revient "

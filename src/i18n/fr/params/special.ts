@@ -21,7 +21,7 @@ export const special = {
   infeedParallel: {
     prompt: "Plongée max.?",
     printed: false,
-    label: "Plongée max.",
+    label: "Passe max.",
     explanation: "Le plus qu’une passe enlève, mesuré perpendiculairement au contour. 0 : tout en une passe.",
   },
   precessionAngle: {
@@ -73,7 +73,8 @@ export const special = {
     prompt: "Tournage excentré (0-3)?",
     printed: false,
     label: "Tournage excentré",
-    explanation: "Couple les axes pour tourner hors du centre de la table. Les valeurs autres que 0 et 3 sont conservées et non prouvées.",
+    explanation:
+      "Couple les axes pour tourner hors du centre de la table. Les valeurs autres que 0 et 3 sont conservées et non contrôlées.",
     choices: {
       0: "couplages désactivés",
       1: "couplages activés, rotation autour du point d’origine",
