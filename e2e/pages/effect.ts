@@ -31,6 +31,6 @@ export class Effect {
 
   /** The button that leads to the list of findings; absent when there are none. */
   get findings(): Locator {
-    return this.strip.getByRole("button");
+    return this.strip.getByRole("status").getByRole("button");
   }
 }
