@@ -2,8 +2,7 @@ import type { Locator } from "@playwright/test";
 import type { CellName, HolderCell, ToolColumn } from "../../src/program/tool-columns.ts";
 import type { Context } from "./turnwise.ts";
 
-/** Text inside a pattern. */
-/** As a pattern; names are compared with plain spaces in them. */
+/** Text inside a pattern; names are compared with plain spaces in them. */
 const plain = (text: string) => text.replaceAll("\u00a0", " ").replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
 
 /** The tool table: the rows of the device on one side, the columns of the open row on the other. */

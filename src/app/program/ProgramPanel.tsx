@@ -1,4 +1,4 @@
-import { LANGUAGE_NAMES, LANGUAGES, isLanguage } from "../../i18n/languages.ts";
+import { LANGUAGE_NAMES, LANGUAGES, isLanguage, ncLanguage } from "../../i18n/languages.ts";
 import { setLayout, setName, setNcLanguage } from "../edits.ts";
 import { openText } from "../files/open-program.ts";
 import { Icon } from "../Icon.tsx";
@@ -57,6 +57,7 @@ export function ProgramPanel({ read, foldable }: { readonly read: JobReading; re
             {LANGUAGES.map((language) => <option key={language} value={language} lang={language}>{LANGUAGE_NAMES[language]}</option>)}
           </select>
         </label>
+        {job.ncLanguage !== ncLanguage(job.ncLanguage) && <p className="small soft program-note">{t.noChinese}</p>}
       </div>
       {!read.reading.values && (
         <p className="field-message warning">

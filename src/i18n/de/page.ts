@@ -143,6 +143,7 @@ export const page = {
     layouts: { tnc640: "TNC 640", tnc7: "TNC7" },
     language: "Texte",
     languageLong: "Sprache des Programmtexts",
+    noChinese: "Keine uns vorliegende Seite druckt chinesische Texte: die chinesische Seite der TNC7 hat englische.",
     copy: "Kopieren",
     copyLong: "Programm kopieren",
     copied: "Kopiert",

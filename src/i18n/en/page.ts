@@ -141,6 +141,7 @@ export const page = {
     layouts: { tnc640: "TNC 640", tnc7: "TNC7" },
     language: "Labels",
     languageLong: "Language of the program text",
+    noChinese: "No page we have prints labels in Chinese: the TNC7’s Chinese page has English ones.",
     copy: "Copy",
     copyLong: "Copy the program",
     copied: "Copied",

@@ -143,6 +143,7 @@ export const page = {
     layouts: { tnc640: "TNC 640", tnc7: "TNC7" },
     language: "Textes",
     languageLong: "Langue du texte du programme",
+    noChinese: "Aucune page que nous avons n’imprime de textes chinois : la page chinoise de la TNC7 a les anglais.",
     copy: "Copier",
     copyLong: "Copier le programme",
     copied: "Copié",

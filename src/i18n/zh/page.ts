@@ -141,6 +141,7 @@ export const page = {
     layouts: { tnc640: "TNC 640", tnc7: "TNC7" },
     language: "参数文字",
     languageLong: "程序文本语言",
+    noChinese: "我们掌握的页面没有中文参数文字：TNC7 的中文页面也用英文。",
     copy: "复制",
     copyLong: "复制程序",
     copied: "已复制",
