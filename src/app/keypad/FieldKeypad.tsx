@@ -43,12 +43,9 @@ export function FieldKeypad({ field, onLetters }: {
     "?": { ...writing("?"), name: t.notGiven },
     enter: { label: "ENT", name: t.enterField, press: () => enterField(field), className: "primary enter" },
   };
-  return createPortal(
-    <section className="field-keypad-place" aria-label={keypad}>
-      <div className="keypad field-keypad" role="group" aria-label={keypad} ref={box}>
-        {ROWS[field.dataset["number"] === "open" ? "open" : "words"].map((id) => padButton(keys[id] ?? writing(id), false))}
-      </div>
-    </section>,
-    scopeOf(field),
-  );
+  return createPortal(<section className="field-keypad-place" aria-label={keypad}>
+    <div className="keypad field-keypad" role="group" aria-label={keypad} ref={box}>
+      {ROWS[field.dataset["number"] === "open" ? "open" : "words"].map((id) => padButton(keys[id] ?? writing(id), false))}
+    </div>
+  </section>, scopeOf(field));
 }

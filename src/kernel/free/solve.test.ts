@@ -106,6 +106,19 @@ test("what is found for certain is the contour that the values were taken from",
   expect(certain).toBeGreaterThan(60);
 });
 
+test("what follows from a choice is uncertain, though it stands before it", () => {
+  // The radius of the second arc leaves two centres; the first arc, of which only the end is given, is tangential to either.
+  const { elements } = drawn([{ corner: 0, kind: "arc", long: 40 / 13, sweep: 0.3, turn: "cw", given: [false, false, true, true] }, {
+    corner: null,
+    kind: "arc",
+    long: 40 / 13,
+    sweep: 3.2,
+    turn: "ccw",
+    given: [true, false, true, true],
+  }]);
+  expect(solveFreeContour(elements, { x: 3.7, y: -2.9 }, null).map((solved) => solved?.certain)).toEqual([false, false]);
+});
+
 test("what is given whole is found, however the contour runs", () => {
   const whole = part.map((p) => ({ ...p, given: p.kind === "line" ? [true, true, false, false] : [false, true, true, true] }));
   fc.assert(fc.property(contours(whole, 6), (parts) => {

@@ -201,6 +201,10 @@ export function solveFreeContour(elements: readonly FreeElement[], start: PlaneP
   return elements.map((_, i) => best[i] ?? null);
 }
 
+/** The elements that are not known yet: what is found of them from now on may follow from a choice, whatever side of it they are on. */
+const open = ({ curves, points }: Branch): number[] =>
+  curves.flatMap((own, k) => (k > 0 && (!own || !points[k - 1] || !points[k]) ? [k] : []));
+
 /** The elements as far as they are determined; null where something contradicts. */
 function solvedElements(elements: readonly FreeElement[], start: PlanePoint, before: Curve | null): (FreeSolved | null)[] | null {
   const b = beginning(elements, start, before);
@@ -218,15 +222,15 @@ function solvedElements(elements: readonly FreeElement[], start: PlanePoint, bef
     });
     const best = leading.toSorted((one, two) => one.way - two.way)[0];
     if (!best) return null;
+    if (leading.length > 1) { for (const k of open(b)) b.uncertain.add(k); }
     take(b, window, best.found);
-    if (leading.length > 1) { for (let k = window.first; k <= window.last; k += 1) b.uncertain.add(k); }
   }
-  let open = false;
+  let ended = false;
   const found: FreePlaces = { curve: (k) => b.curves[k] ?? null, point: (k) => b.points[k] ?? null };
   return elements.map((e, i) => {
     const segment = segmentOf(b.curves[i + 1] ?? null, b.points[i] ?? null, b.points[i + 1] ?? null);
-    open ||= !segment || !fits(e, i + 1, segment, found, s.size);
-    return open || !segment ? null : { segment, certain: ![...b.uncertain].some((k) => k <= i + 1) };
+    ended ||= !segment || !fits(e, i + 1, segment, found, s.size);
+    return ended || !segment ? null : { segment, certain: ![...b.uncertain].some((k) => k <= i + 1) };
   });
 }
 
