@@ -36,11 +36,11 @@ export const lathe = {
   holder: "Porte-outil",
   paths: {
     title: "Trajectoires affichées",
-    all: "Toutes les trajectoires",
+    all: "Toutes",
     operation: "Cette opération",
     phase: "Cette phase",
     pass: "Cette passe",
-    none: "Aucune trajectoire",
+    none: "Aucune",
   },
   stepList: {
     title: "Étapes du manuel",

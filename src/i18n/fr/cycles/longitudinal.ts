@@ -3,7 +3,7 @@ import { edgeLength, freeContour, plunging, safePosition, turnMode } from "./not
 
 const rough = [
   "prise de passe paraxiale en rapide",
-  "coupe longitudinale à l’avance d’ébauche",
+  "coupe longitudinale, avance d’ébauche",
   "retrait de la valeur de passe",
   "retour au début de la coupe en rapide",
   "répéter jusqu’au contour",
