@@ -10,7 +10,6 @@ import { datumAt, datumIndex } from "../../view/datum.ts";
 import { snapPoints } from "../../view/measure.ts";
 import { trackOf } from "../../view/playback.ts";
 import { sceneOf, type SceneParts } from "../../view/scene.ts";
-import { TurnPoints } from "../approach/TurnPoints.tsx";
 import type { Clock } from "../clock.ts";
 import { KEEPS_KEYBOARD } from "../place.ts";
 import { reducedMotion } from "../settings/appearance.ts";
@@ -32,7 +31,6 @@ import { PlaybackBar } from "./PlaybackBar.tsx";
 import type { PlaybackStore } from "./playback-store.ts";
 import { Readout, SpokenStatus, statusText } from "./Readout.tsx";
 import { placeText } from "./running.ts";
-import { RulerLines, RulerReading } from "./Ruler.tsx";
 import { StepList } from "./StepList.tsx";
 import { Timeline } from "./Timeline.tsx";
 import { useLooking } from "./use-looking.ts";
@@ -49,6 +47,11 @@ import { createViewport } from "./viewport.ts";
 import "./lathe.css";
 import { Outdated } from "./Outdated.tsx";
 
+/** Fetched when something is measured. */
+const RulerLines = lazy(async () => ({ default: (await import("./Ruler.tsx")).RulerLines }));
+const RulerReading = lazy(async () => ({ default: (await import("./Ruler.tsx")).RulerReading }));
+/** Fetched for a program that has approaches. */
+const TurnPoints = lazy(async () => ({ default: (await import("../approach/TurnPoints.tsx")).TurnPoints }));
 const WhichCycle = lazy(async () => ({ default: (await import("../which/WhichCycle.tsx")).WhichCycle }));
 
 /** A run with its simulation: what the worker sends. */
@@ -178,12 +181,24 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
           <Marks viewport={viewport} starts={starts} datum={datum} />
           {typed && <KnownMarks viewport={viewport} known={typed} />}
           {run.steps.length > 0 && <ToolAway viewport={viewport} playback={playback} steps={run.steps} />}
-          {leads.length > 0 && <TurnPoints viewport={viewport} approaches={leads} />}
+          {leads.length > 0 && (
+            <Suspense>
+              <TurnPoints viewport={viewport} approaches={leads} />
+            </Suspense>
+          )}
           <PlaceLines viewport={viewport} places={seen} />
-          <RulerLines viewport={viewport} measuring={measuring} />
+          {measuring.on && (
+            <Suspense>
+              <RulerLines viewport={viewport} measuring={measuring} />
+            </Suspense>
+          )}
         </Picture>
         <PlaceButtons viewport={viewport} places={seen} chosen={chosen} choose={choose} />
-        <RulerReading measuring={measuring} />
+        {measuring.on && (
+          <Suspense>
+            <RulerReading measuring={measuring} />
+          </Suspense>
+        )}
         {run.steps.length === 0 && run.blank.length === 0 && (
           <p className={waiting ? "lathe-outdated small" : "lathe-empty soft"}>{t.pictureEmpty}</p>
         )}

@@ -12,11 +12,10 @@ import { useCamera } from "./use-camera.ts";
 import type { Viewport } from "./viewport.ts";
 
 /** The ruler in the picture: cross, first place, and the legs of the triangle between two places. */
-export function RulerLines({ viewport, measuring: { on, cross, first, second } }: { readonly viewport: Viewport;
+export function RulerLines({ viewport, measuring: { cross, first, second } }: { readonly viewport: Viewport;
   readonly measuring: Measuring })
 {
   const camera = useCamera(viewport);
-  if (!on) return null;
   const place = (p: Pt) => toScreen(camera, p);
   const a = first && place(first), to = second ?? (first ? cross : null), b = to && place(to), c = cross && place(cross);
   return (
@@ -31,10 +30,9 @@ export function RulerLines({ viewport, measuring: { on, cross, first, second } }
 }
 
 /** What the ruler reads, in words and numbers; changes are read out. */
-export function RulerReading({ measuring: { on, cross, first, second } }: { readonly measuring: Measuring }) {
+export function RulerReading({ measuring: { cross, first, second } }: { readonly measuring: Measuring }) {
   const t = useTexts().lathe, language = useSettings((s) => s.language);
   const target = useContext(MeasuredInto);
-  if (!on) return null;
   const value = target && (first ? measuredFor(target.kind, second ?? first, second && measure(first, second)) : null);
   const to = second ?? cross, m = first && to ? measure(first, to) : null;
   const n = (v: number) => formatPosition(language, v);

@@ -1,0 +1,84 @@
+import { useState } from "react";
+import type { ParamTextId } from "../../cycles/index.ts";
+import { useOutcome } from "../engine/outcome.ts";
+import { Icon } from "../Icon.tsx";
+import { readJob } from "../reading.ts";
+import { useSettings } from "../settings/settings.ts";
+import { useTexts } from "../settings/use-texts.ts";
+import { useEditor, type Editor } from "../store.ts";
+import { pin, settingOf, takeBackPinned, useCompared } from "./before.ts";
+import { COMPARED, numberText } from "./changes.ts";
+
+interface Row {
+  readonly name: string;
+  readonly pinned: string;
+  readonly now: string;
+}
+
+/** The prompts of a job that differ from those of another state of it. */
+function useChangedPrompts(pinned: Editor | null): readonly Row[] {
+  const t = useTexts();
+  const job = useEditor((s) => s.job);
+  const [now, before] = [job && readJob(job), pinned?.job && readJob(pinned.job)];
+  if (!now || !before || now.cycle !== before.cycle) return [];
+  return Object.entries(now.cycle.params).flatMap(([q, param]) => {
+    const [is, was] = [now.draft[q] ?? "", before.draft[q] ?? ""];
+    return is === was ? [] : [{ name: t.dialog.value(q, t.params[param.text as ParamTextId].label), pinned: was, now: is }];
+  });
+}
+
+/** Two settings side by side: the pinned one and the present one, with the way back. */
+export function PinnedValues() {
+  const t = useTexts();
+  const language = useSettings((s) => s.language);
+  const pinned = useCompared((c) => c.pinned);
+  const shown = useOutcome((s) => s.shown);
+  const [open, setOpen] = useState(true);
+  const values = useChangedPrompts(pinned?.work ?? null);
+  if (!pinned || !shown) return null;
+  const { pin: words, ...names } = t.page.effect;
+  const now = settingOf(shown);
+  const numbers = COMPARED.map((name): Row => ({
+    name: names[name],
+    pinned: numberText(t, language, pinned, name),
+    now: numberText(t, language, now, name),
+  }));
+  return (
+    <section className="pinned" aria-label={words.title}>
+      <header>
+        <h2 className="panel-title">{words.title}</h2>
+        <button type="button" className="button icon plain" aria-expanded={open} aria-label={open ? words.fold : words.unfold}
+          title={open ? words.fold : words.unfold} onClick={() => setOpen(!open)}
+        >
+          <Icon name={open ? "up" : "down"} />
+        </button>
+      </header>
+      {open && (
+        <>
+          <table>
+            <thead>
+              <tr>
+                <td />
+                <th scope="col">{words.pinned}</th>
+                <th scope="col">{words.now}</th>
+              </tr>
+            </thead>
+            <tbody>
+              {[...values, ...numbers].map((row) => (
+                <tr key={row.name} className={row.pinned === row.now ? "" : "differs"}>
+                  <th scope="row">{row.name}</th>
+                  <td className="number">{row.pinned}</td>
+                  <td className="number">{row.now}</td>
+                </tr>
+              ))}
+            </tbody>
+          </table>
+          <footer>
+            <button type="button" className="button small" onClick={takeBackPinned}>{words.back}</button>
+            <button type="button" className="button small plain" onClick={() => pin(false)}>{words.letGo}</button>
+          </footer>
+        </>
+      )}
+    </section>
+  );
+}

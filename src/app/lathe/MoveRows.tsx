@@ -1,0 +1,64 @@
+import { useState } from "react";
+import type { Run } from "../../program/run-types.ts";
+import { useSettings } from "../settings/settings.ts";
+import { useTexts } from "../settings/use-texts.ts";
+import type { PlaybackStore } from "./playback-store.ts";
+import { kindText, runningFeed, phaseText, placeText } from "./running.ts";
+import { usePlayback } from "./use-playback.ts";
+
+/** Rows at a time: thousands would be slow to build and no easier to read. */
+const PAGE = 50;
+
+/** A page of the moves, the running one marked. */
+export function MoveRows({ run, playback }: { readonly run: Run; readonly playback: PlaybackStore }) {
+  const t = useTexts().lathe, language = useSettings((s) => s.language);
+  const running = usePlayback(playback, (s) => s.get().position.step);
+  const own = Math.floor(Math.min(running, run.steps.length - 1) / PAGE);
+  const [turned, turn] = useState<number | null>(null);
+  const last = Math.floor((run.steps.length - 1) / PAGE), page = Math.min(turned ?? own, last), from = page * PAGE;
+  return (
+    <>
+      {last > 0 && (
+        <div className="lathe-pages">
+          <button type="button" className="button" disabled={page === 0} onClick={() => turn(page - 1)}>{t.earlier}</button>
+          <span className="number">
+            {t.range(String(from + 1), String(Math.min(from + PAGE, run.steps.length)), String(run.steps.length))}
+          </span>
+          <button type="button" className="button" disabled={page === last} onClick={() => turn(page + 1)}>{t.later}</button>
+        </div>
+      )}
+      <table>
+        <thead>
+          <tr>
+            {[t.move, t.moveKind, t.axisX, t.axisZ, t.moveFeed, t.movePhase, t.moveBlock].map((head) => (
+              <th key={head} scope="col">{head}</th>
+            ))}
+          </tr>
+        </thead>
+        <tbody>
+          {run.steps.slice(from, from + PAGE).map((step, i) => {
+            const index = from + i, { x, z } = placeText(language, step.move.to);
+            return (
+              <tr key={index} aria-current={index === running}>
+                <th scope="row">
+                  <button type="button" className="lathe-goto number" aria-label={t.goTo(String(index + 1))} onClick={() => {
+                    turn(null);
+                    playback.dispatch({ do: "seek", position: { step: index, fraction: 0 } });
+                  }}>
+                    {index + 1}
+                  </button>
+                </th>
+                <td>{kindText(t, step.move)}</td>
+                <td className="number">{x}</td>
+                <td className="number">{z}</td>
+                <td className="number">{runningFeed(t, language, step.move)}</td>
+                <td>{phaseText(t, step.move)}{step.move.pass !== undefined && ` ${step.move.pass}`}</td>
+                <td className="number">{step.block}</td>
+              </tr>
+            );
+          })}
+        </tbody>
+      </table>
+    </>
+  );
+}
