@@ -121,8 +121,8 @@ export const longitudinal = {
     notes: [
       turnMode,
       "Le cycle 14 doit nommer le sous-programme du contour avant l’appel.",
-      "La première passe se trouve une valeur de passe sous la surépaisseur du brut, où que soit le point de départ : là où le brut est plus "
-      + "épais, elle est plus profonde. Notre lecture ; à vérifier sur la commande.",
+      "La première passe se trouve une valeur de passe sous la surépaisseur du brut, où que soit le point de départ : là où le brut est "
+      + "plus épais, elle est plus profonde. Notre lecture ; à vérifier sur la commande.",
       "Dans un angle rentrant du contour, une passe prend un instant plus que sa valeur : jusqu’à un sixième pour un angle droit.",
       edgeLength,
     ],
