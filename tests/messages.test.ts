@@ -124,6 +124,7 @@ const SAMPLES: { readonly [C in AnyCode]: DataOf<C> } = {
   contourInFile: { file: "PART.H" },
   feedMissing: {},
   spindleMissing: {},
+  spindleStopped: {},
   parameterUnset: { name: "Q7" },
   divisionByZero: {},
   notFinite: { text: "SQRT -1" },

@@ -6,7 +6,7 @@ import { run } from "./run.ts";
 import { shippedTools } from "./shipped-tools.ts";
 
 const head = "0 BEGIN PGM T MM\n1 BLK FORM CYLINDER Z D80 L100 DIST+1\n2 FUNCTION MODE TURN\n3 TOOL CALL 15\n4 FUNCTION TURNDATA "
-  + "SPIN VCONST:OFF S500\n5 M136\n6 L X+100 Z+50 R0 FMAX\n";
+  + "SPIN VCONST:OFF S500\n5 M136\n6 L X+100 Z+50 R0 FMAX M303\n";
 const CYCLE = "CYCL DEF 820 TURN CONTOUR TRANSV. ~\nQ215=+0 ~\nQ460=+2 ~\nQ499=+0 ~\nQ463=+2 ~\nQ478=+0.3 ~\nQ483=+0 ~\nQ484=+0 ~\n"
   + "Q505=+0.2 ~\nQ487=+1 ~\nQ488=+0 ~\nQ479=+0 ~\nQ480=+0 ~\nQ482=+0 ~\nQ506=+0\nL X+82 Z+3 FMAX\nCYCL CALL";
 const FIRST = "L X+80 Z-20.5\nL X+50\nL Z+0";

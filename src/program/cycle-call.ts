@@ -22,6 +22,7 @@ import type { Operation, TextLine } from "./run-types.ts";
 import { callNamed } from "./program-calls.ts";
 import { countedPoint, shiftedPlan } from "./shifted-plan.ts";
 import { stockAtCall } from "./stock-at-call.ts";
+import { mustTurn } from "./spindle-start.ts";
 import { startUnknown } from "./turn-run.ts";
 import { threadWarnings } from "./thread-warnings.ts";
 import { judgeOf, triedOffers } from "./tried.ts";
@@ -146,6 +147,7 @@ export function callCycle(machine: Machine, index: number): void {
   const start = startOf(machine, index);
   if (!start) return;
   if (!machine.now.spindle) machine.log.sayOnce(programIssue("spindleMissing", "warning", {}), index);
+  else mustTurn(machine, index);
   if (!machine.roomForOperation(index)) return;
   const operation = machine.log.operations.length;
   const counted = countedPoint(start, machine.now.datum);

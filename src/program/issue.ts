@@ -44,6 +44,8 @@ interface Data {
   contoursJoined: { cycle: number; joined: string };
   feedMissing: {};
   spindleMissing: {};
+  /** A cycle is called with a spindle speed and nothing that starts the spindle. */
+  spindleStopped: {};
   parameterUnset: { name: string };
   divisionByZero: {};
   notFinite: { text: string };

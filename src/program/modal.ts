@@ -116,6 +116,8 @@ export interface Modal {
   readonly judged: string;
   readonly perRevolution: boolean;
   readonly spindle: Spindle | null;
+  /** An M function has started it, or may have. */
+  readonly turns: boolean;
   readonly tool: Tool | null;
   /** True when a TOOL CALL named a tool that can not be used: that has been told. */
   readonly toolRefused: boolean;
@@ -158,6 +160,7 @@ export const AT_START: Modal = {
   judged: "",
   perRevolution: false,
   spindle: null,
+  turns: false,
   tool: null,
   toolRefused: false,
   pole: null,

@@ -27,7 +27,7 @@ const program = (body: string, { mode = "FUNCTION MODE TURN", tool = "TOOL CALL 
     tool,
     "FUNCTION TURNDATA SPIN VCONST:ON VC:150 SMAX2500",
     m136,
-    "L X+160 Z+60 R0 FMAX",
+    "L X+160 Z+60 R0 FMAX M303",
     body,
     "END PGM T " + unit,
     "",

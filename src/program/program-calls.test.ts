@@ -6,7 +6,7 @@ import { run } from "./run.ts";
 import { shippedTools } from "./shipped-tools.ts";
 
 const head = "0 BEGIN PGM T MM\n1 BLK FORM CYLINDER Z D80 L100 DIST+1 DI20\n2 FUNCTION MODE TURN\n3 TOOL CALL 1\n4 FUNCTION TURNDATA "
-  + "SPIN VCONST:OFF S500\n5 M136\n6 L X+100 Z+50 R0 FMAX\n";
+  + "SPIN VCONST:OFF S500\n5 M136\n6 L X+100 Z+50 R0 FMAX M303\n";
 const made = (lines: string, files: Readonly<Record<string, string>> = {}, skipMarked = false) =>
   run(parse(`${head}${lines}\nM30\nEND PGM T MM\n`), {
     tools: shippedTools,

@@ -16,6 +16,7 @@ import { callProgram, callSelected, PROGRAM_CYCLE, programCycle, selectProgram }
 import { runHeldElement } from "./path-block.ts";
 import { NOWHERE } from "./path.ts";
 import { neverCalled } from "./preconditions.ts";
+import { startedBy, stoppedBy } from "./spindle-start.ts";
 import type { Run } from "./run-types.ts";
 import { correctTool, toolCall, toolDefinition } from "./tool-call.ts";
 import { mirrorAxes, scaleAxes, transformedTurning, transformLine, transforms, turnPlane } from "./transform-blocks.ts";
@@ -141,11 +142,13 @@ function block(machine: Machine, s: Statement, index: number): void {
     finish(machine);
     callCycle(machine, index);
   }
+  stoppedBy(machine, words);
   machine.set({ callsBehindMoves: !once && (on || machine.now.callsBehindMoves) });
 }
 
 function functions(machine: Machine, words: Words, index: number): void {
   for (const m of words.functions) if (FEED_UNITS.includes(m)) machine.set({ perRevolution: m === 136 });
+  startedBy(machine, words);
   if (words.extra.length > 0) machine.log.leaveUnproved(words.extra.join(" ").slice(0, 40), index);
   if (retracts(words)) retract(machine, words, index);
 }

@@ -72,6 +72,8 @@ Q506=+0`;
 /** What is wrong, in which program, and the block, word or value that is offered first. */
 const cases: readonly (readonly [code: string, text: string, offered: string | number])[] = [
   ["spindleMissing", without("FUNCTION TURNDATA SPIN VCONST:ON VC:180 SMAX2500"), "FUNCTION TURNDATA SPIN VCONST:ON VC:180 SMAX2500"],
+  ["spindleStopped", changed("L X+61.3 Y+0 Z+2 FMAX M303", "L X+61.3 Y+0 Z+2 FMAX M5"), "M303"],
+  ["spindleStopped", changed("L X+61.3 Y+0 Z+2 FMAX M303", "L X+61.3 Y+0 Z+2 FMAX M8"), "M303"],
   ["programEndMissing", without("M30", "END PGM A MM"), "M30"],
   ["blankMissing", without("BLK FORM CYLINDER Z D61.3 L80 DIST+0"), "BLK FORM CYLINDER Z D80 L100 DIST+1"],
   ["notInTurnMode", changed("FUNCTION MODE TURN", "FUNCTION MODE MILL"), "FUNCTION MODE TURN"],
@@ -109,4 +111,16 @@ test("a value is taken without touching anything else", () => {
 test("another tool is called where the call before it stands", () => {
   const text = numbered(RIGHT);
   expect(print(withTool(parse(text), 9, 4))).toBe(text.replace("TOOL CALL 1", "TOOL CALL 4"));
+});
+
+test("M303 joins the block that positions, which keeps what it has; a block that is full or stops gives it one of its own", () => {
+  const mended = (position: string) => {
+    const text = changed("L X+61.3 Y+0 Z+2 FMAX M303", position);
+    const entry = findingsOf(null, outcomeOf(text)).find(({ issue }) => issue.code === "spindleStopped");
+    return (entry ? repairsOf(parse(text), entry, "en") : []).map((repair) => print(repair.next()));
+  };
+  const around = (...blocks: string[]) => [numbered(RIGHT.flatMap((block) => (block === "L X+61.3 Y+0 Z+2 FMAX M303" ? blocks : [block])))];
+  expect(mended("L X+61.3 Y+0 Z+2 FMAX M8")).toEqual(around("L X+61.3 Y+0 Z+2 FMAX M8 M303"));
+  expect(mended("L X+61.3 Y+0 Z+2 FMAX M5")).toEqual(around("L X+61.3 Y+0 Z+2 FMAX M5", "M303"));
+  expect(mended("L X+61.3 Y+0 Z+2 FMAX M8 M5")).toEqual(around("L X+61.3 Y+0 Z+2 FMAX M8 M5", "M303"));
 });

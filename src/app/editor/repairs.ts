@@ -4,6 +4,7 @@ import { statementLines } from "../../nc/print.ts";
 import { styleAt } from "../../nc/read-style.ts";
 import type { Statement } from "../../nc/statement.ts";
 import { kept } from "../../program/field.ts";
+import { STOPS_SPINDLE } from "../../program/spindle-start.ts";
 import { noWords, POSITION_DECIMALS, positionAsTyped } from "../../program/typed-value.ts";
 import { ncLabels } from "../../i18n/nc-labels.ts";
 import type { Language } from "../../i18n/languages.ts";
@@ -158,6 +159,9 @@ const toolCallOf = (tool: number): Statement => ({
 /** How far from the blank a start point stands that nobody has chosen, ⌀ and Z, mm. */
 const CLEAR = 2;
 
+/** Starts the turning spindle in the printed programs. */
+const START_TURNING = 303;
+
 /** A start point beside the blank right before a call that has none, with the spindle on. */
 function withKnownStart(program: Program, index: number): Repair | null {
   const called = program.blocks[index]?.statement;
@@ -170,8 +174,24 @@ function withKnownStart(program: Program, index: number): Repair | null {
     value: kept(distance ?? 0, POSITION_DECIMALS) + CLEAR,
     incremental: false,
   }];
-  const start: Statement = { kind: "path", path: "L", words: { ...noWords, axes, feed: "max", functions: [303] } };
+  const start: Statement = { kind: "path", path: "L", words: { ...noWords, axes, feed: "max", functions: [START_TURNING] } };
   return asking([insertion(program, index, [start], index)])[0] ?? null;
+}
+
+/** How many M functions a block takes on every control. */
+const MOST_FUNCTIONS = 2;
+
+/** M303 in the block that positions for a call, or in one of its own right before the call. */
+function withSpindleStarted(program: Program, call: number): Repair {
+  const moves = program.blocks[call]?.statement.kind === "path" ? call : call - 1;
+  const block = program.blocks[moves];
+  const s = block?.statement;
+  const hasRoom = s?.kind === "path" && !block?.skip && s.words.functions.length < MOST_FUNCTIONS
+    && !s.words.functions.some((m) => STOPS_SPINDLE.includes(m));
+  if (!hasRoom)
+    return insertion(program, call, [{ kind: "functions", words: { ...noWords, functions: [START_TURNING] } }], call);
+  const next = () => withBlock(program, moves, { ...s, words: { ...s.words, functions: [...s.words.functions, START_TURNING] } });
+  return { kind: "write", text: `M${START_TURNING}`, block: String(blockNumbers(program)[moves] ?? ""), next, open: moves };
 }
 
 /** Another length or radius of an approach or departure. */
@@ -202,6 +222,8 @@ export function repairsOf(program: Program, entry: FindingEntry, language: Langu
       return asking(
         insert(toolCallBefore(program, index) + 1, { kind: "spin", constantSurface: true, cuttingSpeed: 180, speed: null, limit: 2500 }),
       );
+    case "spindleStopped":
+      return [withSpindleStarted(program, index)];
     case "noToolCalled":
       return asking(insert(placeBehindFrame(program, index), toolCallOf(1)));
     case "startUnknown":

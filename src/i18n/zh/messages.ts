@@ -174,6 +174,7 @@ export const messages = {
     contourInFile: (d, w) => `轮廓在文件${w.text(d.file)}中，此处没有：请写入标签并用循环14指定。`,
     feedMissing: () => "没有编程进给速率。",
     spindleMissing: () => "没有编程主轴转速，无法计算时间。",
+    spindleStopped: () => "此调用之前没有M3、M4、M303或M304启动主轴。",
     parameterUnset: (d) => `${d.name}在此处没有值。`,
     divisionByZero: () => "除数为零。",
     notFinite: (d, w) => `“${w.text(d.text)}”得不到可用的数值。`,
