@@ -5,10 +5,14 @@ import { edgeMark } from "../../view/edge-mark.ts";
 import { tipAt } from "../../view/tip.ts";
 import { useSettings } from "../settings/settings.ts";
 import { SCALE_BELOW, SCALE_LEFT } from "./Axes.tsx";
+import { holds } from "../use-media.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 import { placeText } from "./running.ts";
 import { useEachPicture } from "./use-playback.ts";
 import type { Viewport } from "./viewport.ts";
+
+/** Width of the tools where they float over the right edge of the picture, pixels. */
+const TOOLS = 56;
 
 /** From the edge to the mark, and from the mark to what it says, pixels. */
 const [INSET, BESIDE] = [14, 14];
@@ -23,7 +27,8 @@ export function ToolAway({ viewport, playback, steps }: { readonly viewport: Vie
     const element = group.current, tip = tipAt(steps, playback.shown());
     if (!element) return;
     const { width, height } = viewport.size();
-    const shown = { left: SCALE_LEFT + INSET, right: width - INSET, top: INSET, bottom: height - SCALE_BELOW - INSET };
+    const floating = holds("narrow") && !holds("phone") ? TOOLS : 0;
+    const shown = { left: SCALE_LEFT + INSET, right: width - INSET - floating, top: INSET, bottom: height - SCALE_BELOW - INSET };
     const mark = tip && edgeMark(toScreen(viewport.get(), tip), shown);
     element.style.display = mark ? "" : "none";
     if (!mark || !tip) return;
