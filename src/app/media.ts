@@ -1,3 +1,6 @@
+const LYING = "(599px < width <= 1279px) and (orientation: landscape)";
+const VAST = "(min-width: 2200px)";
+
 /**
  * Where the layout changes, once: style sheets write `@media (--phone)` and so on, which the build replaces (vite.config.ts), and
  * components ask for the same by name.
@@ -10,7 +13,7 @@ export const MEDIA = {
   /** The picture over the prompts: a tablet held upright. */
   portrait: "(599px < width <= 1279px) and (orientation: portrait)",
   /** The picture beside the prompts: a tablet that lies, or a small window. */
-  landscape: "(599px < width <= 1279px) and (orientation: landscape)",
+  landscape: LYING,
   /** No room for three columns. */
   narrow: "(max-width: 1279px)",
   /** Three columns: the program or the text stands beside the view. */
@@ -20,9 +23,9 @@ export const MEDIA = {
   /** The view becomes wider too. */
   broad: "(min-width: 1760px)",
   /** A second pane beside the view: large screens and projectors of their size. */
-  vast: "(min-width: 2200px)",
+  vast: VAST,
   /** The help picture lies in the pane of the view, not among the prompts. */
-  docked: "((599px < width <= 1279px) and (orientation: landscape)) or (min-width: 2200px)",
+  docked: `(${LYING}) or ${VAST}`,
   /** A notebook: little height. */
   low: "(max-height: 899px)",
   /** The main pointer is a finger. */

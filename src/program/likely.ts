@@ -44,6 +44,8 @@ export interface LikelyWork {
 
 /** Where the face of a part stands as long as nobody says otherwise, Z mm. */
 const FRONT = 0;
+/** What stays at least inside a step whose end nobody has given, as a share of the diameter where it begins. */
+const CORE = 0.5;
 /** How long a contour is taken to be that nobody has drawn yet, mm. */
 const UNDRAWN = 50;
 
@@ -72,7 +74,7 @@ function likelyEnds(cycle: Cycle, { typed, tip, blank }: KnownSoFar): { readonly
   const tipDiameter = tip.r === null ? null : toDiameter(radius(tip.r));
   const first = simple ? tipDiameter ?? outside : across("Q491");
   const d1 = first ?? (d2 === null ? example.d1 : d2 + deep);
-  const end = d2 ?? Math.max(d1 - deep, toRadius(diameter(d1)));
+  const end = d2 ?? Math.max(d1 - deep, d1 * CORE);
   // A shoulder begins at the face, and so does what nobody has given a place.
   const begins = simple ? tip.z ?? (grooves ? null : blank.front) : number(typed["Q492"]);
   const ahead = z2 === null ? FRONT : grooves || z2 >= FRONT ? z2 + long : FRONT;
