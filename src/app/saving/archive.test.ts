@@ -1,0 +1,118 @@
+import fc from "fast-check";
+import { strToU8, unzipSync, zipSync } from "fflate";
+import { expect, test } from "vitest";
+import { catalogue } from "../../cycles/index.ts";
+import { exampleJob } from "../../program/job.ts";
+import { shippedList } from "../../program/tool-list.ts";
+import { readSettings } from "../settings/settings.ts";
+import type { Work } from "../work.ts";
+import { ARCHIVE_LIMITS, readArchive, writeArchive, type ArchivedWork, type ReadArchive } from "./archive.ts";
+
+const jobs: readonly Work[] = catalogue.map(exampleJob);
+const name = fc.oneof(fc.string({ unit: "binary", maxLength: 30 }),
+  fc.constantFrom("A", "a", "a.h", "A.H", "..", "../../etc", "CON", "aux.h", "C:\\x", "__proto__", "", " . ", "x".repeat(300)));
+const text = fc.oneof(fc.string({ unit: "binary", maxLength: 200 }),
+  fc.constantFrom("0 BEGIN PGM A MM\r\n1 L X+41.3 ; Ø\r\n", "\ud800", "\u0000"));
+const encoding = fc.constantFrom("utf-8" as const, "windows-1252" as const);
+const file = fc.record({ name, text, encoding });
+const program: fc.Arbitrary<Work> = fc.record({ name, text, encoding, files: fc.array(file, { maxLength: 3 }), skipMarked: fc.boolean() });
+const job: fc.Arbitrary<Work> = fc.tuple(fc.constantFrom(...jobs), name, fc.string({ maxLength: 20 })).map(([made, called, typed]) =>
+  "drafts" in made ? { ...made, name: called, drafts: { ...made.drafts, 9999: { Q1: typed } } } : made
+);
+const works: fc.Arbitrary<readonly ArchivedWork[]> = fc.array(fc.record({
+  work: fc.uuid(),
+  savedAt: fc.oneof(fc.integer({ min: -(2 ** 45), max: 2 ** 45 }), fc.constant(1_795_395_781_123)),
+  job: fc.oneof(job, program),
+}), { maxLength: 5 });
+const own = [{
+  id: "c1",
+  number: "x",
+  name: "SAW",
+  parameters: [{ id: "p1", q: "", prompt: "DEPTH?", kind: "length" as const, min: "", max: "3.", first: "", choices: "" }],
+}];
+const tools = shippedList.map((row, i) => (i === 1 ? { ...row, cells: { ...row.cells, RS: "0,41x" } } : row));
+const settings = { ...readSettings(null), language: "fr" as const, xDown: true };
+const read = (bytes: Uint8Array): ReadArchive => {
+  const found = readArchive(bytes);
+  if ("problem" in found) throw new Error(found.problem);
+  return found;
+};
+
+test("whatever is packed is found again, what is typed wrong and drafts of other cycles included", () => {
+  fc.assert(fc.property(works, fc.boolean(), (all, whole) => {
+    const rest = whole ? { tools, own, settings } : { tools: null, own: null, settings: null };
+    const found = read(writeArchive({ works: all, ...rest }));
+    expect(found).toEqual({ works: all, ...rest, unread: [], unreadParts: [] });
+  }), { numRuns: 150 });
+});
+
+test("every path is a plain one inside its folder, and no two are the same on any system", () => {
+  fc.assert(fc.property(works, (all) => {
+    const paths = Object.keys(unzipSync(writeArchive({ works: all, tools, own, settings })));
+    expect(new Set(paths.map((path) => path.toUpperCase())).size).toBe(paths.length);
+    for (const path of paths) {
+      expect(path).toMatch(/^(?:turnwise\.json|settings\.json|tools\/[A-Z]+\.json|programs\/[^/\\:]+\/[^/\\:]+)$/);
+      expect(path).not.toMatch(/\/\.|(?:^|\/)(?:CON|AUX)(?:\.|\/|$)/i);
+    }
+  }), { numRuns: 100 });
+});
+
+test("the programs in it are the bytes that the control reads", () => {
+  const [first] = jobs;
+  const german = {
+    name: "WELLE.H",
+    text: "0 BEGIN PGM WELLE MM\r\n1 ; ⌀ Maß 41,3\r\n".replace("⌀", "Ø"),
+    encoding: "windows-1252" as const,
+  };
+  const files = unzipSync(writeArchive({
+    works: [{ work: "a", savedAt: 3, job: { ...german, files: [{ ...german, name: "sub.h" }] } }, { work: "b", savedAt: 4, job: first! }, {
+      work: "c",
+      savedAt: 5,
+      job: german,
+    }],
+    tools,
+  }));
+  expect(Object.keys(files).slice(1, 3)).toEqual(["programs/WELLE/WELLE.H", "programs/WELLE/sub.h"]);
+  expect(files["programs/WELLE/WELLE.H"]?.includes(0xdf)).toBe(true);
+  expect(files["programs/WELLE (2)/WELLE.H"]?.at(-2)).toBe(13);
+  expect(Object.keys(files).some((path) => path.startsWith(`programs/${first!.name}/`))).toBe(true);
+  expect(JSON.parse(new TextDecoder().decode(files["tools/TOOLS.json"]))).toMatchObject({ tools: expect.any(Array) });
+});
+
+const packed = (manifest: unknown) => zipSync({ "turnwise.json": strToU8(JSON.stringify(manifest)) });
+const manifestOf = (bytes: Uint8Array) =>
+  JSON.parse(new TextDecoder().decode(unzipSync(bytes)["turnwise.json"])) as { works: { content: { job: { name: string } } }[] };
+
+test("a work that was altered on its way, or that this edition can not read, is named, and the others come", () => {
+  const three = ["A", "B", "C"].map((named, i) => ({ work: named, savedAt: i, job: { ...jobs[0]!, name: named } }));
+  const manifest = manifestOf(writeArchive({ works: three, tools }));
+  manifest.works[1]!.content.job.name = "OTHER";
+  Object.assign(manifest.works[2]!, { print: undefined, content: { version: 4711 } });
+  Object.assign(manifest, { tools: { print: "0", content: { version: 2, rows: [] } } });
+  expect(read(packed(manifest))).toMatchObject({ works: [{ work: "A" }], unread: ["B", "C"], tools: null, unreadParts: ["tools"] });
+});
+
+test("what is no archive, is damaged, too large or newer is said", () => {
+  const good = writeArchive({ works: [{ work: "a", savedAt: 3, job: jobs[0]! }] });
+  const problem = (bytes: Uint8Array, limits = {}) => readArchive(bytes, { ...ARCHIVE_LIMITS, ...limits });
+  expect(problem(strToU8("0 BEGIN PGM A MM"))).toEqual({ problem: "notAnArchive" });
+  expect(problem(zipSync({ "a.h": strToU8("L X+1") }))).toEqual({ problem: "notAnArchive" });
+  expect(problem(packed({ format: "other/1" }))).toEqual({ problem: "notAnArchive" });
+  expect(problem(packed({ format: "turnwise-archive/2" }))).toEqual({ problem: "newer" });
+  expect(problem(good.subarray(0, good.length - 40))).toEqual({ problem: "damaged" });
+  expect(problem(zipSync({ "turnwise.json": strToU8("{") }))).toEqual({ problem: "damaged" });
+  for (const limits of [{ packed: 100 }, { unpacked: 100 }, { entries: 1 }, { works: 0 }])
+    expect(problem(good, limits)).toEqual({ problem: "tooLarge" });
+});
+
+test("no bytes make reading fail, and none of a file that was altered comes as something else", () => {
+  const all = [{ work: "a", savedAt: 3, job: jobs[0]! }];
+  const good = writeArchive({ works: all });
+  fc.assert(fc.property(fc.nat(good.length - 1), fc.integer({ min: 1, max: 255 }), (at, by) => {
+    const bytes = Uint8Array.from(good, (byte, i) => (i === at ? byte ^ by : byte));
+    const found = readArchive(bytes);
+    if ("problem" in found) return;
+    for (const { job: kept } of found.works) expect(kept).toEqual(all[0]?.job);
+  }), { numRuns: 400 });
+  fc.assert(fc.property(fc.uint8Array(), (bytes) => "problem" in readArchive(Uint8Array.from([0x50, 0x4b, ...bytes]))));
+});

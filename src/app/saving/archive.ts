@@ -1,0 +1,198 @@
+import { strFromU8, strToU8, unzipSync, zipSync, type Zippable } from "fflate";
+import type { OwnList } from "../../program/own-library.ts";
+import { writeLibrary } from "../../program/own-library.ts";
+import type { ToolList } from "../../program/tool-list.ts";
+import { writeTableJson } from "../../program/tool-table-json.ts";
+import { encode } from "../editor/encoding.ts";
+import { readKeptOwn } from "../own/keep-own.ts";
+import { printedText, programName } from "../printed.ts";
+import { readSettings, type Settings } from "../settings/settings.ts";
+import { readKept } from "../tools/keep-tools.ts";
+import { toolsOnDevice } from "../tools/tool-store.ts";
+import { isProgram, textsOf, type Work, type WorkFile } from "../work.ts";
+import { fingerprint } from "./difference.ts";
+import { readSave, SAVE_VERSION } from "./save-file.ts";
+
+/*
+ * A file that holds works, and what else stands on a device. It is a zip: `turnwise.json` has everything as it is kept here, drafts of
+ * other cycles included, and is all that is read again; the folders beside it are the same for people and for other programs.
+ */
+
+const FORMAT = "turnwise-archive/";
+const EDITION = 1;
+const MANIFEST = "turnwise.json";
+
+/** A work in an archive: the name it is kept under on the device it comes from, and when it was last changed, ms since 1970. */
+export interface ArchivedWork {
+  readonly work: string;
+  readonly savedAt: number;
+  readonly job: Work;
+}
+
+/** What an archive holds; null for what it does not bring. */
+export interface ArchiveContent {
+  readonly works: readonly ArchivedWork[];
+  readonly tools: ToolList | null;
+  readonly own: OwnList | null;
+  readonly settings: Settings | null;
+}
+
+/** A read archive. What of it cannot be read is named and stops nothing. */
+export interface ReadArchive extends ArchiveContent {
+  /** Names of works that are damaged, or that only a newer edition can read. */
+  readonly unread: readonly string[];
+  /** Parts beside the works that are damaged. */
+  readonly unreadParts: readonly ("tools" | "own" | "settings")[];
+}
+
+/** Why a file brings nothing: it is of another kind, was altered on its way, holds more than is unpacked, or a newer edition wrote it. */
+export type ArchiveProblem = "notAnArchive" | "damaged" | "tooLarge" | "newer";
+
+/** What is unpacked at most: bytes of the file and of what is in it, entries of the zip, works. */
+export interface ArchiveLimits {
+  readonly packed: number;
+  readonly unpacked: number;
+  readonly entries: number;
+  readonly works: number;
+}
+export const ARCHIVE_LIMITS: ArchiveLimits = { packed: 100_000_000, unpacked: 200_000_000, entries: 60_000, works: 20_000 };
+
+/** Something that is kept, with a mark by which it is seen that it was altered. A part without one, written by hand, is taken as it is. */
+interface Sealed {
+  readonly print?: unknown;
+  readonly content?: unknown;
+}
+const sealed = (content: unknown): Sealed => ({ print: fingerprint(content), content });
+const isRecord = (raw: unknown): raw is Readonly<Record<string, unknown>> => typeof raw === "object" && raw !== null && !Array.isArray(raw);
+
+/** What is sealed; undefined where it is not what was sealed. */
+function unsealed(raw: unknown): unknown {
+  if (!isRecord(raw)) return undefined;
+  const { print, content } = raw as Sealed;
+  return print === undefined || print === fingerprint(content) ? content : undefined;
+}
+
+/** Names that a folder of some system does not take. */
+const RESERVED = /^(?:CON|PRN|AUX|NUL|COM\d|LPT\d)(?:\.|$)/i;
+
+/** A name as one part of a path, on every system. */
+function pathPart(name: string): string {
+  // eslint-disable-next-line no-control-regex -- these are just what must not stand there
+  const plain = name.replace(/[\u0000-\u001f\\/:*?"<>|]/g, "_").slice(0, 80).replace(/^[. ]+|[. ]+$/g, "");
+  return plain === "" || RESERVED.test(plain) ? `_${plain}` : plain;
+}
+
+/** Names that are all different, whatever their case: the second `A` becomes `A (2)`. An ending stays at the end. */
+function namer(): (name: string) => string {
+  const taken = new Set<string>();
+  return (name) => {
+    const [, stem = "", ending = ""] = /^(.*?)(\.[^.]{0,8})?$/s.exec(pathPart(name)) ?? [];
+    let made = stem + ending;
+    for (let n = 2; taken.has(made.toUpperCase()); n++) made = `${stem} (${n})${ending}`;
+    taken.add(made.toUpperCase());
+    return made;
+  };
+}
+
+/** The files of a work as a control reads them; none where a job has nothing that can be printed. */
+function readable(job: Work): readonly WorkFile[] {
+  if (isProgram(job)) return textsOf(job);
+  try {
+    const text = printedText(job);
+    return [{ name: `${programName(text)}.h`, text, encoding: "utf-8" }];
+  } catch {
+    return [];
+  }
+}
+
+/** Times that a zip can write down, ms since 1970. */
+const [EARLIEST, LATEST] = [Date.UTC(1980, 0, 2), Date.UTC(2099, 11, 30)];
+const zipTime = (time: number): number => Math.min(Math.max(Number.isFinite(time) ? time : EARLIEST, EARLIEST), LATEST);
+
+/** Packs works, and what else is given, into one file. */
+export function writeArchive({ works, tools = null, own = null, settings = null }: Partial<ArchiveContent>): Uint8Array<ArrayBuffer> {
+  const all = works ?? [];
+  const mtime = zipTime(Math.max(EARLIEST, ...all.map(({ savedAt }) => savedAt)));
+  const manifest = {
+    format: `${FORMAT}${EDITION}`,
+    works: all.map(({ work, savedAt, job }) => ({ work, name: job.name, ...sealed({ version: SAVE_VERSION, savedAt, job }) })),
+    ...(tools && { tools: sealed({ version: 2, rows: tools }) }),
+    ...(own && { own: sealed({ version: 1, cycles: own }) }),
+    ...(settings && { settings: sealed(settings) }),
+  };
+  const files: Zippable = { [MANIFEST]: [strToU8(JSON.stringify(manifest)), { mtime }] };
+  const folderOf = namer();
+  for (const { savedAt, job } of all) {
+    const folder = folderOf(job.name.replace(/\.[hH]$/, ""));
+    const nameOf = namer();
+    for (const { name, text, encoding } of readable(job))
+      files[`programs/${folder}/${nameOf(name)}`] = [encode(text, encoding), { mtime: zipTime(savedAt) }];
+  }
+  if (tools) {
+    const { table, mills } = toolsOnDevice(tools);
+    files["tools/TOOLS.json"] = [strToU8(writeTableJson(table.tools, mills)), { mtime }];
+  }
+  if (own) files["tools/CYCLES.json"] = [strToU8(writeLibrary(own)), { mtime }];
+  if (settings) files["settings.json"] = [strToU8(JSON.stringify(settings, null, 2)), { mtime }];
+  return zipSync(files, { level: 6 });
+}
+
+/** True for bytes that may be an archive: every zip begins like this. */
+export const looksPacked = (bytes: Uint8Array): boolean => bytes[0] === 0x50 && bytes[1] === 0x4b;
+
+/** The bytes of the manifest. Nothing else of the file is ever unpacked, so no path in it leads anywhere. */
+function manifestOf(bytes: Uint8Array, limits: ArchiveLimits): Uint8Array | ArchiveProblem {
+  let entries = 0;
+  let tooLarge = false;
+  // Each entry is unpacked into as many bytes as it says that it has, and never into more.
+  const found = unzipSync(bytes, {
+    filter: ({ name, originalSize }) => {
+      entries++;
+      const wanted = name === MANIFEST;
+      tooLarge ||= entries > limits.entries || (wanted && originalSize > limits.unpacked);
+      return wanted && !tooLarge;
+    },
+  });
+  return tooLarge ? "tooLarge" : found[MANIFEST] ?? "notAnArchive";
+}
+
+/** The works of a manifest, and the names of those that cannot be read. */
+function worksOf(raw: readonly unknown[]): Pick<ReadArchive, "works" | "unread"> {
+  const works: ArchivedWork[] = [];
+  const unread: string[] = [];
+  for (const [i, each] of raw.entries()) {
+    const { work, name } = isRecord(each) ? each : {};
+    const file = readSave(unsealed(each));
+    if (file) works.push({ work: typeof work === "string" ? work.slice(0, 100) : "", savedAt: file.savedAt, job: file.job });
+    else unread.push(typeof name === "string" && name !== "" ? name.slice(0, 100) : `${i + 1}`);
+  }
+  return { works, unread };
+}
+
+function contentOf(raw: Readonly<Record<string, unknown>>): ReadArchive {
+  const part = <T>(name: "tools" | "own" | "settings", read: (text: string) => T | null): T | null => {
+    const content = unsealed(raw[name]);
+    return isRecord(content) ? read(JSON.stringify(content)) : null;
+  };
+  const parts = { tools: part("tools", readKept), own: part("own", readKeptOwn), settings: part("settings", readSettings) };
+  const unreadParts = (["tools", "own", "settings"] as const).filter((name) => raw[name] !== undefined && parts[name] === null);
+  return { ...worksOf(Array.isArray(raw["works"]) ? raw["works"] : []), ...parts, unreadParts };
+}
+
+/** What a file holds, or why it brings nothing. Never throws, and never unpacks more than the limits say. */
+export function readArchive(bytes: Uint8Array, limits: ArchiveLimits = ARCHIVE_LIMITS): ReadArchive | { readonly problem: ArchiveProblem } {
+  if (!looksPacked(bytes)) return { problem: "notAnArchive" };
+  if (bytes.length > limits.packed) return { problem: "tooLarge" };
+  try {
+    const manifest = manifestOf(bytes, limits);
+    if (typeof manifest === "string") return { problem: manifest };
+    const raw: unknown = JSON.parse(strFromU8(manifest));
+    const format = isRecord(raw) ? String(raw["format"]) : "";
+    if (!isRecord(raw) || !format.startsWith(FORMAT)) return { problem: "notAnArchive" };
+    if (Number(format.slice(FORMAT.length)) > EDITION) return { problem: "newer" };
+    if (Array.isArray(raw["works"]) && raw["works"].length > limits.works) return { problem: "tooLarge" };
+    return contentOf(raw);
+  } catch {
+    return { problem: "damaged" };
+  }
+}
