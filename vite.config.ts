@@ -1,7 +1,9 @@
-import { readFileSync } from "node:fs";
+import { chmodSync, readFileSync } from "node:fs";
+import { join } from "node:path";
 import react from "@vitejs/plugin-react";
 import { runnerImport, type Plugin } from "vite";
 import { configDefaults, defineConfig } from "vitest/config";
+import { bundle } from "./scripts/bundle.mjs";
 import { MEDIA } from "./src/app/media.ts";
 
 /**
@@ -94,9 +96,22 @@ const gallery: Plugin = {
   },
 };
 
+/** verify.mjs: the command in one file that runs with Node alone. The page never asks for it. */
+const standalone: Plugin = {
+  name: "standalone",
+  apply: (_, { command, isSsrBuild }) => command === "build" && !isSsrBuild,
+  async generateBundle() {
+    const source = `#!/usr/bin/env node\n${await bundle("standalone", { minify: true })}`;
+    this.emitFile({ type: "asset", fileName: "verify.mjs", source });
+  },
+  writeBundle({ dir = "dist" }) {
+    chmodSync(join(dir, "verify.mjs"), 0o755);
+  },
+};
+
 export default defineConfig({
   base: "./",
-  plugins: [react(), contentPolicy, pageStyles, cycleMenu, startPictures, gallery],
+  plugins: [react(), contentPolicy, pageStyles, cycleMenu, startPictures, gallery, standalone],
   worker: { format: "es" },
   build: {
     target: "es2023",

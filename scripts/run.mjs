@@ -4,7 +4,7 @@
  * `main(args): exit status`. Only what the script prints goes to standard output.
  */
 import { createHash } from "node:crypto";
-import { existsSync, mkdirSync, readdirSync, renameSync, rmSync, statSync } from "node:fs";
+import { existsSync, mkdirSync, readdirSync, renameSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { ensurePackages, root } from "./packages.mjs";
@@ -26,7 +26,7 @@ function fingerprint() {
     hash.update(`${path} ${size} ${mtimeMs}\n`);
   };
   for (const folder of ["src", "scripts", "tests/laws", "tests/judge"]) walk(folder);
-  for (const file of ["package-lock.json", "scripts/run.mjs"]) note(file);
+  for (const file of ["package.json", "package-lock.json", "scripts/run.mjs", "scripts/bundle.mjs"]) note(file);
   return hash.digest("hex").slice(0, 16);
 }
 
@@ -39,25 +39,10 @@ async function bundled() {
     const stale = old.startsWith(`${name}-`) && Date.now() - statSync(join(cache, old)).mtimeMs > 3_600_000;
     if (stale) rmSync(join(cache, old), { recursive: true, force: true });
   }
-  const { build } = await import("vite");
-  const fresh = join(cache, `${name}-building-${process.pid}`);
-  await build({
-    root,
-    configFile: false,
-    logLevel: "error",
-    publicDir: false,
-    ssr: { noExternal: true, target: "node" },
-    build: {
-      ssr: join(root, "scripts", `${name}.ts`),
-      outDir: fresh,
-      emptyOutDir: true,
-      target: "node20",
-      minify: false,
-      rolldownOptions: { output: { entryFileNames: "bundle.mjs", codeSplitting: false } },
-    },
-  });
-  renameSync(join(fresh, "bundle.mjs"), path);
-  rmSync(fresh, { recursive: true, force: true });
+  const { bundle } = await import("./bundle.mjs");
+  const fresh = join(cache, `${name}-building-${process.pid}.mjs`);
+  writeFileSync(fresh, await bundle(name));
+  renameSync(fresh, path);
   return path;
 }
 

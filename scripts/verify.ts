@@ -19,6 +19,29 @@ const RAPID = 10_000;
 /** A command line that can not be carried out; its message is the one line on standard error. */
 class Refusal extends Error {}
 
+/** Names standard input where a program is asked for. */
+const STDIN = "-";
+
+const usage = (called: string): string =>
+  `usage: ${called} FILE.h [FILE.h …] [--tools TOOLS.json] [--control tnc640|tnc7] [--skip] [--json | --print]`;
+
+const help = (called: string): string =>
+  `${usage(called)}
+
+Runs turning programs in Klartext, cuts the stock along their paths and says what was found.
+
+  FILE.h                   a program; ${STDIN} reads one from standard input. Programs that it calls are looked for in its folder
+                           and among the other files.
+  --tools TOOLS.json       tools of the shop; each replaces the built-in tool of the same number
+  --control tnc640|tnc7    the control whose rules hold, tnc640 if not said
+  --skip                   leave out blocks that are marked with /
+  --json                   one JSON object a line and a program in place of a summary (format turnwise-report/1)
+  --print                  write the program back as it was read, and run nothing
+  --help, --version        this text; the version
+
+Exit status: 0 no error, 1 an error in a program, 2 the command could not run.
+`;
+
 interface Command {
   readonly files: readonly string[];
   readonly tools: string | null;
@@ -28,9 +51,15 @@ interface Command {
   readonly skip: boolean;
 }
 
+/** What is asked about the command itself, and runs nothing. */
+function answer(args: readonly string[], called: string): string | null {
+  if (args.includes("--help") || args.includes("-h")) return help(called);
+  return args.includes("--version") ? `Turnwise ${import.meta.env.VITE_VERSION}\n` : null;
+}
+
 const CONTROLS: Readonly<Record<string, Control>> = { tnc640: "TNC 640", tnc7: "TNC7" };
 
-function command(args: readonly string[]): Command {
+function command(args: readonly string[], called: string): Command {
   const files: string[] = [];
   let [tools, json, printing, skip]: [string | null, boolean, boolean, boolean] = [null, false, false, false];
   let control: Control = "TNC 640";
@@ -49,16 +78,14 @@ function command(args: readonly string[]): Command {
     } else if (arg.startsWith("--")) throw new Refusal(`unknown option ${arg}`);
     else files.push(arg);
   }
-  if (files.length === 0)
-    throw new Refusal(
-      "usage: npm run --silent verify -- FILE.h [FILE.h …] [--tools TOOLS.json] [--control tnc640|tnc7] [--skip] [--json | --print]",
-    );
+  if (files.length === 0) throw new Refusal(usage(called));
+  if (files.filter((file) => file === STDIN).length > 1) throw new Refusal(`${STDIN} can be read once`);
   return { files, tools, json, print: printing, control, skip };
 }
 
 function bytes(path: string): Buffer {
   try {
-    return readFileSync(path);
+    return readFileSync(path === STDIN ? process.stdin.fd : path);
   } catch {
     throw new Refusal(`cannot read ${path}`);
   }
@@ -66,6 +93,7 @@ function bytes(path: string): Buffer {
 
 /** Refuses a file that can not be read before the first one is: a list of files is done as a whole or not at all. */
 function readable(path: string): void {
+  if (path === STDIN) return;
   try {
     accessSync(path, constants.R_OK);
   } catch {
@@ -157,15 +185,23 @@ function besides(path: string, given: ReadonlyMap<string, string>): ProgramFiles
   };
 }
 
-/** `npm run --silent verify -- FILE.h …`: 0 no error, 1 an error in a program, 2 the command could not run. */
-export function main(args: readonly string[]): number {
+/**
+ * `npm run --silent verify -- FILE.h …`: 0 no error, 1 an error in a program, 2 the command could not run. `called` is how its
+ * user called it.
+ */
+export function main(args: readonly string[], called = "npm run --silent verify --"): number {
   // Whole folders of long programs go through one process: it tidies up before its memory has doubled.
   setFlagsFromString("--heap-growing-percent=30");
   try {
-    const { files, tools, json, print: printing, control, skip } = command(args);
+    const asked = answer(args, called);
+    if (asked !== null) {
+      process.stdout.write(asked);
+      return 0;
+    }
+    const { files, tools, json, print: printing, control, skip } = command(args, called);
     const shop = toolsOf(tools);
     for (const file of files) readable(file);
-    const given = new Map(files.toReversed().map((file) => [fileKey(basename(file)), file]));
+    const given = new Map(files.filter((file) => file !== STDIN).toReversed().map((file) => [fileKey(basename(file)), file]));
     let status = 0;
     for (const file of files) {
       const { text, encoding } = decoded(bytes(file));
