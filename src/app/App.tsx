@@ -10,6 +10,7 @@ import { fetchAtRest } from "./rest.ts";
 import { useKeeping } from "./saving/keep.ts";
 import { fetchShownTexts } from "./settings/shown-texts.ts";
 import { useFirstTexts } from "./settings/use-first-texts.ts";
+import { useSheetShown } from "./sheet/sheet-place.ts";
 import { StartPage } from "./start/StartPage.tsx";
 import { useEditor } from "./store.ts";
 import { useToolPlace } from "./tools/tool-place.ts";
@@ -26,6 +27,8 @@ const fetchOwn = later(() => import("./own/OwnPage.tsx"));
 const OwnPage = lazy(async () => ({ default: (await fetchOwn()).OwnPage }));
 /** Fetched with its texts when somebody asks. */
 const WhichCycle = lazy(async () => ({ default: (await import("./which/WhichCycle.tsx")).WhichCycle }));
+const fetchSheet = later(() => import("./sheet/SheetPage.tsx"));
+const SheetPage = lazy(async () => ({ default: (await fetchSheet()).SheetPage }));
 const fetchEditor = later(() => import("./editor/ProgramWorkplace.tsx"));
 const ProgramWorkplace = lazy(async () => ({ default: (await fetchEditor()).ProgramWorkplace }));
 
@@ -40,6 +43,7 @@ export function App() {
   const which = useWhichPlace();
   const refused = useCopying((c) => c.state === "refused");
   const t = useFirstTexts().page;
+  const sheet = useSheetShown();
   const name = job?.name ?? programName;
   useEffect(() => {
     document.title = name ? `${name} · Turnwise` : "Turnwise";
@@ -61,12 +65,17 @@ export function App() {
           <OwnPage />
         </Suspense>
       )}
-      {ready && !tools && !own && program !== null && (
+      {ready && !tools && !own && sheet && (
+        <Suspense>
+          <SheetPage />
+        </Suspense>
+      )}
+      {ready && !tools && !own && !sheet && program !== null && (
         <Suspense fallback={<p className="editor-loading soft" role="status">{t.loading}</p>}>
           <ProgramWorkplace key={program} />
         </Suspense>
       )}
-      {ready && !tools && !own && program === null && (job
+      {ready && !tools && !own && !sheet && program === null && (job
         ? (
           <Suspense>
             <Workplace />

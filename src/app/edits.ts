@@ -1,6 +1,7 @@
 import type { BlankDraft, ContourRow, Job, SpindleDraft } from "../program/job.ts";
 import type { Draft } from "../program/read-draft.ts";
-import { edit } from "./store.ts";
+import { changeProgram, edit, useEditor } from "./store.ts";
+import { LONGEST_REMARKS } from "./work.ts";
 
 const noDraft: Draft = {};
 
@@ -47,3 +48,11 @@ export const setNcLanguage = (ncLanguage: Job["ncLanguage"]): void => edit((job)
 /** The contour table; `place` names the cell, so that typing in it is one step of undo. */
 export const setContour = (contour: readonly ContourRow[], place: string | null = null): void =>
   edit((job) => ({ ...job, contour }), place && `contour ${place}`);
+
+/** What the setup sheet of the open work says to the setter. */
+export function setRemarks(text: string): void {
+  const remarks = text.slice(0, LONGEST_REMARKS);
+  const put = <W extends { readonly remarks?: string }>(work: W): W => (work.remarks === remarks ? work : { ...work, remarks });
+  if (useEditor.getState().program) changeProgram(put, "remarks");
+  else edit(put, "remarks");
+}

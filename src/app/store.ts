@@ -70,13 +70,13 @@ export const putProgram = (work: string | null) => (program: ProgramWork): boole
   return true;
 };
 
-/** Changes what belongs to the open program, as one step of undo. */
-export function changeProgram(change: (program: ProgramWork) => ProgramWork): void {
+/** Changes what belongs to the open program, as one step of undo; changes at the same place, one after the other, are one step together. */
+export function changeProgram(change: (program: ProgramWork) => ProgramWork, place: string | null = null): void {
   handOver();
   const { program: before, work } = useEditor.getState();
   const after = before && change(before);
   if (!after || after === before) return;
-  closeStep();
+  const on = goesOn(place);
   setProgram(after);
-  note(stepBetween(putProgram(work), before, after, OF_FILES));
+  note(stepBetween(putProgram(work), before, after, OF_FILES), on);
 }

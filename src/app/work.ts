@@ -19,7 +19,12 @@ export interface ProgramWork extends WorkFile {
   readonly files?: readonly WorkFile[];
   /** Blocks behind a skip mark are left out. */
   readonly skipMarked?: boolean;
+  /** What its setup sheet says to the setter. */
+  readonly remarks?: string;
 }
+
+/** Longest remarks of a setup sheet, characters: they fill a page. */
+export const LONGEST_REMARKS = 4000;
 
 /** What an operator works on: one cycle by its prompts, or a whole program. */
 export type Work = Job | ProgramWork;

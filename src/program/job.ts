@@ -86,6 +86,8 @@ export interface Job {
   readonly contour: readonly ContourRow[];
   readonly layout: "tnc640" | "tnc7";
   readonly ncLanguage: "en" | "de" | "fr" | "zh";
+  /** What its setup sheet says to the setter. */
+  readonly remarks?: string;
 }
 
 /** A job with a value in every place of its set-up: set, or proposed. */

@@ -1,7 +1,7 @@
 import type { WorkSection } from "../place.ts";
 
 /** A place of the page that has an address of its own: behind `#`, so that it works in any folder and without a server. */
-export type Address = StartAddress | WorkAddress | ToolsAddress | OwnAddress;
+export type Address = StartAddress | WorkAddress | SheetAddress | ToolsAddress | OwnAddress;
 
 /** The first screen, and whether it is asked there which cycle makes a shape. */
 export interface StartAddress {
@@ -15,6 +15,12 @@ export interface WorkAddress {
   readonly work: string;
   readonly section: WorkSection;
   readonly which: boolean;
+}
+
+/** The setup sheet of a work. */
+export interface SheetAddress {
+  readonly page: "sheet";
+  readonly work: string;
 }
 
 /** The tool table: with the row of a number, or one of its two kinds. */
@@ -42,6 +48,7 @@ const SECTIONS: Readonly<Record<WorkSection, true>> = {
 };
 const isSection = (text: string): text is WorkSection => Object.hasOwn(SECTIONS, text);
 const WHICH = "which";
+const SHEET = "sheet";
 
 function parts(address: Address): readonly string[] {
   switch (address.page) {
@@ -51,6 +58,8 @@ function parts(address: Address): readonly string[] {
       const { work, section, which } = address;
       return ["work", work, ...(section === "prompts" ? [] : [section]), ...(which ? [WHICH] : [])];
     }
+    case "sheet":
+      return ["work", address.work, SHEET];
     case "tools":
       if (address.number !== null) return ["tools", String(address.number)];
       return address.milling ? ["tools", "milling"] : ["tools"];
@@ -70,7 +79,8 @@ function decoded(part: string): string | null {
   }
 }
 
-function workAddress([work = "", ...more]: readonly string[]): WorkAddress | null {
+function workAddress([work = "", ...more]: readonly string[]): WorkAddress | SheetAddress | null {
+  if (work !== "" && more.length === 1 && more[0] === SHEET) return { page: "sheet", work };
   const which = more.at(-1) === WHICH;
   const [section = "prompts", ...rest] = which ? more.slice(0, -1) : more;
   return work !== "" && rest.length === 0 && isSection(section) ? { page: "work", work, section, which } : null;

@@ -2,6 +2,7 @@ import { z } from "zod/mini";
 import { useOwnPlace } from "../own/own-place.ts";
 import { usePlace } from "../place.ts";
 import { useEditor } from "../store.ts";
+import { useSheetPlace } from "../sheet/sheet-place.ts";
 import { useToolPlace } from "../tools/tool-place.ts";
 import { useWhichPlace } from "../which/which-place.ts";
 import { parseAddress, printAddress } from "./address.ts";
@@ -59,7 +60,8 @@ const REST = 400;
 /** Pages over the work that have a button of their own to leave them. */
 const isOver = (hash: string): boolean => {
   const address = parseAddress(hash);
-  return address !== null && (address.page === "tools" || address.page === "own" || (address.page !== "start" && address.which));
+  return address !== null
+    && (address.page === "sheet" || address.page === "tools" || address.page === "own" || (address.page !== "start" && address.which));
 };
 
 /** Rows of one table are one place: going through them is no journey. */
@@ -159,6 +161,7 @@ export function followAddress(begun = location.hash): () => void {
     }),
     useToolPlace.subscribe(soon),
     useOwnPlace.subscribe(soon),
+    useSheetPlace.subscribe(soon),
     useWhichPlace.subscribe(soon),
   ];
   addEventListener("popstate", onBack);

@@ -6,7 +6,8 @@ import { hideTools, openRow, showKind, showToolNumber, showTools, useToolPlace }
 import { toolsOnDevice, useTools } from "../tools/tool-store.ts";
 import { holds } from "../use-media.ts";
 import { hideWhich, showWhich, useWhichPlace } from "../which/which-place.ts";
-import type { Address, ToolsAddress, WorkAddress } from "./address.ts";
+import { hideSheet, sheetIsShown, showSheet } from "../sheet/sheet-place.ts";
+import type { Address, SheetAddress, ToolsAddress, WorkAddress } from "./address.ts";
 import { goHome } from "./go-home.ts";
 
 const JOB_SECTIONS: readonly WorkSection[] = ["prompts", "setup", "contour", "findings", "program"];
@@ -39,11 +40,12 @@ export function here(): Address {
   if (own.shown) return { page: "own", row: own.row };
   if (useToolPlace.getState().shown) return toolsHere();
   const { work } = useEditor.getState();
+  if (work !== null && sheetIsShown()) return { page: "sheet", work };
   const which = useWhichPlace.getState().shown;
   return work === null ? { page: "start", which } : { page: "work", work, section: shownSection(), which };
 }
 
-async function openNamed({ work, section }: WorkAddress): Promise<void> {
+async function openNamed({ work, section }: Pick<WorkAddress, "work" | "section">): Promise<void> {
   if (useEditor.getState().work !== work) {
     usePlace.setState({ section: "prompts", prompt: null, field: null });
     if (!await openWork(work)) {
@@ -53,6 +55,12 @@ async function openNamed({ work, section }: WorkAddress): Promise<void> {
   }
   if (usePlace.getState().section !== section) usePlace.setState({ section, field: null });
   if (useEditor.getState().program) beginProgram();
+}
+
+/** The sheet lies over the section of its work that was shown last. */
+async function openSheet({ work }: SheetAddress): Promise<void> {
+  await openNamed({ work, section: usePlace.getState().section });
+  if (useEditor.getState().work === work) showSheet();
 }
 
 function showRow({ number, milling }: ToolsAddress): void {
@@ -70,6 +78,11 @@ export async function goTo(address: Address): Promise<void> {
   hideOwn();
   if (address.page === "tools") return showRow(address);
   hideTools();
+  if (address.page === "sheet") {
+    hideWhich();
+    return openSheet(address);
+  }
+  hideSheet();
   if (address.page === "start") goHome();
   else await openNamed(address);
   if (address.which) showWhich(useWhichPlace.getState().region);

@@ -5,6 +5,7 @@ import { useVerdict } from "../findings/use-findings.ts";
 import { copyProgram } from "../leaving/copy-program.ts";
 import { CopyStatus } from "../leaving/CopyStatus.tsx";
 import { mayLeave, type Way } from "../leaving/leaving.ts";
+import { ProgramMore } from "../program/ProgramMore.tsx";
 import { useCopying } from "../program/copy.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { useEditor } from "../store.ts";
@@ -76,6 +77,7 @@ export function TextPanel({ toBlock }: { readonly toBlock?: () => void }) {
         </button>
         <ShareDialog />
       </div>
+      <ProgramMore />
       <CopyStatus otherwise={saving === "saved" ? t.editor.saved(name) : saving === "notSaved" ? t.editor.notSaved : ""} />
     </section>
   );

@@ -12,6 +12,7 @@ import { closeStep } from "../steps.ts";
 import { chooseJobLine, useChosenLine } from "./choose-line.ts";
 import { CopyButton } from "./CopyButton.tsx";
 import { downloadText } from "../files/download.ts";
+import { ProgramMore } from "./ProgramMore.tsx";
 import { ProgramText } from "./ProgramText.tsx";
 import { useRunningBlock } from "./running-block.ts";
 
@@ -73,6 +74,7 @@ export function ProgramPanel({ read, foldable }: { readonly read: JobReading; re
           <Icon name="download" /> <span className="file-name">{file}</span>
         </button>
       </div>
+      <ProgramMore />
       <button type="button" className="button plain open-as-program" title={open.fromJobLong} onClick={() => openText(text)}>
         {open.fromJob}
       </button>

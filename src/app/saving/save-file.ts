@@ -1,7 +1,7 @@
 import { z } from "zod/mini";
 import { NUMBER_PARAMETER } from "../../nc/value.ts";
 import type { ContourRow, Job } from "../../program/job.ts";
-import type { ProgramWork, Work, WorkFile } from "../work.ts";
+import { LONGEST_REMARKS, type ProgramWork, type Work, type WorkFile } from "../work.ts";
 
 /** Counts up whenever the layout of a saved work changes; each step has its upgrade below. */
 export const SAVE_VERSION = 2;
@@ -19,6 +19,7 @@ const PARAMETER_NAME = new RegExp(`^${NUMBER_PARAMETER}$`);
 const text = z.string().check(z.maxLength(500));
 /** What came later has a default here: the saves before it have no such field. */
 const later = { text: z._default(text, ""), flag: z._default(z.boolean(), false) };
+const remarks = z.optional(z.string().check(z.maxLength(LONGEST_REMARKS)));
 const row = z.object({
   id: text,
   kind: z.enum(["L", "RND", "CHF", "CR", "CC", "C", "CT", "LP", "CP", "CTP", "UDC", "GRV"]),
@@ -49,10 +50,11 @@ const job = z.object({
   contour: z.array(row),
   layout: z.enum(["tnc640", "tnc7"]),
   ncLanguage: z.enum(["en", "de", "fr", "zh"]),
+  remarks,
 });
 const textFile = { name: text, text: z.string(), encoding: z.enum(["utf-8", "windows-1252"]) };
 const workFile = z.object(textFile);
-const program = z.object({ ...textFile, files: z.optional(z.array(workFile)), skipMarked: z.optional(z.boolean()) });
+const program = z.object({ ...textFile, files: z.optional(z.array(workFile)), skipMarked: z.optional(z.boolean()), remarks });
 /** Every field of a work has to stand in the layout above, or it would be lost in saving: a missing one does not compile. */
 type Complete = [keyof Job extends keyof z.output<typeof job> ? true : never,
   keyof ContourRow extends keyof z.output<typeof row> ? true : never,

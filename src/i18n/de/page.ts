@@ -151,6 +151,7 @@ export const page = {
     download: (file) => `${file} herunterladen`,
     fold: "Programm einklappen",
     unfold: "Programm zeigen",
+    setupSheet: "Einrichteblatt",
     blocks: "Sätze des Programms",
     running: "läuft",
     refusedTitle: "Von Hand kopieren",

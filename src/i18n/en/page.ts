@@ -149,6 +149,7 @@ export const page = {
     download: (file: string) => `Download ${file}`,
     fold: "Fold the program away",
     unfold: "Show the program",
+    setupSheet: "Setup sheet",
     blocks: "Blocks of the program",
     running: "running",
     refusedTitle: "Copy by hand",

@@ -151,6 +151,7 @@ export const page = {
     download: (file) => `Télécharger ${file}`,
     fold: "Replier le programme",
     unfold: "Afficher le programme",
+    setupSheet: "Fiche de réglage",
     blocks: "Séquences du programme",
     running: "en cours",
     refusedTitle: "Copier à la main",

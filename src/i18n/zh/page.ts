@@ -149,6 +149,7 @@ export const page = {
     download: (file) => `下载 ${file}`,
     fold: "收起程序",
     unfold: "显示程序",
+    setupSheet: "调机单",
     blocks: "程序段",
     running: "执行中",
     refusedTitle: "手动复制",
