@@ -1,4 +1,4 @@
-import { looksRight } from "./pages/look.ts";
+import { looksRightInBoth } from "./pages/look.ts";
 import { OwnCycles } from "./pages/own-cycles.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
@@ -33,30 +33,22 @@ const KEPT = JSON.stringify({
 });
 const PROGRAM = "BEGIN PGM A MM\nCYCL DEF 317 BAR PULLER ~\nQ1711=+200 ;PULL LENGTH ~\nQ1712=+1 ;GRIP\nCYCL CALL\nEND PGM A MM\n";
 
-for (const theme of ["light", "dark"] as const) {
-  test.describe(`own cycles in ${theme}`, () => {
-    test.beforeEach(({ page }) => page.addInitScript((kept) => localStorage.setItem("turnwise/own-cycles", kept), KEPT));
-
-    test("the list and a description with errors pass axe, and fit", async ({ page }) => {
-      const { settings, t } = await Turnwise.open(page, { theme });
-      const own = new OwnCycles({ page, t, language: "en" });
-      await settings.open();
-      await page.getByRole("dialog").getByRole("button", { name: t.page.own.title, exact: true }).click();
-      await own.row(812, "A VERY LONG NAME").click();
-      await expect(page.getByText(t.own.problems.noParameter("R1"))).toBeVisible();
-      await looksRight(page);
-    });
-
-    test("the dialog of a block passes axe, and fits", async ({ page }) => {
-      const { editor, dialog, t } = await Turnwise.open(page, { theme });
-      await editor.openFile("A.H", Buffer.from(PROGRAM));
-      await editor.line("Q1711").click();
-      await editor.show("block");
-      await expect(dialog.messages).toContainText("200");
-      await looksRight(page);
-      await dialog.open("Q1712");
-      await expect(page.getByText(t.own.unproved)).toBeVisible();
-      await looksRight(page);
-    });
-  });
-}
+test("own cycles: the list, a description with errors and the dialog of a block pass axe, and fit", async ({ page }) => {
+  await page.addInitScript((kept) => localStorage.setItem("turnwise/own-cycles", kept), KEPT);
+  const { dialog, editor, settings, t } = await Turnwise.open(page);
+  const own = new OwnCycles({ page, t, language: "en" });
+  await settings.open();
+  await page.getByRole("dialog").getByRole("button", { name: t.page.own.title, exact: true }).click();
+  await own.row(812, "A VERY LONG NAME").click();
+  await expect(page.getByText(t.own.problems.noParameter("R1"))).toBeVisible();
+  await looksRightInBoth(page, "a description with errors");
+  await page.goto("./#/");
+  await editor.openFile("A.H", Buffer.from(PROGRAM));
+  await editor.line("Q1711").click();
+  await editor.show("block");
+  await expect(dialog.messages).toContainText("200");
+  await looksRightInBoth(page, "the dialog of a block");
+  await dialog.open("Q1712");
+  await expect(page.getByText(t.own.unproved)).toBeVisible();
+  await looksRightInBoth(page, "a choice of a block");
+});

@@ -15,7 +15,7 @@ test("a wrong infeed is found in the picture and mended at its prompt; nothing e
   const turnwise = await Turnwise.open(page);
   const { editor, lathe, dialog, program } = turnwise;
   await editor.paste(WRONG);
-  await expect(editor.total(turnwise.t.page.effect.passes)).not.toHaveText("25");
+  await expect(editor.total(turnwise.t.page.effect.passes)).toHaveText("81");
   const at = await pictureAt(page, stageOf(turnwise), -22.3, 78);
   await page.mouse.move(at.x, at.y);
   await page.mouse.click(at.x, at.y);
@@ -33,7 +33,7 @@ test("the same by keyboard: from the picture to the prompt and back", async ({ p
   const turnwise = await Turnwise.open(page);
   const { editor, lathe, dialog, program } = turnwise;
   await editor.paste(WRONG);
-  await expect(editor.total(turnwise.t.page.effect.passes)).not.toHaveText("25");
+  await expect(editor.total(turnwise.t.page.effect.passes)).toHaveText("81");
   await stageOf(turnwise).focus();
   for (let i = 0; i < 200 && !/Block 21/.test((await lathe.running.textContent()) ?? ""); i += 1) await page.keyboard.press("ArrowRight");
   await page.keyboard.press("Enter");

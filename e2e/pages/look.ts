@@ -2,14 +2,37 @@ import AxeBuilder from "@axe-core/playwright";
 import type { Page } from "@playwright/test";
 import { expect } from "./test.ts";
 
-/** No violation of the rules of axe, named with the elements that break them. */
-export async function accessible(page: Page): Promise<void> {
-  const { violations } = await new AxeBuilder({ page }).analyze();
-  expect(violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.target.join(" ")).slice(0, 4).join(" | ")}`)).toEqual([]);
+/** Rules about colours: the only ones that can tell the two appearances apart. */
+const OF_COLOURS = ["color-contrast", "link-in-text-block"];
+
+/** The rules of axe that the page breaks, all of them or some, named with the elements that break them. */
+async function broken(page: Page, rules?: string[]): Promise<readonly string[]> {
+  const axe = new AxeBuilder({ page });
+  const { violations } = await (rules ? axe.withRules(rules) : axe).analyze();
+  return violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.target.join(" ")).slice(0, 4).join(" | ")}`);
 }
+
+/** How far the page sticks out sideways, px. */
+const excess = (page: Page): Promise<number> =>
+  page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+
+/** No violation of the rules of axe. */
+export const accessible = async (page: Page): Promise<void> => expect(await broken(page)).toEqual([]);
 
 /** The screen passes axe, and nothing sticks out of it sideways. */
 export async function looksRight(page: Page): Promise<void> {
   await accessible(page);
-  expect(await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth)).toBeLessThanOrEqual(0);
+  expect(await excess(page)).toBeLessThanOrEqual(0);
+}
+
+/**
+ * The same in the light and in the dark appearance, for one of several screens of a journey: what is wrong with it is told by its
+ * name, and the journey goes on. Leaves the page light.
+ */
+export async function looksRightInBoth(page: Page, screen: string): Promise<void> {
+  await page.emulateMedia({ colorScheme: "dark" });
+  expect.soft(await broken(page, OF_COLOURS), `colours of ${screen} in the dark`).toEqual([]);
+  await page.emulateMedia({ colorScheme: "light" });
+  expect.soft(await broken(page), `axe on ${screen}`).toEqual([]);
+  expect.soft(await excess(page), `width of ${screen}`).toBeLessThanOrEqual(0);
 }
