@@ -40,6 +40,17 @@ const pure = {
   properties: ["error", { object: "Math", property: "random", message: "Pure layers repeat themselves exactly." }],
 };
 
+/** The page asks one clock and draws by one lot, so that a test can hold both. */
+const held = {
+  properties: [["Date", "now"], ["performance", "now"], ["Math", "random"], ["crypto", "randomUUID"], ["crypto", "getRandomValues"]].map(
+    ([object, property]) => ({ object, property, message: "Ask src/app/clock.ts for the time and src/app/chance.ts for an id." })
+  ),
+  syntax: {
+    selector: "NewExpression[callee.name='Date'][arguments.length=0]",
+    message: "Ask src/app/clock.ts for the time.",
+  },
+};
+
 export default defineConfig([
   { ignores: ["node_modules", "dist", "coverage", "test-results", "playwright-report"] },
   js.configs.recommended,
@@ -87,6 +98,11 @@ export default defineConfig([
   {
     files: ["src/i18n/**", "src/app/editor/block-fields.ts", "tests/validation-rules.ts", "src/program/tool-table.test.ts"],
     rules: { "max-lines": "off" },
+  },
+  {
+    files: ["src/app/**/*.{ts,tsx}"],
+    ignores: ["**/*.test.{ts,tsx}", "src/app/clock.ts", "src/app/chance.ts"],
+    rules: { "no-restricted-properties": ["error", ...held.properties], "no-restricted-syntax": ["error", ...form, held.syntax] },
   },
   {
     files: ["src/app/**/*.{ts,tsx}"],

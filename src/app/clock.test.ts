@@ -1,5 +1,5 @@
-import { expect, test } from "vitest";
-import { manualClock } from "./clock.ts";
+import { expect, test, vi } from "vitest";
+import { heldTime, manualClock } from "./clock.ts";
 
 test("held time stands still and moves picture by picture", () => {
   const clock = manualClock();
@@ -23,4 +23,24 @@ test("a cancelled picture does not come, and time never runs back", () => {
   clock.advance(100);
   expect(seen).toBe(0);
   expect(clock.now()).toBe(100);
+});
+
+test.each([["", null], ["?seed=3", null], ["?clock=later", null], ["?clock=manual", new Date(2026, 0, 1, 8, 0).getTime()], [
+  "?seed=3&clock=2026-11-21T08:05",
+  new Date(2026, 10, 21, 8, 5).getTime(),
+], ["?clock=2026-03-07", new Date(2026, 2, 7).getTime()]])("time is held from the moment that %j names, in local time",
+  (search, moment) => expect(heldTime(search)).toBe(moment));
+
+test("with a held clock the time of day goes on with the pictures, and real time is still there for pauses", async () => {
+  vi.stubGlobal("location", { search: "?clock=2026-11-21T08:05" });
+  vi.stubGlobal("window", {});
+  vi.resetModules();
+  const held = await import("./clock.ts");
+  const begin = new Date(2026, 10, 21, 8, 5).getTime();
+  expect(held.time()).toBe(begin);
+  window.__turnwiseClock?.advance(61_007);
+  expect(held.time()).toBe(begin + 61_007);
+  expect(held.clock.now()).toBe(61_007);
+  expect(held.stopwatch()).not.toBe(61_007);
+  vi.unstubAllGlobals();
 });

@@ -1,6 +1,7 @@
 /**
- * The one clock that animation reads. Normally the browser's; with `?clock=manual` in the address time stands still
+ * The one place that knows what time it is. Normally the browser's time; with `?clock=manual` in the address it stands still
  * until a test calls `window.__turnwiseClock.advance(milliseconds)`, so that every picture can be held and repeated.
+ * With `?clock=2026-11-21T08:00` it stands at that moment of the local day, so that every date does so too.
  */
 export interface Clock {
   /** Milliseconds since the page was opened. */
@@ -61,12 +62,33 @@ export function manualClock(): Clock & ManualClock {
   };
 }
 
-function chosenClock(): Clock {
-  if (typeof location === "undefined" || new URLSearchParams(location.search).get("clock") !== "manual") return browserClock;
-  const manual = manualClock();
-  window.__turnwiseClock = { now: manual.now, advance: manual.advance };
-  return manual;
+/** The day and the hour at which held time begins when the address names none, in local time. */
+const FIRST_DAY = "2026-01-01T08:00";
+
+/** Where held time begins, in milliseconds since 1970; null where time is the browser's. */
+export function heldTime(search: string): number | null {
+  const asked = new URLSearchParams(search).get("clock");
+  if (asked === null) return null;
+  const moment = Date.parse(asked.length === "2026-01-01".length ? `${asked}T00:00` : asked);
+  if (Number.isFinite(moment)) return moment;
+  return asked === "manual" ? Date.parse(FIRST_DAY) : null;
 }
 
-/** The clock of this page. */
-export const clock: Clock = chosenClock();
+function chosenClock(): Clock & { readonly time: () => number } {
+  const held = typeof location === "undefined" ? null : heldTime(location.search);
+  if (held === null) return { ...browserClock, time: () => Date.now() };
+  const manual = manualClock();
+  window.__turnwiseClock = { now: manual.now, advance: manual.advance };
+  return { ...manual, time: () => held + manual.now() };
+}
+
+const chosen = chosenClock();
+
+/** The clock of this page's pictures. */
+export const clock: Clock = chosen;
+
+/** The time of day, in milliseconds since 1970: of whatever carries a date. */
+export const time = (): number => chosen.time();
+
+/** Milliseconds that really pass, held or not: for pauses, and for nothing that is shown or kept. */
+export const stopwatch = (): number => performance.now();

@@ -1,3 +1,4 @@
+import { time } from "../clock.ts";
 import { createStore, del, get, keys, set } from "idb-keyval";
 import { isProgram, type Work } from "../work.ts";
 import { isNewer, readSave, SAVE_VERSION, type SaveFile } from "./save-file.ts";
@@ -79,7 +80,7 @@ export async function findWorks(): Promise<Found> {
       if (file) heads.push(headOf(String(key), file));
       else if (isNewer(raw)) newer += 1;
       else if (raw !== undefined) {
-        await set(`${Date.now()} ${String(key)}`, raw, aside);
+        await set(`${time()} ${String(key)}`, raw, aside);
         await del(key, works);
         setAside += 1;
       }
@@ -104,7 +105,7 @@ const isFull = (error: unknown) => error instanceof Error && error.name === "Quo
 /** Keeps a work. */
 export async function keepWork(work: string, job: Work): Promise<KeepState> {
   try {
-    const file: SaveFile = { version: SAVE_VERSION, savedAt: Date.now(), job };
+    const file: SaveFile = { version: SAVE_VERSION, savedAt: time(), job };
     await set(work, file, open().works);
     return "kept";
   } catch (error) {

@@ -1,9 +1,11 @@
+import { newId } from "../chance.ts";
+import { time } from "../clock.ts";
 import { create } from "zustand";
 import { begin, handOver, open, useEditor } from "../store.ts";
 import type { Work } from "../work.ts";
 import { findWorks, forgetWork, keepWork, readWork, type Kept } from "./device.ts";
 import { readSave, SAVE_VERSION } from "./save-file.ts";
-import { claimWork, leaveBehind, leftBehind, newWorkName, rememberedWork, rememberWork } from "./tab.ts";
+import { claimWork, leaveBehind, leftBehind, rememberedWork, rememberWork } from "./tab.ts";
 
 /** What the page says about saving. */
 export interface Keeping {
@@ -94,7 +96,7 @@ export function startKeeping(): () => void {
   };
   const leave = () => {
     handOver();
-    const savedAt = Date.now();
+    const savedAt = time();
     leaveBehind([...new Map([...unkept, ...waiting])].map(([work, job]) => ({ work, file: { version: SAVE_VERSION, savedAt, job } })));
     void write();
   };
@@ -125,7 +127,7 @@ async function nameFor(work: string, job: Work): Promise<string> {
     written.set(work, job);
     return work;
   }
-  const copy = newWorkName();
+  const copy = newId();
   await claimWork(copy);
   written.set(copy, job);
   notice("copyOfOtherTab");
@@ -171,7 +173,7 @@ export async function resume(asked: AskedWork = undefined): Promise<void> {
 
 /** Begins new work under a name of its own; what was open stays on the device. */
 export function startWork(job: Work): void {
-  const work = newWorkName();
+  const work = newId();
   rememberWork(work);
   void claimWork(work);
   open(job, work);

@@ -10,8 +10,6 @@ const PENDING = "turnwise/pending";
 /** Names of works whose lock this tab holds. */
 const mine = new Set<string>();
 
-export const newWorkName = (): string => crypto.randomUUID?.() ?? `${Date.now()}-${Math.random().toString(36).slice(2)}`;
-
 /** What this tab had open before a reload: a work, "" for the start page, null in a new tab. */
 export function rememberedWork(): string | null {
   try {
