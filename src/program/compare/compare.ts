@@ -1,0 +1,240 @@
+import type { Block, Program } from "../../nc/program.ts";
+import { aligned, type Pair } from "./align.ts";
+import { bareText, isSaid, meaningOf, wordChanges, type Meaning, type WordChange } from "./meaning.ts";
+
+/**
+ * What became of a block. "note": only its comment, its name or a label of a cycle differs; "form": only the way it is written; what
+ * has another number only is no difference at all.
+ */
+export type DifferenceKind = "changed" | "added" | "removed" | "moved" | "note" | "form";
+
+/** One difference of two programs, with the indices of its blocks; null where it has none in one of them. */
+export interface BlockDifference {
+  readonly kind: DifferenceKind;
+  readonly a: number | null;
+  readonly b: number | null;
+  /** Of a block that is changed, or moved and changed. */
+  readonly words: readonly WordChange[];
+}
+
+/** Two programs set against each other, block by block. */
+export interface ProgramComparison {
+  /** In the order of the second program; what it lacks stands where it was. */
+  readonly differences: readonly BlockDifference[];
+  /** For each block of the first program the one of the second that it became, -1 for none. */
+  readonly partners: Int32Array;
+}
+
+/** Blocks that say something, with what they mean. */
+interface SaidBlocks {
+  readonly at: readonly number[];
+  readonly meanings: readonly Meaning[];
+}
+
+function saidIn({ blocks }: Program): SaidBlocks {
+  const at = blocks.flatMap((block, i) => (isSaid(block) ? [i] : []));
+  return { at, meanings: at.map((i) => meaningOf(blocks[i] as Block)) };
+}
+
+type Naming = (meaning: Meaning) => string;
+
+/** Pairs those members of two stretches that are the same under a naming. */
+function pairUp(
+  a: readonly number[],
+  b: readonly number[],
+  [inA, inB]: readonly [SaidBlocks, SaidBlocks],
+  naming: Naming,
+): readonly Pair[] {
+  const numbers = new Map<string, number>();
+  const numbered = (list: readonly number[], { meanings }: SaidBlocks) =>
+    Int32Array.from(list, (i) => {
+      const name = naming(meanings[i] as Meaning);
+      const known = numbers.get(name) ?? numbers.size;
+      numbers.set(name, known);
+      return known;
+    });
+  return aligned(numbered(a, inA), numbered(b, inB)).map(([i, j]) => [a[i] ?? 0, b[j] ?? 0]);
+}
+
+/** Each stretch of both lists that lies between pairs. */
+function between(pairs: readonly Pair[], n: number, m: number): readonly (readonly [readonly number[], readonly number[]])[] {
+  const range = (from: number, to: number) => Array.from({ length: to - from }, (_, i) => from + i);
+  let [a, b] = [0, 0];
+  return [...pairs, [n, m] as const].map(([i, j]) => {
+    const gap = [range(a, i), range(b, j)] as const;
+    [a, b] = [i + 1, j + 1];
+    return gap;
+  });
+}
+
+const PASSES: readonly Naming[] = [({ key }) => key, ({ like }) => like, ({ kind }) => kind];
+
+/** Pairs in the order of both: first what means the same, then in what is left what is alike, then what is of one kind. */
+function inOrder(both: readonly [SaidBlocks, SaidBlocks]): readonly Pair[] {
+  const [{ at: a }, { at: b }] = both;
+  return PASSES.reduce<readonly Pair[]>((pairs, naming) => {
+    const more = between(pairs, a.length, b.length).flatMap(([one, other]) =>
+      one.length > 0 && other.length > 0 ? pairUp(one, other, both, naming) : []
+    );
+    return more.length === 0 ? pairs : [...pairs, ...more].sort(([i], [j]) => i - j);
+  }, []);
+}
+
+/** The part of its words that a moved block must have kept to be the same block. */
+const KEPT_WORDS = 0.5;
+
+const keepsMost = (a: Meaning, b: Meaning): boolean => {
+  const all = new Set([...a.words.keys(), ...b.words.keys()]).size;
+  return wordChanges(a, b).length <= all * (1 - KEPT_WORDS);
+};
+
+/** Blocks that stand elsewhere now: the same word by word, or a cycle that keeps most of its values. */
+function elsewhere(pairs: readonly Pair[], [a, b]: readonly [SaidBlocks, SaidBlocks]): readonly Pair[] {
+  const [takenA, takenB] = [new Set(pairs.map(([i]) => i)), new Set(pairs.map(([, j]) => j))];
+  const moved: Pair[] = [];
+  const take = (naming: (meaning: Meaning) => string | null, fits: (one: Meaning, other: Meaning) => boolean) => {
+    const free = new Map<string, number[]>();
+    a.meanings.forEach((meaning, i) => {
+      const name = takenA.has(i) ? null : naming(meaning);
+      if (name !== null) free.set(name, [...(free.get(name) ?? []), i]);
+    });
+    b.meanings.forEach((meaning, j) => {
+      const name = takenB.has(j) ? null : naming(meaning);
+      const list = name === null ? undefined : free.get(name);
+      const place = list?.findIndex((i) => fits(a.meanings[i] as Meaning, meaning)) ?? -1;
+      const [i] = place < 0 ? [] : (list?.splice(place, 1) ?? []);
+      if (i === undefined) return;
+      takenA.add(i);
+      takenB.add(j);
+      moved.push([i, j]);
+    });
+  };
+  take(({ key }) => key, () => true);
+  take(({ kind, like }) => (kind.startsWith("cycle ") ? like : null), keepsMost);
+  return moved;
+}
+
+const spaced = (text: string): string => text.replace(/\s+/g, " ").trim();
+
+/** Comment, name and labels of a block: what is written for people. */
+function noteOf({ statement: s, comment, raw }: Block): string {
+  const parts = [comment ?? ""];
+  if (s.kind === "cycle") parts.push(s.name, ...s.parameters.toSorted((a, b) => (a.q < b.q ? -1 : 1)).map(({ label }) => label ?? ""));
+  if (s.kind === "begin" || s.kind === "end") parts.push(s.name);
+  if (s.kind === "cycleLine" && s.line === 0) parts.push(s.text);
+  if (s.kind === "comment" || s.kind === "structure") parts.push(s.text);
+  return spaced(parts.join("\n")) + (s.kind === "unknown" ? (/;.*/.exec(raw)?.[0] ?? "") : "");
+}
+
+/** How two blocks that mean the same differ all the same; null where only their numbers do. */
+function inWriting(a: Block, b: Block): "note" | "form" | null {
+  if (a.raw === b.raw) return null;
+  if (noteOf(a) !== noteOf(b)) return "note";
+  return bareText(a).replace(/\r\n?/g, "\n") === bareText(b).replace(/\r\n?/g, "\n") ? null : "form";
+}
+
+/** Comments, structure lines and blank lines between two pairs: pairs of the same words, and what one of the two lacks. */
+function notesBetween(a: Program, b: Program, [fromA, toA]: Pair, [fromB, toB]: Pair): readonly BlockDifference[] {
+  const notes = ({ blocks }: Program, from: number, to: number) =>
+    Array.from({ length: Math.max(0, to - from) }, (_, i) => from + i).filter((i) => {
+      const kind = blocks[i]?.statement.kind;
+      return kind === "comment" || kind === "structure";
+    });
+  const [ofA, ofB] = [notes(a, fromA, toA), notes(b, fromB, toB)];
+  const words = ({ blocks }: Program, i: number) => noteOf(blocks[i] as Block);
+  const left = new Map<string, number>();
+  for (const i of ofA) left.set(words(a, i), (left.get(words(a, i)) ?? 0) + 1);
+  const added = ofB.filter((j) => {
+    const count = left.get(words(b, j)) ?? 0;
+    if (count > 0) left.set(words(b, j), count - 1);
+    return count === 0;
+  });
+  const removed = ofA.filter((i) => {
+    const count = left.get(words(a, i)) ?? 0;
+    if (count > 0) left.set(words(a, i), count - 1);
+    return count > 0;
+  });
+  return Array.from({ length: Math.max(added.length, removed.length) }, (_, i) => ({
+    kind: "note" as const,
+    a: removed[i] ?? null,
+    b: added[i] ?? null,
+    words: [],
+  }));
+}
+
+function compareInOrder(a: Program, b: Program): ProgramComparison {
+  const both = [saidIn(a), saidIn(b)] as const;
+  const [saidA, saidB] = both;
+  const pairs = inOrder(both);
+  const moved = elsewhere(pairs, both);
+  const partners = new Int32Array(a.blocks.length).fill(-1);
+  for (const [i, j] of [...pairs, ...moved]) partners[saidA.at[i] ?? 0] = saidB.at[j] ?? 0;
+  const [movedA, movedB] = [new Set(moved.map(([i]) => i)), new Map(moved.map(([i, j]) => [j, i]))];
+  const differences: BlockDifference[] = [];
+  const differ = (i: number, j: number, isMoved: boolean) => {
+    const [one, other] = [saidA.at[i] ?? 0, saidB.at[j] ?? 0];
+    const words = wordChanges(saidA.meanings[i] as Meaning, saidB.meanings[j] as Meaning);
+    const kind = isMoved ? "moved" : words.length > 0 ? "changed" : inWriting(a.blocks[one] as Block, b.blocks[other] as Block);
+    if (kind) differences.push({ kind, a: one, b: other, words });
+  };
+  let [nextA, nextB] = [0, 0];
+  for (const [i, j] of [...pairs, [saidA.at.length, saidB.at.length] as const]) {
+    const [endA, endB] = [saidA.at[i] ?? a.blocks.length, saidB.at[j] ?? b.blocks.length];
+    const startA = nextA === 0 ? 0 : (saidA.at[nextA - 1] ?? 0) + 1;
+    const startB = nextB === 0 ? 0 : (saidB.at[nextB - 1] ?? 0) + 1;
+    differences.push(...notesBetween(a, b, [startA, endA], [startB, endB]));
+    for (; nextA < i; nextA += 1)
+      if (!movedA.has(nextA)) differences.push({ kind: "removed", a: saidA.at[nextA] ?? 0, b: null, words: [] });
+    for (; nextB < j; nextB += 1) {
+      const from = movedB.get(nextB);
+      if (from === undefined) differences.push({ kind: "added", a: null, b: saidB.at[nextB] ?? 0, words: [] });
+      else differ(from, nextB, true);
+    }
+    if (i < saidA.at.length) differ(i, j, false);
+    [nextA, nextB] = [i + 1, j + 1];
+  }
+  return { differences, partners };
+}
+
+const INVERSE: Readonly<Record<DifferenceKind, DifferenceKind>> = {
+  changed: "changed",
+  added: "removed",
+  removed: "added",
+  moved: "moved",
+  note: "note",
+  form: "form",
+};
+
+/** The same differences seen from the other program. */
+function inverted({ differences, partners }: ProgramComparison, blocks: number): ProgramComparison {
+  const back = new Int32Array(blocks).fill(-1);
+  partners.forEach((b, a) => {
+    if (b >= 0) back[b] = a;
+  });
+  return {
+    partners: back,
+    differences: differences.map(({ kind, a, b, words }) => ({
+      kind: INVERSE[kind],
+      a: b,
+      b: a,
+      words: words.map(({ name, from, to }) => ({ name, from: to, to: from })),
+    })),
+  };
+}
+
+/** True where the first program comes first by its text: so that both ways round the same blocks are paired. */
+function comesFirst(a: Program, b: Program): boolean {
+  for (let i = 0; i < Math.min(a.blocks.length, b.blocks.length); i += 1) {
+    const [one, other] = [a.blocks[i]?.raw ?? "", b.blocks[i]?.raw ?? ""];
+    if (one !== other) return one < other;
+  }
+  return a.blocks.length <= b.blocks.length;
+}
+
+/**
+ * Sets two programs against each other by what their blocks mean: numbers of blocks, blanks, case, the order of words, the way numbers
+ * are written and the language of names and labels are no difference in meaning. Swapped programs give the inverse.
+ */
+export function comparePrograms(a: Program, b: Program): ProgramComparison {
+  return comesFirst(a, b) ? compareInOrder(a, b) : inverted(compareInOrder(b, a), a.blocks.length);
+}
