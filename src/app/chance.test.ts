@@ -1,5 +1,5 @@
 import { afterEach, describe, expect, test, vi } from "vitest";
-import { freshId, seedOf } from "./chance.ts";
+import { drawnId, seedOf } from "./chance.ts";
 
 const UUID = /^[0-9a-f]{8}-[0-9a-f]{4}-4[0-9a-f]{3}-[89ab][0-9a-f]{3}-[0-9a-f]{12}$/;
 
@@ -16,9 +16,9 @@ function freshDevice(search: string, { refuses = false } = {}): void {
   });
 }
 /** The module as a page that opens has it. */
-const opened = async (): Promise<typeof freshId> => {
+const opened = async (): Promise<typeof drawnId> => {
   vi.resetModules();
-  return (await import("./chance.ts")).freshId;
+  return (await import("./chance.ts")).drawnId;
 };
 const drawn = (draw: () => string, count: number) => Array.from({ length: count }, draw);
 
@@ -50,7 +50,7 @@ describe("with a seed", () => {
 });
 
 test("without a seed every name is new, also in a worker or on Node", () => {
-  const names = drawn(freshId, 50);
+  const names = drawn(drawnId, 50);
   expect(new Set(names).size).toBe(50);
   for (const id of names) expect(id).toMatch(UUID);
 });

@@ -44,7 +44,7 @@ function bytes(): Uint8Array {
 }
 
 /** A name that no other has: a random UUID (RFC 9562, version 4), also where the page is not served safely. */
-export function freshId(): string {
+export function drawnId(): string {
   const hex = [...bytes()].map((byte, i) => {
     if (i === 6) return (byte & 0x0f) | 0x40;
     return i === 8 ? (byte & 0x3f) | 0x80 : byte;

@@ -1,4 +1,4 @@
-import { freshId } from "../chance.ts";
+import { drawnId } from "../chance.ts";
 import { time } from "../clock.ts";
 import { create } from "zustand";
 import { begin, handOver, open, useEditor } from "../store.ts";
@@ -127,7 +127,7 @@ async function nameFor(work: string, job: Work): Promise<string> {
     written.set(work, job);
     return work;
   }
-  const copy = freshId();
+  const copy = drawnId();
   await claimWork(copy);
   written.set(copy, job);
   notice("copyOfOtherTab");
@@ -173,7 +173,7 @@ export async function resume(asked: AskedWork = undefined): Promise<void> {
 
 /** Begins new work under a name of its own; what was open stays on the device. */
 export function startWork(job: Work): void {
-  const work = freshId();
+  const work = drawnId();
   rememberWork(work);
   void claimWork(work);
   open(job, work);
