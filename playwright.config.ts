@@ -26,6 +26,8 @@ export default defineConfig({
     navigationTimeout: PATIENCE.step,
     trace: "off",
     permissions: ["clipboard-read", "clipboard-write"],
+    // Only the journeys without a network keep the page; the others would fetch all of it every time.
+    serviceWorkers: "block",
   },
   webServer: {
     command: `node node_modules/vite/bin/vite.js preview --port ${port} --strictPort --logLevel warn`,

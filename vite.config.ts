@@ -4,6 +4,7 @@ import react from "@vitejs/plugin-react";
 import { runnerImport, type Plugin } from "vite";
 import { configDefaults, defineConfig } from "vitest/config";
 import { bundle } from "./scripts/bundle.mjs";
+import { offline } from "./scripts/offline.ts";
 import { MEDIA } from "./src/app/media.ts";
 
 /**
@@ -111,7 +112,7 @@ const standalone: Plugin = {
 
 export default defineConfig({
   base: "./",
-  plugins: [react(), contentPolicy, pageStyles, cycleMenu, startPictures, gallery, standalone],
+  plugins: [react(), contentPolicy, pageStyles, cycleMenu, startPictures, gallery, standalone, offline()],
   worker: { format: "es" },
   build: {
     target: "es2023",

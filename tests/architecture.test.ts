@@ -68,6 +68,11 @@ describe("what one file keeps to itself", () => {
     expect(all.filter((s) => s.imports.some((i) => i.target.startsWith("clipper"))).map((s) => s.path)).toEqual(["src/kernel/clip.ts"]);
   });
 
+  test("only app/parts.ts makes components that are fetched later, which must not fail by not coming", () => {
+    const makes = all.filter((s) => /\blazy\b[^;]*from "react"|\bReact\.lazy\b/.test(code(s.text))).map((s) => s.path);
+    expect(makes).toEqual(["src/app/parts.ts"]);
+  });
+
   test("only kernel/units.ts halves or doubles an X", () => {
     const found = all.filter((s) => s.path !== "src/kernel/units.ts").flatMap((s) =>
       code(s.text).split("\n").filter((line) => converts(line, layerOf(s.path))).map((line) => `${s.path}: ${line.trim()}`)

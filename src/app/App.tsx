@@ -1,10 +1,13 @@
-import { lazy, Suspense, useEffect } from "react";
+import { Suspense, useEffect } from "react";
 import { menuCycle } from "./chooser/menu.ts";
 import { Header } from "./Header.tsx";
 import { DropProgram } from "./files/DropProgram.tsx";
 import { NumberKeys } from "./keypad/NumberKeys.tsx";
+import { MissingPart } from "./MissingPart.tsx";
 import { Notices } from "./Notices.tsx";
+import { useVersion } from "./offline/version.ts";
 import { useOwnPlace } from "./own/own-place.ts";
+import { lazyPart } from "./parts.ts";
 import { useCopying } from "./program/copy.ts";
 import { fetchAtRest } from "./rest.ts";
 import { useKeeping } from "./saving/keep.ts";
@@ -19,18 +22,21 @@ import { hideWhich, useWhichPlace } from "./which/which-place.ts";
 /** Parts that are fetched when they are first shown, together with the texts that they need. */
 const later = <M,>(fetch: () => Promise<M>) => async (): Promise<M> => (await Promise.all([fetch(), fetchShownTexts()]))[0];
 const fetchWorkplace = later(() => import("./Workplace.tsx"));
-const Workplace = lazy(async () => ({ default: (await fetchWorkplace()).Workplace }));
-const CopyByHand = lazy(async () => ({ default: (await import("./program/CopyByHand.tsx")).CopyByHand }));
+const Workplace = lazyPart(async () => ({ default: (await fetchWorkplace()).Workplace }));
+const CopyByHand = lazyPart(async () => ({ default: (await import("./program/CopyByHand.tsx")).CopyByHand }));
 const fetchTools = later(() => import("./tools/ToolPage.tsx"));
-const ToolPage = lazy(async () => ({ default: (await fetchTools()).ToolPage }));
+const ToolPage = lazyPart(async () => ({ default: (await fetchTools()).ToolPage }));
 const fetchOwn = later(() => import("./own/OwnPage.tsx"));
-const OwnPage = lazy(async () => ({ default: (await fetchOwn()).OwnPage }));
+const OwnPage = lazyPart(async () => ({ default: (await fetchOwn()).OwnPage }));
 /** Fetched with its texts when somebody asks. */
-const WhichCycle = lazy(async () => ({ default: (await import("./which/WhichCycle.tsx")).WhichCycle }));
+const WhichCycle = lazyPart(async () => ({ default: (await import("./which/WhichCycle.tsx")).WhichCycle }));
 const fetchSheet = later(() => import("./sheet/SheetPage.tsx"));
-const SheetPage = lazy(async () => ({ default: (await fetchSheet()).SheetPage }));
+const SheetPage = lazyPart(async () => ({ default: (await fetchSheet()).SheetPage }));
 const fetchEditor = later(() => import("./editor/ProgramWorkplace.tsx"));
-const ProgramWorkplace = lazy(async () => ({ default: (await fetchEditor()).ProgramWorkplace }));
+const ProgramWorkplace = lazyPart(async () => ({ default: (await fetchEditor()).ProgramWorkplace }));
+
+/** Fetched when there is something to say. */
+const UpdateBar = lazyPart(async () => ({ default: (await import("./offline/UpdateBar.tsx")).UpdateBar }));
 
 /** The page: the top line, and below it the tool table, the choice of work, or the workplace of the open job or program. */
 export function App() {
@@ -44,6 +50,7 @@ export function App() {
   const refused = useCopying((c) => c.state === "refused");
   const t = useFirstTexts().page;
   const sheet = useSheetShown();
+  const newer = useVersion((v) => v.newer !== "none" && !v.later);
   const name = job?.name ?? programName;
   useEffect(() => {
     document.title = name ? `${name} · Turnwise` : "Turnwise";
@@ -55,6 +62,14 @@ export function App() {
     <div className="page">
       <Header />
       <Notices />
+      <div className="notices" role="status">
+        <MissingPart />
+        {newer && (
+          <Suspense>
+            <UpdateBar />
+          </Suspense>
+        )}
+      </div>
       {ready && tools && !own && (
         <Suspense>
           <ToolPage />

@@ -1,4 +1,4 @@
-import { lazy, Suspense, useEffect, useRef, useState, type MouseEvent } from "react";
+import { Suspense, useEffect, useRef, useState, type MouseEvent } from "react";
 import { goHome } from "./address/go-home.ts";
 import { Icon } from "./Icon.tsx";
 import { usePlace } from "./place.ts";
@@ -6,12 +6,16 @@ import { useFirstTexts } from "./settings/use-first-texts.ts";
 import { useOwnPlace } from "./own/own-place.ts";
 import { CreateProgram } from "./start/CreateProgram.tsx";
 import { redoStep, undoStep } from "./history.ts";
+import { lazyPart } from "./parts.ts";
 import { useSteps } from "./steps.ts";
 import { useEditor } from "./store.ts";
 import { showTools, useToolPlace } from "./tools/tool-place.ts";
 
 /** Fetched when it is first opened. */
-const SettingsDialog = lazy(async () => ({ default: (await import("./settings/SettingsDialog.tsx")).SettingsDialog }));
+const SettingsDialog = lazyPart(async () => ({ default: (await import("./settings/SettingsDialog.tsx")).SettingsDialog }));
+
+/** The way to a new program from the home screen (scripts/offline.ts). The address is another one as soon as the page follows it. */
+const ASKED_NEW = location.hash === "#/new";
 
 /** The address says where the page is, so a link into it cannot stand there. */
 function toPrompts(event: MouseEvent): void {
@@ -25,7 +29,7 @@ export function Header() {
   const job = useEditor((s) => s.job);
   const section = usePlace((p) => p.section);
   const [settings, showSettings] = useState(false);
-  const [creating, create] = useState(false);
+  const [creating, create] = useState(ASKED_NEW);
   const program = useEditor((s) => s.program);
   const past = useSteps((s) => s.past.length > 0);
   const future = useSteps((s) => s.future.length > 0);

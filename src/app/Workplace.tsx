@@ -1,4 +1,4 @@
-import { lazy, Suspense, useEffect, useMemo, type ReactNode } from "react";
+import { Suspense, useEffect, useMemo, type ReactNode } from "react";
 import { knownWork } from "../program/known-work.ts";
 import { clock } from "./clock.ts";
 import { ContourViews } from "./contour/ContourViews.tsx";
@@ -20,6 +20,7 @@ import { LeavingDialog } from "./leaving/LeavingDialog.tsx";
 import { LatheView } from "./lathe/LatheView.tsx";
 import { MeasuredInto } from "./lathe/measured-into.ts";
 import { useMeasuredTarget } from "./measured-target.ts";
+import { lazyPart } from "./parts.ts";
 import { usePlace, type JobSection } from "./place.ts";
 import { playback } from "./playback.ts";
 import { openAsked } from "./program/choose-line.ts";
@@ -34,11 +35,11 @@ import { useToolList } from "./tools/tool-store.ts";
 
 /** Loaded when its section is first shown, or before that when there is nothing else to do. */
 const fetchSetup = () => import("./setup/SetupPanel.tsx");
-const SetupPanel = lazy(async () => ({ default: (await fetchSetup()).SetupPanel }));
+const SetupPanel = lazyPart(async () => ({ default: (await fetchSetup()).SetupPanel }));
 const fetchFindings = () => import("./findings/FindingsPanel.tsx");
-const FindingsPanel = lazy(async () => ({ default: (await fetchFindings()).FindingsPanel }));
-const ContourTable = lazy(async () => ({ default: (await import("./contour/ContourTable.tsx")).ContourTable }));
-const ContourStage = lazy(async () => ({ default: (await import("./contour/ContourStage.tsx")).ContourStage }));
+const FindingsPanel = lazyPart(async () => ({ default: (await fetchFindings()).FindingsPanel }));
+const ContourTable = lazyPart(async () => ({ default: (await import("./contour/ContourTable.tsx")).ContourTable }));
+const ContourStage = lazyPart(async () => ({ default: (await import("./contour/ContourStage.tsx")).ContourStage }));
 
 /** Prompts, lathe and program of the open job. */
 export function Workplace() {

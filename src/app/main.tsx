@@ -10,6 +10,8 @@ import { startEngineLater } from "./engine/later.ts";
 import { openShared } from "./files/open-shared.ts";
 import { onHistoryKey } from "./history.ts";
 import { startOwn } from "./own/keep-own.ts";
+import { startOfflineLater } from "./offline/start-offline.ts";
+import { followMissing, untilHere } from "./parts.ts";
 import { resume, startKeeping } from "./saving/keep.ts";
 import { followAppearance } from "./settings/appearance.ts";
 import { fetchFirstTexts } from "./settings/loaded-texts.ts";
@@ -25,15 +27,16 @@ import "./styles/start.css";
 
 z.config({ jitless: true });
 followAppearance();
+followMissing();
+startOfflineLater();
 document.addEventListener("keydown", onHistoryKey);
 startTools();
 startOwn();
 /** What is kept beside the work: its history in this tab, and its picture. The first screen waits for neither. */
 async function keepBeside(): Promise<void> {
-  const [{ startKeepingSteps, takeKeptSteps }, { startKeepingPictures }] = await Promise.all([
-    import("./saving/keep-steps.ts"),
-    import("./saving/keep-pictures.ts"),
-  ]);
+  const [{ startKeepingSteps, takeKeptSteps }, { startKeepingPictures }] = await untilHere(() =>
+    Promise.all([import("./saving/keep-steps.ts"), import("./saving/keep-pictures.ts")])
+  );
   takeKeptSteps();
   startKeepingSteps();
   startKeepingPictures();
@@ -55,7 +58,7 @@ void resume(askedWork).then(async () => {
 });
 
 const root = document.getElementById("root");
-void fetchFirstTexts(useSettings.getState().language).then(() => {
+void untilHere(() => fetchFirstTexts(useSettings.getState().language)).then(() => {
   if (!root) return;
   createRoot(root).render(<StrictMode>
     <CrashGuard>

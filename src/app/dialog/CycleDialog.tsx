@@ -1,9 +1,10 @@
-import { lazy, Suspense } from "react";
+import { Suspense } from "react";
 import { isRecalled } from "../../cycles/params.ts";
 import type { ThreadSize } from "../../cycles/thread-sizes.ts";
 import { setPrompts } from "../edits.ts";
 import { Icon } from "../Icon.tsx";
 import { CycleInWork } from "../issue-text.ts";
+import { lazyPart } from "../parts.ts";
 import type { JobReading } from "../reading.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { closeStep } from "../steps.ts";
@@ -11,7 +12,7 @@ import { DialogDone } from "./DialogDone.tsx";
 import { PromptDialog } from "./PromptDialog.tsx";
 import { useCycleSession, type PromptedBlock } from "./use-cycle-session.tsx";
 
-const ThreadSizes = lazy(async () => ({ default: (await import("./ThreadSizes.tsx")).ThreadSizes }));
+const ThreadSizes = lazyPart(async () => ({ default: (await import("./ThreadSizes.tsx")).ThreadSizes }));
 
 /** The dialog of a cycle: of the job, or of a block of a program. */
 export function CycleDialog({ read, block = null }: { readonly read: JobReading; readonly block?: PromptedBlock | null }) {

@@ -1,4 +1,4 @@
-import { lazy, Suspense, useEffect, type ReactNode } from "react";
+import { Suspense, useEffect, type ReactNode } from "react";
 import { MachineView } from "../approach/MachineView.tsx";
 import { clock } from "../clock.ts";
 import { HelpDock } from "../dialog/HelpDock.tsx";
@@ -24,6 +24,7 @@ import { setBlockPrompt, useOpenBlock } from "./open-block.ts";
 import { openMaker } from "./open-maker.ts";
 import { closeSession, handOverText, openSession } from "./session.ts";
 import { showFile } from "../files/shown-file.ts";
+import { lazyPart } from "../parts.ts";
 import { StructurePanel } from "./StructurePanel.tsx";
 import { TextPanel } from "./TextPanel.tsx";
 import { TotalsStrip } from "./TotalsStrip.tsx";
@@ -31,7 +32,7 @@ import { useProgramHost } from "./use-program-host.ts";
 import "../own/own-block.css";
 import "./editor.css";
 
-const InsertOperation = lazy(async () => ({ default: (await import("../operations/InsertOperation.tsx")).InsertOperation }));
+const InsertOperation = lazyPart(async () => ({ default: (await import("../operations/InsertOperation.tsx")).InsertOperation }));
 
 /** Keeps the editor of the open program for as long as it is open. */
 function useProgramSession(): void {

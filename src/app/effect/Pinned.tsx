@@ -1,10 +1,11 @@
-import { lazy, Suspense } from "react";
+import { Suspense } from "react";
 import { useOutcome } from "../engine/outcome.ts";
+import { lazyPart } from "../parts.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { pin, useCompared } from "./before.ts";
 
 /** Fetched when a setting is pinned. */
-const PinnedValues = lazy(async () => ({ default: (await import("./PinnedValues.tsx")).PinnedValues }));
+const PinnedValues = lazyPart(async () => ({ default: (await import("./PinnedValues.tsx")).PinnedValues }));
 
 /** Keeps the present setting, to see others against it. */
 export function PinButton() {

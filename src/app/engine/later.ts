@@ -1,5 +1,5 @@
+import { untilHere } from "../parts.ts";
 import { atRest } from "../rest.ts";
-import { notice } from "../saving/keep.ts";
 import { useEditor } from "../store.ts";
 
 /**
@@ -13,7 +13,7 @@ export function startEngineLater(): void {
     started = true;
     stop();
     notYet();
-    void import("./client.ts").then(({ startEngine }) => startEngine()).catch(() => notice("engineFailed"));
+    void untilHere(() => import("./client.ts")).then(({ startEngine }) => startEngine());
   };
   const isOpen = ({ job, program }: ReturnType<typeof useEditor.getState>) => job !== null || program !== null;
   const stop = useEditor.subscribe((now) => isOpen(now) && start());

@@ -1,8 +1,9 @@
-import { lazy, Suspense, useEffect, useRef, useState } from "react";
+import { Suspense, useEffect, useRef, useState } from "react";
+import { lazyPart } from "../parts.ts";
 import { holds } from "../use-media.ts";
 import { numberFieldOf } from "./field-typing.ts";
 
-const FieldKeypad = lazy(async () => ({ default: (await import("./FieldKeypad.tsx")).FieldKeypad }));
+const FieldKeypad = lazyPart(async () => ({ default: (await import("./FieldKeypad.tsx")).FieldKeypad }));
 
 /**
  * Brings the keypad to every number field of the app (an input marked with `data-number`) where fingers work, and keeps the keyboard of

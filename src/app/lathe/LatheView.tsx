@@ -1,4 +1,4 @@
-import { lazy, Suspense, useEffect, useId, useMemo, useState } from "react";
+import { Suspense, useEffect, useId, useMemo, useState } from "react";
 import type { KnownWork } from "../../program/known-work.ts";
 import type { Run } from "../../program/run-types.ts";
 import type { Simulation } from "../../sim/simulation.ts";
@@ -11,6 +11,7 @@ import { snapPoints } from "../../view/measure.ts";
 import { trackOf } from "../../view/playback.ts";
 import { sceneOf, type SceneParts } from "../../view/scene.ts";
 import type { Clock } from "../clock.ts";
+import { lazyPart } from "../parts.ts";
 import { KEEPS_KEYBOARD } from "../place.ts";
 import { reducedMotion } from "../settings/appearance.ts";
 import { useSettings } from "../settings/settings.ts";
@@ -48,11 +49,11 @@ import "./lathe.css";
 import { Outdated } from "./Outdated.tsx";
 
 /** Fetched when something is measured. */
-const RulerLines = lazy(async () => ({ default: (await import("./Ruler.tsx")).RulerLines }));
-const RulerReading = lazy(async () => ({ default: (await import("./Ruler.tsx")).RulerReading }));
+const RulerLines = lazyPart(async () => ({ default: (await import("./Ruler.tsx")).RulerLines }));
+const RulerReading = lazyPart(async () => ({ default: (await import("./Ruler.tsx")).RulerReading }));
 /** Fetched for a program that has approaches. */
-const TurnPoints = lazy(async () => ({ default: (await import("../approach/TurnPoints.tsx")).TurnPoints }));
-const WhichCycle = lazy(async () => ({ default: (await import("../which/WhichCycle.tsx")).WhichCycle }));
+const TurnPoints = lazyPart(async () => ({ default: (await import("../approach/TurnPoints.tsx")).TurnPoints }));
+const WhichCycle = lazyPart(async () => ({ default: (await import("../which/WhichCycle.tsx")).WhichCycle }));
 
 /** A run with its simulation: what the worker sends. */
 export interface LatheResult {

@@ -1,10 +1,11 @@
-import { lazy, Suspense, useState } from "react";
+import { Suspense, useState } from "react";
 import type { Run } from "../../program/run-types.ts";
+import { lazyPart } from "../parts.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 
 /** Fetched when it is first unfolded. */
-const MoveRows = lazy(async () => ({ default: (await import("./MoveRows.tsx")).MoveRows }));
+const MoveRows = lazyPart(async () => ({ default: (await import("./MoveRows.tsx")).MoveRows }));
 
 /** All moves in words and numbers, folded until asked for. */
 export function MoveTable({ run, playback }: { readonly run: Run; readonly playback: PlaybackStore }) {

@@ -1,15 +1,16 @@
-import { lazy, Suspense, useState } from "react";
+import { Suspense, useState } from "react";
 import type { Statement, StatementOf } from "../../nc/statement.ts";
 import { definesCycle } from "../../program/operations.ts";
 import { useSession } from "../editor/session.ts";
 import { Icon } from "../Icon.tsx";
 import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
+import { lazyPart } from "../parts.ts";
 import { ToolWords } from "../setup/tool-words.tsx";
 import { useTexts } from "../settings/use-texts.ts";
 import { useToolList } from "../tools/tool-store.ts";
 import "./operations.css";
 
-const ToolDialog = lazy(async () => ({ default: (await import("./ToolDialog.tsx")).ToolDialog }));
+const ToolDialog = lazyPart(async () => ({ default: (await import("./ToolDialog.tsx")).ToolDialog }));
 
 /** Edge length of the drawing, px. */
 const DRAWING = 48;

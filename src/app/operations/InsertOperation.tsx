@@ -1,4 +1,4 @@
-import { lazy, Suspense, useLayoutEffect, useMemo, useRef, useState } from "react";
+import { Suspense, useLayoutEffect, useMemo, useRef, useState } from "react";
 import { cycleByNumber } from "../../cycles/index.ts";
 import { ncLabels } from "../../i18n/nc-labels.ts";
 import type { Cycle } from "../../cycles/define.ts";
@@ -14,6 +14,7 @@ import { useFitsOfWork } from "../engine/fits.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import { showFile } from "../files/shown-file.ts";
 import { Icon } from "../Icon.tsx";
+import { lazyPart } from "../parts.ts";
 import { showSection } from "../place.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
@@ -25,7 +26,7 @@ import { ToolChoice } from "./ToolChoice.tsx";
 import { cycleWords } from "./words.ts";
 import "./operations.css";
 
-const WhichCycle = lazy(async () => ({ default: (await import("../which/WhichCycle.tsx")).WhichCycle }));
+const WhichCycle = lazyPart(async () => ({ default: (await import("../which/WhichCycle.tsx")).WhichCycle }));
 
 /** What the new operation finds: the blank, and what runs before its place. */
 function proposalFor(cycle: Cycle, behind: number | null): SetJob {

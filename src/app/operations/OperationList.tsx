@@ -1,4 +1,4 @@
-import { lazy, Suspense, useEffect, useMemo, useRef, useState, type KeyboardEvent, type ReactNode } from "react";
+import { Suspense, useEffect, useMemo, useRef, useState, type KeyboardEvent, type ReactNode } from "react";
 import type { Refusal } from "../../program/operation-edits.ts";
 import { openBlock, useSession } from "../editor/session.ts";
 import { chooseOpenBlock } from "../editor/choose-block.ts";
@@ -8,6 +8,7 @@ import { useShownBeside } from "../files/shown-file.ts";
 import { findingsHere } from "../files/shown-findings.ts";
 import { useListed } from "../findings/use-findings.ts";
 import { Icon } from "../Icon.tsx";
+import { lazyPart } from "../parts.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { useToolList } from "../tools/tool-store.ts";
 import { duplicateOperation, moveOperation, removeOperation, retoolOperation, switchOperation } from "./change-operation.ts";
@@ -17,7 +18,7 @@ import { OperationItem, type OperationAct } from "./OperationItem.tsx";
 import { titleOf } from "./words.ts";
 import "./operations.css";
 
-const ToolDialog = lazy(async () => ({ default: (await import("./ToolDialog.tsx")).ToolDialog }));
+const ToolDialog = lazyPart(async () => ({ default: (await import("./ToolDialog.tsx")).ToolDialog }));
 
 /** The operations of the shown text, each with what can be done with it as a whole. */
 export function OperationList({ filter }: { readonly filter: ReactNode }) {

@@ -1,5 +1,6 @@
-import { useLayoutEffect, useRef } from "react";
+import { Suspense, useLayoutEffect, useRef } from "react";
 import { LANGUAGE_NAMES, LANGUAGES, isLanguage } from "../../i18n/languages.ts";
+import { OfflineState } from "../offline/OfflineState.tsx";
 import { showOwn } from "../own/own-place.ts";
 import { changeLanguage, changeSettings, useSettings } from "./settings.ts";
 import { useFirstTexts } from "./use-first-texts.ts";
@@ -69,6 +70,9 @@ export function SettingsDialog({ onClose }: { readonly onClose: () => void }) {
         </button>
         <p className="small soft">{t.disclaimer}</p>
         <p className="small soft">Turnwise {import.meta.env.VITE_VERSION}</p>
+        <Suspense>
+          <OfflineState />
+        </Suspense>
         <button type="submit" className="button primary">{t.close}</button>
       </form>
     </dialog>

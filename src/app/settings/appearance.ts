@@ -13,6 +13,10 @@ function apply(settings: Settings): void {
   root.dataset["theme"] = settings.theme === "system" ? (dark().matches ? "dark" : "light") : settings.theme;
   root.dataset["size"] = settings.presentation ? "presentation" : "usual";
   root.dataset["motion"] = reducedMotion(settings) ? "reduced" : "full";
+  // What a home screen says of the page; there is none while it is developed.
+  const manifest = document.querySelector("link[rel=manifest]");
+  const name = `./manifest.${settings.language}.webmanifest`;
+  if (manifest && manifest.getAttribute("href") !== name) manifest.setAttribute("href", name);
 }
 
 /** Keeps language, theme and motion of the document in step with the settings and the system. */

@@ -97,15 +97,11 @@ function stored(): string | null {
 
 export const useSettings = create<Settings>(() => readSettings(stored()));
 
-/** Changes the screen language once its texts are here; where they cannot be fetched it stays as it is. */
+/** Changes the screen language once its texts are here; where they cannot be fetched it stays as it is, and that is said. */
 export async function changeLanguage(language: Language): Promise<void> {
-  try {
-    await fetchFirstTexts(language);
-    while (lacksTexts(language)) await fetchTexts(language);
-    changeSettings({ language });
-  } catch {
-    return;
-  }
+  await fetchFirstTexts(language);
+  while (lacksTexts(language)) await fetchTexts(language);
+  changeSettings({ language });
 }
 
 /** Changes settings and keeps them; a browser that refuses storage keeps them for this visit only. */

@@ -1,8 +1,9 @@
-import { lazy, Suspense } from "react";
+import { Suspense } from "react";
+import { lazyPart } from "../parts.ts";
 import { fetchShownTexts } from "../settings/shown-texts.ts";
 
 /** Fetched with its texts when it is first opened. */
-const NewProgram = lazy(async () => {
+const NewProgram = lazyPart(async () => {
   const [{ NewProgram: dialog }] = await Promise.all([import("../operations/NewProgram.tsx"), fetchShownTexts()]);
   return { default: dialog };
 });

@@ -1,7 +1,8 @@
-import { lazy, Suspense, useEffect, useRef, useState, type ReactNode } from "react";
+import { Suspense, useEffect, useRef, useState, type ReactNode } from "react";
 import type { ExampleId } from "../../examples/index.ts";
 import { CycleChooser, type More } from "../chooser/CycleChooser.tsx";
 import { useRecent } from "../chooser/recent.ts";
+import { lazyPart } from "../parts.ts";
 import { fetchAtRest } from "../rest.ts";
 import { refreshWorks, useKeeping } from "../saving/keep.ts";
 import { useFirstTexts } from "../settings/use-first-texts.ts";
@@ -11,7 +12,7 @@ import { openExample, ProgramStart } from "./ProgramStart.tsx";
 import { usePictures } from "./use-pictures.ts";
 
 /** It comes a moment after the rest, into a place that is kept for it. */
-const Welcome = lazy(async () => ({ default: (await import("./Welcome.tsx")).Welcome }));
+const Welcome = lazyPart(async () => ({ default: (await import("./Welcome.tsx")).Welcome }));
 
 /** Needs the catalogue, which is fetched while the operator looks. */
 const fetchBegin = () => import("./begin.ts");

@@ -1,8 +1,9 @@
-import { lazy, Suspense, useEffect, useLayoutEffect, useMemo, useRef, useState } from "react";
+import { Suspense, useEffect, useLayoutEffect, useMemo, useRef, useState } from "react";
 import { loadWhich } from "../../i18n/load-which.ts";
 import type { WhichTexts } from "../../i18n/which-text.ts";
 import { comparison as byWorker } from "../engine/client.ts";
 import { Icon } from "../Icon.tsx";
+import { lazyPart, untilHere } from "../parts.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { canBePreturned, readAsking, soughtAt, usualNumbers, type Sought, type WhichRegion } from "./asking.ts";
@@ -14,7 +15,7 @@ import { useComparison } from "./use-comparison.ts";
 import { WayCards } from "./WayCards.tsx";
 import "./which.css";
 
-const ContourTable = lazy(async () => ({ default: (await import("../contour/ContourTable.tsx")).ContourTable }));
+const ContourTable = lazyPart(async () => ({ default: (await import("../contour/ContourTable.tsx")).ContourTable }));
 
 interface Props {
   readonly done: () => void;
@@ -57,7 +58,7 @@ export function WhichCycle({ done, region, comparison = byWorker }: Props) {
   }, []);
   useEffect(() => {
     let gone = false;
-    void loadWhich(language).then((loaded) => {
+    void untilHere(() => loadWhich(language)).then((loaded) => {
       if (!gone) say(loaded);
     });
     return () => {

@@ -188,6 +188,11 @@ export const page = {
     ownNotKept: "Dieser Browser speichert die eigenen Zyklen nicht auf dem Gerät. Vor dem Schließen der Seite exportieren.",
     crashTitle: "Auf dieser Seite ist etwas schiefgegangen",
     crash: "Die Arbeit ist auf diesem Gerät gespeichert.",
+    missing: {
+      offline: "Dieser Teil der Seite ließ sich nicht holen: kein Netz. Was offen ist, bleibt; der Teil kommt, sobald ein Netz da ist.",
+      gone: "Dieser Teil der Seite ließ sich nicht vom Server holen. Was offen ist, bleibt, auch wenn die Seite neu geladen wird.",
+    },
+    tryAgain: "Noch einmal versuchen",
     reload: "Seite neu laden",
     startOver: "Zur Startseite",
   },

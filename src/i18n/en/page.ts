@@ -181,6 +181,11 @@ export const page = {
     ownNotKept: "This browser does not keep the own cycles on the device. Export them before you close the page.",
     crashTitle: "Something went wrong on this page",
     crash: "Your work is saved on this device.",
+    missing: {
+      offline: "This part of the page could not be fetched: there is no network. What is open stays, and the part comes with the network.",
+      gone: "This part of the page could not be fetched from the server. What is open stays, also when the page is loaded again.",
+    },
+    tryAgain: "Try again",
     reload: "Load the page again",
     startOver: "Go to the start page",
   },

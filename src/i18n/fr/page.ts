@@ -187,6 +187,12 @@ export const page = {
     ownNotKept: "Ce navigateur ne conserve pas les cycles maison sur l’appareil. Les exporter avant de fermer la page.",
     crashTitle: "Une erreur est survenue sur cette page",
     crash: "Le travail est enregistré sur cet appareil.",
+    missing: {
+      offline:
+        "Cette partie de la page n’a pas pu être chargée : pas de réseau. Ce qui est ouvert reste ; la partie viendra avec le réseau.",
+      gone: "Le serveur n’a pas donné cette partie de la page. Ce qui est ouvert reste, même si la page est rechargée.",
+    },
+    tryAgain: "Réessayer",
     reload: "Recharger la page",
     startOver: "Aller à la page d’accueil",
   },

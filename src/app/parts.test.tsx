@@ -1,0 +1,86 @@
+import { act, render, screen } from "@testing-library/react";
+import { Suspense } from "react";
+import { afterEach, beforeEach, expect, test, vi } from "vitest";
+import { dismissMissing, fetchMissing, followMissing, isMissing, lazyPart, untilHere, useMissing } from "./parts.ts";
+
+const GONE = new TypeError("Failed to fetch dynamically imported module: http://host/assets/part-x.js");
+const server = { answers: false };
+beforeEach(() => {
+  server.answers = false;
+  vi.stubGlobal("fetch", () => server.answers ? Promise.resolve({ ok: true }) : Promise.reject(new TypeError("no network")));
+});
+afterEach(() => {
+  dismissMissing();
+  vi.unstubAllGlobals();
+});
+const missing = () => useMissing.getState().missing;
+
+test.each([
+  "Failed to fetch dynamically imported module: http://host/a.js",
+  "error loading dynamically imported module: http://host/a.js",
+  "Importing a module script failed.",
+  "Unable to preload CSS for http://host/a.css",
+])("%s: a part that did not come", (message) => expect(isMissing(new TypeError(message))).toBe(true));
+
+test("a fault of our own is none", async () => {
+  expect(isMissing(new TypeError("x is undefined"))).toBe(false);
+  await expect(untilHere(() => Promise.reject(new TypeError("x is undefined")))).rejects.toThrow("x is undefined");
+  expect(missing()).toBe("no");
+});
+
+test("a component that does not come is said, does not fail, and comes with the network", async () => {
+  let asked = 0;
+  const Part = lazyPart(() => {
+    asked += 1;
+    return server.answers ? Promise.resolve({ default: () => <b>here</b> }) : Promise.reject(GONE);
+  });
+  render(<Suspense fallback={<i>coming</i>}>
+    <Part />
+  </Suspense>);
+  await vi.waitFor(() => expect(missing()).toBe("offline"));
+  expect(screen.getByText("coming")).toBeTruthy();
+  await act(fetchMissing);
+  await vi.waitFor(() => expect(missing()).toBe("offline"));
+  expect(asked).toBe(2);
+  server.answers = true;
+  await act(fetchMissing);
+  await screen.findByText("here");
+  expect(missing()).toBe("no");
+  expect(asked).toBe(3);
+});
+
+test("where the server answers and has no such part, that is said", async () => {
+  server.answers = true;
+  void untilHere(() => Promise.reject(GONE));
+  await vi.waitFor(() => expect(missing()).toBe("gone"));
+});
+
+test("what a press does not get is said and ends there", async () => {
+  followMissing();
+  const refused = (reason: unknown) => {
+    const event = new Event("unhandledrejection", { cancelable: true });
+    Object.assign(event, { reason });
+    dispatchEvent(event);
+    return event.defaultPrevented;
+  };
+  expect(refused(new Error("a fault"))).toBe(false);
+  expect(missing()).toBe("no");
+  expect(refused(GONE)).toBe(true);
+  expect(missing()).toBe("offline");
+  dispatchEvent(new Event("online"));
+  expect(missing()).toBe("no");
+});
+
+test("a style sheet that did not come is asked for again", async () => {
+  const link = document.createElement("link");
+  link.rel = "stylesheet";
+  link.href = "http://host/assets/part.css";
+  document.head.append(link);
+  const again = fetchMissing();
+  const fresh = document.querySelector("link");
+  expect(fresh).not.toBe(link);
+  expect(fresh?.href).toBe(link.href);
+  fresh?.onerror?.(new Event("error"));
+  await again;
+  fresh?.remove();
+});

@@ -1,0 +1,24 @@
+import type { OfflineTexts } from "../en/offline.ts";
+
+export const offline = {
+  ready: "Turnwise 有新版本可用。",
+  updateNow: "立即更新",
+  later: "稍后",
+  elsewhere: "Turnwise 已在另一个标签页中更新。本页继续使用原来的版本。",
+  reload: "重新加载页面",
+  look: "检查新版本",
+  kept: {
+    impossible: "此浏览器不能保存页面以供离线使用；需要 https 地址。",
+    coming: "正在将页面保存到本设备，以供离线使用。",
+    kept: "已保存在本设备上：无网络也可使用。",
+    failed: "页面尚未完整保存到本设备，联网后会继续。",
+  },
+  looked: {
+    no: "",
+    looking: "正在检查新版本。",
+    coming: "正在获取新版本。",
+    newest: "当前已是最新版本。",
+    unreachable: "服务器没有响应。本机内容可继续使用。",
+    unfinished: "新版本未能完整下载，继续使用当前版本。",
+  },
+} satisfies OfflineTexts;
