@@ -1,4 +1,4 @@
-import { proxy, releaseProxy, wrap, type Remote } from "comlink";
+import { proxy } from "comlink";
 import type { Job, SetJob } from "../../program/job.ts";
 import { readText } from "../../program/field.ts";
 import { SETUP_FIELDS } from "../../program/setup-fields.ts";
@@ -11,6 +11,7 @@ import type { Remedy } from "../../report/remedies.ts";
 import type { Residual } from "../../sim/simulation.ts";
 import { printedText } from "../printed.ts";
 import { readJob, setJobOf } from "../reading.ts";
+import { untilHere } from "../parts.ts";
 import { notice } from "../saving/keep.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useEditor, type Editor } from "../store.ts";
@@ -19,47 +20,9 @@ import { filesOf, type ProgramWork, type WorkFile } from "../work.ts";
 import type { Comparer } from "../which/comparison.ts";
 import type { Called, Request } from "./engine.ts";
 import { pauseInTyping } from "./quiet.ts";
-import { wireOutcomes } from "./wire.ts";
-import type { Engine } from "./worker.ts";
+import { askAgain, stopWorker } from "./worker-life.ts";
 import { atStage, calculationStopped, forgetOutcome, pause, showBeginning, takeOutcome, useOutcome, type Outcome,
   type Stage } from "./outcome.ts";
-
-/**
- * A calculation that takes longer has lost its way: the worker is replaced, ms. The longest programs that are simulated
- * take a tenth of that on a desk, and several times as much on a tablet.
- */
-const PATIENCE = 120_000;
-
-let worker: Worker | null = null;
-let engine: Remote<Engine> | null = null;
-
-function started(): Remote<Engine> {
-  if (engine) return engine;
-  worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module", name: "turnwise" });
-  wireOutcomes();
-  engine = wrap<Engine>(worker);
-  return engine;
-}
-
-function stop(): void {
-  engine?.[releaseProxy]();
-  worker?.terminate();
-  engine = null;
-  worker = null;
-}
-
-/** The answer, or a failure when it does not come in time. */
-function inTime<T>(answer: Promise<T>): Promise<T> {
-  return new Promise((resolve, reject) => {
-    const timer = setTimeout(() => reject(new Error("no answer from the calculation")), PATIENCE);
-    const broken = () => reject(new Error("the calculation could not start"));
-    worker?.addEventListener("error", broken, { once: true });
-    answer.then(resolve, reject).finally(() => {
-      clearTimeout(timer);
-      worker?.removeEventListener("error", broken);
-    });
-  });
-}
 
 let version = 0;
 /** Answers up to this version belong to a work that was left: one that comes late must not stand under the name of the next. */
@@ -85,7 +48,7 @@ async function outcomeOf(request: Wanted): Promise<Outcome> {
     if (busy && request.version > left) atStage(stage);
   };
   const made = await Promise.race([
-    inTime(started().update(request, proxy(toldOf))),
+    untilHere(() => askAgain((engine) => engine.update(request, proxy(toldOf)))),
     new Promise<never>((_, reject) => {
       cancel = reject;
     }),
@@ -120,9 +83,9 @@ async function work(): Promise<void> {
       await pauseInTyping();
       if (request.version > left) takeOutcome(outcome);
     } catch (error) {
-      stop();
-      if (error === CANCELLED) calculationStopped();
-      else if (error !== LEFT) notice("engineFailed");
+      stopWorker();
+      if (error !== LEFT) calculationStopped();
+      if (error !== LEFT && error !== CANCELLED) notice("engineFailed");
     }
   }
   busy = false;
@@ -216,7 +179,7 @@ const calledOf = ({ cycle, tool, feedUnit, call }: Operation): Called => ({ cycl
 /** What each tool of the table can do in place of the one that an operation called, best first; null when that cannot be said. */
 export async function fitsOfCall(operation: Operation): Promise<readonly ToolFit[] | null> {
   try {
-    return await inTime(started().fitsOfCall(calledOf(operation), toolTable().tools));
+    return await askAgain((engine) => engine.fitsOfCall(calledOf(operation), toolTable().tools));
   } catch {
     return null;
   }
@@ -225,7 +188,7 @@ export async function fitsOfCall(operation: Operation): Promise<readonly ToolFit
 /** The tools of the table that would take what an operation left, the one that leaves least first; null when that cannot be said. */
 export async function remediesOf(operation: Operation, left: Residual): Promise<readonly Remedy[] | null> {
   try {
-    return await inTime(started().remediesOf(calledOf(operation), left, toolTable().tools));
+    return await askAgain((engine) => engine.remediesOf(calledOf(operation), left, toolTable().tools));
   } catch {
     return null;
   }
@@ -237,7 +200,7 @@ export async function fitsOf(job: Job, outcome: Outcome): Promise<readonly ToolF
   const call = operations[0];
   if (!call) return null;
   try {
-    return await inTime(started().fits(setJobOf(job), { start: call.start, feedUnit: call.feedUnit, tools: toolTable().tools }));
+    return await askAgain((engine) => engine.fits(setJobOf(job), { start: call.start, feedUnit: call.feedUnit, tools: toolTable().tools }));
   } catch {
     return null;
   }
@@ -246,7 +209,7 @@ export async function fitsOf(job: Job, outcome: Outcome): Promise<readonly ToolF
 /** The same for a work that is not run: from its own start point. */
 export async function fitsOfWork(job: SetJob): Promise<readonly ToolFit[] | null> {
   try {
-    return await inTime(started().fitsOfWork(job, toolTable().tools));
+    return await askAgain((engine) => engine.fitsOfWork(job, toolTable().tools));
   } catch {
     return null;
   }
@@ -256,7 +219,7 @@ export async function fitsOfWork(job: SetJob): Promise<readonly ToolFit[] | null
 export const comparison: Comparer = {
   async ways(wanted, stock) {
     try {
-      return await inTime(started().ways(wanted, stock, toolTable().tools));
+      return await askAgain((engine) => engine.ways(wanted, stock, toolTable().tools));
     } catch {
       return null;
     }
@@ -264,7 +227,7 @@ export const comparison: Comparer = {
   async tryWay(proposal, wanted, stock) {
     const { control } = useSettings.getState();
     try {
-      return await inTime(started().tryWay(proposal, wanted, stock, { table: toolTable(), rapid: USUAL_RAPID, control }));
+      return await askAgain((engine) => engine.tryWay(proposal, wanted, stock, { table: toolTable(), rapid: USUAL_RAPID, control }));
     } catch {
       return null;
     }

@@ -7,6 +7,9 @@ import { wireOutcomes } from "./wire.ts";
 z.config({ jitless: true });
 wireOutcomes();
 
+// Held as long as this worker lives, under its name: so the page learns when it has ended.
+void navigator.locks?.request(self.name, () => new Promise<void>(() => undefined));
+
 type Advice = typeof advice;
 const fetchAdvice = async (): Promise<Advice> => (await import("./advice.ts")).advice;
 

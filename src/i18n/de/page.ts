@@ -179,7 +179,7 @@ export const page = {
     linkTooLarge: "Das Programm im Link ist größer als 20 MB und wurde nicht geöffnet. Die eigene Arbeit ist unverändert.",
     fileTooLarge: "Das sind mehr als 20 MB; es wurde nichts geöffnet. Die eigene Arbeit ist unverändert.",
     fileUnreadable: "Die Datei war nicht lesbar und wurde nicht geöffnet. Die eigene Arbeit ist unverändert.",
-    engineFailed: "Die Berechnung ist stehen geblieben und wurde neu gestartet. Die Werte sind sicher.",
+    engineFailed: "Die Berechnung ist abgebrochen. Die Werte sind sicher, und sie lässt sich neu starten.",
     toolsDamaged:
       "Die gespeicherte Werkzeugtabelle ließ sich nicht lesen. Sie wurde beiseitegelegt; es gelten die mitgelieferten Werkzeuge.",
     mainUnsure: "Kein Programm hier ruft alle anderen auf. Soll ein anderes laufen, dieses in der Dateiliste über dem Text wählen.",

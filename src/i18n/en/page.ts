@@ -173,7 +173,7 @@ export const page = {
     linkTooLarge: "The program in the link is larger than 20 MB and was not opened. Your own work is as it was.",
     fileTooLarge: "This is more than 20 MB and was not opened. Your own work is as it was.",
     fileUnreadable: "The file could not be read and was not opened. Your own work is as it was.",
-    engineFailed: "The calculation stopped and was started again. Your values are safe.",
+    engineFailed: "The calculation broke off. Your values are safe, and it can be started again.",
     toolsDamaged: "The saved tool table could not be read. It was set aside; the shipped tools are in place.",
     mainUnsure: "No program here calls all the others. If another one is to run, choose it in the list of files above the text.",
     toolsNotKept: "This browser does not keep the tool table on the device. Export it before you close the page.",

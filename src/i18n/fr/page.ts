@@ -178,7 +178,7 @@ export const page = {
     linkTooLarge: "Le programme contenu dans le lien dépasse 20 Mo et n’a pas été ouvert. Le travail en cours est inchangé.",
     fileTooLarge: "Cela dépasse 20 Mo et n’a pas été ouvert. Le travail en cours est inchangé.",
     fileUnreadable: "Le fichier n’a pas pu être lu et n’a pas été ouvert. Le travail en cours est inchangé.",
-    engineFailed: "Le calcul s’est arrêté et a été relancé. Les valeurs sont conservées.",
+    engineFailed: "Le calcul s’est interrompu. Les valeurs sont conservées, et il peut être relancé.",
     toolsDamaged: "Le tableau d’outils enregistré est illisible. Il a été mis de côté ; les outils fournis sont en place.",
     mainUnsure:
       "Aucun programme ici n’appelle tous les autres. Si un autre doit tourner, le choisir dans la liste des fichiers au-dessus du texte.",

@@ -170,7 +170,7 @@ export const page = {
     linkTooLarge: "链接中的程序大于 20 MB，未打开。您当前的工作保持不变。",
     fileTooLarge: "总大小超过 20 MB，未打开。您当前的工作保持不变。",
     fileUnreadable: "文件无法读取，未打开。您当前的工作保持不变。",
-    engineFailed: "计算中断，已重新启动。您输入的值没有丢失。",
+    engineFailed: "计算中断，您输入的值没有丢失，可以重新计算。",
     toolsDamaged: "已保存的刀具表无法读取，已另存；现使用随附刀具。",
     mainUnsure: "这些程序中没有一个调用所有其他程序。如需运行另一个，请在文本上方的文件列表中选择。",
     toolsNotKept: "此浏览器不在设备上保存刀具表。关闭页面前请导出。",
