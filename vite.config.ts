@@ -3,7 +3,7 @@ import { join } from "node:path";
 import react from "@vitejs/plugin-react";
 import { runnerImport, type Plugin } from "vite";
 import { configDefaults, defineConfig } from "vitest/config";
-import { bundle } from "./scripts/bundle.mjs";
+import { bundle, pageObjects } from "./scripts/bundle.mjs";
 import { offline } from "./scripts/offline.ts";
 import { MEDIA } from "./src/app/media.ts";
 
@@ -97,13 +97,23 @@ const gallery: Plugin = {
   },
 };
 
-/** verify.mjs: the command in one file that runs with Node alone. The page never asks for it. */
-const standalone: Plugin = {
-  name: "standalone",
+let making: Promise<[string, { readonly code: string; readonly types: string }]> | null = null;
+
+/** What tests and scripts of a shop take from the site, each in one file; the page never asks for it. */
+const besides: Plugin = {
+  name: "besides",
   apply: (_, { command, isSsrBuild }) => command === "build" && !isSsrBuild,
+  // Made while the page is: the types of the page objects take the compiler as long as the page takes.
+  buildStart() {
+    making = Promise.all([bundle("standalone", { minify: true }), pageObjects()]);
+    making.catch(() => undefined);
+  },
   async generateBundle() {
-    const source = `#!/usr/bin/env node\n${await bundle("standalone", { minify: true })}`;
-    this.emitFile({ type: "asset", fileName: "verify.mjs", source });
+    if (!making) return;
+    const [verify, { code, types }] = await making;
+    this.emitFile({ type: "asset", fileName: "verify.mjs", source: `#!/usr/bin/env node\n${verify}` });
+    this.emitFile({ type: "asset", fileName: "playwright.mjs", source: code });
+    this.emitFile({ type: "asset", fileName: "playwright.d.mts", source: types });
   },
   writeBundle({ dir = "dist" }) {
     chmodSync(join(dir, "verify.mjs"), 0o755);
@@ -112,7 +122,7 @@ const standalone: Plugin = {
 
 export default defineConfig({
   base: "./",
-  plugins: [react(), contentPolicy, pageStyles, cycleMenu, startPictures, gallery, standalone, offline()],
+  plugins: [react(), contentPolicy, pageStyles, cycleMenu, startPictures, gallery, besides, offline()],
   worker: { format: "es" },
   build: {
     target: "es2023",

@@ -1,6 +1,5 @@
 import { tabTo } from "./pages/keyboard.ts";
 import { looksRight } from "./pages/look.ts";
-import { OwnCycles } from "./pages/own-cycles.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
@@ -21,8 +20,7 @@ const stored = "turnwise/own-cycles";
 
 test("an unknown block is described, its dialog changes the text, and it is put in a second time after a reload", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
-  const { editor, dialog, t } = turnwise;
-  const own = new OwnCycles({ page, t, language: "en" });
+  const { editor, dialog, own, t } = turnwise;
   await editor.openFile("PULL.H", Buffer.from(PROGRAM));
   await editor.line("CYCL DEF 317").click();
   await editor.show("block");
@@ -73,9 +71,8 @@ test("an unknown block is described, its dialog changes the text, and it is put 
 
 test("by keyboard alone: from the settings, a cycle is made, kept, deleted and taken back", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
-  const { t } = turnwise;
+  const { own, t } = turnwise;
   const { keyboard } = page;
-  const own = new OwnCycles({ page, t, language: "en" });
   await tabTo(page, page.getByRole("button", { name: t.page.settings, exact: true }));
   await keyboard.press("Enter");
   await tabTo(page, page.getByRole("dialog").getByRole("button", { name: t.page.own.title, exact: true }));

@@ -1,5 +1,4 @@
 import { looksRightInBoth } from "./pages/look.ts";
-import { OwnCycles } from "./pages/own-cycles.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
@@ -35,8 +34,7 @@ const PROGRAM = "BEGIN PGM A MM\nCYCL DEF 317 BAR PULLER ~\nQ1711=+200 ;PULL LEN
 
 test("own cycles: the list, a description with errors and the dialog of a block pass axe, and fit", async ({ page }) => {
   await page.addInitScript((kept) => localStorage.setItem("turnwise/own-cycles", kept), KEPT);
-  const { dialog, editor, settings, t } = await Turnwise.open(page);
-  const own = new OwnCycles({ page, t, language: "en" });
+  const { dialog, editor, own, settings, t } = await Turnwise.open(page);
   await settings.open();
   await page.getByRole("dialog").getByRole("button", { name: t.page.own.title, exact: true }).click();
   await own.row(812, "A VERY LONG NAME").click();

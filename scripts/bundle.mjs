@@ -1,6 +1,33 @@
+import { execFile } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
+import { promisify } from "node:util";
 import { root } from "./packages.mjs";
+
+/** A file with all it imports as the text of one module for Node. */
+async function oneModule(entry, { minify = false, plugins = [], external = [] } = {}) {
+  const { build } = await import("vite");
+  const { version } = JSON.parse(readFileSync(join(root, "package.json"), "utf8"));
+  const made = await build({
+    root,
+    configFile: false,
+    logLevel: "error",
+    publicDir: false,
+    plugins,
+    define: { "import.meta.env.VITE_VERSION": JSON.stringify(version) },
+    ssr: { noExternal: true, external, target: "node" },
+    build: {
+      ssr: join(root, entry),
+      write: false,
+      target: "node20",
+      minify,
+      rolldownOptions: { output: { codeSplitting: false } },
+    },
+  });
+  const chunks = made.output.filter((file) => file.type === "chunk");
+  if (chunks.length !== 1) throw new Error(`${entry} became ${chunks.length} files`);
+  return chunks[0].code;
+}
 
 /**
  * scripts/NAME.ts with all it imports as the text of one module, which plain Node runs without a checkout and without packages.
@@ -9,25 +36,30 @@ import { root } from "./packages.mjs";
  * @param {{ minify?: boolean }} [how]
  * @returns {Promise<string>}
  */
-export async function bundle(name, { minify = false } = {}) {
-  const { build } = await import("vite");
-  const { version } = JSON.parse(readFileSync(join(root, "package.json"), "utf8"));
-  const made = await build({
-    root,
-    configFile: false,
-    logLevel: "error",
-    publicDir: false,
-    define: { "import.meta.env.VITE_VERSION": JSON.stringify(version) },
-    ssr: { noExternal: true, target: "node" },
-    build: {
-      ssr: join(root, "scripts", `${name}.ts`),
-      write: false,
-      target: "node20",
-      minify,
-      rolldownOptions: { output: { codeSplitting: false } },
-    },
-  });
-  const chunks = made.output.filter((file) => file.type === "chunk");
-  if (chunks.length !== 1) throw new Error(`${name} became ${chunks.length} files`);
-  return chunks[0].code;
+export const bundle = (name, how) => oneModule(`scripts/${name}.ts`, how);
+
+const PROMPT_IDS = "/e2e/pages/prompt-ids.ts";
+
+/** The table of the prompts' names in place of the catalogue that it is made from. */
+const promptIds = {
+  name: "prompt-ids",
+  async load(id) {
+    if (!id.endsWith(PROMPT_IDS)) return undefined;
+    const { runnerImport } = await import("vite");
+    const { module } = await runnerImport(join(root, PROMPT_IDS), { configFile: false, logLevel: "error" });
+    return `export const promptIds = ${JSON.stringify(module.promptIds)};`;
+  },
+};
+
+/**
+ * The page objects of the journeys as one module that needs Playwright alone, and its types.
+ *
+ * @returns {Promise<{ code: string, types: string }>}
+ */
+export async function pageObjects() {
+  const [code, { stdout: types }] = await Promise.all([
+    oneModule("e2e/pages/index.ts", { plugins: [promptIds], external: ["@playwright/test"] }),
+    promisify(execFile)(process.execPath, [join(root, "scripts", "page-types.mjs")], { maxBuffer: 10_000_000 }),
+  ]);
+  return { code, types };
 }

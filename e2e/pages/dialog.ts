@@ -1,6 +1,5 @@
 import type { Locator } from "@playwright/test";
-import { cycleByNumber } from "../../src/cycles/index.ts";
-import type { ParamTextId } from "../../src/cycles/index.ts";
+import { promptIds } from "./prompt-ids.ts";
 import type { Context } from "./turnwise.ts";
 
 /** The prompts of a cycle: one open, all others one line each. */
@@ -58,8 +57,8 @@ export class Dialog {
 
   /** The question of a parameter as this language asks it. */
   promptOf(cycle: number, q: string): string {
-    const param = cycleByNumber(cycle)?.params[q];
-    return param ? this.context.t.params[param.text as ParamTextId].prompt : "";
+    const id = promptIds[cycle]?.[q];
+    return id ? this.context.t.params[id].prompt : "";
   }
 
   /** Opens a prompt from the list. */

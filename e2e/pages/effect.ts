@@ -1,7 +1,7 @@
 import { expect, type Locator } from "@playwright/test";
 import type { Context } from "./turnwise.ts";
 
-type Cell = "passes" | "infeed" | "time" | "chip" | "residual" | "proof";
+type EffectCell = "passes" | "infeed" | "time" | "chip" | "residual" | "proof";
 
 /** Any verdict that the path is proved, in the words of a language. */
 export function provedIn({ findings: { verdict } }: Context["t"]): RegExp {
@@ -18,7 +18,7 @@ export class Effect {
   }
 
   /** The value of one cell, found by its name. */
-  cell(cell: Cell): Locator {
+  cell(cell: EffectCell): Locator {
     const { page, t } = this.context;
     const name = page.getByRole("term").filter({ hasText: cell === "proof" ? t.findings.verdict.title : t.page.effect[cell] });
     return this.strip.locator("div").filter({ has: name }).getByRole("definition");

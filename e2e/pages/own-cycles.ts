@@ -2,7 +2,7 @@ import type { Locator } from "@playwright/test";
 import type { OwnTexts } from "../../src/i18n/en/own.ts";
 import type { Context } from "./turnwise.ts";
 
-type Cell = keyof OwnTexts["cells"];
+type OwnCell = keyof OwnTexts["cells"];
 
 /** The operator's own cycles: their list, the form of one, and the ways that lead there. */
 export class OwnCycles {
@@ -56,7 +56,7 @@ export class OwnCycles {
     return this.context.page.getByRole("textbox", { name: this.words.name, exact: true });
   }
 
-  cell(q: string, cell: Cell): Locator {
+  cell(q: string, cell: OwnCell): Locator {
     return this.context.page.getByRole("textbox", { name: `${q}: ${this.words.cells[cell]}`, exact: true });
   }
 

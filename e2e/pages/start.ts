@@ -1,5 +1,6 @@
 import type { Locator } from "@playwright/test";
-import { catalogue, type CycleNumber } from "../../src/cycles/index.ts";
+import type { CycleNumber } from "../../src/cycles/index.ts";
+import { promptIds } from "./prompt-ids.ts";
 import type { Context } from "./turnwise.ts";
 
 /** The first screen: a row for every cycle, and earlier work. */
@@ -7,7 +8,7 @@ export class Start {
   constructor(private readonly context: Context) {}
 
   /** Numbers of all cycles that can be chosen. */
-  readonly cycles: readonly number[] = catalogue.map((c) => c.number);
+  readonly cycles: readonly number[] = Object.keys(promptIds).map(Number);
 
   button(cycle: number, withExample: boolean): Locator {
     const { page, t } = this.context;

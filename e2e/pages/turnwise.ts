@@ -4,6 +4,7 @@ import type { Language } from "../../src/i18n/languages.ts";
 import { ContourTable } from "./contour-table.ts";
 import { Dialog } from "./dialog.ts";
 import { Effect } from "./effect.ts";
+import { OwnCycles } from "./own-cycles.ts";
 import { Lathe } from "./lathe.ts";
 import { Findings } from "./findings.ts";
 import { ProgramEditor } from "./program-editor.ts";
@@ -20,10 +21,13 @@ export interface Context {
   readonly language: Language;
 }
 
-interface Options {
+export interface Options {
+  /** Screen language; English if not said. */
   readonly language?: Language;
-  /** Time stands still until `lathe.advance(milliseconds)`. */
-  readonly heldClock?: boolean;
+  /** Time stands still until `lathe.advance(milliseconds)`; a text is the local time at which it stands: "2026-11-21T08:00". */
+  readonly heldClock?: boolean | string;
+  /** Whatever is drawn by lot comes out the same in a fresh context: names of works, addresses, ids in files. */
+  readonly seed?: number;
   readonly theme?: "light" | "dark";
 }
 
@@ -40,6 +44,7 @@ export class Turnwise {
   readonly editor: ProgramEditor;
   readonly settings: SettingsPage;
   readonly tools: ToolTable;
+  readonly own: OwnCycles;
   readonly t: Texts;
 
   private constructor(readonly page: Page, readonly language: Language) {
@@ -56,12 +61,16 @@ export class Turnwise {
     this.editor = new ProgramEditor(context);
     this.settings = new SettingsPage(context);
     this.tools = new ToolTable(context);
+    this.own = new OwnCycles(context);
   }
 
   /** Opens the page as a first-time visitor of this language would see it. */
-  static async open(page: Page, { language = "en", heldClock = false, theme = "light" }: Options = {}): Promise<Turnwise> {
+  static async open(page: Page, { language = "en", heldClock = false, seed, theme = "light" }: Options = {}): Promise<Turnwise> {
     await page.emulateMedia({ colorScheme: theme });
-    await page.goto(heldClock ? "./?clock=manual" : "./");
+    const search = new URLSearchParams();
+    if (heldClock !== false) search.set("clock", heldClock === true ? "manual" : heldClock);
+    if (seed !== undefined) search.set("seed", String(seed));
+    await page.goto(search.size === 0 ? "./" : `./?${search}`);
     const turnwise = new Turnwise(page, language);
     if (language !== "en") await new Turnwise(page, "en").settings.chooseLanguage(language);
     return turnwise;

@@ -1,0 +1,15 @@
+/** What the build hands to other test projects as dist/playwright.mjs: nothing else of this folder is meant for them. */
+export { ContourTable } from "./contour-table.ts";
+export { Dialog } from "./dialog.ts";
+export { Effect } from "./effect.ts";
+export { Findings } from "./findings.ts";
+export { Lathe } from "./lathe.ts";
+export { OwnCycles } from "./own-cycles.ts";
+export { ProgramEditor } from "./program-editor.ts";
+export { ProgramText } from "./program-text.ts";
+export { SettingsPage } from "./settings.ts";
+export { Setup } from "./setup.ts";
+export { Start } from "./start.ts";
+export { ToolTable } from "./tools.ts";
+export { Turnwise } from "./turnwise.ts";
+export type { Context, Options } from "./turnwise.ts";

@@ -1,0 +1,100 @@
+/**
+ * `node scripts/page-types.mjs`: writes the types of the page objects to standard output, as one file that needs Playwright's own and
+ * no other. The classes come from the compiler; a type of the page that they name is taken over as it is written there, or, where
+ * it is computed from values, as what it comes to.
+ */
+import { join } from "node:path";
+import ts from "typescript";
+import { root } from "./packages.mjs";
+
+const ENTRY = join(root, "e2e", "pages", "index.ts");
+const PAGES = join(root, "e2e", "pages");
+const flags = ts.NodeBuilderFlags.NoTruncation | ts.NodeBuilderFlags.InTypeAlias | ts.NodeBuilderFlags.UseAliasDefinedOutsideCurrentScope;
+
+const { config } = ts.readConfigFile(join(root, "tsconfig.json"), ts.sys.readFile);
+const { options } = ts.parseJsonConfigFileContent(config, ts.sys, root);
+const program = ts.createProgram([ENTRY], {
+  ...options,
+  noEmit: false,
+  incremental: false,
+  tsBuildInfoFile: undefined,
+  declaration: true,
+  emitDeclarationOnly: true,
+});
+const checker = program.getTypeChecker();
+const printer = ts.createPrinter();
+const isOurs = (file) => file.fileName.startsWith(join(root, "src")) || file.fileName.startsWith(join(root, "e2e"));
+
+/** Types that would bring the kernel with them, and that no test of the page needs whole. */
+const PLAIN = { Sentences: "Readonly<Record<string, unknown>>" };
+
+/** What an import or a re-export stands for. */
+const meant = (symbol) => symbol && symbol.flags & ts.SymbolFlags.Alias ? checker.getAliasedSymbol(symbol) : symbol;
+
+/** Declarations that the file has to hold, by name, in the order in which they are named. */
+const held = new Map();
+
+/** Notes the types of this project that a declaration names. */
+function follow(node) {
+  const named = ts.isTypeReferenceNode(node) ? node.typeName : ts.isExpressionWithTypeArguments(node) ? node.expression : null;
+  if (named && ts.isIdentifier(named)) {
+    const symbol = meant(named.symbol ?? checker.getSymbolAtLocation(named));
+    const [declaration] = symbol?.declarations ?? [];
+    if (declaration && isOurs(declaration.getSourceFile()) && !ts.isTypeParameterDeclaration(declaration)) take(symbol, declaration);
+  }
+  ts.forEachChild(node, follow);
+}
+
+/** Whether a type is computed from a value, which this file does not have. */
+function needsValues(node) {
+  return ts.isTypeQueryNode(node) || (ts.forEachChild(node, (child) => needsValues(child) || undefined) ?? false);
+}
+
+/** Whether a type is a list of plain values, which says more than how it is made. */
+const isList = (type) => type.isUnion() && type.types.every((each) => each.isLiteral());
+
+function take(symbol, declaration) {
+  if (ts.isClassDeclaration(declaration)) return;
+  const { name } = symbol;
+  if (held.has(name)) {
+    if (held.get(name).declaration !== declaration) throw new Error(`Two types that page objects name are called ${name}.`);
+    return;
+  }
+  const entry = { declaration, text: `type ${name} = ${PLAIN[name]};` };
+  held.set(name, entry);
+  if (PLAIN[name]) return;
+  const type = checker.getDeclaredTypeOfSymbol(symbol);
+  if (ts.isTypeAliasDeclaration(declaration) && (isList(type) || needsValues(declaration))) {
+    const made = checker.typeToTypeNode(type, declaration, flags);
+    entry.text = `type ${name} = ${printer.printNode(ts.EmitHint.Unspecified, made, declaration.getSourceFile())};`;
+    follow(made);
+    return;
+  }
+  entry.text = declaration.getFullText().trim().replace(/^export /m, "");
+  follow(declaration);
+}
+
+const pages = program.getSourceFiles().filter((file) => file.fileName.startsWith(PAGES) && file.fileName !== ENTRY);
+const shown = new Set(checker.getExportsOfModule(checker.getSymbolAtLocation(program.getSourceFile(ENTRY))).map((symbol) => symbol.name));
+const classes = [];
+const fromPlaywright = new Set();
+for (const page of pages) {
+  let text = "";
+  program.emit(page, (_, made) => (text = made), undefined, true);
+  const emitted = ts.createSourceFile(page.fileName, text, ts.ScriptTarget.Latest, true);
+  for (const statement of emitted.statements) {
+    if (ts.isImportDeclaration(statement)) {
+      if (statement.moduleSpecifier.text === "@playwright/test") {
+        for (const { name } of statement.importClause?.namedBindings?.elements ?? []) fromPlaywright.add(name.text);
+      }
+    } else if (ts.isClassDeclaration(statement) && shown.has(statement.name.text)) classes.push(statement.getFullText().trim());
+  }
+  // Of the classes' own files too: types beside them, and those that they import.
+  for (const statement of page.statements) if (ts.isClassDeclaration(statement)) follow(statement);
+}
+console.log(`// Page objects of Turnwise for Playwright; made by the build.
+import type { ${[...fromPlaywright].filter((name) => name !== "expect").sort().join(", ")} } from "@playwright/test";
+`);
+for (const [name, { text }] of held) console.log(`${shown.has(name) ? text.replace(/^(?=interface|type)/m, "export ") : text}\n`);
+for (const text of classes) console.log(`${text}\n`);
+console.log("export {};");

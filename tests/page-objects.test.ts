@@ -1,0 +1,98 @@
+import { mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+import ts from "typescript";
+import { afterAll, beforeAll, describe, expect, test } from "vitest";
+import type * as Pages from "../e2e/pages/index.ts";
+import { pageObjects } from "../scripts/bundle.mjs";
+
+/** A test project of a shop: the two files of the build and Playwright, and nothing of this checkout. */
+let folder = "";
+let made: Awaited<ReturnType<typeof pageObjects>>;
+
+beforeAll(async () => {
+  folder = mkdtempSync(join(tmpdir(), "shop-"));
+  made = await pageObjects();
+  writeFileSync(join(folder, "playwright.mjs"), made.code);
+  writeFileSync(join(folder, "playwright.d.mts"), made.types);
+  symlinkSync(resolve("node_modules"), join(folder, "node_modules"));
+});
+afterAll(() => rmSync(folder, { recursive: true }));
+
+/** What the compiler says about each test of the shop, and about the types that they stand on, at its strictest. */
+function complaints(texts: readonly string[]): readonly string[] {
+  const paths = texts.map((text, i) => {
+    const path = join(folder, `shop${i}.spec.mts`);
+    writeFileSync(path, text);
+    return path;
+  });
+  const program = ts.createProgram(paths, {
+    strict: true,
+    noEmit: true,
+    target: ts.ScriptTarget.ES2022,
+    module: ts.ModuleKind.NodeNext,
+    moduleResolution: ts.ModuleResolutionKind.NodeNext,
+    exactOptionalPropertyTypes: true,
+    noUncheckedIndexedAccess: true,
+    types: ["node"],
+    typeRoots: [resolve("node_modules/@types")],
+  });
+  return [join(folder, "playwright.d.mts"), ...paths].map((path) => {
+    const file = program.getSourceFile(path);
+    const found = [...program.getSyntacticDiagnostics(file), ...program.getSemanticDiagnostics(file)];
+    return found.map(({ messageText }) => ts.flattenDiagnosticMessageText(messageText, " ")).join("; ");
+  });
+}
+const test812 = (line: string) => `
+import { expect, test } from "@playwright/test";
+import { Turnwise, type Options } from "./playwright.mjs";
+const options: Options = { language: "de", heldClock: "2026-11-21T08:00", seed: 7 };
+test("a shoulder", async ({ page }) => {
+  const turnwise = await Turnwise.open(page, options);
+  ${line}
+});`;
+
+/** The part of the documentation that lists the page objects: the name of each as a test writes it. */
+const documented = [...readFileSync("docs/automation.md", "utf8").matchAll(/^\| `(\w+)` \|/gm)].map(([, name]) => name);
+
+describe("the page objects as a module", () => {
+  test("import Playwright and nothing else, and carry no catalogue", () => {
+    expect([...made.code.matchAll(/^import .*from "(.*)"/gm)].map(([, from]) => from)).toEqual(["@playwright/test"]);
+    expect(made.code).not.toMatch(/\brequire\(|\bzod\b/);
+    expect([...made.types.matchAll(/from "(.*)"/g)].map(([, from]) => from)).toEqual(["@playwright/test"]);
+  });
+  test("type a test of a project that has nothing but Playwright, and refuse what there is not", () => {
+    const right = `await turnwise.dialog.set("Q463", "2,4");
+  await turnwise.show("setup");
+  await expect(turnwise.effect.cell("passes")).toHaveText("6");
+  const title: string = turnwise.t.cycles.of[812].name + turnwise.t.params.startZ.prompt;
+  expect(await turnwise.program.copy()).toContain(title);`;
+    const wrong = [
+      ['await turnwise.effect.cell("passess").click();', '"passess"'],
+      ["await turnwise.dialog.sett();", "'sett'"],
+      ['await Turnwise.open(page, { language: "it" });', '"it"'],
+      ["turnwise.t.page.undoo;", "'undoo'"],
+      ["const n: number = turnwise.t.page.undo;", "'number'"],
+    ] as const;
+    const [types, said, ...rest] = complaints([right, ...wrong.map(([line]) => line)].map(test812));
+    expect([types, said]).toEqual(["", ""]);
+    for (const [i, [line, named]] of wrong.entries()) expect(rest[i], line).toContain(named);
+  });
+  test("are the objects that the documentation lists, each with what it drives", async () => {
+    const { Turnwise } = await import(join(folder, "playwright.mjs")) as typeof Pages;
+    const turnwise = Turnwise.at({} as never);
+    const classOf = (part: object) => part.constructor.name;
+    const parts = Object.entries(turnwise).filter(([, part]) => typeof part === "object" && classOf(part) !== "Object");
+    expect(documented.toSorted()).toEqual(parts.map(([name]) => name).toSorted());
+    for (const [name, part] of parts) expect(made.types, name).toContain(`export declare class ${classOf(part)} `);
+    for (const declared of made.types.matchAll(/((?:\/\*\*(?:(?!\*\/)[^])*\*\/)?)\s*export declare class (\w+)/g))
+      expect(declared[1], declared[2]).not.toBe("");
+  });
+  test("ask in the words of each language", async () => {
+    const { Turnwise } = await import(join(folder, "playwright.mjs")) as typeof Pages;
+    const asked = (["en", "de", "fr", "zh"] as const).map((language) => Turnwise.at({} as never, language).dialog.promptOf(812, "Q463"));
+    expect(new Set(asked).size).toBe(4);
+    expect(asked).not.toContain("");
+    expect(Turnwise.at({} as never).start.cycles).toContain(852);
+  });
+});
