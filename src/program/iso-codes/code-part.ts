@@ -1,0 +1,75 @@
+import type { Breaker, EdgeFinish, Hole, InsertForm } from "./insert-facts.ts";
+
+/** Places of a code, in words. */
+export const PART_NAMES = [
+  "shape",
+  "clearance",
+  "tolerance",
+  "type",
+  "edge",
+  "thickness",
+  "corner",
+  "finish",
+  "direction",
+  "maker",
+  "clamping",
+  "holderShape",
+  "style",
+  "hand",
+  "height",
+  "width",
+  "length",
+  "bar",
+  "diameter",
+] as const;
+export type PartName = (typeof PART_NAMES)[number];
+
+export type Clamping = "top" | "topHole" | "hole" | "screw" | "wedge";
+export type Hand = "R" | "L" | "N";
+/** What a bar is made of. */
+export type BarMake = "steel" | "steelCoolant" | "steelDamped" | "steelDampedCoolant" | "carbide" | "carbideCoolant" | "carbideDamped"
+  | "carbideDampedCoolant" | "heavy" | "heavyCoolant";
+/** With which side of its shank a holder cuts: along it with its flank, with its end, or with both. */
+export type Cuts = "side" | "end" | "both";
+
+/** What a part of a code says. mm and degrees. */
+export type Meaning = { readonly is: "form"; readonly form: InsertForm; readonly angle: number } | { readonly is: "angle";
+  readonly angle: number } | { readonly is: "mm"; readonly mm: number } | { readonly is: "tolerance"; readonly from: number;
+  readonly to: number; readonly thickness: number } | { readonly is: "type"; readonly hole: Hole; readonly breaker: Breaker } | {
+  readonly is: "wiper";
+  readonly angle: number | null;
+} | { readonly is: "finish"; readonly finish: EdgeFinish } | { readonly is: "hand"; readonly hand: Hand } | { readonly is: "clamping";
+  readonly clamping: Clamping } | { readonly is: "style"; readonly angle: number; readonly cuts: Cuts } | { readonly is: "bar";
+  readonly make: BarMake } | { readonly is: "special" } | { readonly is: "nothing" };
+
+/** One part of a code as it was read; `sure` is false where sources differ or the fact is only recalled. */
+export interface CodePart {
+  readonly name: PartName;
+  readonly text: string;
+  /** Null: no such letter or number is known here. */
+  readonly meaning: Meaning | null;
+  readonly sure: boolean;
+}
+
+export const part = (name: PartName, text: string, meaning: Meaning | null, sure = true): CodePart => ({ name, text, meaning, sure });
+
+/** Reads a code part by part; what stands between parts is passed over. */
+export interface Scanner {
+  /** The next part when it has the pattern, which begins with ^. */
+  readonly take: (pattern: RegExp) => string | null;
+  readonly rest: () => string;
+}
+
+export function scanner(text: string): Scanner {
+  let left = text;
+  return {
+    take: (pattern) => {
+      left = left.replace(/^[\s\-_/·]+/, "");
+      const found = pattern.exec(left)?.[0];
+      if (found === undefined || found === "") return null;
+      left = left.slice(found.length);
+      return found;
+    },
+    rest: () => left,
+  };
+}

@@ -1,0 +1,124 @@
+import { part, scanner, type CodePart, type Hand, type Meaning, type Scanner } from "./code-part.ts";
+import { BAR_MAKES, CLAMPINGS, HOLDER_STYLES, LENGTHS, UNSURE_LENGTHS, type HolderStyle } from "./holder-facts.ts";
+import { CLEARANCES, INSERT_SHAPES } from "./insert-facts.ts";
+
+/** A holder or a boring bar as its code tells it, as far as the code goes. mm and degrees. */
+export interface HolderCode {
+  readonly kind: "holder" | "bar";
+  /** The code in one word, as a name of a tool. */
+  readonly code: string;
+  readonly parts: readonly CodePart[];
+  /** Shape of the insert it takes. */
+  readonly shape: string;
+  readonly style: HolderStyle | null;
+  readonly clearance: string;
+  readonly hand: Hand | null;
+  /** Width of a shank, diameter of a bar. */
+  readonly across: number | null;
+  readonly length: number | null;
+  /** The digits of the size of its insert. */
+  readonly size: string | null;
+  readonly inch: boolean;
+}
+
+interface Head {
+  readonly parts: readonly CodePart[];
+  readonly shape: string;
+  readonly style: HolderStyle | null;
+  readonly clearance: string;
+  readonly hand: Hand | null;
+}
+
+const special = (text: string): Meaning | null => (text === "X" ? { is: "special" } : null);
+
+/** The five letters that holders and bars share. */
+function head(scan: Scanner): Head {
+  const [clamping, shape, style, clearance, hand] = ["clamping", "shape", "style", "clearance", "hand"].map(() =>
+    scan.take(/^[A-Z]/) ?? ""
+  );
+  const held = CLAMPINGS[clamping ?? ""];
+  const form = INSERT_SHAPES[shape ?? ""];
+  const cuts = HOLDER_STYLES[style ?? ""] ?? null;
+  const angle = CLEARANCES[clearance ?? ""];
+  const known = hand === "R" || hand === "L" || hand === "N" ? hand : null;
+  const parts = [
+    part("clamping", clamping ?? "", held ? { is: "clamping", clamping: held } : special(clamping ?? "")),
+    part("holderShape", shape ?? "", form ? { is: "form", form: form.form, angle: form.angle } : null),
+    part("style", style ?? "", cuts ? { is: "style", angle: cuts.angle, cuts: cuts.cuts } : special(style ?? ""), cuts?.sure ?? true),
+    part("clearance", clearance ?? "", angle === undefined ? null : { is: "angle", angle }),
+    part("hand", hand ?? "", known ? { is: "hand", hand: known } : null),
+  ].filter((each) => each.text !== "");
+  return { parts, shape: shape ?? "", style: cuts, clearance: clearance ?? "", hand: known };
+}
+
+const mm = (name: "height" | "width" | "length" | "diameter" | "edge", text: string, value: number | null, sure = true): CodePart =>
+  part(name, text, value === null ? special(text) : { is: "mm", mm: value }, sure);
+
+const lengthOf = (text: string) => mm("length", text, LENGTHS[text] ?? null, !UNSURE_LENGTHS.includes(text));
+
+function makersOwn(scan: Scanner): CodePart[] {
+  const rest = scan.rest().replace(/^[\s\-_/·]+/, "").trim();
+  return rest === "" ? [] : [part("maker", rest, { is: "nothing" })];
+}
+
+const wordOf = (parts: readonly CodePart[]) => parts.map((each) => each.text).join("");
+
+/** Size of the insert of a holder: only digits, its meaning depends on the shape. */
+const sizePart = (text: string): CodePart => part("edge", text, { is: "nothing" });
+
+/** Reads an external holder, such as PDJNL 2525M15; the text has capital letters only. */
+export function readHolderCode(text: string): HolderCode {
+  const scan = scanner(text);
+  const { parts: letters, ...facts } = head(scan);
+  // Three digits in place of shank and size count in sixteenths and eighths of an inch (DCLNR 164D).
+  const inch = /^[\s\-_/·]*\d{2}[\s\-_/·]*\d[A-Z]?(?!\d)/.test(scan.rest());
+  if (inch) {
+    const shank = part("height", scan.rest().replace(/^[\s\-_/·]+/, "").trim(), null);
+    const parts = [...letters, shank];
+    return { kind: "holder", code: wordOf(parts), parts, ...facts, across: null, length: null, size: null, inch };
+  }
+  const [height, width, long, size] = [scan.take(/^\d{2}/), scan.take(/^\d{2}/), scan.take(/^[A-Z]/), scan.take(/^\d{2}/)];
+  const sizes = [
+    ...(height === null ? [] : [mm("height", height, Number(height))]),
+    ...(width === null ? [] : [mm("width", width, Number(width))]),
+    ...(long === null ? [] : [lengthOf(long)]),
+    ...(size === null ? [] : [sizePart(size)]),
+  ];
+  const before = [...letters, ...sizes];
+  return {
+    kind: "holder",
+    code: wordOf(before),
+    parts: [...before, ...makersOwn(scan)],
+    ...facts,
+    inch,
+    across: width === null ? null : Number(width),
+    length: long === null ? null : (LENGTHS[long] ?? null),
+    size,
+  };
+}
+
+/** Reads a boring bar, such as A25R-SCLCR 09; the text has capital letters only. */
+export function readBarCode(text: string): HolderCode {
+  const scan = scanner(text);
+  const [make = "", diameter = "", long = ""] = [scan.take(/^[A-Z]/) ?? "", scan.take(/^\d{2}/) ?? "", scan.take(/^[A-Z]/) ?? ""];
+  const known = BAR_MAKES[make];
+  const bar = [
+    part("bar", make, known ? { is: "bar", make: known } : special(make)),
+    mm("diameter", diameter, Number(diameter)),
+    ...(long === "" ? [] : [lengthOf(long)]),
+  ];
+  const { parts: letters, ...facts } = head(scan);
+  const size = scan.take(/^\d{2}/);
+  const before = [...bar, ...letters, ...(size === null ? [] : [sizePart(size)])];
+  const code = `${wordOf(bar)}${letters.length > 0 ? "-" : ""}${wordOf(before.slice(bar.length))}`;
+  return {
+    kind: "bar",
+    code,
+    parts: [...before, ...makersOwn(scan)],
+    ...facts,
+    inch: false,
+    across: Number(diameter),
+    length: LENGTHS[long] ?? null,
+    size,
+  };
+}

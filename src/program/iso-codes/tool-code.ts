@@ -1,0 +1,55 @@
+import { readBarCode, readHolderCode, type HolderCode } from "./holder-code.ts";
+import { readInsertCode, type InsertCode } from "./insert-code.ts";
+
+/** Why a code is not read: tools for threads and grooves have designations of their makers. */
+export type NotCovered = "thread" | "groove" | "unknown";
+
+/** What was typed as the code of a tool: an insert, a holder, both, or what is not read here. */
+export interface ToolCodes {
+  readonly insert: InsertCode | null;
+  readonly holder: HolderCode | null;
+  readonly notCovered: NotCovered | null;
+}
+
+const GAP = String.raw`[\s\-_/·]*`;
+const THREAD = new RegExp(
+  String.raw`^(?:\d{2}${GAP}[EI][RLN]|S[EI][RLN]${GAP}\d|[SACE]\d{2}[A-Z]${GAP}S?[EI][RLN]|[TL]T[EI]?[RLN]${GAP}\d)`,
+);
+const GROOVE = new RegExp(String.raw`^(?:M[GR][GM]N|MG[EI]?[HV][RLN]|MG[EI][HV]|[NRL]\d{3}|T?D[CGN]${GAP}\d|GX|LCG|GTN|[A-Z]?QD)`);
+const BAR = /^[A-J S]\s*\d{2}\s*[A-Z]?(?:[\s\-_/·]*[A-Z]{0,5})/;
+/** The letters of a holder, and those of an insert: five and four, with digits or nothing behind them. */
+const HOLDER = new RegExp(String.raw`^[CDMPSWX]${GAP}(?:[A-Z]${GAP}){4}(?:\d|$)`);
+const INSERT = new RegExp(String.raw`^[A-Z](?:${GAP}[A-Z]){0,3}(?:${GAP}\d|${GAP}$)`);
+
+const isBar = (text: string) => /^[A-JS]\s*\d{2}\s*(?:$|[A-Z])/.test(text) && BAR.test(text);
+const isHolder = (text: string) => HOLDER.test(text);
+const isInsert = (text: string) => INSERT.test(text);
+
+function readOne(text: string): ToolCodes {
+  const none = { insert: null, holder: null, notCovered: null };
+  if (THREAD.test(text)) return { ...none, notCovered: "thread" };
+  if (GROOVE.test(text)) return { ...none, notCovered: "groove" };
+  if (isBar(text)) return { ...none, holder: readBarCode(text) };
+  if (isHolder(text)) return { ...none, holder: readHolderCode(text) };
+  const insert = isInsert(text) ? readInsertCode(text) : null;
+  return insert ? { ...none, insert } : { ...none, notCovered: "unknown" };
+}
+
+/** Where a second code may begin: behind a space, a plus or a comma. */
+const placesOfSecond = (text: string) => [...text.matchAll(/[\s+,;]+(?=[A-Z])/g)].map((found) => [found.index, found[0].length] as const);
+
+/**
+ * Reads what was typed: the code of an insert, of a holder, or of both in either order, in any letters, with any gaps. Never throws;
+ * an empty text has neither.
+ */
+export function readToolCodes(typed: string): ToolCodes {
+  const text = typed.trim().toUpperCase();
+  if (text === "") return { insert: null, holder: null, notCovered: null };
+  const strong = (codes: ToolCodes) => codes.notCovered === null && (codes.holder?.parts.length ?? codes.insert?.parts.length ?? 0) > 4;
+  for (const [at, gap] of placesOfSecond(text)) {
+    const [first, second] = [readOne(text.slice(0, at)), readOne(text.slice(at + gap))];
+    if (!strong(first) || !strong(second) || (first.insert === null) === (second.insert === null)) continue;
+    return { insert: first.insert ?? second.insert, holder: first.holder ?? second.holder, notCovered: null };
+  }
+  return readOne(text);
+}
