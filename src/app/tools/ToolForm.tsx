@@ -5,6 +5,7 @@ import { applies, isDrillType, MILL_TABLE, type MillColumn, type NumberColumn } 
 import { cellOf, isMillEntry, readEntry, type EntryReading, type ToolEntry } from "../../program/tool-entry.ts";
 import { Icon } from "../Icon.tsx";
 import { useTexts } from "../settings/use-texts.ts";
+import { CodeField } from "./CodeField.tsx";
 import { LiveInsert, useLastTool } from "./LiveInsert.tsx";
 import { MillDrawing } from "./MillDrawing.tsx";
 import { NameFields } from "./NameFields.tsx";
@@ -22,7 +23,7 @@ const SETTING: readonly TurningColumn[] = ["ZL", "XL", "DZL", "DXL", "ORI"];
 /** Enter goes on to the next field that can be filled, as ENT does on the control. */
 function onEnter(event: KeyboardEvent<HTMLElement>): void {
   const from = event.target;
-  if (event.key !== "Enter" || !(from instanceof HTMLInputElement)) return;
+  if (event.key !== "Enter" || !(from instanceof HTMLInputElement) || from.dataset["enter"] === "own") return;
   event.preventDefault();
   event.stopPropagation();
   const fields = [...event.currentTarget.querySelectorAll<HTMLInputElement | HTMLSelectElement>("input:not(:disabled), select")].filter(
@@ -80,6 +81,7 @@ function TurningColumns({ entry, reading }: Row) {
         <legend>{t.groups.name}</legend>
         <NameFields entry={entry} issues={issues} />
       </fieldset>
+      <CodeField key={entry.id} entry={entry} />
       <fieldset className="tool-group">
         <legend>{t.groups.tip}</legend>
         <Orientation key={entry.id} entry={entry} reading={reading} issues={issues} />

@@ -195,3 +195,50 @@ test("a drill shows only the columns that it has, stands among the milling tools
   expect(screen.queryByRole("textbox", { name: "PITCH: thread pitch" })).toBeNull();
   expect(toolTable().mills).toEqual([{ T: 16, NAME: "", R: 4.25 }]);
 });
+
+test("a code is read while it is typed, and Enter fills what it says as one step", async () => {
+  render(<ToolPage />);
+  const user = userEvent.setup();
+  await user.click(screen.getByRole("button", { name: "New tool" }));
+  const code = await screen.findByRole<HTMLInputElement>("textbox", { name: "ISO code of insert or holder" });
+  const before = steps();
+  await user.type(code, "dnmg 15 06 08");
+  const said = within(screen.getByRole("list", { name: "What the code says" })).getAllByRole("listitem").map((item) => item.textContent);
+  expect(said[0]).toBe("D Shape: rhombic, 55°");
+  expect(said[6]).toBe("08 Corner radius: 0.8 mm");
+  await user.type(code, "{Enter}");
+  expect(steps()).toBe(before + 1);
+  expect(code.value).toBe("");
+  await user.type(code, "PDJNL 2525M15{Enter}");
+  expect(toolTable().tools.at(-1)).toMatchObject({
+    T: 16,
+    NAME: "DNMG150608",
+    TYPE: "ROUGH",
+    TO: 3,
+    RS: 0.8,
+    "T-ANGLE": 93,
+    "P-ANGLE": 55,
+    CUTLENGTH: 15.5,
+    holder: { width: 25, offsetZ: -7 },
+  });
+  undo();
+  undo();
+  expect(toolTable().tools.at(-1)?.NAME).toBe("FACE-DNMG-55-R08");
+});
+
+test("a code that is not covered says so, one that contradicts the row too, and a name that is a code can be read", async () => {
+  render(<ToolPage />);
+  const user = userEvent.setup();
+  const code = await screen.findByRole<HTMLInputElement>("textbox", { name: "ISO code of insert or holder" });
+  await user.type(code, "16ER AG60");
+  expect(screen.getByText(/Codes of thread tools/)).toBeTruthy();
+  await user.type(code, "{Escape}PDJNR 2525M15");
+  expect(screen.getByText("P-ANGLE is 80°; the holder takes inserts of 55°. P-ANGLE stays.")).toBeTruthy();
+  await user.type(code, "{Escape}");
+  await user.clear(field("NAME: tool name"));
+  await user.type(field("NAME: tool name"), "ccmt 09t304");
+  await user.click(screen.getByRole("button", { name: "Read the name CCMT 09T304 as a code" }));
+  expect(code.value).toBe("CCMT 09T304");
+  expect(within(screen.getByRole("list", { name: "What will be filled" })).getAllByRole("listitem").map((item) => item.textContent))
+    .toEqual(["CUTLENGTH 12 → 9.67", "RS 0.8 → 0.4"]);
+});

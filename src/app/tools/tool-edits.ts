@@ -1,6 +1,7 @@
 import { MILL, type CellName } from "../../program/tool-columns.ts";
 import { cellOf, isMillEntry, readEntry, type ToolEntry } from "../../program/tool-entry.ts";
 import { freeNumber, mergedTools, newId, shippedList } from "../../program/tool-list.ts";
+import { closeStep } from "../steps.ts";
 import type { ToolKind } from "./tool-place.ts";
 import { editTools, useTools } from "./tool-store.ts";
 
@@ -11,6 +12,12 @@ export function setCell(id: string, cell: CellName, text: string): void {
       list.map((entry) => entry.id === id && cellOf(entry, cell) !== text ? { ...entry, cells: { ...entry.cells, [cell]: text } } : entry),
     `tool ${id} ${cell}`,
   );
+}
+
+/** Several cells of one row: one step of undo. */
+export function setCells(id: string, cells: ToolEntry["cells"]): void {
+  closeStep();
+  editTools((list) => list.map((entry) => entry.id === id ? { ...entry, cells: { ...entry.cells, ...cells } } : entry));
 }
 
 /** A new row with the next free number and what every table begins with; gives its id. */

@@ -51,7 +51,7 @@ export interface CodePart {
   readonly sure: boolean;
 }
 
-export const part = (name: PartName, text: string, meaning: Meaning | null, sure = true): CodePart => ({ name, text, meaning, sure });
+export const codePart = (name: PartName, text: string, meaning: Meaning | null, sure = true): CodePart => ({ name, text, meaning, sure });
 
 /** Reads a code part by part; what stands between parts is passed over. */
 export interface Scanner {

@@ -1,4 +1,4 @@
-import { part, scanner, type CodePart, type Hand, type Meaning, type Scanner } from "./code-part.ts";
+import { codePart, scanner, type CodePart, type Hand, type Meaning, type Scanner } from "./code-part.ts";
 import { BAR_MAKES, CLAMPINGS, HOLDER_STYLES, LENGTHS, UNSURE_LENGTHS, type HolderStyle } from "./holder-facts.ts";
 import { CLEARANCES, INSERT_SHAPES } from "./insert-facts.ts";
 
@@ -42,29 +42,29 @@ function head(scan: Scanner): Head {
   const angle = CLEARANCES[clearance ?? ""];
   const known = hand === "R" || hand === "L" || hand === "N" ? hand : null;
   const parts = [
-    part("clamping", clamping ?? "", held ? { is: "clamping", clamping: held } : special(clamping ?? "")),
-    part("holderShape", shape ?? "", form ? { is: "form", form: form.form, angle: form.angle } : null),
-    part("style", style ?? "", cuts ? { is: "style", angle: cuts.angle, cuts: cuts.cuts } : special(style ?? ""), cuts?.sure ?? true),
-    part("clearance", clearance ?? "", angle === undefined ? null : { is: "angle", angle }),
-    part("hand", hand ?? "", known ? { is: "hand", hand: known } : null),
+    codePart("clamping", clamping ?? "", held ? { is: "clamping", clamping: held } : special(clamping ?? "")),
+    codePart("holderShape", shape ?? "", form ? { is: "form", form: form.form, angle: form.angle } : null),
+    codePart("style", style ?? "", cuts ? { is: "style", angle: cuts.angle, cuts: cuts.cuts } : special(style ?? ""), cuts?.sure ?? true),
+    codePart("clearance", clearance ?? "", angle === undefined ? null : { is: "angle", angle }),
+    codePart("hand", hand ?? "", known ? { is: "hand", hand: known } : null),
   ].filter((each) => each.text !== "");
   return { parts, shape: shape ?? "", style: cuts, clearance: clearance ?? "", hand: known };
 }
 
 const mm = (name: "height" | "width" | "length" | "diameter" | "edge", text: string, value: number | null, sure = true): CodePart =>
-  part(name, text, value === null ? special(text) : { is: "mm", mm: value }, sure);
+  codePart(name, text, value === null ? special(text) : { is: "mm", mm: value }, sure);
 
 const lengthOf = (text: string) => mm("length", text, LENGTHS[text] ?? null, !UNSURE_LENGTHS.includes(text));
 
 function makersOwn(scan: Scanner): CodePart[] {
   const rest = scan.rest().replace(/^[\s\-_/·]+/, "").trim();
-  return rest === "" ? [] : [part("maker", rest, { is: "nothing" })];
+  return rest === "" ? [] : [codePart("maker", rest, { is: "nothing" })];
 }
 
 const wordOf = (parts: readonly CodePart[]) => parts.map((each) => each.text).join("");
 
 /** Size of the insert of a holder: only digits, its meaning depends on the shape. */
-const sizePart = (text: string): CodePart => part("edge", text, { is: "nothing" });
+const sizePart = (text: string): CodePart => codePart("edge", text, { is: "nothing" });
 
 /** Reads an external holder, such as PDJNL 2525M15; the text has capital letters only. */
 export function readHolderCode(text: string): HolderCode {
@@ -73,7 +73,7 @@ export function readHolderCode(text: string): HolderCode {
   // Three digits in place of shank and size count in sixteenths and eighths of an inch (DCLNR 164D).
   const inch = /^[\s\-_/·]*\d{2}[\s\-_/·]*\d[A-Z]?(?!\d)/.test(scan.rest());
   if (inch) {
-    const shank = part("height", scan.rest().replace(/^[\s\-_/·]+/, "").trim(), null);
+    const shank = codePart("height", scan.rest().replace(/^[\s\-_/·]+/, "").trim(), null);
     const parts = [...letters, shank];
     return { kind: "holder", code: wordOf(parts), parts, ...facts, across: null, length: null, size: null, inch };
   }
@@ -103,7 +103,7 @@ export function readBarCode(text: string): HolderCode {
   const [make = "", diameter = "", long = ""] = [scan.take(/^[A-Z]/) ?? "", scan.take(/^\d{2}/) ?? "", scan.take(/^[A-Z]/) ?? ""];
   const known = BAR_MAKES[make];
   const bar = [
-    part("bar", make, known ? { is: "bar", make: known } : special(make)),
+    codePart("bar", make, known ? { is: "bar", make: known } : special(make)),
     mm("diameter", diameter, Number(diameter)),
     ...(long === "" ? [] : [lengthOf(long)]),
   ];

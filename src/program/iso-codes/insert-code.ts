@@ -1,4 +1,4 @@
-import { part, scanner, type CodePart, type Hand, type Meaning, type Scanner } from "./code-part.ts";
+import { codePart, scanner, type CodePart, type Hand, type Meaning, type Scanner } from "./code-part.ts";
 import { CLEARANCES, circleOf, EDGE_FINISHES, edgeOf, INSERT_SHAPES, INSERT_TYPES, inchCircle, inchCorner, inchThickness, THICKNESSES,
   TOLERANCES, WIPER_EDGES } from "./insert-facts.ts";
 
@@ -36,18 +36,18 @@ interface Sizes {
 const NO_SIZES: Sizes = { parts: [], edge: null, size: null, corner: null };
 
 const lengthPart = (name: "edge" | "thickness" | "corner", text: string, mm: number | null, sure = true) =>
-  part(name, text, mm === null ? null : { is: "mm", mm }, sure);
+  codePart(name, text, mm === null ? null : { is: "mm", mm }, sure);
 
 /** What stands at the place of the corner: a radius in tenths, M0 or 00, or two letters of a wiper. */
 function cornerPart(text: string, round: boolean): { readonly part: CodePart; readonly corner: number | null } {
   if (/^(?:M[0O]?|00)$/.test(text))
     return round || text !== "00"
-      ? { part: part("corner", text, { is: "nothing" }), corner: null }
+      ? { part: codePart("corner", text, { is: "nothing" }), corner: null }
       : { part: lengthPart("corner", text, 0), corner: 0 };
   if (/^\d\d$/.test(text)) return { part: lengthPart("corner", text, Number(text) / 10), corner: Number(text) / 10 };
   const angle = WIPER_EDGES[text[0] ?? ""];
   const known = text.length === 2 && angle !== undefined && /[A-GNPZ]/.test(text[1] ?? "");
-  return { part: part("corner", text, known ? { is: "wiper", angle } : null), corner: null };
+  return { part: codePart("corner", text, known ? { is: "wiper", angle } : null), corner: null };
 }
 
 function metricSizes(scan: Scanner, shape: string): Sizes {
@@ -71,7 +71,7 @@ function inchSizes(scan: Scanner, shape: string): Sizes {
   const [all = "", size = "", thick = "", tip] = INCHES.exec(scan.rest().replace(SEPARATORS, "")) ?? [];
   const circle = inchCircle(size);
   const thickMm = inchThickness(thick);
-  if (all === "" || circle === null || thickMm === null) return { ...NO_SIZES, parts: [part("edge", scan.rest().trim(), null)] };
+  if (all === "" || circle === null || thickMm === null) return { ...NO_SIZES, parts: [codePart("edge", scan.rest().trim(), null)] };
   scan.take(/^(?:1\.[258]|10|\d(?:\.5)?)/);
   scan.take(/^\d(?:\.\d)?/);
   if (tip !== undefined) scan.take(/^(?:0?\.5|\d)/);
@@ -82,7 +82,7 @@ function inchSizes(scan: Scanner, shape: string): Sizes {
   const parts = [
     lengthPart("edge", size, edge),
     lengthPart("thickness", thick, thickMm),
-    ...(tip === undefined ? [] : [round ? part("corner", tip, { is: "nothing" }) : lengthPart("corner", tip, corner)]),
+    ...(tip === undefined ? [] : [round ? codePart("corner", tip, { is: "nothing" }) : lengthPart("corner", tip, corner)]),
   ];
   const digits = edge === null ? null : String(Math.floor(edge)).padStart(2, "0");
   return { parts, edge, size: digits, corner: round ? inHundredths(circle * HALF) : corner };
@@ -94,11 +94,11 @@ function behind(scan: Scanner): CodePart[] {
   const alone = String.raw`(?=[RLN]?(?:$|[\s\-_/]))`;
   const finish = scan.take(new RegExp(`^[${EDGE_FINISHES.join("")}]${alone}`));
   const found = EDGE_FINISHES.find((each) => each === finish);
-  if (found) parts.push(part("finish", found, { is: "finish", finish: found }));
+  if (found) parts.push(codePart("finish", found, { is: "finish", finish: found }));
   const hand = scan.take(/^[RLN](?=$|[\s\-_/])/);
-  if (hand) parts.push(part("direction", hand, { is: "hand", hand: hand as Hand }));
+  if (hand) parts.push(codePart("direction", hand, { is: "hand", hand: hand as Hand }));
   const maker = scan.rest().replace(SEPARATORS, "").trim();
-  if (maker !== "") parts.push(part("maker", maker, { is: "nothing" }));
+  if (maker !== "") parts.push(codePart("maker", maker, { is: "nothing" }));
   return parts;
 }
 
@@ -117,11 +117,11 @@ export function readInsertCode(text: string): InsertCode | null {
   const [from, to, thick] = TOLERANCES[tolerance] ?? [];
   const [hole, breaker] = INSERT_TYPES[type] ?? [];
   const letters = [
-    part("shape", shape, { is: "form", form: known.form, angle: known.angle }),
-    part("clearance", clearance, angle !== undefined ? { is: "angle", angle } : (clearance === "O" ? { is: "special" } : null)),
-    part("tolerance", tolerance,
+    codePart("shape", shape, { is: "form", form: known.form, angle: known.angle }),
+    codePart("clearance", clearance, angle !== undefined ? { is: "angle", angle } : (clearance === "O" ? { is: "special" } : null)),
+    codePart("tolerance", tolerance,
       from !== undefined && to !== undefined && thick !== undefined ? { is: "tolerance", from, to, thickness: thick } : null),
-    part("type", type, letter(type, hole && breaker ? { is: "type", hole, breaker } : null)),
+    codePart("type", type, letter(type, hole && breaker ? { is: "type", hole, breaker } : null)),
   ].filter((each) => each.text !== "");
   const digits = scan.rest().replace(SEPARATORS, "");
   const inch = isInch(digits);
