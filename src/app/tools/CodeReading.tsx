@@ -1,7 +1,7 @@
 import { formatNumber } from "../../i18n/number.ts";
 import type { ToolCodeTexts } from "../../i18n/tool-code-text.ts";
 import { isHolderFilling, type CodeNote, type Filling } from "../../program/iso-codes/code-cells.ts";
-import type { CodePart, Meaning } from "../../program/iso-codes/code-part.ts";
+import type { CodePart, CodeMeaning } from "../../program/iso-codes/code-part.ts";
 import type { HolderCell } from "../../program/tool-columns.ts";
 import { inScreenWriting } from "../dialog/write-value.ts";
 import { Icon } from "../Icon.tsx";
@@ -11,7 +11,7 @@ import { useTexts } from "../settings/use-texts.ts";
 type Number = (n: number) => string;
 
 /** What a part of a code means, in words. */
-function meaningOf(meaning: Meaning, w: ToolCodeTexts, number: Number): string {
+function meaningOf(meaning: CodeMeaning, w: ToolCodeTexts, number: Number): string {
   switch (meaning.is) {
     case "form":
       return meaning.angle === 0 ? w.forms[meaning.form] : `${w.forms[meaning.form]}, ${w.angle(number(meaning.angle))}`;

@@ -33,7 +33,7 @@ export type BarMake = "steel" | "steelCoolant" | "steelDamped" | "steelDampedCoo
 export type Cuts = "side" | "end" | "both";
 
 /** What a part of a code says. mm and degrees. */
-export type Meaning = { readonly is: "form"; readonly form: InsertForm; readonly angle: number } | { readonly is: "angle";
+export type CodeMeaning = { readonly is: "form"; readonly form: InsertForm; readonly angle: number } | { readonly is: "angle";
   readonly angle: number } | { readonly is: "mm"; readonly mm: number } | { readonly is: "tolerance"; readonly from: number;
   readonly to: number; readonly thickness: number } | { readonly is: "type"; readonly hole: Hole; readonly breaker: Breaker } | {
   readonly is: "wiper";
@@ -47,11 +47,16 @@ export interface CodePart {
   readonly name: PartName;
   readonly text: string;
   /** Null: no such letter or number is known here. */
-  readonly meaning: Meaning | null;
+  readonly meaning: CodeMeaning | null;
   readonly sure: boolean;
 }
 
-export const codePart = (name: PartName, text: string, meaning: Meaning | null, sure = true): CodePart => ({ name, text, meaning, sure });
+export const codePart = (name: PartName, text: string, meaning: CodeMeaning | null, sure = true): CodePart => ({
+  name,
+  text,
+  meaning,
+  sure,
+});
 
 /** Reads a code part by part; what stands between parts is passed over. */
 export interface Scanner {

@@ -1,4 +1,4 @@
-import { codePart, scanner, type CodePart, type Hand, type Meaning, type Scanner } from "./code-part.ts";
+import { codePart, scanner, type CodePart, type Hand, type CodeMeaning, type Scanner } from "./code-part.ts";
 import { BAR_MAKES, CLAMPINGS, HOLDER_STYLES, LENGTHS, UNSURE_LENGTHS, type HolderStyle } from "./holder-facts.ts";
 import { CLEARANCES, INSERT_SHAPES } from "./insert-facts.ts";
 
@@ -29,7 +29,7 @@ interface Head {
   readonly hand: Hand | null;
 }
 
-const special = (text: string): Meaning | null => (text === "X" ? { is: "special" } : null);
+const special = (text: string): CodeMeaning | null => (text === "X" ? { is: "special" } : null);
 
 /** The five letters that holders and bars share. */
 function head(scan: Scanner): Head {

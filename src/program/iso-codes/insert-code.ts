@@ -1,4 +1,4 @@
-import { codePart, scanner, type CodePart, type Hand, type Meaning, type Scanner } from "./code-part.ts";
+import { codePart, scanner, type CodePart, type Hand, type CodeMeaning, type Scanner } from "./code-part.ts";
 import { CLEARANCES, circleOf, EDGE_FINISHES, edgeOf, INSERT_SHAPES, INSERT_TYPES, inchCircle, inchCorner, inchThickness, THICKNESSES,
   TOLERANCES, WIPER_EDGES } from "./insert-facts.ts";
 
@@ -102,7 +102,7 @@ function behind(scan: Scanner): CodePart[] {
   return parts;
 }
 
-const letter = (text: string, known: Meaning | null): Meaning | null => known ?? (text === "X" ? { is: "special" } : null);
+const letter = (text: string, known: CodeMeaning | null): CodeMeaning | null => known ?? (text === "X" ? { is: "special" } : null);
 
 /** Reads an insert by its code; the text has capital letters only. Null when its first letter is none of a shape. */
 export function readInsertCode(text: string): InsertCode | null {
