@@ -31,7 +31,7 @@ import { SectionTabs } from "./SectionTabs.tsx";
 import { changeSettings, useSettings } from "./settings/settings.ts";
 import { useTexts } from "./settings/use-texts.ts";
 import { useThirdColumn } from "./use-media.ts";
-import { useToolList } from "./tools/tool-store.ts";
+import { useToolList } from "./tools/work-tools.ts";
 
 /** Loaded when its section is first shown, or before that when there is nothing else to do. */
 const fetchSetup = () => import("./setup/SetupPanel.tsx");

@@ -7,7 +7,7 @@ import { setupOf, withSetup, type Setup } from "../program/setup.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { draftOf } from "./edits.ts";
 import { useEditor } from "./store.ts";
-import { toolTable, useToolList } from "./tools/tool-store.ts";
+import { toolTable, useToolList } from "./tools/work-tools.ts";
 
 /** The open job with its cycle and what its prompts hold. */
 export interface JobReading {

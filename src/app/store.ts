@@ -1,5 +1,5 @@
 import { create } from "zustand";
-import type { Job } from "../program/job.ts";
+import type { HandedOn, Job } from "../program/job.ts";
 import { closeStep, forget, goesOn, note, noteChange, stepBetween } from "./steps.ts";
 import { isProgram, type ProgramWork, type Work } from "./work.ts";
 
@@ -79,4 +79,18 @@ export function changeProgram(change: (program: ProgramWork) => ProgramWork, pla
   const on = goesOn(place);
   setProgram(after);
   note(stepBetween(putProgram(work), before, after, OF_FILES), on);
+}
+
+/** What the open work brings along in place of what the device has; nothing where none is open. */
+export const handedOn = ({ job, program }: Editor): HandedOn => job ?? program ?? {};
+
+const bringing = <W extends Job | ProgramWork>(work: W, next: HandedOn): W => {
+  const { tools: _, control: __, ...bare } = work;
+  return { ...bare, ...next } as unknown as W;
+};
+
+/** Changes what the open work brings along, as one step of undo. */
+export function setHandedOn(next: HandedOn): void {
+  if (useEditor.getState().program) changeProgram((program) => bringing(program, next));
+  else edit((job) => bringing(job, next));
 }

@@ -1,4 +1,4 @@
-import type { Job } from "../program/job.ts";
+import type { HandedOn, Job } from "../program/job.ts";
 import { fileKey } from "../program/program-files.ts";
 
 /** How the bytes of a program file stand for characters. Controls also write files that are not UTF-8. */
@@ -14,7 +14,7 @@ export interface WorkFile {
 }
 
 /** A whole program as work: its state is its text, and what belongs to it. Everything else is made from it. */
-export interface ProgramWork extends WorkFile {
+export interface ProgramWork extends WorkFile, HandedOn {
   /** What was opened with it: programs that it calls, contours, tables. No two of a work have the same key. */
   readonly files?: readonly WorkFile[];
   /** Blocks behind a skip mark are left out. */

@@ -1,5 +1,7 @@
 import type { Cycle } from "../cycles/define.ts";
+import type { Control } from "./plane-types.ts";
 import { exampleDraft, type Draft } from "./read-draft.ts";
+import type { ToolList } from "./tool-list.ts";
 
 /** One row of the contour table, as typed: end point, radius, corner element, centre. */
 export interface ContourRow {
@@ -65,8 +67,15 @@ export interface SpindleDraft {
   readonly limit: string;
 }
 
+/** What a work that was handed on brings along: it runs with these in place of what the device has. */
+export interface HandedOn {
+  /** The only tools that it can call, as typed. */
+  readonly tools?: ToolList;
+  readonly control?: Control;
+}
+
 /** Everything an operator enters. All typed text is kept as typed; the program text is made from it. */
-export interface Job {
+export interface Job extends HandedOn {
   readonly name: string;
   readonly cycle: number;
   /** Values of every cycle that was edited, so that changing the cycle loses nothing. */

@@ -128,3 +128,14 @@ export const sameList = (a: ToolList, b: ToolList): boolean =>
       cellOf(entry, cell as keyof ToolEntry["cells"]) === cellOf(other, cell as keyof ToolEntry["cells"])
     );
   }));
+
+/** The rows that calls find, in their order: by number, the index behind the point aside, or by name. Every row where `calls` is null. */
+export function rowsCalled(list: ToolList, calls: readonly (number | string)[] | null): ToolList {
+  if (calls === null) return list;
+  const numbers = new Set(calls.flatMap((call) => (Number.isFinite(Number(call)) ? [Number(call), Math.floor(Number(call))] : [])));
+  const names = new Set(calls.map((call) => String(call).trim().toUpperCase()));
+  return list.filter((entry) => {
+    const { number } = readOnce(entry);
+    return (number !== null && numbers.has(number)) || names.has(cellOf(entry, "NAME").trim().toUpperCase());
+  });
+}

@@ -13,7 +13,7 @@ import type { JobReading } from "../reading.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { closeStep } from "../steps.ts";
-import { useToolList } from "../tools/tool-store.ts";
+import { useToolList } from "../tools/work-tools.ts";
 import { HelpSlot } from "./HelpSlot.tsx";
 import { isSetupPlace, setPlace, setupPrompts } from "./setup-prompts.ts";
 import type { Prompt, PromptSession } from "./session.ts";

@@ -10,7 +10,7 @@ import { useShownBeside } from "../files/shown-file.ts";
 import { useWindow } from "./use-window.ts";
 import { OperationList } from "../operations/OperationList.tsx";
 import { doneWords } from "../operations/words.ts";
-import { useToolList } from "../tools/tool-store.ts";
+import { useToolList } from "../tools/work-tools.ts";
 
 const FILTERS = ["operations", "all", "labels", "notes"] as const satisfies readonly ("all" | PartFilter)[];
 

@@ -7,7 +7,7 @@ import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
 import { lazyPart } from "../parts.ts";
 import { ToolWords } from "../setup/tool-words.tsx";
 import { useTexts } from "../settings/use-texts.ts";
-import { useToolList } from "../tools/tool-store.ts";
+import { useToolList } from "../tools/work-tools.ts";
 import "./operations.css";
 
 const ToolDialog = lazyPart(async () => ({ default: (await import("./ToolDialog.tsx")).ToolDialog }));

@@ -10,7 +10,7 @@ import { useListed } from "../findings/use-findings.ts";
 import { Icon } from "../Icon.tsx";
 import { lazyPart } from "../parts.ts";
 import { useTexts } from "../settings/use-texts.ts";
-import { useToolList } from "../tools/tool-store.ts";
+import { useToolList } from "../tools/work-tools.ts";
 import { duplicateOperation, moveOperation, removeOperation, retoolOperation, switchOperation } from "./change-operation.ts";
 import { askForOperation } from "./inserting.ts";
 import { operationRows, type OperationRow } from "./operation-rows.ts";

@@ -1,6 +1,7 @@
 import { z } from "zod/mini";
 import { NUMBER_PARAMETER } from "../../nc/value.ts";
 import type { ContourRow, Job } from "../../program/job.ts";
+import { toolRows } from "../tools/tool-rows.ts";
 import { LONGEST_REMARKS, type ProgramWork, type Work, type WorkFile } from "../work.ts";
 
 /** Counts up whenever the layout of a saved work changes; each step has its upgrade below. */
@@ -36,7 +37,10 @@ const row = z.object({
   form: later.text,
   words: z._default(z.record(z.string(), text), {}),
 });
+/** What a work that was handed on brings along. */
+const handedOn = { tools: z.optional(toolRows), control: z.optional(z.enum(["TNC 640", "TNC7"])) };
 const job = z.object({
+  ...handedOn,
   name: text,
   cycle: z.int(),
   drafts: z.record(z.string().check(z.regex(/^\d+$/)), z.record(z.string(), text)),
@@ -54,7 +58,13 @@ const job = z.object({
 });
 const textFile = { name: text, text: z.string(), encoding: z.enum(["utf-8", "windows-1252"]) };
 const workFile = z.object(textFile);
-const program = z.object({ ...textFile, files: z.optional(z.array(workFile)), skipMarked: z.optional(z.boolean()), remarks });
+const program = z.object({
+  ...handedOn,
+  ...textFile,
+  files: z.optional(z.array(workFile)),
+  skipMarked: z.optional(z.boolean()),
+  remarks,
+});
 /** Every field of a work has to stand in the layout above, or it would be lost in saving: a missing one does not compile. */
 type Complete = [keyof Job extends keyof z.output<typeof job> ? true : never,
   keyof ContourRow extends keyof z.output<typeof row> ? true : never,
@@ -62,7 +72,8 @@ type Complete = [keyof Job extends keyof z.output<typeof job> ? true : never,
   keyof WorkFile extends keyof z.output<typeof workFile> ? true : never];
 export const complete: Complete = [true, true, true, true];
 
-const file = z.object({ version: z.literal(SAVE_VERSION), savedAt: z.number(), job: z.union([job, program]) });
+const work = z.union([job, program]);
+const file = z.object({ version: z.literal(SAVE_VERSION), savedAt: z.number(), job: work });
 
 /** From version n to n + 1. A saved work passes all steps from its own version to the present one. */
 export type Upgrades = Readonly<Record<number, (old: Readonly<Record<string, unknown>>) => Readonly<Record<string, unknown>>>>;
@@ -102,6 +113,12 @@ export function readSave(raw: unknown): SaveFile | null {
   } catch {
     return null;
   }
+}
+
+/** A work, from plain data that anybody may have written; null when it is none. */
+export function plainWork(raw: unknown): Work | null {
+  const read = work.safeParse(raw);
+  return read.success ? (read.data as Work) : null;
 }
 
 /** A program with the files beside it, from plain data that anybody may have written; null when it is none. */

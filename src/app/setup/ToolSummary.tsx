@@ -9,7 +9,7 @@ import { useFindings } from "../findings/use-findings.ts";
 import type { JobReading } from "../reading.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { showToolNumber } from "../tools/tool-place.ts";
-import { useToolList } from "../tools/tool-store.ts";
+import { useToolList } from "../tools/work-tools.ts";
 import { ToolWords } from "./tool-words.tsx";
 
 /** Edge length of the insert drawing, px. */

@@ -6,7 +6,7 @@ import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
 import { usePlace } from "../place.ts";
 import type { JobReading } from "../reading.ts";
 import { useTexts } from "../settings/use-texts.ts";
-import { useToolList } from "../tools/tool-store.ts";
+import { useToolList } from "../tools/work-tools.ts";
 import { ToolWords, useToolDetails, useToolVerdict } from "./tool-words.tsx";
 
 /** Edge length of an insert drawing, px. */

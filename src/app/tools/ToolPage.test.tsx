@@ -11,7 +11,8 @@ import { changeSettings } from "../settings/settings.ts";
 import { undo, useSteps } from "../steps.ts";
 import { readKept, startTools, writeKept } from "./keep-tools.ts";
 import { showTools, showToolNumber, useToolPlace } from "./tool-place.ts";
-import { toolsOnDevice, takeTools, toolTable, useTools } from "./tool-store.ts";
+import { toolsOnDevice, takeTools, useTools } from "./tool-store.ts";
+import { toolTable } from "./work-tools.ts";
 import { ToolPage } from "./ToolPage.tsx";
 
 const field = (name: string) => screen.getByRole<HTMLInputElement>("textbox", { name });

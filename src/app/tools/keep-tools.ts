@@ -1,7 +1,8 @@
 import { z } from "zod/mini";
 import { sameList, shippedList, type ToolList } from "../../program/tool-list.ts";
-import { HOLDER_CELLS, MILL_COLUMNS, TOOL_COLUMNS } from "../../program/tool-columns.ts";
+import { HOLDER_CELLS } from "../../program/tool-columns.ts";
 import { keepTable } from "../saving/device-table.ts";
+import { toolRows } from "./tool-rows.ts";
 import { takeTools, useTools } from "./tool-store.ts";
 
 /*
@@ -12,11 +13,9 @@ const VERSION = 2;
 /** Tables of this version were kept before the shipped tools had holders. */
 const WITHOUT_HOLDERS = 1;
 
-const cellText = z.string().check(z.maxLength(500));
-const cells = z.partialRecord(z.enum([...TOOL_COLUMNS, ...MILL_COLUMNS, ...HOLDER_CELLS]), cellText);
 const file = z.object({
   version: z.union([z.literal(VERSION), z.literal(WITHOUT_HOLDERS)]),
-  rows: z.array(z.object({ id: cellText, cells })),
+  rows: toolRows,
 });
 
 /** The text that is kept; null for the shipped table. */

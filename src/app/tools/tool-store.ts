@@ -2,7 +2,7 @@ import { create } from "zustand";
 import { readList, sameList, shippedList, type ToolList, type ToolListReading } from "../../program/tool-list.ts";
 import { forget, goesOn, noteChange } from "../steps.ts";
 
-/** The tool table of this device, as typed. It belongs to no program: all of them call its tools. */
+/** The tool table of this device, as typed. It belongs to no program: all of them call its tools but those that bring their own. */
 export interface Tools {
   readonly list: ToolList;
 }
@@ -19,12 +19,6 @@ export function toolsOnDevice(list: ToolList): ToolListReading {
   read.set(list, made);
   return made;
 }
-
-/** The tools of the table as it is now: those that can be called, and those that are refused. */
-export const toolTable = () => toolsOnDevice(useTools.getState().list).table;
-
-/** The tools that programs can call; follows the table. */
-export const useToolList = () => toolsOnDevice(useTools((s) => s.list)).table.tools;
 
 const putTools = (list: ToolList): void => useTools.setState({ list });
 

@@ -1,0 +1,8 @@
+import { z } from "zod/mini";
+import { HOLDER_CELLS, MILL_COLUMNS, TOOL_COLUMNS } from "../../program/tool-columns.ts";
+
+const cellText = z.string().check(z.maxLength(500));
+const cells = z.partialRecord(z.enum([...TOOL_COLUMNS, ...MILL_COLUMNS, ...HOLDER_CELLS]), cellText);
+
+/** Rows of a tool table from plain data that anybody may have written. */
+export const toolRows = z.array(z.object({ id: cellText, cells }));
