@@ -112,6 +112,7 @@ test("a share link opens the same program, and a reload keeps what was typed", a
   const link = await editor.sharedLink();
   const other = Turnwise.at(await context.newPage());
   await other.page.goto(link);
+  await other.handing.open();
   await expect(other.editor.text).toBeVisible();
   expect(await other.editor.downloaded()).toEqual(text);
   await other.editor.line("CYCL CALL").click();

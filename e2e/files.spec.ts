@@ -131,7 +131,9 @@ test("a link carries the files of a work and its switch", async ({ page, context
   const link = await editor.sharedLink();
   const other = await context.newPage();
   await other.goto(link);
-  const { editor: opened, t } = Turnwise.at(other);
+  const { editor: opened, handing, t } = Turnwise.at(other);
+  await expect(handing.inside("MAIN.h")).toContainText("defines.h");
+  await handing.open();
   await expect(opened.file("defines.h")).toBeVisible();
   await expect(opened.leaveOut).toBeChecked();
   await expect(opened.total(t.editor.operations)).toHaveText("1");

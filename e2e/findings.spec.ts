@@ -64,7 +64,7 @@ test("a program that is not simulated is never called proved, and says from whic
 });
 
 test("a program with faults leaves only when it is meant to: copying, downloading and sharing ask, in words", async ({ page }) => {
-  const { editor, findings, t } = await Turnwise.open(page);
+  const { editor, findings, handing, t } = await Turnwise.open(page);
   await editor.paste(MILLING);
   await expect(editor.total(t.findings.verdict.title)).toContainText(t.findings.verdict.faults(1));
   const copy = page.getByRole("button", { name: t.page.text.copyLong, exact: true });
@@ -75,10 +75,10 @@ test("a program with faults leaves only when it is meant to: copying, downloadin
   await findings.answer("cancel").click();
   await expect(findings.question).toBeHidden();
   expect(await page.evaluate(() => navigator.clipboard.readText())).toBe("as it was");
-  await page.getByRole("button", { name: t.editor.share, exact: true }).click();
+  await handing.handOn();
   await expect(findings.question).toBeVisible();
   await page.keyboard.press("Escape");
-  await expect(page.getByRole("dialog", { name: t.editor.shareTitle })).toBeHidden();
+  await expect(handing.out).toBeHidden();
   await page.getByRole("button", { name: t.page.text.download("FAULT.h"), exact: true }).click();
   const download = page.waitForEvent("download");
   await findings.answer("download").click();

@@ -1,4 +1,5 @@
 import { expect, type Locator } from "@playwright/test";
+import { Handing } from "./handing.ts";
 import type { Context } from "./turnwise.ts";
 
 type Example = keyof Context["t"]["page"]["examples"];
@@ -155,11 +156,10 @@ export class ProgramEditor {
 
   /** The address that carries the program. */
   async sharedLink(): Promise<string> {
-    const { page } = this.context;
-    await page.getByRole("button", { name: this.words.share, exact: true }).click();
-    const dialog = page.getByRole("dialog", { name: this.words.shareTitle });
-    const link = await dialog.getByRole("textbox").inputValue();
-    await page.keyboard.press("Escape");
+    const handing = new Handing(this.context);
+    await handing.handOn();
+    const link = await handing.link();
+    await this.context.page.keyboard.press("Escape");
     return link;
   }
 }

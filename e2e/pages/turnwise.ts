@@ -7,6 +7,7 @@ import { Effect } from "./effect.ts";
 import { OwnCycles } from "./own-cycles.ts";
 import { Lathe } from "./lathe.ts";
 import { Findings } from "./findings.ts";
+import { Handing } from "./handing.ts";
 import { ProgramEditor } from "./program-editor.ts";
 import { ProgramText } from "./program-text.ts";
 import { SettingsPage } from "./settings.ts";
@@ -45,6 +46,7 @@ export class Turnwise {
   readonly settings: SettingsPage;
   readonly tools: ToolTable;
   readonly own: OwnCycles;
+  readonly handing: Handing;
   readonly t: Texts;
 
   private constructor(readonly page: Page, readonly language: Language) {
@@ -62,6 +64,7 @@ export class Turnwise {
     this.settings = new SettingsPage(context);
     this.tools = new ToolTable(context);
     this.own = new OwnCycles(context);
+    this.handing = new Handing(context);
   }
 
   /** Opens the page as a first-time visitor of this language would see it. */

@@ -3,6 +3,7 @@ import { menuCycle } from "./chooser/menu.ts";
 import { Header } from "./Header.tsx";
 import { DropProgram } from "./files/DropProgram.tsx";
 import { NumberKeys } from "./keypad/NumberKeys.tsx";
+import { HandedLine, IncomingWork } from "./handing/HandedParts.tsx";
 import { MissingPart } from "./MissingPart.tsx";
 import { Notices } from "./Notices.tsx";
 import { useVersion } from "./offline/version.ts";
@@ -70,6 +71,7 @@ export function App() {
           </Suspense>
         )}
       </div>
+      <HandedLine />
       {ready && tools && !own && (
         <Suspense>
           <ToolPage />
@@ -102,6 +104,7 @@ export function App() {
           <WhichCycle done={hideWhich} region={which.region} />
         </Suspense>
       )}
+      <IncomingWork />
       <DropProgram />
       <NumberKeys />
       {refused && (

@@ -34,6 +34,7 @@ test.each([
   "#",
   "#p=80",
   "#w=80",
+  "#h1=80",
   "#prompts",
   "#/nowhere",
   "#/work",

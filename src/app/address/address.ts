@@ -92,6 +92,9 @@ function toolsAddress([row, ...more]: readonly string[]): ToolsAddress | null {
   return /^\d{1,9}(?:\.\d{1,9})?$/.test(row) ? { page: "tools", number: Number(row), milling: false } : null;
 }
 
+/** Whether the part of an address from `#` on carries a work, in this or in another form: it names no place then. */
+export const isShareLink = (hash: string): boolean => /^#(?:[pw]|h\d+)=/.test(hash);
+
 /** The place that the part of an address from `#` on names; null where it names none. */
 export function parseAddress(hash: string): Address | null {
   if (!hash.startsWith("#/")) return null;

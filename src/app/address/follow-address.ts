@@ -5,7 +5,7 @@ import { useEditor } from "../store.ts";
 import { useSheetPlace } from "../sheet/sheet-place.ts";
 import { useToolPlace } from "../tools/tool-place.ts";
 import { useWhichPlace } from "../which/which-place.ts";
-import { parseAddress, printAddress } from "./address.ts";
+import { isShareLink, parseAddress, printAddress } from "./address.ts";
 import { beginProgram, goTo, here } from "./here.ts";
 
 /** What the browser keeps with each entry of its history, over a reload too. */
@@ -128,7 +128,7 @@ export function followAddress(begun = location.hash): () => void {
     // A share link is opened where links are; anything else leads nowhere.
     if (!place && location.hash !== "") {
       shown = null;
-      return /^#[pw]=/.test(location.hash) ? undefined : replace();
+      return isShareLink(location.hash) ? undefined : replace();
     }
     const mine = ++asked;
     going = true;

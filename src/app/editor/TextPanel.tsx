@@ -12,7 +12,6 @@ import { useEditor } from "../store.ts";
 import { encode } from "./encoding.ts";
 import { downloadBytes } from "../files/download.ts";
 import { handOverText, sessionText, sessionView, useSession } from "./session.ts";
-import { ShareDialog } from "./ShareDialog.tsx";
 import { shownFile, useShownName } from "../files/shown-file.ts";
 import { SkipSwitch } from "./SkipSwitch.tsx";
 import { WorkFiles } from "./WorkFiles.tsx";
@@ -75,7 +74,6 @@ export function TextPanel({ toBlock }: { readonly toBlock?: () => void }) {
         >
           <Icon name="download" /> <span className="file-name">{name}</span>
         </button>
-        <ShareDialog />
       </div>
       <ProgramMore />
       <CopyStatus otherwise={saving === "saved" ? t.editor.saved(name) : saving === "notSaved" ? t.editor.notSaved : ""} />

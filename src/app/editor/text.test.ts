@@ -5,7 +5,6 @@ import { print } from "../../nc/program.ts";
 import { changesBetween, duplicated, exchanged, inserted, removed, type TextChange } from "./block-edits.ts";
 import { decode, encode } from "./encoding.ts";
 import { fromEditor, lineEndsOf, toEditor } from "./line-ends.ts";
-import { sharedProgram, shareLink } from "./share.ts";
 
 const text = "0 BEGIN PGM A MM\n1 L X+10 Z+2 R0 FMAX\n2 L Z-5 ;cut\n3 M30\n4 END PGM A MM\n";
 const applied = (from: string, changes: readonly TextChange[]) =>
@@ -27,31 +26,6 @@ test("bytes come back as they were, whatever they stand for", () => {
   }));
   expect(decode(Uint8Array.of(0xd8)).text).toBe("Ø");
   expect(encode("中", "windows-1252")).toEqual(new TextEncoder().encode("中"));
-});
-
-test("a link carries the program, and a damaged one nothing", () => {
-  fc.assert(fc.property(fc.string({ unit: "grapheme" }), (t) => {
-    const link = shareLink("https://example.org/page", { name: "T.H", text: t, encoding: "utf-8" });
-    expect(link).toMatch(/^https:\/\/example\.org\/page#p=[\w-]*$/);
-    expect(sharedProgram(new URL(link).hash)).toEqual({ kind: "text", text: t });
-  }));
-  expect(sharedProgram("#p=%%%")).toEqual({ kind: "damaged" });
-  expect(sharedProgram("#q=1")).toEqual({ kind: "damaged" });
-});
-
-test("a link carries what belongs to the program, and only that", () => {
-  const work = {
-    name: "MAIN.H",
-    text: "CALL PGM CUT\r\n",
-    encoding: "windows-1252" as const,
-    files: [{ name: "cut.h", text: "L X+1 ;Ø\n", encoding: "utf-8" as const }],
-    skipMarked: true,
-  };
-  const link = shareLink("https://example.org/page", work);
-  expect(sharedProgram(new URL(link).hash)).toEqual({ kind: "work", program: work });
-  const foreign = shareLink("https://example.org/page", { ...work, files: [{ name: "a.h" } as never] });
-  expect(sharedProgram(new URL(foreign).hash)).toEqual({ kind: "damaged" });
-  expect(sharedProgram(new URL(link).hash, 40)).toEqual({ kind: "tooLarge" });
 });
 
 test("changes between programs lead from one text to the other", () => {

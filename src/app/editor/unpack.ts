@@ -5,12 +5,18 @@ const CHUNK = 1024;
 
 /**
  * Unpacks deflated bytes piece by piece and stops as soon as they are more than `most`. Gives the number of bytes that were
- * unpacked: more than `most` when it stopped. `take` is given each piece up to the limit. Throws on damaged bytes.
+ * unpacked: more than `most` when it stopped. `take` is given each piece up to the limit;
+ * `dictionary` is what the packing began with. Throws on damaged bytes.
  */
-export function inflateUpTo(packed: Uint8Array, most: number, take: (piece: Uint8Array) => void): number {
+export function inflateUpTo(
+  packed: Uint8Array,
+  most: number,
+  take: (piece: Uint8Array) => void,
+  dictionary: Uint8Array | null = null,
+): number {
   let size = 0;
   let complete = false;
-  const inflate = new Inflate((piece, final) => {
+  const inflate = new Inflate(dictionary ? { dictionary } : {}, (piece, final) => {
     size += piece.length;
     complete = final;
     if (size <= most) take(piece);
@@ -22,11 +28,11 @@ export function inflateUpTo(packed: Uint8Array, most: number, take: (piece: Uint
 }
 
 /** The text that was deflated as UTF-8; null when it is longer than `most` bytes. Throws on damaged bytes. */
-export function unpackedText(packed: Uint8Array, most: number): string | null {
+export function unpackedText(packed: Uint8Array, most: number, dictionary: Uint8Array | null = null): string | null {
   const decoder = new TextDecoder("utf-8", { ignoreBOM: true });
   let text = "";
   const size = inflateUpTo(packed, most, (piece) => {
     text += decoder.decode(piece, { stream: true });
-  });
+  }, dictionary);
   return size > most ? null : text + decoder.decode();
 }

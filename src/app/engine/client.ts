@@ -15,11 +15,13 @@ import { untilHere } from "../parts.ts";
 import { notice } from "../saving/keep.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useEditor, type Editor } from "../store.ts";
-import { toolTable, useTools } from "../tools/tool-store.ts";
-import { filesOf, type ProgramWork, type WorkFile } from "../work.ts";
+import { useTools } from "../tools/tool-store.ts";
+import { controlInUse, toolTable } from "../tools/work-tools.ts";
+import { filesOf, isProgram, type ProgramWork, type Work, type WorkFile } from "../work.ts";
 import type { Comparer } from "../which/comparison.ts";
 import type { Called, Request } from "./engine.ts";
 import { pauseInTyping } from "./quiet.ts";
+import type { Reported } from "./reported.ts";
 import { askAgain, stopWorker } from "./worker-life.ts";
 import { atStage, calculationStopped, forgetOutcome, pause, showBeginning, takeOutcome, useOutcome, type Outcome,
   type Stage } from "./outcome.ts";
@@ -134,7 +136,7 @@ function followProgram(program: ProgramWork, name: string | null): void {
   const isOther = last?.program && fileKey(last.program.name) !== fileKey(program.name);
   if (last && (last.cycle !== null || last.work !== name || isOther)) leave();
   const table = toolTable();
-  const { control } = useSettings.getState();
+  const control = controlInUse();
   if (last && isSameProgram(program, last.program) && last.table === table && last.control === control) return;
   pause(false);
   const { text, skipMarked = false } = program;
@@ -158,7 +160,7 @@ function follow({ job, program, work: name }: Editor): void {
   const text = printedText(job);
   const rapid = rapidOf(job);
   const table = toolTable();
-  const { control } = useSettings.getState();
+  const control = controlInUse();
   if (last?.text === text && last.table === table && last.rapid === rapid && last.control === control) return;
   last = { text, table, rapid, control, cycle: job.cycle, work: name };
   version += 1;
@@ -215,6 +217,19 @@ export async function fitsOfWork(job: SetJob): Promise<readonly ToolFit[] | null
   }
 }
 
+/** The report on the open work as it stands, and the tools that it takes to come to it; null when that cannot be said. */
+export async function reportOf(work: Work, file: string): Promise<Reported | null> {
+  const shop = { version: 0, table: toolTable(), control: controlInUse() };
+  try {
+    const request = isProgram(work)
+      ? { ...shop, text: work.text, name: work.name, files: filesOf(work), skipMarked: work.skipMarked ?? false, rapid: USUAL_RAPID }
+      : { ...shop, text: printedText(work), rapid: rapidOf(work) };
+    return await askAgain((engine) => engine.reported(request, file));
+  } catch {
+    return null;
+  }
+}
+
 /** The ways to make what is wanted, and what comes of each; null when that cannot be said. */
 export const comparison: Comparer = {
   async ways(wanted, stock) {
@@ -225,7 +240,7 @@ export const comparison: Comparer = {
     }
   },
   async tryWay(proposal, wanted, stock) {
-    const { control } = useSettings.getState();
+    const control = controlInUse();
     try {
       return await askAgain((engine) => engine.tryWay(proposal, wanted, stock, { table: toolTable(), rapid: USUAL_RAPID, control }));
     } catch {

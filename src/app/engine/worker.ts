@@ -2,6 +2,7 @@ import { expose } from "comlink";
 import { z } from "zod/mini";
 import type { advice } from "./advice.ts";
 import { engine } from "./engine.ts";
+import type { reported } from "./reported.ts";
 import { wireOutcomes } from "./wire.ts";
 
 z.config({ jitless: true });
@@ -20,6 +21,7 @@ const served = {
   ways: async (...asked: Parameters<Advice["ways"]>) => (await fetchAdvice()).ways(...asked),
   tryWay: async (...asked: Parameters<Advice["tryWay"]>) => (await fetchAdvice()).tryWay(...asked),
   remediesOf: async (...asked: Parameters<Advice["remediesOf"]>) => (await fetchAdvice()).remediesOf(...asked),
+  reported: async (...asked: Parameters<typeof reported>) => (await import("./reported.ts")).reported(...asked),
 };
 expose(served);
 

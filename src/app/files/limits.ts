@@ -2,3 +2,5 @@
 export const LARGEST_PROGRAM = 20_000_000;
 /** Longest address that every browser opens, characters. */
 export const LONGEST_LINK = 2_000_000;
+/** Longer addresses are cut by many programs, characters. */
+export const SAFE_LINK = 8000;

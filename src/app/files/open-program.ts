@@ -4,6 +4,7 @@ import { fileKey } from "../../program/program-files.ts";
 import { notice, startWork } from "../saving/keep.ts";
 import { changeProgram, useEditor } from "../store.ts";
 import { textsOf, withFile, type ProgramWork, type WorkFile } from "../work.ts";
+import { fileNameOf } from "./file-name.ts";
 import { handleOf, plainFiles, rememberHandle, type Chosen, type FileHandle } from "./file-handle.ts";
 import { LARGEST_PROGRAM } from "./limits.ts";
 import { missingFiles } from "./missing-files.ts";
@@ -86,9 +87,6 @@ export async function addFiles(chosen: readonly Chosen[], name: string | null = 
   remember(found);
   if (!found.whole) notice("fileUnreadable");
 }
-
-/** The name of a program's file, from its first block. */
-export const fileNameOf = (text: string): string => `${/BEGIN PGM (\S+)/.exec(text)?.[1]?.replace(/[\\/:*?"<>|]/g, "_") ?? "PROGRAM"}.h`;
 
 /** Opens text that was pasted, shared or printed. */
 export const openText = (text: string): void => openProgram({ name: fileNameOf(text), text, encoding: "utf-8" });

@@ -1,14 +1,21 @@
+import { isShareLink } from "../address/address.ts";
+import { untilHere } from "../parts.ts";
 import { notice } from "../saving/keep.ts";
-import { openProgram, openText } from "./open-program.ts";
 
-/** Opens the program that the page's address carries, once: the address is plain again afterwards. What was open stays. */
+const PROBLEMS = { tooLarge: "linkTooLarge", newer: "linkNewer", damaged: "linkDamaged" } as const;
+
+/**
+ * Shows what the page's address carries, once: the address is plain again afterwards. Nothing is opened before the operator says so, and
+ * what is open stays.
+ */
 export async function openShared(): Promise<void> {
   const { hash } = location;
-  if (!/^#[pw]=/.test(hash)) return;
+  if (!isShareLink(hash)) return;
   history.replaceState(null, "", location.pathname + location.search);
-  const { sharedProgram } = await import("../editor/share.ts");
-  const shared = sharedProgram(hash);
-  if (shared.kind === "text") openText(shared.text);
-  else if (shared.kind === "work") openProgram(shared.program);
-  else notice(shared.kind === "tooLarge" ? "linkTooLarge" : "linkDamaged");
+  const [{ readLink }, { showIncoming }] = await untilHere(() =>
+    Promise.all([import("../handing/link.ts"), import("../handing/incoming.ts")])
+  );
+  const read = readLink(hash);
+  if (read.kind === "work") showIncoming({ work: read.work, from: "link" });
+  else notice(PROBLEMS[read.kind]);
 }

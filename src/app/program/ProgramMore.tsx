@@ -1,11 +1,36 @@
-import { handOver } from "../store.ts";
+import { Suspense, useState } from "react";
+import { handOver, useEditor } from "../store.ts";
+import type { ShownVerdict } from "../findings/verdict.ts";
 import { Icon } from "../Icon.tsx";
+import { mayLeave } from "../leaving/leaving.ts";
+import { lazyPart } from "../parts.ts";
+import { printedText } from "../printed.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { showSheet } from "../sheet/sheet-place.ts";
+import { isProgram, type Work } from "../work.ts";
+
+/** Fetched when it is first opened. */
+const HandOnDialog = lazyPart(async () => ({ default: (await import("../handing/HandOnDialog.tsx")).HandOnDialog }));
+
+/** A work on its way out, with the verdict that goes with it. */
+interface Leaving {
+  readonly open: Work;
+  readonly verdict: ShownVerdict;
+}
+
+/** The open work with the verdict on it; null where one with faults is to stay. */
+async function leaving(): Promise<Leaving | null> {
+  handOver();
+  const { job, program } = useEditor.getState();
+  const open = job ?? program;
+  const verdict = open && await mayLeave("share", isProgram(open) ? open.text : printedText(open));
+  return open && verdict && { open, verdict };
+}
 
 /** What else can be made of the open program, in one row below its ways out. */
 export function ProgramMore() {
   const { page: { text: t } } = useTexts();
+  const [handed, handOn] = useState<Leaving | null>(null);
   return (
     <div className="program-more">
       <button type="button" className="button plain" onClick={() => {
@@ -14,6 +39,14 @@ export function ProgramMore() {
       }}>
         <Icon name="print" /> {t.setupSheet}
       </button>
+      <button type="button" className="button plain" onClick={() => void leaving().then(handOn)}>
+        <Icon name="share" /> {t.handOn}
+      </button>
+      {handed && (
+        <Suspense>
+          <HandOnDialog {...handed} done={() => handOn(null)} />
+        </Suspense>
+      )}
     </div>
   );
 }

@@ -12,8 +12,8 @@ export interface Keeping {
   /** Works on this device, newest first. */
   readonly works: readonly Kept[];
   readonly notices:
-    readonly ("notKept" | "storageFull" | "newerWorks" | "copyOfOtherTab" | "engineFailed" | "linkDamaged" | "linkTooLarge" | "fileTooLarge"
-      | "fileUnreadable" | "mainUnsure" | "toolsDamaged" | "toolsNotKept" | "ownDamaged" | "ownNotKept" | "workNotHere")[];
+    readonly ("notKept" | "storageFull" | "newerWorks" | "copyOfOtherTab" | "engineFailed" | "linkDamaged" | "linkTooLarge" | "linkNewer"
+      | "fileTooLarge" | "fileUnreadable" | "mainUnsure" | "toolsDamaged" | "toolsNotKept" | "ownDamaged" | "ownNotKept" | "workNotHere")[];
   /** Damaged saves that were set aside when the page opened. */
   readonly damaged: number;
   /** False until the device was read. */

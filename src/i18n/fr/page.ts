@@ -152,6 +152,7 @@ export const page = {
     fold: "Replier le programme",
     unfold: "Afficher le programme",
     setupSheet: "Fiche de réglage",
+    handOn: "Transmettre",
     blocks: "Séquences du programme",
     running: "en cours",
     refusedTitle: "Copier à la main",
@@ -175,6 +176,8 @@ export const page = {
     copyOfOtherTab: "Ce travail est ouvert dans un autre onglet. Ici, on modifie une copie ; les deux sont conservés.",
     workNotHere: "Le travail de cette adresse n’est pas sur cet appareil : autre navigateur, ou retiré de la liste.",
     linkDamaged: "Le lien ne contient aucun programme lisible.",
+    linkNewer:
+      "Le lien vient d’une édition plus récente de cette page, que celle-ci ne peut pas lire. Recharger la page et rouvrir le lien.",
     linkTooLarge: "Le programme contenu dans le lien dépasse 20 Mo et n’a pas été ouvert. Le travail en cours est inchangé.",
     fileTooLarge: "Cela dépasse 20 Mo et n’a pas été ouvert. Le travail en cours est inchangé.",
     fileUnreadable: "Le fichier n’a pas pu être lu et n’a pas été ouvert. Le travail en cours est inchangé.",

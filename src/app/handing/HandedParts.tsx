@@ -1,0 +1,31 @@
+import { Suspense } from "react";
+import { lazyPart } from "../parts.ts";
+import { useSettings } from "../settings/settings.ts";
+import { handedOn, useEditor } from "../store.ts";
+import { useIncoming } from "./incoming.ts";
+
+/** Fetched when something was handed on. */
+const IncomingDialog = lazyPart(async () => ({ default: (await import("./IncomingDialog.tsx")).IncomingDialog }));
+const WorkBar = lazyPart(async () => ({ default: (await import("./WorkBar.tsx")).WorkBar }));
+
+/** What a link or a file holds, as long as nobody has said what becomes of it. */
+export function IncomingWork() {
+  const waits = useIncoming((s) => s.incoming !== null);
+  return waits && (
+    <Suspense>
+      <IncomingDialog />
+    </Suspense>
+  );
+}
+
+/** One line over a work that does not run with what this device has. */
+export function HandedLine() {
+  const tools = useEditor((s) => handedOn(s).tools !== undefined);
+  const control = useEditor((s) => handedOn(s).control);
+  const device = useSettings((s) => s.control);
+  return (tools || (control !== undefined && control !== device)) && (
+    <Suspense>
+      <WorkBar />
+    </Suspense>
+  );
+}

@@ -1,0 +1,32 @@
+import { useLayoutEffect, useRef, type ReactNode } from "react";
+import { Icon } from "../Icon.tsx";
+import { useFirstTexts } from "../settings/use-first-texts.ts";
+import "./handing.css";
+
+/** A dialog over the page, open as long as it is there. */
+export function HandingDialog({ title, done, children }: { readonly title: string; readonly done: () => void;
+  readonly children: ReactNode })
+{
+  const { close } = useFirstTexts().page;
+  const dialog = useRef<HTMLDialogElement>(null);
+  // Closed before it goes, so that the keyboard returns to where it was.
+  useLayoutEffect(() => {
+    const { current } = dialog;
+    current?.showModal();
+    current?.querySelector<HTMLElement>(".handing-first")?.focus();
+    return () => current?.close();
+  }, []);
+  return (
+    <dialog ref={dialog} className="handing" aria-label={title} onClose={() => !dialog.current?.open && done()}
+      onKeyDown={(event) => event.stopPropagation()}
+    >
+      <div className="handing-head">
+        <h2>{title}</h2>
+        <button type="button" className="button icon plain" aria-label={close} onClick={() => dialog.current?.close()}>
+          <Icon name="close" />
+        </button>
+      </div>
+      {children}
+    </dialog>
+  );
+}

@@ -1,0 +1,28 @@
+import { create } from "zustand";
+import { hideOwn } from "../own/own-place.ts";
+import { usePlace } from "../place.ts";
+import { startWork } from "../saving/keep.ts";
+import { hideTools } from "../tools/tool-place.ts";
+import type { Work } from "../work.ts";
+
+/** A work that came from elsewhere and waits for a word: nothing is opened before. */
+export interface Incoming {
+  readonly work: Work;
+  readonly from: "link" | "file";
+}
+
+export const useIncoming = create<{ readonly incoming: Incoming | null }>(() => ({ incoming: null }));
+
+/** Shows what a link or a file holds. */
+export const showIncoming = (incoming: Incoming): void => useIncoming.setState({ incoming });
+
+export const leaveIncoming = (): void => useIncoming.setState({ incoming: null });
+
+/** Opens it as a work of its own; what was open stays on the device. */
+export function takeIncoming({ work }: Incoming): void {
+  leaveIncoming();
+  hideTools();
+  hideOwn();
+  usePlace.setState({ section: "prompts", prompt: null, field: null });
+  startWork(work);
+}

@@ -1,0 +1,113 @@
+import { deflateSync, strToU8 } from "fflate";
+import * as fc from "fast-check";
+import { expect, test } from "vitest";
+import { cuttingCycles } from "../../cycles/index.ts";
+import { exampleJob } from "../../program/job.ts";
+import { HOLDER_CELLS, MILL_COLUMNS, TOOL_COLUMNS, type CellName } from "../../program/tool-columns.ts";
+import { shippedList } from "../../program/tool-list.ts";
+import { LARGEST_PROGRAM } from "../files/limits.ts";
+import { plainWork } from "../saving/save-file.ts";
+import type { ProgramWork, Work } from "../work.ts";
+import { LINK_MARK, linkOf, readLink } from "./link.ts";
+import { COMMON } from "./words-of-links.ts";
+
+const PAGE = "https://example.org/page";
+const hashOf = (work: Work) => new URL(linkOf(PAGE, work)).hash;
+const coded = (bytes: Uint8Array) => Buffer.from(bytes).toString("base64url");
+const packed = (text: string, mark = LINK_MARK) =>
+  mark + coded(deflateSync(strToU8(text), mark === LINK_MARK ? { dictionary: COMMON } : {}));
+
+const CELLS: readonly CellName[] = [...new Set<CellName>([...TOOL_COLUMNS, ...MILL_COLUMNS, ...HOLDER_CELLS])];
+const anyText = fc.string({ unit: "grapheme", maxLength: 40 });
+const awkward = fc.oneof(anyText,
+  fc.constantFrom("0,8", "-0.0004", "1e-3", "", " ", "DNMG 15 06 08", "8/0 8/-6; 4/2 1/1 9/9.25", "⌀", '"},{'),
+  fc.double({ noNaN: true }).map(String));
+const row = fc.dictionary(fc.constantFrom(...CELLS), awkward).map((cells) => ({ ...cells }));
+const tools = fc.array(row, { maxLength: 9 }).map((rows) => rows.map((cells, i) => ({ id: `r${i * 7 + 1}`, cells })));
+const textFile = fc.record({
+  name: fc.string({ unit: "grapheme", minLength: 1, maxLength: 20 }),
+  text: fc.string({ unit: "grapheme", maxLength: 300 }),
+  encoding: fc.constantFrom("utf-8" as const, "windows-1252" as const),
+});
+const brought = { tools: fc.option(tools, { nil: undefined }), control: fc.constantFrom("TNC 640" as const, "TNC7" as const, undefined) };
+const bare = <T extends object>(made: T): T => Object.fromEntries(Object.entries(made).filter(([, value]) => value !== undefined)) as T;
+const program: fc.Arbitrary<Work> = fc.tuple(textFile, fc.record({
+  files: fc.option(fc.array(textFile, { maxLength: 3 }), { nil: undefined }),
+  skipMarked: fc.option(fc.boolean(), { nil: undefined }),
+  remarks: fc.option(anyText, { nil: undefined }),
+  ...brought,
+})).map(([file, others]) => bare({ ...file, ...others }) as unknown as ProgramWork);
+const job: fc.Arbitrary<Work> = fc.tuple(fc.constantFrom(...cuttingCycles), fc.record({ name: anyText, rapid: awkward, ...brought })).map(
+  ([cycle, others]) => bare({ ...exampleJob(cycle), ...others }) as unknown as Work
+);
+
+test("a link brings back the work with its files, tools and control, whatever stands in them", () => {
+  fc.assert(fc.property(fc.oneof(program, job), (work) => {
+    expect(linkOf(PAGE, work)).toMatch(/^https:\/\/example\.org\/page#h1=[\w-]+$/);
+    expect(readLink(hashOf(work))).toEqual({ kind: "work", work });
+  }), { numRuns: 60 });
+});
+
+test("what is brought comes in as saved works do, or not at all", () => {
+  fc.assert(fc.property(fc.json(), (text) => {
+    const read = readLink(packed(`{"work":${text}}`));
+    expect(read).toEqual(plainWork(JSON.parse(text)) ? { kind: "work", work: plainWork(JSON.parse(text)) } : { kind: "damaged" });
+  }));
+  const [first] = shippedList;
+  for (const wrong of [
+    { tools: [{ ...first, cells: { ...first?.cells, COLOUR: "red" } }] },
+    { tools: [{ id: "r1", cells: { RS: 0.8 } }] },
+    { tools: {} },
+    { control: "iTNC 530" },
+    { files: [{ name: "a.h" }] },
+    { encoding: "utf-16" },
+  ])
+    expect(readLink(packed(JSON.stringify({ work: { name: "A.h", text: "", encoding: "utf-8", ...wrong } })))).toEqual({ kind: "damaged" });
+});
+
+test("letters that were lost or changed on the way never throw, and never bring half a work", () => {
+  const whole: Work = { name: "A.h", text: "0 BEGIN PGM A MM\n1 TOOL CALL 3\n2 END PGM A MM\n", encoding: "utf-8", tools: shippedList };
+  const hash = hashOf(whole);
+  const letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_%= ";
+  fc.assert(fc.property(fc.nat({ max: hash.length - 1 }), fc.constantFrom(...letters), fc.boolean(), (at, letter, cut) => {
+    const read = readLink(cut ? hash.slice(0, at) : hash.slice(0, at) + letter + hash.slice(at + 1));
+    expect(["work", "damaged", "tooLarge", "newer"]).toContain(read.kind);
+    if (cut) expect(read.kind).toBe("damaged");
+    if (read.kind === "work") expect(plainWork(read.work)).toEqual(read.work);
+  }), { numRuns: 300 });
+  for (const hash of ["", "#", "#h1=", "#h0=AA", "#h1=%%%", "#p=%%%", "#w=e30", "#q=1"])
+    expect(readLink(hash)).toEqual({ kind: "damaged" });
+});
+
+test("a form that a newer edition made is said to be one, whatever it holds", () => {
+  for (const hash of ["#h2=", "#h2=%%", "#h10=AAAA", `#h3=${"A".repeat(5000)}`]) expect(readLink(hash)).toEqual({ kind: "newer" });
+});
+
+test("a small link that unpacks to more than is opened is refused", () => {
+  const bomb = deflateSync(new Uint8Array(2 * LARGEST_PROGRAM), { level: 9 });
+  expect(bomb.length).toBeLessThan(LARGEST_PROGRAM / 200);
+  for (const mark of ["#p=", "#w=", LINK_MARK]) expect(readLink(mark + coded(bomb))).toEqual({ kind: "tooLarge" });
+  const work: Work = { name: "A.h", text: "L X+1 ;Ø\n".repeat(200), encoding: "windows-1252" };
+  const size = strToU8(JSON.stringify({ work })).length;
+  expect(readLink(hashOf(work), size)).toEqual({ kind: "work", work });
+  expect(readLink(hashOf(work), size - 1)).toEqual({ kind: "tooLarge" });
+});
+
+test("links that earlier editions made bring what they brought", () => {
+  const text = "0 BEGIN PGM OLD/1 MM\r\n1 L X+10 ;Ø\r\n2 END PGM OLD/1 MM\r\n";
+  expect(readLink(packed(text, "#p="))).toEqual({ kind: "work", work: { name: "OLD_1.h", text, encoding: "utf-8" } });
+  const work = {
+    name: "MAIN.H",
+    text: "CALL PGM CUT\r\n",
+    encoding: "windows-1252",
+    files: [{ name: "cut.h", text: "L X+1 ;Ø\n", encoding: "utf-8" }],
+    skipMarked: true,
+  };
+  expect(readLink(packed(JSON.stringify(work), "#w="))).toEqual({ kind: "work", work });
+});
+
+test("a link that was made today can be read for ever: the words that packing begins with stay as they are", () => {
+  // Made by the first edition that had this form.
+  const made = "#h1=w2isOIJbK9BGiiGSL4CBgto-gbU50DpFtbUA";
+  expect(readLink(made)).toEqual({ kind: "work", work: { name: "A.h", text: "1 TOOL CALL 3\n", encoding: "utf-8", control: "TNC7" } });
+});

@@ -1,0 +1,56 @@
+import { deflateSync, strToU8 } from "fflate";
+import { unpackedText } from "../editor/unpack.ts";
+import { fileNameOf } from "../files/file-name.ts";
+import { LARGEST_PROGRAM } from "../files/limits.ts";
+import { plainWork } from "../saving/save-file.ts";
+import type { Work } from "../work.ts";
+import { COMMON } from "./words-of-links.ts";
+
+/** What stands between the page's address and the work: the form of the link. Newer forms have higher numbers. */
+export const LINK_FORM = 1;
+export const LINK_MARK = `#h${LINK_FORM}=`;
+/** Forms of earlier editions: the text of a program alone, and a program with what belongs to it. */
+const TEXT_MARK = "#p=";
+const PROGRAM_MARK = "#w=";
+
+const toBase64Url = (bytes: Uint8Array): string => {
+  let text = "";
+  for (let i = 0; i < bytes.length; i += 0x8000) text += String.fromCharCode(...bytes.subarray(i, i + 0x8000));
+  return btoa(text).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
+};
+
+const fromBase64Url = (text: string): Uint8Array =>
+  Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (c) => c.charCodeAt(0));
+
+/**
+ * A link that carries a work with all that it brings along: nothing is stored anywhere. `page` is the address without anything
+ * behind `#`.
+ */
+export const linkOf = (page: string, work: Work): string =>
+  page + LINK_MARK + toBase64Url(deflateSync(strToU8(JSON.stringify({ work })), { level: 9, mem: 12, dictionary: COMMON }));
+
+/** What a link carries; or that it carries more than is opened, comes from a newer edition, or can not be read. */
+export type ReadLink = { readonly kind: "work"; readonly work: Work } | { readonly kind: "tooLarge" | "newer" | "damaged" };
+
+function workIn(mark: string, text: string): Work | null {
+  if (mark === TEXT_MARK) return { name: fileNameOf(text), text, encoding: "utf-8" };
+  const raw: unknown = JSON.parse(text);
+  if (mark === PROGRAM_MARK) return plainWork(raw);
+  return plainWork(typeof raw === "object" && raw !== null && "work" in raw ? raw.work : null);
+}
+
+/** The work of a link's part behind `#`. Never throws, and never unpacks more than it opens. */
+export function readLink(hash: string, most = LARGEST_PROGRAM): ReadLink {
+  const form = /^#h(\d+)=/.exec(hash)?.[1];
+  if (form !== undefined && Number(form) > LINK_FORM) return { kind: "newer" };
+  const mark = [TEXT_MARK, PROGRAM_MARK, LINK_MARK].find((each) => hash.startsWith(each));
+  if (mark === undefined) return { kind: "damaged" };
+  try {
+    const text = unpackedText(fromBase64Url(hash.slice(mark.length)), most, mark === LINK_MARK ? COMMON : null);
+    if (text === null) return { kind: "tooLarge" };
+    const work = workIn(mark, text);
+    return work ? { kind: "work", work } : { kind: "damaged" };
+  } catch {
+    return { kind: "damaged" };
+  }
+}

@@ -1,0 +1,36 @@
+import { rowsCalled } from "../../program/tool-list.ts";
+import { time } from "../clock.ts";
+import { draftOf } from "../edits.ts";
+import { reportOf } from "../engine/client.ts";
+import { printedText, programName } from "../printed.ts";
+import { setJobOf } from "../reading.ts";
+import { writeArchive } from "../saving/archive.ts";
+import { controlInUse, listInUse } from "../tools/work-tools.ts";
+import { isProgram, type Work } from "../work.ts";
+import type { Job } from "../../program/job.ts";
+
+/** The open work, ready to leave. */
+export interface Packed {
+  /** With all that it runs with here. */
+  readonly work: Work;
+  /** Name of its program file. */
+  readonly file: string;
+  /** What it comes to, for comparison; null when the calculation did not say. */
+  readonly report: string | null;
+}
+
+/** The cycle alone, with the tool that is proposed where none was chosen: another table might propose another one. */
+const alone = (job: Job): Job => ({ ...job, tool: setJobOf(job).tool, drafts: { [job.cycle]: draftOf(job) } });
+
+/** Packs the open work with the tools that it uses and the control it runs as. */
+export async function packed(open: Work): Promise<Packed> {
+  const file = isProgram(open) ? open.name : `${programName(printedText(open))}.h`;
+  const [list, control] = [listInUse(), controlInUse()];
+  const made = await reportOf(open, file);
+  const tools = rowsCalled(list, made?.used ?? null);
+  return { work: { ...(isProgram(open) ? open : alone(open)), tools, control }, file, report: made?.text ?? null };
+}
+
+/** The same as a file, with the tools once more as `verify` reads them. */
+export const packedFile = ({ work }: Packed): Uint8Array<ArrayBuffer> =>
+  writeArchive({ works: [{ work: "", savedAt: time(), job: work }], tools: work.tools ?? null });
