@@ -24,6 +24,7 @@ import "./styles/layout.css";
 import "./styles/dialog.css";
 import "./styles/panels.css";
 import "./styles/start.css";
+import "./styles/print.css";
 
 z.config({ jitless: true });
 followAppearance();

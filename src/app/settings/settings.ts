@@ -23,6 +23,9 @@ export interface Settings {
   readonly fullSection: boolean;
   /** Which paths the lathe view shows. */
   readonly paths: ShownPaths;
+  /** Paper of the setup sheet, and whether the program stands behind it. */
+  readonly paper: Paper;
+  readonly sheetProgram: boolean;
   /** The steps of the manual stand as a list under the picture, or as one line. */
   readonly stepList: boolean;
 }
@@ -30,6 +33,9 @@ export interface Settings {
 /** All paths, or those of what runs now: its cycle call, its phase, its pass; or none. */
 export const SHOWN_PATHS = ["all", "operation", "phase", "pass", "none"] as const;
 export type ShownPaths = (typeof SHOWN_PATHS)[number];
+
+export const PAPERS = ["a4", "letter"] as const;
+type Paper = (typeof PAPERS)[number];
 
 const CONTROLS: readonly Control[] = ["TNC 640", "TNC7"];
 const KEY = "turnwise/settings";
@@ -44,6 +50,9 @@ function browserLanguage(): Language {
   return "en";
 }
 
+/** Letter where the browser's first language is that of a country that prints on it. */
+const usualPaper = (): Paper => (typeof navigator !== "undefined" && /-(?:US|CA|MX)$/.test(navigator.language) ? "letter" : "a4");
+
 function initial(): Settings {
   return {
     language: browserLanguage(),
@@ -55,6 +64,8 @@ function initial(): Settings {
     xDown: false,
     fullSection: false,
     paths: "all",
+    paper: usualPaper(),
+    sheetProgram: true,
     stepList: true,
   };
 }
@@ -83,6 +94,8 @@ export function readSettings(text: string | null): Settings {
     xDown: flag(kept["xDown"], first.xDown),
     fullSection: flag(kept["fullSection"], first.fullSection),
     paths: oneOf(kept["paths"], SHOWN_PATHS, first.paths),
+    paper: oneOf(kept["paper"], PAPERS, first.paper),
+    sheetProgram: flag(kept["sheetProgram"], first.sheetProgram),
     stepList: flag(kept["stepList"], first.stepList),
   };
 }

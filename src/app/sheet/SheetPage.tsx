@@ -1,69 +1,81 @@
 import { useEffect, useState } from "react";
-import { blockNumbers } from "../../nc/program.ts";
-import { parse } from "../../nc/parse.ts";
-import { loadSheet } from "../../i18n/load-sheet.ts";
-import type { SheetTexts } from "../../i18n/en/sheet.ts";
+import { time } from "../clock.ts";
 import { setRemarks } from "../edits.ts";
-import { VerdictText } from "../findings/VerdictText.tsx";
-import { useVerdict } from "../findings/use-findings.ts";
 import { Icon } from "../Icon.tsx";
-import { printedText, programName } from "../printed.ts";
-import { useSettings } from "../settings/settings.ts";
+import { changeSettings, PAPERS, useSettings } from "../settings/settings.ts";
 import { closeStep } from "../steps.ts";
-import { useEditor } from "../store.ts";
 import { LONGEST_REMARKS } from "../work.ts";
+import { Sheet } from "./Sheet.tsx";
 import { hideSheet } from "./sheet-place.ts";
+import { useSheetSource, useSheetTexts } from "./use-sheet.ts";
 import "./sheet.css";
 
-/** The texts of the sheet in the screen language; null until they are here. */
-function useSheetTexts(): SheetTexts | null {
-  const language = useSettings((s) => s.language);
-  const [texts, take] = useState<SheetTexts | null>(null);
+/** The moment that the sheet says it was made; printing makes it anew. */
+function useNow(): Date {
+  const [now, take] = useState(() => new Date(time()));
   useEffect(() => {
-    let gone = false;
-    void loadSheet(language).then((loaded) => {
-      if (!gone) take(loaded);
-    });
+    const again = () => take(new Date(time()));
+    addEventListener("beforeprint", again);
+    return () => removeEventListener("beforeprint", again);
+  }, []);
+  return now;
+}
+
+/** What stands at the foot of each printed page; the printer counts the pages. */
+function useFoot(text: string, page: string): void {
+  useEffect(() => {
+    const { style } = document.documentElement;
+    style.setProperty("--sheet-foot", JSON.stringify(text));
+    style.setProperty("--sheet-page", page);
     return () => {
-      gone = true;
+      style.removeProperty("--sheet-foot");
+      style.removeProperty("--sheet-page");
     };
-  }, [language]);
-  return texts;
+  }, [text, page]);
 }
 
 /** The sheet for the setter, as it will be printed, with what is chosen and written on it. */
 export function SheetPage() {
   const t = useSheetTexts();
-  const work = useEditor((s) => s.job ?? s.program);
-  const text = useEditor((s) => (s.job ? printedText(s.job) : s.program?.text ?? ""));
-  const verdict = useVerdict();
-  if (!t || !work) return null;
-  const program = parse(text);
-  const numbers = blockNumbers(program);
+  const source = useSheetSource();
+  const { language, paper, sheetProgram } = useSettings();
+  const now = useNow();
+  const date = new Intl.DateTimeFormat(language, { dateStyle: "medium", timeStyle: "short" }).format(now);
+  const { before, of, after } = t.page;
+  useFoot(source ? [source.data.name || source.file, date, `Turnwise ${import.meta.env["VITE_VERSION"]}`].join(" · ") : "",
+    `${JSON.stringify(before)} counter(page) ${JSON.stringify(of)} counter(pages) ${JSON.stringify(after)}`);
+  if (!source) return null;
   return (
     <main className="sheet-page">
-      <div className="sheet-tools">
-        <button type="button" className="button" onClick={hideSheet}>
-          <Icon name="back" /> {t.close}
-        </button>
-        <button type="button" className="button primary" onClick={() => print()}>
-          <Icon name="print" /> {t.print}
-        </button>
-        <label>
+      <section className="sheet-bar" aria-label={t.title}>
+        <div className="sheet-buttons">
+          <button type="button" className="button" onClick={hideSheet}>
+            <Icon name="back" /> {t.close}
+          </button>
+          <label>
+            <span>{t.paper}</span>
+            <select className="select" value={paper} onChange={({ currentTarget: { value } }) => {
+              const chosen = PAPERS.find((each) => each === value);
+              if (chosen) changeSettings({ paper: chosen });
+            }}>
+              {PAPERS.map((each) => <option key={each} value={each}>{t.papers[each]}</option>)}
+            </select>
+          </label>
+          <label className="sheet-check">
+            <input type="checkbox" checked={sheetProgram} onChange={(e) => changeSettings({ sheetProgram: e.currentTarget.checked })} />
+            <span>{t.withProgram}</span>
+          </label>
+          <button type="button" className="button primary" title={t.printHint} onClick={() => print()}>
+            <Icon name="print" /> {t.print}
+          </button>
+        </div>
+        <label className="sheet-write">
           <span>{t.remarks}</span>
-          <textarea rows={3} maxLength={LONGEST_REMARKS} value={work.remarks ?? ""} onChange={(e) => setRemarks(e.currentTarget.value)}
-            onBlur={closeStep} />
+          <textarea rows={2} maxLength={LONGEST_REMARKS} placeholder={t.remarksHint} value={source.remarks}
+            onChange={(e) => setRemarks(e.currentTarget.value)} onBlur={closeStep} />
         </label>
-      </div>
-      <article className="setup-sheet" aria-label={t.title}>
-        <h2>{programName(text)}</h2>
-        <VerdictText verdict={verdict} reasons={4} />
-        {work.remarks && <p className="sheet-remarks">{work.remarks}</p>}
-        <h3>{t.program}</h3>
-        <ol className="sheet-program number">
-          {program.blocks.map((block, i) => <li key={i}>{block.number === null ? `${numbers[i]} ${block.raw}` : block.raw}</li>)}
-        </ol>
-      </article>
+      </section>
+      <Sheet source={source} t={t} date={date} />
     </main>
   );
 }

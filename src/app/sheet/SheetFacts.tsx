@@ -1,0 +1,60 @@
+import type { ReactNode } from "react";
+import type { SheetTexts } from "../../i18n/en/sheet.ts";
+import { SAME } from "../../kernel/tolerance.ts";
+import { radius, toDiameter } from "../../kernel/units.ts";
+import { boundsOf } from "../../view/bounds.ts";
+import { missingFiles } from "../files/missing-files.ts";
+import { filesOf, type ProgramWork } from "../work.ts";
+import type { SheetWords } from "./sheet-words.ts";
+import type { SheetSource } from "./use-sheet.ts";
+
+/** A place for what the setter writes by hand. */
+const BLANK_LINE = <span className="sheet-line" />;
+
+function zeroText(t: SheetTexts["facts"], words: SheetWords, front: number | null): string {
+  if (front === null || Math.abs(front) < SAME) return t.zeroAt;
+  return front > 0 ? t.zeroBehind(words.number(front)) : t.zeroBefore(words.number(-front));
+}
+
+/** What the setter needs beside the drawing. */
+export function SheetFacts({ source: { data, outcome }, work, t, words, comma }: { readonly source: SheetSource;
+  readonly work: ProgramWork | null; readonly t: SheetTexts["facts"]; readonly words: SheetWords; readonly comma: string })
+{
+  const run = outcome?.run ?? null;
+  const box = run ? boundsOf(run.blank.flat()) : null;
+  const cuts = run ? boundsOf(run.steps.filter(({ move }) => move.kind !== "rapid").map(({ move }) => move.to)) : null;
+  const limits = data.operations.flatMap(({ spindle }) => spindle ? [spindle.kind === "surface" ? spindle.limit : spindle.speed] : [])
+    .filter((speed) => speed > 0);
+  const missing = work ? missingFiles(work, outcome) : [];
+  const files = [...new Set([...(work ? filesOf(work).map(({ name }) => name) : []), ...data.files])].filter((name) =>
+    !missing.includes(name)
+  );
+  const bore = box && box.low > SAME ? `, ${t.bore} ${words.diameter(toDiameter(radius(box.low)))}` : "";
+  const facts: readonly (readonly [string, ReactNode])[] = [
+    [t.blank, box ? `${words.diameter(toDiameter(radius(box.high)))} × ${words.number(box.right - box.left)}${bore}` : t.noBlank],
+    ...(box && box.right > SAME ? [[t.front, `${words.number(box.right)} mm`] as const] : []),
+    [t.zero, zeroText(t, words, box && box.right)],
+    [t.preset, data.presets.length > 0 ? t.presets(data.presets.join(comma)) : t.asMachine],
+    [t.shift, data.shifts.length > 0 ? data.shifts.map(words.start).join(comma) : t.noShift],
+    ...(cuts ? [[t.reach, `Z${words.signed(cuts.left)}`] as const] : []),
+    [t.clamping, BLANK_LINE],
+    [t.pressure, BLANK_LINE],
+    ...(limits.length > 0 ? [[t.speed, words.most(Math.max(...limits))] as const] : []),
+    [t.changes, String(data.toolChanges)],
+    ...(files.length + missing.length > 0
+      ? [[t.files, [...files, ...missing.map((name) => `${name} (${t.missing})`)].join(comma)] as const]
+      : []),
+    ...(data.unknownCycles.length > 0 ? [[t.cycles, data.unknownCycles.map((n) => t.cycle(String(n))).join(comma)] as const] : []),
+    ...(outcome?.marked ? [[t.skipped, work?.skipMarked ? t.leftOutBlocks : t.runBlocks] as const] : []),
+  ];
+  return (
+    <dl className="sheet-facts">
+      {facts.map(([name, value]) => (
+        <div key={name}>
+          <dt>{name}</dt>
+          <dd>{value}</dd>
+        </div>
+      ))}
+    </dl>
+  );
+}

@@ -1,0 +1,53 @@
+import { use, useMemo } from "react";
+import type { SheetTexts } from "../../i18n/en/sheet.ts";
+import type { Language } from "../../i18n/languages.ts";
+import { loadSheet } from "../../i18n/load-sheet.ts";
+import { parse } from "../../nc/parse.ts";
+import type { Program } from "../../nc/program.ts";
+import { setupData, type SetupData } from "../../report/sheet/setup-data.ts";
+import { isMadeFrom, useOutcome, type Outcome } from "../engine/outcome.ts";
+import { untilHere } from "../parts.ts";
+import { printedText, programName } from "../printed.ts";
+import { useSettings } from "../settings/settings.ts";
+import { useEditor } from "../store.ts";
+import { toolsOnDevice, useTools } from "../tools/tool-store.ts";
+
+const coming = new Map<Language, Promise<SheetTexts>>();
+
+/** The texts of the sheet; follows the language switch. */
+export function useSheetTexts(): SheetTexts {
+  const language = useSettings((s) => s.language);
+  const texts = coming.get(language) ?? untilHere(() => loadSheet(language));
+  coming.set(language, texts);
+  return use(texts);
+}
+
+/** What the sheet is made of. */
+export interface SheetSource {
+  readonly program: Program;
+  readonly data: SetupData;
+  /** The result of this very text; null while there is none. */
+  readonly outcome: Outcome | null;
+  /** Name of the program's file. */
+  readonly file: string;
+  readonly remarks: string;
+}
+
+/** The open work as its sheet needs it; null where nothing is open. */
+export function useSheetSource(): SheetSource | null {
+  const job = useEditor((s) => s.job);
+  const work = useEditor((s) => s.program);
+  const newest = useOutcome((s) => s.newest);
+  const { table } = toolsOnDevice(useTools((s) => s.list));
+  const text = job ? printedText(job) : work?.text ?? null;
+  const isOwn = newest !== null && !newest.isBeginning && (work ? isMadeFrom(newest, work) : newest.text === text);
+  const outcome = isOwn ? newest : null;
+  const program = useMemo(() => (text === null ? null : parse(text)), [text]);
+  const data = useMemo(() => program && setupData({ program, run: outcome?.run ?? null, tools: table.tools, mills: table.mills ?? [] }), [
+    program,
+    outcome,
+    table,
+  ]);
+  if (text === null || !program || !data) return null;
+  return { program, data, outcome, file: work?.name ?? `${programName(text)}.h`, remarks: (job ?? work)?.remarks ?? "" };
+}

@@ -1,0 +1,284 @@
+import { cycleByNumber } from "../../cycles/index.ts";
+import { isKept } from "../../cycles/kept-cycles.ts";
+import type { FeedUnit } from "../../kernel/move.ts";
+import type { Pt } from "../../kernel/point.ts";
+import type { Spindle, Step } from "../../kernel/step.ts";
+import type { Tool } from "../../kernel/tool.ts";
+import { blockNumbers, startLines, type Program } from "../../nc/program.ts";
+import type { Statement } from "../../nc/statement.ts";
+import { wordsOf } from "../../program/flow.ts";
+import { isOff, KEPT_ON, operationsOf, wholeOf } from "../../program/operations.ts";
+import type { Mill } from "../../program/plane-types.ts";
+import type { Operation, Run } from "../../program/run-types.ts";
+
+/** A feed of an operation as the program states it. */
+export interface SheetFeed {
+  readonly value: number;
+  /** A lead: the feed is locked to the spindle. */
+  readonly unit: FeedUnit | "lead";
+}
+
+/** One operation of the sheet. */
+export interface SheetOperation {
+  /** Words of its structure comment; null where it has none. */
+  readonly title: string | null;
+  readonly cycles: readonly number[];
+  /** Number of its first block; null where it stands in a called program or a subprogram. */
+  readonly block: number | null;
+  /** Index in `SetupData.tools`; null without a tool. */
+  readonly tool: number | null;
+  /** Where its first cycle is called; null where nothing was run. */
+  readonly start: Pt | null;
+  readonly spindle: Spindle | null;
+  readonly feeds: readonly SheetFeed[];
+  readonly passes: number;
+  readonly seconds: number;
+  /** Switched off by skip marks. */
+  readonly isOff: boolean;
+}
+
+/** One tool of the sheet, in the order in which it is first called. */
+export interface SheetTool {
+  /** Its number or name as the program calls it. */
+  readonly called: string;
+  /** The row of the table of turning tools, or what a drill is there. */
+  readonly tool: Tool | null;
+  /** The row of the table of milling tools. */
+  readonly mill: Mill | null;
+  /** M functions that switch the spindle on while it is in use, and those of the coolant. */
+  readonly spindle: readonly number[];
+  readonly coolant: readonly number[];
+}
+
+/** What a setter has to know of a program, as data. */
+export interface SetupData {
+  readonly name: string;
+  readonly unit: "mm" | "inch";
+  readonly blocks: number;
+  readonly operations: readonly SheetOperation[];
+  readonly tools: readonly SheetTool[];
+  /** Calls of another tool, the first one included. */
+  readonly toolChanges: number;
+  readonly seconds: number;
+  /** The presets that it activates, by their numbers as written. */
+  readonly presets: readonly string[];
+  /** Where it counts from, away from the workpiece zero, each once. */
+  readonly shifts: readonly Pt[];
+  /** Files that it names: programs, contours, blanks. */
+  readonly files: readonly string[];
+  /** Cycles that nobody here knows: kept, and not simulated. */
+  readonly unknownCycles: readonly number[];
+}
+
+/** What it is made of. `run` is null while nothing was calculated. */
+export interface SetupInput {
+  readonly program: Program;
+  readonly run: Run | null;
+  readonly tools: readonly Tool[];
+  readonly mills: readonly Mill[];
+}
+
+const PRESET = 247;
+const PRESET_NUMBER = "Q339";
+const [SPINDLE, COOLANT] = KEPT_ON.map(({ on }) => on);
+
+/** Nearer datums are one, mm. */
+const ONE = 0.0005;
+
+/** Feeds of the cuts of steps, each once, in the order in which they are first used. */
+function feedsOf(steps: readonly Step[]): readonly SheetFeed[] {
+  const out: SheetFeed[] = [];
+  const add = (value: number, unit: SheetFeed["unit"]) => {
+    if (!out.some((each) => each.value === value && each.unit === unit)) out.push({ value, unit });
+  };
+  for (const { move } of steps) {
+    if (move.kind === "thread") add(move.pitch, "lead");
+    else if (move.kind !== "rapid" && move.phase !== "position") add(move.feed, move.feedUnit);
+  }
+  return out;
+}
+
+const sum = (all: readonly { readonly seconds: number }[]): number => all.reduce((total, { seconds }) => total + seconds, 0);
+
+interface Call {
+  readonly index: number;
+  readonly called: string;
+  /** The tool that ran behind it, where the program ran. */
+  readonly ran: Tool | null;
+}
+
+const calledName = (s: Statement): string | null => {
+  if (s.kind !== "toolCall" || s.tool === null) return null;
+  return typeof s.tool === "object" ? s.tool.parameter : String(s.tool);
+};
+
+/** The tool calls of a program in their order, each with what ran behind it; tools of called programs where they are first used. */
+function callsOf({ blocks }: Program, run: Run | null, end: number): readonly Call[] {
+  const at = blocks.flatMap(({ statement }, index) => {
+    const called = index < end ? calledName(statement) : null;
+    return called === null ? [] : [{ index, called }];
+  });
+  const ranIn = (from: number, to: number) => {
+    const found = run?.stepBlocks.findIndex((block) => block >= from && block < to) ?? -1;
+    return found < 0 ? null : run?.steps[found]?.tool ?? null;
+  };
+  const own = at.map(({ index, called }, i): Call => ({ index, called, ran: ranIn(index, at[i + 1]?.index ?? end) }));
+  const known = new Set(own.flatMap(({ ran, called }) => [called, ...(ran ? [String(ran.T), ran.NAME] : [])]));
+  const others: Call[] = [];
+  let before = -1;
+  run?.steps.forEach(({ tool }, i) => {
+    const block = run.stepBlocks[i] ?? end;
+    if (block < end) before = block;
+    if (known.has(String(tool.T)) || known.has(tool.NAME)) return;
+    known.add(String(tool.T));
+    others.push({ index: before, called: String(tool.T), ran: tool });
+  });
+  return [...own, ...others].sort((a, b) => a.index - b.index);
+}
+
+const functionsIn = ({ blocks }: Program, from: number, to: number): readonly number[] =>
+  blocks.slice(from, to).flatMap(({ statement }) => wordsOf(statement)?.functions ?? []);
+const once = <T>(values: readonly T[]): readonly T[] => [...new Set(values)];
+
+function fileNames({ blocks }: Program): readonly string[] {
+  return once(blocks.flatMap(({ statement: s }) => {
+    if (!("file" in s)) return [];
+    return typeof s.file === "string" && s.file.trim() !== "" ? [s.file.trim()] : [];
+  }));
+}
+
+function presetsOf({ blocks }: Program): readonly string[] {
+  return once(blocks.flatMap(({ statement: s }) => {
+    if (s.kind !== "cycle" || s.cycle !== PRESET) return [];
+    const value = s.parameters.find(({ q }) => q === PRESET_NUMBER)?.value;
+    return value === undefined || value === null ? [] : [typeof value === "object" ? value.parameter : String(value)];
+  }));
+}
+
+function shiftsOf(run: Run | null): readonly Pt[] {
+  const out: Pt[] = [];
+  for (const { at } of run?.datums ?? []) {
+    const known = [...out, { z: 0, r: 0 }].some((each) => Math.abs(each.z - at.z) < ONE && Math.abs(each.r - at.r) < ONE);
+    if (!known) out.push(at);
+  }
+  return out;
+}
+
+interface Placed {
+  readonly order: number;
+  readonly operation: SheetOperation;
+}
+
+/** What a setter has to know of a program, from its text and what came of running it. */
+export function setupData({ program, run, tools, mills }: SetupInput): SetupData {
+  const all = operationsOf(program);
+  const numbers = blockNumbers(program), lines = startLines(program);
+  const calls = callsOf(program, run, all.to);
+  const isCalled = (called: string) => ({ T, NAME }: { readonly T: number; readonly NAME: string }) =>
+    String(T) === called || NAME === called;
+  const list: SheetTool[] = [];
+  const indexOf = new Map<string, number>();
+  calls.forEach(({ index, called, ran }, i) => {
+    const tool = tools.find(isCalled(ran ? String(ran.T) : called)) ?? ran;
+    const mill = mills.find(isCalled(called)) ?? null;
+    const key = String(tool?.T ?? mill?.T ?? called);
+    const used = functionsIn(program, index, Math.max(calls[i + 1]?.index ?? all.to, index));
+    const [spindle, coolant] = [SPINDLE, COOLANT].map((on = []) => once(used.filter((m) => on.includes(m))));
+    const known = indexOf.get(key), before = known === undefined ? undefined : list[known];
+    const next: SheetTool = {
+      called,
+      tool,
+      mill: tool ? null : mill,
+      spindle: once([...(before?.spindle ?? []), ...(spindle ?? [])]),
+      coolant: once([...(before?.coolant ?? []), ...(coolant ?? [])]),
+    };
+    if (known !== undefined) list[known] = next;
+    else indexOf.set(key, list.push(next) - 1);
+  });
+  const toolIndex = (called: string | null, ran: Tool | null): number | null => {
+    const found = list.findIndex((each) =>
+      ran
+        ? each.tool?.T === ran.T
+        : called !== null
+          && (each.called === called
+            || (each.tool !== null && isCalled(called)(each.tool)) || (each.mill !== null && isCalled(called)(each.mill)))
+    );
+    return found < 0 ? null : found;
+  };
+  const stepsIn = (from: number, to: number) =>
+    run?.steps.filter((_, i) => {
+      const block = run.stepBlocks[i] ?? -1;
+      return block >= from && block < to;
+    }) ?? [];
+  const taken = new Set<Operation>();
+  const rows = all.units.map((own, unit): Placed => {
+    const { from, to } = wholeOf(all, unit);
+    const steps = stepsIn(from, to);
+    const plane = run?.plane.filter(({ index }) => index >= from && index < to) ?? [];
+    const [low, high] = [lines[from] ?? 0, lines[to] ?? Infinity];
+    const ran = run?.operations.filter((o) => o.definedFile === undefined && o.definedLine >= low && o.definedLine < high) ?? [];
+    for (const each of ran) taken.add(each);
+    const called = own.toolCall === null ? undefined : program.blocks[own.toolCall]?.statement;
+    const first = ran[0];
+    const planeFeeds = plane.flatMap(({ feed, feedUnit }) => (feed === undefined ? [] : [{ value: feed, unit: feedUnit ?? "mm/min" }]));
+    const cut = ran.length > 0 ? ran.flatMap((o) => run?.steps.slice(o.firstStep, o.lastStep + 1) ?? []) : steps;
+    return {
+      order: from,
+      operation: {
+        title: own.title,
+        cycles: own.definitions.flatMap((index) => {
+          const s = program.blocks[index]?.statement;
+          return s?.kind === "cycle" || s?.kind === "cycleLine" ? [s.cycle] : [];
+        }),
+        block: numbers[from] ?? null,
+        tool: toolIndex(called ? calledName(called) : null, first?.tool ?? steps[0]?.tool ?? null),
+        start: first?.start ?? null,
+        spindle: first?.spindle ?? null,
+        feeds: [
+          ...feedsOf(cut),
+          ...planeFeeds.filter((f, i) => planeFeeds.findIndex((g) => g.value === f.value && g.unit === f.unit) === i),
+        ],
+        passes: ran.reduce((total, { plan }) => total + plan.passes, 0),
+        seconds: Math.max(sum(steps) + sum(plane), sum(ran)),
+        isOff: isOff(program, own),
+      },
+    };
+  });
+  const apart = (run?.operations ?? []).filter((o) => !taken.has(o)).map((o): Placed => ({
+    order: Math.max(0, (run?.stepBlocks ?? []).slice(0, o.firstStep).findLast((block) => block < all.to) ?? 0) + 0.5,
+    operation: {
+      title: null,
+      cycles: [o.cycle],
+      block: null,
+      tool: toolIndex(null, o.tool),
+      start: o.start,
+      spindle: o.spindle,
+      feeds: feedsOf(run?.steps.slice(o.firstStep, o.lastStep + 1) ?? []),
+      passes: o.plan.passes,
+      seconds: o.seconds,
+      isOff: false,
+    },
+  }));
+  const cycles = program.blocks.flatMap(({ statement: s }) => (s.kind === "cycle" ? [s.cycle] : []));
+  return {
+    name: run?.program.name || beginName(program),
+    unit: run?.program.unit ?? "mm",
+    blocks: program.blocks.filter(({ statement: s }) => s.kind !== "empty").length,
+    operations: [...rows, ...apart].sort((a, b) => a.order - b.order).map(({ operation }) => operation),
+    tools: list,
+    toolChanges: calls.filter(({ called }, i) => called !== calls[i - 1]?.called).length,
+    seconds: run?.seconds ?? 0,
+    presets: presetsOf(program),
+    shifts: shiftsOf(run),
+    files: fileNames(program),
+    unknownCycles: once(cycles.filter((cycle) => !cycleByNumber(cycle) && !isKept(cycle) && !isPlain(cycle))),
+  };
+}
+
+/** Cycles that are no machining: datums, coordinates, stops, contours. */
+const isPlain = (cycle: number): boolean => cycle < 200 || cycle === PRESET;
+
+function beginName({ blocks }: Program): string {
+  const begin = blocks.find(({ statement }) => statement.kind === "begin")?.statement;
+  return begin?.kind === "begin" ? begin.name : "";
+}

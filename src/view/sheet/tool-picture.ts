@@ -1,0 +1,48 @@
+import { holderOutlines } from "../../kernel/holder.ts";
+import { insertOutline } from "../../kernel/insert.ts";
+import { at, type Ring } from "../../kernel/point.ts";
+import { CHORD } from "../../kernel/tolerance.ts";
+import type { Tool } from "../../kernel/tool.ts";
+import { boundsOf } from "../bounds.ts";
+import type { Bounds, Place } from "../camera.ts";
+import { ringData } from "../path.ts";
+import { factorOf, usualScale, type DrawingScale } from "./scales.ts";
+
+/** A tool at its tip to a usual scale, mm on paper: Z to the right, X up. */
+export interface ToolPicture {
+  readonly scale: DrawingScale;
+  readonly insert: string;
+  /** Empty without one. */
+  readonly holder: string;
+  /** The theoretical tip. */
+  readonly tip: Place;
+}
+
+/** Free room round the insert, mm on paper. */
+const AIR = 1.5;
+
+function pictured(insert: readonly Ring[], held: readonly Ring[], box: Bounds, side: number): ToolPicture {
+  const room = side - AIR - AIR;
+  const scale = usualScale({ wide: box.right - box.left, tall: box.high - box.low }, { wide: room, tall: room });
+  const k = factorOf(scale);
+  // The picture stands about the middle of the insert; the holder is cut off at its edge.
+  const middle = { z: (box.left + box.right) / 2, x: (box.low + box.high) / 2 };
+  const tip = { x: side / 2 - middle.z * k, y: side / 2 + middle.x * k };
+  const onPaper = (rings: readonly Ring[]) => ringData(rings.map((ring) => ring.map((p) => at(tip.x + p.z * k, tip.y - p.r * k))));
+  return { scale, insert: onPaper(insert), holder: onPaper(held), tip };
+}
+
+/** The insert of a turning tool, or the point of a drill, with the near end of its holder, in a square of so many mm. */
+export function toolPicture(tool: Tool, side: number): ToolPicture | null {
+  const ring = insertOutline(tool, CHORD), box = boundsOf(ring);
+  return box && pictured([ring], holderOutlines(tool), box, side);
+}
+
+/** A mill from the side: its edges, as wide as it is. */
+export function millPicture({ R, LCUTS }: { readonly R: number; readonly LCUTS?: number }, side: number): ToolPicture | null {
+  if (R <= 0) return null;
+  const long = LCUTS !== undefined && LCUTS > 0 ? LCUTS : R * 3;
+  const ring = [at(-R, 0), at(R, 0), at(R, long), at(-R, long)];
+  const box = boundsOf(ring);
+  return box && pictured([ring], [], box, side);
+}
