@@ -34,9 +34,7 @@ export function SheetOperations({ data, t, words }: { readonly data: SetupData; 
               </td>
               <td>{each.block ?? "–"}</td>
               <td>{tool ? `T${called ? words.number(called.T) : tool.called}` : "–"}</td>
-              <td className="sheet-start">
-                {each.start ? words.start(each.start) : "–"}
-              </td>
+              <td className="sheet-start">{each.start ? words.start(each.start) : "–"}</td>
               <td>
                 {each.spindle ? words.spindle(each.spindle).map((line) => <span key={line} className="sheet-row">{line}</span>) : "–"}
               </td>

@@ -5,7 +5,7 @@ import { Icon } from "../Icon.tsx";
 import { changeSettings, PAPERS, useSettings } from "../settings/settings.ts";
 import { closeStep } from "../steps.ts";
 import { LONGEST_REMARKS } from "../work.ts";
-import { Sheet } from "./Sheet.tsx";
+import { SetupSheet } from "./SetupSheet.tsx";
 import { hideSheet } from "./sheet-place.ts";
 import { useSheetSource, useSheetTexts } from "./use-sheet.ts";
 import "./sheet.css";
@@ -75,7 +75,7 @@ export function SheetPage() {
             onChange={(e) => setRemarks(e.currentTarget.value)} onBlur={closeStep} />
         </label>
       </section>
-      <Sheet source={source} t={t} date={date} />
+      <SetupSheet source={source} t={t} date={date} />
     </main>
   );
 }

@@ -4,12 +4,13 @@ import type { Language } from "../../i18n/languages.ts";
 import { loadSheet } from "../../i18n/load-sheet.ts";
 import { parse } from "../../nc/parse.ts";
 import type { Program } from "../../nc/program.ts";
+import type { Control } from "../../program/plane-types.ts";
 import { setupData, type SetupData } from "../../report/sheet/setup-data.ts";
 import { isMadeFrom, useOutcome, type Outcome } from "../engine/outcome.ts";
 import { untilHere } from "../parts.ts";
 import { printedText, programName } from "../printed.ts";
 import { useSettings } from "../settings/settings.ts";
-import { useEditor } from "../store.ts";
+import { handedOn, useEditor } from "../store.ts";
 import { toolsOnDevice, useTools } from "../tools/tool-store.ts";
 
 const coming = new Map<Language, Promise<SheetTexts>>();
@@ -28,6 +29,8 @@ export interface SheetSource {
   readonly data: SetupData;
   /** The result of this very text; null while there is none. */
   readonly outcome: Outcome | null;
+  /** The control setting that it is calculated for. */
+  readonly control: Control;
   /** Name of the program's file. */
   readonly file: string;
   readonly remarks: string;
@@ -38,7 +41,10 @@ export function useSheetSource(): SheetSource | null {
   const job = useEditor((s) => s.job);
   const work = useEditor((s) => s.program);
   const newest = useOutcome((s) => s.newest);
-  const { table } = toolsOnDevice(useTools((s) => s.list));
+  const shop = useTools((s) => s.list);
+  const own = useEditor(handedOn);
+  const settings = useSettings((s) => s.control);
+  const { table } = toolsOnDevice(own.tools ?? shop);
   const text = job ? printedText(job) : work?.text ?? null;
   const isOwn = newest !== null && !newest.isBeginning && (work ? isMadeFrom(newest, work) : newest.text === text);
   const outcome = isOwn ? newest : null;
@@ -49,5 +55,12 @@ export function useSheetSource(): SheetSource | null {
     table,
   ]);
   if (text === null || !program || !data) return null;
-  return { program, data, outcome, file: work?.name ?? `${programName(text)}.h`, remarks: (job ?? work)?.remarks ?? "" };
+  return {
+    program,
+    data,
+    outcome,
+    control: own.control ?? settings,
+    file: work?.name ?? `${programName(text)}.h`,
+    remarks: (job ?? work)?.remarks ?? "",
+  };
 }

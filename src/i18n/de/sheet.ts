@@ -25,7 +25,7 @@ export const sheet: SheetTexts = {
     dryRun: "In Turnwise mit den Werkzeugen dieses Blatts simuliert. Das ersetzt keinen Probelauf an der Maschine.",
   },
   unreleased: "nicht freigegeben",
-  head: { program: "Programm", file: "Datei", unit: "Einheit", blocks: "Sätze", time: "Zeit", date: "Datum", control: "Steuerung" },
+  head: { program: "Programm", file: "Datei", unit: "Einheit", blocks: "Sätze", time: "Zeit", date: "Gedruckt", control: "Steuerung" },
   inch: "Zoll (dieses Blatt in mm)",
   estimate: (time) => `etwa ${time}`,
 

@@ -26,7 +26,7 @@ export const sheet = {
     dryRun: "Simulated in Turnwise with the tools of this sheet. It is no substitute for a dry run on the machine.",
   },
   unreleased: "not released",
-  head: { program: "Program", file: "File", unit: "Unit", blocks: "Blocks", time: "Time", date: "Date", control: "Control" },
+  head: { program: "Program", file: "File", unit: "Unit", blocks: "Blocks", time: "Time", date: "Printed", control: "Control" },
   inch: "inch (this sheet in mm)",
   estimate: (time: string) => `about ${time}`,
 

@@ -25,7 +25,15 @@ export const sheet: SheetTexts = {
     dryRun: "Simulé dans Turnwise avec les outils de cette fiche. Cela ne remplace pas un essai à vide sur la machine.",
   },
   unreleased: "non validé",
-  head: { program: "Programme", file: "Fichier", unit: "Unité", blocks: "Séquences", time: "Temps", date: "Date", control: "Commande" },
+  head: {
+    program: "Programme",
+    file: "Fichier",
+    unit: "Unité",
+    blocks: "Séquences",
+    time: "Temps",
+    date: "Imprimé le",
+    control: "Commande",
+  },
   inch: "pouce (cette fiche en mm)",
   estimate: (time) => `environ ${time}`,
 

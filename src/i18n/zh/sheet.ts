@@ -25,7 +25,7 @@ export const sheet: SheetTexts = {
     dryRun: "已在 Turnwise 中用本单所列刀具仿真，不能代替机床上的空运行。",
   },
   unreleased: "未放行",
-  head: { program: "程序", file: "文件", unit: "单位", blocks: "程序段", time: "时间", date: "日期", control: "数控系统" },
+  head: { program: "程序", file: "文件", unit: "单位", blocks: "程序段", time: "时间", date: "打印", control: "数控系统" },
   inch: "英寸（本单为 mm）",
   estimate: (time) => `约 ${time}`,
 

@@ -82,13 +82,13 @@ function FindingLines({ t, source }: { readonly t: SheetTexts; readonly source: 
 }
 
 /** The sheet as it is printed: the set-up for the setter, then the program. */
-export function Sheet({ source, t, date }: { readonly source: SheetSource; readonly t: SheetTexts; readonly date: string }) {
+export function SetupSheet({ source, t, date }: { readonly source: SheetSource; readonly t: SheetTexts; readonly date: string }) {
   const texts = useTexts();
-  const { language, control, paper, sheetProgram } = useSettings();
+  const { language, paper, sheetProgram } = useSettings();
   const work = useEditor((s) => s.program);
   const isCalculated = useIsCalculated(source);
   const words = useMemo(() => sheetWords(texts, t, language), [texts, t, language]);
-  const { data, outcome, program, file, remarks } = source;
+  const { data, outcome, program, control, file, remarks } = source;
   const name = data.name || file;
   const comma = language === "zh" ? "、" : ", ";
   const head: readonly (readonly [string, string])[] = [
