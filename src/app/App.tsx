@@ -18,6 +18,7 @@ import { useSheetShown } from "./sheet/sheet-place.ts";
 import { StartPage } from "./start/StartPage.tsx";
 import { useEditor } from "./store.ts";
 import { useToolPlace } from "./tools/tool-place.ts";
+import { hideComparison, useComparing } from "./compare/compare-place.ts";
 import { hideWhich, useWhichPlace } from "./which/which-place.ts";
 
 /** Parts that are fetched when they are first shown, together with the texts that they need. */
@@ -30,6 +31,7 @@ const ToolPage = lazyPart(async () => ({ default: (await fetchTools()).ToolPage 
 const fetchOwn = later(() => import("./own/OwnPage.tsx"));
 const OwnPage = lazyPart(async () => ({ default: (await fetchOwn()).OwnPage }));
 /** Fetched with its texts when somebody asks. */
+const CompareDialog = lazyPart(async () => ({ default: (await import("./compare/CompareDialog.tsx")).CompareDialog }));
 const WhichCycle = lazyPart(async () => ({ default: (await import("./which/WhichCycle.tsx")).WhichCycle }));
 const fetchSheet = later(() => import("./sheet/SheetPage.tsx"));
 const SheetPage = lazyPart(async () => ({ default: (await fetchSheet()).SheetPage }));
@@ -48,6 +50,7 @@ export function App() {
   const program = useEditor((s) => (s.program ? s.work : null));
   const programName = useEditor((s) => s.program?.name);
   const which = useWhichPlace();
+  const { showBlock } = useComparing();
   const refused = useCopying((c) => c.state === "refused");
   const t = useFirstTexts().page;
   const sheet = useSheetShown();
@@ -99,6 +102,11 @@ export function App() {
           </Suspense>
         )
         : <StartPage />)}
+      {ready && showBlock && (
+        <Suspense>
+          <CompareDialog done={hideComparison} showBlock={showBlock} />
+        </Suspense>
+      )}
       {ready && which.shown && (
         <Suspense>
           <WhichCycle done={hideWhich} region={which.region} />

@@ -23,6 +23,7 @@ const paths = {
   pause: "M8 5v14M16 5v14",
   raise: "M12 20V6M6 12l6-6 6 6M5 3h14",
   lower: "M12 4v14M6 12l6 6 6-6M5 21h14",
+  compare: "M4 5h7v14H4zM13 5h7v14h-7zM6.5 9h2M6.5 12.5h2M15.5 9h2M15.5 16h2",
   print: "M7 9V4h10v5M7 17H4v-8h16v8h-3M7 14h10v6H7z",
   share: "M12 15V3M8 7l4-4 4 4M5 12v8h14v-8",
   remove: "M5 7h14M10 7V4h4v3M7 7l1 13h8l1-13M10 11v5M14 11v5",

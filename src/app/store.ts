@@ -41,8 +41,13 @@ export function edit(change: (job: Job) => Job, place: string | null = null): vo
   noteChange(putJob, job, next, goesOn(place));
 }
 
+/** Each work as it was when it was last opened, for comparing it with what became of it. */
+const opened = new Map<string, Work>();
+export const asOpened = (work: string): Work | null => opened.get(work) ?? null;
+
 /** Puts other work in place of this one, as one step of undo. */
 export function open(content: Work | null, work: string | null): void {
+  if (content && work !== null) opened.set(work, content);
   closeStep();
   handOver();
   const before = useEditor.getState();

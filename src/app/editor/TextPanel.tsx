@@ -1,4 +1,5 @@
 import { useEffect, useRef, useState } from "react";
+import type { ShowBlock } from "../compare/compare-place.ts";
 import { writeFile, canSaveFiles } from "../files/file-handle.ts";
 import { Icon } from "../Icon.tsx";
 import { useVerdict } from "../findings/use-findings.ts";
@@ -11,10 +12,17 @@ import { useTexts } from "../settings/use-texts.ts";
 import { useEditor } from "../store.ts";
 import { encode } from "./encoding.ts";
 import { downloadBytes } from "../files/download.ts";
-import { handOverText, sessionText, sessionView, useSession } from "./session.ts";
-import { shownFile, useShownName } from "../files/shown-file.ts";
+import { handOverText, openBlock, readWhole, sessionText, sessionView, useSession } from "./session.ts";
+import { shownFile, showFile, useShownName } from "../files/shown-file.ts";
 import { SkipSwitch } from "./SkipSwitch.tsx";
 import { WorkFiles } from "./WorkFiles.tsx";
+
+const showTextBlock: ShowBlock = (file, index) => {
+  showFile(file);
+  readWhole();
+  openBlock(index);
+  sessionView()?.focus();
+};
 
 type Saving = "saved" | "notSaved" | null;
 
@@ -75,7 +83,7 @@ export function TextPanel({ toBlock }: { readonly toBlock?: () => void }) {
           <Icon name="download" /> <span className="file-name">{name}</span>
         </button>
       </div>
-      <ProgramMore />
+      <ProgramMore showBlock={showTextBlock} />
       <CopyStatus otherwise={saving === "saved" ? t.editor.saved(name) : saving === "notSaved" ? t.editor.notSaved : ""} />
     </section>
   );

@@ -176,6 +176,18 @@ export function startEngine(): () => void {
   return () => stops.forEach((stop) => stop());
 }
 
+/** What comes of another program, beside the open one and under the same conditions; null when that cannot be said. */
+export async function outcomeBeside({ name, text, files, skipMarked = false }: ProgramWork): Promise<Outcome | null> {
+  const { control } = useSettings.getState();
+  const { job } = useEditor.getState();
+  try {
+    const request = { version: 0, name, text, files: files ?? [], skipMarked, table: toolTable(), control };
+    return await askAgain((engine) => engine.update({ ...request, rapid: job ? rapidOf(job) : USUAL_RAPID }));
+  } catch {
+    return null;
+  }
+}
+
 const calledOf = ({ cycle, tool, feedUnit, call }: Operation): Called => ({ cycle, tool, feedUnit, call });
 
 /** What each tool of the table can do in place of the one that an operation called, best first; null when that cannot be said. */

@@ -1,6 +1,8 @@
 import { Suspense, useState } from "react";
 import { handOver, useEditor } from "../store.ts";
 import type { ShownVerdict } from "../findings/verdict.ts";
+import { CompareButton } from "../compare/CompareButton.tsx";
+import type { ShowBlock } from "../compare/compare-place.ts";
 import { Icon } from "../Icon.tsx";
 import { mayLeave } from "../leaving/leaving.ts";
 import { lazyPart } from "../parts.ts";
@@ -28,7 +30,7 @@ async function leaving(): Promise<Leaving | null> {
 }
 
 /** What else can be made of the open program, in one row below its ways out. */
-export function ProgramMore() {
+export function ProgramMore({ showBlock }: { readonly showBlock: ShowBlock }) {
   const { page: { text: t } } = useTexts();
   const [handed, handOn] = useState<Leaving | null>(null);
   return (
@@ -47,6 +49,7 @@ export function ProgramMore() {
           <HandOnDialog {...handed} done={() => handOn(null)} />
         </Suspense>
       )}
+      <CompareButton showBlock={showBlock} />
     </div>
   );
 }

@@ -153,6 +153,7 @@ export const page = {
     unfold: "Programm zeigen",
     setupSheet: "Einrichteblatt",
     handOn: "Weitergeben",
+    compare: "Vergleichen",
     blocks: "Sätze des Programms",
     running: "läuft",
     refusedTitle: "Von Hand kopieren",

@@ -151,6 +151,7 @@ export const page = {
     unfold: "Show the program",
     setupSheet: "Setup sheet",
     handOn: "Hand on",
+    compare: "Compare",
     blocks: "Blocks of the program",
     running: "running",
     refusedTitle: "Copy by hand",

@@ -153,6 +153,7 @@ export const page = {
     unfold: "Afficher le programme",
     setupSheet: "Fiche de réglage",
     handOn: "Transmettre",
+    compare: "Comparer",
     blocks: "Séquences du programme",
     running: "en cours",
     refusedTitle: "Copier à la main",

@@ -151,6 +151,7 @@ export const page = {
     unfold: "显示程序",
     setupSheet: "调机单",
     handOn: "转交",
+    compare: "比较",
     blocks: "程序段",
     running: "执行中",
     refusedTitle: "手动复制",

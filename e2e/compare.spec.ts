@@ -1,0 +1,67 @@
+import { readFile } from "node:fs/promises";
+import { compare as words } from "../src/i18n/en/compare.ts";
+import { looksRightInBoth } from "./pages/look.ts";
+import { expect, test } from "./pages/test.ts";
+import { Turnwise } from "./pages/turnwise.ts";
+
+test("a changed infeed is told with what comes of it, by keyboard, and leads to its block", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { editor, t } = turnwise;
+  await editor.openExample("flange");
+  await expect(editor.total(t.page.effect.passes)).toHaveText("25");
+  await editor.show("text");
+  await page.getByRole("button", { name: t.page.text.compare, exact: true }).click();
+  const dialog = page.getByRole("dialog", { name: words.title, exact: true });
+  await dialog.getByRole("combobox", { name: words.with }).selectOption(words.opened);
+  await expect(dialog.getByRole("status")).toHaveText(words.same);
+  await page.keyboard.press("Escape");
+  await expect(page.getByRole("button", { name: t.page.text.compare, exact: true })).toBeFocused();
+
+  // Another state of the same program comes by the clipboard: with two other values, and another title.
+  const text = await readFile("src/examples/flange.h", "utf8");
+  const other = text.replace("Q463=+3 ;", "Q463=+4 ;").replace("TOOL CALL 3", "TOOL CALL 5").replace("FACING", "FACE FIRST");
+  await page.evaluate((copied) => navigator.clipboard.writeText(copied), other);
+  await page.getByRole("button", { name: t.page.text.compare, exact: true }).click();
+  await dialog.getByRole("button", { name: words.clipboard, exact: true }).click();
+  await expect(dialog.getByRole("status")).toContainText(`${words.values(2)}; ${words.time("")}`);
+  const rows = dialog.getByRole("group", { name: words.list }).getByRole("button");
+  await expect(rows).toHaveCount(2);
+  await expect(rows.first()).toContainText("4 → 3");
+  await expect(dialog.getByText(`${words.effects.passes} 5 → 7`)).toBeVisible();
+  await dialog.getByRole("checkbox", { name: words.showWritten }).check();
+  await expect(rows).toHaveCount(3);
+  await expect(rows.first()).toContainText("FACE FIRST");
+  await dialog.getByRole("button", { name: words.next, exact: true }).press("Enter");
+  await expect(rows.first()).toBeFocused();
+  await page.keyboard.press("ArrowDown");
+  await expect(rows.nth(1)).toBeFocused();
+  for (const width of [1280, 768, 390]) {
+    await page.setViewportSize({ width, height: 844 });
+    await looksRightInBoth(page, `the comparison at ${width}`);
+  }
+  await dialog.getByRole("button", { name: words.copy, exact: true }).click();
+  const copied = await page.evaluate(() => navigator.clipboard.readText());
+  expect(copied).toContain("Q463 Max. infeed 4 → 3");
+  expect(copied).toContain("    - Q463=+4");
+
+  await page.setViewportSize({ width: 1280, height: 800 });
+  await rows.nth(1).click();
+  await expect(dialog).toHaveCount(0);
+  await expect(editor.text).toBeFocused();
+  await expect(editor.line("CYCL DEF 812")).toBeInViewport();
+});
+
+test("a cycle work is compared by its printed program, with an earlier one", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { t } = turnwise;
+  await turnwise.start.beginWithExample(812);
+  await turnwise.dialog.set("Q463", "2.4");
+  await turnwise.show("program");
+  await page.getByRole("button", { name: t.page.text.compare, exact: true }).click();
+  const dialog = page.getByRole("dialog", { name: words.title, exact: true });
+  await expect(dialog.getByRole("status")).toContainText(words.values(1));
+  const row = dialog.getByRole("group", { name: words.list }).getByRole("button");
+  await expect(row).toContainText("3 → 2.4");
+  await row.click();
+  await expect(dialog).toHaveCount(0);
+});

@@ -1,0 +1,89 @@
+import { useEffect, useId, useState } from "react";
+import { askForFiles } from "../files/file-handle.ts";
+import { readWork } from "../saving/device.ts";
+import { refreshWorks, useKeeping } from "../saving/keep.ts";
+import { asOpened, useEditor } from "../store.ts";
+import type { ProgramWork } from "../work.ts";
+import { asProgram, textOfFile, withOtherText, type Other } from "./sides.ts";
+import type { CompareTexts } from "../../i18n/en/compare.ts";
+
+/** Where the other program comes from, as the select holds it. */
+const OPENED = "opened";
+const ELSEWHERE = "elsewhere";
+
+const isProgramText = (text: string): boolean => /[A-Z]/i.test(text);
+
+/** Asks which program the open one is compared with. */
+export function OtherProgram({ words, present, other, onTake }: { readonly words: CompareTexts; readonly present: ProgramWork;
+  readonly other: Other | null; readonly onTake: (other: Other | null) => void })
+{
+  const id = useId();
+  const work = useEditor((s) => s.work);
+  const works = useKeeping((k) => k.works).filter((each) => each.work !== work);
+  const [from, choose] = useState(other ? OPENED : "");
+  const [problem, say] = useState<"unreadable" | "empty" | null>(null);
+  const [pasting, paste] = useState(false);
+
+  const take = (found: Other | null) => {
+    say(found ? null : "unreadable");
+    onTake(found);
+  };
+  const takeText = (name: string, text: string) => take({ name, program: withOtherText(present, text) });
+  const pick = async (chosen: string) => {
+    choose(chosen);
+    paste(false);
+    if (chosen === "") return onTake(null);
+    const kept = chosen === OPENED ? (work === null ? null : asOpened(work)) : (await readWork(chosen))?.job ?? null;
+    const name = works.find((each) => each.work === chosen)?.name ?? null;
+    take(kept && { name, program: asProgram(kept) });
+  };
+  useEffect(() => void refreshWorks(), []);
+  const pickFile = async () => {
+    const [found] = await askForFiles();
+    if (!found) return;
+    choose(ELSEWHERE);
+    const text = await textOfFile(found.file);
+    if (text === null) take(null);
+    else takeText(found.file.name, text);
+  };
+  const fromClipboard = async () => {
+    choose(ELSEWHERE);
+    try {
+      const text = await navigator.clipboard.readText();
+      if (isProgramText(text)) takeText(words.clipboard, text);
+      else {
+        onTake(null);
+        say("empty");
+      }
+    } catch {
+      onTake(null);
+      paste(true);
+    }
+  };
+
+  return (
+    <div className="compare-other">
+      <label htmlFor={id}>{words.with}</label>
+      <select id={id} className="select" value={from} onChange={(event) => void pick(event.currentTarget.value)}>
+        <option value="">{words.choose}</option>
+        {from === ELSEWHERE && <option value={ELSEWHERE}>{other?.name ?? words.file}</option>}
+        <option value={OPENED}>{words.opened}</option>
+        {works.length > 0 && (
+          <optgroup label={words.kept}>{works.map((each) => <option key={each.work} value={each.work}>{each.name}</option>)}</optgroup>
+        )}
+      </select>
+      <button type="button" className="button" onClick={() => void pickFile()}>{words.file}</button>
+      <button type="button" className="button" onClick={() => void fromClipboard()}>{words.clipboard}</button>
+      {pasting && (
+        <label className="compare-paste">
+          <span>{words.noClipboard}</span>
+          <textarea className="number" rows={5} spellCheck={false} aria-label={words.paste} onChange={(event) => {
+            const text = event.currentTarget.value;
+            if (isProgramText(text)) takeText(words.clipboard, text);
+          }} />
+        </label>
+      )}
+      {problem && <p role="status" className="compare-problem">{words[problem]}</p>}
+    </div>
+  );
+}

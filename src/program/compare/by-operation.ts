@@ -1,0 +1,132 @@
+import { blockNumbers, type Program } from "../../nc/program.ts";
+import { operationsOf, wholeOf } from "../operations.ts";
+import type { BlockDifference, ProgramComparison } from "./compare.ts";
+
+/** What became of an operation. */
+export type OperationFate = "kept" | "added" | "removed" | "moved";
+
+/** One operation in one of the programs. */
+export interface ComparedUnit {
+  /** Words of its structure comment; null where it has none. */
+  readonly title: string | null;
+  readonly cycles: readonly number[];
+  /** Number of its first block. */
+  readonly block: number;
+  /** Its place among all, from 0. */
+  readonly place: number;
+}
+
+/** An operation of either program, or of both, with what differs in it; both null: what belongs to no operation. */
+export interface ComparedOperation {
+  readonly fate: OperationFate;
+  readonly a: ComparedUnit | null;
+  readonly b: ComparedUnit | null;
+  readonly differences: readonly BlockDifference[];
+}
+
+/** For each block the operation it belongs to, -1 for none. */
+interface Placed {
+  readonly of: Int32Array;
+  readonly units: readonly ComparedUnit[];
+  /** Blocks that say most about which operation it is. */
+  readonly telling: readonly (readonly number[])[];
+}
+
+function placed(program: Program): Placed {
+  const all = operationsOf(program);
+  const numbers = blockNumbers(program);
+  const of = new Int32Array(program.blocks.length).fill(-1);
+  const units = all.units.map((own, place): ComparedUnit => {
+    const { from, to } = wholeOf(all, place);
+    of.fill(place, from, to);
+    const cycles = own.definitions.flatMap((i) => {
+      const s = program.blocks[i]?.statement;
+      return s?.kind === "cycle" || s?.kind === "cycleLine" ? [s.cycle] : [];
+    });
+    return { title: own.title, cycles, block: numbers[from] ?? 0, place };
+  });
+  const telling = all.units.map(
+    (own) => (own.definitions.length > 0 ? own.definitions : Array.from({ length: own.to - own.from }, (_, i) => own.from + i))
+  );
+  return { of, units, telling };
+}
+
+/** Which operation of the second program each of the first became, -1 for none: where most of what tells it is now. */
+function partnersOf(a: Placed, b: Placed, partners: Int32Array): Int32Array {
+  const taken = new Set<number>();
+  return Int32Array.from(a.telling, (blocks) => {
+    const votes = new Map<number, number>();
+    for (const block of blocks) {
+      const unit = b.of[partners[block] ?? -1] ?? -1;
+      if (unit >= 0 && !taken.has(unit)) votes.set(unit, (votes.get(unit) ?? 0) + 1);
+    }
+    const [best] = [...votes].sort(([, one], [, other]) => other - one);
+    if (!best) return -1;
+    taken.add(best[0]);
+    return best[0];
+  });
+}
+
+/** Operations that changed places: those that are not among the most that kept their order. */
+function outOfOrder(partner: Int32Array): ReadonlySet<number> {
+  const kept = [...partner.keys()].filter((i) => (partner[i] ?? -1) >= 0);
+  const length = new Map<number, { readonly count: number; readonly before: number | null }>();
+  for (const i of kept) {
+    let best: { readonly count: number; readonly before: number | null } = { count: 1, before: null };
+    for (const j of kept) {
+      const up = length.get(j);
+      if (j < i && up && (partner[j] ?? 0) < (partner[i] ?? 0) && up.count + 1 > best.count) best = { count: up.count + 1, before: j };
+    }
+    length.set(i, best);
+  }
+  let [last] = [...length].sort(([, one], [, other]) => other.count - one.count)[0] ?? [null];
+  const stays = new Set<number>();
+  while (last !== null) {
+    stays.add(last);
+    last = length.get(last)?.before ?? null;
+  }
+  return new Set(kept.filter((i) => !stays.has(i)));
+}
+
+/**
+ * The differences by the operations that they stand in, in the order of the second program; operations without any stand among them,
+ * for they may run otherwise all the same. What belongs to no operation comes first.
+ */
+export function byOperation(a: Program, b: Program, { differences, partners }: ProgramComparison): readonly ComparedOperation[] {
+  const [inA, inB] = [placed(a), placed(b)];
+  const partner = partnersOf(inA, inB, partners);
+  const moved = outOfOrder(partner);
+  const comesFrom = new Map([...partner].map((unit, i) => [unit, i] as const));
+  const own = new Map<string, BlockDifference[]>();
+  const nameOf = (unitA: number, unitB: number) => `${unitA} ${unitB}`;
+  for (const each of differences) {
+    const unitB = each.b === null ? -1 : (inB.of[each.b] ?? -1);
+    const unitA = each.a === null ? -1 : (inA.of[each.a] ?? -1);
+    const name = each.b === null
+      ? nameOf(unitA, unitA < 0 ? -1 : (partner[unitA] ?? -1))
+      : nameOf(unitB < 0 ? -1 : (comesFrom.get(unitB) ?? -1), unitB);
+    const list = own.get(name);
+    if (list) list.push(each);
+    else own.set(name, [each]);
+  }
+  const fateOf = (unitA: number, unitB: number): OperationFate => {
+    if (unitA < 0 && unitB < 0) return "kept";
+    if (unitA < 0) return "added";
+    if (unitB < 0) return "removed";
+    return moved.has(unitA) ? "moved" : "kept";
+  };
+  const made = (unitA: number, unitB: number): ComparedOperation => ({
+    fate: fateOf(unitA, unitB),
+    a: inA.units[unitA] ?? null,
+    b: inB.units[unitB] ?? null,
+    differences: own.get(nameOf(unitA, unitB)) ?? [],
+  });
+  const list = inB.units.map(({ place }) => made(comesFrom.get(place) ?? -1, place));
+  for (const { place } of inA.units) {
+    if ((partner[place] ?? -1) >= 0) continue;
+    // A removed operation stands behind the one that it stood behind.
+    const before = place === 0 ? -1 : list.findIndex(({ a: one }) => one?.place === place - 1);
+    list.splice(before + 1, 0, made(place, -1));
+  }
+  return [made(-1, -1), ...list];
+}
