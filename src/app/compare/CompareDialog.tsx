@@ -8,13 +8,13 @@ import { copyText, useCopying } from "../program/copy.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { useEditor } from "../store.ts";
-import { comparisonText, findingTexts, summaryText, verdictChange, wholeTexts, type Speech } from "./compare-words.ts";
+import { comparisonText, findingTexts, summaryText, verdictChange, wholeTexts, type Wording } from "./compare-words.ts";
 import { isWriting, tallyOf, type ComparedFile } from "./compared.ts";
 import { Differences, rowsIn } from "./Differences.tsx";
 import { OtherProgram } from "./OtherProgram.tsx";
 import type { ShowBlock } from "./compare-place.ts";
 import { openedProgram, presentProgram } from "./sides.ts";
-import { useCompared, type Compared } from "./use-compared.ts";
+import { useProgramComparison, type ComparedPrograms } from "./use-compared.ts";
 import "./compare.css";
 
 /** Block of the present program that a difference leads to: its own, or where what is gone has stood. */
@@ -27,13 +27,13 @@ function blockNow({ after, partners }: ComparedFile, { a, b }: BlockDifference):
   return 0;
 }
 
-function Whole({ speech, compared: { files, consequences, state } }: { readonly speech: Speech; readonly compared: Compared }) {
-  const { words } = speech;
-  const changed = consequences && verdictChange(speech, consequences);
-  const effects = consequences ? wholeTexts(speech, consequences) : [];
+function Whole({ wording, compared: { files, consequences, state } }: { readonly wording: Wording; readonly compared: ComparedPrograms }) {
+  const { words } = wording;
+  const changed = consequences && verdictChange(wording, consequences);
+  const effects = consequences ? wholeTexts(wording, consequences) : [];
   return (
     <section className="compare-whole" aria-label={words.whole}>
-      <p role="status" className="compare-summary">{summaryText(speech, files, consequences)}</p>
+      <p role="status" className="compare-summary">{summaryText(wording, files, consequences)}</p>
       {state !== "done" && <p className="soft">{state === "failed" ? words.notCalculated : words.calculating}</p>}
       {changed && <p>{words.verdict}: {changed}</p>}
       {effects.length > 0 && (
@@ -45,7 +45,7 @@ function Whole({ speech, compared: { files, consequences, state } }: { readonly 
         consequences[which].length > 0 && (
           <div key={which} className="compare-findings">
             <b>{words[which]}</b>
-            <ul>{findingTexts(speech, consequences[which]).map((text, i) => <li key={i}>{text}</li>)}</ul>
+            <ul>{findingTexts(wording, consequences[which]).map((text, i) => <li key={i}>{text}</li>)}</ul>
           </div>
         )
       )}
@@ -62,10 +62,10 @@ function step(list: ParentNode | null, by: 1 | -1): void {
   next?.scrollIntoView({ block: "nearest" });
 }
 
-function Result({ speech, compared, names, onChoose }: { readonly speech: Speech; readonly compared: Compared;
+function Result({ wording, compared, names, onChoose }: { readonly wording: Wording; readonly compared: ComparedPrograms;
   readonly names: readonly [string, string]; readonly onChoose: (file: ComparedFile, difference: BlockDifference) => void })
 {
-  const { words } = speech;
+  const { words } = wording;
   const list = useRef<HTMLDivElement>(null);
   const [withWriting, showWriting] = useState(false);
   const copied = useCopying((c) => c.state === "copied" && c.text.startsWith(words.title));
@@ -75,7 +75,7 @@ function Result({ speech, compared, names, onChoose }: { readonly speech: Speech
   );
   return (
     <>
-      <Whole speech={speech} compared={compared} />
+      <Whole wording={wording} compared={compared} />
       <div className="compare-tools">
         {any && (
           <>
@@ -96,7 +96,7 @@ function Result({ speech, compared, names, onChoose }: { readonly speech: Speech
           </label>
         )}
         <button type="button" className="button"
-          onClick={() => void copyText(comparisonText(speech, names, compared.files, compared.consequences, withWriting))}
+          onClick={() => void copyText(comparisonText(wording, names, compared.files, compared.consequences, withWriting))}
         >
           <Icon name={copied ? "check" : "copy"} /> {copied ? words.copied : words.copy}
         </button>
@@ -115,7 +115,7 @@ function Result({ speech, compared, names, onChoose }: { readonly speech: Speech
       <div ref={list} onFocus={(event) => {
         for (const row of rowsIn(event.currentTarget)) row.toggleAttribute("data-last", row === document.activeElement);
       }}>
-        <Differences speech={speech} files={compared.files} consequences={compared.consequences} withWriting={withWriting}
+        <Differences wording={wording} files={compared.files} consequences={compared.consequences} withWriting={withWriting}
           onChoose={onChoose} />
       </div>
     </>
@@ -132,7 +132,7 @@ export function CompareDialog({ done, showBlock }: { readonly done: () => void; 
   const [other, take] = useState(() => present && openedProgram(present));
   const name = useEditor((s) => s.program?.name ?? s.job?.name ?? "");
   const sides = useMemo(() => (present && other ? { before: other.program, after: present } : null), [present, other]);
-  const compared = useCompared(sides);
+  const compared = useProgramComparison(sides);
 
   // Closed before it goes, so that the keyboard returns to where it was.
   useLayoutEffect(() => {
@@ -170,7 +170,7 @@ export function CompareDialog({ done, showBlock }: { readonly done: () => void; 
           <OtherProgram words={words} present={present} other={other} onTake={take} />
           {other && !compared && <p className="soft">{words.working}</p>}
           {other && compared && (
-            <Result speech={{ texts, words, language }} compared={compared} names={[other.name ?? words.opened, name]} onChoose={choose} />
+            <Result wording={{ texts, words, language }} compared={compared} names={[other.name ?? words.opened, name]} onChoose={choose} />
           )}
         </>
       )}

@@ -2,13 +2,13 @@ import { useState, type KeyboardEvent } from "react";
 import type { ComparedOperation } from "../../program/compare/by-operation.ts";
 import type { BlockDifference } from "../../program/compare/compare.ts";
 import { isTold, isWriting, type ComparedFile, type Consequences } from "./compared.ts";
-import { blockLabel, effectTexts, operationTitle, shownLines, wordTexts, type Speech } from "./compare-words.ts";
+import { blockLabel, effectTexts, operationTitle, shownLines, wordTexts, type Wording } from "./compare-words.ts";
 
 /** Differences that are listed before more are asked for. */
 const FIRST = 300;
 
 interface Props {
-  readonly speech: Speech;
+  readonly wording: Wording;
   readonly files: readonly ComparedFile[];
   readonly consequences: Consequences | null;
   readonly withWriting: boolean;
@@ -35,12 +35,12 @@ function Lines({ of, side }: { readonly of: readonly string[]; readonly side: "w
   return <span className={`difference-text number ${side}`}>{of.map((line, i) => <span key={i}>{line}</span>)}</span>;
 }
 
-function Row({ speech, file, difference, choose }: Pick<Props, "speech"> & { readonly file: ComparedFile;
+function Row({ wording, file, difference, choose }: Pick<Props, "wording"> & { readonly file: ComparedFile;
   readonly difference: BlockDifference; readonly choose: () => void })
 {
-  const { words } = speech;
-  const label = blockLabel(speech, file, difference);
-  const said = wordTexts(speech, file, difference);
+  const { words } = wording;
+  const label = blockLabel(wording, file, difference);
+  const said = wordTexts(wording, file, difference);
   const kind = words.kinds[difference.kind];
   const [was, is] = [shownLines(file.before, difference.a, difference), shownLines(file.after, difference.b, difference)];
   return (
@@ -71,14 +71,14 @@ interface Listed {
 }
 
 /** What is told, operation by operation. */
-const toldIn = ({ speech, files, consequences, withWriting }: Omit<Props, "onChoose">): readonly Listed[] =>
+const toldIn = ({ wording, files, consequences, withWriting }: Omit<Props, "onChoose">): readonly Listed[] =>
   files.flatMap((file, f) =>
     file.operations.flatMap((operation, o): readonly Listed[] => {
       const consequence = consequences?.operations[f]?.[o];
       if (!isTold(operation, consequence, withWriting)) return [];
       const differences = operation.differences.filter((each) => withWriting || !isWriting(each));
       const key = `${f} ${operation.a?.place ?? -1} ${operation.b?.place ?? -1}`;
-      return [{ key, file, operation, effects: consequence ? effectTexts(speech, consequence) : [], differences }];
+      return [{ key, file, operation, effects: consequence ? effectTexts(wording, consequence) : [], differences }];
     })
   );
 
@@ -92,7 +92,7 @@ const firstOf = (told: readonly Listed[], most: number): readonly Listed[] =>
 
 /** Everything that differs, by operations, with what comes of it. */
 export function Differences({ onChoose, ...told }: Props) {
-  const { words } = told.speech;
+  const { words } = told.wording;
   const [most, show] = useState(FIRST);
   const all = toldIn(told);
   const left = all.reduce((sum, { differences }) => sum + differences.length, 0) - most;
@@ -104,7 +104,7 @@ export function Differences({ onChoose, ...told }: Props) {
           <section key={key} className="compared-operation">
             <h3>
               {file.isMain ? "" : `${file.name}: `}
-              {operationTitle(told.speech, operation)} {fate !== "" && <span className="difference-kind">{fate}</span>}
+              {operationTitle(told.wording, operation)} {fate !== "" && <span className="difference-kind">{fate}</span>}
             </h3>
             {effects.length > 0 && (
               <ul className="compared-effects">{effects.map(({ name, text }) => <li key={name} className="number">{text}</li>)}</ul>
@@ -112,7 +112,7 @@ export function Differences({ onChoose, ...told }: Props) {
             {differences.length > 0 && (
               <ol className="difference-list">
                 {differences.map((each) => (
-                  <Row key={`${each.kind} ${each.a} ${each.b}`} speech={told.speech} file={file} difference={each} choose={() =>
+                  <Row key={`${each.kind} ${each.a} ${each.b}`} wording={told.wording} file={file} difference={each} choose={() =>
                     onChoose(file, each)} />
                 ))}
               </ol>

@@ -13,7 +13,7 @@ import { issueText } from "../issue-text.ts";
 import { isTold, isWriting, tallyOf, type ComparedFile, type Consequences } from "./compared.ts";
 
 /** Everything that words are made with. */
-export interface Speech {
+export interface Wording {
   readonly texts: Texts;
   readonly words: CompareTexts;
   readonly language: Language;
@@ -22,39 +22,42 @@ export interface Speech {
 const SIGN = { more: "+", less: "−" } as const;
 
 /** Seconds as minutes and seconds; small changes keep their tenths. */
-export function timeText({ texts: { page: { effect } }, language }: Speech, seconds: number): string {
+export function timeText({ texts: { page: { effect } }, language }: Wording, seconds: number): string {
   const minutes = Math.floor(Math.round(seconds) / 60);
   const rest = minutes > 0 ? formatFixed(language, Math.max(0, seconds - minutes * 60), 0) : formatFixed(language, seconds, 1);
   return effect.duration(minutes, rest);
 }
 
 /** By how much a time changed: +8 s; null where that does not show. */
-export function longerBy(speech: Speech, { before, after }: Consequence): string | null {
+export function longerBy(wording: Wording, { before, after }: Consequence): string | null {
   if (!before || !after || !changedEffects({ before, after }).includes("seconds")) return null;
   const by = after.seconds - before.seconds;
-  return `${by > 0 ? SIGN.more : SIGN.less}${timeText(speech, Math.abs(by))}`;
+  return `${by > 0 ? SIGN.more : SIGN.less}${timeText(wording, Math.abs(by))}`;
 }
 
-function effectText(speech: Speech, name: keyof Effects, { [name]: value }: Effects): string {
-  if (name === "seconds") return timeText(speech, value);
+function effectText(wording: Wording, name: keyof Effects, { [name]: value }: Effects): string {
+  if (name === "seconds") return timeText(wording, value);
   if (name === "passes") return String(value);
-  const text = formatNumber(speech.language, value, name === "infeed" ? 3 : 2);
+  const text = formatNumber(wording.language, value, name === "infeed" ? 3 : 2);
   return name === "residue" ? `${text} mm²` : text;
 }
 
 /** What comes of an operation that differs: "Infeed 2.56 → 2.05", "Time 1 min 20 s → 1 min 28 s (+8 s)". */
-export function effectTexts(speech: Speech, consequence: Consequence): readonly { readonly name: keyof Effects; readonly text: string }[] {
-  const { words } = speech;
+export function effectTexts(
+  wording: Wording,
+  consequence: Consequence,
+): readonly { readonly name: keyof Effects; readonly text: string }[] {
+  const { words } = wording;
   const { before, after } = consequence;
-  const longer = longerBy(speech, consequence);
+  const longer = longerBy(wording, consequence);
   return changedEffects(consequence).map((name) => {
-    const [was, is] = [before ? effectText(speech, name, before) : words.notRun, after ? effectText(speech, name, after) : words.notRun];
+    const [was, is] = [before ? effectText(wording, name, before) : words.notRun, after ? effectText(wording, name, after) : words.notRun];
     const by = name === "seconds" && longer !== null ? ` (${longer})` : "";
     return { name, text: `${words.effects[name]} ${was} → ${is}${by}` };
   });
 }
 
-function wordLabel({ texts, words }: Pick<Speech, "texts" | "words">, name: string, cycle: number | null): string {
+function wordLabel({ texts, words }: Pick<Wording, "texts" | "words">, name: string, cycle: number | null): string {
   if (name === "/") return words.skip;
   if (name === "T") return words.tool;
   const param = cycle === null ? undefined : cycleByNumber(cycle)?.params[name];
@@ -62,11 +65,11 @@ function wordLabel({ texts, words }: Pick<Speech, "texts" | "words">, name: stri
 }
 
 /** The same of the whole program, where the infeed of one operation says nothing. */
-export const wholeTexts = (speech: Speech, { whole }: Consequences): ReturnType<typeof effectTexts> =>
-  effectTexts(speech, whole).filter(({ name }) => name !== "infeed");
+export const wholeTexts = (wording: Wording, { whole }: Consequences): ReturnType<typeof effectTexts> =>
+  effectTexts(wording, whole).filter(({ name }) => name !== "infeed");
 
 /** One word and what became of it: "Q463 Max. cutting depth 3 → 2.4". */
-export function wordText({ texts, words }: Speech, { name, from, to }: WordChange, cycle: number | null): string {
+export function wordText({ texts, words }: Wording, { name, from, to }: WordChange, cycle: number | null): string {
   const label = wordLabel({ texts, words }, name, cycle);
   return `${label} ${from ?? words.without} → ${to ?? words.without}`.trim();
 }
@@ -77,11 +80,11 @@ export function cycleIn({ blocks }: Program, index: number | null): number | nul
   return s?.kind === "cycle" ? s.cycle : null;
 }
 
-export const wordTexts = (speech: Speech, file: ComparedFile, { a, b, words }: BlockDifference): readonly string[] =>
-  words.map((change) => wordText(speech, change, cycleIn(file.after, b) ?? cycleIn(file.before, a)));
+export const wordTexts = (wording: Wording, file: ComparedFile, { a, b, words }: BlockDifference): readonly string[] =>
+  words.map((change) => wordText(wording, change, cycleIn(file.after, b) ?? cycleIn(file.before, a)));
 
 /** Which block it is: "Block 12", or where it was and is when it moved. */
-export function blockLabel({ words }: Speech, { numbers }: ComparedFile, { kind, a, b }: BlockDifference): string {
+export function blockLabel({ words }: Wording, { numbers }: ComparedFile, { kind, a, b }: BlockDifference): string {
   const [from, to] = [a === null ? null : String(numbers.before[a] ?? ""), b === null ? null : String(numbers.after[b] ?? "")];
   return kind === "moved" && from !== null && to !== null ? words.blockMoved(from, to) : words.block(to ?? from ?? "");
 }
@@ -98,7 +101,7 @@ export function shownLines({ blocks }: Program, index: number | null, { kind, wo
 }
 
 /** Name of an operation: its own words, or its cycles. */
-export function operationTitle({ texts, words }: Speech, { a, b }: ComparedOperation): string {
+export function operationTitle({ texts, words }: Wording, { a, b }: ComparedOperation): string {
   const unit = b ?? a;
   if (!unit) return words.frame;
   const cycles = unit.cycles.map((n) => {
@@ -110,41 +113,41 @@ export function operationTitle({ texts, words }: Speech, { a, b }: ComparedOpera
 }
 
 /** The whole in one line: "3 values, 1 operation more; time +8 s". */
-export function summaryText(speech: Speech, files: readonly ComparedFile[], consequences: Consequences | null): string {
-  const { words } = speech;
+export function summaryText(wording: Wording, files: readonly ComparedFile[], consequences: Consequences | null): string {
+  const { words } = wording;
   const { written, ...meant } = tallyOf(files);
   const counted = (Object.keys(meant) as (keyof typeof meant)[]).flatMap((key) => (meant[key] > 0 ? [words[key](meant[key])] : []));
   const said = counted.length > 0 ? counted.join(", ") : written > 0 ? `${words.sameMeaning} ${words.written(written)}` : words.same;
-  const longer = consequences && longerBy(speech, consequences.whole);
+  const longer = consequences && longerBy(wording, consequences.whole);
   return longer === null ? said : `${said}; ${words.time(longer)}`;
 }
 
 /** Findings that came and went, as sentences. */
-export const findingTexts = ({ texts, language }: Speech, list: Consequences["came"]): readonly string[] =>
+export const findingTexts = ({ texts, language }: Wording, list: Consequences["came"]): readonly string[] =>
   list.map(({ issue, cycle }) => issueText(texts, language, issue, cycle));
 
 /** The verdicts of both programs, where they differ. */
-export function verdictChange({ texts, language }: Speech, { before, after }: Consequences): string | null {
+export function verdictChange({ texts, language }: Wording, { before, after }: Consequences): string | null {
   const [was, is] = [before, after].map((verdict) => verdictTitle(texts.findings.verdict, language, verdict));
   return was === is ? null : `${was} → ${is}`;
 }
 
 /** The comparison as plain text, for a message or a file. */
 export function comparisonText(
-  speech: Speech,
+  wording: Wording,
   [before, after]: readonly [string, string],
   files: readonly ComparedFile[],
   consequences: Consequences | null,
   withWriting: boolean,
 ): string {
-  const { words } = speech;
-  const lines = [`${words.title}: ${before} → ${after}`, summaryText(speech, files, consequences)];
+  const { words } = wording;
+  const lines = [`${words.title}: ${before} → ${after}`, summaryText(wording, files, consequences)];
   if (consequences) {
-    const changed = verdictChange(speech, consequences);
+    const changed = verdictChange(wording, consequences);
     if (changed !== null) lines.push(`${words.verdict}: ${changed}`);
-    lines.push(...wholeTexts(speech, consequences).map(({ text }) => `  ${text}`));
-    lines.push(...findingTexts(speech, consequences.went).map((text) => `- ${text}`));
-    lines.push(...findingTexts(speech, consequences.came).map((text) => `+ ${text}`));
+    lines.push(...wholeTexts(wording, consequences).map(({ text }) => `  ${text}`));
+    lines.push(...findingTexts(wording, consequences.went).map((text) => `- ${text}`));
+    lines.push(...findingTexts(wording, consequences.came).map((text) => `+ ${text}`));
   }
   files.forEach((file, f) => {
     if (!file.isMain) lines.push("", file.name);
@@ -152,13 +155,13 @@ export function comparisonText(
       const consequence = consequences?.operations[f]?.[o];
       if (!isTold(operation, consequence, withWriting)) return;
       const fate = words.fates[operation.fate];
-      lines.push("", `${operationTitle(speech, operation)}${fate === "" ? "" : ` (${fate})`}`);
-      if (consequence) lines.push(...effectTexts(speech, consequence).map(({ text }) => `  ${text}`));
+      lines.push("", `${operationTitle(wording, operation)}${fate === "" ? "" : ` (${fate})`}`);
+      if (consequence) lines.push(...effectTexts(wording, consequence).map(({ text }) => `  ${text}`));
       for (const each of operation.differences) {
         if (isWriting(each) && !withWriting) continue;
         lines.push(
-          `  ${blockLabel(speech, file, each)}, ${words.kinds[each.kind]}${
-            each.words.length === 0 ? "" : `: ${wordTexts(speech, file, each).join(", ")}`
+          `  ${blockLabel(wording, file, each)}, ${words.kinds[each.kind]}${
+            each.words.length === 0 ? "" : `: ${wordTexts(wording, file, each).join(", ")}`
           }`,
         );
         lines.push(...shownLines(file.before, each.a, each).map((line) => `    - ${line}`));

@@ -45,7 +45,7 @@ export function comparedFiles(before: ProgramWork, after: ProgramWork): readonly
 }
 
 /** What is in words of one of the programs. */
-export interface Judgement {
+interface Judgement {
   readonly verdict: ShownVerdict;
   readonly entries: readonly FindingEntry[];
 }

@@ -12,7 +12,7 @@ export interface Sides {
 }
 
 /** What a comparison has come to. */
-export interface Compared {
+export interface ComparedPrograms {
   readonly files: readonly ComparedFile[];
   /** Null while both are calculated, or where one can not be. */
   readonly consequences: Consequences | null;
@@ -28,8 +28,8 @@ function outcomeAtHand(program: ProgramWork): Outcome | null {
 }
 
 /** Sets two programs against each other: first their blocks, then what comes of them. Null before that. */
-export function useCompared(sides: Sides | null): Compared | null {
-  const [compared, set] = useState<{ readonly of: Sides; readonly made: Compared } | null>(null);
+export function useProgramComparison(sides: Sides | null): ComparedPrograms | null {
+  const [compared, set] = useState<{ readonly of: Sides; readonly made: ComparedPrograms } | null>(null);
   useEffect(() => {
     if (!sides) return undefined;
     let gone = false;
