@@ -1,4 +1,5 @@
 import type { Page } from "@playwright/test";
+import { device as deviceTexts } from "../src/i18n/en/device.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
@@ -13,20 +14,41 @@ test("a reload in the middle of typing loses nothing", async ({ page }) => {
   await expect(dialog.line("Q494")).toContainText("-41.25");
 });
 
-test("a second tab does not overwrite the first", async ({ page, context }) => {
+test("of two tabs on one work one has it: it is taken over with the last key, given back, or copied", async ({ page, context }) => {
+  const t = deviceTexts.elsewhere;
   const first = await Turnwise.open(page);
   await first.start.beginWithExample(812);
   await first.dialog.set("Q493", "51");
   const second = Turnwise.at(await context.newPage());
   await second.page.goto("./");
+  const button = (turnwise: Turnwise, name: string) => turnwise.page.getByRole("button", { name, exact: true });
+  await expect(second.page.getByRole("heading", { name: /open in another tab/ })).toBeVisible();
+
+  await first.dialog.open("Q494");
+  await first.dialog.type("-44.25");
+  await button(second, t.take).click();
+  await expect(second.dialog.line("Q494")).toContainText("-44.25");
   await expect(second.dialog.line("Q493")).toContainText("51");
-  await second.dialog.set("Q493", "52");
-  await first.dialog.set("Q494", "-44");
+  await second.dialog.set("Q493", "52.5");
+  await expect(first.page.getByRole("heading", { name: /goes on in another tab/ })).toBeVisible();
+
+  await button(first, t.takeBack).click();
+  await expect(first.dialog.line("Q493")).toContainText("52.5");
+  await expect(first.dialog.line("Q494")).toContainText("-44.25");
+  await button(second, t.copy).click();
+  await second.dialog.set("Q493", "53.5");
+  await first.dialog.set("Q494", "-45");
   await page.reload();
-  await expect(first.dialog.line("Q494")).toContainText("-44");
-  await expect(first.dialog.line("Q493")).toContainText("51");
+  await expect(first.dialog.line("Q494")).toContainText("-45");
+  await expect(first.dialog.line("Q493")).toContainText("52.5");
   await second.page.reload();
-  await expect(second.dialog.line("Q493")).toContainText("52");
+  await expect(second.dialog.line("Q493")).toContainText("53.5");
+  await expect(second.dialog.line("Q494")).toContainText("-44.25");
+
+  const address = page.url();
+  await page.close();
+  await second.page.goto(address);
+  await expect(second.dialog.line("Q494")).toContainText("-45");
 });
 
 test("a damaged save is set aside with a message, and the page opens", async ({ page }) => {

@@ -11,6 +11,7 @@ import { useOwnPlace } from "./own/own-place.ts";
 import { lazyPart } from "./parts.ts";
 import { useCopying } from "./program/copy.ts";
 import { fetchAtRest } from "./rest.ts";
+import { useElsewhere } from "./saving/elsewhere.ts";
 import { useKeeping } from "./saving/keep.ts";
 import { fetchShownTexts } from "./settings/shown-texts.ts";
 import { useFirstTexts } from "./settings/use-first-texts.ts";
@@ -20,6 +21,7 @@ import { useEditor } from "./store.ts";
 import { useToolPlace } from "./tools/tool-place.ts";
 import { hideComparison, useComparing } from "./compare/compare-place.ts";
 import { hideWhich, useWhichPlace } from "./which/which-place.ts";
+import { useWorksPlace } from "./works/works-place.ts";
 
 /** Parts that are fetched when they are first shown, together with the texts that they need. */
 const later = <M,>(fetch: () => Promise<M>) => async (): Promise<M> => (await Promise.all([fetch(), fetchShownTexts()]))[0];
@@ -30,6 +32,8 @@ const fetchTools = later(() => import("./tools/ToolPage.tsx"));
 const ToolPage = lazyPart(async () => ({ default: (await fetchTools()).ToolPage }));
 const fetchOwn = later(() => import("./own/OwnPage.tsx"));
 const OwnPage = lazyPart(async () => ({ default: (await fetchOwn()).OwnPage }));
+const WorksPage = lazyPart(async () => ({ default: (await import("./works/WorksPage.tsx")).WorksPage }));
+const ElsewherePage = lazyPart(async () => ({ default: (await import("./works/ElsewherePage.tsx")).ElsewherePage }));
 /** Fetched with its texts when somebody asks. */
 const CompareDialog = lazyPart(async () => ({ default: (await import("./compare/CompareDialog.tsx")).CompareDialog }));
 const WhichCycle = lazyPart(async () => ({ default: (await import("./which/WhichCycle.tsx")).WhichCycle }));
@@ -40,6 +44,25 @@ const ProgramWorkplace = lazyPart(async () => ({ default: (await fetchEditor()).
 
 /** Fetched when there is something to say. */
 const UpdateBar = lazyPart(async () => ({ default: (await import("./offline/UpdateBar.tsx")).UpdateBar }));
+
+/** What stands where no work is open: the start page, the list of all works, or why the one that was asked for is not open here. */
+function Entrance() {
+  const works = useWorksPlace((p) => p.shown);
+  const elsewhere = useElsewhere((e) => e.shown);
+  if (elsewhere) {
+    return (
+      <Suspense>
+        <ElsewherePage of={elsewhere} />
+      </Suspense>
+    );
+  }
+  if (!works) return <StartPage />;
+  return (
+    <Suspense>
+      <WorksPage />
+    </Suspense>
+  );
+}
 
 /** The page: the top line, and below it the tool table, the choice of work, or the workplace of the open job or program. */
 export function App() {
@@ -107,6 +130,7 @@ export function App() {
           <CompareDialog done={hideComparison} showBlock={showBlock} />
         </Suspense>
       )}
+        : <Entrance />)}
       {ready && which.shown && (
         <Suspense>
           <WhichCycle done={hideWhich} region={which.region} />

@@ -2,6 +2,7 @@ import { Suspense, useEffect, useRef, useState, type MouseEvent } from "react";
 import { goHome } from "./address/go-home.ts";
 import { Icon } from "./Icon.tsx";
 import { usePlace } from "./place.ts";
+import { useElsewhere } from "./saving/elsewhere.ts";
 import { useFirstTexts } from "./settings/use-first-texts.ts";
 import { useOwnPlace } from "./own/own-place.ts";
 import { CreateProgram } from "./start/CreateProgram.tsx";
@@ -10,6 +11,7 @@ import { lazyPart } from "./parts.ts";
 import { useSteps } from "./steps.ts";
 import { useEditor } from "./store.ts";
 import { showTools, useToolPlace } from "./tools/tool-place.ts";
+import { useWorksPlace } from "./works/works-place.ts";
 
 /** Fetched when it is first opened. */
 const SettingsDialog = lazyPart(async () => ({ default: (await import("./settings/SettingsDialog.tsx")).SettingsDialog }));
@@ -35,6 +37,8 @@ export function Header() {
   const future = useSteps((s) => s.future.length > 0);
   const own = useOwnPlace((p) => p.shown);
   const tools = useToolPlace((p) => p.shown) || own;
+  const elsewhere = useElsewhere((e) => e.shown !== null);
+  const works = useWorksPlace((p) => p.shown) && !elsewhere;
   const toTools = useRef<HTMLButtonElement>(null);
   const wereTools = useRef(false);
   const words = job && t.menu.of[job.cycle];
@@ -60,6 +64,7 @@ export function Header() {
           <span className="number">{job.cycle}</span> {words.name}
         </h1>
       )}
+      {!tools && !words && !program && works && <h1 className="open-cycle">{t.page.works.title}</h1>}
       {!tools && program && <h1 className="open-cycle">{program.name}</h1>}
       <div className="top-buttons">
         <button type="button" className="button icon plain" aria-label={t.page.undo} title={`${t.page.undo} (Ctrl+Z)`} disabled={!past}

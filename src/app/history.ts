@@ -2,6 +2,7 @@ import { draftOf } from "./edits.ts";
 import { openPrompt, usePlace } from "./place.ts";
 import { hideOwn, showOwn } from "./own/own-place.ts";
 import { useOwn } from "./own/own-store.ts";
+import { OF_WORKS } from "./saving/of-works.ts";
 import { redo, undo, useSteps, type Steps } from "./steps.ts";
 import { useEditor } from "./store.ts";
 import { hideTools, showTools } from "./tools/tool-place.ts";
@@ -10,6 +11,8 @@ import { useTools } from "./tools/tool-store.ts";
 /** Goes one step through the history and shows what has changed: a row of the tools, a described cycle, or the work with the prompt. */
 function goAndShow(way: keyof Steps, run: () => void): void {
   if (useSteps.getState()[way].length === 0) return;
+  // The list of works is not left for another place when a change of it is taken back.
+  if (useSteps.getState()[way].at(-1)?.of === OF_WORKS && useEditor.getState().work === null) return run();
   const [{ job: before }, { list: tools }, { list: own }] = [useEditor.getState(), useTools.getState(), useOwn.getState()];
   run();
   const described = useOwn.getState().list;

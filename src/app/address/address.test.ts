@@ -3,13 +3,14 @@ import { expect, test } from "vitest";
 import { parseAddress, printAddress, type Address } from "./address.ts";
 
 const name = fc.string({ minLength: 1, unit: "grapheme" });
-const places: fc.Arbitrary<Address> = fc.oneof(fc.record({ page: fc.constant("start" as const), which: fc.boolean() }), fc.record({
-  page: fc.constant("work" as const),
-  work: fc.oneof(name, fc.constantFrom("which", "..", "a/b", "#p=x", "100%")),
-  section: fc.constantFrom("prompts" as const, "setup" as const, "contour" as const, "findings" as const, "program" as const,
-    "text" as const, "block" as const, "structure" as const),
-  which: fc.boolean(),
-}), fc.integer({ min: 0, max: 32_767 }).map((n) => ({ page: "tools" as const, number: n / 10, milling: false })),
+const places: fc.Arbitrary<Address> = fc.oneof(fc.record({ page: fc.constant("start" as const), which: fc.boolean() }),
+  fc.constant({ page: "works" as const }), fc.record({
+    page: fc.constant("work" as const),
+    work: fc.oneof(name, fc.constantFrom("which", "..", "a/b", "#p=x", "100%")),
+    section: fc.constantFrom("prompts" as const, "setup" as const, "contour" as const, "findings" as const, "program" as const,
+      "text" as const, "block" as const, "structure" as const),
+    which: fc.boolean(),
+  }), fc.integer({ min: 0, max: 32_767 }).map((n) => ({ page: "tools" as const, number: n / 10, milling: false })),
   fc.boolean().map((milling) => ({ page: "tools" as const, number: null, milling })),
   fc.record({ page: fc.constant("own" as const), row: fc.option(name) }));
 
@@ -26,6 +27,8 @@ test.each([
   ["#/work/7f3a", { page: "work", work: "7f3a", section: "prompts", which: false }],
   ["#/tools/5", { page: "tools", number: 5, milling: false }],
   ["#/tools/milling/", { page: "tools", number: null, milling: true }],
+  ["#/works", { page: "works" }],
+  ["#/works/", { page: "works" }],
   ["#/own", { page: "own", row: null }],
 ])("%s is read", (hash, address) => expect(parseAddress(hash)).toEqual(address));
 
@@ -44,5 +47,6 @@ test.each([
   "#/tools/5/6",
   "#/own/a/b",
   "#/which/a",
+  "#/works/a",
   "#/work/%",
 ])("%j is no place", (hash) => expect(parseAddress(hash)).toBeNull());

@@ -1,12 +1,17 @@
 import type { WorkSection } from "../place.ts";
 
 /** A place of the page that has an address of its own: behind `#`, so that it works in any folder and without a server. */
-export type Address = StartAddress | WorkAddress | SheetAddress | ToolsAddress | OwnAddress;
+export type Address = StartAddress | WorksAddress | WorkAddress | SheetAddress | ToolsAddress | OwnAddress;
 
 /** The first screen, and whether it is asked there which cycle makes a shape. */
 export interface StartAddress {
   readonly page: "start";
   readonly which: boolean;
+}
+
+/** The list of all works of this device. */
+export interface WorksAddress {
+  readonly page: "works";
 }
 
 /** A work of this device by the name it is kept under, with the section that is shown. */
@@ -54,6 +59,8 @@ function parts(address: Address): readonly string[] {
   switch (address.page) {
     case "start":
       return address.which ? [WHICH] : [];
+    case "works":
+      return ["works"];
     case "work": {
       const { work, section, which } = address;
       return ["work", work, ...(section === "prompts" ? [] : [section]), ...(which ? [WHICH] : [])];
@@ -106,6 +113,8 @@ export function parseAddress(hash: string): Address | null {
       return { page: "start", which: false };
     case WHICH:
       return more.length === 0 ? { page: "start", which: true } : null;
+    case "works":
+      return more.length === 0 ? { page: "works" } : null;
     case "work":
       return workAddress(more);
     case "tools":

@@ -1,10 +1,12 @@
 import { z } from "zod/mini";
 import { useOwnPlace } from "../own/own-place.ts";
 import { usePlace } from "../place.ts";
+import { useElsewhere } from "../saving/elsewhere.ts";
 import { useEditor } from "../store.ts";
 import { useSheetPlace } from "../sheet/sheet-place.ts";
 import { useToolPlace } from "../tools/tool-place.ts";
 import { useWhichPlace } from "../which/which-place.ts";
+import { useWorksPlace } from "../works/works-place.ts";
 import { isShareLink, parseAddress, printAddress } from "./address.ts";
 import { beginProgram, goTo, here } from "./here.ts";
 
@@ -61,7 +63,7 @@ const REST = 400;
 const isOver = (hash: string): boolean => {
   const address = parseAddress(hash);
   return address !== null
-    && (address.page === "sheet" || address.page === "tools" || address.page === "own" || (address.page !== "start" && address.which));
+    && (address.page === "sheet" || address.page === "tools" || address.page === "own" || (address.page === "work" && address.which));
 };
 
 /** Rows of one table are one place: going through them is no journey. */
@@ -163,6 +165,8 @@ export function followAddress(begun = location.hash): () => void {
     useOwnPlace.subscribe(soon),
     useSheetPlace.subscribe(soon),
     useWhichPlace.subscribe(soon),
+    useWorksPlace.subscribe(soon),
+    useElsewhere.subscribe(soon),
   ];
   addEventListener("popstate", onBack);
   addEventListener("pagehide", note);

@@ -1,14 +1,16 @@
 import { hideOwn, showOwn, useOwnPlace } from "../own/own-place.ts";
 import { usePlace, type WorkSection } from "../place.ts";
+import { useElsewhere } from "../saving/elsewhere.ts";
 import { notice, openWork } from "../saving/keep.ts";
 import { useEditor } from "../store.ts";
 import { hideTools, openRow, showKind, showToolNumber, showTools, useToolPlace } from "../tools/tool-place.ts";
 import { toolsOnDevice, useTools } from "../tools/tool-store.ts";
 import { holds } from "../use-media.ts";
 import { hideWhich, showWhich, useWhichPlace } from "../which/which-place.ts";
+import { useWorksPlace } from "../works/works-place.ts";
 import { hideSheet, sheetIsShown, showSheet } from "../sheet/sheet-place.ts";
 import type { Address, SheetAddress, ToolsAddress, WorkAddress } from "./address.ts";
-import { goHome } from "./go-home.ts";
+import { goHome, goToWorks } from "./go-home.ts";
 
 const JOB_SECTIONS: readonly WorkSection[] = ["prompts", "setup", "contour", "findings", "program"];
 const PROGRAM_SECTIONS: readonly WorkSection[] = ["text", "block", "structure", "findings"];
@@ -42,11 +44,15 @@ export function here(): Address {
   const { work } = useEditor.getState();
   if (work !== null && sheetIsShown()) return { page: "sheet", work };
   const which = useWhichPlace.getState().shown;
+  const elsewhere = useElsewhere.getState().shown;
+  if (work === null && elsewhere) return { page: "work", work: elsewhere.work, section: "prompts", which: false };
+  if (work === null && useWorksPlace.getState().shown) return { page: "works" };
   return work === null ? { page: "start", which } : { page: "work", work, section: shownSection(), which };
 }
 
 async function openNamed({ work, section }: Pick<WorkAddress, "work" | "section">): Promise<void> {
   if (useEditor.getState().work !== work) {
+    if (useElsewhere.getState().shown?.work === work) return;
     usePlace.setState({ section: "prompts", prompt: null, field: null });
     if (!await openWork(work)) {
       notice("workNotHere");
@@ -83,6 +89,10 @@ export async function goTo(address: Address): Promise<void> {
     return openSheet(address);
   }
   hideSheet();
+  if (address.page === "works") {
+    hideWhich();
+    return goToWorks();
+  }
   if (address.page === "start") goHome();
   else await openNamed(address);
   if (address.which) showWhich(useWhichPlace.getState().region);

@@ -43,7 +43,7 @@ test("whatever is packed is found again, what is typed wrong and drafts of other
     const rest = whole ? { tools, own, settings } : { tools: null, own: null, settings: null };
     const found = read(writeArchive({ works: all, ...rest }));
     expect(found).toEqual({ works: all, ...rest, unread: [], unreadParts: [] });
-  }), { numRuns: 150 });
+  }), { numRuns: 60 });
 });
 
 test("every path is a plain one inside its folder, and no two are the same on any system", () => {
@@ -54,7 +54,7 @@ test("every path is a plain one inside its folder, and no two are the same on an
       expect(path).toMatch(/^(?:turnwise\.json|settings\.json|tools\/[A-Z]+\.json|programs\/[^/\\:]+\/[^/\\:]+)$/);
       expect(path).not.toMatch(/\/\.|(?:^|\/)(?:CON|AUX)(?:\.|\/|$)/i);
     }
-  }), { numRuns: 100 });
+  }), { numRuns: 50 });
 });
 
 test("the programs in it are the bytes that the control reads", () => {

@@ -12,6 +12,7 @@ vi.mock("idb-keyval", () => {
   const of = (name: string) => device.stores.get(name) ?? device.stores.set(name, new Map()).get(name) ?? new Map<string, unknown>();
   return {
     createStore: (name: string) => name,
+    entries: (name: string) => answer(() => [...of(name).entries()]),
     keys: (name: string) => answer(() => [...of(name).keys()]),
     get: (key: string, name: string) => answer(() => of(name).get(key)),
     set: (key: string, value: unknown, name: string) => answer(() => void of(name).set(key, value)),
@@ -33,6 +34,7 @@ beforeEach(() => {
 test("150 works are kept, and all are found, newest first", async () => {
   for (let i = 0; i < 150; i += 1) expect(await keepWork(`w${i}`, { ...job, name: `N${i}` })).toBe("kept");
   works().forEach((file, key) => works().set(key, { ...(file as object), savedAt: Number(key.slice(1)) }));
+  device.stores.delete("turnwise-heads");
   const found = await findWorks();
   expect(found).toMatchObject({ available: true, setAside: 0, newer: 0 });
   expect(found.works.map((w) => w.name)).toEqual(Array.from({ length: 150 }, (_, i) => `N${149 - i}`));
@@ -44,8 +46,26 @@ test("150 works are kept, and all are found, newest first", async () => {
 test("a list holds no texts of programs", async () => {
   await keepWork("p", { name: "LONG.H", text: "L X+1\n".repeat(100_000), encoding: "utf-8" });
   const found = await findWorks();
-  expect(found.works).toEqual([{ work: "p", name: "LONG.H", cycle: null, savedAt: expect.any(Number) }]);
+  expect(found.works).toEqual([{ work: "p", name: "LONG.H", cycle: null, savedAt: expect.any(Number), size: 600_006 }]);
   expect((await readWork("p"))?.job).toMatchObject({ name: "LONG.H" });
+});
+
+test("works of an edition that noted no heads are found, and read once only", async () => {
+  await keepWork("old", { ...job, name: "OLD" }, 41);
+  device.stores.delete("turnwise-heads");
+  const [found] = (await findWorks()).works;
+  expect(found).toMatchObject({ work: "old", name: "OLD", savedAt: 41, cycle: job.cycle });
+  works().set("old", { broken: true });
+  expect((await findWorks()).works).toEqual([found]);
+});
+
+test("a work that turns out to be damaged when it is opened is set aside at the next look", async () => {
+  await keepWork("w", job);
+  works().set("w", { broken: true });
+  expect(await findWorks()).toMatchObject({ setAside: 0, works: [{ work: "w" }] });
+  expect(await readWork("w")).toBeNull();
+  expect(await findWorks()).toMatchObject({ setAside: 1, works: [] });
+  expect([...aside().values()]).toEqual([{ broken: true }]);
 });
 
 test("no room and a refusal are told apart, and nothing is thrown", async () => {

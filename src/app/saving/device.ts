@@ -1,6 +1,7 @@
+import { createStore, del, entries, get, keys, set } from "idb-keyval";
+import { z } from "zod/mini";
 import { time } from "../clock.ts";
-import { createStore, del, get, keys, set } from "idb-keyval";
-import { isProgram, type Work } from "../work.ts";
+import { isProgram, textsOf, type Work } from "../work.ts";
 import { isNewer, readSave, SAVE_VERSION, type SaveFile } from "./save-file.ts";
 
 /** What a list shows of a saved work; the work itself stays on the device until it is opened. */
@@ -11,6 +12,8 @@ export interface Kept {
   readonly name: string;
   /** Null for a whole program. */
   readonly cycle: number | null;
+  /** What it takes on the device, bytes, about. */
+  readonly size: number;
 }
 
 /** Everything found on the device. Nothing of it is ever deleted but by the operator. */
@@ -28,10 +31,14 @@ export interface Found {
 /** What became of writing: kept, no room left, or refused. */
 export type KeepState = "kept" | "full" | "refused";
 
-type Stores = { readonly works: ReturnType<typeof createStore>; readonly aside: ReturnType<typeof createStore> };
+/** Works, what was set aside, and beside each work what a list shows of it: a list of many must not read all their texts. */
+type Stores = Readonly<Record<"works" | "aside" | "heads", ReturnType<typeof createStore>>>;
 let stores: Stores | null = null;
-const open =
-  (): Stores => (stores ??= { works: createStore("turnwise-works", "works"), aside: createStore("turnwise-damaged", "damaged") });
+const open = (): Stores => (stores ??= {
+  works: createStore("turnwise-works", "works"),
+  aside: createStore("turnwise-damaged", "damaged"),
+  heads: createStore("turnwise-heads", "heads"),
+});
 
 /** A device that does not answer must not keep the page from opening, ms. */
 const PATIENCE = 4000;
@@ -57,28 +64,64 @@ async function bringBack(): Promise<void> {
   }
 }
 
-const headOf = (work: string, { savedAt, job }: SaveFile): Kept => ({
-  work,
+const sizeOf = (job: Work): number =>
+  isProgram(job) ? textsOf(job).reduce((sum, { name, text }) => sum + name.length + text.length, 0) : JSON.stringify(job).length;
+
+type Head = Omit<Kept, "work">;
+const headOf = ({ savedAt, job }: SaveFile): Head => ({
   savedAt,
   name: job.name,
   cycle: isProgram(job) ? null : job.cycle,
+  size: sizeOf(job),
 });
+const headShape = z.object({ savedAt: z.number(), name: z.string(), cycle: z.nullable(z.number()), size: z.number() });
+
+/** What lists show of works, by their names; a work without a head is read itself. */
+async function knownHeads(): Promise<ReadonlyMap<string, Head>> {
+  try {
+    const all = await inTime(entries<string, unknown>(open().heads));
+    return new Map(all.flatMap(([work, raw]) => {
+      const read = headShape.safeParse(raw);
+      return read.success ? [[String(work), read.data] as const] : [];
+    }));
+  } catch {
+    return new Map();
+  }
+}
+
+/** Notes what lists show of a work, null of one that is to be read itself. A head is a convenience: without it nothing is lost. */
+async function noteHead(work: string, head: Head | null): Promise<void> {
+  try {
+    await (head ? set(work, head, open().heads) : del(work, open().heads));
+  } catch {
+    return;
+  }
+}
 
 /**
- * Reads what there is of saved works, one after the other, so that never more than one is in memory. What is damaged is moved
- * to a place of its own and stays there. Always answers.
+ * Finds what there is of saved works. Those without a head are read, one after the other, so that never more than one is in memory. What is
+ * damaged is moved to a place of its own and stays there. Always answers.
  */
 export async function findWorks(): Promise<Found> {
-  const heads: Kept[] = [];
+  const found: Kept[] = [];
   let [setAside, newer, available] = [0, 0, true];
   try {
     const { works, aside } = open();
     await bringBack();
+    const known = await knownHeads();
     for (const key of await inTime(keys<string>(works))) {
+      const work = String(key);
+      const head = known.get(work);
+      if (head) {
+        found.push({ work, ...head });
+        continue;
+      }
       const raw = await inTime(get<unknown>(key, works));
       const file = readSave(raw);
-      if (file) heads.push(headOf(String(key), file));
-      else if (isNewer(raw)) newer += 1;
+      if (file) {
+        found.push({ work, ...headOf(file) });
+        await noteHead(work, headOf(file));
+      } else if (isNewer(raw)) newer += 1;
       else if (raw !== undefined) {
         await set(`${time()} ${String(key)}`, raw, aside);
         await del(key, works);
@@ -88,13 +131,17 @@ export async function findWorks(): Promise<Found> {
   } catch {
     available = false;
   }
-  return { works: heads.sort((a, b) => b.savedAt - a.savedAt), setAside, newer, available };
+  return { works: found.sort((a, b) => b.savedAt - a.savedAt), setAside, newer, available };
 }
 
 /** One saved work; null when there is none, or none that can be read. */
 export async function readWork(work: string): Promise<SaveFile | null> {
   try {
-    return readSave(await inTime(get(work, open().works)));
+    const raw = await inTime(get<unknown>(work, open().works));
+    const file = readSave(raw);
+    // The next look at the list reads this one itself and sets it aside.
+    if (!file && raw !== undefined) await noteHead(work, null);
+    return file;
   } catch {
     return null;
   }
@@ -102,11 +149,12 @@ export async function readWork(work: string): Promise<SaveFile | null> {
 
 const isFull = (error: unknown) => error instanceof Error && error.name === "QuotaExceededError";
 
-/** Keeps a work. */
-export async function keepWork(work: string, job: Work): Promise<KeepState> {
+/** Keeps a work, as changed now or at another time. */
+export async function keepWork(work: string, job: Work, savedAt = time()): Promise<KeepState> {
   try {
-    const file: SaveFile = { version: SAVE_VERSION, savedAt: time(), job };
+    const file: SaveFile = { version: SAVE_VERSION, savedAt, job };
     await set(work, file, open().works);
+    await noteHead(work, headOf(file));
     return "kept";
   } catch (error) {
     return isFull(error) ? "full" : "refused";
@@ -117,6 +165,7 @@ export async function keepWork(work: string, job: Work): Promise<KeepState> {
 export async function forgetWork(work: string): Promise<void> {
   try {
     await del(work, open().works);
+    await noteHead(work, null);
   } catch {
     return;
   }

@@ -1,60 +1,19 @@
 import { beforeEach, expect, test, vi } from "vitest";
-import { cuttingCycles } from "../../cycles/index.ts";
-import { exampleJob, type Job } from "../../program/job.ts";
+import type { Job } from "../../program/job.ts";
 import { setTool } from "../edits.ts";
 import { begin, useEditor } from "../store.ts";
-import type { Found } from "./device.ts";
-import { openWork, putBack, refreshWorks, removeWork, resume, startKeeping, startWork, unkeptWorks, useKeeping } from "./keep.ts";
+import { device, emptyDevice, someJob as job } from "./fake-device.ts";
+import { refreshWorks, startKeeping, startWork, unkeptWorks, useKeeping } from "./keep.ts";
+import { resume } from "./resume.ts";
 
-const device = vi.hoisted(() => ({
-  works: new Map<string, { savedAt: number; job: unknown }>(),
-  refuses: null as
-    | "full"
-    | "refused"
-    | null,
-  /** Holds every write until it is settled. */
-  slow: null as Promise<void> | null,
-  setAside: 0,
-  newer: 0,
-  taken: new Set<string>(),
-}));
+vi.mock("./device.ts", () => import("./fake-device.ts"));
 
-vi.mock("./device.ts", () => ({
-  findWorks: () =>
-    Promise.resolve({
-      works: [...device.works].map(([work, { savedAt, job }]) => ({ work, savedAt, name: (job as Job).name, cycle: (job as Job).cycle }))
-        .sort((a, b) => b.savedAt - a.savedAt),
-      setAside: device.setAside,
-      newer: device.newer,
-      available: device.refuses !== "refused",
-    } as unknown as Found),
-  keepWork: async (work: string, job: Job) => {
-    await device.slow;
-    if (!device.refuses) device.works.set(work, { savedAt: device.works.size, job });
-    return device.refuses ?? "kept";
-  },
-  readWork: (work: string) => Promise.resolve(device.works.get(work) ?? null),
-  forgetWork: (work: string) => Promise.resolve(device.works.delete(work)),
-}));
-
-const [cycle] = cuttingCycles;
-if (!cycle) throw new Error("the catalogue is empty");
-const job = exampleJob(cycle);
 const settle = () => new Promise((done) => setTimeout(done, 0));
-/** The locks of the browser, with the works that other tabs hold. */
-const locks = {
-  request: (name: string, _: unknown, callback: (lock: object | null) => unknown) =>
-    Promise.resolve(callback(device.taken.has(name) ? null : { name })),
-};
 
 beforeEach(() => {
-  device.works.clear();
-  device.taken.clear();
-  Object.assign(device, { refuses: null, slow: null, setAside: 0, newer: 0 });
-  sessionStorage.clear();
+  emptyDevice();
   begin(null, null);
   useKeeping.setState({ works: [], notices: [], damaged: 0, ready: false });
-  Object.defineProperty(navigator, "locks", { value: locks, configurable: true });
 });
 
 test("an empty device opens the start page", async () => {
@@ -89,21 +48,6 @@ test("a new tab continues the newest work", async () => {
   device.works.set("new", { savedAt: 2, job: { ...job, name: "NEWEST" } });
   await resume();
   expect(useEditor.getState()).toMatchObject({ work: "new", job: { name: "NEWEST" } });
-});
-
-test("a work that another tab has open is continued as a copy, and both are kept", async () => {
-  device.works.set("shared", { savedAt: 1, job });
-  device.taken.add("turnwise shared");
-  await resume();
-  const { work } = useEditor.getState();
-  expect(work).not.toBe("shared");
-  expect(useKeeping.getState().notices).toEqual(["copyOfOtherTab"]);
-  const stop = startKeeping();
-  setTool(9);
-  stop();
-  await settle();
-  expect(device.works.get("shared")?.job).toEqual(job);
-  expect(device.works.get(work ?? "")?.job).toMatchObject({ tool: 9 });
 });
 
 test("a reload comes back to the work of this tab, or to its start page", async () => {
@@ -198,19 +142,6 @@ test("what the device does not take is said, stays in hand, and is kept as soon 
   expect(device.works.get(useEditor.getState().work ?? "")?.job).toMatchObject({ tool: 9 });
   expect(unkeptWorks()).toEqual([]);
   expect(useKeeping.getState().notices).toEqual([]);
-});
-
-test("a work leaves the list only when it is asked to, and can be put back", async () => {
-  for (let i = 0; i < 150; i += 1) device.works.set(`w${i}`, { savedAt: i, job: { ...job, name: `N${i}` } });
-  await refreshWorks();
-  expect(useKeeping.getState().works.length).toBe(150);
-  const removed = await removeWork("w3");
-  expect(removed).toMatchObject({ name: "N3" });
-  expect(useKeeping.getState().works.some((w) => w.work === "w3")).toBe(false);
-  await putBack("w3", removed ?? job);
-  expect(useKeeping.getState().works.length).toBe(150);
-  await openWork("w0");
-  expect(useEditor.getState().job).toMatchObject({ name: "N0" });
 });
 
 test("saves of a newer edition are said", async () => {

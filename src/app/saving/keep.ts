@@ -3,9 +3,10 @@ import { time } from "../clock.ts";
 import { create } from "zustand";
 import { begin, handOver, open, useEditor } from "../store.ts";
 import type { Work } from "../work.ts";
-import { findWorks, forgetWork, keepWork, readWork, type Kept } from "./device.ts";
+import { findWorks, keepWork, readWork, type Kept } from "./device.ts";
 import { readSave, SAVE_VERSION } from "./save-file.ts";
-import { claimWork, leaveBehind, leftBehind, rememberedWork, rememberWork } from "./tab.ts";
+import { showElsewhere } from "./elsewhere.ts";
+import { answerOthers, askFor, claimNew, claimWork, leaveBehind, onLost, ownedWorks, owns, releaseWork, rememberWork } from "./tab.ts";
 
 /** What the page says about saving. */
 export interface Keeping {
@@ -32,12 +33,16 @@ export const dismiss = (which: Notice | "damaged"): void =>
 
 /** The last state of each work that is already on the device. */
 const written = new Map<string, Work>();
+/** Notes a state that was read from the device. */
+export const noteWritten = (work: string, job: Work): void => void written.set(work, job);
 /** The last state of each work that the device did not take: it is tried again, and can be downloaded. */
 const unkept = new Map<string, Work>();
 export const unkeptWorks = (): readonly Work[] => [...unkept.values()];
+/** Lets go a state that the device did not take. */
+export const forgetUnkept = (work: string): void => void unkept.delete(work);
 
 /** Keeps one state of a work. What the device does not take is said and stays in memory. */
-async function keep(work: string, job: Work): Promise<void> {
+export async function keepState(work: string, job: Work): Promise<void> {
   const done = await keepWork(work, job);
   if (done !== "kept") {
     unkept.set(work, job);
@@ -51,45 +56,123 @@ async function keep(work: string, job: Work): Promise<void> {
 
 /** Tries again what the device did not take, when there may be room for it. */
 async function keepAgain(): Promise<void> {
-  for (const [work, job] of [...unkept]) await keep(work, job);
+  for (const [work, job] of [...unkept]) await keepState(work, job);
 }
 /** The newest state of each work that is not yet on the device, those that are being written among them. */
 const waiting = new Map<string, Work>();
-let writing = false;
+let writing: Promise<void> | null = null;
 
-/** Writes what waits, one work after the other. A state waits until it is written: the page may go away on the way. */
-async function write(): Promise<void> {
-  if (writing) return;
-  writing = true;
+async function writeAll(): Promise<void> {
   for (let next = waiting.entries().next(); !next.done; next = waiting.entries().next()) {
     const [work, job] = next.value;
-    await keep(work, job);
+    await keepState(work, job);
     if (waiting.get(work) === job) waiting.delete(work);
   }
-  writing = false;
+  // What is written and no longer open here may be opened by another tab.
+  const open = useEditor.getState().work;
+  for (const work of ownedWorks()) if (work !== open && !waiting.has(work) && !unkept.has(work)) releaseWork(work);
 }
+
+/** Writes what waits, one work after the other. A state waits until it is written: the page may go away on the way. */
+const write = (): Promise<void> => (writing ??= writeAll().finally(() => {
+  writing = null;
+}));
 
 /** Rest before writing, so that writing never delays the picture of what is typed, ms. */
 const REST = 80;
+
+/** The open work, as it is now. */
+const openJob = (): Work | null => useEditor.getState().job ?? useEditor.getState().program;
+
+/** Goes on with a copy under a name of its own, for what is open here must not be written over what another tab has. */
+function goOnWithCopy(job: Work): void {
+  const copy = drawnId();
+  claimNew(copy);
+  begin(job, copy);
+  notice("copyOfOtherTab");
+}
+
+/** Closes a work that another tab has, and says so in its place. */
+function leaveToOther(work: string, job: Work, cause: "isOpen" | "wasTaken"): void {
+  begin(null, null);
+  showElsewhere({ work, name: job.name, cause });
+}
+
+const reclaiming = new Set<string>();
+
+/** Undo came back to a work that this tab had let go: it is taken again, as it is on the device by now. */
+async function reclaim(work: string, first: Work, wait: () => void): Promise<void> {
+  if (reclaiming.has(work)) return;
+  reclaiming.add(work);
+  const before = written.get(work);
+  const free = await claimWork(work);
+  const kept = free ? (await readWork(work))?.job : undefined;
+  const { fingerprint } = await import("./difference.ts");
+  reclaiming.delete(work);
+  const job = openJob();
+  if (useEditor.getState().work !== work || !job) return;
+  const isKnown = free && (!kept || !before || fingerprint(kept) === fingerprint(before));
+  if (isKnown) {
+    waiting.set(work, job);
+    wait();
+  } else if (job !== first) goOnWithCopy(job);
+  else if (kept) {
+    written.set(work, kept);
+    begin(kept, work);
+  } else leaveToOther(work, job, "isOpen");
+}
+
+/** Hands a work over to another tab: nothing more is typed into it here, and its newest state is on the device or in the answer. */
+async function giveAway(work: string): Promise<Work | null> {
+  handOver();
+  const job = openJob();
+  if (job && useEditor.getState().work === work) {
+    if (written.get(work) !== job) waiting.set(work, job);
+    leaveToOther(work, job, "wasTaken");
+  }
+  while (waiting.has(work)) await write();
+  const state = unkept.get(work) ?? null;
+  unkept.delete(work);
+  return state;
+}
+
+/** Another tab took a work because this one did not answer. What it does not have goes on as a copy. */
+function lose(work: string): void {
+  const job = openJob();
+  const isOpen = useEditor.getState().work === work;
+  waiting.delete(work);
+  if (job && isOpen && written.get(work) !== job) goOnWithCopy(job);
+  else if (job && isOpen) leaveToOther(work, job, "wasTaken");
+}
 
 /** From now on each change of the work is kept on the device, a moment after it was made. */
 export function startKeeping(): () => void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   let known: string | null | undefined;
-  const stop = useEditor.subscribe(({ job: prompts, program, work }) => {
-    const job = prompts ?? program;
-    const name = job ? work : null;
-    if (name !== known) rememberWork(name);
-    known = name;
-    if (!job || !work) return;
-    // Undo and redo come back to a state that was written, while another one waits or is on its way.
-    if (written.get(work) === job && !waiting.has(work)) return;
-    waiting.set(work, job);
+  const wait = () => {
     timer ??= setTimeout(() => {
       timer = undefined;
       void write();
     }, REST);
+  };
+  const stop = useEditor.subscribe(({ job: prompts, program, work }) => {
+    const job = prompts ?? program;
+    const name = job ? work : null;
+    if (name !== known) {
+      rememberWork(name);
+      wait();
+    }
+    known = name;
+    if (!job || !work) return;
+    showElsewhere(null);
+    if (!owns(work)) return void reclaim(work, job, wait);
+    // Undo and redo come back to a state that was written, while another one waits or is on its way.
+    if (written.get(work) === job && !waiting.has(work)) return;
+    waiting.set(work, job);
+    wait();
   });
+  const stopAnswering = answerOthers(giveAway);
+  onLost.add(lose);
   const rest = () => {
     handOver();
     void write();
@@ -109,6 +192,8 @@ export function startKeeping(): () => void {
   document.addEventListener("visibilitychange", rest);
   return () => {
     stop();
+    stopAnswering();
+    onLost.delete(lose);
     clearTimeout(timer);
     removeEventListener("beforeunload", ask);
     removeEventListener("pagehide", leave);
@@ -117,74 +202,67 @@ export function startKeeping(): () => void {
   };
 }
 
-/** Takes a saved work into this tab: its own name when it is free, a name for a copy when another tab has it open. */
-async function nameFor(work: string, job: Work): Promise<string> {
-  const patience = rememberedWork() === work ? 5 : 1;
-  for (let attempt = 0; attempt < patience; attempt++) {
-    if (attempt > 0) await new Promise((done) => setTimeout(done, 60));
-    if (!(await claimWork(work))) continue;
-    rememberWork(work);
-    written.set(work, job);
-    return work;
+/** How often a work is asked for, and the rest between, ms: a tab that is closed, or loaded again, takes a moment to let go. */
+const ASKING = { times: 5, rest: 60 };
+
+/** Claims a work for this tab. */
+export async function claimPatiently(work: string): Promise<boolean> {
+  for (let attempt = 0; attempt < ASKING.times; attempt++) {
+    if (attempt > 0) await new Promise((done) => setTimeout(done, ASKING.rest));
+    if (await claimWork(work)) return true;
   }
-  const copy = drawnId();
-  await claimWork(copy);
-  written.set(copy, job);
-  notice("copyOfOtherTab");
-  return copy;
-}
-
-/** Writes what the page before could not write in time; what the device does not take stays behind for the next page. */
-async function catchUp(): Promise<void> {
-  for (const { work, file: raw } of leftBehind()) {
-    const file = readSave(raw);
-    const kept = file && (await readWork(work));
-    if (file && (!kept || kept.savedAt <= file.savedAt)) await keep(work, file.job);
-  }
-  if (unkept.size === 0) leaveBehind([]);
-}
-
-/** What the page's address asks to be opened: a work by its name, null for the start page; undefined where it says nothing of it. */
-export type AskedWork = string | null | undefined;
-
-/** The work to begin with: the one that is asked for, what this tab had open, or the newest one in a new tab. */
-function firstWork(asked: AskedWork, works: readonly Kept[]): Kept | undefined {
-  const remembered = asked === undefined ? rememberedWork() : (asked ?? "");
-  if (remembered === null) return works[0];
-  const found = works.find((w) => w.work === remembered);
-  if (!found && asked) notice("workNotHere");
-  if (!found) rememberWork(null);
-  return found;
-}
-
-/** Opens what was asked for, what this tab had open, or the newest work in a new tab, or the start page. Never fails. */
-export async function resume(asked: AskedWork = undefined): Promise<void> {
-  await catchUp();
-  const found = await findWorks();
-  useKeeping.setState({ works: found.works, damaged: found.setAside });
-  if (!found.available) notice("notKept");
-  if (found.newer > 0) notice("newerWorks");
-  const last = firstWork(asked, found.works);
-  const file = last && (await readWork(last.work));
-  if (last && file) begin(file.job, await nameFor(last.work, file.job));
-  else begin(null, null);
-  useKeeping.setState({ ready: true });
+  return false;
 }
 
 /** Begins new work under a name of its own; what was open stays on the device. */
 export function startWork(job: Work): void {
   const work = drawnId();
   rememberWork(work);
-  void claimWork(work);
+  claimNew(work);
   open(job, work);
 }
 
-/** Opens a work of this device, also one that the device did not take; false when there is none of this name. */
+/** The newest state of a work, also of one that the device did not take; null when there is none of this name. */
+export const newestState = async (work: string): Promise<Work | null> =>
+  waiting.get(work) ?? unkept.get(work) ?? (await readWork(work))?.job ?? null;
+
+/** Opens a work of this device; false when there is none of this name. One that another tab has is said in its place. */
 export async function openWork(work: string): Promise<boolean> {
-  const job = waiting.get(work) ?? unkept.get(work) ?? (await readWork(work))?.job;
-  if (!job) return false;
-  open(job, await nameFor(work, job));
+  const free = await claimPatiently(work);
+  const job = await newestState(work);
+  if (!job) {
+    await refreshWorks();
+    return false;
+  }
+  if (!free) {
+    open(null, null);
+    showElsewhere({ work, name: job.name, cause: "isOpen" });
+    return true;
+  }
+  if (!waiting.has(work) && !unkept.has(work)) written.set(work, job);
+  open(job, work);
   return true;
+}
+
+/** Takes a work over from the tab that has it open, which hands over its newest state; from one that does not answer as it is kept. */
+export async function takeOver(work: string): Promise<boolean> {
+  let given: unknown;
+  if (!(await claimWork(work))) {
+    given = await askFor(work);
+    if (!(await claimPatiently(work)) && !(await claimWork(work, true))) return false;
+  }
+  const state = given ? readSave({ version: SAVE_VERSION, savedAt: 0, job: given })?.job : undefined;
+  if (state) {
+    open(state, work);
+    return true;
+  }
+  return openWork(work);
+}
+
+/** Begins a copy of a work, which stays as it is. */
+export async function copyWork(work: string, nameOf: (name: string) => string): Promise<void> {
+  const job = await newestState(work);
+  if (job) startWork({ ...job, name: nameOf(job.name) });
 }
 
 /** Reads the list again, for the start page, where works may have been removed and room made. */
@@ -192,19 +270,4 @@ export async function refreshWorks(): Promise<void> {
   await keepAgain();
   const found = await findWorks();
   useKeeping.setState((k) => ({ ...k, works: found.works, damaged: k.damaged + found.setAside }));
-}
-
-/** Takes a work out of the list. Gives what it was, so that it can be put back; null when it was already gone. */
-export async function removeWork(work: string): Promise<Work | null> {
-  const job = unkept.get(work) ?? (await readWork(work))?.job ?? null;
-  unkept.delete(work);
-  await forgetWork(work);
-  await refreshWorks();
-  return job;
-}
-
-/** Puts a work back that was taken out of the list. */
-export async function putBack(work: string, job: Work): Promise<void> {
-  await keep(work, job);
-  await refreshWorks();
 }

@@ -4,13 +4,14 @@ import type { Thumbnail } from "../../view/thumbnail.ts";
 /** Pictures of works, by name; they are a convenience, and whatever happens to them no work is lost. */
 const KEY = "turnwise/pictures";
 /** Works that have one, and characters of one path. */
-const MOST = { works: 24, path: 6000 };
+const MOST = { works: 100, path: 6000 };
 
 const box = z.tuple([z.number(), z.number(), z.number(), z.number()]);
 const path = z.string().check(z.maxLength(MOST.path), z.regex(/^[MLZ\d .-]*$/));
 const shape = z.record(z.string(), z.object({ box, part: path, blank: path }));
 
-function stored(): Readonly<Record<string, Thumbnail>> {
+/** How the parts of works were last seen, by the names of the works. */
+export function keptPictures(): Readonly<Record<string, Thumbnail>> {
   try {
     const read = shape.safeParse(JSON.parse(localStorage.getItem(KEY) ?? "{}"));
     return read.success ? read.data : {};
@@ -19,13 +20,10 @@ function stored(): Readonly<Record<string, Thumbnail>> {
   }
 }
 
-/** How the part of a work was last seen; undefined where it never was. */
-export const keptPicture = (work: string): Thumbnail | undefined => stored()[work];
-
 /** Notes how the part of a work looks. The oldest gives way; a browser without room goes without. */
 export function keepPicture(work: string, picture: Thumbnail): void {
   if (picture.part.length > MOST.path || picture.blank.length > MOST.path) return;
-  const others = Object.entries(stored()).filter(([name]) => name !== work).slice(1 - MOST.works);
+  const others = Object.entries(keptPictures()).filter(([name]) => name !== work).slice(1 - MOST.works);
   try {
     localStorage.setItem(KEY, JSON.stringify(Object.fromEntries([...others, [work, picture]])));
   } catch {

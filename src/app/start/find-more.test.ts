@@ -3,7 +3,7 @@ import { page } from "../../i18n/de/page.ts";
 import type { Kept } from "../saving/device.ts";
 import { findMore } from "./find-more.ts";
 
-const work = (name: string, cycle: number | null): Kept => ({ work: name, savedAt: 7, name, cycle });
+const work = (name: string, cycle: number | null): Kept => ({ work: name, savedAt: 7, name, cycle, size: 3 });
 const works = [work("WELLE-31", 4711), work("Épaulement", null), work("FLANSCH", null)];
 
 test.each([["welle", ["WELLE-31"], ["shaft"]], ["47", ["WELLE-31"], []], ["epaul", ["Épaulement"], []], ["flansch sechs", [], ["flange"]], [

@@ -66,7 +66,8 @@ export const page = {
     empty: "Leer beginnen",
     cycle: (number, name) => `Zyklus ${number}, ${name}`,
     kept: "Auf diesem Gerät gespeichert",
-    showAll: (n) => `Alle ${n} anzeigen`,
+    allWorks: (n) => `Alle Arbeiten (${n})`,
+    isElsewhere: "in einem anderen Tab offen",
     continueWork: (name) => `${name} fortsetzen`,
     forget: (name) => `${name} aus der Liste nehmen`,
     removed: (name) => `${name} wurde entfernt.`,
@@ -109,6 +110,7 @@ export const page = {
     openLong: "Werkzeugtabelle öffnen",
   },
   own: { title: "Eigene Zyklen" },
+  works: { title: "Alle Arbeiten" },
 
   effect: {
     title: "Was diese Werte bewirken",
@@ -175,6 +177,7 @@ export const page = {
     newerWorks:
       "Einige gespeicherte Arbeiten stammen von einer neueren Version dieser Seite und sind nicht aufgeführt. Nichts wurde gelöscht.",
     downloadUnkept: "Programm herunterladen",
+    archiveUnkept: "Als eine Datei sichern",
     copyOfOtherTab: "Diese Arbeit ist in einem anderen Tab offen. Hier wird eine Kopie bearbeitet; beide bleiben erhalten.",
     workNotHere: "Die Arbeit dieser Adresse liegt nicht auf diesem Gerät: anderer Browser, oder aus der Liste entfernt.",
     linkDamaged: "Der Link enthält kein lesbares Programm.",

@@ -64,7 +64,8 @@ export const page = {
     empty: "Start empty",
     cycle: (number: number, name: string) => `Cycle ${number}, ${name}`,
     kept: "Saved on this device",
-    showAll: (n: number) => `Show all ${n}`,
+    allWorks: (n: number) => `All works (${n})`,
+    isElsewhere: "open in another tab",
     continueWork: (name: string) => `Continue ${name}`,
     forget: (name: string) => `Remove ${name} from the list`,
     removed: (name: string) => `${name} was removed.`,
@@ -107,6 +108,7 @@ export const page = {
     openLong: "Open the tool table",
   },
   own: { title: "Own cycles" },
+  works: { title: "All works" },
 
   effect: {
     title: "What these values do",
@@ -169,6 +171,7 @@ export const page = {
     storageFull: "The device has no room left: the latest changes are not kept. Download the program, or remove works on the start page.",
     newerWorks: "Some saved works come from a newer edition of this page and are not listed. Nothing was deleted.",
     downloadUnkept: "Download the program",
+    archiveUnkept: "Save them as one file",
     copyOfOtherTab: "This work is open in another tab. Here you edit a copy; both are kept.",
     workNotHere: "The work of this address is not on this device. It may be in another browser, or was removed from the list.",
     linkDamaged: "The link holds no program that can be read.",

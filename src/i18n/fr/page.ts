@@ -66,7 +66,8 @@ export const page = {
     empty: "Commencer à vide",
     cycle: (number, name) => `Cycle ${number}, ${name}`,
     kept: "Enregistrés sur cet appareil",
-    showAll: (n) => `Afficher les ${n}`,
+    allWorks: (n) => `Tous les travaux (${n})`,
+    isElsewhere: "ouvert dans un autre onglet",
     continueWork: (name) => `Continuer ${name}`,
     forget: (name) => `Retirer ${name} de la liste`,
     removed: (name) => `${name} a été retiré.`,
@@ -109,6 +110,7 @@ export const page = {
     openLong: "Ouvrir le tableau d’outils",
   },
   own: { title: "Cycles maison" },
+  works: { title: "Tous les travaux" },
 
   effect: {
     title: "Effet de ces valeurs",
@@ -174,6 +176,7 @@ export const page = {
     newerWorks:
       "Certains travaux enregistrés proviennent d’une version plus récente de cette page et ne sont pas listés. Rien n’a été effacé.",
     downloadUnkept: "Télécharger le programme",
+    archiveUnkept: "Les enregistrer dans un fichier",
     copyOfOtherTab: "Ce travail est ouvert dans un autre onglet. Ici, on modifie une copie ; les deux sont conservés.",
     workNotHere: "Le travail de cette adresse n’est pas sur cet appareil : autre navigateur, ou retiré de la liste.",
     linkDamaged: "Le lien ne contient aucun programme lisible.",

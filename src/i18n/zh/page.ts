@@ -64,7 +64,8 @@ export const page = {
     empty: "从空白开始",
     cycle: (number, name) => `循环 ${number}，${name}`,
     kept: "保存在本设备",
-    showAll: (n) => `显示全部 ${n} 项`,
+    allWorks: (n) => `所有工作（${n}）`,
+    isElsewhere: "已在另一个标签页打开",
     continueWork: (name) => `继续 ${name}`,
     forget: (name) => `从列表中移除 ${name}`,
     removed: (name) => `已移除 ${name}。`,
@@ -107,6 +108,7 @@ export const page = {
     openLong: "打开刀具表",
   },
   own: { title: "自有循环" },
+  works: { title: "所有工作" },
 
   effect: {
     title: "这些值的效果",
@@ -166,6 +168,7 @@ export const page = {
     storageFull: "设备空间不足：最近的更改未保存。请下载程序，或在首页移除部分工作。",
     newerWorks: "部分已保存的工作来自此页面的更新版本，未列出。没有删除任何内容。",
     downloadUnkept: "下载程序",
+    archiveUnkept: "存为一个文件",
     copyOfOtherTab: "此工作已在另一个标签页打开。这里编辑的是副本，两份都会保留。",
     workNotHere: "此地址的工作不在本设备上：可能在另一浏览器中，或已从列表中移除。",
     linkDamaged: "链接中没有可读取的程序。",

@@ -1,0 +1,57 @@
+import { cuttingCycles } from "../../cycles/index.ts";
+import { exampleJob, type Job } from "../../program/job.ts";
+import type { Found } from "./device.ts";
+
+/** What lies on the device of a test, in place of the browser's. */
+export const device = {
+  works: new Map<string, { savedAt: number; job: unknown }>(),
+  refuses: null as
+    | "full"
+    | "refused"
+    | null,
+  /** Holds every write until it is settled. */
+  slow: null as Promise<void> | null,
+  setAside: 0,
+  newer: 0,
+  taken: new Set<string>(),
+};
+
+export const findWorks = (): Promise<Found> =>
+  Promise.resolve({
+    works: [...device.works].map(([work, { savedAt, job }]) => {
+      const { name, cycle } = job as Job;
+      return { work, savedAt, name, cycle, size: 7 };
+    }).sort((a, b) => b.savedAt - a.savedAt),
+    setAside: device.setAside,
+    newer: device.newer,
+    available: device.refuses !== "refused",
+  });
+
+export async function keepWork(work: string, job: Job, savedAt = device.works.size): Promise<string> {
+  await device.slow;
+  if (!device.refuses) device.works.set(work, { savedAt, job });
+  return device.refuses ?? "kept";
+}
+
+export const readWork = (work: string): Promise<unknown> => Promise.resolve(device.works.get(work) ?? null);
+export const forgetWork = (work: string): Promise<boolean> => Promise.resolve(device.works.delete(work));
+
+/** The locks of the browser, with the works that other tabs hold. */
+export const locks = {
+  request: (name: string, { steal = false }: { readonly steal?: boolean }, callback: (lock: object | null) => unknown) =>
+    Promise.resolve(callback(device.taken.has(name) && !steal ? null : { name })),
+};
+
+const [cycle] = cuttingCycles;
+if (!cycle) throw new Error("the catalogue is empty");
+/** A work of the tests. */
+export const someJob = exampleJob(cycle);
+
+/** The device as it is before a test. */
+export function emptyDevice(): void {
+  device.works.clear();
+  device.taken.clear();
+  Object.assign(device, { refuses: null, slow: null, setAside: 0, newer: 0 });
+  sessionStorage.clear();
+  Object.defineProperty(navigator, "locks", { value: locks, configurable: true });
+}

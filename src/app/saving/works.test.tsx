@@ -1,0 +1,172 @@
+import { beforeEach, expect, test, vi } from "vitest";
+import { setTool } from "../edits.ts";
+import { redo, undo, useSteps } from "../steps.ts";
+import { begin, open, useEditor } from "../store.ts";
+import { showElsewhere, useElsewhere } from "./elsewhere.ts";
+import { device, emptyDevice, someJob as job } from "./fake-device.ts";
+import { copyWork, openWork, refreshWorks, startKeeping, startWork, takeOver, unkeptWorks, useKeeping } from "./keep.ts";
+import { resume } from "./resume.ts";
+import { duplicateWork, freeName, removeWorks, renameWork } from "./works.ts";
+
+vi.mock("./device.ts", () => import("./fake-device.ts"));
+
+const settle = () => new Promise((done) => setTimeout(done, 0));
+/** Another tab, as this one hears it. */
+const other = new BroadcastChannel("turnwise");
+const answers: unknown[] = [];
+other.addEventListener("message", ({ data }: MessageEvent<unknown>) => void answers.push(data));
+const heard = () => new Promise((done) => setTimeout(done, 30));
+
+beforeEach(() => {
+  emptyDevice();
+  begin(null, null);
+  answers.length = 0;
+  other.onmessage = null;
+  showElsewhere(null);
+  useKeeping.setState({ works: [], notices: [], damaged: 0, ready: false });
+});
+
+test("a work that another tab has open is not opened, but said; a copy of it leaves it as it is", async () => {
+  device.works.set("shared", { savedAt: 1, job });
+  device.taken.add("turnwise shared");
+  await resume();
+  expect(useEditor.getState()).toMatchObject({ work: null, job: null });
+  expect(useElsewhere.getState().shown).toEqual({ work: "shared", name: job.name, cause: "isOpen" });
+  const stop = startKeeping();
+  await copyWork("shared", (name) => `${name}_2`);
+  expect(useElsewhere.getState().shown).toBeNull();
+  setTool(9);
+  stop();
+  await settle();
+  const { work } = useEditor.getState();
+  expect(work).not.toBe("shared");
+  expect(device.works.get("shared")?.job).toEqual(job);
+  expect(device.works.get(work ?? "")?.job).toMatchObject({ tool: 9, name: `${job.name}_2` });
+});
+
+test("a work is taken over with the newest state of the other tab, which the device may not have", async () => {
+  device.works.set("asked", { savedAt: 1, job });
+  device.taken.add("turnwise asked");
+  await resume();
+  other.onmessage = ({ data }: MessageEvent<{ kind: string; to: string }>) => {
+    if (data.kind !== "give") return;
+    device.taken.clear();
+    other.postMessage({ kind: "given", work: "asked", to: data.to, state: { ...job, rapid: "4321" } });
+  };
+  const stop = startKeeping();
+  expect(await takeOver("asked")).toBe(true);
+  expect(useEditor.getState()).toMatchObject({ work: "asked", job: { rapid: "4321" } });
+  stop();
+  await settle();
+  expect(device.works.get("asked")?.job).toMatchObject({ rapid: "4321" });
+});
+
+test("a tab that does not answer loses the work as it is kept", async () => {
+  vi.useFakeTimers();
+  device.works.set("silent", { savedAt: 1, job: { ...job, rapid: "77" } });
+  device.taken.add("turnwise silent");
+  const taking = takeOver("silent");
+  await vi.runAllTimersAsync();
+  expect(await taking).toBe(true);
+  vi.useRealTimers();
+  expect(useEditor.getState()).toMatchObject({ work: "silent", job: { rapid: "77" } });
+});
+
+test("a work that another tab asks for goes there with the last key, and is closed here with its steps", async () => {
+  const stop = startKeeping();
+  startWork(job);
+  const { work } = useEditor.getState();
+  await heard();
+  setTool(6);
+  other.postMessage({ kind: "give", work, to: "me" });
+  await heard();
+  expect(device.works.get(work ?? "")?.job).toMatchObject({ tool: 6 });
+  expect(answers).toContainEqual({ kind: "given", work, to: "me", state: null });
+  expect(useEditor.getState().work).toBeNull();
+  expect(useElsewhere.getState().shown).toMatchObject({ work, cause: "wasTaken" });
+  expect(useSteps.getState().past).toEqual([]);
+  stop();
+});
+
+test("what the device refused goes to the other tab in the answer", async () => {
+  device.refuses = "full";
+  const stop = startKeeping();
+  startWork(job);
+  const { work } = useEditor.getState();
+  setTool(4);
+  other.postMessage({ kind: "give", work, to: "me" });
+  await heard();
+  expect(answers).toContainEqual({ kind: "given", work, to: "me", state: expect.objectContaining({ tool: 4 }) });
+  expect(unkeptWorks()).toEqual([]);
+  device.refuses = null;
+  stop();
+});
+
+test("undo into a work that was let go takes it again as it is by now", async () => {
+  const stop = startKeeping();
+  startWork(job);
+  const { work = "" } = useEditor.getState();
+  const rested = () => new Promise((done) => setTimeout(done, 120));
+  await rested();
+  open(null, null);
+  await rested();
+  device.works.set(work ?? "", { savedAt: 9, job: { ...job, rapid: "5432" } });
+  undo();
+  await rested();
+  expect(useEditor.getState()).toMatchObject({ work, job: { rapid: "5432" } });
+  device.taken.add(`turnwise ${work}`);
+  open(null, null);
+  await rested();
+  undo();
+  await rested();
+  expect(useElsewhere.getState().shown).toMatchObject({ work, cause: "isOpen" });
+  expect(device.works.get(work ?? "")?.job).toMatchObject({ rapid: "5432" });
+  stop();
+});
+
+test("works leave the list only when it is asked to, and come back by undo as they were", async () => {
+  for (let i = 0; i < 150; i += 1) device.works.set(`w${i}`, { savedAt: i, job: { ...job, name: `N${i}` } });
+  device.taken.add("turnwise w9");
+  await refreshWorks();
+  expect(useKeeping.getState().works.length).toBe(150);
+  expect(await removeWorks(["w3", "w9", "w41", "none"])).toMatchObject({ gone: [{ work: "w3" }, { work: "w41" }], leftOut: 1 });
+  expect(useKeeping.getState().works.map(({ work }) => work)).not.toContain("w41");
+  expect(useKeeping.getState().works.length).toBe(148);
+  undo();
+  await heard();
+  expect(useKeeping.getState().works.length).toBe(150);
+  expect(device.works.get("w41")).toEqual({ savedAt: 41, job: { ...job, name: "N41" } });
+  redo();
+  await heard();
+  expect(useKeeping.getState().works.length).toBe(148);
+  await openWork("w0");
+  expect(useEditor.getState().job).toMatchObject({ name: "N0" });
+});
+
+test("a work is called otherwise where it lies, and doubled under a free name", async () => {
+  const file = (name: string) => ({ name, text: "M30", encoding: "utf-8" as const });
+  device.works.set("a", { savedAt: 7, job: { ...file("A.h"), files: [file("SUB.H")] } });
+  expect(await renameWork("a", "sub.h")).toBe("nameTaken");
+  expect(await renameWork("a", "B.h")).toBe("done");
+  expect(device.works.get("a")).toMatchObject({ savedAt: 7, job: { name: "B.h" } });
+  undo();
+  await heard();
+  expect(device.works.get("a")).toMatchObject({ savedAt: 7, job: { name: "A.h" } });
+  const made = await duplicateWork("a", ["A.h", "a_2.H"]);
+  expect(device.works.get(made?.work ?? "")?.job).toMatchObject({ name: "A_3.h", files: [{ name: "SUB.H" }] });
+  undo();
+  await heard();
+  expect([...device.works.keys()]).toEqual(["a"]);
+  device.taken.add("turnwise a");
+  expect(await renameWork("a", "C.h")).toBe("elsewhere");
+  device.refuses = "full";
+  device.taken.clear();
+  expect(await renameWork("a", "C.h")).toBe("failed");
+  expect(await duplicateWork("a", [])).toBeNull();
+});
+
+test.each([["SHAFT", [], "SHAFT_2"], ["SHAFT_2", ["SHAFT", "shaft_2"], "SHAFT_3"], ["A.H", ["a_2"], "A_3.H"], [
+  "X".repeat(40),
+  [],
+  `${"X".repeat(30)}_2`,
+]])("beside %s among %j comes %s", (name, taken, made) => expect(freeName(name, taken)).toBe(made));

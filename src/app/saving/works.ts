@@ -1,0 +1,135 @@
+import { fileKey } from "../../program/program-files.ts";
+import { drawnId } from "../chance.ts";
+import { time } from "../clock.ts";
+import { note } from "../steps.ts";
+import { isProgram, textsOf, type Work } from "../work.ts";
+import { forgetWork, keepWork, readWork } from "./device.ts";
+import { forgetUnkept, keepState, newestState, refreshWorks } from "./keep.ts";
+import { OF_WORKS } from "./of-works.ts";
+import { claimWork, owns, releaseWork, sayChanged } from "./tab.ts";
+
+/** A work as it lies on the device. */
+interface Lying {
+  readonly work: string;
+  readonly job: Work;
+  readonly savedAt: number;
+}
+
+/** Runs with a work that no other tab has open; false when one has. */
+async function withWork(work: string, run: () => Promise<void>): Promise<boolean> {
+  const had = owns(work);
+  if (!(await claimWork(work))) return false;
+  await run();
+  if (!had) releaseWork(work);
+  return true;
+}
+
+async function shown(change: Promise<unknown>): Promise<void> {
+  await change;
+  await refreshWorks();
+  sayChanged();
+}
+
+const forgetAll = (gone: readonly Lying[]): Promise<unknown> =>
+  Promise.all(gone.map(({ work }) => {
+    forgetUnkept(work);
+    return forgetWork(work);
+  }));
+
+/** Puts works where they lay; what the device does not take stays in hand and is said. */
+const putBackAll = (gone: readonly Lying[]): Promise<unknown> =>
+  Promise.all(gone.map(async ({ work, job, savedAt }) => {
+    if (await keepWork(work, job, savedAt) !== "kept") await keepState(work, job);
+  }));
+
+/** Takes works out of the list, as one step of undo. Those that other tabs have open stay. */
+export async function removeWorks(works: readonly string[]): Promise<{ readonly gone: readonly Lying[]; readonly leftOut: number }> {
+  const gone: Lying[] = [];
+  let leftOut = 0;
+  for (const work of works) {
+    const free = await withWork(work, async () => {
+      const job = await newestState(work);
+      if (!job) return;
+      gone.push({ work, job, savedAt: (await readWork(work))?.savedAt ?? time() });
+      await forgetAll(gone.slice(-1));
+    });
+    if (!free) leftOut++;
+  }
+  await shown(Promise.resolve());
+  if (gone.length > 0) {
+    const back = () => {
+      void shown(putBackAll(gone));
+      return true;
+    };
+    const forth = () => {
+      void shown(forgetAll(gone));
+      return true;
+    };
+    note({ of: OF_WORKS, back, forth });
+  }
+  return { gone, leftOut };
+}
+
+/** What became of a change of one work. */
+export type WorkChange = "done" | "elsewhere" | "nameTaken" | "failed";
+
+async function put(work: string, job: Work, savedAt: number): Promise<WorkChange> {
+  let done: WorkChange = "elsewhere";
+  await withWork(work, async () => {
+    done = await keepWork(work, job, savedAt) === "kept" ? "done" : "failed";
+  });
+  return done;
+}
+
+/** Calls a work otherwise, as one step of undo. It keeps its place in the order of time. */
+export async function renameWork(work: string, name: string): Promise<WorkChange> {
+  const kept = await readWork(work);
+  if (!kept) return "failed";
+  const { job, savedAt } = kept;
+  if (job.name === name) return "done";
+  if (isProgram(job) && textsOf(job).slice(1).some((file) => fileKey(file.name) === fileKey(name))) return "nameTaken";
+  const renamed = { ...job, name };
+  const done = await put(work, renamed, savedAt);
+  await shown(Promise.resolve());
+  if (done !== "done") return done;
+  const way = (to: Work) => () => {
+    void shown(put(work, to, savedAt));
+    return true;
+  };
+  note({ of: OF_WORKS, back: way(job), forth: way(renamed) });
+  return done;
+}
+
+/** The longest name that a work is given here. */
+const LONGEST = 32;
+
+/** A name that none of the others is: `A.h` becomes `A_2.h`. */
+export function freeName(name: string, taken: readonly string[]): string {
+  const known = new Set(taken.map(fileKey));
+  const [, whole = "", ending = ""] = /^(.*?)(\.[^.]{0,8})?$/s.exec(name) ?? [];
+  const stem = whole.replace(/_\d{1,4}$/, "");
+  for (let n = 2;; n++) {
+    const made = `${stem.slice(0, LONGEST - `_${n}${ending}`.length)}_${n}${ending}`;
+    if (!known.has(fileKey(made))) return made;
+  }
+}
+
+/** Puts a work beside itself under another name, as one step of undo; null when the device does not take it. */
+export async function duplicateWork(work: string, names: readonly string[]): Promise<Lying | null> {
+  const job = await newestState(work);
+  if (!job) return null;
+  const copy: Lying = { work: drawnId(), job: { ...job, name: freeName(job.name, names) }, savedAt: time() };
+  const done = await put(copy.work, copy.job, copy.savedAt);
+  await shown(Promise.resolve());
+  if (done !== "done") return null;
+  const back = () => {
+    void shown(forgetAll([copy]));
+    return true;
+  };
+  const forth = () => {
+    void shown(putBackAll([copy]));
+    return true;
+  };
+  note({ of: OF_WORKS, back, forth });
+  return copy;
+}

@@ -1,0 +1,83 @@
+import { time } from "../clock.ts";
+import { downloadBytes } from "../files/download.ts";
+import { useOwn } from "../own/own-store.ts";
+import { ARCHIVE_LIMITS, writeArchive, type ArchivedWork } from "../saving/archive.ts";
+import { findWorks, readWork } from "../saving/device.ts";
+import { newestState, useKeeping } from "../saving/keep.ts";
+import { useSettings } from "../settings/settings.ts";
+import { handOver } from "../store.ts";
+import { useTools } from "../tools/tool-store.ts";
+import type { Work } from "../work.ts";
+
+/** What one file holds at most, bytes, so that it can be brought in again: what is packed has each program twice. */
+const LARGEST = ARCHIVE_LIMITS.unpacked / 4;
+
+async function lying(work: string): Promise<ArchivedWork | null> {
+  const job = await newestState(work);
+  return job && { work, job, savedAt: (await readWork(work))?.savedAt ?? time() };
+}
+
+/** Works in as many files as are needed. */
+function inFiles(works: readonly string[], sizes: ReadonlyMap<string, number>): readonly (readonly string[])[] {
+  const files: string[][] = [[]];
+  let held = 0;
+  for (const work of works) {
+    const size = sizes.get(work) ?? 0;
+    if (held > 0 && held + size > LARGEST) {
+      files.push([]);
+      held = 0;
+    }
+    files.at(-1)?.push(work);
+    held += size;
+  }
+  return files;
+}
+
+const two = (n: number) => String(n).padStart(2, "0");
+
+/** Name of a file of works: the day tells it from those before. */
+function fileName(part: number, of: number): string {
+  const now = new Date(time());
+  const day = `${now.getFullYear()}-${two(now.getMonth() + 1)}-${two(now.getDate())}`;
+  return `turnwise-${day}${of > 1 ? `-${part}-${of}` : ""}.zip`;
+}
+
+async function save(
+  works: readonly string[],
+  beside: Parameters<typeof writeArchive>[0],
+): Promise<{ readonly works: number; readonly files: number }> {
+  const sizes = new Map(useKeeping.getState().works.map(({ work, size }) => [work, size]));
+  const files = inFiles(works, sizes);
+  let count = 0;
+  for (const [i, each] of files.entries()) {
+    const found: ArchivedWork[] = [];
+    for (const work of each) {
+      const one = await lying(work);
+      if (one) found.push(one);
+    }
+    count += found.length;
+    downloadBytes(writeArchive({ ...(i === 0 && beside), works: found }), fileName(i + 1, files.length));
+  }
+  return { works: count, files: files.length };
+}
+
+/** Hands some works to the downloads, as a file that brings them back; how many there were. */
+export async function saveWorks(works: readonly string[]): Promise<number> {
+  handOver();
+  return (await save(works, {})).works;
+}
+
+/** Hands everything on this device to the downloads: works, tools, own cycles, settings. What it has not taken is in it too. */
+export async function saveEverything(unkept: readonly string[]): Promise<{ readonly works: number; readonly files: number }> {
+  handOver();
+  const { works } = await findWorks();
+  const all = [...new Set([...works.map(({ work }) => work), ...unkept])];
+  const beside = { tools: useTools.getState().list, own: useOwn.getState().list, settings: useSettings.getState() };
+  return save(all, beside);
+}
+
+/** Hands works that are only in this page to the downloads as one file. */
+export function saveUnkept(works: readonly { readonly work: string; readonly job: Work }[]): void {
+  const savedAt = time();
+  downloadBytes(writeArchive({ works: works.map((each) => ({ ...each, savedAt })) }), fileName(1, 1));
+}
