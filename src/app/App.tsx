@@ -124,13 +124,12 @@ export function App() {
             <Workplace />
           </Suspense>
         )
-        : <StartPage />)}
+        : <Entrance />)}
       {ready && showBlock && (
         <Suspense>
           <CompareDialog done={hideComparison} showBlock={showBlock} />
         </Suspense>
       )}
-        : <Entrance />)}
       {ready && which.shown && (
         <Suspense>
           <WhichCycle done={hideWhich} region={which.region} />
