@@ -11,6 +11,7 @@ const PATIENCE = { journey: 300_000, step: 90_000 };
 
 export default defineConfig({
   testDir: "e2e",
+  snapshotPathTemplate: "{testDir}/{arg}{ext}",
   outputDir: "test-results",
   fullyParallel: true,
   workers: 2,

@@ -1,6 +1,11 @@
-import { expect, test } from "./pages/test.ts";
+import { readFile } from "node:fs/promises";
 import { LANGUAGES } from "../src/i18n/languages.ts";
-import { Turnwise } from "./pages/turnwise.ts";
+import { built } from "./pages/built.ts";
+import { ambiguous, controls } from "./pages/controls.ts";
+import { expect, test } from "./pages/test.ts";
+
+/* By names alone, with the page objects that other test projects have, and with nothing of this project but them. */
+const { Turnwise } = built;
 
 for (const language of LANGUAGES) {
   test(`the way to a program in ${language}`, async ({ page }) => {
@@ -12,6 +17,7 @@ for (const language of LANGUAGES) {
     await dialog.set("Q463", language === "de" || language === "fr" ? "2,4" : "2.4");
     await effect.proved();
     await expect(lathe.picture).toBeVisible();
+    expect.soft(ambiguous(await controls(page.locator("body")))).toEqual([]);
     await dialog.open("Q493");
     await dialog.type("x");
     await expect(dialog.messages).not.toBeEmpty();
@@ -24,3 +30,30 @@ for (const language of LANGUAGES) {
     await expect(dialog.line("Q463")).toContainText(language === "de" || language === "fr" ? "2,4" : "2.4");
   });
 }
+
+test("with a held clock and a seed two runs give the same addresses, dates and files, byte by byte", async ({ browser }) => {
+  const run = async () => {
+    const page = await (await browser.newContext()).newPage();
+    const turnwise = await Turnwise.open(page, { heldClock: "2026-11-21T08:05", seed: 7 });
+    const { dialog, editor, effect, lathe, program, start, t } = turnwise;
+    const seen: string[] = [];
+    await start.beginWithExample(812);
+    await dialog.set("Q463", "2.4");
+    await effect.proved();
+    seen.push(page.url(), await readFile(await (await program.download()).path(), "utf8"));
+    await page.getByRole("link", { name: t.page.home }).click();
+    await lathe.advance(61_000);
+    await editor.openExample("groove");
+    seen.push(page.url(), (await editor.downloaded()).toString("latin1"));
+    await page.getByRole("link", { name: t.page.home }).click();
+    const kept = page.getByRole("region", { name: t.page.start.kept });
+    await expect(kept).toContainText(/8:06/);
+    seen.push(await kept.ariaSnapshot());
+    await page.context().close();
+    return seen;
+  };
+  const first = await run();
+  expect(first[0]).not.toBe(first[2]);
+  expect(first[4]).toContain("Nov 21, 2026, 8:05");
+  expect(await run()).toEqual(first);
+});

@@ -11,8 +11,10 @@ export class SettingsPage {
     return this.context.page.getByRole("dialog", { name: this.context.t.page.settings, exact: true });
   }
 
+  /** Opens the dialog, and waits for it. */
   async open(): Promise<void> {
     await this.context.page.getByRole("button", { name: this.context.t.page.settings, exact: true }).click();
+    await this.dialog.waitFor();
   }
 
   /** Changes the screen language; from then on every name on the page is one of that language. */

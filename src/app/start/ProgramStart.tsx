@@ -38,8 +38,8 @@ export function ProgramStart({ pictures }: { readonly pictures: StartPictures | 
       <p className="soft">{t.programs.lead}</p>
       <div className="program-ways">
         <button type="button" className="button primary" onClick={() => void ask()}>{t.programs.openFile}</button>
-        <input ref={file} type="file" multiple className="unseen" tabIndex={-1} aria-label={t.programs.openFile}
-          accept={[...ENDINGS, "text/plain"].join(",")} onChange={(event) => void take(plainFiles(event.currentTarget.files))} />
+        <input ref={file} type="file" multiple hidden accept={[...ENDINGS, "text/plain"].join(",")}
+          onChange={(event) => void take(plainFiles(event.currentTarget.files))} />
         <button type="button" className="button" onClick={() => dialog.current?.showModal()}>{t.programs.paste}</button>
         <button type="button" className="button" onClick={() => create(true)}>{t.programs.create}</button>
         <WhichButton className="button" name={t.start.which} />

@@ -1,0 +1,70 @@
+import { ambiguous, controls, kinds } from "./pages/controls.ts";
+import { expect, test } from "./pages/test.ts";
+import { Turnwise } from "./pages/turnwise.ts";
+
+/*
+ * Roles and names are what tests of others hold on to: e2e/names.txt lists each under the first screen that has it, and changing one
+ * is a decision. After it, `npm run e2e -- names --update-snapshots` writes the list anew.
+ */
+test("every control of every screen has the name it is known by, and no other has it", async ({ page }) => {
+  const turnwise = await Turnwise.open(page, { heldClock: true, seed: 7 });
+  const { dialog, editor, effect, own, settings, start, t, tools } = turnwise;
+  const home = () => page.getByRole("link", { name: t.page.home }).click();
+  const screens: string[] = [];
+  const known = new Set<string>();
+  const look = async (screen: string, part = page.locator("body")) => {
+    const found = await controls(part);
+    expect.soft(ambiguous(found), `on the screen "${screen}"`).toEqual([]);
+    const fresh = kinds(found).filter((kind) => !known.has(kind));
+    for (const kind of fresh) known.add(kind);
+    screens.push([`# ${screen}`, ...fresh].join("\n"));
+  };
+
+  await start.button(812, true).waitFor();
+  await look("start");
+  await page.getByRole("button", { name: t.page.start.which, exact: true }).click();
+  await expect(page.getByRole("dialog").getByRole("list").first()).toHaveAttribute("aria-busy", "false");
+  await look("which cycle", page.getByRole("dialog"));
+  await page.keyboard.press("Escape");
+  await settings.open();
+  await look("settings", settings.dialog);
+  await page.keyboard.press("Escape");
+
+  await start.beginWithExample(820);
+  await effect.proved();
+  await look("cycle: a choice");
+  await dialog.open("Q463");
+  await look("cycle: a number");
+  await turnwise.show("setup");
+  await turnwise.setup.start("x").waitFor();
+  await look("cycle: set-up");
+  await turnwise.show("contour");
+  await turnwise.contour.add.waitFor();
+  await turnwise.contour.canvas.waitFor();
+  await look("cycle: contour");
+  await turnwise.show("findings");
+  await turnwise.findings.panel.waitFor();
+  await look("cycle: findings");
+
+  await tools.open();
+  await tools.rowButton(1).click();
+  await look("tools");
+  await tools.close();
+
+  await home();
+  await editor.openExample("flange");
+  await expect(editor.total(t.page.effect.time)).toHaveText(/\d/);
+  await look("program");
+  await editor.show("findings");
+  await turnwise.findings.items.first().waitFor();
+  await look("program: findings");
+  await editor.show("structure");
+  await editor.line("CYCL DEF").click();
+  await editor.show("block");
+  await look("program: block");
+
+  await page.goto("./?clock=manual&seed=7#/own");
+  await own.add.click();
+  await look("own cycles");
+  expect(`${screens.join("\n\n")}\n`).toMatchSnapshot("names.txt");
+});
