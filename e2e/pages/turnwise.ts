@@ -12,6 +12,7 @@ import { ProgramEditor } from "./program-editor.ts";
 import { ProgramText } from "./program-text.ts";
 import { SettingsPage } from "./settings.ts";
 import { Setup } from "./setup.ts";
+import { SetupSheetPage } from "./sheet.ts";
 import { Start } from "./start.ts";
 import { ToolTable } from "./tools.ts";
 
@@ -47,6 +48,7 @@ export class Turnwise {
   readonly tools: ToolTable;
   readonly own: OwnCycles;
   readonly handing: Handing;
+  readonly sheet: SetupSheetPage;
   readonly t: Texts;
 
   private constructor(readonly page: Page, readonly language: Language) {
@@ -65,6 +67,7 @@ export class Turnwise {
     this.tools = new ToolTable(context);
     this.own = new OwnCycles(context);
     this.handing = new Handing(context);
+    this.sheet = new SetupSheetPage(context);
   }
 
   /** Opens the page as a first-time visitor of this language would see it. */

@@ -24,6 +24,7 @@ import { lazyPart } from "./parts.ts";
 import { usePlace, type JobSection } from "./place.ts";
 import { playback } from "./playback.ts";
 import { openAsked } from "./program/choose-line.ts";
+import { PrintedProgram } from "./program/PrintedProgram.tsx";
 import { ProgramPanel } from "./program/ProgramPanel.tsx";
 import { useReading, type JobReading } from "./reading.ts";
 import { fetchAtRest } from "./rest.ts";
@@ -146,6 +147,7 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
             : <ProgramPanel read={read} foldable />}
         </div>
       )}
+      <PrintedProgram />
       <LeavingDialog cycleOf={host.cycleOf} />
     </main>
   );

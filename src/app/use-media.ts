@@ -16,8 +16,13 @@ function watch(condition: string): Watched {
   const known = watched.get(condition);
   if (known) return known;
   const media = matchMedia(condition);
+  let last = media.matches;
   const made: Watched = {
-    matches: () => media.matches,
+    // A sheet of paper is no screen: what is printed stays as it was arranged.
+    matches: () => {
+      if (!matchMedia("print").matches) last = media.matches;
+      return last;
+    },
     subscribe(listener) {
       media.addEventListener("change", listener);
       return () => media.removeEventListener("change", listener);

@@ -13,6 +13,7 @@ import { useMeasuredTarget } from "../measured-target.ts";
 import { useInserting } from "../operations/inserting.ts";
 import { showSection, usePlace, type ProgramSection } from "../place.ts";
 import { playback } from "../playback.ts";
+import { PrintedProgram } from "../program/PrintedProgram.tsx";
 import { SectionTabs } from "../SectionTabs.tsx";
 import { useTexts } from "../settings/use-texts.ts";
 import { beforeLeaving, useEditor } from "../store.ts";
@@ -111,6 +112,7 @@ export function ProgramWorkplace() {
           <InsertOperation behind={inserting.behind} />
         </Suspense>
       )}
+      <PrintedProgram />
       <LeavingDialog cycleOf={host.cycleOf} />
     </main>
   );

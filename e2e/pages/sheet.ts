@@ -1,0 +1,48 @@
+import { expect, type Locator } from "@playwright/test";
+import { sheet as de } from "../../src/i18n/de/sheet.ts";
+import { sheet as en, type SheetTexts } from "../../src/i18n/en/sheet.ts";
+import { sheet as fr } from "../../src/i18n/fr/sheet.ts";
+import { sheet as zh } from "../../src/i18n/zh/sheet.ts";
+import type { Context } from "./turnwise.ts";
+
+/** The setup sheet of the open work. */
+export class SetupSheetPage {
+  readonly words: SheetTexts;
+  constructor(private readonly context: Context) {
+    this.words = { en, de, fr, zh }[context.language];
+  }
+
+  /** Opens it by the button below the program. */
+  async open(): Promise<void> {
+    await this.context.page.getByRole("button", { name: this.context.t.page.text.setupSheet, exact: true }).click();
+    await expect(this.preview).toBeVisible();
+  }
+
+  async close(): Promise<void> {
+    await this.context.page.getByRole("button", { name: this.words.close, exact: true }).click();
+  }
+
+  /** The sheet as it will be printed. */
+  get preview(): Locator {
+    return this.context.page.getByRole("article", { name: this.words.preview, exact: true });
+  }
+
+  get remarks(): Locator {
+    return this.context.page.getByRole("textbox", { name: this.words.remarks, exact: true });
+  }
+
+  get paper(): Locator {
+    return this.context.page.getByRole("combobox", { name: this.words.paper, exact: true });
+  }
+
+  get withProgram(): Locator {
+    return this.context.page.getByRole("checkbox", { name: this.words.withProgram, exact: true });
+  }
+
+  /** What the browser prints of the page: how many pages, and the size of the first one, points. */
+  async printed(): Promise<{ readonly pages: number; readonly size: readonly number[] }> {
+    const pdf = (await this.context.page.pdf({ preferCSSPageSize: true })).toString("latin1");
+    const size = /\/MediaBox\s*\[\s*([\d.\s]+)\]/.exec(pdf)?.[1]?.trim().split(/\s+/).slice(2).map((n) => Math.round(Number(n))) ?? [];
+    return { pages: [...pdf.matchAll(/\/Type\s*\/Page\b(?!s)/g)].length, size };
+  }
+}

@@ -1,0 +1,63 @@
+import { accessible, looksRightInBoth } from "./pages/look.ts";
+import { expect, test } from "./pages/test.ts";
+import { Turnwise } from "./pages/turnwise.ts";
+
+test("the setup sheet of a program: what stands on it, remarks that stay, its pages", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { editor, sheet, t } = turnwise;
+  await editor.openExample("flange");
+  await expect(editor.total(t.editor.operations)).toHaveText("8");
+  await sheet.open();
+  const { preview, words } = sheet;
+  await expect(preview.getByRole("heading", { level: 1, name: "FLANGE" })).toBeVisible();
+  await expect(preview.getByRole("img", { name: words.drawingOf("FLANGE") })).toContainText("⌀62");
+  await expect(preview).toContainText(words.scale(1, 2));
+  await expect(preview.getByRole("row", { name: /GROOVE IN THE FACE.*T8.*X⌀51 Z\+2.*VC 140/ })).toBeVisible();
+  await expect(preview.getByRole("row", { name: /CNMG-80-R08/ })).toContainText("M303");
+  await looksRightInBoth(page, "the setup sheet");
+
+  await sheet.remarks.fill("Soft jaws, bored to 100.2\nCheck 62 h6");
+  await expect(preview).toContainText("Check 62 h6");
+  await page.reload();
+  await expect(sheet.remarks).toHaveValue("Soft jaws, bored to 100.2\nCheck 62 h6");
+  await turnwise.undo();
+  await expect(sheet.remarks).toHaveValue("");
+  await turnwise.redo();
+  await expect(sheet.remarks).toHaveValue(/Soft jaws/);
+
+  await expect(preview.getByRole("row", { name: words.total })).toContainText("4 min");
+  await sheet.paper.selectOption("a4");
+  expect(await sheet.printed()).toEqual({ pages: 4, size: [595, 842] });
+  await sheet.withProgram.uncheck();
+  await sheet.paper.selectOption("letter");
+  expect(await sheet.printed()).toEqual({ pages: 2, size: [612, 792] });
+
+  await page.emulateMedia({ media: "print" });
+  await expect(preview).toBeVisible();
+  await expect(sheet.remarks).toBeHidden();
+  await expect(page.getByRole("button")).toHaveCount(0);
+  await page.emulateMedia({ media: "screen" });
+  await page.goBack();
+  await expect(editor.total(t.editor.operations)).toHaveText("8");
+});
+
+test("the sheet of a cycle, in German on a phone; a program with faults is marked; the workplace prints its program", async ({ page }) => {
+  const turnwise = await Turnwise.open(page, { language: "de" });
+  const { dialog, effect, sheet } = turnwise;
+  await turnwise.start.beginWithExample(812);
+  await effect.proved();
+  const printed = await page.pdf({ preferCSSPageSize: true });
+  expect(printed.byteLength).toBeGreaterThan(10_000);
+  await sheet.open();
+  await expect(sheet.preview).toContainText(sheet.words.stamp.good);
+  await page.setViewportSize({ width: 390, height: 844 });
+  await accessible(page);
+  expect(await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth)).toBeLessThanOrEqual(0);
+  await page.setViewportSize({ width: 1280, height: 800 });
+  await sheet.withProgram.uncheck();
+  expect((await sheet.printed()).pages).toBe(1);
+  await sheet.close();
+  await dialog.set("Q494", "+55");
+  await sheet.open();
+  await expect(sheet.preview.getByRole("heading", { name: sheet.words.stamp.faults })).toBeVisible();
+});

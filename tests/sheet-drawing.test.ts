@@ -1,0 +1,126 @@
+import { readdirSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import * as fc from "fast-check";
+import { describe, expect, test } from "vitest";
+import { exampleJob } from "../src/program/job.ts";
+import { cuttingCycles } from "../src/cycles/index.ts";
+import { ncLabels } from "../src/i18n/nc-labels.ts";
+import { parse } from "../src/nc/parse.ts";
+import { printJob } from "../src/program/print-job.ts";
+import { run } from "../src/program/run.ts";
+import { shippedTools } from "../src/program/shipped-tools.ts";
+import { simulate } from "../src/sim/simulate.ts";
+import { labelsOverlap } from "../src/view/help/labels.ts";
+import { factorOf } from "../src/view/sheet/scales.ts";
+import { partDrawing, type DrawnWork, type DrawingWords, type PartDrawing } from "../src/view/sheet/part-drawing.ts";
+
+const plain = (n: number) => String(Math.round(n * 1000) / 1000);
+const words: DrawingWords = {
+  diameter: (d) => `⌀${plain(d)}`,
+  position: plain,
+  thread: (diameter, lead) => `${diameter}×${plain(lead)}`,
+  blankLength: plain,
+};
+const ROOM = { width: 124, height: 96 };
+
+function drawnWork(text: string): DrawnWork {
+  const made = run(parse(text), { tools: shippedTools, rapid: 10_000 });
+  return {
+    blank: made.blank,
+    finished: simulate(made).final,
+    contours: made.operations.map(({ plan: { contour, thread } }) => ({
+      segments: contour,
+      ...(thread && { thread: { lead: thread.lead, starts: thread.starts } }),
+    })),
+    reached: null,
+  };
+}
+
+/** What is wrong with a drawing: texts over one another or outside of it. */
+function faultsOf({ texts, width, height }: PartDrawing): readonly string[] {
+  const over = texts.flatMap((a, i) =>
+    texts.slice(i + 1).filter((b) => labelsOverlap(a.box, b.box)).map((b) => `${a.text} over ${b.text}`)
+  );
+  const out = texts.filter(({ box }) => box.x < 0 || box.y < 0 || box.x + box.width > width || box.y + box.height > height);
+  return [...over, ...out.map(({ text }) => `${text} outside`)];
+}
+
+const examples = cuttingCycles.map((cycle) => {
+  const job = exampleJob(cycle);
+  return [String(cycle.number), printJob(job, ncLabels("en"))] as const;
+});
+const programs = ["flange", "shaft"].map((name) => [name, readFileSync(join("src", "examples", `${name}.h`), "utf8")] as const);
+
+describe("no dimension over another, none outside", () => {
+  test.each([...examples, ...programs])("%s", (_, text) => {
+    const work = drawnWork(text);
+    for (const room of [ROOM, { width: 124, height: 60 }, { width: 70, height: 96 }]) {
+      const drawing = partDrawing(work, words, room);
+      expect(drawing).not.toBe(null);
+      expect(drawing && faultsOf(drawing)).toEqual([]);
+      expect(drawing && drawing.height).toBeLessThanOrEqual(room.height);
+    }
+  });
+
+  test("of any size in any room", () => {
+    const works = [...examples.slice(0, 4), ...programs].map(([, text]) => drawnWork(text));
+    const scaled = (work: DrawnWork, k: number): DrawnWork => {
+      const ring = (points: DrawnWork["blank"][number]) => points.map(({ z, r }) => ({ z: z * k, r: r * k }) as typeof points[number]);
+      return { blank: work.blank.map(ring), finished: work.finished.map(ring), contours: [], reached: null };
+    };
+    fc.assert(
+      fc.property(fc.constantFrom(...works), fc.double({ min: 0.03, max: 30, noNaN: true }), fc.double({ min: 62, max: 190, noNaN: true }),
+        fc.double({ min: 45, max: 150, noNaN: true }), (work, k, width, height) => {
+        const drawing = partDrawing(scaled(work, k), words, { width, height });
+        expect(drawing && faultsOf(drawing)).toEqual([]);
+      }),
+      { numRuns: 60 },
+    );
+  });
+});
+
+describe("what a drawing says", () => {
+  const drawing = (name: string) => {
+    const found = programs.find(([own]) => own === name);
+    const made = partDrawing(drawnWork(found?.[1] ?? ""), words, ROOM);
+    if (!made) throw new Error(name);
+    return made;
+  };
+
+  test("the flange: its diameters, its shoulders, its blank in brackets", () => {
+    const { texts, scale, left } = drawing("flange");
+    expect(scale).toEqual({ paper: 1, part: 2 });
+    expect(left).toBe(0);
+    const said = texts.map(({ text }) => text);
+    for (const text of ["(⌀100)", "(⌀24)", "⌀80", "⌀62", "⌀40", "-58", "-40", "-32", "-4", "0", "(2)", "(-88)", "90"])
+      expect(said).toContain(text);
+    expect(texts.filter(({ turned }) => turned)).toHaveLength(7);
+  });
+
+  test("the shaft: its threads with their lead", () => {
+    expect(drawing("shaft").texts.map(({ text }) => text)).toEqual(expect.arrayContaining(["⌀60×1.5", "⌀42.376×1.5", "⌀66.5", "-26"]));
+  });
+
+  test("to scale: shoulders stand as far apart on paper as their leaders say", () => {
+    const made = drawing("flange");
+    const begin = (of: string) => {
+      const thin = made.shapes.filter(({ role }) => role === "thin").map(({ d }) => [...d.matchAll(/(-?[\d.]+) (-?[\d.]+)/g)]);
+      const text = made.texts.find((each) => each.text === of && each.turned);
+      const own = thin.find((points) => points.length === 3 && Math.abs(Number(points[2]?.[1]) - (text?.at.x ?? 0)) < 0.02);
+      return Number(own?.[0]?.[1]);
+    };
+    expect(begin("-4") - begin("-58")).toBeCloseTo(54 * factorOf(made.scale), 1);
+  });
+
+  test("nothing to draw is said", () => {
+    expect(partDrawing({ blank: [], finished: [], contours: [], reached: null }, words, ROOM)).toBe(null);
+  });
+});
+
+test("every golden program has a drawing without a fault, or nothing to draw", () => {
+  const folder = join("tests", "programs");
+  for (const name of readdirSync(folder).filter((each) => each.endsWith(".h"))) {
+    const made = partDrawing(drawnWork(readFileSync(join(folder, name), "utf8")), words, ROOM);
+    expect([name, made ? faultsOf(made) : []]).toEqual([name, []]);
+  }
+});
