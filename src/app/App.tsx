@@ -21,6 +21,7 @@ import { useEditor } from "./store.ts";
 import { useToolPlace } from "./tools/tool-place.ts";
 import { hideComparison, useComparing } from "./compare/compare-place.ts";
 import { hideWhich, useWhichPlace } from "./which/which-place.ts";
+import { useBringing } from "./works/bring-in-place.ts";
 import { useWorksPlace } from "./works/works-place.ts";
 
 /** Parts that are fetched when they are first shown, together with the texts that they need. */
@@ -33,6 +34,7 @@ const ToolPage = lazyPart(async () => ({ default: (await fetchTools()).ToolPage 
 const fetchOwn = later(() => import("./own/OwnPage.tsx"));
 const OwnPage = lazyPart(async () => ({ default: (await fetchOwn()).OwnPage }));
 const WorksPage = lazyPart(async () => ({ default: (await import("./works/WorksPage.tsx")).WorksPage }));
+const BringInDialog = lazyPart(async () => ({ default: (await import("./works/BringInDialog.tsx")).BringInDialog }));
 const ElsewherePage = lazyPart(async () => ({ default: (await import("./works/ElsewherePage.tsx")).ElsewherePage }));
 /** Fetched with its texts when somebody asks. */
 const CompareDialog = lazyPart(async () => ({ default: (await import("./compare/CompareDialog.tsx")).CompareDialog }));
@@ -72,6 +74,7 @@ export function App() {
   const own = useOwnPlace((p) => p.shown);
   const program = useEditor((s) => (s.program ? s.work : null));
   const programName = useEditor((s) => s.program?.name);
+  const bringing = useBringing((b) => b.shown);
   const which = useWhichPlace();
   const { showBlock } = useComparing();
   const refused = useCopying((c) => c.state === "refused");
@@ -136,6 +139,11 @@ export function App() {
         </Suspense>
       )}
       <IncomingWork />
+      {ready && bringing && (
+        <Suspense>
+          <BringInDialog of={bringing} />
+        </Suspense>
+      )}
       <DropProgram />
       <NumberKeys />
       {refused && (

@@ -1,6 +1,7 @@
 import { cleanup, render, screen } from "@testing-library/react";
 import { afterEach, expect, test, vi } from "vitest";
 import { CrashGuard } from "./CrashGuard.tsx";
+import { useReports } from "./crash/reports.ts";
 import { changeSettings } from "./settings/settings.ts";
 
 afterEach(cleanup);
@@ -17,5 +18,6 @@ test("a page that fails says that the work is kept, and offers ways back", () =>
   </CrashGuard>);
   expect(screen.getByRole("alert").textContent).toContain("Your work is saved on this device.");
   expect(screen.getAllByRole("button").map((b) => b.textContent)).toEqual(["Load the page again", "Go to the start page"]);
+  expect(useReports.getState().list[0]).toMatchObject({ message: "Error: planted", stack: expect.stringContaining("Broken") });
   quiet.mockRestore();
 });

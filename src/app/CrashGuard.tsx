@@ -1,10 +1,36 @@
-import { Component, type ReactNode } from "react";
+import { Component, Suspense, type ErrorInfo, type ReactNode } from "react";
+import { noteFault } from "./crash/reports.ts";
+import { lazyPart } from "./parts.ts";
+import { unkeptWorks } from "./saving/keep.ts";
 import { rememberWork } from "./saving/tab.ts";
 import { firstTexts } from "./settings/loaded-texts.ts";
 import { useSettings } from "./settings/settings.ts";
 
 interface State {
   readonly crashed: boolean;
+}
+
+/** It may not come, after a fault of the page least of all: then the page does without. */
+const CrashHelp = lazyPart(async () => ({ default: (await import("./crash/CrashHelp.tsx")).CrashHelp }));
+
+/** Shows nothing where its content fails. */
+class Unless extends Component<{ readonly children: ReactNode }, State> {
+  override state: State = { crashed: false };
+
+  static getDerivedStateFromError(): State {
+    return { crashed: true };
+  }
+
+  override render(): ReactNode {
+    return this.state.crashed ? null : this.props.children;
+  }
+}
+
+/** The start page, whatever the address says: what is open there may be what fails. */
+function startOver(): void {
+  rememberWork(null);
+  history.replaceState(null, "", `${location.pathname}${location.search}#/`);
+  location.reload();
 }
 
 /** Keeps the work when the page itself fails: it is on the device already, and there is a way back to it. */
@@ -15,20 +41,26 @@ export class CrashGuard extends Component<{ readonly children: ReactNode }, Stat
     return { crashed: true };
   }
 
+  override componentDidCatch(error: unknown, { componentStack }: ErrorInfo): void {
+    noteFault(error, componentStack ?? "");
+  }
+
   override render(): ReactNode {
     if (!this.state.crashed) return this.props.children;
     const t = firstTexts(useSettings.getState().language).page.notice;
     return (
-      <main className="crash" role="alert">
-        <h1>{t.crashTitle}</h1>
-        <p>{t.crash}</p>
+      <main className="crash">
+        <div role="alert">
+          <h1>{t.crashTitle}</h1>
+          <p>{unkeptWorks().length > 0 ? t.notKept : t.crash}</p>
+        </div>
         <button type="button" className="button primary" onClick={() => location.reload()}>{t.reload}</button>
-        <button type="button" className="button" onClick={() => {
-          rememberWork(null);
-          location.reload();
-        }}>
-          {t.startOver}
-        </button>
+        <button type="button" className="button" onClick={startOver}>{t.startOver}</button>
+        <Unless>
+          <Suspense>
+            <CrashHelp />
+          </Suspense>
+        </Unless>
       </main>
     );
   }

@@ -1,5 +1,5 @@
 import { Icon } from "./Icon.tsx";
-import { dismiss, unkeptWorks, useKeeping } from "./saving/keep.ts";
+import { dismiss, unkeptNames, unkeptWorks, useKeeping } from "./saving/keep.ts";
 import { useFirstTexts } from "./settings/use-first-texts.ts";
 
 /** The works that are nowhere but in this page, as files. */
@@ -8,11 +8,18 @@ function DownloadUnkept() {
   const works = unkeptWorks();
   if (works.length === 0) return null;
   return (
-    <button type="button" className="button"
-      onClick={() => void import("./saving/rescue.ts").then(({ downloadWorks }) => downloadWorks(works))}
-    >
-      <Icon name="download" /> {t.downloadUnkept}
-    </button>
+    <>
+      <button type="button" className="button"
+        onClick={() => void import("./saving/rescue.ts").then(({ downloadWorks }) => downloadWorks(works))}
+      >
+        <Icon name="download" /> {t.downloadUnkept}
+      </button>
+      <button type="button" className="button"
+        onClick={() => void import("./works/export-works.ts").then(({ saveWorks }) => saveWorks(unkeptNames()))}
+      >
+        <Icon name="download" /> {t.archiveUnkept}
+      </button>
+    </>
   );
 }
 

@@ -6,6 +6,7 @@ import { followAddress, resumePrompt } from "./address/follow-address.ts";
 import { goTo } from "./address/here.ts";
 import { App } from "./App.tsx";
 import { CrashGuard } from "./CrashGuard.tsx";
+import { startReports } from "./crash/reports.ts";
 import { startEngineLater } from "./engine/later.ts";
 import { openShared } from "./files/open-shared.ts";
 import { onHistoryKey } from "./history.ts";
@@ -28,6 +29,7 @@ import "./styles/start.css";
 import "./styles/print.css";
 
 z.config({ jitless: true });
+startReports();
 followAppearance();
 followMissing();
 startOfflineLater();

@@ -17,6 +17,8 @@ const pickers = (): FilePickers => window as FilePickers;
 /** Endings of programs, and of the points and tables beside them. */
 export const ENDINGS: readonly string[] = [".h", ".H", ".i", ".I", ".hc", ".hu", ".d", ".tab", ".pnt", ".txt"];
 const types = [{ description: "Klartext", accept: { "text/plain": ENDINGS } }];
+/** Files of works, which can be opened but are saved elsewhere. */
+const works = { description: "Turnwise", accept: { "application/zip": [".zip"] } };
 
 /** Files of the works that were opened since the page was loaded. */
 const handles = new Map<string, FileHandle>();
@@ -41,7 +43,8 @@ export const plainFiles = (files: FileList | readonly File[] | null): readonly C
 /** Asks for files; none when the operator closes the question. */
 export async function pickFiles(): Promise<readonly Chosen[]> {
   try {
-    const picked = (await pickers().showOpenFilePicker?.({ types, excludeAcceptAllOption: false, multiple: true })) ?? [];
+    const picked = (await pickers().showOpenFilePicker?.({ types: [...types, works], excludeAcceptAllOption: false, multiple: true }))
+      ?? [];
     return await Promise.all(picked.map(async (handle) => ({ file: await handle.getFile(), handle })));
   } catch {
     return [];

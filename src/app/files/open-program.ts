@@ -3,6 +3,7 @@ import { useOutcome } from "../engine/outcome.ts";
 import { fileKey } from "../../program/program-files.ts";
 import { notice, startWork } from "../saving/keep.ts";
 import { changeProgram, useEditor } from "../store.ts";
+import { bringIn, isArchiveName } from "../works/bring-in-place.ts";
 import { textsOf, withFile, type ProgramWork, type WorkFile } from "../work.ts";
 import { fileNameOf } from "./file-name.ts";
 import { handleOf, plainFiles, rememberHandle, type Chosen, type FileHandle } from "./file-handle.ts";
@@ -59,6 +60,11 @@ const sizeOf = (chosen: readonly Chosen[]): number => chosen.reduce((sum, { file
 
 /** Opens files of the device as one work. What was open before stays open when they can not be. */
 export async function openFiles(chosen: readonly Chosen[]): Promise<Opening> {
+  const [first] = chosen;
+  if (first && isArchiveName(first.file.name)) {
+    await bringIn(first.file);
+    return "opened";
+  }
   try {
     if (sizeOf(chosen) > LARGEST_PROGRAM) return "tooLarge";
     const found = await read(chosen);

@@ -4,6 +4,7 @@ import { create } from "zustand";
 import { begin, handOver, open, useEditor } from "../store.ts";
 import type { Work } from "../work.ts";
 import { findWorks, keepWork, readWork, type Kept } from "./device.ts";
+import { persistOnce } from "./persist.ts";
 import { readSave, SAVE_VERSION } from "./save-file.ts";
 import { showElsewhere } from "./elsewhere.ts";
 import { answerOthers, askFor, claimNew, claimWork, leaveBehind, onLost, ownedWorks, owns, releaseWork, rememberWork } from "./tab.ts";
@@ -38,6 +39,7 @@ export const noteWritten = (work: string, job: Work): void => void written.set(w
 /** The last state of each work that the device did not take: it is tried again, and can be downloaded. */
 const unkept = new Map<string, Work>();
 export const unkeptWorks = (): readonly Work[] => [...unkept.values()];
+export const unkeptNames = (): readonly string[] => [...unkept.keys()];
 /** Lets go a state that the device did not take. */
 export const forgetUnkept = (work: string): void => void unkept.delete(work);
 
@@ -49,6 +51,7 @@ export async function keepState(work: string, job: Work): Promise<void> {
     return notice(done === "full" ? "storageFull" : "notKept");
   }
   written.set(work, job);
+  persistOnce();
   if (!unkept.delete(work) || unkept.size > 0) return;
   dismiss("storageFull");
   dismiss("notKept");

@@ -133,3 +133,22 @@ export async function duplicateWork(work: string, names: readonly string[]): Pro
   note({ of: OF_WORKS, back, forth });
   return copy;
 }
+
+/** Puts works of a file beside those of the device, as one step of undo; how many of them found room. */
+export async function addWorks(works: readonly Lying[]): Promise<number> {
+  const kept: Lying[] = [];
+  for (const each of works) if (await put(each.work, each.job, each.savedAt) === "done") kept.push(each);
+  await shown(Promise.resolve());
+  if (kept.length > 0) {
+    const back = () => {
+      void shown(forgetAll(kept));
+      return true;
+    };
+    const forth = () => {
+      void shown(putBackAll(kept));
+      return true;
+    };
+    note({ of: OF_WORKS, back, forth });
+  }
+  return kept.length;
+}

@@ -2,8 +2,11 @@ import { Suspense, useLayoutEffect, useRef } from "react";
 import { LANGUAGE_NAMES, LANGUAGES, isLanguage } from "../../i18n/languages.ts";
 import { OfflineState } from "../offline/OfflineState.tsx";
 import { showOwn } from "../own/own-place.ts";
+import { lazyPart } from "../parts.ts";
 import { changeLanguage, changeSettings, useSettings } from "./settings.ts";
 import { useFirstTexts } from "./use-first-texts.ts";
+
+const ThisDevice = lazyPart(async () => ({ default: (await import("../works/ThisDevice.tsx")).ThisDevice }));
 
 /** Language, appearance and motion: choices of this device. */
 export function SettingsDialog({ onClose }: { readonly onClose: () => void }) {
@@ -70,6 +73,9 @@ export function SettingsDialog({ onClose }: { readonly onClose: () => void }) {
         </button>
         <p className="small soft">{t.disclaimer}</p>
         <p className="small soft">Turnwise {import.meta.env.VITE_VERSION}</p>
+        <Suspense>
+          <ThisDevice onBringIn={() => dialog.current?.close()} />
+        </Suspense>
         <Suspense>
           <OfflineState />
         </Suspense>

@@ -38,7 +38,7 @@ export function ProgramStart({ pictures }: { readonly pictures: StartPictures | 
       <p className="soft">{t.programs.lead}</p>
       <div className="program-ways">
         <button type="button" className="button primary" onClick={() => void ask()}>{t.programs.openFile}</button>
-        <input ref={file} type="file" multiple hidden accept={[...ENDINGS, "text/plain"].join(",")}
+        <input ref={file} type="file" multiple hidden accept={[...ENDINGS, "text/plain", ".zip"].join(",")}
           onChange={(event) => void take(plainFiles(event.currentTarget.files))} />
         <button type="button" className="button" onClick={() => dialog.current?.showModal()}>{t.programs.paste}</button>
         <button type="button" className="button" onClick={() => create(true)}>{t.programs.create}</button>

@@ -7,7 +7,6 @@ import { newestState, useKeeping } from "../saving/keep.ts";
 import { useSettings } from "../settings/settings.ts";
 import { handOver } from "../store.ts";
 import { useTools } from "../tools/tool-store.ts";
-import type { Work } from "../work.ts";
 
 /** What one file holds at most, bytes, so that it can be brought in again: what is packed has each program twice. */
 const LARGEST = ARCHIVE_LIMITS.unpacked / 4;
@@ -74,10 +73,4 @@ export async function saveEverything(unkept: readonly string[]): Promise<{ reado
   const all = [...new Set([...works.map(({ work }) => work), ...unkept])];
   const beside = { tools: useTools.getState().list, own: useOwn.getState().list, settings: useSettings.getState() };
   return save(all, beside);
-}
-
-/** Hands works that are only in this page to the downloads as one file. */
-export function saveUnkept(works: readonly { readonly work: string; readonly job: Work }[]): void {
-  const savedAt = time();
-  downloadBytes(writeArchive({ works: works.map((each) => ({ ...each, savedAt })) }), fileName(1, 1));
 }

@@ -1,0 +1,93 @@
+import { beforeEach, expect, test, vi } from "vitest";
+import { newParameter, type OwnEntry } from "../../program/own-cycle.ts";
+import { shippedList } from "../../program/tool-list.ts";
+import { takeOwn, useOwn } from "../own/own-store.ts";
+import type { ReadArchive } from "../saving/archive.ts";
+import { device, emptyDevice, someJob as job } from "../saving/fake-device.ts";
+import { refreshWorks } from "../saving/keep.ts";
+import { readSettings, useSettings } from "../settings/settings.ts";
+import { forget, undo } from "../steps.ts";
+import { takeTools, useTools } from "../tools/tool-store.ts";
+import { missingOwn, missingTools, statesOf, takeArchive } from "./take-archive.ts";
+
+vi.mock("../saving/device.ts", () => import("../saving/fake-device.ts"));
+
+const own = (id: string, number: string, name: string): OwnEntry => ({
+  id,
+  number,
+  name,
+  parameters: [newParameter("p1", { q: "Q1711", prompt: "LENGTH", kind: "length" })],
+});
+const row = (id: string, T: string, NAME: string) => ({ id, cells: { ...shippedList[0]?.cells, T, NAME } });
+const settings = { ...readSettings(null), xDown: true };
+const archive: ReadArchive = {
+  works: [{ work: "same", savedAt: 41, job }, { work: "mine", savedAt: 42, job: { ...job, rapid: "4321" } }, {
+    work: "",
+    savedAt: 43,
+    job: { ...job, name: "NEW" },
+  }, { work: "free", savedAt: 44, job: { ...job, name: "FREE" } }],
+  tools: [row("r1", "1", "OTHER 1"), row("x", "88.1", "GROOVER")],
+  own: [own("c1", "1711", "OTHERS"), own("c2", "1713", "SAW")],
+  settings,
+  unread: [],
+  unreadParts: [],
+};
+const rested = () => new Promise((done) => setTimeout(done, 30));
+const named = () => [...device.works].map(([work, { job: kept }]) => [work, (kept as typeof job).name]);
+
+beforeEach(async () => {
+  emptyDevice();
+  takeTools([row("r1", "1", "MINE 1"), row("r2", "2", "MINE 2")]);
+  takeOwn([own("c1", "1711", "MINE")]);
+  useSettings.setState(readSettings(null));
+  forget();
+  device.works.set("mine", { savedAt: 1, job });
+  await refreshWorks();
+});
+
+test("works are told apart by what is in them, not by their names", async () => {
+  expect(await statesOf(archive.works)).toEqual(["same", "beside", "fresh", "fresh"]);
+});
+
+test("works come beside those of the device, with the time they were changed, and undo takes them out again", async () => {
+  const works = archive.works.slice(1);
+  expect(await takeArchive(archive, { works, tools: "keep", own: "keep", settings: false })).toEqual({ kept: 3, full: 0 });
+  expect(device.works.get("mine")).toEqual({ savedAt: 1, job });
+  expect(device.works.get("free")).toEqual({ savedAt: 44, job: { ...job, name: "FREE" } });
+  expect(named().map(([, name]) => name)).toEqual([job.name, job.name, "NEW", "FREE"]);
+  expect(named().some(([work]) => work === "")).toBe(false);
+  expect([useTools.getState().list.length, useSettings.getState().xDown]).toEqual([2, false]);
+  undo();
+  await rested();
+  expect(named()).toEqual([["mine", job.name]]);
+});
+
+test("of tables the missing rows come, or all of them, each as one step", async () => {
+  const names = () => useTools.getState().list.map(({ cells }) => cells.NAME);
+  const cycles = () => useOwn.getState().list.map(({ name }) => name);
+  await takeArchive(archive, { works: [], tools: "missing", own: "missing", settings: true });
+  expect(names()).toEqual(["MINE 1", "MINE 2", "GROOVER"]);
+  expect(cycles()).toEqual(["MINE", "SAW"]);
+  expect(useSettings.getState().xDown).toBe(true);
+  undo();
+  expect([names().length, cycles().length]).toEqual([3, 1]);
+  undo();
+  expect(names()).toEqual(["MINE 1", "MINE 2"]);
+  await takeArchive(archive, { works: [], tools: "replace", own: "replace", settings: false });
+  expect([names(), cycles()]).toEqual([["OTHER 1", "GROOVER"], ["OTHERS", "SAW"]]);
+});
+
+test("tables that are the same have nothing missing to take", () => {
+  expect(missingTools(useTools.getState().list, useTools.getState().list.map((each) => ({ ...each, id: `${each.id}x` })))).toBeNull();
+  expect(missingTools(archive.tools ?? [], useTools.getState().list)?.map(({ id }) => id)).toEqual(["x"]);
+  expect(missingOwn(useOwn.getState().list, useOwn.getState().list)).toBeNull();
+});
+
+test("what finds no room is counted, and nothing else is changed", async () => {
+  device.refuses = "full";
+  expect(await takeArchive(archive, { works: archive.works.slice(2), tools: "keep", own: "keep", settings: false })).toEqual({
+    kept: 0,
+    full: 2,
+  });
+  expect(named()).toEqual([["mine", job.name]]);
+});
