@@ -5,6 +5,7 @@ import { runnerImport, type Plugin } from "vite";
 import { configDefaults, defineConfig } from "vitest/config";
 import { bundle, pageObjects } from "./scripts/bundle.mjs";
 import { offline } from "./scripts/offline.ts";
+import { contentPolicy } from "./scripts/serve.mjs";
 import { MEDIA } from "./src/app/media.ts";
 
 /**
@@ -22,26 +23,12 @@ process.env["VITE_VERSION"] = (JSON.parse(readFileSync(new URL("package.json", i
 /** Tests of modules with a state, or with another module in the place of one: each file in a process of its own. */
 const STATEFUL = ["src/app/**/*.test.ts", "tests/made-up/**/*.test.ts"];
 
-/** What the built page may load: itself only. Style attributes come from the editor and the drawings. */
-const policy = [
-  "default-src 'none'",
-  "script-src 'self'",
-  "worker-src 'self'",
-  "style-src 'self' 'unsafe-inline'",
-  "img-src 'self' data: blob:",
-  "font-src 'self'",
-  "connect-src 'self'",
-  "manifest-src 'self'",
-  "base-uri 'none'",
-  "form-action 'none'",
-].join("; ");
-
 /** Only in the build: the development server needs inline scripts and a web socket. */
-const contentPolicy: Plugin = {
+const policyOfPage: Plugin = {
   name: "content-policy",
   apply: "build",
   transformIndexHtml:
-    () => [{ tag: "meta", attrs: { "http-equiv": "Content-Security-Policy", content: policy }, injectTo: "head-prepend" }],
+    () => [{ tag: "meta", attrs: { "http-equiv": "Content-Security-Policy", content: contentPolicy }, injectTo: "head-prepend" }],
 };
 
 /** What a root font size of 100 % is for: style sheets are written for it, in pixels. */
@@ -125,7 +112,11 @@ const besides: Plugin = {
 
 export default defineConfig({
   base: "./",
+<<<<<<< HEAD
   plugins: [react(), contentPolicy, pageStyles, cycleMenu, startPictures, gallery, besides, offline()],
+=======
+  plugins: [react(), policyOfPage, pageStyles, cycleMenu, startPictures, gallery, standalone, offline()],
+>>>>>>> bc667f9 (Serve the built page with Node alone, and walk through it without a network)
   worker: { format: "es" },
   build: {
     target: "es2023",

@@ -119,6 +119,8 @@ export function offline(): Plugin {
       injectTo: "head",
     }],
     generateBundle() {
+      // The server in one file, for those who have nothing but the folder.
+      this.emitFile({ type: "asset", fileName: "serve.mjs", source: readFileSync(join(root, "scripts", "serve.mjs"), "utf8") });
       for (const language of LANGUAGES) {
         const source = JSON.stringify(webManifest(language), null, 1);
         this.emitFile({ type: "asset", fileName: manifestName(language), source });

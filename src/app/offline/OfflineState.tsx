@@ -9,15 +9,15 @@ export function OfflineState() {
   return (
     <div className="offline-state">
       <p role="status" className="small">{t.kept[kept]} {newer === "none" ? t.looked[looked] : t[newer]}</p>
-      {newer === "none"
-        ? kept !== "impossible" && (
-          <button type="button" className="button" disabled={looked === "looking" || looked === "coming"} onClick={() =>
-            void lookForNewer()}
-          >
-            {t.look}
-          </button>
-        )
-        : <button type="button" className="button" onClick={updateNow}>{newer === "elsewhere" ? t.reload : t.updateNow}</button>}
+      {/* Two buttons: under the finger none becomes another one. */}
+      {kept !== "impossible" && (
+        <button type="button" className="button" disabled={looked === "looking" || looked === "coming"} onClick={() => void lookForNewer()}>
+          {t.look}
+        </button>
+      )}
+      {newer !== "none" && (
+        <button type="button" className="button" onClick={updateNow}>{newer === "elsewhere" ? t.reload : t.updateNow}</button>
+      )}
     </div>
   );
 }
