@@ -112,11 +112,7 @@ const besides: Plugin = {
 
 export default defineConfig({
   base: "./",
-<<<<<<< HEAD
-  plugins: [react(), contentPolicy, pageStyles, cycleMenu, startPictures, gallery, besides, offline()],
-=======
-  plugins: [react(), policyOfPage, pageStyles, cycleMenu, startPictures, gallery, standalone, offline()],
->>>>>>> bc667f9 (Serve the built page with Node alone, and walk through it without a network)
+  plugins: [react(), policyOfPage, pageStyles, cycleMenu, startPictures, gallery, besides, offline()],
   worker: { format: "es" },
   build: {
     target: "es2023",

@@ -111,9 +111,9 @@ test("half an update changes nothing; a whole one is said, waits for the button,
   const update = page.getByRole("button", { name: en.updateNow, exact: true });
   await expect(says(en.ready)).toBeVisible();
   await page.keyboard.press("Escape");
-  await expect(page.getByText(en.ready)).toBeVisible();
+  await expect(page.getByText(en.ready, { exact: true })).toBeVisible();
   await page.getByRole("button", { name: en.later, exact: true }).click();
-  await expect(page.getByText(en.ready)).toBeHidden();
+  await expect(page.getByText(en.ready, { exact: true })).toBeHidden();
   await turnwise.dialog.set("Q494", "-41.25");
   expect(await version(page)).toBe(old);
   await turnwise.settings.open();

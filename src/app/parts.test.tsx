@@ -39,11 +39,11 @@ test("a component that does not come is said, does not fail, and comes with the 
   </Suspense>);
   await vi.waitFor(() => expect(missing()).toBe("offline"));
   expect(screen.getByText("coming")).toBeTruthy();
-  await act(fetchMissing);
+  await act(async () => fetchMissing());
   await vi.waitFor(() => expect(missing()).toBe("offline"));
   expect(asked).toBe(2);
   server.answers = true;
-  await act(fetchMissing);
+  await act(async () => fetchMissing());
   await screen.findByText("here");
   expect(missing()).toBe("no");
   expect(asked).toBe(3);
@@ -51,8 +51,12 @@ test("a component that does not come is said, does not fail, and comes with the 
 
 test("where the server answers and has no such part, that is said", async () => {
   server.answers = true;
-  void untilHere(() => Promise.reject(GONE));
+  const store = { has: false };
+  const part = untilHere(() => store.has ? Promise.resolve("here") : Promise.reject(GONE));
   await vi.waitFor(() => expect(missing()).toBe("gone"));
+  store.has = true;
+  fetchMissing();
+  expect(await part).toBe("here");
 });
 
 test("what a press does not get is said and ends there", async () => {
@@ -71,16 +75,24 @@ test("what a press does not get is said and ends there", async () => {
   expect(missing()).toBe("no");
 });
 
-test("a style sheet that did not come is asked for again", async () => {
+test("a part waits for its style sheet, which is asked for again", async () => {
+  followMissing();
   const link = document.createElement("link");
   link.rel = "stylesheet";
   link.href = "http://host/assets/part.css";
   document.head.append(link);
-  const again = fetchMissing();
-  const fresh = document.querySelector("link");
-  expect(fresh).not.toBe(link);
-  expect(fresh?.href).toBe(link.href);
-  fresh?.onerror?.(new Event("error"));
-  await again;
-  fresh?.remove();
+  link.dispatchEvent(new Event("error"));
+  const got = { part: "" };
+  void untilHere(() => Promise.resolve("here")).then((part) => got.part = part);
+  const second = document.querySelector("link");
+  expect(second).not.toBe(link);
+  expect(second?.href).toBe(link.href);
+  second?.dispatchEvent(new Event("error"));
+  await vi.waitFor(() => expect(missing()).toBe("offline"));
+  expect(got.part).toBe("");
+  fetchMissing();
+  await vi.waitFor(() => expect(document.querySelector("link")).not.toBe(second));
+  document.querySelector("link")?.dispatchEvent(new Event("load"));
+  await vi.waitFor(() => expect(got.part).toBe("here"));
+  document.querySelector("link")?.remove();
 });

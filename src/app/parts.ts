@@ -31,21 +31,29 @@ function miss(): void {
 /** Puts the notice away. Who waits goes on waiting. */
 export const dismissMissing = (): void => useMissing.setState({ missing: "no" });
 
-/** Style sheets that did not come are asked for once more: a browser does that for scripts only. */
-function mendStyles(): Promise<unknown> {
-  const broken = [...document.querySelectorAll<HTMLLinkElement>("link[rel=stylesheet]")].filter((link) => link.sheet === null);
-  return Promise.all(broken.map((link) => {
-    const fresh = link.cloneNode() as HTMLLinkElement;
-    const settled = new Promise((done) => fresh.onload = fresh.onerror = done);
+/** Style sheets that did not come. */
+const broken = new Set<HTMLLinkElement>();
+let mending: Promise<unknown> = Promise.resolve();
+
+function mended(link: HTMLLinkElement): Promise<unknown> {
+  const fresh = link.cloneNode() as HTMLLinkElement;
+  return new Promise((done, fail) => {
+    fresh.onload = done;
+    fresh.onerror = () => fail(new Error(`Unable to preload CSS for ${fresh.href}`));
     link.replaceWith(fresh);
-    return settled;
-  }));
+  });
+}
+
+/** Style sheets are asked for again here: Vite asks once for each, and a part would come without its own. */
+function mendStyles(): Promise<unknown> {
+  if (broken.size > 0) mending = Promise.all([...broken].map(mended));
+  broken.clear();
+  return mending;
 }
 
 /** Asks again for everything that somebody waits for. */
-export async function fetchMissing(): Promise<void> {
+export function fetchMissing(): void {
   dismissMissing();
-  await mendStyles();
   const all = [...waiting];
   waiting.clear();
   for (const goOn of all) goOn();
@@ -55,6 +63,7 @@ export async function fetchMissing(): Promise<void> {
 export async function untilHere<T>(fetchPart: () => Promise<T>): Promise<T> {
   for (;;) {
     try {
+      await mendStyles();
       return await fetchPart();
     } catch (error) {
       if (!isMissing(error)) throw error;
@@ -75,5 +84,8 @@ export function followMissing(): void {
     event.preventDefault();
     miss();
   });
-  addEventListener("online", () => void fetchMissing());
+  addEventListener("online", fetchMissing);
+  addEventListener("error", ({ target }) => {
+    if (target instanceof HTMLLinkElement && target.rel === "stylesheet") broken.add(target);
+  }, true);
 }
