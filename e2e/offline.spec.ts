@@ -170,7 +170,7 @@ test("a part that does not come is said, keeps what is open, and comes with the 
 
   // The server has another version, and not this part.
   site.serve(newerVersion());
-  await turnwise.settings.open();
+  await page.getByRole("button", { name: t.page.settings, exact: true }).click();
   await expect(page.getByText(missing.gone)).toBeVisible();
   await Promise.all([page.waitForEvent("load"), page.getByRole("button", { name: t.page.notice.reload, exact: true }).click()]);
   await expect(dialog.line("Q463")).toContainText("2.4");
