@@ -5,6 +5,7 @@ import { usePlace } from "./place.ts";
 import { useElsewhere } from "./saving/elsewhere.ts";
 import { useFirstTexts } from "./settings/use-first-texts.ts";
 import { useOwnPlace } from "./own/own-place.ts";
+import { useSheetShown } from "./sheet/sheet-place.ts";
 import { CreateProgram } from "./start/CreateProgram.tsx";
 import { redoStep, undoStep } from "./history.ts";
 import { lazyPart } from "./parts.ts";
@@ -39,6 +40,7 @@ export function Header() {
   const tools = useToolPlace((p) => p.shown) || own;
   const elsewhere = useElsewhere((e) => e.shown !== null);
   const works = useWorksPlace((p) => p.shown) && !elsewhere;
+  const sheet = useSheetShown();
   const toTools = useRef<HTMLButtonElement>(null);
   const wereTools = useRef(false);
   const words = job && t.menu.of[job.cycle];
@@ -50,7 +52,9 @@ export function Header() {
 
   return (
     <header className="top" aria-label={t.page.header}>
-      {words && section === "prompts" && !tools && <a className="skip" href="#prompts" onClick={toPrompts}>{t.page.skipToPrompts}</a>}
+      {words && section === "prompts" && !tools && !sheet && (
+        <a className="skip" href="#prompts" onClick={toPrompts}>{t.page.skipToPrompts}</a>
+      )}
       <a className="brand" href="#/" aria-label={t.page.home} title={t.page.home} onClick={(event) => {
         if (event.ctrlKey || event.metaKey || event.shiftKey) return;
         event.preventDefault();

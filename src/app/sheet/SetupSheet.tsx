@@ -122,19 +122,21 @@ export function SetupSheet({ source, t, date }: { readonly source: SheetSource; 
           <SheetFacts source={source} work={work} t={t.facts} words={words} comma={comma} />
         </div>
       </section>
-      <section>
+      <section className="sheet-wide" tabIndex={0} aria-label={t.tools}>
         <h2>{t.tools}</h2>
         <SheetTools data={data} t={t} words={words} />
       </section>
-      <section>
+      <section className="sheet-wide" tabIndex={0} aria-label={t.operations}>
         <h2>{t.operations}</h2>
         <SheetOperations data={data} t={t} words={words} />
       </section>
-      <FindingLines t={t} source={source} />
-      <section className="sheet-remarks">
-        <h2>{t.remarks}</h2>
-        {remarks.trim() === "" ? [0, 1, 2].map((line) => <span key={line} className="sheet-line" />) : <p>{remarks}</p>}
-      </section>
+      <div className="sheet-last">
+        <section className="sheet-remarks">
+          <h2>{t.remarks}</h2>
+          {remarks.trim() === "" ? [0, 1, 2].map((line) => <span key={line} className="sheet-line" />) : <p>{remarks}</p>}
+        </section>
+        <FindingLines t={t} source={source} />
+      </div>
       <div className="sheet-signatures">
         <p>{t.signature}</p>
         <p>{t.released}</p>

@@ -11,8 +11,8 @@ import type { SheetSource } from "./use-sheet.ts";
 /** A place for what the setter writes by hand. */
 const BLANK_LINE = <span className="sheet-line" />;
 
-function zeroText(t: SheetTexts["facts"], words: SheetWords, front: number | null): string {
-  if (front === null || Math.abs(front) < SAME) return t.zeroAt;
+function zeroText(t: SheetTexts["facts"], words: SheetWords, front: number): string {
+  if (Math.abs(front) < SAME) return t.zeroAt;
   return front > 0 ? t.zeroBehind(words.number(front)) : t.zeroBefore(words.number(-front));
 }
 
@@ -31,9 +31,16 @@ export function SheetFacts({ source: { data, outcome }, work, t, words, comma }:
   );
   const bore = box && box.low > SAME ? `, ${t.bore} ${words.diameter(toDiameter(radius(box.low)))}` : "";
   const facts: readonly (readonly [string, ReactNode])[] = [
-    [t.blank, box ? `${words.diameter(toDiameter(radius(box.high)))} × ${words.number(box.right - box.left)}${bore}` : t.noBlank],
+    [
+      t.blank,
+      box
+        ? `${words.diameter(toDiameter(radius(box.high)))} × ${words.number(box.right - box.left)}${bore}`
+        : data.box
+        ? data.box.map((size) => words.number(size)).join(" × ")
+        : t.noBlank,
+    ],
     ...(box && box.right > SAME ? [[t.front, `${words.number(box.right)} mm`] as const] : []),
-    [t.zero, zeroText(t, words, box && box.right)],
+    [t.zero, box ? zeroText(t, words, box.right) : t.asMachine],
     [t.preset, data.presets.length > 0 ? t.presets(data.presets.join(comma)) : t.asMachine],
     [t.shift, data.shifts.length > 0 ? data.shifts.map(words.start).join(comma) : t.noShift],
     ...(cuts ? [[t.reach, `Z${words.signed(cuts.left)}`] as const] : []),

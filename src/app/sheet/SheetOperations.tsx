@@ -1,6 +1,6 @@
 import type { SheetTexts } from "../../i18n/en/sheet.ts";
 import type { SetupData } from "../../report/sheet/setup-data.ts";
-import { cycleWords, titleOf } from "../operations/words.ts";
+import { titleOf } from "../operations/words.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import type { SheetWords } from "./sheet-words.ts";
 
@@ -24,20 +24,13 @@ export function SheetOperations({ data, t, words }: { readonly data: SetupData; 
               <th scope="row">{i + 1}</th>
               <td>
                 <b>{titleOf(texts, each)}</b>
-                {each.title !== null && each.cycles.length > 0 && (
-                  <>
-                    <br />
-                    {each.cycles.map((cycle) => cycleWords(texts, cycle)).join(" · ")}
-                  </>
-                )}
+                {each.title !== null && each.cycles.length > 0 && `\u00a0· ${each.cycles.join(", ")}`}
                 {each.isOff && <i>({t.off})</i>}
               </td>
               <td>{each.block ?? "–"}</td>
               <td>{tool ? `T${called ? words.number(called.T) : tool.called}` : "–"}</td>
               <td className="sheet-start">{each.start ? words.start(each.start) : "–"}</td>
-              <td>
-                {each.spindle ? words.spindle(each.spindle).map((line) => <span key={line} className="sheet-row">{line}</span>) : "–"}
-              </td>
+              <td>{words.spindle(each.spindle) || "–"}</td>
               <td>{words.feeds(each.feeds) || "–"}</td>
               <td>{each.passes > 0 ? each.passes : "–"}</td>
               <td>{each.seconds > 0 ? words.time(each.seconds) : "–"}</td>

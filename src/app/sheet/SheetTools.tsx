@@ -6,18 +6,18 @@ import type { SetupData, SheetTool } from "../../report/sheet/setup-data.ts";
 import { millPicture, toolPicture } from "../../view/sheet/tool-picture.ts";
 import type { SheetWords } from "./sheet-words.ts";
 
-/** Side of the picture of a tool, mm on paper. */
-const SIDE = 10;
+/** The picture of a tool, mm on paper. */
+const SIZE = { wide: 18, tall: 9 } as const;
 /** Half the cross at the theoretical tip, mm on paper. */
 const CROSS = 1;
 
 function Picture({ tool, mill, t }: { readonly tool: Tool | null; readonly mill: Mill | null; readonly t: SheetTexts["tool"] }) {
-  const picture = useMemo(() => (tool ? toolPicture(tool, SIDE) : mill ? millPicture(mill, SIDE) : null), [tool, mill]);
+  const picture = useMemo(() => (tool ? toolPicture(tool, SIZE) : mill ? millPicture(mill, SIZE) : null), [tool, mill]);
   if (!picture) return <span className="sheet-soft">–</span>;
   const { tip, scale } = picture;
   return (
     <span className="sheet-tool-picture">
-      <svg viewBox={`0 0 ${SIDE} ${SIDE}`} aria-hidden="true" style={{ width: `${SIDE}mm`, height: `${SIDE}mm` }}>
+      <svg viewBox={`0 0 ${SIZE.wide} ${SIZE.tall}`} aria-hidden="true" style={{ width: `${SIZE.wide}mm`, height: `${SIZE.tall}mm` }}>
         {picture.holder && <path className="sheet-holder" d={picture.holder} />}
         <path className="sheet-insert" d={picture.insert} />
         <path className="sheet-tip" d={`M${tip.x - CROSS} ${tip.y}h${CROSS + CROSS}M${tip.x} ${tip.y - CROSS}v${CROSS + CROSS}`} />

@@ -16,8 +16,8 @@ export interface SheetWords extends DrawingWords {
   readonly time: (seconds: number) => string;
   readonly feeds: (feeds: readonly SheetFeed[]) => string;
   readonly most: (speed: number) => string;
-  /** Lines: the speed, and its limit. */
-  readonly spindle: (spindle: Spindle | null) => readonly string[];
+  /** The speed and its limit in rpm; empty where it stands still. */
+  readonly spindle: (spindle: Spindle | null) => string;
 }
 
 /** A minus as long as a plus is wide. */
@@ -50,10 +50,10 @@ export function sheetWords(t: Texts, own: SheetTexts, language: Language): Sheet
         return unit === "lead" ? [`${unitOf.lead} ${own_.join(" / ")}`] : [`${own_.join(" / ")} ${unitOf[unit]}`];
       }).join(", "),
     spindle: (spindle) => {
-      if (!spindle) return [];
-      if (spindle.kind === "constant") return spindle.speed > 0 ? [`S ${rpm(spindle.speed)}`] : [];
-      const limit = spindle.limit > 0 ? [own.most(rpm(spindle.limit))] : [];
-      return [`VC ${number(spindle.cuttingSpeed)} ${t.setup.units.cuttingSpeed}`, ...limit];
+      if (!spindle) return "";
+      if (spindle.kind === "constant") return spindle.speed > 0 ? `S ${rpm(spindle.speed)}` : "";
+      const speed = `VC ${number(spindle.cuttingSpeed)} ${t.setup.units.cuttingSpeed}`;
+      return spindle.limit > 0 ? `${speed}, ${own.most(number(spindle.limit))}` : speed;
     },
   };
 }

@@ -5,11 +5,12 @@ import type { Pt } from "../../kernel/point.ts";
 import type { Spindle, Step } from "../../kernel/step.ts";
 import type { Tool } from "../../kernel/tool.ts";
 import { blockNumbers, startLines, type Program } from "../../nc/program.ts";
-import type { Statement } from "../../nc/statement.ts";
+import type { AxisName } from "../../nc/statement.ts";
 import { wordsOf } from "../../program/flow.ts";
 import { isOff, KEPT_ON, operationsOf, wholeOf } from "../../program/operations.ts";
 import type { Mill } from "../../program/plane-types.ts";
 import type { Operation, Run } from "../../program/run-types.ts";
+import { calledName, callsOf, isNamed, isParameter, speedOf } from "./tool-calls.ts";
 
 /** A feed of an operation as the program states it. */
 export interface SheetFeed {
@@ -57,6 +58,8 @@ export interface SetupData {
   readonly blocks: number;
   readonly operations: readonly SheetOperation[];
   readonly tools: readonly SheetTool[];
+  /** Sizes of a box that is the blank of milling, along X, Y and Z; null without one. */
+  readonly box: readonly [x: number, y: number, z: number] | null;
   /** Calls of another tool, the first one included. */
   readonly toolChanges: number;
   readonly seconds: number;
@@ -100,42 +103,6 @@ function feedsOf(steps: readonly Step[]): readonly SheetFeed[] {
 
 const sum = (all: readonly { readonly seconds: number }[]): number => all.reduce((total, { seconds }) => total + seconds, 0);
 
-interface Call {
-  readonly index: number;
-  readonly called: string;
-  /** The tool that ran behind it, where the program ran. */
-  readonly ran: Tool | null;
-}
-
-const calledName = (s: Statement): string | null => {
-  if (s.kind !== "toolCall" || s.tool === null) return null;
-  return typeof s.tool === "object" ? s.tool.parameter : String(s.tool);
-};
-
-/** The tool calls of a program in their order, each with what ran behind it; tools of called programs where they are first used. */
-function callsOf({ blocks }: Program, run: Run | null, end: number): readonly Call[] {
-  const at = blocks.flatMap(({ statement }, index) => {
-    const called = index < end ? calledName(statement) : null;
-    return called === null ? [] : [{ index, called }];
-  });
-  const ranIn = (from: number, to: number) => {
-    const found = run?.stepBlocks.findIndex((block) => block >= from && block < to) ?? -1;
-    return found < 0 ? null : run?.steps[found]?.tool ?? null;
-  };
-  const own = at.map(({ index, called }, i): Call => ({ index, called, ran: ranIn(index, at[i + 1]?.index ?? end) }));
-  const known = new Set(own.flatMap(({ ran, called }) => [called, ...(ran ? [String(ran.T), ran.NAME] : [])]));
-  const others: Call[] = [];
-  let before = -1;
-  run?.steps.forEach(({ tool }, i) => {
-    const block = run.stepBlocks[i] ?? end;
-    if (block < end) before = block;
-    if (known.has(String(tool.T)) || known.has(tool.NAME)) return;
-    known.add(String(tool.T));
-    others.push({ index: before, called: String(tool.T), ran: tool });
-  });
-  return [...own, ...others].sort((a, b) => a.index - b.index);
-}
-
 const functionsIn = ({ blocks }: Program, from: number, to: number): readonly number[] =>
   blocks.slice(from, to).flatMap(({ statement }) => wordsOf(statement)?.functions ?? []);
 const once = <T>(values: readonly T[]): readonly T[] => [...new Set(values)];
@@ -145,6 +112,19 @@ function fileNames({ blocks }: Program): readonly string[] {
     if (!("file" in s)) return [];
     return typeof s.file === "string" && s.file.trim() !== "" ? [s.file.trim()] : [];
   }));
+}
+
+/** The box between the two corners of BLK FORM 0.1 and 0.2, where both are numbers. */
+function boxOf({ blocks }: Program): SetupData["box"] {
+  const corners = blocks.flatMap(({ statement: s }) => (s.kind === "blankBox" ? [s] : []));
+  const [first, second] = [corners.find(({ corner }) => corner === 1), corners.find(({ corner }) => corner === 2)];
+  const along = (axis: AxisName): number => {
+    const [a, b] = [first, second].map((corner) => corner?.axes.find((word) => word.axis === axis));
+    if (typeof a?.value !== "number" || typeof b?.value !== "number") return 0;
+    return Math.abs(b.incremental ? b.value : b.value - a.value);
+  };
+  const [x, y, z] = [along("X"), along("Y"), along("Z")];
+  return x > 0 && y > 0 && z > 0 ? [x, y, z] : null;
 }
 
 function presetsOf({ blocks }: Program): readonly string[] {
@@ -174,14 +154,12 @@ export function setupData({ program, run, tools, mills }: SetupInput): SetupData
   const all = operationsOf(program);
   const numbers = blockNumbers(program), lines = startLines(program);
   const calls = callsOf(program, run, all.to);
-  const isCalled = (called: string) => ({ T, NAME }: { readonly T: number; readonly NAME: string }) =>
-    String(T) === called || NAME === called;
   const list: SheetTool[] = [];
   const indexOf = new Map<string, number>();
-  calls.forEach(({ index, called, ran }, i) => {
-    const tool = tools.find(isCalled(ran ? String(ran.T) : called)) ?? ran;
-    const mill = mills.find(isCalled(called)) ?? null;
-    const key = String(tool?.T ?? mill?.T ?? called);
+  calls.forEach(({ index, called, ran, turns }, i) => {
+    const tool = turns ? tools.find(isNamed(ran ? String(ran.T) : called)) ?? ran : null;
+    const mill = mills.find(isNamed(called)) ?? null;
+    const key = `${tool ? "turn" : "mill"} ${tool?.T ?? mill?.T ?? called}`;
     const used = functionsIn(program, index, Math.max(calls[i + 1]?.index ?? all.to, index));
     const [spindle, coolant] = [SPINDLE, COOLANT].map((on = []) => once(used.filter((m) => on.includes(m))));
     const known = indexOf.get(key), before = known === undefined ? undefined : list[known];
@@ -196,13 +174,11 @@ export function setupData({ program, run, tools, mills }: SetupInput): SetupData
     else indexOf.set(key, list.push(next) - 1);
   });
   const toolIndex = (called: string | null, ran: Tool | null): number | null => {
-    const found = list.findIndex((each) =>
-      ran
-        ? each.tool?.T === ran.T
-        : called !== null
-          && (each.called === called
-            || (each.tool !== null && isCalled(called)(each.tool)) || (each.mill !== null && isCalled(called)(each.mill)))
-    );
+    const isMeant = ({ called: own, tool, mill }: SheetTool) => {
+      if (called === null || isParameter(called)) return ran !== null && tool?.T === ran.T;
+      return own === called || (tool !== null && isNamed(called)(tool)) || (mill !== null && isNamed(called)(mill));
+    };
+    const found = list.findIndex(isMeant);
     return found < 0 ? null : found;
   };
   const stepsIn = (from: number, to: number) =>
@@ -233,7 +209,7 @@ export function setupData({ program, run, tools, mills }: SetupInput): SetupData
         block: numbers[from] ?? null,
         tool: toolIndex(called ? calledName(called) : null, first?.tool ?? steps[0]?.tool ?? null),
         start: first?.start ?? null,
-        spindle: first?.spindle ?? null,
+        spindle: first?.spindle ?? speedOf(called),
         feeds: [
           ...feedsOf(cut),
           ...planeFeeds.filter((f, i) => planeFeeds.findIndex((g) => g.value === f.value && g.unit === f.unit) === i),
@@ -266,6 +242,7 @@ export function setupData({ program, run, tools, mills }: SetupInput): SetupData
     blocks: program.blocks.filter(({ statement: s }) => s.kind !== "empty").length,
     operations: [...rows, ...apart].sort((a, b) => a.order - b.order).map(({ operation }) => operation),
     tools: list,
+    box: boxOf(program),
     toolChanges: calls.filter(({ called }, i) => called !== calls[i - 1]?.called).length,
     seconds: run?.seconds ?? 0,
     presets: presetsOf(program),

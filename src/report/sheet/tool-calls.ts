@@ -1,0 +1,63 @@
+import type { Spindle } from "../../kernel/step.ts";
+import type { Tool } from "../../kernel/tool.ts";
+import type { Program } from "../../nc/program.ts";
+import type { Statement } from "../../nc/statement.ts";
+import type { Run } from "../../program/run-types.ts";
+
+/** One call of a tool. */
+export interface SheetCall {
+  readonly index: number;
+  readonly called: string;
+  /** It turns: its number is one of the table of turning tools. */
+  readonly turns: boolean;
+  /** The tool that ran behind it, where the program ran. */
+  readonly ran: Tool | null;
+}
+
+export const calledName = (s: Statement): string | null => {
+  if (s.kind !== "toolCall" || s.tool === null) return null;
+  return typeof s.tool === "object" ? s.tool.parameter : String(s.tool);
+};
+
+export const isNamed = (called: string) => ({ T, NAME }: { readonly T: number; readonly NAME: string }): boolean =>
+  String(T) === called || NAME === called;
+
+/** A parameter says only while it runs which tool it calls. */
+export const isParameter = (called: string): boolean => /^Q[LRS]?\d+$/.test(called);
+
+/** The speed that a tool call states, where nothing else says one. */
+export const speedOf = (s: Statement | undefined): Spindle | null =>
+  s?.kind === "toolCall" && typeof s.speed === "number" && s.speed > 0 ? { kind: "constant", speed: s.speed } : null;
+
+/** The tool calls of a program in their order, each with what ran behind it; tools of called programs where they are first used. */
+export function callsOf({ blocks }: Program, run: Run | null, end: number): readonly SheetCall[] {
+  const at = blocks.flatMap(({ statement }, index) => {
+    const called = index < end ? calledName(statement) : null;
+    return called === null ? [] : [{ index, called }];
+  });
+  const ranIn = (called: string, from: number, to: number): Tool | null => {
+    const found = run?.stepBlocks.findIndex((block) => block >= from && block < to) ?? -1;
+    const tool = found < 0 ? null : run?.steps[found]?.tool ?? null;
+    // A tool that nobody has is stood in for by another one.
+    return tool && (isParameter(called) || isNamed(called)(tool)) ? tool : null;
+  };
+  const turnsAt = (index: number) => {
+    const mode = blocks.slice(0, index).findLast(({ statement }) => statement.kind === "mode")?.statement;
+    return mode?.kind === "mode" && mode.mode === "TURN";
+  };
+  const own = at.map(({ index, called }, i): SheetCall => {
+    const ran = ranIn(called, index, at[i + 1]?.index ?? end);
+    return { index, called, ran, turns: ran !== null || turnsAt(index) };
+  });
+  const known = new Set(own.flatMap(({ ran, called }) => [called, ...(ran ? [String(ran.T), ran.NAME] : [])]));
+  const others: SheetCall[] = [];
+  let before = -1;
+  run?.steps.forEach(({ tool, file }, i) => {
+    const block = run.stepBlocks[i] ?? end;
+    if (block < end) before = block;
+    if ((file === undefined && block < end) || known.has(String(tool.T)) || known.has(tool.NAME)) return;
+    known.add(String(tool.T));
+    others.push({ index: before, called: String(tool.T), ran: tool, turns: true });
+  });
+  return [...own, ...others].sort((a, b) => a.index - b.index);
+}
