@@ -10,7 +10,7 @@ import { wordsOf } from "../../program/flow.ts";
 import { isOff, KEPT_ON, operationsOf, wholeOf } from "../../program/operations.ts";
 import type { Mill } from "../../program/plane-types.ts";
 import type { Operation, Run } from "../../program/run-types.ts";
-import { calledName, callsOf, isNamed, isParameter, speedOf } from "./tool-calls.ts";
+import { calledName, toolCallsOf, isNamed, isParameter, speedOf } from "./tool-calls.ts";
 
 /** A feed of an operation as the program states it. */
 export interface SheetFeed {
@@ -153,7 +153,7 @@ interface Placed {
 export function setupData({ program, run, tools, mills }: SetupInput): SetupData {
   const all = operationsOf(program);
   const numbers = blockNumbers(program), lines = startLines(program);
-  const calls = callsOf(program, run, all.to);
+  const calls = toolCallsOf(program, run, all.to);
   const list: SheetTool[] = [];
   const indexOf = new Map<string, number>();
   calls.forEach(({ index, called, ran, turns }, i) => {

@@ -30,7 +30,7 @@ export const speedOf = (s: Statement | undefined): Spindle | null =>
   s?.kind === "toolCall" && typeof s.speed === "number" && s.speed > 0 ? { kind: "constant", speed: s.speed } : null;
 
 /** The tool calls of a program in their order, each with what ran behind it; tools of called programs where they are first used. */
-export function callsOf({ blocks }: Program, run: Run | null, end: number): readonly SheetCall[] {
+export function toolCallsOf({ blocks }: Program, run: Run | null, end: number): readonly SheetCall[] {
   const at = blocks.flatMap(({ statement }, index) => {
     const called = index < end ? calledName(statement) : null;
     return called === null ? [] : [{ index, called }];
