@@ -3,6 +3,7 @@ export { ContourTable } from "./contour-table.ts";
 export { Dialog } from "./dialog.ts";
 export { Effect } from "./effect.ts";
 export { Findings } from "./findings.ts";
+export { Handing } from "./handing.ts";
 export { Lathe } from "./lathe.ts";
 export { OwnCycles } from "./own-cycles.ts";
 export { ProgramEditor } from "./program-editor.ts";

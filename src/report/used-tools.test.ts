@@ -1,0 +1,75 @@
+import { readdirSync, readFileSync } from "node:fs";
+import { expect, test } from "vitest";
+import { parse } from "../nc/parse.ts";
+import { run } from "../program/run.ts";
+import { readList, rowsCalled, shippedList, type ToolList } from "../program/tool-list.ts";
+import { simulate } from "../sim/simulate.ts";
+import { tracing } from "../sim/tracing.ts";
+import { report, type Report } from "./report.ts";
+import { usedTools } from "./used-tools.ts";
+
+const NO_TIME = { parse: 0, plan: 0, simulate: 0 };
+
+function reportWith(text: string, list: ToolList): Report {
+  const { table } = readList(list);
+  const made = run(parse(text), { ...table, rapid: 10_000, control: "TNC 640", tracing });
+  return report({ file: "A.h", run: made, simulation: simulate(made), milliseconds: NO_TIME, tools: table.tools }, "en");
+}
+const changed = (number: number, cells: object): ToolList =>
+  shippedList.map((entry) => (entry.cells.T === String(number) ? { ...entry, cells: { ...entry.cells, ...cells } } : entry));
+
+/** The same report, to the byte, with the used tools alone. */
+function expectSame(text: string, list: ToolList): ToolList {
+  const whole = reportWith(text, list);
+  const used = rowsCalled(list, usedTools([parse(text)], whole));
+  expect(JSON.stringify(reportWith(text, used))).toBe(JSON.stringify(whole));
+  return used;
+}
+
+const examples = readdirSync("src/examples").filter((name) => name.endsWith(".h"));
+test.each(examples)("%s comes to the same report with the tools it uses alone", (name) => {
+  const text = readFileSync(`src/examples/${name}`, "utf8");
+  const used = expectSame(text, shippedList);
+  expect(used.length).toBeLessThan(shippedList.length);
+  expectSame(text, changed(3, { RS: "3" }));
+  expectSame(text, changed(1, { RS: "2,37", CUTLENGTH: "1.9" }));
+});
+
+const part = (call: string) =>
+  `BEGIN PGM S MM\nBLK FORM CYLINDER Z D63.4 L90 DIST+0\nFUNCTION MODE TURN\n${call}\n`
+  + "FUNCTION TURNDATA SPIN VCONST:ON VC:180 SMAX2500\nM136\n"
+  + "L X+95 Z+52 R0 FMAX\nL X+63.4 Z+1.8 FMAX M303\n"
+  + "CYCL DEF 811 SHOULDER, LONGITDNL. ~\nQ215=+0 ~\nQ460=+2 ~\nQ493=+41.27 ~\nQ494=-33.85 ~\nQ463=+2.35 ~\nQ478=+0.3 ~\nQ483=+0.5 ~\n"
+  + "Q484=+0.15 ~\nQ505=+0.2 ~\nQ506=+0\nCYCL CALL\nM30\nEND PGM S MM\n";
+
+test("a tool that is called by its name, with an index, or not at all comes along; one that nobody has stays missing", () => {
+  const numbersOf = (list: ToolList) => list.map(({ cells }) => cells.T);
+  const named = shippedList.find(({ cells }) => cells.T === "3")?.cells.NAME ?? "";
+  expect(numbersOf(expectSame(part(`TOOL CALL "${named}"`), shippedList))).toContain("3");
+  expect(numbersOf(expectSame(part(`TOOL CALL "${named.toLowerCase()}"`), shippedList))).toContain("3");
+  expect(numbersOf(expectSame(part("TOOL CALL 3.2"), shippedList))).toContain("3");
+  expect(reportWith(part("TOOL CALL 97"), shippedList).issues.map(({ code }) => code)).toContain("toolUnknown");
+  expect(numbersOf(expectSame(part("TOOL CALL 97"), shippedList))).not.toContain("97");
+  // The tool that stands in for none is named by the report.
+  expect(expectSame(part(";no tool"), shippedList).length).toBeGreaterThan(0);
+});
+
+test("a tool with impossible columns comes along as it is, and is refused for the same reason", () => {
+  const list = changed(3, { RS: "-1" });
+  expect(expectSame(part("TOOL CALL 3"), list).map(({ cells }) => cells.RS)).toContain("-1");
+  expect(reportWith(part("TOOL CALL 3"), list).issues.map(({ code }) => code)).toContain("toolColumn");
+});
+
+test("tools that would take what stays come along", () => {
+  const list = changed(3, { RS: "3" });
+  const used = expectSame(part("TOOL CALL 3"), list);
+  const named = reportWith(part("TOOL CALL 3"), list).proof.residual.flatMap(({ tools }) => tools);
+  expect(named.length).toBeGreaterThan(0);
+  expect(used.map(({ cells }) => Number(cells.T))).toEqual(expect.arrayContaining([3, ...named]));
+});
+
+test("where a call is worked out by the program every tool comes along", () => {
+  const text = part("Q7 = 3\nTOOL CALL Q7");
+  expect(usedTools([parse(text)], reportWith(text, shippedList))).toBeNull();
+  expect(rowsCalled(shippedList, null)).toBe(shippedList);
+});
