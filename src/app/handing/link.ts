@@ -26,8 +26,11 @@ const fromBase64Url = (text: string): Uint8Array =>
  * A link that carries a work with all that it brings along: nothing is stored anywhere. `page` is the address without anything
  * behind `#`.
  */
-export const linkOf = (page: string, work: Work): string =>
-  page + LINK_MARK + toBase64Url(deflateSync(strToU8(JSON.stringify({ work })), { level: 9, mem: 12, dictionary: COMMON }));
+export function linkOf(page: string, work: Work): string {
+  // As it is read, so that the link of what a link brought is the same link.
+  const packed = deflateSync(strToU8(JSON.stringify({ work: plainWork(work) ?? work })), { level: 9, mem: 12, dictionary: COMMON });
+  return page + LINK_MARK + toBase64Url(packed);
+}
 
 /** What a link carries; or that it carries more than is opened, comes from a newer edition, or can not be read. */
 export type ReadLink = { readonly kind: "work"; readonly work: Work } | { readonly kind: "tooLarge" | "newer" | "damaged" };

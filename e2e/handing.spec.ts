@@ -1,0 +1,96 @@
+import { readFile } from "node:fs/promises";
+import { encode } from "uqr";
+import type { Locator } from "@playwright/test";
+import { expect, test } from "./pages/test.ts";
+import { looksRight } from "./pages/look.ts";
+import { Turnwise } from "./pages/turnwise.ts";
+
+/** The bytes that a button of a dialog hands to the downloads. */
+async function downloaded(button: Locator): Promise<string> {
+  const waiting = button.page().waitForEvent("download");
+  await button.click();
+  return (await readFile(await (await waiting).path())).toString();
+}
+
+test("a work handed on comes to the same report to the byte elsewhere, and its tools may stay beside one's own", async ({ page, browser }) => {
+  // The sender has a tool of his own under number 3.
+  const sender = await Turnwise.open(page);
+  await sender.tools.open();
+  await sender.tools.rowButton(3).click();
+  await sender.tools.cell("RS").fill("3");
+  await sender.tools.close();
+  await sender.editor.openExample("flange");
+  const { words } = sender.handing;
+  const totals = ({ editor, t }: Turnwise) => [t.page.effect.residual, t.findings.verdict.title].map((name) => editor.total(name));
+  const [stays, verdict] = totals(sender);
+  await expect(stays!).toContainText("1.74");
+  const said = [await stays!.textContent(), await verdict!.textContent()];
+  await sender.handing.handOn();
+  const link = await sender.handing.link();
+  await looksRight(page);
+  expect(link.length).toBeLessThan(1732);
+  const code = sender.handing.out.getByRole("img", { name: words.qrName("FLANGE.h"), exact: true });
+  const drawn = await code.locator("path").getAttribute("d");
+  const rows = encode(link, { ecc: "L", border: 0 }).data;
+  expect((await code.getAttribute("viewBox"))?.split(" ")[2]).toBe(String(rows.length + 8));
+  const black = [...(drawn ?? "").matchAll(/M(\d+) (\d+)h(\d+)/g)].reduce((sum, [, , , wide]) => sum + Number(wide), 0);
+  expect(black).toBe(rows.flat().filter(Boolean).length);
+  const report = await downloaded(sender.handing.out.getByRole("button", { name: words.report, exact: true }));
+  expect(JSON.parse(report)).toMatchObject({ format: "turnwise-report/1", file: "FLANGE.h", proof: { verdict: "proved" } });
+
+  // The receiver has the shipped tools and works at something else.
+  const context = await browser.newContext();
+  const receiver = await Turnwise.open(await context.newPage());
+  const other = receiver.page;
+  await receiver.start.beginWithExample(812);
+  await receiver.effect.proved();
+  await other.goto(link);
+  const inside = receiver.handing.inside("FLANGE.h");
+  await expect(inside).toContainText("77");
+  await expect(inside.getByRole("listitem").filter({ hasText: "T3" })).toContainText(words.state.differs);
+  await expect(inside.getByRole("listitem").filter({ hasText: "T1 CNMG" })).toContainText(words.state.same);
+  await looksRight(other);
+  // Nothing was opened: what was there is still there.
+  await other.keyboard.press("Escape");
+  await expect(receiver.dialog.question).toBeVisible();
+  await other.goto("about:blank");
+  await other.goto(link);
+  await expect(receiver.handing.inside("FLANGE.h").getByRole("button", { name: words.open, exact: true })).toBeFocused();
+  await other.keyboard.press("Enter");
+  for (const [i, total] of totals(receiver).entries()) await expect(total).toHaveText(said[i] ?? "");
+  await expect(receiver.handing.line).toContainText("6");
+  await receiver.handing.handOn();
+  await receiver.handing.link();
+  expect(await downloaded(receiver.handing.out.getByRole("button", { name: words.report, exact: true }))).toBe(report);
+  expect(await receiver.handing.link()).toBe(link);
+  await other.keyboard.press("Escape");
+
+  // The tool with other values is put beside his own, and the program calls it there.
+  await receiver.handing.line.getByRole("button").click();
+  const { tools } = receiver.handing;
+  await expect(tools.getByRole("row").filter({ hasText: "RS" })).toContainText("0.4");
+  await looksRight(other);
+  await tools.getByRole("combobox", { name: words.becomes("T3 DNMG-55-R04"), exact: true }).selectOption("free");
+  await tools.getByRole("button", { name: words.keep, exact: true }).click();
+  await expect(tools.getByText(words.moved(3, 16))).toBeVisible();
+  await tools.getByRole("button", { name: words.changeCalls(2), exact: true }).click();
+  await expect(tools.getByText(words.callsChanged)).toBeVisible();
+  await tools.getByRole("button", { name: words.useMine, exact: true }).click();
+  await expect(receiver.handing.line).toBeHidden();
+  await expect(receiver.editor.line("TOOL CALL 16").first()).toBeVisible();
+  for (const [i, total] of totals(receiver).entries()) await expect(total).toHaveText(said[i] ?? "");
+  await receiver.tools.open();
+  await receiver.tools.rowButton(3).click();
+  await expect(receiver.tools.cell("RS")).toHaveValue("0.4");
+  await receiver.tools.rowButton(16).click();
+  await expect(receiver.tools.cell("RS")).toHaveValue("3");
+  await receiver.tools.close();
+  // Step by step back: his table in use, the calls, the kept tools.
+  await receiver.undo();
+  await expect(receiver.handing.line).toBeVisible();
+  await receiver.undo();
+  await expect(receiver.editor.line("TOOL CALL 16")).toHaveCount(0);
+  await receiver.undo();
+  await expect(receiver.tools.rowButton(16)).toHaveCount(0);
+  await context.close();
+});
