@@ -7,10 +7,24 @@ import { readAxis, readHead, writeHead } from "./holder-cells.ts";
 import { applies, HOLDER_CELLS, HOLDER_NUMBERS, isDrillType, isMillType, MILL_TABLE, ruleOf, TOOL_COLUMNS, type CellName, type HolderNumber,
   type NumberColumn, type ToolColumn } from "./tool-columns.ts";
 
+/** A table file of the control that rows came from, kept so that it can go out again with nothing else changed. */
+export interface TableOrigin {
+  readonly name: string;
+  readonly text: string;
+  readonly encoding: "utf-8" | "windows-1252";
+}
+
+/** The line of a table file that a row came from. */
+export interface TableLine {
+  readonly origin: TableOrigin;
+  readonly at: number;
+}
+
 /** One row of the tool table as typed: every cell is text, an empty or missing cell is empty. */
 export interface ToolEntry {
   readonly id: string;
   readonly cells: Readonly<Partial<Record<CellName, string>>>;
+  readonly line?: TableLine;
 }
 
 /** A milling tool or a drill with all its columns, mm and degrees; a missing cell is absent, and so is the type of a mill. */

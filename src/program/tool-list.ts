@@ -3,7 +3,7 @@ import type { Tool } from "../kernel/tool.ts";
 import type { ShopTools } from "./read-tools.ts";
 import { shippedTools } from "./shipped-tools.ts";
 import { COLUMN_RULES, HOLDER_CELLS } from "./tool-columns.ts";
-import { cellOf, entryOf, readEntry, type EntryReading, type MillTool, type ToolEntry } from "./tool-entry.ts";
+import { cellOf, entryOf, readEntry, type EntryReading, type MillTool, type TableLine, type ToolEntry } from "./tool-entry.ts";
 
 /** All rows of the table, in its order. */
 export type ToolList = readonly ToolEntry[];
@@ -89,10 +89,14 @@ export function readList(list: ToolList): ToolListReading {
   return { table: { tools, refused, ...(mills.length > 0 && { mills }) }, mills, rows };
 }
 
-/** Rows that come from a file, over the table: a row of the same number takes the place of the old one, others follow. */
+/**
+ * Rows that come from a file, over the table: a row of the same number takes the place of the old one, others follow. `lines` says where
+ * in a table of the control each row stands.
+ */
 export function mergedTools(
   list: ToolList,
   rows: readonly ToolEntry["cells"][],
+  lines: readonly (TableLine | undefined)[] = [],
 ): { readonly list: ToolList; readonly replaced: number; readonly added: number } {
   const next = [...list];
   const places = new Map<number, number>();
@@ -103,30 +107,34 @@ export function mergedTools(
   const ids = new Set(list.map((entry) => entry.id));
   let replaced = 0;
   let n = list.length;
-  for (const cells of rows) {
+  for (const [i, cells] of rows.entries()) {
     const { number } = readEntry({ id: "", cells });
+    const line = lines[i];
     const at = number === null ? undefined : places.get(number);
     const old = at === undefined ? undefined : next[at];
     if (at !== undefined && old) {
-      next[at] = { id: old.id, cells };
+      next[at] = { ...old, cells, ...(line && { line }) };
       if (at < list.length) replaced++;
       continue;
     }
     do n++; while (ids.has(`r${n}`));
     if (number !== null) places.set(number, next.length);
-    next.push({ id: `r${n}`, cells });
+    next.push({ id: `r${n}`, cells, ...(line && { line }) });
   }
   const added = next.length - list.length;
   return { list: next, replaced, added };
 }
 
+const sameLine = ({ line: a }: ToolEntry, { line: b }: ToolEntry) =>
+  a === b || (a?.at === b?.at && a?.origin.name === b?.origin.name && a?.origin.text === b?.origin.text);
+
 /** The same table: the same cells in the same rows, whatever their ids. */
 export const sameList = (a: ToolList, b: ToolList): boolean =>
   a === b || (a.length === b.length && a.every((entry, i) => {
     const other = b[i] as ToolEntry;
-    return entry === other || [...new Set([...Object.keys(entry.cells), ...Object.keys(other.cells)])].every((cell) =>
+    return entry === other || (sameLine(entry, other) && [...new Set([...Object.keys(entry.cells), ...Object.keys(other.cells)])].every((cell) =>
       cellOf(entry, cell as keyof ToolEntry["cells"]) === cellOf(other, cell as keyof ToolEntry["cells"])
-    );
+    ));
   }));
 
 /** The rows that calls find, in their order: by number, the index behind the point aside, or by name. Every row where `calls` is null. */

@@ -2,6 +2,7 @@ import type { Holder, Tool } from "../kernel/tool.ts";
 import { writeHead } from "./holder-cells.ts";
 import { HOLDER_CELLS, isDrillType, isToolType, MILL, MILL_TABLE, TOOL_COLUMNS, type CellName } from "./tool-columns.ts";
 import type { MillTool, ToolEntry } from "./tool-entry.ts";
+import { readTableCsv } from "./tool-table-csv.ts";
 import { readTableText, type TableFile } from "./tool-table-text.ts";
 
 /** Writes tools as the tools file of the `verify` command, one tool a line, milling tools behind the others. Nothing is rounded. */
@@ -63,8 +64,15 @@ export function readTableJson(text: string): TableFile {
 /** Most rows that a file may bring. */
 export const MOST_ROWS = 2000;
 
-/** Reads a file of either kind. Never throws. */
+/** JSON begins with a brace, a table of the control with BEGIN; anything else may be a sheet. */
+function readKind(text: string): TableFile {
+  const bare = text.replace(/^\uFEFF/, "").trimStart();
+  if (/^[{[]/.test(bare)) return readTableJson(text);
+  return /^BEGIN\s/i.test(bare) ? readTableText(text) : readTableCsv(text);
+}
+
+/** Reads a file of any kind. Never throws. */
 export function readToolFile(text: string): TableFile | { readonly problem: "tooMany"; readonly most: number } {
-  const read = /^\s*[{[]/.test(text.replace(/^\uFEFF/, "")) ? readTableJson(text) : readTableText(text);
+  const read = readKind(text);
   return "rows" in read && read.rows.length > MOST_ROWS ? { problem: "tooMany", most: MOST_ROWS } : read;
 }

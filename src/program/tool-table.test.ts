@@ -237,6 +237,7 @@ describe("the control's column text", () => {
       }],
       leftOut: ["YL"],
       cutShort: false,
+      table: { milling: false, lines: [5, 6], turning: new Map() },
     });
   });
 
