@@ -1,6 +1,8 @@
 import { expect, test } from "./pages/test.ts";
 import { LANGUAGES } from "../src/i18n/languages.ts";
 import { tabTo } from "./pages/keyboard.ts";
+import { looksRight } from "./pages/look.ts";
+import { toolWords } from "./pages/tool-words.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
 test("a tool of one's own by keyboard alone: made, kept over a reload, offered in the set-up and run with", async ({ page }) => {
@@ -99,6 +101,8 @@ test("TO by its picture, columns that a type has no use for, and a sum", async (
   await expect(tools.drawing.locator("path.shape-holder")).toBeAttached();
 });
 
+const { codes, files } = toolWords.en;
+
 test("out and in again, as JSON and as column text", async ({ page }) => {
   const { tools, t } = await Turnwise.open(page);
   await tools.open();
@@ -108,20 +112,115 @@ test("out and in again, as JSON and as column text", async ({ page }) => {
   const text = await tools.export("text");
   expect(text.name).toBe("TOOLTURN.TRN");
   expect(text.text).toMatch(/^BEGIN TOOLTURN\.TRN MM\r\nT /);
+  await tools.choose({ name: "SHOP.TRN", content: text.text.replace("CNMG-80-R08", "MINE-80-R08").replace("\r\n15 ", "\r\n40 ") });
+  await expect(tools.incoming).toContainText(files.fresh(1));
+  await expect(tools.incoming).toContainText("NAME CNMG-80-R08 → MINE-80-R08");
+  await expect(tools.incoming).toContainText(files.same(13));
+  await tools.take("new");
+  await expect(tools.row(1)).toContainText("CNMG-80-R08");
   await tools.import("SHOP.TRN", text.text.replace("CNMG-80-R08", "MINE-80-R08").replace("\r\n15 ", "\r\n40 "));
-  await expect(tools.status).toContainText(t.tools.imported("SHOP.TRN", 14, 1));
+  await expect(tools.status).toContainText(files.taken("SHOP.TRN", 0, 1));
   await expect(tools.row(1)).toContainText("MINE-80-R08");
   await expect(tools.rowButton(40)).toBeVisible();
   await tools.takeBack.click();
   await expect(tools.row(1)).toContainText("CNMG-80-R08");
-  await tools.import("letter.txt", "Dear sirs");
-  await expect(tools.status).toContainText(t.tools.problems.notATable("letter.txt"));
-  await tools.import("wrong.json", '{ "tools": [ { "T": 50, "TYPE": "ROUGH", "TO": 99, "RS": 0.8, "COLOUR": 1 } ] }');
+  await tools.choose({ name: "letter.txt", content: "Dear sirs" });
+  await expect(tools.status).toContainText(files.notATable("letter.txt"));
+  await tools.choose({
+    name: "wrong.json",
+    content: '{ "tools": [ { "T": 50, "TYPE": "ROUGH", "TO": 99, "RS": 0.8, "COLOUR": 1 } ] }',
+  });
+  await expect(tools.incoming).toContainText(files.wrong(1));
+  await expect(tools.incoming).toContainText(files.leftOut("COLOUR"));
+  await tools.take();
   await expect(tools.status).toContainText(t.tools.importedWrong(1));
-  await expect(tools.status).toContainText(t.tools.leftOut("COLOUR"));
   await expect(tools.rowButton(50)).toHaveAttribute("aria-current", "true");
   await tools.export("json");
   await expect(tools.status).toContainText(t.tools.exportedWithout("50"));
+});
+
+/* A table as a control keeps it: windows-1252, a description, columns that have no place here, decimal comma, a sister tool. */
+const SHOP = [
+  "BEGIN TOOLTURN.TRN MM Version: 'Update:110.24'",
+  "#STRUCTBEGIN",
+  "   NAME = T",
+  "#STRUCTEND",
+  "T       NAME                ZL        XL        YL    RS       TO T-ANGLE P-ANGLE CUTLENGTH TYPE     SPB-INSERT DOC          ",
+  "81      SCHRUPPER           +120,5    -40       +0    +0,8     1  +95     +80     +12       ROUGH    +0         Träger 4     ",
+  "81.1    SCHRUPPER           +120,5    -38       +0    +0,8     1  +95     +80     +12       ROUGH    +0         für Rückseite",
+  "84      SCHLICHTER          +118,25   -40       +0    +0,4     1  +93     +35     +16       FINISH   +0         ³ neu        ",
+  "[END]",
+  "",
+].join("\r\n");
+
+test("a shop's table comes back to the byte but for the tool that changed, and a sheet adds to it", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { tools } = turnwise;
+  await tools.open();
+  await tools.choose({ name: "TOOLTURN.TRN", content: Buffer.from(SHOP, "latin1") });
+  await expect(tools.incoming).toContainText(files.fresh(3));
+  await expect(tools.incoming).toContainText(files.keptInFile("YL, SPB-INSERT, DOC"));
+  await looksRight(page);
+  await page.keyboard.press("Enter");
+  await expect(tools.rowButton("81.1")).toBeVisible();
+  const same = await tools.export("again");
+  expect(same.name).toBe("TOOLTURN.TRN");
+  expect(same.bytes.equals(Buffer.from(SHOP, "latin1"))).toBe(true);
+  await expect(tools.status).toContainText(files.againShipped(15));
+  await tools.rowButton(84).click();
+  await tools.cell("RS").fill("0.2");
+  await expect.poll(() => page.evaluate(() => localStorage.getItem("turnwise/tools") ?? "")).toContain('"0.2"');
+  await page.reload();
+  await tools.choose({
+    name: "new.csv",
+    content: "\uFEFFT;NAME;TYPE;TO;RS;T-ANGLE;P-ANGLE;Preis\r\n83;NEU;ROUGH;1;1,2;95;80;12,50\r\n84;;;;0,3;;;\r\n",
+  });
+  await expect(tools.incoming).toContainText("RS 0.2 → 0.3");
+  await expect(tools.incoming).toContainText(files.leftOut("Preis"));
+  await tools.take("new");
+  const changed = await tools.export("again");
+  const titles = SHOP.split("\r\n")[4] ?? "";
+  const expected = SHOP.replace("+0,4     1  +93", "+0,2     1  +93").replace("84      SCHL",
+    "83      NEU                                           +1,2     1  +95     +80               ROUGH                            \r\n84      SCHL");
+  expect(changed.bytes.toString("latin1")).toBe(expected);
+  const sheet = await tools.export("csv");
+  expect(sheet.text.split("\r\n").find((line) => line.startsWith("84,"))).toMatch(/^84,SCHLICHTER,118\.25,-40,,,0\.2,/);
+});
+
+test("codes typed by keyboard make a tool with its holder, and a proved program runs with it", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { tools, setup, effect, t } = turnwise;
+  const { keyboard } = page;
+  await turnwise.start.beginWithExample(812);
+  await effect.proved();
+  await tools.open();
+  await tabTo(page, tools.add, "Shift+Tab");
+  await keyboard.press("Enter");
+  await expect(tools.cell("T")).toBeFocused();
+  await tabTo(page, tools.code);
+  await keyboard.type("dnmg 15 06 08");
+  await expect(tools.form.getByRole("list", { name: codes.says })).toContainText("rhombic, 55°");
+  await keyboard.press("Enter");
+  await expect(tools.form).toContainText(codes.taken("DNMG150608", 4));
+  await expect(tools.code).toBeFocused();
+  await keyboard.type("PCLNR 2525M12");
+  await expect(tools.form).toContainText(codes.notes.rowAngle("55", "80"));
+  await keyboard.press("Escape");
+  await keyboard.type("PDJNR 2525M15");
+  await looksRight(page);
+  await keyboard.press("Enter");
+  await expect(tools.row(16)).toContainText("DNMG150608");
+  await expect(tools.drawing.locator("path.shape-holder").first()).toBeAttached();
+  await turnwise.undo();
+  await expect(tools.cell("T-ANGLE")).toHaveValue("");
+  await turnwise.redo();
+  await expect(tools.cell("T-ANGLE")).toHaveValue("93");
+  await tools.close();
+  await turnwise.show("setup");
+  await setup.tool(16).check();
+  await expect(turnwise.program.blocks.filter({ hasText: "TOOL CALL 16" })).toBeVisible();
+  await effect.proved();
+  await expect(effect.cell("proof")).not.toContainText(t.findings.verdict.holderUnknown);
 });
 
 test("milling tools: a second table with its own file", async ({ page }) => {

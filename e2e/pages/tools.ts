@@ -1,5 +1,6 @@
 import type { Locator } from "@playwright/test";
 import type { CellName, HolderCell, ToolColumn } from "../../src/program/tool-columns.ts";
+import { toolWords } from "./tool-words.ts";
 import type { Context } from "./turnwise.ts";
 
 /** Text inside a pattern; names are compared with plain spaces in them. */
@@ -102,23 +103,57 @@ export class ToolTable {
     return this.status.getByRole("button", { name: this.context.t.tools.undo, exact: true });
   }
 
-  /** Chooses a file to import. */
-  async import(name: string, text: string): Promise<void> {
+  /** Chooses a file to import; text is taken as UTF-8. What it brings is then shown in `incoming`. */
+  async choose(...files: readonly { readonly name: string; readonly content: string | Buffer }[]): Promise<void> {
     const choosing = this.context.page.waitForEvent("filechooser");
-    await this.button(this.context.t.tools.importLong).click();
-    await (await choosing).setFiles({ name, mimeType: "text/plain", buffer: Buffer.from(text) });
+    await this.button(this.words.files.importLong).click();
+    await (await choosing).setFiles(
+      files.map(({ name, content }) => ({ name, mimeType: "text/plain", buffer: Buffer.from(content as string) })),
+    );
   }
 
-  /** Downloads the table and gives the text of the file. */
-  async export(kind: "json" | "text" | "millText"): Promise<{ name: string; text: string }> {
-    const { exportJsonLong, exportTextLong, exportMillLong } = this.context.t.tools;
+  /** What chosen files would do to the table. */
+  get incoming(): Locator {
+    return this.context.page.getByRole("dialog", { name: new RegExp(plain(this.words.files.title("§")).replace("§", ".*")) });
+  }
+
+  /** Takes over what files bring: all of it, or the tools with new numbers. */
+  async take(choice: "all" | "new" = "all"): Promise<void> {
+    const { takeAll, takeNew } = this.words.files;
+    const [before = "", behind = ""] = (choice === "all" ? takeAll : takeNew)(0).split("0");
+    await this.incoming.getByRole("button", { name: new RegExp(`^${plain(before)}\\d+${plain(behind)}$`) }).click();
+    await this.incoming.waitFor({ state: "hidden" });
+  }
+
+  /** Chooses a file and takes all of it over. */
+  async import(name: string, text: string): Promise<void> {
+    await this.choose({ name, content: text });
+    await this.take();
+  }
+
+  /** Downloads the table and gives the file; `again` is the file that tools came from, with their changes. */
+  async export(kind: "json" | "csv" | "text" | "millText" | "again"): Promise<{ name: string; text: string; bytes: Buffer }> {
+    const { exportLong, exportTitle, json, sheet, turning, milling, again } = this.words.files;
     const downloading = this.context.page.waitForEvent("download");
-    await this.button({ json: exportJsonLong, text: exportTextLong, millText: exportMillLong }[kind]).click();
+    await this.button(exportLong).click();
+    const names = { json, csv: sheet, text: turning, millText: milling, again: again("§") };
+    const name = new RegExp(`^${plain(names[kind]).replace("§", ".*")}$`);
+    await this.context.page.getByRole("dialog", { name: exportTitle, exact: true }).getByRole("button", { name }).first().click();
     const download = await downloading;
     const stream = await download.createReadStream();
     const parts: Buffer[] = [];
     for await (const part of stream) parts.push(Buffer.from(part as Uint8Array));
-    return { name: download.suggestedFilename(), text: Buffer.concat(parts).toString("utf8") };
+    const bytes = Buffer.concat(parts);
+    return { name: download.suggestedFilename(), text: bytes.toString("utf8"), bytes };
+  }
+
+  /** Where the code of an insert or a holder is typed; Enter takes it over. */
+  get code(): Locator {
+    return this.form.getByRole("textbox", { name: this.words.codes.label, exact: true });
+  }
+
+  private get words() {
+    return toolWords[this.context.language];
   }
 
   private button(name: string): Locator {

@@ -1,8 +1,9 @@
 import { INCH } from "../kernel/units.ts";
-import { cellIn, DRILL_WORDS, isTurnWord, knownColumns, layoutOf, rowIn, TABLE_NUMBER, typedCell, wordOfMill, type TableColumn, type TableLayout,
-  type Title } from "./table-layout.ts";
-import { ruleOf, type CellName, type NumberColumn } from "./tool-columns.ts";
+import { cellIn, cellNameOf, MILL_WORDS, isTurnWord, knownColumns, tableLayoutOf, rowIn, TABLE_NUMBER, typedCell, wordOfMill,
+  type TableColumn, type TableLayout, type Title } from "./table-layout.ts";
+import { ruleOf, type NumberColumn } from "./tool-columns.ts";
 import { cellOf, isMillEntry, readEntry, type TableOrigin, type ToolEntry } from "./tool-entry.ts";
+import { sameList, shippedList } from "./tool-list.ts";
 import { written } from "./tool-table-text.ts";
 
 /** A table file as it was brought, with the changes of its tools. */
@@ -11,6 +12,8 @@ export interface TableAgain {
   readonly changed: number;
   readonly added: number;
   readonly removed: number;
+  /** Tools as they ship, which are of no shop: they are not added. */
+  readonly shipped: number;
   /** Cells whose text is longer than their column: they keep what they had, an added one stays empty. */
   readonly tooLong: readonly { readonly tool: string; readonly column: string }[];
 }
@@ -38,9 +41,6 @@ function mannerOf(layout: TableLayout, title: Title): Manner {
   };
 }
 
-/** The cell of a row that stands under a title. */
-const cellNameOf = (title: string, milling: boolean): CellName => (milling && title === "TYP" ? "TYPE" : (title as CellName));
-
 /** Decimals that an inch has more than a millimetre. */
 const MORE_IN_INCH = 1;
 
@@ -50,7 +50,7 @@ function fitted(layout: TableLayout, title: Title, manner: Manner, text: string,
   const fits = (cell: string) => (cell.length <= room ? cell : null);
   if (layout.milling && (title.name === "TYP" || title.name === "TYPE")) {
     const numbered = /^\d+$/.test(before);
-    const words = DRILL_WORDS.find((each) => each.type === text)?.words;
+    const words = MILL_WORDS.find((each) => each.type === text)?.words;
     return fits(numbered ? (words?.find((word) => /^\d$/.test(word)) ?? "0") : wordOfMill(text));
   }
   if (title.name === "NAME" || title.name === "TYPE" || text.trim() === "") return fits(text.trim());
@@ -107,6 +107,8 @@ const isUsable = (entry: ToolEntry) => {
   return tool !== null || mill !== null;
 };
 
+const isShipped = (entry: ToolEntry) => shippedList.some((each) => each.cells["T"] === cellOf(entry, "T") && sameList([each], [entry]));
+
 /** The number that a line of a table names, tool or not. */
 function numberIn(layout: TableLayout, line: string): number | null {
   const title = layout.titles.find((each) => each.name === "T");
@@ -120,14 +122,19 @@ function numberIn(layout: TableLayout, line: string): number | null {
  * Null when the text is no table.
  */
 export function tableAgain(origin: TableOrigin, list: readonly ToolEntry[]): TableAgain | null {
-  const layout = layoutOf(origin.text);
+  const layout = tableLayoutOf(origin.text);
   if (!layout || "lacks" in layout) return null;
   const mine = list.filter((entry) => isMillEntry(entry) === layout.milling);
   const here = new Map(mine.filter(({ line }) => line?.origin.text === origin.text).map((entry) => [entry.line?.at, entry]));
-  const manners = new Map(layout.titles.filter(({ name }) => knownColumns(layout.milling).some((column) => column === name)).map((title) => [title, mannerOf(layout, title)]));
+  const manners = new Map(
+    layout.titles.filter(({ name }) => knownColumns(layout.milling).some((column) => column === name)).map(
+      (title) => [title, mannerOf(layout, title)]
+    ),
+  );
   const writer: Writer = { layout, manners, tooLong: [] };
   const names = new Map(list.filter((entry) => !isMillEntry(entry)).map((entry) => [numberOf(entry), cellOf(entry, "NAME")]));
-  const fresh = mine.filter((entry) => entry.line?.origin.text !== origin.text && isUsable(entry)).sort((a, b) => numberOf(a) - numberOf(b));
+  const foreign = mine.filter((entry) => entry.line?.origin.text !== origin.text && isUsable(entry));
+  const fresh = foreign.filter((entry) => !isShipped(entry)).sort((a, b) => numberOf(a) - numberOf(b));
   let [changed, added, removed] = [0, 0, 0];
   const titleLine = layout.lines[layout.first - 1] ?? "";
   const blank = titleLine.endsWith(" ") ? " ".repeat(titleLine.length) : "";
@@ -157,7 +164,7 @@ export function tableAgain(origin: TableOrigin, list: readonly ToolEntry[]): Tab
   fresh.forEach(add);
   if (open !== undefined) out.push(open);
   for (let i = layout.last; i < layout.lines.length; i++) out.push((layout.lines[i] ?? "") + (layout.ends[i] ?? ""));
-  return { text: out.join(""), changed, added, removed, tooLong: writer.tooLong };
+  return { text: out.join(""), changed, added, removed, shipped: foreign.filter(isShipped).length, tooLong: writer.tooLong };
 }
 
 /** The row that the milling table has of a turning tool takes the name that the tool has now. */

@@ -1,6 +1,7 @@
 import type { DrillType } from "../kernel/tool.ts";
 import { INCH } from "../kernel/units.ts";
-import { MILL, MILL_COLUMNS, ruleOf, TOOL_COLUMNS, type MillColumn, type NumberColumn, type ToolColumn } from "./tool-columns.ts";
+import { MILL, MILL_COLUMNS, ruleOf, TOOL_COLUMNS, type CellName, type MillColumn, type NumberColumn,
+  type ToolColumn } from "./tool-columns.ts";
 import type { ToolEntry } from "./tool-entry.ts";
 
 /*
@@ -12,7 +13,7 @@ import type { ToolEntry } from "./tool-entry.ts";
 export type TableColumn = ToolColumn | MillColumn | "TYP";
 export const MILL_FILE = ["T", "NAME", "L", "R", "DL", "DR", "TYP", "LCUTS", "T-ANGLE", "PITCH"] as const;
 /** How the control calls the types that count here: by a word, in older tables by its number. */
-export const DRILL_WORDS: readonly { readonly type: DrillType; readonly words: readonly [string, ...string[]] }[] = [
+export const MILL_WORDS: readonly { readonly type: DrillType; readonly words: readonly [string, ...string[]] }[] = [
   { type: "DRILL", words: ["DRILL", "1"] },
   { type: "TAP", words: ["TAP", "2"] },
   { type: "CENTER", words: ["CENT", "CENTER", "4"] },
@@ -62,7 +63,7 @@ const isMillTable = (titles: readonly Title[]) =>
   && !titles.some((title) => title.name === "TO" || title.name === "RS");
 
 /** Reads how a table is laid out; null when it does not begin as one, and the columns that it lacks. */
-export function layoutOf(text: string): TableLayout | { readonly lacks: readonly string[] } | null {
+export function tableLayoutOf(text: string): TableLayout | { readonly lacks: readonly string[] } | null {
   const pieces = text.split(/(\r\n|\n|\r)/);
   const lines = pieces.filter((_, i) => i % 2 === 0);
   const ends = pieces.filter((_, i) => i % 2 === 1);
@@ -77,8 +78,16 @@ export function layoutOf(text: string): TableLayout | { readonly lacks: readonly
   const lacks = milling ? [] : NEEDED.filter((column) => !titles.some((title) => title.name === column));
   if (lacks.length > 0) return { lacks };
   const end = bare.findIndex((line, i) => i > at && /^\[END\]/i.test(line));
-  return { lines, ends, titles, first: at + 1, last: end < 0 ? lines.length : end, inch: header[1]?.toUpperCase() === "INCH", milling,
-    cutShort: end < 0 };
+  return {
+    lines,
+    ends,
+    titles,
+    first: at + 1,
+    last: end < 0 ? lines.length : end,
+    inch: header[1]?.toUpperCase() === "INCH",
+    milling,
+    cutShort: end < 0,
+  };
 }
 
 const isOf = <C extends TableColumn>(columns: readonly C[], name: string): name is C => columns.some((column) => column === name);
@@ -96,7 +105,7 @@ export const cellIn = (line: string, { from, to }: Title): string => line.slice(
 /** The type of a row of the milling table: its column has either title. */
 const typeIn = (cells: Readonly<Record<string, string>>) => cells["TYP"] ?? cells["TYPE"] ?? "";
 
-export const millTypeOf = (word: string) => DRILL_WORDS.find(({ words }) => words.includes(word.toUpperCase()))?.type ?? MILL;
+export const millTypeOf = (word: string) => MILL_WORDS.find(({ words }) => words.includes(word.toUpperCase()))?.type ?? MILL;
 
 /** Whether a word of the milling table stands for a turning tool, whose data are in the other table. */
 export const isTurnWord = (word: string): boolean => /TURN|^29$/i.test(word);
@@ -156,4 +165,7 @@ export function turningNames(layout: TableLayout): ReadonlyMap<number, string> {
 }
 
 /** The word that a table of milling tools has for a type. */
-export const wordOfMill = (type: string | undefined): string => DRILL_WORDS.find((each) => each.type === type)?.words[0] ?? MILL;
+export const wordOfMill = (type: string | undefined): string => MILL_WORDS.find((each) => each.type === type)?.words[0] ?? MILL;
+
+/** The cell of a row that stands under a title. */
+export const cellNameOf = (title: string, milling: boolean): CellName => (milling && title === "TYP" ? "TYPE" : (title as CellName));

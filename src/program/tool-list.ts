@@ -132,9 +132,10 @@ const sameLine = ({ line: a }: ToolEntry, { line: b }: ToolEntry) =>
 export const sameList = (a: ToolList, b: ToolList): boolean =>
   a === b || (a.length === b.length && a.every((entry, i) => {
     const other = b[i] as ToolEntry;
-    return entry === other || (sameLine(entry, other) && [...new Set([...Object.keys(entry.cells), ...Object.keys(other.cells)])].every((cell) =>
-      cellOf(entry, cell as keyof ToolEntry["cells"]) === cellOf(other, cell as keyof ToolEntry["cells"])
-    ));
+    return entry === other
+      || (sameLine(entry, other) && [...new Set([...Object.keys(entry.cells), ...Object.keys(other.cells)])].every((cell) =>
+        cellOf(entry, cell as keyof ToolEntry["cells"]) === cellOf(other, cell as keyof ToolEntry["cells"])
+      ));
   }));
 
 /** The rows that calls find, in their order: by number, the index behind the point aside, or by name. Every row where `calls` is null. */

@@ -15,7 +15,10 @@ describe("tools as a sheet", () => {
 
   test.each([
     ["comma", 'T,NAME,TYPE,TO,RS,T-ANGLE\n21,"SHOP ""A""; 35",FINISH,1,0.4,93.5\n'],
-    ["semicolon and decimal comma, as German spreadsheets write it", '\uFEFFT;NAME;TYPE;TO;RS;T-ANGLE\r\n21;"SHOP ""A""; 35";FINISH;1;0,4;93,5\r\n'],
+    [
+      "semicolon and decimal comma, as German spreadsheets write it",
+      '\uFEFFT;NAME;TYPE;TO;RS;T-ANGLE\r\n21;"SHOP ""A""; 35";FINISH;1;0,4;93,5\r\n',
+    ],
     ["tab, another order, small letters", 'rs\tt\ttype\tname\tT-Angle\tto\n"0,4"\t21\tfinish\t"SHOP ""A""; 35"\t+93,50\t1'],
     ["a line that names the separator", 'sep=|\nT|NAME|TYPE|TO|RS|T-ANGLE\n21|"SHOP ""A""; 35"|FINISH|1|0,4|93.5'],
   ])("%s", (_, text) => {
@@ -60,10 +63,7 @@ describe("tools as a sheet", () => {
   });
 
   test("no text makes it throw", () =>
-    fc.assert(
-      fc.property(fc.oneof(fc.string(), fc.stringMatching(/^T[,;\t]NAME[,;\t]RS\n["A-Z0-9,;\t\n.]{0,60}$/)), (text) => {
-        for (const cells of read(text).rows) readEntry({ id: "r", cells });
-      }),
-      { numRuns: 1000 },
-    ));
+    fc.assert(fc.property(fc.oneof(fc.string(), fc.stringMatching(/^T[,;\t]NAME[,;\t]RS\n["A-Z0-9,;\t\n.]{0,60}$/)), (text) => {
+      for (const cells of read(text).rows) readEntry({ id: "r", cells });
+    }), { numRuns: 1000 }));
 });

@@ -1,7 +1,8 @@
 import type { Tool } from "../kernel/tool.ts";
 import { writeHead } from "./holder-cells.ts";
 import { TABLE_NUMBER } from "./table-layout.ts";
-import { HOLDER_CELLS, isDrillType, isMillType, isToolType, MILL, MILL_COLUMNS, MILL_TABLE, TOOL_COLUMNS, type CellName } from "./tool-columns.ts";
+import { HOLDER_CELLS, isDrillType, isMillType, isToolType, MILL, MILL_COLUMNS, MILL_TABLE, TOOL_COLUMNS,
+  type CellName } from "./tool-columns.ts";
 import type { MillTool, ToolEntry } from "./tool-entry.ts";
 import type { TableFile } from "./tool-table-text.ts";
 
@@ -85,7 +86,7 @@ export function readTableCsv(text: string): TableFile {
   if (!titles) return { problem: "notATable" };
   if (lines.length === 0) return { problem: "noRows" };
   const leftOut = first.filter((name, i) => titles[i] === null && name !== "");
-  return { rows: lines.map((line) => rowOf(titles, line)), leftOut, cutShort: false };
+  return { rows: lines.map((line) => rowOf(titles, line)), leftOut, cutShort: false, columns: titles.filter((title) => title !== null) };
 }
 
 /** How a sheet is written: as spreadsheets of a language with decimal comma expect it, or with point and comma. */

@@ -1,6 +1,7 @@
 import type { Tool } from "../kernel/tool.ts";
-import { layoutOf, MILL_FILE, rowIn, shortNumber, turningNames, unknownTitles, wordOfMill, type TableColumn } from "./table-layout.ts";
-import { ruleOf, TOOL_COLUMNS } from "./tool-columns.ts";
+import { cellNameOf, knownColumns, tableLayoutOf, MILL_FILE, rowIn, shortNumber, turningNames, unknownTitles, wordOfMill,
+  type TableColumn } from "./table-layout.ts";
+import { ruleOf, TOOL_COLUMNS, type CellName } from "./tool-columns.ts";
 import type { MillTool, ToolEntry } from "./tool-entry.ts";
 
 /*
@@ -46,7 +47,11 @@ export function written(value: string | number | undefined, column: TableColumn)
   return min < 0 && !text.startsWith("-") ? `+${text}` : text;
 }
 
-function table<C extends TableColumn>(name: string, columns: readonly C[], rows: readonly { readonly [K in C]?: string | number }[]): string {
+function table<C extends TableColumn>(
+  name: string,
+  columns: readonly C[],
+  rows: readonly { readonly [K in C]?: string | number }[],
+): string {
   const line = (cells: (column: C) => string) => columns.map((column) => cells(column).padEnd(WIDTHS[column])).join("");
   return [`BEGIN ${name} MM`, line((column) => column), ...rows.map((row) => line((column) => written(row[column], column))), "[END]", ""]
     .join(LINE_END);
@@ -60,16 +65,19 @@ export const writeMillText = (mills: readonly MillTool[]): string =>
   table("TOOL.T", MILL_FILE, mills.map((mill) => ({ ...mill, TYP: wordOfMill(mill.TYPE) })));
 
 /** Rows of a file with the names of what has no place in this table; or why it is none. */
-export type TableFile =
-  | { readonly rows: readonly ToolEntry["cells"][]; readonly leftOut: readonly string[]; readonly cutShort: boolean;
-    /** Of a table of the control: which one, in which line each row stands, and the turning tools that a milling table names. */
-    readonly table?: { readonly milling: boolean; readonly lines: readonly number[]; readonly turning: ReadonlyMap<number, string> } }
-  | { readonly problem: "notATable" | "noRows" }
-  | { readonly problem: "columnsMissing"; readonly columns: readonly string[] };
+export type TableFile = {
+  readonly rows: readonly ToolEntry["cells"][];
+  readonly leftOut: readonly string[];
+  readonly cutShort: boolean;
+  /** The cells that the file has a column for; without it there are columns for all. */
+  readonly columns?: readonly CellName[];
+  /** Of a table of the control: which one, in which line each row stands, and the turning tools that a milling table names. */
+  readonly table?: { readonly milling: boolean; readonly lines: readonly number[]; readonly turning: ReadonlyMap<number, string> };
+} | { readonly problem: "notATable" | "noRows" } | { readonly problem: "columnsMissing"; readonly columns: readonly string[] };
 
 /** Reads a table as the control keeps it, with other columns and in another order too; decimal comma and INCH included. */
 export function readTableText(text: string): TableFile {
-  const layout = layoutOf(text);
+  const layout = tableLayoutOf(text);
   if (!layout) return { problem: "notATable" };
   if ("lacks" in layout) return { problem: "columnsMissing", columns: layout.lacks };
   const found = layout.lines.map((line, i) => (i < layout.first || i >= layout.last ? null : rowIn(layout, line)));
@@ -80,6 +88,9 @@ export function readTableText(text: string): TableFile {
     rows: found.filter((row) => row !== null),
     leftOut: unknownTitles(layout),
     cutShort: layout.cutShort,
+    columns: layout.titles.filter(({ name }) => knownColumns(layout.milling).some((column) => column === name)).map(({ name }) =>
+      cellNameOf(name, layout.milling)
+    ),
     table: { milling: layout.milling, lines, turning },
   };
 }

@@ -237,6 +237,7 @@ describe("the control's column text", () => {
       }],
       leftOut: ["YL"],
       cutShort: false,
+      columns: ["T", "TYPE", "RS", "TO", "NAME", "CUTLENGTH"],
       table: { milling: false, lines: [5, 6], turning: new Map() },
     });
   });

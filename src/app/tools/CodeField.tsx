@@ -9,7 +9,7 @@ import { useToolWords } from "./use-tool-words.ts";
 
 /** The code of an insert or a holder, read while it is typed; Enter fills the columns that it names, as one step. */
 export function CodeField({ entry }: { readonly entry: ToolEntry }) {
-  const w = useToolWords();
+  const w = useToolWords()?.codes;
   const id = useId();
   const input = useRef<HTMLInputElement>(null);
   const [typed, type] = useState("");

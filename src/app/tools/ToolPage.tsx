@@ -1,15 +1,19 @@
 import { useEffect, useRef, useState } from "react";
 import { Icon } from "../Icon.tsx";
+import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { showOwn } from "../own/own-place.ts";
 import { addTool, duplicateTool, removeTool, takeShipped } from "./tool-edits.ts";
 import { isMillEntry } from "../../program/tool-entry.ts";
-import { exportTools, importFile } from "./tool-files.ts";
+import { bringFiles, exportAgain, exportTools, takeBrought, type Brought } from "./tool-files.ts";
 import { hideTools, openRow, showKind, useToolPlace, type ToolKind } from "./tool-place.ts";
 import { toolsOnDevice, useTools } from "./tool-store.ts";
 import { useToolName } from "./tool-name.ts";
 import { TableStatus, type TableSaid } from "./TableStatus.tsx";
+import { ExportDialog } from "./ExportDialog.tsx";
+import { ImportDialog } from "./ImportDialog.tsx";
 import { TableTabs } from "./TableTabs.tsx";
+import { useToolWords } from "./use-tool-words.ts";
 import { ToolForm } from "./ToolForm.tsx";
 import { ToolGrid } from "./ToolGrid.tsx";
 import "./tools.css";
@@ -22,6 +26,9 @@ export function ToolPage() {
   const asked = useToolPlace((p) => p.row);
   const lastKind = useToolPlace((p) => p.kind);
   const [said, setSaid] = useState<TableSaid | null>(null);
+  const [asking, ask] = useState<Brought | "export" | null>(null);
+  const w = useToolWords();
+  const language = useSettings((s) => s.language);
   const page = useRef<HTMLElement>(null);
   const file = useRef<HTMLInputElement>(null);
   const read = toolsOnDevice(list);
@@ -47,6 +54,11 @@ export function ToolPage() {
     setSaid(null);
     openRow(row);
     focusField();
+  };
+  const receive = (brought: Brought | TableSaid) => {
+    if ("failed" in brought) return setSaid(brought);
+    setSaid(null);
+    ask(brought);
   };
   const remove = (id: string, name: string) => {
     showKind(kind);
@@ -84,28 +96,39 @@ export function ToolPage() {
           </button>
         </div>
         <div className="tool-buttons" role="group" aria-label={t.files}>
-          <button type="button" className="button" aria-label={t.importLong} onClick={() => file.current?.click()}>
+          <button type="button" className="button" aria-label={w?.files.importLong} disabled={!w} onClick={() => file.current?.click()}>
             <Icon name="add" /> {t.import}
           </button>
-          <button type="button" className="button" aria-label={t.exportJsonLong} onClick={() => setSaid(exportTools("json", t))}>
-            <Icon name="download" /> {t.exportJson}
+          <button type="button" className="button" aria-label={w?.files.exportLong} disabled={!w} onClick={() => ask("export")}>
+            <Icon name="download" /> {w?.files.export}
           </button>
-          <button type="button" className="button" aria-label={kind === "milling" ? t.exportMillLong : t.exportTextLong}
-            onClick={() => setSaid(exportTools(kind, t))}
-          >
-            <Icon name="download" /> {kind === "milling" ? "TOOL.T" : t.exportText}
-          </button>
-          <input ref={file} type="file" hidden accept=".json,.trn,.t,.tab,.txt,application/json,text/plain" onChange={(e) => {
-            const [chosen] = e.currentTarget.files ?? [];
-            e.currentTarget.value = "";
-            if (chosen) void importFile(chosen, t).then(setSaid);
-          }} />
+          <input ref={file} type="file" hidden multiple accept=".json,.trn,.t,.tab,.txt,.csv,application/json,text/plain,text/csv"
+            onChange={(e) => {
+              const chosen = [...(e.currentTarget.files ?? [])];
+              e.currentTarget.value = "";
+              if (chosen.length > 0 && w) void bringFiles(chosen, t, w.files).then(receive);
+            }} />
         </div>
       </div>
       <TableStatus said={said} undo={t.undo} done={() => {
         setSaid(null);
         focusRow();
       }} />
+      {w && asking === "export" && (
+        <ExportDialog words={w.files} done={() => ask(null)} again={(origin) => {
+          ask(null);
+          setSaid(exportAgain(origin, t, w.files));
+        }} write={(way) => {
+          ask(null);
+          setSaid(exportTools(way, language, t, w.files));
+        }} />
+      )}
+      {w && asking !== null && asking !== "export" && (
+        <ImportDialog brought={asking} words={w.files} done={() => ask(null)} take={(choice) => {
+          ask(null);
+          setSaid(takeBrought(asking, choice, t, w.files));
+        }} />
+      )}
       <div className="tool-list">
         <TableTabs open={kind} onTools={showKind} onOwn={() => showOwn()} />
         {rows.length === 0

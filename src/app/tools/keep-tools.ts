@@ -2,7 +2,7 @@ import { z } from "zod/mini";
 import { sameList, shippedList, type ToolList } from "../../program/tool-list.ts";
 import { HOLDER_CELLS } from "../../program/tool-columns.ts";
 import { keepTable } from "../saving/device-table.ts";
-import { toolRows } from "./tool-rows.ts";
+import { toolRow } from "./tool-rows.ts";
 import { takeTools, useTools } from "./tool-store.ts";
 
 /*
@@ -13,14 +13,31 @@ const VERSION = 2;
 /** Tables of this version were kept before the shipped tools had holders. */
 const WITHOUT_HOLDERS = 1;
 
+/** Files that rows came from; a row names its file by the place in this list, and its line. */
+const origin = z.object({ name: z.string(), text: z.string(), encoding: z.enum(["utf-8", "windows-1252"]) });
+const row = z.extend(toolRow, { line: z.optional(z.tuple([z.number(), z.number()])) });
 const file = z.object({
   version: z.union([z.literal(VERSION), z.literal(WITHOUT_HOLDERS)]),
-  rows: toolRows,
+  origins: z.optional(z.array(origin)),
+  rows: z.array(row),
 });
+const file = z.object({
+  version: z.union([z.literal(VERSION), z.literal(WITHOUT_HOLDERS)]),
+  origins: z.optional(z.array(origin)),
+  rows: z.array(z.object({ id: cellText, cells, line: z.optional(z.tuple([z.number(), z.number()])) })),
+>>>>>>> c6cf447 (Show what a file brings before it is taken, ask which file goes out, and give a shop's table back as it came)
+});
+
+/** A table as plain data, each file that rows came from once. */
+export function keptTable(list: ToolList): object {
+  const origins = [...new Set(list.flatMap(({ line }) => line?.origin ?? []))];
+  const rows = list.map(({ id, cells, line }) => ({ id, cells, ...(line && { line: [origins.indexOf(line.origin), line.at] }) }));
+  return { version: VERSION, ...(origins.length > 0 && { origins }), rows };
+}
 
 /** The text that is kept; null for the shipped table. */
 export const writeKept =
-  (list: ToolList): string | null => (sameList(list, shippedList) ? null : JSON.stringify({ version: VERSION, rows: list }));
+  (list: ToolList): string | null => (sameList(list, shippedList) ? null : JSON.stringify(keptTable(list)));
 
 /** A row as it was shipped but for its holder gets the holder; what was changed by hand stays as it is. */
 function withShippedHolder(row: ToolList[number]): ToolList[number] {
@@ -36,7 +53,11 @@ export function readKept(text: string): ToolList | null {
   try {
     const read = file.safeParse(JSON.parse(text));
     if (!read.success) return null;
-    const { version, rows: kept } = read.data as { version: number; rows: ToolList };
+    const { version, origins = [], rows: written } = read.data;
+    const kept: ToolList = written.map(({ id, cells: typed, line }) => {
+      const from = line && origins[line[0]];
+      return { id, cells: typed as ToolList[number]["cells"], ...(line && from && { line: { origin: from, at: line[1] } }) };
+    });
     const rows = version === WITHOUT_HOLDERS ? kept.map(withShippedHolder) : kept;
     return new Set(rows.map((row) => row.id)).size === rows.length ? rows : null;
   } catch {

@@ -1,6 +1,6 @@
 import { MILL, type CellName } from "../../program/tool-columns.ts";
 import { cellOf, isMillEntry, readEntry, type ToolEntry } from "../../program/tool-entry.ts";
-import { freeNumber, mergedTools, newId, shippedList } from "../../program/tool-list.ts";
+import { freeNumber, newId, shippedList } from "../../program/tool-list.ts";
 import { closeStep } from "../steps.ts";
 import type { ToolKind } from "./tool-place.ts";
 import { editTools, useTools } from "./tool-store.ts";
@@ -51,17 +51,6 @@ export function removeTool(id: string): string | null {
   const next = kin[at + 1] ?? kin[at - 1] ?? null;
   editTools((rows) => rows.filter((entry) => entry.id !== id));
   return next?.id ?? null;
-}
-
-/** Rows of a file, over those of the table: one step of undo. */
-export function takeRows(rows: readonly ToolEntry["cells"][]): { readonly replaced: number; readonly added: number;
-  readonly first: string | null }
-{
-  const { list } = useTools.getState();
-  const made = mergedTools(list, rows);
-  editTools(() => made.list);
-  const first = made.list.find((entry) => rows[0] === entry.cells);
-  return { replaced: made.replaced, added: made.added, first: first?.id ?? null };
 }
 
 /** The shipped table in place of this one: one step of undo. */

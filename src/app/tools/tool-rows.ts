@@ -4,5 +4,6 @@ import { HOLDER_CELLS, MILL_COLUMNS, TOOL_COLUMNS } from "../../program/tool-col
 const cellText = z.string().check(z.maxLength(500));
 const cells = z.partialRecord(z.enum([...TOOL_COLUMNS, ...MILL_COLUMNS, ...HOLDER_CELLS]), cellText);
 
+export const toolRow = z.object({ id: cellText, cells });
 /** Rows of a tool table from plain data that anybody may have written. */
-export const toolRows = z.array(z.object({ id: cellText, cells }));
+export const toolRows = z.array(toolRow);

@@ -33,7 +33,6 @@ export const tools = {
   flat: "flach",
   edges: (length: string) => `Schneidenlänge ${length} mm`,
   pitch: (length: string) => `Steigung ${length} mm`,
-  exportMillLong: "Fräswerkzeuge als Spaltentext der Steuerung exportieren: TOOL.T",
 
   form: (tool) => `Spalten von ${tool}`,
   groups: {
@@ -100,22 +99,13 @@ export const tools = {
 
   files: "Import und Export",
   import: "Importieren",
-  importLong: "Werkzeuge aus einer Datei importieren: JSON oder Spaltentext der Steuerung",
-  exportJson: "JSON",
-  exportJsonLong: "Als JSON exportieren: TOOLS.json",
-  exportText: "TOOLTURN.TRN",
-  exportTextLong: "Als Spaltentext der Steuerung exportieren: TOOLTURN.TRN",
   unconfirmed: "Spaltenaufbau von TOOLTURN.TRN und TOOL.T und Bereiche der Spalten: aus der Erinnerung, nicht an einer gedruckten Seite "
     + "geprüft. An der Steuerung vergleichen.",
-  imported: (file, replaced, added) => `${file}: ${added} neu, ${replaced} ersetzt.`,
   importedWrong: (n) => (n === 1 ? "1 Zeile hat einen Fehler." : `${n} Zeilen haben einen Fehler.`),
-  leftOut: (names) => `Nicht übernommen: ${names}.`,
   cutShort: "Die Endmarke [END] fehlt: Die Datei ist vielleicht abgeschnitten.",
   exported: (file, n) => (n === 1 ? `${file}: 1 Werkzeug.` : `${file}: ${n} Werkzeuge.`),
   exportedWithout: (names) => `Wegen Fehlern weggelassen: ${names}.`,
-  holderNotExported: "Für Halter hat diese Datei keine Spalte.",
   problems: {
-    notATable: (file) => `${file} ist keine Werkzeugtabelle: weder JSON mit "tools" noch Spaltentext, der mit BEGIN anfängt.`,
     noRows: (file) => `${file} enthält keine Werkzeuge.`,
     columnsMissing: (file, names) => `${file} ist keine Werkzeugtabelle: Es fehlen die Spalten ${names}.`,
     tooMany: (file, most) => `${file} enthält mehr als ${most} Werkzeuge.`,

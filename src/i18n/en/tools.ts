@@ -32,7 +32,6 @@ export const tools = {
   flat: "flat",
   edges: (length: string) => `edges ${length} mm`,
   pitch: (length: string) => `pitch ${length} mm`,
-  exportMillLong: "Export the milling tools as column text of the control: TOOL.T",
 
   form: (tool: string) => `Columns of ${tool}`,
   groups: {
@@ -99,22 +98,13 @@ export const tools = {
 
   files: "Import and export",
   import: "Import",
-  importLong: "Import tools from a file: JSON, or the column text of the control",
-  exportJson: "JSON",
-  exportJsonLong: "Export as JSON: TOOLS.json",
-  exportText: "TOOLTURN.TRN",
-  exportTextLong: "Export as column text of the control: TOOLTURN.TRN",
   unconfirmed: "Column layout of TOOLTURN.TRN and TOOL.T and ranges of the columns: recalled, not checked against a printed page. Compare "
     + "on your control.",
-  imported: (file: string, replaced: number, added: number) => `${file}: ${added} new, ${replaced} replaced.`,
   importedWrong: (n: number) => (n === 1 ? "1 row has an error." : `${n} rows have an error.`),
-  leftOut: (names: string) => `Not taken over: ${names}.`,
   cutShort: "The end mark [END] is missing: the file may be cut short.",
   exported: (file: string, n: number) => (n === 1 ? `${file}: 1 tool.` : `${file}: ${n} tools.`),
   exportedWithout: (names: string) => `Left out because of errors: ${names}.`,
-  holderNotExported: "Holders have no column in this file.",
   problems: {
-    notATable: (file: string) => `${file} is no tool table: neither JSON with "tools" nor column text that begins with BEGIN.`,
     noRows: (file: string) => `${file} holds no tools.`,
     columnsMissing: (file: string, names: string) => `${file} is no tool table: these columns are missing: ${names}.`,
     tooMany: (file: string, most: number) => `${file} holds more than ${most} tools.`,

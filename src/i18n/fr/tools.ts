@@ -34,7 +34,6 @@ export const tools = {
   flat: "plate",
   edges: (length: string) => `arêtes ${length} mm`,
   pitch: (length: string) => `pas ${length} mm`,
-  exportMillLong: "Exporter les outils de fraisage en texte en colonnes de la commande : TOOL.T",
 
   form: (tool) => `Colonnes : ${tool}`,
   groups: {
@@ -101,22 +100,13 @@ export const tools = {
 
   files: "Importer et exporter",
   import: "Importer",
-  importLong: "Importer des outils d’un fichier : JSON ou texte en colonnes de la commande",
-  exportJson: "JSON",
-  exportJsonLong: "Exporter en JSON : TOOLS.json",
-  exportText: "TOOLTURN.TRN",
-  exportTextLong: "Exporter en texte en colonnes de la commande : TOOLTURN.TRN",
   unconfirmed: "Disposition de TOOLTURN.TRN et TOOL.T et plages des colonnes : de mémoire, non vérifiées sur une page imprimée. Comparer "
     + "sur la commande.",
-  imported: (file, replaced, added) => `${file} : ${added} nouveau(x), ${replaced} remplacé(s).`,
   importedWrong: (n) => (n === 1 ? "1 ligne a une erreur." : `${n} lignes ont une erreur.`),
-  leftOut: (names) => `Non repris : ${names}.`,
   cutShort: "La marque de fin [END] manque : le fichier est peut-être tronqué.",
   exported: (file, n) => (n === 1 ? `${file} : 1 outil.` : `${file} : ${n} outils.`),
   exportedWithout: (names) => `Laissés de côté à cause d’erreurs : ${names}.`,
-  holderNotExported: "Ce fichier n’a pas de colonne pour les porte-outils.",
   problems: {
-    notATable: (file) => `${file} n’est pas un tableau d’outils : ni JSON avec "tools", ni texte en colonnes commençant par BEGIN.`,
     noRows: (file) => `${file} ne contient aucun outil.`,
     columnsMissing: (file, names) => `${file} n’est pas un tableau d’outils : il manque les colonnes ${names}.`,
     tooMany: (file, most) => `${file} contient plus de ${most} outils.`,
