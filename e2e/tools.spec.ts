@@ -181,7 +181,9 @@ test("a shop's table comes back to the byte but for the tool that changed, and a
   const changed = await tools.export("again");
   const titles = SHOP.split("\r\n")[4] ?? "";
   const expected = SHOP.replace("+0,4     1  +93", "+0,2     1  +93").replace("84      SCHL",
-    "83      NEU                                           +1,2     1  +95     +80               ROUGH                            \r\n84      SCHL");
+    `${
+      "83      NEU                                           +1,2     1  +95     +80               ROUGH".padEnd(titles.length)
+    }\r\n84      SCHL`);
   expect(changed.bytes.toString("latin1")).toBe(expected);
   const sheet = await tools.export("csv");
   expect(sheet.text.split("\r\n").find((line) => line.startsWith("84,"))).toMatch(/^84,SCHLICHTER,118\.25,-40,,,0\.2,/);
