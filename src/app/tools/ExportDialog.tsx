@@ -19,6 +19,7 @@ export function ExportDialog({ words: w, again, write, done }: { readonly words:
   useLayoutEffect(() => {
     const { current } = dialog;
     current?.showModal();
+    current?.querySelector<HTMLElement>(".export-ways button:not(:disabled)")?.focus();
     return () => current?.close();
   }, []);
   const origins = [...originsOf(list, false), ...originsOf(list, true)];

@@ -54,6 +54,7 @@ export function ImportDialog({ brought, words: w, take, done }: { readonly broug
   useLayoutEffect(() => {
     const { current } = dialog;
     current?.showModal();
+    current?.querySelector<HTMLElement>(".primary")?.focus();
     return () => current?.close();
   }, []);
   const { fresh, changed, same, wrong } = plan;
@@ -92,7 +93,7 @@ export function ImportDialog({ brought, words: w, take, done }: { readonly broug
         {brought.cutShort && <p>{t.cutShort}</p>}
       </div>
       <div className="tool-dialog-ways">
-        <button type="button" className="button primary" autoFocus onClick={() => take("all")}>{w.takeAll(told + same)}</button>
+        <button type="button" className="button primary" onClick={() => take("all")}>{w.takeAll(told + same)}</button>
         {fresh.length > 0 && told + same > fresh.length && (
           <button type="button" className="button" onClick={() => take("new")}>{w.takeNew(fresh.length)}</button>
         )}
