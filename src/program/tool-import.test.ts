@@ -1,10 +1,10 @@
 import { describe, expect, test } from "vitest";
 import { cellOf, type ToolEntry } from "./tool-entry.ts";
-import { planImport, type Incoming } from "./tool-import.ts";
+import { planImport, type IncomingTools } from "./tool-import.ts";
 import { shippedList } from "./tool-list.ts";
 import { readToolFile } from "./tool-table-json.ts";
 
-function incoming(text: string): Incoming {
+function incoming(text: string): IncomingTools {
   const read = readToolFile(text);
   if (!("rows" in read)) throw new Error(read.problem);
   const origin = { name: "F", text, encoding: "utf-8" as const };

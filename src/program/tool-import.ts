@@ -3,7 +3,7 @@ import { cellOf, isMillEntry, readEntry, type TableLine, type ToolEntry } from "
 import { mergedTools, type ToolList } from "./tool-list.ts";
 
 /** Rows of one or more files that are to come into the table. */
-export interface Incoming {
+export interface IncomingTools {
   readonly rows: readonly ToolEntry["cells"][];
   /** Where each row stands in a table of the control. */
   readonly lines: readonly (TableLine | undefined)[];
@@ -32,7 +32,7 @@ export interface ImportPlan {
 }
 
 /** A turning tool without a name takes the one that the table of milling tools has for it. */
-function withNames(list: ToolList, names: Incoming["names"]): ToolList {
+function withNames(list: ToolList, names: IncomingTools["names"]): ToolList {
   if (names.size === 0) return list;
   return list.map((entry) => {
     if (isMillEntry(entry) || cellOf(entry, "NAME").trim() !== "") return entry;
@@ -54,7 +54,7 @@ const isSound = (entry: ToolEntry) => {
 };
 
 /** The rows that have a number which the table does not have. */
-function onlyNew(list: ToolList, { rows, lines, columns, names }: Incoming): Incoming {
+function onlyNew(list: ToolList, { rows, lines, columns, names }: IncomingTools): IncomingTools {
   const taken = new Set(list.map((entry) => readEntry(entry).number));
   const at = rows.flatMap((cells, i) => (taken.has(readEntry({ id: "", cells }).number) ? [] : [i]));
   const kept = <T>(all: readonly T[]) => at.map((i) => all[i] as T);
@@ -62,7 +62,7 @@ function onlyNew(list: ToolList, { rows, lines, columns, names }: Incoming): Inc
 }
 
 /** A tool keeps the cells that the file has no column for, among them the holder in most files. */
-function completed(list: ToolList, { rows, columns }: Incoming): Incoming["rows"] {
+function completed(list: ToolList, { rows, columns }: IncomingTools): IncomingTools["rows"] {
   const known = new Map(list.map((entry) => [readEntry(entry).number, entry]));
   return rows.map((cells, i) => {
     const [old, has] = [known.get(readEntry({ id: "", cells }).number), columns[i]];
@@ -73,7 +73,7 @@ function completed(list: ToolList, { rows, columns }: Incoming): Incoming["rows"
 }
 
 /** What becomes of the table when rows come in: all of them, or those with new numbers only. */
-export function planImport(list: ToolList, incoming: Incoming, choice: "all" | "new"): ImportPlan {
+export function planImport(list: ToolList, incoming: IncomingTools, choice: "all" | "new"): ImportPlan {
   const wanted = choice === "new" ? onlyNew(list, incoming) : incoming;
   const merged = mergedTools(list, completed(list, wanted), wanted.lines).list;
   const made = choice === "new" ? merged : withNames(merged, wanted.names);

@@ -138,13 +138,19 @@ export const sameList = (a: ToolList, b: ToolList): boolean =>
       ));
   }));
 
-/** The rows that calls find, in their order: by number, the index behind the point aside, or by name. Every row where `calls` is null. */
+/** A row without the file it came from, which stays on this device. */
+const bareRow = (entry: ToolEntry): ToolEntry => (entry.line ? { id: entry.id, cells: entry.cells } : entry);
+
+/**
+ * The rows that calls find, in their order: by number, the index behind the point aside, or by name. Every row where `calls` is null.
+ * They go along with a work, without the files they came from.
+ */
 export function rowsCalled(list: ToolList, calls: readonly (number | string)[] | null): ToolList {
-  if (calls === null) return list;
+  if (calls === null) return list.map(bareRow);
   const numbers = new Set(calls.flatMap((call) => (Number.isFinite(Number(call)) ? [Number(call), Math.floor(Number(call))] : [])));
   const names = new Set(calls.map((call) => String(call).trim().toUpperCase()));
   return list.filter((entry) => {
     const { number } = readOnce(entry);
     return (number !== null && numbers.has(number)) || names.has(cellOf(entry, "NAME").trim().toUpperCase());
-  });
+  }).map(bareRow);
 }

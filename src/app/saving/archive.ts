@@ -7,7 +7,7 @@ import { encode } from "../editor/encoding.ts";
 import { readKeptOwn } from "../own/keep-own.ts";
 import { printedText, programName } from "../printed.ts";
 import { readSettings, type Settings } from "../settings/settings.ts";
-import { readKept } from "../tools/keep-tools.ts";
+import { keptTable, readKept } from "../tools/keep-tools.ts";
 import { toolsOnDevice } from "../tools/tool-store.ts";
 import { isProgram, textsOf, type Work, type WorkFile } from "../work.ts";
 import { fingerprint } from "./difference.ts";
@@ -116,7 +116,7 @@ export function writeArchive({ works, tools = null, own = null, settings = null 
   const manifest = {
     format: `${FORMAT}${EDITION}`,
     works: all.map(({ work, savedAt, job }) => ({ work, name: job.name, ...sealed({ version: SAVE_VERSION, savedAt, job }) })),
-    ...(tools && { tools: sealed({ version: 2, rows: tools }) }),
+    ...(tools && { tools: sealed(keptTable(tools)) }),
     ...(own && { own: sealed({ version: 1, cycles: own }) }),
     ...(settings && { settings: sealed(settings) }),
   };

@@ -253,3 +253,11 @@ test("a code that is not covered says so, one that contradicts the row too, and 
   expect(within(screen.getByRole("list", { name: "What will be filled" })).getAllByRole("listitem").map((item) => item.textContent))
     .toEqual(["CUTLENGTH 12 → 9.67", "RS 0.8 → 0.4"]);
 });
+
+test("the file that tools came from is kept on the device once, with the line of each", () => {
+  const origin = { name: "T.TRN", text: "BEGIN T.TRN MM\r\nträger", encoding: "windows-1252" as const };
+  const kept = shippedList.map((entry, at) => (at < 2 ? { ...entry, line: { origin, at: at + 2 } } : entry));
+  const text = writeKept(kept) ?? "";
+  expect(text.split("träger")).toHaveLength(2);
+  expect(readKept(text)).toEqual(kept);
+});

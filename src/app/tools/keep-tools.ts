@@ -21,12 +21,6 @@ const file = z.object({
   origins: z.optional(z.array(origin)),
   rows: z.array(row),
 });
-const file = z.object({
-  version: z.union([z.literal(VERSION), z.literal(WITHOUT_HOLDERS)]),
-  origins: z.optional(z.array(origin)),
-  rows: z.array(z.object({ id: cellText, cells, line: z.optional(z.tuple([z.number(), z.number()])) })),
->>>>>>> c6cf447 (Show what a file brings before it is taken, ask which file goes out, and give a shop's table back as it came)
-});
 
 /** A table as plain data, each file that rows came from once. */
 export function keptTable(list: ToolList): object {
@@ -36,8 +30,7 @@ export function keptTable(list: ToolList): object {
 }
 
 /** The text that is kept; null for the shipped table. */
-export const writeKept =
-  (list: ToolList): string | null => (sameList(list, shippedList) ? null : JSON.stringify(keptTable(list)));
+export const writeKept = (list: ToolList): string | null => (sameList(list, shippedList) ? null : JSON.stringify(keptTable(list)));
 
 /** A row as it was shipped but for its holder gets the holder; what was changed by hand stays as it is. */
 function withShippedHolder(row: ToolList[number]): ToolList[number] {

@@ -4,7 +4,7 @@ import { decimalSign } from "../../i18n/number.ts";
 import type { ToolFileTexts } from "../../i18n/tool-file-text.ts";
 import { tableAgain } from "../../program/table-again.ts";
 import { cellOf, isMillEntry, type EntryReading, type TableLine, type TableOrigin } from "../../program/tool-entry.ts";
-import { planImport, type Incoming } from "../../program/tool-import.ts";
+import { planImport, type IncomingTools } from "../../program/tool-import.ts";
 import { writeTableCsv } from "../../program/tool-table-csv.ts";
 import { readToolFile, writeTableJson } from "../../program/tool-table-json.ts";
 import { writeMillText, writeTableText } from "../../program/tool-table-text.ts";
@@ -23,7 +23,7 @@ const isSound = (reading: EntryReading | undefined) => Boolean(reading?.tool ?? 
 export interface Brought {
   /** The names of the files. */
   readonly name: string;
-  readonly incoming: Incoming;
+  readonly incoming: IncomingTools;
   /** Columns without a place here: those of tables stay with the file, those of others are left out. */
   readonly kept: readonly string[];
   readonly leftOut: readonly string[];
