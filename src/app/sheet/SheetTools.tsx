@@ -36,7 +36,9 @@ function cells(tool: SheetTool, words: SheetWords): readonly string[] {
   const said = (name: string, value: unknown) =>
     typeof value === "number" && (value !== 0 || ALWAYS.includes(name)) ? [`${name} ${words.number(value)}`] : [];
   if (tool.tool) return COLUMNS.flatMap((name) => said(name, tool.tool?.[name]));
-  return MILL_COLUMNS.flatMap((name) => said(name, tool.mill?.[name]));
+  if (tool.mill) return MILL_COLUMNS.flatMap((name) => said(name, tool.mill?.[name]));
+  const { defined } = tool;
+  return defined ? ["TOOL DEF", ...said("L", defined.length), ...said("R", defined.radius)] : [];
 }
 
 const functionsText = (all: readonly number[]): string => all.map((m) => `M${m}`).join(" ");

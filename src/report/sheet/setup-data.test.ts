@@ -109,6 +109,7 @@ test("a program without anything", () => {
 
 test("a milled program has its mill and its feeds", () => {
   const data = dataOf(`0 BEGIN PGM PLATE MM
+1 TOOL DEF 41 L+103.7 R+3.75
 1 TOOL CALL 41 Z S3150 F640
 2 L X-20.5 Y+3 R0 FMAX M3
 3 L X+50 F640
@@ -117,7 +118,14 @@ test("a milled program has its mill and its feeds", () => {
 6 M30
 7 END PGM PLATE MM
 `);
-  expect(data.tools).toMatchObject([{ called: "41", tool: null, mill: { NAME: "MILL-D7.5" }, spindle: [3] }]);
+  expect(data.tools).toMatchObject([{
+    called: "41",
+    tool: null,
+    mill: { NAME: "MILL-D7.5" },
+    spindle: [3],
+    defined: { length: 103.7, radius: 3.75 },
+  }]);
+  expect(data.operations[0]?.spindle).toEqual({ kind: "constant", speed: 3150 });
   expect(data.operations[0]?.feeds).toEqual([{ value: 640, unit: "mm/min" }, { value: 210, unit: "mm/min" }]);
 });
 

@@ -10,7 +10,7 @@ import { wordsOf } from "../../program/flow.ts";
 import { isOff, KEPT_ON, operationsOf, wholeOf } from "../../program/operations.ts";
 import type { Mill } from "../../program/plane-types.ts";
 import type { Operation, Run } from "../../program/run-types.ts";
-import { calledName, toolCallsOf, isNamed, isParameter, speedOf } from "./tool-calls.ts";
+import { definedIn, calledName, toolCallsOf, isNamed, isParameter, speedOf } from "./tool-calls.ts";
 
 /** A feed of an operation as the program states it. */
 export interface SheetFeed {
@@ -46,6 +46,8 @@ export interface SheetTool {
   readonly tool: Tool | null;
   /** The row of the table of milling tools. */
   readonly mill: Mill | null;
+  /** What TOOL DEF states of it, in the unit of the program; null where it stands in no TOOL DEF. */
+  readonly defined: { readonly length: number | null; readonly radius: number | null } | null;
   /** M functions that switch the spindle on while it is in use, and those of the coolant. */
   readonly spindle: readonly number[];
   readonly coolant: readonly number[];
@@ -167,6 +169,7 @@ export function setupData({ program, run, tools, mills }: SetupInput): SetupData
       called,
       tool,
       mill: tool ? null : mill,
+      defined: definedIn(program, called),
       spindle: once([...(before?.spindle ?? []), ...(spindle ?? [])]),
       coolant: once([...(before?.coolant ?? []), ...(coolant ?? [])]),
     };

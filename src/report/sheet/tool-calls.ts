@@ -1,7 +1,7 @@
 import type { Spindle } from "../../kernel/step.ts";
 import type { Tool } from "../../kernel/tool.ts";
 import type { Program } from "../../nc/program.ts";
-import type { Statement } from "../../nc/statement.ts";
+import type { Statement, Value } from "../../nc/statement.ts";
 import type { Run } from "../../program/run-types.ts";
 
 /** One call of a tool. */
@@ -60,4 +60,12 @@ export function toolCallsOf({ blocks }: Program, run: Run | null, end: number): 
     others.push({ index: before, called: String(tool.T), ran: tool, turns: true });
   });
   return [...own, ...others].sort((a, b) => a.index - b.index);
+}
+
+/** What TOOL DEF states of a tool, where it is a number. */
+export function definedIn({ blocks }: Program, called: string): { readonly length: number | null; readonly radius: number | null } | null {
+  const found = blocks.find(({ statement: s }) => s.kind === "toolDefinition" && String(s.tool) === called)?.statement;
+  if (found?.kind !== "toolDefinition") return null;
+  const known = (value: Value | null) => (typeof value === "number" ? value : null);
+  return { length: known(found.length), radius: known(found.radius) };
 }
