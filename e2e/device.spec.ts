@@ -51,6 +51,7 @@ test("all works by keyboard: sought, called otherwise, doubled, deleted and brou
   await expect(rows).toHaveCount(0);
   await page.keyboard.press("Control+z");
   await expect(rows).toHaveCount(3);
+  await expect(page.getByText(t.works.removed(3, ""))).toHaveCount(0);
   await button(page, t.works.open("WELLE 9_2")).focus();
   await page.keyboard.press("Delete");
   await expect(rows).toHaveCount(2);

@@ -15,6 +15,8 @@ vi.mock("idb-keyval", () => {
     entries: (name: string) => answer(() => [...of(name).entries()]),
     keys: (name: string) => answer(() => [...of(name).keys()]),
     get: (key: string, name: string) => answer(() => of(name).get(key)),
+    setMany: (all: readonly (readonly [string, unknown])[], name: string) =>
+      answer(() => all.forEach(([key, value]) => void of(name).set(key, value))),
     set: (key: string, value: unknown, name: string) => answer(() => void of(name).set(key, value)),
     del: (key: string, name: string) => answer(() => void of(name).delete(key)),
   };

@@ -1,4 +1,4 @@
-import { createStore, del, entries, get, keys, set } from "idb-keyval";
+import { createStore, del, entries, get, keys, set, setMany } from "idb-keyval";
 import { z } from "zod/mini";
 import { time } from "../clock.ts";
 import { isProgram, textsOf, type Work } from "../work.ts";
@@ -104,6 +104,7 @@ async function noteHead(work: string, head: Head | null): Promise<void> {
  */
 export async function findWorks(): Promise<Found> {
   const found: Kept[] = [];
+  const fresh: [string, Head][] = [];
   let [setAside, newer, available] = [0, 0, true];
   try {
     const { works, aside } = open();
@@ -120,7 +121,7 @@ export async function findWorks(): Promise<Found> {
       const file = readSave(raw);
       if (file) {
         found.push({ work, ...headOf(file) });
-        await noteHead(work, headOf(file));
+        fresh.push([work, headOf(file)]);
       } else if (isNewer(raw)) newer += 1;
       else if (raw !== undefined) {
         await set(`${time()} ${String(key)}`, raw, aside);
@@ -128,6 +129,8 @@ export async function findWorks(): Promise<Found> {
         setAside += 1;
       }
     }
+    // A head is a convenience: without it a work is read itself the next time.
+    if (fresh.length > 0) await setMany(fresh, open().heads).catch(() => undefined);
   } catch {
     available = false;
   }

@@ -7,7 +7,8 @@ import { findWorks, keepWork, readWork, type Kept } from "./device.ts";
 import { persistOnce } from "./persist.ts";
 import { readSave, SAVE_VERSION } from "./save-file.ts";
 import { showElsewhere } from "./elsewhere.ts";
-import { answerOthers, askFor, claimNew, claimWork, leaveBehind, onLost, ownedWorks, owns, releaseWork, rememberWork } from "./tab.ts";
+import { answerOthers, askFor, claimNew, claimWork, leaveBehind, onLost, ownedWorks, owns, releaseWork, rememberWork,
+  sayChanged } from "./tab.ts";
 
 /** What the page says about saving. */
 export interface Keeping {
@@ -73,7 +74,9 @@ async function writeAll(): Promise<void> {
   }
   // What is written and no longer open here may be opened by another tab.
   const open = useEditor.getState().work;
-  for (const work of ownedWorks()) if (work !== open && !waiting.has(work) && !unkept.has(work)) releaseWork(work);
+  const done = ownedWorks().filter((work) => work !== open && !waiting.has(work) && !unkept.has(work));
+  for (const work of done) releaseWork(work);
+  if (done.length > 0) sayChanged();
 }
 
 /** Writes what waits, one work after the other. A state waits until it is written: the page may go away on the way. */

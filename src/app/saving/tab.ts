@@ -167,7 +167,6 @@ export function releaseWork(work: string): void {
   const release = mine.get(work);
   mine.delete(work);
   release?.();
-  if (release) sayChanged();
 }
 
 /** Works that other tabs have open; none where the browser does not say. */
@@ -195,6 +194,7 @@ export function answerOthers(give: (work: string) => Promise<unknown>): () => vo
     const { work, to } = message;
     void give(work).then((state) => {
       releaseWork(work);
+      sayChanged();
       say({ kind: "given", work, to, state: state ?? null });
     });
   });

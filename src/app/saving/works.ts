@@ -45,16 +45,16 @@ const putBackAll = (gone: readonly Lying[]): Promise<unknown> =>
 /** Takes works out of the list, as one step of undo. Those that other tabs have open stay. */
 export async function removeWorks(works: readonly string[]): Promise<{ readonly gone: readonly Lying[]; readonly leftOut: number }> {
   const gone: Lying[] = [];
-  let leftOut = 0;
-  for (const work of works) {
-    const free = await withWork(work, async () => {
+  const done = await Promise.all(works.map((work) =>
+    withWork(work, async () => {
       const job = await newestState(work);
       if (!job) return;
-      gone.push({ work, job, savedAt: (await readWork(work))?.savedAt ?? time() });
-      await forgetAll(gone.slice(-1));
-    });
-    if (!free) leftOut++;
-  }
+      const one = { work, job, savedAt: (await readWork(work))?.savedAt ?? time() };
+      gone.push(one);
+      await forgetAll([one]);
+    })
+  ));
+  const leftOut = done.filter((free) => !free).length;
   await shown(Promise.resolve());
   if (gone.length > 0) {
     const back = () => {

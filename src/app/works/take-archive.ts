@@ -19,24 +19,21 @@ export type ArchivedState = "fresh" | "same" | "beside";
 export async function statesOf(works: readonly ArchivedWork[]): Promise<readonly ArchivedState[]> {
   const here = new Map<string, string[]>();
   for (const { work, name } of useKeeping.getState().works) here.set(name, [...(here.get(name) ?? []), work]);
-  const prints = new Map<string, Set<string>>();
-  const printsOf = async (name: string): Promise<ReadonlySet<string>> => {
-    const known = prints.get(name);
-    if (known) return known;
-    const made = new Set<string>();
-    for (const work of here.get(name) ?? []) {
-      const kept = await readWork(work);
-      if (kept) made.add(fingerprint(kept.job));
-    }
+  const printOf = async (work: string) => {
+    const kept = await readWork(work);
+    return kept && fingerprint(kept.job);
+  };
+  const prints = new Map<string, Promise<readonly (string | null)[]>>();
+  const printsOf = (name: string) => {
+    const made = prints.get(name) ?? Promise.all((here.get(name) ?? []).map(printOf));
     prints.set(name, made);
     return made;
   };
-  const states: ArchivedState[] = [];
-  for (const { job } of works) {
+  return Promise.all(works.map(async ({ job }) => {
     const known = await printsOf(job.name);
-    states.push(known.has(fingerprint(job)) ? "same" : known.size > 0 ? "beside" : "fresh");
-  }
-  return states;
+    if (known.includes(fingerprint(job))) return "same";
+    return known.length > 0 ? "beside" : "fresh";
+  }));
 }
 
 /** What a table of the device does with one that is brought in. */

@@ -4,6 +4,7 @@ import { openKept } from "../start/KeptWorks.tsx";
 import type { Kept } from "../saving/device.ts";
 import { useKeeping } from "../saving/keep.ts";
 import { duplicateWork, removeWorks, renameWork } from "../saving/works.ts";
+import { useSteps, type HistoryStep } from "../steps.ts";
 import type { TableSaid } from "../tools/TableStatus.tsx";
 import { saveWorks } from "./export-works.ts";
 import type { RowWish } from "./WorkRow.tsx";
@@ -13,7 +14,11 @@ const failed = (sentence: string): TableSaid => ({ sentences: [sentence], failed
 
 /** What the list of works can be asked: for one row, and for all that are selected. `focus` puts the keyboard on the row of a work. */
 export function useListActions(t: DeviceTexts["works"], isElsewhere: string, focus: (work: string) => void) {
-  const [saying, say] = useState<TableSaid | null>(null);
+  const [last, setLast] = useState<{ readonly said: TableSaid; readonly step: HistoryStep | undefined } | null>(null);
+  const step = useSteps((s) => s.past.at(-1));
+  // Undo offers to take back what is said; once that was done in another way, it is no longer said.
+  const saying = last && (!last.said.changed || last.step === step) ? last.said : null;
+  const say = useCallback((now: TableSaid | null) => setLast(now && { said: now, step: useSteps.getState().past.at(-1) }), []);
   const [renaming, rename] = useState<string | null>(null);
   const [selected, select] = useState<ReadonlySet<string>>(new Set());
 
@@ -26,7 +31,7 @@ export function useListActions(t: DeviceTexts["works"], isElsewhere: string, foc
     const problems = { elsewhere: isElsewhere, nameTaken: t.nameTaken(next), failed: t.failed };
     say(done === "done" ? said(t.renamed(next), true) : failed(problems[done]));
     focus(work);
-  }, [t, isElsewhere, focus]);
+  }, [t, isElsewhere, focus, say]);
 
   const remove = useCallback(async (works: readonly string[], nextRow: string | null) => {
     const { gone, leftOut } = await removeWorks(works);
@@ -37,18 +42,18 @@ export function useListActions(t: DeviceTexts["works"], isElsewhere: string, foc
     ];
     say({ sentences, failed: gone.length === 0, changed: gone.length > 0 });
     if (nextRow !== null) focus(nextRow);
-  }, [t, focus]);
+  }, [t, focus, say]);
 
   const duplicate = useCallback(async ({ work }: Kept) => {
     const made = await duplicateWork(work, useKeeping.getState().works.map(({ name }) => name));
     say(made ? said(t.duplicated(made.job.name), true) : failed(t.failed));
     if (made) focus(made.work);
-  }, [t, focus]);
+  }, [t, focus, say]);
 
   const save = useCallback(async () => {
     const count = await saveWorks([...selected]);
     say(count > 0 ? said(t.saved(count)) : failed(t.failed));
-  }, [t, selected]);
+  }, [t, selected, say]);
 
   const onWish = useCallback((of: Kept, wish: RowWish) => {
     switch (wish.what) {
