@@ -8,7 +8,7 @@ import { Turnwise } from "./pages/turnwise.ts";
  */
 test("every control of every screen has the name it is known by, and no other has it", async ({ page }) => {
   const turnwise = await Turnwise.open(page, { heldClock: true, seed: 7 });
-  const { dialog, editor, effect, own, settings, start, t, tools } = turnwise;
+  const { comparison, dialog, editor, effect, handing, own, settings, sheet, start, t, tools, works } = turnwise;
   const home = () => page.getByRole("link", { name: t.page.home }).click();
   const screens: string[] = [];
   const known = new Set<string>();
@@ -62,6 +62,27 @@ test("every control of every screen has the name it is known by, and no other ha
   await editor.line("CYCL DEF").click();
   await editor.show("block");
   await look("program: block");
+
+  await comparison.open();
+  await comparison.withOpened();
+  await expect(comparison.summary).not.toBeEmpty();
+  await look("compare", comparison.dialog);
+  await comparison.close();
+  await handing.handOn();
+  await handing.link();
+  await look("hand on", handing.out);
+  await page.keyboard.press("Escape");
+  await sheet.open();
+  await expect(sheet.preview).toContainText("FLANGE");
+  await look("setup sheet");
+  await sheet.close();
+
+  await home();
+  await works.open();
+  await works.duplicate("FLANGE.h");
+  await expect(works.rows).toHaveCount(3);
+  await works.select("FLANGE.h").check();
+  await look("works");
 
   await page.goto("./?clock=manual&seed=7#/own");
   await own.add.click();

@@ -1,4 +1,5 @@
 /** What the build hands to other test projects as dist/playwright.mjs: nothing else of this folder is meant for them. */
+export { Comparison } from "./comparison.ts";
 export { ContourTable } from "./contour-table.ts";
 export { Dialog } from "./dialog.ts";
 export { Effect } from "./effect.ts";
@@ -10,7 +11,9 @@ export { ProgramEditor } from "./program-editor.ts";
 export { ProgramText } from "./program-text.ts";
 export { SettingsPage } from "./settings.ts";
 export { Setup } from "./setup.ts";
+export { SetupSheetPage } from "./sheet.ts";
 export { Start } from "./start.ts";
 export { ToolTable } from "./tools.ts";
 export { Turnwise } from "./turnwise.ts";
+export { WorksList } from "./works.ts";
 export type { Context, Options } from "./turnwise.ts";

@@ -1,10 +1,8 @@
 import type { Locator } from "@playwright/test";
 import type { CellName, HolderCell, ToolColumn } from "../../src/program/tool-columns.ts";
+import { plainText } from "./pattern.ts";
 import { toolWords } from "./tool-words.ts";
 import type { Context } from "./turnwise.ts";
-
-/** Text inside a pattern; names are compared with plain spaces in them. */
-const plain = (text: string) => text.replaceAll("\u00a0", " ").replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
 
 /** The tool table: the rows of the device on one side, the columns of the open row on the other. */
 export class ToolTable {
@@ -47,7 +45,7 @@ export class ToolTable {
 
   /** The columns of the open row. */
   get form(): Locator {
-    return this.context.page.getByRole("region", { name: new RegExp(plain(this.context.t.tools.form("").trim())) });
+    return this.context.page.getByRole("region", { name: new RegExp(plainText(this.context.t.tools.form("").trim())) });
   }
 
   /** A text field of the open row. */
@@ -114,14 +112,14 @@ export class ToolTable {
 
   /** What chosen files would do to the table. */
   get incoming(): Locator {
-    return this.context.page.getByRole("dialog", { name: new RegExp(plain(this.words.files.title("§")).replace("§", ".*")) });
+    return this.context.page.getByRole("dialog", { name: new RegExp(plainText(this.words.files.title("§")).replace("§", ".*")) });
   }
 
   /** Takes over what files bring: all of it, or the tools with new numbers. */
   async take(choice: "all" | "new" = "all"): Promise<void> {
     const { takeAll, takeNew } = this.words.files;
     const [before = "", behind = ""] = (choice === "all" ? takeAll : takeNew)(0).split("0");
-    await this.incoming.getByRole("button", { name: new RegExp(`^${plain(before)}\\d+${plain(behind)}$`) }).click();
+    await this.incoming.getByRole("button", { name: new RegExp(`^${plainText(before)}\\d+${plainText(behind)}$`) }).click();
     await this.incoming.waitFor({ state: "hidden" });
   }
 
@@ -137,7 +135,7 @@ export class ToolTable {
     const downloading = this.context.page.waitForEvent("download");
     await this.button(exportLong).click();
     const names = { json, csv: sheet, text: turning, millText: milling, again: again("§") };
-    const name = new RegExp(`^${plain(names[kind]).replace("§", ".*")}$`);
+    const name = new RegExp(`^${plainText(names[kind]).replace("§", ".*")}$`);
     await this.context.page.getByRole("dialog", { name: exportTitle, exact: true }).getByRole("button", { name }).first().click();
     const download = await downloading;
     const stream = await download.createReadStream();
@@ -162,12 +160,12 @@ export class ToolTable {
 
   private rowName(number: number | string): RegExp {
     const { select, toolName } = this.context.t.tools;
-    return this.named(select, `${plain(toolName(String(number), ""))}(?![\\d.]).*`);
+    return this.named(select, `${plainText(toolName(String(number), ""))}(?![\\d.]).*`);
   }
 
   /** A name that has the tool somewhere in it. */
   private named(long: (tool: string) => string, tool = ".*"): RegExp {
     const [before = "", behind = ""] = long("§").split("§");
-    return new RegExp(`^${plain(before)}${tool}${plain(behind)}(,|$)`);
+    return new RegExp(`^${plainText(before)}${tool}${plainText(behind)}(,|$)`);
   }
 }

@@ -1,13 +1,14 @@
 import type { Page } from "@playwright/test";
 import { texts, type Texts } from "../../src/i18n/index.ts";
 import type { Language } from "../../src/i18n/languages.ts";
+import { Comparison } from "./comparison.ts";
 import { ContourTable } from "./contour-table.ts";
 import { Dialog } from "./dialog.ts";
 import { Effect } from "./effect.ts";
 import { OwnCycles } from "./own-cycles.ts";
+import { Handing } from "./handing.ts";
 import { Lathe } from "./lathe.ts";
 import { Findings } from "./findings.ts";
-import { Handing } from "./handing.ts";
 import { ProgramEditor } from "./program-editor.ts";
 import { ProgramText } from "./program-text.ts";
 import { SettingsPage } from "./settings.ts";
@@ -15,6 +16,7 @@ import { Setup } from "./setup.ts";
 import { SetupSheetPage } from "./sheet.ts";
 import { Start } from "./start.ts";
 import { ToolTable } from "./tools.ts";
+import { WorksList } from "./works.ts";
 
 /** What every page object is made of: the browser page and the texts of its screen language. */
 export interface Context {
@@ -47,7 +49,9 @@ export class Turnwise {
   readonly settings: SettingsPage;
   readonly tools: ToolTable;
   readonly own: OwnCycles;
+  readonly works: WorksList;
   readonly handing: Handing;
+  readonly comparison: Comparison;
   readonly sheet: SetupSheetPage;
   readonly t: Texts;
 
@@ -66,7 +70,9 @@ export class Turnwise {
     this.settings = new SettingsPage(context);
     this.tools = new ToolTable(context);
     this.own = new OwnCycles(context);
+    this.works = new WorksList(context);
     this.handing = new Handing(context);
+    this.comparison = new Comparison(context);
     this.sheet = new SetupSheetPage(context);
   }
 

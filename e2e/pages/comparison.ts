@@ -1,0 +1,80 @@
+import type { Locator } from "@playwright/test";
+import { compare as de } from "../../src/i18n/de/compare.ts";
+import { compare as en, type CompareTexts } from "../../src/i18n/en/compare.ts";
+import { compare as fr } from "../../src/i18n/fr/compare.ts";
+import { compare as zh } from "../../src/i18n/zh/compare.ts";
+import type { Context } from "./turnwise.ts";
+
+/** The open program against another one, block by block in meaning. */
+export class Comparison {
+  private readonly words: CompareTexts;
+
+  constructor(private readonly context: Context) {
+    this.words = { en, de, fr, zh }[context.language];
+  }
+
+  get dialog(): Locator {
+    return this.context.page.getByRole("dialog", { name: this.words.title, exact: true });
+  }
+
+  /** Opens the comparison, by the button below the program. */
+  async open(): Promise<void> {
+    await this.context.page.getByRole("button", { name: this.context.t.page.text.compare, exact: true }).click();
+    await this.other.waitFor();
+  }
+
+  async close(): Promise<void> {
+    await this.button(this.context.t.page.close).click();
+  }
+
+  /** What the program is compared with: a state of its own, or a kept work by its name. */
+  get other(): Locator {
+    return this.dialog.getByRole("combobox", { name: this.words.with, exact: true });
+  }
+
+  /** Compares with the work as it was opened. */
+  async withOpened(): Promise<void> {
+    await this.other.selectOption({ label: this.words.opened });
+  }
+
+  /** Compares with another kept work. */
+  async withWork(name: string): Promise<void> {
+    await this.other.selectOption({ label: name });
+  }
+
+  /** Compares with a file of the device. */
+  async withFile(name: string, text: string): Promise<void> {
+    const choosing = this.context.page.waitForEvent("filechooser");
+    await this.button(this.words.file).click();
+    await (await choosing).setFiles({ name, mimeType: "text/plain", buffer: Buffer.from(text) });
+  }
+
+  /** Compares with the program on the clipboard. */
+  async withClipboard(): Promise<void> {
+    await this.button(this.words.clipboard).click();
+  }
+
+  /** How many differences of which kind there are, or that there are none. */
+  get summary(): Locator {
+    return this.dialog.getByRole("region", { name: this.words.whole, exact: true }).getByRole("status");
+  }
+
+  /** What comes of the differences for the whole program: time, infeed, passes, what stays. */
+  get consequences(): Locator {
+    return this.dialog.getByRole("list", { name: this.words.whole, exact: true }).getByRole("listitem");
+  }
+
+  /** The differences; each leads to its block. */
+  get differences(): Locator {
+    return this.dialog.getByRole("group", { name: this.words.list, exact: true }).getByRole("button");
+  }
+
+  /** Shows differences in comments and spelling as well. */
+  get writing(): Locator {
+    return this.dialog.getByRole("checkbox", { name: this.words.showWritten });
+  }
+
+  private button(name: string): Locator {
+    return this.dialog.getByRole("button", { name, exact: true });
+  }
+}
