@@ -40,6 +40,28 @@ async function started(): Promise<string> {
   return useEditor.getState().work ?? "";
 }
 
+test("Back closes a dialog first, and an address that is typed closes it on the way there", async () => {
+  const work = await started();
+  showSection("setup");
+  await is(`#/work/${work}/setup`);
+  const dialog = document.body.appendChild(document.createElement("dialog"));
+  dialog.close = () => dialog.removeAttribute("open");
+  dialog.open = true;
+  history.back();
+  await until(() => expect(dialog.open).toBe(false));
+  await is(`#/work/${work}/setup`);
+  expect(usePlace.getState().section).toBe("setup");
+  dialog.open = true;
+  location.hash = "#/tools/5";
+  await until(() => expect(useToolPlace.getState().shown).toBe(true));
+  expect(dialog.open).toBe(false);
+  dialog.remove();
+  history.back();
+  await is(`#/work/${work}/setup`);
+  history.back();
+  await until(() => expect(usePlace.getState().section).toBe("prompts"));
+});
+
 test("Back goes through tools, set-up and work to the start page, and Forward the same way", async () => {
   const work = await started();
   showSection("setup");

@@ -77,6 +77,13 @@ const noteOf = (from: string | null): Entry => {
   return { from, prompt, before: before.slice(0, 500) };
 };
 
+/** Closes what stands before the page; true when something did. The question which cycle makes a shape has an address of its own. */
+function closeDialogs(): boolean {
+  const open = [...document.querySelectorAll<HTMLDialogElement>("dialog[open]:not(.which)")];
+  for (const dialog of open) dialog.close();
+  return open.length > 0;
+}
+
 /**
  * From now on the browser's history and address go along with what the page shows, and what the page shows with Back and Forward.
  * The stores say where the page is; the address only follows them, and asks them. `begun` is the address that the page has opened: it
@@ -132,6 +139,8 @@ export function followAddress(begun = location.hash): () => void {
       shown = null;
       return isShareLink(location.hash) ? undefined : replace();
     }
+    // Back closes a dialog first: the page behind it stays where it is.
+    if (closeDialogs() && entry() !== null && shown !== null) return history.pushState(noteOf(location.hash), "", shown);
     const mine = ++asked;
     going = true;
     void goTo(place ?? { page: "start", which: false }).finally(() => {
