@@ -1,4 +1,4 @@
-import { Suspense, useState } from "react";
+import { Suspense, useState, type ReactNode } from "react";
 import { handOver, useEditor } from "../store.ts";
 import type { ShownVerdict } from "../findings/verdict.ts";
 import { CompareButton } from "../compare/CompareButton.tsx";
@@ -29,8 +29,8 @@ async function leaving(): Promise<Leaving | null> {
   return open && verdict && { open, verdict };
 }
 
-/** What else can be made of the open program, in one row below its ways out. */
-export function ProgramMore({ showBlock }: { readonly showBlock: ShowBlock }) {
+/** What else can be made of the open program, below its ways out; what a workplace has of its own comes last. */
+export function ProgramMore({ showBlock, children }: { readonly showBlock: ShowBlock; readonly children?: ReactNode }) {
   const { page: { text: t } } = useTexts();
   const [handed, handOn] = useState<Leaving | null>(null);
   return (
@@ -50,6 +50,7 @@ export function ProgramMore({ showBlock }: { readonly showBlock: ShowBlock }) {
         </Suspense>
       )}
       <CompareButton showBlock={showBlock} />
+      {children}
     </div>
   );
 }

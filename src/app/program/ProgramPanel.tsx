@@ -74,10 +74,9 @@ export function ProgramPanel({ read, foldable }: { readonly read: JobReading; re
           <Icon name="download" /> <span className="file-name">{file}</span>
         </button>
       </div>
-      <ProgramMore showBlock={(_, __, number) => void chooseJobLine(read, { block: number, q: null })} />
-      <button type="button" className="button plain open-as-program" title={open.fromJobLong} onClick={() => openText(text)}>
-        {open.fromJob}
-      </button>
+      <ProgramMore showBlock={(_, __, number) => void chooseJobLine(read, { block: number, q: null })}>
+        <button type="button" className="button plain" title={open.fromJobLong} onClick={() => openText(text)}>{open.fromJob}</button>
+      </ProgramMore>
       <CopyStatus />
     </section>
   );
