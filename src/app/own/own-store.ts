@@ -9,7 +9,8 @@ export interface Own {
 
 export const useOwn = create<Own>(() => ({ list: [] }));
 
-const putOwn = (list: OwnList): void => useOwn.setState({ list });
+/** Puts a list in place; what its steps are steps of. */
+export const putOwn = (list: OwnList): void => useOwn.setState({ list });
 
 /** Changes the list as one step of undo; changes that name the same place, one after the other, are one step together. */
 export function editOwn(change: (list: OwnList) => OwnList, place: string | null = null): void {

@@ -1,12 +1,15 @@
 import { afterEach, beforeEach, expect, test } from "vitest";
 import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job.ts";
+import { shippedList } from "../../program/tool-list.ts";
 import { draftOf, setContour, setPrompt, setRapid } from "../edits.ts";
 import { closeSession, dispatchEdit, handOverText, openBlock, openSession, sessionText, sessionView,
   useSession } from "../editor/session.ts";
 import { closeStep, forget, redo, undo, useSteps } from "../steps.ts";
+import { editOwn, takeOwn, useOwn } from "../own/own-store.ts";
 import { beforeLeaving, begin, changeProgram, open, useEditor } from "../store.ts";
 import { setCell } from "../tools/tool-edits.ts";
+import { takeTools, useTools } from "../tools/tool-store.ts";
 import type { Work } from "../work.ts";
 import { startKeepingSteps, takeKeptSteps } from "./keep-steps.ts";
 
@@ -19,6 +22,8 @@ let stop = () => undefined as void;
 
 beforeEach(() => {
   sessionStorage.clear();
+  takeTools(shippedList);
+  takeOwn([]);
   beforeLeaving.add(handOverText);
   stop = startKeepingSteps();
 });
@@ -78,17 +83,58 @@ test("after a reload a number that was typed is taken back in one step, and made
   expect(lengths()[1]).toBe(0);
 });
 
-test("steps of the tool table in between do not come back, those of the work do", () => {
+const toolCell = () => useTools.getState().list.find(({ id }) => id === "r2")?.cells.RS;
+
+test("steps of the tool table and of own cycles come back in their place between those of the work", () => {
+  begin(job, "w");
+  const [first, radius] = [value(), toolCell()];
+  typed("-41.37");
+  setCell("r2", "RS", "0.7");
+  editOwn((list) => [...list, { id: "c1", number: "1711", name: "SAW", parameters: [] }]);
+  typed("7.25", other);
+  reload();
+  expect(lengths()).toEqual([4, 0]);
+  undo();
+  undo();
+  expect([toolCell(), useOwn.getState().list, value()]).toEqual(["0.7", [], "-41.37"]);
+  reload();
+  undo();
+  expect([toolCell(), value()]).toEqual([radius, "-41.37"]);
+  undo();
+  expect(value()).toBe(first);
+  for (let i = 0; i < 4; i++) redo();
+  expect([toolCell(), useOwn.getState().list.length, value(other)]).toEqual(["0.7", 1, "7.25"]);
+});
+
+test("steps of a table that was changed meanwhile do not come back, those of the work do", () => {
   begin(job, "w");
   const first = value();
   typed("-41.37");
   setCell("r2", "RS", "0.7");
   typed("7.25", other);
-  reload();
+  dispatchEvent(new Event("pagehide"));
+  const note = sessionStorage.getItem("turnwise/steps") ?? "";
+  takeTools([]);
+  const now = useEditor.getState().job;
+  forget();
+  begin(now, "w");
+  sessionStorage.setItem("turnwise/steps", note);
+  takeKeptSteps();
   expect(lengths()).toEqual([2, 0]);
   undo();
   undo();
   expect(value()).toBe(first);
+});
+
+test("changes of the tools come back where no work is open", () => {
+  begin(null, null);
+  const radius = toolCell();
+  setCell("r2", "RS", "0.9");
+  dispatchEvent(new Event("pagehide"));
+  forget();
+  takeKeptSteps();
+  undo();
+  expect(toolCell()).toBe(radius);
 });
 
 test("what was opened before the work is no part of its history", () => {

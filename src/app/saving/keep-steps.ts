@@ -1,11 +1,13 @@
+import { putOwn, useOwn } from "../own/own-store.ts";
 import { handOver, OF_FILES, putJob, putProgram, useEditor } from "../store.ts";
 import { resumeSteps, stepBetween, useSteps, type HistoryStep } from "../steps.ts";
+import { putTools, useTools } from "../tools/tool-store.ts";
 import type { Work } from "../work.ts";
 import { withDifference, differenceOf, fingerprint, type Difference, type Json } from "./difference.ts";
 
 /*
- * The history of the open work outlasts a reload of its tab. It is written when the page goes away, so that typing never waits for it,
- * and taken only for the very state it was written of.
+ * The history of the open work, of the tools and of the own cycles outlasts a reload of its tab. It is written when the page goes away, so
+ * that typing never waits for it, and taken only for the very state it was written of.
  */
 
 const KEY = "turnwise/steps";
@@ -19,12 +21,28 @@ export interface KeptText {
   readonly state: unknown;
 }
 
+/** Tables of the device, whose steps stand between those of a work. */
+const TABLES = {
+  tools: { put: putTools, list: () => useTools.getState().list },
+  own: { put: putOwn, list: () => useOwn.getState().list },
+} as const;
+type TableName = keyof typeof TABLES;
+const NAMES = Object.keys(TABLES) as readonly TableName[];
+const tableOf = (step: HistoryStep): TableName | undefined => NAMES.find((name) => TABLES[name].put === step.of);
+const tablesNow = () => ({ tools: TABLES.tools.list(), own: TABLES.own.list() });
+/** States that are known while steps are gone through, as they are in files. */
+type Known = Partial<Record<TableName | "work", Json>>;
+const knownNow = (present: Work | null) => ({ ...tablesNow(), work: present }) as unknown as Known;
+
 /** A step: of a whole state, by what differs from the one that is known; or one step through the text of a file. */
-type KeptStep = { readonly near: Difference; readonly far: Difference } | { readonly file: string };
+type KeptStep = { readonly near: Difference; readonly far: Difference; readonly table?: TableName } | { readonly file: string };
 
 interface KeptSteps {
+  /** Empty where none was open. */
   readonly work: string;
   readonly print: string;
+  /** Marks of the tables, whose steps count only for the same tables. */
+  readonly tables?: Readonly<Record<TableName, string>>;
   /** Newest change first, and the other way next to be made again first. */
   readonly past: readonly KeptStep[];
   readonly future: readonly KeptStep[];
@@ -34,24 +52,23 @@ interface KeptSteps {
 /** Asked for the texts of a work when the page goes away. */
 export const textKeepers = new Set<(work: string) => readonly KeptText[]>();
 
-/** Steps of the work that is open, as they go away from its present state; the first step of anything larger ends them. */
-function kept(steps: readonly HistoryStep[], present: Work, nearSide: 0 | 1): readonly KeptStep[] {
+/** Steps of the open work and of the tables, as they go away from the present states; the first step of anything larger ends them. */
+function kept(steps: readonly HistoryStep[], present: Work | null, nearSide: 0 | 1): readonly KeptStep[] {
   const found: KeptStep[] = [];
-  let known = present as unknown as Json;
+  const known = knownNow(present);
   let size = 0;
   for (const step of [...steps].reverse()) {
-    const isWhole = step.of === putJob || step.of === OF_FILES;
-    if (step.file === undefined && !(isWhole && step.states)) {
-      // Tools and own cycles have steps in between; opening another work is where these end.
-      if (isBeside(step)) continue;
-      break;
-    }
+    const table = tableOf(step);
+    const isWhole = present !== null && (step.of === putJob || step.of === OF_FILES);
+    // Opening another work is where these end.
+    if (step.file === undefined && !((isWhole || table) && step.states)) break;
     if (step.file !== undefined) found.push({ file: step.file });
     else if (step.states) {
+      const of = table ?? "work";
       const near = step.states[nearSide] as Json;
       const far = step.states[nearSide === 0 ? 1 : 0] as Json;
-      const made = { near: differenceOf(known, near), far: differenceOf(near, far) };
-      known = far;
+      const made = { near: differenceOf(known[of] ?? null, near), far: differenceOf(near, far), ...(table && { table }) };
+      known[of] = far;
       size += JSON.stringify(made).length;
       if (size > MOST.size / 4) break;
       found.push(made);
@@ -61,8 +78,10 @@ function kept(steps: readonly HistoryStep[], present: Work, nearSide: 0 | 1): re
   return found;
 }
 
-/** A step of what belongs to no work. */
-const isBeside = (step: HistoryStep): boolean => Array.isArray(step.states?.[0]);
+const printsOfTables = () => {
+  const { tools, own } = tablesNow();
+  return { tools: fingerprint(tools), own: fingerprint(own) };
+};
 
 function write(): void {
   handOver();
@@ -71,13 +90,14 @@ function write(): void {
   try {
     sessionStorage.removeItem(KEY);
     const { past, future } = useSteps.getState();
-    if (!present || work === null || (program?.text.length ?? 0) > MOST.size) return;
+    if ((program?.text.length ?? 0) > MOST.size) return;
     const steps: KeptSteps = {
-      work,
+      work: work ?? "",
       print: fingerprint(present),
+      tables: printsOfTables(),
       past: kept(past, present, 1),
       future: kept(future, present, 0),
-      texts: program ? [...textKeepers].flatMap((texts) => texts(work)) : [],
+      texts: program && work !== null ? [...textKeepers].flatMap((texts) => texts(work)) : [],
     };
     const text = JSON.stringify(steps);
     if (text.length <= MOST.size) sessionStorage.setItem(KEY, text);
@@ -104,7 +124,7 @@ function taken(): KeptSteps | null {
   const { job, program, work } = useEditor.getState();
   try {
     const raw = JSON.parse(sessionStorage.getItem(KEY) ?? "null") as KeptSteps | null;
-    if (!raw || work === null || raw.work !== work) return null;
+    if (!raw || raw.work !== (work ?? "")) return null;
     sessionStorage.removeItem(KEY);
     return raw.print === fingerprint(job ?? program) ? raw : null;
   } catch {
@@ -113,9 +133,9 @@ function taken(): KeptSteps | null {
 }
 
 /** Steps again, in the order of the history: the one that is gone next stands last. */
-function stepsOf(list: readonly KeptStep[], present: Work, nearSide: 0 | 1, textStep: (file: string) => HistoryStep | null) {
-  const { work } = useEditor.getState();
-  let known = present as unknown as Json;
+function stepsOf(list: readonly KeptStep[], same: readonly TableName[], nearSide: 0 | 1, textStep: (file: string) => HistoryStep | null) {
+  const { job, program, work } = useEditor.getState();
+  const known = knownNow(job ?? program);
   const steps: HistoryStep[] = [];
   for (const one of list) {
     if ("file" in one) {
@@ -124,12 +144,20 @@ function stepsOf(list: readonly KeptStep[], present: Work, nearSide: 0 | 1, text
       steps.push(step);
       continue;
     }
-    const near = withDifference(known, one.near);
+    const { table } = one;
+    // The steps of a table that was changed since lead nowhere; those of the work go on.
+    if (table !== undefined && !same.includes(table)) continue;
+    const of = table ?? "work";
+    const near = withDifference(known[of] ?? null, one.near);
     const far = withDifference(near, one.far);
-    known = far;
+    known[of] = far;
     const [before, after] = (nearSide === 1 ? [far, near] : [near, far]) as unknown[];
+    if (table !== undefined) {
+      steps.push(stepBetween(TABLES[table].put as (state: unknown) => void, before, after));
+      continue;
+    }
     steps.push(
-      "text" in present
+      program
         ? stepBetween(putProgram(work) as (state: unknown) => boolean, before, after, OF_FILES)
         : stepBetween(putJob as (state: unknown) => void, before, after),
     );
@@ -142,14 +170,14 @@ function stepsOf(list: readonly KeptStep[], present: Work, nearSide: 0 | 1, text
  * their steps; a text that it cannot put back ends the history there.
  */
 export function takeKeptSteps(putBack: ((texts: readonly KeptText[]) => (file: string) => HistoryStep | null) | null = null): void {
-  const { job, program } = useEditor.getState();
-  const present = job ?? program;
-  if (!present || (program && !putBack)) return;
+  if (useEditor.getState().program && !putBack) return;
   const record = taken();
   if (!record) return;
   try {
     const textStep = putBack?.(record.texts) ?? (() => null);
-    resumeSteps(stepsOf(record.past, present, 1, textStep), stepsOf(record.future, present, 0, textStep));
+    const prints = printsOfTables();
+    const same = NAMES.filter((name) => record.tables?.[name] === prints[name]);
+    resumeSteps(stepsOf(record.past, same, 1, textStep), stepsOf(record.future, same, 0, textStep));
   } catch {
     return;
   }

@@ -20,7 +20,8 @@ export function toolsOnDevice(list: ToolList): ToolListReading {
   return made;
 }
 
-const putTools = (list: ToolList): void => useTools.setState({ list });
+/** Puts a table in place; what its steps are steps of. */
+export const putTools = (list: ToolList): void => useTools.setState({ list });
 
 /** Changes the table as one step of undo; changes that name the same place, one after the other, are one step together. */
 export function editTools(change: (list: ToolList) => ToolList, place: string | null = null): void {
