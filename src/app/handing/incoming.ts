@@ -1,6 +1,7 @@
 import { create } from "zustand";
 import { hideOwn } from "../own/own-place.ts";
 import { usePlace } from "../place.ts";
+import type { ReadArchive } from "../saving/archive.ts";
 import { startWork } from "../saving/keep.ts";
 import { hideTools } from "../tools/tool-place.ts";
 import type { Work } from "../work.ts";
@@ -12,6 +13,13 @@ export interface Incoming {
 }
 
 export const useIncoming = create<{ readonly incoming: Incoming | null }>(() => ({ incoming: null }));
+
+/** The one work of a file that it was handed on in; null for a file of anything else. */
+export function handedWork(read: ReadArchive | object): Work | null {
+  if (!("works" in read)) return null;
+  const { works: [first, ...others], own, settings, unread } = read;
+  return first?.job.tools && others.length === 0 && !own && !settings && unread.length === 0 ? first.job : null;
+}
 
 /** Shows what a link or a file holds. */
 export const showIncoming = (incoming: Incoming): void => useIncoming.setState({ incoming });

@@ -1,4 +1,5 @@
 import { create } from "zustand";
+import { handedWork, showIncoming } from "../handing/incoming.ts";
 import type { ArchiveProblem, ReadArchive } from "../saving/archive.ts";
 
 /** A file of works that somebody wants to bring in: what is in it, or why nothing is. */
@@ -23,6 +24,8 @@ export async function bringIn(file: File): Promise<void> {
     const { ARCHIVE_LIMITS, readArchive } = await import("../saving/archive.ts");
     if (file.size > ARCHIVE_LIMITS.packed) return useBringing.setState({ shown: { name, archive: null, problem: "tooLarge" } });
     const read = readArchive(new Uint8Array(await file.arrayBuffer()));
+    const handed = handedWork(read);
+    if (handed) return showIncoming({ work: handed, from: "file" });
     const shown = "problem" in read ? { name, archive: null, problem: read.problem } : { name, archive: read, problem: null };
     useBringing.setState({ shown });
   } catch {
