@@ -1,6 +1,6 @@
 import { execFile } from "node:child_process";
-import { readFileSync } from "node:fs";
-import { join } from "node:path";
+import { mkdirSync, readFileSync, renameSync, statSync, writeFileSync } from "node:fs";
+import { dirname, join } from "node:path";
 import { promisify } from "node:util";
 import { root } from "./packages.mjs";
 
@@ -51,15 +51,47 @@ const promptIds = {
   },
 };
 
+const KEPT_TYPES = join(root, "node_modules", ".cache", "turnwise", "page-types.json");
+
+/** Size and time of a file. */
+function stamp(path) {
+  const { size, mtimeMs } = statSync(path);
+  return `${size} ${mtimeMs}`;
+}
+
+/** The types that were made last, if nothing has changed since that they come from: the compiler takes seconds for them. */
+function keptTypes() {
+  try {
+    const { stamps, types } = JSON.parse(readFileSync(KEPT_TYPES, "utf8"));
+    return stamps.every(([path, was]) => stamp(path) === was) ? types : null;
+  } catch {
+    return null;
+  }
+}
+
+async function pageTypes() {
+  const kept = keptTypes();
+  if (kept !== null) return kept;
+  const script = join(root, "scripts", "page-types.mjs");
+  const { stdout } = await promisify(execFile)(process.execPath, [script], { maxBuffer: 10_000_000 });
+  const { types, from } = JSON.parse(stdout);
+  const stamps = [...from, script, join(root, "package-lock.json"), join(root, "tsconfig.json")].map((path) => [path, stamp(path)]);
+  mkdirSync(dirname(KEPT_TYPES), { recursive: true });
+  const fresh = `${KEPT_TYPES}-${process.pid}`;
+  writeFileSync(fresh, JSON.stringify({ stamps, types }));
+  renameSync(fresh, KEPT_TYPES);
+  return types;
+}
+
 /**
  * The page objects of the journeys as one module that needs Playwright alone, and its types.
  *
  * @returns {Promise<{ code: string, types: string }>}
  */
 export async function pageObjects() {
-  const [code, { stdout: types }] = await Promise.all([
+  const [code, types] = await Promise.all([
     oneModule("e2e/pages/index.ts", { plugins: [promptIds], external: ["@playwright/test"] }),
-    promisify(execFile)(process.execPath, [join(root, "scripts", "page-types.mjs")], { maxBuffer: 10_000_000 }),
+    pageTypes(),
   ]);
   return { code, types };
 }

@@ -1,7 +1,7 @@
 /**
- * `node scripts/page-types.mjs`: writes the types of the page objects to standard output, as one file that needs Playwright's own and
- * no other. The classes come from the compiler; a type of the page that they name is taken over as it is written there, or, where
- * it is computed from values, as what it comes to.
+ * `node scripts/page-types.mjs`: writes the types of the page objects to standard output, as the text of one file that needs
+ * Playwright's own types and no other, with the files that they come from: `{ types, from }`. The classes come from the compiler; a type
+ * of the page that they name is taken over as it is written there, or, where it is computed from values, as what it comes to.
  */
 import { join } from "node:path";
 import ts from "typescript";
@@ -92,9 +92,12 @@ for (const page of pages) {
   // Of the classes' own files too: types beside them, and those that they import.
   for (const statement of page.statements) if (ts.isClassDeclaration(statement)) follow(statement);
 }
-console.log(`// Page objects of Turnwise for Playwright; made by the build.
-import type { ${[...fromPlaywright].filter((name) => name !== "expect").sort().join(", ")} } from "@playwright/test";
-`);
-for (const [name, { text }] of held) console.log(`${shown.has(name) ? text.replace(/^(?=interface|type)/m, "export ") : text}\n`);
-for (const text of classes) console.log(`${text}\n`);
-console.log("export {};");
+const imports = [...fromPlaywright].filter((name) => name !== "expect").sort().join(", ");
+const types = [
+  `// Page objects of Turnwise for Playwright; made by the build.\nimport type { ${imports} } from "@playwright/test";`,
+  ...[...held].map(([name, { text }]) => (shown.has(name) ? text.replace(/^(?=interface|type)/m, "export ") : text)),
+  ...classes,
+  "export {};\n",
+].join("\n\n");
+const from = program.getSourceFiles().filter(isOurs).map(({ fileName }) => fileName);
+process.stdout.write(JSON.stringify({ types, from }));
