@@ -5,6 +5,7 @@ import { loadCompare } from "../../i18n/load-compare.ts";
 import type { BlockDifference } from "../../program/compare/compare.ts";
 import { Icon } from "../Icon.tsx";
 import { copyText, useCopying } from "../program/copy.ts";
+import { untilHere } from "../parts.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { useEditor } from "../store.ts";
@@ -142,7 +143,7 @@ export function CompareDialog({ done, showBlock }: { readonly done: () => void; 
   }, []);
   useEffect(() => {
     let gone = false;
-    void loadCompare(language).then((loaded) => {
+    void untilHere(() => loadCompare(language)).then((loaded) => {
       if (!gone) say(loaded);
     });
     return () => {

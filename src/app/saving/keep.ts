@@ -1,6 +1,7 @@
 import { drawnId } from "../chance.ts";
 import { time } from "../clock.ts";
 import { create } from "zustand";
+import { untilHere } from "../parts.ts";
 import { begin, handOver, open, useEditor } from "../store.ts";
 import type { Work } from "../work.ts";
 import { findWorks, keepWork, readWork, type Kept } from "./device.ts";
@@ -113,7 +114,7 @@ async function reclaim(work: string, first: Work, wait: () => void): Promise<voi
   const before = written.get(work);
   const free = await claimWork(work);
   const kept = free ? (await readWork(work))?.job : undefined;
-  const { fingerprint } = await import("./difference.ts");
+  const { fingerprint } = await untilHere(() => import("./difference.ts"));
   reclaiming.delete(work);
   const job = openJob();
   if (useEditor.getState().work !== work || !job) return;

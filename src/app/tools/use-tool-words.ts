@@ -1,5 +1,6 @@
 import { useEffect, useState } from "react";
 import { loadToolWords } from "../../i18n/load-tool-words.ts";
+import { untilHere } from "../parts.ts";
 import { useSettings } from "../settings/settings.ts";
 
 type ToolWords = Awaited<ReturnType<typeof loadToolWords>>;
@@ -10,7 +11,7 @@ export function useToolWords(): ToolWords | null {
   const [words, say] = useState<ToolWords | null>(null);
   useEffect(() => {
     let gone = false;
-    void loadToolWords(language).then((loaded) => {
+    void untilHere(() => loadToolWords(language)).then((loaded) => {
       if (!gone) say(loaded);
     });
     return () => {

@@ -1,3 +1,4 @@
+import { untilHere } from "../parts.ts";
 import { create } from "zustand";
 import { handedWork, showIncoming } from "../handing/incoming.ts";
 import type { ArchiveProblem, ReadArchive } from "../saving/archive.ts";
@@ -20,8 +21,8 @@ export const isArchiveName = (name: string): boolean => /\.zip$/i.test(name);
 /** Reads a file of works and shows what is in it. Nothing is taken yet. */
 export async function bringIn(file: File): Promise<void> {
   const { name } = file;
+  const { ARCHIVE_LIMITS, readArchive } = await untilHere(() => import("../saving/archive.ts"));
   try {
-    const { ARCHIVE_LIMITS, readArchive } = await import("../saving/archive.ts");
     if (file.size > ARCHIVE_LIMITS.packed) return useBringing.setState({ shown: { name, archive: null, problem: "tooLarge" } });
     const read = readArchive(new Uint8Array(await file.arrayBuffer()));
     const handed = handedWork(read);
