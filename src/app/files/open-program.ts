@@ -1,5 +1,6 @@
 import { decode } from "../editor/encoding.ts";
 import { useOutcome } from "../engine/outcome.ts";
+import type { HandedOn } from "../../program/job.ts";
 import { fileKey } from "../../program/program-files.ts";
 import { notice, startWork } from "../saving/keep.ts";
 import { changeProgram, useEditor } from "../store.ts";
@@ -94,8 +95,9 @@ export async function addFiles(chosen: readonly Chosen[], name: string | null = 
   if (!found.whole) notice("fileUnreadable");
 }
 
-/** Opens text that was pasted, shared or printed. */
-export const openText = (text: string): void => openProgram({ name: fileNameOf(text), text, encoding: "utf-8" });
+/** Opens text that was pasted or printed; what the work that it was printed from runs with goes along. */
+export const openText = (text: string, { tools, control }: HandedOn = {}): void =>
+  openProgram({ name: fileNameOf(text), text, encoding: "utf-8", ...(tools && { tools }), ...(control && { control }) });
 
 /** What is dropped on a program that waits for just these files belongs to it. */
 function areWaitedFor(chosen: readonly Chosen[]): boolean {

@@ -3,6 +3,7 @@ import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob, UNSET } from "../../program/job.ts";
 import { shippedList } from "../../program/tool-list.ts";
 import { reported } from "../engine/reported.ts";
+import { openText } from "../files/open-program.ts";
 import { readArchive } from "../saving/archive.ts";
 import { changeSettings } from "../settings/settings.ts";
 import { begin, handedOn, useEditor } from "../store.ts";
@@ -122,6 +123,16 @@ test("a tool kept at a free number is called there in every file, as one step, a
   undo();
   undo();
   expect(useTools.getState().list).toEqual(shippedList);
+});
+
+test("a cycle that is opened as a program keeps what it came with", () => {
+  const [cycle] = cuttingCycles;
+  if (!cycle) throw new Error("the catalogue is empty");
+  const tools = shippedList.slice(2, 4);
+  openText("0 BEGIN PGM A MM\n", { ...exampleJob(cycle), tools, control: "TNC7" });
+  expect(open()).toEqual({ name: "A.h", text: "0 BEGIN PGM A MM\n", encoding: "utf-8", tools, control: "TNC7" });
+  openText("0 BEGIN PGM B MM\n");
+  expect(open()).toEqual({ name: "B.h", text: "0 BEGIN PGM B MM\n", encoding: "utf-8" });
 });
 
 test("a cycle takes the new number of its tool", () => {

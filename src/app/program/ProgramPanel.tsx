@@ -75,7 +75,7 @@ export function ProgramPanel({ read, foldable }: { readonly read: JobReading; re
         </button>
       </div>
       <ProgramMore showBlock={(_, __, number) => void chooseJobLine(read, { block: number, q: null })}>
-        <button type="button" className="button plain" title={open.fromJobLong} onClick={() => openText(text)}>{open.fromJob}</button>
+        <button type="button" className="button plain" title={open.fromJobLong} onClick={() => openText(text, job)}>{open.fromJob}</button>
       </ProgramMore>
       <CopyStatus />
     </section>
