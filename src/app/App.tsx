@@ -76,7 +76,7 @@ export function App() {
   const programName = useEditor((s) => s.program?.name);
   const bringing = useBringing((b) => b.shown);
   const which = useWhichPlace();
-  const { showBlock } = useComparing();
+  const { showBlock, against } = useComparing();
   const refused = useCopying((c) => c.state === "refused");
   const t = useFirstTexts().page;
   const sheet = useSheetShown();
@@ -130,7 +130,7 @@ export function App() {
         : <Entrance />)}
       {ready && showBlock && (
         <Suspense>
-          <CompareDialog done={hideComparison} showBlock={showBlock} />
+          <CompareDialog done={hideComparison} showBlock={showBlock} against={against} />
         </Suspense>
       )}
       {ready && which.shown && (

@@ -13,7 +13,7 @@ import { onHistoryKey } from "./history.ts";
 import { startOwn } from "./own/keep-own.ts";
 import { startOfflineLater } from "./offline/start-offline.ts";
 import { followMissing, untilHere } from "./parts.ts";
-import { startKeeping } from "./saving/keep.ts";
+import { startKeeping, useKeeping } from "./saving/keep.ts";
 import { resume } from "./saving/resume.ts";
 import { followAppearance } from "./settings/appearance.ts";
 import { fetchFirstTexts } from "./settings/loaded-texts.ts";
@@ -44,6 +44,11 @@ async function keepBeside(): Promise<void> {
   takeKeptSteps();
   startKeepingSteps();
   startKeepingPictures();
+  const { works, notices } = useKeeping.getState();
+  // Works of a newer edition are not in the list, but they are here.
+  if (notices.includes("newerWorks")) return;
+  const { forgetHandles } = await untilHere(() => import("./files/kept-handles.ts"));
+  await forgetHandles(new Set(works.map(({ work }) => work)));
 }
 
 const begun = location.hash;

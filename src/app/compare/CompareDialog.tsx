@@ -13,8 +13,8 @@ import { comparisonText, findingTexts, summaryText, verdictChange, wholeTexts, t
 import { isWriting, tallyOf, type ComparedFile } from "./compared.ts";
 import { Differences, rowsIn } from "./Differences.tsx";
 import { OtherProgram } from "./OtherProgram.tsx";
-import type { ShowBlock } from "./compare-place.ts";
-import { openedProgram, presentProgram } from "./sides.ts";
+import type { OtherText, ShowBlock } from "./compare-place.ts";
+import { openedProgram, presentProgram, withOtherText } from "./sides.ts";
 import { useProgramComparison, type ComparedPrograms } from "./use-compared.ts";
 import "./compare.css";
 
@@ -123,14 +123,23 @@ function Result({ wording, compared, names, onChoose }: { readonly wording: Word
   );
 }
 
+interface Props {
+  readonly done: () => void;
+  readonly showBlock: ShowBlock;
+  /** What it is compared with at first; null: the open work as it was opened, where it has changed since. */
+  readonly against: OtherText | null;
+}
+
 /** Sets the open program against another one, block by block in meaning, with what comes of the differences. */
-export function CompareDialog({ done, showBlock }: { readonly done: () => void; readonly showBlock: ShowBlock }) {
+export function CompareDialog({ done, showBlock, against }: Props) {
   const texts = useTexts();
   const language = useSettings((s) => s.language);
   const dialog = useRef<HTMLDialogElement>(null);
   const [words, say] = useState<CompareTexts | null>(null);
   const [present] = useState(presentProgram);
-  const [other, take] = useState(() => present && openedProgram(present));
+  const [other, take] = useState(() =>
+    present && (against ? { name: against.name, program: withOtherText(present, against.text) } : openedProgram(present))
+  );
   const name = useEditor((s) => s.program?.name ?? s.job?.name ?? "");
   const sides = useMemo(() => (present && other ? { before: other.program, after: present } : null), [present, other]);
   const compared = useProgramComparison(sides);

@@ -1,4 +1,6 @@
 import { useEffect, useId, useState } from "react";
+import { decode } from "../editor/encoding.ts";
+import { useShownName } from "../files/shown-file.ts";
 import { askForFiles } from "../files/file-handle.ts";
 import { readWork } from "../saving/device.ts";
 import { refreshWorks, useKeeping } from "../saving/keep.ts";
@@ -9,6 +11,7 @@ import type { CompareTexts } from "../../i18n/en/compare.ts";
 
 /** Where the other program comes from, as the select holds it. */
 const OPENED = "opened";
+const DEVICE = "device";
 const ELSEWHERE = "elsewhere";
 
 const isProgramText = (text: string): boolean => /[A-Z]/i.test(text);
@@ -20,7 +23,7 @@ export function OtherProgram({ words, present, other, onTake }: { readonly words
   const id = useId();
   const work = useEditor((s) => s.work);
   const works = useKeeping((k) => k.works).filter((each) => each.work !== work);
-  const [from, choose] = useState(other ? OPENED : "");
+  const [from, choose] = useState(() => (other ? (other.name === null ? OPENED : ELSEWHERE) : ""));
   const [problem, say] = useState<"unreadable" | "empty" | null>(null);
   const [pasting, paste] = useState(false);
 
@@ -32,12 +35,19 @@ export function OtherProgram({ words, present, other, onTake }: { readonly words
   const pick = async (chosen: string) => {
     choose(chosen);
     paste(false);
+    if (chosen === DEVICE) return fromDevice();
     if (chosen === "") return onTake(null);
     const kept = chosen === OPENED ? (work === null ? null : asOpened(work)) : (await readWork(chosen))?.job ?? null;
     const name = works.find((each) => each.work === chosen)?.name ?? null;
     take(kept && { name, program: asProgram(kept) });
   };
-  useEffect(() => void refreshWorks(), []);
+  const shown = useShownName();
+  const [onDevice, find] = useState(false);
+  useEffect(() => {
+    void refreshWorks();
+    if (work !== null)
+      void import("../files/kept-handles.ts").then(async ({ keptHandle }) => find((await keptHandle(work, shown)) !== null));
+  }, [work, shown]);
   const pickFile = async () => {
     const [found] = await askForFiles();
     if (!found) return;
@@ -45,6 +55,12 @@ export function OtherProgram({ words, present, other, onTake }: { readonly words
     const text = await textOfFile(found.file);
     if (text === null) take(null);
     else takeText(found.file.name, text);
+  };
+  const fromDevice = async () => {
+    const { bytesOnDevice } = await import("../files/save-back.ts");
+    const bytes = work === null ? null : await bytesOnDevice(work, shown);
+    if (bytes) takeText(words.disk(shown), decode(bytes).text);
+    else take(null);
   };
   const fromClipboard = async () => {
     choose(ELSEWHERE);
@@ -68,6 +84,7 @@ export function OtherProgram({ words, present, other, onTake }: { readonly words
         <option value="">{words.choose}</option>
         {from === ELSEWHERE && <option value={ELSEWHERE}>{other?.name ?? words.file}</option>}
         <option value={OPENED}>{words.opened}</option>
+        {onDevice && <option value={DEVICE}>{words.disk(shown)}</option>}
         {works.length > 0 && (
           <optgroup label={words.kept}>{works.map((each) => <option key={each.work} value={each.work}>{each.name}</option>)}</optgroup>
         )}

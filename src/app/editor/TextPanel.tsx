@@ -1,6 +1,5 @@
 import { useEffect, useRef, useState } from "react";
 import type { ShowBlock } from "../compare/compare-place.ts";
-import { writeFile, canSaveFiles } from "../files/file-handle.ts";
 import { Icon } from "../Icon.tsx";
 import { useVerdict } from "../findings/use-findings.ts";
 import { copyProgram } from "../leaving/copy-program.ts";
@@ -10,10 +9,11 @@ import { ProgramMore } from "../program/ProgramMore.tsx";
 import { useCopying } from "../program/copy.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { useEditor } from "../store.ts";
-import { encode } from "./encoding.ts";
+import { encode, notIn } from "./encoding.ts";
 import { downloadBytes } from "../files/download.ts";
 import { handOverText, openBlock, readWhole, sessionText, sessionView, useSession } from "./session.ts";
 import { shownFile, showFile, useShownName } from "../files/shown-file.ts";
+import { SaveButton } from "./SaveButton.tsx";
 import { SkipSwitch } from "./SkipSwitch.tsx";
 import { WorkFiles } from "./WorkFiles.tsx";
 
@@ -24,8 +24,6 @@ const showTextBlock: ShowBlock = (file, index) => {
   sessionView()?.focus();
 };
 
-type Saving = "saved" | "notSaved" | null;
-
 /** The text of the program with what can be done with its file. */
 export function TextPanel({ toBlock }: { readonly toBlock?: () => void }) {
   const t = useTexts();
@@ -35,7 +33,8 @@ export function TextPanel({ toBlock }: { readonly toBlock?: () => void }) {
   const { faults } = useVerdict();
   const copied = useCopying((c) => c.state === "copied" && c.verdict !== null);
   const leavesOut = useEditor((s) => s.program?.skipMarked ?? false);
-  const [saving, setSaving] = useState<Saving>(null);
+  const [saved, setSaved] = useState<string | null>(null);
+  const foreign = useEditor((s) => (s.program ? notIn(shownFile(s.program)) : null));
 
   useEffect(() => {
     const view = sessionView();
@@ -54,13 +53,7 @@ export function TextPanel({ toBlock }: { readonly toBlock?: () => void }) {
     return useEditor.getState().program?.text ?? "";
   };
   const allowed = (way: Way) => mayLeave(way, running());
-  const save = async () => {
-    if (!(await allowed("save"))) return;
-    const { work } = useEditor.getState();
-    if (work === null) return;
-    const how = await writeFile(work, name, bytes());
-    if (how !== "closed") setSaving(how === "written" ? "saved" : "notSaved");
-  };
+  const download = () => downloadBytes(bytes(), name);
 
   return (
     <section className={`program text-panel${leavesOut ? " leaves-out" : ""}`} aria-label={t.page.text.title}>
@@ -68,23 +61,27 @@ export function TextPanel({ toBlock }: { readonly toBlock?: () => void }) {
       <SkipSwitch />
       <div ref={box} className="text-editor number" />
       {toBlock && <button type="button" className="button to-block" onClick={toBlock}>{t.editor.form}</button>}
+      {foreign !== null && (
+        <p role="status" className="field-message warning">
+          <Icon name="warning" /> {t.editor.otherEncoding(foreign, name)}
+        </p>
+      )}
       <div className="program-buttons">
         <button type="button" className="button" aria-label={t.page.text.copyLong} onClick={() => {
           void copyProgram(running(), sessionText() ?? "");
         }}>
           <Icon name={faults > 0 ? "warning" : copied ? "check" : "copy"} /> {copied ? t.page.text.copied : t.page.text.copy}
         </button>
-        {canSaveFiles() && (
-          <button type="button" className="button" aria-label={t.editor.saveLong(name)} onClick={() => void save()}>{t.editor.save}</button>
-        )}
+        <SaveButton name={name} mayLeave={async () => (await allowed("save")) !== null} onSaved={setSaved} onDownload={download}
+          showBlock={showTextBlock} />
         <button type="button" className="button" aria-label={t.page.text.download(name)}
-          onClick={() => void allowed("download").then((verdict) => verdict && downloadBytes(bytes(), name))}
+          onClick={() => void allowed("download").then((verdict) => verdict && download())}
         >
           <Icon name="download" /> <span className="file-name">{name}</span>
         </button>
       </div>
       <ProgramMore showBlock={showTextBlock} />
-      <CopyStatus otherwise={saving === "saved" ? t.editor.saved(name) : saving === "notSaved" ? t.editor.notSaved : ""} />
+      <CopyStatus otherwise={saved === null ? "" : t.editor.saved(saved)} />
     </section>
   );
 }

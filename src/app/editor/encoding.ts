@@ -27,3 +27,10 @@ export function encode(text: string, encoding: Encoding): Uint8Array<ArrayBuffer
   const legacy = encoding === "windows-1252" ? Uint8Array.from(text, (c) => byteOf.get(c) ?? 0) : null;
   return legacy && fromLegacy(legacy) === text ? legacy : new TextEncoder().encode(text);
 }
+
+/** The first character of a file's text that its encoding does not have; null where it has them all. */
+export function notIn({ text, encoding }: { readonly text: string; readonly encoding: Encoding }): string | null {
+  if (encoding === "utf-8") return null;
+  for (const character of text) if (!byteOf.has(character)) return character;
+  return null;
+}

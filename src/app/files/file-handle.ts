@@ -1,10 +1,10 @@
-import { fileKey } from "../../program/program-files.ts";
-
 /** A file that the browser lets the page write back to. */
 export interface FileHandle {
   readonly name: string;
   getFile(): Promise<File>;
   createWritable(): Promise<{ write(data: BufferSource): Promise<void>; close(): Promise<void> }>;
+  queryPermission?(of: { readonly mode: "readwrite" }): Promise<PermissionState>;
+  requestPermission?(of: { readonly mode: "readwrite" }): Promise<PermissionState>;
 }
 
 /** What browsers with access to files add to the page. */
@@ -19,13 +19,6 @@ export const ENDINGS: readonly string[] = [".h", ".H", ".i", ".I", ".hc", ".hu",
 const types = [{ description: "Klartext", accept: { "text/plain": ENDINGS } }];
 /** Files of works, which can be opened but are saved elsewhere. */
 const works = { description: "Turnwise", accept: { "application/zip": [".zip"] } };
-
-/** Files of the works that were opened since the page was loaded. */
-const handles = new Map<string, FileHandle>();
-const nameOf = (work: string, file: string) => `${work} ${fileKey(file)}`;
-
-/** Notes the file on the device that a file of a work came from. */
-export const rememberHandle = (work: string, file: string, handle: FileHandle): void => void handles.set(nameOf(work, file), handle);
 
 export const canOpenFiles = (): boolean => typeof pickers().showOpenFilePicker === "function";
 export const canSaveFiles = (): boolean => typeof pickers().showSaveFilePicker === "function";
@@ -75,24 +68,11 @@ export async function handleOf(item: DataTransferItem): Promise<FileHandle | nul
   }
 }
 
-/** Writes to the file of a work, asking where when none is known; "closed" when the operator closes the question. */
-export async function writeFile(work: string, name: string, bytes: BufferSource): Promise<"written" | "closed" | "failed"> {
-  let handle = handles.get(nameOf(work, name)) ?? null;
-  if (!handle) {
-    try {
-      handle = (await pickers().showSaveFilePicker?.({ suggestedName: name, types })) ?? null;
-    } catch {
-      return "closed";
-    }
-  }
-  if (!handle) return "failed";
+/** Asks where a file is to be saved; null when the operator closes the question. */
+export async function askWhere(name: string): Promise<FileHandle | null> {
   try {
-    const out = await handle.createWritable();
-    await out.write(bytes);
-    await out.close();
-    rememberHandle(work, name, handle);
-    return "written";
+    return (await pickers().showSaveFilePicker?.({ suggestedName: name, types })) ?? null;
   } catch {
-    return "failed";
+    return null;
   }
 }

@@ -2,12 +2,13 @@ import { decode } from "../editor/encoding.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import type { HandedOn } from "../../program/job.ts";
 import { fileKey } from "../../program/program-files.ts";
+import { untilHere } from "../parts.ts";
 import { notice, startWork } from "../saving/keep.ts";
 import { changeProgram, useEditor } from "../store.ts";
 import { bringIn, isArchiveName } from "../works/bring-in-place.ts";
 import { textsOf, withFile, type ProgramWork, type WorkFile } from "../work.ts";
 import { fileNameOf } from "./file-name.ts";
-import { handleOf, plainFiles, rememberHandle, type Chosen, type FileHandle } from "./file-handle.ts";
+import { handleOf, plainFiles, type Chosen, type FileHandle } from "./file-handle.ts";
 import { LARGEST_PROGRAM } from "./limits.ts";
 import { missingFiles } from "./missing-files.ts";
 
@@ -19,7 +20,7 @@ export type Opening = "opened" | "tooLarge" | "unreadable";
 
 interface Read {
   readonly files: readonly WorkFile[];
-  readonly handles: readonly { readonly name: string; readonly handle: FileHandle }[];
+  readonly handles: readonly { readonly name: string; readonly handle: FileHandle; readonly bytes: Uint8Array<ArrayBuffer> }[];
   /** False when one of them could not be read. */
   readonly whole: boolean;
 }
@@ -28,7 +29,8 @@ interface Read {
 async function read(chosen: readonly Chosen[]): Promise<Read> {
   const all = await Promise.all(chosen.map(async ({ file, handle }) => {
     try {
-      return { file: { name: file.name, ...decode(new Uint8Array(await file.arrayBuffer())) }, handle };
+      const bytes = new Uint8Array(await file.arrayBuffer());
+      return { file: { name: file.name, ...decode(bytes) }, handle, bytes };
     } catch {
       return null;
     }
@@ -36,14 +38,17 @@ async function read(chosen: readonly Chosen[]): Promise<Read> {
   const found = [...new Map(all.flatMap((each) => (each ? [[fileKey(each.file.name), each] as const] : [])).reverse()).values()].reverse();
   return {
     files: found.map(({ file }) => file),
-    handles: found.flatMap(({ file, handle }) => (handle ? [{ name: file.name, handle }] : [])),
+    handles: found.flatMap(({ file, handle, bytes }) => (handle ? [{ name: file.name, handle, bytes }] : [])),
     whole: all.every((each) => each !== null),
   };
 }
 
-function remember({ handles }: Read): void {
+/** Notes the files of the device that the open work came from, so that it can be saved back to them. */
+async function remember({ handles }: Pick<Read, "handles">): Promise<void> {
   const { work } = useEditor.getState();
-  if (work !== null) { for (const { name, handle } of handles) rememberHandle(work, name, handle); }
+  if (work === null || handles.length === 0) return;
+  const { keepHandle } = await untilHere(() => import("./kept-handles.ts"));
+  for (const { name, handle, bytes } of handles) await keepHandle(work, name, handle, bytes);
 }
 
 /** Files that were opened together as one work: the program that no other calls runs, the others stand beside it. */
@@ -72,7 +77,7 @@ export async function openFiles(chosen: readonly Chosen[]): Promise<Opening> {
     const program = await together(found.files);
     if (!program) return "unreadable";
     openProgram(program);
-    remember(found);
+    void remember(found);
     if (!found.whole) notice("fileUnreadable");
     return "opened";
   } catch {
@@ -91,7 +96,7 @@ export async function addFiles(chosen: readonly Chosen[], name: string | null = 
   const named = ([file]: readonly WorkFile[]) => (file && name !== null ? [{ ...file, name }] : []);
   const files = name !== null && found.files.length === 1 ? named(found.files) : found.files;
   changeProgram((now) => files.reduce(withFile, now));
-  remember(found);
+  void remember(found);
   if (!found.whole) notice("fileUnreadable");
 }
 

@@ -7,7 +7,8 @@ export const editor = {
   save: "Speichern",
   saveLong: (file) => `In ${file} speichern`,
   saved: (file) => `${file} ist gespeichert.`,
-  notSaved: "Die Datei konnte nicht geschrieben werden. Stattdessen herunterladen.",
+  otherEncoding: (character, file) =>
+    `„${character}“ fehlt in der älteren Zeichentabelle von ${file}: damit wird die Datei als UTF-8 gespeichert.`,
   list: "Teile des Programms",
   filter: "Zeigen",
   filters: { all: "Alles", operations: "Bearbeitungen", labels: "Labels und Konturen", notes: "Kommentare" },

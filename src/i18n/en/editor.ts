@@ -8,7 +8,8 @@ export const editor = {
   save: "Save",
   saveLong: (file: string) => `Save to ${file}`,
   saved: (file: string) => `${file} is saved.`,
-  notSaved: "The file could not be written. Download it instead.",
+  otherEncoding: (character: string, file: string) =>
+    `“${character}” is not in the older character set of ${file}: with it the file is saved as UTF-8.`,
   /* list of parts and totals */
   list: "Parts of the program",
   filter: "Show",

@@ -7,7 +7,8 @@ export const editor = {
   save: "Enregistrer",
   saveLong: (file) => `Enregistrer dans ${file}`,
   saved: (file) => `${file} est enregistré.`,
-  notSaved: "Le fichier n’a pas pu être écrit. Le télécharger à la place.",
+  otherEncoding: (character, file) =>
+    `« ${character} » n’est pas dans l’ancien jeu de caractères de ${file} : le fichier sera enregistré en UTF-8.`,
   list: "Parties du programme",
   filter: "Afficher",
   filters: { all: "Tout", operations: "Opérations", labels: "Labels et contours", notes: "Notes" },

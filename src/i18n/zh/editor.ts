@@ -7,7 +7,7 @@ export const editor = {
   save: "保存",
   saveLong: (file) => `保存到 ${file}`,
   saved: (file) => `${file} 已保存。`,
-  notSaved: "无法写入文件。请改为下载。",
+  otherEncoding: (character, file) => `${file} 使用旧数控系统的字符编码，其中没有“${character}”：文件将以 UTF-8 保存。`,
   list: "程序的各部分",
   filter: "显示",
   filters: { all: "全部", operations: "工序", labels: "标签和轮廓", notes: "注释" },

@@ -1,0 +1,67 @@
+import { useLayoutEffect, useRef } from "react";
+import { Icon } from "../Icon.tsx";
+import type { SaveBack, SaveHow } from "./save-back.ts";
+import { useFilesTexts } from "./use-files-texts.ts";
+
+/** What stands in the way of saving. */
+export type Obstacle = Exclude<SaveBack, { readonly kind: "written" | "closed" }>;
+
+interface Props {
+  readonly file: string;
+  readonly obstacle: Obstacle;
+  readonly canSave: boolean;
+  readonly onSave: (how: SaveHow) => void;
+  readonly onDownload: () => void;
+  /** Compares with what the file holds now. */
+  readonly onCompare: (bytes: Uint8Array<ArrayBuffer>) => void;
+  readonly done: () => void;
+}
+
+/** A file that was not written, with why, and what can be done. Closing it leaves everything as it is. */
+export function SaveProblem({ file, obstacle, canSave, onSave, onDownload, onCompare, done }: Props) {
+  const t = useFilesTexts();
+  const dialog = useRef<HTMLDialogElement>(null);
+  useLayoutEffect(() => {
+    const { current } = dialog;
+    current?.showModal();
+    return () => current?.close();
+  }, []);
+  const leave = (way: () => void) => () => {
+    dialog.current?.close();
+    way();
+  };
+  const title = t?.[obstacle.kind].title(file);
+  return (
+    <dialog ref={dialog} className="save-problem" role="alertdialog" aria-label={title} onClose={() => !dialog.current?.open && done()}>
+      {t && (
+        <>
+          <h2>
+            <Icon name="warning" /> {title}
+          </h2>
+          <p>{t[obstacle.kind].text}</p>
+          <div className="program-ways">
+            {obstacle.kind === "changed" && (
+              <>
+                <button type="button" className="button primary" onClick={leave(() => onCompare(obstacle.bytes))}>{t.compare}</button>
+                <button type="button" className="button danger" onClick={leave(() =>
+                  onSave("overwrite")
+                )}>
+                  {t.overwrite}
+                </button>
+              </>
+            )}
+            {canSave && (
+              <button type="button" className="button" onClick={leave(() => onSave("elsewhere"))}>{t.elsewhere}</button>
+            )}
+            <button type="button" className="button" onClick={leave(onDownload)}>{t.download}</button>
+            <button type="button" className="button" onClick={() =>
+              dialog.current?.close()}
+            >
+              {t.cancel}
+            </button>
+          </div>
+        </>
+      )}
+    </dialog>
+  );
+}
