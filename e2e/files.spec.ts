@@ -1,3 +1,5 @@
+import { files as words } from "../src/i18n/en/files.ts";
+import { looksRightInBoth } from "./pages/look.ts";
 import { provedIn } from "./pages/effect.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
@@ -137,4 +139,46 @@ test("a link carries the files of a work and its switch", async ({ page, context
   await expect(opened.file("defines.h")).toBeVisible();
   await expect(opened.leaveOut).toBeChecked();
   await expect(opened.total(t.editor.operations)).toHaveText("1");
+});
+
+test("of a folder with several programs one is opened with what it calls, or all, each as a work of its own", async ({ page }) => {
+  // The browser's own question for a folder can not be answered from here: it is one of the page's own place on the device.
+  await page.addInitScript(() =>
+    Object.assign(window, { showDirectoryPicker: async () => (await navigator.storage.getDirectory()).getDirectoryHandle("job") })
+  );
+  const turnwise = await Turnwise.open(page);
+  const { editor, t } = turnwise;
+  const other = AWAY.replaceAll("AWAY", "OTHER");
+  await page.evaluate(async (all) => {
+    const root = await (await navigator.storage.getDirectory()).getDirectoryHandle("job", { create: true });
+    for (const [path, text] of Object.entries(all)) {
+      const [name = "", folder] = path.split("/").reverse();
+      const place = folder === undefined ? root : await root.getDirectoryHandle(folder, { create: true });
+      const out = await (await place.getFileHandle(name, { create: true })).createWritable();
+      await out.write(text);
+      await out.close();
+    }
+  }, { "MAIN.h": MAIN, "work/away.h": AWAY, "work/defines.h": DEFINES, "OTHER.h": other, ".hidden.h": AWAY, "photo.jpg": "1" });
+  const openFolder = page.getByRole("button", { name: t.page.programs.openFolder, exact: true });
+  await openFolder.click();
+  const question = page.getByRole("dialog", { name: words.choose.title, exact: true });
+  await expect(question.getByRole("listitem")).toHaveCount(2);
+  await expect(question.getByRole("button", { name: words.choose.open("MAIN.h") })).toContainText(words.choose.with(2));
+  await expect(question).toContainText(words.choose.skipped(1));
+  for (const width of [1280, 390]) {
+    await page.setViewportSize({ width, height: 844 });
+    await looksRightInBoth(page, `the question which program at ${width}`);
+  }
+  await page.setViewportSize({ width: 1280, height: 800 });
+  await question.getByRole("button", { name: words.choose.open("MAIN.h") }).click();
+  await expect(editor.total(t.editor.operations)).toHaveText("1");
+  await expect(editor.file("defines.h")).toBeVisible();
+  await expect(editor.file("OTHER.h")).toHaveCount(0);
+
+  await page.getByRole("button", { name: t.page.home, exact: true }).click();
+  await openFolder.click();
+  await question.getByRole("button", { name: words.choose.all(2), exact: true }).click();
+  await expect(page.getByRole("heading", { level: 1 })).toHaveText("MAIN.h");
+  await page.getByRole("button", { name: t.page.home, exact: true }).click();
+  await expect(page.getByRole("button", { name: t.page.start.continueWork("OTHER.h"), exact: true })).toHaveCount(1);
 });

@@ -1,6 +1,7 @@
 import { Suspense, useEffect } from "react";
 import { menuCycle } from "./chooser/menu.ts";
 import { Header } from "./Header.tsx";
+import { useChoice } from "./files/choice.ts";
 import { DropProgram } from "./files/DropProgram.tsx";
 import { NumberKeys } from "./keypad/NumberKeys.tsx";
 import { HandedLine, IncomingWork } from "./handing/HandedParts.tsx";
@@ -37,6 +38,7 @@ const WorksPage = lazyPart(async () => ({ default: (await import("./works/WorksP
 const BringInDialog = lazyPart(async () => ({ default: (await import("./works/BringInDialog.tsx")).BringInDialog }));
 const ElsewherePage = lazyPart(async () => ({ default: (await import("./works/ElsewherePage.tsx")).ElsewherePage }));
 /** Fetched with its texts when somebody asks. */
+const ChooseProgram = lazyPart(async () => ({ default: (await import("./files/ChooseProgram.tsx")).ChooseProgram }));
 const CompareDialog = lazyPart(async () => ({ default: (await import("./compare/CompareDialog.tsx")).CompareDialog }));
 const WhichCycle = lazyPart(async () => ({ default: (await import("./which/WhichCycle.tsx")).WhichCycle }));
 const fetchSheet = later(() => import("./sheet/SheetPage.tsx"));
@@ -77,6 +79,7 @@ export function App() {
   const bringing = useBringing((b) => b.shown);
   const which = useWhichPlace();
   const { showBlock, against } = useComparing();
+  const { choice } = useChoice();
   const refused = useCopying((c) => c.state === "refused");
   const t = useFirstTexts().page;
   const sheet = useSheetShown();
@@ -142,6 +145,11 @@ export function App() {
       {ready && bringing && (
         <Suspense>
           <BringInDialog of={bringing} />
+        </Suspense>
+      )}
+      {choice && (
+        <Suspense>
+          <ChooseProgram {...choice} />
         </Suspense>
       )}
       <DropProgram />

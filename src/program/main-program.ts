@@ -34,26 +34,40 @@ function namedBy(s: Statement): readonly string[] {
 export const namedFiles = (program: Program): ReadonlySet<string> =>
   new Set(program.blocks.flatMap(({ statement }) => namedBy(statement)).map(fileKey));
 
-/** How many of the files a program reaches by calls of calls, itself not counted. */
-function reachOf(key: string, names: ReadonlyMap<string, ReadonlySet<string>>): number {
+/** Keys of the files that a program reaches by calls of calls, itself among them. */
+function reachedFrom(key: string, names: ReadonlyMap<string, ReadonlySet<string>>): ReadonlySet<string> {
   const seen = new Set([key]);
   for (const next of seen) for (const name of names.get(next) ?? []) if (names.has(name)) seen.add(name);
-  return seen.size - 1;
+  return seen;
+}
+
+/** Files that were opened together: which one runs, and the programs among them that each could be a work of its own. */
+export interface MainPrograms {
+  readonly index: number;
+  /** False where it is not clear which one runs: no program is called by none, or several are. */
+  readonly sure: boolean;
+  /** Programs that no other calls, each with the files that it reaches by calls of calls, in the order of the files. */
+  readonly free: readonly { readonly index: number; readonly calls: readonly number[] }[];
 }
 
 /**
  * Which of the files that were opened together runs: the program that no other calls. Where that is none or several, the one
  * that reaches most of the others, then the first; `sure` is false then.
  */
-export function mainOf(files: readonly TextFile[], parse: (text: string) => Program): { readonly index: number; readonly sure: boolean } {
+export function mainOf(files: readonly TextFile[], parse: (text: string) => Program): MainPrograms {
   const keys = files.map(({ name }) => fileKey(name));
   const names = new Map(files.map(({ text }, i) => [keys[i] ?? "", MAY_NAME.test(text) ? namedFiles(parse(text)) : new Set<string>()]));
-  const isCalled = (key: string) => [...names].some(([by, called]) => by !== key && called.has(key));
+  const called = new Map<string, string[]>();
+  for (const [by, all] of names) for (const name of all) if (name !== by) called.set(name, [...(called.get(name) ?? []), by]);
   const programs = files.flatMap(({ text }, i) => (BEGIN.test(text) ? [i] : []));
-  const free = programs.filter((i) => !isCalled(keys[i] ?? ""));
+  const reached = (i: number) => reachedFrom(keys[i] ?? "", names);
+  const free = programs.filter((i) => !called.has(keys[i] ?? "")).map((index) => {
+    const all = reached(index);
+    return { index, calls: keys.flatMap((key, i) => (i !== index && all.has(key) ? [i] : [])) };
+  });
   const [only] = free;
-  if (only !== undefined && free.length === 1) return { index: only, sure: true };
-  const reach = (i: number) => reachOf(keys[i] ?? "", names);
-  const [best = 0] = (free.length > 0 ? free : programs).toSorted((a, b) => reach(b) - reach(a));
-  return { index: best, sure: false };
+  if (only && free.length === 1) return { index: only.index, sure: true, free };
+  const candidates = free.length > 0 ? free.map(({ index }) => index) : programs;
+  const [best = 0] = candidates.toSorted((a, b) => reached(b).size - reached(a).size);
+  return { index: best, sure: false, free };
 }

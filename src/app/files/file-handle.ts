@@ -7,9 +7,17 @@ export interface FileHandle {
   requestPermission?(of: { readonly mode: "readwrite" }): Promise<PermissionState>;
 }
 
+/** A folder that the browser lets the page look into. */
+export interface FolderHandle {
+  readonly kind: "directory";
+  readonly name: string;
+  values(): AsyncIterable<FolderHandle | (FileHandle & { readonly kind: "file" })>;
+}
+
 /** What browsers with access to files add to the page. */
 interface FilePickers {
   readonly showOpenFilePicker?: (options: object) => Promise<readonly FileHandle[]>;
+  readonly showDirectoryPicker?: () => Promise<FolderHandle>;
   readonly showSaveFilePicker?: (options: object) => Promise<FileHandle>;
 }
 
@@ -58,10 +66,10 @@ export function askForFiles(): Promise<readonly Chosen[]> {
   });
 }
 
-/** The file behind something that was dropped; null where the browser gives no access to it. */
-export async function handleOf(item: DataTransferItem): Promise<FileHandle | null> {
+/** The file or folder behind something that was dropped; null where the browser gives no access to it. */
+export async function handleOf(item: DataTransferItem): Promise<FileHandle | FolderHandle | null> {
   try {
-    const get = (item as { getAsFileSystemHandle?: () => Promise<FileHandle | null> }).getAsFileSystemHandle;
+    const get = (item as { getAsFileSystemHandle?: () => Promise<FileHandle | FolderHandle | null> }).getAsFileSystemHandle;
     return get ? await get.call(item) : null;
   } catch {
     return null;
@@ -72,6 +80,17 @@ export async function handleOf(item: DataTransferItem): Promise<FileHandle | nul
 export async function askWhere(name: string): Promise<FileHandle | null> {
   try {
     return (await pickers().showSaveFilePicker?.({ suggestedName: name, types })) ?? null;
+  } catch {
+    return null;
+  }
+}
+
+/** Asks for a folder; null when the operator closes the question, undefined where the browser can not ask for it in this way. */
+export async function pickFolder(): Promise<FolderHandle | null | undefined> {
+  const pick = pickers().showDirectoryPicker;
+  if (!pick) return undefined;
+  try {
+    return await pick.call(window);
   } catch {
     return null;
   }

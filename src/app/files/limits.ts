@@ -1,5 +1,8 @@
 /** Largest program that is opened from a file or unpacked from a link, bytes: twice the longest that is measured (docs/performance.md). */
 export const LARGEST_PROGRAM = 20_000_000;
+/** What is taken from one folder at most: files, and folders in folders. */
+export const MOST_FILES = 500;
+export const DEEPEST_FOLDER = 8;
 /** Longest address that every browser opens, characters. */
 export const LONGEST_LINK = 2_000_000;
 /** Longer addresses are cut by many programs, characters. */

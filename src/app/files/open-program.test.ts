@@ -7,6 +7,7 @@ import { useKeeping } from "../saving/keep.ts";
 import { undo, redo } from "../steps.ts";
 import { begin, changeProgram, useEditor } from "../store.ts";
 import { textsOf } from "../work.ts";
+import { endChoice, useChoice } from "./choice.ts";
 import { plainFiles } from "./file-handle.ts";
 import { LARGEST_PROGRAM } from "./limits.ts";
 import { missingFiles } from "./missing-files.ts";
@@ -44,6 +45,7 @@ beforeEach(() => {
   forgetOutcome();
   showFile(null);
   useKeeping.setState({ notices: [] });
+  endChoice();
 });
 
 test("one file is a program alone; several are one work, and the one that no other calls runs", async () => {
@@ -54,8 +56,27 @@ test("one file is a program alone; several are one work, and the one that no oth
   expect(useKeeping.getState().notices).toEqual([]);
 });
 
-test("that it is not clear which one runs is said", async () => {
-  await openFiles(chosen({ "a.h": pgm("L X+1"), "b.h": pgm("L X+2") }));
+test("several programs that no other calls are not forced into one work: which is opened is asked", async () => {
+  const texts = { "a.h": pgm("CALL PGM SUB"), "b.h": pgm("L X+2\nCALL PGM TNC:\\sub\\SUB.H"), "sub.h": pgm("L X+3"), "p.tab": "1" };
+  const choice = () => {
+    const { choice: asked } = useChoice.getState();
+    if (!asked) throw new Error("nothing is asked");
+    return asked;
+  };
+  expect(await openFiles(chosen(texts))).toBe("opened");
+  expect(useEditor.getState().program).toBeNull();
+  expect(choice().works.map((work) => textsOf(work).map(({ name }) => name))).toEqual([["a.h", "sub.h"], ["b.h", "sub.h"]]);
+  choice().open(choice().works);
+  expect(names()).toEqual(["a.h", "sub.h"]);
+  undo();
+  expect(names()).toEqual(["b.h", "sub.h"]);
+  choice().together();
+  expect(names()).toEqual(["a.h", "b.h", "sub.h", "p.tab"]);
+  expect(useKeeping.getState().notices).toEqual([]);
+});
+
+test("programs that all call each other are one work, and that it is not clear which one runs is said", async () => {
+  await openFiles(chosen({ "a.h": pgm("CALL PGM B"), "b.h": pgm("CALL PGM A") }));
   expect(names()).toEqual(["a.h", "b.h"]);
   expect(useKeeping.getState().notices).toEqual(["mainUnsure"]);
 });
@@ -108,7 +129,7 @@ test("what is dropped on a program that waits for it belongs to it; anything els
   expect(names()).toEqual(["main.h", "cut.h"]);
   expect(useEditor.getState().work).toBe(work);
   calculate();
-  await drop({ "b.h": pgm("L X+1"), "c.h": pgm("L X+2") });
+  await drop({ "b.h": pgm("CALL PGM C"), "c.h": pgm("L X+2") });
   expect(names()).toEqual(["b.h", "c.h"]);
   expect(useEditor.getState().work).not.toBe(work);
 });

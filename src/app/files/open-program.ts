@@ -8,6 +8,8 @@ import { changeProgram, useEditor } from "../store.ts";
 import { bringIn, isArchiveName } from "../works/bring-in-place.ts";
 import { textsOf, withFile, type ProgramWork, type WorkFile } from "../work.ts";
 import { fileNameOf } from "./file-name.ts";
+import { askWhich, useChoice } from "./choice.ts";
+import type { FolderContent } from "./folder.ts";
 import { handleOf, plainFiles, type Chosen, type FileHandle } from "./file-handle.ts";
 import { LARGEST_PROGRAM } from "./limits.ts";
 import { missingFiles } from "./missing-files.ts";
@@ -51,15 +53,48 @@ async function remember({ handles }: Pick<Read, "handles">): Promise<void> {
   for (const { name, handle, bytes } of handles) await keepHandle(work, name, handle, bytes);
 }
 
-/** Files that were opened together as one work: the program that no other calls runs, the others stand beside it. */
-async function together(files: readonly WorkFile[]): Promise<ProgramWork | null> {
+/** Opens a work that was read, with the way back to its files. */
+function openRead(work: ProgramWork, { handles }: Pick<Read, "handles">): void {
+  openProgram(work);
+  const keys = new Set(textsOf(work).map(({ name }) => fileKey(name)));
+  void remember({ handles: handles.filter(({ name }) => keys.has(fileKey(name))) });
+}
+
+/**
+ * Opens files together: as one work where one program calls the others, the rest beside it. Where several programs could run, which is
+ * asked; closing the question opens none.
+ */
+async function openTogether(found: Read, { skipped, isCut }: Omit<FolderContent, "files">): Promise<boolean> {
+  const { files } = found;
   const [first] = files;
-  if (!first || files.length === 1) return first ?? null;
+  if (!first) return false;
+  if (files.length === 1) {
+    openRead(first, found);
+    return true;
+  }
   const [{ mainOf }, { parse }] = await Promise.all([import("../../program/main-program.ts"), import("../../nc/parse.ts")]);
-  const { index, sure } = mainOf(files, parse);
+  const { index, sure, free } = mainOf(files, parse);
   const main = files[index] ?? first;
-  if (!sure) notice("mainUnsure");
-  return { ...main, files: files.filter((file) => file !== main) };
+  const whole: ProgramWork = { ...main, files: files.filter((file) => file !== main) };
+  const workOf = (at: number, calls: readonly number[]): ProgramWork => {
+    const beside = calls.flatMap((i) => files[i] ?? []);
+    const own = files[at] ?? first;
+    return beside.length > 0 ? { ...own, files: beside } : own;
+  };
+  if (free.length < 2) {
+    openRead(whole, found);
+    if (!sure) notice("mainUnsure");
+    return true;
+  }
+  askWhich({
+    works: free.map(({ index: at, calls }) => workOf(at, calls)),
+    skipped,
+    isCut,
+    // The first of them is opened last: it is the one that is seen.
+    open: (works) => works.toReversed().forEach((work) => openRead(work, found)),
+    together: () => openRead(whole, found),
+  });
+  return true;
 }
 
 const sizeOf = (chosen: readonly Chosen[]): number => chosen.reduce((sum, { file }) => sum + file.size, 0);
@@ -71,18 +106,26 @@ export async function openFiles(chosen: readonly Chosen[]): Promise<Opening> {
     await bringIn(first.file);
     return "opened";
   }
+  return openRest(chosen, { skipped: 0, isCut: false });
+}
+
+async function openRest(chosen: readonly Chosen[], leftOut: Omit<FolderContent, "files">): Promise<Opening> {
   try {
     if (sizeOf(chosen) > LARGEST_PROGRAM) return "tooLarge";
     const found = await read(chosen);
-    const program = await together(found.files);
-    if (!program) return "unreadable";
-    openProgram(program);
-    void remember(found);
+    if (!(await openTogether(found, leftOut))) return "unreadable";
     if (!found.whole) notice("fileUnreadable");
     return "opened";
   } catch {
     return "unreadable";
   }
+}
+
+/** Opens what lies in a folder. What is left out of it is said. */
+export async function openFolder({ files, ...leftOut }: FolderContent): Promise<Opening> {
+  const opening = await openRest(files, leftOut);
+  if (opening === "opened" && (leftOut.skipped > 0 || leftOut.isCut) && !useChoice.getState().choice) notice("filesLeftOut");
+  return opening;
 }
 
 /** Puts files beside the open program, as one step of undo. A single one may stand under the name by which it is called. */
@@ -114,16 +157,26 @@ function areWaitedFor(chosen: readonly Chosen[]): boolean {
 /** Opens what was dropped on the page, with the right to write it back where the browser gives it. What can not be opened is said. */
 export async function openDropped(data: DataTransfer): Promise<void> {
   // What is dropped can only be asked for at once.
-  const handles = [...data.items].filter((each) => each.kind === "file").map(handleOf);
+  const items = [...data.items].filter((each) => each.kind === "file");
+  const entries = items.map((each) => each.webkitGetAsEntry?.() ?? null);
+  const handles = items.map(handleOf);
   const files = [...data.files];
   const text = data.getData("text/plain");
-  if (files.length > 0) {
-    const known = await Promise.all(handles);
-    const chosen = plainFiles(files).map((each, i) => ({ ...each, handle: known[i] ?? null }));
-    if (areWaitedFor(chosen)) return addFiles(chosen);
-    const opening = await openFiles(chosen);
+  const sayNot = (opening: Opening) => {
     if (opening !== "opened") notice(opening === "tooLarge" ? "fileTooLarge" : "fileUnreadable");
-    return;
+  };
+  const known = await Promise.all(handles);
+  if (entries.some((entry) => entry?.isDirectory) || known.some((handle) => handle && "values" in handle)) {
+    const { filesOfDrop } = await untilHere(() => import("./folder.ts"));
+    return sayNot(await openFolder(await filesOfDrop(items.map((_, i) => ({ handle: known[i] ?? null, entry: entries[i] ?? null })))));
+  }
+  if (files.length > 0) {
+    const chosen = plainFiles(files).map((each, i): Chosen => {
+      const handle = known[i] ?? null;
+      return { ...each, handle: handle && !("values" in handle) ? handle : null };
+    });
+    if (areWaitedFor(chosen)) return addFiles(chosen);
+    return sayNot(await openFiles(chosen));
   }
   if (text.trim() !== "") openText(text);
 }

@@ -1,7 +1,9 @@
 import { useRef, useState } from "react";
 import type { ExampleId } from "../../examples/index.ts";
-import { canOpenFiles, ENDINGS, pickFiles, plainFiles, type Chosen } from "../files/file-handle.ts";
-import { openFiles, openText, type Opening } from "../files/open-program.ts";
+import { canOpenFiles, ENDINGS, pickFiles, pickFolder, plainFiles, type Chosen } from "../files/file-handle.ts";
+import type * as FolderPart from "../files/folder.ts";
+import { untilHere } from "../parts.ts";
+import { openFiles, openFolder, openText, type Opening } from "../files/open-program.ts";
 import { Icon } from "../Icon.tsx";
 import { useFirstTexts } from "../settings/use-first-texts.ts";
 import { WhichButton } from "../which/WhichButton.tsx";
@@ -24,12 +26,20 @@ export function ProgramStart({ pictures }: { readonly pictures: StartPictures | 
   const [pasted, paste] = useState(false);
   const area = useRef<HTMLTextAreaElement>(null);
   const file = useRef<HTMLInputElement>(null);
+  const folder = useRef<HTMLInputElement>(null);
   const dialog = useRef<HTMLDialogElement>(null);
 
   const take = async (chosen: readonly Chosen[]) => setOpening(chosen.length > 0 ? await openFiles(chosen) : "opened");
   const ask = async () => {
     if (!canOpenFiles()) return file.current?.click();
     await take(await pickFiles());
+  };
+  const takeFolder = async (content: (part: typeof FolderPart) => Promise<FolderPart.FolderContent>) =>
+    setOpening(await openFolder(await content(await untilHere(() => import("../files/folder.ts")))));
+  const askFolder = async () => {
+    const picked = await pickFolder();
+    if (picked === undefined) return folder.current?.click();
+    if (picked) await takeFolder(({ filesOfFolder }) => filesOfFolder(picked));
   };
 
   return (
@@ -40,6 +50,11 @@ export function ProgramStart({ pictures }: { readonly pictures: StartPictures | 
         <button type="button" className="button primary" onClick={() => void ask()}>{t.programs.openFile}</button>
         <input ref={file} type="file" multiple hidden accept={[...ENDINGS, "text/plain", ".zip"].join(",")}
           onChange={(event) => void take(plainFiles(event.currentTarget.files))} />
+        <button type="button" className="button" onClick={() => void askFolder()}>{t.programs.openFolder}</button>
+        <input ref={folder} type="file" multiple hidden {...{ webkitdirectory: "" }} onChange={(event) => {
+          const list = [...event.currentTarget.files ?? []];
+          if (list.length > 0) void takeFolder(({ filesOfList }) => filesOfList(list));
+        }} />
         <button type="button" className="button" onClick={() => dialog.current?.showModal()}>{t.programs.paste}</button>
         <button type="button" className="button" onClick={() => create(true)}>{t.programs.create}</button>
         <WhichButton className="button" name={t.start.which} />

@@ -79,6 +79,7 @@ export const page = {
     title: "Ganze Programme",
     lead: "Ein Klartext-Programm öffnen, verstehen, im Dialog ändern und unversehrt wieder mitnehmen.",
     openFile: "Dateien öffnen",
+    openFolder: "Ordner öffnen",
     paste: "Programm einfügen",
     create: "Neues leeres Programm",
     drop: "oder Dateien hier ablegen",
@@ -188,6 +189,8 @@ export const page = {
     engineFailed: "Die Berechnung ist abgebrochen. Die Werte sind sicher, und sie lässt sich neu starten.",
     toolsDamaged:
       "Die gespeicherte Werkzeugtabelle ließ sich nicht lesen. Sie wurde beiseitegelegt; es gelten die mitgelieferten Werkzeuge.",
+    filesLeftOut:
+      "Aus dem Ordner wurde nicht alles geöffnet: Dateien, die keine Programmtexte sind oder zu viele auf einmal wären, blieben weg.",
     mainUnsure: "Kein Programm hier ruft alle anderen auf. Soll ein anderes laufen, dieses in der Dateiliste über dem Text wählen.",
     toolsNotKept: "Dieser Browser speichert die Werkzeugtabelle nicht auf dem Gerät. Vor dem Schließen der Seite exportieren.",
     ownDamaged: "Die gespeicherten eigenen Zyklen waren nicht lesbar. Sie wurden beiseitegelegt, nichts wurde gelöscht.",

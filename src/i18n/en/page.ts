@@ -77,6 +77,7 @@ export const page = {
     title: "Whole programs",
     lead: "Open a Klartext program, understand it, change it by dialog, and take it back unharmed.",
     openFile: "Open files",
+    openFolder: "Open folder",
     paste: "Paste a program",
     create: "New empty program",
     drop: "or drop files here",
@@ -181,6 +182,8 @@ export const page = {
     fileUnreadable: "The file could not be read and was not opened. Your own work is as it was.",
     engineFailed: "The calculation broke off. Your values are safe, and it can be started again.",
     toolsDamaged: "The saved tool table could not be read. It was set aside; the shipped tools are in place.",
+    filesLeftOut:
+      "Not everything in the folder was opened: files that are no program texts, or more than is opened at once, were left out.",
     mainUnsure: "No program here calls all the others. If another one is to run, choose it in the list of files above the text.",
     toolsNotKept: "This browser does not keep the tool table on the device. Export it before you close the page.",
     ownDamaged: "The saved own cycles could not be read. They were set aside, nothing was deleted.",

@@ -79,6 +79,7 @@ export const page = {
     title: "Programmes entiers",
     lead: "Ouvrir un programme Klartext, le comprendre, le modifier par dialogue et le reprendre intact.",
     openFile: "Ouvrir des fichiers",
+    openFolder: "Ouvrir un dossier",
     paste: "Coller un programme",
     create: "Nouveau programme vide",
     drop: "ou déposer des fichiers ici",
@@ -187,6 +188,7 @@ export const page = {
     fileUnreadable: "Le fichier n’a pas pu être lu et n’a pas été ouvert. Le travail en cours est inchangé.",
     engineFailed: "Le calcul s’est interrompu. Les valeurs sont conservées, et il peut être relancé.",
     toolsDamaged: "Le tableau d’outils enregistré est illisible. Il a été mis de côté ; les outils fournis sont en place.",
+    filesLeftOut: "Tout le dossier n’a pas été ouvert : les fichiers qui ne sont pas des textes de programme, ou de trop, ont été laissés.",
     mainUnsure:
       "Aucun programme ici n’appelle tous les autres. Si un autre doit tourner, le choisir dans la liste des fichiers au-dessus du texte.",
     toolsNotKept: "Ce navigateur ne conserve pas le tableau d’outils sur l’appareil. L’exporter avant de fermer la page.",

@@ -1,0 +1,16 @@
+import { create } from "zustand";
+import type { ProgramWork } from "../work.ts";
+
+/** Several programs that were opened at once and do not call each other: which are opened is asked. */
+export interface ProgramChoice {
+  /** Each main program with what it calls. */
+  readonly works: readonly ProgramWork[];
+  readonly skipped: number;
+  readonly isCut: boolean;
+  readonly open: (works: readonly ProgramWork[]) => void;
+  readonly together: () => void;
+}
+
+export const useChoice = create<{ readonly choice: ProgramChoice | null }>(() => ({ choice: null }));
+export const askWhich = (choice: ProgramChoice): void => useChoice.setState({ choice });
+export const endChoice = (): void => useChoice.setState({ choice: null });

@@ -1,0 +1,110 @@
+import { ENDINGS, type Chosen, type FileHandle, type FolderHandle } from "./file-handle.ts";
+import { DEEPEST_FOLDER, LARGEST_PROGRAM, MOST_FILES } from "./limits.ts";
+
+/** What was found in a folder. */
+export interface FolderContent {
+  readonly files: readonly Chosen[];
+  /** Files that are no program texts, by their names: hidden ones are not counted. */
+  readonly skipped: number;
+  /** The folder holds more than is taken at once. */
+  readonly isCut: boolean;
+}
+
+const isHidden = (name: string): boolean => name.startsWith(".") || name.startsWith("~");
+const ours = new Set(ENDINGS.map((ending) => ending.toUpperCase()));
+const isOurs = (name: string): boolean => ours.has(/\.[^.]*$/.exec(name)?.[0].toUpperCase() ?? "");
+
+/** One member of a folder, whichever way the browser shows it. */
+type Member = { readonly kind: "folder"; readonly name: string; readonly members: () => Promise<readonly Member[]> } | {
+  readonly kind: "file";
+  readonly name: string;
+  readonly file: () => Promise<Chosen>;
+};
+
+/** Goes through folders, the outer files first, and stops at the limits. What can not be read is left out. */
+async function gather(roots: readonly Member[]): Promise<FolderContent> {
+  const files: Chosen[] = [];
+  let [skipped, size, isCut] = [0, 0, false];
+  let level: readonly Member[] = roots;
+  for (let depth = 0; level.length > 0; depth += 1) {
+    if (depth > DEEPEST_FOLDER) return { files, skipped, isCut: true };
+    const inner: Member[] = [];
+    for (const member of level) {
+      if (isHidden(member.name)) continue;
+      try {
+        if (member.kind === "folder") inner.push(...(await member.members()));
+        else if (!isOurs(member.name)) skipped += 1;
+        else {
+          const chosen = await member.file();
+          if (files.length >= MOST_FILES || size + chosen.file.size > LARGEST_PROGRAM) {
+            isCut = true;
+            continue;
+          }
+          size += chosen.file.size;
+          files.push(chosen);
+        }
+      } catch {
+        skipped += 1;
+      }
+    }
+    level = inner;
+  }
+  return { files, skipped, isCut };
+}
+
+const memberOfHandle = (handle: FolderHandle | FileHandle): Member =>
+  "values" in handle
+    ? {
+      kind: "folder",
+      name: handle.name,
+      members: async () => {
+        const members: Member[] = [];
+        for await (const each of handle.values()) members.push(memberOfHandle(each));
+        return members;
+      },
+    }
+    : { kind: "file", name: handle.name, file: async () => ({ file: await handle.getFile(), handle }) };
+
+/** All files of a directory entry: browsers hand over a hundred at a time. */
+async function entriesIn(entry: FileSystemDirectoryEntry): Promise<readonly FileSystemEntry[]> {
+  const reader = entry.createReader();
+  const all: FileSystemEntry[] = [];
+  for (;;) {
+    const some = await new Promise<readonly FileSystemEntry[]>((resolve, reject) => reader.readEntries(resolve, reject));
+    if (some.length === 0) return all;
+    all.push(...some);
+  }
+}
+
+const memberOfEntry = (entry: FileSystemEntry): Member =>
+  entry.isDirectory
+    ? { kind: "folder", name: entry.name, members: async () => (await entriesIn(entry as FileSystemDirectoryEntry)).map(memberOfEntry) }
+    : {
+      kind: "file",
+      name: entry.name,
+      file: async () => ({
+        file: await new Promise<File>((resolve, reject) => (entry as FileSystemFileEntry).file(resolve, reject)),
+        handle: null,
+      }),
+    };
+
+/** What lies in a folder that was chosen. */
+export const filesOfFolder = (folder: FolderHandle): Promise<FolderContent> => gather([memberOfHandle(folder)]);
+
+/** What lies in files and folders that were dropped together; by handles where the browser gives them, otherwise by entries. */
+export const filesOfDrop =
+  (dropped: readonly { readonly handle: FileHandle | FolderHandle | null; readonly entry: FileSystemEntry | null }[]): Promise<
+    FolderContent
+  > =>
+    gather(dropped.flatMap(({ handle, entry }) => {
+      if (handle) return [memberOfHandle(handle)];
+      return entry ? [memberOfEntry(entry)] : [];
+    }));
+
+/** What a plain question for a folder gave: all files in it, with their paths. */
+export const filesOfList = (list: FileList | readonly File[] | null): Promise<FolderContent> =>
+  gather(Array.from(list ?? []).flatMap((file): readonly Member[] => {
+    const path = file.webkitRelativePath.split("/");
+    if (path.length > DEEPEST_FOLDER + 2 || path.some(isHidden)) return [];
+    return [{ kind: "file", name: file.name, file: async () => ({ file, handle: null }) }];
+  }));
