@@ -23,7 +23,11 @@ export class ProgramEditor {
 
   /** Opens bytes as a file of the device would be. */
   async openFile(name: string, bytes: Uint8Array): Promise<void> {
-    await this.context.page.locator("input[type=file]:not([webkitdirectory])").setInputFiles({ name, mimeType: "text/plain", buffer: Buffer.from(bytes) });
+    await this.context.page.locator("input[type=file]:not([webkitdirectory])").setInputFiles({
+      name,
+      mimeType: "text/plain",
+      buffer: Buffer.from(bytes),
+    });
     await expect(this.text).toBeVisible();
   }
 
