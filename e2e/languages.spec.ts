@@ -35,7 +35,7 @@ test("with a held clock and a seed two runs give the same addresses, dates and f
   const run = async () => {
     const page = await (await browser.newContext()).newPage();
     const turnwise = await Turnwise.open(page, { heldClock: "2026-11-21T08:05", seed: 7 });
-    const { dialog, editor, effect, lathe, program, start, t } = turnwise;
+    const { dialog, editor, effect, lathe, program, settings, start, t } = turnwise;
     const seen: string[] = [];
     await start.beginWithExample(812);
     await dialog.set("Q463", "2.4");
@@ -49,6 +49,9 @@ test("with a held clock and a seed two runs give the same addresses, dates and f
     const kept = page.getByRole("region", { name: t.page.start.kept });
     await expect(kept).toContainText(/8:06/);
     seen.push(await kept.ariaSnapshot());
+    await settings.open();
+    const all = await settings.export();
+    seen.push(all.suggestedFilename(), (await readFile(await all.path())).toString("latin1"));
     await page.context().close();
     return seen;
   };

@@ -46,7 +46,13 @@ const bare = (name: string): string =>
 /** Role and name of each kind of control, sorted; what differs in values alone is one kind. */
 export function kinds(found: readonly Control[]): readonly string[] {
   return [
-    ...new Set(found.map(({ role, name }) => `${role} ${role === "textbox" ? name.replace(/^Element \d+/, "Element #") : bare(name)}`)),
+    ...new Set(found.map(({ role, name }) =>
+      `${role} ${
+        role === "textbox"
+          ? name.replace(/^Element \d+|\d+[.,]\d+/, (n) => n.replace(/[\d.,]+/, "#"))
+          : bare(name)
+      }`
+    )),
   ].sort();
 }
 

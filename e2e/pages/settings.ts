@@ -1,9 +1,13 @@
-import type { Locator } from "@playwright/test";
+import type { Download, Locator } from "@playwright/test";
+import { device as de } from "../../src/i18n/de/device.ts";
+import { device as en } from "../../src/i18n/en/device.ts";
+import { device as fr } from "../../src/i18n/fr/device.ts";
+import { device as zh } from "../../src/i18n/zh/device.ts";
 import { LANGUAGE_NAMES, type Language } from "../../src/i18n/languages.ts";
 import { texts } from "../../src/i18n/index.ts";
 import type { Context } from "./turnwise.ts";
 
-/** Language, appearance and motion. */
+/** Language, appearance and motion, and what is kept on the device. */
 export class SettingsPage {
   constructor(private readonly context: Context) {}
 
@@ -24,5 +28,28 @@ export class SettingsPage {
       label: LANGUAGE_NAMES[language],
     });
     await this.context.page.getByRole("button", { name: texts(language).page.close, exact: true }).click();
+  }
+
+  /** The button that saves all works, tools, own cycles and settings as one file. */
+  get saveAll(): Locator {
+    return this.dialog.getByRole("button", { name: this.device.exportLong, exact: true });
+  }
+
+  /** Saves everything as one file, with the dialog open. */
+  async export(): Promise<Download> {
+    const waiting = this.context.page.waitForEvent("download");
+    await this.saveAll.click();
+    return waiting;
+  }
+
+  /** Brings a saved file in, with the dialog open, as far as the question what to take of it. */
+  async import(name: string, bytes: Uint8Array): Promise<void> {
+    const choosing = this.context.page.waitForEvent("filechooser");
+    await this.dialog.getByRole("button", { name: this.device.importLong, exact: true }).click();
+    await (await choosing).setFiles({ name, mimeType: "application/zip", buffer: Buffer.from(bytes) });
+  }
+
+  private get device() {
+    return { en, de, fr, zh }[this.context.language].here;
   }
 }
