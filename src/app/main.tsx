@@ -26,7 +26,6 @@ import "./styles/layout.css";
 import "./styles/dialog.css";
 import "./styles/panels.css";
 import "./styles/start.css";
-import "./styles/print.css";
 
 z.config({ jitless: true });
 startReports();
@@ -60,6 +59,7 @@ void resume(askedWork).then(async () => {
   if (asked && !(asked.page === "work" && asked.work !== useEditor.getState().work)) await goTo(asked);
   startKeeping();
   void keepBeside();
+  void untilHere(() => import("./styles/print.css"));
   startEngineLater();
   void openShared();
   followAddress(begun);

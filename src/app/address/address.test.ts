@@ -4,7 +4,7 @@ import { parseAddress, printAddress, type Address } from "./address.ts";
 
 const name = fc.string({ minLength: 1, unit: "grapheme" });
 const places: fc.Arbitrary<Address> = fc.oneof(fc.record({ page: fc.constant("start" as const), which: fc.boolean() }),
-  fc.constant({ page: "works" as const }), fc.record({
+  fc.constant({ page: "works" as const }), fc.record({ page: fc.constant("sheet" as const), work: name }), fc.record({
     page: fc.constant("work" as const),
     work: fc.oneof(name, fc.constantFrom("which", "..", "a/b", "#p=x", "100%")),
     section: fc.constantFrom("prompts" as const, "setup" as const, "contour" as const, "findings" as const, "program" as const,
@@ -25,6 +25,7 @@ test.each([
   ["#/which", { page: "start", which: true }],
   ["#/work/7f3a/contour", { page: "work", work: "7f3a", section: "contour", which: false }],
   ["#/work/7f3a", { page: "work", work: "7f3a", section: "prompts", which: false }],
+  ["#/work/7f3a/sheet", { page: "sheet", work: "7f3a" }],
   ["#/tools/5", { page: "tools", number: 5, milling: false }],
   ["#/tools/milling/", { page: "tools", number: null, milling: true }],
   ["#/works", { page: "works" }],

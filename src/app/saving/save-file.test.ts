@@ -14,7 +14,7 @@ test("what is saved comes back the same", () => {
 test("the files beside a program and the switch of its skip mark are saved with it; a save without them is as before", () => {
   const program = { name: "MAIN.H", text: "CALL PGM A", encoding: "utf-8" as const };
   const file = { name: "a.h", text: "L X+1 ;\u00d8", encoding: "windows-1252" as const };
-  for (const job of [program, { ...program, files: [file], skipMarked: true }])
+  for (const job of [program, { ...program, files: [file], skipMarked: true }, { ...program, remarks: "⌀62 h6\n" }])
     expect(readSave(JSON.parse(JSON.stringify({ version: SAVE_VERSION, savedAt: 1, job })))?.job).toEqual(job);
   expect(readSave({ version: SAVE_VERSION, savedAt: 1, job: { ...program, files: [{ name: "a.h" }] } })).toBeNull();
 });

@@ -133,7 +133,7 @@ export function SetupSheet({ source, t, date }: { readonly source: SheetSource; 
       <div className="sheet-last">
         <section className="sheet-remarks">
           <h2>{t.remarks}</h2>
-          {remarks.trim() === "" ? [0, 1, 2].map((line) => <span key={line} className="sheet-line" />) : <p>{remarks}</p>}
+          {remarks.trim() === "" ? [0, 1].map((line) => <span key={line} className="sheet-line" />) : <p>{remarks}</p>}
         </section>
         <FindingLines t={t} source={source} />
       </div>
