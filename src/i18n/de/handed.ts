@@ -1,7 +1,6 @@
 import type { HandedTexts } from "../en/handed.ts";
 
 const tools = (n: number) => (n === 1 ? "1 Werkzeug" : `${n} Werkzeuge`);
-const withTools = (n: number) => (n === 1 ? "1 Werkzeug, das" : `${n} Werkzeugen, die`);
 
 export const handed = {
   title: "Weitergeben",
@@ -42,7 +41,7 @@ export const handed = {
   sameControl: "wie auf diesem Gerät",
   otherControl: (mine) => `dieses Gerät: ${mine}`,
 
-  bar: (n) => `Die offene Arbeit läuft mit ${withTools(n)} mitgekommen ${n === 1 ? "ist" : "sind"}, nicht mit der Tabelle dieses Geräts.`,
+  bar: (n) => `Die offene Arbeit läuft mit ${n === 1 ? "1 eigenen Werkzeug" : `${n} eigenen Werkzeugen`}.`,
   barControl: (control) => `Die offene Arbeit läuft wie auf einer ${control}, so wie sie weitergegeben wurde.`,
   ofWork: "Werkzeuge dieser Arbeit",
   ofWorkLead: "Sie wurde mit diesen Werkzeugen weitergegeben und läuft mit ihnen. Die Tabelle dieses Geräts ist eine andere.",

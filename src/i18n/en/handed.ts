@@ -41,7 +41,7 @@ export const handed = {
   sameControl: "as on this device",
   otherControl: (mine: string) => `this device: ${mine}`,
 
-  bar: (n: number) => `The open work runs with ${tools(n)} that came with it, not with the table of this device.`,
+  bar: (n: number) => `The open work runs with ${tools(n)} of its own.`,
   barControl: (control: string) => `The open work runs as on a ${control}, as it was handed on.`,
   ofWork: "Tools of this work",
   ofWorkLead: "It was handed on with these tools and runs with them. The table of this device is another one.",

@@ -39,7 +39,7 @@ export const handed = {
   sameControl: "comme sur cet appareil",
   otherControl: (mine) => `cet appareil : ${mine}`,
 
-  bar: (n) => `Le travail ouvert utilise ${tools(n)} transmis avec lui, et non la table de cet appareil.`,
+  bar: (n) => `Le travail ouvert utilise ${tools(n)} à lui.`,
   barControl: (control) => `Le travail ouvert s’exécute comme sur une ${control}, tel qu’il a été transmis.`,
   ofWork: "Outils de ce travail",
   ofWorkLead: "Il a été transmis avec ces outils et les utilise. La table de cet appareil est une autre.",

@@ -36,7 +36,7 @@ export const handed = {
   sameControl: "与本设备相同",
   otherControl: (mine) => `本设备：${mine}`,
 
-  bar: (n) => `当前工作使用随它转交的 ${n} 把刀具，而不是本设备的刀具表。`,
+  bar: (n) => `当前工作使用自带的 ${n} 把刀具。`,
   barControl: (control) => `当前工作按转交时的设置 ${control} 运行。`,
   ofWork: "此工作的刀具",
   ofWorkLead: "它连同这些刀具一起转交，并使用它们运行。本设备的刀具表是另一份。",
