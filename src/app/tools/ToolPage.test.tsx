@@ -124,7 +124,10 @@ test("a file is taken over as one step, what it is missing is said", async () =>
   await screen.findByRole("button", { name: /^Import tools/ });
   const input = document.querySelector<HTMLInputElement>("input[type=file]");
   await user.upload(input as HTMLInputElement, new File([text], "T.TRN"));
-  await user.click(await screen.findByRole("button", { name: "Take all (3)" }));
+  const all = await screen.findByRole("button", { name: "Take all (3)" });
+  expect(screen.getByText("NAME CNMG-80-R08 → SHOP-80-R08")).toBeTruthy();
+  expect(document.activeElement).toBe(all);
+  await user.keyboard("{Enter}");
   await vi.waitFor(() => expect(screen.getByText(/T\.TRN: 1 new, 1 changed\. 1 row has an error\..*\[END\] is missing/)).toBeTruthy(), {
     timeout: 60_000,
   });

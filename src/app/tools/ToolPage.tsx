@@ -96,12 +96,16 @@ export function ToolPage() {
           </button>
         </div>
         <div className="tool-buttons" role="group" aria-label={t.files}>
-          <button type="button" className="button" aria-label={w?.files.importLong} disabled={!w} onClick={() => file.current?.click()}>
-            <Icon name="add" /> {t.import}
-          </button>
-          <button type="button" className="button" aria-label={w?.files.exportLong} disabled={!w} onClick={() => ask("export")}>
-            <Icon name="download" /> {w?.files.export}
-          </button>
+          {w && (
+            <>
+              <button type="button" className="button" aria-label={w.files.importLong} onClick={() => file.current?.click()}>
+                <Icon name="add" /> {t.import}
+              </button>
+              <button type="button" className="button" aria-label={w.files.exportLong} onClick={() => ask("export")}>
+                <Icon name="download" /> {w.files.export}
+              </button>
+            </>
+          )}
           <input ref={file} type="file" hidden multiple accept=".json,.trn,.t,.tab,.txt,.csv,application/json,text/plain,text/csv"
             onChange={(e) => {
               const chosen = [...(e.currentTarget.files ?? [])];
