@@ -2,7 +2,7 @@ import { INCH } from "../kernel/units.ts";
 import { cellIn, cellNameOf, MILL_WORDS, isTurnWord, knownColumns, tableLayoutOf, rowIn, TABLE_NUMBER, typedCell, wordOfMill,
   type TableColumn, type TableLayout, type Title } from "./table-layout.ts";
 import { ruleOf, type NumberColumn } from "./tool-columns.ts";
-import { cellOf, isMillEntry, readEntry, type TableOrigin, type ToolEntry } from "./tool-entry.ts";
+import { cellOf, hasFile, isMillEntry, readEntry, type TableOrigin, type ToolEntry } from "./tool-entry.ts";
 import { sameList, shippedList } from "./tool-list.ts";
 import { written } from "./tool-table-text.ts";
 
@@ -186,7 +186,7 @@ function turnedName(writer: Writer, line: string, names: ReadonlyMap<number, str
 export function originsOf(list: readonly ToolEntry[], milling: boolean): TableOrigin[] {
   const found = new Map<string, { readonly origin: TableOrigin; readonly rows: number }>();
   for (const entry of list) {
-    if (!entry.line || isMillEntry(entry) !== milling) continue;
+    if (!entry.line || !hasFile(entry) || isMillEntry(entry) !== milling) continue;
     const { origin } = entry.line;
     found.set(origin.text, { origin, rows: (found.get(origin.text)?.rows ?? 0) + 1 });
   }

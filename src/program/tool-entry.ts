@@ -14,6 +14,14 @@ export interface TableOrigin {
   readonly encoding: "utf-8" | "windows-1252";
 }
 
+/** A table file, its text out of sight of whatever writes rows down one by one: it would stand there once for each of them. */
+export function tableOrigin(name: string, text: string, encoding: TableOrigin["encoding"]): TableOrigin {
+  return Object.defineProperty({ name, text, encoding }, "text", { enumerable: false });
+}
+
+/** Whether a row still has the whole file that it came from: a row written down by itself and read again has not. */
+export const hasFile = ({ line }: ToolEntry): boolean => typeof line?.origin.text === "string";
+
 /** The line of a table file that a row came from. */
 export interface TableLine {
   readonly origin: TableOrigin;

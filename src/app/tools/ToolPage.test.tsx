@@ -2,7 +2,7 @@ import { cleanup, render, screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { shippedTools } from "../../program/shipped-tools.ts";
-import { cellOf } from "../../program/tool-entry.ts";
+import { cellOf, tableOrigin } from "../../program/tool-entry.ts";
 import { shippedList } from "../../program/tool-list.ts";
 import { writeTableText } from "../../program/tool-table-text.ts";
 import { onHistoryKey } from "../history.ts";
@@ -258,9 +258,14 @@ test("a code that is not covered says so, one that contradicts the row too, and 
 });
 
 test("the file that tools came from is kept on the device once, with the line of each", () => {
-  const origin = { name: "T.TRN", text: "BEGIN T.TRN MM\r\nträger", encoding: "windows-1252" as const };
+  const origin = tableOrigin("T.TRN", "BEGIN T.TRN MM\r\nträger", "windows-1252");
   const kept = shippedList.map((entry, at) => (at < 2 ? { ...entry, line: { origin, at: at + 2 } } : entry));
   const text = writeKept(kept) ?? "";
   expect(text.split("träger")).toHaveLength(2);
-  expect(readKept(text)).toEqual(kept);
+  const read = readKept(text);
+  expect(read).toEqual(kept);
+  expect(read?.[1]?.line?.origin.text).toBe(origin.text);
+  expect(JSON.stringify(read)).not.toContain("träger");
+  const apart = JSON.parse(JSON.stringify(kept)) as typeof kept;
+  expect(readKept(writeKept(apart) ?? "")).toEqual(apart.map(({ id, cells }) => ({ id, cells })));
 });

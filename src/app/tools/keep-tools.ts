@@ -1,4 +1,5 @@
 import { z } from "zod/mini";
+import { hasFile, tableOrigin } from "../../program/tool-entry.ts";
 import { sameList, shippedList, type ToolList } from "../../program/tool-list.ts";
 import { HOLDER_CELLS } from "../../program/tool-columns.ts";
 import { keepTable } from "../saving/device-table.ts";
@@ -24,9 +25,14 @@ const file = z.object({
 
 /** A table as plain data, each file that rows came from once. */
 export function keptTable(list: ToolList): object {
-  const origins = [...new Set(list.flatMap(({ line }) => line?.origin ?? []))];
-  const rows = list.map(({ id, cells, line }) => ({ id, cells, ...(line && { line: [origins.indexOf(line.origin), line.at] }) }));
-  return { version: VERSION, ...(origins.length > 0 && { origins }), rows };
+  const origins = [...new Set(list.flatMap((entry) => (entry.line && hasFile(entry) ? entry.line.origin : [])))];
+  const rows = list.map((entry) => ({
+    id: entry.id,
+    cells: entry.cells,
+    ...(entry.line && hasFile(entry) && { line: [origins.indexOf(entry.line.origin), entry.line.at] }),
+  }));
+  const files = origins.map(({ name, text, encoding }) => ({ name, text, encoding }));
+  return { version: VERSION, ...(files.length > 0 && { origins: files }), rows };
 }
 
 /** The text that is kept; null for the shipped table. */
@@ -46,7 +52,8 @@ export function readKept(text: string): ToolList | null {
   try {
     const read = file.safeParse(JSON.parse(text));
     if (!read.success) return null;
-    const { version, origins = [], rows: written } = read.data;
+    const { version, rows: written } = read.data;
+    const origins = (read.data.origins ?? []).map(({ name, text: whole, encoding }) => tableOrigin(name, whole, encoding));
     const kept: ToolList = written.map(({ id, cells: typed, line }) => {
       const from = line && origins[line[0]];
       return { id, cells: typed as ToolList[number]["cells"], ...(line && from && { line: { origin: from, at: line[1] } }) };

@@ -3,7 +3,7 @@ import type { Language } from "../../i18n/languages.ts";
 import { decimalSign } from "../../i18n/number.ts";
 import type { ToolFileTexts } from "../../i18n/tool-file-text.ts";
 import { tableAgain } from "../../program/table-again.ts";
-import { cellOf, isMillEntry, type EntryReading, type TableLine, type TableOrigin } from "../../program/tool-entry.ts";
+import { cellOf, isMillEntry, tableOrigin, type EntryReading, type TableLine, type TableOrigin } from "../../program/tool-entry.ts";
 import { planImport, type IncomingTools } from "../../program/tool-import.ts";
 import { writeTableCsv } from "../../program/tool-table-csv.ts";
 import { readToolFile, writeTableJson } from "../../program/tool-table-json.ts";
@@ -49,7 +49,7 @@ function broughtBy(bytes: Uint8Array, name: string, t: ToolsTexts, w: ToolFileTe
     }
   }
   const { rows, table, columns, leftOut, cutShort } = read;
-  const origin: TableOrigin = { name, text, encoding };
+  const origin = tableOrigin(name, text, encoding);
   const lines = rows.map((_, i): TableLine | undefined => {
     const at = table?.lines[i];
     return at === undefined ? undefined : { origin, at };
