@@ -175,10 +175,10 @@ test("of a folder with several programs one is opened with what it calls, or all
   await expect(editor.file("defines.h")).toBeVisible();
   await expect(editor.file("OTHER.h")).toHaveCount(0);
 
-  await page.getByRole("button", { name: t.page.home, exact: true }).click();
+  await page.getByRole("link", { name: t.page.home, exact: true }).click();
   await openFolder.click();
   await question.getByRole("button", { name: words.choose.all(2), exact: true }).click();
   await expect(page.getByRole("heading", { level: 1 })).toHaveText("MAIN.h");
-  await page.getByRole("button", { name: t.page.home, exact: true }).click();
+  await page.getByRole("link", { name: t.page.home, exact: true }).click();
   await expect(page.getByRole("button", { name: t.page.start.continueWork("OTHER.h"), exact: true })).toHaveCount(1);
 });

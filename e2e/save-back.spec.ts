@@ -35,6 +35,13 @@ test("a file is saved back to the byte after a reload, and never over what someb
   const turnwise = await Turnwise.open(page);
   const { editor, t } = turnwise;
   const holds = (text: string) => expect.poll(async () => Buffer.from(await onDevice(page)).toString("latin1")).toBe(text);
+  const typeBehind = async (text: string) => {
+    await editor.line("X+63.4").click();
+    // Where the line ends of a file are mixed, their returns are characters.
+    await page.keyboard.press("End");
+    await page.keyboard.press("ArrowLeft");
+    await page.keyboard.type(text);
+  };
   await put(page, AWKWARD);
   await page.getByRole("button", { name: t.page.programs.openFile, exact: true }).first().click();
   await expect(editor.text).toBeVisible();
@@ -44,11 +51,7 @@ test("a file is saved back to the byte after a reload, and never over what someb
   expect(await onDevice(page)).toEqual(AWKWARD);
 
   await page.reload();
-  await editor.line("X+63.4").click();
-  // Where the line ends of a file are mixed, their returns are characters.
-  await page.keyboard.press("End");
-  await page.keyboard.press("ArrowLeft");
-  await page.keyboard.type(" M8");
+  await typeBehind(" M8");
   await save.click();
   const edited = Buffer.from(AWKWARD).toString("latin1").replace("FMAX", "FMAX M8");
   await holds(edited);
@@ -56,7 +59,7 @@ test("a file is saved back to the byte after a reload, and never over what someb
   // Somebody else changes a value of it.
   const others = edited.replace("TOOL CALL 1", "TOOL CALL 3");
   await put(page, [...Buffer.from(others, "latin1")]);
-  await page.keyboard.type("9");
+  await typeBehind("9");
   await save.click();
   const question = page.getByRole("alertdialog", { name: filesWords.changed.title("AWK.H"), exact: true });
   await expect(question).toBeVisible();
@@ -72,7 +75,7 @@ test("a file is saved back to the byte after a reload, and never over what someb
   await holds(edited.replace("M8", "M89"));
 
   // A character that the file can not hold is said before it is saved; a file that is gone is said as well.
-  await page.keyboard.type(" ;→");
+  await typeBehind(" ;→");
   await expect(page.getByText(t.editor.otherEncoding("→", "AWK.H"))).toBeVisible();
   await page.evaluate(async () => (await navigator.storage.getDirectory()).removeEntry("AWK.H"));
   await save.click();
