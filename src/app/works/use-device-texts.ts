@@ -1,4 +1,4 @@
-import { use } from "react";
+import { use, useDeferredValue } from "react";
 import { loadDevice } from "../../i18n/load-device.ts";
 import type { DeviceTexts } from "../../i18n/en/device.ts";
 import type { Language } from "../../i18n/languages.ts";
@@ -13,5 +13,5 @@ function fetched(language: Language): Promise<DeviceTexts> {
   return made;
 }
 
-/** The texts about the works of this device in the screen language; what uses them waits for them. */
-export const useDeviceTexts = (): DeviceTexts => use(fetched(useSettings((s) => s.language)));
+/** The texts about the works of this device in the screen language; what uses them waits for them, and keeps the old ones after a switch. */
+export const useDeviceTexts = (): DeviceTexts => use(fetched(useDeferredValue(useSettings((s) => s.language))));
