@@ -69,7 +69,10 @@ test("a work handed on gives the same report to the byte elsewhere, and its tool
   await receiver.handing.line.getByRole("button").click();
   const { tools } = receiver.handing;
   await expect(tools.getByRole("row").filter({ hasText: "RS" })).toContainText("0.4");
-  await looksRight(other);
+  for (const [width, height] of [[390, 844], [768, 1024], [1280, 800]] as const) {
+    await other.setViewportSize({ width, height });
+    await looksRight(other);
+  }
   await tools.getByRole("combobox", { name: words.becomes("T3 DNMG-55-R04"), exact: true }).selectOption("free");
   await tools.getByRole("button", { name: words.keep, exact: true }).click();
   await expect(tools.getByText(words.moved(3, 16))).toBeVisible();
