@@ -13,5 +13,5 @@ function fetched(language: Language): Promise<DeviceTexts> {
   return made;
 }
 
-/** The texts about the works of this device in the screen language; what uses them waits for them, and keeps the old ones after a switch. */
+/** The texts about the works of this device in the screen language; after a switch the old ones stay until the new ones are here. */
 export const useDeviceTexts = (): DeviceTexts => use(fetched(useDeferredValue(useSettings((s) => s.language))));
