@@ -39,7 +39,7 @@ test("an unknown block is described, its dialog changes the text, and it is put 
   await own.back.click();
 
   await expect(dialog.question).toHaveText("PULL LENGTH");
-  await expect(page.getByText(t.own.unproved)).toBeVisible();
+  await expect(page.getByText(t.editor.ownUnproved)).toBeVisible();
   await dialog.set("Q1711", "200");
   await expect(editor.line("Q1711")).toContainText("Q1711=+200   ;PULL LENGTH ~");
   await dialog.open("Q1711");

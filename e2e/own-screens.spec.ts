@@ -47,6 +47,6 @@ test("own cycles: the list, a description with errors and the dialog of a block 
   await expect(dialog.messages).toContainText("200");
   await looksRightInBoth(page, "the dialog of a block");
   await dialog.open("Q1712");
-  await expect(page.getByText(t.own.unproved)).toBeVisible();
+  await expect(page.getByText(t.editor.ownUnproved)).toBeVisible();
   await looksRightInBoth(page, "a choice of a block");
 });

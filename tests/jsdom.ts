@@ -2,6 +2,7 @@ import { configure } from "@testing-library/dom";
 import { texts } from "../src/i18n/index.ts";
 import { LANGUAGES } from "../src/i18n/languages.ts";
 import { menuWords } from "../src/i18n/menu-words.ts";
+import { provideTableTexts } from "../src/app/settings/use-table-texts.ts";
 import { provideFirstTexts, provideTexts } from "../src/app/settings/loaded-texts.ts";
 
 /** For what never comes: on a slow machine a component may take long to show what it was given, ms. */
@@ -10,5 +11,6 @@ configure({ asyncUtilTimeout: 60_000 });
 /** Component tests have all languages at hand; the page fetches the one it shows. */
 for (const language of LANGUAGES) {
   provideTexts(language, texts(language));
+  provideTableTexts(language, texts(language));
   provideFirstTexts(language, { ...texts(language), menu: menuWords(language) });
 }

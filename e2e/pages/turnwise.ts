@@ -1,5 +1,5 @@
 import type { Page } from "@playwright/test";
-import { texts, type Texts } from "../../src/i18n/index.ts";
+import { texts, type TableTexts, type Texts } from "../../src/i18n/index.ts";
 import type { Language } from "../../src/i18n/languages.ts";
 import { Comparison } from "./comparison.ts";
 import { ContourTable } from "./contour-table.ts";
@@ -21,7 +21,7 @@ import { WorksList } from "./works.ts";
 /** What every page object is made of: the browser page and the texts of its screen language. */
 export interface Context {
   readonly page: Page;
-  readonly t: Texts;
+  readonly t: Texts & TableTexts;
   readonly language: Language;
 }
 
@@ -53,7 +53,7 @@ export class Turnwise {
   readonly handing: Handing;
   readonly comparison: Comparison;
   readonly sheet: SetupSheetPage;
-  readonly t: Texts;
+  readonly t: Texts & TableTexts;
 
   private constructor(readonly page: Page, readonly language: Language) {
     this.t = texts(language);

@@ -1,3 +1,4 @@
+import { Suspense } from "react";
 import { isKept } from "../../cycles/kept-cycles.ts";
 import { withBlock } from "../../nc/edit.ts";
 import { blockNumbers, startLines } from "../../nc/program.ts";
@@ -56,7 +57,11 @@ export function BlockForm({ problems }: { readonly problems: readonly FindingEnt
           <Icon name="info" /> {t.kept}
         </p>
       )}
-      {s.kind === "cycle" && <DescribeCycle statement={s} />}
+      {s.kind === "cycle" && (
+        <Suspense>
+          <DescribeCycle statement={s} />
+        </Suspense>
+      )}
       {s.kind === "toolCall" && <CalledTool key={index} statement={s} change={(next) => change(next, "tool chosen")} />}
       {fieldsOf(s).map((field) => <BlockField key={`${index} ${field.id}`} field={field} statement={s} change={change} />)}
       {definition >= 0 && (

@@ -1,4 +1,4 @@
-import { useRef, useState } from "react";
+import { Suspense, useRef, useState } from "react";
 import { blockNumbers, startLines } from "../../nc/program.ts";
 import { cycleByNumber, type CycleNumber } from "../../cycles/index.ts";
 import { isKept } from "../../cycles/kept-cycles.ts";
@@ -47,7 +47,12 @@ export function BlockPanel() {
   const line = startLines(program)[index] ?? 1;
   const dialogOf = () => {
     if (read) return <CycleDialog key={index} read={read} block={{ line, problems, set: setBlockPrompt, setAll: setBlockPrompts }} />;
-    if (own) return <OwnDialog key={index} block={own} problems={problems} set={setBlockPrompt} />;
+    if (own)
+      return (
+        <Suspense key={index}>
+          <OwnDialog block={own} problems={problems} set={setBlockPrompt} />
+        </Suspense>
+      );
     if (s.kind === "approach") return <ApproachBlock key={index} problems={problems} />;
     return <BlockForm key={index} problems={problems} />;
   };

@@ -79,7 +79,7 @@ function ownParameter(t: Texts, language: Language, { q, prompt, range, bounded,
     q,
     name: prompt,
     text: assigned(q, first, prompt),
-    help: () => helpElement(t, `${q} ${prompt}`, shown, meanings, t.own.unproved),
+    help: () => helpElement(t, `${q} ${prompt}`, shown, meanings, t.editor.ownUnproved),
   };
 }
 

@@ -1,7 +1,7 @@
 import type { StatementOf } from "../../nc/statement.ts";
 import { isKnownCycle } from "../../program/own-cycle.ts";
 import { Icon } from "../Icon.tsx";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTableTexts } from "../settings/use-table-texts.ts";
 import { describeBlock, isFull } from "./own-edits.ts";
 import { showOwn } from "./own-place.ts";
 import { libraryOf } from "./own-reading.ts";
@@ -9,7 +9,7 @@ import { useOwn } from "./own-store.ts";
 
 /** The way from a block whose cycle nobody here knows to its description, which the text of the block proposes. */
 export function DescribeCycle({ statement }: { readonly statement: StatementOf<"cycle"> }) {
-  const t = useTexts().own;
+  const t = useTableTexts().own;
   const list = useOwn((s) => s.list);
   if (isKnownCycle(statement.cycle)) return null;
   const begun = [...libraryOf(list).rows.values()].some(({ number }) => number === statement.cycle);

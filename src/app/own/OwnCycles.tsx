@@ -1,9 +1,10 @@
-import { useId, useState } from "react";
+import { Suspense, useId, useState, type ReactNode } from "react";
 import type { More } from "../chooser/CycleChooser.tsx";
 import { Drawing } from "../chooser/Drawing.tsx";
 import { plain } from "../chooser/search.ts";
 import type { OwnCycle } from "../../program/own-cycle.ts";
 import { Icon } from "../Icon.tsx";
+import { useTableTexts } from "../settings/use-table-texts.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { showOwn } from "./own-place.ts";
 import { useOwnCycles } from "./own-reading.ts";
@@ -20,7 +21,8 @@ interface Rows {
 }
 
 function OwnRows({ cycles, turn, way, onTake, first = false, id }: Rows) {
-  const { own: t, page: { start } } = useTexts();
+  const { own: t } = useTableTexts();
+  const { page: { start } } = useTexts();
   const about = useId();
   const inTurn = cycles.some(({ number }) => number === turn) ? turn : cycles[0]?.number;
   return (
@@ -51,7 +53,8 @@ function OwnRows({ cycles, turn, way, onTake, first = false, id }: Rows) {
 }
 
 function OwnGroup(rows: Rows) {
-  const { own: t, page, chooser } = useTexts();
+  const { own: t } = useTableTexts();
+  const { page, chooser } = useTexts();
   const [open, setOpen] = useState(false);
   const id = useId();
   return (
@@ -82,18 +85,21 @@ const fits = ({ number, name }: OwnCycle, sought: string): boolean =>
     /^\d+$/.test(word) ? String(number).startsWith(word) : plain(name).includes(word)
   );
 
+/** Its texts come with it: what stands beside it does not wait for them. */
+const later = (shown: ReactNode) => <Suspense>{shown}</Suspense>;
+
 /** The own cycles beside those of the catalogue: as a group, or those that fit what is sought. */
 export function useOwnOffer(way: string, onTake: (cycle: OwnCycle) => void): More {
   const { page: { start } } = useTexts();
   const all = [...useOwnCycles().values()].sort((a, b) => a.number - b.number);
   return (sought, turn, isFirst) => {
-    if (sought === null) return { count: 0, best: null, shown: <OwnGroup cycles={all} turn={turn} way={way} onTake={onTake} /> };
+    if (sought === null) return { count: 0, best: null, shown: later(<OwnGroup cycles={all} turn={turn} way={way} onTake={onTake} />) };
     const cycles = all.filter((cycle) => fits(cycle, sought));
     const [first] = cycles;
     return {
       count: cycles.length,
       best: first ? { name: start.cycle(first.number, first.name), go: () => onTake(first) } : null,
-      shown: cycles.length > 0 && <OwnRows cycles={cycles} turn={turn} way={way} onTake={onTake} first={isFirst} />,
+      shown: cycles.length > 0 && later(<OwnRows cycles={cycles} turn={turn} way={way} onTake={onTake} first={isFirst} />),
     };
   };
 }

@@ -78,7 +78,7 @@ test("it asks one prompt at a time with range and choices, offers the nearest va
   const user = userEvent.setup();
   expect(screen.getByRole("heading", { name: "PULL LENGTH" })).toBeTruthy();
   expect(screen.getByText(t.dialog.range("0.5", "187.25"))).toBeTruthy();
-  expect(screen.getByText(t.own.unproved)).toBeTruthy();
+  expect(screen.getByText(t.editor.ownUnproved)).toBeTruthy();
   expect(screen.getByText(t.own.unprovedLong)).toBeTruthy();
   await user.keyboard("200");
   await user.click(screen.getByRole("button", { name: t.dialog.takeNearest("187.25") }));

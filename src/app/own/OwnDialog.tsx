@@ -9,6 +9,7 @@ import { Icon } from "../Icon.tsx";
 import { CycleInWork } from "../issue-text.ts";
 import { mayTakeKeyboard, openPrompt, usePlace } from "../place.ts";
 import { useSettings } from "../settings/settings.ts";
+import { useTableTexts } from "../settings/use-table-texts.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import type { OwnBlock, OwnPrompt } from "./own-block.ts";
 import { showOwn } from "./own-place.ts";
@@ -23,7 +24,8 @@ interface Props {
 
 /** The prompts of a block as the operator has described them. */
 function useOwnSession({ block, problems, set }: Props): PromptSession {
-  const { dialog: t, own: words } = useTexts();
+  const { dialog: t, editor } = useTexts();
+  const { own: words } = useTableTexts();
   const language = useSettings((s) => s.language);
   const opened = usePlace();
   const { parameters, draft, readings } = block;
@@ -72,7 +74,7 @@ function useOwnSession({ block, problems, set }: Props): PromptSession {
     besides: () => [],
     picture: (
       <div className="own-said">
-        <Icon name="warning" /> <p className="small">{words.unproved}</p>
+        <Icon name="warning" /> <p className="small">{editor.ownUnproved}</p>
         <button type="button" className="button" onClick={() => {
           const { list } = useOwn.getState();
           showOwn(list.find((entry) => libraryOf(list).rows.get(entry.id)?.number === block.own.number)?.id);

@@ -5,6 +5,7 @@ import { useNumberEntry } from "../dialog/use-number-entry.ts";
 import { inScreenWriting } from "../dialog/write-value.ts";
 import { Icon } from "../Icon.tsx";
 import { useSettings } from "../settings/settings.ts";
+import { useTableTexts } from "../settings/use-table-texts.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { closeStep } from "../steps.ts";
 
@@ -13,6 +14,7 @@ export function OwnProblems({ id, problems, text }: { readonly id: string; reado
   readonly text: string })
 {
   const t = useTexts();
+  const { own } = useTableTexts();
   return (
     <div id={id} className="own-wrong" role="status">
       {problems.map((problem) => {
@@ -22,7 +24,7 @@ export function OwnProblems({ id, problems, text }: { readonly id: string; reado
             <Icon name={tone} />
             <span>
               <span className="unseen">{t.findings.severities[tone]}:</span>
-              {t.own.problems[problem.code](problem.text)}
+              {own.problems[problem.code](problem.text)}
             </span>
           </p>
         );

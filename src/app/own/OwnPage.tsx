@@ -1,7 +1,7 @@
 import { useEffect, useRef, useState, type KeyboardEvent } from "react";
 import type { OwnEntry } from "../../program/own-cycle.ts";
 import { Icon } from "../Icon.tsx";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTableTexts } from "../settings/use-table-texts.ts";
 import { TableStatus, type TableSaid } from "../tools/TableStatus.tsx";
 import { TableTabs } from "../tools/TableTabs.tsx";
 import { showKind, showTools } from "../tools/tool-place.ts";
@@ -16,7 +16,7 @@ import "./own.css";
 
 /** The own cycles of this device: the list, and beside it the description of one. */
 export function OwnPage() {
-  const t = useTexts().own;
+  const t = useTableTexts().own;
   const list = useOwn((s) => s.list);
   const { row: asked, focus } = useOwnPlace();
   const [said, setSaid] = useState<TableSaid | null>(null);

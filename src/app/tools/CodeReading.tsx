@@ -6,7 +6,7 @@ import type { HolderCell } from "../../program/tool-columns.ts";
 import { inScreenWriting } from "../dialog/write-value.ts";
 import { Icon } from "../Icon.tsx";
 import { useSettings } from "../settings/settings.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTableTexts } from "../settings/use-table-texts.ts";
 
 type Number = (n: number) => string;
 
@@ -85,7 +85,7 @@ export function CodeParts({ parts, words: w }: { readonly parts: readonly CodePa
 
 /** What a code fills, each cell with what stands in it now. */
 export function CodeFillings({ cells, words: w }: { readonly cells: readonly Filling[]; readonly words: ToolCodeTexts }) {
-  const t = useTexts().tools;
+  const t = useTableTexts().tools;
   const language = useSettings((s) => s.language);
   const shown = (cell: string, text: string) =>
     text.trim() === "" ? w.empty : cell === "head" ? w.outline : inScreenWriting(language, text);

@@ -3,7 +3,7 @@ import type { ToolFileTexts } from "../../i18n/tool-file-text.ts";
 import { originsOf } from "../../program/table-again.ts";
 import type { TableOrigin } from "../../program/tool-entry.ts";
 import { Icon } from "../Icon.tsx";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTableTexts } from "../settings/use-table-texts.ts";
 import type { ExportKind } from "./tool-files.ts";
 import { toolsOnDevice, useTools } from "./tool-store.ts";
 
@@ -11,7 +11,7 @@ import { toolsOnDevice, useTools } from "./tool-store.ts";
 export function ExportDialog({ words: w, again, write, done }: { readonly words: ToolFileTexts;
   readonly again: (origin: TableOrigin) => void; readonly write: (kind: ExportKind) => void; readonly done: () => void })
 {
-  const t = useTexts().tools;
+  const t = useTableTexts().tools;
   const list = useTools((s) => s.list);
   const dialog = useRef<HTMLDialogElement>(null);
   const { table, mills } = toolsOnDevice(list);

@@ -6,7 +6,7 @@ import { planImport, type ImportChange } from "../../program/tool-import.ts";
 import { inScreenWriting } from "../dialog/write-value.ts";
 import { Icon } from "../Icon.tsx";
 import { useSettings } from "../settings/settings.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTableTexts } from "../settings/use-table-texts.ts";
 import type { Brought } from "./tool-files.ts";
 import { useToolName } from "./tool-name.ts";
 import { useTools } from "./tool-store.ts";
@@ -17,7 +17,7 @@ const MOST = 200;
 const isHolderCell = (cell: string): cell is HolderCell => HOLDER_CELLS.some((each) => each === cell);
 
 function Changes({ changed, words: w }: { readonly changed: readonly ImportChange[]; readonly words: ToolFileTexts }) {
-  const t = useTexts().tools;
+  const t = useTableTexts().tools;
   const nameOf = useToolName();
   const language = useSettings((s) => s.language);
   const shown = (cell: string, text: string) => text === "" ? w.empty : cell === "head" ? w.outline : inScreenWriting(language, text);
@@ -47,7 +47,7 @@ function Names({ tools, words: w }: { readonly tools: readonly ToolEntry[]; read
 export function ImportDialog({ brought, words: w, take, done }: { readonly brought: Brought; readonly words: ToolFileTexts;
   readonly take: (choice: "all" | "new") => void; readonly done: () => void })
 {
-  const t = useTexts().tools;
+  const t = useTableTexts().tools;
   const list = useTools((s) => s.list);
   const dialog = useRef<HTMLDialogElement>(null);
   const plan = useMemo(() => planImport(list, brought.incoming, "all"), [list, brought]);

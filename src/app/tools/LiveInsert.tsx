@@ -7,7 +7,7 @@ import { boundsOf } from "../../view/bounds.ts";
 import { Icon } from "../Icon.tsx";
 import { heldBounds, InsertDrawing } from "../lathe/InsertDrawing.tsx";
 import { useSettings } from "../settings/settings.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTableTexts } from "../settings/use-table-texts.ts";
 
 /** Edges of the drawing, px. */
 const WIDTH = 176;
@@ -33,7 +33,7 @@ export function LiveInsert({ tool, now }: {
   /** False while the cells make no tool and an older one is drawn. */
   readonly now: boolean;
 }) {
-  const t = useTexts().tools;
+  const t = useTableTexts().tools;
   const language = useSettings((s) => s.language);
   const measured = useMemo(() => {
     const insert = tool && boundsOf(insertOutline(tool, CHORD));

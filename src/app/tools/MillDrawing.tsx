@@ -4,7 +4,7 @@ import { formatNumber } from "../../i18n/number.ts";
 import { drillOf } from "../../program/tool-call.ts";
 import type { MillTool } from "../../program/tool-entry.ts";
 import { useSettings } from "../settings/settings.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTableTexts } from "../settings/use-table-texts.ts";
 import { wholeAbove } from "./LiveInsert.tsx";
 
 /** Edges of the drawing, px. */
@@ -60,7 +60,7 @@ function Outline({ side, scale }: { readonly side: Side; readonly scale: number 
 
 /** A mill or a drill to scale from the side, with its axis, and a length to compare it to. */
 export function MillDrawing({ mill }: { readonly mill: MillTool | null }) {
-  const t = useTexts().tools;
+  const t = useTableTexts().tools;
   const language = useSettings((s) => s.language);
   if (!mill)
     return (

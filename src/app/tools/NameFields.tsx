@@ -3,6 +3,7 @@ import type { Issue } from "../../kernel/issue.ts";
 import { TOOL_TYPES } from "../../kernel/tool.ts";
 import { isMillType, isToolType, MILL_TYPES } from "../../program/tool-columns.ts";
 import { cellOf, type ToolEntry } from "../../program/tool-entry.ts";
+import { useTableTexts } from "../settings/use-table-texts.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { setCell } from "./tool-edits.ts";
 import { closeStep } from "../steps.ts";
@@ -15,7 +16,7 @@ interface Props {
 
 /** NAME as the control takes it: capital letters. */
 function NameField({ entry, issues }: Props) {
-  const t = useTexts().tools;
+  const t = useTableTexts().tools;
   const id = useId();
   const text = cellOf(entry, "NAME");
   const found = issues.filter((issue) => issue.at === "NAME");
@@ -35,8 +36,8 @@ function NameField({ entry, issues }: Props) {
 
 /** TYPE, which says what columns the tool has a use for. */
 function TypeField({ entry, issues }: Props) {
-  const texts = useTexts();
-  const t = texts.tools;
+  const t = useTableTexts().tools;
+  const { setup } = useTexts();
   const id = useId();
   const type = cellOf(entry, "TYPE");
   const found = issues.filter((issue) => issue.at === "TYPE");
@@ -53,12 +54,10 @@ function TypeField({ entry, issues }: Props) {
       }}>
         {!isToolType(type) && !isMillType(type) && <option value={type}>{type || t.anyType}</option>}
         <optgroup label={t.kinds.turning}>
-          {TOOL_TYPES.map((each) => <option key={each} value={each}>{each} · {texts.setup.tool.types[each]}</option>)}
+          {TOOL_TYPES.map((each) => <option key={each} value={each}>{each} · {setup.tool.types[each]}</option>)}
         </optgroup>
         <optgroup label={t.kinds.milling}>
-          {MILL_TYPES.map((each) => (
-            <option key={each} value={each}>{each} · {each === "MILL" ? t.mill : texts.setup.tool.types[each]}</option>
-          ))}
+          {MILL_TYPES.map((each) => <option key={each} value={each}>{each} · {each === "MILL" ? t.mill : setup.tool.types[each]}</option>)}
         </optgroup>
       </select>
       <CellMessages id={`${id}-wrong`} issues={found} text={type} />

@@ -1,3 +1,4 @@
+import { useTableTexts } from "../settings/use-table-texts.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import type { ToolKind } from "./tool-place.ts";
 
@@ -5,7 +6,8 @@ import type { ToolKind } from "./tool-place.ts";
 export function TableTabs({ open, onTools, onOwn }: { readonly open: ToolKind | "own"; readonly onTools: (kind: ToolKind) => void;
   readonly onOwn: () => void })
 {
-  const { tools: t, page } = useTexts();
+  const { tools: t } = useTableTexts();
+  const { page } = useTexts();
   return (
     <div className="tool-kinds" role="group" aria-label={t.kinds.name}>
       {(["turning", "milling"] as const).map((each) => (

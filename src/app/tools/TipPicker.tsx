@@ -2,7 +2,7 @@ import { useRef } from "react";
 import { Radio, RadioGroup, type RadioProps } from "react-aria-components/RadioGroup";
 import type { TipOrientation, Tool } from "../../kernel/tool.ts";
 import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTableTexts } from "../settings/use-table-texts.ts";
 
 /** Edge length of one picture, px. */
 const DRAWING = 44;
@@ -38,7 +38,7 @@ export function TipPicker({ value, tool, onChoose }: {
   readonly tool: Tool | null;
   readonly onChoose: (to: TipOrientation) => void;
 }) {
-  const t = useTexts().tools;
+  const t = useTableTexts().tools;
   const grid = useRef<HTMLDivElement>(null);
   const choose = (to: TipOrientation | undefined) => to && onChoose(to);
   const keys = (place: number): NonNullable<RadioProps["onKeyDown"]> => (event) => {

@@ -8,7 +8,7 @@ import { FieldMessage } from "../dialog/FieldMessage.tsx";
 import { useNumberEntry } from "../dialog/use-number-entry.ts";
 import { inScreenWriting } from "../dialog/write-value.ts";
 import { useSettings } from "../settings/settings.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTableTexts } from "../settings/use-table-texts.ts";
 import { setCell } from "./tool-edits.ts";
 import { closeStep } from "../steps.ts";
 
@@ -36,7 +36,7 @@ export function ToolField({ entry, cell, issues, unused = null }: {
   /** The type that has no use for this column; null when it has. */
   readonly unused?: string | null;
 }) {
-  const t = useTexts().tools;
+  const t = useTableTexts().tools;
   const id = useId();
   const input = useRef<HTMLInputElement>(null);
   const language = useSettings((s) => s.language);

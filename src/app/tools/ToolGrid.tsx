@@ -7,7 +7,7 @@ import { anyNumber, readText } from "../../program/field.ts";
 import { Icon } from "../Icon.tsx";
 import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
 import { useSettings } from "../settings/settings.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTableTexts } from "../settings/use-table-texts.ts";
 import { drillOf } from "../../program/tool-call.ts";
 import { openRow, type ToolKind } from "./tool-place.ts";
 import { useToolName } from "./tool-name.ts";
@@ -38,7 +38,7 @@ const ToolRow = memo(
   function ToolRow({ entry, reading, kind, open, drawn }: { readonly entry: ToolEntry; readonly reading: EntryReading;
     readonly kind: ToolKind; readonly open: boolean; readonly drawn: boolean })
   {
-    const t = useTexts().tools;
+    const t = useTableTexts().tools;
     const name = useToolName()(entry);
     const shown = useShown();
     const type = cellOf(entry, "TYPE");
@@ -84,7 +84,7 @@ export function ToolGrid({ list, kind, read, open }: {
   readonly read: ToolListReading;
   readonly open: string | null;
 }) {
-  const t = useTexts().tools;
+  const t = useTableTexts().tools;
   const box = useRef<HTMLDivElement>(null);
   const at = list.findIndex((entry) => entry.id === open);
 

@@ -1,7 +1,7 @@
 import { useEffect, useRef, useState } from "react";
 import { Icon } from "../Icon.tsx";
 import { useSettings } from "../settings/settings.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTableTexts } from "../settings/use-table-texts.ts";
 import { showOwn } from "../own/own-place.ts";
 import { addTool, duplicateTool, removeTool, takeShipped } from "./tool-edits.ts";
 import { isMillEntry } from "../../program/tool-entry.ts";
@@ -20,7 +20,7 @@ import "./tools.css";
 
 /** The tool table of this device: the whole table, and the columns of one tool beside it. */
 export function ToolPage() {
-  const t = useTexts().tools;
+  const t = useTableTexts().tools;
   const nameOf = useToolName();
   const list = useTools((s) => s.list);
   const asked = useToolPlace((p) => p.row);

@@ -1,8 +1,8 @@
 import { cellOf, type ToolEntry } from "../../program/tool-entry.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTableTexts } from "../settings/use-table-texts.ts";
 
 /** What a row is called: its number and name, as typed. */
 export function useToolName(): (entry: ToolEntry) => string {
-  const t = useTexts().tools;
+  const t = useTableTexts().tools;
   return (entry) => t.toolName(cellOf(entry, "T").trim() || t.noNumber, cellOf(entry, "NAME").trim());
 }

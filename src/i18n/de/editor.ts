@@ -195,4 +195,5 @@ export const editor = {
     label: "Label",
     file: "Datei",
   },
+  ownUnproved: "Selbst beschrieben, nicht simuliert",
 } satisfies EditorTexts;

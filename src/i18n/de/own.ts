@@ -81,7 +81,6 @@ export const own: OwnTexts = {
   describe: "Zyklus beschreiben",
   describeAbout: "Diese Seite kennt den Zyklus nicht. Einmal beschrieben, bekommen seine Sätze einen Dialog.",
   change: "Beschreibung ändern",
-  unproved: "Selbst beschrieben, nicht simuliert",
   unprovedLong: "Was der Zyklus mit Bahn und Material macht, weiß diese Seite nicht. Hinter seinem Aufruf ist nichts geprüft.",
   notDescribed: "nicht in der Beschreibung",
   anyNumber: "jede Zahl",

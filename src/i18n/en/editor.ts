@@ -199,6 +199,7 @@ export const editor = {
     label: "label",
     file: "file",
   },
+  ownUnproved: "Described by you, not simulated",
 };
 
 export type EditorTexts = Shape<typeof editor>;

@@ -4,13 +4,11 @@ import { setup } from "./setup.ts";
 import { lathe } from "./lathe.ts";
 import { help } from "./help.ts";
 import { contour } from "./contour.ts";
-import { tools } from "./tools.ts";
 import { editor } from "./editor.ts";
 import { approach } from "./approach.ts";
 import { findings } from "./findings.ts";
 import { messages } from "./messages.ts";
 import { operations } from "./operations.ts";
-import { own } from "./own.ts";
 import { params } from "./params.ts";
 import { cycles } from "./cycles.ts";
 
@@ -21,13 +19,11 @@ export const en = {
   lathe,
   help,
   contour,
-  tools,
   editor,
   approach,
   findings,
   messages,
   operations,
-  own,
   params,
   cycles,
 };

@@ -83,7 +83,6 @@ export const own = {
   describe: "Describe this cycle",
   describeAbout: "This page does not know the cycle. Describe it once, and its blocks get a dialog.",
   change: "Change the description",
-  unproved: "Described by you, not simulated",
   unprovedLong: "This page does not know what the cycle does to the path and the stock. Where it is called, nothing behind it is proved.",
   notDescribed: "not in the description",
   anyNumber: "any number",

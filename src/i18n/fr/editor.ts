@@ -195,4 +195,5 @@ export const editor = {
     label: "label",
     file: "fichier",
   },
+  ownUnproved: "Décrit par vous, non simulé",
 } satisfies EditorTexts;

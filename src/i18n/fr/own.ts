@@ -82,7 +82,6 @@ export const own: OwnTexts = {
   describe: "Décrire ce cycle",
   describeAbout: "Cette page ne connaît pas ce cycle. Décrit une fois, il donne un dialogue à ses séquences.",
   change: "Modifier la description",
-  unproved: "Décrit par vous, non simulé",
   unprovedLong:
     "Cette page ne sait pas ce que le cycle fait à la trajectoire et à la matière. Là où il est appelé, rien n’est contrôlé ensuite.",
   notDescribed: "absent de la description",

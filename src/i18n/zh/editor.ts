@@ -186,4 +186,5 @@ export const editor = {
     label: "标签",
     file: "文件",
   },
+  ownUnproved: "由您描述，不仿真",
 } satisfies EditorTexts;

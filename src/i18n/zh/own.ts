@@ -74,7 +74,6 @@ export const own: OwnTexts = {
   describe: "描述此循环",
   describeAbout: "本页不认识此循环。描述一次后，其程序段即有对话框。",
   change: "修改描述",
-  unproved: "由您描述，不仿真",
   unprovedLong: "本页不知道此循环如何影响路径和毛坯。调用之后的内容均未验证。",
   notDescribed: "描述中没有",
   anyNumber: "任意数字",

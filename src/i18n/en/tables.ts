@@ -1,0 +1,4 @@
+import { own } from "./own.ts";
+import { tools } from "./tools.ts";
+
+export const enTables = { tools, own };
