@@ -1,13 +1,17 @@
 import { ncLabels } from "../i18n/nc-labels.ts";
+import type { Tool } from "../kernel/tool.ts";
 import type { Job, SetJob } from "../program/job.ts";
 import { printJob } from "../program/print-job.ts";
 import { setJobOf } from "./reading.ts";
 
 const printed = new WeakMap<SetJob, string>();
 
-/** The program text of a job with its set-up, in its own layout and label language, made once per state of the job. */
-export function printedText(typed: Job): string {
-  const job = setJobOf(typed);
+/**
+ * The program text of a job with its set-up, in its own layout and label language, made once per state of the job. Its tools are those of
+ * the open work where no others are given.
+ */
+export function printedText(typed: Job, tools?: readonly Tool[]): string {
+  const job = setJobOf(typed, tools);
   const known = printed.get(job);
   if (known !== undefined) return known;
   const text = printJob(job, ncLabels(job.ncLanguage));

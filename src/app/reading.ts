@@ -42,7 +42,7 @@ function completedBy(job: Job, tools: readonly Tool[]): Completed {
 }
 
 /** The job with a value in every place of its set-up: what is printed, drawn and run. */
-export const setJobOf = (job: Job): SetJob => completedBy(job, toolTable().tools).job;
+export const setJobOf = (job: Job, tools: readonly Tool[] = toolTable().tools): SetJob => completedBy(job, tools).job;
 
 const read = new WeakMap<SetJob, JobReading>();
 

@@ -89,13 +89,14 @@ export function changeProgram(change: (program: ProgramWork) => ProgramWork, pla
 /** What the open work brings along in place of what the device has; nothing where none is open. */
 export const handedOn = ({ job, program }: Editor): HandedOn => job ?? program ?? {};
 
-const bringing = <W extends Job | ProgramWork>(work: W, next: HandedOn): W => {
+/** A work with something else that it brings along. */
+export const withHandedOn = <W extends Job | ProgramWork>(work: W, next: HandedOn): W => {
   const { tools: _, control: __, ...bare } = work;
   return { ...bare, ...next } as unknown as W;
 };
 
 /** Changes what the open work brings along, as one step of undo. */
 export function setHandedOn(next: HandedOn): void {
-  if (useEditor.getState().program) changeProgram((program) => bringing(program, next));
-  else edit((job) => bringing(job, next));
+  if (useEditor.getState().program) changeProgram((program) => withHandedOn(program, next));
+  else edit((job) => withHandedOn(job, next));
 }

@@ -23,6 +23,9 @@ export interface ProgramWork extends WorkFile, HandedOn {
   readonly remarks?: string;
 }
 
+/** What a work brings along, and nothing else of it. */
+export const broughtBy = ({ tools, control }: HandedOn): HandedOn => ({ ...(tools && { tools }), ...(control && { control }) });
+
 /** Longest remarks of a setup sheet, characters: they fill a page. */
 export const LONGEST_REMARKS = 4000;
 

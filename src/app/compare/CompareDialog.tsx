@@ -14,7 +14,7 @@ import { isWriting, tallyOf, type ComparedFile } from "./compared.ts";
 import { Differences, rowsIn } from "./Differences.tsx";
 import { OtherProgram } from "./OtherProgram.tsx";
 import type { OtherText, ShowBlock } from "./compare-place.ts";
-import { openedProgram, presentProgram, withOtherText } from "./sides.ts";
+import { changedSinceOpened, presentProgram, withOtherText } from "./sides.ts";
 import { useProgramComparison, type ComparedPrograms } from "./use-compared.ts";
 import "./compare.css";
 
@@ -138,7 +138,7 @@ export function CompareDialog({ done, showBlock, against }: Props) {
   const [words, say] = useState<CompareTexts | null>(null);
   const [present] = useState(presentProgram);
   const [other, take] = useState(() =>
-    present && (against ? { name: against.name, program: withOtherText(present, against.text) } : openedProgram(present))
+    present && (against ? { name: against.name, program: withOtherText(present, against.text) } : changedSinceOpened(present))
   );
   const name = useEditor((s) => s.program?.name ?? s.job?.name ?? "");
   const sides = useMemo(() => (present && other ? { before: other.program, after: present } : null), [present, other]);

@@ -4,9 +4,9 @@ import { useShownName } from "../files/shown-file.ts";
 import { askForFiles } from "../files/file-handle.ts";
 import { readWork } from "../saving/device.ts";
 import { refreshWorks, useKeeping } from "../saving/keep.ts";
-import { asOpened, useEditor } from "../store.ts";
+import { useEditor } from "../store.ts";
 import type { ProgramWork } from "../work.ts";
-import { asProgram, textOfFile, withOtherText, type Other } from "./sides.ts";
+import { asProgram, openedProgram, textOfFile, withOtherText, type Other } from "./sides.ts";
 import type { CompareTexts } from "../../i18n/en/compare.ts";
 
 /** Where the other program comes from, as the select holds it. */
@@ -37,9 +37,10 @@ export function OtherProgram({ words, present, other, onTake }: { readonly words
     paste(false);
     if (chosen === DEVICE) return fromDevice();
     if (chosen === "") return onTake(null);
-    const kept = chosen === OPENED ? (work === null ? null : asOpened(work)) : (await readWork(chosen))?.job ?? null;
+    const kept = chosen === OPENED ? null : (await readWork(chosen))?.job ?? null;
+    const program = chosen === OPENED ? openedProgram() : kept && asProgram(kept);
     const name = works.find((each) => each.work === chosen)?.name ?? null;
-    take(kept && { name, program: asProgram(kept) });
+    take(program && { name, program });
   };
   const shown = useShownName();
   const [onDevice, find] = useState(false);

@@ -2,15 +2,16 @@ import { decode } from "../editor/encoding.ts";
 import { LARGEST_PROGRAM } from "../files/limits.ts";
 import { shownFile } from "../files/shown-file.ts";
 import { printedText, programName } from "../printed.ts";
-import { asOpened, handOver, useEditor } from "../store.ts";
+import { asOpened, handedOn, handOver, useEditor, withHandedOn } from "../store.ts";
+import { shopOf } from "../tools/work-tools.ts";
 import { fileKey } from "../../program/program-files.ts";
-import { filesOf, isProgram, withText, type ProgramWork, type Work } from "../work.ts";
+import { broughtBy, filesOf, isProgram, withText, type ProgramWork, type Work } from "../work.ts";
 
-/** A work as a program: that of a cycle as it is printed. */
+/** A work as a program, with what it brings along: that of a cycle as it is printed. */
 export function asProgram(work: Work): ProgramWork {
   if (isProgram(work)) return work;
-  const text = printedText(work);
-  return { name: `${programName(text)}.h`, text, encoding: "utf-8" };
+  const text = printedText(work, shopOf(work).table.tools);
+  return { name: `${programName(text)}.h`, text, encoding: "utf-8", ...broughtBy(work) };
 }
 
 /** The open work as it stands now; null where none is open. */
@@ -27,11 +28,16 @@ export interface Other {
   readonly program: ProgramWork;
 }
 
-/** The open work as it was when it was opened, where something of it has changed since. */
-export function openedProgram(present: ProgramWork): Other | null {
+/** The open work as it was when it was opened, with the tools and the control that it has now; null where that is not known. */
+export function openedProgram(): ProgramWork | null {
   const { work } = useEditor.getState();
   const opened = work === null ? null : asOpened(work);
-  const program = opened && asProgram(opened);
+  return opened && asProgram(withHandedOn(opened, broughtBy(handedOn(useEditor.getState()))));
+}
+
+/** The open work as it was when it was opened, where something of it has changed since. */
+export function changedSinceOpened(present: ProgramWork): Other | null {
+  const program = openedProgram();
   return program && (program.text !== present.text || filesOf(program) !== filesOf(present)) ? { name: null, program } : null;
 }
 

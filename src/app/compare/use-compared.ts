@@ -36,7 +36,7 @@ export function useProgramComparison(sides: Sides | null): ComparedPrograms | nu
     const compare = async () => {
       const files = comparedFiles(sides.before, sides.after);
       set({ of: sides, made: { files, consequences: null, state: "calculating" } });
-      const before = outcomeAtHand(sides.before) ?? await outcomeBeside(sides.before);
+      const before = await outcomeBeside(sides.before);
       if (gone) return;
       const after = outcomeAtHand(sides.after) ?? await outcomeBeside(sides.after);
       if (gone) return;

@@ -16,7 +16,7 @@ import { notice } from "../saving/keep.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useEditor, type Editor } from "../store.ts";
 import { useTools } from "../tools/tool-store.ts";
-import { controlInUse, toolTable } from "../tools/work-tools.ts";
+import { controlInUse, shopOf, toolTable } from "../tools/work-tools.ts";
 import { filesOf, isProgram, type ProgramWork, type Work, type WorkFile } from "../work.ts";
 import type { Comparer } from "../which/comparison.ts";
 import type { Called, Request } from "./engine.ts";
@@ -176,12 +176,12 @@ export function startEngine(): () => void {
   return () => stops.forEach((stop) => stop());
 }
 
-/** What comes of another program, beside the open one and under the same conditions; null when that cannot be said. */
-export async function outcomeBeside({ name, text, files, skipMarked = false }: ProgramWork): Promise<Outcome | null> {
-  const { control } = useSettings.getState();
+/** What comes of another program, beside the open one and with what it brings along itself; null when that cannot be said. */
+export async function outcomeBeside(program: ProgramWork): Promise<Outcome | null> {
+  const { name, text, skipMarked = false } = program;
   const { job } = useEditor.getState();
   try {
-    const request = { version: 0, name, text, files: files ?? [], skipMarked, table: toolTable(), control };
+    const request = { version: 0, name, text, files: filesOf(program), skipMarked, ...shopOf(program) };
     return await askAgain((engine) => engine.update({ ...request, rapid: job ? rapidOf(job) : USUAL_RAPID }));
   } catch {
     return null;

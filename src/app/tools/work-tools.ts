@@ -1,11 +1,21 @@
+import type { HandedOn } from "../../program/job.ts";
 import type { Control } from "../../program/plane-types.ts";
 import type { ToolList } from "../../program/tool-list.ts";
 import { useSettings } from "../settings/settings.ts";
 import { handedOn, useEditor } from "../store.ts";
 import { toolsOnDevice, useTools } from "./tool-store.ts";
 
-/** The tools that the open work runs with: those it was handed on with, or the table of this device. */
-export const listInUse = (): ToolList => handedOn(useEditor.getState()).tools ?? useTools.getState().list;
+/** The tools that a work runs with: those it was handed on with, or the table of this device. */
+const listOf = ({ tools }: HandedOn): ToolList => tools ?? useTools.getState().list;
+
+/** How APPR and DEP move in a work: as it was handed on, or as this device is set. */
+const controlOf = ({ control }: HandedOn): Control => control ?? useSettings.getState().control;
+
+/** What a work runs with, whether it is open or not: the tools that can be called, those that are refused, and the control. */
+export const shopOf = (work: HandedOn) => ({ table: toolsOnDevice(listOf(work)).table, control: controlOf(work) });
+
+/** The tools that the open work runs with. */
+export const listInUse = (): ToolList => listOf(handedOn(useEditor.getState()));
 
 /** The tools of the open work as they are now: those that can be called, and those that are refused. */
 export const toolTable = () => toolsOnDevice(listInUse()).table;
@@ -17,5 +27,5 @@ export function useToolList() {
   return toolsOnDevice(own ?? shop).table.tools;
 }
 
-/** How APPR and DEP move in the open work: as it was handed on, or as this device is set. */
-export const controlInUse = (): Control => handedOn(useEditor.getState()).control ?? useSettings.getState().control;
+/** How APPR and DEP move in the open work. */
+export const controlInUse = (): Control => controlOf(handedOn(useEditor.getState()));
