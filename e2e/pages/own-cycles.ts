@@ -35,7 +35,7 @@ export class OwnCycles {
   }
 
   get takeBack(): Locator {
-    return this.status.getByRole("button", { name: this.words.undo, exact: true });
+    return this.status.getByRole("button", { name: `${this.words.undo} – ` });
   }
 
   row(number: number, name: string): Locator {

@@ -98,7 +98,7 @@ export class ToolTable {
 
   /** The undo that stands beside what was just done. */
   get takeBack(): Locator {
-    return this.status.getByRole("button", { name: this.context.t.tools.undo, exact: true });
+    return this.status.getByRole("button", { name: `${this.context.t.tools.undo} – ` });
   }
 
   /** Chooses a file to import; text is taken as UTF-8. What it brings is then shown in `incoming`. */

@@ -65,7 +65,7 @@ export class WorksList {
 
   /** The undo that stands beside what was just done. */
   get takeBack(): Locator {
-    return this.context.page.getByRole("status").getByRole("button", { name: this.context.t.page.undo, exact: true });
+    return this.context.page.getByRole("status").getByRole("button", { name: `${this.context.t.page.undo} – ` });
   }
 
   /** Marks a work for what is done with several. */

@@ -92,7 +92,7 @@ test("duplicate, delete, and undo beside what was said", async () => {
   await user.click(screen.getByRole("button", { name: t.removeLong(t.cycleName("318", "BAR PULLER")) }));
   expect(list()).toHaveLength(1);
   const status = screen.getAllByRole("status").find((each) => each.textContent?.includes("318"));
-  await user.click(within(status as HTMLElement).getByRole("button", { name: t.undo }));
+  await user.click(within(status as HTMLElement).getByRole("button", { name: new RegExp(`^${t.undo} – `) }));
   expect(list()).toHaveLength(2);
 });
 

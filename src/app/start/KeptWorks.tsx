@@ -70,7 +70,7 @@ export function KeptWorks() {
         {removed !== null && (
           <>
             {t.removed(removed)}
-            <button type="button" className="button" onClick={() => {
+            <button type="button" className="button" aria-label={`${undo} – ${t.removed(removed)}`} onClick={() => {
               setRemoved(null);
               undoStep();
             }}>

@@ -11,7 +11,7 @@ export interface TableSaid {
 /** What a change of a table of the device came to, with a way back. */
 export function TableStatus({ said, undo, done }: {
   readonly said: TableSaid | null;
-  /** What the button that takes it back is called. */
+  /** The word on the button that takes it back; its name says what, as the top line has a button of that word as well. */
   readonly undo: string;
   /** It was taken back. */
   readonly done: () => void;
@@ -22,7 +22,7 @@ export function TableStatus({ said, undo, done }: {
         <p className={`field-message ${said.failed ? "error" : "info"}`}>
           <Icon name={said.failed ? "error" : "info"} /> <span>{said.sentences.join(" ")}</span>
           {said.changed && (
-            <button type="button" className="button" onClick={() => {
+            <button type="button" className="button" aria-label={`${undo} – ${said.sentences.join(" ")}`} onClick={() => {
               undoStep();
               done();
             }}>

@@ -133,7 +133,7 @@ test("a file is taken over as one step, what it is missing is said", async () =>
   });
   expect(toolTable().tools[0]?.NAME).toBe("SHOP-80-R08");
   expect(steps()).toBe(1);
-  await user.click(within(screen.getByText(/T\.TRN/).closest("p") as HTMLElement).getByRole("button", { name: "Undo" }));
+  await user.click(within(screen.getByText(/T\.TRN/).closest("p") as HTMLElement).getByRole("button", { name: /^Undo – / }));
   expect(toolTable().tools).toEqual(shippedTools);
 });
 
