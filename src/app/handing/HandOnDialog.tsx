@@ -1,4 +1,5 @@
 import { useEffect, useState } from "react";
+import type { HandedTexts } from "../../i18n/en/handed.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import type { ShownVerdict } from "../findings/verdict.ts";
 import { VerdictText } from "../findings/VerdictText.tsx";
@@ -15,6 +16,7 @@ import { linkOf } from "./link.ts";
 import { packed, packedFile, type Packed } from "./pack.ts";
 import { QrCode } from "./QrCode.tsx";
 import { LONGEST_QR } from "./qr.ts";
+import { isHereOnly } from "./reach.ts";
 import { canShare, share } from "./share-sheet.ts";
 import { useHandedTexts } from "./use-handed-texts.ts";
 import { WorkFacts } from "./WorkFacts.tsx";
@@ -69,7 +71,14 @@ export function HandOnDialog({ open, verdict, done }: Props) {
   );
 }
 
-function Ways({ words, ready }: { readonly words: NonNullable<ReturnType<typeof useHandedTexts>>; readonly ready: Ready }) {
+/** What keeps a link from being opened where it goes; null when nothing does. */
+function warningOf(words: HandedTexts, link: string, isOnlyHere: boolean): string | null {
+  if (link === "") return words.linkTooLong;
+  if (isOnlyHere) return words.hereOnly;
+  return link.length > SAFE_LINK ? words.linkLong : null;
+}
+
+function Ways({ words, ready }: { readonly words: HandedTexts; readonly ready: Ready }) {
   const t = useTexts().page;
   const language = useSettings((s) => s.language);
   const { work, file, link, report } = ready;
@@ -77,7 +86,8 @@ function Ways({ words, ready }: { readonly words: NonNullable<ReturnType<typeof 
   const number = (n: number) => formatNumber(language, n);
   const stem = file.replace(/\.[^.]*$/, "");
   const archive = `${stem}.zip`;
-  const warning = link === "" ? words.linkTooLong : link.length > SAFE_LINK ? words.linkLong : null;
+  const isOnlyHere = isHereOnly(pageAddress());
+  const warning = warningOf(words, link, isOnlyHere);
   const sheet = { name: work.name, link: link.length > SAFE_LINK ? "" : link, archive, bytes: () => packedFile(ready) };
   return (
     <>
@@ -106,7 +116,7 @@ function Ways({ words, ready }: { readonly words: NonNullable<ReturnType<typeof 
           {link.length > LONGEST_QR ? <p className="soft">{words.qrTooLong(number(link.length), number(LONGEST_QR))}</p> : (
             <>
               <QrCode link={link} name={words.qrName(work.name)} />
-              <p className="small soft">{words.qrHint}</p>
+              {!isOnlyHere && <p className="small soft">{words.qrHint}</p>}
             </>
           )}
         </section>

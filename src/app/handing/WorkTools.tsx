@@ -64,10 +64,10 @@ export function WorkTools({ words, done }: Props) {
           </button>
         </div>
       )}
-      {control !== undefined && (
+      {control !== undefined && control !== device && (
         <div className="work-control">
           <p>{words.control(control, device)}</p>
-          {control !== device && <button type="button" className="button" onClick={takeControlOfDevice}>{words.useControl(device)}</button>}
+          <button type="button" className="button" onClick={takeControlOfDevice}>{words.useControl(device)}</button>
         </div>
       )}
     </HandingDialog>
