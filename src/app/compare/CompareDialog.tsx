@@ -1,11 +1,9 @@
-import { useEffect, useLayoutEffect, useMemo, useRef, useState } from "react";
+import { useMemo, useRef, useState } from "react";
 import { createPortal } from "react-dom";
-import type { CompareTexts } from "../../i18n/en/compare.ts";
 import { loadCompare } from "../../i18n/load-compare.ts";
 import type { BlockDifference } from "../../program/compare/compare.ts";
 import { Icon } from "../Icon.tsx";
 import { copyText, useCopying } from "../program/copy.ts";
-import { untilHere } from "../parts.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { useEditor } from "../store.ts";
@@ -16,7 +14,11 @@ import { OtherProgram } from "./OtherProgram.tsx";
 import type { OtherText, ShowBlock } from "./compare-place.ts";
 import { changedSinceOpened, presentProgram, withOtherText } from "./sides.ts";
 import { useProgramComparison, type ComparedPrograms } from "./use-compared.ts";
+import { laterTexts } from "../settings/later-texts.ts";
+import { useModal } from "../use-modal.ts";
 import "./compare.css";
+
+const { useThemSoon: useCompareTexts } = laterTexts(loadCompare);
 
 /** Block of the present program that a difference leads to: its own, or where what is gone has stood. */
 function blockNow({ after, partners }: ComparedFile, { a, b }: BlockDifference): number {
@@ -135,7 +137,8 @@ export function CompareDialog({ done, showBlock, against }: Props) {
   const texts = useTexts();
   const language = useSettings((s) => s.language);
   const dialog = useRef<HTMLDialogElement>(null);
-  const [words, say] = useState<CompareTexts | null>(null);
+  useModal(dialog);
+  const words = useCompareTexts();
   const [present] = useState(presentProgram);
   const [other, take] = useState(() =>
     present && (against ? { name: against.name, program: withOtherText(present, against.text) } : changedSinceOpened(present))
@@ -143,22 +146,6 @@ export function CompareDialog({ done, showBlock, against }: Props) {
   const name = useEditor((s) => s.program?.name ?? s.job?.name ?? "");
   const sides = useMemo(() => (present && other ? { before: other.program, after: present } : null), [present, other]);
   const compared = useProgramComparison(sides);
-
-  // Closed before it goes, so that the keyboard returns to where it was.
-  useLayoutEffect(() => {
-    const { current } = dialog;
-    current?.showModal();
-    return () => current?.close();
-  }, []);
-  useEffect(() => {
-    let gone = false;
-    void untilHere(() => loadCompare(language)).then((loaded) => {
-      if (!gone) say(loaded);
-    });
-    return () => {
-      gone = true;
-    };
-  }, [language]);
 
   const choose = (file: ComparedFile, difference: BlockDifference) => {
     dialog.current?.close();

@@ -1,17 +1,14 @@
-import { useLayoutEffect, useRef } from "react";
+import { useRef } from "react";
 import { filesOf, type ProgramWork } from "../work.ts";
 import { endChoice, type ProgramChoice } from "./choice.ts";
 import { useFilesTexts } from "./use-files-texts.ts";
+import { useModal } from "../use-modal.ts";
 
 /** Asks which of several programs are opened. Closing it opens none. */
 export function ChooseProgram({ works, skipped, isCut, open, together }: ProgramChoice) {
   const t = useFilesTexts();
   const dialog = useRef<HTMLDialogElement>(null);
-  useLayoutEffect(() => {
-    const { current } = dialog;
-    current?.showModal();
-    return () => current?.close();
-  }, []);
+  useModal(dialog);
   const take = (chosen: readonly ProgramWork[]) => () => {
     dialog.current?.close();
     open(chosen);

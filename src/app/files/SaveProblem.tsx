@@ -1,7 +1,8 @@
-import { useLayoutEffect, useRef } from "react";
+import { useRef } from "react";
 import { Icon } from "../Icon.tsx";
 import type { SaveBack, SaveHow } from "./save-back.ts";
 import { useFilesTexts } from "./use-files-texts.ts";
+import { useModal } from "../use-modal.ts";
 
 /** What stands in the way of saving. */
 export type Obstacle = Exclude<SaveBack, { readonly kind: "written" | "closed" }>;
@@ -21,11 +22,7 @@ interface Props {
 export function SaveProblem({ file, obstacle, canSave, onSave, onDownload, onCompare, done }: Props) {
   const t = useFilesTexts();
   const dialog = useRef<HTMLDialogElement>(null);
-  useLayoutEffect(() => {
-    const { current } = dialog;
-    current?.showModal();
-    return () => current?.close();
-  }, []);
+  useModal(dialog);
   const leave = (way: () => void) => () => {
     dialog.current?.close();
     way();

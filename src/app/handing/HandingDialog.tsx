@@ -1,6 +1,7 @@
-import { useLayoutEffect, useRef, type ReactNode } from "react";
+import { useRef, type ReactNode } from "react";
 import { Icon } from "../Icon.tsx";
 import { useFirstTexts } from "../settings/use-first-texts.ts";
+import { useModal } from "../use-modal.ts";
 import "./handing.css";
 
 /** A dialog over the page, open as long as it is there. */
@@ -9,13 +10,7 @@ export function HandingDialog({ title, done, children }: { readonly title: strin
 {
   const { close } = useFirstTexts().page;
   const dialog = useRef<HTMLDialogElement>(null);
-  // Closed before it goes, so that the keyboard returns to where it was.
-  useLayoutEffect(() => {
-    const { current } = dialog;
-    current?.showModal();
-    current?.querySelector<HTMLElement>(".handing-first")?.focus();
-    return () => current?.close();
-  }, []);
+  useModal(dialog, ".handing-first");
   return (
     <dialog ref={dialog} className="handing" aria-label={title} onClose={() => !dialog.current?.open && done()}
       onKeyDown={(event) => event.stopPropagation()}

@@ -1,27 +1,18 @@
-import { use, useMemo } from "react";
-import type { SheetTexts } from "../../i18n/en/sheet.ts";
-import type { Language } from "../../i18n/languages.ts";
+import { useMemo } from "react";
 import { loadSheet } from "../../i18n/load-sheet.ts";
 import { parse } from "../../nc/parse.ts";
 import type { Program } from "../../nc/program.ts";
 import type { Control } from "../../program/plane-types.ts";
 import { setupData, type SetupData } from "../../report/sheet/setup-data.ts";
 import { isMadeFrom, useOutcome, type Outcome } from "../engine/outcome.ts";
-import { untilHere } from "../parts.ts";
 import { printedText, programName } from "../printed.ts";
+import { laterTexts } from "../settings/later-texts.ts";
 import { useSettings } from "../settings/settings.ts";
 import { handedOn, useEditor } from "../store.ts";
 import { toolsOnDevice, useTools } from "../tools/tool-store.ts";
 
-const coming = new Map<Language, Promise<SheetTexts>>();
-
-/** The texts of the sheet; follows the language switch. */
-export function useSheetTexts(): SheetTexts {
-  const language = useSettings((s) => s.language);
-  const texts = coming.get(language) ?? untilHere(() => loadSheet(language));
-  coming.set(language, texts);
-  return use(texts);
-}
+/** The texts of the sheet, in the screen language. */
+export const { useThem: useSheetTexts } = laterTexts(loadSheet);
 
 /** What the sheet is made of. */
 export interface SheetSource {

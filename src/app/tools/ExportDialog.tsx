@@ -1,4 +1,4 @@
-import { useLayoutEffect, useRef } from "react";
+import { useRef } from "react";
 import type { ToolFileTexts } from "../../i18n/tool-file-text.ts";
 import { originsOf } from "../../program/table-again.ts";
 import type { TableOrigin } from "../../program/tool-entry.ts";
@@ -6,6 +6,7 @@ import { Icon } from "../Icon.tsx";
 import { useTableTexts } from "../settings/use-table-texts.ts";
 import type { ExportKind } from "./tool-files.ts";
 import { toolsOnDevice, useTools } from "./tool-store.ts";
+import { useModal } from "../use-modal.ts";
 
 /** Asks which file the table goes out as, and says what each cannot hold. */
 export function ExportDialog({ words: w, again, write, done }: { readonly words: ToolFileTexts;
@@ -14,14 +15,9 @@ export function ExportDialog({ words: w, again, write, done }: { readonly words:
   const t = useTableTexts().tools;
   const list = useTools((s) => s.list);
   const dialog = useRef<HTMLDialogElement>(null);
+  useModal(dialog, ".export-ways button:not(:disabled)");
   const { table, mills } = toolsOnDevice(list);
   const held = table.tools.some((tool) => tool.holder);
-  useLayoutEffect(() => {
-    const { current } = dialog;
-    current?.showModal();
-    current?.querySelector<HTMLElement>(".export-ways button:not(:disabled)")?.focus();
-    return () => current?.close();
-  }, []);
   const origins = [...originsOf(list, false), ...originsOf(list, true)];
   const kinds: readonly { readonly kind: ExportKind; readonly name: string; readonly hint: string; readonly count: number }[] = [
     { kind: "turning", name: w.turning, hint: `${w.roundsHint}${held ? ` ${w.noHolders}` : ""}`, count: table.tools.length },

@@ -1,4 +1,4 @@
-import { useLayoutEffect, useMemo, useRef } from "react";
+import { useMemo, useRef } from "react";
 import type { ToolFileTexts } from "../../i18n/tool-file-text.ts";
 import { HOLDER_CELLS, type HolderCell } from "../../program/tool-columns.ts";
 import type { ToolEntry } from "../../program/tool-entry.ts";
@@ -10,6 +10,7 @@ import { useTableTexts } from "../settings/use-table-texts.ts";
 import type { Brought } from "./tool-files.ts";
 import { useToolName } from "./tool-name.ts";
 import { useTools } from "./tool-store.ts";
+import { useModal } from "../use-modal.ts";
 
 /** Tools that are listed one by one. */
 const MOST = 200;
@@ -50,13 +51,8 @@ export function ImportDialog({ brought, words: w, take, done }: { readonly broug
   const t = useTableTexts().tools;
   const list = useTools((s) => s.list);
   const dialog = useRef<HTMLDialogElement>(null);
+  useModal(dialog, ".primary");
   const plan = useMemo(() => planImport(list, brought.incoming, "all"), [list, brought]);
-  useLayoutEffect(() => {
-    const { current } = dialog;
-    current?.showModal();
-    current?.querySelector<HTMLElement>(".primary")?.focus();
-    return () => current?.close();
-  }, []);
   const { fresh, changed, same, wrong } = plan;
   const title = w.title(brought.name);
   const told = fresh.length + changed.length;

@@ -1,22 +1,5 @@
-import { useEffect, useState } from "react";
 import { loadToolWords } from "../../i18n/load-tool-words.ts";
-import { untilHere } from "../parts.ts";
-import { useSettings } from "../settings/settings.ts";
+import { laterTexts } from "../settings/later-texts.ts";
 
-type ToolWords = Awaited<ReturnType<typeof loadToolWords>>;
-
-/** Texts of the tool table that come with it; null until they are here. */
-export function useToolWords(): ToolWords | null {
-  const language = useSettings((s) => s.language);
-  const [words, say] = useState<ToolWords | null>(null);
-  useEffect(() => {
-    let gone = false;
-    void untilHere(() => loadToolWords(language)).then((loaded) => {
-      if (!gone) say(loaded);
-    });
-    return () => {
-      gone = true;
-    };
-  }, [language]);
-  return words;
-}
+/** Texts of the tool table that come with it, in the screen language; null until they are here. */
+export const { useThemSoon: useToolWords } = laterTexts(loadToolWords);

@@ -1,9 +1,8 @@
-import { Suspense, useEffect, useLayoutEffect, useMemo, useRef, useState } from "react";
+import { Suspense, useMemo, useRef, useState } from "react";
 import { loadWhich } from "../../i18n/load-which.ts";
-import type { WhichTexts } from "../../i18n/which-text.ts";
 import { comparison as byWorker } from "../engine/client.ts";
 import { Icon } from "../Icon.tsx";
-import { lazyPart, untilHere } from "../parts.ts";
+import { lazyPart } from "../parts.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { canBePreturned, readAsking, soughtAt, usualNumbers, type Sought, type WhichRegion } from "./asking.ts";
@@ -13,7 +12,11 @@ import { ContourStretch } from "./ContourStretch.tsx";
 import { takeWay } from "./take.ts";
 import { useComparison } from "./use-comparison.ts";
 import { WayCards } from "./WayCards.tsx";
+import { laterTexts } from "../settings/later-texts.ts";
+import { useModal } from "../use-modal.ts";
 import "./which.css";
+
+const { useThemSoon: useWhichTexts } = laterTexts(loadWhich);
 
 const ContourTable = lazyPart(async () => ({ default: (await import("../contour/ContourTable.tsx")).ContourTable }));
 
@@ -42,29 +45,14 @@ export function WhichCycle({ done, region, comparison = byWorker }: Props) {
   const t = useTexts();
   const language = useSettings((s) => s.language);
   const dialog = useRef<HTMLDialogElement>(null);
-  const [words, say] = useState<WhichTexts | null>(null);
+  useModal(dialog);
+  const words = useWhichTexts();
   const [place, pick] = useState(region);
   const [asking, ask] = useState(() => begun(region));
   const [isTyped, type] = useState(false);
   const { wanted, fault } = useMemo(() => readAsking(asking), [asking]);
   const stock = asking.stock === "now" ? (place?.stock ?? null) : null;
   const compared = useComparison(wanted, stock, comparison);
-
-  // Closed before it goes, so that the keyboard returns to where it was.
-  useLayoutEffect(() => {
-    const { current } = dialog;
-    current?.showModal();
-    return () => current?.close();
-  }, []);
-  useEffect(() => {
-    let gone = false;
-    void untilHere(() => loadWhich(language)).then((loaded) => {
-      if (!gone) say(loaded);
-    });
-    return () => {
-      gone = true;
-    };
-  }, [language]);
 
   const onAsk = (change: Partial<Sought>) => {
     if (change.typed) type(true);

@@ -1,4 +1,4 @@
-import { useEffect, useId, useLayoutEffect, useRef, useState } from "react";
+import { useEffect, useId, useRef, useState } from "react";
 import type { DeviceTexts } from "../../i18n/en/device.ts";
 import { goToWorks } from "../address/go-home.ts";
 import { Icon } from "../Icon.tsx";
@@ -7,6 +7,7 @@ import { useFirstTexts } from "../settings/use-first-texts.ts";
 import { endBringing, type Bringing } from "./bring-in-place.ts";
 import { missingOwn, missingTools, statesOf, tablesHere, takeArchive, type ArchivedState, type TableChoice } from "./take-archive.ts";
 import { useDeviceTexts } from "./use-device-texts.ts";
+import { useModal } from "../use-modal.ts";
 import "./works.css";
 
 /** What is done with a table of the file: mine stays, takes what it does not have, or gives way. */
@@ -140,14 +141,10 @@ function Content({ archive, t, onDone }: { readonly archive: ReadArchive; readon
 /** Shows what a file of works holds before anything of it is taken. Nothing on the device is ever written over. */
 export function BringInDialog({ of: { name, archive, problem } }: { readonly of: Bringing }) {
   const dialog = useRef<HTMLDialogElement>(null);
+  useModal(dialog);
   const { bringIn: t } = useDeviceTexts();
   const { page } = useFirstTexts();
   const [done, end] = useState<readonly string[] | null>(null);
-  useLayoutEffect(() => {
-    const { current } = dialog;
-    current?.showModal();
-    return () => current?.close();
-  }, []);
   return (
     <dialog ref={dialog} className="bring-in" aria-label={t.title(name)} onKeyDown={(event) => event.stopPropagation()}
       onClose={() => !dialog.current?.open && endBringing()}
