@@ -16,7 +16,7 @@ export const compare: CompareTexts = {
   working: "Wird verglichen …",
   same: "Kein Unterschied: beide Programme sagen Satz für Satz dasselbe.",
   sameMeaning: "Kein Unterschied in der Bedeutung.",
-  values: (n) => (n === 1 ? "1 Wert" : `${n} Werte`),
+  values: (n) => (n === 1 ? "1 Wert geändert" : `${n} Werte geändert`),
   added: (n) => (n === 1 ? "1 Satz mehr" : `${n} Sätze mehr`),
   removed: (n) => (n === 1 ? "1 Satz weniger" : `${n} Sätze weniger`),
   moved: (n) => (n === 1 ? "1 Satz verschoben" : `${n} Sätze verschoben`),

@@ -17,7 +17,7 @@ export const compare = {
   working: "Comparing …",
   same: "No difference: both programs say the same, block by block.",
   sameMeaning: "No difference in meaning.",
-  values: (n: number) => (n === 1 ? "1 value" : `${n} values`),
+  values: (n: number) => (n === 1 ? "1 value changed" : `${n} values changed`),
   added: (n: number) => (n === 1 ? "1 block more" : `${n} blocks more`),
   removed: (n: number) => (n === 1 ? "1 block fewer" : `${n} blocks fewer`),
   moved: (n: number) => (n === 1 ? "1 block moved" : `${n} blocks moved`),

@@ -16,7 +16,7 @@ export const compare: CompareTexts = {
   working: "Comparaison…",
   same: "Aucune différence : les deux programmes disent la même chose, séquence par séquence.",
   sameMeaning: "Aucune différence de sens.",
-  values: (n) => (n === 1 ? "1 valeur" : `${n} valeurs`),
+  values: (n) => (n === 1 ? "1 valeur modifiée" : `${n} valeurs modifiées`),
   added: (n) => (n === 1 ? "1 séquence de plus" : `${n} séquences de plus`),
   removed: (n) => (n === 1 ? "1 séquence de moins" : `${n} séquences de moins`),
   moved: (n) => (n === 1 ? "1 séquence déplacée" : `${n} séquences déplacées`),

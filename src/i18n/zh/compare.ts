@@ -16,7 +16,7 @@ export const compare: CompareTexts = {
   working: "正在比较…",
   same: "没有差异：两个程序逐段相同。",
   sameMeaning: "含义上没有差异。",
-  values: (n) => `${n} 个数值`,
+  values: (n) => `${n} 个数值已更改`,
   added: (n) => `多 ${n} 个程序段`,
   removed: (n) => `少 ${n} 个程序段`,
   moved: (n) => `移动 ${n} 个程序段`,
