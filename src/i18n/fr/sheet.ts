@@ -88,7 +88,7 @@ export const sheet: SheetTexts = {
     unknown: "pas dans la table",
     scale: (paper, part) => `${paper} : ${part}`,
   },
-  toolNote: "Le porte-à-faux n’est pas dans la table d’outils ; poste et porte-à-faux sont à remplir par le régleur.",
+  toolNote: "Le porte-à-faux n’est pas dans le tableau d’outils ; poste et porte-à-faux sont à remplir par le régleur.",
   types: {
     ROUGH: "ébauche",
     FINISH: "finition",

@@ -18,7 +18,7 @@ export const toolFiles = typeset<ToolFileTexts>({
   leftOut: (names) => `Colonnes non comprises : ${names}.`,
   taken: (files, fresh, changed) => `${files} : ${fresh} nouveaux, ${changed} modifiés.`,
   export: "Exporter",
-  exportLong: "Exporter la table d’outils dans un fichier",
+  exportLong: "Exporter le tableau d’outils dans un fichier",
   exportTitle: "Quel fichier ?",
   again: (file) => `${file} tel qu’il est venu, avec les changements`,
   againHint: "Seuls les outils modifiés sont réécrits ; toutes les autres lignes, colonnes et signes restent.",
@@ -36,5 +36,5 @@ export const toolFiles = typeset<ToolFileTexts>({
   jsonHint: "Toutes les colonnes et les porte-outils, rien d’arrondi ; lu par la commande verify.",
   noTools: "aucun outil",
   importLong: "Importer des outils de fichiers : tables de la commande, CSV ou JSON",
-  notATable: (file) => `${file} n’est pas une table d’outils : ni JSON, ni table commençant par BEGIN, ni feuille avec une colonne T.`,
+  notATable: (file) => `${file} n’est pas un tableau d’outils : ni JSON, ni tableau commençant par BEGIN, ni feuille avec une colonne T.`,
 });
