@@ -19,6 +19,7 @@ export interface ToolCodeTexts {
   readonly empty: string;
   /** Stands for the corners of a head. */
   readonly outline: string;
+  readonly newOutline: string;
   readonly notCovered: Named<NotCovered>;
   readonly unknownPart: string;
   readonly unsure: string;

@@ -9,6 +9,7 @@ export interface ToolFileTexts {
   readonly more: (n: number) => string;
   readonly empty: string;
   readonly outline: string;
+  readonly newOutline: string;
   readonly takeAll: (n: number) => string;
   readonly takeNew: (n: number) => string;
   readonly cancel: string;

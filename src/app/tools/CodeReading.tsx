@@ -87,8 +87,8 @@ export function CodeParts({ parts, words: w }: { readonly parts: readonly CodePa
 export function CodeFillings({ cells, words: w }: { readonly cells: readonly Filling[]; readonly words: ToolCodeTexts }) {
   const t = useTableTexts().tools;
   const language = useSettings((s) => s.language);
-  const shown = (cell: string, text: string) =>
-    text.trim() === "" ? w.empty : cell === "head" ? w.outline : inScreenWriting(language, text);
+  const shown = (cell: string, text: string, outline: string) =>
+    text.trim() === "" ? w.empty : cell === "head" ? outline : inScreenWriting(language, text);
   return (
     <ul className="code-fills" aria-label={w.fills}>
       {cells.map((filling) => (
@@ -96,8 +96,8 @@ export function CodeFillings({ cells, words: w }: { readonly cells: readonly Fil
           <span className={isHolderFilling(filling) ? "" : "number"}>
             {isHolderFilling(filling) ? t.holder[filling.cell as HolderCell] : filling.cell}
           </span>{" "}
-          <span className="soft number">{shown(filling.cell, filling.from)}</span> →{" "}
-          <b className="number">{shown(filling.cell, filling.to)}</b>
+          <span className="soft number">{shown(filling.cell, filling.from, w.outline)}</span> →{" "}
+          <b className="number">{shown(filling.cell, filling.to, w.newOutline)}</b>
         </li>
       ))}
     </ul>

@@ -21,15 +21,18 @@ function Changes({ changed, words: w }: { readonly changed: readonly ImportChang
   const t = useTableTexts().tools;
   const nameOf = useToolName();
   const language = useSettings((s) => s.language);
-  const shown = (cell: string, text: string) => text === "" ? w.empty : cell === "head" ? w.outline : inScreenWriting(language, text);
+  const shown = (cell: string, text: string, outline: string) =>
+    text === "" ? w.empty : cell === "head" ? outline : inScreenWriting(language, text);
   return (
     <ul className="import-changes">
       {changed.slice(0, MOST).map(({ tool, cells }) => (
         <li key={tool.id}>
           <b>{nameOf(tool)}</b>
           <span>
-            {cells.map(({ cell, from, to }) => `${isHolderCell(cell) ? t.holder[cell] : cell} ${shown(cell, from)} → ${shown(cell, to)}`)
-              .join("; ")}
+            {cells.map(({ cell, from, to }) => {
+              const name = isHolderCell(cell) ? t.holder[cell] : cell;
+              return `${name} ${shown(cell, from, w.outline)} → ${shown(cell, to, w.newOutline)}`;
+            }).join("; ")}
           </span>
         </li>
       ))}

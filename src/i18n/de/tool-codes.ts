@@ -11,6 +11,7 @@ export const toolCodes: ToolCodeTexts = {
   readName: (code) => `Namen ${code} als Code lesen`,
   empty: "leer",
   outline: "Umriss",
+  newOutline: "neuer Umriss",
   notCovered: {
     thread: "Codes von Gewindewerkzeugen sind Sache der Hersteller: nicht abgedeckt.",
     groove: "Codes von Stechwerkzeugen sind Sache der Hersteller: nicht abgedeckt.",

@@ -10,6 +10,7 @@ export const toolFiles: ToolFileTexts = {
   more: (n) => `und ${n} weitere`,
   empty: "leer",
   outline: "Umriss",
+  newOutline: "neuer Umriss",
   takeAll: (n) => `Alle übernehmen (${n})`,
   takeNew: (n) => `Nur die neuen (${n})`,
   cancel: "Abbrechen",

@@ -11,6 +11,7 @@ export const toolCodes: ToolCodeTexts = {
   readName: (code) => `Read the name ${code} as a code`,
   empty: "empty",
   outline: "outline",
+  newOutline: "new outline",
   notCovered: {
     thread: "Codes of thread tools are those of their makers: not covered.",
     groove: "Codes of grooving tools are those of their makers: not covered.",

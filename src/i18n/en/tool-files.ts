@@ -10,6 +10,7 @@ export const toolFiles: ToolFileTexts = {
   more: (n) => `and ${n} more`,
   empty: "empty",
   outline: "outline",
+  newOutline: "new outline",
   takeAll: (n) => `Take all (${n})`,
   takeNew: (n) => `Only the new ones (${n})`,
   cancel: "Cancel",

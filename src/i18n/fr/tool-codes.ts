@@ -12,6 +12,7 @@ export const toolCodes = typeset<ToolCodeTexts>({
   readName: (code) => `Lire le nom ${code} comme un code`,
   empty: "vide",
   outline: "contour",
+  newOutline: "nouveau contour",
   notCovered: {
     thread: "Les codes d’outils à fileter sont ceux des fabricants : non couverts.",
     groove: "Les codes d’outils à gorges sont ceux des fabricants : non couverts.",

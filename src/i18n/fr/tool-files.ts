@@ -11,6 +11,7 @@ export const toolFiles = typeset<ToolFileTexts>({
   more: (n) => `et ${n} autres`,
   empty: "vide",
   outline: "contour",
+  newOutline: "nouveau contour",
   takeAll: (n) => `Tout reprendre (${n})`,
   takeNew: (n) => `Seulement les nouveaux (${n})`,
   cancel: "Annuler",

@@ -11,6 +11,7 @@ export const toolCodes: ToolCodeTexts = {
   readName: (code) => `把名称 ${code} 当作代码读取`,
   empty: "空",
   outline: "轮廓",
+  newOutline: "新轮廓",
   notCovered: {
     thread: "螺纹刀具的代码由厂家自定：未涵盖。",
     groove: "切槽刀具的代码由厂家自定：未涵盖。",

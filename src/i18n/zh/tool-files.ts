@@ -10,6 +10,7 @@ export const toolFiles: ToolFileTexts = {
   more: (n) => `另有 ${n} 项`,
   empty: "空",
   outline: "轮廓",
+  newOutline: "新轮廓",
   takeAll: (n) => `全部采用（${n}）`,
   takeNew: (n) => `只采用新增（${n}）`,
   cancel: "取消",
