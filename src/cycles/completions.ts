@@ -24,13 +24,22 @@ const [SHARE, LEAST] = [0.4, 5];
  */
 const WAYS = [1, 0.73, -1, -0.61, 2.9, 11.3, -3.1, -9.7] as const;
 
+/** How much longer than wide the rest is, one after the other: a wall that leans far fits only into what is long, or short. */
+const STRETCH = [1, 3.7, 1, 0.27, 1.9] as const;
+
 /** Small sizes and angles that are tried one after the other, so that they fit whatever is typed: mm, degrees. */
 const SIZES = [0, 0.0137, 0.031, 0.0473] as const;
 
 const typedOf = (known: SomeValues, q: string): number | null => (typeof known[q] === "number" ? known[q] : null);
 
 /** Positions in place of those that are missing, from those of the same kind that are typed. */
-function positionsFor(params: Params, known: SomeValues, example: Readonly<Record<string, number>>, way: number): Record<string, number> {
+function positionsFor(
+  params: Params,
+  known: SomeValues,
+  example: Readonly<Record<string, number>>,
+  way: number,
+  stretch = 1,
+): Record<string, number> {
   const all = Object.entries(params).filter(([, p]) => isPosition(p));
   const typed = (kind: Param["kind"]) => all.flatMap(([q, p]) => (p.kind === kind ? (typedOf(known, q) ?? []) : []));
   const apart = (list: readonly number[]) => Math.abs((list[0] ?? 0) - (list[1] ?? list[0] ?? 0));
@@ -43,7 +52,7 @@ function positionsFor(params: Params, known: SomeValues, example: Readonly<Recor
     if (other === undefined) return [[q, (example[q] ?? 0) + (way === WAYS[0] ? 0 : way * LEAST)]];
     const from = typedOf(known, other) ?? 0;
     const sign = Math.sign((example[q] ?? 0) - (example[other] ?? 0)) || 1;
-    const found = from + sign * way * size * (p.kind === "diameter" ? 2 : 1);
+    const found = from + sign * way * size * (p.kind === "diameter" ? 2 : stretch);
     return [[q, p.kind === "diameter" && found <= 0 ? Math.abs(from) / (2 + Math.abs(way)) : found]];
   }));
 }
@@ -79,8 +88,10 @@ export function completions(cycle: Cycle, known: SomeValues, given: Given): read
   const draws = missing.length === 0 ? 1 : DRAWS;
   const made = Array.from({ length: draws }, (_, n) => {
     const way = WAYS[n % WAYS.length] as number;
-    const rest = Object.fromEntries(missing.map(([q, p], i) => [q, smallOf(p, Math.floor(n / WAYS.length) + (p.choices ? 0 : i))]));
-    return completion(cycle, { ...rest, ...positionsFor(cycle.params, known, example, way), ...known }, given);
+    const round = Math.floor(n / WAYS.length);
+    const rest = Object.fromEntries(missing.map(([q, p], i) => [q, smallOf(p, round + (p.choices ? 0 : i))]));
+    return completion(cycle, { ...rest, ...positionsFor(cycle.params, known, example, way, STRETCH[round % STRETCH.length]), ...known },
+      given);
   }).flatMap((one) => one ?? []);
   const differs = (q: string) => made.some(({ values }) => values[q] !== made[0]?.values[q]);
   return missing.every(([q, p]) => isCorrection(p) || differs(q)) ? made : [];

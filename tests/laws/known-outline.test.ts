@@ -98,3 +98,8 @@ test("a programmed contour is drawn although no cycle can cut it yet", () => {
     whole: false,
   });
 });
+
+test("where only one side of a corner was tried, its rounding is not known", () => {
+  const few = { Q500: 0.001, Q495: 57, Q496: 0, Q493: 38.626, Q494: -10 };
+  expect(knownOutline(cycleByNumber(814) as Cycle, few, { contour: null, start: at(0, 24) }).contour).toEqual([]);
+});
