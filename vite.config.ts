@@ -1,4 +1,5 @@
 import { chmodSync, readFileSync } from "node:fs";
+import { availableParallelism } from "node:os";
 import { join } from "node:path";
 import react from "@vitejs/plugin-react";
 import { runnerImport, type Plugin } from "vite";
@@ -127,6 +128,8 @@ export default defineConfig({
   preview: { host: "127.0.0.1", port: 4173 },
   test: {
     sequence: { shuffle: { files: false, tests: true }, seed },
+    // All cores: one is left free otherwise, which of two is half.
+    maxWorkers: availableParallelism(),
     // For what never ends; a slow machine may take long.
     testTimeout: 600_000,
     hookTimeout: 600_000,

@@ -21,6 +21,7 @@ test("every control of every screen has the name it is known by, and no other ha
   };
 
   await start.button(812, true).waitFor();
+  await page.getByRole("button", { name: t.page.start.live.pause, exact: true }).waitFor();
   await look("start");
   await page.getByRole("button", { name: t.page.start.which, exact: true }).click();
   await expect(page.getByRole("dialog").getByRole("list").first()).toHaveAttribute("aria-busy", "false");
