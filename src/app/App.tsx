@@ -37,7 +37,7 @@ const OwnPage = lazyPart(async () => ({ default: (await fetchOwn()).OwnPage }));
 const WorksPage = lazyPart(async () => ({ default: (await import("./works/WorksPage.tsx")).WorksPage }));
 const BringInDialog = lazyPart(async () => ({ default: (await import("./works/BringInDialog.tsx")).BringInDialog }));
 const ElsewherePage = lazyPart(async () => ({ default: (await import("./works/ElsewherePage.tsx")).ElsewherePage }));
-/** Fetched with its texts when somebody asks. */
+/** Fetched with their texts when somebody asks. */
 const ChooseProgram = lazyPart(async () => ({ default: (await import("./files/ChooseProgram.tsx")).ChooseProgram }));
 const CompareDialog = lazyPart(async () => ({ default: (await import("./compare/CompareDialog.tsx")).CompareDialog }));
 const WhichCycle = lazyPart(async () => ({ default: (await import("./which/WhichCycle.tsx")).WhichCycle }));

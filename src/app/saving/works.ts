@@ -30,6 +30,15 @@ async function shown(change: Promise<unknown>): Promise<void> {
   sayChanged();
 }
 
+/** Notes a change of the list as a step of undo: what takes it back, and what makes it again. */
+function noteStep(back: () => Promise<unknown>, forth: () => Promise<unknown>): void {
+  const way = (change: () => Promise<unknown>) => () => {
+    void shown(change());
+    return true;
+  };
+  note({ of: OF_WORKS, back: way(back), forth: way(forth) });
+}
+
 const forgetAll = (gone: readonly Lying[]): Promise<unknown> =>
   Promise.all(gone.map(({ work }) => {
     forgetUnkept(work);
@@ -56,17 +65,7 @@ export async function removeWorks(works: readonly string[]): Promise<{ readonly 
   ));
   const leftOut = done.filter((free) => !free).length;
   await shown(Promise.resolve());
-  if (gone.length > 0) {
-    const back = () => {
-      void shown(putBackAll(gone));
-      return true;
-    };
-    const forth = () => {
-      void shown(forgetAll(gone));
-      return true;
-    };
-    note({ of: OF_WORKS, back, forth });
-  }
+  if (gone.length > 0) noteStep(() => putBackAll(gone), () => forgetAll(gone));
   return { gone, leftOut };
 }
 
@@ -92,11 +91,7 @@ export async function renameWork(work: string, name: string): Promise<WorkChange
   const done = await put(work, renamed, savedAt);
   await shown(Promise.resolve());
   if (done !== "done") return done;
-  const way = (to: Work) => () => {
-    void shown(put(work, to, savedAt));
-    return true;
-  };
-  note({ of: OF_WORKS, back: way(job), forth: way(renamed) });
+  noteStep(() => put(work, job, savedAt), () => put(work, renamed, savedAt));
   return done;
 }
 
@@ -122,15 +117,7 @@ export async function duplicateWork(work: string, names: readonly string[]): Pro
   const done = await put(copy.work, copy.job, copy.savedAt);
   await shown(Promise.resolve());
   if (done !== "done") return null;
-  const back = () => {
-    void shown(forgetAll([copy]));
-    return true;
-  };
-  const forth = () => {
-    void shown(putBackAll([copy]));
-    return true;
-  };
-  note({ of: OF_WORKS, back, forth });
+  noteStep(() => forgetAll([copy]), () => putBackAll([copy]));
   return copy;
 }
 
@@ -139,16 +126,6 @@ export async function addWorks(works: readonly Lying[]): Promise<number> {
   const kept: Lying[] = [];
   for (const each of works) if (await put(each.work, each.job, each.savedAt) === "done") kept.push(each);
   await shown(Promise.resolve());
-  if (kept.length > 0) {
-    const back = () => {
-      void shown(forgetAll(kept));
-      return true;
-    };
-    const forth = () => {
-      void shown(putBackAll(kept));
-      return true;
-    };
-    note({ of: OF_WORKS, back, forth });
-  }
+  if (kept.length > 0) noteStep(() => forgetAll(kept), () => putBackAll(kept));
   return kept.length;
 }

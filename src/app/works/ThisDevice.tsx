@@ -2,11 +2,10 @@ import { useEffect, useRef, useState } from "react";
 import { ReportList } from "../crash/ReportList.tsx";
 import { useReports } from "../crash/reports.ts";
 import { Icon } from "../Icon.tsx";
-import { unkeptNames } from "../saving/keep.ts";
 import { askToPersist, storageState, type StorageState } from "../saving/persist.ts";
 import { useSettings } from "../settings/settings.ts";
 import { bringIn } from "./bring-in-place.ts";
-import { saveEverything } from "./export-works.ts";
+import { SaveEverything } from "./SaveEverything.tsx";
 import { sizeWords } from "./size-words.ts";
 import { useDeviceTexts } from "./use-device-texts.ts";
 import "./works.css";
@@ -25,14 +24,6 @@ export function ThisDevice({ onBringIn }: { readonly onBringIn: () => void }) {
     if (!await askToPersist()) say(t.refused);
     look();
   };
-  const exportAll = async () => {
-    try {
-      const { works, files } = await saveEverything(unkeptNames());
-      say(t.exported(works, files));
-    } catch {
-      say(t.notExported);
-    }
-  };
   return (
     <section className="this-device" aria-labelledby="this-device">
       <h3 id="this-device">{t.title}</h3>
@@ -44,9 +35,7 @@ export function ThisDevice({ onBringIn }: { readonly onBringIn: () => void }) {
       </p>
       <div className="bring-buttons">
         {state?.persisted === false && <button type="button" className="button" onClick={() => void ask()}>{t.ask}</button>}
-        <button type="button" className="button" aria-label={t.exportLong} title={t.exportLong} onClick={() => void exportAll()}>
-          <Icon name="download" /> {t.exportAll}
-        </button>
+        <SaveEverything say={say} />
         <button type="button" className="button" aria-label={t.importLong} title={t.importLong} onClick={() => file.current?.click()}>
           <Icon name="add" /> {t.importAll}
         </button>
