@@ -30,6 +30,13 @@ function minutesPerTurn(spindle: Spindle, r: number): number {
 /** Spindle speed in rpm at a distance of `r` mm from the axis. */
 export const speedAt = (spindle: Spindle, r: number): number => 1 / minutesPerTurn(spindle, r);
 
+/** Whether a spindle that should hold a cutting speed cannot turn fast enough for it at a distance of `r` mm from the axis. */
+export const isAtLimit = (spindle: Spindle, r: number): boolean =>
+  spindle.kind === "surface" && spindle.limit > 0 && surface(spindle.cuttingSpeed) * Math.abs(r) * spindle.limit < 1;
+
+/** Cutting speed in m/min at a distance of `r` mm from the axis, at a spindle speed in rpm. */
+export const cuttingSpeedAt = (rpm: number, r: number): number => (2 * Math.PI * Math.abs(r) * rpm) / 1000;
+
 /** Distances from the axis where the speed stops following the diameter: its curve is straight between them. */
 function bends(spindle: Spindle): number[] {
   if (spindle.kind === "constant") return [];

@@ -1,6 +1,6 @@
 import type { Issue } from "../kernel/issue.ts";
 import type { Pt, Ring } from "../kernel/point.ts";
-import type { Stated, Step, Unproved } from "../kernel/step.ts";
+import type { Spindle, Stated, Step, Unproved } from "../kernel/step.ts";
 import { axial, radius } from "../kernel/units.ts";
 import type { NcIssue } from "../nc/issue.ts";
 import { blockNumbers, eachIssue, startLines, type Program } from "../nc/program.ts";
@@ -36,6 +36,7 @@ export class Log {
   readonly operations: Operation[] = [];
   readonly approaches: ApproachRun[] = [];
   readonly datums: Run["datums"][number][] = [];
+  readonly spindles: Run["spindles"][number][] = [];
   readonly findings: RunFinding[] = [];
   readonly unproved: Unproved[] = [];
   /** Blanks that were stated after something had been cut, and the one before the first of them. */
@@ -112,6 +113,12 @@ export class Log {
     const [step, at] = [this.steps.length, { z: axial(z), r: radius(x) }];
     if (this.datums.at(-1)?.step === step) this.datums.pop();
     this.datums.push({ step, at });
+  }
+
+  /** Notes how the spindle turns at the step that comes next. */
+  turnsAt(spindle: Spindle | null): void {
+    const last = this.spindles.at(-1);
+    if (last ? last.spindle !== spindle : spindle) this.spindles.push({ step: this.steps.length, spindle });
   }
 
   /** Where a block stands in the text that it is from. */

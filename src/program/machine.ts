@@ -259,6 +259,7 @@ export class Machine {
     const spindle = this.now.spindle ?? { kind: "constant" as const, speed: 0 };
     const seconds = secondsOf(from, move, spindle, this.shop.rapid);
     this.log.countsFrom(this.now.datum.x, this.now.datum.z);
+    this.log.turnsAt(this.now.spindle);
     this.log.steps.push({ from, move, tool: adapted, block: this.log.numbers[index] ?? 0, operation, seconds, ...this.log.lineOf(index) });
     this.log.stepBlocks.push(this.log.inProgram(index));
     return seconds;

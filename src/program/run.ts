@@ -52,6 +52,7 @@ export function run(program: Program, shop: Shop): Run {
     plane: machine.log.milled,
     approaches: machine.log.approaches,
     datums: machine.log.datums,
+    spindles: machine.log.spindles,
     unproved: machine.log.unproved,
     issues: machine.log.allFindings(),
     seconds: [...machine.log.steps, ...machine.log.milled].reduce((sum, s) => sum + s.seconds, 0),

@@ -18,7 +18,7 @@ import { sweptBy } from "./sweep.ts";
 /** Moves from one checkpoint to the next. */
 export const CHECKPOINT_STEPS = 50;
 /** Convex pieces after which a checkpoint comes sooner: long arcs have many. */
-const CHECKPOINT_PIECES = 400;
+export const CHECKPOINT_PIECES = 400;
 
 function startTimesOf(steps: readonly Step[]): Float64Array {
   const times = new Float64Array(steps.length + 1);

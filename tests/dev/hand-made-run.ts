@@ -103,6 +103,7 @@ export function exampleResult({ fault, many }: { readonly fault: boolean; readon
     plane: [],
     approaches: [],
     datums: [],
+    spindles: [],
     unproved: [],
     issues: [],
     seconds,

@@ -73,6 +73,7 @@ const EMPTY_RUN: Run = {
   plane: [],
   approaches: [],
   datums: [],
+  spindles: [],
   unproved: [],
   issues: [],
   seconds: 0,

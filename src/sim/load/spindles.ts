@@ -1,0 +1,33 @@
+import type { Move } from "../../kernel/move.ts";
+import type { Spindle } from "../../kernel/step.ts";
+import { speedAt } from "../../kernel/time.ts";
+
+/** How the spindle turns, from a step on; null until a speed was programmed. In the order of the steps. */
+export interface SpindleFrom {
+  readonly step: number;
+  readonly spindle: Spindle | null;
+}
+
+/** How the spindle turns at a step. */
+export function spindleAt(spindles: readonly SpindleFrom[], step: number): Spindle | null {
+  let [low, high] = [0, spindles.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if ((spindles[middle]?.step ?? 0) <= step) low = middle + 1;
+    else high = middle;
+  }
+  return spindles[low - 1]?.spindle ?? null;
+}
+
+/** Spindle speed, rpm, at `r` mm from the axis; not a number where none is known, or none is fast enough. */
+export function rpmAt(spindle: Spindle | null, r: number): number {
+  const rpm = spindle ? speedAt(spindle, r) : 0;
+  return rpm > 0 && Number.isFinite(rpm) ? rpm : NaN;
+}
+
+/** Feed in mm a turn of a move at a spindle speed in rpm; not a number for a rapid, and where the speed is not known. */
+export function feedPerTurn(move: Move, rpm: number): number {
+  if (move.kind === "rapid") return NaN;
+  if (move.kind === "thread") return Math.abs(move.pitch);
+  return move.feedUnit === "mm/rev" ? move.feed : move.feed / rpm;
+}
