@@ -59,3 +59,9 @@ function side(ring: Ring, axis: "z" | "r", limit: number, sign: 1 | -1): Ring {
   }
   return out;
 }
+
+/** A block of material whose sides run along the axes, mm: left to right in X, low to high in Y, bottom to top in Z. */
+export interface Cuboid extends Box {
+  readonly bottom: number;
+  readonly top: number;
+}

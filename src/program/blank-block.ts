@@ -1,10 +1,11 @@
+import type { Cuboid } from "../kernel/box.ts";
 import { difference } from "../kernel/clip.ts";
 import { issue } from "../kernel/issue.ts";
 import type { Ring } from "../kernel/point.ts";
 import { areaOutside } from "../kernel/real-area.ts";
 import { axial, length, toDiameter } from "../kernel/units.ts";
 import type { AxisName, FileName, Label, OutlineSource, StatementOf, Value } from "../nc/statement.ts";
-import { cylinder, measured, rotation, turnedBox, type BoxCorner } from "./blank-form.ts";
+import { boxBetween, cylinder, measured, rotation, turnedBox, type BoxCorner } from "./blank-form.ts";
 import { readContourOf } from "./contour-subprogram.ts";
 import { valueOf } from "./formula.ts";
 import { programIssue } from "./issue.ts";
@@ -54,6 +55,12 @@ export function blankBox(machine: Machine, s: StatementOf<"blankBox">, index: nu
   const corner: BoxCorner = { x: along("X", first.x), y: along("Y", first.y), z: along("Z", first.z) };
   machine.set({ blank: [], unturned: { kind: "box", index, corners: s.corner === 1 ? [corner, NOTHING] : [first, corner] } });
   if (machine.now.turning && s.corner === 2) turnBlank(machine);
+}
+
+/** The box that is stated as the blank; null for other forms, and where a corner is not known. */
+export function cuboidOf({ now: { unturned } }: Machine): Cuboid | null {
+  const box = unturned?.kind === "box" ? boxBetween(...unturned.corners) : null;
+  return typeof box === "string" ? null : box;
 }
 
 export function blankCylinder(machine: Machine, s: StatementOf<"blankCylinder">, index: number): void {

@@ -1,3 +1,4 @@
+import type { Cuboid } from "../kernel/box.ts";
 import { areaOf } from "../kernel/area.ts";
 import { union } from "../kernel/clip.ts";
 import { SAME, CHORD } from "../kernel/tolerance.ts";
@@ -39,14 +40,22 @@ const lowAndHigh = (
   b: number | null,
 ): readonly [number, number] => [Math.min(a ?? NaN, b ?? NaN), Math.max(a ?? NaN, b ?? NaN)];
 
+/** The box between two corners: "unknown" when a coordinate is, "impossible" when it has no volume. */
+export function boxBetween(a: BoxCorner, b: BoxCorner): Cuboid | "impossible" | "unknown" {
+  const [[left, right], [low, high], [bottom, top]] = [lowAndHigh(a.x, b.x), lowAndHigh(a.y, b.y), lowAndHigh(a.z, b.z)];
+  if (![left, right, low, high, bottom, top].every(Number.isFinite)) return "unknown";
+  const isSolid = right - left > SAME && high - low > SAME && top - bottom > SAME;
+  return isSolid ? { left, right, low, high, bottom, top } : "impossible";
+}
+
 /**
  * What a box is while it turns round X0 Y0: wherever one of its corners comes by there may be material. "impossible" when it has no
  * volume, "beside" when the axis does not go through it, "unknown" when a coordinate is.
  */
 export function turnedBox(a: BoxCorner, b: BoxCorner): TurnedBox | "impossible" | "beside" | "unknown" {
-  const [[left, right], [low, high], [far, near]] = [lowAndHigh(a.x, b.x), lowAndHigh(a.y, b.y), lowAndHigh(a.z, b.z)];
-  if (![left, right, low, high, far, near].every(Number.isFinite)) return "unknown";
-  if (!(right - left > SAME) || !(high - low > SAME) || !(near - far > SAME)) return "impossible";
+  const box = boxBetween(a, b);
+  if (typeof box === "string") return box;
+  const { left, right, low, high, bottom: far, top: near } = box;
   const inner = Math.min(-left, right, -low, high);
   if (!(inner > 0)) return "beside";
   const outer = radius(Math.hypot(Math.max(-left, right), Math.max(-low, high)));

@@ -72,7 +72,8 @@ describe("a box that turns", () => {
   });
   test("in a piece of a program without FUNCTION MODE too; while milling it is no stock of this picture", () => {
     expect(extent(made([...box, ...TURN.slice(1), "M30"]))[1]).toBeGreaterThan(83);
-    expect(made([...box, "FUNCTION MODE MILL", "TOOL CALL 2 Z S2000", "L X+0 Y+0 Z+5 FMAX", "M30"])).toMatchObject({ blank: [] });
+    const milled = made([...box, "FUNCTION MODE MILL", "TOOL CALL 2 Z S2000", "L X+0 Y+0 Z+5 FMAX", "M30"]);
+    expect(milled).toMatchObject({ blank: [], cuboid: { left: -21.3, right: 30.9, low: -28.4, high: 17.2, bottom: -61.7, top: 1.5 } });
   });
   test.each([
     ["beside the axis", ["BLK FORM 0.1 Z X+0 Y-20 Z-40", "BLK FORM 0.2 X+55 Y+20 Z+0"], ["blankNotTurned@3"]],
@@ -84,7 +85,7 @@ describe("a box that turns", () => {
     ]],
   ])("%s is none", (_, blocks, codes) => {
     const r = made([...blocks, ...TURN, "M30"]);
-    expect(r.blank).toEqual([]);
+    expect([r.blank, r.cuboid === null]).toEqual([[], _ !== "beside the axis"]);
     expect(told(r)).toEqual(codes);
   });
   test("a rapid through a corner is found, one beside it is none", () => {

@@ -1,7 +1,8 @@
 import { cycleByNumber } from "../cycles/index.ts";
 import type { Block, Program } from "../nc/program.ts";
 import type { Statement, StatementOf, Words } from "../nc/statement.ts";
-import { blankBox, blankCylinder, blankFile, blankOfTurnData, blankRotation, tellBox, tellMissing, turnBlank } from "./blank-block.ts";
+import { blankBox, blankCylinder, blankFile, blankOfTurnData, blankRotation, cuboidOf, tellBox, tellMissing,
+  turnBlank } from "./blank-block.ts";
 import { contourCycle, contourDefinition, selectContour } from "./contour-choice.ts";
 import { CONTOUR_CYCLE } from "./contour-names.ts";
 import { callCycle, cycleDefinition } from "./cycle-call.ts";
@@ -45,6 +46,7 @@ export function run(program: Program, shop: Shop): Run {
       blocks: program.blocks.filter((b) => b.statement.kind !== "empty" && (b.number !== null || b.statement.kind !== "comment")).length,
     },
     blank: machine.log.firstBlank ?? machine.now.blank,
+    cuboid: cuboidOf(machine),
     stated: machine.log.stated,
     operations: machine.log.operations,
     steps: machine.log.steps,

@@ -144,7 +144,7 @@ export function sweptBy(outline: Ring, step: Step, fraction = 1, chord = CHORD):
 }
 
 /** Everything that an outline covers along a path and no tool sweeps: what of it lies across the axis does not turn round to this side. */
-export const coveredOn = (outline: Ring, path: Segment): Sweep => sweptAlong(outline, flattened(path, CHORD), asItIs);
+export const coveredOn = (outline: Ring, path: Segment, chord = CHORD): Sweep => sweptAlong(outline, flattened(path, chord), asItIs);
 
 /** Everything that an outline covers in a step up to `fraction`, as convex pieces. */
 export const sweepOf = (outline: Ring, step: Step, fraction = 1): Ring[] => alongPoints(outline, waypoints(step, fraction));

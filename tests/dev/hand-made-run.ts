@@ -96,6 +96,7 @@ export function exampleResult({ fault, many }: { readonly fault: boolean; readon
   const run: Run = {
     program: { name: "HAND", unit: "mm", blocks: 20 },
     blank,
+    cuboid: null,
     stated: [],
     operations: [operation],
     steps,

@@ -66,6 +66,7 @@ const NOWHERE: readonly LookAt[] = [];
 const EMPTY_RUN: Run = {
   program: { name: "", unit: "mm", blocks: 0 },
   blank: [],
+  cuboid: null,
   stated: [],
   operations: [],
   steps: [],

@@ -1,4 +1,4 @@
-import { isRapid, wayOf, type MillMotion } from "./plane-scene.ts";
+import { isRapid, wayOf, type MillMotion } from "../../kernel/mill-motion.ts";
 import { plane } from "../../kernel/plane.ts";
 
 /** The height of the tool over its path: a strip 1 wide and 1 high, upper side first. */

@@ -1,28 +1,8 @@
-import { partPoint, partSegment, plane, type PlanePoint, type PlaneSegment } from "../../kernel/plane.ts";
-import type { Turn } from "../../kernel/point.ts";
+import { isRapid, spotOn, wayOf, type MillMotion, type MillSpot } from "../../kernel/mill-motion.ts";
+import { partPoint, partSegment, type PlaneSegment } from "../../kernel/plane.ts";
 import { boundsOf, grownBounds, joined } from "../bounds.ts";
 import type { Bounds } from "../camera.ts";
 import { segmentData } from "../path.ts";
-
-/** A place of a mill, mm: its centre in the plane, its end in the tool axis (null while unknown). */
-export interface MillSpot {
-  readonly x: number;
-  readonly y: number;
-  readonly z: number | null;
-}
-
-/** One motion of a mill, as far as a picture needs it. */
-export interface MillMotion {
-  readonly kind: "rapid" | "feed" | "arc";
-  readonly from: MillSpot;
-  readonly to: MillSpot;
-  readonly centre?: PlanePoint;
-  readonly turn?: Turn;
-  /** Absent on a rapid. */
-  readonly feed?: number;
-  readonly radius: number;
-  readonly index: number;
-}
 
 /** What a line of the plane stands for. */
 export type PlaneRole = "contour" | "rapid" | "feed" | "lead";
@@ -36,20 +16,6 @@ export interface PlaneScene {
 }
 
 export const PLANE_ROLES: readonly PlaneRole[] = ["contour", "rapid", "feed", "lead"];
-
-/** A rapid may run on an arc, so it is told by its feed. */
-export const isRapid = (m: MillMotion): boolean => m.feed === undefined;
-
-/** The way of a motion in the plane. */
-export const wayOf = ({ from, to, centre, turn }: MillMotion): PlaneSegment =>
-  centre && turn ? { kind: "arc", from, to, centre, turn } : { kind: "line", from, to };
-
-/** Where the tool stands at a fraction of a motion. */
-export function spotOn(m: MillMotion, fraction: number): MillSpot {
-  const at = plane.pointOn(wayOf(m), fraction);
-  const z = m.to.z === null ? m.from.z : m.from.z === null ? m.to.z : m.from.z + (m.to.z - m.from.z) * fraction;
-  return { ...at, z };
-}
 
 /** The place of a moment of a run; null in an empty one. */
 export function spotAt(motions: readonly MillMotion[], step: number, fraction: number): MillSpot | null {

@@ -1,0 +1,70 @@
+import { boxAround, type Cuboid } from "../../kernel/box.ts";
+import { intersection } from "../../kernel/clip.ts";
+import { partPoint, plane } from "../../kernel/plane.ts";
+import { at, type Ring } from "../../kernel/point.ts";
+import { SAME } from "../../kernel/tolerance.ts";
+
+/**
+ * What a mill cuts, seen from above. Areas of the plane are rings as everywhere (z of a point is X here, r is Y).
+ * Both given: the block after it was turned, which is what lies in both.
+ */
+export interface MilledBody {
+  readonly block: Cuboid | null;
+  /** The half section of a body round the axis X0 Y0. */
+  readonly turned: readonly Ring[] | null;
+}
+
+/** How far the polygons of round tools and round blanks may leave their circles, mm: finer than a picture shows. */
+export const PLANE_CHORD = 0.005;
+
+/** A circle round X0 Y0 as a counter-clockwise ring. */
+export function roundRing(radius: number, chord = PLANE_CHORD): Ring {
+  const start = { x: radius, y: 0 };
+  const arc = { kind: "arc", from: start, to: start, centre: { x: 0, y: 0 }, turn: "ccw" } as const;
+  return plane.flattened(arc, chord).slice(1).map(partPoint);
+}
+
+/** Higher than anything on a machine, mm. */
+const HIGH = 1e5;
+
+/** From which radius to which a turned body has material above a height, joined and in order. */
+function spansAbove(section: readonly Ring[], height: number): readonly (readonly [number, number])[] {
+  const above = height === -Infinity
+    ? section
+    : intersection(section, [[at(height, -HIGH), at(HIGH, -HIGH), at(HIGH, HIGH), at(height, HIGH)]]);
+  const spans = above.map((ring) => {
+    const { low, high } = boxAround([ring]);
+    return [Math.max(0, low), high] as const;
+  }).sort(([a], [b]) => a - b);
+  const joined: [number, number][] = [];
+  for (const [from, to] of spans) {
+    const last = joined.at(-1);
+    if (last && from <= last[1] + SAME) last[1] = Math.max(last[1], to);
+    else joined.push([from, to]);
+  }
+  return joined.filter(([from, to]) => to - from > SAME);
+}
+
+function roundsAbove(section: readonly Ring[], height: number): Ring[] {
+  return spansAbove(section, height).flatMap(([from, to]) => {
+    const outer = roundRing(to);
+    return from > SAME ? [outer, roundRing(from).toReversed()] : [outer];
+  });
+}
+
+/** The area over which a body reaches above a height, mm; -Infinity: over which there is anything of it. */
+export function standingAbove({ block, turned }: MilledBody, height: number): Ring[] {
+  const rounds = turned && roundsAbove(turned, height);
+  if (!block) return rounds ?? [];
+  if (block.top <= height) return [];
+  const { left, right, low, high } = block;
+  const side: Ring = [at(left, low), at(right, low), at(right, high), at(left, high)];
+  return rounds ? intersection(rounds, [side]) : [side];
+}
+
+/** Between which heights a body stands, mm; null where there is none. */
+export function heightsOf({ block, turned }: MilledBody): { readonly bottom: number; readonly top: number } | null {
+  const section = turned && turned.length > 0 ? boxAround(turned) : null;
+  if (!block) return section && { bottom: section.left, top: section.right };
+  return { bottom: Math.max(block.bottom, section?.left ?? -Infinity), top: Math.min(block.top, section?.right ?? Infinity) };
+}

@@ -1,0 +1,171 @@
+import { intersection, union, unpacked } from "../../kernel/clip.ts";
+import { isRapid, type MillMotion } from "../../kernel/mill-motion.ts";
+import type { Ring } from "../../kernel/point.ts";
+import { real } from "../../kernel/real-area.ts";
+import { SAME } from "../../kernel/tolerance.ts";
+import { inStock } from "../contact.ts";
+import { cutting, type Cutting } from "../cutting.ts";
+import { marksOf, type StockMarks } from "../marks.ts";
+import type { Checkpoint, PlayPosition } from "../simulation.ts";
+import { heightsOf, standingAbove, type MilledBody } from "./body.ts";
+import { depthsOf, heightLimits } from "./depths.ts";
+import { sweeper, type Sweeper } from "./swept-below.ts";
+
+/** What is milled: motions of round flat tools, and the body from each of some motions on, the first from the beginning. */
+export interface MilledInput {
+  readonly motions: readonly MillMotion[];
+  readonly bodies: readonly { readonly step: number; readonly body: MilledBody }[];
+}
+
+/** A body as it stands at a moment. */
+export interface MilledMoment {
+  /** Where it stands above each limit, as it was when the running motion began. Never changed: the same array is the same area. */
+  readonly standing: readonly (readonly Ring[])[];
+  /** What the running motion has swept below each limit since, by the non-zero rule; empty where it meets nothing. */
+  readonly swept: readonly (readonly Ring[])[];
+}
+
+/** A rapid that runs through material that surely stands. */
+export interface RapidThrough {
+  readonly step: number;
+  readonly rings: readonly Ring[];
+}
+
+/**
+ * A body that is milled, in the plane: for each limit the area over which it stands above. It is told from above only: no overhang, no rest
+ * of a ball or a point. Cutting it takes time, so it is cut a bit at a time; a moment that is not reached yet is shown as far as it is.
+ */
+export interface MilledStock {
+  readonly top: number;
+  readonly bottom: number;
+  /** Depths that are told apart, the shallowest first; `limits` are the heights that belong to them. */
+  readonly depths: readonly number[];
+  readonly limits: readonly number[];
+  /** Motions that are cut so far. */
+  readonly reached: () => number;
+  /** Cuts on by some motions; true when all are cut. */
+  readonly advance: (motions: number) => boolean;
+  readonly at: (position: PlayPosition) => MilledMoment;
+  /** Of what has been cut so far. */
+  readonly rapids: () => readonly RapidThrough[];
+}
+
+/** Motions between two marks; fewer where their sweeps have many corners. */
+const MARK = { motions: 40, pieces: 600 } as const;
+/** More places than this are not looked for. */
+const MOST_RAPIDS = 50;
+
+/** The area above one limit, cut motion by motion. */
+interface Layer {
+  readonly limit: number;
+  readonly marks: StockMarks;
+}
+
+/** What stands at the top stands above a hair below it; above the bottom stands everything. */
+function standingOn({ body }: MilledInput["bodies"][number], limit: number, { bottom, top }: Pick<MilledStock, "bottom" | "top">): Ring[] {
+  return standingAbove(body, limit <= bottom ? -Infinity : limit >= top ? top - SAME : limit);
+}
+
+/** Begins to cut; null where there is no body. */
+export function milledStock({ motions, bodies }: MilledInput): MilledStock | null {
+  const first = bodies[0], heights = first && heightsOf(first.body);
+  if (!heights || !(heights.top > heights.bottom)) return null;
+  const { bottom, top } = heights;
+  const depths = depthsOf(motions, heights), limits = heightLimits(depths, heights);
+  const bodyAt = new Map(bodies.map((each) => [each.step, each]));
+  const layers = limits.map((limit): Layer => ({ limit, marks: marksOf() }));
+  const rapids: RapidThrough[] = [];
+  let cuts: readonly Cutting[] = [], next = 0, marked = 0;
+
+  /** What another body leaves of areas: turning takes material away between two cuts of a mill. */
+  const taken = (body: MilledInput["bodies"][number], before: readonly (readonly Ring[])[] | null) =>
+    limits.map((limit, i) => {
+      const own = standingOn(body, limit, heights), had = before?.[i];
+      return had ? intersection(had, own) : own;
+    });
+  const begin = (areas: readonly (readonly Ring[])[], step: number, isStated: boolean) => {
+    layers.forEach(({ marks }, i) => marks.add(step, areas[i] ?? [], isStated));
+    marked = step;
+    return areas.map(cutting);
+  };
+
+  const sweeps = sweeper();
+  /** A cut as deep as a limit leaves what it is the height of, but for the bottom: that is milled through. */
+  const swept = (m: MillMotion, limit: number, fraction?: number) => sweeps(m, limit + (limit <= bottom ? SAME : -SAME), fraction);
+
+  function look(m: MillMotion, step: number): void {
+    if (!isRapid(m) || rapids.length >= MOST_RAPIDS) return;
+    const rings = real(union(limits.flatMap((limit, i) => {
+      const now = cuts[i]?.present();
+      return now ? inStock(swept(m, limit), now) : [];
+    })));
+    if (rings.length > 0) rapids.push({ step, rings });
+  }
+
+  function cut(): void {
+    const body = bodyAt.get(next), m = motions[next];
+    if (body) cuts = begin(taken(body, next === 0 ? null : cuts.map((c) => c.stock())), next, true);
+    else if (next - marked >= MARK.motions || cuts.some((c) => c.pieces >= MARK.pieces))
+      cuts = begin(cuts.map((c) => c.stock()), next, false);
+    if (m) {
+      look(m, next);
+      limits.forEach((limit, i) => {
+        for (const sweep of swept(m, limit)) cuts[i]?.add(sweep);
+      });
+    }
+    next += 1;
+  }
+  cut();
+
+  const players = layers.map(({ limit, marks }) => layerPlayer(motions, marks.all(), (m) => swept(m, limit)));
+  return {
+    top,
+    bottom,
+    depths,
+    limits,
+    reached: () => Math.min(next, motions.length),
+    advance(some) {
+      for (let i = 0; i < some && next < motions.length; i += 1) cut();
+      return next >= motions.length;
+    },
+    at({ step, fraction }) {
+      const whole = Math.max(0, Math.min(step, next)), running = whole < step || fraction <= 0 ? undefined : motions[whole];
+      const standing = players.map((player) => player(whole));
+      return {
+        standing,
+        swept: limits.map((limit) => (running ? swept(running, limit, fraction).flatMap(({ rings }) => [...rings]) : [])),
+      };
+    },
+    rapids: () => rapids,
+  };
+}
+
+/** The area of one layer at the beginning of any motion: from the nearest mark before it, or on from where it was asked last. */
+function layerPlayer(
+  motions: readonly MillMotion[],
+  marks: readonly Checkpoint[],
+  swept: (m: MillMotion) => ReturnType<Sweeper>,
+): (step: number) => readonly Ring[] {
+  let now: { mark: number; next: number; cut: Cutting } | null = null;
+  let given: { readonly cut: Cutting; readonly pieces: number; readonly area: readonly Ring[] } | null = null;
+  /** The same array as long as nothing of it is taken: a picture draws that again without looking at it. */
+  const areaOf = (cut: Cutting): readonly Ring[] => {
+    if (given?.cut !== cut || given.pieces !== cut.pieces) given = { cut, pieces: cut.pieces, area: cut.stock() };
+    return given.area;
+  };
+  return (step) => {
+    let mark = marks.findLastIndex((each) => each.step <= step);
+    while (mark > 0 && !marks[mark]?.stock) mark -= 1;
+    if (!now || now.mark < mark || now.next > step)
+      now = { mark, next: marks[mark]?.step ?? 0, cut: cutting(unpacked(marks[mark]?.stock ?? [])) };
+    while (now.next < step) {
+      const m = motions[now.next];
+      for (const sweep of m ? swept(m) : []) now.cut.add(sweep);
+      now.next += 1;
+      const begun: Checkpoint | undefined = marks[now.mark + 1];
+      if (begun?.step === now.next)
+        now = { mark: now.mark + 1, next: now.next, cut: cutting(begun.isStated ? unpacked(begun.stock ?? []) : now.cut.stock()) };
+    }
+    return areaOf(now.cut);
+  };
+}
