@@ -1,8 +1,21 @@
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-/** What is drawn as stock, as text, to compare two moments. */
-const stock = (turnwise: Turnwise) => turnwise.lathe.picture.locator("path.shape-stock").first().getAttribute("d");
+/** What is painted as material, one letter for each small square of the canvas: how single edge pixels are rounded does not count. */
+const stock = (turnwise: Turnwise) =>
+  turnwise.lathe.picture.locator("canvas.material").evaluate((element) => {
+    const { width, height } = element as HTMLCanvasElement, side = 4;
+    const pixels = (element as HTMLCanvasElement).getContext("2d")?.getImageData(0, 0, width, height).data ?? [];
+    let squares = "";
+    for (let y = 0; y + side <= height; y += side) {
+      for (let x = 0; x + side <= width; x += side) {
+        let covered = 0;
+        for (let i = 0; i < side * side; i += 1) covered += pixels[4 * ((y + Math.floor(i / side)) * width + x + (i % side)) + 3] ?? 0;
+        squares += covered > side * side * 128 ? "#" : ".";
+      }
+    }
+    return squares;
+  });
 
 test("playing with a held clock: time moves when the test says so, and the step of the manual is shown", async ({ page }) => {
   const turnwise = await Turnwise.open(page, { heldClock: true });

@@ -76,6 +76,8 @@ export interface Cutting {
 export function cutting(initial: readonly Ring[]): Cutting {
   let [base, edges, recent, waiting, pieces] = [initial, sidesOf(initial), heap(), 0, 0];
   let now: Present | null = null;
+  /** The stock now, kept for those who look again before anything else is cut. */
+  let standing: readonly Ring[] | null = null;
 
   return {
     initial,
@@ -86,6 +88,7 @@ export function cutting(initial: readonly Ring[]): Cutting {
       const rings = near(sweep, edges.meets);
       if (rings.length === 0) return;
       now = null;
+      standing = null;
       pieces += sweep.pieces.length;
       rings.forEach(recent.add);
       waiting += pointsOf(rings);
@@ -98,8 +101,13 @@ export function cutting(initial: readonly Ring[]): Cutting {
       return now;
     },
     stock(further) {
-      const gone = [...recent.all(), ...(further ? near(further, edges.meets) : [])];
-      return gone.length === 0 ? base : difference(base, gone);
+      const more = further ? near(further, edges.meets) : [];
+      if (more.length > 0) return difference(base, [...recent.all(), ...more]);
+      if (!standing) {
+        const gone = recent.all();
+        standing = gone.length === 0 ? base : difference(base, gone);
+      }
+      return standing;
     },
   };
 }

@@ -74,3 +74,9 @@ export function playerOf(simulation: Simulation): Player {
 
 /** The stock at one moment. */
 export const stockAt = (simulation: Simulation, position: PlayPosition): readonly Ring[] => playerOf(simulation).at(position);
+
+/** Tells whether two moments of a run stand in the same blank: the program states no other one between them. */
+export function sameBlank({ checkpoints }: Pick<Simulation, "checkpoints">): (one: PlayPosition, other: PlayPosition) => boolean {
+  const stated = checkpoints.filter((mark) => mark.isStated).map((mark) => mark.step);
+  return (one, other) => stated.every((step) => step <= one.step === step <= other.step);
+}

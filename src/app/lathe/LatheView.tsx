@@ -4,7 +4,7 @@ import type { Run } from "../../program/run-types.ts";
 import type { Simulation } from "../../sim/simulation.ts";
 import type { Pt } from "../../kernel/point.ts";
 import { axial, diameter, radius, toRadius } from "../../kernel/units.ts";
-import { playerOf } from "../../sim/stock.ts";
+import { playerOf, sameBlank } from "../../sim/stock.ts";
 import { mirrored } from "../../view/bounds.ts";
 import { datumAt, datumIndex } from "../../view/datum.ts";
 import { snapPoints } from "../../view/measure.ts";
@@ -124,8 +124,7 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
   const starts = useMemo(() => (waiting?.start ? [waiting.start] : run.operations.map((o) => o.start)), [run, waiting]);
   const moving = useMemo(() => {
     if (!simulation) return null;
-    const player = playerOf(simulation);
-    return { steps: simulation.steps, stockAt: player.at, playback };
+    return { steps: simulation.steps, stockAt: playerOf(simulation).at, isSameBlank: sameBlank(simulation), playback };
   }, [simulation, playback]);
   const measuring = useMeasuring(viewport, points);
   const path = useShownPath(run, scene, playback);

@@ -5,7 +5,10 @@ import { ringData } from "../../view/path.ts";
 import { PATH_ROLES, type Scene, type Shape } from "../../view/scene.ts";
 import { transform } from "../../view/svg.ts";
 import { LatheAxes } from "./Axes.tsx";
-import { MovingParts, type Moving, type Waiting } from "./MovingParts.tsx";
+import { MaterialSheet } from "./MaterialSheet.tsx";
+import type { Moving, Waiting } from "./moving.ts";
+import { RunningMove } from "./RunningMove.tsx";
+import { RunningTool, WaitingTool } from "./ToolSheet.tsx";
 import type { Viewport } from "./viewport.ts";
 
 /** Pixels between two hatch lines. */
@@ -35,8 +38,8 @@ function World({ viewport, children }: { readonly viewport: Viewport; readonly c
   return <g ref={group}>{children}</g>;
 }
 
-/** The hatches keep their pitch on the screen whatever the zoom. */
-function Hatches({ viewport, id }: { readonly viewport: Viewport; readonly id: string }) {
+/** The hatch keeps its pitch on the screen whatever the zoom. */
+function ResidualHatch({ viewport, id }: { readonly viewport: Viewport; readonly id: string }) {
   const defs = useRef<SVGDefsElement>(null);
   useEffect(() => {
     const follow = () => {
@@ -48,21 +51,24 @@ function Hatches({ viewport, id }: { readonly viewport: Viewport; readonly id: s
     follow();
     return viewport.subscribe(follow);
   }, [viewport]);
-  const hatch = (role: "stock" | "residual", angle: number) => (
-    <pattern id={`${id}${role}`} data-angle={angle} width={HATCH} height={HATCH} patternUnits="userSpaceOnUse">
-      <rect className={`hatch-ground-${role}`} width={HATCH} height={HATCH} />
-      <line className={`hatch-line-${role}`} x1="0" y1="0" x2="0" y2={HATCH} />
-    </pattern>
+  return (
+    <defs ref={defs}>
+      <pattern id={`${id}residual`} data-angle="-45" width={HATCH} height={HATCH} patternUnits="userSpaceOnUse">
+        <rect className="hatch-ground-residual" width={HATCH} height={HATCH} />
+        <line className="hatch-line-residual" x1="0" y1="0" x2="0" y2={HATCH} />
+      </pattern>
+    </defs>
   );
-  return <defs ref={defs}>{hatch("stock", 45)}{hatch("residual", -45)}</defs>;
 }
 
 /** Blank under the path; the contour over it as a thinner line, so that both are seen where the tip runs on the contour. */
 const UPPER: readonly Shape["role"][] = ["blank", "sketch", "contour"];
 
+const NOTHING: readonly Ring[] = [];
+
 /**
- * Section of the work with path and tool, in three sheets: material, drawing, tool. The drawing is painted once, however
- * long the path; zooming changes one matrix a sheet, playing two elements.
+ * Section of the work with path and tool, in sheets from back to front: grid, material, drawing, tool, what is written over it. The drawing
+ * is painted once, however long the path. While it plays the material is painted where the tool is, and the tool's sheet is moved.
  */
 export function Picture({ viewport, scene, moving, waiting, findings, residual, full, path, ghosts, chosen, hovered, name, children }: {
   readonly viewport: Viewport;
@@ -95,20 +101,19 @@ export function Picture({ viewport, scene, moving, waiting, findings, residual, 
   return (
     <div className="lathe-picture" role="img" aria-label={name}>
       <svg className="sheet">
-        <Hatches viewport={viewport} id={id} />
         <LatheAxes viewport={viewport} part="grid" />
         <World viewport={viewport}>
           <Still shapes={sheets.below} mirror={full} />
-          {moving && <MovingParts.Stock moving={moving} full={full} fill={`url(#${id}stock)`} />}
-          {waiting && <Rings rings={waiting.blank} role="stock" fill={`url(#${id}stock)`} />}
-          {residual.length > 0 && <Rings rings={residual.map((each) => each.ring)} role="residual" fill={`url(#${id}residual)`} />}
         </World>
       </svg>
+      <MaterialSheet viewport={viewport} moving={moving} blank={waiting?.blank ?? NOTHING} full={full} />
       <svg className="sheet ghosts">
         <World viewport={viewport}>{ghosts}</World>
       </svg>
       <svg className="sheet still">
+        <ResidualHatch viewport={viewport} id={id} />
         <World viewport={viewport}>
+          {residual.length > 0 && <Rings rings={residual.map((each) => each.ring)} role="residual" fill={`url(#${id}residual)`} />}
           <Still shapes={sheets.blank} mirror={full} />
           <g className="lathe-paths">
             <Still shapes={path} mirror={false} />
@@ -118,12 +123,10 @@ export function Picture({ viewport, scene, moving, waiting, findings, residual, 
           {chosen}
         </World>
       </svg>
+      {moving && <RunningTool viewport={viewport} moving={moving} />}
+      {waiting?.tool && waiting.start && <WaitingTool viewport={viewport} tool={waiting.tool} at={waiting.start} />}
       <svg className="sheet">
-        <World viewport={viewport}>
-          {hovered}
-          {moving && <MovingParts.Tool moving={moving} />}
-          {waiting?.tool && waiting.start && <MovingParts.Still tool={waiting.tool} at={waiting.start} />}
-        </World>
+        <World viewport={viewport}>{hovered} {moving && <RunningMove moving={moving} />}</World>
         {children}
         <LatheAxes viewport={viewport} part="scales" />
       </svg>

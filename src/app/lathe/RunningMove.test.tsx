@@ -9,7 +9,7 @@ import { stretchData } from "../../view/path.ts";
 import { trackOf } from "../../view/playback.ts";
 import { manualClock } from "../clock.ts";
 import { printedText } from "../printed.ts";
-import { MovingParts } from "./MovingParts.tsx";
+import { RunningMove } from "./RunningMove.tsx";
 import { createPlaybackStore } from "./playback-store.ts";
 
 const stepsOf = (number: number) => {
@@ -31,7 +31,7 @@ test("the running move is that of the work that is open, at the same place of th
   playback.dispatch({ do: "seek", position: { step: AT, fraction: 0.5 } });
   const parts = (steps: typeof one) => (
     <svg>
-      <MovingParts.Tool moving={{ steps, playback, stockAt: () => [] }} />
+      <RunningMove moving={{ steps, playback, stockAt: () => [], isSameBlank: () => true }} />
     </svg>
   );
   const { container, rerender } = render(parts(one));

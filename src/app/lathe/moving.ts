@@ -1,0 +1,25 @@
+import type { Pt, Ring } from "../../kernel/point.ts";
+import type { Step } from "../../kernel/step.ts";
+import type { Tool } from "../../kernel/tool.ts";
+import type { PlayPosition } from "../../sim/simulation.ts";
+import type { PlaybackStore } from "./playback-store.ts";
+
+/** What moves in the picture: a run on a playback, and the stock at any position of it. */
+export interface Moving {
+  readonly steps: readonly Step[];
+  /** The same rings as long as nothing is cut. */
+  readonly stockAt: (position: PlayPosition) => readonly Ring[];
+  /** False when the program states another blank between two positions. */
+  readonly isSameBlank: (one: PlayPosition, other: PlayPosition) => boolean;
+  readonly playback: PlaybackStore;
+}
+
+/** What stands there before anything moves. */
+export interface Waiting {
+  readonly blank: readonly Ring[];
+  readonly tool: Tool | null;
+  readonly start: Pt | null;
+}
+
+/** The step that runs at a position; the last one at the end. */
+export const stepIndex = (steps: readonly Step[], position: PlayPosition): number => Math.min(position.step, steps.length - 1);

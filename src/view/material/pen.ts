@@ -1,0 +1,28 @@
+/** What a painter needs of a canvas: the drawing context of a browser has all of it. */
+export interface Pen {
+  fillStyle: string | object;
+  strokeStyle: string | object;
+  lineWidth: number;
+  globalAlpha: number;
+  save(): void;
+  restore(): void;
+  /** From the pixels of the page to those of the device. */
+  setTransform(a: number, b: number, c: number, d: number, e: number, f: number): void;
+  clearRect(x: number, y: number, width: number, height: number): void;
+  beginPath(): void;
+  moveTo(x: number, y: number): void;
+  lineTo(x: number, y: number): void;
+  closePath(): void;
+  rect(x: number, y: number, width: number, height: number): void;
+  clip(rule?: "nonzero" | "evenodd"): void;
+  fill(rule?: "nonzero" | "evenodd"): void;
+  stroke(): void;
+}
+
+/** A part of the picture, pixels of the page from its top left corner. */
+export interface Patch {
+  readonly x: number;
+  readonly y: number;
+  readonly width: number;
+  readonly height: number;
+}

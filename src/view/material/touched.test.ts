@@ -1,0 +1,78 @@
+import fc from "fast-check";
+import { expect, test } from "vitest";
+
+import flange from "../../examples/flange.h?raw";
+import { areaOf } from "../../kernel/area.ts";
+import { difference } from "../../kernel/clip.ts";
+import { parse } from "../../nc/parse.ts";
+import { run } from "../../program/run.ts";
+import { shippedTools } from "../../program/shipped-tools.ts";
+import { simulate } from "../../sim/simulate.ts";
+import { sameBlank, stockAt } from "../../sim/stock.ts";
+import { boundsOf } from "../bounds.ts";
+import { fitted } from "../camera.ts";
+import { patchOf, patchWithin, touchedBetween } from "./touched.ts";
+
+const made = run(parse(flange), { tools: shippedTools, rapid: 10_000 });
+const simulation = simulate(made);
+const moment = fc.record({ step: fc.nat({ max: made.steps.length }), fraction: fc.double({ min: 0, max: 1, noNaN: true }) });
+/** Slivers that rounding to the grid of the polygon engine leaves, mm². */
+const SLIVER = 1e-4;
+
+test("what differs between two moments lies in the box that was touched", () => {
+  let compared = 0;
+  fc.assert(fc.property(moment, moment, (one, other) => {
+    const box = touchedBetween(made.steps, one, other);
+    if (box === "all") return;
+    const [a, b] = [stockAt(simulation, one), stockAt(simulation, other)];
+    const differs = [...difference(a, b), ...difference(b, a)].filter((ring) => Math.abs(areaOf([ring])) > SLIVER);
+    compared += differs.length;
+    for (const ring of differs) {
+      const within = boundsOf(ring);
+      expect(box).not.toBeNull();
+      if (!box || !within) continue;
+      expect(within.left).toBeGreaterThan(box.left - SLIVER);
+      expect(within.right).toBeLessThan(box.right + SLIVER);
+      expect(within.low).toBeGreaterThan(box.low - SLIVER);
+      expect(within.high).toBeLessThan(box.high + SLIVER);
+    }
+  }), { numRuns: 60 });
+  expect(compared).toBeGreaterThan(20);
+});
+
+test("moments far apart are not looked at one by one, and the same moment touches nothing", () => {
+  const long = Array.from({ length: 1000 }, (_, i) => made.steps[i % made.steps.length]).flatMap((step) => step ?? []);
+  expect(touchedBetween(long, { step: 3, fraction: 0.4 }, { step: 871, fraction: 0.1 })).toBe("all");
+  expect(touchedBetween(made.steps, { step: 7, fraction: 0 }, { step: 7, fraction: 0 })).toBeNull();
+});
+
+test("a patch covers its box on whole pixels of the device, on the side it is asked for", () => {
+  const camera = fitted({ left: -63.7, right: 11.3, low: 0, high: 41.9 }, { width: 731, height: 433 }, {
+    left: 0,
+    right: 0,
+    top: 0,
+    bottom: 0,
+  }, true);
+  const box = { left: -21.37, right: -4.81, low: 17.03, high: 22.9 }, ratio = 1.5;
+  for (const mirror of [false, true]) {
+    const { x, y, width, height } = patchOf(box, camera, mirror, ratio);
+    for (const edge of [x, y, width, height]) expect(edge * ratio).toBeCloseTo(Math.round(edge * ratio), 9);
+    const [top, floor] = [
+      camera.zero.y - camera.scale * (mirror ? -box.low : box.high),
+      camera.zero.y - camera.scale * (mirror ? -box.high : box.low),
+    ];
+    expect(y).toBeLessThan(top);
+    expect(y + height).toBeGreaterThan(floor);
+    expect(x).toBeLessThan(camera.zero.x + box.left * camera.scale);
+    expect(x + width).toBeGreaterThan(camera.zero.x + box.right * camera.scale);
+  }
+  expect(patchWithin({ x: -40, y: 12, width: 30, height: 9 }, { width: 731, height: 433 })).toBeNull();
+  expect(patchWithin({ x: -40, y: 12, width: 57, height: 9 }, { width: 731, height: 433 })).toEqual({ x: 0, y: 12, width: 17, height: 9 });
+});
+
+test("a blank that is stated parts what lies before it from what lies behind", () => {
+  const marks = sameBlank({ checkpoints: [{ step: 0, stock: null }, { step: 9, stock: null, isStated: true }] });
+  expect(marks({ step: 3, fraction: 0.2 }, { step: 8, fraction: 0.9 })).toBe(true);
+  expect(marks({ step: 3, fraction: 0.2 }, { step: 9, fraction: 0 })).toBe(false);
+  expect(marks({ step: 9, fraction: 0 }, { step: 41, fraction: 0.7 })).toBe(true);
+});

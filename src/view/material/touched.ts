@@ -1,0 +1,84 @@
+import { insertOutline } from "../../kernel/insert.ts";
+import { at, part } from "../../kernel/point.ts";
+import type { Step } from "../../kernel/step.ts";
+import { pathOf } from "../../kernel/time.ts";
+import type { Tool } from "../../kernel/tool.ts";
+import type { PlayPosition } from "../../sim/simulation.ts";
+import { boundsOf, grownBounds, joined } from "../bounds.ts";
+import { toScreen, type Bounds, type Camera } from "../camera.ts";
+import type { Patch } from "./pen.ts";
+
+/** Inserts are flattened this coarse, mm; the boxes are as much larger. */
+const COARSE = 0.05;
+const NOTHING: Bounds = { left: 0, right: 0, low: 0, high: 0 };
+const inserts = new WeakMap<Tool, Bounds>();
+
+function insertBox(tool: Tool): Bounds {
+  const known = inserts.get(tool);
+  if (known) return known;
+  const made = grownBounds(boundsOf(insertOutline(tool, COARSE)) ?? NOTHING, COARSE);
+  inserts.set(tool, made);
+  return made;
+}
+
+/** Between two looks at an arc it leaves their box by no more than this share of its size. */
+const ARC_LOOKS = 8;
+const BULGE = 0.05;
+
+/** The box round the tip's way through a step between two fractions. */
+function wayBox({ from, move }: Step, begin: number, end: number): Bounds | null {
+  const path = pathOf(from, move);
+  if (path.kind !== "arc") return boundsOf([part.pointOn(path, begin), part.pointOn(path, end)]);
+  const looks = Array.from({ length: ARC_LOOKS + 1 }, (_, i) => part.pointOn(path, begin + ((end - begin) * i) / ARC_LOOKS));
+  const box = boundsOf(looks);
+  return box && grownBounds(box, BULGE * Math.max(box.right - box.left, box.high - box.low));
+}
+
+/** Moves between two moments of which each is looked at; beyond that many everything counts as touched. */
+const MOST_STEPS = 400;
+
+/**
+ * The box in which the stock of two moments of a run may differ, mm: where inserts went between them; null when that is nowhere, "all" when
+ * it lies too far apart to be worth a look.
+ */
+export function touchedBetween(steps: readonly Step[], one: PlayPosition, other: PlayPosition): Bounds | "all" | null {
+  const swap = other.step < one.step || (other.step === one.step && other.fraction < one.fraction);
+  const [a, b] = swap ? [other, one] : [one, other];
+  if (b.step - a.step > MOST_STEPS) return "all";
+  let box: Bounds | null = null;
+  for (let i = a.step; i <= b.step && i < steps.length; i += 1) {
+    const step = steps[i] as Step;
+    const end = i === b.step ? b.fraction : 1;
+    if (end <= 0) continue;
+    const way = wayBox(step, i === a.step ? a.fraction : 0, end);
+    const insert = insertBox(step.tool);
+    if (way) {
+      box = joined(box, {
+        left: way.left + insert.left,
+        right: way.right + insert.right,
+        low: way.low + insert.low,
+        high: way.high + insert.high,
+      });
+    }
+  }
+  return box;
+}
+
+/** Pixels round a box that its edge lines need. */
+const EDGE = 3;
+
+/** The part of the picture that shows a box, with room for edge lines; on whole pixels of a device that has `ratio` to one of the page. */
+export function patchOf({ left, right, low, high }: Bounds, camera: Camera, mirror: boolean, ratio: number): Patch {
+  const side = mirror ? -1 : 1;
+  const [a, b] = [toScreen(camera, at(left, low * side)), toScreen(camera, at(right, high * side))];
+  const before = (v: number) => Math.floor((v - EDGE) * ratio) / ratio, after = (v: number) => Math.ceil((v + EDGE) * ratio) / ratio;
+  const x = before(Math.min(a.x, b.x)), y = before(Math.min(a.y, b.y));
+  return { x, y, width: after(Math.max(a.x, b.x)) - x, height: after(Math.max(a.y, b.y)) - y };
+}
+
+/** What of a patch lies in a picture of that size; null when nothing does. */
+export function patchWithin(patch: Patch, size: { readonly width: number; readonly height: number }): Patch | null {
+  const x = Math.max(0, patch.x), y = Math.max(0, patch.y);
+  const width = Math.min(size.width, patch.x + patch.width) - x, height = Math.min(size.height, patch.y + patch.height) - y;
+  return width > 0 && height > 0 ? { x, y, width, height } : null;
+}
