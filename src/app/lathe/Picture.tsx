@@ -3,16 +3,19 @@ import type { Ring } from "../../kernel/point.ts";
 import type { StockFinding, Residual } from "../../sim/simulation.ts";
 import { ringData } from "../../view/path.ts";
 import { PATH_ROLES, type Scene, type Shape } from "../../view/scene.ts";
-import { transform } from "../../view/svg.ts";
 import { LatheAxes } from "./Axes.tsx";
 import { MaterialSheet } from "./MaterialSheet.tsx";
 import type { Moving, Waiting } from "./moving.ts";
 import { RunningMove } from "./RunningMove.tsx";
 import { RunningTool, WaitingTool } from "./ToolSheet.tsx";
 import type { Viewport } from "./viewport.ts";
+import { World } from "./World.tsx";
 
 /** Pixels between two hatch lines. */
 const HATCH = 7;
+
+/** A path with more letters than this takes a weak device longer to draw than one picture lasts. */
+const LONG_PATH = 40_000;
 
 const isPath = (shape: Shape) => (PATH_ROLES as readonly string[]).includes(shape.role);
 
@@ -26,17 +29,6 @@ const Rings = memo(
     return <path className={`shape-${role}`} d={ringData(rings)} {...(fill && { style: { fill } })} />;
   },
 );
-
-/** Follows the camera with one attribute: a group whose content is drawn in part space. */
-function World({ viewport, children }: { readonly viewport: Viewport; readonly children: React.ReactNode }) {
-  const group = useRef<SVGGElement>(null);
-  useEffect(() => {
-    const follow = () => group.current?.setAttribute("transform", transform(viewport.get()));
-    follow();
-    return viewport.subscribe(follow);
-  }, [viewport]);
-  return <g ref={group}>{children}</g>;
-}
 
 /** The hatch keeps its pitch on the screen whatever the zoom. */
 function ResidualHatch({ viewport, id }: { readonly viewport: Viewport; readonly id: string }) {
@@ -93,6 +85,7 @@ export function Picture({ viewport, scene, moving, waiting, findings, residual, 
   readonly children: React.ReactNode;
 }) {
   const id = useId();
+  const isLong = useMemo(() => path.reduce((sum, { d }) => sum + d.length, 0) > LONG_PATH, [path]);
   const sheets = useMemo(() => ({
     below: scene.shapes.filter((shape) => !isPath(shape) && !UPPER.includes(shape.role)),
     blank: scene.shapes.filter((shape) => shape.role === "blank"),
@@ -112,7 +105,7 @@ export function Picture({ viewport, scene, moving, waiting, findings, residual, 
       </svg>
       <svg className="sheet still">
         <ResidualHatch viewport={viewport} id={id} />
-        <World viewport={viewport}>
+        <World viewport={viewport} isLong={isLong}>
           {residual.length > 0 && <Rings rings={residual.map((each) => each.ring)} role="residual" fill={`url(#${id}residual)`} />}
           <Still shapes={sheets.blank} mirror={full} />
           <g className="lathe-paths">
