@@ -6,13 +6,14 @@ import type { ShowBlock } from "../compare/compare-place.ts";
 import { Icon } from "../Icon.tsx";
 import { mayLeave } from "../leaving/leaving.ts";
 import { lazyPart } from "../parts.ts";
-import { printedText } from "../printed.ts";
+import { printedText, programName } from "../printed.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { showSheet } from "../sheet/sheet-place.ts";
 import { isProgram, type Work } from "../work.ts";
 
 /** Fetched when it is first opened. */
 const HandOnDialog = lazyPart(async () => ({ default: (await import("../handing/HandOnDialog.tsx")).HandOnDialog }));
+const PartExport = lazyPart(async () => ({ default: (await import("../export/PartExport.tsx")).PartExport }));
 
 /** A work on its way out, with the verdict that goes with it. */
 interface Leaving {
@@ -29,10 +30,19 @@ async function leaving(): Promise<Leaving | null> {
   return open && verdict && { open, verdict };
 }
 
+/** The name of the open program without its ending: files made of it begin with it. */
+function openStem(): string {
+  handOver();
+  const { job, program } = useEditor.getState();
+  if (program) return program.name.replace(/\.[^.]*$/, "");
+  return job ? programName(printedText(job)) : "";
+}
+
 /** What else can be made of the open program, below its ways out; what a workplace has of its own comes last. */
 export function ProgramMore({ showBlock, children }: { readonly showBlock: ShowBlock; readonly children?: ReactNode }) {
   const { page: { text: t } } = useTexts();
   const [handed, handOn] = useState<Leaving | null>(null);
+  const [exported, exportPart] = useState<string | null>(null);
   return (
     <div className="program-more">
       <button type="button" className="button plain" onClick={() => {
@@ -47,6 +57,14 @@ export function ProgramMore({ showBlock, children }: { readonly showBlock: ShowB
       {handed && (
         <Suspense>
           <HandOnDialog {...handed} done={() => handOn(null)} />
+        </Suspense>
+      )}
+      <button type="button" className="button plain" aria-haspopup="dialog" onClick={() => exportPart(openStem())}>
+        <Icon name="solid" /> {t.exportPart}
+      </button>
+      {exported !== null && (
+        <Suspense>
+          <PartExport stem={exported} done={() => exportPart(null)} />
         </Suspense>
       )}
       <CompareButton showBlock={showBlock} />

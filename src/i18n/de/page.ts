@@ -156,6 +156,7 @@ export const page = {
     unfold: "Programm zeigen",
     setupSheet: "Einrichteblatt",
     handOn: "Weitergeben",
+    exportPart: "Teil exportieren",
     compare: "Vergleichen",
     blocks: "Sätze des Programms",
     running: "läuft",

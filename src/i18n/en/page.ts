@@ -154,6 +154,7 @@ export const page = {
     unfold: "Show the program",
     setupSheet: "Setup sheet",
     handOn: "Hand on",
+    exportPart: "Export part",
     compare: "Compare",
     blocks: "Blocks of the program",
     running: "running",

@@ -156,6 +156,7 @@ export const page = {
     unfold: "Afficher le programme",
     setupSheet: "Fiche de réglage",
     handOn: "Transmettre",
+    exportPart: "Exporter la pièce",
     compare: "Comparer",
     blocks: "Séquences du programme",
     running: "en cours",

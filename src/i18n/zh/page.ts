@@ -154,6 +154,7 @@ export const page = {
     unfold: "显示程序",
     setupSheet: "调机单",
     handOn: "转交",
+    exportPart: "导出零件",
     compare: "比较",
     blocks: "程序段",
     running: "执行中",

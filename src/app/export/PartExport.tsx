@@ -1,0 +1,164 @@
+import { useId, useMemo, useRef, useState } from "react";
+import { loadExport } from "../../i18n/load-export.ts";
+import { formatNumber } from "../../i18n/number.ts";
+import type { ExportTexts } from "../../i18n/en/export.ts";
+import { writeDxf } from "../../program/write-dxf.ts";
+import { contourSvg } from "../../view/contour-svg.ts";
+import { bodyStl } from "../../view/solid/export.ts";
+import { downloadBytes, downloadText } from "../files/download.ts";
+import { Icon } from "../Icon.tsx";
+import { playback } from "../playback.ts";
+import { useOutcome, type Outcome } from "../engine/outcome.ts";
+import { laterTexts } from "../settings/later-texts.ts";
+import { useSettings } from "../settings/settings.ts";
+import { useFirstTexts } from "../settings/use-first-texts.ts";
+import { useModal } from "../use-modal.ts";
+import { BODIES, bodiesOf, contoursOf, layersOf, type BodyName, type OfferedBody, type OfferedContour } from "./exports.ts";
+import "./export.css";
+
+const { useThemSoon: useExportTexts } = laterTexts(loadExport);
+
+/** Writes bodies and contour of the open work, as they are when the dialog opens. `stem`: begin of the names of the files. */
+export function PartExport({ stem, done }: { readonly stem: string; readonly done: () => void }) {
+  const words = useExportTexts();
+  return words && <Opened words={words} stem={stem} done={done} />;
+}
+
+function Opened({ words: t, stem, done }: { readonly words: ExportTexts; readonly stem: string; readonly done: () => void }) {
+  const { close } = useFirstTexts().page;
+  const { shown, dimmed } = useOutcome();
+  const dialog = useRef<HTMLDialogElement>(null);
+  const [said, say] = useState("");
+  useModal(dialog, ".export-part button:not(:disabled)");
+  return (
+    <dialog ref={dialog} className="export-part" aria-label={t.title} onClose={() => !dialog.current?.open && done()}
+      onKeyDown={(event) => event.stopPropagation()}
+    >
+      <div className="export-part-head">
+        <h2>{t.title}</h2>
+        <button type="button" className="button icon plain" aria-label={close} onClick={() => dialog.current?.close()}>
+          <Icon name="close" />
+        </button>
+      </div>
+      <p>{t.lead}</p>
+      {dimmed && <Warning text={t.older} />}
+      {!shown || shown.isBeginning ? <p role="status">{t.beginning}</p> : (
+        <>
+          <Bodies words={t} outcome={shown} stem={stem} say={say} />
+          <Contours words={t} outcome={shown} stem={stem} say={say} />
+        </>
+      )}
+      <p role="status" className="export-said">{said}</p>
+    </dialog>
+  );
+}
+
+const Warning = ({ text }: { readonly text: string }) => (
+  <p className="field-message warning">
+    <Icon name="warning" /> {text}
+  </p>
+);
+
+interface Part {
+  readonly words: ExportTexts;
+  readonly outcome: Outcome;
+  readonly stem: string;
+  readonly say: (text: string) => void;
+}
+
+function Bodies({ words: t, outcome: { run, simulation }, stem, say }: Part) {
+  const language = useSettings((s) => s.language);
+  const { position } = playback.get();
+  const bodies = useMemo(() => bodiesOf(run, simulation, position), [run, simulation, position]);
+  const count = (n: number) => formatNumber(language, n, 0);
+  const hint = (name: BodyName) => name === "stock" ? t.bodyHint.stock(count(position.step), count(run.steps.length)) : t.bodyHint[name];
+  const save = (name: BodyName, body: OfferedBody) => {
+    if (!("rings" in body)) return;
+    const file = `${stem}_${t.file[name]}.stl`, { bytes, volume } = bodyStl(body.rings, `${stem} ${name}`);
+    downloadBytes(bytes, file);
+    say(t.saved(file, formatNumber(language, volume, 2)));
+  };
+  return (
+    <section aria-label={t.bodies}>
+      <h3>{t.bodies}</h3>
+      <ul className="export-bodies">
+        {BODIES.map((name) => {
+          const body = bodies[name], lacks = "lack" in body;
+          return (
+            <li key={name}>
+              <div>
+                <b>{t.body[name]}</b>
+                <p className="small soft">{lacks ? t.lack[body.lack] : hint(name)}</p>
+              </div>
+              <button type="button" className="button" disabled={lacks} aria-label={t.save(t.body[name], "STL")}
+                onClick={() => save(name, body)}
+              >
+                <Icon name="download" /> STL
+              </button>
+            </li>
+          );
+        })}
+      </ul>
+      <p className="small soft">{t.bodiesHint}</p>
+      {run.unproved.length > 0 && <Warning text={t.unproved} />}
+    </section>
+  );
+}
+
+const ALL = "all";
+
+function Contours({ words: t, outcome: { run }, stem, say }: Part) {
+  const group = useId(), contours = useMemo(() => contoursOf(run), [run]);
+  const [chosen, choose] = useState<string>(ALL), [diameters, setDiameters] = useState(false);
+  if (contours.length === 0) {
+    return (
+      <section aria-label={t.contour}>
+        <h3>{t.contour}</h3>
+        <p className="soft">{t.lack.noContour}</p>
+      </section>
+    );
+  }
+  const layers = layersOf(contours).filter((_, i) => chosen === ALL || chosen === String(i));
+  const save = (text: string, ending: string) => {
+    const file = `${stem}.${ending}`;
+    downloadText(text, file);
+    say(t.savedFile(file));
+  };
+  const name = ({ block, cycle }: OfferedContour) => t.one(String(block), String(cycle));
+  return (
+    <section aria-label={t.contour}>
+      <h3>{t.contour}</h3>
+      {contours.length > 1 && (
+        <label>
+          <span>{t.which}</span>
+          <select className="select" value={chosen} onChange={(event) => choose(event.target.value)}>
+            <option value={ALL}>{t.all}</option>
+            {contours.map((each, i) => <option key={each.operation} value={i}>{name(each)}</option>)}
+          </select>
+        </label>
+      )}
+      <fieldset>
+        <legend>{t.across}</legend>
+        {([false, true] as const).map((each) => (
+          <label key={String(each)}>
+            <input type="radio" name={group} checked={diameters === each} onChange={() => setDiameters(each)} />
+            {each ? t.diameter : t.radius}
+          </label>
+        ))}
+      </fieldset>
+      <p className="small soft">{t.acrossHint} {t.svgHint}</p>
+      <div className="export-ways">
+        <button type="button" className="button" aria-label={t.save(t.contour, "DXF")}
+          onClick={() => save(writeDxf(layers, diameters), "dxf")}
+        >
+          <Icon name="download" /> DXF
+        </button>
+        <button type="button" className="button" aria-label={t.save(t.contour, "SVG")}
+          onClick={() => save(contourSvg(layers) ?? "", "svg")}
+        >
+          <Icon name="download" /> SVG
+        </button>
+      </div>
+    </section>
+  );
+}

@@ -1,0 +1,99 @@
+import DxfParser from "dxf-parser";
+import { expect, test } from "vitest";
+import { part } from "../../kernel/point.ts";
+import { parse } from "../../nc/parse.ts";
+import { readRows } from "../../program/contour-rows.ts";
+import { dxfDefaults, readDxf, type ParsedDxf } from "../../program/read-dxf.ts";
+import { run } from "../../program/run.ts";
+import { shippedTools } from "../../program/shipped-tools.ts";
+import { writeDxf } from "../../program/write-dxf.ts";
+import { simulate } from "../../sim/simulate.ts";
+import { bodyMesh } from "../../view/solid/export.ts";
+import { volumeOf } from "../../view/solid/mesh.ts";
+import { bodiesOf, contoursOf, layersOf, type OfferedBody } from "./exports.ts";
+
+const head = `0 BEGIN PGM V MM
+1 BLK FORM CYLINDER Z D75 L101.3 DIST+1.3
+2 FUNCTION MODE TURN
+3 TOOL CALL 1
+4 FUNCTION TURNDATA SPIN VCONST:ON VC:150 SMAX2500
+5 M136
+6 L X+160 Z+60 R0 FMAX
+`;
+const cycle = `7 CYCL DEF 812 ABSATZ LAENGS ERW. ~
+ Q215=+0 ~
+ Q460=+2 ~
+ Q491=+75 ~
+ Q492=+0 ~
+ Q493=+50.5 ~
+ Q494=-55.3 ~
+ Q495=+0 ~
+ Q501=+0 ~
+ Q502=+0.5 ~
+ Q500=+1.5 ~
+ Q496=+0 ~
+ Q503=+0 ~
+ Q504=+0.5 ~
+ Q463=+3 ~
+ Q478=+0.3 ~
+ Q483=+0.4 ~
+ Q484=+0.2 ~
+ Q505=+0.2 ~
+ Q506=+0
+8 L X+75 Z+2 R0 FMAX
+9 CYCL CALL
+`;
+const facing = `10 L X+80 Z+0 R0 FMAX
+11 L X-1.6 F0.2
+12 L Z+5 FMAX
+`;
+
+function made(body: string) {
+  const ran = run(parse(`${head}${body}20 END PGM V MM\n`), { tools: shippedTools, rapid: 8_000 });
+  const simulation = simulate({
+    blank: ran.blank,
+    stated: ran.stated,
+    steps: ran.steps,
+    operations: ran.operations,
+    unproved: ran.unproved,
+  });
+  return { ran, simulation, bodies: bodiesOf(ran, simulation, { step: ran.steps.length, fraction: 0 }) };
+}
+const volume = (body: OfferedBody) => ("rings" in body ? volumeOf(bodyMesh(body.rings)) : NaN);
+/** A disc, mm³. */
+const disc = (r: number, long: number) => Math.PI * r * r * long;
+
+test("the finished part has the volume of its drawing, the blank that of the bar, the stock lies between them", () => {
+  const { bodies, ran } = made(cycle);
+  expect(ran.operations.length).toBe(1);
+  // The rounding in the corner adds its fillet, at its centroid.
+  const fillet = 2 * Math.PI * (25.25 + 0.3351) * (1 - Math.PI / 4) * 1.5 ** 2;
+  expect(volume(bodies.part) / (disc(25.25, 55.3 + 1.3) + disc(37.5, 44.7) + fillet)).toBeCloseTo(1, 2);
+  expect(volume(bodies.blank) / disc(37.5, 101.3)).toBeCloseTo(1, 2);
+  expect(volume(bodies.stock)).toBeGreaterThan(volume(bodies.part) - 1);
+  expect(volume(bodies.stock)).toBeLessThan(volume(bodies.part) * 1.01);
+});
+
+test("what moves between the cycles face off is not in the finished part", () => {
+  const [plain, faced] = [made(cycle), made(cycle + facing)];
+  expect(volume(plain.bodies.part) - volume(faced.bodies.part)).toBeGreaterThan(0.97 * disc(25.25, 1.3));
+  expect(volume(plain.bodies.part) - volume(faced.bodies.part)).toBeLessThan(1.03 * disc(25.25, 1.3));
+});
+
+test("what is not there says why", () => {
+  expect(made(facing).bodies.part).toEqual({ lack: "noCycle" });
+  const none = run(parse("0 BEGIN PGM V MM\n1 END PGM V MM\n"), { tools: shippedTools, rapid: 8_000 });
+  const simulation = simulate({ blank: [], steps: [], operations: [], unproved: [] });
+  expect(bodiesOf(none, simulation, { step: 0, fraction: 0 }).stock).toEqual({ lack: "noBlank" });
+  expect(contoursOf(none)).toEqual([]);
+});
+
+test("the contour of a cycle goes out as DXF and comes in again", () => {
+  const contours = contoursOf(made(cycle + cycle).ran), text = writeDxf(layersOf(contours), false);
+  expect(contours.length).toBe(1);
+  const { rows } = readDxf(new DxfParser().parseSync(text) as ParsedDxf, dxfDefaults);
+  const { segments } = readRows(rows).contour, was = contours[0]?.segments ?? [];
+  expect(segments.map((s) => s.kind)).toEqual(was.map((s) => s.kind));
+  expect(segments.some((s) => s.kind === "arc")).toBe(true);
+  segments.forEach((s, i) => expect(part.apart(s.to, was[i]?.to ?? s.from)).toBeLessThan(0.001));
+});

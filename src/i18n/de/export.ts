@@ -1,0 +1,37 @@
+import type { ExportTexts } from "../en/export.ts";
+
+export const exported: ExportTexts = {
+  title: "Teil exportieren",
+  lead: "Längen in Millimetern. Z liegt längs der Spindel, der Nullpunkt ist der des Werkstücks.",
+  bodies: "Körper",
+  bodiesHint: "STL, geschlossene Flächen, Sehnen höchstens 0,02 mm neben der Rundung. Gewinde sind Ringe, keine Wendel.",
+  body: { part: "Fertigteil", blank: "Rohteil", stock: "Material, wie es jetzt ist" },
+  bodyHint: {
+    part: "Das Rohteil ohne alles, was die Zyklen und die Wege dazwischen abtragen.",
+    blank: "Wie das Programm es angibt.",
+    stock: (step, steps) => `Nach ${step} von ${steps} Wegen, wo die Wiedergabe steht.`,
+  },
+  file: { part: "fertigteil", blank: "rohteil", stock: "material" },
+  contour: "Kontur",
+  which: "Welche Kontur",
+  all: "Alle, jede auf eigener Ebene",
+  one: (block, cycle) => `Satz ${block}, Zyklus ${cycle}`,
+  across: "X in der DXF-Datei",
+  radius: "Als Radius, Bögen bleiben Bögen",
+  diameter: "Als Durchmesser, Bögen als Sehnen auf 0,005 mm",
+  acrossHint: "Die Zeichnung zeigt die halbe Schnittebene. Wer sie liest, muss wissen, was von beidem gilt.",
+  svgHint: "SVG: Maßstab 1:1, X als Radius, Bögen bleiben Bögen.",
+  older: "Das ist älter als die Eingabe: Mit den neuesten Werten entsteht kein Weg.",
+  beginning: "Das Programm wird noch berechnet.",
+  lack: {
+    noBlank: "Das Programm gibt kein Rohteil an.",
+    noTurning: "Das Programm fräst nur: Es gibt keinen Drehkörper.",
+    nothingLeft: "Hier ist vom Material nichts übrig.",
+    noCycle: "Kein Zyklus trägt etwas ab.",
+    noContour: "Es gibt noch keine Kontur.",
+  },
+  unproved: "Ein Teil des Programms ist nicht simuliert. Die Körper zeigen den Rest.",
+  save: (what, format) => `${what} als ${format}`,
+  saved: (file, volume) => `${file} gespeichert, ${volume} cm³.`,
+  savedFile: (file) => `${file} gespeichert.`,
+};

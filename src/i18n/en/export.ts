@@ -1,0 +1,39 @@
+import type { Shape } from "../shape.ts";
+
+export const exported = {
+  title: "Export part",
+  lead: "Lengths in millimetres. Z lies along the spindle, the zero point is that of the workpiece.",
+  bodies: "Bodies",
+  bodiesHint: "STL, closed surfaces, chords within 0.02 mm of the round. Threads are rings, not helices.",
+  body: { part: "Finished part", blank: "Blank", stock: "Stock as it is now" },
+  bodyHint: {
+    part: "The blank less all that the cycles and the moves between them take away.",
+    blank: "As the program states it.",
+    stock: (step: string, steps: string) => `After ${step} of ${steps} moves, where the playback stands.`,
+  },
+  file: { part: "part", blank: "blank", stock: "stock" },
+  contour: "Contour",
+  which: "Which contour",
+  all: "All, each on a layer of its own",
+  one: (block: string, cycle: string) => `Block ${block}, cycle ${cycle}`,
+  across: "X in the DXF file",
+  radius: "As a radius, arcs as arcs",
+  diameter: "As a diameter, arcs as chords within 0.005 mm",
+  acrossHint: "The drawing shows half of the section. Whoever reads it has to know which of the two it is.",
+  svgHint: "SVG: true size, X as a radius, arcs as arcs.",
+  older: "This is older than what was typed: the newest values make no path.",
+  beginning: "The program is still being calculated.",
+  lack: {
+    noBlank: "The program states no blank.",
+    noTurning: "The program mills only: there is no turned body.",
+    nothingLeft: "Nothing is left of the stock here.",
+    noCycle: "No cycle takes anything away.",
+    noContour: "There is no contour yet.",
+  },
+  unproved: "Part of the program is not simulated. The bodies show the rest of it.",
+  save: (what: string, format: string) => `${what} as ${format}`,
+  saved: (file: string, volume: string) => `${file} saved, ${volume} cm³.`,
+  savedFile: (file: string) => `${file} saved.`,
+};
+
+export type ExportTexts = Shape<typeof exported>;

@@ -1,0 +1,37 @@
+import type { ExportTexts } from "../en/export.ts";
+
+export const exported: ExportTexts = {
+  title: "导出零件",
+  lead: "长度单位为毫米。Z 沿主轴方向，零点为工件零点。",
+  bodies: "实体",
+  bodiesHint: "STL，封闭曲面，弦与圆弧相差不超过 0.02 mm。螺纹为环槽，不是螺旋线。",
+  body: { part: "成品", blank: "毛坯", stock: "当前余料" },
+  bodyHint: {
+    part: "毛坯减去各循环及其间移动切除的全部材料。",
+    blank: "按程序中的定义。",
+    stock: (step, steps) => `播放位置：${steps} 个移动中的第 ${step} 个之后。`,
+  },
+  file: { part: "part", blank: "blank", stock: "stock" },
+  contour: "轮廓",
+  which: "哪个轮廓",
+  all: "全部，各占一个图层",
+  one: (block, cycle) => `程序段 ${block}，循环 ${cycle}`,
+  across: "DXF 文件中的 X",
+  radius: "按半径，圆弧保持为圆弧",
+  diameter: "按直径，圆弧用弦代替，误差 0.005 mm",
+  acrossHint: "图形为半剖面。读图的人须知道用的是哪一种。",
+  svgHint: "SVG：实际尺寸，X 按半径，圆弧保持为圆弧。",
+  older: "此结果早于当前输入：最新的数值得不出刀路。",
+  beginning: "程序仍在计算。",
+  lack: {
+    noBlank: "程序未定义毛坯。",
+    noTurning: "程序只有铣削，没有回转体。",
+    nothingLeft: "此处材料已全部切除。",
+    noCycle: "没有循环切除材料。",
+    noContour: "还没有轮廓。",
+  },
+  unproved: "程序有一部分未模拟，实体只反映其余部分。",
+  save: (what, format) => `${what}（${format}）`,
+  saved: (file, volume) => `已保存 ${file}，${volume} cm³。`,
+  savedFile: (file) => `已保存 ${file}。`,
+};

@@ -1,0 +1,64 @@
+import { areaOf } from "../../kernel/area.ts";
+import { difference, intersection, offset, simplified, union, unpacked } from "../../kernel/clip.ts";
+import type { Ring } from "../../kernel/point.ts";
+import { CHORD, SLIVER } from "../../kernel/tolerance.ts";
+import { machiningArea } from "../../sim/finished.ts";
+import type { PlayPosition, SimulatedOperation, Simulation } from "../../sim/simulation.ts";
+
+/** What of the stock is shown in which colour, as areas of the half plane that do not overlap. */
+export interface ColouredBodies {
+  readonly steel: readonly Ring[];
+  /** What the operations should have taken and left. */
+  readonly residual: readonly Ring[];
+  /** The skin where something ran into the part or the stock. */
+  readonly gouge: readonly Ring[];
+}
+
+/** How thick the skin of a gouge is, mm and as a share of the size of the part: enough to be seen in the section. */
+const SKIN = { least: 0.1, share: 0.004 } as const;
+/** Residual material is cut out so much wider, mm, that no skin of steel is left over it. */
+const OVER = 0.02;
+/** Outlines are shown with corners no farther than this from the true ones, mm. */
+const SHOWN = 0.004;
+
+/** The stock of a moment, divided by what is to be seen on it. Places of faults count from the move that made them. */
+export function colouredBodies(stock: readonly Ring[], simulation: Simulation, position: PlayPosition, size: number): ColouredBodies {
+  const { findings, proof, steps } = simulation;
+  const rest = position.step >= steps.length ? proof.residual.map((each) => each.ring) : [];
+  const faults = findings.filter(({ step }) => step < position.step || (step === position.step && position.fraction > 0));
+  const plain = (rings: readonly Ring[]) => simplified(rings, SHOWN);
+  if (rest.length === 0 && faults.length === 0) return { steel: plain(stock), residual: [], gouge: [] };
+  const skin = Math.max(SKIN.least, SKIN.share * size);
+  const gouge = faults.length > 0 ? intersection(stock, offset(union(faults.flatMap((f) => [...f.rings])), skin)) : [];
+  const sound = gouge.length > 0 ? difference(stock, gouge) : stock;
+  const residual = rest.length > 0 ? intersection(sound, offset(union(rest), OVER)) : [];
+  const steel = residual.length > 0 ? difference(sound, residual) : sound;
+  return { steel: plain(steel), residual: plain(residual), gouge: plain(gouge) };
+}
+
+/** Material that is missing by less than this is the chord error of both sides, mm. */
+const MISSING = 2 * SLIVER;
+
+/**
+ * The finished part as it should come off the machine: the blank less what the operations together take away, and less what moves outside
+ * of them took. A blank that is stated later counts from its step on. Empty where there is no blank or nothing takes anything away.
+ */
+export function finishedBody(simulation: Simulation, operations: readonly SimulatedOperation[]): readonly Ring[] {
+  const stated = simulation.checkpoints.findLast((mark) => mark.isStated);
+  const first = stated?.step ?? 0;
+  const last = operations.filter((o) => o.firstStep >= first && o.plan.area.length > 2);
+  const blank = stated ? statedBlank(simulation, first) : simulation.blank;
+  if (blank.length === 0 || last.length === 0) return [];
+  const ideal = difference(blank, machiningArea(last));
+  const kept = union([...simulation.final, ...simulation.findings.flatMap((f) => offset(f.rings, MISSING))]);
+  const gone = offset(difference(ideal, kept), -MISSING / 2);
+  return gone.length === 0 ? ideal : difference(ideal, offset(gone, MISSING / 2 + CHORD));
+}
+
+function statedBlank({ checkpoints }: Simulation, step: number): readonly Ring[] {
+  const mark = checkpoints.find((each) => each.isStated && each.step === step);
+  return mark?.stock ? unpacked(mark.stock) : [];
+}
+
+/** Whether an area is more than dust of the polygon engine. */
+export const isBody = (rings: readonly Ring[]): boolean => areaOf(rings) > SLIVER;

@@ -1,0 +1,110 @@
+import { axial } from "../../kernel/units.ts";
+import type { Bounds, Size } from "../camera.ts";
+
+/** A place or a direction in the axes of the machine, mm: x up, y towards the operator, z along the spindle. */
+export type SpacePoint = readonly [x: number, y: number, z: number];
+
+/** From where a body is looked at. */
+export interface Orbit {
+  /** What the eye turns round. */
+  readonly centre: SpacePoint;
+  /** Round the vertical: 0 looks from the operator, a quarter turn from the tailstock at the face. Radians. */
+  readonly turn: number;
+  /** Above the spindle; radians. */
+  readonly rise: number;
+  /** From the eye to the centre, mm. */
+  readonly distance: number;
+}
+
+export const NAMED_VIEWS = ["iso", "front", "end"] as const;
+export type NamedView = (typeof NAMED_VIEWS)[number];
+
+/** Height of what is seen, as an angle: small, so that lengths stay comparable. */
+export const FIELD = (24 * Math.PI) / 180;
+
+const ANGLES: Readonly<Record<NamedView, { readonly turn: number; readonly rise: number }>> = {
+  iso: { turn: 0.62, rise: 0.42 },
+  front: { turn: 0, rise: 0 },
+  end: { turn: Math.PI / 2, rise: 0 },
+};
+
+/** Never quite from above, where up and ahead are the same. */
+const HIGHEST = Math.PI / 2 - 0.02;
+const clamped = (n: number, low: number, high: number) => Math.min(high, Math.max(low, n));
+
+/** Direction from the centre to the eye, to the right and upwards on the screen; each of length 1. */
+export function axesOf({ turn, rise }: Pick<Orbit, "turn" | "rise">): { readonly eye: SpacePoint; readonly right: SpacePoint;
+  readonly up: SpacePoint }
+{
+  const [c, s, ct, st] = [Math.cos(rise), Math.sin(rise), Math.cos(turn), Math.sin(turn)];
+  return { eye: [s, c * ct, c * st], right: [0, -st, ct], up: [c, -s * ct, -s * st] };
+}
+
+/** Where the eye is. */
+export function eyeOf(orbit: Orbit): SpacePoint {
+  const { eye } = axesOf(orbit), { centre, distance } = orbit;
+  return [centre[0] + eye[0] * distance, centre[1] + eye[1] * distance, centre[2] + eye[2] * distance];
+}
+
+/** Turned by angles, radians; beyond straight above or below it does not go. */
+export const orbited = (orbit: Orbit, turn: number, rise: number): Orbit => ({
+  ...orbit,
+  turn: orbit.turn + turn,
+  rise: clamped(orbit.rise + rise, -HIGHEST, HIGHEST),
+});
+
+/** Nearest and farthest eye, mm. */
+const DISTANCE = { nearest: 0.5, farthest: 50_000 } as const;
+
+/** Nearer by a factor. */
+export const approached = (orbit: Orbit, factor: number): Orbit => ({
+  ...orbit,
+  distance: clamped(orbit.distance / factor, DISTANCE.nearest, DISTANCE.farthest),
+});
+
+/** What one pixel shows at the centre, mm. */
+export const pixelAt = ({ distance }: Orbit, size: Size): number => (2 * distance * Math.tan(FIELD / 2)) / Math.max(1, size.height);
+
+/** What is seen moves along by so many pixels. */
+export function slid(orbit: Orbit, dx: number, dy: number, size: Size): Orbit {
+  const { right, up } = axesOf(orbit), mm = pixelAt(orbit, size), { centre } = orbit;
+  const moved = (k: 0 | 1 | 2) => centre[k] - right[k] * dx * mm + up[k] * dy * mm;
+  return { ...orbit, centre: [moved(0), moved(1), moved(2)] };
+}
+
+/** The corners round a body of revolution that fills bounds of the half plane. */
+function cornersOf({ left, right, high }: Bounds): readonly SpacePoint[] {
+  const sides = Array.from({ length: 8 }, (_, i) => (i * Math.PI) / 4);
+  return [left, right].flatMap((z) => sides.map((a): SpacePoint => [high * Math.cos(a), high * Math.sin(a), z]));
+}
+
+/** Free space round a body, as a share of the picture. */
+const AIR = 1.12;
+
+/** A named view that shows all of a body of revolution, as large as the picture allows. */
+export function namedView(view: NamedView, bounds: Bounds, size: Size): Orbit {
+  const centre: SpacePoint = [0, 0, axial((bounds.left + bounds.right) / 2)], { eye, right, up } = axesOf(ANGLES[view]);
+  const along = (way: SpacePoint, p: SpacePoint) => way[0] * p[0] + way[1] * p[1] + way[2] * (p[2] - centre[2]);
+  const tall = Math.tan(FIELD / 2) / AIR, wide = tall * Math.max(0.01, size.width / Math.max(1, size.height));
+  const distance = cornersOf(bounds).reduce<number>((most, p) => {
+    const near = along(eye, p);
+    return Math.max(most, near + Math.abs(along(right, p)) / wide, near + Math.abs(along(up, p)) / tall);
+  }, DISTANCE.nearest);
+  return { centre, ...ANGLES[view], distance };
+}
+
+/** Angle brought to within half a turn of another one. */
+const nearTo = (angle: number, other: number) => angle - 2 * Math.PI * Math.round((angle - other) / (2 * Math.PI));
+
+/** On the way from one view to another, 0 … 1; it begins and ends gently and turns the shorter way round. */
+export function viewBetween(from: Orbit, to: Orbit, share: number): Orbit {
+  const k = clamped(share, 0, 1), eased = k * k * (3 - 2 * k), mix = (a: number, b: number) => a + (b - a) * eased;
+  if (k >= 1) return to;
+  const centre = (i: 0 | 1 | 2) => mix(from.centre[i], to.centre[i]);
+  return {
+    centre: [centre(0), centre(1), centre(2)],
+    turn: mix(from.turn, nearTo(to.turn, from.turn)),
+    rise: mix(from.rise, to.rise),
+    distance: mix(from.distance, to.distance),
+  };
+}

@@ -1,0 +1,69 @@
+import { at, type Pt, type Ring } from "../../kernel/point.ts";
+import { SAME } from "../../kernel/tolerance.ts";
+
+/** A place of an outline with the direction out of the material there, length 1. A sharp corner has two, one for each side. */
+export interface TurnedPoint {
+  readonly p: Pt;
+  readonly nz: number;
+  readonly nr: number;
+}
+
+/** An outline ready to be revolved: for each of its sides the places where it begins and ends. */
+export interface Profile {
+  readonly points: readonly TurnedPoint[];
+  /** Begin and end of each side, as places in `points`. */
+  readonly sides: readonly (readonly [number, number])[];
+  /** Corners that are seen as an edge, as places in `points`. */
+  readonly sharp: readonly number[];
+}
+
+/** Two chords of one arc never bend more than this at their joint, radians; other corners are sharp. */
+const BEND = 0.8;
+/** So far an arc may lie beside two chords, mm, to be taken for one: more than any arc was flattened to. */
+const FLAT = 0.012;
+
+interface Side {
+  readonly nz: number;
+  readonly nr: number;
+  readonly long: number;
+}
+
+/** Whether two sides are chords of one rounding, or a line and the rounding that it runs into. */
+function isSmooth(a: Side, b: Side): boolean {
+  const bend = Math.atan2(a.nz * b.nr - a.nr * b.nz, a.nz * b.nz + a.nr * b.nr);
+  return Math.abs(bend) < BEND && (Math.min(a.long, b.long) * Math.abs(bend)) / 8 < FLAT;
+}
+
+/** Points nearer to the axis than a control can tell lie on it. */
+const settled = (p: Pt): Pt => (p.r < SAME ? at(p.z, 0) : p);
+
+/** An outline (material to the left) as smooth and sharp places; null when it encloses nothing. */
+export function profileOf(ring: Ring): Profile | null {
+  const corners = ring.map(settled).filter((p, i, all) => {
+    const before = all[(i + all.length - 1) % all.length];
+    return !before || p.z !== before.z || p.r !== before.r;
+  });
+  if (corners.length < 3) return null;
+  const sides = corners.map((p, i): Side => {
+    const to = corners[(i + 1) % corners.length] ?? p;
+    const [dz, dr] = [to.z - p.z, to.r - p.r], long = Math.hypot(dz, dr) || 1;
+    return { nz: dr / long, nr: -dz / long, long };
+  });
+  const points: TurnedPoint[] = [], sharp: number[] = [];
+  const ends = corners.map((p, i) => {
+    const before = sides[(i + sides.length - 1) % sides.length], after = sides[i];
+    if (!before || !after) return [0, 0] as const;
+    const first = points.length;
+    if (!isSmooth(before, after)) {
+      points.push({ p, nz: before.nz, nr: before.nr }, { p, nz: after.nz, nr: after.nr });
+      if (p.r > 0) sharp.push(first);
+      return [first, first + 1] as const;
+    }
+    // The longer side is nearer to the true direction: a line that runs into a rounding keeps its own.
+    const [nz, nr] = [before.nz * before.long + after.nz * after.long, before.nr * before.long + after.nr * after.long];
+    const size = Math.hypot(nz, nr) || 1;
+    points.push({ p, nz: nz / size, nr: nr / size });
+    return [first, first] as const;
+  });
+  return { points, sides: ends.map(([, out], i) => [out, ends[(i + 1) % ends.length]?.[0] ?? out] as const), sharp };
+}
