@@ -1,4 +1,4 @@
-import { useCallback, useEffect, useRef } from "react";
+import { useEffect, useRef } from "react";
 import type { Step } from "../../kernel/step.ts";
 import { toScreen } from "../../view/camera.ts";
 import { edgeMark } from "../../view/edge-mark.ts";
@@ -8,7 +8,6 @@ import { SCALE_BELOW, SCALE_LEFT } from "./Axes.tsx";
 import { holds } from "../use-media.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 import { placeText } from "./running.ts";
-import { useEachPicture } from "./use-playback.ts";
 import type { Viewport } from "./viewport.ts";
 
 /** Width of the tools where they float over the right edge of the picture, pixels. */
@@ -23,26 +22,35 @@ export function ToolAway({ viewport, playback, steps }: { readonly viewport: Vie
 {
   const group = useRef<SVGGElement>(null);
   const language = useSettings((s) => s.language);
-  const paint = useCallback(() => {
-    const element = group.current, tip = tipAt(steps, playback.shown());
-    if (!element) return;
-    const { width, height } = viewport.size();
-    const floating = holds("narrow") && !holds("phone") ? TOOLS : 0;
-    const shown = { left: SCALE_LEFT + INSET, right: width - INSET - floating, top: INSET, bottom: height - SCALE_BELOW - INSET };
-    const mark = tip && edgeMark(toScreen(viewport.get(), tip), shown);
-    element.style.display = mark ? "" : "none";
-    if (!mark || !tip) return;
-    const { at: { x, y }, turn } = mark, toLeft = x > (shown.left + shown.right) / 2;
-    element.querySelector("path")?.setAttribute("transform", `translate(${x} ${y}) rotate(${turn})`);
-    const text = element.querySelector("text"), { x: diameter, z } = placeText(language, tip);
-    if (!text) return;
-    text.setAttribute("x", String(x + (toLeft ? -BESIDE : BESIDE)));
-    text.setAttribute("y", String(Math.max(y, INSET + 4) + 4));
-    text.setAttribute("text-anchor", toLeft ? "end" : "start");
-    text.textContent = `X⌀ ${diameter}  Z ${z}`;
+  useEffect(() => {
+    const element = group.current, arrow = element?.querySelector("path"), text = element?.querySelector("text");
+    if (!element || !arrow || !text) return undefined;
+    let room = { left: 0, right: 0, top: 0, bottom: 0 }, isShown = false;
+    const paint = () => {
+      const tip = tipAt(steps, playback.shown()), mark = tip && edgeMark(toScreen(viewport.get(), tip), room);
+      if (isShown !== (mark !== null)) element.style.display = mark ? "" : "none";
+      isShown = mark !== null;
+      if (!mark || !tip) return;
+      const { at: { x, y }, turn } = mark, toLeft = x > (room.left + room.right) / 2;
+      const { x: diameter, z } = placeText(language, tip);
+      arrow.setAttribute("transform", `translate(${x} ${y}) rotate(${turn})`);
+      text.setAttribute("x", String(x + (toLeft ? -BESIDE : BESIDE)));
+      text.setAttribute("y", String(Math.max(y, INSET + 4) + 4));
+      text.setAttribute("text-anchor", toLeft ? "end" : "start");
+      text.textContent = `X⌀ ${diameter}  Z ${z}`;
+    };
+    const look = () => {
+      const { width, height } = viewport.size(), floating = holds("narrow") && !holds("phone") ? TOOLS : 0;
+      room = { left: SCALE_LEFT + INSET, right: width - INSET - floating, top: INSET, bottom: height - SCALE_BELOW - INSET };
+      paint();
+    };
+    look();
+    const ends = [viewport.subscribe(look), playback.subscribe(paint)];
+    return () => {
+      ends.forEach((end) => end());
+      element.style.display = "none";
+    };
   }, [steps, playback, viewport, language]);
-  useEachPicture(playback, paint);
-  useEffect(() => viewport.subscribe(paint), [viewport, paint]);
   return (
     <g ref={group} className="tool-away" aria-hidden="true" style={{ display: "none" }}>
       <path d="M8 0L-6 6V-6Z" />
