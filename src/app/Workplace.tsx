@@ -54,7 +54,7 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
   const wide = useThirdColumn();
   const folded = useSettings((s) => s.programFolded);
   const asked = usePlace((p) => p.section);
-  const shown = useOutcome((s) => s.shown);
+  const shown = useOutcome((s) => s.pictured);
   const dimmed = useOutcome((s) => s.dimmed);
   const findings = useListed();
   const view = useContourPlace((p) => p.view);

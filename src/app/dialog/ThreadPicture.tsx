@@ -14,7 +14,7 @@ const HUES = { first: 205, last: 25 } as const;
 /** The groove of the thread that the cycle in this line of a program plans, or of the job where there is none: each chip in its colour. */
 export function ThreadPicture({ line }: { readonly line: number | null }) {
   const { dialog: { sizes: t } } = useTexts();
-  const shown = useOutcome((s) => s.shown);
+  const shown = useOutcome((s) => s.pictured);
   const dimmed = useOutcome((s) => s.dimmed);
   const file = useShownBeside();
   const isMeant = (o: Operation) => line === null || (o.definedLine === line && isDefinedIn(o, file));

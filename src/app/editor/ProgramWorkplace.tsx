@@ -55,7 +55,7 @@ function useProgramSession(): void {
 
 /** A move was pointed at in the picture: the dialog of the block that makes it opens. */
 function openMove(step: number, byKey = false): void {
-  const { shown } = useOutcome.getState();
+  const { pictured: shown } = useOutcome.getState();
   if (!shown) return;
   openChosen(() => openMaker(shown.run, step));
   showSection("block");
@@ -68,7 +68,7 @@ export function ProgramWorkplace() {
   const wide = useThirdColumn();
   // What opens a prompt asks for the prompts: here they are those of the block.
   const asked = usePlace((p) => (p.section === "prompts" ? "block" : p.section));
-  const shown = useOutcome((s) => s.shown);
+  const shown = useOutcome((s) => s.pictured);
   const dimmed = useOutcome((s) => s.dimmed);
   const findings = useListed();
   const host = useProgramHost();

@@ -2,9 +2,10 @@ import { useEffect, type ReactNode } from "react";
 import { formatFixed } from "../../i18n/number.ts";
 import { compareFromHere, followComparing } from "../effect/before.ts";
 import type { ComparedNumber } from "../effect/changes.ts";
-import { effectOf } from "../effect/effect.ts";
+import { effectNow } from "../effect/effect.ts";
 import { PinButton } from "../effect/Pinned.tsx";
 import { MoreFaults, useChanges } from "../effect/Was.tsx";
+import { Checking, useChecking } from "../engine/Checking.tsx";
 import { useOutcome } from "../engine/outcome.ts";
 import { StripStatus } from "../findings/StripStatus.tsx";
 import { useVerdict } from "../findings/use-findings.ts";
@@ -17,10 +18,12 @@ import { useSession } from "./session.ts";
 export function TotalsStrip() {
   const t = useTexts();
   const language = useSettings((s) => s.language);
-  const shown = useOutcome((s) => s.shown);
+  const shown = useOutcome((s) => s.pictured);
+  const proved = useOutcome((s) => s.shown);
   const dimmed = useOutcome((s) => s.dimmed);
+  const checking = useChecking();
   const verdict = useVerdict();
-  const effect = shown && effectOf(shown);
+  const effect = shown && effectNow(shown, proved);
   const words = t.page.effect;
   const number = (
     value: number | null | undefined,
@@ -40,7 +43,7 @@ export function TotalsStrip() {
   }, []);
   const { changed } = useChanges();
   const cell = (name: string, value: ReactNode, unit = "", compared: ComparedNumber | null = null) => (
-    <div className="effect-cell">
+    <div className={`effect-cell${compared === "residual" ? " stays" : ""}`}>
       <dt>{name}</dt>
       <dd {...(compared && changed(compared))}>
         <span className="number">{value}</span>
@@ -50,7 +53,7 @@ export function TotalsStrip() {
   );
   const seconds = effect ? Math.round(effect.seconds) : 0;
   return (
-    <section className="effect" aria-label={t.editor.total}>
+    <section className="effect" aria-label={t.editor.total} aria-busy={checking.now} data-checking={checking.seen}>
       <dl className={dimmed ? "dimmed" : ""}>
         {cell(t.editor.operations, number(shown?.run.operations.length, 0))}
         {cell(t.editor.toolChanges, number(tools, 0))}
@@ -67,6 +70,7 @@ export function TotalsStrip() {
           <dd>
             <VerdictText verdict={verdict} reasons={verdict.state === "faults" ? 0 : 1} />
           </dd>
+          {checking.seen && <Checking />}
         </div>
       </dl>
       <PinButton />

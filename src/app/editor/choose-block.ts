@@ -36,7 +36,7 @@ export function openChosen(open: () => void): void {
 
 /** The block that is open in the text is chosen: its path is marked, and the tool goes to where it begins. */
 export function chooseOpenBlock(): void {
-  const { shown } = useOutcome.getState();
+  const { pictured: shown } = useOutcome.getState();
   const choice = isChosen ? null : choiceOfOpenBlock();
   if (!choice) return;
   const run = isPresent(shown) ? shown.run : null;

@@ -89,7 +89,7 @@ function followLanguage(): () => void {
  * in the text of a called program: a move knows the block of the program that called.
  */
 function runningBlock(): number | null {
-  const { shown } = useOutcome.getState();
+  const { pictured: shown } = useOutcome.getState();
   const { position } = playback.get();
   if (shownBeside() || !isPresent(shown) || (position.step === 0 && position.fraction === 0)) return null;
   return shownBlock(shown.run, position.step);

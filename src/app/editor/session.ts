@@ -5,6 +5,7 @@ import { create } from "zustand";
 import { readingOf, type Reading } from "../../nc/reread.ts";
 import type { Program } from "../../nc/program.ts";
 import { fileKey } from "../../program/program-files.ts";
+import { plansOnPage } from "../engine/page-plan.ts";
 import { typingGoesOn } from "../engine/quiet.ts";
 import { takeKeptSteps, textKeepers } from "../saving/keep-steps.ts";
 import { closeStep, goesOn, note, type HistoryStep } from "../steps.ts";
@@ -126,18 +127,20 @@ function show(opened: boolean): void {
 
 function onUpdate(update: ViewUpdate): void {
   if (open) open.state = update.state;
-  if (update.docChanged) {
-    const long = update.state.field(readingField).program.blocks.length > LONG;
-    const rest = long ? LONG_REST : REST;
-    if (long) typingGoesOn();
-    clearTimeout(calculation);
-    calculation = setTimeout(handOverText, rest);
-    if (open && !update.transactions.some((tr) => tr.isUserEvent("undo") || tr.isUserEvent("redo"))) noteTyping(open, update.startState);
-  }
-  const more = update.state.field(readingField) !== update.startState.field(readingField);
-  if (!more && !update.selectionSet) return;
   const typed = update.docChanged && update.transactions.some((tr) => tr.isUserEvent("input.type") || tr.isUserEvent("delete"));
   const byDialog = update.transactions.some((tr) => tr.annotation(dialogEdit));
+  if (update.docChanged) {
+    const long = update.state.field(readingField).program.blocks.length > LONG;
+    if (long) typingGoesOn(LONG_REST);
+    else if (typed && !byDialog) typingGoesOn(REST);
+    clearTimeout(calculation);
+    calculation = setTimeout(handOverText, long ? LONG_REST : REST);
+    if (open && !update.transactions.some((tr) => tr.isUserEvent("undo") || tr.isUserEvent("redo"))) noteTyping(open, update.startState);
+  }
+  // What the page plans at once is seen at once.
+  if (update.docChanged && plansOnPage(update.state.doc.length)) handOverText();
+  const more = update.state.field(readingField) !== update.startState.field(readingField);
+  if (!more && !update.selectionSet) return;
   if (typed && !byDialog) {
     clearTimeout(panels);
     panels = setTimeout(() => show(true), PANELS_REST);

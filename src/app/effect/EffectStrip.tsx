@@ -1,5 +1,6 @@
 import { useEffect, type ReactNode } from "react";
 import { formatFixed } from "../../i18n/number.ts";
+import { Checking, useChecking } from "../engine/Checking.tsx";
 import { useOutcome } from "../engine/outcome.ts";
 import { StripStatus } from "../findings/StripStatus.tsx";
 import { useVerdict } from "../findings/use-findings.ts";
@@ -9,7 +10,7 @@ import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { followComparing } from "./before.ts";
 import type { ComparedNumber } from "./changes.ts";
-import { chipArea, cutAtOnce, effectOf } from "./effect.ts";
+import { chipArea, cutAtOnce, effectNow } from "./effect.ts";
 import { PinButton } from "./Pinned.tsx";
 import { MoreFaults, useChanges } from "./Was.tsx";
 
@@ -17,17 +18,19 @@ import { MoreFaults, useChanges } from "./Was.tsx";
 export function EffectStrip({ read }: { readonly read: JobReading }) {
   const { page: t, findings: words } = useTexts();
   const language = useSettings((s) => s.language);
-  const shown = useOutcome((s) => s.shown);
+  const shown = useOutcome((s) => s.pictured);
+  const proved = useOutcome((s) => s.shown);
   const dimmed = useOutcome((s) => s.dimmed);
+  const checking = useChecking();
   const verdict = useVerdict();
-  const effect = shown && effectOf(shown);
+  const effect = shown && effectNow(shown, proved);
   const chip = shown && chipArea(read, cutAtOnce(shown));
   const number = (value: number | null | undefined, decimals: number) =>
     value === null || value === undefined ? t.effect.unknown : formatFixed(language, value, decimals);
   useEffect(followComparing, []);
   const { changed } = useChanges();
   const cell = (name: string, value: ReactNode, unit = "", compared: ComparedNumber | null = null) => (
-    <div className="effect-cell">
+    <div className={`effect-cell${compared === "residual" ? " stays" : ""}`}>
       <dt>{name}</dt>
       <dd {...(compared && changed(compared))}>
         <span className="number">{value}</span>
@@ -39,7 +42,7 @@ export function EffectStrip({ read }: { readonly read: JobReading }) {
   const seconds = effect ? effect.seconds - (minutes > 0 ? minutes * 60 : 0) : 0;
 
   return (
-    <section className="effect" aria-label={t.effect.title}>
+    <section className="effect" aria-label={t.effect.title} aria-busy={checking.now} data-checking={checking.seen}>
       <dl className={dimmed ? "dimmed" : ""}>
         {cell(t.effect.passes, number(effect?.passes, 0), "", "passes")}
         {cell(t.effect.infeed, number(effect?.infeed, 3), "mm", "infeed")}
@@ -55,6 +58,7 @@ export function EffectStrip({ read }: { readonly read: JobReading }) {
           <dd>
             <VerdictText verdict={verdict} reasons={verdict.state === "faults" ? 0 : 1} />
           </dd>
+          {checking.seen && <Checking />}
         </div>
       </dl>
       <PinButton />

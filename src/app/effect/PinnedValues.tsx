@@ -33,11 +33,12 @@ export function PinnedValues() {
   const language = useSettings((s) => s.language);
   const pinned = useCompared((c) => c.pinned);
   const shown = useOutcome((s) => s.shown);
+  const pictured = useOutcome((s) => s.pictured);
   const [open, setOpen] = useState(true);
   const values = useChangedPrompts(pinned?.work ?? null);
-  if (!pinned || !shown) return null;
+  if (!pinned || !shown || !pictured) return null;
   const { pin: words, ...names } = t.page.effect;
-  const now = settingOf(shown);
+  const now = settingOf(shown, pictured);
   const numbers = COMPARED.map((name): Row => ({
     name: names[name],
     pinned: numberText(t, language, pinned, name),

@@ -12,9 +12,12 @@ type Change = { readonly "data-was": string } | { readonly "data-by": string };
 function useBoth(): readonly [before: MeasuredSetting, now: MeasuredSetting] | null {
   const { before, pinned } = useCompared();
   const shown = useOutcome((s) => s.shown);
+  const pictured = useOutcome((s) => s.pictured);
   const dimmed = useOutcome((s) => s.dimmed);
   const compared = pinned ?? before;
-  return useMemo(() => (compared && shown && !dimmed ? [compared, settingOf(shown)] : null), [compared, shown, dimmed]);
+  return useMemo(() => {
+    return compared && shown && pictured && !dimmed ? [compared, settingOf(shown, pictured)] : null;
+  }, [compared, shown, pictured, dimmed]);
 }
 
 /** What the present values have changed, against the pinned setting, or else the one at which the open prompt opened. */

@@ -1,12 +1,11 @@
 import { create } from "zustand";
-import type { Outcome } from "../engine/outcome.ts";
-import { useOutcome } from "../engine/outcome.ts";
+import { useOutcome, type Outcome, type Planned } from "../engine/outcome.ts";
 import { usePlace } from "../place.ts";
 import { printedText } from "../printed.ts";
 import { readJob } from "../reading.ts";
 import { closeStep } from "../steps.ts";
 import { changeProgram, edit, useEditor, type Editor } from "../store.ts";
-import { chipArea, cutAtOnce, effectOf, type Effect } from "./effect.ts";
+import { chipArea, cutAtOnce, effectNow, type Effect } from "./effect.ts";
 
 /** A setting with what came of it, to compare another one with. */
 export interface MeasuredSetting {
@@ -31,14 +30,14 @@ export const useCompared = create<Compared>(() => NOTHING);
 
 const textOf = ({ job, program }: Editor): string | null => (job ? printedText(job) : (program?.text ?? null));
 
-/** A result with its numbers. */
-export function settingOf(outcome: Outcome): MeasuredSetting {
+/** A result with its numbers; those of the run are of a newer path where one is planned that is not proved yet. */
+export function settingOf(outcome: Outcome, made: Outcome | Planned = outcome): MeasuredSetting {
   const { job } = useEditor.getState();
   const read = job && readJob(job);
   return {
     outcome,
-    effect: effectOf(outcome),
-    chip: read ? chipArea(read, cutAtOnce(outcome)) : null,
+    effect: effectNow(made, outcome),
+    chip: read ? chipArea(read, cutAtOnce(made)) : null,
     faults: outcome.simulation.findings.length,
   };
 }

@@ -1,7 +1,8 @@
 import { cycleByNumber } from "../../cycles/index.ts";
 import { readText } from "../../program/field.ts";
 import { SETUP_FIELDS } from "../../program/setup-fields.ts";
-import type { Outcome } from "../engine/outcome.ts";
+import type { Run } from "../../program/run-types.ts";
+import type { Outcome, Planned } from "../engine/outcome.ts";
 import type { JobReading } from "../reading.ts";
 
 /** What a program does, in numbers. */
@@ -21,14 +22,19 @@ const area = (value: number) => (value < NO_AREA ? 0 : value);
 
 const effects = new WeakMap<Outcome, Effect>();
 
+/** What is known of a program from its run alone. */
+const ofRun = (run: Run): Omit<Effect, "residual"> => ({
+  passes: run.operations.reduce((sum, o) => sum + o.plan.passes, 0),
+  infeed: run.operations[0]?.plan.infeed ?? 0,
+  seconds: run.seconds,
+});
+
 export function effectOf(outcome: Outcome): Effect {
   const known = effects.get(outcome);
   if (known) return known;
   const { run, simulation } = outcome;
   const effect: Effect = {
-    passes: run.operations.reduce((sum, o) => sum + o.plan.passes, 0),
-    infeed: run.operations[0]?.plan.infeed ?? 0,
-    seconds: run.seconds,
+    ...ofRun(run),
     residual: run.operations.some((o) => o.plan.moves.length === 0)
       ? null
       : area(simulation.proof.residual.reduce((sum, r) => sum + r.area, 0)),
@@ -37,8 +43,14 @@ export function effectOf(outcome: Outcome): Effect {
   return effect;
 }
 
+/** The same of what is only planned: what stayed before stands until the new proof is there; null where nothing was proved yet. */
+export function effectNow(made: Outcome | Planned, proved: Outcome | null): Effect {
+  if (made.simulation) return effectOf(made);
+  return { ...ofRun(made.run), residual: proved && effectOf(proved).residual };
+}
+
 /** What is cut at once, mm: a plunge is as wide as its tool and goes down by the feed, whatever its bites are. */
-export function cutAtOnce({ run }: Outcome): number {
+export function cutAtOnce({ run }: Pick<Outcome, "run">): number {
   const call = run.operations[0];
   const plunges = call && cycleByNumber(call.cycle)?.group === "recessing";
   return plunges ? call.tool.CUTWIDTH ?? 0 : call?.plan.infeed ?? 0;

@@ -1,32 +1,18 @@
-import { useEffect, useState } from "react";
 import { useTexts } from "../settings/use-texts.ts";
 import { calculateAgain, cancelCalculation } from "./client.ts";
 import { STAGES, useOutcome } from "./outcome.ts";
+import { useLong } from "./use-long.ts";
 import "./working.css";
 
 /** What is done sooner than this is not worth a word, ms. */
 const SOON = 700;
-
-/** True once something has gone on for a while. */
-function useLong(goesOn: boolean): boolean {
-  const [long, setLong] = useState(false);
-  useEffect(() => {
-    if (!goesOn) return undefined;
-    const timer = setTimeout(() => setLong(true), SOON);
-    return () => {
-      clearTimeout(timer);
-      setLong(false);
-    };
-  }, [goesOn]);
-  return long;
-}
 
 /** Over the picture: what a long calculation is at, and a way to stop it. */
 export function Working() {
   const { lathe: t } = useTexts();
   const stage = useOutcome((s) => s.stage);
   const stopped = useOutcome((s) => s.stopped);
-  const long = useLong(stage !== null);
+  const long = useLong(stage !== null, SOON);
   if (stage !== null && long)
     return (
       <div className="working panel" role="status">

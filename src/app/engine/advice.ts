@@ -8,7 +8,8 @@ import { remedies, type Remedy } from "../../report/remedies.ts";
 import { tryWay, type Tried } from "../../report/which/try-way.ts";
 import { waysFor, type Proposal } from "../../report/which/ways.ts";
 import type { Residual } from "../../sim/simulation.ts";
-import { engine, type Called, type Request } from "./engine.ts";
+import { engine, type Called } from "./engine.ts";
+import type { Request } from "./request.ts";
 
 /** What takes time and is worked out only when somebody asks, as plain functions of plain data. Runs in the worker, fetched by then. */
 export const advice = {

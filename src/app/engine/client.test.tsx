@@ -1,15 +1,30 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job.ts";
-import { begin } from "../store.ts";
+import { begin, edit } from "../store.ts";
 import { calculateAgain, cancelCalculation, startEngine } from "./client.ts";
-import { engine, type Request } from "./engine.ts";
+import { engine } from "./engine.ts";
+import type { Request } from "./request.ts";
 import { useOutcome, type Outcome } from "./outcome.ts";
 
 interface Asked {
   readonly request: Request;
+  /** Answers with all of it, or without the run where the page has that already. */
   readonly answer: (outcome: Outcome) => void;
+  readonly isPlanned: boolean;
 }
+
+/** Whether the page plans by itself. */
+const page = vi.hoisted(() => ({ plans: false }));
+vi.mock("./page-plan.ts", async () => {
+  const { planned } = await import("./plan.ts");
+  return {
+    fetchPlan: () => () => undefined,
+    forgetPace: () => undefined,
+    notePace: () => undefined,
+    planNow: (request: Request) => (page.plans ? planned(request) : null),
+  };
+});
 
 /** What the worker was asked and has not answered yet. */
 const asked = vi.hoisted(() => [] as Asked[]);
@@ -19,7 +34,11 @@ vi.mock("comlink", () => ({
   proxy: (f: unknown) => f,
   wrap: () => ({
     [Symbol.for("release")]: () => undefined,
-    update: (request: Request) => new Promise<Outcome>((answer) => asked.push({ request, answer })),
+    update: (request: Request) => new Promise<Outcome>((answer) => asked.push({ request, answer, isPlanned: false })),
+    proved: (request: Request) =>
+      new Promise((answer) =>
+        asked.push({ request, answer: ({ simulation: { blank: _, steps: __, ...rest } }) => answer(rest), isPlanned: true })
+      ),
   }),
 }));
 vi.stubGlobal("Worker", class extends EventTarget {
@@ -48,6 +67,7 @@ beforeEach(() => {
   stop = startEngine();
 });
 afterEach(async () => {
+  page.plans = false;
   begin(null, null);
   while (asked.length > 0) await answerNext();
   stop();
@@ -117,4 +137,63 @@ test("of a long program the beginning is shown until the whole is there", async 
   expect(useOutcome.getState()).toMatchObject({ newest: null, dimmed: true, shown: { isBeginning: true } });
   expect(await answerNext()).toBe(text);
   expect(useOutcome.getState()).toMatchObject({ dimmed: false, shown: { text } });
+});
+
+const typeInto = (draft: Readonly<Record<string, string>>) =>
+  edit((job) => ({ ...job, drafts: { ...job.drafts, [job.cycle]: { ...job.drafts[job.cycle], ...draft } } }));
+
+test("what the page plans is in the picture before anything is asked, and its proof comes with the very same run", async () => {
+  const before = await answerNext();
+  page.plans = true;
+  typeInto({ Q483: "0.37" });
+  const { newest, shown: proved, planned, pictured, dimmed, stage } = useOutcome.getState();
+  expect([newest?.text, proved?.text]).toEqual([before, before]);
+  expect(pictured).toBe(planned);
+  expect(pictured).toMatchObject({ simulation: null });
+  expect(pictured?.text).toContain("Q483=+0.37");
+  expect([dimmed, stage]).toEqual([false, "reading"]);
+
+  await vi.waitFor(() => expect(asked).toHaveLength(1));
+  const [{ request, isPlanned } = { request: null, isPlanned: false }] = asked;
+  expect(isPlanned).toBe(true);
+  await answerNext();
+  const now = useOutcome.getState();
+  expect(now.planned).toBeNull();
+  expect(now.pictured).toBe(now.newest);
+  expect(now.newest?.run).toBe(pictured?.run);
+  const { pace: _, ...whole } = now.newest as Outcome;
+  expect(whole).toEqual(request && engine.update(request));
+});
+
+test("a proof that comes when more was typed leaves the newer path in the picture", async () => {
+  await answerNext();
+  page.plans = true;
+  typeInto({ Q483: "0.37" });
+  await vi.waitFor(() => expect(asked).toHaveLength(1));
+  typeInto({ Q483: "0.38" });
+  const first = await answerNext();
+  expect(first).toContain("Q483=+0.37");
+  const { newest, planned, pictured } = useOutcome.getState();
+  expect(newest?.text).toBe(first);
+  expect(pictured).toBe(planned);
+  expect(pictured?.text).toContain("Q483=+0.38");
+  await answerNext();
+  expect(useOutcome.getState()).toMatchObject({ planned: null, dimmed: false });
+  expect(shown()).toBe(pictured?.text);
+});
+
+test("values that were emptied before they were proved are proved when they come again", async () => {
+  await answerNext();
+  page.plans = true;
+  typeInto({ Q483: "0.37" });
+  await vi.waitFor(() => expect(asked).toHaveLength(1));
+  typeInto({ Q483: "0.38" });
+  typeInto({ Q483: "" });
+  expect(useOutcome.getState()).toMatchObject({ paused: true, dimmed: true });
+  await answerNext();
+  typeInto({ Q483: "0.38" });
+  const proved = await answerNext();
+  expect(proved).toContain("Q483=+0.38");
+  expect(useOutcome.getState()).toMatchObject({ planned: null, dimmed: false });
+  expect(shown()).toBe(proved);
 });

@@ -19,19 +19,22 @@ import { useTools } from "../tools/tool-store.ts";
 import { controlInUse, shopOf, toolTable } from "../tools/work-tools.ts";
 import { filesOf, isProgram, type ProgramWork, type Work, type WorkFile } from "../work.ts";
 import type { Comparer } from "../which/comparison.ts";
-import type { Called, Request } from "./engine.ts";
+import type { Called } from "./engine.ts";
+import { fetchPlan, forgetPace, notePace, planNow } from "./page-plan.ts";
 import { pauseInTyping } from "./quiet.ts";
 import type { Reported } from "./reported.ts";
+import type { Request } from "./request.ts";
 import { askAgain, stopWorker } from "./worker-life.ts";
-import { atStage, calculationStopped, forgetOutcome, pause, showBeginning, takeOutcome, useOutcome, type Outcome,
+import { atStage, calculationStopped, forgetOutcome, pause, showBeginning, takeOutcome, takePlanned, useOutcome, type Outcome, type Planned,
   type Stage } from "./outcome.ts";
 
 let version = 0;
 /** Answers up to this version belong to a work that was left: one that comes late must not stand under the name of the next. */
 let left = 0;
-/** A request with the very files that it was made of: what comes back from the worker has none. */
-interface Wanted extends Request {
-  readonly files?: readonly WorkFile[];
+/** A request with the very files that it was made of, and its run, where the page has made it: neither comes back from the worker. */
+interface Wanted {
+  readonly request: Request & { readonly files?: readonly WorkFile[] };
+  readonly planned: Planned | null;
 }
 let waiting: Wanted | null = null;
 let busy = false;
@@ -40,23 +43,31 @@ const CANCELLED = new Error("the operator stopped the calculation");
 const LEFT = new Error("the work was left");
 /** What is left is given up after this time, so that the next work does not wait for it; most are done sooner than a worker starts, ms. */
 const GIVEN_UP_AFTER = 400;
-let running: Request | null = null;
+let running: Wanted | null = null;
 let cancel: (why: Error) => void = () => undefined;
 
-/** The answer to a request; its stages are told while it is that of the open work. */
-async function outcomeOf(request: Wanted): Promise<Outcome> {
-  const { files, skipMarked } = request;
+/** The answer to a request; its stages are told while it is that of the open work. A run that is here already is not sent again. */
+async function outcomeOf({ request, planned }: Wanted): Promise<Outcome> {
   const toldOf = (stage: Stage) => {
     if (busy && request.version > left) atStage(stage);
   };
+  const told = proxy(toldOf);
   const made = await Promise.race([
-    untilHere(() => askAgain((engine) => engine.update(request, proxy(toldOf)))),
+    untilHere(() =>
+      askAgain(async (engine): Promise<Outcome> => {
+        if (!planned) return await engine.update(request, told);
+        const { blank, steps } = planned.run;
+        return { ...planned, simulation: { ...(await engine.proved(request, told)), blank, steps } };
+      })
+    ),
     new Promise<never>((_, reject) => {
       cancel = reject;
     }),
   ]);
-  return { ...made, ...(files && { files }), ...(skipMarked !== undefined && { skipMarked }) };
+  return { ...made, ...ofWork(request) };
 }
+
+const ofWork = ({ files, skipMarked }: Wanted["request"]) => ({ ...(files && { files }), ...(skipMarked !== undefined && { skipMarked }) });
 
 /** Of a text longer than this its beginning is shown first, which is this long, characters. */
 const LONG_TEXT = 1_000_000;
@@ -64,9 +75,9 @@ const BEGINNING = 300_000;
 const beginningOf = (text: string): string => text.slice(0, text.lastIndexOf("\n", BEGINNING) + 1);
 
 /** The picture of the first blocks is there soon, while that of the whole is made. */
-async function showFirst(request: Wanted): Promise<void> {
+async function showFirst({ request }: Wanted): Promise<void> {
   if (request.text.length < LONG_TEXT || useOutcome.getState().shown) return;
-  const first = await outcomeOf({ ...request, text: beginningOf(request.text) });
+  const first = await outcomeOf({ request: { ...request, text: beginningOf(request.text) }, planned: null });
   if (request.version > left) showBeginning(first);
 }
 
@@ -75,15 +86,19 @@ async function work(): Promise<void> {
   if (busy) return;
   busy = true;
   while (waiting) {
-    const request = waiting;
+    const wanted = waiting;
+    const { version } = wanted.request;
     waiting = null;
-    running = request;
+    running = wanted;
     atStage("reading");
     try {
-      await showFirst(request);
-      const outcome = await outcomeOf(request);
+      await showFirst(wanted);
+      const outcome = await outcomeOf(wanted);
       await pauseInTyping();
-      if (request.version > left) takeOutcome(outcome);
+      if (version > left) {
+        notePace(outcome.pace);
+        takeOutcome(outcome);
+      }
     } catch (error) {
       stopWorker();
       if (error !== LEFT) calculationStopped();
@@ -93,6 +108,15 @@ async function work(): Promise<void> {
   busy = false;
   running = null;
   atStage(null);
+}
+
+/** A changed work is calculated: the page plans it at once where that is quickly done, and the worker proves it. */
+function want(request: Wanted["request"]): void {
+  const made = planNow(request);
+  const planned = made && { ...made, ...ofWork(request) };
+  if (planned) takePlanned(planned);
+  waiting = { request, planned };
+  void work();
 }
 
 /** Ends a calculation that takes too long; text and last picture stay. */
@@ -125,6 +149,7 @@ function leave(): void {
     setTimeout(() => {
       if (request === running) cancel(LEFT);
     }, GIVEN_UP_AFTER);
+  forgetPace();
   forgetOutcome();
 }
 
@@ -142,8 +167,7 @@ function followProgram(program: ProgramWork, name: string | null): void {
   const { text, skipMarked = false } = program;
   last = { text, table, rapid: USUAL_RAPID, control, cycle: null, work: name, program };
   version += 1;
-  waiting = { version, text, name: program.name, files: filesOf(program), skipMarked, table, rapid: USUAL_RAPID, control };
-  void work();
+  want({ version, text, name: program.name, files: filesOf(program), skipMarked, table, rapid: USUAL_RAPID, control });
 }
 
 function follow({ job, program, work: name }: Editor): void {
@@ -152,6 +176,8 @@ function follow({ job, program, work: name }: Editor): void {
   if (!job || !read) return leave();
   if (last && (last.cycle !== job.cycle || last.work !== name)) leave();
   if (!read.reading.values) {
+    // What waits is not calculated: should the same values come again, it is.
+    if (waiting) last = null;
     waiting = null;
     pause(true);
     return;
@@ -164,15 +190,14 @@ function follow({ job, program, work: name }: Editor): void {
   if (last?.text === text && last.table === table && last.rapid === rapid && last.control === control) return;
   last = { text, table, rapid, control, cycle: job.cycle, work: name };
   version += 1;
-  waiting = { version, text, table, rapid, control };
-  void work();
+  want({ version, text, table, rapid, control });
 }
 
 /** From now on each change of the work, of the tool table or of the control is calculated. */
 export function startEngine(): () => void {
   const now = () => follow(useEditor.getState());
   now();
-  const stops = [useEditor.subscribe(now), useTools.subscribe(now), useSettings.subscribe(now)];
+  const stops = [fetchPlan(), useEditor.subscribe(now), useTools.subscribe(now), useSettings.subscribe(now)];
   return () => stops.forEach((stop) => stop());
 }
 

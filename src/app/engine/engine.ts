@@ -1,40 +1,17 @@
 import { cycleByNumber } from "../../cycles/index.ts";
-import { parse } from "../../nc/parse.ts";
 import { knownParameters } from "../../program/job-parameters.ts";
 import { readDraft } from "../../program/read-draft.ts";
-import type { ShopTools } from "../../program/read-tools.ts";
-import { filesByName } from "../../program/program-files.ts";
-import { run } from "../../program/run.ts";
 import { rankTools, type ToolFit } from "../../program/which-tool.ts";
 import { simulate } from "../../sim/simulate.ts";
-import { tracing } from "../../sim/tracing.ts";
 import type { FeedUnit } from "../../kernel/move.ts";
 import type { Pt } from "../../kernel/point.ts";
 import type { Tool } from "../../kernel/tool.ts";
-import type { Control } from "../../program/plane-types.ts";
 import type { SetJob } from "../../program/job.ts";
 import type { Operation } from "../../program/run-types.ts";
 import { givenOf } from "./given.ts";
-import type { WorkFile } from "../work.ts";
 import type { Outcome, Stage } from "./outcome.ts";
-
-/** A program to calculate. */
-export interface Request {
-  readonly version: number;
-  readonly text: string;
-  /** Name of its file. */
-  readonly name?: string;
-  /** The files beside it: what it can call. */
-  readonly files?: readonly Pick<WorkFile, "name" | "text">[];
-  /** Blocks behind a skip mark are left out. */
-  readonly skipMarked?: boolean;
-  /** The tools that the program can call. */
-  readonly table: ShopTools;
-  /** Rapid rate for times, mm/min. */
-  readonly rapid: number;
-  /** How APPR and DEP move in the tool axis. */
-  readonly control: Control;
-}
+import { planned } from "./plan.ts";
+import type { Request } from "./request.ts";
 
 /** What tools are compared under. */
 export interface Circumstances {
@@ -48,26 +25,11 @@ export type Called = Pick<Operation, "cycle" | "tool" | "feedUnit" | "call">;
 
 /** What every work needs that takes time, as plain functions of plain data. Runs in a worker. */
 export const engine = {
-  /** From the program text to moves, stock, proof and times. `atStage` is told what it begins. */
-  update(
-    { version, text, name, files = [], skipMarked = false, table, rapid, control }: Request,
-    atStage: (stage: Stage) => void = () => undefined,
-  ): Outcome {
-    atStage("reading");
-    const program = parse(text);
-    atStage("running");
-    const beside = filesByName(name === undefined ? files : [{ name, text }, ...files], parse);
-    const taken = new Set([program]);
-    const find = (key: string) => {
-      const found = beside.find(key);
-      if (found) taken.add(found.program);
-      return found;
-    };
-    const made = run(program, { ...table, rapid, control, files: { find }, skipMarked, tracing });
+  /** From the program text to moves, stock, proof and times. `atStage` is told what it begins; `proved` may know the run before. */
+  update(request: Request, atStage: (stage: Stage) => void = () => undefined, proved: typeof simulate = simulate): Outcome {
+    const made = planned(request, atStage);
     atStage("proving");
-    const simulation = simulate(made);
-    const marked = [...taken].some(({ blocks }) => blocks.some(({ skip }) => skip));
-    return { version, text, marked, run: made, simulation };
+    return { ...made, simulation: proved(made.run) };
   },
 
   /** What each tool can do with the values of a job, best first; null while they make no contour. */

@@ -5,9 +5,9 @@ import { filesOf, type ProgramWork, type WorkFile } from "../work.ts";
 import type { Run } from "../../program/run-types.ts";
 import type { Simulation } from "../../sim/simulation.ts";
 
-/** What the worker makes of a program text. Plain data. */
-export interface Outcome {
-  /** Counts up with each text that was sent. */
+/** What comes of a program text without a stock. Plain data. */
+interface Made {
+  /** Counts up with each text that is calculated. */
   readonly version: number;
   readonly text: string;
   /** The files beside it and the switch of the skip mark, as they were sent; absent for a job. */
@@ -16,13 +16,24 @@ export interface Outcome {
   /** The program, or one that it has called, has blocks behind a skip mark. */
   readonly marked?: boolean;
   readonly run: Run;
-  readonly simulation: Simulation;
   /** Made of the first blocks of a long text, to be looked at until the whole is there. */
   readonly isBeginning?: boolean;
 }
 
+/** What the worker makes of a program text. */
+export interface Outcome extends Made {
+  readonly simulation: Simulation;
+  /** What reading and running took in the worker, ms; absent where it was made elsewhere. */
+  readonly pace?: number;
+}
+
+/** What the page has made of a text itself: its path, of which nothing is proved yet. */
+export interface Planned extends Made {
+  readonly simulation: null;
+}
+
 /** True when a result was made from a program as it stands. */
-export const isMadeFrom = ({ text, files, skipMarked = false }: Outcome, program: ProgramWork): boolean =>
+export const isMadeFrom = ({ text, files, skipMarked = false }: Made, program: ProgramWork): boolean =>
   text === program.text && files === filesOf(program) && skipMarked === (program.skipMarked ?? false);
 
 /** From text to proof. */
@@ -30,10 +41,14 @@ export const STAGES = ["reading", "running", "proving"] as const;
 export type Stage = (typeof STAGES)[number];
 
 export interface OutcomeState {
-  /** The newest result, possible or not: its issues are the ones to show. */
+  /** The newest whole result, possible or not: its issues are the ones to show. */
   readonly newest: Outcome | null;
-  /** The newest result with a path, or before there is one the newest of all, with its blank: the picture to show. */
+  /** The newest whole result with a path, or before there is one the newest of all, with its blank. */
   readonly shown: Outcome | null;
+  /** What the page has planned itself, as long as the worker has not proved it; steps and operations of a proof are not those of it. */
+  readonly planned: Planned | null;
+  /** What the picture shows, and whose steps are the ones that are played: what is planned where that has a path, else what is shown. */
+  readonly pictured: Outcome | Planned | null;
   /** The picture is older than the values, because they make no path. */
   readonly dimmed: boolean;
   /** What the worker is at; null while it rests. */
@@ -44,25 +59,42 @@ export interface OutcomeState {
   readonly paused: boolean;
 }
 
-const none: OutcomeState = { newest: null, shown: null, dimmed: false, stage: null, stopped: false, paused: false };
+const none: OutcomeState = {
+  newest: null,
+  shown: null,
+  planned: null,
+  pictured: null,
+  dimmed: false,
+  stage: null,
+  stopped: false,
+  paused: false,
+};
 export const useOutcome = create<OutcomeState>(() => none);
 
 /** A cycle with its moves, or in a program without cycles any move, turned or milled. */
-const makesPath = (outcome: Outcome | null) => {
-  if (!outcome) return false;
-  const { operations, steps, plane } = outcome.run;
+const makesPath = (made: Made | null) => {
+  if (!made) return false;
+  const { operations, steps, plane } = made.run;
   return operations.length === 0 ? steps.length > 0 || plane.length > 0 : operations.some((o) => o.plan.moves.length > 0);
 };
 
-const settled = (s: OutcomeState): OutcomeState => ({ ...s, dimmed: s.shown !== null && (s.paused || s.shown !== s.newest) });
+function settled(s: OutcomeState): OutcomeState {
+  const { newest, shown, planned } = s;
+  const pictured = planned && (makesPath(planned) || !makesPath(shown)) ? planned : shown;
+  return { ...s, pictured, dimmed: pictured !== null && (s.paused || pictured !== (planned ?? newest)) };
+}
 
 /** Takes a result in, unless a newer one is already there. */
 export function takeOutcome(outcome: Outcome): void {
   useOutcome.setState((s) => {
     if (s.newest && s.newest.version >= outcome.version) return s;
-    return settled({ ...s, newest: outcome, shown: makesPath(outcome) || !makesPath(s.shown) ? outcome : s.shown });
+    const planned = s.planned && s.planned.version > outcome.version ? s.planned : null;
+    return settled({ ...s, newest: outcome, planned, shown: makesPath(outcome) || !makesPath(s.shown) ? outcome : s.shown });
   });
 }
+
+/** Takes in what the page has planned itself. */
+export const takePlanned = (planned: Planned): void => useOutcome.setState((s) => settled({ ...s, planned }));
 
 /** Shows the beginning of a program as long as there is nothing else to look at. */
 export function showBeginning(outcome: Outcome): void {

@@ -1,13 +1,10 @@
 import { stopwatch } from "../clock.ts";
 
-/** How long the page waits for a pause in typing before it takes in a large result, ms. */
-const PAUSE = 600;
-
 let until = 0;
 
-/** The operator types in a long program: what takes time waits for a pause. */
-export function typingGoesOn(): void {
-  until = stopwatch() + PAUSE;
+/** The operator types in a program: what comes of it is taken in after a pause, ms, in which half of a word is no fault yet. */
+export function typingGoesOn(pause: number): void {
+  until = stopwatch() + pause;
 }
 
 /** Resolves at the next pause in typing; at once where nobody types. */

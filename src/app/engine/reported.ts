@@ -1,7 +1,8 @@
 import { parse } from "../../nc/parse.ts";
 import { report } from "../../report/report.ts";
 import { usedTools, type CalledAs } from "../../report/used-tools.ts";
-import { engine, type Request } from "./engine.ts";
+import { engine } from "./engine.ts";
+import type { Request } from "./request.ts";
 
 /** What a work comes to, to be compared with what it comes to elsewhere. */
 export interface Reported {

@@ -1,8 +1,12 @@
 import { expose } from "comlink";
 import { z } from "zod/mini";
+import type { Simulation } from "../../sim/simulation.ts";
+import { stopwatch } from "../clock.ts";
 import type { advice } from "./advice.ts";
 import { engine } from "./engine.ts";
+import type { Outcome, Stage } from "./outcome.ts";
 import type { reported } from "./reported.ts";
+import type { Request } from "./request.ts";
 import { wireOutcomes } from "./wire.ts";
 
 z.config({ jitless: true });
@@ -11,12 +15,33 @@ wireOutcomes();
 // Held as long as this worker lives, under its name: so the page learns when it has ended.
 void navigator.locks?.request(self.name, () => new Promise<void>(() => undefined));
 
+/** The result with what its run took. */
+function updated(request: Request, tell: (stage: Stage) => void = () => undefined): Outcome {
+  const begun = stopwatch();
+  let pace = 0;
+  const outcome = engine.update(request, (stage) => {
+    if (stage === "proving") pace = stopwatch() - begun;
+    tell(stage);
+  });
+  return { ...outcome, pace };
+}
+
+/** A simulation without what the page has of it: its run. */
+type Proved = Omit<Simulation, "blank" | "steps">;
+
+function proved(request: Request, tell?: (stage: Stage) => void): Proved {
+  const { blank: _, steps: __, ...rest } = updated(request, tell).simulation;
+  return rest;
+}
+
 type Advice = typeof advice;
 const fetchAdvice = async (): Promise<Advice> => (await import("./advice.ts")).advice;
 
 /** What the page can ask: what every work needs is there at once, advice is fetched when it is first asked for. */
 const served = {
   ...engine,
+  update: updated,
+  proved,
   fitsOfWork: async (...asked: Parameters<Advice["fitsOfWork"]>) => (await fetchAdvice()).fitsOfWork(...asked),
   ways: async (...asked: Parameters<Advice["ways"]>) => (await fetchAdvice()).ways(...asked),
   tryWay: async (...asked: Parameters<Advice["tryWay"]>) => (await fetchAdvice()).tryWay(...asked),

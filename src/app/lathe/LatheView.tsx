@@ -1,10 +1,8 @@
 import { Suspense, useEffect, useId, useMemo, useState } from "react";
 import type { KnownWork } from "../../program/known-work.ts";
 import type { Run } from "../../program/run-types.ts";
-import type { Simulation } from "../../sim/simulation.ts";
 import type { Pt } from "../../kernel/point.ts";
 import { axial, diameter, radius, toRadius } from "../../kernel/units.ts";
-import { playerOf, sameBlank } from "../../sim/stock.ts";
 import { mirrored } from "../../view/bounds.ts";
 import { datumAt, datumIndex } from "../../view/datum.ts";
 import { snapPoints } from "../../view/measure.ts";
@@ -38,6 +36,7 @@ import { useLooking } from "./use-looking.ts";
 import { useShownPath } from "./use-paths.ts";
 import { usePicking } from "./use-picking.ts";
 import { usePlayback } from "./use-playback.ts";
+import { useMaterial, type LatheResult } from "./use-material.ts";
 import { useStage } from "./use-stage.ts";
 import { chooseMove } from "../selection.ts";
 import type { WhichRegion } from "../which/asking.ts";
@@ -54,12 +53,6 @@ const RulerReading = lazyPart(async () => ({ default: (await import("./Ruler.tsx
 /** Fetched for a program that has approaches. */
 const TurnPoints = lazyPart(async () => ({ default: (await import("../approach/TurnPoints.tsx")).TurnPoints }));
 const WhichCycle = lazyPart(async () => ({ default: (await import("../which/WhichCycle.tsx")).WhichCycle }));
-
-/** A run with its simulation: what the worker sends. */
-export interface LatheResult {
-  readonly run: Run;
-  readonly simulation: Simulation;
-}
 
 const NOWHERE: readonly LookAt[] = [];
 
@@ -111,7 +104,8 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
   const { language, fullSection: full, xDown, motion } = useSettings();
   const [kept, keep] = useState(result);
   if (result && result !== kept) keep(result);
-  const shown = result ?? (dimmed ? kept : null), run = shown?.run ?? EMPTY_RUN, simulation = shown?.simulation ?? null;
+  const shown = result ?? (dimmed ? kept : null), run = shown?.run ?? EMPTY_RUN;
+  const { proved, moving } = useMaterial(shown, playback), simulation = proved?.simulation ?? null;
   const [viewport] = useState(() => createViewport(!xDown));
   const [tools, showTools] = useState(false);
   const [asking, ask] = useState<WhichRegion | null>(null);
@@ -122,10 +116,6 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
   const held = useMemo(() => run.steps.some((step) => step.tool.holder), [run]);
   const points = useMemo(() => snapPoints(run.operations.map((o) => o.plan.contour), run.steps), [run]);
   const starts = useMemo(() => (waiting?.start ? [waiting.start] : run.operations.map((o) => o.start)), [run, waiting]);
-  const moving = useMemo(() => {
-    if (!simulation) return null;
-    return { steps: simulation.steps, stockAt: playerOf(simulation).at, isSameBlank: sameBlank(simulation), playback };
-  }, [simulation, playback]);
   const measuring = useMeasuring(viewport, points);
   const path = useShownPath(run, scene, playback);
   const { hover, over, tap } = usePicking({ run, viewport, shown: path.has, onMove });
@@ -167,8 +157,8 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
       const typed = { key: event.key, shift: event.shiftKey, element: target.localName, picture: target === stage.current };
       if (pressKey(typed, playback, viewport, measuring) || chooseByKey(typed)) event.preventDefault();
     }}>
-      <ViewBar viewport={viewport} measuring={measuring} onWhich={contourAt(run, 0) && simulation && !dimmed
-        ? () => ask(contourAt(run, playback.get().position.step, simulation.final))
+      <ViewBar viewport={viewport} measuring={measuring} onWhich={proved && contourAt(proved.run, 0) && !dimmed
+        ? () => ask(contourAt(proved.run, playback.get().position.step, proved.simulation.final))
         : null}
       >
         <Legend shapes={scene.shapes} holder={held} />
@@ -221,7 +211,7 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
           <WhichCycle region={asking} done={() => ask(null)} />
         </Suspense>
       )}
-      {simulation && (
+      {shown && (
         <div className="lathe-more">
           <MoveTable run={run} playback={playback} />
         </div>

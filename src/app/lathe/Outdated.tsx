@@ -4,6 +4,6 @@ import { useTexts } from "../settings/use-texts.ts";
 /** Over a dimmed picture: what it is. */
 export function Outdated() {
   const t = useTexts().lathe;
-  const isBeginning = useOutcome((s) => s.shown?.isBeginning ?? false);
+  const isBeginning = useOutcome((s) => s.pictured?.isBeginning ?? false);
   return <p className="lathe-outdated small">{isBeginning ? t.beginning : t.outdated}</p>;
 }

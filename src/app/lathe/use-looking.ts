@@ -1,4 +1,5 @@
 import { useEffect, useEffectEvent } from "react";
+import { useOutcome } from "../engine/outcome.ts";
 import { chooseFinding, useChosen } from "../findings/chosen.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 import type { Viewport } from "./viewport.ts";
@@ -14,7 +15,8 @@ export function useLooking<P extends Pick<LookAt, "id" | "bounds" | "position">>
   const chosen = places.find((place) => place.id === id) ?? null;
   const look = useEffectEvent(() => {
     if (!chosen) return viewport.fit();
-    playback.dispatch({ do: "seek", position: chosen.position });
+    // Steps of what was proved are not those of a path that is still to be proved.
+    if (!useOutcome.getState().planned) playback.dispatch({ do: "seek", position: chosen.position });
     viewport.show(chosen.bounds);
   });
   // Only a new choice moves the picture: a place that is found again after a change of values leaves it where it is.

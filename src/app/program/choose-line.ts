@@ -16,7 +16,7 @@ export async function chooseJobLine(read: JobReading, line: ChosenLine): Promise
   // Reading a program is fetched when a line is first pointed at: to type values nothing of it is needed.
   const { choiceOfBlock } = await import("./block-choice.ts");
   if (useSelection.getState().line !== marked) return;
-  const { shown } = useOutcome.getState();
+  const { pictured: shown } = useOutcome.getState();
   const choice = choiceOfBlock(text, line.block);
   if (choice) chooseLine(shown?.text === text ? shown.run : null, choice, marked);
 }
@@ -25,7 +25,7 @@ export async function chooseJobLine(read: JobReading, line: ChosenLine): Promise
 export function useChosenLine(read: JobReading): ChosenLine | null {
   const line = useSelection((s) => s.line);
   const prompt = usePlace((p) => p.prompt);
-  const shown = useOutcome((s) => s.shown);
+  const shown = useOutcome((s) => s.pictured);
   if (line && line.prompt === prompt) return line;
   const definition = shown?.run.operations[0]?.definedIn;
   return definition === undefined || prompt === null || !read.cycle.params[prompt] ? null : { block: definition, q: prompt };
@@ -35,7 +35,7 @@ export function useChosenLine(read: JobReading): ChosenLine | null {
 export function openAsked(read: JobReading, step: number, byKey = false): void {
   // Beside the contour table its element is chosen, and it stays.
   if (usePlace.getState().section === "contour") return;
-  const { shown } = useOutcome.getState();
+  const { pictured: shown } = useOutcome.getState();
   const { operation = null, move } = shown?.run.steps[step] ?? {};
   const q = operation === null || !move ? null : askedByMove(read.cycle.params, move);
   if (q === null) return showSection("prompts");

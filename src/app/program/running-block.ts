@@ -4,7 +4,7 @@ import { playback } from "../playback.ts";
 
 /** Number of the block whose move stands at the playback's position; null before and after the run. */
 export function useRunningBlock(): number | null {
-  const shown = useOutcome((s) => s.shown);
+  const shown = useOutcome((s) => s.pictured);
   return usePlayback(playback, (store) => {
     const { position } = store.get();
     if (position.step === 0 && position.fraction === 0) return null;

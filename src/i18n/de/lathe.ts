@@ -17,6 +17,7 @@ export const lathe = {
   beginning: "Die ersten Sätze des Programms",
   outdated: "Letztes mögliches Bild",
   stages: { reading: "Programm wird gelesen …", running: "Bahn wird berechnet …", proving: "Abtrag wird geprüft …" },
+  checking: "Wird geprüft …",
   stopWorking: "Abbrechen",
   stopped: "Abgebrochen. Text und letztes Bild bleiben.",
   workAgain: "Berechnen",

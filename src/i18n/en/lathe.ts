@@ -17,6 +17,7 @@ export const lathe = {
   beginning: "First blocks of the program",
   outdated: "Last picture that could be made",
   stages: { reading: "Reading the program …", running: "Working out the path …", proving: "Cutting and checking …" },
+  checking: "Being checked …",
   stopWorking: "Stop",
   stopped: "Stopped. Text and last picture stay.",
   workAgain: "Work it out",

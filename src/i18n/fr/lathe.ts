@@ -17,6 +17,7 @@ export const lathe = {
   beginning: "Premières séquences du programme",
   outdated: "Dernière image possible",
   stages: { reading: "Lecture du programme …", running: "Calcul de la trajectoire …", proving: "Enlèvement et contrôle …" },
+  checking: "Contrôle en cours …",
   stopWorking: "Arrêter",
   stopped: "Arrêté. Le texte et la dernière image restent.",
   workAgain: "Calculer",

@@ -16,6 +16,7 @@ export const lathe = {
   beginning: "程序开头的程序段",
   outdated: "上一张可用的图形",
   stages: { reading: "正在读取程序…", running: "正在计算路径…", proving: "正在切削与检查…" },
+  checking: "正在检查…",
   stopWorking: "停止",
   stopped: "已停止。文本和上一张图形保留。",
   workAgain: "计算",
