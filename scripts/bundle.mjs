@@ -36,7 +36,7 @@ async function oneModule(entry, { minify = false, plugins = [], external = [] } 
  * @param {{ minify?: boolean }} [how]
  * @returns {Promise<string>}
  */
-export const bundle = (name, how) => oneModule(`scripts/${name}.ts`, how);
+export const bundle = (name, how) => oneModule(`scripts/${name}.ts`, { external: ["@playwright/test"], ...how });
 
 const PROMPT_IDS = "/e2e/pages/prompt-ids.ts";
 

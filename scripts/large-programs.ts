@@ -53,6 +53,37 @@ const shoulder = (from: number, passes: number) =>
 const passes = (operations: number, each: number) =>
   program(times(operations, (i) => [shoulder(100 - i * 6, each), `L X+${100 - i * 6} Z+2 FMAX`, "CYCL CALL"]).flat());
 
+/** Moves of a pass, and those of an operation beside its passes. */
+const [MOVES_OF_PASS, MOVES_BESIDE] = [5, 10];
+
+/**
+ * A program that has grown: so many operations that rough and finish ever smaller and shorter shoulders, each on the material that
+ * the one before left and with its share of so many moves.
+ */
+export function grownProgram(operations: number, moves: number): string {
+  const step = 80 / operations, count = Math.max(1, Math.round((moves / operations - MOVES_BESIDE) / MOVES_OF_PASS));
+  // The control knows thousandths: what they do not divide stays for finishing.
+  const infeed = Math.max(1, Math.floor((500 * step) / count)) / 1000, oversize = step - 2 * infeed * count;
+  return program(times(operations, (i) => {
+    const from = 100 - i * step;
+    const values = {
+      Q491: `+${from.toFixed(3)}`,
+      Q493: `+${(from - step).toFixed(3)}`,
+      Q494: `-${(150 - (i * 120) / operations).toFixed(3)}`,
+      Q495: "+0",
+      Q500: "+0",
+      Q501: "+0",
+      Q503: "+0",
+      Q483: `+${oversize.toFixed(3)}`,
+      Q484: "+0.1",
+      Q463: `+${infeed.toFixed(3)}`,
+      Q215: "+0",
+      Q460: "+0.5",
+    };
+    return [cycle(812, values), `L X+${from.toFixed(3)} Z+2 FMAX`, "CYCL CALL"];
+  }).flat());
+}
+
 const untilFull = (line: (i: number) => string) => {
   const lines: string[] = [];
   for (let size = 0; size < TEN_MB;) {

@@ -1,0 +1,102 @@
+import { spawnSync } from "node:child_process";
+import { existsSync, readdirSync, statSync } from "node:fs";
+import { cpus } from "node:os";
+import { join } from "node:path";
+import type { Browser } from "@playwright/test";
+import { openBench, serveBuilt, startBrowser, type Bench } from "./browser-bench/bench-page.ts";
+import { measureBox, measureKeys, measureLooking, measurePlaying, type FrameResult, type KeyResult,
+  type ScreenResults } from "./browser-bench/measure-work.ts";
+import { readOptions, type BenchOptions, type CaseName } from "./browser-bench/options.ts";
+import type { Screen } from "./browser-bench/screens.ts";
+import { frameTable, keyTable } from "./browser-bench/tables.ts";
+import type { MeasuredWork } from "./browser-bench/works.ts";
+
+/** The newest time in a folder, or of a file. */
+function newest(path: string): number {
+  const about = statSync(path);
+  if (!about.isDirectory()) return about.mtimeMs;
+  return Math.max(0, ...readdirSync(path).map((name) => newest(join(path, name))));
+}
+
+const SOURCES = ["src", "public", "index.html", "package-lock.json", "vite.config.ts", "scripts/start-pictures.ts", "scripts/menu.ts"];
+
+/** The built page, built anew when it is older than what it is made of. */
+function built(): string {
+  const page = "dist/index.html";
+  if (!existsSync(page) || statSync(page).mtimeMs < Math.max(...SOURCES.map(newest))) {
+    console.error("The built page is older than its sources: building …");
+    const { status } = spawnSync(process.execPath, ["node_modules/vite/bin/vite.js", "build", "--logLevel", "warn"], {
+      stdio: ["ignore", 2, 2],
+    });
+    if (status !== 0) throw new Error("the build failed");
+  }
+  return "dist";
+}
+
+const RATES: Partial<Record<CaseName, number>> = { "1x": 1, "10x": 10 };
+
+/** The work is calculated and drawn when its timeline can be moved and the calculation is no longer spoken of. */
+async function openWork({ page, turnwise }: Bench, work: MeasuredWork): Promise<void> {
+  await work.open(turnwise);
+  await page.waitForFunction(() => document.querySelector<HTMLInputElement>(".lathe-timeline input")?.disabled === false);
+  await page.waitForFunction(() => document.querySelector(".working") === null);
+  await page.waitForTimeout(1500);
+}
+
+async function measureScreen(browser: Browser, address: string, screen: Screen, options: BenchOptions): Promise<ScreenResults> {
+  const frames: Record<string, FrameResult> = {}, keys: Record<string, KeyResult> = {};
+  let box: FrameResult | null = null;
+  for (const work of options.works) {
+    const counted = options.cases.filter((name) => name !== "key");
+    if (counted.length > 0) {
+      const bench = await openBench(browser, address, screen, false);
+      await openWork(bench, work);
+      await bench.slow();
+      box ??= await measureBox(bench, options);
+      for (const name of counted) {
+        console.error(`${screen.name}: ${work.name} ${name} …`);
+        const rate = RATES[name];
+        const how = name === "pan" ? "pan" : "zoom";
+        const made = rate ? measurePlaying(bench, work, rate, options) : measureLooking(bench, work, how, options);
+        frames[`${work.name} ${name}`] = await made;
+      }
+      await bench.context.close();
+    }
+    if (options.cases.includes("key")) {
+      console.error(`${screen.name}: ${work.name} key …`);
+      const bench = await openBench(browser, address, screen, true);
+      await openWork(bench, work);
+      keys[work.name] = await measureKeys(bench, work, options);
+      await bench.context.close();
+    }
+  }
+  return { screen, box, frames, keys };
+}
+
+/**
+ * `npm run bench:browser`: what the built page does with the frames of Chromium on several screens, beside an empty page, and how long it
+ * is from a key to the drawing. All of it takes half an hour. One case takes seconds:
+ *
+ *     npm run --silent bench:browser -- --quick --screen="1440x900 slow" --work=flange --case=10x
+ *
+ * `--screen`, `--work` and `--case` take names or parts of them, with commas; `--rounds`, `--seconds` and `--keys` say how much is
+ * measured, `--quick` that it is little; `--built=FOLDER` measures another build; `--json` prints one object in place of the tables.
+ */
+export async function main(args: readonly string[]): Promise<number> {
+  const options = readOptions(args);
+  const server = await serveBuilt(options.built ?? built());
+  const browser = await startBrowser();
+  try {
+    const results: ScreenResults[] = [];
+    for (const screen of options.screens) results.push(await measureScreen(browser, server.address, screen, options));
+    const about = { processor: cpus()[0]?.model ?? "", cores: cpus().length, chromium: browser.version() };
+    if (options.isJson) console.log(JSON.stringify({ ...about, screens: results }));
+    else console.log(
+        [`${about.processor}, ${about.cores} cores, Chromium ${about.chromium}`, ...frameTable(results), ...keyTable(results)].join("\n"),
+      );
+    return 0;
+  } finally {
+    await browser.close();
+    server.close();
+  }
+}

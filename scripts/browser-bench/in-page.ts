@@ -1,0 +1,149 @@
+/**
+ * What is measured inside a page. Each function is sent there as text, so it uses nothing from outside itself; times are ms of the page.
+ */
+
+/** Frames of a stretch of time. */
+export interface Frames {
+  readonly perSecond: number;
+  /** Time from one frame to the next, ms. */
+  readonly median: number;
+  readonly p95: number;
+  readonly worst: number;
+  /** Tasks of more than 50 ms: how long each of them took. */
+  readonly long: readonly number[];
+}
+
+/** Counts the frames of the next so many ms. */
+export async function countFrames(lasts: number): Promise<Frames> {
+  const long: number[] = [];
+  const observer = new PerformanceObserver((list) => {
+    for (const { duration } of list.getEntries()) long.push(Math.round(duration));
+  });
+  observer.observe({ type: "longtask" });
+  const times = await new Promise<number[]>((resolve) => {
+    const seen: number[] = [];
+    const frame = () => {
+      const now = performance.now();
+      seen.push(now);
+      if (now - (seen[0] ?? now) < lasts) requestAnimationFrame(frame);
+      else resolve(seen);
+    };
+    requestAnimationFrame(frame);
+  });
+  for (const { duration } of observer.takeRecords()) long.push(Math.round(duration));
+  observer.disconnect();
+  const gaps = times.slice(1).map((time, i) => time - (times[i] ?? time)).sort((a, b) => a - b);
+  const at = (part: number) => gaps[Math.min(gaps.length - 1, Math.floor(part * gaps.length))] ?? Number.NaN;
+  const whole = (times.at(-1) ?? 0) - (times[0] ?? 0);
+  return { perSecond: (1000 * gaps.length) / whole, median: at(0.5), p95: at(0.95), worst: at(1), long };
+}
+
+/** A box of 100 points that is moved with every frame, on a page with nothing else: what any page can reach that shows a change. */
+export function moveBox(): void {
+  const box = document.createElement("div");
+  box.style.cssText = "position:absolute;width:100px;height:100px;background:teal;will-change:transform";
+  document.body.append(box);
+  let count = 0;
+  const frame = () => {
+    count += 1;
+    box.style.transform = `translate(${count % 300}px, ${count % 200}px)`;
+    if (box.isConnected) requestAnimationFrame(frame);
+  };
+  requestAnimationFrame(frame);
+}
+
+/** Takes the box away again. */
+export const removeBox = (): void => document.querySelector("div")?.remove();
+
+/** What `watchDrawing` leaves on the page. */
+export interface Watched {
+  /** When the last key went down, when the path was next drawn after it, and when the picture was last drawn; painting included, ms. */
+  key: number;
+  path: number;
+  picture: number;
+  /** Questions to the worker that are not answered. */
+  asked: number;
+  /** When a key went down, the picture changed or the worker answered last. */
+  stir: number;
+}
+
+declare global {
+  interface Window {
+    __watched?: Watched;
+  }
+}
+
+/**
+ * Before a page is loaded: notes when a key goes down, when path and material are drawn anew in the picture of the lathe, and what is
+ * asked of the worker. A change counts when the frame that shows it is painted, as far as the page's own thread goes.
+ */
+export function watchDrawing(): void {
+  const watched: Watched = { key: 0, path: 0, picture: 0, asked: 0, stir: 0 };
+  window.__watched = watched;
+  /** Changes that the next painted frame shows. */
+  let path = false, picture = false;
+  const changed = (isPath: boolean) => {
+    if (isPath) path = true;
+    picture = true;
+    watched.stir = performance.now();
+  };
+  const channel = new MessageChannel();
+  channel.port1.onmessage = () => {
+    const now = performance.now();
+    if (path && watched.path === 0) watched.path = now;
+    if (picture) watched.picture = now;
+    path = picture = false;
+  };
+  const frame = () => {
+    channel.port2.postMessage(null);
+    requestAnimationFrame(frame);
+  };
+  requestAnimationFrame(frame);
+  addEventListener("keydown", (event) => {
+    watched.key = watched.stir = event.timeStamp;
+    watched.path = watched.picture = 0;
+    path = picture = false;
+  }, { capture: true });
+  new MutationObserver((records) => {
+    for (const { target } of records) {
+      const element = target instanceof Element ? target : target.parentElement;
+      if (element?.closest(".lathe-paths")) changed(true);
+      else if (element?.closest(".shape-stock, .lathe-residual")) changed(false);
+    }
+  }).observe(document, { subtree: true, childList: true, attributes: true, attributeFilter: ["d"] });
+  for (const name of ["fill", "stroke", "drawImage"] as const) {
+    const own = CanvasRenderingContext2D.prototype[name] as (...given: unknown[]) => void;
+    Object.defineProperty(CanvasRenderingContext2D.prototype, name, {
+      value(this: CanvasRenderingContext2D, ...given: unknown[]) {
+        changed(false);
+        own.apply(this, given);
+      },
+    });
+  }
+  const Native = Worker;
+  window.Worker = class extends Native {
+    constructor(...given: ConstructorParameters<typeof Worker>) {
+      super(...given);
+      this.addEventListener("message", () => {
+        watched.asked = Math.max(0, watched.asked - 1);
+        watched.stir = performance.now();
+      });
+    }
+    override postMessage(...given: [unknown, (Transferable[] | StructuredSerializeOptions)?]): void {
+      watched.asked += 1;
+      super.postMessage(given[0], given[1] as Transferable[]);
+    }
+  };
+}
+
+/** Waits for the path, and then until nothing has stirred for so long; what it took from the key to both, null where nothing was drawn. */
+export async function drawnAfterKey({ quiet, patience }: { readonly quiet: number; readonly patience: number }): Promise<
+  { readonly path: number | null; readonly picture: number | null }
+> {
+  const watched = window.__watched;
+  if (!watched) throw new Error("the page is not watched");
+  const { key } = watched, goesOn = () => watched.path === 0 || watched.asked > 0 || performance.now() - watched.stir < quiet;
+  while (goesOn() && performance.now() - key < patience) await new Promise((done) => setTimeout(done, quiet / 10));
+  const since = (time: number) => (time > 0 ? time - key : null);
+  return { path: since(watched.path), picture: since(watched.picture) };
+}

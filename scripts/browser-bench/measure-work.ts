@@ -1,0 +1,169 @@
+import type { Page } from "@playwright/test";
+import { quantile } from "../../e2e/pages/measure.ts";
+import { middle } from "../reference.ts";
+import { referenceIn, type Bench } from "./bench-page.ts";
+import { countFrames, drawnAfterKey, moveBox, removeBox, type Frames } from "./in-page.ts";
+import type { BenchOptions } from "./options.ts";
+import type { Screen } from "./screens.ts";
+import type { MeasuredWork } from "./works.ts";
+
+/** Frames of the page beside those of the empty page: the middle one of all rounds, and the worst of all. */
+export interface FrameResult {
+  /** Frames a second of the empty page, and of the measured one. */
+  readonly empty: number;
+  readonly perSecond: number;
+  /** What part of the empty page's frames there were, in the middle one of the rounds. */
+  readonly share: number;
+  readonly p95: number;
+  readonly worst: number;
+  /** Tasks of more than 50 ms in all rounds, and the longest of them. */
+  readonly long: number;
+  readonly longest: number;
+}
+
+/** Times from a key to what is drawn, ms, and what part of them the reference loop would take there. */
+export interface KeyResult {
+  readonly reference: number;
+  readonly path: { readonly median: number; readonly p95: number };
+  readonly picture: { readonly median: number; readonly p95: number };
+  readonly keys: number;
+}
+
+/** Everything that was measured on one screen. */
+export interface ScreenResults {
+  readonly screen: Screen;
+  /** A page with nothing but a moving box. */
+  readonly box: FrameResult | null;
+  /** By work and case: "flange 10x". */
+  readonly frames: Readonly<Record<string, FrameResult>>;
+  /** By work. */
+  readonly keys: Readonly<Record<string, KeyResult>>;
+}
+
+/** Each round lies between two looks at the empty page, so that what else the machine does weighs on both. */
+const LOOK_MS = 1200;
+/** Time for what a press has begun to get going, ms. */
+const SETTLE = 400;
+
+const look = (page: Page, lasts = LOOK_MS) => page.evaluate(countFrames, lasts);
+
+async function paired(
+  { page, empty }: Bench,
+  options: BenchOptions,
+  act: (round: number) => Promise<() => Promise<void>>,
+): Promise<FrameResult> {
+  const rounds: { readonly empty: number; readonly frames: Frames }[] = [];
+  let before = (await look(empty)).perSecond;
+  for (let round = 0; round < options.rounds; round += 1) {
+    const end = await act(round);
+    const frames = await look(page, options.seconds * 1000);
+    await end();
+    const after = (await look(empty)).perSecond;
+    rounds.push({ empty: (before + after) / 2, frames });
+    before = after;
+  }
+  const long = rounds.flatMap(({ frames }) => frames.long);
+  return {
+    empty: middle(rounds.map((each) => each.empty)),
+    perSecond: middle(rounds.map(({ frames }) => frames.perSecond)),
+    share: middle(rounds.map((each) => each.frames.perSecond / each.empty)),
+    p95: middle(rounds.map(({ frames }) => frames.p95)),
+    worst: Math.max(...rounds.map(({ frames }) => frames.worst)),
+    long: long.length,
+    longest: Math.max(0, ...long),
+  };
+}
+
+/** A page with a moving box and nothing else, beside the empty one: what can be reached at all where something is drawn. */
+export async function measureBox(bench: Bench, options: BenchOptions): Promise<FrameResult> {
+  const box = { ...bench, page: bench.empty };
+  return paired(box, { ...options, rounds: Math.min(3, options.rounds) }, async () => {
+    await bench.empty.evaluate(moveBox);
+    return () => bench.empty.evaluate(removeBox);
+  });
+}
+
+/** Takes the tool to a part of the whole time. */
+async function seek({ turnwise }: Bench, part: number): Promise<void> {
+  await turnwise.lathe.timeline.evaluate((input: HTMLInputElement, value) => {
+    Object.getOwnPropertyDescriptor(HTMLInputElement.prototype, "value")?.set?.call(input, String(value * 1000));
+    input.dispatchEvent(new Event("input", { bubbles: true }));
+  }, part);
+}
+
+/** Frames while a work plays so many times as fast as the machine, each round from another place of it. */
+export async function measurePlaying(bench: Bench, work: MeasuredWork, rate: number, options: BenchOptions): Promise<FrameResult> {
+  const { page, turnwise: { lathe } } = bench;
+  await lathe.speed.selectOption(String(rate));
+  const result = await paired(bench, options, async (round) => {
+    await seek(bench, work.from[round % work.from.length] ?? 0);
+    await lathe.button("play").click();
+    await page.waitForTimeout(SETTLE);
+    return async () => {
+      if (await lathe.button("play").isVisible()) throw new Error(`${work.name} came to its end while it was measured at ${rate}x`);
+      await lathe.button("pause").click();
+    };
+  });
+  return result;
+}
+
+/** Goes on with something until it is told to stop. */
+function goingOn(step: (count: number) => Promise<void>): () => Promise<void> {
+  let goes = true;
+  const done = (async () => {
+    for (let count = 0; goes; count += 1) await step(count);
+  })();
+  return () => {
+    goes = false;
+    return done;
+  };
+}
+
+/** Frames while the picture is dragged about, or zoomed in and out, at rest in the middle of the work. */
+export async function measureLooking(bench: Bench, work: MeasuredWork, how: "pan" | "zoom", options: BenchOptions): Promise<FrameResult> {
+  const { page, turnwise: { lathe } } = bench;
+  await seek(bench, work.from[2] ?? 0);
+  const box = await lathe.picture.boundingBox();
+  if (!box) throw new Error("there is no picture");
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  const result = await paired(bench, options, async () => {
+    await page.mouse.move(x, y);
+    if (how === "pan") await page.mouse.down();
+    const stop = goingOn((count) =>
+      how === "pan"
+        ? page.mouse.move(x + 80 * Math.sin(count / 9), y + 50 * Math.cos(count / 7))
+        : page.mouse.wheel(0, Math.floor(count / 12) % 2 === 0 ? -60 : 60)
+    );
+    await page.waitForTimeout(SETTLE);
+    return async () => {
+      await stop();
+      if (how === "pan") await page.mouse.up();
+    };
+  });
+  await page.keyboard.press("Escape");
+  return result;
+}
+
+/** A picture is whole when nothing has stirred for so long, longer than the page waits for a pause in typing; or it is given up, ms. */
+const SEEN = { quiet: 900, patience: 60_000 };
+
+/** From a pressed key to the new path, and to the whole new picture: at the end of the work, where its stock shows every change. */
+export async function measureKeys(bench: Bench, work: MeasuredWork, options: BenchOptions): Promise<KeyResult> {
+  const { page, turnwise } = bench;
+  await turnwise.lathe.button("last").click();
+  await work.ask(turnwise);
+  await turnwise.dialog.value.fill("0.1");
+  await bench.slow();
+  const paths: number[] = [], pictures: number[] = [], references: number[] = [];
+  for (let key = -2; key < options.keys; key += 1) {
+    if (key % 4 === 0) references.push(await referenceIn(page));
+    await page.keyboard.press(key % 2 === 0 ? String(3 + (Math.abs(key) % 7)) : "Backspace");
+    const { path, picture } = await page.evaluate(drawnAfterKey, SEEN);
+    if (key < 0) continue;
+    paths.push(path ?? Number.NaN);
+    pictures.push(picture ?? Number.NaN);
+  }
+  if (paths.some(Number.isNaN)) throw new Error(`a key in ${work.name} drew no other path`);
+  const of = (times: readonly number[]) => ({ median: middle(times), p95: quantile(times, 0.95) });
+  return { reference: middle(references), path: of(paths), picture: of(pictures), keys: paths.length };
+}

@@ -1,0 +1,63 @@
+import type { FrameResult, KeyResult, ScreenResults } from "./measure-work.ts";
+import type { Screen } from "./screens.ts";
+
+/** A table as Markdown has it, its columns as wide as what stands in them. */
+function table(head: readonly string[], rows: readonly (readonly string[])[]): string[] {
+  const wide = head.map((name, i) => Math.max(name.length, ...rows.map((row) => row[i]?.length ?? 0)));
+  const line = (cells: readonly string[]) =>
+    `| ${cells.map((cell, i) => (i < 2 ? cell.padEnd(wide[i] ?? 0) : cell.padStart(wide[i] ?? 0))).join(" | ")} |`;
+  const rule = `|${wide.map((width, i) => (i < 2 ? "-".repeat(width + 2) : `${"-".repeat(width + 1)}:`)).join("|")}|`;
+  return ["", line(head), rule, ...rows.map(line)];
+}
+
+const percent = (part: number) => `${Math.round(part * 100)} %`;
+const missed = (limit: string, isKept: boolean) => (isKept ? limit : `${limit}, missed`);
+
+/** What is asked of frames: a share of the empty page's, or so many a second; nothing of works that are larger than usual. */
+function frameLimit(screen: Screen, name: string, { share, perSecond }: FrameResult): string {
+  if (!/^(flange|812) \d+x$/.test(name)) return "";
+  if (screen.perSecond !== null) return missed(`${screen.perSecond} a second`, perSecond >= screen.perSecond);
+  return screen.share === null ? "" : missed(percent(screen.share), share >= screen.share);
+}
+
+const frameRow = (
+  screen: Screen,
+  name: string,
+  each: FrameResult,
+  limit: string,
+): string[] => [
+  screen.name,
+  name,
+  each.empty.toFixed(1),
+  each.perSecond.toFixed(1),
+  percent(each.share),
+  limit,
+  each.p95.toFixed(0),
+  each.worst.toFixed(0),
+  each.long === 0 ? "0" : `${each.long} (${each.longest})`,
+];
+
+/** Frames while something moves, beside those of the empty page. */
+export function frameTable(results: readonly ScreenResults[]): string[] {
+  const rows = results.flatMap(
+    ({ screen, box, frames }) => [
+      ...(box ? [frameRow(screen, "moving box", box, "")] : []),
+      ...Object.entries(frames).map(([name, each]) => frameRow(screen, name, each, frameLimit(screen, name, each))),
+    ]
+  );
+  if (rows.length === 0) return [];
+  return table(["frames", "", "empty /s", "/s", "share", "limit", "p95 ms", "worst ms", "tasks > 50 ms"], rows);
+}
+
+function keyRow(screen: Screen, name: string, { reference, path, picture }: KeyResult): string[] {
+  const times = [path.median, path.p95, picture.median, picture.p95].map((time) => time.toFixed(0));
+  const ratios = [path.median, picture.median].map((time) => (time / reference).toFixed(1));
+  return [screen.name, name, ...times, missed(`${screen.key} ms`, path.median <= screen.key), reference.toFixed(1), ...ratios];
+}
+
+/** From a key to the drawing; as ratios they are in units of the reference loop in the same page. */
+export function keyTable(results: readonly ScreenResults[]): string[] {
+  const rows = results.flatMap(({ screen, keys }) => Object.entries(keys).map(([name, each]) => keyRow(screen, name, each)));
+  if (rows.length === 0) return [];
+  return table(["from a key", "", "path ms", "p95", "stock ms", "p95", "limit of path", "reference ms", "path ratio", "stock ratio"], rows);
+}

@@ -1,0 +1,44 @@
+import { readFileSync } from "node:fs";
+import type { Turnwise } from "../../e2e/pages/turnwise.ts";
+import { grownProgram } from "../large-programs.ts";
+
+/** What is opened to be measured, and where something is typed into it. */
+export interface MeasuredWork {
+  readonly name: string;
+  /** Shares of the whole time at which playing is measured: cuts, and not the ways to the tool change. */
+  readonly from: readonly number[];
+  readonly open: (turnwise: Turnwise) => Promise<void>;
+  /** Opens a prompt whose value moves the path with every digit. */
+  readonly ask: (turnwise: Turnwise) => Promise<void>;
+}
+
+/** Operations of the grown program, and the moves that all of them make. */
+const GROWN = { operations: 100, moves: 50_000 };
+
+/** Opens the dialog of an operation of a program, at one of its prompts. */
+const askOperation = (number: number, q: string) => async ({ editor, dialog }: Turnwise) => {
+  await editor.show("structure");
+  await editor.operation(number).click();
+  await editor.show("block");
+  await dialog.open(q);
+};
+
+export const WORKS: readonly MeasuredWork[] = [{
+  name: "flange",
+  from: [0.05, 0.2, 0.35, 0.5, 0.65, 0.8],
+  open: ({ editor }) => editor.openFile("FLANGE.h", readFileSync("src/examples/flange.h")),
+  ask: askOperation(2, "Q484"),
+}, {
+  name: "812",
+  from: [0.1, 0.25, 0.4, 0.55, 0.7],
+  open: ({ start }) => start.beginWithExample(812),
+  async ask(turnwise) {
+    await turnwise.show("prompts");
+    await turnwise.dialog.open("Q484");
+  },
+}, {
+  name: "grown",
+  from: [0.15, 0.4, 0.65, 0.9],
+  open: ({ editor }) => editor.openFile("GROWN.h", Buffer.from(grownProgram(GROWN.operations, GROWN.moves))),
+  ask: askOperation(GROWN.operations, "Q484"),
+}];
