@@ -1,6 +1,6 @@
 import { unpacked } from "../kernel/clip.ts";
 import type { Ring } from "../kernel/point.ts";
-import { cutting, type Cutting } from "./cutting.ts";
+import { cutting, type Cutting, type Present } from "./cutting.ts";
 import { outlinesOf } from "./outlines.ts";
 import type { Checkpoint, PlayPosition, Simulation } from "./simulation.ts";
 import { sweptBy } from "./sweep.ts";
@@ -8,7 +8,12 @@ import { sweptBy } from "./sweep.ts";
 /** Gives the stock at any moment of a run. Going on from the last moment asked for is cheapest; the result is the same. */
 export interface Player {
   at(position: PlayPosition): readonly Ring[];
+  /** The stock at the beginning of a step, for looking at. The last few steps are known, so that looking back over one turn costs nothing. */
+  before(step: number): Present;
 }
+
+/** Steps before the running one whose stock is kept for looking back. */
+const RECENT_STEPS = 32;
 
 /** The position inside the run that is nearest to the given one. */
 function within(simulation: Simulation, position: PlayPosition): PlayPosition {
@@ -39,12 +44,22 @@ export function playerOf(simulation: Simulation): Player {
   const outlines = outlinesOf();
   const { checkpoints } = simulation;
   let now: { mark: number; next: number; cut: Cutting } | null = null;
+  /** What stood at the beginning of the last steps. */
+  const recent = new Map<number, Present>();
 
   /** The nearest mark at or before a step that has its stock. */
   function keptFor(step: number): number {
     let mark = markFor(checkpoints, step);
     while (mark > 0 && !checkpoints[mark]?.stock) mark -= 1;
     return mark;
+  }
+
+  function keep(step: number, stock: Present) {
+    recent.set(step, stock);
+    for (const oldest of recent.keys()) {
+      if (recent.size <= RECENT_STEPS) break;
+      recent.delete(oldest);
+    }
   }
 
   function cutUpTo(step: number): Cutting {
@@ -55,6 +70,7 @@ export function playerOf(simulation: Simulation): Player {
       const begun: Checkpoint | undefined = checkpoints[now.mark + 1];
       if (begun?.step === now.next)
         now = { mark: now.mark + 1, next: now.next, cut: cutting(begun.isStated ? unpacked(begun.stock ?? []) : now.cut.stock()) };
+      if (step - now.next < RECENT_STEPS && !recent.has(now.next)) keep(now.next, now.cut.present());
       if (now.next >= step) return now.cut;
       const s = simulation.steps[now.next];
       if (s) now.cut.add(sweptBy(outlines(s.tool).insert, s));
@@ -63,6 +79,9 @@ export function playerOf(simulation: Simulation): Player {
   }
 
   return {
+    before(step) {
+      return recent.get(step) ?? cutUpTo(step).present();
+    },
     at(asked) {
       const { step, fraction } = within(simulation, asked);
       const cut = cutUpTo(step);

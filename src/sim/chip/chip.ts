@@ -1,0 +1,138 @@
+import { areaOf } from "../../kernel/area.ts";
+import { boxAround, inBox } from "../../kernel/box.ts";
+import { difference, intersection } from "../../kernel/clip.ts";
+import { at, part, type Pt, type Ring } from "../../kernel/point.ts";
+import type { Spindle, Step } from "../../kernel/step.ts";
+import { stampsOf } from "../../kernel/thread-turns.ts";
+import { pathOf } from "../../kernel/time.ts";
+import { SLIVER } from "../../kernel/tolerance.ts";
+import type { Present } from "../cutting.ts";
+import { convexPieceOf } from "../piece.ts";
+import type { PlayPosition } from "../simulation.ts";
+import { sweptBy } from "../sweep.ts";
+import { boundsOfChip, contactLength, reachAlong, thickestOf, type Thickness } from "./edge.ts";
+import { feedPerTurn, oneTurnBack } from "./one-turn.ts";
+
+/**
+ * The chip of a moment in the half plane: what the insert covers now and did not one turn of the spindle earlier, of the stock that
+ * stood there. All places are relative to the tip, so that the chip of an even cut does not change while the tool moves. mm.
+ */
+export interface Chip {
+  readonly rings: readonly Ring[];
+  /** The parts of the cutting edge that bound it. */
+  readonly contact: readonly (readonly Pt[])[];
+  /** Where it is thickest, square to the edge. */
+  readonly thickest: Thickness;
+  /** Length of the edge in contact. */
+  readonly width: number;
+  /** How far it reaches square to the feed: the depth of cut, of a plunging blade its width. Of a thread the infeed. */
+  readonly depth: number;
+  /** Way of the tip in one turn; of a thread its lead. */
+  readonly feed: number;
+  /** mm². */
+  readonly area: number;
+}
+
+/** What the chip of a moment depends on. */
+export interface ChipWork {
+  readonly steps: readonly Step[];
+  /** Convex, counter-clockwise, relative to the tip. */
+  readonly outlineOf: (step: Step) => Ring;
+  readonly spindleOf: (step: number) => Spindle | null;
+  /** The stock as it is when a step begins. */
+  readonly before: (step: number) => Present;
+}
+
+const movedBy = (ring: Ring, z: number, r: number): Ring => ring.map((p) => at(p.z + z, p.r + r));
+
+/** What an insert takes of the stock before a step, less what is covered in that step up to a fraction of it. */
+function taken(insert: Ring, now: Present, step: Step, outline: Ring, fraction: number): Ring[] {
+  if (!now.meets(convexPieceOf(insert))) return [];
+  const there = intersection(inBox(now.base, boxAround([insert])), [insert]);
+  if (there.length === 0) return [];
+  const box = boxAround(there);
+  const gone = [...inBox(now.gone, box), ...inBox(sweptBy(outline, step, fraction).rings, box)];
+  return gone.length === 0 ? there : difference(there, gone);
+}
+
+/** Extent of rings along a direction, mm. */
+function extentAlong(rings: readonly Ring[], way: Pt): number {
+  let [least, most] = [Infinity, -Infinity];
+  for (const ring of rings)
+    for (const p of ring) {
+      const far = part.dot(p, way);
+      least = Math.min(least, far);
+      most = Math.max(most, far);
+    }
+  return Math.max(0, most - least);
+}
+
+/** Rings without those that are nowhere thicker than chords and grid leave them. */
+const thick = (rings: readonly Ring[]): Ring[] =>
+  rings.filter((ring) => areaOf([ring]) > SLIVER * SLIVER && areaOf([ring]) > (SLIVER * part.apart(...diagonal(ring))) / 2);
+
+function diagonal(ring: Ring): [Pt, Pt] {
+  const { left, right, low, high } = boxAround([ring]);
+  return [at(left, low), at(right, high)];
+}
+
+/** The chip of a piece of the stock under the insert at `tip`; null where there is none. */
+function chipOf(
+  found: readonly Ring[],
+  outline: Ring,
+  tip: Pt,
+  step: Step,
+  path: { readonly feed: number; readonly along: Pt },
+): Chip | null {
+  const cut = thick(found);
+  if (cut.length === 0) return null;
+  const rings = cut.map((ring) => movedBy(ring, -tip.z, -tip.r));
+  const bounded = boundsOfChip(rings, outline), thickest = thickestOf(bounded);
+  if (!thickest || thickest.size < SLIVER) return null;
+  const across = part.leftOf(path.along);
+  return {
+    rings,
+    contact: bounded.contact,
+    thickest,
+    width: contactLength(bounded),
+    depth: step.move.kind === "thread" ? reachAlong(bounded, across) : extentAlong(rings, across),
+    feed: path.feed,
+    area: areaOf(rings),
+  };
+}
+
+/** The chip at a moment of a run; null on rapids, in the air, and where the feed of a turn is not known. */
+export function chipAt({ steps, outlineOf, spindleOf, before }: ChipWork, position: PlayPosition): Chip | null {
+  const step = steps[position.step];
+  if (!step || step.move.kind === "rapid") return null;
+  const path = pathOf(step.from, step.move), outline = outlineOf(step);
+  if (outline.length < 3) return null;
+  if (step.move.kind === "thread") {
+    const passed = stampsOf(step.from, step.move).filter(({ fraction }) => fraction <= position.fraction), last = passed.at(-1);
+    if (!last) return null;
+    const earlier = passed.at(-2)?.fraction;
+    const found = taken(movedBy(outline, last.at.z, last.at.r), before(position.step), step, outline, earlier ?? -1);
+    const along = part.direction(path, last.at);
+    return chipOf(found, outline, last.at, step, { feed: Math.abs(step.move.pitch), along });
+  }
+  const tip = part.pointOn(path, position.fraction), feed = feedPerTurn(step, spindleOf(position.step), tip.r);
+  const back = feed ? oneTurnBack(steps, position, spindleOf) : null, earlier = back && steps[back.step];
+  if (!feed || !earlier) return null;
+  const found = taken(movedBy(outline, tip.z, tip.r), before(back.step), earlier, outline, back.fraction);
+  return chipOf(found, outline, tip, step, { feed, along: part.direction(path, tip) });
+}
+
+/** Farther apart than this, two chips are drawn anew, mm. */
+const ALIKE = 5e-4;
+
+/** Whether two chips look the same: an even cut gives the same chip again and again but for the grid. */
+export function sameChip(a: Chip | null, b: Chip | null): boolean {
+  if (!a || !b) return a === b;
+  const near = (p: number, q: number) => Math.abs(p - q) <= ALIKE;
+  return near(a.area, b.area) && near(a.width, b.width) && near(a.depth, b.depth) && near(a.feed, b.feed)
+    && a.rings.length === b.rings.length
+    && a.rings.every((ring, i) => {
+      const other = b.rings[i];
+      return other?.length === ring.length && ring.every((p, k) => near(p.z, other[k]?.z ?? NaN) && near(p.r, other[k]?.r ?? NaN));
+    });
+}
