@@ -8,7 +8,7 @@ import { sweptBy } from "./sweep.ts";
 /** Gives the stock at any moment of a run. Going on from the last moment asked for is cheapest; the result is the same. */
 export interface Player {
   at(position: PlayPosition): readonly Ring[];
-  /** The stock at the beginning of a step, for looking at. The last few steps are known, so that looking back over one turn costs nothing. */
+  /** The stock at the beginning of a step. Those of the last few steps are kept, so that looking back over one turn costs nothing. */
   before(step: number): Present;
 }
 

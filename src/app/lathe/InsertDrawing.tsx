@@ -5,8 +5,8 @@ import { CHORD } from "../../kernel/tolerance.ts";
 import type { Tool } from "../../kernel/tool.ts";
 import type { Bounds } from "../../view/camera.ts";
 import { boundsOf, common, grownBounds, joined } from "../../view/bounds.ts";
-import { ringData } from "../../view/path.ts";
 import { useTexts } from "../settings/use-texts.ts";
+import { DrawnTool } from "./DrawnTool.tsx";
 import "./lathe.css";
 
 /** How much of the holder is drawn beside the insert, in lengths of the insert: the head and where the shank begins. */
@@ -31,11 +31,10 @@ export function InsertDrawing({ tool, width = 48, height = 48, span, whole = fal
   readonly whole?: boolean;
 }) {
   const t = useTexts().lathe, id = useId();
-  const { insert, holder, box } = useMemo(() => {
-    const ring = insertOutline(tool, CHORD), b = grownBounds(boundsOf(ring) ?? { left: -1, right: 1, low: -1, high: 1 }, 0);
-    const held = holderOutlines(tool);
-    return { insert: ringData([ring]), holder: ringData(held), box: whole ? heldBounds(tool) : b };
-  }, [tool, whole]);
+  const box = useMemo(() => (whole ? heldBounds(tool) : boundsOf(insertOutline(tool, CHORD)) ?? { left: -1, right: 1, low: -1, high: 1 }), [
+    tool,
+    whole,
+  ]);
   const wide = box.right - box.left, tall = box.high - box.low;
   const scale = span ? Math.min(width, height) / span : Math.min((width - 8) / wide, (height - 8) / tall);
   const x = width / 2 - ((box.left + box.right) / 2) * scale, y = height / 2 + ((box.low + box.high) / 2) * scale;
@@ -48,8 +47,7 @@ export function InsertDrawing({ tool, width = 48, height = 48, span, whole = fal
       </clipPath>
       <g clipPath={`url(#${id})`}>
         <g transform={`matrix(${scale} 0 0 ${-scale} ${x} ${y})`}>
-          {holder && <path className="shape-holder" d={holder} />}
-          <path className="shape-insert" d={insert} />
+          <DrawnTool tool={tool} />
         </g>
         <path className="insert-tip" d={`M${x - 3} ${y}H${x + 3}M${x} ${y - 3}V${y + 3}`} />
       </g>

@@ -34,8 +34,8 @@ function work(
   const simulation = simulate({ blank: stock, steps, operations: [], unproved: [] });
   const asked: ChipWork = {
     steps,
-    outlineOf: (step) => insertOutline(step.tool, CHORD),
-    spindleOf: () => ({ kind: "constant", speed }),
+    outlineOf: (each) => insertOutline(each, CHORD),
+    spindles: [{ step: 0, spindle: { kind: "constant", speed } }],
     before: playerOf(simulation).before,
   };
   return (step, fraction) => chipAt(asked, { step, fraction });

@@ -2,16 +2,18 @@ import { areaOf } from "../../kernel/area.ts";
 import { boxAround, inBox } from "../../kernel/box.ts";
 import { difference, intersection } from "../../kernel/clip.ts";
 import { at, part, type Pt, type Ring } from "../../kernel/point.ts";
-import type { Spindle, Step } from "../../kernel/step.ts";
+import type { Step } from "../../kernel/step.ts";
 import { stampsOf } from "../../kernel/thread-turns.ts";
 import { pathOf } from "../../kernel/time.ts";
 import { SLIVER } from "../../kernel/tolerance.ts";
+import type { Tool } from "../../kernel/tool.ts";
 import type { Present } from "../cutting.ts";
+import { feedPerTurn, rpmAt, spindleAt, type SpindleFrom } from "../load/spindles.ts";
 import { convexPieceOf } from "../piece.ts";
 import type { PlayPosition } from "../simulation.ts";
 import { sweptBy } from "../sweep.ts";
 import { boundsOfChip, contactLength, reachAlong, thickestOf, type Thickness } from "./edge.ts";
-import { feedPerTurn, oneTurnBack } from "./one-turn.ts";
+import { oneTurnBack } from "./one-turn.ts";
 
 /**
  * The chip of a moment in the half plane: what the insert covers now and did not one turn of the spindle earlier, of the stock that
@@ -37,8 +39,8 @@ export interface Chip {
 export interface ChipWork {
   readonly steps: readonly Step[];
   /** Convex, counter-clockwise, relative to the tip. */
-  readonly outlineOf: (step: Step) => Ring;
-  readonly spindleOf: (step: number) => Spindle | null;
+  readonly outlineOf: (tool: Tool) => Ring;
+  readonly spindles: readonly SpindleFrom[];
   /** The stock as it is when a step begins. */
   readonly before: (step: number) => Present;
 }
@@ -102,22 +104,21 @@ function chipOf(
 }
 
 /** The chip at a moment of a run; null on rapids, in the air, and where the feed of a turn is not known. */
-export function chipAt({ steps, outlineOf, spindleOf, before }: ChipWork, position: PlayPosition): Chip | null {
+export function chipAt({ steps, outlineOf, spindles, before }: ChipWork, position: PlayPosition): Chip | null {
   const step = steps[position.step];
   if (!step || step.move.kind === "rapid") return null;
-  const path = pathOf(step.from, step.move), outline = outlineOf(step);
+  const path = pathOf(step.from, step.move), outline = outlineOf(step.tool);
   if (outline.length < 3) return null;
   if (step.move.kind === "thread") {
     const passed = stampsOf(step.from, step.move).filter(({ fraction }) => fraction <= position.fraction), last = passed.at(-1);
     if (!last) return null;
-    const earlier = passed.at(-2)?.fraction;
-    const found = taken(movedBy(outline, last.at.z, last.at.r), before(position.step), step, outline, earlier ?? -1);
-    const along = part.direction(path, last.at);
-    return chipOf(found, outline, last.at, step, { feed: Math.abs(step.move.pitch), along });
+    const found = taken(movedBy(outline, last.at.z, last.at.r), before(position.step), step, outline, passed.at(-2)?.fraction ?? 0);
+    return chipOf(found, outline, last.at, step, { feed: Math.abs(step.move.pitch), along: part.direction(path, last.at) });
   }
-  const tip = part.pointOn(path, position.fraction), feed = feedPerTurn(step, spindleOf(position.step), tip.r);
-  const back = feed ? oneTurnBack(steps, position, spindleOf) : null, earlier = back && steps[back.step];
-  if (!feed || !earlier) return null;
+  const tip = part.pointOn(path, position.fraction), feed = feedPerTurn(step.move, rpmAt(spindleAt(spindles, position.step), tip.r));
+  const stands = step.move.kind === "feed" && step.move.dwell !== undefined;
+  const back = stands ? null : oneTurnBack(steps, position, spindles), earlier = back && steps[back.step];
+  if (!earlier) return null;
   const found = taken(movedBy(outline, tip.z, tip.r), before(back.step), earlier, outline, back.fraction);
   return chipOf(found, outline, tip, step, { feed, along: part.direction(path, tip) });
 }

@@ -8,12 +8,12 @@ const EVERY = 0.25;
 const MOST = 64;
 
 /** A straight part of an outline. */
-export interface Side {
+export interface OutlineSide {
   readonly from: Pt;
   readonly to: Pt;
 }
 
-const sidesOf = (ring: Ring): Side[] => ring.map((from, i) => ({ from, to: ring[(i + 1) % ring.length] as Pt }));
+const sidesOf = (ring: Ring): OutlineSide[] => ring.map((from, i) => ({ from, to: ring[(i + 1) % ring.length] as Pt }));
 
 /** Tells which sides of a ring a place lies on. */
 function onSides(ring: Ring): (p: Pt) => number[] {
@@ -33,19 +33,19 @@ function onSides(ring: Ring): (p: Pt) => number[] {
 export interface Bounded {
   /** The parts of the insert's outline that bound the chip. */
   readonly contact: readonly (readonly Pt[])[];
-  readonly free: readonly Side[];
+  readonly free: readonly OutlineSide[];
 }
 
 /** Tells the cutting edge in contact from what the chip has in common with the stock before. */
 export function boundsOfChip(chip: readonly Ring[], insert: Ring): Bounded {
-  const touching = onSides(insert), contact: Pt[][] = [], free: Side[] = [];
+  const touching = onSides(insert), contact: Pt[][] = [], free: OutlineSide[] = [];
   for (const ring of chip) {
     const near = ring.map(touching), sides = sidesOf(ring);
     const cuts = sides.map((_, i) => (near[i] ?? []).some((side) => near[(i + 1) % ring.length]?.includes(side)));
     const first = cuts.indexOf(false);
     let line: Pt[] = [];
     for (let k = 1; k <= ring.length; k += 1) {
-      const i = (first + k) % ring.length, { from, to } = sides[i] as Side;
+      const i = (first + k) % ring.length, { from, to } = sides[i] as OutlineSide;
       if (cuts[i]) line.push(...(line.length === 0 ? [from, to] : [to]));
       else free.push({ from, to });
       if (line.length > 0 && (!cuts[i] || k === ring.length)) {
@@ -66,7 +66,7 @@ export interface Thickness {
   readonly to: Pt;
 }
 
-const linesIn = (contact: Bounded["contact"]): Side[] =>
+const linesIn = (contact: Bounded["contact"]): OutlineSide[] =>
   contact.flatMap((line) => line.slice(1).map((to, i) => ({ from: line[i] as Pt, to })));
 
 /**
@@ -109,7 +109,7 @@ export function reachAlong({ contact, free }: Bounded, way: Pt): number {
 }
 
 /** How far a straight line from a place goes before it meets a side, in lengths of `way`; Infinity where it meets none. */
-function farAlong(p: Pt, way: Pt, sides: readonly Side[]): number {
+function farAlong(p: Pt, way: Pt, sides: readonly OutlineSide[]): number {
   let nearest = Infinity;
   for (const { from, to } of sides) {
     const [dz, dr] = [to.z - from.z, to.r - from.r], [ez, er] = [from.z - p.z, from.r - p.r];

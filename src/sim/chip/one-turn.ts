@@ -1,28 +1,17 @@
-import type { Spindle, Step } from "../../kernel/step.ts";
+import type { Step } from "../../kernel/step.ts";
 import { turnsIn } from "../../kernel/thread-turns.ts";
-import { pathOf, speedAt, travelOf } from "../../kernel/time.ts";
+import { pathOf, travelOf } from "../../kernel/time.ts";
+import { feedPerTurn, rpmAt, spindleAt, type SpindleFrom } from "../load/spindles.ts";
 import type { PlayPosition } from "../simulation.ts";
 
 /** Moves that one turn of the spindle is followed back over: shorter ones than that are a contour of points. */
 const MOST = 24;
 
-/** Way of the tip in one turn of the spindle, mm: the feed, or the lead of a thread; 0 where the tip goes nowhere, null without a feed. */
-export function feedPerTurn({ move }: Step, spindle: Spindle | null, radius: number): number | null {
-  if (move.kind === "rapid") return null;
-  if (move.kind === "thread") return Math.abs(move.pitch);
-  if (move.kind === "feed" && move.dwell !== undefined) return 0;
-  if (move.feedUnit === "mm/rev") return move.feed;
-  return spindle ? move.feed / speedAt(spindle, radius) : null;
-}
-
-/** Turns of the spindle in a whole move; null where none are known. */
-function turnsOf(step: Step, spindle: Spindle | null): number | null {
-  const { from, move } = step;
+/** Turns of the spindle in a whole move; not a number where none are known. */
+function turnsOf({ from, move }: Step, spindle: ReturnType<typeof spindleAt>): number {
   if (move.kind === "feed" && move.dwell !== undefined) return move.dwell;
   if (move.kind === "thread") return turnsIn(from, move);
-  const path = pathOf(from, move), feed = feedPerTurn(step, spindle, move.to.r);
-  const turns = feed === null ? NaN : travelOf(path) / feed;
-  return Number.isFinite(turns) ? turns : null;
+  return travelOf(pathOf(from, move)) / feedPerTurn(move, rpmAt(spindle, move.to.r));
 }
 
 /**
@@ -32,12 +21,12 @@ function turnsOf(step: Step, spindle: Spindle | null): number | null {
 export function oneTurnBack(
   steps: readonly Step[],
   { step, fraction }: PlayPosition,
-  spindleOf: (step: number) => Spindle | null,
+  spindles: readonly SpindleFrom[],
 ): PlayPosition | null {
   let left = 1;
   for (let s = step, done = fraction;; s -= 1, done = 1) {
-    const running = steps[s], turns = running ? turnsOf(running, spindleOf(s)) : null;
-    if (!running || turns === null) return s === step ? null : { step: s + 1, fraction: 0 };
+    const running = steps[s], turns = running ? turnsOf(running, spindleAt(spindles, s)) : NaN;
+    if (!running || !Number.isFinite(turns)) return s === step ? null : { step: s + 1, fraction: 0 };
     if (turns * done >= left) return { step: s, fraction: Math.max(0, done - left / turns) };
     left -= turns * done;
     const before = steps[s - 1];

@@ -1,0 +1,65 @@
+import { expect, test } from "vitest";
+import { at } from "../kernel/point.ts";
+import type { Step } from "../kernel/step.ts";
+import { feed } from "../kernel/units.ts";
+import { shippedTools } from "../program/shipped-tools.ts";
+import { begunAt, MOST_STRETCHES, pathStretches, progressOf } from "./passes.ts";
+import { toolpath } from "./scene.ts";
+
+/** So many passes of one call: in by rapid, a cut, out and back. */
+function passes(count: number, operation: number | null = 0): Step[] {
+  const tool = shippedTools[0];
+  if (!tool) throw new Error("no tool");
+  const out: Step[] = [];
+  let from = at(2, 30);
+  for (let i = 0; i < count; i += 1) {
+    const r = 29.3 - i * 0.01;
+    const purpose = { phase: "rough", run: "rough", step: 1, ...(operation !== null && { pass: i + 1 }) } as const;
+    for (const move of [
+      { kind: "rapid", to: at(2, r), ...purpose },
+      { kind: "feed", to: at(-17.3, r), feed: feed(0.3), feedUnit: "mm/rev", ...purpose },
+      { kind: "feed", to: at(-17.3, r + 0.7), feed: feed(0.3), feedUnit: "mm/rev", ...purpose },
+      { kind: "rapid", to: at(2, r + 0.7), ...purpose },
+    ] as const) {
+      out.push({ from, move, tool, block: 1, operation, seconds: 1 });
+      from = move.to;
+    }
+  }
+  return out;
+}
+
+test("each pass is a stretch of its own, and all of them together are the path", () => {
+  const steps = passes(7), stretches = pathStretches(steps);
+  expect(stretches.map(({ first, last }) => [first, last])).toEqual([0, 1, 2, 3, 4, 5, 6].map((i) => [4 * i, 4 * i + 3]));
+  expect(stretches[2]?.shapes).toEqual(toolpath(steps.slice(8, 12)));
+  expect(stretches[2]?.shapes.map(({ role }) => role)).toEqual(["rapid", "feed"]);
+});
+
+test("between the cycles a rapid after a cut begins the next stretch", () => {
+  expect(pathStretches(passes(3, null)).map(({ first, last }) => [first, last])).toEqual([[0, 2], [3, 6], [7, 10], [11, 11]]);
+});
+
+test.each([97, 500, 12_500])("%i passes are no more stretches than may be, without a gap", (count) => {
+  const steps = passes(count), stretches = pathStretches(steps);
+  expect(stretches.length).toBeGreaterThan(MOST_STRETCHES / 3);
+  expect(stretches.length).toBeLessThanOrEqual(MOST_STRETCHES);
+  stretches.forEach(({ first, last }, i) => {
+    expect(first).toBe((stretches[i - 1]?.last ?? -1) + 1);
+    expect((last + 1) % 4).toBe(0);
+  });
+  expect(stretches.at(-1)?.last).toBe(steps.length - 1);
+});
+
+test("a part of a run keeps the numbers of its steps", () => {
+  expect(pathStretches(passes(9), 8, 18).map(({ first, last }) => [first, last])).toEqual([[8, 11], [12, 15], [16, 18]]);
+  expect(pathStretches([])).toEqual([]);
+});
+
+test("what is behind the running step is done, forwards and back", () => {
+  const stretches = pathStretches(passes(4));
+  const at = (step: number) => stretches.map((each) => progressOf(each, step)[0]).join("");
+  expect([0, 3, 4, 11, 15, 16, 5].map(at)).toEqual(["rccc", "rccc", "drcc", "ddrc", "dddr", "dddd", "drcc"]);
+  expect([0, 3, 4, 11, 15, 16].map((step) => begunAt(stretches, step))).toEqual([1, 1, 2, 3, 4, 4]);
+  for (let step = 0; step <= 16; step += 1)
+    expect(stretches.filter((each) => progressOf(each, step) !== "coming")).toHaveLength(begunAt(stretches, step));
+});
