@@ -6,8 +6,8 @@ import { CHORD } from "../../kernel/tolerance.ts";
 import type { Tool } from "../../kernel/tool.ts";
 import { boundsOf, common, grownBounds, joined } from "../../view/bounds.ts";
 import { toScreen, type Bounds } from "../../view/camera.ts";
-import { ringData } from "../../view/path.ts";
 import { tipAt } from "../../view/tip.ts";
+import { DrawnTool } from "./DrawnTool.tsx";
 import { stepIndex, type Moving } from "./moving.ts";
 import { usePlayback } from "./use-playback.ts";
 import type { Viewport } from "./viewport.ts";
@@ -17,18 +17,11 @@ const LINE = 4;
 /** As much of a holder is drawn as fits into this many pictures. */
 const PICTURES = 1.5;
 
-interface Drawn {
-  readonly insert: string;
-  readonly holder: string;
-  readonly insertBox: Bounds;
-  readonly box: Bounds;
+/** The box of an insert and the one of the whole tool. */
+function boxesOf(tool: Tool): { readonly insert: Bounds; readonly all: Bounds } {
+  const insert = boundsOf(insertOutline(tool, CHORD)) ?? { left: -1, right: 1, low: -1, high: 1 };
+  return { insert, all: joined(insert, boundsOf(holderOutlines(tool).flat())) ?? insert };
 }
-
-const drawn = (tool: Tool): Drawn => {
-  const insert = insertOutline(tool, CHORD), holder = holderOutlines(tool);
-  const insertBox = boundsOf(insert) ?? { left: -1, right: 1, low: -1, high: 1 };
-  return { insert: ringData([insert]), holder: ringData(holder), insertBox, box: joined(insertBox, boundsOf(holder.flat())) ?? insertBox };
-};
 
 /**
  * A tool on a sheet no larger than itself. The sheet is drawn anew for another tool or another zoom; where the tip goes it follows with one
@@ -43,7 +36,7 @@ function Sheet({ viewport, tool, tip, follow }: {
   readonly follow: (listener: () => void) => () => void;
 }) {
   const sheet = useRef<SVGSVGElement>(null), world = useRef<SVGGElement>(null);
-  const shapes = useMemo(() => drawn(tool), [tool]);
+  const boxes = useMemo(() => boxesOf(tool), [tool]);
   useEffect(() => {
     const element = sheet.current;
     if (!element) return undefined;
@@ -60,7 +53,7 @@ function Sheet({ viewport, tool, tip, follow }: {
       if (camera.scale !== scale || camera.xUp !== up) {
         [scale, up] = [camera.scale, camera.xUp];
         const far = (PICTURES * Math.max(size.width, size.height)) / scale;
-        const { left, right, low, high } = common(shapes.box, grownBounds(shapes.insertBox, far));
+        const { left, right, low, high } = common(boxes.all, grownBounds(boxes.insert, far));
         const top = up ? -high : low;
         corner = { x: left * scale - LINE, y: top * scale - LINE };
         element.setAttribute("width", String(Math.ceil((right - left) * scale + 2 * LINE)));
@@ -72,12 +65,11 @@ function Sheet({ viewport, tool, tip, follow }: {
     draw();
     const ends = [viewport.subscribe(draw), follow(place)];
     return () => ends.forEach((end) => end());
-  }, [viewport, shapes, tip, follow]);
+  }, [viewport, boxes, tip, follow]);
   return (
     <svg ref={sheet} className="tool-sheet">
       <g ref={world}>
-        {shapes.holder && <path className="shape-holder" d={shapes.holder} />}
-        <path className="shape-insert" d={shapes.insert} />
+        <DrawnTool tool={tool} />
       </g>
     </svg>
   );
