@@ -113,7 +113,7 @@ test("a drag with the ruler measures, and leaves the picture where it is", async
   await page.mouse.move((from.x + to.x) / 2, to.y, { steps: 4 });
   await page.mouse.move(to.x, to.y, { steps: 4 });
   await page.mouse.up();
-  const reading = lathe.view.locator(".lathe-reading");
+  const reading = lathe.view.locator(".measure-panel");
   await expect(reading.getByRole("status")).toContainText(/20/);
   expect(await pictureAt(page, stage, -90, 20)).toEqual(from);
 });

@@ -1,7 +1,8 @@
+import type { Measurement } from "../kernel/measured.ts";
 import type { BlankDraft, ContourRow, Job, SpindleDraft } from "../program/job.ts";
 import type { Draft } from "../program/read-draft.ts";
-import { changeProgram, edit, useEditor } from "./store.ts";
-import { LONGEST_REMARKS } from "./work.ts";
+import { changeProgram, edit, useEditor, type Editor } from "./store.ts";
+import { LONGEST_REMARKS, MOST_MEASURED, type ProgramWork } from "./work.ts";
 
 const noDraft: Draft = {};
 
@@ -48,6 +49,20 @@ export const setNcLanguage = (ncLanguage: Job["ncLanguage"]): void => edit((job)
 /** The contour table; `place` names the cell, so that typing in it is one step of undo. */
 export const setContour = (contour: readonly ContourRow[], place: string | null = null): void =>
   edit((job) => ({ ...job, contour }), place && `contour ${place}`);
+
+const NOTHING_MEASURED: readonly Measurement[] = [];
+
+/** What was measured in the picture of a work and stays there; the same list as long as nothing changes in it. */
+export const measuredIn = ({ job, program }: Editor): readonly Measurement[] => (job ?? program)?.measured ?? NOTHING_MEASURED;
+
+/** Changes what was measured, as one step of undo; changes at the same place, one after the other, are one step together. */
+export function setMeasured(change: (list: readonly Measurement[]) => readonly Measurement[], place: string | null = null): void {
+  const list = change(measuredIn(useEditor.getState())).slice(-MOST_MEASURED);
+  const put = <W extends Job | ProgramWork>({ measured: _, ...work }: W): W =>
+    ({ ...work, ...(list.length > 0 && { measured: list }) }) as unknown as W;
+  if (useEditor.getState().program) changeProgram(put, place);
+  else edit(put, place);
+}
 
 /** What the setup sheet of the open work says to the setter. */
 export function setRemarks(text: string): void {

@@ -1,3 +1,4 @@
+import type { Measurement } from "../kernel/measured.ts";
 import type { HandedOn, Job } from "../program/job.ts";
 import { fileKey } from "../program/program-files.ts";
 
@@ -21,6 +22,8 @@ export interface ProgramWork extends WorkFile, HandedOn {
   readonly skipMarked?: boolean;
   /** What its setup sheet says to the setter. */
   readonly remarks?: string;
+  /** What was measured in its picture and stays there, in the order in which it was measured. */
+  readonly measured?: readonly Measurement[];
 }
 
 /** What a work brings along, and nothing else of it. */
@@ -28,6 +31,9 @@ export const broughtBy = ({ tools, control }: HandedOn): HandedOn => ({ ...(tool
 
 /** Longest remarks of a setup sheet, characters: they fill a page. */
 export const LONGEST_REMARKS = 4000;
+
+/** Most measurements that a work keeps: a picture of more says nothing. */
+export const MOST_MEASURED = 100;
 
 /** What an operator works on: one cycle by its prompts, or a whole program. */
 export type Work = Job | ProgramWork;

@@ -1,4 +1,5 @@
 import type { Cycle } from "../cycles/define.ts";
+import type { Measurement } from "../kernel/measured.ts";
 import type { Control } from "./plane-types.ts";
 import { exampleDraft, type Draft } from "./read-draft.ts";
 import type { ToolList } from "./tool-list.ts";
@@ -97,6 +98,8 @@ export interface Job extends HandedOn {
   readonly ncLanguage: "en" | "de" | "fr" | "zh";
   /** What its setup sheet says to the setter. */
   readonly remarks?: string;
+  /** What was measured in its picture and stays there, in the order in which it was measured. */
+  readonly measured?: readonly Measurement[];
 }
 
 /** A job with a value in every place of its set-up: set, or proposed. */

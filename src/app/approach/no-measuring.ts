@@ -1,14 +1,14 @@
-import type { Measuring } from "../lathe/measuring.ts";
+import type { Measuring } from "../measure/measuring.ts";
 
 const nothing = () => undefined;
 
 /** The plane view has no ruler: what the shared keys and gestures would do with one is nothing. */
 export const noMeasuring: Measuring = {
   on: false,
-  cross: null,
-  first: null,
-  second: null,
+  kind: "distance",
+  choose: nothing,
   toggle: nothing,
+  serve: nothing,
   key: () => false,
   tap: nothing,
   hover: nothing,

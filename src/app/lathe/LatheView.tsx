@@ -5,10 +5,12 @@ import type { Pt } from "../../kernel/point.ts";
 import { axial, diameter, radius, toRadius } from "../../kernel/units.ts";
 import { mirrored } from "../../view/bounds.ts";
 import { datumAt, datumIndex } from "../../view/datum.ts";
-import { snapPoints } from "../../view/measure.ts";
 import { trackOf } from "../../view/playback.ts";
 import { sceneOf, type SceneParts } from "../../view/scene.ts";
 import type { Clock } from "../clock.ts";
+import { Measurements } from "../measure/Measurements.tsx";
+import { useMeasuring } from "../measure/measuring.ts";
+import { useLatheSource } from "../measure/source.ts";
 import { lazyPart } from "../parts.ts";
 import { KEEPS_KEYBOARD } from "../place.ts";
 import { reducedMotion } from "../settings/appearance.ts";
@@ -21,7 +23,6 @@ import { pressKey } from "./keys.ts";
 import { KnownMarks, knownText } from "./KnownMarks.tsx";
 import { Legend } from "./Legend.tsx";
 import { Marks } from "./Marks.tsx";
-import { useMeasuring } from "./measuring.ts";
 import { MoveTable } from "./MoveTable.tsx";
 import { Picture } from "./Picture.tsx";
 import { PlaceButtons, PlaceLines } from "./PlaceButtons.tsx";
@@ -47,9 +48,6 @@ import { createViewport } from "./viewport.ts";
 import "./lathe.css";
 import { Outdated } from "./Outdated.tsx";
 
-/** Fetched when something is measured. */
-const RulerLines = lazyPart(async () => ({ default: (await import("./Ruler.tsx")).RulerLines }));
-const RulerReading = lazyPart(async () => ({ default: (await import("./Ruler.tsx")).RulerReading }));
 /** Fetched for a program that has approaches. */
 const TurnPoints = lazyPart(async () => ({ default: (await import("../approach/TurnPoints.tsx")).TurnPoints }));
 const WhichCycle = lazyPart(async () => ({ default: (await import("../which/WhichCycle.tsx")).WhichCycle }));
@@ -114,9 +112,9 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
   const waiting = run.steps.length === 0 ? typed : null;
   const scene = useMemo(() => sceneOf({ ...partsOf(run), ...(typed && knownParts(typed, run)) }), [run, typed]);
   const held = useMemo(() => run.steps.some((step) => step.tool.holder), [run]);
-  const points = useMemo(() => snapPoints(run.operations.map((o) => o.plan.contour), run.steps), [run]);
   const starts = useMemo(() => (waiting?.start ? [waiting.start] : run.operations.map((o) => o.start)), [run, waiting]);
-  const measuring = useMeasuring(viewport, points);
+  const measuring = useMeasuring();
+  const source = useLatheSource({ run, stockAt: shown?.simulation && moving ? moving.stockAt : null, playback, isWhole: full });
   const path = useShownPath(run, scene, playback);
   const { hover, over, tap } = usePicking({ run, viewport, shown: path.has, onMove });
   const look = measuring.on ? measuring : { tap, hover: over, drag: null };
@@ -179,18 +177,9 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
             </Suspense>
           )}
           <PlaceLines viewport={viewport} places={seen} />
-          {measuring.on && (
-            <Suspense>
-              <RulerLines viewport={viewport} measuring={measuring} />
-            </Suspense>
-          )}
         </Picture>
         <PlaceButtons viewport={viewport} places={seen} chosen={chosen} choose={choose} />
-        {measuring.on && (
-          <Suspense>
-            <RulerReading measuring={measuring} />
-          </Suspense>
-        )}
+        <Measurements viewport={viewport} measuring={measuring} source={source} />
         {run.steps.length === 0 && run.blank.length === 0 && (
           <p className={waiting ? "lathe-outdated small" : "lathe-empty soft"}>{t.pictureEmpty}</p>
         )}

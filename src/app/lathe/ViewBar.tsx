@@ -2,7 +2,7 @@ import { Toolbar } from "react-aria-components/Toolbar";
 import { changeSettings, SHOWN_PATHS, useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { GlyphButton } from "./GlyphButton.tsx";
-import type { Measuring } from "./measuring.ts";
+import type { Measuring } from "../measure/measuring.ts";
 import type { Viewport } from "./viewport.ts";
 
 /** Zoom per press. */

@@ -8,7 +8,7 @@ export interface Touches {
   /** The pointer moves over the picture without pressing. */
   readonly hover: (at: Place | null) => void;
   /** Takes drags of one pointer for itself, from where they began to where they are; null leaves them to looking around. */
-  readonly drag?: ((from: Place, to: Place, done: boolean) => void) | null;
+  readonly drag?: ((from: Place, to: Place, done: boolean, byFinger?: boolean) => void) | null;
 }
 
 /** A pointer that moved less than this was a tap, pixels. */
@@ -30,7 +30,7 @@ export function listenToGestures(element: Element & GlobalEventHandlers, viewpor
   };
   const press = (event: PointerEvent) => {
     if (event.pointerType === "mouse" && event.button !== 0 && event.button !== 1) return;
-    if (event.target instanceof Element && event.target.closest("button")) return;
+    if (event.target instanceof Element && event.target.closest("button, .measure-panel")) return;
     element.setPointerCapture(event.pointerId);
     down.set(event.pointerId, placeOf(event));
     if (down.size === 1) {
@@ -48,7 +48,7 @@ export function listenToGestures(element: Element & GlobalEventHandlers, viewpor
     if (!dragged && !other && touches.drag) drawn = begun;
     dragged = true;
     down.set(event.pointerId, here);
-    if (drawn) return touches.drag?.(drawn, here, false);
+    if (drawn) return touches.drag?.(drawn, here, false, event.pointerType === "touch");
     viewport.look(
       other ? pinched(viewport.get(), [before, other], [here, other]) : panned(viewport.get(), here.x - from.x, here.y - from.y),
     );
@@ -56,7 +56,7 @@ export function listenToGestures(element: Element & GlobalEventHandlers, viewpor
   const release = (event: PointerEvent) => {
     if (!down.delete(event.pointerId)) return;
     if (down.size > 0 || event.type !== "pointerup") return;
-    if (drawn) touches.drag?.(drawn, placeOf(event), true);
+    if (drawn) touches.drag?.(drawn, placeOf(event), true, event.pointerType === "touch");
     else if (!dragged) touches.tap(placeOf(event));
   };
   const leave = () => touches.hover(null);

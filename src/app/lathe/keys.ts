@@ -1,5 +1,5 @@
 import { panned } from "../../view/camera.ts";
-import type { Measuring } from "./measuring.ts";
+import type { Measuring } from "../measure/measuring.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 import { ZOOM } from "./ViewBar.tsx";
 import type { Viewport } from "./viewport.ts";
@@ -35,7 +35,7 @@ export function pressKey(typed: Typed, playback: PlaybackStore, viewport: Viewpo
     viewport.look(panned(viewport.get(), pan[0], pan[1]));
     return true;
   }
-  if ((typed.picture || key === "Escape") && measuring.key(key)) return true;
+  if ((typed.picture || key === "Escape" || (key.length === 1 && typed.element !== "input")) && measuring.key(key)) return true;
   switch (key) {
     case " ":
       playback.dispatch({ do: "toggle" });

@@ -1,6 +1,8 @@
 import { expect, test } from "vitest";
 import fc from "fast-check";
 import { cuttingCycles } from "../../cycles/index.ts";
+import type { Measurement } from "../../kernel/measured.ts";
+import { at } from "../../kernel/point.ts";
 import { exampleJob } from "../../program/job.ts";
 import { readSave, SAVE_VERSION, upgrade, type SaveFile } from "./save-file.ts";
 
@@ -9,6 +11,33 @@ const saved = (): SaveFile[] =>
 
 test("what is saved comes back the same", () => {
   for (const file of saved()) expect(readSave(JSON.parse(JSON.stringify(file)))).toEqual(file);
+});
+
+test("what was measured is saved with the work, with its places, its moment and where its text was put; a broken one is damage", () => {
+  const edge = {
+    of: "contour",
+    chain: 0,
+    element: 2,
+    shape: "1/5/77",
+    segment: { kind: "arc", from: at(-13.27, 8.5), to: at(-14.87, 10.1), centre: at(-13.27, 10.1), turn: "cw" },
+  } as const;
+  const measured: Measurement[] = [{
+    id: "1",
+    kind: "radius",
+    plane: "ZX",
+    places: [{ at: at(-14.4, 8.97), spot: "edge", edge }],
+    text: at(-9.1, 14),
+  }, {
+    id: "2",
+    kind: "length",
+    plane: "XY",
+    places: [{ at: at(1.5, -3), spot: "free" }, { at: at(9, -3), spot: "path" }],
+    moment: { step: 12, fraction: 0.25, block: 31, pass: 2, print: "1x7" },
+  }];
+  const works = [{ ...saved()[0]?.job, measured }, { name: "MAIN.H", text: "END PGM A MM", encoding: "utf-8", measured }];
+  for (const job of works) expect(readSave(JSON.parse(JSON.stringify({ version: SAVE_VERSION, savedAt: 1, job })))?.job).toEqual(job);
+  const broken = { ...works[1], measured: [{ ...measured[0], places: [] }] };
+  expect(readSave({ version: SAVE_VERSION, savedAt: 1, job: broken })).toBeNull();
 });
 
 test("the files beside a program and the switch of its skip mark are saved with it; a save without them is as before", () => {

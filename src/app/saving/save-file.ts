@@ -1,8 +1,10 @@
 import { z } from "zod/mini";
+import type { MeasuredPlace, Measurement } from "../../kernel/measured.ts";
+import { at } from "../../kernel/point.ts";
 import { NUMBER_PARAMETER } from "../../nc/value.ts";
 import type { ContourRow, Job } from "../../program/job.ts";
 import { toolRows } from "../tools/tool-rows.ts";
-import { LONGEST_REMARKS, type ProgramWork, type Work, type WorkFile } from "../work.ts";
+import { LONGEST_REMARKS, MOST_MEASURED, type ProgramWork, type Work, type WorkFile } from "../work.ts";
 
 /** Counts up whenever the layout of a saved work changes; each step has its upgrade below. */
 export const SAVE_VERSION = 2;
@@ -21,6 +23,27 @@ const text = z.string().check(z.maxLength(500));
 /** What came later has a default here: the saves before it have no such field. */
 const later = { text: z._default(text, ""), flag: z._default(z.boolean(), false) };
 const remarks = z.optional(z.string().check(z.maxLength(LONGEST_REMARKS)));
+const point = z.pipe(z.object({ z: z.number(), r: z.number() }), z.transform(({ z: along, r }) => at(along, r)));
+const segment = z.union([
+  z.object({ kind: z.literal("line"), from: point, to: point }),
+  z.object({ kind: z.literal("arc"), from: point, to: point, centre: point, turn: z.enum(["cw", "ccw"]) }),
+]);
+const measuredPlace = z.object({
+  at: point,
+  spot: z.enum(["corner", "centre", "edge", "path", "free"]),
+  edge: z.optional(z.object({ of: z.enum(["contour", "blank", "stock"]), chain: z.int(), element: z.int(), shape: text, segment })),
+});
+const measurement = z.object({
+  id: text,
+  kind: z.enum(["diameter", "length", "depth", "distance", "radius", "angle", "wall"]),
+  plane: z.enum(["ZX", "XY"]),
+  places: z.array(measuredPlace).check(z.minLength(1), z.maxLength(2)),
+  text: z.optional(point),
+  moment: z.optional(
+    z.object({ step: z.int(), fraction: z.number(), block: z.optional(z.number()), pass: z.optional(z.number()), print: text }),
+  ),
+});
+const measured = z.optional(z.array(measurement).check(z.maxLength(MOST_MEASURED)));
 const row = z.object({
   id: text,
   kind: z.enum(["L", "RND", "CHF", "CR", "CC", "C", "CT", "LP", "CP", "CTP", "UDC", "GRV"]),
@@ -55,6 +78,7 @@ const job = z.object({
   layout: z.enum(["tnc640", "tnc7"]),
   ncLanguage: z.enum(["en", "de", "fr", "zh"]),
   remarks,
+  measured,
 });
 const textFile = { name: text, text: z.string(), encoding: z.enum(["utf-8", "windows-1252"]) };
 const workFile = z.object(textFile);
@@ -64,13 +88,16 @@ const program = z.object({
   files: z.optional(z.array(workFile)),
   skipMarked: z.optional(z.boolean()),
   remarks,
+  measured,
 });
 /** Every field of a work has to stand in the layout above, or it would be lost in saving: a missing one does not compile. */
 type Complete = [keyof Job extends keyof z.output<typeof job> ? true : never,
   keyof ContourRow extends keyof z.output<typeof row> ? true : never,
   keyof ProgramWork extends keyof z.output<typeof program> ? true : never,
-  keyof WorkFile extends keyof z.output<typeof workFile> ? true : never];
-export const complete: Complete = [true, true, true, true];
+  keyof WorkFile extends keyof z.output<typeof workFile> ? true : never,
+  keyof Measurement extends keyof z.output<typeof measurement> ? true : never,
+  keyof MeasuredPlace extends keyof z.output<typeof measuredPlace> ? true : never];
+export const complete: Complete = [true, true, true, true, true, true];
 
 const work = z.union([job, program]);
 const file = z.object({ version: z.literal(SAVE_VERSION), savedAt: z.number(), job: work });

@@ -88,10 +88,7 @@ export const lathe = {
   atStart: "Am Anfang",
   atEnd: "Am Ende",
 
-  rulerHint: "Zwei Stellen wählen. Pfeiltasten bewegen das Kreuz, N springt zum nächsten Punkt der Zeichnung, Enter setzt, Esc beendet.",
-  rulerSecond: "Zweite Stelle wählen.",
   takeInto: (value: string, q: string) => `${value} in ${q} übernehmen`,
-  rulerResult: (dx, dz, distance) => `ΔX ⌀ ${dx} mm, ΔZ ${dz} mm, Abstand ${distance} mm`,
   deltaX: "ΔX ⌀",
   deltaZ: "ΔZ",
   distance: "Abstand",

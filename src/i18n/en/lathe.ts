@@ -93,10 +93,7 @@ export const lathe = {
   atEnd: "At the end",
 
   /* ruler */
-  rulerHint: "Pick two places. Arrow keys move the cross, N goes to the next point of the drawing, Enter sets a place, Escape leaves.",
-  rulerSecond: "Pick the second place.",
   takeInto: (value: string, q: string) => `Take ${value} into ${q}`,
-  rulerResult: (dx: string, dz: string, distance: string) => `ΔX ⌀ ${dx} mm, ΔZ ${dz} mm, distance ${distance} mm`,
   deltaX: "ΔX ⌀",
   deltaZ: "ΔZ",
   distance: "Distance",

@@ -88,10 +88,7 @@ export const lathe = {
   atStart: "Au début",
   atEnd: "À la fin",
 
-  rulerHint: "Choisir deux points. Les flèches déplacent la croix, N va au point suivant du dessin, Entrée pose le point, Échap quitte.",
-  rulerSecond: "Choisir le deuxième point.",
   takeInto: (value: string, q: string) => `Reprendre ${value} dans ${q}`,
-  rulerResult: (dx, dz, distance) => `ΔX ⌀ ${dx} mm, ΔZ ${dz} mm, distance ${distance} mm`,
   deltaX: "ΔX ⌀",
   deltaZ: "ΔZ",
   distance: "Distance",

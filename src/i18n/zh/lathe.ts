@@ -80,10 +80,7 @@ export const lathe = {
   atStart: "在起点",
   atEnd: "在终点",
 
-  rulerHint: "选择两点。方向键移动十字线，N 键到图中下一点，回车键确定，Esc 键退出。",
-  rulerSecond: "选择第二点。",
   takeInto: (value: string, q: string) => `将 ${value} 填入 ${q}`,
-  rulerResult: (dx, dz, distance) => `ΔX ⌀ ${dx} mm，ΔZ ${dz} mm，距离 ${distance} mm`,
   deltaX: "ΔX ⌀",
   deltaZ: "ΔZ",
   distance: "距离",

@@ -1,7 +1,7 @@
-import type { Kind } from "../cycles/params.ts";
-import type { Pt, Segment } from "../kernel/point.ts";
-import type { Step } from "../kernel/step.ts";
-import { axial, type Diameter, radius, rounded, toDiameter, toRadius } from "../kernel/units.ts";
+import type { Kind } from "../../cycles/params.ts";
+import type { MeasuredKind } from "../../kernel/measured.ts";
+import type { Pt } from "../../kernel/point.ts";
+import { axial, type Diameter, radius, rounded, roundedAngle, toDiameter, toRadius } from "../../kernel/units.ts";
 
 /** What lies between two places. */
 export interface Distance {
@@ -40,40 +40,18 @@ export function measuredFor(kind: Kind, place: Pt | null, between: Distance | nu
   }
 }
 
-/** The places a ruler snaps to, in the order in which Tab would walk them: contour corners first, then ends of moves. */
-export function snapPoints(contours: readonly (readonly Segment[])[], steps: readonly Step[]): readonly Pt[] {
-  const seen = new Set<string>(), points: Pt[] = [];
-  const add = (p: Pt) => {
-    const key = `${Math.round(p.z * 1e3)},${Math.round(p.r * 1e3)}`;
-    if (seen.has(key)) return;
-    seen.add(key);
-    points.push(p);
-  };
-  for (const contour of contours) {
-    for (const s of contour) {
-      add(s.from);
-      add(s.to);
-      if (s.kind === "arc") add(s.centre);
-    }
-  }
-  for (const { from, move } of steps) {
-    add(from);
-    add(move.to);
-  }
-  return points;
-}
+/** What goes into a size without a place. */
+const TAKES: Partial<Record<Kind, readonly MeasuredKind[]>> = {
+  diameter: ["diameter"],
+  radial: ["depth"],
+  length: ["length", "depth", "distance", "radius", "wall"],
+};
 
-/** The nearest snap point within `reach` mm, else the place itself. */
-export function snappedPoint(place: Pt, points: readonly Pt[], reach: number): Pt {
-  let best = place, near = reach;
-  for (const p of points) {
-    const away = Math.hypot(p.z - place.z, p.r - place.r);
-    if (away < near) {
-      near = away;
-      best = p;
-    }
-  }
-  return best;
+/** What a finished measurement gives a value of a kind, mm or degrees; null where it says nothing of it. */
+export function gaugedFor(kind: Kind, measured: MeasuredKind, value: number): number | null {
+  if (kind === "angle") return measured === "angle" ? roundedAngle(value) : null;
+  const fits: readonly MeasuredKind[] = TAKES[kind] ?? [];
+  return fits.includes(measured) ? rounded(value) : null;
 }
 
 /** A place moved by so much of Z and r, mm, on whole thousandths. */

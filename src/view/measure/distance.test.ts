@@ -1,8 +1,8 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
-import type { Pt } from "../kernel/point.ts";
-import { axial, radius } from "../kernel/units.ts";
-import { measure, measuredFor, nudged, snapPoints, snappedPoint } from "./measure.ts";
+import type { Pt } from "../../kernel/point.ts";
+import { axial, radius } from "../../kernel/units.ts";
+import { gaugedFor, measure, measuredFor, nudged } from "./distance.ts";
 
 const point = fc.record({
   z: fc.double({ min: -200, max: 200, noNaN: true }).map(axial),
@@ -23,23 +23,6 @@ test("measured back, the differences change their sign only", () => {
   }));
 });
 
-test("the ruler takes the nearest point within its reach, else the place itself", () => {
-  const points = [at(10, 0), at(10, -5), at(12, -5)];
-  expect(snappedPoint(at(10.4, -4.8), points, 1)).toEqual(at(10, -5));
-  expect(snappedPoint(at(30, -4.8), points, 1)).toEqual(at(30, -4.8));
-});
-
-test("a corner shared by two elements is one snap point; the centre of an arc is one too", () => {
-  const points = snapPoints([[{ kind: "line", from: at(10, 0), to: at(10, -5) }, {
-    kind: "arc",
-    from: at(10, -5),
-    to: at(12, -7),
-    centre: at(12, -5),
-    turn: "cw",
-  }]], []);
-  expect(points).toEqual([at(10, 0), at(10, -5), at(12, -7), at(12, -5)]);
-});
-
 test("nudging stays on whole thousandths", () => {
   expect(nudged(at(10.00004, -0.12345), 0.1, 0)).toEqual(at(10, -0.023));
 });
@@ -55,4 +38,15 @@ test("what a ruler reads for a value: places for positions, ways for sizes", () 
   expect(measuredFor("length", second, between)).toBeCloseTo(Math.hypot(38.2, 17.65), 3);
   expect(measuredFor("radial", first, null)).toBeNull();
   expect(measuredFor("feed", first, between)).toBeNull();
+});
+
+test("what was measured goes where a value of that sort is asked for, on the grid of the control", () => {
+  expect(gaugedFor("diameter", "diameter", 41.23456)).toBe(41.235);
+  expect(gaugedFor("diameter", "length", 41.23456)).toBeNull();
+  expect(gaugedFor("radial", "depth", 3.0004)).toBe(3);
+  expect(gaugedFor("length", "radius", 1.5999)).toBe(1.6);
+  expect(gaugedFor("length", "diameter", 1.5999)).toBeNull();
+  expect(gaugedFor("angle", "angle", 12.34567)).toBe(12.3457);
+  expect(gaugedFor("length", "angle", 12.3)).toBeNull();
+  expect(gaugedFor("feed", "length", 12.3)).toBeNull();
 });

@@ -1,0 +1,141 @@
+import { useMemo, useState } from "react";
+import type { MeasuredPlace } from "../../kernel/measured.ts";
+import { part } from "../../kernel/point.ts";
+import { toScreen, type Camera } from "../../view/camera.ts";
+import type { LabelBox } from "../../view/help/labels.ts";
+import { polyline } from "../../view/help/marks.ts";
+import { chainOfRing } from "../../view/measure/edges.ts";
+import { standingMeasurements } from "../../view/measure/layout.ts";
+import { readMeasurement, type MeasurementNow } from "../../view/measure/reading.ts";
+import { onSide, halfOf } from "../../view/measure/snap.ts";
+import { measuredIn } from "../edits.ts";
+import { SCALE_BELOW, SCALE_LEFT } from "../lathe/Axes.tsx";
+import { useCamera } from "../lathe/use-camera.ts";
+import type { Viewport } from "../lathe/viewport.ts";
+import { useSettings } from "../settings/settings.ts";
+import { useEditor } from "../store.ts";
+import { usePageUnit } from "../unit.ts";
+import { useMedia } from "../use-media.ts";
+import { MeasuredLabels, type Moved } from "./MeasuredLabels.tsx";
+import { MeasurePanel } from "./MeasurePanel.tsx";
+import { measurementWords, useMeasureTexts } from "./measure-words.ts";
+import type { Measuring } from "./measuring.ts";
+import type { MeasureSource } from "./source.ts";
+import { useMeasureHand, type MeasureState } from "./use-measure-hand.ts";
+import "./measure.css";
+
+/** The measurements of a picture as they are now. */
+function useReadings(source: MeasureSource): readonly MeasurementNow[] {
+  const list = useEditor(measuredIn), { plane } = source;
+  return useMemo(() => {
+    const own = list.filter((each) => each.plane === plane);
+    const onPath = own.some(({ places }) => places.some(({ spot }) => spot === "path"));
+    const work = {
+      isTurned: plane === "ZX",
+      contours: source.contours,
+      blank: source.blank.map(chainOfRing),
+      stock: [],
+      path: onPath ? source.path() : [],
+      printOf: source.printOf,
+    };
+    return own.flatMap((each) => readMeasurement(each, work) ?? []);
+  }, [list, plane, source]);
+}
+
+/** Half the size of a mark, and how far beside it its name stands, pixels. */
+const MARK = 5, CROSS = 12, ASIDE = 10;
+/** Nearer to the right edge its name stands on the left of a mark, pixels. */
+const ROOM = 150;
+
+const marks: Readonly<Record<MeasuredPlace["spot"], string>> = {
+  corner: `M${-MARK} ${-MARK}H${MARK}V${MARK}H${-MARK}Z`,
+  centre: `M${-MARK} 0a${MARK} ${MARK} 0 1 1 ${2 * MARK} 0a${MARK} ${MARK} 0 1 1 ${-2 * MARK} 0Z`,
+  edge: `M${-MARK} ${-MARK}L${MARK} ${MARK}M${-MARK} ${MARK}L${MARK} ${-MARK}`,
+  path: `M0 ${-MARK}L${MARK} 0L0 ${MARK}L${-MARK} 0Z`,
+  free: "",
+};
+
+/** The edge that the cross has hold of, within half a pixel. */
+function heldEdge({ edge, at: p }: MeasuredPlace, camera: Camera, isTurned: boolean): string {
+  if (!edge) return "";
+  const side = halfOf({ isTurned }, p);
+  return polyline(part.flattened(edge.segment, 0.5 / camera.scale).map((each) => toScreen(camera, onSide(each, side))));
+}
+
+/** Cross, what it has hold of, and the first place. */
+function Cross({ state: { cross, first }, camera, width, isTurned }: {
+  readonly state: MeasureState;
+  readonly camera: Camera;
+  /** Of the picture. */
+  readonly width: number;
+  readonly isTurned: boolean;
+}) {
+  const t = useMeasureTexts(), c = cross && toScreen(camera, cross.at), a = first && toScreen(camera, first.at);
+  const name = cross
+    ? [t.spots[cross.spot], ...(cross.edge ? [t.owners[cross.edge.of]] : [])].filter((each) => each !== "").join(" · ")
+    : "";
+  const isFar = c !== null && c.x > width - ROOM;
+  return (
+    <g className="measure-cross">
+      {first && <path className="measure-edge" d={heldEdge(first, camera, isTurned)} />}
+      {cross && <path className="measure-edge" d={heldEdge(cross, camera, isTurned)} />}
+      {a && c && <path className="measure-way" d={polyline([a, c])} />}
+      {a && <circle cx={a.x} cy={a.y} r="4" />}
+      {cross && c && (
+        <g transform={`translate(${c.x} ${c.y})`}>
+          <path className="cross" d={`M${-CROSS} 0H${CROSS}M0 ${-CROSS}V${CROSS}`} />
+          <path className="mark" d={marks[cross.spot]} />
+          <text x={isFar ? -ASIDE : ASIDE} y={-ASIDE} textAnchor={isFar ? "end" : "start"}>{name}</text>
+        </g>
+      )}
+    </g>
+  );
+}
+
+/** Room round the texts, units of the page. */
+const AIR = 6;
+
+/** What was measured in a picture, as dimensions over it, and the tools while it measures. */
+export function MeasureLayer({ viewport, measuring, source }: { readonly viewport: Viewport; readonly measuring: Measuring;
+  readonly source: MeasureSource })
+{
+  const t = useMeasureTexts(), language = useSettings((s) => s.language), unit = usePageUnit(), isNarrow = useMedia("narrow");
+  const camera = useCamera(viewport), size = viewport.size();
+  const readings = useReadings(source), state = useMeasureHand({ measuring, viewport, source, t });
+  const [moved, move] = useState<Moved | null>(null), [panel, keep] = useState<LabelBox | null>(null);
+  const isTurned = source.plane === "ZX", { isWhole } = source;
+  const words = useMemo(() => new Map(readings.map((each) => [each.measurement.id, measurementWords(t, language, each)])), [
+    readings,
+    t,
+    language,
+  ]);
+  const standing = useMemo(() => {
+    const edges = {
+      left: (SCALE_LEFT + AIR) * unit,
+      right: (isNarrow ? 56 : AIR) * unit,
+      top: AIR * unit,
+      bottom: (SCALE_BELOW + AIR) * unit,
+    };
+    const paper = { camera, unit, isWhole, size, edges, kept: panel && measuring.on ? [panel] : [] };
+    return standingMeasurements(paper, readings.map(({ measurement: { id, text }, figure }) => {
+      const put = moved?.id === id ? moved.to : text, said = words.get(id);
+      return { id, figure, text: said?.text ?? "", caption: said?.caption ?? "", ...(put && { put }) };
+    }));
+  }, [camera, unit, isWhole, size, isNarrow, panel, measuring.on, readings, words, moved]);
+  const old = new Set(readings.flatMap(({ isOld, measurement: { id } }) => (isOld ? [id] : [])));
+  return (
+    <>
+      <svg className="sheet measure-sheet" aria-hidden="true">
+        {standing.map(({ id, lines, arrows }) => (
+          <g key={id} className={old.has(id) ? "measured old" : "measured"}>
+            <path className="line" d={lines} />
+            <path className="arrow" d={arrows} />
+          </g>
+        ))}
+        {measuring.on && <Cross state={state} camera={camera} width={size.width} isTurned={isTurned} />}
+      </svg>
+      <MeasuredLabels standing={standing} words={words} old={old} camera={camera} moved={moved} move={move} />
+      {measuring.on && <MeasurePanel measuring={measuring} source={source} state={state} readings={readings} words={words} kept={keep} />}
+    </>
+  );
+}

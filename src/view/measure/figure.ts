@@ -1,0 +1,91 @@
+import type { MeasuredKind, MeasuredPlace } from "../../kernel/measured.ts";
+import { at, part, type Pt, type Segment } from "../../kernel/point.ts";
+import { ROUND, SAME } from "../../kernel/tolerance.ts";
+import { inDegrees, toDiameter } from "../../kernel/units.ts";
+import { onSide, halfOf } from "./snap.ts";
+
+/** What a dimension is drawn from, mm. */
+export type Figure =
+  /** Across the spindle axis. */
+  | { readonly kind: "diameter"; readonly at: Pt }
+  /** Across a circle. */
+  | { readonly kind: "circle"; readonly at: Pt; readonly centre: Pt }
+  /** Along the first axis, along the second one, or straight. */
+  | { readonly kind: "along" | "across" | "straight"; readonly from: Pt; readonly to: Pt }
+  | { readonly kind: "radius"; readonly tip: Pt; readonly centre: Pt }
+  /** Between two directions of length 1. */
+  | { readonly kind: "angle"; readonly vertex: Pt; readonly ways: readonly [Pt, Pt]; readonly reach: readonly [number, number] };
+
+/** A value with its figure; mm or degrees. */
+export interface Gauged {
+  readonly value: number;
+  readonly figure: Figure;
+}
+
+const lineOf = (place: MeasuredPlace, isTurned: boolean): readonly [Pt, Pt] | null => {
+  const segment = place.edge?.segment;
+  if (segment?.kind !== "line") return null;
+  const side = halfOf({ isTurned }, place.at);
+  return [onSide(segment.from, side), onSide(segment.to, side)];
+};
+
+const angleBetween = (a: Pt, b: Pt): number => inDegrees(Math.abs(Math.atan2(part.cross(a, b), part.dot(a, b))));
+
+/** The angle of an edge to the axis, 0 … 90°, at its end that lies nearer to the axis. */
+function toAxis(place: MeasuredPlace, isTurned: boolean): Gauged | null {
+  const line = lineOf(place, isTurned);
+  if (!line) return null;
+  const [near, far] = Math.abs(line[0].r) <= Math.abs(line[1].r) ? line : [line[1], line[0]];
+  const way = part.unit(part.difference(far, near)), axis = at(way.z < 0 ? -1 : 1, 0), long = part.apart(near, far);
+  return { value: angleBetween(axis, way), figure: { kind: "angle", vertex: near, ways: [axis, way], reach: [0, long] } };
+}
+
+/** From where two lines meet towards a place on one of them. */
+function armOf([from, to]: readonly [Pt, Pt], place: Pt, vertex: Pt): { readonly way: Pt; readonly long: number } {
+  const end = part.apart(place, vertex) > SAME ? place : part.apart(from, vertex) > part.apart(to, vertex) ? from : to;
+  const way = part.unit(part.difference(end, vertex));
+  return { way, long: Math.max(0, ...[from, to].map((p) => part.dot(part.difference(p, vertex), way))) };
+}
+
+/** The angle between two edges, on the sides where they were pointed at; nothing between edges that run side by side. */
+function between(first: MeasuredPlace, second: MeasuredPlace, isTurned: boolean): Gauged | null {
+  const [one, two] = [lineOf(first, isTurned), lineOf(second, isTurned)];
+  if (!one || !two) return null;
+  const [a, b] = [part.unit(part.difference(one[1], one[0])), part.unit(part.difference(two[1], two[0]))];
+  const vertex = part.meet({ point: one[0], along: a }, { point: two[0], along: b })[0];
+  if (!vertex || Math.abs(part.cross(a, b)) < ROUND) return null;
+  const [u, v] = [armOf(one, first.at, vertex), armOf(two, second.at, vertex)];
+  return { value: angleBetween(u.way, v.way), figure: { kind: "angle", vertex, ways: [u.way, v.way], reach: [u.long, v.long] } };
+}
+
+const arcOf = (place: MeasuredPlace, isTurned: boolean): { readonly centre: Pt; readonly size: number } | null => {
+  const segment: Segment | undefined = place.edge?.segment;
+  if (segment?.kind !== "arc") return null;
+  return { centre: onSide(segment.centre, halfOf({ isTurned }, place.at)), size: part.radiusOf(segment) };
+};
+
+/**
+ * What a tool of measuring reads from its places; null where they make none, as two edges that run side by side make no angle.
+ * `isTurned`: the second axis counts from a spindle axis.
+ */
+export function gauged(kind: MeasuredKind, places: readonly MeasuredPlace[], isTurned: boolean): Gauged | null {
+  const [first, second] = places;
+  if (!first) return null;
+  const arc = arcOf(first, isTurned);
+  switch (kind) {
+    case "diameter":
+      if (isTurned) return { value: Math.abs(toDiameter(first.at.r)), figure: { kind, at: first.at } };
+      return arc && { value: arc.size + arc.size, figure: { kind: "circle", at: first.at, centre: arc.centre } };
+    case "radius":
+      return arc && { value: arc.size, figure: { kind, tip: first.at, centre: arc.centre } };
+    case "angle":
+      return second ? between(first, second, isTurned) : toAxis(first, isTurned);
+    case "length":
+      return second ? { value: Math.abs(second.at.z - first.at.z), figure: { kind: "along", from: first.at, to: second.at } } : null;
+    case "depth":
+      return second ? { value: Math.abs(second.at.r - first.at.r), figure: { kind: "across", from: first.at, to: second.at } } : null;
+    case "distance":
+    case "wall":
+      return second ? { value: part.apart(first.at, second.at), figure: { kind: "straight", from: first.at, to: second.at } } : null;
+  }
+}

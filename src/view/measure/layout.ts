@@ -1,0 +1,164 @@
+import { at, type Pt } from "../../kernel/point.ts";
+import { toScreen, type Place, type Size } from "../camera.ts";
+import { labelsOverlap, textWidth, type LabelBox } from "../help/labels.ts";
+import { dimensionLines, opening, type DimensionLines, type DimensionPaper } from "./dimension.ts";
+import type { Figure } from "./figure.ts";
+
+/** A dimension that is to be put on a drawing. */
+export interface AskedMeasurement {
+  readonly id: string;
+  readonly figure: Figure;
+  readonly text: string;
+  /** A second, smaller line under it; empty for none. */
+  readonly caption: string;
+  /** The middle of its text where it was put by hand, mm of the part. */
+  readonly put?: Pt;
+}
+
+/** A dimension where it stands: the middle and the box of its text, its lines. In the measure of the paper. */
+export interface StandingMeasurement extends DimensionLines {
+  readonly id: string;
+  readonly text: string;
+  readonly caption: string;
+  readonly middle: Place;
+  readonly box: LabelBox;
+}
+
+/** A drawing with the room it has. */
+export interface MeasurementPaper extends DimensionPaper {
+  readonly size: Size;
+  /** What scales and edges take of it. */
+  readonly edges: { readonly left: number; readonly right: number; readonly top: number; readonly bottom: number };
+  /** Boxes that no text may cover. */
+  readonly kept: readonly LabelBox[];
+}
+
+/** Letters, pixels of a usual screen, and the box round them. */
+export const MEASURED_TEXT = 13;
+const PAD = 10, TALL = 20;
+/** Letters of a caption, and the line that it takes. */
+const CAPTION = { text: 11, tall: 13 } as const;
+/** Where texts may stand beside what they measure, pixels: the first line, and from line to line. */
+const OFF = 26, ROW = 24;
+const ROWS = [0, 1, 2, 3, 4, 5] as const;
+
+const boxAt = (middle: Place, { text, caption }: AskedMeasurement, unit: number): LabelBox => {
+  const width = Math.max(textWidth(text, MEASURED_TEXT * unit), textWidth(caption, CAPTION.text * unit)) + PAD * unit;
+  const height = (TALL + (caption === "" ? 0 : CAPTION.tall)) * unit;
+  return { x: middle.x - width / 2, y: middle.y - height / 2, width, height };
+};
+
+/** From the nearest on to either side. */
+const sides = (step: number, count: number): readonly number[] =>
+  Array.from({ length: 2 * count + 1 }, (_, i) => (i % 2 ? 1 : -1) * Math.ceil(i / 2) * step);
+
+function alongside(a: Place, b: Place, wide: number, unit: number): Place[] {
+  const isWide = Math.abs(a.x - b.x) > wide + 2 * OFF * unit;
+  const x = isWide ? (a.x + b.x) / 2 : Math.max(a.x, b.x) + wide / 2 + OFF * unit;
+  const top = Math.min(a.y, b.y), floor = Math.max(a.y, b.y);
+  return ROWS.flatMap((row) => [{ x, y: top - (OFF + row * ROW) * unit }, { x, y: floor + (OFF + row * ROW) * unit }]);
+}
+
+function upright(a: Place, b: Place, wide: number, unit: number): Place[] {
+  const isTall = Math.abs(a.y - b.y) > (TALL + 2 * OFF) * unit;
+  const y = isTall ? (a.y + b.y) / 2 : Math.min(a.y, b.y) - (TALL / 2 + 16) * unit;
+  const [left, right] = [Math.min(a.x, b.x), Math.max(a.x, b.x)], step = wide / 2 + 12 * unit;
+  return ROWS.flatMap((row) => [{ x: right + (row + 1) * step, y }, { x: left - (row + 1) * step, y }]);
+}
+
+function beside(a: Place, b: Place, wide: number, unit: number): Place[] {
+  const long = Math.hypot(b.x - a.x, b.y - a.y) || 1, across = { x: (b.y - a.y) / long, y: (a.x - b.x) / long };
+  const up = across.y > 0 ? { x: -across.x, y: -across.y } : across, middle = { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 };
+  const first = OFF * unit + Math.abs(up.x) * wide / 2;
+  return ROWS.flatMap((row) =>
+    [1, -1].map((side) => {
+      const far = side * (first + row * ROW * unit);
+      return { x: middle.x + up.x * far, y: middle.y + up.y * far };
+    })
+  );
+}
+
+/** Round a tip, the nearest first. */
+function round(tip: Place, centre: Place, wide: number, unit: number): Place[] {
+  const out = Math.atan2(tip.y - centre.y, tip.x - centre.x);
+  return ROWS.slice(0, 4).flatMap((row) =>
+    sides(Math.PI / 6, 5).map((turn) => {
+      const far = (OFF + 8 + row * ROW) * unit, way = out + turn;
+      return { x: tip.x + Math.cos(way) * (far + wide / 3), y: tip.y + Math.sin(way) * far };
+    })
+  );
+}
+
+/** The places where the text of a dimension could stand, the best first. */
+function middles(paper: MeasurementPaper, figure: Figure, wide: number): Place[] {
+  const { camera, unit } = paper;
+  switch (figure.kind) {
+    case "diameter": {
+      const tip = toScreen(camera, figure.at), centre = toScreen(camera, at(figure.at.z, 0));
+      const far = Math.abs(tip.y - centre.y) < (TALL + 2 * OFF) * unit ? [-1.2, 2] : [0.5, 0.28, 0.74, -0.5];
+      return sides(wide / 2 + 8 * unit, 5).flatMap((x) => far.map((k) => ({ x: tip.x + x, y: centre.y + (tip.y - centre.y) * k })));
+    }
+    case "circle":
+      return round(toScreen(camera, figure.at), toScreen(camera, figure.centre), wide, unit);
+    case "radius":
+      return round(toScreen(camera, figure.tip), toScreen(camera, figure.centre), wide, unit);
+    case "angle": {
+      const { centre, start, sweep } = opening(paper, figure);
+      return [2, 3, 4, 5, 6].flatMap((far) =>
+        [0.5, 0.3, 0.7, -0.4, 1.4].map((share) => {
+          const way = start + sweep * share;
+          return { x: centre.x + Math.cos(way) * (far * OFF * unit + wide / 4), y: centre.y - Math.sin(way) * far * OFF * unit };
+        })
+      );
+    }
+    case "along":
+      return alongside(toScreen(camera, figure.from), toScreen(camera, figure.to), wide, unit);
+    case "across":
+      return upright(toScreen(camera, figure.from), toScreen(camera, figure.to), wide, unit);
+    case "straight":
+      return beside(toScreen(camera, figure.from), toScreen(camera, figure.to), wide, unit);
+  }
+}
+
+const shared = (a: LabelBox, b: LabelBox): number =>
+  Math.max(0, Math.min(a.x + a.width, b.x + b.width) - Math.max(a.x, b.x))
+  * Math.max(0, Math.min(a.y + a.height, b.y + b.height) - Math.max(a.y, b.y));
+
+const isInside = (b: LabelBox, { size, edges }: MeasurementPaper): boolean =>
+  b.x >= edges.left && b.y >= edges.top && b.x + b.width <= size.width - edges.right && b.y + b.height <= size.height - edges.bottom;
+
+/** A middle moved the shortest way to where its box is whole on the paper. */
+function movedInside(p: Place, box: LabelBox, { size, edges }: MeasurementPaper): Place {
+  const inside = (v: number, half: number, low: number, high: number) => Math.max(low + half, Math.min(v, high - half));
+  return {
+    x: inside(p.x, box.width / 2, edges.left, size.width - edges.right),
+    y: inside(p.y, box.height / 2, edges.top, size.height - edges.bottom),
+  };
+}
+
+/**
+ * Puts dimensions on a drawing, in their order: where a text was put by hand it stands, the others each where they cover no other text;
+ * one that finds no free place takes that where it covers least.
+ */
+export function standingMeasurements(paper: MeasurementPaper, asked: readonly AskedMeasurement[]): readonly StandingMeasurement[] {
+  const { unit, camera } = paper, taken = [...paper.kept], out = new Map<string, StandingMeasurement>();
+  const stand = (each: AskedMeasurement, middle: Place) => {
+    const { id, figure, text, caption } = each, box = boxAt(middle, each, unit);
+    taken.push(box);
+    out.set(id, { id, text, caption, middle, box, ...dimensionLines(paper, figure, middle) });
+  };
+  for (const each of asked) if (each.put) stand(each, toScreen(camera, each.put));
+  for (const each of asked) {
+    if (each.put) continue;
+    const wide = boxAt({ x: 0, y: 0 }, each, unit).width, possible = middles(paper, each.figure, wide);
+    const covers = (p: Place) => taken.reduce((sum, t) => sum + shared(t, boxAt(p, each, unit)), 0);
+    const free = possible.find((p) => {
+      const box = boxAt(p, each, unit);
+      return isInside(box, paper) && !taken.some((t) => labelsOverlap(t, box));
+    });
+    const moved = possible.map((p) => movedInside(p, boxAt(p, each, unit), paper));
+    const least = free ?? moved.toSorted((a, b) => covers(a) - covers(b))[0];
+    if (least) stand(each, least);
+  }
+  return asked.flatMap(({ id }) => out.get(id) ?? []);
+}

@@ -1,0 +1,40 @@
+import type { MeasuredKind, MeasuredPlace } from "../../kernel/measured.ts";
+import { part } from "../../kernel/point.ts";
+import { SAME } from "../../kernel/tolerance.ts";
+import type { Snapping } from "./snap.ts";
+import { wallAt } from "./wall.ts";
+
+/** What a place that was picked leads to: a second one is waited for, something is measured, or the place is none for this tool. */
+export type Picked = { readonly waits: MeasuredPlace } | { readonly measured: readonly MeasuredPlace[] } | "nothing";
+
+const sameEdge = (a: MeasuredPlace, b: MeasuredPlace): boolean =>
+  a.edge !== undefined && a.edge.of === b.edge?.of && a.edge.chain === b.edge.chain && a.edge.element === b.edge.element;
+
+/** How near to the axis a place means the axis, as a share of where the edge lies, and mm. */
+const onAxis = ({ edge, spot }: MeasuredPlace): boolean => edge === undefined && spot === "free";
+
+/**
+ * A place was picked with a tool of measuring, `first` before it where the tool waits for a second one. Angles: the same edge again,
+ * or a place beside all edges, means the angle to the axis.
+ */
+export function pickedWith(kind: MeasuredKind, snapping: Snapping, place: MeasuredPlace, first: MeasuredPlace | null): Picked {
+  switch (kind) {
+    case "diameter":
+      if (!snapping.drawing.isTurned && place.edge?.segment.kind !== "arc") return "nothing";
+      return snapping.drawing.isTurned && Math.abs(place.at.r) < SAME ? "nothing" : { measured: [place] };
+    case "radius":
+      return place.edge?.segment.kind === "arc" ? { measured: [place] } : "nothing";
+    case "wall": {
+      const both = wallAt(snapping, place);
+      return both ? { measured: both } : "nothing";
+    }
+    case "angle":
+      if (!first) return place.edge?.segment.kind === "line" ? { waits: place } : "nothing";
+      return { measured: onAxis(place) || sameEdge(first, place) ? [first] : [first, place] };
+    case "length":
+    case "depth":
+    case "distance":
+      if (!first) return { waits: place };
+      return part.apart(first.at, place.at) < SAME ? "nothing" : { measured: [first, place] };
+  }
+}
