@@ -3,7 +3,7 @@ import { at } from "../kernel/point.ts";
 import type { Step } from "../kernel/step.ts";
 import { feed } from "../kernel/units.ts";
 import { shippedTools } from "../program/shipped-tools.ts";
-import { begunAt, MOST_STRETCHES, pathStretches, progressOf } from "./passes.ts";
+import { MOST_STRETCHES, pathStretches, progressOf } from "./passes.ts";
 import { toolpath } from "./scene.ts";
 
 /** So many passes of one call: in by rapid, a cut, out and back. */
@@ -59,7 +59,4 @@ test("what is behind the running step is done, forwards and back", () => {
   const stretches = pathStretches(passes(4));
   const at = (step: number) => stretches.map((each) => progressOf(each, step)[0]).join("");
   expect([0, 3, 4, 11, 15, 16, 5].map(at)).toEqual(["rccc", "rccc", "drcc", "ddrc", "dddr", "dddd", "drcc"]);
-  expect([0, 3, 4, 11, 15, 16].map((step) => begunAt(stretches, step))).toEqual([1, 1, 2, 3, 4, 4]);
-  for (let step = 0; step <= 16; step += 1)
-    expect(stretches.filter((each) => progressOf(each, step) !== "coming")).toHaveLength(begunAt(stretches, step));
 });

@@ -44,14 +44,3 @@ export function progressOf({ first, last }: PathStretch, step: number): Progress
   if (step > last) return "done";
   return step < first ? "coming" : "running";
 }
-
-/** How many stretches are begun at a step: all before the last of them are done. Found by halving. */
-export function begunAt(stretches: readonly PathStretch[], step: number): number {
-  let [low, high] = [0, stretches.length];
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if ((stretches[middle]?.first ?? 0) <= step) low = middle + 1;
-    else high = middle;
-  }
-  return low;
-}

@@ -115,7 +115,7 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
   const starts = useMemo(() => (waiting?.start ? [waiting.start] : run.operations.map((o) => o.start)), [run, waiting]);
   const measuring = useMeasuring();
   const source = useLatheSource({ run, stockAt: shown?.simulation && moving ? moving.stockAt : null, playback, isWhole: full });
-  const path = useShownPath(run, scene, playback);
+  const path = useShownPath(run, playback);
   const { hover, over, tap } = usePicking({ run, viewport, shown: path.has, onMove });
   const look = measuring.on ? measuring : { tap, hover: over, drag: null };
   const stage = useStage(viewport, look);
@@ -165,7 +165,7 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
         tabIndex={0} role="group" aria-label={t.title} aria-describedby={keysId} {...{ [KEEPS_KEYBOARD]: "" }}
       >
         <Picture viewport={viewport} scene={scene} moving={moving} waiting={waiting} findings={findings} residual={residual} full={full}
-          name={name} path={path.shapes} ghosts={<GhostPaths scene={scene} clock={clock} />} chosen={<ChosenPath run={run} />}
+          name={name} path={path.stretches} ghosts={<GhostPaths scene={scene} clock={clock} />} chosen={<ChosenPath run={run} />}
           hovered={<HoveredMove run={run} hover={hover} />}
         >
           <Marks viewport={viewport} starts={starts} datum={datum} />

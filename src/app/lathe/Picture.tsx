@@ -2,10 +2,13 @@ import { memo, useEffect, useId, useMemo, useRef } from "react";
 import type { Ring } from "../../kernel/point.ts";
 import type { StockFinding, Residual } from "../../sim/simulation.ts";
 import { ringData } from "../../view/path.ts";
+import type { PathStretch } from "../../view/passes.ts";
 import { PATH_ROLES, type Scene, type Shape } from "../../view/scene.ts";
 import { LatheAxes } from "./Axes.tsx";
+import { ChipSheet } from "./ChipSheet.tsx";
 import { MaterialSheet } from "./MaterialSheet.tsx";
 import type { Moving, Waiting } from "./moving.ts";
+import { PassLines } from "./PassLines.tsx";
 import { RunningMove } from "./RunningMove.tsx";
 import { RunningTool, WaitingTool } from "./ToolSheet.tsx";
 import type { Viewport } from "./viewport.ts";
@@ -73,7 +76,7 @@ export function Picture({ viewport, scene, moving, waiting, findings, residual, 
   readonly residual: readonly Residual[];
   readonly full: boolean;
   /** The lines of the path that are shown. */
-  readonly path: readonly Shape[];
+  readonly path: readonly PathStretch[];
   /** Paths of other settings, in part space: under the path. */
   readonly ghosts: React.ReactNode;
   /** What is chosen, in part space: over the path. */
@@ -85,7 +88,7 @@ export function Picture({ viewport, scene, moving, waiting, findings, residual, 
   readonly children: React.ReactNode;
 }) {
   const id = useId();
-  const isLong = useMemo(() => path.reduce((sum, { d }) => sum + d.length, 0) > LONG_PATH, [path]);
+  const isLong = useMemo(() => path.reduce((sum, { shapes }) => shapes.reduce((s, { d }) => s + d.length, sum), 0) > LONG_PATH, [path]);
   const sheets = useMemo(() => ({
     below: scene.shapes.filter((shape) => !isPath(shape) && !UPPER.includes(shape.role)),
     blank: scene.shapes.filter((shape) => shape.role === "blank"),
@@ -108,15 +111,14 @@ export function Picture({ viewport, scene, moving, waiting, findings, residual, 
         <World viewport={viewport} isLong={isLong}>
           {residual.length > 0 && <Rings rings={residual.map((each) => each.ring)} role="residual" fill={`url(#${id}residual)`} />}
           <Still shapes={sheets.blank} mirror={full} />
-          <g className="lathe-paths">
-            <Still shapes={path} mirror={false} />
-          </g>
+          {moving && <PassLines stretches={path} playback={moving.playback} isLong={isLong} />}
           <Still shapes={sheets.contour} mirror={full} />
           {findings.length > 0 && <Rings rings={findings.flatMap((each) => [...each.rings])} role="gouge" />}
           {chosen}
         </World>
       </svg>
       {moving && <RunningTool viewport={viewport} moving={moving} />}
+      {moving && <ChipSheet viewport={viewport} moving={moving} />}
       {waiting?.tool && waiting.start && <WaitingTool viewport={viewport} tool={waiting.tool} at={waiting.start} />}
       <svg className="sheet">
         <World viewport={viewport}>{hovered} {moving && <RunningMove moving={moving} />}</World>

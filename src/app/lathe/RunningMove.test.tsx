@@ -31,7 +31,7 @@ test("the running move is that of the work that is open, at the same place of th
   playback.dispatch({ do: "seek", position: { step: AT, fraction: 0.5 } });
   const parts = (steps: typeof one) => (
     <svg>
-      <RunningMove moving={{ steps, playback, stockAt: () => [], isSameBlank: () => true }} />
+      <RunningMove moving={{ steps, playback, stockAt: () => [], isSameBlank: () => true, chipAt: () => null }} />
     </svg>
   );
   const { container, rerender } = render(parts(one));

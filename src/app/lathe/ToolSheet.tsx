@@ -7,6 +7,7 @@ import type { Tool } from "../../kernel/tool.ts";
 import { boundsOf, common, grownBounds, joined } from "../../view/bounds.ts";
 import { toScreen, type Bounds } from "../../view/camera.ts";
 import { tipAt } from "../../view/tip.ts";
+import { BreakLine } from "./BreakLine.tsx";
 import { DrawnTool } from "./DrawnTool.tsx";
 import { stepIndex, type Moving } from "./moving.ts";
 import { usePlayback } from "./use-playback.ts";
@@ -67,11 +68,14 @@ function Sheet({ viewport, tool, tip, follow }: {
     return () => ends.forEach((end) => end());
   }, [viewport, boxes, tip, follow]);
   return (
-    <svg ref={sheet} className="tool-sheet">
-      <g ref={world}>
-        <DrawnTool tool={tool} />
-      </g>
-    </svg>
+    <>
+      <svg ref={sheet} className="tool-sheet">
+        <g ref={world}>
+          <DrawnTool tool={tool} />
+        </g>
+      </svg>
+      <BreakLine viewport={viewport} tool={tool} tip={tip} follow={follow} />
+    </>
   );
 }
 

@@ -1,6 +1,7 @@
 import type { Pt, Ring } from "../../kernel/point.ts";
 import type { Step } from "../../kernel/step.ts";
 import type { Tool } from "../../kernel/tool.ts";
+import type { Chip } from "../../sim/chip/chip.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 
@@ -11,6 +12,8 @@ export interface Moving {
   readonly stockAt: (position: PlayPosition) => readonly Ring[];
   /** False when the program states another blank between two positions. */
   readonly isSameBlank: (one: PlayPosition, other: PlayPosition) => boolean;
+  /** What the running cut takes off; null where it takes nothing, and as long as the run is only planned. */
+  readonly chipAt: (position: PlayPosition) => Chip | null;
   readonly playback: PlaybackStore;
 }
 

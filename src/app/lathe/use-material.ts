@@ -2,6 +2,7 @@ import { useMemo, useState } from "react";
 import type { Ring } from "../../kernel/point.ts";
 import type { Run } from "../../program/run-types.ts";
 import type { Simulation } from "../../sim/simulation.ts";
+import { chipsOf } from "../../sim/chip/chips.ts";
 import { playerOf, sameBlank, type Player } from "../../sim/stock.ts";
 import type { Moving } from "./moving.ts";
 import type { PlaybackStore } from "./playback-store.ts";
@@ -62,8 +63,11 @@ export function useMaterial(
   const moving = useMemo((): Moving | null => {
     if (!result) return null;
     const { steps } = result.run;
-    if (result.simulation) return held && { steps, stockAt: held.player.at, isSameBlank: sameBlank(held.proved.simulation), playback };
-    return waiting && { steps, stockAt: () => waiting.stock, isSameBlank: () => true, playback };
+    if (!result.simulation)
+      return waiting && { steps, stockAt: () => waiting.stock, isSameBlank: () => true, chipAt: () => null, playback };
+    if (!held) return null;
+    const { player, proved: { simulation } } = held;
+    return { steps, stockAt: player.at, isSameBlank: sameBlank(simulation), chipAt: chipsOf(steps, result.run.spindles, player), playback };
   }, [result, held, waiting, playback]);
   return { proved: held?.proved ?? null, moving };
 }

@@ -1,24 +1,24 @@
 import { useMemo } from "react";
 import { markedBy, runningPart, type MoveSpan } from "../../program/path-index.ts";
 import type { Run } from "../../program/run-types.ts";
-import { PATH_ROLES, toolpath, type Scene, type Shape } from "../../view/scene.ts";
+import { MOST_STRETCHES, pathStretches, type PathStretch } from "../../view/passes.ts";
 import { useSettings } from "../settings/settings.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 import { usePlayback } from "./use-playback.ts";
 
 /** The lines of the path that are shown, and which moves are among them. */
 export interface ShownPath {
-  readonly shapes: readonly Shape[];
+  readonly stretches: readonly PathStretch[];
   readonly has: (step: number) => boolean;
 }
 
 const EVERY = () => true;
-const NONE: ShownPath = { shapes: [], has: () => false };
+const NONE: ShownPath = { stretches: [], has: () => false };
 
 const within = (stretches: readonly MoveSpan[]) => (step: number) => stretches.some(({ first, last }) => step >= first && step <= last);
 
 /** What the settings show of a run while it plays: new lines only where another call, phase or pass begins. */
-export function useShownPath(run: Run, scene: Scene, playback: PlaybackStore): ShownPath {
+export function useShownPath(run: Run, playback: PlaybackStore): ShownPath {
   const asked = useSettings((s) => s.paths);
   const running = usePlayback(playback, (store) => {
     if (asked === "all" || asked === "none") return "";
@@ -26,10 +26,10 @@ export function useShownPath(run: Run, scene: Scene, playback: PlaybackStore): S
   });
   return useMemo(() => {
     if (asked === "none") return NONE;
-    if (asked === "all") return { shapes: scene.shapes.filter(({ role }) => PATH_ROLES.some((path) => path === role)), has: EVERY };
+    if (asked === "all") return { stretches: pathStretches(run.steps), has: EVERY };
     const choice: ReturnType<typeof runningPart> = JSON.parse(running || "null");
     if (!choice) return NONE;
-    const { stretches } = markedBy(run, choice);
-    return { shapes: toolpath(stretches.flatMap(({ first, last }) => run.steps.slice(first, last + 1))), has: within(stretches) };
-  }, [asked, running, run, scene]);
+    const { stretches } = markedBy(run, choice), most = Math.max(1, Math.floor(MOST_STRETCHES / stretches.length));
+    return { stretches: stretches.flatMap(({ first, last }) => pathStretches(run.steps, first, last, most)), has: within(stretches) };
+  }, [asked, running, run]);
 }

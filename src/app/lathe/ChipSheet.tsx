@@ -1,0 +1,76 @@
+import { useEffect, useRef } from "react";
+import { formatNumber } from "../../i18n/number.ts";
+import { sameChip, type Chip } from "../../sim/chip/chip.ts";
+import { toScreen } from "../../view/camera.ts";
+import { chipMeasure, drawnChip } from "../../view/cutting-tool/chip-drawing.ts";
+import { tipAt } from "../../view/tip.ts";
+import { useSettings } from "../settings/settings.ts";
+import type { Moving } from "./moving.ts";
+import type { Viewport } from "./viewport.ts";
+
+/** Half the cross at the theoretical tip, and the scale from which on there is room for it, pixels and pixels a mm. */
+const CROSS = 4;
+const NEAR = 40;
+
+/**
+ * The chip that is cut and the edge that cuts it, over the tool. The sheet follows the tip with one transform; its shapes are relative to
+ * the tip and change only where the chip does, which an even cut does not.
+ */
+export function ChipSheet({ viewport, moving: { steps, chipAt, playback } }: { readonly viewport: Viewport; readonly moving: Moving }) {
+  const sheet = useRef<SVGSVGElement>(null), language = useSettings((s) => s.language);
+  useEffect(() => {
+    const element = sheet.current;
+    const [world, area, edge, glow, cross, line] = ["g", ".chip-area", ".chip-edge", ".chip-glow", ".chip-tip", ".chip-measure"].map(
+      (part) => element?.querySelector(part)
+    );
+    const text = element?.querySelector("text");
+    if (!element || !text) return undefined;
+    let drawn: Chip | null = null;
+    const write = () => {
+      const { scale, xUp } = viewport.get(), measure = drawn && chipMeasure(drawn, scale, xUp);
+      line?.setAttribute("d", measure?.line ?? "");
+      text.textContent = drawn && measure
+        ? `h ${formatNumber(language, drawn.thickest.size, 3)}  b ${formatNumber(language, drawn.width, 2)}`
+        : "";
+      if (!measure) return;
+      text.setAttribute("x", String(measure.text.x));
+      text.setAttribute("y", String(measure.text.y));
+      text.setAttribute("text-anchor", measure.anchor);
+    };
+    const place = () => {
+      const position = playback.shown(), tip = tipAt(steps, position);
+      if (!tip) return;
+      const { x, y } = toScreen(viewport.get(), tip), chip = chipAt(position);
+      element.style.transform = `translate(${x}px, ${y}px)`;
+      if (sameChip(chip, drawn)) return;
+      drawn = chip;
+      const shapes = drawnChip(chip);
+      area?.setAttribute("d", shapes.area);
+      edge?.setAttribute("d", shapes.edge);
+      glow?.setAttribute("d", shapes.edge);
+      write();
+    };
+    const look = () => {
+      const { scale, xUp } = viewport.get();
+      world?.setAttribute("transform", `scale(${scale} ${xUp ? -scale : scale})`);
+      cross?.setAttribute("d", scale < NEAR ? "" : `M${-CROSS} 0H${CROSS}M0 ${-CROSS}V${CROSS}`);
+      write();
+      place();
+    };
+    look();
+    const ends = [viewport.subscribe(look), playback.subscribe(place)];
+    return () => ends.forEach((end) => end());
+  }, [viewport, steps, chipAt, playback, language]);
+  return (
+    <svg ref={sheet} className="chip-sheet" width="1" height="1" aria-hidden="true">
+      <g>
+        <path className="chip-area" />
+        <path className="chip-glow" />
+        <path className="chip-edge" />
+      </g>
+      <path className="chip-tip" />
+      <path className="chip-measure" />
+      <text className="number" />
+    </svg>
+  );
+}
