@@ -1,5 +1,5 @@
 import { useEffect, useRef } from "react";
-import { formatNumber } from "../../i18n/number.ts";
+import { formatFixed } from "../../i18n/number.ts";
 import { sameChip, type Chip } from "../../sim/chip/chip.ts";
 import { toScreen } from "../../view/camera.ts";
 import { chipMeasure, drawnChip } from "../../view/cutting-tool/chip-drawing.ts";
@@ -30,7 +30,7 @@ export function ChipSheet({ viewport, moving: { steps, chipAt, playback } }: { r
       const { scale, xUp } = viewport.get(), measure = drawn && chipMeasure(drawn, scale, xUp);
       line?.setAttribute("d", measure?.line ?? "");
       text.textContent = drawn && measure
-        ? `h ${formatNumber(language, drawn.thickest.size, 3)}  b ${formatNumber(language, drawn.width, 2)}`
+        ? `h ${formatFixed(language, drawn.thickest.size, 3)} · b ${formatFixed(language, drawn.width, 2)}`
         : "";
       if (!measure) return;
       text.setAttribute("x", String(measure.text.x));

@@ -186,7 +186,7 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
         {dimmed && run.steps.length > 0 && <Outdated />}
         <p id={keysId} className="unseen">{t.keys}</p>
       </div>
-      <Readout run={run} playback={playback} />
+      <Readout run={run} playback={playback} chipAt={moving?.chipAt ?? null} />
       <StepList run={run} playback={playback} />
       <PlaybackBar playback={playback}>
         <span className="lathe-fold">

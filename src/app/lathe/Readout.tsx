@@ -3,23 +3,28 @@ import type { Run } from "../../program/run-types.ts";
 import type { Clock } from "../clock.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
+import type { Moving } from "./moving.ts";
 import type { PlaybackStore } from "./playback-store.ts";
-import { runningText, type Running } from "./running.ts";
+import { chipText, runningText, type Running } from "./running.ts";
 import { useEachPicture, usePlayback } from "./use-playback.ts";
 
 const FIELDS = ["x", "z", "feed", "speed"] as const;
 
 /** Live position, feed, spindle speed, phase, pass and the manual's step; the numbers change without rendering. */
-export function Readout({ run, playback }: { readonly run: Run; readonly playback: PlaybackStore }) {
+export function Readout({ run, playback, chipAt }: { readonly run: Run; readonly playback: PlaybackStore;
+  readonly chipAt: Moving["chipAt"] | null })
+{
   const texts = useTexts(), t = texts.lathe, language = useSettings((s) => s.language);
   const group = useRef<HTMLDivElement>(null);
   useEachPicture(playback, useCallback(() => {
-    const now = runningText(texts, language, run, playback.shown());
+    const now = runningText(texts, language, run, playback.shown()), chip = chipText(language, chipAt?.(playback.shown()) ?? null);
     for (const cell of group.current?.querySelectorAll<HTMLElement>("[data-says]") ?? []) {
-      const said = now?.[cell.dataset["says"] as keyof Running] ?? (cell.localName === "dd" ? "–" : "");
+      const said = cell.dataset["says"] === "chip"
+        ? chip
+        : now?.[cell.dataset["says"] as keyof Running] ?? (cell.localName === "dd" ? "–" : "");
       if (cell.textContent !== said) cell.textContent = said;
     }
-  }, [texts, language, run, playback]));
+  }, [texts, language, run, playback, chipAt]));
   const names = { x: t.axisX, z: t.axisZ, feed: t.feedName, speed: t.speedName };
   return (
     <div ref={group} className="lathe-readout" role="group" aria-label={t.now}>
@@ -36,6 +41,7 @@ export function Readout({ run, playback }: { readonly run: Run; readonly playbac
         <span data-says="phase" />
         <span data-says="pass" />
         <span data-says="block" />
+        <span className="number" data-says="chip" title={t.chip} />
       </p>
     </div>
   );

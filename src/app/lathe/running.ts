@@ -2,13 +2,14 @@ import { cycleByNumber } from "../../cycles/index.ts";
 import type { Texts } from "../../i18n/index.ts";
 import type { CyclesTexts } from "../../i18n/cycle-text.ts";
 import type { Language } from "../../i18n/languages.ts";
-import { formatNumber, formatPosition } from "../../i18n/number.ts";
+import { formatFixed, formatNumber, formatPosition } from "../../i18n/number.ts";
 import type { Move } from "../../kernel/move.ts";
 import type { Pt } from "../../kernel/point.ts";
 import type { Spindle } from "../../kernel/step.ts";
 import { speedAt } from "../../kernel/time.ts";
 import { toDiameter } from "../../kernel/units.ts";
 import type { Operation, Run } from "../../program/run-types.ts";
+import type { Chip } from "../../sim/chip/chip.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import { tipAt } from "../../view/tip.ts";
 
@@ -124,6 +125,13 @@ function spindleOf(run: Run, index: number): Spindle | null {
     : run.operations.find((o) => o.firstStep > index) ?? run.operations.at(-1);
   return operation?.spindle ?? null;
 }
+
+/** The chip of a moment in one line; nothing without one. */
+export const chipText = (language: Language, chip: Chip | null): string => {
+  if (!chip) return "";
+  const said = (size: number) => formatFixed(language, size, 3);
+  return `ap ${said(chip.depth)} · f ${said(chip.feed)} · h ${said(chip.thickest.size)} mm · A ${said(chip.area)} mm²`;
+};
 
 /** What to say about a position; null when the run has no moves. */
 export function runningText(t: Texts, language: Language, run: Run, position: PlayPosition): Running | null {

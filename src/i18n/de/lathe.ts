@@ -85,6 +85,7 @@ export const lathe = {
   stepOnly: (step, of) => `Schritt ${step} von ${of}`,
   outside: "Zwischen den Zyklen",
   block: (block) => `Satz ${block}`,
+  chip: "ap Schnitttiefe, f Vorschub je Umdrehung, h Spanungsdicke, b Spanungsbreite, A Spanungsquerschnitt",
   atStart: "Am Anfang",
   atEnd: "Am Ende",
 

@@ -89,6 +89,8 @@ export const lathe = {
   stepOnly: (step: string, of: string) => `Step ${step} of ${of}`,
   outside: "Between the cycles",
   block: (block: string) => `Block ${block}`,
+  /** What the letters of the chip stand for. */
+  chip: "ap depth of cut, f feed per turn, h chip thickness, b chip width, A chip area",
   atStart: "At the start",
   atEnd: "At the end",
 

@@ -85,6 +85,7 @@ export const lathe = {
   stepOnly: (step, of) => `Étape ${step} sur ${of}`,
   outside: "Entre les cycles",
   block: (block) => `Séquence ${block}`,
+  chip: "ap profondeur de passe, f avance par tour, h épaisseur de coupe, b largeur de coupe, A section de copeau",
   atStart: "Au début",
   atEnd: "À la fin",
 

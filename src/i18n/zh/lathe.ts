@@ -77,6 +77,7 @@ export const lathe = {
   stepOnly: (step, of) => `第 ${step} 步，共 ${of} 步`,
   outside: "循环之间",
   block: (block) => `程序段 ${block}`,
+  chip: "ap 背吃刀量，f 每转进给量，h 切削厚度，b 切削宽度，A 切削面积",
   atStart: "在起点",
   atEnd: "在终点",
 
