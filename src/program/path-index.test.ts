@@ -4,7 +4,7 @@ import { at } from "../kernel/point.ts";
 import { parse } from "../nc/parse.ts";
 import { blockNumbers, startLines } from "../nc/program.ts";
 import { blockSpan } from "./block-span.ts";
-import { choiceOf, contourHit, contourOf, definitionOf, markedBy, planeBegin, runningPart, type MoveSpan } from "./path-index.ts";
+import { choiceOf, contourHit, contourOf, definitionOf, markedBy, runningPart, type MoveSpan } from "./path-index.ts";
 import { filesByName } from "./program-files.ts";
 import { run } from "./run.ts";
 import { shippedTools } from "./shipped-tools.ts";
@@ -152,14 +152,6 @@ describe("called programs", () => {
     expect(definitionOf(result, 5)).toEqual({ file: "CUT.H", line: 3 });
     expect(markedBy(result, { kind: "inFile", file: "other.h", line: 3 }).begin).toBeNull();
   });
-});
-
-test("milled blocks: the first motion of a block, or of the next that moves", () => {
-  const { run: result } = example("plate");
-  const first = result.plane[0];
-  expect(planeBegin(result, 0)).toBe(0);
-  expect(planeBegin(result, first?.index ?? -1)).toBe(0);
-  expect(planeBegin(result, (result.plane.at(-1)?.index ?? 0) + 1)).toBeNull();
 });
 
 test("a part that is repeated marks each of its runs", () => {

@@ -58,7 +58,7 @@ function noted<K, V>(map: Map<K, V[]>, key: K, value: V): void {
 }
 
 /** Steps with the same key that follow one another are one stretch. */
-function stretchesBy<S, K>(steps: readonly S[], keyAt: (step: S, i: number) => K | null): Map<K, MoveSpan[]> {
+export function stretchesBy<S, K>(steps: readonly S[], keyAt: (step: S, i: number) => K | null): Map<K, MoveSpan[]> {
   const all = new Map<K, MoveSpan[]>();
   let first = 0;
   steps.forEach((step, i) => {
@@ -97,7 +97,7 @@ function pathIndex(run: Run): PathIndex {
 }
 
 /** Where a rising list reaches a value. */
-function placeIn(sorted: readonly number[], value: number): number {
+export function placeIn(sorted: readonly number[], value: number): number {
   let [low, high] = [0, sorted.length];
   while (low < high) {
     const middle = (low + high) >> 1;
@@ -105,25 +105,6 @@ function placeIn(sorted: readonly number[], value: number): number {
     else high = middle;
   }
   return low;
-}
-
-interface PlaneIndex {
-  readonly blocks: readonly number[];
-  readonly first: ReadonlyMap<number, number>;
-}
-
-const planeIndices = new WeakMap<Run["plane"], PlaneIndex>();
-
-/** The first milled motion of a block, or of the next one behind it that moves; null where none does. */
-export function planeBegin({ plane }: Run, block: number): number | null {
-  let known = planeIndices.get(plane);
-  if (!known) {
-    const first = new Map<number, number>();
-    plane.forEach(({ index }, i) => first.has(index) || first.set(index, i));
-    known = { blocks: [...first.keys()].sort((a, b) => a - b), first };
-    planeIndices.set(plane, known);
-  }
-  return known.first.get(known.blocks[placeIn(known.blocks, block)] ?? -1) ?? null;
 }
 
 const stretchOf = (run: Run, operation: number): readonly MoveSpan[] => {
