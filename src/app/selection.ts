@@ -1,9 +1,11 @@
 import { useMemo } from "react";
 import { part, type Segment } from "../kernel/point.ts";
 import type { ContourRow } from "../program/job.ts";
-import { choiceOf, markedBy, type Marked, type PathChoice } from "../program/path-index.ts";
+import { choiceOf, markedBy, type Marked, type MoveSpan, type PathChoice } from "../program/path-index.ts";
+import { choiceOfMilled, milledBy, planeBegin } from "../program/plane-index.ts";
 import type { Run } from "../program/run-types.ts";
 import type { PlayPosition } from "../sim/simulation.ts";
+import { showChoice } from "./approach/shown-view.ts";
 import { chooseElement, contourReading, useContourPlace } from "./contour/contour-place.ts";
 import { playback } from "./playback.ts";
 import { NOTHING_SELECTED, useSelection, type Selection } from "./selected.ts";
@@ -17,10 +19,11 @@ function goTo(position: PlayPosition): void {
   playback.dispatch({ do: "seek", position });
 }
 
-/** Marks what belongs to a choice, and the tool goes to where it begins, or to a step that is said. */
-export function choosePath(run: Run | null, choice: PathChoice, step?: number | null): void {
+/** Marks what belongs to a choice in the picture that shows it, and the tool goes to where it begins. */
+export function choosePath(run: Run | null, choice: PathChoice): void {
   select({ choice });
-  const begin = step === undefined ? run && markedBy(run, choice).begin : step;
+  const isMilled = run !== null && showChoice(run, playback, choice) && choice.kind === "blocks";
+  const begin = isMilled ? planeBegin(run, choice.span.from) : run && markedBy(run, choice).begin;
   if (begin !== null) goTo({ step: begin, fraction: 0 });
 }
 
@@ -37,6 +40,12 @@ export function chooseMove(run: Run, position: PlayPosition, element: string | n
   goTo(position);
 }
 
+/** Chooses the block of a milled motion, and the tool goes to the moment of it that was pointed at. */
+export function chooseMilled(run: Run, position: PlayPosition): void {
+  select({ choice: choiceOfMilled(run, position.step) });
+  goTo(position);
+}
+
 /** The segments of a job's contour that a row of its table makes. */
 function choiceOfElement(rows: readonly ContourRow[], id: string): PathChoice {
   const row = rows.findIndex((each) => each.id === id);
@@ -49,6 +58,14 @@ export function elementNear(rows: readonly ContourRow[], place: Segment["from"],
   const far = segments.map((segment) => part.distanceTo(segment, place));
   const nearest = Math.min(Infinity, ...far);
   return nearest > reach ? null : (rows[rowOfSegment[far.indexOf(nearest)] ?? -1]?.id ?? null);
+}
+
+const NO_MOTIONS: readonly MoveSpan[] = [];
+
+/** The milled motions that are marked in the working plane of a run. */
+export function useMilledMarks(run: Run): readonly MoveSpan[] {
+  const choice = useSelection((s) => s.choice);
+  return useMemo(() => (choice?.kind === "blocks" ? milledBy(run, choice.span) : NO_MOTIONS), [run, choice]);
 }
 
 const NOTHING: Marked = { stretches: [], contour: [], begin: null };

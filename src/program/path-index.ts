@@ -97,7 +97,7 @@ function pathIndex(run: Run): PathIndex {
 }
 
 /** Where a rising list reaches a value. */
-export function placeIn(sorted: readonly number[], value: number): number {
+export function placeInSorted(sorted: readonly number[], value: number): number {
   let [low, high] = [0, sorted.length];
   while (low < high) {
     const middle = (low + high) >> 1;
@@ -165,14 +165,14 @@ const inOrder = (stretches: readonly MoveSpan[]) => stretches.toSorted((a, b) =>
 function ofBlocks(run: Run, { span: { from, to }, line }: Extract<PathChoice, { kind: "blocks" }>): Marked {
   const { blocks, ofBlock, definedAt, contourAt } = pathIndex(run);
   const own: MoveSpan[] = [];
-  for (let i = placeIn(blocks, from); i < blocks.length && (blocks[i] ?? to + 1) <= to; i += 1)
+  for (let i = placeInSorted(blocks, from); i < blocks.length && (blocks[i] ?? to + 1) <= to; i += 1)
     own.push(...(ofBlock.get(blocks[i] ?? -1) ?? []));
   if (own.length > 0) return marking(inOrder(own));
   const defined = definedAt.get(keyOf(undefined, line))?.flatMap((operation) => stretchOf(run, operation)) ?? [];
   if (defined.length > 0) return marking(defined);
   const contour = contourAt.get(keyOf(undefined, line));
   if (contour) return alongContour(run, contour);
-  const next = blocks[placeIn(blocks, to)];
+  const next = blocks[placeInSorted(blocks, to)];
   return { ...NOTHING, begin: next === undefined ? null : (ofBlock.get(next)?.[0]?.first ?? null) };
 }
 

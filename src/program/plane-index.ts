@@ -1,5 +1,5 @@
 import type { BlockSpan } from "./block-span.ts";
-import { markedBy, placeIn, stretchesBy, type MoveSpan, type PathChoice } from "./path-index.ts";
+import { markedBy, placeInSorted, stretchesBy, type MoveSpan, type PathChoice } from "./path-index.ts";
 import type { Run } from "./run-types.ts";
 
 /** The two pictures of a program: the section of the lathe, and the working plane of what is milled. */
@@ -26,7 +26,7 @@ function planeIndex({ plane }: Pick<Run, "plane">): PlaneIndex {
 export function milledBy(run: Pick<Run, "plane">, { from, to }: BlockSpan): readonly MoveSpan[] {
   const { blocks, ofBlock } = planeIndex(run);
   const own: MoveSpan[] = [];
-  for (let i = placeIn(blocks, from); i < blocks.length && (blocks[i] ?? to + 1) <= to; i += 1)
+  for (let i = placeInSorted(blocks, from); i < blocks.length && (blocks[i] ?? to + 1) <= to; i += 1)
     own.push(...(ofBlock.get(blocks[i] ?? -1) ?? []));
   return own.sort((a, b) => a.first - b.first);
 }
@@ -34,7 +34,7 @@ export function milledBy(run: Pick<Run, "plane">, { from, to }: BlockSpan): read
 /** The first milled motion of a block, or of the next one behind it that moves; null where none does. */
 export function planeBegin(run: Pick<Run, "plane">, block: number): number | null {
   const { blocks, ofBlock } = planeIndex(run);
-  return ofBlock.get(blocks[placeIn(blocks, block)] ?? -1)?.[0]?.first ?? null;
+  return ofBlock.get(blocks[placeInSorted(blocks, block)] ?? -1)?.[0]?.first ?? null;
 }
 
 /** What a milled motion stands for: its block. */

@@ -1,19 +1,25 @@
-import { part, type Pt } from "../kernel/point.ts";
+import { part, type Pt, type Segment } from "../kernel/point.ts";
 import type { Step } from "../kernel/step.ts";
 import { pathOf } from "../kernel/time.ts";
 import type { PlayPosition } from "../sim/simulation.ts";
 
+/** How the steps of a path are looked at: the way of each, and whether it cuts. */
+export interface Looked<S> {
+  readonly wayOf: (step: S) => Segment;
+  readonly cuts: (step: S) => boolean;
+}
+
 /** Boxes round all moves, four numbers each: a pointer over a long path looks at numbers, not at arcs. */
-const boxes = new WeakMap<readonly Step[], Float64Array>();
+const boxes = new WeakMap<readonly unknown[], Float64Array>();
 
 const SIDES = 4;
 
-function boxesOf(steps: readonly Step[]): Float64Array {
+function boxesOf<S>(steps: readonly S[], { wayOf }: Looked<S>): Float64Array {
   const known = boxes.get(steps);
   if (known) return known;
   const made = new Float64Array(steps.length * SIDES);
-  steps.forEach(({ from, move }, i) => {
-    const { left, right, low, high } = part.boxOf(pathOf(from, move));
+  steps.forEach((step, i) => {
+    const { left, right, low, high } = part.boxOf(wayOf(step));
     made.set([left, right, low, high], i * SIDES);
   });
   boxes.set(steps, made);
@@ -21,11 +27,17 @@ function boxesOf(steps: readonly Step[]): Float64Array {
 }
 
 /**
- * The move nearest to a place, within `reach` mm; of moves on the same way the one that cuts, then the last. Null where none is near.
- * `shown` says which moves are there to be pointed at.
+ * The step nearest to a place, within `reach` mm; of steps on the same way the one that cuts, then the last. Null where none is near.
+ * `shown` says which steps are there to be pointed at.
  */
-export function moveAt(steps: readonly Step[], place: Pt, reach: number, shown: (step: number) => boolean = () => true): number | null {
-  const sides = boxesOf(steps);
+export function nearestStep<S>(
+  steps: readonly S[],
+  looked: Looked<S>,
+  place: Pt,
+  reach: number,
+  shown: (step: number) => boolean = () => true,
+): number | null {
+  const sides = boxesOf(steps, looked);
   let best: number | null = null;
   let nearest = reach;
   let cuts = false;
@@ -33,7 +45,7 @@ export function moveAt(steps: readonly Step[], place: Pt, reach: number, shown: 
   steps.forEach((step, i) => {
     if (place.z < side(i, 0) - reach || place.z > side(i, 1) + reach) return;
     if (place.r < side(i, 2) - reach || place.r > side(i, 3) + reach || !shown(i)) return;
-    const d = part.distanceTo(pathOf(step.from, step.move), place), cutting = step.move.kind !== "rapid";
+    const d = part.distanceTo(looked.wayOf(step), place), cutting = looked.cuts(step);
     if (d > reach) return;
     if (best === null || (cutting && !cuts) || (cutting === cuts && d <= nearest)) {
       best = i;
@@ -47,11 +59,21 @@ export function moveAt(steps: readonly Step[], place: Pt, reach: number, shown: 
 /** A moment this far along a move still belongs to it. */
 const ALMOST_DONE = 0.999;
 
+/** How far along its way a step comes nearest to a place, 0 … 1 but for its very end. */
+export function fractionNear(way: Segment, place: Pt): number {
+  const long = part.lengthOf(way);
+  const done = long > 0 ? part.along(way, part.nearestOn(way, place)) / long : 0;
+  return Math.min(ALMOST_DONE, Math.max(0, done));
+}
+
+const TURNED: Looked<Step> = { wayOf: ({ from, move }) => pathOf(from, move), cuts: ({ move }) => move.kind !== "rapid" };
+
+/** The turned move nearest to a place. */
+export const moveAt = (steps: readonly Step[], place: Pt, reach: number, shown?: (step: number) => boolean): number | null =>
+  nearestStep(steps, TURNED, place, reach, shown);
+
 /** The moment at which the tip is nearest to a place while it makes a move. */
 export function positionNear(steps: readonly Step[], step: number, place: Pt): PlayPosition {
   const made = steps[step];
-  if (!made) return { step, fraction: 0 };
-  const path = pathOf(made.from, made.move), long = part.lengthOf(path);
-  const done = long > 0 ? part.along(path, part.nearestOn(path, place)) / long : 0;
-  return { step, fraction: Math.min(ALMOST_DONE, Math.max(0, done)) };
+  return { step, fraction: made ? fractionNear(TURNED.wayOf(made), place) : 0 };
 }

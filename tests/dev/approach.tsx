@@ -15,6 +15,7 @@ import { withBlock } from "../../src/nc/edit.ts";
 import { parse } from "../../src/nc/parse.ts";
 import { approachContext } from "../../src/program/approach-context.ts";
 import { run } from "../../src/program/run.ts";
+import { simulate } from "../../src/sim/simulate.ts";
 import linear from "../programs/milling-linear.h?raw";
 import circular from "../programs/milling-circular.h?raw";
 
@@ -38,7 +39,7 @@ function Page() {
             f.line !== null && f.block === (made.approaches.find((a) => a.index === index)?.block ?? -1)
           ).map((f) => entryAt(f.issue, ("at" in f.issue ? f.issue.at : undefined) ?? null, f.block))} />
       )}
-      <PlaneView run={made} dimmed={false} playback={playback} clock={clock} />
+      <PlaneView result={{ run: made, simulation: simulate(made) }} dimmed={false} playback={playback} clock={clock} />
     </main>
   );
 }

@@ -1,31 +1,55 @@
-import type { ComponentProps } from "react";
+import { Suspense, useEffect, type ComponentProps } from "react";
+import type { Run } from "../../program/run-types.ts";
+import { useChosen } from "../findings/chosen.ts";
+import { useFindings } from "../findings/use-findings.ts";
 import { LatheView } from "../lathe/LatheView.tsx";
+import type { PlaybackStore } from "../lathe/playback-store.ts";
+import { lazyPart } from "../parts.ts";
 import { useTexts } from "../settings/use-texts.ts";
-import { PlaneView } from "./PlaneView.tsx";
-import { showsPlane, useAskedView } from "./shown-view.ts";
+import { followProgramSides, showSide, showsPlane, switchSide, useAskedView } from "./shown-view.ts";
 import "./approach.css";
+
+/** Fetched for a program that mills. */
+const PlaneView = lazyPart(async () => ({ default: (await import("./PlaneView.tsx")).PlaneView }));
+
+/** The picture goes along with what is chosen in the list of findings, and with what is played. */
+function useSides(run: Run | null, playback: PlaybackStore): void {
+  const { id, count, shown } = useChosen(), entries = useFindings();
+  const plane = count > shown ? entries.find((entry) => entry.id === id)?.spot?.plane : undefined;
+  useEffect(() => {
+    if (run && plane !== undefined) showSide(run, playback, plane === "XY" ? "plane" : "lathe");
+  }, [run, playback, plane, count]);
+  useEffect(() => (run && run.plane.length > 0 && run.steps.length > 0 ? followProgramSides(run, playback) : undefined), [run, playback]);
+}
 
 /** What a program does: the lathe, or the working plane where it mills. A program with both has a switch. */
 export function MachineView(props: ComponentProps<typeof LatheView>) {
   const t = useTexts();
   const asked = useAskedView((v) => v.asked);
-  const { result, dimmed, playback, clock } = props;
+  const { result, dimmed, playback, clock, onMove } = props;
   const run = result?.run;
-  const plane = run !== undefined && showsPlane(run, asked);
+  useSides(run ?? null, playback);
+  const plane = result !== null && showsPlane(result.run, asked);
   const both = run !== undefined && run.plane.length > 0 && run.steps.length > 0;
   return (
     <div className="machine-view">
       {both && (
         <div className="machine-switch" role="group" aria-label={t.lathe.viewTools}>
-          <button type="button" className="button" aria-pressed={!plane} onClick={() => useAskedView.setState({ asked: "lathe" })}>
+          <button type="button" className="button" aria-pressed={!plane} onClick={() => switchSide(run, playback, "lathe")}>
             {t.lathe.title}
           </button>
-          <button type="button" className="button" aria-pressed={plane} onClick={() => useAskedView.setState({ asked: "plane" })}>
+          <button type="button" className="button" aria-pressed={plane} onClick={() => switchSide(run, playback, "plane")}>
             {t.approach.view}
           </button>
         </div>
       )}
-      {plane ? <PlaneView run={run} dimmed={dimmed} playback={playback} clock={clock} /> : <LatheView {...props} />}
+      {plane
+        ? (
+          <Suspense>
+            <PlaneView result={result} dimmed={dimmed} playback={playback} clock={clock} onMove={onMove} />
+          </Suspense>
+        )
+        : <LatheView {...props} />}
     </div>
   );
 }

@@ -1,56 +1,45 @@
-import { memo, useCallback, useEffect, useRef } from "react";
-import { transform } from "../../view/svg.ts";
-import { planeMotionData } from "../../view/approach/motion-data.ts";
-import { spotAt, type PlaneScene, type PlaneShape } from "../../view/approach/plane-scene.ts";
+import { memo } from "react";
 import type { PlaneStep } from "../../program/plane-types.ts";
+import type { RapidThrough } from "../../sim/plane/milled.ts";
+import type { PlaneRole, PlaneScene, PlaneShape } from "../../view/approach/plane-scene.ts";
+import { ringData } from "../../view/path.ts";
 import type { PlaybackStore } from "../lathe/playback-store.ts";
-import { useEachPicture } from "../lathe/use-playback.ts";
 import type { Viewport } from "../lathe/viewport.ts";
+import { World } from "../lathe/World.tsx";
+import type { GrowingStock, NoStock } from "./milled.ts";
+import { MilledSheet } from "./MilledSheet.tsx";
+import { MillSheet, RunningMotion } from "./MillSheet.tsx";
 import { PlaneAxes } from "./PlaneAxes.tsx";
 
 const Still = memo(function Still({ shapes }: { readonly shapes: readonly PlaneShape[] }) {
   return <>{shapes.map(({ role, d }) => <path key={role} className={`plane-${role}`} d={d} />)}</>;
 });
 
-/** Follows the camera with one attribute: a group whose content is drawn in the plane. */
-function World({ viewport, children }: { readonly viewport: Viewport; readonly children: React.ReactNode }) {
-  const group = useRef<SVGGElement>(null);
-  useEffect(() => {
-    const follow = () => group.current?.setAttribute("transform", transform(viewport.get()));
-    follow();
-    return viewport.subscribe(follow);
-  }, [viewport]);
-  return <g ref={group}>{children}</g>;
-}
+/** A path of more motions is only shifted while a hand moves it. */
+const LONG = 2000;
 
-/** The mill from above and the running motion, painted with each picture without rendering. */
-function MovingMill({ steps, playback }: { readonly steps: readonly PlaneStep[]; readonly playback: PlaybackStore }) {
-  const tool = useRef<SVGGElement>(null), body = useRef<SVGCircleElement>(null), running = useRef<SVGPathElement>(null);
-  useEachPicture(playback, useCallback(() => {
-    const { step, fraction } = playback.shown(), at = spotAt(steps, step, fraction), motion = steps[Math.min(step, steps.length - 1)];
-    tool.current?.setAttribute("visibility", at ? "visible" : "hidden");
-    if (!at || !motion) return;
-    tool.current?.setAttribute("transform", `translate(${at.x} ${at.y})`);
-    body.current?.setAttribute("r", String(motion.radius));
-    running.current?.setAttribute("d", planeMotionData(motion));
-  }, [steps, playback]));
-  return (
-    <>
-      <path ref={running} className="shape-running" />
-      <g ref={tool}>
-        <circle ref={body} className="plane-mill" r="0" />
-        <path className="plane-mill-centre" d="M-1 0H1M0 -1V1" />
-      </g>
-    </>
-  );
-}
+/** Lines that lie on milled stock have a light edge, so that they are seen on its darkest tone. */
+const EDGED: readonly PlaneRole[] = ["rapid", "feed", "lead"];
 
-/** Contours, path and mill in the working plane. The drawing is painted once; zooming changes one matrix, playing three elements. */
-export function PlanePicture({ viewport, scene, steps, playback, name, children }: {
+const Edges = memo(function Edges({ shapes }: { readonly shapes: readonly PlaneShape[] }) {
+  return <path className="plane-under" d={shapes.flatMap(({ role, d }) => (EDGED.includes(role) ? [d] : [])).join("")} />;
+});
+
+/**
+ * Blank, contours, path and mill in the working plane, in sheets from back to front. The drawing is painted once; while it plays the stock
+ * is painted where the tool is, and the tool's sheet is moved.
+ */
+export function PlanePicture({ viewport, scene, steps, playback, milled, rapids, chosen, hovered, name, children }: {
   readonly viewport: Viewport;
   readonly scene: PlaneScene;
   readonly steps: readonly PlaneStep[];
   readonly playback: PlaybackStore;
+  readonly milled: GrowingStock | NoStock;
+  /** Where rapids run through material that stands. */
+  readonly rapids: readonly RapidThrough[];
+  /** What is chosen, over the path, and what is pointed at, over all of it. */
+  readonly chosen: React.ReactNode;
+  readonly hovered: React.ReactNode;
   readonly name: string;
   /** What stands in screen space above the picture. */
   readonly children: React.ReactNode;
@@ -60,14 +49,21 @@ export function PlanePicture({ viewport, scene, steps, playback, name, children 
       <svg className="sheet">
         <PlaneAxes viewport={viewport} part="grid" />
       </svg>
+      {typeof milled !== "string" && <MilledSheet viewport={viewport} steps={steps} playback={playback} milled={milled} />}
       <svg className="sheet still">
-        <World viewport={viewport}>
+        <World viewport={viewport} isLong={steps.length > LONG}>
+          {rapids.length > 0 && <path className="shape-gouge plane-rapid-through"
+            d={ringData(rapids.flatMap(({ rings }) => [...rings]))} />}
+          <Edges shapes={scene.shapes} />
           <Still shapes={scene.shapes} />
+          {chosen}
         </World>
       </svg>
+      <MillSheet viewport={viewport} steps={steps} playback={playback} />
       <svg className="sheet">
         <World viewport={viewport}>
-          <MovingMill steps={steps} playback={playback} />
+          {hovered}
+          <RunningMotion steps={steps} playback={playback} />
         </World>
         {children}
         <PlaneAxes viewport={viewport} part="scales" />

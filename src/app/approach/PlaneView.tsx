@@ -1,9 +1,10 @@
 import { useEffect, useId, useMemo, useState } from "react";
 import { Toolbar } from "react-aria-components/Toolbar";
-import type { Run } from "../../program/run-types.ts";
 import { planeScene, PLANE_ROLES } from "../../view/approach/plane-scene.ts";
 import { trackOf } from "../../view/playback.ts";
 import type { Clock } from "../clock.ts";
+import type { MovePointed } from "../lathe/LatheView.tsx";
+import type { LatheResult } from "../lathe/use-material.ts";
 import { GlyphButton } from "../lathe/GlyphButton.tsx";
 import { pressKey } from "../lathe/keys.ts";
 import { PlaceButtons, PlaceLines } from "../lathe/PlaceButtons.tsx";
@@ -21,13 +22,20 @@ import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { DepthPicture } from "./DepthPicture.tsx";
 import { FreePoints } from "./FreePoints.tsx";
+import { useMilledStock } from "./milled.ts";
+import { MilledLegend } from "./MilledLegend.tsx";
+import { MilledNotes } from "./MilledNotes.tsx";
 import { noMeasuring } from "./no-measuring.ts";
 import { PlanePicture } from "./PlanePicture.tsx";
 import { cutPlace } from "./plane-places.ts";
+import { ChosenMotions, HoveredMotion } from "./PlaneMarks.tsx";
 import { PlanePoints } from "./PlanePoints.tsx";
 import { PointTable } from "./PointTable.tsx";
 import { momentSentence, PlaneReadout, SpokenMoment } from "./PlaneReadout.tsx";
 import { approachSpeech } from "./speech.ts";
+import { usePlanePicking } from "./use-plane-picking.ts";
+import { KEEPS_KEYBOARD } from "../place.ts";
+import { chooseMilled } from "../selection.ts";
 import "../help/help.css";
 import "../lathe/lathe.css";
 import "./approach.css";
@@ -39,20 +47,21 @@ const NO_TIP = { x: 0, y: 0 };
  * The working plane of a milling program: contours, the path of the tool centre with its named points, the height over the
  * path, playback.
  */
-export function PlaneView({ run, dimmed, playback, clock, children }: {
-  readonly run: Run;
+export function PlaneView({ result, dimmed, playback, clock, onMove }: {
+  readonly result: LatheResult;
   /** The picture is older than what was typed. */
   readonly dimmed: boolean;
   readonly playback: PlaybackStore;
   readonly clock: Clock;
-  /** Stands at the beginning of the bar above the picture. */
-  readonly children?: React.ReactNode;
+  /** Called with the index of a motion that was pointed at, after the tool went there. */
+  readonly onMove?: MovePointed | undefined;
 }) {
   const texts = useTexts(), t = texts.lathe, own = texts.approach, id = useId();
   const { language, motion } = useSettings();
   const [viewport] = useState(() => createViewport(true));
   const [tools, showTools] = useState(false);
-  const { plane: steps } = run;
+  const { run } = result, { plane: steps } = run;
+  const { milled, rapids } = useMilledStock(result);
   const approaches = useMemo(() => run.approaches.filter((a) => a.plane === "XY"), [run]);
   const scene = useMemo(() => planeScene(steps, approaches.map((a) => a.contour), new Set(approaches.map((a) => a.index))), [
     steps,
@@ -63,13 +72,24 @@ export function PlaneView({ run, dimmed, playback, clock, children }: {
     steps: steps.map((s) => ({ move: { kind: s.feed === undefined ? "rapid" : "feed" }, operation: null, seconds: s.seconds })),
   }), [run, steps]);
   const speech = useMemo(() => approachSpeech(language, "XY", NO_TIP), [language]);
-  const stage = useStage(viewport, noMeasuring);
+  const { hover, over, tap } = usePlanePicking({ run, leads: approaches, viewport, onMove });
+  const stage = useStage(viewport, { tap, hover: over, drag: null });
 
   useEffect(() => playback.dispatch({ do: "load", track: trackOf(steps) }), [steps, playback]);
   useEffect(() => playback.setStill(reducedMotion({ motion })), [motion, playback]);
   useEffect(() => viewport.setBounds(scene.bounds), [scene, viewport]);
 
   const resting = usePlayback(playback, (s) => (s.get().playing ? -1 : s.get().position.step));
+  /** Enter in the picture chooses the motion that runs, and its dialog takes the keyboard. */
+  const chooseByKey = ({ key, picture }: { readonly key: string; readonly picture: boolean }) => {
+    const { position } = playback.get(), step = Math.min(position.step, steps.length - 1);
+    if (key !== "Enter" || !picture || step < 0) return false;
+    chooseMilled(run, { ...position, step });
+    stage.current?.blur();
+    onMove?.(step, true);
+    return true;
+  };
+
   const name = useMemo(() => own.viewPicture(resting >= 0 ? momentSentence(texts, language, steps, approaches, playback.shown()) : ""), [
     own,
     texts,
@@ -89,10 +109,9 @@ export function PlaneView({ run, dimmed, playback, clock, children }: {
       const target = event.target as HTMLElement;
       if (event.ctrlKey || event.metaKey || event.altKey) return;
       const typed = { key: event.key, shift: event.shiftKey, element: target.localName, picture: target === stage.current };
-      if (pressKey(typed, playback, viewport, noMeasuring)) event.preventDefault();
+      if (pressKey(typed, playback, viewport, noMeasuring) || chooseByKey(typed)) event.preventDefault();
     }}>
       <Toolbar className="lathe-viewbar" aria-label={t.viewTools}>
-        {children}
         <div className="lathe-gap">
           <ul className="lathe-legend small" aria-label={t.legend}>
             {there.map((role) => (
@@ -110,14 +129,17 @@ export function PlaneView({ run, dimmed, playback, clock, children }: {
         <GlyphButton glyph="fit" name={t.fit} onPress={viewport.fit} />
       </Toolbar>
       <div ref={stage} className={`lathe-stage${dimmed ? " dimmed" : ""}`} tabIndex={0} role="group" aria-label={own.view}
-        aria-describedby={`${id}keys`}
+        aria-describedby={`${id}keys`} {...{ [KEEPS_KEYBOARD]: "" }}
       >
-        <PlanePicture viewport={viewport} scene={scene} steps={steps} playback={playback} name={name}>
+        <PlanePicture viewport={viewport} scene={scene} steps={steps} playback={playback} milled={milled} rapids={rapids}
+          chosen={<ChosenMotions run={run} />} hovered={<HoveredMotion run={run} hover={hover} />} name={name}
+        >
           <PlanePoints viewport={viewport} approaches={approaches} speech={speech} id={id} />
           <FreePoints viewport={viewport} places={places} speech={speech} />
           <PlaceLines viewport={viewport} places={places} />
         </PlanePicture>
         <PlaceButtons viewport={viewport} places={places} chosen={chosen} choose={choose} />
+        <MilledLegend milled={milled} />
         {dimmed && <Outdated />}
         <p id={`${id}keys`} className="unseen">{t.keys}</p>
       </div>
@@ -131,6 +153,7 @@ export function PlaneView({ run, dimmed, playback, clock, children }: {
       <Timeline run={timed} playback={playback} />
       <SpokenMoment steps={steps} approaches={approaches} playback={playback} clock={clock} />
       <div className="lathe-more">
+        {typeof milled !== "string" && <MilledNotes run={run} rapids={rapids} />}
         <PointTable approaches={approaches} speech={speech} />
       </div>
     </section>

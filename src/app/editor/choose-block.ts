@@ -1,6 +1,5 @@
 import { blockSpan } from "../../program/block-span.ts";
-import { planeBegin, type PathChoice } from "../../program/path-index.ts";
-import { showsPlane, useAskedView } from "../approach/shown-view.ts";
+import type { PathChoice } from "../../program/path-index.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import { shownBeside } from "../files/shown-file.ts";
 import { useSelection } from "../selected.ts";
@@ -39,9 +38,7 @@ export function chooseOpenBlock(): void {
   const { pictured: shown } = useOutcome.getState();
   const choice = isChosen ? null : choiceOfOpenBlock();
   if (!choice) return;
-  const run = isPresent(shown) ? shown.run : null;
-  const mills = run !== null && showsPlane(run, useAskedView.getState().asked);
-  choosePath(run, choice, mills && choice.kind === "blocks" ? planeBegin(run, choice.span.from) : undefined);
+  choosePath(isPresent(shown) ? shown.run : null, choice);
 }
 
 /** Blocks may stand elsewhere in a changed text: what is marked goes along with the open one. */

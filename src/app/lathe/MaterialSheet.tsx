@@ -4,6 +4,7 @@ import type { PlayPosition } from "../../sim/simulation.ts";
 import { paintMaterial, type MaterialColours } from "../../view/material/paint.ts";
 import type { Patch } from "../../view/material/pen.ts";
 import { patchOf, patchWithin, touchedBetween } from "../../view/material/touched.ts";
+import { fitCanvas } from "./fit-canvas.ts";
 import type { Moving } from "./moving.ts";
 import { pageColours, useTheme } from "./use-theme-colours.ts";
 import type { Viewport } from "./viewport.ts";
@@ -33,15 +34,8 @@ export function MaterialSheet({ viewport, moving, blank, full }: {
     };
     const paint = (patch: Patch) => paintMaterial(pen, { rings, full }, viewport.get(), colours, patch);
     const paintAll = () => {
-      const { width, height } = viewport.size(), ratio = devicePixelRatio;
-      const [wide, tall] = [Math.round(width * ratio), Math.round(height * ratio)];
-      if (element.width !== wide || element.height !== tall) {
-        element.width = wide;
-        element.height = tall;
-        element.style.width = `${width}px`;
-        element.style.height = `${height}px`;
-      }
-      pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+      const { width, height } = viewport.size();
+      fitCanvas(element, pen, { width, height });
       paint({ x: 0, y: 0, width, height });
     };
     const paintMoved = () => {

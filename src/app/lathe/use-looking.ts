@@ -14,14 +14,15 @@ export function useLooking<P extends Pick<LookAt, "id" | "bounds" | "position">>
   const { id, count } = useChosen();
   const chosen = places.find((place) => place.id === id) ?? null;
   const look = useEffectEvent(() => {
+    // A picture that comes up later stays as it is, and what the other one shows is not looked for here.
+    if (count <= useChosen.getState().shown || (id !== null && !chosen)) return;
+    useChosen.setState({ shown: count });
     if (!chosen) return viewport.fit();
     // Steps of what was proved are not those of a path that is still to be proved.
     if (!useOutcome.getState().planned) playback.dispatch({ do: "seek", position: chosen.position });
     viewport.show(chosen.bounds);
   });
   // Only a new choice moves the picture: a place that is found again after a change of values leaves it where it is.
-  useEffect(() => {
-    if (count > 0) look();
-  }, [count]);
+  useEffect(() => look(), [count]);
   return { chosen, choose: (place: Pick<LookAt, "id"> | null) => chooseFinding(place?.id ?? null) };
 }

@@ -1,3 +1,4 @@
+import { areaOf } from "../../kernel/area.ts";
 import { boxAround, type Cuboid } from "../../kernel/box.ts";
 import { intersection } from "../../kernel/clip.ts";
 import { partPoint, plane } from "../../kernel/plane.ts";
@@ -60,6 +61,12 @@ export function standingAbove({ block, turned }: MilledBody, height: number): Ri
   const { left, right, low, high } = block;
   const side: Ring = [at(left, low), at(right, low), at(right, high), at(left, high)];
   return rounds ? intersection(rounds, [side]) : [side];
+}
+
+/** True where a body does not reach up to its top everywhere. */
+export function isStepped(body: MilledBody): boolean {
+  const heights = heightsOf(body);
+  return heights !== null && areaOf(standingAbove(body, -Infinity)) > areaOf(standingAbove(body, heights.top - SAME)) + SAME;
 }
 
 /** Between which heights a body stands, mm; null where there is none. */

@@ -7,7 +7,7 @@ import { inStock } from "../contact.ts";
 import { cutting, type Cutting } from "../cutting.ts";
 import { marksOf, type StockMarks } from "../marks.ts";
 import type { Checkpoint, PlayPosition } from "../simulation.ts";
-import { heightsOf, standingAbove, type MilledBody } from "./body.ts";
+import { heightsOf, isStepped, standingAbove, type MilledBody } from "./body.ts";
 import { depthsOf, heightLimits } from "./depths.ts";
 import { sweeper, type Sweeper } from "./swept-below.ts";
 
@@ -41,11 +41,15 @@ export interface MilledStock {
   /** Depths that are told apart, the shallowest first; `limits` are the heights that belong to them. */
   readonly depths: readonly number[];
   readonly limits: readonly number[];
+  /** True where the body does not reach up to its top everywhere: what is not milled there is lower all the same. */
+  readonly isStepped: boolean;
   /** Motions that are cut so far. */
   readonly reached: () => number;
   /** Cuts on by some motions; true when all are cut. */
   readonly advance: (motions: number) => boolean;
   readonly at: (position: PlayPosition) => MilledMoment;
+  /** False where turning takes material away between two motions. */
+  readonly isSameBody: (one: number, other: number) => boolean;
   /** Of what has been cut so far. */
   readonly rapids: () => readonly RapidThrough[];
 }
@@ -123,6 +127,7 @@ export function milledStock({ motions, bodies }: MilledInput): MilledStock | nul
     bottom,
     depths,
     limits,
+    isStepped: first !== undefined && isStepped(first.body),
     reached: () => Math.min(next, motions.length),
     advance(some) {
       for (let i = 0; i < some && next < motions.length; i += 1) cut();
@@ -136,6 +141,7 @@ export function milledStock({ motions, bodies }: MilledInput): MilledStock | nul
         swept: limits.map((limit) => (running ? swept(running, limit, fraction).flatMap(({ rings }) => [...rings]) : [])),
       };
     },
+    isSameBody: (one, other) => !bodies.some(({ step }) => step > Math.min(one, other) && step <= Math.max(one, other)),
     rapids: () => rapids,
   };
 }

@@ -1,0 +1,27 @@
+import { formatNumber, formatSigned } from "../../i18n/number.ts";
+import { useSettings } from "../settings/settings.ts";
+import { useTexts } from "../settings/use-texts.ts";
+import { MOST_MILLED, type GrowingStock, type NoStock } from "./milled.ts";
+import { toneName } from "./MilledSheet.tsx";
+
+/** Which tone is how deep, in a corner of the picture; without stock why there is none. */
+export function MilledLegend({ milled }: { readonly milled: GrowingStock | NoStock }) {
+  const t = useTexts().approach.milled, language = useSettings((s) => s.language);
+  if (milled === "noBlank") return <p className="milled-legend small soft">{t.noBlank}</p>;
+  if (milled === "tooLong") return <p className="milled-legend small soft">{t.tooLong(formatNumber(language, MOST_MILLED))}</p>;
+  const { depths, isStepped } = milled.stock;
+  if (depths.length === 0) return null;
+  return (
+    <ul className="milled-legend small" aria-label={t.title}>
+      {depths.map((depth, i) => {
+        const z = formatSigned(language, depth);
+        return (
+          <li key={depth}>
+            <span className="milled-tone" style={{ background: `var(${toneName(i, depths.length)})` }} />
+            <span className="number">{isStepped && i === depths.length - 1 ? t.deeper(z) : t.depth(z)}</span>
+          </li>
+        );
+      })}
+    </ul>
+  );
+}

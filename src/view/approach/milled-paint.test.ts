@@ -1,0 +1,86 @@
+import { expect, test } from "vitest";
+import { at, type Ring } from "../../kernel/point.ts";
+import type { MilledMoment } from "../../sim/plane/milled.ts";
+import type { Pen } from "../material/pen.ts";
+import { paintMilled, toneOfDepth } from "./milled-paint.ts";
+
+const square = (
+  left: number,
+  low: number,
+  size: number,
+): Ring => [at(left, low), at(left + size, low), at(left + size, low + size), at(left, low + size)];
+const COLOURS = { ground: "ground", hatch: "hatch", edge: "edge", step: "step" };
+const CAMERA = { scale: 3.5, zero: { x: 21, y: 402 }, xUp: true };
+
+/** A pen that notes fills with the boxes of what they fill, and what is taken away. */
+function noting() {
+  const said: string[] = [];
+  let spots: (readonly [number, number])[] = [], clips = 0;
+  const around = () => {
+    const [xs, ys] = [spots.map(([x]) => x), spots.map(([, y]) => y)];
+    return [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)].map((n) => Math.round(n)).join(" ");
+  };
+  const pen: Pen = new Proxy({} as Pen, {
+    set: (of, key, value) => Reflect.set(of, key, value),
+    get(of, key) {
+      switch (key) {
+        case "beginPath":
+          return () => (spots = []);
+        case "moveTo":
+        case "lineTo":
+          return (x: number, y: number) => spots.push([x, y]);
+        case "clip":
+          return () => (clips += 1);
+        case "fill":
+          return () => said.push(spots.length === 0 ? "nothing" : `${String(of.fillStyle)} ${around()}`);
+        case "clearRect":
+          return () => said.push(`clear within ${clips}`);
+        default:
+          return () => undefined;
+      }
+    },
+  });
+  return { pen, said };
+}
+
+const moment: MilledMoment = {
+  standing: [[square(20, 20, 30)], [square(10, 10, 60)], [square(0, 0, 100)]],
+  swept: [[], [square(60, 60, 20)], [square(64, 64, 5)]],
+};
+const painted = (patch: { readonly x: number; readonly y: number; readonly width: number; readonly height: number }) => {
+  const { pen, said } = noting();
+  paintMilled(pen, { moment, tones: ["shallow", "deep"] }, CAMERA, COLOURS, patch);
+  return said;
+};
+
+test("what is deepest is painted first, then what stands higher, then what the running motion sweeps; through is empty", () => {
+  expect(painted({ x: 0, y: 0, width: 600, height: 500 })).toEqual([
+    "clear within 1",
+    "deep 21 52 371 402",
+    "shallow 56 157 266 367",
+    "ground 91 227 196 332",
+    "deep 231 122 301 192",
+    "clear within 5",
+  ]);
+});
+
+test("rings that do not come near the patch are left out", () => {
+  // Right of X70: nothing of the two upper areas.
+  expect(painted({ x: 310, y: 100, width: 40, height: 40 }).slice(1)).toEqual([
+    "deep 21 52 371 402",
+    "nothing",
+    "nothing",
+    "nothing",
+    "clear within 5",
+  ]);
+});
+
+test("few depths are as far apart as can be", () => {
+  expect([1, 2, 3, 5].map((depths) => Array.from({ length: depths }, (_, i) => toneOfDepth(i, depths)))).toEqual([[2], [0, 4], [0, 2, 4], [
+    0,
+    1,
+    2,
+    3,
+    4,
+  ]]);
+});
