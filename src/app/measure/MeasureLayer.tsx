@@ -4,43 +4,22 @@ import { part } from "../../kernel/point.ts";
 import { toScreen, type Camera } from "../../view/camera.ts";
 import type { LabelBox } from "../../view/help/labels.ts";
 import { polyline } from "../../view/help/marks.ts";
-import { chainOfRing } from "../../view/measure/edges.ts";
 import { standingMeasurements } from "../../view/measure/layout.ts";
-import { readMeasurement, type MeasurementNow } from "../../view/measure/reading.ts";
 import { onSide, halfOf } from "../../view/measure/snap.ts";
-import { measuredIn } from "../edits.ts";
 import { SCALE_BELOW, SCALE_LEFT } from "../lathe/Axes.tsx";
 import { useCamera } from "../lathe/use-camera.ts";
 import type { Viewport } from "../lathe/viewport.ts";
 import { useSettings } from "../settings/settings.ts";
-import { useEditor } from "../store.ts";
 import { usePageUnit } from "../unit.ts";
 import { useMedia } from "../use-media.ts";
 import { MeasuredLabels, type Moved } from "./MeasuredLabels.tsx";
 import { MeasurePanel } from "./MeasurePanel.tsx";
 import { measurementWords, useMeasureTexts } from "./measure-words.ts";
 import type { Measuring } from "./measuring.ts";
+import { useReadings } from "./readings.ts";
 import type { MeasureSource } from "./source.ts";
 import { useMeasureHand, type MeasureState } from "./use-measure-hand.ts";
 import "./measure.css";
-
-/** The measurements of a picture as they are now. */
-function useReadings(source: MeasureSource): readonly MeasurementNow[] {
-  const list = useEditor(measuredIn), { plane } = source;
-  return useMemo(() => {
-    const own = list.filter((each) => each.plane === plane);
-    const onPath = own.some(({ places }) => places.some(({ spot }) => spot === "path"));
-    const work = {
-      isTurned: plane === "ZX",
-      contours: source.contours,
-      blank: source.blank.map(chainOfRing),
-      stock: [],
-      path: onPath ? source.path() : [],
-      printOf: source.printOf,
-    };
-    return own.flatMap((each) => readMeasurement(each, work) ?? []);
-  }, [list, plane, source]);
-}
 
 /** Half the size of a mark, and how far beside it its name stands, pixels. */
 const MARK = 5, CROSS = 12, ASIDE = 10;

@@ -1,5 +1,6 @@
 import { useMemo } from "react";
 import type { MeasuredMoment } from "../../kernel/measured.ts";
+import { partPoint, partSegment } from "../../kernel/plane.ts";
 import type { Pt, Ring } from "../../kernel/point.ts";
 import type { Run } from "../../program/run-types.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
@@ -28,6 +29,27 @@ export interface MeasureSource {
   readonly printOf: MeasuredWork["printOf"];
 }
 
+/** What a run has to measure in one of its planes, without the stock of a moment. */
+export type MeasurableRun = Pick<MeasureSource, "plane" | "contours" | "blank" | "path" | "printOf">;
+
+/** The lathe's half plane of a run, or what it mills: contours of approaches, and the ends of its motions. */
+export const measurableRun = (run: Run, plane: MeasureSource["plane"]): MeasurableRun =>
+  plane === "ZX"
+    ? {
+      plane,
+      contours: run.operations.map(({ plan }) => plan.contour),
+      blank: run.blank,
+      path: () => run.steps.flatMap(({ from, move }, i) => (i === 0 ? [from, move.to] : [move.to])),
+      printOf: printsOf(run),
+    }
+    : {
+      plane,
+      contours: run.approaches.filter((each) => each.plane === "XY").map(({ contour }) => contour.map(partSegment)),
+      blank: [],
+      path: () => run.plane.map(({ to }) => partPoint(to)),
+      printOf: () => null,
+    };
+
 /** What the lathe has to measure. */
 export function useLatheSource({ run, stockAt, playback, isWhole }: {
   readonly run: Run;
@@ -37,11 +59,8 @@ export function useLatheSource({ run, stockAt, playback, isWhole }: {
   readonly isWhole: boolean;
 }): MeasureSource {
   return useMemo(() => ({
-    plane: "ZX",
+    ...measurableRun(run, "ZX"),
     isWhole,
-    contours: run.operations.map(({ plan }) => plan.contour),
-    blank: run.blank,
-    path: () => run.steps.flatMap(({ from, move }, i) => (i === 0 ? [from, move.to] : [move.to])),
     moment() {
       const { position: { step, fraction }, playing } = playback.get(), running = run.steps[step];
       if (playing || !stockAt) return null;
@@ -50,6 +69,5 @@ export function useLatheSource({ run, stockAt, playback, isWhole }: {
       return { step, fraction, block: running.block, ...(pass !== undefined && { pass }) };
     },
     stock: () => stockAt?.(playback.get().position) ?? [],
-    printOf: printsOf(run),
   }), [run, stockAt, playback, isWhole]);
 }

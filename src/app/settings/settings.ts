@@ -26,6 +26,8 @@ export interface Settings {
   /** Paper of the setup sheet, and whether the program stands behind it. */
   readonly paper: Paper;
   readonly sheetProgram: boolean;
+  /** The setup sheet shows what was measured. */
+  readonly sheetMeasured: boolean;
   /** The steps of the manual stand as a list under the picture, or as one line. */
   readonly stepList: boolean;
 }
@@ -66,6 +68,7 @@ function initial(): Settings {
     paths: "all",
     paper: usualPaper(),
     sheetProgram: true,
+    sheetMeasured: true,
     stepList: true,
   };
 }
@@ -96,6 +99,7 @@ export function readSettings(text: string | null): Settings {
     paths: oneOf(kept["paths"], SHOWN_PATHS, first.paths),
     paper: oneOf(kept["paper"], PAPERS, first.paper),
     sheetProgram: flag(kept["sheetProgram"], first.sheetProgram),
+    sheetMeasured: flag(kept["sheetMeasured"], first.sheetMeasured),
     stepList: flag(kept["stepList"], first.stepList),
   };
 }

@@ -1,17 +1,21 @@
 import { useId, useMemo } from "react";
 import type { SheetTexts } from "../../i18n/en/sheet.ts";
 import { boundsOf } from "../../view/bounds.ts";
-import { FIGURES, partDrawing } from "../../view/sheet/part-drawing.ts";
+import type { MeasurementNow } from "../../view/measure/reading.ts";
+import { partDrawing } from "../../view/sheet/part-drawing.ts";
+import { FIGURES } from "../../view/sheet/sizes.ts";
 import type { Outcome } from "../engine/outcome.ts";
+import { useDrawnMeasured } from "./SheetMeasured.tsx";
 import type { SheetWords } from "./sheet-words.ts";
 
 /** Room for the drawing beside the facts, mm on paper. */
 const ROOM = { width: 124, height: 96 } as const;
 
 /** The set-up to scale, as a drawing for black and white. */
-export function PartSheet({ outcome, name, t, words }: { readonly outcome: Outcome | null; readonly name: string; readonly t: SheetTexts;
-  readonly words: SheetWords })
+export function PartSheet({ outcome, measured, name, t, words }: { readonly outcome: Outcome | null;
+  readonly measured: readonly MeasurementNow[]; readonly name: string; readonly t: SheetTexts; readonly words: SheetWords })
 {
+  const drawn = useDrawnMeasured(measured);
   const hatch = useId();
   const drawing = useMemo(() => {
     if (!outcome) return null;
@@ -24,8 +28,9 @@ export function PartSheet({ outcome, name, t, words }: { readonly outcome: Outco
         ...(thread && { thread: { lead: thread.lead, starts: thread.starts } }),
       })),
       reached: boundsOf(run.steps.filter(({ move }) => move.kind !== "rapid").flatMap(({ from, move }) => [from, move.to])),
+      measured: drawn,
     }, words, ROOM);
-  }, [outcome, words]);
+  }, [outcome, words, drawn]);
   if (!drawing) return <p className="sheet-soft">{t.noDrawing}</p>;
   const { scale, width, height, shapes, texts, left } = drawing;
   return (

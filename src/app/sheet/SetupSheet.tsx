@@ -11,6 +11,7 @@ import { useTexts } from "../settings/use-texts.ts";
 import { useEditor } from "../store.ts";
 import { PartSheet } from "./PartSheet.tsx";
 import { SheetFacts } from "./SheetFacts.tsx";
+import { SheetMeasured, useSheetMeasured } from "./SheetMeasured.tsx";
 import { SheetOperations } from "./SheetOperations.tsx";
 import { SheetProgram } from "./SheetProgram.tsx";
 import { SheetTools } from "./SheetTools.tsx";
@@ -89,7 +90,7 @@ export function SetupSheet({ source, t, date }: { readonly source: SheetSource; 
   const isCalculated = useIsCalculated(source);
   const words = useMemo(() => sheetWords(texts, t, language), [texts, t, language]);
   const { data, outcome, program, control, file, remarks } = source;
-  const name = data.name || file;
+  const name = data.name || file, measured = useSheetMeasured(outcome);
   const comma = language === "zh" ? "、" : ", ";
   const head: readonly (readonly [string, string])[] = [
     [t.head.file, file],
@@ -118,10 +119,11 @@ export function SetupSheet({ source, t, date }: { readonly source: SheetSource; 
       <section>
         <h2>{t.drawing}</h2>
         <div className="sheet-setup">
-          <PartSheet outcome={outcome} name={name} t={t} words={words} />
+          <PartSheet outcome={outcome} measured={measured} name={name} t={t} words={words} />
           <SheetFacts source={source} work={work} t={t.facts} words={words} comma={comma} />
         </div>
       </section>
+      <SheetMeasured measured={measured} t={t} />
       <section className="sheet-wide" tabIndex={0} aria-label={t.tools}>
         <h2>{t.tools}</h2>
         <SheetTools data={data} t={t} words={words} />

@@ -1,9 +1,10 @@
 import { useEffect, useState } from "react";
 import { time } from "../clock.ts";
-import { setRemarks } from "../edits.ts";
+import { measuredIn, setRemarks } from "../edits.ts";
 import { Icon } from "../Icon.tsx";
 import { changeSettings, PAPERS, useSettings } from "../settings/settings.ts";
 import { closeStep } from "../steps.ts";
+import { useEditor } from "../store.ts";
 import { LONGEST_REMARKS } from "../work.ts";
 import { SetupSheet } from "./SetupSheet.tsx";
 import { hideSheet } from "./sheet-place.ts";
@@ -38,7 +39,8 @@ function useFoot(text: string, page: string): void {
 export function SheetPage() {
   const t = useSheetTexts();
   const source = useSheetSource();
-  const { language, paper, sheetProgram } = useSettings();
+  const { language, paper, sheetProgram, sheetMeasured } = useSettings();
+  const isMeasured = useEditor((s) => measuredIn(s).length > 0);
   const now = useNow();
   const date = new Intl.DateTimeFormat(language, { dateStyle: "medium", timeStyle: "short" }).format(now);
   const { before, of, after } = t.page;
@@ -65,6 +67,12 @@ export function SheetPage() {
             <input type="checkbox" checked={sheetProgram} onChange={(e) => changeSettings({ sheetProgram: e.currentTarget.checked })} />
             <span>{t.withProgram}</span>
           </label>
+          {isMeasured && (
+            <label className="sheet-check">
+              <input type="checkbox" checked={sheetMeasured} onChange={(e) => changeSettings({ sheetMeasured: e.currentTarget.checked })} />
+              <span>{t.withMeasured}</span>
+            </label>
+          )}
           <button type="button" className="button primary" title={t.printHint} onClick={() => print()}>
             <Icon name="print" /> {t.print}
           </button>

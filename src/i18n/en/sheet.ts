@@ -8,6 +8,10 @@ export const sheet = {
   paper: "Paper",
   papers: { a4: "A4", letter: "Letter" },
   withProgram: "With the program",
+  withMeasured: "With measurements",
+  measured: "Measured",
+  measuredOld:
+    (n: number) => (n === 1 ? "1 measurement of before a change is left out" : `${n} measurements of before a change are left out`),
   remarks: "Remarks",
   remarksHint: "Clamping, jaws, measuring, what to watch",
   preview: "Preview of the sheet",

@@ -40,6 +40,8 @@ const PAD = 10, TALL = 20;
 const CAPTION = { text: 11, tall: 13 } as const;
 /** Where texts may stand beside what they measure, pixels: the first line, and from line to line. */
 const OFF = 26, ROW = 24;
+/** Beyond an arrow that points inwards. */
+const OUTSIDE = 32;
 const ROWS = [0, 1, 2, 3, 4, 5] as const;
 
 const boxAt = (middle: Place, { text, caption }: AskedMeasurement, unit: number): LabelBox => {
@@ -89,14 +91,21 @@ function round(tip: Place, centre: Place, wide: number, unit: number): Place[] {
   );
 }
 
+/** The directions in which the text of an angle could stand, from its first leg on: within it, or beside it where it is narrow. */
+function waysOf(sweep: number, far: number): readonly number[] {
+  const beside = (OUTSIDE / far) * (Math.sign(sweep) || 1), out = [sweep + beside, -beside];
+  return Math.abs(sweep) * far < TALL + OFF ? out : [...[0.5, 0.3, 0.7].map((share) => share * sweep), ...out];
+}
+
 /** The places where the text of a dimension could stand, the best first. */
 function middles(paper: MeasurementPaper, figure: Figure, wide: number): Place[] {
   const { camera, unit } = paper;
   switch (figure.kind) {
     case "diameter": {
       const tip = toScreen(camera, figure.at), centre = toScreen(camera, at(figure.at.z, 0));
-      const far = Math.abs(tip.y - centre.y) < (TALL + 2 * OFF) * unit ? [-1.2, 2] : [0.5, 0.28, 0.74, -0.5];
-      return sides(wide / 2 + 8 * unit, 5).flatMap((x) => far.map((k) => ({ x: tip.x + x, y: centre.y + (tip.y - centre.y) * k })));
+      const up = tip.y - centre.y, out = up + Math.sign(up) * OUTSIDE * unit;
+      const rows = Math.abs(up) < (TALL + OFF) * unit ? [out, -out] : [0.5, 0.28, 0.74, -0.5].map((k) => k * up);
+      return sides(wide / 2 + 8 * unit, 5).flatMap((x) => rows.map((y) => ({ x: tip.x + x, y: centre.y + y })));
     }
     case "circle":
       return round(toScreen(camera, figure.at), toScreen(camera, figure.centre), wide, unit);
@@ -105,8 +114,8 @@ function middles(paper: MeasurementPaper, figure: Figure, wide: number): Place[]
     case "angle": {
       const { centre, start, sweep } = opening(paper, figure);
       return [2, 3, 4, 5, 6].flatMap((far) =>
-        [0.5, 0.3, 0.7, -0.4, 1.4].map((share) => {
-          const way = start + sweep * share;
+        waysOf(sweep, far * OFF).map((off) => {
+          const way = start + off;
           return { x: centre.x + Math.cos(way) * (far * OFF * unit + wide / 4), y: centre.y - Math.sin(way) * far * OFF * unit };
         })
       );

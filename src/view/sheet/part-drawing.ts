@@ -6,7 +6,9 @@ import type { Bounds, Place } from "../camera.ts";
 import { chuckRings } from "../chuck.ts";
 import { textWidth, type LabelBox } from "../help/labels.ts";
 import { featuresOf, type DiameterFeature, type PositionFeature, type TurnedContour } from "./features.ts";
+import { measuredOnPaper, type SheetMeasurement } from "./measured.ts";
 import { factorOf, usualScale, type DrawingScale } from "./scales.ts";
+import { FIGURES } from "./sizes.ts";
 import { spread } from "./spread.ts";
 
 /** What is drawn. Part space, mm. */
@@ -17,6 +19,8 @@ export interface DrawnWork {
   readonly contours: readonly TurnedContour[];
   /** Everything the tool tip reaches while it cuts; null where it does not. */
   readonly reached: Bounds | null;
+  /** What was measured on it; nothing where absent. */
+  readonly measured?: readonly SheetMeasurement[];
 }
 
 /** Words and numbers as the sheet's language writes them. */
@@ -29,7 +33,8 @@ export interface DrawingWords {
 }
 
 /** What a line or an area of the drawing stands for; its weight and dashes belong to whoever paints it. */
-export type DrawingRole = "chuck" | "blank" | "section" | "outline" | "edge" | "axis" | "thin" | "arrow" | "zero" | "zeroFilled";
+export type DrawingRole = "chuck" | "blank" | "section" | "outline" | "edge" | "axis" | "thin" | "arrow" | "zero" | "zeroFilled"
+  | "measured";
 
 export interface DrawnShape {
   readonly role: DrawingRole;
@@ -57,8 +62,7 @@ export interface PartDrawing {
   readonly left: number;
 }
 
-/** Size of the dimension figures, mm on paper, and the height that one takes. */
-export const FIGURES = 3;
+/** The height that a figure takes, mm on paper. */
 const LINE = 3.9;
 /** Least gap between two labels; from a part to the first dimension; from the knee of a leader to its text, mm on paper. */
 const GAP = 0.5, OFF = 6, KNEE = 5;
@@ -263,6 +267,12 @@ export function partDrawing(
     writeAt(text, { x: Math.max(half, Math.min((a + b) / 2, right + KNEE - half)), y: y - LINE / 2 - 0.4 }, false);
   }
   shapes.push(...zeroSign(zero));
+  const camera = { scale: k, zero, xUp: true };
+  for (const each of measuredOnPaper(work.measured ?? [], { camera, width: room.width, height, kept: texts.map(({ box }) => box) })) {
+    const { x, y, width, height: tall } = each.box;
+    shapes.push({ role: "thin", d: each.lines }, { role: "arrow", d: each.arrows }, { role: "measured", d: each.frame });
+    texts.push({ text: each.text, at: { x: x + width / 2, y: y + tall / 2 }, turned: false, box: each.box });
+  }
   const wanted = distinct(diameters, (d) => seen(d).y).length + distinct(marks, (p) => onPaper(p.at).x).length;
   const missing = wanted - shownDiameters.length - shownPositions.length;
   return { scale, width: room.width, height, shapes, texts, left: missing };

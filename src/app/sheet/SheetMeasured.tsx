@@ -1,0 +1,47 @@
+import { useMemo } from "react";
+import type { SheetTexts } from "../../i18n/en/sheet.ts";
+import type { MeasurementNow } from "../../view/measure/reading.ts";
+import type { SheetMeasurement } from "../../view/sheet/measured.ts";
+import { measuredIn } from "../edits.ts";
+import type { Outcome } from "../engine/outcome.ts";
+import { measurementWords, useMeasureTexts } from "../measure/measure-words.ts";
+import { readIn } from "../measure/readings.ts";
+import { measurableRun } from "../measure/source.ts";
+import { useSettings } from "../settings/settings.ts";
+import { useEditor } from "../store.ts";
+
+const NOTHING: readonly MeasurementNow[] = [];
+
+/** What was measured in the open work, as far as the sheet is to show it. */
+export function useSheetMeasured(outcome: Outcome | null): readonly MeasurementNow[] {
+  const list = useEditor(measuredIn), isShown = useSettings((s) => s.sheetMeasured);
+  return useMemo(
+    () => (outcome && isShown ? (["ZX", "XY"] as const).flatMap((plane) => readIn(list, measurableRun(outcome.run, plane))) : NOTHING),
+    [outcome, list, isShown],
+  );
+}
+
+/** Those that are drawn: of the finished part. Half-made parts and milled planes are not on the drawing. */
+export function useDrawnMeasured(measured: readonly MeasurementNow[]): readonly SheetMeasurement[] {
+  const t = useMeasureTexts(), language = useSettings((s) => s.language);
+  return useMemo(() =>
+    measured.flatMap((each) => {
+      const { measurement: { id, plane, moment }, figure, isOld } = each;
+      const isDrawn = !isOld && plane === "ZX" && moment?.block === undefined;
+      return isDrawn ? [{ id, figure, text: measurementWords(t, language, each).text }] : [];
+    }), [measured, t, language]);
+}
+
+/** What was measured, in words; what is of before a change is only counted. */
+export function SheetMeasured({ measured, t }: { readonly measured: readonly MeasurementNow[]; readonly t: SheetTexts }) {
+  const own = useMeasureTexts(), language = useSettings((s) => s.language);
+  if (measured.length === 0) return null;
+  const said = measured.filter(({ isOld }) => !isOld), old = measured.length - said.length;
+  return (
+    <section className="sheet-measured">
+      <h2>{t.measured}</h2>
+      <ul>{said.map((each) => <li key={each.measurement.id}>{measurementWords(own, language, each).name}</li>)}</ul>
+      {old > 0 && <p className="sheet-small">{t.measuredOld(old)}</p>}
+    </section>
+  );
+}

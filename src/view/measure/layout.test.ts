@@ -1,0 +1,106 @@
+import fc from "fast-check";
+import { describe, expect, test } from "vitest";
+import { at } from "../../kernel/point.ts";
+import { toScreen, type Camera } from "../camera.ts";
+import { labelsOverlap } from "../help/labels.ts";
+import { measuredOnPaper } from "../sheet/measured.ts";
+import type { Figure } from "./figure.ts";
+import { standingMeasurements, type AskedMeasurement, type MeasurementPaper } from "./layout.ts";
+
+const camera: Camera = { scale: 4.37, zero: { x: 613.5, y: 387.25 }, xUp: true };
+const paper: MeasurementPaper = {
+  camera,
+  unit: 1,
+  isWhole: false,
+  size: { width: 817, height: 463 },
+  edges: { left: 52, right: 6, top: 6, bottom: 28 },
+  kept: [{ x: 54, y: 8, width: 250, height: 86 }],
+};
+const asked = (id: string, figure: Figure, text: string): AskedMeasurement => ({ id, figure, text, caption: "" });
+const some: readonly AskedMeasurement[] = [
+  asked("1", { kind: "diameter", at: at(-27.77, 8.5) }, "⌀17.000"),
+  asked("2", { kind: "diameter", at: at(-28.1, 21.03) }, "⌀42.060"),
+  asked("3", { kind: "along", from: at(-54.87, 23.1), to: at(-1.15, 8.5) }, "53.72"),
+  asked("4", { kind: "across", from: at(-14.87, 10.1), to: at(-14.87, 21.01) }, "10.91"),
+  asked("5", { kind: "radius", tip: at(-14.4, 8.97), centre: at(-13.27, 10.1) }, "R1.6"),
+  asked("6", { kind: "angle", vertex: at(-1.15, 8.5), ways: [at(1, 0), at(0.9962, 0.0872)], reach: [0, 30] }, "5°"),
+  asked("7", { kind: "straight", from: at(-41.3, 3.3), to: at(-9.9, 17.2) }, "34.34"),
+  asked("8", { kind: "circle", at: at(-33.1, 14.2), centre: at(-33.1, 9.7) }, "⌀9.000"),
+];
+
+/** All pairs of numbers of path data. */
+const numbers = (d: string): number[] => (d.match(/-?\d+(\.\d+)?/g) ?? []).map(Number);
+/** Both ends of the straight lines of path data. */
+const ends = (d: string) => [...d.matchAll(/M([-\d.]+) ([-\d.]+)L([-\d.]+) ([-\d.]+)/g)].map((m) => m.slice(1).map(Number));
+
+describe("dimensions over the picture", () => {
+  const standing = standingMeasurements(paper, some);
+
+  test("all of them stand, on the picture, in their order, clear of each other and of what is kept free", () => {
+    expect(standing.map(({ id }) => id)).toEqual(some.map(({ id }) => id));
+    const boxes = [...paper.kept, ...standing.map(({ box }) => box)];
+    for (const [i, a] of boxes.entries()) for (const b of boxes.slice(i + 1)) expect(labelsOverlap(a, b)).toBe(false);
+    for (const { box } of standing) {
+      expect(box.x).toBeGreaterThanOrEqual(paper.edges.left);
+      expect(box.y).toBeGreaterThanOrEqual(paper.edges.top);
+      expect(box.x + box.width).toBeLessThanOrEqual(paper.size.width - paper.edges.right);
+      expect(box.y + box.height).toBeLessThanOrEqual(paper.size.height - paper.edges.bottom);
+    }
+  });
+
+  test("a text that was put by hand stands there, whatever lies there, and its dimension goes with it", () => {
+    const put = at(-37.3, 31.9), [one] = standingMeasurements(paper, [{ ...some[2]!, put }]);
+    expect(one?.middle).toEqual(toScreen(camera, put));
+    const level = ends(one?.lines ?? "").filter(([, y, , y2]) => y === y2);
+    // The dimension line runs at the height of the text, between what is measured.
+    expect(level).toHaveLength(1);
+    expect(level[0]?.[1]).toBeCloseTo(387.25 - 31.9 * 4.37, 1);
+    expect(level[0]?.[0]).toBeCloseTo(613.5 - 54.87 * 4.37, 1);
+    expect(level[0]?.[2]).toBeCloseTo(613.5 - 1.15 * 4.37, 1);
+  });
+
+  test("a diameter goes past the axis in a half section, and right across in a whole one", () => {
+    const text = at(-28.1, 11.2), one = { ...some[1]!, put: text };
+    const reach = (isWhole: boolean) => {
+      const [drawn] = standingMeasurements({ ...paper, isWhole }, [one]);
+      return Math.max(...ends(drawn?.lines ?? "").flatMap(([, y = 0, , y2 = 0]) => [y, y2]));
+    };
+    expect(reach(false)).toBeCloseTo(387.25 + 14, 1);
+    expect(reach(true)).toBeCloseTo(387.25 + 21.03 * 4.37, 1);
+  });
+
+  test("arrows stand outside where a length is too short for them", () => {
+    const short = { kind: "along", from: at(-3.31, 9.1), to: at(-1.15, 9.1) } as const,
+      [one] = standingMeasurements(paper, [asked("1", short, "2.16")]);
+    const tips = [...(one?.arrows ?? "").matchAll(/M([-\d.]+) [-\d.]+L([-\d.]+)/g)].map(([, tip, back]) => [Number(tip), Number(back)]);
+    const [left, right] = [613.5 - 3.31 * 4.37, 613.5 - 1.15 * 4.37];
+    expect(tips[0]?.[0]).toBeCloseTo(left, 1);
+    expect(tips[0]?.[1]).toBeLessThan(left);
+    expect(tips[1]?.[0]).toBeCloseTo(right, 1);
+    expect(tips[1]?.[1]).toBeGreaterThan(right);
+  });
+
+  test("whatever is measured and wherever its text is put, all lines are drawn with numbers", () =>
+    fc.assert(
+      fc.property(fc.constantFrom(...some), fc.double({ min: -200, max: 200, noNaN: true }),
+        fc.double({ min: -200, max: 200, noNaN: true }), fc.constantFrom(0.05, 3.1, 1999), fc.boolean(), (one, z, r, scale, xUp) => {
+        const [drawn] = standingMeasurements({ ...paper, camera: { ...camera, scale, xUp } }, [{ ...one, put: at(z, r) }]);
+        const all = numbers(`${drawn?.lines}${drawn?.arrows}`);
+        expect(all.length).toBeGreaterThan(3);
+        expect(`${drawn?.lines}${drawn?.arrows}`).not.toMatch(/NaN|Infinity|undefined/);
+      }),
+    ));
+});
+
+test("on the sheet they are as large as its figures, in frames with round ends, clear of the dimensions that it has", () => {
+  const kept = [{ x: 80, y: 20, width: 20, height: 60 }];
+  const made = measuredOnPaper(some, { camera: { scale: 0.83, zero: { x: 71.3, y: 44.1 }, xUp: true }, width: 124, height: 96, kept });
+  expect(made).toHaveLength(some.length);
+  for (const { box, frame } of made) {
+    expect(box.height).toBeCloseTo((20 * 3) / 13, 9);
+    expect(kept.some((each) => labelsOverlap(each, box))).toBe(false);
+    expect(frame).toMatch(/^M.*a.*a.*Z$/);
+    expect(box.x).toBeGreaterThanOrEqual(1);
+    expect(box.x + box.width).toBeLessThanOrEqual(123);
+  }
+});

@@ -1,0 +1,52 @@
+import { expect, test } from "vitest";
+import { at } from "../../kernel/point.ts";
+import type { Step } from "../../kernel/step.ts";
+import type { Tool } from "../../kernel/tool.ts";
+import { feed, length } from "../../kernel/units.ts";
+import { printsOf } from "./print.ts";
+
+const tool: Tool = { T: 3, NAME: "A", TYPE: "ROUGH", TO: 1, RS: length(0.8) };
+const step = (z: number, r: number, own = tool): Step => ({
+  from: at(z + 1.3, r),
+  move: { kind: "feed", to: at(z, r), feed: feed(0.2), feedUnit: "mm/rev", phase: "rough", run: "rough", step: 1 },
+  tool: own,
+  block: 12,
+  operation: 0,
+  seconds: 1,
+});
+const blank = [[at(-60.1, 0), at(1.2, 0), at(1.2, 25.3), at(-60.1, 25.3)]];
+const steps = [step(-3.1, 24), step(-9.7, 22.5), step(-15.2, 21)];
+const made = { blank, stated: [], steps };
+const moment = (index: number, fraction = 0) => ({ step: index, fraction, block: 12 });
+const print = (of: Parameters<typeof printsOf>[0], ...asked: Parameters<ReturnType<typeof printsOf>>) => printsOf(of)(...asked);
+
+test("what comes after a moment changes nothing of its stock; what was before it does", () => {
+  const later = { ...made, steps: [...steps.slice(0, 2), step(-15.2, 20.999)] };
+  expect(print(later, moment(2))).toBe(print(made, moment(2)));
+  expect(print(later, moment(2, 0.3))).not.toBe(print(made, moment(2, 0.3)));
+  expect(print({ ...made, steps: [step(-3.101, 24), ...steps.slice(1)] }, moment(2))).not.toBe(print(made, moment(2)));
+  expect(print({ ...made, blank: [] }, moment(0))).not.toBe(print(made, moment(0)));
+  expect(print(made, moment(2, 0.31))).not.toBe(print(made, moment(2, 0.3)));
+});
+
+test("another nose is another stock, another name or holder is not", () => {
+  const other = (own: Partial<Tool>) => ({ ...made, steps: steps.map((s) => ({ ...s, tool: { ...tool, ...own } })) });
+  expect(print(other({ RS: length(0.4) }), moment(1))).not.toBe(print(made, moment(1)));
+  expect(print(other({ NAME: "B", holder: { width: length(25), length: length(80), offsetX: length(1), offsetZ: length(2) } }), moment(1)))
+    .toBe(print(made, moment(1)));
+});
+
+test("the end is the end of whatever there is; a moment that is no more has no print; the order of asking changes nothing", () => {
+  const longer = { ...made, steps: [...steps, step(-20, 19)] }, end = { step: 3, fraction: 0 };
+  expect(print(longer, end)).not.toBe(print(made, end));
+  expect(print(made, end)).toBe(print(made, { step: 77, fraction: 0 }));
+  expect(print(made, moment(4))).toBeNull();
+  const asked = printsOf(made), last = asked(moment(3)), first = asked(moment(1));
+  expect([first, last]).toEqual([print(made, moment(1)), print(made, moment(3))]);
+});
+
+test("a blank that is stated on the way counts from its step on", () => {
+  const stated = [{ step: 2, block: 40, what: "BLK FORM", rings: blank }];
+  expect(print({ ...made, stated }, moment(1))).toBe(print(made, moment(1)));
+  expect(print({ ...made, stated }, moment(2))).not.toBe(print(made, moment(2)));
+});

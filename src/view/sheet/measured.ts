@@ -1,0 +1,50 @@
+import type { Camera } from "../camera.ts";
+import type { LabelBox } from "../help/labels.ts";
+import type { Figure } from "../measure/figure.ts";
+import { MEASURED_TEXT, standingMeasurements } from "../measure/layout.ts";
+import { FIGURES } from "./sizes.ts";
+
+/** A measurement that is drawn on the sheet, with its text. */
+export interface SheetMeasurement {
+  readonly id: string;
+  readonly figure: Figure;
+  readonly text: string;
+}
+
+/** What a measurement is on paper: its lines, its arrows, a frame with round ends, as prints give what was checked, and its text in it. */
+export interface PaperMeasurement {
+  readonly lines: string;
+  readonly arrows: string;
+  readonly frame: string;
+  readonly text: string;
+  readonly box: LabelBox;
+}
+
+const mm = (v: number): string => String(Math.round(v * 100) / 100 + 0);
+
+function frameOf({ x, y, width, height }: LabelBox): string {
+  const r = height / 2, long = width - height;
+  return `M${mm(x + r)} ${mm(y)}h${mm(long)}a${mm(r)} ${mm(r)} 0 0 1 0 ${mm(height)}h${mm(-long)}a${mm(r)} ${mm(r)} 0 0 1 0 ${
+    mm(-height)
+  }Z`;
+}
+
+/** Free edge of the drawing, mm on paper. */
+const EDGE = 1;
+
+/** Measurements on a drawing of both halves of a part, clear of the texts that it has. Lengths in mm on paper. */
+export function measuredOnPaper(
+  measured: readonly SheetMeasurement[],
+  paper: { readonly camera: Camera; readonly width: number; readonly height: number; readonly kept: readonly LabelBox[] },
+): readonly PaperMeasurement[] {
+  const { camera, width, height, kept } = paper;
+  const edges = { left: EDGE, right: EDGE, top: EDGE, bottom: EDGE };
+  const sheet = { camera, unit: FIGURES / MEASURED_TEXT, isWhole: true, size: { width, height }, edges, kept };
+  return standingMeasurements(sheet, measured.map((each) => ({ ...each, caption: "" }))).map(({ lines, arrows, box, text }) => ({
+    lines,
+    arrows,
+    frame: frameOf(box),
+    text,
+    box,
+  }));
+}
