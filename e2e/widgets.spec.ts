@@ -14,7 +14,7 @@ test("a toolbar is one stop of Tab, and arrows move inside it", async ({ page })
   await turnwise.effect.proved();
   const at = await lathe.running.innerText();
 
-  await lathe.button("fullSection").focus();
+  await lathe.section.focus();
   await press(page, "ArrowRight");
   await expect(lathe.button("xDown")).toBeFocused();
   await press(page, ...Array.from({ length: 6 }, () => "ArrowRight"), "ArrowLeft");

@@ -14,10 +14,13 @@ export class Lathe {
     return this.view.getByRole("img").first();
   }
 
-  button(name: "play" | "pause" | "forward" | "back" | "first" | "last" | "fullSection" | "xDown" | "ruler" | "zoomIn" | "zoomOut"
-    | "fit"): Locator
-  {
+  button(name: "play" | "pause" | "forward" | "back" | "first" | "last" | "xDown" | "ruler" | "zoomIn" | "zoomOut" | "fit"): Locator {
     return this.view.getByRole("button", { name: this.context.t.lathe[name], exact: true });
+  }
+
+  /** How the work is shown: cut or from outside. */
+  get section(): Locator {
+    return this.view.getByRole("combobox", { name: this.context.t.lathe.sections.title, exact: true });
   }
 
   get timeline(): Locator {

@@ -5,7 +5,7 @@ import type { Step } from "../kernel/step.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { boundsOf, grownBounds, joined, pointsOf } from "./bounds.ts";
 import type { Bounds } from "./camera.ts";
-import { chuckRings } from "./chuck.ts";
+import { chuckDrawing, type ChuckDrawing } from "./material/chuck.ts";
 import { moveData, ringData, segmentData, startData } from "./path.ts";
 
 /** What a line of the toolpath is for, which decides its form. */
@@ -13,7 +13,7 @@ export const PATH_ROLES = ["rapid", "feed", "plunge", "smooth", "finish", "threa
 export type PathRole = (typeof PATH_ROLES)[number];
 
 /** What a shape stands for. Its form and colour belong to whoever paints it. */
-export type Role = PathRole | "chuck" | "jaw" | "blank" | "sketch" | "contour" | "stock" | "residual" | "gouge";
+export type Role = PathRole | "blank" | "sketch" | "contour" | "stock" | "residual" | "gouge";
 
 /** One shape of the display list: path data in part space (x = z, y = r, mm). */
 export interface Shape {
@@ -37,6 +37,7 @@ export interface SceneParts {
 /** The still part of the picture, from back to front, and the box that shows all of it. */
 export interface Scene {
   readonly shapes: readonly Shape[];
+  readonly chuck: ChuckDrawing | null;
   readonly bounds: Bounds;
 }
 
@@ -119,16 +120,15 @@ export function sceneOf({ blank, contours, steps, sketch = [], near = [], waits 
   const material = boundsOf(blank.flat());
   const path = boundsOf(tipsOf(steps));
   const outline = boundsOf([...contours, sketch].flatMap((c) => [...pointsOf(c)]).concat(near));
-  const chuck = material ? chuckRings(material, joined(path, outline)) : null;
+  const chuck = material ? chuckDrawing(material, joined(path, outline)) : null;
   const shapes: Shape[] = [];
-  if (chuck) shapes.push({ role: "chuck", d: ringData([chuck.body]) }, { role: "jaw", d: ringData([chuck.jaw]) });
   if (blank.length > 0) shapes.push({ role: "blank", d: ringData(blank) });
   if (sketch.length > 0) shapes.push({ role: "sketch", d: segmentData(sketch) });
   for (const contour of contours) shapes.push({ role: "contour", d: segmentData(contour) });
   shapes.push(...toolpath(steps));
   const tip = boundsOf(waits ? [waits.at] : []), standing = tip && waits?.tool ? insertBox(tip, waits.tool) : tip;
-  const all = joined(joined(material, joined(joined(workingBox(framed(steps)), standing), outline)), chuck ? boundsOf(chuck.jaw) : null)
-    ?? EMPTY;
-  const axis = { ...all, low: Math.min(0, path?.low ?? 0) };
-  return { shapes, bounds: grownBounds(axis, AIR * Math.max(axis.right - axis.left, axis.high - axis.low)) };
+  const all = joined(joined(material, joined(joined(workingBox(framed(steps)), standing), outline)), chuck?.seen ?? null) ?? EMPTY;
+  // Below the axis there is the other half of the work.
+  const axis = { ...all, low: Math.min(0, path?.low ?? 0, -(material?.high ?? 0)) };
+  return { shapes, chuck, bounds: grownBounds(axis, AIR * Math.max(axis.right - axis.left, axis.high - axis.low)) };
 }

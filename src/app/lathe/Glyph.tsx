@@ -11,8 +11,6 @@ const strokes = {
   fit: "M4 9V4h5M15 4h5v5M20 15v5h-5M9 20H4v-5",
   ruler: "M3 15L15 3l6 6L9 21zM7 11l2 2M10 8l3 3M13 5l2 2",
   which: "M3 19h6v-6h6V7h6M5.5 8.5a2.3 2.3 0 1 1 3.3 2c-.7.4-1 .8-1 1.5",
-  halfSection: "M3 12h18M5 12V6h8v3h6v3M7 12l4-6M12 12l2-3",
-  fullSection: "M2 12h20M5 18V6h8v3h6v6h-6v3zM7 10l3-4M7 18l5-4",
   view: "M2 12c3-5 6.5-7 10-7s7 2 10 7c-3 5-6.5 7-10 7s-7-2-10-7zM12 9a3 3 0 1 0 0 6 3 3 0 0 0 0-6z",
   xUp: "M8 20V5M4 9l4-4 4 4M15 20l6-8M15 12l6 8",
   xDown: "M8 4v15M4 15l4 4 4-4M15 12l6-8M15 4l6 8",

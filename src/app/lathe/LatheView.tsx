@@ -3,7 +3,6 @@ import type { KnownWork } from "../../program/known-work.ts";
 import type { Run } from "../../program/run-types.ts";
 import type { Pt } from "../../kernel/point.ts";
 import { axial, diameter, radius, toRadius } from "../../kernel/units.ts";
-import { mirrored } from "../../view/bounds.ts";
 import { datumAt, datumIndex } from "../../view/datum.ts";
 import { trackOf } from "../../view/playback.ts";
 import { sceneOf, type SceneParts } from "../../view/scene.ts";
@@ -99,7 +98,7 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
   readonly onMove?: MovePointed;
 }) {
   const texts = useTexts(), t = texts.lathe, keysId = useId();
-  const { language, fullSection: full, xDown, motion } = useSettings();
+  const { language, section, xDown, motion } = useSettings();
   const [kept, keep] = useState(result);
   if (result && result !== kept) keep(result);
   const shown = result ?? (dimmed ? kept : null), run = shown?.run ?? EMPTY_RUN;
@@ -114,7 +113,7 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
   const held = useMemo(() => run.steps.some((step) => step.tool.holder), [run]);
   const starts = useMemo(() => (waiting?.start ? [waiting.start] : run.operations.map((o) => o.start)), [run, waiting]);
   const measuring = useMeasuring();
-  const source = useLatheSource({ run, stockAt: shown?.simulation && moving ? moving.stockAt : null, playback, isWhole: full });
+  const source = useLatheSource({ run, stockAt: shown?.simulation && moving ? moving.stockAt : null, playback, isWhole: true });
   const path = useShownPath(run, playback);
   const { hover, over, tap } = usePicking({ run, viewport, shown: path.has, onMove });
   const look = measuring.on ? measuring : { tap, hover: over, drag: null };
@@ -122,7 +121,7 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
 
   useEffect(() => playback.dispatch({ do: "load", track: trackOf(run.steps) }), [run, playback]);
   useEffect(() => playback.setStill(reducedMotion({ motion })), [motion, playback]);
-  useEffect(() => viewport.setBounds(full ? mirrored(scene.bounds) : scene.bounds), [scene, full, viewport]);
+  useEffect(() => viewport.setBounds(scene.bounds), [scene, viewport]);
   useEffect(() => viewport.setXUp(!xDown), [xDown, viewport]);
 
   /** Enter in the picture chooses the move that runs, and its dialog takes the keyboard. */
@@ -164,9 +163,9 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
       <div ref={stage} className={`lathe-stage${dimmed ? " dimmed" : ""}${measuring.on ? " measuring" : ""}${ended ? " ended" : ""}`}
         tabIndex={0} role="group" aria-label={t.title} aria-describedby={keysId} {...{ [KEEPS_KEYBOARD]: "" }}
       >
-        <Picture viewport={viewport} scene={scene} moving={moving} waiting={waiting} findings={findings} residual={residual} full={full}
-          name={name} path={path.stretches} ghosts={<GhostPaths scene={scene} clock={clock} />} chosen={<ChosenPath run={run} />}
-          hovered={<HoveredMove run={run} hover={hover} />}
+        <Picture viewport={viewport} scene={scene} moving={moving} waiting={waiting} findings={findings} residual={residual}
+          section={section} name={name} path={path.stretches} ghosts={<GhostPaths scene={scene} clock={clock} />}
+          chosen={<ChosenPath run={run} />} hovered={<HoveredMove run={run} hover={hover} />}
         >
           <Marks viewport={viewport} starts={starts} datum={datum} />
           {typed && <KnownMarks viewport={viewport} known={typed} />}

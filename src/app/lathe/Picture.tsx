@@ -3,7 +3,8 @@ import type { Ring } from "../../kernel/point.ts";
 import type { StockFinding, Residual } from "../../sim/simulation.ts";
 import { ringData } from "../../view/path.ts";
 import type { PathStretch } from "../../view/passes.ts";
-import { PATH_ROLES, type Scene, type Shape } from "../../view/scene.ts";
+import type { Scene, Shape } from "../../view/scene.ts";
+import type { SectionView } from "../settings/settings.ts";
 import { LatheAxes } from "./Axes.tsx";
 import { ChipSheet } from "./ChipSheet.tsx";
 import { MaterialSheet } from "./MaterialSheet.tsx";
@@ -19,8 +20,6 @@ const HATCH = 7;
 
 /** A path with more letters than this takes a weak device longer to draw than one picture lasts. */
 const LONG_PATH = 40_000;
-
-const isPath = (shape: Shape) => (PATH_ROLES as readonly string[]).includes(shape.role);
 
 const Still = memo(function Still({ shapes, mirror }: { readonly shapes: readonly Shape[]; readonly mirror: boolean }) {
   const drawn = shapes.map((shape, i) => <path key={i} className={`shape-${shape.role}`} d={shape.d} />);
@@ -56,16 +55,13 @@ function ResidualHatch({ viewport, id }: { readonly viewport: Viewport; readonly
   );
 }
 
-/** Blank under the path; the contour over it as a thinner line, so that both are seen where the tip runs on the contour. */
-const UPPER: readonly Shape["role"][] = ["blank", "sketch", "contour"];
-
 const NOTHING: readonly Ring[] = [];
 
 /**
  * Section of the work with path and tool, in sheets from back to front: grid, material, drawing, tool, what is written over it. The drawing
  * is painted once, however long the path. While it plays the material is painted where the tool is, and the tool's sheet is moved.
  */
-export function Picture({ viewport, scene, moving, waiting, findings, residual, full, path, ghosts, chosen, hovered, name, children }: {
+export function Picture({ viewport, scene, moving, waiting, findings, residual, section, path, ghosts, chosen, hovered, name, children }: {
   readonly viewport: Viewport;
   readonly scene: Scene;
   readonly moving: Moving | null;
@@ -74,7 +70,7 @@ export function Picture({ viewport, scene, moving, waiting, findings, residual, 
   readonly findings: readonly StockFinding[];
   /** Shown only when the run is at its end. */
   readonly residual: readonly Residual[];
-  readonly full: boolean;
+  readonly section: SectionView;
   /** The lines of the path that are shown. */
   readonly path: readonly PathStretch[];
   /** Paths of other settings, in part space: under the path. */
@@ -87,10 +83,9 @@ export function Picture({ viewport, scene, moving, waiting, findings, residual, 
   /** What stands in screen space above the picture. */
   readonly children: React.ReactNode;
 }) {
-  const id = useId();
+  const id = useId(), full = section === "full";
   const isLong = useMemo(() => path.reduce((sum, { shapes }) => shapes.reduce((s, { d }) => s + d.length, sum), 0) > LONG_PATH, [path]);
   const sheets = useMemo(() => ({
-    below: scene.shapes.filter((shape) => !isPath(shape) && !UPPER.includes(shape.role)),
     blank: scene.shapes.filter((shape) => shape.role === "blank"),
     contour: scene.shapes.filter((shape) => shape.role === "contour" || shape.role === "sketch"),
   }), [scene]);
@@ -98,11 +93,8 @@ export function Picture({ viewport, scene, moving, waiting, findings, residual, 
     <div className="lathe-picture" role="img" aria-label={name}>
       <svg className="sheet">
         <LatheAxes viewport={viewport} part="grid" />
-        <World viewport={viewport}>
-          <Still shapes={sheets.below} mirror={full} />
-        </World>
       </svg>
-      <MaterialSheet viewport={viewport} moving={moving} blank={waiting?.blank ?? NOTHING} full={full} />
+      <MaterialSheet viewport={viewport} moving={moving} blank={waiting?.blank ?? NOTHING} section={section} chuck={scene.chuck} />
       <svg className="sheet ghosts">
         <World viewport={viewport}>{ghosts}</World>
       </svg>

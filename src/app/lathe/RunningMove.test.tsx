@@ -5,6 +5,7 @@ import { cycleByNumber } from "../../cycles/index.ts";
 import { parse } from "../../nc/parse.ts";
 import { run } from "../../program/run.ts";
 import { shippedTools } from "../../program/shipped-tools.ts";
+import { surfacesOf } from "../../view/material/surfaces.ts";
 import { stretchData } from "../../view/path.ts";
 import { trackOf } from "../../view/playback.ts";
 import { manualClock } from "../clock.ts";
@@ -31,7 +32,7 @@ test("the running move is that of the work that is open, at the same place of th
   playback.dispatch({ do: "seek", position: { step: AT, fraction: 0.5 } });
   const parts = (steps: typeof one) => (
     <svg>
-      <RunningMove moving={{ steps, playback, stockAt: () => [], isSameBlank: () => true, chipAt: () => null }} />
+      <RunningMove moving={{ steps, playback, stockAt: () => [], isSameBlank: () => true, surfaces: surfacesOf([]), chipAt: () => null }} />
     </svg>
   );
   const { container, rerender } = render(parts(one));

@@ -1,5 +1,5 @@
 import { Toolbar } from "react-aria-components/Toolbar";
-import { changeSettings, SHOWN_PATHS, useSettings } from "../settings/settings.ts";
+import { changeSettings, SECTION_VIEWS, SHOWN_PATHS, useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { GlyphButton } from "./GlyphButton.tsx";
 import type { Measuring } from "../measure/measuring.ts";
@@ -8,7 +8,7 @@ import type { Viewport } from "./viewport.ts";
 /** Zoom per press. */
 export const ZOOM = 1.4;
 
-/** How the picture is looked at: half or full section, X up or down, ruler, zoom and fit. */
+/** How the picture is looked at: which section, X up or down, ruler, zoom and fit. */
 export function ViewBar({ viewport, measuring, onWhich, children }: {
   readonly viewport: Viewport;
   readonly measuring: Measuring;
@@ -17,12 +17,18 @@ export function ViewBar({ viewport, measuring, onWhich, children }: {
   /** What stands between the switches and the zoom. */
   readonly children: React.ReactNode;
 }) {
-  const t = useTexts().lathe, full = useSettings((s) => s.fullSection), down = useSettings((s) => s.xDown);
+  const t = useTexts().lathe, section = useSettings((s) => s.section), down = useSettings((s) => s.xDown);
   const paths = useSettings((s) => s.paths);
   return (
     <Toolbar className="lathe-viewbar" aria-label={t.viewTools}>
-      <GlyphButton glyph={full ? "fullSection" : "halfSection"} name={t.fullSection} text={t.fullSection} pressed={full}
-        onPress={() => changeSettings({ fullSection: !full })} />
+      <label className="lathe-section">
+        <span className="unseen">{t.sections.title}</span>
+        <select className="select" title={t.sections.title} value={section}
+          onChange={(event) => changeSettings({ section: SECTION_VIEWS.find((each) => each === event.target.value) ?? "half" })}
+        >
+          {SECTION_VIEWS.map((each) => <option key={each} value={each}>{t.sections[each]}</option>)}
+        </select>
+      </label>
       <GlyphButton glyph={down ? "xDown" : "xUp"} name={t.xDown} text={t.xDown} pressed={down}
         onPress={() => changeSettings({ xDown: !down })} />
       <GlyphButton glyph="ruler" name={t.ruler} text={t.ruler} pressed={measuring.on} onPress={measuring.toggle} />

@@ -3,6 +3,9 @@ import type { Step } from "../../kernel/step.ts";
 import type { Tool } from "../../kernel/tool.ts";
 import type { Chip } from "../../sim/chip/chip.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
+import type { Run } from "../../program/run-types.ts";
+import { spindleAt } from "../../sim/load/spindles.ts";
+import { surfacesOf, type Surfaces } from "../../view/material/surfaces.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 
 /** What moves in the picture: a run on a playback, and the stock at any position of it. */
@@ -14,6 +17,8 @@ export interface Moving {
   readonly isSameBlank: (one: PlayPosition, other: PlayPosition) => boolean;
   /** What the running cut takes off; null where it takes nothing, and as long as the run is only planned. */
   readonly chipAt: (position: PlayPosition) => Chip | null;
+  /** What made the surfaces of the stock. */
+  readonly surfaces: Surfaces;
   readonly playback: PlaybackStore;
 }
 
@@ -26,3 +31,9 @@ export interface Waiting {
 
 /** The step that runs at a position; the last one at the end. */
 export const stepIndex = (steps: readonly Step[], position: PlayPosition): number => Math.min(position.step, steps.length - 1);
+
+/** What made the surfaces of a run, with its spindle for feeds per minute. */
+export const surfacesOfRun = ({ steps, spindles }: Run): Surfaces => surfacesOf(steps, (step) => spindleAt(spindles, step));
+
+/** The surfaces of a blank that nobody has touched. */
+export const UNTOUCHED: Surfaces = surfacesOf([]);

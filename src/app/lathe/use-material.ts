@@ -4,7 +4,8 @@ import type { Run } from "../../program/run-types.ts";
 import type { Simulation } from "../../sim/simulation.ts";
 import { chipsOf } from "../../sim/chip/chips.ts";
 import { playerOf, sameBlank, type Player } from "../../sim/stock.ts";
-import type { Moving } from "./moving.ts";
+import type { Surfaces } from "../../view/material/surfaces.ts";
+import { surfacesOfRun, UNTOUCHED, type Moving } from "./moving.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 
 /** A run with its simulation; without one as long as it is only planned. */
@@ -22,6 +23,7 @@ export interface ProvedResult {
 interface Held {
   readonly proved: ProvedResult;
   readonly player: Player;
+  readonly surfaces: Surfaces;
 }
 
 const sameRings = (a: readonly Ring[], b: readonly Ring[]): boolean =>
@@ -54,7 +56,7 @@ export function useMaterial(
   }
   if (result?.simulation && result.simulation !== held?.proved.simulation) {
     const { run, simulation } = result;
-    hold({ proved: { run, simulation }, player: playerOf(simulation) });
+    hold({ proved: { run, simulation }, player: playerOf(simulation), surfaces: surfacesOfRun(run) });
     wait(null);
   }
   if (result && !result.simulation && result.run !== waiting?.run) {
@@ -63,11 +65,12 @@ export function useMaterial(
   const moving = useMemo((): Moving | null => {
     if (!result) return null;
     const { steps } = result.run;
+    const surfaces = held?.surfaces ?? UNTOUCHED;
     if (!result.simulation)
-      return waiting && { steps, stockAt: () => waiting.stock, isSameBlank: () => true, chipAt: () => null, playback };
+      return waiting && { steps, stockAt: () => waiting.stock, isSameBlank: () => true, chipAt: () => null, surfaces, playback };
     if (!held) return null;
-    const { player, proved: { simulation } } = held;
-    return { steps, stockAt: player.at, isSameBlank: sameBlank(simulation), chipAt: chipsOf(steps, result.run.spindles, player), playback };
+    const { player, proved: { simulation } } = held, chipAt = chipsOf(steps, result.run.spindles, player);
+    return { steps, stockAt: player.at, isSameBlank: sameBlank(simulation), chipAt, surfaces, playback };
   }, [result, held, waiting, playback]);
   return { proved: held?.proved ?? null, moving };
 }

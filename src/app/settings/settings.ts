@@ -19,8 +19,8 @@ export interface Settings {
   readonly programFolded: boolean;
   /** X grows downwards in the lathe view (tool behind the spindle axis seen from the operator). */
   readonly xDown: boolean;
-  /** The lathe view shows both halves of the section. */
-  readonly fullSection: boolean;
+  /** How the lathe view shows the work. */
+  readonly section: SectionView;
   /** Which paths the lathe view shows. */
   readonly paths: ShownPaths;
   /** Paper of the setup sheet, and whether the program stands behind it. */
@@ -31,6 +31,10 @@ export interface Settings {
   /** The steps of the manual stand as a list under the picture, or as one line. */
   readonly stepList: boolean;
 }
+
+/** Cut above the axis and whole below it, cut on both sides, or whole. */
+export const SECTION_VIEWS = ["half", "full", "outside"] as const;
+export type SectionView = (typeof SECTION_VIEWS)[number];
 
 /** All paths, or those of what runs now: its cycle call, its phase, its pass; or none. */
 export const SHOWN_PATHS = ["all", "operation", "phase", "pass", "none"] as const;
@@ -64,7 +68,7 @@ function initial(): Settings {
     control: "TNC 640",
     programFolded: false,
     xDown: false,
-    fullSection: false,
+    section: "half",
     paths: "all",
     paper: usualPaper(),
     sheetProgram: true,
@@ -95,7 +99,8 @@ export function readSettings(text: string | null): Settings {
     control: oneOf(kept["control"], CONTROLS, first.control),
     programFolded: flag(kept["programFolded"], first.programFolded),
     xDown: flag(kept["xDown"], first.xDown),
-    fullSection: flag(kept["fullSection"], first.fullSection),
+    // Until the work could be seen from outside there was a switch.
+    section: kept["fullSection"] === true ? "full" : oneOf(kept["section"], SECTION_VIEWS, first.section),
     paths: oneOf(kept["paths"], SHOWN_PATHS, first.paths),
     paper: oneOf(kept["paper"], PAPERS, first.paper),
     sheetProgram: flag(kept["sheetProgram"], first.sheetProgram),

@@ -24,8 +24,7 @@ export const lathe = {
 
   viewTools: "Ansicht",
   section: "Schnitt",
-  halfSection: "Halbschnitt",
-  fullSection: "Vollschnitt",
+  sections: { title: "Ansicht", half: "Halbschnitt", full: "Vollschnitt", outside: "Außenansicht" },
   xUp: "X nach oben",
   xDown: "X nach unten",
   zoomIn: "Vergrößern",

@@ -25,8 +25,7 @@ export const lathe = {
   /* the view */
   viewTools: "View",
   section: "Section",
-  halfSection: "Half section",
-  fullSection: "Full section",
+  sections: { title: "View", half: "Half section", full: "Full section", outside: "Outside view" },
   xUp: "X up",
   xDown: "X down",
   zoomIn: "Zoom in",

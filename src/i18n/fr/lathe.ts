@@ -24,8 +24,7 @@ export const lathe = {
 
   viewTools: "Vue",
   section: "Coupe",
-  halfSection: "Demi-coupe",
-  fullSection: "Coupe complète",
+  sections: { title: "Vue", half: "Demi-coupe", full: "Coupe complète", outside: "Vue extérieure" },
   xUp: "X vers le haut",
   xDown: "X vers le bas",
   zoomIn: "Agrandir",

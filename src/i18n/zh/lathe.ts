@@ -23,8 +23,7 @@ export const lathe = {
 
   viewTools: "视图",
   section: "剖视",
-  halfSection: "半剖",
-  fullSection: "全剖",
+  sections: { title: "视图", half: "半剖", full: "全剖", outside: "外形" },
   xUp: "X 向上",
   xDown: "X 向下",
   zoomIn: "放大",

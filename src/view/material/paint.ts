@@ -1,65 +1,193 @@
 import type { Ring } from "../../kernel/point.ts";
+import type { PlayPosition } from "../../sim/simulation.ts";
 import type { Camera } from "../camera.ts";
+import type { ChuckDrawing } from "./chuck.ts";
+import { feedLines, seenInside, seenOutside, turnsInside, turnsOutside, type DrawnLine, type SeenEdge } from "./lines.ts";
+import { paintChuck, paintFrontJaw } from "./paint-chuck.ts";
+import { paintThread } from "./paint-thread.ts";
 import type { Pen, Patch } from "./pen.ts";
+import { boundaryIn, columnsOf, type Boundary, type Columns } from "./scan.ts";
+import { acrossRadius, asPage, brush, halvesOf, trace, type Half, type MaterialColours, type SectionKind, type Easel } from "./easel.ts";
+import type { Surfaces } from "./surfaces.ts";
+import { threadZones, type ThreadZone } from "./thread-zone.ts";
 
 /** The work at one moment. */
 export interface Material {
   /** Its section, outer rings counter-clockwise, mm. */
   readonly rings: readonly Ring[];
-  /** Both sides of the axis are cut. */
-  readonly full: boolean;
-}
-
-/** What the material is painted with, as CSS colours. */
-export interface MaterialColours {
-  readonly ground: string;
-  readonly hatch: string;
-  readonly edge: string;
+  readonly section: SectionKind;
+  /** The moment, and what made the surfaces until then. */
+  readonly now: PlayPosition;
+  readonly surfaces: Surfaces;
+  readonly chuck: ChuckDrawing | null;
 }
 
 /** Pixels between two hatch lines, along the edge of the picture. */
 const HATCH = 10;
+/** Columns of the device that are looked at beside a patch. */
+const BESIDE = 3;
+/** An edge that rises less than this across the columns of a run is level there, pixels of the device. */
+const LEVEL = 0.2;
 
-function outline(pen: Pen, { rings, full }: Material, { scale, zero, xUp }: Camera): void {
-  pen.beginPath();
-  for (const side of full ? [1, -1] : [1]) {
-    const up = (xUp ? -scale : scale) * side;
-    for (const ring of rings) {
-      if (ring.length < 3) continue;
-      ring.forEach((
-        p,
-        i,
-      ) => (i === 0 ? pen.moveTo(zero.x + p.z * scale, zero.y + p.r * up) : pen.lineTo(zero.x + p.z * scale, zero.y + p.r * up)));
-      pen.closePath();
-    }
+/** Columns of a patch, one a pixel of the device, with the boundary in and beside them. */
+function columnsIn({ rings, surfaces, now }: Material, { camera, ratio }: Easel, { x, width }: Patch) {
+  const first = Math.floor(x * ratio) - BESIDE, count = Math.ceil((x + width) * ratio) + BESIDE - first;
+  const perColumn = 1 / (camera.scale * ratio), left = (first / ratio - camera.zero.x) / camera.scale;
+  const more = 1.5 * surfaces.lead(now) + perColumn;
+  const boundary = boundaryIn(rings, surfaces, now, left - more, left + count * perColumn + more);
+  return { first, boundary, columns: columnsOf(boundary.edges, left, perColumn, count) };
+}
+
+/** The angle of an edge to the axis, positive where it looks at the free end. Outside, rings run to the left; inside, to the right. */
+function slopeAt({ edges }: Boundary, e: number, isInside: boolean): number {
+  const edge = edges[e];
+  return edge ? Math.atan2(edge.r1 - edge.r0, isInside ? edge.z1 - edge.z0 : edge.z0 - edge.z1) : 0;
+}
+
+/** Fills columns from `from` to `to` with the shade of an edge that is `r` mm from the axis, from `low` mm on. */
+type FillColumns = (edge: number, columns: readonly [from: number, to: number], r: number, low: number) => void;
+
+/** Calls for each run of columns whose outside is one level edge. */
+function runsOutside({ count, top, edge }: Columns, level: number, fill: FillColumns): void {
+  let from = 0;
+  for (let j = 1; j <= count; j += 1) {
+    const e = edge[from] as number, r = top[from] as number;
+    if (j < count && edge[j] === e && Math.abs((top[j] as number) - r) < level) continue;
+    if (e >= 0) fill(e, [from, j], r, 0);
+    from = j;
   }
 }
 
-/** Paints a patch of the picture anew: what was there is taken away, nothing outside it is touched. */
-export function paintMaterial(pen: Pen, material: Material, camera: Camera, colours: MaterialColours, patch: Patch): void {
-  const { x, y, width, height } = patch;
-  pen.save();
-  pen.beginPath();
-  pen.rect(x, y, width, height);
-  pen.clip();
-  pen.clearRect(x, y, width, height);
-  outline(pen, material, camera);
+/** The same for the walls of hollows. */
+function runsInside({ count, gaps }: Columns, level: number, fill: FillColumns): void {
+  const open = new Map<number, { from: number; low: number; high: number }>();
+  for (let j = 0; j <= count; j += 1) {
+    const here = gaps[j] ?? [];
+    for (const [edge, run] of open) {
+      const gap = here.find((g) => g.edge === edge);
+      if (gap && Math.abs(gap.high - run.high) < level && Math.abs(gap.low - run.low) < level) continue;
+      fill(edge, [run.from, j], run.high, run.low);
+      open.delete(edge);
+    }
+    for (const { edge, low, high } of here) if (!open.has(edge)) open.set(edge, { from: j, low, high });
+  }
+}
+
+const isIn = (zones: readonly ThreadZone[], z: number) => zones.some((zone) => z >= zone.left && z < zone.right);
+
+function shades(easel: Easel, half: Half, first: number, boundary: Boundary, columns: Columns, zones: readonly ThreadZone[]): void {
+  const { pen, camera, ratio } = easel, level = LEVEL / (camera.scale * ratio);
+  const own = zones.filter((zone) => zone.isInside === half.isCut);
+  const fill: FillColumns = (edge, [from, to], r, low) => {
+    if (own.length > 0 && isIn(own, columns.left + (from + to) * 0.5 * columns.width)) return;
+    const finish = boundary.edges[edge]?.made.finish ?? "raw", slope = slopeAt(boundary, edge, half.isCut);
+    pen.fillStyle = brush(easel, "steel", slope, finish, half.isCut ? "hole" : half.facing);
+    acrossRadius(easel, half.down, r);
+    // A pixel more over the axis leaves no seam between the halves.
+    const begin = low > 0 ? low / r : -1 / (r * camera.scale);
+    pen.fillRect((first + from) / ratio, begin, (to - from) / ratio, 1 - begin);
+  };
+  if (half.isCut) runsInside(columns, level, fill);
+  else runsOutside(columns, level, fill);
+  asPage(easel);
+}
+
+function strokes(easel: Easel, down: 1 | -1, lines: readonly DrawnLine[]): void {
+  if (lines.length === 0) return;
+  easel.pen.beginPath();
+  for (const { z0, r0, z1, r1 } of lines) trace(easel, down, [[z0, r0], [z1, r1]]);
+  easel.pen.stroke();
+}
+
+/** Marks of the feed, edges across, and the outline where it is no cut. */
+function drawing(easel: Easel, { down, isCut }: Half, boundary: Boundary, columns: Columns, zones: readonly ThreadZone[]): void {
+  const { pen, colours, camera } = easel;
+  const free = <L extends DrawnLine>(lines: readonly L[]) => {
+    const own = zones.filter((zone) => zone.isInside === isCut);
+    return own.length === 0 ? lines : lines.filter((l) => !isIn(own, (l.z0 + l.z1) / 2));
+  };
+  const seen: readonly SeenEdge[] = free(isCut ? seenInside(boundary, columns) : seenOutside(boundary, columns));
+  pen.strokeStyle = colours.edge;
+  pen.lineWidth = 1;
+  for (const { strength, lines } of feedLines(boundary, seen, camera.scale)) {
+    pen.globalAlpha = 0.3 * strength;
+    strokes(easel, down, lines);
+  }
+  pen.globalAlpha = isCut ? 0.6 : 0.75;
+  strokes(easel, down, free(isCut ? turnsInside(boundary, columns) : turnsOutside(boundary, columns)));
+  pen.globalAlpha = 1;
+  if (!isCut) strokes(easel, down, seen);
+}
+
+/** Rings without what lies beyond a window along Z: places in a row on one side of it become two. */
+function traceNear(easel: Easel, down: 1 | -1, rings: readonly Ring[], left: number, right: number): void {
+  const beyond = (z: number) => (z < left ? -1 : Number(z > right));
+  for (const ring of rings) {
+    const places = ring.filter((p, i) => {
+      const side = beyond(p.z), [a, b] = [ring[(i + ring.length - 1) % ring.length], ring[(i + 1) % ring.length]];
+      return side === 0 || beyond(a?.z ?? 0) !== side || beyond(b?.z ?? 0) !== side;
+    });
+    if (places.length < 3) continue;
+    trace(easel, down, places.map((p) => [p.z, p.r] as const));
+    easel.pen.closePath();
+  }
+}
+
+function cutFace(easel: Easel, down: 1 | -1, rings: readonly Ring[], { x, y, width, height }: Patch): void {
+  const { pen, colours, camera: { zero, scale } } = easel;
+  const near = () => {
+    pen.beginPath();
+    traceNear(easel, down, rings, (x - 4 - zero.x) / scale, (x + width + 4 - zero.x) / scale);
+  };
+  near();
   pen.fillStyle = colours.ground;
   pen.fill("evenodd");
   pen.save();
   pen.clip("evenodd");
-  // The lines stand on the picture and not in the patch, so that patchs meet without a seam.
+  // The lines stand on the work: they go with it, and regions meet without a seam.
+  const begin = (zero.x + zero.y) % HATCH;
   pen.beginPath();
-  for (let c = Math.floor((x - y - height) / HATCH) * HATCH; c < x + width - y; c += HATCH) {
-    pen.moveTo(c + y, y);
-    pen.lineTo(c + y + height, y + height);
+  for (let c = begin + Math.floor((x + y - begin) / HATCH) * HATCH; c < x + width + y + height; c += HATCH) {
+    pen.moveTo(c - y, y);
+    pen.lineTo(c - y - height, y + height);
   }
   pen.strokeStyle = colours.hatch;
   pen.lineWidth = 1;
   pen.stroke();
   pen.restore();
-  outline(pen, material, camera);
+  near();
   pen.strokeStyle = colours.edge;
+  pen.lineWidth = 1.25;
   pen.stroke();
+}
+
+/**
+ * Paints a patch of the picture anew: what was there is taken away, nothing outside it is touched. `ratio` is how many pixels of the
+ * device one of the page has; the pen counts in those of the page before and after.
+ */
+export function paintMaterial(
+  pen: Pen,
+  material: Material,
+  camera: Camera,
+  look: { readonly colours: MaterialColours; readonly ratio: number },
+  patch: Patch,
+): void {
+  const easel: Easel = { pen, camera, ...look }, { rings, section, chuck } = material;
+  const halves = halvesOf(section, camera.xUp);
+  const { first, boundary, columns } = columnsIn(material, easel, patch);
+  const zones = threadZones(boundary);
+  pen.save();
+  pen.beginPath();
+  pen.rect(patch.x, patch.y, patch.width, patch.height);
+  pen.clip();
+  pen.clearRect(patch.x, patch.y, patch.width, patch.height);
+  if (chuck) paintChuck(easel, halves, section, chuck);
+  for (const half of halves) {
+    shades(easel, half, first, boundary, columns, zones);
+    drawing(easel, half, boundary, columns, zones);
+    for (const zone of zones) if (zone.isInside === half.isCut) paintThread(easel, half, zone);
+    if (half.isCut) cutFace(easel, half.down, rings, patch);
+  }
+  if (chuck) paintFrontJaw(easel, halves, section, chuck);
   pen.restore();
 }

@@ -1,3 +1,8 @@
+/** Colours along a straight line, as a canvas makes them. */
+export interface PenGradient {
+  addColorStop(offset: number, colour: string): void;
+}
+
 /** What a painter needs of a canvas: the drawing context of a browser has all of it. */
 export interface Pen {
   fillStyle: string | object;
@@ -9,6 +14,9 @@ export interface Pen {
   /** From the pixels of the page to those of the device. */
   setTransform(a: number, b: number, c: number, d: number, e: number, f: number): void;
   clearRect(x: number, y: number, width: number, height: number): void;
+  fillRect(x: number, y: number, width: number, height: number): void;
+  createLinearGradient(x0: number, y0: number, x1: number, y1: number): PenGradient;
+  setLineDash(dashes: number[]): void;
   beginPath(): void;
   moveTo(x: number, y: number): void;
   lineTo(x: number, y: number): void;

@@ -11,7 +11,7 @@ import { simulate } from "../../sim/simulate.ts";
 import { sameBlank, stockAt } from "../../sim/stock.ts";
 import { boundsOf } from "../bounds.ts";
 import { fitted } from "../camera.ts";
-import { patchOf, patchWithin, touchedBetween } from "./touched.ts";
+import { patchOf, patchWithin, touchedBetween, turnedPatchOf } from "./touched.ts";
 
 const made = run(parse(flange), { tools: shippedTools, rapid: 10_000 });
 const simulation = simulate(made);
@@ -68,6 +68,27 @@ test("a patch covers its box on whole pixels of the device, on the side it is as
   }
   expect(patchWithin({ x: -40, y: 12, width: 30, height: 9 }, { width: 731, height: 433 })).toBeNull();
   expect(patchWithin({ x: -40, y: 12, width: 57, height: 9 }, { width: 731, height: 433 })).toEqual({ x: 0, y: 12, width: 17, height: 9 });
+});
+
+test("a patch covers what looks different on both sides, on whole pixels of the device", () => {
+  const camera = fitted({ left: -63.7, right: 11.3, low: 0, high: 41.9 }, { width: 731, height: 433 }, {
+    left: 0,
+    right: 0,
+    top: 0,
+    bottom: 0,
+  }, true);
+  const box = { left: -21.37, right: -4.81, low: 17.03, high: 22.9 }, ratio = 1.5;
+  for (const [outer, along] of [[31.7, 0], [21.3, 1.7]] as const) {
+    const { x, y, width, height } = turnedPatchOf(box, camera, { outer, along }, ratio);
+    const far = outer > box.high ? box.high : outer;
+    for (const edge of [x, y, width, height]) expect(edge * ratio).toBeCloseTo(Math.round(edge * ratio), 9);
+    expect(y).toBeLessThan(camera.zero.y - camera.scale * far);
+    expect(y).toBeGreaterThan(camera.zero.y - camera.scale * far - 6);
+    expect(y + height).toBeGreaterThan(camera.zero.y + camera.scale * far);
+    expect(x).toBeLessThan(camera.zero.x + (box.left - along) * camera.scale);
+    expect(x).toBeGreaterThan(camera.zero.x + (box.left - along) * camera.scale - 6);
+    expect(x + width).toBeGreaterThan(camera.zero.x + (box.right + along) * camera.scale);
+  }
 });
 
 test("a blank that is stated parts what lies before it from what lies behind", () => {

@@ -76,6 +76,20 @@ export function patchOf({ left, right, low, high }: Bounds, camera: Camera, mirr
   return { x, y, width: after(Math.max(a.x, b.x)) - x, height: after(Math.max(a.y, b.y)) - y };
 }
 
+/**
+ * The patch that looks different when the stock differs in a box. Round steel is shaded from the axis to its edge on both sides, no farther
+ * out than `outer` mm, and a thread shows on its other side as much as `along` mm away.
+ */
+export function turnedPatchOf(
+  { left, right, high }: Bounds,
+  camera: Camera,
+  { outer, along }: { readonly outer: number; readonly along: number },
+  ratio: number,
+): Patch {
+  const far = Math.min(high, outer);
+  return patchOf({ left: left - along, right: right + along, low: -far, high: far }, camera, false, ratio);
+}
+
 /** What of a patch lies in a picture of that size; null when nothing does. */
 export function patchWithin(patch: Patch, size: { readonly width: number; readonly height: number }): Patch | null {
   const x = Math.max(0, patch.x), y = Math.max(0, patch.y);

@@ -1,0 +1,148 @@
+import type { Spindle, Step } from "../../kernel/step.ts";
+import { GRID, SAME } from "../../kernel/tolerance.ts";
+import { feedPerTurn, rpmAt } from "../../sim/load/spindles.ts";
+import type { PlayPosition } from "../../sim/simulation.ts";
+import { touchIndex } from "./touch-index.ts";
+
+/** How a stretch of a boundary looks: as it came, rough, finished, or a flank of a thread. */
+export type Texture = "raw" | "rough" | "finished" | "thread";
+
+/** What made a stretch of the boundary. */
+export interface Maker {
+  readonly finish: Texture;
+  /** Index of the move; −1 where nothing has cut yet. */
+  readonly step: number;
+  /** Way of the tool in one turn of the work, mm; for a thread its lead. 0 where nobody knows. */
+  readonly pitch: number;
+  /** Where along Z the move began: its marks count from there. */
+  readonly from: number;
+}
+
+/** A straight piece of the boundary of the stock, in the direction of its ring, mm. */
+export interface StockSide {
+  readonly z0: number;
+  readonly r0: number;
+  readonly z1: number;
+  readonly r1: number;
+}
+
+/** A piece of one side with what made it; `begin` and `end` are fractions of the side. */
+export interface SurfaceStretch {
+  readonly begin: number;
+  readonly end: number;
+  readonly made: Maker;
+}
+
+/** Tells what made the boundary of the stock of a run. Answers depend on the question alone; what was asked before is only found faster. */
+export interface Surfaces {
+  readonly of: (side: StockSide, now: PlayPosition) => readonly SurfaceStretch[];
+  /** The greatest lead of the threads that have been begun, mm; 0 where there is none. */
+  readonly lead: (now: PlayPosition) => number;
+}
+
+const RAW: Maker = { finish: "raw", step: -1, pitch: 0, from: 0 };
+
+/** Sides shorter than this were made by one move, mm. */
+const ONE = 0.3;
+/** Stretches are told apart down to this length, mm. */
+const FINE = 0.1;
+/** Where a side is looked at, as shares of it. */
+const LOOKS = [0.03, 0.5, 0.97] as const;
+/** Sides that are remembered. */
+const MOST = 20_000;
+
+/** Way in one turn of the work, mm; 0 where it is not known, and on arcs, whose marks stand at no even distance along the axis. */
+function pitchOf({ move, from }: Step, spindle: Spindle | null): number {
+  const pitch = move.kind === "arc" ? 0 : feedPerTurn(move, rpmAt(spindle, from.r));
+  return Number.isFinite(pitch) ? pitch : 0;
+}
+
+function finishOf({ move }: Step): Texture {
+  if (move.kind === "thread") return "thread";
+  return move.phase === "finish" ? "finished" : "rough";
+}
+
+interface Known extends StockSide {
+  /** The last move that had begun when this was found, and how far. */
+  last: number;
+  fraction: number;
+  readonly newest: number;
+  readonly stretches: readonly SurfaceStretch[];
+}
+
+const grid = (v: number) => Math.round(v / GRID) | 0;
+const keyOf = ({ z0, r0, z1, r1 }: StockSide): number => {
+  let key = Math.imul(grid(z0), 0x9e3779b1);
+  key = Math.imul(key ^ (key >>> 15) ^ grid(r0), 0x85ebca6b);
+  key = Math.imul(key ^ (key >>> 13) ^ grid(z1), 0xc2b2ae35);
+  return key ^ (key >>> 16) ^ Math.imul(grid(r1), 0x27d4eb2f);
+};
+const isSame = (a: StockSide, b: StockSide) => a.z0 === b.z0 && a.r0 === b.r0 && a.z1 === b.z1 && a.r1 === b.r1;
+
+/**
+ * Builds what tells the surfaces of a run. A stretch was made by the latest cutting move whose sweep has it on its edge: what a finishing
+ * cut runs along is finished, though it took nothing there. `spindleOf` turns feeds per minute into feeds per turn.
+ */
+export function surfacesOf(steps: readonly Step[], spindleOf: (step: number) => Spindle | null = () => null): Surfaces {
+  const touched = touchIndex(steps);
+  const made = new Map<number, Maker>();
+  const known = new Map<number, Known>();
+
+  function madeBy(step: number): Maker {
+    const s = steps[step];
+    if (!s) return RAW;
+    const have = made.get(step) ?? { finish: finishOf(s), step, pitch: pitchOf(s, spindleOf(step)), from: s.from.z };
+    made.set(step, have);
+    return have;
+  }
+
+  const makerAt = (side: StockSide, t: number, now: PlayPosition, after = -1): number =>
+    touched.latest(side.z0 + (side.z1 - side.z0) * t, side.r0 + (side.r1 - side.r0) * t, now, after);
+
+  function split(side: StockSide, length: number, now: PlayPosition): SurfaceStretch[] {
+    const out: { begin: number; end: number; made: Maker }[] = [];
+    const put = (begin: number, end: number, step: number) => {
+      const last = out.at(-1);
+      if (last?.made.step === step) last.end = end;
+      else out.push({ begin, end, made: madeBy(step) });
+    };
+    const look = (begin: number, end: number) => {
+      const size = (end - begin) * length;
+      const middle = (begin + end) / 2;
+      if (size < FINE) return put(begin, end, makerAt(side, middle, now));
+      const makers = LOOKS.map((t) => makerAt(side, begin + (end - begin) * t, now));
+      const [first = -1] = makers;
+      if (makers.every((m) => m === first)) return put(begin, end, first);
+      look(begin, middle);
+      look(middle, end);
+    };
+    if (length < ONE) put(0, 1, makerAt(side, 0.5, now));
+    else look(0, 1);
+    return out;
+  }
+
+  function stillTrue(k: Known, last: number, now: PlayPosition): boolean {
+    if (last < k.last || (last === k.last && now.fraction < k.fraction)) return k.newest < last;
+    if (LOOKS.some((t) => makerAt(k, t, now, k.last - 1) > k.newest)) return false;
+    k.last = last;
+    k.fraction = now.fraction;
+    return true;
+  }
+
+  const threads = steps.flatMap(({ move }, step) => (move.kind === "thread" ? [{ step, lead: Math.abs(move.pitch) }] : []));
+
+  return {
+    lead: (now) => threads.reduce((most, t) => (t.step <= now.step ? Math.max(most, t.lead) : most), 0),
+    of(side, now) {
+      const last = now.fraction > 0 ? now.step : now.step - 1;
+      const key = keyOf(side), have = known.get(key);
+      if (have && isSame(have, side) && stillTrue(have, last, now)) return have.stretches;
+      const length = Math.hypot(side.z1 - side.z0, side.r1 - side.r0);
+      const stretches = length < SAME ? [{ begin: 0, end: 1, made: RAW }] : split(side, length, now);
+      if (known.size > MOST) known.clear();
+      const newest = stretches.reduce((most, s) => Math.max(most, s.made.step), -1);
+      known.set(key, { ...side, last, fraction: now.fraction, newest, stretches });
+      return stretches;
+    },
+  };
+}
