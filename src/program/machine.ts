@@ -16,6 +16,7 @@ import { AT_START, NO_SHIFT, NOT_PLACED, type Milling, type Modal, type Whereabo
 import { pointIn } from "./path.ts";
 import type { Guide } from "./plane-chain.ts";
 import type { Control, Mill } from "./plane-types.ts";
+import type { PlanMemory } from "./plan-memory.ts";
 import { fileKey, type ProgramFiles } from "./program-files.ts";
 import type { TracedBlank, Tracing } from "./tracing.ts";
 import { isSkipped, unitFrom, type Unit } from "./units.ts";
@@ -35,6 +36,8 @@ export interface Shop {
   readonly files?: ProgramFiles;
   /** Traces the blank that a program asks to be traced; without it the cycles are planned as if it did not. */
   readonly tracing?: Tracing;
+  /** What the plans of the run before are known by; without it each cycle is planned anew. */
+  readonly memory?: Pick<PlanMemory, "of">;
   /** True to leave out the blocks that are marked with `/`. */
   readonly skipMarked?: boolean;
 }

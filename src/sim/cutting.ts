@@ -1,6 +1,6 @@
 import { difference, union } from "../kernel/clip.ts";
 import type { Ring } from "../kernel/point.ts";
-import { sidesOf } from "./edges.ts";
+import { sidesOf, type Edges } from "./edges.ts";
 import type { ConvexPiece } from "./piece.ts";
 import type { Sweep } from "./sweep.ts";
 
@@ -10,9 +10,8 @@ const GROUP = 4;
 const RECENT = 40;
 
 /** Rings that are merged in groups of groups as they come. The same rings in the same order always give the same areas. */
-function heap() {
+function heap(levels: Ring[][][] = [[]]) {
   /** levels[0] are single rings; each entry of levels[n] is GROUP entries of levels[n - 1] merged. */
-  const levels: Ring[][][] = [[]];
   function keep(entry: Ring[], level: number): void {
     const entries = (levels[level] ??= []);
     entries.push(entry);
@@ -20,7 +19,7 @@ function heap() {
     levels[level] = [];
     keep(union(entries.flat()), level + 1);
   }
-  return { add: (ring: Ring) => keep([ring], 0), all: () => levels.flat(2) };
+  return { add: (ring: Ring) => keep([ring], 0), all: () => levels.flat(2), copy: () => heap(levels.map((entries) => [...entries])) };
 }
 
 /** Rings as one area, merged group by group. */
@@ -70,11 +69,26 @@ export interface Cutting {
   present(): Present;
   /** The stock now, less a further sweep that is not kept. */
   stock(further?: Sweep): readonly Ring[];
+  /** The same as it stands now: what is cut from one of them is not cut from the other. */
+  copy(): Cutting;
+}
+
+/** What is known while a stock is being cut. */
+interface Standing {
+  readonly initial: readonly Ring[];
+  readonly base: readonly Ring[];
+  readonly edges: Edges;
+  readonly recent: ReturnType<typeof heap>;
+  readonly waiting: number;
+  readonly pieces: number;
 }
 
 /** Begins to cut a stock. */
-export function cutting(initial: readonly Ring[]): Cutting {
-  let [base, edges, recent, waiting, pieces] = [initial, sidesOf(initial), heap(), 0, 0];
+export const cutting = (initial: readonly Ring[]): Cutting =>
+  cuttingOn({ initial, base: initial, edges: sidesOf(initial), recent: heap(), waiting: 0, pieces: 0 });
+
+function cuttingOn({ initial, ...from }: Standing): Cutting {
+  let { base, edges, recent, waiting, pieces } = from;
   let now: Present | null = null;
   /** The stock now, kept for those who look again before anything else is cut. */
   let standing: readonly Ring[] | null = null;
@@ -109,5 +123,6 @@ export function cutting(initial: readonly Ring[]): Cutting {
       }
       return standing;
     },
+    copy: () => cuttingOn({ initial, base, edges, recent: recent.copy(), waiting, pieces }),
   };
 }

@@ -30,7 +30,7 @@ function steps(count: number, kind: "rapid" | "feed"): Step[] {
 }
 
 test("kept stocks stay within their points, the first among them, and all marks stay", () => {
-  const marks = marksOf(500);
+  const marks = marksOf([], 500);
   for (let i = 0; i < 1000; i += 1) marks.add(i * 50, [box(-i - 1, 0, 0, 1 + i)]);
   const all = marks.all();
   expect(all.map((m) => m.step)).toEqual(Array.from({ length: 1000 }, (_, i) => i * 50));

@@ -13,13 +13,13 @@ export interface StockMarks {
 }
 
 /**
- * Begins to mark. When the stocks have more points than are kept, every second one is let go, and then only every second of
+ * Begins to mark, behind marks of which all stocks are kept. When the stocks have more points than are kept, every second one is let go, and then only every second of
  * those that follow is kept: seeking cuts a longer way again, and a run of any length fits into the same memory.
  */
-export function marksOf(most = MOST_POINTS): StockMarks {
-  const marks: Checkpoint[] = [];
-  let [every, points] = [1, 0];
+export function marksOf(before: readonly Checkpoint[] = [], most = MOST_POINTS): StockMarks {
+  const marks = [...before];
   const sizeOf = ({ stock }: Checkpoint) => (stock ?? []).reduce((sum, ring) => sum + ring.length / 2, 0);
+  let [every, points] = [1, marks.reduce((sum, m) => sum + sizeOf(m), 0)];
   return {
     add(step, stock, isStated = false) {
       const kept = isStated || marks.length % every === 0;

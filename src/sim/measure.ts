@@ -29,26 +29,49 @@ interface Stretch {
   readonly phase: Phase;
   readonly pass: number | undefined;
   readonly step: number;
-  readonly block: number;
   readonly before: Present;
   readonly sweeps: Sweep[];
   /** Convex pieces in all sweeps. */
   pieces: number;
 }
 
+/** A measured depth without its block: blocks shift while a step stays the same. */
+type Measured = Omit<Depth, "block">;
+
 interface Sums {
   cut: number;
   readonly passes: Map<number, number>;
-  deepest: Depth | null;
-  thickest: Depth | null;
+  deepest: Measured | null;
+  thickest: Measured | null;
   startInMaterial: Pt | null;
+}
+
+/** How far measuring has come before a step. */
+export interface MeasureState {
+  /** The operation of that step, what was measured of it, and the moves under way. */
+  readonly operation: number | null;
+  readonly sums: Sums | null;
+  readonly run: Stretch | null;
+}
+
+/** What was measured in an earlier run up to a step that this one goes on from. */
+export interface MeasuredBefore {
+  readonly state: MeasureState;
+  readonly step: number;
+  /** Of each operation of that run, at its end. */
+  readonly sums: readonly Sums[];
 }
 
 /** Measures in the stock what each operation does. */
 export interface StockMeasure {
   /** A step and its sweep, before that is taken from the stock. */
   add(step: Step, index: number, sweep: Sweep, outlines: Outlines, cut: Cutting): void;
-  results(): OperationProof[];
+  /** What is known before a step that belongs to an operation. */
+  state(operation: number | null): MeasureState;
+  /** The steps give the blocks. */
+  results(steps: readonly Step[]): OperationProof[];
+  /** What the next run can go on from; after the results. */
+  sums(): readonly Sums[];
 }
 
 /** The greatest infeed that a plan allows, mm; 0 when its values set none. */
@@ -60,10 +83,24 @@ function mostBeside({ plan }: SimulatedOperation): number {
   return plan.oversize && infeed > 0 ? Math.max(plan.oversize.z, plan.oversize.r) + infeed : 0;
 }
 
-/** Begins to measure the operations of a run. */
-export function measuring(operations: readonly SimulatedOperation[], blank: readonly Ring[]): StockMeasure {
-  const sums = operations.map((): Sums => ({ cut: 0, passes: new Map(), deepest: null, thickest: null, startInMaterial: null }));
-  let run: Stretch | null = null;
+const copyOf = (sums: Sums): Sums => ({ ...sums, passes: new Map(sums.passes) });
+
+/** Begins to measure the operations of a run, or goes on where an earlier run was the same up to a step. */
+export function measuring(
+  operations: readonly SimulatedOperation[],
+  blank: readonly Ring[],
+  before: MeasuredBefore | null = null,
+): StockMeasure {
+  const begun = ({ lastStep }: SimulatedOperation, o: number): Sums | undefined => {
+    if (!before) return undefined;
+    if (before.state.operation === o) return before.state.sums ?? undefined;
+    return lastStep < before.step ? before.sums[o] : undefined;
+  };
+  const sums = operations.map((operation, o): Sums => {
+    const known = begun(operation, o);
+    return known ? copyOf(known) : { cut: 0, passes: new Map(), deepest: null, thickest: null, startInMaterial: null };
+  });
+  let run: Stretch | null = before?.state.run ? { ...before.state.run, sweeps: [...before.state.run.sweeps] } : null;
 
   function close(): void {
     const done = run;
@@ -76,7 +113,7 @@ export function measuring(operations: readonly SimulatedOperation[], blank: read
     const passes = done.phase === "rough" && done.pass !== undefined;
     if (passes) sum.passes.set(done.pass, (sum.passes.get(done.pass) ?? 0) + area);
     if (area < REAL_AREA) return;
-    const place = { step: done.step, block: done.block };
+    const place = { step: done.step };
     if (passes && operation.plan.isParallel)
       sum.deepest = thicker(sum.deepest, taken, mostOf(operation), { ...place, pass: done.pass }, BEND);
     else if (passes) sum.deepest = deeper(sum.deepest, taken, operation, { ...place, pass: done.pass });
@@ -100,7 +137,6 @@ export function measuring(operations: readonly SimulatedOperation[], blank: read
         phase: step.move.phase,
         pass: step.move.pass,
         step: index,
-        block: step.block,
         before: cut.present(),
         sweeps: [],
         pieces: 0,
@@ -108,13 +144,21 @@ export function measuring(operations: readonly SimulatedOperation[], blank: read
       run.sweeps.push(sweep);
       run.pieces += sweep.pieces.length;
     },
-    results() {
+    state(operation) {
+      // A step of another operation ends the moves under way.
+      if (run?.operation !== operation) close();
+      const own = operation === null ? undefined : sums[operation];
+      return { operation, sums: own ? copyOf(own) : null, run: run && { ...run, sweeps: [...run.sweeps] } };
+    },
+    sums: () => sums,
+    results(steps) {
       close();
+      const atBlock = (depth: Measured | null): Depth | null => depth && { ...depth, block: steps[depth.step]?.block ?? 0 };
       return sums.map(({ cut, passes, deepest, thickest, startInMaterial }, o) => ({
         cut,
         airPasses: [...passes.values()].filter((area) => area < REAL_AREA).length,
-        deepest,
-        thickest,
+        deepest: atBlock(deepest),
+        thickest: atBlock(thickest),
         startInMaterial,
         hasFailed: blank.length === 0 || (operations[o]?.issues ?? []).some((i) => i.severity === "error"),
       }));
@@ -129,10 +173,10 @@ function standsIn(insert: Ring, { z, r }: Pt, cut: Cutting): boolean {
   return real(inStock([{ pieces: piecesOf(rings), rings }], cut.present())).length > 0;
 }
 
-type Where = Pick<Depth, "step" | "block" | "pass">;
+type Where = Pick<Depth, "step" | "pass">;
 
 /** The deeper of a depth and that of an area just taken, measured in the direction of infeed. */
-function deeper(known: Depth | null, taken: readonly Ring[], operation: SimulatedOperation, where: Where): Depth | null {
+function deeper(known: Measured | null, taken: readonly Ring[], operation: SimulatedOperation, where: Where): Measured | null {
   const { openSide } = operation.plan;
   const box = boxAround(taken);
   const most = Math.abs(openSide.r) >= Math.abs(openSide.z) ? box.high - box.low : box.right - box.left;
@@ -142,7 +186,7 @@ function deeper(known: Depth | null, taken: readonly Ring[], operation: Simulate
 }
 
 /** The thicker of a cut beside the contour and one just taken, when that is more than allowed, and in a bend so many times. */
-function thicker(known: Depth | null, taken: readonly Ring[], allowed: number, where: Where, bend = 1): Depth | null {
+function thicker(known: Measured | null, taken: readonly Ring[], allowed: number, where: Where, bend = 1): Measured | null {
   if (allowed === 0) return known;
   const told = Math.max(allowed * bend + TOLD, known?.depth ?? 0);
   // The steps of a thousand passes in a wall take long to shrink, and are thinner than anything that is told.

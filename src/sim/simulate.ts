@@ -1,19 +1,21 @@
 import { areaOf } from "../kernel/area.ts";
+import { packed } from "../kernel/clip.ts";
 import type { Ring } from "../kernel/point.ts";
 import type { Step } from "../kernel/step.ts";
 import { check, MOST_CONTACTS, type Finished } from "./check.ts";
 import { collector } from "./collect.ts";
 import { inStock } from "./contact.ts";
-import { cutting } from "./cutting.ts";
+import { cutting, type Cutting } from "./cutting.ts";
 import { sidesOf } from "./edges.ts";
 import { finishedPart } from "./finished.ts";
 import { marksOf } from "./marks.ts";
 import { measuring } from "./measure.ts";
 import { outlinesOf } from "./outlines.ts";
 import { residualOf } from "./residual.ts";
+import { resumed, snapshotSteps, type Former, type Resumed } from "./resume.ts";
 import type { Depth, StockFinding, Proof, Residual, SimulatedOperation, Simulation, SimulationInput } from "./simulation.ts";
 import { statedBlanks } from "./stated.ts";
-import { sweptBy } from "./sweep.ts";
+import { sweptBy, type Sweep } from "./sweep.ts";
 
 /** Moves from one checkpoint to the next. */
 export const CHECKPOINT_STEPS = 50;
@@ -42,10 +44,12 @@ function setupsOf(operations: readonly SimulatedOperation[], outlines: ReturnTyp
     const rings = finishedPart(operations.slice(from));
     return { rings, edges: sidesOf(rings) };
   };
-  let finished = known(0);
+  const atFirst = known(0);
+  let finished = atFirst;
   const until = (stock: readonly Ring[], end: number): Residual[] =>
     residualOf(stock, operations.slice(first, end), outlines).map((r) => ({ ...r, operation: r.operation + first }));
   return {
+    atFirst,
     finished: () => finished,
     change(stock: readonly Ring[], step: number): void {
       const next = operations.findIndex((o) => o.firstStep >= step);
@@ -58,59 +62,138 @@ function setupsOf(operations: readonly SimulatedOperation[], outlines: ReturnTyp
   };
 }
 
+/** Cutting that begins anew now and then, always after the same steps. */
+function walk(from: Cutting, marked: number) {
+  let [cut, begun] = [from, marked];
+  const begin = (step: number, stock: readonly Ring[]): Cutting => {
+    [cut, begun] = [cutting(stock), step];
+    return cut;
+  };
+  return {
+    begin,
+    /** What is cut by a step; `marks` is told when cutting begins anew there. */
+    before(step: number, mark?: (stock: readonly Ring[]) => void): Cutting {
+      if (step - begun < CHECKPOINT_STEPS && cut.pieces < CHECKPOINT_PIECES) return cut;
+      begin(step, cut.stock());
+      mark?.(cut.initial);
+      return cut;
+    },
+    present: () => ({ cut, marked: begun }),
+  };
+}
+
+/** The damage of the steps before the one that a run goes on from; steps that have to be looked at again are. */
+function damageBefore(
+  { from, recheck }: Resumed,
+  former: Former,
+  { blank, steps }: SimulationInput,
+  look: Look,
+): Map<number, readonly StockFinding[]> {
+  const again = new Map<number, readonly StockFinding[]>();
+  let [next, at] = [0, walk(cutting(blank), 0)];
+  for (const step of recheck) {
+    const nearest = former.snapshots.findLast((s) => s.step <= step);
+    if (nearest && next < nearest.step) [next, at] = [nearest.step, walk(nearest.cut.copy(), nearest.marked)];
+    for (; next <= step; next += 1) {
+      const cut = at.before(next);
+      const { sweep, check } = look(steps[next] as Step, next);
+      if (next === step) again.set(step, check(cut));
+      cut.add(sweep);
+    }
+  }
+  const damage = new Map<number, readonly StockFinding[]>();
+  const ordered = [...new Set([...former.damage.keys(), ...again.keys()])].filter((i) => i < from.step).sort((a, b) => a - b);
+  for (const i of ordered) {
+    const found = again.get(i) ?? former.damage.get(i)?.map((f) => ({ ...f, block: steps[i]?.block ?? f.block })) ?? [];
+    if (found.length > 0) damage.set(i, found);
+  }
+  return damage;
+}
+
+/** What a step sweeps, and what it does wrong in a stock. */
+type Look = (step: Step, index: number) => { readonly sweep: Sweep; readonly check: (cut: Cutting) => StockFinding[] };
+
 /** Cuts the blank by every step and looks at each before it cuts. */
-export function simulate(input: SimulationInput): Simulation {
+export const simulate = (input: SimulationInput): Simulation => simulated(input, null).simulation;
+
+/**
+ * Simulates runs one after the other. What comes is the same as of `simulate`; what the beginning of a run has in common with the run
+ * before is not cut and not looked at again.
+ */
+export function simulating(): (input: SimulationInput) => Simulation {
+  let former: Former | null = null;
+  return (input) => {
+    const before = former;
+    former = null;
+    const { simulation, kept } = simulated(input, before);
+    former = kept;
+    return simulation;
+  };
+}
+
+function simulated(input: SimulationInput, former: Former | null): { readonly simulation: Simulation; readonly kept: Former | null } {
   const { blank, steps, operations, unproved } = input;
   const outlines = outlinesOf();
   const setups = setupsOf(operations, outlines);
-  const marks = marksOf();
-  marks.add(0, blank);
-  const found = collector();
-  const measure = measuring(operations, blank);
-  let byRapids = 0;
-  let contacts = 0;
-  let unlooked: Proof["unlooked"] = null;
-  let cut = cutting(blank);
-  let marked = 0;
-  const statements = statedBlanks(input.stated ?? []);
-  steps.forEach((step, i) => {
-    const now = statements.at(i, cut);
-    if (now) {
-      setups.change(cut.stock(), i);
-      cut = cutting(now);
-      marks.add(i, now, true);
-      marked = i;
-    }
-    if (i - marked >= CHECKPOINT_STEPS || cut.pieces >= CHECKPOINT_PIECES) {
-      cut = cutting(cut.stock());
-      marks.add(i, cut.initial);
-      marked = i;
-    }
+  const look: Look = (step, index) => {
     const shapes = outlines(step.tool);
     const sweep = sweptBy(shapes.insert, step);
     const touching = shapes.checked === shapes.insert ? sweep : sweptBy(shapes.checked, step);
-    if (contacts < MOST_CONTACTS) {
-      const damage = check(step, i, shapes, touching, cut, setups.finished());
-      found.add(damage);
-      if (damage.length > 0) contacts += 1;
+    return { sweep, check: (cut) => check(step, index, shapes, touching, cut, setups.finished()) };
+  };
+  const resume = former && resumed(former, input, setups.atFirst.rings, outlines);
+  const from = resume?.from;
+  const damage = former && resume ? damageBefore(resume, former, input, look) : new Map<number, readonly StockFinding[]>();
+  // Where nobody looks any more depends on all that was found before.
+  if (damage.size >= MOST_CONTACTS && resume) return simulated(input, null);
+  const marks = marksOf(former && from ? former.marks.slice(0, from.marks) : [{ step: 0, stock: packed(blank) }]);
+  const measure = measuring(operations, blank, former && from ? { state: from.measure, step: from.step, sums: former.sums } : null);
+  const snapshots = former && from ? former.snapshots.filter(({ step }) => step <= from.step) : [];
+  const isKept = snapshotSteps(input);
+  let byRapids = from?.byRapids ?? 0;
+  let unlooked: Proof["unlooked"] = null;
+  const at = walk(from?.cut.copy() ?? cutting(blank), from?.marked ?? 0);
+  const statements = statedBlanks(input.stated ?? []);
+  for (let i = from?.step ?? 0; i < steps.length; i += 1) {
+    const step = steps[i] as Step;
+    if (isKept(i) && i > (from?.step ?? 0)) {
+      const { cut, marked } = at.present();
+      snapshots.push({ step: i, cut: cut.copy(), marked, marks: marks.all().length, byRapids, measure: measure.state(step.operation) });
+    }
+    const now = statements.at(i, at.present().cut);
+    if (now) {
+      setups.change(at.present().cut.stock(), i);
+      at.begin(i, now);
+      marks.add(i, now, true);
+    }
+    const cut = at.before(i, (stock) => marks.add(i, stock));
+    const { sweep, check: checked } = look(step, i);
+    if (damage.size < MOST_CONTACTS) {
+      const found = checked(cut);
+      if (found.length > 0) damage.set(i, found);
     } else unlooked ??= { step: i, block: step.block };
-    measure.add(step, i, sweep, shapes, cut);
+    measure.add(step, i, sweep, outlines(step.tool), cut);
     if (step.move.kind === "rapid" && !unlooked) byRapids += areaOf(inStock([sweep], cut.present()));
     cut.add(sweep);
-  });
+  }
+  const { cut } = at.present();
   const last = statements.at(steps.length, cut);
   if (last) {
     setups.change(cut.stock(), steps.length);
     marks.add(steps.length, last, true);
   }
   const final = last ?? cut.stock();
+  const found = collector();
+  for (const each of damage.values()) found.add(each);
   const findings = found.all();
-  const measured = measure.results();
+  const measured = measure.results(steps);
   const startTimes = startTimesOf(steps);
-  return {
+  const checkpoints = marks.all();
+  const isWhole = unlooked === null && checkpoints.every(({ stock }) => stock !== null);
+  const simulation: Simulation = {
     blank,
     steps,
-    checkpoints: marks.all(),
+    checkpoints,
     final,
     startTimes,
     findings,
@@ -129,4 +212,7 @@ export function simulate(input: SimulationInput): Simulation {
       operations: measured,
     },
   };
+  const { atFirst } = setups;
+  const kept = { input, snapshots, marks: checkpoints, damage, sums: measure.sums(), finished: atFirst.rings };
+  return { simulation, kept: isWhole ? kept : null };
 }

@@ -2,7 +2,7 @@ import { cycleByNumber } from "../../cycles/index.ts";
 import { knownParameters } from "../../program/job-parameters.ts";
 import { readDraft } from "../../program/read-draft.ts";
 import { rankTools, type ToolFit } from "../../program/which-tool.ts";
-import { simulate } from "../../sim/simulate.ts";
+import { simulate, simulating } from "../../sim/simulate.ts";
 import type { FeedUnit } from "../../kernel/move.ts";
 import type { Pt } from "../../kernel/point.ts";
 import type { Tool } from "../../kernel/tool.ts";
@@ -10,7 +10,7 @@ import type { SetJob } from "../../program/job.ts";
 import type { Operation } from "../../program/run-types.ts";
 import { givenOf } from "./given.ts";
 import type { Outcome, Stage } from "./outcome.ts";
-import { planned } from "./plan.ts";
+import { planned, planner } from "./plan.ts";
 import type { Request } from "./request.ts";
 
 /** What tools are compared under. */
@@ -23,13 +23,23 @@ export interface Circumstances {
 /** What trying other tools at a call of the run needs of it. */
 export type Called = Pick<Operation, "cycle" | "tool" | "feedUnit" | "call">;
 
+/** What an outcome is made by. */
+interface Makers {
+  readonly planned: ReturnType<typeof planner>;
+  readonly simulate: typeof simulate;
+}
+const FRESH: Makers = { planned, simulate };
+
+/** What makes one outcome after the other of the same work: what stays the same is not planned, cut or looked at again. */
+export const makersAgain = (): Makers => ({ planned: planner(), simulate: simulating() });
+
 /** What every work needs that takes time, as plain functions of plain data. Runs in a worker. */
 export const engine = {
-  /** From the program text to moves, stock, proof and times. `atStage` is told what it begins; `proved` may know the run before. */
-  update(request: Request, atStage: (stage: Stage) => void = () => undefined, proved: typeof simulate = simulate): Outcome {
-    const made = planned(request, atStage);
+  /** From the program text to moves, stock, proof and times. `atStage` is told what it begins; `by` may know the run before. */
+  update(request: Request, atStage: (stage: Stage) => void = () => undefined, by = FRESH): Outcome {
+    const made = by.planned(request, atStage);
     atStage("proving");
-    return { ...made, simulation: proved(made.run) };
+    return { ...made, simulation: by.simulate(made.run) };
   },
 
   /** What each tool can do with the values of a job, best first; null while they make no contour. */

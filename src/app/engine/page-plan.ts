@@ -20,7 +20,7 @@ let plan: ((request: Request) => Planned) | null = null;
 let pace: number | null = null;
 
 /** From now on the page plans, as soon as it can. Gives the way to call it off. */
-export const fetchPlan = (): () => void => atRest(() => void untilHere(() => import("./plan.ts")).then((part) => (plan = part.planned)));
+export const fetchPlan = (): () => void => atRest(() => void untilHere(() => import("./plan.ts")).then((part) => (plan = part.planner())));
 
 /** Another work has a pace of its own. */
 export const forgetPace = (): void => {

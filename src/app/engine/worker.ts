@@ -3,7 +3,7 @@ import { z } from "zod/mini";
 import type { Simulation } from "../../sim/simulation.ts";
 import { stopwatch } from "../clock.ts";
 import type { advice } from "./advice.ts";
-import { engine } from "./engine.ts";
+import { engine, makersAgain } from "./engine.ts";
 import type { Outcome, Stage } from "./outcome.ts";
 import type { reported } from "./reported.ts";
 import type { Request } from "./request.ts";
@@ -15,6 +15,9 @@ wireOutcomes();
 // Held as long as this worker lives, under its name: so the page learns when it has ended.
 void navigator.locks?.request(self.name, () => new Promise<void>(() => undefined));
 
+/** The open work changes bit by bit; what stands beside it, of no version, is another one each time. */
+const openWork = makersAgain();
+
 /** The result with what its run took. */
 function updated(request: Request, tell: (stage: Stage) => void = () => undefined): Outcome {
   const begun = stopwatch();
@@ -22,7 +25,7 @@ function updated(request: Request, tell: (stage: Stage) => void = () => undefine
   const outcome = engine.update(request, (stage) => {
     if (stage === "proving") pace = stopwatch() - begun;
     tell(stage);
-  });
+  }, request.version > 0 ? openWork : undefined);
   return { ...outcome, pace };
 }
 

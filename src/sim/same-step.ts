@@ -1,0 +1,34 @@
+import type { Move } from "../kernel/move.ts";
+import type { Pt, Ring } from "../kernel/point.ts";
+import type { Step } from "../kernel/step.ts";
+import type { Tool } from "../kernel/tool.ts";
+
+const samePoint = (a: Pt, b: Pt): boolean => a.z === b.z && a.r === b.r;
+
+/** True for the same rings by value. */
+export const sameRings = (a: readonly Ring[], b: readonly Ring[]): boolean =>
+  a === b || (a.length === b.length && a.every((ring, i) => {
+    const other = b[i] as Ring;
+    return ring.length === other.length && ring.every((p, k) => samePoint(p, other[k] as Pt));
+  }));
+
+/** Whether two moves do the same to a stock: with which feed is of no account. */
+function sameMove(a: Move, b: Move): boolean {
+  if (a.kind !== b.kind || a.phase !== b.phase || a.pass !== b.pass || !samePoint(a.to, b.to)) return false;
+  if (a.kind === "arc" && b.kind === "arc") return a.turn === b.turn && samePoint(a.centre, b.centre);
+  if (a.kind === "thread" && b.kind === "thread")
+    return a.pitch === b.pitch && a.axis === b.axis && a.angle === b.angle && a.stops === b.stops;
+  return true;
+}
+
+/** Compares steps by what they do to a stock, of tools by their values; each tool is looked at once. */
+export function sameSteps(): (a: Step, b: Step) => boolean {
+  const written = new WeakMap<Tool, string>();
+  const writing = (tool: Tool): string => {
+    const known = written.get(tool) ?? JSON.stringify(tool);
+    written.set(tool, known);
+    return known;
+  };
+  const sameTool = (a: Tool, b: Tool): boolean => a === b || writing(a) === writing(b);
+  return (a, b) => a.operation === b.operation && samePoint(a.from, b.from) && sameMove(a.move, b.move) && sameTool(a.tool, b.tool);
+}

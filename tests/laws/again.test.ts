@@ -1,0 +1,96 @@
+import fc from "fast-check";
+import { expect, test } from "vitest";
+import { parse } from "../../src/nc/parse.ts";
+import { run } from "../../src/program/run.ts";
+import { shippedTools } from "../../src/program/shipped-tools.ts";
+import { simulate, simulating } from "../../src/sim/simulate.ts";
+import type { Simulation } from "../../src/sim/simulation.ts";
+
+/* A program that changes again and again, proved from what the one before left: it must be what it is when it is proved alone. */
+
+const programs = import.meta.glob<string>(["../../src/examples/*.h", "../programs/**/*.h"], {
+  query: "?raw",
+  import: "default",
+  eager: true,
+});
+const textOf = (name: string): string => Object.entries(programs).find(([path]) => path.endsWith(name))?.[1] ?? "";
+
+interface State {
+  readonly text: string;
+  readonly nose: number;
+}
+
+const shop = (nose: number) => ({
+  tools: shippedTools.map((tool, i) => (i === 0 && "RS" in tool ? { ...tool, RS: (tool.RS + nose) as typeof tool.RS } : { ...tool })),
+  rapid: 10_000,
+});
+
+/** A number somewhere in a program becomes another one. */
+function otherNumber({ text, ...rest }: State, which: number, by: number): State {
+  const places = [...text.matchAll(/(?<=(?:Q\d+=|[XZLD])[+-]?)\d+(?:\.\d+)?/g)];
+  const place = places[which % Math.max(1, places.length)];
+  if (!place) return { text, ...rest };
+  const value = Math.abs(Number(place[0]) + by).toFixed(3);
+  return { text: text.slice(0, place.index) + value + text.slice(place.index + place[0].length), ...rest };
+}
+
+const lines = (change: (all: string[], at: number) => void) => (state: State, which: number): State => {
+  const all = state.text.split("\n");
+  change(all, 2 + (which % Math.max(1, all.length - 4)));
+  return { ...state, text: all.join("\n") };
+};
+const noted = lines((all, at) => void all.splice(at, 0, "; a note"));
+const moved = lines((all, at) => void all.splice(at, 0, "L Z+3.217 F0.21"));
+const dropped = lines((all, at) => void all.splice(at, 1));
+const stated = lines((all, at) => void all.splice(at, 0, "BLK FORM CYLINDER Z D77.3 L121 DIST+1"));
+
+const edits = fc.tuple(fc.constantFrom("number", "number", "number", "number", "note", "move", "drop", "tool", "blank"), fc.nat(9973),
+  fc.integer({ min: -4000, max: 4000 }).map((n) => n / 913));
+
+function edited(state: State, [kind, which, by]: readonly [string, number, number]): State {
+  if (kind === "note") return noted(state, which);
+  if (kind === "move") return moved(state, which);
+  if (kind === "drop") return dropped(state, which);
+  if (kind === "blank") return stated(state, which);
+  if (kind === "tool") return { ...state, nose: Math.abs(by) / 9 };
+  return otherNumber(state, which, by);
+}
+
+const ran = ({ text, nose }: State) => run(parse(text), shop(nose));
+
+test.each([["flange.h", 6], ["shaft.h", 3], ["shoulder-812.h", 12], ["turn-blank.h", 8]] as const)(
+  "what is proved again of a changed %s is what is proved of it alone",
+  (name, numRuns) => {
+    const text = textOf(name);
+    expect(text).not.toBe("");
+    fc.assert(fc.property(fc.array(edits, { minLength: 2, maxLength: 4 }), (changes) => {
+      const proved = simulating();
+      let state: State = { text, nose: 0 };
+      proved(ran(state));
+      for (const change of changes) {
+        state = edited(state, change);
+        const input = ran(state);
+        expect(proved(input)).toEqual(simulate(input));
+      }
+    }), { numRuns });
+  },
+  120_000,
+);
+
+/** The marks that two simulations have in common: the very same arrays, which nobody has made anew. */
+const kept = (a: Simulation, b: Simulation): number => b.checkpoints.filter((mark, i) => mark.stock === a.checkpoints[i]?.stock).length;
+
+test("a changed end keeps the stock of what comes before it", () => {
+  const text = textOf("shaft.h");
+  const proved = simulating();
+  const before = proved(ran({ text, nose: 0 }));
+  const threads = [...text.matchAll(/CYCL DEF 831[\s\S]*?Q460=\+([\d.]+)/g)];
+  const last = threads.at(-1);
+  expect(last).toBeDefined();
+  const at = (last?.index ?? 0) + (last?.[0].length ?? 0);
+  const state = { text: `${text.slice(0, at)}.4${text.slice(at)}`, nose: 0 };
+  const after = proved(ran(state));
+  expect(after).toEqual(simulate(ran(state)));
+  const lastOperation = ran(state).operations.at(-1)?.firstStep ?? 0;
+  expect(kept(before, after)).toBeGreaterThanOrEqual(before.checkpoints.filter(({ step }) => step <= lastOperation).length);
+});
