@@ -9,6 +9,7 @@ import { simulate } from "../src/sim/simulate.ts";
 import { stockAt } from "../src/sim/stock.ts";
 import { ringData } from "../src/view/path.ts";
 import { sceneOf } from "../src/view/scene.ts";
+import { changedOperations } from "./bench-again.ts";
 import { longContour, printedExample } from "./long-contour.ts";
 import type { largePrograms } from "./large-programs.ts";
 import { longProgram } from "./long-program.ts";
@@ -88,6 +89,7 @@ function all(): Record<string, Measured> {
       stockAt(simulation, { step: (count * 7919) % simulation.steps.length, fraction: (count % 10) / 10 })
     );
   }
+  for (const [name, work] of changedOperations()) results[name] = measured(work);
   return results;
 }
 
@@ -134,7 +136,7 @@ export function main(args: readonly string[]): number {
     console.log(JSON.stringify({ ...results, large: Object.fromEntries(bounds) }));
     return 0;
   }
-  const row = (cells: readonly string[]) => `| ${cells.map((c, i) => (i === 0 ? c.padEnd(16) : c.padStart(9))).join(" | ")} |`;
+  const row = (cells: readonly string[]) => `| ${cells.map((c, i) => (i === 0 ? c.padEnd(28) : c.padStart(9))).join(" | ")} |`;
   console.log(row(["", "median ms", "p95 ms", "n", "limit ms"]));
   console.log("|---|---:|---:|---:|---:|");
   for (const [name, { median, p95, n }] of Object.entries(results))
