@@ -15,7 +15,7 @@ export function DepthPicture({ steps, playback }: { readonly steps: readonly Pla
   useEachPicture(playback, useCallback(() => {
     if (!strip || !head.current) return;
     const { step, fraction } = playback.shown();
-    head.current.style.left = `${stripAt(strip, step, fraction) * 100}%`;
+    head.current.style.transform = `translateX(${stripAt(strip, step, fraction) * 100}%)`;
   }, [strip, playback]));
   if (!strip) return null;
   const [high, low] = [formatSigned(language, strip.high), formatSigned(language, strip.low)];

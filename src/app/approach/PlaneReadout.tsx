@@ -1,4 +1,4 @@
-import { useCallback, useEffect, useRef, useState } from "react";
+import { useCallback } from "react";
 import type { Texts } from "../../i18n/index.ts";
 import { formatNumber, formatPosition } from "../../i18n/number.ts";
 import type { Language } from "../../i18n/languages.ts";
@@ -8,7 +8,7 @@ import { spotAt } from "../../view/approach/plane-scene.ts";
 import { isRapid } from "../../kernel/mill-motion.ts";
 import type { Clock } from "../clock.ts";
 import type { PlaybackStore } from "../lathe/playback-store.ts";
-import { useEachPicture, usePlayback } from "../lathe/use-playback.ts";
+import { useSaid, useSpoken } from "../lathe/use-said.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 
@@ -45,19 +45,21 @@ export function momentText(
   };
 }
 
+const textOfCell = (now: Moment | null, says: string): string | null => now?.[says as keyof Moment] ?? null;
+
 /** Live position, feed and block; the numbers change without rendering. */
 export function PlaneReadout({ steps, approaches, playback }: { readonly steps: readonly PlaneStep[];
   readonly approaches: readonly ApproachRun[]; readonly playback: PlaybackStore })
 {
   const t = useTexts(), language = useSettings((s) => s.language);
-  const group = useRef<HTMLDivElement>(null);
-  useEachPicture(playback, useCallback(() => {
-    const now = momentText(t, language, steps, approaches, playback.shown());
-    for (const cell of group.current?.querySelectorAll<HTMLElement>("[data-says]") ?? []) {
-      const said = now?.[cell.dataset["says"] as keyof Moment] ?? "–";
-      if (cell.textContent !== said) cell.textContent = said;
-    }
-  }, [t, language, steps, approaches, playback]));
+  const moment = useCallback(() => momentText(t, language, steps, approaches, playback.shown()), [
+    t,
+    language,
+    steps,
+    approaches,
+    playback,
+  ]);
+  const group = useSaid(playback, moment, textOfCell);
   const cells = [["x", "X"], ["y", "Y"], ["z", "Z"], ["feed", t.lathe.feedName]] as const;
   return (
     <div ref={group} className="lathe-readout" role="group" aria-label={t.lathe.now}>
@@ -77,9 +79,6 @@ export function PlaneReadout({ steps, approaches, playback }: { readonly steps: 
   );
 }
 
-/** Least time between two sentences for a screen reader while it plays, ms. */
-const PAUSE = 2500;
-
 /** The moment in one sentence. */
 export const momentSentence = (...given: Parameters<typeof momentText>): string => {
   const now = momentText(...given);
@@ -91,13 +90,13 @@ export function SpokenMoment({ steps, approaches, playback, clock }: { readonly 
   readonly approaches: readonly ApproachRun[]; readonly playback: PlaybackStore; readonly clock: Clock })
 {
   const t = useTexts(), language = useSettings((s) => s.language);
-  const step = usePlayback(playback, (s) => s.get().position.step), playing = usePlayback(playback, (s) => s.get().playing);
-  const [said, say] = useState("");
-  const last = useRef(-PAUSE);
-  useEffect(() => {
-    if (playing && clock.now() - last.current < PAUSE) return;
-    last.current = clock.now();
-    say(momentSentence(t, language, steps, approaches, playback.shown()));
-  }, [step, playing, t, language, steps, approaches, playback, clock]);
+  const sentence = useCallback(() => momentSentence(t, language, steps, approaches, playback.shown()), [
+    t,
+    language,
+    steps,
+    approaches,
+    playback,
+  ]);
+  const said = useSpoken(playback, clock, sentence);
   return <p className="unseen" role="status">{said}</p>;
 }

@@ -1,20 +1,48 @@
-import { useState } from "react";
+import { memo, useCallback, useState } from "react";
 import type { Run } from "../../program/run-types.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 import { kindText, runningFeed, phaseText, placeText } from "./running.ts";
-import { usePlayback } from "./use-playback.ts";
+import { useReadPlayback } from "./use-playback.ts";
 
 /** Rows at a time: thousands would be slow to build and no easier to read. */
 const PAGE = 50;
 
+/** One move; a press goes to its beginning. Drawn again only when it begins or ends to run. */
+const MoveRow = memo(
+  function MoveRow({ index, step: { move, block }, isRunning, go }: { readonly index: number; readonly step: Run["steps"][number];
+    readonly isRunning: boolean; readonly go: (step: number) => void })
+  {
+    const t = useTexts().lathe, language = useSettings((s) => s.language), { x, z } = placeText(language, move.to);
+    return (
+      <tr aria-current={isRunning}>
+        <th scope="row">
+          <button type="button" className="lathe-goto number" aria-label={t.goTo(String(index + 1))} onClick={() => go(index)}>
+            {index + 1}
+          </button>
+        </th>
+        <td>{kindText(t, move)}</td>
+        <td className="number">{x}</td>
+        <td className="number">{z}</td>
+        <td className="number">{runningFeed(t, language, move)}</td>
+        <td>{phaseText(t, move)}{move.pass !== undefined && ` ${move.pass}`}</td>
+        <td className="number">{block}</td>
+      </tr>
+    );
+  },
+);
+
 /** A page of the moves, the running one marked. */
 export function MoveRows({ run, playback }: { readonly run: Run; readonly playback: PlaybackStore }) {
-  const t = useTexts().lathe, language = useSettings((s) => s.language);
-  const running = usePlayback(playback, (s) => s.get().position.step);
+  const t = useTexts().lathe;
+  const running = useReadPlayback(playback, (s) => s.get().position.step);
   const own = Math.floor(Math.min(running, run.steps.length - 1) / PAGE);
   const [turned, turn] = useState<number | null>(null);
+  const go = useCallback((step: number) => {
+    turn(null);
+    playback.dispatch({ do: "seek", position: { step, fraction: 0 } });
+  }, [playback]);
   const last = Math.floor((run.steps.length - 1) / PAGE), page = Math.min(turned ?? own, last), from = page * PAGE;
   return (
     <>
@@ -36,27 +64,9 @@ export function MoveRows({ run, playback }: { readonly run: Run; readonly playba
           </tr>
         </thead>
         <tbody>
-          {run.steps.slice(from, from + PAGE).map((step, i) => {
-            const index = from + i, { x, z } = placeText(language, step.move.to);
-            return (
-              <tr key={index} aria-current={index === running}>
-                <th scope="row">
-                  <button type="button" className="lathe-goto number" aria-label={t.goTo(String(index + 1))} onClick={() => {
-                    turn(null);
-                    playback.dispatch({ do: "seek", position: { step: index, fraction: 0 } });
-                  }}>
-                    {index + 1}
-                  </button>
-                </th>
-                <td>{kindText(t, step.move)}</td>
-                <td className="number">{x}</td>
-                <td className="number">{z}</td>
-                <td className="number">{runningFeed(t, language, step.move)}</td>
-                <td>{phaseText(t, step.move)}{step.move.pass !== undefined && ` ${step.move.pass}`}</td>
-                <td className="number">{step.block}</td>
-              </tr>
-            );
-          })}
+          {run.steps.slice(from, from + PAGE).map((step, i) => (
+            <MoveRow key={from + i} index={from + i} step={step} isRunning={from + i === running} go={go} />
+          ))}
         </tbody>
       </table>
     </>

@@ -1,4 +1,4 @@
-import { useCallback, useEffect, useRef, useState } from "react";
+import { useCallback } from "react";
 import type { Run } from "../../program/run-types.ts";
 import type { Clock } from "../clock.ts";
 import { useSettings } from "../settings/settings.ts";
@@ -6,25 +6,27 @@ import { useTexts } from "../settings/use-texts.ts";
 import type { Moving } from "./moving.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 import { chipText, runningText, type Running } from "./running.ts";
-import { useEachPicture, usePlayback } from "./use-playback.ts";
+import { useSaid, useSpoken } from "./use-said.ts";
 
 const FIELDS = ["x", "z", "feed", "speed"] as const;
+
+/** The moment in words, and the chip that is cut in it. */
+interface Said extends Running {
+  readonly chip: string;
+}
+
+const textOfCell = (now: Said | null, says: string): string | null => now?.[says as keyof Said] ?? null;
 
 /** Live position, feed, spindle speed, phase, pass and the manual's step; the numbers change without rendering. */
 export function Readout({ run, playback, chipAt }: { readonly run: Run; readonly playback: PlaybackStore;
   readonly chipAt: Moving["chipAt"] | null })
 {
   const texts = useTexts(), t = texts.lathe, language = useSettings((s) => s.language);
-  const group = useRef<HTMLDivElement>(null);
-  useEachPicture(playback, useCallback(() => {
-    const now = runningText(texts, language, run, playback.shown()), chip = chipText(language, chipAt?.(playback.shown()) ?? null);
-    for (const cell of group.current?.querySelectorAll<HTMLElement>("[data-says]") ?? []) {
-      const said = cell.dataset["says"] === "chip"
-        ? chip
-        : now?.[cell.dataset["says"] as keyof Running] ?? (cell.localName === "dd" ? "–" : "");
-      if (cell.textContent !== said) cell.textContent = said;
-    }
-  }, [texts, language, run, playback, chipAt]));
+  const moment = useCallback((): Said | null => {
+    const now = runningText(texts, language, run, playback.shown());
+    return now && { ...now, chip: chipText(language, chipAt?.(playback.shown()) ?? null) };
+  }, [texts, language, run, playback, chipAt]);
+  const group = useSaid(playback, moment, textOfCell);
   const names = { x: t.axisX, z: t.axisZ, feed: t.feedName, speed: t.speedName };
   return (
     <div ref={group} className="lathe-readout" role="group" aria-label={t.now}>
@@ -47,20 +49,11 @@ export function Readout({ run, playback, chipAt }: { readonly run: Run; readonly
   );
 }
 
-/** Least time between two sentences for a screen reader while it plays, ms. */
-const PAUSE = 2500;
-
 /** The same in a sentence, read out: at once when something was pressed, now and then while it plays. */
 export function SpokenStatus({ run, playback, clock }: { readonly run: Run; readonly playback: PlaybackStore; readonly clock: Clock }) {
   const texts = useTexts(), language = useSettings((s) => s.language);
-  const step = usePlayback(playback, (s) => s.get().position.step), playing = usePlayback(playback, (s) => s.get().playing);
-  const [said, say] = useState("");
-  const last = useRef(-PAUSE);
-  useEffect(() => {
-    if (playing && clock.now() - last.current < PAUSE) return;
-    last.current = clock.now();
-    say(statusText(texts, language, run, playback));
-  }, [step, playing, texts, language, run, playback, clock]);
+  const sentence = useCallback(() => statusText(texts, language, run, playback), [texts, language, run, playback]);
+  const said = useSpoken(playback, clock, sentence);
   return <p className="unseen" role="status">{said}</p>;
 }
 

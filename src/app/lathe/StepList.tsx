@@ -4,17 +4,17 @@ import { changeSettings, useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 import { nearestCycle, runningSteps } from "./running.ts";
-import { usePlayback } from "./use-playback.ts";
+import { useReadPlayback } from "./use-playback.ts";
 
 /** The steps that the manual numbers for what runs, the running one marked; a press goes to the first move of one. */
 export function StepList({ run, playback }: { readonly run: Run; readonly playback: PlaybackStore }) {
   const texts = useTexts(), t = texts.lathe.stepList, open = useSettings((s) => s.stepList);
-  const index = usePlayback(playback, (store) => {
+  const index = useReadPlayback(playback, (store) => {
     const { operation, move } = run.steps[store.get().position.step] ?? {};
     return operation === null || move === undefined ? null : `${operation} ${move.run} ${move.step}`;
   });
   // Between the cycles those of the next one stay, with none of them marked: the picture over the list keeps its size.
-  const near = usePlayback(playback, (store) => nearestCycle(run, store.get().position.step));
+  const near = useReadPlayback(playback, (store) => nearestCycle(run, store.get().position.step));
   const steps = near === null ? [] : runningSteps(texts, run, near, index === null ? null : playback.get().position.step);
   if (steps.length === 0) return null;
   return (

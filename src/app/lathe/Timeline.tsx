@@ -6,7 +6,7 @@ import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { clockText } from "./clock-text.ts";
 import type { PlaybackStore } from "./playback-store.ts";
-import { useEachPicture, usePlayback } from "./use-playback.ts";
+import { useEachPicture, useEachReading, usePlayback } from "./use-playback.ts";
 
 /** What a timeline is made from: a run, or the part of one that a view shows. */
 export interface TimedRun extends Pick<Run, "operations"> {
@@ -24,9 +24,13 @@ export function Timeline({ run, playback }: { readonly run: TimedRun; readonly p
   });
   useEachPicture(playback, useCallback(() => {
     const { track, position } = playback.get(), part = track.total > 0 ? secondsAt(track, position) / track.total : 0;
-    if (input.current) input.current.value = String(part * 1000);
-    if (head.current) head.current.style.left = `${part * 100}%`;
-    if (time.current) time.current.textContent = `${clockText(language, secondsAt(track, position))} / ${clockText(language, track.total)}`;
+    if (head.current) head.current.style.transform = `translateX(${part * 100}%)`;
+  }, [playback]));
+  useEachReading(playback, useCallback(() => {
+    const { track, position } = playback.get(), seconds = secondsAt(track, position);
+    if (input.current) input.current.value = String(track.total > 0 ? (1000 * seconds) / track.total : 0);
+    const text = `${clockText(language, seconds)} / ${clockText(language, track.total)}`;
+    if (time.current && time.current.textContent !== text) time.current.textContent = text;
   }, [playback, language]));
   const marks = bar.boundaries.map((b) => `M${b * 1000} 0V1`).join("");
   return (

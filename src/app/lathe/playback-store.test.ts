@@ -49,3 +49,22 @@ test("without motion only ends of moves are shown while it plays", () => {
   store.dispatch({ do: "pause" });
   expect(store.shown().fraction).toBeCloseTo(0.5, 6);
 });
+
+test("what is read changes no oftener than it can be read while it plays, and at once with a press and at the end", () => {
+  const { clock, store } = playing(1);
+  let looked = 0, read = 0;
+  store.subscribe(() => (looked += 1));
+  store.subscribeReader(() => (read += 1));
+  clock.advance(1001);
+  // A picture every 16 ms; of those every fifth one is 70 ms or more after the one that was read before.
+  expect(looked).toBe(63);
+  expect(read).toBe(12);
+  store.dispatch({ do: "seekSeconds", seconds: 0.31 });
+  store.dispatch({ do: "seekSeconds", seconds: 0.33 });
+  expect(read).toBe(14);
+  clock.advance(5660);
+  const beforeEnd = read;
+  clock.advance(11);
+  expect(store.get().playing).toBe(false);
+  expect(read).toBe(beforeEnd + 1);
+});

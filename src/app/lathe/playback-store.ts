@@ -10,9 +10,14 @@ export interface PlaybackStore {
   readonly dispatch: (action: Action) => void;
   /** Calls after each change; returns what ends it. */
   readonly subscribe: (listener: () => void) => () => void;
+  /** The same for what is read and not looked at: while it plays, no oftener than it can be read. */
+  readonly subscribeReader: (listener: () => void) => () => void;
   /** Motion as usual, or from end of move to end of move. */
   readonly setStill: (still: boolean) => void;
 }
+
+/** Numbers that change oftener than this cannot be read, ms; each change of a text costs the page a layout. */
+const READABLE = 70;
 
 /** A new playback of an empty run. Time passes only while it plays, by the clock's pictures. */
 export function createPlaybackStore(clock: Clock): PlaybackStore {
@@ -20,13 +25,14 @@ export function createPlaybackStore(clock: Clock): PlaybackStore {
   let still = false;
   let stop: (() => void) | null = null;
   let last = 0;
-  const listeners = new Set<() => void>();
+  let read = 0;
+  const listeners = new Set<() => void>(), readers = new Set<() => void>();
 
   const picture = (now: number) => {
     stop = null;
     const seconds = (now - last) / 1000;
     last = now;
-    set(reduce(state, { do: "tick", seconds }));
+    set(reduce(state, { do: "tick", seconds }), true);
     follow();
   };
   const follow = () => {
@@ -36,10 +42,18 @@ export function createPlaybackStore(clock: Clock): PlaybackStore {
       stop = null;
     }
   };
-  const set = (next: Playback) => {
+  const set = (next: Playback, isTick = false) => {
     if (next === state) return;
     state = next;
     for (const listener of [...listeners]) listener();
+    // What a press does is read at once, and where the playing ends.
+    if (isTick && next.playing && last - read < READABLE) return;
+    read = last;
+    for (const reader of [...readers]) reader();
+  };
+  const subscriber = (all: Set<() => void>) => (listener: () => void) => {
+    all.add(listener);
+    return () => all.delete(listener);
   };
 
   return {
@@ -51,10 +65,8 @@ export function createPlaybackStore(clock: Clock): PlaybackStore {
       if (rested && state.playing) last = clock.now();
       follow();
     },
-    subscribe(listener) {
-      listeners.add(listener);
-      return () => listeners.delete(listener);
-    },
+    subscribe: subscriber(listeners),
+    subscribeReader: subscriber(readers),
     setStill(next) {
       still = next;
     },
