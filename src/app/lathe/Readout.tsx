@@ -23,8 +23,8 @@ export function Readout({ run, playback, chipAt }: { readonly run: Run; readonly
 {
   const texts = useTexts(), t = texts.lathe, language = useSettings((s) => s.language);
   const moment = useCallback((): Said | null => {
-    const now = runningText(texts, language, run, playback.shown());
-    return now && { ...now, chip: chipText(language, chipAt?.(playback.shown()) ?? null) };
+    const position = playback.shown(), now = runningText(texts, language, run, position);
+    return now && { ...now, chip: chipText(language, chipAt?.(position) ?? null, run.steps[position.step]?.move) };
   }, [texts, language, run, playback, chipAt]);
   const group = useSaid(playback, moment, textOfCell);
   const names = { x: t.axisX, z: t.axisZ, feed: t.feedName, speed: t.speedName };
@@ -42,8 +42,8 @@ export function Readout({ run, playback, chipAt }: { readonly run: Run; readonly
       <p className="lathe-phase soft">
         <span data-says="phase" />
         <span data-says="pass" />
-        <span data-says="block" />
         <span className="number" data-says="chip" title={t.chip} />
+        <span data-says="block" />
       </p>
     </div>
   );

@@ -126,12 +126,13 @@ function spindleOf(run: Run, index: number): Spindle | null {
   return operation?.spindle ?? null;
 }
 
-/** The chip of a moment in one line; nothing without one. */
-export const chipText = (language: Language, chip: Chip | null): string => {
-  if (!chip) return "";
+/** The chip of a moment in one line; nothing without one. The feed of a turn is said where the one beside it is a feed of a minute. */
+export function chipText(language: Language, chip: Chip | null, move: Move | undefined): string {
+  if (!chip || !move) return "";
   const said = (size: number) => formatFixed(language, size, 3);
-  return `ap ${said(chip.depth)} · f ${said(chip.feed)} · h ${said(chip.thickest.size)} mm · A ${said(chip.area)} mm²`;
-};
+  const feed = (move.kind === "feed" || move.kind === "arc") && move.feedUnit === "mm/min" ? ` · f ${said(chip.feed)}` : "";
+  return `ap ${said(chip.depth)}${feed} · h ${said(chip.thickest.size)} mm · A ${said(chip.area)} mm²`;
+}
 
 /** What to say about a position; null when the run has no moves. */
 export function runningText(t: Texts, language: Language, run: Run, position: PlayPosition): Running | null {
