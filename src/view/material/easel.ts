@@ -55,20 +55,20 @@ export type Body = "steel" | "chuck";
 const brushes = new WeakMap<Pen, { readonly colours: MaterialColours; readonly made: Map<string, object> }>();
 
 /** A brush for the shade across a radius, from 0 at the axis to 1 at the edge along y. */
-export function brush({ pen, colours }: Easel, body: Body, slope: number, finish: Texture, facing: Facing): object {
+export function brush({ pen, colours }: Easel, body: Body, slope: number, texture: Texture, facing: Facing): object {
   let own = brushes.get(pen);
   if (own?.colours !== colours) {
     own = { colours, made: new Map() };
     brushes.set(pen, own);
   }
-  const number = slopeNumber(slope), key = `${body} ${number} ${finish} ${facing}`;
+  const number = slopeNumber(slope), key = `${body} ${number} ${texture} ${facing}`;
   const have = own.made.get(key);
   if (have) return have;
   const gradient = pen.createLinearGradient(0, 0, 0, 1);
   const steel = body === "steel"
     ? { dark: colours.steelDark, base: colours.steel, light: colours.steelLight }
     : { dark: colours.chuckDark, base: colours.chuck, light: colours.chuckLight };
-  for (const [at, colour] of shadeStops(steel, slopeOf(number), finish, facing)) gradient.addColorStop(at, colour);
+  for (const [at, colour] of shadeStops(steel, slopeOf(number), texture, facing)) gradient.addColorStop(at, colour);
   own.made.set(key, gradient);
   return gradient;
 }

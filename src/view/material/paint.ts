@@ -80,8 +80,8 @@ function shades(easel: Easel, half: Half, first: number, boundary: Boundary, col
   const own = zones.filter((zone) => zone.isInside === half.isCut);
   const fill: FillColumns = (edge, [from, to], r, low) => {
     if (own.length > 0 && isIn(own, columns.left + (from + to) * 0.5 * columns.width)) return;
-    const finish = boundary.edges[edge]?.made.finish ?? "raw", slope = slopeAt(boundary, edge, half.isCut);
-    pen.fillStyle = brush(easel, "steel", slope, finish, half.isCut ? "hole" : half.facing);
+    const texture = boundary.edges[edge]?.made.texture ?? "raw", slope = slopeAt(boundary, edge, half.isCut);
+    pen.fillStyle = brush(easel, "steel", slope, texture, half.isCut ? "hole" : half.facing);
     acrossRadius(easel, half.down, r);
     // A pixel more over the axis leaves no seam between the halves.
     const begin = low > 0 ? low / r : -1 / (r * camera.scale);

@@ -34,11 +34,11 @@ const GLOSS: Readonly<Record<Texture, Gloss>> = {
 };
 
 /** Lightness 0 … 1 of a place: `slope` is the angle of the surface to the axis, radians, positive where it looks at the free end. */
-export function lightness(u: number, slope: number, finish: Texture, facing: Facing): number {
-  const { ground, shine, sharp } = GLOSS[finish];
+export function lightness(u: number, slope: number, texture: Texture, facing: Facing): number {
+  const { ground, shine, sharp } = GLOSS[texture];
   const around = Math.asin(Math.min(1, Math.max(0, u)));
   // A hole is seen from within: dark where it is deepest, lighter towards its edge.
-  if (facing === "hole") return clamped(0.12 + 0.32 * u * u + 0.12 * Math.sin(slope) + (finish === "finished" ? 0.07 : 0));
+  if (facing === "hole") return clamped(0.12 + 0.32 * u * u + 0.12 * Math.sin(slope) + (texture === "finished" ? 0.07 : 0));
   const off = facing === "lit" ? around - LIGHT : around + LIGHT, towards = Math.max(0, Math.cos(off));
   const diffuse = (towards * Math.cos(slope) + ALONG * Math.sin(slope)) / Math.hypot(1, ALONG);
   return clamped(0.05 + ground * Math.max(0, diffuse) ** 1.4 * 1.15 + shine * towards ** sharp * Math.cos(slope) ** 2);
@@ -62,8 +62,8 @@ export const steelAt = ({ dark, base, light }: Steel, value: number): string =>
 const STOPS = [0, 0.08, 0.16, 0.24, 0.3, 0.34, 0.4, 0.48, 0.58, 0.68, 0.77, 0.85, 0.91, 0.955, 0.985, 1] as const;
 
 /** The shade across the radius, from the axis to the edge, as stops of a gradient. */
-export const shadeStops = (steel: Steel, slope: number, finish: Texture, facing: Facing): readonly (readonly [number, string])[] =>
-  STOPS.map((u) => [u, steelAt(steel, lightness(u, slope, finish, facing))] as const);
+export const shadeStops = (steel: Steel, slope: number, texture: Texture, facing: Facing): readonly (readonly [number, string])[] =>
+  STOPS.map((u) => [u, steelAt(steel, lightness(u, slope, texture, facing))] as const);
 
 /** Surfaces whose slopes differ by less than this have one shade, radians. */
 const SLOPES = Math.PI / 90;

@@ -9,13 +9,15 @@ export type Texture = "raw" | "rough" | "finished" | "thread";
 
 /** What made a stretch of the boundary. */
 export interface Maker {
-  readonly finish: Texture;
+  readonly texture: Texture;
   /** Index of the move; −1 where nothing has cut yet. */
   readonly step: number;
   /** Way of the tool in one turn of the work, mm; for a thread its lead. 0 where nobody knows. */
   readonly pitch: number;
   /** Where along Z the move began: its marks count from there. */
   readonly from: number;
+  /** The direction of its way, as a vector of length 1: what its flank left beside that has no marks. */
+  readonly way: readonly [z: number, r: number];
 }
 
 /** A straight piece of the boundary of the stock, in the direction of its ring, mm. */
@@ -40,7 +42,7 @@ export interface Surfaces {
   readonly lead: (now: PlayPosition) => number;
 }
 
-const RAW: Maker = { finish: "raw", step: -1, pitch: 0, from: 0 };
+const RAW: Maker = { texture: "raw", step: -1, pitch: 0, from: 0, way: [0, 0] };
 
 /** Sides shorter than this were made by one move, mm. */
 const ONE = 0.3;
@@ -57,7 +59,12 @@ function pitchOf({ move, from }: Step, spindle: Spindle | null): number {
   return Number.isFinite(pitch) ? pitch : 0;
 }
 
-function finishOf({ move }: Step): Texture {
+function wayOf({ from, move: { to } }: Step): readonly [number, number] {
+  const size = Math.hypot(to.z - from.z, to.r - from.r);
+  return size > 0 ? [(to.z - from.z) / size, (to.r - from.r) / size] : [0, 0];
+}
+
+function textureOf({ move }: Step): Texture {
   if (move.kind === "thread") return "thread";
   return move.phase === "finish" ? "finished" : "rough";
 }
@@ -91,7 +98,13 @@ export function surfacesOf(steps: readonly Step[], spindleOf: (step: number) => 
   function madeBy(step: number): Maker {
     const s = steps[step];
     if (!s) return RAW;
-    const have = made.get(step) ?? { finish: finishOf(s), step, pitch: pitchOf(s, spindleOf(step)), from: s.from.z };
+    const have = made.get(step) ?? {
+      texture: textureOf(s),
+      step,
+      pitch: pitchOf(s, spindleOf(step)),
+      from: s.from.z,
+      way: wayOf(s),
+    };
     made.set(step, have);
     return have;
   }

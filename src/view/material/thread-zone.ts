@@ -21,7 +21,7 @@ function zoneOf(edges: readonly SurfaceEdge[]): ThreadZone {
   const isOutside = runsLeft(edges);
   const forward = edges.flatMap((e, i) => (i === 0 ? [{ z: e.z0, r: e.r0 }, { z: e.z1, r: e.r1 }] : [{ z: e.z1, r: e.r1 }]));
   const profile = isOutside ? forward.reverse() : forward;
-  const lead = Math.max(...edges.map((e) => (e.made.finish === "thread" ? e.made.pitch : 0)));
+  const lead = Math.max(...edges.map((e) => (e.made.texture === "thread" ? e.made.pitch : 0)));
   const places = profile.map((p) => p.z);
   return { left: Math.min(...places), right: Math.max(...places), lead, isInside: !isOutside, profile };
 }
@@ -40,7 +40,7 @@ export function threadZones({ edges }: Boundary): readonly ThreadZone[] {
     // Round the end of the work another thread may begin.
     const turnsBack = begun && (e.z1 - e.z0) * (begun.z1 - begun.z0) < 0;
     if (!follows || turnsBack) close();
-    if (e.made.finish !== "thread") return;
+    if (e.made.texture !== "thread") return;
     const groove = first >= 0 ? edges[last] : undefined;
     if (groove && Math.abs(e.z0 - groove.z1) > LOOSE * e.made.pitch) close();
     if (first < 0) first = i;
