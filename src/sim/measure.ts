@@ -47,7 +47,7 @@ interface Sums {
 }
 
 /** How far measuring has come before a step. */
-export interface MeasureState {
+export interface MeasuredSoFar {
   /** The operation of that step, what was measured of it, and the moves under way. */
   readonly operation: number | null;
   readonly sums: Sums | null;
@@ -56,7 +56,7 @@ export interface MeasureState {
 
 /** What was measured in an earlier run up to a step that this one goes on from. */
 export interface MeasuredBefore {
-  readonly state: MeasureState;
+  readonly state: MeasuredSoFar;
   readonly step: number;
   /** Of each operation of that run, at its end. */
   readonly sums: readonly Sums[];
@@ -67,7 +67,7 @@ export interface StockMeasure {
   /** A step and its sweep, before that is taken from the stock. */
   add(step: Step, index: number, sweep: Sweep, outlines: Outlines, cut: Cutting): void;
   /** What is known before a step that belongs to an operation. */
-  state(operation: number | null): MeasureState;
+  state(operation: number | null): MeasuredSoFar;
   /** The steps give the blocks. */
   results(steps: readonly Step[]): OperationProof[];
   /** What the next run can go on from; after the results. */

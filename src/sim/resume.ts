@@ -6,7 +6,7 @@ import type { Step } from "../kernel/step.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
 import type { Cutting } from "./cutting.ts";
 import { sidesOf } from "./edges.ts";
-import type { MeasureState, StockMeasure } from "./measure.ts";
+import type { MeasuredSoFar, StockMeasure } from "./measure.ts";
 import type { Outlines } from "./outlines.ts";
 import { sameRings, sameSteps } from "./same-step.ts";
 import type { Checkpoint, SimulatedOperation, SimulationInput, StockFinding } from "./simulation.ts";
@@ -24,7 +24,7 @@ export interface Snapshot {
   readonly marked: number;
   readonly marks: number;
   readonly byRapids: number;
-  readonly measure: MeasureState;
+  readonly measure: MeasuredSoFar;
 }
 
 /** What is kept of a simulation for the one that follows. */
