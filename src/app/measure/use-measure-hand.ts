@@ -93,6 +93,7 @@ export function useMeasureHand({ measuring, viewport, source, t }: { readonly me
     show(kind);
     set({ ...state, first: null, done: null, said: "" });
   }
+  if (!on && state !== START) set(START);
   useEffect(() => {
     current.current = state;
   });
@@ -154,5 +155,5 @@ export function useMeasureHand({ measuring, viewport, source, t }: { readonly me
     serve(on ? hand : null);
     return () => serve(null);
   });
-  return on ? state : START;
+  return state;
 }
