@@ -118,6 +118,11 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
   const { hover, over, tap } = usePicking({ run, viewport, shown: path.has, onMove });
   const look = measuring.on ? measuring : { tap, hover: over, drag: null };
   const stage = useStage(viewport, look);
+  /** What is behind a button gives the picture back where there is little room. */
+  const toggle = () => {
+    measuring.toggle();
+    showTools(false);
+  };
 
   useEffect(() => playback.dispatch({ do: "load", track: trackOf(run.steps) }), [run, playback]);
   useEffect(() => playback.setStill(reducedMotion({ motion })), [motion, playback]);
@@ -154,7 +159,7 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
       const typed = { key: event.key, shift: event.shiftKey, element: target.localName, picture: target === stage.current };
       if (pressKey(typed, playback, viewport, measuring) || chooseByKey(typed)) event.preventDefault();
     }}>
-      <ViewBar viewport={viewport} measuring={measuring} onWhich={proved && contourAt(proved.run, 0) && !dimmed
+      <ViewBar viewport={viewport} measuring={{ ...measuring, toggle }} onWhich={proved && contourAt(proved.run, 0) && !dimmed
         ? () => ask(contourAt(proved.run, playback.get().position.step, proved.simulation.final))
         : null}
       >

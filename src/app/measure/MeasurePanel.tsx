@@ -10,9 +10,11 @@ import { gaugedFor, measure, measuredFor } from "../../view/measure/distance.ts"
 import { gauged } from "../../view/measure/figure.ts";
 import type { MeasurementNow } from "../../view/measure/reading.ts";
 import { setMeasured } from "../edits.ts";
+import { Icon } from "../Icon.tsx";
 import { MeasuredInto, type MeasuredTarget } from "../lathe/measured-into.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
+import { useMedia } from "../use-media.ts";
 import { inchText, useMeasureTexts, gaugedText, type MeasurementWords } from "./measure-words.ts";
 import { removeMeasurement } from "./MeasuredLabels.tsx";
 import type { Measuring } from "./measuring.ts";
@@ -32,6 +34,20 @@ const TOOLS: Readonly<Record<MeasuredKind, string>> = {
 
 /** With a tool in hand the keys belong to the picture. */
 const toPicture = (element: HTMLElement): void => element.closest<HTMLElement>(".lathe-stage")?.focus({ preventScroll: true });
+
+/** The tools as one field, where a row of them has no room. */
+function ToolChoice({ measuring: { kind, choose }, source, t }: { readonly measuring: Measuring; readonly source: MeasureSource;
+  readonly t: MeasureTexts })
+{
+  return (
+    <select className="select" aria-label={t.tools} value={kind} onChange={(event) => {
+      const chosen = toolsOf(source).find((each) => each === event.currentTarget.value);
+      if (chosen) choose(chosen);
+    }}>
+      {toolsOf(source).map((each) => <option key={each} value={each}>{t.kinds[each]}</option>)}
+    </select>
+  );
+}
 
 function ToolBar({ measuring: { kind, choose }, source, t }: { readonly measuring: Measuring; readonly source: MeasureSource;
   readonly t: MeasureTexts })
@@ -137,7 +153,7 @@ function MeasuredList({ readings, words, t, say }: { readonly readings: readonly
                 removeMeasurement(id);
                 gone(t.removed(name));
               }}>
-                ×
+                <Icon name="close" />
               </button>
             </li>
           );
@@ -161,7 +177,7 @@ export function MeasurePanel({ measuring, source, state, readings, words, kept }
 {
   const t = useMeasureTexts(), take = useTexts().lathe.takeInto, language = useSettings((s) => s.language);
   const target = useContext(MeasuredInto), panel = useRef<HTMLDivElement>(null), isTurned = source.plane === "ZX";
-  const [said, say] = useState("");
+  const [said, say] = useState(""), isPhone = useMedia("phone");
   useEffect(() => {
     const element = panel.current;
     if (element) toPicture(element);
@@ -177,14 +193,17 @@ export function MeasurePanel({ measuring, source, state, readings, words, kept }
   const result = done && last ? (words.get(last.measurement.id)?.name ?? "") : "";
   return (
     <div ref={panel} className="measure-panel">
-      <ToolBar measuring={measuring} source={source} t={t} />
+      {isPhone ? <ToolChoice measuring={measuring} source={source} t={t} /> : <ToolBar measuring={measuring} source={source} t={t} />}
+      <button type="button" className="button icon measure-stop" aria-label={t.stop} title={t.stop} onClick={measuring.toggle}>
+        <Icon name="close" />
+      </button>
       <Numbers state={state} isTurned={isTurned} language={language} t={t} />
       {target && into !== null && (
         <button type="button" className="button small" onClick={() => target.take(into)}>
           {take(`${target.kind === "diameter" ? "⌀" : ""}${formatNumber(language, into, 3)}`, target.q)}
         </button>
       )}
-      {!done && <p className="small soft">{hintOf(t, measuring.kind, state, isTurned)}</p>}
+      {!done && <p className="measure-hint small soft">{hintOf(t, measuring.kind, state, isTurned)}</p>}
       <p role="status" className="unseen">{done ? result : said || `${hintOf(t, measuring.kind, state, isTurned)} ${t.keys}`}</p>
       <MeasuredList readings={readings} words={words} t={t} say={say} />
     </div>

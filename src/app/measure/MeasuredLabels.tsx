@@ -3,6 +3,7 @@ import type { Pt } from "../../kernel/point.ts";
 import { toPlace, type Camera, type Place } from "../../view/camera.ts";
 import type { StandingMeasurement } from "../../view/measure/layout.ts";
 import { setMeasured } from "../edits.ts";
+import { Icon } from "../Icon.tsx";
 import { useMeasureTexts, type MeasurementWords } from "./measure-words.ts";
 
 /** A text on its way to another place. */
@@ -79,7 +80,7 @@ function MeasuredLabel({ standing: { id, text, caption, middle, box }, name, isO
         <button type="button" className="button icon measured-remove" aria-label={t.remove(name)} title={t.remove(name)} onClick={() =>
           removeMeasurement(id)}
         >
-          ×
+          <Icon name="close" />
         </button>
       )}
     </div>

@@ -2,6 +2,7 @@ import type { MeasureTexts } from "../en/measure.ts";
 
 export const measure: MeasureTexts = {
   tools: "Messwerkzeuge",
+  stop: "Messen beenden",
   kinds: {
     diameter: "Durchmesser",
     length: "Länge",

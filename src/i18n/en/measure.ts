@@ -1,6 +1,7 @@
 /** Measuring in the picture. Numbers and names arrive as text. */
 export const measure = {
   tools: "Measuring tools",
+  stop: "Stop measuring",
   kinds: {
     diameter: "Diameter",
     length: "Length",

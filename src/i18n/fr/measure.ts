@@ -2,6 +2,7 @@ import type { MeasureTexts } from "../en/measure.ts";
 
 export const measure: MeasureTexts = {
   tools: "Instruments de mesure",
+  stop: "Finir de mesurer",
   kinds: {
     diameter: "Diamètre",
     length: "Longueur",

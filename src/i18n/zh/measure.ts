@@ -2,6 +2,7 @@ import type { MeasureTexts } from "../en/measure.ts";
 
 export const measure: MeasureTexts = {
   tools: "测量工具",
+  stop: "结束测量",
   kinds: {
     diameter: "直径",
     length: "长度",
