@@ -113,7 +113,7 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
   const held = useMemo(() => run.steps.some((step) => step.tool.holder), [run]);
   const starts = useMemo(() => (waiting?.start ? [waiting.start] : run.operations.map((o) => o.start)), [run, waiting]);
   const measuring = useMeasuring();
-  const source = useLatheSource({ run, stockAt: shown?.simulation && moving ? moving.stockAt : null, playback, isWhole: true });
+  const source = useLatheSource({ run, stockAt: shown?.simulation && moving ? moving.stockAt : null, playback });
   const path = useShownPath(run, playback);
   const { hover, over, tap } = usePicking({ run, viewport, shown: path.has, onMove });
   const look = measuring.on ? measuring : { tap, hover: over, drag: null };

@@ -82,7 +82,7 @@ export function MeasureLayer({ viewport, measuring, source }: { readonly viewpor
   const camera = useCamera(viewport), size = viewport.size();
   const readings = useReadings(source), state = useMeasureHand({ measuring, viewport, source, t });
   const [moved, move] = useState<Moved | null>(null), [panel, keep] = useState<LabelBox | null>(null);
-  const isTurned = source.plane === "ZX", { isWhole } = source;
+  const isTurned = source.plane === "ZX";
   const words = useMemo(() => new Map(readings.map((each) => [each.measurement.id, measurementWords(t, language, each)])), [
     readings,
     t,
@@ -95,12 +95,12 @@ export function MeasureLayer({ viewport, measuring, source }: { readonly viewpor
       top: AIR * unit,
       bottom: (SCALE_BELOW + AIR) * unit,
     };
-    const paper = { camera, unit, isWhole, size, edges, kept: panel && measuring.on ? [panel] : [] };
+    const paper = { camera, unit, size, edges, kept: panel && measuring.on ? [panel] : [] };
     return standingMeasurements(paper, readings.map(({ measurement: { id, text }, figure }) => {
       const put = moved?.id === id ? moved.to : text, said = words.get(id);
       return { id, figure, text: said?.text ?? "", caption: said?.caption ?? "", ...(put && { put }) };
     }));
-  }, [camera, unit, isWhole, size, isNarrow, panel, measuring.on, readings, words, moved]);
+  }, [camera, unit, size, isNarrow, panel, measuring.on, readings, words, moved]);
   const old = new Set(readings.flatMap(({ isOld, measurement: { id } }) => (isOld ? [id] : [])));
   return (
     <>

@@ -182,9 +182,11 @@ export function MeasurePanel({ measuring, source, state, readings, words, kept }
     const element = panel.current;
     if (element) toPicture(element);
     if (!element || typeof ResizeObserver === "undefined") return;
-    const watch = new ResizeObserver(() =>
-      kept({ x: element.offsetLeft, y: element.offsetTop, width: element.offsetWidth, height: element.offsetHeight })
-    );
+    const watch = new ResizeObserver(() => {
+      // An open list lies over the picture for a moment: nothing moves out of its way.
+      if (element.querySelector("details[open]")) return;
+      kept({ x: element.offsetLeft, y: element.offsetTop, width: element.offsetWidth, height: element.offsetHeight });
+    });
     watch.observe(element);
     return () => watch.disconnect();
   }, [kept]);

@@ -16,8 +16,6 @@ import type { PlaybackStore } from "../lathe/playback-store.ts";
  */
 export interface MeasureSource {
   readonly plane: "ZX" | "XY";
-  /** The side below the spindle axis is shown as well. */
-  readonly isWhole: boolean;
   readonly contours: readonly Chain[];
   readonly blank: readonly Ring[];
   /** Ends of moves; asked for when something is measured. */
@@ -51,16 +49,14 @@ export const measurableRun = (run: Run, plane: MeasureSource["plane"]): Measurab
     };
 
 /** What the lathe has to measure. */
-export function useLatheSource({ run, stockAt, playback, isWhole }: {
+export function useLatheSource({ run, stockAt, playback }: {
   readonly run: Run;
   /** The stock of this very run; null while it is not known. */
   readonly stockAt: ((position: PlayPosition) => readonly Ring[]) | null;
   readonly playback: PlaybackStore;
-  readonly isWhole: boolean;
 }): MeasureSource {
   return useMemo(() => ({
     ...measurableRun(run, "ZX"),
-    isWhole,
     moment() {
       const { position: { step, fraction }, playing } = playback.get(), running = run.steps[step];
       if (playing || !stockAt) return null;
@@ -69,5 +65,5 @@ export function useLatheSource({ run, stockAt, playback, isWhole }: {
       return { step, fraction, block: running.block, ...(pass !== undefined && { pass }) };
     },
     stock: () => stockAt?.(playback.get().position) ?? [],
-  }), [run, stockAt, playback, isWhole]);
+  }), [run, stockAt, playback]);
 }

@@ -7,8 +7,6 @@ export interface DimensionPaper {
   readonly camera: Camera;
   /** How many of its units a pixel of a usual screen is: all gaps, arrows and letters go with it. */
   readonly unit: number;
-  /** The side below the axis is shown as well: a diameter then goes right across. */
-  readonly isWhole: boolean;
 }
 
 /** Thin lines and filled arrowheads of one dimension, as path data. */
@@ -17,8 +15,8 @@ export interface DimensionLines {
   readonly arrows: string;
 }
 
-/** Gap between a place and its extension line, how far that runs past the dimension line, and a dimension line past the axis; pixels. */
-const GAP = 3, PAST = 5, BEYOND = 14;
+/** Gap between a place and its extension line, and how far that runs past the dimension line; pixels. */
+const GAP = 3, PAST = 5;
 const ARROW = { long: 9, half: 1.9 } as const;
 /** An arrow that points inwards has a tail this long behind it. */
 const TAIL = 8;
@@ -67,16 +65,9 @@ function between(a: Place, b: Place, text: Place, across: Place, unit: number): 
   return { lines: extension(a, p, unit) + extension(b, q, unit) + own.lines, arrows: own.arrows };
 }
 
-function diameter({ camera, unit, isWhole }: DimensionPaper, figure: Figure & { readonly kind: "diameter" }, text: Place): DimensionLines {
-  const { z, r } = figure.at, [tip, middle, far] = [at(z, r), at(z, 0), at(z, -r)].map((p) => toScreen(camera, p)) as [Place, Place, Place];
-  if (isWhole) return between(tip, far, text, RIGHT, unit);
-  const [p, axis] = [onto(tip, text, RIGHT), onto(middle, text, RIGHT)], { way, long } = to(axis, p);
-  const at_ = dot(minus(text, axis), way), isWide = long > (ARROW.long + 4) * unit;
-  const end = isWide ? long : long + (ARROW.long + TAIL) * unit;
-  return {
-    lines: extension(tip, p, unit) + line(from(axis, way, Math.min(-BEYOND * unit, at_)), from(axis, way, Math.max(end, at_))),
-    arrows: isWide ? arrow(p, way, unit) : arrow(p, { x: -way.x, y: -way.y }, unit),
-  };
+/** Right across the axis, from a surface to the same one below. */
+function diameter({ camera, unit }: DimensionPaper, { at: { z, r } }: Figure & { readonly kind: "diameter" }, text: Place): DimensionLines {
+  return between(toScreen(camera, at(z, r)), toScreen(camera, at(z, -r)), text, RIGHT, unit);
 }
 
 /** Right across a circle, through its middle. */

@@ -39,7 +39,7 @@ export function measuredOnPaper(
 ): readonly PaperMeasurement[] {
   const { camera, width, height, kept } = paper;
   const edges = { left: EDGE, right: EDGE, top: EDGE, bottom: EDGE };
-  const sheet = { camera, unit: FIGURES / MEASURED_TEXT, isWhole: true, size: { width, height }, edges, kept };
+  const sheet = { camera, unit: FIGURES / MEASURED_TEXT, size: { width, height }, edges, kept };
   return standingMeasurements(sheet, measured.map((each) => ({ ...each, caption: "" }))).map(({ lines, arrows, box, text }) => ({
     lines,
     arrows,
