@@ -4,6 +4,7 @@ import type { Simulation } from "../../sim/simulation.ts";
 import { stopwatch } from "../clock.ts";
 import type { advice } from "./advice.ts";
 import { engine, makersAgain } from "./engine.ts";
+import { loadRequestOf, type KnownOutcome, type LoadRequest } from "./load-request.ts";
 import type { Outcome, Stage } from "./outcome.ts";
 import type { reported } from "./reported.ts";
 import type { Request } from "./request.ts";
@@ -18,6 +19,12 @@ void navigator.locks?.request(self.name, () => new Promise<void>(() => undefined
 /** The open work changes bit by bit; what stands beside it, of no version, is another one each time. */
 const openWork = makersAgain();
 
+/** The newest outcome of the open work: what is asked about it later need not be sent here again. */
+let newest: Outcome | null = null;
+const knownRequest = ({ version, moves }: KnownOutcome): LoadRequest | null =>
+  newest?.version === version && newest.run.steps.length === moves ? loadRequestOf(newest) : null;
+const requestOf = (of: KnownOutcome | LoadRequest) => ("moves" in of ? knownRequest(of) : of);
+
 /** The result with what its run took. */
 function updated(request: Request, tell: (stage: Stage) => void = () => undefined): Outcome {
   const begun = stopwatch();
@@ -26,6 +33,7 @@ function updated(request: Request, tell: (stage: Stage) => void = () => undefine
     if (stage === "proving") pace = stopwatch() - begun;
     tell(stage);
   }, request.version > 0 ? openWork : undefined);
+  if (outcome.version > 0) newest = outcome;
   return { ...outcome, pace };
 }
 
@@ -45,6 +53,15 @@ const served = {
   ...engine,
   update: updated,
   proved,
+  knows: (known: KnownOutcome) => knownRequest(known) !== null,
+  pathLoad: async (of: KnownOutcome | LoadRequest) => {
+    const request = requestOf(of);
+    return request && (await import("./load.ts")).pathLoad(request);
+  },
+  roughness: async (of: KnownOutcome | LoadRequest) => {
+    const request = requestOf(of);
+    return request && (await import("./load.ts")).roughness(request);
+  },
   fitsOfWork: async (...asked: Parameters<Advice["fitsOfWork"]>) => (await fetchAdvice()).fitsOfWork(...asked),
   ways: async (...asked: Parameters<Advice["ways"]>) => (await fetchAdvice()).ways(...asked),
   tryWay: async (...asked: Parameters<Advice["tryWay"]>) => (await fetchAdvice()).tryWay(...asked),

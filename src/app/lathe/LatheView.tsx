@@ -3,10 +3,13 @@ import type { KnownWork } from "../../program/known-work.ts";
 import type { Run } from "../../program/run-types.ts";
 import type { Pt } from "../../kernel/point.ts";
 import { axial, diameter, radius, toRadius } from "../../kernel/units.ts";
+import { toPlace, type Place } from "../../view/camera.ts";
 import { datumAt, datumIndex } from "../../view/datum.ts";
 import { trackOf } from "../../view/playback.ts";
 import { sceneOf, type SceneParts } from "../../view/scene.ts";
 import type { Clock } from "../clock.ts";
+import { LoadPart } from "../load/LoadParts.tsx";
+import { createPointed } from "../load/pointed.ts";
 import { Measurements } from "../measure/Measurements.tsx";
 import { useMeasuring } from "../measure/measuring.ts";
 import { useLatheSource } from "../measure/source.ts";
@@ -116,7 +119,12 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
   const source = useLatheSource({ run, stockAt: shown?.simulation && moving ? moving.stockAt : null, playback });
   const path = useShownPath(run, playback);
   const { hover, over, tap } = usePicking({ run, viewport, shown: path.has, onMove });
-  const look = measuring.on ? measuring : { tap, hover: over, drag: null };
+  const [pointed] = useState(createPointed);
+  const point = (at: Place | null) => {
+    over(at);
+    pointed.set(at && toPlace(viewport.get(), at));
+  };
+  const look = measuring.on ? measuring : { tap, hover: point, drag: null };
   const stage = useStage(viewport, look);
   /** What is behind a button gives the picture back where there is little room. */
   const toggle = () => {
@@ -170,9 +178,11 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
       >
         <Picture viewport={viewport} scene={scene} moving={moving} waiting={waiting} findings={findings} residual={residual}
           section={section} name={name} path={path.stretches} ghosts={<GhostPaths scene={scene} clock={clock} />}
-          chosen={<ChosenPath run={run} />} hovered={<HoveredMove run={run} hover={hover} />}
+          chosen={[<LoadPart.Lines key="load" run={run} shown={path.has} />, <ChosenPath key="chosen" run={run} />]}
+          hovered={<HoveredMove run={run} hover={hover} />}
         >
           <Marks viewport={viewport} starts={starts} datum={datum} />
+          <LoadPart.Mark run={run} viewport={viewport} />
           {typed && <KnownMarks viewport={viewport} known={typed} />}
           {run.steps.length > 0 && <ToolAway viewport={viewport} playback={playback} steps={run.steps} />}
           {leads.length > 0 && (
@@ -190,6 +200,7 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
         {dimmed && run.steps.length > 0 && <Outdated />}
         <p id={keysId} className="unseen">{t.keys}</p>
       </div>
+      <LoadPart.Strip run={run} viewport={viewport} playback={playback} pointed={pointed} shown={path.has} />
       <Readout run={run} playback={playback} chipAt={moving?.chipAt ?? null} />
       <StepList run={run} playback={playback} />
       <PlaybackBar playback={playback}>
@@ -207,6 +218,7 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
       {shown && (
         <div className="lathe-more">
           <MoveTable run={run} playback={playback} />
+          <LoadPart.Table run={run} playback={playback} />
         </div>
       )}
     </section>

@@ -1,5 +1,5 @@
 import { Toolbar } from "react-aria-components/Toolbar";
-import { changeSettings, SECTION_VIEWS, SHOWN_PATHS, useSettings } from "../settings/settings.ts";
+import { changeSettings, SECTION_VIEWS, SHOWN_COLOURS, SHOWN_PATHS, useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { GlyphButton } from "./GlyphButton.tsx";
 import type { Measuring } from "../measure/measuring.ts";
@@ -18,7 +18,7 @@ export function ViewBar({ viewport, measuring, onWhich, children }: {
   readonly children: React.ReactNode;
 }) {
   const t = useTexts().lathe, section = useSettings((s) => s.section), down = useSettings((s) => s.xDown);
-  const paths = useSettings((s) => s.paths);
+  const paths = useSettings((s) => s.paths), colours = useSettings((s) => s.colours);
   return (
     <Toolbar className="lathe-viewbar" aria-label={t.viewTools}>
       <label className="lathe-section">
@@ -33,14 +33,24 @@ export function ViewBar({ viewport, measuring, onWhich, children }: {
         onPress={() => changeSettings({ xDown: !down })} />
       <GlyphButton glyph="ruler" name={t.ruler} text={t.ruler} pressed={measuring.on} onPress={measuring.toggle} />
       <GlyphButton glyph="which" name={t.which} disabled={onWhich === null} onPress={() => onWhich?.()} />
-      <label className="lathe-which-paths">
-        <span className="unseen">{t.paths.title}</span>
-        <select className="select" title={t.paths.title} value={paths}
-          onChange={(event) => changeSettings({ paths: SHOWN_PATHS.find((each) => each === event.target.value) ?? "all" })}
-        >
-          {SHOWN_PATHS.map((each) => <option key={each} value={each}>{t.paths[each]}</option>)}
-        </select>
-      </label>
+      <div className="lathe-which">
+        <label className="lathe-which-paths">
+          <span className="unseen">{t.paths.title}</span>
+          <select className="select" title={t.paths.title} value={paths}
+            onChange={(event) => changeSettings({ paths: SHOWN_PATHS.find((each) => each === event.target.value) ?? "all" })}
+          >
+            {SHOWN_PATHS.map((each) => <option key={each} value={each}>{t.paths[each]}</option>)}
+          </select>
+        </label>
+        <label className="lathe-which-paths">
+          <span className="unseen">{t.colours.title}</span>
+          <select className="select" title={t.colours.title} value={colours}
+            onChange={(event) => changeSettings({ colours: SHOWN_COLOURS.find((each) => each === event.target.value) ?? "none" })}
+          >
+            {SHOWN_COLOURS.map((each) => <option key={each} value={each}>{t.colours[each]}</option>)}
+          </select>
+        </label>
+      </div>
       <div className="lathe-gap">{children}</div>
       <GlyphButton glyph="zoomOut" name={t.zoomOut} onPress={() => viewport.zoom(1 / ZOOM)} />
       <GlyphButton glyph="zoomIn" name={t.zoomIn} onPress={() => viewport.zoom(ZOOM)} />

@@ -23,6 +23,8 @@ export interface Settings {
   readonly section: SectionView;
   /** Which paths the lathe view shows. */
   readonly paths: ShownPaths;
+  /** What the lathe view tells by colour along path or surface. */
+  readonly colours: ShownColours;
   /** Paper of the setup sheet, and whether the program stands behind it. */
   readonly paper: Paper;
   readonly sheetProgram: boolean;
@@ -39,6 +41,10 @@ export type SectionView = (typeof SECTION_VIEWS)[number];
 /** All paths, or those of what runs now: its cycle call, its phase, its pass; or none. */
 export const SHOWN_PATHS = ["all", "operation", "phase", "pass", "none"] as const;
 export type ShownPaths = (typeof SHOWN_PATHS)[number];
+
+/** Nothing, the roughness of the finished surface, or what the tool bears along its path. */
+export const SHOWN_COLOURS = ["none", "roughness", "depth", "chip", "feed", "speed"] as const;
+export type ShownColours = (typeof SHOWN_COLOURS)[number];
 
 export const PAPERS = ["a4", "letter"] as const;
 type Paper = (typeof PAPERS)[number];
@@ -70,6 +76,7 @@ function initial(): Settings {
     xDown: false,
     section: "half",
     paths: "all",
+    colours: "none",
     paper: usualPaper(),
     sheetProgram: true,
     sheetMeasured: true,
@@ -102,6 +109,7 @@ export function readSettings(text: string | null): Settings {
     // Until the work could be seen from outside there was a switch.
     section: kept["fullSection"] === true ? "full" : oneOf(kept["section"], SECTION_VIEWS, first.section),
     paths: oneOf(kept["paths"], SHOWN_PATHS, first.paths),
+    colours: oneOf(kept["colours"], SHOWN_COLOURS, first.colours),
     paper: oneOf(kept["paper"], PAPERS, first.paper),
     sheetProgram: flag(kept["sheetProgram"], first.sheetProgram),
     sheetMeasured: flag(kept["sheetMeasured"], first.sheetMeasured),

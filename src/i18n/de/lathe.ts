@@ -42,6 +42,15 @@ export const lathe = {
     pass: "Dieser Schnitt",
     none: "Keine Bahnen",
   },
+  colours: {
+    title: "Was in Farbe zu sehen ist",
+    none: "Keine Farben",
+    roughness: "Rautiefe Rz",
+    depth: "Schnitttiefe",
+    chip: "Spanungsquerschnitt",
+    feed: "Vorschub pro Umdrehung",
+    speed: "Schnittgeschwindigkeit und Drehzahlgrenze",
+  },
   stepList: {
     title: "Schritte nach Handbuch",
     unfold: "Alle Schritte zeigen",

@@ -43,6 +43,15 @@ export const lathe = {
     pass: "This pass",
     none: "No paths",
   },
+  colours: {
+    title: "What is told by colour",
+    none: "No colours",
+    roughness: "Roughness Rz",
+    depth: "Depth of cut",
+    chip: "Chip area",
+    feed: "Feed per turn",
+    speed: "Cutting speed and limit",
+  },
   stepList: {
     title: "Steps of the manual",
     unfold: "Show all steps",

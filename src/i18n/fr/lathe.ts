@@ -42,6 +42,15 @@ export const lathe = {
     pass: "Cette passe",
     none: "Aucune",
   },
+  colours: {
+    title: "Ce que disent les couleurs",
+    none: "Sans couleurs",
+    roughness: "Rugosité Rz",
+    depth: "Profondeur de passe",
+    chip: "Section de copeau",
+    feed: "Avance par tour",
+    speed: "Vitesse de coupe et limite",
+  },
   stepList: {
     title: "Étapes du manuel",
     unfold: "Afficher toutes les étapes",

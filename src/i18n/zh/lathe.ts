@@ -41,6 +41,15 @@ export const lathe = {
     pass: "本刀",
     none: "不显示路径",
   },
+  colours: {
+    title: "用颜色显示什么",
+    none: "不用颜色",
+    roughness: "粗糙度 Rz",
+    depth: "切削深度",
+    chip: "切屑截面积",
+    feed: "每转进给",
+    speed: "切削速度与转速上限",
+  },
   stepList: {
     title: "手册步骤",
     unfold: "显示全部步骤",

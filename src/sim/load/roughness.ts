@@ -46,7 +46,7 @@ function formedBy(cusp: Cusp | null, feed: number): Formed {
   if (!cusp) return without("unknown", feed);
   const { by, nose, height } = cusp;
   if (by === "edge") return without("edge", feed);
-  const outline = height * 1000;
+  const outline = nose === null ? height * 1000 : Math.min(height * 1000, rzByRule(feed, nose));
   return by === "nose" && nose !== null
     ? { by, rz: rzByRule(feed, nose), exact: rzOfCircle(feed, nose), feed, nose }
     : { by, rz: outline, exact: outline, feed, nose };

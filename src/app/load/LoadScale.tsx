@@ -1,0 +1,47 @@
+import { classesOf, toneOf } from "../../view/load/scale.ts";
+import type { LoadDrawing } from "../../view/load/lines.ts";
+import { useSettings } from "../settings/settings.ts";
+import { toneClass } from "./LoadLines.tsx";
+import { numberOf, useLoadTexts, type Told } from "./use-load.ts";
+
+/** Length of a sample of a line, pixels. */
+const LONG = 34;
+
+function Sample({ tone, limited = false }: { readonly tone: number | null; readonly limited?: boolean }) {
+  return (
+    <svg width={LONG} height="10" aria-hidden="true" className={toneClass(tone)}>
+      <path className={limited ? "load-line load-limited" : "load-line"} d={`M0 5H${LONG}`} />
+    </svg>
+  );
+}
+
+/** The classes with their numbers, and what else lines mean that are there. */
+export function LoadScale({ of, drawing: { scale, lines } }: { readonly of: Told; readonly drawing: LoadDrawing }) {
+  const t = useLoadTexts(), language = useSettings((s) => s.language);
+  const bounds = scale.bounds.map((bound) => numberOf(language, of, bound)), last = classesOf(scale) - 1;
+  const limited = lines.find((line) => line.limited);
+  return (
+    <ul className="load-scale number" aria-label={t.scale}>
+      {Array.from({ length: last + 1 }, (_, i) => (
+        <li key={i}>
+          <Sample tone={toneOf(scale, i)} />
+          <span className="unseen">{t.between(bounds[i] ?? "", bounds[i + 1] ?? "", t.units[of])}</span>
+          <span aria-hidden="true" className="load-bound">{bounds[i]}</span>
+          {i === last && <span aria-hidden="true" className="load-bound load-last">{bounds[i + 1]} {t.units[of]}</span>}
+        </li>
+      ))}
+      {limited && (
+        <li className="load-word">
+          <Sample tone={limited.tone} limited />
+          {t.limited}
+        </li>
+      )}
+      {lines.some(({ tone }) => tone === null) && (
+        <li className="load-word">
+          <Sample tone={null} />
+          {t.notByNose}
+        </li>
+      )}
+    </ul>
+  );
+}

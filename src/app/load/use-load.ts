@@ -1,0 +1,74 @@
+import { useMemo } from "react";
+import { loadLoad } from "../../i18n/load-load.ts";
+import { formatNumber } from "../../i18n/number.ts";
+import type { LoadTexts } from "../../i18n/en/load.ts";
+import type { Language } from "../../i18n/languages.ts";
+import type { Run } from "../../program/run-types.ts";
+import type { PathLoad } from "../../sim/load/along.ts";
+import type { RoughStretch } from "../../sim/load/roughness.ts";
+import { greatestAlong, roughestOf, worstOf, type AlongPath, type LoadPlace } from "../../view/load/values.ts";
+import { placeText } from "../lathe/running.ts";
+import { laterTexts } from "../settings/later-texts.ts";
+import { useMeasuredLoad, type MeasuredLoad } from "./load-store.ts";
+
+export const { useThem: useLoadTexts } = laterTexts(loadLoad);
+
+/** A quantity that colours tell. */
+export type Told = AlongPath | "roughness";
+
+/** What was measured of a run; of an older run nothing. */
+export function useLoadOf(run: Run): MeasuredLoad | null {
+  const measured = useMeasuredLoad();
+  return measured.run === run ? measured : null;
+}
+
+/** The places of the greatest values, one for each operation, and the worst of them; null until they are known. */
+export function useGreatest(run: Run, of: Told): { readonly each: readonly LoadPlace[]; readonly worst: LoadPlace | null } | null {
+  const { path, surface } = useLoadOf(run) ?? {};
+  return useMemo(() => {
+    if (of === "roughness") return surface ? greatest(roughestOf(surface)) : null;
+    return path ? greatest(greatestAlong(path, of, run.steps)) : null;
+  }, [run, of, path, surface]);
+}
+const greatest = (each: readonly LoadPlace[]) => ({ each, worst: worstOf(each) });
+
+/** Decimals of each quantity; roughness has one while it is fine. */
+const DECIMALS = { depth: 2, chip: 3, feed: 3, speed: 0 } as const;
+const FINE = 10;
+
+/** A value with as many decimals as it deserves. */
+export const numberOf = (language: Language, of: Told, value: number): string =>
+  formatNumber(language, value, of === "roughness" ? Number(value < FINE) : DECIMALS[of]);
+
+/** A value with its unit. */
+export const valueOf = (t: LoadTexts, language: Language, of: Told, value: number): string =>
+  `${numberOf(language, of, value)} ${t.units[of]}`;
+
+/** What is told of a row of the path: the value, and what belongs to it. */
+export function rowText(t: LoadTexts, language: Language, of: AlongPath, load: PathLoad, row: number): string {
+  const value = load[of][row] ?? NaN, rpm = load.rpm[row] ?? NaN;
+  if (!Number.isFinite(value)) return "–";
+  const parts = [valueOf(t, language, of, value)];
+  if (of === "feed" && Number.isFinite(rpm)) parts.push(t.perMinute(formatNumber(language, value * rpm, 0)));
+  if (of === "speed") parts.push(t.rpm(formatNumber(language, rpm, 0)));
+  if (of === "speed" && load.limited[row] === 1) parts.push(t.limitedLong);
+  return parts.join(" · ");
+}
+
+/** Where the circle differs from the rule by more than this share, its value is told as well. */
+const DIFFERS = 0.02;
+
+/** What is told of a stretch of the surface: the value, where it comes from, or why there is none. */
+export function stretchText(t: LoadTexts, language: Language, { rz, exact, by, feed, nose }: RoughStretch): string {
+  if (rz === null) return t.by[by];
+  const parts = [valueOf(t, language, "roughness", rz), t.by[by]];
+  if (nose !== null) parts.push(t.feedAndNose(formatNumber(language, feed), formatNumber(language, nose)));
+  if (by === "nose" && exact !== null && exact > rz * (1 + DIFFERS)) parts.push(t.exactly(numberOf(language, "roughness", exact)));
+  return parts.join(" · ");
+}
+
+/** A place in words. */
+export function loadPlaceText(t: LoadTexts, language: Language, { place, block }: LoadPlace): string {
+  const { x, z } = placeText(language, place);
+  return t.place(x, z, String(block));
+}
