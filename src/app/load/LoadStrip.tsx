@@ -7,6 +7,7 @@ import type { PlayPosition } from "../../sim/simulation.ts";
 import { stretchNear, stretchOfStep } from "../../view/load/near.ts";
 import { rowAt } from "../../view/load/values.ts";
 import { moveAt, positionNear } from "../../view/pick.ts";
+import { useOutcome } from "../engine/outcome.ts";
 import type { PlaybackStore } from "../lathe/playback-store.ts";
 import { useEachPicture } from "../lathe/use-playback.ts";
 import type { Viewport } from "../lathe/viewport.ts";
@@ -16,7 +17,8 @@ import { LoadScale } from "./LoadScale.tsx";
 import { measureLoad, type MeasuredLoad } from "./load-store.ts";
 import type { Pointed } from "./pointed.ts";
 import { useLoadDrawing } from "./use-drawing.ts";
-import { loadPlaceText, rowText, stretchText, useGreatest, useLoadOf, useLoadTexts, valueOf, type Told } from "./use-load.ts";
+import { loadPlaceText, rowText, stretchText, useGreatest, useLoadOf, useLoadTexts, useMeasuredRun, valueOf,
+  type Told } from "./use-load.ts";
 import "./load.css";
 
 export interface LoadStripProps {
@@ -62,21 +64,22 @@ function pointedText(asked: Asked, run: Run, place: Pt, reach: number, shown: (s
   return step === null ? "" : momentText(asked, positionNear(run.steps, step, place));
 }
 
-/** Has what is told measured, a little after the run is there. */
+/** Has what is told measured, a little after the run is proved. */
 function useMeasuring(run: Run, what: "surface" | "path"): void {
+  const isProved = useOutcome((s) => s.shown?.run === run);
   useEffect(() => {
-    if (run.steps.length === 0) return undefined;
+    if (!isProved || run.steps.length === 0) return undefined;
     const timer = setTimeout(() => void measureLoad(run, what), REST);
     return () => clearTimeout(timer);
-  }, [run, what]);
+  }, [run, what, isProved]);
 }
 
 /** The scale of what is told by colour, its value where the tool or the pointer is, and the worst place. */
 export function LoadStrip({ of, run, viewport, playback, pointed, shown }: LoadStripProps) {
   const t = useLoadTexts(), language = useSettings((s) => s.language);
   useMeasuring(run, of === "roughness" ? "surface" : "path");
-  const load = useLoadOf(run), drawing = useLoadDrawing(run, of);
-  const worst = useGreatest(run, of)?.worst ?? null;
+  const load = useLoadOf(run), told = useMeasuredRun(run), isOld = told !== run;
+  const drawing = useLoadDrawing(told, of), worst = useGreatest(told, of)?.worst ?? null;
   const place = useSyncExternalStore(pointed.subscribe, pointed.get);
   const here = place && load ? pointedText({ t, language, of, load }, run, place, NEAR / viewport.get().scale, shown) : "";
   const now = useRef<HTMLSpanElement>(null);
@@ -84,9 +87,10 @@ export function LoadStrip({ of, run, viewport, playback, pointed, shown }: LoadS
     const said = (load && momentText({ t, language, of, load }, playback.shown())) || "–";
     if (now.current && now.current.textContent !== said) now.current.textContent = said;
   }, [t, language, of, load, playback]));
-  const waits = drawing ? (worst ? "" : t.nothing) : load?.failed ? t.failed : t.working;
+  const rests = worst ? "" : t.nothing;
+  const waits = drawing && !isOld ? rests : load?.failed ? t.failed : t.working;
   return (
-    <section className="load-strip" aria-label={t.names[of]}>
+    <section className="load-strip" data-old={isOld} aria-label={t.names[of]}>
       <p className="load-title">
         <b>{t.names[of]}</b> <span className="soft small">{t.abouts[of]}</span>
       </p>
@@ -103,7 +107,7 @@ export function LoadStrip({ of, run, viewport, playback, pointed, shown }: LoadS
           <span className="number">
             <b>{valueOf(t, language, of, worst.value)}</b> {loadPlaceText(t, language, worst)}
           </span>
-          <button type="button" className="button" onClick={() => goToLoad(playback, worst)}>{t.go}</button>
+          <button type="button" className="button" disabled={isOld} onClick={() => goToLoad(playback, worst)}>{t.go}</button>
         </p>
       )}
     </section>

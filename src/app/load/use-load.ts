@@ -22,6 +22,12 @@ export function useLoadOf(run: Run): MeasuredLoad | null {
   return measured.run === run ? measured : null;
 }
 
+/** The run that numbers are told of: as long as a change is not measured, the one before it. */
+export function useMeasuredRun(run: Run): Run {
+  const last = useMeasuredLoad((m) => m.run);
+  return last?.program.name === run.program.name ? last : run;
+}
+
 /** The places of the greatest values, one for each operation, and the worst of them; null until they are known. */
 export function useGreatest(run: Run, of: Told): { readonly each: readonly LoadPlace[]; readonly worst: LoadPlace | null } | null {
   const { path, surface } = useLoadOf(run) ?? {};
