@@ -3,7 +3,7 @@ import { toScreen } from "../../view/camera.ts";
 import { useCamera } from "../lathe/use-camera.ts";
 import type { Viewport } from "../lathe/viewport.ts";
 import { useSettings } from "../settings/settings.ts";
-import { useGreatest, useLoadTexts, valueOf, type Told } from "./use-load.ts";
+import { useGreatest, useLoadTexts, loadValue, type Told } from "./use-load.ts";
 
 export interface LoadMarkProps {
   readonly of: Told;
@@ -26,7 +26,7 @@ export function LoadMark({ of, run, viewport }: LoadMarkProps) {
     <g className="load-mark" aria-hidden="true">
       <path d={`M${x - HALF} ${y}L${x} ${y - HALF}L${x + HALF} ${y}L${x} ${y + HALF}Z`} />
       <text x={isRight ? x - ASIDE : x + ASIDE} y={y - HALF} textAnchor={isRight ? "end" : "start"}>
-        {valueOf(t, language, of, worst.value)}
+        {loadValue(t, language, of, worst.value)}
       </text>
     </g>
   );

@@ -1,8 +1,8 @@
-import { classesOf, toneOf } from "../../view/load/scale.ts";
+import { classesOf, classTone } from "../../view/load/scale.ts";
 import type { LoadDrawing } from "../../view/load/lines.ts";
 import { useSettings } from "../settings/settings.ts";
 import { toneClass } from "./LoadLines.tsx";
-import { numberOf, useLoadTexts, type Told } from "./use-load.ts";
+import { loadNumber, useLoadTexts, type Told } from "./use-load.ts";
 
 /** Length of a sample of a line, pixels. */
 const LONG = 34;
@@ -18,13 +18,13 @@ function Sample({ tone, limited = false }: { readonly tone: number | null; reado
 /** The classes with their numbers, and what else lines mean that are there. */
 export function LoadScale({ of, drawing: { scale, lines } }: { readonly of: Told; readonly drawing: LoadDrawing }) {
   const t = useLoadTexts(), language = useSettings((s) => s.language);
-  const bounds = scale.bounds.map((bound) => numberOf(language, of, bound)), last = classesOf(scale) - 1;
+  const bounds = scale.bounds.map((bound) => loadNumber(language, of, bound)), last = classesOf(scale) - 1;
   const limited = lines.find((line) => line.limited);
   return (
     <ul className="load-scale number" aria-label={t.scale}>
       {Array.from({ length: last + 1 }, (_, i) => (
         <li key={i}>
-          <Sample tone={toneOf(scale, i)} />
+          <Sample tone={classTone(scale, i)} />
           <span className="unseen">{t.between(bounds[i] ?? "", bounds[i + 1] ?? "", t.units[of])}</span>
           <span aria-hidden="true" className="load-bound">{bounds[i]}</span>
           {i === last && <span aria-hidden="true" className="load-bound load-last">{bounds[i + 1]} {t.units[of]}</span>}

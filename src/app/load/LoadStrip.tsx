@@ -17,7 +17,7 @@ import { LoadScale } from "./LoadScale.tsx";
 import { measureLoad, type MeasuredLoad } from "./load-store.ts";
 import type { Pointed } from "./pointed.ts";
 import { useLoadDrawing } from "./use-drawing.ts";
-import { loadPlaceText, rowText, stretchText, useGreatest, useLoadOf, useLoadTexts, useMeasuredRun, valueOf,
+import { loadPlaceText, rowText, stretchText, useGreatest, useLoadOf, useLoadTexts, useMeasuredRun, loadValue,
   type Told } from "./use-load.ts";
 import "./load.css";
 
@@ -105,7 +105,7 @@ export function LoadStrip({ of, run, viewport, playback, pointed, shown }: LoadS
         <p className="load-worst">
           <span className="soft small">{worst.limited && of === "speed" ? t.least : t.greatest}</span>
           <span className="number">
-            <b>{valueOf(t, language, of, worst.value)}</b> {loadPlaceText(t, language, worst)}
+            <b>{loadValue(t, language, of, worst.value)}</b> {loadPlaceText(t, language, worst)}
           </span>
           <button type="button" className="button" disabled={isOld} onClick={() => goToLoad(playback, worst)}>{t.go}</button>
         </p>

@@ -4,7 +4,7 @@ import { placeText } from "../lathe/running.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { goToLoad } from "./go.ts";
-import { loadPlaceText, useGreatest, useLoadTexts, valueOf, type Told } from "./use-load.ts";
+import { loadPlaceText, useGreatest, useLoadTexts, loadValue, type Told } from "./use-load.ts";
 
 export interface LoadTableProps {
   readonly of: Told;
@@ -34,7 +34,10 @@ export function LoadTable({ of, run, playback }: LoadTableProps) {
               return (
                 <tr key={place.operation}>
                   <th scope="row">{operation ? lathe.operation(String(operation.cycle), String(operation.tool.T)) : lathe.outside}</th>
-                  <td className="number">{valueOf(t, language, of, place.value)}{place.limited && of === "speed" && ` (${t.limited})`}</td>
+                  <td className="number">
+                    {loadValue(t, language, of, place.value)}
+                    {place.limited && of === "speed" && ` (${t.limited})`}
+                  </td>
                   <td className="number">{x}</td>
                   <td className="number">{z}</td>
                   <td className="number">{place.block}</td>

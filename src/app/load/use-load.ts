@@ -43,18 +43,18 @@ const DECIMALS = { depth: 2, chip: 3, feed: 3, speed: 0 } as const;
 const FINE = 10;
 
 /** A value with as many decimals as it deserves. */
-export const numberOf = (language: Language, of: Told, value: number): string =>
+export const loadNumber = (language: Language, of: Told, value: number): string =>
   formatNumber(language, value, of === "roughness" ? Number(value < FINE) : DECIMALS[of]);
 
 /** A value with its unit. */
-export const valueOf = (t: LoadTexts, language: Language, of: Told, value: number): string =>
-  `${numberOf(language, of, value)} ${t.units[of]}`;
+export const loadValue = (t: LoadTexts, language: Language, of: Told, value: number): string =>
+  `${loadNumber(language, of, value)} ${t.units[of]}`;
 
 /** What is told of a row of the path: the value, and what belongs to it. */
 export function rowText(t: LoadTexts, language: Language, of: AlongPath, load: PathLoad, row: number): string {
   const value = load[of][row] ?? NaN, rpm = load.rpm[row] ?? NaN;
   if (!Number.isFinite(value)) return "–";
-  const parts = [valueOf(t, language, of, value)];
+  const parts = [loadValue(t, language, of, value)];
   if (of === "feed" && Number.isFinite(rpm)) parts.push(t.perMinute(formatNumber(language, value * rpm, 0)));
   if (of === "speed") parts.push(t.rpm(formatNumber(language, rpm, 0)));
   if (of === "speed" && load.limited[row] === 1) parts.push(t.limitedLong);
@@ -67,9 +67,9 @@ const DIFFERS = 0.02;
 /** What is told of a stretch of the surface: the value, where it comes from, or why there is none. */
 export function stretchText(t: LoadTexts, language: Language, { rz, exact, by, feed, nose }: RoughStretch): string {
   if (rz === null) return t.by[by];
-  const parts = [valueOf(t, language, "roughness", rz), t.by[by]];
+  const parts = [loadValue(t, language, "roughness", rz), t.by[by]];
   if (nose !== null) parts.push(t.feedAndNose(formatNumber(language, feed), formatNumber(language, nose)));
-  if (by === "nose" && exact !== null && exact > rz * (1 + DIFFERS)) parts.push(t.exactly(numberOf(language, "roughness", exact)));
+  if (by === "nose" && exact !== null && exact > rz * (1 + DIFFERS)) parts.push(t.exactly(loadNumber(language, "roughness", exact)));
   return parts.join(" · ");
 }
 

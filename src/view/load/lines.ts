@@ -4,8 +4,8 @@ import { pathOf } from "../../kernel/time.ts";
 import type { PathLoad } from "../../sim/load/along.ts";
 import type { RoughStretch } from "../../sim/load/roughness.ts";
 import { segmentData } from "../path.ts";
-import { classOf, scaleOf, toneOf, type Scale } from "./scale.ts";
-import { isTold, type AlongPath } from "./values.ts";
+import { classAt, scaleOf, classTone, type Scale } from "./scale.ts";
+import { hasLoad, type AlongPath } from "./values.ts";
 
 /** All stretches of one class as one path in part space. */
 export interface LoadLine {
@@ -54,7 +54,7 @@ function between(path: Segment, from: number, to: number): Segment {
 
 /** A value along the path, of the moves that are shown. Depth, chip and feed begin at nothing, the cutting speed where it is least. */
 export function drawingAlong(load: PathLoad, of: AlongPath, steps: readonly Step[], shown: (step: number) => boolean): LoadDrawing {
-  const rows = Array.from({ length: load.count }, (_, row) => row).filter((row) => isTold(load, of, row));
+  const rows = Array.from({ length: load.count }, (_, row) => row).filter((row) => hasLoad(load, of, row));
   const value = (row: number) => load[of][row] ?? 0;
   const most = rows.reduce((high, row) => Math.max(high, value(row)), 0);
   const scale = scaleOf(of === "speed" ? rows.reduce((low, row) => Math.min(low, value(row)), most) : 0, most);
@@ -63,7 +63,7 @@ export function drawingAlong(load: PathLoad, of: AlongPath, steps: readonly Step
       const index = load.step[row] ?? -1, step = steps[index];
       if (!step || !shown(index)) continue;
       const segments = [between(pathOf(step.from, step.move), load.from[row] ?? 0, load.to[row] ?? 1)];
-      yield { tone: toneOf(scale, classOf(scale, value(row))), limited: of === "speed" && load.limited[row] === 1, segments };
+      yield { tone: classTone(scale, classAt(scale, value(row))), limited: of === "speed" && load.limited[row] === 1, segments };
     }
   }());
   return { scale, lines };
@@ -75,7 +75,7 @@ export function drawingOfSurface(stretches: readonly RoughStretch[]): LoadDrawin
   const lines = linesOf(function*() {
     for (const { points, rz } of stretches) {
       const segments = points.slice(1).map((to, i): Segment => ({ kind: "line", from: points[i] ?? to, to }));
-      yield { tone: rz === null ? null : toneOf(scale, classOf(scale, rz)), limited: false, segments };
+      yield { tone: rz === null ? null : classTone(scale, classAt(scale, rz)), limited: false, segments };
     }
   }());
   return { scale, lines };

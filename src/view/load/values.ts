@@ -24,7 +24,7 @@ export interface LoadPlace {
 export const isCutting = (load: PathLoad, row: number): boolean => !((load.depth[row] ?? 0) <= 0);
 
 /** Whether a row has something to show. */
-export const isTold = (load: PathLoad, of: AlongPath, row: number): boolean => isCutting(load, row) && Number.isFinite(load[of][row]);
+export const hasLoad = (load: PathLoad, of: AlongPath, row: number): boolean => isCutting(load, row) && Number.isFinite(load[of][row]);
 
 /** The row that covers a moment; null where the tool feeds nothing. */
 export function rowAt({ count, step, from, to }: PathLoad, position: PlayPosition): number | null {
@@ -67,7 +67,7 @@ export function greatestAlong(load: PathLoad, of: AlongPath, steps: readonly Ste
     return load.limited[row] === load.limited[other] ? a < b : load.limited[row] === 1;
   };
   for (let row = 0; row < load.count; row += 1) {
-    if (!isTold(load, of, row)) continue;
+    if (!hasLoad(load, of, row)) continue;
     const operation = steps[load.step[row] ?? -1]?.operation ?? null, known = best.get(operation);
     if (known === undefined || beats(row, known)) best.set(operation, row);
   }
