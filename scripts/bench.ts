@@ -5,41 +5,66 @@ import type { SetJob } from "../src/program/job.ts";
 import { printJob } from "../src/program/print-job.ts";
 import { run } from "../src/program/run.ts";
 import { shippedTools } from "../src/program/shipped-tools.ts";
-import { simulate } from "../src/sim/simulate.ts";
+import { quantile } from "../e2e/pages/measure.ts";
+import type { Simulation } from "../src/sim/simulation.ts";
+import { simulate, simulating } from "../src/sim/simulate.ts";
 import { stockAt } from "../src/sim/stock.ts";
 import { ringData } from "../src/view/path.ts";
 import { sceneOf } from "../src/view/scene.ts";
 import { changedOperations } from "./bench-again.ts";
 import { longContour, printedExample } from "./long-contour.ts";
-import type { largePrograms } from "./large-programs.ts";
+import { grownProgram, type largePrograms } from "./large-programs.ts";
 import { longProgram } from "./long-program.ts";
+import { middle, referenceTime } from "./reference.ts";
 import { verified } from "./verify.ts";
 
-/** Milliseconds. */
+/** Milliseconds; `ratio` is the median in units of the reference loop, which ran before and after it. */
 interface Measured {
   readonly median: number;
   readonly p95: number;
   readonly n: number;
+  readonly ratio: number;
 }
 
-/** How long one measurement goes on at most, and how often it is repeated at least and at most. */
+/** What is repeated, and how often: at least and at most so many times, but no longer than it takes. */
+interface BenchCase {
+  readonly name: string;
+  /** Is given a count that grows, so that no result can be kept. */
+  readonly work: (count: number) => unknown;
+  /** Rounds that are not counted, and the least that are. */
+  readonly least: number;
+}
+
+/** How long one measurement goes on at most, ms, and how often it is repeated at least and at most. */
 const PATIENCE = 4000;
 const [LEAST, MOST] = [20, 400];
 
-/** Repeats with a warm-up that is not counted. `work` is given a count that grows, so that no result can be kept. */
-function measured(work: (count: number) => unknown): Measured {
-  const times: number[] = [];
-  let count = 0;
-  for (; count < LEAST; count += 1) work(count);
-  for (const end = performance.now() + PATIENCE; times.length < LEAST || (times.length < MOST && performance.now() < end); count += 1) {
-    const began = performance.now();
-    work(count);
-    times.push(performance.now() - began);
-  }
-  times.sort((a, b) => a - b);
-  const at = (part: number) => Number((times[Math.min(times.length - 1, Math.floor(part * times.length))] ?? 0).toFixed(3));
-  return { median: at(0.5), p95: at(0.95), n: times.length };
+const rounded = (value: number) => Number(value.toFixed(3));
+
+/** Beside the reference loop: what else the machine does weighs on both. */
+function beside(times: () => readonly number[]): Measured {
+  const before = referenceTime(), sorted = [...times()].sort((a, b) => a - b), reference = middle([before, referenceTime()]);
+  const median = quantile(sorted, 0.5);
+  return { median: rounded(median), p95: rounded(quantile(sorted, 0.95)), n: sorted.length, ratio: rounded(median / reference) };
 }
+
+function timed(work: () => unknown): number {
+  const began = performance.now();
+  work();
+  return performance.now() - began;
+}
+
+/** Repeats with a warm-up that is not counted. */
+const measured = ({ work, least }: BenchCase): Measured =>
+  beside(() => {
+    const times: number[] = [];
+    let count = 0;
+    for (; count < least; count += 1) work(count);
+    const end = performance.now() + PATIENCE;
+    const goesOn = () => times.length < least || (times.length < MOST && performance.now() < end);
+    for (; goesOn(); count += 1) times.push(timed(() => work(count)));
+    return times;
+  });
 
 const labels = ncLabels("en");
 /** The same job with its oversize in Z changed a little: a real edit, another text and another path each time. */
@@ -59,37 +84,75 @@ const update = (job: SetJob, count: number) => {
   return [scene, ringData(simulation.final)];
 };
 
-function all(): Record<string, Measured> {
-  const results: Record<string, Measured> = {};
-  const program10000 = longProgram(10_000);
-  // Before anything has warmed up, as when a file is opened first.
-  const began = performance.now();
-  parse(program10000);
-  const cold = Number((performance.now() - began).toFixed(3));
-  results["parse 10000 cold"] = { median: cold, p95: cold, n: 1 };
-  results["parse 10000"] = measured(() => parse(program10000));
+/** How large the program is that has grown. */
+const GROWN = { operations: 100, moves: 50_000 };
+/** What takes seconds is repeated this often at least. */
+const FEW = 2;
+
+const benchCase = (name: string, work: BenchCase["work"], least = LEAST): BenchCase => ({ name, work, least });
+const planText = (text: string) => () => run(parse(text), { tools: shippedTools, rapid: 10_000 });
+
+function* printedCases(): Generator<BenchCase> {
   for (const cycle of [810, 812, 820, 852]) {
     const job = printedExample(cycle);
     const program = parse(printJob(job, labels));
-    results[`plan ${cycle}`] = measured(() => run(program, { tools: shippedTools, rapid: 10_000 }));
-    results[`update ${cycle}`] = measured((count) => update(job, count));
-    results[`verify ${cycle}`] = measured((count) =>
-      verified("example.h", printJob(changed(job, count), labels), { tools: shippedTools, refused: new Map() })
-    );
+    yield benchCase(`plan ${cycle}`, () => run(program, { tools: shippedTools, rapid: 10_000 }));
+    yield benchCase(`update ${cycle}`, (count) => update(job, count));
+    yield benchCase(`verify ${cycle}`, (count) =>
+      verified("example.h", printJob(changed(job, count), labels), { tools: shippedTools, refused: new Map() }));
   }
-  const long = parse(printJob(longContour(820, 1000), labels));
-  const along = parse(printJob(longContour(810, 1000), labels));
-  const longText = printJob(longContour(820, 1000), labels);
-  results["plan 820 1000"] = measured(() => run(long, { tools: shippedTools, rapid: 10_000 }));
-  results["plan 810 1000"] = measured(() => run(along, { tools: shippedTools, rapid: 10_000 }));
-  results["stock 820 1000"] = measured(() => stock(longText));
-  for (const [name, job] of [["seek 820", printedExample(820)], ["seek 820 1000", longContour(820, 1000)]] as const) {
-    const { simulation } = stock(printJob(job, labels));
-    results[name] = measured((count) =>
-      stockAt(simulation, { step: (count * 7919) % simulation.steps.length, fraction: (count % 10) / 10 })
-    );
-  }
-  for (const [name, work] of changedOperations()) results[name] = measured(work);
+}
+
+const seekIn = (name: string, text: () => string): BenchCase => {
+  let made: Simulation | null = null;
+  return benchCase(name, (count) => {
+    made ??= stock(text()).simulation;
+    return stockAt(made, { step: (count * 7919) % made.steps.length, fraction: (count % 10) / 10 });
+  });
+};
+
+/** What has grown: contours of 1,000 elements, and 100 operations with 50,000 moves, whole and changed at the last operation. */
+function* grownCases(): Generator<BenchCase> {
+  const [across, along] = [820, 810].map((cycle) => printJob(longContour(cycle, 1000), labels));
+  if (across === undefined || along === undefined) return;
+  const [long, other] = [parse(across), parse(along)];
+  yield benchCase("plan 820 1000", () => run(long, { tools: shippedTools, rapid: 10_000 }));
+  yield benchCase("plan 810 1000", () => run(other, { tools: shippedTools, rapid: 10_000 }));
+  yield benchCase("stock 820 1000", () => stock(across));
+  yield seekIn("seek 820", () => printJob(printedExample(820), labels));
+  yield seekIn("seek 820 1000", () => across);
+  const grown = grownProgram(GROWN.operations, GROWN.moves);
+  // The safety clearance of the last operation: the moves to its start become others.
+  const both = [grown, grown.replace(/Q460=\+0\.5(?![\s\S]*Q460=)/, "Q460=+0.6")].map((text) => planText(text)());
+  yield benchCase("plan grown", planText(grown), FEW);
+  yield benchCase("stock grown", () => stock(grown), FEW);
+  const proved = simulating();
+  yield benchCase("stock grown, last changed", (count) => {
+    const made = both[count % 2];
+    return made && proved(made);
+  }, FEW);
+  yield seekIn("seek grown", () => grown);
+  yield benchCase("picture grown", (count) => {
+    const made = both[count % 2];
+    return made && sceneOf({ blank: made.blank, contours: made.operations.map((o) => o.plan.contour), steps: made.steps });
+  }, FEW);
+}
+
+function* allCases(): Generator<BenchCase> {
+  const program10000 = longProgram(10_000);
+  yield benchCase("parse 10000", () => parse(program10000));
+  yield* printedCases();
+  yield* grownCases();
+  for (const [name, work] of changedOperations()) yield benchCase(name, work);
+}
+
+/** All cases whose names hold a word, or all. */
+function measureAll(word: string): Record<string, Measured> {
+  const results: Record<string, Measured> = {};
+  const program10000 = longProgram(10_000);
+  // Before anything has warmed up, as when a file is opened first.
+  if (word === "") results["parse 10000 cold"] = beside(() => [timed(() => parse(program10000))]);
+  for (const each of allCases()) if (each.name.includes(word)) results[each.name] = measured(each);
   return results;
 }
 
@@ -124,28 +187,58 @@ function large(name: (typeof LARGE)[number]): Large | null {
 }
 
 /** What each time may be at most, ms (median), by how its name begins; every other one is a frame. */
-const LIMITS: readonly (readonly [string, number])[] = [["parse", 50], ["verify", 30], ["plan 820 1000", 50], ["plan", 5], ["stock", 250]];
+const LIMITS: readonly (readonly [string, number])[] = [
+  ["parse", 50],
+  ["verify", 30],
+  ["plan 820 1000", 50],
+  ["plan grown", 1000],
+  ["plan", 5],
+  ["stock grown, last", 500],
+  ["stock grown", 10_000],
+  ["picture grown", 100],
+  ["stock", 250],
+];
 const FRAME = 16;
 const limit = (name: string) => LIMITS.find(([begin]) => name.startsWith(begin))?.[1] ?? FRAME;
 
-/** `npm run bench`: a table of times; with --json one object on one line. */
+/** The machine that the limits are meant for: what the reference loop takes there, ms. */
+const REFERENCE = 4;
+
+/** A table as Markdown has it. */
+function printTable(head: readonly string[], rows: readonly (readonly string[])[]): void {
+  const wide = head.map((name, i) => Math.max(name.length, ...rows.map((row) => row[i]?.length ?? 0)));
+  const line = (cells: readonly string[]) =>
+    `| ${cells.map((c, i) => i === 0 ? c.padEnd(wide[0] ?? 0) : c.padStart(wide[i] ?? 0)).join(" | ")} |`;
+  console.log(line(head));
+  console.log(`|${wide.map((width, i) => (i === 0 ? "-".repeat(width + 2) : `${"-".repeat(width + 1)}:`)).join("|")}|`);
+  for (const row of rows) console.log(line(row));
+}
+
+/**
+ * `npm run bench`: a table of times; with --json one object on one line. `--only=WORD` measures the cases whose names hold the word, and
+ * leaves out the programs at the bounds.
+ */
 export function main(args: readonly string[]): number {
-  const results = all();
-  const bounds = LARGE.map((name) => [name, large(name)] as const);
+  const only = args.find((arg) => arg.startsWith("--only="))?.slice("--only=".length) ?? "";
+  const results = measureAll(only);
+  const bounds = only === "" ? LARGE.map((name) => [name, large(name)] as const) : [];
+  const reference = rounded(referenceTime());
   if (args.includes("--json")) {
-    console.log(JSON.stringify({ ...results, large: Object.fromEntries(bounds) }));
+    console.log(JSON.stringify({ reference, ...results, large: Object.fromEntries(bounds) }));
     return 0;
   }
-  const row = (cells: readonly string[]) => `| ${cells.map((c, i) => (i === 0 ? c.padEnd(28) : c.padStart(9))).join(" | ")} |`;
-  console.log(row(["", "median ms", "p95 ms", "n", "limit ms"]));
-  console.log("|---|---:|---:|---:|---:|");
-  for (const [name, { median, p95, n }] of Object.entries(results))
-    console.log(row([name, median.toFixed(2), p95.toFixed(2), String(n), String(limit(name))]));
-  console.log();
-  const wide = (cells: readonly string[]) => `| ${cells.map((c, i) => (i === 0 ? c.padEnd(26) : c.padStart(9))).join(" | ")} |`;
-  console.log(wide(["at the bounds, ms", "parse", "run", "simulate", "report", "moves", "MB"]));
-  console.log("|---|---:|---:|---:|---:|---:|---:|");
-  for (const [name, m] of bounds)
-    console.log(wide([name, ...(m ? [m.parsed, m.ran, m.simulated, m.reported, m.steps + m.plane, m.mbReport].map(String) : ["failed"])]));
+  console.log(`The reference loop takes ${reference} ms.\n`);
+  printTable(["", "median ms", "p95 ms", "n", "ratio", "limit of ratio", "limit ms"], Object.entries(results).map(([name, each]) => {
+    const most = limit(name) / REFERENCE;
+    const kept = each.ratio <= most ? most.toFixed(2) : `missed ${most.toFixed(2)}`;
+    return [name, each.median.toFixed(2), each.p95.toFixed(2), String(each.n), each.ratio.toFixed(2), kept, String(limit(name))];
+  }));
+  if (bounds.length > 0) {
+    console.log();
+    printTable(["at the bounds, ms", "parse", "run", "simulate", "report", "moves", "MB"],
+      bounds.map(
+        ([name, m]) => [name, ...(m ? [m.parsed, m.ran, m.simulated, m.reported, m.steps + m.plane, m.mbReport].map(String) : ["failed"])]
+      ));
+  }
   return bounds.every(([, m]) => m !== null) ? 0 : 1;
 }
