@@ -57,6 +57,46 @@ test("playing, stepping and seeking show the same stock", async ({ page }) => {
   expect(sought).not.toBeNull();
 });
 
+/** How the picture of the material is shaded: the mean of each square of the canvas. */
+const shades = (turnwise: Turnwise) =>
+  turnwise.lathe.picture.locator("canvas.material").evaluate((element) => {
+    const { width, height } = element as HTMLCanvasElement, side = 12;
+    const pixels = (element as HTMLCanvasElement).getContext("2d")?.getImageData(0, 0, width, height).data ?? [];
+    const squares: number[] = [];
+    for (let y = 0; y + side <= height; y += side) {
+      for (let x = 0; x + side <= width; x += side) {
+        let sum = 0;
+        for (let i = 0; i < side * side; i += 1) sum += pixels[4 * ((y + Math.floor(i / side)) * width + x + (i % side))] ?? 0;
+        squares.push(sum / (side * side));
+      }
+    }
+    return squares;
+  });
+
+test("in each view, and with X down, the work looks the same when it was played and when it is looked at anew", async ({ page }) => {
+  const turnwise = await Turnwise.open(page, { heldClock: true });
+  const { lathe, effect, t } = turnwise;
+  await turnwise.start.beginWithExample(812);
+  await effect.proved();
+  await expect(lathe.section).toHaveValue("half");
+  const differing = (one: readonly number[], other: readonly number[]) => one.filter((v, i) => Math.abs(v - (other[i] ?? 0)) > 6).length;
+  const seen: number[][] = [];
+  for (const view of ["half", "full", "outside"] as const) {
+    await lathe.section.selectOption(t.lathe.sections[view]);
+    if (view === "outside") await lathe.button("xDown").click();
+    await lathe.button("first").click();
+    await lathe.button("play").click();
+    for (let i = 0; i < 30; i += 1) await lathe.advance(1100);
+    await lathe.button("pause").click();
+    const played = await shades(turnwise);
+    for (const anew of ["zoomIn", "fit"] as const) await lathe.button(anew).click();
+    await lathe.advance(50);
+    expect(differing(played, await shades(turnwise))).toBe(0);
+    for (const before of seen) expect(differing(before, played)).toBeGreaterThan(40);
+    seen.push(played);
+  }
+});
+
 test("keys of the lathe view, and reduced motion", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { lathe, effect, t } = turnwise;

@@ -4,6 +4,9 @@ import { acrossRadius, asPage, brush, trace, type Half, type SectionKind, type E
 /** Teeth of the serration that are smaller than this are one line, pixels. */
 const TEETH = 5;
 
+/** The chuck holds the work and is not looked at: its edges are quieter. */
+const QUIET = 0.6;
+
 function area(easel: Easel, down: 1 | -1, places: readonly ChuckPoint[], fill: string): void {
   const { pen, colours } = easel;
   pen.beginPath();
@@ -12,7 +15,9 @@ function area(easel: Easel, down: 1 | -1, places: readonly ChuckPoint[], fill: s
   pen.fillStyle = fill;
   pen.fill();
   pen.strokeStyle = colours.edge;
+  pen.globalAlpha = QUIET;
   pen.stroke();
+  pen.globalAlpha = 1;
 }
 
 function line(easel: Easel, down: 1 | -1, places: readonly ChuckPoint[]): void {
@@ -34,9 +39,10 @@ function body(easel: Easel, { down, facing }: Half, chuck: ChuckDrawing): void {
   pen.fill();
   asPage(easel);
   pen.strokeStyle = colours.edge;
+  pen.globalAlpha = QUIET;
   line(easel, down, [[face, 0], [face, radius - chamfer], [face - chamfer, radius], [back, radius]]);
   line(easel, down, [[face - chamfer, 0], [face - chamfer, radius]]);
-  pen.globalAlpha = 0.45;
+  pen.globalAlpha = QUIET / 2;
   for (const z of chuck.grooves) line(easel, down, [[z, 0], [z, radius]]);
   pen.setLineDash([12, 3, 2, 3]);
   line(easel, down, [[back, chuck.bolts], [face, chuck.bolts]]);
@@ -53,6 +59,7 @@ function jaw(easel: Easel, down: 1 | -1, chuck: ChuckDrawing): void {
     trace(easel, down, serration(chuck.joint));
     pen.fillStyle = colours.chuck;
     pen.fill();
+    pen.globalAlpha = QUIET;
     pen.stroke();
   }
   pen.globalAlpha = 0.6;
