@@ -17,6 +17,9 @@ import { useStage } from "../lathe/use-stage.ts";
 import { usePlayback } from "../lathe/use-playback.ts";
 import { createViewport } from "../lathe/viewport.ts";
 import { ZOOM } from "../lathe/ViewBar.tsx";
+import { Measurements } from "../measure/Measurements.tsx";
+import { useMeasuring } from "../measure/measuring.ts";
+import { usePlaneSource } from "../measure/source.ts";
 import { reducedMotion } from "../settings/appearance.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
@@ -25,7 +28,6 @@ import { FreePoints } from "./FreePoints.tsx";
 import { useMilledStock } from "./milled.ts";
 import { MilledLegend } from "./MilledLegend.tsx";
 import { MilledNotes } from "./MilledNotes.tsx";
-import { noMeasuring } from "./no-measuring.ts";
 import { PlanePicture } from "./PlanePicture.tsx";
 import { cutPlace } from "./plane-places.ts";
 import { ChosenMotions, HoveredMotion } from "./PlaneMarks.tsx";
@@ -73,7 +75,12 @@ export function PlaneView({ result, dimmed, playback, clock, onMove }: {
   }), [run, steps]);
   const speech = useMemo(() => approachSpeech(language, "XY", NO_TIP), [language]);
   const { hover, over, tap } = usePlanePicking({ run, leads: approaches, viewport, onMove });
-  const stage = useStage(viewport, { tap, hover: over, drag: null });
+  const measuring = useMeasuring(), source = usePlaneSource(run);
+  const stage = useStage(viewport, measuring.on ? measuring : { tap, hover: over, drag: null });
+  const toggle = () => {
+    measuring.toggle();
+    showTools(false);
+  };
 
   useEffect(() => playback.dispatch({ do: "load", track: trackOf(steps) }), [steps, playback]);
   useEffect(() => playback.setStill(reducedMotion({ motion })), [motion, playback]);
@@ -109,9 +116,10 @@ export function PlaneView({ result, dimmed, playback, clock, onMove }: {
       const target = event.target as HTMLElement;
       if (event.ctrlKey || event.metaKey || event.altKey) return;
       const typed = { key: event.key, shift: event.shiftKey, element: target.localName, picture: target === stage.current };
-      if (pressKey(typed, playback, viewport, noMeasuring) || chooseByKey(typed)) event.preventDefault();
+      if (pressKey(typed, playback, viewport, measuring) || chooseByKey(typed)) event.preventDefault();
     }}>
       <Toolbar className="lathe-viewbar" aria-label={t.viewTools}>
+        <GlyphButton glyph="ruler" name={t.ruler} text={t.ruler} pressed={measuring.on} onPress={toggle} />
         <div className="lathe-gap">
           <ul className="lathe-legend small" aria-label={t.legend}>
             {there.map((role) => (
@@ -128,8 +136,8 @@ export function PlaneView({ result, dimmed, playback, clock, onMove }: {
         <GlyphButton glyph="zoomIn" name={t.zoomIn} onPress={() => viewport.zoom(ZOOM)} />
         <GlyphButton glyph="fit" name={t.fit} onPress={viewport.fit} />
       </Toolbar>
-      <div ref={stage} className={`lathe-stage${dimmed ? " dimmed" : ""}`} tabIndex={0} role="group" aria-label={own.view}
-        aria-describedby={`${id}keys`} {...{ [KEEPS_KEYBOARD]: "" }}
+      <div ref={stage} className={`lathe-stage${dimmed ? " dimmed" : ""}${measuring.on ? " measuring" : ""}`} tabIndex={0} role="group"
+        aria-label={own.view} aria-describedby={`${id}keys`} {...{ [KEEPS_KEYBOARD]: "" }}
       >
         <PlanePicture viewport={viewport} scene={scene} steps={steps} playback={playback} milled={milled} rapids={rapids}
           chosen={<ChosenMotions run={run} />} hovered={<HoveredMotion run={run} hover={hover} />} name={name}
@@ -139,6 +147,7 @@ export function PlaneView({ result, dimmed, playback, clock, onMove }: {
           <PlaceLines viewport={viewport} places={places} />
         </PlanePicture>
         <PlaceButtons viewport={viewport} places={places} chosen={chosen} choose={choose} />
+        <Measurements viewport={viewport} measuring={measuring} source={source} />
         <MilledLegend milled={milled} />
         {dimmed && <Outdated />}
         <p id={`${id}keys`} className="unseen">{t.keys}</p>

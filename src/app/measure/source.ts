@@ -1,7 +1,8 @@
 import { useMemo } from "react";
+import type { Cuboid } from "../../kernel/box.ts";
 import type { MeasuredMoment } from "../../kernel/measured.ts";
 import { partPoint, partSegment } from "../../kernel/plane.ts";
-import type { Pt, Ring } from "../../kernel/point.ts";
+import { at, type Pt, type Ring } from "../../kernel/point.ts";
 import type { Run } from "../../program/run-types.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import type { Chain } from "../../view/measure/edges.ts";
@@ -30,6 +31,9 @@ export interface MeasureSource {
 /** What a run has to measure in one of its planes, without the stock of a moment. */
 export type MeasurableRun = Pick<MeasureSource, "plane" | "contours" | "blank" | "path" | "printOf">;
 
+/** The outline of a box, seen from above. */
+const groundOf = ({ left, right, low, high }: Cuboid): Ring => [at(left, low), at(right, low), at(right, high), at(left, high)];
+
 /** The lathe's half plane of a run, or what it mills: contours of approaches, and the ends of its motions. */
 export const measurableRun = (run: Run, plane: MeasureSource["plane"]): MeasurableRun =>
   plane === "ZX"
@@ -43,7 +47,7 @@ export const measurableRun = (run: Run, plane: MeasureSource["plane"]): Measurab
     : {
       plane,
       contours: run.approaches.filter((each) => each.plane === "XY").map(({ contour }) => contour.map(partSegment)),
-      blank: [],
+      blank: run.cuboid ? [groundOf(run.cuboid)] : [],
       path: () => run.plane.map(({ to }) => partPoint(to)),
       printOf: () => null,
     };
@@ -66,4 +70,9 @@ export function useLatheSource({ run, stockAt, playback }: {
     },
     stock: () => stockAt?.(playback.get().position) ?? [],
   }), [run, stockAt, playback]);
+}
+
+/** What the working plane of milling has to measure: contours, the outline of the blank, ends of motions. */
+export function usePlaneSource(run: Run): MeasureSource {
+  return useMemo(() => ({ ...measurableRun(run, "XY"), moment: () => null, stock: () => [] }), [run]);
 }
