@@ -109,3 +109,30 @@ test("keys of the lathe view, and reduced motion", async ({ page }) => {
   await page.keyboard.press("Home");
   await expect(lathe.picture).toHaveAccessibleName(new RegExp(t.lathe.atStart));
 });
+
+test("the chip that is cut stands at the edge and in numbers, and passes that are done fade", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { lathe, effect } = turnwise;
+  await turnwise.start.beginWithExample(812);
+  await effect.proved();
+  const edge = lathe.picture.locator(".chip-edge"), measure = lathe.picture.locator(".chip-sheet text");
+  const passes = (progress: "done" | "running" | "coming") => lathe.picture.locator(`.pass-${progress}`);
+  await expect(passes("done")).toHaveCount(0);
+  await expect(lathe.running).not.toContainText(/\bap /);
+  const total = Number(await lathe.timeline.getAttribute("max"));
+  await lathe.timeline.fill(String(Math.round(total * 0.4)));
+  await expect(lathe.running).toContainText("Pass 3 of 5");
+  await expect(lathe.running).toContainText("ap 2.452 · h 0.300 mm · A 0.734 mm²");
+  await expect(edge).toHaveAttribute("d", /^M/);
+  await expect(measure).toHaveText("");
+  for (let i = 0; i < 8; i += 1) await lathe.button("zoomIn").click();
+  await expect(measure).toHaveText(/^h 0\.300 · b \d/);
+  await expect(passes("running")).toHaveCount(1);
+  const [done, coming] = [await passes("done").count(), await passes("coming").count()];
+  expect(done).toBeGreaterThan(1);
+  expect(coming).toBeGreaterThan(1);
+  await lathe.button("last").click();
+  await expect(passes("done")).toHaveCount(done + coming + 1);
+  await expect(edge).toHaveAttribute("d", "");
+  await expect(lathe.running).not.toContainText(/\bap /);
+});

@@ -3,7 +3,7 @@ import { at } from "../kernel/point.ts";
 import type { Step } from "../kernel/step.ts";
 import { feed } from "../kernel/units.ts";
 import { shippedTools } from "../program/shipped-tools.ts";
-import { MOST_STRETCHES, pathStretches, progressOf } from "./passes.ts";
+import { MOST_STRETCHES, pathStretches, progressOf, wholePath } from "./passes.ts";
 import { toolpath } from "./scene.ts";
 
 /** So many passes of one call: in by rapid, a cut, out and back. */
@@ -32,6 +32,11 @@ test("each pass is a stretch of its own, and all of them together are the path",
   const steps = passes(7), stretches = pathStretches(steps);
   expect(stretches.map(({ first, last }) => [first, last])).toEqual([0, 1, 2, 3, 4, 5, 6].map((i) => [4 * i, 4 * i + 3]));
   expect(stretches[2]?.shapes).toEqual(toolpath(steps.slice(8, 12)));
+  const whole = wholePath(stretches);
+  expect(whole.map(({ role }) => role)).toEqual(["rapid", "feed"]);
+  // A stretch begins anew where the one before it ended: every line is there once.
+  const lines = (d: string | undefined) => d?.split("L").length;
+  expect(whole.map(({ d }) => lines(d))).toEqual(toolpath(steps).map(({ d }) => lines(d)));
   expect(stretches[2]?.shapes.map(({ role }) => role)).toEqual(["rapid", "feed"]);
 });
 

@@ -1,5 +1,5 @@
 import type { Step } from "../kernel/step.ts";
-import { toolpath, type Shape } from "./scene.ts";
+import { PATH_ROLES, toolpath, type Shape } from "./scene.ts";
 
 /** Moves that follow one another, first and last included, and the lines that draw them. */
 export interface PathStretch {
@@ -35,6 +35,13 @@ export function pathStretches(steps: readonly Step[], first = 0, last = steps.le
   }
   return out;
 }
+
+/** All stretches as one path for each form of line. */
+export const wholePath = (stretches: readonly PathStretch[]): readonly Shape[] =>
+  PATH_ROLES.flatMap((role) => {
+    const d = stretches.map(({ shapes }) => shapes.find((shape) => shape.role === role)?.d ?? "").join("");
+    return d ? [{ role, d }] : [];
+  });
 
 /** How far a stretch is: to come, running or done. */
 export type Progress = "coming" | "running" | "done";

@@ -26,6 +26,8 @@ export interface SceneParts {
   readonly blank: readonly Ring[];
   readonly contours: readonly (readonly Segment[])[];
   readonly steps: readonly Step[];
+  /** The lines of their path where they are made already. */
+  readonly path?: readonly Shape[];
   /** A contour as far as it is known, where it is not whole yet. */
   readonly sketch?: readonly Segment[];
   /** Points beside all that which are to be seen as well. */
@@ -116,7 +118,7 @@ function framed(steps: readonly Step[]): readonly Step[] {
 }
 
 /** Builds the still part of the picture. */
-export function sceneOf({ blank, contours, steps, sketch = [], near = [], waits = null }: SceneParts): Scene {
+export function sceneOf({ blank, contours, steps, path: drawn, sketch = [], near = [], waits = null }: SceneParts): Scene {
   const material = boundsOf(blank.flat());
   const path = boundsOf(tipsOf(steps));
   const outline = boundsOf([...contours, sketch].flatMap((c) => [...pointsOf(c)]).concat(near));
@@ -125,7 +127,7 @@ export function sceneOf({ blank, contours, steps, sketch = [], near = [], waits 
   if (blank.length > 0) shapes.push({ role: "blank", d: ringData(blank) });
   if (sketch.length > 0) shapes.push({ role: "sketch", d: segmentData(sketch) });
   for (const contour of contours) shapes.push({ role: "contour", d: segmentData(contour) });
-  shapes.push(...toolpath(steps));
+  shapes.push(...(drawn ?? toolpath(steps)));
   const tip = boundsOf(waits ? [waits.at] : []), standing = tip && waits?.tool ? insertBox(tip, waits.tool) : tip;
   const all = joined(joined(material, joined(joined(workingBox(framed(steps)), standing), outline)), chuck?.seen ?? null) ?? EMPTY;
   // Below the axis there is the other half of the work.

@@ -36,7 +36,7 @@ import { placeText } from "./running.ts";
 import { StepList } from "./StepList.tsx";
 import { Timeline } from "./Timeline.tsx";
 import { useLooking } from "./use-looking.ts";
-import { useShownPath } from "./use-paths.ts";
+import { usePasses, useShownPath } from "./use-paths.ts";
 import { usePicking } from "./use-picking.ts";
 import { usePlayback } from "./use-playback.ts";
 import { useMaterial, type LatheResult } from "./use-material.ts";
@@ -112,12 +112,13 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
 
   const typed = run.operations.every((o) => o.plan.contour.length === 0) ? known : null;
   const waiting = run.steps.length === 0 ? typed : null;
-  const scene = useMemo(() => sceneOf({ ...partsOf(run), ...(typed && knownParts(typed, run)) }), [run, typed]);
+  const passes = usePasses(run);
+  const scene = useMemo(() => sceneOf({ ...partsOf(run), path: passes.whole, ...(typed && knownParts(typed, run)) }), [run, typed, passes]);
   const held = useMemo(() => run.steps.some((step) => step.tool.holder), [run]);
   const starts = useMemo(() => (waiting?.start ? [waiting.start] : run.operations.map((o) => o.start)), [run, waiting]);
   const measuring = useMeasuring();
   const source = useLatheSource({ run, stockAt: shown?.simulation && moving ? moving.stockAt : null, playback });
-  const path = useShownPath(run, playback);
+  const path = useShownPath(run, passes.stretches, playback);
   const { hover, over, tap } = usePicking({ run, viewport, shown: path.has, onMove });
   const [pointed] = useState(createPointed);
   const point = (at: Place | null) => {

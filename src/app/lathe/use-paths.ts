@@ -1,7 +1,8 @@
 import { useMemo } from "react";
 import { markedBy, runningPart, type MoveSpan } from "../../program/path-index.ts";
 import type { Run } from "../../program/run-types.ts";
-import { MOST_STRETCHES, pathStretches, type PathStretch } from "../../view/passes.ts";
+import { MOST_STRETCHES, pathStretches, wholePath, type PathStretch } from "../../view/passes.ts";
+import type { Shape } from "../../view/scene.ts";
 import { useSettings } from "../settings/settings.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 import { usePlayback } from "./use-playback.ts";
@@ -17,8 +18,15 @@ const NONE: ShownPath = { stretches: [], has: () => false };
 
 const within = (stretches: readonly MoveSpan[]) => (step: number) => stretches.some(({ first, last }) => step >= first && step <= last);
 
-/** What the settings show of a run while it plays: new lines only where another call, phase or pass begins. */
-export function useShownPath(run: Run, playback: PlaybackStore): ShownPath {
+/** The path of a run by its passes, and whole. */
+export const usePasses = (run: Run): { readonly stretches: readonly PathStretch[]; readonly whole: readonly Shape[] } =>
+  useMemo(() => {
+    const stretches = pathStretches(run.steps);
+    return { stretches, whole: wholePath(stretches) };
+  }, [run]);
+
+/** What the settings show of a run, `all` of whose passes are drawn: new lines only where another call, phase or pass begins. */
+export function useShownPath(run: Run, all: readonly PathStretch[], playback: PlaybackStore): ShownPath {
   const asked = useSettings((s) => s.paths);
   const running = usePlayback(playback, (store) => {
     if (asked === "all" || asked === "none") return "";
@@ -26,10 +34,10 @@ export function useShownPath(run: Run, playback: PlaybackStore): ShownPath {
   });
   return useMemo(() => {
     if (asked === "none") return NONE;
-    if (asked === "all") return { stretches: pathStretches(run.steps), has: EVERY };
+    if (asked === "all") return { stretches: all, has: EVERY };
     const choice: ReturnType<typeof runningPart> = JSON.parse(running || "null");
     if (!choice) return NONE;
     const { stretches } = markedBy(run, choice), most = Math.max(1, Math.floor(MOST_STRETCHES / stretches.length));
     return { stretches: stretches.flatMap(({ first, last }) => pathStretches(run.steps, first, last, most)), has: within(stretches) };
-  }, [asked, running, run]);
+  }, [asked, running, run, all]);
 }

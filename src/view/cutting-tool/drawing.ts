@@ -61,7 +61,7 @@ function circleData({ z, r }: Pt, radius: number): string {
 const lineData = (from: Pt, to: Pt) => `${startData(from)}L${startData(to).slice(1)}`;
 
 /** The part of a blade's insert that stands out of its blade; all of it where nothing holds it. */
-function outOfBlade(tool: Tool, ring: Ring): Ring {
+export function outOfBlade(tool: Tool, ring: Ring): Ring {
   const edge = insertShape(tool).find((e) => e.feature === "width");
   if (!isBar(tool) || !tool.holder || edge?.kind !== "line") return ring;
   const shift = shiftOf(tool), on = (p: { readonly u: number; readonly v: number }) => at(p.u + shift.u, p.v + shift.v);

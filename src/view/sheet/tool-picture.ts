@@ -1,3 +1,4 @@
+import { union } from "../../kernel/clip.ts";
 import { holderOutlines } from "../../kernel/holder.ts";
 import { insertOutline } from "../../kernel/insert.ts";
 import { at, type Ring } from "../../kernel/point.ts";
@@ -5,6 +6,7 @@ import { CHORD } from "../../kernel/tolerance.ts";
 import type { Tool } from "../../kernel/tool.ts";
 import { boundsOf } from "../bounds.ts";
 import type { Bounds, Place } from "../camera.ts";
+import { outOfBlade } from "../cutting-tool/drawing.ts";
 import { ringData } from "../path.ts";
 import { factorOf, usualScale, type DrawingScale } from "./scales.ts";
 
@@ -40,7 +42,7 @@ function pictured(insert: readonly Ring[], held: readonly Ring[], box: Bounds, {
 /** The insert of a turning tool, or the point of a drill, with the near end of its holder, in a picture of so many mm. */
 export function toolPicture(tool: Tool, room: Room): ToolPicture | null {
   const ring = insertOutline(tool, CHORD), box = boundsOf(ring);
-  return box && pictured([ring], holderOutlines(tool), box, room);
+  return box && pictured([outOfBlade(tool, ring)], union(holderOutlines(tool)), box, room);
 }
 
 /** A mill from the side: its edges, as wide as it is. */
