@@ -1,4 +1,4 @@
-import { useMemo } from "react";
+import { useDeferredValue, useMemo } from "react";
 import type { CycleNumber } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job.ts";
 import { givenOf } from "../engine/given.ts";
@@ -19,9 +19,11 @@ function ActingWords({ cycle }: { readonly cycle: number }) {
 }
 
 /** The help picture beside the prompts: this contour, the open prompt's dimension strong. */
-export function HelpSlot({ read, q, onPick }: { readonly read: JobReading; readonly q: string | null;
+export function HelpSlot({ read: typed, q, onPick }: { readonly read: JobReading; readonly q: string | null;
   readonly onPick: (q: string, taken: boolean) => void })
 {
+  // What is typed is drawn on the lathe first, and here when that is on the screen.
+  const late = useDeferredValue(typed), read = late.cycle === typed.cycle ? late : typed;
   const language = useSettings((s) => s.language);
   const isBorrowed = read.cycle.contour === "free" && read.job.contour.length === 0;
   const given = useMemo(() => givenOf(isBorrowed ? { cycle: read.cycle, job: exampleJob(read.cycle) } : read), [isBorrowed, read]);

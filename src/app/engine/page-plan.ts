@@ -5,12 +5,12 @@ import type { Planned } from "./outcome.ts";
 import type { Request } from "./request.ts";
 
 /*
- * The page plans what is planned within a part of a frame: path, contour and passes are drawn in the frame of the keystroke, and the worker
- * proves them. What takes longer is left to the worker altogether.
+ * The page plans what is quickly planned: path, contour and passes are drawn in the frame of the keystroke, and the worker proves them.
+ * What takes longer is left to the worker altogether.
  */
 
-/** What reading and running may take on the page, ms: half a frame. */
-const MAY_TAKE = 8;
+/** What reading and running may take on the page, ms: most take a tenth of that, and on a weak tablet still leave time to draw in 50 ms. */
+const MAY_TAKE = 20;
 /** Texts up to this length are tried when nothing is known of the work yet, characters. */
 const SHORT = 20_000;
 

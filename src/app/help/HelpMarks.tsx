@@ -1,3 +1,4 @@
+import { memo, type ReactNode } from "react";
 import { px, type Mark } from "../../view/help/marks.ts";
 import { classOf } from "../../view/help/svg.ts";
 
@@ -24,7 +25,7 @@ export function Hatches({ id }: { readonly id: string }) {
 }
 
 /** The display list of a help picture as SVG elements, in order. */
-export function HelpMarks({ marks, id }: Props) {
+export const HelpMarks = memo(function HelpMarks({ marks, id }: Props): ReactNode {
   return marks.map((m, i) => {
     const own = { className: classOf(m), ...(m.q ? { "data-q": m.q } : {}) };
     switch (m.kind) {
@@ -56,4 +57,4 @@ export function HelpMarks({ marks, id }: Props) {
         );
     }
   });
-}
+});

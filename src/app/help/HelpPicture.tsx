@@ -79,12 +79,11 @@ export function HelpPicture(props: Props) {
   if (now && now !== last) setLast(now);
   if (now && values && whole?.values !== values) setWhole({ cycle, values });
   // Where nothing was possible so far, what can be drawn of the values, or of the cycle.
-  const first = useMemo(() => drawnBy({ cycle, given, isBorrowed }, said, null) ?? drawnBy({ cycle, given, isBorrowed }, NOTHING, null), [
-    cycle,
-    said,
-    given,
-    isBorrowed,
-  ]);
+  const isFirst = !now && !kept;
+  const first = useMemo(() => {
+    const of = { cycle, given, isBorrowed };
+    return isFirst ? drawnBy(of, said, null) ?? drawnBy(of, NOTHING, null) : null;
+  }, [isFirst, cycle, said, given, isBorrowed]);
   const shown = now ?? kept ?? first;
   const isStale = !now && kept !== null;
   const t = texts(language);
