@@ -97,7 +97,7 @@ function runningBlock(): number | null {
 
 function followPlayback(): () => void {
   let marked: number | null = null;
-  return playback.subscribe(() => {
+  return playback.subscribeReader(() => {
     const view = sessionView();
     const next = runningBlock();
     if (!view || next === marked) return;

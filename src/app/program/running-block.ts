@@ -1,11 +1,11 @@
 import { useOutcome } from "../engine/outcome.ts";
-import { usePlayback } from "../lathe/use-playback.ts";
+import { useReadPlayback } from "../lathe/use-playback.ts";
 import { playback } from "../playback.ts";
 
 /** Number of the block whose move stands at the playback's position; null before and after the run. */
 export function useRunningBlock(): number | null {
   const shown = useOutcome((s) => s.pictured);
-  return usePlayback(playback, (store) => {
+  return useReadPlayback(playback, (store) => {
     const { position } = store.get();
     if (position.step === 0 && position.fraction === 0) return null;
     return shown?.run.steps[position.step]?.block ?? null;
