@@ -8,6 +8,7 @@ import { measureBox, measureKeys, measureLooking, measurePlaying, type FrameResu
   type ScreenResults } from "./browser-bench/measure-work.ts";
 import { readOptions, type BenchOptions, type CaseName } from "./browser-bench/options.ts";
 import type { Screen } from "./browser-bench/screens.ts";
+import { writeIntoPage } from "./performance-page.ts";
 import { frameTable, keyTable } from "./browser-bench/tables.ts";
 import type { MeasuredWork } from "./browser-bench/works.ts";
 
@@ -80,7 +81,8 @@ async function measureScreen(browser: Browser, address: string, screen: Screen, 
  *     npm run --silent bench:browser -- --quick --screen="1440x900 slow" --work=flange --case=10x
  *
  * `--screen`, `--work` and `--case` take names or parts of them, with commas; `--rounds`, `--seconds` and `--keys` say how much is
- * measured, `--quick` that it is little; `--built=FOLDER` measures another build; `--json` prints one object in place of the tables.
+ * measured, `--quick` that it is little; `--built=FOLDER` measures another build; `--json` prints one object in place of the tables,
+ * which are Markdown; `--write` puts them into docs/performance.md as well.
  */
 export async function main(args: readonly string[]): Promise<number> {
   const options = readOptions(args);
@@ -90,10 +92,9 @@ export async function main(args: readonly string[]): Promise<number> {
     const results: ScreenResults[] = [];
     for (const screen of options.screens) results.push(await measureScreen(browser, server.address, screen, options));
     const about = { processor: cpus()[0]?.model ?? "", cores: cpus().length, chromium: browser.version() };
-    if (options.isJson) console.log(JSON.stringify({ ...about, screens: results }));
-    else console.log(
-        [`${about.processor}, ${about.cores} cores, Chromium ${about.chromium}`, ...frameTable(results), ...keyTable(results)].join("\n"),
-      );
+    const lines = [`${about.processor}, ${about.cores} cores, Chromium ${about.chromium}:`, ...frameTable(results), ...keyTable(results)];
+    if (options.isWritten) writeIntoPage("bench:browser", lines);
+    console.log(options.isJson ? JSON.stringify({ ...about, screens: results }) : lines.join("\n"));
     return 0;
   } finally {
     await browser.close();

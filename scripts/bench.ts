@@ -15,6 +15,7 @@ import { changedOperations } from "./bench-again.ts";
 import { longContour, printedExample } from "./long-contour.ts";
 import { grownProgram, type largePrograms } from "./large-programs.ts";
 import { longProgram } from "./long-program.ts";
+import { markdownTable, writeIntoPage } from "./performance-page.ts";
 import { middle, referenceTime } from "./reference.ts";
 import { verified } from "./verify.ts";
 
@@ -204,19 +205,14 @@ const limit = (name: string) => LIMITS.find(([begin]) => name.startsWith(begin))
 /** The machine that the limits are meant for: what the reference loop takes there, ms. */
 const REFERENCE = 4;
 
-/** A table as Markdown has it. */
-function printTable(head: readonly string[], rows: readonly (readonly string[])[]): void {
-  const wide = head.map((name, i) => Math.max(name.length, ...rows.map((row) => row[i]?.length ?? 0)));
-  const line = (cells: readonly string[]) =>
-    `| ${cells.map((c, i) => i === 0 ? c.padEnd(wide[0] ?? 0) : c.padStart(wide[i] ?? 0)).join(" | ")} |`;
-  console.log(line(head));
-  console.log(`|${wide.map((width, i) => (i === 0 ? "-".repeat(width + 2) : `${"-".repeat(width + 1)}:`)).join("|")}|`);
-  for (const row of rows) console.log(line(row));
+function resultRow([name, each]: readonly [string, Measured]): readonly string[] {
+  const most = limit(name) / REFERENCE, kept = each.ratio <= most ? most.toFixed(2) : `${most.toFixed(2)}, missed`;
+  return [name, each.median.toFixed(2), each.p95.toFixed(2), String(each.n), each.ratio.toFixed(2), kept, String(limit(name))];
 }
 
 /**
  * `npm run bench`: a table of times; with --json one object on one line. `--only=WORD` measures the cases whose names hold the word, and
- * leaves out the programs at the bounds.
+ * leaves out the programs at the bounds; `--write` puts all of it into docs/performance.md as well.
  */
 export function main(args: readonly string[]): number {
   const only = args.find((arg) => arg.startsWith("--only="))?.slice("--only=".length) ?? "";
@@ -227,18 +223,21 @@ export function main(args: readonly string[]): number {
     console.log(JSON.stringify({ reference, ...results, large: Object.fromEntries(bounds) }));
     return 0;
   }
-  console.log(`The reference loop takes ${reference} ms.\n`);
-  printTable(["", "median ms", "p95 ms", "n", "ratio", "limit of ratio", "limit ms"], Object.entries(results).map(([name, each]) => {
-    const most = limit(name) / REFERENCE;
-    const kept = each.ratio <= most ? most.toFixed(2) : `missed ${most.toFixed(2)}`;
-    return [name, each.median.toFixed(2), each.p95.toFixed(2), String(each.n), each.ratio.toFixed(2), kept, String(limit(name))];
-  }));
-  if (bounds.length > 0) {
-    console.log();
-    printTable(["at the bounds, ms", "parse", "run", "simulate", "report", "moves", "MB"],
+  const lines = [
+    `The reference loop takes ${reference.toFixed(2)} ms here, Node ${process.version}:`,
+    "",
+    ...markdownTable(1, ["", "median ms", "p95 ms", "n", "ratio", "limit of ratio", "limit ms"], Object.entries(results).map(resultRow)),
+  ];
+  const atBounds = bounds.length === 0
+    ? []
+    : markdownTable(1, ["at the bounds", "parse ms", "run ms", "simulate ms", "report ms", "moves", "MB"],
       bounds.map(
         ([name, m]) => [name, ...(m ? [m.parsed, m.ran, m.simulated, m.reported, m.steps + m.plane, m.mbReport].map(String) : ["failed"])]
       ));
+  console.log([...lines, "", ...atBounds].join("\n"));
+  if (args.includes("--write") && only === "") {
+    writeIntoPage("bench", lines);
+    writeIntoPage("bounds", atBounds);
   }
   return bounds.every(([, m]) => m !== null) ? 0 : 1;
 }

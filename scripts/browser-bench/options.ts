@@ -16,6 +16,8 @@ export interface BenchOptions {
   /** The folder of the built page; null: this project's own, built when it is older than its sources. */
   readonly built: string | null;
   readonly isJson: boolean;
+  /** The tables are put into docs/performance.md as well. */
+  readonly isWritten: boolean;
 }
 
 /** Those that an option names, wholly or by a part of their names; all where it is not given. */
@@ -29,7 +31,7 @@ function chosenOf<T>(option: string, given: string | undefined, all: readonly T[
   return all.filter((each) => words.some((word) => (isExact ? nameOf(each) === word : nameOf(each).includes(word))));
 }
 
-const KNOWN = ["screen", "work", "case", "rounds", "seconds", "keys", "built", "json", "quick"];
+const KNOWN = ["screen", "work", "case", "rounds", "seconds", "keys", "built", "json", "write", "quick"];
 
 /** Reads what follows the command. */
 export function readOptions(args: readonly string[]): BenchOptions {
@@ -53,5 +55,6 @@ export function readOptions(args: readonly string[]): BenchOptions {
     keys: Math.round(number("keys", isQuick ? 6 : 20)),
     built: given.get("built") ?? null,
     isJson: given.has("json"),
+    isWritten: given.has("write"),
   };
 }

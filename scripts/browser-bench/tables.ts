@@ -1,14 +1,6 @@
+import { markdownTable } from "../performance-page.ts";
 import type { FrameResult, KeyResult, ScreenResults } from "./measure-work.ts";
 import type { Screen } from "./screens.ts";
-
-/** A table as Markdown has it, its columns as wide as what stands in them. */
-function table(head: readonly string[], rows: readonly (readonly string[])[]): string[] {
-  const wide = head.map((name, i) => Math.max(name.length, ...rows.map((row) => row[i]?.length ?? 0)));
-  const line = (cells: readonly string[]) =>
-    `| ${cells.map((cell, i) => (i < 2 ? cell.padEnd(wide[i] ?? 0) : cell.padStart(wide[i] ?? 0))).join(" | ")} |`;
-  const rule = `|${wide.map((width, i) => (i < 2 ? "-".repeat(width + 2) : `${"-".repeat(width + 1)}:`)).join("|")}|`;
-  return ["", line(head), rule, ...rows.map(line)];
-}
 
 const percent = (part: number) => `${Math.round(part * 100)} %`;
 const missed = (limit: string, isKept: boolean) => (isKept ? limit : `${limit}, missed`);
@@ -46,7 +38,7 @@ export function frameTable(results: readonly ScreenResults[]): string[] {
     ]
   );
   if (rows.length === 0) return [];
-  return table(["frames", "", "empty /s", "/s", "share", "limit", "p95 ms", "worst ms", "tasks > 50 ms"], rows);
+  return ["", ...markdownTable(2, ["frames", "", "empty /s", "/s", "share", "limit", "p95 ms", "worst ms", "tasks > 50 ms"], rows)];
 }
 
 function keyRow(screen: Screen, name: string, { reference, path, picture }: KeyResult): string[] {
@@ -59,5 +51,19 @@ function keyRow(screen: Screen, name: string, { reference, path, picture }: KeyR
 export function keyTable(results: readonly ScreenResults[]): string[] {
   const rows = results.flatMap(({ screen, keys }) => Object.entries(keys).map(([name, each]) => keyRow(screen, name, each)));
   if (rows.length === 0) return [];
-  return table(["from a key", "", "path ms", "p95", "stock ms", "p95", "limit of path", "reference ms", "path ratio", "stock ratio"], rows);
+  return [
+    "",
+    ...markdownTable(2, [
+      "from a key",
+      "",
+      "path ms",
+      "p95",
+      "stock ms",
+      "p95",
+      "limit of path",
+      "reference ms",
+      "path ratio",
+      "stock ratio",
+    ], rows),
+  ];
 }

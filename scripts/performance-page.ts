@@ -1,0 +1,20 @@
+import { readFileSync, writeFileSync } from "node:fs";
+
+const PAGE = "docs/performance.md";
+
+/** Puts lines into docs/performance.md, in place of those between the marks of this name: `<!-- name -->` and `<!-- /name -->`. */
+export function writeIntoPage(name: string, lines: readonly string[]): void {
+  const page = readFileSync(PAGE, "utf8"), [begin, end] = [`<!-- ${name} -->`, `<!-- /${name} -->`];
+  const [from, to] = [page.indexOf(begin), page.indexOf(end)];
+  if (from < 0 || to < from) throw new Error(`${PAGE} has no place for ${name}`);
+  writeFileSync(PAGE, `${page.slice(0, from + begin.length)}\n${lines.join("\n").trim()}\n${page.slice(to)}`);
+}
+
+/** A table as Markdown has it: the first columns of words, the others of numbers. */
+export function markdownTable(words: number, head: readonly string[], rows: readonly (readonly string[])[]): string[] {
+  const wide = head.map((name, i) => Math.max(3, name.length, ...rows.map((row) => row[i]?.length ?? 0)));
+  const line = (cells: readonly string[]) =>
+    `| ${cells.map((cell, i) => (i < words ? cell.padEnd(wide[i] ?? 0) : cell.padStart(wide[i] ?? 0))).join(" | ")} |`;
+  const rule = `|${wide.map((width, i) => (i < words ? "-".repeat(width + 2) : `${"-".repeat(width + 1)}:`)).join("|")}|`;
+  return [line(head), rule, ...rows.map(line)];
+}
