@@ -136,6 +136,8 @@ export function surfacesOf(steps: readonly Step[], spindleOf: (step: number) => 
 
   function stillTrue(k: Known, last: number, now: PlayPosition): boolean {
     if (last < k.last || (last === k.last && now.fraction < k.fraction)) return k.newest < last;
+    // What was told apart is told apart anew: a later move may have come between.
+    if (k.stretches.length > 1 && (last !== k.last || now.fraction !== k.fraction)) return false;
     if (LOOKS.some((t) => makerAt(k, t, now, k.last - 1) > k.newest)) return false;
     k.last = last;
     k.fraction = now.fraction;
