@@ -1,5 +1,6 @@
 import { useRef, useState } from "react";
 import type { MeasuredKind } from "../../kernel/measured.ts";
+import type { Place } from "../../view/camera.ts";
 import type { Touches } from "../lathe/gestures.ts";
 
 /** What pointers and keys do while something is measured. It comes with the tools of measuring, which are fetched when asked for. */
@@ -25,6 +26,8 @@ export interface Measuring extends MeasureHand {
 export function useMeasuring(): Measuring {
   const [on, set] = useState(false), [kind, choose] = useState<MeasuredKind>("distance");
   const hand = useRef<MeasureHand | null>(null);
+  /** A place that was tapped while the tools were on their way. */
+  const early = useRef<Place | null>(null);
   return {
     on,
     kind,
@@ -32,8 +35,15 @@ export function useMeasuring(): Measuring {
     toggle: () => set(!on),
     serve(next) {
       hand.current = next;
+      const at = early.current;
+      if (!next || !at) return;
+      early.current = null;
+      next.tap(at);
     },
-    tap: (at) => hand.current?.tap(at),
+    tap(at) {
+      if (hand.current) hand.current.tap(at);
+      else early.current = at;
+    },
     hover: (at) => hand.current?.hover(at),
     drag: (from, to, done, byFinger) => hand.current?.drag?.(from, to, done, byFinger),
     key(name) {

@@ -23,13 +23,13 @@ export interface Measurable {
 export const NOTHING_MEASURABLE: Measurable = { isTurned: true, contours: [], blank: [], stock: [], path: [] };
 
 /** In the order in which they are preferred. */
-const OWNERS = ["contour", "stock", "blank"] as const;
+const OWNERS = ["contour", "blank", "stock"] as const;
 const chainsOf = (drawing: Measurable, of: MeasuredEdge["of"]): readonly Chain[] => (of === "contour" ? drawing.contours : drawing[of]);
 
 /** Both ends on the spindle axis: where two halves meet there is no surface. */
 const onAxis = ({ kind, from, to }: Segment): boolean => kind === "line" && Math.abs(from.r) < SAME && Math.abs(to.r) < SAME;
 
-/** The elements of a drawing that a tool of measuring takes hold of: of contours, stock, blank. */
+/** The elements of a drawing that a tool of measuring takes hold of: of contours, blank, stock. */
 export const measurableEdges = (drawing: Measurable): readonly MeasuredEdge[] =>
   OWNERS.flatMap((of) =>
     chainsOf(drawing, of).flatMap((segments, chain) => {

@@ -50,6 +50,13 @@ describe("what a tool takes hold of", () => {
     expect(part.apart(found.at, on)).toBeLessThan(1e-9);
   });
 
+  test("what stands of the blank is measured as the blank, not as the stock of a moment; a caliper takes hold of no ends of moves", () => {
+    const bar = [line(at(2.2, 26.05), at(-60, 26.05))];
+    const both = snappingOf(drawing({ blank: [bar], stock: [bar], path: [at(-33.3, 26.4)] }));
+    expect(snapAt(both, at(-33.3, 26.3), REACH, "surface").edge?.of).toBe("blank");
+    expect(snapAt(both, at(-33.3, 26.3), REACH, "point").spot).toBe("path");
+  });
+
   test("keys walk what the tool can measure, and the stop after the last is the first", () => {
     expect(stopsOf(snapping, "arc").map(({ edge }) => edge?.element)).toEqual([2]);
     expect(stopsOf(snapping, "line").map(({ edge }) => [edge?.of, edge?.element])).toEqual([

@@ -18,8 +18,8 @@ const GRIPS: Readonly<Record<MeasuredKind, Grip>> = {
 export const gripOf = (kind: MeasuredKind, { isTurned }: Pick<Measurable, "isTurned">): Grip =>
   kind === "diameter" && !isTurned ? "arc" : GRIPS[kind];
 
-/** Of edges that lie on one another the finished contour is meant, then the stock: what this share of the reach makes of them. */
-const BEHIND = { contour: 0, stock: 0.06, blank: 0.12 } as const;
+/** Of edges that lie on one another the finished contour is meant, then the blank: what this share of the reach makes of them. */
+const BEHIND = { contour: 0, blank: 0.06, stock: 0.12 } as const;
 /** How much farther than a corner an arc or a line may be when nothing else is asked for. */
 const FAR = 2.5;
 
@@ -63,7 +63,7 @@ function snappedAbove(drawing: Measurable, edges: readonly MeasuredEdge[], p: Pt
     const on = part.nearestOn(segment, p);
     edge.offer(part.apart(on, p) + behind, () => taken(each, on, "edge"));
   }
-  if (points) { for (const end of drawing.path) path.offer(part.apart(end, p), () => ({ at: end, spot: "path" })); }
+  if (grip === "point") { for (const end of drawing.path) path.offer(part.apart(end, p), () => ({ at: end, spot: "path" })); }
   return corner.get() ?? centre.get() ?? path.get() ?? edge.get();
 }
 
