@@ -16,7 +16,7 @@ const SHORT = 20_000;
 
 /** What plans: fetched when nothing else is to be done, because until it is here the worker does it as well. */
 let plan: ((request: Request) => Planned) | null = null;
-/** What the last runs of the open work took, on the page or in the worker, ms. The quickest counts: others had to wait for something else. */
+/** What the last runs of the open work took, on the page or in the worker, ms. The quickest counts: others had to wait for something. */
 let paces: readonly number[] = [];
 const LAST = 3;
 const note = (took: number): void => {
