@@ -1,0 +1,129 @@
+import { useEffect, useId, useRef, useState } from "react";
+import { loadSolid } from "../../i18n/load-solid.ts";
+import type { SolidTexts } from "../../i18n/en/solid.ts";
+import { NAMED_VIEWS } from "../../view/solid/orbit.ts";
+import type { Clock } from "../clock.ts";
+import { pageColours, useTheme } from "../lathe/use-theme-colours.ts";
+import type { Viewport } from "../lathe/viewport.ts";
+import { reducedMotion } from "../settings/appearance.ts";
+import { laterTexts } from "../settings/later-texts.ts";
+import { changeSettings, useSettings } from "../settings/settings.ts";
+import { createEye, type Eye } from "./eye.ts";
+import { listenToHands } from "./hands.ts";
+import { createShow, type Show, type ShownWork } from "./show.ts";
+import { createStage, STAGE_COLOURS, type Stage } from "./stage.ts";
+import "./solid.css";
+
+const { useThem: useSolidTexts } = laterTexts(loadSolid);
+
+/** Zoom and fit of whatever is looked at. */
+export type Zooming = Pick<Viewport, "zoom" | "fit">;
+
+interface Props {
+  readonly work: ShownWork;
+  /** What is to be said of the moment. */
+  readonly state: string;
+  readonly clock: Clock;
+  /** Told what zooms the view once it is drawn, and null where the section has to take its place. */
+  readonly onDrawn: (drawn: Zooming | null) => void;
+}
+
+/** The turned body in space. Where that cannot be drawn it says so, and what lies below is seen. */
+export function SolidView(props: Props) {
+  const t = useSolidTexts(), [tries, tryAgain] = useState(0);
+  return <Tried key={tries} {...props} t={t} again={() => tryAgain(tries + 1)} />;
+}
+
+type Trouble = "missing" | "lost" | null;
+
+interface Running {
+  readonly stage: Stage;
+  readonly eye: Eye;
+  readonly show: Show;
+}
+
+/** Stage, eye and show on a canvas for as long as it is there. */
+function useRunning(clock: Clock, setTrouble: (trouble: Trouble) => void) {
+  const field = useRef<HTMLDivElement>(null), canvas = useRef<HTMLCanvasElement>(null);
+  const [running, run] = useState<Running | null>(null);
+  useEffect(() => {
+    const [element, drawn] = [field.current, canvas.current];
+    const stage = drawn && createStage(drawn);
+    if (!element || !drawn || !stage) {
+      setTrouble("missing");
+      return undefined;
+    }
+    const eye = createEye(clock, () => reducedMotion(useSettings.getState())), show = createShow(stage, eye, clock);
+    const measure = () => {
+      const { clientWidth: width, clientHeight: height } = element;
+      if (width > 0 && height > 0) show.setSize({ width, height });
+    };
+    const sizes = new ResizeObserver(measure), deaf = listenToHands(element, eye);
+    sizes.observe(element);
+    const lost = (event: Event) => {
+      event.preventDefault();
+      setTrouble("lost");
+    };
+    const back = () => {
+      setTrouble(null);
+      show.refresh();
+    };
+    drawn.addEventListener("webglcontextlost", lost);
+    drawn.addEventListener("webglcontextrestored", back);
+    run({ stage, eye, show });
+    return () => {
+      drawn.removeEventListener("webglcontextlost", lost);
+      drawn.removeEventListener("webglcontextrestored", back);
+      sizes.disconnect();
+      deaf();
+      eye.end();
+      show.end();
+      stage.dispose();
+    };
+  }, [clock, setTrouble]);
+  return { field, canvas, running };
+}
+
+function Tried({ work, state, clock, onDrawn, t, again }: Props & { readonly t: SolidTexts; readonly again: () => void }) {
+  const keys = useId(), theme = useTheme();
+  const { quarterCut, xDown } = useSettings();
+  const [trouble, setTrouble] = useState<Trouble>(null);
+  const { field, canvas, running } = useRunning(clock, setTrouble);
+  useEffect(() => running?.stage.setColours(pageColours(STAGE_COLOURS)), [running, theme]);
+  useEffect(() => running?.show.setLook({ quarterCut, xDown }), [running, quarterCut, xDown, theme]);
+  useEffect(() => running?.show.setWork(work), [running, work]);
+  useEffect(() => {
+    if (!running || trouble) return undefined;
+    const { zoom, fit } = running.eye;
+    onDrawn({ zoom: (factor) => zoom(factor), fit });
+    return () => onDrawn(null);
+  }, [running, trouble, onDrawn]);
+  const threads = work.steps.some(({ move }) => move.kind === "thread");
+  return (
+    <>
+      <div ref={field} className="solid-field" role="group" tabIndex={trouble ? -1 : 0} aria-label={t.title} aria-describedby={keys}
+        hidden={trouble !== null}
+      >
+        <canvas ref={canvas} role="img" aria-label={t.picture(quarterCut, state)} />
+        <p id={keys} className="unseen">{t.keys}</p>
+        {threads && <p className="solid-note small soft">{t.threads}</p>}
+        <div className="solid-views" role="group" aria-label={t.views}>
+          <button type="button" className="button" aria-label={t.quarter} title={t.quarter} aria-pressed={quarterCut}
+            onClick={() => changeSettings({ quarterCut: !quarterCut })}
+          >
+            {t.quarterShort}
+          </button>
+          {NAMED_VIEWS.map((view) => (
+            <button key={view} type="button" className="button" onClick={() => running?.eye.go(view)}>{t[view]}</button>
+          ))}
+        </div>
+      </div>
+      {trouble && (
+        <div role="status" className="solid-trouble small">
+          <p>{t[trouble]}</p>
+          <button type="button" className="button" onClick={again}>{t.again}</button>
+        </div>
+      )}
+    </>
+  );
+}

@@ -1,0 +1,95 @@
+import type { Bounds, Size } from "../../view/camera.ts";
+import { approached, namedView, orbited, slid, viewBetween, type NamedView, type Orbit } from "../../view/solid/orbit.ts";
+import type { Clock } from "../clock.ts";
+
+/** From where the body is looked at, followed by what draws it. */
+export interface Eye {
+  readonly get: () => Orbit;
+  readonly size: () => Size;
+  readonly subscribe: (listener: () => void) => () => void;
+  /** By angles in radians, at once: it follows a finger. */
+  readonly turn: (turn: number, rise: number) => void;
+  readonly slide: (dx: number, dy: number) => void;
+  readonly zoom: (factor: number) => void;
+  readonly go: (view: NamedView) => void;
+  /** The view it last went to by name, so that the whole body is seen. */
+  readonly fit: () => void;
+  readonly setSize: (size: Size) => void;
+  readonly setBounds: (bounds: Bounds) => void;
+  /** Ends a movement that is under way. */
+  readonly end: () => void;
+}
+
+/** How long a movement to a named view lasts, ms. */
+const WAY = 200;
+const START: Bounds = { left: -80, right: 20, low: 0, high: 40 };
+
+const isSame = (a: Bounds, b: Bounds) => a.left === b.left && a.right === b.right && a.low === b.low && a.high === b.high;
+
+/** An eye that looks at an angle. `still`: without motion it is there at once. */
+export function createEye(clock: Clock, still: () => boolean): Eye {
+  let size: Size = { width: 640, height: 400 };
+  let bounds = START;
+  let byHand = false;
+  let name: NamedView = "iso";
+  let orbit = namedView(name, bounds, size);
+  let stop: (() => void) | null = null;
+  const listeners = new Set<() => void>();
+  const set = (next: Orbit) => {
+    orbit = next;
+    for (const listener of [...listeners]) listener();
+  };
+  const end = () => {
+    stop?.();
+    stop = null;
+  };
+  const look = (next: Orbit) => {
+    end();
+    byHand = true;
+    set(next);
+  };
+  const fly = () => {
+    end();
+    byHand = false;
+    const from = orbit, to = namedView(name, bounds, size), begun = clock.now();
+    if (still()) return set(to);
+    const picture = (now: number) => {
+      const share = (now - begun) / WAY;
+      stop = share < 1 ? clock.frame(picture) : null;
+      set(viewBetween(from, to, share));
+    };
+    stop = clock.frame(picture);
+  };
+  const refit = () => {
+    end();
+    set(byHand ? { ...orbit } : namedView(name, bounds, size));
+  };
+
+  return {
+    get: () => orbit,
+    size: () => size,
+    subscribe(listener) {
+      listeners.add(listener);
+      return () => listeners.delete(listener);
+    },
+    turn: (turn, rise) => look(orbited(orbit, turn, rise)),
+    slide: (dx, dy) => look(slid(orbit, dx, dy, size)),
+    zoom: (factor) => look(approached(orbit, factor)),
+    go(view) {
+      name = view;
+      fly();
+    },
+    fit: fly,
+    setSize(next) {
+      if (next.width === size.width && next.height === size.height) return;
+      size = next;
+      refit();
+    },
+    setBounds(next) {
+      if (isSame(next, bounds)) return;
+      bounds = next;
+      refit();
+    },
+    end,
+  };
+}

@@ -1,0 +1,181 @@
+import type { Ring, Segment } from "../../kernel/point.ts";
+import type { Step } from "../../kernel/step.ts";
+import type { Tool } from "../../kernel/tool.ts";
+import type { Simulation } from "../../sim/simulation.ts";
+import { boundsOf, joined } from "../../view/bounds.ts";
+import type { Bounds, Size } from "../../view/camera.ts";
+import { colouredBodies } from "../../view/solid/bodies.ts";
+import { chuckParts, toolParts } from "../../view/solid/furniture.ts";
+import { chordsFor, revolved } from "../../view/solid/revolve.ts";
+import { tipAt } from "../../view/tip.ts";
+import { stopwatch, type Clock } from "../clock.ts";
+import { stepIndex, type Moving, type Waiting } from "../lathe/moving.ts";
+import type { Eye } from "./eye.ts";
+import type { Stage } from "./stage.ts";
+
+/** What is to be seen. */
+export interface ShownWork {
+  readonly moving: Moving | null;
+  readonly simulation: Simulation | null;
+  /** The blank and the tool at its start, as long as nothing moves. */
+  readonly waiting: Waiting | null;
+  readonly blank: readonly Ring[];
+  readonly steps: readonly Step[];
+  readonly contours: readonly (readonly Segment[])[];
+}
+
+/** Brings work and eye onto a stage, and draws only when something has changed. */
+export interface Show {
+  readonly setWork: (work: ShownWork) => void;
+  readonly setLook: (look: { readonly quarterCut: boolean; readonly xDown: boolean }) => void;
+  readonly setSize: (size: Size) => void;
+  /** Something else has changed: colours, the context. */
+  readonly refresh: () => void;
+  readonly end: () => void;
+}
+
+/** Chords of a full turn while the body changes with every picture: roundness is told from its light then. */
+const QUICK = 64;
+/** While it plays a body is built anew after so many times what building it takes, so that most of the time is left for pictures. */
+const PAUSE = 3;
+/** Most pixels that are drawn, and the finest ratio of them to those of the page. */
+const PIXELS = { most: 2_600_000, ratio: 2 } as const;
+/** Pictures slower than this, ms, are drawn with fewer pixels while something moves; then how many fewer, and the fewest. */
+const SLOW = { ms: 40, pictures: 6, by: 0.7, least: 0.5 } as const;
+/** After so long without a picture everything is drawn sharp, ms. */
+const REST = 160;
+
+const nothingMoves = (): readonly Ring[] => [];
+
+export function createShow(stage: Stage, eye: Eye, clock: Clock): Show {
+  let work: ShownWork | null = null;
+  let quarterCut = true;
+  let box: Bounds | null = null;
+  let [drawnRings, drawnKey, drawnTool]: [readonly Ring[], string, Tool | null] = [[], "", null];
+  let [builtAt, cost] = [-Infinity, 0];
+  let [asked, changed]: [(() => void) | null, boolean] = [null, true];
+  let [coarse, slow, lastPicture] = [1, 0, 0];
+  let resting: ReturnType<typeof setTimeout> | undefined;
+  let heard: (() => void)[] = [];
+
+  const playing = () => work?.moving?.playback.get().playing ?? false;
+  const sharpRatio = ({ width, height }: Size) =>
+    Math.min(devicePixelRatio, PIXELS.ratio, Math.sqrt(PIXELS.most / Math.max(1, width * height)));
+  const applySize = () => stage.setSize(eye.size(), sharpRatio(eye.size()) * coarse);
+
+  /** Builds the bodies of the moment, unless they are the ones that are there. */
+  function build(): void {
+    changed = false;
+    if (!work) return;
+    const { moving, simulation, waiting } = work, position = moving?.playback.shown() ?? { step: 0, fraction: 0 };
+    const rings = moving ? moving.stockAt(position) : waiting?.blank ?? nothingMoves();
+    const high = box?.high ?? 1, chords = playing() ? Math.min(QUICK, chordsFor(high)) : chordsFor(high);
+    const faults = simulation?.findings.filter((f) => f.step < position.step || (f.step === position.step && position.fraction > 0)).length ?? 0;
+    const key = [chords, quarterCut, faults, position.step >= work.steps.length].join();
+    if (rings !== drawnRings || key !== drawnKey) {
+      const size = box ? Math.max(box.right - box.left, box.high) : 1;
+      const { steel, residual, gouge } = simulation && moving
+        ? colouredBodies(rings, simulation, position, size)
+        : { steel: rings, residual: [], gouge: [] };
+      const turned = (of: readonly Ring[]) => revolved(of, { chords, quarterCut });
+      stage.setBodies([{ role: "steel", solid: turned(steel) }, { role: "residual", solid: turned(residual) }, {
+        role: "gouge",
+        solid: turned(gouge),
+      }]);
+      [drawnRings, drawnKey] = [rings, key];
+    }
+  }
+
+  function placeTool(): void {
+    if (!work) return;
+    const { moving, waiting } = work, position = moving?.playback.shown();
+    const tip = moving && position ? tipAt(moving.steps, position) : waiting?.start ?? null;
+    const tool = moving && position ? moving.steps[stepIndex(moving.steps, position)]?.tool ?? null : waiting?.tool ?? null;
+    if (tool !== drawnTool) stage.setTool(tool ? toolParts(tool) : []);
+    drawnTool = tool;
+    stage.placeTool(tool && tip);
+  }
+
+  /** Fewer pixels where pictures come too slowly one after the other. */
+  function mind(now: number): void {
+    const took = now - lastPicture;
+    lastPicture = now;
+    if (took > REST || coarse <= SLOW.least) return;
+    slow = took > SLOW.ms ? slow + 1 : 0;
+    if (slow < SLOW.pictures) return;
+    slow = 0;
+    coarse = Math.max(SLOW.least, coarse * SLOW.by);
+    applySize();
+  }
+
+  function picture(): void {
+    asked = null;
+    const begun = stopwatch();
+    mind(begun);
+    if (changed && (!playing() || begun - builtAt > PAUSE * cost)) {
+      build();
+      builtAt = stopwatch();
+      cost = builtAt - begun;
+    }
+    placeTool();
+    const { centre } = eye.get(), wide = box ? Math.hypot(box.right - box.left, box.high) : 1;
+    const tip = work?.moving && tipAt(work.moving.steps, work.moving.playback.shown());
+    stage.draw(eye.get(), eye.size(), 2 * wide + Math.hypot(centre[2], centre[1], centre[0]) + (tip ? Math.hypot(tip.z, tip.r) : 0));
+    if (changed) ask();
+    clearTimeout(resting);
+    if (coarse < 1) resting = setTimeout(sharpen, REST);
+  }
+
+  function sharpen(): void {
+    if (asked) return;
+    coarse = 1;
+    applySize();
+    ask();
+  }
+
+  function ask(): void {
+    asked ??= clock.frame(picture);
+  }
+  const changeWork = () => {
+    changed = true;
+    ask();
+  };
+
+  const deaf = eye.subscribe(ask);
+  return {
+    setWork(next) {
+      for (const stop of heard) stop();
+      work = next;
+      [drawnRings, drawnKey] = [[], ""];
+      const chuck = chuckParts(next.blank, next.steps, next.contours);
+      stage.setChuck(chuck);
+      box = joined(boundsOf(next.blank.flat()), boundsOf(next.contours.flat().flatMap((s) => [s.from, s.to])));
+      if (box) eye.setBounds({ ...box, left: box.left - GRIP * (box.right - box.left) });
+      heard = next.moving ? [next.moving.playback.subscribe(changeWork)] : [];
+      changeWork();
+    },
+    setLook(look) {
+      quarterCut = look.quarterCut;
+      stage.turnOver(look.xDown);
+      changeWork();
+    },
+    setSize(size) {
+      eye.setSize(size);
+      applySize();
+      // A canvas that changes its size is empty: it is drawn before anybody sees that.
+      asked?.();
+      picture();
+    },
+    refresh: changeWork,
+    end() {
+      deaf();
+      for (const stop of heard) stop();
+      clearTimeout(resting);
+      asked?.();
+      asked = null;
+    },
+  };
+}
+
+/** So much of the chuck is framed with the work, as a part of its length. */
+const GRIP = 0.12;

@@ -1,0 +1,165 @@
+import { AmbientLight, BufferAttribute, BufferGeometry, DirectionalLight, Group, LineBasicMaterial, LineSegments, Mesh as Triangles,
+  MeshPhongMaterial, PerspectiveCamera, Scene as Space, WebGLRenderer, type Material } from "three";
+import type { Size } from "../../view/camera.ts";
+import type { DrawnPart } from "../../view/solid/furniture.ts";
+import type { Mesh } from "../../view/solid/mesh.ts";
+import { eyeOf, FIELD, pixelAt, type Orbit } from "../../view/solid/orbit.ts";
+import type { Solid } from "../../view/solid/revolve.ts";
+import { hatched } from "./section-material.ts";
+
+/** What a body of the work is made of, which decides its colour. */
+type BodyRole = "steel" | "residual" | "gouge";
+
+/** Colours of the page, by the custom properties that hold them. */
+export const STAGE_COLOURS = {
+  material: "--material",
+  hatch: "--material-hatch",
+  line: "--contour",
+  surface: "--surface",
+  chuck: "--line",
+  insert: "--insert",
+  holder: "--holder",
+  residual: "--residual",
+  danger: "--danger",
+} as const;
+
+/** Bodies, light and eye on a canvas. Nothing is drawn but by `draw`. */
+export interface Stage {
+  readonly setSize: (size: Size, ratio: number) => void;
+  readonly setColours: (colours: Readonly<Record<keyof typeof STAGE_COLOURS, string>>) => void;
+  readonly setBodies: (bodies: readonly { readonly role: BodyRole; readonly solid: Solid }[]) => void;
+  readonly setChuck: (parts: readonly DrawnPart[]) => void;
+  readonly setTool: (parts: readonly DrawnPart[]) => void;
+  /** Where the tip of the tool is, mm; null: there is none. */
+  readonly placeTool: (tip: { readonly z: number; readonly r: number } | null) => void;
+  /** X grows downwards. */
+  readonly turnOver: (down: boolean) => void;
+  /** `reach`: no body is farther from the centre, mm. */
+  readonly draw: (orbit: Orbit, size: Size, reach: number) => void;
+  /** Gives everything on the graphics card back. */
+  readonly dispose: () => void;
+}
+
+/** Pixels between two lines of a hatch. */
+const HATCH = 8;
+/** One light from over the operator's left shoulder, and what comes from all sides: together a face square to it has its colour. */
+const LIGHT = { key: 0.62 * Math.PI, around: 0.5 * Math.PI } as const;
+
+function geometryOf({ positions, normals, index }: Mesh): BufferGeometry {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(positions, 3));
+  geometry.setAttribute("normal", new BufferAttribute(normals, 3));
+  geometry.setIndex(new BufferAttribute(index, 1));
+  return geometry;
+}
+
+/** A surface that lies a hair behind the lines on it. */
+const shaded = (shininess: number, specular: number) =>
+  new MeshPhongMaterial({ shininess, specular, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
+
+const drawnLine = (opacity: number) => new LineBasicMaterial({ transparent: true, opacity });
+
+function clear(group: Group): void {
+  for (const child of [...group.children]) {
+    if (child instanceof Triangles || child instanceof LineSegments) (child.geometry as BufferGeometry).dispose();
+    group.remove(child);
+  }
+}
+
+/** A stage on a canvas; null where the browser has no WebGL to give. */
+export function createStage(canvas: HTMLCanvasElement): Stage | null {
+  const context = canvas.getContext("webgl2", { alpha: true, antialias: true });
+  if (!context) return null;
+  const renderer = new WebGLRenderer({ canvas, context, alpha: true, antialias: true });
+  renderer.setClearAlpha(0);
+  const space = new Space(), camera = new PerspectiveCamera((FIELD * 180) / Math.PI, 1, 1, 1000);
+  const key = new DirectionalLight(0xffffff, LIGHT.key);
+  key.position.set(-0.55, 1, 0.9);
+  camera.add(key);
+  camera.up.set(1, 0, 0);
+  const world = new Group(), work = new Group(), chuck = new Group(), tool = new Group();
+  world.add(work, chuck, tool);
+  space.add(world, camera, new AmbientLight(0xffffff, LIGHT.around));
+
+  const surfaces = {
+    steel: shaded(28, 0x2a2a2a),
+    residual: shaded(8, 0x111111),
+    gouge: shaded(8, 0x111111),
+    chuck: shaded(12, 0x111111),
+    jaw: shaded(12, 0x111111),
+    insert: shaded(30, 0x222222),
+    holder: shaded(16, 0x1a1a1a),
+  };
+  const sections = { steel: hatched(-1, 1), residual: hatched(1, 2), gouge: hatched(-1, 1) };
+  const lines = { work: drawnLine(0.55), parts: drawnLine(0.4) };
+
+  const add = (group: Group, mesh: Mesh, material: Material) => {
+    if (mesh.index.length > 0) group.add(new Triangles(geometryOf(mesh), material));
+  };
+  const addLines = (group: Group, edges: Float32Array, material: Material) => {
+    if (edges.length === 0) return;
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", new BufferAttribute(edges, 3));
+    group.add(new LineSegments(geometry, material));
+  };
+  const setParts = (group: Group, parts: readonly DrawnPart[]) => {
+    clear(group);
+    for (const { role, mesh, edges } of parts) {
+      add(group, mesh, surfaces[role]);
+      addLines(group, edges, lines.parts);
+    }
+  };
+
+  return {
+    setSize({ width, height }, ratio) {
+      renderer.setPixelRatio(ratio);
+      renderer.setSize(width, height, false);
+      camera.aspect = width / Math.max(1, height);
+    },
+    setColours(c) {
+      surfaces.steel.color.set(c.material);
+      surfaces.residual.color.set(c.residual);
+      surfaces.gouge.color.set(c.danger);
+      surfaces.chuck.color.set(c.chuck);
+      surfaces.jaw.color.set(c.chuck);
+      surfaces.insert.color.set(c.insert);
+      surfaces.holder.color.set(c.holder);
+      sections.steel.colours(c.material, c.hatch);
+      sections.residual.colours(c.surface, c.residual);
+      sections.gouge.colours(c.danger, c.danger);
+      for (const each of Object.values(lines)) each.color.set(c.line);
+    },
+    setBodies(bodies) {
+      clear(work);
+      for (const { role, solid } of bodies) {
+        add(work, solid.surface, surfaces[role]);
+        add(work, solid.section, sections[role].material);
+        addLines(work, solid.edges, lines.work);
+      }
+    },
+    setChuck: (parts) => setParts(chuck, parts),
+    setTool: (parts) => setParts(tool, parts),
+    placeTool(tip) {
+      tool.visible = tip !== null;
+      if (tip) tool.position.set(tip.r, 0, tip.z);
+    },
+    turnOver(down) {
+      world.scale.x = down ? -1 : 1;
+    },
+    draw(orbit, size, reach) {
+      camera.position.set(...eyeOf(orbit));
+      camera.lookAt(...orbit.centre);
+      camera.near = Math.max(orbit.distance / 50, orbit.distance - reach);
+      camera.far = orbit.distance + reach;
+      camera.updateProjectionMatrix();
+      for (const each of Object.values(sections)) each.pitch(HATCH * pixelAt(orbit, size));
+      renderer.render(space, camera);
+    },
+    dispose() {
+      for (const group of [work, chuck, tool]) clear(group);
+      for (const each of [...Object.values(surfaces), ...Object.values(lines)]) each.dispose();
+      for (const { material } of Object.values(sections)) material.dispose();
+      renderer.dispose();
+    },
+  };
+}

@@ -1,0 +1,102 @@
+import { intersection } from "../../kernel/clip.ts";
+import { isDrill } from "../../kernel/drill.ts";
+import { holderOutlines, shankAxis } from "../../kernel/holder.ts";
+import { insertOutline } from "../../kernel/insert.ts";
+import { at, part, type Ring, type Segment } from "../../kernel/point.ts";
+import { boxAround, boxOf } from "../../kernel/box.ts";
+import type { Step } from "../../kernel/step.ts";
+import type { Tool } from "../../kernel/tool.ts";
+import { boundsOf, joined } from "../bounds.ts";
+import { chuckRings } from "../chuck.ts";
+import { extruded, plateEdges } from "./extrude.ts";
+import type { Mesh } from "./mesh.ts";
+import { chordsFor, revolved, wholeMesh } from "./revolve.ts";
+
+/** What stands round the work: bodies with their edges as lines. */
+export interface DrawnPart {
+  readonly role: "chuck" | "jaw" | "insert" | "holder";
+  readonly mesh: Mesh;
+  readonly edges: Float32Array;
+}
+
+/** Outlines of tools are drawn with chords within this, mm. */
+const FINE = 0.02;
+/** A holder lies so much lower than the face of its insert, as a part of the thickness of the insert. */
+const LOWER = 0.25;
+/** Thickness of an insert as a part of its size, and between which it stays, mm. */
+const THICK = { share: 0.3, least: 1.5, most: 6 } as const;
+
+/** Coordinates turned round the spindle axis by an angle in radians. */
+function turnedRound(list: Float32Array, angle: number): Float32Array {
+  const [c, s] = [Math.cos(angle), Math.sin(angle)], out = new Float32Array(list);
+  for (let i = 0; i < out.length; i += 3) {
+    const [x, y] = [list[i] ?? 0, list[i + 1] ?? 0];
+    out[i] = c * x - s * y;
+    out[i + 1] = s * x + c * y;
+  }
+  return out;
+}
+
+const turnedMesh = ({ positions, normals, index }: Mesh, angle: number): Mesh => ({
+  positions: turnedRound(positions, angle),
+  normals: turnedRound(normals, angle),
+  index,
+});
+
+/** Where the three jaws stand, from X up over the operator: none in the quarter that may be cut away. Radians. */
+const JAWS = [-15, 105, 225].map((degrees) => (degrees * Math.PI) / 180);
+/** Width of a jaw as a part of the size of the work. */
+const JAW = 0.42;
+
+/** The chuck in which a blank is held, with three jaws. Nothing where there is no blank. */
+export function chuckParts(blank: readonly Ring[], steps: readonly Step[], contours: readonly (readonly Segment[])[]): DrawnPart[] {
+  const material = boundsOf(blank.flat());
+  if (!material) return [];
+  const tips = boundsOf(steps.flatMap(({ from, move }) => [from, move.to]));
+  const outline = contours.flat().map(part.boxOf).reduce((box: typeof tips, each) => joined(box, each), null);
+  const { body, jaw } = chuckRings(material, joined(tips, outline)), solid = revolved([body], { chords: chordsFor(boxOf(body).high),
+    quarterCut: false });
+  const half = (JAW * material.high) / 2, plate = extruded(jaw, -half, half), edges = jawEdges(jaw, half);
+  return [{ role: "chuck", mesh: wholeMesh(solid), edges: solid.edges }, ...JAWS.map((angle): DrawnPart => ({
+    role: "jaw",
+    mesh: turnedMesh(plate, angle),
+    edges: turnedRound(edges, angle),
+  }))];
+}
+
+/** All edges of a plate with straight sides. */
+function jawEdges(outline: Ring, half: number): Float32Array {
+  const across = outline.flatMap((p) => [p.r, -half, p.z, p.r, half, p.z]);
+  return Float32Array.from([...plateEdges(outline, -half, half), ...across]);
+}
+
+/** One side of a drill, which is drawn as a body of revolution. */
+function upperHalf(ring: Ring): readonly Ring[] {
+  const { left, right, high } = boxAround([ring]);
+  return intersection([ring], [[at(left, 0), at(right, 0), at(right, high), at(left, high)]]);
+}
+
+/**
+ * A tool with its tip in the zero point: the insert as a plate whose face lies in the plane of the spindle, the holder below it; a drill
+ * as a body of revolution. The outlines are those that the simulation cuts and checks with; how thick they are is not known and for the
+ * eye only.
+ */
+export function toolParts(tool: Tool): DrawnPart[] {
+  const insert = insertOutline(tool, FINE), holders = holderOutlines(tool);
+  if (isDrill(tool)) {
+    const solid = (rings: readonly Ring[]) => revolved(rings, { chords: chordsFor(boxAround(rings).high), quarterCut: false });
+    const body = solid(upperHalf(insert));
+    return [{ role: "insert", mesh: wholeMesh(body), edges: body.edges }];
+  }
+  const box = boxOf(insert), size = Math.min(box.right - box.left, box.high - box.low);
+  const thick = Math.min(THICK.most, Math.max(THICK.least, THICK.share * size));
+  const plate = (role: DrawnPart["role"], ring: Ring, back: number, front: number): DrawnPart => ({
+    role,
+    mesh: extruded(ring, back, front),
+    edges: plateEdges(ring, back, front),
+  });
+  const wide = tool.holder?.width ?? 0, lies = tool.holder ? shankAxis(tool.TO, tool.holder.axis) : "X";
+  // A bar along the spindle works in bores: its middle is as high as the spindle. A shank across it lies below.
+  const deep = Math.max(2 * thick, lies === "Z" ? 0.5 * wide : wide);
+  return [plate("insert", insert, -thick, 0), ...holders.map((ring) => plate("holder", ring, -deep, -LOWER * thick))];
+}
