@@ -40,6 +40,7 @@ import { usePasses, useShownPath } from "./use-paths.ts";
 import { usePicking } from "./use-picking.ts";
 import { usePlayback } from "./use-playback.ts";
 import { useMaterial, type LatheResult } from "./use-material.ts";
+import { useSolid } from "./use-solid.ts";
 import { useStage } from "./use-stage.ts";
 import { chooseMove } from "../selection.ts";
 import type { WhichRegion } from "../which/asking.ts";
@@ -52,6 +53,8 @@ import { Outdated } from "./Outdated.tsx";
 
 /** Fetched for a program that has approaches. */
 const TurnPoints = lazyPart(async () => ({ default: (await import("../approach/TurnPoints.tsx")).TurnPoints }));
+/** Fetched when the turned body is looked at in space. */
+const SolidView = lazyPart(async () => ({ default: (await import("../solid/SolidView.tsx")).SolidView }));
 const WhichCycle = lazyPart(async () => ({ default: (await import("../which/WhichCycle.tsx")).WhichCycle }));
 
 const NOWHERE: readonly LookAt[] = [];
@@ -127,6 +130,8 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
   };
   const look = measuring.on ? measuring : { tap, hover: point, drag: null };
   const stage = useStage(viewport, look);
+  const solid = useSolid({ run, shown: proved, moving, waiting, measures: measuring.on });
+  const looking = solid.drawn ? { ...viewport, ...solid.drawn } : viewport;
   /** What is behind a button gives the picture back where there is little room. */
   const toggle = () => {
     measuring.toggle();
@@ -151,10 +156,10 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
   const ended = usePlayback(playback, (s) => s.get().track.ends.length > 0 && s.get().position.step >= s.get().track.ends.length);
   const resting = usePlayback(playback, (s) => (s.get().playing ? -1 : s.get().position.step));
   const marked = usePlayback(playback, (s) => datumIndex(run.datums, s.get().position.step)), datum = datumAt(run.datums, marked);
-  const name = useMemo(() => {
+  const state = useMemo(() => {
     const { x, z } = placeText(language, datum), rests = resting >= 0 ? statusText(texts, language, run, playback) : "";
-    const state = typed ? `${rests}. ${knownText(t, language, typed.outline)}` : rests;
-    return t.picture(run.datums.length > 0 ? `${state} ${t.countsFrom(x, z)}` : state);
+    const now = typed ? `${rests}. ${knownText(t, language, typed.outline)}` : rests;
+    return run.datums.length > 0 ? `${now} ${t.countsFrom(x, z)}` : now;
   }, [t, texts, language, run, playback, resting, datum, typed]);
   const found = usePlaces("ZX"), places = dimmed || !simulation ? NOWHERE : found;
   const leads = useMemo(() => run.approaches.filter((a) => a.plane === "ZX"), [run]);
@@ -166,9 +171,9 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
       const target = event.target as HTMLElement;
       if (event.ctrlKey || event.metaKey || event.altKey) return;
       const typed = { key: event.key, shift: event.shiftKey, element: target.localName, picture: target === stage.current };
-      if (pressKey(typed, playback, viewport, measuring) || chooseByKey(typed)) event.preventDefault();
+      if (pressKey(typed, playback, looking, measuring) || chooseByKey(typed)) event.preventDefault();
     }}>
-      <ViewBar viewport={viewport} measuring={{ ...measuring, toggle }} onWhich={proved && contourAt(proved.run, 0) && !dimmed
+      <ViewBar viewport={looking} measuring={{ ...measuring, toggle }} onWhich={proved && contourAt(proved.run, 0) && !dimmed
         ? () => ask(contourAt(proved.run, playback.get().position.step, proved.simulation.final))
         : null}
       >
@@ -177,24 +182,33 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
       <div ref={stage} className={`lathe-stage${dimmed ? " dimmed" : ""}${measuring.on ? " measuring" : ""}${ended ? " ended" : ""}`}
         tabIndex={0} role="group" aria-label={t.title} aria-describedby={keysId} {...{ [KEEPS_KEYBOARD]: "" }}
       >
-        <Picture viewport={viewport} scene={scene} moving={moving} waiting={waiting} findings={findings} residual={residual}
-          section={section} name={name} path={path.stretches} ghosts={<GhostPaths scene={scene} clock={clock} />}
-          chosen={[<LoadPart.Lines key="load" run={run} shown={path.has} />, <ChosenPath key="chosen" run={run} />]}
-          hovered={<HoveredMove run={run} hover={hover} />}
-        >
-          <Marks viewport={viewport} starts={starts} datum={datum} />
-          <LoadPart.Mark run={run} viewport={viewport} />
-          {typed && <KnownMarks viewport={viewport} known={typed} />}
-          {run.steps.length > 0 && <ToolAway viewport={viewport} playback={playback} steps={run.steps} />}
-          {leads.length > 0 && (
-            <Suspense>
-              <TurnPoints viewport={viewport} approaches={leads} />
-            </Suspense>
-          )}
-          <PlaceLines viewport={viewport} places={seen} />
-        </Picture>
-        <PlaceButtons viewport={viewport} places={seen} chosen={chosen} choose={choose} />
-        <Measurements viewport={viewport} measuring={measuring} source={source} />
+        {!solid.drawn && (
+          <>
+            <Picture viewport={viewport} scene={scene} moving={moving} waiting={waiting} findings={findings} residual={residual}
+              section={section} name={t.picture(state)} path={path.stretches} ghosts={<GhostPaths scene={scene} clock={clock} />}
+              chosen={[<LoadPart.Lines key="load" run={run} shown={path.has} />, <ChosenPath key="chosen" run={run} />]}
+              hovered={<HoveredMove run={run} hover={hover} />}
+            >
+              <Marks viewport={viewport} starts={starts} datum={datum} />
+              <LoadPart.Mark run={run} viewport={viewport} />
+              {typed && <KnownMarks viewport={viewport} known={typed} />}
+              {run.steps.length > 0 && <ToolAway viewport={viewport} playback={playback} steps={run.steps} />}
+              {leads.length > 0 && (
+                <Suspense>
+                  <TurnPoints viewport={viewport} approaches={leads} />
+                </Suspense>
+              )}
+              <PlaceLines viewport={viewport} places={seen} />
+            </Picture>
+            <PlaceButtons viewport={viewport} places={seen} chosen={chosen} choose={choose} />
+            <Measurements viewport={viewport} measuring={measuring} source={source} />
+          </>
+        )}
+        {solid.work && (
+          <Suspense>
+            <SolidView work={solid.work} state={state} clock={clock} onDrawn={solid.setDrawn} />
+          </Suspense>
+        )}
         {run.steps.length === 0 && run.blank.length === 0 && (
           <p className={waiting ? "lathe-outdated small" : "lathe-empty soft"}>{t.pictureEmpty}</p>
         )}

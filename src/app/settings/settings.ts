@@ -21,6 +21,9 @@ export interface Settings {
   readonly xDown: boolean;
   /** How the lathe view shows the work. */
   readonly section: SectionView;
+  /** The turned body is shown in space in place of its section, and a quarter of it is cut away there. */
+  readonly solid: boolean;
+  readonly quarterCut: boolean;
   /** Which paths the lathe view shows. */
   readonly paths: ShownPaths;
   /** What the lathe view tells by colour along path or surface. */
@@ -75,6 +78,8 @@ function initial(): Settings {
     programFolded: false,
     xDown: false,
     section: "half",
+    solid: false,
+    quarterCut: true,
     paths: "all",
     colours: "none",
     paper: usualPaper(),
@@ -108,6 +113,8 @@ export function readSettings(text: string | null): Settings {
     xDown: flag(kept["xDown"], first.xDown),
     // Until the work could be seen from outside there was a switch.
     section: kept["fullSection"] === true ? "full" : oneOf(kept["section"], SECTION_VIEWS, first.section),
+    solid: flag(kept["solid"], first.solid),
+    quarterCut: flag(kept["quarterCut"], first.quarterCut),
     paths: oneOf(kept["paths"], SHOWN_PATHS, first.paths),
     colours: oneOf(kept["colours"], SHOWN_COLOURS, first.colours),
     paper: oneOf(kept["paper"], PAPERS, first.paper),

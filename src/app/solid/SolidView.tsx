@@ -56,7 +56,8 @@ function useRunning(clock: Clock, setTrouble: (trouble: Trouble) => void) {
     const eye = createEye(clock, () => reducedMotion(useSettings.getState())), show = createShow(stage, eye, clock);
     const measure = () => {
       const { clientWidth: width, clientHeight: height } = element;
-      if (width > 0 && height > 0) show.setSize({ width, height });
+      const buttons = element.querySelector<HTMLElement>(".solid-views");
+      if (width > 0 && height > 0) show.setSize({ width, height }, buttons ? height - buttons.offsetTop : 0);
     };
     const sizes = new ResizeObserver(measure), deaf = listenToHands(element, eye);
     sizes.observe(element);

@@ -27,7 +27,7 @@ void main() {
   float across = (place.x * lean + place.y) * 0.70710678 / pitch;
   float pixel = max(fwidth(across), 0.000001);
   float away = abs(fract(across) - 0.5) / pixel;
-  float fine = 1.0 - smoothstep(weight * 0.5, weight * 0.5 + 1.0, away);
+  float fine = 1.0 - smoothstep(weight * 0.5 - 0.5, weight * 0.5 + 0.5, away);
   float drawn = mix(fine, 0.2, smoothstep(0.25, 0.5, pixel));
   gl_FragColor = vec4(mix(ground, line, drawn), 1.0);
   #include <colorspace_fragment>

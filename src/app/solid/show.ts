@@ -28,7 +28,8 @@ export interface ShownWork {
 export interface Show {
   readonly setWork: (work: ShownWork) => void;
   readonly setLook: (look: { readonly quarterCut: boolean; readonly xDown: boolean }) => void;
-  readonly setSize: (size: Size) => void;
+  /** The canvas, and how much of it lies below the picture: buttons are there. */
+  readonly setSize: (size: Size, below: number) => void;
   /** Something else has changed: colours, the context. */
   readonly refresh: () => void;
   readonly end: () => void;
@@ -53,6 +54,7 @@ export function createShow(stage: Stage, eye: Eye, clock: Clock): Show {
   let box: Bounds | null = null;
   let [drawnRings, drawnKey, drawnTool]: [readonly Ring[], string, Tool | null] = [[], "", null];
   let [builtAt, cost] = [-Infinity, 0];
+  let canvas: { readonly size: Size; readonly below: number } = { size: eye.size(), below: 0 };
   let [asked, changed]: [(() => void) | null, boolean] = [null, true];
   let [coarse, slow, lastPicture] = [1, 0, 0];
   let resting: ReturnType<typeof setTimeout> | undefined;
@@ -61,7 +63,7 @@ export function createShow(stage: Stage, eye: Eye, clock: Clock): Show {
   const playing = () => work?.moving?.playback.get().playing ?? false;
   const sharpRatio = ({ width, height }: Size) =>
     Math.min(devicePixelRatio, PIXELS.ratio, Math.sqrt(PIXELS.most / Math.max(1, width * height)));
-  const applySize = () => stage.setSize(eye.size(), sharpRatio(eye.size()) * coarse);
+  const applySize = () => stage.setSize(canvas.size, canvas.below, sharpRatio(canvas.size) * coarse);
 
   /** Builds the bodies of the moment, unless they are the ones that are there. */
   function build(): void {
@@ -70,7 +72,8 @@ export function createShow(stage: Stage, eye: Eye, clock: Clock): Show {
     const { moving, simulation, waiting } = work, position = moving?.playback.shown() ?? { step: 0, fraction: 0 };
     const rings = moving ? moving.stockAt(position) : waiting?.blank ?? nothingMoves();
     const high = box?.high ?? 1, chords = playing() ? Math.min(QUICK, chordsFor(high)) : chordsFor(high);
-    const faults = simulation?.findings.filter((f) => f.step < position.step || (f.step === position.step && position.fraction > 0)).length ?? 0;
+    const faults = simulation?.findings.filter((f) => f.step < position.step || (f.step === position.step && position.fraction > 0)).length
+      ?? 0;
     const key = [chords, quarterCut, faults, position.step >= work.steps.length].join();
     if (rings !== drawnRings || key !== drawnKey) {
       const size = box ? Math.max(box.right - box.left, box.high) : 1;
@@ -159,8 +162,9 @@ export function createShow(stage: Stage, eye: Eye, clock: Clock): Show {
       stage.turnOver(look.xDown);
       changeWork();
     },
-    setSize(size) {
-      eye.setSize(size);
+    setSize(size, below) {
+      canvas = { size, below };
+      eye.setSize({ width: size.width, height: Math.max(1, size.height - below) });
       applySize();
       // A canvas that changes its size is empty: it is drawn before anybody sees that.
       asked?.();

@@ -25,7 +25,8 @@ export const STAGE_COLOURS = {
 
 /** Bodies, light and eye on a canvas. Nothing is drawn but by `draw`. */
 export interface Stage {
-  readonly setSize: (size: Size, ratio: number) => void;
+  /** The canvas, and how much of it lies below the picture, pixels of the page. */
+  readonly setSize: (size: Size, below: number, ratio: number) => void;
   readonly setColours: (colours: Readonly<Record<keyof typeof STAGE_COLOURS, string>>) => void;
   readonly setBodies: (bodies: readonly { readonly role: BodyRole; readonly solid: Solid }[]) => void;
   readonly setChuck: (parts: readonly DrawnPart[]) => void;
@@ -111,10 +112,12 @@ export function createStage(canvas: HTMLCanvasElement): Stage | null {
   };
 
   return {
-    setSize({ width, height }, ratio) {
+    setSize({ width, height }, below, ratio) {
       renderer.setPixelRatio(ratio);
       renderer.setSize(width, height, false);
-      camera.aspect = width / Math.max(1, height);
+      const seen = Math.max(1, height - below);
+      camera.aspect = width / seen;
+      camera.setViewOffset(width, seen, 0, 0, width, height);
     },
     setColours(c) {
       surfaces.steel.color.set(c.material);

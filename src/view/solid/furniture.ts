@@ -1,4 +1,4 @@
-import { intersection } from "../../kernel/clip.ts";
+import { intersection, union } from "../../kernel/clip.ts";
 import { isDrill } from "../../kernel/drill.ts";
 import { holderOutlines, shankAxis } from "../../kernel/holder.ts";
 import { insertOutline } from "../../kernel/insert.ts";
@@ -54,14 +54,17 @@ export function chuckParts(blank: readonly Ring[], steps: readonly Step[], conto
   if (!material) return [];
   const tips = boundsOf(steps.flatMap(({ from, move }) => [from, move.to]));
   const outline = contours.flat().map(part.boxOf).reduce((box: typeof tips, each) => joined(box, each), null);
-  const { body, jaw } = chuckRings(material, joined(tips, outline)), solid = revolved([body], { chords: chordsFor(boxOf(body).high),
-    quarterCut: false });
+  const { body, jaw } = chuckRings(material, joined(tips, outline)),
+    solid = revolved([body], { chords: chordsFor(boxOf(body).high), quarterCut: false });
   const half = (JAW * material.high) / 2, plate = extruded(jaw, -half, half), edges = jawEdges(jaw, half);
-  return [{ role: "chuck", mesh: wholeMesh(solid), edges: solid.edges }, ...JAWS.map((angle): DrawnPart => ({
-    role: "jaw",
-    mesh: turnedMesh(plate, angle),
-    edges: turnedRound(edges, angle),
-  }))];
+  return [
+    { role: "chuck", mesh: wholeMesh(solid), edges: solid.edges },
+    ...JAWS.map((angle): DrawnPart => ({
+      role: "jaw",
+      mesh: turnedMesh(plate, angle),
+      edges: turnedRound(edges, angle),
+    })),
+  ];
 }
 
 /** All edges of a plate with straight sides. */
@@ -82,7 +85,7 @@ function upperHalf(ring: Ring): readonly Ring[] {
  * eye only.
  */
 export function toolParts(tool: Tool): DrawnPart[] {
-  const insert = insertOutline(tool, FINE), holders = holderOutlines(tool);
+  const insert = insertOutline(tool, FINE), holders = union(holderOutlines(tool));
   if (isDrill(tool)) {
     const solid = (rings: readonly Ring[]) => revolved(rings, { chords: chordsFor(boxAround(rings).high), quarterCut: false });
     const body = solid(upperHalf(insert));

@@ -1,4 +1,3 @@
-import { axial } from "../../kernel/units.ts";
 import type { Bounds, Size } from "../camera.ts";
 
 /** A place or a direction in the axes of the machine, mm: x up, y towards the operator, z along the spindle. */
@@ -20,7 +19,7 @@ export const NAMED_VIEWS = ["iso", "front", "end"] as const;
 export type NamedView = (typeof NAMED_VIEWS)[number];
 
 /** Height of what is seen, as an angle: small, so that lengths stay comparable. */
-export const FIELD = (24 * Math.PI) / 180;
+export const FIELD = (16 * Math.PI) / 180;
 
 const ANGLES: Readonly<Record<NamedView, { readonly turn: number; readonly rise: number }>> = {
   iso: { turn: 0.62, rise: 0.42 },
@@ -81,15 +80,28 @@ function cornersOf({ left, right, high }: Bounds): readonly SpacePoint[] {
 /** Free space round a body, as a share of the picture. */
 const AIR = 1.12;
 
-/** A named view that shows all of a body of revolution, as large as the picture allows. */
+/** How often a view is centred anew: moving it sideways changes a little of what is near and what is far. */
+const CENTRED = 3;
+
+/** A named view that shows all of a body of revolution, as large as the picture allows and in its middle. */
 export function namedView(view: NamedView, bounds: Bounds, size: Size): Orbit {
-  const centre: SpacePoint = [0, 0, axial((bounds.left + bounds.right) / 2)], { eye, right, up } = axesOf(ANGLES[view]);
-  const along = (way: SpacePoint, p: SpacePoint) => way[0] * p[0] + way[1] * p[1] + way[2] * (p[2] - centre[2]);
+  const { eye, right, up } = axesOf(ANGLES[view]), corners = cornersOf(bounds);
   const tall = Math.tan(FIELD / 2) / AIR, wide = tall * Math.max(0.01, size.width / Math.max(1, size.height));
-  const distance = cornersOf(bounds).reduce<number>((most, p) => {
-    const near = along(eye, p);
-    return Math.max(most, near + Math.abs(along(right, p)) / wide, near + Math.abs(along(up, p)) / tall);
-  }, DISTANCE.nearest);
+  let centre: SpacePoint = [0, 0, (bounds.left + bounds.right) / 2];
+  let distance: number = DISTANCE.nearest;
+  for (let i = 0; i < CENTRED; i += 1) {
+    const seen = corners.map((p) => {
+      const along = (way: SpacePoint) => way[0] * (p[0] - centre[0]) + way[1] * (p[1] - centre[1]) + way[2] * (p[2] - centre[2]);
+      return { near: along(eye), x: along(right), y: along(up) };
+    });
+    const far = seen.reduce((most, p) => Math.max(most, p.near + Math.abs(p.x) / wide, p.near + Math.abs(p.y) / tall), distance);
+    if (i === CENTRED - 1) distance = far;
+    else {
+      const middle = (list: readonly number[]) => (Math.min(...list) + Math.max(...list)) / 2;
+      const dx = middle(seen.map((p) => p.x / (far - p.near))) * far, dy = middle(seen.map((p) => p.y / (far - p.near))) * far;
+      centre = [centre[0] + right[0] * dx + up[0] * dy, centre[1] + right[1] * dx + up[1] * dy, centre[2] + right[2] * dx + up[2] * dy];
+    }
+  }
   return { centre, ...ANGLES[view], distance };
 }
 

@@ -1,0 +1,83 @@
+import { readFile } from "node:fs/promises";
+import DxfParser from "dxf-parser";
+import type { Locator } from "@playwright/test";
+import { exported as words } from "../src/i18n/en/export.ts";
+import { dxfDefaults, readDxf, type ParsedDxf } from "../src/program/read-dxf.ts";
+import { looksRight } from "./pages/look.ts";
+import { expect, test } from "./pages/test.ts";
+import { Turnwise } from "./pages/turnwise.ts";
+
+/** Name and bytes of the file that a button hands to the downloads. */
+async function downloaded(button: Locator): Promise<{ readonly name: string; readonly bytes: Buffer }> {
+  const waiting = button.page().waitForEvent("download");
+  await button.click();
+  const file = await waiting;
+  return { name: file.suggestedFilename(), bytes: await readFile(await file.path()) };
+}
+
+/** What the triangles of a binary STL file enclose, mm³, and how far they reach along the spindle. */
+function measured(bytes: Buffer) {
+  const count = bytes.readUInt32LE(80);
+  expect(bytes.length).toBe(84 + 50 * count);
+  let [volume, left, right] = [0, Infinity, -Infinity];
+  for (let t = 0; t < count; t += 1) {
+    const n = (k: number) => bytes.readFloatLE(84 + 50 * t + 12 + 4 * k);
+    volume += n(0) * (n(4) * n(8) - n(5) * n(7)) + n(1) * (n(5) * n(6) - n(3) * n(8)) + n(2) * (n(3) * n(7) - n(4) * n(6));
+    for (const z of [n(2), n(5), n(8)]) [left, right] = [Math.min(left, z), Math.max(right, z)];
+  }
+  return { volume: volume / 6, left, right };
+}
+
+test("the part leaves as bodies and drawings that other programs read, from a cycle and from a program", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { effect, lathe, start, t } = turnwise;
+  const dialog = page.getByRole("dialog", { name: words.title, exact: true });
+  const open = () => page.getByRole("button", { name: t.page.text.exportPart, exact: true }).click();
+  const save = (what: string, format: string) => downloaded(dialog.getByRole("button", { name: words.save(what, format), exact: true }));
+
+  await start.beginWithExample(812);
+  await effect.proved();
+  await open();
+  await looksRight(page);
+  const [blank, part] = [await save(words.body.blank, "STL"), await save(words.body.part, "STL")];
+  expect([blank.name, part.name]).toEqual(["SHOULDER812_blank.stl", "SHOULDER812_part.stl"]);
+  const [whole, finished] = [measured(blank.bytes), measured(part.bytes)];
+  expect(whole.volume / (Math.PI * 37.5 ** 2 * 100)).toBeCloseTo(1, 2);
+  expect(whole.right - whole.left).toBeCloseTo(100, 3);
+  expect(finished.volume).toBeLessThan(0.8 * whole.volume);
+  await expect(dialog.getByRole("status")).toContainText("SHOULDER812_part.stl");
+  // Nothing is cut yet: the stock of this moment is the blank. At the end it is the part.
+  const now = measured((await save(words.body.stock, "STL")).bytes);
+  expect(now.volume).toBeCloseTo(whole.volume, 0);
+  await page.keyboard.press("Escape");
+  await lathe.button("last").click();
+  await open();
+  const end = measured((await save(words.body.stock, "STL")).bytes);
+  expect(end.volume / finished.volume).toBeCloseTo(1, 3);
+
+  const drawing = await save(words.contour, "DXF");
+  expect(drawing.name).toBe("SHOULDER812.dxf");
+  const entities = (new DxfParser().parseSync(drawing.bytes.toString()) as ParsedDxf).entities ?? [];
+  expect(entities.some((e) => (e as { type: string }).type === "ARC")).toBe(true);
+  const read = readDxf({ entities }, dxfDefaults);
+  expect(read.issues.filter((i) => i.severity === "error")).toEqual([]);
+  expect(read.rows.at(-1)?.x).toBe("75");
+  await dialog.getByRole("radio", { name: words.diameter, exact: true }).check();
+  const across = new DxfParser().parseSync((await save(words.contour, "DXF")).bytes.toString()) as ParsedDxf;
+  expect(readDxf(across, { ...dxfDefaults, diameters: true }).rows.at(-1)?.x).toBe("75");
+  const svg = (await save(words.contour, "SVG")).bytes.toString();
+  expect(svg).toMatch(/^<svg [^>]*width="[\d.]+mm"/);
+  expect(svg).toMatch(/ d="M[^"]*A/);
+  await page.keyboard.press("Escape");
+
+  await page.getByRole("link", { name: t.page.home }).click();
+  await turnwise.editor.openExample("flange");
+  await open();
+  await dialog.getByRole("combobox", { name: words.which, exact: true }).selectOption("1");
+  expect((await save(words.contour, "DXF")).name).toBe("FLANGE.dxf");
+  expect(measured((await save(words.body.part, "STL")).bytes).volume).toBeGreaterThan(10_000);
+  for (const [width, height] of [[390, 844], [768, 1024]] as const) {
+    await page.setViewportSize({ width, height });
+    await looksRight(page);
+  }
+});
