@@ -151,9 +151,10 @@ export function createShow(stage: Stage, eye: Eye, clock: Clock): Show {
       work = next;
       [drawnRings, drawnKey] = [[], ""];
       const chuck = chuckParts(next.blank, next.steps, next.contours);
-      stage.setChuck(chuck);
+      stage.setChuck(chuck?.parts ?? []);
       box = joined(boundsOf(next.blank.flat()), boundsOf(next.contours.flat().flatMap((s) => [s.from, s.to])));
-      if (box) eye.setBounds({ ...box, left: box.left - GRIP * (box.right - box.left) });
+      const seen = joined(box, chuck?.seen ?? null);
+      if (seen) eye.setBounds(seen);
       heard = next.moving ? [next.moving.playback.subscribe(changeWork)] : [];
       changeWork();
     },
@@ -180,6 +181,3 @@ export function createShow(stage: Stage, eye: Eye, clock: Clock): Show {
     },
   };
 }
-
-/** So much of the chuck is framed with the work, as a part of its length. */
-const GRIP = 0.12;

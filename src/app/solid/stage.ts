@@ -44,7 +44,7 @@ export interface Stage {
 /** Pixels between two lines of a hatch. */
 const HATCH = 8;
 /** One light from over the operator's left shoulder, and what comes from all sides: together a face square to it has its colour. */
-const LIGHT = { key: 0.62 * Math.PI, around: 0.5 * Math.PI } as const;
+const LIGHT = { key: 0.75 * Math.PI, around: 0.5 * Math.PI } as const;
 
 function geometryOf({ positions, normals, index }: Mesh): BufferGeometry {
   const geometry = new BufferGeometry();

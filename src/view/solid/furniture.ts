@@ -7,7 +7,8 @@ import { boxAround, boxOf } from "../../kernel/box.ts";
 import type { Step } from "../../kernel/step.ts";
 import type { Tool } from "../../kernel/tool.ts";
 import { boundsOf, joined } from "../bounds.ts";
-import { chuckRings } from "../chuck.ts";
+import type { Bounds } from "../camera.ts";
+import { chuckDrawing } from "../material/chuck.ts";
 import { extruded, plateEdges } from "./extrude.ts";
 import type { Mesh } from "./mesh.ts";
 import { chordsFor, revolved, wholeMesh } from "./revolve.ts";
@@ -45,27 +46,36 @@ const turnedMesh = ({ positions, normals, index }: Mesh, angle: number): Mesh =>
 
 /** Where the three jaws stand, from X up over the operator: none in the quarter that may be cut away. Radians. */
 const JAWS = [-15, 105, 225].map((degrees) => (degrees * Math.PI) / 180);
-/** Width of a jaw as a part of the size of the work. */
-const JAW = 0.42;
+/** How much of the body of a chuck is shown, in its radii, and the width of a base jaw in that of its jaw. */
+const SHOWN = 0.4;
+const BASE = 0.76;
 
-/** The chuck in which a blank is held, with three jaws. Nothing where there is no blank. */
-export function chuckParts(blank: readonly Ring[], steps: readonly Step[], contours: readonly (readonly Segment[])[]): DrawnPart[] {
+/** The chuck in which a blank is held, with three jaws, and what of it and the blank should be seen; null where there is no blank. */
+export function chuckParts(blank: readonly Ring[], steps: readonly Step[], contours: readonly (readonly Segment[])[]): {
+  readonly parts: readonly DrawnPart[];
+  readonly seen: Bounds;
+} | null {
   const material = boundsOf(blank.flat());
-  if (!material) return [];
+  if (!material) return null;
   const tips = boundsOf(steps.flatMap(({ from, move }) => [from, move.to]));
-  const outline = contours.flat().map(part.boxOf).reduce((box: typeof tips, each) => joined(box, each), null);
-  const { body, jaw } = chuckRings(material, joined(tips, outline)),
-    solid = revolved([body], { chords: chordsFor(boxOf(body).high), quarterCut: false });
-  const half = (JAW * material.high) / 2, plate = extruded(jaw, -half, half), edges = jawEdges(jaw, half);
-  return [
-    { role: "chuck", mesh: wholeMesh(solid), edges: solid.edges },
-    ...JAWS.map((angle): DrawnPart => ({
-      role: "jaw",
-      mesh: turnedMesh(plate, angle),
-      edges: turnedRound(edges, angle),
-    })),
-  ];
+  const outline = contours.flat().map(part.boxOf).reduce((box: Bounds | null, each) => joined(box, each), null);
+  const { body, jaw, base, seen } = chuckDrawing(material, joined(tips, outline));
+  const { face, radius, chamfer } = body, back = face - SHOWN * radius;
+  const shell = [at(back, 0), at(face, 0), at(face, radius - chamfer), at(face - chamfer, radius), at(back, radius)];
+  const solid = revolved([shell], { chords: chordsFor(radius), quarterCut: false });
+  const half = halfJaw(material);
+  const plates = ([[jaw, half], [base, BASE * half]] as const).map(([corners, side]) => {
+    const ring = corners.map(([z, r]) => at(z, r));
+    return { mesh: extruded(ring, -side, side), edges: jawEdges(ring, side) };
+  });
+  const jaws = JAWS.flatMap((angle) =>
+    plates.map(({ mesh, edges }): DrawnPart => ({ role: "jaw", mesh: turnedMesh(mesh, angle), edges: turnedRound(edges, angle) }))
+  );
+  return { parts: [{ role: "chuck", mesh: wholeMesh(solid), edges: solid.edges }, ...jaws], seen: joined(material, seen) ?? material };
 }
+
+/** Half the width of a jaw, mm, as in the drawing of the chuck. */
+const halfJaw = ({ high }: Bounds) => Math.min(60, Math.max(8, high * 0.42)) / 2;
 
 /** All edges of a plate with straight sides. */
 function jawEdges(outline: Ring, half: number): Float32Array {
