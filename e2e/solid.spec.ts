@@ -3,10 +3,9 @@ import { looksRight } from "./pages/look.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-test("the turned body in space: turned by keys and hand, cut open, at any moment; the section where the graphics card is gone", async ({ page }) => {
+test("the turned body in space: turned, cut open, at any moment; the section where the graphics card is gone", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
-  const { effect, lathe, start, t } = turnwise;
-  const views = lathe.view.getByRole("combobox", { name: t.lathe.sections.title, exact: true });
+  const { effect, lathe, start } = turnwise;
   const field = lathe.view.getByRole("group", { name: words.title, exact: true }), picture = field.getByRole("img");
   const seen = async () => (await picture.screenshot()).toString("base64");
   /** What is seen once it is another picture than before. */
@@ -17,7 +16,7 @@ test("the turned body in space: turned by keys and hand, cut open, at any moment
   };
   await start.beginWithExample(812);
   await effect.proved();
-  await views.selectOption("solid");
+  await lathe.section.selectOption("solid");
   await expect(picture).toHaveAccessibleName(/quarter cut away/);
   await expect(lathe.view.locator(".lathe-picture")).toHaveCount(0);
   await looksRight(page);
@@ -68,12 +67,12 @@ test("the turned body in space: turned by keys and hand, cut open, at any moment
   await expect(lathe.view.getByText(words.lost)).toHaveCount(0);
   await expect(lathe.view.locator(".lathe-picture")).toHaveCount(0);
   await changed("");
-  await views.selectOption("half");
+  await lathe.section.selectOption("half");
   await expect(field).toHaveCount(0);
   await expect(lathe.view.locator(".lathe-picture")).toBeVisible();
 
   // No WebGL at all, until there is: the choice is kept, the section is shown and says why.
-  await views.selectOption("solid");
+  await lathe.section.selectOption("solid");
   await page.addInitScript(() => {
     const before = HTMLCanvasElement.prototype.getContext;
     let refused = 0;

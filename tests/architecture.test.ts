@@ -234,7 +234,15 @@ test("no exported name means two things", () => {
 
 describe("packages", () => {
   /** Needed by name or by another package; nothing imports them. */
-  const unimported = new Set(["@types/node", "@types/react", "@types/react-dom", "@testing-library/dom", "jsdom", "typescript"]);
+  const unimported = new Set([
+    "@types/node",
+    "@types/react",
+    "@types/react-dom",
+    "@types/three",
+    "@testing-library/dom",
+    "jsdom",
+    "typescript",
+  ]);
   const read = (path: string) => readFileSync(projectPath(path), "utf8");
   const manifest = JSON.parse(read("package.json")) as Record<"dependencies" | "devDependencies", Record<string, string>>;
   const files = ["src", "tests", "scripts", "e2e"].flatMap((folder) =>

@@ -18,34 +18,34 @@ export function ViewBar({ viewport, measuring, onWhich, children }: {
   readonly children: React.ReactNode;
 }) {
   const t = useTexts().lathe, section = useSettings((s) => s.section), down = useSettings((s) => s.xDown);
-  const paths = useSettings((s) => s.paths), colours = useSettings((s) => s.colours);
+  const paths = useSettings((s) => s.paths), colours = useSettings((s) => s.colours), solid = useSettings((s) => s.solid);
   return (
     <Toolbar className="lathe-viewbar" aria-label={t.viewTools}>
       <label className="lathe-section">
         <span className="unseen">{t.sections.title}</span>
-        <select className="select" title={t.sections.title} value={section}
-          onChange={(event) => changeSettings({ section: SECTION_VIEWS.find((each) => each === event.target.value) ?? "half" })}
+        <select className="select" title={t.sections.title} value={solid ? "solid" : section} onChange={({ target: { value } }) =>
+          changeSettings({ solid: value === "solid", section: SECTION_VIEWS.find((each) => each === value) ?? section })}
         >
-          {SECTION_VIEWS.map((each) => <option key={each} value={each}>{t.sections[each]}</option>)}
+          {[...SECTION_VIEWS, "solid" as const].map((each) => <option key={each} value={each}>{t.sections[each]}</option>)}
         </select>
       </label>
-      <GlyphButton glyph={down ? "xDown" : "xUp"} name={t.xDown} text={t.xDown} pressed={down}
-        onPress={() => changeSettings({ xDown: !down })} />
+      <GlyphButton glyph={down ? "xDown" : "xUp"} name={t.xDown} text={t.xDown} pressed={down} onPress={() =>
+        changeSettings({ xDown: !down })} />
       <GlyphButton glyph="ruler" name={t.ruler} text={t.ruler} pressed={measuring.on} onPress={measuring.toggle} />
       <GlyphButton glyph="which" name={t.which} disabled={onWhich === null} onPress={() => onWhich?.()} />
       <div className="lathe-which">
         <label className="lathe-which-paths">
           <span className="unseen">{t.paths.title}</span>
-          <select className="select" title={t.paths.title} value={paths}
-            onChange={(event) => changeSettings({ paths: SHOWN_PATHS.find((each) => each === event.target.value) ?? "all" })}
+          <select className="select" title={t.paths.title} value={paths} onChange={(event) =>
+            changeSettings({ paths: SHOWN_PATHS.find((each) => each === event.target.value) ?? "all" })}
           >
             {SHOWN_PATHS.map((each) => <option key={each} value={each}>{t.paths[each]}</option>)}
           </select>
         </label>
         <label className="lathe-which-paths">
           <span className="unseen">{t.colours.title}</span>
-          <select className="select" title={t.colours.title} value={colours}
-            onChange={(event) => changeSettings({ colours: SHOWN_COLOURS.find((each) => each === event.target.value) ?? "none" })}
+          <select className="select" title={t.colours.title} value={colours} onChange={(event) =>
+            changeSettings({ colours: SHOWN_COLOURS.find((each) => each === event.target.value) ?? "none" })}
           >
             {SHOWN_COLOURS.map((each) => <option key={each} value={each}>{t.colours[each]}</option>)}
           </select>

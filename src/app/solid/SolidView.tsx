@@ -11,7 +11,7 @@ import { changeSettings, useSettings } from "../settings/settings.ts";
 import { createEye, type Eye } from "./eye.ts";
 import { listenToHands } from "./hands.ts";
 import { createShow, type Show, type ShownWork } from "./show.ts";
-import { createStage, STAGE_COLOURS, type Stage } from "./stage.ts";
+import { createStage, STAGE_COLOURS, type SolidStage } from "./stage.ts";
 import "./solid.css";
 
 const { useThem: useSolidTexts } = laterTexts(loadSolid);
@@ -37,12 +37,12 @@ export function SolidView(props: Props) {
 type Trouble = "missing" | "lost" | null;
 
 interface Running {
-  readonly stage: Stage;
+  readonly stage: SolidStage;
   readonly eye: Eye;
   readonly show: Show;
 }
 
-/** Stage, eye and show on a canvas for as long as it is there. */
+/** SolidStage, eye and show on a canvas for as long as it is there. */
 function useRunning(clock: Clock, setTrouble: (trouble: Trouble) => void) {
   const field = useRef<HTMLDivElement>(null), canvas = useRef<HTMLCanvasElement>(null);
   const [running, run] = useState<Running | null>(null);

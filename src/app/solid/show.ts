@@ -11,7 +11,7 @@ import { tipAt } from "../../view/tip.ts";
 import { stopwatch, type Clock } from "../clock.ts";
 import { stepIndex, type Moving, type Waiting } from "../lathe/moving.ts";
 import type { Eye } from "./eye.ts";
-import type { Stage } from "./stage.ts";
+import type { SolidStage } from "./stage.ts";
 
 /** What is to be seen. */
 export interface ShownWork {
@@ -48,7 +48,7 @@ const REST = 160;
 
 const nothingMoves = (): readonly Ring[] => [];
 
-export function createShow(stage: Stage, eye: Eye, clock: Clock): Show {
+export function createShow(stage: SolidStage, eye: Eye, clock: Clock): Show {
   let work: ShownWork | null = null;
   let quarterCut = true;
   let box: Bounds | null = null;

@@ -24,7 +24,7 @@ export const STAGE_COLOURS = {
 } as const;
 
 /** Bodies, light and eye on a canvas. Nothing is drawn but by `draw`. */
-export interface Stage {
+export interface SolidStage {
   /** The canvas, and how much of it lies below the picture, pixels of the page. */
   readonly setSize: (size: Size, below: number, ratio: number) => void;
   readonly setColours: (colours: Readonly<Record<keyof typeof STAGE_COLOURS, string>>) => void;
@@ -68,7 +68,7 @@ function clear(group: Group): void {
 }
 
 /** A stage on a canvas; null where the browser has no WebGL to give. */
-export function createStage(canvas: HTMLCanvasElement): Stage | null {
+export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
   const context = canvas.getContext("webgl2", { alpha: true, antialias: true });
   if (!context) return null;
   const renderer = new WebGLRenderer({ canvas, context, alpha: true, antialias: true });

@@ -24,7 +24,7 @@ export const lathe = {
 
   viewTools: "Ansicht",
   section: "Schnitt",
-  sections: { title: "Ansicht", half: "Halbschnitt", full: "Vollschnitt", outside: "Außenansicht" },
+  sections: { title: "Ansicht", half: "Halbschnitt", full: "Vollschnitt", outside: "Außenansicht", solid: "3D" },
   xUp: "X nach oben",
   xDown: "X nach unten",
   zoomIn: "Vergrößern",

@@ -25,7 +25,7 @@ export const lathe = {
   /* the view */
   viewTools: "View",
   section: "Section",
-  sections: { title: "View", half: "Half section", full: "Full section", outside: "Outside view" },
+  sections: { title: "View", half: "Half section", full: "Full section", outside: "Outside view", solid: "3D" },
   xUp: "X up",
   xDown: "X down",
   zoomIn: "Zoom in",

@@ -24,7 +24,7 @@ export const lathe = {
 
   viewTools: "Vue",
   section: "Coupe",
-  sections: { title: "Vue", half: "Demi-coupe", full: "Coupe complète", outside: "Vue extérieure" },
+  sections: { title: "Vue", half: "Demi-coupe", full: "Coupe complète", outside: "Vue extérieure", solid: "3D" },
   xUp: "X vers le haut",
   xDown: "X vers le bas",
   zoomIn: "Agrandir",

@@ -23,7 +23,7 @@ export const lathe = {
 
   viewTools: "视图",
   section: "剖视",
-  sections: { title: "视图", half: "半剖", full: "全剖", outside: "外形" },
+  sections: { title: "视图", half: "半剖", full: "全剖", outside: "外形", solid: "3D" },
   xUp: "X 向上",
   xDown: "X 向下",
   zoomIn: "放大",

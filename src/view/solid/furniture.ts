@@ -51,10 +51,11 @@ const SHOWN = 0.4;
 const BASE = 0.76;
 
 /** The chuck in which a blank is held, with three jaws, and what of it and the blank should be seen; null where there is no blank. */
-export function chuckParts(blank: readonly Ring[], steps: readonly Step[], contours: readonly (readonly Segment[])[]): {
-  readonly parts: readonly DrawnPart[];
-  readonly seen: Bounds;
-} | null {
+export function chuckParts(
+  blank: readonly Ring[],
+  steps: readonly Step[],
+  contours: readonly (readonly Segment[])[],
+): { readonly parts: readonly DrawnPart[]; readonly seen: Bounds } | null {
   const material = boundsOf(blank.flat());
   if (!material) return null;
   const tips = boundsOf(steps.flatMap(({ from, move }) => [from, move.to]));
