@@ -1,11 +1,11 @@
 import { useEffect, useMemo, useRef } from "react";
-import { holderOutlines } from "../../kernel/holder.ts";
 import { insertOutline } from "../../kernel/insert.ts";
 import type { Pt } from "../../kernel/point.ts";
 import { CHORD } from "../../kernel/tolerance.ts";
 import type { Tool } from "../../kernel/tool.ts";
-import { boundsOf, common, grownBounds, joined } from "../../view/bounds.ts";
+import { boundsOf, common, grownBounds } from "../../view/bounds.ts";
 import { toScreen, type Bounds } from "../../view/camera.ts";
+import { toolBox } from "../../view/cutting-tool/drawing.ts";
 import { tipAt } from "../../view/tip.ts";
 import { BreakLine } from "./BreakLine.tsx";
 import { DrawnTool } from "./DrawnTool.tsx";
@@ -21,7 +21,7 @@ const PICTURES = 1.5;
 /** The box of an insert and the one of the whole tool. */
 function boxesOf(tool: Tool): { readonly insert: Bounds; readonly all: Bounds } {
   const insert = boundsOf(insertOutline(tool, CHORD)) ?? { left: -1, right: 1, low: -1, high: 1 };
-  return { insert, all: joined(insert, boundsOf(holderOutlines(tool).flat())) ?? insert };
+  return { insert, all: toolBox(tool) ?? insert };
 }
 
 /**
