@@ -44,6 +44,10 @@ async function openWork({ page, turnwise }: Bench, work: MeasuredWork): Promise<
   await page.waitForTimeout(1500);
 }
 
+/** What is being measured, and what came of it: a long run that ends early has said so much. */
+const begin = (what: string) => void process.stderr.write(what);
+const say = (result: string) => void process.stderr.write(`${result}\n`);
+
 async function measureScreen(browser: Browser, address: string, screen: Screen, options: BenchOptions): Promise<ScreenResults> {
   const frames: Record<string, FrameResult> = {}, keys: Record<string, KeyResult> = {};
   let box: FrameResult | null = null;
@@ -55,19 +59,25 @@ async function measureScreen(browser: Browser, address: string, screen: Screen, 
       await bench.slow();
       box ??= await measureBox(bench, options);
       for (const name of counted) {
-        console.error(`${screen.name}: ${work.name} ${name} …`);
+        begin(`${screen.name}: ${work.name} ${name} … `);
         const rate = RATES[name];
         const how = name === "pan" ? "pan" : "zoom";
         const made = rate ? measurePlaying(bench, work, rate, options) : measureLooking(bench, work, how, options);
-        frames[`${work.name} ${name}`] = await made;
+        const { share, perSecond, empty, worst, long } = frames[`${work.name} ${name}`] = await made;
+        say(
+          `${Math.round(share * 100)} % (${perSecond.toFixed(1)} of ${empty.toFixed(1)} a second, worst ${
+            worst.toFixed(0)
+          } ms, ${long} long tasks)`,
+        );
       }
       await bench.context.close();
     }
     if (options.cases.includes("key")) {
-      console.error(`${screen.name}: ${work.name} key …`);
+      begin(`${screen.name}: ${work.name} key … `);
       const bench = await openBench(browser, address, screen, true);
       await openWork(bench, work);
-      keys[work.name] = await measureKeys(bench, work, options);
+      const { path, picture } = keys[work.name] = await measureKeys(bench, work, options);
+      say(`path ${path.median.toFixed(0)} ms, stock ${picture.median.toFixed(0)} ms`);
       await bench.context.close();
     }
   }
