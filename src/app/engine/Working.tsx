@@ -6,13 +6,16 @@ import "./working.css";
 
 /** What is done sooner than this is not worth a word, ms. */
 const SOON = 700;
+/** Over a path that is there already, whose proof says itself that it is at work, ms. */
+const LATE = 4000;
 
 /** Over the picture: what a long calculation is at, and a way to stop it. */
 export function Working() {
   const { lathe: t } = useTexts();
   const stage = useOutcome((s) => s.stage);
+  const planned = useOutcome((s) => s.planned !== null);
   const stopped = useOutcome((s) => s.stopped);
-  const long = useLong(stage !== null, SOON);
+  const long = useLong(stage !== null, planned ? LATE : SOON);
   if (stage !== null && long)
     return (
       <div className="working panel" role="status">

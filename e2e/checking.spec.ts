@@ -1,0 +1,69 @@
+import type { Page } from "@playwright/test";
+import { expect, test } from "./pages/test.ts";
+import { Turnwise } from "./pages/turnwise.ts";
+
+/* The path is drawn by the page in the frame of the keystroke; the worker proves it, and until then that is said. */
+
+/** From the next page on nothing reaches the worker while `hold` says so, and everything when it no longer does. */
+async function holdable(page: Page): Promise<(hold: boolean) => Promise<void>> {
+  await page.addInitScript(() => {
+    const send: (this: Worker, ...sent: Parameters<Worker["postMessage"]>) => void = Worker.prototype.postMessage;
+    const waiting: (() => void)[] = [];
+    let held = false;
+    Worker.prototype.postMessage = function(this: Worker, ...sent: unknown[]) {
+      const go = () => send.apply(this, sent as Parameters<Worker["postMessage"]>);
+      if (held) waiting.push(go);
+      else go();
+    };
+    addEventListener("hold-worker", (event) => {
+      held = (event as CustomEvent<boolean>).detail;
+      if (!held) waiting.splice(0).forEach((go) => go());
+    });
+  });
+  return (hold) => page.evaluate((detail) => void dispatchEvent(new CustomEvent("hold-worker", { detail })), hold);
+}
+
+/** The page plans as soon as the part that does it is there. */
+const plans = (page: Page) =>
+  page.waitForFunction(() => performance.getEntriesByType("resource").some(({ name }) => /\/plan-[^/]+\.js$/.test(name)));
+
+test("a changed value moves the path at once, and what is not proved yet says that it is being checked", async ({ page }) => {
+  const hold = await holdable(page);
+  const turnwise = await Turnwise.open(page);
+  const { effect, dialog, lathe, t } = turnwise;
+  await turnwise.start.beginWithExample(812);
+  await effect.proved();
+  await plans(page);
+  await dialog.open("Q463");
+  await dialog.value.fill("2");
+  await effect.proved();
+  await expect(effect.strip).toHaveAttribute("aria-busy", "false");
+  const mark = effect.strip.getByRole("img", { name: t.lathe.checking });
+  await expect(mark).toHaveCount(0);
+  const drawn = () => lathe.picture.locator(".lathe-paths path").evaluateAll((all) => all.map((path) => path.getAttribute("d")).join());
+  const box = await effect.strip.boundingBox();
+  let [passes, infeed]: readonly [string | null, number] = [null, 2.1];
+
+  // A machine that does many other things takes longer for a plan now and then than the page waits for: it is tried again.
+  await expect(async () => {
+    await hold(false);
+    infeed -= 0.1;
+    await dialog.value.fill(infeed.toFixed(1));
+    await expect(effect.strip).toHaveAttribute("aria-busy", "false");
+    passes = await effect.cell("passes").textContent();
+    const path = await drawn();
+    await hold(true);
+    await dialog.value.fill("0.7");
+    await expect.poll(drawn, { timeout: 2000 }).not.toBe(path);
+  }).toPass();
+  await expect(effect.cell("passes")).not.toHaveText(passes ?? "");
+  await expect(effect.strip).toHaveAttribute("aria-busy", "true");
+  await expect(mark).toBeVisible();
+  await effect.proved();
+  expect(await effect.strip.boundingBox()).toEqual(box);
+
+  await hold(false);
+  await expect(effect.strip).toHaveAttribute("aria-busy", "false");
+  await expect(mark).toHaveCount(0);
+  await effect.proved();
+});
