@@ -9,19 +9,18 @@ export function MilledLegend({ milled }: { readonly milled: GrowingStock | NoSto
   const t = useTexts().approach.milled, language = useSettings((s) => s.language);
   if (milled === "noBlank") return <p className="milled-legend small soft">{t.noBlank}</p>;
   if (milled === "tooLong") return <p className="milled-legend small soft">{t.tooLong(formatNumber(language, MOST_MILLED))}</p>;
-  const { depths, isStepped } = milled.stock;
-  if (depths.length === 0) return null;
+  const { depths, limits, isStepped } = milled.stock, lowest = depths.at(-1);
+  if (lowest === undefined) return null;
+  const row = (tone: number, text: string) => (
+    <li key={tone}>
+      <span className="milled-tone" style={{ background: `var(${toneName(tone, limits.length - 1)})` }} />
+      <span className="number">{text}</span>
+    </li>
+  );
   return (
     <ul className="milled-legend small" aria-label={t.title}>
-      {depths.map((depth, i) => {
-        const z = formatSigned(language, depth);
-        return (
-          <li key={depth}>
-            <span className="milled-tone" style={{ background: `var(${toneName(i, depths.length)})` }} />
-            <span className="number">{isStepped && i === depths.length - 1 ? t.deeper(z) : t.depth(z)}</span>
-          </li>
-        );
-      })}
+      {depths.map((depth, i) => row(i, t.depth(formatSigned(language, depth))))}
+      {isStepped && row(depths.length, t.lower(formatSigned(language, lowest)))}
     </ul>
   );
 }

@@ -27,8 +27,8 @@ export function MilledSheet({ viewport, steps, playback, milled: { stock, subscr
   useEffect(() => {
     const element = canvas.current, pen = element?.getContext("2d");
     if (!element || !pen) return undefined;
-    const colours = pageColours(COLOURS), depths = stock.depths.length;
-    const all = Array.from({ length: Math.max(1, depths) }, (_, i) => toneName(i, depths));
+    const colours = pageColours(COLOURS), depths = stock.limits.length - 1;
+    const all = Array.from({ length: depths }, (_, i) => toneName(i, depths));
     const named = pageColours(Object.fromEntries(all.map((name) => [name, name])));
     const tones = all.map((name) => named[name] ?? "");
     let at: PlayPosition = { step: 0, fraction: 0 }, moment = stock.at(at), reached = 0;

@@ -1,6 +1,7 @@
 import { useEffect, useId, useMemo, useState } from "react";
 import { Toolbar } from "react-aria-components/Toolbar";
 import { planeScene, PLANE_ROLES } from "../../view/approach/plane-scene.ts";
+import { joined } from "../../view/bounds.ts";
 import { trackOf } from "../../view/playback.ts";
 import type { Clock } from "../clock.ts";
 import type { MovePointed } from "../lathe/LatheView.tsx";
@@ -75,7 +76,8 @@ export function PlaneView({ result, dimmed, playback, clock, onMove }: {
   }), [run, steps]);
   const speech = useMemo(() => approachSpeech(language, "XY", NO_TIP), [language]);
   const { hover, over, tap } = usePlanePicking({ run, leads: approaches, viewport, onMove });
-  const measuring = useMeasuring(), source = usePlaneSource(run);
+  const measuring = useMeasuring();
+  const source = usePlaneSource(run, typeof milled === "string" ? null : milled.stock, playback);
   const stage = useStage(viewport, measuring.on ? measuring : { tap, hover: over, drag: null });
   const toggle = () => {
     measuring.toggle();
@@ -84,7 +86,8 @@ export function PlaneView({ result, dimmed, playback, clock, onMove }: {
 
   useEffect(() => playback.dispatch({ do: "load", track: trackOf(steps) }), [steps, playback]);
   useEffect(() => playback.setStill(reducedMotion({ motion })), [motion, playback]);
-  useEffect(() => viewport.setBounds(scene.bounds), [scene, viewport]);
+  const blank = typeof milled === "string" ? null : milled.blank;
+  useEffect(() => viewport.setBounds(joined(scene.bounds, blank) ?? scene.bounds), [scene, blank, viewport]);
 
   const resting = usePlayback(playback, (s) => (s.get().playing ? -1 : s.get().position.step));
   /** Enter in the picture chooses the motion that runs, and its dialog takes the keyboard. */
@@ -147,8 +150,8 @@ export function PlaneView({ result, dimmed, playback, clock, onMove }: {
           <PlaceLines viewport={viewport} places={places} />
         </PlanePicture>
         <PlaceButtons viewport={viewport} places={places} chosen={chosen} choose={choose} />
-        <Measurements viewport={viewport} measuring={measuring} source={source} />
         <MilledLegend milled={milled} />
+        <Measurements viewport={viewport} measuring={measuring} source={source} />
         {dimmed && <Outdated />}
         <p id={`${id}keys`} className="unseen">{t.keys}</p>
       </div>

@@ -2,12 +2,16 @@ import { useEffect, useMemo, useState } from "react";
 import type { Run } from "../../program/run-types.ts";
 import { milledStock, type MilledInput, type MilledStock, type RapidThrough } from "../../sim/plane/milled.ts";
 import { playerOf } from "../../sim/stock.ts";
+import { boundsOf, grownBounds } from "../../view/bounds.ts";
+import type { Bounds } from "../../view/camera.ts";
 import { stopwatch } from "../clock.ts";
 import type { LatheResult } from "../lathe/use-material.ts";
 
 /** Milled stock that is cut bit by bit while the page rests between two pictures. */
 export interface GrowingStock {
   readonly stock: MilledStock;
+  /** The box round the blank, with a little air. */
+  readonly blank: Bounds | null;
   /** Calls when more of it is cut; returns what ends it. */
   readonly subscribe: (listener: () => void) => () => void;
 }
@@ -20,6 +24,9 @@ export const MOST_MILLED = 30_000;
 
 /** How long is cut between two pictures, and rested then, ms; and motions between two looks at the watch. */
 const SLICE = { cuts: 6, rests: 4, motions: 2 } as const;
+
+/** Air round the blank, mm per mm of it. */
+const AIR = 0.03;
 
 /** The blank as turning leaves it before each milled stretch; the box of BLK FORM is milled as the box that it is. */
 function bodiesOf({ plane, steps, blank, cuboid }: Run, simulation: LatheResult["simulation"]): MilledInput["bodies"] {
@@ -67,6 +74,8 @@ export function useMilledStock(result: LatheResult): { readonly milled: GrowingS
       made.listeners.add(listener);
       return () => void made.listeners.delete(listener);
     };
-    return { milled: { stock: made.stock, subscribe }, rapids: done === made.stock ? made.stock.rapids() : NO_RAPIDS };
+    const box = boundsOf(made.stock.at({ step: 0, fraction: 0 }).standing.flat(2)),
+      blank = box && grownBounds(box, AIR * (box.right - box.left));
+    return { milled: { stock: made.stock, blank, subscribe }, rapids: done === made.stock ? made.stock.rapids() : NO_RAPIDS };
   }, [made, done]);
 }

@@ -1,5 +1,7 @@
 import { useEffect, type ReactNode } from "react";
 import { formatFixed } from "../../i18n/number.ts";
+import type { Program } from "../../nc/program.ts";
+import { operationsOf } from "../../program/operations.ts";
 import { compareFromHere, followComparing } from "../effect/before.ts";
 import type { ComparedNumber } from "../effect/changes.ts";
 import { effectNow } from "../effect/effect.ts";
@@ -13,6 +15,12 @@ import { VerdictText } from "../findings/VerdictText.tsx";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { useSession } from "./session.ts";
+
+/** How many tool calls of a text change the tool. */
+function toolCalls({ blocks }: Program): number {
+  const called = blocks.flatMap(({ statement: s }) => (s.kind === "toolCall" && s.tool !== null ? [JSON.stringify(s.tool)] : []));
+  return called.filter((tool, i) => tool !== called[i - 1]).length;
+}
 
 /** What the whole program does: operations, passes, tool changes, time, what stays, and the proof. */
 export function TotalsStrip() {
@@ -29,7 +37,13 @@ export function TotalsStrip() {
     value: number | null | undefined,
     decimals: number,
   ) => (value === undefined || value === null ? words.unknown : formatFixed(language, value, decimals));
-  const tools = shown?.run.steps.reduce((n, step, i, all) => (step.tool.T === all[i - 1]?.tool.T ? n : n + 1), 0);
+  const program = useSession((s) => s.reading.program), run = shown?.run;
+  // Milled motions know no tool: what is called is counted in the text then.
+  const tools = run
+    && (run.plane.length > 0
+      ? toolCalls(program)
+      : run.steps.reduce((n, step, i, all) => (step.tool.T === all[i - 1]?.tool.T ? n : n + 1), 0));
+  const operations = run && (run.operations.length || operationsOf(program).units.length);
   useEffect(() => {
     const stop = followComparing();
     // Another block is another dialog, where the same prompt may be open.
@@ -55,7 +69,7 @@ export function TotalsStrip() {
   return (
     <section className="effect" aria-label={t.editor.total} aria-busy={checking.now} data-checking={checking.seen}>
       <dl className={dimmed ? "dimmed" : ""}>
-        {cell(t.editor.operations, number(shown?.run.operations.length, 0))}
+        {cell(t.editor.operations, number(operations, 0))}
         {cell(t.editor.toolChanges, number(tools, 0))}
         {cell(words.passes, number(effect?.passes, 0), "", "passes")}
         {cell(words.time, effect ? words.duration(Math.floor(seconds / 60), formatFixed(language, seconds % 60, 0)) : words.unknown, "",

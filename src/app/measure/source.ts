@@ -1,12 +1,13 @@
 import { useMemo } from "react";
-import type { Cuboid } from "../../kernel/box.ts";
 import type { MeasuredMoment } from "../../kernel/measured.ts";
 import { partPoint, partSegment } from "../../kernel/plane.ts";
-import { at, type Pt, type Ring } from "../../kernel/point.ts";
+import type { Pt, Ring } from "../../kernel/point.ts";
 import type { Run } from "../../program/run-types.ts";
+import { standingAbove } from "../../sim/plane/body.ts";
+import { areasAt, type MilledStock } from "../../sim/plane/milled.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import type { Chain } from "../../view/measure/edges.ts";
-import { printsOf } from "../../view/measure/print.ts";
+import { printsOf, printsOfMilled } from "../../view/measure/print.ts";
 import type { MeasuredWork } from "../../view/measure/reading.ts";
 import type { PlaybackStore } from "../lathe/playback-store.ts";
 
@@ -31,8 +32,8 @@ export interface MeasureSource {
 /** What a run has to measure in one of its planes, without the stock of a moment. */
 export type MeasurableRun = Pick<MeasureSource, "plane" | "contours" | "blank" | "path" | "printOf">;
 
-/** The outline of a box, seen from above. */
-const groundOf = ({ left, right, low, high }: Cuboid): Ring => [at(left, low), at(right, low), at(right, high), at(left, high)];
+/** The outline of the blank, seen from above. */
+const groundOf = ({ cuboid, blank }: Run): readonly Ring[] => standingAbove({ block: cuboid, turned: cuboid ? null : blank }, -Infinity);
 
 /** The lathe's half plane of a run, or what it mills: contours of approaches, and the ends of its motions. */
 export const measurableRun = (run: Run, plane: MeasureSource["plane"]): MeasurableRun =>
@@ -47,9 +48,9 @@ export const measurableRun = (run: Run, plane: MeasureSource["plane"]): Measurab
     : {
       plane,
       contours: run.approaches.filter((each) => each.plane === "XY").map(({ contour }) => contour.map(partSegment)),
-      blank: run.cuboid ? [groundOf(run.cuboid)] : [],
+      blank: groundOf(run),
       path: () => run.plane.map(({ to }) => partPoint(to)),
-      printOf: () => null,
+      printOf: printsOfMilled([...run.blank, ...groundOf(run)], run.plane),
     };
 
 /** What the lathe has to measure. */
@@ -72,7 +73,15 @@ export function useLatheSource({ run, stockAt, playback }: {
   }), [run, stockAt, playback]);
 }
 
-/** What the working plane of milling has to measure: contours, the outline of the blank, ends of motions. */
-export function usePlaneSource(run: Run): MeasureSource {
-  return useMemo(() => ({ ...measurableRun(run, "XY"), moment: () => null, stock: () => [] }), [run]);
+/** What the working plane of milling has to measure: contours, the outline of the blank, milled edges, ends of motions. */
+export function usePlaneSource(run: Run, stock: MilledStock | null, playback: PlaybackStore): MeasureSource {
+  return useMemo(() => ({
+    ...measurableRun(run, "XY"),
+    moment() {
+      const { position: { step, fraction }, playing } = playback.get(), running = run.plane[step];
+      if (playing || !stock || stock.reached() < step) return null;
+      return running ? { step, fraction, block: running.block } : { step: run.plane.length, fraction: 0 };
+    },
+    stock: () => (stock ? areasAt(stock.at(playback.get().position)).flat() : []),
+  }), [run, stock, playback]);
 }

@@ -78,6 +78,7 @@ export function operationRows(
     const worst = (["error", "warning", "info"] as const).find((each) => here.includes(each));
     const did = added(own.definitions.map((index) => done?.get(lines[index] ?? 0)));
     const seconds = outcome && file === null ? secondsIn(outcome, from, to) : 0;
+    const isMilled = file === null && outcome?.run.plane.some(({ index }) => index >= from && index < to);
     return {
       unit,
       title: own.title,
@@ -86,7 +87,8 @@ export function operationRows(
         return s?.kind === "cycle" || s?.kind === "cycleLine" ? [s.cycle] : [];
       }),
       tool,
-      known: tools.find(({ T, NAME }) => String(T) === tool || NAME === tool) ?? null,
+      // The number of a mill may be that of a turning tool, which it is not.
+      known: isMilled ? null : (tools.find(({ T, NAME }) => String(T) === tool || NAME === tool) ?? null),
       inherits: own.inherits,
       isOff: isOff(program, own),
       tie: own.tie,

@@ -87,9 +87,9 @@ export const approach = {
   milled: {
     title: "Gefräst bis Z",
     depth: (z) => `bis Z ${z}`,
-    deeper: (z) => `Z ${z} und tiefer`,
+    lower: (z) => `unter Z ${z}`,
     drawn: "Gefrästes Material ist gezeichnet, nicht geprüft: ein flacher Fräser von oben, mit dem Radius seiner Tabelle.",
-    noBlank: "Kein Rohteil, das in dieser Ebene steht: Nur die Bahn ist gezeichnet.",
+    noBlank: "Kein Rohteil in dieser Ebene",
     tooLong: (most) => `Mehr als ${most} Bewegungen: Die Bahn ist ohne Material gezeichnet.`,
     noRadius: "Ein Werkzeug ohne Radius nimmt im Bild nichts weg.",
     rapid: (blocks) => `Eilgang durch stehendes Material: Satz ${blocks}`,

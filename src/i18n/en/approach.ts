@@ -97,9 +97,9 @@ export const approach = {
   milled: {
     title: "Milled to Z",
     depth: (z: string) => `to Z ${z}`,
-    deeper: (z: string) => `Z ${z} and lower`,
+    lower: (z: string) => `below Z ${z}`,
     drawn: "Milled stock is drawn, not proved: a flat tool seen from above, with the radius of its table.",
-    noBlank: "No blank that stands in this plane: the path is drawn alone.",
+    noBlank: "No blank in this plane",
     tooLong: (most: string) => `More than ${most} motions: the path is drawn without stock.`,
     noRadius: "A tool without a radius takes nothing in the picture.",
     rapid: (blocks: string) => `Rapid through standing material: block ${blocks}`,

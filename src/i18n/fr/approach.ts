@@ -96,9 +96,9 @@ export const approach = {
   milled: {
     title: "Fraisé jusqu’à Z",
     depth: (z) => `jusqu’à Z ${z}`,
-    deeper: (z) => `Z ${z} et plus bas`,
+    lower: (z) => `sous Z ${z}`,
     drawn: "La matière fraisée est dessinée, pas vérifiée : une fraise plate vue de dessus, avec le rayon de sa table.",
-    noBlank: "Pas de brut dans ce plan : seule la trajectoire est dessinée.",
+    noBlank: "Pas de brut dans ce plan",
     tooLong: (most) => `Plus de ${most} déplacements : la trajectoire est dessinée sans matière.`,
     noRadius: "Un outil sans rayon n’enlève rien dans l’image.",
     rapid: (blocks) => `Avance rapide dans la matière : séquence ${blocks}`,

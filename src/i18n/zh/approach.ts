@@ -57,9 +57,9 @@ export const approach = {
   milled: {
     title: "铣削至 Z",
     depth: (z) => `至 Z ${z}`,
-    deeper: (z) => `Z ${z} 及更低`,
+    lower: (z) => `低于 Z ${z}`,
     drawn: "铣削后的材料仅为绘制，未经验证：按刀具表半径的平底刀俯视。",
-    noBlank: "该平面内没有毛坯：只绘制路径。",
+    noBlank: "该平面内没有毛坯",
     tooLong: (most) => `超过 ${most} 个运动：只绘制路径，不绘制材料。`,
     noRadius: "没有半径的刀具在图中不切除材料。",
     rapid: (blocks) => `快速移动穿过材料：程序段 ${blocks}`,

@@ -4,6 +4,7 @@ import { intersection } from "../../kernel/clip.ts";
 import { partPoint, plane } from "../../kernel/plane.ts";
 import { at, type Ring } from "../../kernel/point.ts";
 import { SAME } from "../../kernel/tolerance.ts";
+import type { BodyHeights } from "./depths.ts";
 
 /**
  * What a mill cuts, seen from above. Areas of the plane are rings as everywhere (z of a point is X here, r is Y).
@@ -63,15 +64,12 @@ export function standingAbove({ block, turned }: MilledBody, height: number): Ri
   return rounds ? intersection(rounds, [side]) : [side];
 }
 
-/** True where a body does not reach up to its top everywhere. */
-export function isStepped(body: MilledBody): boolean {
-  const heights = heightsOf(body);
-  return heights !== null && areaOf(standingAbove(body, -Infinity)) > areaOf(standingAbove(body, heights.top - SAME)) + SAME;
-}
-
-/** Between which heights a body stands, mm; null where there is none. */
-export function heightsOf({ block, turned }: MilledBody): { readonly bottom: number; readonly top: number } | null {
-  const section = turned && turned.length > 0 ? boxAround(turned) : null;
-  if (!block) return section && { bottom: section.left, top: section.right };
-  return { bottom: Math.max(block.bottom, section?.left ?? -Infinity), top: Math.min(block.top, section?.right ?? Infinity) };
+/** Between which heights a body stands; null where there is none. */
+export function heightsOf(body: MilledBody): BodyHeights | null {
+  const { block, turned } = body, section = turned && turned.length > 0 ? boxAround(turned) : null;
+  if (!block && !section) return null;
+  const bottom = Math.max(block?.bottom ?? -Infinity, section?.left ?? -Infinity);
+  const top = Math.min(block?.top ?? Infinity, section?.right ?? Infinity);
+  const isStepped = areaOf(standingAbove(body, -Infinity)) > areaOf(standingAbove(body, top - SAME)) + SAME;
+  return top > bottom ? { bottom, top, isStepped } : null;
 }

@@ -2,23 +2,28 @@ import { spotOn, type MillMotion } from "../../kernel/mill-motion.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 
 /** More depths than an eye tells apart by their tone are put together. */
-export const MOST_DEPTHS = 5;
+const MOST_DEPTHS = 5;
+
+/** Between which heights a body stands, mm, and whether it reaches up to its top everywhere. */
+export interface BodyHeights {
+  readonly bottom: number;
+  readonly top: number;
+  readonly isStepped: boolean;
+}
 
 /**
  * The depths by which a milled body is told, mm, the shallowest first: those that its program goes to between top and bottom. Of more than
- * MOST_DEPTHS some of them, evenly; each stands for what is deeper than the one before it.
+ * MOST_DEPTHS some of them, evenly; each stands for what is deeper than the one before it. Of a stepped body one fewer: what is lower than
+ * all of them without being milled is told apart as well.
  */
-export function depthsOf(
-  motions: readonly MillMotion[],
-  { bottom, top }: { readonly bottom: number; readonly top: number },
-): readonly number[] {
+export function depthsOf(motions: readonly MillMotion[], { bottom, top, isStepped }: BodyHeights): readonly number[] {
   const met = new Map<number, number>();
   for (const m of motions)
     for (const { z } of m.side ? [m.from, spotOn(m, 1 / 2), m.to] : [m.from, m.to])
       if (z !== null && z < top - SAME && z > bottom + SAME) met.set(Math.round(z / SAME), z);
   const all = [...met].sort(([a], [b]) => b - a).map(([, z]) => z);
-  if (all.length <= MOST_DEPTHS) return all;
-  return Array.from({ length: MOST_DEPTHS }, (_, i) => all[Math.ceil(((i + 1) * all.length) / MOST_DEPTHS) - 1] ?? bottom);
+  const most = isStepped ? MOST_DEPTHS - 1 : MOST_DEPTHS;
+  return all.length <= most ? all : Array.from({ length: most }, (_, i) => all[Math.ceil(((i + 1) * all.length) / most) - 1] ?? bottom);
 }
 
 /**
@@ -27,5 +32,5 @@ export function depthsOf(
  */
 export const heightLimits = (
   depths: readonly number[],
-  { bottom, top }: { readonly bottom: number; readonly top: number },
-): readonly number[] => [top, ...depths.slice(0, -1), bottom];
+  { bottom, top, isStepped }: BodyHeights,
+): readonly number[] => [top, ...(isStepped ? depths : depths.slice(0, -1)), bottom];

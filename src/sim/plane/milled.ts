@@ -1,4 +1,4 @@
-import { intersection, union, unpacked } from "../../kernel/clip.ts";
+import { difference, intersection, union, unpacked } from "../../kernel/clip.ts";
 import { isRapid, type MillMotion } from "../../kernel/mill-motion.ts";
 import type { Ring } from "../../kernel/point.ts";
 import { real } from "../../kernel/real-area.ts";
@@ -7,8 +7,8 @@ import { inStock } from "../contact.ts";
 import { cutting, type Cutting } from "../cutting.ts";
 import { marksOf, type StockMarks } from "../marks.ts";
 import type { Checkpoint, PlayPosition } from "../simulation.ts";
-import { heightsOf, isStepped, standingAbove, type MilledBody } from "./body.ts";
-import { depthsOf, heightLimits } from "./depths.ts";
+import { heightsOf, standingAbove, type MilledBody } from "./body.ts";
+import { depthsOf, heightLimits, type BodyHeights } from "./depths.ts";
 import { sweeper, type Sweeper } from "./swept-below.ts";
 
 /** What is milled: motions of round flat tools, and the body from each of some motions on, the first from the beginning. */
@@ -25,6 +25,10 @@ export interface MilledMoment {
   readonly swept: readonly (readonly Ring[])[];
 }
 
+/** The area above each limit at a moment, what the running motion has swept taken away. */
+export const areasAt = ({ standing, swept }: MilledMoment): readonly (readonly Ring[])[] =>
+  standing.map((rings, i) => (swept[i]?.length ? difference(rings, swept[i]) : rings));
+
 /** A rapid that runs through material that surely stands. */
 export interface RapidThrough {
   readonly step: number;
@@ -35,14 +39,10 @@ export interface RapidThrough {
  * A body that is milled, in the plane: for each limit the area over which it stands above. It is told from above only: no overhang, no rest
  * of a ball or a point. Cutting it takes time, so it is cut a bit at a time; a moment that is not reached yet is shown as far as it is.
  */
-export interface MilledStock {
-  readonly top: number;
-  readonly bottom: number;
-  /** Depths that are told apart, the shallowest first; `limits` are the heights that belong to them. */
+export interface MilledStock extends BodyHeights {
+  /** Depths that are told apart, the shallowest first. `limits` are the heights that areas are told above. */
   readonly depths: readonly number[];
   readonly limits: readonly number[];
-  /** True where the body does not reach up to its top everywhere: what is not milled there is lower all the same. */
-  readonly isStepped: boolean;
   /** Motions that are cut so far. */
   readonly reached: () => number;
   /** Cuts on by some motions; true when all are cut. */
@@ -73,7 +73,7 @@ function standingOn({ body }: MilledInput["bodies"][number], limit: number, { bo
 /** Begins to cut; null where there is no body. */
 export function milledStock({ motions, bodies }: MilledInput): MilledStock | null {
   const first = bodies[0], heights = first && heightsOf(first.body);
-  if (!heights || !(heights.top > heights.bottom)) return null;
+  if (!heights) return null;
   const { bottom, top } = heights;
   const depths = depthsOf(motions, heights), limits = heightLimits(depths, heights);
   const bodyAt = new Map(bodies.map((each) => [each.step, each]));
@@ -125,9 +125,9 @@ export function milledStock({ motions, bodies }: MilledInput): MilledStock | nul
   return {
     top,
     bottom,
+    isStepped: heights.isStepped,
     depths,
     limits,
-    isStepped: first !== undefined && isStepped(first.body),
     reached: () => Math.min(next, motions.length),
     advance(some) {
       for (let i = 0; i < some && next < motions.length; i += 1) cut();
