@@ -23,6 +23,11 @@ export class Lathe {
     return this.view.getByRole("combobox", { name: this.context.t.lathe.sections.title, exact: true });
   }
 
+  /** What is told by colour along path or surface. */
+  get colours(): Locator {
+    return this.view.getByRole("combobox", { name: this.context.t.lathe.colours.title, exact: true });
+  }
+
   get timeline(): Locator {
     return this.view.getByRole("slider", { name: this.context.t.lathe.timeline, exact: true });
   }
