@@ -27,3 +27,86 @@ test("a milled program shows its plane, and its approach is changed by prompt, b
   await expect(editor.line("APPR CT")).toContainText("CCA90");
   await accessible(page);
 });
+
+/** Turns, mills a slot across the face with a rapid that is too low, and turns again. */
+const MIXED = `0 BEGIN PGM MIXED MM
+1 BLK FORM CYLINDER Z D62.4 L70.3 DIST+1
+2 FUNCTION MODE TURN
+3 TOOL CALL 1
+4 FUNCTION TURNDATA SPIN VCONST:OFF S700 M3
+5 M136
+6 L X+66.2 Z+3 R0 FMAX
+7 L X+58.6 FMAX
+8 L Z-20.7 F0.21
+9 L X+66.2
+10 M137
+11 FUNCTION MODE MILL
+12 TOOL DEF 1 L+0 R+5
+13 TOOL CALL 1 Z S3000
+14 L X-45 Y+0 Z+20 R0 FMAX
+15 L Z-6 R0 FMAX M3
+16 L X+0 F400
+17 L Y+14 FMAX
+18 L Z+50 FMAX
+19 M30
+20 END PGM MIXED MM
+`;
+
+test("milled stock is drawn, and its path leads to its block", async ({ page }) => {
+  const { editor, t } = await Turnwise.open(page);
+  await editor.openExample("plate");
+  const plane = page.getByRole("region", { name: t.approach.view }), stage = plane.getByRole("group", { name: t.approach.view });
+  const depths = plane.getByRole("list", { name: t.approach.milled.title });
+  await expect(depths.getByRole("listitem")).toHaveText([t.approach.milled.depth("-5"), t.approach.milled.depth("-10")]);
+  // A place of the plane on the screen, by the scales along its edges.
+  const at = async (x: number, y: number) => {
+    const box = await stage.boundingBox();
+    const of = (text: string, side: "x" | "y") =>
+      stage.locator(".lathe-scales text").evaluateAll((all, [wanted, axis]) =>
+        all.flatMap((each) => {
+          const place = { x: Number(each.getAttribute("x")), y: Number(each.getAttribute("y")) - 4 };
+          const isMine = (axis === "x") === (each.getAttribute("text-anchor") === "middle");
+          return each.textContent === wanted && isMine ? [place[axis as "x" | "y"]] : [];
+        })[0] ?? Number.NaN, [text, side] as const);
+    const [x0, x1, y0, y1] = [await of("0", "x"), await of("100", "x"), await of("0", "y"), await of("100", "y")];
+    return { x: (box?.x ?? 0) + x0 + (x / 100) * (x1 - x0), y: (box?.y ?? 0) + y0 + (y / 100) * (y1 - y0) };
+  };
+  const press = async (x: number, y: number) => {
+    const spot = await at(x, y);
+    await page.mouse.move(spot.x, spot.y);
+    await page.mouse.click(spot.x, spot.y);
+  };
+  // The middle of the left side of the square, which its centre passes at X-5; then the end of the approach to it.
+  await press(-5, 50);
+  await expect(editor.line("L Y+95")).toHaveClass(/running|active/i);
+  await expect(plane.locator(".shape-marked")).toHaveCount(1);
+  await press(-5, 5);
+  await expect(page.getByRole("heading", { name: /APPR LT/ })).toBeVisible();
+  await stage.focus();
+  await page.keyboard.press("End");
+  await expect(plane.getByText(t.approach.milled.drawn)).toBeVisible();
+  // Nothing of the plate stands where the square was cut round; its middle is untouched.
+  await accessible(page);
+});
+
+test("a program that turns and mills shows the picture that a choice, a finding or playing belongs to", async ({ page }) => {
+  const { editor, t } = await Turnwise.open(page);
+  await editor.openFile("MIXED.H", new TextEncoder().encode(MIXED));
+  const plane = page.getByRole("region", { name: t.approach.view });
+  const lathe = page.getByRole("region", { name: t.lathe.title });
+  await expect(lathe).toBeVisible();
+  await editor.line("L X+0 F400").click();
+  await expect(plane).toBeVisible();
+  await expect(plane.getByText(t.approach.milled.rapid("17"))).toBeAttached();
+  await editor.line("L Z-20.7").click();
+  await expect(lathe).toBeVisible();
+  await page.getByRole("button", { name: t.approach.view }).click();
+  await expect(plane).toBeVisible();
+  await editor.line("L X+58.6").click();
+  await expect(lathe).toBeVisible();
+  // Played on, the picture goes over to what is milled.
+  await page.getByRole("combobox", { name: t.lathe.speed }).selectOption("100");
+  await lathe.getByRole("group", { name: t.lathe.title }).focus();
+  await page.keyboard.press("Space");
+  await expect(plane).toBeVisible();
+});
