@@ -99,3 +99,10 @@ export function sameBlank({ checkpoints }: Pick<Simulation, "checkpoints">): (on
   const stated = checkpoints.filter((mark) => mark.isStated).map((mark) => mark.step);
   return (one, other) => stated.every((step) => step <= one.step === step <= other.step);
 }
+
+/** Everything that a run begins with or that is stated in its place later. */
+export const blanksOf =
+  ({ blank, checkpoints }: Pick<Simulation, "blank" | "checkpoints">): readonly Ring[] => [
+    ...blank,
+    ...checkpoints.flatMap(({ isStated, stock }) => (isStated && stock ? unpacked(stock) : [])),
+  ];

@@ -1,9 +1,7 @@
 import { useEffect, useRef } from "react";
 import { formatFixed } from "../../i18n/number.ts";
 import { sameChip, type Chip } from "../../sim/chip/chip.ts";
-import { toScreen } from "../../view/camera.ts";
 import { chipMeasure, drawnChip } from "../../view/cutting-tool/chip-drawing.ts";
-import { tipAt } from "../../view/tip.ts";
 import { useSettings } from "../settings/settings.ts";
 import type { Moving } from "./moving.ts";
 import type { Viewport } from "./viewport.ts";
@@ -13,10 +11,10 @@ const CROSS = 4;
 const NEAR = 40;
 
 /**
- * The chip that is cut and the edge that cuts it, over the tool. The sheet follows the tip with one transform; its shapes are relative to
- * the tip and change only where the chip does, which an even cut does not.
+ * The chip that is cut and the edge that cuts it, over the tool that carries it. Its shapes are relative to the tip and change only where the
+ * chip does, which an even cut does not.
  */
-export function ChipSheet({ viewport, moving: { steps, chipAt, playback } }: { readonly viewport: Viewport; readonly moving: Moving }) {
+export function ChipSheet({ viewport, moving: { chipAt, playback } }: { readonly viewport: Viewport; readonly moving: Moving }) {
   const sheet = useRef<SVGSVGElement>(null), language = useSettings((s) => s.language);
   useEffect(() => {
     const element = sheet.current;
@@ -38,10 +36,7 @@ export function ChipSheet({ viewport, moving: { steps, chipAt, playback } }: { r
       text.setAttribute("text-anchor", measure.anchor);
     };
     const place = () => {
-      const position = playback.shown(), tip = tipAt(steps, position);
-      if (!tip) return;
-      const { x, y } = toScreen(viewport.get(), tip), chip = chipAt(position);
-      element.style.transform = `translate(${x}px, ${y}px)`;
+      const chip = chipAt(playback.shown());
       if (sameChip(chip, drawn)) return;
       drawn = chip;
       const shapes = drawnChip(chip);
@@ -60,7 +55,7 @@ export function ChipSheet({ viewport, moving: { steps, chipAt, playback } }: { r
     look();
     const ends = [viewport.subscribe(look), playback.subscribe(place)];
     return () => ends.forEach((end) => end());
-  }, [viewport, steps, chipAt, playback, language]);
+  }, [viewport, chipAt, playback, language]);
   return (
     <svg ref={sheet} className="chip-sheet" width="1" height="1" aria-hidden="true">
       <g>

@@ -1,13 +1,14 @@
 import { useEffect, useRef } from "react";
 import type { Ring } from "../../kernel/point.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
+import { boundsOf } from "../../view/bounds.ts";
 import type { ChuckDrawing } from "../../view/material/chuck.ts";
 import { paintMaterial } from "../../view/material/paint.ts";
-import type { Patch } from "../../view/material/pen.ts";
+import type { Patch, Pen } from "../../view/material/pen.ts";
 import type { MaterialColours } from "../../view/material/easel.ts";
 import { patchWithin, touchedBetween, turnedPatchOf } from "../../view/material/touched.ts";
 import type { SectionView } from "../settings/settings.ts";
-import { fitCanvas } from "./fit-canvas.ts";
+import { aimPen, fitCanvas } from "./fit-canvas.ts";
 import { UNTOUCHED, type Moving } from "./moving.ts";
 import { pageColours, useTheme } from "./use-theme-colours.ts";
 import type { Viewport } from "./viewport.ts";
@@ -25,6 +26,7 @@ const COLOURS = {
 } as const satisfies Record<keyof MaterialColours, string>;
 
 const START: PlayPosition = { step: 0, fraction: 0 };
+const NOWHERE: Patch = { x: 0, y: 0, width: 0, height: 0 };
 
 /** How far from the axis there is material, mm. */
 const farthest = (rings: readonly Ring[]) => rings.reduce((most, ring) => ring.reduce((far, p) => Math.max(far, p.r), most), 0);
@@ -33,7 +35,11 @@ const farthest = (rings: readonly Ring[]) => rings.reduce((most, ring) => ring.r
 const onlyRapids = ({ steps }: Moving, one: PlayPosition, other: PlayPosition) =>
   steps.slice(Math.min(one.step, other.step), Math.max(one.step, other.step) + 1).every((step) => step.move.kind === "rapid");
 
-/** The material on a canvas of its own: painted whole for another look at it, and only where the tool is while it plays. */
+/**
+ * The chuck on a ground that is painted for another look at it only, and the work on a canvas no larger than the blank. With each picture the
+ * browser copies every canvas that can be painted on, touched or not: so the ground only shows a bitmap. While it plays the work is painted
+ * where the tool is.
+ */
 export function MaterialSheet({ viewport, moving, blank, section, chuck }: {
   readonly viewport: Viewport;
   readonly moving: Moving | null;
@@ -42,40 +48,63 @@ export function MaterialSheet({ viewport, moving, blank, section, chuck }: {
   readonly section: SectionView;
   readonly chuck: ChuckDrawing | null;
 }) {
-  const canvas = useRef<HTMLCanvasElement>(null), theme = useTheme();
+  const ground = useRef<HTMLCanvasElement>(null), canvas = useRef<HTMLCanvasElement>(null), theme = useTheme();
+  /** What the ground shows: painted again only when that is something else. */
+  const shown = useRef("");
   useEffect(() => {
-    const element = canvas.current, pen = element?.getContext("2d");
-    if (!element || !pen) return undefined;
-    const colours = pageColours(COLOURS), surfaces = moving?.surfaces ?? UNTOUCHED;
-    let rings: readonly Ring[] = blank, now = START;
+    const under = ground.current, shop = under?.getContext("bitmaprenderer"), over = canvas.current, pen = over?.getContext("2d");
+    if (!under || !shop || !over || !pen) return undefined;
+    const colours = pageColours(COLOURS), surfaces = moving?.surfaces ?? UNTOUCHED, blanks = moving?.blanks ?? blank;
+    const box = boundsOf(blanks.flat()), widest = { outer: farthest(blanks), along: 0 };
+    let rings: readonly Ring[] = blank, now = START, ratio = devicePixelRatio, work: Patch = NOWHERE;
     const stock = () => {
       if (!moving) return;
       now = moving.playback.shown();
       rings = moving.stockAt(now);
     };
-    let ratio = devicePixelRatio;
-    const paint = (patch: Patch) => paintMaterial(pen, { rings, section, now, surfaces, chuck }, viewport.get(), { colours, ratio }, patch);
+    const paint = (to: Pen, of: readonly Ring[], patch: Patch) =>
+      paintMaterial(to, { rings: of, section, now, surfaces, chuck }, viewport.get(), { colours, ratio }, patch);
+    const paintGround = () => {
+      const whole = { x: 0, y: 0, ...viewport.size() }, seen = JSON.stringify([theme, section, chuck, viewport.get(), whole, ratio, work]);
+      if (seen === shown.current) return;
+      shown.current = seen;
+      const easel = new OffscreenCanvas(1, 1), below = easel.getContext("2d");
+      if (!below) return;
+      fitCanvas(under, whole);
+      [easel.width, easel.height] = [under.width, under.height];
+      aimPen(below, whole);
+      paint(below, [], whole);
+      below.clearRect(work.x, work.y, work.width, work.height);
+      shop.transferFromImageBitmap(easel.transferToImageBitmap());
+    };
     const paintAll = () => {
-      const { width, height } = viewport.size();
       ratio = devicePixelRatio;
-      fitCanvas(element, pen, { width, height });
-      paint({ x: 0, y: 0, width, height });
+      work = (box && patchWithin(turnedPatchOf(box, viewport.get(), widest, ratio), viewport.size())) ?? NOWHERE;
+      paintGround();
+      fitCanvas(over, work);
+      aimPen(pen, work);
+      paint(pen, rings, work);
     };
     const paintMoved = () => {
       const [before, were] = [now, rings];
       stock();
       if (!moving || (rings === were && onlyRapids(moving, before, now))) return;
       const touched = moving.isSameBlank(before, now) ? touchedBetween(moving.steps, before, now) : "all";
-      if (touched === "all") return paintAll();
       if (!touched) return;
+      if (touched === "all") return paint(pen, rings, work);
       const reach = { outer: Math.max(farthest(were), farthest(rings)), along: surfaces.lead(now) };
       const patch = patchWithin(turnedPatchOf(touched, viewport.get(), reach, ratio), viewport.size());
-      if (patch) paint(patch);
+      if (patch) paint(pen, rings, patch);
     };
     stock();
     paintAll();
     const ends = [viewport.subscribe(paintAll), moving?.playback.subscribe(paintMoved)];
     return () => ends.forEach((end) => end?.());
   }, [viewport, moving, blank, section, chuck, theme]);
-  return <canvas ref={canvas} className="sheet material" />;
+  return (
+    <>
+      <canvas ref={ground} className="sheet" />
+      <canvas ref={canvas} className="sheet material" />
+    </>
+  );
 }

@@ -6,7 +6,6 @@ import type { PathStretch } from "../../view/passes.ts";
 import type { Scene, Shape } from "../../view/scene.ts";
 import type { SectionView } from "../settings/settings.ts";
 import { LatheAxes } from "./Axes.tsx";
-import { ChipSheet } from "./ChipSheet.tsx";
 import { MaterialSheet } from "./MaterialSheet.tsx";
 import type { Moving, Waiting } from "./moving.ts";
 import { PassLines } from "./PassLines.tsx";
@@ -110,7 +109,6 @@ export function Picture({ viewport, scene, moving, waiting, findings, residual, 
         </World>
       </svg>
       {moving && <RunningTool viewport={viewport} moving={moving} />}
-      {moving && <ChipSheet viewport={viewport} moving={moving} />}
       {waiting?.tool && waiting.start && <WaitingTool viewport={viewport} tool={waiting.tool} at={waiting.start} />}
       <svg className="sheet">
         <World viewport={viewport}>{hovered} {moving && <RunningMove moving={moving} />}</World>

@@ -32,7 +32,9 @@ test("the running move is that of the work that is open, at the same place of th
   playback.dispatch({ do: "seek", position: { step: AT, fraction: 0.5 } });
   const parts = (steps: typeof one) => (
     <svg>
-      <RunningMove moving={{ steps, playback, stockAt: () => [], isSameBlank: () => true, surfaces: surfacesOf([]), chipAt: () => null }} />
+      <RunningMove
+        moving={{ steps, playback, stockAt: () => [], blanks: [], isSameBlank: () => true, surfaces: surfacesOf([]), chipAt: () => null }}
+      />
     </svg>
   );
   const { container, rerender } = render(parts(one));

@@ -8,6 +8,7 @@ import { toScreen, type Bounds } from "../../view/camera.ts";
 import { toolBox } from "../../view/cutting-tool/drawing.ts";
 import { tipAt } from "../../view/tip.ts";
 import { BreakLine } from "./BreakLine.tsx";
+import { ChipSheet } from "./ChipSheet.tsx";
 import { DrawnTool } from "./DrawnTool.tsx";
 import { stepIndex, type Moving } from "./moving.ts";
 import { usePlayback } from "./use-playback.ts";
@@ -25,28 +26,29 @@ function boxesOf(tool: Tool): { readonly insert: Bounds; readonly all: Bounds } 
 }
 
 /**
- * A tool on a sheet no larger than itself. The sheet is drawn anew for another tool or another zoom; where the tip goes it follows with one
- * transform, which costs the page no layout and no painting.
+ * A tool on a sheet no larger than itself, and what lies at its tip. The sheet is drawn anew for another tool or another zoom; where the tip
+ * goes both follow with one transform, which costs the page no layout and no painting.
  */
-function Sheet({ viewport, tool, tip, follow }: {
+function Sheet({ viewport, tool, tip, follow, children }: {
   readonly viewport: Viewport;
   readonly tool: Tool;
   /** Where the tip stands now; null: nowhere. */
   readonly tip: () => Pt | null;
   /** Calls when the tip has moved; returns what ends it. */
   readonly follow: (listener: () => void) => () => void;
+  /** Drawn over the tool, its origin at the tip. */
+  readonly children?: React.ReactNode;
 }) {
-  const sheet = useRef<SVGSVGElement>(null), world = useRef<SVGGElement>(null);
+  const carrier = useRef<HTMLDivElement>(null), sheet = useRef<SVGSVGElement>(null), world = useRef<SVGGElement>(null);
   const boxes = useMemo(() => boxesOf(tool), [tool]);
   useEffect(() => {
-    const element = sheet.current;
-    if (!element) return undefined;
-    let corner = { x: 0, y: 0 };
+    const element = sheet.current, carried = carrier.current;
+    if (!element || !carried) return undefined;
     const place = () => {
       const at = tip();
       if (!at) return;
       const { x, y } = toScreen(viewport.get(), at);
-      element.style.transform = `translate(${x + corner.x}px, ${y + corner.y}px)`;
+      carried.style.transform = `translate(${x}px, ${y}px)`;
     };
     let scale = 0, up: boolean | null = null;
     const draw = () => {
@@ -56,7 +58,9 @@ function Sheet({ viewport, tool, tip, follow }: {
         const far = (PICTURES * Math.max(size.width, size.height)) / scale;
         const { left, right, low, high } = common(boxes.all, grownBounds(boxes.insert, far));
         const top = up ? -high : low;
-        corner = { x: left * scale - LINE, y: top * scale - LINE };
+        const corner = { x: left * scale - LINE, y: top * scale - LINE };
+        element.style.left = `${corner.x}px`;
+        element.style.top = `${corner.y}px`;
         element.setAttribute("width", String(Math.ceil((right - left) * scale + 2 * LINE)));
         element.setAttribute("height", String(Math.ceil((high - low) * scale + 2 * LINE)));
         world.current?.setAttribute("transform", `matrix(${scale} 0 0 ${up ? -scale : scale} ${-corner.x} ${-corner.y})`);
@@ -69,22 +73,30 @@ function Sheet({ viewport, tool, tip, follow }: {
   }, [viewport, boxes, tip, follow]);
   return (
     <>
-      <svg ref={sheet} className="tool-sheet">
-        <g ref={world}>
-          <DrawnTool tool={tool} />
-        </g>
-      </svg>
+      <div ref={carrier} className="tool-carrier">
+        <svg ref={sheet} className="tool-sheet">
+          <g ref={world}>
+            <DrawnTool tool={tool} />
+          </g>
+        </svg>
+        {children}
+      </div>
       <BreakLine viewport={viewport} tool={tool} tip={tip} follow={follow} />
     </>
   );
 }
 
-/** Insert and holder of the running move, at its tip. */
-export function RunningTool({ viewport, moving: { steps, playback } }: { readonly viewport: Viewport; readonly moving: Moving }) {
+/** Insert and holder of the running move, with the chip that it takes. */
+export function RunningTool({ viewport, moving }: { readonly viewport: Viewport; readonly moving: Moving }) {
+  const { steps, playback } = moving;
   const index = usePlayback(playback, (store) => stepIndex(steps, store.shown()));
   const tip = useMemo(() => () => tipAt(steps, playback.shown()), [steps, playback]);
   const tool = steps[index]?.tool;
-  return tool && <Sheet viewport={viewport} tool={tool} tip={tip} follow={playback.subscribe} />;
+  return tool && (
+    <Sheet viewport={viewport} tool={tool} tip={tip} follow={playback.subscribe}>
+      <ChipSheet viewport={viewport} moving={moving} />
+    </Sheet>
+  );
 }
 
 const NEVER = () => () => undefined;

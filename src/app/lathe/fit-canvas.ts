@@ -1,15 +1,18 @@
-import type { Size } from "../../view/camera.ts";
-import type { Pen } from "../../view/material/pen.ts";
+import type { Patch, Pen } from "../../view/material/pen.ts";
 
-/** Gives a canvas the size of its picture in the pixels of the device; its pen counts in those of the page. */
-export function fitCanvas(element: HTMLCanvasElement, pen: Pen, { width, height }: Size): void {
-  const ratio = devicePixelRatio;
-  const [wide, tall] = [Math.round(width * ratio), Math.round(height * ratio)];
+/** Lays a canvas over a part of its picture, in the pixels of the device. */
+export function fitCanvas(element: HTMLCanvasElement, { x, y, width, height }: Patch): void {
+  const [wide, tall] = [Math.round(width * devicePixelRatio), Math.round(height * devicePixelRatio)];
   if (element.width !== wide || element.height !== tall) {
     element.width = wide;
     element.height = tall;
     element.style.width = `${width}px`;
     element.style.height = `${height}px`;
   }
-  pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+  element.style.left = `${x}px`;
+  element.style.top = `${y}px`;
 }
+
+/** The pen of a canvas that lies over a part of its picture counts in pixels of the page, from the corner of the picture. */
+export const aimPen = (pen: Pen, { x, y }: Patch): void =>
+  pen.setTransform(devicePixelRatio, 0, 0, devicePixelRatio, -x * devicePixelRatio, -y * devicePixelRatio);

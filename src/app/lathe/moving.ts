@@ -13,6 +13,8 @@ export interface Moving {
   readonly steps: readonly Step[];
   /** The same rings as long as nothing is cut. */
   readonly stockAt: (position: PlayPosition) => readonly Ring[];
+  /** All that stands there at some moment before it is cut: nothing ever stands beyond it. */
+  readonly blanks: readonly Ring[];
   /** False when the program states another blank between two positions. */
   readonly isSameBlank: (one: PlayPosition, other: PlayPosition) => boolean;
   /** What the running cut takes off; null where it takes nothing, and as long as the run is only planned. */

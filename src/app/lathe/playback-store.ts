@@ -17,7 +17,7 @@ export interface PlaybackStore {
 }
 
 /** Numbers that change oftener than this cannot be read, ms; each change of a text costs the page a layout. */
-const READABLE = 70;
+const READABLE = 120;
 
 /** A new playback of an empty run. Time passes only while it plays, by the clock's pictures. */
 export function createPlaybackStore(clock: Clock): PlaybackStore {

@@ -3,7 +3,7 @@ import type { Ring } from "../../kernel/point.ts";
 import type { Run } from "../../program/run-types.ts";
 import type { Simulation } from "../../sim/simulation.ts";
 import { chipsOf } from "../../sim/chip/chips.ts";
-import { playerOf, sameBlank, type Player } from "../../sim/stock.ts";
+import { blanksOf, playerOf, sameBlank, type Player } from "../../sim/stock.ts";
 import type { Surfaces } from "../../view/material/surfaces.ts";
 import { surfacesOfRun, UNTOUCHED, type Moving } from "./moving.ts";
 import type { PlaybackStore } from "./playback-store.ts";
@@ -66,11 +66,14 @@ export function useMaterial(
     if (!result) return null;
     const { steps } = result.run;
     const surfaces = held?.surfaces ?? UNTOUCHED;
-    if (!result.simulation)
-      return waiting && { steps, stockAt: () => waiting.stock, isSameBlank: () => true, chipAt: () => null, surfaces, playback };
+    if (!result.simulation) {
+      if (!waiting) return null;
+      const { stock, run: { blank } } = waiting, blanks = [...blank, ...stock];
+      return { steps, stockAt: () => stock, blanks, isSameBlank: () => true, chipAt: () => null, surfaces, playback };
+    }
     if (!held) return null;
     const { player, proved: { simulation } } = held, chipAt = chipsOf(steps, result.run.spindles, player);
-    return { steps, stockAt: player.at, isSameBlank: sameBlank(simulation), chipAt, surfaces, playback };
+    return { steps, stockAt: player.at, blanks: blanksOf(simulation), isSameBlank: sameBlank(simulation), chipAt, surfaces, playback };
   }, [result, held, waiting, playback]);
   return { proved: held?.proved ?? null, moving };
 }

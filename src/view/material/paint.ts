@@ -161,6 +161,10 @@ function cutFace(easel: Easel, down: 1 | -1, rings: readonly Ring[], { x, y, wid
   pen.stroke();
 }
 
+/** Whether a patch may show something of a chuck: all of it lies to the left of the tips of its jaws and of their screws. */
+const isNear = ({ seen, screw }: ChuckDrawing, { zero, scale }: Camera, { x }: Patch) =>
+  x <= zero.x + Math.max(seen.right, screw[0][0], screw[1][0]) * scale + BESIDE;
+
 /**
  * Paints a patch of the picture anew: what was there is taken away, nothing outside it is touched. `ratio` is how many pixels of the
  * device one of the page has; the pen counts in those of the page before and after.
@@ -173,7 +177,7 @@ export function paintMaterial(
   patch: Patch,
 ): void {
   const easel: Easel = { pen, camera, ...look }, { rings, section, chuck } = material;
-  const halves = halvesOf(section, camera.xUp);
+  const halves = halvesOf(section, camera.xUp), near = chuck && isNear(chuck, camera, patch) ? chuck : null;
   const { first, boundary, columns } = columnsIn(material, easel, patch);
   const zones = threadZones(boundary);
   pen.save();
@@ -181,13 +185,13 @@ export function paintMaterial(
   pen.rect(patch.x, patch.y, patch.width, patch.height);
   pen.clip();
   pen.clearRect(patch.x, patch.y, patch.width, patch.height);
-  if (chuck) paintChuck(easel, halves, section, chuck);
+  if (near) paintChuck(easel, halves, section, near);
   for (const half of halves) {
     shades(easel, half, first, boundary, columns, zones);
     drawing(easel, half, boundary, columns, zones);
     for (const zone of zones) if (zone.isInside === half.isCut) paintThread(easel, half, zone);
     if (half.isCut) cutFace(easel, half.down, rings, patch);
   }
-  if (chuck) paintFrontJaw(easel, halves, section, chuck);
+  if (near) paintFrontJaw(easel, halves, section, near);
   pen.restore();
 }
