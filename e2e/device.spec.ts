@@ -42,6 +42,7 @@ test("all works by keyboard: sought, called otherwise, doubled, deleted and brou
   await page.keyboard.press("Control+a");
   await page.keyboard.type("WELLE 9");
   await page.keyboard.press("Enter");
+  await expect(button(page, t.works.open("WELLE 9"))).toBeFocused();
   await search.fill("");
   await expect(button(page, t.works.open("WELLE 9"))).toBeVisible();
   await button(page, t.works.duplicate("WELLE 9")).press("Enter");

@@ -33,8 +33,9 @@ export class ProgramText {
     return (await this.panel.getByRole("code").allTextContents()).map((line) => line.trimEnd());
   }
 
-  /** Presses the button and returns what is on the clipboard then. */
+  /** Presses the button and returns what is on the clipboard then: all pages of a browser have the same one, so it is emptied before. */
   async copy(): Promise<string> {
+    await this.context.page.evaluate(() => navigator.clipboard.writeText(""));
     await this.copyButton.click();
     return this.clipboard();
   }

@@ -38,12 +38,12 @@ export function TotalsStrip() {
     decimals: number,
   ) => (value === undefined || value === null ? words.unknown : formatFixed(language, value, decimals));
   const program = useSession((s) => s.reading.program), run = shown?.run;
-  // Milled motions know no tool: what is called is counted in the text then.
+  // Milled motions know neither tool nor operation: those of the text are counted then.
   const tools = run
     && (run.plane.length > 0
       ? toolCalls(program)
       : run.steps.reduce((n, step, i, all) => (step.tool.T === all[i - 1]?.tool.T ? n : n + 1), 0));
-  const operations = run && (run.operations.length || operationsOf(program).units.length);
+  const operations = run && (run.operations.length || (run.plane.length > 0 ? operationsOf(program).units.length : 0));
   useEffect(() => {
     const stop = followComparing();
     // Another block is another dialog, where the same prompt may be open.

@@ -20,6 +20,15 @@ const rowOf = (work: string) => document.querySelector<HTMLElement>(`[data-work=
 /** Once the list has changed, the keyboard is on the row of a work. */
 const focusRow = (work: string): void => void requestAnimationFrame(() => requestAnimationFrame(() => rowOf(work)?.focus()));
 
+/** The same after what takes its time, unless the keyboard is elsewhere by then: a Delete for a field must not reach a row. */
+const focusRowAgain = (work: string): void =>
+  void requestAnimationFrame(() =>
+    requestAnimationFrame(() => {
+      const { activeElement, body } = document;
+      if (!activeElement || activeElement === body || activeElement.closest("[data-work]")) rowOf(work)?.focus();
+    })
+  );
+
 /** Arrow keys go from work to work, F2 calls one otherwise, Delete takes it away. */
 function onListKey(event: KeyboardEvent, wish: (work: string, what: "rename" | "remove") => void): void {
   const { target, key } = event;
@@ -54,7 +63,7 @@ export function WorksPage() {
   const shown = useMemo(() => listWorks(works, sought, order, (cycle) => menu.of[cycle]?.name ?? ""), [works, sought, order, menu]);
   // Pictures are made while a work is open, not while the list is shown.
   const [pictures] = useState(keptPictures);
-  const { saying, say, renaming, selected, select, remove, save, onWish } = useListActions(t, page.start.isElsewhere, focusRow);
+  const { saying, say, renaming, selected, select, remove, save, onWish } = useListActions(t, page.start.isElsewhere, focusRowAgain);
   const chosen = shown.filter(({ work }) => selected.has(work));
   useEffect(() => {
     void refreshWorks();
