@@ -1,6 +1,6 @@
 import { useEffect, useRef, useState } from "react";
-import type { Scene, Shape } from "../../view/scene.ts";
-import { PATH_ROLES, sceneOf } from "../../view/scene.ts";
+import { pathStretches, wholePath } from "../../view/passes.ts";
+import { PATH_ROLES, type Scene, type Shape } from "../../view/scene.ts";
 import type { Clock } from "../clock.ts";
 import { useCompared } from "../effect/before.ts";
 import { reducedMotion } from "../settings/appearance.ts";
@@ -12,7 +12,7 @@ const STAYS = 2000;
 /** Longer paths have no ghost: a change must be seen at once, characters of path data. */
 const MOST = 400_000;
 
-function pathOf({ shapes }: Scene): readonly Shape[] {
+function pathOf({ shapes }: Pick<Scene, "shapes">): readonly Shape[] {
   const path = shapes.filter(({ role }) => PATH_ROLES.some((line) => line === role));
   return path.reduce((sum, { d }) => sum + d.length, 0) > MOST ? [] : path;
 }
@@ -53,11 +53,11 @@ function Former({ scene, clock }: { readonly scene: Scene; readonly clock: Clock
   );
 }
 
-/** The path of the pinned setting, for as long as it is pinned. */
+/** The path of the pinned setting, for as long as it is pinned; made as that of the picture is, so that the same path is the same lines. */
 function Pinned({ scene }: { readonly scene: Scene }) {
   const run = useCompared((c) => c.pinned?.outcome.run ?? null);
   const [drawn, draw] = useState<{ readonly of: typeof run; readonly shapes: readonly Shape[] }>({ of: null, shapes: [] });
-  if (run !== drawn.of) draw({ of: run, shapes: run ? pathOf(sceneOf({ blank: [], contours: [], steps: run.steps })) : [] });
+  if (run !== drawn.of) draw({ of: run, shapes: run ? pathOf({ shapes: wholePath(pathStretches(run.steps)) }) : [] });
   return drawn.shapes.length > 0 && !sameShapes(drawn.shapes, pathOf(scene))
     ? <Lines shapes={drawn.shapes} className="lathe-pinned" />
     : null;
