@@ -43,7 +43,8 @@ function drawn(program: string, share: number, section: "half" | "full" | "outsi
   const simulation = simulate(made), surfaces = surfacesOf(made.steps, (step) => spindleAt(made.spindles, step));
   const scene = sceneOf({ blank: made.blank, contours: made.operations.map((o) => o.plan.contour), steps: made.steps });
   const at = share * made.steps.length, now = { step: Math.floor(at), fraction: at % 1 };
-  const { pen, text } = svgPen(SIZE), camera = fitted(scene.bounds, SIZE, MARGIN, xUp), look = { colours: COLOURS, ratio: 1 };
+  const { pen, text } = svgPen(SIZE), camera = fitted(scene.bounds, SIZE, MARGIN, xUp),
+    look = { colours: COLOURS, ratio: 1, origin: { x: 0, y: 0 } };
   paintMaterial(pen, { rings: stockAt(simulation, now), section, now, surfaces, chuck: scene.chuck }, camera, look, {
     x: 0,
     y: 0,

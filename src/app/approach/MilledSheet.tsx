@@ -5,7 +5,7 @@ import { paintMilled, toneOfDepth, type MilledColours } from "../../view/approac
 import { milledBetween } from "../../view/approach/touched-plane.ts";
 import type { Patch } from "../../view/material/pen.ts";
 import { patchOf, patchWithin } from "../../view/material/touched.ts";
-import { aimPen, fitCanvas } from "../lathe/fit-canvas.ts";
+import { fitCanvas } from "../lathe/fit-canvas.ts";
 import type { PlaybackStore } from "../lathe/playback-store.ts";
 import { pageColours, useTheme } from "../lathe/use-theme-colours.ts";
 import type { Viewport } from "../lathe/viewport.ts";
@@ -40,7 +40,7 @@ export function MilledSheet({ viewport, steps, playback, milled: { stock, subscr
     const paintAll = () => {
       const { width, height } = viewport.size();
       fitCanvas(element, { x: 0, y: 0, width, height });
-      aimPen(pen, { x: 0, y: 0, width, height });
+      pen.setTransform(devicePixelRatio, 0, 0, devicePixelRatio, 0, 0);
       paint({ x: 0, y: 0, width, height });
     };
     const paintMoved = () => {

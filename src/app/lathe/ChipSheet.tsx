@@ -11,8 +11,8 @@ const CROSS = 4;
 const NEAR = 40;
 
 /**
- * The chip that is cut and the edge that cuts it, over the tool that carries it. Its shapes are relative to the tip and change only where the
- * chip does, which an even cut does not.
+ * The chip that is cut and the edge that cuts it, over the tool that carries it. Its shapes are relative to the tip and change only where
+ * the chip does, which an even cut does not.
  */
 export function ChipSheet({ viewport, moving: { chipAt, playback } }: { readonly viewport: Viewport; readonly moving: Moving }) {
   const sheet = useRef<SVGSVGElement>(null), language = useSettings((s) => s.language);

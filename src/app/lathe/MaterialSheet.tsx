@@ -4,11 +4,11 @@ import type { PlayPosition } from "../../sim/simulation.ts";
 import { boundsOf } from "../../view/bounds.ts";
 import type { ChuckDrawing } from "../../view/material/chuck.ts";
 import { paintMaterial } from "../../view/material/paint.ts";
-import type { Patch, Pen } from "../../view/material/pen.ts";
+import type { Patch } from "../../view/material/pen.ts";
 import type { MaterialColours } from "../../view/material/easel.ts";
 import { patchWithin, touchedBetween, turnedPatchOf } from "../../view/material/touched.ts";
 import type { SectionView } from "../settings/settings.ts";
-import { aimPen, fitCanvas } from "./fit-canvas.ts";
+import { fitCanvas } from "./fit-canvas.ts";
 import { UNTOUCHED, type Moving } from "./moving.ts";
 import { pageColours, useTheme } from "./use-theme-colours.ts";
 import type { Viewport } from "./viewport.ts";
@@ -36,9 +36,9 @@ const onlyRapids = ({ steps }: Moving, one: PlayPosition, other: PlayPosition) =
   steps.slice(Math.min(one.step, other.step), Math.max(one.step, other.step) + 1).every((step) => step.move.kind === "rapid");
 
 /**
- * The chuck on a ground that is painted for another look at it only, and the work on a canvas no larger than the blank. With each picture the
- * browser copies every canvas that can be painted on, touched or not: so the ground only shows a bitmap. While it plays the work is painted
- * where the tool is.
+ * The chuck on a ground that is painted for another look at it only, and the work on a canvas no larger than the blank. With each picture
+ * the browser copies every canvas that can be painted on, touched or not: so the ground only shows a bitmap. While it plays the work is
+ * painted where the tool is.
  */
 export function MaterialSheet({ viewport, moving, blank, section, chuck }: {
   readonly viewport: Viewport;
@@ -62,8 +62,8 @@ export function MaterialSheet({ viewport, moving, blank, section, chuck }: {
       now = moving.playback.shown();
       rings = moving.stockAt(now);
     };
-    const paint = (to: Pen, of: readonly Ring[], patch: Patch) =>
-      paintMaterial(to, { rings: of, section, now, surfaces, chuck }, viewport.get(), { colours, ratio }, patch);
+    const paintWork = (patch: Patch) =>
+      paintMaterial(pen, { rings, section, now, surfaces, chuck }, viewport.get(), { colours, ratio, origin: work }, patch);
     const paintGround = () => {
       const whole = { x: 0, y: 0, ...viewport.size() }, seen = JSON.stringify([theme, section, chuck, viewport.get(), whole, ratio, work]);
       if (seen === shown.current) return;
@@ -72,8 +72,7 @@ export function MaterialSheet({ viewport, moving, blank, section, chuck }: {
       if (!below) return;
       fitCanvas(under, whole);
       [easel.width, easel.height] = [under.width, under.height];
-      aimPen(below, whole);
-      paint(below, [], whole);
+      paintMaterial(below, { rings: [], section, now, surfaces, chuck }, viewport.get(), { colours, ratio, origin: whole }, whole);
       below.clearRect(work.x, work.y, work.width, work.height);
       shop.transferFromImageBitmap(easel.transferToImageBitmap());
     };
@@ -82,8 +81,7 @@ export function MaterialSheet({ viewport, moving, blank, section, chuck }: {
       work = (box && patchWithin(turnedPatchOf(box, viewport.get(), widest, ratio), viewport.size())) ?? NOWHERE;
       paintGround();
       fitCanvas(over, work);
-      aimPen(pen, work);
-      paint(pen, rings, work);
+      paintWork(work);
     };
     const paintMoved = () => {
       const [before, were] = [now, rings];
@@ -91,10 +89,10 @@ export function MaterialSheet({ viewport, moving, blank, section, chuck }: {
       if (!moving || (rings === were && onlyRapids(moving, before, now))) return;
       const touched = moving.isSameBlank(before, now) ? touchedBetween(moving.steps, before, now) : "all";
       if (!touched) return;
-      if (touched === "all") return paint(pen, rings, work);
+      if (touched === "all") return paintWork(work);
       const reach = { outer: Math.max(farthest(were), farthest(rings)), along: surfaces.lead(now) };
       const patch = patchWithin(turnedPatchOf(touched, viewport.get(), reach, ratio), viewport.size());
-      if (patch) paint(pen, rings, patch);
+      if (patch) paintWork(patch);
     };
     stock();
     paintAll();

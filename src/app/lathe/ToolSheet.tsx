@@ -26,8 +26,8 @@ function boxesOf(tool: Tool): { readonly insert: Bounds; readonly all: Bounds } 
 }
 
 /**
- * A tool on a sheet no larger than itself, and what lies at its tip. The sheet is drawn anew for another tool or another zoom; where the tip
- * goes both follow with one transform, which costs the page no layout and no painting.
+ * A tool on a sheet no larger than itself, and what lies at its tip. The sheet is drawn anew for another tool or another zoom; where the
+ * tip goes both follow with one transform, which costs the page no layout and no painting.
  */
 function Sheet({ viewport, tool, tip, follow, children }: {
   readonly viewport: Viewport;

@@ -1,4 +1,4 @@
-import type { Patch, Pen } from "../../view/material/pen.ts";
+import type { Patch } from "../../view/material/pen.ts";
 
 /** Lays a canvas over a part of its picture, in the pixels of the device. */
 export function fitCanvas(element: HTMLCanvasElement, { x, y, width, height }: Patch): void {
@@ -12,7 +12,3 @@ export function fitCanvas(element: HTMLCanvasElement, { x, y, width, height }: P
   element.style.left = `${x}px`;
   element.style.top = `${y}px`;
 }
-
-/** The pen of a canvas that lies over a part of its picture counts in pixels of the page, from the corner of the picture. */
-export const aimPen = (pen: Pen, { x, y }: Patch): void =>
-  pen.setTransform(devicePixelRatio, 0, 0, devicePixelRatio, -x * devicePixelRatio, -y * devicePixelRatio);

@@ -1,4 +1,4 @@
-import type { Camera } from "../camera.ts";
+import type { Camera, Place } from "../camera.ts";
 import type { Pen } from "./pen.ts";
 import { shadeStops, slopeNumber, slopeOf, type Facing } from "./shade.ts";
 import type { Texture } from "./surfaces.ts";
@@ -26,6 +26,8 @@ export interface Easel {
   readonly colours: MaterialColours;
   /** Pixels of the device for one of the page. */
   readonly ratio: number;
+  /** Where the corner of the canvas lies in the picture. */
+  readonly origin: Place;
 }
 
 /** One half of the picture: the side of the axis, 1 downwards; cut open or seen from outside. */
@@ -46,7 +48,7 @@ export function halvesOf(section: SectionKind, xUp: boolean): readonly [Half, Ha
 }
 
 /** Back to the pixels of the page. */
-export const asPage = ({ pen, ratio }: Easel): void => pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+export const asPage = ({ pen, ratio, origin: { x, y } }: Easel): void => pen.setTransform(ratio, 0, 0, ratio, -x * ratio, -y * ratio);
 
 /** What is shaded: steel that is worked on, or the chuck. */
 export type Body = "steel" | "chuck";
@@ -74,8 +76,8 @@ export function brush({ pen, colours }: Easel, body: Body, slope: number, textur
 }
 
 /** Lays a shade across the radius: y counts from the axis, 1 is `r` mm from it on one side of the picture. */
-export function acrossRadius({ pen, camera, ratio }: Easel, down: 1 | -1, r: number): void {
-  pen.setTransform(ratio, 0, 0, ratio * down * r * camera.scale, 0, ratio * camera.zero.y);
+export function acrossRadius({ pen, camera, ratio, origin }: Easel, down: 1 | -1, r: number): void {
+  pen.setTransform(ratio, 0, 0, ratio * down * r * camera.scale, -origin.x * ratio, ratio * (camera.zero.y - origin.y));
 }
 
 /** Begins a way through places of one half, mm, distances from the axis positive. */

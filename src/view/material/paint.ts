@@ -7,7 +7,7 @@ import { paintChuck, paintFrontJaw } from "./paint-chuck.ts";
 import { paintThread } from "./paint-thread.ts";
 import type { Pen, Patch } from "./pen.ts";
 import { boundaryIn, columnsOf, type Boundary, type Columns } from "./scan.ts";
-import { acrossRadius, asPage, brush, halvesOf, trace, type Half, type MaterialColours, type SectionKind, type Easel } from "./easel.ts";
+import { acrossRadius, asPage, brush, halvesOf, trace, type Half, type SectionKind, type Easel } from "./easel.ts";
 import type { Surfaces } from "./surfaces.ts";
 import { threadZones, type ThreadZone } from "./thread-zone.ts";
 
@@ -166,14 +166,14 @@ const isNear = ({ seen, screw }: ChuckDrawing, { zero, scale }: Camera, { x }: P
   x <= zero.x + Math.max(seen.right, screw[0][0], screw[1][0]) * scale + BESIDE;
 
 /**
- * Paints a patch of the picture anew: what was there is taken away, nothing outside it is touched. `ratio` is how many pixels of the
- * device one of the page has; the pen counts in those of the page before and after.
+ * Paints a patch of the picture anew: what was there is taken away, nothing outside it is touched. The pen
+ * counts in pixels of the page, from the corner of the picture, before and after.
  */
 export function paintMaterial(
   pen: Pen,
   material: Material,
   camera: Camera,
-  look: { readonly colours: MaterialColours; readonly ratio: number },
+  look: Pick<Easel, "colours" | "ratio" | "origin">,
   patch: Patch,
 ): void {
   const easel: Easel = { pen, camera, ...look }, { rings, section, chuck } = material;
@@ -181,6 +181,7 @@ export function paintMaterial(
   const { first, boundary, columns } = columnsIn(material, easel, patch);
   const zones = threadZones(boundary);
   pen.save();
+  asPage(easel);
   pen.beginPath();
   pen.rect(patch.x, patch.y, patch.width, patch.height);
   pen.clip();
