@@ -13,6 +13,12 @@ export interface LaterTexts<T> {
   readonly provide: (language: Language, texts: T) => void;
 }
 
+/**
+ * What has come is used without another wait. A component that has waited is rendered once more and must ask the same promise again:
+ * React goes on with its further hooks there, and fails over them otherwise.
+ */
+export const atOnce = <T>(coming: Promise<T>): void => void coming.then((value) => Object.assign(coming, { status: "fulfilled", value }));
+
 /** Hooks for texts that are fetched once in each language when they are first needed; what does not come is fetched again. */
 export function laterTexts<T extends object>(load: (language: Language) => Promise<T>): LaterTexts<T> {
   const here = new Map<Language, T>();
@@ -23,6 +29,7 @@ export function laterTexts<T extends object>(load: (language: Language) => Promi
       provide(language, texts);
       return texts;
     });
+    atOnce(made);
     coming.set(language, made);
     return made;
   };
@@ -30,7 +37,8 @@ export function laterTexts<T extends object>(load: (language: Language) => Promi
     provide,
     useThem() {
       const language = useDeferredValue(useSettings((s) => s.language));
-      return here.get(language) ?? use(fetched(language));
+      const asked = coming.get(language);
+      return asked ? use(asked) : here.get(language) ?? use(fetched(language));
     },
     useThemSoon() {
       const language = useSettings((s) => s.language);
