@@ -20,7 +20,6 @@ import { createViewport } from "../lathe/viewport.ts";
 import { ZOOM } from "../lathe/ViewBar.tsx";
 import { Measurements } from "../measure/Measurements.tsx";
 import { useMeasuring } from "../measure/measuring.ts";
-import { usePlaneSource } from "../measure/source.ts";
 import { reducedMotion } from "../settings/appearance.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
@@ -32,6 +31,7 @@ import { MilledNotes } from "./MilledNotes.tsx";
 import { PlanePicture } from "./PlanePicture.tsx";
 import { cutPlace } from "./plane-places.ts";
 import { ChosenMotions, HoveredMotion } from "./PlaneMarks.tsx";
+import { usePlaneSource } from "./plane-source.ts";
 import { PlanePoints } from "./PlanePoints.tsx";
 import { PointTable } from "./PointTable.tsx";
 import { momentSentence, PlaneReadout, SpokenMoment } from "./PlaneReadout.tsx";
@@ -124,16 +124,18 @@ export function PlaneView({ result, dimmed, playback, clock, onMove }: {
       <Toolbar className="lathe-viewbar" aria-label={t.viewTools}>
         <GlyphButton glyph="ruler" name={t.ruler} text={t.ruler} pressed={measuring.on} onPress={toggle} />
         <div className="lathe-gap">
-          <ul className="lathe-legend small" aria-label={t.legend}>
-            {there.map((role) => (
-              <li key={role}>
-                <svg width="26" height="8" aria-hidden="true">
-                  <path className={`plane-${role}`} d="M1 4H25" />
-                </svg>
-                {lines[role]}
-              </li>
-            ))}
-          </ul>
+          <div className="lathe-told">
+            <ul className="lathe-legend small" aria-label={t.legend}>
+              {there.map((role) => (
+                <li key={role}>
+                  <svg width="26" height="8" aria-hidden="true">
+                    <path className={`plane-${role}`} d="M1 4H25" />
+                  </svg>
+                  {lines[role]}
+                </li>
+              ))}
+            </ul>
+          </div>
         </div>
         <GlyphButton glyph="zoomOut" name={t.zoomOut} onPress={() => viewport.zoom(1 / ZOOM)} />
         <GlyphButton glyph="zoomIn" name={t.zoomIn} onPress={() => viewport.zoom(ZOOM)} />

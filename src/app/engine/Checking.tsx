@@ -4,7 +4,7 @@ import { useLong } from "./use-long.ts";
 import "./checking.css";
 
 /** What is done sooner than this is not worth a mark, which would only flicker, ms. */
-const SOON = 150;
+const SOON = 300;
 
 /** Whether the worker is still at what is shown, and whether for so long that it is to be seen. */
 export function useChecking(): { readonly now: boolean; readonly seen: boolean } {

@@ -185,7 +185,7 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
         {!solid.drawn && (
           <>
             <Picture viewport={viewport} scene={scene} moving={moving} waiting={waiting} findings={findings} residual={residual}
-              section={section} name={t.picture(state)} path={path.stretches} ghosts={<GhostPaths scene={scene} clock={clock} />}
+              section={section} name={t.pictures[section](state)} path={path.stretches} ghosts={<GhostPaths scene={scene} clock={clock} />}
               chosen={[<LoadPart.Lines key="load" run={run} shown={path.has} />, <ChosenPath key="chosen" run={run} />]}
               hovered={<HoveredMove run={run} hover={hover} />}
             >

@@ -42,7 +42,7 @@ export function Readout({ run, playback, chipAt }: { readonly run: Run; readonly
       <p className="lathe-phase soft">
         <span data-says="phase" />
         <span data-says="pass" />
-        <span className="number" data-says="chip" title={t.chip} />
+        <span className="number" data-says="chip" title={Object.entries(t.chip).map((each) => each.join(" ")).join(" · ")} />
         <span data-says="block" />
       </p>
     </div>

@@ -1,12 +1,37 @@
 import { Toolbar } from "react-aria-components/Toolbar";
 import { changeSettings, SECTION_VIEWS, SHOWN_COLOURS, SHOWN_PATHS, useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
+import { Glyph, type GlyphName } from "./Glyph.tsx";
 import { GlyphButton } from "./GlyphButton.tsx";
 import type { Measuring } from "../measure/measuring.ts";
 import type { Viewport } from "./viewport.ts";
 
 /** Zoom per press. */
 export const ZOOM = 1.4;
+
+/** One of a few: a list with its word, or with its glyph alone where the bar has no room for words. */
+function Choice<Value extends string>({ name, glyph, value, all, words, quiet, onChoose }: {
+  readonly name: string;
+  readonly glyph?: GlyphName;
+  readonly value: Value;
+  readonly all: readonly Value[];
+  readonly words: Readonly<Record<Value, string>>;
+  /** What is nothing to call out. */
+  readonly quiet?: Value;
+  readonly onChoose: (value: Value) => void;
+}) {
+  return (
+    <label className={glyph ? "lathe-choice with-glyph" : "lathe-choice"}>
+      <span className="unseen">{name}</span>
+      {glyph && <Glyph name={glyph} />}
+      <select className="select" title={name} value={value} data-chosen={quiet !== undefined && value !== quiet}
+        onChange={({ target }) => onChoose(all.find((each) => each === target.value) ?? value)}
+      >
+        {all.map((each) => <option key={each} value={each}>{words[each]}</option>)}
+      </select>
+    </label>
+  );
+}
 
 /** How the picture is looked at: which section, X up or down, ruler, zoom and fit. */
 export function ViewBar({ viewport, measuring, onWhich, children }: {
@@ -21,37 +46,31 @@ export function ViewBar({ viewport, measuring, onWhich, children }: {
   const paths = useSettings((s) => s.paths), colours = useSettings((s) => s.colours), solid = useSettings((s) => s.solid);
   return (
     <Toolbar className="lathe-viewbar" aria-label={t.viewTools}>
-      <label className="lathe-section">
-        <span className="unseen">{t.sections.title}</span>
-        <select className="select" title={t.sections.title} value={solid ? "solid" : section} onChange={({ target: { value } }) =>
-          changeSettings({ solid: value === "solid", section: SECTION_VIEWS.find((each) => each === value) ?? section })}
-        >
-          {[...SECTION_VIEWS, "solid" as const].map((each) => <option key={each} value={each}>{t.sections[each]}</option>)}
-        </select>
-      </label>
-      <GlyphButton glyph={down ? "xDown" : "xUp"} name={t.xDown} text={t.xDown} pressed={down} onPress={() =>
-        changeSettings({ xDown: !down })} />
+      <div className="lathe-choices">
+        <Choice name={t.sections.title} value={solid ? "solid" : section} all={[...SECTION_VIEWS, "solid"]} words={t.sections}
+          onChoose={(value) => changeSettings({ solid: value === "solid", ...(value !== "solid" && { section: value }) })} />
+        <Choice glyph="paths" name={t.paths.title} value={paths} all={SHOWN_PATHS} words={t.paths} quiet="all"
+          onChoose={(value) => changeSettings({ paths: value })} />
+        <Choice glyph="colours" name={t.colours.title} value={colours} all={SHOWN_COLOURS} words={t.colours} quiet="none"
+          onChoose={(value) => changeSettings({ colours: value })} />
+      </div>
+      <GlyphButton glyph={down ? "xDown" : "xUp"} name={t.xDown} text={t.xDown} pressed={down}
+        onPress={() => changeSettings({ xDown: !down })} />
       <GlyphButton glyph="ruler" name={t.ruler} text={t.ruler} pressed={measuring.on} onPress={measuring.toggle} />
       <GlyphButton glyph="which" name={t.which} disabled={onWhich === null} onPress={() => onWhich?.()} />
-      <div className="lathe-which">
-        <label className="lathe-which-paths">
-          <span className="unseen">{t.paths.title}</span>
-          <select className="select" title={t.paths.title} value={paths} onChange={(event) =>
-            changeSettings({ paths: SHOWN_PATHS.find((each) => each === event.target.value) ?? "all" })}
-          >
-            {SHOWN_PATHS.map((each) => <option key={each} value={each}>{t.paths[each]}</option>)}
-          </select>
-        </label>
-        <label className="lathe-which-paths">
-          <span className="unseen">{t.colours.title}</span>
-          <select className="select" title={t.colours.title} value={colours} onChange={(event) =>
-            changeSettings({ colours: SHOWN_COLOURS.find((each) => each === event.target.value) ?? "none" })}
-          >
-            {SHOWN_COLOURS.map((each) => <option key={each} value={each}>{t.colours[each]}</option>)}
-          </select>
-        </label>
+      <div className="lathe-gap">
+        <div className="lathe-told">
+          {children}
+          <dl className="lathe-letters small soft">
+            {Object.entries(t.chip).map(([letter, means]) => (
+              <div key={letter}>
+                <dt className="number">{letter}</dt>
+                <dd>{means}</dd>
+              </div>
+            ))}
+          </dl>
+        </div>
       </div>
-      <div className="lathe-gap">{children}</div>
       <GlyphButton glyph="zoomOut" name={t.zoomOut} onPress={() => viewport.zoom(1 / ZOOM)} />
       <GlyphButton glyph="zoomIn" name={t.zoomIn} onPress={() => viewport.zoom(ZOOM)} />
       <GlyphButton glyph="fit" name={t.fit} onPress={viewport.fit} />

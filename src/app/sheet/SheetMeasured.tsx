@@ -2,6 +2,7 @@ import { useMemo } from "react";
 import type { SheetTexts } from "../../i18n/en/sheet.ts";
 import type { MeasurementNow } from "../../view/measure/reading.ts";
 import type { SheetMeasurement } from "../../view/sheet/measured.ts";
+import { measurablePlane } from "../approach/plane-source.ts";
 import { measuredIn } from "../edits.ts";
 import type { Outcome } from "../engine/outcome.ts";
 import { measurementWords, useMeasureTexts } from "../measure/measure-words.ts";
@@ -15,10 +16,11 @@ const NOTHING: readonly MeasurementNow[] = [];
 /** What was measured in the open work, as far as the sheet is to show it. */
 export function useSheetMeasured(outcome: Outcome | null): readonly MeasurementNow[] {
   const list = useEditor(measuredIn), isShown = useSettings((s) => s.sheetMeasured);
-  return useMemo(
-    () => (outcome && isShown ? (["ZX", "XY"] as const).flatMap((plane) => readIn(list, measurableRun(outcome.run, plane))) : NOTHING),
-    [outcome, list, isShown],
-  );
+  return useMemo(() => (outcome && isShown ? [measurableRun, measurablePlane].flatMap((of) => readIn(list, of(outcome.run))) : NOTHING), [
+    outcome,
+    list,
+    isShown,
+  ]);
 }
 
 /** Those that are drawn: of the finished part. Half-made parts and milled planes are not on the drawing. */

@@ -2,7 +2,11 @@ import type { LatheTexts } from "../en/lathe.ts";
 
 export const lathe = {
   title: "Drehansicht",
-  picture: (state) => `Schnitt durch das Werkstück, Z nach rechts. ${state}`,
+  pictures: {
+    half: (state) => `Halbschnitt des Werkstücks, Z nach rechts. ${state}`,
+    full: (state) => `Vollschnitt des Werkstücks, Z nach rechts. ${state}`,
+    outside: (state) => `Außenansicht des Werkstücks, Z nach rechts. ${state}`,
+  },
   countsFrom: (x, z) => `Nullpunkt des Programms: X ⌀ ${x}, Z ${z}.`,
   pictureEmpty: "Noch keine Bahn",
   known: {
@@ -93,7 +97,7 @@ export const lathe = {
   stepOnly: (step, of) => `Schritt ${step} von ${of}`,
   outside: "Zwischen den Zyklen",
   block: (block) => `Satz ${block}`,
-  chip: "ap Schnitttiefe, f Vorschub je Umdrehung, h Spanungsdicke, b Spanungsbreite, A Spanungsquerschnitt",
+  chip: { ap: "Schnitttiefe", f: "Vorschub je Umdrehung", h: "Spanungsdicke", b: "Spanungsbreite", A: "Spanungsquerschnitt" },
   atStart: "Am Anfang",
   atEnd: "Am Ende",
 

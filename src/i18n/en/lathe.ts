@@ -3,7 +3,11 @@ import type { Shape } from "../shape.ts";
 /** The lathe view: picture, playback, timeline, ruler, findings and the table of moves. Numbers arrive as text. */
 export const lathe = {
   title: "Lathe view",
-  picture: (state: string) => `Section of the work, Z to the right. ${state}`,
+  pictures: {
+    half: (state: string) => `Half section of the work, Z to the right. ${state}`,
+    full: (state: string) => `Full section of the work, Z to the right. ${state}`,
+    outside: (state: string) => `The work seen from outside, Z to the right. ${state}`,
+  },
   countsFrom: (x: string, z: string) => `The program counts from X⌀ ${x}, Z ${z}.`,
   pictureEmpty: "No path yet",
   known: {
@@ -98,7 +102,7 @@ export const lathe = {
   outside: "Between the cycles",
   block: (block: string) => `Block ${block}`,
   /** What the letters of the chip stand for. */
-  chip: "ap depth of cut, f feed per turn, h chip thickness, b chip width, A chip area",
+  chip: { ap: "depth of cut", f: "feed per turn", h: "chip thickness", b: "chip width", A: "chip area" },
   atStart: "At the start",
   atEnd: "At the end",
 

@@ -2,7 +2,11 @@ import type { LatheTexts } from "../en/lathe.ts";
 
 export const lathe = {
   title: "Vue du tour",
-  picture: (state) => `Coupe de la pièce, Z vers la droite. ${state}`,
+  pictures: {
+    half: (state) => `Demi-coupe de la pièce, Z vers la droite. ${state}`,
+    full: (state) => `Coupe complète de la pièce, Z vers la droite. ${state}`,
+    outside: (state) => `Vue extérieure de la pièce, Z vers la droite. ${state}`,
+  },
   countsFrom: (x, z) => `Le programme compte à partir de X⌀ ${x}, Z ${z}.`,
   pictureEmpty: "Pas encore de trajectoire",
   known: {
@@ -93,7 +97,7 @@ export const lathe = {
   stepOnly: (step, of) => `Étape ${step} sur ${of}`,
   outside: "Entre les cycles",
   block: (block) => `Séquence ${block}`,
-  chip: "ap profondeur de passe, f avance par tour, h épaisseur de coupe, b largeur de coupe, A section de copeau",
+  chip: { ap: "profondeur de passe", f: "avance par tour", h: "épaisseur de coupe", b: "largeur de coupe", A: "section de copeau" },
   atStart: "Au début",
   atEnd: "À la fin",
 

@@ -2,7 +2,11 @@ import type { LatheTexts } from "../en/lathe.ts";
 
 export const lathe = {
   title: "车削视图",
-  picture: (state) => `工件剖视图，Z 轴向右。${state}`,
+  pictures: {
+    half: (state) => `工件半剖视图，Z 轴向右。${state}`,
+    full: (state) => `工件全剖视图，Z 轴向右。${state}`,
+    outside: (state) => `工件外形图，Z 轴向右。${state}`,
+  },
   countsFrom: (x, z) => `程序以 X⌀ ${x}、Z ${z} 为原点。`,
   pictureEmpty: "尚无刀具路径",
   known: {
@@ -85,7 +89,7 @@ export const lathe = {
   stepOnly: (step, of) => `第 ${step} 步，共 ${of} 步`,
   outside: "循环之间",
   block: (block) => `程序段 ${block}`,
-  chip: "ap 背吃刀量，f 每转进给量，h 切削厚度，b 切削宽度，A 切削面积",
+  chip: { ap: "背吃刀量", f: "每转进给量", h: "切削厚度", b: "切削宽度", A: "切削面积" },
   atStart: "在起点",
   atEnd: "在终点",
 
