@@ -15,9 +15,9 @@ test("a toolbar is one stop of Tab, and arrows move inside it", async ({ page })
   const at = await lathe.running.innerText();
 
   await lathe.section.focus();
-  await press(page, "ArrowRight");
+  await press(page, "ArrowRight", "ArrowRight", "ArrowRight");
   await expect(lathe.button("xDown")).toBeFocused();
-  await press(page, ...Array.from({ length: 7 }, () => "ArrowRight"), "ArrowLeft");
+  await press(page, ...Array.from({ length: 5 }, () => "ArrowRight"), "ArrowLeft");
   await expect(lathe.button("zoomIn")).toBeFocused();
   await press(page, "Tab", "Shift+Tab");
   await expect(lathe.button("zoomIn")).toBeFocused();
