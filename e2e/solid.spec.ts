@@ -9,11 +9,20 @@ test("the turned body in space: turned, cut open, at any moment; the section whe
   const { effect, lathe, start } = turnwise;
   const field = lathe.view.getByRole("group", { name: words.title, exact: true }), picture = field.getByRole("img");
   const seen = async () => createHash("sha1").update(await picture.screenshot()).digest("hex");
-  /** What is seen once it is another picture than before. */
+  const frames = (count: number) =>
+    page.evaluate(async (n) => {
+      for (let i = 0; i < n; i += 1) await new Promise(requestAnimationFrame);
+    }, count);
+  /** What is seen once it is another picture than before, and stays. */
   const changed = async (before: string) => {
-    await expect.poll(seen).not.toBe(before);
-    await page.waitForTimeout(300);
-    return seen();
+    let now = before;
+    await expect.poll(async () => {
+      const last = now;
+      await frames(6);
+      now = await seen();
+      return now !== before && now === last;
+    }).toBe(true);
+    return now;
   };
   await start.beginWithExample(812);
   await effect.proved();
@@ -45,7 +54,7 @@ test("the turned body in space: turned, cut open, at any moment; the section whe
   await page.mouse.up();
   now = await changed(now);
   // Nothing is drawn as long as nothing changes.
-  await page.waitForTimeout(400);
+  await frames(24);
   expect(await seen()).toBe(now);
   await lathe.button("last").click();
   now = await changed(now);
