@@ -17,6 +17,7 @@ import { groundOver, insertIn, insidePart, leadOf, reachOf, startInPart, type Gr
 import { limitedInfeed } from "./infeed.ts";
 import { keptOver } from "./kept.ts";
 import { empty, TURNING } from "./leveled.ts";
+import { countedAnew } from "./levels.ts";
 import { Cutter } from "./link.ts";
 import { areaBetween, partUnder } from "./outline-area.ts";
 import { divideAllowance, type Allowance } from "./parallel-infeed.ts";
@@ -107,9 +108,9 @@ export function planContourParallel(l: ContourParallel, setting: Setting): Plan 
   }
   return clearAcross({
     ...sketch,
-    moves: cutter.moves,
     issues,
-    passes: passes.length,
+    // Where a pass has nothing to follow there is none.
+    ...countedAnew(cutter.moves),
     infeed: length(greatest(passes)),
     reach: reachOf(drawn, drawn.first, drawn.end.u, l.frame, tool),
     kept: reachOf(kept, kept.first, Math.max(kept.end.u, drawn.end.u), l.frame, tool),
