@@ -30,7 +30,7 @@ test("a piece that has area in common with an area meets it, and one that is cle
     const meets = sidesOf(area).meets(convexPieceOf(piece));
     if (common > 0.01) expect(meets).toBe(true);
     if (!meets) expect(common).toBeLessThan(0.01);
-    // A needle that ends in the piece has less in common with it than the grid of the polygon engine shows: clear is what keeps its distance.
+    // A needle that ends in the piece has less in common with it than the polygon engine's grid shows: clear is what keeps its distance.
     if (areaOf(intersection(offset(area, 0.01), [piece])) === 0) expect(meets).toBe(false);
   }), { numRuns: 1500 });
 });
