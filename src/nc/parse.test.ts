@@ -81,6 +81,7 @@ describe("findings have a place, and a fix where it is plain", () => {
     ["1 CYCL DEF 7 N\nQ491+5 ;A", "equalsMissing 3:1"],
     ["1 CYCL DEF 7 N\nQ491 =+5 ;A", "blankBeforeEquals 3:1"],
     ["1 CR X+1 DR+", "wordMissing 2:3"],
+    [`1 FC D${"9".repeat(400)}`, "badNumber 2:7"],
   ])("%j", (text, finding) => expect(said(text)).toEqual([finding]));
   test("the fix of a misprint gives a text without it", () => {
     for (const text of ["1 CYCL DEF 7 N\nQ491+5 ;A\n", "1 CYCL DEF 7 N\nQ491 =+5 ;A\n"]) {

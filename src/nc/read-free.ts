@@ -21,13 +21,16 @@ export function readFree(scan: Scan, form: FreeForm): Statement | null {
     scan.leftOver();
     return { kind: "free", form, given, words: { axes: [], linear: [], functions: [], extra: [] } };
   }
-  const rest = scan.text.slice(scan.at).replace(GIVEN, (text, closes?: string, sign?: string, name = "", digits = "") => {
+  const begun = scan.at;
+  const rest = scan.text.slice(begun).replace(GIVEN, (text, closes?: string, sign?: string, name = "", digits = "", at = 0) => {
+    // What is wrong with a value is said where it stands.
+    scan.at = begun + Number(at) + text.length;
     const value = closes ? (sign === "-" ? -1 : 1) : scan.value(digits);
     if (value !== null) given.push({ name: (closes ?? name).toUpperCase(), value });
     return " ".repeat(text.length);
   });
   // The other words stand where they stood, so that what is wrong with them has its place.
-  const inner = new Scan(rest, scan.offset + scan.at);
+  const inner = new Scan(rest, scan.offset + begun);
   const words = readWords(inner);
   for (const found of inner.issues) scan.issues.push(found);
   scan.at = scan.text.length;
