@@ -106,6 +106,8 @@ test("a drag with the ruler measures, and leaves the picture where it is", async
   await turnwise.start.beginWithExample(812);
   await effect.proved();
   await lathe.button("ruler").click();
+  const reading = lathe.view.locator(".measure-panel");
+  await expect(reading.getByRole("status")).not.toBeEmpty();
   const stage = stageOf(turnwise);
   const from = await pictureAt(page, stage, -90, 20), to = await pictureAt(page, stage, -70, 30);
   await page.mouse.move(from.x, from.y);
@@ -113,7 +115,6 @@ test("a drag with the ruler measures, and leaves the picture where it is", async
   await page.mouse.move((from.x + to.x) / 2, to.y, { steps: 4 });
   await page.mouse.move(to.x, to.y, { steps: 4 });
   await page.mouse.up();
-  const reading = lathe.view.locator(".measure-panel");
   await expect(reading.getByRole("status")).toContainText(/20/);
   expect(await pictureAt(page, stage, -90, 20)).toEqual(from);
 });
