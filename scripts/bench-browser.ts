@@ -56,7 +56,6 @@ async function measureScreen(browser: Browser, address: string, screen: Screen, 
     if (counted.length > 0) {
       const bench = await openBench(browser, address, screen, false);
       await openWork(bench, work);
-      await bench.slow();
       box ??= await measureBox(bench, options);
       for (const name of counted) {
         begin(`${screen.name}: ${work.name} ${name} … `);

@@ -27,19 +27,20 @@ export function startBrowser(): Promise<Browser> {
   return chromium.launch({ args: browserFlags, ...(executablePath ? { executablePath } : {}) });
 }
 
-/** The processor of a page made slower; 1 is full speed. */
-async function slowDown(page: Page, rate: number): Promise<void> {
+/** How to make the processor of a page slower; 1 is full speed. */
+async function slowing(page: Page): Promise<(rate: number) => Promise<void>> {
   const session = await page.context().newCDPSession(page);
-  await session.send("Emulation.setCPUThrottlingRate", { rate });
+  return async (rate) => void await session.send("Emulation.setCPUThrottlingRate", { rate });
 }
 
-/** The page on a screen, and the empty one beside it, each as slow as the screen says once `slow` is called. */
+/** The page on a screen, and the empty one beside it. */
 export interface Bench {
   readonly context: BrowserContext;
   readonly page: Page;
   readonly turnwise: Turnwise;
   readonly empty: Page;
-  readonly slow: () => Promise<void>;
+  /** Makes the page as slow as the screen says, or the empty one in its place: a slowed page takes a whole core, also behind another one. */
+  readonly slow: (which: "page" | "empty") => Promise<void>;
 }
 
 /** Room for a slow page on a busy machine, ms. */
@@ -62,14 +63,15 @@ export async function openBench(browser: Browser, address: string, screen: Scree
   const page = await context.newPage();
   if (watched) await page.addInitScript(watchDrawing);
   const turnwise = await Turnwise.open(page);
+  const rates = { page: await slowing(page), empty: await slowing(empty) };
   return {
     context,
     page,
     turnwise,
     empty,
-    async slow() {
-      await slowDown(page, slower);
-      await slowDown(empty, slower);
+    async slow(which) {
+      await rates[which === "page" ? "empty" : "page"](1);
+      await rates[which](slower);
     },
   };
 }

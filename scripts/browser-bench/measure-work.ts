@@ -1,4 +1,3 @@
-import type { Page } from "@playwright/test";
 import { quantile } from "../../e2e/pages/measure.ts";
 import { middle } from "../reference.ts";
 import { referenceIn, type Bench } from "./bench-page.ts";
@@ -46,24 +45,22 @@ const LOOK_MS = 1200;
 const SETTLE = 400;
 
 /** A page behind another one gets a frame a second: what is looked at has to be in front. */
-async function look(page: Page, lasts = LOOK_MS): Promise<Frames> {
-  await page.bringToFront();
-  return page.evaluate(countFrames, lasts);
+async function look({ empty, slow }: Bench): Promise<number> {
+  await empty.bringToFront();
+  await slow("empty");
+  return (await empty.evaluate(countFrames, LOOK_MS)).perSecond;
 }
 
-async function paired(
-  { page, empty }: Bench,
-  options: BenchOptions,
-  act: (round: number) => Promise<() => Promise<void>>,
-): Promise<FrameResult> {
+async function paired(bench: Bench, options: BenchOptions, act: (round: number) => Promise<() => Promise<void>>): Promise<FrameResult> {
   const rounds: { readonly empty: number; readonly frames: Frames }[] = [];
-  let before = (await look(empty)).perSecond;
+  let before = await look(bench);
   for (let round = 0; round < options.rounds; round += 1) {
-    await page.bringToFront();
+    await bench.page.bringToFront();
+    await bench.slow("page");
     const end = await act(round);
-    const frames = await look(page, options.seconds * 1000);
+    const frames = await bench.page.evaluate(countFrames, options.seconds * 1000);
     await end();
-    const after = (await look(empty)).perSecond;
+    const after = await look(bench);
     rounds.push({ empty: (before + after) / 2, frames });
     before = after;
   }
@@ -81,7 +78,7 @@ async function paired(
 
 /** A page with a moving box and nothing else, beside the empty one: what can be reached at all where something is drawn. */
 export async function measureBox(bench: Bench, options: BenchOptions): Promise<FrameResult> {
-  const box = { ...bench, page: bench.empty };
+  const box = { ...bench, page: bench.empty, slow: () => bench.slow("empty") };
   return paired(box, { ...options, rounds: Math.min(3, options.rounds) }, async () => {
     await bench.empty.evaluate(moveBox);
     return () => bench.empty.evaluate(removeBox);
@@ -158,7 +155,7 @@ export async function measureKeys(bench: Bench, work: MeasuredWork, options: Ben
   await turnwise.lathe.button("last").click();
   await work.ask(turnwise);
   await turnwise.dialog.value.fill("0.1");
-  await bench.slow();
+  await bench.slow("page");
   const paths: number[] = [], pictures: number[] = [], references: number[] = [];
   for (let key = -2; key < options.keys; key += 1) {
     if (key % 4 === 0) references.push(await referenceIn(page));

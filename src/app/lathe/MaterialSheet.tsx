@@ -83,7 +83,11 @@ export function MaterialSheet({ viewport, moving, blank, section, chuck }: {
       fitCanvas(over, work);
       paintWork(work);
     };
+    let waits = false;
     const paintMoved = () => {
+      // The eye follows the tool: while it plays the material follows with every second picture.
+      waits = !waits && moving?.playback.get().playing === true;
+      if (waits) return;
       const [before, were] = [now, rings];
       stock();
       if (!moving || (rings === were && onlyRapids(moving, before, now))) return;

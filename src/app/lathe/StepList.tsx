@@ -3,7 +3,7 @@ import { Icon } from "../Icon.tsx";
 import { changeSettings, useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import type { PlaybackStore } from "./playback-store.ts";
-import { nearestCycle, runningSteps } from "./running.ts";
+import { mostSteps, nearestCycle, runningSteps } from "./running.ts";
 import { useReadPlayback } from "./use-playback.ts";
 
 /** The steps that the manual numbers for what runs, the running one marked; a press goes to the first move of one. */
@@ -13,10 +13,12 @@ export function StepList({ run, playback }: { readonly run: Run; readonly playba
     const { operation, move } = run.steps[store.get().position.step] ?? {};
     return operation === null || move === undefined ? null : `${operation} ${move.run} ${move.step}`;
   });
-  // Between the cycles those of the next one stay, with none of them marked: the picture over the list keeps its size.
+  // The picture over the list keeps its size: between the cycles the steps of the next one stay, with none of them marked, and a cycle
+  // with fewer steps than another one of the program has the room of that one.
   const near = useReadPlayback(playback, (store) => nearestCycle(run, store.get().position.step));
   const steps = near === null ? [] : runningSteps(texts, run, near, index === null ? null : playback.get().position.step);
   if (steps.length === 0) return null;
+  const room = Math.max(0, mostSteps(texts, run) - steps.length);
   return (
     <div className="lathe-steps">
       <button type="button" className="button icon plain" aria-expanded={open} aria-label={open ? t.fold : t.unfold}
@@ -37,6 +39,7 @@ export function StepList({ run, playback }: { readonly run: Run; readonly playba
               </button>
             </li>
           ))}
+          {Array.from({ length: room }, (_, i) => <li key={`room ${i}`} className="lathe-step-room" aria-hidden="true" />)}
         </ol>
       )}
     </div>

@@ -117,6 +117,12 @@ export function runningSteps(t: Texts, run: Run, index: number, now: number | nu
   }));
 }
 
+/** The most steps that any cycle of a run has numbered. */
+export function mostSteps(t: Texts, { operations }: Run): number {
+  const all: Partial<Record<number, CyclesTexts["of"][keyof CyclesTexts["of"]]>> = t.cycles.of;
+  return operations.reduce((most, { cycle }) => Math.max(most, all[cycle]?.rough.length ?? 0, all[cycle]?.finish.length ?? 0), 0);
+}
+
 /** The spindle of a step: that of its operation, or of the nearest operation for moves between them. */
 function spindleOf(run: Run, index: number): Spindle | null {
   const own = run.steps[index]?.operation;
