@@ -15,6 +15,7 @@ const RULES: Record<string, Rule> = {
   sim: { values: ["kernel"] },
   view: { values: ["kernel", "sim"], types: ["cycles"] },
   report: { values: ["kernel", "cycles", "nc", "program", "sim", "i18n"] },
+  course: { values: ["kernel", "cycles", "nc", "program", "sim", "report", "zod"] },
   i18n: { values: [], types: ["kernel", "cycles", "nc", "program"] },
   examples: { values: [] },
 };

@@ -1,0 +1,155 @@
+import { z } from "zod/mini";
+import { inLanguages, words } from "./words.ts";
+
+/*
+ * A task is one file: what is asked, what is there at the beginning, the wanted part, the rules that the answer is judged by, hints, one
+ * answer that passes, and wrong ones with the place where each shows. docs/tasks.md describes it for instructors.
+ */
+
+export const TASK_FORMAT = "turnwise-task/1";
+
+/** Most lines of a program in a task, and most of anything else that is listed. */
+const MOST = { lines: 2000, listed: 60 };
+const id = z.string().check(z.regex(/^[a-z0-9][a-z0-9-]{1,60}$/));
+const lines = z.array(z.string().check(z.maxLength(200))).check(z.minLength(1), z.maxLength(MOST.lines));
+const listed = <S extends z.core.$ZodType>(schema: S) => z.array(schema).check(z.maxLength(MOST.listed));
+const typed = z.string().check(z.maxLength(40));
+const finite = z.number();
+
+/** What lies open when the task begins: prompts of one cycle, a program, or nothing but a new program. */
+const start = z.union([
+  z.object({
+    /** Number of the cycle whose prompts lie open. */
+    cycle: z.int(),
+    /** Values that are there already, as typed, by Q; the other prompts are empty. */
+    values: z._default(z.record(z.string().check(z.regex(/^Q\d+$/)), typed), {}),
+    /** Blank as typed, mm: outside and bore as ⌀; absent: proposed. */
+    blank: z.optional(z.object({ outside: typed, bore: typed, length: typed, allowance: typed })),
+    tool: z.optional(z.number()),
+    /** Tip at the cycle call, ⌀ and Z. */
+    at: z.optional(z.object({ x: typed, z: typed })),
+    /** Contour as lines of a contour subprogram, without LBL, for cycles that follow one. */
+    contour: z.optional(lines),
+  }),
+  z.object({ program: lines }),
+  z.object({ empty: z.literal(true) }),
+]);
+
+/**
+ * The wanted part. `outside` is its outline as lines of a contour subprogram from the axis or the bore at the free end to where the blank is
+ * left as it is; what lies behind the last point (farther along −Z) stays as the blank. `bore` is that of the hollow, from the free end
+ * inwards to where the hollow of the blank, or its full steel, is left as it is.
+ */
+const part = z.object({
+  /** `BLK FORM` line or lines. */
+  blank: lines,
+  outside: z.optional(lines),
+  bore: z.optional(lines),
+});
+
+/** A size that is measured on the made part. Nominal and measured sizes mm; `upper` and `lower` are deviations. */
+const size = z.object({
+  /** "diameter": outside at Z = at; "bore": inside at Z = at; "face": Z of the first material from the free end at ⌀ = at. */
+  kind: z.enum(["diameter", "bore", "face"]),
+  at: finite,
+  nominal: finite,
+  upper: finite,
+  lower: finite,
+});
+
+/** The rules of the shop. What is absent is not asked; gouges of the wanted part and rapids in stock are never allowed. */
+const rules = z.object({
+  /** Most steel that may stay beside the wanted part, mm² of the half section; by default 0.05. */
+  residue: z.optional(finite),
+  /** Most steel that may be missing from it, mm²; by default 0.01. */
+  missing: z.optional(finite),
+  /** Whether the proof must be without errors and warnings of its own; default: errors alone count. */
+  clean: z.optional(z.boolean()),
+  /** Greatest real depth of a roughing pass, mm; greatest programmed spindle limit or speed, rpm. */
+  depth: z.optional(finite),
+  speed: z.optional(finite),
+  /** The only tools that may be called; most tools; most seconds. */
+  tools: z.optional(listed(z.number())),
+  mostTools: z.optional(z.int()),
+  seconds: z.optional(finite),
+  /** Cycles that must be called; cycles that must not. */
+  cycles: z.optional(listed(z.int())),
+  without: z.optional(listed(z.int())),
+  /** Values that a parameter must have wherever it stands in a called cycle (of `cycle`, if given): from and to, both included. */
+  values: z.optional(listed(z.object({ q: z.string(), cycle: z.optional(z.int()), from: z.optional(finite), to: z.optional(finite) }))),
+  /** Exact number of roughing passes of all called cycles. */
+  passes: z.optional(z.int()),
+  /** Greatest theoretical roughness Rz of the wanted part's surfaces, µm, between two Z. */
+  rz: z.optional(listed(z.object({ from: finite, to: finite, most: finite }))),
+  /** Words that must stand in the text of some block, each of them: "M136", "APPR LCT". */
+  words: z.optional(listed(z.string())),
+});
+
+/** What the learner says before the run; the truth comes from the kernel, but for `choice`, where the task says which one is right. */
+const prediction = z.union([
+  /** A number: passes, real infeed mm, seconds, residue mm², or a size as of `sizes`. Right within `within` (default 0). */
+  z.object({
+    ask: z.enum(["passes", "infeed", "seconds", "residue"]),
+    /** Index of the cycle call, from 0; absent: all together. */
+    operation: z.optional(z.int()),
+    within: z.optional(finite),
+  }),
+  z.object({ ask: z.enum(["diameter", "bore", "face"]), at: finite, within: z.optional(finite) }),
+  /** A place on the part: where material stays, or where the part is hurt, or where the first rapid runs into steel. Within so many mm. */
+  z.object({ ask: z.enum(["residuePlace", "gougePlace", "rapidPlace"]), within: z._default(finite, 3) }),
+  /** One of `words.choices`, from 0. */
+  z.object({ ask: z.literal("choice"), right: z.int() }),
+  /** The block that has the fault: any of these numbers. */
+  z.object({ ask: z.literal("block"), right: listed(z.int()).check(z.minLength(1)) }),
+]);
+
+const told = z.object({
+  title: words,
+  /** The assignment. An empty line begins a new paragraph. */
+  ask: words,
+  /** Three stages: where to look; what is behind it; what to do. */
+  hints: z.tuple([words, words, words]),
+  /** What is asked before the run, one text for each of `predict`. */
+  questions: z.optional(listed(words)),
+  /** What a `choice` offers, one list for each of `predict` (empty for others). */
+  choices: z.optional(listed(listed(words))),
+  /** Told when it is passed: what was learned. */
+  learned: z.optional(words),
+});
+
+/** An answer that must be refused. */
+const wrong = z.object({
+  program: lines,
+  /** The rule that refuses it: a name from `rules`, "missing", "residue", "rapid", "errors", "size". */
+  rule: z.string(),
+  /** Where on the part it shows (⌀ and Z, within 3 mm) or in which block; at least one of both. */
+  at: z.optional(z.object({ x: finite, z: finite })),
+  block: z.optional(z.int()),
+});
+
+export const taskSchema = z.object({
+  format: z.literal(TASK_FORMAT),
+  id,
+  /**
+   * "make": a part or a block is made; "fault": a program with a fault is mended; "predict": the run is foretold, nothing is written;
+   * "drawing": free programming from a workshop drawing, with a score.
+   */
+  kind: z.enum(["make", "fault", "predict", "drawing"]),
+  start,
+  part: z.optional(part),
+  sizes: z.optional(listed(size)),
+  /** Surface marks of the drawing are those of `rules.rz`. */
+  rules: z._default(rules, {}),
+  predict: z.optional(listed(prediction)),
+  /** What a good answer of a "drawing" needs: seconds and tools for full marks. */
+  par: z.optional(z.object({ seconds: finite, tools: z.int() })),
+  words: inLanguages(told),
+  /** An answer that passes, as a whole program; absent for "predict" alone. */
+  solution: z.optional(lines),
+  wrong: z.optional(listed(wrong)),
+});
+
+export type Task = z.infer<typeof taskSchema>;
+export type TaskRules = z.infer<typeof rules>;
+export type Prediction = z.infer<typeof prediction>;
+export type TaskWords = z.infer<typeof told>;
