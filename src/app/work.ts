@@ -1,5 +1,5 @@
 import type { Measurement } from "../kernel/measured.ts";
-import type { HandedOn, Job } from "../program/job.ts";
+import type { HandedOn, Job, TaskWork } from "../program/job.ts";
 import { fileKey } from "../program/program-files.ts";
 
 /** How the bytes of a program file stand for characters. Controls also write files that are not UTF-8. */
@@ -24,6 +24,7 @@ export interface ProgramWork extends WorkFile, HandedOn {
   readonly remarks?: string;
   /** What was measured in its picture and stays there, in the order in which it was measured. */
   readonly measured?: readonly Measurement[];
+  readonly task?: TaskWork;
 }
 
 /** What a work brings along, and nothing else of it. */

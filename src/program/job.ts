@@ -75,6 +75,17 @@ export interface HandedOn {
   readonly control?: Control;
 }
 
+/** What a work is that was begun as a task of the course, or of an instructor. */
+export interface TaskWork {
+  readonly id: string;
+  /** The task itself, where it came from outside: plain data that is read where it is used. */
+  readonly file?: unknown;
+  /** Its run is not shown until something was foretold. */
+  readonly veiled?: boolean;
+  /** What was foretold, as typed, one text for each question. */
+  readonly told?: readonly string[];
+}
+
 /** Everything an operator enters. All typed text is kept as typed; the program text is made from it. */
 export interface Job extends HandedOn {
   readonly name: string;
@@ -100,6 +111,7 @@ export interface Job extends HandedOn {
   readonly remarks?: string;
   /** What was measured in its picture and stays there, in the order in which it was measured. */
   readonly measured?: readonly Measurement[];
+  readonly task?: TaskWork;
 }
 
 /** A job with a value in every place of its set-up: set, or proposed. */

@@ -5,6 +5,7 @@ import { blockNumbers, startLines, type Program } from "../../nc/program.ts";
 import { withBlock } from "../../nc/edit.ts";
 import type { Param } from "../../cycles/params.ts";
 import type { CycleParameter, Statement } from "../../nc/statement.ts";
+import { contourBefore } from "../../program/contour-of-text.ts";
 import { OWN_DECIMALS, ownField } from "../../program/own-cycle.ts";
 import { ownCycle } from "../own/own-reading.ts";
 import { feedWord } from "../../program/field.ts";
@@ -13,7 +14,7 @@ import { readDraft, type Draft } from "../../program/read-draft.ts";
 import type { RunFinding } from "../../program/run-types.ts";
 import { entryAt, type FindingEntry } from "../findings/entry.ts";
 import type { JobReading } from "../reading.ts";
-import { contourBefore, parametersBefore, perRevolutionBefore } from "./block-context.ts";
+import { parametersBefore, perRevolutionBefore } from "./block-context.ts";
 import { blockValue, parameterAsTyped } from "../../program/typed-value.ts";
 
 type CycleStatement = Extract<Statement, { kind: "cycle" }>;

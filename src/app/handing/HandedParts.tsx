@@ -18,12 +18,13 @@ export function IncomingWork() {
   );
 }
 
-/** One line over a work that does not run with what this device has. */
+/** One line over a work that does not run with what this device has. A task says with its goals what it allows. */
 export function HandedLine() {
+  const isTask = useEditor(({ job, program }) => (job ?? program)?.task !== undefined);
   const tools = useEditor((s) => handedOn(s).tools !== undefined);
   const control = useEditor((s) => handedOn(s).control);
   const device = useSettings((s) => s.control);
-  return (tools || (control !== undefined && control !== device)) && (
+  return !isTask && (tools || (control !== undefined && control !== device)) && (
     <Suspense>
       <WorkBar />
     </Suspense>

@@ -14,6 +14,8 @@ export interface Kept {
   readonly cycle: number | null;
   /** What it takes on the device, bytes, about. */
   readonly size: number;
+  /** Id of the task that it is; absent of other works. */
+  readonly task?: string | undefined;
 }
 
 /** Everything found on the device. Nothing of it is ever deleted but by the operator. */
@@ -73,8 +75,15 @@ const headOf = ({ savedAt, job }: SaveFile): Head => ({
   name: job.name,
   cycle: isProgram(job) ? null : job.cycle,
   size: sizeOf(job),
+  ...(job.task && { task: job.task.id }),
 });
-const headShape = z.object({ savedAt: z.number(), name: z.string(), cycle: z.nullable(z.number()), size: z.number() });
+const headShape = z.object({
+  savedAt: z.number(),
+  name: z.string(),
+  cycle: z.nullable(z.number()),
+  size: z.number(),
+  task: z.optional(z.string()),
+});
 
 /** What lists show of works, by their names; a work without a head is read itself. */
 async function knownHeads(): Promise<ReadonlyMap<string, Head>> {

@@ -40,6 +40,13 @@ test("what was measured is saved with the work, with its places, its moment and 
   expect(readSave({ version: SAVE_VERSION, savedAt: 1, job: broken })).toBeNull();
 });
 
+test("a work of a task is saved with its task, what was foretold and the file it came from", () => {
+  const task = { id: "predict-7", veiled: true, told: ["4", "⌀41.7 Z-13"], file: { format: "turnwise-task/1", words: { en: {} } } };
+  const works = [{ ...saved()[0]?.job, task }, { name: "MAIN.H", text: "END PGM A MM", encoding: "utf-8", task: { id: "x" } }];
+  for (const job of works) expect(readSave(JSON.parse(JSON.stringify({ version: SAVE_VERSION, savedAt: 1, job })))?.job).toEqual(job);
+  expect(readSave({ version: SAVE_VERSION, savedAt: 1, job: { ...works[1], task: { id: 7 } } })).toBeNull();
+});
+
 test("the files beside a program and the switch of its skip mark are saved with it; a save without them is as before", () => {
   const program = { name: "MAIN.H", text: "CALL PGM A", encoding: "utf-8" as const };
   const file = { name: "a.h", text: "L X+1 ;\u00d8", encoding: "windows-1252" as const };

@@ -2,7 +2,7 @@ import { z } from "zod/mini";
 import type { MeasuredPlace, Measurement } from "../../kernel/measured.ts";
 import { at } from "../../kernel/point.ts";
 import { NUMBER_PARAMETER } from "../../nc/value.ts";
-import type { ContourRow, Job } from "../../program/job.ts";
+import type { ContourRow, Job, TaskWork } from "../../program/job.ts";
 import { toolRows } from "../tools/tool-rows.ts";
 import { LONGEST_REMARKS, MOST_MEASURED, type ProgramWork, type Work, type WorkFile } from "../work.ts";
 
@@ -62,8 +62,17 @@ const row = z.object({
 });
 /** What a work that was handed on brings along. */
 const handedOn = { tools: z.optional(toolRows), control: z.optional(z.enum(["TNC 640", "TNC7"])) };
+/** The file of a task is held to its own schema where it is used. */
+const task = z.object({
+  id: text,
+  file: z.optional(z.unknown()),
+  veiled: z.optional(z.boolean()),
+  told: z.optional(z.array(text).check(z.maxLength(60))),
+});
+const ofTask = { task: z.optional(task) };
 const job = z.object({
   ...handedOn,
+  ...ofTask,
   name: text,
   cycle: z.int(),
   drafts: z.record(z.string().check(z.regex(/^\d+$/)), z.record(z.string(), text)),
@@ -84,6 +93,7 @@ const textFile = { name: text, text: z.string(), encoding: z.enum(["utf-8", "win
 const workFile = z.object(textFile);
 const program = z.object({
   ...handedOn,
+  ...ofTask,
   ...textFile,
   files: z.optional(z.array(workFile)),
   skipMarked: z.optional(z.boolean()),
@@ -96,8 +106,9 @@ type Complete = [keyof Job extends keyof z.output<typeof job> ? true : never,
   keyof ProgramWork extends keyof z.output<typeof program> ? true : never,
   keyof WorkFile extends keyof z.output<typeof workFile> ? true : never,
   keyof Measurement extends keyof z.output<typeof measurement> ? true : never,
-  keyof MeasuredPlace extends keyof z.output<typeof measuredPlace> ? true : never];
-export const complete: Complete = [true, true, true, true, true, true];
+  keyof MeasuredPlace extends keyof z.output<typeof measuredPlace> ? true : never,
+  keyof TaskWork extends keyof z.output<typeof task> ? true : never];
+export const complete: Complete = [true, true, true, true, true, true, true];
 
 const work = z.union([job, program]);
 const file = z.object({ version: z.literal(SAVE_VERSION), savedAt: z.number(), job: work });

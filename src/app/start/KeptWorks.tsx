@@ -42,14 +42,15 @@ export function KeptWorks() {
     <section className="kept-works" aria-label={t.kept}>
       <h2>{t.kept}</h2>
       <ul>
-        {works.slice(0, FIRST).map(({ work, savedAt, name, cycle }) => (
+        {works.slice(0, FIRST).map(({ work, savedAt, name, cycle, task }) => (
           <li key={work}>
             <button type="button" className="button kept-open" aria-label={t.continueWork(name)} onClick={() => void openKept(work)}>
               <KeptPicture seen={pictures[work]} cycle={cycle} />
               <span className="kept-words">
                 <b className="kept-name">{name}</b>
                 <span className="small kept-of">
-                  <span className="number card-number">{cycle ?? ".h"}</span> {cycle !== null && menu.of[cycle]?.name}
+                  <span className="number card-number">{cycle ?? ".h"}</span> {task !== undefined && <b>{t.task}</b>}
+                  {cycle !== null && menu.of[cycle]?.name}
                 </span>
                 <span className="soft small">
                   {t.changed(when.format(savedAt))}

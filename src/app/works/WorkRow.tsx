@@ -14,6 +14,8 @@ interface Props {
   readonly seen: Thumbnail | undefined;
   /** What the work is: the name of its cycle, or that it is a program. */
   readonly kind: string;
+  /** Said of a task of the course; null of other works. */
+  readonly task: string | null;
   readonly about: string;
   /** Said of a work that another tab has open; null where none has. */
   readonly elsewhere: string | null;
@@ -44,7 +46,7 @@ function NameField({ name, label, onDone }: { readonly name: string; readonly la
 }
 
 /** One work of the list: a picture, what it is, and what can be done with it. */
-export const WorkRow = memo(function WorkRow({ of, seen, kind, about, elsewhere, selected, renaming, t, onWish }: Props) {
+export const WorkRow = memo(function WorkRow({ of, seen, kind, task, about, elsewhere, selected, renaming, t, onWish }: Props) {
   const { name, cycle, work } = of;
   const does = (what: Exclude<RowWish["what"], "call">) => () => onWish(of, { what });
   return (
@@ -66,7 +68,7 @@ export const WorkRow = memo(function WorkRow({ of, seen, kind, about, elsewhere,
             <span className="kept-words">
               <b className="kept-name">{name}</b>
               <span className="small">
-                <span className="number card-number">{cycle ?? ".h"}</span> {kind}
+                <span className="number card-number">{cycle ?? ".h"}</span> {task !== null && <b>{task}</b>} {kind}
               </span>
               <span className="soft small">{about}</span>
               {elsewhere !== null && <span className="small work-elsewhere">{elsewhere}</span>}

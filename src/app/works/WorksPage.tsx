@@ -127,8 +127,9 @@ export function WorksPage() {
       <ul className="works-list" aria-label={t.list} onKeyDown={(event) => onListKey(event, wish)}>
         {shown.map((of) => (
           <WorkRow key={of.work} of={of} seen={pictures[of.work]} kind={of.cycle === null ? t.program : (menu.of[of.cycle]?.name ?? "")}
-            about={words(of.savedAt, of.size)} elsewhere={elsewhere.has(of.work) ? page.start.isElsewhere : null}
-            selected={selected.has(of.work)} renaming={renaming === of.work} t={t} onWish={onWish} />
+            task={of.task === undefined ? null : page.start.task} about={words(of.savedAt, of.size)}
+            elsewhere={elsewhere.has(of.work) ? page.start.isElsewhere : null} selected={selected.has(of.work)}
+            renaming={renaming === of.work} t={t} onWish={onWish} />
         ))}
       </ul>
     </main>

@@ -68,6 +68,7 @@ export const page = {
     kept: "Auf diesem Gerät gespeichert",
     allWorks: (n) => `Alle Arbeiten (${n})`,
     isElsewhere: "in einem anderen Tab offen",
+    task: "Aufgabe",
     continueWork: (name) => `${name} fortsetzen`,
     forget: (name) => `${name} aus der Liste nehmen`,
     removed: (name) => `${name} wurde entfernt.`,

@@ -66,6 +66,7 @@ export const page = {
     kept: "Saved on this device",
     allWorks: (n: number) => `All works (${n})`,
     isElsewhere: "open in another tab",
+    task: "Task",
     continueWork: (name: string) => `Continue ${name}`,
     forget: (name: string) => `Remove ${name} from the list`,
     removed: (name: string) => `${name} was removed.`,

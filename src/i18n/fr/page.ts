@@ -68,6 +68,7 @@ export const page = {
     kept: "Enregistrés sur cet appareil",
     allWorks: (n) => `Tous les travaux (${n})`,
     isElsewhere: "ouvert dans un autre onglet",
+    task: "Exercice",
     continueWork: (name) => `Continuer ${name}`,
     forget: (name) => `Retirer ${name} de la liste`,
     removed: (name) => `${name} a été retiré.`,

@@ -66,6 +66,7 @@ export const page = {
     kept: "保存在本设备",
     allWorks: (n) => `所有工作（${n}）`,
     isElsewhere: "已在另一个标签页打开",
+    task: "练习",
     continueWork: (name) => `继续 ${name}`,
     forget: (name) => `从列表中移除 ${name}`,
     removed: (name) => `已移除 ${name}。`,

@@ -1,0 +1,41 @@
+import { startOfTask, toolsOfTask } from "../../../course/start-of.ts";
+import type { Task } from "../../../course/task.ts";
+import { hideOwn } from "../../own/own-place.ts";
+import { usePlace } from "../../place.ts";
+import { openWork, refreshWorks, startWork, useKeeping } from "../../saving/keep.ts";
+import { useSettings } from "../../settings/settings.ts";
+import { hideTools } from "../../tools/tool-place.ts";
+import type { Work } from "../../work.ts";
+
+/** A task foretells before anything runs, and a fault is to be found by reading first. */
+const isVeiled = ({ predict = [] }: Task): boolean => predict.length > 0;
+
+/** The work that a task begins with. `fromOutside`: it does not ship with the page, and goes along with the work. */
+export function workOfTask(task: Task, fromOutside = false): Work {
+  const start = startOfTask(task);
+  const brought = {
+    tools: toolsOfTask(task),
+    task: { id: task.id, ...(isVeiled(task) && { veiled: true }), ...(fromOutside && { file: task }) },
+  };
+  if (start.kind === "job") return { ...start.job, ncLanguage: useSettings.getState().language, ...brought };
+  return { name: start.name, text: start.text, encoding: "utf-8", ...brought };
+}
+
+/** The newest kept work of a task; undefined where it was never begun on this device, or nothing of it is left. */
+export const keptOfTask = (id: string): string | undefined => useKeeping.getState().works.find(({ task }) => task === id)?.work;
+
+/** Begins a task anew, as a work of its own. */
+export function beginAnew(task: Task, fromOutside = false): void {
+  hideTools();
+  hideOwn();
+  usePlace.setState({ section: "prompts", prompt: null, field: null });
+  startWork(workOfTask(task, fromOutside));
+}
+
+/** Goes on with what was made of a task on this device, or begins it. */
+export async function beginTask(task: Task, fromOutside = false): Promise<void> {
+  await refreshWorks();
+  const kept = keptOfTask(task.id);
+  if (kept === undefined || !(await openWork(kept))) return beginAnew(task, fromOutside);
+  usePlace.setState({ section: "prompts", prompt: null, field: null });
+}

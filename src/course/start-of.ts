@@ -1,0 +1,62 @@
+import { cycleByNumber } from "../cycles/index.ts";
+import { parse } from "../nc/parse.ts";
+import { programText } from "../nc/print.ts";
+import { LAYOUTS } from "../nc/style.ts";
+import { rowsFrom } from "../program/contour-of-text.ts";
+import { exampleJob, UNSET, type Job } from "../program/job.ts";
+import { nameOnControl } from "../program/print-job.ts";
+import { shippedList, type ToolList } from "../program/tool-list.ts";
+import { cellOf } from "../program/tool-entry.ts";
+import { noWords } from "../program/typed-value.ts";
+import type { Task } from "./task.ts";
+
+/** What lies open when a task begins. */
+export type TaskStart = { readonly kind: "job"; readonly job: Job } | { readonly kind: "program"; readonly name: string;
+  readonly text: string };
+
+/** Lines of a program as one text. */
+export const programOfLines = (lines: readonly string[]): string => lines.map((line) => `${line}\n`).join("");
+
+/** The name that the work of a task has on the control. */
+const nameOf = ({ id }: Task): string => nameOnControl(id.toUpperCase());
+
+/** A program with nothing but the blank of the wanted part, if there is one, that runs to its end. */
+function emptyText(task: Task): string {
+  const name = nameOf(task);
+  const blank = task.part ? parse(programOfLines(task.part.blank)).blocks.map(({ statement }) => statement) : [];
+  return programText([{ kind: "begin", name, unit: "MM" }, ...blank, { kind: "mode", mode: "TURN", kinematics: null }, {
+    kind: "functions",
+    words: { ...noWords, functions: [30] },
+  }, { kind: "end", name, unit: "MM" }], LAYOUTS.tnc7);
+}
+
+/**
+ * What lies open when a task begins: the prompts of its cycle with the values that it gives and no others, its program, or an empty one.
+ * Of a cycle that is not known here an empty program is left.
+ */
+export function startOfTask(task: Task): TaskStart {
+  const { start } = task;
+  const program = (text: string): TaskStart => ({ kind: "program", name: `${nameOf(task)}.h`, text });
+  if ("program" in start) return program(programOfLines(start.program));
+  const cycle = "cycle" in start ? cycleByNumber(start.cycle) : undefined;
+  if (!("cycle" in start) || !cycle) return program(emptyText(task));
+  const { values, blank, tool, at, contour } = start;
+  return {
+    kind: "job",
+    job: {
+      ...exampleJob(cycle),
+      ...UNSET,
+      name: nameOf(task),
+      drafts: { [cycle.number]: values },
+      contour: contour ? rowsFrom(parse(programOfLines(contour)), 0) : [],
+      ...(tool !== undefined && { tool }),
+      ...(blank && { blank }),
+      ...(at && { start: at }),
+    },
+  };
+}
+
+/** The shipped tools that a task allows, all of them where it names none: what is learned does not depend on the table of a device. */
+export function toolsOfTask({ rules: { tools } }: Task): ToolList {
+  return tools ? shippedList.filter((entry) => tools.includes(Number(cellOf(entry, "T")))) : shippedList;
+}
