@@ -2,8 +2,8 @@ import { z } from "zod/mini";
 import { inLanguages, words } from "./words.ts";
 
 /*
- * A lesson is one file: a few pages, each a text beside a moving picture that the kernel makes from a program; an example to play with; and the
- * tasks that follow. Its words stand in it in the four languages.
+ * A lesson is one file: a few pages, each a text beside a moving picture that the kernel makes from a program; an example to play with;
+ * and the tasks that follow. Its words stand in it in the four languages.
  */
 
 const lines = z.array(z.string().check(z.maxLength(200))).check(z.minLength(1), z.maxLength(400));

@@ -1,4 +1,5 @@
 import { z } from "zod/mini";
+import { RULES } from "./judge/judgement.ts";
 import { inLanguages, words } from "./words.ts";
 
 /*
@@ -36,9 +37,9 @@ const start = z.union([
 ]);
 
 /**
- * The wanted part. `outside` is its outline as lines of a contour subprogram from the axis or the bore at the free end to where the blank is
- * left as it is; what lies behind the last point (farther along −Z) stays as the blank. `bore` is that of the hollow, from the free end
- * inwards to where the hollow of the blank, or its full steel, is left as it is.
+ * The wanted part. `outside` is its outline as lines of a contour subprogram from the axis or the bore at the free end to where the blank
+ * is left as it is; what lies behind the last point (farther along −Z) stays as the blank. `bore` is that of the hollow, from the free
+ * end inwards to where the hollow of the blank, or its full steel, is left as it is.
  */
 const part = z.object({
   /** `BLK FORM` line or lines. */
@@ -120,8 +121,8 @@ const told = z.object({
 /** An answer that must be refused. */
 const wrong = z.object({
   program: lines,
-  /** The rule that refuses it: a name from `rules`, "missing", "residue", "rapid", "errors", "size". */
-  rule: z.string(),
+  /** The rule that refuses it. */
+  rule: z.enum(RULES),
   /** Where on the part it shows (⌀ and Z, within 3 mm) or in which block; at least one of both. */
   at: z.optional(z.object({ x: finite, z: finite })),
   block: z.optional(z.int()),
@@ -151,5 +152,8 @@ export const taskSchema = z.object({
 
 export type Task = z.infer<typeof taskSchema>;
 export type TaskRules = z.infer<typeof rules>;
+export type WrongAnswer = z.infer<typeof wrong>;
+export type TaskSize = z.infer<typeof size>;
+export type SizeKind = TaskSize["kind"];
 export type Prediction = z.infer<typeof prediction>;
 export type TaskWords = z.infer<typeof told>;

@@ -1,0 +1,79 @@
+import { areaOf } from "../../kernel/area.ts";
+import { boxAround, gapBetween } from "../../kernel/box.ts";
+import { difference, isInside, opened } from "../../kernel/clip.ts";
+import { part, type Ring } from "../../kernel/point.ts";
+import { REAL_AREA } from "../../kernel/real-area.ts";
+import { pathOf } from "../../kernel/time.ts";
+import { SLIVER } from "../../kernel/tolerance.ts";
+import { outlinesOf } from "../../sim/outlines.ts";
+import { placeIn, regionsOf } from "../../sim/region.ts";
+import { sweptBy } from "../../sim/sweep.ts";
+import type { Answer, TaskMark } from "./judgement.ts";
+import { shared } from "./wanted.ts";
+
+/** Smaller regions are not shown one by one, mm²; of the others no more than so many. */
+const LEAST = 0.001;
+const MOST = 12;
+
+/** What of one half section is not in another one, chords and grid apart. */
+export const beyond = (one: readonly Ring[], other: readonly Ring[]): Ring[] => opened(difference(one, other), SLIVER);
+
+/** The first step that took something of an area, and its block; none where no tool came there. */
+export function firstInto(area: readonly Ring[], { run, simulation }: Answer): Pick<TaskMark, "step" | "block" | "operation"> {
+  const outlines = outlinesOf();
+  const box = boxAround(area);
+  const enough = Math.min(REAL_AREA, areaOf(area) / 4);
+  const index = simulation.steps.findIndex((step) => {
+    const { insert } = outlines(step.tool);
+    if (insert.length < 3) return false;
+    const [path, own] = [part.boxOf(pathOf(step.from, step.move)), boxAround([insert])];
+    // What is swept across the axis comes round to this side.
+    const low = path.low + own.low;
+    const reached = { left: path.left + own.left, right: path.right + own.right, low: Math.min(low, 0), high: path.high + own.high };
+    if (gapBetween({ ...reached, low: low < 0 ? 0 : low, high: Math.max(reached.high, -low) }, box) > 0) return false;
+    const { pieces, rings } = sweptBy(insert, step);
+    return pieces.some((piece) => gapBetween(piece.box, box) === 0) && shared(area, rings) >= enough;
+  });
+  const step = simulation.steps[index];
+  if (step) return { step: index, block: step.block, ...(step.operation !== null && { operation: step.operation }) };
+  const stated = run.stated[0];
+  return stated ? { step: stated.step, block: stated.block } : {};
+}
+
+/** The operation that should have taken an area, with the reason why it did not; none where no operation works there. */
+function ownerOf(outline: Ring, { run, simulation }: Answer): Pick<TaskMark, "operation" | "block" | "reason"> {
+  const told = simulation.proof.residual.map((r) => ({ r, area: shared([outline], [r.ring]) })).filter(({ area }) => area > LEAST);
+  const most = told.toSorted((a, b) => b.area - a.area)[0]?.r;
+  const place = placeIn(outline);
+  const operation = most?.operation ?? run.operations.findLastIndex((o) => isInside(o.plan.area, place));
+  const called = run.operations[operation];
+  return called ? { operation, block: called.block, ...(most && { reason: most.reason }) } : {};
+}
+
+/** A mark for each region of an area that is more than may be, or one that it is not. */
+function marksOf(
+  rule: "missing" | "residue",
+  area: readonly Ring[],
+  limit: number,
+  because: (outline: Ring) => Partial<TaskMark>,
+): TaskMark[] {
+  const value = areaOf(area);
+  if (value <= limit) return [{ rule, passed: true, value, limit }];
+  return regionsOf(area, LEAST).toSorted((a, b) => b.area - a.area).slice(0, MOST).map((region) => ({
+    rule,
+    passed: false,
+    value: region.area,
+    limit,
+    place: placeIn(region.outline),
+    rings: [region.outline, ...region.holes],
+    ...because(region.outline),
+  }));
+}
+
+/** What is missing from the wanted part, each place with the first move that went there. */
+export const missingMarks = (wanted: readonly Ring[], made: readonly Ring[], limit: number, answer: Answer): TaskMark[] =>
+  marksOf("missing", beyond(wanted, made), limit, (outline) => firstInto([outline], answer));
+
+/** What stands beside the wanted part, each place with the operation that should have taken it. */
+export const residueMarks = (wanted: readonly Ring[], made: readonly Ring[], limit: number, answer: Answer): TaskMark[] =>
+  marksOf("residue", beyond(made, wanted), limit, (outline) => ownerOf(outline, answer));

@@ -1,0 +1,129 @@
+import { REAL_AREA } from "../../kernel/real-area.ts";
+import { stockIssues } from "../../sim/issues.ts";
+import type { StockFinding } from "../../sim/simulation.ts";
+import type { Task } from "../task.ts";
+import { beyond, missingMarks, residueMarks } from "./difference.ts";
+import { areaOf } from "../../kernel/area.ts";
+import { RULES, type Answer, type TaskJudgement, type TaskMark, type RuleName } from "./judgement.ts";
+import { ruleMarks } from "./rules.ts";
+import { sizeMarks } from "./sizes.ts";
+import { wantedOf, type WantedPart } from "./wanted.ts";
+
+/** What may stay beside the wanted part and be missing from it where a task does not say, mm². */
+const RESIDUE = 0.05;
+const MISSING = 0.01;
+
+const FOUND = { rapidInStock: "rapid", holderContact: "holder", gouge: "gouge" } as const satisfies Record<StockFinding["kind"], RuleName>;
+
+const ofFinding = (rule: RuleName, f: StockFinding): TaskMark => ({
+  rule,
+  passed: false,
+  value: f.area,
+  step: f.step,
+  block: f.block,
+  ...(f.operation !== null && { operation: f.operation }),
+  place: f.place,
+  rings: f.rings,
+});
+
+/** What the stock shows that must never be. Where a part is wanted, a cut into the contour of its own cycle counts as what is missing. */
+function foundMarks({ simulation }: Answer, wanted: WantedPart | null): TaskMark[] {
+  return (["rapidInStock", "holderContact", "gouge"] as const).flatMap((kind): TaskMark[] => {
+    const rule = FOUND[kind];
+    if (rule === "gouge" && wanted) return [];
+    const found = simulation.findings.filter((f) => f.kind === kind);
+    return found.length > 0 ? found.map((f) => ofFinding(rule, f)) : [{ rule, passed: true }];
+  });
+}
+
+/** Findings of the run and of the stock with one severity, those apart that have marks of their own. */
+function issueMarks(rule: "errors" | "clean", { run, simulation }: Answer): TaskMark[] {
+  const severity = rule === "errors" ? "error" : "warning";
+  const own: readonly string[] = Object.keys(FOUND);
+  const read = run.issues.filter((f) => f.issue.severity === severity).map(({ issue, block, operation }): TaskMark => ({
+    rule,
+    passed: false,
+    ...(block !== null && { block }),
+    ...(operation !== null && { operation }),
+    ...("at" in issue && issue.at?.startsWith("Q") && { q: issue.at }),
+    issue,
+  }));
+  const stock = stockIssues(simulation).filter(({ issue }) => issue.severity === severity && !own.includes(issue.code)).map(
+    (found): TaskMark => {
+      const { issue, block, operation, step } = found;
+      const place = block ?? run.operations[operation ?? -1]?.block;
+      return {
+        rule,
+        passed: false,
+        ...(place !== undefined && { block: place }),
+        ...(step !== null && { step }),
+        ...(operation !== null && { operation }),
+        issue,
+      };
+    },
+  );
+  const all = [...read, ...stock];
+  return all.length > 0 ? all : [{ rule, passed: true }];
+}
+
+/** Errors have marks of their own, and so has a gouge where there is no part to hold the answer to. */
+function cleanMarks(answer: Answer): TaskMark[] {
+  const gouges = answer.simulation.findings.filter((f) => f.kind === "gouge");
+  const wrong = [...issueMarks("clean", answer).filter((m) => !m.passed), ...gouges.map((f) => ofFinding("clean", f))];
+  return wrong.length > 0 ? wrong : [{ rule: "clean", passed: true }];
+}
+
+/** Nothing is known of what was not simulated, so nothing that follows it can be right. */
+function unprovedMarks({ run, simulation }: Answer): TaskMark[] {
+  const milled = run.plane.find((s) => s.kind !== "rapid");
+  const found = [
+    ...simulation.proof.unproved.map(({ block, step, what }): TaskMark => ({
+      rule: "unproved",
+      passed: false,
+      step,
+      about: what,
+      ...(block !== null && { block }),
+    })),
+    ...(milled ? [{ rule: "unproved", passed: false, block: milled.block } satisfies TaskMark] : []),
+  ];
+  return found.length > 0 ? found : [{ rule: "unproved", passed: true }];
+}
+
+/** The made part beside the wanted one. */
+function partMarks(task: Task, wanted: WantedPart, answer: Answer): TaskMark[] {
+  const { run, simulation: { final } } = answer;
+  const [lacks, adds] = [beyond(wanted.blank, run.blank), beyond(run.blank, wanted.blank)];
+  const other = [...lacks, ...adds];
+  const isOther = run.blank.length === 0 || areaOf(lacks) + areaOf(adds) > REAL_AREA;
+  const blank: TaskMark = { rule: "blank", passed: !isOther, ...(isOther && other.length > 0 && { rings: other }) };
+  if (run.blank.length === 0) return [blank];
+  return [
+    blank,
+    ...missingMarks(wanted.part, final, task.rules.missing ?? MISSING, answer),
+    ...residueMarks(wanted.part, final, task.rules.residue ?? RESIDUE, answer),
+  ];
+}
+
+/** In the order of the rules; what is wrong before what is right. */
+const ordered = (marks: readonly TaskMark[]): TaskMark[] => {
+  const rank = ({ rule, passed }: TaskMark) => 2 * RULES.indexOf(rule) + Number(passed);
+  return marks.toSorted((a, b) => rank(a) - rank(b));
+};
+
+/**
+ * Judges the answer to a task: the part that it makes against the wanted one, and the rules of the task. Whatever makes the part within the
+ * rules is right, however it is written.
+ */
+export function judge(task: Task, answer: Answer): TaskJudgement {
+  const wanted = wantedOf(task);
+  const marks = ordered([
+    ...issueMarks("errors", answer),
+    ...unprovedMarks(answer),
+    ...foundMarks(answer, wanted),
+    ...(wanted ? partMarks(task, wanted, answer) : []),
+    ...sizeMarks(task.sizes ?? [], answer),
+    ...(task.rules.clean ? cleanMarks(answer) : []),
+    ...ruleMarks(task.rules, answer),
+  ]);
+  return { passed: marks.every((m) => m.passed), marks };
+}

@@ -1,0 +1,170 @@
+import { REAL_AREA } from "../../kernel/real-area.ts";
+import { SAME } from "../../kernel/tolerance.ts";
+import { parse } from "../../nc/parse.ts";
+import { blockNumbers } from "../../nc/program.ts";
+import type { Operation } from "../../program/run-types.ts";
+import { roughnessOf } from "../../sim/load/roughness.ts";
+import type { TaskRules } from "../task.ts";
+import type { Answer, TaskMark, RuleName } from "./judgement.ts";
+import { unknownDepths } from "./hand-depth.ts";
+import { wordMarks } from "./words-in.ts";
+
+/** A measured depth may be so much more than the greatest one, mm: passes are levelled, and the stock is made of chords. */
+const DEPTH_SLACK = 0.02;
+/** Stretches of a surface that reach no farther between two Z are its ends, mm. */
+const SURFACE_END = 0.05;
+
+const ofCall = ({ block }: Operation, operation: number) => ({ block, operation });
+const ofDefinition = ({ definedIn }: Operation, operation: number) => ({ block: definedIn, operation });
+
+/** A mark for each that is against a rule, or one that nothing is. */
+const marks = (rule: RuleName, wrong: readonly Partial<TaskMark>[], right: Partial<TaskMark> = {}): TaskMark[] =>
+  wrong.length > 0 ? wrong.map((w) => ({ rule, passed: false, ...w })) : [{ rule, passed: true, ...right }];
+
+const roughs = ({ plan }: Operation) => plan.moves.some((move) => move.phase === "rough");
+
+function depth(limit: number, answer: Answer): TaskMark[] {
+  const { run, simulation } = answer;
+  const found = run.operations.map((operation, index): Partial<TaskMark> => {
+    const deepest = simulation.proof.operations[index]?.deepest;
+    // Passes along the contour are measured only where they take more than their cycle allows.
+    const infeed = operation.plan.isParallel && roughs(operation) ? operation.plan.infeed : 0;
+    const by = deepest && deepest.depth >= infeed ? { step: deepest.step } : {};
+    return { value: Math.max(deepest?.depth ?? 0, infeed), limit, ...by, ...ofCall(operation, index) };
+  });
+  const all = [...found, ...unknownDepths(answer, limit + DEPTH_SLACK)];
+  const most = all.reduce((sum, { value = 0 }) => Math.max(sum, value), 0);
+  return marks("depth", all.filter(({ value = 0 }) => value > limit + DEPTH_SLACK), { value: most, limit });
+}
+
+/** The last block before a step that says how the spindle turns. */
+function spindleBlock({ text, run }: Answer, step: number): Partial<TaskMark> {
+  const program = parse(text);
+  const until = run.stepBlocks[step] ?? 0;
+  const index = program.blocks.findLastIndex(({ statement: s }, i) =>
+    i <= until && (s.kind === "spin" || (s.kind === "toolCall" && s.speed !== null))
+  );
+  return index < 0 ? {} : { block: blockNumbers(program)[index] ?? 0 };
+}
+
+function speed(limit: number, answer: Answer): TaskMark[] {
+  const { spindles, steps } = answer.run;
+  const inForce = spindles.filter(({ step }, i) => step < (spindles[i + 1]?.step ?? steps.length));
+  const fastest = ({ spindle }: (typeof spindles)[number]) =>
+    spindle?.kind === "constant" ? spindle.speed : spindle && spindle.limit > 0 ? spindle.limit : Infinity;
+  const wrong = inForce.filter((s) => s.spindle && fastest(s) > limit);
+  const most = inForce.reduce((sum, s) => (s.spindle ? Math.max(sum, fastest(s)) : sum), 0);
+  return marks("speed", wrong.map((s) => {
+    const value = fastest(s);
+    return { ...(Number.isFinite(value) && { value }), limit, step: s.step, ...spindleBlock(answer, s.step) };
+  }), { value: most, limit });
+}
+
+/** The tools that a program calls, each with the block that calls it first. */
+function calledTools({ text, run }: Answer): Map<number, number> {
+  const program = parse(text);
+  const numbers = blockNumbers(program);
+  const called = new Map<number, number>();
+  const note = (tool: number, block: number) => void (called.has(tool) || called.set(tool, block));
+  program.blocks.forEach(({ statement: s }, i) => s.kind === "toolCall" && typeof s.tool === "number" && note(s.tool, numbers[i] ?? 0));
+  for (const { tool, block } of [...run.steps, ...run.operations]) note(tool.T, block);
+  return called;
+}
+
+/** What is asked of one parameter of the called cycles. */
+function values(asked: NonNullable<TaskRules["values"]>, { run }: Answer): TaskMark[] {
+  return asked.flatMap(({ q, cycle, from = -Infinity, to = Infinity }, entry) => {
+    const found = run.operations.flatMap((operation, index) => {
+      if (cycle !== undefined && operation.cycle !== cycle) return [];
+      const values: Readonly<Record<string, number | "auto">> = operation.call?.values ?? {};
+      return q in values ? [{ value: values[q], ...ofDefinition(operation, index) }] : [];
+    });
+    const isRight = (value: unknown) => typeof value === "number" && value >= from - SAME && value <= to + SAME;
+    const wrong = found.filter(({ value }) => !isRight(value));
+    const told = (wrong.length > 0 ? wrong : found.slice(0, 1)).map(({ value, ...where }): Partial<TaskMark> => ({
+      ...where,
+      q,
+      entry,
+      ...(typeof value === "number" && { value }),
+    }));
+    if (found.length === 0) return marks("values", [{ q, entry }]);
+    return marks("values", wrong.length > 0 ? told : [], told[0]);
+  });
+}
+
+function passes(limit: number, { run }: Answer): TaskMark[] {
+  const value = run.operations.reduce((sum, o) => sum + (roughs(o) ? o.plan.passes : 0), 0);
+  const index = run.operations.findIndex(roughs);
+  const operation = run.operations[index];
+  return [{ rule: "passes", passed: value === limit, value, limit, ...(operation && ofCall(operation, index)) }];
+}
+
+/** The roughest stretch of the made surface between two Z. A stretch that no feed a turn is known of is too rough. */
+function rz(asked: NonNullable<TaskRules["rz"]>, { run, simulation }: Answer): TaskMark[] {
+  const all = roughnessOf(simulation.final, run.steps, run.spindles);
+  return asked.map(({ from, to, most }, entry): TaskMark => {
+    const [low, high] = [Math.min(from, to), Math.max(from, to)];
+    const inside = all.filter(({ points, rz: height, by }) => {
+      const z = points.map((p) => p.z);
+      const reach = Math.min(high, Math.max(...z)) - Math.max(low, Math.min(...z));
+      const isFace = Math.max(...z) - Math.min(...z) < SAME;
+      const within = isFace ? (z[0] ?? 0) > low + SURFACE_END && (z[0] ?? 0) < high - SURFACE_END : reach > SURFACE_END;
+      return within && (height !== null || by === "unknown");
+    });
+    const worst = inside.toSorted((a, b) => (b.rz ?? Infinity) - (a.rz ?? Infinity))[0];
+    if (!worst) return { rule: "rz", passed: false, limit: most, entry };
+    const { block, operation, position, points, rz: value } = worst;
+    const where = { block, step: position.step, ...(operation !== null && { operation }) };
+    const place = points[Math.floor(points.length / 2)];
+    return {
+      rule: "rz",
+      passed: value !== null && value <= most,
+      limit: most,
+      entry,
+      ...(value !== null && { value }),
+      ...(place && { place }),
+      ...where,
+    };
+  });
+}
+
+/** What the rules of a task say of an answer, one mark for each rule or more. */
+export function ruleMarks(rules: TaskRules, answer: Answer): TaskMark[] {
+  const { run, simulation } = answer;
+  const out: TaskMark[] = [];
+  if (rules.depth !== undefined) out.push(...depth(rules.depth, answer));
+  if (rules.speed !== undefined) out.push(...speed(rules.speed, answer));
+  const called = rules.tools || rules.mostTools !== undefined ? calledTools(answer) : new Map<number, number>();
+  const { tools, mostTools: most, seconds } = rules;
+  if (tools) {
+    const others = [...called].filter(([tool]) => !tools.includes(tool));
+    out.push(...marks("tools", others.map(([about, block]) => ({ about, block }))));
+  }
+  if (most !== undefined) {
+    const [, block] = [...called][most] ?? [];
+    out.push({
+      rule: "mostTools",
+      passed: called.size <= most,
+      value: called.size,
+      limit: most,
+      ...(block !== undefined && { block }),
+    });
+  }
+  if (seconds !== undefined)
+    out.push({ rule: "seconds", passed: simulation.totalSeconds <= seconds, value: simulation.totalSeconds, limit: seconds });
+  const cuts = (index: number) => (simulation.proof.operations[index]?.cut ?? 0) >= REAL_AREA;
+  for (const about of rules.cycles ?? []) {
+    const index = run.operations.findIndex((o, i) => o.cycle === about && (cuts(i) || o.plan.thread !== undefined));
+    const operation = run.operations[index];
+    out.push({ rule: "cycles", passed: operation !== undefined, about, ...(operation && ofCall(operation, index)) });
+  }
+  if (rules.without) {
+    const called = run.operations.flatMap((o, i) => (rules.without?.includes(o.cycle) ? [{ about: o.cycle, ...ofCall(o, i) }] : []));
+    out.push(...marks("without", called));
+  }
+  if (rules.values) out.push(...values(rules.values, answer));
+  if (rules.passes !== undefined) out.push(...passes(rules.passes, answer));
+  if (rules.rz) out.push(...rz(rules.rz, answer));
+  if (rules.words) out.push(...wordMarks(rules.words, answer.text));
+  return out;
+}

@@ -1,0 +1,109 @@
+import { run } from "../program/run.ts";
+import { parse } from "../nc/parse.ts";
+import { shippedTools } from "../program/shipped-tools.ts";
+import type { Run } from "../program/run-types.ts";
+import { cycleByNumber } from "../cycles/index.ts";
+import { answerOf, TASK_RAPID } from "./judge/answer.ts";
+import { judge } from "./judge/judge.ts";
+import { refuses } from "./judge/refuses.ts";
+import { wantedOf } from "./judge/wanted.ts";
+import type { Lesson } from "./lesson.ts";
+import type { Task } from "./task.ts";
+
+/** The languages that everything which ships with the page is told in. */
+export const LESSON_LANGUAGES = ["en", "de", "fr", "zh"] as const;
+
+/** Name of a file without its folders and its ending. */
+const stem = (file: string) => file.replace(/^.*[\\/]/, "").replace(/\.json$/, "");
+
+function wordProblems(task: Task): string[] {
+  const asked = task.predict ?? [];
+  return LESSON_LANGUAGES.flatMap((language) => {
+    const words = task.words[language];
+    if (!words) return [`no words in ${language}`];
+    const questions = words.questions ?? [];
+    const choices = asked.map((p, i) => ({ p, offered: words.choices?.[i] ?? [] }));
+    return [
+      ...(questions.length === asked.length ? [] : [`${language}: ${questions.length} questions for ${asked.length} predictions`]),
+      ...choices.flatMap(({ p, offered }, i) =>
+        p.ask === "choice"
+          ? offered.length > p.right && p.right >= 0 && offered.length > 1 ? [] : [`${language}: choices of prediction ${i + 1}`]
+          : offered.length === 0
+          ? []
+          : [`${language}: prediction ${i + 1} is no choice`]
+      ),
+    ];
+  });
+}
+
+function startProblems({ start, kind }: Task): string[] {
+  if (!("cycle" in start)) return kind === "predict" && !("program" in start) ? ["nothing runs that could be foretold"] : [];
+  const cycle = cycleByNumber(start.cycle);
+  if (!cycle) return [`no cycle ${start.cycle}`];
+  return Object.keys(start.values).filter((q) => !(q in cycle.params)).map((q) => `cycle ${start.cycle} has no ${q}`);
+}
+
+/** Whether what lies open in the beginning passes already: then there is nothing to do. */
+function idle(task: Task): string[] {
+  const { start } = task;
+  const begun = "program" in start ? start.program : ["BEGIN PGM EMPTY MM", "END PGM EMPTY MM"];
+  return judge(task, answerOf(begun.join("\n"))).passed ? ["what lies open in the beginning passes already"] : [];
+}
+
+function answerProblems(task: Task): string[] {
+  const wanted = wantedOf(task);
+  const out = (wanted?.problems ?? []).map((p) => `part: ${p.code} ${JSON.stringify(p.data)}`);
+  if (wanted && wanted.part.length === 0) out.push("the wanted part is empty");
+  if (!task.solution) return [...out, "no solution"];
+  const judged = judge(task, answerOf(task.solution.join("\n")));
+  for (const m of judged.marks) if (!m.passed) out.push(`the solution is refused: ${m.rule} ${m.q ?? m.about ?? ""} ${m.value ?? ""}`);
+  if (!task.wrong || task.wrong.length === 0) out.push("no wrong answer");
+  (task.wrong ?? []).forEach((wrong, i) => {
+    const { rule, at, block } = wrong;
+    if (!at && block === undefined && !PLACELESS.includes(rule)) out.push(`wrong answer ${i + 1} names no place and no block`);
+    if (!refuses(task, wrong, answerOf(wrong.program.join("\n"))))
+      out.push(`wrong answer ${i + 1} is not refused by ${rule} where it says`);
+  });
+  return [...out, ...idle(task)];
+}
+
+/** Rules that look at the program as a whole. */
+const PLACELESS: readonly string[] = ["seconds", "cycles", "words", "passes", "mostTools", "blank", "values"];
+
+/** What is wrong with a task that ships with the page; nothing of one that is whole. */
+export function taskProblems(task: Task, file: string): string[] {
+  const out = stem(file) === task.id ? [] : [`the id is ${task.id}`];
+  out.push(...wordProblems(task), ...startProblems(task));
+  if (task.kind === "predict") {
+    if (!task.predict?.length) out.push("nothing is foretold");
+  } else out.push(...answerProblems(task));
+  if (task.kind === "drawing" && !(task.part && task.par)) out.push("a drawing needs a part and a par");
+  return out;
+}
+
+/** What runs, and whether it has errors. */
+function programErrors(lines: readonly string[]): string[] {
+  const made: Run = run(parse(lines.join("\n")), { tools: shippedTools, rapid: TASK_RAPID });
+  return made.issues.filter((f) => f.issue.severity === "error").map((f) =>
+    `block ${f.block}: ${f.issue.code} ${JSON.stringify(f.issue.data)}`
+  );
+}
+
+/** What is wrong with a lesson that ships with the page; nothing of one that is whole. */
+export function lessonProblems(lesson: Lesson, file: string): string[] {
+  const out: string[] = [];
+  const name = `${String(lesson.number).padStart(2, "0")}-${lesson.id}`;
+  if (stem(file) !== name) out.push(`the file should be called ${name}.json`);
+  for (const language of LESSON_LANGUAGES) {
+    const words = lesson.words[language];
+    if (!words) out.push(`no words in ${language}`);
+    else if (words.pages.length !== lesson.pages.length)
+      out.push(`${language}: ${words.pages.length} texts for ${lesson.pages.length} pages`);
+  }
+  if (!lesson.pages[0]?.program) out.push("the first page has no program");
+  lesson.pages.forEach(({ program }, i) => {
+    if (program) out.push(...programErrors(program).map((e) => `page ${i + 1}: ${e}`));
+  });
+  if (lesson.example) out.push(...programErrors(lesson.example).map((e) => `example: ${e}`));
+  return out;
+}
