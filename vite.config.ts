@@ -76,6 +76,8 @@ function madeModules(id: string, script: string, made: string): Plugin {
 const cycleMenu = madeModules("virtual:cycle-menu", "scripts/menu.ts", "menuModules");
 /** What it shows of the programs that ship with it, without running them. */
 const startPictures = madeModules("virtual:start-pictures", "scripts/start-pictures.ts", "pictureModules");
+/** What the list of lessons has to know of the course, without its files. */
+const courseIndex = madeModules("virtual:course-index", "scripts/course-index.ts", "courseModules");
 
 /** gallery.html: every golden and every cycle as drawings, of no weight for the page itself. */
 const gallery: Plugin = {
@@ -113,7 +115,7 @@ const besides: Plugin = {
 
 export default defineConfig({
   base: "./",
-  plugins: [react(), policyOfPage, pageStyles, cycleMenu, startPictures, gallery, besides, offline()],
+  plugins: [react(), policyOfPage, pageStyles, cycleMenu, startPictures, courseIndex, gallery, besides, offline()],
   worker: { format: "es" },
   build: {
     target: "es2023",

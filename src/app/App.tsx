@@ -1,6 +1,7 @@
 import { Suspense, useEffect } from "react";
 import { menuCycle } from "./chooser/menu.ts";
 import { Header } from "./Header.tsx";
+import { useCoursePlace } from "./course/course-place.ts";
 import { useChoice } from "./files/choice.ts";
 import { DropProgram } from "./files/DropProgram.tsx";
 import { NumberKeys } from "./keypad/NumberKeys.tsx";
@@ -36,6 +37,8 @@ const fetchOwn = later(() => import("./own/OwnPage.tsx"));
 const OwnPage = lazyPart(async () => ({ default: (await fetchOwn()).OwnPage }));
 const WorksPage = lazyPart(async () => ({ default: (await import("./works/WorksPage.tsx")).WorksPage }));
 const BringInDialog = lazyPart(async () => ({ default: (await import("./works/BringInDialog.tsx")).BringInDialog }));
+const fetchCourse = later(() => import("./course/CoursePage.tsx"));
+const CoursePage = lazyPart(async () => ({ default: (await fetchCourse()).CoursePage }));
 const ElsewherePage = lazyPart(async () => ({ default: (await import("./works/ElsewherePage.tsx")).ElsewherePage }));
 /** Fetched with their texts when somebody asks. */
 const ChooseProgram = lazyPart(async () => ({ default: (await import("./files/ChooseProgram.tsx")).ChooseProgram }));
@@ -49,9 +52,10 @@ const ProgramWorkplace = lazyPart(async () => ({ default: (await fetchEditor()).
 /** Fetched when there is something to say. */
 const UpdateBar = lazyPart(async () => ({ default: (await import("./offline/UpdateBar.tsx")).UpdateBar }));
 
-/** What stands where no work is open: the start page, the list of all works, or why the one that was asked for is not open here. */
+/** What stands where no work is open: the start page, all works, the course, or why the work that was asked for is not open here. */
 function Entrance() {
   const works = useWorksPlace((p) => p.shown);
+  const course = useCoursePlace((p) => p.shown);
   const elsewhere = useElsewhere((e) => e.shown);
   if (elsewhere) {
     return (
@@ -60,12 +64,8 @@ function Entrance() {
       </Suspense>
     );
   }
-  if (!works) return <StartPage />;
-  return (
-    <Suspense>
-      <WorksPage />
-    </Suspense>
-  );
+  if (!works && !course) return <StartPage />;
+  return <Suspense>{course ? <CoursePage /> : <WorksPage />}</Suspense>;
 }
 
 /** The page: the top line, and below it the tool table, the choice of work, or the workplace of the open job or program. */
@@ -84,7 +84,8 @@ export function App() {
   const t = useFirstTexts().page;
   const sheet = useSheetShown();
   const newer = useVersion((v) => v.newer !== "none" && !v.later);
-  const name = job?.name ?? programName;
+  const course = useCoursePlace((p) => (p.shown ? p.title : ""));
+  const name = job?.name ?? programName ?? course;
   useEffect(() => {
     document.title = name ? `${name} · Turnwise` : "Turnwise";
   }, [name]);

@@ -52,7 +52,7 @@ async function keepBeside(): Promise<void> {
 
 const begun = location.hash;
 const asked = parseAddress(begun);
-const askedWork = asked?.page === "work" ? asked.work : asked?.page === "start" ? null : undefined;
+const askedWork = asked?.page === "work" ? asked.work : asked?.page === "start" || asked?.page === "course" ? null : undefined;
 void resume(askedWork).then(async () => {
   resumePrompt();
   // A work that is not here was said to be missing.

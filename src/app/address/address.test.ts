@@ -12,7 +12,11 @@ const places: fc.Arbitrary<Address> = fc.oneof(fc.record({ page: fc.constant("st
     which: fc.boolean(),
   }), fc.integer({ min: 0, max: 32_767 }).map((n) => ({ page: "tools" as const, number: n / 10, milling: false })),
   fc.boolean().map((milling) => ({ page: "tools" as const, number: null, milling })),
-  fc.record({ page: fc.constant("own" as const), row: fc.option(name) }));
+  fc.constant({ page: "course" as const, lesson: null, at: 1 }), fc.record({
+    page: fc.constant("course" as const),
+    lesson: name,
+    at: fc.oneof(fc.integer({ min: 1, max: 99 }), fc.constant("tasks" as const)),
+  }), fc.record({ page: fc.constant("own" as const), row: fc.option(name) }));
 
 test("every place is found again by its address", () => {
   fc.assert(fc.property(places, (address) => {
@@ -30,6 +34,10 @@ test.each([
   ["#/tools/milling/", { page: "tools", number: null, milling: true }],
   ["#/works", { page: "works" }],
   ["#/works/", { page: "works" }],
+  ["#/course", { page: "course", lesson: null, at: 1 }],
+  ["#/course/tool", { page: "course", lesson: "tool", at: 1 }],
+  ["#/course/tool/4", { page: "course", lesson: "tool", at: 4 }],
+  ["#/course/tool/tasks/", { page: "course", lesson: "tool", at: "tasks" }],
   ["#/own", { page: "own", row: null }],
 ])("%s is read", (hash, address) => expect(parseAddress(hash)).toEqual(address));
 
@@ -48,6 +56,10 @@ test.each([
   "#/tools/5/6",
   "#/own/a/b",
   "#/which/a",
+  "#/course/tool/0",
+  "#/course/tool/007",
+  "#/course/tool/end",
+  "#/course/tool/1/2",
   "#/works/a",
   "#/work/%",
 ])("%j is no place", (hash) => expect(parseAddress(hash)).toBeNull());

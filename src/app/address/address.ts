@@ -1,7 +1,8 @@
+import type { LessonPage } from "../../course/progress.ts";
 import type { WorkSection } from "../place.ts";
 
 /** A place of the page that has an address of its own: behind `#`, so that it works in any folder and without a server. */
-export type Address = StartAddress | WorksAddress | WorkAddress | SheetAddress | ToolsAddress | OwnAddress;
+export type Address = StartAddress | WorksAddress | CourseAddress | WorkAddress | SheetAddress | ToolsAddress | OwnAddress;
 
 /** The first screen, and whether it is asked there which cycle makes a shape. */
 export interface StartAddress {
@@ -12,6 +13,13 @@ export interface StartAddress {
 /** The list of all works of this device. */
 export interface WorksAddress {
   readonly page: "works";
+}
+
+/** The course: its list, or a page of a lesson. */
+export interface CourseAddress {
+  readonly page: "course";
+  readonly lesson: string | null;
+  readonly at: LessonPage;
 }
 
 /** A work of this device by the name it is kept under, with the section that is shown. */
@@ -54,6 +62,7 @@ const SECTIONS: Readonly<Record<WorkSection, true>> = {
 const isSection = (text: string): text is WorkSection => Object.hasOwn(SECTIONS, text);
 const WHICH = "which";
 const SHEET = "sheet";
+const TASKS = "tasks";
 
 function parts(address: Address): readonly string[] {
   switch (address.page) {
@@ -61,6 +70,8 @@ function parts(address: Address): readonly string[] {
       return address.which ? [WHICH] : [];
     case "works":
       return ["works"];
+    case "course":
+      return ["course", ...(address.lesson === null ? [] : [address.lesson, ...(address.at === 1 ? [] : [String(address.at)])])];
     case "work": {
       const { work, section, which } = address;
       return ["work", work, ...(section === "prompts" ? [] : [section]), ...(which ? [WHICH] : [])];
@@ -99,6 +110,11 @@ function toolsAddress([row, ...more]: readonly string[]): ToolsAddress | null {
   return /^\d{1,9}(?:\.\d{1,9})?$/.test(row) ? { page: "tools", number: Number(row), milling: false } : null;
 }
 
+function courseAddress([lesson, at = "1", ...more]: readonly string[]): CourseAddress | null {
+  if (more.length > 0 || !(at === TASKS || /^[1-9]\d?$/.test(at))) return null;
+  return { page: "course", lesson: lesson ?? null, at: at === TASKS ? at : Number(at) };
+}
+
 /** Whether the part of an address from `#` on carries a work, in this or in another form: it names no place then. */
 export const isShareLink = (hash: string): boolean => /^#(?:[pw]|h\d+)=/.test(hash);
 
@@ -115,6 +131,8 @@ export function parseAddress(hash: string): Address | null {
       return more.length === 0 ? { page: "start", which: true } : null;
     case "works":
       return more.length === 0 ? { page: "works" } : null;
+    case "course":
+      return courseAddress(more);
     case "work":
       return workAddress(more);
     case "tools":

@@ -1,4 +1,5 @@
 import { z } from "zod/mini";
+import { useCoursePlace } from "../course/course-place.ts";
 import { useOwnPlace } from "../own/own-place.ts";
 import { usePlace } from "../place.ts";
 import { useElsewhere } from "../saving/elsewhere.ts";
@@ -175,6 +176,7 @@ export function followAddress(begun = location.hash): () => void {
     useSheetPlace.subscribe(soon),
     useWhichPlace.subscribe(soon),
     useWorksPlace.subscribe(soon),
+    useCoursePlace.subscribe(soon),
     useElsewhere.subscribe(soon),
   ];
   addEventListener("popstate", onBack);

@@ -1,3 +1,5 @@
+import type { LessonPage } from "../../course/progress.ts";
+import { hideCourse, useCoursePlace } from "../course/course-place.ts";
 import { hideOwn } from "../own/own-place.ts";
 import { usePlace } from "../place.ts";
 import { open, useEditor } from "../store.ts";
@@ -12,6 +14,7 @@ export function goHome(): void {
   hideOwn();
   hideWhich();
   hideWorks();
+  hideCourse();
   showElsewhere(null);
   usePlace.setState({ section: "prompts", prompt: null, field: null });
   if (useEditor.getState().work !== null) open(null, null);
@@ -21,4 +24,10 @@ export function goHome(): void {
 export function goToWorks(): void {
   goHome();
   useWorksPlace.setState({ shown: true });
+}
+
+/** Shows the course in place of the start page: the list of its lessons, or a page of one. */
+export function goToCourse(lesson: string | null = null, page: LessonPage = 1): void {
+  goHome();
+  useCoursePlace.setState({ shown: true, lesson, page });
 }

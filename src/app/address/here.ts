@@ -1,3 +1,4 @@
+import { useCoursePlace } from "../course/course-place.ts";
 import { hideOwn, showOwn, useOwnPlace } from "../own/own-place.ts";
 import { usePlace, type WorkSection } from "../place.ts";
 import { useElsewhere } from "../saving/elsewhere.ts";
@@ -10,7 +11,7 @@ import { hideWhich, showWhich, useWhichPlace } from "../which/which-place.ts";
 import { useWorksPlace } from "../works/works-place.ts";
 import { hideSheet, sheetIsShown, showSheet } from "../sheet/sheet-place.ts";
 import type { Address, SheetAddress, ToolsAddress, WorkAddress } from "./address.ts";
-import { goHome, goToWorks } from "./go-home.ts";
+import { goHome, goToCourse, goToWorks } from "./go-home.ts";
 
 const JOB_SECTIONS: readonly WorkSection[] = ["prompts", "setup", "contour", "findings", "program"];
 const PROGRAM_SECTIONS: readonly WorkSection[] = ["text", "block", "structure", "findings"];
@@ -46,6 +47,8 @@ export function here(): Address {
   const which = useWhichPlace.getState().shown;
   const elsewhere = useElsewhere.getState().shown;
   if (work === null && elsewhere) return { page: "work", work: elsewhere.work, section: "prompts", which: false };
+  const course = useCoursePlace.getState();
+  if (work === null && course.shown) return { page: "course", lesson: course.lesson, at: course.lesson === null ? 1 : course.page };
   if (work === null && useWorksPlace.getState().shown) return { page: "works" };
   return work === null ? { page: "start", which } : { page: "work", work, section: shownSection(), which };
 }
@@ -89,6 +92,10 @@ export async function goTo(address: Address): Promise<void> {
     return openSheet(address);
   }
   hideSheet();
+  if (address.page === "course") {
+    hideWhich();
+    return goToCourse(address.lesson, address.at);
+  }
   if (address.page === "works") {
     hideWhich();
     return goToWorks();

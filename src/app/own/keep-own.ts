@@ -1,6 +1,7 @@
 import { z } from "zod/mini";
 import type { OwnList } from "../../program/own-library.ts";
 import { keepTable } from "../saving/device-table.ts";
+import { notice } from "../saving/keep.ts";
 import { takeOwn, useOwn } from "./own-store.ts";
 
 /*
@@ -53,6 +54,6 @@ export const startOwn = (): () => void =>
     write: writeKeptOwn,
     read: readKeptOwn,
     take: takeOwn,
-    damaged: "ownDamaged",
-    notKept: "ownNotKept",
+    damaged: () => notice("ownDamaged"),
+    notKept: () => notice("ownNotKept"),
   });

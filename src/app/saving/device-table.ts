@@ -1,5 +1,4 @@
 import type { StoreApi } from "zustand";
-import { notice } from "./keep.ts";
 
 /** A table that the device keeps, and that all tabs share. */
 export interface DeviceTable<L> {
@@ -15,9 +14,9 @@ export interface DeviceTable<L> {
   /** A kept table, or null when it is damaged. Never throws. */
   readonly read: (kept: string) => L | null;
   readonly take: (list: L) => void;
-  /** What is said of a damaged table, and of one that the device does not take. */
-  readonly damaged: Parameters<typeof notice>[0];
-  readonly notKept: Parameters<typeof notice>[0];
+  /** Says that a table was damaged, and that the device does not take one. */
+  readonly damaged: () => void;
+  readonly notKept: () => void;
 }
 
 /** Rest before writing, ms. */
@@ -30,7 +29,7 @@ function takeOver<L>(table: DeviceTable<L>, kept: string | null): void {
     if (!table.isSame(list, table.store.getState().list)) table.take(list);
     return;
   }
-  notice(table.damaged);
+  table.damaged();
   try {
     localStorage.setItem(table.aside, kept ?? "");
     localStorage.removeItem(table.key);
@@ -60,7 +59,7 @@ export function keepTable<L>(table: DeviceTable<L>): () => void {
       if (kept === null) localStorage.removeItem(key);
       else localStorage.setItem(key, kept);
     } catch {
-      notice(table.notKept);
+      table.notKept();
     }
   };
   const fromOtherTab = (event: StorageEvent) => {

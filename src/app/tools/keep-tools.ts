@@ -3,6 +3,7 @@ import { hasFile, tableOrigin } from "../../program/tool-entry.ts";
 import { sameList, shippedList, type ToolList } from "../../program/tool-list.ts";
 import { HOLDER_CELLS } from "../../program/tool-columns.ts";
 import { keepTable } from "../saving/device-table.ts";
+import { notice } from "../saving/keep.ts";
 import { toolRow } from "./tool-rows.ts";
 import { takeTools, useTools } from "./tool-store.ts";
 
@@ -76,6 +77,6 @@ export const startTools = (): () => void =>
     write: writeKept,
     read: readKept,
     take: takeTools,
-    damaged: "toolsDamaged",
-    notKept: "toolsNotKept",
+    damaged: () => notice("toolsDamaged"),
+    notKept: () => notice("toolsNotKept"),
   });

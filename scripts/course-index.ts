@@ -1,0 +1,55 @@
+import { existsSync, readdirSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import type { CourseIndex } from "../src/app/course/content.ts";
+import { lessonSchema, type Lesson } from "../src/course/lesson.ts";
+import { taskSchema, type Task } from "../src/course/task.ts";
+import { LANGUAGES, type Language } from "../src/i18n/languages.ts";
+
+/** The files of a folder of the course. Runs in the project folder. */
+const files = (folder: string): readonly unknown[] =>
+  !existsSync(join("src", "course", folder))
+    ? []
+    : readdirSync(join("src", "course", folder)).filter((name) => name.endsWith(".json")).sort().map((name): unknown =>
+      JSON.parse(readFileSync(join("src", "course", folder, name), "utf8"))
+    );
+
+/** What ships with the page is written in every language. */
+function told<T>(words: Readonly<Partial<Record<Language, T | undefined>>>, language: Language, id: string): T {
+  const found = words[language];
+  if (found === undefined) throw new Error(`${id} says nothing in ${language}`);
+  return found;
+}
+
+/** What is told of all lessons without opening any, in a language. */
+export function courseIndex(lessons: readonly Lesson[], tasks: readonly Task[], language: Language): CourseIndex {
+  const byId = new Map(tasks.map((task) => [task.id, task]));
+  return {
+    lessons: [...lessons].sort((a, b) => a.number - b.number).map(({ id, number, pages, words, tasks: asked }) => {
+      const { title, aim } = told(words, language, id);
+      return {
+        id,
+        number,
+        title,
+        aim,
+        pages: pages.length,
+        tasks: asked.flatMap((each) => {
+          const task = byId.get(each);
+          return task ? [{ id: each, kind: task.kind, title: told(task.words, language, each).title }] : [];
+        }),
+      };
+    }),
+  };
+}
+
+/** The modules that the page imports by the name in src/app/course/course-index.d.ts, by their ids. */
+export function courseModules(): Readonly<Record<string, string>> {
+  const id = "virtual:course-index";
+  const [lessons, tasks] = [files("lessons").map((each) => lessonSchema.parse(each)), files("tasks").map((each) => taskSchema.parse(each))];
+  const cases = LANGUAGES.map((language) => `${language}: () => import("${id}/${language}")`);
+  return {
+    [id]: `const made = { ${cases.join(", ")} };\nexport const courseIndexOf = async (language) => (await made[language]()).index;`,
+    ...Object.fromEntries(
+      LANGUAGES.map((language) => [`${id}/${language}`, `export const index = ${JSON.stringify(courseIndex(lessons, tasks, language))};`]),
+    ),
+  };
+}

@@ -1,0 +1,53 @@
+import { courseIndexOf } from "virtual:course-index";
+import { lessonSchema, type Lesson } from "../../course/lesson.ts";
+import { taskSchema, type Task } from "../../course/task.ts";
+import type { Language } from "../../i18n/languages.ts";
+import { untilHere } from "../parts.ts";
+import { laterTexts } from "../settings/later-texts.ts";
+
+/** A task as the list of lessons knows it. */
+export interface TaskEntry {
+  readonly id: string;
+  readonly kind: Task["kind"];
+  readonly title: string;
+}
+
+/** A lesson as the list knows it. */
+export interface LessonEntry {
+  readonly id: string;
+  readonly number: number;
+  readonly title: string;
+  readonly aim: string;
+  readonly pages: number;
+  readonly tasks: readonly TaskEntry[];
+}
+
+/** What is told of all lessons without opening any. */
+export interface CourseIndex {
+  readonly lessons: readonly LessonEntry[];
+}
+
+/** The list of lessons, in the screen language. */
+export const { useThem: useCourseIndex, provide: provideCourseIndex } = laterTexts(courseIndexOf);
+
+const lessons = import.meta.glob<unknown>("../../course/lessons/*.json", { import: "default" });
+const tasks = import.meta.glob<unknown>("../../course/tasks/*.json", { import: "default" });
+
+const found = (files: typeof lessons, ends: (name: string) => boolean) =>
+  Object.entries(files).find(([path]) => ends(path.slice(path.lastIndexOf("/") + 1, -".json".length)))?.[1];
+
+/** A lesson of the course; null where there is none of this id. */
+export async function fetchLesson(id: string): Promise<Lesson | null> {
+  const fetch = found(lessons, (name) => name.replace(/^\d\d-/, "") === id);
+  return fetch ? lessonSchema.parse(await untilHere(fetch)) : null;
+}
+
+/** A task of the course; null where there is none of this id. */
+export async function fetchTask(id: string): Promise<Task | null> {
+  const fetch = found(tasks, (name) => name === id);
+  return fetch ? taskSchema.parse(await untilHere(fetch)) : null;
+}
+
+/** Words in the screen language; where they are missing there, in one that has them. */
+export const inScreenLanguage = <T>(said: Readonly<Partial<Record<Language, T | undefined>>>, language: Language): T | undefined =>
+  said[language] ?? said.en ?? said.de ?? said.fr ?? said.zh;

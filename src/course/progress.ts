@@ -1,0 +1,155 @@
+import { z } from "zod/mini";
+
+/*
+ * How far somebody has come in the course. It is kept by the ids of lessons and tasks, so that those that come or go with another edition
+ * lose nothing. Everything here is plain data; what keeps it is the page's.
+ */
+
+/** How a task was passed: without help, after hints, or after its solution was shown. The first is the best. */
+export const WAYS_PASSED = ["alone", "hints", "solution"] as const;
+export type WayPassed = (typeof WAYS_PASSED)[number];
+
+/** The stages of a hint. */
+const STAGES = 3;
+const count = z.int().check(z.gte(0), z.lte(1_000_000));
+
+const taskProgress = z.object({
+  /** Answers that were checked. */
+  tries: count,
+  /** Stages of its hint that were shown, and whether its solution was: both before it was passed. */
+  hints: z.int().check(z.gte(0), z.lte(STAGES)),
+  solution: z.boolean(),
+  /** The best way it was passed, and when it first was so, ms since 1970; null while it is not. */
+  passed: z.nullable(z.object({ way: z.enum(WAYS_PASSED), when: z.number() })),
+  /** Least machining time of an answer that passed, s, and greatest score; null where there is none. */
+  seconds: z.nullable(z.number()),
+  score: z.nullable(z.number()),
+});
+export type TaskProgress = z.output<typeof taskProgress>;
+
+/** A page of a lesson from 1, or the tasks behind the last one. */
+const lessonPage = z.union([z.int().check(z.gte(1), z.lte(99)), z.literal("tasks")]);
+export type LessonPage = z.output<typeof lessonPage>;
+
+const id = z.string().check(z.minLength(1), z.maxLength(100));
+const place = z.object({ lesson: id, number: count, page: lessonPage });
+/** Where somebody was last: the lesson, its number in the course, and its page. */
+export type CourseMark = z.output<typeof place>;
+
+const progressShape = z.object({
+  version: z.literal(1),
+  tasks: z.record(id, taskProgress),
+  /** Lessons that were read to their end. */
+  read: z.array(id).check(z.maxLength(1000)),
+  last: z.nullable(place),
+});
+export type CourseProgress = z.output<typeof progressShape>;
+
+export const NO_PROGRESS: CourseProgress = { version: 1, tasks: {}, read: [], last: null };
+const NOT_BEGUN: TaskProgress = { tries: 0, hints: 0, solution: false, passed: null, seconds: null, score: null };
+
+/** What is known of a task. */
+export const progressOfTask = ({ tasks }: CourseProgress, task: string): TaskProgress =>
+  (Object.hasOwn(tasks, task) && tasks[task]) || NOT_BEGUN;
+
+const changed = (progress: CourseProgress, task: string, change: (now: TaskProgress) => TaskProgress): CourseProgress => ({
+  ...progress,
+  tasks: { ...progress.tasks, [task]: change(progressOfTask(progress, task)) },
+});
+
+/** An answer to a task was checked. */
+export const withTry = (progress: CourseProgress, task: string): CourseProgress =>
+  changed(progress, task, (now) => ({ ...now, tries: now.tries + 1 }));
+
+/** The hint of a task was shown up to a stage, from 1. What is looked at after it was passed takes nothing back. */
+export const withHint = (progress: CourseProgress, task: string, stage: number): CourseProgress =>
+  changed(progress, task, (now) => ({ ...now, hints: Math.min(STAGES, Math.max(now.hints, stage)) }));
+
+/** The solution of a task was shown. */
+export const withSolution = (progress: CourseProgress, task: string): CourseProgress =>
+  changed(progress, task, (now) => ({ ...now, solution: true }));
+
+const rank = (passed: TaskProgress["passed"]): number => (passed ? WAYS_PASSED.indexOf(passed.way) : WAYS_PASSED.length);
+/** The better of two; of equal ones the earlier. */
+function betterPass(one: TaskProgress["passed"], other: TaskProgress["passed"]): TaskProgress["passed"] {
+  if (!one || !other) return one ?? other;
+  if (rank(one) !== rank(other)) return rank(one) < rank(other) ? one : other;
+  return one.when <= other.when ? one : other;
+}
+const least = (
+  one: number | null,
+  other: number | null,
+): number | null => (one === null || other === null ? one ?? other : Math.min(one, other));
+const greatest = (one: number | null, other: number | null): number | null =>
+  one === null || other === null ? one ?? other : Math.max(one, other);
+
+/** What an answer that passed was worth. */
+export interface PassedAnswer {
+  /** ms since 1970. */
+  readonly when: number;
+  /** Machining time, s, and score, where they were asked. */
+  readonly seconds?: number;
+  readonly score?: number;
+}
+
+/** A task was passed: alone, if neither hint nor solution was shown before. A better way that it was passed before stays. */
+export const withPass = (progress: CourseProgress, task: string, { when, seconds, score }: PassedAnswer): CourseProgress =>
+  changed(progress, task, (now) => {
+    const helped: WayPassed = now.hints > 0 ? "hints" : "alone";
+    const way = now.solution ? "solution" : helped;
+    return {
+      ...now,
+      passed: betterPass(now.passed, { way, when }),
+      seconds: least(now.seconds, seconds ?? null),
+      score: greatest(now.score, score ?? null),
+    };
+  });
+
+/** A lesson was opened at a page; at its tasks it is read to its end. */
+export function withPlace(progress: CourseProgress, last: CourseMark): CourseProgress {
+  const { lesson, number, page } = last;
+  const is = progress.last;
+  const read = page === "tasks" && !progress.read.includes(lesson) ? [...progress.read, lesson] : progress.read;
+  if (read === progress.read && is?.lesson === lesson && is.page === page && is.number === number) return progress;
+  return { ...progress, read, last };
+}
+
+/** How a task stands: not begun, tried, or passed in one of the three ways. */
+export type TaskState = "new" | "tried" | WayPassed;
+export function stateOfTask({ tries, hints, solution, passed }: TaskProgress): TaskState {
+  if (passed) return passed.way;
+  return tries > 0 || hints > 0 || solution ? "tried" : "new";
+}
+
+/** Two of the same tasks, with the better of each: nothing that was reached is lost on either side. */
+function mergedTask(one: TaskProgress, other: TaskProgress): TaskProgress {
+  return {
+    tries: Math.max(one.tries, other.tries),
+    hints: Math.max(one.hints, other.hints),
+    solution: one.solution || other.solution,
+    passed: betterPass(one.passed, other.passed),
+    seconds: least(one.seconds, other.seconds),
+    score: greatest(one.score, other.score),
+  };
+}
+
+/** What was reached here, with what was reached elsewhere. The place is the one of here, where there is one. */
+export function mergedProgress(mine: CourseProgress, brought: CourseProgress): CourseProgress {
+  const tasks = { ...mine.tasks };
+  for (const [task, theirs] of Object.entries(brought.tasks)) tasks[task] = mergedTask(progressOfTask(mine, task), theirs);
+  return { version: 1, tasks, read: [...new Set([...mine.read, ...brought.read])], last: mine.last ?? brought.last };
+}
+
+/** Whether nothing was begun yet. */
+export const isEmptyProgress = ({ tasks, read, last }: CourseProgress): boolean =>
+  last === null && read.length === 0 && Object.keys(tasks).length === 0;
+
+/** A kept progress; null where it is damaged. Never throws. */
+export function readProgress(text: string): CourseProgress | null {
+  try {
+    const read = progressShape.safeParse(JSON.parse(text));
+    return read.success ? read.data : null;
+  } catch {
+    return null;
+  }
+}
