@@ -4,7 +4,7 @@ import { answerOf } from "../src/course/judge/answer.ts";
 import { judge } from "../src/course/judge/judge.ts";
 import type { Answer, TaskMark } from "../src/course/judge/judgement.ts";
 import { refuses } from "../src/course/judge/refuses.ts";
-import { wantedOf } from "../src/course/judge/wanted.ts";
+import { wantedPart } from "../src/course/wanted-part.ts";
 import { LESSON_LANGUAGES, lessonProblems, taskProblems } from "../src/course/whole.ts";
 import { lessonSchema } from "../src/course/lesson.ts";
 import { TASK_FORMAT, taskSchema, type Task } from "../src/course/task.ts";
@@ -62,10 +62,10 @@ function show(title: string, task: Task, program: readonly string[], whole: bool
 }
 
 function tellTask(file: string, task: Task): boolean {
-  const wanted = wantedOf(task);
+  const wanted = task.part ? wantedPart(task.part) : null;
   if (wanted) {
-    write(`blank ${short(areaOf(wanted.blank))} mm², wanted part ${short(areaOf(wanted.part))} mm²`);
-    for (const ring of wanted.part) write(`  X${ring.slice(0, 40).map((p) => `${short(toDiameter(p.r))} Z${short(p.z)}`).join("  X")}`);
+    write(`blank ${short(areaOf(wanted.blank))} mm², wanted part ${short(areaOf(wanted.rings))} mm²`);
+    for (const ring of wanted.rings) write(`  X${ring.slice(0, 40).map((p) => `${short(toDiameter(p.r))} Z${short(p.z)}`).join("  X")}`);
   }
   if (task.solution) show("solution", task, task.solution, true);
   (task.wrong ?? []).forEach((wrong, i) => {

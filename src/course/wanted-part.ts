@@ -1,13 +1,16 @@
+import { areaOf } from "../kernel/area.ts";
 import { boxAround } from "../kernel/box.ts";
-import { difference, intersection, union } from "../kernel/clip.ts";
-import type { Issue } from "../kernel/issue.ts";
+import { difference, union } from "../kernel/clip.ts";
 import { at, part, type Pt, type Ring, type Segment } from "../kernel/point.ts";
-import { CHORD, SAME } from "../kernel/tolerance.ts";
+import { CHORD } from "../kernel/tolerance.ts";
 import { parse } from "../nc/parse.ts";
 import { readContour } from "../program/contour-subprogram.ts";
 import { Machine } from "../program/machine.ts";
 import { run } from "../program/run.ts";
+import type { RunFinding } from "../program/run-types.ts";
 import type { Task } from "./task.ts";
+
+type Found = RunFinding["issue"];
 
 /** The wanted part of a task as shapes. Part space, mm. */
 export interface WantedPart {
@@ -17,48 +20,59 @@ export interface WantedPart {
   readonly bore: readonly Segment[];
   /** What is to be left of the blank. */
   readonly rings: readonly Ring[];
-  /** What is wrong with the outlines; empty for a part that can be judged by. */
-  readonly issues: readonly Issue[];
+  /** What is wrong with blank and outlines; empty for a part that can be judged by. */
+  readonly issues: readonly Found[];
 }
 
-/** Past everything that is drawn, mm: what lies behind an outline reaches this much farther than the blank. */
-const PAST = 10;
-const framed = (lines: readonly string[]): string => ["BEGIN PGM PART MM", ...lines, "END PGM PART MM", ""].join("\n");
+const framed = (lines: readonly string[]) => parse(["BEGIN PGM PART MM", ...lines, "END PGM PART MM", ""].join("\n"));
 /** No tool is called where only a blank or a contour is read. */
 const SHOP = { tools: [], rapid: 1 } as const;
+const faulty = (issues: readonly Found[]) => issues.filter((i) => i.severity === "error");
 
-/** The blank that `BLK FORM` lines state; empty where they state none. */
-export const blankOfLines = (lines: readonly string[]): readonly Ring[] => run(parse(framed(lines)), SHOP).blank;
-
-/** The outline that lines of a contour subprogram describe. */
-export function outlineOfLines(lines: readonly string[]): { readonly segments: readonly Segment[]; readonly issues: readonly Issue[] } {
-  const program = parse(framed(["LBL 1", ...lines, "LBL 0"]));
-  const read = readContour(new Machine(program, SHOP), 1, 0);
-  return read ? read.contour : { segments: [], issues: [] };
+/** The half section that `BLK FORM` lines state, empty where they state none. The contours that they name stand behind them, with LBL. */
+export function blankOfLines(lines: readonly string[]): { readonly rings: readonly Ring[]; readonly issues: readonly Found[] } {
+  const states = (line: string) => /^\s*\d*\s*BLK\s+FORM/.test(line);
+  const contours = lines.filter((line) => !states(line));
+  const { blank, issues } = run(framed([...lines.filter(states), "FUNCTION MODE TURN", "M30", ...contours]), SHOP);
+  return { rings: blank, issues: faulty(issues.map((f) => f.issue)) };
 }
 
-/** The area between an outline and the axis. */
-function below(outline: readonly Segment[]): Ring[] {
-  const points: readonly Pt[] = part.flattenedChain(outline, CHORD);
-  const [first, last] = [points[0], points.at(-1)];
-  return first && last ? union([[at(last.z, 0), at(first.z, 0), ...points]]) : [];
+/** The outline that lines of a contour subprogram describe. X is a diameter, as in every contour. */
+export function outlineOfLines(lines: readonly string[]): { readonly segments: readonly Segment[]; readonly issues: readonly Found[] } {
+  const machine = new Machine(framed(["LBL 1", ...lines, "LBL 0"]), SHOP);
+  machine.set({ turning: true });
+  const contour = readContour(machine, 1, 0)?.contour;
+  const told = machine.log.allFindings().map((f) => f.issue);
+  return { segments: contour?.segments ?? [], issues: faulty([...told, ...(contour?.issues ?? [])]) };
 }
+
+const counterClockwise = (ring: Ring): Ring => (areaOf([ring]) < 0 ? ring.toReversed() : ring);
+/** A chain of points closed by others, as an area; nothing where there is no chain. */
+const closed = (chain: readonly Pt[], round: (first: Pt, last: Pt) => Pt[]): Ring[] => {
+  const [first, last] = [chain[0], chain.at(-1)];
+  return first && last ? union([counterClockwise([...chain, ...round(first, last)])]) : [];
+};
+
+/** Past everything that is drawn, mm. */
+const PAST = 100;
 
 /** The wanted part: the blank within the outside and without the bore; what lies behind the end of an outline stays as the blank is. */
 export function wantedPart(wanted: NonNullable<Task["part"]>): WantedPart {
   const blank = blankOfLines(wanted.blank);
   const [outside, bore] = [outlineOfLines(wanted.outside ?? []), outlineOfLines(wanted.bore ?? [])];
-  const issues = [...(wanted.outside ? outside.issues : []), ...(wanted.bore ? bore.issues : [])];
-  let rings: readonly Ring[] = blank;
-  if (blank.length > 0) {
-    const box = boxAround([...blank]);
-    const last = outside.segments.at(-1)?.to;
-    if (last) {
-      const [left, high] = [box.left - PAST, box.high + PAST];
-      const behind: Ring[] = last.z > left + SAME ? [[at(left, 0), at(last.z, 0), at(last.z, high), at(left, high)]] : [];
-      rings = intersection(rings, union(below(outside.segments), behind));
-    }
-    if (bore.segments.length > 0) rings = difference(rings, below(bore.segments));
-  }
-  return { blank, outside: outside.segments, bore: bore.segments, rings, issues };
+  const [outer, inner] = [outside.segments, bore.segments].map((s) => part.flattenedChain(s, CHORD)) as [Pt[], Pt[]];
+  const { right, high } = boxAround([...blank.rings, outer, inner]);
+  const far = Math.max(right, high) + PAST;
+  const gone = [
+    // In front of its first point and outside of its last one, whether the outline runs back on itself between or not.
+    ...closed(outer, (first, last) => [at(last.z, far), at(far, far), at(far, 0), at(first.z, 0)]),
+    ...closed(inner, (first, last) => [at(last.z, 0), at(far, 0), at(far, first.r)]),
+  ];
+  return {
+    blank: blank.rings,
+    outside: outside.segments,
+    bore: bore.segments,
+    rings: gone.length === 0 ? blank.rings : difference(blank.rings, gone),
+    issues: [...blank.issues, ...(wanted.outside ? outside.issues : []), ...(wanted.bore ? bore.issues : [])],
+  };
 }

@@ -6,7 +6,7 @@ import { cycleByNumber } from "../cycles/index.ts";
 import { answerOf, TASK_RAPID } from "./judge/answer.ts";
 import { judge } from "./judge/judge.ts";
 import { refuses } from "./judge/refuses.ts";
-import { wantedOf } from "./judge/wanted.ts";
+import { wantedPart } from "./wanted-part.ts";
 import type { Lesson } from "./lesson.ts";
 import type { Task } from "./task.ts";
 
@@ -51,9 +51,9 @@ function idle(task: Task): string[] {
 }
 
 function answerProblems(task: Task): string[] {
-  const wanted = wantedOf(task);
-  const out = (wanted?.problems ?? []).map((p) => `part: ${p.code} ${JSON.stringify(p.data)}`);
-  if (wanted && wanted.part.length === 0) out.push("the wanted part is empty");
+  const wanted = task.part ? wantedPart(task.part) : null;
+  const out = (wanted?.issues ?? []).map((p) => `part: ${p.code} ${JSON.stringify(p.data)}`);
+  if (wanted && wanted.rings.length === 0) out.push("the wanted part is empty");
   if (!task.solution) return [...out, "no solution"];
   const judged = judge(task, answerOf(task.solution.join("\n")));
   for (const m of judged.marks) if (!m.passed) out.push(`the solution is refused: ${m.rule} ${m.q ?? m.about ?? ""} ${m.value ?? ""}`);

@@ -1,6 +1,6 @@
 import { areaOf } from "../../kernel/area.ts";
 import { boxAround, gapBetween } from "../../kernel/box.ts";
-import { difference, isInside, opened } from "../../kernel/clip.ts";
+import { difference, intersection, isInside, opened } from "../../kernel/clip.ts";
 import { part, type Ring } from "../../kernel/point.ts";
 import { REAL_AREA } from "../../kernel/real-area.ts";
 import { pathOf } from "../../kernel/time.ts";
@@ -9,7 +9,6 @@ import { outlinesOf } from "../../sim/outlines.ts";
 import { placeIn, regionsOf } from "../../sim/region.ts";
 import { sweptBy } from "../../sim/sweep.ts";
 import type { Answer, TaskMark } from "./judgement.ts";
-import { shared } from "./wanted.ts";
 
 /** Smaller regions are not shown one by one, mm²; of the others no more than so many. */
 const LEAST = 0.001;
@@ -17,6 +16,8 @@ const MOST = 12;
 
 /** What of one half section is not in another one, chords and grid apart. */
 export const beyond = (one: readonly Ring[], other: readonly Ring[]): Ring[] => opened(difference(one, other), SLIVER);
+
+const shared = (one: readonly Ring[], other: readonly Ring[]): number => areaOf(intersection(one, other));
 
 /** The first step that took something of an area, and its block; none where no tool came there. */
 export function firstInto(area: readonly Ring[], { run, simulation }: Answer): Pick<TaskMark, "step" | "block" | "operation"> {

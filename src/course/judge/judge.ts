@@ -7,7 +7,7 @@ import { areaOf } from "../../kernel/area.ts";
 import { RULES, type Answer, type TaskJudgement, type TaskMark, type RuleName } from "./judgement.ts";
 import { ruleMarks } from "./rules.ts";
 import { sizeMarks } from "./sizes.ts";
-import { wantedOf, type WantedPart } from "./wanted.ts";
+import { wantedPart, type WantedPart } from "../wanted-part.ts";
 
 /** What may stay beside the wanted part and be missing from it where a task does not say, mm². */
 const RESIDUE = 0.05;
@@ -99,8 +99,8 @@ function partMarks(task: Task, wanted: WantedPart, answer: Answer): TaskMark[] {
   if (run.blank.length === 0) return [blank];
   return [
     blank,
-    ...missingMarks(wanted.part, final, task.rules.missing ?? MISSING, answer),
-    ...residueMarks(wanted.part, final, task.rules.residue ?? RESIDUE, answer),
+    ...missingMarks(wanted.rings, final, task.rules.missing ?? MISSING, answer),
+    ...residueMarks(wanted.rings, final, task.rules.residue ?? RESIDUE, answer),
   ];
 }
 
@@ -115,7 +115,7 @@ const ordered = (marks: readonly TaskMark[]): TaskMark[] => {
  * rules is right, however it is written.
  */
 export function judge(task: Task, answer: Answer): TaskJudgement {
-  const wanted = wantedOf(task);
+  const wanted = task.part ? wantedPart(task.part) : null;
   const marks = ordered([
     ...issueMarks("errors", answer),
     ...unprovedMarks(answer),
