@@ -88,7 +88,10 @@ const rules = z.object({
 
 /** What the learner says before the run; the truth comes from the kernel, but for `choice`, where the task says which one is right. */
 const prediction = z.union([
-  /** A number: passes, real infeed mm, seconds, residue mm², or a size as of `sizes`. Right within `within` (default 0). */
+  /**
+   * A number: passes, real infeed mm, seconds, residue mm², or a size as of `sizes`. Right within `within`: by default passes are to be
+   * exact, the others as two decimals show them.
+   */
   z.object({
     ask: z.enum(["passes", "infeed", "seconds", "residue"]),
     /** Index of the cycle call, from 0; absent: all together. */

@@ -1,10 +1,12 @@
 import { run } from "../program/run.ts";
 import { parse } from "../nc/parse.ts";
+import { blockNumbers } from "../nc/program.ts";
 import { shippedTools } from "../program/shipped-tools.ts";
 import type { Run } from "../program/run-types.ts";
 import { cycleByNumber } from "../cycles/index.ts";
 import { answerOf, TASK_RAPID } from "./judge/answer.ts";
 import { judge } from "./judge/judge.ts";
+import { truthOf } from "./judge/predicting.ts";
 import { refuses } from "./judge/refuses.ts";
 import { wantedPart } from "./wanted-part.ts";
 import type { Lesson } from "./lesson.ts";
@@ -67,13 +69,34 @@ function answerProblems(task: Task): string[] {
   return [...out, ...idle(task)];
 }
 
+/** Whether what is to be foretold is there: in the program that lies open, or in the answer that passes. */
+function predictionProblems(task: Task): string[] {
+  const program = "program" in task.start ? task.start.program : task.solution;
+  if (!program || !task.predict?.length) return [];
+  const answer = answerOf(program.join("\n"));
+  const numbers = new Set(blockNumbers(parse(answer.text)));
+  return task.predict.flatMap((prediction, i) => {
+    const truth = truthOf(prediction, task, answer);
+    const there = truth.kind === "number"
+      ? truth.value !== null
+      : truth.kind === "place"
+      ? truth.rings.length > 0
+      : truth.kind !== "block" || truth.right.every((block) => numbers.has(block));
+    const vague = (prediction.ask === "seconds" || prediction.ask === "residue") && prediction.within === undefined;
+    return [
+      ...(there ? [] : [`prediction ${i + 1}: there is no such thing in the run`]),
+      ...(vague ? [`prediction ${i + 1} needs \`within\``] : []),
+    ];
+  });
+}
+
 /** Rules that look at the program as a whole. */
 const PLACELESS: readonly string[] = ["seconds", "cycles", "words", "passes", "mostTools", "blank", "values"];
 
 /** What is wrong with a task that ships with the page; nothing of one that is whole. */
 export function taskProblems(task: Task, file: string): string[] {
   const out = stem(file) === task.id ? [] : [`the id is ${task.id}`];
-  out.push(...wordProblems(task), ...startProblems(task));
+  out.push(...wordProblems(task), ...startProblems(task), ...predictionProblems(task));
   if (task.kind === "predict") {
     if (!task.predict?.length) out.push("nothing is foretold");
   } else out.push(...answerProblems(task));

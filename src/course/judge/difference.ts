@@ -1,21 +1,30 @@
-import { areaOf } from "../../kernel/area.ts";
+import { areaOf, areaOfRing } from "../../kernel/area.ts";
 import { boxAround, gapBetween } from "../../kernel/box.ts";
 import { difference, intersection, isInside, opened } from "../../kernel/clip.ts";
-import { part, type Ring } from "../../kernel/point.ts";
+import { part, type Pt, type Ring } from "../../kernel/point.ts";
 import { REAL_AREA } from "../../kernel/real-area.ts";
 import { pathOf } from "../../kernel/time.ts";
 import { SLIVER } from "../../kernel/tolerance.ts";
 import { outlinesOf } from "../../sim/outlines.ts";
-import { placeIn, regionsOf } from "../../sim/region.ts";
+import { regionsOf } from "../../sim/region.ts";
 import { sweptBy } from "../../sim/sweep.ts";
+import { middleOf } from "./middle.ts";
 import type { Answer, TaskMark } from "./judgement.ts";
 
 /** Smaller regions are not shown one by one, mm²; of the others no more than so many. */
-const LEAST = 0.001;
+const LEAST = 0.005;
 const MOST = 12;
 
 /** What of one half section is not in another one, chords and grid apart. */
 export const beyond = (one: readonly Ring[], other: readonly Ring[]): Ring[] => opened(difference(one, other), SLIVER);
+
+/** How far a point is from an area, mm; 0 inside it. */
+export function distanceTo(rings: readonly Ring[], p: Pt): number {
+  const inside = rings.reduce((sum, ring) => sum + (isInside(ring, p) ? Math.sign(areaOfRing(ring)) : 0), 0);
+  if (inside > 0) return 0;
+  const edges = rings.flatMap((ring) => ring.map((to, i) => part.line(ring.at(i - 1) as Pt, to)));
+  return edges.reduce((least, edge) => Math.min(least, part.distanceTo(edge, p)), Infinity);
+}
 
 const shared = (one: readonly Ring[], other: readonly Ring[]): number => areaOf(intersection(one, other));
 
@@ -45,7 +54,7 @@ export function firstInto(area: readonly Ring[], { run, simulation }: Answer): P
 function ownerOf(outline: Ring, { run, simulation }: Answer): Pick<TaskMark, "operation" | "block" | "reason"> {
   const told = simulation.proof.residual.map((r) => ({ r, area: shared([outline], [r.ring]) })).filter(({ area }) => area > LEAST);
   const most = told.toSorted((a, b) => b.area - a.area)[0]?.r;
-  const place = placeIn(outline);
+  const place = middleOf([outline]);
   const operation = most?.operation ?? run.operations.findLastIndex((o) => isInside(o.plan.area, place));
   const called = run.operations[operation];
   return called ? { operation, block: called.block, ...(most && { reason: most.reason }) } : {};
@@ -60,12 +69,13 @@ function marksOf(
 ): TaskMark[] {
   const value = areaOf(area);
   if (value <= limit) return [{ rule, passed: true, value, limit }];
-  return regionsOf(area, LEAST).toSorted((a, b) => b.area - a.area).slice(0, MOST).map((region) => ({
+  const regions = regionsOf(area, LEAST);
+  return (regions.length > 0 ? regions : regionsOf(area, 0)).toSorted((a, b) => b.area - a.area).slice(0, MOST).map((region) => ({
     rule,
     passed: false,
     value: region.area,
     limit,
-    place: placeIn(region.outline),
+    place: middleOf([region.outline, ...region.holes]),
     rings: [region.outline, ...region.holes],
     ...because(region.outline),
   }));

@@ -6,6 +6,7 @@ import { beyond, missingMarks, residueMarks } from "./difference.ts";
 import { areaOf } from "../../kernel/area.ts";
 import { RULES, type Answer, type TaskJudgement, type TaskMark, type RuleName } from "./judgement.ts";
 import { ruleMarks } from "./rules.ts";
+import { scoreOf } from "./score.ts";
 import { sizeMarks } from "./sizes.ts";
 import { wantedPart, type WantedPart } from "../wanted-part.ts";
 
@@ -125,5 +126,7 @@ export function judge(task: Task, answer: Answer): TaskJudgement {
     ...(task.rules.clean ? cleanMarks(answer) : []),
     ...ruleMarks(task.rules, answer),
   ]);
-  return { passed: marks.every((m) => m.passed), marks };
+  const { par } = task;
+  const score = task.kind === "drawing" && par && wanted ? scoreOf(par, wanted, task.rules.residue ?? RESIDUE, answer, marks) : undefined;
+  return { passed: marks.every((m) => m.passed), marks, ...(score && { score }) };
 }

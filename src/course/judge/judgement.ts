@@ -66,8 +66,25 @@ export interface TaskMark {
   readonly issue?: RunFinding["issue"];
 }
 
+/** What a free program is worth, out of 100; nothing as long as it hurts the part, runs into material or is not proved. */
+export interface Score {
+  readonly total: number;
+  readonly parts: readonly ScorePart[];
+}
+export interface ScorePart {
+  /** "proof": the share of the rules that hold; "residue", "time" and "tools" against what a good answer needs. */
+  readonly what: "proof" | "residue" | "time" | "tools";
+  readonly points: number;
+  readonly of: number;
+  /** mm², s, or tools; a count of rules for the proof. */
+  readonly value: number;
+  readonly par: number;
+}
+
 export interface TaskJudgement {
   readonly passed: boolean;
   /** In the order of `RULES`; of several of a rule the gravest first. */
   readonly marks: readonly TaskMark[];
+  /** Of a "drawing". */
+  readonly score?: Score;
 }

@@ -21,14 +21,17 @@ const ofDefinition = ({ definedIn }: Operation, operation: number) => ({ block: 
 const marks = (rule: RuleName, wrong: readonly Partial<TaskMark>[], right: Partial<TaskMark> = {}): TaskMark[] =>
   wrong.length > 0 ? wrong.map((w) => ({ rule, passed: false, ...w })) : [{ rule, passed: true, ...right }];
 
-const roughs = ({ plan }: Operation) => plan.moves.some((move) => move.phase === "rough");
+/** Whether an operation has roughing passes, and how many. */
+export const hasRoughing = ({ plan }: Operation) => plan.moves.some((move) => move.phase === "rough");
+
+export const roughingPasses = (operation: Operation) => (hasRoughing(operation) ? operation.plan.passes : 0);
 
 function depth(limit: number, answer: Answer): TaskMark[] {
   const { run, simulation } = answer;
   const found = run.operations.map((operation, index): Partial<TaskMark> => {
     const deepest = simulation.proof.operations[index]?.deepest;
     // Passes along the contour are measured only where they take more than their cycle allows.
-    const infeed = operation.plan.isParallel && roughs(operation) ? operation.plan.infeed : 0;
+    const infeed = operation.plan.isParallel && hasRoughing(operation) ? operation.plan.infeed : 0;
     const by = deepest && deepest.depth >= infeed ? { step: deepest.step } : {};
     return { value: Math.max(deepest?.depth ?? 0, infeed), limit, ...by, ...ofCall(operation, index) };
   });
@@ -61,7 +64,7 @@ function speed(limit: number, answer: Answer): TaskMark[] {
 }
 
 /** The tools that a program calls, each with the block that calls it first. */
-function calledTools({ text, run }: Answer): Map<number, number> {
+export function calledTools({ text, run }: Answer): Map<number, number> {
   const program = parse(text);
   const numbers = blockNumbers(program);
   const called = new Map<number, number>();
@@ -93,8 +96,8 @@ function values(asked: NonNullable<TaskRules["values"]>, { run }: Answer): TaskM
 }
 
 function passes(limit: number, { run }: Answer): TaskMark[] {
-  const value = run.operations.reduce((sum, o) => sum + (roughs(o) ? o.plan.passes : 0), 0);
-  const index = run.operations.findIndex(roughs);
+  const value = run.operations.reduce((sum, o) => sum + roughingPasses(o), 0);
+  const index = run.operations.findIndex(hasRoughing);
   const operation = run.operations[index];
   return [{ rule: "passes", passed: value === limit, value, limit, ...(operation && ofCall(operation, index)) }];
 }

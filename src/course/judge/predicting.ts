@@ -1,0 +1,115 @@
+import { areaOf } from "../../kernel/area.ts";
+import { part, type Pt, type Ring } from "../../kernel/point.ts";
+import { ROUND } from "../../kernel/tolerance.ts";
+import type { Prediction, Task } from "../task.ts";
+import { wantedPart } from "../wanted-part.ts";
+import { regionsOf } from "../../sim/region.ts";
+import { beyond, distanceTo } from "./difference.ts";
+import { middleOf } from "./middle.ts";
+import type { Answer } from "./judgement.ts";
+import { roughingPasses, hasRoughing } from "./rules.ts";
+import { sizeOn } from "./sizes.ts";
+
+/** mm, mm², s, or a count; null where the run has no such thing. */
+export interface TrueNumber {
+  readonly kind: "number";
+  readonly value: number | null;
+}
+/** Where something is; `rings` is empty where the run has no such thing. */
+export interface TruePlace {
+  readonly kind: "place";
+  readonly place: Pt | null;
+  readonly rings: readonly Ring[];
+}
+export interface TrueChoice {
+  readonly kind: "choice";
+  readonly right: number;
+}
+export interface TrueBlock {
+  readonly kind: "block";
+  readonly right: readonly number[];
+}
+/** What is true of a run. */
+export type Truth = TrueNumber | TruePlace | TrueChoice | TrueBlock;
+
+/** What a learner says: a number, a place on the part, a choice from 0, or the number of a block. */
+export type Foretold = number | Pt;
+
+/** Sizes and infeeds are read off to two decimals, mm; counts to the whole. */
+const READ_OFF = 0.005;
+
+const number = (value: number | null | undefined): Truth => ({ kind: "number", value: value ?? null });
+const placeOf = (rings: readonly Ring[]): Truth => {
+  const first = regionsOf(rings, 0).toSorted((a, b) => b.area - a.area)[0];
+  return { kind: "place", rings, place: first ? middleOf([first.outline, ...first.holes]) : null };
+};
+
+/** What stays beside the wanted part, or without one what the operations should have taken. */
+function residue({ part: wanted }: Pick<Task, "part">, { simulation }: Answer, operation?: number): readonly Ring[] {
+  if (wanted && operation === undefined) return beyond(simulation.final, wantedPart(wanted).rings);
+  return simulation.proof.residual.filter((r) => operation === undefined || r.operation === operation).map((r) => r.ring);
+}
+
+/** What is missing from the wanted part, or without one what was cut from the contours of the cycles. */
+function missing({ part: wanted }: Pick<Task, "part">, { simulation }: Answer): readonly Ring[] {
+  if (wanted) return beyond(wantedPart(wanted).rings, simulation.final);
+  return simulation.findings.flatMap((f) => (f.kind === "gouge" ? f.rings : []));
+}
+
+/** What is true of what a task asks, from the run of the program that it asks about. */
+export function truthOf(prediction: Prediction, task: Pick<Task, "part">, answer: Answer): Truth {
+  const { run, simulation } = answer;
+  const only = "operation" in prediction ? prediction.operation : undefined;
+  const called = run.operations.filter((_, i) => only === undefined || i === only);
+  switch (prediction.ask) {
+    case "passes":
+      return number(called.length === 0 ? null : called.reduce((sum, o) => sum + roughingPasses(o), 0));
+    case "infeed": {
+      const infeeds = called.filter(hasRoughing).map((o) => o.plan.infeed);
+      return number(infeeds.length === 0 ? null : Math.max(...infeeds));
+    }
+    case "seconds":
+      return number(only === undefined ? simulation.totalSeconds : called[0]?.seconds);
+    case "residue":
+      return number(areaOf(residue(task, answer, only)));
+    case "diameter":
+    case "bore":
+    case "face":
+      return number(sizeOn(simulation.final, prediction.ask, prediction.at)?.value);
+    case "residuePlace":
+      return placeOf(residue(task, answer));
+    case "gougePlace":
+      return placeOf(missing(task, answer));
+    case "rapidPlace": {
+      const [first] = simulation.findings.filter((f) => f.kind === "rapidInStock").toSorted((a, b) => a.step - b.step);
+      return first ? { kind: "place", place: first.place, rings: first.rings } : placeOf([]);
+    }
+    case "choice":
+      return { kind: "choice", right: prediction.right };
+    case "block":
+      return { kind: "block", right: prediction.right };
+  }
+}
+
+/** How far a number or a place may be from the truth. */
+const withinOf = (prediction: Prediction): number =>
+  ("within" in prediction ? prediction.within : undefined) ?? (prediction.ask === "passes" ? 0 : READ_OFF);
+
+/** Whether what a learner says is true. A place is right on the region, or nearer to it than the task says. */
+export function isRight(prediction: Prediction, truth: Truth, said: Foretold): boolean {
+  if (typeof said === "object") {
+    const within = withinOf(prediction);
+    if (truth.kind !== "place" || truth.rings.length === 0) return false;
+    return (truth.place !== null && part.apart(truth.place, said) <= within) || distanceTo(truth.rings, said) <= within;
+  }
+  switch (truth.kind) {
+    case "number":
+      return truth.value !== null && Math.abs(said - truth.value) <= withinOf(prediction) + ROUND;
+    case "choice":
+      return said === truth.right;
+    case "block":
+      return truth.right.includes(said);
+    case "place":
+      return false;
+  }
+}
