@@ -1,5 +1,7 @@
 import { expect, test } from "vitest";
 import { areaOf } from "../kernel/area.ts";
+import { intersection } from "../kernel/clip.ts";
+import { at } from "../kernel/point.ts";
 import { wantedPart } from "./wanted-part.ts";
 
 const blank = ["BLK FORM CYLINDER Z D63.4 L81 DIST+1.5 DI17"];
@@ -29,4 +31,14 @@ test("a bore is taken out from the free end inwards", () => {
 
 test("an outline that can not be read is told", () => {
   expect(wantedPart({ blank, outside: ["L X+20 Z+0", "CR X+30 Z-40 R2 DR+"] }).issues).not.toEqual([]);
+});
+
+test("a thread may be cut between its crest and its root, and nowhere else", () => {
+  const { rings, solid } = wantedPart({
+    blank: ["BLK FORM CYLINDER Z D40 L30 DIST+0"],
+    outside: ["L X+36 Z+0", "L Z-22", "L X+40"],
+    threads: [{ from: 0, to: -17.5, crest: 36, root: 33.5, name: "M36×2" }],
+  });
+  expect(areaOf(rings) - areaOf(solid)).toBeCloseTo(17.5 * 1.25, 6);
+  expect(areaOf(intersection(solid, [[at(-17.4, 16.8), at(0, 16.8), at(0, 18), at(-17.4, 18)]]))).toBeCloseTo(0, 6);
 });

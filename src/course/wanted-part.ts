@@ -3,6 +3,7 @@ import { boxAround } from "../kernel/box.ts";
 import { difference, union } from "../kernel/clip.ts";
 import { at, part, type Pt, type Ring, type Segment } from "../kernel/point.ts";
 import { CHORD } from "../kernel/tolerance.ts";
+import { diameter, toRadius } from "../kernel/units.ts";
 import { parse } from "../nc/parse.ts";
 import { readContour } from "../program/contour-subprogram.ts";
 import { Machine } from "../program/machine.ts";
@@ -20,6 +21,8 @@ export interface WantedPart {
   readonly bore: readonly Segment[];
   /** What is to be left of the blank. */
   readonly rings: readonly Ring[];
+  /** What of that nothing may cut away: all but the grooves of its threads. */
+  readonly solid: readonly Ring[];
   /** What is wrong with blank and outlines; empty for a part that can be judged by. */
   readonly issues: readonly Found[];
 }
@@ -53,6 +56,13 @@ const closed = (chain: readonly Pt[], round: (first: Pt, last: Pt) => Pt[]): Rin
   return first && last ? union([counterClockwise([...chain, ...round(first, last)])]) : [];
 };
 
+/** Between crest and root of a thread. */
+function threaded({ from, to, crest, root }: NonNullable<NonNullable<Task["part"]>["threads"]>[number]): Ring {
+  const [left, right] = [Math.min(from, to), Math.max(from, to)];
+  const [one, other] = [toRadius(diameter(crest)), toRadius(diameter(root))];
+  return counterClockwise([at(left, one), at(right, one), at(right, other), at(left, other)]);
+}
+
 /** Past everything that is drawn, mm. */
 const PAST = 100;
 
@@ -68,11 +78,13 @@ export function wantedPart(wanted: NonNullable<Task["part"]>): WantedPart {
     ...closed(outer, (first, last) => [at(last.z, far), at(far, far), at(far, 0), at(first.z, 0)]),
     ...closed(inner, (first, last) => [at(last.z, 0), at(far, 0), at(far, first.r)]),
   ];
+  const rings = gone.length === 0 ? blank.rings : difference(blank.rings, gone);
   return {
     blank: blank.rings,
     outside: outside.segments,
     bore: bore.segments,
-    rings: gone.length === 0 ? blank.rings : difference(blank.rings, gone),
+    rings,
+    solid: wanted.threads?.length ? difference(rings, wanted.threads.map(threaded)) : rings,
     issues: [...blank.issues, ...(wanted.outside ? outside.issues : []), ...(wanted.bore ? bore.issues : [])],
   };
 }

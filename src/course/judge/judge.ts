@@ -100,7 +100,7 @@ function partMarks(task: Task, wanted: WantedPart, answer: Answer): TaskMark[] {
   if (run.blank.length === 0) return [blank];
   return [
     blank,
-    ...missingMarks(wanted.rings, final, task.rules.missing ?? MISSING, answer),
+    ...missingMarks(wanted.solid, final, task.rules.missing ?? MISSING, answer),
     ...residueMarks(wanted.rings, final, task.rules.residue ?? RESIDUE, answer),
   ];
 }
