@@ -1,0 +1,23 @@
+import type { CourseDrawingTexts } from "../../../i18n/en/course-drawing.ts";
+import type { Language } from "../../../i18n/languages.ts";
+import { formatNumber, formatSigned } from "../../../i18n/number.ts";
+import type { PrintWords } from "../../../view/drawing/print-sizes.ts";
+
+/** A minus as long as a plus is wide. */
+const typeset = (text: string): string => text.replace(/^-/, "−");
+
+/** Numbers of a workshop drawing in a language. */
+export function printWords(t: CourseDrawingTexts, language: Language): PrintWords {
+  const number = (value: number) => formatNumber(language, value);
+  return {
+    diameter: (value) => `⌀${number(value)}`,
+    length: number,
+    position: (value) => typeset(number(value)),
+    deviation: (value) => (value === 0 ? "0" : typeset(formatSigned(language, value))),
+    both: (value) => `±${number(Math.abs(value))}`,
+    radius: (value) => t.radius(number(value)),
+    chamfer: (size, angle) => t.chamfer(number(size), formatNumber(language, angle, 1)),
+    thread: (diameter, lead, starts) => t.thread(number(diameter), number(lead), starts),
+    roughness: (value) => t.micrometres(number(value)),
+  };
+}

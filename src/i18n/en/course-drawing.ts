@@ -1,0 +1,52 @@
+import type { Shape } from "../shape.ts";
+
+export const courseDrawing = {
+  drawingOf: (name: string) => `Workshop drawing of ${name}`,
+  none: "The part of this task can not be drawn: its outline has a fault.",
+  list: "Sizes as a list",
+  print: "Print the drawing",
+  scale: (paper: number, part: number) => `${paper} : ${part}`,
+  head: {
+    name: "Part",
+    number: "Drawing",
+    scale: "Scale",
+    unit: "Sizes",
+    blank: "Blank",
+    material: "Material",
+    general: "General tolerances",
+    surface: "Surface",
+  },
+  inMm: "mm",
+  steel: "Steel",
+  blankOf: (outside: string, bore: string, length: string) => `${outside}${bore === "" ? "" : ` / ${bore}`} × ${length}`,
+  allowance: (value: string) => `${value} in front of Z0`,
+  tolerances: "ISO 2768, class m",
+  tolerancesHint: "Sizes without deviations: as ISO 2768-1, medium class",
+  leftOut: (n: number) => (n === 1 ? "1 note is in the list alone" : `${n} notes are in the list alone`),
+  brackets: "( ) blank, for reference",
+  kinds: {
+    diameter: "Diameter",
+    bore: "Bore",
+    length: "Length from Z0",
+    chamfer: "Chamfer",
+    radius: "Radius",
+    thread: "Thread",
+    mark: "Roughness at most",
+    blank: "Blank",
+  },
+  atOne: (z: string) => `at Z ${z}`,
+  atTwo: (from: string, to: string) => `from Z ${from} to Z ${to}`,
+  atMany: (list: string) => `at Z ${list}`,
+  deviations: (upper: string, lower: string) => `deviations ${upper} and ${lower}`,
+  micrometres: (value: string) => `Rz ${value}`,
+  chamfer: (size: string, angle: string) => `${size}×${angle}°`,
+  radius: (size: string) => `R${size}`,
+  thread: (
+    diameter: string,
+    lead: string,
+    starts: number,
+  ) => (starts > 1 ? `M${diameter}×${lead} (${starts} starts)` : `M${diameter}×${lead}`),
+  all: (mark: string) => `${mark} on all turned surfaces`,
+} as const;
+
+export type CourseDrawingTexts = Shape<typeof courseDrawing>;

@@ -1,0 +1,134 @@
+import { simplified } from "../../kernel/clip.ts";
+import { at, type Pt, type Ring } from "../../kernel/point.ts";
+import type { Radius } from "../../kernel/units.ts";
+import type { Place } from "../camera.ts";
+import { lineThrough, mm, type PrintShape } from "./paper.ts";
+
+/** A thread in a surface: where it begins and ends, its depth, its nominal radius, and the way of one turn. mm. */
+export interface PrintThread {
+  readonly from: Pt;
+  readonly to: Pt;
+  readonly depth: number;
+  readonly nominal: Radius;
+  readonly lead: number;
+  readonly starts: number;
+}
+
+/** A corner of the outline lies on the silhouette, or on the axis, within this, mm. */
+const ON = 0.02;
+/** Outlines are drawn to within this, mm on paper. */
+const FINE = 0.004;
+/** Looks beside a corner for material, mm. */
+export const BESIDE = 0.02;
+/** How finely the ends of a thread's line are looked for, mm. */
+const STEP_IN = 0.05;
+/** Nearer places along the axis are one, mm. */
+const ONE = 0.005;
+
+export const mirroredAt = (p: Pt): Pt => at(p.z, -p.r);
+
+/** Highest and lowest radius of the part at a Z; null where there is no material. */
+export function spanAt(rings: readonly Ring[], z: number): { readonly high: number; readonly low: number } | null {
+  let [high, low] = [-Infinity, Infinity];
+  for (const ring of rings)
+    ring.forEach((a, i) => {
+      const b = ring[(i + 1) % ring.length] ?? a;
+      if (Math.min(a.z, b.z) > z || Math.max(a.z, b.z) < z) return;
+      const r = Math.abs(b.z - a.z) < ONE ? [a.r, b.r] : [a.r + ((z - a.z) / (b.z - a.z)) * (b.r - a.r)];
+      high = Math.max(high, ...r);
+      low = Math.min(low, ...r);
+    });
+  return high >= low ? { high, low } : null;
+}
+
+/** Whether something of a part is not seen from outside: a bore, or a recess in a face. */
+export const isHollow = (body: readonly Ring[]): boolean => body.some((ring) => ring.some((p) => p.r > ON && !isOutmost(body, p)));
+
+/** Lines of rings without what lies on the axis or on the break. */
+function drawnEdges(ring: Ring, broken: number | null): Pt[][] {
+  const hidden = (a: Pt, b: Pt) =>
+    (Math.abs(a.r) < ON && Math.abs(b.r) < ON) || (broken !== null && Math.abs(a.z - broken) < ON && Math.abs(b.z - broken) < ON);
+  const lines: Pt[][] = [];
+  const start = Math.max(0, ring.findIndex((p, i) => hidden(p, ring[(i + 1) % ring.length] ?? p)) + 1);
+  for (let k = 0; k < ring.length; k += 1) {
+    const a = ring[(start + k) % ring.length], b = ring[(start + k + 1) % ring.length];
+    if (!a || !b || hidden(a, b)) continue;
+    const last = lines.at(-1);
+    if (last?.at(-1) === a) last.push(b);
+    else lines.push([a, b]);
+  }
+  return lines;
+}
+
+/** A line by hand where the blank goes on. */
+function breakLine(x: number, top: number, bottom: number): string {
+  const step = (bottom - top) / 4, by = 1.1;
+  const curve = [1, -1, 1, -1].map((side, i) => `Q${mm(x + side * by)} ${mm(top + (i + 0.5) * step)} ${mm(x)} ${mm(top + (i + 1) * step)}`);
+  return `M${mm(x)} ${mm(top)}${curve.join("")}`;
+}
+
+/** A level line without its ends that stand out of the part, as over a chamfer. */
+function within(body: readonly Ring[], [a, b]: readonly [Pt, Pt]): readonly [Pt, Pt] {
+  const steps = Math.ceil(Math.abs(b.z - a.z) / STEP_IN), way = Math.sign(b.z - a.z) * STEP_IN;
+  const isIn = (z: number) => {
+    const span = spanAt(body, z);
+    return span !== null && span.low <= a.r && a.r <= span.high;
+  };
+  const first = Array.from({ length: steps }, (_, i) => a.z + i * way).find(isIn) ?? a.z;
+  const last = Array.from({ length: steps }, (_, i) => b.z - i * way).find(isIn) ?? b.z;
+  return [at(first, a.r), at(last, a.r)];
+}
+
+interface BodyView {
+  readonly broken: number | null;
+  readonly isHollow: boolean;
+  readonly onPaper: (p: Pt) => Place;
+  readonly scale: number;
+  readonly threads: readonly PrintThread[];
+}
+
+/** The part itself: hatch above the axis where it is hollow, its outline, and the edges that one sees. */
+export function bodyShapes(body: readonly Ring[], { broken, isHollow: hollow, onPaper, scale, threads }: BodyView): PrintShape[] {
+  const fine = simplified([...body], FINE / scale);
+  const shapes: PrintShape[] = [];
+  if (hollow) shapes.push({ role: "section", d: fine.map((ring) => `${lineThrough(ring.map(onPaper))}Z`).join("") });
+  const edges = fine.flatMap((ring) => drawnEdges(ring, broken));
+  // From outside the bore is not seen: below the axis only what no material lies above.
+  const isSilhouette = (line: readonly Pt[]) => line.filter((p) => isOutmost(body, p));
+  const lower = edges.map((line) => (hollow ? isSilhouette(line) : line).map(mirroredAt)).filter((line) => line.length > 1);
+  shapes.push({ role: "outline", d: [...edges, ...lower].map((line) => lineThrough(line.map(onPaper))).join("") });
+  const corners = edges.flatMap((line) =>
+    line.filter((p, i) => isSharp(line[i - 1], p, line[i + 1]) && !(broken !== null && Math.abs(p.z - broken) < ON))
+  );
+  const across = (p: Pt, ends: readonly [number, number]) => lineThrough(ends.map((r) => onPaper(at(p.z, r))));
+  const seen = corners.flatMap((p) => {
+    if (isOutmost(body, p)) return [across(p, [hollow ? 0 : p.r, -p.r])];
+    return hollow && isInmost(body, p) && p.r > ON ? [across(p, [0, p.r])] : [];
+  });
+  shapes.push({ role: "edge", d: [...new Set(seen)].join("") });
+  for (const { from, to, depth } of threads) {
+    const isOutside = isOutmost(body, at((from.z + to.z) / 2, from.r)), r = from.r + (isOutside ? -depth : depth);
+    const line = within(body, [at(from.z, r), at(to.z, r)]);
+    shapes.push({ role: "thin", d: lineThrough(line.map(onPaper)) + lineThrough(line.map((p) => onPaper(mirroredAt(p)))) });
+  }
+  if (broken !== null) {
+    const high = onPaper(at(broken, spanAt(body, broken + BESIDE)?.high ?? 0)), low = onPaper(at(broken, 0));
+    shapes.push({ role: "break", d: breakLine(high.x, high.y, low.y + (low.y - high.y)) });
+  }
+  return shapes;
+}
+
+/** Whether no material lies above a point, to one side of it at least. */
+export const isOutmost = (body: readonly Ring[], p: Pt): boolean =>
+  [p.z - BESIDE, p.z, p.z + BESIDE].some((z) => (spanAt(body, z)?.high ?? Infinity) - p.r < ON + BESIDE);
+const isInmost = (body: readonly Ring[], p: Pt): boolean =>
+  [p.z - BESIDE, p.z, p.z + BESIDE].some((z) => Math.abs((spanAt(body, z)?.low ?? Infinity) - p.r) < ON + BESIDE);
+
+/** The turn at a corner, radians: less is a point of a flattened arc. */
+const SHARP = 0.5;
+
+function isSharp(a: Pt | undefined, p: Pt, b: Pt | undefined): boolean {
+  if (!a || !b) return a !== b;
+  const turn = Math.abs(Math.atan2(b.r - p.r, b.z - p.z) - Math.atan2(p.r - a.r, p.z - a.z));
+  return Math.min(turn, Math.PI + Math.PI - turn) > SHARP;
+}

@@ -1,0 +1,92 @@
+import type { Place } from "../camera.ts";
+import { FIGURES } from "../sheet/sizes.ts";
+import { spread } from "../sheet/spread.ts";
+import { arrow, heightOf, LINE, lineThrough, mm, widthOf, writtenAt, type PrintShape, type PrintSize, type PrintText } from "./paper.ts";
+
+/** A note that a leader joins to a place of the part. */
+export interface Leader {
+  readonly size: PrintSize;
+  /** Where it points, mm on paper. */
+  readonly to: Place;
+  /** It is a surface mark: the sign stands before the text. */
+  readonly isMark: boolean;
+}
+
+/** Gap between notes, room of a shaft that goes by, and lengths of the sign for surfaces, mm on paper. */
+const GAP = 2.5, SHAFT = 1.2, SIGN = 2.1;
+/** Height of a row of notes, and how far above the part the first one stands, mm on paper. */
+export const ROW = 8;
+const MOST_ROWS = 4;
+const SHORT = 1.1;
+
+const wide = ({ size, isMark }: Leader): number => widthOf(size) + (isMark ? 2.2 * SIGN : 0);
+
+/** The sign of a turned surface: a tick, closed because material is taken away, with its line over the value. */
+export function surfaceSign(apex: Place, width: number): string {
+  const [x, y] = [apex.x, apex.y], half = SIGN / 2, high = SIGN * 0.866;
+  const far = { x: x + 2 * half, y: y - 2 * high };
+  return lineThrough([{ x: x - half, y: y - high }, { x, y }, far, { x: far.x + width, y: far.y }])
+    + `M${mm(x - half)} ${mm(y - high)}H${mm(x + half)}`;
+}
+
+interface Row {
+  readonly leader: Leader;
+  readonly row: number;
+  /** Where the leader rises at each row up to its own. */
+  readonly ways: readonly number[];
+}
+
+/** Notes in so many rows, or null where they have no room. */
+function inRows(leaders: readonly Leader[], rows: number, width: number): readonly Row[] | null {
+  const placed = leaders.map((leader, i) => ({ leader, row: i % rows, ways: [] as number[], at: leader.to.x }));
+  for (let row = 0; row < rows; row += 1) {
+    const here = placed.filter((p) => p.row >= row).sort((a, b) => a.at - b.at);
+    const middles = spread(here.map((p) => ({ at: p.at, size: p.row === row ? wide(p.leader) : SHAFT })), 1, width - 1, GAP);
+    if (!middles) return null;
+    here.forEach((p, i) => {
+      p.at = middles[i] ?? p.at;
+      p.ways.push(p.at);
+    });
+  }
+  return placed;
+}
+
+/** How many rows the notes need; as many as are left out have no room at all. */
+export function leaderRows(leaders: readonly Leader[], width: number): { readonly rows: readonly Row[]; readonly count: number } {
+  const sorted = [...leaders].sort((a, b) => a.to.x - b.to.x);
+  for (let n = sorted.length; n > 0; n -= 1) {
+    for (let count = 1; count <= MOST_ROWS; count += 1) {
+      const rows = inRows(sorted.slice(0, n), count, width);
+      if (rows) return { rows, count };
+    }
+  }
+  return { rows: [], count: 0 };
+}
+
+/** Notes in rows above a level, each joined to its place. */
+export function drawnLeaders(
+  rows: readonly Row[],
+  bottom: number,
+): { readonly shapes: readonly PrintShape[]; readonly texts: readonly PrintText[] } {
+  const shapes: PrintShape[] = [];
+  const texts: PrintText[] = [];
+  for (const { leader, row, ways } of rows) {
+    const { to, size, isMark } = leader, level = (k: number) => bottom - k * ROW;
+    const shelf = ways.at(-1) ?? to.x, y = level(row), width = wide(leader);
+    // Through each row below its own the leader rises straight, and turns between them.
+    const knees = ways.slice(0, row).flatMap((x, k) => [{ x, y: level(k) + SHORT }, { x, y: level(k) - heightOf(size) - SHORT }]);
+    const end = { x: shelf, y };
+    const line = [to, ...knees, end];
+    const first = line[1] ?? end, length = Math.hypot(first.x - to.x, first.y - to.y) || 1;
+    shapes.push({ role: "thin", d: lineThrough(line) + lineThrough([{ x: shelf - width / 2, y }, { x: shelf + width / 2, y }]) });
+    shapes.push({ role: "arrow", d: arrow(to, (to.x - first.x) / length, (to.y - first.y) / length) });
+    if (isMark) {
+      const textWide = widthOf(size), apex = { x: shelf - width / 2 + SIGN / 2 + 0.3, y };
+      shapes.push({ role: "mark", d: surfaceSign(apex, textWide + 0.6) });
+      texts.push(writtenAt(size, { x: apex.x + SIGN * 0.75 + textWide / 2 + 0.4, y: y - FIGURES / 2 - 0.2 }, false));
+    } else texts.push(writtenAt(size, { x: shelf, y: y - heightOf(size) / 2 - 0.1 }, false));
+  }
+  return { shapes, texts };
+}
+
+export const rowHeight = LINE.stacked;

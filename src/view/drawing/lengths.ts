@@ -1,0 +1,90 @@
+import type { Place } from "../camera.ts";
+import { spread } from "../sheet/spread.ts";
+import { arrow, ARROW, dimensionLine, heightOf, LINE, lineThrough, mm, widthOf, writtenAt, type PrintShape, type PrintSize,
+  type PrintText } from "./paper.ts";
+
+/** A length from Z0: where its dimension begins on the part, mm on paper. */
+export interface PrintLength {
+  readonly size: PrintSize;
+  readonly from: Place;
+}
+
+/** More than so many stand on one line, as they add up; fewer stand each on a line of its own. */
+const MOST_LINES = 4;
+/** Air between part and extension line; an extension line goes on past its dimension line; mm on paper. */
+export const AIR = 0.8;
+const PAST = 1.2, FIRST = 7;
+const ORIGIN = 0.8;
+
+export interface DrawnLengths {
+  readonly shapes: readonly PrintShape[];
+  readonly texts: readonly PrintText[];
+  /** How far they reach from the part, mm on paper. */
+  readonly reach: number;
+}
+
+/** Where lengths stand: from an edge of the part, below it or above it, on paper of a width. */
+interface LengthRoom {
+  readonly zero: Place;
+  readonly edge: number;
+  readonly side: "below" | "above";
+  readonly width: number;
+}
+
+/** Lengths from the zero edge; the shortest stands nearest. */
+export function drawnLengths(lengths: readonly PrintLength[], room: LengthRoom): DrawnLengths {
+  if (lengths.length === 0) return { shapes: [], texts: [], reach: 0 };
+  const { zero: { x: from } } = room;
+  const sorted = [...lengths].sort((a, b) => Math.abs(a.from.x - from) - Math.abs(b.from.x - from));
+  return sorted.length <= MOST_LINES ? inParallel(sorted, room) : addingUp(sorted, room);
+}
+
+function inParallel(lengths: readonly PrintLength[], { zero, edge, side }: LengthRoom): DrawnLengths {
+  const shapes: PrintShape[] = [];
+  const texts: PrintText[] = [];
+  const down = side === "below" ? 1 : -1;
+  let reach = side === "below" ? FIRST - 2 : FIRST - LINE.stacked;
+  for (const { size, from } of lengths) {
+    reach += heightOf(size) + 0.6;
+    const y = edge + down * reach;
+    const [a, b] = [{ x: Math.min(from.x, zero.x), y }, { x: Math.max(from.x, zero.x), y }];
+    shapes.push(...dimensionLine(a, b), extension(from, down, y));
+    const wide = widthOf(size) + 1;
+    // A text that is longer than its line stands beside it, over the end of the arrow.
+    const isBeside = wide > b.x - a.x - 2 * ARROW.long;
+    const x = isBeside ? b.x + 2 * ARROW.long + wide / 2 : (a.x + b.x) / 2;
+    if (isBeside) shapes.push({ role: "thin", d: lineThrough([b, { x: x + wide / 2, y }]) });
+    texts.push(writtenAt(size, { x, y: y - heightOf(size) / 2 }, false));
+  }
+  shapes.push(extension(zero, down, edge + down * reach));
+  return { shapes, texts, reach: reach + (side === "below" ? 2 * PAST : LINE.stacked) };
+}
+
+const extension = ({ x, y }: Place, down: number, end: number): PrintShape => ({
+  role: "thin",
+  d: lineThrough([{ x, y: y + down * AIR }, { x, y: end + down * PAST }]),
+});
+
+function addingUp(lengths: readonly PrintLength[], { zero, edge, side, width }: LengthRoom): DrawnLengths {
+  const down = side === "below" ? 1 : -1, y = edge + down * FIRST, foot = y + down * 5;
+  const sorted = [...lengths].sort((a, b) => a.from.x - b.from.x), far = lengths.at(-1);
+  const middles = spread(sorted.map(({ size, from }) => ({ at: from.x, size: heightOf(size) })), 1, width - 1, 0.3);
+  const long = Math.max(...lengths.map(({ size }) => widthOf(size)));
+  const shapes: PrintShape[] = [extension(zero, down, y), {
+    role: "thin",
+    d: lineThrough([{ x: zero.x, y }, { x: far?.from.x ?? zero.x, y }]),
+  }, {
+    role: "origin",
+    d: `M${mm(zero.x - ORIGIN)} ${mm(y)}a${ORIGIN} ${ORIGIN} 0 1 1 ${ORIGIN + ORIGIN} 0a${ORIGIN} ${ORIGIN} 0 1 1 ${-ORIGIN - ORIGIN} 0Z`,
+  }];
+  const texts = sorted.map(({ size, from }, i) => {
+    const x = middles?.[i] ?? from.x;
+    shapes.push({
+      role: "thin",
+      d: lineThrough([{ x: from.x, y: from.y + down * AIR }, { x: from.x, y: y + down * PAST }, { x, y: foot }]),
+    });
+    shapes.push({ role: "arrow", d: arrow({ x: from.x, y }, Math.sign(from.x - zero.x), 0) });
+    return writtenAt(size, { x, y: foot + down * (widthOf(size) / 2 + 0.8) }, true);
+  });
+  return { shapes, texts, reach: FIRST + 5 + long + 2 };
+}

@@ -1,0 +1,74 @@
+import { textWidth, type LabelBox } from "../help/labels.ts";
+import type { Place } from "../camera.ts";
+import { FIGURES } from "../sheet/sizes.ts";
+
+/** A size as a print writes it: the nominal, with deviations stacked behind it where they are not one ± value. */
+export interface PrintSize {
+  readonly text: string;
+  readonly upper?: string;
+  readonly lower?: string;
+}
+
+/** What a line or an area of a workshop drawing stands for. */
+export type PrintRole = "section" | "outline" | "edge" | "axis" | "thin" | "arrow" | "break" | "mark" | "origin";
+
+export interface PrintShape {
+  readonly role: PrintRole;
+  /** Path data, mm on paper. */
+  readonly d: string;
+}
+
+/** A text by the middle of its box, mm on paper; a turned one reads from the right. */
+export interface PrintText extends PrintSize {
+  readonly at: Place;
+  readonly turned: boolean;
+  readonly box: LabelBox;
+}
+
+/** Deviations are this much smaller than the nominal. */
+export const SMALL = 0.72;
+/** Gap between nominal and deviations, mm on paper. */
+export const NEXT = 0.6;
+/** Heights of a line of text, alone and with stacked deviations, mm on paper. */
+export const LINE = { plain: 4, stacked: 5.4 } as const;
+export const ARROW = { long: 2.4, wide: 0.5 } as const;
+
+export const mm = (v: number): string => String(Math.round(v * 100) / 100 + 0);
+export const lineThrough = (places: readonly Place[]): string => `M${places.map(({ x, y }) => `${mm(x)} ${mm(y)}`).join("L")}`;
+
+export const isStacked = (size: PrintSize): boolean => size.upper !== undefined || size.lower !== undefined;
+export const heightOf = (size: PrintSize): number => (isStacked(size) ? LINE.stacked : LINE.plain);
+export const nominalWidth = (size: PrintSize): number => textWidth(size.text, FIGURES);
+
+/** What a text takes along its line, mm on paper. */
+export function widthOf(size: PrintSize): number {
+  const behind = Math.max(textWidth(size.upper ?? "", FIGURES * SMALL), textWidth(size.lower ?? "", FIGURES * SMALL));
+  return nominalWidth(size) + (behind > 0 ? NEXT + behind : 0);
+}
+
+/** An arrow whose tip points in a direction of length one. */
+export function arrow(tip: Place, dx: number, dy: number): string {
+  const back = { x: tip.x - dx * ARROW.long, y: tip.y - dy * ARROW.long };
+  const side = (by: number): Place => ({ x: back.x - dy * by, y: back.y + dx * by });
+  return `${lineThrough([tip, side(ARROW.wide), side(-ARROW.wide)])}Z`;
+}
+
+/** A text at its place, with its box. */
+export function writtenAt(size: PrintSize, at: Place, turned: boolean): PrintText {
+  const [long, tall] = [widthOf(size) + 1, heightOf(size)];
+  const [width, height] = turned ? [tall, long] : [long, tall];
+  return { ...size, at, turned, box: { x: at.x - width / 2, y: at.y - height / 2, width, height } };
+}
+
+/**
+ * A dimension line between two places with arrows, on a level (`across` false) or upright line. Where it is too short for them, they point
+ * inwards from outside.
+ */
+export function dimensionLine(a: Place, b: Place): readonly PrintShape[] {
+  const length = Math.hypot(b.x - a.x, b.y - a.y) || 1, [dx, dy] = [(b.x - a.x) / length, (b.y - a.y) / length];
+  const isShort = length < 3 * ARROW.long;
+  const beyond = (p: Place, by: number): Place => ({ x: p.x + dx * by, y: p.y + dy * by });
+  const line = isShort ? [beyond(a, -2 * ARROW.long), beyond(b, 2 * ARROW.long)] : [a, b];
+  const arrows = isShort ? arrow(a, dx, dy) + arrow(b, -dx, -dy) : arrow(a, -dx, -dy) + arrow(b, dx, dy);
+  return [{ role: "thin", d: lineThrough(line) }, { role: "arrow", d: arrows }];
+}

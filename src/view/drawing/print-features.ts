@@ -1,0 +1,115 @@
+import { part, type Pt, type Segment } from "../../kernel/point.ts";
+
+/** A turned surface of one diameter, from its end near the chuck to its free end. Part space, mm. */
+export interface PrintCylinder {
+  readonly r: number;
+  readonly left: number;
+  readonly right: number;
+}
+
+/** A corner that is broken, with the place that its leader shows. Size mm, angle degrees from the axis. */
+export type PrintCorner = { readonly kind: "chamfer"; readonly at: Pt; readonly size: number; readonly angle: number } | {
+  readonly kind: "radius";
+  readonly at: Pt;
+  readonly size: number;
+};
+
+/** What a print gives sizes to, of one outline. */
+export interface PrintFeatures {
+  readonly cylinders: readonly PrintCylinder[];
+  /** Positions along the axis, each with the point that its dimension begins at. */
+  readonly positions: readonly Pt[];
+  readonly corners: readonly PrintCorner[];
+}
+
+/** Straight along an axis within this, mm; nearer values are one size, mm. */
+const LEVEL = 0.001, ONE = 0.005;
+/** A corner that is broken by at most this share of the outline's extent, and by this many mm whatever that is. */
+const BROKEN = { share: 0.12, most: 6 } as const;
+/** How far two directions may differ where an arc runs into a line without a corner: the sine. */
+const SMOOTH = 0.02;
+
+interface Piece {
+  readonly segment: Segment;
+  readonly corner: PrintCorner | null;
+}
+
+const long = (s: Segment): number => Math.abs(s.to.z - s.from.z);
+const tall = (s: Segment): number => Math.abs(s.to.r - s.from.r);
+const isLevel = (s: Segment) => s.kind === "line" && tall(s) < LEVEL;
+const isUpright = (s: Segment) => s.kind === "line" && long(s) < LEVEL;
+
+function runsInto(a: Segment | undefined, b: Segment | undefined): boolean {
+  if (!a || !b) return false;
+  const [p, q] = [part.direction(a, a.to), part.direction(b, b.from)];
+  return Math.abs(p.z * q.r - p.r * q.z) < SMOOTH && p.z * q.z + p.r * q.r > 0;
+}
+
+/** The broken corner that a segment between two others is. */
+function cornerOf(before: Segment | undefined, s: Segment, after: Segment | undefined, most: number): PrintCorner | null {
+  const middle = part.pointOn(s, 1 / 2);
+  if (s.kind === "arc") {
+    const size = part.radiusOf(s);
+    return size <= most && (runsInto(before, s) || runsInto(s, after)) ? { kind: "radius", at: middle, size } : null;
+  }
+  if (isLevel(s) || isUpright(s) || Math.max(long(s), tall(s)) > most / 2 || !before || !after) return null;
+  if (![before, after].every((side) => isLevel(side) || isUpright(side)) || isLevel(before) === isLevel(after)) return null;
+  return { kind: "chamfer", at: middle, size: long(s), angle: (Math.atan2(tall(s), long(s)) * 180) / Math.PI };
+}
+
+/** Lines on both sides of a broken corner go on to where they meet, as if it were sharp. */
+function sharpened(pieces: readonly Piece[]): Segment[] {
+  const main: { segment: Segment; broken: boolean }[] = [];
+  let broken = false;
+  for (const { segment, corner } of pieces) {
+    if (corner) broken = true;
+    else {
+      const last = main.at(-1);
+      const meeting = broken && last?.segment.kind === "line" && segment.kind === "line"
+        ? part.meetings(last.segment, segment)[0]
+        : undefined;
+      if (last && meeting) {
+        main[main.length - 1] = { ...last, segment: part.line(last.segment.from, meeting) };
+        main.push({ segment: part.line(meeting, segment.to), broken });
+      } else main.push({ segment, broken });
+      broken = false;
+    }
+  }
+  return main.map(({ segment }) => segment);
+}
+
+/** The sizes that one outline of a turned part needs: its diameters, its positions along the axis, and its broken corners. */
+export function printFeatures(outline: readonly Segment[]): PrintFeatures {
+  const extent = Math.max(0, ...outline.flatMap((s) => [s.from, s.to].map((p) => Math.hypot(p.z - (outline[0]?.from.z ?? 0), p.r))));
+  const most = Math.min(BROKEN.most, BROKEN.share * extent);
+  const pieces = outline.map((segment, i): Piece => ({ segment, corner: cornerOf(outline[i - 1], segment, outline[i + 1], most) }));
+  const cylinders: PrintCylinder[] = [];
+  const positions: Pt[] = [];
+  const corners = pieces.flatMap(({ corner }) => (corner ? [corner] : []));
+  const addPosition = (p: Pt) => {
+    const i = positions.findIndex(({ z }) => Math.abs(z - p.z) < ONE), known = positions[i];
+    if (!known) positions.push(p);
+    else if (p.r > known.r) positions[i] = p;
+  };
+  const addDiameter = (left: number, right: number, r: number) => {
+    const known = cylinders.some((c) =>
+      Math.abs(c.r - r) < ONE && (left === right ? c.left - ONE <= left && right <= c.right + ONE : false)
+    );
+    if (r > ONE && !known) cylinders.push({ r, left, right });
+  };
+  const main = sharpened(pieces);
+  for (const s of main.filter(isLevel)) addDiameter(Math.min(s.from.z, s.to.z), Math.max(s.from.z, s.to.z), s.from.r);
+  for (const s of main) {
+    if (isLevel(s)) continue;
+    addPosition(s.from.r > s.to.r ? s.from : s.to);
+    if (isUpright(s)) continue;
+    for (const p of [s.from, s.to]) {
+      addPosition(p);
+      addDiameter(p.z, p.z, p.r);
+    }
+    if (s.kind === "arc") corners.push({ kind: "radius", at: part.pointOn(s, 1 / 2), size: part.radiusOf(s) });
+  }
+  const last = main.at(-1);
+  if (last) addPosition(last.to);
+  return { cylinders, positions, corners };
+}

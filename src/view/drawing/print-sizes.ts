@@ -1,0 +1,142 @@
+import { at, type Pt, type Ring, type Segment } from "../../kernel/point.ts";
+import { type Diameter, toDiameter } from "../../kernel/units.ts";
+import { BESIDE, spanAt, type PrintThread } from "./body.ts";
+import type { PrintSize } from "./paper.ts";
+import type { PrintCorner, PrintFeatures } from "./print-features.ts";
+
+/** A size with deviations. "diameter" outside and "bore" inside at Z = at; "face": the first material from the free end at ⌀ = at. mm. */
+export interface TolerancedSize {
+  readonly kind: "diameter" | "bore" | "face";
+  readonly at: number;
+  readonly nominal: number;
+  readonly upper: number;
+  readonly lower: number;
+}
+
+/** What is drawn. Part space, mm. */
+export interface PrintedPart {
+  readonly blank: readonly Ring[];
+  readonly rings: readonly Ring[];
+  readonly outside: readonly Segment[];
+  readonly bore: readonly Segment[];
+  readonly sizes: readonly TolerancedSize[];
+  readonly threads: readonly PrintThread[];
+  /** Greatest Rz between two Z, µm. */
+  readonly marks: readonly { readonly from: number; readonly to: number; readonly most: number }[];
+}
+
+/** Numbers as the drawing's language writes them. */
+export interface PrintWords {
+  readonly diameter: (value: Diameter) => string;
+  /** A length, or a radius or chamfer, without its sign. */
+  readonly length: (value: number) => string;
+  /** A place along the axis, with its sign. */
+  readonly position: (value: number) => string;
+  /** A deviation with its sign, and one that is the same on both sides. */
+  readonly deviation: (value: number) => string;
+  readonly both: (value: number) => string;
+  readonly radius: (value: number) => string;
+  readonly chamfer: (size: number, angle: number) => string;
+  readonly thread: (diameter: Diameter, lead: number, starts: number) => string;
+  readonly roughness: (value: number) => string;
+}
+
+/** Nearer values are one, mm. */
+const ONE = 0.005;
+/** A size belongs to a feature whose value is this near, mm. */
+const BELONGS = 0.5;
+
+/** A diameter with the stretch that has it, and where it is dimensioned. */
+export interface Across {
+  readonly r: number;
+  readonly left: number;
+  readonly right: number;
+  readonly isBore: boolean;
+  readonly isBlank: boolean;
+  readonly size: PrintSize;
+}
+
+function toleranced(text: string, found: TolerancedSize | undefined, words: PrintWords): PrintSize {
+  if (!found || (found.upper === 0 && found.lower === 0)) return { text };
+  if (Math.abs(found.upper + found.lower) < ONE / 10) return { text: `${text}${words.both(found.upper)}` };
+  return { text, upper: words.deviation(found.upper), lower: words.deviation(found.lower) };
+}
+
+/** The deviations of a diameter: those of a size at a place of its stretch. */
+const sizeAcross = (sizes: readonly TolerancedSize[], kind: "diameter" | "bore", r: number, stretch: { left: number; right: number }) =>
+  sizes.find((s) =>
+    s.kind === kind && s.at >= stretch.left - ONE && s.at <= stretch.right + ONE && Math.abs(s.nominal - toDiameter(at(0, r).r)) < BELONGS
+  );
+
+export function diametersOf(work: PrintedPart, features: PrintFeatures, isBore: boolean, words: PrintWords): Across[] {
+  const kind = isBore ? "bore" : "diameter", made: Across[] = [];
+  for (const { r, left, right } of features.cylinders) {
+    const found = sizeAcross(work.sizes, kind, r, { left, right });
+    const nominal = found?.nominal ?? toDiameter(at(0, r).r);
+    const size = toleranced(words.diameter(nominal as Diameter), found, words);
+    const same = made.find((m) => Math.abs(m.r - r) < ONE && m.size.text === size.text && m.size.upper === size.upper);
+    if (!same) made.push({ r, left, right, isBore, isBlank: false, size });
+    else if (right > same.right) made[made.indexOf(same)] = { ...same, right, left };
+  }
+  return made;
+}
+
+function cornerSize(corner: PrintCorner, words: PrintWords): PrintSize {
+  return { text: corner.kind === "radius" ? words.radius(corner.size) : words.chamfer(corner.size, corner.angle) };
+}
+
+/** Corners of one size get one note, at the first of them from the free end, with their number. */
+export function cornersOf(
+  corners: readonly PrintCorner[],
+  words: PrintWords,
+): { readonly corner: PrintCorner; readonly size: PrintSize; readonly all: readonly number[] }[] {
+  const made = new Map<string, { corner: PrintCorner; all: number[] }>();
+  for (const corner of [...corners].sort((a, b) => b.at.z - a.at.z)) {
+    const { text } = cornerSize(corner, words), known = made.get(text);
+    if (known) known.all.push(corner.at.z);
+    else made.set(text, { corner, all: [corner.at.z] });
+  }
+  return [...made].map(([text, { corner, all }]) => ({ corner, all, size: { text: all.length > 1 ? `${all.length}× ${text}` : text } }));
+}
+
+/** The positions that need a length from Z0, with their deviations; `end`: that of the part, where it is drawn to its end. */
+export function positionsOf(work: PrintedPart, features: readonly PrintFeatures[], words: PrintWords, end: number | null) {
+  const made: { from: Pt; size: PrintSize }[] = [];
+  const all = features.flatMap(({ positions }) => positions);
+  for (const p of all) {
+    if (Math.abs(p.z) < ONE || made.some(({ from }) => Math.abs(from.z - p.z) < ONE)) continue;
+    const found = work.sizes.find((s) => s.kind === "face" && Math.abs(s.nominal - p.z) < BELONGS && s.nominal !== 0);
+    made.push({ from: p, size: toleranced(words.length(Math.abs(found?.nominal ?? p.z)), found && outwards(found), words) });
+  }
+  const last = spanAt(work.rings, (end ?? 0) + BESIDE);
+  if (end !== null && last && !made.some(({ from }) => Math.abs(from.z - end) < ONE))
+    made.push({ from: at(end, last.high), size: { text: `(${words.length(Math.abs(end))})` } });
+  return made;
+}
+
+/** Deviations of a Z as those of the length that it is: behind Z0 a smaller Z is a greater length. */
+const outwards = (size: TolerancedSize): TolerancedSize =>
+  size.nominal < 0 ? { ...size, upper: 0 - size.lower, lower: 0 - size.upper } : size;
+
+/** The surface marks: one for all that is turned, or each at the longest surface of its stretch. */
+export function marksOf(work: PrintedPart, outer: PrintFeatures, inner: PrintFeatures) {
+  const turned = [...work.outside, ...work.bore].flatMap((s) => [s.from.z, s.to.z]);
+  const [low, high] = [Math.min(...turned), Math.max(...turned)];
+  let general: number | null = null;
+  const single: { at: Pt; most: number; stretch: readonly number[] }[] = [];
+  for (const { from, to, most } of work.marks) {
+    const [a, b] = [Math.min(from, to), Math.max(from, to)];
+    if (a <= low + ONE && b >= high - ONE && work.marks.length === 1) general = most;
+    else {
+      const within = [...outer.cylinders, ...inner.cylinders].map((c) => ({
+        ...c,
+        left: Math.max(c.left, a),
+        right: Math.min(c.right, b),
+      }));
+      const best = within.sort((c, d) => d.right - d.left - (c.right - c.left))[0];
+      if (best && best.right >= best.left)
+        single.push({ at: at(best.left + (best.right - best.left) * 0.3, best.r), most, stretch: [b, a] });
+    }
+  }
+  return { general, single };
+}

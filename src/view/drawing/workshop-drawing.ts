@@ -1,0 +1,202 @@
+import { boxAround } from "../../kernel/box.ts";
+import { intersection } from "../../kernel/clip.ts";
+import { at, part, type Pt, type Ring } from "../../kernel/point.ts";
+import { toDiameter } from "../../kernel/units.ts";
+import type { Place } from "../camera.ts";
+import { factorOf, usualScale, type DrawingScale } from "../sheet/scales.ts";
+import { BESIDE, bodyShapes, isHollow, isOutmost, spanAt } from "./body.ts";
+import { AIR, drawnLengths, type PrintLength } from "./lengths.ts";
+import { drawnLeaders, leaderRows, ROW, type Leader } from "./leaders.ts";
+import { dimensionLine, heightOf, lineThrough, widthOf, writtenAt, type PrintShape, type PrintSize, type PrintText } from "./paper.ts";
+import { printFeatures } from "./print-features.ts";
+import { cornersOf, diametersOf, marksOf, positionsOf, type Across, type PrintedPart, type PrintWords } from "./print-sizes.ts";
+
+/** A size of the drawing as data, for a list beside it. */
+export interface ListedSize {
+  readonly kind: "diameter" | "bore" | "length" | "chamfer" | "radius" | "thread" | "mark" | "blank";
+  readonly size: PrintSize;
+  /** Z of the place that it belongs to; both ends where it is a stretch; mm. */
+  readonly at: readonly number[];
+}
+
+/** A workshop drawing, all places in mm on paper from its top left corner. */
+export interface WorkshopPrint {
+  readonly scale: DrawingScale;
+  readonly width: number;
+  readonly height: number;
+  readonly shapes: readonly PrintShape[];
+  readonly texts: readonly PrintText[];
+  readonly list: readonly ListedSize[];
+  /** The mark that all turned surfaces have, as text; null where none holds for all. */
+  readonly general: string | null;
+  /** Notes that had no room: they stand in the list. */
+  readonly left: number;
+}
+
+/** Nearer values are one, mm. */
+const ONE = 0.005;
+/** The stub of the blank that is drawn behind the part, as a share of its length, and at least so much, mm. */
+const STUB = { share: 0.14, least: 4 } as const;
+/** Edges of the paper; from the part to the first dimension, and from one to the next beside the part, mm on paper. */
+const EDGE = 3, FIRST = 6, NEXT_TO = 1.6;
+/** Least width of the part itself, with which a drawing of many diameters grows wider than its room, mm on paper. */
+const LEAST = 72;
+/** How far a leader stands above the part, and the centre line goes past it, mm on paper. */
+const ABOVE = 6, AXIS_PAST = 4;
+
+/** Whether a level line at a radius from `z` to `end` stays clear of material, outside of the part or in its bore. */
+function isFree(rings: readonly Ring[], r: number, z: number, end: number, isBore: boolean): boolean {
+  const stops = [z, end, ...rings.flat().map((p) => p.z)].filter((v) => v >= Math.min(z, end) && v <= Math.max(z, end)).sort((a, b) =>
+    a - b
+  );
+  return stops.every((stop, i) => {
+    const next = stops[i + 1];
+    if (next === undefined || next - stop < ONE) return true;
+    const span = spanAt(rings, (stop + next) / 2);
+    return !span || (isBore ? span.low >= r - ONE : span.high <= r + ONE);
+  });
+}
+
+/** The part of the blank that is drawn: a stub of it behind what is turned, where it goes on for longer. */
+function shownFrom(work: PrintedPart): number {
+  const box = boxAround([...work.blank]);
+  const turned = [...work.outside, ...work.bore].flatMap((s) => [s.from.z, s.to.z]);
+  if (turned.length === 0) return box.left;
+  const end = Math.min(...turned), front = Math.max(...turned);
+  const stub = end - Math.max(STUB.least, STUB.share * (front - end));
+  return box.left < stub - STUB.least ? stub : box.left;
+}
+
+/**
+ * The wanted part of a task as on a shop print, for a width and a greatest height, mm on paper: above the axis in section where it is
+ * hollow, below it from outside; diameters beside it, lengths from Z0 below, notes with leaders above. Null where there is no part.
+ */
+export function workshopDrawing(
+  work: PrintedPart,
+  words: PrintWords,
+  room: { readonly width: number; readonly height: number },
+): WorkshopPrint | null {
+  if (work.rings.length === 0) return null;
+  const whole = boxAround([...work.rings]), from = shownFrom(work);
+  const broken = from > whole.left + ONE ? from : null;
+  const frame: Ring = [at(from, -1), at(whole.right + 1, -1), at(whole.right + 1, whole.high + 1), at(from, whole.high + 1)];
+  const body = broken === null ? work.rings : intersection(work.rings, [frame]);
+  const box = boxAround([...body]);
+  const outer = printFeatures(work.outside), inner = printFeatures(work.bore);
+  const blank = boxAround([...work.blank]);
+  const ends = work.outside.flatMap((each) => [each.from.z, each.to.z]), endsInside = work.bore.flatMap((each) => [each.from.z, each.to.z]);
+  const ofBlank = (r: number, until: readonly number[], isBore: boolean): Across[] => {
+    const right = Math.min(...until, blank.right);
+    return r > ONE && right > box.left + ONE
+      ? [{ r, left: box.left, right, isBore, isBlank: true, size: { text: `(${words.diameter(toDiameter(at(0, r).r))})` } }]
+      : [];
+  };
+  const blankSize = [...ofBlank(blank.high, ends, false), ...ofBlank(blank.low, endsInside, true)];
+  const turned = [...diametersOf(work, outer, false, words), ...diametersOf(work, inner, true, words)];
+  const across = [...turned, ...blankSize.filter(({ r, isBore }) => !turned.some((t) => t.isBore === isBore && Math.abs(t.r - r) < ONE))];
+  const threads = work.threads.map((thread) => ({
+    thread,
+    size: { text: words.thread(toDiameter(thread.nominal), thread.lead, thread.starts) },
+  }));
+  const onThread = ({ r, left, right }: Across) =>
+    work.threads.some((t) => Math.abs(t.from.r - r) < ONE && [t.from.z, t.to.z].some((z) => z > left - ONE && z < right + 1));
+
+  const sideOf = (a: Across): "right" | "left" | "above" => {
+    if (isFree(body, a.r, a.right, box.right, a.isBore)) return "right";
+    return isFree(body, a.r, a.left, box.left, a.isBore) && (broken === null || !a.isBore) ? "left" : "above";
+  };
+  const shown = across.filter((a) => !onThread(a));
+  const columns = (side: "right" | "left") => shown.filter((a) => sideOf(a) === side).sort((a, b) => a.r - b.r);
+  const [right, left] = [columns("right"), columns("left")];
+  const besides = (list: readonly Across[]) =>
+    list.reduce((sum, { size }) => sum + heightOf(size) + NEXT_TO, list.length > 0 ? FIRST : EDGE) + EDGE;
+
+  const width = Math.max(room.width, besides(right) + besides(left) + LEAST);
+  const highest = Math.max(...body.flat().map((p) => p.r));
+  const positions = positionsOf(work, [outer, inner], words, broken === null ? box.left : null);
+  const roomed = { wide: width - besides(right) - besides(left), tall: room.height - 2 * ROW - ABOVE - 26 };
+  const scale = usualScale({ wide: box.right - box.left, tall: highest + highest }, roomed);
+  const k = factorOf(scale);
+  const x0 = besides(left) + Math.max(0, (roomed.wide - (box.right - box.left) * k) / 2) - box.left * k;
+  const notes: Leader[] = [];
+  const place = (p: Pt): Place => ({ x: x0 + p.z * k, y: -p.r * k });
+  const listed: ListedSize[] = [];
+  const addNote = (size: PrintSize, p: Pt, isMark = false) => notes.push({ size, to: place(p), isMark });
+  for (const a of shown.filter((each) => sideOf(each) === "above")) addNote(a.size, at((a.left + a.right) / 2, a.r));
+  for (const { thread, size } of threads) addNote(size, part.pointOn(part.line(thread.from, thread.to), 1 / 2));
+  const corners = [...cornersOf(outer.corners, words), ...cornersOf(inner.corners, words)];
+  for (const { corner, size } of corners) addNote(size, corner.at);
+  const marks = marksOf(work, outer, inner);
+  for (const { at: p, most } of marks.single) addNote({ text: words.roughness(most) }, p, true);
+
+  for (const { size, isBore, isBlank, left: a, right: b } of across) {
+    const kind = isBore ? "bore" : "diameter";
+    listed.push({ kind: isBlank ? "blank" : kind, size, at: a === b ? [a] : [b, a] });
+  }
+  for (const { thread, size } of threads) listed.push({ kind: "thread", size, at: [thread.from.z, thread.to.z] });
+  for (const { size, from: p } of positions) listed.push({ kind: "length", size, at: [p.z] });
+  for (const { corner, size, all } of corners) listed.push({ kind: corner.kind, size, at: all });
+  for (const { most, stretch } of marks.single) listed.push({ kind: "mark", size: { text: words.roughness(most) }, at: stretch });
+
+  const { rows, count } = leaderRows(notes, width);
+  const half = Math.max(highest * k, ...[...right, ...left].map(({ size }) => widthOf(size) / 2));
+  // What is not seen from outside gets its lengths above, where it is cut.
+  const inside = positions.filter(({ from: p }) => !isOutmost(body, p)), seen = positions.filter(({ from: p }) => isOutmost(body, p));
+  const lengthsOf = (list: typeof positions, axis: number, side: "below" | "above") => {
+    const sign = side === "below" ? -1 : 1;
+    const at0 = (p: Pt): Place => ({ x: x0 + p.z * k, y: axis - sign * p.r * k });
+    const zero = at0(at(0, spanAt(body, -BESIDE)?.high ?? 0));
+    const lengths: PrintLength[] = list.map(({ size, from: p }) => ({ size, from: at0(p) }));
+    return drawnLengths(lengths, { zero, edge: axis - sign * half, side, width });
+  };
+  const above = lengthsOf(inside, 0, "above").reach;
+  const shelf = EDGE + Math.max(0, count - 1) * ROW + 6, axis = (count > 0 ? shelf + ABOVE : EDGE) + above + half;
+  const onPaper = (p: Pt): Place => ({ x: x0 + p.z * k, y: axis - p.r * k });
+  const lowered: readonly Row[] = rows.map((row) => ({
+    ...row,
+    leader: { ...row.leader, to: { ...row.leader.to, y: row.leader.to.y + axis } },
+  }));
+
+  const shapes: PrintShape[] = [];
+  const texts: PrintText[] = [];
+  shapes.push(...bodyShapes(body, { broken, isHollow: isHollow(body), onPaper, scale: k, threads: work.threads }));
+  const [axisLeft, axisRight] = [onPaper(at(box.left, 0)).x - AXIS_PAST, onPaper(at(box.right, 0)).x + AXIS_PAST];
+  shapes.push({ role: "axis", d: lineThrough([{ x: axisLeft, y: axis }, { x: axisRight, y: axis }]) });
+  const beside = (list: readonly Across[], side: 1 | -1) => {
+    let x = onPaper(at(side > 0 ? box.right : box.left, 0)).x + side * (FIRST - NEXT_TO);
+    for (const { size, r, left: a, right: b } of list) {
+      // The text stands on the left of its line, where one reads it from the right of the sheet.
+      const tall = heightOf(size);
+      const at0 = side > 0 ? x + tall + NEXT_TO : x - NEXT_TO;
+      const ends = [at(side > 0 ? b : a, r), at(side > 0 ? b : a, -r)].map(onPaper) as [Place, Place];
+      for (const { x: start, y } of ends)
+        shapes.push({ role: "thin", d: lineThrough([{ x: start + side * AIR, y }, { x: at0 + side * 1.2, y }]) });
+      shapes.push(...dimensionLine({ x: at0, y: ends[0].y }, { x: at0, y: ends[1].y }));
+      texts.push(writtenAt(size, { x: at0 - tall / 2 - 0.4, y: axis }, true));
+      x = side > 0 ? at0 : at0 - tall;
+    }
+  };
+  beside(right, 1);
+  beside(left, -1);
+  const drawnNotes = drawnLeaders(lowered, shelf);
+  shapes.push(...drawnNotes.shapes);
+  texts.push(...drawnNotes.texts);
+
+  const below = lengthsOf(seen, axis, "below");
+  for (const drawn of [below, lengthsOf(inside, axis, "above")]) {
+    shapes.push(...drawn.shapes);
+    texts.push(...drawn.texts);
+  }
+  return {
+    scale,
+    width,
+    height: axis + half + below.reach + EDGE,
+    shapes,
+    texts,
+    list: listed,
+    general: marks.general === null ? null : words.roughness(marks.general),
+    left: notes.length - rows.length,
+  };
+}
+
+type Row = Parameters<typeof drawnLeaders>[0][number];
