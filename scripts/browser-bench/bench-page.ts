@@ -39,7 +39,7 @@ export interface Bench {
   readonly page: Page;
   readonly turnwise: Turnwise;
   readonly empty: Page;
-  /** Makes the page as slow as the screen says, or the empty one in its place: a slowed page takes a whole core, also behind another one. */
+  /** Makes the page as slow as the screen says, or the empty one in its place: a slowed page takes a core, also behind another. */
   readonly slow: (which: "page" | "empty") => Promise<void>;
 }
 

@@ -1,4 +1,4 @@
-import type { ReactNode } from "react";
+import { createContext, memo, useContext, useMemo, type ReactNode } from "react";
 import { Tab, TabList, TabPanel, Tabs } from "react-aria-components/Tabs";
 import { showSection, type WorkSection } from "./place.ts";
 
@@ -11,24 +11,41 @@ interface Section {
   /** A count beside the name, with its colour. */
   readonly badge?: { readonly count: number; readonly severity: "error" | "warning" | "info" };
 }
+type Head = Omit<Section, "content">;
 
-/** Panels that take turns. */
-export function SectionTabs({ name, tabs, open }: { readonly name: string; readonly tabs: readonly Section[];
-  readonly open: WorkSection })
-{
+const Contents = createContext<ReadonlyMap<WorkSection, ReactNode>>(new Map());
+const Content = ({ of }: { readonly of: WorkSection }): ReactNode => useContext(Contents).get(of);
+
+/** The tabs with room for what they hold: they render when a tab changes, not with every key that is typed in one. */
+const Frame = memo(function Frame({ name, heads, open }: { readonly name: string; readonly heads: string; readonly open: WorkSection }) {
+  const all = JSON.parse(heads) as readonly Head[];
   return (
     <Tabs className="sections" selectedKey={open} onSelectionChange={(key) => showSection(key as WorkSection)}>
       <TabList className="tabs" aria-label={name}>
-        {tabs.map(({ section, name: label, badge }) => (
+        {all.map(({ section, name: label, badge }) => (
           <Tab key={section} id={section} className="tab">
             {label}
             {badge && badge.count > 0 && <span className={`badge number ${badge.severity}`}>{badge.count}</span>}
           </Tab>
         ))}
       </TabList>
-      {tabs.map(({ section, stays = false, content }) => (
-        <TabPanel key={section} id={section} className={`panel panel-${section}`} shouldForceMount={stays}>{content}</TabPanel>
+      {all.map(({ section, stays = false }) => (
+        <TabPanel key={section} id={section} className={`panel panel-${section}`} shouldForceMount={stays}>
+          <Content of={section} />
+        </TabPanel>
       ))}
     </Tabs>
+  );
+});
+
+/** Panels that take turns. */
+export function SectionTabs({ name, tabs, open }: { readonly name: string; readonly tabs: readonly Section[];
+  readonly open: WorkSection })
+{
+  const contents = useMemo(() => new Map(tabs.map(({ section, content }) => [section, content])), [tabs]);
+  return (
+    <Contents value={contents}>
+      <Frame name={name} open={open} heads={JSON.stringify(tabs.map(({ content: _, ...head }) => head))} />
+    </Contents>
   );
 }

@@ -20,6 +20,7 @@ import { LeavingDialog } from "./leaving/LeavingDialog.tsx";
 import { LatheView } from "./lathe/LatheView.tsx";
 import { MeasuredInto } from "./lathe/measured-into.ts";
 import { useMeasuredTarget } from "./measured-target.ts";
+import { Late, useLater } from "./Late.tsx";
 import { lazyPart } from "./parts.ts";
 import { usePlace, type JobSection } from "./place.ts";
 import { playback } from "./playback.ts";
@@ -60,7 +61,9 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
   const view = useContourPlace((p) => p.view);
   const host = useJobHost(read);
   const tools = useToolList();
-  const known = useMemo(() => knownWork(read.cycle, read.job, read.reading, givenOf(read), tools), [read, tools]);
+  // What is drawn without a path comes a moment after a key, so that it costs those nothing that draw one.
+  const late = useLater(read);
+  const known = useMemo(() => knownWork(late.cycle, late.job, late.reading, givenOf(late), tools), [late, tools]);
   const measured = useMeasuredTarget(read, setPrompt);
   useEffect(() => () => chooseElement(null), []);
   useEffect(() => fetchAtRest(() => Promise.all([fetchSetup(), fetchFindings()])), []);
@@ -107,7 +110,9 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
           ...(section === "findings" && findings[0] ? { badge: { count: findings.length, severity: findings[0].issue.severity } } : {}),
         }))} />
       </div>
-      <EffectStrip read={read} />
+      <Late>
+        <EffectStrip read={read} />
+      </Late>
       <div className="centre">
         {drawing
           ? (

@@ -15,12 +15,12 @@ function watch(condition: string): Watched {
   if (typeof matchMedia !== "function") return never;
   const known = watched.get(condition);
   if (known) return known;
-  const media = matchMedia(condition);
+  const media = matchMedia(condition), print = matchMedia("print");
   let last = media.matches;
   const made: Watched = {
     // A sheet of paper is no screen: what is printed stays as it was arranged.
     matches: () => {
-      if (!matchMedia("print").matches) last = media.matches;
+      if (!print.matches) last = media.matches;
       return last;
     },
     subscribe(listener) {

@@ -29,8 +29,8 @@ export interface Setup {
   readonly proposed: ReadonlySet<SetupPlace>;
   /** The work that the typed values describe; null of a cycle that is not known. */
   readonly work: LikelyWork | null;
-  /** What would be proposed for every place if nobody had set it, the others being as they are. */
-  readonly proposal: Pick<SetJob, "tool" | "blank" | "start">;
+  /** What would be proposed for blank and start if nobody had set them, the others being as they are. */
+  readonly proposal: Pick<SetJob, "blank" | "start">;
 }
 
 /** Material round a shape, mm: beside a bore or a groove in a face, on a cylinder that is turned, and behind it for the chuck. */
@@ -140,7 +140,7 @@ export function setupOf(job: Job, tools: readonly Tool[]): Setup {
       start: job.start,
       proposed,
       work: null,
-      proposal: { tool: 0, blank: job.blank, start: job.start },
+      proposal: { blank: job.blank, start: job.start },
     };
   const rows = cycle.contour === "free" ? readRows(job.contour).contour.segments : [];
   const contour = rows.length > 0 ? rows : null;
@@ -171,9 +171,8 @@ export function setupOf(job: Job, tools: readonly Tool[]): Setup {
   const point = { x: text(tip.r), z: positionAsTyped(tip.z) };
   const start = { x: or(set.x, point.x), z: or(set.z, point.z) };
   const [x, z] = [half(read(FIELDS.startX, start.x)), read(FIELDS.startZ, start.z)];
-  const tool = () => toolOf(cycle, work, { contour, start: x === null || z === null ? null : at(z, x) }, tools);
-  const suggested = tool();
-  return { tool: job.tool ?? suggested, blank, start, proposed, work, proposal: { tool: suggested, blank: made, start: point } };
+  const tool = job.tool ?? toolOf(cycle, work, { contour, start: x === null || z === null ? null : at(z, x) }, tools);
+  return { tool, blank, start, proposed, work, proposal: { blank: made, start: point } };
 }
 
 /** The job as it is printed, drawn and run: with a value in every place of its set-up. */

@@ -1,9 +1,10 @@
-import { useDeferredValue, useMemo } from "react";
+import { useMemo } from "react";
 import type { CycleNumber } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job.ts";
 import { givenOf } from "../engine/given.ts";
 import { HelpPicture } from "../help/HelpPicture.tsx";
 import type { Numbers } from "../../view/help/lettering.ts";
+import { useLater } from "../Late.tsx";
 import type { JobReading } from "../reading.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
@@ -23,7 +24,7 @@ export function HelpSlot({ read: typed, q, onPick }: { readonly read: JobReading
   readonly onPick: (q: string, taken: boolean) => void })
 {
   // What is typed is drawn on the lathe first, and here when that is on the screen.
-  const late = useDeferredValue(typed), read = late.cycle === typed.cycle ? late : typed;
+  const late = useLater(typed), read = late.cycle === typed.cycle ? late : typed;
   const language = useSettings((s) => s.language);
   const isBorrowed = read.cycle.contour === "free" && read.job.contour.length === 0;
   const given = useMemo(() => givenOf(isBorrowed ? { cycle: read.cycle, job: exampleJob(read.cycle) } : read), [isBorrowed, read]);

@@ -116,7 +116,10 @@ function want(request: Wanted["request"]): void {
   const planned = made && { ...made, ...ofWork(request) };
   if (planned) takePlanned(planned);
   waiting = { request, planned };
-  void work();
+  // What the page has planned is drawn before it is handed to the worker, which takes a copy.
+  if (!planned) return void work();
+  if (!busy) atStage("reading");
+  setTimeout(() => void work());
 }
 
 /** Ends a calculation that takes too long; text and last picture stay. */

@@ -1,3 +1,4 @@
+import { memo } from "react";
 import { diameter, toDiameter, toRadius, axial, radius } from "../../kernel/units.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import { toPlace, toScreen, type Camera, type Size } from "../../view/camera.ts";
@@ -15,9 +16,9 @@ export const SCALE_BELOW = 22;
 const APART = { z: 72, x: 44 };
 
 /** Grid and scales: Z along the lower edge, X as diameter along the left one, the spindle axis as a chain line. */
-export function LatheAxes({ viewport, part }: { readonly viewport: Viewport; readonly part: "grid" | "scales" }) {
+export const LatheAxes = memo(function LatheAxes({ viewport, part }: { readonly viewport: Viewport; readonly part: "grid" | "scales" }) {
   return <CameraAxes camera={useCamera(viewport)} size={viewport.size()} part={part} unit={usePageUnit()} />;
-}
+});
 
 /** The same for a picture that keeps its camera itself. */
 export function CameraAxes({ camera, size: { width, height }, part, unit = 1 }: {

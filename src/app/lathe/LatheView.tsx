@@ -8,6 +8,7 @@ import { datumAt, datumIndex } from "../../view/datum.ts";
 import { trackOf } from "../../view/playback.ts";
 import { sceneOf, type SceneParts } from "../../view/scene.ts";
 import type { Clock } from "../clock.ts";
+import { Late } from "../Late.tsx";
 import { LoadPart } from "../load/LoadParts.tsx";
 import { createPointed } from "../load/pointed.ts";
 import { Measurements } from "../measure/Measurements.tsx";
@@ -173,20 +174,25 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
       const typed = { key: event.key, shift: event.shiftKey, element: target.localName, picture: target === stage.current };
       if (pressKey(typed, playback, looking, measuring) || chooseByKey(typed)) event.preventDefault();
     }}>
-      <ViewBar viewport={looking} measuring={{ ...measuring, toggle }} onWhich={proved && contourAt(proved.run, 0) && !dimmed
-        ? () => ask(contourAt(proved.run, playback.get().position.step, proved.simulation.final))
-        : null}
-      >
-        <Legend shapes={scene.shapes} holder={held} />
-      </ViewBar>
+      <Late>
+        <ViewBar viewport={looking} measuring={{ ...measuring, toggle }} onWhich={proved && contourAt(proved.run, 0) && !dimmed
+          ? () => ask(contourAt(proved.run, playback.get().position.step, proved.simulation.final))
+          : null}
+        >
+          <Legend shapes={scene.shapes} holder={held} />
+        </ViewBar>
+      </Late>
       <div ref={stage} className={`lathe-stage${dimmed ? " dimmed" : ""}${measuring.on ? " measuring" : ""}${ended ? " ended" : ""}`}
         tabIndex={0} role="group" aria-label={t.title} aria-describedby={keysId} {...{ [KEEPS_KEYBOARD]: "" }}
       >
         {!solid.drawn && (
           <>
             <Picture viewport={viewport} scene={scene} moving={moving} waiting={waiting} findings={findings} residual={residual}
-              section={section} name={t.pictures[section](state)} path={path.stretches} ghosts={<GhostPaths scene={scene} clock={clock} />}
-              chosen={[<LoadPart.Lines key="load" run={run} shown={path.has} />, <ChosenPath key="chosen" run={run} />]}
+              section={section} name={t.pictures[section](state)} path={path.stretches} ghosts={
+              <Late>
+                <GhostPaths scene={scene} clock={clock} />
+              </Late>
+            } chosen={[<LoadPart.Lines key="load" run={run} shown={path.has} />, <ChosenPath key="chosen" run={run} />]}
               hovered={<HoveredMove run={run} hover={hover} />}
             >
               <Marks viewport={viewport} starts={starts} datum={datum} />
@@ -215,16 +221,20 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
         {dimmed && run.steps.length > 0 && <Outdated />}
         <p id={keysId} className="unseen">{t.keys}</p>
       </div>
-      <LoadPart.Strip run={run} viewport={viewport} playback={playback} pointed={pointed} shown={path.has} />
-      <Readout run={run} playback={playback} chipAt={moving?.chipAt ?? null} />
-      <StepList run={run} playback={playback} />
+      <Late>
+        <LoadPart.Strip run={run} viewport={viewport} playback={playback} pointed={pointed} shown={path.has} />
+        <Readout run={run} playback={playback} chipAt={moving?.chipAt ?? null} />
+        <StepList run={run} playback={playback} />
+      </Late>
       <PlaybackBar playback={playback}>
         <span className="lathe-fold">
           <GlyphButton glyph="view" name={t.viewTools} expanded={tools} onPress={() => showTools(!tools)} />
         </span>
       </PlaybackBar>
-      <Timeline run={run} playback={playback} />
-      <SpokenStatus run={run} playback={playback} clock={clock} />
+      <Late>
+        <Timeline run={run} playback={playback} />
+        <SpokenStatus run={run} playback={playback} clock={clock} />
+      </Late>
       {asking && (
         <Suspense>
           <WhichCycle region={asking} done={() => ask(null)} />
@@ -232,8 +242,10 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
       )}
       {shown && (
         <div className="lathe-more">
-          <MoveTable run={run} playback={playback} />
-          <LoadPart.Table run={run} playback={playback} />
+          <Late>
+            <MoveTable run={run} playback={playback} />
+            <LoadPart.Table run={run} playback={playback} />
+          </Late>
         </div>
       )}
     </section>

@@ -49,8 +49,8 @@ export function MaterialSheet({ viewport, moving, blank, section, chuck }: {
   readonly chuck: ChuckDrawing | null;
 }) {
   const ground = useRef<HTMLCanvasElement>(null), canvas = useRef<HTMLCanvasElement>(null), theme = useTheme();
-  /** What the ground shows: painted again only when that is something else. */
-  const shown = useRef("");
+  /** What the ground shows, and what the work does: painted again only when that is something else. */
+  const shown = useRef(""), worked = useRef<readonly unknown[]>([]);
   useEffect(() => {
     const under = ground.current, shop = under?.getContext("bitmaprenderer"), over = canvas.current, pen = over?.getContext("2d");
     if (!under || !shop || !over || !pen) return undefined;
@@ -80,6 +80,10 @@ export function MaterialSheet({ viewport, moving, blank, section, chuck }: {
       ratio = devicePixelRatio;
       work = (box && patchWithin(turnedPatchOf(box, viewport.get(), widest, ratio), viewport.size())) ?? NOWHERE;
       paintGround();
+      // A planned path has the stock of before: nothing is painted then, whatever step of the new path that is.
+      const looks = [rings, surfaces, section, theme, viewport.get(), ratio, JSON.stringify([chuck, work])];
+      if (looks.every((each, i) => each === worked.current[i])) return;
+      worked.current = looks;
       fitCanvas(over, work);
       paintWork(work);
     };
@@ -93,6 +97,7 @@ export function MaterialSheet({ viewport, moving, blank, section, chuck }: {
       if (!moving || (rings === were && onlyRapids(moving, before, now))) return;
       const touched = moving.isSameBlank(before, now) ? touchedBetween(moving.steps, before, now) : "all";
       if (!touched) return;
+      worked.current = [];
       if (touched === "all") return paintWork(work);
       const reach = { outer: Math.max(farthest(were), farthest(rings)), along: surfaces.lead(now) };
       const patch = patchWithin(turnedPatchOf(touched, viewport.get(), reach, ratio), viewport.size());

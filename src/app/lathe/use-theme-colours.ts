@@ -23,9 +23,19 @@ function subscribe(listener: () => void): () => void {
 /** Changes when the page takes on another theme: what paints with colours of its own reads them anew then. */
 export const useTheme = (): number => useSyncExternalStore(subscribe, () => count, () => 0);
 
-/** The values that custom properties of the page have now, by the names they are wanted under. */
+const read = new WeakMap<object, { readonly theme: number; readonly colours: Record<string, string> }>();
+
+/**
+ * The values that custom properties of the page have now, by the names they are wanted under. They are read once for a theme: the browser
+ * works out the styles of the whole page to tell them.
+ */
 export function pageColours<Name extends string>(names: Readonly<Record<Name, string>>): Record<Name, string> {
+  watch();
+  const known = read.get(names);
+  if (watching && known?.theme === count) return known.colours;
   const style = getComputedStyle(document.documentElement);
   const entries = Object.entries<string>(names).map(([name, property]) => [name, style.getPropertyValue(property).trim()]);
-  return Object.fromEntries(entries) as Record<Name, string>;
+  const colours = Object.fromEntries(entries) as Record<Name, string>;
+  read.set(names, { theme: count, colours });
+  return colours;
 }

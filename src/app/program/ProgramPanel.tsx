@@ -2,6 +2,7 @@ import { LANGUAGE_NAMES, LANGUAGES, isLanguage, ncLanguage } from "../../i18n/la
 import { setLayout, setName, setNcLanguage } from "../edits.ts";
 import { openText } from "../files/open-program.ts";
 import { Icon } from "../Icon.tsx";
+import { Late } from "../Late.tsx";
 import { CopyStatus } from "../leaving/CopyStatus.tsx";
 import { mayLeave } from "../leaving/leaving.ts";
 import { printedText, programName } from "../printed.ts";
@@ -65,7 +66,9 @@ export function ProgramPanel({ read, foldable }: { readonly read: JobReading; re
           <Icon name="warning" /> {t.incomplete}
         </p>
       )}
-      <ProgramText text={text} running={running} chosen={chosen} choose={(line) => void chooseJobLine(read, line)} />
+      <Late>
+        <ProgramText text={text} running={running} chosen={chosen} choose={(line) => void chooseJobLine(read, line)} />
+      </Late>
       <div className="program-buttons">
         <CopyButton main />
         <button type="button" className="button" aria-label={t.download(file)}
