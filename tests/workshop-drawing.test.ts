@@ -10,7 +10,7 @@ import { NEXT, nominalWidth, SMALL, widthOf } from "../src/view/drawing/paper.ts
 import { FIGURES } from "../src/view/sheet/sizes.ts";
 
 /** What of a task is drawn. */
-type Drawn = Pick<Task, "part" | "sizes" | "rules" | "solution">;
+type Drawn = Pick<Task, "part" | "sizes" | "rules">;
 
 const shaft: Drawn = {
   part: {
@@ -74,22 +74,9 @@ const thread: Drawn = {
   part: {
     blank: ["BLK FORM CYLINDER Z D36 L70 DIST+1"],
     outside: ["L X+0 Z+0", "L X+30", "CHF 1.5", "L Z-20", "L X+26", "L Z-25", "L X+36"],
+    threads: [{ from: 0, to: -20, crest: 30, root: 28.16, name: "M30×1.5" }],
   },
   rules: {},
-  solution: [
-    "BEGIN PGM T MM",
-    "BLK FORM CYLINDER Z D36 L70 DIST+1",
-    "FUNCTION MODE TURN",
-    "TOOL CALL 12",
-    "M136",
-    "FUNCTION TURNDATA SPIN VCONST:OFF S500",
-    "CYCL DEF 831 THREAD LONGITUDINAL Q471=+0 Q460=+5 Q491=+30 Q472=+1.5 Q473=+0.92 Q492=+0 Q494=-20"
-    + " Q474=+0 Q463=+0.2 Q467=+30 Q468=+0 Q470=+30 Q475=+1 Q476=+0",
-    "L X+40 Z+5 FMAX M303",
-    "CYCL CALL",
-    "M30",
-    "END PGM T MM",
-  ],
 };
 const ball: Drawn = {
   part: {
@@ -203,6 +190,6 @@ test("a length behind Z0 grows where Z falls", () => {
   expect(list.find(({ kind, at }) => kind === "length" && at[0] === -22.4)?.size).toEqual({ text: "22.4", upper: "0", lower: "−0.1" });
 });
 
-test("a thread is that of the stored answer", () => {
+test("a thread has its name", () => {
   expect(drawn(thread, "wide").list.find(({ kind }) => kind === "thread")?.size.text).toBe("M30×1.5");
 });

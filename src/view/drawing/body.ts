@@ -1,17 +1,14 @@
 import { simplified } from "../../kernel/clip.ts";
 import { at, type Pt, type Ring } from "../../kernel/point.ts";
-import type { Radius } from "../../kernel/units.ts";
 import type { Place } from "../camera.ts";
-import { lineThrough, mm, type PrintShape } from "./paper.ts";
+import { lineThrough, onPaperGrid, type PrintShape } from "./paper.ts";
 
-/** A thread in a surface: where it begins and ends, its depth, its nominal radius, and the way of one turn. mm. */
+/** A thread in a surface: where it begins and ends, the radius of its ground, mm, and its name. */
 export interface PrintThread {
   readonly from: Pt;
   readonly to: Pt;
-  readonly depth: number;
-  readonly nominal: Radius;
-  readonly lead: number;
-  readonly starts: number;
+  readonly ground: number;
+  readonly name: string;
 }
 
 /** A corner of the outline lies on the silhouette, or on the axis, within this, mm. */
@@ -63,8 +60,10 @@ function drawnEdges(ring: Ring, broken: number | null): Pt[][] {
 /** A line by hand where the blank goes on. */
 function breakLine(x: number, top: number, bottom: number): string {
   const step = (bottom - top) / 4, by = 1.1;
-  const curve = [1, -1, 1, -1].map((side, i) => `Q${mm(x + side * by)} ${mm(top + (i + 0.5) * step)} ${mm(x)} ${mm(top + (i + 1) * step)}`);
-  return `M${mm(x)} ${mm(top)}${curve.join("")}`;
+  const curve = [1, -1, 1, -1].map((side, i) =>
+    `Q${onPaperGrid(x + side * by)} ${onPaperGrid(top + (i + 0.5) * step)} ${onPaperGrid(x)} ${onPaperGrid(top + (i + 1) * step)}`
+  );
+  return `M${onPaperGrid(x)} ${onPaperGrid(top)}${curve.join("")}`;
 }
 
 /** A level line without its ends that stand out of the part, as over a chamfer. */
@@ -106,9 +105,8 @@ export function bodyShapes(body: readonly Ring[], { broken, isHollow: hollow, on
     return hollow && isInmost(body, p) && p.r > ON ? [across(p, [0, p.r])] : [];
   });
   shapes.push({ role: "edge", d: [...new Set(seen)].join("") });
-  for (const { from, to, depth } of threads) {
-    const isOutside = isOutmost(body, at((from.z + to.z) / 2, from.r)), r = from.r + (isOutside ? -depth : depth);
-    const line = within(body, [at(from.z, r), at(to.z, r)]);
+  for (const { from, to, ground } of threads) {
+    const line = within(body, [at(from.z, ground), at(to.z, ground)]);
     shapes.push({ role: "thin", d: lineThrough(line.map(onPaper)) + lineThrough(line.map((p) => onPaper(mirroredAt(p)))) });
   }
   if (broken !== null) {

@@ -1,7 +1,8 @@
 import type { Place } from "../camera.ts";
 import { FIGURES } from "../sheet/sizes.ts";
 import { spread } from "../sheet/spread.ts";
-import { arrow, heightOf, LINE, lineThrough, mm, widthOf, writtenAt, type PrintShape, type PrintSize, type PrintText } from "./paper.ts";
+import { arrow, tallOf, LINE, lineThrough, onPaperGrid, widthOf, writtenAt, type PrintShape, type PrintSize,
+  type PrintText } from "./paper.ts";
 
 /** A note that a leader joins to a place of the part. */
 export interface Leader {
@@ -26,7 +27,7 @@ export function surfaceSign(apex: Place, width: number): string {
   const [x, y] = [apex.x, apex.y], half = SIGN / 2, high = SIGN * 0.866;
   const far = { x: x + 2 * half, y: y - 2 * high };
   return lineThrough([{ x: x - half, y: y - high }, { x, y }, far, { x: far.x + width, y: far.y }])
-    + `M${mm(x - half)} ${mm(y - high)}H${mm(x + half)}`;
+    + `M${onPaperGrid(x - half)} ${onPaperGrid(y - high)}H${onPaperGrid(x + half)}`;
 }
 
 interface Row {
@@ -74,7 +75,7 @@ export function drawnLeaders(
     const { to, size, isMark } = leader, level = (k: number) => bottom - k * ROW;
     const shelf = ways.at(-1) ?? to.x, y = level(row), width = wide(leader);
     // Through each row below its own the leader rises straight, and turns between them.
-    const knees = ways.slice(0, row).flatMap((x, k) => [{ x, y: level(k) + SHORT }, { x, y: level(k) - heightOf(size) - SHORT }]);
+    const knees = ways.slice(0, row).flatMap((x, k) => [{ x, y: level(k) + SHORT }, { x, y: level(k) - tallOf(size) - SHORT }]);
     const end = { x: shelf, y };
     const line = [to, ...knees, end];
     const first = line[1] ?? end, length = Math.hypot(first.x - to.x, first.y - to.y) || 1;
@@ -84,7 +85,7 @@ export function drawnLeaders(
       const textWide = widthOf(size), apex = { x: shelf - width / 2 + SIGN / 2 + 0.3, y };
       shapes.push({ role: "mark", d: surfaceSign(apex, textWide + 0.6) });
       texts.push(writtenAt(size, { x: apex.x + SIGN * 0.75 + textWide / 2 + 0.4, y: y - FIGURES / 2 - 0.2 }, false));
-    } else texts.push(writtenAt(size, { x: shelf, y: y - heightOf(size) / 2 - 0.1 }, false));
+    } else texts.push(writtenAt(size, { x: shelf, y: y - tallOf(size) / 2 - 0.1 }, false));
   }
   return { shapes, texts };
 }

@@ -1,6 +1,6 @@
 import type { Place } from "../camera.ts";
 import { spread } from "../sheet/spread.ts";
-import { arrow, ARROW, dimensionLine, heightOf, LINE, lineThrough, mm, widthOf, writtenAt, type PrintShape, type PrintSize,
+import { arrow, ARROW, dimensionLine, tallOf, LINE, lineThrough, onPaperGrid, widthOf, writtenAt, type PrintShape, type PrintSize,
   type PrintText } from "./paper.ts";
 
 /** A length from Z0: where its dimension begins on the part, mm on paper. */
@@ -45,7 +45,7 @@ function inParallel(lengths: readonly PrintLength[], { zero, edge, side }: Lengt
   const down = side === "below" ? 1 : -1;
   let reach = side === "below" ? FIRST - 2 : FIRST - LINE.stacked;
   for (const { size, from } of lengths) {
-    reach += heightOf(size) + 0.6;
+    reach += tallOf(size) + 0.6;
     const y = edge + down * reach;
     const [a, b] = [{ x: Math.min(from.x, zero.x), y }, { x: Math.max(from.x, zero.x), y }];
     shapes.push(...dimensionLine(a, b), extension(from, down, y));
@@ -54,7 +54,7 @@ function inParallel(lengths: readonly PrintLength[], { zero, edge, side }: Lengt
     const isBeside = wide > b.x - a.x - 2 * ARROW.long;
     const x = isBeside ? b.x + 2 * ARROW.long + wide / 2 : (a.x + b.x) / 2;
     if (isBeside) shapes.push({ role: "thin", d: lineThrough([b, { x: x + wide / 2, y }]) });
-    texts.push(writtenAt(size, { x, y: y - heightOf(size) / 2 }, false));
+    texts.push(writtenAt(size, { x, y: y - tallOf(size) / 2 }, false));
   }
   shapes.push(extension(zero, down, edge + down * reach));
   return { shapes, texts, reach: reach + (side === "below" ? 2 * PAST : LINE.stacked) };
@@ -68,14 +68,16 @@ const extension = ({ x, y }: Place, down: number, end: number): PrintShape => ({
 function addingUp(lengths: readonly PrintLength[], { zero, edge, side, width }: LengthRoom): DrawnLengths {
   const down = side === "below" ? 1 : -1, y = edge + down * FIRST, foot = y + down * 5;
   const sorted = [...lengths].sort((a, b) => a.from.x - b.from.x), far = lengths.at(-1);
-  const middles = spread(sorted.map(({ size, from }) => ({ at: from.x, size: heightOf(size) })), 1, width - 1, 0.3);
+  const middles = spread(sorted.map(({ size, from }) => ({ at: from.x, size: tallOf(size) })), 1, width - 1, 0.3);
   const long = Math.max(...lengths.map(({ size }) => widthOf(size)));
   const shapes: PrintShape[] = [extension(zero, down, y), {
     role: "thin",
     d: lineThrough([{ x: zero.x, y }, { x: far?.from.x ?? zero.x, y }]),
   }, {
     role: "origin",
-    d: `M${mm(zero.x - ORIGIN)} ${mm(y)}a${ORIGIN} ${ORIGIN} 0 1 1 ${ORIGIN + ORIGIN} 0a${ORIGIN} ${ORIGIN} 0 1 1 ${-ORIGIN - ORIGIN} 0Z`,
+    d: `M${onPaperGrid(zero.x - ORIGIN)} ${onPaperGrid(y)}a${ORIGIN} ${ORIGIN} 0 1 1 ${ORIGIN + ORIGIN} 0a${ORIGIN} ${ORIGIN} 0 1 1 ${
+      -ORIGIN - ORIGIN
+    } 0Z`,
   }];
   const texts = sorted.map(({ size, from }, i) => {
     const x = middles?.[i] ?? from.x;

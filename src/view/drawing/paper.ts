@@ -33,11 +33,12 @@ export const NEXT = 0.6;
 export const LINE = { plain: 4, stacked: 5.4 } as const;
 export const ARROW = { long: 2.4, wide: 0.5 } as const;
 
-export const mm = (v: number): string => String(Math.round(v * 100) / 100 + 0);
-export const lineThrough = (places: readonly Place[]): string => `M${places.map(({ x, y }) => `${mm(x)} ${mm(y)}`).join("L")}`;
+export const onPaperGrid = (v: number): string => String(Math.round(v * 100) / 100 + 0);
+export const lineThrough = (places: readonly Place[]): string =>
+  `M${places.map(({ x, y }) => `${onPaperGrid(x)} ${onPaperGrid(y)}`).join("L")}`;
 
 export const isStacked = (size: PrintSize): boolean => size.upper !== undefined || size.lower !== undefined;
-export const heightOf = (size: PrintSize): number => (isStacked(size) ? LINE.stacked : LINE.plain);
+export const tallOf = (size: PrintSize): number => (isStacked(size) ? LINE.stacked : LINE.plain);
 export const nominalWidth = (size: PrintSize): number => textWidth(size.text, FIGURES);
 
 /** What a text takes along its line, mm on paper. */
@@ -55,7 +56,7 @@ export function arrow(tip: Place, dx: number, dy: number): string {
 
 /** A text at its place, with its box. */
 export function writtenAt(size: PrintSize, at: Place, turned: boolean): PrintText {
-  const [long, tall] = [widthOf(size) + 1, heightOf(size)];
+  const [long, tall] = [widthOf(size) + 1, tallOf(size)];
   const [width, height] = turned ? [tall, long] : [long, tall];
   return { ...size, at, turned, box: { x: at.x - width / 2, y: at.y - height / 2, width, height } };
 }

@@ -1,5 +1,5 @@
 import { at, type Pt, type Ring, type Segment } from "../../kernel/point.ts";
-import { type Diameter, toDiameter } from "../../kernel/units.ts";
+import { diameter, type Diameter, toDiameter } from "../../kernel/units.ts";
 import { BESIDE, spanAt, type PrintThread } from "./body.ts";
 import type { PrintSize } from "./paper.ts";
 import type { PrintCorner, PrintFeatures } from "./print-features.ts";
@@ -37,7 +37,6 @@ export interface PrintWords {
   readonly both: (value: number) => string;
   readonly radius: (value: number) => string;
   readonly chamfer: (size: number, angle: number) => string;
-  readonly thread: (diameter: Diameter, lead: number, starts: number) => string;
   readonly roughness: (value: number) => string;
 }
 
@@ -62,6 +61,8 @@ function toleranced(text: string, found: TolerancedSize | undefined, words: Prin
   return { text, upper: words.deviation(found.upper), lower: words.deviation(found.lower) };
 }
 
+const spelled = ({ text, upper = "", lower = "" }: PrintSize) => [text, upper, lower].join(" ");
+
 /** The deviations of a diameter: those of a size at a place of its stretch. */
 const sizeAcross = (sizes: readonly TolerancedSize[], kind: "diameter" | "bore", r: number, stretch: { left: number; right: number }) =>
   sizes.find((s) =>
@@ -72,9 +73,8 @@ export function diametersOf(work: PrintedPart, features: PrintFeatures, isBore: 
   const kind = isBore ? "bore" : "diameter", made: Across[] = [];
   for (const { r, left, right } of features.cylinders) {
     const found = sizeAcross(work.sizes, kind, r, { left, right });
-    const nominal = found?.nominal ?? toDiameter(at(0, r).r);
-    const size = toleranced(words.diameter(nominal as Diameter), found, words);
-    const same = made.find((m) => Math.abs(m.r - r) < ONE && m.size.text === size.text && m.size.upper === size.upper);
+    const size = toleranced(words.diameter(found ? diameter(found.nominal) : toDiameter(at(0, r).r)), found, words);
+    const same = made.find((m) => Math.abs(m.r - r) < ONE && spelled(m.size) === spelled(size));
     if (!same) made.push({ r, left, right, isBore, isBlank: false, size });
     else if (right > same.right) made[made.indexOf(same)] = { ...same, right, left };
   }
@@ -119,7 +119,7 @@ const outwards = (size: TolerancedSize): TolerancedSize =>
   size.nominal < 0 ? { ...size, upper: 0 - size.lower, lower: 0 - size.upper } : size;
 
 /** The surface marks: one for all that is turned, or each at the longest surface of its stretch. */
-export function marksOf(work: PrintedPart, outer: PrintFeatures, inner: PrintFeatures) {
+export function surfaceMarks(work: PrintedPart, outer: PrintFeatures, inner: PrintFeatures) {
   const turned = [...work.outside, ...work.bore].flatMap((s) => [s.from.z, s.to.z]);
   const [low, high] = [Math.min(...turned), Math.max(...turned)];
   let general: number | null = null;

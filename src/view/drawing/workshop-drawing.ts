@@ -7,9 +7,9 @@ import { factorOf, usualScale, type DrawingScale } from "../sheet/scales.ts";
 import { BESIDE, bodyShapes, isHollow, isOutmost, spanAt } from "./body.ts";
 import { AIR, drawnLengths, type PrintLength } from "./lengths.ts";
 import { drawnLeaders, leaderRows, ROW, type Leader } from "./leaders.ts";
-import { dimensionLine, heightOf, lineThrough, widthOf, writtenAt, type PrintShape, type PrintSize, type PrintText } from "./paper.ts";
+import { dimensionLine, tallOf, lineThrough, widthOf, writtenAt, type PrintShape, type PrintSize, type PrintText } from "./paper.ts";
 import { printFeatures } from "./print-features.ts";
-import { cornersOf, diametersOf, marksOf, positionsOf, type Across, type PrintedPart, type PrintWords } from "./print-sizes.ts";
+import { cornersOf, diametersOf, surfaceMarks, positionsOf, type Across, type PrintedPart, type PrintWords } from "./print-sizes.ts";
 
 /** A size of the drawing as data, for a list beside it. */
 export interface ListedSize {
@@ -94,10 +94,7 @@ export function workshopDrawing(
   const blankSize = [...ofBlank(blank.high, ends, false), ...ofBlank(blank.low, endsInside, true)];
   const turned = [...diametersOf(work, outer, false, words), ...diametersOf(work, inner, true, words)];
   const across = [...turned, ...blankSize.filter(({ r, isBore }) => !turned.some((t) => t.isBore === isBore && Math.abs(t.r - r) < ONE))];
-  const threads = work.threads.map((thread) => ({
-    thread,
-    size: { text: words.thread(toDiameter(thread.nominal), thread.lead, thread.starts) },
-  }));
+  const threads = work.threads.map((thread) => ({ thread, size: { text: thread.name } }));
   const onThread = ({ r, left, right }: Across) =>
     work.threads.some((t) => Math.abs(t.from.r - r) < ONE && [t.from.z, t.to.z].some((z) => z > left - ONE && z < right + 1));
 
@@ -109,7 +106,7 @@ export function workshopDrawing(
   const columns = (side: "right" | "left") => shown.filter((a) => sideOf(a) === side).sort((a, b) => a.r - b.r);
   const [right, left] = [columns("right"), columns("left")];
   const besides = (list: readonly Across[]) =>
-    list.reduce((sum, { size }) => sum + heightOf(size) + NEXT_TO, list.length > 0 ? FIRST : EDGE) + EDGE;
+    list.reduce((sum, { size }) => sum + tallOf(size) + NEXT_TO, list.length > 0 ? FIRST : EDGE) + EDGE;
 
   const width = Math.max(room.width, besides(right) + besides(left) + LEAST);
   const highest = Math.max(...body.flat().map((p) => p.r));
@@ -126,7 +123,7 @@ export function workshopDrawing(
   for (const { thread, size } of threads) addNote(size, part.pointOn(part.line(thread.from, thread.to), 1 / 2));
   const corners = [...cornersOf(outer.corners, words), ...cornersOf(inner.corners, words)];
   for (const { corner, size } of corners) addNote(size, corner.at);
-  const marks = marksOf(work, outer, inner);
+  const marks = surfaceMarks(work, outer, inner);
   for (const { at: p, most } of marks.single) addNote({ text: words.roughness(most) }, p, true);
 
   for (const { size, isBore, isBlank, left: a, right: b } of across) {
@@ -166,7 +163,7 @@ export function workshopDrawing(
     let x = onPaper(at(side > 0 ? box.right : box.left, 0)).x + side * (FIRST - NEXT_TO);
     for (const { size, r, left: a, right: b } of list) {
       // The text stands on the left of its line, where one reads it from the right of the sheet.
-      const tall = heightOf(size);
+      const tall = tallOf(size);
       const at0 = side > 0 ? x + tall + NEXT_TO : x - NEXT_TO;
       const ends = [at(side > 0 ? b : a, r), at(side > 0 ? b : a, -r)].map(onPaper) as [Place, Place];
       for (const { x: start, y } of ends)

@@ -7,7 +7,7 @@ import { boundsOf } from "../../../view/bounds.ts";
 import { NEXT, nominalWidth, SMALL, widthOf, type PrintText } from "../../../view/drawing/paper.ts";
 import { workshopDrawing } from "../../../view/drawing/workshop-drawing.ts";
 import { FIGURES } from "../../../view/sheet/sizes.ts";
-import { toDiameter, type Radius } from "../../../kernel/units.ts";
+import { toDiameter, radius } from "../../../kernel/units.ts";
 import { useSize } from "../../help/use-size.ts";
 import { laterTexts } from "../../settings/later-texts.ts";
 import { inScreenLanguage } from "../content.ts";
@@ -26,7 +26,7 @@ const PAPER = { narrow: 84, wide: 178, height: 128 } as const;
 const STACKED = 1.25;
 
 /** What is drawn of a task, and the name that stands in its title block. */
-export type DrawableTask = Pick<Task, "id" | "part" | "sizes" | "rules" | "solution"> & { readonly words: Task["words"] };
+export type DrawableTask = Pick<Task, "id" | "part" | "sizes" | "rules"> & { readonly words: Task["words"] };
 
 /** The wanted part of a task as on a shop print, with its title block and its sizes as a list. Language: that of the screen. */
 export function WorkshopDrawing({ task, language }: { readonly task: DrawableTask; readonly language: Language }) {
@@ -41,7 +41,7 @@ export function WorkshopDrawing({ task, language }: { readonly task: DrawableTas
   const name = inScreenLanguage(task.words, language)?.title ?? task.id;
   if (!drawn || !print) return <p className="soft">{t.none}</p>;
   const blank = boundsOf(drawn.blank.flat());
-  const across = (r: number) => words.diameter(toDiameter(r as Radius));
+  const across = (r: number) => words.diameter(toDiameter(radius(r)));
   const facts: readonly (readonly [keyof typeof t.head, string])[] = [
     ["number", task.id],
     ["scale", t.scale(print.scale.paper, print.scale.part)],

@@ -17,7 +17,6 @@ export function printWords(t: CourseDrawingTexts, language: Language): PrintWord
     both: (value) => `±${number(Math.abs(value))}`,
     radius: (value) => t.radius(number(value)),
     chamfer: (size, angle) => t.chamfer(number(size), formatNumber(language, angle, 1)),
-    thread: (diameter, lead, starts) => t.thread(number(diameter), number(lead), starts),
     roughness: (value) => t.micrometres(number(value)),
   };
 }
