@@ -67,10 +67,10 @@ function issueMarks(rule: "errors" | "clean", { run, simulation }: Answer): Task
   return all.length > 0 ? all : [{ rule, passed: true }];
 }
 
-/** Errors have marks of their own, and so has a gouge where there is no part to hold the answer to. */
-function cleanMarks(answer: Answer): TaskMark[] {
-  const gouges = answer.simulation.findings.filter((f) => f.kind === "gouge");
-  const wrong = [...issueMarks("clean", answer).filter((m) => !m.passed), ...gouges.map((f) => ofFinding("clean", f))];
+/** Where a part is wanted, what stays is held to that alone. */
+function cleanMarks(answer: Answer, wanted: WantedPart | null): TaskMark[] {
+  const counts = ({ passed, issue }: TaskMark) => !passed && !(wanted && issue?.code === "materialLeft");
+  const wrong = issueMarks("clean", answer).filter(counts);
   return wrong.length > 0 ? wrong : [{ rule: "clean", passed: true }];
 }
 
@@ -123,7 +123,7 @@ export function judge(task: Task, answer: Answer): TaskJudgement {
     ...foundMarks(answer, wanted),
     ...(wanted ? partMarks(task, wanted, answer) : []),
     ...sizeMarks(task.sizes ?? [], answer),
-    ...(task.rules.clean ? cleanMarks(answer) : []),
+    ...(task.rules.clean ? cleanMarks(answer, wanted) : []),
     ...ruleMarks(task.rules, answer),
   ]);
   const { par } = task;
