@@ -16,5 +16,5 @@ export function CoursePage() {
   const open = lessons.find(({ id }) => id === lesson);
   const title = open ? t.openLesson(String(open.number), open.title) : t.title;
   useEffect(() => useCoursePlace.setState({ title }), [title]);
-  return lesson === null ? <CourseList /> : <LessonView key={lesson} id={lesson} entry={open ?? null} />;
+  return lesson === null ? <CourseList /> : <LessonView key={lesson} entry={open ?? null} />;
 }

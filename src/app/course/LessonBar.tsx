@@ -1,0 +1,47 @@
+import { useCallback, useRef } from "react";
+import { clockText } from "../lathe/clock-text.ts";
+import { GlyphButton } from "../lathe/GlyphButton.tsx";
+import type { PlaybackStore } from "../lathe/playback-store.ts";
+import { runningText } from "../lathe/running.ts";
+import { useEachReading, usePlayback } from "../lathe/use-playback.ts";
+import type { Run } from "../../program/run-types.ts";
+import { useSettings } from "../settings/settings.ts";
+import { useTexts } from "../settings/use-texts.ts";
+import { useCourseTexts } from "./use-course-texts.ts";
+import type { PlayedStretch } from "./use-stretch.ts";
+
+/** Parts of the slider of time. */
+const PARTS = 1000;
+
+/** Play and hold, move by move, to any moment; and the step of the manual that runs. */
+export function LessonBar({ playback, stretch, run }: { readonly playback: PlaybackStore; readonly stretch: PlayedStretch; readonly run: Run }) {
+  const t = useCourseTexts().picture;
+  const texts = useTexts();
+  const language = useSettings((s) => s.language);
+  const playing = usePlayback(playback, (s) => s.get().playing);
+  const spoken = usePlayback(playback,
+    (s) => s.get().playing ? "" : texts.lathe.timeOf(clockText(language, stretch.now()), clockText(language, stretch.length)));
+  const input = useRef<HTMLInputElement>(null);
+  const said = useRef<HTMLParagraphElement>(null);
+  const { now, length } = stretch;
+  useEachReading(playback, useCallback(() => {
+    if (input.current) input.current.value = String(length > 0 ? (PARTS * now()) / length : 0);
+    const running = runningText(texts, language, run, playback.shown());
+    const text = running ? [running.pass, running.step].filter((each) => each !== "").join(" · ") : "";
+    if (said.current && said.current.textContent !== text) said.current.textContent = text;
+    // eslint-disable-next-line react-hooks/exhaustive-deps -- `now` is made anew with each render and reads the same playback
+  }, [playback, length, texts, language, run]));
+  return (
+    <div className="lesson-bar">
+      <div className="lesson-play">
+        <GlyphButton glyph="first" name={t.first} onPress={stretch.restart} />
+        <GlyphButton glyph={playing ? "pause" : "play"} name={playing ? t.pause : t.play} onPress={stretch.toggle} />
+        <GlyphButton glyph="forward" name={t.forward} onPress={() => playback.dispatch({ do: "forward" })} />
+        <input ref={input} type="range" min={0} max={PARTS} step="any" defaultValue={0} aria-label={t.scrub}
+          {...(spoken && { "aria-valuetext": spoken })}
+          onInput={(event) => stretch.seek((Number(event.currentTarget.value) / PARTS) * length)} />
+      </div>
+      <p ref={said} className="lesson-step small" />
+    </div>
+  );
+}

@@ -1,0 +1,78 @@
+import { Suspense } from "react";
+import { operationsPlayed, type Played } from "../../course/played.ts";
+import { formatFixed, formatNumber } from "../../i18n/number.ts";
+import type { Outcome } from "../engine/outcome.ts";
+import { effectOf } from "../effect/effect.ts";
+import { LoadScale } from "../load/LoadScale.tsx";
+import { useLoadDrawing } from "../load/use-drawing.ts";
+import { loadPlaceText, loadValue, useGreatest, useLoadTexts, useMeasuredRun, type Told } from "../load/use-load.ts";
+import { useSettings } from "../settings/settings.ts";
+import { useTexts } from "../settings/use-texts.ts";
+
+/** What colours tell: their scale, and the greatest value with its place. */
+function ToldByColour({ of, run }: { readonly of: Told; readonly run: Outcome["run"] }) {
+  const t = useLoadTexts();
+  const language = useSettings((s) => s.language);
+  const told = useMeasuredRun(run);
+  const drawing = useLoadDrawing(told, of);
+  const worst = useGreatest(told, of)?.worst ?? null;
+  return (
+    <section className="lesson-load" aria-label={t.names[of]}>
+      <p>
+        <b>{t.names[of]}</b> <span className="soft small">{t.abouts[of]}</span>
+      </p>
+      {drawing && worst && <LoadScale of={of} drawing={drawing} />}
+      <p className="small" role="status">
+        {worst
+          ? (
+            <>
+              <span className="soft">{worst.limited && of === "speed" ? t.least : t.greatest}</span>{" "}
+              <span className="number">
+                <b>{loadValue(t, language, of, worst.value)}</b> {loadPlaceText(t, language, worst)}
+              </span>
+            </>
+          )
+          : drawing
+          ? t.nothing
+          : t.working}
+      </p>
+    </section>
+  );
+}
+
+/** What comes of the values of a page: passes, real infeed, time, what stays; and the colours' scale where they tell something. */
+export function LessonFacts({ outcome, played, told }: { readonly outcome: Outcome; readonly played: Played; readonly told: Told | null }) {
+  const { page: { effect: t } } = useTexts();
+  const language = useSettings((s) => s.language);
+  const { run } = outcome;
+  const calls = operationsPlayed(run.operations, played);
+  const passes = calls.reduce((sum, { plan }) => sum + plan.passes, 0);
+  const infeed = calls.find(({ plan }) => plan.infeed > 0)?.plan.infeed ?? null;
+  const seconds = run.steps.slice(played.first, played.last + 1).reduce((sum, step) => sum + step.seconds, 0);
+  const { residual } = effectOf(outcome);
+  const facts: readonly (readonly [name: string, value: string])[] = [
+    ...(passes > 0 ? [[t.passes, formatNumber(language, passes, 0)] as const] : []),
+    ...(passes > 0 && infeed !== null ? [[t.infeed, `${formatFixed(language, infeed, 3)} ${t.infeedUnit}`] as const] : []),
+    [t.time, t.duration(Math.floor(seconds / 60), formatFixed(language, seconds % 60, 1))],
+    ...(calls.length > 0 && residual !== null
+      ? [[t.residual, residual === 0 ? t.none : `${formatNumber(language, residual, 3)} mm²`] as const]
+      : []),
+  ];
+  return (
+    <>
+      <dl className="lesson-facts">
+        {facts.map(([name, value]) => (
+          <div key={name}>
+            <dt className="soft small">{name}</dt>
+            <dd className="number">{value}</dd>
+          </div>
+        ))}
+      </dl>
+      {told && (
+        <Suspense>
+          <ToldByColour of={told} run={run} />
+        </Suspense>
+      )}
+    </>
+  );
+}

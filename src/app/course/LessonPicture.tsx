@@ -1,0 +1,132 @@
+import { Suspense, useEffect, useMemo, useRef, useState } from "react";
+import { operationsPlayed, stepsPlayed } from "../../course/played.ts";
+import type { Run } from "../../program/run-types.ts";
+import { datumAt, datumIndex } from "../../view/datum.ts";
+import { sceneOf } from "../../view/scene.ts";
+import { clock } from "../clock.ts";
+import type { Outcome } from "../engine/outcome.ts";
+import { Marks } from "../lathe/Marks.tsx";
+import { PlaceButtons, PlaceLines } from "../lathe/PlaceButtons.tsx";
+import { Picture } from "../lathe/Picture.tsx";
+import { createPlaybackStore } from "../lathe/playback-store.ts";
+import { statusText } from "../lathe/Readout.tsx";
+import { useMaterial } from "../lathe/use-material.ts";
+import { usePasses } from "../lathe/use-paths.ts";
+import { usePlayback } from "../lathe/use-playback.ts";
+import { createViewport, type Viewport } from "../lathe/viewport.ts";
+import { LoadLines } from "../load/LoadLines.tsx";
+import { LoadMark } from "../load/LoadMark.tsx";
+import type { Told } from "../load/use-load.ts";
+import { lazyPart } from "../parts.ts";
+import { reducedMotion } from "../settings/appearance.ts";
+import { useSettings } from "../settings/settings.ts";
+import { useTexts } from "../settings/use-texts.ts";
+import { LessonBar } from "./LessonBar.tsx";
+import { LessonFacts } from "./LessonFacts.tsx";
+import { useLessonPlaces } from "./use-lesson-places.ts";
+import type { LessonPageOf } from "./lesson-pages.ts";
+import { useCourseTexts } from "./use-course-texts.ts";
+import { useLessonLoad } from "./use-lesson-load.ts";
+import { useStretch } from "./use-stretch.ts";
+import "../lathe/lathe.css";
+
+/** Fetched for a program that has approaches. */
+const TurnPoints = lazyPart(async () => ({ default: (await import("../approach/TurnPoints.tsx")).TurnPoints }));
+
+const EVERY = () => true;
+const NOTHING: Outcome["simulation"]["proof"]["residual"] = [];
+
+/** The element of the picture gives its size to the viewport. */
+function useSized(viewport: Viewport) {
+  const stage = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    const element = stage.current;
+    if (!element) return undefined;
+    const measure = () => {
+      const { clientWidth: width, clientHeight: height } = element;
+      if (width > 0 && height > 0) viewport.setSize({ width, height });
+    };
+    measure();
+    const sizes = new ResizeObserver(measure);
+    sizes.observe(element);
+    return () => sizes.disconnect();
+  }, [viewport]);
+  return stage;
+}
+
+/** The scene of a run: its blank and contours, its path, and the chuck. */
+const sceneOfRun = (run: Run, path: Parameters<typeof sceneOf>[0]["path"]) =>
+  sceneOf({ blank: run.blank, contours: run.operations.map((o) => o.plan.contour), steps: run.steps, ...(path && { path }) });
+
+/** The lathe of a page: the run of its program, playing, with what the page shows beside it. */
+export function LessonPicture({ outcome, page, dimmed }: { readonly outcome: Outcome; readonly page: LessonPageOf;
+  readonly dimmed: boolean })
+{
+  const t = useCourseTexts();
+  const texts = useTexts();
+  const { language, section, xDown, motion } = useSettings();
+  const [playback] = useState(() => createPlaybackStore(clock));
+  const [viewport] = useState(() => createViewport(!xDown));
+  const { run, simulation } = outcome;
+  const played = useMemo(() => stepsPlayed(run.steps, page.blocks), [run, page.blocks]);
+  const { moving } = useMaterial(outcome, playback);
+  const passes = usePasses(run);
+  const scene = useMemo(() => sceneOfRun(run, passes.whole), [run, passes]);
+  const still = reducedMotion({ motion });
+  const stretch = useStretch(playback, run, played, { page: page.key, at: still && page.begins === "play" ? "start" : page.begins });
+  const stage = useSized(viewport);
+  const told: Told | null = page.shows === undefined || page.shows === "residue" ? null : page.shows;
+  useLessonLoad(outcome, told);
+  useEffect(() => playback.setStill(still), [playback, still]);
+  useEffect(() => viewport.setBounds(scene.bounds), [scene, viewport]);
+  useEffect(() => viewport.fit(), [page.key, viewport]);
+
+  const ended = usePlayback(playback, (s) => s.get().position.step > played.last);
+  const resting = usePlayback(playback, (s) => (s.get().playing ? -1 : s.get().position.step));
+  const state = useMemo(() => (resting >= 0 ? statusText(texts, language, run, playback) : ""), [resting, texts, language, run, playback]);
+  const datum = datumAt(run.datums, usePlayback(playback, (s) => datumIndex(run.datums, s.get().position.step)));
+  const places = useLessonPlaces(outcome);
+  const [look, setLook] = useState({ page: "", id: "" });
+  const chosen = places.find(({ id }) => id === look.id && look.page === page.key) ?? null;
+  const choose = (place: typeof chosen) => {
+    setLook({ page: page.key, id: place?.id ?? "" });
+    playback.dispatch({ do: "pause" });
+    if (place?.kind === "residual") stretch.seek(stretch.length);
+    else if (place) playback.dispatch({ do: "seek", position: place.position });
+    if (place) viewport.show(place.bounds);
+    else viewport.fit();
+  };
+  const seen = places.filter((each) => ended || each.kind === "finding" || each === chosen);
+  const starts = useMemo(() => operationsPlayed(run.operations, played).map(({ start }) => start), [run, played]);
+  const leads = useMemo(() => run.approaches.filter((a) => a.plane === "ZX"), [run]);
+  const drawn = section === "full" ? "full" : "half";
+  return (
+    <section className="lesson-picture" aria-label={t.picture.name}>
+      <div ref={stage} className={`lathe-stage${dimmed ? " dimmed" : ""}${ended ? " ended" : ""}`}>
+        <Picture viewport={viewport} scene={scene} moving={moving} waiting={null} findings={simulation.findings}
+          residual={ended ? simulation.proof.residual : NOTHING} section={drawn} name={texts.lathe.pictures[drawn](state)}
+          path={passes.stretches} ghosts={null} chosen={told && (
+          <Suspense>
+            <LoadLines of={told} run={run} shown={EVERY} />
+          </Suspense>
+        )} hovered={null}>
+          <Marks viewport={viewport} starts={starts} datum={datum} />
+          {told && (
+            <Suspense>
+              <LoadMark of={told} run={run} viewport={viewport} />
+            </Suspense>
+          )}
+          {leads.length > 0 && (
+            <Suspense>
+              <TurnPoints viewport={viewport} approaches={leads} />
+            </Suspense>
+          )}
+          <PlaceLines viewport={viewport} places={seen} />
+        </Picture>
+        <PlaceButtons viewport={viewport} places={seen} chosen={chosen} choose={choose} />
+      </div>
+      <LessonBar playback={playback} stretch={stretch} run={run} />
+      <LessonFacts outcome={outcome} played={played} told={told} />
+    </section>
+  );
+}

@@ -1,0 +1,41 @@
+import { useId } from "react";
+import type { Lesson } from "../../course/lesson.ts";
+import { cycleByNumber, type ParamTextId } from "../../cycles/index.ts";
+import { formatNumber } from "../../i18n/number.ts";
+import type { ChoiceText } from "../../i18n/param-text.ts";
+import type { Run } from "../../program/run-types.ts";
+import { unitOf } from "../dialog/write-value.ts";
+import { useSettings } from "../settings/settings.ts";
+import { useTexts } from "../settings/use-texts.ts";
+
+type Slide = NonNullable<Lesson["pages"][number]["slide"]>;
+
+/** A value that is slid: what it is called on the control, the number, and the slider. The picture follows. */
+export function LessonSlide({ slide, value, run, onSlide }: {
+  readonly slide: Slide;
+  readonly value: number;
+  /** The run of the page, whose first cycle with this parameter says what it is; null as long as there is none. */
+  readonly run: Run | null;
+  readonly onSlide: (value: number) => void;
+}) {
+  const texts = useTexts();
+  const language = useSettings((s) => s.language);
+  const id = useId();
+  const { q, from, to, step } = slide;
+  const params = run?.operations.map(({ cycle }) => cycleByNumber(cycle)?.params[q]) ?? [];
+  const param = params.find((each) => each !== undefined);
+  const words = param && texts.params[param.text as ParamTextId];
+  const choice = words && "choices" in words ? (words as ChoiceText).choices[value] : undefined;
+  const unit = param ? texts.dialog.units[unitOf(param, true)] : "";
+  const said = [formatNumber(language, value), unit, choice ?? ""].filter((each) => each !== "").join(" ");
+  return (
+    <div className="lesson-slide">
+      <label htmlFor={id}>
+        <span className="number">{q}</span> {words?.label}
+      </label>
+      <output className="number" htmlFor={id}>{said}</output>
+      <input id={id} type="range" min={from} max={to} step={step} value={value} aria-valuetext={said}
+        onChange={(event) => onSlide(Number(event.currentTarget.value))} />
+    </div>
+  );
+}

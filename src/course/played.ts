@@ -1,0 +1,37 @@
+import type { Step } from "../kernel/step.ts";
+import type { Operation } from "../program/run-types.ts";
+
+/** A stretch of steps, both included. */
+export interface Played {
+  readonly first: number;
+  readonly last: number;
+}
+
+/** The steps of some blocks of a program, both included; all of them where none is named, or none of these moves anything. */
+export function stepsPlayed(steps: readonly Pick<Step, "block">[], blocks?: { readonly from: number; readonly to: number }): Played {
+  const all = { first: 0, last: steps.length - 1 };
+  if (!blocks) return all;
+  const isPlayed = ({ block }: Pick<Step, "block">) => block >= blocks.from && block <= blocks.to;
+  const first = steps.findIndex(isPlayed);
+  return first < 0 ? all : { first, last: steps.findLastIndex(isPlayed) };
+}
+
+/** The cycle calls whose steps are played. */
+export const operationsPlayed = <O extends Pick<Operation, "firstStep" | "lastStep">>(operations: readonly O[], { first, last }: Played) =>
+  operations.filter(({ firstStep, lastStep }) => lastStep >= firstStep && lastStep >= first && firstStep <= last);
+
+/** As a control writes a value: with its sign, without zeros behind. */
+const written = (value: number): string => `${value < 0 ? "" : "+"}${Number(value.toFixed(4))}`;
+
+/** The lines of a program with another value wherever a parameter is given one. */
+export const withSlid = (lines: readonly string[], q: string, value: number): readonly string[] =>
+  lines.map((line) => line.replace(new RegExp(`^(\\s*${q}=)[+-]?[\\d.]+`), `$1${written(value)}`));
+
+/** The value that a parameter is first given in the lines of a program; null where it is given none. */
+export function valueIn(lines: readonly string[], q: string): number | null {
+  for (const line of lines) {
+    const found = new RegExp(`^\\s*${q}=([+-]?[\\d.]+)`).exec(line)?.[1];
+    if (found !== undefined && Number.isFinite(Number(found))) return Number(found);
+  }
+  return null;
+}
