@@ -33,7 +33,7 @@ export function Marks({ viewport, starts, datum }: { readonly viewport: Viewport
       {starts.map((start, i) => {
         const at = toScreen(camera, start);
         return (
-          <g key={i} className="lathe-start" transform={`translate(${at.x} ${at.y})`}>
+          <g key={i} className={starts.length > 1 ? "lathe-start of-many" : "lathe-start"} transform={`translate(${at.x} ${at.y})`}>
             <circle r="6" />
             <path d="M-10 0H10M0 -10V10" />
           </g>
