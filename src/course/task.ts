@@ -47,10 +47,10 @@ const part = z.object({
   outside: z.optional(lines),
   bore: z.optional(lines),
   /**
-   * Threads, which the outline draws by their crest: between crest and root (⌀) grooves are expected. Which thread it is, `rules.values`
-   * asks for; `name` is for the drawing: "M36×2".
+   * Threads, which the outline draws by their crest: between crest and root (⌀) grooves must be there, all along and nearly down to the
+   * root, and `pitch` mm apart where it is given. `name` is for the drawing: "M36×2".
    */
-  threads: z.optional(listed(z.object({ from: finite, to: finite, crest: finite, root: finite, name: typed }))),
+  threads: z.optional(listed(z.object({ from: finite, to: finite, crest: finite, root: finite, pitch: z.optional(finite), name: typed }))),
 });
 
 /** A size that is measured on the made part. Nominal and measured sizes mm; `upper` and `lower` are deviations. */

@@ -56,8 +56,10 @@ const closed = (chain: readonly Pt[], round: (first: Pt, last: Pt) => Pt[]): Rin
   return first && last ? union([counterClockwise([...chain, ...round(first, last)])]) : [];
 };
 
-/** Between crest and root of a thread. */
-function threaded({ from, to, crest, root }: NonNullable<NonNullable<Task["part"]>["threads"]>[number]): Ring {
+export type WantedThread = NonNullable<NonNullable<Task["part"]>["threads"]>[number];
+
+/** Between crest and root of a thread, all along. */
+export function bandOfThread({ from, to, crest, root }: WantedThread): Ring {
   const [left, right] = [Math.min(from, to), Math.max(from, to)];
   const [one, other] = [toRadius(diameter(crest)), toRadius(diameter(root))];
   return counterClockwise([at(left, one), at(right, one), at(right, other), at(left, other)]);
@@ -84,7 +86,7 @@ export function wantedPart(wanted: NonNullable<Task["part"]>): WantedPart {
     outside: outside.segments,
     bore: bore.segments,
     rings,
-    solid: wanted.threads?.length ? difference(rings, wanted.threads.map(threaded)) : rings,
+    solid: wanted.threads?.length ? difference(rings, wanted.threads.map(bandOfThread)) : rings,
     issues: [...blank.issues, ...(wanted.outside ? outside.issues : []), ...(wanted.bore ? bore.issues : [])],
   };
 }

@@ -8,6 +8,7 @@ import { RULES, type Answer, type TaskJudgement, type TaskMark, type RuleName } 
 import { ruleMarks } from "./rules.ts";
 import { scoreOf } from "./score.ts";
 import { sizeMarks } from "./sizes.ts";
+import { threadMarks } from "./threads.ts";
 import { wantedPart, type WantedPart } from "../wanted-part.ts";
 
 /** What may stay beside the wanted part and be missing from it where a task does not say, mm². */
@@ -101,6 +102,7 @@ function partMarks(task: Task, wanted: WantedPart, answer: Answer): TaskMark[] {
   return [
     blank,
     ...missingMarks(wanted.solid, final, task.rules.missing ?? MISSING, answer),
+    ...threadMarks(task.part?.threads ?? [], answer),
     ...residueMarks(wanted.rings, final, task.rules.residue ?? RESIDUE, answer),
   ];
 }

@@ -27,10 +27,11 @@ export function scoreOf(
   const broken = new Set(marks.flatMap((m) => (m.rule === "residue" || m.passed ? [] : [m.rule])));
   const left = areaOf(beyond(final, wanted.rings));
   const most = MOST_LEFT * (areaOf(wanted.blank) - areaOf(wanted.rings));
+  const threads = marks.every((m) => m.passed || m.rule !== "residue" || m.about === undefined);
   const tools = calledTools(answer).size;
   const held = rules.size - broken.size;
   const parts =
-    ([["proof", held / rules.size, held, rules.size], ["residue", left <= residue ? 1 : 1 - left / most, left, residue], [
+    ([["proof", held / rules.size, held, rules.size], ["residue", threads ? 1 - Math.max(0, left - residue) / most : 0, left, residue], [
       "time",
       seconds > 0 ? par.seconds / seconds : 0,
       seconds,

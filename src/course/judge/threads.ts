@@ -1,0 +1,79 @@
+import { at, type Ring } from "../../kernel/point.ts";
+import { diameter, toRadius } from "../../kernel/units.ts";
+import { scanCrossings } from "../../sim/scan.ts";
+import { bandOfThread, type WantedThread } from "../wanted-part.ts";
+import type { Answer, TaskMark } from "./judgement.ts";
+
+/** How far apart the profile of a thread is looked at, mm. */
+const STEP = 0.02;
+/** The share of the depth that a groove has at least, and that at which it is told from its neighbours. */
+const DEEP = 0.85;
+const APART = 0.5;
+/** How far a measured pitch may be from the wanted one, a share of it. */
+const SAME_PITCH = 0.01;
+
+interface Grooves {
+  /** Z of the middle of each, from the left. */
+  readonly middles: readonly number[];
+  /** Of the shallowest whole one, as a share of the wanted depth. */
+  readonly depth: number;
+}
+
+/** The grooves between crest and root, from the profile of a stock. */
+function groovesOf(stock: readonly Ring[], { from, to, crest, root }: WantedThread): Grooves {
+  const [left, right] = [Math.min(from, to), Math.max(from, to)];
+  const lines = Array.from({ length: Math.max(2, Math.floor((right - left) / STEP)) }, (_, i) => left + (i + 0.5) * STEP);
+  const [top, full] = [toRadius(diameter(crest)), toRadius(diameter(Math.abs(crest - root)))];
+  const profile = scanCrossings(stock, "r", lines).map((found) => {
+    const r = crest > root ? found.at(-1) : found[0];
+    return r === undefined ? 1 : Math.abs(r - top) / full;
+  });
+  const grooves: { first: number; last: number; depth: number }[] = [];
+  let begun = false;
+  profile.forEach((depth, i) => {
+    const line = lines[i] ?? 0, open = grooves.at(-1);
+    if (depth < APART) begun = false;
+    else if (begun && open) Object.assign(open, { last: line, depth: Math.max(open.depth, depth) });
+    else {
+      begun = true;
+      grooves.push({ first: line, last: line, depth });
+    }
+  });
+  // At its ends a thread may have half a groove.
+  const whole = grooves.length > 3 ? grooves.slice(1, -1) : grooves;
+  return { middles: grooves.map((g) => (g.first + g.last) / 2), depth: Math.min(...whole.map((g) => g.depth)) };
+}
+
+/**
+ * Whether grooves of a thread are there all along, as deep as they must be, and at its pitch where the task states one. What is not cut of
+ * it is residue, `about` the name of the thread; `value` is the pitch that is there, mm, 0 where there is none.
+ */
+export function threadMarks(threads: readonly WantedThread[], { run, simulation }: Answer): TaskMark[] {
+  return threads.map((thread, entry): TaskMark => {
+    const { from, to, crest, pitch, name } = thread;
+    const { middles, depth } = groovesOf(simulation.final, thread);
+    const [first, last] = [middles[0] ?? 0, middles.at(-1) ?? 0];
+    const ways = middles.slice(1).map((z, i) => z - (middles[i] ?? 0));
+    // Where a chamfer begins a thread its first groove is wider than the others.
+    const value = ways.toSorted((a, b) => a - b)[Math.floor(ways.length / 2)] ?? 0;
+    const wanted = pitch ?? value;
+    const [begins, ends] = [Math.min(from, to), Math.max(from, to)];
+    const isWhole = first - begins < 1.5 * wanted && ends - last < 1.5 * wanted;
+    const isEven = ways.slice(1, -1).every((way) => Math.abs(way - value) < value / 4);
+    const passed = middles.length > 1 && isWhole && isEven && depth >= DEEP && Math.abs(value - wanted) <= SAME_PITCH * wanted;
+    const operation = run.operations.findLastIndex((o) =>
+      o.plan.thread && o.plan.moves.some((m) => m.kind === "thread" && m.to.z < ends + wanted && m.to.z > begins - 2 * wanted)
+    );
+    return {
+      rule: "residue",
+      about: name,
+      passed,
+      value,
+      entry,
+      rings: [bandOfThread(thread)],
+      place: at((from + to) / 2, toRadius(diameter(crest))),
+      ...(pitch !== undefined && { limit: pitch }),
+      ...(operation >= 0 && { operation, block: run.operations[operation]?.block ?? 0 }),
+    };
+  });
+}
