@@ -14,7 +14,9 @@ import type { PlayedStretch } from "./use-stretch.ts";
 const PARTS = 1000;
 
 /** Play and hold, move by move, to any moment; and the step of the manual that runs. */
-export function LessonBar({ playback, stretch, run }: { readonly playback: PlaybackStore; readonly stretch: PlayedStretch; readonly run: Run }) {
+export function LessonBar({ playback, stretch, run }: { readonly playback: PlaybackStore; readonly stretch: PlayedStretch;
+  readonly run: Run })
+{
   const t = useCourseTexts().picture;
   const texts = useTexts();
   const language = useSettings((s) => s.language);
