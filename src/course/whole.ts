@@ -9,6 +9,7 @@ import { judge } from "./judge/judge.ts";
 import { truthOf } from "./judge/predicting.ts";
 import { refuses } from "./judge/refuses.ts";
 import { wantedPart } from "./wanted-part.ts";
+import { promptsText, solutionValues } from "./prompts.ts";
 import type { Lesson } from "./lesson.ts";
 import type { Task } from "./task.ts";
 
@@ -48,8 +49,17 @@ function startProblems({ start, kind }: Task): string[] {
 /** Whether what lies open in the beginning passes already: then there is nothing to do. */
 function idle(task: Task): string[] {
   const { start } = task;
-  const begun = "program" in start ? start.program : ["BEGIN PGM EMPTY MM", "END PGM EMPTY MM"];
-  return judge(task, answerOf(begun.join("\n"))).passed ? ["what lies open in the beginning passes already"] : [];
+  const begun = "program" in start ? start.program.join("\n") : promptsText(task) ?? "BEGIN PGM EMPTY MM\nEND PGM EMPTY MM";
+  return judge(task, answerOf(begun)).passed ? ["what lies open in the beginning passes already"] : [];
+}
+
+/** Whether the values of the solution pass where they are typed into the prompts that lie open: with their blank, tool and start point. */
+function untypable(task: Task): string[] {
+  const values = solutionValues(task);
+  const text = values && promptsText(task, values);
+  if (!text) return "cycle" in task.start ? ["the solution does not call the cycle of the prompts"] : [];
+  const wrong = judge(task, answerOf(text)).marks.filter((m) => !m.passed).map((m) => m.rule);
+  return wrong.length > 0 ? [`typed into the prompts, the values of the solution are refused: ${wrong.join(", ")}`] : [];
 }
 
 function answerProblems(task: Task): string[] {
@@ -66,7 +76,7 @@ function answerProblems(task: Task): string[] {
     if (!refuses(task, wrong, answerOf(wrong.program.join("\n"))))
       out.push(`wrong answer ${i + 1} is not refused by ${rule} where it says`);
   });
-  return [...out, ...idle(task)];
+  return [...out, ...idle(task), ...untypable(task)];
 }
 
 /** Whether what is to be foretold is there: in the program that lies open, or in the answer that passes. */
