@@ -1,5 +1,6 @@
 import { Suspense, useEffect } from "react";
 import { menuCycle } from "./chooser/menu.ts";
+import { useGuidePlace } from "./guide/guide-place.ts";
 import { Header } from "./Header.tsx";
 import { useCoursePlace } from "./course/course-place.ts";
 import { useChoice } from "./files/choice.ts";
@@ -46,6 +47,8 @@ const CompareDialog = lazyPart(async () => ({ default: (await import("./compare/
 const WhichCycle = lazyPart(async () => ({ default: (await import("./which/WhichCycle.tsx")).WhichCycle }));
 const fetchSheet = later(() => import("./sheet/SheetPage.tsx"));
 const SheetPage = lazyPart(async () => ({ default: (await fetchSheet()).SheetPage }));
+const fetchGuide = later(() => import("./guide/GuidePage.tsx"));
+const GuidePage = lazyPart(async () => ({ default: (await fetchGuide()).GuidePage }));
 const fetchEditor = later(() => import("./editor/ProgramWorkplace.tsx"));
 const ProgramWorkplace = lazyPart(async () => ({ default: (await fetchEditor()).ProgramWorkplace }));
 
@@ -83,6 +86,7 @@ export function App() {
   const refused = useCopying((c) => c.state === "refused");
   const t = useFirstTexts().page;
   const sheet = useSheetShown();
+  const guide = useGuidePlace((p) => p.path !== null);
   const newer = useVersion((v) => v.newer !== "none" && !v.later);
   const course = useCoursePlace((p) => (p.shown ? p.title : ""));
   const name = job?.name ?? programName ?? course;
@@ -105,27 +109,32 @@ export function App() {
         )}
       </div>
       <HandedLine />
-      {ready && tools && !own && (
+      {ready && guide && (
+        <Suspense>
+          <GuidePage />
+        </Suspense>
+      )}
+      {ready && !guide && tools && !own && (
         <Suspense>
           <ToolPage />
         </Suspense>
       )}
-      {ready && own && (
+      {ready && !guide && own && (
         <Suspense>
           <OwnPage />
         </Suspense>
       )}
-      {ready && !tools && !own && sheet && (
+      {ready && !guide && !tools && !own && sheet && (
         <Suspense>
           <SheetPage />
         </Suspense>
       )}
-      {ready && !tools && !own && !sheet && program !== null && (
+      {ready && !guide && !tools && !own && !sheet && program !== null && (
         <Suspense fallback={<p className="editor-loading soft" role="status">{t.loading}</p>}>
           <ProgramWorkplace key={program} />
         </Suspense>
       )}
-      {ready && !tools && !own && !sheet && program === null && (job
+      {ready && !guide && !tools && !own && !sheet && program === null && (job
         ? (
           <Suspense>
             <Workplace />

@@ -2,7 +2,8 @@ import type { LessonPage } from "../../course/progress.ts";
 import type { WorkSection } from "../place.ts";
 
 /** A place of the page that has an address of its own: behind `#`, so that it works in any folder and without a server. */
-export type Address = StartAddress | WorksAddress | CourseAddress | WorkAddress | SheetAddress | ToolsAddress | OwnAddress;
+export type Address = StartAddress | WorksAddress | CourseAddress | WorkAddress | SheetAddress | ToolsAddress | OwnAddress
+  | GuideAddress;
 
 /** The first screen, and whether it is asked there which cycle makes a shape. */
 export interface StartAddress {
@@ -49,6 +50,12 @@ export interface OwnAddress {
   readonly row: string | null;
 }
 
+/** A page of the guide or the glossary, by its address. */
+export interface GuideAddress {
+  readonly page: "guide";
+  readonly path: readonly string[];
+}
+
 const SECTIONS: Readonly<Record<WorkSection, true>> = {
   prompts: true,
   setup: true,
@@ -83,6 +90,8 @@ function parts(address: Address): readonly string[] {
       return address.milling ? ["tools", "milling"] : ["tools"];
     case "own":
       return address.row === null ? ["own"] : ["own", address.row];
+    case "guide":
+      return address.path;
   }
 }
 
@@ -139,6 +148,9 @@ export function parseAddress(hash: string): Address | null {
       return toolsAddress(more);
     case "own":
       return more.length < 2 ? { page: "own", row: more[0] ?? null } : null;
+    case "guide":
+    case "glossary":
+      return more.length < 3 ? { page: "guide", path: [page, ...more] } : null;
     default:
       return null;
   }

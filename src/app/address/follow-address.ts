@@ -1,6 +1,7 @@
 import { z } from "zod/mini";
 import { useCoursePlace } from "../course/course-place.ts";
 import { useOwnPlace } from "../own/own-place.ts";
+import { useGuidePlace } from "../guide/guide-place.ts";
 import { usePlace } from "../place.ts";
 import { useElsewhere } from "../saving/elsewhere.ts";
 import { useEditor } from "../store.ts";
@@ -64,13 +65,14 @@ const REST = 400;
 const isOver = (hash: string): boolean => {
   const address = parseAddress(hash);
   return address !== null
-    && (address.page === "sheet" || address.page === "tools" || address.page === "own" || (address.page === "work" && address.which));
+    && (address.page === "sheet" || address.page === "tools" || address.page === "own" || address.page === "guide"
+      || (address.page === "work" && address.which));
 };
 
 /** Rows of one table are one place: going through them is no journey. */
 const isSamePage = (a: string, b: string): boolean => {
   const [one, other] = [parseAddress(a), parseAddress(b)];
-  return one !== null && one.page === other?.page && (one.page === "tools" || one.page === "own");
+  return one !== null && one.page === other?.page && (one.page === "tools" || one.page === "own" || one.page === "guide");
 };
 
 const noteOf = (from: string | null): Entry => {
@@ -173,6 +175,7 @@ export function followAddress(begun = location.hash): () => void {
     }),
     useToolPlace.subscribe(soon),
     useOwnPlace.subscribe(soon),
+    useGuidePlace.subscribe(soon),
     useSheetPlace.subscribe(soon),
     useWhichPlace.subscribe(soon),
     useWorksPlace.subscribe(soon),

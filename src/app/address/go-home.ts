@@ -1,5 +1,6 @@
 import type { LessonPage } from "../../course/progress.ts";
 import { hideCourse, useCoursePlace } from "../course/course-place.ts";
+import { hideGuide } from "../guide/guide-place.ts";
 import { hideOwn } from "../own/own-place.ts";
 import { usePlace } from "../place.ts";
 import { open, useEditor } from "../store.ts";
@@ -10,6 +11,7 @@ import { hideWorks, useWorksPlace } from "../works/works-place.ts";
 
 /** Shows the start page. What was open stays on the device, and undo opens it again. */
 export function goHome(): void {
+  hideGuide();
   hideTools();
   hideOwn();
   hideWhich();

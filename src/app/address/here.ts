@@ -1,5 +1,6 @@
 import { useCoursePlace } from "../course/course-place.ts";
 import { hideOwn, showOwn, useOwnPlace } from "../own/own-place.ts";
+import { hideGuide, showGuide, useGuidePlace } from "../guide/guide-place.ts";
 import { usePlace, type WorkSection } from "../place.ts";
 import { useElsewhere } from "../saving/elsewhere.ts";
 import { notice, openWork } from "../saving/keep.ts";
@@ -39,6 +40,8 @@ function toolsHere(): ToolsAddress {
 
 /** The place that the page shows now. */
 export function here(): Address {
+  const { path } = useGuidePlace.getState();
+  if (path) return { page: "guide", path };
   const own = useOwnPlace.getState();
   if (own.shown) return { page: "own", row: own.row };
   if (useToolPlace.getState().shown) return toolsHere();
@@ -83,6 +86,8 @@ function showRow({ number, milling }: ToolsAddress): void {
 
 /** Shows a place. A work that is not on this device is said so, on the start page. */
 export async function goTo(address: Address): Promise<void> {
+  if (address.page === "guide") return showGuide(...address.path);
+  hideGuide();
   if (address.page === "own") return showOwn(address.row ?? undefined);
   hideOwn();
   if (address.page === "tools") return showRow(address);

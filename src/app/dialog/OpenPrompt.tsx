@@ -1,5 +1,6 @@
-import { useId, useLayoutEffect, useRef, useState, type RefObject } from "react";
+import { Suspense, useId, useLayoutEffect, useRef, useState, type RefObject } from "react";
 import { isOpen, type FindingEntry } from "../findings/entry.ts";
+import { lazyPart } from "../parts.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { closeStep } from "../steps.ts";
@@ -11,6 +12,8 @@ import { commandsOf, suggestionFor, type Prompt, type PromptSession } from "./se
 import { PromptSteps } from "./PromptSteps.tsx";
 import { ValueInput, type ValueField } from "./ValueInput.tsx";
 import { inScreenWriting, writeTyped } from "./write-value.ts";
+
+const PromptMore = lazyPart(async () => ({ default: (await import("../guide/PromptMore.tsx")).PromptMore }));
 
 interface Props {
   readonly session: PromptSession;
@@ -93,6 +96,9 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
             {t.dialog.evidence.mark}
           </button>
         )}
+        <Suspense>
+          <PromptMore id={prompt.id} />
+        </Suspense>
       </p>
       <div className="about" id={`${id}-about`} tabIndex={0} role="group" aria-label={t.dialog.aboutPrompt(prompt.letter)}>
         <div role="status" aria-label={t.findings.title}>

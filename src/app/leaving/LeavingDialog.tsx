@@ -1,64 +1,13 @@
-import { useEffect, useId, useRef } from "react";
-import { showSection } from "../place.ts";
-import { Icon } from "../Icon.tsx";
-import { issueText, placeInFile } from "../issue-text.ts";
-import { useSettings } from "../settings/settings.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { Suspense, useEffect, useId, useRef } from "react";
 import type { FindingsHost } from "../findings/host.ts";
-import { verdictReasons } from "../findings/verdict-words.ts";
-import { useLeaving, type Asking } from "./leaving.ts";
+import { lazyPart } from "../parts.ts";
+import { useLeaving } from "./leaving.ts";
 
-/** Faults that are spelled out; the list of findings has them all. */
-const MOST = 4;
-
-/** The workplace knows which cycle a finding is about. */
-type Props = Pick<FindingsHost, "cycleOf">;
-
-function Question({ asking: { way, verdict, faults, unchecked, answer }, id, cycleOf }: Props & { readonly asking: Asking;
-  readonly id: string })
-{
-  const t = useTexts();
-  const language = useSettings((s) => s.language);
-  const words = t.findings.leaving;
-  const doubts = verdictReasons(t.findings.verdict, verdict).slice(0, MOST);
-  return (
-    <>
-      <h2 id={`${id}-title`}>
-        <Icon name="error" /> {unchecked && faults.length === 0 ? words.unchecked : words.title}
-      </h2>
-      <div id={`${id}-what`} className="leaving-what">
-        {unchecked && <p>{words.uncheckedLead}</p>}
-        {faults.length > 0 && <p>{words.lead(faults.length)}</p>}
-        <ul>
-          {faults.slice(0, MOST).map((entry) => (
-            <li key={entry.id}>
-              {issueText(t, language, entry.issue, cycleOf(entry))}
-              {entry.block !== null && (
-                <span className="soft">({entry.inFile ? placeInFile(t, entry.inFile) : t.findings.inBlock(String(entry.block))})</span>
-              )}
-            </li>
-          ))}
-          {verdict.open > 0 && <li>{t.dialog.done.open(verdict.open)}</li>}
-        </ul>
-        {faults.length > MOST && <p className="small soft">{t.findings.more(faults.length - MOST)}</p>}
-        {doubts.map((doubt) => <p key={doubt} className="small">{doubt}</p>)}
-      </div>
-      <div className="leaving-ways">
-        <button type="button" className="button primary" autoFocus onClick={() => {
-          answer(false);
-          showSection("findings");
-        }}>
-          {words.look}
-        </button>
-        <button type="button" className="button" onClick={() => answer(false)}>{words.cancel}</button>
-        <button type="button" className="button danger" onClick={() => answer(true)}>{words.go[way]}</button>
-      </div>
-    </>
-  );
-}
+/** Seldom needed. */
+const LeavingQuestion = lazyPart(async () => ({ default: (await import("./LeavingQuestion.tsx")).LeavingQuestion }));
 
 /** Stands in the way of a program with faults, once for each way out; closing it keeps the program here. */
-export function LeavingDialog({ cycleOf }: Props) {
+export function LeavingDialog({ cycleOf }: Pick<FindingsHost, "cycleOf">) {
   const id = useId();
   const asking = useLeaving((l) => l.asking);
   const dialog = useRef<HTMLDialogElement>(null);
@@ -73,7 +22,11 @@ export function LeavingDialog({ cycleOf }: Props) {
     <dialog ref={dialog} className="leaving" role="alertdialog" aria-labelledby={`${id}-title`} aria-describedby={`${id}-what`}
       onClose={() => asking?.answer(false)}
     >
-      {asking && <Question asking={asking} id={id} cycleOf={cycleOf} />}
+      {asking && (
+        <Suspense>
+          <LeavingQuestion asking={asking} id={id} cycleOf={cycleOf} />
+        </Suspense>
+      )}
     </dialog>
   );
 }

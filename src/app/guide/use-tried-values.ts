@@ -1,0 +1,91 @@
+import { useEffect, useState } from "react";
+import type { Cycle } from "../../cycles/define.ts";
+import type { SomeValues } from "../../cycles/effect.ts";
+import type { Box } from "../../kernel/geometry/segments.ts";
+import type { SetJob } from "../../program/job.ts";
+import { makesPath, shownBox, shownChange, shownEffect, type ShownChange, type ShownEffect } from "../../report/guide/shown-effect.ts";
+import { neededFor, threeValues, type Candidates } from "../../report/guide/three-values.ts";
+import type { Outcome } from "../engine/outcome.ts";
+import { readJob } from "../reading.ts";
+import { guideSources, ranBeside } from "./guide-source.ts";
+
+/** A value with what comes of it. */
+export interface TriedValue {
+  readonly value: number | "auto";
+  readonly isUsual: boolean;
+  readonly outcome: Outcome;
+  readonly effect: ShownEffect;
+  /** Against the usual value; null for that itself. */
+  readonly change: ShownChange | null;
+}
+
+/** A parameter shown at its values. */
+export interface TriedValues {
+  readonly isOwn: boolean;
+  /** The value that stands in the work, or in the example. */
+  readonly usual: number | "auto";
+  /** Other values that had to be changed so that something is seen, by Q. */
+  readonly needed: Readonly<Record<string, number>>;
+  readonly tried: readonly TriedValue[];
+  readonly box: Box;
+}
+
+const typed = (value: number | "auto") => (value === "auto" ? "FAUTO" : String(value));
+
+const jobWith = (job: SetJob, values: Readonly<Record<string, number | "auto">>): SetJob => ({
+  ...job,
+  drafts: {
+    ...job.drafts,
+    [job.cycle]: { ...job.drafts[job.cycle], ...Object.fromEntries(Object.entries(values).map(([q, value]) => [q, typed(value)])) },
+  },
+});
+
+/** The first candidate that makes a path, run; null where none does. */
+async function firstThatRuns(job: SetJob, q: string, { tried, isUsual }: Candidates, goesOn: () => boolean) {
+  for (const value of tried) {
+    if (!goesOn()) return null;
+    const outcome = await ranBeside(jobWith(job, { [q]: value }));
+    if (outcome && makesPath(outcome)) return { value, isUsual, outcome };
+  }
+  return null;
+}
+
+/** Runs a cycle with the values that show a parameter; null where the cycle makes no path at all. */
+async function tryValues(cycle: Cycle, q: string, goesOn: () => boolean): Promise<TriedValues | null> {
+  for (const { job, isOwn } of guideSources(cycle)) {
+    const values = readJob(job)?.reading.values as SomeValues | null | undefined;
+    if (!values) continue;
+    const needed = neededFor(cycle, q, values);
+    const shown = jobWith(job, needed);
+    const usual = values[q] ?? cycle.params[q]?.example ?? 0;
+    const found = [];
+    for (const candidates of threeValues(cycle, q, { ...values, ...needed, [q]: usual }))
+      found.push(await firstThatRuns(shown, q, candidates, goesOn));
+    const ran = found.filter((each) => each !== null);
+    const compared = ran.find((each) => each.isUsual);
+    if (!compared) continue;
+    const tried = ran.map((each): TriedValue => ({
+      ...each,
+      effect: shownEffect(each.outcome),
+      change: each === compared ? null : shownChange(each.outcome, compared.outcome),
+    }));
+    return { isOwn, usual, needed, tried, box: shownBox(ran.map(({ outcome }) => outcome)) };
+  }
+  return null;
+}
+
+/** A parameter at its values; undefined while they are run, null where nothing can be shown. */
+export function useTriedValues(cycle: Cycle, q: string): TriedValues | null | undefined {
+  const [made, put] = useState<{ readonly of: string; readonly values: TriedValues | null } | null>(null);
+  const of = `${cycle.number}/${q}`;
+  useEffect(() => {
+    let gone = false;
+    void tryValues(cycle, q, () => !gone).then((values) => {
+      if (!gone) put({ of: `${cycle.number}/${q}`, values });
+    });
+    return () => {
+      gone = true;
+    };
+  }, [cycle, q]);
+  return made?.of === of ? made.values : undefined;
+}

@@ -1,0 +1,37 @@
+import type { Step } from "../../kernel/step.ts";
+import { pathOf, travelOf } from "../../kernel/time.ts";
+import type { PlayPosition } from "../../sim/simulation.ts";
+import type { StepPiece } from "./step-pieces.ts";
+
+/** How fast a piece is shown, mm a second: it tells the order of things and not their time. */
+const SHOWN = { rapid: 150, feed: 30 };
+/** A piece lasts no shorter and no longer, s. */
+const SHORTEST = 1.2;
+const LONGEST = 9;
+
+/** A piece of a run in the time in which it is shown. */
+export interface PieceTime {
+  /** s */
+  readonly lasts: number;
+  /** Where the run stands after so many seconds of the piece. */
+  readonly at: (seconds: number) => PlayPosition;
+}
+
+/** Time for a piece of a run, long pieces faster than short ones. */
+export function pieceTime(steps: readonly Pick<Step, "from" | "move">[], { from, to }: NonNullable<StepPiece["piece"]>): PieceTime {
+  let whole = 0;
+  const ends = steps.slice(from, to).map((step) =>
+    whole += travelOf(pathOf(step.from, step.move)) / (step.move.kind === "rapid" ? SHOWN.rapid : SHOWN.feed)
+  );
+  const lasts = Math.min(LONGEST, Math.max(SHORTEST, whole));
+  return {
+    lasts,
+    at(seconds) {
+      const sought = Math.max(0, seconds) / lasts * whole;
+      const index = ends.findIndex((end) => end > sought);
+      if (index < 0) return { step: to, fraction: 0 };
+      const begun = ends[index - 1] ?? 0, length = (ends[index] ?? begun) - begun;
+      return { step: from + index, fraction: length > 0 ? (sought - begun) / length : 0 };
+    },
+  };
+}

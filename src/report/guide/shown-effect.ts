@@ -1,0 +1,99 @@
+import { areaOf } from "../../kernel/area.ts";
+import { boxAround } from "../../kernel/box.ts";
+import { difference, opened } from "../../kernel/clip.ts";
+import type { Box } from "../../kernel/geometry/segments.ts";
+import type { Ring } from "../../kernel/point.ts";
+import { SLIVER } from "../../kernel/tolerance.ts";
+import type { Run, RunFinding } from "../../program/run-types.ts";
+import { roughnessOf } from "../../sim/load/roughness.ts";
+import type { Simulation } from "../../sim/simulation.ts";
+
+/** A program that was run and proved. */
+export interface Ran {
+  readonly run: Run;
+  readonly simulation: Simulation;
+}
+
+/** What one value makes of a cycle, in numbers. */
+export interface ShownEffect {
+  readonly passes: number;
+  /** The infeed as divided, mm. */
+  readonly infeed: number;
+  readonly seconds: number;
+  /** What stays beyond the contour, mm². */
+  readonly residual: number;
+  /** The greatest theoretical roughness that a nose leaves, µm; null where none is known. */
+  readonly rz: number | null;
+  /** Errors and warnings, the gravest first. */
+  readonly issues: readonly RunFinding["issue"][];
+}
+
+/** What one value changes against another: numbers of the first less those of the second. */
+export interface ShownChange {
+  readonly passes: number;
+  readonly seconds: number;
+  readonly residual: number;
+  /** Null where one of the two is not known. */
+  readonly rz: number | null;
+  /** What is part here and not there, and the other way round, mm². */
+  readonly part: number;
+}
+
+const WEIGHT = { error: 0, warning: 1, info: 2 } as const;
+
+/** True when a program has a path and nothing that the control would refuse. */
+export const makesPath = ({ run }: Ran): boolean =>
+  run.operations.some(({ plan }) => plan.moves.length > 0) && run.issues.every(({ issue }) => issue.severity !== "error");
+
+/** The numbers of a run. */
+export function shownEffect({ run, simulation }: Ran): ShownEffect {
+  const heights = roughnessOf(simulation.final, run.steps, run.spindles).flatMap(({ by, rz }) => (by === "nose" && rz !== null ? [rz] : []));
+  return {
+    passes: run.operations.reduce((sum, { plan }) => sum + plan.passes, 0),
+    infeed: run.operations[0]?.plan.infeed ?? 0,
+    seconds: run.seconds,
+    residual: simulation.proof.residual.reduce((sum, { area }) => sum + area, 0),
+    rz: heights.length > 0 ? Math.max(...heights) : null,
+    issues: run.issues.map(({ issue }) => issue).filter(({ severity }) => severity !== "info").sort((a, b) =>
+      WEIGHT[a.severity] - WEIGHT[b.severity]
+    ),
+  };
+}
+
+/** Where two parts differ, slivers of rounding left out. */
+export const differing = (a: Ran, b: Ran): readonly Ring[] =>
+  opened([...difference(a.simulation.final, b.simulation.final), ...difference(b.simulation.final, a.simulation.final)], SLIVER);
+
+/** What one run changes against another. */
+export function shownChange(a: Ran, b: Ran): ShownChange {
+  const [one, other] = [shownEffect(a), shownEffect(b)];
+  return {
+    passes: one.passes - other.passes,
+    seconds: one.seconds - other.seconds,
+    residual: one.residual - other.residual,
+    rz: one.rz === null || other.rz === null ? null : one.rz - other.rz,
+    part: areaOf(differing(a, b)),
+  };
+}
+
+/** A difference of the part shows in a picture of no less than so many mm. */
+const LEAST = 8;
+/** Space round what is looked at, of its size. */
+const ROUND_IT = 0.35;
+
+/** The box of the part that all pictures of a parameter show: where the parts differ, or else where the tool cuts. mm, half plane. */
+export function shownBox(all: readonly Ran[]): Box {
+  const [first] = all;
+  const differs = first ? all.flatMap((ran) => differing(ran, first)) : [];
+  const cuts = all.flatMap(({ run }) => run.steps.flatMap(({ from, move, operation }) => operation !== null && move.kind !== "rapid" ? [from, move.to] : []));
+  const rings = differs.length > 0 ? differs : cuts.length > 0 ? [cuts] : first?.run.blank ?? [];
+  const box = boxAround(rings);
+  const size = Math.max(box.right - box.left, box.high - box.low, LEAST);
+  const grown = (low: number, high: number): readonly [number, number] => {
+    const by = Math.max((size * ROUND_IT), (LEAST - (high - low)) / 2);
+    return [low - by, high + by];
+  };
+  const [left, right] = grown(box.left, box.right);
+  const [low, high] = grown(box.low, box.high);
+  return { left, right, low, high };
+}

@@ -1,0 +1,106 @@
+import { saysNothing, type SomeValues } from "../../cycles/effect.ts";
+import type { Cycle } from "../../cycles/define.ts";
+import type { Kind, Param } from "../../cycles/params.ts";
+import { rounded } from "../../kernel/units.ts";
+
+/** One of the values that a parameter is shown with: candidates, the first that makes a path is taken. */
+export interface Candidates {
+  readonly tried: readonly (number | "auto")[];
+  /** It is the value that the others are compared with. */
+  readonly isUsual: boolean;
+}
+
+/** Parts of the usual value, the farthest first. */
+type Shares = readonly number[];
+const LESS: Shares = [0.25, 0.4, 0.6, 0.8];
+const MORE: Shares = [4, 2.5, 1.6, 1.2];
+const SHARES: Partial<Record<Kind, readonly [less: Shares, more: Shares]>> = {
+  feed: [[0.5, 0.7, 0.85], [2, 1.5, 1.2]],
+  radial: [[0.33, 0.5, 0.75], [2, 1.5, 1.2]],
+  axialDepth: [[0.33, 0.5, 0.75], [2, 1.5, 1.2]],
+  oversizeDiameter: [[0], [5, 3, 2]],
+  factor: [[0.5, 0.75], [1.25, 1.1]],
+  percent: [[0.5], [1.5]],
+  angle: [[0], [4, 2.5, 1.6, 1.2]],
+  count: [[0.5], [2]],
+  revolutions: [[0], [3]],
+};
+/** What a value that is 0 is compared with, in the unit of its kind. */
+const FROM_ZERO: Partial<Record<Kind, readonly [number, number]>> = {
+  feed: [0.1, 0.3],
+  radial: [0.5, 1.5],
+  axialDepth: [0.5, 1.5],
+  oversizeDiameter: [0.4, 2],
+  length: [0.5, 2],
+  angle: [5, 15],
+  revolutions: [1, 3],
+  count: [1, 3],
+};
+/** How far a place on the part is moved, of the way to the other end of the contour. */
+const MOVED: Shares = [0.4, 0.25, 0.12, 0.06];
+/** A place that has no other end: this part of it, and no less than so many mm. */
+const ALONE = 0.3;
+const LEAST_SPAN = 10;
+/** Decimals of the values that are tried. */
+const FINE = { place: 1, value: 3 } as const;
+
+const to = (value: number, decimals: number) => rounded(Number(value.toFixed(decimals)));
+const inRange = ({ range: [min, max] }: Param, values: readonly number[]) => values.filter((v) => v >= min && v <= max);
+
+/** The longest way from a place to another one of its kind. */
+function spanOf(cycle: Pick<Cycle, "params">, q: string, values: SomeValues, usual: number): number {
+  const kind = cycle.params[q]?.kind;
+  const others = Object.entries<Param>(cycle.params).flatMap(([other, param]) => {
+    const value = values[other];
+    return other !== q && param.kind === kind && param.shown === "outline" && typeof value === "number" ? [Math.abs(value - usual)] : [];
+  });
+  const span = Math.max(0, ...others);
+  return span > 0 ? span : Math.max(LEAST_SPAN, Math.abs(usual) * ALONE);
+}
+
+const byMagnitude = (a: Candidates, b: Candidates) => Math.abs(Number(a.tried[0] ?? 0)) - Math.abs(Number(b.tried[0] ?? 0));
+
+/**
+ * The values that show what a parameter does: a small one, the usual one and a large one, or all meanings of a choice. `values` are those
+ * that its cycle has, among them the usual one; "auto" is compared with feeds.
+ */
+export function threeValues(cycle: Pick<Cycle, "params">, q: string, values: SomeValues): readonly Candidates[] {
+  const param = cycle.params[q];
+  if (!param) return [];
+  const usual = values[q] ?? param.example;
+  const one = (tried: readonly (number | "auto")[], isUsual = false): readonly Candidates[] => tried.length > 0 ? [{ tried, isUsual }] : [];
+  if (param.choices) return param.choices.map((value) => ({ tried: [value], isUsual: value === usual }));
+  if (usual === "auto") return [...one(inRange(param, [0.1])), ...one([usual], true), ...one(inRange(param, [0.5]))];
+  if (param.kind === "diameter" || param.kind === "axial") {
+    const span = spanOf(cycle, q, values, usual);
+    const moved = (sign: number) => inRange(param, MOVED.map((share) => to(usual + sign * share * span, FINE.place)));
+    return [...one(moved(-1)), ...one([usual], true), ...one(moved(1))].sort(byMagnitude);
+  }
+  const decimals = Math.min(param.decimals, FINE.value);
+  if (usual === 0) {
+    const [some, much] = FROM_ZERO[param.kind] ?? [1, 3];
+    return [...one([usual], true), ...one(inRange(param, [some])), ...one(inRange(param, [much]))];
+  }
+  const [less, more] = SHARES[param.kind] ?? [LESS, MORE];
+  const times = (shares: Shares) => [...new Set(inRange(param, shares.map((share) => to(usual * share, decimals))))].filter((v) => v !== usual);
+  return [...one(times(less)), ...one([usual], true), ...one(times(more))].sort(byMagnitude);
+}
+
+/** Roughing alone shows what it leaves: finishing would take it. */
+const LEFT_BY_ROUGHING: ReadonlySet<Param["shown"]> = new Set(["oversizeDiameter", "oversizeZ", "smoothing"]);
+const ROUGHING = 1;
+
+/** Other values of the cycle that a parameter needs so that its effect is seen, by Q: none where it is seen already. */
+export function neededFor(cycle: Pick<Cycle, "params">, q: string, values: SomeValues): Readonly<Record<string, number>> {
+  const needed: Record<string, number> = {};
+  let param = cycle.params[q];
+  while (param?.counts && saysNothing({ ...param, reserved: false }, values) && !(param.counts.q in needed)) {
+    const { q: other, among } = param.counts;
+    needed[other] = among.find((value) => value !== 0) ?? among[0] ?? 0;
+    param = cycle.params[other];
+  }
+  const shown = cycle.params[q]?.shown;
+  const operation = Object.entries<Param>(cycle.params).find(([, p]) => p.shown === "operation")?.[0];
+  if (shown && LEFT_BY_ROUGHING.has(shown) && operation !== undefined && values[operation] !== ROUGHING) needed[operation] = ROUGHING;
+  return needed;
+}
