@@ -35,10 +35,7 @@ export function CutPicture({ outcome: { run, simulation }, box, stock, steps, na
   );
   return (
     <svg className="cut-picture" role="img" aria-label={name} viewBox={`${box.left} ${-box.high} ${width} ${height}`}>
-      <defs>
-        {pattern("part", 45)}
-        {pattern("residue", -45)}
-      </defs>
+      <defs>{pattern("part", 45)} {pattern("residue", -45)}</defs>
       <g transform="scale(1 -1)">
         <path className="cut-stock" d={ringData(stock)} fill={`url(#${id}part)`} />
         <path className="cut-residue" d={ringData(simulation.proof.residual.map(({ ring }) => ring))} fill={`url(#${id}residue)`} />

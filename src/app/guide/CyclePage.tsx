@@ -49,11 +49,7 @@ export function CyclePage({ cycle }: { readonly cycle: Cycle }) {
           </ul>
         </section>
       )}
-      {words.notes.length > 0 && (
-        <ul className="guide-notes soft">
-          {words.notes.map((note) => <li key={note}>{note}</li>)}
-        </ul>
-      )}
+      {words.notes.length > 0 && <ul className="guide-notes soft">{words.notes.map((note) => <li key={note}>{note}</li>)}</ul>}
     </>
   );
 }

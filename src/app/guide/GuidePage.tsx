@@ -37,7 +37,8 @@ function Shown({ path: [page, first, second] }: { readonly path: GuidePath }) {
   const cycle = cycleByNumber(Number(first));
   const param = second === undefined ? undefined : cycle?.params[second];
   if (!cycle || (second !== undefined && !param)) return <h1>{t.missing}</h1>;
-  return second !== undefined && param ? <ParameterPage key={path(cycle.number, second)} cycle={cycle} q={second} param={param} />
+  return second !== undefined && param
+    ? <ParameterPage key={path(cycle.number, second)} cycle={cycle} q={second} param={param} />
     : <CyclePage key={cycle.number} cycle={cycle} />;
 }
 const path = (cycle: number, q: string) => `${cycle}/${q}`;
@@ -70,12 +71,9 @@ export function GuidePage() {
         {page === "guide" && first !== undefined && (
           <button type="button" className="button plain" onClick={() => showGuide("guide")}>{t.cycles.title}</button>
         )}
-        {page === "guide" && (
-          <button type="button" className="button plain" onClick={() => showGuide("glossary")}>{t.glossary.open}</button>
-        )}
-        {page === "glossary" && (
-          <button type="button" className="button plain" onClick={() => showGuide("guide")}>{t.cycles.title}</button>
-        )}
+        {page === "guide" && <button type="button" className="button plain" onClick={() => showGuide("glossary")}>{t.glossary.open}
+        </button>}
+        {page === "glossary" && <button type="button" className="button plain" onClick={() => showGuide("guide")}>{t.cycles.title}</button>}
       </nav>
       <article className="guide-body">
         <Shown path={shown} />

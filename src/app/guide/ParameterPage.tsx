@@ -33,7 +33,11 @@ function Facts({ cycle, q, param }: Props) {
   const number = (value: number) => formatNumber(language, value, param.decimals);
   const unit = dialog.units[unitOf(param, true)];
   const perMinute = param.kind === "feed" && !param.perMinute ? `, ${dialog.units.perMinute}` : "";
-  const across = param.kind === "diameter" || param.kind === "oversizeDiameter" ? t.onDiameter : param.kind === "radial" ? t.onRadius : null;
+  const across = param.kind === "diameter" || param.kind === "oversizeDiameter"
+    ? t.onDiameter
+    : param.kind === "radial"
+    ? t.onRadius
+    : null;
   const rows: readonly (readonly [string, string])[] = [
     [t.asks, cycles.kinds[param.kind]],
     ...(param.choices ? [] : [[t.unit, unit === "" ? t.noUnit : unit + perMinute] as const]),
@@ -53,7 +57,9 @@ function Facts({ cycle, q, param }: Props) {
       {across && <p>{across}</p>}
       {param.optional && <p>{t.mayBeLeft}</p>}
       {param.reserved && <p>{t.reserved}</p>}
-      {(isRecalled(cycle) || param.evidence !== "A") && <p className="soft small">{isRecalled(cycle) ? dialog.recalled : dialog.evidence.parameter}</p>}
+      {(isRecalled(cycle) || param.evidence !== "A") && (
+        <p className="soft small">{isRecalled(cycle) ? dialog.recalled : dialog.evidence.parameter}</p>
+      )}
     </section>
   );
 }
@@ -114,10 +120,14 @@ export function ParameterPage({ cycle, q, param }: Props) {
         </h1>
         <p>{words.explanation}</p>
         <div className="guide-turns">
-          <button type="button" className="button" disabled={!before} aria-label={before && t.previousLong(before)} onClick={() => before && go(before)}>
+          <button type="button" className="button" disabled={!before} aria-label={before && t.previousLong(before)}
+            onClick={() => before && go(before)}
+          >
             <Icon name="up" /> {t.previous}
           </button>
-          <button type="button" className="button" disabled={!after} aria-label={after && t.nextLong(after)} onClick={() => after && go(after)}>
+          <button type="button" className="button" disabled={!after} aria-label={after && t.nextLong(after)}
+            onClick={() => after && go(after)}
+          >
             <Icon name="down" /> {t.next}
           </button>
         </div>
@@ -126,7 +136,8 @@ export function ParameterPage({ cycle, q, param }: Props) {
         <Facts cycle={cycle} q={q} param={param} />
         {read && !cycle.acts && (
           <div className="guide-help">
-            <HelpPicture cycle={cycle} values={read.reading.values as Numbers | null} given={givenOf(read)} activeQ={q} language={language} />
+            <HelpPicture cycle={cycle} values={read.reading.values as Numbers | null} given={givenOf(read)} activeQ={q}
+              language={language} />
           </div>
         )}
       </div>
@@ -134,9 +145,7 @@ export function ParameterPage({ cycle, q, param }: Props) {
       <div className="guide-columns">
         <section className="guide-mistakes" aria-label={t.mistakes}>
           <h2>{t.mistakes}</h2>
-          <ul>
-            {mistakes.map((sentence) => <li key={sentence}>{sentence}</li>)}
-          </ul>
+          <ul>{mistakes.map((sentence) => <li key={sentence}>{sentence}</li>)}</ul>
           <h2>{t.terms}</h2>
           <ul className="guide-terms">
             {termsOf(param).map((term) => (

@@ -90,7 +90,8 @@ export function StepPlayer({ cycle, run: { outcome, isOwn } }: { readonly cycle:
   const chosen = pieces[index];
   const position: PlayPosition = time?.at(seconds) ?? { step: 0, fraction: 0 };
   const running = steps[Math.min(position.step, steps.length - 1)];
-  const tip = running && (position.step >= steps.length ? running.move.to : part.pointOn(pathOf(running.from, running.move), position.fraction));
+  const tip = running
+    && (position.step >= steps.length ? running.move.to : part.pointOn(pathOf(running.from, running.move), position.fraction));
   const done = chosen?.piece ? steps.slice(chosen.piece.from, Math.min(chosen.piece.to, position.step + 1)) : [];
   const textOf = ({ run, number }: StepPiece) => words[run][number - 1] ?? "";
   const name = chosen ? `${acts[chosen.run]} ${chosen.number}: ${textOf(chosen)}` : "";
@@ -103,7 +104,10 @@ export function StepPlayer({ cycle, run: { outcome, isOwn } }: { readonly cycle:
           )}
         </CutPicture>
         <p className="step-said" role="status">
-          <b>{chosen && acts[chosen.run]} <span className="number">{chosen?.number}</span></b> {chosen && textOf(chosen)}
+          <b>
+            {chosen && acts[chosen.run]} <span className="number">{chosen?.number}</span>
+          </b>{" "}
+          {chosen && textOf(chosen)}
         </p>
         <div className="step-buttons">
           <button type="button" className="button" aria-label={t.previous} disabled={other(pieces, index, -1) === null}
@@ -119,8 +123,8 @@ export function StepPlayer({ cycle, run: { outcome, isOwn } }: { readonly cycle:
           >
             <Icon name="fold" />
           </button>
-          <button type="button" className="button" disabled={plays !== "no"} onClick={() =>
-            show({ index: Math.max(0, pieces.findIndex(({ piece }) => piece)), seconds: 0, plays: "all" })}
+          <button type="button" className="button" disabled={plays !== "no"}
+            onClick={() => show({ index: Math.max(0, pieces.findIndex(({ piece }) => piece)), seconds: 0, plays: "all" })}
           >
             {t.playAll}
           </button>
@@ -133,16 +137,18 @@ export function StepPlayer({ cycle, run: { outcome, isOwn } }: { readonly cycle:
           <div key={run}>
             <h3>{acts[run]}</h3>
             <ol>
-              {pieces.map((each, i) => each.run === run && (
-                <li key={each.number}>
-                  <button type="button" className="step-choice" aria-current={i === index ? "step" : undefined} disabled={!each.piece}
-                    onClick={() => choose(i)}
-                  >
-                    <span className="number">{each.number}</span> <span>{textOf(each)}</span>
-                    {!each.piece && <span className="small soft">{t.absent}</span>}
-                  </button>
-                </li>
-              ))}
+              {pieces.map((each, i) =>
+                each.run === run && (
+                  <li key={each.number}>
+                    <button type="button" className="step-choice" aria-current={i === index ? "step" : undefined} disabled={!each.piece}
+                      onClick={() => choose(i)}
+                    >
+                      <span className="number">{each.number}</span> <span>{textOf(each)}</span>
+                      {!each.piece && <span className="small soft">{t.absent}</span>}
+                    </button>
+                  </li>
+                )
+              )}
             </ol>
           </div>
         ))}

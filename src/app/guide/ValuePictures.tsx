@@ -67,7 +67,8 @@ function ValueCard({ q, param, of, tried, size }: CardProps) {
         {value === of.usual && <span className="small soft">{of.isOwn ? t.values.yours : t.values.printed}</span>}
       </h3>
       {meaning && <p>{meaning}</p>}
-      <CutPicture outcome={outcome} box={of.box} stock={outcome.simulation.final} steps={outcome.run.steps.filter((s) => s.operation !== null)}
+      <CutPicture outcome={outcome} box={of.box} stock={outcome.simulation.final}
+        steps={outcome.run.steps.filter((s) => s.operation !== null)}
         name={`${t.values.picture(q, text)}. ${facts.map((fact) => fact.join(" ")).join(", ")}`} />
       <dl className="value-facts">
         {facts.map(([name, fact]) => (
@@ -77,7 +78,7 @@ function ValueCard({ q, param, of, tried, size }: CardProps) {
           </div>
         ))}
       </dl>
-      <p className="value-change">{change ? changeText(t, language, change) : t.change.usual}</p>
+      {(change || tried.isUsual) && <p className="value-change">{change ? changeText(t, language, change) : t.change.usual}</p>}
       {issue && <p className={`field-message ${issue.severity}`}>{issueText(issue)}</p>}
     </li>
   );

@@ -40,14 +40,16 @@ const jobWith = (job: SetJob, values: Readonly<Record<string, number | "auto">>)
   },
 });
 
-/** The first candidate that makes a path, run; null where none does. */
+/** The first candidate that makes a path, run; the last one with what is wrong with it where none does. */
 async function firstThatRuns(job: SetJob, q: string, { tried, isUsual }: Candidates, goesOn: () => boolean) {
+  let last: { readonly value: number | "auto"; readonly isUsual: boolean; readonly outcome: Outcome } | null = null;
   for (const value of tried) {
     if (!goesOn()) return null;
     const outcome = await ranBeside(jobWith(job, { [q]: value }));
-    if (outcome && makesPath(outcome)) return { value, isUsual, outcome };
+    if (outcome) last = { value, isUsual, outcome };
+    if (outcome && makesPath(outcome)) break;
   }
-  return null;
+  return last;
 }
 
 /** Runs a cycle with the values that show a parameter; null where the cycle makes no path at all. */
@@ -62,12 +64,12 @@ async function tryValues(cycle: Cycle, q: string, goesOn: () => boolean): Promis
     for (const candidates of threeValues(cycle, q, { ...values, ...needed, [q]: usual }))
       found.push(await firstThatRuns(shown, q, candidates, goesOn));
     const ran = found.filter((each) => each !== null);
-    const compared = ran.find((each) => each.isUsual);
+    const compared = ran.find((each) => each.isUsual && makesPath(each.outcome));
     if (!compared) continue;
     const tried = ran.map((each): TriedValue => ({
       ...each,
       effect: shownEffect(each.outcome),
-      change: each === compared ? null : shownChange(each.outcome, compared.outcome),
+      change: each === compared || !makesPath(each.outcome) ? null : shownChange(each.outcome, compared.outcome),
     }));
     return { isOwn, usual, needed, tried, box: shownBox(ran.map(({ outcome }) => outcome)) };
   }

@@ -9,7 +9,7 @@ import { roughnessOf } from "../../sim/load/roughness.ts";
 import type { Simulation } from "../../sim/simulation.ts";
 
 /** A program that was run and proved. */
-export interface Ran {
+export interface RanProgram {
   readonly run: Run;
   readonly simulation: Simulation;
 }
@@ -42,12 +42,14 @@ export interface ShownChange {
 const WEIGHT = { error: 0, warning: 1, info: 2 } as const;
 
 /** True when a program has a path and nothing that the control would refuse. */
-export const makesPath = ({ run }: Ran): boolean =>
+export const makesPath = ({ run }: Pick<RanProgram, "run">): boolean =>
   run.operations.some(({ plan }) => plan.moves.length > 0) && run.issues.every(({ issue }) => issue.severity !== "error");
 
 /** The numbers of a run. */
-export function shownEffect({ run, simulation }: Ran): ShownEffect {
-  const heights = roughnessOf(simulation.final, run.steps, run.spindles).flatMap(({ by, rz }) => (by === "nose" && rz !== null ? [rz] : []));
+export function shownEffect({ run, simulation }: RanProgram): ShownEffect {
+  const heights = roughnessOf(simulation.final, run.steps, run.spindles).flatMap(
+    ({ by, rz }) => (by === "nose" && rz !== null ? [rz] : [])
+  );
   return {
     passes: run.operations.reduce((sum, { plan }) => sum + plan.passes, 0),
     infeed: run.operations[0]?.plan.infeed ?? 0,
@@ -61,11 +63,11 @@ export function shownEffect({ run, simulation }: Ran): ShownEffect {
 }
 
 /** Where two parts differ, slivers of rounding left out. */
-export const differing = (a: Ran, b: Ran): readonly Ring[] =>
+export const differing = (a: RanProgram, b: RanProgram): readonly Ring[] =>
   opened([...difference(a.simulation.final, b.simulation.final), ...difference(b.simulation.final, a.simulation.final)], SLIVER);
 
 /** What one run changes against another. */
-export function shownChange(a: Ran, b: Ran): ShownChange {
+export function shownChange(a: RanProgram, b: RanProgram): ShownChange {
   const [one, other] = [shownEffect(a), shownEffect(b)];
   return {
     passes: one.passes - other.passes,
@@ -79,18 +81,20 @@ export function shownChange(a: Ran, b: Ran): ShownChange {
 /** A difference of the part shows in a picture of no less than so many mm. */
 const LEAST = 8;
 /** Space round what is looked at, of its size. */
-const ROUND_IT = 0.35;
+const ROUND_IT = 0.14;
 
 /** The box of the part that all pictures of a parameter show: where the parts differ, or else where the tool cuts. mm, half plane. */
-export function shownBox(all: readonly Ran[]): Box {
+export function shownBox(all: readonly RanProgram[]): Box {
   const [first] = all;
   const differs = first ? all.flatMap((ran) => differing(ran, first)) : [];
-  const cuts = all.flatMap(({ run }) => run.steps.flatMap(({ from, move, operation }) => operation !== null && move.kind !== "rapid" ? [from, move.to] : []));
+  const cuts = all.flatMap(({ run }) =>
+    run.steps.flatMap(({ from, move, operation }) => operation !== null && move.kind !== "rapid" ? [from, move.to] : [])
+  );
   const rings = differs.length > 0 ? differs : cuts.length > 0 ? [cuts] : first?.run.blank ?? [];
   const box = boxAround(rings);
   const size = Math.max(box.right - box.left, box.high - box.low, LEAST);
   const grown = (low: number, high: number): readonly [number, number] => {
-    const by = Math.max((size * ROUND_IT), (LEAST - (high - low)) / 2);
+    const by = Math.max(size * ROUND_IT, (LEAST - (high - low)) / 2);
     return [low - by, high + by];
   };
   const [left, right] = grown(box.left, box.right);

@@ -16,8 +16,8 @@ const LESS: Shares = [0.25, 0.4, 0.6, 0.8];
 const MORE: Shares = [4, 2.5, 1.6, 1.2];
 const SHARES: Partial<Record<Kind, readonly [less: Shares, more: Shares]>> = {
   feed: [[0.5, 0.7, 0.85], [2, 1.5, 1.2]],
-  radial: [[0.33, 0.5, 0.75], [2, 1.5, 1.2]],
-  axialDepth: [[0.33, 0.5, 0.75], [2, 1.5, 1.2]],
+  radial: [[1 / 3, 0.5, 0.75], [2, 1.5, 1.2]],
+  axialDepth: [[1 / 3, 0.5, 0.75], [2, 1.5, 1.2]],
   oversizeDiameter: [[0], [5, 3, 2]],
   factor: [[0.5, 0.75], [1.25, 1.1]],
   percent: [[0.5], [1.5]],
@@ -82,7 +82,8 @@ export function threeValues(cycle: Pick<Cycle, "params">, q: string, values: Som
     return [...one([usual], true), ...one(inRange(param, [some])), ...one(inRange(param, [much]))];
   }
   const [less, more] = SHARES[param.kind] ?? [LESS, MORE];
-  const times = (shares: Shares) => [...new Set(inRange(param, shares.map((share) => to(usual * share, decimals))))].filter((v) => v !== usual);
+  const times = (shares: Shares) =>
+    [...new Set(inRange(param, shares.map((share) => to(usual * share, decimals))))].filter((v) => v !== usual);
   return [...one(times(less)), ...one([usual], true), ...one(times(more))].sort(byMagnitude);
 }
 
