@@ -1,12 +1,15 @@
-import { Suspense, useEffect, type ReactNode } from "react";
+import { Suspense, useEffect, useMemo, type ReactNode } from "react";
+import { knownWork } from "../../program/known-work.ts";
 import { MachineView } from "../approach/MachineView.tsx";
 import { clock } from "../clock.ts";
 import { HelpDock } from "../dialog/HelpDock.tsx";
 import { PinnedCard } from "../effect/Pinned.tsx";
+import { givenOf } from "../engine/given.ts";
 import { Working } from "../engine/Working.tsx";
 import { useOutcome } from "../engine/outcome.ts";
 import { FindingsPanel } from "../findings/FindingsPanel.tsx";
 import { useListed } from "../findings/use-findings.ts";
+import { useLater } from "../Late.tsx";
 import { MeasuredInto } from "../lathe/measured-into.ts";
 import { LeavingDialog } from "../leaving/LeavingDialog.tsx";
 import { useMeasuredTarget } from "../measured-target.ts";
@@ -17,6 +20,7 @@ import { PrintedProgram } from "../program/PrintedProgram.tsx";
 import { SectionTabs } from "../SectionTabs.tsx";
 import { useTexts } from "../settings/use-texts.ts";
 import { beforeLeaving, useEditor } from "../store.ts";
+import { useToolList } from "../tools/work-tools.ts";
 import { thirdColumn, useThirdColumn } from "../use-media.ts";
 import { BlockPanel } from "./BlockPanel.tsx";
 import { followProgram } from "./follow.ts";
@@ -73,7 +77,16 @@ export function ProgramWorkplace() {
   const findings = useListed();
   const host = useProgramHost();
   const inserting = useInserting();
-  const measured = useMeasuredTarget(useOpenBlock().read, setBlockPrompt);
+  const { read } = useOpenBlock(), late = useLater(read), tools = useToolList();
+  const measured = useMeasuredTarget(read, setBlockPrompt);
+  // Blank, tool and start are those of the program: of what is typed only the contour of the block is drawn.
+  const known = useMemo(
+    () =>
+      late && shown?.run.datums.length === 0
+        ? { ...knownWork(late.cycle, late.job, late.reading, givenOf(late), tools), blank: [], start: null, tool: null }
+        : null,
+    [late, shown, tools],
+  );
   useProgramSession();
   const possible: readonly ProgramSection[] = [...(wide ? [] : ["text" as const]), "block", "structure", "findings"];
   const open = possible.find((section) => section === asked) ?? (wide ? "structure" : "text");
@@ -96,7 +109,8 @@ export function ProgramWorkplace() {
       <TotalsStrip />
       <div className="centre">
         <MeasuredInto value={measured}>
-          <MachineView result={shown} dimmed={dimmed} playback={playback} clock={clock} onMove={openMove} />
+          <MachineView result={shown} known={open === "block" ? known : null} dimmed={dimmed} playback={playback} clock={clock}
+            onMove={openMove} />
         </MeasuredInto>
         <HelpDock />
         <PinnedCard />

@@ -5,6 +5,7 @@ import type { Language } from "../../i18n/languages.ts";
 import { axial, diameter, radius, toRadius } from "../../kernel/units.ts";
 import { toScreen } from "../../view/camera.ts";
 import type { Texts } from "../../i18n/index.ts";
+import { usePlace } from "../place.ts";
 import { useSettings } from "../settings/settings.ts";
 import { SCALE_BELOW, SCALE_LEFT } from "./Axes.tsx";
 import { useCamera } from "./use-camera.ts";
@@ -41,6 +42,17 @@ function spread(places: readonly number[], apart: number): readonly number[] {
     (rows[row] ??= []).push(place);
     return row;
   });
+}
+
+/**
+ * The position that the open prompt asks for, as a line through a picture that has its path; as long as the values make no contour, all of
+ * them.
+ */
+export function AskedMarks({ viewport, known }: { readonly viewport: Viewport; readonly known: KnownWork }) {
+  const asked = usePlace((p) => p.prompt), { outline, points } = known;
+  const positions = outline.whole ? outline.positions.filter(({ q }) => q === asked) : outline.positions;
+  if (positions.length === 0) return null;
+  return <KnownMarks viewport={viewport} known={{ ...known, outline: { ...outline, positions }, points: outline.whole ? [] : points }} />;
 }
 
 /** The positions that are typed so far as lines through the picture, and the corners that they make. */

@@ -23,7 +23,7 @@ import { ChosenPath, HoveredMove } from "./Chosen.tsx";
 import { GhostPaths } from "./Ghost.tsx";
 import { GlyphButton } from "./GlyphButton.tsx";
 import { pressKey } from "./keys.ts";
-import { KnownMarks, knownText } from "./KnownMarks.tsx";
+import { AskedMarks, KnownMarks, knownText } from "./KnownMarks.tsx";
 import { Legend } from "./Legend.tsx";
 import { Marks } from "./Marks.tsx";
 import { MoveTable } from "./MoveTable.tsx";
@@ -95,7 +95,7 @@ export type MovePointed = (step: number, byKey?: boolean) => void;
 /** The lathe: picture, playback, timeline, findings. Keeps showing the last result it was given, dimmed when told so. */
 export function LatheView({ result, known = null, dimmed, playback, clock, onMove }: {
   readonly result: LatheResult | null;
-  /** What is typed so far: drawn as long as there is no contour in the result. */
+  /** What is typed so far: drawn as long as there is no contour in the result, and then the position of the open prompt. */
   readonly known?: KnownWork | null;
   /** The picture is older than what was typed. */
   readonly dimmed: boolean;
@@ -198,6 +198,7 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
               <Marks viewport={viewport} starts={starts} datum={datum} />
               <LoadPart.Mark run={run} viewport={viewport} />
               {typed && <KnownMarks viewport={viewport} known={typed} />}
+              {!typed && known && <AskedMarks viewport={viewport} known={known} />}
               {run.steps.length > 0 && <ToolAway viewport={viewport} playback={playback} steps={run.steps} />}
               {leads.length > 0 && (
                 <Suspense>
