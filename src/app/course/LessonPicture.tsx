@@ -73,7 +73,9 @@ export function LessonPicture({ outcome, page, dimmed }: { readonly outcome: Out
   const passes = usePasses(run);
   const scene = useMemo(() => sceneOfRun(run, passes.whole), [run, passes]);
   const still = reducedMotion({ motion });
-  const stretch = useStretch(playback, run, played, { page: page.key, at: still && page.begins === "play" ? "start" : page.begins });
+  // As long as the run is that of the page before, this page has not been opened yet: it begins when its own run is here.
+  const opened = dimmed ? `${page.key} waits` : page.key;
+  const stretch = useStretch(playback, run, played, { page: opened, at: still && page.begins === "play" ? "start" : page.begins });
   const stage = useSized(viewport);
   const told: Told | null = page.shows === undefined || page.shows === "residue" ? null : page.shows;
   useLessonLoad(outcome, told);
