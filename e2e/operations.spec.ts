@@ -24,6 +24,12 @@ test("operations of the flange are doubled, moved, switched off and taken back t
   await editor.operationTool("up").click();
   expect(await text()).toBe(flange);
 
+  // Taken by its grip it goes where it is let go.
+  await editor.dragOperation(3, 4);
+  await expect(editor.total(t.editor.toolChanges)).toHaveText("8");
+  await editor.dragOperation(4, 3);
+  expect(await text()).toBe(flange);
+
   await editor.operationTool("duplicate").click();
   await expect(editor.total(t.editor.operations)).toHaveText("9");
   await editor.operationTool("remove").click();

@@ -112,6 +112,21 @@ export class ProgramEditor {
     });
   }
 
+  /** Takes an operation by its grip to the place of another one; both are counted from 1. */
+  async dragOperation(number: number, to: number): Promise<void> {
+    const { page: { mouse }, t } = this.context;
+    const row = (each: number) => this.operation(each).locator("xpath=ancestor::li[1]");
+    const grip = row(number).getByTitle(t.operations.drag), target = await row(to).boundingBox();
+    await grip.scrollIntoViewIfNeeded();
+    const from = await grip.boundingBox();
+    if (!from || !target) throw new Error("the operations are not in sight");
+    const x = from.x + from.width / 2;
+    await mouse.move(x, from.y + from.height / 2);
+    await mouse.down();
+    await mouse.move(x, target.y + 12, { steps: 4 });
+    await mouse.up();
+  }
+
   /** What can be done with the open operation. */
   operationTool(name: "duplicate" | "up" | "down" | "switchOff" | "switchOn" | "retool" | "remove"): Locator {
     return this.context.page.getByRole("button", { name: this.context.t.operations[name], exact: true });

@@ -28,6 +28,11 @@ interface Props {
   readonly onDrop: (to: number) => void;
 }
 
+/** Marks the place where what is dragged would go; none for null. */
+function markPlace(list: Element | null, to: number | null): void {
+  [...(list?.children ?? [])].forEach((item, i) => item.classList.toggle("is-target", i === to));
+}
+
 /** The place in the list over which a pointer is. */
 function placeAt(list: Element | null, y: number): number {
   const items = [...(list?.children ?? [])];
@@ -54,6 +59,10 @@ export function OperationItem({ row, last, isCurrent, isOpen, index, onAct, onDr
     </button>
   );
   const tied = row.tie !== null;
+  const endDrag = () => {
+    item.current?.classList.remove("is-dragged");
+    markPlace(item.current?.parentElement ?? null, null);
+  };
   return (
     <li ref={item} className={`operation${row.isOff ? " is-off" : ""}`} aria-current={isCurrent ? "step" : undefined}>
       <div className="operation-head">
@@ -81,11 +90,14 @@ export function OperationItem({ row, last, isCurrent, isOpen, index, onAct, onDr
           <span className="operation-grip" aria-hidden="true" title={words.drag} onPointerDown={(event) => {
             event.currentTarget.setPointerCapture(event.pointerId);
             item.current?.classList.add("is-dragged");
+          }} onPointerMove={(event) => {
+            const list = item.current?.classList.contains("is-dragged") ? item.current.parentElement : null;
+            if (list) markPlace(list, placeAt(list, event.clientY));
           }} onPointerUp={(event) => {
             if (!item.current?.classList.contains("is-dragged")) return;
-            item.current.classList.remove("is-dragged");
+            endDrag();
             onDrop(placeAt(item.current.parentElement, event.clientY));
-          }} onPointerCancel={() => item.current?.classList.remove("is-dragged")}>
+          }} onPointerCancel={endDrag}>
             ⠿
           </span>
         )}
