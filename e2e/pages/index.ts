@@ -1,6 +1,7 @@
 /** What the build hands to other test projects as dist/playwright.mjs: nothing else of this folder is meant for them. */
 export { Comparison } from "./comparison.ts";
 export { ContourTable } from "./contour-table.ts";
+export { Course } from "./course.ts";
 export { Dialog } from "./dialog.ts";
 export { Effect } from "./effect.ts";
 export { Findings } from "./findings.ts";

@@ -30,7 +30,7 @@ export class SettingsPage {
     await this.context.page.getByRole("button", { name: texts(language).page.close, exact: true }).click();
   }
 
-  /** The button that saves all works, tools, own cycles and settings as one file. */
+  /** The button that saves all works, tools, own cycles, settings and the progress of the course as one file. */
   get saveAll(): Locator {
     return this.dialog.getByRole("button", { name: this.device.exportLong, exact: true });
   }

@@ -3,6 +3,7 @@ import { texts, type TableTexts, type Texts } from "../../src/i18n/index.ts";
 import type { Language } from "../../src/i18n/languages.ts";
 import { Comparison } from "./comparison.ts";
 import { ContourTable } from "./contour-table.ts";
+import { Course } from "./course.ts";
 import { Dialog } from "./dialog.ts";
 import { Effect } from "./effect.ts";
 import { OwnCycles } from "./own-cycles.ts";
@@ -53,6 +54,7 @@ export class Turnwise {
   readonly handing: Handing;
   readonly comparison: Comparison;
   readonly sheet: SetupSheetPage;
+  readonly course: Course;
   readonly t: Texts & TableTexts;
 
   private constructor(readonly page: Page, readonly language: Language) {
@@ -74,6 +76,7 @@ export class Turnwise {
     this.handing = new Handing(context);
     this.comparison = new Comparison(context);
     this.sheet = new SetupSheetPage(context);
+    this.course = new Course(context);
   }
 
   /** Opens the page as a first-time visitor of this language would see it. */

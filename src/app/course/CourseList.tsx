@@ -26,9 +26,9 @@ function LessonRow({ lesson, isNext }: { readonly lesson: LessonEntry; readonly 
     <li className="lesson-row" data-next={isNext}>
       <a className="lesson-link" href={courseHref(lesson.id)} aria-describedby={`aim-${lesson.id}`}>
         <span className="lesson-number number" aria-hidden="true">{lesson.number}</span>
-        <h3>
+        <h2>
           <span className="unseen">{t.lesson(String(lesson.number))}:</span> {lesson.title}
-        </h3>
+        </h2>
       </a>
       <p id={`aim-${lesson.id}`} className="lesson-aim soft">{lesson.aim}</p>
       <p className="lesson-progress small">
@@ -61,7 +61,10 @@ export function CourseList() {
   return (
     <main className="course-page course-list">
       <div className="course-head">
-        <p className="soft">{t.lead}</p>
+        <div className="course-lead">
+          <h1>{t.title}</h1>
+          <p className="soft">{t.lead}</p>
+        </div>
         {next && (
           <a className="button primary" href={courseHref(next.id, last?.lesson === next.id ? last.page : 1)}>
             {t.goOn(String(next.number), next.title)}

@@ -28,7 +28,9 @@ export function LessonBar({ playback, stretch, run }: { readonly playback: Playb
   const { now, length } = stretch;
   useEachReading(playback, useCallback(() => {
     if (input.current) input.current.value = String(length > 0 ? (PARTS * now()) / length : 0);
-    const running = runningText(texts, language, run, playback.shown());
+    const position = playback.shown();
+    const isCalled = (run.steps[position.step]?.operation ?? null) !== null;
+    const running = isCalled ? runningText(texts, language, run, position) : null;
     const text = running ? [running.pass, running.step].filter((each) => each !== "").join(" · ") : "";
     if (said.current && said.current.textContent !== text) said.current.textContent = text;
     // eslint-disable-next-line react-hooks/exhaustive-deps -- `now` is made anew with each render and reads the same playback

@@ -104,30 +104,32 @@ export function LessonPicture({ outcome, page, dimmed }: { readonly outcome: Out
   const drawn = section === "full" ? "full" : "half";
   return (
     <section className="lesson-picture" aria-label={t.picture.name}>
-      <div ref={stage} className={`lathe-stage${dimmed ? " dimmed" : ""}${ended ? " ended" : ""}`}>
-        <Picture viewport={viewport} scene={scene} moving={moving} waiting={null} findings={simulation.findings}
-          residual={ended ? simulation.proof.residual : NOTHING} section={drawn} name={texts.lathe.pictures[drawn](state)}
-          path={passes.stretches} ghosts={null} chosen={told && (
-          <Suspense>
-            <LoadLines of={told} run={run} shown={EVERY} />
-          </Suspense>
-        )} hovered={null}>
-          <Marks viewport={viewport} starts={starts} datum={datum} />
-          {told && (
+      <div className="lesson-lathe">
+        <div ref={stage} className={`lathe-stage${dimmed ? " dimmed" : ""}${ended ? " ended" : ""}`}>
+          <Picture viewport={viewport} scene={scene} moving={moving} waiting={null} findings={simulation.findings}
+            residual={ended ? simulation.proof.residual : NOTHING} section={drawn} name={texts.lathe.pictures[drawn](state)}
+            path={passes.stretches} ghosts={null} chosen={told && (
             <Suspense>
-              <LoadMark of={told} run={run} viewport={viewport} />
+              <LoadLines of={told} run={run} shown={EVERY} />
             </Suspense>
-          )}
-          {leads.length > 0 && (
-            <Suspense>
-              <TurnPoints viewport={viewport} approaches={leads} />
-            </Suspense>
-          )}
-          <PlaceLines viewport={viewport} places={seen} />
-        </Picture>
-        <PlaceButtons viewport={viewport} places={seen} chosen={chosen} choose={choose} />
+          )} hovered={null}>
+            <Marks viewport={viewport} starts={starts} datum={datum} />
+            {told && (
+              <Suspense>
+                <LoadMark of={told} run={run} viewport={viewport} />
+              </Suspense>
+            )}
+            {leads.length > 0 && (
+              <Suspense>
+                <TurnPoints viewport={viewport} approaches={leads} />
+              </Suspense>
+            )}
+            <PlaceLines viewport={viewport} places={seen} />
+          </Picture>
+          <PlaceButtons viewport={viewport} places={seen} chosen={chosen} choose={choose} />
+        </div>
+        <LessonBar playback={playback} stretch={stretch} run={run} />
       </div>
-      <LessonBar playback={playback} stretch={stretch} run={run} />
       <LessonFacts outcome={outcome} played={played} told={told} />
     </section>
   );

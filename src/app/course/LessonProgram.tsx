@@ -8,7 +8,7 @@ export function LessonProgram({ lines }: { readonly lines: readonly string[] }) 
   return (
     <details className="lesson-program">
       <summary>{t.program}</summary>
-      <pre className="number" tabIndex={0} aria-label={t.program}>{lines.join("\n")}</pre>
+      <pre className="number" role="group" tabIndex={0} aria-label={t.program}>{lines.join("\n")}</pre>
       <button type="button" className="button" onClick={() => openToTry(lines)}>
         <Icon name="rename" /> {t.openProgram}
       </button>

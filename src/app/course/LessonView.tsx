@@ -92,7 +92,7 @@ function useWays(entry: LessonEntry, at: LessonPage) {
   const after = typeof at === "number" && at < entry.pages ? at + 1 : "tasks";
   const back = at === "tasks" ? entry.pages : at - 1;
   return {
-    back: back >= 1 ? { lesson: entry.id, page: back, name: t.previous } : { lesson: null, page: 1, name: t.toList },
+    back: back >= 1 ? { lesson: entry.id, page: back, name: t.previous } : null,
     on: at === "tasks"
       ? next ? { lesson: next.id, page: 1, name: t.nextLesson(String(next.number), next.title) } : null
       : { lesson: entry.id, page: after as LessonPage, name: after === "tasks" ? t.toTasks : t.next },
@@ -137,13 +137,11 @@ function OpenLesson({ entry }: { readonly entry: LessonEntry }) {
           : <LessonTasks lesson={lesson} entry={entry} aim={words.aim} />}
       </div>
       <footer className="lesson-foot">
-        <a className="button" href={courseHref(back.lesson, back.page)}>
-          <Icon name="back" /> {back.name}
-        </a>
+        <span className="lesson-foot-side">{back && <a className="button" href={courseHref(back.lesson, back.page)}>{back.name}</a>}</span>
         <span className="soft small" aria-hidden="true">
           {typeof at === "number" ? t.pageOf(String(at), String(entry.pages)) : t.tasks}
         </span>
-        {on && <a className="button primary" href={courseHref(on.lesson, on.page)}>{on.name}</a>}
+        <span className="lesson-foot-side">{on && <a className="button primary" href={courseHref(on.lesson, on.page)}>{on.name}</a>}</span>
       </footer>
     </main>
   );

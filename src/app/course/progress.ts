@@ -13,13 +13,6 @@ export interface Learning {
 
 export const useLearning = create<Learning>(() => ({ list: NO_PROGRESS, trouble: "none" }));
 
-const put = (list: CourseProgress): void => useLearning.setState({ list });
-const change = (by: (progress: CourseProgress) => CourseProgress): void => {
-  const { list } = useLearning.getState();
-  const next = by(list);
-  if (next !== list) put(next);
-};
-
 /** Where the progress is kept. */
 export const PROGRESS_KEY = "turnwise/course";
 
@@ -43,6 +36,14 @@ export function startLearning(): void {
   });
 }
 
+const put = (list: CourseProgress): void => useLearning.setState({ list });
+const change = (by: (progress: CourseProgress) => CourseProgress): void => {
+  startLearning();
+  const { list } = useLearning.getState();
+  const next = by(list);
+  if (next !== list) put(next);
+};
+
 /** What is known of a task, by its id. */
 export const taskProgress = (task: string): TaskProgress => progressOfTask(useLearning.getState().list, task);
 export const useTaskProgress = (task: string): TaskProgress => useLearning((s) => progressOfTask(s.list, task));
@@ -59,13 +60,21 @@ export const notePass = (task: string, worth: Omit<PassedAnswer, "when"> = {}): 
 /** A page of a lesson was opened. */
 export const noteLessonPage = (at: CourseMark): void => change((now) => withPlace(now, at));
 
+/** Puts another progress in place, as a step of undo. */
+function replace(next: CourseProgress): void {
+  const { list } = useLearning.getState();
+  put(next);
+  noteChange(put, list, next);
+}
+
 /** Takes what was reached on another device; what is better here stays. */
-export const bringProgress = (brought: CourseProgress): void => change((now) => mergedProgress(now, brought));
+export function bringProgress(brought: CourseProgress): void {
+  startLearning();
+  replace(mergedProgress(useLearning.getState().list, brought));
+}
 
 /** The course begins anew: one step, which undo takes back. */
 export function beginCourseAnew(): void {
-  const { list } = useLearning.getState();
-  if (isEmptyProgress(list)) return;
-  put(NO_PROGRESS);
-  noteChange(put, list, NO_PROGRESS);
+  startLearning();
+  if (!isEmptyProgress(useLearning.getState().list)) replace(NO_PROGRESS);
 }

@@ -2,6 +2,7 @@ import fc from "fast-check";
 import { strToU8, unzipSync, zipSync } from "fflate";
 import { expect, test } from "vitest";
 import { catalogue } from "../../cycles/index.ts";
+import { NO_PROGRESS, withHint, withPass, withPlace } from "../../course/progress.ts";
 import { exampleJob } from "../../program/job.ts";
 import { shippedList } from "../../program/tool-list.ts";
 import { readSettings } from "../settings/settings.ts";
@@ -32,6 +33,14 @@ const own = [{
 }];
 const tools = shippedList.map((row, i) => (i === 1 ? { ...row, cells: { ...row.cells, RS: "0,41x" } } : row));
 const settings = { ...readSettings(null), language: "fr" as const, xDown: true };
+const course = withPlace(
+  withPass(withHint(NO_PROGRESS, "l03-thicker-bar", 2), "l03-thicker-bar", { when: 1_795_395_781_123, seconds: 41.7 }),
+  {
+    lesson: "first-shoulder",
+    number: 3,
+    page: "tasks",
+  },
+);
 const read = (bytes: Uint8Array): ReadArchive => {
   const found = readArchive(bytes);
   if ("problem" in found) throw new Error(found.problem);
@@ -40,7 +49,7 @@ const read = (bytes: Uint8Array): ReadArchive => {
 
 test("whatever is packed is found again, what is typed wrong and drafts of other cycles included", () => {
   fc.assert(fc.property(works, fc.boolean(), (all, whole) => {
-    const rest = whole ? { tools, own, settings } : { tools: null, own: null, settings: null };
+    const rest = whole ? { tools, own, settings, course } : { tools: null, own: null, settings: null, course: null };
     const found = read(writeArchive({ works: all, ...rest }));
     expect(found).toEqual({ works: all, ...rest, unread: [], unreadParts: [] });
   }), { numRuns: 60 });

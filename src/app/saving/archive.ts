@@ -1,4 +1,5 @@
 import { strFromU8, strToU8, unzipSync, zipSync, type Zippable } from "fflate";
+import { readProgress, type CourseProgress } from "../../course/progress.ts";
 import type { OwnList } from "../../program/own-library.ts";
 import { writeLibrary } from "../../program/own-library.ts";
 import type { ToolList } from "../../program/tool-list.ts";
@@ -35,14 +36,20 @@ export interface ArchiveContent {
   readonly tools: ToolList | null;
   readonly own: OwnList | null;
   readonly settings: Settings | null;
+  /** What was reached in the course. */
+  readonly course: CourseProgress | null;
 }
+
+/** The parts of an archive beside its works. */
+const PARTS = ["tools", "own", "settings", "course"] as const;
+type Part = (typeof PARTS)[number];
 
 /** A read archive. What of it cannot be read is named and stops nothing. */
 export interface ReadArchive extends ArchiveContent {
   /** Names of works that are damaged, or that only a newer edition can read. */
   readonly unread: readonly string[];
   /** Parts beside the works that are damaged. */
-  readonly unreadParts: readonly ("tools" | "own" | "settings")[];
+  readonly unreadParts: readonly Part[];
 }
 
 /** Why a file brings nothing: it is of another kind, was altered on its way, holds more than is unpacked, or a newer edition wrote it. */
@@ -110,7 +117,9 @@ const [EARLIEST, LATEST] = [Date.UTC(1980, 0, 2), Date.UTC(2099, 11, 30)];
 const zipTime = (time: number): number => Math.min(Math.max(Number.isFinite(time) ? time : EARLIEST, EARLIEST), LATEST);
 
 /** Packs works, and what else is given, into one file. */
-export function writeArchive({ works, tools = null, own = null, settings = null }: Partial<ArchiveContent>): Uint8Array<ArrayBuffer> {
+export function writeArchive({ works, tools = null, own = null, settings = null, course = null }: Partial<ArchiveContent>): Uint8Array<
+  ArrayBuffer
+> {
   const all = works ?? [];
   const mtime = zipTime(Math.max(EARLIEST, ...all.map(({ savedAt }) => savedAt)));
   const manifest = {
@@ -119,6 +128,7 @@ export function writeArchive({ works, tools = null, own = null, settings = null 
     ...(tools && { tools: sealed(keptTable(tools)) }),
     ...(own && { own: sealed({ version: 1, cycles: own }) }),
     ...(settings && { settings: sealed(settings) }),
+    ...(course && { course: sealed(course) }),
   };
   const files: Zippable = { [MANIFEST]: [strToU8(JSON.stringify(manifest)), { mtime }] };
   const folderOf = namer();
@@ -170,12 +180,17 @@ function worksOf(raw: readonly unknown[]): Pick<ReadArchive, "works" | "unread">
 }
 
 function contentOf(raw: Readonly<Record<string, unknown>>): ReadArchive {
-  const part = <T>(name: "tools" | "own" | "settings", read: (text: string) => T | null): T | null => {
+  const part = <T>(name: Part, read: (text: string) => T | null): T | null => {
     const content = unsealed(raw[name]);
     return isRecord(content) ? read(JSON.stringify(content)) : null;
   };
-  const parts = { tools: part("tools", readKept), own: part("own", readKeptOwn), settings: part("settings", readSettings) };
-  const unreadParts = (["tools", "own", "settings"] as const).filter((name) => raw[name] !== undefined && parts[name] === null);
+  const parts = {
+    tools: part("tools", readKept),
+    own: part("own", readKeptOwn),
+    settings: part("settings", readSettings),
+    course: part("course", readProgress),
+  };
+  const unreadParts = PARTS.filter((name) => raw[name] !== undefined && parts[name] === null);
   return { ...worksOf(Array.isArray(raw["works"]) ? raw["works"] : []), ...parts, unreadParts };
 }
 

@@ -11,7 +11,8 @@ import { KeptWorks, openKept } from "./KeptWorks.tsx";
 import { openExample, ProgramStart } from "./ProgramStart.tsx";
 import { usePictures } from "./use-pictures.ts";
 
-/** It comes a moment after the rest, into a place that is kept for it. */
+/** They come a moment after the rest, into places that are kept for them. */
+const CourseEntrance = lazyPart(async () => ({ default: (await import("../course/CourseEntrance.tsx")).CourseEntrance }));
 const Welcome = lazyPart(async () => ({ default: (await import("./Welcome.tsx")).Welcome }));
 
 /** Needs the catalogue, which is fetched while the operator looks. */
@@ -91,6 +92,11 @@ export function StartPage() {
       <div className="start-lead">
         <h1>{words.title}</h1>
         <p className="soft">{words.lead}</p>
+        <div className="course-place">
+          <Suspense>
+            <CourseEntrance />
+          </Suspense>
+        </div>
       </div>
       <KeptWorks />
       {!returns && welcome}

@@ -5,7 +5,8 @@ import { Icon } from "../Icon.tsx";
 import type { ReadArchive } from "../saving/archive.ts";
 import { useFirstTexts } from "../settings/use-first-texts.ts";
 import { endBringing, type Bringing } from "./bring-in-place.ts";
-import { missingOwn, missingTools, statesOf, tablesHere, takeArchive, type ArchivedState, type TableChoice } from "./take-archive.ts";
+import { bringsCourse, missingOwn, missingTools, statesOf, tablesHere, takeArchive, type ArchivedState,
+  type TableChoice } from "./take-archive.ts";
 import { useDeviceTexts } from "./use-device-texts.ts";
 import { useModal } from "../use-modal.ts";
 import "./works.css";
@@ -50,23 +51,25 @@ function Content({ archive, t, onDone }: { readonly archive: ReadArchive; readon
   const [tools, chooseTools] = useState<TableChoice>("keep");
   const [own, chooseOwn] = useState<TableChoice>("keep");
   const [settings, takeSettings] = useState(false);
+  const [course, takeCourse] = useState(true);
   const [busy, work] = useState(false);
   const [here] = useState(tablesHere);
   useEffect(() => void statesOf(archive.works).then(setStates), [archive]);
   if (!states) return null;
   const toolsMissing = archive.tools && missingTools(archive.tools, here.tools);
   const ownMissing = archive.own && missingOwn(archive.own, here.own);
+  const hasCourse = archive.course !== null && bringsCourse(archive.course, here.course);
   const isNew = (i: number) => states[i] !== "same";
   const chosen = archive.works.filter((_, i) => isNew(i) && !without.has(i));
   const fresh = archive.works.filter((_, i) => isNew(i)).length;
-  const nothing = chosen.length === 0 && tools === "keep" && own === "keep" && !settings;
+  const nothing = chosen.length === 0 && tools === "keep" && own === "keep" && !settings && !(hasCourse && course);
   const take = async () => {
     work(true);
-    const { kept, full } = await takeArchive(archive, { works: chosen, tools, own, settings });
+    const { kept, full } = await takeArchive(archive, { works: chosen, tools, own, settings, course: hasCourse && course });
     onDone([
       ...(chosen.length > 0 ? [t.done(kept)] : []),
       ...(full > 0 ? [t.notKept(full)] : []),
-      ...(tools !== "keep" || own !== "keep" ? [t.doneBeside] : []),
+      ...(tools !== "keep" || own !== "keep" || (hasCourse && course) ? [t.doneBeside] : []),
     ]);
   };
   return (
@@ -109,6 +112,19 @@ function Content({ archive, t, onDone }: { readonly archive: ReadArchive; readon
       )}
       {archive.own && archive.own.length > 0 && (
         <TableWays name={t.own(archive.own.length)} missing={ownMissing?.length ?? null} choice={own} t={t} onChoose={chooseOwn} />
+      )}
+      {archive.course && !hasCourse && (
+        <p>
+          {t.course} · <span className="soft">{t.sameTable}</span>
+        </p>
+      )}
+      {hasCourse && (
+        <label className="bring-settings">
+          <input type="checkbox" checked={course} onChange={() => takeCourse(!course)} />
+          <span>
+            {t.course} <span className="small soft">{t.courseLong}</span>
+          </span>
+        </label>
       )}
       {archive.settings && (
         <label className="bring-settings">

@@ -1,5 +1,7 @@
 import { time } from "../clock.ts";
 import { downloadBytes } from "../files/download.ts";
+import { isEmptyProgress } from "../../course/progress.ts";
+import { startLearning, useLearning } from "../course/progress.ts";
 import { useOwn } from "../own/own-store.ts";
 import { ARCHIVE_LIMITS, writeArchive, type ArchivedWork } from "../saving/archive.ts";
 import { findWorks, readWork } from "../saving/device.ts";
@@ -66,11 +68,21 @@ export async function saveWorks(works: readonly string[]): Promise<number> {
   return (await save(works, {})).works;
 }
 
-/** Hands everything on this device to the downloads: works, tools, own cycles, settings. What it has not taken is in it too. */
+/**
+ * Hands everything on this device to the downloads: works, tools, own cycles, settings, and what was reached in the course. What the
+ * device has not taken is in it too.
+ */
 export async function saveEverything(unkept: readonly string[]): Promise<{ readonly works: number; readonly files: number }> {
   handOver();
   const { works } = await findWorks();
   const all = [...new Set([...works.map(({ work }) => work), ...unkept])];
-  const beside = { tools: useTools.getState().list, own: useOwn.getState().list, settings: useSettings.getState() };
+  startLearning();
+  const { list: course } = useLearning.getState();
+  const beside = {
+    tools: useTools.getState().list,
+    own: useOwn.getState().list,
+    settings: useSettings.getState(),
+    ...(!isEmptyProgress(course) && { course }),
+  };
   return save(all, beside);
 }

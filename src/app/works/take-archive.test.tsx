@@ -1,6 +1,8 @@
 import { beforeEach, expect, test, vi } from "vitest";
+import { NO_PROGRESS, progressOfTask, withHint, withPass, withPlace } from "../../course/progress.ts";
 import { newParameter, type OwnEntry } from "../../program/own-cycle.ts";
 import { shippedList } from "../../program/tool-list.ts";
+import { startLearning, useLearning } from "../course/progress.ts";
 import { takeOwn, useOwn } from "../own/own-store.ts";
 import type { ReadArchive } from "../saving/archive.ts";
 import { device, emptyDevice, someJob as job } from "../saving/fake-device.ts";
@@ -8,7 +10,7 @@ import { refreshWorks } from "../saving/keep.ts";
 import { readSettings, useSettings } from "../settings/settings.ts";
 import { forget, undo } from "../steps.ts";
 import { takeTools, useTools } from "../tools/tool-store.ts";
-import { missingOwn, missingTools, statesOf, takeArchive } from "./take-archive.ts";
+import { bringsCourse, missingOwn, missingTools, statesOf, takeArchive } from "./take-archive.ts";
 
 vi.mock("../saving/device.ts", () => import("../saving/fake-device.ts"));
 
@@ -29,6 +31,7 @@ const archive: ReadArchive = {
   tools: [row("r1", "1", "OTHER 1"), row("x", "88.1", "GROOVER")],
   own: [own("c1", "1711", "OTHERS"), own("c2", "1713", "SAW")],
   settings,
+  course: withPlace(withPass(NO_PROGRESS, "l03-thicker-bar", { when: 7, seconds: 41.7 }), { lesson: "tool", number: 2, page: 3 }),
   unread: [],
   unreadParts: [],
 };
@@ -51,7 +54,7 @@ test("works are told apart by what is in them, not by their names", async () => 
 
 test("works come beside those of the device, with the time they were changed, and undo takes them out again", async () => {
   const works = archive.works.slice(1);
-  expect(await takeArchive(archive, { works, tools: "keep", own: "keep", settings: false })).toEqual({ kept: 3, full: 0 });
+  expect(await takeArchive(archive, { works, tools: "keep", own: "keep", settings: false, course: false })).toEqual({ kept: 3, full: 0 });
   expect(device.works.get("mine")).toEqual({ savedAt: 1, job });
   expect(device.works.get("free")).toEqual({ savedAt: 44, job: { ...job, name: "FREE" } });
   expect(named().map(([, name]) => name)).toEqual([job.name, job.name, "NEW", "FREE"]);
@@ -65,7 +68,7 @@ test("works come beside those of the device, with the time they were changed, an
 test("of tables the missing rows come, or all of them, each as one step", async () => {
   const names = () => useTools.getState().list.map(({ cells }) => cells.NAME);
   const cycles = () => useOwn.getState().list.map(({ name }) => name);
-  await takeArchive(archive, { works: [], tools: "missing", own: "missing", settings: true });
+  await takeArchive(archive, { works: [], tools: "missing", own: "missing", settings: true, course: false });
   expect(names()).toEqual(["MINE 1", "MINE 2", "GROOVER"]);
   expect(cycles()).toEqual(["MINE", "SAW"]);
   expect(useSettings.getState().xDown).toBe(true);
@@ -73,7 +76,7 @@ test("of tables the missing rows come, or all of them, each as one step", async 
   expect([names().length, cycles().length]).toEqual([3, 1]);
   undo();
   expect(names()).toEqual(["MINE 1", "MINE 2"]);
-  await takeArchive(archive, { works: [], tools: "replace", own: "replace", settings: false });
+  await takeArchive(archive, { works: [], tools: "replace", own: "replace", settings: false, course: false });
   expect([names(), cycles()]).toEqual([["OTHER 1", "GROOVER"], ["OTHERS", "SAW"]]);
 });
 
@@ -85,9 +88,26 @@ test("tables that are the same have nothing missing to take", () => {
 
 test("what finds no room is counted, and nothing else is changed", async () => {
   device.refuses = "full";
-  expect(await takeArchive(archive, { works: archive.works.slice(2), tools: "keep", own: "keep", settings: false })).toEqual({
-    kept: 0,
-    full: 2,
-  });
+  expect(await takeArchive(archive, { works: archive.works.slice(2), tools: "keep", own: "keep", settings: false, course: false })).toEqual(
+    {
+      kept: 0,
+      full: 2,
+    },
+  );
   expect(named()).toEqual([["mine", job.name]]);
+});
+
+test("what was reached in the course elsewhere comes beside what was reached here, and undo takes it back", async () => {
+  const hinted = withPass(withHint(NO_PROGRESS, "l03-thicker-bar", 1), "l03-thicker-bar", { when: 3, seconds: 37.2 });
+  const mine = withPass(hinted, "l01-sawn-long", { when: 4 });
+  startLearning();
+  useLearning.setState({ list: mine });
+  const { course } = archive;
+  expect(course && [bringsCourse(course, mine), bringsCourse(course, course)]).toEqual([true, false]);
+  await takeArchive(archive, { works: [], tools: "keep", own: "keep", settings: false, course: true });
+  const { list } = useLearning.getState();
+  expect(progressOfTask(list, "l03-thicker-bar")).toMatchObject({ passed: { way: "alone", when: 7 }, seconds: 37.2, hints: 1 });
+  expect([progressOfTask(list, "l01-sawn-long").passed?.when, list.last?.page]).toEqual([4, 3]);
+  undo();
+  expect(useLearning.getState().list).toBe(mine);
 });

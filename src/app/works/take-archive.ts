@@ -1,7 +1,9 @@
+import { mergedProgress, type CourseProgress } from "../../course/progress.ts";
 import { readOwn, type OwnEntry } from "../../program/own-cycle.ts";
 import { mergedLibrary, type OwnList } from "../../program/own-library.ts";
 import { mergedTools, sameList, type ToolList } from "../../program/tool-list.ts";
 import { drawnId } from "../chance.ts";
+import { bringProgress, startLearning, useLearning } from "../course/progress.ts";
 import { editOwn, useOwn } from "../own/own-store.ts";
 import { writeKeptOwn } from "../own/keep-own.ts";
 import type { ArchivedWork, ReadArchive } from "../saving/archive.ts";
@@ -55,12 +57,18 @@ export function missingOwn(brought: OwnList, mine: OwnList): OwnList | null {
   return brought.filter((entry) => !taken.has(numberOf(entry)));
 }
 
+/** True where a progress in the course holds something that was not reached here. */
+export const bringsCourse = (brought: CourseProgress, mine: CourseProgress): boolean =>
+  fingerprint(mergedProgress(mine, brought)) !== fingerprint(mine);
+
 /** What is taken of an archive. */
 export interface ArchiveChoice {
   readonly works: readonly ArchivedWork[];
   readonly tools: TableChoice;
   readonly own: TableChoice;
   readonly settings: boolean;
+  /** What was reached in the course; what is better here stays. */
+  readonly course: boolean;
 }
 
 /** Takes what was chosen; nothing on the device is written over. Says how many works came, and how many found no room. */
@@ -73,12 +81,13 @@ export async function takeArchive(archive: ReadArchive, choice: ArchiveChoice): 
     return { ...each, work };
   });
   const kept = await addWorks(lying);
-  const { tools, own, settings } = archive;
+  const { tools, own, settings, course } = archive;
   if (tools && choice.tools === "replace") editTools(() => tools);
   if (tools && choice.tools === "missing")
     editTools((list) => mergedTools(list, (missingTools(tools, list) ?? []).map(({ cells }) => cells)).list);
   if (own && choice.own === "replace") editOwn(() => own);
   if (own && choice.own === "missing") editOwn((list) => mergedLibrary(list, missingOwn(own, list) ?? []).list);
+  if (course && choice.course) bringProgress(course);
   if (settings && choice.settings) {
     const { language, ...others } = settings;
     changeSettings(others);
@@ -88,4 +97,7 @@ export async function takeArchive(archive: ReadArchive, choice: ArchiveChoice): 
 }
 
 /** The tables of this device, for what is said of those in an archive. */
-export const tablesHere = () => ({ tools: useTools.getState().list, own: useOwn.getState().list });
+export function tablesHere() {
+  startLearning();
+  return { tools: useTools.getState().list, own: useOwn.getState().list, course: useLearning.getState().list };
+}

@@ -7,8 +7,8 @@ export const course = {
     + "Aufgaben im echten Editor.",
   entrance: {
     name: "Kurs",
-    about: (lessons) => `${lessons} Lektionen mit Aufgaben, vom ersten Absatz bis zum ganzen Teil`,
-    goOn: (lesson, title) => `Weiter mit Lektion ${lesson}, ${title}`,
+    about: "Lektionen mit Aufgaben, vom ersten Absatz bis zum ganzen Teil",
+    goOn: (lesson) => `Weiter mit Lektion ${lesson}`,
   },
   lessons: "Lektionen",
   lesson: (n) => `Lektion ${n}`,

@@ -42,11 +42,11 @@ export const device = {
     refused: "Der Browser sagt es nicht zu. Ab und zu alles als Datei sichern.",
     used: (used, of) => `${used} von ${of} belegt`,
     exportAll: "Alles als Datei sichern",
-    exportLong: "Alle Arbeiten, Werkzeuge, eigenen Zyklen und Einstellungen als eine Datei sichern",
+    exportLong: "Alle Arbeiten, Werkzeuge, eigenen Zyklen, Einstellungen und den Kursstand als eine Datei sichern",
     importAll: "Datei einlesen",
-    importLong: "Arbeiten, Werkzeuge, eigene Zyklen und Einstellungen aus einer gesicherten Datei einlesen",
+    importLong: "Arbeiten, Werkzeuge, eigene Zyklen, Einstellungen und Kursstand aus einer gesicherten Datei einlesen",
     exported: (n, files) =>
-      `${n === 1 ? "1 Arbeit" : `${n} Arbeiten`}, Werkzeuge, eigene Zyklen und Einstellungen liegen in den Downloads${
+      `${n === 1 ? "1 Arbeit" : `${n} Arbeiten`}, Werkzeuge, eigene Zyklen, Einstellungen und Kursstand liegen in den Downloads${
         files > 1 ? `, in ${files} Dateien` : ""
       }.`,
     notExported: "Die Datei konnte nicht erzeugt werden.",
@@ -63,6 +63,8 @@ export const device = {
     missing: (n) => `Die ${n} übernehmen, die hier fehlen`,
     replace: "Meine durch diese ersetzen",
     sameTable: "gleich wie hier",
+    course: "Kursstand",
+    courseLong: "Was auf diesem Gerät besser ist, bleibt",
     settings: "Auch die Einstellungen übernehmen",
     settingsLong: "Sprache, Aussehen und Anzeige des Bilds",
     unread: (n, names) => (n === 1 ? `Eine Arbeit ist nicht lesbar: ${names}` : `${n} Arbeiten sind nicht lesbar: ${names}`),
@@ -70,6 +72,7 @@ export const device = {
       tools: "Die Werkzeugtabelle darin ist nicht lesbar.",
       own: "Die eigenen Zyklen darin sind nicht lesbar.",
       settings: "Die Einstellungen darin sind nicht lesbar.",
+      course: "Der Kursstand darin ist nicht lesbar.",
     },
     take: "Einlesen",
     nothing: "Nichts gewählt",

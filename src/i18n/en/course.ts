@@ -7,8 +7,8 @@ export const course = {
     + "moves, and tasks in the real editor.",
   entrance: {
     name: "Course",
-    about: (lessons: string) => `${lessons} lessons with tasks, from the first shoulder to a whole part`,
-    goOn: (lesson: string, title: string) => `Go on with lesson ${lesson}, ${title}`,
+    about: "Lessons with tasks, from the first shoulder to a whole part",
+    goOn: (lesson: string) => `Go on with lesson ${lesson}`,
   },
   lessons: "Lessons",
   lesson: (n: string) => `Lesson ${n}`,

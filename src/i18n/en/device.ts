@@ -41,11 +41,13 @@ export const device = {
     refused: "The browser does not promise it. Save everything as a file now and then.",
     used: (used: string, of: string) => `${used} of ${of} in use`,
     exportAll: "Save everything as a file",
-    exportLong: "Save all works, tools, own cycles and settings as one file",
+    exportLong: "Save all works, tools, own cycles, settings and the progress of the course as one file",
     importAll: "Bring in a file",
-    importLong: "Bring in works, tools, own cycles and settings from a saved file",
+    importLong: "Bring in works, tools, own cycles, settings and the progress of the course from a saved file",
     exported: (n: number, files: number) =>
-      `${n === 1 ? "1 work" : `${n} works`}, tools, own cycles and settings are in the downloads${files > 1 ? `, in ${files} files` : ""}.`,
+      `${n === 1 ? "1 work" : `${n} works`}, tools, own cycles, settings and the progress of the course are in the downloads${
+        files > 1 ? `, in ${files} files` : ""
+      }.`,
     notExported: "The file could not be made.",
   },
   bringIn: {
@@ -60,6 +62,8 @@ export const device = {
     missing: (n: number) => `Take the ${n} that I do not have`,
     replace: "Take these in place of mine",
     sameTable: "the same as here",
+    course: "Progress in the course",
+    courseLong: "What is better on this device stays",
     settings: "Take its settings too",
     settingsLong: "Language, appearance and how the picture is shown",
     unread: (n: number, names: string) => (n === 1 ? `One work cannot be read: ${names}` : `${n} works cannot be read: ${names}`),
@@ -67,6 +71,7 @@ export const device = {
       tools: "The tool table in it cannot be read.",
       own: "The own cycles in it cannot be read.",
       settings: "The settings in it cannot be read.",
+      course: "The progress of the course in it cannot be read.",
     },
     take: "Bring in",
     nothing: "Nothing chosen",

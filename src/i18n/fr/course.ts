@@ -6,8 +6,8 @@ export const course = {
     + "image animée, et des exercices dans le véritable éditeur.",
   entrance: {
     name: "Cours",
-    about: (lessons) => `${lessons} leçons avec exercices, du premier épaulement à la pièce entière`,
-    goOn: (lesson, title) => `Continuer la leçon ${lesson}, ${title}`,
+    about: "Leçons et exercices, du premier épaulement à la pièce entière",
+    goOn: (lesson) => `Continuer la leçon ${lesson}`,
   },
   lessons: "Leçons",
   lesson: (n) => `Leçon ${n}`,

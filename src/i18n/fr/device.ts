@@ -42,11 +42,11 @@ export const device = {
     refused: "Le navigateur ne le promet pas. Tout enregistrer en fichier de temps en temps.",
     used: (used, of) => `${used} utilisés sur ${of}`,
     exportAll: "Tout enregistrer en fichier",
-    exportLong: "Enregistrer tous les travaux, outils, cycles maison et réglages dans un fichier",
+    exportLong: "Enregistrer tous les travaux, outils, cycles maison, réglages et avancement du cours dans un fichier",
     importAll: "Reprendre un fichier",
-    importLong: "Reprendre travaux, outils, cycles maison et réglages d’un fichier enregistré",
+    importLong: "Reprendre travaux, outils, cycles maison, réglages et avancement du cours d’un fichier enregistré",
     exported: (n, files) =>
-      `${n === 1 ? "1 travail" : `${n} travaux`}, outils, cycles maison et réglages sont dans les téléchargements${
+      `${n === 1 ? "1 travail" : `${n} travaux`}, outils, cycles maison, réglages et avancement du cours sont dans les téléchargements${
         files > 1 ? `, en ${files} fichiers` : ""
       }.`,
     notExported: "Le fichier n’a pas pu être créé.",
@@ -63,6 +63,8 @@ export const device = {
     missing: (n) => (n === 1 ? "Prendre celui qui manque ici" : `Prendre les ${n} qui manquent ici`),
     replace: "Remplacer les miens par ceux-ci",
     sameTable: "identique à ici",
+    course: "Avancement du cours",
+    courseLong: "Ce qui est meilleur sur cet appareil reste",
     settings: "Prendre aussi les réglages",
     settingsLong: "Langue, apparence et affichage de l’image",
     unread: (n, names) => (n === 1 ? `Un travail est illisible : ${names}` : `${n} travaux sont illisibles : ${names}`),
@@ -70,6 +72,7 @@ export const device = {
       tools: "Le tableau d’outils qu’il contient est illisible.",
       own: "Les cycles maison qu’il contient sont illisibles.",
       settings: "Les réglages qu’il contient sont illisibles.",
+      course: "L’avancement du cours qu’il contient est illisible.",
     },
     take: "Reprendre",
     nothing: "Rien de choisi",

@@ -5,8 +5,8 @@ export const course = {
   lead: "用控制系统的循环车削，从第一个台阶到完整零件。每课几页，配有动态图，并在真实编辑器中做练习。",
   entrance: {
     name: "课程",
-    about: (lessons) => `${lessons} 课，附练习，从第一个台阶到完整零件`,
-    goOn: (lesson, title) => `继续第 ${lesson} 课：${title}`,
+    about: "课目与练习，从第一个台阶到完整零件",
+    goOn: (lesson) => `继续第 ${lesson} 课`,
   },
   lessons: "课目",
   lesson: (n) => `第 ${n} 课`,

@@ -1,0 +1,100 @@
+import { expect, type Locator } from "@playwright/test";
+import { course as de } from "../../src/i18n/de/course.ts";
+import { course as en, type CourseTexts } from "../../src/i18n/en/course.ts";
+import { course as fr } from "../../src/i18n/fr/course.ts";
+import { course as zh } from "../../src/i18n/zh/course.ts";
+import type { Context } from "./turnwise.ts";
+
+/** The course: the list of its lessons, and the open lesson. */
+export class Course {
+  readonly words: CourseTexts;
+  constructor(private readonly context: Context) {
+    this.words = { en, de, fr, zh }[context.language];
+  }
+
+  /** The way into it on the start page. */
+  get entrance(): Locator {
+    return this.context.page.locator(".start-page").getByRole("link", { name: new RegExp(`^${this.words.entrance.name} `) });
+  }
+
+  /** Opens the list of lessons from the start page. */
+  async open(): Promise<void> {
+    await this.entrance.click();
+    await expect(this.lessons).toBeVisible();
+  }
+
+  /** The list of lessons. */
+  get lessons(): Locator {
+    return this.context.page.getByRole("list", { name: this.words.lessons, exact: true });
+  }
+
+  /** A lesson in the list, by its number. */
+  lesson(number: number): Locator {
+    return this.lessons.getByRole("link", { name: new RegExp(`^${this.words.lesson(String(number))}\\s?[:：]`) });
+  }
+
+  /** Opens a lesson by its number. */
+  async openLesson(number: number): Promise<void> {
+    await this.lesson(number).click();
+    await expect(this.picture).toBeVisible();
+  }
+
+  /** The links to the pages of the open lesson and to its tasks. */
+  get pages(): Locator {
+    return this.context.page.getByRole("navigation", { name: this.words.pages, exact: true });
+  }
+
+  /** The link to a page, or to the tasks. */
+  page(at: number | "tasks"): Locator {
+    return this.pages.getByRole("link", { name: at === "tasks" ? this.words.tasks : this.words.page(String(at)), exact: true });
+  }
+
+  /** The text of the open page. */
+  text(at: number, of: number): Locator {
+    return this.context.page.getByRole("region", { name: this.words.pageOf(String(at), String(of)), exact: true });
+  }
+
+  get picture(): Locator {
+    return this.context.page.getByRole("region", { name: this.words.picture.name, exact: true });
+  }
+
+  get play(): Locator {
+    return this.picture.getByRole("button", { name: this.words.picture.play, exact: true });
+  }
+
+  get pause(): Locator {
+    return this.picture.getByRole("button", { name: this.words.picture.pause, exact: true });
+  }
+
+  /** The moment that the picture shows, as a share of a thousand. */
+  get moment(): Locator {
+    return this.picture.getByRole("slider", { name: this.words.picture.scrub, exact: true });
+  }
+
+  /** The slider of a value, by its Q number. */
+  slide(q: string): Locator {
+    return this.context.page.getByRole("slider", { name: new RegExp(`^${q} `) });
+  }
+
+  /** A number that comes of the values of the page, by its name on the page. */
+  fact(name: string): Locator {
+    return this.picture.locator("dl > div").filter({ has: this.context.page.getByText(name, { exact: true }) }).locator("dd");
+  }
+
+  get next(): Locator {
+    return this.context.page.getByRole("link", { name: this.words.next, exact: true });
+  }
+
+  get previous(): Locator {
+    return this.context.page.getByRole("link", { name: this.words.previous, exact: true });
+  }
+
+  /** The button that begins a task, on the page of the tasks. */
+  task(title: string): Locator {
+    return this.context.page.getByRole("button", { name: title });
+  }
+
+  get example(): Locator {
+    return this.context.page.getByRole("button", { name: this.words.example, exact: true });
+  }
+}
