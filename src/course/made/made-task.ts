@@ -1,0 +1,277 @@
+import { boxAround } from "../../kernel/box.ts";
+import { areaOf } from "../../kernel/area.ts";
+import { difference } from "../../kernel/clip.ts";
+import { toDiameter } from "../../kernel/units.ts";
+import { parse } from "../../nc/parse.ts";
+import { finishedPart } from "../../sim/finished.ts";
+import { calledTools } from "../judge/rules.ts";
+import { judge } from "../judge/judge.ts";
+import type { Answer, RuleName } from "../judge/judgement.ts";
+import { TASK_FORMAT, taskSchema, type Task, type TaskRules } from "../task.ts";
+import { wantedPart } from "../wanted-part.ts";
+import { withFaults, type FaultKind } from "./faults.ts";
+import { outlineText } from "./outline-text.ts";
+
+/*
+ * A task that is made of a program: the program is its answer, the part that comes of it the wanted one. Everything is proposed, and can be
+ * typed over.
+ */
+
+/** Rules that a form switches on and off, each with one number. */
+export const NUMBER_RULES = ["depth", "speed", "mostTools", "seconds", "passes", "residue", "missing", "rz"] as const;
+export type NumberRule = (typeof NUMBER_RULES)[number];
+/** Rules that are lists of numbers, or only asked for or not. */
+export const LIST_RULES = ["tools", "cycles"] as const;
+export type ListRule = (typeof LIST_RULES)[number];
+
+/** A rule as it stands in the form: whether it is asked for, and its number or numbers as typed. */
+export interface RuleDraft {
+  readonly on: boolean;
+  readonly text: string;
+}
+
+/** A size that can be asked for, with its deviations as typed, mm. */
+export interface SizeDraft {
+  readonly kind: "diameter" | "bore" | "face";
+  readonly at: number;
+  readonly nominal: number;
+  readonly on: boolean;
+  readonly upper: string;
+  readonly lower: string;
+}
+
+/** Prompts that lie open in the beginning: of which cycle call, from 0, and those of its values that are left empty. */
+export interface PromptsDraft {
+  readonly operation: number;
+  readonly emptied: readonly string[];
+}
+
+export interface WordsDraft {
+  readonly title: string;
+  readonly ask: string;
+  readonly hints: readonly [string, string, string];
+}
+
+/** The form of a task, as typed. */
+export interface MadeTask {
+  readonly kind: "make" | "fault" | "drawing";
+  /** Lines of blank and outlines. */
+  readonly blank: string;
+  readonly outside: string;
+  readonly bore: string;
+  readonly sizes: readonly SizeDraft[];
+  readonly rules: Readonly<Record<NumberRule | ListRule, RuleDraft>>;
+  readonly clean: boolean;
+  readonly start: "empty" | "prompts" | "program";
+  readonly prompts: PromptsDraft;
+  readonly faults: readonly FaultKind[];
+  /** The program in the beginning, where it was typed over; null as long as it is the answer with the faults. */
+  readonly program: string | null;
+  readonly words: WordsDraft;
+}
+
+/** Limits that every answer breaks: the judge then tells what is there. */
+const ASK_ALL: TaskRules = { depth: 0, speed: 0, mostTools: 0, seconds: 0, passes: -1 };
+
+/** Lines of a program without their numbers. */
+const bare = (raw: string): string => raw.trim().replace(/^\/?\d+[ \t]+/, "");
+export const linesOfText = (text: string): string[] => text.split(/\r?\n/).map((line) => line.trimEnd()).filter((line) => line.trim() !== "");
+
+/** The lines that state the blank of a program, with the contours that they name behind them. */
+function blankLines(text: string): readonly string[] {
+  const { blocks } = parse(text);
+  const found = blocks.filter(({ statement: { kind } }) => /^blank/.test(kind)).map(({ raw }) => bare(raw));
+  const labels = new Set(found.flatMap((line) => [.../\bLBL(?:IN)?\s+(\d+)/g[Symbol.matchAll](line)].map(([, label]) => Number(label))));
+  const behind = [...labels].flatMap((label) => {
+    const from = blocks.findIndex(({ statement: s }) => s.kind === "label" && s.label === label);
+    const rest = from < 0 ? [] : blocks.slice(from);
+    const end = rest.findIndex(({ statement: s }) => s.kind === "label" && s.label === 0);
+    return rest.slice(0, end + 1).map(({ raw }) => bare(raw));
+  });
+  return [...found, ...behind];
+}
+
+/** Greatest values that the judge finds, by rule. */
+function found(task: Task, answer: Answer): ReadonlyMap<RuleName, number> {
+  const values = new Map<RuleName, number>();
+  for (const { rule, value } of judge(task, answer).marks)
+    if (value !== undefined && Number.isFinite(value)) values.set(rule, Math.max(values.get(rule) ?? 0, value));
+  return values;
+}
+
+/** A number a little above what is there, on a step. */
+const above = (value: number | undefined, step: number, share = 1): string =>
+  value === undefined ? "" : String(Math.round(Math.ceil((value * share) / step - ROUNDED) * step * 1000) / 1000);
+const ROUNDED = 0.001;
+/** What proposed limits are rounded up to: mm, rpm, s, mm², µm; and how much longer an answer may take. */
+const STEPS = { depth: 0.1, speed: 100, seconds: 10, residue: 0.1, rz: 1 } as const, LONGER = 1.3;
+
+/** What a part of rings is called: its outlines, from the made stock or from the finished contours of the program. */
+export const PART_SOURCES = ["made", "contours"] as const;
+export type PartSource = (typeof PART_SOURCES)[number];
+
+/** The outlines of what an answer makes. */
+export function outlinesOf({ run, simulation }: Answer, from: PartSource): Pick<MadeTask, "outside" | "bore"> {
+  const contours = from === "contours" ? finishedPart(run.operations) : [];
+  const rings = contours.length > 0 ? difference(run.blank, difference(run.blank, contours)) : simulation.final;
+  const { outside = [], bore = [] } = outlineText(rings, run.blank);
+  return { outside: outside.join("\n"), bore: bore.join("\n") };
+}
+
+/** The wanted part of a form. */
+export function partOfMade({ blank, outside, bore }: Pick<MadeTask, "blank" | "outside" | "bore">): NonNullable<Task["part"]> {
+  const [outer, inner] = [linesOfText(outside), linesOfText(bore)];
+  return { blank: linesOfText(blank), ...(outer.length > 0 && { outside: outer }), ...(inner.length > 0 && { bore: inner }) };
+}
+
+const NO_WORDS: WordsDraft = { title: "", ask: "", hints: ["", "", ""] };
+
+/** A form that is filled in from a program; words, kind and start are the instructor's. */
+export function proposedTask(answer: Answer): MadeTask {
+  const { run } = answer;
+  const blank = blankLines(answer.text).join("\n");
+  const made = { blank, ...outlinesOf(answer, "made") };
+  const wanted = wantedPart(partOfMade(made)), { left, right } = boxAround([...wanted.rings]);
+  const probe: Task = {
+    format: TASK_FORMAT,
+    id: "probe",
+    kind: "make",
+    start: { empty: true },
+    part: partOfMade(made),
+    rules: { ...ASK_ALL, residue: 0, missing: 0, rz: [{ from: left, to: right, most: 0 }] },
+    words: {},
+  };
+  const is = found(probe, answer);
+  const tools = [...calledTools(answer).keys()], cycles = [...new Set(run.operations.map(({ cycle }) => cycle))];
+  const off = (text: string): RuleDraft => ({ on: false, text }), on = (text: string): RuleDraft => ({ on: text !== "", text });
+  const residue = Math.max(0.5, Number(above(is.get("residue"), STEPS.residue, LONGER)));
+  const missing = Math.max(0.1, Number(above(is.get("missing"), STEPS.residue, LONGER)));
+  return {
+    kind: "make",
+    ...made,
+    sizes: [],
+    rules: {
+      depth: on(above(is.get("depth"), STEPS.depth)),
+      speed: on(above(is.get("speed"), STEPS.speed)),
+      mostTools: off(String(tools.length)),
+      seconds: off(above(is.get("seconds"), STEPS.seconds, LONGER)),
+      passes: off(String(is.get("passes") ?? "")),
+      residue: on(String(residue)),
+      missing: on(String(missing)),
+      rz: off(above(is.get("rz"), STEPS.rz)),
+      tools: on(tools.join(", ")),
+      cycles: off(cycles.join(", ")),
+    },
+    clean: false,
+    start: "empty",
+    prompts: { operation: 0, emptied: [] },
+    faults: [],
+    program: null,
+    words: NO_WORDS,
+  };
+}
+
+const numberOf = (text: string): number | null => {
+  const value = Number(text.trim().replace(",", ".").replace("−", "-"));
+  return text.trim() === "" || !Number.isFinite(value) ? null : value;
+};
+const numbersOf = (text: string): readonly number[] => text.split(/[,;\s]+/).flatMap((each) => numberOf(each) ?? []);
+
+function rulesOf({ rules, clean, blank, outside, bore }: MadeTask): TaskRules {
+  const made: Record<string, unknown> = {};
+  for (const rule of NUMBER_RULES) {
+    const { on, text } = rules[rule], value = numberOf(text);
+    if (!on || value === null) continue;
+    if (rule !== "rz") made[rule] = value;
+    else {
+      const { left, right } = boxAround([...wantedPart(partOfMade({ blank, outside, bore })).rings]);
+      const turned = [...wantedPart(partOfMade({ blank, outside, bore })).outside].flatMap((s) => [s.from.z, s.to.z]);
+      made["rz"] = [{ from: Math.min(right, 0), to: turned.length > 0 ? Math.min(...turned) : left, most: value }];
+    }
+  }
+  for (const rule of LIST_RULES) if (rules[rule].on) made[rule] = numbersOf(rules[rule].text);
+  return { ...made, ...(clean && { clean }) };
+}
+
+/** The lines of the contour that a cycle call follows. */
+function contourLines(text: string, lines: readonly { readonly line: number; readonly file?: string }[]): readonly string[] {
+  const own = lines.filter(({ file }) => file === undefined).map(({ line }) => line);
+  const all = text.split(/\r?\n/);
+  if (own.length === 0) return [];
+  const from = all.slice(0, Math.min(...own)).findLastIndex((line) => /\bLBL\b/.test(line));
+  const length = all.slice(from + 1).findIndex((line) => /\bLBL\s+0\b/.test(line));
+  return all.slice(from + 1, from + 1 + Math.max(0, length)).map(bare);
+}
+
+/** The values of a cycle call as they stand in its prompts. */
+export function promptsOf({ run }: Answer, operation: number): readonly (readonly [string, string])[] {
+  const values = run.operations[operation]?.call?.values ?? {};
+  return Object.entries(values).filter((entry): entry is [string, number] => typeof entry[1] === "number").map(([q, value]) =>
+    [q, String(value)] as const
+  );
+}
+
+function startOf(made: MadeTask, answer: Answer): Task["start"] {
+  const { start, prompts: { operation: index, emptied } } = made;
+  const operation = answer.run.operations[index];
+  if (start === "program") return { program: [...programOfMade(made, answer)] };
+  if (start === "empty" || !operation) return { empty: true };
+  const contour = contourLines(answer.text, operation.contourLines ?? []);
+  const { left, right, low, high } = boxAround([...answer.run.blank]);
+  const isPlain = answer.run.blank.length === 1 && answer.run.blank[0]?.length === 4;
+  const across = (r: number) => String(toDiameter(r as typeof operation.start.r));
+  return {
+    cycle: operation.cycle,
+    values: Object.fromEntries(promptsOf(answer, index).filter(([q]) => !emptied.includes(q))),
+    tool: operation.tool.T,
+    at: { x: across(operation.start.r), z: String(operation.start.z) },
+    ...(isPlain && {
+      blank: { outside: across(high), bore: low > 0 ? across(low) : "", length: String(right - left), allowance: String(right) },
+    }),
+    ...(contour.length > 0 && { contour: [...contour] }),
+  };
+}
+
+/** The program that the learner begins with. */
+export const programOfMade = ({ program, faults }: MadeTask, { text }: Answer): readonly string[] =>
+  program === null ? withFaults(linesOfText(text), faults) : linesOfText(program);
+
+/** What keeps a form from being a task. */
+export type MadeFault = "title" | "ask" | "hints" | "part" | "shape";
+
+/** A name as ids have it; the mark keeps two of one name apart. */
+const idOf = (title: string, mark: string): string =>
+  `${title.normalize("NFKD").toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-+|-+$/g, "").slice(0, 36) || "task"}-${mark}`;
+
+/** The task of a form, or what is missing. `mark`: a short text of letters and figures that tells this task from others. */
+export function taskOfMade(made: MadeTask, answer: Answer, language: keyof Task["words"], mark: string): Task | readonly MadeFault[] {
+  const { words: { title, ask, hints }, kind } = made;
+  const part = partOfMade(made), wanted = wantedPart(part);
+  const faults: MadeFault[] = [
+    ...(title.trim() === "" ? ["title" as const] : []),
+    ...(ask.trim() === "" ? ["ask" as const] : []),
+    ...(hints.some((hint) => hint.trim() === "") ? ["hints" as const] : []),
+    ...(wanted.issues.length > 0 || wanted.rings.length === 0 || areaOf(wanted.rings) === 0 ? ["part" as const] : []),
+  ];
+  if (faults.length > 0) return faults;
+  const sizes = made.sizes.filter(({ on }) => on).map(({ kind: of, at, nominal, upper, lower }) => ({
+    kind: of,
+    at,
+    nominal,
+    upper: numberOf(upper) ?? 0,
+    lower: numberOf(lower) ?? 0,
+  }));
+  const read = taskSchema.safeParse({
+    format: TASK_FORMAT,
+    id: idOf(title, mark),
+    kind,
+    start: startOf(made, answer),
+    part,
+    ...(sizes.length > 0 && { sizes }),
+    rules: rulesOf(made),
+    ...(kind === "drawing" && { par: { seconds: Math.ceil(answer.simulation.totalSeconds), tools: calledTools(answer).size } }),
+    words: { [language]: { title: title.trim(), ask: ask.trim(), hints: hints.map((hint) => hint.trim()) } },
+    solution: linesOfText(answer.text),
+  });
+  return read.success ? read.data : ["shape"];
+}

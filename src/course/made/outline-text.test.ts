@@ -1,0 +1,45 @@
+import { expect, test } from "vitest";
+import { areaOf } from "../../kernel/area.ts";
+import { difference } from "../../kernel/clip.ts";
+import { wantedPart } from "../wanted-part.ts";
+import { outlineText } from "./outline-text.ts";
+
+const solid = ["BLK FORM CYLINDER Z D63.4 L81 DIST+1.5"], hollow = ["BLK FORM CYLINDER Z D63.4 L81 DIST+1.5 DI17"];
+
+/** Takes the outline of a part and makes a part of it again: the same, within the area that lies between. */
+function taken(part: Parameters<typeof wantedPart>[0]) {
+  const wanted = wantedPart(part), lines = outlineText(wanted.rings, wanted.blank);
+  const again = wantedPart({ blank: part.blank, ...(lines.outside && { outside: [...lines.outside] }), ...(lines.bore && { bore: [...lines.bore] }) });
+  const apart = Math.abs(areaOf(difference(wanted.rings, again.rings))) + Math.abs(areaOf(difference(again.rings, wanted.rings)));
+  return { lines, apart, issues: again.issues };
+}
+
+test("lines come back as they were written", () => {
+  const { lines, apart } = taken({ blank: solid, outside: ["L X+0 Z+0", "L X+41.3", "L Z-22.7", "L X+63.4"] });
+  expect(lines).toEqual({ outside: ["L X+0 Z+0", "L X+41.3 Z+0", "L X+41.3 Z-22.7", "L X+63.4 Z-22.7"] });
+  expect(apart).toBeLessThan(0.001);
+});
+
+test("radii come back as arcs, chamfers as lines", () => {
+  const { lines, apart } = taken({ blank: solid, outside: ["L X+0 Z+0", "L X+41.3", "CHF 1.3", "L Z-22.7", "RND R2.4", "L X+60 Z-31.9", "L X+63.4"] });
+  expect(lines.outside?.filter((line) => line.startsWith("CR")).map((line) => /R\+[\d.]+ DR.$/.exec(line)?.[0])).toEqual([expect.stringMatching(/^R\+2\.(39|4)\d* DR-$/)]);
+  expect(lines.outside).toHaveLength(7);
+  expect(apart).toBeLessThan(0.05);
+});
+
+test("a bore is taken apart from the outside, grooves of the face are of the outside", () => {
+  const { lines, apart, issues } = taken({
+    blank: hollow,
+    outside: ["L X+35.2 Z+0", "L X+40", "L Z-3.1", "L X+48", "L Z+0", "L X+52.2", "L Z-20", "L X+63.4"],
+    bore: ["L X+35.2 Z+0", "L Z-14.6", "RND R1.1", "L X+17"],
+  });
+  expect(issues).toEqual([]);
+  expect(lines.bore?.[0]).toBe("L X+35.2 Z+0");
+  expect(lines.outside).toHaveLength(8);
+  expect(apart).toBeLessThan(0.05);
+});
+
+test("of a blank that nothing was turned of there is no outline", () => {
+  const { blank } = wantedPart({ blank: hollow });
+  expect(outlineText(blank, blank)).toEqual({});
+});

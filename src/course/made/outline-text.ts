@@ -1,0 +1,141 @@
+import { boxAround } from "../../kernel/box.ts";
+import { areaOf } from "../../kernel/area.ts";
+import { simplified } from "../../kernel/clip.ts";
+import { part, type Pt, type Ring, type Segment } from "../../kernel/point.ts";
+import { rounded, toDiameter } from "../../kernel/units.ts";
+
+/** Outlines as lines of a contour subprogram, from the free end; absent where nothing was turned there. */
+export interface OutlineLines {
+  readonly outside?: readonly string[];
+  readonly bore?: readonly string[];
+}
+
+/** How near the lines and arcs stay to the shape they are taken from, mm. */
+const NEAR = 0.004;
+/** A point lies on the blank, or on the axis, within this, mm. */
+const ON = 0.01;
+/** An arc is no arc with less than so many points of its chords, and none of a radius over this, mm. */
+const ARC_POINTS = 4, LARGEST_ARC = 2000;
+/** Shorter than this nothing is an element of its own, mm. */
+const SHORT = 0.006;
+
+/** The circle through three points; null where they lie on a line. */
+function circle(a: Pt, b: Pt, c: Pt): { readonly z: number; readonly r: number; readonly radius: number } | null {
+  const [bz, br, cz, cr] = [b.z - a.z, b.r - a.r, c.z - a.z, c.r - a.r], d = 2 * (bz * cr - br * cz);
+  if (Math.abs(d) < SHORT * SHORT) return null;
+  const [bb, cc] = [bz * bz + br * br, cz * cz + cr * cr];
+  const z = (cr * bb - br * cc) / d, r = (bz * cc - cz * bb) / d, radius = Math.hypot(z, r);
+  return radius > LARGEST_ARC ? null : { z: a.z + z, r: a.r + r, radius };
+}
+
+const between = (points: readonly Pt[], from: number, to: number): readonly Pt[] => points.slice(from + 1, to);
+
+/** The line from one point to another, if all between lie near it. */
+function lineOf(points: readonly Pt[], from: number, to: number): Segment | null {
+  const [a, b] = [points[from], points[to]];
+  if (!a || !b) return null;
+  const line = part.line(a, b);
+  return between(points, from, to).every((p) => part.distanceTo(line, p) < NEAR) ? line : null;
+}
+
+/** The arc through a run of points, chords and all. */
+function arcOf(points: readonly Pt[], from: number, to: number): Segment | null {
+  const [a, m, b] = [points[from], points[Math.floor((from + to) / 2)], points[to]];
+  if (!a || !m || !b || to - from < ARC_POINTS) return null;
+  const found = circle(a, m, b);
+  if (!found) return null;
+  const run = points.slice(from, to + 1);
+  const near = (p: Pt) => Math.abs(Math.hypot(p.z - found.z, p.r - found.r) - found.radius) < NEAR;
+  // A chord that leaves its arc by more is a line beside it.
+  const sunk = (p: Pt, i: number) => {
+    const q = run[i + 1];
+    if (!q) return true;
+    const chord = Math.hypot(q.z - p.z, q.r - p.r) / 2;
+    return chord <= found.radius && found.radius - Math.sqrt(found.radius ** 2 - chord ** 2) < NEAR;
+  };
+  if (!run.every(near) || !run.every(sunk)) return null;
+  const turn = (m.z - a.z) * (b.r - a.r) - (m.r - a.r) * (b.z - a.z) > 0 ? "ccw" : "cw";
+  return { kind: "arc", from: a, to: b, centre: part.point(found.z, found.r), turn };
+}
+
+/** A chain of points as few lines and arcs: each goes on as far as it stays near. */
+function fitted(points: readonly Pt[]): Segment[] {
+  const out: Segment[] = [];
+  let from = 0;
+  while (from < points.length - 1) {
+    let best: { to: number; segment: Segment } | null = null;
+    for (const make of [lineOf, arcOf]) {
+      let to = make === lineOf ? from + 1 : from + ARC_POINTS, made = make(points, from, to);
+      while (made) {
+        if (!best || to > best.to) best = { to, segment: made };
+        to += 1;
+        made = to < points.length ? make(points, from, to) : null;
+      }
+    }
+    if (!best) break;
+    out.push(best.segment);
+    from = best.to;
+  }
+  return out;
+}
+
+const number = (value: number): string => {
+  const text = String(rounded(value) + 0);
+  return text.startsWith("-") ? text : `+${text}`;
+};
+const at = (p: Pt): string => `X${number(toDiameter(p.r))} Z${number(p.z)}`;
+
+function linesOf(segments: readonly Segment[]): readonly string[] | undefined {
+  const [first] = segments;
+  if (!first) return undefined;
+  return [
+    `L ${at(first.from)}`,
+    ...segments.map((s) =>
+      s.kind === "line" ? `L ${at(s.to)}` : `CR ${at(s.to)} R${number(part.radiusOf(s))} ${s.turn === "ccw" ? "DR+" : "DR-"}`
+    ),
+  ];
+}
+
+/** Whether a stretch is one of the blank, or lies on the axis. */
+function isLeft(a: Pt, b: Pt, blank: readonly Ring[]): boolean {
+  if (Math.abs(a.r) < ON && Math.abs(b.r) < ON) return true;
+  const middle = part.pointOn(part.line(a, b), 1 / 2);
+  return blank.some((ring) =>
+    ring.some((p, i) => {
+      const side = part.line(p, ring[(i + 1) % ring.length] ?? p);
+      return [a, middle, b].every((q) => part.distanceTo(side, q) < ON);
+    })
+  );
+}
+
+/** A chain without the stretches at its end that the blank has as well. */
+function turnedPart(chain: readonly Pt[], blank: readonly Ring[]): readonly Pt[] {
+  let last = chain.length - 1;
+  while (last > 0) {
+    const [a, b] = [chain[last - 1], chain[last]];
+    if (!a || !b || !isLeft(a, b, blank)) break;
+    last -= 1;
+  }
+  return last > 0 ? chain.slice(0, last + 1) : [];
+}
+
+/**
+ * The outlines of a part that was turned out of a blank, simplified to lines and arcs: its outside from the axis or the bore at the free end,
+ * and its bore, each to where the blank is left as it is. Of several pieces the largest counts.
+ */
+export function outlineText(finished: readonly Ring[], blank: readonly Ring[]): OutlineLines {
+  const [body] = simplified(finished, NEAR / 4).map((ring) => ({ ring, area: areaOf([ring]) })).sort((a, b) => b.area - a.area);
+  if (!body || body.ring.length < 3) return {};
+  const { ring } = body, { left, right } = boxAround([ring]);
+  // Counter-clockwise: from the back along bore or axis to the free end, and back along the outside.
+  const back = ring.findIndex((p, i) => Math.abs(p.z - left) < ON && !(Math.abs((ring[(i + 1) % ring.length]?.z ?? left) - left) < ON));
+  const chain = [...ring.slice(back), ...ring.slice(0, back)];
+  const front = chain.reduce((best, p, i) => {
+    const now = chain[best];
+    return !now || (p.z > right - ON && (now.z <= right - ON || p.r < now.r)) ? i : best;
+  }, 0);
+  const inner = turnedPart(chain.slice(0, front + 1).toReversed(), blank);
+  const outer = turnedPart(chain.slice(front), blank);
+  const [outside, bore] = [linesOf(fitted(outer)), linesOf(fitted(inner))];
+  return { ...(outside && { outside }), ...(bore && { bore }) };
+}
