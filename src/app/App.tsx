@@ -6,7 +6,7 @@ import { useCoursePlace } from "./course/course-place.ts";
 import { useChoice } from "./files/choice.ts";
 import { DropProgram } from "./files/DropProgram.tsx";
 import { NumberKeys } from "./keypad/NumberKeys.tsx";
-import { HandedLine, IncomingWork } from "./handing/HandedParts.tsx";
+import { HandedLine, IncomingTaught, IncomingWork } from "./handing/HandedParts.tsx";
 import { MissingPart } from "./MissingPart.tsx";
 import { Notices } from "./Notices.tsx";
 import { useVersion } from "./offline/version.ts";
@@ -152,6 +152,7 @@ export function App() {
         </Suspense>
       )}
       <IncomingWork />
+      <IncomingTaught />
       {ready && bringing && (
         <Suspense>
           <BringInDialog of={bringing} />

@@ -124,7 +124,7 @@ function courseAddress([lesson, at = "1", ...more]: readonly string[]): CourseAd
 }
 
 /** Whether the part of an address from `#` on carries a work, in this or in another form: it names no place then. */
-export const isShareLink = (hash: string): boolean => /^#(?:[pw]|h\d+)=/.test(hash);
+export const isShareLink = (hash: string): boolean => /^#(?:[pw]|[htr]\d+)=/.test(hash);
 
 /** The place that the part of an address from `#` on names; null where it names none. */
 export function parseAddress(hash: string): Address | null {

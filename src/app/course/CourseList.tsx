@@ -3,6 +3,7 @@ import { useCourseIndex, type LessonEntry } from "./content.ts";
 import { courseHref } from "./course-links.ts";
 import { BeginAnew } from "./BeginAnew.tsx";
 import { useLearning } from "./progress.ts";
+import { TaughtTasks } from "./teach/TaughtTasks.tsx";
 import { TaskStateMark } from "./TaskStateMark.tsx";
 import { useCourseTexts } from "./use-course-texts.ts";
 
@@ -75,6 +76,7 @@ export function CourseList() {
       <ol className="lesson-list" aria-label={t.lessons}>
         {lessons.map((lesson) => <LessonRow key={lesson.id} lesson={lesson} isNext={lesson === next} />)}
       </ol>
+      <TaughtTasks />
       <BeginAnew />
     </main>
   );

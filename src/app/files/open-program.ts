@@ -106,6 +106,8 @@ export async function openFiles(chosen: readonly Chosen[]): Promise<Opening> {
     await bringIn(first.file);
     return "opened";
   }
+  if (first && /\.turnwise-(?:task|result)\b.*\.json$/i.test(first.file.name))
+    return (await untilHere(() => import("../course/teach/open-taught.ts"))).openTaughtFile(first.file);
   return openRest(chosen, { skipped: 0, isCut: false });
 }
 

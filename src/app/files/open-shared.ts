@@ -12,6 +12,7 @@ export async function openShared(): Promise<void> {
   const { hash } = location;
   if (!isShareLink(hash)) return;
   history.replaceState(null, "", location.pathname + location.search);
+  if (/^#[tr]/.test(hash)) return (await untilHere(() => import("../course/teach/open-taught.ts"))).openTaughtLink(hash);
   const [{ readLink }, { showIncoming }] = await untilHere(() =>
     Promise.all([import("../handing/link.ts"), import("../handing/incoming.ts")])
   );

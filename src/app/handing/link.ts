@@ -22,14 +22,21 @@ const toBase64Url = (bytes: Uint8Array): string => {
 const fromBase64Url = (text: string): Uint8Array =>
   Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (c) => c.charCodeAt(0));
 
+/** Plain data as the end of a link. */
+export const packedForLink = (value: unknown): string =>
+  toBase64Url(deflateSync(strToU8(JSON.stringify(value)), { level: 9, mem: 12, dictionary: COMMON }));
+
+/** The text that `packedForLink` packed; null where it is longer than `most`. Throws where it is none. */
+export const unpackedFromLink = (packed: string, most = LARGEST_PROGRAM): string | null =>
+  unpackedText(fromBase64Url(packed), most, COMMON);
+
 /**
  * A link that carries a work with all that it brings along: nothing is stored anywhere. `page` is the address without anything
  * behind `#`.
  */
 export function linkOf(page: string, work: Work): string {
   // As it is read, so that the link of what a link brought is the same link.
-  const packed = deflateSync(strToU8(JSON.stringify({ work: plainWork(work) ?? work })), { level: 9, mem: 12, dictionary: COMMON });
-  return page + LINK_MARK + toBase64Url(packed);
+  return page + LINK_MARK + packedForLink({ work: plainWork(work) ?? work });
 }
 
 /** What a link carries; or that it carries more than is opened, comes from a newer edition, or can not be read. */

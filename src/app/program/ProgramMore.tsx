@@ -15,6 +15,8 @@ import { isProgram, type Work } from "../work.ts";
 const HandOnDialog = lazyPart(async () => ({ default: (await import("../handing/HandOnDialog.tsx")).HandOnDialog }));
 const PartExport = lazyPart(async () => ({ default: (await import("../export/PartExport.tsx")).PartExport }));
 
+const TeachButton = lazyPart(async () => ({ default: (await import("../course/teach/TeachButton.tsx")).TeachButton }));
+
 /** A work on its way out, with the verdict that goes with it. */
 interface Leaving {
   readonly open: Work;
@@ -67,6 +69,9 @@ export function ProgramMore({ showBlock, children }: { readonly showBlock: ShowB
           <PartExport stem={exported} done={() => exportPart(null)} />
         </Suspense>
       )}
+      <Suspense>
+        <TeachButton />
+      </Suspense>
       <CompareButton showBlock={showBlock} />
       {children}
     </div>

@@ -29,7 +29,12 @@ test("proposed rules hold the numbers of the program", () => {
 });
 
 test("what is missing is named", () => {
-  expect(taskOfMade({ ...proposedTask(shoulder), outside: "L X+20 Z+0\nCR X+30 Z-40 R2 DR+" }, shoulder, "en", "1")).toEqual(["title", "ask", "hints", "part"]);
+  expect(taskOfMade({ ...proposedTask(shoulder), outside: "L X+20 Z+0\nCR X+30 Z-40 R2 DR+" }, shoulder, "en", "1")).toEqual([
+    "title",
+    "ask",
+    "hints",
+    "part",
+  ]);
 });
 
 test("prompts begin with the values of the call, without those that are left empty", () => {

@@ -75,7 +75,8 @@ const ASK_ALL: TaskRules = { depth: 0, speed: 0, mostTools: 0, seconds: 0, passe
 
 /** Lines of a program without their numbers. */
 const bare = (raw: string): string => raw.trim().replace(/^\/?\d+[ \t]+/, "");
-export const linesOfText = (text: string): string[] => text.split(/\r?\n/).map((line) => line.trimEnd()).filter((line) => line.trim() !== "");
+export const linesOfText = (text: string): string[] =>
+  text.split(/\r?\n/).map((line) => line.trimEnd()).filter((line) => line.trim() !== "");
 
 /** The lines that state the blank of a program, with the contours that they name behind them. */
 function blankLines(text: string): readonly string[] {

@@ -1,0 +1,72 @@
+import { answerOf } from "../../../course/judge/answer.ts";
+import { judge } from "../../../course/judge/judge.ts";
+import { RESULT_FORMAT, type HandedResult, type TaskResult } from "../../../course/made/result.ts";
+import { progressOfTask, type CourseProgress } from "../../../course/progress.ts";
+import type { Task } from "../../../course/task.ts";
+import type { Language } from "../../../i18n/languages.ts";
+import { time } from "../../clock.ts";
+import { printedText } from "../../printed.ts";
+import { readWork } from "../../saving/device.ts";
+import { refreshWorks } from "../../saving/keep.ts";
+import { isProgram } from "../../work.ts";
+import { fetchTask, inScreenLanguage } from "../content.ts";
+import { keptOfTask } from "../task/begin.ts";
+import { useTaught } from "./taught.ts";
+import { countWork, workedIn } from "./working-time.ts";
+
+/** A task by its id: one that was handed out, or one of the course; null where this device has none. */
+export const taskOfId = async (id: string): Promise<Task | null> =>
+  useTaught.getState().list.find((task) => task.id === id) ?? fetchTask(id);
+
+/** What a program comes to in a task, run as every device runs it. */
+export function verdictOf(task: Task, program: string): NonNullable<TaskResult["verdict"]> {
+  const { passed, marks } = judge(task, answerOf(program));
+  return { passed, refused: [...new Set(marks.filter((mark) => !mark.passed).map(({ rule }) => rule))] };
+}
+
+/** The last program that was made in a task on this device. */
+async function lastProgram(id: string): Promise<string | null> {
+  const work = keptOfTask(id), kept = work === undefined ? null : await readWork(work);
+  if (!kept) return null;
+  return isProgram(kept.job) ? kept.job.text : printedText(kept.job);
+}
+
+const SECOND = 1000;
+
+/** How one task went. */
+export async function resultOf(id: string, progress: CourseProgress, language: Language): Promise<TaskResult> {
+  const task = await taskOfId(id), program = await lastProgram(id);
+  const { tries, hints, solution, passed, seconds, score } = progressOfTask(progress, id);
+  const { ms, steps } = workedIn(id);
+  return {
+    id,
+    title: (task && inScreenLanguage(task.words, language)?.title) ?? id,
+    tries,
+    hints,
+    solution,
+    passed,
+    seconds,
+    score,
+    worked: Math.round(ms / SECOND),
+    steps,
+    program,
+    verdict: task && program !== null && task.kind !== "predict" ? verdictOf(task, program) : null,
+  };
+}
+
+/** The results of tasks under a name, which may be empty. Pauses between tasks, so that the page stays alive. */
+export async function handedResult(
+  ids: readonly string[],
+  name: string,
+  progress: CourseProgress,
+  language: Language,
+): Promise<HandedResult> {
+  countWork();
+  await refreshWorks();
+  const tasks: TaskResult[] = [];
+  for (const id of ids) {
+    tasks.push(await resultOf(id, progress, language));
+    await new Promise((goOn) => setTimeout(goOn));
+  }
+  return { format: RESULT_FORMAT, name: name.trim(), made: time(), tasks };
+}

@@ -1,0 +1,27 @@
+import { sizeOn } from "../../../course/judge/sizes.ts";
+import type { SizeDraft } from "../../../course/made/made-task.ts";
+import type { WantedPart } from "../../../course/wanted-part.ts";
+import { radius, rounded, toDiameter } from "../../../kernel/units.ts";
+import { printFeatures } from "../../../view/drawing/print-features.ts";
+
+/** A size is offered where the part has it within this, mm. */
+const TRUE = 0.01;
+/** How far from a corner a face is measured, mm on the radius. */
+const ASIDE = 0.3;
+const MOST = 24;
+
+/** The sizes of a part that can be asked for: its diameters in the middle of their stretch, and its faces. */
+export function sizeChoices({ outside, bore, rings }: WantedPart): readonly SizeDraft[] {
+  const offered = (kind: SizeDraft["kind"], at: number, nominal: number): SizeDraft[] => {
+    const found = sizeOn(rings, kind, at);
+    return found && Math.abs(found.value - nominal) < TRUE
+      ? [{ kind, at: rounded(at), nominal: rounded(nominal), on: false, upper: "0.05", lower: "-0.05" }]
+      : [];
+  };
+  const across = (kind: "diameter" | "bore", outline: WantedPart["outside"]) =>
+    printFeatures(outline).cylinders.filter(({ left, right }) => right > left).flatMap(({ r, left, right }) =>
+      offered(kind, (left + right) / 2, toDiameter(radius(r)))
+    );
+  const faces = printFeatures(outside).positions.flatMap((p) => offered("face", rounded(toDiameter(radius(p.r - ASIDE))), p.z));
+  return [...across("diameter", outside), ...across("bore", bore), ...faces].slice(0, MOST);
+}

@@ -1,0 +1,51 @@
+import { z } from "zod/mini";
+import { WAYS_PASSED } from "../progress.ts";
+import { RULES } from "../judge/judgement.ts";
+
+/*
+ * What a learner hands in: how each task went, as the device noted it, with the last program. It is no proof: a file can be changed.
+ */
+
+export const RESULT_FORMAT = "turnwise-result/1";
+
+const count = z.int().check(z.gte(0), z.lte(1_000_000));
+const text = (most: number) => z.string().check(z.maxLength(most));
+/** Longest program that is handed in, characters. */
+const LONGEST = 400_000;
+
+const taskResult = z.object({
+  id: text(100),
+  title: text(2000),
+  tries: count,
+  hints: count,
+  /** The stored answer was shown. */
+  solution: z.boolean(),
+  passed: z.nullable(z.object({ way: z.enum(WAYS_PASSED), when: z.number() })),
+  /** Least machining time of an answer that passed, s; greatest score. */
+  seconds: z.nullable(z.number()),
+  score: z.nullable(z.number()),
+  /** Time that the task was open and visible, s, and changes that were made in it. */
+  worked: z.number(),
+  steps: count,
+  /** The last program; null where none is kept. */
+  program: z.nullable(text(LONGEST)),
+  /** Whether that program passes, and what refuses it; null where it was not judged. */
+  verdict: z.nullable(z.object({ passed: z.boolean(), refused: z.array(z.enum(RULES)).check(z.maxLength(RULES.length)) })),
+});
+export type TaskResult = z.output<typeof taskResult>;
+
+const resultShape = z.object({
+  format: z.literal(RESULT_FORMAT),
+  /** As typed; empty where none was. */
+  name: text(200),
+  /** ms since 1970. */
+  made: z.number(),
+  tasks: z.array(taskResult).check(z.maxLength(500)),
+});
+export type HandedResult = z.output<typeof resultShape>;
+
+/** Results that were handed in; null where they are damaged. */
+export function readResult(raw: unknown): HandedResult | null {
+  const read = resultShape.safeParse(raw);
+  return read.success ? read.data : null;
+}
