@@ -112,7 +112,7 @@ export const PART_SOURCES = ["made", "contours"] as const;
 export type PartSource = (typeof PART_SOURCES)[number];
 
 /** The outlines of what an answer makes. */
-export function outlinesOf({ run, simulation }: Answer, from: PartSource): Pick<MadeTask, "outside" | "bore"> {
+export function outlinesFrom({ run, simulation }: Answer, from: PartSource): Pick<MadeTask, "outside" | "bore"> {
   const contours = from === "contours" ? finishedPart(run.operations) : [];
   const rings = contours.length > 0 ? difference(run.blank, difference(run.blank, contours)) : simulation.final;
   const { outside = [], bore = [] } = outlineText(rings, run.blank);
@@ -131,7 +131,7 @@ const NO_WORDS: WordsDraft = { title: "", ask: "", hints: ["", "", ""] };
 export function proposedTask(answer: Answer): MadeTask {
   const { run } = answer;
   const blank = blankLines(answer.text).join("\n");
-  const made = { blank, ...outlinesOf(answer, "made") };
+  const made = { blank, ...outlinesFrom(answer, "made") };
   const wanted = wantedPart(partOfMade(made)), { left, right } = boxAround([...wanted.rings]);
   const probe: Task = {
     format: TASK_FORMAT,

@@ -50,8 +50,8 @@ function arcOf(points: readonly Pt[], from: number, to: number): Segment | null 
   const sunk = (p: Pt, i: number) => {
     const q = run[i + 1];
     if (!q) return true;
-    const chord = Math.hypot(q.z - p.z, q.r - p.r) / 2;
-    return chord <= found.radius && found.radius - Math.sqrt(found.radius ** 2 - chord ** 2) < NEAR;
+    const half = part.apart(p, part.pointOn(part.line(p, q), 1 / 2));
+    return half <= found.radius && found.radius - Math.sqrt(found.radius ** 2 - half ** 2) < NEAR;
   };
   if (!run.every(near) || !run.every(sunk)) return null;
   const turn = (m.z - a.z) * (b.r - a.r) - (m.r - a.r) * (b.z - a.z) > 0 ? "ccw" : "cw";
@@ -83,6 +83,12 @@ const number = (value: number): string => {
   const text = String(rounded(value) + 0);
   return text.startsWith("-") ? text : `+${text}`;
 };
+/** Radii are round numbers more often than not: one that is as near is taken for it, mm. */
+const ROUND_RADIUS = 100, AS_NEAR = 0.003;
+const radiusText = (radius: number): string => {
+  const round = Math.round(radius * ROUND_RADIUS) / ROUND_RADIUS;
+  return number(Math.abs(round - radius) < AS_NEAR ? round : radius);
+};
 const at = (p: Pt): string => `X${number(toDiameter(p.r))} Z${number(p.z)}`;
 
 function linesOf(segments: readonly Segment[]): readonly string[] | undefined {
@@ -91,7 +97,7 @@ function linesOf(segments: readonly Segment[]): readonly string[] | undefined {
   return [
     `L ${at(first.from)}`,
     ...segments.map((s) =>
-      s.kind === "line" ? `L ${at(s.to)}` : `CR ${at(s.to)} R${number(part.radiusOf(s))} ${s.turn === "ccw" ? "DR+" : "DR-"}`
+      s.kind === "line" ? `L ${at(s.to)}` : `CR ${at(s.to)} R${radiusText(part.radiusOf(s))} ${s.turn === "ccw" ? "DR+" : "DR-"}`
     ),
   ];
 }

@@ -26,6 +26,8 @@ export interface PrintFeatures {
 const LEVEL = 0.001, ONE = 0.005;
 /** A corner that is broken by at most this share of the outline's extent, and by this many mm whatever that is. */
 const BROKEN = { share: 0.12, most: 6 } as const;
+/** Sides of a broken corner leave it, and each other, by more than this: the sine. */
+const BENT = 0.17;
 /** How far two directions may differ where an arc runs into a line without a corner: the sine. */
 const SMOOTH = 0.02;
 
@@ -38,6 +40,11 @@ const long = (s: Segment): number => Math.abs(s.to.z - s.from.z);
 const tall = (s: Segment): number => Math.abs(s.to.r - s.from.r);
 const isLevel = (s: Segment) => s.kind === "line" && tall(s) < LEVEL;
 const isUpright = (s: Segment) => s.kind === "line" && long(s) < LEVEL;
+
+function sine(a: Segment, b: Segment): number {
+  const [p, q] = [part.direction(a, a.to), part.direction(b, b.from)];
+  return Math.abs(p.z * q.r - p.r * q.z);
+}
 
 function runsInto(a: Segment | undefined, b: Segment | undefined): boolean {
   if (!a || !b) return false;
@@ -52,8 +59,11 @@ function cornerOf(before: Segment | undefined, s: Segment, after: Segment | unde
     const size = part.radiusOf(s);
     return size <= most && (runsInto(before, s) || runsInto(s, after)) ? { kind: "radius", at: middle, size } : null;
   }
-  if (isLevel(s) || isUpright(s) || Math.max(long(s), tall(s)) > most / 2 || !before || !after) return null;
-  if (![before, after].every((side) => isLevel(side) || isUpright(side)) || isLevel(before) === isLevel(after)) return null;
+  if (isLevel(s) || isUpright(s) || Math.max(long(s), tall(s)) > most / 2 || !before) return null;
+  // The last one runs out on the blank.
+  if (before.kind === "arc" || after?.kind === "arc") return null;
+  if (!isLevel(before) && !isUpright(before) && part.lengthOf(before) < part.lengthOf(s)) return null;
+  if ([before, after].some((side) => side && sine(side, s) < BENT) || (after && sine(before, after) < BENT)) return null;
   return { kind: "chamfer", at: middle, size: long(s), angle: (Math.atan2(tall(s), long(s)) * 180) / Math.PI };
 }
 

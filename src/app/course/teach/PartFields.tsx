@@ -1,4 +1,4 @@
-import { outlinesOf, PART_SOURCES, partOfMade } from "../../../course/made/made-task.ts";
+import { outlinesFrom, PART_SOURCES, partOfMade } from "../../../course/made/made-task.ts";
 import type { Answer } from "../../../course/judge/judgement.ts";
 import { wantedPart } from "../../../course/wanted-part.ts";
 import { sizeChoices } from "./size-choices.ts";
@@ -24,7 +24,7 @@ export function PartFields({ made, change, answer }: FormPart & { readonly answe
       <div className="teach-choices" role="group" aria-label={t.source}>
         <span className="soft">{t.source}</span>
         {PART_SOURCES.map((from) => (
-          <button key={from} type="button" className="button" onClick={() => put(outlinesOf(answer, from))}>{t.sources[from]}</button>
+          <button key={from} type="button" className="button" onClick={() => put(outlinesFrom(answer, from))}>{t.sources[from]}</button>
         ))}
       </div>
       <TeachText label={t.blank} isNc rows={rows(blank)} value={blank} change={(text) => put({ blank: text })} />

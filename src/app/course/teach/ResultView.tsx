@@ -6,7 +6,7 @@ import { openText } from "../../files/open-program.ts";
 import { Icon } from "../../Icon.tsx";
 import { useSettings } from "../../settings/settings.ts";
 import { useModal } from "../../use-modal.ts";
-import { taskOfId, verdictOf } from "./hand-in.ts";
+import { taskOfId, verdictHere } from "./hand-in.ts";
 import { leaveTaught } from "./taught-shown.ts";
 import { useTeachTexts } from "./use-teach-texts.ts";
 
@@ -17,7 +17,7 @@ async function runAgain({ id, program }: TaskResult): Promise<Again> {
   const task = program === null ? null : await taskOfId(id);
   if (program === null) return "none";
   if (!task) return "unknown";
-  return verdictOf(task, program).passed ? "passes" : "fails";
+  return verdictHere(task, program).passed ? "passes" : "fails";
 }
 
 /** Runs each program once more, one after the other. */

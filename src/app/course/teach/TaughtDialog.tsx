@@ -55,7 +55,6 @@ function IncomingTask({ task }: { readonly task: Task }) {
           </div>
         ))}
       </dl>
-      {task.part && <WorkshopDrawing task={task} language={language} />}
       <div className="handing-ways">
         <button type="button" className="button primary handing-first" onClick={() => void take()}>{t.incoming.take}</button>
         <button type="button" className="button" onClick={() => {
@@ -66,6 +65,7 @@ function IncomingTask({ task }: { readonly task: Task }) {
         </button>
         <button type="button" className="button" onClick={leaveTaught}>{t.incoming.not}</button>
       </div>
+      {task.part && <WorkshopDrawing task={task} language={language} />}
     </HandingDialog>
   );
 }

@@ -9,7 +9,7 @@ import { useSettings } from "../../settings/settings.ts";
 import { useModal } from "../../use-modal.ts";
 import { WorkshopDrawing } from "../drawing/WorkshopDrawing.tsx";
 import { wantedPart } from "../../../course/wanted-part.ts";
-import { formOf, keepForm } from "./kept-form.ts";
+import { formOfText, keepForm } from "./kept-form.ts";
 import { PartFields } from "./PartFields.tsx";
 import { RuleFields } from "./RuleFields.tsx";
 import { sizeChoices } from "./size-choices.ts";
@@ -32,7 +32,7 @@ function useBegun(text: string): Begun | null {
   useEffect(() => {
     const timer = setTimeout(() => {
       const answer = answerOf(text);
-      const proposed = formOf(text) ?? proposedTask(answer);
+      const proposed = formOfText(text) ?? proposedTask(answer);
       const sizes = proposed.sizes.length > 0 ? proposed.sizes : sizeChoices(wantedPart(partOfMade(proposed)));
       begin({ answer, first: { ...proposed, sizes } });
     });

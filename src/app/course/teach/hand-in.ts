@@ -19,7 +19,7 @@ export const taskOfId = async (id: string): Promise<Task | null> =>
   useTaught.getState().list.find((task) => task.id === id) ?? fetchTask(id);
 
 /** What a program comes to in a task, run as every device runs it. */
-export function verdictOf(task: Task, program: string): NonNullable<TaskResult["verdict"]> {
+export function verdictHere(task: Task, program: string): NonNullable<TaskResult["verdict"]> {
   const { passed, marks } = judge(task, answerOf(program));
   return { passed, refused: [...new Set(marks.filter((mark) => !mark.passed).map(({ rule }) => rule))] };
 }
@@ -50,7 +50,7 @@ export async function resultOf(id: string, progress: CourseProgress, language: L
     worked: Math.round(ms / SECOND),
     steps,
     program,
-    verdict: task && program !== null && task.kind !== "predict" ? verdictOf(task, program) : null,
+    verdict: task && program !== null && task.kind !== "predict" ? verdictHere(task, program) : null,
   };
 }
 

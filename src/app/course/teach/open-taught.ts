@@ -1,4 +1,3 @@
-import type { Opening } from "../../files/open-program.ts";
 import { notice } from "../../saving/keep.ts";
 import { LARGEST_TAUGHT, readTaught, readTaughtLink, type ReadTaught } from "./taught-files.ts";
 import { showTaught } from "./taught-shown.ts";
@@ -19,7 +18,7 @@ export function openTaughtLink(hash: string): void {
 }
 
 /** Shows the task or the results of a file. */
-export async function openTaughtFile(file: File): Promise<Opening> {
+export async function openTaughtFile(file: File): Promise<"opened" | "tooLarge" | "unreadable"> {
   if (file.size > LARGEST_TAUGHT) return "tooLarge";
   try {
     const read = readTaught(await file.text());
