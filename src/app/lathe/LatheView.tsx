@@ -19,6 +19,7 @@ import { KEEPS_KEYBOARD } from "../place.ts";
 import { reducedMotion } from "../settings/appearance.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
+import { useMedia } from "../use-media.ts";
 import { ChosenPath, HoveredMove } from "./Chosen.tsx";
 import { GhostPaths } from "./Ghost.tsx";
 import { GlyphButton } from "./GlyphButton.tsx";
@@ -130,9 +131,11 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
     pointed.set(at && toPlace(viewport.get(), at));
   };
   const look = measuring.on ? measuring : { tap, hover: point, drag: null };
-  const stage = useStage(viewport, look);
   const solid = useSolid({ run, shown: proved, moving, waiting, measures: measuring.on });
-  const looking = solid.drawn ? { ...viewport, ...solid.drawn } : viewport;
+  // Where there is room the section stays, and the body stands beside it.
+  const beside = useMedia("vast") && solid.drawn !== null, alone = beside ? null : solid.drawn;
+  const stage = useStage(viewport, look, beside ? 0.5 : 1);
+  const looking = alone ? { ...viewport, ...alone } : viewport;
   /** What is behind a button gives the picture back where there is little room. */
   const toggle = () => {
     measuring.toggle();
@@ -182,10 +185,12 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
           <Legend shapes={scene.shapes} holder={held} />
         </ViewBar>
       </Late>
-      <div ref={stage} className={`lathe-stage${dimmed ? " dimmed" : ""}${measuring.on ? " measuring" : ""}${ended ? " ended" : ""}`}
-        tabIndex={0} role="group" aria-label={t.title} aria-describedby={keysId} {...{ [KEEPS_KEYBOARD]: "" }}
+      <div ref={stage}
+        className={`lathe-stage${dimmed ? " dimmed" : ""}${measuring.on ? " measuring" : ""}${ended ? " ended" : ""}${
+          beside ? " beside" : ""
+        }`} tabIndex={0} role="group" aria-label={t.title} aria-describedby={keysId} {...{ [KEEPS_KEYBOARD]: "" }}
       >
-        {!solid.drawn && (
+        {!alone && (
           <>
             <Picture viewport={viewport} scene={scene} moving={moving} waiting={waiting} findings={findings} residual={residual}
               section={section} name={t.pictures[section](state)} path={path.stretches} ghosts={

@@ -2,8 +2,8 @@ import { useEffect, useRef, type RefObject } from "react";
 import { listenToGestures, type Touches } from "./gestures.ts";
 import type { Viewport } from "./viewport.ts";
 
-/** The element of the picture: its size goes to the viewport, its pointers to zoom, pan and the ruler. */
-export function useStage(viewport: Viewport, touches: Touches): RefObject<HTMLDivElement | null> {
+/** The element of the picture: the size of its `share` from the left goes to the viewport, its pointers to zoom, pan and the ruler. */
+export function useStage(viewport: Viewport, touches: Touches, share = 1): RefObject<HTMLDivElement | null> {
   const stage = useRef<HTMLDivElement>(null), now = useRef(touches);
   useEffect(() => {
     now.current = touches;
@@ -13,7 +13,7 @@ export function useStage(viewport: Viewport, touches: Touches): RefObject<HTMLDi
     if (!element) return;
     const measure = () => {
       const { clientWidth: width, clientHeight: height } = element;
-      if (width > 0 && height > 0) viewport.setSize({ width, height });
+      if (width > 0 && height > 0) viewport.setSize({ width: Math.round(width * share), height });
     };
     measure();
     const sizes = typeof ResizeObserver === "undefined" ? null : new ResizeObserver(measure);
@@ -29,6 +29,6 @@ export function useStage(viewport: Viewport, touches: Touches): RefObject<HTMLDi
       deaf();
       sizes?.disconnect();
     };
-  }, [viewport]);
+  }, [viewport, share]);
   return stage;
 }
