@@ -12,6 +12,7 @@ import { Notices } from "./Notices.tsx";
 import { useVersion } from "./offline/version.ts";
 import { useOwnPlace } from "./own/own-place.ts";
 import { lazyPart } from "./parts.ts";
+import { TaskLine } from "./course/task/TaskLine.tsx";
 import { useCopying } from "./program/copy.ts";
 import { fetchAtRest } from "./rest.ts";
 import { useElsewhere } from "./saving/elsewhere.ts";
@@ -109,6 +110,7 @@ export function App() {
         )}
       </div>
       <HandedLine />
+      {ready && !guide && !tools && !own && !sheet && <TaskLine />}
       {ready && guide && (
         <Suspense>
           <GuidePage />

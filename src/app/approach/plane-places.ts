@@ -11,7 +11,7 @@ export interface CutPlace extends LookAt {
 /** What a finding of the check of approach and departure proposes beside its place. */
 export function cutPlace(place: LookAt): CutPlace | null {
   const { issue } = place;
-  if (issue.code !== "approachCutsContour" && issue.code !== "approachValueCutsContour" && issue.code !== "approachBlocked") return null;
+  if (issue?.code !== "approachCutsContour" && issue?.code !== "approachValueCutsContour" && issue?.code !== "approachBlocked") return null;
   const free = issue.code === "approachCutsContour" && issue.data.freeY !== undefined ? { x: issue.data.freeX, y: issue.data.freeY } : null;
   return { ...place, free, point: issue.data.point };
 }

@@ -4,6 +4,7 @@ import type { Run } from "../../program/run-types.ts";
 import { datumAt, datumIndex } from "../../view/datum.ts";
 import { sceneOf } from "../../view/scene.ts";
 import { clock } from "../clock.ts";
+import type { Ring } from "../../kernel/point.ts";
 import type { Outcome } from "../engine/outcome.ts";
 import { Marks } from "../lathe/Marks.tsx";
 import { PlaceButtons, PlaceLines } from "../lathe/PlaceButtons.tsx";
@@ -34,7 +35,7 @@ import "../lathe/lathe.css";
 const TurnPoints = lazyPart(async () => ({ default: (await import("../approach/TurnPoints.tsx")).TurnPoints }));
 
 const EVERY = () => true;
-const NOTHING: Outcome["simulation"]["proof"]["residual"] = [];
+const NOTHING: readonly Ring[] = [];
 
 /** The element of the picture gives its size to the viewport. */
 function useSized(viewport: Viewport) {
@@ -106,9 +107,10 @@ export function LessonPicture({ outcome, page, dimmed }: { readonly outcome: Out
     <section className="lesson-picture" aria-label={t.picture.name}>
       <div className="lesson-lathe">
         <div ref={stage} className={`lathe-stage${dimmed ? " dimmed" : ""}${ended ? " ended" : ""}`}>
-          <Picture viewport={viewport} scene={scene} moving={moving} waiting={null} findings={simulation.findings}
-            residual={ended ? simulation.proof.residual : NOTHING} section={drawn} name={texts.lathe.pictures[drawn](state)}
-            path={passes.stretches} ghosts={null} chosen={told && (
+          <Picture viewport={viewport} scene={scene} moving={moving} waiting={null}
+            gouges={simulation.findings.flatMap(({ rings }) => rings)}
+            residual={ended ? simulation.proof.residual.map(({ ring }) => ring) : NOTHING} section={drawn}
+            name={texts.lathe.pictures[drawn](state)} path={passes.stretches} ghosts={null} chosen={told && (
             <Suspense>
               <LoadLines of={told} run={run} shown={EVERY} />
             </Suspense>

@@ -11,7 +11,7 @@ export function useLessonPlaces(outcome: Outcome): readonly LookAt[] {
   const texts = useTexts();
   const language = useSettings((s) => s.language);
   return useMemo(() =>
-    findingsOf(null, outcome).flatMap(({ id, issue, block, spot, residual, operation }): LookAt[] => {
+    findingsOf(null, outcome).flatMap(({ id, issue, block, spot, operation }): LookAt[] => {
       if (spot?.plane !== "ZX") return [];
       const cycle = operation === null ? null : outcome.run.operations[operation]?.cycle ?? null;
       const said = issueText(texts, language, issue, cycle);
@@ -25,7 +25,6 @@ export function useLessonPlaces(outcome: Outcome): readonly LookAt[] {
         line,
         position: spot.position,
         issue,
-        residual,
       }];
     }), [outcome, texts, language]);
 }

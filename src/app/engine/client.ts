@@ -81,6 +81,12 @@ async function showFirst({ request }: Wanted): Promise<void> {
   if (request.version > left) showBeginning(first);
 }
 
+/** Whether the run of the open work waits for what its task asks first. */
+const isVeiled = (): boolean => {
+  const { job, program } = useEditor.getState();
+  return (job ?? program)?.task?.veiled ?? false;
+};
+
 /** Calculates what waits; while one calculation runs only the newest request waits. */
 async function work(): Promise<void> {
   if (busy) return;
@@ -93,7 +99,8 @@ async function work(): Promise<void> {
     atStage("reading");
     try {
       await showFirst(wanted);
-      const outcome = await outcomeOf(wanted);
+      const made = await outcomeOf(wanted);
+      const outcome = isVeiled() ? (await untilHere(() => import("../course/task/veil.ts"))).veil(made) : made;
       await pauseInTyping();
       if (version > left) {
         notePace(outcome.pace);
@@ -112,7 +119,7 @@ async function work(): Promise<void> {
 
 /** A changed work is calculated: the page plans it at once where that is quickly done, and the worker proves it. */
 function want(request: Wanted["request"]): void {
-  const made = planNow(request);
+  const made = isVeiled() ? null : planNow(request);
   const planned = made && { ...made, ...ofWork(request) };
   if (planned) takePlanned(planned);
   waiting = { request, planned };

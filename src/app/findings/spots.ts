@@ -18,7 +18,8 @@ const SEEN = { rapidInStock: 0, gouge: 0.999, holderContact: 0.5 } as const;
 
 const roundPoint = ({ z, r }: Pt): Bounds => ({ left: z - ROUND, right: z + ROUND, low: r - ROUND, high: r + ROUND });
 
-function boundsOf(rings: readonly Ring[], place: Pt): Bounds {
+/** The box round some rings and a place, mm. */
+export function boundsRound(rings: readonly Ring[], place: Pt): Bounds {
   const box = roundPoint(place);
   let { left, right, low, high } = box;
   for (const ring of rings)
@@ -46,7 +47,7 @@ function spotOfMove({ steps }: Simulation, step: number): Unmarked | null {
   if (!s) return null;
   const { from, move: { to } } = s;
   const place: Pt = { z: axial((from.z + to.z) / 2), r: radius((from.r + to.r) / 2) };
-  return { plane: "ZX", kind: "finding", place, bounds: boundsOf([[from, to]], place), position: { step, fraction: 0.5 } };
+  return { plane: "ZX", kind: "finding", place, bounds: boundsRound([[from, to]], place), position: { step, fraction: 0.5 } };
 }
 
 /** Where the simulation saw what an issue of the proof names; null for what has no place. */
@@ -63,7 +64,7 @@ export function spotOfProof(simulation: Simulation, { issue, step }: ProofIssue)
         plane: "ZX",
         kind: "residual",
         place: left.place,
-        bounds: boundsOf([left.ring], left.place),
+        bounds: boundsRound([left.ring], left.place),
         position: { step: steps.length, fraction: 0 },
       };
       return { spot, residual, thickness: left.thickness };
@@ -78,7 +79,7 @@ export function spotOfProof(simulation: Simulation, { issue, step }: ProofIssue)
             plane: "ZX",
             kind: "finding",
             place: f.place,
-            bounds: boundsOf(f.rings, f.place),
+            bounds: boundsRound(f.rings, f.place),
             position: { step: f.step, fraction: SEEN[f.kind] },
           },
         }

@@ -1,7 +1,7 @@
 import { Suspense, useEffect, useId, useMemo, useState } from "react";
 import type { KnownWork } from "../../program/known-work.ts";
 import type { Run } from "../../program/run-types.ts";
-import type { Pt } from "../../kernel/point.ts";
+import type { Pt, Ring } from "../../kernel/point.ts";
 import { axial, diameter, radius, toRadius } from "../../kernel/units.ts";
 import { toPlace, type Place } from "../../view/camera.ts";
 import { datumAt, datumIndex } from "../../view/datum.ts";
@@ -36,6 +36,7 @@ import type { PlaybackStore } from "./playback-store.ts";
 import { Readout, SpokenStatus, statusText } from "./Readout.tsx";
 import { placeText } from "./running.ts";
 import { StepList } from "./StepList.tsx";
+import { useTold } from "./told.ts";
 import { Timeline } from "./Timeline.tsx";
 import { useLooking } from "./use-looking.ts";
 import { usePasses, useShownPath } from "./use-paths.ts";
@@ -60,6 +61,7 @@ const SolidView = lazyPart(async () => ({ default: (await import("../solid/Solid
 const WhichCycle = lazyPart(async () => ({ default: (await import("../which/WhichCycle.tsx")).WhichCycle }));
 
 const NOWHERE: readonly LookAt[] = [];
+const NO_RINGS: readonly Ring[] = [];
 
 const EMPTY_RUN: Run = {
   program: { name: "", unit: "mm", blocks: 0 },
@@ -165,11 +167,13 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
     const now = typed ? `${rests}. ${knownText(t, language, typed.outline)}` : rests;
     return run.datums.length > 0 ? `${now} ${t.countsFrom(x, z)}` : now;
   }, [t, texts, language, run, playback, resting, datum, typed]);
-  const found = usePlaces("ZX"), places = dimmed || !simulation ? NOWHERE : found;
+  const { told } = useTold();
+  const found = usePlaces("ZX"), places = told?.places ?? (dimmed || !simulation ? NOWHERE : found);
   const leads = useMemo(() => run.approaches.filter((a) => a.plane === "ZX"), [run]);
   const { chosen, choose } = useLooking(places, viewport, playback);
-  const seen = places.filter((each) => ended || each.kind === "finding" || each === chosen);
-  const residual = ended && simulation ? simulation.proof.residual : [], findings = simulation?.findings ?? [];
+  const seen = places.filter((each) => ended || told || each.kind === "finding" || each === chosen);
+  const residual = told?.left ?? (ended && simulation ? simulation.proof.residual.map(({ ring }) => ring) : NO_RINGS);
+  const gouges = told?.missing ?? simulation?.findings.flatMap(({ rings }) => rings) ?? NO_RINGS;
   return (
     <section className="lathe" data-tools={tools} aria-label={t.title} onKeyDown={(event) => {
       const target = event.target as HTMLElement;
@@ -192,7 +196,7 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
       >
         {!alone && (
           <>
-            <Picture viewport={viewport} scene={scene} moving={moving} waiting={waiting} findings={findings} residual={residual}
+            <Picture viewport={viewport} scene={scene} moving={moving} waiting={waiting} gouges={gouges} residual={residual}
               section={section} name={t.pictures[section](state)} path={path.stretches} ghosts={
               <Late>
                 <GhostPaths scene={scene} clock={clock} />

@@ -1,6 +1,5 @@
 import { memo, useEffect, useId, useMemo, useRef } from "react";
 import type { Ring } from "../../kernel/point.ts";
-import type { StockFinding, Residual } from "../../sim/simulation.ts";
 import { ringData } from "../../view/path.ts";
 import type { PathStretch } from "../../view/passes.ts";
 import type { Scene, Shape } from "../../view/scene.ts";
@@ -60,15 +59,15 @@ const NOTHING: readonly Ring[] = [];
  * Section of the work with path and tool, in sheets from back to front: grid, material, drawing, tool, what is written over it. The drawing
  * is painted once, however long the path. While it plays the material is painted where the tool is, and the tool's sheet is moved.
  */
-export function Picture({ viewport, scene, moving, waiting, findings, residual, section, path, ghosts, chosen, hovered, name, children }: {
+export function Picture({ viewport, scene, moving, waiting, gouges, residual, section, path, ghosts, chosen, hovered, name, children }: {
   readonly viewport: Viewport;
   readonly scene: Scene;
   readonly moving: Moving | null;
   /** The blank and the tool at its start, as long as nothing moves. */
   readonly waiting: Waiting | null;
-  readonly findings: readonly StockFinding[];
-  /** Shown only when the run is at its end. */
-  readonly residual: readonly Residual[];
+  /** Where the part was cut, and what stays, in part space. */
+  readonly gouges: readonly Ring[];
+  readonly residual: readonly Ring[];
   readonly section: SectionView;
   /** The lines of the path that are shown. */
   readonly path: readonly PathStretch[];
@@ -100,11 +99,11 @@ export function Picture({ viewport, scene, moving, waiting, findings, residual, 
       <svg className="sheet still">
         <ResidualHatch viewport={viewport} id={id} />
         <World viewport={viewport} isLong={isLong}>
-          {residual.length > 0 && <Rings rings={residual.map((each) => each.ring)} role="residual" fill={`url(#${id}residual)`} />}
+          {residual.length > 0 && <Rings rings={residual} role="residual" fill={`url(#${id}residual)`} />}
           <Still shapes={sheets.blank} mirror={full} />
           {moving && <PassLines stretches={path} playback={moving.playback} isLong={isLong} />}
           <Still shapes={sheets.contour} mirror={full} />
-          {findings.length > 0 && <Rings rings={findings.flatMap((each) => [...each.rings])} role="gouge" />}
+          {gouges.length > 0 && <Rings rings={gouges} role="gouge" />}
           {chosen}
         </World>
       </svg>

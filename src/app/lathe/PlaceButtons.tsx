@@ -69,8 +69,9 @@ export function PlaceLines({ viewport, places }: { readonly viewport: Viewport; 
     <g aria-hidden="true">
       <path className="lathe-leader-residual" d={leaders("residual", 0)} />
       <path className="lathe-leader-finding" d={leaders("finding", 6)} />
-      {drawn.filter((each) => each.kind === "finding").map(({ id, at }) => (
-        <circle key={id} className="lathe-ring" cx={at.x} cy={at.y} r="9" />
+      <path className="lathe-leader-told" d={leaders("told", 6)} />
+      {drawn.filter((each) => each.kind !== "residual").map(({ id, kind, at }) => (
+        <circle key={id} className={`lathe-ring lathe-ring-${kind}`} cx={at.x} cy={at.y} r="9" />
       ))}
     </g>
   );

@@ -11,7 +11,8 @@ import { useTexts } from "../settings/use-texts.ts";
 /** A finding of the list that is to be seen in the picture. */
 export interface LookAt {
   readonly id: string;
-  readonly kind: FindingSpot["kind"];
+  /** "told": said by the learner, before anything was seen. */
+  readonly kind: FindingSpot["kind"] | "told";
   /** Number of a finding, letter of a region that stays. */
   readonly mark: string;
   readonly place: Pt;
@@ -20,8 +21,8 @@ export interface LookAt {
   readonly line: string;
   /** The moment at which it is to be seen. */
   readonly position: PlayPosition;
-  readonly issue: AnyIssue;
-  readonly residual: number | null;
+  /** Null of what a task shows. */
+  readonly issue: AnyIssue | null;
 }
 
 /** The findings that one of the two pictures shows, in the order of the list. */
@@ -30,7 +31,7 @@ export function usePlaces(plane: FindingSpot["plane"]): readonly LookAt[] {
   const say = useIssueText();
   const t = useTexts().findings;
   return useMemo(() =>
-    entries.flatMap(({ id, issue, block, spot, residual }): LookAt[] => {
+    entries.flatMap(({ id, issue, block, spot }): LookAt[] => {
       if (spot?.plane !== plane) return [];
       const line = block === null ? say(issue) : `${say(issue)} (${t.inBlock(String(block))})`;
       return [{
@@ -42,7 +43,6 @@ export function usePlaces(plane: FindingSpot["plane"]): readonly LookAt[] {
         line,
         position: spot.position,
         issue,
-        residual,
       }];
     }), [entries, plane, say, t]);
 }

@@ -5,6 +5,7 @@ import { moveAt, positionNear } from "../../view/pick.ts";
 import { createHover, type Hover } from "./Chosen.tsx";
 import { chooseMove, elementNear } from "../selection.ts";
 import { useEditor } from "../store.ts";
+import { useTold } from "./told.ts";
 import type { Viewport } from "./viewport.ts";
 
 /** A pointer this near to a move means that move, pixels. */
@@ -26,7 +27,8 @@ export function usePicking({ run, viewport, shown, onMove }: {
       hover,
       over: (at) => hover.set(at && stepAt(at)),
       tap(at) {
-        const step = stepAt(at), place = toPlace(viewport.get(), at);
+        const step = stepAt(at), place = toPlace(viewport.get(), at), { told } = useTold.getState();
+        if (told?.take) return told.take(place);
         const rows = useEditor.getState().job?.contour;
         const element = rows ? elementNear(rows, place, reach()) : null;
         if (step === null) return;

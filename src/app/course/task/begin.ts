@@ -6,6 +6,7 @@ import { openWork, refreshWorks, startWork, useKeeping } from "../../saving/keep
 import { useSettings } from "../../settings/settings.ts";
 import { hideTools } from "../../tools/tool-place.ts";
 import type { Work } from "../../work.ts";
+import { unfoldNext } from "./task-view.ts";
 
 /** A task foretells before anything runs, and a fault is to be found by reading first. */
 const isVeiled = ({ predict = [] }: Task): boolean => predict.length > 0;
@@ -25,7 +26,8 @@ export function workOfTask(task: Task, fromOutside = false): Work {
 export const keptOfTask = (id: string): string | undefined => useKeeping.getState().works.find(({ task }) => task === id)?.work;
 
 /** Begins a task anew, as a work of its own. */
-export function beginAnew(task: Task, fromOutside = false): void {
+export function beginTaskAnew(task: Task, fromOutside = false): void {
+  unfoldNext();
   hideTools();
   hideOwn();
   usePlace.setState({ section: "prompts", prompt: null, field: null });
@@ -35,7 +37,8 @@ export function beginAnew(task: Task, fromOutside = false): void {
 /** Goes on with what was made of a task on this device, or begins it. */
 export async function beginTask(task: Task, fromOutside = false): Promise<void> {
   await refreshWorks();
+  unfoldNext();
   const kept = keptOfTask(task.id);
-  if (kept === undefined || !(await openWork(kept))) return beginAnew(task, fromOutside);
+  if (kept === undefined || !(await openWork(kept))) return beginTaskAnew(task, fromOutside);
   usePlace.setState({ section: "prompts", prompt: null, field: null });
 }

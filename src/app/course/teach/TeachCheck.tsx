@@ -5,7 +5,7 @@ import type { Task } from "../../../course/task.ts";
 import { downloadText } from "../../files/download.ts";
 import { Icon } from "../../Icon.tsx";
 import { useSettings } from "../../settings/settings.ts";
-import { beginAnew } from "../task/begin.ts";
+import { beginTaskAnew } from "../task/begin.ts";
 import { LinkBox, pageAddress } from "./LinkBox.tsx";
 import { taskLink, taughtFile } from "./taught-files.ts";
 import { useTeachTexts } from "./use-teach-texts.ts";
@@ -57,7 +57,7 @@ export function TeachCheck({ task, judged, isIdle, done }: { readonly task: Task
         <button type="button" className="button" disabled={!ready} onClick={() => {
           if (!ready) return;
           done();
-          beginAnew(ready, true);
+          beginTaskAnew(ready, true);
         }}>
           <Icon name="play" /> {t.tryIt}
         </button>

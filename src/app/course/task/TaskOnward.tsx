@@ -1,0 +1,51 @@
+import type { Task, TaskWords } from "../../../course/task.ts";
+import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
+import { Icon } from "../../Icon.tsx";
+import { fetchTask, useCourseIndex, type LessonEntry, type TaskEntry } from "../content.ts";
+import { courseHref } from "../course-links.ts";
+import { useTaskProgress } from "../progress.ts";
+import { beginTask, beginTaskAnew } from "./begin.ts";
+
+interface Around {
+  readonly lesson: LessonEntry | null;
+  readonly next: TaskEntry | null;
+}
+
+/** The lesson of a task, and the task that follows it: in its lesson, or the first of a later one. */
+export function aroundTask(lessons: readonly LessonEntry[], id: string): Around {
+  const all = lessons.flatMap((lesson) => lesson.tasks.map((task) => ({ lesson, task })));
+  const index = all.findIndex(({ task }) => task.id === id);
+  return { lesson: all[index]?.lesson ?? null, next: index < 0 ? null : (all[index + 1]?.task ?? null) };
+}
+
+/** Begins a task of the course. */
+async function begin(id: string): Promise<void> {
+  const task = await fetchTask(id);
+  if (task) await beginTask(task);
+}
+
+/** What was learned when it is passed, the next task, and the way back to the lesson. */
+export function TaskOnward({ task, t, words }: { readonly task: Task; readonly t: CourseTaskTexts; readonly words: TaskWords }) {
+  const { lessons } = useCourseIndex();
+  const { passed } = useTaskProgress(task.id);
+  const { lesson, next } = aroundTask(lessons, task.id);
+  return (
+    <section className="task-part task-onward">
+      {passed && words.learned !== undefined && (
+        <div className="task-learned">
+          <h3>
+            <Icon name="check" /> {t.learned}
+          </h3>
+          <p>{words.learned}</p>
+        </div>
+      )}
+      <div className="task-ways">
+        {next && passed && (
+          <button type="button" className="button primary" onClick={() => void begin(next.id)}>{t.nextTask(next.title)}</button>
+        )}
+        <a className="button" href={courseHref(lesson?.id ?? null, "tasks")}>{lesson ? t.toLesson : t.toCourse}</a>
+        <button type="button" className="button" onClick={() => beginTaskAnew(task, !lesson)}>{t.anew}</button>
+      </div>
+    </section>
+  );
+}

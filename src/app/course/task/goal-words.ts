@@ -1,0 +1,73 @@
+import type { TaskGoal } from "../../../course/goals.ts";
+import type { TaskRules, TaskSize } from "../../../course/task.ts";
+import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
+import type { Language } from "../../../i18n/languages.ts";
+import { formatNumber, formatSigned } from "../../../i18n/number.ts";
+import { writer } from "../../../i18n/write.ts";
+
+/** A deviation with its sign; nothing but 0 where there is none. */
+const deviation = (language: Language, value: number) => (value === 0 ? "0" : formatSigned(language, value));
+
+/** A nominal size with its deviations: 40 ±0.02, 40 0/-0.05. */
+export function toleranced(language: Language, { nominal, upper, lower }: Pick<TaskSize, "nominal" | "upper" | "lower">): string {
+  const limits = upper === -lower ? `±${formatNumber(language, upper)}` : `${deviation(language, upper)}/${deviation(language, lower)}`;
+  return `${formatNumber(language, nominal)} ${limits}`;
+}
+
+/** A size of the made part, with where it is measured. */
+export const sizeGoal = (t: CourseTaskTexts, language: Language, size: TaskSize): string =>
+  t.is.size[size.kind](toleranced(language, size),
+    size.kind === "face" ? formatNumber(language, size.at) : formatSigned(language, size.at));
+
+/** What a parameter is asked to be. */
+export function valueGoal(t: CourseTaskTexts, language: Language, asked: NonNullable<TaskRules["values"]>[number]): string {
+  const { q, from, to, cycle } = asked;
+  const number = (value: number) => formatNumber(language, value);
+  const said = () => {
+    if (from !== undefined && to !== undefined)
+      return from === to ? t.is.exact(q, number(from)) : t.is.between(q, number(from), number(to));
+    return from === undefined ? t.is.most(q, number(to ?? 0)) : t.is.least(q, number(from));
+  };
+  return cycle === undefined ? said() : t.is.ofCycle(said(), String(cycle));
+}
+
+/** A list in words: 1, 3 and 4. */
+function listed(t: CourseTaskTexts, all: readonly string[]): string {
+  const [last = "", ...before] = all.toReversed();
+  return before.length === 0 ? last : t.is.and(before.toReversed().join(", "), last);
+}
+
+/** A goal in words, with its numbers. */
+export function goalText(t: CourseTaskTexts, language: Language, goal: TaskGoal): string {
+  const number = (value: number) => formatNumber(language, value);
+  const { is } = t;
+  switch (goal.kind) {
+    case "foretold":
+      return is.foretold(goal.entry + 1, goal.of);
+    case "part":
+      return goal.residue === null ? is.part : is.partLeaving(writer(language).area(goal.residue));
+    case "size":
+      return sizeGoal(t, language, goal.size);
+    case "safe":
+    case "clean":
+      return is[goal.kind];
+    case "depth":
+    case "speed":
+    case "seconds":
+      return is[goal.kind](number(goal.limit));
+    case "mostTools":
+    case "passes":
+      return is[goal.kind](goal.limit);
+    case "tools":
+      return is.tools(listed(t, goal.tools.map(String)));
+    case "cycles":
+    case "without":
+      return is[goal.kind](String(goal.cycle));
+    case "values":
+      return valueGoal(t, language, goal.asked);
+    case "rz":
+      return is.rz(number(goal.asked.most), formatSigned(language, goal.asked.from), formatSigned(language, goal.asked.to));
+    case "words":
+      return is.words(goal.word);
+  }
+}

@@ -1,0 +1,21 @@
+import { blockNumbers } from "../../../nc/program.ts";
+import { openChosen } from "../../editor/choose-block.ts";
+import { openBlock, readWhole, useSession } from "../../editor/session.ts";
+import { showFile } from "../../files/shown-file.ts";
+
+/** Opens the block of a number in the text of the open program; the tool stays where it is. */
+export function openNumbered(block: number, q: string | null): void {
+  showFile(null);
+  readWhole();
+  const index = blockNumbers(useSession.getState().reading.program).indexOf(block);
+  if (index >= 0) openChosen(() => openBlock(index, q));
+}
+
+/** Tells the number of each block that is pointed at in the text or in the list of its parts. */
+export function followPointed(tell: (block: number) => void): () => void {
+  return useSession.subscribe((now, before) => {
+    if (now.opened === before.opened && now.pointed === before.pointed) return;
+    const number = blockNumbers(now.reading.program)[now.index];
+    if (typeof number === "number") tell(number);
+  });
+}

@@ -1,0 +1,71 @@
+import type { RuleName, TaskJudgement, TaskMark } from "./judge/judgement.ts";
+import type { Task, TaskRules, TaskSize } from "./task.ts";
+
+/** What a task wants, as one line of its list of goals. */
+export type TaskGoal = { readonly kind: "foretold"; readonly entry: number; readonly of: number } | { readonly kind: "part";
+  readonly residue: number | null } | { readonly kind: "size"; readonly entry: number; readonly size: TaskSize } | {
+  readonly kind: "safe" | "clean";
+} | { readonly kind: "depth" | "speed" | "mostTools" | "seconds" | "passes"; readonly limit: number } | { readonly kind: "tools";
+  readonly tools: readonly number[] } | { readonly kind: "cycles" | "without"; readonly cycle: number } | { readonly kind: "values";
+  readonly entry: number; readonly asked: NonNullable<TaskRules["values"]>[number] } | { readonly kind: "rz"; readonly entry: number;
+  readonly asked: NonNullable<TaskRules["rz"]>[number] } | { readonly kind: "words"; readonly entry: number; readonly word: string };
+
+/** So much may stay beside a part without being said, mm²: what an insert leaves of a sharp corner. */
+const UNSAID = 0.05;
+
+/** The goals of a task, in the order in which they are looked at. */
+export function goalsOf({ kind, part, sizes = [], rules, predict = [] }: Task): readonly TaskGoal[] {
+  const foretold = predict.map((_, entry): TaskGoal => ({ kind: "foretold", entry, of: predict.length }));
+  if (kind === "predict") return foretold;
+  const residue = rules.residue ?? 0;
+  const limits = (["depth", "speed", "passes", "seconds", "mostTools"] as const).flatMap((name): TaskGoal[] => {
+    const limit = rules[name];
+    return limit === undefined ? [] : [{ kind: name, limit }];
+  });
+  return [
+    ...foretold,
+    ...(part ? [{ kind: "part" as const, residue: residue > UNSAID ? residue : null }] : []),
+    ...sizes.map((size, entry): TaskGoal => ({ kind: "size", entry, size })),
+    ...(rules.rz ?? []).map((asked, entry): TaskGoal => ({ kind: "rz", entry, asked })),
+    { kind: "safe" },
+    ...(rules.clean ? [{ kind: "clean" as const }] : []),
+    ...limits,
+    ...(rules.tools ? [{ kind: "tools" as const, tools: rules.tools }] : []),
+    ...(["cycles", "without"] as const).flatMap((name) => (rules[name] ?? []).map((cycle): TaskGoal => ({ kind: name, cycle }))),
+    ...(rules.values ?? []).map((asked, entry): TaskGoal => ({ kind: "values", entry, asked })),
+    ...(rules.words ?? []).map((word, entry): TaskGoal => ({ kind: "words", entry, word })),
+  ];
+}
+
+const TOGETHER: Readonly<Partial<Record<TaskGoal["kind"], readonly RuleName[]>>> = {
+  part: ["blank", "missing", "residue"],
+  safe: ["errors", "unproved", "rapid", "holder", "gouge"],
+};
+
+function isAbout(goal: TaskGoal, mark: TaskMark): boolean {
+  const { rule, size, entry, about } = mark;
+  switch (goal.kind) {
+    case "foretold":
+      return false;
+    case "part":
+    case "safe":
+      return TOGETHER[goal.kind]?.includes(rule) ?? false;
+    case "size":
+      return rule === "size" && size === goal.entry;
+    case "values":
+    case "rz":
+    case "words":
+      return rule === goal.kind && entry === goal.entry;
+    case "cycles":
+    case "without":
+      return rule === goal.kind && (about === undefined || about === goal.cycle);
+    default:
+      return rule === goal.kind;
+  }
+}
+
+/** Whether a goal is met: by what was foretold, each answer right or not, or by the judgement on the work. */
+export const isMet = (goal: TaskGoal, judgement: TaskJudgement | null, foretold: readonly boolean[]): boolean =>
+  goal.kind === "foretold"
+    ? foretold[goal.entry] === true
+    : judgement !== null && judgement.marks.every((mark) => mark.passed || !isAbout(goal, mark));
