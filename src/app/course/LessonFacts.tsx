@@ -47,12 +47,15 @@ export function LessonFacts({ outcome, played, told }: { readonly outcome: Outco
   const { run } = outcome;
   const calls = operationsPlayed(run.operations, played);
   const passes = calls.reduce((sum, { plan }) => sum + plan.passes, 0);
-  const infeed = calls.find(({ plan }) => plan.infeed > 0)?.plan.infeed ?? null;
+  const cutting = calls.find(({ plan }) => plan.infeed > 0)?.plan;
   const seconds = run.steps.slice(played.first, played.last + 1).reduce((sum, step) => sum + step.seconds, 0);
   const { residual } = effectOf(outcome);
   const facts: readonly (readonly [name: string, value: string])[] = [
     ...(passes > 0 ? [[t.passes, formatNumber(language, passes, 0)] as const] : []),
-    ...(passes > 0 && infeed !== null ? [[t.infeed, `${formatFixed(language, infeed, 3)} ${t.infeedUnit}`] as const] : []),
+    // The passes of a thread grow ever shallower: what is told is the deepest.
+    ...(passes > 0 && cutting
+      ? [[t.infeed, `${formatFixed(language, cutting.infeed, 3)} ${cutting.thread ? "mm" : t.infeedUnit}`] as const]
+      : []),
     [t.time, t.duration(Math.floor(seconds / 60), formatFixed(language, seconds % 60, 1))],
     ...(calls.length > 0 && residual !== null
       ? [[t.residual, residual === 0 ? t.none : `${formatNumber(language, residual, 3)} mm²`] as const]
