@@ -15,6 +15,7 @@ import { LessonProgram } from "./LessonProgram.tsx";
 import { LessonSlide } from "./LessonSlide.tsx";
 import { LessonTasks } from "./LessonTasks.tsx";
 import { pagesOf, type LessonPageOf } from "./lesson-pages.ts";
+import { Paragraphs } from "./Paragraphs.tsx";
 import { noteLessonPage } from "./progress.ts";
 import { useCourseTexts } from "./use-course-texts.ts";
 import { useLessonRun } from "./use-lesson-run.ts";
@@ -28,11 +29,6 @@ function useLesson(id: string): Lesson | null {
   coming.set(id, made);
   atOnce(made);
   return use(made);
-}
-
-/** The text of a page, its paragraphs parted by empty lines. It is read out when the page is turned. */
-function Paragraphs({ text }: { readonly text: string }) {
-  return <>{text.split("\n\n").map((each, i) => <p key={i}>{each}</p>)}</>;
 }
 
 /** A page: its text beside the lathe, and what may be slid. */
