@@ -1,4 +1,5 @@
 import { Fragment } from "react";
+import "./paragraphs.css";
 
 /** No line ends before a mark that French sets apart, nor behind its opening quote. */
 const together = (text: string): string => text.replaceAll(/ (?=[?!:;»%])|(?<=«) /g, "\u00a0");
@@ -10,7 +11,7 @@ const NUMBER = /(\S*-\d\S*)/;
 export function Paragraphs({ text }: { readonly text: string }) {
   return (
     <>
-      {text.split("\n\n").map((each, i) => (
+      {text.split(/\n\s*\n/).map((each, i) => (
         <p key={i}>
           {together(each).split(NUMBER).map((piece, k) =>
             NUMBER.test(piece) ? <span key={k} className="unbroken">{piece}</span> : <Fragment key={k}>{piece}</Fragment>

@@ -7,6 +7,7 @@ import { Icon } from "../../Icon.tsx";
 import { useEditor } from "../../store.ts";
 import { useSettings } from "../../settings/settings.ts";
 import { WorkshopDrawing } from "../drawing/WorkshopDrawing.tsx";
+import { Paragraphs } from "../Paragraphs.tsx";
 import { ForetoldResult } from "./ForetoldResult.tsx";
 import { goalText } from "./goal-words.ts";
 import { TaskHelp } from "./TaskHelp.tsx";
@@ -76,7 +77,7 @@ export function TaskBody({ task, t, words }: Props) {
   return (
     <>
       <section className="task-part task-ask" aria-label={t.unfold}>
-        {words.ask.split(/\n\s*\n/).map((paragraph, i) => <p key={i}>{paragraph}</p>)}
+        <Paragraphs text={words.ask} />
         {task.kind === "drawing" && (
           <details className="task-drawing" open>
             <summary>{t.drawing}</summary>

@@ -6,6 +6,7 @@ import { showComparison } from "../../compare/compare-place.ts";
 import { startWork } from "../../saving/keep.ts";
 import { handedOn, useEditor } from "../../store.ts";
 import { broughtBy } from "../../work.ts";
+import { Paragraphs } from "../Paragraphs.tsx";
 import { noteHint, noteSolution, useTaskProgress } from "../progress.ts";
 
 /** Opens a block of the present work; in prompts there is none to open. */
@@ -31,7 +32,7 @@ export function TaskHelp({ task, t, words }: { readonly task: Task; readonly t: 
       {words.hints.slice(0, stages).map((hint, i) => (
         <div key={i} className="task-hint">
           <h3>{t.hint(i + 1)}</h3>
-          <p>{hint}</p>
+          <Paragraphs text={hint} />
         </div>
       ))}
       <div className="task-ways">
