@@ -1,3 +1,4 @@
+import { TASK_FORMAT, taskSchema } from "../../course/task.ts";
 import fc from "fast-check";
 import { strToU8, unzipSync, zipSync } from "fflate";
 import { expect, test } from "vitest";
@@ -41,6 +42,13 @@ const course = withPlace(
     page: "tasks",
   },
 );
+const taught = taskSchema.parse({
+  format: TASK_FORMAT,
+  id: "stepped-pin-1x",
+  kind: "make",
+  start: { empty: true },
+  words: { fr: { title: "Axe", ask: "Tournez-le.", hints: ["a", "b", "c"] } },
+});
 const read = (bytes: Uint8Array): ReadArchive => {
   const found = readArchive(bytes);
   if ("problem" in found) throw new Error(found.problem);
@@ -49,7 +57,9 @@ const read = (bytes: Uint8Array): ReadArchive => {
 
 test("whatever is packed is found again, what is typed wrong and drafts of other cycles included", () => {
   fc.assert(fc.property(works, fc.boolean(), (all, whole) => {
-    const rest = whole ? { tools, own, settings, course } : { tools: null, own: null, settings: null, course: null };
+    const rest = whole
+      ? { tools, own, settings, course, taught: [taught] }
+      : { tools: null, own: null, settings: null, course: null, taught: null };
     const found = read(writeArchive({ works: all, ...rest }));
     expect(found).toEqual({ works: all, ...rest, unread: [], unreadParts: [] });
   }), { numRuns: 60 });

@@ -1,9 +1,11 @@
 import { strFromU8, strToU8, unzipSync, zipSync, type Zippable } from "fflate";
 import { readProgress, type CourseProgress } from "../../course/progress.ts";
+import type { Task } from "../../course/task.ts";
 import type { OwnList } from "../../program/own-library.ts";
 import { writeLibrary } from "../../program/own-library.ts";
 import type { ToolList } from "../../program/tool-list.ts";
 import { writeTableJson } from "../../program/tool-table-json.ts";
+import { readTaughtList, writeTaught } from "../course/teach/taught-list.ts";
 import { encode } from "../editor/encoding.ts";
 import { readKeptOwn } from "../own/keep-own.ts";
 import { printedText, programName } from "../printed.ts";
@@ -38,10 +40,12 @@ export interface ArchiveContent {
   readonly settings: Settings | null;
   /** What was reached in the course. */
   readonly course: CourseProgress | null;
+  /** Tasks that came from an instructor. */
+  readonly taught: readonly Task[] | null;
 }
 
 /** The parts of an archive beside its works. */
-const PARTS = ["tools", "own", "settings", "course"] as const;
+const PARTS = ["tools", "own", "settings", "course", "taught"] as const;
 type Part = (typeof PARTS)[number];
 
 /** A read archive. What of it cannot be read is named and stops nothing. */
@@ -117,9 +121,9 @@ const [EARLIEST, LATEST] = [Date.UTC(1980, 0, 2), Date.UTC(2099, 11, 30)];
 const zipTime = (time: number): number => Math.min(Math.max(Number.isFinite(time) ? time : EARLIEST, EARLIEST), LATEST);
 
 /** Packs works, and what else is given, into one file. */
-export function writeArchive({ works, tools = null, own = null, settings = null, course = null }: Partial<ArchiveContent>): Uint8Array<
-  ArrayBuffer
-> {
+export function writeArchive({ works, tools = null, own = null, settings = null, course = null, taught = null }: Partial<
+  ArchiveContent
+>): Uint8Array<ArrayBuffer> {
   const all = works ?? [];
   const mtime = zipTime(Math.max(EARLIEST, ...all.map(({ savedAt }) => savedAt)));
   const manifest = {
@@ -129,6 +133,7 @@ export function writeArchive({ works, tools = null, own = null, settings = null,
     ...(own && { own: sealed({ version: 1, cycles: own }) }),
     ...(settings && { settings: sealed(settings) }),
     ...(course && { course: sealed(course) }),
+    ...(taught && taught.length > 0 && { taught: sealed(JSON.parse(writeTaught(taught) ?? "null")) }),
   };
   const files: Zippable = { [MANIFEST]: [strToU8(JSON.stringify(manifest)), { mtime }] };
   const folderOf = namer();
@@ -189,6 +194,7 @@ function contentOf(raw: Readonly<Record<string, unknown>>): ReadArchive {
     own: part("own", readKeptOwn),
     settings: part("settings", readSettings),
     course: part("course", readProgress),
+    taught: part("taught", readTaughtList),
   };
   const unreadParts = PARTS.filter((name) => raw[name] !== undefined && parts[name] === null);
   return { ...worksOf(Array.isArray(raw["works"]) ? raw["works"] : []), ...parts, unreadParts };

@@ -2,6 +2,7 @@ import { time } from "../clock.ts";
 import { downloadBytes } from "../files/download.ts";
 import { isEmptyProgress } from "../../course/progress.ts";
 import { startLearning, useLearning } from "../course/progress.ts";
+import { startTaught, useTaught } from "../course/teach/taught.ts";
 import { useOwn } from "../own/own-store.ts";
 import { ARCHIVE_LIMITS, writeArchive, type ArchivedWork } from "../saving/archive.ts";
 import { findWorks, readWork } from "../saving/device.ts";
@@ -77,12 +78,14 @@ export async function saveEverything(unkept: readonly string[]): Promise<{ reado
   const { works } = await findWorks();
   const all = [...new Set([...works.map(({ work }) => work), ...unkept])];
   startLearning();
+  startTaught();
   const { list: course } = useLearning.getState();
   const beside = {
     tools: useTools.getState().list,
     own: useOwn.getState().list,
     settings: useSettings.getState(),
     ...(!isEmptyProgress(course) && { course }),
+    taught: useTaught.getState().list,
   };
   return save(all, beside);
 }

@@ -32,6 +32,7 @@ const archive: ReadArchive = {
   own: [own("c1", "1711", "OTHERS"), own("c2", "1713", "SAW")],
   settings,
   course: withPlace(withPass(NO_PROGRESS, "l03-thicker-bar", { when: 7, seconds: 41.7 }), { lesson: "tool", number: 2, page: 3 }),
+  taught: null,
   unread: [],
   unreadParts: [],
 };

@@ -4,6 +4,8 @@ import { mergedLibrary, type OwnList } from "../../program/own-library.ts";
 import { mergedTools, sameList, type ToolList } from "../../program/tool-list.ts";
 import { drawnId } from "../chance.ts";
 import { bringProgress, startLearning, useLearning } from "../course/progress.ts";
+import { bringTasks, startTaught, useTaught } from "../course/teach/taught.ts";
+import type { Task } from "../../course/task.ts";
 import { editOwn, useOwn } from "../own/own-store.ts";
 import { writeKeptOwn } from "../own/keep-own.ts";
 import type { ArchivedWork, ReadArchive } from "../saving/archive.ts";
@@ -61,6 +63,10 @@ export function missingOwn(brought: OwnList, mine: OwnList): OwnList | null {
 export const bringsCourse = (brought: CourseProgress, mine: CourseProgress): boolean =>
   fingerprint(mergedProgress(mine, brought)) !== fingerprint(mine);
 
+/** True where an instructor's tasks are brought that are not here. */
+export const bringsTasks = (brought: readonly Task[], mine: readonly Task[]): boolean =>
+  brought.some(({ id }) => !mine.some((task) => task.id === id));
+
 /** What is taken of an archive. */
 export interface ArchiveChoice {
   readonly works: readonly ArchivedWork[];
@@ -81,13 +87,14 @@ export async function takeArchive(archive: ReadArchive, choice: ArchiveChoice): 
     return { ...each, work };
   });
   const kept = await addWorks(lying);
-  const { tools, own, settings, course } = archive;
+  const { tools, own, settings, course, taught } = archive;
   if (tools && choice.tools === "replace") editTools(() => tools);
   if (tools && choice.tools === "missing")
     editTools((list) => mergedTools(list, (missingTools(tools, list) ?? []).map(({ cells }) => cells)).list);
   if (own && choice.own === "replace") editOwn(() => own);
   if (own && choice.own === "missing") editOwn((list) => mergedLibrary(list, missingOwn(own, list) ?? []).list);
   if (course && choice.course) bringProgress(course);
+  if (taught && choice.course) bringTasks(taught);
   if (settings && choice.settings) {
     const { language, ...others } = settings;
     changeSettings(others);
@@ -99,5 +106,11 @@ export async function takeArchive(archive: ReadArchive, choice: ArchiveChoice): 
 /** The tables of this device, for what is said of those in an archive. */
 export function tablesHere() {
   startLearning();
-  return { tools: useTools.getState().list, own: useOwn.getState().list, course: useLearning.getState().list };
+  startTaught();
+  return {
+    tools: useTools.getState().list,
+    own: useOwn.getState().list,
+    course: useLearning.getState().list,
+    taught: useTaught.getState().list,
+  };
 }

@@ -1,8 +1,8 @@
 import { create } from "zustand";
-import { z } from "zod/mini";
-import { taskSchema, type Task } from "../../../course/task.ts";
+import type { Task } from "../../../course/task.ts";
 import { keepTable } from "../../saving/device-table.ts";
 import { noteChange } from "../../steps.ts";
+import { MOST_TAUGHT, readTaughtList, writeTaught } from "./taught-list.ts";
 
 /** The tasks that came from outside and are kept on this device, the newest first. */
 export interface Taught {
@@ -13,23 +13,6 @@ export interface Taught {
 export const useTaught = create<Taught>(() => ({ list: [], trouble: "none" }));
 
 const put = (list: readonly Task[]): void => useTaught.setState({ list });
-
-/** Most tasks that are kept. */
-const MOST = 200;
-const kept = z.object({ version: z.literal(1), tasks: z.array(taskSchema).check(z.maxLength(MOST)) });
-
-/** The text that is kept; null where there is none. */
-export const writeTaught = (tasks: readonly Task[]): string | null => (tasks.length === 0 ? null : JSON.stringify({ version: 1, tasks }));
-
-/** Kept tasks; null where they are damaged. Never throws. */
-export function readTaughtList(text: string): readonly Task[] | null {
-  try {
-    const read = kept.safeParse(JSON.parse(text));
-    return read.success ? read.data.tasks : null;
-  } catch {
-    return null;
-  }
-}
 
 /** Where the tasks are kept. */
 export const TAUGHT_KEY = "turnwise/course-tasks";
@@ -63,8 +46,14 @@ function change(to: readonly Task[]): void {
 export function keepTask(task: Task): void {
   const { list } = useTaught.getState();
   if (list.some((each) => JSON.stringify(each) === JSON.stringify(task))) return;
-  change([task, ...list.filter(({ id }) => id !== task.id)].slice(0, MOST));
+  change([task, ...list.filter(({ id }) => id !== task.id)].slice(0, MOST_TAUGHT));
 }
 
 /** Lets a kept task go. What was made of it stays. */
 export const removeTask = (id: string): void => change(useTaught.getState().list.filter((task) => task.id !== id));
+
+/** Takes the tasks of another device that this one does not have, as one step. */
+export function bringTasks(brought: readonly Task[]): void {
+  const { list } = useTaught.getState(), fresh = brought.filter(({ id }) => !list.some((task) => task.id === id));
+  if (fresh.length > 0) change([...list, ...fresh].slice(0, MOST_TAUGHT));
+}

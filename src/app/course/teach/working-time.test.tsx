@@ -1,0 +1,40 @@
+import { beforeEach, expect, test, vi } from "vitest";
+import { countWork, useWorked, workedIn } from "./working-time.ts";
+import { useEditor } from "../../store.ts";
+
+const now = vi.hoisted(() => ({ ms: 1000, visible: "visible" }));
+vi.mock("../../clock.ts", async (real) => ({ ...(await real<object>()), time: () => now.ms }));
+
+const open = (task: string | null) =>
+  useEditor.setState({
+    work: task,
+    program: task === null ? null : { name: "A.h", text: "", encoding: "utf-8", task: { id: task } },
+    job: null,
+  });
+const pass = (ms: number) => {
+  now.ms += ms;
+  countWork();
+};
+
+beforeEach(() => {
+  vi.spyOn(document, "visibilityState", "get").mockImplementation(() => now.visible as DocumentVisibilityState);
+  useWorked.setState({ list: {} });
+});
+
+test("time counts while a task is open and in sight, and for that task alone", () => {
+  open("pin");
+  pass(0);
+  pass(1703);
+  now.visible = "hidden";
+  pass(211);
+  pass(60_000);
+  now.visible = "visible";
+  pass(5000);
+  open("disc");
+  pass(17);
+  pass(409);
+  open(null);
+  pass(31);
+  pass(9000);
+  expect([workedIn("pin").ms, workedIn("disc").ms, workedIn("bush").ms]).toEqual([1703 + 211 + 17, 409 + 31, 0]);
+});
