@@ -33,7 +33,7 @@ function LessonRow({ lesson, isNext }: { readonly lesson: LessonEntry; readonly 
       </a>
       <p id={`aim-${lesson.id}`} className="lesson-aim soft">{lesson.aim}</p>
       <p className="lesson-progress small">
-        {states.length === 0 ? t.noTasks : progress}
+        {states.length === 0 ? t.noTasks : <a href={courseHref(lesson.id, "tasks")}>{progress}</a>}
         {list.read.includes(lesson.id) && ` · ${t.read}`}
         {isNext && <b>· {t.here}</b>}
       </p>
@@ -41,7 +41,7 @@ function LessonRow({ lesson, isNext }: { readonly lesson: LessonEntry; readonly 
         <ul className="lesson-tasks small">
           {states.map(({ id, title, state }) => (
             <li key={id}>
-              <a href={courseHref(lesson.id, "tasks")}>{title}</a>
+              <span>{title}</span>
               <TaskStateMark state={state} />
             </li>
           ))}

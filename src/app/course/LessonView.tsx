@@ -134,9 +134,7 @@ function OpenLesson({ entry }: { readonly entry: LessonEntry }) {
       </div>
       <footer className="lesson-foot">
         <span className="lesson-foot-side">{back && <a className="button" href={courseHref(back.lesson, back.page)}>{back.name}</a>}</span>
-        <span className="soft small" aria-hidden="true">
-          {typeof at === "number" ? t.pageOf(String(at), String(entry.pages)) : t.tasks}
-        </span>
+        <span className="soft small" aria-hidden="true">{typeof at === "number" && t.pageOf(String(at), String(entry.pages))}</span>
         <span className="lesson-foot-side">{on && <a className="button primary" href={courseHref(on.lesson, on.page)}>{on.name}</a>}</span>
       </footer>
     </main>
