@@ -121,7 +121,7 @@ async function tried(base, mutant) {
 const kindOf =
   (file) => (file.startsWith("src") || /validation|catalogue|messages/.test(file)
     ? "unit"
-    : /laws|judge|examples\.test|adapted/.test(file) && !/printed/.test(file)
+    : /laws|judge|course|examples\.test|adapted/.test(file) && !/printed/.test(file)
     ? "law"
     : "golden");
 
