@@ -8,7 +8,7 @@ import { Turnwise } from "./pages/turnwise.ts";
  */
 test("every control of every screen has the name it is known by, and no other has it", async ({ page }) => {
   const turnwise = await Turnwise.open(page, { heldClock: true, seed: 7 });
-  const { comparison, dialog, editor, effect, handing, own, settings, sheet, start, t, tools, works } = turnwise;
+  const { comparison, course, dialog, editor, effect, handing, own, settings, sheet, start, t, tools, works } = turnwise;
   const home = () => page.getByRole("link", { name: t.page.home }).click();
   const screens: string[] = [];
   const known = new Set<string>();
@@ -84,6 +84,14 @@ test("every control of every screen has the name it is known by, and no other ha
   await expect(works.rows).toHaveCount(2);
   await works.select("FLANGE.h").check();
   await look("works");
+
+  await home();
+  await course.open();
+  await look("course");
+  await course.openLesson(3);
+  await course.page(2).click();
+  await course.slide("Q463").waitFor();
+  await look("course: a page of a lesson");
 
   await page.goto("./?clock=manual&seed=7#/own");
   await own.add.click();

@@ -33,7 +33,13 @@ function LessonRow({ lesson, isNext }: { readonly lesson: LessonEntry; readonly 
       </a>
       <p id={`aim-${lesson.id}`} className="lesson-aim soft">{lesson.aim}</p>
       <p className="lesson-progress small">
-        {states.length === 0 ? t.noTasks : <a href={courseHref(lesson.id, "tasks")}>{progress}</a>}
+        {states.length === 0 && t.noTasks}
+        {states.length > 0 && (
+          <a href={courseHref(lesson.id, "tasks")}>
+            {progress}
+            <span className="unseen">, {t.lesson(String(lesson.number))}</span>
+          </a>
+        )}
         {list.read.includes(lesson.id) && ` · ${t.read}`}
         {isNext && <b>· {t.here}</b>}
       </p>
