@@ -1,5 +1,6 @@
 import { Suspense, useEffect, useRef, useState, type MouseEvent } from "react";
 import { goHome } from "./address/go-home.ts";
+import { useGuidePlace } from "./guide/guide-place.ts";
 import { Icon } from "./Icon.tsx";
 import { usePlace } from "./place.ts";
 import { useElsewhere } from "./saving/elsewhere.ts";
@@ -40,7 +41,8 @@ export function Header() {
   const tools = useToolPlace((p) => p.shown) || own;
   const elsewhere = useElsewhere((e) => e.shown !== null);
   const works = useWorksPlace((p) => p.shown) && !elsewhere;
-  const sheet = useSheetShown();
+  const guide = useGuidePlace((p) => p.path !== null);
+  const sheet = useSheetShown() || guide;
   const toTools = useRef<HTMLButtonElement>(null);
   const wereTools = useRef(false);
   const words = job && t.menu.of[job.cycle];

@@ -71,3 +71,10 @@ export function setRemarks(text: string): void {
   if (useEditor.getState().program) changeProgram(put, "remarks");
   else edit(put, "remarks");
 }
+
+/** What the open work is turned from. */
+export function setMaterial(material: string): void {
+  const put = <W extends { readonly material?: string }>(work: W): W => (work.material === material ? work : { ...work, material });
+  if (useEditor.getState().program) changeProgram(put);
+  else edit(put);
+}

@@ -22,6 +22,8 @@ export interface ProgramWork extends WorkFile, HandedOn {
   readonly skipMarked?: boolean;
   /** What its setup sheet says to the setter. */
   readonly remarks?: string;
+  /** What it is turned from, by its id in the cutting data; that of the device where it names none. */
+  readonly material?: string;
   /** What was measured in its picture and stays there, in the order in which it was measured. */
   readonly measured?: readonly Measurement[];
   readonly task?: TaskWork;

@@ -2,10 +2,12 @@ import { useEffect, useRef } from "react";
 import { catalogue, cycleByNumber } from "../../cycles/index.ts";
 import { Icon } from "../Icon.tsx";
 import { useTexts } from "../settings/use-texts.ts";
+import { AdvicePage } from "./AdvicePage.tsx";
 import { CyclePage } from "./CyclePage.tsx";
 import { GlossaryPage } from "./GlossaryPage.tsx";
 import { hideGuide, showGuide, useGuidePlace, type GuidePath } from "./guide-place.ts";
 import { ParameterPage } from "./ParameterPage.tsx";
+import { useAdviceTexts } from "./use-advice.ts";
 import { useGuideTexts } from "./use-guide-texts.ts";
 import "./guide.css";
 
@@ -34,6 +36,7 @@ function Shown({ path: [page, first, second] }: { readonly path: GuidePath }) {
   const t = useGuideTexts();
   if (page === "glossary") return <GlossaryPage term={first ?? null} />;
   if (first === undefined) return <CycleList />;
+  if (first === "advice") return <AdvicePage />;
   const cycle = cycleByNumber(Number(first));
   const param = second === undefined ? undefined : cycle?.params[second];
   if (!cycle || (second !== undefined && !param)) return <h1>{t.missing}</h1>;
@@ -46,6 +49,7 @@ const path = (cycle: number, q: string) => `${cycle}/${q}`;
 /** The guide in place of what is open: a parameter, a cycle with its steps, or the glossary. */
 export function GuidePage() {
   const t = useGuideTexts();
+  const advice = useAdviceTexts();
   const shown = useGuidePlace((p) => p.path) ?? [];
   const [page, first, second] = shown;
   const back = useRef<HTMLButtonElement>(null);
@@ -71,8 +75,12 @@ export function GuidePage() {
         {page === "guide" && first !== undefined && (
           <button type="button" className="button plain" onClick={() => showGuide("guide")}>{t.cycles.title}</button>
         )}
-        {page === "guide" && <button type="button" className="button plain" onClick={() => showGuide("glossary")}>{t.glossary.open}
-        </button>}
+        {page === "guide" && (
+          <button type="button" className="button plain" onClick={() => showGuide("glossary")}>{t.glossary.title}</button>
+        )}
+        {first !== "advice" && (
+          <button type="button" className="button plain" onClick={() => showGuide("guide", "advice")}>{advice.title}</button>
+        )}
         {page === "glossary" && <button type="button" className="button plain" onClick={() => showGuide("guide")}>{t.cycles.title}</button>}
       </nav>
       <article className="guide-body">

@@ -11,9 +11,12 @@ import { Icon } from "../Icon.tsx";
 import { readJob } from "../reading.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
+import { AdviceItems } from "./AdviceItems.tsx";
 import { showGuide } from "./guide-place.ts";
 import { guideSources } from "./guide-source.ts";
+import { StartingValues } from "./StartingValues.tsx";
 import { termsOf } from "./terms.ts";
+import { useAdvisedCalls, useAdviceTexts } from "./use-advice.ts";
 import { useGlossary } from "./use-glossary.ts";
 import { useGuideTexts } from "./use-guide-texts.ts";
 import { useMistakes } from "./use-mistakes.ts";
@@ -96,6 +99,21 @@ function ActsIn({ cycle, param }: Omit<Props, "q">) {
   );
 }
 
+/** What is to be said about the value in the open work. */
+function ParameterAdvice({ cycle, q }: Pick<Props, "cycle" | "q">) {
+  const t = useAdviceTexts();
+  const on = useSettings((s) => s.advice);
+  const advice = useAdvisedCalls().find((call) => call.cycle === cycle.number)?.advice.filter(({ at }) => at === q) ?? [];
+  if (!on || advice.length === 0) return null;
+  return (
+    <section aria-label={t.title}>
+      <h2>{t.title}</h2>
+      <p className="soft small">{t.lead}</p>
+      <AdviceItems cycle={cycle.number} advice={advice} />
+    </section>
+  );
+}
+
 /** The page of one parameter of a cycle. */
 export function ParameterPage({ cycle, q, param }: Props) {
   const t = useGuideTexts();
@@ -141,6 +159,8 @@ export function ParameterPage({ cycle, q, param }: Props) {
           </div>
         )}
       </div>
+      <ParameterAdvice cycle={cycle} q={q} />
+      {param.kind === "feed" && <StartingValues cycle={cycle} only={q} />}
       {!cycle.acts && <ValuePictures cycle={cycle} q={q} param={param} />}
       <div className="guide-columns">
         <section className="guide-mistakes" aria-label={t.mistakes}>

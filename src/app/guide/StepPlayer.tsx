@@ -123,7 +123,7 @@ export function StepPlayer({ cycle, run: { outcome, isOwn } }: { readonly cycle:
           >
             <Icon name="fold" />
           </button>
-          <button type="button" className="button" disabled={plays !== "no"}
+          <button type="button" className="button"
             onClick={() => show({ index: Math.max(0, pieces.findIndex(({ piece }) => piece)), seconds: 0, plays: "all" })}
           >
             {t.playAll}

@@ -87,6 +87,7 @@ const job = z.object({
   layout: z.enum(["tnc640", "tnc7"]),
   ncLanguage: z.enum(["en", "de", "fr", "zh"]),
   remarks,
+  material: z.optional(text),
   measured,
 });
 const textFile = { name: text, text: z.string(), encoding: z.enum(["utf-8", "windows-1252"]) };
@@ -98,6 +99,7 @@ const program = z.object({
   files: z.optional(z.array(workFile)),
   skipMarked: z.optional(z.boolean()),
   remarks,
+  material: z.optional(text),
   measured,
 });
 /** Every field of a work has to stand in the layout above, or it would be lost in saving: a missing one does not compile. */

@@ -35,7 +35,15 @@ export interface Settings {
   readonly sheetMeasured: boolean;
   /** The steps of the manual stand as a list under the picture, or as one line. */
   readonly stepList: boolean;
+  /** Values of the work are advised on. */
+  readonly advice: boolean;
+  /** Material of a work that names none, by its id; the shop's own cutting data as text, empty for those that ship. */
+  readonly material: string;
+  readonly cutting: string;
 }
+
+/** Longest cutting data, characters. */
+const LONGEST_CUTTING = 60_000;
 
 /** Cut above the axis and whole below it, cut on both sides, or whole. */
 export const SECTION_VIEWS = ["half", "full", "outside"] as const;
@@ -86,6 +94,9 @@ function initial(): Settings {
     sheetProgram: true,
     sheetMeasured: true,
     stepList: true,
+    advice: true,
+    material: "c45",
+    cutting: "",
   };
 }
 
@@ -103,6 +114,7 @@ export function readSettings(text: string | null): Settings {
   const oneOf = <T extends string>(value: unknown, allowed: readonly T[], otherwise: T): T =>
     allowed.find((each) => each === value) ?? otherwise;
   const flag = (value: unknown, otherwise: boolean) => (typeof value === "boolean" ? value : otherwise);
+  const written = (value: unknown, otherwise: string) => (typeof value === "string" && value.length <= LONGEST_CUTTING ? value : otherwise);
   return {
     language: typeof kept["language"] === "string" && isLanguage(kept["language"]) ? kept["language"] : first.language,
     theme: oneOf(kept["theme"], ["system", "light", "dark"], first.theme),
@@ -121,6 +133,9 @@ export function readSettings(text: string | null): Settings {
     sheetProgram: flag(kept["sheetProgram"], first.sheetProgram),
     sheetMeasured: flag(kept["sheetMeasured"], first.sheetMeasured),
     stepList: flag(kept["stepList"], first.stepList),
+    advice: flag(kept["advice"], first.advice),
+    material: written(kept["material"], first.material),
+    cutting: written(kept["cutting"], first.cutting),
   };
 }
 

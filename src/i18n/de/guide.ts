@@ -83,7 +83,6 @@ export const guide = {
     search: "Suchen",
     found: (n) => (n === 1 ? "1 Begriff" : `${n} Begriffe`),
     none: "Kein solcher Begriff. Versuchen Sie einen Teil davon.",
-    open: "Glossar",
   },
   missing: "Diese Seite gibt es in der Hilfe nicht.",
 } satisfies GuideTexts;

@@ -84,7 +84,6 @@ export const guide = {
     search: "Search",
     found: (n: number) => (n === 1 ? "1 word" : `${n} words`),
     none: "No such word. Try a part of it.",
-    open: "Glossary",
   },
   missing: "There is no such page in the guide.",
 };

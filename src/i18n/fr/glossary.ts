@@ -1,6 +1,7 @@
 import type { GlossaryTexts } from "../glossary-text.ts";
+import { typeset } from "./typeset.ts";
 
-export const glossary: GlossaryTexts = {
+export const glossary: GlossaryTexts = typeset({
   blank: { name: "Pièce brute", text: "La matière avant la première passe. BLK FORM la décrit ; ici un cylindre, un tube ou un profil." },
   stock: { name: "Matière en place", text: "La matière à un moment donné : ce que les passes ont laissé du brut jusqu’ici." },
   finishedPart: { name: "Pièce finie", text: "Ce qui doit rester. Aucune passe ne doit y toucher." },
@@ -117,4 +118,4 @@ export const glossary: GlossaryTexts = {
     text: "M99, M89 ou CYCL CALL. Ce n’est qu’ici que le cycle défini déplace l’outil, avec l’outil et le point de départ du moment.",
   },
   verdict: { name: "Verdict", text: "Ce que donne la preuve d’un programme : prouvé, défauts trouvés, ou simulation incomplète." },
-};
+});

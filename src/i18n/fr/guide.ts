@@ -1,6 +1,7 @@
 import type { GuideTexts } from "../en/guide.ts";
+import { typeset } from "./typeset.ts";
 
-export const guide = {
+export const guide: GuideTexts = typeset({
   more: "Plus",
   moreAbout: (q) => `Plus sur ${q}`,
   back: "Retour",
@@ -83,7 +84,6 @@ export const guide = {
     search: "Chercher",
     found: (n) => (n === 1 ? "1 terme" : `${n} termes`),
     none: "Aucun terme de ce nom. Essayez-en une partie.",
-    open: "Glossaire",
   },
   missing: "Cette page n’existe pas dans l’aide.",
-} satisfies GuideTexts;
+} satisfies GuideTexts);

@@ -1,6 +1,7 @@
 import type { MistakesTexts } from "../mistakes-text.ts";
+import { typeset } from "./typeset.ts";
 
-export const mistakes: MistakesTexts = {
+export const mistakes: MistakesTexts = typeset({
   kinds: {
     choice: ["Un numéro est repris d’un autre programme sans vérifier ce qu’il signifie dans ce cycle."],
     diameter: [
@@ -125,4 +126,4 @@ export const mistakes: MistakesTexts = {
     plungeLimit: ["0 est compris comme « pas de plongée » : cela signifie une seule plongée à pleine profondeur."],
     dwellTurns: ["Une longue temporisation au fond : la lame frotte et écrouit la surface."],
   },
-};
+});

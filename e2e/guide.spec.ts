@@ -1,0 +1,92 @@
+import { advice } from "../src/i18n/en/advice.ts";
+import { glossary } from "../src/i18n/en/glossary.ts";
+import { guide as t } from "../src/i18n/en/guide.ts";
+import { looksRightInBoth } from "./pages/look.ts";
+import { expect, test } from "./pages/test.ts";
+import { Turnwise } from "./pages/turnwise.ts";
+
+test("from a prompt to the page of its parameter, to a word, and back; advice is marked and taken", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  await turnwise.start.beginWithExample(812);
+  const { dialog } = turnwise;
+
+  // A pass deeper than the spindle can pull is marked at its prompt, and does not stand among the findings.
+  await dialog.open("Q463");
+  await dialog.type("7.9");
+  await expect(page.getByRole("button", { name: advice.mark(1) })).toBeVisible();
+  await page.getByRole("button", { name: t.moreAbout("Q463"), exact: true }).press("Enter");
+
+  const main = page.getByRole("main");
+  await expect(main.getByRole("heading", { level: 1 })).toContainText("Q463");
+  await expect(page).toHaveURL(/#\/guide\/812\/Q463$/);
+  const values = main.getByRole("region", { name: t.values.title });
+  await expect(values.getByRole("listitem")).toHaveCount(3);
+  await expect(values.getByRole("img")).toHaveCount(3);
+  await expect(values).toContainText(t.values.yours);
+  await expect(main.getByRole("region", { name: t.acts.title }).getByText(t.acts.here)).toHaveCount(3);
+  expect(await main.getByRole("region", { name: t.mistakes }).getByRole("listitem").count()).toBeGreaterThan(3);
+  await looksRightInBoth(page, "a parameter");
+
+  // The better value is one press, and undo takes it back.
+  const said = main.getByRole("region", { name: advice.title, exact: true });
+  await said.getByRole("button").first().click();
+  await expect(said).toHaveCount(0);
+  await turnwise.undo();
+  await expect(said).toBeVisible();
+
+  // A word, and the way back to where one was: the prompt is still open.
+  await main.getByRole("button", { name: glossary.infeed.name, exact: true }).click();
+  await expect(page).toHaveURL(/#\/glossary\/infeed$/);
+  await main.getByRole("searchbox", { name: t.glossary.search }).fill("nose r");
+  await expect(main.getByText(glossary.noseRadius.name, { exact: true })).toBeVisible();
+  await expect(main.getByText(glossary.pitch.name, { exact: true })).toHaveCount(0);
+  await looksRightInBoth(page, "the glossary");
+  await page.keyboard.press("Escape");
+  await expect(dialog.question).toHaveText(dialog.promptOf(812, "Q463"));
+  await expect(dialog.value).toHaveValue("7.9");
+
+  // Back and forward go there too.
+  await page.goBack();
+  await page.goForward();
+  await expect(dialog.question).toHaveText(dialog.promptOf(812, "Q463"));
+});
+
+test("the numbered steps are played by keys and by finger; cutting data are the shop's own", async ({ page }) => {
+  const turnwise = await Turnwise.open(page, { heldClock: true });
+  await page.goto("./?clock=manual#/guide/812");
+  await page.reload();
+  const player = page.getByRole("region", { name: t.steps.title });
+  const step = (name: string) => player.getByRole("button", { name: new RegExp(name) });
+  await expect(step("cut lengthwise")).toBeVisible();
+  await step("cut lengthwise").click();
+  await expect(step("cut lengthwise")).toHaveAttribute("aria-current", "step");
+  const picture = player.getByRole("img");
+  const before = await picture.innerHTML();
+  await turnwise.lathe.advance(700);
+  expect(await picture.innerHTML()).not.toBe(before);
+  await page.keyboard.press("ArrowRight");
+  await expect(step("retract by the infeed")).toHaveAttribute("aria-current", "step");
+  await page.keyboard.press("ArrowLeft");
+  await page.keyboard.press("ArrowLeft");
+  await expect(player.getByRole("button", { name: t.steps.previous })).toBeDisabled();
+  await player.getByRole("button", { name: t.steps.playAll }).click();
+  await turnwise.lathe.advance(6000);
+  await expect(step("paraxial infeed").first()).not.toHaveAttribute("aria-current", "step");
+  await player.getByRole("button", { name: t.steps.stop }).click();
+  await looksRightInBoth(page, "the steps of a cycle");
+
+  await page.getByRole("button", { name: advice.title, exact: true }).click();
+  const speed = page.getByRole("textbox", { name: advice.table.cell(advice.values.roughSpeed, "C45E (1.1191)") });
+  await speed.fill("143");
+  await speed.press("Tab");
+  await expect(speed).toHaveValue("143");
+  await speed.fill("-3");
+  await speed.press("Tab");
+  await expect(speed).toHaveValue("143");
+  await expect(page.getByText(advice.table.refused)).toBeVisible();
+  await looksRightInBoth(page, "cutting data");
+  await page.reload();
+  await expect(speed).toHaveValue("143");
+  await page.getByRole("button", { name: advice.table.reset }).click();
+  await expect(speed).toHaveValue("190");
+});

@@ -1,0 +1,72 @@
+import { useMemo } from "react";
+import { cycleByNumber } from "../../cycles/index.ts";
+import type { SomeValues } from "../../cycles/effect.ts";
+import { loadAdvice } from "../../i18n/load-advice.ts";
+import { radius, toDiameter } from "../../kernel/units.ts";
+import type { Operation, Run } from "../../program/run-types.ts";
+import { advise, type Advice } from "../../report/advice/advise.ts";
+import { readCuttingTable, usualTable, type CutMaterial, type CuttingTable } from "../../program/cutting-table.ts";
+import { useOutcome } from "../engine/outcome.ts";
+import { laterTexts } from "../settings/later-texts.ts";
+import { useSettings } from "../settings/settings.ts";
+import { useEditor } from "../store.ts";
+
+/** What advice says, in the screen language. */
+export const { useThem: useAdviceTexts, useThemSoon: useAdviceTextsSoon } = laterTexts(loadAdvice);
+
+/** The cutting data of this device: the shop's own, or those that ship. */
+export function useCuttingTable(): CuttingTable {
+  const text = useSettings((s) => s.cutting);
+  return useMemo(() => (text === "" ? null : readCuttingTable(text)) ?? usualTable, [text]);
+}
+
+const named = ({ materials }: CuttingTable, id: string | undefined): CutMaterial | undefined => materials.find((each) => each.id === id);
+
+/** What the open work is turned from, or works that name nothing; `own` is the id that the work itself names. */
+export function useMaterialOfWork(): { readonly material: CutMaterial; readonly own: string | undefined } {
+  const table = useCuttingTable();
+  const own = useEditor(({ job, program }) => (job ?? program)?.material);
+  const device = useSettings((s) => s.material);
+  const first = (table.materials[0] ?? usualTable.materials[0]) as CutMaterial;
+  return { material: named(table, own) ?? named(table, device) ?? first, own: named(table, own) && own };
+}
+
+/** What is said about one call of a cycle. */
+export interface AdvisedCall {
+  readonly operation: number;
+  readonly cycle: number;
+  readonly advice: readonly Advice[];
+}
+
+/** The smallest diameter at which an operation cuts, mm. */
+function smallestOf({ steps }: Run, { firstStep, lastStep }: Operation): number {
+  const places = steps.slice(firstStep, lastStep + 1).flatMap(({ from, move }) => (move.kind === "rapid" ? [] : [from.r, move.to.r]));
+  return toDiameter(radius(Math.min(...places.map(Math.abs))));
+}
+
+/** Advice on every call of the open work; nothing while it makes no path. */
+export function useAdvisedCalls(): readonly AdvisedCall[] {
+  const run = useOutcome((s) => s.newest?.run);
+  const isOpen = useEditor((s) => s.work !== null);
+  const table = useCuttingTable();
+  const { material } = useMaterialOfWork();
+  return useMemo(() => {
+    if (!run || !isOpen) return [];
+    return run.operations.flatMap((each, operation): readonly AdvisedCall[] => {
+      const cycle = cycleByNumber(each.cycle);
+      if (!cycle || !each.call || each.plan.moves.length === 0) return [];
+      const advice = advise({
+        cycle,
+        values: each.call.values as SomeValues,
+        tool: each.tool,
+        spindle: each.spindle,
+        perRevolution: each.feedUnit === "mm/rev",
+        depth: each.plan.infeed,
+        smallest: smallestOf(run, each),
+        material,
+        table,
+      });
+      return [{ operation, cycle: each.cycle, advice }];
+    });
+  }, [run, isOpen, table, material]);
+}

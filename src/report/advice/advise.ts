@@ -1,0 +1,116 @@
+import type { Cycle } from "../../cycles/define.ts";
+import type { SomeValues } from "../../cycles/effect.ts";
+import type { Param, Topic } from "../../cycles/params.ts";
+import { cutLength, isBar, noseRadius } from "../../kernel/insert.ts";
+import type { Spindle } from "../../kernel/step.ts";
+import type { Tool } from "../../kernel/tool.ts";
+import { radians, rounded, roundedDown } from "../../kernel/units.ts";
+import { rzByRule } from "../../sim/load/cusp.ts";
+import type { CuttingTable, CutMaterial } from "../../program/cutting-table.ts";
+import { cuttingPower, depthForPower, EDGE_USED, FEED_OF_NOSE, feedForRz, heldDownTo } from "./formulas.ts";
+
+/** What a cycle is asked about: its values, and what stands round them. */
+export interface Advised {
+  readonly cycle: Pick<Cycle, "params" | "group">;
+  readonly values: SomeValues;
+  readonly tool: Tool;
+  readonly spindle: Spindle | null;
+  readonly perRevolution: boolean;
+  /** The infeed as divided, mm. */
+  readonly depth: number;
+  /** The smallest diameter that is cut, mm. */
+  readonly smallest: number;
+  readonly material: CutMaterial;
+  readonly table: CuttingTable;
+}
+
+interface AdviceData {
+  /** More of the edge cuts than it should. */
+  readonly depthOverEdge: { readonly depth: number; readonly edge: number; readonly most: number };
+  readonly feedOverNose: { readonly feed: number; readonly nose: number; readonly most: number };
+  /** µm */
+  readonly rough: { readonly rz: number; readonly feed: number; readonly nose: number; readonly wanted: number };
+  /** kW */
+  readonly power: { readonly power: number; readonly most: number; readonly speed: number };
+  /** Below this diameter the speed limit ends the constant cutting speed; what is left of it at the smallest one. */
+  readonly speedLimited: { readonly limit: number; readonly heldTo: number; readonly smallest: number; readonly left: number };
+  readonly noLimit: { readonly speed: number };
+  readonly speedFar: { readonly speed: number; readonly usual: number };
+}
+export type AdviceCode = keyof AdviceData;
+
+/** One piece of advice. `at` is the Q that it stands at, or the spindle; `better` the value that would do. */
+export type Advice = {
+  [C in AdviceCode]: { readonly code: C; readonly at: string; readonly data: AdviceData[C]; readonly better: number | null };
+}[AdviceCode];
+
+/** The place of advice on the spindle. */
+export const SPINDLE = "spindle";
+/** Theoretical roughness that is rough for a finished surface, and one that is usual for it, µm. */
+const ROUGH = 10;
+const USUAL_RZ = 6.3;
+/** So far from the starting value a cutting speed is worth a word, as a factor. */
+const FAR = 1.6;
+/** The angle that an edge has to its path where the tool does not say it. */
+const LEAD = 90;
+
+const qOf = ({ params }: Advised["cycle"], topic: Topic): string | null =>
+  Object.entries<Param>(params).find(([, { shown }]) => shown === topic)?.[0] ?? null;
+const positive = (value: number | "auto" | undefined): value is number => typeof value === "number" && value > 0;
+
+function ofEdge({ cycle, tool, depth, values }: Advised): readonly Advice[] {
+  const at = qOf(cycle, "infeed"), edge = cutLength(tool);
+  if (at === null || edge === undefined || isBar(tool) || !positive(values[at])) return [];
+  const most = edge * EDGE_USED;
+  return depth > most ? [{ code: "depthOverEdge", at, data: { depth, edge, most }, better: roundedDown(most) }] : [];
+}
+
+function ofFeed({ cycle, tool, values, perRevolution }: Advised): readonly Advice[] {
+  const at = qOf(cycle, "roughingFeed"), nose = noseRadius(tool), feed = at === null ? undefined : values[at];
+  if (at === null || !perRevolution || isBar(tool) || nose === 0 || !positive(feed)) return [];
+  const most = nose * FEED_OF_NOSE;
+  return feed > most ? [{ code: "feedOverNose", at, data: { feed, nose, most }, better: roundedDown(most) }] : [];
+}
+
+function ofSurface({ cycle, tool, values, perRevolution }: Advised): readonly Advice[] {
+  const at = qOf(cycle, "finishingFeed"), nose = noseRadius(tool), feed = at === null ? undefined : values[at];
+  if (at === null || !perRevolution || isBar(tool) || nose === 0 || !positive(feed)) return [];
+  const rz = rzByRule(feed, nose);
+  if (rz <= ROUGH) return [];
+  return [{ code: "rough", at, data: { rz, feed, nose, wanted: USUAL_RZ }, better: Number(feedForRz(USUAL_RZ, nose).toFixed(2)) }];
+}
+
+function ofPower(asked: Advised): readonly Advice[] {
+  const { cycle, tool, spindle, values, perRevolution, material, table, depth } = asked;
+  const at = qOf(cycle, "infeed"), feedAt = qOf(cycle, "roughingFeed"), feed = feedAt === null ? undefined : values[feedAt];
+  if (at === null || !perRevolution || spindle?.kind !== "surface" || !positive(feed) || cycle.group === "thread") return [];
+  const lead = radians(isBar(tool) ? LEAD : tool["T-ANGLE"] ?? LEAD), speed = spindle.cuttingSpeed;
+  const power = cuttingPower(material, depth, feed, speed, lead);
+  if (power <= table.power) return [];
+  const better = roundedDown(depthForPower(material, table.power, feed, speed, lead));
+  return [{ code: "power", at, data: { power, most: table.power, speed }, better }];
+}
+
+function ofSpindle({ spindle, smallest, material }: Advised): readonly Advice[] {
+  if (spindle?.kind !== "surface") return [];
+  const { cuttingSpeed: speed, limit } = spindle;
+  const far = speed > material.roughSpeed * FAR || speed * FAR < material.roughSpeed;
+  const held = limit > 0 ? heldDownTo(speed, limit) : 0;
+  return [
+    ...(far ? [{ code: "speedFar", at: SPINDLE, data: { speed, usual: material.roughSpeed }, better: material.roughSpeed } as const] : []),
+    ...(limit > 0 ? [] : [{ code: "noLimit", at: SPINDLE, data: { speed }, better: null } as const]),
+    ...(smallest < held
+      ? [
+        {
+          code: "speedLimited",
+          at: SPINDLE,
+          data: { limit, heldTo: rounded(held), smallest, left: (speed * smallest) / held },
+          better: null,
+        } as const,
+      ]
+      : []),
+  ];
+}
+
+/** What is risky about the values of a cycle, by rules of the trade: never more than a remark. */
+export const advise = (asked: Advised): readonly Advice[] => [ofEdge, ofFeed, ofSurface, ofPower, ofSpindle].flatMap((rule) => rule(asked));

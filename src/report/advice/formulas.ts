@@ -1,0 +1,43 @@
+/*
+ * Rules of the trade as plain formulas (decision 0032 names their sources). What comes of them are estimates: they know neither the
+ * coating of an insert nor the machine. Lengths mm, feeds mm a turn, speeds m/min, forces N, power kW.
+ */
+
+/** Coefficients of a material after Kienzle: force for 1 mm² of a chip 1 mm thick, N/mm², and how it grows for thin ones. */
+export interface Kienzle {
+  readonly kc11: number;
+  readonly mc: number;
+}
+
+/** Millimetres in a metre; seconds in a minute times watts in a kilowatt. */
+const MM = 1000;
+const PER_MINUTE = 60_000;
+const right = Math.PI / 2;
+
+/** Spindle speed for a cutting speed at a diameter, rpm. */
+export const rpmFor = (speed: number, across: number): number => (MM * speed) / (Math.PI * across);
+
+/** The diameter below which a limited spindle no longer holds its cutting speed. */
+export const heldDownTo = (speed: number, limit: number): number => (MM * speed) / (Math.PI * limit);
+
+/** Specific cutting force at a chip thickness, N/mm²: kc = kc1.1 · h^−mc. */
+export const specificForce = ({ kc11, mc }: Kienzle, thickness: number): number => kc11 * thickness ** -mc;
+
+/** Force along the cut, N: depth times feed times the specific force at h = f · sin κ. `lead`: angle of the edge to the path, rad. */
+export const cuttingForce = (of: Kienzle, depth: number, feed: number, lead = right): number =>
+  depth * feed * specificForce(of, feed * Math.sin(lead));
+
+/** Power at the spindle, kW: Pc = Fc · vc / 60 000. */
+export const cuttingPower = (of: Kienzle, depth: number, feed: number, speed: number, lead = right): number =>
+  (cuttingForce(of, depth, feed, lead) * speed) / PER_MINUTE;
+
+/** The depth at which the power is what there is. */
+export const depthForPower = (of: Kienzle, power: number, feed: number, speed: number, lead = right): number =>
+  power / cuttingPower(of, 1, feed, speed, lead);
+
+/** The feed that leaves a theoretical roughness, µm, with a nose: Rz = f² / 8r. */
+export const feedForRz = (rz: number, nose: number): number => Math.sqrt((8 * nose * rz) / MM);
+
+/** The part of its nose radius that a roughing feed may have, and the part of its edge that may cut. */
+export const FEED_OF_NOSE = 0.8;
+export const EDGE_USED = 2 / 3;
