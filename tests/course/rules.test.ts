@@ -1,6 +1,16 @@
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
+import { answerOf } from "../../src/course/judge/answer.ts";
+import { judge } from "../../src/course/judge/judge.ts";
+import { toolsOfTask } from "../../src/course/start-of.ts";
 import type { Task } from "../../src/course/task.ts";
+import type { Tool } from "../../src/kernel/tool.ts";
+import { length } from "../../src/kernel/units.ts";
+import { parse } from "../../src/nc/parse.ts";
+import { run } from "../../src/program/run.ts";
+import { shippedTools } from "../../src/program/shipped-tools.ts";
+import { readList } from "../../src/program/tool-list.ts";
+import { simulate } from "../../src/sim/simulate.ts";
 import "../seed.ts";
 import { judged, mm, programOf, refusedBy, shoulders, taskOf, type Shoulder } from "./hand-turned.ts";
 
@@ -78,6 +88,25 @@ describe("rules of the shop", () => {
     expect(seconds).toBeGreaterThan((60 * 35.65) / (0.2 * 990.95));
     expect(refuses({ seconds: seconds - 0.01 })).toEqual(["seconds"]);
     expect(refuses({ seconds: seconds + 0.01 })).toEqual([]);
+  });
+
+  test("seconds and tools are those of tasks, whatever the work that an answer comes from has", () => {
+    const text = programOf(s);
+    const ran = (tools: readonly Tool[], rapid: number) => {
+      const made = run(parse(text), { tools, rapid });
+      return { text, run: made, simulation: simulate(made) };
+    };
+    const { value } = judge(withRules({ seconds: 1 }), ran(shippedTools, 99_999)).marks.find((m) => m.rule === "seconds") ?? {};
+    expect(value).toBeCloseTo(answerOf(text).simulation.totalSeconds, 9);
+    const { table } = readList(toolsOfTask(withRules({})));
+    expect(judge(withRules({}), ran(table.tools, 10_000)).passed).toBe(true);
+    const sharp = shippedTools.map((tool) => (tool.T === 1 ? { ...tool, CUTLENGTH: length(40) } : tool));
+    expect(judge(withRules({}), ran(sharp, 10_000)).marks.filter((m) => !m.passed)).toEqual([{
+      rule: "tools",
+      passed: false,
+      about: 1,
+      block: 7,
+    }]);
   });
 
   test("cycles: called ones that cut, and ones that are not allowed", () => {

@@ -8,6 +8,7 @@ import { beyond, distanceTo } from "./difference.ts";
 import { middleOf } from "./middle.ts";
 import type { Answer } from "./judgement.ts";
 import { roughingPasses, hasRoughing } from "./rules.ts";
+import { secondsOfAnswer } from "./shop.ts";
 import { sizeOn } from "./sizes.ts";
 
 /** mm, mm², s, or a count; null where the run has no such thing. */
@@ -69,7 +70,7 @@ export function truthOf(prediction: Prediction, task: Pick<Task, "part">, answer
       return number(infeeds.length === 0 ? null : Math.max(...infeeds));
     }
     case "seconds":
-      return number(only === undefined ? simulation.totalSeconds : called[0]?.seconds);
+      return number(only === undefined ? secondsOfAnswer(answer) : called[0]?.seconds);
     case "residue":
       return number(areaOf(residue(task, answer, only)));
     case "diameter":

@@ -7,6 +7,7 @@ import { roughnessOf } from "../../sim/load/roughness.ts";
 import type { TaskRules } from "../task.ts";
 import type { Answer, TaskMark, RuleName } from "./judgement.ts";
 import { unknownDepths } from "./hand-depth.ts";
+import { foreignToolMarks, secondsOfAnswer } from "./shop.ts";
 import { wordMarks } from "./words-in.ts";
 
 /** A measured depth may be so much more than the greatest one, mm: passes are levelled, and the stock is made of chords. */
@@ -134,7 +135,7 @@ function rz(asked: NonNullable<TaskRules["rz"]>, { run, simulation }: Answer): T
 /** What the rules of a task say of an answer, one mark for each rule or more. */
 export function ruleMarks(rules: TaskRules, answer: Answer): TaskMark[] {
   const { run, simulation } = answer;
-  const out: TaskMark[] = [];
+  const out: TaskMark[] = foreignToolMarks(answer);
   if (rules.depth !== undefined) out.push(...depth(rules.depth, answer));
   if (rules.speed !== undefined) out.push(...speed(rules.speed, answer));
   const called = rules.tools || rules.mostTools !== undefined ? calledTools(answer) : new Map<number, number>();
@@ -154,7 +155,7 @@ export function ruleMarks(rules: TaskRules, answer: Answer): TaskMark[] {
     });
   }
   if (seconds !== undefined)
-    out.push({ rule: "seconds", passed: simulation.totalSeconds <= seconds, value: simulation.totalSeconds, limit: seconds });
+    out.push({ rule: "seconds", passed: secondsOfAnswer(answer) <= seconds, value: secondsOfAnswer(answer), limit: seconds });
   const cuts = (index: number) => (simulation.proof.operations[index]?.cut ?? 0) >= REAL_AREA;
   for (const about of rules.cycles ?? []) {
     const index = run.operations.findIndex((o, i) => o.cycle === about && (cuts(i) || o.plan.thread !== undefined));

@@ -4,6 +4,7 @@ import type { WantedPart } from "../wanted-part.ts";
 import { beyond } from "./difference.ts";
 import type { Answer, RuleName, Score, ScorePart, TaskMark } from "./judgement.ts";
 import { calledTools } from "./rules.ts";
+import { secondsOfAnswer } from "./shop.ts";
 
 const POINTS = { proof: 40, residue: 20, time: 25, tools: 15 } as const;
 /** What may not be: no speed is worth a broken tool. */
@@ -21,7 +22,8 @@ export function scoreOf(
   answer: Answer,
   marks: readonly TaskMark[],
 ): Score {
-  const { final, totalSeconds: seconds } = answer.simulation;
+  const { final } = answer.simulation;
+  const seconds = secondsOfAnswer(answer);
   const isSafe = marks.every((m) => m.passed || !NEVER.has(m.rule));
   const rules = new Set(marks.flatMap((m) => (m.rule === "residue" ? [] : [m.rule])));
   const broken = new Set(marks.flatMap((m) => (m.rule === "residue" || m.passed ? [] : [m.rule])));

@@ -80,6 +80,7 @@ export const courseTask = {
     gouge: "Die Kontur ist verletzt",
     missing: (mm) => `${mm} mm zu viel abgetragen`,
     residue: (mm) => `Es bleibt Material stehen, bis ${mm} mm dick`,
+    thread: (name) => `Das Gewinde ${name} ist nicht auf ganzer Länge, in voller Tiefe und mit seiner Steigung geschnitten`,
     leftBy: (what, reason) => `${what}; Grund: ${reason}`,
     size: {
       diameter: (is, asked) => `⌀ ${is} statt ⌀ ${asked}`,

@@ -78,6 +78,7 @@ export const courseTask = {
     gouge: "The contour is cut into",
     missing: (mm: string) => `${mm} mm too much was cut`,
     residue: (mm: string) => `Steel stays, up to ${mm} mm thick`,
+    thread: (name: string) => `The thread ${name} is not cut all along, to its depth and at its pitch`,
     leftBy: (what: string, reason: string) => `${what}, left by ${reason}`,
     size: {
       diameter: (is: string, asked: string) => `⌀ ${is} in place of ⌀ ${asked}`,

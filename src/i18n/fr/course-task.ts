@@ -78,6 +78,7 @@ export const courseTask = {
     gouge: "Le contour est entamé",
     missing: (mm) => `${mm} mm enlevés en trop`,
     residue: (mm) => `Il reste de la matière, jusqu’à ${mm} mm d’épaisseur`,
+    thread: (name) => `Le filetage ${name} n’est pas taillé sur toute sa longueur, à sa profondeur et à son pas`,
     leftBy: (what, reason) => `${what}, laissée par ${reason}`,
     size: {
       diameter: (is, asked) => `⌀ ${is} au lieu de ⌀ ${asked}`,

@@ -77,6 +77,7 @@ export const courseTask = {
     gouge: "轮廓被切伤",
     missing: (mm) => `多切了 ${mm} mm`,
     residue: (mm) => `有残留，最厚 ${mm} mm`,
+    thread: (name) => `螺纹 ${name} 未按全长、全深和规定螺距车出`,
     leftBy: (what, reason) => `${what}，原因：${reason}`,
     size: {
       diameter: (is, asked) => `⌀ ${is}，要求 ⌀ ${asked}`,

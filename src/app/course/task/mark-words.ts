@@ -50,6 +50,7 @@ function what(mark: TaskMark, { t, texts, language, task, answer }: MarkWording)
     case "missing":
       return wrong.missing(thick());
     case "residue":
+      if (about !== undefined) return wrong.thread(String(about));
       return mark.reason ? wrong.leftBy(wrong.residue(thick()), texts.messages.reasons[mark.reason]) : wrong.residue(thick());
     case "size": {
       const size = task.sizes?.[mark.size ?? 0];

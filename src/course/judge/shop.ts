@@ -1,0 +1,39 @@
+import { pathOf, travelOf } from "../../kernel/time.ts";
+import type { Tool } from "../../kernel/tool.ts";
+import { shippedTools } from "../../program/shipped-tools.ts";
+import type { Answer, TaskMark } from "./judgement.ts";
+
+/** Rapid rate that times of a task are worked out with, mm/min. */
+export const TASK_RAPID = 10_000;
+
+/** Running time of an answer, s: with the rapid rate of tasks, whatever the work that it comes from estimates with. */
+export const secondsOfAnswer = ({ simulation }: Answer): number =>
+  simulation.steps.reduce(
+    (sum, { from, move, seconds }) => sum + (move.kind === "rapid" ? (60 * travelOf(pathOf(from, move))) / TASK_RAPID : seconds),
+    0,
+  );
+
+/** What makes an insert another one. */
+const COLUMNS = [
+  "RS",
+  "DRS",
+  "DXL",
+  "DZL",
+  "T-ANGLE",
+  "P-ANGLE",
+  "CUTLENGTH",
+  "CUTWIDTH",
+  "DCW",
+] as const satisfies readonly (keyof Tool)[];
+
+/** Tools that are not those that every installation starts with: what they leave says nothing of the task. */
+export function foreignToolMarks({ run }: Answer): TaskMark[] {
+  const found = new Map<number, number>();
+  for (const { tool, block } of [...run.operations, ...run.steps.filter((step) => step.operation === null)]) {
+    if (found.has(tool.T)) continue;
+    const shipped = shippedTools.find(({ T }) => T === tool.T);
+    if (!shipped || shipped.TO !== tool.TO || COLUMNS.some((column) => (shipped[column] ?? 0) !== (tool[column] ?? 0)))
+      found.set(tool.T, block);
+  }
+  return [...found].map(([about, block]) => ({ rule: "tools", passed: false, about, block }));
+}
