@@ -36,7 +36,7 @@ const OTHER_WAYS: readonly { readonly id: string; readonly changes: readonly (re
     ],
   },
   { id: "l10-deep-first-pass", changes: [["L X+88 Y+0 Z+2", "L X+92 Y+0 Z+1"], ["Q463=+2.4", "Q463=+1.1"]] },
-  { id: "l11-wrong-insert", changes: [["TOOL CALL 2", "TOOL CALL 4"]] },
+  { id: "l11-ridge", changes: [["TOOL CALL 2", "TOOL CALL 4"]] },
   { id: "l11-undercut", changes: [["TOOL CALL 2", "TOOL CALL 3"]] },
   {
     id: "l12-820-empty",
@@ -44,9 +44,9 @@ const OTHER_WAYS: readonly { readonly id: string; readonly changes: readonly (re
   },
   // From the inner wall, with the tool in front of the middle of the groove.
   { id: "l13-seal-groove", changes: [["Q491=+62.4", "Q491=+53"], ["Q493=+53", "Q493=+62.4"], ["L X+62.4 Y+0", "L X+57.7 Y+0"]] },
-  { id: "l13-eighty-percent", changes: [["Q463=+1 ", "Q463=+1.5 "]] },
+  { id: "l13-careful-setter", changes: [["Q463=+1 ", "Q463=+1.5 "]] },
   { id: "l14-852-empty", changes: [["L X+75 Y+0 Z+2", "L X+62.5 Y+0 Z-19"], ["Q507=+0", "Q507=+1"]] },
-  { id: "l14-air-passes", changes: [["L X+75 Y+0 Z-18", "L X+75 Y+0 Z-19"]] },
+  { id: "l14-series", changes: [["L X+75 Y+0 Z-18", "L X+75 Y+0 Z-19"]] },
   { id: "l14-842-oil-groove", changes: [["L X+68 Y+0 Z-24", "L X+72 Y+0 Z-30"], ["Q463=+1.5", "Q463=+1.6"]] },
   { id: "l15-retaining-ring", changes: [["Q492=-30 ", "Q492=-32.15 "], ["Q494=-32.15", "Q494=-30"]] },
   { id: "l15-jammed-chip", changes: [["Q463=+4", "Q463=+2.5"]] },
