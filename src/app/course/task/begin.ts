@@ -1,11 +1,14 @@
+import { cycleByNumber } from "../../../cycles/index.ts";
+import type { Job } from "../../../program/job.ts";
 import { startOfTask, toolsOfTask } from "../../../course/start-of.ts";
 import type { Task } from "../../../course/task.ts";
+import { draftOf } from "../../edits.ts";
 import { hideOwn } from "../../own/own-place.ts";
 import { usePlace } from "../../place.ts";
 import { openWork, refreshWorks, startWork, useKeeping } from "../../saving/keep.ts";
 import { useSettings } from "../../settings/settings.ts";
 import { hideTools } from "../../tools/tool-place.ts";
-import type { Work } from "../../work.ts";
+import { isProgram, type Work } from "../../work.ts";
 import { unfoldNext } from "./task-view.ts";
 
 /** A task foretells before anything runs, and a fault is to be found by reading first. */
@@ -25,13 +28,21 @@ export function workOfTask(task: Task, fromOutside = false): Work {
 /** The newest kept work of a task; undefined where it was never begun on this device, or nothing of it is left. */
 export const keptOfTask = (id: string): string | undefined => useKeeping.getState().works.find(({ task }) => task === id)?.work;
 
+/** The first prompt that nothing is given for; where all of it is given, the first of all. */
+function firstToAnswer(job: Job): string | null {
+  const asked = Object.keys(cycleByNumber(job.cycle)?.params ?? {}), draft = draftOf(job);
+  return asked.find((q) => !draft[q]) ?? asked[0] ?? null;
+}
+
 /** Begins a task anew, as a work of its own. */
 export function beginTaskAnew(task: Task, fromOutside = false): void {
   unfoldNext();
   hideTools();
   hideOwn();
-  usePlace.setState({ section: "prompts", prompt: null, field: null });
-  startWork(workOfTask(task, fromOutside));
+  const work = workOfTask(task, fromOutside);
+  startWork(work);
+  const prompt = isProgram(work) ? null : firstToAnswer(work), before = isProgram(work) ? "" : (draftOf(work)[prompt ?? ""] ?? "");
+  usePlace.setState({ section: "prompts", prompt, before, field: null });
 }
 
 /** Goes on with what was made of a task on this device, or begins it. */
