@@ -40,8 +40,8 @@ function wordProblems(task: Task): string[] {
   });
 }
 
-function startProblems({ start, kind }: Task): string[] {
-  if (!("cycle" in start)) return kind === "predict" && !("program" in start) ? ["nothing runs that could be foretold"] : [];
+function startProblems({ start }: Task): string[] {
+  if (!("cycle" in start)) return [];
   const cycle = cycleByNumber(start.cycle);
   if (!cycle) return [`no cycle ${start.cycle}`];
   return Object.keys(start.values).filter((q) => !(q in cycle.params)).map((q) => `cycle ${start.cycle} has no ${q}`);
@@ -49,8 +49,7 @@ function startProblems({ start, kind }: Task): string[] {
 
 /** Whether what lies open in the beginning passes already: then there is nothing to do. */
 function idle(task: Task): string[] {
-  const { start } = task;
-  const begun = "program" in start ? start.program.join("\n") : promptsText(task) ?? "BEGIN PGM EMPTY MM\nEND PGM EMPTY MM";
+  const begun = begunText(task) ?? "BEGIN PGM EMPTY MM\nEND PGM EMPTY MM";
   return judge(task, answerOf(begun)).passed ? ["what lies open in the beginning passes already"] : [];
 }
 
@@ -80,11 +79,15 @@ function answerProblems(task: Task): string[] {
   return [...out, ...idle(task), ...untypable(task)];
 }
 
-/** Whether what is to be foretold is there: in the program that lies open, or in the answer that passes. */
+/** What lies open in the beginning, as a program; null where that is an empty one. */
+const begunText = (task: Task): string | null => "program" in task.start ? task.start.program.join("\n") : promptsText(task);
+
+/** Whether what is to be foretold is there in the run of what lies open. */
 function predictionProblems(task: Task): string[] {
-  const program = "program" in task.start ? task.start.program : task.solution;
-  if (!program || !task.predict?.length) return [];
-  const answer = answerOf(program.join("\n"));
+  if (!task.predict?.length) return [];
+  const begun = begunText(task);
+  if (begun === null) return ["nothing lies open that could be foretold"];
+  const answer = answerOf(begun);
   const numbers = new Set(blockNumbers(parse(answer.text)));
   return task.predict.flatMap((prediction, i) => {
     const truth = truthOf(prediction, task, answer);
