@@ -1,8 +1,9 @@
+import { readFileSync } from "node:fs";
 import { describe, expect, test } from "vitest";
 import { answerOf } from "../../src/course/judge/answer.ts";
 import { judge } from "../../src/course/judge/judge.ts";
 import { isRight, truthOf } from "../../src/course/judge/predicting.ts";
-import type { Prediction } from "../../src/course/task.ts";
+import { taskSchema, type Prediction } from "../../src/course/task.ts";
 import { at } from "../../src/kernel/point.ts";
 import { judged, programOf, taskOf, type Shoulder } from "./hand-turned.ts";
 
@@ -101,4 +102,15 @@ describe("the score of a free program", () => {
   });
 
   test("is of drawings alone", () => expect(judged(taskOf(s), programOf(s)).score).toBeUndefined());
+
+  test("the grooves of a thread hurt nothing; the collar behind them is hurt", () => {
+    const collar = glandTask();
+    const gouge = { ask: "gougePlace", within: 1.5 } as const;
+    const found = truthOf(gouge, collar, answerOf("program" in collar.start ? collar.start.program.join("\n") : ""));
+    expect(isRight(gouge, found, at(-24.2, 15.7))).toBe(true);
+    expect(isRight(gouge, found, at(-9.3, 13.1))).toBe(false);
+  });
 });
+
+const glandTask = () =>
+  taskSchema.parse(JSON.parse(readFileSync(new URL("../../src/course/tasks/l16-into-the-collar.json", import.meta.url), "utf8")));

@@ -53,7 +53,7 @@ function residue({ part: wanted }: Pick<Task, "part">, { simulation }: Answer, o
 
 /** What is missing from the wanted part, or without one what was cut from the contours of the cycles. */
 function missing({ part: wanted }: Pick<Task, "part">, { simulation }: Answer): readonly Ring[] {
-  if (wanted) return beyond(wantedPart(wanted).rings, simulation.final);
+  if (wanted) return beyond(wantedPart(wanted).solid, simulation.final);
   return simulation.findings.flatMap((f) => (f.kind === "gouge" ? f.rings : []));
 }
 
