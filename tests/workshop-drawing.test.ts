@@ -142,8 +142,9 @@ function drawn(work: Drawn, room: keyof typeof ROOMS, language: "en" | "de" = "e
 function svgOf({ width, height, shapes, texts }: WorkshopPrint): string {
   const n = (v: number) => String(Math.round(v * 100) / 100 + 0);
   const style =
-    `svg{background:#fff;fill:none;stroke:#000;stroke-width:.15}.outline{stroke-width:.5}.edge{stroke-width:.35}.arrow{fill:#000}.axis{stroke-dasharray:6 1 1 1}`
-    + `.section{fill:#ddd;stroke:none;fill-rule:evenodd}text{font:3px monospace;fill:#000;stroke:#fff;stroke-width:.9;paint-order:stroke;dominant-baseline:central}`;
+    `svg{background:#fff;fill:none;stroke:#000;stroke-width:.15}.outline{stroke-width:.5}.edge{stroke-width:.35}.arrow{fill:#000}`
+    + `.axis{stroke-dasharray:6 1 1 1}.section{fill:#ddd;stroke:none;fill-rule:evenodd}text{font:3px monospace;fill:#000;stroke:#fff;`
+    + `stroke-width:.9;paint-order:stroke;dominant-baseline:central}`;
   const rows = texts.map((t) => {
     const start = t.at.x - widthOf(t) / 2, next = start + nominalWidth(t) + NEXT, small = n(FIGURES * SMALL);
     const turn = t.turned ? ` transform="rotate(-90 ${n(t.at.x)} ${n(t.at.y)})"` : "";

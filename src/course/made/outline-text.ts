@@ -126,8 +126,8 @@ function turnedPart(chain: readonly Pt[], blank: readonly Ring[]): readonly Pt[]
 }
 
 /**
- * The outlines of a part that was turned out of a blank, simplified to lines and arcs: its outside from the axis or the bore at the free end,
- * and its bore, each to where the blank is left as it is. Of several pieces the largest counts.
+ * The outlines of a part that was turned out of a blank, simplified to lines and arcs: its outside from the axis or the bore at the free
+ * end, and its bore, each to where the blank is left as it is. Of several pieces the largest counts.
  */
 export function outlineText(finished: readonly Ring[], blank: readonly Ring[]): OutlineLines {
   const [body] = simplified(finished, NEAR / 4).map((ring) => ({ ring, area: areaOf([ring]) })).sort((a, b) => b.area - a.area);
