@@ -14,6 +14,7 @@ export { SettingsPage } from "./settings.ts";
 export { Setup } from "./setup.ts";
 export { SetupSheetPage } from "./sheet.ts";
 export { Start } from "./start.ts";
+export { Teaching } from "./teaching.ts";
 export { ToolTable } from "./tools.ts";
 export { Turnwise } from "./turnwise.ts";
 export { WorksList } from "./works.ts";

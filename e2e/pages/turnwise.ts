@@ -16,6 +16,7 @@ import { SettingsPage } from "./settings.ts";
 import { Setup } from "./setup.ts";
 import { SetupSheetPage } from "./sheet.ts";
 import { Start } from "./start.ts";
+import { Teaching } from "./teaching.ts";
 import { ToolTable } from "./tools.ts";
 import { WorksList } from "./works.ts";
 
@@ -55,6 +56,7 @@ export class Turnwise {
   readonly comparison: Comparison;
   readonly sheet: SetupSheetPage;
   readonly course: Course;
+  readonly teaching: Teaching;
   readonly t: Texts & TableTexts;
 
   private constructor(readonly page: Page, readonly language: Language) {
@@ -77,6 +79,7 @@ export class Turnwise {
     this.comparison = new Comparison(context);
     this.sheet = new SetupSheetPage(context);
     this.course = new Course(context);
+    this.teaching = new Teaching(context);
   }
 
   /** Opens the page as a first-time visitor of this language would see it. */

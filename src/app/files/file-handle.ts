@@ -25,8 +25,8 @@ const pickers = (): FilePickers => window as FilePickers;
 /** Endings of programs, and of the points and tables beside them. */
 export const ENDINGS: readonly string[] = [".h", ".H", ".i", ".I", ".hc", ".hu", ".d", ".tab", ".pnt", ".txt"];
 const types = [{ description: "Klartext", accept: { "text/plain": ENDINGS } }];
-/** Files of works, which can be opened but are saved elsewhere. */
-const works = { description: "Turnwise", accept: { "application/zip": [".zip"] } };
+/** Files of works, tasks and results, which can be opened but are saved elsewhere. */
+const works = { description: "Turnwise", accept: { "application/zip": [".zip"], "application/json": [".json"] } };
 
 export const canOpenFiles = (): boolean => typeof pickers().showOpenFilePicker === "function";
 export const canSaveFiles = (): boolean => typeof pickers().showSaveFilePicker === "function";

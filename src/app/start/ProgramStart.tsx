@@ -48,7 +48,7 @@ export function ProgramStart({ pictures }: { readonly pictures: StartPictures | 
       <p className="soft">{t.programs.lead}</p>
       <div className="program-ways">
         <button type="button" className="button primary" onClick={() => void ask()}>{t.programs.openFile}</button>
-        <input ref={file} type="file" multiple hidden accept={[...ENDINGS, "text/plain", ".zip"].join(",")}
+        <input ref={file} type="file" multiple hidden accept={[...ENDINGS, "text/plain", ".zip", ".json"].join(",")}
           onChange={(event) => void take(plainFiles(event.currentTarget.files))} />
         <button type="button" className="button" onClick={() => void askFolder()}>{t.programs.openFolder}</button>
         <input ref={folder} type="file" multiple hidden {...{ webkitdirectory: "" }} onChange={(event) => {

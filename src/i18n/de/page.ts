@@ -183,7 +183,7 @@ export const page = {
     archiveUnkept: "Als eine Datei sichern",
     copyOfOtherTab: "Diese Arbeit ist in einem anderen Tab offen. Hier wird eine Kopie bearbeitet; beide bleiben erhalten.",
     workNotHere: "Die Arbeit dieser Adresse liegt nicht auf diesem Gerät: anderer Browser, oder aus der Liste entfernt.",
-    linkDamaged: "Der Link enthält kein lesbares Programm.",
+    linkDamaged: "Der Link enthält nichts Lesbares.",
     linkNewer: "Den Link hat eine neuere Ausgabe dieser Seite gemacht. Die Seite neu laden und den Link noch einmal öffnen.",
     linkTooLarge: "Das Programm im Link ist größer als 20 MB und wurde nicht geöffnet. Die eigene Arbeit ist unverändert.",
     fileTooLarge: "Das sind mehr als 20 MB; es wurde nichts geöffnet. Die eigene Arbeit ist unverändert.",

@@ -177,7 +177,7 @@ export const page = {
     archiveUnkept: "Save them as one file",
     copyOfOtherTab: "This work is open in another tab. Here you edit a copy; both are kept.",
     workNotHere: "The work of this address is not on this device. It may be in another browser, or was removed from the list.",
-    linkDamaged: "The link holds no program that can be read.",
+    linkDamaged: "The link holds nothing that can be read.",
     linkNewer: "The link comes from a newer edition of this page, which this one cannot read. Reload the page and open the link again.",
     linkTooLarge: "The program in the link is larger than 20 MB and was not opened. Your own work is as it was.",
     fileTooLarge: "This is more than 20 MB and was not opened. Your own work is as it was.",

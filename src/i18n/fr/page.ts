@@ -182,7 +182,7 @@ export const page = {
     archiveUnkept: "Les enregistrer dans un fichier",
     copyOfOtherTab: "Ce travail est ouvert dans un autre onglet. Ici, on modifie une copie ; les deux sont conservés.",
     workNotHere: "Le travail de cette adresse n’est pas sur cet appareil : autre navigateur, ou retiré de la liste.",
-    linkDamaged: "Le lien ne contient aucun programme lisible.",
+    linkDamaged: "Le lien ne contient rien de lisible.",
     linkNewer:
       "Le lien vient d’une édition plus récente de cette page, que celle-ci ne peut pas lire. Recharger la page et rouvrir le lien.",
     linkTooLarge: "Le programme contenu dans le lien dépasse 20 Mo et n’a pas été ouvert. Le travail en cours est inchangé.",

@@ -174,7 +174,7 @@ export const page = {
     archiveUnkept: "存为一个文件",
     copyOfOtherTab: "此工作已在另一个标签页打开。这里编辑的是副本，两份都会保留。",
     workNotHere: "此地址的工作不在本设备上：可能在另一浏览器中，或已从列表中移除。",
-    linkDamaged: "链接中没有可读取的程序。",
+    linkDamaged: "链接中没有可读取的内容。",
     linkNewer: "链接来自本页面的较新版本，当前版本无法读取。请重新加载页面后再打开链接。",
     linkTooLarge: "链接中的程序大于 20 MB，未打开。您当前的工作保持不变。",
     fileTooLarge: "总大小超过 20 MB，未打开。您当前的工作保持不变。",

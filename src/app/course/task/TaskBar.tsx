@@ -3,6 +3,7 @@ import { loadCourseTask } from "../../../i18n/load-course-task.ts";
 import { Icon } from "../../Icon.tsx";
 import { laterTexts } from "../../settings/later-texts.ts";
 import { startLearning } from "../progress.ts";
+import { startWorkingTime } from "../teach/working-time.ts";
 import { TaskPanel } from "./TaskPanel.tsx";
 import { viewTask } from "./task-view.ts";
 import { useTaskFile } from "./use-task-file.ts";
@@ -16,6 +17,7 @@ export function TaskBar({ work }: { readonly work: string }) {
   const task = useTaskFile();
   useEffect(() => {
     startLearning();
+    startWorkingTime();
     viewTask(work);
   }, [work]);
   if (task === null) return null;

@@ -74,11 +74,13 @@ function Scored({ t }: Pick<Props, "t">) {
 export function TaskBody({ task, t, words }: Props) {
   const language = useSettings((s) => s.language);
   const veiled = useEditor((s) => taskOfWork(s)?.veiled ?? false);
+  // An instructor's words need not have the sizes: the part is shown.
+  const isFromOutside = useEditor((s) => taskOfWork(s)?.file !== undefined);
   return (
     <>
       <section className="task-part task-ask" aria-label={t.unfold}>
         <Paragraphs text={words.ask} />
-        {task.kind === "drawing" && (
+        {task.part && (task.kind === "drawing" || isFromOutside) && (
           <details className="task-drawing" open>
             <summary>{t.drawing}</summary>
             <WorkshopDrawing task={task} language={language} />

@@ -11,7 +11,7 @@ import "../../handing/handing.css";
 export const pageAddress = (): string => location.href.replace(/[?#].*$/, "");
 
 /** A link to copy, with what keeps it from being opened where it goes. */
-export function LinkBox({ link }: { readonly link: string }) {
+export function LinkBox({ link, copies }: { readonly link: string; readonly copies?: () => void }) {
   const t = useTeachTexts();
   const language = useSettings((s) => s.language);
   const copied = useCopying((c) => c.state === "copied" && c.text === link);
@@ -36,7 +36,10 @@ export function LinkBox({ link }: { readonly link: string }) {
         </p>
       )}
       <div className="handing-ways">
-        <button type="button" className="button primary" onClick={() => void copyText(link)}>
+        <button type="button" className="button primary" onClick={() => {
+          copies?.();
+          void copyText(link);
+        }}>
           <Icon name={copied ? "check" : "copy"} /> {copied ? t.copied : t.copyLink}
         </button>
       </div>

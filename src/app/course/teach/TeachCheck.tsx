@@ -1,3 +1,4 @@
+import { useEffect } from "react";
 import { formatNumber } from "../../../i18n/number.ts";
 import type { TaskJudgement, TaskMark } from "../../../course/judge/judgement.ts";
 import type { MadeFault } from "../../../course/made/made-task.ts";
@@ -7,17 +8,22 @@ import { Icon } from "../../Icon.tsx";
 import { useSettings } from "../../settings/settings.ts";
 import { beginTaskAnew } from "../task/begin.ts";
 import { LinkBox, pageAddress } from "./LinkBox.tsx";
+import { keepTask, startTaught } from "./taught.ts";
 import { taskLink, taughtFile } from "./taught-files.ts";
 import { useTeachTexts } from "./use-teach-texts.ts";
 
 /** Most marks that are told at once. */
 const MOST_TOLD = 6;
 
-/** Whether the answer passes its own task; then it is tried and handed out. */
+/**
+ * Whether the answer passes its own task; then it is tried and handed out. What goes out is kept here too, so that answers to it can be run
+ * when they come back.
+ */
 export function TeachCheck({ task, judged, isIdle, done }: { readonly task: Task | readonly MadeFault[];
   readonly judged: TaskJudgement | null; readonly isIdle: boolean; readonly done: () => void })
 {
   const t = useTeachTexts();
+  useEffect(startTaught, []);
   const faults = "length" in task ? task : null, whole = "length" in task ? null : task;
   const wrong = judged?.marks.filter(({ passed }) => !passed) ?? [];
   const ready = whole && judged?.passed && !isIdle ? whole : null;
@@ -57,6 +63,7 @@ export function TeachCheck({ task, judged, isIdle, done }: { readonly task: Task
         <button type="button" className="button" disabled={!ready} onClick={() => {
           if (!ready) return;
           done();
+          keepTask(ready);
           beginTaskAnew(ready, true);
         }}>
           <Icon name="play" /> {t.tryIt}
@@ -81,9 +88,12 @@ function HandOut({ task }: { readonly task: Task }) {
   return (
     <>
       <h3>{t.handOut}</h3>
-      <LinkBox link={taskLink(pageAddress(), task)} />
+      <LinkBox link={taskLink(pageAddress(), task)} copies={() => keepTask(task)} />
       <div className="handing-ways">
-        <button type="button" className="button" onClick={() => downloadText(taughtFile(task), `${task.id}.turnwise-task.json`)}>
+        <button type="button" className="button" onClick={() => {
+          keepTask(task);
+          downloadText(taughtFile(task), `${task.id}.turnwise-task.json`);
+        }}>
           <Icon name="download" /> {t.saveTask}
         </button>
       </div>

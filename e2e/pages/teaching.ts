@@ -1,0 +1,62 @@
+import { expect, type Locator } from "@playwright/test";
+import { courseTeach as de } from "../../src/i18n/de/course-teach.ts";
+import { courseTeach as en, type CourseTeachTexts } from "../../src/i18n/en/course-teach.ts";
+import { courseTeach as fr } from "../../src/i18n/fr/course-teach.ts";
+import { courseTeach as zh } from "../../src/i18n/zh/course-teach.ts";
+import type { Context } from "./turnwise.ts";
+
+/** What an instructor does: makes a task of the open program, hands it out, reads results. */
+export class Teaching {
+  readonly words: CourseTeachTexts;
+  constructor(private readonly context: Context) {
+    this.words = { en, de, fr, zh }[context.language];
+  }
+
+  /** The form over the open program. */
+  get form(): Locator {
+    return this.context.page.getByRole("dialog", { name: this.words.title, exact: true });
+  }
+
+  /** Opens the form, once the program has been run. */
+  async make(): Promise<void> {
+    await this.context.page.getByRole("button", { name: this.words.make, exact: true }).click();
+    await expect(this.form.getByLabel(this.words.name, { exact: true })).toBeVisible();
+  }
+
+  /** Fills in what has to be told. */
+  async tell(title: string, ask: string): Promise<void> {
+    await this.form.getByLabel(this.words.name, { exact: true }).fill(title);
+    await this.form.getByLabel(this.words.ask, { exact: true }).fill(ask);
+    for (const [i, hint] of this.words.hints.entries()) await this.form.getByLabel(hint, { exact: true }).fill(`${i + 1}. ${title}`);
+  }
+
+  /** Whether the answer passes. */
+  get check(): Locator {
+    return this.form.getByRole("region", { name: this.words.check, exact: true }).getByRole("status");
+  }
+
+  /** The link of a dialog. */
+  link(dialog: Locator): Promise<string> {
+    return dialog.getByRole("textbox", { name: new RegExp(`^${this.words.link} `) }).inputValue();
+  }
+
+  /** A task that came from outside, before it is kept. */
+  incoming(title: string): Locator {
+    return this.context.page.getByRole("dialog", { name: this.words.incoming.title(title), exact: true });
+  }
+
+  /** The tasks of an instructor, below the lessons. */
+  get kept(): Locator {
+    return this.context.page.getByRole("region", { name: this.words.own.title, exact: true });
+  }
+
+  /** The dialog that gathers results. */
+  get handIn(): Locator {
+    return this.context.page.getByRole("dialog", { name: this.words.hand.title, exact: true });
+  }
+
+  /** Results that were handed in under a name. */
+  results(name: string): Locator {
+    return this.context.page.getByRole("dialog", { name: this.words.results.title(name), exact: true });
+  }
+}
