@@ -1,9 +1,9 @@
 import { boxAround } from "../../kernel/box.ts";
 import { areaOf } from "../../kernel/area.ts";
-import { difference } from "../../kernel/clip.ts";
+import { difference, intersection, union } from "../../kernel/clip.ts";
 import { toDiameter } from "../../kernel/units.ts";
 import { parse } from "../../nc/parse.ts";
-import { finishedPart } from "../../sim/finished.ts";
+import { machiningArea } from "../../sim/finished.ts";
 import { calledTools } from "../judge/rules.ts";
 import { judge } from "../judge/judge.ts";
 import type { Answer, RuleName } from "../judge/judgement.ts";
@@ -113,8 +113,9 @@ export type PartSource = (typeof PART_SOURCES)[number];
 
 /** The outlines of what an answer makes. */
 export function outlinesFrom({ run, simulation }: Answer, from: PartSource): Pick<MadeTask, "outside" | "bore"> {
-  const contours = from === "contours" ? finishedPart(run.operations) : [];
-  const rings = contours.length > 0 ? difference(run.blank, difference(run.blank, contours)) : simulation.final;
+  const parts = from === "contours" ? union(run.operations.map(({ plan }) => plan.part)) : [];
+  const contours = parts.length > 0 ? intersection(run.blank, difference(parts, machiningArea(run.operations))) : [];
+  const rings = contours.length > 0 ? contours : simulation.final;
   const { outside = [], bore = [] } = outlineText(rings, run.blank);
   return { outside: outside.join("\n"), bore: bore.join("\n") };
 }

@@ -83,13 +83,13 @@ const number = (value: number): string => {
   const text = String(rounded(value) + 0);
   return text.startsWith("-") ? text : `+${text}`;
 };
-/** Radii are round numbers more often than not: one that is as near is taken for it, mm. */
-const ROUND_RADIUS = 100, AS_NEAR = 0.003;
-const radiusText = (radius: number): string => {
-  const round = Math.round(radius * ROUND_RADIUS) / ROUND_RADIUS;
-  return number(Math.abs(round - radius) < AS_NEAR ? round : radius);
+/** Sizes and radii are round numbers more often than not: a hundredth that is as near is taken, mm. */
+const HUNDREDTHS = 100, AS_NEAR = 0.003;
+const size = (value: number): string => {
+  const round = Math.round(value * HUNDREDTHS) / HUNDREDTHS;
+  return number(Math.abs(round - value) < AS_NEAR ? round : value);
 };
-const at = (p: Pt): string => `X${number(toDiameter(p.r))} Z${number(p.z)}`;
+const at = (p: Pt): string => `X${size(toDiameter(p.r))} Z${size(p.z)}`;
 
 function linesOf(segments: readonly Segment[]): readonly string[] | undefined {
   const [first] = segments;
@@ -97,7 +97,7 @@ function linesOf(segments: readonly Segment[]): readonly string[] | undefined {
   return [
     `L ${at(first.from)}`,
     ...segments.map((s) =>
-      s.kind === "line" ? `L ${at(s.to)}` : `CR ${at(s.to)} R${radiusText(part.radiusOf(s))} ${s.turn === "ccw" ? "DR+" : "DR-"}`
+      s.kind === "line" ? `L ${at(s.to)}` : `CR ${at(s.to)} R${size(part.radiusOf(s))} ${s.turn === "ccw" ? "DR+" : "DR-"}`
     ),
   ];
 }
