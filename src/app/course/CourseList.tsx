@@ -1,6 +1,7 @@
 import { progressOfTask, stateOfTask } from "../../course/progress.ts";
 import { useCourseIndex, type LessonEntry } from "./content.ts";
 import { courseHref } from "./course-links.ts";
+import { GuideLinks } from "../guide/GuideLinks.tsx";
 import { BeginAnew } from "./BeginAnew.tsx";
 import { useLearning } from "./progress.ts";
 import { TaughtTasks } from "./teach/TaughtTasks.tsx";
@@ -82,6 +83,7 @@ export function CourseList() {
       <ol className="lesson-list" aria-label={t.lessons}>
         {lessons.map((lesson) => <LessonRow key={lesson.id} lesson={lesson} isNext={lesson === next} />)}
       </ol>
+      <GuideLinks />
       <TaughtTasks />
       <BeginAnew />
     </main>

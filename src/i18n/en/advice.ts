@@ -6,7 +6,7 @@ export const advice = {
   lead: "Rules of the trade applied to your values. They are estimates: neither machine, coating nor clamping is known here.",
   none: "Nothing to advise on these values.",
   nothingOpen: "Open a work to get advice on its values.",
-  mark: (n: number) => (n === 1 ? "1 piece of advice" : `${n} pieces of advice`),
+  mark: (n: number) => `Advice: ${n}`,
   show: "Give advice",
   take: (value: string) => `Take ${value}`,
   operation: (n: number, cycle: number) => `Operation ${n}, cycle ${cycle}`,
@@ -18,7 +18,7 @@ export const advice = {
     rough: (rz: string, feed: string, nose: string, wanted: string, better: string) =>
       `Feed ${feed} mm and nose ${nose} mm leave Rz ${rz} µm (f² / 8r). Rz ${wanted} µm takes ${better} mm.`,
     power: (power: string, most: string, speed: string, better: string) =>
-      `About ${power} kW at ${speed} m/min (Kienzle); the spindle has ${most} kW. An infeed of ${better} mm needs that.`,
+      `About ${power} kW at ${speed} m/min (Kienzle); the spindle has ${most} kW. An infeed of ${better} mm needs no more.`,
     speedLimited: (limit: string, held: string, smallest: string, left: string) =>
       `With SMAX ${limit} the cutting speed is held down to ⌀ ${held}. At ⌀ ${smallest} only ${left} m/min of it are left.`,
     noLimit: (speed: string) => `${speed} m/min without SMAX: towards the axis the spindle turns as fast as it can. Give it a limit.`,
