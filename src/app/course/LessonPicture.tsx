@@ -1,6 +1,8 @@
 import { Suspense, useEffect, useMemo, useRef, useState } from "react";
-import { operationsPlayed, stepsPlayed } from "../../course/played.ts";
+import { operationsPlayed, stepsPlayed, type Played } from "../../course/played.ts";
 import type { Run } from "../../program/run-types.ts";
+import { boundsOf, common, grownBounds, joined, mirrored } from "../../view/bounds.ts";
+import type { Bounds } from "../../view/camera.ts";
 import { datumAt, datumIndex } from "../../view/datum.ts";
 import { sceneOf } from "../../view/scene.ts";
 import { clock } from "../clock.ts";
@@ -59,6 +61,18 @@ function useSized(viewport: Viewport) {
 const sceneOfRun = (run: Run, path: Parameters<typeof sceneOf>[0]["path"]) =>
   sceneOf({ blank: run.blank, contours: run.operations.map((o) => o.plan.contour), steps: run.steps, ...(path && { path }) });
 
+/** Room round what is cut, as a share of its longer side: the insert and the ends of the jaws are seen with it. */
+const AIR = 0.2;
+
+/** What the picture of a page shows: the blank with all that is fed there, and not the whole chuck. */
+function frameOf({ blank, steps }: Run, { first, last }: Played, whole: Bounds): Bounds {
+  const fed = steps.slice(first, last + 1).filter(({ move }) => move.kind !== "rapid");
+  const seen = joined(boundsOf(blank.flat()), boundsOf(fed.flatMap(({ from, move }) => [from, move.to])));
+  if (!seen) return whole;
+  const both = mirrored(seen);
+  return common(whole, grownBounds(both, AIR * Math.max(both.right - both.left, both.high - both.low)));
+}
+
 /** The lathe of a page: the run of its program, playing, with what the page shows beside it. */
 export function LessonPicture({ outcome, page, dimmed }: { readonly outcome: Outcome; readonly page: LessonPageOf;
   readonly dimmed: boolean })
@@ -81,7 +95,8 @@ export function LessonPicture({ outcome, page, dimmed }: { readonly outcome: Out
   const told: Told | null = page.shows === undefined || page.shows === "residue" ? null : page.shows;
   useLessonLoad(outcome, told);
   useEffect(() => playback.setStill(still), [playback, still]);
-  useEffect(() => viewport.setBounds(scene.bounds), [scene, viewport]);
+  const frame = useMemo(() => frameOf(run, played, scene.bounds), [run, played, scene]);
+  useEffect(() => viewport.setBounds(frame), [frame, viewport]);
   useEffect(() => viewport.fit(), [page.key, viewport]);
 
   const ended = usePlayback(playback, (s) => s.get().position.step > played.last);
