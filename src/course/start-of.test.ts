@@ -41,10 +41,10 @@ describe("where a task begins", () => {
     ], ["L", "44", "", ""]]);
   });
 
-  test("a program is there as it stands", () =>
+  test("a program is there as it stands, under its own name: that of the task might tell what is wrong with it", () =>
     expect(startOfTask(task({ start: { program: ["0 BEGIN PGM A MM", "1 END PGM A MM"] } }))).toEqual({
       kind: "program",
-      name: "FIRST-SHOULDER.h",
+      name: "A.h",
       text: "0 BEGIN PGM A MM\n1 END PGM A MM\n",
     }));
 

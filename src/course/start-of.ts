@@ -20,6 +20,9 @@ export const programOfLines = (lines: readonly string[]): string => lines.map((l
 /** The name that the work of a task has on the control. */
 const nameOf = ({ id }: Task): string => nameOnControl(id.toUpperCase());
 
+/** The name that a program gives itself. */
+const ownName = ([first = ""]: readonly string[]): string | undefined => /\bBEGIN\s+PGM\s+(\S+)/.exec(first)?.[1];
+
 /** A program with nothing but the blank of the wanted part, if there is one, that runs to its end. */
 function emptyText(task: Task): string {
   const name = nameOf(task);
@@ -36,8 +39,9 @@ function emptyText(task: Task): string {
  */
 export function startOfTask(task: Task): TaskStart {
   const { start } = task;
-  const program = (text: string): TaskStart => ({ kind: "program", name: `${nameOf(task)}.h`, text });
-  if ("program" in start) return program(programOfLines(start.program));
+  const program = (text: string, name = nameOf(task)): TaskStart => ({ kind: "program", name: `${name}.h`, text });
+  // A program keeps its own name: that of the task might tell what is wrong with it.
+  if ("program" in start) return program(programOfLines(start.program), ownName(start.program));
   const cycle = "cycle" in start ? cycleByNumber(start.cycle) : undefined;
   if (!("cycle" in start) || !cycle) return program(emptyText(task));
   const { values, blank, tool, at, contour } = start;
