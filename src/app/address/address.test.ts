@@ -16,7 +16,8 @@ const places: fc.Arbitrary<Address> = fc.oneof(fc.record({ page: fc.constant("st
     page: fc.constant("course" as const),
     lesson: name,
     at: fc.oneof(fc.integer({ min: 1, max: 99 }), fc.constant("tasks" as const)),
-  }), fc.record({ page: fc.constant("own" as const), row: fc.option(name) }));
+  }), fc.record({ page: fc.constant("own" as const), row: fc.option(name) }),
+  fc.record({ page: fc.constant("guide" as const), path: fc.tuple(fc.constantFrom("guide", "glossary"), name, name) }));
 
 test("every place is found again by its address", () => {
   fc.assert(fc.property(places, (address) => {
@@ -32,6 +33,8 @@ test.each([
   ["#/work/7f3a/sheet", { page: "sheet", work: "7f3a" }],
   ["#/tools/5", { page: "tools", number: 5, milling: false }],
   ["#/tools/milling/", { page: "tools", number: null, milling: true }],
+  ["#/guide/812/Q463", { page: "guide", path: ["guide", "812", "Q463"] }],
+  ["#/glossary/", { page: "guide", path: ["glossary"] }],
   ["#/works", { page: "works" }],
   ["#/works/", { page: "works" }],
   ["#/course", { page: "course", lesson: null, at: 1 }],

@@ -1,4 +1,5 @@
 import { useGuideTexts } from "./use-guide-texts.ts";
+import "./prompt-more.css";
 
 /** The ways to the guide of all cycles and to the words of the trade. */
 export function GuideLinks() {
