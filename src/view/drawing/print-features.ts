@@ -1,4 +1,4 @@
-import { part, type Pt, type Segment } from "../../kernel/point.ts";
+import { at, part, type Pt, type Segment } from "../../kernel/point.ts";
 
 /** A turned surface of one diameter, from its end near the chuck to its free end. Part space, mm. */
 export interface PrintCylinder {
@@ -59,13 +59,23 @@ function cornerOf(before: Segment | undefined, s: Segment, after: Segment | unde
     const size = part.radiusOf(s);
     return size <= most && (runsInto(before, s) || runsInto(s, after)) ? { kind: "radius", at: middle, size } : null;
   }
-  if (isLevel(s) || isUpright(s) || Math.max(long(s), tall(s)) > most / 2 || !before) return null;
-  // The last one runs out on the blank.
-  if (before.kind === "arc" || after?.kind === "arc") return null;
-  if (!isLevel(before) && !isUpright(before) && part.lengthOf(before) < part.lengthOf(s)) return null;
-  if ([before, after].some((side) => side && sine(side, s) < BENT) || (after && sine(before, after) < BENT)) return null;
+  if (isLevel(s) || isUpright(s) || Math.max(long(s), tall(s)) > most / 2) return null;
+  // The first one may begin at the free end, the last one runs out on the blank.
+  if (!before && !after) return null;
+  if (before?.kind === "arc" || after?.kind === "arc") return null;
+  if (before && !isLevel(before) && !isUpright(before) && part.lengthOf(before) < part.lengthOf(s)) return null;
+  if ((before && sine(before, s) < BENT) || (after && sine(s, after) < BENT)) return null;
+  if (before && after && sine(before, after) < BENT) return null;
   return { kind: "chamfer", at: middle, size: long(s), angle: (Math.atan2(tall(s), long(s)) * 180) / Math.PI };
 }
+
+/** Hundredths of a length and of a ⌀; an end of a cone is the next of them where it is this near, mm. */
+const GRID = { z: 100, r: 200 } as const, AS_NEAR = 0.0012;
+const tidied = (value: number, grid: number): number => {
+  const round = Math.round(value * grid) / grid;
+  return Math.abs(round - value) < AS_NEAR ? round : value;
+};
+const tidy = (p: Pt): Pt => at(tidied(p.z, GRID.z), tidied(p.r, GRID.r));
 
 /** Lines on both sides of a broken corner go on to where they meet, as if it were sharp. */
 function sharpened(pieces: readonly Piece[]): Segment[] {
@@ -113,7 +123,7 @@ export function printFeatures(outline: readonly Segment[]): PrintFeatures {
     if (isLevel(s)) continue;
     addPosition(s.from.r > s.to.r ? s.from : s.to);
     if (isUpright(s)) continue;
-    for (const p of [s.from, s.to]) {
+    for (const p of [s.from, s.to].map(tidy)) {
       addPosition(p);
       addDiameter(p.z, p.z, p.r);
     }
