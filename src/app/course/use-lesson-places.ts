@@ -2,7 +2,7 @@ import { useMemo } from "react";
 import type { Outcome } from "../engine/outcome.ts";
 import { findingsOf } from "../findings/findings.ts";
 import { issueText } from "../issue-text.ts";
-import type { LookAt } from "../lathe/places.ts";
+import { lookAtOf, type LookAt } from "../lathe/places.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 
@@ -11,20 +11,8 @@ export function useLessonPlaces(outcome: Outcome): readonly LookAt[] {
   const texts = useTexts();
   const language = useSettings((s) => s.language);
   return useMemo(() =>
-    findingsOf(null, outcome).flatMap(({ id, issue, block, spot, operation }): LookAt[] => {
-      if (spot?.plane !== "ZX") return [];
-      const cycle = operation === null ? null : outcome.run.operations[operation]?.cycle ?? null;
-      const said = issueText(texts, language, issue, cycle);
-      const line = block === null ? said : `${said} (${texts.findings.inBlock(String(block))})`;
-      return [{
-        id,
-        kind: spot.kind,
-        mark: spot.mark,
-        place: spot.place,
-        bounds: spot.bounds,
-        line,
-        position: spot.position,
-        issue,
-      }];
+    findingsOf(null, outcome).flatMap((entry) => {
+      const cycle = entry.operation === null ? null : outcome.run.operations[entry.operation]?.cycle ?? null;
+      return lookAtOf(entry, "ZX", texts.findings, () => issueText(texts, language, entry.issue, cycle)) ?? [];
     }), [outcome, texts, language]);
 }

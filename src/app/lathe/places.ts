@@ -1,9 +1,10 @@
 import { useMemo } from "react";
+import type { Texts } from "../../i18n/index.ts";
 import type { AnyIssue } from "../../i18n/message-texts.ts";
 import type { Pt } from "../../kernel/point.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import type { Bounds } from "../../view/camera.ts";
-import type { FindingSpot } from "../findings/entry.ts";
+import type { FindingEntry, FindingSpot } from "../findings/entry.ts";
 import { useFindings } from "../findings/use-findings.ts";
 import { useIssueText } from "../issue-text.ts";
 import { useTexts } from "../settings/use-texts.ts";
@@ -25,24 +26,22 @@ export interface LookAt {
   readonly issue: AnyIssue | null;
 }
 
+/** A finding as a place of a picture; null where it has none there. `said`: what it says in words. */
+export function lookAtOf(
+  { id, issue, block, spot }: FindingEntry,
+  plane: FindingSpot["plane"],
+  { inBlock }: Pick<Texts["findings"], "inBlock">,
+  said: () => string,
+): LookAt | null {
+  if (spot?.plane !== plane) return null;
+  const { kind, mark, place, bounds, position } = spot;
+  return { id, kind, mark, place, bounds, line: block === null ? said() : `${said()} (${inBlock(String(block))})`, position, issue };
+}
+
 /** The findings that one of the two pictures shows, in the order of the list. */
 export function usePlaces(plane: FindingSpot["plane"]): readonly LookAt[] {
   const entries = useFindings();
   const say = useIssueText();
   const t = useTexts().findings;
-  return useMemo(() =>
-    entries.flatMap(({ id, issue, block, spot }): LookAt[] => {
-      if (spot?.plane !== plane) return [];
-      const line = block === null ? say(issue) : `${say(issue)} (${t.inBlock(String(block))})`;
-      return [{
-        id,
-        kind: spot.kind,
-        mark: spot.mark,
-        place: spot.place,
-        bounds: spot.bounds,
-        line,
-        position: spot.position,
-        issue,
-      }];
-    }), [entries, plane, say, t]);
+  return useMemo(() => entries.flatMap((entry) => lookAtOf(entry, plane, t, () => say(entry.issue)) ?? []), [entries, plane, say, t]);
 }
