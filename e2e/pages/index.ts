@@ -15,6 +15,7 @@ export { Setup } from "./setup.ts";
 export { SetupSheetPage } from "./sheet.ts";
 export { Start } from "./start.ts";
 export { Teaching } from "./teaching.ts";
+export { TaskPanel } from "./task.ts";
 export { ToolTable } from "./tools.ts";
 export { Turnwise } from "./turnwise.ts";
 export { WorksList } from "./works.ts";

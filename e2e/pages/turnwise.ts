@@ -17,6 +17,7 @@ import { Setup } from "./setup.ts";
 import { SetupSheetPage } from "./sheet.ts";
 import { Start } from "./start.ts";
 import { Teaching } from "./teaching.ts";
+import { TaskPanel } from "./task.ts";
 import { ToolTable } from "./tools.ts";
 import { WorksList } from "./works.ts";
 
@@ -57,6 +58,7 @@ export class Turnwise {
   readonly sheet: SetupSheetPage;
   readonly course: Course;
   readonly teaching: Teaching;
+  readonly task: TaskPanel;
   readonly t: Texts & TableTexts;
 
   private constructor(readonly page: Page, readonly language: Language) {
@@ -80,6 +82,7 @@ export class Turnwise {
     this.sheet = new SetupSheetPage(context);
     this.course = new Course(context);
     this.teaching = new Teaching(context);
+    this.task = new TaskPanel(context);
   }
 
   /** Opens the page as a first-time visitor of this language would see it. */

@@ -49,14 +49,12 @@ function AskedAnswer({ prediction, question, text, choices, t, labelled }: Asked
   const name = useId();
   const kind = answerKindOf(prediction);
   const put = (next: string) => setTold(question, next);
-  const field = (label: string, value: string, take: (next: string) => void, unit = "") => (
+  const field = (label: string, sign: string, value: string, take: (next: string) => void, unit = "") => (
     <label className="task-field">
-      <span className="small">{label}</span>
-      <span className="task-unit">
-        <input className="input number" type="text" inputMode="decimal" autoComplete="off" value={value} aria-describedby={labelled}
-          maxLength={12} onChange={(event) => take(event.currentTarget.value)} />
-        {unit !== "" && <span className="soft small">{unit}</span>}
-      </span>
+      {sign !== "" && <span className="number" aria-hidden="true">{sign}</span>}
+      <input className="input number" type="text" inputMode="decimal" autoComplete="off" value={value} aria-label={label}
+        aria-describedby={labelled} maxLength={12} onChange={(event) => take(event.currentTarget.value)} />
+      {unit !== "" && <span className="soft small">{unit}</span>}
     </label>
   );
   if (kind === "choice") {
@@ -75,22 +73,22 @@ function AskedAnswer({ prediction, question, text, choices, t, labelled }: Asked
     return (
       <div className="task-fields">
         <span className="small">{t.foretell.place}</span>
-        {field(t.foretell.x, x, (next) => put(`${bare(next)} ${z}`), "mm")}
-        {field(t.foretell.z, z, (next) => put(`${x} ${bare(next)}`), "mm")}
+        {field(t.foretell.x, "⌀", x, (next) => put(`${bare(next)} ${z}`))}
+        {field(t.foretell.z, "Z", z, (next) => put(`${x} ${bare(next)}`))}
       </div>
     );
   }
   if (kind === "block") {
     return (
       <div className="task-fields">
-        {field(t.foretell.block, text, put)}
         <span className="soft small">{t.foretell.tapBlock}</span>
+        {field(t.foretell.block, "", text, put)}
       </div>
     );
   }
   const { ask } = prediction;
   const unit = ask in t.foretell.units ? t.foretell.units[ask as keyof typeof t.foretell.units] : "";
-  return <div className="task-fields">{field(t.foretell.answer, text, put, unit)}</div>;
+  return <div className="task-fields">{field(t.foretell.answer, "", text, put, unit)}</div>;
 }
 
 /** What is asked before the run, one question at a time. */

@@ -74,7 +74,7 @@ export function TaskPanel({ task, t }: { readonly task: Task; readonly t: Course
             <Icon name="check" /> {t.check}
           </button>
         )}
-        <button type="button" className="button task-unfold" aria-expanded={open} aria-controls={body}
+        <button type="button" className="button task-unfold" aria-label={open ? t.fold : t.unfold} aria-expanded={open} aria-controls={body}
           onClick={() => useTaskView.setState({ open: !open })}
         >
           <Icon name={open ? "up" : "down"} /> <span>{open ? t.fold : t.unfold}</span>

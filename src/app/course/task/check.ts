@@ -5,7 +5,7 @@ import { compareTold, type ComparedAnswer } from "../../../course/told.ts";
 import { asProgram } from "../../compare/sides.ts";
 import { compareFromHere } from "../../effect/before.ts";
 import { calculateAgain, outcomeBeside } from "../../engine/client.ts";
-import { isMadeFrom, useOutcome, type Outcome } from "../../engine/outcome.ts";
+import { forgetOutcome, isMadeFrom, useOutcome, type Outcome } from "../../engine/outcome.ts";
 import { isOpen } from "../../findings/entry.ts";
 import { chooseFinding } from "../../findings/chosen.ts";
 import { printedText } from "../../printed.ts";
@@ -112,10 +112,16 @@ export async function compareForetold(task: Task): Promise<readonly ComparedAnsw
   return answers;
 }
 
+/** What is known of the run is of another veil. */
+function runAnew(): void {
+  forgetOutcome();
+  calculateAgain();
+}
+
 /** Shows the run: everything was foretold. Where nothing else is asked that is the try. */
 export async function showRun(task: Task): Promise<void> {
   changeTask(({ veiled: _, ...told }) => told);
-  calculateAgain();
+  runAnew();
   // What is shown now is no change of what was hidden.
   void presentAnswer().then(compareFromHere);
   const answers = await compareForetold(task);
@@ -126,8 +132,7 @@ export async function showRun(task: Task): Promise<void> {
 
 /** Asks once more, with the run hidden again. */
 export function foretellAgain(): void {
-  chooseFinding(null);
   changeTask(({ id, file }) => ({ id, ...(file !== undefined && { file }), veiled: true }));
   useTaskView.setState({ foretold: null, checked: null, live: null, question: 0 });
-  calculateAgain();
+  runAnew();
 }

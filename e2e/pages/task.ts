@@ -1,0 +1,94 @@
+import type { Locator } from "@playwright/test";
+import { courseTask as de } from "../../src/i18n/de/course-task.ts";
+import { courseTask as en, type CourseTaskTexts } from "../../src/i18n/en/course-task.ts";
+import { courseTask as fr } from "../../src/i18n/fr/course-task.ts";
+import { courseTask as zh } from "../../src/i18n/zh/course-task.ts";
+import type { Context } from "./turnwise.ts";
+
+/** A task of the course over the work that it is: what is asked, the goals, the check, and what became of it. */
+export class TaskPanel {
+  readonly words: CourseTaskTexts;
+  constructor(private readonly context: Context) {
+    this.words = { en, de, fr, zh }[context.language];
+  }
+
+  /** The whole panel. */
+  get panel(): Locator {
+    return this.context.page.getByRole("region", { name: new RegExp(`^${this.words.region("")}`) });
+  }
+
+  /** How it stands, in one line. */
+  get status(): Locator {
+    return this.panel.getByRole("status");
+  }
+
+  private button(name: string): Locator {
+    return this.panel.getByRole("button", { name, exact: true });
+  }
+
+  get check(): Locator {
+    return this.button(this.words.check);
+  }
+
+  /** Unfolds the assignment and the goals, or folds them. */
+  get unfold(): Locator {
+    return this.button(this.words.unfold);
+  }
+
+  get fold(): Locator {
+    return this.button(this.words.fold);
+  }
+
+  /** What is asked, unfolded. */
+  get assignment(): Locator {
+    return this.panel.getByRole("region", { name: this.words.unfold, exact: true });
+  }
+
+  /** A goal of the list, by characters of it. */
+  goal(characters: string): Locator {
+    return this.panel.getByRole("region", { name: this.words.goals, exact: true }).getByRole("listitem").filter({ hasText: characters });
+  }
+
+  /** What is wrong, one at a time: a press goes there. */
+  get mark(): Locator {
+    return this.panel.getByRole("button", { name: /^\d+: / });
+  }
+
+  get nextMark(): Locator {
+    return this.button(this.words.next);
+  }
+
+  /** A field of what is foretold. */
+  field(name: "answer" | "x" | "z" | "block"): Locator {
+    return this.panel.getByRole("textbox", { name: this.words.foretell[name], exact: true });
+  }
+
+  /** One of several answers. */
+  choice(text: string): Locator {
+    return this.panel.getByRole("radio", { name: text });
+  }
+
+  get nextQuestion(): Locator {
+    return this.button(this.words.foretell.nextQuestion);
+  }
+
+  get run(): Locator {
+    return this.button(this.words.foretell.run);
+  }
+
+  get again(): Locator {
+    return this.button(this.words.foretell.again);
+  }
+
+  hint(stage: number): Locator {
+    return this.button(this.words.showHint(stage));
+  }
+
+  get solution(): Locator {
+    return this.button(this.words.showSolution);
+  }
+
+  get toLesson(): Locator {
+    return this.panel.getByRole("link", { name: this.words.toLesson, exact: true });
+  }
+}
