@@ -118,7 +118,7 @@ test("what is foretold, a fault that is found and mended, and a drawing with its
   await task.nextQuestion.press("Enter");
   await task.field("x").fill("70.6");
   await task.field("z").fill("-32.4");
-  await expect(lathe.mark("?")).toBeVisible();
+  await expect(lathe.mark(String.raw`\?`)).toBeVisible();
   await task.run.press("Enter");
   await expect(task.panel.getByRole("listitem").first()).toContainText(words.foretell.right(words.foretell.isBlock("11")));
   await task.check.press("Enter");

@@ -99,15 +99,15 @@ export const courseTask = {
     passes: (is, asked) => `${is === 1 ? "1 passe d’ébauche" : `${is} passes d’ébauche`} au lieu de ${asked}`,
     rz: (is, most) => `Rz ${is} µm au lieu de ${most} µm`,
     noRz: (most) => `Aucune surface de Rz connu ; ${most} µm sont demandés`,
-    words: (word) => `${word} ne figure dans aucun bloc`,
+    words: (word) => `${word} ne figure dans aucune séquence`,
   },
   where: {
     place: (x, z) => `⌀${x}, Z${z}`,
     at: (what, x, z) => `${what} à ⌀${x}, Z${z}`,
     because: (what, cause) => `${what} : ${cause}`,
-    block: (block) => `bloc ${block}`,
-    pass: (block, pass) => `bloc ${block}, passe ${pass}`,
-    finish: (block) => `bloc ${block}, passe de finition`,
+    block: (block) => `séquence ${block}`,
+    pass: (block, pass) => `séquence ${block}, passe ${pass}`,
+    finish: (block) => `séquence ${block}, passe de finition`,
   },
 
   foretell: {
@@ -119,7 +119,7 @@ export const courseTask = {
     place: "Touchez l’endroit sur la pièce, ou saisissez-le :",
     x: "⌀ de l’endroit",
     z: "Z de l’endroit",
-    block: "Numéro du bloc",
+    block: "Numéro de la séquence",
     tapBlock: "Saisissez son numéro, ou choisissez la ligne dans le programme.",
     nextQuestion: "Question suivante",
     back: "Question précédente",
@@ -127,12 +127,12 @@ export const courseTask = {
     again: "Répondre de nouveau",
     right: (what) => `Juste : ${what}`,
     wrong: (told, is) => `Vous avez dit ${told}. C’est ${is}.`,
-    wrongBlock: (told) => `Le bloc ${told} n’est pas la cause. Regardez où cela se gâte, et répondez de nouveau.`,
+    wrongBlock: (told) => `La séquence ${told} n’est pas la cause. Regardez où cela se gâte, et répondez de nouveau.`,
     wrongPlace: (told, is, mm) => `Vous avez dit ${told}. C’est à ${is}, à ${mm} mm de là.`,
     nowhere: (told) => `Vous avez dit ${told}. Cela n’arrive nulle part.`,
     yours: "Votre réponse dans l’image",
     truth: "L’endroit exact",
-    isBlock: (block) => `bloc ${block}`,
+    isBlock: (block) => `séquence ${block}`,
   },
 
   score: {

@@ -7,6 +7,7 @@ import { Icon } from "../../Icon.tsx";
 import { useSettings } from "../../settings/settings.ts";
 import { useTexts } from "../../settings/use-texts.ts";
 import { useEditor } from "../../store.ts";
+import { useMedia } from "../../use-media.ts";
 import { inScreenLanguage } from "../content.ts";
 import { checkTask, compareForetold, isOfWork, judgeQuietly } from "./check.ts";
 import { ForetellForm } from "./ForetellForm.tsx";
@@ -56,6 +57,8 @@ export function TaskPanel({ task, t }: { readonly task: Task; readonly t: Course
   ]);
   useFollowing(task);
   useTaskPicture(task, t, language, marks, say);
+  /** Where there is little room the work stands back for what is asked. */
+  const alone = useMedia("narrow") && open;
   const asks = task.predict !== undefined && task.predict.length > 0;
   useEffect(() => {
     if (asks && !veiled) void compareForetold(task);
@@ -83,7 +86,7 @@ export function TaskPanel({ task, t }: { readonly task: Task; readonly t: Course
       {!open && veiled && <ForetellForm task={task} t={t} words={words} />}
       {!open && !veiled && foretold && !marks?.length && <ForetoldResult t={t} words={words} />}
       {!open && checked && marks && marks.length > 0 && !stale && <MarkLine marks={marks} say={say} run={checked.answer.run} t={t} />}
-      <div id={body} className="task-body" hidden={!open}>
+      <div id={body} className="task-body" hidden={!open} role={alone ? "main" : undefined}>
         {open && (
           <Suspense>
             <TaskBody task={task} t={t} words={words} />
