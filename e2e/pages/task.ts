@@ -12,9 +12,11 @@ export class TaskPanel {
     this.words = { en, de, fr, zh }[context.language];
   }
 
-  /** The whole panel. */
+  /** The whole panel: beside the work, or unfolded on a small screen in its place. */
   get panel(): Locator {
-    return this.context.page.getByRole("region", { name: new RegExp(`^${this.words.region("")}`) });
+    const { page } = this.context;
+    const name = new RegExp(`^${this.words.region("")}`);
+    return page.getByRole("region", { name }).or(page.getByRole("main", { name }));
   }
 
   /** How it stands, in one line. */

@@ -66,8 +66,8 @@ export function TaskPanel({ task, t }: { readonly task: Task; readonly t: Course
   if (!words) return null;
   const makes = task.kind !== "predict";
   return (
-    <section className="task-panel" aria-label={t.region(words.title)} data-open={open} data-veiled={veiled}
-      onKeyDown={(event) => event.stopPropagation()}
+    <section className="task-panel" role={alone ? "main" : undefined} aria-label={t.region(words.title)} data-open={open}
+      data-veiled={veiled} onKeyDown={(event) => event.stopPropagation()}
     >
       <div className="task-head">
         <h2 className="task-title">{words.title}</h2>
@@ -86,7 +86,7 @@ export function TaskPanel({ task, t }: { readonly task: Task; readonly t: Course
       {!open && veiled && <ForetellForm task={task} t={t} words={words} />}
       {!open && !veiled && foretold && !marks?.length && <ForetoldResult t={t} words={words} />}
       {!open && checked && marks && marks.length > 0 && !stale && <MarkLine marks={marks} say={say} run={checked.answer.run} t={t} />}
-      <div id={body} className="task-body" hidden={!open} role={alone ? "main" : undefined}>
+      <div id={body} className="task-body" hidden={!open}>
         {open && (
           <Suspense>
             <TaskBody task={task} t={t} words={words} />
