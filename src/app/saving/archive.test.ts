@@ -5,6 +5,7 @@ import { expect, test } from "vitest";
 import { catalogue } from "../../cycles/index.ts";
 import { NO_PROGRESS, withHint, withPass, withPlace } from "../../course/progress.ts";
 import { exampleJob } from "../../program/job.ts";
+import { readCuttingTable, usualTable, writeCuttingTable } from "../../program/cutting-table.ts";
 import { shippedList } from "../../program/tool-list.ts";
 import { readSettings } from "../settings/settings.ts";
 import type { Work } from "../work.ts";
@@ -19,7 +20,7 @@ const encoding = fc.constantFrom("utf-8" as const, "windows-1252" as const);
 const file = fc.record({ name, text, encoding });
 const program: fc.Arbitrary<Work> = fc.record({ name, text, encoding, files: fc.array(file, { maxLength: 3 }), skipMarked: fc.boolean() });
 const job: fc.Arbitrary<Work> = fc.tuple(fc.constantFrom(...jobs), name, fc.string({ maxLength: 20 })).map(([made, called, typed]) =>
-  "drafts" in made ? { ...made, name: called, drafts: { ...made.drafts, 9999: { Q1: typed } } } : made
+  "drafts" in made ? { ...made, name: called, material: typed, drafts: { ...made.drafts, 9999: { Q1: typed } } } : made
 );
 const works: fc.Arbitrary<readonly ArchivedWork[]> = fc.array(fc.record({
   work: fc.uuid(),
@@ -33,7 +34,8 @@ const own = [{
   parameters: [{ id: "p1", q: "", prompt: "DEPTH?", kind: "length" as const, min: "", max: "3.", first: "", choices: "" }],
 }];
 const tools = shippedList.map((row, i) => (i === 1 ? { ...row, cells: { ...row.cells, RS: "0,41x" } } : row));
-const settings = { ...readSettings(null), language: "fr" as const, xDown: true };
+const ofShop = { power: 7.3, materials: usualTable.materials.map((each, i) => (i === 1 ? { ...each, roughSpeed: 143.7 } : each)) };
+const settings = { ...readSettings(null), language: "fr" as const, xDown: true, material: "c45", cutting: writeCuttingTable(ofShop) };
 const course = withPlace(
   withPass(withHint(NO_PROGRESS, "l03-thicker-bar", 2), "l03-thicker-bar", { when: 1_795_395_781_123, seconds: 41.7 }),
   {
@@ -96,6 +98,14 @@ test("the programs in it are the bytes that the control reads", () => {
   expect(files["programs/WELLE (2)/WELLE.H"]?.at(-2)).toBe(13);
   expect(Object.keys(files).some((path) => path.startsWith(`programs/${first!.name}/`))).toBe(true);
   expect(JSON.parse(new TextDecoder().decode(files["tools/TOOLS.json"]))).toMatchObject({ tools: expect.any(Array) });
+});
+
+test("the shop's cutting data are in it, among the settings and as the file that a device takes; shipped ones are not", () => {
+  const bytes = writeArchive({ settings });
+  const file = unzipSync(bytes)["tools/CUTTING.json"];
+  expect(readCuttingTable(new TextDecoder().decode(file))).toEqual(ofShop);
+  expect(readCuttingTable(read(bytes).settings?.cutting ?? "")).toEqual(ofShop);
+  expect(Object.keys(unzipSync(writeArchive({ settings: { ...settings, cutting: "" } })))).toEqual(["turnwise.json", "settings.json"]);
 });
 
 const packed = (manifest: unknown) => zipSync({ "turnwise.json": strToU8(JSON.stringify(manifest)) });

@@ -148,6 +148,7 @@ export function writeArchive({ works, tools = null, own = null, settings = null,
     files["tools/TOOLS.json"] = [strToU8(writeTableJson(table.tools, mills)), { mtime }];
   }
   if (own) files["tools/CYCLES.json"] = [strToU8(writeLibrary(own)), { mtime }];
+  if (settings && settings.cutting !== "") files["tools/CUTTING.json"] = [strToU8(settings.cutting), { mtime }];
   if (settings) files["settings.json"] = [strToU8(JSON.stringify(settings, null, 2)), { mtime }];
   return zipSync(files, { level: 6 });
 }

@@ -47,6 +47,19 @@ test("a work of a task is saved with its task, what was foretold and the file it
   expect(readSave({ version: SAVE_VERSION, savedAt: 1, job: { ...works[1], task: { id: 7 } } })).toBeNull();
 });
 
+test("what a work is turned from is saved with it, of materials this device does not know too", () => {
+  const works = [{ ...saved()[0]?.job, material: "42crmo4" }, {
+    name: "MAIN.H",
+    text: "END PGM A MM",
+    encoding: "utf-8",
+    material: "own17",
+  }];
+  for (const job of works) {
+    expect(readSave(JSON.parse(JSON.stringify({ version: SAVE_VERSION, savedAt: 1, job })))?.job).toEqual(job);
+    expect(readSave({ version: SAVE_VERSION, savedAt: 1, job: { ...job, material: 17 } })).toBeNull();
+  }
+});
+
 test("the files beside a program and the switch of its skip mark are saved with it; a save without them is as before", () => {
   const program = { name: "MAIN.H", text: "CALL PGM A", encoding: "utf-8" as const };
   const file = { name: "a.h", text: "L X+1 ;\u00d8", encoding: "windows-1252" as const };

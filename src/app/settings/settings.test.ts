@@ -1,4 +1,5 @@
 import { expect, test } from "vitest";
+import { ISO_GROUPS, readCuttingTable, writeCuttingTable } from "../../program/cutting-table.ts";
 import { readSettings } from "./settings.ts";
 
 test("settings survive, and what does not fit keeps its first value", () => {
@@ -14,3 +15,20 @@ test("settings survive, and what does not fit keeps its first value", () => {
 
 test.each(["", "{", "null", "[]", "7"])("damaged settings %j are the first ones",
   (text) => expect(readSettings(text)).toEqual(readSettings(null)));
+
+test("the largest cutting data that are taken are kept as well", () => {
+  // Names in characters that JSON writes with six, and numbers with all their digits.
+  const name = "\u0001".repeat(80);
+  const numbers = { kc11: 2217.123456789123, mc: 0.1234567890123456, roughSpeed: 143.1234567890123, roughFeed: 0.2712345678901234 };
+  const materials = Array.from({ length: 100 }, (_, i) => ({
+    id: `${name.slice(0, 77)}${i}`,
+    name,
+    group: ISO_GROUPS[i % 6] ?? "P",
+    ...numbers,
+    finishSpeed: numbers.roughSpeed,
+    finishFeed: numbers.roughFeed,
+  }));
+  const cutting = writeCuttingTable({ power: 7.3, materials });
+  expect(readCuttingTable(cutting)?.materials).toHaveLength(100);
+  expect(readSettings(JSON.stringify({ ...readSettings(null), cutting })).cutting).toBe(cutting);
+});

@@ -42,8 +42,8 @@ export interface Settings {
   readonly cutting: string;
 }
 
-/** Longest cutting data, characters. */
-const LONGEST_CUTTING = 60_000;
+/** Longest cutting data, characters: more than the largest table that is taken has. */
+const LONGEST_CUTTING = 200_000;
 
 /** Cut above the axis and whole below it, cut on both sides, or whole. */
 export const SECTION_VIEWS = ["half", "full", "outside"] as const;

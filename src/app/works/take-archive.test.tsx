@@ -1,6 +1,7 @@
 import { beforeEach, expect, test, vi } from "vitest";
 import { NO_PROGRESS, progressOfTask, withHint, withPass, withPlace } from "../../course/progress.ts";
 import { newParameter, type OwnEntry } from "../../program/own-cycle.ts";
+import { usualTable, writeCuttingTable } from "../../program/cutting-table.ts";
 import { shippedList } from "../../program/tool-list.ts";
 import { startLearning, useLearning } from "../course/progress.ts";
 import { takeOwn, useOwn } from "../own/own-store.ts";
@@ -79,6 +80,26 @@ test("of tables the missing rows come, or all of them, each as one step", async 
   expect(names()).toEqual(["MINE 1", "MINE 2"]);
   await takeArchive(archive, { works: [], tools: "replace", own: "replace", settings: false, course: false });
   expect([names(), cycles()]).toEqual([["OTHER 1", "GROOVER"], ["OTHERS", "SAW"]]);
+});
+
+test("cutting data come with the settings; where none are brought, the shop's own stay", async () => {
+  const mine = writeCuttingTable({ ...usualTable, power: 7.3 }), theirs = writeCuttingTable({ ...usualTable, power: 18.9 });
+  const take = (cutting: string, wanted: boolean) =>
+    takeArchive({ ...archive, settings: { ...settings, material: "brass", cutting } }, {
+      works: [],
+      tools: "keep",
+      own: "keep",
+      settings: wanted,
+      course: false,
+    });
+  const here = () => [useSettings.getState().material, useSettings.getState().cutting];
+  useSettings.setState({ material: "16mncr5", cutting: mine });
+  await take(theirs, false);
+  expect(here()).toEqual(["16mncr5", mine]);
+  await take("", true);
+  expect(here()).toEqual(["brass", mine]);
+  await take(theirs, true);
+  expect(here()).toEqual(["brass", theirs]);
 });
 
 test("tables that are the same have nothing missing to take", () => {

@@ -96,8 +96,9 @@ export async function takeArchive(archive: ReadArchive, choice: ArchiveChoice): 
   if (course && choice.course) bringProgress(course);
   if (taught && choice.course) bringTasks(taught);
   if (settings && choice.settings) {
-    const { language, ...others } = settings;
-    changeSettings(others);
+    const { language, cutting, ...others } = settings;
+    // Somebody who goes by the shipped cutting data has none to bring: the shop's own stay.
+    changeSettings({ ...others, ...(cutting !== "" && { cutting }) });
     await changeLanguage(language);
   }
   return { kept, full: lying.length - kept };
