@@ -118,27 +118,33 @@ interface Modules {
   getModuleInfo(id: string): { readonly importedIds: readonly string[] } | null;
 }
 
+const module = (path: string) => new URL(path, import.meta.url).pathname;
 /** Where the dialog of a cycle begins: everything that these cannot start without is fetched before it works. */
-const WORK = ["src/app/Workplace.tsx", "src/app/start/begin.ts"].map((path) => new URL(path, import.meta.url).pathname);
-let work: Set<string> | null = null;
+const WORK = ["src/app/Workplace.tsx", "src/app/start/begin.ts"].map(module);
+/** What the first screen fetches by itself: what it shares with a dialog is a file of its own, and brings none along. */
+const EARLY = ["src/app/course/CourseEntrance.tsx", "src/app/start/Welcome.tsx", "src/app/saving/keep-pictures.ts",
+  "src/app/saving/keep-steps.ts", "src/app/files/kept-handles.ts"].map(module);
 
-/** The modules that these cannot start without, however deep. */
-function workModules(modules: Modules): Set<string> {
+/** The modules that some cannot start without, however deep. */
+function neededBy(begun: readonly string[], modules: Modules): ReadonlySet<string> {
   const found = new Set<string>();
   const visit = (id: string): void => {
     if (found.has(id)) return;
     found.add(id);
     modules.getModuleInfo(id)?.importedIds.forEach(visit);
   };
-  WORK.forEach(visit);
-  for (const begun of WORK) found.delete(begun);
+  begun.forEach(visit);
   return found;
 }
 
-function partOfWork(id: string, modules: Modules): string | null {
-  work ??= workModules(modules);
-  return work.has(id) ? "work" : null;
+let known: { readonly work: ReadonlySet<string>; readonly early: ReadonlySet<string> } | null = null;
+/** The file that a module belongs to when what the first screen waits for is taken out. */
+function partOf(id: string, modules: Modules): "work" | "shared" | null {
+  known ??= { work: neededBy(WORK, modules), early: neededBy(EARLY, modules) };
+  if (!known.work.has(id) || WORK.includes(id)) return null;
+  return known.early.has(id) ? "shared" : "work";
 }
+const only = (part: "work" | "shared") => (id: string, modules: Modules) => (partOf(id, modules) === part ? part : null);
 
 export default defineConfig({
   base: "./",
@@ -153,7 +159,7 @@ export default defineConfig({
     // All that the start page waits for is one file: one request, and 2 kB less than the same in nine. So is what a dialog waits for.
     rolldownOptions: {
       output: {
-        codeSplitting: { groups: [{ name: "first", tags: ["$initial"], priority: 2 }, { name: partOfWork, priority: 1 }] },
+        codeSplitting: { groups: [{ name: "first", tags: ["$initial"], priority: 2 }, { name: only("shared"), priority: 1 }, { name: only("work"), priority: 0 }] },
       },
     },
   },
