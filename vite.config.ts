@@ -122,8 +122,13 @@ const module = (path: string) => new URL(path, import.meta.url).pathname;
 /** Where the dialog of a cycle begins: everything that these cannot start without is fetched before it works. */
 const WORK = ["src/app/Workplace.tsx", "src/app/start/begin.ts"].map(module);
 /** What the first screen fetches by itself: what it shares with a dialog is a file of its own, and brings none along. */
-const EARLY = ["src/app/course/CourseEntrance.tsx", "src/app/start/Welcome.tsx", "src/app/saving/keep-pictures.ts",
-  "src/app/saving/keep-steps.ts", "src/app/files/kept-handles.ts"].map(module);
+const EARLY = [
+  "src/app/course/CourseEntrance.tsx",
+  "src/app/start/Welcome.tsx",
+  "src/app/saving/keep-pictures.ts",
+  "src/app/saving/keep-steps.ts",
+  "src/app/files/kept-handles.ts",
+].map(module);
 
 /** The modules that some cannot start without, however deep. */
 function neededBy(begun: readonly string[], modules: Modules): ReadonlySet<string> {
@@ -159,7 +164,12 @@ export default defineConfig({
     // All that the start page waits for is one file: one request, and 2 kB less than the same in nine. So is what a dialog waits for.
     rolldownOptions: {
       output: {
-        codeSplitting: { groups: [{ name: "first", tags: ["$initial"], priority: 2 }, { name: only("shared"), priority: 1 }, { name: only("work"), priority: 0 }] },
+        codeSplitting: {
+          groups: [{ name: "first", tags: ["$initial"], priority: 2 }, { name: only("shared"), priority: 1 }, {
+            name: only("work"),
+            priority: 0,
+          }],
+        },
       },
     },
   },

@@ -19,7 +19,7 @@ export class Teaching {
 
   /** Opens the form, once the program has been run. */
   async make(): Promise<void> {
-    await this.context.page.getByRole("button", { name: this.words.make, exact: true }).click();
+    await this.context.page.getByRole("button", { name: this.context.t.page.text.makeTask, exact: true }).click();
     await expect(this.form.getByLabel(this.words.name, { exact: true })).toBeVisible();
   }
 

@@ -181,14 +181,12 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
       const typed = { key: event.key, shift: event.shiftKey, element: target.localName, picture: target === stage.current };
       if (pressKey(typed, playback, looking, measuring) || chooseByKey(typed)) event.preventDefault();
     }}>
-      <Late>
-        <ViewBar viewport={looking} measuring={{ ...measuring, toggle }} onWhich={proved && contourAt(proved.run, 0) && !dimmed
-          ? () => ask(contourAt(proved.run, playback.get().position.step, proved.simulation.final))
-          : null}
-        >
-          <Legend shapes={scene.shapes} holder={held} />
-        </ViewBar>
-      </Late>
+      <ViewBar viewport={looking} measuring={{ ...measuring, toggle }} onWhich={proved && contourAt(proved.run, 0) && !dimmed
+        ? () => ask(contourAt(proved.run, playback.get().position.step, proved.simulation.final))
+        : null}
+      >
+        <Legend shapes={scene.shapes} holder={held} />
+      </ViewBar>
       <div ref={stage}
         className={`lathe-stage${dimmed ? " dimmed" : ""}${measuring.on ? " measuring" : ""}${ended ? " ended" : ""}${
           beside ? " beside" : ""

@@ -14,8 +14,7 @@ import { isProgram, type Work } from "../work.ts";
 /** Fetched when it is first opened. */
 const HandOnDialog = lazyPart(async () => ({ default: (await import("../handing/HandOnDialog.tsx")).HandOnDialog }));
 const PartExport = lazyPart(async () => ({ default: (await import("../export/PartExport.tsx")).PartExport }));
-
-const TeachButton = lazyPart(async () => ({ default: (await import("../course/teach/TeachButton.tsx")).TeachButton }));
+const TeachDialog = lazyPart(async () => ({ default: (await import("../course/teach/TeachDialog.tsx")).TeachDialog }));
 
 /** A work on its way out, with the verdict that goes with it. */
 interface Leaving {
@@ -32,6 +31,14 @@ async function leaving(): Promise<Leaving | null> {
   return open && verdict && { open, verdict };
 }
 
+/** The text of what is open. */
+function openText(): string {
+  handOver();
+  const { job, program } = useEditor.getState();
+  if (program) return program.text;
+  return job ? printedText(job) : "";
+}
+
 /** The name of the open program without its ending: files made of it begin with it. */
 function openStem(): string {
   handOver();
@@ -45,6 +52,7 @@ export function ProgramMore({ showBlock, children }: { readonly showBlock: ShowB
   const { page: { text: t } } = useTexts();
   const [handed, handOn] = useState<Leaving | null>(null);
   const [exported, exportPart] = useState<string | null>(null);
+  const [taught, teach] = useState<string | null>(null);
   return (
     <div className="program-more">
       <button type="button" className="button plain" onClick={() => {
@@ -69,9 +77,14 @@ export function ProgramMore({ showBlock, children }: { readonly showBlock: ShowB
           <PartExport stem={exported} done={() => exportPart(null)} />
         </Suspense>
       )}
-      <Suspense>
-        <TeachButton />
-      </Suspense>
+      <button type="button" className="button plain" aria-haspopup="dialog" onClick={() => teach(openText())}>
+        <Icon name="rename" /> {t.makeTask}
+      </button>
+      {taught !== null && (
+        <Suspense>
+          <TeachDialog text={taught} done={() => teach(null)} />
+        </Suspense>
+      )}
       <CompareButton showBlock={showBlock} />
       {children}
     </div>

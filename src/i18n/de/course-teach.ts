@@ -1,7 +1,6 @@
 import type { CourseTeachTexts } from "../en/course-teach.ts";
 
 export const courseTeach = {
-  make: "Aufgabe aus diesem Programm machen",
   title: "Aufgabe aus diesem Programm",
   lead: "Dieses Programm ist die Lösung. Was dabei entsteht, ist das verlangte Teil; alles ist vorgeschlagen und lässt "
     + "sich überschreiben.",

@@ -158,6 +158,7 @@ export const page = {
     setupSheet: "Einrichteblatt",
     handOn: "Weitergeben",
     exportPart: "Teil exportieren",
+    makeTask: "Aufgabe aus diesem Programm machen",
     compare: "Vergleichen",
     blocks: "Sätze des Programms",
     running: "läuft",

@@ -2,7 +2,6 @@ import type { Shape } from "../shape.ts";
 
 /** Tasks that an instructor makes, hands out and takes back. Numbers arrive as text. */
 export const courseTeach = {
-  make: "Make a task of this program",
   title: "A task of this program",
   lead: "This program is the answer. What is made of it is the wanted part; everything is proposed and can be typed over.",
   working: "The program is being run.",

@@ -156,6 +156,7 @@ export const page = {
     setupSheet: "Setup sheet",
     handOn: "Hand on",
     exportPart: "Export part",
+    makeTask: "Make a task of this program",
     compare: "Compare",
     blocks: "Blocks of the program",
     running: "running",

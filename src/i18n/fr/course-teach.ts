@@ -1,7 +1,6 @@
 import type { CourseTeachTexts } from "../en/course-teach.ts";
 
 export const courseTeach = {
-  make: "Faire un exercice de ce programme",
   title: "Un exercice de ce programme",
   lead: "Ce programme est la solution. Ce qu’il produit est la pièce demandée ; tout est proposé et peut être modifié.",
   working: "Le programme est calculé.",

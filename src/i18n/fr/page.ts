@@ -158,6 +158,7 @@ export const page = {
     setupSheet: "Fiche de réglage",
     handOn: "Transmettre",
     exportPart: "Exporter la pièce",
+    makeTask: "Faire un exercice de ce programme",
     compare: "Comparer",
     blocks: "Séquences du programme",
     running: "en cours",

@@ -1,7 +1,6 @@
 import type { CourseTeachTexts } from "../en/course-teach.ts";
 
 export const courseTeach = {
-  make: "用此程序出一道练习",
   title: "用此程序出的练习",
   lead: "此程序就是答案，它加工出的就是要求的零件；所有内容均已预填，可以改写。",
   working: "正在运行程序。",

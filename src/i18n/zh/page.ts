@@ -156,6 +156,7 @@ export const page = {
     setupSheet: "调机单",
     handOn: "转交",
     exportPart: "导出零件",
+    makeTask: "用此程序出一道练习",
     compare: "比较",
     blocks: "程序段",
     running: "执行中",
