@@ -17,7 +17,7 @@ async function begin(turnwise: Turnwise, lesson: string, title: string, press: "
   await expect(turnwise.task.assignment).toBeVisible();
 }
 
-test("a task by keyboard: empty is no try, a wrong try says where and which step, hints, solution, passed, found again", async ({ page }) => {
+test("a task by keyboard: a wrong try says where and which step; hints, solution, passed, found again", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { task, dialog, lathe } = turnwise;
   const { words } = task;

@@ -13,7 +13,7 @@ async function downloaded(button: Locator): Promise<readonly [string, string]> {
   return [file.suggestedFilename(), (await readFile(await file.path())).toString()];
 }
 
-test("an instructor makes a task of a program, a learner gets it by link, solves it and hands it in, and the instructor reads it", async ({ page, browser }) => {
+test("a task from an instructor to a learner by link, and its result back", async ({ page, browser }) => {
   const title = "Shoulder, ⌀ 50";
   const solution = await readFile("src/examples/shoulder.h", "utf8");
   const instructor = await Turnwise.open(page, { heldClock: true });
