@@ -1,13 +1,15 @@
-import { Suspense } from "react";
+import { Suspense, useEffect } from "react";
 import { isRecalled } from "../../cycles/params.ts";
 import type { ThreadSize } from "../../cycles/thread-sizes.ts";
 import { setPrompts } from "../edits.ts";
+import { useOpenCall } from "../guide/guide-place.ts";
 import { Icon } from "../Icon.tsx";
 import { CycleInWork } from "../issue-text.ts";
 import { lazyPart } from "../parts.ts";
 import type { JobReading } from "../reading.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { closeStep } from "../steps.ts";
+import { useEditor } from "../store.ts";
 import { DialogDone } from "./DialogDone.tsx";
 import { PromptDialog } from "./PromptDialog.tsx";
 import { useCycleSession, type PromptedBlock } from "./use-cycle-session.tsx";
@@ -18,7 +20,12 @@ const ThreadSizes = lazyPart(async () => ({ default: (await import("./ThreadSize
 export function CycleDialog({ read, block = null }: { readonly read: JobReading; readonly block?: PromptedBlock | null }) {
   const { dialog: t } = useTexts();
   const session = useCycleSession(read, block);
-  const { thread } = read.cycle;
+  const { thread, number: cycle } = read.cycle;
+  const line = block?.line ?? null;
+  const work = useEditor((s) => s.work);
+  useEffect(() => {
+    if (line !== null) useOpenCall.setState({ call: { work, cycle, line } });
+  }, [work, cycle, line]);
   const fill = async (size: ThreadSize) => {
     if (!thread) return;
     const { valuesOf } = await import("../../cycles/thread-sizes.ts");
@@ -37,13 +44,13 @@ export function CycleDialog({ read, block = null }: { readonly read: JobReading;
       )}
       {thread && (
         <Suspense fallback={null}>
-          <ThreadSizes line={block?.line ?? null} take={(size) => void fill(size)} />
+          <ThreadSizes line={line} take={(size) => void fill(size)} />
         </Suspense>
       )}
     </>
   );
   return (
-    <CycleInWork value={read.cycle.number}>
+    <CycleInWork value={cycle}>
       <PromptDialog session={session} name={t.form} listName={t.list} hint={t.help} head={head}
         done={<DialogDone session={session} inBlock={block !== null} />} />
     </CycleInWork>

@@ -16,7 +16,7 @@ import { showGuide } from "./guide-place.ts";
 import { guideSources } from "./guide-source.ts";
 import { StartingValues } from "./StartingValues.tsx";
 import { termsOf } from "./terms.ts";
-import { useAdvisedCalls, useAdviceTexts } from "./use-advice.ts";
+import { useAdviceOn, useAdviceTexts } from "./use-advice.ts";
 import { useGlossary } from "./use-glossary.ts";
 import { useGuideTexts } from "./use-guide-texts.ts";
 import { useMistakes } from "./use-mistakes.ts";
@@ -103,7 +103,7 @@ function ActsIn({ cycle, param }: Omit<Props, "q">) {
 function ParameterAdvice({ cycle, q }: Pick<Props, "cycle" | "q">) {
   const t = useAdviceTexts();
   const on = useSettings((s) => s.advice);
-  const advice = useAdvisedCalls().find((call) => call.cycle === cycle.number)?.advice.filter(({ at }) => at === q) ?? [];
+  const advice = useAdviceOn(cycle.number, q);
   if (!on || advice.length === 0) return null;
   return (
     <section aria-label={t.title}>

@@ -4,14 +4,14 @@ import { CycleInWork } from "../issue-text.ts";
 import { Icon } from "../Icon.tsx";
 import { useSettings } from "../settings/settings.ts";
 import { showGuide } from "./guide-place.ts";
-import { useAdvisedCalls, useAdviceTextsSoon } from "./use-advice.ts";
+import { useAdviceOn, useAdviceTextsSoon } from "./use-advice.ts";
 import { useGuideTextsSoon } from "./use-guide-texts.ts";
 import "./prompt-more.css";
 
 /** A quiet mark where there is advice on the value of a prompt. */
 function AdviceMark({ cycle, q }: { readonly cycle: number; readonly q: string }) {
   const t = useAdviceTextsSoon();
-  const count = useAdvisedCalls().find((call) => call.cycle === cycle)?.advice.filter(({ at }) => at === q).length ?? 0;
+  const { length: count } = useAdviceOn(cycle, q);
   if (!t || count === 0) return null;
   return (
     <button type="button" className="prompt-more prompt-advice" onClick={() => showGuide("guide", String(cycle), q)}>

@@ -8,3 +8,12 @@ export const useGuidePlace = create<{ readonly path: GuidePath | null }>(() => (
 
 export const showGuide = (...path: GuidePath): void => useGuidePlace.setState({ path });
 export const hideGuide = (): void => useGuidePlace.setState({ path: null });
+
+/** The cycle block of a program whose prompts were open last: its work, its cycle, its first line (from 1). */
+interface OpenCall {
+  readonly work: string | null;
+  readonly cycle: number;
+  readonly line: number;
+}
+
+export const useOpenCall = create<{ readonly call: OpenCall | null }>(() => ({ call: null }));

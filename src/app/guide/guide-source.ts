@@ -7,6 +7,7 @@ import { printedText } from "../printed.ts";
 import { readJob, setJobOf } from "../reading.ts";
 import { handedOn, useEditor } from "../store.ts";
 import { toolTable } from "../tools/work-tools.ts";
+import { speaksOf } from "./open-call.ts";
 
 /** What the guide shows a cycle with: the operator's own values, or those of the example. */
 export interface GuideSource {
@@ -17,10 +18,10 @@ export interface GuideSource {
 const typedValues = (values: Readonly<Record<string, number | "auto">>) =>
   Object.fromEntries(Object.entries(values).map(([q, value]) => [q, value === "auto" ? "FAUTO" : String(value)]));
 
-/** The values of the first call of the cycle in the open program, on a blank that is proposed for them. */
+/** The values of a call of the cycle in the open program: that of the open block, else the first; on a blank proposed for them. */
 function ofProgram(cycle: Cycle): Job | null {
   if (!useEditor.getState().program || cycle.contour !== "own") return null;
-  const operation = useOutcome.getState().newest?.run.operations.find((each) => each.cycle === cycle.number);
+  const operation = useOutcome.getState().newest?.run.operations.find(speaksOf(cycle.number));
   if (!operation?.call) return null;
   const drafts = { [cycle.number]: typedValues(operation.call.values as Readonly<Record<string, number | "auto">>) };
   return { ...exampleJob(cycle), ...UNSET, drafts, tool: operation.tool.T };

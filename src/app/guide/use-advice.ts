@@ -10,6 +10,7 @@ import { useOutcome } from "../engine/outcome.ts";
 import { laterTexts } from "../settings/later-texts.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useEditor } from "../store.ts";
+import { useSpeaksOf } from "./open-call.ts";
 
 /** What advice says, in the screen language. */
 export const { useThem: useAdviceTexts, useThemSoon: useAdviceTextsSoon } = laterTexts(loadAdvice);
@@ -32,7 +33,7 @@ export function useMaterialOfWork(): { readonly material: CutMaterial; readonly 
 }
 
 /** What is said about one call of a cycle. */
-export interface AdvisedCall {
+export interface AdvisedCall extends Pick<Operation, "definedLine" | "definedFile"> {
   readonly operation: number;
   readonly cycle: number;
   readonly advice: readonly Advice[];
@@ -66,7 +67,14 @@ export function useAdvisedCalls(): readonly AdvisedCall[] {
         material,
         table,
       });
-      return [{ operation, cycle: each.cycle, advice }];
+      const { definedLine, definedFile } = each;
+      return [{ operation, cycle: each.cycle, definedLine, ...(definedFile !== undefined && { definedFile }), advice }];
     });
   }, [run, isOpen, table, material]);
+}
+
+/** Advice on one parameter of a cycle: in the call that the guide speaks of. */
+export function useAdviceOn(cycle: number, q: string): readonly Advice[] {
+  const isMeant = useSpeaksOf(cycle);
+  return useAdvisedCalls().find(isMeant)?.advice.filter(({ at }) => at === q) ?? [];
 }
