@@ -81,25 +81,27 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
           </div>
         )}
       <PromptSteps session={session} prompt={prompt} />
-      <p className="range small soft" id={`${id}-range`}>
-        {prompt.range !== null && (
-          <span>
-            {t.dialog.rangeLabel} <span className="number">{prompt.range}</span>
-          </span>
-        )}
-        {suggested !== null && <span className="suggested-note">{t.dialog.suggested(inScreenWriting(language, suggested))}</span>}
-        {prompt.notes.map((note) => <span key={note}>{note}</span>)}
-        {prompt.doubt !== null && (
-          <button type="button" className="evidence" aria-expanded={explained === prompt.id} onClick={() =>
-            explain(explained === prompt.id ? null : prompt.id)}
-          >
-            {t.dialog.evidence.mark}
-          </button>
-        )}
+      <div className="range small soft">
+        <p className="range-said" id={`${id}-range`}>
+          {prompt.range !== null && (
+            <span>
+              {t.dialog.rangeLabel} <span className="number">{prompt.range}</span>
+            </span>
+          )}
+          {suggested !== null && <span className="suggested-note">{t.dialog.suggested(inScreenWriting(language, suggested))}</span>}
+          {prompt.notes.map((note) => <span key={note}>{note}</span>)}
+          {prompt.doubt !== null && (
+            <button type="button" className="evidence" aria-expanded={explained === prompt.id} onClick={() =>
+              explain(explained === prompt.id ? null : prompt.id)}
+            >
+              {t.dialog.evidence.mark}
+            </button>
+          )}
+        </p>
         <Suspense>
           <PromptMore id={prompt.id} />
         </Suspense>
-      </p>
+      </div>
       <div className="about" id={`${id}-about`} tabIndex={0} role="group" aria-label={t.dialog.aboutPrompt(prompt.letter)}>
         <div role="status" aria-label={t.findings.title}>
           {own.map((entry, i) => (
