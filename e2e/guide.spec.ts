@@ -14,6 +14,7 @@ test("from a prompt to the page of its parameter, to a word, and back; advice is
   await dialog.open("Q463");
   await dialog.type("7.9");
   await expect(page.getByRole("button", { name: advice.mark(1) })).toBeVisible();
+  await expect(dialog.value).not.toHaveAccessibleDescription(new RegExp(`${advice.mark(1)}|${t.more}`));
   await page.getByRole("button", { name: t.moreAbout("Q463"), exact: true }).press("Enter");
 
   const main = page.getByRole("main");
@@ -87,6 +88,20 @@ test("the numbered steps are played by keys and by finger; cutting data are the 
   await looksRightInBoth(page, "cutting data");
   await page.reload();
   await expect(speed).toHaveValue("143");
+
+  // Out as a file, and in again; a file that is none takes nothing.
+  const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: advice.table.save }).click()]);
+  expect(download.suggestedFilename()).toBe("CUTTING.json");
   await page.getByRole("button", { name: advice.table.reset }).click();
   await expect(speed).toHaveValue("190");
+  const take = async (file: string | { readonly name: string; readonly mimeType: string; readonly buffer: Buffer }) => {
+    const [chooser] = await Promise.all([page.waitForEvent("filechooser"), page.getByRole("button", { name: advice.table.open }).click()]);
+    await chooser.setFiles(file);
+  };
+  await take({ name: "TOOLS.json", mimeType: "application/json", buffer: Buffer.from("{}") });
+  await expect(page.getByText(advice.table.wrong)).toBeVisible();
+  await expect(speed).toHaveValue("190");
+  await take(await download.path());
+  await expect(page.getByText(advice.table.taken)).toBeVisible();
+  await expect(speed).toHaveValue("143");
 });
