@@ -85,6 +85,7 @@ test("what is foretold, a fault that is found and mended, and a drawing with its
   const { words } = task;
   const strip = page.locator(".effect");
   await begin(turnwise, "first-shoulder", taskFile("l03-how-many-passes").words.en.title);
+  await expect(task.field("answer")).toBeInViewport();
   await task.fold.press("Enter");
   await expect(strip).toBeHidden();
   await task.field("answer").fill("19");
@@ -148,6 +149,7 @@ test.describe("on a phone", () => {
     const { words } = task;
     const { title } = taskFile("l20-start-inside").words.de;
     await begin(turnwise, "faults", title, "tap");
+    await expect(task.field("block")).toBeInViewport();
     await task.fold.tap();
     await task.field("block").fill("11");
     await task.nextQuestion.tap();

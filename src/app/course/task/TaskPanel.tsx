@@ -83,7 +83,6 @@ export function TaskPanel({ task, t }: { readonly task: Task; readonly t: Course
           <Icon name={open ? "up" : "down"} /> <span>{open ? t.fold : t.unfold}</span>
         </button>
       </div>
-      {!open && veiled && <ForetellForm task={task} t={t} words={words} />}
       {!open && !veiled && foretold && !marks?.length && <ForetoldResult t={t} words={words} />}
       {!open && checked && marks && marks.length > 0 && !stale && <MarkLine marks={marks} say={say} run={checked.answer.run} t={t} />}
       <div id={body} className="task-body" hidden={!open}>
@@ -93,6 +92,7 @@ export function TaskPanel({ task, t }: { readonly task: Task; readonly t: Course
           </Suspense>
         )}
       </div>
+      {veiled && <ForetellForm task={task} t={t} words={words} />}
     </section>
   );
 }
