@@ -44,6 +44,9 @@ test("the course by keyboard: a lesson to its end, a value slid, example and tas
   await expect.poll(async () => Number(await course.moment.inputValue())).toBeGreaterThan(begun);
   await course.pause.press("Enter");
   await expect(course.play).toBeVisible();
+  await page.getByText(words.picture.program, { exact: true }).press("Enter");
+  await expect(course.runningBlock).toHaveText(/^9 CYCL CALL\s*$/);
+  await page.getByText(words.picture.program, { exact: true }).press("Enter");
   const slide = course.slide("Q463");
   await slide.focus();
   for (let step = 0; step < 5; step++) await page.keyboard.press("ArrowRight");

@@ -81,6 +81,11 @@ export class Course {
     return this.picture.locator("dl > div").filter({ has: this.context.page.getByText(name, { exact: true }) }).locator("dd");
   }
 
+  /** The block of the printed program that the picture is at. */
+  get runningBlock(): Locator {
+    return this.context.page.locator(".lesson-block[data-running]");
+  }
+
   get next(): Locator {
     return this.context.page.getByRole("link", { name: this.words.next, exact: true });
   }

@@ -17,6 +17,9 @@ export type TaskStart = { readonly kind: "job"; readonly job: Job } | { readonly
 /** Lines of a program as one text. */
 export const programOfLines = (lines: readonly string[]): string => lines.map((line) => `${line}\n`).join("");
 
+/** The texts of the blocks of a program, several lines of one together, each with its line end. */
+export const blocksOfLines = (lines: readonly string[]): readonly string[] => parse(programOfLines(lines)).blocks.map(({ raw }) => raw);
+
 /** The name that the work of a task has on the control. */
 const nameOf = ({ id }: Task): string => nameOnControl(id.toUpperCase());
 

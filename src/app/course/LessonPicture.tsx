@@ -5,13 +5,12 @@ import { boundsOf, common, grownBounds, joined, mirrored } from "../../view/boun
 import type { Bounds } from "../../view/camera.ts";
 import { datumAt, datumIndex } from "../../view/datum.ts";
 import { sceneOf } from "../../view/scene.ts";
-import { clock } from "../clock.ts";
 import type { Ring } from "../../kernel/point.ts";
 import type { Outcome } from "../engine/outcome.ts";
 import { Marks } from "../lathe/Marks.tsx";
 import { PlaceButtons, PlaceLines } from "../lathe/PlaceButtons.tsx";
 import { Picture } from "../lathe/Picture.tsx";
-import { createPlaybackStore } from "../lathe/playback-store.ts";
+import type { PlaybackStore } from "../lathe/playback-store.ts";
 import { statusText } from "../lathe/Readout.tsx";
 import { useMaterial } from "../lathe/use-material.ts";
 import { usePasses } from "../lathe/use-paths.ts";
@@ -74,13 +73,12 @@ function frameOf({ blank, steps }: Run, { first, last }: Played, whole: Bounds):
 }
 
 /** The lathe of a page: the run of its program, playing, with what the page shows beside it. */
-export function LessonPicture({ outcome, page, dimmed }: { readonly outcome: Outcome; readonly page: LessonPageOf;
-  readonly dimmed: boolean })
+export function LessonPicture({ outcome, page, playback, dimmed }: { readonly outcome: Outcome; readonly page: LessonPageOf;
+  readonly playback: PlaybackStore; readonly dimmed: boolean })
 {
   const t = useCourseTexts();
   const texts = useTexts();
   const { language, section, xDown, motion } = useSettings();
-  const [playback] = useState(() => createPlaybackStore(clock));
   const [viewport] = useState(() => createViewport(!xDown));
   const { run, simulation } = outcome;
   const played = useMemo(() => stepsPlayed(run.steps, page.blocks), [run, page.blocks]);

@@ -4,7 +4,9 @@ import { programOfLines } from "../../course/start-of.ts";
 import type { Lesson } from "../../course/lesson.ts";
 import type { LessonPage } from "../../course/progress.ts";
 import { goToCourse } from "../address/go-home.ts";
+import { clock } from "../clock.ts";
 import { Icon } from "../Icon.tsx";
+import { createPlaybackStore } from "../lathe/playback-store.ts";
 import { atOnce } from "../settings/later-texts.ts";
 import { useSettings } from "../settings/settings.ts";
 import { fetchLesson, inScreenLanguage, useCourseIndex, type LessonEntry } from "./content.ts";
@@ -35,6 +37,7 @@ function useLesson(id: string): Lesson | null {
 function PageOfLesson({ page, text, name }: { readonly page: LessonPageOf; readonly text: string; readonly name: string }) {
   const t = useCourseTexts().picture;
   const { slide, program } = page;
+  const [playback] = useState(() => createPlaybackStore(clock));
   const [slid, setSlid] = useState<{ readonly key: string; readonly value: number } | null>(null);
   const first = slide ? valueIn(program, slide.q) ?? slide.from : 0;
   const value = slid?.key === page.key ? slid.value : first;
@@ -43,7 +46,7 @@ function PageOfLesson({ page, text, name }: { readonly page: LessonPageOf; reado
   return (
     <>
       <div className="lesson-side">
-        {outcome && <LessonPicture outcome={outcome} page={page} dimmed={waits && slid?.key !== page.key} />}
+        {outcome && <LessonPicture outcome={outcome} page={page} playback={playback} dimmed={waits && slid?.key !== page.key} />}
         {!outcome && <p className="lesson-waits soft" role="status">{failed ? t.failed : t.working}</p>}
       </div>
       <div className="lesson-text">
@@ -53,7 +56,7 @@ function PageOfLesson({ page, text, name }: { readonly page: LessonPageOf; reado
         {slide && (
           <LessonSlide slide={slide} value={value} run={outcome?.run ?? null} onSlide={(next) => setSlid({ key: page.key, value: next })} />
         )}
-        <LessonProgram key={page.key} lines={lines} />
+        <LessonProgram key={page.key} lines={lines} playback={playback} run={waits || !outcome ? null : outcome.run} />
       </div>
     </>
   );
