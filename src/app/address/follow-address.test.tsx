@@ -149,3 +149,16 @@ test("Back to a work finds the prompt that was open there", async () => {
   await is(`#/work/${work}`);
   await until(() => expect(usePlace.getState()).toMatchObject({ prompt: "Q494", before: "-3.25" }));
 });
+
+test("a prompt that is left at once for a page over the work is open again, however far one goes back and forward", async () => {
+  const work = await started(), third = Object.keys(cycle.params)[2] ?? "";
+  openPrompt(third, "7.9");
+  showTools();
+  await is("#/tools");
+  history.go(-2);
+  await is("#/");
+  await until(() => expect(useEditor.getState().work).toBe(null));
+  history.forward();
+  await is(`#/work/${work}`);
+  await until(() => expect(usePlace.getState().prompt).toBe(third));
+});

@@ -119,6 +119,8 @@ export function followAddress(begun = location.hash): () => void {
       returning = true;
       return history.back();
     }
+    // The entry that stays behind knows the prompt that is open in it; a page over the work changes none.
+    if (isOver(now)) noteNow();
     clearTimeout(rest);
     rest = undefined;
     history.pushState(noteOf(shown), "", now);
