@@ -1,4 +1,5 @@
-import { areaOfRing } from "../kernel/area.ts";
+import { areaOf, areaOfRing } from "../kernel/area.ts";
+import { union } from "../kernel/clip.ts";
 import { contourFrom, type ContourElement } from "../kernel/contour.ts";
 import { at, part, type Ring, type Segment } from "../kernel/point.ts";
 import { keptOver } from "../kernel/strategy/kept.ts";
@@ -42,6 +43,12 @@ function casting(contour: readonly Segment[], along: 1 | -1, out: 1 | -1, allowa
   return areaOfRing(ring) < 0 ? ring.reverse() : ring;
 }
 
+/** Chords and the grid of areas differ by less, mm². */
+const SAME_AREA = 0.01;
+
+/** Whether a ring does not cross itself: beside a contour that is shorter than its allowance there is no casting that one could hold. */
+const isPlain = (ring: Ring): boolean => ring.length > 2 && Math.abs(areaOf(union([ring])) - areaOfRing(ring)) < SAME_AREA;
+
 /** Set-ups of the contour-parallel cycle: outside and inside, towards −Z and +Z, of a casting or of a bar. */
 export const allowanceSetups: Setups = (draw) => {
   const [out, along] = [draw.one<1 | -1>(1, -1), draw.one<1 | -1>(1, -1)];
@@ -56,6 +63,7 @@ export const allowanceSetups: Setups = (draw) => {
   const allowance = mm(draw, 0.5, 8);
   const T = draw.one(1, 2, 4, 11);
   const [lowest, start] = out > 0 ? [0, high + allowance + mm(draw, -2, 4)] : [high + 20, Math.max(0.5, low - mm(draw, 0, 5))];
+  const cast = casting(contour, along, out, allowance);
   const bar = box(first.from.z, last.to.z - along * 10, lowest, out > 0 ? high + allowance : Math.max(0, low - allowance));
   return {
     values: {
@@ -67,6 +75,6 @@ export const allowanceSetups: Setups = (draw) => {
     contour,
     tool: { T, TO: T === 11 ? (out > 0 ? 2 : 6) : TURNED[`${out}/${along}`] },
     start: at(first.from.z + along * mm(draw, 0, 8), start),
-    blank: draw.one(bar, casting(contour, along, out, allowance)),
+    blank: draw.one(bar, isPlain(cast) ? cast : bar),
   };
 };
