@@ -12,7 +12,7 @@ test("a toolbar is one stop of Tab, and arrows move inside it", async ({ page })
   const { lathe } = turnwise;
   await turnwise.start.beginWithExample(820);
   await turnwise.effect.proved();
-  await expect(lathe.running).toContainText(turnwise.t.cycles.positioning);
+  await expect(lathe.running).toContainText(turnwise.t.lathe.outside);
   const at = await lathe.running.innerText();
 
   await lathe.section.focus();
