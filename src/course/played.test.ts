@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { operationsPlayed, stepsPlayed, valueIn, withSlid } from "./played.ts";
+import { cycleGiving, operationsPlayed, stepsPlayed, valueIn, withSlid } from "./played.ts";
 
 const steps = [6, 8, 9, 9, 9, 10, 11].map((block) => ({ block }));
 
@@ -35,5 +35,9 @@ describe("a value that is slid", () => {
     expect(valueIn(lines, "Q463")).toBe(2.5);
     expect(valueIn(lines, "Q494")).toBe(-35);
     expect(valueIn(lines, "Q500")).toBeNull();
+  });
+  test("belongs to the cycle before it, whose own line may carry it", () => {
+    const program = ["6 CYCL DEF 800 ADJUST XZ SYSTEM ~", "Q530=+0", ...lines, "12 CYCL DEF 812 SHOULDER ~", "Q491=+75 ~"];
+    expect(["Q530", "Q463", "Q494", "Q491", "Q492"].map((q) => cycleGiving(program, q))).toEqual([800, 811, 811, 812, null]);
   });
 });

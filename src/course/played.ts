@@ -35,3 +35,14 @@ export function valueIn(lines: readonly string[], q: string): number | null {
   }
   return null;
 }
+
+/** The number of the cycle that first gives a parameter its value in the lines of a program; null where none does. */
+export function cycleGiving(lines: readonly string[], q: string): number | null {
+  let cycle: number | null = null;
+  for (const line of lines) {
+    const defined = /^\s*(?:\d+\s+)?CYCL DEF (\d+)/.exec(line)?.[1];
+    if (defined !== undefined) cycle = Number(defined);
+    if (cycle !== null && valueIn([line], q) !== null) return cycle;
+  }
+  return null;
+}

@@ -1,4 +1,5 @@
-import { useCallback, useRef } from "react";
+import { useCallback, useMemo, useRef } from "react";
+import { blocksOfLines } from "../../course/start-of.ts";
 import { clockText } from "../lathe/clock-text.ts";
 import { GlyphButton } from "../lathe/GlyphButton.tsx";
 import type { PlaybackStore } from "../lathe/playback-store.ts";
@@ -13,10 +14,14 @@ import type { PlayedStretch } from "./use-stretch.ts";
 /** Parts of the slider of time. */
 const PARTS = 1000;
 
-/** Play and hold, move by move, to any moment; and the step of the manual that runs. */
-export function LessonBar({ playback, stretch, run }: { readonly playback: PlaybackStore; readonly stretch: PlayedStretch;
-  readonly run: Run })
-{
+/** Play and hold, move by move, to any moment; the block that runs, and the step of the manual. */
+export function LessonBar({ playback, stretch, run, lines }: {
+  readonly playback: PlaybackStore;
+  readonly stretch: PlayedStretch;
+  readonly run: Run;
+  /** The program that runs. */
+  readonly lines: readonly string[];
+}) {
   const t = useCourseTexts().picture;
   const texts = useTexts();
   const language = useSettings((s) => s.language);
@@ -24,7 +29,9 @@ export function LessonBar({ playback, stretch, run }: { readonly playback: Playb
   const spoken = usePlayback(playback,
     (s) => s.get().playing ? "" : texts.lathe.timeOf(clockText(language, stretch.now()), clockText(language, stretch.length)));
   const input = useRef<HTMLInputElement>(null);
-  const said = useRef<HTMLParagraphElement>(null);
+  const said = useRef<HTMLSpanElement>(null);
+  const block = useRef<HTMLSpanElement>(null);
+  const blocks = useMemo(() => blocksOfLines(lines), [lines]);
   const { now, length } = stretch;
   useEachReading(playback, useCallback(() => {
     if (input.current) input.current.value = String(length > 0 ? (PARTS * now()) / length : 0);
@@ -33,8 +40,11 @@ export function LessonBar({ playback, stretch, run }: { readonly playback: Playb
     const running = isCalled ? runningText(texts, language, run, position) : null;
     const text = running ? [running.pass, running.step].filter((each) => each !== "").join(" · ") : "";
     if (said.current && said.current.textContent !== text) said.current.textContent = text;
+    const step = run.steps[Math.min(position.step, run.steps.length - 1)];
+    const line = (step && blocks[step.block]?.split("\n")[0]) ?? "";
+    if (block.current && block.current.textContent !== line) block.current.textContent = line;
     // eslint-disable-next-line react-hooks/exhaustive-deps -- `now` is made anew with each render and reads the same playback
-  }, [playback, length, texts, language, run]));
+  }, [playback, length, texts, language, run, blocks]));
   return (
     <div className="lesson-bar">
       <div className="lesson-play">
@@ -45,7 +55,9 @@ export function LessonBar({ playback, stretch, run }: { readonly playback: Playb
           {...(spoken && { "aria-valuetext": spoken })}
           onInput={(event) => stretch.seek((Number(event.currentTarget.value) / PARTS) * length)} />
       </div>
-      <p ref={said} className="lesson-step small" />
+      <p className="lesson-step small">
+        <span ref={block} className="number" /> <span ref={said} />
+      </p>
     </div>
   );
 }

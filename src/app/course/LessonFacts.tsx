@@ -41,7 +41,13 @@ function ToldByColour({ of, run }: { readonly of: Told; readonly run: Outcome["r
 }
 
 /** What comes of the values of a page: passes, real infeed, time, what stays; and the colours' scale where they tell something. */
-export function LessonFacts({ outcome, played, told }: { readonly outcome: Outcome; readonly played: Played; readonly told: Told | null }) {
+export function LessonFacts({ outcome, played, told, old }: {
+  readonly outcome: Outcome;
+  readonly played: Played;
+  readonly told: Told | null;
+  /** They are those of the value before. */
+  readonly old: boolean;
+}) {
   const { page: { effect: t } } = useTexts();
   const language = useSettings((s) => s.language);
   const { run } = outcome;
@@ -63,7 +69,7 @@ export function LessonFacts({ outcome, played, told }: { readonly outcome: Outco
   ];
   return (
     <>
-      <dl className="lesson-facts">
+      <dl className={`lesson-facts${old ? " dimmed" : ""}`}>
         {facts.map(([name, value]) => (
           <div key={name}>
             <dt className="soft small">{name}</dt>

@@ -7,6 +7,7 @@ import { datumAt, datumIndex } from "../../view/datum.ts";
 import { sceneOf } from "../../view/scene.ts";
 import type { Ring } from "../../kernel/point.ts";
 import type { Outcome } from "../engine/outcome.ts";
+import { useLong } from "../engine/use-long.ts";
 import { Marks } from "../lathe/Marks.tsx";
 import { PlaceButtons, PlaceLines } from "../lathe/PlaceButtons.tsx";
 import { Picture } from "../lathe/Picture.tsx";
@@ -34,6 +35,9 @@ import "../lathe/lathe.css";
 
 /** Fetched for a program that has approaches. */
 const TurnPoints = lazyPart(async () => ({ default: (await import("../approach/TurnPoints.tsx")).TurnPoints }));
+
+/** What is done sooner than this is not worth a word, ms. */
+const SOON = 300;
 
 const EVERY = () => true;
 const NOTHING: readonly Ring[] = [];
@@ -73,14 +77,24 @@ function frameOf({ blank, steps }: Run, { first, last }: Played, whole: Bounds):
 }
 
 /** The lathe of a page: the run of its program, playing, with what the page shows beside it. */
-export function LessonPicture({ outcome, page, playback, dimmed }: { readonly outcome: Outcome; readonly page: LessonPageOf;
-  readonly playback: PlaybackStore; readonly dimmed: boolean })
-{
+export function LessonPicture({ outcome, page, playback, waits, failed, slid }: {
+  readonly outcome: Outcome;
+  readonly page: LessonPageOf;
+  readonly playback: PlaybackStore;
+  /** It is the run before: the one that is wanted is not here yet. */
+  readonly waits: boolean;
+  /** The one that is wanted cannot be made. */
+  readonly failed: boolean;
+  /** A value of this page was slid: its picture follows. */
+  readonly slid: boolean;
+}) {
   const t = useCourseTexts();
   const texts = useTexts();
   const { language, section, xDown, motion } = useSettings();
   const [viewport] = useState(() => createViewport(!xDown));
   const { run, simulation } = outcome;
+  const dimmed = waits && !slid;
+  const isLong = useLong(waits, SOON);
   const played = useMemo(() => stepsPlayed(run.steps, page.blocks), [run, page.blocks]);
   const { moving } = useMaterial(outcome, playback);
   const passes = usePasses(run);
@@ -142,10 +156,11 @@ export function LessonPicture({ outcome, page, playback, dimmed }: { readonly ou
             <PlaceLines viewport={viewport} places={seen} />
           </Picture>
           <PlaceButtons viewport={viewport} places={seen} chosen={chosen} choose={choose} />
+          <p className="lesson-checking small" role="status">{failed ? t.picture.failed : isLong && texts.lathe.checking}</p>
         </div>
-        <LessonBar playback={playback} stretch={stretch} run={run} />
+        <LessonBar playback={playback} stretch={stretch} run={run} lines={page.program} />
       </div>
-      <LessonFacts outcome={outcome} played={played} told={told} />
+      <LessonFacts outcome={outcome} played={played} told={told} old={isLong || failed} />
     </section>
   );
 }

@@ -8,11 +8,14 @@ import { openToTry } from "./open-example.ts";
 import { useCourseTexts } from "./use-course-texts.ts";
 
 /** The program that the picture is made from, with the block that runs, to be read and to be taken into the editor. */
-export function LessonProgram({ lines, run, playback }: {
+export function LessonProgram({ lines, run, playback, open, onOpen }: {
   readonly lines: readonly string[];
   /** Its run; null as long as there is none. */
   readonly run: Run | null;
   readonly playback: PlaybackStore;
+  /** It stays open from page to page. */
+  readonly open: boolean;
+  readonly onOpen: (open: boolean) => void;
 }) {
   const t = useCourseTexts().picture;
   const blocks = useMemo(() => blocksOfLines(lines), [lines]);
@@ -25,7 +28,10 @@ export function LessonProgram({ lines, run, playback }: {
     if (over < scrollTop || over + line.offsetHeight > scrollTop + clientHeight) list.current.scrollTop = over - clientHeight / 2;
   }, [running]);
   return (
-    <details className="lesson-program">
+    <details className="lesson-program" open={open} onToggle={({ currentTarget: box }) => {
+      if (box.open && !open) box.scrollIntoView({ block: "nearest" });
+      onOpen(box.open);
+    }}>
       <summary>{t.program}</summary>
       <pre ref={list} className="number" role="group" tabIndex={0} aria-label={t.program}>
         {blocks.map((block, i) => (

@@ -1,9 +1,9 @@
 import { useId } from "react";
 import type { Lesson } from "../../course/lesson.ts";
+import { cycleGiving } from "../../course/played.ts";
 import { cycleByNumber, type ParamTextId } from "../../cycles/index.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import type { ChoiceText } from "../../i18n/param-text.ts";
-import type { Run } from "../../program/run-types.ts";
 import { unitOf } from "../dialog/write-value.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
@@ -11,19 +11,18 @@ import { useTexts } from "../settings/use-texts.ts";
 type Slide = NonNullable<Lesson["pages"][number]["slide"]>;
 
 /** A value that is slid: what it is called on the control, the number, and the slider. The picture follows. */
-export function LessonSlide({ slide, value, run, onSlide }: {
+export function LessonSlide({ slide, value, lines, onSlide }: {
   readonly slide: Slide;
   readonly value: number;
-  /** The run of the page, whose first cycle with this parameter says what it is; null as long as there is none. */
-  readonly run: Run | null;
+  /** The program of the page, whose first cycle with this parameter says what it is. */
+  readonly lines: readonly string[];
   readonly onSlide: (value: number) => void;
 }) {
   const texts = useTexts();
   const language = useSettings((s) => s.language);
   const id = useId();
   const { q, from, to, step } = slide;
-  const params = run?.operations.map(({ cycle }) => cycleByNumber(cycle)?.params[q]) ?? [];
-  const param = params.find((each) => each !== undefined);
+  const param = cycleByNumber(cycleGiving(lines, q) ?? 0)?.params[q];
   const words = param && texts.params[param.text as ParamTextId];
   const choice = words && "choices" in words ? (words as ChoiceText).choices[value] : undefined;
   const unit = param ? texts.dialog.units[unitOf(param, true)] : "";

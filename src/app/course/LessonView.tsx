@@ -38,6 +38,7 @@ function PageOfLesson({ page, text, name }: { readonly page: LessonPageOf; reado
   const t = useCourseTexts().picture;
   const { slide, program } = page;
   const [playback] = useState(() => createPlaybackStore(clock));
+  const [read, setRead] = useState(false);
   const [slid, setSlid] = useState<{ readonly key: string; readonly value: number } | null>(null);
   const first = slide ? valueIn(program, slide.q) ?? slide.from : 0;
   const value = slid?.key === page.key ? slid.value : first;
@@ -46,17 +47,17 @@ function PageOfLesson({ page, text, name }: { readonly page: LessonPageOf; reado
   return (
     <>
       <div className="lesson-side">
-        {outcome && <LessonPicture outcome={outcome} page={page} playback={playback} dimmed={waits && slid?.key !== page.key} />}
+        {outcome && (
+          <LessonPicture outcome={outcome} page={page} playback={playback} waits={waits} failed={failed} slid={slid?.key === page.key} />
+        )}
         {!outcome && <p className="lesson-waits soft" role="status">{failed ? t.failed : t.working}</p>}
       </div>
       <div className="lesson-text">
         <section className="lesson-words" aria-label={name} aria-live="polite" aria-atomic="true">
           <Paragraphs text={text} />
         </section>
-        {slide && (
-          <LessonSlide slide={slide} value={value} run={outcome?.run ?? null} onSlide={(next) => setSlid({ key: page.key, value: next })} />
-        )}
-        <LessonProgram key={page.key} lines={lines} playback={playback} run={waits || !outcome ? null : outcome.run} />
+        {slide && <LessonSlide slide={slide} value={value} lines={lines} onSlide={(next) => setSlid({ key: page.key, value: next })} />}
+        <LessonProgram lines={lines} playback={playback} open={read} onOpen={setRead} run={waits || !outcome ? null : outcome.run} />
       </div>
     </>
   );

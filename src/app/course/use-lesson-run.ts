@@ -63,10 +63,14 @@ export function useLessonRun(text: string): LessonRun {
   const [made, take] = useState<{ readonly text: string; readonly outcome: Outcome | null } | null>(null);
   const [want] = useState(() => runner((of, outcome) => take((before) => ({ text: of, outcome: outcome ?? before?.outcome ?? null }))));
   const here = known.get(text);
+  // What was known before it was wanted is the one before as well.
+  const [before, keep] = useState<Outcome | null>(null);
+  const newest = here ?? (made?.text === text ? made.outcome : null);
+  if (newest && newest !== before) keep(newest);
   useEffect(() => {
     if (!here) want(text);
   }, [here, text, want]);
   const isIt = made?.text === text;
   if (here) return { outcome: here, waits: false, failed: false };
-  return { outcome: made?.outcome ?? null, waits: !isIt, failed: isIt };
+  return { outcome: before ?? made?.outcome ?? null, waits: !isIt, failed: isIt };
 }

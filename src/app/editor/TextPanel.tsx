@@ -60,27 +60,29 @@ export function TextPanel({ toBlock }: { readonly toBlock?: () => void }) {
       <WorkFiles />
       <SkipSwitch />
       <div ref={box} className="text-editor number" />
-      {toBlock && <button type="button" className="button to-block" onClick={toBlock}>{t.editor.form}</button>}
       {foreign !== null && (
         <p role="status" className="field-message warning">
           <Icon name="warning" /> {t.editor.otherEncoding(foreign, name)}
         </p>
       )}
-      <div className="program-buttons">
-        <button type="button" className="button" aria-label={t.page.text.copyLong} onClick={() => {
-          void copyProgram(running(), sessionText() ?? "");
-        }}>
-          <Icon name={faults > 0 ? "warning" : copied ? "check" : "copy"} /> {copied ? t.page.text.copied : t.page.text.copy}
-        </button>
-        <SaveButton name={name} mayLeave={async () => (await allowed("save")) !== null} onSaved={setSaved} onDownload={download}
-          showBlock={showTextBlock} />
-        <button type="button" className="button" aria-label={t.page.text.download(name)}
-          onClick={() => void allowed("download").then((verdict) => verdict && download())}
-        >
-          <Icon name="download" /> <span className="file-name">{name}</span>
-        </button>
+      <div className="program-foot">
+        {toBlock && <button type="button" className="button to-block" onClick={toBlock}>{t.editor.form}</button>}
+        <div className="program-buttons">
+          <button type="button" className="button" aria-label={t.page.text.copyLong} onClick={() => {
+            void copyProgram(running(), sessionText() ?? "");
+          }}>
+            <Icon name={faults > 0 ? "warning" : copied ? "check" : "copy"} /> {copied ? t.page.text.copied : t.page.text.copy}
+          </button>
+          <SaveButton name={name} mayLeave={async () => (await allowed("save")) !== null} onSaved={setSaved} onDownload={download}
+            showBlock={showTextBlock} />
+          <button type="button" className="button" aria-label={t.page.text.download(name)}
+            onClick={() => void allowed("download").then((verdict) => verdict && download())}
+          >
+            <Icon name="download" /> <span className="file-name">{name}</span>
+          </button>
+        </div>
+        <ProgramMore showBlock={showTextBlock} />
       </div>
-      <ProgramMore showBlock={showTextBlock} />
       <CopyStatus otherwise={saved === null ? "" : t.editor.saved(saved)} />
     </section>
   );

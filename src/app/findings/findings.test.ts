@@ -88,3 +88,16 @@ test.each([["a cycle that is kept", "CYCL DEF 892 CHECK UNBALANCE~\nQ450=+0\n5 C
   expect(verdict.doubts.map((doubt) => doubt.kind)).toContain(kind);
   expect(toneOf(verdict)).not.toBe("good");
 });
+
+const around = (blocks: string) =>
+  `0 BEGIN PGM A MM\n1 BLK FORM CYLINDER Z D63.5 L80 DIST+0\n2 FUNCTION MODE TURN\n${blocks}3 M30\n4 END PGM A MM\n`;
+
+test.each([["nothing but its blank", "", "none"], [
+  "a cut by hand",
+  "TOOL CALL 1\nL X+91.3 Z+52 R0 FMAX\nL X+60.2 FMAX\nL Z-3.4 F0.2\n",
+  "doubt",
+]])("a program with %s: is there something that could be proved", (_, blocks, tone) => {
+  const outcome = outcomeOf(around(blocks));
+  const entries = findingsOf(null, outcome);
+  expect([judged(entries, outcome).state, toneOf(judged(entries, outcome))]).toEqual(["incomplete", tone]);
+});

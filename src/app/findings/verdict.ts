@@ -6,7 +6,8 @@ import { isError, isToDo, type FindingEntry } from "./entry.ts";
 export type Doubt =
   | Extract<VerdictReason, { kind: "unproved" | "milling" }>
   | { readonly kind: "nothingCut"; readonly block: number; readonly cycle: number }
-  | { readonly kind: "noOperation"; readonly approachesClear: boolean }
+  /** `begun`: something in it is cut or drawn all the same, or a cycle is described that no call runs. */
+  | { readonly kind: "noOperation"; readonly approachesClear: boolean; readonly begun: boolean }
   /** All tools that nobody described in full, in one sentence. */
   | { readonly kind: "holderUnknown" | "flanksUnknown"; readonly tools: readonly number[] };
 
@@ -42,6 +43,8 @@ function doubtsOf(reasons: readonly VerdictReason[], entries: readonly FindingEn
         doubts.push({
           kind: "noOperation",
           approachesClear: run.approaches.length > 0 && !entries.some((e) => e.spot?.kind === "finding"),
+          begun: entries.length > 0 || run.approaches.length > 0 || run.plane.length > 0
+            || run.steps.some(({ move }) => move.kind !== "rapid"),
         });
         break;
       default:
@@ -73,10 +76,11 @@ export function judged(entries: readonly FindingEntry[], outcome: Outcome | null
   return { state, doubts: doubtsOf(reasons, entries, outcome), ...counts, faults: Math.max(faults, state === "faults" ? 1 : 0) };
 }
 
-/** Green only where everything is proved, nothing was left unlooked at, and nothing is left to look at. */
+/** Green only where everything is proved, nothing was left unlooked at, and nothing is left to look at. A page still empty is no doubt. */
 export function toneOf({ state, doubts, warnings, stays }: ShownVerdict): "good" | "plain" | "doubt" | "bad" | "none" {
   if (state === "none") return "none";
   if (state === "faults") return "bad";
+  if (doubts.length > 0 && doubts.every((doubt) => doubt.kind === "noOperation" && !doubt.begun)) return "none";
   if (state === "incomplete" || doubts.length > 0) return "doubt";
   return warnings > 0 || stays > 0 ? "plain" : "good";
 }

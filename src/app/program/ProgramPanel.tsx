@@ -69,17 +69,21 @@ export function ProgramPanel({ read, foldable }: { readonly read: JobReading; re
       <Late>
         <ProgramText text={text} running={running} chosen={chosen} choose={(line) => void chooseJobLine(read, line)} />
       </Late>
-      <div className="program-buttons">
-        <CopyButton main />
-        <button type="button" className="button" aria-label={t.download(file)}
-          onClick={() => void mayLeave("download", text).then((verdict) => verdict && downloadText(text, file))}
-        >
-          <Icon name="download" /> <span className="file-name">{file}</span>
-        </button>
+      <div className="program-foot">
+        <div className="program-buttons">
+          <CopyButton main />
+          <button type="button" className="button" aria-label={t.download(file)}
+            onClick={() => void mayLeave("download", text).then((verdict) => verdict && downloadText(text, file))}
+          >
+            <Icon name="download" /> <span className="file-name">{file}</span>
+          </button>
+        </div>
+        <ProgramMore showBlock={(_, __, number) => void chooseJobLine(read, { block: number, q: null })}>
+          <button type="button" className="button plain" title={open.fromJobLong} onClick={() => openText(text, job)}>
+            {open.fromJob}
+          </button>
+        </ProgramMore>
       </div>
-      <ProgramMore showBlock={(_, __, number) => void chooseJobLine(read, { block: number, q: null })}>
-        <button type="button" className="button plain" title={open.fromJobLong} onClick={() => openText(text, job)}>{open.fromJob}</button>
-      </ProgramMore>
       <CopyStatus />
     </section>
   );

@@ -123,6 +123,7 @@ export const courseTask = {
     z: "Z der Stelle",
     block: "Nummer des Satzes",
     tapBlock: "Geben Sie die Nummer ein, oder wählen Sie die Zeile im Programm.",
+    toPointed: { place: "Am Teil antippen", block: "Im Programm wählen" },
     nextQuestion: "Nächste Frage",
     back: "Frage davor",
     run: "Lauf zeigen",

@@ -121,6 +121,7 @@ export const courseTask = {
     z: "Z of the place",
     block: "Number of the block",
     tapBlock: "Type its number, or choose the line in the program.",
+    toPointed: { place: "Tap it on the part", block: "Choose it in the program" },
     nextQuestion: "Next question",
     back: "Question before",
     run: "Show the run",

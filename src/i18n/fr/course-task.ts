@@ -121,6 +121,7 @@ export const courseTask = {
     z: "Z de l’endroit",
     block: "Numéro de la séquence",
     tapBlock: "Saisissez son numéro, ou choisissez la ligne dans le programme.",
+    toPointed: { place: "Le toucher sur la pièce", block: "La choisir dans le programme" },
     nextQuestion: "Question suivante",
     back: "Question précédente",
     run: "Montrer l’exécution",

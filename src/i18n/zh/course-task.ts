@@ -120,6 +120,7 @@ export const courseTask = {
     z: "位置的 Z",
     block: "程序段号",
     tapBlock: "输入段号，或在程序中选那一行。",
+    toPointed: { place: "在工件上点出", block: "在程序中选" },
     nextQuestion: "下一题",
     back: "上一题",
     run: "显示运行",

@@ -2,8 +2,10 @@ import { useEffect, useId } from "react";
 import type { Prediction, Task, TaskWords } from "../../../course/task.ts";
 import { answerKindOf, toldBy } from "../../../course/told.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
+import { Icon } from "../../Icon.tsx";
 import { useSelection } from "../../selected.ts";
 import { useEditor } from "../../store.ts";
+import { useMedia } from "../../use-media.ts";
 import { showRun } from "./check.ts";
 import { useTaskView } from "./task-view.ts";
 import { setTold, taskOfWork } from "./work-task.ts";
@@ -91,6 +93,18 @@ function AskedAnswer({ prediction, question, text, choices, t, labelled }: Asked
   return <div className="task-fields">{field(t.foretell.answer, "", text, put, unit)}</div>;
 }
 
+/** Where the assignment stands in the place of the work: the way to what is pointed at for an answer. */
+function ToPointed({ kind, t }: { readonly kind: ReturnType<typeof answerKindOf>; readonly t: CourseTaskTexts }) {
+  const isNarrow = useMedia("narrow");
+  const isOpen = useTaskView((v) => v.open);
+  if (!isNarrow || !isOpen || (kind !== "place" && kind !== "block")) return null;
+  return (
+    <button type="button" className="button" onClick={() => useTaskView.setState({ open: false })}>
+      <Icon name="up" /> {t.foretell.toPointed[kind]}
+    </button>
+  );
+}
+
 /** What is asked before the run, one question at a time. */
 export function ForetellForm({ task, t, words }: { readonly task: Task; readonly t: CourseTaskTexts; readonly words: TaskWords }) {
   const labelled = useId();
@@ -121,6 +135,7 @@ export function ForetellForm({ task, t, words }: { readonly task: Task; readonly
       <AskedAnswer key={question} prediction={prediction} question={question} text={told[question] ?? ""}
         choices={words.choices?.[question] ?? []} t={t} labelled={labelled} />
       <div className="task-ways">
+        <ToPointed kind={answerKindOf(prediction)} t={t} />
         {question > 0 && <button type="button" className="button" onClick={() => show(question - 1)}>{t.foretell.back}</button>}
         {isLast
           ? <button type="submit" className="button primary" disabled={!all}>{t.foretell.run}</button>

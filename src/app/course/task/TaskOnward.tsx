@@ -5,6 +5,7 @@ import { fetchTask, useCourseIndex, type LessonEntry, type TaskEntry } from "../
 import { courseHref } from "../course-links.ts";
 import { useTaskProgress } from "../progress.ts";
 import { beginTask, beginTaskAnew } from "./begin.ts";
+import { useTaskView } from "./task-view.ts";
 
 interface Around {
   readonly lesson: LessonEntry | null;
@@ -24,6 +25,30 @@ async function begin(id: string): Promise<void> {
   if (task) await beginTask(task);
 }
 
+/** Begins the task that follows; nothing where there is none. */
+function NextTask({ next, t }: { readonly next: TaskEntry | null; readonly t: CourseTaskTexts }) {
+  return next && (
+    <button type="button" className="button primary task-next" onClick={() => void begin(next.id)}>
+      <span>{t.nextTask(next.title)}</span>
+    </button>
+  );
+}
+
+/** Under the line of a passed task as long as what is asked is folded: what was learned, one press away, and the next task. */
+export function PassedLine({ task, t, words }: { readonly task: Task; readonly t: CourseTaskTexts; readonly words: TaskWords }) {
+  const { lessons } = useCourseIndex();
+  return (
+    <div className="task-now task-ways">
+      <NextTask next={aroundTask(lessons, task.id).next} t={t} />
+      {words.learned !== undefined && (
+        <button type="button" className="button" onClick={() => useTaskView.setState({ open: true })}>
+          <Icon name="down" /> {t.learned}
+        </button>
+      )}
+    </div>
+  );
+}
+
 /** What was learned when it is passed, the next task, and the way back to the lesson. */
 export function TaskOnward({ task, t, words }: { readonly task: Task; readonly t: CourseTaskTexts; readonly words: TaskWords }) {
   const { lessons } = useCourseIndex();
@@ -40,9 +65,7 @@ export function TaskOnward({ task, t, words }: { readonly task: Task; readonly t
         </div>
       )}
       <div className="task-ways">
-        {next && passed && (
-          <button type="button" className="button primary" onClick={() => void begin(next.id)}>{t.nextTask(next.title)}</button>
-        )}
+        {passed && <NextTask next={next} t={t} />}
         <a className="button" href={courseHref(lesson?.id ?? null, "tasks")}>{lesson ? t.toLesson : t.toCourse}</a>
         <button type="button" className="button" onClick={() => beginTaskAnew(task, !lesson)}>{t.anew}</button>
       </div>

@@ -15,7 +15,8 @@ import { ForetoldResult } from "./ForetoldResult.tsx";
 import { MarkLine } from "./MarkLine.tsx";
 import { markText } from "./mark-words.ts";
 import { TaskBody } from "./TaskBody.tsx";
-import { TaskStatus } from "./TaskStatus.tsx";
+import { PassedLine } from "./TaskOnward.tsx";
+import { TaskStatus, usePassedNow } from "./TaskStatus.tsx";
 import { useTaskPicture } from "./use-task-picture.ts";
 import { useTaskView } from "./task-view.ts";
 import { taskOfWork } from "./work-task.ts";
@@ -55,6 +56,7 @@ export function TaskPanel({ task, t }: { readonly task: Task; readonly t: Course
     language,
     task,
   ]);
+  const passed = usePassedNow(task);
   useFollowing(task);
   useTaskPicture(task, t, language, marks, say);
   /** Where there is little room the work stands back for what is asked. */
@@ -83,8 +85,13 @@ export function TaskPanel({ task, t }: { readonly task: Task; readonly t: Course
           <Icon name={open ? "up" : "down"} /> <span>{open ? t.fold : t.unfold}</span>
         </button>
       </div>
-      {!open && !veiled && foretold && !marks?.length && <ForetoldResult t={t} words={words} />}
+      {!open && !veiled && foretold && !marks?.length && !(passed && makes) && <ForetoldResult t={t} words={words} />}
       {!open && checked && marks && marks.length > 0 && !stale && <MarkLine marks={marks} say={say} run={checked.answer.run} t={t} />}
+      {!open && passed && (
+        <Suspense>
+          <PassedLine task={task} t={t} words={words} />
+        </Suspense>
+      )}
       <div id={body} className="task-body" hidden={!open}>
         {open && (
           <Suspense>

@@ -43,17 +43,24 @@ function Lacking({ lacks, t }: { readonly lacks: NotReady; readonly t: CourseTas
   );
 }
 
+/** Whether the last check, or the run after what was foretold, passed the work as it stands. */
+export function usePassedNow({ kind }: Task): boolean {
+  const { checked, stale, foretold } = useTaskView();
+  if (stale) return false;
+  return checked ? checked.passed : kind === "predict" && foretold !== null && foretold.length > 0 && foretold.every(({ right }) => right);
+}
+
 /** How it stands, in one line: not ready, so many goals open, passed. Said as it changes by a check, not while somebody works. */
 export function TaskStatus({ task, t }: { readonly task: Task; readonly t: CourseTaskTexts }) {
   const language = useSettings((s) => s.language);
   const { checking, notReady, checked, stale, foretold } = useTaskView();
   const { passed, tries } = useTaskProgress(task.id);
   const rights = (foretold ?? []).map(({ right }) => right);
+  const isPassed = usePassedNow(task);
   const say = () => {
     if (checking) return <span>{t.checking} …</span>;
     if (notReady) return <Lacking lacks={notReady} t={t} />;
-    const isPassed = checked ? checked.passed : task.kind === "predict" && rights.length > 0 && rights.every(Boolean);
-    if (isPassed && !stale) {
+    if (isPassed) {
       return (
         <span className="task-passed">
           <Icon name="check" /> {passed ? t.passedFor[passed.way] : t.passed}
