@@ -77,7 +77,7 @@ function firstFailure(base, tests) {
   ], {
     cwd: base,
     stdio: "ignore",
-    env: { ...process.env, CI: "true", LAW_CASES, LAW_SHRINK: "0", LAW_SEED: process.env.LAW_SEED ?? "1", SEED: "1" },
+    env: { ...process.env, CI: "true", LAW_CASES, LAW_SEED: process.env.LAW_SEED ?? "1", SEED: "1" },
   });
   let patient = true;
   const patience = setTimeout(() => {

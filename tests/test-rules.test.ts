@@ -1,3 +1,4 @@
+import fc from "fast-check";
 import { describe, expect, test } from "vitest";
 
 const text = (found: Record<string, string>) => Object.entries(found).filter(([path]) => !path.endsWith("/test-rules.test.ts"));
@@ -17,6 +18,23 @@ describe("what no test does", () => {
     expect(
       [...journeys, ...tests].filter(([, t]) => /performance\.now|Date\.now\(\)|test\.slow\(|setTimeout\(\d/.test(t)).map(([path]) => path),
     ).toEqual([]);
+  });
+
+  test("no law is ended by the time, and one that fails looks for no smaller case unless it is asked to", () => {
+    expect(tests.filter(([, t]) => /interruptAfterTimeLimit|skipAllAfterTimeLimit|endOnFailure/.test(t)).map(([path]) => path)).toEqual([]);
+    const { interruptAfterTimeLimit, skipAllAfterTimeLimit, endOnFailure } = fc.readConfigureGlobal();
+    expect([interruptAfterTimeLimit, skipAllAfterTimeLimit, endOnFailure]).toEqual([
+      undefined,
+      undefined,
+      process.env["LAW_SHRINK"] !== "1",
+    ]);
+    let tried = 0;
+    const failing = fc.property(fc.integer({ min: 100 }), () => {
+      tried += 1;
+      throw new Error("as it must");
+    });
+    expect(() => fc.assert(failing)).toThrow(/seed: /);
+    if (endOnFailure) expect(tried).toBe(1);
   });
 
   test("every journey runs with the test that can be slowed, and waits for things, not for a time", () => {
