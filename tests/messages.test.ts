@@ -60,6 +60,7 @@ const SAMPLES: { readonly [C in AnyCode]: DataOf<C> } = {
   insertAcrossAxis: { reach: 12.345, nearest: 20.5 },
   startInsideEnvelope: { clearance: 2.5 },
   limitOnWrongSide: { limit: 10.5, nearest: 20.5 },
+  cutBehindLimit: { area: 3.97, x: 51.25, z: -7.5, finishing: true },
   nothingToCut: {},
   contourMissing: { label: "2" },
   contourTooShort: {},
@@ -175,7 +176,9 @@ describe.each(LANGUAGES)("messages in %s", (language) => {
     const sentence = message(language, found(code));
     expect(sentence).toMatch(/\S.*[.。?？]$/);
     expect(sentence).not.toMatch(/undefined|NaN|\[object|null/);
-    const own = Object.entries(SAMPLES[code]).filter(([key]) => !["reason", "edge", "quantity", "place"].includes(key));
+    const own = Object.entries(SAMPLES[code]).filter(([key, value]) =>
+      !["reason", "edge", "quantity", "place"].includes(key) && typeof value !== "boolean"
+    );
     const shown = own.map(([, value]) => (typeof value === "number" ? formatNumber(language, value, 4) : String(value)));
     for (const data of shown.filter((text) => !text.includes(","))) expect(sentence).toContain(data);
     if ("nearest" in SAMPLES[code]) expect(sentence).toContain(formatNumber(language, (SAMPLES[code] as { nearest: number }).nearest, 4));

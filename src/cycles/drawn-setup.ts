@@ -210,6 +210,14 @@ function freeAlong(draw: Draw): Free {
   };
 }
 
+/** Machining limits: mostly through the contour, one of them or both; else anywhere. */
+function limits(draw: Draw, points: readonly Pt[]): Readonly<Record<string, number>> {
+  const through = (all: readonly number[]) => mm(draw, Math.min(...all), Math.max(...all));
+  const [x, z] = [toDiameter(radius(through(points.map((p) => p.r)))), through(points.map((p) => p.z))];
+  const [Q480, Q482] = draw.one([x, z], [x, -99], [0, z], [mm(draw, 0, 100), mm(draw, -40, 10)]);
+  return { Q479: draw.one(0, 0, 1), Q480, Q482 };
+}
+
 /**
  * Set-ups of the free contours that are cut by levels, in both directions, with limits on every side. A contour that crosses itself is
  * refused before any cycle sees it.
@@ -218,6 +226,7 @@ export const contourSetups = (transverse: boolean): Setups => (draw) => {
   const free = transverse ? freeAcross(draw) : freeAlong(draw);
   const built = contourFrom(drawnContour(draw, free.place, free.toAxis));
   if (built.issues.some((i) => i.severity === "error")) return null;
+  const points = built.segments.flatMap((s) => [s.from, s.to]);
   return {
     values: {
       ...common(draw),
@@ -225,15 +234,13 @@ export const contourSetups = (transverse: boolean): Setups => (draw) => {
       Q487: draw.one(0, 1),
       Q488: draw.one(0, 0.1),
       Q506: draw.one(0, 1, 2),
-      Q479: draw.one(0, 0, 1),
-      Q480: mm(draw, 0, 100),
-      Q482: mm(draw, -40, 10),
+      ...limits(draw, points),
     },
     contour: built.segments,
     tool: free.tool,
-    ...free.round(built.segments.flatMap((s) => [s.from, s.to])),
+    ...free.round(points),
   };
 };
 
 /** What other families draw their set-ups with. */
-export const dice = { mm, angle, half, mostly, box, common, elements, contour: drawnContour };
+export const dice = { mm, angle, half, mostly, box, common, elements, contour: drawnContour, limits };

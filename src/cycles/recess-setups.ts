@@ -135,9 +135,7 @@ export const freeRecesses = (transverse: boolean): Setups => (draw) => {
     values: {
       ...turnedValues(draw),
       Q499: mostly(draw, 0, draw.one(1, 2)),
-      Q479: draw.one(0, 0, 1),
-      Q480: mm(draw, 20, 100),
-      Q482: mm(draw, -40, 10),
+      ...dice.limits(draw, points),
     },
     contour: built.segments,
     tool: transverse ? axialTool(draw, 1) : radialTool(draw, out),

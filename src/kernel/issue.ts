@@ -79,6 +79,11 @@ interface Data {
   startOnWrongSide: { x: number; z: number };
   startInsideEnvelope: { clearance: number };
   limitOnWrongSide: { limit: number; nearest?: number };
+  /**
+   * What an operation takes on the side of its machining limit that is not to be cut, mm². `finishing`: its roughing, which ran as well,
+   * takes nothing there.
+   */
+  cutBehindLimit: { area: number; x: number; z: number; finishing: boolean };
   nothingToCut: {};
   /* contour subprogram; `element` counts from 1 */
   contourMissing: { label: string };

@@ -40,6 +40,16 @@ export interface ThreadPlan {
   readonly side: readonly { readonly u: number; readonly v: number }[];
 }
 
+/** A machining limit: a plane across the spindle axis (z) or a cylinder (r), mm, and the side of it that is not to be cut. */
+export interface MachiningLimit {
+  /** The field it was given in. */
+  readonly at: string;
+  readonly axis: "z" | "r";
+  readonly value: number;
+  /** 1: greater values lie behind it. */
+  readonly behind: 1 | -1;
+}
+
 /** What a cycle makes of its values: moves plus issues, and what can be planned is planned. */
 export interface Plan {
   /** The tool as the cycle adapts it (Q499 = 2 mirrors the tip); absent when it works as it is. */
@@ -74,4 +84,6 @@ export interface Plan {
   readonly thread?: ThreadPlan;
   /** The deepest path as it would run without machining limits; absent when there are none. */
   readonly unlimited?: readonly Reach[];
+  /** Machining limits; absent when there are none. */
+  readonly limits?: readonly MachiningLimit[];
 }

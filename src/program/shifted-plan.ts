@@ -32,5 +32,6 @@ export function shiftedPlan(plan: Plan, by: By): Plan {
     reach: reach(plan.reach),
     kept: reach(plan.kept),
     ...(plan.unlimited && { unlimited: reach(plan.unlimited) }),
+    ...(plan.limits && { limits: plan.limits.map((l) => ({ ...l, value: l.value + (l.axis === "r" ? by.x : by.z) })) }),
   };
 }

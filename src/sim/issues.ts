@@ -26,10 +26,10 @@ function fromResidual(r: Residual): ProofIssue {
 
 /** What the stock says about one operation: where it began, what it took at once, and what it took at all. */
 function fromOperation(
-  { cut, airPasses, deepest, thickest, startInMaterial: start, hasFailed }: OperationProof,
+  { cut, airPasses, deepest, thickest, behindLimits, startInMaterial: start, hasFailed }: OperationProof,
   operation: number,
 ): ProofIssue[] {
-  const at = (found: Issue, depth: Depth | null = null): ProofIssue => ({
+  const at = (found: Issue, depth: Pick<Depth, "step" | "block"> | null = null): ProofIssue => ({
     issue: found,
     step: depth?.step ?? null,
     block: depth?.block ?? null,
@@ -42,6 +42,10 @@ function fromOperation(
       const { depth, allowed, pass } = d;
       out.push(at(issue("deeperThanInfeed", "warning", { depth, allowed, ...(pass !== undefined && { pass }) }), d));
     }
+  for (const b of behindLimits) {
+    const { area, place, finishing, limit } = b;
+    out.push(at(issue("cutBehindLimit", "warning", { area, x: toDiameter(place.r), z: place.z, finishing }, limit.at), b));
+  }
   if (hasFailed) return out;
   if (cut < REAL_AREA) out.push(at(issue("nothingCut", "warning", {})));
   else if (airPasses > 0) out.push(at(issue("airPasses", "info", { count: airPasses })));

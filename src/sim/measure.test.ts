@@ -164,6 +164,46 @@ test("a start point in the stock is told, one that touches it is not", () => {
   expect(codes(run(bar, at(-20, -33), [cut(-20, -40)]))).toContain("startInMaterial");
 });
 
+describe("material behind a machining limit", () => {
+  const plane = { at: "Q482", axis: "z", value: -21.3, behind: -1 } as const;
+  const cylinder = { at: "Q480", axis: "r", value: 26.4, behind: 1 } as const;
+  const behind = (s: ReturnType<typeof run>) => s.proof.operations[0]?.behindLimits ?? [];
+  const along = (
+    to: number,
+    phase: Phase,
+    then: "rough" | "finish" = "rough",
+  ): Move[] => [{ ...rapid(2, 27.7), run: then }, { ...cut(to, 27.7, phase, 1), run: then }, { ...rapid(to, 33), run: then }, {
+    ...rapid(2, 33),
+    run: then,
+  }];
+  test("is told at its limit, with the place and the move that took it", () => {
+    const s = run(rougher, at(2, 33), [...along(-11.2, "rough"), ...along(-24.8, "rough")], { limits: [plane] });
+    const [b] = behind(s);
+    // Less what nose and main edge leave in the corner.
+    expect(b?.area).toBeGreaterThan(3.5 * 2.3 - 0.3);
+    expect(b?.area).toBeLessThan(3.5 * 2.3 - 0.2);
+    expect(b).toMatchObject({ step: 5, block: 15, finishing: false, limit: { at: "Q482" } });
+    expect(b?.place.z).toBeLessThan(-21.3);
+    expect(stockIssues(s)).toContainEqual(expect.objectContaining({
+      block: 15,
+      issue: expect.objectContaining({ code: "cutBehindLimit", severity: "warning", at: "Q482" }) as unknown,
+    }));
+  });
+  test("is no news where the cut ends at the limit, beside it, or where nothing stood", () => {
+    expect(behind(run(rougher, at(2, 33), along(-21.3, "rough"), { limits: [plane] }))).toEqual([]);
+    expect(behind(run(rougher, at(2, 33), along(-24.8, "rough")))).toEqual([]);
+    expect(behind(run(rougher, at(2, 33), [rapid(2, 30.1), cut(-24.8, 30.1, "rough", 1)], { limits: [plane, cylinder] }))).toEqual([]);
+  });
+  test("is told of every limit that was crossed, and whether roughing alone would leave it", () => {
+    const both = run(rougher, at(2, 33), along(-24.8, "rough"), { limits: [plane, cylinder] });
+    expect(behind(both).map((b) => [b.limit.at, b.finishing])).toEqual([["Q482", false], ["Q480", false]]);
+    const finished = run(rougher, at(2, 33), [...along(-11.2, "rough"), ...along(-24.8, "finish", "finish")], { limits: [plane] });
+    expect(behind(finished).map((b) => b.finishing)).toEqual([true]);
+    const alone = run(rougher, at(2, 33), along(-24.8, "finish", "finish"), { limits: [plane] });
+    expect(behind(alone).map((b) => b.finishing)).toEqual([false]);
+  });
+});
+
 describe("the other side of the axis", () => {
   const flipped = (m: Move): Move =>
     ({ ...m, to: at(m.to.z, -m.to.r), ...(m.kind === "arc" && { centre: at(m.centre.z, -m.centre.r) }) }) as Move;

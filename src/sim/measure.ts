@@ -1,17 +1,20 @@
 import { areaOf } from "../kernel/area.ts";
-import { offset, simplified } from "../kernel/clip.ts";
+import { intersection, offset, simplified } from "../kernel/clip.ts";
+import type { Box } from "../kernel/geometry/segments.ts";
 import type { Move } from "../kernel/move.ts";
+import type { MachiningLimit } from "../kernel/plan.ts";
 import { at, type Pt, type Ring } from "../kernel/point.ts";
 import { REAL_AREA, real } from "../kernel/real-area.ts";
 import type { Step } from "../kernel/step.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
-import { boxAround } from "../kernel/box.ts";
+import { boxAround, inBox } from "../kernel/box.ts";
 import { inStock } from "./contact.ts";
 import type { Cutting, Present } from "./cutting.ts";
 import { deepestAlong, hasRoomFor, thicknessOf } from "./extent.ts";
 import type { Outlines } from "./outlines.ts";
 import { piecesOf } from "./piece.ts";
-import type { Depth, OperationProof, SimulatedOperation } from "./simulation.ts";
+import { largest, placeIn } from "./region.ts";
+import type { BehindLimit, Depth, OperationProof, SimulatedOperation } from "./simulation.ts";
 import { turned, type Sweep } from "./sweep.ts";
 
 /** Real depths may pass what is allowed by this much before it is told, mm. */
@@ -27,6 +30,7 @@ type Phase = Move["phase"];
 interface Stretch {
   readonly operation: number;
   readonly phase: Phase;
+  readonly run: Move["run"];
   readonly pass: number | undefined;
   readonly step: number;
   readonly before: Present;
@@ -37,6 +41,8 @@ interface Stretch {
 
 /** A measured depth without its block: blocks shift while a step stays the same. */
 type Measured = Omit<Depth, "block">;
+/** The same of what was taken behind a limit; `roughing`: roughing took some of it. */
+type Crossed = Omit<BehindLimit, "block" | "place" | "finishing"> & { readonly roughing: boolean };
 
 interface Sums {
   cut: number;
@@ -44,6 +50,7 @@ interface Sums {
   deepest: Measured | null;
   thickest: Measured | null;
   startInMaterial: Pt | null;
+  crossed: readonly Crossed[];
 }
 
 /** How far measuring has come before a step. */
@@ -98,7 +105,7 @@ export function measuring(
   };
   const sums = operations.map((operation, o): Sums => {
     const known = begun(operation, o);
-    return known ? copyOf(known) : { cut: 0, passes: new Map(), deepest: null, thickest: null, startInMaterial: null };
+    return known ? copyOf(known) : { cut: 0, passes: new Map(), deepest: null, thickest: null, startInMaterial: null, crossed: [] };
   });
   let run: Stretch | null = before?.state.run ? { ...before.state.run, sweeps: [...before.state.run.sweeps] } : null;
 
@@ -113,6 +120,7 @@ export function measuring(
     const passes = done.phase === "rough" && done.pass !== undefined;
     if (passes) sum.passes.set(done.pass, (sum.passes.get(done.pass) ?? 0) + area);
     if (area < REAL_AREA) return;
+    for (const limit of operation.plan.limits ?? []) sum.crossed = crossing(sum.crossed, limit, taken, done);
     const place = { step: done.step };
     if (passes && operation.plan.isParallel)
       sum.deepest = thicker(sum.deepest, taken, mostOf(operation), { ...place, pass: done.pass }, BEND);
@@ -135,6 +143,7 @@ export function measuring(
       run ??= {
         operation,
         phase: step.move.phase,
+        run: step.move.run,
         pass: step.move.pass,
         step: index,
         before: cut.present(),
@@ -154,12 +163,20 @@ export function measuring(
     results(steps) {
       close();
       const atBlock = (depth: Measured | null): Depth | null => depth && { ...depth, block: steps[depth.step]?.block ?? 0 };
-      return sums.map(({ cut, passes, deepest, thickest, startInMaterial }, o) => ({
+      const behind = (crossed: readonly Crossed[], roughed: boolean): BehindLimit[] =>
+        crossed.map(({ roughing, ...c }) => ({
+          ...c,
+          block: steps[c.step]?.block ?? 0,
+          place: placeIn(c.ring),
+          finishing: roughed && !roughing,
+        }));
+      return sums.map(({ cut, passes, deepest, thickest, startInMaterial, crossed }, o) => ({
         cut,
         airPasses: [...passes.values()].filter((area) => area < REAL_AREA).length,
         deepest: atBlock(deepest),
         thickest: atBlock(thickest),
         startInMaterial,
+        behindLimits: behind(crossed, passes.size > 0),
         hasFailed: blank.length === 0 || (operations[o]?.issues ?? []).some((i) => i.severity === "error"),
       }));
     },
@@ -193,6 +210,32 @@ function thicker(known: Measured | null, taken: readonly Ring[], allowed: number
   const plain = simplified(taken, SLIVER);
   if (!hasRoomFor(plain, told) || offset(plain, -told / 2).length === 0) return known;
   return { depth: thicknessOf(plain), allowed, ...where };
+}
+
+/** What lies behind a limit, as a box. */
+const behindOf = ({ axis, value, behind }: MachiningLimit): Box => {
+  const box = { left: -Infinity, right: Infinity, low: -Infinity, high: Infinity };
+  if (axis === "z") return behind > 0 ? { ...box, left: value } : { ...box, right: value };
+  return behind > 0 ? { ...box, low: value } : { ...box, high: value };
+};
+
+/** What is known of the limits that were crossed, and what a run of moves took behind one of them. */
+function crossing(known: readonly Crossed[], limit: MachiningLimit, taken: readonly Ring[], done: Stretch): readonly Crossed[] {
+  const box = behindOf(limit);
+  const rings = real(inBox(taken, box));
+  if (rings.length === 0) return known;
+  const before = known.find((c) => c.limit.at === limit.at);
+  const ring = largest(rings);
+  const first = () =>
+    done.step + Math.max(0, done.sweeps.findIndex((s) => real(intersection(inStock([s], done.before), [ring])).length > 0));
+  const isLarger = !before || areaOf([ring]) > areaOf([before.ring]);
+  const crossed: Crossed = {
+    limit,
+    area: areaOf(rings) + (before?.area ?? 0),
+    ...(isLarger ? { ring, step: first() } : { ring: before.ring, step: before.step }),
+    roughing: done.run === "rough" || (before?.roughing ?? false),
+  };
+  return [...known.filter((c) => c !== before), crossed];
 }
 
 /** Whether a measured depth is more than a script or an operator has to bear. */

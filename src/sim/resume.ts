@@ -1,6 +1,7 @@
 import { difference, offset } from "../kernel/clip.ts";
 import { boxAround, boxOf } from "../kernel/box.ts";
 import type { Box } from "../kernel/geometry/segments.ts";
+import type { MachiningLimit } from "../kernel/plan.ts";
 import type { Ring } from "../kernel/point.ts";
 import type { Step } from "../kernel/step.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
@@ -48,7 +49,12 @@ export interface Resumed {
 /** What the measure of an operation reads of its plan. */
 const sameMeasure = ({ plan: a }: SimulatedOperation, { plan: b }: SimulatedOperation): boolean =>
   a.isParallel === b.isParallel && a.most === b.most && a.infeed === b.infeed && a.oversize?.r === b.oversize?.r
-  && a.oversize?.z === b.oversize?.z && a.openSide.z === b.openSide.z && a.openSide.r === b.openSide.r;
+  && a.oversize?.z === b.oversize?.z && a.openSide.z === b.openSide.z && a.openSide.r === b.openSide.r
+  && sameLimits(a.limits ?? [], b.limits ?? []);
+
+const sameLimits = (a: readonly MachiningLimit[], b: readonly MachiningLimit[]): boolean =>
+  a.length === b.length
+  && a.every((l, i) => l.at === b[i]?.at && l.axis === b[i].axis && l.value === b[i].value && l.behind === b[i].behind);
 
 /** The number of steps that two runs have in common at their beginning; a blank that is stated later ends it. */
 function commonSteps(a: SimulationInput, b: SimulationInput): number {

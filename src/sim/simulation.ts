@@ -1,6 +1,6 @@
 import type { PackedRings } from "../kernel/clip.ts";
 import type { Issue, Reason } from "../kernel/issue.ts";
-import type { Plan } from "../kernel/plan.ts";
+import type { MachiningLimit, Plan } from "../kernel/plan.ts";
 import type { Pt, Ring } from "../kernel/point.ts";
 import type { Stated, Step, Unproved } from "../kernel/step.ts";
 import type { Tool } from "../kernel/tool.ts";
@@ -116,6 +116,20 @@ export interface Depth {
   readonly pass?: number;
 }
 
+/** Material that an operation took on the side of a limit that is not to be cut. */
+export interface BehindLimit {
+  readonly limit: MachiningLimit;
+  /** mm² of the half plane. */
+  readonly area: number;
+  /** The largest piece of it, a point inside, and the first of the moves that took it. */
+  readonly ring: Ring;
+  readonly place: Pt;
+  readonly step: number;
+  readonly block: number;
+  /** True when roughing ran as well, and took nothing there. */
+  readonly finishing: boolean;
+}
+
 /** What one operation did to the stock. */
 export interface OperationProof {
   /** Stock that its feed moves removed, mm² of the half plane. */
@@ -126,6 +140,8 @@ export interface OperationProof {
   readonly deepest: Depth | null;
   /** The smoothing or finishing cut that takes more than the oversize and one infeed, square to its path; null when none does. */
   readonly thickest: Depth | null;
+  /** What was taken behind each machining limit that was crossed in material. */
+  readonly behindLimits: readonly BehindLimit[];
   /** Where the insert stands in the stock when the operation begins; null where it is free. */
   readonly startInMaterial: Pt | null;
   /** True when an error kept it from its path, or there was no stock: that it cut nothing is no news then. */

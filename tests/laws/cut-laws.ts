@@ -4,7 +4,7 @@ import { areaOf as polygonArea } from "../../src/kernel/area.ts";
 import { difference, intersection, offset } from "../../src/kernel/clip.ts";
 import { at, part } from "../../src/kernel/point.ts";
 import type { Simulation } from "../../src/sim/simulation.ts";
-import { areaOf, each, filled, grown, without, withoutCrumbs, type Field, type Grid } from "../judge/field.ts";
+import { areaOf, common, each, filled, grown, without, withoutCrumbs, type Field, type Grid } from "../judge/field.ts";
 import type { P } from "../judge/insert.ts";
 import { gridOver, judge, sumOf, THIN, type Verdict } from "../judge/judge.ts";
 import { doing, type Finding, type Situation } from "./situation.ts";
@@ -146,6 +146,36 @@ const oversizeStays: CutLaw = ({ plans: [plan], situation: { values, blank }, si
   return null;
 };
 
+/** What is taken behind a machining limit is told at it, and what is told there was taken. What rapids took is told by itself. */
+const limitsHoldOrAreTold: CutLaw = (w) => {
+  const { values, start } = w.situation;
+  if (values["Q479"] !== 1) return null;
+  const far = 1000;
+  const [x, z] = [(values["Q480"] ?? 0) / 2, values["Q482"] ?? 0];
+  const zones: readonly (readonly [string, readonly P[]])[] = [["Q480", across("z", -far, far, x, start.r >= x ? -far : far)], [
+    "Q482",
+    across("r", -far, far, z, start.z >= z ? -far : far),
+  ]];
+  const told = (at: string) =>
+    w.simulation.proof.operations.flatMap((o) => o.behindLimits).reduce((sum, b) => (b.limit.at === at ? sum + b.area : sum), 0);
+  for (const [at, zone] of zones) {
+    const taken = w.verdicts.map(({ grid, initial, final }) => {
+      const behindIt = filled(grid, [[...zone]], true);
+      return [beyond(grid, each(initial, behindIt, common), final), areaOf(grid, each(each(initial, final, without), behindIt, common))];
+    });
+    const [surely, perhaps] = [Math.min(...taken.map(([thick]) => thick ?? 0)), Math.max(...taken.map(([, all]) => all ?? 0))];
+    const byRapids = most(w, (v) => sumOf(v, "rapid"));
+    if (surely > LIMIT + byRapids && told(at) === 0) return `${mm2(surely)} are taken behind ${at}, and nothing says so`;
+    if (told(at) > perhaps + LIMIT) return `${mm2(told(at))} are told behind ${at}, ${mm2(perhaps)} were taken`;
+  }
+  return null;
+};
+/** A strip a column wide along a limit is seen by one of the judges only, mm². */
+const LIMIT = 0.2;
+/** A strip: from a to b along one axis, from c to d along the other. */
+const across = (along: "z" | "r", a: number, b: number, c: number, d: number): P[] =>
+  [[a, c], [b, c], [b, d], [a, d]].map(([p = 0, q = 0]) => (along === "z" ? { z: p, r: q } : { z: q, r: p }));
+
 /** By name, so that a case on file says which of them it broke. */
 export const cutLaws: Readonly<Record<string, CutLaw>> = {
   partStaysWhole,
@@ -155,6 +185,7 @@ export const cutLaws: Readonly<Record<string, CutLaw>> = {
   judgesAgreeOnResidue,
   nothingReachableStays,
   oversizeStays,
+  limitsHoldOrAreTold,
 };
 
 /** Every law that a situation breaks, with what it says. */

@@ -75,7 +75,15 @@ export const isAboutTool = (at: string | null): boolean => at !== null && toolPl
 const weight: Readonly<Record<Severity, number>> = { error: 0, warning: 1, info: 2 };
 
 /** What was found in the stock comes after what was found in the program, and what stays comes last: causes before effects. */
-const found: ReadonlySet<string> = new Set(["gouge", "rapidInStock", "holderContact", "deeperThanInfeed", "nothingCut", "airPasses"]);
+const found: ReadonlySet<string> = new Set([
+  "gouge",
+  "rapidInStock",
+  "holderContact",
+  "cutBehindLimit",
+  "deeperThanInfeed",
+  "nothingCut",
+  "airPasses",
+]);
 const stage = ({ issue }: FindingEntry): number => (issue.code === "materialLeft" ? 2 : found.has(issue.code) ? 1 : 0);
 
 /** Worst first; among equals the cause before its effect, then in the order of the text. */

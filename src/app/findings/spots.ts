@@ -14,7 +14,7 @@ type Unmarked = Omit<FindingSpot, "mark">;
 const ROUND = 2;
 
 /** A rapid is seen before it runs into the material, the others when they have happened. */
-const SEEN = { rapidInStock: 0, gouge: 0.999, holderContact: 0.5 } as const;
+const SEEN = { rapidInStock: 0, gouge: 0.999, holderContact: 0.5, cutBehindLimit: 0.999 } as const;
 
 const roundPoint = ({ z, r }: Pt): Bounds => ({ left: z - ROUND, right: z + ROUND, low: r - ROUND, high: r + ROUND });
 
@@ -68,6 +68,12 @@ export function spotOfProof(simulation: Simulation, { issue, step }: ProofIssue)
         position: { step: steps.length, fraction: 0 },
       };
       return { spot, residual, thickness: left.thickness };
+    }
+    case "cutBehindLimit": {
+      const b = proof.operations.flatMap((o) => o.behindLimits).find(isAt(issue.data));
+      if (!b) return null;
+      const position = { step: b.step, fraction: SEEN.cutBehindLimit };
+      return { spot: { plane: "ZX", kind: "finding", place: b.place, bounds: boundsRound([b.ring], b.place), position } };
     }
     case "gouge":
     case "rapidInStock":

@@ -105,6 +105,13 @@ export const messages = {
       + "mit Schlichtvorschub direkt zur Kontur.",
     limitOnWrongSide: (d, w) =>
       `Mit der Grenze ${w.value(d.limit)} wird auf der Seite des Werkzeugs nichts zerspant.${nearest(d.nearest, w.value)}`,
+    cutBehindLimit: (d, w) =>
+      `Hinter der Grenze werden bei ${w.place(d.x, d.z)} ${
+        w.area(d.area)
+      } Material zerspant: Begrenzt ist nur die Kontur, nicht An- und Wegfahren.`
+      + (d.finishing
+        ? " Schruppen allein (Q215 = 1) lässt es stehen."
+        : " Setzen Sie die Grenze dorthin, wo diese kein Material treffen."),
     nothingToCut: () => "Zwischen Startpunkt und Kontur gibt es nichts zu zerspanen.",
     contourMissing: (d, w) => (d.label === "" ? "Die Kontur fehlt." : `Die Kontur LBL ${w.text(d.label)} gibt es nicht.`),
     contourTooShort: () => "Eine Kontur braucht mindestens zwei verschiedene Punkte.",

@@ -101,6 +101,11 @@ export const messages = {
       + "straight to the contour at the finishing feed.",
     limitOnWrongSide: (d, w) =>
       `With the limit ${w.value(d.limit)} nothing is cut on the side where the tool stands.${nearest(d.nearest, w.value)}`,
+    cutBehindLimit: (d, w) =>
+      `Behind the limit ${w.area(d.area)} of material are cut at ${
+        w.place(d.x, d.z)
+      }: only the contour is limited, not approach and departure.`
+      + (d.finishing ? " Roughing alone (Q215 = 1) leaves it." : " Put the limit where these find no material."),
     nothingToCut: () => "Between start point and contour there is nothing to cut.",
     contourMissing: (d, w) => (d.label === "" ? "The contour is missing." : `The contour LBL ${w.text(d.label)} does not exist.`),
     contourTooShort: () => "A contour needs at least two different points.",

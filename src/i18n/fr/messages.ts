@@ -103,6 +103,11 @@ export const messages = {
       `Le point de départ est plus près du contour que la distance ${w.number(d.clearance)} : l’outil va droit `
       + "au contour à l’avance de finition.",
     limitOnWrongSide: (d, w) => `Avec la limite ${w.value(d.limit)}, rien n’est usiné du côté de l’outil.${nearest(d.nearest, w.value)}`,
+    cutBehindLimit: (d, w) =>
+      `Derrière la limite, ${w.area(d.area)} de matière sont enlevés en ${
+        w.place(d.x, d.z)
+      } : seul le contour est limité, pas l’approche ni la sortie.`
+      + (d.finishing ? " L’ébauche seule (Q215 = 1) la laisse." : " Placez la limite là où elles ne trouvent pas de matière."),
     nothingToCut: () => "Entre le point de départ et le contour, il n’y a rien à usiner.",
     contourMissing: (d, w) => (d.label === "" ? "Le contour manque." : `Le contour LBL ${w.text(d.label)} n’existe pas.`),
     contourTooShort: () => "Un contour demande au moins deux points différents.",

@@ -79,6 +79,9 @@ export const messages = {
     startOnWrongSide: (d, w) => `轮廓朝起点方向走：从这一侧不会切削。可用的起点：${w.place(d.x, d.z)}。`,
     startInsideEnvelope: (d, w) => `起点距轮廓小于安全高度${w.number(d.clearance)}：刀具以精加工进给直接移至轮廓。`,
     limitOnWrongSide: (d, w) => `极限为${w.value(d.limit)}时，刀具所在一侧没有可加工的材料。${nearest(d.nearest, w.value)}`,
+    cutBehindLimit: (d, w) =>
+      `极限之外，${w.place(d.x, d.z)}处切除了${w.area(d.area)}材料：极限只限制轮廓，不限制接近与离开运动。`
+      + (d.finishing ? "仅粗加工（Q215 = 1）时该处保留。" : "请把极限设在这些运动不碰到材料的位置。"),
     nothingToCut: () => "起点与轮廓之间没有可加工的材料。",
     contourMissing: (d, w) => (d.label === "" ? "缺少轮廓。" : `轮廓LBL ${w.text(d.label)}不存在。`),
     contourTooShort: () => "轮廓至少需要两个不同的点。",

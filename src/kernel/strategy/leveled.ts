@@ -19,7 +19,7 @@ import { atCall, Frontier } from "./frontier.ts";
 import { beyondAxis, FAR, groundOver, insertIn, insidePart, leadOf, reachOf, startInPart, type Surroundings } from "./ground.ts";
 import { divide, limitedInfeed, type Division } from "./infeed.ts";
 import { countedAnew, roughByLevels } from "./levels.ts";
-import { limitsOf } from "./limits.ts";
+import { limitsInPart, limitsOf } from "./limits.ts";
 import { Cutter } from "./link.ts";
 import { areaOver, partUnder } from "./outline-area.ts";
 
@@ -180,6 +180,7 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
     reach: reachOf(drawn, Math.max(drawn.first, from), Math.min(drawn.end.u, to), l.frame, tool),
     kept: reachOf(kept, Math.max(kept.first, from), Math.min(Math.max(kept.end.u, drawn.end.u), to), l.frame, tool),
     ...unlimited(),
+    ...limitsInPart(l.limit, called, l.frame),
   }, setting, l.frame.transverse ? "startU" : "startV");
 }
 

@@ -1,5 +1,6 @@
-import type { Flat, FlatSegment } from "../flat.ts";
+import { toPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
 import { issue, type Issue } from "../issue.ts";
+import type { MachiningLimit, Plan } from "../plan.ts";
 
 /** What machining limits leave to cut: a stretch of u, and heights. */
 export interface Limits {
@@ -30,4 +31,16 @@ export function limitsOf(limit: Flat | null, called: Flat, contour: readonly Fla
     floor: above ? limit.v : null,
     ceiling: above ? Infinity : limit.v,
   };
+}
+
+/** The same limits in part space, for whoever looks at what was cut; nothing where a plan has none. */
+export function limitsInPart(limit: Flat | null, called: Flat, frame: Frame): Pick<Plan, "limits"> {
+  if (!limit) return {};
+  const of = (axis: "u" | "v", at: string, behind: 1 | -1): MachiningLimit => {
+    const [point, beyond] = [limit, { ...limit, [axis]: limit[axis] + behind }].map((p) => toPart(frame, p));
+    const along = (axis === "u") === frame.transverse ? "r" : "z";
+    const [value, next] = [point?.[along] ?? 0, beyond?.[along] ?? 0];
+    return { at, axis: along, value, behind: next > value ? 1 : -1 };
+  };
+  return { limits: [of("u", "limitU", called.u <= limit.u ? 1 : -1), of("v", "limitV", called.v >= limit.v ? -1 : 1)] };
 }

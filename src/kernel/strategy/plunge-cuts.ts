@@ -1,4 +1,4 @@
-import { pathAlong } from "../envelope.ts";
+import { pathAlong, type Interval } from "../envelope.ts";
 import { flat, type Flat, type FlatSegment } from "../flat.ts";
 import { SAME } from "../tolerance.ts";
 import type { Purpose } from "../track.ts";
@@ -29,6 +29,8 @@ export interface PlungeRough extends PlungeCut {
   readonly spacing: Spacing;
   /** Height that cutting begins at. */
   readonly top: number;
+  /** Where the tip may be, between machining limits. */
+  readonly room: Interval;
 }
 
 /** How far the tool goes back between two bites, mm. */
@@ -139,7 +141,8 @@ function alongWalls(cutter: Cutter, r: PlungeRough, { from, to, floor }: Basin):
     const link = { gap: r.clearance, feed: r.feed, out: purpose, down: purpose, enter: purpose };
     cutter.link(first.from, link);
     cutter.along(path, () => ({ feed: r.feed, purpose }));
-    cutter.leave(r.clearance, away, e, r.feed, purpose, Math.min(r.clearance, reachOfStep(r.spacing)));
+    const beside = away > 0 ? r.room.to - cutter.at.u : cutter.at.u - r.room.from;
+    cutter.leave(r.clearance, away, e, r.feed, purpose, Math.min(r.clearance, reachOfStep(r.spacing), beside));
     cutter.link({ u: cutter.at.u, v: r.top + r.clearance }, link);
   };
   const left = cutter.frontier.standsOver(e, { from, to: floor.to }, LEFT);

@@ -12,7 +12,7 @@ import { unfit } from "./fit.ts";
 import { groundOver, insertIn, insidePart, startInPart } from "./ground.ts";
 import { MOST_PASSES } from "./infeed.ts";
 import { empty } from "./leveled.ts";
-import { limitsOf } from "./limits.ts";
+import { limitsInPart, limitsOf } from "./limits.ts";
 import { Cutter } from "./link.ts";
 import { bitesOf, roughByPlunges, type Bites, type PlungeCut } from "./plunge-cuts.ts";
 import { finishByHalves } from "./plunge-finish.ts";
@@ -83,7 +83,7 @@ export function planPlunging(l: Plunging, setting: Setting): Plan {
     const bites = bitesIn(places, upper, l.bite);
     if (bites > MOST_PASSES) return { ...sketch, issues: [...issues, tooShallow(places, upper, bites)] };
     if (bites === 0) issues.push(issue("nothingToCut", "warning", {}, "tool"));
-    cuts = roughByPlunges(cutter, { ...l, ground: kept, basins, places, spacing, top: upper });
+    cuts = roughByPlunges(cutter, { ...l, ground: kept, basins, places, spacing, room, top: upper });
     back("rough", 6);
   }
   if (l.operation !== 1) {
@@ -102,6 +102,7 @@ export function planPlunging(l: Plunging, setting: Setting): Plan {
     reach: reachWithin(drawn, room, l.frame, tool),
     kept: reachWithin(kept, onContour(drawn, room), l.frame, tool),
     ...unlimitedReach(l, site, tool),
+    ...limitsInPart(l.limit, called, l.frame),
   }, setting, l.frame.transverse ? "startU" : "startV");
 }
 

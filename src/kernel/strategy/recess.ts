@@ -13,7 +13,7 @@ import { unfit } from "./fit.ts";
 import { FAR, type Ground, groundOver, insertIn, insidePart, startInPart } from "./ground.ts";
 import { divide, limitedInfeed, type Division } from "./infeed.ts";
 import { empty } from "./leveled.ts";
-import { limitsOf } from "./limits.ts";
+import { limitsInPart, limitsOf } from "./limits.ts";
 import { Cutter } from "./link.ts";
 import { offsetPerPass } from "./offset.ts";
 import { finishRecess, type RecessFinish } from "./recess-finish.ts";
@@ -121,6 +121,7 @@ export function planRecess(l: Recess, setting: Setting): Plan {
     reach: reachWithin(deepestPath.ground, deepestPath.area, l.frame, tool),
     kept: reachWithin(kept, room, l.frame, tool),
     ...unlimitedReach(l, site, tool),
+    ...limitsInPart(l.limit, called, l.frame),
   }, setting, l.frame.transverse ? "startU" : "startV");
 }
 
