@@ -18,6 +18,7 @@ export const TERMS = [
   "diameter",
   "radius",
   "theoreticalTip",
+  "cuttingPoint",
   "tipOrientation",
   "noseRadius",
   "compensation",

@@ -4,7 +4,7 @@ import { z } from "zod/mini";
 export const ISO_GROUPS = ["P", "M", "K", "N", "S", "H"] as const;
 export type IsoGroup = (typeof ISO_GROUPS)[number];
 
-/** A material with its starting values for coated carbide, turned dry or wet on a sound machine. */
+/** A material with its starting values for coated carbide, hardened steel for CBN, turned dry or wet on a sound machine. */
 export interface CutMaterial {
   readonly id: string;
   /** As it is written on a drawing. */
@@ -30,20 +30,20 @@ export interface CuttingTable {
 type Row = readonly [id: string, name: string, group: IsoGroup, kc11: number, mc: number, roughSpeed: number, roughFeed: number,
   finishSpeed: number, finishFeed: number];
 
-/** Values as handbooks of machining have them, rounded. */
+/** Values of makers' tables, rounded; docs/decisions/0032 has each with its source. */
 const ROWS: readonly Row[] = [
   ["s235", "S235JR (1.0038)", "P", 1780, 0.17, 220, 0.3, 280, 0.15],
   ["c45", "C45E (1.1191)", "P", 2220, 0.14, 190, 0.3, 250, 0.15],
   ["16mncr5", "16MnCr5 (1.7131)", "P", 2100, 0.26, 200, 0.3, 260, 0.15],
   ["42crmo4", "42CrMo4 (1.7225)", "P", 2500, 0.26, 160, 0.28, 210, 0.14],
-  ["x5crni", "X5CrNi18-10 (1.4301)", "M", 2350, 0.21, 130, 0.25, 170, 0.12],
-  ["x2crnimo", "X2CrNiMo17-12-2 (1.4404)", "M", 2400, 0.21, 120, 0.25, 160, 0.12],
+  ["x5crni", "X5CrNi18-10 (1.4301)", "M", 2150, 0.2, 130, 0.25, 170, 0.12],
+  ["x2crnimo", "X2CrNiMo17-12-2 (1.4404)", "M", 2150, 0.2, 120, 0.25, 160, 0.12],
   ["gjl250", "EN-GJL-250 (5.1301)", "K", 1160, 0.26, 180, 0.35, 240, 0.18],
-  ["gjs600", "EN-GJS-600-3 (5.3201)", "K", 1480, 0.17, 150, 0.3, 200, 0.15],
-  ["almgsi", "EN AW-6082 (AlMgSi1)", "N", 700, 0.25, 500, 0.35, 700, 0.15],
-  ["brass", "CuZn39Pb3 (CW614N)", "N", 780, 0.18, 300, 0.3, 400, 0.12],
-  ["tial6v4", "TiAl6V4 (3.7165)", "S", 1370, 0.21, 50, 0.2, 65, 0.1],
-  ["alloy718", "Alloy 718 (2.4668)", "S", 2800, 0.25, 35, 0.2, 45, 0.1],
+  ["gjs600", "EN-GJS-600-3 (5.3201)", "K", 1350, 0.28, 150, 0.3, 200, 0.15],
+  ["almgsi", "EN AW-6082 (AlMgSi1)", "N", 800, 0.25, 400, 0.35, 600, 0.15],
+  ["brass", "CuZn39Pb3 (CW614N)", "N", 700, 0.27, 300, 0.3, 400, 0.12],
+  ["tial6v4", "TiAl6V4 (3.7165)", "S", 1245, 0.24, 50, 0.2, 65, 0.1],
+  ["alloy718", "Alloy 718 (2.4668)", "S", 3300, 0.24, 35, 0.2, 45, 0.1],
   ["100cr6", "100Cr6, 60 HRC (1.3505)", "H", 4700, 0.25, 110, 0.12, 150, 0.08],
 ];
 

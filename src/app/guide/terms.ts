@@ -51,7 +51,7 @@ const OF_TOPIC: Partial<Record<Topic, readonly TermId[]>> = {
   infeedType: ["thread", "infeed", "chip"],
   startingAngle: ["thread"],
   threadStarts: ["thread", "pitch"],
-  airCuts: ["thread", "airPass"],
+  airCuts: ["thread", "pass"],
 };
 
 /** The words of the glossary that the page of a parameter leads to. */

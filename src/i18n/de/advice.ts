@@ -28,7 +28,7 @@ export const advice = {
   deviceMaterial: "Werkstoff der Arbeiten, die keinen nennen",
   groups: { P: "Stahl", M: "Rostfreier Stahl", K: "Gusseisen", N: "NE-Metall", S: "Schwer zerspanbar", H: "Gehärteter Stahl" },
   starting: "Startwerte",
-  startingLead: "Für beschichtetes Hartmetall, zum Anfangen; der Hersteller der Platte weiß es besser.",
+  startingLead: "Für beschichtetes Hartmetall, bei gehärtetem Stahl für CBN, zum Anfangen; der Hersteller der Platte weiß es besser.",
   values: {
     roughSpeed: "vc Schruppen",
     roughFeed: "f Schruppen",
@@ -41,7 +41,8 @@ export const advice = {
   spindle: "Schnittgeschwindigkeit",
   table: {
     title: "Schnittdaten der Werkstatt",
-    lead: "Ersetzen Sie die Werte durch Ihre eigenen; sie bleiben auf diesem Gerät und kommen in die Gesamtdatei.",
+    lead: "Ersetzen Sie die Werte durch Ihre eigenen; sie bleiben auf diesem Gerät und kommen in die Gesamtdatei. "
+      + "kc1.1 und mc folgen ab Werk Tabellen von Röhm (Stahl, Grauguss) und Iscar (die übrigen): Schätzwerte.",
     name: "Werkstoff",
     group: "Gruppe",
     power: "Leistung der Spindel, kW",

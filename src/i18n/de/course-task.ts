@@ -48,7 +48,7 @@ export const courseTask = {
     size: {
       diameter: (size, z) => `⌀ ${size} bei Z ${z}`,
       bore: (size, z) => `Bohrung ⌀ ${size} bei Z ${z}`,
-      face: (size, x) => `Schulter bei Z ${size}, an ⌀ ${x}`,
+      face: (size, x) => `Planfläche bei Z ${size}, an ⌀ ${x}`,
     },
     safe: "Kein Fehler, kein Eilgang durch Material, kein Halter daran",
     clean: "Auch keine Warnung",
@@ -85,7 +85,7 @@ export const courseTask = {
     size: {
       diameter: (is, asked) => `⌀ ${is} statt ⌀ ${asked}`,
       bore: (is, asked) => `Bohrung ⌀ ${is} statt ⌀ ${asked}`,
-      face: (is, asked) => `Die Schulter steht bei Z ${is} statt ${asked}`,
+      face: (is, asked) => `Die Planfläche steht bei Z ${is} statt ${asked}`,
     },
     noSize: (asked) => `Für ${asked} ist nichts zu messen da`,
     depth: (is, most) => `Ein Schnitt nimmt ${is} mm; erlaubt sind ${most} mm`,

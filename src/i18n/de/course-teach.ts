@@ -39,7 +39,7 @@ export const courseTeach = {
   rulesHint: "Konturverletzungen, Eilgang durch Material und Fehler sind nie erlaubt.",
   rule: {
     depth: "Größte Tiefe eines Schruppschnitts, mm",
-    speed: "Größte Drehzahl oder Drehzahlgrenze, 1/min",
+    speed: "Größte Drehzahl oder Drehzahlbegrenzung, 1/min",
     mostTools: "Höchstens so viele Werkzeuge",
     seconds: "Längste Zeit, s",
     passes: "Anzahl der Schruppschnitte",
@@ -63,7 +63,7 @@ export const courseTeach = {
     tool: "ein anderes Werkzeug wird aufgerufen",
     start: "der Startpunkt liegt im Material",
     infeed: "die Zustellung Q463 ist viermal so tief",
-    limit: "die Drehzahlgrenze ist dreimal so hoch",
+    limit: "die Drehzahlbegrenzung ist dreimal so hoch",
   },
   program: "Programm am Anfang",
 

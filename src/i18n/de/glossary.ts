@@ -39,9 +39,14 @@ export const glossary: GlossaryTexts = {
     text: "Die Ecke, die die Platte ohne Schneidenradius hätte. Die Steuerung zeigt und programmiert die Lage "
       + "dieses Punkts, obwohl dort kein Stahl ist.",
   },
+  cuttingPoint: {
+    name: "Schneidpunkt",
+    text: "Wo die Rundung das Teil berührt. An Zylinder und Planfläche liegt er auf der Höhe der theoretischen Schneidenspitze, an "
+      + "Kegeln und Bögen nicht.",
+  },
   tipOrientation: {
     name: "Werkzeugorientierung (TO)",
-    text: "Wo die theoretische Spitze neben der Rundung liegt, 1 bis 9. Danach weiß die Steuerung, auf welcher Seite die Platte schneidet.",
+    text: "Wo die theoretische Schneidenspitze neben der Rundung liegt, 1 bis 9. Danach weiß die Steuerung, wo die Platte schneidet.",
   },
   noseRadius: {
     name: "Schneidenradius (RS)",
@@ -49,7 +54,7 @@ export const glossary: GlossaryTexts = {
   },
   compensation: {
     name: "Schneidenradiuskorrektur",
-    text: "Die Steuerung führt die Platte so, dass ihr Bogen die Kontur berührt und nicht die theoretische Spitze. "
+    text: "Die Steuerung führt die Platte so, dass ihr Bogen die Kontur berührt und nicht die theoretische Schneidenspitze. "
       + "Ohne sie werden Kegel und Bögen falsch.",
   },
   insert: { name: "Schneidplatte", text: "Die Wendeplatte, die schneidet, mit Form, Winkeln und Schneidenradius." },
@@ -72,9 +77,12 @@ export const glossary: GlossaryTexts = {
   finishing: { name: "Schlichten", text: "Ein Schnitt entlang der Kontur auf Maß, mit wenig Span und kleinem Vorschub." },
   setupClearance: {
     name: "Sicherheitsabstand (Q460)",
-    text: "Der Abstand vom Material, bei dem der Eilgang endet und der Vorschub beginnt.",
+    text: "Der Abstand, den ein Zyklus beim Vorpositionieren im Eilgang hält und um den er abhebt, bevor er im Eilgang zurückfährt.",
   },
-  startPoint: { name: "Startpunkt", text: "Wo die Spitze beim Zyklusaufruf steht. Von dort fährt der Zyklus an, dorthin kehrt er zurück." },
+  startPoint: {
+    name: "Startpunkt",
+    text: "Wo die Spitze beim Zyklusaufruf steht: in der Luft. Von dort zählt der Zyklus die Tiefe, dorthin kehrt er zurück.",
+  },
   rapid: { name: "Eilgang", text: "Die schnellste Bewegung der Achsen. Sie darf nie Material berühren." },
   feedPerTurn: {
     name: "Vorschub je Umdrehung (M136)",
@@ -97,7 +105,7 @@ export const glossary: GlossaryTexts = {
     text: "Höhe der Vorschubrillen. Der Radius allein lässt etwa f² / (8 · r): halber Vorschub, ein Viertel der Höhe.",
   },
   gouge: { name: "Konturverletzung", text: "Fertigteil, das eine Bewegung weggeschnitten hat. Es kommt nicht wieder." },
-  airPass: { name: "Leerschnitt", text: "Ein Schnitt, der kein Material berührt." },
+  airPass: { name: "Luftschnitt", text: "Ein Schnitt, der kein Material berührt." },
   plunging: {
     name: "Eintauchen",
     text: "An einer fallenden Flanke oder gerade nach unten ins Material schneiden. Q487 erlaubt es, Q488 gibt ihm einen eigenen Vorschub.",

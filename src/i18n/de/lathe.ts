@@ -53,7 +53,7 @@ export const lathe = {
     depth: "Schnitttiefe",
     chip: "Spanungsquerschnitt",
     feed: "Vorschub pro Umdrehung",
-    speed: "Schnittgeschwindigkeit und Drehzahlgrenze",
+    speed: "Schnittgeschwindigkeit und Drehzahlbegrenzung",
   },
   stepList: {
     title: "Schritte nach Handbuch",

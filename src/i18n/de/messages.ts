@@ -256,7 +256,7 @@ export const messages = {
         }.`,
         allowance: `Die Kontur beginnt bei Z${w.signed(d.contour)}, das Rohteil erst bei Z${
           w.signed(d.blank)
-        }: Das sind Leerschnitte. Vorschlag: ${w.signed(d.nearest)}.`,
+        }: Das sind Luftschnitte. Vorschlag: ${w.signed(d.nearest)}.`,
         thread: `Das Gewinde hat ${w.diameter(d.contour)}, das Rohteil ${w.diameter(d.blank)}. Vorschlag: ${w.diameter(d.nearest)}.`,
       })[d.place],
     blankImpossible: () => "Das Rohteil hat kein Volumen: Maße prüfen.",

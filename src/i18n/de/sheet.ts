@@ -47,7 +47,7 @@ export const sheet: SheetTexts = {
     noBlank: "im Programm nicht genannt",
     zero: "Werkstück-Nullpunkt",
     zeroAt: "vordere Planfläche, auf der Drehachse",
-    zeroBehind: (z) => `${z} mm hinter der Rohteil-Stirn`,
+    zeroBehind: (z) => `${z} mm hinter der Planfläche des Rohteils`,
     zeroBefore: (z) => `${z} mm vor dem Rohteil`,
     preset: "Bezugspunkt",
     presets: (list) => `Nr. ${list}`,

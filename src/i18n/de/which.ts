@@ -9,7 +9,7 @@ export const which = {
     label: "Form",
     of: {
       step: "einen Absatz",
-      plunge: "eine Eindrehung hinter einer Schulter",
+      plunge: "eine Eindrehung hinter einem Absatz",
       free: "eine freie Kontur",
       groove: "einen Einstich",
       thread: "ein Gewinde",

@@ -29,7 +29,7 @@ export const advice = {
   deviceMaterial: "Material of works that name none",
   groups: { P: "steel", M: "stainless steel", K: "cast iron", N: "non-ferrous metal", S: "hard to cut", H: "hardened steel" },
   starting: "Starting values",
-  startingLead: "For coated carbide, to begin with; the insert’s maker knows better.",
+  startingLead: "For coated carbide, hardened steel for CBN, to begin with; the insert’s maker knows better.",
   values: {
     roughSpeed: "Speed, roughing",
     roughFeed: "Feed, roughing",
@@ -42,7 +42,8 @@ export const advice = {
   spindle: "Cutting speed",
   table: {
     title: "Cutting data of the shop",
-    lead: "Replace the values by your own; they stay on this device and go into the file of everything.",
+    lead: "Replace the values by your own; they stay on this device and go into the file of everything. "
+      + "kc1.1 and mc as shipped follow tables of Röhm (steel, grey iron) and Iscar (the others): estimates.",
     name: "Material",
     group: "Group",
     power: "Power of the spindle, kW",

@@ -44,6 +44,10 @@ export const glossary: GlossaryTexts = {
     text: "The corner that the insert would have without its nose radius. The control shows and programs the "
       + "position of this point, although there is no steel.",
   },
+  cuttingPoint: {
+    name: "Cutting point",
+    text: "Where the nose touches the work. On a cylinder and a face it is level with the theoretical tip, on tapers and arcs it is not.",
+  },
   tipOrientation: {
     name: "Tip orientation (TO)",
     text: "Where the theoretical tip lies beside the nose, 1 to 9. It tells the control on which side the insert cuts.",
@@ -72,10 +76,13 @@ export const glossary: GlossaryTexts = {
   },
   roughing: { name: "Roughing", text: "Taking most of the material in few deep passes, down to the oversize." },
   finishing: { name: "Finishing", text: "One cut along the contour to its size, with little chip and a small feed." },
-  setupClearance: { name: "Set-up clearance (Q460)", text: "The distance from the material at which a rapid ends and a feed begins." },
+  setupClearance: {
+    name: "Set-up clearance (Q460)",
+    text: "The distance that a cycle keeps from the work when it pre-positions, and by which it moves off before it goes back at rapid.",
+  },
   startPoint: {
     name: "Start point",
-    text: "Where the tip stands when a cycle is called. From there the cycle approaches, and there it returns.",
+    text: "Where the tip stands when a cycle is called. It lies in the air; from there the cycle counts its depth, and there it returns.",
   },
   rapid: { name: "Rapid", text: "The fastest move of the axes. It must never touch material." },
   feedPerTurn: {

@@ -29,7 +29,7 @@ export const advice: AdviceTexts = typeset({
   deviceMaterial: "Matière des travaux qui n’en nomment pas",
   groups: { P: "acier", M: "acier inoxydable", K: "fonte", N: "métal non ferreux", S: "difficile à usiner", H: "acier trempé" },
   starting: "Valeurs de départ",
-  startingLead: "Pour carbure revêtu, pour commencer ; le fabricant de la plaquette sait mieux.",
+  startingLead: "Pour carbure revêtu, CBN pour l’acier trempé, pour commencer ; le fabricant de la plaquette sait mieux.",
   values: {
     roughSpeed: "vc ébauche",
     roughFeed: "f ébauche",
@@ -42,7 +42,8 @@ export const advice: AdviceTexts = typeset({
   spindle: "Vitesse de coupe",
   table: {
     title: "Données de coupe de l’atelier",
-    lead: "Remplacez les valeurs par les vôtres ; elles restent sur cet appareil et vont dans le fichier de tout.",
+    lead: "Remplacez les valeurs par les vôtres ; elles restent sur cet appareil et vont dans le fichier de tout. "
+      + "kc1.1 et mc d’origine suivent les tables de Röhm (aciers, fonte grise) et d’Iscar (les autres) : des estimations.",
     name: "Matière",
     group: "Groupe",
     power: "Puissance de la broche, kW",

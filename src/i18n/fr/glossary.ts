@@ -42,6 +42,10 @@ export const glossary: GlossaryTexts = typeset({
     text: "L’angle qu’aurait la plaquette sans rayon de bec. La commande affiche et programme la position de ce "
       + "point, bien qu’il n’y ait là pas de matière.",
   },
+  cuttingPoint: {
+    name: "Point de coupe",
+    text: "Où le bec touche la pièce. Sur un cylindre ou une face, il est au niveau de la pointe théorique ; sur un cône ou un arc, non.",
+  },
   tipOrientation: {
     name: "Orientation de l’outil (TO)",
     text: "Où la pointe théorique se trouve à côté du bec, de 1 à 9. La commande sait ainsi de quel côté la plaquette coupe.",
@@ -70,13 +74,19 @@ export const glossary: GlossaryTexts = typeset({
   holder: { name: "Porte-outil", text: "Ce qui porte la plaquette. Il ne doit toucher ni la pièce ni le mandrin." },
   pass: { name: "Passe", text: "Une coupe d’ébauche à une profondeur, de la prise de passe au retrait." },
   infeed: {
-    name: "Prise de passe",
+    name: "Valeur de passe",
     text: "De combien une passe est plus profonde que la précédente. Q463 est le maximum ; la profondeur est divisée également.",
   },
   roughing: { name: "Ébauche", text: "Enlever l’essentiel de la matière en peu de passes profondes, jusqu’à la surépaisseur." },
   finishing: { name: "Finition", text: "Une passe le long du contour à la cote, avec peu de copeau et une petite avance." },
-  setupClearance: { name: "Distance d’approche (Q460)", text: "La distance à la matière où finit le rapide et commence l’avance." },
-  startPoint: { name: "Point de départ", text: "Où se trouve la pointe à l’appel du cycle. Le cycle en part et y revient." },
+  setupClearance: {
+    name: "Distance d’approche (Q460)",
+    text: "La distance que le cycle garde quand il se prépositionne en rapide, et dont il se retire avant de revenir en rapide.",
+  },
+  startPoint: {
+    name: "Point de départ",
+    text: "Où se trouve la pointe à l’appel du cycle : dans l’air. Le cycle compte la profondeur à partir de là et y revient.",
+  },
   rapid: { name: "Rapide", text: "Le déplacement le plus rapide des axes. Il ne doit jamais toucher la matière." },
   feedPerTurn: {
     name: "Avance par tour (M136)",

@@ -24,7 +24,7 @@ export const advice = {
   deviceMaterial: "未指定材料的程序所用材料",
   groups: { P: "钢", M: "不锈钢", K: "铸铁", N: "有色金属", S: "难加工材料", H: "淬硬钢" },
   starting: "起始值",
-  startingLead: "适用于涂层硬质合金，仅供起步；以刀片厂家数据为准。",
+  startingLead: "适用于涂层硬质合金，淬硬钢用 CBN，仅供起步；以刀片厂家数据为准。",
   values: {
     roughSpeed: "粗车 vc",
     roughFeed: "粗车 f",
@@ -37,7 +37,8 @@ export const advice = {
   spindle: "切削速度",
   table: {
     title: "车间切削数据",
-    lead: "可用本车间的数值替换；保存在本设备上，并包含在总文件中。",
+    lead:
+      "可用本车间的数值替换；保存在本设备上，并包含在总文件中。出厂的 kc1.1 和 mc 依据 Röhm（钢、灰铸铁）与 Iscar（其余）的表，均为估算。",
     name: "材料",
     group: "组别",
     power: "主轴功率，kW",

@@ -2,7 +2,7 @@ import type { CourseTexts } from "../en/course.ts";
 
 export const course = {
   title: "课程",
-  lead: "用控制系统的循环车削，从第一个台阶到完整零件。每课几页，配有动态图，并在真实编辑器中做练习。",
+  lead: "用数控系统的循环车削，从第一个台阶到完整零件。每课几页，配有动态图，并在真实编辑器中做练习。",
   entrance: {
     name: "课程",
     about: "课目与练习，从第一个台阶到完整零件",

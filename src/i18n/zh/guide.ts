@@ -37,7 +37,7 @@ export const guide = {
     none: "此处没有其他可生成路径的值。",
     picture: (q, value) => `${q} = ${value} 时的工件剖面`,
   },
-  numbers: { passes: "走刀次数", infeed: "实际进给深度", residual: "残留材料", seconds: "时间", rz: "Rz" },
+  numbers: { passes: "走刀次数", infeed: "实际进刀量", residual: "残留材料", seconds: "时间", rz: "Rz" },
   seconds: (s) => `${s} 秒`,
   millimetres: (mm) => `${mm} mm`,
   area: (a) => `${a} mm²`,
@@ -79,7 +79,7 @@ export const guide = {
   cycles: { title: "帮助", lead: "每个循环的步骤，以及每个参数的页面。" },
   glossary: {
     title: "术语表",
-    lead: "控制系统与本应用所用的车削术语。",
+    lead: "数控系统与本应用所用的车削术语。",
     search: "查找",
     found: (n) => `${n} 个术语`,
     none: "没有该术语，请输入其中一部分。",

@@ -5,7 +5,7 @@ export const handed = {
   lead: "打开的人会看到同样的画面、同样的数值和同样的结论。不经过服务器：全部内容都在链接或文件中。",
   working: "正在确定需要哪些刀具……",
   along: "一并转交的内容",
-  facts: { name: "名称", kind: "类型", blocks: "程序段", files: "附带文件", tools: "刀具", control: "控制系统", size: "大小" },
+  facts: { name: "名称", kind: "类型", blocks: "程序段", files: "附带文件", tools: "刀具", control: "数控系统", size: "大小" },
   program: "完整程序",
   cycle: (number, name) => `循环 ${number}，${name}`,
   none: "无",
@@ -55,6 +55,6 @@ export const handed = {
   changeCalls: (n) => `更改 ${n} 处 TOOL CALL`,
   callsChanged: "程序现在调用新的刀号。",
   useMine: "改用我的刀具表",
-  control: (its, mine) => `此工作的控制系统：${its}。本设备：${mine}。`,
+  control: (its, mine) => `此工作的数控系统：${its}。本设备：${mine}。`,
   useControl: (mine) => `改用 ${mine}`,
 } satisfies HandedTexts;

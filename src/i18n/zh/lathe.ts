@@ -36,7 +36,7 @@ export const lathe = {
   which: "哪个循环加工此轮廓？",
   ruler: "测量",
   legend: "线型",
-  holder: "刀柄",
+  holder: "刀杆",
   paths: {
     title: "显示哪些路径",
     all: "全部路径",

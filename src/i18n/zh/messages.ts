@@ -123,8 +123,8 @@ export const messages = {
     materialLeft: (d, w) => `${w.place(d.x, d.z)}处残留${w.area(d.area)}，原因：${reasons[d.reason]}。`,
     gouge: (d, w) => `${w.place(d.x, d.z)}处成品工件被切掉${w.area(d.area)}。`,
     rapidInStock: (d, w) => `快移在${w.place(d.x, d.z)}处穿过${w.area(d.area)}材料。`,
-    holderContact: (d, w) => `刀柄在${w.place(d.x, d.z)}处碰到材料。`,
-    contactsUnlooked: (d) => `已有${d.limit}个运动伤及工件、快移进入材料或以刀柄触碰材料：从此处起不再检查。`,
+    holderContact: (d, w) => `刀杆在${w.place(d.x, d.z)}处碰到材料。`,
+    contactsUnlooked: (d) => `已有${d.limit}个运动伤及工件、快移进入材料或以刀杆触碰材料：从此处起不再检查。`,
     deeperThanInfeed: (d, w) =>
       "" + (d.pass === undefined ? "一次平滑或精加工" : `第${w.number(d.pass)}刀`)
       + `一次切除${w.number(d.depth)} mm材料，允许值为${w.number(d.allowed)} mm。`,
@@ -155,7 +155,7 @@ export const messages = {
     compensationActive: (d) => `此处${d.side}仍有效，而数控系统要求R0：请在之前的定位程序段中编写R0。`,
     feedZero: (d, w) => `${w.text(d.word)}：此处切削进给为0。请给出大于0的进给；FAUTO取用TOOL CALL中的F。`,
     feedUnlikely: (d, w) => `${w.number(d.feed)} ${d.unit}的进给不合常理。请检查M136：有它时F以毫米/转计。`,
-    drillTooShort: (d, w) => `孔深${w.value(d.depth)}，而钻头切削刃长度（LCUTS）为${w.value(d.edges)}：刀柄可能摩擦孔壁。`,
+    drillTooShort: (d, w) => `孔深${w.value(d.depth)}，而钻头切削刃长度（LCUTS）为${w.value(d.edges)}：刀杆可能摩擦孔壁。`,
     pitchOfTap: (d, w) => `Q239为${w.value(d.pitch)}，而刀具表中丝锥的PITCH为${w.value(d.tap)}。`,
     freeChosen: () => "从这里起有多个轮廓符合所给数据：显示的是最短的一个。数控系统采用FSELECT指定的那个。",
     freeUnsolved: (d, w) => `${w.text(d.form)}：所给数据不能确定该元素，或相互矛盾。请给出更多数据，或使用FSELECT。`,

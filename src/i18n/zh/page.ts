@@ -97,7 +97,7 @@ export const page = {
   examples: {
     flange: "法兰：六把刀具，八个循环",
     shaft: "轴：十道工序，含锥面、退刀槽、凹槽及内外螺纹",
-    shoulder: "台肩，同印刷示例（法语）",
+    shoulder: "台阶，同印刷示例（法语）",
     contour: "端面轮廓，同印刷示例（法语）",
     contourEnglish: "端面轮廓，同印刷示例（英语）",
     groove: "凹槽，同印刷示例（法语）",

@@ -34,7 +34,7 @@ export const tools = {
   pitch: (length: string) => `螺距 ${length} mm`,
 
   form: (tool) => `${tool}的各列`,
-  groups: { mill: "尺寸", name: "名称与类型", tip: "刀尖", insert: "刀片", setting: "长度与磨损", holder: "刀柄（仅用于碰撞检查）" },
+  groups: { mill: "尺寸", name: "名称与类型", tip: "刀尖", insert: "刀片", setting: "长度与磨损", holder: "刀杆（仅用于碰撞检查）" },
   columns: {
     T: "刀具号",
     NAME: "刀具名称",

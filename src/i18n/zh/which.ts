@@ -7,7 +7,7 @@ export const which = {
   site: { label: "位置", of: { outside: "外圆", inside: "内孔", face: "端面" } },
   shape: {
     label: "形状",
-    of: { step: "台肩", plunge: "台肩后的切入轮廓", free: "自由轮廓", groove: "凹槽", thread: "螺纹" },
+    of: { step: "台阶", plunge: "台阶后的切入轮廓", free: "自由轮廓", groove: "凹槽", thread: "螺纹" },
   },
   stock: { label: "材料", of: { solid: "实心料", preturned: "预车削件", now: "现有材料" } },
   measures: { d1: "起点 ⌀", d2: "终点 ⌀", z1: "起点 Z", z2: "终点 Z", angle: "角度", pitch: "螺距", allowance: "余量" },
@@ -45,7 +45,7 @@ export const which = {
   problems: {
     gouge: "切入了成品工件。",
     rapidInStock: "快移进入材料。",
-    holderContact: "刀柄碰到材料。",
+    holderContact: "刀杆碰到材料。",
     nothingCut: "没有切除任何材料。",
     unproved: "并非全部可以验证。",
     leavesMost: "大部分材料仍残留。",
