@@ -105,11 +105,12 @@ function firstFailure(base, tests) {
   );
 }
 
-async function tried(base, mutant) {
+/** The first test that sees a fault, one list of tests after the other, or null. */
+async function tried(base, mutant, lists) {
   const restore = planted(base, mutant);
   try {
-    for (const tests of [mutant.tests, ...STAGES.map((s) => s.tests)]) {
-      const failure = tests && (await firstFailure(base, tests));
+    for (const tests of lists) {
+      const failure = await firstFailure(base, tests);
       if (failure) return failure;
     }
     return null;
@@ -136,22 +137,37 @@ if (stale.length > 0) {
 }
 
 const results = [];
-const waiting = [...chosen];
 const bases = Array.from({ length: Math.min(SIDE_BY_SIDE, chosen.length) }, copied);
-try {
+/** Tries faults side by side and hands back those that no test saw; `tests` is all that may be run for them. */
+async function round(mutants, tests, listsOf) {
+  if (mutants.length === 0) return [];
   // Without a fault everything has to pass, or every fault would seem to be found.
-  const clean = bases[0] ? await firstFailure(bases[0], STAGES.flatMap((s) => s.tests)) : null;
+  const clean = await firstFailure(bases[0], tests);
   if (clean) throw new Error(`the tests fail without a fault: ${clean.file}: ${clean.test}`);
+  const [waiting, unseen] = [[...mutants], []];
   await Promise.all(bases.map(async (base) => {
     for (let m = waiting.shift(); m; m = waiting.shift()) {
-      const failure = await tried(base, m);
+      const failure = await tried(base, m, listsOf(m));
+      if (!failure) {
+        unseen.push(m);
+        continue;
+      }
       results.push({ ...m, failure });
-      console.log(
-        "" + (failure ? kindOf(failure.file).padEnd(8) : "SURVIVED") + ` ${m.what} (${m.file})`
-          + (failure ? `: ${failure.file}: ${failure.test.slice(0, 100)}` : ""),
-      );
+      console.log(`${kindOf(failure.file).padEnd(8)} ${m.what} (${m.file}): ${failure.file}: ${failure.test.slice(0, 100)}`);
     }
   }));
+  return unseen;
+}
+
+try {
+  // Most are seen by the tests that look at their place; only the others need all tests.
+  const near = chosen.filter((m) => m.tests);
+  const unseen = await round(near, [...new Set(near.flatMap((m) => m.tests))], (m) => [m.tests]);
+  const lists = STAGES.map((s) => s.tests);
+  for (const m of await round([...chosen.filter((m) => !m.tests), ...unseen], lists.flat(), () => lists)) {
+    results.push({ ...m, failure: null });
+    console.log(`SURVIVED ${m.what} (${m.file})`);
+  }
 } finally {
   for (const base of bases) rmSync(base, { recursive: true, force: true });
 }
