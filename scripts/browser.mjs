@@ -3,6 +3,7 @@ import { spawnSync } from "node:child_process";
 import { existsSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join } from "node:path";
+import { fileURLToPath } from "node:url";
 import { root } from "./packages.mjs";
 
 const runs = (path) => Boolean(path) && existsSync(path) && spawnSync(path, ["--version"], { stdio: "ignore" }).status === 0;
@@ -40,6 +41,9 @@ export function ensureBrowser() {
   if (!own) throw new Error("No Chromium could be found or installed; name one in CHROMIUM_PATH.");
   return own;
 }
+
+/** `node scripts/browser.mjs` sees to it that there is one. */
+if (process.argv[1] === fileURLToPath(import.meta.url)) ensureBrowser();
 
 /**
  * Parts of Chromium that are left out. The last two are lists below the address bar: each is a page of its own for every page that is

@@ -1,9 +1,10 @@
 /**
- * `npm test`: installs what is missing, then checks types, style, unit tests with goldens and laws, build, size and the
+ * `npm test`: installs what is missing, then checks types and style and builds, then runs unit tests with goldens and laws, size and the
  * journeys in Chromium. Stops after the first stage that fails; the last line says how many tests passed and failed.
  */
 import { spawn } from "node:child_process";
 import { mkdirSync, readFileSync, rmSync } from "node:fs";
+import { availableParallelism } from "node:os";
 import { join } from "node:path";
 import { ensureBrowser } from "./browser.mjs";
 import { ensurePackages, root } from "./packages.mjs";
@@ -25,19 +26,23 @@ const journeyReport = join(results, "journeys.json");
 const unitCount = () => counted(unitReport, (r) => ({ passed: r.numPassedTests, failed: r.numFailedTests }));
 const journeyCount = () => counted(journeyReport, (r) => ({ passed: r.stats.expected, failed: r.stats.unexpected + r.stats.flaky }));
 
-/** Stages run one after the other, the commands of one stage side by side. */
 const unit = [bin("vitest", "vitest.mjs"), "run", "--reporter=default", "--reporter=json", `--outputFile.json=${unitReport}`];
+
+/**
+ * Stages run one after the other; of the commands of one stage as many at once as there are cores, the longest first. The journeys have
+ * the machine for themselves.
+ */
 const stages = [
-  [{ name: "types", args: tsc("tsconfig.json") }, { name: "types of the kernel alone", args: tsc("src/kernel/tsconfig.json") }, {
-    name: "types of the pure layers alone",
-    args: tsc("tsconfig.pure.json"),
-  }],
-  [{ name: "lint", args: [bin("eslint", "bin", "eslint.js"), "--max-warnings", "0", "."] }, {
-    name: "format",
-    args: [join(root, "scripts", "format.mjs"), "--check"],
-  }],
+  [
+    { name: "lint", args: [bin("eslint", "bin", "eslint.js"), "--max-warnings", "0", "."] },
+    { name: "types", args: tsc("tsconfig.json") },
+    { name: "build", args: [bin("vite", "bin", "vite.js"), "build", "--logLevel", "warn"] },
+    { name: "types of the pure layers alone", args: tsc("tsconfig.pure.json") },
+    { name: "format", args: [join(root, "scripts", "format.mjs"), "--check"] },
+    { name: "types of the kernel alone", args: tsc("src/kernel/tsconfig.json") },
+    { name: "a Chromium is here", args: [join(root, "scripts", "browser.mjs")] },
+  ],
   [{ name: "unit tests, goldens and laws", count: unitCount, args: unit }],
-  [{ name: "build", args: [bin("vite", "bin", "vite.js"), "build", "--logLevel", "warn"] }],
   [{ name: "size", args: [join(root, "scripts", "size.mjs")] }],
   [{ name: "journeys in Chromium", count: journeyCount, browser: true, args: [bin("@playwright", "test", "cli.js"), "test"] }],
 ];
@@ -60,13 +65,24 @@ function run({ name, args, browser }) {
   );
 }
 
+/** Whether each command of a stage was good, in their order. */
+async function runAll(commands) {
+  const good = [];
+  const waiting = commands.entries();
+  const runNext = async () => {
+    for (const [i, command] of waiting) good[i] = await run(command);
+  };
+  await Promise.all(Array.from({ length: availableParallelism() }, runNext));
+  return good;
+}
+
 ensurePackages();
 mkdirSync(results, { recursive: true });
 for (const file of [unitReport, journeyReport]) rmSync(file, { force: true });
 let passed = 0;
 let failed = 0;
 for (const stage of stages) {
-  const good = await Promise.all(stage.map(run));
+  const good = await runAll(stage);
   stage.forEach(({ count }, i) => {
     const here = count?.() ?? { passed: 0, failed: 0 };
     passed += here.passed;
