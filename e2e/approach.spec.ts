@@ -1,4 +1,5 @@
 import { accessible } from "./pages/look.ts";
+import { settledBox } from "./pages/picture.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
@@ -13,8 +14,7 @@ test("a milled program shows its plane, and its approach is changed by prompt, b
   await page.keyboard.type("15");
   await expect(page.getByRole("img", { name: /PH at X−5 Y−10/ })).toBeVisible();
   await expect(editor.line("APPR LT")).toContainText("LEN15");
-  const grip = await page.locator('[data-handle="PH"]').boundingBox();
-  if (!grip) throw new Error("no handle");
+  const grip = await settledBox(page.locator('[data-handle="PH"]'));
   const [x, y] = [grip.x + grip.width / 2, grip.y + grip.height / 2];
   await page.mouse.move(x, y);
   await page.mouse.down();
@@ -58,9 +58,10 @@ test("milled stock is drawn, and its path leads to its block", async ({ page }) 
   const plane = page.getByRole("region", { name: t.approach.view }), stage = plane.getByRole("group", { name: t.approach.view });
   const depths = plane.getByRole("list", { name: t.approach.milled.title });
   await expect(depths.getByRole("listitem")).toHaveText([t.approach.milled.depth("-5"), t.approach.milled.depth("-10")]);
+  await expect(stage.locator(".lathe-scales text", { hasText: /^100$/ })).not.toHaveCount(0);
   // A place of the plane on the screen, by the scales along its edges.
   const at = async (x: number, y: number) => {
-    const box = await stage.boundingBox();
+    const box = await settledBox(stage);
     const of = (text: string, side: "x" | "y") =>
       stage.locator(".lathe-scales text").evaluateAll((all, [wanted, axis]) =>
         all.flatMap((each) => {
@@ -69,7 +70,7 @@ test("milled stock is drawn, and its path leads to its block", async ({ page }) 
           return each.textContent === wanted && isMine ? [place[axis as "x" | "y"]] : [];
         })[0] ?? Number.NaN, [text, side] as const);
     const [x0, x1, y0, y1] = [await of("0", "x"), await of("100", "x"), await of("0", "y"), await of("100", "y")];
-    return { x: (box?.x ?? 0) + x0 + (x / 100) * (x1 - x0), y: (box?.y ?? 0) + y0 + (y / 100) * (y1 - y0) };
+    return { x: box.x + x0 + (x / 100) * (x1 - x0), y: box.y + y0 + (y / 100) * (y1 - y0) };
   };
   const press = async (x: number, y: number) => {
     const spot = await at(x, y);

@@ -40,9 +40,9 @@ test("a changed infeed is told with what comes of it, by keyboard, and leads to 
     await looksRightInBoth(page, `the comparison at ${width}`);
   }
   await dialog.getByRole("button", { name: words.copy, exact: true }).click();
-  const copied = await page.evaluate(() => navigator.clipboard.readText());
-  expect(copied).toContain("Q463 Max. infeed 4 → 3");
-  expect(copied).toContain("    - Q463=+4");
+  const copied = () => page.evaluate(() => navigator.clipboard.readText());
+  await expect.poll(copied).toContain("Q463 Max. infeed 4 → 3");
+  expect(await copied()).toContain("    - Q463=+4");
 
   await page.setViewportSize({ width: 1280, height: 800 });
   await rows.nth(1).click();

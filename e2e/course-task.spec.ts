@@ -101,6 +101,7 @@ test("what is foretold, a fault that is found and mended, and a drawing with its
   const said = task.panel.getByRole("listitem").first();
   await expect(said).toContainText("You said 19 passes.");
   const [, passes = ""] = /It is (\d+) passes/.exec(await said.innerText()) ?? [];
+  await expect(task.panel.getByRole("listitem").nth(1)).toContainText("It is");
   const [, infeed = ""] = /It is ([\d.]+) mm/.exec(await task.panel.getByRole("listitem").nth(1).innerText()) ?? [];
   await task.again.press("Enter");
   await expect(strip).toBeHidden();
@@ -162,8 +163,10 @@ test.describe("on a phone", () => {
     await expect(task.panel.getByRole("listitem").nth(1)).toContainText("⌀");
     await task.check.tap();
     await expect(task.mark).toContainText("Satz 11");
-    const [bar, picture] = [await task.panel.boundingBox(), await stage.boundingBox()];
-    expect(bar && picture && bar.y + bar.height <= picture.y).toBe(true);
+    await expect.poll(async () => {
+      const [bar, picture] = [await task.panel.boundingBox(), await stage.boundingBox()];
+      return bar && picture && bar.y + bar.height <= picture.y;
+    }).toBe(true);
     await task.unfold.tap();
     await expect(stage).toBeHidden();
     await task.hint(1).tap();

@@ -1,5 +1,6 @@
 import { dragFinger } from "./pages/finger.ts";
 import { accessible, looksRightInBoth } from "./pages/look.ts";
+import { settledBox } from "./pages/picture.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
@@ -21,6 +22,7 @@ test("the course by keyboard: a lesson to its end, a value slid, example and tas
   const said = new Set<string>();
   for (let at = 1; at <= count; at++) {
     await expect(course.page(at)).toHaveAttribute("aria-current", "page");
+    await expect(course.text(at, count)).not.toBeEmpty();
     said.add(await course.text(at, count).innerText());
     await page.keyboard.press("ArrowRight");
   }
@@ -94,10 +96,9 @@ test.describe("on a phone", () => {
     await expect(course.play).toBeVisible();
     await course.play.tap();
     await expect(course.pause).toBeVisible();
-    const [link, shown] = [page.locator(".lesson-words"), page.getByRole("main")];
+    const words = page.locator(".lesson-words"), shown = page.getByRole("main");
     const swipe = async (by: number) => {
-      const box = await link.boundingBox();
-      if (!box) throw new Error("there is no text to swipe over");
+      const box = await settledBox(words);
       const from = { x: box.x + box.width / 2 - by / 2, y: box.y + 40 };
       await dragFinger(page, from, { x: from.x + by, y: from.y + 4 });
     };

@@ -179,7 +179,7 @@ test("a fault of the page leaves the work, a way out of it, and a report that st
   await accessible(page);
   await crash.getByRole("checkbox", { name: t.reports.withProgram }).check();
   await button(page, t.reports.copy).click();
-  expect(await page.evaluate(() => navigator.clipboard.readText())).toMatch(/planted fault[^]*BEGIN PGM/);
+  await expect.poll(() => page.evaluate(() => navigator.clipboard.readText())).toMatch(/planted fault[^]*BEGIN PGM/);
   expect((await downloaded(page, () => button(page, t.reports.work).click())).buffer.toString()).toContain("BEGIN PGM");
   expect((await downloaded(page, () => button(page, t.here.exportLong).click())).name).toMatch(/^turnwise-.*\.zip$/);
   await button(page, turnwise.t.page.notice.startOver).click();

@@ -25,7 +25,7 @@ test("from a prompt to the page of its parameter, to a word, and back; advice is
   await expect(values.getByRole("img")).toHaveCount(3);
   await expect(values).toContainText(t.values.yours);
   await expect(main.getByRole("region", { name: t.acts.title }).getByText(t.acts.here)).toHaveCount(3);
-  expect(await main.getByRole("region", { name: t.mistakes }).getByRole("listitem").count()).toBeGreaterThan(3);
+  await expect.poll(() => main.getByRole("region", { name: t.mistakes }).getByRole("listitem").count()).toBeGreaterThan(3);
   await looksRightInBoth(page, "a parameter");
 
   // The better value is one press, and undo takes it back.
@@ -55,16 +55,16 @@ test("from a prompt to the page of its parameter, to a word, and back; advice is
 test("the numbered steps are played by keys and by finger; cutting data are the shop's own", async ({ page }) => {
   const turnwise = await Turnwise.open(page, { heldClock: true });
   await page.goto("./?clock=manual#/guide/812");
-  await page.reload();
   const player = page.getByRole("region", { name: t.steps.title });
   const step = (name: string) => player.getByRole("button", { name: new RegExp(name) });
   await expect(step("cut lengthwise")).toBeVisible();
+  await page.reload();
   await step("cut lengthwise").click();
   await expect(step("cut lengthwise")).toHaveAttribute("aria-current", "step");
   const picture = player.getByRole("img");
   const before = await picture.innerHTML();
   await turnwise.lathe.advance(700);
-  expect(await picture.innerHTML()).not.toBe(before);
+  await expect.poll(() => picture.innerHTML()).not.toBe(before);
   await page.keyboard.press("ArrowRight");
   await expect(step("retract by the infeed")).toHaveAttribute("aria-current", "step");
   await page.keyboard.press("ArrowLeft");

@@ -83,7 +83,7 @@ for (const { cycle, own, expected, contour } of JOBS) {
     await expect(program.confirmation).toBeVisible();
     expect(text).toMatch(/^0\s+BEGIN PGM /);
     for (const line of expected) expect(text.replace(/ +/g, " ")).toContain(line);
-    expect(await program.shown()).toEqual(text.trimEnd().split(/\r?\n/).map((line) => line.trimEnd()));
+    await expect.poll(() => program.shown()).toEqual(text.trimEnd().split(/\r?\n/).map((line) => line.trimEnd()));
   });
 }
 

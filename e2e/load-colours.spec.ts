@@ -23,7 +23,7 @@ test("roughness and load by colour: scale, worst place, values under the pointer
     const told = strip(en.names.roughness);
     await expect(told).toContainText("f²/(8·r)");
     await expect(told.getByRole("list", { name: en.scale })).toContainText(en.notByNose);
-    expect(await lines.count()).toBeGreaterThan(2);
+    await expect.poll(() => lines.count()).toBeGreaterThan(2);
     expect(await lines.count()).toBeLessThan(9);
     // The outside is finished with f 0.15 and a nose of 0.4: 0.15²/3.2 mm.
     await expect(told.getByRole("paragraph").filter({ hasText: en.greatest })).toContainText("7 µm");
@@ -55,7 +55,7 @@ test("roughness and load by colour: scale, worst place, values under the pointer
     await view.getByText(en.table(en.names.speed)).click();
     const rows = view.getByRole("table").getByRole("row");
     await expect(rows.first()).toContainText(en.value);
-    expect(await rows.count()).toBeGreaterThan(6);
+    await expect.poll(() => rows.count()).toBeGreaterThan(6);
     await rows.nth(2).getByRole("button").click();
     await expect(lathe.running).toContainText("Block 21");
   });

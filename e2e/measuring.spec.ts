@@ -1,7 +1,7 @@
 import { measure } from "../src/i18n/en/measure.ts";
 import { dragFinger } from "./pages/finger.ts";
 import { accessible } from "./pages/look.ts";
-import { pictureAt } from "./pages/picture.ts";
+import { pictureAt, settledBox } from "./pages/picture.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
@@ -77,8 +77,7 @@ test("by touch: a tap on a surface, a finger beside the point, a text that is mo
   await dragFinger(page, { x: cone.x - 60, y: cone.y + 30 }, { x: cone.x, y: cone.y + 64 });
   await expect(lathe.view.getByRole("button", { name: /^Diameter ⌀5\d\.\d{3}, contour/ })).toBeVisible();
 
-  const before = await one.boundingBox();
-  if (!before) throw new Error("the text is not there");
+  const before = await settledBox(one);
   const from = { x: before.x + before.width / 2, y: before.y + before.height / 2 };
   await dragFinger(page, from, { x: from.x + 30, y: from.y - 20 });
   await expect.poll(async () => Math.round(((await one.boundingBox())?.x ?? 0) - before.x)).toBe(30);

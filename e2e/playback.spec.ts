@@ -1,3 +1,4 @@
+import { frames } from "./pages/picture.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
@@ -24,10 +25,10 @@ test("playing with a held clock: time moves when the test says so, and the step 
   await effect.proved();
   await lathe.button("play").click();
   const before = await lathe.timeline.inputValue();
-  await page.waitForTimeout(100);
+  await frames(page, 6);
   expect(await lathe.timeline.inputValue()).toBe(before);
   await lathe.advance(5000);
-  expect(Number(await lathe.timeline.inputValue())).toBeGreaterThan(Number(before));
+  await expect.poll(async () => Number(await lathe.timeline.inputValue())).toBeGreaterThan(Number(before));
   await lathe.button("pause").click();
   for (let i = 0; i < 40 && !/Step 2 of 6/.test((await lathe.running.textContent()) ?? ""); i += 1) await lathe.button("forward").click();
   await expect(lathe.running).toContainText("Step 2 of 6");

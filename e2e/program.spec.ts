@@ -26,7 +26,7 @@ test("the download is the text on the screen, under the program's name", async (
   expect(download.suggestedFilename()).toBe("WELLE7.h");
   const text = await readFile(await download.path(), "utf8");
   expect(text).toContain("BEGIN PGM WELLE7 MM");
-  expect(text.trimEnd().split(/\r?\n/).map((line) => line.trimEnd())).toEqual(await program.shown());
+  await expect.poll(() => program.shown()).toEqual(text.trimEnd().split(/\r?\n/).map((line) => line.trimEnd()));
 });
 
 test("where the clipboard is refused the text is offered, selected", async ({ page }) => {

@@ -36,6 +36,7 @@ test("the same by keyboard: from the picture to the prompt and back", async ({ p
   await expect(editor.total(turnwise.t.page.effect.passes)).toHaveText("81");
   await stageOf(turnwise).focus();
   for (let i = 0; i < 200 && !/Block 21/.test((await lathe.running.textContent()) ?? ""); i += 1) await page.keyboard.press("ArrowRight");
+  await expect(lathe.running).toContainText("Block 21");
   await page.keyboard.press("Enter");
   await expect(dialog.value).toHaveAccessibleName(/^Q463/);
   await expect(dialog.value).toBeFocused();
@@ -124,6 +125,7 @@ test("a changed value says what it was, and the path before it stays for two sec
   const { lathe, dialog, effect } = turnwise;
   await turnwise.start.beginWithExample(812);
   await effect.proved();
+  await expect(lathe.view.locator(".lathe-paths path")).not.toHaveCount(0);
   const ghost = lathe.view.locator(".lathe-former");
   await dialog.open("Q463");
   await dialog.value.fill("2");

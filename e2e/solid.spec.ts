@@ -1,6 +1,7 @@
 import { createHash } from "node:crypto";
 import { solid as words } from "../src/i18n/en/solid.ts";
 import { looksRight } from "./pages/look.ts";
+import { frames, settledBox } from "./pages/picture.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
@@ -9,16 +10,12 @@ test("the turned body in space: turned, cut open, at any moment; the section whe
   const { effect, lathe, start } = turnwise;
   const field = lathe.view.getByRole("group", { name: words.title, exact: true }), picture = field.getByRole("img");
   const seen = async () => createHash("sha1").update(await picture.screenshot()).digest("hex");
-  const frames = (count: number) =>
-    page.evaluate(async (n) => {
-      for (let i = 0; i < n; i += 1) await new Promise(requestAnimationFrame);
-    }, count);
   /** What is seen once it is another picture than before, and stays. */
   const changed = async (before: string) => {
     let now = before;
     await expect.poll(async () => {
       const last = now;
-      await frames(6);
+      await frames(page, 6);
       now = await seen();
       return now !== before && now === last;
     }).toBe(true);
@@ -46,15 +43,14 @@ test("the turned body in space: turned, cut open, at any moment; the section whe
   now = await changed(now);
   await lathe.button("fit").click();
   now = await changed(now);
-  const box = await picture.boundingBox();
-  if (!box) throw new Error("The picture has no place.");
+  const box = await settledBox(picture);
   await page.mouse.move(box.x + 200, box.y + 150);
   await page.mouse.down();
   await page.mouse.move(box.x + 260, box.y + 170, { steps: 4 });
   await page.mouse.up();
   now = await changed(now);
   // Nothing is drawn as long as nothing changes.
-  await frames(24);
+  await frames(page, 24);
   expect(await seen()).toBe(now);
   await lathe.button("last").click();
   now = await changed(now);

@@ -1,4 +1,5 @@
 import { looksRight, looksRightInBoth } from "./pages/look.ts";
+import { settledBox } from "./pages/picture.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
@@ -47,8 +48,8 @@ test("kept work stands first, opens with one press, and is taken out with a way 
   await page.getByRole("link", { name: t.page.home }).click();
   const kept = page.getByRole("region", { name: t.page.start.kept });
   await expect(kept).toContainText(t.cycles.of[852].name);
-  const [top, cycles] = [await kept.boundingBox(), await start.search.boundingBox()];
-  expect(top?.y).toBeLessThan(cycles?.y ?? 0);
+  const [top, cycles] = [await settledBox(kept), await settledBox(start.search)];
+  expect(top.y).toBeLessThan(cycles.y);
   const name = await kept.locator("b.kept-name").first().textContent() ?? "";
   await kept.getByRole("button", { name: t.page.start.forget(name) }).click();
   await expect(start.kept(name)).toHaveCount(0);

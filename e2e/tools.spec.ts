@@ -85,7 +85,7 @@ test("TO by its picture, columns that a type has no use for, and a sum", async (
   const shape = () => tools.drawing.locator("path.shape-insert").getAttribute("d");
   const before = await shape();
   await tools.direction(7).check();
-  expect(await shape()).not.toBe(before);
+  await expect.poll(shape).not.toBe(before);
   await tools.direction(7).press("ArrowDown");
   await expect(tools.direction(8)).toBeChecked();
   await tools.type.selectOption("RECTURN");

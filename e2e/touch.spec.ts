@@ -1,7 +1,7 @@
 import { readFileSync } from "node:fs";
 import { dragFinger } from "./pages/finger.ts";
 import { expect, test } from "./pages/test.ts";
-import { pictureAt } from "./pages/picture.ts";
+import { pictureAt, settledBox } from "./pages/picture.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 import { answers } from "./pages/values.ts";
 
@@ -37,6 +37,7 @@ test("the keys of the keypad are large enough for a glove, and keep the system k
   await start.button(812, true).tap();
   await dialog.open("Q493");
   await expect(dialog.value).toHaveAttribute("inputmode", "none");
+  await expect(dialog.key("enterLong")).toBeVisible();
   for (const key of await dialog.keypad.getByRole("button").all()) {
     const box = await key.boundingBox();
     expect(Math.min(box?.width ?? 0, box?.height ?? 0), await key.getAttribute("aria-label") ?? "").toBeGreaterThanOrEqual(TARGET);
@@ -52,8 +53,7 @@ test("a contour of five elements by touch: drawn, a diameter changed on the draw
   const { contour, dialog, t } = turnwise;
   await turnwise.start.button(820, false).tap();
   await page.getByRole("tab", { name: t.page.contour }).tap();
-  const box = await contour.drawing.boundingBox();
-  if (!box) throw new Error("no drawing");
+  const box = await settledBox(contour.drawing);
   const spot = (x: number, y: number) => ({ x: box.x + box.width * x, y: box.y + box.height * y });
   const spots = [spot(0.72, 0.6), spot(0.55, 0.6), spot(0.55, 0.42), spot(0.36, 0.42), spot(0.36, 0.24)];
   for (const [i, at] of spots.entries()) {
@@ -95,6 +95,7 @@ test("every number field brings the keypad and stays in sight above it; a name k
   const field = setup.start("z");
   await field.tap();
   await expect(field).toHaveAttribute("inputmode", "none");
+  await expect(dialog.key(7)).toBeVisible();
   for (const key of await dialog.keypad.getByRole("button").all()) {
     const size = await key.boundingBox();
     expect(Math.min(size?.width ?? 0, size?.height ?? 0)).toBeGreaterThanOrEqual(TARGET);
@@ -103,8 +104,8 @@ test("every number field brings the keypad and stays in sight above it; a name k
   await expect(field).toHaveValue("4.5");
   await dialog.keypad.getByRole("button", { name: t.dialog.keys.enterField, exact: true }).tap();
   await expect(field).not.toBeFocused();
-  const focused = page.locator(":focus"), above = await dialog.keypad.boundingBox(), at = await focused.boundingBox();
-  expect((at?.y ?? 0) + (at?.height ?? 0)).toBeLessThanOrEqual(above?.y ?? 0);
+  const above = await settledBox(dialog.keypad), at = await settledBox(page.locator(":focus"));
+  expect(at.y + at.height).toBeLessThanOrEqual(above.y);
   await dialog.keypad.getByRole("button", { name: t.dialog.keys.readyLong, exact: true }).tap();
   await expect(dialog.keypad).toBeHidden();
 });
@@ -129,6 +130,7 @@ test("a program of three operations from nothing, by touch alone", async ({ page
   }
   await expect(editor.total(t.editor.operations)).toHaveText("3");
   await page.getByRole("tab", { name: t.editor.sections.structure, exact: true }).tap();
+  await expect(editor.operation(3)).toBeVisible();
   for (const button of await page.getByRole("tabpanel").getByRole("button").all())
     expect((await button.boundingBox())?.height ?? TARGET).toBeGreaterThanOrEqual(44);
 });

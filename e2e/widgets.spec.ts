@@ -26,7 +26,7 @@ test("a toolbar is one stop of Tab, and arrows move inside it", async ({ page })
   await lathe.button("play").focus();
   await press(page, "ArrowRight", "ArrowRight", "ArrowRight");
   await expect(lathe.speed).toBeFocused();
-  expect(await lathe.running.innerText()).toBe(at);
+  await expect(lathe.running).toHaveText(at, { useInnerText: true });
 
   await turnwise.show("contour");
   await turnwise.contour.add.focus();

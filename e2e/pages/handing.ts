@@ -25,7 +25,7 @@ export class Handing {
   /** The link of the open dialog, once it is made. */
   async link(): Promise<string> {
     const box = this.out.getByRole("textbox");
-    await expect(box).toHaveValue(/#/, { timeout: 20_000 });
+    await expect(box).toHaveValue(/#/, { timeout: 60_000 });
     return box.inputValue();
   }
 

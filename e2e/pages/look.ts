@@ -5,10 +5,21 @@ import { expect } from "./test.ts";
 /** Rules about colours: the only ones that can tell the two appearances apart. */
 const OF_COLOURS = ["color-contrast", "link-in-text-block"];
 
+/** Waits for what moves or changes its colours and comes to an end: half-way it is neither. */
+const atRest = (page: Page): Promise<void> =>
+  page.evaluate(async () => {
+    const ending = document.getAnimations().filter(({ effect, playState }) =>
+      playState === "running" && effect?.getComputedTiming().iterations !== Infinity
+    );
+    await Promise.allSettled(ending.map(({ finished }) => finished));
+  });
+
 /** The rules of axe that the page breaks, all of them or some, named with the elements that break them. */
 async function broken(page: Page, rules?: string[]): Promise<readonly string[]> {
-  // In the page itself, and telling only what is wrong, it takes a fifth of the time.
-  const axe = new AxeBuilder({ page }).setLegacyMode().options({ resultTypes: ["violations"] });
+  await atRest(page);
+  // In the page itself, brought there once and telling only what is wrong, it takes a fifth of the time.
+  const isThere = await page.evaluate(() => "axe" in window);
+  const axe = new AxeBuilder(isThere ? { page, axeSource: "0;" } : { page }).setLegacyMode().options({ resultTypes: ["violations"] });
   const { violations } = await (rules ? axe.withRules(rules) : axe).analyze();
   return violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.target.join(" ")).slice(0, 4).join(" | ")}`);
 }

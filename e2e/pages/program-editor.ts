@@ -1,5 +1,6 @@
 import { expect, type Locator } from "@playwright/test";
 import { Handing } from "./handing.ts";
+import { settledBox } from "./picture.ts";
 import type { Context } from "./turnwise.ts";
 
 type Example = keyof Context["t"]["page"]["examples"];
@@ -81,6 +82,7 @@ export class ProgramEditor {
     const tab = this.context.page.getByRole("tab", {
       name: new RegExp(`^${section === "findings" ? this.context.t.findings.title : this.words.sections[section]}`),
     });
+    await this.context.page.getByRole("tablist").first().waitFor();
     if (await tab.count()) await tab.click();
   }
 
@@ -116,10 +118,9 @@ export class ProgramEditor {
   async dragOperation(number: number, to: number): Promise<void> {
     const { page: { mouse }, t } = this.context;
     const row = (each: number) => this.operation(each).locator("xpath=ancestor::li[1]");
-    const grip = row(number).getByTitle(t.operations.drag), target = await row(to).boundingBox();
+    const grip = row(number).getByTitle(t.operations.drag);
     await grip.scrollIntoViewIfNeeded();
-    const from = await grip.boundingBox();
-    if (!from || !target) throw new Error("the operations are not in sight");
+    const target = await settledBox(row(to)), from = await settledBox(grip);
     const x = from.x + from.width / 2;
     await mouse.move(x, from.y + from.height / 2);
     await mouse.down();
