@@ -14,8 +14,9 @@ import { fileOf, withText, type ProgramWork, type WorkFile } from "../work.ts";
 import { changesBetween } from "./block-edits.ts";
 import { dialogEdit } from "./dialog-edit.ts";
 import { editorExtensions } from "./editor-extensions.ts";
+import { fileText, heldAs, type HeldText as Text } from "./held-text.ts";
 import { withHistory, writtenState } from "./kept-text.ts";
-import { fromEditor, lineEndsOf, toEditor, type LineEnds } from "./line-ends.ts";
+import { lineEndsOf, toEditor, type LineEnds } from "./line-ends.ts";
 import { blockRange, cursorBlock, isRead, parameterAt, readFurther, readingField } from "./reading-field.ts";
 import { onShown, shownFile, showFile } from "../files/shown-file.ts";
 
@@ -43,19 +44,9 @@ const REST = 150;
 const LONG_REST = 700;
 const LONG = 1500;
 
-/** The text of a file with its own history. It outlives its editor, so that undo reaches it again when the file is opened again. */
-interface Text {
-  readonly work: string;
-  /** Key of its file in the work. */
-  readonly file: string;
-  readonly ends: LineEnds;
-  state: EditorState;
-}
-
 /** Texts that are held after they were left. */
 const HELD = 8;
 const texts = new Map<string, Text>();
-const nameOf = ({ work, file }: Pick<Text, "work" | "file">) => `${work} ${file}`;
 
 let view: EditorView | null = null;
 let open: Text | null = null;
@@ -64,15 +55,6 @@ let handing = false;
 let panels: ReturnType<typeof setTimeout> | undefined;
 let calculation: ReturnType<typeof setTimeout> | undefined;
 let reading: ReturnType<typeof setTimeout> | undefined;
-
-/** Texts as their files have them: a long one is not put together each time it is asked for. */
-const files = new WeakMap<EditorState["doc"], string>();
-
-function fileText({ state: { doc }, ends }: Text): string {
-  const known = files.get(doc) ?? fromEditor(doc.toString(), ends);
-  files.set(doc, known);
-  return known;
-}
 
 /** The text in the editor as its file has it; null when none is open. */
 export const sessionText = (): string | null => (open ? fileText(open) : null);
@@ -93,7 +75,7 @@ export function handOverText(): void {
 
 /** Goes one step through the history of a text, in its editor when it is open; another one is opened to be seen. */
 function go(text: Text, command: StateCommand): boolean {
-  if (texts.get(nameOf(text)) !== text || useEditor.getState().work !== text.work) return false;
+  if (texts.get(heldAs(text)) !== text || useEditor.getState().work !== text.work) return false;
   if (view && open === text) return command(view);
   handOverText();
   const { program } = useEditor.getState();
@@ -153,7 +135,7 @@ const extensionsOf = (ends: LineEnds) => [editorExtensions(ends === "mixed"), Ed
 /** The text of a file, with the history it has when it was open before and is still the same. */
 function textOf({ name, text }: WorkFile, work: string): Text {
   const file = fileKey(name);
-  const held = texts.get(nameOf({ work, file }));
+  const held = texts.get(heldAs({ work, file }));
   if (held && fileText(held) === text) return held;
   const ends = lineEndsOf(text);
   return { work, file, ends, state: EditorState.create({ doc: toEditor(text, ends), extensions: extensionsOf(ends) }) };
@@ -162,8 +144,8 @@ function textOf({ name, text }: WorkFile, work: string): Text {
 /** Takes up the text that is to be shown, and holds it for later. */
 function takeUp(program: ProgramWork, work: string): Text {
   const text = textOf(shownFile(program), work);
-  texts.delete(nameOf(text));
-  texts.set(nameOf(text), text);
+  texts.delete(heldAs(text));
+  texts.set(heldAs(text), text);
   for (const [oldest] of texts) if (texts.size > HELD) texts.delete(oldest);
   return text;
 }
@@ -195,10 +177,10 @@ function resumeTexts(program: ProgramWork, work: string): void {
       const text = found && textOf(found, work);
       if (!text) continue;
       text.state = withHistory(state, text.state, extensionsOf(text.ends));
-      texts.set(nameOf(text), text);
+      texts.set(heldAs(text), text);
     }
     return (file) => {
-      const text = texts.get(nameOf({ work, file }));
+      const text = texts.get(heldAs({ work, file }));
       return text ? stepOf(text) : null;
     };
   });
@@ -277,6 +259,21 @@ export function editProgram(next: Program, place: string | null, openIndex: numb
   const changes = changesBetween(view.state.field(readingField).program, next);
   if (changes.length > 0) dispatchEdit({ changes: [...changes] }, place);
   if (openIndex !== null) openBlock(openIndex);
+}
+
+/** Changes the text that would be shown, while another page stands in place of its editor: one step of undo. */
+export function editUnshown(change: (program: Program) => Program): void {
+  const { program, work } = useEditor.getState();
+  if (view || !program || work === null) return;
+  const text = takeUp(program, work);
+  while (!isRead(text.state)) text.state = text.state.update(readFurther).state;
+  const before = text.state, now = before.field(readingField).program;
+  const changes = changesBetween(now, change(now));
+  if (changes.length === 0) return;
+  text.state = before.update({ changes: [...changes], annotations: isolateHistory.of("full"), userEvent: "input.dialog" }).state;
+  closeStep();
+  noteTyping(text, before);
+  setProgram(withText(program, text.file, fileText(text)));
 }
 
 /** Opens a block: the cursor goes there, and the text shows it. */

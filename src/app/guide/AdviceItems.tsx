@@ -1,12 +1,9 @@
-import { cycleByNumber } from "../../cycles/index.ts";
 import type { AdviceTexts } from "../../i18n/en/advice.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import { SPINDLE, type Advice } from "../../report/advice/advise.ts";
-import { setPrompt, setSpindle } from "../edits.ts";
 import { useSettings } from "../settings/settings.ts";
-import { closeStep } from "../steps.ts";
-import { useEditor } from "../store.ts";
+import { takeValue, useTaking } from "./take-value.ts";
 import { useAdviceTexts } from "./use-advice.ts";
 
 /** One piece of advice in words. */
@@ -30,20 +27,6 @@ function adviceText(t: AdviceTexts, language: Language, { code, data, better }: 
   }
 }
 
-/** Writes a value into the open job, as a step of undo of its own. */
-export function takeValue(at: string, value: number): void {
-  closeStep();
-  if (at === SPINDLE) setSpindle("cuttingSpeed", String(value));
-  else setPrompt(at, String(value));
-  closeStep();
-}
-
-/** Whether a place belongs to the prompts of the open job, where a value can be taken over. */
-export function useTaking(cycle: number): (at: string) => boolean {
-  const job = useEditor((s) => s.job);
-  return (at) => job?.cycle === cycle && (at === SPINDLE || at in (cycleByNumber(cycle)?.params ?? {}));
-}
-
 /** Pieces of advice, each with the value that would do. */
 export function AdviceItems({ cycle, advice }: { readonly cycle: number; readonly advice: readonly Advice[] }) {
   const t = useAdviceTexts();
@@ -59,7 +42,7 @@ export function AdviceItems({ cycle, advice }: { readonly cycle: number; readonl
               <b className="number">{at === SPINDLE ? t.spindle : at}</b> {adviceText(t, language, each)}
             </p>
             {better !== null && canTake(at) && (
-              <button type="button" className="button" onClick={() => takeValue(at, better)}>
+              <button type="button" className="button" onClick={() => void takeValue(cycle, at, better)}>
                 {t.take(`${at === SPINDLE ? "" : `${at} = `}${formatNumber(language, better)}`)}
               </button>
             )}

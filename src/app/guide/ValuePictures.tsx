@@ -11,6 +11,8 @@ import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { unitOf } from "../dialog/write-value.ts";
 import { CutPicture } from "./CutPicture.tsx";
+import { takeValue, useTaking } from "./take-value.ts";
+import { useAdviceTexts } from "./use-advice.ts";
 import { useGuideTexts } from "./use-guide-texts.ts";
 import { useTriedValues, type TriedValue, type TriedValues } from "./use-tried-values.ts";
 
@@ -37,11 +39,14 @@ interface CardProps {
   readonly of: TriedValues;
   readonly tried: TriedValue;
   readonly size: string | null;
+  /** Takes the value over into the work; null where it cannot go there. */
+  readonly take: (() => void) | null;
 }
 
 /** One value with its picture and its numbers. */
-function ValueCard({ q, param, of, tried, size }: CardProps) {
+function ValueCard({ q, param, of, tried, size, take }: CardProps) {
   const t = useGuideTexts();
+  const advice = useAdviceTexts();
   const { dialog: { units }, params } = useTexts();
   const language = useSettings((s) => s.language);
   const issueText = useIssueText();
@@ -79,6 +84,7 @@ function ValueCard({ q, param, of, tried, size }: CardProps) {
         ))}
       </dl>
       {(change || tried.isUsual) && <p className="value-change">{change ? changeText(t, language, change) : t.change.usual}</p>}
+      {take && <button type="button" className="button value-take" onClick={take}>{advice.take(`${q} = ${text}`)}</button>}
       {issue && <p className={`field-message ${issue.severity}`}>{issueText(issue)}</p>}
     </li>
   );
@@ -87,11 +93,12 @@ function ValueCard({ q, param, of, tried, size }: CardProps) {
 /** A parameter at a small, a usual and a large value, or at each of its choices, run by the kernel. */
 export function ValuePictures({ cycle, q, param }: { readonly cycle: Cycle; readonly q: string; readonly param: Param }) {
   const t = useGuideTexts();
-  const values = useTriedValues(cycle, q);
+  const { values, working } = useTriedValues(cycle, q);
+  const canTake = useTaking(cycle.number)(q) && values?.isOwn === true;
   const sizes = [t.values.small, t.values.usual, t.values.large];
   const needed = Object.entries(values?.needed ?? {}).map(([other, value]) => `${other} = ${value}`).join(", ");
   return (
-    <section className="guide-values" aria-label={t.values.title} aria-busy={values === undefined}>
+    <section className="guide-values" aria-label={t.values.title} aria-busy={working}>
       <h2>{t.values.title}</h2>
       <p className="soft">{values?.isOwn ? t.values.ownLead : t.values.lead}{needed && ` ${t.values.needed(needed)}`}</p>
       {values === undefined && <p className="guide-working soft" role="status">{t.values.working}</p>}
@@ -101,7 +108,9 @@ export function ValuePictures({ cycle, q, param }: { readonly cycle: Cycle; read
           <ol className="value-cards">
             {values.tried.map((tried, i) => (
               <ValueCard key={String(tried.value)} q={q} param={param} of={values} tried={tried}
-                size={param.choices || values.tried.length !== sizes.length ? null : sizes[i] ?? null} />
+                take={canTake && tried.value !== values.usual
+                  ? () => void takeValue(cycle.number, q, tried.value)
+                  : null} size={param.choices || values.tried.length !== sizes.length ? null : sizes[i] ?? null} />
             ))}
           </ol>
           {values.tried.length === 1 && <p className="soft">{t.values.none}</p>}

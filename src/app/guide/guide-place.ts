@@ -10,7 +10,7 @@ export const showGuide = (...path: GuidePath): void => useGuidePlace.setState({ 
 export const hideGuide = (): void => useGuidePlace.setState({ path: null });
 
 /** The cycle block of a program whose prompts were open last: its work, its cycle, its first line (from 1). */
-interface OpenCall {
+export interface OpenCall {
   readonly work: string | null;
   readonly cycle: number;
   readonly line: number;

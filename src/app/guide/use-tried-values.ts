@@ -7,7 +7,7 @@ import { makesPath, shownBox, shownChange, shownEffect, type ShownChange, type S
 import { neededFor, threeValues, type Candidates } from "../../report/guide/three-values.ts";
 import type { Outcome } from "../engine/outcome.ts";
 import { readJob } from "../reading.ts";
-import { guideSources, ranBeside } from "./guide-source.ts";
+import { guideSources, ranBeside, useGuideSource } from "./guide-source.ts";
 
 /** A value with what comes of it. */
 export interface TriedValue {
@@ -76,18 +76,27 @@ async function tryValues(cycle: Cycle, q: string, goesOn: () => boolean): Promis
   return null;
 }
 
-/** A parameter at its values; undefined while they are run, null where nothing can be shown. */
-export function useTriedValues(cycle: Cycle, q: string): TriedValues | null | undefined {
-  const [made, put] = useState<{ readonly of: string; readonly values: TriedValues | null } | null>(null);
+/** What was shown of a parameter last, and whether it is being run again with values that have changed since. */
+export interface ShownValues {
+  /** Undefined until it has run once, null where nothing can be shown. */
+  readonly values: TriedValues | null | undefined;
+  readonly working: boolean;
+}
+
+/** A parameter at its values, run again when the open work changes; what was shown stays until then. */
+export function useTriedValues(cycle: Cycle, q: string): ShownValues {
+  const [made, put] = useState<{ readonly of: string; readonly source: string; readonly values: TriedValues | null } | null>(null);
   const of = `${cycle.number}/${q}`;
+  const source = useGuideSource(cycle);
   useEffect(() => {
     let gone = false;
     void tryValues(cycle, q, () => !gone).then((values) => {
-      if (!gone) put({ of: `${cycle.number}/${q}`, values });
+      if (!gone) put({ of: `${cycle.number}/${q}`, source, values });
     });
     return () => {
       gone = true;
     };
-  }, [cycle, q]);
-  return made?.of === of ? made.values : undefined;
+  }, [cycle, q, source]);
+  const isOf = made?.of === of;
+  return { values: isOf ? made.values : undefined, working: !isOf || made.source !== source };
 }

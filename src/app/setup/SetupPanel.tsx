@@ -1,15 +1,19 @@
+import { Suspense } from "react";
 import { Radio, RadioGroup } from "react-aria-components/RadioGroup";
 import type { CycleNumber } from "../../cycles/index.ts";
 import type { SetupPlace } from "../../program/setup.ts";
 import { SETUP_FIELDS as FIELDS } from "../../program/setup-fields.ts";
 import { useFits } from "../engine/fits.ts";
 import { setBlank, setPerRevolution, setRapid, setSpindle, setStart } from "../edits.ts";
+import { lazyPart } from "../parts.ts";
 import type { JobReading } from "../reading.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { NumberField } from "./NumberField.tsx";
 import { ParameterFields } from "./ParameterFields.tsx";
 import { ToolSummary } from "./ToolSummary.tsx";
 import { ToolTable } from "./ToolTable.tsx";
+
+const SetupStart = lazyPart(async () => ({ default: (await import("../guide/SetupStart.tsx")).SetupStart }));
 
 /** Everything round the cycle: tool, blank, start point, spindle, feed unit, rapid rate. */
 export function SetupPanel({ read }: { readonly read: JobReading }) {
@@ -67,6 +71,9 @@ export function SetupPanel({ read }: { readonly read: JobReading }) {
                 onText={(v) => setSpindle("limit", v)} />
             </>
           )}
+        <Suspense>
+          <SetupStart cycle={read.cycle} surface={spindle.mode !== "constant"} perRevolution={perRevolution} />
+        </Suspense>
       </fieldset>
       <fieldset className="setup-group">
         <legend>{t.feed.title}</legend>

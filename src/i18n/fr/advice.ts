@@ -30,6 +30,9 @@ export const advice: AdviceTexts = typeset({
   groups: { P: "acier", M: "acier inoxydable", K: "fonte", N: "métal non ferreux", S: "difficile à usiner", H: "acier trempé" },
   starting: "Valeurs de départ",
   startingLead: "Pour carbure revêtu, CBN pour l’acier trempé, pour commencer ; le fabricant de la plaquette sait mieux.",
+  start: (group, speeds) => `${group} : ${speeds} pour commencer.`,
+  startSource: "Estimation pour carbure revêtu, d’après des manuels.",
+  startOwn: "D’après votre propre tableau.",
   values: {
     roughSpeed: "vc ébauche",
     roughFeed: "f ébauche",

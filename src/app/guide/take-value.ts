@@ -1,0 +1,36 @@
+import { cycleByNumber } from "../../cycles/index.ts";
+import { SPINDLE } from "../../report/advice/advise.ts";
+import { setPrompt, setSpindle } from "../edits.ts";
+import { untilHere } from "../parts.ts";
+import { closeStep } from "../steps.ts";
+import { useEditor } from "../store.ts";
+import { useOpenCall, type OpenCall } from "./guide-place.ts";
+
+/** The cycle block of the open program that a value goes into; null where none of this cycle was open. */
+const openCallOf = (cycle: number, work: string | null, call: OpenCall | null): OpenCall | null =>
+  call?.cycle === cycle && call.work === work ? call : null;
+
+/** Writes a value into the open job, or into the open block of a program, as a step of undo of its own. */
+export async function takeValue(cycle: number, at: string, value: number | "auto"): Promise<void> {
+  const { job, work } = useEditor.getState();
+  const text = value === "auto" ? "FAUTO" : String(value);
+  if (job) {
+    closeStep();
+    if (at === SPINDLE) setSpindle("cuttingSpeed", text);
+    else setPrompt(at, text);
+    return closeStep();
+  }
+  const call = openCallOf(cycle, work, useOpenCall.getState().call);
+  if (!call) return;
+  const { takeIntoCall } = await untilHere(() => import("../editor/take-into-call.ts"));
+  if (useEditor.getState().work === work) takeIntoCall(call, at, text);
+}
+
+/** Whether a place belongs to the prompts of the open job, or of the open block, where a value can be taken over. */
+export function useTaking(cycle: number): (at: string) => boolean {
+  const job = useEditor((s) => s.job?.cycle);
+  const work = useEditor((s) => (s.program ? s.work : null));
+  const call = useOpenCall((s) => s.call);
+  const params = cycleByNumber(cycle)?.params ?? {};
+  return (at) => job === cycle ? at === SPINDLE || at in params : work !== null && at in params && openCallOf(cycle, work, call) !== null;
+}
