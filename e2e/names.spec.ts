@@ -1,4 +1,5 @@
 import { existsSync, readFileSync } from "node:fs";
+import { advice } from "../src/i18n/en/advice.ts";
 import { ambiguous, controls, kinds } from "./pages/controls.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
@@ -46,7 +47,7 @@ test("every control of every screen has the name it is known by, and no other ha
   await dialog.open("Q463");
   await look("cycle: a number");
   await turnwise.show("setup");
-  await turnwise.setup.start("x").waitFor();
+  await page.getByRole("region", { name: advice.starting, exact: true }).waitFor();
   await look("cycle: set-up");
   await turnwise.show("contour");
   await turnwise.contour.add.waitFor();

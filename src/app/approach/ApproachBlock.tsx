@@ -1,11 +1,14 @@
-import { useEffect, useMemo, useState } from "react";
+import { useCallback, useEffect, useMemo, useState } from "react";
 import { withBlock } from "../../nc/edit.ts";
+import { startLines } from "../../nc/program.ts";
 import { approachContext } from "../../program/approach-context.ts";
 import { parametersBefore } from "../editor/block-context.ts";
 import { editProgram, useSession } from "../editor/session.ts";
 import { useShownBeside } from "../files/shown-file.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import type { FindingEntry } from "../findings/entry.ts";
+import { openWordOf, useOpenApproach } from "../guide/guide-place.ts";
+import { useEditor } from "../store.ts";
 import { ApproachDialog } from "./ApproachDialog.tsx";
 import { isFresh, markFresh } from "./fresh-block.ts";
 
@@ -18,10 +21,14 @@ export function ApproachBlock({ problems }: { readonly problems: readonly Findin
   const [fresh] = useState(() => isFresh(index));
   useEffect(() => markFresh(null), []);
   const context = useMemo(() => approachContext(program, index, run, parametersBefore(program, index)), [program, index, run]);
+  const work = useEditor((s) => s.work);
+  const line = startLines(program)[index] ?? 0;
+  const [begins] = useState(() => openWordOf(work, line));
+  const onOpen = useCallback((word: string | null) => useOpenApproach.setState({ block: { work, line, word } }), [work, line]);
   const statement = program.blocks[index]?.statement;
   if (statement?.kind !== "approach") return null;
   return (
-    <ApproachDialog statement={statement} context={context} found={problems} choosing={fresh}
+    <ApproachDialog statement={statement} context={context} found={problems} choosing={fresh} begins={begins} onOpen={onOpen}
       onChange={(next, place) => editProgram(withBlock(program, index, next), place === null ? null : `block ${index} ${place}`)} />
   );
 }

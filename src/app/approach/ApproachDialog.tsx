@@ -1,4 +1,4 @@
-import { useState } from "react";
+import { useEffect, useState } from "react";
 import { approach } from "../../kernel/approach.ts";
 import type { ApproachStatement } from "../../program/approach-draft.ts";
 import { shapeOf } from "../../program/approach-fields.ts";
@@ -26,6 +26,9 @@ interface Props {
   /** Begins with the choice of a form. */
   readonly choosing?: boolean;
   /** Changes with the same place, one after the other, are one step of undo; null is a step of its own. */
+  /** The prompt that it begins with, and what hears of each that opens. */
+  readonly begins?: string | null;
+  readonly onOpen?: (word: string | null) => void;
   readonly onChange: (next: ApproachStatement, place: string | null) => void;
 }
 
@@ -45,7 +48,7 @@ function ApproachDone({ session }: { readonly session: PromptSession }) {
 }
 
 /** The dialog of an APPR or DEP block: one prompt open, the drawing of its values, all other prompts one line each. */
-export function ApproachDialog({ statement, context, found = [], choosing: first = false, onChange }: Props) {
+export function ApproachDialog({ statement, context, found = [], choosing: first = false, begins = null, onOpen, onChange }: Props) {
   const { approach: t } = useTexts();
   const [choosing, choose] = useState(first);
   const { form, departing } = statement;
@@ -64,6 +67,7 @@ export function ApproachDialog({ statement, context, found = [], choosing: first
     statement,
     context,
     typed,
+    begins,
     findings: approachProblems(typed.reading, made?.issues ?? [], found),
     picture: (active) => (
       <div className="help-slot">
@@ -71,6 +75,9 @@ export function ApproachDialog({ statement, context, found = [], choosing: first
       </div>
     ),
   });
+
+  const { id: asked } = session.opened;
+  useEffect(() => onOpen?.(asked), [onOpen, asked]);
 
   return (
     <PromptDialog session={session} className="approach-dialog" name={t.form(name)} listName={t.list} hint={t.drag}

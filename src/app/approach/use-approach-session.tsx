@@ -3,7 +3,7 @@ import type { Texts } from "../../i18n/index.ts";
 import { formatNumber, formatSigned } from "../../i18n/number.ts";
 import { approachDraft, approachStatement, readApproach, SIDES, type ApproachDraft, type ApproachReading,
   type ApproachStatement } from "../../program/approach-draft.ts";
-import { approachFields, type ApproachField, type ApproachWord } from "../../program/approach-fields.ts";
+import { approachFields, shapeOf, type ApproachField, type ApproachWord } from "../../program/approach-fields.ts";
 import type { ApproachContext } from "../../program/approach-request.ts";
 import type { Prompt, PromptSession } from "../dialog/session.ts";
 import type { FindingEntry } from "../findings/entry.ts";
@@ -75,16 +75,18 @@ interface Shown {
   readonly typed: TypedApproach;
   readonly findings: readonly FindingEntry[];
   readonly picture: (open: ApproachWord | null) => ReactNode;
+  /** The prompt that it begins with; the first one where the form has none such. */
+  readonly begins?: string | null;
 }
 
 /** The prompts of an APPR or DEP block in the order of the control. */
-export function useApproachSession({ statement, context, typed, findings, picture }: Shown): PromptSession {
+export function useApproachSession({ statement, context, typed, findings, picture, begins = null }: Shown): PromptSession {
   const t = useTexts();
   const language = useSettings((s) => s.language);
   const { draft, reading } = typed;
   const { plane } = context;
   const fields = approachFields(statement.form, statement.departing, plane);
-  const first = fields[0]?.id ?? null;
+  const first = (fields.find((f) => f.id === begins) ?? fields[0])?.id ?? null;
   const [opened, setOpened] = useState({ id: first as string | null, before: first ? (draft[first] ?? "") : "", focus: 0 });
   // Another form may have no such word.
   const open = fields.find((f) => f.id === opened.id)?.id ?? (opened.id === null ? null : first);
@@ -108,6 +110,7 @@ export function useApproachSession({ statement, context, typed, findings, pictur
       question: prompt,
       label,
       about,
+      page: ["guide", `${statement.departing ? "dep" : "appr"}-${shapeOf(statement.form).toLowerCase()}`, f.id],
       name: t.approach.value(letter, prompt),
       unit: unitText(t, f, context.unit !== 1),
       range: f.kind === "side" || f.kind === "functions" ? null : t.dialog.range(min ?? "", max ?? ""),

@@ -1,10 +1,10 @@
 import { Suspense, useId, useLayoutEffect, useRef, useState, type RefObject } from "react";
 import { isOpen, type FindingEntry } from "../findings/entry.ts";
-import { lazyPart } from "../parts.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { closeStep } from "../steps.ts";
 import { isSetupPlace } from "./setup-prompts.ts";
+import { MoreLater } from "../guide/MoreLater.tsx";
 import { ChoiceInput } from "./ChoiceInput.tsx";
 import { FieldMessage } from "./FieldMessage.tsx";
 import { onPromptKey, onPromptTab } from "./prompt-keys.ts";
@@ -12,8 +12,6 @@ import { commandsOf, suggestionFor, type Prompt, type PromptSession } from "./se
 import { PromptSteps } from "./PromptSteps.tsx";
 import { ValueInput, type ValueField } from "./ValueInput.tsx";
 import { inScreenWriting, writeTyped } from "./write-value.ts";
-
-const PromptMore = lazyPart(async () => ({ default: (await import("../guide/PromptMore.tsx")).PromptMore }));
 
 interface Props {
   readonly session: PromptSession;
@@ -98,9 +96,11 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
             </button>
           )}
         </p>
-        <Suspense>
-          <PromptMore id={prompt.id} />
-        </Suspense>
+        {prompt.page && (
+          <Suspense>
+            <MoreLater page={prompt.page} name={prompt.letter} />
+          </Suspense>
+        )}
       </div>
       <div className="about" id={`${id}-about`} tabIndex={0} role="group" aria-label={t.dialog.aboutPrompt(prompt.letter)}>
         <div role="status" aria-label={t.findings.title}>

@@ -12,6 +12,8 @@ export interface Prompt {
   readonly question: string;
   readonly label: string;
   readonly about: string;
+  /** Its page in the guide, where it has one. */
+  readonly page?: readonly string[];
   /** What its input is called. */
   readonly name: string;
   readonly unit: string;

@@ -103,6 +103,7 @@ export function setupPrompts(read: JobReading, t: Texts, language: Language, too
       question: names[id],
       label: names[id],
       about: id === "tool" ? t.dialog.setup.tool : group === "start" ? words.start.hint : t.dialog.setup.blank[id],
+      page: ["guide", "setup", id],
       name: t.dialog.value(letter, names[id]),
       unit,
       range: null,

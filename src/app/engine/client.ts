@@ -212,12 +212,11 @@ export function startEngine(): () => void {
 }
 
 /** What comes of another program, beside the open one and with what it brings along itself; null when that cannot be said. */
-export async function outcomeBeside(program: ProgramWork): Promise<Outcome | null> {
+export async function outcomeBeside(program: ProgramWork, timedAs = useEditor.getState().job): Promise<Outcome | null> {
   const { name, text, skipMarked = false } = program;
-  const { job } = useEditor.getState();
   try {
     const request = { version: 0, name, text, files: filesOf(program), skipMarked, ...shopOf(program) };
-    return await askAgain((engine) => engine.update({ ...request, rapid: job ? rapidOf(job) : USUAL_RAPID }));
+    return await askAgain((engine) => engine.update({ ...request, rapid: timedAs ? rapidOf(timedAs) : USUAL_RAPID }));
   } catch {
     return null;
   }

@@ -1,4 +1,5 @@
 import type { Cycle } from "../../cycles/define.ts";
+import { isRecalled } from "../../cycles/params.ts";
 import type { CycleNumber, ParamTextId } from "../../cycles/index.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { showGuide } from "./guide-place.ts";
@@ -24,7 +25,7 @@ function CycleSteps({ cycle }: { readonly cycle: Cycle }) {
 /** The page of a cycle: what it does, its steps as they run, and the way to each of its parameters. */
 export function CyclePage({ cycle }: { readonly cycle: Cycle }) {
   const t = useGuideTexts();
-  const { cycles, params } = useTexts();
+  const { cycles, dialog, params } = useTexts();
   const words = cycles.of[cycle.number as CycleNumber];
   return (
     <>
@@ -33,6 +34,7 @@ export function CyclePage({ cycle }: { readonly cycle: Cycle }) {
           <span className="number prompt-q">{cycle.number}</span> {words.name}
         </h1>
         {words.description.map((sentence) => <p key={sentence}>{sentence}</p>)}
+        {isRecalled(cycle) && <p className="soft small">{dialog.recalled}</p>}
       </header>
       {!cycle.acts && <CycleSteps cycle={cycle} />}
       {Object.keys(cycle.params).length > 0 && (

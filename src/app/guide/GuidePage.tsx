@@ -1,35 +1,86 @@
 import { useEffect, useRef } from "react";
-import { catalogue, cycleByNumber } from "../../cycles/index.ts";
+import { catalogue, cycleByNumber, type CycleNumber } from "../../cycles/index.ts";
+import { isRecalled } from "../../cycles/params.ts";
+import type { ApproachShape } from "../../kernel/approach.ts";
 import { Icon } from "../Icon.tsx";
+import { useOwnCycles } from "../own/own-reading.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { AdvicePage } from "./AdvicePage.tsx";
+import { ContourPage } from "./ContourPage.tsx";
 import { CyclePage } from "./CyclePage.tsx";
+import { FormLinks, FormPage } from "./FormPage.tsx";
 import { GlossaryPage } from "./GlossaryPage.tsx";
+import { GuideButton } from "./GuideButton.tsx";
 import { hideGuide, showGuide, useGuidePlace, type GuidePath } from "./guide-place.ts";
+import { OwnCyclePage } from "./OwnCyclePage.tsx";
 import { ParameterPage } from "./ParameterPage.tsx";
+import { isSetupPage, SETUP_PAGES, type SetupPageId } from "./setup-variants.ts";
+import { SetupPlacePage, setupPageWords } from "./SetupPlacePage.tsx";
 import { useAdviceTexts } from "./use-advice.ts";
+import { useGuidePlaces } from "./use-guide-places.ts";
 import { useGuideTexts } from "./use-guide-texts.ts";
 import "./guide.css";
 
-/** All cycles, each leading to its own page. */
+/** All cycles, then the other prompts, each leading to its own page. */
 function CycleList() {
   const t = useGuideTexts();
-  const { cycles } = useTexts();
+  const places = useGuidePlaces();
+  const texts = useTexts();
+  const own = [...useOwnCycles().values()];
   return (
     <>
       <h1>{t.cycles.title}</h1>
       <p className="soft">{t.cycles.lead}</p>
       <ul className="guide-links">
-        {catalogue.map(({ number }) => (
-          <li key={number}>
-            <button type="button" className="guide-link" onClick={() => showGuide("guide", String(number))}>
-              <b className="number">{number}</b> {cycles.of[number as keyof typeof cycles.of].name}
-            </button>
-          </li>
+        {catalogue.map((cycle) => (
+          <GuideButton key={cycle.number} to={["guide", String(cycle.number)]}>
+            <b className="number">{cycle.number}</b> {texts.cycles.of[cycle.number as CycleNumber].name}
+            {isRecalled(cycle) && <span className="guide-recalled small soft">{texts.dialog.evidence.mark}</span>}
+          </GuideButton>
         ))}
+      </ul>
+      {own.length > 0 && (
+        <>
+          <h2>{places.ownCycles}</h2>
+          <ul className="guide-links">
+            {own.map(({ number, name }) => (
+              <GuideButton key={number} to={["guide", String(number)]}>
+                <b className="number">{number}</b> {name}
+              </GuideButton>
+            ))}
+          </ul>
+        </>
+      )}
+      <h2>{places.setup}</h2>
+      <ul className="guide-links">
+        {SETUP_PAGES.map((id) => (
+          <GuideButton key={id} to={["guide", "setup", id]}>
+            <b className="number">{setupPageWords(texts, id).letter}</b> {setupPageWords(texts, id).name}
+          </GuideButton>
+        ))}
+      </ul>
+      <h2>{places.contour} · {places.approach}</h2>
+      <ul className="guide-links">
+        <GuideButton to={["guide", "contour"]}>
+          <b className="number">LBL</b> {texts.dialog.contour.question}
+        </GuideButton>
+        <FormLinks />
       </ul>
     </>
   );
+}
+
+/** The page of a cycle, or of one of its parameters. */
+function OfCycle({ number, q }: { readonly number: number; readonly q: string | undefined }) {
+  const t = useGuideTexts();
+  const cycle = cycleByNumber(number);
+  const own = useOwnCycles().get(number);
+  const param = q === undefined ? undefined : cycle?.params[q];
+  if (!cycle && own) return <OwnCyclePage own={own} q={q ?? null} />;
+  if (!cycle || (q !== undefined && !param)) return <h1>{t.missing}</h1>;
+  return q !== undefined && param
+    ? <ParameterPage key={`${number}/${q}`} cycle={cycle} q={q} param={param} />
+    : <CyclePage key={number} cycle={cycle} />;
 }
 
 function Shown({ path: [page, first, second] }: { readonly path: GuidePath }) {
@@ -37,14 +88,14 @@ function Shown({ path: [page, first, second] }: { readonly path: GuidePath }) {
   if (page === "glossary") return <GlossaryPage term={first ?? null} />;
   if (first === undefined) return <CycleList />;
   if (first === "advice") return <AdvicePage />;
-  const cycle = cycleByNumber(Number(first));
-  const param = second === undefined ? undefined : cycle?.params[second];
-  if (!cycle || (second !== undefined && !param)) return <h1>{t.missing}</h1>;
-  return second !== undefined && param
-    ? <ParameterPage key={path(cycle.number, second)} cycle={cycle} q={second} param={param} />
-    : <CyclePage key={cycle.number} cycle={cycle} />;
+  if (first === "contour") return <ContourPage />;
+  if (first === "setup")
+    return isSetupPage(second ?? "") ? <SetupPlacePage key={second} id={second as SetupPageId} /> : <h1>{t.missing}</h1>;
+  const form = /^(appr|dep)-(lt|ln|ct|lct)$/.exec(first);
+  if (form)
+    return <FormPage key={first} shape={form[2]?.toUpperCase() as ApproachShape} departing={form[1] === "dep"} word={second ?? null} />;
+  return <OfCycle number={Number(first)} q={second} />;
 }
-const path = (cycle: number, q: string) => `${cycle}/${q}`;
 
 /** The guide in place of what is open: a parameter, a cycle with its steps, or the glossary. */
 export function GuidePage() {
@@ -69,7 +120,7 @@ export function GuidePage() {
         <button ref={back} type="button" className="button" aria-label={t.backLong} onClick={hideGuide}>
           <Icon name="back" /> {t.back}
         </button>
-        {page === "guide" && second !== undefined && (
+        {page === "guide" && second !== undefined && Number(first) > 0 && (
           <button type="button" className="button" onClick={() => showGuide("guide", first ?? "")}>{t.toCycle(Number(first))}</button>
         )}
         {page === "guide" && first !== undefined && (

@@ -1,9 +1,7 @@
-import { useContext } from "react";
 import { cycleByNumber } from "../../cycles/index.ts";
-import { CycleInWork } from "../issue-text.ts";
 import { Icon } from "../Icon.tsx";
 import { useSettings } from "../settings/settings.ts";
-import { showGuide } from "./guide-place.ts";
+import { showGuide, type GuidePath } from "./guide-place.ts";
 import { useAdviceOn, useAdviceTextsSoon } from "./use-advice.ts";
 import { useGuideTextsSoon } from "./use-guide-texts.ts";
 import "./prompt-more.css";
@@ -20,17 +18,18 @@ function AdviceMark({ cycle, q }: { readonly cycle: number; readonly q: string }
   );
 }
 
-/** The way from an open prompt to the page of its parameter, and to what there is to say about its value. */
-export function PromptMore({ id }: { readonly id: string }) {
-  const cycle = useContext(CycleInWork);
+/** The way from a prompt to its page of the guide, and to what there is to say about its value. */
+export function PromptMore({ page, name }: { readonly page: GuidePath; readonly name: string }) {
   const t = useGuideTextsSoon();
   const on = useSettings((s) => s.advice);
-  if (!t || cycle === null || !cycleByNumber(cycle)?.params[id]) return null;
+  if (!t) return null;
+  const [, first, q] = page;
+  const cycle = Number(first);
   return (
     <span className="prompt-ways">
-      {on && <AdviceMark cycle={cycle} q={id} />}
-      <button type="button" className="prompt-more" aria-label={t.moreAbout(id)} title={t.moreAbout(id)}
-        onClick={() => showGuide("guide", String(cycle), id)}
+      {on && q !== undefined && cycleByNumber(cycle)?.params[q] && <AdviceMark cycle={cycle} q={q} />}
+      <button type="button" className="prompt-more" aria-label={t.moreAbout(name)} title={t.moreAbout(name)}
+        onClick={() => showGuide(...page)}
       >
         <Icon name="question" /> {t.more}
       </button>

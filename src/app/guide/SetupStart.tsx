@@ -30,7 +30,8 @@ export function SetupStart({ cycle, surface, perRevolution }: Props) {
     <section className="setup-start" aria-label={t.starting}>
       <WorkMaterial />
       <p>
-        {t.start(t.groups[material.group], `${speeds} ${t.units.speed}`)} <span className="soft">{own ? t.startOwn : t.startSource}</span>
+        {t.start(`${material.name}, ${t.groups[material.group]}`, `${speeds} ${t.units.speed}`)}{" "}
+        <span className="soft">{own ? t.startOwn : t.startSource}</span>
       </p>
       <StartingRows cycle={cycle.number} rows={rows} />
     </section>

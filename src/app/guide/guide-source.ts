@@ -89,4 +89,4 @@ export const ranBeside = (job: SetJob): Promise<Outcome | null> =>
     text: printedText(job, toolTable().tools),
     encoding: "utf-8",
     ...broughtBy(handedOn(useEditor.getState())),
-  });
+  }, job);

@@ -10,7 +10,6 @@ import type { Operation } from "../../program/run-types.ts";
 import { shippedTools } from "../../program/shipped-tools.ts";
 import { simulate } from "../../sim/simulate.ts";
 import { forgetOutcome, takeOutcome } from "../engine/outcome.ts";
-import { CycleInWork } from "../issue-text.ts";
 import { printedText } from "../printed.ts";
 import { changeSettings } from "../settings/settings.ts";
 import { useEditor } from "../store.ts";
@@ -43,9 +42,7 @@ beforeEach(() => {
 afterEach(cleanup);
 
 test("advice at a prompt and the pages of its cycle speak of the open block's call", async () => {
-  render(<CycleInWork value={812}>
-    <PromptMore id="Q463" />
-  </CycleInWork>);
+  render(<PromptMore page={["guide", "812", "Q463"]} name="Q463" />);
   await screen.findByRole("button", { name: "More about Q463" });
   const usual = String(first.call?.values["Q463"]);
   expect(screen.queryByRole("button", { name: advice.mark(1) })).toBeNull();

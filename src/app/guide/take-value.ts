@@ -4,6 +4,7 @@ import { setPrompt, setSpindle } from "../edits.ts";
 import { untilHere } from "../parts.ts";
 import { closeStep } from "../steps.ts";
 import { useEditor } from "../store.ts";
+import type { SizedWord } from "./form-values.ts";
 import { useOpenCall, type OpenCall } from "./guide-place.ts";
 
 /** The cycle block of the open program that a value goes into; null where none of this cycle was open. */
@@ -33,4 +34,11 @@ export function useTaking(cycle: number): (at: string) => boolean {
   const call = useOpenCall((s) => s.call);
   const params = cycleByNumber(cycle)?.params ?? {};
   return (at) => job === cycle ? at === SPINDLE || at in params : work !== null && at in params && openCallOf(cycle, work, call) !== null;
+}
+
+/** Writes a size, mm or degrees, into the APPR or DEP block of a line, whose prompts were open, as a step of undo of its own. */
+export async function takeIntoForm(line: number, word: SizedWord, size: number): Promise<void> {
+  const { work } = useEditor.getState();
+  const { writeIntoForm } = await untilHere(() => import("../editor/take-into-form.ts"));
+  if (useEditor.getState().work === work) writeIntoForm(line, word, size);
 }

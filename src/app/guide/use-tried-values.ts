@@ -1,22 +1,18 @@
-import { useEffect, useState } from "react";
+import { useCallback } from "react";
 import type { Cycle } from "../../cycles/define.ts";
 import type { SomeValues } from "../../cycles/effect.ts";
 import type { Box } from "../../kernel/geometry/segments.ts";
 import type { SetJob } from "../../program/job.ts";
-import { makesPath, shownBox, shownChange, shownEffect, type ShownChange, type ShownEffect } from "../../report/guide/shown-effect.ts";
+import { makesPath } from "../../report/guide/shown-effect.ts";
 import { neededFor, threeValues, type Candidates } from "../../report/guide/three-values.ts";
-import type { Outcome } from "../engine/outcome.ts";
 import { readJob } from "../reading.ts";
 import { guideSources, ranBeside, useGuideSource } from "./guide-source.ts";
+import { compared, type RanValue, type TriedOutcome } from "./tried.ts";
+import { useMade, type MadeForPage } from "./use-made.ts";
 
 /** A value with what comes of it. */
-export interface TriedValue {
+export interface TriedValue extends TriedOutcome {
   readonly value: number | "auto";
-  readonly isUsual: boolean;
-  readonly outcome: Outcome;
-  readonly effect: ShownEffect;
-  /** Against the usual value; null for that itself. */
-  readonly change: ShownChange | null;
 }
 
 /** A parameter shown at its values. */
@@ -42,7 +38,7 @@ const jobWith = (job: SetJob, values: Readonly<Record<string, number | "auto">>)
 
 /** The first candidate that makes a path, run; the last one with what is wrong with it where none does. */
 async function firstThatRuns(job: SetJob, q: string, { tried, isUsual }: Candidates, goesOn: () => boolean) {
-  let last: { readonly value: number | "auto"; readonly isUsual: boolean; readonly outcome: Outcome } | null = null;
+  let last: (RanValue & { readonly value: number | "auto" }) | null = null;
   for (const value of tried) {
     if (!goesOn()) return null;
     const outcome = await ranBeside(jobWith(job, { [q]: value }));
@@ -58,45 +54,19 @@ async function tryValues(cycle: Cycle, q: string, goesOn: () => boolean): Promis
     const values = readJob(job)?.reading.values as SomeValues | null | undefined;
     if (!values) continue;
     const needed = neededFor(cycle, q, values);
-    const shown = jobWith(job, needed);
+    const withNeeded = jobWith(job, needed);
     const usual = values[q] ?? cycle.params[q]?.example ?? 0;
     const found = [];
     for (const candidates of threeValues(cycle, q, { ...values, ...needed, [q]: usual }))
-      found.push(await firstThatRuns(shown, q, candidates, goesOn));
-    const ran = found.filter((each) => each !== null);
-    const compared = ran.find((each) => each.isUsual && makesPath(each.outcome));
-    if (!compared) continue;
-    const tried = ran.map((each): TriedValue => ({
-      ...each,
-      effect: shownEffect(each.outcome),
-      change: each === compared || !makesPath(each.outcome) ? null : shownChange(each.outcome, compared.outcome),
-    }));
-    return { isOwn, usual, needed, tried, box: shownBox(ran.map(({ outcome }) => outcome)) };
+      found.push(await firstThatRuns(withNeeded, q, candidates, goesOn));
+    const shown = compared(found.filter((each) => each !== null));
+    if (shown) return { isOwn, usual, needed, ...shown };
   }
   return null;
 }
 
-/** What was shown of a parameter last, and whether it is being run again with values that have changed since. */
-export interface ShownValues {
-  /** Undefined until it has run once, null where nothing can be shown. */
-  readonly values: TriedValues | null | undefined;
-  readonly working: boolean;
-}
-
 /** A parameter at its values, run again when the open work changes; what was shown stays until then. */
-export function useTriedValues(cycle: Cycle, q: string): ShownValues {
-  const [made, put] = useState<{ readonly of: string; readonly source: string; readonly values: TriedValues | null } | null>(null);
-  const of = `${cycle.number}/${q}`;
-  const source = useGuideSource(cycle);
-  useEffect(() => {
-    let gone = false;
-    void tryValues(cycle, q, () => !gone).then((values) => {
-      if (!gone) put({ of: `${cycle.number}/${q}`, source, values });
-    });
-    return () => {
-      gone = true;
-    };
-  }, [cycle, q, source]);
-  const isOf = made?.of === of;
-  return { values: isOf ? made.values : undefined, working: !isOf || made.source !== source };
+export function useTriedValues(cycle: Cycle, q: string): MadeForPage<TriedValues> {
+  const make = useCallback((goesOn: () => boolean) => tryValues(cycle, q, goesOn), [cycle, q]);
+  return useMade(`${cycle.number}/${q}`, useGuideSource(cycle), make);
 }

@@ -52,6 +52,7 @@ function useOwnSession({ block, problems, set }: Props): PromptSession {
     question: p.prompt,
     label: p.prompt,
     about: words.unprovedLong,
+    page: ["guide", String(block.own.number), p.q],
     name: t.value(p.q, p.prompt),
     unit: unitOf(p),
     range: p.bounded ? t.range(formatNumber(language, p.range[0], OWN_DECIMALS), formatNumber(language, p.range[1], OWN_DECIMALS)) : null,

@@ -5,6 +5,7 @@ import type { SetupPlace } from "../../program/setup.ts";
 import { SETUP_FIELDS as FIELDS } from "../../program/setup-fields.ts";
 import { useFits } from "../engine/fits.ts";
 import { setBlank, setPerRevolution, setRapid, setSpindle, setStart } from "../edits.ts";
+import { MoreLater } from "../guide/MoreLater.tsx";
 import { lazyPart } from "../parts.ts";
 import type { JobReading } from "../reading.ts";
 import { useTexts } from "../settings/use-texts.ts";
@@ -14,6 +15,18 @@ import { ToolSummary } from "./ToolSummary.tsx";
 import { ToolTable } from "./ToolTable.tsx";
 
 const SetupStart = lazyPart(async () => ({ default: (await import("../guide/SetupStart.tsx")).SetupStart }));
+
+/** What a part of the set-up is called, with the way to its pages of the guide. */
+function Legend({ name, page }: { readonly name: string; readonly page: string }) {
+  return (
+    <>
+      <legend>{name}</legend>
+      <Suspense>
+        <MoreLater page={["guide", "setup", page]} name={name} />
+      </Suspense>
+    </>
+  );
+}
 
 /** Everything round the cycle: tool, blank, start point, spindle, feed unit, rapid rate. */
 export function SetupPanel({ read }: { readonly read: JobReading }) {
@@ -29,7 +42,7 @@ export function SetupPanel({ read }: { readonly read: JobReading }) {
       <ParameterFields read={read} />
       <ToolSummary read={read} fits={fits} />
       <fieldset className="setup-group">
-        <legend>{t.start.title}</legend>
+        <Legend name={t.start.title} page="start.x" />
         <p className="small soft">{t.start.hint}</p>
         <NumberField field={FIELDS.startX} name={t.start.x} unit={t.units.diameter} {...placeOf("start.x", start.x)}
           onText={(x) => setStart("x", x)} />
@@ -37,7 +50,7 @@ export function SetupPanel({ read }: { readonly read: JobReading }) {
           onText={(z) => setStart("z", z)} />
       </fieldset>
       <fieldset className="setup-group">
-        <legend>{t.blank.title}</legend>
+        <Legend name={t.blank.title} page="blank.outside" />
         <NumberField field={FIELDS.outside} name={t.blank.outside} unit={t.units.diameter} {...placeOf("blank.outside", blank.outside)}
           onText={(v) => setBlank("outside", v)} />
         <NumberField field={FIELDS.bore} name={t.blank.bore} unit={t.units.diameter} {...placeOf("blank.bore", blank.bore)}
@@ -48,7 +61,7 @@ export function SetupPanel({ read }: { readonly read: JobReading }) {
           onText={(v) => setBlank("allowance", v)} />
       </fieldset>
       <fieldset className="setup-group">
-        <legend>{t.spindle.title}</legend>
+        <Legend name={t.spindle.title} page="spindle.cuttingSpeed" />
         <RadioGroup className="choice-pair" aria-label={t.spindle.mode} value={spindle.mode}
           onChange={(mode) => setSpindle("mode", mode === "constant" ? mode : "surface")}
         >
@@ -76,7 +89,7 @@ export function SetupPanel({ read }: { readonly read: JobReading }) {
         </Suspense>
       </fieldset>
       <fieldset className="setup-group">
-        <legend>{t.feed.title}</legend>
+        <Legend name={t.feed.title} page="perRevolution" />
         <label className="choice">
           <input type="checkbox" checked={perRevolution} onChange={(e) => setPerRevolution(e.currentTarget.checked)} />
           <span>{t.feed.perRevolution}</span>

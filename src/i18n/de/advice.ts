@@ -29,7 +29,7 @@ export const advice = {
   groups: { P: "Stahl", M: "Rostfreier Stahl", K: "Gusseisen", N: "NE-Metall", S: "Schwer zerspanbar", H: "Gehärteter Stahl" },
   starting: "Startwerte",
   startingLead: "Für beschichtetes Hartmetall, bei gehärtetem Stahl für CBN, zum Anfangen; der Hersteller der Platte weiß es besser.",
-  start: (group, speeds) => `${group}: zu Beginn ${speeds}.`,
+  start: (material, speeds) => `${material}: zu Beginn ${speeds}.`,
   startSource: "Schätzwert für beschichtetes Hartmetall, aus Handbüchern.",
   startOwn: "Aus Ihrer eigenen Tabelle.",
   values: {

@@ -30,7 +30,7 @@ export const advice = {
   groups: { P: "steel", M: "stainless steel", K: "cast iron", N: "non-ferrous metal", S: "hard to cut", H: "hardened steel" },
   starting: "Starting values",
   startingLead: "For coated carbide, hardened steel for CBN, to begin with; the insert’s maker knows better.",
-  start: (group: string, speeds: string) => `${group}: ${speeds} as a start.`,
+  start: (material: string, speeds: string) => `${material}: ${speeds} as a start.`,
   startSource: "Estimate for coated carbide, from handbooks.",
   startOwn: "From your own table.",
   values: {

@@ -30,7 +30,7 @@ export const advice: AdviceTexts = typeset({
   groups: { P: "acier", M: "acier inoxydable", K: "fonte", N: "métal non ferreux", S: "difficile à usiner", H: "acier trempé" },
   starting: "Valeurs de départ",
   startingLead: "Pour carbure revêtu, CBN pour l’acier trempé, pour commencer ; le fabricant de la plaquette sait mieux.",
-  start: (group, speeds) => `${group} : ${speeds} pour commencer.`,
+  start: (material, speeds) => `${material} : ${speeds} pour commencer.`,
   startSource: "Estimation pour carbure revêtu, d’après des manuels.",
   startOwn: "D’après votre propre tableau.",
   values: {

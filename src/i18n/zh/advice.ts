@@ -25,7 +25,7 @@ export const advice = {
   groups: { P: "钢", M: "不锈钢", K: "铸铁", N: "有色金属", S: "难加工材料", H: "淬硬钢" },
   starting: "起始值",
   startingLead: "适用于涂层硬质合金，淬硬钢用 CBN，仅供起步；以刀片厂家数据为准。",
-  start: (group, speeds) => `${group}：起始 ${speeds}。`,
+  start: (material, speeds) => `${material}：起始 ${speeds}。`,
   startSource: "涂层硬质合金的估计值，取自手册。",
   startOwn: "取自本车间的表。",
   values: {

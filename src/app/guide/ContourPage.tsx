@@ -1,0 +1,94 @@
+import { formatNumber } from "../../i18n/number.ts";
+import { readRows } from "../../program/contour-rows.ts";
+import { newRow, type ContourRow } from "../../program/job.ts";
+import { segmentData } from "../../view/path.ts";
+import { useSettings } from "../settings/settings.ts";
+import { useTexts } from "../settings/use-texts.ts";
+import { useGuidePlaces } from "./use-guide-places.ts";
+import { useGuideTexts } from "./use-guide-texts.ts";
+
+/** Elements with a size of their own, each at a small, a usual and a large one, mm. */
+const SIZED = [["RND", [2, 5, 9]], ["CHF", [1, 3, 7]], ["CR", [14, 20, 60]]] as const;
+type Sized = (typeof SIZED)[number][0];
+
+/** A shoulder with an element of a size in it: in its corner, or in place of its face. */
+function shoulder(kind: Sized, size: number): readonly ContourRow[] {
+  const point = (id: string, x: string, z: string) => newRow(id, { x, z });
+  const sized = newRow("s", { kind, r: String(size), ...(kind === "CR" && { x: "44", z: "-32", turn: "ccw" }) });
+  return kind === "CR"
+    ? [point("a", "20", "0"), point("b", "20", "-12"), sized, point("d", "44", "-40")]
+    : [point("a", "20", "0"), point("b", "20", "-20"), sized, point("c", "44", "-20"), point("d", "44", "-40")];
+}
+
+/** A contour with one element at one size, that element marked. */
+function ElementPicture({ kind, size, name }: { readonly kind: Sized; readonly size: number; readonly name: string }) {
+  const rows = shoulder(kind, size), { contour, rowOfSegment } = readRows(rows);
+  const at = rows.findIndex((row) => row.kind === kind);
+  return (
+    <svg className="cut-picture" role="img" aria-label={name} viewBox="-44 -26 48 24">
+      <g transform="scale(1 -1)">
+        <path className="cut-contour" d={segmentData(contour.segments)} />
+        <path className="cut-finish element-marked" d={segmentData(contour.segments.filter((_, i) => rowOfSegment[i] === at))} />
+      </g>
+    </svg>
+  );
+}
+
+/** The page of the contour of a cycle: what stands in it, and what its elements do. */
+export function ContourPage() {
+  const t = useGuideTexts();
+  const { elements: places } = useGuidePlaces();
+  const { dialog: { contour: words }, contour: { kinds, intro } } = useTexts();
+  const language = useSettings((s) => s.language);
+  const sizes = [t.values.small, t.values.usual, t.values.large];
+  return (
+    <>
+      <header className="guide-head">
+        <h1>
+          <span className="number prompt-q">LBL</span> {words.question}
+        </h1>
+        <p>{words.about}</p>
+        <p>{places.lead}</p>
+        <p>{intro}</p>
+      </header>
+      {SIZED.map(([kind, values]) => (
+        <section key={kind} className="guide-values" aria-label={kinds[kind]}>
+          <h2>
+            <span className="number">{kind}</span> {kinds[kind]}
+          </h2>
+          <p className="soft">{places.of[kind]}</p>
+          <ol className="value-cards">
+            {values.map((size, i) => {
+              const text = t.millimetres(formatNumber(language, size));
+              return (
+                <li key={size} className="value-card">
+                  <h3>
+                    <span className="value-size">{sizes[i]}</span> <span className="number value-shown">{text}</span>
+                  </h3>
+                  <ElementPicture kind={kind} size={size} name={`${kinds[kind]} ${text}`} />
+                </li>
+              );
+            })}
+          </ol>
+        </section>
+      ))}
+      <section aria-label={places.title}>
+        <h2>{places.title}</h2>
+        <dl className="guide-points">
+          {(Object.keys(kinds) as readonly (keyof typeof kinds)[]).map((kind) => (
+            <div key={kind}>
+              <dt>
+                <b className="number">{kind}</b> {kinds[kind]}
+              </dt>
+              <dd>{places.of[kind]}</dd>
+            </div>
+          ))}
+        </dl>
+      </section>
+      <section className="guide-mistakes" aria-label={t.mistakes}>
+        <h2>{t.mistakes}</h2>
+        <ul>{places.mistakes.map((sentence) => <li key={sentence}>{sentence}</li>)}</ul>
+      </section>
+    </>
+  );
+}

@@ -1,0 +1,219 @@
+import { useId, useMemo } from "react";
+import { formatNumber } from "../../i18n/number.ts";
+import type { ApproachShape, PointName } from "../../kernel/approach.ts";
+import { compensate } from "../../kernel/compensate.ts";
+import { plane } from "../../kernel/plane.ts";
+import type { Bounds } from "../../view/camera.ts";
+import { approachDrawing } from "../../view/approach/drawing.ts";
+import { nearby } from "../../view/approach/forms.ts";
+import { cameraFor, planeFrameOf } from "../../view/approach/frame.ts";
+import { px } from "../../view/help/marks.ts";
+import { approachSpeech } from "../approach/speech.ts";
+import { HelpMarks } from "../help/HelpMarks.tsx";
+import { useIssueText } from "../issue-text.ts";
+import { useSettings } from "../settings/settings.ts";
+import { useTexts } from "../settings/use-texts.ts";
+import { formAtValues, sizedWords, type FormAtValue, type SizedWord } from "./form-values.ts";
+import { GuideButton } from "./GuideButton.tsx";
+import { takeIntoForm } from "./take-value.ts";
+import { useAdviceTexts } from "./use-advice.ts";
+import { useFormSource, type FormSource } from "./use-form-source.ts";
+import { useGuidePlaces } from "./use-guide-places.ts";
+import { useGuideTexts } from "./use-guide-texts.ts";
+import "../help/help.css";
+import "../approach/approach.css";
+
+const SIZE = { width: 330, height: 220 };
+const MARGIN = { left: 24, right: 24, top: 24, bottom: 24 };
+/** Elements of the contour farther away than this are not in the picture, mm. */
+const FARTHEST = 200;
+export const FORMS: readonly ApproachShape[] = ["LT", "LN", "CT", "LCT"];
+
+/** The name of a form's page, and of the form. */
+export const formPage = (shape: ApproachShape, departing: boolean): string => `${departing ? "dep" : "appr"}-${shape.toLowerCase()}`;
+const formName = (shape: ApproachShape, departing: boolean): string => `${departing ? "DEP" : "APPR"} ${shape}`;
+
+/** The box that all pictures of a word show. */
+const around = (all: readonly Bounds[]): Bounds => ({
+  left: Math.min(...all.map(({ left }) => left)),
+  right: Math.max(...all.map(({ right }) => right)),
+  low: Math.min(...all.map(({ low }) => low)),
+  high: Math.max(...all.map(({ high }) => high)),
+});
+
+interface CardProps {
+  readonly word: SizedWord;
+  readonly form: FormAtValue;
+  readonly source: FormSource;
+  readonly frame: Bounds;
+  readonly size: string;
+}
+
+/** A form with one value: its picture with its points, and how long its way is. */
+function FormValue({ word, form, source, frame, size }: CardProps) {
+  const t = useGuideTexts();
+  const places = useGuidePlaces();
+  const advice = useAdviceTexts();
+  const { approach: words } = useTexts();
+  const language = useSettings((s) => s.language);
+  const issueText = useIssueText();
+  const id = useId();
+  const { request, result, value, isUsual } = form;
+  const { line } = source;
+  const speech = approachSpeech(language, source.plane, source.tip);
+  const drawing = useMemo(() => {
+    const contour = nearby(source.contour, request.departing, FARTHEST);
+    return approachDrawing({
+      result,
+      contour,
+      centre: compensate(contour, request.side, request.toolRadius).pieces.map(({ segment }) => segment),
+      toolRadius: request.toolRadius,
+      rapidBefore: source.rapidBefore,
+      active: word,
+      size: SIZE,
+      small: true,
+      speech: approachSpeech(language, source.plane, source.tip),
+      camera: cameraFor(frame, SIZE, MARGIN),
+    });
+  }, [result, request, source, word, language, frame]);
+  const text = formatNumber(language, value);
+  const way = result.legs.reduce((sum, { segment }) => sum + plane.lengthOf(segment), 0);
+  const points = Object.entries(result.points).map(([name, at]) => words.point(name, speech.point(at))).join(", ");
+  const [issue] = result.issues;
+  return (
+    <li className="value-card" data-usual={isUsual || undefined}>
+      <h3>
+        <span className="value-size">{size}</span>
+        <span className="number value-shown">{word} {text}</span>
+        {isUsual && line !== null && <span className="small soft">{t.values.yours}</span>}
+      </h3>
+      <svg className="guide-form help-picture approach-picture" role="img"
+        aria-label={words.picture(`${formName(request.shape, request.departing)} ${word}${text}`, points)}
+        viewBox={`0 0 ${SIZE.width} ${SIZE.height}`}
+      >
+        <HelpMarks marks={drawing.marks} id={id} />
+        {drawing.points.map((p) => <circle key={p.names.join()} className="approach-point" cx={px(p.place.x)} cy={px(p.place.y)} r={3} />)}
+      </svg>
+      <dl className="value-facts">
+        <div>
+          <dt>{places.form.way}</dt>
+          <dd className="number">{t.millimetres(formatNumber(language, way, 1))}</dd>
+        </div>
+        {(["PH", "PN"] as const).map((name) => {
+          const at = result.points[name];
+          return at && (
+            <div key={name}>
+              <dt>{name}</dt>
+              <dd className="number">{speech.point(at)}</dd>
+            </div>
+          );
+        })}
+      </dl>
+      {issue && <p className={`field-message ${issue.severity}`}>{issueText(issue)}</p>}
+      {line !== null && !isUsual && !issue && (
+        <button type="button" className="button value-take" onClick={() => void takeIntoForm(line, word, value)}>
+          {advice.take(`${word} = ${text}`)}
+        </button>
+      )}
+    </li>
+  );
+}
+
+/** A form at a small, the usual and a large value of one of its words. */
+function FormValues({ word, source }: { readonly word: SizedWord; readonly source: FormSource }) {
+  const t = useGuideTexts();
+  const { approach: words } = useTexts();
+  const { prompt, about } = words.words[word];
+  const shown = useMemo(() => {
+    const forms = formAtValues(source.request, word);
+    const { element, toolRadius } = source.request;
+    return { forms, frame: around(forms.map(({ result }) => planeFrameOf(result, element, toolRadius))) };
+  }, [source, word]);
+  const sizes = [t.values.small, t.values.usual, t.values.large];
+  return (
+    <section className="guide-values" aria-label={prompt}>
+      <h2>
+        <span className="number">{word}</span> {prompt}
+      </h2>
+      <p className="soft">{about}</p>
+      <ol className="value-cards">
+        {shown.forms.map((form, i) => (
+          <FormValue key={form.value} word={word} form={form} source={source} frame={shown.frame} size={sizes[i] ?? ""} />
+        ))}
+      </ol>
+    </section>
+  );
+}
+
+/** The page of a form of approach or departure: its points, its sizes, and where it is dangerous. */
+export function FormPage({ shape, departing, word }: { readonly shape: ApproachShape; readonly departing: boolean;
+  readonly word: string | null })
+{
+  const t = useGuideTexts();
+  const { form: places, approach: title } = useGuidePlaces();
+  const { approach: words } = useTexts();
+  const source = useFormSource(shape, departing);
+  if (!source) return <h1>{t.missing}</h1>;
+  const points: readonly Exclude<PointName, never>[] = departing ? ["PE", "PN"] : ["PS", "PH", "PA"];
+  const asked = Object.entries(words.words).find(([id]) => id === (source.plane === "ZX" && word === "Z" ? "turningZ" : word));
+  return (
+    <>
+      <header className="guide-head">
+        <p className="soft">{title}</p>
+        <h1>
+          <span className="number prompt-q">{formName(shape, departing)}</span> {words.shapes[shape].name}
+        </h1>
+        <p>{words.shapes[shape].about}</p>
+        {asked && !sizedWords(source.request).some((sized) => sized === word) && (
+          <p>
+            <b className="number">{word === "SIDE" ? "RL/RR" : word}</b> {asked[1].about}
+          </p>
+        )}
+        <p className="soft">{source.line === null ? places.sampleLead : places.ownLead}</p>
+      </header>
+      {sizedWords(source.request).map((sized) => <FormValues key={sized} word={sized} source={source} />)}
+      <div className="guide-columns">
+        <section aria-label={places.points}>
+          <h2>{places.points}</h2>
+          <dl className="guide-points">
+            {points.map((name) => (
+              <div key={name}>
+                <dt>
+                  <b className="number">{name}</b> {words.points[name]}
+                </dt>
+                <dd>{places.of[name]}</dd>
+              </div>
+            ))}
+          </dl>
+        </section>
+        {departing ? <p className="guide-danger">{places.leaving}</p> : (
+          <section className="guide-danger" aria-label={places.danger}>
+            <h2>{places.danger}</h2>
+            <ul>{places.dangers.map((sentence) => <li key={sentence}>{sentence}</li>)}</ul>
+          </section>
+        )}
+      </div>
+      <section className="guide-mistakes" aria-label={t.mistakes}>
+        <h2>{t.mistakes}</h2>
+        <ul>{[places.mistakes[shape], places.mistakes.all].map((sentence) => <li key={sentence}>{sentence}</li>)}</ul>
+      </section>
+      <section aria-label={places.others}>
+        <h2>{places.others}</h2>
+        <ul className="guide-links">
+          <FormLinks but={formPage(shape, departing)} />
+        </ul>
+      </section>
+    </>
+  );
+}
+
+/** The ways to the pages of the eight forms. */
+export function FormLinks({ but = null }: { readonly but?: string | null }) {
+  const { approach: words } = useTexts();
+  const all = [false, true].flatMap((departing) => FORMS.map((shape) => ({ shape, departing })));
+  return all.filter(({ shape, departing }) => formPage(shape, departing) !== but).map(({ shape, departing }) => (
+    <GuideButton key={formPage(shape, departing)} to={["guide", formPage(shape, departing)]}>
+      <b className="number">{formName(shape, departing)}</b> {words.shapes[shape].name}
+    </GuideButton>
+  ));
+}

@@ -1,0 +1,106 @@
+import { noseRadius } from "../../kernel/insert.ts";
+import type { Tool } from "../../kernel/tool.ts";
+import { rounded } from "../../kernel/units.ts";
+import type { SetJob } from "../../program/job.ts";
+
+/** Prompts and fields of the set-up that have a page in the guide, in the order in which a setter has them. */
+export const SETUP_PAGES = [
+  "blank.outside",
+  "blank.bore",
+  "blank.length",
+  "blank.allowance",
+  "tool",
+  "start.x",
+  "start.z",
+  "spindle.cuttingSpeed",
+  "spindle.limit",
+  "spindle.speed",
+  "perRevolution",
+  "rapid",
+] as const;
+export type SetupPageId = (typeof SETUP_PAGES)[number];
+export const isSetupPage = (id: string): id is SetupPageId => SETUP_PAGES.some((page) => page === id);
+
+/** A work with another value at one place of its set-up. */
+export interface SetupVariant {
+  readonly value: number;
+  readonly isUsual: boolean;
+  readonly job: SetJob;
+}
+
+type Numbered = Exclude<SetupPageId, "tool" | "perRevolution">;
+
+const textAt = ({ blank, start, spindle, rapid }: SetJob, id: Numbered): string =>
+  ({
+    "blank.outside": blank.outside,
+    "blank.bore": blank.bore,
+    "blank.length": blank.length,
+    "blank.allowance": blank.allowance,
+    "start.x": start.x,
+    "start.z": start.z,
+    "spindle.cuttingSpeed": spindle.cuttingSpeed,
+    "spindle.limit": spindle.limit,
+    "spindle.speed": spindle.speed,
+    rapid,
+  })[id];
+
+/** The job with a number at a place; a speed that does not count with the present kind of speed brings its own kind. */
+function withNumber(job: SetJob, id: Numbered, value: number): SetJob {
+  const text = String(value);
+  const [part, field = ""] = id.split(".");
+  if (part === "blank") return { ...job, blank: { ...job.blank, [field]: text } };
+  if (part === "start") return { ...job, start: { ...job.start, [field]: text } };
+  if (part === "rapid") return { ...job, rapid: text };
+  return { ...job, spindle: { ...job.spindle, mode: id === "spindle.speed" ? "constant" : "surface", [field]: text } };
+}
+
+/** A smaller and a larger value beside the usual one: mm on blank and start, factors elsewhere. */
+function beside(id: Numbered, usual: number, job: SetJob): readonly [number, number] {
+  switch (id) {
+    case "blank.outside":
+      return [usual - 6, usual + 20];
+    case "blank.bore":
+      return usual > 0 ? [0, usual * 1.2] : [Number(job.blank.outside) * 0.3, Number(job.blank.outside) * 0.6];
+    case "blank.length":
+      return [usual * 0.8, usual * 1.3];
+    case "blank.allowance":
+      return [usual + 2, usual + 5];
+    case "start.x":
+    case "start.z":
+      return [usual + 5, usual + 30];
+    case "spindle.limit":
+      return [usual * 0.4, usual * 2];
+    default:
+      return [usual * 0.5, usual * 2];
+  }
+}
+
+/** Tools to compare with: of the same kind and orientation, with the nearest smaller and the nearest larger nose, or else the next ones. */
+function toolsBeside(tools: readonly Tool[], own: Tool): readonly Tool[] {
+  const kin = tools.filter(({ T, TYPE, TO }) => T !== own.T && TYPE === own.TYPE && TO === own.TO);
+  const by = kin.toSorted((a, b) => noseRadius(a) - noseRadius(b));
+  const smaller = by.findLast((tool) => noseRadius(tool) < noseRadius(own)), larger = by.find((tool) => noseRadius(tool) > noseRadius(own));
+  const chosen = [smaller, larger].filter((tool) => tool !== undefined);
+  const others = [...kin, ...tools].filter(({ T, TO }) => T !== own.T && TO === own.TO && !chosen.some((tool) => tool.T === T));
+  return [...chosen, ...others.slice(0, 2 - chosen.length)];
+}
+
+/** A job at a small, the usual and a large value of a place; tools beside the one that is called; M136 on and off. */
+export function setupVariants(id: SetupPageId, job: SetJob, tools: readonly Tool[]): readonly SetupVariant[] {
+  if (id === "perRevolution")
+    return [true, false].map((on) => ({ value: Number(on), isUsual: on === job.perRevolution, job: { ...job, perRevolution: on } }));
+  if (id === "tool") {
+    const own = tools.find(({ T }) => T === job.tool);
+    if (!own) return [];
+    const all = [own, ...toolsBeside(tools, own)].toSorted((a, b) => noseRadius(a) - noseRadius(b));
+    return all.map(({ T }) => ({ value: T, isUsual: T === own.T, job: { ...job, tool: T } }));
+  }
+  const usual = Number(textAt(job, id));
+  if (!Number.isFinite(usual)) return [];
+  const values = [usual, ...beside(id, usual, job).map((n) => rounded(Number(n.toFixed(1))))];
+  return [...new Set(values)].toSorted((a, b) => a - b).map((value) => ({
+    value,
+    isUsual: value === usual,
+    job: withNumber(job, id, value),
+  }));
+}
