@@ -30,7 +30,7 @@ export const advice = {
   starting: "Startwerte",
   startingLead: "Für beschichtetes Hartmetall, bei gehärtetem Stahl für CBN, zum Anfangen; der Hersteller der Platte weiß es besser.",
   start: (material, speeds) => `${material}: zu Beginn ${speeds}.`,
-  startSource: "Schätzwert für beschichtetes Hartmetall, aus Handbüchern.",
+  startSource: "Schätzwert aus Handbüchern: beschichtetes Hartmetall, CBN für gehärteten Stahl.",
   startOwn: "Aus Ihrer eigenen Tabelle.",
   values: {
     roughSpeed: "vc Schruppen",

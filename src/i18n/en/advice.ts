@@ -31,7 +31,7 @@ export const advice = {
   starting: "Starting values",
   startingLead: "For coated carbide, hardened steel for CBN, to begin with; the insert’s maker knows better.",
   start: (material: string, speeds: string) => `${material}: ${speeds} as a start.`,
-  startSource: "Estimate for coated carbide, from handbooks.",
+  startSource: "Estimate from handbooks: coated carbide, CBN for hardened steel.",
   startOwn: "From your own table.",
   values: {
     roughSpeed: "Speed, roughing",

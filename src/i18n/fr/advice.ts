@@ -31,7 +31,7 @@ export const advice: AdviceTexts = typeset({
   starting: "Valeurs de départ",
   startingLead: "Pour carbure revêtu, CBN pour l’acier trempé, pour commencer ; le fabricant de la plaquette sait mieux.",
   start: (material, speeds) => `${material} : ${speeds} pour commencer.`,
-  startSource: "Estimation pour carbure revêtu, d’après des manuels.",
+  startSource: "Estimation d’après des manuels : carbure revêtu, CBN pour l’acier trempé.",
   startOwn: "D’après votre propre tableau.",
   values: {
     roughSpeed: "vc ébauche",

@@ -26,7 +26,7 @@ export const advice = {
   starting: "起始值",
   startingLead: "适用于涂层硬质合金，淬硬钢用 CBN，仅供起步；以刀片厂家数据为准。",
   start: (material, speeds) => `${material}：起始 ${speeds}。`,
-  startSource: "涂层硬质合金的估计值，取自手册。",
+  startSource: "手册估计值：涂层硬质合金，淬硬钢用 CBN。",
   startOwn: "取自本车间的表。",
   values: {
     roughSpeed: "粗车 vc",
