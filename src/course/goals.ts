@@ -64,8 +64,32 @@ function isAbout(goal: TaskGoal, mark: TaskMark): boolean {
   }
 }
 
+/** What the judgement finds wrong with a goal. */
+export const marksOn = (goal: TaskGoal, judgement: TaskJudgement | null): readonly TaskMark[] =>
+  judgement?.marks.filter((mark) => !mark.passed && isAbout(goal, mark)) ?? [];
+
+/** A size or a surface of the drawing, with what is wrong with it. */
+export interface DrawnGoal {
+  readonly goal: TaskGoal;
+  readonly marks: readonly TaskMark[];
+}
+
+/** The goals that a drawing shows, those that are not met before the others, and the rest of the goals around them. */
+export function gathered(
+  goals: readonly TaskGoal[],
+  judgement: TaskJudgement | null,
+): { readonly before: readonly TaskGoal[]; readonly drawn: readonly DrawnGoal[]; readonly after: readonly TaskGoal[] } {
+  const isDrawn = ({ kind }: TaskGoal) => kind === "size" || kind === "rz";
+  const first = goals.findIndex(isDrawn);
+  if (first < 0) return { before: goals, drawn: [], after: [] };
+  const drawn = goals.filter(isDrawn).map((goal) => ({ goal, marks: marksOn(goal, judgement) }));
+  return {
+    before: goals.slice(0, first),
+    drawn: [...drawn.filter(({ marks }) => marks.length > 0), ...drawn.filter(({ marks }) => marks.length === 0)],
+    after: goals.slice(first).filter((goal) => !isDrawn(goal)),
+  };
+}
+
 /** Whether a goal is met: by what was foretold, each answer right or not, or by the judgement on the work. */
 export const isMet = (goal: TaskGoal, judgement: TaskJudgement | null, foretold: readonly boolean[]): boolean =>
-  goal.kind === "foretold"
-    ? foretold[goal.entry] === true
-    : judgement !== null && judgement.marks.every((mark) => mark.passed || !isAbout(goal, mark));
+  goal.kind === "foretold" ? foretold[goal.entry] === true : judgement !== null && marksOn(goal, judgement).length === 0;

@@ -1,4 +1,5 @@
 import { z } from "zod/mini";
+import { usualTable } from "../program/cutting-table.ts";
 import { RULES } from "./judge/judgement.ts";
 import { inLanguages, words } from "./words.ts";
 
@@ -147,6 +148,8 @@ export const taskSchema = z.object({
   start,
   part: z.optional(part),
   sizes: z.optional(listed(size)),
+  /** What it is turned from, by the id of a material of the shipped cutting data: for the drawing's title block and the advice. */
+  material: z.optional(z.enum(usualTable.materials.map((each) => each.id))),
   /** Surface marks of the drawing are those of `rules.rz`. */
   rules: z._default(rules, {}),
   predict: z.optional(listed(prediction)),

@@ -5,6 +5,13 @@ export const courseDrawing = {
   none: "Das Teil dieser Aufgabe lässt sich nicht zeichnen: Sein Umriss hat einen Fehler.",
   list: "Maße als Liste",
   print: "Zeichnung drucken",
+  large: "Groß ansehen, drucken",
+  close: "Schließen",
+  zoomIn: "Vergrößern",
+  zoomOut: "Verkleinern",
+  whole: "Ganzes Blatt",
+  sheet: "Zeichnungsblatt",
+  printHint: "Ein Blatt, Querformat. Mit 100 % („Tatsächliche Größe“) drucken, dann stimmt der Maßstab.",
   scale: (paper: number, part: number) => `${paper} : ${part}`,
   head: {
     name: "Benennung",

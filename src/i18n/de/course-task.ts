@@ -50,6 +50,8 @@ export const courseTask = {
       bore: (size, z) => `Bohrung ⌀ ${size} bei Z ${z}`,
       face: (size, x) => `Planfläche bei Z ${size}, an ⌀ ${x}`,
     },
+    drawn: (n) => (n === 1 ? "Ein Maß wie gezeichnet" : `${n} Maße wie gezeichnet`),
+    drawnWrong: (n, wrong) => `${n} Maße wie gezeichnet: ${wrong} noch nicht`,
     safe: "Kein Fehler, kein Eilgang durch Material, kein Halter daran",
     clean: "Auch keine Warnung",
     depth: (mm) => `Höchstens ${mm} mm je Schnitt`,

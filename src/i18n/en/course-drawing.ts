@@ -5,6 +5,13 @@ export const courseDrawing = {
   none: "The part of this task can not be drawn: its outline has a fault.",
   list: "Sizes as a list",
   print: "Print the drawing",
+  large: "Large, or to print",
+  close: "Close",
+  zoomIn: "Zoom in",
+  zoomOut: "Zoom out",
+  whole: "Whole sheet",
+  sheet: "Sheet of the drawing",
+  printHint: "One sheet, lying. To keep the scale print at 100 %, “actual size”.",
   scale: (paper: number, part: number) => `${paper} : ${part}`,
   head: {
     name: "Part",

@@ -48,6 +48,8 @@ export const courseTask = {
       bore: (size: string, z: string) => `Bore ⌀ ${size} at Z ${z}`,
       face: (size: string, x: string) => `Shoulder at Z ${size}, at ⌀ ${x}`,
     },
+    drawn: (n: number) => (n === 1 ? "One size as drawn" : `${n} sizes as drawn`),
+    drawnWrong: (n: number, wrong: number) => `${n} sizes as drawn: ${wrong} not yet`,
     safe: "No error, no rapid through steel, no holder against it",
     clean: "No warning either",
     depth: (mm: string) => `At most ${mm} mm a pass`,

@@ -5,6 +5,13 @@ export const courseDrawing = {
   none: "La pièce de cet exercice ne peut pas être dessinée : son profil a une erreur.",
   list: "Cotes en liste",
   print: "Imprimer le dessin",
+  large: "En grand, imprimer",
+  close: "Fermer",
+  zoomIn: "Agrandir",
+  zoomOut: "Réduire",
+  whole: "Feuille entière",
+  sheet: "Feuille du dessin",
+  printHint: "Une feuille en paysage. Imprimer à 100 % (« taille réelle ») pour garder l’échelle.",
   scale: (paper: number, part: number) => `${paper} : ${part}`,
   head: {
     name: "Désignation",

@@ -48,6 +48,8 @@ export const courseTask = {
       bore: (size, z) => `Alésage ⌀ ${size} à Z ${z}`,
       face: (size, x) => `Épaulement à Z ${size}, au ⌀ ${x}`,
     },
+    drawn: (n) => (n === 1 ? "Une cote comme au dessin" : `${n} cotes comme au dessin`),
+    drawnWrong: (n, wrong) => `${n} cotes comme au dessin : ${wrong} pas encore`,
     safe: "Aucune erreur, aucun rapide dans la matière, porte-outil dégagé",
     clean: "Aucun avertissement non plus",
     depth: (mm) => `${mm} mm par passe au plus`,

@@ -5,6 +5,13 @@ export const courseDrawing = {
   none: "无法绘制此练习的零件：其轮廓有错误。",
   list: "尺寸列表",
   print: "打印图纸",
+  large: "放大查看、打印",
+  close: "关闭",
+  zoomIn: "放大",
+  zoomOut: "缩小",
+  whole: "整张图纸",
+  sheet: "图纸",
+  printHint: "一张横向图纸。按 100%（实际大小）打印才符合比例。",
   scale: (paper: number, part: number) => `${paper} : ${part}`,
   head: {
     name: "名称",

@@ -47,6 +47,8 @@ export const courseTask = {
       bore: (size, z) => `Z ${z} 处内孔 ⌀ ${size}`,
       face: (size, x) => `⌀ ${x} 处台阶面 Z ${size}`,
     },
+    drawn: (n) => `${n} 个尺寸符合图纸`,
+    drawnWrong: (n, wrong) => `${n} 个尺寸符合图纸：${wrong} 个尚未达到`,
     safe: "无错误，快速移动不碰料，刀杆不碰料",
     clean: "也没有警告",
     depth: (mm) => `每刀最多 ${mm} mm`,

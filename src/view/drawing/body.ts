@@ -19,8 +19,8 @@ const FINE = 0.004;
 export const BESIDE = 0.02;
 /** How finely the ends of a thread's line are looked for, mm. */
 const STEP_IN = 0.05;
-/** Nearer places along the axis are one, mm. */
-const ONE = 0.005;
+/** An edge that goes along the axis by less is upright, mm: the first chord of an arc goes along it by a thousandth. */
+const UPRIGHT = 0.00001;
 
 export const mirroredAt = (p: Pt): Pt => at(p.z, -p.r);
 
@@ -31,7 +31,7 @@ export function spanAt(rings: readonly Ring[], z: number): { readonly high: numb
     ring.forEach((a, i) => {
       const b = ring[(i + 1) % ring.length] ?? a;
       if (Math.min(a.z, b.z) > z || Math.max(a.z, b.z) < z) return;
-      const r = Math.abs(b.z - a.z) < ONE ? [a.r, b.r] : [a.r + ((z - a.z) / (b.z - a.z)) * (b.r - a.r)];
+      const r = Math.abs(b.z - a.z) < UPRIGHT ? [a.r, b.r] : [a.r + ((z - a.z) / (b.z - a.z)) * (b.r - a.r)];
       high = Math.max(high, ...r);
       low = Math.min(low, ...r);
     });
@@ -101,8 +101,9 @@ export function bodyShapes(body: readonly Ring[], { broken, isHollow: hollow, on
   );
   const across = (p: Pt, ends: readonly [number, number]) => lineThrough(ends.map((r) => onPaper(at(p.z, r))));
   const seen = corners.flatMap((p) => {
+    if (p.r < ON) return [];
     if (isOutmost(body, p)) return [across(p, [hollow ? 0 : p.r, -p.r])];
-    return hollow && isInmost(body, p) && p.r > ON ? [across(p, [0, p.r])] : [];
+    return hollow && isInmost(body, p) ? [across(p, [0, p.r])] : [];
   });
   shapes.push({ role: "edge", d: [...new Set(seen)].join("") });
   for (const { from, to, ground } of threads) {

@@ -68,8 +68,9 @@ export function leaderRows(leaders: readonly Leader[], width: number): { readonl
 export function drawnLeaders(
   rows: readonly Row[],
   bottom: number,
-): { readonly shapes: readonly PrintShape[]; readonly texts: readonly PrintText[] } {
+): { readonly shapes: readonly PrintShape[]; readonly texts: readonly PrintText[]; readonly lines: readonly (readonly Place[])[] } {
   const shapes: PrintShape[] = [];
+  const lines: (readonly Place[])[] = [];
   const texts: PrintText[] = [];
   for (const { leader, row, ways } of rows) {
     const { to, size, isMark } = leader, level = (k: number) => bottom - k * ROW;
@@ -78,6 +79,7 @@ export function drawnLeaders(
     const knees = ways.slice(0, row).flatMap((x, k) => [{ x, y: level(k) + SHORT }, { x, y: level(k) - tallOf(size) - SHORT }]);
     const end = { x: shelf, y };
     const line = [to, ...knees, end];
+    lines.push(line);
     const first = line[1] ?? end, length = Math.hypot(first.x - to.x, first.y - to.y) || 1;
     shapes.push({ role: "thin", d: lineThrough(line) + lineThrough([{ x: shelf - width / 2, y }, { x: shelf + width / 2, y }]) });
     shapes.push({ role: "arrow", d: arrow(to, (to.x - first.x) / length, (to.y - first.y) / length) });
@@ -87,7 +89,7 @@ export function drawnLeaders(
       texts.push(writtenAt(size, { x: apex.x + SIGN * 0.75 + textWide / 2 + 0.4, y: y - FIGURES / 2 - 0.2 }, false));
     } else texts.push(writtenAt(size, { x: shelf, y: y - tallOf(size) / 2 - 0.1 }, false));
   }
-  return { shapes, texts };
+  return { shapes, texts, lines };
 }
 
 export const rowHeight = LINE.stacked;

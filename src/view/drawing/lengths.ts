@@ -29,6 +29,35 @@ interface LengthRoom {
   readonly edge: number;
   readonly side: "below" | "above";
   readonly width: number;
+  /** Lines that go by, from which texts keep clear where they can. */
+  readonly clear: readonly (readonly Place[])[];
+}
+
+/** Where lines go through a level. */
+const through = (lines: readonly (readonly Place[])[], y: number): number[] =>
+  lines.flatMap((line) =>
+    line.slice(1).flatMap((b, i) => {
+      const a = line[i] ?? b;
+      return (a.y - y) * (b.y - y) > 0 || a.y === b.y ? [] : [a.x + ((y - a.y) / (b.y - a.y)) * (b.x - a.x)];
+    })
+  );
+
+/** How finely a place for a text is looked for, and how far beside its line, mm on paper. */
+const FINE = 0.5, FAR = 30;
+
+/**
+ * The middle of a text for a line between two places: that of the line, or the nearest to it where no other line goes through the text, or
+ * beside the line, behind its arrows.
+ */
+function clearMiddle(a: number, b: number, wide: number, stops: readonly number[]): number {
+  const middle = (a + b) / 2, free = (b - a - wide) / 2, out = 2 * ARROW.long + wide / 2;
+  const steps = Array.from({ length: FAR / FINE }, (_, i) => i * FINE);
+  const along = steps.filter((by) => by <= free).flatMap((by) => [middle + by, middle - by]);
+  const beside = steps.flatMap((by) => [b + out + by, a - out - by]);
+  const isClear = (x: number) => stops.every((stop) => Math.abs(stop - x) > wide / 2);
+  // A text that is longer than its line stands beside it, over the end of the arrow.
+  const places = wide > b - a - 2 * ARROW.long ? beside : [...along, ...beside];
+  return places.find(isClear) ?? places[0] ?? middle;
 }
 
 /** Lengths from the zero edge; the shortest stands nearest. */
@@ -39,7 +68,7 @@ export function drawnLengths(lengths: readonly PrintLength[], room: LengthRoom):
   return sorted.length <= MOST_LINES ? inParallel(sorted, room) : addingUp(sorted, room);
 }
 
-function inParallel(lengths: readonly PrintLength[], { zero, edge, side }: LengthRoom): DrawnLengths {
+function inParallel(lengths: readonly PrintLength[], { zero, edge, side, clear }: LengthRoom): DrawnLengths {
   const shapes: PrintShape[] = [];
   const texts: PrintText[] = [];
   const down = side === "below" ? 1 : -1;
@@ -50,10 +79,11 @@ function inParallel(lengths: readonly PrintLength[], { zero, edge, side }: Lengt
     const [a, b] = [{ x: Math.min(from.x, zero.x), y }, { x: Math.max(from.x, zero.x), y }];
     shapes.push(...dimensionLine(a, b), extension(from, down, y));
     const wide = widthOf(size) + 1;
-    // A text that is longer than its line stands beside it, over the end of the arrow.
-    const isBeside = wide > b.x - a.x - 2 * ARROW.long;
-    const x = isBeside ? b.x + 2 * ARROW.long + wide / 2 : (a.x + b.x) / 2;
-    if (isBeside) shapes.push({ role: "thin", d: lineThrough([b, { x: x + wide / 2, y }]) });
+    const stops = [y - LINE.plain / 2, y, y - tallOf(size)].flatMap((level) => through(clear, level));
+    const x = clearMiddle(a.x, b.x, wide, stops);
+    const ends = [x - wide / 2, x + wide / 2] as const;
+    if (ends[1] > b.x) shapes.push({ role: "thin", d: lineThrough([b, { x: ends[1], y }]) });
+    else if (ends[0] < a.x) shapes.push({ role: "thin", d: lineThrough([a, { x: ends[0], y }]) });
     texts.push(writtenAt(size, { x, y: y - tallOf(size) / 2 }, false));
   }
   shapes.push(extension(zero, down, edge + down * reach));

@@ -73,3 +73,10 @@ export function dimensionLine(a: Place, b: Place): readonly PrintShape[] {
   const arrows = isShort ? arrow(a, dx, dy) + arrow(b, -dx, -dy) : arrow(a, -dx, -dy) + arrow(b, dx, dy);
   return [{ role: "thin", d: lineThrough(line) }, { role: "arrow", d: arrows }];
 }
+
+/** A dimension line whose other end is not shown: from its arrow to where it breaks off. Where it is too short the arrow stands outside. */
+export function halfDimensionLine(tip: Place, end: Place): readonly PrintShape[] {
+  const way = Math.sign(end.y - tip.y) || 1, isShort = Math.abs(end.y - tip.y) < 2 * ARROW.long;
+  const start = isShort ? { x: tip.x, y: tip.y - way * 2 * ARROW.long } : tip;
+  return [{ role: "thin", d: lineThrough([start, end]) }, { role: "arrow", d: arrow(tip, 0, isShort ? way : -way) }];
+}

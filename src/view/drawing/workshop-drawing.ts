@@ -3,11 +3,12 @@ import { intersection } from "../../kernel/clip.ts";
 import { at, part, type Pt, type Ring } from "../../kernel/point.ts";
 import { toDiameter } from "../../kernel/units.ts";
 import type { Place } from "../camera.ts";
-import { factorOf, usualScale, type DrawingScale } from "../sheet/scales.ts";
+import { DRAWING_SCALES, factorOf, usualScale, type DrawingScale } from "../sheet/scales.ts";
 import { BESIDE, bodyShapes, isHollow, isOutmost, spanAt } from "./body.ts";
 import { AIR, drawnLengths, type PrintLength } from "./lengths.ts";
 import { drawnLeaders, leaderRows, ROW, type Leader } from "./leaders.ts";
-import { dimensionLine, tallOf, lineThrough, widthOf, writtenAt, type PrintShape, type PrintSize, type PrintText } from "./paper.ts";
+import { dimensionLine, halfDimensionLine, tallOf, lineThrough, widthOf, writtenAt, type PrintShape, type PrintSize,
+  type PrintText } from "./paper.ts";
 import { printFeatures } from "./print-features.ts";
 import { cornersOf, diametersOf, surfaceMarks, positionsOf, type Across, type PrintedPart, type PrintWords } from "./print-sizes.ts";
 
@@ -41,6 +42,8 @@ const STUB = { share: 0.14, least: 4 } as const;
 const EDGE = 3, FIRST = 6, NEXT_TO = 1.6;
 /** Least width of the part itself, with which a drawing of many diameters grows wider than its room, mm on paper. */
 const LEAST = 72;
+/** How far the line of a bore goes on behind its text, mm on paper. */
+const PAST_TEXT = 2;
 /** How far a leader stands above the part, and the centre line goes past it, mm on paper. */
 const ABOVE = 6, AXIS_PAST = 4;
 
@@ -67,15 +70,33 @@ function shownFrom(work: PrintedPart): number {
   return box.left < stub - STUB.least ? stub : box.left;
 }
 
+/** Paper for a drawing, mm; the scale is the largest usual one for it where none is given. */
+export interface PrintRoom {
+  readonly width: number;
+  readonly height: number;
+  readonly scale?: DrawingScale;
+}
+
+/** So much more height is tried at first: few parts need all rows of notes and lengths. */
+const HOPED = 40;
+
+/** The same for a sheet that it may not leave: at the largest usual scale at which all of it has room. Sizes in mm on paper. */
+export function drawingOnSheet(work: PrintedPart, words: PrintWords, { width, height }: PrintRoom): WorkshopPrint | null {
+  const first = workshopDrawing(work, words, { width, height: height + HOPED });
+  const smaller = DRAWING_SCALES.filter((scale) => first && factorOf(scale) < factorOf(first.scale));
+  let print = first;
+  for (const scale of smaller) {
+    if (!print || (print.height <= height && print.width <= width)) return print;
+    print = workshopDrawing(work, words, { width, height, scale });
+  }
+  return print;
+}
+
 /**
  * The wanted part of a task as on a shop print, for a width and a greatest height, mm on paper: above the axis in section where it is
  * hollow, below it from outside; diameters beside it, lengths from Z0 below, notes with leaders above. Null where there is no part.
  */
-export function workshopDrawing(
-  work: PrintedPart,
-  words: PrintWords,
-  room: { readonly width: number; readonly height: number },
-): WorkshopPrint | null {
+export function workshopDrawing(work: PrintedPart, words: PrintWords, room: PrintRoom): WorkshopPrint | null {
   if (work.rings.length === 0) return null;
   const whole = boxAround([...work.rings]), from = shownFrom(work);
   const broken = from > whole.left + ONE ? from : null;
@@ -103,23 +124,28 @@ export function workshopDrawing(
     return isFree(body, a.r, a.left, box.left, a.isBore) && (broken === null || !a.isBore) ? "left" : "above";
   };
   const shown = across.filter((a) => !onThread(a));
-  const columns = (side: "right" | "left") => shown.filter((a) => sideOf(a) === side).sort((a, b) => a.r - b.r);
-  const [right, left] = [columns("right"), columns("left")];
+  // A text that is longer than its diameter would stand across its own lines: it is a note.
+  const isShort = ({ r, size }: Across, factor: number) => r * factor < widthOf(size) / 2 + AIR;
   const besides = (list: readonly Across[]) =>
     list.reduce((sum, { size }) => sum + tallOf(size) + NEXT_TO, list.length > 0 ? FIRST : EDGE) + EDGE;
 
-  const width = Math.max(room.width, besides(right) + besides(left) + LEAST);
   const highest = Math.max(...body.flat().map((p) => p.r));
+  const laidOut = (factor: number) => {
+    const columns = (side: "right" | "left") => shown.filter((a) => !isShort(a, factor) && sideOf(a) === side).sort((a, b) => a.r - b.r);
+    const [right, left] = [columns("right"), columns("left")];
+    const width = Math.max(room.width, besides(right) + besides(left) + LEAST);
+    const roomed = { wide: width - besides(right) - besides(left), tall: room.height - 2 * ROW - ABOVE - 26 };
+    return { right, left, width, roomed, scale: room.scale ?? usualScale({ wide: box.right - box.left, tall: highest + highest }, roomed) };
+  };
+  const { right, left, width, roomed, scale } = laidOut(factorOf(laidOut(Infinity).scale));
   const positions = positionsOf(work, [outer, inner], words, broken === null ? box.left : null);
-  const roomed = { wide: width - besides(right) - besides(left), tall: room.height - 2 * ROW - ABOVE - 26 };
-  const scale = usualScale({ wide: box.right - box.left, tall: highest + highest }, roomed);
   const k = factorOf(scale);
   const x0 = besides(left) + Math.max(0, (roomed.wide - (box.right - box.left) * k) / 2) - box.left * k;
   const notes: Leader[] = [];
   const place = (p: Pt): Place => ({ x: x0 + p.z * k, y: -p.r * k });
   const listed: ListedSize[] = [];
   const addNote = (size: PrintSize, p: Pt, isMark = false) => notes.push({ size, to: place(p), isMark });
-  for (const a of shown.filter((each) => sideOf(each) === "above")) addNote(a.size, at((a.left + a.right) / 2, a.r));
+  for (const a of shown.filter((each) => !right.includes(each) && !left.includes(each))) addNote(a.size, at((a.left + a.right) / 2, a.r));
   for (const { thread, size } of threads) addNote(size, part.pointOn(part.line(thread.from, thread.to), 1 / 2));
   const corners = [...cornersOf(outer.corners, words), ...cornersOf(inner.corners, words)];
   for (const { corner, size } of corners) addNote(size, corner.at);
@@ -138,13 +164,16 @@ export function workshopDrawing(
   const { rows, count } = leaderRows(notes, width);
   const half = Math.max(highest * k, ...[...right, ...left].map(({ size }) => widthOf(size) / 2));
   // What is not seen from outside gets its lengths above, where it is cut.
-  const inside = positions.filter(({ from: p }) => !isOutmost(body, p)), seen = positions.filter(({ from: p }) => isOutmost(body, p));
-  const lengthsOf = (list: typeof positions, axis: number, side: "below" | "above") => {
+  const breaks = [0, ...outer.corners.map(({ size }) => size)];
+  // Where a corner is broken the edge itself is within the material: it is seen as far on as the break goes.
+  const isSeen = (p: Pt) => breaks.some((by) => isOutmost(body, at(p.z - by, p.r)) || isOutmost(body, at(p.z + by, p.r)));
+  const inside = positions.filter(({ from: p }) => !isSeen(p)), seen = positions.filter(({ from: p }) => isSeen(p));
+  const lengthsOf = (list: typeof positions, axis: number, side: "below" | "above", clear: readonly (readonly Place[])[] = []) => {
     const sign = side === "below" ? -1 : 1;
     const at0 = (p: Pt): Place => ({ x: x0 + p.z * k, y: axis - sign * p.r * k });
     const zero = at0(at(0, spanAt(body, -BESIDE)?.high ?? 0));
     const lengths: PrintLength[] = list.map(({ size, from: p }) => ({ size, from: at0(p) }));
-    return drawnLengths(lengths, { zero, edge: axis - sign * half, side, width });
+    return drawnLengths(lengths, { zero, edge: axis - sign * half, side, width, clear });
   };
   const above = lengthsOf(inside, 0, "above").reach;
   const shelf = EDGE + Math.max(0, count - 1) * ROW + 6, axis = (count > 0 ? shelf + ABOVE : EDGE) + above + half;
@@ -161,14 +190,20 @@ export function workshopDrawing(
   shapes.push({ role: "axis", d: lineThrough([{ x: axisLeft, y: axis }, { x: axisRight, y: axis }]) });
   const beside = (list: readonly Across[], side: 1 | -1) => {
     let x = onPaper(at(side > 0 ? box.right : box.left, 0)).x + side * (FIRST - NEXT_TO);
-    for (const { size, r, left: a, right: b } of list) {
+    for (const { size, r, left: a, right: b, isBore } of list) {
       // The text stands on the left of its line, where one reads it from the right of the sheet.
       const tall = tallOf(size);
       const at0 = side > 0 ? x + tall + NEXT_TO : x - NEXT_TO;
-      const ends = [at(side > 0 ? b : a, r), at(side > 0 ? b : a, -r)].map(onPaper) as [Place, Place];
-      for (const { x: start, y } of ends)
+      const [upper, lower] = [at(side > 0 ? b : a, r), at(side > 0 ? b : a, -r)].map(onPaper) as [Place, Place];
+      // The lower half shows the outside: the line of a bore ends behind the centre line, with one arrow.
+      for (const { x: start, y } of isBore ? [upper] : [upper, lower])
         shapes.push({ role: "thin", d: lineThrough([{ x: start + side * AIR, y }, { x: at0 + side * 1.2, y }]) });
-      shapes.push(...dimensionLine({ x: at0, y: ends[0].y }, { x: at0, y: ends[1].y }));
+      const top = { x: at0, y: upper.y };
+      shapes.push(
+        ...(isBore
+          ? halfDimensionLine(top, { x: at0, y: axis + widthOf(size) / 2 + PAST_TEXT })
+          : dimensionLine(top, { x: at0, y: lower.y })),
+      );
       texts.push(writtenAt(size, { x: at0 - tall / 2 - 0.4, y: axis }, true));
       x = side > 0 ? at0 : at0 - tall;
     }
@@ -180,7 +215,7 @@ export function workshopDrawing(
   texts.push(...drawnNotes.texts);
 
   const below = lengthsOf(seen, axis, "below");
-  for (const drawn of [below, lengthsOf(inside, axis, "above")]) {
+  for (const drawn of [below, lengthsOf(inside, axis, "above", drawnNotes.lines)]) {
     shapes.push(...drawn.shapes);
     texts.push(...drawn.texts);
   }

@@ -16,7 +16,8 @@ export function printWords(t: CourseDrawingTexts, language: Language): PrintWord
     deviation: (value) => (value === 0 ? "0" : typeset(formatSigned(language, value))),
     both: (value) => `±${number(Math.abs(value))}`,
     radius: (value) => t.radius(number(value)),
-    chamfer: (size, angle) => t.chamfer(number(size), formatNumber(language, angle, 1)),
+    // On a cone it goes along the axis by a little less than it was given: hundredths are what is measured.
+    chamfer: (size, angle) => t.chamfer(formatNumber(language, size, 2), formatNumber(language, angle, 1)),
     roughness: (value) => t.micrometres(number(value)),
   };
 }

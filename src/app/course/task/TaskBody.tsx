@@ -1,4 +1,5 @@
-import { goalsOf, isMet } from "../../../course/goals.ts";
+import type { ReactNode } from "react";
+import { gathered, goalsOf, isMet, type DrawnGoal, type TaskGoal } from "../../../course/goals.ts";
 import type { Task, TaskWords } from "../../../course/task.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
 import { formatNumber } from "../../../i18n/number.ts";
@@ -10,6 +11,7 @@ import { WorkshopDrawing } from "../drawing/WorkshopDrawing.tsx";
 import { Paragraphs } from "../Paragraphs.tsx";
 import { ForetoldResult } from "./ForetoldResult.tsx";
 import { goalText } from "./goal-words.ts";
+import { placedText } from "./mark-words.ts";
 import { TaskHelp } from "./TaskHelp.tsx";
 import { TaskOnward } from "./TaskOnward.tsx";
 import { useTaskView } from "./task-view.ts";
@@ -21,25 +23,65 @@ interface Props {
   readonly words: TaskWords;
 }
 
-/** What the task wants, ticked off after the first check. */
-function Goals({ task, t }: Props) {
+/** One goal with its tick; `met`: undefined where that is not known. */
+function Ticked({ met, t, children }: { readonly met: boolean | undefined; readonly t: CourseTaskTexts; readonly children: ReactNode }) {
+  return (
+    <>
+      <span className="task-tick" aria-hidden="true">{met !== undefined && <Icon name={met ? "check" : "close"} />}</span>
+      <span>{children} {met !== undefined && <span className="unseen">, {met ? t.met : t.notMet}</span>}</span>
+    </>
+  );
+}
+
+/** The sizes that stand on the drawing as one goal: unfolded each of them, first those that are wrong, with what they are and where. */
+function DrawnSizes({ task, t, drawn, known }: Omit<Props, "words"> & { readonly drawn: readonly DrawnGoal[]; readonly known: boolean }) {
+  const language = useSettings((s) => s.language);
+  const wrong = drawn.filter(({ marks }) => marks.length > 0).length;
+  const met = known ? wrong === 0 : undefined;
+  return (
+    <li className="task-drawn" data-met={met}>
+      <details>
+        <summary>
+          <Ticked met={met} t={t}>{wrong > 0 ? t.is.drawnWrong(drawn.length, wrong) : t.is.drawn(drawn.length)}</Ticked>
+        </summary>
+        <ul>
+          {drawn.map(({ goal, marks }, i) => (
+            <li key={i} data-met={known ? marks.length === 0 : undefined}>
+              <Ticked met={known ? marks.length === 0 : undefined} t={t}>
+                {goalText(t, language, goal)}
+                {marks.map((mark, k) => <span key={k} className="task-measured">{placedText(mark, { t, language, task })}</span>)}
+              </Ticked>
+            </li>
+          ))}
+        </ul>
+      </details>
+    </li>
+  );
+}
+
+/** What the task wants, ticked off after the first check. Beside a drawing the sizes that stand on it are one goal. */
+function Goals({ task, t, hasDrawing }: Omit<Props, "words"> & { readonly hasDrawing: boolean }) {
   const language = useSettings((s) => s.language);
   const { live, foretold } = useTaskView();
   const rights = (foretold ?? []).map(({ right }) => right);
+  const all = goalsOf(task), groups = gathered(all, live);
+  const isGathered = hasDrawing && groups.drawn.length > 1;
+  const row = (goal: TaskGoal, i: number) => {
+    const known = goal.kind === "foretold" ? foretold !== null : live !== null;
+    const met = known ? isMet(goal, live, rights) : undefined;
+    return (
+      <li key={`${goal.kind} ${i}`} data-met={met}>
+        <Ticked met={met} t={t}>{goalText(t, language, goal)}</Ticked>
+      </li>
+    );
+  };
   return (
     <section className="task-part" aria-label={t.goals}>
       <h3>{t.goals}</h3>
       <ul className="task-goals">
-        {goalsOf(task).map((goal, i) => {
-          const known = goal.kind === "foretold" ? foretold !== null : live !== null;
-          const met = known && isMet(goal, live, rights);
-          return (
-            <li key={i} data-met={known ? met : undefined}>
-              <span className="task-tick" aria-hidden="true">{known && <Icon name={met ? "check" : "close"} />}</span>
-              <span>{goalText(t, language, goal)} {known && <span className="unseen">, {met ? t.met : t.notMet}</span>}</span>
-            </li>
-          );
-        })}
+        {(isGathered ? groups.before : all).map(row)}
+        {isGathered && <DrawnSizes task={task} t={t} drawn={groups.drawn} known={live !== null} />}
+        {isGathered && groups.after.map((goal, i) => row(goal, all.length + i))}
       </ul>
     </section>
   );
@@ -76,11 +118,12 @@ export function TaskBody({ task, t, words }: Props) {
   const veiled = useEditor((s) => taskOfWork(s)?.veiled ?? false);
   // An instructor's words need not have the sizes: the part is shown.
   const isFromOutside = useEditor((s) => taskOfWork(s)?.file !== undefined);
+  const hasDrawing = task.part !== undefined && (task.kind === "drawing" || isFromOutside);
   return (
     <>
       <section className="task-part task-ask" aria-label={t.unfold}>
         <Paragraphs text={words.ask} />
-        {task.part && (task.kind === "drawing" || isFromOutside) && (
+        {hasDrawing && (
           <details className="task-drawing" open>
             <summary>{t.drawing}</summary>
             <WorkshopDrawing task={task} language={language} />
@@ -88,7 +131,7 @@ export function TaskBody({ task, t, words }: Props) {
         )}
       </section>
       <div className="task-beside">
-        <Goals task={task} t={t} words={words} />
+        <Goals task={task} t={t} hasDrawing={hasDrawing} />
         <Scored t={t} />
         {!veiled && <ForetoldResult t={t} words={words} />}
       </div>

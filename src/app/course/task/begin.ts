@@ -19,6 +19,7 @@ export function workOfTask(task: Task, fromOutside = false): Work {
   const start = startOfTask(task);
   const brought = {
     tools: toolsOfTask(task),
+    ...(task.material !== undefined && { material: task.material }),
     task: { id: task.id, ...(isVeiled(task) && { veiled: true }), ...(fromOutside && { file: task }) },
   };
   if (start.kind === "job") return { ...start.job, ncLanguage: useSettings.getState().language, ...brought };

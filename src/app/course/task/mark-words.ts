@@ -29,6 +29,22 @@ function causeOf({ block, step }: TaskMark, { t, answer: { run } }: MarkWording)
   return move?.pass === undefined ? t.where.block(String(block)) : t.where.pass(String(block), String(move.pass));
 }
 
+/** What was measured in place of a size or a surface of the drawing. */
+function measuredText({ rule, value, limit, size: entry }: TaskMark, { t, language, task }: Pick<MarkWording, "t" | "language" | "task">) {
+  const number = (n: number | undefined, decimals = 3) => (n === undefined ? "–" : formatNumber(language, n, decimals));
+  const { wrong } = t;
+  if (rule === "rz") return value === undefined ? wrong.noRz(number(limit)) : wrong.rz(number(value, 1), number(limit));
+  const size = task.sizes?.[entry ?? 0];
+  if (!size) return "";
+  return value === undefined ? wrong.noSize(sizeGoal(t, language, size)) : wrong.size[size.kind](number(value), toleranced(language, size));
+}
+
+/** The same with its place on the part. */
+export function placedText(mark: TaskMark, wording: Pick<MarkWording, "t" | "language" | "task">): string {
+  const said = measuredText(mark, wording);
+  return mark.place ? wording.t.where.at(said, ...placeWords(wording.language, mark.place)) : said;
+}
+
 function what(mark: TaskMark, { t, texts, language, task, answer }: MarkWording): string {
   const { rule, value, limit, about, rings = [] } = mark;
   const number = (n: number | undefined, decimals = 3) => (n === undefined ? "–" : formatNumber(language, n, decimals));
@@ -52,13 +68,9 @@ function what(mark: TaskMark, { t, texts, language, task, answer }: MarkWording)
     case "residue":
       if (about !== undefined) return wrong.thread(String(about));
       return mark.reason ? wrong.leftBy(wrong.residue(thick()), texts.messages.reasons[mark.reason]) : wrong.residue(thick());
-    case "size": {
-      const size = task.sizes?.[mark.size ?? 0];
-      if (!size) return "";
-      return value === undefined
-        ? wrong.noSize(sizeGoal(t, language, size))
-        : wrong.size[size.kind](number(value), toleranced(language, size));
-    }
+    case "size":
+    case "rz":
+      return measuredText(mark, { t, language, task });
     case "speed":
       return value === undefined ? wrong.noLimit(number(limit)) : wrong.speed(number(value, 0), number(limit));
     case "depth":
@@ -80,8 +92,6 @@ function what(mark: TaskMark, { t, texts, language, task, answer }: MarkWording)
     }
     case "passes":
       return wrong.passes(value ?? 0, limit ?? 0);
-    case "rz":
-      return value === undefined ? wrong.noRz(number(limit)) : wrong.rz(number(value, 1), number(limit));
   }
 }
 

@@ -1,0 +1,76 @@
+import { useId, useMemo, useRef, type CSSProperties } from "react";
+import { createPortal } from "react-dom";
+import type { DrawnTask } from "../../../course/printed-part.ts";
+import type { CourseDrawingTexts } from "../../../i18n/en/course-drawing.ts";
+import type { PrintWords } from "../../../view/drawing/print-sizes.ts";
+import { drawingOnSheet } from "../../../view/drawing/workshop-drawing.ts";
+import { useSize } from "../../help/use-size.ts";
+import { Icon } from "../../Icon.tsx";
+import { useSettings } from "../../settings/settings.ts";
+import { useModal } from "../../use-modal.ts";
+import { DrawnPrint } from "./DrawnPrint.tsx";
+import { SizeList } from "./SizeList.tsx";
+import { TitleBlock, type Titled } from "./TitleBlock.tsx";
+import { useSheetZoom } from "./use-sheet-zoom.ts";
+
+/** Inside of the frame of a sheet that lies, and what the drawing has of it above its title block, mm. */
+const SHEETS = { a4: { width: 277, height: 190, drawing: 158 }, letter: { width: 259, height: 195, drawing: 163 } } as const;
+/** Pixels for a millimetre at which figures are read without effort; air around the sheet, pixels. */
+const READABLE = 3.4, AIR = 24;
+
+interface Props {
+  readonly titled: Titled;
+  readonly drawn: DrawnTask;
+  readonly words: PrintWords;
+  readonly t: CourseDrawingTexts;
+  readonly onClose: () => void;
+}
+
+/** A workshop drawing over the whole page as the sheet that is printed: to scale, with its title block. */
+export function DrawingSheet({ titled, drawn, words, t, onClose }: Props) {
+  const dialog = useRef<HTMLDialogElement>(null), frame = useRef<HTMLDivElement>(null);
+  const list = useId();
+  const paper = useSettings((s) => s.paper);
+  const { width, height, drawing } = SHEETS[paper];
+  useModal(dialog, ".drawing-view");
+  const size = useSize(frame, { width: width * READABLE, height: height * READABLE });
+  const fit = Math.min((size.width - AIR) / width, (size.height - AIR) / height);
+  const zoom = useSheetZoom(frame, fit, READABLE);
+  const print = useMemo(() => drawingOnSheet(drawn, words, { width: width - 2, height: drawing }), [drawn, words, width, drawing]);
+  if (!print) return null;
+  const name = t.drawingOf(titled.name);
+  const mm = (value: number) => `calc(${value} * var(--mm))`;
+  return createPortal(
+    <dialog ref={dialog} className="drawing-dialog" aria-label={name} onClose={() => !dialog.current?.open && onClose()}
+      onKeyDown={(event) => event.stopPropagation()}
+    >
+      <div className="drawing-bar">
+        <button type="button" className="button" onClick={() => dialog.current?.close()}>
+          <Icon name="back" /> {t.close}
+        </button>
+        <span className="drawing-zoom">
+          <button type="button" className="button icon" aria-label={t.zoomOut} title={t.zoomOut} onClick={zoom.smaller}>−</button>
+          <button type="button" className="button" onClick={zoom.whole}>{t.whole}</button>
+          <button type="button" className="button icon" aria-label={t.zoomIn} title={t.zoomIn} onClick={zoom.larger}>+</button>
+        </span>
+        <button type="button" className="button primary" title={t.printHint} onClick={() => globalThis.print()}>
+          <Icon name="print" /> {t.print}
+        </button>
+      </div>
+      <div className="drawing-view" ref={frame} role="region" aria-label={t.sheet} tabIndex={0} onKeyDown={zoom.onKeyDown}>
+        <figure className="workshop drawing-page" data-paper={paper} aria-label={name}
+          style={{ "--mm": `${zoom.scale / 16}rem`, width: mm(width), height: mm(height) } as CSSProperties}
+        >
+          <div className="drawing-field">
+            <DrawnPrint print={print} name={name} list={list} style={{ width: mm(print.width), height: mm(print.height) }} />
+          </div>
+          <figcaption>
+            <TitleBlock titled={titled} drawn={drawn} print={print} words={words} t={t} />
+          </figcaption>
+        </figure>
+        <SizeList id={list} list={print.list} general={print.general} words={words} t={t} />
+      </div>
+    </dialog>,
+    document.body,
+  );
+}

@@ -1,0 +1,89 @@
+import { useEffect, useEffectEvent, useLayoutEffect, useRef, useState, type KeyboardEvent, type RefObject } from "react";
+import type { Place } from "../../../view/camera.ts";
+
+/** One press of a button or key, and the greatest picture, pixels for a millimetre. */
+const STEP = 1.25, MOST = 16;
+/** Zoom per wheel pixel. */
+const WHEEL = 0.0025;
+
+export interface SheetZoom {
+  /** Pixels for a millimetre, in page units. */
+  readonly scale: number;
+  readonly larger: () => void;
+  readonly smaller: () => void;
+  /** Shows all of it. */
+  readonly whole: () => void;
+  readonly onKeyDown: (event: KeyboardEvent) => void;
+}
+
+/**
+ * How large a sheet stands in a frame that scrolls: at first so that it is `readable` at least, never smaller than `fit`, at which all of
+ * it is seen. Two fingers and the wheel with Ctrl zoom about the place they are at, the mouse drags; one finger and the arrow keys scroll.
+ */
+export function useSheetZoom(frame: RefObject<HTMLElement | null>, fit: number, readable: number): SheetZoom {
+  const [chosen, choose] = useState<number | null>(null);
+  const scale = Math.min(MOST, Math.max(fit, chosen ?? readable));
+  /** Where the frame is to be scrolled to, once the sheet has its new size. */
+  const next = useRef<Place | null>(null);
+  useLayoutEffect(() => {
+    const { current: node } = frame;
+    if (node && next.current) node.scrollTo(next.current.x, next.current.y);
+    next.current = null;
+  }, [frame, scale]);
+
+  const zoom = (factor: number, about?: Place) => {
+    const { current: node } = frame;
+    if (!node) return;
+    const to = Math.min(MOST, Math.max(fit, scale * factor)), by = to / scale;
+    const { x, y } = about ?? { x: node.clientWidth / 2, y: node.clientHeight / 2 };
+    next.current = { x: (node.scrollLeft + x) * by - x, y: (node.scrollTop + y) * by - y };
+    choose(to);
+  };
+
+  const placed = (node: HTMLElement, points: readonly { readonly clientX: number; readonly clientY: number }[]): Place => {
+    const box = node.getBoundingClientRect();
+    const middle = (each: (point: { readonly clientX: number; readonly clientY: number }) => number) =>
+      points.reduce((sum, point) => sum + each(point), 0) / points.length;
+    return { x: middle((p) => p.clientX) - box.left, y: middle((p) => p.clientY) - box.top };
+  };
+  const turned = useEffectEvent((event: WheelEvent, node: HTMLElement) => zoom(Math.exp(-event.deltaY * WHEEL), placed(node, [event])));
+  const pinched = useEffectEvent((factor: number, touches: readonly Touch[], node: HTMLElement) => zoom(factor, placed(node, touches)));
+  useEffect(() => {
+    const { current: node } = frame;
+    if (!node) return undefined;
+    let apart = 0;
+    const stop = new AbortController(), { signal } = stop;
+    node.addEventListener("wheel", (event) => {
+      if (!event.ctrlKey && !event.metaKey) return;
+      event.preventDefault();
+      turned(event, node);
+    }, { passive: false, signal });
+    // One finger scrolls as everywhere; two would zoom the whole page.
+    const hold = (event: TouchEvent) => {
+      const [a, b] = [...event.touches];
+      if (!a || !b) return;
+      event.preventDefault();
+      const now = Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY);
+      if (event.type === "touchmove" && apart > 0) pinched(now / apart, [a, b], node);
+      apart = now;
+    };
+    node.addEventListener("touchstart", hold, { passive: false, signal });
+    node.addEventListener("touchmove", hold, { passive: false, signal });
+    node.addEventListener("pointerdown", (event) => {
+      if (event.pointerType === "mouse" && event.button === 0) node.setPointerCapture(event.pointerId);
+    }, { signal });
+    node.addEventListener("pointermove", (event) => {
+      if (node.hasPointerCapture(event.pointerId)) node.scrollBy(-event.movementX, -event.movementY);
+    }, { signal });
+    return () => stop.abort();
+  }, [frame]);
+
+  const larger = () => zoom(STEP), smaller = () => zoom(1 / STEP), whole = () => choose(fit);
+  const onKeyDown = (event: KeyboardEvent) => {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.key === "+" || event.key === "=") larger();
+    else if (event.key === "-") smaller();
+    else if (event.key === "0") whole();
+  };
+  return { scale, larger, smaller, whole, onKeyDown };
+}

@@ -1,0 +1,132 @@
+import * as fc from "fast-check";
+import { readdirSync } from "node:fs";
+import { describe, expect, test } from "vitest";
+import { printWords } from "../src/app/course/drawing/print-words.ts";
+import { drawnTask, type DrawnTask } from "../src/course/printed-part.ts";
+import { taskSchema } from "../src/course/task.ts";
+import { courseDrawing as english } from "../src/i18n/en/course-drawing.ts";
+import { courseDrawing as german } from "../src/i18n/de/course-drawing.ts";
+import { courseDrawing as french } from "../src/i18n/fr/course-drawing.ts";
+import { courseDrawing as chinese } from "../src/i18n/zh/course-drawing.ts";
+import { labelsOverlap, type LabelBox } from "../src/view/help/labels.ts";
+import { drawingOnSheet, workshopDrawing, type WorkshopPrint } from "../src/view/drawing/workshop-drawing.ts";
+import { projectFile } from "./sources.ts";
+
+const LANGUAGES = {
+  en: printWords(english, "en"),
+  de: printWords(german, "de"),
+  fr: printWords(french, "fr"),
+  zh: printWords(chinese, "zh"),
+};
+const SHEET = { width: 275, height: 158 };
+const ROOMS = [{ width: 178, height: 128 }, { width: 84, height: 128 }];
+
+/** A box without the air around its letters. */
+const letters = ({ x, y, width, height }: LabelBox): LabelBox => ({ x: x + 0.8, y: y + 0.8, width: width - 1.6, height: height - 1.6 });
+
+type Spot = readonly [x: number, y: number];
+
+/** The straight lines of a path; curves are left out. */
+const straights = (d: string): (readonly [Spot, Spot])[] =>
+  [...d.matchAll(/M[^MQaZ]+/g)].flatMap(([line]) => {
+    const numbers = [...line.matchAll(/-?\d+(?:\.\d+)?/g)].map(([n]) => Number(n));
+    const spots = Array.from({ length: Math.floor(numbers.length / 2) }, (_, i): Spot => [numbers[2 * i] ?? 0, numbers[2 * i + 1] ?? 0]);
+    return line.includes("H") ? [] : spots.slice(1).map((to, i) => [spots[i] ?? to, to] as const);
+  });
+
+/** Whether a line goes through a box, by its places in small steps. */
+function crosses([[ax, ay], [bx, by]]: readonly [Spot, Spot], { x, y, width, height }: LabelBox): boolean {
+  const steps = Math.ceil(Math.hypot(bx - ax, by - ay) / 0.2);
+  return Array.from({ length: steps + 1 }, (_, i) => i / Math.max(1, steps)).some((share) => {
+    const [px, py] = [ax + share * (bx - ax), ay + share * (by - ay)];
+    return px > x && px < x + width && py > y && py < y + height;
+  });
+}
+
+/** What is wrong with a drawing as a print. */
+function faultsOf({ texts, shapes, width, height }: WorkshopPrint): string[] {
+  const over = texts.flatMap((a, i) =>
+    texts.slice(i + 1).filter((b) => labelsOverlap(a.box, b.box)).map((b) => `${a.text} over ${b.text}`)
+  );
+  const out = texts.filter(({ box: b }) => b.x < 0 || b.y < 0 || b.x + b.width > width || b.y + b.height > height);
+  const lines = shapes.filter(({ role }) => role === "thin" || role === "outline" || role === "edge").flatMap(({ role, d }) =>
+    straights(d).map((line) => ({ role, line }))
+  );
+  const through = texts.flatMap((text) =>
+    lines.filter(({ line }) => crosses(line, letters(text.box))).map(({ role }) => `a ${role} line through ${text.text}`)
+  );
+  return [...over, ...out.map(({ text }) => `${text} outside`), ...through];
+}
+
+const drawings = readdirSync("src/course/tasks").flatMap((file): (readonly [string, DrawnTask])[] => {
+  const drawn = drawnTask(taskSchema.parse(JSON.parse(projectFile(`src/course/tasks/${file}`))));
+  return drawn ? [[file, drawn]] : [];
+});
+
+describe.each(drawings)("%s", (_, drawn) => {
+  test.each(Object.entries(LANGUAGES))("is a legible print, %s", (_language, words) => {
+    const prints = [...ROOMS.map((room) => workshopDrawing(drawn, words, room)), drawingOnSheet(drawn, words, SHEET)];
+    expect(prints.map((print) => print && faultsOf(print))).toEqual(prints.map(() => []));
+  });
+  test("has room on one sheet", () => {
+    const print = drawingOnSheet(drawn, LANGUAGES.de, SHEET);
+    expect(print?.width).toBeLessThanOrEqual(SHEET.width);
+    expect(print?.height).toBeLessThanOrEqual(SHEET.height);
+  });
+});
+
+/** A shaft of steps with broken edges and a bore of steps, in tenths of a millimetre. */
+const turned = fc.record({
+  steps: fc.array(fc.record({
+    rise: fc.integer({ min: 13, max: 170 }),
+    long: fc.integer({ min: 31, max: 290 }),
+    corner: fc.integer({ min: 0, max: 12 }),
+    deviation: fc.integer({ min: 0, max: 2 }),
+  }), { minLength: 1, maxLength: 6 }),
+  bore: fc.array(fc.record({ rise: fc.integer({ min: 11, max: 90 }), long: fc.integer({ min: 37, max: 210 }) }), { maxLength: 3 }),
+});
+
+test("any turned part is a legible print on one sheet", () => {
+  fc.assert(fc.property(turned, fc.constantFrom("en", "de", "fr", "zh"), ({ steps, bore }, language) => {
+    let x = 20 + bore.reduce((sum, { rise }) => sum + 2 * rise, 0) / 10, z = 0;
+    const least = 11, outside = [`L X+${bore.length > 0 ? x : 0} Z+0`], sizes: NonNullable<Parameters<typeof drawnTask>[0]["sizes"]> = [];
+    for (const { rise, long, corner, deviation } of steps) {
+      x = Math.round(10 * x + 2 * rise) / 10;
+      outside.push(`L X+${x}`);
+      if (corner > 3) outside.push(corner > 8 ? "RND R0.6" : "CHF 0.5");
+      sizes.push({
+        kind: "diameter",
+        at: z - long / 20,
+        nominal: x,
+        ...([{ upper: 0, lower: -0.021 }, { upper: 0.05, lower: -0.05 }, { upper: 0, lower: 0 }] as const)[deviation]
+          ?? { upper: 0, lower: 0 },
+      });
+      z = Math.round(10 * z - long) / 10;
+      outside.push(`L Z${z}`);
+    }
+    const end = Math.round(10 * x + 60) / 10;
+    outside.push(`L X+${end}`);
+    let d = 20 + bore.reduce((sum, { rise }) => sum + 2 * rise, 0) / 10 - 2, depth = 0;
+    const inside = [`L X+${d} Z+0`];
+    for (const { rise, long } of bore) {
+      depth = Math.round(10 * depth - long) / 10;
+      inside.push(`L Z${depth}`);
+      d = Math.max(least, Math.round(10 * d - 2 * rise) / 10);
+      inside.push(`L X+${d}`);
+    }
+    const drawn = drawnTask({
+      part: {
+        blank: [`BLK FORM CYLINDER Z D${end} L${Math.round(Math.max(-z, -depth) + 30)} DIST+1${bore.length > 0 ? ` DI${least}` : ""}`],
+        outside,
+        ...(bore.length > 0 && { bore: [...inside, `L X+${least}`] }),
+      },
+      sizes,
+      rules: { rz: [{ from: 0, to: z, most: 6.3 }] },
+    });
+    const print = drawn && drawingOnSheet(drawn, LANGUAGES[language], SHEET);
+    expect(print).not.toBeNull();
+    if (print) expect(faultsOf(print)).toEqual([]);
+    expect(print?.width).toBeLessThanOrEqual(SHEET.width);
+    expect(print?.height).toBeLessThanOrEqual(SHEET.height);
+  }), { numRuns: 60 });
+});
