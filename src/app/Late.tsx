@@ -1,24 +1,5 @@
-import { startTransition, useEffect, useState, type ReactNode } from "react";
-
-/** What is done when the next picture is painted, all of it together. */
-let waiting: readonly (() => void)[] = [];
-
-/** Runs when the next picture is painted. Gives the way to call it off. */
-function afterPicture(run: () => void): () => void {
-  if (waiting.length === 0) {
-    requestAnimationFrame(() =>
-      setTimeout(() => {
-        const due = waiting;
-        waiting = [];
-        startTransition(() => due.forEach((each) => each()));
-      })
-    );
-  }
-  waiting = [...waiting, run];
-  return () => {
-    waiting = waiting.map((each) => (each === run ? () => undefined : each));
-  };
-}
+import { useEffect, useState, type ReactNode } from "react";
+import { afterPicture } from "./after-picture.ts";
 
 /** The value as it stood when the last picture was painted: it follows a moment after a key, whose picture does not wait for it. */
 export function useLater<T>(value: T): T {

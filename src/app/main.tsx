@@ -20,6 +20,7 @@ import { fetchFirstTexts } from "./settings/loaded-texts.ts";
 import { useSettings } from "./settings/settings.ts";
 import { useEditor } from "./store.ts";
 import { startTools } from "./tools/keep-tools.ts";
+import { tellBeforeActing } from "./typing.ts";
 import "./styles/tokens.css";
 import "./styles/base.css";
 import "./styles/layout.css";
@@ -60,6 +61,7 @@ void resume(askedWork).then(async () => {
   startKeeping();
   void keepBeside();
   void untilHere(() => import("./styles/print.css"));
+  tellBeforeActing();
   startEngineLater();
   void openShared();
   followAddress(begun);

@@ -1,6 +1,6 @@
-import { create } from "zustand";
 import type { HandedOn, Job } from "../program/job.ts";
 import { closeStep, forget, goesOn, note, noteChange, stepBetween } from "./steps.ts";
+import { heldWhileTyping } from "./typing.ts";
 import { isProgram, type ProgramWork, type Work } from "./work.ts";
 
 /** What is worked on, and the name it is kept under on this device. */
@@ -12,7 +12,7 @@ export interface Editor {
   readonly work: string | null;
 }
 
-export const useEditor = create<Editor>(() => ({ job: null, program: null, work: null }));
+export const useEditor = heldWhileTyping<Editor>(() => ({ job: null, program: null, work: null }));
 
 /** What hands over changes that it still holds back: asked before the work is changed for another one, or the page goes away. */
 export const beforeLeaving = new Set<() => void>();

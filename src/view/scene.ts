@@ -117,6 +117,10 @@ function framed(steps: readonly Step[]): readonly Step[] {
   return cutting.length > 0 ? cutting : steps;
 }
 
+/** The finished contours of a run. */
+export const contourShapes = (contours: SceneParts["contours"]): readonly Shape[] =>
+  contours.map((contour) => ({ role: "contour", d: segmentData(contour) }));
+
 /** Builds the still part of the picture. */
 export function sceneOf({ blank, contours, steps, path: drawn, sketch = [], near = [], waits = null }: SceneParts): Scene {
   const material = boundsOf(blank.flat());
@@ -126,8 +130,7 @@ export function sceneOf({ blank, contours, steps, path: drawn, sketch = [], near
   const shapes: Shape[] = [];
   if (blank.length > 0) shapes.push({ role: "blank", d: ringData(blank) });
   if (sketch.length > 0) shapes.push({ role: "sketch", d: segmentData(sketch) });
-  for (const contour of contours) shapes.push({ role: "contour", d: segmentData(contour) });
-  shapes.push(...(drawn ?? toolpath(steps)));
+  shapes.push(...contourShapes(contours), ...(drawn ?? toolpath(steps)));
   const tip = boundsOf(waits ? [waits.at] : []), standing = tip && waits?.tool ? insertBox(tip, waits.tool) : tip;
   const all = joined(joined(material, joined(joined(workingBox(framed(steps)), standing), outline)), chuck?.seen ?? null) ?? EMPTY;
   // Below the axis there is the other half of the work.

@@ -14,7 +14,7 @@ import { Picture } from "../lathe/Picture.tsx";
 import type { PlaybackStore } from "../lathe/playback-store.ts";
 import { statusText } from "../lathe/Readout.tsx";
 import { useMaterial } from "../lathe/use-material.ts";
-import { usePasses } from "../lathe/use-paths.ts";
+import { stretchesOf } from "../lathe/use-paths.ts";
 import { usePlayback } from "../lathe/use-playback.ts";
 import { createViewport, type Viewport } from "../lathe/viewport.ts";
 import { LoadLines } from "../load/LoadLines.tsx";
@@ -97,7 +97,7 @@ export function LessonPicture({ outcome, page, playback, waits, failed, slid }: 
   const isLong = useLong(waits, SOON);
   const played = useMemo(() => stepsPlayed(run.steps, page.blocks), [run, page.blocks]);
   const { moving } = useMaterial(outcome, playback);
-  const passes = usePasses(run);
+  const passes = stretchesOf(run);
   const scene = useMemo(() => sceneOfRun(run, passes.whole), [run, passes]);
   const still = reducedMotion({ motion });
   // As long as the run is that of the page before, this page has not been opened yet: it begins when its own run is here.

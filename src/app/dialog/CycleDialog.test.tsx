@@ -187,7 +187,7 @@ test.each([["out of range", () => angle, "120", /Take 11\.0744/], ["no number", 
   await user.clear(field());
   if (text !== "") await user.type(field(), text);
   expect(field().value).toBe(text);
-  expect(field().getAttribute("aria-invalid")).toBe("true");
+  await waitFor(() => expect(field().getAttribute("aria-invalid")).toBe("true"));
   const said = within(active()).getByRole("status");
   expect(said.textContent).not.toBe("");
   if (!nearest) return;

@@ -1,5 +1,4 @@
 import { useMemo } from "react";
-import { create } from "zustand";
 import type { Issue } from "../../kernel/issue.ts";
 import type { Reading } from "../../nc/reread.ts";
 import type { Draft } from "../../program/read-draft.ts";
@@ -13,6 +12,7 @@ import { problemsOfBlock, readingOfBlock, withPrompt } from "./block-prompts.ts"
 import { editProgram, useSession, type Session } from "./session.ts";
 import { useShownBeside } from "../files/shown-file.ts";
 import { findingsShown } from "../files/shown-findings.ts";
+import { heldWhileTyping } from "../typing.ts";
 
 /** What is typed into the prompts of the open block; the text has it as soon as it can be read. */
 interface Typed {
@@ -22,7 +22,7 @@ interface Typed {
   readonly index: number;
 }
 
-const useTyped = create<Typed>(() => ({ draft: {}, reading: null, index: -1 }));
+const useTyped = heldWhileTyping<Typed>(() => ({ draft: {}, reading: null, index: -1 }));
 const untyped: Draft = {};
 const none: readonly Issue[] = [];
 const draftIn = ({ draft, reading, index }: Typed, session: Session): Draft =>

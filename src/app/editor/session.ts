@@ -1,7 +1,6 @@
 import { isolateHistory, redo, undo, undoDepth } from "@codemirror/commands";
 import { EditorState, type StateCommand, type TransactionSpec } from "@codemirror/state";
 import { EditorView, type ViewUpdate } from "@codemirror/view";
-import { create } from "zustand";
 import { readingOf, type Reading } from "../../nc/reread.ts";
 import type { Program } from "../../nc/program.ts";
 import { fileKey } from "../../program/program-files.ts";
@@ -19,6 +18,7 @@ import { withHistory, writtenState } from "./kept-text.ts";
 import { lineEndsOf, toEditor, type LineEnds } from "./line-ends.ts";
 import { blockRange, cursorBlock, isRead, parameterAt, readFurther, readingField } from "./reading-field.ts";
 import { onShown, shownFile, showFile } from "../files/shown-file.ts";
+import { heldWhileTyping } from "../typing.ts";
 
 /** What the panels beside the text show: the blocks, and which one is open. */
 export interface Session {
@@ -36,7 +36,7 @@ export interface Session {
 }
 
 const none: Session = { reading: readingOf(""), index: -1, parameter: null, opened: 0, pointed: 0, put: 0 };
-export const useSession = create<Session>(() => none);
+export const useSession = heldWhileTyping<Session>(() => none);
 
 /** Rest after typing before panels follow, and before a text of this many blocks is calculated and kept, ms. */
 const PANELS_REST = 80;

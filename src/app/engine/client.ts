@@ -9,6 +9,7 @@ import type { Operation } from "../../program/run-types.ts";
 import type { ToolFit } from "../../program/which-tool.ts";
 import type { Remedy } from "../../report/remedies.ts";
 import type { Residual } from "../../sim/simulation.ts";
+import { afterPicture } from "../after-picture.ts";
 import { printedText } from "../printed.ts";
 import { readJob, setJobOf } from "../reading.ts";
 import { untilHere } from "../parts.ts";
@@ -126,7 +127,7 @@ function want(request: Wanted["request"]): void {
   // What the page has planned is drawn before it is handed to the worker, which takes a copy.
   if (!planned) return void work();
   if (!busy) atStage("reading");
-  setTimeout(() => void work());
+  afterPicture(() => void work());
 }
 
 /** Ends a calculation that takes too long; text and last picture stay. */

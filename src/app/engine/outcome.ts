@@ -1,6 +1,6 @@
-import { create } from "zustand";
 import { chooseFinding } from "../findings/chosen.ts";
 import { clearSelection } from "../selected.ts";
+import { heldWhileTyping } from "../typing.ts";
 import { filesOf, type ProgramWork, type WorkFile } from "../work.ts";
 import type { Run } from "../../program/run-types.ts";
 import type { Simulation } from "../../sim/simulation.ts";
@@ -69,7 +69,7 @@ const none: OutcomeState = {
   stopped: false,
   paused: false,
 };
-export const useOutcome = create<OutcomeState>(() => none);
+export const useOutcome = heldWhileTyping<OutcomeState>(() => none);
 
 /** A cycle with its moves, or in a program without cycles any move, turned or milled. */
 const makesPath = (made: Made | null) => {

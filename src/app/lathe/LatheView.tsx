@@ -39,7 +39,7 @@ import { StepList } from "./StepList.tsx";
 import { useTold } from "./told.ts";
 import { Timeline } from "./Timeline.tsx";
 import { useLooking } from "./use-looking.ts";
-import { usePasses, useShownPath } from "./use-paths.ts";
+import { stretchesOf, useShownPath } from "./use-paths.ts";
 import { usePicking } from "./use-picking.ts";
 import { usePlayback } from "./use-playback.ts";
 import { useMaterial, type LatheResult } from "./use-material.ts";
@@ -119,7 +119,7 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
 
   const typed = run.operations.every((o) => o.plan.contour.length === 0) ? known : null;
   const waiting = run.steps.length === 0 ? typed : null;
-  const passes = usePasses(run);
+  const passes = stretchesOf(run);
   const scene = useMemo(() => sceneOf({ ...partsOf(run), path: passes.whole, ...(typed && knownParts(typed, run)) }), [run, typed, passes]);
   const held = useMemo(() => run.steps.some((step) => step.tool.holder), [run]);
   const starts = useMemo(() => (waiting?.start ? [waiting.start] : run.operations.map((o) => o.start)), [run, waiting]);
@@ -194,7 +194,7 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
       >
         {!alone && (
           <>
-            <Picture viewport={viewport} scene={scene} moving={moving} waiting={waiting} gouges={gouges} residual={residual}
+            <Picture of={run} viewport={viewport} scene={scene} moving={moving} waiting={waiting} gouges={gouges} residual={residual}
               section={section} name={t.pictures[section](state)} path={path.stretches} ghosts={
               <Late>
                 <GhostPaths scene={scene} clock={clock} />

@@ -1,13 +1,14 @@
 import { memo, useEffect, useId, useMemo, useRef } from "react";
 import type { Ring } from "../../kernel/point.ts";
+import type { Run } from "../../program/run-types.ts";
 import { ringData } from "../../view/path.ts";
 import type { PathStretch } from "../../view/passes.ts";
 import type { Scene, Shape } from "../../view/scene.ts";
 import type { SectionView } from "../settings/settings.ts";
+import { NewestContour, NewestPath } from "./Ahead.tsx";
 import { LatheAxes } from "./Axes.tsx";
 import { MaterialSheet } from "./MaterialSheet.tsx";
 import type { Moving, Waiting } from "./moving.ts";
-import { PassLines } from "./PassLines.tsx";
 import { RunningMove } from "./RunningMove.tsx";
 import { RunningTool, WaitingTool } from "./ToolSheet.tsx";
 import type { Viewport } from "./viewport.ts";
@@ -59,28 +60,32 @@ const NOTHING: readonly Ring[] = [];
  * Section of the work with path and tool, in sheets from back to front: grid, material, drawing, tool, what is written over it. The drawing
  * is painted once, however long the path. While it plays the material is painted where the tool is, and the tool's sheet is moved.
  */
-export function Picture({ viewport, scene, moving, waiting, gouges, residual, section, path, ghosts, chosen, hovered, name, children }: {
-  readonly viewport: Viewport;
-  readonly scene: Scene;
-  readonly moving: Moving | null;
-  /** The blank and the tool at its start, as long as nothing moves. */
-  readonly waiting: Waiting | null;
-  /** Where the part was cut, and what stays, in part space. */
-  readonly gouges: readonly Ring[];
-  readonly residual: readonly Ring[];
-  readonly section: SectionView;
-  /** The lines of the path that are shown. */
-  readonly path: readonly PathStretch[];
-  /** Paths of other settings, in part space: under the path. */
-  readonly ghosts: React.ReactNode;
-  /** What is chosen, in part space: over the path. */
-  readonly chosen: React.ReactNode;
-  /** What is pointed at, in part space: under the tool. */
-  readonly hovered: React.ReactNode;
-  readonly name: string;
-  /** What stands in screen space above the picture. */
-  readonly children: React.ReactNode;
-}) {
+export function Picture({ of = null, viewport, scene, moving, waiting, gouges, residual, section, path, ghosts, chosen, hovered, name,
+  children }: {
+    /** What is shown of the open work: a newer run of it is drawn with the key that made it, as far as path and contour go. */
+    readonly of?: Run | null;
+    readonly viewport: Viewport;
+    readonly scene: Scene;
+    readonly moving: Moving | null;
+    /** The blank and the tool at its start, as long as nothing moves. */
+    readonly waiting: Waiting | null;
+    /** Where the part was cut, and what stays, in part space. */
+    readonly gouges: readonly Ring[];
+    readonly residual: readonly Ring[];
+    readonly section: SectionView;
+    /** The lines of the path that are shown. */
+    readonly path: readonly PathStretch[];
+    /** Paths of other settings, in part space: under the path. */
+    readonly ghosts: React.ReactNode;
+    /** What is chosen, in part space: over the path. */
+    readonly chosen: React.ReactNode;
+    /** What is pointed at, in part space: under the tool. */
+    readonly hovered: React.ReactNode;
+    readonly name: string;
+    /** What stands in screen space above the picture. */
+    readonly children: React.ReactNode;
+  })
+{
   const id = useId(), full = section === "full";
   const isLong = useMemo(() => path.reduce((sum, { shapes }) => shapes.reduce((s, { d }) => s + d.length, sum), 0) > LONG_PATH, [path]);
   const sheets = useMemo(() => ({
@@ -101,8 +106,8 @@ export function Picture({ viewport, scene, moving, waiting, gouges, residual, se
         <World viewport={viewport} isLong={isLong}>
           {residual.length > 0 && <Rings rings={residual} role="residual" fill={`url(#${id}residual)`} />}
           <Still shapes={sheets.blank} mirror={full} />
-          {moving && <PassLines stretches={path} playback={moving.playback} isLong={isLong} />}
-          <Still shapes={sheets.contour} mirror={full} />
+          {moving && <NewestPath of={of} stretches={path} playback={moving.playback} isLong={isLong} />}
+          <NewestContour of={of} shapes={sheets.contour}>{(shapes) => <Still shapes={shapes} mirror={full} />}</NewestContour>
           {gouges.length > 0 && <Rings rings={gouges} role="gouge" />}
           {chosen}
         </World>

@@ -18,12 +18,21 @@ const NONE: ShownPath = { stretches: [], has: () => false };
 
 const within = (stretches: readonly MoveSpan[]) => (step: number) => stretches.some(({ first, last }) => step >= first && step <= last);
 
-/** The path of a run by its passes, and whole. */
-export const usePasses = (run: Run): { readonly stretches: readonly PathStretch[]; readonly whole: readonly Shape[] } =>
-  useMemo(() => {
-    const stretches = pathStretches(run.steps);
-    return { stretches, whole: wholePath(stretches) };
-  }, [run]);
+interface Passes {
+  readonly stretches: readonly PathStretch[];
+  readonly whole: readonly Shape[];
+}
+
+const known = new WeakMap<Run, Passes>();
+
+/** The path of a run by its passes, and whole; made once of each run. */
+export function stretchesOf(run: Run): Passes {
+  const have = known.get(run);
+  if (have) return have;
+  const stretches = pathStretches(run.steps), made = { stretches, whole: wholePath(stretches) };
+  known.set(run, made);
+  return made;
+}
 
 /** What the settings show of a run, `all` of whose passes are drawn: new lines only where another call, phase or pass begins. */
 export function useShownPath(run: Run, all: readonly PathStretch[], playback: PlaybackStore): ShownPath {

@@ -1,0 +1,74 @@
+import { act, cleanup, fireEvent, render, screen } from "@testing-library/react";
+import { afterEach, beforeEach, expect, test } from "vitest";
+import { heldWhileTyping, tellBeforeActing, whileTyping } from "./typing.ts";
+
+interface Held {
+  readonly text: string;
+  readonly other: number;
+}
+
+const useHeld = heldWhileTyping<Held>(() => ({ text: "12.5", other: 3 }));
+const Later = () => <output aria-label="later">{useHeld((s) => s.text)}</output>;
+const AtOnce = () => <output aria-label="at once">{useHeld.atOnce((s) => s.text)}</output>;
+const shown = (name: string) => screen.getByLabelText(name).textContent;
+
+const type = (text: string) => act(() => whileTyping(() => useHeld.setState({ text })));
+
+let stop = () => undefined as void;
+beforeEach(() => {
+  useHeld.setState({ text: "12.5", other: 3 });
+  stop = tellBeforeActing();
+  render(<>
+    <Later />
+    <AtOnce />
+    <input aria-label="field" />
+    <button type="button">elsewhere</button>
+  </>);
+});
+afterEach(() => {
+  stop();
+  cleanup();
+});
+
+test("what is typed is drawn first, and told to everything else when the picture is painted", async () => {
+  type("12.57");
+  expect([useHeld.getState().text, shown("at once"), shown("later")]).toEqual(["12.57", "12.57", "12.5"]);
+  await expect.poll(() => shown("later")).toBe("12.57");
+});
+
+test("nothing is told twice, and what was typed last counts", async () => {
+  type("12.57");
+  type("12.571");
+  expect(shown("later")).toBe("12.5");
+  await expect.poll(() => shown("later")).toBe("12.571");
+});
+
+test("any other change tells what is held with it", () => {
+  type("12.57");
+  act(() => useHeld.setState({ other: 4 }));
+  expect(shown("later")).toBe("12.57");
+});
+
+test.each<[string, () => unknown]>([
+  ["Enter", () => fireEvent.keyDown(screen.getByLabelText("field"), { key: "Enter" })],
+  ["a shortcut", () => fireEvent.keyDown(screen.getByLabelText("field"), { key: "z", ctrlKey: true })],
+  ["a digit elsewhere", () => fireEvent.keyDown(screen.getByRole("button"), { key: "7" })],
+  ["a finger", () =>
+    fireEvent.pointerDown(screen.getByRole("button"))],
+  ["the loss of the keyboard", () => fireEvent.focusOut(screen.getByLabelText("field"))],
+])("%s finds everything told", (_, acts) => {
+  let found: string | null = null;
+  const look = () => (found = shown("later"));
+  for (const event of ["keydown", "pointerdown", "focusout"]) document.body.addEventListener(event, look);
+  type("12.57");
+  acts();
+  for (const event of ["keydown", "pointerdown", "focusout"]) document.body.removeEventListener(event, look);
+  expect(found).toBe("12.57");
+});
+
+test("a key that goes on with the number waits for nothing", () => {
+  type("12.57");
+  fireEvent.keyDown(screen.getByLabelText("field"), { key: "3" });
+  fireEvent.keyDown(screen.getByLabelText("field"), { key: "Backspace" });
+  expect(shown("later")).toBe("12.5");
+});

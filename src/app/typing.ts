@@ -1,0 +1,68 @@
+import { flushSync } from "react-dom";
+import { createStore, useStore, type StateCreator, type StoreApi, type UseBoundStore } from "zustand";
+import { afterPicture } from "./after-picture.ts";
+
+/*
+ * While somebody types, the field and the path are drawn first. Everything else that follows the work is told of the change when
+ * that picture is painted, or before anything else happens on the page: nothing is ever pressed that knows less than what was typed.
+ */
+
+let isTyping = false;
+/** What is told of a change that was typed. */
+const held = new Set<() => void>();
+let callOff = (): void => undefined;
+/** How often what was typed has been told. */
+const told = createStore<{ readonly count: number; readonly isAll: boolean }>(() => ({ count: 0, isAll: true }));
+
+function release(): void {
+  callOff();
+  const due = [...held];
+  held.clear();
+  for (const tell of due) tell();
+  if (!told.getState().isAll) told.setState(({ count }) => ({ count: count + 1, isAll: true }));
+}
+
+/** Changes each time that what was typed is told: until then a field itself has to know it. */
+export const useTimesTold = (): number => useStore(told, (s) => s.count);
+
+/** Makes a change that somebody types. */
+export function whileTyping(change: () => void): void {
+  isTyping = true;
+  try {
+    change();
+  } finally {
+    isTyping = false;
+  }
+  if (held.size === 0) return;
+  told.setState({ isAll: false });
+  callOff();
+  callOff = afterPicture(release);
+}
+
+/** A store whose followers among the components see what is typed a moment later; everything else reads and hears it at once. */
+export function heldWhileTyping<S>(begin: StateCreator<S>): UseBoundStore<StoreApi<S>> & { readonly atOnce: UseBoundStore<StoreApi<S>> } {
+  const store = createStore(begin), shown = createStore(() => store.getState());
+  const tell = () => shown.setState(store.getState(), true);
+  store.subscribe(() => {
+    held.add(tell);
+    if (!isTyping) release();
+  });
+  const bound = (api: StoreApi<S>) => Object.assign(<T>(selector: (state: S) => T) => useStore(api, selector), store);
+  return Object.assign(bound(shown) as UseBoundStore<StoreApi<S>>, { atOnce: bound(store) as UseBoundStore<StoreApi<S>> });
+}
+
+/** Keys that go on with a number. */
+const typesOn = ({ key, ctrlKey, metaKey, altKey, target }: KeyboardEvent): boolean =>
+  target instanceof HTMLInputElement && !ctrlKey && !metaKey && !altKey && (key.length === 1 || key === "Backspace" || key === "Delete");
+
+/** From now on everything is told what was typed before a key, a finger or the loss of the keyboard does something else. */
+export function tellBeforeActing(): () => void {
+  const tell = (event: Event) => {
+    if (held.size > 0 && !(event instanceof KeyboardEvent && typesOn(event))) flushSync(release);
+  };
+  const acts = ["keydown", "pointerdown", "click", "focusout", "paste", "drop"] as const;
+  for (const act of acts) addEventListener(act, tell, { capture: true });
+  return () => {
+    for (const act of acts) removeEventListener(act, tell, { capture: true });
+  };
+}
