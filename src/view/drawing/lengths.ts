@@ -73,13 +73,17 @@ function inParallel(lengths: readonly PrintLength[], { zero, edge, side, clear }
   const texts: PrintText[] = [];
   const down = side === "below" ? 1 : -1;
   let reach = side === "below" ? FIRST - 2 : FIRST - LINE.stacked;
-  for (const { size, from } of lengths) {
+  for (const [i, { size, from }] of lengths.entries()) {
     reach += tallOf(size) + 0.6;
     const y = edge + down * reach;
     const [a, b] = [{ x: Math.min(from.x, zero.x), y }, { x: Math.max(from.x, zero.x), y }];
     shapes.push(...dimensionLine(a, b), extension(from, down, y));
     const wide = widthOf(size) + 1;
-    const stops = [y - LINE.plain / 2, y, y - tallOf(size)].flatMap((level) => through(clear, level));
+    // Lines that go by, and the extension lines of those that stand farther out.
+    const stops = [
+      ...[y - LINE.plain / 2, y, y - tallOf(size)].flatMap((level) => through(clear, level)),
+      ...lengths.slice(i + 1).map((other) => other.from.x),
+    ];
     const x = clearMiddle(a.x, b.x, wide, stops);
     const ends = [x - wide / 2, x + wide / 2] as const;
     if (ends[1] > b.x) shapes.push({ role: "thin", d: lineThrough([b, { x: ends[1], y }]) });
