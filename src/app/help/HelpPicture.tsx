@@ -66,7 +66,8 @@ export function HelpPicture(props: Props) {
   const said = values ?? partial ?? NOTHING;
   const [whole, setWhole] = useState<{ readonly cycle: Cycle; readonly values: Numbers } | null>(null);
   const [last, setLast] = useState<Drawn | null>(null);
-  const before = whole?.cycle === cycle ? whole.values : null;
+  // Where nothing is missing nothing is filled in from before.
+  const before = !values && whole?.cycle === cycle ? whole.values : null;
   const kept = last?.cycle === cycle ? last : null;
   const now = useMemo(() => (wrong ? null : drawnBy({ cycle, given, isBorrowed }, said, before)), [
     wrong,
