@@ -1,3 +1,4 @@
+import { useState } from "react";
 import { flushSync } from "react-dom";
 import { createStore, useStore, type StateCreator, type StoreApi, type UseBoundStore } from "zustand";
 import { afterPicture } from "./after-picture.ts";
@@ -21,9 +22,6 @@ function release(): void {
   for (const tell of due) tell();
   if (!told.getState().isAll) told.setState(({ count }) => ({ count: count + 1, isAll: true }));
 }
-
-/** Changes each time that what was typed is told: until then a field itself has to know it. */
-export const useTimesTold = (): number => useStore(told, (s) => s.count);
 
 /** Makes a change that somebody types. */
 export function whileTyping(change: () => void): void {
@@ -65,4 +63,15 @@ export function tellBeforeActing(): () => void {
   return () => {
     for (const act of acts) removeEventListener(act, tell, { capture: true });
   };
+}
+
+/** The text of a field, and its typing: until the work is told what was typed the field itself knows it. `of`: the place it is typed into. */
+export function useTyping(of: string, text: string, set: (text: string) => void): readonly [text: string, type: (text: string) => void] {
+  const times = useStore(told, (s) => s.count);
+  const [newest, follow] = useState({ of, times: -1, text });
+  const type = (next: string) => {
+    follow({ of, times, text: next });
+    whileTyping(() => set(next));
+  };
+  return [newest.of === of && newest.times === times ? newest.text : text, type];
 }

@@ -1,6 +1,6 @@
-import { useEffectEvent, useImperativeHandle, useLayoutEffect, useRef, useState, type RefObject } from "react";
+import { useEffectEvent, useImperativeHandle, useLayoutEffect, useRef, type RefObject } from "react";
 import { useSettings } from "../settings/settings.ts";
-import { useTimesTold, whileTyping } from "../typing.ts";
+import { useTyping } from "../typing.ts";
 import type { EntryState } from "./number-entry.ts";
 import { commandsOf, type Prompt, type PromptSession } from "./session.ts";
 import { useNumberEntry } from "./use-number-entry.ts";
@@ -23,27 +23,12 @@ export interface ValueField {
   readonly focus: () => void;
 }
 
-/** What was typed: the work says it a moment later. */
-interface Typed {
-  readonly id: string;
-  /** How often it had been told what was typed. */
-  readonly told: number;
-  readonly text: string;
-}
-
 /** The large value of the open prompt. Every keystroke reaches the work; leaving the field settles it. */
 export function ValueInput({ session, prompt: { id, name, suggestion }, describedBy, invalid, ownKeypad, input: field }: Props) {
   const input = useRef<HTMLInputElement>(null);
   const language = useSettings((s) => s.language);
-  const text = session.draft[id] ?? "";
-  const [newest, follow] = useState<Typed | null>(null);
-  const told = useTimesTold(), isNewest = newest?.id === id && newest.told === told;
-  const value = inScreenWriting(language, isNewest ? newest.text : text);
-  const type = (next: string) => {
-    follow({ id, told, text: next });
-    whileTyping(() => session.set(id, next));
-  };
-  const { read, write, onKeyDown, onTyped } = useNumberEntry(input, value, type);
+  const [text, type] = useTyping(id, session.draft[id] ?? "", (typed) => session.set(id, typed));
+  const { read, write, onKeyDown, onTyped } = useNumberEntry(input, text, type);
   const opened = useEffectEvent(() => {
     onTyped();
     if (!session.mayFocus()) return;
@@ -58,7 +43,7 @@ export function ValueInput({ session, prompt: { id, name, suggestion }, describe
     <input ref={input} className="value number" type="text" inputMode={ownKeypad ? "none" : session.keypad === "sums" ? "decimal" : "text"}
       enterKeyHint="next" autoComplete="off" autoCapitalize="characters" spellCheck={false} maxLength={200} aria-label={name}
       aria-describedby={describedBy} aria-invalid={invalid} {...(suggestion && { placeholder: inScreenWriting(language, suggestion.text) })}
-      value={value} onChange={(event) => {
+      value={inScreenWriting(language, text)} onChange={(event) => {
       onTyped();
       type(event.currentTarget.value);
     }} onKeyDown={onKeyDown} onBlur={() => commandsOf(session).leave()} />

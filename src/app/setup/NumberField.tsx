@@ -9,6 +9,7 @@ import { useFindings } from "../findings/use-findings.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { closeStep } from "../steps.ts";
+import { useTyping } from "../typing.ts";
 
 interface Props {
   readonly name: string;
@@ -33,12 +34,13 @@ function wrongNumber(field: Field, text: string): "missing" | "notANumber" | "ne
 }
 
 /** One number of the set-up: typed text goes to the work at each keystroke, sums are worked out when the field is left. */
-export function NumberField({ name, unit, text, onText, field, ask, proposal }: Props) {
+export function NumberField({ name, unit, text: said, onText, field, ask, proposal }: Props) {
   const t = useTexts();
   const id = useId();
   const input = useRef<HTMLInputElement>(null);
   const language = useSettings((s) => s.language);
-  const { onKeyDown, onTyped } = useNumberEntry(input, text, onText);
+  const [text, type] = useTyping(field.id, said, onText);
+  const { onKeyDown, onTyped } = useNumberEntry(input, text, type);
   const asked = usePlace((p) => (p.field === field.id ? p.focus : 0));
   const problems = useFindings().filter((p) => p.at === field.id);
   const found = wrongNumber(field, text);
@@ -69,7 +71,7 @@ export function NumberField({ name, unit, text, onText, field, ask, proposal }: 
           {...(isProposed && { placeholder: inScreenWriting(language, proposal) })} value={inScreenWriting(language, text)} onBlur={commit}
           onKeyDown={onKeyDown} onChange={(e) => {
           onTyped();
-          onText(e.currentTarget.value);
+          type(e.currentTarget.value);
         }} />
         <span className="soft small" id={`${id}-unit`}>{unit}</span>
       </span>
