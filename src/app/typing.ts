@@ -65,7 +65,7 @@ export function tellBeforeActing(): () => void {
   };
 }
 
-/** The text of a field, and its typing: until the work is told what was typed the field itself knows it. `of`: the place it is typed into. */
+/** The text of a field, and its typing: until the work is told what was typed the field itself knows it. `of`: which place. */
 export function useTyping(of: string, text: string, set: (text: string) => void): readonly [text: string, type: (text: string) => void] {
   const times = useStore(told, (s) => s.count);
   const [newest, follow] = useState({ of, times: -1, text });
