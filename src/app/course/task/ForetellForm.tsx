@@ -1,4 +1,4 @@
-import { useEffect, useId } from "react";
+import { useEffect, useId, useRef } from "react";
 import type { Prediction, Task, TaskWords } from "../../../course/task.ts";
 import { answerKindOf, toldBy } from "../../../course/told.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
@@ -114,6 +114,14 @@ export function ForetellForm({ task, t, words }: { readonly task: Task; readonly
   const question = Math.min(asked, predict.length - 1);
   const prediction = predict[question];
   usePointedBlock(question, prediction !== undefined && answerKindOf(prediction) === "block");
+  const form = useRef<HTMLFormElement>(null);
+  const isTyping = useRef(false);
+  // Who goes on with Enter in a field types on in that of the next question; who presses the button stays on it.
+  useEffect(() => {
+    if (!isTyping.current) return;
+    isTyping.current = false;
+    (form.current?.querySelector<HTMLInputElement>("input:checked") ?? form.current?.querySelector("input"))?.focus();
+  }, [question]);
   if (!prediction) return null;
   const isLast = question === predict.length - 1;
   const isSaid = (i: number) => {
@@ -123,10 +131,12 @@ export function ForetellForm({ task, t, words }: { readonly task: Task; readonly
   const show = (next: number) => useTaskView.setState({ question: next });
   const all = predict.every((_, i) => isSaid(i));
   return (
-    <form className="task-now task-foretell" onSubmit={(event) => {
+    <form ref={form} className="task-now task-foretell" onSubmit={(event) => {
       event.preventDefault();
-      if (!isLast && isSaid(question)) show(question + 1);
-      else if (all) void showRun(task);
+      if (!isLast && isSaid(question)) {
+        isTyping.current = document.activeElement instanceof HTMLInputElement;
+        show(question + 1);
+      } else if (all) void showRun(task);
     }}>
       <p id={labelled} className="task-question">
         {predict.length > 1 && <span className="soft small">{t.foretell.question(question + 1, predict.length)}</span>}
