@@ -17,6 +17,9 @@ import { dispatchEdit, followShown, openBlock, sessionView, useSession } from ".
 import { findingsShown } from "../files/shown-findings.ts";
 import { shownBeside } from "../files/shown-file.ts";
 
+/** A prompt is opened because the cursor stands at its block: the cursor stays where it is typed on. */
+let cursorLeads = false;
+
 /** Opens the prompt that the cursor stands at, or the first one, where the open block has prompts. */
 function showAskedPrompt(): void {
   const prompts = openPrompts();
@@ -24,7 +27,10 @@ function showAskedPrompt(): void {
   const { ids, draft } = prompts;
   const { parameter } = useSession.getState();
   const q = parameter !== null && ids.includes(parameter) ? parameter : ids[0];
-  if (q !== undefined) usePlace.setState({ prompt: q, before: draft[q] ?? "", field: null });
+  if (q === undefined) return;
+  cursorLeads = sessionView()?.hasFocus ?? false;
+  usePlace.setState({ prompt: q, before: draft[q] ?? "", field: null });
+  cursorLeads = false;
 }
 
 function followSession(): () => void {
@@ -39,6 +45,7 @@ function followSession(): () => void {
 /** The text goes along with the prompts. */
 function followPrompt(): () => void {
   return usePlace.subscribe((now, before) => {
+    if (cursorLeads) return;
     const { index, parameter } = useSession.getState();
     if (now.prompt !== before.prompt && now.prompt !== null && now.prompt !== parameter && openPrompts())
       openBlock(index, now.prompt, true);
