@@ -27,7 +27,7 @@ export const guidePlaces = {
       mistakes: ["Nur die freie Länge steht da: Die Backen stehen dem Werkzeug im Weg.", "Die Länge zum Abstechen ist vergessen."],
     },
     "blank.allowance": {
-      about: "Wie weit die Stirn des Rohteils vor dem Werkstück-Nullpunkt steht: DIST. Z0 ist meist die fertige Planfläche.",
+      about: "Wie weit die Planfläche des Rohteils vor dem Werkstück-Nullpunkt steht: DIST. Z0 ist meist die fertige.",
       mistakes: [
         "0, obwohl die Stirn noch roh ist: Vor Z0 trifft das Werkzeug im Eilgang auf Material.",
         "Ein Minus: Das Rohteil beginnt hinter Z0, und die ersten Schnitte gehen in die Luft.",
