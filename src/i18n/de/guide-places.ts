@@ -29,7 +29,7 @@ export const guidePlaces = {
     "blank.allowance": {
       about: "Wie weit die Planfläche des Rohteils vor dem Werkstück-Nullpunkt steht: DIST. Z0 ist meist die fertige.",
       mistakes: [
-        "0, obwohl die Stirn noch roh ist: Vor Z0 trifft das Werkzeug im Eilgang auf Material.",
+        "0, obwohl die Planfläche noch roh ist: Vor Z0 trifft das Werkzeug im Eilgang auf Material.",
         "Ein Minus: Das Rohteil beginnt hinter Z0, und die ersten Schnitte gehen in die Luft.",
       ],
     },
