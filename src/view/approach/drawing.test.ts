@@ -33,6 +33,15 @@ describe.each(forms.map((f) => [`${f.departing ? "DEP" : "APPR"} ${f.shape}`, f]
     await expect(approachSvg(drawing)).toMatchFileSnapshot(`goldens/${name.replace(" ", "-")}.svg`);
   });
 
+  test("every circle of the tool is round: its halves meet across twice their radius", () => {
+    const circles = drawing.marks.flatMap((m) => (m.kind === "line" && m.line === "edge" ? [m.d] : []));
+    expect(circles.length).toBeGreaterThan(1);
+    for (const d of circles) {
+      const [left = 0, , radius = 0, , , , , right = 0] = d.match(/-?\d+(\.\d+)?/g)?.map(Number) ?? [];
+      expect(right - left, d).toBeCloseTo(2 * radius, 6);
+    }
+  });
+
   test("names every point, each text for itself", () => {
     const texts = drawing.marks.flatMap((m) => (m.kind === "text" ? [m.text] : []));
     for (const point of Object.keys(result.points)) expect(texts.join()).toContain(point);

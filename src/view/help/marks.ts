@@ -45,9 +45,12 @@ export const dense = (line: readonly Place[]): Place[] =>
   });
 /** A closed shape through places. */
 export const polygon = (places: readonly Place[]): string => (places.length > 2 ? `M${places.map(at).join("L")}Z` : "");
-/** A full circle. */
-export const circle = (c: Place, r: number): string =>
-  `M${px(c.x - r)} ${px(c.y)}A${px(r)} ${px(r)} 0 1 1 ${px(c.x + r)} ${px(c.y)}A${px(r)} ${px(r)} 0 1 1 ${px(c.x - r)} ${px(c.y)}Z`;
+/** A full circle. Its ends are exactly twice the written radius apart: two halves over a shorter chord would each bulge. */
+export function circle(c: Place, r: number): string {
+  const [x, radius] = [Number(px(c.x)), px(r)];
+  const [left, right] = [px(x - Number(radius)), px(x + Number(radius))];
+  return `M${left} ${px(c.y)}A${radius} ${radius} 0 1 1 ${right} ${px(c.y)}A${radius} ${radius} 0 1 1 ${left} ${px(c.y)}Z`;
+}
 
 /** An arc on the screen about `c` from one angle to another, radians, counted as the screen sees them with Y upwards. */
 export function arcPath(c: Place, r: number, from: number, to: number): string {
