@@ -38,6 +38,7 @@ test("a small, the usual and a large value of each kind", () => {
   expect(shown(812, "Q493", { Q491: 73, Q493: 48 })).toEqual(["38", "[48]", "58"]);
   expect(shown(812, "Q494", { Q492: 0, Q494: -37.5 })).toEqual(["-22.5", "[-37.5]", "-52.5"]);
   expect(shown(812, "Q496", { Q496: 0 })).toEqual(["[0]", "5", "15"]);
+  expect(shown(820, "Q482", { Q482: 0 })).toEqual(["-4", "[0]", "4"]);
   expect(shown(812, "Q506", { Q506: 1 })).toEqual(["0", "[1]", "2"]);
   expect(shown(861, "Q510", { Q510: 0.9 })).toEqual(["0.45", "[0.9]", "0.99"]);
 });

@@ -58,8 +58,6 @@ function spanOf(cycle: Pick<Cycle, "params">, q: string, values: SomeValues, usu
   return span > 0 ? span : Math.max(LEAST_SPAN, Math.abs(usual) * ALONE);
 }
 
-const byMagnitude = (a: Candidates, b: Candidates) => Math.abs(Number(a.tried[0] ?? 0)) - Math.abs(Number(b.tried[0] ?? 0));
-
 /**
  * The values that show what a parameter does: a small one, the usual one and a large one, or all meanings of a choice. `values` are those
  * that its cycle has, among them the usual one; "auto" is compared with feeds.
@@ -74,7 +72,8 @@ export function threeValues(cycle: Pick<Cycle, "params">, q: string, values: Som
   if (param.kind === "diameter" || param.kind === "axial") {
     const span = spanOf(cycle, q, values, usual);
     const moved = (sign: number) => inRange(param, MOVED.map((share) => to(usual + sign * share * span, FINE.place)));
-    return [...one(moved(-1)), ...one([usual], true), ...one(moved(1))].sort(byMagnitude);
+    const inOrder = [...one(moved(-1)), ...one([usual], true), ...one(moved(1))];
+    return usual < 0 ? inOrder.reverse() : inOrder;
   }
   const decimals = Math.min(param.decimals, FINE.value);
   if (usual === 0) {
@@ -84,7 +83,7 @@ export function threeValues(cycle: Pick<Cycle, "params">, q: string, values: Som
   const [less, more] = SHARES[param.kind] ?? [LESS, MORE];
   const times = (shares: Shares) =>
     [...new Set(inRange(param, shares.map((share) => to(usual * share, decimals))))].filter((v) => v !== usual);
-  return [...one(times(less)), ...one([usual], true), ...one(times(more))].sort(byMagnitude);
+  return [...one(times(less)), ...one([usual], true), ...one(times(more))];
 }
 
 /** Roughing alone shows what it leaves: finishing would take it. */
