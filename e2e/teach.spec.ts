@@ -48,9 +48,10 @@ test("a task from an instructor to a learner by link, and its result back", asyn
   const [file, text] = await downloaded(form.getByRole("button", { name: words.saveTask, exact: true }));
   expect(file).toMatch(/^shoulder-50-\w+\.turnwise-task\.json$/);
   expect(JSON.parse(text)).toMatchObject({ format: "turnwise-task/1", words: { en: { title } }, sizes: [{ upper: 0.05, lower: -0.05 }] });
-  // A form that is closed loses nothing.
+  // A form that is closed, and a page that goes, lose nothing.
   await page.keyboard.press("Escape");
   await expect(form).toBeHidden();
+  await page.reload();
   await instructor.teaching.make();
   await expect(form.getByLabel(words.name, { exact: true })).toHaveValue(title);
   await page.keyboard.press("Escape");

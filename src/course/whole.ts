@@ -1,6 +1,5 @@
 import { run } from "../program/run.ts";
 import { parse } from "../nc/parse.ts";
-import { blockNumbers } from "../nc/program.ts";
 import { shippedTools } from "../program/shipped-tools.ts";
 import type { Run } from "../program/run-types.ts";
 import { cycleByNumber } from "../cycles/index.ts";
@@ -8,6 +7,7 @@ import { answerOf } from "./judge/answer.ts";
 import { judge } from "./judge/judge.ts";
 import { truthOf } from "./judge/predicting.ts";
 import { TASK_RAPID } from "./judge/shop.ts";
+import { isThere } from "./made/made-questions.ts";
 import { refuses } from "./judge/refuses.ts";
 import { wantedPart } from "./wanted-part.ts";
 import { promptsText, solutionValues } from "./prompts.ts";
@@ -88,14 +88,9 @@ function predictionProblems(task: Task): string[] {
   const begun = begunText(task);
   if (begun === null) return ["nothing lies open that could be foretold"];
   const answer = answerOf(begun);
-  const numbers = new Set(blockNumbers(parse(answer.text)));
   return task.predict.flatMap((prediction, i) => {
     const truth = truthOf(prediction, task, answer);
-    const there = truth.kind === "number"
-      ? truth.value !== null
-      : truth.kind === "place"
-      ? truth.rings.length > 0
-      : truth.kind !== "block" || truth.right.every((block) => numbers.has(block));
+    const there = isThere(truth, answer);
     const vague = (prediction.ask === "seconds" || prediction.ask === "residue") && prediction.within === undefined;
     return [
       ...(there ? [] : [`prediction ${i + 1}: there is no such thing in the run`]),

@@ -107,7 +107,7 @@ export async function openFiles(chosen: readonly Chosen[]): Promise<Opening> {
     return "opened";
   }
   if (first && /\.turnwise-(?:task|result)\b.*\.json$/i.test(first.file.name))
-    return (await untilHere(() => import("../course/teach/open-taught.ts"))).openTaughtFile(first.file);
+    return (await untilHere(() => import("../course/teach/open-taught.ts"))).openTaughtFiles(chosen.map(({ file }) => file));
   return openRest(chosen, { skipped: 0, isCut: false });
 }
 

@@ -52,7 +52,7 @@ export function ProgramMore({ showBlock, children }: { readonly showBlock: ShowB
   const { page: { text: t } } = useTexts();
   const [handed, handOn] = useState<Leaving | null>(null);
   const [exported, exportPart] = useState<string | null>(null);
-  const [taught, teach] = useState<string | null>(null);
+  const [taught, teach] = useState<{ readonly text: string; readonly work: string } | null>(null);
   return (
     <div className="program-more">
       <button type="button" className="button plain" onClick={() => {
@@ -77,12 +77,14 @@ export function ProgramMore({ showBlock, children }: { readonly showBlock: ShowB
           <PartExport stem={exported} done={() => exportPart(null)} />
         </Suspense>
       )}
-      <button type="button" className="button plain" aria-haspopup="dialog" onClick={() => teach(openText())}>
+      <button type="button" className="button plain" aria-haspopup="dialog"
+        onClick={() => teach({ text: openText(), work: useEditor.getState().work ?? "" })}
+      >
         <Icon name="rename" /> {t.makeTask}
       </button>
       {taught !== null && (
         <Suspense>
-          <TeachDialog text={taught} done={() => teach(null)} />
+          <TeachDialog {...taught} done={() => teach(null)} />
         </Suspense>
       )}
       <CompareButton showBlock={showBlock} />

@@ -8,67 +8,18 @@ import { calledTools } from "../judge/rules.ts";
 import { judge } from "../judge/judge.ts";
 import type { Answer, RuleName } from "../judge/judgement.ts";
 import { TASK_FORMAT, taskSchema, type Task, type TaskRules } from "../task.ts";
+import { promptsText } from "../prompts.ts";
 import { wantedPart } from "../wanted-part.ts";
-import { withFaults, type FaultKind } from "./faults.ts";
+import { withFaults } from "./faults.ts";
+import { NUMBER_RULES, type MadeTask, type RuleDraft, type WordsDraft } from "./made-form.ts";
+import { choicesOf, predictionOf } from "./made-questions.ts";
+import { grooveFilling, threadsOf, wantedThread, type ThreadDraft } from "./made-threads.ts";
 import { outlineText } from "./outline-text.ts";
 
 /*
  * A task that is made of a program: the program is its answer, the part that comes of it the wanted one. Everything is proposed, and can be
  * typed over.
  */
-
-/** Rules that a form switches on and off, each with one number. */
-export const NUMBER_RULES = ["depth", "speed", "mostTools", "seconds", "passes", "residue", "missing", "rz"] as const;
-export type NumberRule = (typeof NUMBER_RULES)[number];
-/** Rules that are lists of numbers, or only asked for or not. */
-export const LIST_RULES = ["tools", "cycles"] as const;
-export type ListRule = (typeof LIST_RULES)[number];
-
-/** A rule as it stands in the form: whether it is asked for, and its number or numbers as typed. */
-export interface RuleDraft {
-  readonly on: boolean;
-  readonly text: string;
-}
-
-/** A size that can be asked for, with its deviations as typed, mm. */
-export interface SizeDraft {
-  readonly kind: "diameter" | "bore" | "face";
-  readonly at: number;
-  readonly nominal: number;
-  readonly on: boolean;
-  readonly upper: string;
-  readonly lower: string;
-}
-
-/** Prompts that lie open in the beginning: of which cycle call, from 0, and those of its values that are left empty. */
-export interface PromptsDraft {
-  readonly operation: number;
-  readonly emptied: readonly string[];
-}
-
-export interface WordsDraft {
-  readonly title: string;
-  readonly ask: string;
-  readonly hints: readonly [string, string, string];
-}
-
-/** The form of a task, as typed. */
-export interface MadeTask {
-  readonly kind: "make" | "fault" | "drawing";
-  /** Lines of blank and outlines. */
-  readonly blank: string;
-  readonly outside: string;
-  readonly bore: string;
-  readonly sizes: readonly SizeDraft[];
-  readonly rules: Readonly<Record<NumberRule | ListRule, RuleDraft>>;
-  readonly clean: boolean;
-  readonly start: "empty" | "prompts" | "program";
-  readonly prompts: PromptsDraft;
-  readonly faults: readonly FaultKind[];
-  /** The program in the beginning, where it was typed over; null as long as it is the answer with the faults. */
-  readonly program: string | null;
-  readonly words: WordsDraft;
-}
 
 /** Limits that every answer breaks: the judge then tells what is there. */
 const ASK_ALL: TaskRules = { depth: 0, speed: 0, mostTools: 0, seconds: 0, passes: -1 };
@@ -111,20 +62,36 @@ const STEPS = { depth: 0.1, speed: 100, seconds: 10, residue: 0.1, rz: 1 } as co
 export const PART_SOURCES = ["made", "contours"] as const;
 export type PartSource = (typeof PART_SOURCES)[number];
 
-/** The outlines of what an answer makes. */
-export function outlinesFrom({ run, simulation }: Answer, from: PartSource): Pick<MadeTask, "outside" | "bore"> {
+/** The outlines of what an answer makes; threads that are asked for are drawn by their crest. */
+export function outlinesFrom(answer: Answer, from: PartSource, threads: readonly ThreadDraft[]): Pick<MadeTask, "outside" | "bore"> {
+  const { run, simulation } = answer;
   const parts = from === "contours" ? union(run.operations.map(({ plan }) => plan.part)) : [];
   const contours = parts.length > 0 ? intersection(run.blank, difference(parts, machiningArea(run.operations))) : [];
-  const rings = contours.length > 0 ? contours : simulation.final;
+  const grooves = threads.filter(({ on }) => on).map((thread) => grooveFilling(thread, simulation.final)).filter((ring) => ring.length > 2);
+  const shape = contours.length > 0 ? contours : simulation.final, rings = grooves.length > 0 ? union([...shape, ...grooves]) : shape;
   const { outside = [], bore = [] } = outlineText(rings, run.blank);
   return { outside: outside.join("\n"), bore: bore.join("\n") };
 }
 
 /** The wanted part of a form. */
-export function partOfMade({ blank, outside, bore }: Pick<MadeTask, "blank" | "outside" | "bore">): NonNullable<Task["part"]> {
-  const [outer, inner] = [linesOfText(outside), linesOfText(bore)];
-  return { blank: linesOfText(blank), ...(outer.length > 0 && { outside: outer }), ...(inner.length > 0 && { bore: inner }) };
+export function partOfMade({ blank, outside, bore, threads }: Pick<MadeTask, "blank" | "outside" | "bore" | "threads">): NonNullable<
+  Task["part"]
+> {
+  const [outer, inner] = [linesOfText(outside), linesOfText(bore)], asked = threads.filter(({ on }) => on).map(wantedThread);
+  return {
+    blank: linesOfText(blank),
+    ...(outer.length > 0 && { outside: outer }),
+    ...(inner.length > 0 && { bore: inner }),
+    ...(asked.length > 0 && { threads: asked }),
+  };
 }
+
+/** Whether a form wants a part at all. */
+export const wantsPart = ({ kind, blank, outside, bore }: MadeTask): boolean =>
+  kind !== "predict" && `${blank}${outside}${bore}`.trim() !== "";
+
+/** Whether a kind asks something before the run: to foretell it, or to find a fault by reading. */
+export const asksBefore = (kind: Task["kind"]): boolean => kind === "predict" || kind === "fault";
 
 const NO_WORDS: WordsDraft = { title: "", ask: "", hints: ["", "", ""] };
 
@@ -132,7 +99,8 @@ const NO_WORDS: WordsDraft = { title: "", ask: "", hints: ["", "", ""] };
 export function proposedTask(answer: Answer): MadeTask {
   const { run } = answer;
   const blank = blankLines(answer.text).join("\n");
-  const made = { blank, ...outlinesFrom(answer, "made") };
+  const threads = threadsOf(answer);
+  const made = { blank, ...outlinesFrom(answer, "made", threads), threads };
   const wanted = wantedPart(partOfMade(made)), { left, right } = boxAround([...wanted.rings]);
   const probe: Task = {
     format: TASK_FORMAT,
@@ -161,10 +129,12 @@ export function proposedTask(answer: Answer): MadeTask {
       residue: on(String(residue)),
       missing: on(String(missing)),
       rz: off(above(is.get("rz"), STEPS.rz)),
-      tools: on(tools.join(", ")),
       cycles: off(cycles.join(", ")),
     },
+    offer: "called",
+    tools,
     clean: false,
+    questions: [],
     start: "empty",
     prompts: { operation: 0, emptied: [] },
     faults: [],
@@ -179,19 +149,22 @@ const numberOf = (text: string): number | null => {
 };
 const numbersOf = (text: string): readonly number[] => text.split(/[,;\s]+/).flatMap((each) => numberOf(each) ?? []);
 
-function rulesOf({ rules, clean, blank, outside, bore }: MadeTask): TaskRules {
+function rulesOf(form: MadeTask, answer: Answer): TaskRules {
+  const { rules, clean, offer } = form;
   const made: Record<string, unknown> = {};
   for (const rule of NUMBER_RULES) {
     const { on, text } = rules[rule], value = numberOf(text);
     if (!on || value === null) continue;
     if (rule !== "rz") made[rule] = value;
     else {
-      const { left, right } = boxAround([...wantedPart(partOfMade({ blank, outside, bore })).rings]);
-      const turned = [...wantedPart(partOfMade({ blank, outside, bore })).outside].flatMap((s) => [s.from.z, s.to.z]);
+      const { rings, outside } = wantedPart(partOfMade(form));
+      const { left, right } = boxAround([...rings]);
+      const turned = [...outside].flatMap((s) => [s.from.z, s.to.z]);
       made["rz"] = [{ from: Math.min(right, 0), to: turned.length > 0 ? Math.min(...turned) : left, most: value }];
     }
   }
-  for (const rule of LIST_RULES) if (rules[rule].on) made[rule] = numbersOf(rules[rule].text);
+  if (rules.cycles.on) made["cycles"] = [...numbersOf(rules.cycles.text)];
+  if (offer !== "all") made["tools"] = offer === "called" ? [...calledTools(answer).keys()] : [...form.tools];
   return { ...made, ...(clean && { clean }) };
 }
 
@@ -238,8 +211,24 @@ function startOf(made: MadeTask, answer: Answer): Task["start"] {
 export const programOfMade = ({ program, faults }: MadeTask, { text }: Answer): readonly string[] =>
   program === null ? withFaults(linesOfText(text), faults) : linesOfText(program);
 
+/** What lies open in the beginning as a program; null where it is an empty one, or no cycle of prompts is known. */
+export function begunOfMade(made: MadeTask, answer: Answer): string | null {
+  if (made.start === "empty") return null;
+  if (made.start === "program") return programOfMade(made, answer).join("\n");
+  return promptsText({ format: TASK_FORMAT, id: "probe", kind: "make", start: startOf(made, answer), rules: {}, words: {} });
+}
+
 /** What keeps a form from being a task. */
-export type MadeFault = "title" | "ask" | "hints" | "part" | "shape";
+export type MadeFault = "title" | "ask" | "hints" | "part" | "shape" | "questions" | "noQuestion" | "begins";
+
+function questionFaults({ kind, questions, start }: MadeTask): readonly MadeFault[] {
+  if (!asksBefore(kind)) return [];
+  if (questions.length === 0) return kind === "predict" ? ["noQuestion"] : [];
+  return [
+    ...(questions.some((each) => each.text.trim() === "" || predictionOf(each) === null) ? ["questions" as const] : []),
+    ...(start === "empty" ? ["begins" as const] : []),
+  ];
+}
 
 /** A name as ids have it; the mark keeps two of one name apart. */
 const idOf = (title: string, mark: string): string =>
@@ -248,12 +237,14 @@ const idOf = (title: string, mark: string): string =>
 /** The task of a form, or what is missing. `mark`: a short text of letters and figures that tells this task from others. */
 export function taskOfMade(made: MadeTask, answer: Answer, language: keyof Task["words"], mark: string): Task | readonly MadeFault[] {
   const { words: { title, ask, hints }, kind } = made;
-  const part = partOfMade(made), wanted = wantedPart(part);
+  const foretells = kind === "predict", hasPart = wantsPart(made);
+  const part = partOfMade(made), wanted = hasPart ? wantedPart(part) : null;
   const faults: MadeFault[] = [
     ...(title.trim() === "" ? ["title" as const] : []),
     ...(ask.trim() === "" ? ["ask" as const] : []),
     ...(hints.some((hint) => hint.trim() === "") ? ["hints" as const] : []),
-    ...(wanted.issues.length > 0 || wanted.rings.length === 0 || areaOf(wanted.rings) === 0 ? ["part" as const] : []),
+    ...(wanted && (wanted.issues.length > 0 || wanted.rings.length === 0 || areaOf(wanted.rings) === 0) ? ["part" as const] : []),
+    ...questionFaults(made),
   ];
   if (faults.length > 0) return faults;
   const sizes = made.sizes.filter(({ on }) => on).map(({ kind: of, at, nominal, upper, lower }) => ({
@@ -263,17 +254,32 @@ export function taskOfMade(made: MadeTask, answer: Answer, language: keyof Task[
     upper: numberOf(upper) ?? 0,
     lower: numberOf(lower) ?? 0,
   }));
+  const asked = asksBefore(kind) ? made.questions : [];
+  const judged = {
+    ...(hasPart && { part }),
+    ...(sizes.length > 0 && { sizes }),
+    rules: rulesOf(made, answer),
+    ...(kind === "drawing" && { par: { seconds: Math.ceil(answer.simulation.totalSeconds), tools: calledTools(answer).size } }),
+    solution: linesOfText(answer.text),
+  };
   const read = taskSchema.safeParse({
     format: TASK_FORMAT,
     id: idOf(title, mark),
     kind,
     start: startOf(made, answer),
-    part,
-    ...(sizes.length > 0 && { sizes }),
-    rules: rulesOf(made),
-    ...(kind === "drawing" && { par: { seconds: Math.ceil(answer.simulation.totalSeconds), tools: calledTools(answer).size } }),
-    words: { [language]: { title: title.trim(), ask: ask.trim(), hints: hints.map((hint) => hint.trim()) } },
-    solution: linesOfText(answer.text),
+    ...(asked.length > 0 && { predict: asked.map(predictionOf) }),
+    words: {
+      [language]: {
+        title: title.trim(),
+        ask: ask.trim(),
+        hints: hints.map((hint) => hint.trim()),
+        ...(asked.length > 0 && {
+          questions: asked.map(({ text }) => text.trim()),
+          choices: asked.map((each) => (each.ask === "choice" ? choicesOf(each) : [])),
+        }),
+      },
+    },
+    ...(!foretells && judged),
   });
   return read.success ? read.data : ["shape"];
 }

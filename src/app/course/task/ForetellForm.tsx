@@ -1,5 +1,5 @@
 import { useEffect, useId, useRef } from "react";
-import type { Prediction, Task, TaskWords } from "../../../course/task.ts";
+import type { Task, TaskWords } from "../../../course/task.ts";
 import { answerKindOf, toldBy } from "../../../course/told.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
 import { Icon } from "../../Icon.tsx";
@@ -7,6 +7,7 @@ import { useSelection } from "../../selected.ts";
 import { useEditor } from "../../store.ts";
 import { useMedia } from "../../use-media.ts";
 import { showRun } from "./check.ts";
+import { AskedAnswer } from "./AskedAnswer.tsx";
 import { useTaskView } from "./task-view.ts";
 import { setTold, taskOfWork } from "./work-task.ts";
 
@@ -33,64 +34,6 @@ function usePointedBlock(question: number, asks: boolean): void {
       stop();
     };
   }, [question, asks, isProgram]);
-}
-
-interface AskedProps {
-  readonly prediction: Prediction;
-  readonly question: number;
-  readonly text: string;
-  readonly choices: readonly string[];
-  readonly t: CourseTaskTexts;
-  readonly labelled: string;
-}
-
-const bare = (text: string) => text.replaceAll(" ", "");
-
-/** The field of one question: a number, a place, one of several, or a block. */
-function AskedAnswer({ prediction, question, text, choices, t, labelled }: AskedProps) {
-  const name = useId();
-  const kind = answerKindOf(prediction);
-  const put = (next: string) => setTold(question, next);
-  const field = (label: string, sign: string, value: string, take: (next: string) => void, unit = "") => (
-    <label className="task-field">
-      {sign !== "" && <span className="number" aria-hidden="true">{sign}</span>}
-      <input className="input number" type="text" inputMode="decimal" autoComplete="off" value={value} aria-label={label}
-        aria-describedby={labelled} maxLength={12} onChange={(event) => take(event.currentTarget.value)} />
-      {unit !== "" && <span className="soft small">{unit}</span>}
-    </label>
-  );
-  if (kind === "choice") {
-    return (
-      <fieldset className="task-choices" aria-labelledby={labelled}>
-        {choices.map((choice, i) => (
-          <label key={i} className="task-choice">
-            <input type="radio" name={name} checked={text === String(i)} onChange={() => put(String(i))} /> <span>{choice}</span>
-          </label>
-        ))}
-      </fieldset>
-    );
-  }
-  if (kind === "place") {
-    const [x = "", z = ""] = text.split(" ");
-    return (
-      <div className="task-fields">
-        <span className="small">{t.foretell.place}</span>
-        {field(t.foretell.x, "⌀", x, (next) => put(`${bare(next)} ${z}`))}
-        {field(t.foretell.z, "Z", z, (next) => put(`${x} ${bare(next)}`))}
-      </div>
-    );
-  }
-  if (kind === "block") {
-    return (
-      <div className="task-fields">
-        <span className="soft small">{t.foretell.tapBlock}</span>
-        {field(t.foretell.block, "", text, put)}
-      </div>
-    );
-  }
-  const { ask } = prediction;
-  const unit = ask in t.foretell.units ? t.foretell.units[ask as keyof typeof t.foretell.units] : "";
-  return <div className="task-fields">{field(t.foretell.answer, "", text, put, unit)}</div>;
 }
 
 /** Where the assignment stands in the place of the work: the way to what is pointed at for an answer. */
@@ -142,7 +85,7 @@ export function ForetellForm({ task, t, words }: { readonly task: Task; readonly
         {predict.length > 1 && <span className="soft small">{t.foretell.question(question + 1, predict.length)}</span>}
         <b>{words.questions?.[question] ?? t.foretell.title}</b>
       </p>
-      <AskedAnswer key={question} prediction={prediction} question={question} text={told[question] ?? ""}
+      <AskedAnswer key={question} prediction={prediction} put={(next) => setTold(question, next)} text={told[question] ?? ""}
         choices={words.choices?.[question] ?? []} t={t} labelled={labelled} />
       <div className="task-ways">
         <ToPointed kind={answerKindOf(prediction)} t={t} />

@@ -1,4 +1,4 @@
-import { LIST_RULES, NUMBER_RULES, type ListRule, type NumberRule, type RuleDraft } from "../../../course/made/made-task.ts";
+import { LIST_RULES, NUMBER_RULES, type ListRule, type NumberRule, type RuleDraft } from "../../../course/made/made-form.ts";
 import { useTeachTexts } from "./use-teach-texts.ts";
 import type { FormPart } from "./WordFields.tsx";
 
@@ -21,8 +21,7 @@ export function RuleFields({ made, change }: FormPart) {
                 {t.rule[rule]}
               </label>
               <input className="input number" aria-label={t.rule[rule]} disabled={!on} value={text}
-                inputMode={rule === "tools" || rule === "cycles" ? "text" : "decimal"}
-                onChange={(event) => put(rule, { text: event.currentTarget.value })} />
+                inputMode={rule === "cycles" ? "text" : "decimal"} onChange={(event) => put(rule, { text: event.currentTarget.value })} />
             </li>
           );
         })}

@@ -1,5 +1,5 @@
 import { formatNumber } from "../../../i18n/number.ts";
-import type { SizeDraft } from "../../../course/made/made-task.ts";
+import type { SizeDraft } from "../../../course/made/made-form.ts";
 import { useSettings } from "../../settings/settings.ts";
 import { useTeachTexts } from "./use-teach-texts.ts";
 import type { FormPart } from "./WordFields.tsx";

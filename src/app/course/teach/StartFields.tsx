@@ -11,7 +11,9 @@ export function StartFields({ made, change, answer }: FormPart & { readonly answ
   const name = useId();
   const { operations } = answer.run;
   const { prompts: { operation, emptied }, faults, start } = made;
-  const starts = (["empty", "prompts", "program"] as const).filter((each) => each !== "prompts" || operations.length > 0);
+  const starts = (["empty", "prompts", "program"] as const).filter((each) =>
+    (each !== "prompts" || operations.length > 0) && (each !== "empty" || made.kind !== "predict")
+  );
   const toggled = <T,>(
     list: readonly T[],
     one: T,

@@ -21,7 +21,7 @@ export function TaughtDialog() {
   const shown = useTaughtShown((s) => s.shown);
   useEffect(startTaught, []);
   if (shown?.kind === "task") return <IncomingTask task={shown.task} />;
-  return shown && <ResultView result={shown.result} />;
+  return shown && <ResultView shown={shown} />;
 }
 
 function IncomingTask({ task }: { readonly task: Task }) {
@@ -32,7 +32,7 @@ function IncomingTask({ task }: { readonly task: Task }) {
   const number = (value: number) => formatNumber(language, value);
   const blank = task.part && boxAround([...blankOfLines(task.part.blank).rings]);
   const facts: readonly (readonly [keyof typeof t.incoming.facts, string])[] = [
-    ["kind", task.kind === "predict" ? task.kind : t.kinds[task.kind]],
+    ["kind", t.kinds[task.kind]],
     ...(blank ? [["blank", `⌀${number(toDiameter(radius(blank.high)))} × ${number(blank.right - blank.left)}`] as const] : []),
     ["tools", task.rules.tools?.join(", ") ?? t.incoming.anyTools],
     ["size", t.kilobytes(formatNumber(language, taughtFile(task).length / 1000, 1))],

@@ -7,10 +7,14 @@ import { inScreenLanguage } from "../content.ts";
 import { useLearning } from "../progress.ts";
 import { TaskStateMark } from "../TaskStateMark.tsx";
 import { beginTask } from "../task/begin.ts";
-import { removeTask, startTaught, useTaught } from "./taught.ts";
+import { textOfTask } from "../../../course/made/form-of-task.ts";
+import type { Task } from "../../../course/task.ts";
+import { undo, useSteps } from "../../steps.ts";
+import { copyTask, removeTask, startTaught, useTaught } from "./taught.ts";
 import { useTeachTextsSoon } from "./use-teach-texts.ts";
 import "./teach.css";
 
+const TeachDialog = lazyPart(async () => ({ default: (await import("./TeachDialog.tsx")).TeachDialog }));
 const HandInDialog = lazyPart(async () => ({ default: (await import("./HandInDialog.tsx")).HandInDialog }));
 
 /** The tasks that came from outside, below the lessons, and the way to hand in what was done. */
@@ -20,6 +24,9 @@ export function TaughtTasks() {
   const { list, trouble } = useTaught();
   const learning = useLearning((s) => s.list);
   const [hands, handIn] = useState(false);
+  const [changed, change] = useState<Task | null>(null);
+  const [gone, say] = useState<{ readonly title: string; readonly step: object | undefined } | null>(null);
+  const last = useSteps((s) => s.past.at(-1));
   useEffect(startTaught, []);
   if (!t) return null;
   return (
@@ -41,7 +48,20 @@ export function TaughtTasks() {
                 <button type="button" className="button" aria-label={t.own.begin(title)} onClick={() => void beginTask(task, true)}>
                   <Icon name="play" />
                 </button>
-                <button type="button" className="button plain" aria-label={t.own.remove(title)} onClick={() => removeTask(task.id)}>
+                {textOfTask(task) !== null && (
+                  <button type="button" className="button plain" aria-haspopup="dialog" aria-label={t.own.edit(title)} onClick={() =>
+                    change(task)}
+                  >
+                    <Icon name="rename" />
+                  </button>
+                )}
+                <button type="button" className="button plain" aria-label={t.own.copy(title)} onClick={() => copyTask(task, t.own.copyOf)}>
+                  <Icon name="copy" />
+                </button>
+                <button type="button" className="button plain" aria-label={t.own.remove(title)} onClick={() => {
+                  removeTask(task.id);
+                  say({ title, step: useSteps.getState().past.at(-1) });
+                }}>
                   <Icon name="remove" />
                 </button>
               </li>
@@ -49,11 +69,26 @@ export function TaughtTasks() {
           })}
         </ul>
       )}
+      <div role="status">
+        {gone && gone.step === last && (
+          <p className="field-message info taught-gone">
+            <span>{t.own.removed(gone.title)}</span>
+            <button type="button" className="button" onClick={undo}>
+              <Icon name="undo" /> {t.own.undo}
+            </button>
+          </p>
+        )}
+      </div>
       <div className="handing-ways">
         <button type="button" className="button" aria-haspopup="dialog" onClick={() => handIn(true)}>
           <Icon name="share" /> {t.hand.open}
         </button>
       </div>
+      {changed && (
+        <Suspense>
+          <TeachDialog task={changed} done={() => change(null)} />
+        </Suspense>
+      )}
       {hands && (
         <Suspense>
           <HandInDialog done={() => handIn(false)} />

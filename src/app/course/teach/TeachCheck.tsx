@@ -8,7 +8,8 @@ import { Icon } from "../../Icon.tsx";
 import { useSettings } from "../../settings/settings.ts";
 import { beginTaskAnew } from "../task/begin.ts";
 import { LinkBox, pageAddress } from "./LinkBox.tsx";
-import { keepTask, startTaught } from "./taught.ts";
+import { forgetForm } from "./kept-form.ts";
+import { keepTask, startTaught, useTaught } from "./taught.ts";
 import { taskLink, taughtFile } from "./taught-files.ts";
 import { useTeachTexts } from "./use-teach-texts.ts";
 
@@ -19,14 +20,31 @@ const MOST_TOLD = 6;
  * Whether the answer passes its own task; then it is tried and handed out. What goes out is kept here too, so that answers to it can be run
  * when they come back.
  */
-export function TeachCheck({ task, judged, isIdle, done }: { readonly task: Task | readonly MadeFault[];
-  readonly judged: TaskJudgement | null; readonly isIdle: boolean; readonly done: () => void })
-{
+export function TeachCheck({ task, judged, isIdle, foretells, lacks, formKey, isChange, done }: {
+  readonly task: Task | readonly MadeFault[];
+  readonly judged: TaskJudgement | null;
+  readonly isIdle: boolean;
+  /** It only asks questions: there is no answer to judge. */
+  readonly foretells: boolean;
+  /** A question asks for something that is not there. */
+  readonly lacks: boolean;
+  /** What the form is kept under, and whether it changes a kept task. */
+  readonly formKey: string;
+  readonly isChange: boolean;
+  readonly done: () => void;
+}) {
   const t = useTeachTexts();
   useEffect(startTaught, []);
-  const faults = "length" in task ? task : null, whole = "length" in task ? null : task;
+  const faults = "length" in task ? [...task, ...(lacks ? ["truth" as const] : [])] : lacks ? ["truth" as const] : null;
+  const whole = "length" in task || lacks ? null : task;
+  const isKept = useTaught((s) => whole !== null && s.list.some((each) => JSON.stringify(each) === JSON.stringify(whole)));
   const wrong = judged?.marks.filter(({ passed }) => !passed) ?? [];
-  const ready = whole && judged?.passed && !isIdle ? whole : null;
+  const ready = whole && (foretells || (judged?.passed && !isIdle)) ? whole : null;
+  /** A changed task that is kept needs no form any more: it is filled in from the task again. */
+  const keep = (kept: Task) => {
+    keepTask(kept);
+    if (isChange) forgetForm(formKey);
+  };
   return (
     <section className="teach-checked" aria-label={t.check}>
       <h3>{t.check}</h3>
@@ -40,7 +58,12 @@ export function TeachCheck({ task, judged, isIdle, done }: { readonly task: Task
             ))}
           </ul>
         )}
-        {judged?.passed && !isIdle && (
+        {foretells && ready && (
+          <p className="teach-good">
+            <Icon name="check" /> {t.foretells}
+          </p>
+        )}
+        {judged?.passed && !isIdle && !lacks && (
           <p className="teach-good">
             <Icon name="check" /> {t.passes}
           </p>
@@ -63,13 +86,17 @@ export function TeachCheck({ task, judged, isIdle, done }: { readonly task: Task
         <button type="button" className="button" disabled={!ready} onClick={() => {
           if (!ready) return;
           done();
-          keepTask(ready);
+          keep(ready);
           beginTaskAnew(ready, true);
         }}>
           <Icon name="play" /> {t.tryIt}
         </button>
+        <button type="button" className="button" disabled={!ready || isKept} onClick={() => ready && keep(ready)}>
+          <Icon name="check" /> {isChange ? t.save : t.keepIt}
+        </button>
       </div>
-      {ready && <HandOut task={ready} />}
+      {isKept && <p className="soft">{t.keptNow}</p>}
+      {ready && <HandOut task={ready} keep={() => keep(ready)} />}
     </section>
   );
 }
@@ -83,15 +110,15 @@ function Told({ mark: { rule, value, limit, block } }: { readonly mark: TaskMark
   return <li>{value0 === "" && limit === undefined ? t.judged[rule] : t.mark(t.judged[rule], value0, number(limit))}</li>;
 }
 
-function HandOut({ task }: { readonly task: Task }) {
+function HandOut({ task, keep }: { readonly task: Task; readonly keep: () => void }) {
   const t = useTeachTexts();
   return (
     <>
       <h3>{t.handOut}</h3>
-      <LinkBox link={taskLink(pageAddress(), task)} copies={() => keepTask(task)} />
+      <LinkBox link={taskLink(pageAddress(), task)} copies={keep} />
       <div className="handing-ways">
         <button type="button" className="button" onClick={() => {
-          keepTask(task);
+          keep();
           downloadText(taughtFile(task), `${task.id}.turnwise-task.json`);
         }}>
           <Icon name="download" /> {t.saveTask}

@@ -1,116 +1,91 @@
-import { useDeferredValue, useEffect, useMemo, useRef, useState } from "react";
+import { useEffect, useRef, useState } from "react";
 import { answerOf } from "../../../course/judge/answer.ts";
-import { judge } from "../../../course/judge/judge.ts";
 import type { Answer } from "../../../course/judge/judgement.ts";
-import { partOfMade, programOfMade, proposedTask, taskOfMade, type MadeTask } from "../../../course/made/made-task.ts";
+import { formOfTask, languageOfTask, sizesOfBoth, textOfTask } from "../../../course/made/form-of-task.ts";
+import type { MadeTask } from "../../../course/made/made-form.ts";
+import { partOfMade, proposedTask } from "../../../course/made/made-task.ts";
+import type { Task } from "../../../course/task.ts";
+import { wantedPart } from "../../../course/wanted-part.ts";
 import { Icon } from "../../Icon.tsx";
 import { fingerprint } from "../../saving/difference.ts";
 import { useSettings } from "../../settings/settings.ts";
 import { useModal } from "../../use-modal.ts";
-import { WorkshopDrawing } from "../drawing/WorkshopDrawing.tsx";
-import { wantedPart } from "../../../course/wanted-part.ts";
-import { formOfText, keepForm } from "./kept-form.ts";
-import { PartFields } from "./PartFields.tsx";
-import { RuleFields } from "./RuleFields.tsx";
+import { inScreenLanguage } from "../content.ts";
+import { keptForm, keyOfTask, keyOfWork, startForms } from "./kept-form.ts";
 import { sizeChoices } from "./size-choices.ts";
-import { SizeFields } from "./SizeFields.tsx";
-import { StartFields } from "./StartFields.tsx";
-import { TeachCheck } from "./TeachCheck.tsx";
+import { TeachForm, type BegunForm } from "./TeachForm.tsx";
 import { useTeachTexts } from "./use-teach-texts.ts";
-import { WordFields } from "./WordFields.tsx";
 import "./teach.css";
 
-/** The answer with its form, as it was left or as it is proposed. */
-interface Begun {
-  readonly answer: Answer;
-  readonly first: MadeTask;
+/** What a form is made of: the program of a work, or a task that is kept. */
+export type TeachSource = { readonly text: string; readonly work: string } | { readonly task: Task };
+
+/** Whether a program makes a part, which can be asked for, and from which block on it mills; null where it does not. */
+const makesPart = ({ run }: Answer): boolean => run.blank.length > 0 && run.steps.length > 0;
+const milledFrom = ({ run }: Answer): number | null => run.plane.find(({ kind }) => kind !== "rapid")?.block ?? null;
+
+function begunForm(source: TeachSource, screen: ReturnType<typeof useSettings.getState>["language"]): BegunForm | null {
+  startForms();
+  const base = "task" in source ? source.task : null, text = "task" in source ? textOfTask(source.task) : source.text;
+  if (text === null) return null;
+  const answer = answerOf(text), isPart = makesPart(answer), milled = milledFrom(answer);
+  if (!isPart && milled === null && !base) return null;
+  const keptAs = "task" in source ? keyOfTask(source.task.id) : keyOfWork(source.work), print = fingerprint(text);
+  const language = base ? languageOfTask(base, screen) : screen, kept = keptForm(keptAs);
+  const only: Partial<MadeTask> = isPart ? {} : { kind: "predict", start: "program" };
+  const form = kept?.form ?? { ...(base ? formOfTask(base, text, answer, language) : proposedTask(answer)), ...only };
+  const sizes = sizesOfBoth(form.sizes, sizeChoices(wantedPart(partOfMade(form))));
+  return {
+    text,
+    answer,
+    base,
+    keptAs,
+    print,
+    language,
+    isPart,
+    milled,
+    first: { ...form, sizes: kept ? form.sizes : sizes },
+    keptPrint: kept?.print ?? print,
+  };
 }
 
-/** Runs the program once the dialog is painted. */
-function useBegun(text: string): Begun | null {
-  const [begun, begin] = useState<Begun | null>(null);
+/** Runs the program once the dialog is painted; null until then, "none" where nothing can be made of it. */
+function useBegun(source: TeachSource): BegunForm | "none" | null {
+  const [begun, begin] = useState<BegunForm | "none" | null>(null);
+  const [first] = useState(source);
   useEffect(() => {
-    const timer = setTimeout(() => {
-      const answer = answerOf(text);
-      const proposed = formOfText(text) ?? proposedTask(answer);
-      const sizes = proposed.sizes.length > 0 ? proposed.sizes : sizeChoices(wantedPart(partOfMade(proposed)));
-      begin({ answer, first: { ...proposed, sizes } });
-    });
+    const timer = setTimeout(() => begin(begunForm(first, useSettings.getState().language) ?? "none"));
     return () => clearTimeout(timer);
-  }, [text]);
+  }, [first]);
   return begun;
 }
 
-/** The form that makes a task of a program: filled in from it, checked while it is typed, tried and handed out. */
-export function TeachDialog({ text, done }: { readonly text: string; readonly done: () => void }) {
+/** The form that makes a task of a program, or changes one: filled in from it, checked while it is typed, tried and handed out. */
+export function TeachDialog({ done, ...source }: TeachSource & { readonly done: () => void }) {
   const t = useTeachTexts();
-  const begun = useBegun(text);
+  const screen = useSettings((s) => s.language);
+  const begun = useBegun(source);
   const dialog = useRef<HTMLDialogElement>(null);
   useModal(dialog);
-  const isPart = begun && begun.answer.run.blank.length > 0 && begun.answer.run.steps.length > 0;
+  const name = "task" in source ? inScreenLanguage(source.task.words, screen)?.title ?? source.task.id : null;
+  const title = name === null ? t.title : t.titleOf(name);
   return (
-    <dialog ref={dialog} className="teach" aria-label={t.title}
+    <dialog ref={dialog} className="teach" aria-label={title}
       onClose={(event) => event.target === dialog.current && !dialog.current.open && done()} onKeyDown={(event) => event.stopPropagation()}
     >
       <div className="teach-head">
-        <h2>{t.title}</h2>
+        <h2>{title}</h2>
         <button type="button" className="button icon plain" aria-label={t.close} onClick={() => dialog.current?.close()}>
           <Icon name="close" />
         </button>
       </div>
       {!begun && <p role="status" className="soft">{t.working}</p>}
-      {begun && !isPart && (
+      {begun === "none" && (
         <p className="field-message warning">
           <Icon name="warning" /> {t.noPart}
         </p>
       )}
-      {begun && isPart && <Form {...begun} text={text} done={() => dialog.current?.close()} />}
+      {begun && begun !== "none" && <TeachForm {...begun} done={() => dialog.current?.close()} />}
     </dialog>
-  );
-}
-
-function Form({ answer, first, text, done }: Begun & { readonly text: string; readonly done: () => void }) {
-  const t = useTeachTexts();
-  const language = useSettings((s) => s.language);
-  const [made, set] = useState(first);
-  const change = (some: Partial<MadeTask>) => {
-    const next = { ...made, ...some };
-    set(next);
-    keepForm(text, next);
-  };
-  const settled = useDeferredValue(made);
-  const mark = useMemo(() => fingerprint(text).split(" ").at(1) ?? "", [text]);
-  const task = useMemo(() => taskOfMade(settled, answer, language, mark), [settled, answer, language, mark]);
-  const judged = useMemo(() => ("length" in task ? null : judge(task, answer)), [task, answer]);
-  const begins = useMemo(() => (settled.start === "program" ? programOfMade(settled, answer).join("\n") : null), [settled, answer]);
-  const isIdle = useMemo(() => begins !== null && !("length" in task) && judge(task, answerOf(begins)).passed, [begins, task]);
-  const drawn = useMemo(() => ({
-    id: "length" in task ? mark : task.id,
-    part: partOfMade(settled),
-    sizes: settled.sizes.filter(({ on }) => on).map(({ upper, lower, kind, at, nominal }) => ({
-      kind,
-      at,
-      nominal,
-      upper: Number(upper.replace(",", ".")) || 0,
-      lower: Number(lower.replace(",", ".")) || 0,
-    })),
-    rules: "length" in task ? {} : task.rules,
-    words: { [language]: { title: settled.words.title || t.part, ask: "", hints: ["", "", ""] as [string, string, string] } },
-  }), [task, settled, language, mark, t]);
-  return (
-    <div className="teach-form">
-      <div className="teach-fields">
-        <p className="soft">{t.lead}</p>
-        <WordFields made={made} change={change} />
-        <PartFields made={made} change={change} answer={answer} />
-        <SizeFields made={made} change={change} />
-        <RuleFields made={made} change={change} />
-        <StartFields made={made} change={change} answer={answer} />
-      </div>
-      <div className="teach-shown">
-        <WorkshopDrawing task={drawn} language={language} />
-        <TeachCheck task={task} judged={judged} isIdle={isIdle} done={done} />
-      </div>
-    </div>
   );
 }

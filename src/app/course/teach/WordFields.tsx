@@ -1,11 +1,13 @@
 import { useId } from "react";
-import type { MadeTask } from "../../../course/made/made-task.ts";
+import type { MadeTask } from "../../../course/made/made-form.ts";
+import { asksBefore } from "../../../course/made/made-task.ts";
 import { useTeachTexts } from "./use-teach-texts.ts";
 
 /** What each part of the form is given: the form as it is, and what changes it. */
 export interface FormPart {
   readonly made: MadeTask;
-  readonly change: (some: Partial<MadeTask>) => void;
+  /** `isStep`: something goes that was typed; it can be taken back. */
+  readonly change: (some: Partial<MadeTask>, isStep?: boolean) => void;
 }
 
 /** A text of the form, of one line or of several. */
@@ -32,7 +34,7 @@ export function TeachText({ label, hint, value, rows = 1, isNc = false, change }
 }
 
 /** Kind, title, assignment and the three hints. */
-export function WordFields({ made, change }: FormPart) {
+export function WordFields({ made, change, kinds }: FormPart & { readonly kinds: readonly MadeTask["kind"][] }) {
   const t = useTeachTexts();
   const name = useId();
   const { words, kind } = made;
@@ -42,10 +44,10 @@ export function WordFields({ made, change }: FormPart) {
     <fieldset>
       <legend>{t.words}</legend>
       <div role="radiogroup" aria-label={t.kind} className="teach-choices">
-        {(["make", "fault", "drawing"] as const).map((each) => (
+        {kinds.map((each) => (
           <label key={each} className="teach-check">
             <input type="radio" name={name} checked={kind === each}
-              onChange={() => change({ kind: each, ...(each === "fault" && { start: "program" }) })} />
+              onChange={() => change({ kind: each, ...(asksBefore(each) && made.start === "empty" && { start: "program" }) })} />
             {t.kinds[each]}
           </label>
         ))}

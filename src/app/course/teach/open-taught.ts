@@ -1,29 +1,46 @@
 import { notice } from "../../saving/keep.ts";
 import { LARGEST_TAUGHT, readTaught, readTaughtLink, type ReadTaught } from "./taught-files.ts";
-import { showTaught } from "./taught-shown.ts";
+import { showResults, showTask, type NamedResult } from "./taught-shown.ts";
 
 const PROBLEMS = { tooLarge: "linkTooLarge", newer: "linkNewer", damaged: "linkDamaged" } as const;
-
-/** Shows what was read; true where something was. */
-function shown(read: ReadTaught): boolean {
-  if (read.kind !== "task" && read.kind !== "result") return false;
-  showTaught(read);
-  return true;
-}
 
 /** Shows the task or the results of a link, or says why it carries none. */
 export function openTaughtLink(hash: string): void {
   const read = readTaughtLink(hash);
-  if (!shown(read)) notice(PROBLEMS[read.kind as keyof typeof PROBLEMS]);
+  if (read.kind === "task") showTask(read.task);
+  else if (read.kind === "result") showResults([{ file: "", result: read.result }]);
+  else notice(PROBLEMS[read.kind]);
 }
 
-/** Shows the task or the results of a file. */
-export async function openTaughtFile(file: File): Promise<"opened" | "tooLarge" | "unreadable"> {
-  if (file.size > LARGEST_TAUGHT) return "tooLarge";
+async function readFile(file: File): Promise<ReadTaught> {
+  if (file.size > LARGEST_TAUGHT) return { kind: "tooLarge" };
   try {
-    const read = readTaught(await file.text());
-    return shown(read) ? "opened" : read.kind === "tooLarge" ? "tooLarge" : "unreadable";
+    return readTaught(await file.text());
   } catch {
-    return "unreadable";
+    return { kind: "damaged" };
   }
+}
+
+/** Shows results out of files, beside those that are shown; what is none is named. */
+export async function addResults(files: readonly File[]): Promise<void> {
+  showResults(await Promise.all(files.map(async (file): Promise<NamedResult> => {
+    const read = await readFile(file);
+    return { file: file.name, result: read.kind === "result" ? read.result : null };
+  })));
+}
+
+/** Shows the task of a file, or the results of one or several. */
+export async function openTaughtFiles(files: readonly File[]): Promise<"opened" | "tooLarge" | "unreadable"> {
+  const [first] = files, read = first && await readFile(first);
+  if (!read) return "unreadable";
+  if (read.kind === "task" && files.length === 1) {
+    showTask(read.task);
+    return "opened";
+  }
+  if (files.length === 1 && read.kind !== "result") {
+    if (read.kind === "newer") notice("linkNewer");
+    return read.kind === "newer" ? "opened" : read.kind === "tooLarge" ? "tooLarge" : "unreadable";
+  }
+  await addResults(files);
+  return "opened";
 }

@@ -1,5 +1,5 @@
 import { sizeOn } from "../../../course/judge/sizes.ts";
-import type { SizeDraft } from "../../../course/made/made-task.ts";
+import type { SizeDraft } from "../../../course/made/made-form.ts";
 import type { WantedPart } from "../../../course/wanted-part.ts";
 import { radius, rounded, toDiameter } from "../../../kernel/units.ts";
 import { printFeatures } from "../../../view/drawing/print-features.ts";

@@ -1,7 +1,6 @@
 import { readResult, RESULT_FORMAT, type HandedResult } from "../../../course/made/result.ts";
 import { TASK_FORMAT, taskSchema, type Task } from "../../../course/task.ts";
 import { packedForLink, unpackedFromLink } from "../../handing/link.ts";
-import type { TaughtShown } from "./taught-shown.ts";
 
 /** Forms of the links; newer ones have higher numbers. */
 const TASK_MARK = "#t1=", RESULT_MARK = "#r1=";
@@ -9,7 +8,9 @@ const TASK_MARK = "#t1=", RESULT_MARK = "#r1=";
 export const LARGEST_TAUGHT = 4_000_000;
 
 /** What was read, or why nothing was. */
-export type ReadTaught = TaughtShown | { readonly kind: "tooLarge" | "newer" | "damaged" };
+export type ReadTaught = { readonly kind: "task"; readonly task: Task } | { readonly kind: "result"; readonly result: HandedResult } | {
+  readonly kind: "tooLarge" | "newer" | "damaged";
+};
 
 /** Links that carry a task, or results. `page`: the address without anything behind `#`. */
 export const taskLink = (page: string, task: Task): string => page + TASK_MARK + packedForLink(task);

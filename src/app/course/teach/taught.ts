@@ -14,6 +14,9 @@ export const useTaught = create<Taught>(() => ({ list: [], trouble: "none" }));
 
 const put = (list: readonly Task[]): void => useTaught.setState({ list });
 
+/** Of an id, so that a number still fits behind it. */
+const LONGEST_STEM = 52;
+
 /** Where the tasks are kept. */
 export const TAUGHT_KEY = "turnwise/course-tasks";
 let keeps = false;
@@ -47,6 +50,19 @@ export function keepTask(task: Task): void {
   const { list } = useTaught.getState();
   if (list.some((each) => JSON.stringify(each) === JSON.stringify(task))) return;
   change([task, ...list.filter(({ id }) => id !== task.id)].slice(0, MOST_TAUGHT));
+}
+
+/** A second task like a kept one, beside it: with an id of its own, and named as a copy in each of its languages. */
+export function copyTask(task: Task, copyOf: (title: string) => string): void {
+  const { list } = useTaught.getState();
+  const stem = task.id.slice(0, LONGEST_STEM);
+  let id = `${stem}-2`;
+  for (let n = 3; list.some((each) => each.id === id); n++) id = `${stem}-${n}`;
+  const words = Object.fromEntries(
+    Object.entries(task.words).map(([language, told]) => [language, told && { ...told, title: copyOf(told.title) }]),
+  );
+  const index = list.findIndex((each) => each.id === task.id);
+  change([...list.slice(0, index + 1), { ...task, id, words }, ...list.slice(index + 1)].slice(0, MOST_TAUGHT));
 }
 
 /** Lets a kept task go. What was made of it stays. */

@@ -1,0 +1,62 @@
+import { useId } from "react";
+import type { Prediction } from "../../../course/task.ts";
+import { answerKindOf } from "../../../course/told.ts";
+import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
+
+interface AskedProps {
+  readonly prediction: Prediction;
+  /** Takes the answer as it is typed. */
+  readonly put: (text: string) => void;
+  readonly text: string;
+  readonly choices: readonly string[];
+  readonly t: CourseTaskTexts;
+  readonly labelled: string;
+}
+
+const bare = (text: string) => text.replaceAll(" ", "");
+
+/** The field of one question: a number, a place, one of several, or a block. */
+export function AskedAnswer({ prediction, put, text, choices, t, labelled }: AskedProps) {
+  const name = useId();
+  const kind = answerKindOf(prediction);
+  const field = (label: string, sign: string, value: string, take: (next: string) => void, unit = "") => (
+    <label className="task-field">
+      {sign !== "" && <span className="number" aria-hidden="true">{sign}</span>}
+      <input className="input number" type="text" inputMode="decimal" autoComplete="off" value={value} aria-label={label}
+        aria-describedby={labelled} maxLength={12} onChange={(event) => take(event.currentTarget.value)} />
+      {unit !== "" && <span className="soft small">{unit}</span>}
+    </label>
+  );
+  if (kind === "choice") {
+    return (
+      <fieldset className="task-choices" aria-labelledby={labelled}>
+        {choices.map((choice, i) => (
+          <label key={i} className="task-choice">
+            <input type="radio" name={name} checked={text === String(i)} onChange={() => put(String(i))} /> <span>{choice}</span>
+          </label>
+        ))}
+      </fieldset>
+    );
+  }
+  if (kind === "place") {
+    const [x = "", z = ""] = text.split(" ");
+    return (
+      <div className="task-fields">
+        <span className="small">{t.foretell.place}</span>
+        {field(t.foretell.x, "⌀", x, (next) => put(`${bare(next)} ${z}`))}
+        {field(t.foretell.z, "Z", z, (next) => put(`${x} ${bare(next)}`))}
+      </div>
+    );
+  }
+  if (kind === "block") {
+    return (
+      <div className="task-fields">
+        <span className="soft small">{t.foretell.tapBlock}</span>
+        {field(t.foretell.block, "", text, put)}
+      </div>
+    );
+  }
+  const { ask } = prediction;
+  const unit = ask in t.foretell.units ? t.foretell.units[ask as keyof typeof t.foretell.units] : "";
+  return <div className="task-fields">{field(t.foretell.answer, "", text, put, unit)}</div>;
+}

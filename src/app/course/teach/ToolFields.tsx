@@ -1,0 +1,43 @@
+import { useId } from "react";
+import type { Answer } from "../../../course/judge/judgement.ts";
+import { calledTools } from "../../../course/judge/rules.ts";
+import { TOOL_OFFERS } from "../../../course/made/made-form.ts";
+import { shippedTools } from "../../../program/shipped-tools.ts";
+import { useTeachTexts } from "./use-teach-texts.ts";
+import type { FormPart } from "./WordFields.tsx";
+
+/** Which tools the learner finds in the table: those of the answer, a choice that holds others as well, or all. */
+export function ToolFields({ made, change, answer }: FormPart & { readonly answer: Answer }) {
+  const t = useTeachTexts();
+  const name = useId();
+  const { offer, tools } = made;
+  const called = [...calledTools(answer).keys()].join(", ");
+  return (
+    <fieldset>
+      <legend>{t.offer}</legend>
+      <div className="teach-choices" role="radiogroup" aria-label={t.offer}>
+        {TOOL_OFFERS.map((each) => (
+          <label key={each} className="teach-check">
+            <input type="radio" name={name} checked={offer === each} onChange={() => change({ offer: each })} />
+            {each === "called" ? t.offers.called(called) : t.offers[each]}
+          </label>
+        ))}
+      </div>
+      {offer === "listed" && (
+        <div role="group" aria-label={t.offers.listed} className="teach-values teach-tools">
+          {shippedTools.map(({ T, NAME }) => (
+            <label key={T} className="teach-check">
+              <input type="checkbox" checked={tools.includes(T)} onChange={() =>
+                change({
+                  tools: tools.includes(T)
+                    ? tools.filter((each) => each !== T)
+                    : [...tools, T],
+                })} />
+              {t.toolOf(String(T), NAME)}
+            </label>
+          ))}
+        </div>
+      )}
+    </fieldset>
+  );
+}

@@ -1,0 +1,62 @@
+import { expect, test } from "vitest";
+import type { HandedResult, TaskResult } from "../../../course/made/result.ts";
+import { isAmong, resultsCsv, resultRows, sheetCell, sortedRows, type Again } from "./result-rows.ts";
+
+const task = (id: string, more: Partial<TaskResult> = {}): TaskResult => ({
+  id,
+  title: `Task ${id}`,
+  tries: 2,
+  hints: 0,
+  solution: false,
+  passed: null,
+  seconds: null,
+  score: null,
+  worked: 97,
+  steps: 13,
+  program: null,
+  verdict: null,
+  ...more,
+});
+const ada: HandedResult = {
+  format: "turnwise-result/1",
+  name: "Ada",
+  made: 1_795_000_000_123,
+  tasks: [task("pin", { tries: 11 }), task("disc")],
+};
+const none: HandedResult = { ...ada, name: "", tasks: [] };
+const zoe: HandedResult = { ...ada, name: "zoé", tasks: [task("pin", { seconds: 61.7, passed: { way: "alone", when: 7 } })] };
+
+const compare = (a: string, b: string) => a.localeCompare(b, "en");
+
+test("rows of several learners are sorted by any column, and by none as they came", () => {
+  const rows = resultRows([zoe, none, ada]);
+  const again = new Map<string, Again>([["0 pin", "fails"], ["2 disc", "passes"]]);
+  const order = (column: Parameters<typeof sortedRows>[1], down = false) =>
+    sortedRows(rows, column, down, { again, compare }).map(({ name, result }) => `${name} ${result.id}`);
+  expect(order(null)).toEqual(["zoé pin", "Ada pin", "Ada disc"]);
+  expect(order("name")).toEqual(["Ada pin", "Ada disc", "zoé pin"]);
+  expect(order("name", true)).toEqual(["zoé pin", "Ada pin", "Ada disc"]);
+  expect(order("tries", true)[0]).toBe("Ada pin");
+  expect(order("machining")[0]).toBe("zoé pin");
+  expect(order("state")[0]).toBe("zoé pin");
+  expect(order("again")).toEqual(["Ada disc", "zoé pin", "Ada pin"]);
+  expect(resultRows([none])).toEqual([]);
+});
+
+test("the same file is known again", () => {
+  expect(isAmong([ada, zoe], { ...zoe })).toBe(true);
+  expect(isAmong([ada], { ...ada, made: ada.made + 1 })).toBe(false);
+});
+
+test.each([[`=HYPERLINK("x")`, `"'=HYPERLINK(""x"")"`], ["+49 7", "'+49 7"], ["-1", "'-1"], ["@a", "'@a"], ["a;b", `"a;b"`], [
+  "a\r\n=b",
+  "a =b",
+], ["Zoé", "Zoé"]])("%s is text in a sheet", (text, cell) => {
+  expect(sheetCell(text, { separator: ";", decimal: "," })).toBe(cell);
+});
+
+test("a sheet is written as the spreadsheets of a language read it", () => {
+  const rows = [["Ada", 61.7], ["", null], ["b,c", -3]];
+  expect(resultsCsv(["Name", "s"], rows, ",")).toBe("\uFEFFName;s\r\nAda;61,7\r\n;\r\nb,c;-3\r\n");
+  expect(resultsCsv(["Name"], [["b,c"], [-0.5]], ".")).toBe('\uFEFFName\r\n"b,c"\r\n-0.5\r\n');
+});

@@ -1,0 +1,111 @@
+import type { Answer } from "../judge/judgement.ts";
+import { promptsText } from "../prompts.ts";
+import { programOfLines } from "../start-of.ts";
+import type { Task } from "../task.ts";
+import { NUMBER_RULES, type MadeTask, type RuleDraft, type SizeDraft } from "./made-form.ts";
+import { promptsOf, proposedTask, taskOfMade, type MadeFault } from "./made-task.ts";
+import { draftOfPrediction } from "./made-questions.ts";
+
+/*
+ * A task that is kept, or came from elsewhere, in the form again. What a form has no field for goes along as it was.
+ */
+
+export type TaskLanguage = keyof Task["words"];
+
+/** The language that a task is written on in: that of the screen where it has words in it, or else its first. */
+export const languageOfTask = ({ words }: Task, screen: TaskLanguage): TaskLanguage =>
+  [screen, "en", "de", "fr", "zh"].find((each): each is TaskLanguage => words[each as TaskLanguage] !== undefined) ?? screen;
+
+/** The program that a task is made of: its answer, or what lies open where it has none; null where it has neither. */
+export function textOfTask(task: Task): string | null {
+  if (task.solution) return programOfLines(task.solution);
+  return "program" in task.start ? programOfLines(task.start.program) : promptsText(task);
+}
+
+/** What lies open in the beginning, as the form has it. */
+function startDraft({ start }: Task, text: string, answer: Answer): Pick<MadeTask, "start" | "prompts" | "program" | "faults"> {
+  const none = { prompts: { operation: 0, emptied: [] }, program: null, faults: [] };
+  if ("program" in start)
+    return { ...none, start: "program", program: programOfLines(start.program) === text ? null : start.program.join("\n") };
+  if (!("cycle" in start)) return { ...none, start: "empty" };
+  const operation = answer.run.operations.findIndex(({ cycle }) => cycle === start.cycle);
+  if (operation < 0) return { ...none, start: "empty" };
+  const emptied = promptsOf(answer, operation).map(([q]) => q).filter((q) => !(q in start.values));
+  return { ...none, start: "prompts", prompts: { operation, emptied } };
+}
+
+/** Whether two sizes are measured at the same place, whatever their deviations. */
+export const isSameSize = (a: SizeDraft, b: SizeDraft): boolean => a.kind === b.kind && a.at === b.at && a.nominal === b.nominal;
+
+/** The sizes of a task, switched on, before those that its part offers beside them. */
+export const sizesOfBoth = (chosen: readonly SizeDraft[], offered: readonly SizeDraft[]): readonly SizeDraft[] => {
+  const on = chosen.filter((size) => size.on);
+  return [
+    ...on.filter((size) => !offered.some((each) => isSameSize(each, size))),
+    ...offered.map((each) => on.find((size) => isSameSize(size, each)) ?? each),
+  ];
+};
+
+/** The form of a task. `text` and `answer`: of the program that it is made of. */
+export function formOfTask(task: Task, text: string, answer: Answer, language: TaskLanguage): MadeTask {
+  const proposed = proposedTask(answer), { part, rules, predict = [], words: told } = task, words = told[language];
+  const lines = (found: readonly string[] | undefined) => found?.join("\n") ?? "";
+  const rule = (name: (typeof NUMBER_RULES)[number]): RuleDraft => {
+    const value = name === "rz" ? rules.rz?.[0]?.most : rules[name];
+    return value === undefined ? { ...proposed.rules[name], on: false } : { on: true, text: String(value) };
+  };
+  const asked = part?.threads ?? [];
+  return {
+    ...proposed,
+    kind: task.kind,
+    ...(task.kind !== "predict" && {
+      blank: lines(part?.blank),
+      outside: lines(part?.outside),
+      bore: lines(part?.bore),
+      threads: asked.map((thread) => ({ ...thread, pitch: thread.pitch ?? 0, on: true })),
+    }),
+    sizes: (task.sizes ?? []).map((size) => ({ ...size, on: true, upper: String(size.upper), lower: String(size.lower) })),
+    rules: {
+      ...proposed.rules,
+      ...Object.fromEntries(NUMBER_RULES.map((name) => [name, rule(name)])),
+      cycles: rules.cycles ? { on: true, text: rules.cycles.join(", ") } : { ...proposed.rules.cycles, on: false },
+    },
+    offer: rules.tools ? "listed" : "all",
+    tools: rules.tools ?? proposed.tools,
+    clean: rules.clean ?? false,
+    questions: predict.map((prediction, i) => draftOfPrediction(prediction, words?.questions?.[i] ?? "", words?.choices?.[i] ?? [])),
+    ...startDraft(task, text, answer),
+    words: { title: words?.title ?? "", ask: words?.ask ?? "", hints: words?.hints ?? ["", "", ""] },
+  };
+}
+
+const isSame = (a: unknown, b: unknown): boolean => JSON.stringify(a) === JSON.stringify(b);
+
+/** Fields of `made` where they were changed in the form, of `base` where they were not; what the form does not know stays. */
+function changedOf<T extends object>(base: T, first: T, made: T): T {
+  const out = { ...base } as Record<string, unknown>;
+  for (const key of new Set([...Object.keys(first), ...Object.keys(made)])) {
+    const [was, is] = [(first as Record<string, unknown>)[key], (made as Record<string, unknown>)[key]];
+    if (isSame(was, is)) continue;
+    if (is === undefined) delete out[key];
+    else out[key] = is;
+  }
+  return out as T;
+}
+
+/**
+ * A task that was changed in the form, under its own id: an answer that comes back finds it. Where the form was left as it is the task
+ * stays the same to the last field, in all of its languages.
+ */
+export function editedTask(base: Task, made: MadeTask, answer: Answer, language: TaskLanguage): Task | readonly MadeFault[] {
+  const text = textOfTask(base);
+  const now = taskOfMade(made, answer, language, "edited");
+  if ("length" in now || text === null) return now;
+  const begun = taskOfMade(formOfTask(base, text, answer, language), answer, language, "edited");
+  if ("length" in begun) return { ...now, id: base.id, words: { ...base.words, ...now.words } };
+  const words = {
+    ...base.words,
+    [language]: changedOf(base.words[language] ?? {}, begun.words[language] ?? {}, now.words[language] ?? {}),
+  };
+  return { ...changedOf(base, begun, now), id: base.id, rules: changedOf(base.rules, begun.rules, now.rules), words };
+}

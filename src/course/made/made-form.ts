@@ -1,0 +1,114 @@
+import { z } from "zod/mini";
+import type { Task } from "../task.ts";
+import { FAULT_KINDS, type FaultKind } from "./faults.ts";
+import { ASKED_KINDS, type QuestionDraft } from "./made-questions.ts";
+import type { ThreadDraft } from "./made-threads.ts";
+
+/** Rules that a form switches on and off, each with one number. */
+export const NUMBER_RULES = ["depth", "speed", "mostTools", "seconds", "passes", "residue", "missing", "rz"] as const;
+export type NumberRule = (typeof NUMBER_RULES)[number];
+/** Rules that are lists of numbers. */
+export const LIST_RULES = ["cycles"] as const;
+export type ListRule = (typeof LIST_RULES)[number];
+
+export const TOOL_OFFERS = ["called", "listed", "all"] as const;
+export type OfferKind = (typeof TOOL_OFFERS)[number];
+
+/** A rule as it stands in the form: whether it is asked for, and its number or numbers as typed. */
+export interface RuleDraft {
+  readonly on: boolean;
+  readonly text: string;
+}
+
+/** A size that can be asked for, with its deviations as typed, mm. */
+export interface SizeDraft {
+  readonly kind: "diameter" | "bore" | "face";
+  readonly at: number;
+  readonly nominal: number;
+  readonly on: boolean;
+  readonly upper: string;
+  readonly lower: string;
+}
+
+/** Prompts that lie open in the beginning: of which cycle call, from 0, and those of its values that are left empty. */
+export interface PromptsDraft {
+  readonly operation: number;
+  readonly emptied: readonly string[];
+}
+
+export interface WordsDraft {
+  readonly title: string;
+  readonly ask: string;
+  readonly hints: readonly [string, string, string];
+}
+
+/** The form of a task, as typed. */
+export interface MadeTask {
+  readonly kind: Task["kind"];
+  /** Lines of blank and outlines; nothing in any of them where only the rules count. */
+  readonly blank: string;
+  readonly outside: string;
+  readonly bore: string;
+  readonly threads: readonly ThreadDraft[];
+  readonly sizes: readonly SizeDraft[];
+  readonly rules: Readonly<Record<NumberRule | ListRule, RuleDraft>>;
+  /** Which tools the table of the learner offers: those that the answer calls, those of the list, or all. */
+  readonly offer: OfferKind;
+  readonly tools: readonly number[];
+  readonly clean: boolean;
+  /** What is asked before the run, where the kind asks something. */
+  readonly questions: readonly QuestionDraft[];
+  readonly start: "empty" | "prompts" | "program";
+  readonly prompts: PromptsDraft;
+  readonly faults: readonly FaultKind[];
+  /** The program in the beginning, where it was typed over; null as long as it is the answer with the faults. */
+  readonly program: string | null;
+  readonly words: WordsDraft;
+}
+
+/** Longest text of a form, characters, and most of anything that is listed. */
+const LONGEST = 100_000, MOST = 200;
+const text = z.string().check(z.maxLength(LONGEST));
+const many = <S extends z.core.$ZodType>(schema: S) => z.array(schema).check(z.maxLength(MOST));
+const rule = z.object({ on: z.boolean(), text });
+const finite = z.number();
+
+/** A form as it is kept. */
+export const formShape = z.object({
+  kind: z.enum(["make", "fault", "predict", "drawing"]),
+  blank: text,
+  outside: text,
+  bore: text,
+  threads: many(z.object({ from: finite, to: finite, crest: finite, root: finite, pitch: finite, name: text, on: z.boolean() })),
+  sizes: many(
+    z.object({ kind: z.enum(["diameter", "bore", "face"]), at: finite, nominal: finite, on: z.boolean(), upper: text, lower: text }),
+  ),
+  rules: z.object({
+    depth: rule,
+    speed: rule,
+    mostTools: rule,
+    seconds: rule,
+    passes: rule,
+    residue: rule,
+    missing: rule,
+    rz: rule,
+    cycles: rule,
+  }),
+  offer: z.enum(TOOL_OFFERS),
+  tools: many(finite),
+  clean: z.boolean(),
+  questions: many(
+    z.object({ ask: z.enum(ASKED_KINDS), text, operation: z.nullable(z.int()), at: text, within: text, choices: text, right: text }),
+  ),
+  start: z.enum(["empty", "prompts", "program"]),
+  prompts: z.object({ operation: z.int(), emptied: many(text) }),
+  faults: many(z.enum(FAULT_KINDS)),
+  program: z.nullable(text),
+  words: z.object({ title: text, ask: text, hints: z.tuple([text, text, text]) }),
+});
+
+/** A form out of what was kept; null where it is none. Never throws. */
+export function readForm(raw: unknown): MadeTask | null {
+  const read = formShape.safeParse(raw);
+  return read.success ? read.data : null;
+}

@@ -1,0 +1,192 @@
+import { parse } from "../../nc/parse.ts";
+import { blockNumbers } from "../../nc/program.ts";
+import type { Answer } from "../judge/judgement.ts";
+import { truthOf, type Truth } from "../judge/predicting.ts";
+import type { Prediction, Task } from "../task.ts";
+import { typedNumber } from "../told.ts";
+
+/*
+ * What a learner is asked before the run, as an instructor types it. What is right comes from the run of the program that lies open,
+ * but for a choice and a block: those are proposed from the run.
+ */
+
+/** What can be asked, in the order in which it is offered. */
+export const ASKED_KINDS = [
+  "passes",
+  "infeed",
+  "seconds",
+  "residue",
+  "diameter",
+  "bore",
+  "face",
+  "residuePlace",
+  "gougePlace",
+  "rapidPlace",
+  "choice",
+  "block",
+] as const satisfies readonly Prediction["ask"][];
+export type AskedKind = (typeof ASKED_KINDS)[number];
+
+/** A question as typed. */
+export interface QuestionDraft {
+  readonly ask: AskedKind;
+  readonly text: string;
+  /** Of passes, infeed, seconds and residue: the cycle call that is meant, from 0; null for all together. */
+  readonly operation: number | null;
+  /** Of a size: Z of a diameter, ⌀ of a face. */
+  readonly at: string;
+  readonly within: string;
+  /** Of a choice: what is offered, a line each. Of both: the right one from 0, or the numbers of the right blocks. */
+  readonly choices: string;
+  readonly right: string;
+}
+
+const SIZES: readonly AskedKind[] = ["diameter", "bore", "face"];
+const PLACES: readonly AskedKind[] = ["residuePlace", "gougePlace", "rapidPlace"];
+const COUNTED: readonly AskedKind[] = ["passes", "infeed", "seconds", "residue"];
+
+/** Which fields a question has. */
+export const hasAt = (ask: AskedKind): boolean => SIZES.includes(ask);
+export const hasOperation = (ask: AskedKind): boolean => COUNTED.includes(ask);
+export const hasWithin = (ask: AskedKind): boolean => ask !== "choice" && ask !== "block";
+export const needsWithin = (ask: AskedKind): boolean => ask === "seconds" || ask === "residue" || PLACES.includes(ask);
+
+/** What a choice offers, without empty lines. */
+export const choicesOf = ({ choices }: QuestionDraft): readonly string[] =>
+  choices.split(/\r?\n/).map((line) => line.trim()).filter((line) => line !== "");
+
+const blocksIn = (text: string): readonly number[] => [...text.matchAll(/\d+/g)].map(([number]) => Number(number));
+
+/** What a question asks; null where a number is missing or wrong, a choice has less than two, or no block is right. */
+export function predictionOf(draft: QuestionDraft): Prediction | null {
+  const { ask, operation, at, within: typed, right } = draft;
+  const within = typedNumber(typed);
+  if (hasWithin(ask) && (typed.trim() === "" ? needsWithin(ask) : within === null || within < 0)) return null;
+  const so = within === null ? {} : { within };
+  switch (ask) {
+    case "passes":
+    case "infeed":
+    case "seconds":
+    case "residue":
+      return { ask, ...(operation !== null && { operation }), ...so };
+    case "diameter":
+    case "bore":
+    case "face": {
+      const where = typedNumber(at);
+      return where === null ? null : { ask, at: where, ...so };
+    }
+    case "residuePlace":
+    case "gougePlace":
+    case "rapidPlace":
+      return within === null ? null : { ask, within };
+    case "choice": {
+      const index = Number(right);
+      return choicesOf(draft).length > 1 && right !== "" && index < choicesOf(draft).length ? { ask, right: index } : null;
+    }
+    case "block": {
+      const blocks = blocksIn(right);
+      return blocks.length > 0 ? { ask, right: [...blocks] } : null;
+    }
+  }
+}
+
+/** A question of a task as it is typed. */
+export function draftOfPrediction(prediction: Prediction, text: string, choices: readonly string[]): QuestionDraft {
+  const { ask } = prediction;
+  const right = ask === "choice" ? String(prediction.right) : ask === "block" ? prediction.right.join(", ") : "";
+  return {
+    ask,
+    text,
+    operation: "operation" in prediction ? prediction.operation ?? null : null,
+    at: "at" in prediction ? String(prediction.at) : "",
+    within: "within" in prediction && prediction.within !== undefined ? String(prediction.within) : "",
+    choices: choices.join("\n"),
+    right,
+  };
+}
+
+/** What a run comes to, as a choice offers it: in this order. */
+export const FATES = ["fine", "rapid", "gouge", "residue", "error"] as const;
+export type Fate = (typeof FATES)[number];
+
+/** The gravest that a run comes to. */
+export function fateOf({ run, simulation: { findings, proof } }: Answer): Fate {
+  if (findings.some(({ kind }) => kind !== "gouge")) return "rapid";
+  if (findings.length > 0) return "gouge";
+  if (run.issues.some(({ issue }) => issue.severity === "error")) return "error";
+  return proof.residual.length > 0 ? "residue" : "fine";
+}
+
+const bare = (raw: string): string => raw.trim().replace(/^\/?\d+[ \t]+/, "");
+
+/** Numbers of the blocks in which a program differs from another; beside a block that is missing, its neighbours. */
+export function changedBlocks(text: string, from: string): readonly number[] {
+  const program = parse(text), numbers = blockNumbers(program);
+  const [now, was] = [program.blocks, parse(from).blocks].map((blocks) => blocks.map(({ raw }) => bare(raw))) as [string[], string[]];
+  const numbered = (places: readonly number[]) => places.flatMap((place) => numbers[place] ?? []);
+  if (now.length === was.length) return numbered(now.flatMap((raw, i) => (raw === was[i] ? [] : [i])));
+  const first = now.findIndex((raw, i) => raw !== was[i]);
+  return first < 0 ? [] : numbered([Math.max(0, first - 1), first]);
+}
+
+/** The blocks that are at fault: those that differ from the answer, or else those that the run finds fault with. */
+function faultyBlocks(begun: Answer, solution: string): readonly number[] {
+  const changed = changedBlocks(begun.text, solution);
+  if (changed.length > 0) return changed;
+  const errors = begun.run.issues.flatMap(({ issue, block }) => (issue.severity === "error" && block !== null ? [block] : []));
+  const found = [...begun.simulation.findings.map(({ block }) => block), ...errors];
+  return [...new Set(found)].slice(0, 3);
+}
+
+/** How far an answer may be off if nothing else is said: shares of what is asked, and mm for a place. */
+const SHARE = { seconds: 0.1, residue: 0.2 } as const, PLACE = "3", INFEED = "0.02", SIZE = "0.05";
+
+function proposedWithin(ask: AskedKind, truth: Truth | null): string {
+  if (PLACES.includes(ask)) return PLACE;
+  if (SIZES.includes(ask)) return SIZE;
+  if (ask === "infeed") return INFEED;
+  if (ask !== "seconds" && ask !== "residue") return "";
+  const value = truth?.kind === "number" ? truth.value ?? 0 : 0;
+  return String(Math.max(1, Math.ceil(value * SHARE[ask])));
+}
+
+/** A question with what the run proposes for it. `begun`: what lies open, `solution`: the text of the answer, `at`: where a size is. */
+export function proposedQuestion(
+  ask: AskedKind,
+  begun: Answer,
+  { solution, at, fates }: { readonly solution: string; readonly at: string; readonly fates: Readonly<Record<Fate, string>> },
+): QuestionDraft {
+  const counted = hasOperation(ask) ? truthOf({ ask } as Prediction, {}, begun) : null;
+  return {
+    ask,
+    text: "",
+    operation: null,
+    at: hasAt(ask) ? at : "",
+    within: proposedWithin(ask, counted),
+    choices: ask === "choice" ? FATES.map((fate) => fates[fate]).join("\n") : "",
+    right: ask === "choice" ? String(FATES.indexOf(fateOf(begun))) : ask === "block" ? faultyBlocks(begun, solution).join(", ") : "",
+  };
+}
+
+/** Whether a run has what a question asks for. */
+export function isThere(truth: Truth, { text }: Answer): boolean {
+  switch (truth.kind) {
+    case "number":
+      return truth.value !== null;
+    case "place":
+      return truth.rings.length > 0;
+    case "choice":
+      return true;
+    case "block": {
+      const numbers = new Set(blockNumbers(parse(text)));
+      return truth.right.every((block) => numbers.has(block));
+    }
+  }
+}
+
+/** What is true of each question; null where a question is not whole yet. */
+export const truthsOf = (questions: readonly QuestionDraft[], part: Pick<Task, "part">, begun: Answer): readonly (Truth | null)[] =>
+  questions.map((draft) => {
+    const prediction = predictionOf(draft);
+    return prediction && truthOf(prediction, part, begun);
+  });
