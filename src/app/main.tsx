@@ -20,7 +20,6 @@ import { fetchFirstTexts } from "./settings/loaded-texts.ts";
 import { useSettings } from "./settings/settings.ts";
 import { useEditor } from "./store.ts";
 import { startTools } from "./tools/keep-tools.ts";
-import { tellBeforeActing } from "./typing.ts";
 import "./styles/tokens.css";
 import "./styles/base.css";
 import "./styles/layout.css";
@@ -61,7 +60,6 @@ void resume(askedWork).then(async () => {
   startKeeping();
   void keepBeside();
   void untilHere(() => import("./styles/print.css"));
-  tellBeforeActing();
   startEngineLater();
   void openShared();
   followAddress(begun);

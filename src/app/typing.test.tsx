@@ -1,6 +1,7 @@
 import { act, cleanup, fireEvent, render, screen } from "@testing-library/react";
+import { useState } from "react";
 import { afterEach, beforeEach, expect, test } from "vitest";
-import { heldWhileTyping, tellBeforeActing, whileTyping } from "./typing.ts";
+import { heldWhileTyping, useTyping, whileTyping } from "./typing.ts";
 
 interface Held {
   readonly text: string;
@@ -14,10 +15,8 @@ const shown = (name: string) => screen.getByLabelText(name).textContent;
 
 const type = (text: string) => act(() => whileTyping(() => useHeld.setState({ text })));
 
-let stop = () => undefined as void;
 beforeEach(() => {
   useHeld.setState({ text: "12.5", other: 3 });
-  stop = tellBeforeActing();
   render(<>
     <Later />
     <AtOnce />
@@ -25,10 +24,7 @@ beforeEach(() => {
     <button type="button">elsewhere</button>
   </>);
 });
-afterEach(() => {
-  stop();
-  cleanup();
-});
+afterEach(cleanup);
 
 test("what is typed is drawn first, and told to everything else when the picture is painted", async () => {
   type("12.57");
@@ -71,4 +67,27 @@ test("a key that goes on with the number waits for nothing", () => {
   fireEvent.keyDown(screen.getByLabelText("field"), { key: "3" });
   fireEvent.keyDown(screen.getByLabelText("field"), { key: "Backspace" });
   expect(shown("later")).toBe("12.5");
+});
+
+test("a field whose text nobody holds back shows what its owner makes of it", () => {
+  const Owned = () => {
+    const [said, say] = useState("7.25");
+    const [text, typeOn] = useTyping("of it", said, (next) => say(next.replace("x", "")));
+    return <input aria-label="owned" value={text} onChange={(event) => typeOn(event.currentTarget.value)} />;
+  };
+  render(<Owned />);
+  fireEvent.change(screen.getByLabelText("owned"), { target: { value: "7.2x" } });
+  expect(screen.getByLabelText<HTMLInputElement>("owned").value).toBe("7.2");
+});
+
+test("a field knows what was typed until it is told, and then what the work says", async () => {
+  const Held = () => {
+    const [text, typeOn] = useTyping("of it", useHeld((s) => s.text), (next) => useHeld.setState({ text: next.trim() }));
+    return <input aria-label="held" value={text} onChange={(event) => typeOn(event.currentTarget.value)} />;
+  };
+  render(<Held />);
+  const value = () => screen.getByLabelText<HTMLInputElement>("held").value;
+  fireEvent.change(screen.getByLabelText("held"), { target: { value: "12.57 " } });
+  expect([value(), shown("later")]).toEqual(["12.57 ", "12.5"]);
+  await expect.poll(value).toBe("12.57");
 });

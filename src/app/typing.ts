@@ -23,18 +23,37 @@ function release(): void {
   if (!told.getState().isAll) told.setState(({ count }) => ({ count: count + 1, isAll: true }));
 }
 
-/** Makes a change that somebody types. */
-export function whileTyping(change: () => void): void {
+/** Keys that go on with a number. */
+const typesOn = ({ key, ctrlKey, metaKey, altKey, target }: KeyboardEvent): boolean =>
+  target instanceof HTMLInputElement && !ctrlKey && !metaKey && !altKey && (key.length === 1 || key === "Backspace" || key === "Delete");
+
+let listens = false;
+
+/** From now on everything is told what was typed before a key, a finger or the loss of the keyboard does something else. */
+function tellBeforeActing(): void {
+  if (listens) return;
+  listens = true;
+  const tell = (event: Event) => {
+    if (held.size > 0 && !(event instanceof KeyboardEvent && typesOn(event))) flushSync(release);
+  };
+  for (const act of ["keydown", "pointerdown", "click", "focusout", "paste", "drop"] as const)
+    addEventListener(act, tell, { capture: true });
+}
+
+/** Makes a change that somebody types; whether anything is held back of it. */
+export function whileTyping(change: () => void): boolean {
   isTyping = true;
   try {
     change();
   } finally {
     isTyping = false;
   }
-  if (held.size === 0) return;
+  if (held.size === 0) return false;
+  tellBeforeActing();
   told.setState({ isAll: false });
   callOff();
   callOff = afterPicture(release);
+  return true;
 }
 
 /** A store whose followers among the components see what is typed a moment later; everything else reads and hears it at once. */
@@ -49,29 +68,12 @@ export function heldWhileTyping<S>(begin: StateCreator<S>): UseBoundStore<StoreA
   return Object.assign(bound(shown) as UseBoundStore<StoreApi<S>>, { atOnce: bound(store) as UseBoundStore<StoreApi<S>> });
 }
 
-/** Keys that go on with a number. */
-const typesOn = ({ key, ctrlKey, metaKey, altKey, target }: KeyboardEvent): boolean =>
-  target instanceof HTMLInputElement && !ctrlKey && !metaKey && !altKey && (key.length === 1 || key === "Backspace" || key === "Delete");
-
-/** From now on everything is told what was typed before a key, a finger or the loss of the keyboard does something else. */
-export function tellBeforeActing(): () => void {
-  const tell = (event: Event) => {
-    if (held.size > 0 && !(event instanceof KeyboardEvent && typesOn(event))) flushSync(release);
-  };
-  const acts = ["keydown", "pointerdown", "click", "focusout", "paste", "drop"] as const;
-  for (const act of acts) addEventListener(act, tell, { capture: true });
-  return () => {
-    for (const act of acts) removeEventListener(act, tell, { capture: true });
-  };
-}
-
 /** The text of a field, and its typing: until the work is told what was typed the field itself knows it. `of`: which place. */
 export function useTyping(of: string, text: string, set: (text: string) => void): readonly [text: string, type: (text: string) => void] {
   const times = useStore(told, (s) => s.count);
   const [newest, follow] = useState({ of, times: -1, text });
   const type = (next: string) => {
-    follow({ of, times, text: next });
-    whileTyping(() => set(next));
+    if (whileTyping(() => set(next))) follow({ of, times, text: next });
   };
   return [newest.of === of && newest.times === times ? newest.text : text, type];
 }

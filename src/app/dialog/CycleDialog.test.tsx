@@ -191,7 +191,7 @@ test.each([["out of range", () => angle, "120", /Take 11\.0744/], ["no number", 
   const said = within(active()).getByRole("status");
   expect(said.textContent).not.toBe("");
   if (!nearest) return;
-  await user.click(within(said).getByRole("button", { name: nearest }));
+  await user.click(await within(said).findByRole("button", { name: nearest }));
   expect(field().getAttribute("aria-invalid")).toBe("false");
   expect(document.activeElement).toBe(field());
 });
