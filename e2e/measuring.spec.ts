@@ -22,7 +22,7 @@ test("diameter, length, radius, angle by keys: they stay, follow a value, go ont
   const tools = lathe.view.getByRole("toolbar", { name: measure.tools });
   await expect(tools.getByRole("button", { name: kinds.distance })).toHaveAttribute("aria-pressed", "true");
   // A measured cylinder, cone or chamfer is told from its neighbours by N.
-  await press("d");
+  await lathe.button("ruler").press("d");
   await expect(tools.getByRole("button", { name: kinds.diameter })).toHaveAttribute("aria-pressed", "true");
   await press("n", "n", "n", "n", "Enter");
   await expect(label(`${kinds.diameter} ⌀54.736, contour`)).toBeVisible();
