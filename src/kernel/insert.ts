@@ -95,9 +95,7 @@ function pointed(r: number, secondary: number, main: number, l: number, parallel
   const line = (from: Flat, to: Flat, feature: Feature): Edge => ({ kind: "line", from, to, feature });
   const back = parallel ? [beyond(endS, m, far)] : [];
   const corners = [endS, ...back, endM];
-  // The sides behind a parallelogram's edges are met through the ends of these edges.
-  const behind: readonly Feature[] = parallel ? ["secondaryEdge", "mainEdge"] : ["back"];
-  const sides = corners.slice(1).map((to, i) => line(corners[i] as Flat, to, behind[i] ?? "back"));
+  const sides = corners.slice(1).map((to, i) => line(corners[i] as Flat, to, "back"));
   return [nose, line(onS, endS, "secondaryEdge"), ...sides, line(endM, onM, "mainEdge")];
 }
 
