@@ -11,10 +11,14 @@ export function openNumbered(block: number, q: string | null): void {
   if (index >= 0) openChosen(() => openBlock(index, q));
 }
 
-/** Tells the number of each block that is pointed at in the text or in the list of its parts. */
+/**
+ * Tells the number of each block that is pointed at in the text or in the list of its parts. A text that comes into the editor points at
+ * none.
+ */
 export function followPointed(tell: (block: number) => void): () => void {
   return useSession.subscribe((now, before) => {
-    if (now.opened === before.opened && now.pointed === before.pointed) return;
+    const comes = before.index < 0;
+    if (now.pointed === before.pointed && (comes || now.opened === before.opened)) return;
     const number = blockNumbers(now.reading.program)[now.index];
     if (typeof number === "number") tell(number);
   });
