@@ -76,6 +76,22 @@ export function zoomed(camera: Camera, factor: number, at: Place): Camera {
   };
 }
 
+/** How a drawing for one camera lies where another one looks: first grown by a factor from the picture's corner, then moved, pixels. */
+export function shiftOf(drawn: Camera, now: Camera): { readonly x: number; readonly y: number; readonly grown: number } {
+  const grown = now.scale / drawn.scale;
+  return { x: now.zero.x - drawn.zero.x * grown, y: now.zero.y - drawn.zero.y * grown, grown };
+}
+
+/** The corners of what a camera sees, as places in a drawing for another one, and how much that drawing is grown there. */
+export function seenFrom(
+  drawn: Camera,
+  now: Camera,
+  { width, height }: Size,
+): { readonly from: Place; readonly to: Place; readonly grown: number } {
+  const { x, y, grown } = shiftOf(drawn, now);
+  return { from: { x: -x / grown, y: -y / grown }, to: { x: (width - x) / grown, y: (height - y) / grown }, grown };
+}
+
 /** Two fingers: what lay under each goes with it (their mean moves, their distance scales). */
 export function pinched(camera: Camera, before: readonly [Place, Place], after: readonly [Place, Place]): Camera {
   const mean = ([a, b]: readonly [Place, Place]): Place => ({ x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 });

@@ -8,7 +8,8 @@ import { patchOf, patchWithin } from "../../view/material/touched.ts";
 import { fitCanvas } from "../lathe/fit-canvas.ts";
 import type { PlaybackStore } from "../lathe/playback-store.ts";
 import { pageColours, useTheme } from "../lathe/use-theme-colours.ts";
-import type { Viewport } from "../lathe/viewport.ts";
+import { drawnRoom, type Viewport } from "../lathe/viewport.ts";
+import { shiftSheet } from "../lathe/World.tsx";
 import type { GrowingStock } from "./milled.ts";
 
 const COLOURS = { ground: "--material", hatch: "--material-hatch", edge: "--line-strong", step: "--line-strong" } as const satisfies Record<
@@ -31,17 +32,22 @@ export function MilledSheet({ viewport, steps, playback, milled: { stock, subscr
     const all = Array.from({ length: depths }, (_, i) => toneName(i, depths));
     const named = pageColours(Object.fromEntries(all.map((name) => [name, name])));
     const tones = all.map((name) => named[name] ?? "");
-    let at: PlayPosition = { step: 0, fraction: 0 }, moment = stock.at(at), reached = 0;
+    let at: PlayPosition = { step: 0, fraction: 0 }, moment = stock.at(at), reached = 0, camera = viewport.drawn();
     const look = () => {
       [at, reached] = [playback.shown(), stock.reached()];
       moment = stock.at(at);
     };
-    const paint = (patch: Patch) => paintMilled(pen, { moment, tones }, viewport.get(), colours, patch);
+    const paint = (patch: Patch) => paintMilled(pen, { moment, tones }, viewport.drawn(), colours, patch);
     const paintAll = () => {
-      const { width, height } = viewport.size();
-      fitCanvas(element, { x: 0, y: 0, width, height });
-      pen.setTransform(devicePixelRatio, 0, 0, devicePixelRatio, 0, 0);
-      paint({ x: 0, y: 0, width, height });
+      const room = drawnRoom(viewport.size()), ratio = devicePixelRatio;
+      camera = viewport.drawn();
+      fitCanvas(element, room);
+      pen.setTransform(ratio, 0, 0, ratio, -room.x * ratio, -room.y * ratio);
+      paint(room);
+    };
+    const follow = () => {
+      if (viewport.drawn() !== camera) paintAll();
+      shiftSheet(element, viewport, drawnRoom(viewport.size()));
     };
     const paintMoved = () => {
       const before = at, { step, fraction } = playback.shown();
@@ -49,7 +55,7 @@ export function MilledSheet({ viewport, steps, playback, milled: { stock, subscr
       look();
       const touched = stock.isSameBody(before.step, step) ? milledBetween(steps, before, at) : "all";
       if (touched === "all") return paintAll();
-      const patch = touched && patchWithin(patchOf(touched, viewport.get(), false, devicePixelRatio), viewport.size());
+      const patch = touched && patchWithin(patchOf(touched, viewport.drawn(), false, devicePixelRatio), drawnRoom(viewport.size()));
       if (patch) paint(patch);
     };
     const paintGrown = () => {
@@ -62,7 +68,8 @@ export function MilledSheet({ viewport, steps, playback, milled: { stock, subscr
     wasPainted.current &&= reached < at.step;
     if (!wasPainted.current) paintAll();
     wasPainted.current = true;
-    const ends = [viewport.subscribe(paintAll), playback.subscribe(paintMoved), subscribe(paintGrown)];
+    follow();
+    const ends = [viewport.subscribe(follow), playback.subscribe(paintMoved), subscribe(paintGrown)];
     return () => ends.forEach((end) => end());
   }, [viewport, steps, playback, stock, subscribe, theme]);
   return <canvas ref={canvas} className="sheet material" />;

@@ -15,9 +15,6 @@ const Still = memo(function Still({ shapes }: { readonly shapes: readonly PlaneS
   return <>{shapes.map(({ role, d }) => <path key={role} className={`plane-${role}`} d={d} />)}</>;
 });
 
-/** A path of more motions is only shifted while a hand moves it. */
-const LONG = 2000;
-
 /** Lines that lie on milled stock have a light edge, so that they are seen on its darkest tone. */
 const EDGED: readonly PlaneRole[] = ["rapid", "feed", "lead"];
 
@@ -51,7 +48,7 @@ export function PlanePicture({ viewport, scene, steps, playback, milled, rapids,
       </svg>
       {typeof milled !== "string" && <MilledSheet viewport={viewport} steps={steps} playback={playback} milled={milled} />}
       <svg className="sheet still">
-        <World viewport={viewport} isLong={steps.length > LONG}>
+        <World viewport={viewport} shifts>
           {rapids.length > 0 && <path className="shape-gouge plane-rapid-through"
             d={ringData(rapids.flatMap(({ rings }) => [...rings]))} />}
           <Edges shapes={scene.shapes} />

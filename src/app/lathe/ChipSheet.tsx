@@ -3,6 +3,7 @@ import { formatFixed } from "../../i18n/number.ts";
 import { sameChip, type Chip } from "../../sim/chip/chip.ts";
 import { chipMeasure, drawnChip } from "../../view/cutting-tool/chip-drawing.ts";
 import { useSettings } from "../settings/settings.ts";
+import type { Camera } from "../../view/camera.ts";
 import type { Moving } from "./moving.ts";
 import type { Viewport } from "./viewport.ts";
 
@@ -25,7 +26,7 @@ export function ChipSheet({ viewport, moving: { chipAt, playback } }: { readonly
     if (!element || !text) return undefined;
     let drawn: Chip | null = null;
     const write = () => {
-      const { scale, xUp } = viewport.get(), measure = drawn && chipMeasure(drawn, scale, xUp);
+      const { scale, xUp } = viewport.drawn(), measure = drawn && chipMeasure(drawn, scale, xUp);
       line?.setAttribute("d", measure?.line ?? "");
       text.textContent = drawn && measure
         ? `h ${formatFixed(language, drawn.thickest.size, 3)} · b ${formatFixed(language, drawn.width, 2)}`
@@ -45,8 +46,11 @@ export function ChipSheet({ viewport, moving: { chipAt, playback } }: { readonly
       glow?.setAttribute("d", shapes.edge);
       write();
     };
+    let camera: Camera | null = null;
     const look = () => {
-      const { scale, xUp } = viewport.get();
+      if (viewport.drawn() === camera) return;
+      camera = viewport.drawn();
+      const { scale, xUp } = camera;
       world?.setAttribute("transform", `scale(${scale} ${xUp ? -scale : scale})`);
       cross?.setAttribute("d", scale < NEAR ? "" : `M${-CROSS} 0H${CROSS}M0 ${-CROSS}V${CROSS}`);
       write();

@@ -11,7 +11,8 @@ import type { SectionView } from "../settings/settings.ts";
 import { fitCanvas } from "./fit-canvas.ts";
 import { UNTOUCHED, type Moving } from "./moving.ts";
 import { pageColours, useTheme } from "./use-theme-colours.ts";
-import type { Viewport } from "./viewport.ts";
+import { drawnRoom, type Viewport } from "./viewport.ts";
+import { shiftSheet } from "./World.tsx";
 
 const COLOURS = {
   ground: "--material",
@@ -56,32 +57,38 @@ export function MaterialSheet({ viewport, moving, blank, section, chuck }: {
     if (!under || !shop || !over || !pen) return undefined;
     const colours = pageColours(COLOURS), surfaces = moving?.surfaces ?? UNTOUCHED, blanks = moving?.blanks ?? blank;
     const box = boundsOf(blanks.flat()), widest = { outer: farthest(blanks), along: 0 };
-    let rings: readonly Ring[] = blank, now = START, ratio = devicePixelRatio, work: Patch = NOWHERE;
+    let rings: readonly Ring[] = blank, now = START, ratio = devicePixelRatio, work: Patch = NOWHERE, camera = viewport.drawn();
     const stock = () => {
       if (!moving) return;
       now = moving.playback.shown();
       rings = moving.stockAt(now);
     };
     const paintWork = (patch: Patch) =>
-      paintMaterial(pen, { rings, section, now, surfaces, chuck }, viewport.get(), { colours, ratio, origin: work }, patch);
+      paintMaterial(pen, { rings, section, now, surfaces, chuck }, viewport.drawn(), { colours, ratio, origin: work }, patch);
     const paintGround = () => {
-      const whole = { x: 0, y: 0, ...viewport.size() }, seen = JSON.stringify([theme, section, chuck, viewport.get(), whole, ratio, work]);
+      const whole = drawnRoom(viewport.size()), seen = JSON.stringify([theme, section, chuck, viewport.drawn(), whole, ratio, work]);
       if (seen === shown.current) return;
       shown.current = seen;
       const easel = new OffscreenCanvas(1, 1), below = easel.getContext("2d");
       if (!below) return;
       fitCanvas(under, whole);
       [easel.width, easel.height] = [under.width, under.height];
-      paintMaterial(below, { rings: [], section, now, surfaces, chuck }, viewport.get(), { colours, ratio, origin: whole }, whole);
+      paintMaterial(below, { rings: [], section, now, surfaces, chuck }, viewport.drawn(), { colours, ratio, origin: whole }, whole);
       below.clearRect(work.x, work.y, work.width, work.height);
       shop.transferFromImageBitmap(easel.transferToImageBitmap());
     };
+    const follow = () => {
+      if (viewport.drawn() !== camera) paintAll();
+      shiftSheet(under, viewport, drawnRoom(viewport.size()));
+      shiftSheet(over, viewport, work);
+    };
     const paintAll = () => {
+      camera = viewport.drawn();
       ratio = devicePixelRatio;
-      work = (box && patchWithin(turnedPatchOf(box, viewport.get(), widest, ratio), viewport.size())) ?? NOWHERE;
+      work = (box && patchWithin(turnedPatchOf(box, viewport.drawn(), widest, ratio), drawnRoom(viewport.size()))) ?? NOWHERE;
       paintGround();
       // A planned path has the stock of before: nothing is painted then, whatever step of the new path that is.
-      const looks = [rings, surfaces, section, theme, viewport.get(), ratio, JSON.stringify([chuck, work])];
+      const looks = [rings, surfaces, section, theme, viewport.drawn(), ratio, JSON.stringify([chuck, work])];
       if (looks.every((each, i) => each === worked.current[i])) return;
       worked.current = looks;
       fitCanvas(over, work);
@@ -100,12 +107,13 @@ export function MaterialSheet({ viewport, moving, blank, section, chuck }: {
       worked.current = [];
       if (touched === "all") return paintWork(work);
       const reach = { outer: Math.max(farthest(were), farthest(rings)), along: surfaces.lead(now) };
-      const patch = patchWithin(turnedPatchOf(touched, viewport.get(), reach, ratio), viewport.size());
+      const patch = patchWithin(turnedPatchOf(touched, viewport.drawn(), reach, ratio), drawnRoom(viewport.size()));
       if (patch) paintWork(patch);
     };
     stock();
     paintAll();
-    const ends = [viewport.subscribe(paintAll), moving?.playback.subscribe(paintMoved)];
+    follow();
+    const ends = [viewport.subscribe(follow), moving?.playback.subscribe(paintMoved)];
     return () => ends.forEach((end) => end?.());
   }, [viewport, moving, blank, section, chuck, theme]);
   return (

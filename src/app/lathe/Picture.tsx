@@ -36,7 +36,7 @@ function ResidualHatch({ viewport, id }: { readonly viewport: Viewport; readonly
   const defs = useRef<SVGDefsElement>(null);
   useEffect(() => {
     const follow = () => {
-      const camera = viewport.get(), unit = 1 / camera.scale;
+      const camera = viewport.drawn(), unit = 1 / camera.scale;
       for (const pattern of defs.current?.querySelectorAll("pattern") ?? []) {
         pattern.setAttribute("patternTransform", `scale(${unit} ${camera.xUp ? -unit : unit}) rotate(${pattern.dataset["angle"] ?? "0"})`);
       }
@@ -99,11 +99,11 @@ export function Picture({ of = null, viewport, scene, moving, waiting, gouges, r
       </svg>
       <MaterialSheet viewport={viewport} moving={moving} blank={waiting?.blank ?? NOTHING} section={section} chuck={scene.chuck} />
       <svg className="sheet ghosts">
-        <World viewport={viewport}>{ghosts}</World>
+        <World viewport={viewport} shifts>{ghosts}</World>
       </svg>
       <svg className="sheet still">
         <ResidualHatch viewport={viewport} id={id} />
-        <World viewport={viewport} isLong={isLong}>
+        <World viewport={viewport} shifts>
           {residual.length > 0 && <Rings rings={residual} role="residual" fill={`url(#${id}residual)`} />}
           <Still shapes={sheets.blank} mirror={full} />
           {moving && <NewestPath of={of} stretches={path} playback={moving.playback} isLong={isLong} />}

@@ -47,12 +47,12 @@ function Sheet({ viewport, tool, tip, follow, children }: {
     const place = () => {
       const at = tip();
       if (!at) return;
-      const { x, y } = toScreen(viewport.get(), at);
-      carried.style.transform = `translate(${x}px, ${y}px)`;
+      const camera = viewport.get(), { x, y } = toScreen(camera, at), grown = camera.scale / viewport.drawn().scale;
+      carried.style.transform = `translate(${x}px, ${y}px)${grown === 1 ? "" : ` scale(${grown})`}`;
     };
     let scale = 0, up: boolean | null = null;
     const draw = () => {
-      const camera = viewport.get(), size = viewport.size();
+      const camera = viewport.drawn(), size = viewport.size();
       if (camera.scale !== scale || camera.xUp !== up) {
         [scale, up] = [camera.scale, camera.xUp];
         const far = (PICTURES * Math.max(size.width, size.height)) / scale;

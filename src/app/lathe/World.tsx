@@ -1,46 +1,34 @@
 import { useEffect, useRef } from "react";
-import type { Camera } from "../../view/camera.ts";
+import { shiftOf, type Place } from "../../view/camera.ts";
 import { transform } from "../../view/svg.ts";
 import type { Viewport } from "./viewport.ts";
 
-/** When the camera has rested so long, a drawing that only followed it as a picture is drawn anew, ms. */
-const RESTS = 140;
+const CORNER: Place = { x: 0, y: 0 };
 
-/** A drawn sheet as it lies under another camera: moved and stretched, not drawn anew. */
-function shifted(drawn: Camera, now: Camera): string {
-  const by = now.scale / drawn.scale;
-  return `translate(${now.zero.x - drawn.zero.x * by}px, ${now.zero.y - drawn.zero.y * by}px) scale(${by})`;
+/** Lays a sheet that is drawn for `viewport.drawn()`, its corner at a place of the picture, to where the picture looks now. */
+export function shiftSheet({ style }: ElementCSSInlineStyle, viewport: Viewport, { x, y }: Place = CORNER): void {
+  const now = viewport.get(), drawn = viewport.drawn();
+  if (now === drawn) return void style.removeProperty("transform");
+  const shift = shiftOf(drawn, now);
+  style.transform = `translate(${shift.x + x * (shift.grown - 1)}px, ${shift.y + y * (shift.grown - 1)}px) scale(${shift.grown})`;
 }
 
 /**
- * Follows the camera with one attribute: a group whose content is drawn in part space. A long drawing takes longer than a picture may:
- * while a hand moves it, its sheet is only shifted, and drawn anew when the hand rests.
+ * Follows the camera with one attribute: a group whose content is drawn in part space. `shifts`: the sheet that it is alone on goes along
+ * while a hand moves the picture, and is drawn anew when the hand rests.
  */
-export function World({ viewport, isLong = false, children }: { readonly viewport: Viewport; readonly isLong?: boolean;
+export function World({ viewport, shifts = false, children }: { readonly viewport: Viewport; readonly shifts?: boolean;
   readonly children: React.ReactNode })
 {
   const group = useRef<SVGGElement>(null);
   useEffect(() => {
-    let drawn: Camera | null = null, rest: ReturnType<typeof setTimeout> | undefined;
-    const draw = () => {
-      const element = group.current;
-      drawn = viewport.get();
-      element?.setAttribute("transform", transform(drawn));
-      element?.ownerSVGElement?.style.removeProperty("transform");
-    };
     const follow = () => {
-      const now = viewport.get(), sheet = group.current?.ownerSVGElement;
-      clearTimeout(rest);
-      if (!isLong || !sheet || !drawn || drawn.xUp !== now.xUp) return draw();
-      sheet.style.transform = shifted(drawn, now);
-      rest = setTimeout(draw, RESTS);
+      const element = group.current, sheet = element?.ownerSVGElement;
+      element?.setAttribute("transform", transform(shifts ? viewport.drawn() : viewport.get()));
+      if (shifts && sheet) shiftSheet(sheet, viewport);
     };
-    draw();
-    const stop = viewport.subscribe(follow);
-    return () => {
-      clearTimeout(rest);
-      stop();
-    };
-  }, [viewport, isLong]);
+    follow();
+    return viewport.subscribe(follow);
+  }, [viewport, shifts]);
   return <g ref={group}>{children}</g>;
 }

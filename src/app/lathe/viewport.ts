@@ -1,10 +1,16 @@
+import type { Patch } from "../../view/material/pen.ts";
 import { holds as holdsOnScreen } from "../use-media.ts";
 import { pageUnit } from "../unit.ts";
-import { fitted, turnedOver, zoomed, type Bounds, type Camera, type Margin, type Place, type Size } from "../../view/camera.ts";
+import { fitted, seenFrom, turnedOver, zoomed, type Bounds, type Camera, type Margin, type Place, type Size } from "../../view/camera.ts";
 
 /** Where the picture looks, shared by its layers. */
 export interface Viewport {
   readonly get: () => Camera;
+  /**
+   * The camera that a drawing is drawn for. While a hand moves the picture it stays behind, and the drawing is only shifted to where the
+   * picture looks now; it catches up when the hand rests, or looks where nothing is drawn.
+   */
+  readonly drawn: () => Camera;
   readonly size: () => Size;
   readonly subscribe: (listener: () => void) => () => void;
   /** Looks elsewhere, by hand: from now on the picture is not fitted by itself. */
@@ -17,6 +23,29 @@ export interface Viewport {
   /** What fitting shows. A picture that is still fitted follows, but not for every small change. */
   readonly setBounds: (bounds: Bounds) => void;
   readonly setXUp: (xUp: boolean) => void;
+}
+
+/** When the camera has rested so long, what was only shifted is drawn anew, ms. */
+const RESTS = 140;
+/** So much of its width and height lies ready on each side of a picture. */
+const AROUND = 0.2;
+/** Shifted pixels may grow so much. */
+const GROWS = 1.6;
+
+/** Every device has whole pixels for so many of the page. */
+const WHOLE = 4;
+
+/** The part of a picture that is drawn, with what lies ready round it, in its pixels. */
+export function drawnRoom({ width, height }: Size): Patch {
+  const x = WHOLE * Math.round((AROUND * width) / WHOLE), y = WHOLE * Math.round((AROUND * height) / WHOLE);
+  return { x: -x, y: -y, width: width + 2 * x, height: height + 2 * y };
+}
+
+/** Whether a drawing for one camera still does where another one looks. */
+function does(drawn: Camera, now: Camera, size: Size): boolean {
+  const room = drawnRoom(size), { from, to, grown } = seenFrom(drawn, now, size);
+  const isInside = from.x >= room.x && from.y >= room.y && to.x <= room.x + room.width && to.y <= room.y + room.height;
+  return drawn.xUp === now.xUp && grown <= GROWS && isInside;
 }
 
 const START: Bounds = { left: -80, right: 20, low: 0, high: 40 };
@@ -53,9 +82,17 @@ export function createViewport(xUp: boolean): Viewport {
   let byHand = false;
   let camera = fitted(bounds, size, marginOf(size), xUp);
   const listeners = new Set<() => void>();
-  const set = (next: Camera) => {
+  let drawn = camera, rest: ReturnType<typeof setTimeout> | undefined;
+  const set = (next: Camera, stays: Camera | null = null) => {
+    clearTimeout(rest);
     camera = next;
+    drawn = stays ?? next;
     for (const listener of [...listeners]) listener();
+  };
+  const setByHand = (next: Camera) => {
+    byHand = true;
+    set(next, does(drawn, next, size) ? drawn : null);
+    if (drawn !== camera) rest = setTimeout(() => set(camera), RESTS);
   };
   const refit = () => {
     shown = bounds;
@@ -64,19 +101,14 @@ export function createViewport(xUp: boolean): Viewport {
 
   return {
     get: () => camera,
+    drawn: () => drawn,
     size: () => size,
     subscribe(listener) {
       listeners.add(listener);
       return () => listeners.delete(listener);
     },
-    look(next) {
-      byHand = true;
-      set(next);
-    },
-    zoom(factor, at) {
-      byHand = true;
-      set(zoomed(camera, factor, at ?? { x: size.width / 2, y: size.height / 2 }));
-    },
+    look: setByHand,
+    zoom: (factor, at) => setByHand(zoomed(camera, factor, at ?? { x: size.width / 2, y: size.height / 2 })),
     fit() {
       byHand = false;
       refit();

@@ -66,8 +66,13 @@ test("a patch covers its box on whole pixels of the device, on the side it is as
     expect(x).toBeLessThan(camera.zero.x + box.left * camera.scale);
     expect(x + width).toBeGreaterThan(camera.zero.x + box.right * camera.scale);
   }
-  expect(patchWithin({ x: -40, y: 12, width: 30, height: 9 }, { width: 731, height: 433 })).toBeNull();
-  expect(patchWithin({ x: -40, y: 12, width: 57, height: 9 }, { width: 731, height: 433 })).toEqual({ x: 0, y: 12, width: 17, height: 9 });
+  expect(patchWithin({ x: -40, y: 12, width: 30, height: 9 }, { x: 0, y: 0, width: 731, height: 433 })).toBeNull();
+  expect(patchWithin({ x: -40, y: 12, width: 57, height: 9 }, { x: 0, y: 0, width: 731, height: 433 })).toEqual({
+    x: 0,
+    y: 12,
+    width: 17,
+    height: 9,
+  });
 });
 
 test("a patch covers what looks different on both sides, on whole pixels of the device", () => {

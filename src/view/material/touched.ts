@@ -90,9 +90,10 @@ export function turnedPatchOf(
   return patchOf({ left: left - along, right: right + along, low: -far, high: far }, camera, false, ratio);
 }
 
-/** What of a patch lies in a picture of that size; null when nothing does. */
-export function patchWithin(patch: Patch, size: { readonly width: number; readonly height: number }): Patch | null {
-  const x = Math.max(0, patch.x), y = Math.max(0, patch.y);
-  const width = Math.min(size.width, patch.x + patch.width) - x, height = Math.min(size.height, patch.y + patch.height) - y;
+/** What of a patch lies in another one; null when nothing does. */
+export function patchWithin(patch: Patch, room: Patch): Patch | null {
+  const x = Math.max(room.x, patch.x), y = Math.max(room.y, patch.y);
+  const width = Math.min(room.x + room.width, patch.x + patch.width) - x;
+  const height = Math.min(room.y + room.height, patch.y + patch.height) - y;
   return width > 0 && height > 0 ? { x, y, width, height } : null;
 }
