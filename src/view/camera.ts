@@ -77,7 +77,7 @@ export function zoomed(camera: Camera, factor: number, at: Place): Camera {
 }
 
 /** How a drawing for one camera lies where another one looks: first grown by a factor from the picture's corner, then moved, pixels. */
-export function shiftOf(drawn: Camera, now: Camera): { readonly x: number; readonly y: number; readonly grown: number } {
+export function sheetShift(drawn: Camera, now: Camera): { readonly x: number; readonly y: number; readonly grown: number } {
   const grown = now.scale / drawn.scale;
   return { x: now.zero.x - drawn.zero.x * grown, y: now.zero.y - drawn.zero.y * grown, grown };
 }
@@ -88,7 +88,7 @@ export function seenFrom(
   now: Camera,
   { width, height }: Size,
 ): { readonly from: Place; readonly to: Place; readonly grown: number } {
-  const { x, y, grown } = shiftOf(drawn, now);
+  const { x, y, grown } = sheetShift(drawn, now);
   return { from: { x: -x / grown, y: -y / grown }, to: { x: (width - x) / grown, y: (height - y) / grown }, grown };
 }
 

@@ -1,5 +1,5 @@
 import { useEffect, useRef } from "react";
-import { shiftOf, type Place } from "../../view/camera.ts";
+import { sheetShift, type Place } from "../../view/camera.ts";
 import { transform } from "../../view/svg.ts";
 import type { Viewport } from "./viewport.ts";
 
@@ -9,7 +9,7 @@ const CORNER: Place = { x: 0, y: 0 };
 export function shiftSheet({ style }: ElementCSSInlineStyle, viewport: Viewport, { x, y }: Place = CORNER): void {
   const now = viewport.get(), drawn = viewport.drawn();
   if (now === drawn) return void style.removeProperty("transform");
-  const shift = shiftOf(drawn, now);
+  const shift = sheetShift(drawn, now);
   style.transform = `translate(${shift.x + x * (shift.grown - 1)}px, ${shift.y + y * (shift.grown - 1)}px) scale(${shift.grown})`;
 }
 

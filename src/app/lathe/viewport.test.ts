@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import { panned, shiftOf, toPlace, toScreen, zoomed } from "../../view/camera.ts";
+import { panned, sheetShift, toPlace, toScreen, zoomed } from "../../view/camera.ts";
 import { createViewport, drawnRoom } from "./viewport.ts";
 
 const SIZE = { width: 731, height: 433 };
@@ -75,7 +75,7 @@ test("whatever else turns the picture draws it anew at once", () => {
 
 test("a shifted drawing lies where it would be drawn", () => {
   const { begun } = opened(), now = panned(zoomed(begun, 1.37, { x: 97, y: 311 }), -41.9, 17.3);
-  const { x, y, grown } = shiftOf(begun, now), point = toPlace(begun, { x: 413.7, y: 99.1 });
+  const { x, y, grown } = sheetShift(begun, now), point = toPlace(begun, { x: 413.7, y: 99.1 });
   const { x: wantedX, y: wantedY } = toScreen(now, point);
   expect(413.7 * grown + x).toBeCloseTo(wantedX, 9);
   expect(99.1 * grown + y).toBeCloseTo(wantedY, 9);

@@ -37,8 +37,8 @@ const WHOLE = 4;
 
 /** The part of a picture that is drawn, with what lies ready round it, in its pixels. */
 export function drawnRoom({ width, height }: Size): Patch {
-  const x = WHOLE * Math.round((AROUND * width) / WHOLE), y = WHOLE * Math.round((AROUND * height) / WHOLE);
-  return { x: -x, y: -y, width: width + 2 * x, height: height + 2 * y };
+  const beside = WHOLE * Math.round((AROUND * width) / WHOLE), over = WHOLE * Math.round((AROUND * height) / WHOLE);
+  return { x: -beside, y: -over, width: beside + width + beside, height: over + height + over };
 }
 
 /** Whether a drawing for one camera still does where another one looks. */
