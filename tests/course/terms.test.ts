@@ -56,15 +56,15 @@ const TERMS: Partial<Record<TermId, Readonly<Record<Language, OneTerm>>>> = {
     zh: ["转速限制（SMAX）"],
   },
   holder: { en: ["Holder"], de: ["Halter"], fr: ["Porte-outil"], zh: ["刀杆", /刀柄/] },
-  residue: { en: ["Residue"], de: ["Restmaterial"], fr: ["Matière résiduelle"], zh: ["残留材料", /残料/] },
+  residue: { en: ["Residue"], de: ["Restmaterial"], fr: ["Matière résiduelle", /matière restante/i], zh: ["残留材料", /残料/] },
   airPass: { en: ["Air pass"], de: ["Luftschnitt"], fr: ["Passe à vide"], zh: ["空走刀"] },
 };
 
 /** What the glossary does not explain, yet must not be said in two ways. */
 const NEVER: Readonly<Record<Language, readonly RegExp[]>> = {
   en: [],
-  // a prompt is an Eingabe; the Spanfläche is a face of the tool, not the section of the chip
-  de: [/\bAbfragen?\b/, /Spanfläche/, /aus dem Gedächtnis/],
+  // a prompt is an Eingabe; the Spanfläche is a face of the tool, not the section of the chip, and that has one name
+  de: [/\bAbfragen?\b/, /Spanfläche/, /Spanquerschnitt/, /aus dem Gedächtnis/],
   fr: [/\binvites?\b/i],
   // the control, the axis
   zh: [/(?<!数)控制系统/, /轴心/],

@@ -141,7 +141,7 @@ export const courseTask = {
   score: {
     title: "Note",
     of: (points) => `${points} points sur 100`,
-    parts: { proof: "Règles tenues", residue: "Matière restante", time: "Temps", tools: "Outils" },
+    parts: { proof: "Règles tenues", residue: "Matière résiduelle", time: "Temps", tools: "Outils" },
     better: {
       proof: (is, of) => `${is} règles tenues sur ${of} ; chacune compte pour sa part.`,
       residue: (is) => `${is} restent sur la pièce ; moins donne plus de points.`,

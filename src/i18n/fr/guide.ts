@@ -38,7 +38,7 @@ export const guide: GuideTexts = typeset({
     none: "Aucune autre valeur ne donne ici un parcours.",
     picture: (q, value) => `Coupe de la pièce avec ${q} = ${value}`,
   },
-  numbers: { passes: "Passes", infeed: "Passe réelle", residual: "Matière restante", seconds: "Temps", rz: "Rz" },
+  numbers: { passes: "Passes", infeed: "Passe réelle", residual: "Matière résiduelle", seconds: "Temps", rz: "Rz" },
   seconds: (s) => `${s} s`,
   millimetres: (mm) => `${mm} mm`,
   area: (a) => `${a} mm²`,

@@ -48,7 +48,7 @@ export const page = {
     beyond: "Ce qu’une commande ne montre pas",
     beyondAll: {
       typing: { what: "Pendant la saisie", how: "passes, valeur de passe, temps et section du copeau" },
-      residue: { what: "Matière restante", how: "où, pourquoi, et quel outil l’atteint" },
+      residue: { what: "Matière résiduelle", how: "où, pourquoi, et quel outil l’atteint" },
       proof: { what: "Contrôle", how: "ni contour entamé ni rapide dans la matière, sinon la séquence en cause" },
       steps: { what: "Pas à pas", how: "l’étape du manuel avance avec l’outil" },
       approach: { what: "APPR et DEP", how: "les huit formes, sur le contour du programme" },
@@ -121,7 +121,7 @@ export const page = {
     infeedUnit: "mm par passe",
     time: "Temps",
     chip: "Section copeau",
-    residual: "Matière restante",
+    residual: "Matière résiduelle",
     none: "aucune",
     unknown: "–",
     waiting: "Ces valeurs ne donnent pas encore de trajectoire. La dernière image possible reste affichée.",

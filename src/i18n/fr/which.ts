@@ -52,7 +52,7 @@ export const which = typeset<WhichTexts>({
   bestIs: (name, why) => `Meilleure : ${name}, ${why}.`,
   passes: "Passes",
   time: "Temps",
-  stays: "Matière restante",
+  stays: "Matière résiduelle",
   nothing: "aucune",
   noArea: "non mesuré",
   tool: (number, name) => `Outil ${number} ${name}`,
