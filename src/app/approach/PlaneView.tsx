@@ -81,6 +81,7 @@ export function PlaneView({ result, dimmed, playback, clock, onMove }: {
   const stage = useStage(viewport, measuring.on ? measuring : { tap, hover: over, drag: null });
   const toggle = () => {
     measuring.toggle();
+    if (measuring.state.getState().on) stage.current?.focus({ preventScroll: true });
     showTools(false);
   };
 

@@ -138,9 +138,10 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
   const beside = useMedia("vast") && solid.drawn !== null, alone = beside ? null : solid.drawn;
   const stage = useStage(viewport, look, beside ? 0.5 : 1);
   const looking = alone ? { ...viewport, ...alone } : viewport;
-  /** What is behind a button gives the picture back where there is little room. */
+  /** What is behind a button gives the picture back where there is little room; with a tool in hand the keys belong to the picture. */
   const toggle = () => {
     measuring.toggle();
+    if (measuring.state.getState().on) stage.current?.focus({ preventScroll: true });
     showTools(false);
   };
 

@@ -3,7 +3,7 @@ import { changeSettings, SECTION_VIEWS, SHOWN_COLOURS, SHOWN_PATHS, useSettings 
 import { useTexts } from "../settings/use-texts.ts";
 import { Glyph, type GlyphName } from "./Glyph.tsx";
 import { GlyphButton } from "./GlyphButton.tsx";
-import type { Measuring } from "../measure/measuring.ts";
+import type { MeasuringShown } from "../measure/measuring.ts";
 import type { Viewport } from "./viewport.ts";
 
 /** Zoom per press. */
@@ -36,7 +36,7 @@ function Choice<Value extends string>({ name, glyph, value, all, words, quiet, o
 /** How the picture is looked at: which section, X up or down, ruler, zoom and fit. */
 export function ViewBar({ viewport, measuring, onWhich, children }: {
   readonly viewport: Viewport;
-  readonly measuring: Measuring;
+  readonly measuring: MeasuringShown;
   /** Asks which cycle makes the contour; null where there is none. */
   readonly onWhich: (() => void) | null;
   /** What stands between the switches and the zoom. */

@@ -24,6 +24,18 @@ export function listenToGestures(element: Element & GlobalEventHandlers, viewpor
   /** A drag that is not looking around, by where it began. */
   let drawn: Place | null = null;
 
+  /** Where the mouse was heard of last, on the page. */
+  let rests: Place | null = null;
+  /** Browsers tell of a mouse again where it rests when something comes or goes under it: nobody moved it. */
+  const isResting = ({ pointerType, clientX: x, clientY: y }: PointerEvent): boolean => {
+    const before = rests;
+    rests = { x, y };
+    return pointerType === "mouse" && before?.x === x && before.y === y;
+  };
+  const enter = (event: PointerEvent) => {
+    if (event.movementX === 0 && event.movementY === 0) isResting(event);
+  };
+
   const placeOf = (event: MouseEvent): Place => {
     const box = element.getBoundingClientRect();
     return { x: event.clientX - box.left, y: event.clientY - box.top };
@@ -40,8 +52,8 @@ export function listenToGestures(element: Element & GlobalEventHandlers, viewpor
     drawn = null;
   };
   const move = (event: PointerEvent) => {
-    const before = down.get(event.pointerId), here = placeOf(event);
-    if (!before) return touches.hover(here);
+    const before = down.get(event.pointerId), here = placeOf(event), rested = isResting(event);
+    if (!before) return rested ? undefined : touches.hover(here);
     const [other] = [...down].filter(([id]) => id !== event.pointerId).map(([, place]) => place);
     if (!dragged && begun && Math.hypot(here.x - begun.x, here.y - begun.y) < TAP) return;
     const from = dragged || !begun ? before : begun;
@@ -59,13 +71,17 @@ export function listenToGestures(element: Element & GlobalEventHandlers, viewpor
     if (drawn) touches.drag?.(drawn, placeOf(event), true, event.pointerType === "touch");
     else if (!dragged) touches.tap(placeOf(event));
   };
-  const leave = () => touches.hover(null);
+  const leave = () => {
+    rests = null;
+    touches.hover(null);
+  };
   const wheel = (event: WheelEvent) => {
     event.preventDefault();
     const lines = event.deltaMode === 1 ? 33 : 1;
     viewport.zoom(Math.exp(-event.deltaY * lines * WHEEL), placeOf(event));
   };
 
+  element.addEventListener("pointerenter", enter);
   element.addEventListener("pointerdown", press);
   element.addEventListener("pointermove", move);
   element.addEventListener("pointerup", release);
@@ -73,6 +89,7 @@ export function listenToGestures(element: Element & GlobalEventHandlers, viewpor
   element.addEventListener("pointerleave", leave);
   element.addEventListener("wheel", wheel, { passive: false });
   return () => {
+    element.removeEventListener("pointerenter", enter);
     element.removeEventListener("pointerdown", press);
     element.removeEventListener("pointermove", move);
     element.removeEventListener("pointerup", release);

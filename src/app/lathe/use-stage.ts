@@ -1,13 +1,10 @@
-import { useEffect, useRef, type RefObject } from "react";
+import { useEffect, useEffectEvent, useRef, type RefObject } from "react";
 import { listenToGestures, type Touches } from "./gestures.ts";
 import type { Viewport } from "./viewport.ts";
 
 /** The element of the picture: the size of its `share` from the left goes to the viewport, its pointers to zoom, pan and the ruler. */
 export function useStage(viewport: Viewport, touches: Touches, share = 1): RefObject<HTMLDivElement | null> {
-  const stage = useRef<HTMLDivElement>(null), now = useRef(touches);
-  useEffect(() => {
-    now.current = touches;
-  });
+  const stage = useRef<HTMLDivElement>(null), now = useEffectEvent(() => touches);
   useEffect(() => {
     const element = stage.current;
     if (!element) return;
@@ -19,10 +16,10 @@ export function useStage(viewport: Viewport, touches: Touches, share = 1): RefOb
     const sizes = typeof ResizeObserver === "undefined" ? null : new ResizeObserver(measure);
     sizes?.observe(element);
     const deaf = listenToGestures(element, viewport, {
-      tap: (at) => now.current.tap(at),
-      hover: (at) => now.current.hover(at),
+      tap: (at) => now().tap(at),
+      hover: (at) => now().hover(at),
       get drag() {
-        return now.current.drag ?? null;
+        return now().drag ?? null;
       },
     });
     return () => {

@@ -1,4 +1,5 @@
-import { useMemo, useState } from "react";
+import { useEffectEvent, useLayoutEffect, useMemo, useState } from "react";
+import { useStore } from "zustand";
 import type { MeasuredPlace } from "../../kernel/measured.ts";
 import { part } from "../../kernel/point.ts";
 import { toScreen, type Camera } from "../../view/camera.ts";
@@ -15,10 +16,10 @@ import { useMedia } from "../use-media.ts";
 import { MeasuredLabels, type Moved } from "./MeasuredLabels.tsx";
 import { MeasurePanel } from "./MeasurePanel.tsx";
 import { measurementWords, useMeasureTexts } from "./measure-words.ts";
-import type { Measuring } from "./measuring.ts";
+import { measureHand } from "./hand.ts";
+import type { Measuring, MeasureState } from "./measuring.ts";
 import { useReadings } from "./readings.ts";
 import type { MeasureSource } from "./source.ts";
-import { useMeasureHand, type MeasureState } from "./use-measure-hand.ts";
 import "./measure.css";
 
 /** Half the size of a mark, and how far beside it its name stands, pixels. */
@@ -80,7 +81,13 @@ export function MeasureLayer({ viewport, measuring, source }: { readonly viewpor
 {
   const t = useMeasureTexts(), language = useSettings((s) => s.language), unit = usePageUnit(), isNarrow = useMedia("narrow");
   const camera = useCamera(viewport), size = viewport.size();
-  const readings = useReadings(source), state = useMeasureHand({ measuring, viewport, source, t });
+  const readings = useReadings(source), state = useStore(measuring.state);
+  const sourceNow = useEffectEvent(() => source), textsNow = useEffectEvent(() => t);
+  // Before the tools are seen: whoever sees them presses their keys.
+  useLayoutEffect(() => measuring.serve(measureHand(measuring, { viewport, source: () => sourceNow(), texts: () => textsNow() })), [
+    measuring,
+    viewport,
+  ]);
   const [moved, move] = useState<Moved | null>(null), [panel, keep] = useState<LabelBox | null>(null);
   const isTurned = source.plane === "ZX";
   const words = useMemo(() => new Map(readings.map((each) => [each.measurement.id, measurementWords(t, language, each)])), [
@@ -95,12 +102,12 @@ export function MeasureLayer({ viewport, measuring, source }: { readonly viewpor
       top: AIR * unit,
       bottom: (SCALE_BELOW + AIR) * unit,
     };
-    const paper = { camera, unit, size, edges, kept: panel && measuring.on ? [panel] : [] };
+    const paper = { camera, unit, size, edges, kept: panel && state.on ? [panel] : [] };
     return standingMeasurements(paper, readings.map(({ measurement: { id, text }, figure }) => {
       const put = moved?.id === id ? moved.to : text, said = words.get(id);
       return { id, figure, text: said?.text ?? "", caption: said?.caption ?? "", ...(put && { put }) };
     }));
-  }, [camera, unit, size, isNarrow, panel, measuring.on, readings, words, moved]);
+  }, [camera, unit, size, isNarrow, panel, state.on, readings, words, moved]);
   const old = new Set(readings.flatMap(({ isOld, measurement: { id } }) => (isOld ? [id] : [])));
   return (
     <>
@@ -111,10 +118,10 @@ export function MeasureLayer({ viewport, measuring, source }: { readonly viewpor
             <path className="arrow" d={arrows} />
           </g>
         ))}
-        {measuring.on && <Cross state={state} camera={camera} width={size.width} isTurned={isTurned} />}
+        {state.on && <Cross state={state} camera={camera} width={size.width} isTurned={isTurned} />}
       </svg>
       <MeasuredLabels standing={standing} words={words} old={old} camera={camera} moved={moved} move={move} />
-      {measuring.on && <MeasurePanel measuring={measuring} source={source} state={state} readings={readings} words={words} kept={keep} />}
+      {state.on && <MeasurePanel measuring={measuring} source={source} state={state} readings={readings} words={words} kept={keep} />}
     </>
   );
 }

@@ -17,9 +17,9 @@ import { useTexts } from "../settings/use-texts.ts";
 import { useMedia } from "../use-media.ts";
 import { inchText, useMeasureTexts, gaugedText, type MeasurementWords } from "./measure-words.ts";
 import { removeMeasurement } from "./MeasuredLabels.tsx";
-import type { Measuring } from "./measuring.ts";
+import { toolsOf } from "./hand.ts";
+import { TOOL_KEYS, type Measuring, type MeasureState } from "./measuring.ts";
 import type { MeasureSource } from "./source.ts";
-import { TOOL_KEYS, toolsOf, type MeasureState } from "./use-measure-hand.ts";
 
 /** Line drawings of the tools, 24 units square. */
 const TOOLS: Readonly<Record<MeasuredKind, string>> = {
@@ -35,10 +35,15 @@ const TOOLS: Readonly<Record<MeasuredKind, string>> = {
 /** With a tool in hand the keys belong to the picture. */
 const toPicture = (element: HTMLElement): void => element.closest<HTMLElement>(".lathe-stage")?.focus({ preventScroll: true });
 
+interface Tools {
+  readonly kind: MeasuredKind;
+  readonly choose: (kind: MeasuredKind) => void;
+  readonly source: MeasureSource;
+  readonly t: MeasureTexts;
+}
+
 /** The tools as one field, where a row of them has no room. */
-function ToolChoice({ measuring: { kind, choose }, source, t }: { readonly measuring: Measuring; readonly source: MeasureSource;
-  readonly t: MeasureTexts })
-{
+function ToolChoice({ kind, choose, source, t }: Tools) {
   return (
     <select className="select" aria-label={t.tools} value={kind} onChange={(event) => {
       const chosen = toolsOf(source).find((each) => each === event.currentTarget.value);
@@ -49,9 +54,7 @@ function ToolChoice({ measuring: { kind, choose }, source, t }: { readonly measu
   );
 }
 
-function ToolBar({ measuring: { kind, choose }, source, t }: { readonly measuring: Measuring; readonly source: MeasureSource;
-  readonly t: MeasureTexts })
-{
+function ToolBar({ kind, choose, source, t }: Tools) {
   return (
     <Toolbar className="measure-tools" aria-label={t.tools}>
       {toolsOf(source).map((each) => (
@@ -180,7 +183,6 @@ export function MeasurePanel({ measuring, source, state, readings, words, kept }
   const [said, say] = useState(""), isPhone = useMedia("phone");
   useEffect(() => {
     const element = panel.current;
-    if (element) toPicture(element);
     if (!element || typeof ResizeObserver === "undefined") return;
     const watch = new ResizeObserver(() => {
       // An open list lies over the picture for a moment: nothing moves out of its way.
@@ -190,13 +192,17 @@ export function MeasurePanel({ measuring, source, state, readings, words, kept }
     watch.observe(element);
     return () => watch.disconnect();
   }, [kept]);
-  const { done } = state, value = done ? gauged(done.kind, done.places, isTurned)?.value : undefined;
+  const { done, kind } = state, value = done ? gauged(done.kind, done.places, isTurned)?.value : undefined;
   const into = offered(target, state, value), last = readings.at(-1);
   const result = done && last ? (words.get(last.measurement.id)?.name ?? "") : "";
+  const tools: Tools = { kind, choose: measuring.choose, source, t };
   return (
     <div ref={panel} className="measure-panel">
-      {isPhone ? <ToolChoice measuring={measuring} source={source} t={t} /> : <ToolBar measuring={measuring} source={source} t={t} />}
-      <button type="button" className="button icon measure-stop" aria-label={t.stop} title={t.stop} onClick={measuring.toggle}>
+      {isPhone ? <ToolChoice {...tools} /> : <ToolBar {...tools} />}
+      <button type="button" className="button icon measure-stop" aria-label={t.stop} title={t.stop} onClick={(event) => {
+        toPicture(event.currentTarget);
+        measuring.toggle();
+      }}>
         <Icon name="close" />
       </button>
       <Numbers state={state} isTurned={isTurned} language={language} t={t} />
@@ -205,8 +211,8 @@ export function MeasurePanel({ measuring, source, state, readings, words, kept }
           {take(`${target.kind === "diameter" ? "⌀" : ""}${formatNumber(language, into, 3)}`, target.q)}
         </button>
       )}
-      {!done && <p className="measure-hint small soft">{hintOf(t, measuring.kind, state, isTurned)}</p>}
-      <p role="status" className="unseen">{done ? result : said || `${hintOf(t, measuring.kind, state, isTurned)} ${t.keys}`}</p>
+      {!done && <p className="measure-hint small soft">{hintOf(t, kind, state, isTurned)}</p>}
+      <p role="status" className="unseen">{done ? result : said || `${hintOf(t, kind, state, isTurned)} ${t.keys}`}</p>
       <MeasuredList readings={readings} words={words} t={t} say={say} />
     </div>
   );

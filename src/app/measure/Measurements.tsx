@@ -3,14 +3,14 @@ import { measuredIn } from "../edits.ts";
 import type { Viewport } from "../lathe/viewport.ts";
 import { lazyPart } from "../parts.ts";
 import { useEditor } from "../store.ts";
-import type { Measuring } from "./measuring.ts";
+import type { MeasuringShown } from "./measuring.ts";
 import type { MeasureSource } from "./source.ts";
 
 /** Fetched when something is measured, or was. */
 const MeasureLayer = lazyPart(async () => ({ default: (await import("./MeasureLayer.tsx")).MeasureLayer }));
 
 /** What was measured in a picture, over it, and the tools while it measures. Stands inside of the stage. */
-export function Measurements(props: { readonly viewport: Viewport; readonly measuring: Measuring; readonly source: MeasureSource }) {
+export function Measurements(props: { readonly viewport: Viewport; readonly measuring: MeasuringShown; readonly source: MeasureSource }) {
   const { measuring, source } = props;
   const isMeasured = useEditor((s) => measuredIn(s).some(({ plane }) => plane === source.plane));
   if (!measuring.on && !isMeasured) return null;
