@@ -74,6 +74,7 @@ export function MaterialSheet({ viewport, moving, blank, section, chuck }: {
       fitCanvas(under, whole);
       [easel.width, easel.height] = [under.width, under.height];
       paintMaterial(below, { rings: [], section, now, surfaces, chuck }, viewport.drawn(), { colours, ratio, origin: whole }, whole);
+      below.setTransform(ratio, 0, 0, ratio, -whole.x * ratio, -whole.y * ratio);
       below.clearRect(work.x, work.y, work.width, work.height);
       shop.transferFromImageBitmap(easel.transferToImageBitmap());
     };
