@@ -55,7 +55,7 @@ export function MilledSheet({ viewport, steps, playback, milled: { stock, subscr
       look();
       const touched = stock.isSameBody(before.step, step) ? milledBetween(steps, before, at) : "all";
       if (touched === "all") return paintAll();
-      const patch = touched && patchWithin(patchOf(touched, viewport.drawn(), false, devicePixelRatio), drawnRoom(viewport.size()));
+      const patch = touched && patchWithin(patchOf(touched, viewport.drawn(), devicePixelRatio), drawnRoom(viewport.size()));
       if (patch) paint(patch);
     };
     const paintGrown = () => {

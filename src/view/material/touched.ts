@@ -68,9 +68,8 @@ export function touchedBetween(steps: readonly Step[], one: PlayPosition, other:
 const EDGE = 3;
 
 /** The part of the picture that shows a box, with room for edge lines; on whole pixels of a device that has `ratio` to one of the page. */
-export function patchOf({ left, right, low, high }: Bounds, camera: Camera, mirror: boolean, ratio: number): Patch {
-  const side = mirror ? -1 : 1;
-  const [a, b] = [toScreen(camera, at(left, low * side)), toScreen(camera, at(right, high * side))];
+export function patchOf({ left, right, low, high }: Bounds, camera: Camera, ratio: number): Patch {
+  const [a, b] = [toScreen(camera, at(left, low)), toScreen(camera, at(right, high))];
   const before = (v: number) => Math.floor((v - EDGE) * ratio) / ratio, after = (v: number) => Math.ceil((v + EDGE) * ratio) / ratio;
   const x = before(Math.min(a.x, b.x)), y = before(Math.min(a.y, b.y));
   return { x, y, width: after(Math.max(a.x, b.x)) - x, height: after(Math.max(a.y, b.y)) - y };
@@ -87,7 +86,7 @@ export function turnedPatchOf(
   ratio: number,
 ): Patch {
   const far = Math.min(high, outer);
-  return patchOf({ left: left - along, right: right + along, low: -far, high: far }, camera, false, ratio);
+  return patchOf({ left: left - along, right: right + along, low: -far, high: far }, camera, ratio);
 }
 
 /** What of a patch lies in another one; null when nothing does. */
