@@ -221,7 +221,7 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
         )}
         {solid.work && (
           <Suspense>
-            <SolidView work={solid.work} state={state} clock={clock} onDrawn={solid.setDrawn} />
+            <SolidView work={solid.work} run={run} lines={path.has} state={state} clock={clock} onDrawn={solid.setDrawn} />
           </Suspense>
         )}
         {run.steps.length === 0 && run.blank.length === 0 && (

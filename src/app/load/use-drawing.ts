@@ -6,11 +6,12 @@ import { useLoadOf, type Told } from "./use-load.ts";
 
 const EVERY = () => true;
 
-/** The lines by colour and their scale; null until they are known. Where no paths are shown, the colours show all of them. */
-export function useLoadDrawing(run: Run, of: Told, shown: (step: number) => boolean = EVERY): LoadDrawing | null {
+/** The lines by colour and their scale; null until they are known, and for nothing. Without paths the colours show all of them. */
+export function useLoadDrawing(run: Run, of: Told | null, shown: (step: number) => boolean = EVERY): LoadDrawing | null {
   const { path, surface } = useLoadOf(run) ?? {};
   const paths = useSettings((s) => s.paths), has = paths === "none" ? EVERY : shown;
   return useMemo(() => {
+    if (of === null) return null;
     if (of === "roughness") return surface ? drawingOfSurface(surface) : null;
     return path ? drawingAlong(path, of, run.steps, has) : null;
   }, [run, of, path, surface, has]);

@@ -1,16 +1,20 @@
-import { useEffect, useId, useRef, useState } from "react";
+import { useEffect, useId, useMemo, useRef, useState } from "react";
+import type { Run } from "../../program/run-types.ts";
 import { loadSolid } from "../../i18n/load-solid.ts";
 import type { SolidTexts } from "../../i18n/en/solid.ts";
+import { pathInSpace, segmentsInSpace } from "../../view/solid/path-lines.ts";
 import { NAMED_VIEWS } from "../../view/solid/orbit.ts";
 import type { Clock } from "../clock.ts";
 import { pageColours, useTheme } from "../lathe/use-theme-colours.ts";
 import type { Viewport } from "../lathe/viewport.ts";
+import { useLoadDrawing } from "../load/use-drawing.ts";
 import { reducedMotion } from "../settings/appearance.ts";
 import { laterTexts } from "../settings/later-texts.ts";
 import { changeSettings, useSettings } from "../settings/settings.ts";
 import { createEye, type Eye } from "./eye.ts";
 import { listenToHands } from "./hands.ts";
 import { createShow, type Show, type ShownWork } from "./show.ts";
+import type { StageLines } from "./path-stage.ts";
 import { createStage, STAGE_COLOURS, type SolidStage } from "./stage.ts";
 import "./solid.css";
 
@@ -21,6 +25,9 @@ export type Zooming = Pick<Viewport, "zoom" | "fit">;
 
 interface Props {
   readonly work: ShownWork;
+  readonly run: Run;
+  /** The moves whose lines are shown. */
+  readonly lines: (step: number) => boolean;
   /** What is to be said of the moment. */
   readonly state: string;
   readonly clock: Clock;
@@ -85,7 +92,22 @@ function useRunning(clock: Clock, setTrouble: (trouble: Trouble) => void) {
   return { field, canvas, running };
 }
 
-function Tried({ work, state, clock, onDrawn, t, again }: Props & { readonly t: SolidTexts; readonly again: () => void }) {
+/** Path and colours as lines in space: where something is told by colour, the path lies faint under it. */
+function useLines(run: Run, shown: (step: number) => boolean): readonly StageLines[] {
+  const colours = useSettings((s) => s.colours), told = useLoadDrawing(run, colours === "none" ? null : colours, shown);
+  const path = useMemo(() => pathInSpace(run.steps, shown).map(({ role, ...lines }): StageLines => ({ ...lines, look: { role } })), [
+    run,
+    shown,
+  ]);
+  return useMemo(
+    () => [...path, ...told?.lines.map(({ tone, segments }): StageLines => ({ ...segmentsInSpace(segments), look: { tone } })) ?? []],
+    [path, told],
+  );
+}
+
+function Tried({ work, run, lines: shown, state, clock, onDrawn, t, again }: Props & { readonly t: SolidTexts;
+  readonly again: () => void })
+{
   const keys = useId(), theme = useTheme();
   const { quarterCut, xDown } = useSettings();
   const [trouble, setTrouble] = useState<Trouble>(null);
@@ -93,6 +115,8 @@ function Tried({ work, state, clock, onDrawn, t, again }: Props & { readonly t: 
   useEffect(() => running?.stage.setColours(pageColours(STAGE_COLOURS)), [running, theme]);
   useEffect(() => running?.show.setLook({ quarterCut, xDown }), [running, quarterCut, xDown, theme]);
   useEffect(() => running?.show.setWork(work), [running, work]);
+  const lines = useLines(run, shown);
+  useEffect(() => running?.show.setLines(lines), [running, lines]);
   useEffect(() => {
     if (!running || trouble) return undefined;
     const { zoom, fit } = running.eye;

@@ -11,6 +11,7 @@ import { tipAt } from "../../view/tip.ts";
 import { stopwatch, type Clock } from "../clock.ts";
 import { stepIndex, type Moving, type Waiting } from "../lathe/moving.ts";
 import type { Eye } from "./eye.ts";
+import type { StageLines } from "./path-stage.ts";
 import type { SolidStage } from "./stage.ts";
 
 /** What is to be seen. */
@@ -27,6 +28,7 @@ export interface ShownWork {
 /** Brings work and eye onto a stage, and draws only when something has changed. */
 export interface Show {
   readonly setWork: (work: ShownWork) => void;
+  readonly setLines: (lines: readonly StageLines[]) => void;
   readonly setLook: (look: { readonly quarterCut: boolean; readonly xDown: boolean }) => void;
   /** The canvas, and how much of it lies below the picture: buttons are there. */
   readonly setSize: (size: Size, below: number) => void;
@@ -97,6 +99,7 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock): Show {
     if (tool !== drawnTool) stage.setTool(tool ? toolParts(tool) : []);
     drawnTool = tool;
     stage.placeTool(tool && tip);
+    stage.setStep(position?.step ?? 0);
   }
 
   /** Fewer pixels where pictures come too slowly one after the other. */
@@ -157,6 +160,10 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock): Show {
       if (seen) eye.setBounds(seen);
       heard = next.moving ? [next.moving.playback.subscribe(changeWork)] : [];
       changeWork();
+    },
+    setLines(lines) {
+      stage.setLines(lines);
+      ask();
     },
     setLook(look) {
       quarterCut = look.quarterCut;

@@ -5,6 +5,7 @@ import type { DrawnPart } from "../../view/solid/furniture.ts";
 import type { Mesh } from "../../view/solid/mesh.ts";
 import { eyeOf, FIELD, pixelAt, type Orbit } from "../../view/solid/orbit.ts";
 import type { Solid } from "../../view/solid/revolve.ts";
+import { createPathStage, LINE_COLOURS, type StageLines } from "./path-stage.ts";
 import { hatched } from "./section-material.ts";
 
 /** What a body of the work is made of, which decides its colour. */
@@ -21,6 +22,7 @@ export const STAGE_COLOURS = {
   holder: "--holder",
   residual: "--residual",
   danger: "--danger",
+  ...LINE_COLOURS,
 } as const;
 
 /** Bodies, light and eye on a canvas. Nothing is drawn but by `draw`. */
@@ -33,6 +35,10 @@ export interface SolidStage {
   readonly setTool: (parts: readonly DrawnPart[]) => void;
   /** Where the tip of the tool is, mm; null: there is none. */
   readonly placeTool: (tip: { readonly z: number; readonly r: number } | null) => void;
+  /** Path, or what is told by colour along it. */
+  readonly setLines: (lines: readonly StageLines[]) => void;
+  /** The step that runs: lines before it are done. */
+  readonly setStep: (step: number) => void;
   /** X grows downwards. */
   readonly turnOver: (down: boolean) => void;
   /** `reach`: no body is farther from the centre, mm. */
@@ -79,7 +85,8 @@ export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
   camera.add(key);
   camera.up.set(1, 0, 0);
   const world = new Group(), work = new Group(), chuck = new Group(), tool = new Group();
-  world.add(work, chuck, tool);
+  const path = createPathStage();
+  world.add(work, chuck, tool, path.group);
   space.add(world, camera, new AmbientLight(0xffffff, LIGHT.around));
 
   const surfaces = {
@@ -131,6 +138,7 @@ export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
       sections.residual.colours(c.surface, c.residual);
       sections.gouge.colours(c.danger, c.danger);
       for (const each of Object.values(lines)) each.color.set(c.line);
+      path.setColours(c);
     },
     setBodies(bodies) {
       clear(work);
@@ -146,6 +154,8 @@ export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
       tool.visible = tip !== null;
       if (tip) tool.position.set(tip.r, 0, tip.z);
     },
+    setLines: path.set,
+    setStep: path.runs,
     turnOver(down) {
       world.scale.x = down ? -1 : 1;
     },
@@ -155,14 +165,19 @@ export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
       camera.near = Math.max(orbit.distance / 50, orbit.distance - reach);
       camera.far = orbit.distance + reach;
       camera.updateProjectionMatrix();
-      for (const each of Object.values(sections)) each.pitch(HATCH * pixelAt(orbit, size));
+      const pixel = pixelAt(orbit, size);
+      for (const each of Object.values(sections)) each.pitch(HATCH * pixel);
+      path.setPixel(pixel);
       renderer.render(space, camera);
     },
     dispose() {
       for (const group of [work, chuck, tool]) clear(group);
+      path.dispose();
       for (const each of [...Object.values(surfaces), ...Object.values(lines)]) each.dispose();
       for (const { material } of Object.values(sections)) material.dispose();
       renderer.dispose();
+      // A browser gives few contexts, and takes the oldest one away for the next: one that is not needed any more goes at once.
+      if (!canvas.isConnected) renderer.forceContextLoss();
     },
   };
 }

@@ -13,6 +13,7 @@ export interface LoadLine {
   readonly tone: number | null;
   /** The spindle is at its limit. */
   readonly limited: boolean;
+  readonly segments: readonly Segment[];
   readonly d: string;
 }
 
@@ -42,6 +43,7 @@ function linesOf(items: Iterable<
   return [...drawn.values()].sort((a, b) => order(a) - order(b)).map(({ tone, limited, segments }) => ({
     tone,
     limited,
+    segments,
     d: segmentData(segments),
   }));
 }
