@@ -1,3 +1,4 @@
+import type { StateEffect } from "@codemirror/state";
 import { EditorView } from "@codemirror/view";
 import { shownBlock } from "../approach/shown-view.ts";
 import { useOutcome } from "../engine/outcome.ts";
@@ -102,6 +103,15 @@ function runningBlock(): number | null {
   return shownBlock(shown.run, position.step);
 }
 
+/** Pixels over a block that the text was turned to. */
+const OVER = 60;
+
+/** Turns the text to a block that is out of sight, as one turns a page: scrolling with each block would lay it out with each. */
+function turnedTo(view: EditorView, from: number): readonly StateEffect<unknown>[] {
+  const { top, bottom } = view.lineBlockAt(from), { scrollTop, clientHeight } = view.scrollDOM;
+  return top >= scrollTop && bottom <= scrollTop + clientHeight ? [] : [EditorView.scrollIntoView(from, { y: "start", yMargin: OVER })];
+}
+
 function followPlayback(): () => void {
   let marked: number | null = null;
   return playback.subscribeReader(() => {
@@ -113,7 +123,7 @@ function followPlayback(): () => void {
     view.dispatch({
       effects: [
         setRunning.of(next),
-        ...(range && playback.get().playing ? [EditorView.scrollIntoView(range.from, { y: "nearest", yMargin: 40 })] : []),
+        ...(range && playback.get().playing ? turnedTo(view, range.from) : []),
       ],
     });
   });

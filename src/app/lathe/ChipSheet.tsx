@@ -13,7 +13,7 @@ const NEAR = 40;
 
 /**
  * The chip that is cut and the edge that cuts it, over the tool that carries it. Its shapes are relative to the tip and change only where
- * the chip does, which an even cut does not.
+ * the chip does, which an even cut does not; its numbers no oftener than they can be read.
  */
 export function ChipSheet({ viewport, moving: { chipAt, playback } }: { readonly viewport: Viewport; readonly moving: Moving }) {
   const sheet = useRef<SVGSVGElement>(null), language = useSettings((s) => s.language);
@@ -24,8 +24,9 @@ export function ChipSheet({ viewport, moving: { chipAt, playback } }: { readonly
     );
     const text = element?.querySelector("text");
     if (!element || !text) return undefined;
-    let drawn: Chip | null = null;
+    let drawn: Chip | null = null, written: Chip | null = null;
     const write = () => {
+      written = drawn;
       const { scale, xUp } = viewport.drawn(), measure = drawn && chipMeasure(drawn, scale, xUp);
       line?.setAttribute("d", measure?.line ?? "");
       text.textContent = drawn && measure
@@ -44,7 +45,10 @@ export function ChipSheet({ viewport, moving: { chipAt, playback } }: { readonly
       area?.setAttribute("d", shapes.area);
       edge?.setAttribute("d", shapes.edge);
       glow?.setAttribute("d", shapes.edge);
-      write();
+      if (!chip) write();
+    };
+    const read = () => {
+      if (written !== drawn) write();
     };
     let camera: Camera | null = null;
     const look = () => {
@@ -53,11 +57,11 @@ export function ChipSheet({ viewport, moving: { chipAt, playback } }: { readonly
       const { scale, xUp } = camera;
       world?.setAttribute("transform", `scale(${scale} ${xUp ? -scale : scale})`);
       cross?.setAttribute("d", scale < NEAR ? "" : `M${-CROSS} 0H${CROSS}M0 ${-CROSS}V${CROSS}`);
-      write();
       place();
+      write();
     };
     look();
-    const ends = [viewport.subscribe(look), playback.subscribe(place)];
+    const ends = [viewport.subscribe(look), playback.subscribe(place), playback.subscribeReader(read)];
     return () => ends.forEach((end) => end());
   }, [viewport, chipAt, playback, language]);
   return (
