@@ -33,10 +33,29 @@ function blockLine(text: string, from: number, to: number, offset: number): Bloc
 
 const NONE: readonly BlockIssue[] = [];
 
-function readBlock(text: string, { starts, ends }: Lines, s: Slice): Block {
+/**
+ * Blocks that were read before, by their text and by whether a line that they announce is missing: with each key a program is read again of
+ * which one line is another. They are read from a text of their own, so that they keep no other alive.
+ */
+const known = [new Map<string, Block>(), new Map<string, Block>()] as const;
+const MOST_KNOWN = 500;
+
+function readBlock(text: string, s: Slice): Block {
   const line = s.first === s.last && !s.open ? readLine(text, s.body) : null;
-  if (line)
-    return { raw: text.slice(s.from, s.to), lines: 1, number: s.number, skip: s.skip, statement: line, comment: null, issues: NONE };
+  const raw = text.slice(s.from, s.to);
+  if (line) return { raw, lines: 1, number: s.number, skip: s.skip, statement: line, comment: null, issues: NONE };
+  const before = known[s.open ? 1 : 0];
+  let read = before.get(raw);
+  if (!read) {
+    const own = ` ${raw}`.slice(1);
+    read = readWords(own, splitLines(own), { ...s, from: 0, to: own.length, first: 0, last: s.last - s.first, body: s.body - s.from });
+    if (before.size >= MOST_KNOWN) before.clear();
+    before.set(own, read);
+  }
+  return read;
+}
+
+function readWords(text: string, { starts, ends }: Lines, s: Slice): Block {
   const lines: BlockLine[] = [];
   for (let i = s.first; i <= s.last; i += 1) {
     const from = i === s.first ? s.body : (starts[i] ?? 0);
@@ -48,7 +67,7 @@ function readBlock(text: string, { starts, ends }: Lines, s: Slice): Block {
     : read.issues;
   const comment = read.statement.kind === "comment" || read.statement.kind === "cycle" ? null : (lines[0]?.comment ?? null);
   return {
-    raw: text.slice(s.from, s.to),
+    raw: text,
     lines: s.last - s.first + 1,
     number: s.number,
     skip: s.skip,
@@ -60,6 +79,5 @@ function readBlock(text: string, { starts, ends }: Lines, s: Slice): Block {
 
 /** Reads any text. Never throws; what is not understood stays in the text and is said. `print` gives the same text back. */
 export function parse(text: string): Program {
-  const lines = splitLines(text);
-  return { blocks: splitBlocks(text, lines).map((s) => readBlock(text, lines, s)) };
+  return { blocks: splitBlocks(text, splitLines(text)).map((s) => readBlock(text, s)) };
 }

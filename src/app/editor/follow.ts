@@ -121,10 +121,7 @@ function followPlayback(): () => void {
     marked = next;
     const range = next === null ? null : blockRange(view.state, next);
     view.dispatch({
-      effects: [
-        setRunning.of(next),
-        ...(range && playback.get().playing ? turnedTo(view, range.from) : []),
-      ],
+      effects: [setRunning.of(next), ...(range && playback.get().playing ? turnedTo(view, range.from) : [])],
     });
   });
 }

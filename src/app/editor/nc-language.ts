@@ -1,44 +1,54 @@
-import { HighlightStyle, StreamLanguage, syntaxHighlighting } from "@codemirror/language";
-import type { Extension } from "@codemirror/state";
-import { tags } from "@lezer/highlight";
+import { RangeSetBuilder, type Extension } from "@codemirror/state";
+import { Decoration, ViewPlugin, type DecorationSet, type EditorView, type ViewUpdate } from "@codemirror/view";
 import { tokensOf, type Token, type TokenKind } from "../../nc/tokens.ts";
 
-interface LineState {
-  tokens: readonly Token[];
+const KINDS = [
+  "number",
+  "keyword",
+  "parameter",
+  "value",
+  "word",
+  "comment",
+  "structure",
+  "string",
+  "name",
+  "mark",
+] as const satisfies readonly TokenKind[];
+const marks = Object.fromEntries(KINDS.map((kind) => [kind, Decoration.mark({ class: `nc-${kind}` })])) as Readonly<
+  Record<TokenKind, Decoration>
+>;
+
+/** Lines whose words are known, and how many of them are kept. */
+const known = new Map<string, readonly Token[]>();
+const MOST = 2000;
+
+function wordsOf(line: string): readonly Token[] {
+  const words = known.get(line) ?? tokensOf(line);
+  if (known.size >= MOST) known.clear();
+  known.set(line, words);
+  return words;
 }
 
-const TAGS = {
-  number: tags.labelName,
-  keyword: tags.keyword,
-  parameter: tags.variableName,
-  value: tags.number,
-  word: tags.attributeName,
-  comment: tags.comment,
-  structure: tags.heading,
-  string: tags.string,
-  name: tags.className,
-  mark: tags.punctuation,
-} as const satisfies Readonly<Record<TokenKind, unknown>>;
+/** The colours of the lines that are seen: a line says by itself what its words are. */
+function coloured({ state: { doc }, visibleRanges }: EditorView): DecorationSet {
+  const made = new RangeSetBuilder<Decoration>();
+  for (const { from, to } of visibleRanges) {
+    for (let line = doc.lineAt(from);; line = doc.line(line.number + 1)) {
+      for (const word of wordsOf(line.text))
+        if (word.to > word.from) made.add(line.from + word.from, line.from + word.to, marks[word.kind]);
+      if (line.to >= to) break;
+    }
+  }
+  return made.finish();
+}
 
 /** Klartext, coloured line by line by the reader's own scanner. */
-const language = StreamLanguage.define<LineState>({
-  name: "klartext",
-  startState: () => ({ tokens: [] }),
-  copyState: (state) => ({ ...state }),
-  token(stream, state) {
-    if (stream.sol()) state.tokens = tokensOf(stream.string);
-    const next = state.tokens.find((t) => t.to > stream.pos);
-    if (!next) stream.skipToEnd();
-    else if (next.from > stream.pos) stream.pos = next.from;
-    else {
-      stream.pos = next.to;
-      return next.kind;
-    }
-    return null;
-  },
-  tokenTable: TAGS,
-});
-
-const style = HighlightStyle.define(Object.entries(TAGS).map(([kind, tag]) => ({ tag, class: `nc-${kind}` })));
-
-export const klartext: Extension = [language, syntaxHighlighting(style)];
+export const klartext: Extension = ViewPlugin.fromClass(class {
+  decorations: DecorationSet;
+  constructor(view: EditorView) {
+    this.decorations = coloured(view);
+  }
+  update({ docChanged, viewportChanged, view }: ViewUpdate) {
+    if (docChanged || viewportChanged) this.decorations = coloured(view);
+  }
+}, { decorations: (plugin) => plugin.decorations });
