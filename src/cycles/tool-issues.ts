@@ -1,6 +1,6 @@
 import { normalEnd, normalStart } from "../kernel/convex.ts";
 import { normalAt, segmentToFlat, type Frame } from "../kernel/flat.ts";
-import { insertShape, noseRadius } from "../kernel/insert.ts";
+import { insertShape, isBar, noseRadius } from "../kernel/insert.ts";
 import { inFrame } from "../kernel/convex.ts";
 import { positive } from "../kernel/geometry/segments.ts";
 import { issue, type Issue } from "../kernel/issue.ts";
@@ -35,7 +35,11 @@ export function angleIssues(
   asValue: (q: string, direction: number) => number,
 ): Issue[] {
   const shape = inFrame(insertShape(tool), frame);
-  const edgeAt = (i: number) => (shape[(i + shape.length) % shape.length]?.feature === "mainEdge" ? "mainEdge" : "secondaryEdge");
+  const edgeAt = (i: number) => {
+    // What stays beside a bar is laid to its width as well.
+    if (isBar(tool)) return "toolWidth";
+    return shape[(i + shape.length) % shape.length]?.feature === "mainEdge" ? "mainEdge" : "secondaryEdge";
+  };
   const normals = shape.flatMap((
     e,
     i,

@@ -5,8 +5,11 @@ import { JOINED, NOTHING, ROUND } from "./tolerance.ts";
 
 const { angleOf, apart, dot, heading, onCircle, scaled, sum } = flat;
 
-/** Which part of the insert an edge belongs to. */
-export type Feature = "nose" | "mainEdge" | "secondaryEdge" | "width" | "back";
+/**
+ * Which part of the insert an edge belongs to; `behindMain` and `behindSecondary` are the sides that go on from the end of a cutting edge
+ * and cut nothing themselves.
+ */
+export type Feature = "nose" | "mainEdge" | "secondaryEdge" | "width" | "behindMain" | "behindSecondary" | "back";
 
 /** One boundary element of a convex shape, run counter-clockwise. Angles in radians; an arc runs from `start` by `sweep` > 0. */
 export type Edge = { readonly kind: "line"; readonly from: Flat; readonly to: Flat; readonly feature: Feature } | { readonly kind: "arc";

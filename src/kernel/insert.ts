@@ -93,9 +93,8 @@ function pointed(r: number, secondary: number, main: number, l: number, parallel
     feature: "nose",
   };
   const line = (from: Flat, to: Flat, feature: Feature): Edge => ({ kind: "line", from, to, feature });
-  const back = parallel ? [beyond(endS, m, far)] : [];
-  const corners = [endS, ...back, endM];
-  const sides = corners.slice(1).map((to, i) => line(corners[i] as Flat, to, "back"));
+  const rear = beyond(endS, m, far);
+  const sides = parallel ? [line(endS, rear, "behindSecondary"), line(rear, endM, "behindMain")] : [line(endS, endM, "back")];
   return [nose, line(onS, endS, "secondaryEdge"), ...sides, line(endM, onM, "mainEdge")];
 }
 

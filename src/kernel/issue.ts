@@ -29,7 +29,7 @@ interface Data {
   /* values against the tool */
   cornerSmallerThanInsert: { radius: number; insert: number; nearest?: number };
   recessNarrowerThanTool: { width: number; tool: number; nearest?: number };
-  angleNotFollowed: { angle: number; max: number; nearest?: number; edge: "mainEdge" | "secondaryEdge"; element?: number };
+  angleNotFollowed: { angle: number; max: number; nearest?: number; edge: "mainEdge" | "secondaryEdge" | "toolWidth"; element?: number };
   tooManyPasses: { passes: number; most: number; nearest?: number };
   infeedOverCutLength: { infeed: number; cutLength: number; nearest?: number };
   depthOverCutLength: { depth: number; cutLength: number; nearest?: number };

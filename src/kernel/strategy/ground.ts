@@ -147,6 +147,7 @@ export function reachOf(g: Ground, u0: number, u1: number, frame: Frame, tool: T
   return pathAlong(g.envelope, u0, u1).map((s) => ({ path: segmentToPart(frame, s.segment), reason: reasonOf(s.origin, tool) }));
 }
 
+/** What keeps the insert from going deeper; where a side behind a cutting edge does, that edge is too short. */
 function reasonOf(o: Origin | null, tool: Tool): Reason | null {
   if (o === null) return null;
   if (o.on === "bridge") return "plunging";
@@ -155,7 +156,7 @@ function reasonOf(o: Origin | null, tool: Tool): Reason | null {
   if (o.feature === "nose") return null;
   if (o.feature === "width") return o.corner ? "toolWidth" : null;
   if (isBar(tool)) return "toolWidth";
-  return o.feature === "secondaryEdge" ? "secondaryEdge" : "mainEdge";
+  return o.feature === "secondaryEdge" || o.feature === "behindSecondary" ? "secondaryEdge" : "mainEdge";
 }
 
 /** Whether the tool would stand inside the finished part at a place. */
