@@ -8,6 +8,9 @@ import { inLanguages, words } from "./words.ts";
 
 const lines = z.array(z.string().check(z.maxLength(200))).check(z.minLength(1), z.maxLength(400));
 
+/** From a smaller number to a greater one. */
+const span = z.tuple([z.number(), z.number()]);
+
 const page = z.object({
   /** The program whose run is the picture; absent: that of the page before. */
   program: z.optional(lines),
@@ -17,6 +20,8 @@ const page = z.object({
   begins: z._default(z.enum(["start", "end", "play"]), "play"),
   /** A value that the learner may slide beside the text: the picture follows. */
   slide: z.optional(z.object({ q: z.string(), from: z.number(), to: z.number(), step: z.number() })),
+  /** What of the lathe is seen: from one ⌀ to another and from one Z to another, mm; absent: the blank with all that is fed. */
+  frame: z.optional(z.object({ x: span, z: span })),
   /** What the picture is drawn with beside path and stock. */
   shows: z.optional(z.enum(["residue", "roughness", "depth", "speed"])),
 });

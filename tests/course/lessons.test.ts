@@ -3,6 +3,7 @@ import { lessonSchema, type Lesson } from "../../src/course/lesson.ts";
 import { stepsPlayed, valueIn, withSlid } from "../../src/course/played.ts";
 import { programOfLines } from "../../src/course/start-of.ts";
 import { LANGUAGES } from "../../src/i18n/languages.ts";
+import { radius, toDiameter } from "../../src/kernel/units.ts";
 import { parse } from "../../src/nc/parse.ts";
 import { run } from "../../src/program/run.ts";
 import { shippedTools } from "../../src/program/shipped-tools.ts";
@@ -50,6 +51,20 @@ describe.each(named)("%s", (name, raw) => {
       const seen = steps.slice(first, last + 1).map(({ block }) => block);
       expect(Math.min(...seen), `page ${i + 1}`).toBeGreaterThanOrEqual(blocks.from);
       expect(Math.max(...seen), `page ${i + 1}`).toBeLessThanOrEqual(blocks.to);
+    });
+  });
+
+  test("what a picture is framed to is where its moves are", () => {
+    programs(lesson).forEach((program, i) => {
+      const { blocks, frame } = pages[i] ?? {};
+      if (!frame) return;
+      const { x: [low, high], z: [left, right] } = frame;
+      expect(low, `page ${i + 1}`).toBeLessThan(high);
+      expect(left, `page ${i + 1}`).toBeLessThan(right);
+      const { steps } = ran(program), { first, last } = stepsPlayed(steps, blocks);
+      const fed = steps.slice(first, last + 1).filter(({ move }) => move.kind !== "rapid").map(({ move }) => move.to);
+      const seen = fed.filter(({ z, r }) => z > left && z < right && toDiameter(radius(r)) > low && toDiameter(radius(r)) < high);
+      expect(seen.length, `page ${i + 1}`).toBeGreaterThan(0);
     });
   });
 

@@ -53,14 +53,15 @@ export function LessonFacts({ outcome, played, told, old }: {
   const { run } = outcome;
   const calls = operationsPlayed(run.operations, played);
   const passes = calls.reduce((sum, { plan }) => sum + plan.passes, 0);
-  const cutting = calls.find(({ plan }) => plan.infeed > 0)?.plan;
+  const [cutting, ...others] = calls.map(({ plan }) => plan).filter(({ infeed, passes: n }) => infeed > 0 && n > 0);
   const seconds = run.steps.slice(played.first, played.last + 1).reduce((sum, step) => sum + step.seconds, 0);
   const { residual } = effectOf(outcome);
+  const infeedText = (infeed: number) => formatFixed(language, infeed, 3);
   const facts: readonly (readonly [name: string, value: string])[] = [
     ...(passes > 0 ? [[t.passes, formatNumber(language, passes, 0)] as const] : []),
-    // The passes of a thread grow ever shallower: what is told is the deepest.
-    ...(passes > 0 && cutting
-      ? [[t.infeed, `${formatFixed(language, cutting.infeed, 3)} ${cutting.thread ? "mm" : t.infeedUnit}`] as const]
+    // The passes of a thread grow ever shallower: what is told is the deepest. Calls that differ have no infeed in common.
+    ...(cutting && others.every(({ infeed }) => infeedText(infeed) === infeedText(cutting.infeed))
+      ? [[t.infeed, `${infeedText(cutting.infeed)} ${cutting.thread ? "mm" : t.infeedUnit}`] as const]
       : []),
     [t.time, t.duration(Math.floor(seconds / 60), formatFixed(language, seconds % 60, 1))],
     ...(calls.length > 0 && residual !== null

@@ -6,6 +6,7 @@ import type { Bounds } from "../../view/camera.ts";
 import { datumAt, datumIndex } from "../../view/datum.ts";
 import { sceneOf } from "../../view/scene.ts";
 import type { Ring } from "../../kernel/point.ts";
+import { diameter, toRadius } from "../../kernel/units.ts";
 import type { Outcome } from "../engine/outcome.ts";
 import { useLong } from "../engine/use-long.ts";
 import { Marks } from "../lathe/Marks.tsx";
@@ -67,7 +68,15 @@ const sceneOfRun = (run: Run, path: Parameters<typeof sceneOf>[0]["path"]) =>
 /** Room round what is cut, as a share of its longer side: the insert and the ends of the jaws are seen with it. */
 const AIR = 0.2;
 
-/** What the picture of a page shows: the blank with all that is fed there, and not the whole chuck. */
+/** The stretch of the lathe that a page asks for. */
+const framed = ({ x, z }: NonNullable<LessonPageOf["frame"]>): Bounds => ({
+  left: z[0],
+  right: z[1],
+  low: toRadius(diameter(x[0])),
+  high: toRadius(diameter(x[1])),
+});
+
+/** What the picture of a page shows where it asks for nothing else: the blank with all that is fed there, and not the whole chuck. */
 function frameOf({ blank, steps }: Run, { first, last }: Played, whole: Bounds): Bounds {
   const fed = steps.slice(first, last + 1).filter(({ move }) => move.kind !== "rapid");
   const seen = joined(boundsOf(blank.flat()), boundsOf(fed.flatMap(({ from, move }) => [from, move.to])));
@@ -107,7 +116,7 @@ export function LessonPicture({ outcome, page, playback, waits, failed, slid }: 
   const told: Told | null = page.shows === undefined || page.shows === "residue" ? null : page.shows;
   useLessonLoad(outcome, told);
   useEffect(() => playback.setStill(still), [playback, still]);
-  const frame = useMemo(() => frameOf(run, played, scene.bounds), [run, played, scene]);
+  const frame = useMemo(() => (page.frame ? framed(page.frame) : frameOf(run, played, scene.bounds)), [page.frame, run, played, scene]);
   useEffect(() => viewport.setBounds(frame), [frame, viewport]);
   useEffect(() => viewport.fit(), [page.key, viewport]);
 
@@ -126,7 +135,8 @@ export function LessonPicture({ outcome, page, playback, waits, failed, slid }: 
     if (place) viewport.show(place.bounds);
     else viewport.fit();
   };
-  const seen = places.filter((each) => ended || each.kind === "finding" || each === chosen);
+  // Where colours tell something, what stays is named only where it is asked for: its mark would stand on theirs.
+  const seen = places.filter((each) => each === chosen || each.kind === "finding" || (ended && told === null));
   const starts = useMemo(() => operationsPlayed(run.operations, played).map(({ start }) => start), [run, played]);
   const leads = useMemo(() => run.approaches.filter((a) => a.plane === "ZX"), [run]);
   const drawn = section === "full" ? "full" : "half";

@@ -26,13 +26,15 @@ export function LessonSlide({ slide, value, lines, onSlide }: {
   const words = param && texts.params[param.text as ParamTextId];
   const choice = words && "choices" in words ? (words as ChoiceText).choices[value] : undefined;
   const unit = param ? texts.dialog.units[unitOf(param, true)] : "";
-  const said = [formatNumber(language, value), unit, choice ?? ""].filter((each) => each !== "").join(" ");
+  const number = [formatNumber(language, value), unit].filter((each) => each !== "").join(" ");
+  const said = choice ? `${number} ${choice}` : number;
   return (
     <div className="lesson-slide">
       <label htmlFor={id}>
         <span className="number">{q}</span> {words?.label}
       </label>
-      <output className="number" htmlFor={id}>{said}</output>
+      <output className="number" htmlFor={id}>{number}</output>
+      {choice && <p className="lesson-choice small">{choice}</p>}
       <input id={id} type="range" min={from} max={to} step={step} value={value} aria-valuetext={said}
         onChange={(event) => onSlide(Number(event.currentTarget.value))} />
     </div>
