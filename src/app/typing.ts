@@ -56,6 +56,12 @@ export function whileTyping(change: () => void): boolean {
   return true;
 }
 
+/** Leaves something for when what is typed just now is told; false where nobody types, and it is to be done at once. */
+export function behindTyping(run: () => void): boolean {
+  if (isTyping) held.add(run);
+  return isTyping;
+}
+
 /** A store whose followers among the components see what is typed a moment later; everything else reads and hears it at once. */
 export function heldWhileTyping<S>(begin: StateCreator<S>): UseBoundStore<StoreApi<S>> & { readonly atOnce: UseBoundStore<StoreApi<S>> } {
   const store = createStore(begin), shown = createStore(() => store.getState());

@@ -1,6 +1,6 @@
 import { isolateHistory, redo, undo, undoDepth } from "@codemirror/commands";
 import { EditorState, type StateCommand, type TransactionSpec } from "@codemirror/state";
-import { EditorView, type ViewUpdate } from "@codemirror/view";
+import { EditorView } from "@codemirror/view";
 import { readingOf, type Reading } from "../../nc/reread.ts";
 import type { Program } from "../../nc/program.ts";
 import { fileKey } from "../../program/program-files.ts";
@@ -17,6 +17,7 @@ import { fileText, heldAs, type HeldText as Text } from "./held-text.ts";
 import { withHistory, writtenState } from "./kept-text.ts";
 import { lineEndsOf, toEditor, type LineEnds } from "./line-ends.ts";
 import { blockRange, cursorBlock, isRead, parameterAt, readFurther, readingField } from "./reading-field.ts";
+import { createTextView, type TextChange, type TextView } from "./text-view.ts";
 import { onShown, shownFile, showFile } from "../files/shown-file.ts";
 import { heldWhileTyping } from "../typing.ts";
 
@@ -48,7 +49,7 @@ const LONG = 1500;
 const HELD = 8;
 const texts = new Map<string, Text>();
 
-let view: EditorView | null = null;
+let view: TextView | null = null;
 let open: Text | null = null;
 /** The work is taking in what stands in the editor: nothing has to be put there. */
 let handing = false;
@@ -76,7 +77,7 @@ export function handOverText(): void {
 /** Goes one step through the history of a text, in its editor when it is open; another one is opened to be seen. */
 function go(text: Text, command: StateCommand): boolean {
   if (texts.get(heldAs(text)) !== text || useEditor.getState().work !== text.work) return false;
-  if (view && open === text) return command(view);
+  if (view && open === text) return command(view.get());
   handOverText();
   const { program } = useEditor.getState();
   if (!program || !fileOf(program, text.file)) return false;
@@ -98,8 +99,8 @@ const stepOf = (text: Text): HistoryStep => ({ of: text, back: () => go(text, un
 function show(opened: boolean): void {
   clearTimeout(panels);
   panels = undefined;
-  if (!view) return;
-  const { state } = view;
+  if (!view || !open) return;
+  const { state } = open;
   const before = useSession.getState();
   const next = { reading: state.field(readingField), index: cursorBlock(state), parameter: parameterAt(state, state.selection.main.head) };
   if (before.reading === next.reading && before.index === next.index && before.parameter === next.parameter) return;
@@ -107,7 +108,7 @@ function show(opened: boolean): void {
   useSession.setState({ ...next, opened: before.opened + (moved ? 1 : 0) });
 }
 
-function onUpdate(update: ViewUpdate): void {
+function onChange(update: TextChange): void {
   if (open) open.state = update.state;
   const typed = update.docChanged && update.transactions.some((tr) => tr.isUserEvent("input.type") || tr.isUserEvent("delete"));
   const byDialog = update.transactions.some((tr) => tr.annotation(dialogEdit));
@@ -130,7 +131,7 @@ function onUpdate(update: ViewUpdate): void {
   if (update.transactions.some((tr) => tr.isUserEvent("select.pointer"))) useSession.setState((s) => ({ pointed: s.pointed + 1 }));
 }
 
-const extensionsOf = (ends: LineEnds) => [editorExtensions(ends === "mixed"), EditorView.updateListener.of(onUpdate)];
+const extensionsOf = (ends: LineEnds) => editorExtensions(ends === "mixed");
 
 /** The text of a file, with the history it has when it was open before and is still the same. */
 function textOf({ name, text }: WorkFile, work: string): Text {
@@ -153,16 +154,16 @@ function takeUp(program: ProgramWork, work: string): Text {
 /** Reads a long text to its end, piece by piece, so that the page answers in between. */
 function readToEnd(): void {
   clearTimeout(reading);
-  if (!view || isRead(view.state)) return;
+  if (!open || isRead(open.state)) return;
   reading = setTimeout(() => {
-    view?.dispatch(readFurther);
+    view?.get().dispatch(readFurther);
     readToEnd();
   });
 }
 
 /** Reads the shown text to its end now: a place far down in it is to be shown. */
 export function readWhole(): void {
-  while (view && !isRead(view.state)) view.dispatch(readFurther);
+  while (view && open && !isRead(open.state)) view.get().dispatch(readFurther);
 }
 
 textKeepers.add((work) =>
@@ -191,10 +192,10 @@ export function openSession(program: ProgramWork, work: string): EditorView {
   closeSession();
   resumeTexts(program, work);
   open = takeUp(program, work);
-  view = new EditorView({ state: open.state });
+  view = createTextView(open.state, onChange);
   show(true);
   readToEnd();
-  return view;
+  return view.get();
 }
 
 /** Puts the text that is to be shown into the editor, where that is another file, or one that was changed elsewhere. */
@@ -205,8 +206,8 @@ function putShown(): void {
   if (fileKey(shown.name) === open.file && shown.text === fileText(open)) return;
   closeStep();
   open = takeUp(program, open.work);
-  view.setState(open.state);
-  view.dispatch({ effects: EditorView.scrollIntoView(open.state.selection.main.head, { y: "center" }) });
+  view.put(open.state);
+  view.get().dispatch({ effects: EditorView.scrollIntoView(open.state.selection.main.head, { y: "center" }) });
   show(true);
   readToEnd();
   useSession.setState((s) => ({ put: s.put + 1 }));
@@ -239,24 +240,24 @@ export function closeSession(): void {
   useSession.setState(none);
 }
 
-export const sessionView = (): EditorView | null => view;
+export const sessionView = (): EditorView | null => view?.get() ?? null;
 
 /** Makes a change of the text by a dialog. Changes at the same place, one after the other, are one step of undo. */
 export function dispatchEdit(spec: TransactionSpec, place: string | null): void {
-  if (!view) return;
+  if (!view || !open) return;
   const on = goesOn(place);
-  view.dispatch({
+  view.edit(open.state.update({
     ...spec,
     annotations: [dialogEdit.of(true), ...(on ? [] : [isolateHistory.of("before")])],
     // The history joins what goes on with a composition to its step, however long it takes.
     userEvent: on ? "input.type.compose" : "input.dialog",
-  });
+  }));
 }
 
 /** Puts a changed program in place of the open one, as one step of undo; only what differs changes in the text. */
 export function editProgram(next: Program, place: string | null, openIndex: number | null = null): void {
-  if (!view) return;
-  const changes = changesBetween(view.state.field(readingField).program, next);
+  if (!open) return;
+  const changes = changesBetween(open.state.field(readingField).program, next);
   if (changes.length > 0) dispatchEdit({ changes: [...changes] }, place);
   if (openIndex !== null) openBlock(openIndex);
 }
@@ -278,17 +279,17 @@ export function editUnshown(change: (program: Program) => Program): void {
 
 /** Opens a block: the cursor goes there, and the text shows it. */
 export function openBlock(index: number, parameter: string | null = null, byDialog = false): void {
-  if (!view) return;
-  const range = blockRange(view.state, index);
+  if (!view || !open) return;
+  const range = blockRange(open.state, index);
   if (!range) return;
   let at = range.from;
   if (parameter !== null) {
     const line = new RegExp(String.raw`(?:^|[\r\n])[^\S\r\n]*(${parameter})\s*[=+\-\d]`, "i").exec(
-      view.state.sliceDoc(range.from, range.to),
+      open.state.sliceDoc(range.from, range.to),
     );
     if (line) at = range.from + line.index + line[0].search(/Q/i);
   }
-  view.dispatch({
+  view.get().dispatch({
     selection: { anchor: at },
     effects: EditorView.scrollIntoView(at, { y: "nearest", yMargin: 60 }),
     ...(byDialog && { annotations: dialogEdit.of(true) }),
