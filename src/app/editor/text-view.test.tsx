@@ -1,4 +1,4 @@
-import { EditorState, Transaction } from "@codemirror/state";
+import { EditorState, type Transaction } from "@codemirror/state";
 import { afterEach, expect, test, vi } from "vitest";
 import { whileTyping } from "../typing.ts";
 import { createTextView, type TextChange, type TextView } from "./text-view.ts";

@@ -5,7 +5,10 @@ import { behindTyping } from "../typing.ts";
 /** What has become of a text, in its editor or on the way there. */
 export type TextChange = Pick<ViewUpdate, "state" | "startState" | "transactions" | "docChanged" | "selectionSet">;
 
-/** The editor of a text. What a dialog changes while somebody types there is in the text at once, and in the editor with the next picture. */
+/**
+ * The editor of a text. What a dialog changes while somebody types there is in the text at once, and in the editor with the next
+ * picture.
+ */
 export interface TextView {
   /** The editor, which knows the whole text. */
   readonly get: () => EditorView;
