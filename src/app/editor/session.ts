@@ -17,7 +17,7 @@ import { fileText, heldAs, type HeldText as Text } from "./held-text.ts";
 import { withHistory, writtenState } from "./kept-text.ts";
 import { lineEndsOf, toEditor, type LineEnds } from "./line-ends.ts";
 import { blockRange, cursorBlock, isRead, parameterAt, readFurther, readingField } from "./reading-field.ts";
-import { createTextView, type TextChange, type TextView } from "./text-view.ts";
+import { createTextView, type TextUpdate, type TextView } from "./text-view.ts";
 import { onShown, shownFile, showFile } from "../files/shown-file.ts";
 import { heldWhileTyping } from "../typing.ts";
 
@@ -108,7 +108,7 @@ function show(opened: boolean): void {
   useSession.setState({ ...next, opened: before.opened + (moved ? 1 : 0) });
 }
 
-function onChange(update: TextChange): void {
+function onChange(update: TextUpdate): void {
   if (open) open.state = update.state;
   const typed = update.docChanged && update.transactions.some((tr) => tr.isUserEvent("input.type") || tr.isUserEvent("delete"));
   const byDialog = update.transactions.some((tr) => tr.annotation(dialogEdit));

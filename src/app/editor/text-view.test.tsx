@@ -1,7 +1,7 @@
 import { EditorState, type Transaction } from "@codemirror/state";
 import { afterEach, expect, test, vi } from "vitest";
 import { whileTyping } from "../typing.ts";
-import { createTextView, type TextChange, type TextView } from "./text-view.ts";
+import { createTextView, type TextUpdate, type TextView } from "./text-view.ts";
 
 const TEXT = "0 BEGIN PGM AWKWARD MM\n1 L Z+17.3 FMAX\n2 END PGM AWKWARD MM\n";
 
@@ -13,7 +13,7 @@ afterEach(() => {
 });
 
 function opened() {
-  const told: TextChange[] = [], begin = EditorState.create({ doc: TEXT }), view = createTextView(begin, (change) => told.push(change));
+  const told: TextUpdate[] = [], begin = EditorState.create({ doc: TEXT }), view = createTextView(begin, (change) => told.push(change));
   let state = begin;
   const put = (insert: string) => {
     const tr: Transaction = state.update({ changes: { from: 30, insert } });

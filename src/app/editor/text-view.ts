@@ -3,7 +3,7 @@ import { EditorView, type ViewUpdate } from "@codemirror/view";
 import { behindTyping } from "../typing.ts";
 
 /** What has become of a text, in its editor or on the way there. */
-export type TextChange = Pick<ViewUpdate, "state" | "startState" | "transactions" | "docChanged" | "selectionSet">;
+export type TextUpdate = Pick<ViewUpdate, "state" | "startState" | "transactions" | "docChanged" | "selectionSet">;
 
 /**
  * The editor of a text. What a dialog changes while somebody types there is in the text at once, and in the editor with the next
@@ -20,7 +20,7 @@ export interface TextView {
 }
 
 /** Makes an editor. `onChange` is told of each change once, when it is made. */
-export function createTextView(begin: EditorState, onChange: (change: TextChange) => void): TextView {
+export function createTextView(begin: EditorState, onChange: (change: TextUpdate) => void): TextView {
   let behind: readonly Transaction[] = [];
   const catchUp = () => {
     const due = behind;
@@ -57,7 +57,7 @@ export function createTextView(begin: EditorState, onChange: (change: TextChange
   };
 }
 
-function changeOf(made: readonly Transaction[]): TextChange {
+function changeOf(made: readonly Transaction[]): TextUpdate {
   const [first, last] = [made[0], made.at(-1)];
   if (!first || !last) throw new Error("a text changes by transactions");
   return {
