@@ -71,6 +71,7 @@ test("a contour of five elements by touch: drawn, a diameter changed on the draw
   await expect(contour.x(5)).toHaveValue("73.4");
 
   await contour.drawingMode("chamfer").tap();
+  await expect(contour.drawingMode("chamfer")).toHaveAttribute("aria-pressed", "true");
   const corner = spots[2] ?? spot(0.5, 0.5);
   await dragFinger(page, corner, { x: corner.x + 26, y: corner.y + 4 });
   await expect(contour.kind(4)).toHaveValue("CHF");

@@ -47,15 +47,32 @@ const joinedStep = (first: HistoryStep, second: HistoryStep): HistoryStep => ({
   ...(first.states && second.states && { states: [first.states[0], second.states[1]] as const }),
 });
 
+const isPlain = (a: unknown): a is Readonly<Record<string, unknown>> => {
+  const kind: unknown = typeof a === "object" && a !== null ? Object.getPrototypeOf(a) : null;
+  return kind === Object.prototype || kind === Array.prototype;
+};
+
+/** Whether two states say the same. What they share, which is most of them, is not looked into. */
+function isSameState(a: unknown, b: unknown): boolean {
+  if (a === b) return true;
+  if (!isPlain(a) || !isPlain(b) || Array.isArray(a) !== Array.isArray(b)) return false;
+  const names = Object.keys(a);
+  return names.length === Object.keys(b).length && names.every((name) => name in b && isSameState(a[name], b[name]));
+}
+
+/** A drag that is taken back, a digit that is typed and erased: nobody would see that such a step is undone. */
+const leadsNowhere = ({ states }: HistoryStep): boolean => states !== undefined && isSameState(...states);
+
 /** Notes a change that was just made. `on`: it goes on with the step before, which then leads here at once. */
 export function note(step: HistoryStep, on = false): void {
   const { past } = useSteps.getState();
   const last = past.at(-1);
   const joined = on && last?.of === step.of;
-  useSteps.setState({
-    past: joined ? [...past.slice(0, -1), joinedStep(last, step)] : [...past, step].slice(-LIMIT),
-    future: [],
-  });
+  const before = joined ? past.slice(0, -1) : past, next = joined ? joinedStep(last, step) : step;
+  if (!leadsNowhere(next)) return useSteps.setState({ past: [...before, next].slice(-LIMIT), future: [] });
+  // What comes next at this place is no part of the step that is the last one now.
+  closeStep();
+  if (joined) useSteps.setState({ past: before });
 }
 
 /** The step between two states, either of which `put` puts in place. */
@@ -99,13 +116,20 @@ export const undo = (): void => go("past", "future", "back");
 /** Makes the change again that was taken back last. */
 export const redo = (): void => go("future", "past", "forth");
 
-/** The last two changes become one step, for what is one to the operator and is kept in two places. */
-export function joinLastTwo(): void {
-  const { past } = useSteps.getState();
-  const [first, second] = past.slice(-2);
-  if (!first || !second) return;
-  const both = (a: () => boolean, b: () => boolean) => () => [a(), b()].includes(true);
-  const joined: HistoryStep = { of: second.of, back: both(second.back, first.back), forth: both(first.forth, second.forth) };
+/** What is one change to the operator and is kept in several places becomes one step. */
+export function asOneStep<T>(change: () => T): T {
   closeStep();
-  useSteps.setState({ past: [...past.slice(0, -2), joined] });
+  const last = useSteps.getState().past.at(-1);
+  const result = change();
+  closeStep();
+  const { past } = useSteps.getState(), begin = last === undefined ? 0 : past.lastIndexOf(last) + 1;
+  const made = past.slice(begin), newest = made.at(-1);
+  if (!newest || made.length === 1) return result;
+  const joined: HistoryStep = {
+    of: newest.of,
+    back: () => made.toReversed().map((step) => step.back()).includes(true),
+    forth: () => made.map((step) => step.forth()).includes(true),
+  };
+  useSteps.setState({ past: [...past.slice(0, begin), joined] });
+  return result;
 }

@@ -5,7 +5,7 @@ import { cellOf } from "../program/tool-entry.ts";
 import { shippedList } from "../program/tool-list.ts";
 import { draftOf, setBlank, setPrompt, setTool } from "./edits.ts";
 import { redoStep, undoStep } from "./history.ts";
-import { closeStep, redo, undo, useSteps } from "./steps.ts";
+import { asOneStep, closeStep, redo, undo, useSteps } from "./steps.ts";
 import { begin, edit, open, useEditor } from "./store.ts";
 import { setCell } from "./tools/tool-edits.ts";
 import { hideTools, useToolPlace } from "./tools/tool-place.ts";
@@ -94,6 +94,45 @@ test("a change that changes nothing is no step", () => {
   edit((job) => job);
   setPrompt(first, value(first) ?? "");
   expect(steps()).toBe(0);
+});
+
+test("what is typed and erased again is no step, and what is typed next belongs to no step before it", () => {
+  const before = value(second) ?? "";
+  setPrompt(first, "17.3");
+  setPrompt(second, `${before}4`);
+  setPrompt(second, before);
+  expect(steps()).toBe(1);
+  setPrompt(second, "8.25");
+  expect(steps()).toBe(2);
+  undo();
+  expect([value(first), value(second)]).toEqual(["17.3", before]);
+});
+
+test("a whole state that is put in place anew is no step, and leaves what can be done again", () => {
+  setPrompt(first, "17.3");
+  undo();
+  edit((job) => ({ ...job, contour: job.contour.map((row) => ({ ...row })) }));
+  expect(steps()).toBe(0);
+  redo();
+  expect(value(first)).toBe("17.3");
+});
+
+test("changes of one button are one step, and take nothing of what was typed before along", () => {
+  const [value0, outside0] = [value(first), useEditor.getState().job?.blank.outside];
+  setPrompt(first, "17.3");
+  asOneStep(() => setPrompt(first, "17.3"));
+  asOneStep(() => {
+    setPrompt(first, "17.35");
+    setBlank("outside", "83.1");
+  });
+  expect(steps()).toBe(2);
+  undo();
+  expect([value(first), useEditor.getState().job?.blank.outside]).toEqual(["17.3", outside0]);
+  redo();
+  expect([value(first), useEditor.getState().job?.blank.outside]).toEqual(["17.35", "83.1"]);
+  undo();
+  undo();
+  expect(value(first)).toBe(value0);
 });
 
 test("the first work has nothing before it", () => {

@@ -2,10 +2,17 @@ import { act, cleanup, fireEvent, render, screen } from "@testing-library/react"
 import userEvent from "@testing-library/user-event";
 import { useState } from "react";
 import { afterEach, beforeAll, expect, test } from "vitest";
-import { newRow, type ContourRow } from "../../program/job.ts";
+import { cuttingCycles } from "../../cycles/index.ts";
+import { exampleJob, newRow, type ContourRow } from "../../program/job.ts";
+import { setContour } from "../edits.ts";
 import { fetchTexts } from "../settings/loaded-texts.ts";
+import { undo, useSteps } from "../steps.ts";
+import { begin, useEditor } from "../store.ts";
 import { chooseElement } from "./contour-place.ts";
 import { ContourStage } from "./ContourStage.tsx";
+
+const freeCycle = cuttingCycles.find(({ contour }) => contour === "free");
+if (!freeCycle) throw new Error("no cycle with a contour table");
 
 beforeAll(() => {
   SVGElement.prototype.setPointerCapture = () => undefined;
@@ -69,6 +76,37 @@ test("Escape lets a dimension be, leaving its field takes it", async () => {
   await user.keyboard("44.4");
   fireEvent.blur(field("Element 3, X diameter, in the drawing") ?? document.body);
   expect(last.rows[2]?.x).toBe("44.4");
+});
+
+test("a drag that ends the typing of a dimension keeps what was typed, and is one step beside it", async () => {
+  const user = userEvent.setup();
+  begin(exampleJob(freeCycle), "work");
+  setContour(shaft());
+  const Work = () => (
+    <ContourStage rows={useEditor((s) => s.job?.contour) ?? []} blank={[]} language="en" lead={null} onChange={setContour} />
+  );
+  render(<Work />);
+  const rows = () => useEditor.getState().job?.contour ?? [], picture = () => screen.getByRole("img", { name: /^Drawing of the contour/ });
+  const steps = () => useSteps.getState().past.length, begun = steps();
+  const dot = [...picture().querySelectorAll("g.point")].find((p) => p.querySelector("text")?.textContent === "4")?.querySelector("circle");
+  const from = { clientX: Number(dot?.getAttribute("cx")), clientY: Number(dot?.getAttribute("cy")) };
+  const pointer = { button: 0, pointerId: 1, pointerType: "mouse" };
+  await user.click(dimension(/^Element 3, X diameter/));
+  await user.keyboard("44.43");
+  fireEvent.pointerDown(picture(), { ...pointer, ...from });
+  fireEvent.blur(field("Element 3, X diameter, in the drawing") ?? document.body);
+  for (const by of [20, 41]) fireEvent.pointerMove(picture(), { ...pointer, ...from, clientX: from.clientX - by });
+  fireEvent.pointerUp(picture(), pointer);
+  expect(rows()[2]?.x).toBe("44.43");
+  expect(rows()[3]?.z).not.toBe("-51.3");
+  expect(steps()).toBe(begun + 2);
+  // There and back, and taken back by Escape: nothing that an undo would have to undo.
+  fireEvent.pointerDown(picture(), { ...pointer, clientX: from.clientX - 41, clientY: from.clientY });
+  fireEvent.pointerMove(picture(), { ...pointer, clientX: from.clientX - 77, clientY: from.clientY + 20 });
+  fireEvent.keyDown(document.body, { key: "Escape" });
+  expect(steps()).toBe(begun + 2);
+  act(undo);
+  expect([rows()[2]?.x, rows()[3]?.z]).toEqual(["44.43", "-51.3"]);
 });
 
 test("what nobody typed stands in brackets, what holds an element beside it", () => {

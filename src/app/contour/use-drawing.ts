@@ -51,9 +51,9 @@ interface Gesture {
   readonly camera: Camera;
   /** Where the operator looked before; the gesture holds the picture still. */
   readonly looked: Camera | null;
-  /** The table as it was when the gesture began. */
-  readonly rows: Rows;
-  readonly reading: RowsReading;
+  /** The table as it was when the gesture began to change it: the press may have ended the typing in a field. */
+  rows: Rows;
+  reading: RowsReading;
   readonly place: string;
   moved: boolean;
 }
@@ -172,8 +172,10 @@ export function useDrawing(now: Surroundings) {
       }
       if (g.kind === "pinch") return goOnPinching(e.pointerId, place);
       if (fingers.current.has(e.pointerId)) fingers.current.set(e.pointerId, place);
-      if ((!g.moved && apart(place, g.from) < TAP)) return;
-      g.moved = true;
+      if (!g.moved) {
+        if (apart(place, g.from) < TAP) return;
+        Object.assign(g, { moved: true, rows: now.rows, reading: now.reading });
+      }
       stopWaiting();
       if (g.kind === "pan" || (g.kind === "tap" && now.mode !== "draw"))
         return now.onCamera(panned(g.camera, place.x - g.from.x, place.y - g.from.y));

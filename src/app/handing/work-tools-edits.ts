@@ -6,7 +6,7 @@ import { keptBeside, renumberedTools, type KeepAs, type KeptTools, type ToolBesi
 import { editProgram, sessionView, useSession } from "../editor/session.ts";
 import { shownFile } from "../files/shown-file.ts";
 import { setJobOf } from "../reading.ts";
-import { joinLastTwo } from "../steps.ts";
+import { asOneStep } from "../steps.ts";
 import { changeProgram, edit, handedOn, handOver, setHandedOn, useEditor } from "../store.ts";
 import { editTools, useTools } from "../tools/tool-store.ts";
 import { textsOf, withText, type ProgramWork } from "../work.ts";
@@ -56,12 +56,12 @@ export function callAs(moved: Moved): void {
   // The text in the editor is changed there, so that its own history goes on.
   const inEditor = sessionView() ? fileKey(shownFile(program).name) : null;
   const texts = textsOf(program).filter(({ name }) => fileKey(name) !== inEditor);
-  changeProgram((now) => ({
-    ...texts.reduce((work, { name, text }) => withText(work, fileKey(name), print(withCalls(parse(text), moved).program)), now),
-    ...(now.tools && toolsOf(now.tools)),
-  }));
-  const { program: shown, changed } = withCalls(useSession.getState().reading.program, moved);
-  if (inEditor === null || changed === 0) return;
-  editProgram(shown, null);
-  joinLastTwo();
+  asOneStep(() => {
+    changeProgram((now) => ({
+      ...texts.reduce((work, { name, text }) => withText(work, fileKey(name), print(withCalls(parse(text), moved).program)), now),
+      ...(now.tools && toolsOf(now.tools)),
+    }));
+    const { program: shown, changed } = withCalls(useSession.getState().reading.program, moved);
+    if (inEditor !== null && changed > 0) editProgram(shown, null);
+  });
 }

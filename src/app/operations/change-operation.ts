@@ -3,7 +3,7 @@ import { duplicatedOperation, isRefused, movedOperation, retooledOperation, swit
   type Refusal } from "../../program/operation-edits.ts";
 import { isOff, operationsOf } from "../../program/operations.ts";
 import { editProgram, useSession } from "../editor/session.ts";
-import { joinLastTwo } from "../steps.ts";
+import { asOneStep } from "../steps.ts";
 import { changeProgram, useEditor } from "../store.ts";
 import { openingBlock } from "./operation-rows.ts";
 
@@ -29,8 +29,8 @@ export function switchOperation(unit: number): Refusal | null {
   const on = isOff(program, own);
   const next = switchedOperation(program, unit, on);
   if (isRefused(next) || on || useEditor.getState().program?.skipMarked) return put(next, unit);
-  changeProgram((work) => ({ ...work, skipMarked: true }));
-  const refused = put(next, unit);
-  joinLastTwo();
-  return refused;
+  return asOneStep(() => {
+    changeProgram((work) => ({ ...work, skipMarked: true }));
+    return put(next, unit);
+  });
 }
