@@ -1,5 +1,6 @@
 import { expect, test } from "vitest";
 import { cycleByNumber } from "../../cycles/index.ts";
+import { findings as english } from "../../i18n/en/findings.ts";
 import { exampleJob, type Job } from "../../program/job.ts";
 import { shippedTools } from "../../program/shipped-tools.ts";
 import { engine } from "../engine/engine.ts";
@@ -9,6 +10,7 @@ import { readJob } from "../reading.ts";
 import { isToDo } from "./entry.ts";
 import { findingsOf } from "./findings.ts";
 import { judged, toneOf } from "./verdict.ts";
+import { verdictReasons, verdictTitle } from "./verdict-words.ts";
 
 const outcomeOf = (text: string): Outcome =>
   engine.update({ version: 1, text, table: { tools: shippedTools, mills: [], refused: new Map() }, rapid: 10_000, control: "TNC 640" });
@@ -98,6 +100,10 @@ test.each([["nothing but its blank", "", "none"], [
   "doubt",
 ]])("a program with %s: is there something that could be proved", (_, blocks, tone) => {
   const outcome = outcomeOf(around(blocks));
-  const entries = findingsOf(null, outcome);
-  expect([judged(entries, outcome).state, toneOf(judged(entries, outcome))]).toEqual(["incomplete", tone]);
+  const entries = findingsOf(null, outcome), verdict = judged(entries, outcome);
+  expect([verdict.state, toneOf(verdict)]).toEqual(["incomplete", tone]);
+  // A part that was turned by hand may be right: what was looked at is said, and what could not be.
+  const { verdict: words } = english;
+  expect(verdictTitle(words, "en", verdict)).toBe(tone === "doubt" ? words.noCycle : words.noOperation);
+  expect(verdictReasons(words, verdict)).toEqual([tone === "doubt" ? words.because.noCycle : words.because.noOperation]);
 });

@@ -11,6 +11,7 @@ export function verdictTitle(t: Words, language: Language, { state, doubts, faul
   if (state === "faults") return file === null ? t.faults(faults) : t.faultsIn(faults, file);
   const first = doubts[0];
   if (first?.kind === "unproved" && first.file !== undefined) return t.unprovedIn(first.file);
+  if (first?.kind === "noOperation" && first.turned) return t.noCycle;
   if (first) return t[first.kind];
   if (stays > 0) return t.stays(writer(language).area(stays));
   return warnings > 0 ? t.warnings(warnings) : t.proved;
@@ -28,7 +29,7 @@ function because(t: Words["because"], doubt: Doubt): readonly string[] {
     case "nothingCut":
       return [t.nothingCut(String(doubt.cycle), String(doubt.block))];
     case "noOperation":
-      return doubt.approachesClear ? [t.noOperation, t.approachesClear] : [t.noOperation];
+      return [doubt.turned ? t.noCycle : t.noOperation, ...(doubt.approachesClear ? [t.approachesClear] : [])];
     case "holderUnknown":
     case "flanksUnknown":
       return [t[doubt.kind](doubt.tools.join(", "))];

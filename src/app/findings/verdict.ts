@@ -6,8 +6,8 @@ import { isError, isToDo, type FindingEntry } from "./entry.ts";
 export type Doubt =
   | Extract<VerdictReason, { kind: "unproved" | "milling" }>
   | { readonly kind: "nothingCut"; readonly block: number; readonly cycle: number }
-  /** `begun`: something in it is cut or drawn all the same, or a cycle is described that no call runs. */
-  | { readonly kind: "noOperation"; readonly approachesClear: boolean; readonly begun: boolean }
+  /** `begun`: something in it is cut or drawn all the same, or a cycle is described that no call runs; `turned`: moves cut without one. */
+  | { readonly kind: "noOperation"; readonly approachesClear: boolean; readonly begun: boolean; readonly turned: boolean }
   /** All tools that nobody described in full, in one sentence. */
   | { readonly kind: "holderUnknown" | "flanksUnknown"; readonly tools: readonly number[] };
 
@@ -39,14 +39,16 @@ function doubtsOf(reasons: readonly VerdictReason[], entries: readonly FindingEn
       case "nothingCut":
         doubts.push({ kind: "nothingCut", block: reason.block, cycle: run.operations[reason.operation]?.cycle ?? 0 });
         break;
-      case "noOperation":
+      case "noOperation": {
+        const turned = run.steps.some(({ move }) => move.kind !== "rapid");
         doubts.push({
           kind: "noOperation",
+          turned,
           approachesClear: run.approaches.length > 0 && !entries.some((e) => e.spot?.kind === "finding"),
-          begun: entries.length > 0 || run.approaches.length > 0 || run.plane.length > 0
-            || run.steps.some(({ move }) => move.kind !== "rapid"),
+          begun: entries.length > 0 || run.approaches.length > 0 || run.plane.length > 0 || turned,
         });
         break;
+      }
       default:
         break;
     }

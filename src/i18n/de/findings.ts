@@ -37,6 +37,7 @@ export const findings = {
     faults: (n) => (n === 1 ? "1 Fehler" : `${n} Fehler`),
     unproved: "Nicht alles wurde simuliert",
     nothingCut: "Eine Bearbeitung hat nichts abgetragen",
+    noCycle: "Ohne Zyklus: kein Eilgang im Material",
     noOperation: "Nichts ist geprüft",
     milling: "Fräsen ist nicht geprüft",
     flanksUnknown: "Bahn geprüft, Flanken nicht geprüft",
@@ -48,6 +49,8 @@ export const findings = {
       unprovedAnywhere: (what) => `${what} wird nicht simuliert: Nichts ist geprüft.`,
       nothingCut: (cycle, block) => `Zyklus ${cycle}, aufgerufen in Satz ${block}, hat nichts abgetragen.`,
       milling: (block) => `Das Fräsen ab Satz ${block} ändert das Rohteil und ist nicht geprüft.`,
+      noCycle:
+        "Kein Drehzyklus wurde ausgeführt: Die Eilgänge sind geprüft, aber es ist keine Kontur bekannt, an der das Teil geprüft würde.",
       noOperation: "Kein Drehzyklus wurde ausgeführt: Es gibt nichts zu prüfen.",
       approachesClear: "An- und Wegfahren sind frei.",
       holderUnknown: (tools) => `Der Halter von Werkzeug ${tools} wurde nicht geprüft: Die Tabelle beschreibt keinen.`,

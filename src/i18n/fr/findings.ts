@@ -37,6 +37,7 @@ export const findings = {
     faults: (n) => (n === 1 ? "1 défaut" : `${n} défauts`),
     unproved: "Tout n’a pas été simulé",
     nothingCut: "Un usinage n’a rien enlevé",
+    noCycle: "Sans cycle : aucun rapide dans la matière",
     noOperation: "Rien n’est contrôlé",
     milling: "Le fraisage n’est pas contrôlé",
     flanksUnknown: "Trajectoire contrôlée, flancs non contrôlés",
@@ -48,6 +49,8 @@ export const findings = {
       unprovedAnywhere: (what) => `${what} n’est pas simulé : rien n’est contrôlé.`,
       nothingCut: (cycle, block) => `Le cycle ${cycle}, appelé dans la séquence ${block}, n’a rien enlevé.`,
       milling: (block) => `Le fraisage à partir de la séquence ${block} modifie le brut et n’est pas contrôlé.`,
+      noCycle:
+        "Aucun cycle de tournage n’a été exécuté : les rapides sont contrôlés, mais aucun contour n’est connu pour contrôler la pièce.",
       noOperation: "Aucun cycle de tournage n’a été exécuté : il n’y a rien à contrôler.",
       approachesClear: "L’approche et la sortie sont libres.",
       holderUnknown: (tools) => `Le porte-outil n’a pas été contrôlé pour l’outil ${tools} : le tableau n’en décrit aucun.`,
