@@ -8,8 +8,9 @@ import { courseDrawing as english } from "../src/i18n/en/course-drawing.ts";
 import { courseDrawing as german } from "../src/i18n/de/course-drawing.ts";
 import { courseDrawing as french } from "../src/i18n/fr/course-drawing.ts";
 import { courseDrawing as chinese } from "../src/i18n/zh/course-drawing.ts";
-import { labelsOverlap, type LabelBox } from "../src/view/help/labels.ts";
-import { drawingOnSheet, workshopDrawing, type WorkshopPrint } from "../src/view/drawing/workshop-drawing.ts";
+import { drawingOnSheet, workshopDrawing } from "../src/view/drawing/workshop-drawing.ts";
+import { faultsOf } from "./drawing-faults.ts";
+import { partOf, turnedParts } from "./drawn-parts.ts";
 import { projectFile } from "./sources.ts";
 
 const LANGUAGES = {
@@ -20,43 +21,6 @@ const LANGUAGES = {
 };
 const SHEET = { width: 275, height: 158 };
 const ROOMS = [{ width: 178, height: 128 }, { width: 84, height: 128 }];
-
-/** A box without the air around its letters. */
-const letters = ({ x, y, width, height }: LabelBox): LabelBox => ({ x: x + 0.8, y: y + 0.8, width: width - 1.6, height: height - 1.6 });
-
-type Spot = readonly [x: number, y: number];
-
-/** The straight lines of a path; curves are left out. */
-const straights = (d: string): (readonly [Spot, Spot])[] =>
-  [...d.matchAll(/M[^MQaZ]+/g)].flatMap(([line]) => {
-    const numbers = [...line.matchAll(/-?\d+(?:\.\d+)?/g)].map(([n]) => Number(n));
-    const spots = Array.from({ length: Math.floor(numbers.length / 2) }, (_, i): Spot => [numbers[2 * i] ?? 0, numbers[2 * i + 1] ?? 0]);
-    return line.includes("H") ? [] : spots.slice(1).map((to, i) => [spots[i] ?? to, to] as const);
-  });
-
-/** Whether a line goes through a box, by its places in small steps. */
-function crosses([[ax, ay], [bx, by]]: readonly [Spot, Spot], { x, y, width, height }: LabelBox): boolean {
-  const steps = Math.ceil(Math.hypot(bx - ax, by - ay) / 0.2);
-  return Array.from({ length: steps + 1 }, (_, i) => i / Math.max(1, steps)).some((share) => {
-    const [px, py] = [ax + share * (bx - ax), ay + share * (by - ay)];
-    return px > x && px < x + width && py > y && py < y + height;
-  });
-}
-
-/** What is wrong with a drawing as a print. */
-function faultsOf({ texts, shapes, width, height }: WorkshopPrint): string[] {
-  const over = texts.flatMap((a, i) =>
-    texts.slice(i + 1).filter((b) => labelsOverlap(a.box, b.box)).map((b) => `${a.text} over ${b.text}`)
-  );
-  const out = texts.filter(({ box: b }) => b.x < 0 || b.y < 0 || b.x + b.width > width || b.y + b.height > height);
-  const lines = shapes.filter(({ role }) => role === "thin" || role === "outline" || role === "edge").flatMap(({ role, d }) =>
-    straights(d).map((line) => ({ role, line }))
-  );
-  const through = texts.flatMap((text) =>
-    lines.filter(({ line }) => crosses(line, letters(text.box))).map(({ role }) => `a ${role} line through ${text.text}`)
-  );
-  return [...over, ...out.map(({ text }) => `${text} outside`), ...through];
-}
 
 const drawings = readdirSync("src/course/tasks").flatMap((file): (readonly [string, DrawnTask])[] => {
   const drawn = drawnTask(taskSchema.parse(JSON.parse(projectFile(`src/course/tasks/${file}`))));
@@ -129,4 +93,16 @@ test("any turned part is a legible print on one sheet", () => {
     expect(print?.width).toBeLessThanOrEqual(SHEET.width);
     expect(print?.height).toBeLessThanOrEqual(SHEET.height);
   }), { numRuns: 60 });
+});
+
+test("a part of any size with undercuts, grooves, threads, cones and chamfers, outside and inside, is a legible print on one sheet", () => {
+  fc.assert(fc.property(turnedParts, fc.constantFrom("en", "de", "fr", "zh"), (turned, language) => {
+    const drawn = drawnTask(partOf(turned));
+    expect(drawn?.issues).toEqual([]);
+    const print = drawn && drawingOnSheet(drawn, LANGUAGES[language], SHEET);
+    expect(print).not.toBeNull();
+    if (print) expect(faultsOf(print)).toEqual([]);
+    expect(print?.width).toBeLessThanOrEqual(SHEET.width);
+    expect(print?.height).toBeLessThanOrEqual(SHEET.height);
+  }), { numRuns: 80, endOnFailure: true });
 });

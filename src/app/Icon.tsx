@@ -24,6 +24,7 @@ const paths = {
   raise: "M12 20V6M6 12l6-6 6 6M5 3h14",
   lower: "M12 4v14M6 12l6 6 6-6M5 21h14",
   compare: "M4 5h7v14H4zM13 5h7v14h-7zM6.5 9h2M6.5 12.5h2M15.5 9h2M15.5 16h2",
+  drawing: "M3 14V9h6V5h6v5h6v4zM3 19h18M3 17v4M21 17v4",
   print: "M7 9V4h10v5M7 17H4v-8h16v8h-3M7 14h10v6H7z",
   share: "M12 15V3M8 7l4-4 4 4M5 12v8h14v-8",
   solid: "M12 3l8 4.5v9L12 21l-8-4.5v-9zM4 7.5l8 4.5 8-4.5M12 12v9",

@@ -14,6 +14,7 @@ import { isProgram, type Work } from "../work.ts";
 /** Fetched when it is first opened. */
 const HandOnDialog = lazyPart(async () => ({ default: (await import("../handing/HandOnDialog.tsx")).HandOnDialog }));
 const PartExport = lazyPart(async () => ({ default: (await import("../export/PartExport.tsx")).PartExport }));
+const ProgramDrawing = lazyPart(async () => ({ default: (await import("../course/drawing/ProgramDrawing.tsx")).ProgramDrawing }));
 const TeachDialog = lazyPart(async () => ({ default: (await import("../course/teach/TeachDialog.tsx")).TeachDialog }));
 
 /** A work on its way out, with the verdict that goes with it. */
@@ -52,6 +53,7 @@ export function ProgramMore({ showBlock, children }: { readonly showBlock: ShowB
   const { page: { text: t } } = useTexts();
   const [handed, handOn] = useState<Leaving | null>(null);
   const [exported, exportPart] = useState<string | null>(null);
+  const [drawn, draw] = useState<string | null>(null);
   const [taught, teach] = useState<{ readonly text: string; readonly work: string } | null>(null);
   return (
     <div className="program-more">
@@ -61,6 +63,14 @@ export function ProgramMore({ showBlock, children }: { readonly showBlock: ShowB
       }}>
         <Icon name="print" /> {t.setupSheet}
       </button>
+      <button type="button" className="button plain" aria-haspopup="dialog" onClick={() => draw(openStem())}>
+        <Icon name="drawing" /> {t.workshopDrawing}
+      </button>
+      {drawn !== null && (
+        <Suspense>
+          <ProgramDrawing stem={drawn} done={() => draw(null)} />
+        </Suspense>
+      )}
       <button type="button" className="button plain" onClick={() => void leaving().then(handOn)}>
         <Icon name="share" /> {t.handOn}
       </button>

@@ -59,7 +59,7 @@ function arcOf(points: readonly Pt[], from: number, to: number): Segment | null 
 }
 
 /** A chain of points as few lines and arcs: each goes on as far as it stays near. */
-function fitted(points: readonly Pt[]): Segment[] {
+export function fewElements(points: readonly Pt[]): Segment[] {
   const out: Segment[] = [];
   let from = 0;
   while (from < points.length - 1) {
@@ -125,13 +125,16 @@ function turnedPart(chain: readonly Pt[], blank: readonly Ring[]): readonly Pt[]
   return last > 0 ? chain.slice(0, last + 1) : [];
 }
 
-/**
- * The outlines of a part that was turned out of a blank, simplified to lines and arcs: its outside from the axis or the bore at the free
- * end, and its bore, each to where the blank is left as it is. Of several pieces the largest counts.
- */
-export function outlineText(finished: readonly Ring[], blank: readonly Ring[]): OutlineLines {
+/** Outlines of a part as chains of points, from the free end to where the blank is left as it is; empty where nothing was turned there. */
+export interface OutlineChains {
+  readonly outside: readonly Pt[];
+  readonly bore: readonly Pt[];
+}
+
+/** The outlines of a part that was turned out of a blank; of several pieces the largest counts. */
+export function outlineChains(finished: readonly Ring[], blank: readonly Ring[]): OutlineChains {
   const [body] = simplified(finished, NEAR / 4).map((ring) => ({ ring, area: areaOf([ring]) })).sort((a, b) => b.area - a.area);
-  if (!body || body.ring.length < 3) return {};
+  if (!body || body.ring.length < 3) return { outside: [], bore: [] };
   const { ring } = body, { left, right } = boxAround([ring]);
   // Counter-clockwise: from the back along bore or axis to the free end, and back along the outside.
   const back = ring.findIndex((p, i) => Math.abs(p.z - left) < ON && !(Math.abs((ring[(i + 1) % ring.length]?.z ?? left) - left) < ON));
@@ -140,8 +143,12 @@ export function outlineText(finished: readonly Ring[], blank: readonly Ring[]): 
     const now = chain[best];
     return !now || (p.z > right - ON && (now.z <= right - ON || p.r < now.r)) ? i : best;
   }, 0);
-  const inner = turnedPart(chain.slice(0, front + 1).toReversed(), blank);
-  const outer = turnedPart(chain.slice(front), blank);
-  const [outside, bore] = [linesOf(fitted(outer)), linesOf(fitted(inner))];
+  return { outside: turnedPart(chain.slice(front), blank), bore: turnedPart(chain.slice(0, front + 1).toReversed(), blank) };
+}
+
+/** The outlines of a part that was turned out of a blank, simplified to lines and arcs, as the control reads them. */
+export function outlineText(finished: readonly Ring[], blank: readonly Ring[]): OutlineLines {
+  const chains = outlineChains(finished, blank);
+  const [outside, bore] = [linesOf(fewElements(chains.outside)), linesOf(fewElements(chains.bore))];
   return { ...(outside && { outside }), ...(bore && { bore }) };
 }

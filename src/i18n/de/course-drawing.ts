@@ -2,9 +2,15 @@ import type { CourseDrawingTexts } from "../en/course-drawing.ts";
 
 export const courseDrawing = {
   drawingOf: (name: string) => `Werkstattzeichnung ${name}`,
-  none: "Das Teil dieser Aufgabe lässt sich nicht zeichnen: Sein Umriss hat einen Fehler.",
+  none: "Das Teil lässt sich nicht zeichnen: Sein Umriss hat einen Fehler.",
+  calculating: "Das Programm wird noch berechnet.",
+  noPart: "Es gibt nichts zu zeichnen: Das Programm dreht kein Teil oder nennt kein Rohteil.",
+  older: "Älter als das Eingegebene: Die neuesten Werte ergeben keine Bahn",
+  unproved: "Ein Teil des Programms wird nicht simuliert: das Teil, soweit es bekannt ist",
+  file: "zeichnung",
   list: "Maße als Liste",
   print: "Zeichnung drucken",
+  saveSvg: "Zeichnung als SVG speichern",
   large: "Groß ansehen, drucken",
   close: "Schließen",
   zoomIn: "Vergrößern",

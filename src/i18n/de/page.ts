@@ -156,6 +156,7 @@ export const page = {
     fold: "Programm einklappen",
     unfold: "Programm zeigen",
     setupSheet: "Einrichteblatt",
+    workshopDrawing: "Werkstattzeichnung",
     handOn: "Weitergeben",
     exportPart: "Teil exportieren",
     makeTask: "Aufgabe aus diesem Programm machen",

@@ -2,9 +2,15 @@ import type { Shape } from "../shape.ts";
 
 export const courseDrawing = {
   drawingOf: (name: string) => `Workshop drawing of ${name}`,
-  none: "The part of this task can not be drawn: its outline has a fault.",
+  none: "The part can not be drawn: its outline has a fault.",
+  calculating: "The program is still being calculated.",
+  noPart: "There is nothing to draw: the program turns no part, or states no blank.",
+  older: "Older than what was typed: the newest values make no path",
+  unproved: "Part of the program is not simulated: the part as far as it is known",
+  file: "drawing",
   list: "Sizes as a list",
   print: "Print the drawing",
+  saveSvg: "Save the drawing as SVG",
   large: "Large, or to print",
   close: "Close",
   zoomIn: "Zoom in",

@@ -154,6 +154,7 @@ export const page = {
     fold: "Fold the program away",
     unfold: "Show the program",
     setupSheet: "Setup sheet",
+    workshopDrawing: "Workshop drawing",
     handOn: "Hand on",
     exportPart: "Export part",
     makeTask: "Make a task of this program",

@@ -2,9 +2,15 @@ import type { CourseDrawingTexts } from "../en/course-drawing.ts";
 
 export const courseDrawing = {
   drawingOf: (name: string) => `Dessin d’atelier de ${name}`,
-  none: "La pièce de cet exercice ne peut pas être dessinée : son profil a une erreur.",
+  none: "La pièce ne peut pas être dessinée : son profil a une erreur.",
+  calculating: "Le programme est encore en cours de calcul.",
+  noPart: "Rien à dessiner : le programme ne tourne aucune pièce ou n’indique pas de brut.",
+  older: "Plus ancien que la saisie : les dernières valeurs ne donnent aucune trajectoire",
+  unproved: "Une partie du programme n’est pas simulée : la pièce telle qu’elle est connue",
+  file: "dessin",
   list: "Cotes en liste",
   print: "Imprimer le dessin",
+  saveSvg: "Enregistrer le dessin en SVG",
   large: "En grand, imprimer",
   close: "Fermer",
   zoomIn: "Agrandir",

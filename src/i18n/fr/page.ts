@@ -156,6 +156,7 @@ export const page = {
     fold: "Replier le programme",
     unfold: "Afficher le programme",
     setupSheet: "Fiche de réglage",
+    workshopDrawing: "Dessin d’atelier",
     handOn: "Transmettre",
     exportPart: "Exporter la pièce",
     makeTask: "Faire un exercice de ce programme",

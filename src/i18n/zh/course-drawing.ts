@@ -2,9 +2,15 @@ import type { CourseDrawingTexts } from "../en/course-drawing.ts";
 
 export const courseDrawing = {
   drawingOf: (name: string) => `${name} 的零件图`,
-  none: "无法绘制此练习的零件：其轮廓有错误。",
+  none: "无法绘制零件：其轮廓有错误。",
+  calculating: "程序仍在计算中。",
+  noPart: "没有可绘制的内容：程序没有车削零件，或没有定义毛坯。",
+  older: "早于当前输入：最新数值不能形成路径",
+  unproved: "程序有一部分未仿真：仅绘制已知的零件",
+  file: "drawing",
   list: "尺寸列表",
   print: "打印图纸",
+  saveSvg: "将图纸另存为 SVG",
   large: "放大查看、打印",
   close: "关闭",
   zoomIn: "放大",

@@ -154,6 +154,7 @@ export const page = {
     fold: "收起程序",
     unfold: "显示程序",
     setupSheet: "调机单",
+    workshopDrawing: "零件图",
     handOn: "转交",
     exportPart: "导出零件",
     makeTask: "用此程序出一道练习",

@@ -3,11 +3,11 @@ import { at, type Pt, type Ring } from "../../kernel/point.ts";
 import type { Place } from "../camera.ts";
 import { lineThrough, onPaperGrid, type PrintShape } from "./paper.ts";
 
-/** A thread in a surface: where it begins and ends, the radius of its ground, mm, and its name. */
+/** A thread in a surface: where it begins and ends, the radius of its ground, mm, where it has one, and its name. */
 export interface PrintThread {
   readonly from: Pt;
   readonly to: Pt;
-  readonly ground: number;
+  readonly ground: number | null;
   readonly name: string;
 }
 
@@ -107,8 +107,11 @@ export function bodyShapes(body: readonly Ring[], { broken, isHollow: hollow, on
   });
   shapes.push({ role: "edge", d: [...new Set(seen)].join("") });
   for (const { from, to, ground } of threads) {
+    if (ground === null) continue;
     const line = within(body, [at(from.z, ground), at(to.z, ground)]);
-    shapes.push({ role: "thin", d: lineThrough(line.map(onPaper)) + lineThrough(line.map((p) => onPaper(mirroredAt(p)))) });
+    // The thread of a bore is not seen from outside.
+    const below = hollow && ground > from.r ? "" : lineThrough(line.map((p) => onPaper(mirroredAt(p))));
+    shapes.push({ role: "thin", d: lineThrough(line.map(onPaper)) + below });
   }
   if (broken !== null) {
     const high = onPaper(at(broken, spanAt(body, broken + BESIDE)?.high ?? 0)), low = onPaper(at(broken, 0));

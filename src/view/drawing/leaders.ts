@@ -13,8 +13,8 @@ export interface Leader {
   readonly isMark: boolean;
 }
 
-/** Gap between notes, room of a shaft that goes by, and lengths of the sign for surfaces, mm on paper. */
-const GAP = 2.5, SHAFT = 1.2, SIGN = 2.1;
+/** Gap between notes, and between shafts and texts below them; room of a shaft that goes by; the sign for surfaces; mm on paper. */
+const GAP = 2.5, NEAR = 0.3, SHAFT = 1.2, SIGN = 2.1;
 /** Height of a row of notes, and how far above the part the first one stands, mm on paper. */
 export const ROW = 8;
 const MOST_ROWS = 4;
@@ -33,13 +33,44 @@ export function surfaceSign(apex: Place, width: number): string {
 interface Row {
   readonly leader: Leader;
   readonly row: number;
+  /** Where the leader rises between texts below all rows; null where there are none. */
+  readonly between: number | null;
   /** Where the leader rises at each row up to its own. */
   readonly ways: readonly number[];
 }
 
+/** A text that stands below all rows, among the leaders that go by. */
+export interface TextBelow {
+  readonly at: number;
+  readonly size: number;
+}
+
+/** Notes in rows with the texts below them: `middles` are the places of these. */
+interface LaidRows {
+  readonly rows: readonly Row[];
+  readonly count: number;
+  readonly middles: readonly number[];
+}
+
 /** Notes in so many rows, or null where they have no room. */
-function inRows(leaders: readonly Leader[], rows: number, width: number): readonly Row[] | null {
-  const placed = leaders.map((leader, i) => ({ leader, row: i % rows, ways: [] as number[], at: leader.to.x }));
+function inRows(leaders: readonly Leader[], rows: number, width: number, below: readonly TextBelow[]): LaidRows | null {
+  const placed = leaders.map((leader, i) => ({
+    leader,
+    row: i % Math.max(1, rows),
+    ways: [] as number[],
+    at: leader.to.x,
+    between: null as number | null,
+  }));
+  const middles: number[] = [];
+  if (below.length > 0) {
+    const all = [
+      ...placed.map((p) => ({ at: p.at, size: SHAFT, take: (x: number) => void (p.at = p.between = x) })),
+      ...below.map((text, i) => ({ ...text, take: (x: number) => void (middles[i] = x) })),
+    ].sort((a, b) => a.at - b.at);
+    const found = spread(all, 1, width - 1, NEAR);
+    if (!found) return null;
+    all.forEach(({ take, at }, i) => take(found[i] ?? at));
+  }
   for (let row = 0; row < rows; row += 1) {
     const here = placed.filter((p) => p.row >= row).sort((a, b) => a.at - b.at);
     const middles = spread(here.map((p) => ({ at: p.at, size: p.row === row ? wide(p.leader) : SHAFT })), 1, width - 1, GAP);
@@ -49,36 +80,38 @@ function inRows(leaders: readonly Leader[], rows: number, width: number): readon
       p.ways.push(p.at);
     });
   }
-  return placed;
+  return { rows: placed, count: rows, middles };
 }
 
 /** How many rows the notes need; as many as are left out have no room at all. */
-export function leaderRows(leaders: readonly Leader[], width: number): { readonly rows: readonly Row[]; readonly count: number } {
+export function leaderRows(leaders: readonly Leader[], width: number, below: readonly TextBelow[]): LaidRows {
   const sorted = [...leaders].sort((a, b) => a.to.x - b.to.x);
   for (let n = sorted.length; n > 0; n -= 1) {
     for (let count = 1; count <= MOST_ROWS; count += 1) {
-      const rows = inRows(sorted.slice(0, n), count, width);
-      if (rows) return { rows, count };
+      const laid = inRows(sorted.slice(0, n), count, width, below);
+      if (laid) return laid;
     }
   }
-  return { rows: [], count: 0 };
+  return inRows([], 0, width, below) ?? { rows: [], count: 0, middles: [] };
 }
 
-/** Notes in rows above a level, each joined to its place. */
+/** Notes in rows above a level, each joined to its place; `band`: top and bottom of the texts below them. */
 export function drawnLeaders(
   rows: readonly Row[],
   bottom: number,
+  band: readonly [number, number],
 ): { readonly shapes: readonly PrintShape[]; readonly texts: readonly PrintText[]; readonly lines: readonly (readonly Place[])[] } {
   const shapes: PrintShape[] = [];
   const lines: (readonly Place[])[] = [];
   const texts: PrintText[] = [];
-  for (const { leader, row, ways } of rows) {
+  for (const { leader, row, between, ways } of rows) {
     const { to, size, isMark } = leader, level = (k: number) => bottom - k * ROW;
     const shelf = ways.at(-1) ?? to.x, y = level(row), width = wide(leader);
     // Through each row below its own the leader rises straight, and turns between them.
     const knees = ways.slice(0, row).flatMap((x, k) => [{ x, y: level(k) + SHORT }, { x, y: level(k) - tallOf(size) - SHORT }]);
     const end = { x: shelf, y };
-    const line = [to, ...knees, end];
+    const passes = between === null ? [] : [{ x: between, y: band[1] }, { x: between, y: band[0] }];
+    const line = [to, ...passes, ...knees, end];
     lines.push(line);
     const first = line[1] ?? end, length = Math.hypot(first.x - to.x, first.y - to.y) || 1;
     shapes.push({ role: "thin", d: lineThrough(line) + lineThrough([{ x: shelf - width / 2, y }, { x: shelf + width / 2, y }]) });

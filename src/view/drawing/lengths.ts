@@ -1,7 +1,7 @@
 import type { Place } from "../camera.ts";
 import { spread } from "../sheet/spread.ts";
-import { arrow, ARROW, dimensionLine, tallOf, LINE, lineThrough, onPaperGrid, widthOf, writtenAt, type PrintShape, type PrintSize,
-  type PrintText } from "./paper.ts";
+import { arrow, ARROW, dimensionLine, isCrossed, tallOf, LINE, lineThrough, onPaperGrid, widthOf, writtenAt, type PrintShape,
+  type PrintSize, type PrintText } from "./paper.ts";
 
 /** A length from Z0: where its dimension begins on the part, mm on paper. */
 export interface PrintLength {
@@ -21,6 +21,8 @@ export interface DrawnLengths {
   readonly texts: readonly PrintText[];
   /** How far they reach from the part, mm on paper. */
   readonly reach: number;
+  /** A line that goes by crosses a text, which has no other place. */
+  readonly isCrossed: boolean;
 }
 
 /** Where lengths stand: from an edge of the part, below it or above it, on paper of a width. */
@@ -31,6 +33,8 @@ interface LengthRoom {
   readonly width: number;
   /** Lines that go by, from which texts keep clear where they can. */
   readonly clear: readonly (readonly Place[])[];
+  /** Where turned texts stand, from the left, where all of them do; without it each as near to its line as it can. */
+  readonly middles?: readonly number[];
 }
 
 /** Where lines go through a level. */
@@ -62,10 +66,10 @@ function clearMiddle(a: number, b: number, wide: number, stops: readonly number[
 
 /** Lengths from the zero edge; the shortest stands nearest. */
 export function drawnLengths(lengths: readonly PrintLength[], room: LengthRoom): DrawnLengths {
-  if (lengths.length === 0) return { shapes: [], texts: [], reach: 0 };
+  if (lengths.length === 0) return { shapes: [], texts: [], reach: 0, isCrossed: false };
   const { zero: { x: from } } = room;
   const sorted = [...lengths].sort((a, b) => Math.abs(a.from.x - from) - Math.abs(b.from.x - from));
-  return sorted.length <= MOST_LINES ? inParallel(sorted, room) : addingUp(sorted, room);
+  return sorted.length <= MOST_LINES && !room.middles ? inParallel(sorted, room) : addingUp(sorted, room);
 }
 
 function inParallel(lengths: readonly PrintLength[], { zero, edge, side, clear }: LengthRoom): DrawnLengths {
@@ -91,7 +95,8 @@ function inParallel(lengths: readonly PrintLength[], { zero, edge, side, clear }
     texts.push(writtenAt(size, { x, y: y - tallOf(size) / 2 }, false));
   }
   shapes.push(extension(zero, down, edge + down * reach));
-  return { shapes, texts, reach: reach + (side === "below" ? 2 * PAST : LINE.stacked) };
+  const crossed = texts.some(({ box }) => isCrossed(clear, box));
+  return { shapes, texts, isCrossed: crossed, reach: reach + (side === "below" ? 2 * PAST : LINE.stacked) };
 }
 
 const extension = ({ x, y }: Place, down: number, end: number): PrintShape => ({
@@ -99,10 +104,19 @@ const extension = ({ x, y }: Place, down: number, end: number): PrintShape => ({
   d: lineThrough([{ x, y: y + down * AIR }, { x, y: end + down * PAST }]),
 });
 
-function addingUp(lengths: readonly PrintLength[], { zero, edge, side, width }: LengthRoom): DrawnLengths {
-  const down = side === "below" ? 1 : -1, y = edge + down * FIRST, foot = y + down * 5;
-  const sorted = [...lengths].sort((a, b) => a.from.x - b.from.x), far = lengths.at(-1);
-  const middles = spread(sorted.map(({ size, from }) => ({ at: from.x, size: tallOf(size) })), 1, width - 1, 0.3);
+/** From the part to the feet of turned texts, mm on paper. */
+export const TO_FEET = FIRST + 5;
+
+/** The turned texts that lengths have where they add up, from the left; none where each stands on a line of its own unless they must. */
+export const turnedTexts = (lengths: readonly PrintLength[], must: boolean): readonly { readonly at: number; readonly size: number }[] =>
+  lengths.length <= MOST_LINES && !must ? [] : fromLeft(lengths).map(({ size, from }) => ({ at: from.x, size: tallOf(size) }));
+
+const fromLeft = (lengths: readonly PrintLength[]) => [...lengths].sort((a, b) => a.from.x - b.from.x);
+
+function addingUp(lengths: readonly PrintLength[], { zero, edge, side, width, middles: given }: LengthRoom): DrawnLengths {
+  const down = side === "below" ? 1 : -1, y = edge + down * FIRST, foot = edge + down * TO_FEET;
+  const sorted = fromLeft(lengths), far = lengths.at(-1);
+  const middles = given ?? spread(turnedTexts(lengths, true), 1, width - 1, 0.3);
   const long = Math.max(...lengths.map(({ size }) => widthOf(size)));
   const shapes: PrintShape[] = [extension(zero, down, y), {
     role: "thin",
@@ -122,5 +136,5 @@ function addingUp(lengths: readonly PrintLength[], { zero, edge, side, width }: 
     shapes.push({ role: "arrow", d: arrow({ x: from.x, y }, Math.sign(from.x - zero.x), 0) });
     return writtenAt(size, { x, y: foot + down * (widthOf(size) / 2 + 0.8) }, true);
   });
-  return { shapes, texts, reach: FIRST + 5 + long + 2 };
+  return { shapes, texts, isCrossed: false, reach: TO_FEET + long + 2 };
 }

@@ -27,8 +27,8 @@ export interface PrintText extends PrintSize {
 
 /** Deviations are this much smaller than the nominal. */
 export const SMALL = 0.72;
-/** Gap between nominal and deviations, mm on paper. */
-export const NEXT = 0.6;
+/** Gap between nominal and deviations, and how far these stand above and below its middle, mm on paper. */
+export const NEXT = 0.6, STACKED = 1.25;
 /** Heights of a line of text, alone and with stacked deviations, mm on paper. */
 export const LINE = { plain: 4, stacked: 5.4 } as const;
 export const ARROW = { long: 2.4, wide: 0.5 } as const;
@@ -52,6 +52,31 @@ export function arrow(tip: Place, dx: number, dy: number): string {
   const back = { x: tip.x - dx * ARROW.long, y: tip.y - dy * ARROW.long };
   const side = (by: number): Place => ({ x: back.x - dy * by, y: back.y + dx * by });
   return `${lineThrough([tip, side(ARROW.wide), side(-ARROW.wide)])}Z`;
+}
+
+/** Air round the letters in the box of a text, mm on paper. */
+const IN_BOX = 0.6;
+
+/** Whether one of the lines goes through the letters of a text. */
+export function isCrossed(lines: readonly (readonly Place[])[], { x, y, width, height }: LabelBox): boolean {
+  const [left, top, right, bottom] = [x + IN_BOX, y + IN_BOX, x + width - IN_BOX, y + height - IN_BOX];
+  return lines.some((line) =>
+    line.slice(1).some((b, i) => {
+      const a = line[i] ?? b;
+      // The share of the line that lies within the box, axis by axis.
+      let [from, to] = [0, 1];
+      for (const [start, way, low, high] of [[a.x, b.x - a.x, left, right], [a.y, b.y - a.y, top, bottom]] as const) {
+        if (way === 0) {
+          if (start <= low || start >= high) return false;
+        } else {
+          const ends = [(low - start) / way, (high - start) / way] as const;
+          from = Math.max(from, Math.min(...ends));
+          to = Math.min(to, Math.max(...ends));
+        }
+      }
+      return from < to;
+    })
+  );
 }
 
 /** A text at its place, with its box. */

@@ -99,10 +99,17 @@ export function cornersOf(
   return [...made].map(([text, { corner, all }]) => ({ corner, all, size: { text: all.length > 1 ? `${all.length}× ${text}` : text } }));
 }
 
+/** Where a thread ends on its own surface, which no edge shows: not where it runs out in a groove. */
+const runOut = (rings: readonly Ring[], { from, to }: PrintThread): readonly Pt[] =>
+  [from, to].filter((p) => {
+    const span = spanAt(rings, p.z);
+    return span !== null && [span.high, span.low].some((r) => Math.abs(r - p.r) < ONE);
+  });
+
 /** The positions that need a length from Z0, with their deviations; `end`: that of the part, where it is drawn to its end. */
 export function positionsOf(work: PrintedPart, features: readonly PrintFeatures[], words: PrintWords, end: number | null) {
   const made: { from: Pt; size: PrintSize }[] = [];
-  const all = features.flatMap(({ positions }) => positions);
+  const all = [...features.flatMap(({ positions }) => positions), ...work.threads.flatMap((thread) => runOut(work.rings, thread))];
   for (const p of all) {
     if (Math.abs(p.z) < ONE || made.some(({ from }) => Math.abs(from.z - p.z) < ONE)) continue;
     const found = work.sizes.find((s) => s.kind === "face" && Math.abs(s.nominal - p.z) < BELONGS && s.nominal !== 0);

@@ -5,9 +5,9 @@ import { toDiameter } from "../../kernel/units.ts";
 import type { Place } from "../camera.ts";
 import { DRAWING_SCALES, factorOf, usualScale, type DrawingScale } from "../sheet/scales.ts";
 import { BESIDE, bodyShapes, isHollow, isOutmost, spanAt } from "./body.ts";
-import { AIR, drawnLengths, type PrintLength } from "./lengths.ts";
+import { AIR, drawnLengths, TO_FEET, turnedTexts, type PrintLength } from "./lengths.ts";
 import { drawnLeaders, leaderRows, ROW, type Leader } from "./leaders.ts";
-import { dimensionLine, halfDimensionLine, tallOf, lineThrough, widthOf, writtenAt, type PrintShape, type PrintSize,
+import { dimensionLine, halfDimensionLine, isCrossed, tallOf, lineThrough, widthOf, writtenAt, type PrintShape, type PrintSize,
   type PrintText } from "./paper.ts";
 import { printFeatures } from "./print-features.ts";
 import { cornersOf, diametersOf, surfaceMarks, positionsOf, type Across, type PrintedPart, type PrintWords } from "./print-sizes.ts";
@@ -98,6 +98,18 @@ export function drawingOnSheet(work: PrintedPart, words: PrintWords, { width, he
  */
 export function workshopDrawing(work: PrintedPart, words: PrintWords, room: PrintRoom): WorkshopPrint | null {
   if (work.rings.length === 0) return null;
+  const plain = laidOut(work, words, room, false);
+  // Lengths of a bore that leaders cross stand upright between them.
+  return plain.isCrossed ? laidOut(work, words, room, true).print : plain.print;
+}
+
+/** The same with the lengths of what is not seen from outside on lines of their own, or upright. */
+function laidOut(
+  work: PrintedPart,
+  words: PrintWords,
+  room: PrintRoom,
+  upright: boolean,
+): { readonly print: WorkshopPrint; readonly isCrossed: boolean } {
   const whole = boxAround([...work.rings]), from = shownFrom(work);
   const broken = from > whole.left + ONE ? from : null;
   const frame: Ring = [at(from, -1), at(whole.right + 1, -1), at(whole.right + 1, whole.high + 1), at(from, whole.high + 1)];
@@ -130,14 +142,14 @@ export function workshopDrawing(work: PrintedPart, words: PrintWords, room: Prin
     list.reduce((sum, { size }) => sum + tallOf(size) + NEXT_TO, list.length > 0 ? FIRST : EDGE) + EDGE;
 
   const highest = Math.max(...body.flat().map((p) => p.r));
-  const laidOut = (factor: number) => {
+  const scaled = (factor: number) => {
     const columns = (side: "right" | "left") => shown.filter((a) => !isShort(a, factor) && sideOf(a) === side).sort((a, b) => a.r - b.r);
     const [right, left] = [columns("right"), columns("left")];
     const width = Math.max(room.width, besides(right) + besides(left) + LEAST);
     const roomed = { wide: width - besides(right) - besides(left), tall: room.height - 2 * ROW - ABOVE - 26 };
     return { right, left, width, roomed, scale: room.scale ?? usualScale({ wide: box.right - box.left, tall: highest + highest }, roomed) };
   };
-  const { right, left, width, roomed, scale } = laidOut(factorOf(laidOut(Infinity).scale));
+  const { right, left, width, roomed, scale } = scaled(factorOf(scaled(Infinity).scale));
   const positions = positionsOf(work, [outer, inner], words, broken === null ? box.left : null);
   const k = factorOf(scale);
   const x0 = besides(left) + Math.max(0, (roomed.wide - (box.right - box.left) * k) / 2) - box.left * k;
@@ -161,19 +173,33 @@ export function workshopDrawing(work: PrintedPart, words: PrintWords, room: Prin
   for (const { corner, size, all } of corners) listed.push({ kind: corner.kind, size, at: all });
   for (const { most, stretch } of marks.single) listed.push({ kind: "mark", size: { text: words.roughness(most) }, at: stretch });
 
-  const { rows, count } = leaderRows(notes, width);
   const half = Math.max(highest * k, ...[...right, ...left].map(({ size }) => widthOf(size) / 2));
   // What is not seen from outside gets its lengths above, where it is cut.
   const breaks = [0, ...outer.corners.map(({ size }) => size)];
   // Where a corner is broken the edge itself is within the material: it is seen as far on as the break goes.
   const isSeen = (p: Pt) => breaks.some((by) => isOutmost(body, at(p.z - by, p.r)) || isOutmost(body, at(p.z + by, p.r)));
-  const inside = positions.filter(({ from: p }) => !isSeen(p)), seen = positions.filter(({ from: p }) => isSeen(p));
+  const inside = positions.filter(({ from: p }) => !isSeen(p));
+  // An outline may run out beside the blank: a length begins at the part.
+  const seen = positions.filter(({ from: p }) => isSeen(p)).map(({ size, from: p }) => {
+    const near = breaks.flatMap((by) => [p.z - by - BESIDE, p.z + by + BESIDE]);
+    const high = Math.max(...near.map((z) => spanAt(body, z)?.high ?? 0));
+    return { size, from: at(p.z, high > 0 ? Math.min(high, p.r) : p.r) };
+  });
+  const { rows, count, middles } = leaderRows(notes, width,
+    turnedTexts(inside.map(({ size, from: p }) => ({ size, from: place(p) })), upright));
   const lengthsOf = (list: typeof positions, axis: number, side: "below" | "above", clear: readonly (readonly Place[])[] = []) => {
     const sign = side === "below" ? -1 : 1;
     const at0 = (p: Pt): Place => ({ x: x0 + p.z * k, y: axis - sign * p.r * k });
     const zero = at0(at(0, spanAt(body, -BESIDE)?.high ?? 0));
     const lengths: PrintLength[] = list.map(({ size, from: p }) => ({ size, from: at0(p) }));
-    return drawnLengths(lengths, { zero, edge: axis - sign * half, side, width, clear });
+    return drawnLengths(lengths, {
+      zero,
+      edge: axis - sign * half,
+      side,
+      width,
+      clear,
+      ...(side === "above" && middles.length > 0 && { middles }),
+    });
   };
   const above = lengthsOf(inside, 0, "above").reach;
   const shelf = EDGE + Math.max(0, count - 1) * ROW + 6, axis = (count > 0 ? shelf + ABOVE : EDGE) + above + half;
@@ -188,6 +214,7 @@ export function workshopDrawing(work: PrintedPart, words: PrintWords, room: Prin
   shapes.push(...bodyShapes(body, { broken, isHollow: isHollow(body), onPaper, scale: k, threads: work.threads }));
   const [axisLeft, axisRight] = [onPaper(at(box.left, 0)).x - AXIS_PAST, onPaper(at(box.right, 0)).x + AXIS_PAST];
   shapes.push({ role: "axis", d: lineThrough([{ x: axisLeft, y: axis }, { x: axisRight, y: axis }]) });
+  const drawnNotes = drawnLeaders(lowered, shelf, [axis - half - above, axis - half - TO_FEET]);
   const beside = (list: readonly Across[], side: 1 | -1) => {
     let x = onPaper(at(side > 0 ? box.right : box.left, 0)).x + side * (FIRST - NEXT_TO);
     for (const { size, r, left: a, right: b, isBore } of list) {
@@ -198,28 +225,30 @@ export function workshopDrawing(work: PrintedPart, words: PrintWords, room: Prin
       // The lower half shows the outside: the line of a bore ends behind the centre line, with one arrow.
       for (const { x: start, y } of isBore ? [upper] : [upper, lower])
         shapes.push({ role: "thin", d: lineThrough([{ x: start + side * AIR, y }, { x: at0 + side * 1.2, y }]) });
-      const top = { x: at0, y: upper.y };
+      const top = { x: at0, y: upper.y }, text = (y: number) => writtenAt(size, { x: at0 - tall / 2 - 0.4, y }, true);
+      // Leaders come from above: a text that one would cross stands lower.
+      const down = Array.from({ length: Math.max(1, Math.floor(lower.y - axis - widthOf(size) / 2)) }, (_, by) => axis + by);
+      const middle = down.find((y) => !isCrossed(drawnNotes.lines, text(y).box)) ?? axis;
       shapes.push(
         ...(isBore
-          ? halfDimensionLine(top, { x: at0, y: axis + widthOf(size) / 2 + PAST_TEXT })
+          ? halfDimensionLine(top, { x: at0, y: middle + widthOf(size) / 2 + PAST_TEXT })
           : dimensionLine(top, { x: at0, y: lower.y })),
       );
-      texts.push(writtenAt(size, { x: at0 - tall / 2 - 0.4, y: axis }, true));
+      texts.push(text(middle));
       x = side > 0 ? at0 : at0 - tall;
     }
   };
   beside(right, 1);
   beside(left, -1);
-  const drawnNotes = drawnLeaders(lowered, shelf);
   shapes.push(...drawnNotes.shapes);
   texts.push(...drawnNotes.texts);
 
-  const below = lengthsOf(seen, axis, "below");
-  for (const drawn of [below, lengthsOf(inside, axis, "above", drawnNotes.lines)]) {
+  const below = lengthsOf(seen, axis, "below"), insides = lengthsOf(inside, axis, "above", drawnNotes.lines);
+  for (const drawn of [below, insides]) {
     shapes.push(...drawn.shapes);
     texts.push(...drawn.texts);
   }
-  return {
+  const print = {
     scale,
     width,
     height: axis + half + below.reach + EDGE,
@@ -229,6 +258,7 @@ export function workshopDrawing(work: PrintedPart, words: PrintWords, room: Prin
     general: marks.general === null ? null : words.roughness(marks.general),
     left: notes.length - rows.length,
   };
+  return { print, isCrossed: insides.isCrossed };
 }
 
 type Row = Parameters<typeof drawnLeaders>[0][number];

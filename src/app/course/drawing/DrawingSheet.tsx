@@ -4,13 +4,16 @@ import type { DrawnTask } from "../../../course/printed-part.ts";
 import type { CourseDrawingTexts } from "../../../i18n/en/course-drawing.ts";
 import type { PrintWords } from "../../../view/drawing/print-sizes.ts";
 import { drawingOnSheet } from "../../../view/drawing/workshop-drawing.ts";
+import { drawingSvg } from "../../../view/drawing/drawing-svg.ts";
+import { downloadText } from "../../files/download.ts";
 import { useSize } from "../../help/use-size.ts";
 import { Icon } from "../../Icon.tsx";
 import { useSettings } from "../../settings/settings.ts";
 import { useModal } from "../../use-modal.ts";
 import { DrawnPrint } from "./DrawnPrint.tsx";
 import { SizeList } from "./SizeList.tsx";
-import { TitleBlock, type Titled } from "./TitleBlock.tsx";
+import { sheetTitleOf, type Titled } from "./title-words.ts";
+import { TitleBlock } from "./TitleBlock.tsx";
 import { useSheetZoom } from "./use-sheet-zoom.ts";
 
 /** Inside of the frame of a sheet that lies, and what the drawing has of it above its title block, mm. */
@@ -23,11 +26,13 @@ interface Props {
   readonly drawn: DrawnTask;
   readonly words: PrintWords;
   readonly t: CourseDrawingTexts;
+  /** Name of its file, without an ending. */
+  readonly stem: string;
   readonly onClose: () => void;
 }
 
 /** A workshop drawing over the whole page as the sheet that is printed: to scale, with its title block. */
-export function DrawingSheet({ titled, drawn, words, t, onClose }: Props) {
+export function DrawingSheet({ titled, drawn, words, t, stem, onClose }: Props) {
   const dialog = useRef<HTMLDialogElement>(null), frame = useRef<HTMLDivElement>(null);
   const list = useId();
   const paper = useSettings((s) => s.paper);
@@ -38,7 +43,7 @@ export function DrawingSheet({ titled, drawn, words, t, onClose }: Props) {
   const zoom = useSheetZoom(frame, fit, READABLE);
   const print = useMemo(() => drawingOnSheet(drawn, words, { width: width - 2, height: drawing }), [drawn, words, width, drawing]);
   if (!print) return null;
-  const name = t.drawingOf(titled.name);
+  const name = t.drawingOf(titled.name), title = sheetTitleOf({ titled, drawn, print, words, t });
   const mm = (value: number) => `calc(${value} * var(--mm))`;
   return createPortal(
     <dialog ref={dialog} className="drawing-dialog" aria-label={name} onClose={() => !dialog.current?.open && onClose()}
@@ -46,18 +51,27 @@ export function DrawingSheet({ titled, drawn, words, t, onClose }: Props) {
     >
       <div className="drawing-bar">
         <button type="button" className="button" onClick={() => dialog.current?.close()}>
-          <Icon name="back" /> {t.close}
+          <Icon name="back" /> <span className="drawing-word">{t.close}</span>
         </button>
         <span className="drawing-zoom">
           <button type="button" className="button icon" aria-label={t.zoomOut} title={t.zoomOut} onClick={zoom.smaller}>−</button>
           <button type="button" className="button" onClick={zoom.whole}>{t.whole}</button>
           <button type="button" className="button icon" aria-label={t.zoomIn} title={t.zoomIn} onClick={zoom.larger}>+</button>
         </span>
-        <button type="button" className="button primary" title={t.printHint} onClick={() => globalThis.print()}>
-          <Icon name="print" /> {t.print}
-        </button>
+        <span className="drawing-zoom">
+          <button type="button" className="button" aria-label={t.saveSvg} title={t.saveSvg} onClick={() =>
+            downloadText(drawingSvg(print, title, { width, height }), `${stem}.svg`)}
+          >
+            <Icon name="download" /> SVG
+          </button>
+          <button type="button" className="button primary" aria-label={t.print} title={t.printHint} onClick={() => globalThis.print()}>
+            <Icon name="print" /> <span className="drawing-word">{t.print}</span>
+          </button>
+        </span>
       </div>
-      <div className="drawing-view" ref={frame} role="region" aria-label={t.sheet} tabIndex={0} onKeyDown={zoom.onKeyDown}>
+      <div className="drawing-view" ref={frame} role="region" aria-label={t.sheet} tabIndex={0} onKeyDown={zoom.onKeyDown}
+        onDoubleClick={zoom.turn}
+      >
         <figure className="workshop drawing-page" data-paper={paper} aria-label={name}
           style={{ "--mm": `${zoom.scale / 16}rem`, width: mm(width), height: mm(height) } as CSSProperties}
         >
@@ -65,7 +79,7 @@ export function DrawingSheet({ titled, drawn, words, t, onClose }: Props) {
             <DrawnPrint print={print} name={name} list={list} style={{ width: mm(print.width), height: mm(print.height) }} />
           </div>
           <figcaption>
-            <TitleBlock titled={titled} drawn={drawn} print={print} words={words} t={t} />
+            <TitleBlock title={title} />
           </figcaption>
         </figure>
         <SizeList id={list} list={print.list} general={print.general} words={words} t={t} />

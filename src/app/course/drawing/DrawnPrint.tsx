@@ -1,10 +1,7 @@
 import { useId, type CSSProperties } from "react";
-import { NEXT, nominalWidth, SMALL, widthOf, type PrintText } from "../../../view/drawing/paper.ts";
+import { NEXT, nominalWidth, SMALL, STACKED, widthOf, type PrintText } from "../../../view/drawing/paper.ts";
 import type { WorkshopPrint } from "../../../view/drawing/workshop-drawing.ts";
 import { FIGURES } from "../../../view/sheet/sizes.ts";
-
-/** How far deviations stand above and below the middle of their nominal, mm on paper. */
-const STACKED = 1.25;
 
 /** A size with its deviations, as a print stacks them. */
 function Written({ text }: { readonly text: PrintText }) {

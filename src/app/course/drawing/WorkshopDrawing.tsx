@@ -1,21 +1,20 @@
 import { useId, useMemo, useRef, useState } from "react";
 import { drawnTask } from "../../../course/printed-part.ts";
 import type { Task } from "../../../course/task.ts";
-import { loadCourseDrawing } from "../../../i18n/load-course-drawing.ts";
 import type { Language } from "../../../i18n/languages.ts";
+import { usualTable } from "../../../program/cutting-table.ts";
 import { workshopDrawing } from "../../../view/drawing/workshop-drawing.ts";
 import { useSize } from "../../help/use-size.ts";
 import { Icon } from "../../Icon.tsx";
-import { laterTexts } from "../../settings/later-texts.ts";
 import { inScreenLanguage } from "../content.ts";
 import { DrawingSheet } from "./DrawingSheet.tsx";
 import { DrawnPrint } from "./DrawnPrint.tsx";
 import { printWords } from "./print-words.ts";
 import { SizeList } from "./SizeList.tsx";
 import { TitleBlock } from "./TitleBlock.tsx";
+import { sheetTitleOf } from "./title-words.ts";
+import { useDrawingTexts } from "./use-drawing-texts.ts";
 import "./drawing.css";
-
-const { useThem: useDrawingTexts } = laterTexts(loadCourseDrawing);
 
 /** Pixels for a millimetre on paper: figures of 3 mm are as large as the small text of the page. */
 const PIXELS = 4.2;
@@ -41,7 +40,7 @@ export function WorkshopDrawing({ task, language }: { readonly task: DrawableTas
   const print = useMemo(() => drawn && workshopDrawing(drawn, words, { width, height: PAPER.height }), [drawn, words, width]);
   const name = inScreenLanguage(task.words, language)?.title ?? task.id;
   if (!drawn || !print) return <p className="soft">{t.none}</p>;
-  const titled = { name, number: task.id, material: task.material };
+  const titled = { name, number: task.id, material: usualTable.materials.find(({ id }) => id === task.material)?.name };
   return (
     <figure className="workshop" aria-label={t.drawingOf(name)}>
       <div className="workshop-bar">
@@ -54,10 +53,10 @@ export function WorkshopDrawing({ task, language }: { readonly task: DrawableTas
         <DrawnPrint print={print} name={t.drawingOf(name)} list={list} style={{ width: `${(print.width / width) * 100}%` }} />
       </div>
       <figcaption>
-        <TitleBlock titled={titled} drawn={drawn} print={print} words={words} t={t} />
+        <TitleBlock title={sheetTitleOf({ titled, drawn, print, words, t })} />
         <SizeList id={list} list={print.list} general={print.general} words={words} t={t} />
       </figcaption>
-      {large && <DrawingSheet titled={titled} drawn={drawn} words={words} t={t} onClose={() => setLarge(false)} />}
+      {large && <DrawingSheet titled={titled} drawn={drawn} words={words} t={t} stem={task.id} onClose={() => setLarge(false)} />}
     </figure>
   );
 }

@@ -1,4 +1,4 @@
-import { useEffect, useEffectEvent, useLayoutEffect, useRef, useState, type KeyboardEvent, type RefObject } from "react";
+import { useEffect, useEffectEvent, useLayoutEffect, useRef, useState, type KeyboardEvent, type MouseEvent, type RefObject } from "react";
 import type { Place } from "../../../view/camera.ts";
 
 /** One press of a button or key, and the greatest picture, pixels for a millimetre. */
@@ -13,31 +13,37 @@ export interface SheetZoom {
   readonly smaller: () => void;
   /** Shows all of it. */
   readonly whole: () => void;
+  /** Pressed twice: what lies there so that it is read, and all of it again. */
+  readonly turn: (event: MouseEvent) => void;
   readonly onKeyDown: (event: KeyboardEvent) => void;
 }
 
 /**
- * How large a sheet stands in a frame that scrolls: at first so that it is `readable` at least, never smaller than `fit`, at which all of
- * it is seen. Two fingers and the wheel with Ctrl zoom about the place they are at, the mouse drags; one finger and the arrow keys scroll.
+ * How large a sheet stands in a frame that scrolls: at first `fit`, at which all of it is seen, and never smaller; pressed twice so that
+ * it is `readable`. Two fingers and the wheel with Ctrl zoom about the place they are at, the mouse drags; one finger and the arrow keys
+ * scroll.
  */
 export function useSheetZoom(frame: RefObject<HTMLElement | null>, fit: number, readable: number): SheetZoom {
   const [chosen, choose] = useState<number | null>(null);
-  const scale = Math.min(MOST, Math.max(fit, chosen ?? readable));
-  /** Where the frame is to be scrolled to, once the sheet has its new size. */
-  const next = useRef<Place | null>(null);
+  const scale = Math.min(MOST, Math.max(fit, chosen ?? fit));
+  /** The place of the sheet that stays where it is, as shares of its extent, and where that is in the frame. */
+  const kept = useRef<{ readonly share: Place; readonly at: Place } | null>(null);
+  const boxes = (node: HTMLElement) =>
+    [node, node.firstElementChild ?? node].map((each) => each.getBoundingClientRect()) as [DOMRect, DOMRect];
   useLayoutEffect(() => {
-    const { current: node } = frame;
-    if (node && next.current) node.scrollTo(next.current.x, next.current.y);
-    next.current = null;
+    const { current: node } = frame, { current: stays } = kept;
+    kept.current = null;
+    if (!node || !stays) return;
+    const [view, sheet] = boxes(node), { share, at } = stays;
+    node.scrollBy(sheet.left + share.x * sheet.width - view.left - at.x, sheet.top + share.y * sheet.height - view.top - at.y);
   }, [frame, scale]);
 
   const zoom = (factor: number, about?: Place) => {
     const { current: node } = frame;
     if (!node) return;
-    const to = Math.min(MOST, Math.max(fit, scale * factor)), by = to / scale;
-    const { x, y } = about ?? { x: node.clientWidth / 2, y: node.clientHeight / 2 };
-    next.current = { x: (node.scrollLeft + x) * by - x, y: (node.scrollTop + y) * by - y };
-    choose(to);
+    const at = about ?? { x: node.clientWidth / 2, y: node.clientHeight / 2 }, [view, sheet] = boxes(node);
+    kept.current = { share: { x: (view.left + at.x - sheet.left) / sheet.width, y: (view.top + at.y - sheet.top) / sheet.height }, at };
+    choose(Math.min(MOST, Math.max(fit, scale * factor)));
   };
 
   const placed = (node: HTMLElement, points: readonly { readonly clientX: number; readonly clientY: number }[]): Place => {
@@ -78,6 +84,10 @@ export function useSheetZoom(frame: RefObject<HTMLElement | null>, fit: number, 
     return () => stop.abort();
   }, [frame]);
 
+  const turn = (event: MouseEvent) => {
+    const { current: node } = frame;
+    if (node) zoom(scale > fit * STEP ? fit / scale : Math.max(readable / scale, STEP * STEP * STEP), placed(node, [event]));
+  };
   const larger = () => zoom(STEP), smaller = () => zoom(1 / STEP), whole = () => choose(fit);
   const onKeyDown = (event: KeyboardEvent) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
@@ -85,5 +95,5 @@ export function useSheetZoom(frame: RefObject<HTMLElement | null>, fit: number, 
     else if (event.key === "-") smaller();
     else if (event.key === "0") whole();
   };
-  return { scale, larger, smaller, whole, onKeyDown };
+  return { scale, larger, smaller, whole, turn, onKeyDown };
 }
