@@ -83,7 +83,7 @@ function insertBox(way: Bounds, tool: Tool): Bounds {
 }
 
 /** The box round every place of every insert. */
-function workingBox(steps: readonly Step[]): Bounds | null {
+export function workingBox(steps: readonly Step[]): Bounds | null {
   const tips = new Map<Tool, Pt[]>();
   for (const { from, move, tool } of steps) {
     const list = tips.get(tool) ?? [];
@@ -126,7 +126,7 @@ export function sceneOf({ blank, contours, steps, path: drawn, sketch = [], near
   const material = boundsOf(blank.flat());
   const path = boundsOf(tipsOf(steps));
   const outline = boundsOf([...contours, sketch].flatMap((c) => [...pointsOf(c)]).concat(near));
-  const chuck = material ? chuckDrawing(material, joined(path, outline)) : null;
+  const chuck = material ? chuckDrawing(material, joined(workingBox(steps), outline)) : null;
   const shapes: Shape[] = [];
   if (blank.length > 0) shapes.push({ role: "blank", d: ringData(blank) });
   if (sketch.length > 0) shapes.push({ role: "sketch", d: segmentData(sketch) });

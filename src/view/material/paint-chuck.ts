@@ -76,10 +76,18 @@ export function paintChuck(easel: Easel, halves: readonly [Half, Half], section:
   for (const { down } of section === "full" ? halves : halves.slice(0, 1)) jaw(easel, down, chuck);
 }
 
-/** The jaw before the work, which only a full section has cut away. */
-export function paintFrontJaw(easel: Easel, [{ down }]: readonly [Half, Half], section: SectionKind, chuck: ChuckDrawing): void {
+/** The jaw before the work: a full section has cut it away, a half section what of it reaches over the axis. */
+export function paintFrontJaw(easel: Easel, [{ down }, other]: readonly [Half, Half], section: SectionKind, chuck: ChuckDrawing): void {
   if (section === "full") return;
-  easel.pen.lineWidth = 1;
-  area(easel, down, chuck.flank, easel.colours.chuckLight);
-  for (const back of chuck.backs) area(easel, down, back, easel.colours.chuck);
+  const { pen, colours, camera: { zero, scale } } = easel, { face, radius } = chuck.body;
+  pen.save();
+  if (section === "half") {
+    pen.beginPath();
+    pen.rect(zero.x + face * scale, zero.y, (chuck.seen.right - face) * scale + 1, other.down * radius * scale);
+    pen.clip();
+  }
+  pen.lineWidth = 1;
+  area(easel, down, chuck.flank, colours.chuckLight);
+  for (const back of chuck.backs) area(easel, down, back, colours.chuck);
+  pen.restore();
 }
