@@ -6,10 +6,13 @@ import { volumeOf, type Mesh } from "./mesh.ts";
 import { chordsFor, revolved, wholeMesh } from "./revolve.ts";
 import { stlOf } from "./stl.ts";
 
+/** Fewest chords of a full turn in a file: a prism with so many sides lacks less than a thousandth of its cylinder. */
+const LEAST_CHORDS = 96;
+
 /** A body as it is written: its surface within SOLID_CHORD of the true one, closed. */
 export function bodyMesh(rings: readonly Ring[]): Mesh {
   const plain = simplified(rings, CHORD);
-  return wholeMesh(revolved(plain, { chords: chordsFor(boxAround(plain).high), quarterCut: false }));
+  return wholeMesh(revolved(plain, { chords: Math.max(LEAST_CHORDS, chordsFor(boxAround(plain).high)), quarterCut: false }));
 }
 
 /** A body as a binary STL file with its volume, cm³. */
