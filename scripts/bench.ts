@@ -16,7 +16,7 @@ import { longContour, printedExample } from "./long-contour.ts";
 import { grownProgram, type largePrograms } from "./large-programs.ts";
 import { longProgram } from "./long-program.ts";
 import { markdownTable, writeIntoPage } from "./performance-page.ts";
-import { middle, referenceTime } from "./reference.ts";
+import { middle, REFERENCE, referenceTime } from "./reference.ts";
 import { verified } from "./verify.ts";
 
 /** Milliseconds; `ratio` is the median in units of the reference loop, which ran before and after it. */
@@ -201,9 +201,6 @@ const LIMITS: readonly (readonly [string, number])[] = [
 ];
 const FRAME = 16;
 const limit = (name: string) => LIMITS.find(([begin]) => name.startsWith(begin))?.[1] ?? FRAME;
-
-/** The machine that the limits are meant for: what the reference loop takes there, ms. */
-const REFERENCE = 4;
 
 function resultRow([name, each]: readonly [string, Measured]): readonly string[] {
   const most = limit(name) / REFERENCE, kept = each.ratio <= most ? most.toFixed(2) : `${most.toFixed(2)}, missed`;

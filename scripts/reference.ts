@@ -1,3 +1,6 @@
+/** The machine that limits are meant for: what the reference loop takes there, ms. */
+export const REFERENCE = 4;
+
 /**
  * The reference loop: a fixed amount of arithmetic, of typed arrays and of work on rings of points, as the proof has it. A time divided by
  * that of this loop beside it can be compared between machines, and between a quiet and a busy hour of one. It is one function without a
