@@ -24,6 +24,8 @@ export interface Step {
   readonly file?: string;
   /** Line of that block in its file, from 1. */
   readonly line?: number;
+  /** The block that brought the tool to `from` at rapid, from where nobody knows; absent where the way there is a step or a feed. */
+  readonly broughtBy?: number;
 }
 
 /** A blank that a program states while it runs: what stands in the chuck at a step, by its outline. */

@@ -122,8 +122,11 @@ function startOf(machine: Machine, index: number): Pt | null {
   // With RL or RR still active the tip stands beside the programmed point.
   const really = machine.now.compensation === "R0" ? null : machine.turnGuide.here;
   const start = really && machine.tip ? partPoint(really) : machine.tip;
-  if (start && (!machine.place.sure.x || !machine.place.sure.z)) machine.log.say(programIssue("startUnknown", "warning", {}), index);
-  else if (!start && machine.place.lost === "unproved") machine.log.leaveUnproved("CYCL CALL", index);
+  if (start && (!machine.place.sure.x || !machine.place.sure.z)) {
+    // It is planned from where the tool stood before, which is nothing to go by.
+    machine.log.say(programIssue("startUnknown", "warning", {}), index);
+    machine.log.leaveUnproved("CYCL CALL", index);
+  } else if (!start && machine.place.lost === "unproved") machine.log.leaveUnproved("CYCL CALL", index);
   else if (!start) startUnknown(machine, index);
   return start;
 }

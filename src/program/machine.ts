@@ -263,7 +263,18 @@ export class Machine {
     const seconds = secondsOf(from, move, spindle, this.shop.rapid);
     this.log.countsFrom(this.now.datum.x, this.now.datum.z);
     this.log.turnsAt(this.now.spindle);
-    this.log.steps.push({ from, move, tool: adapted, block: this.log.numbers[index] ?? 0, operation, seconds, ...this.log.lineOf(index) });
+    const { brought } = this.place;
+    this.log.steps.push({
+      from,
+      move,
+      tool: adapted,
+      block: this.log.numbers[index] ?? 0,
+      operation,
+      seconds,
+      ...this.log.lineOf(index),
+      ...(brought !== null && { broughtBy: this.log.numbers[brought] ?? 0 }),
+    });
+    if (brought !== null) this.setPlace({ brought: null });
     this.log.stepBlocks.push(this.log.inProgram(index));
     return seconds;
   }

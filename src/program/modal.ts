@@ -77,6 +77,8 @@ export interface Whereabouts {
   readonly at: Position;
   /** False after a tool change until the axis is programmed again: nobody knows where the change left it. */
   readonly sure: { readonly x: boolean; readonly z: boolean };
+  /** The block that brought the tool here at rapid, from where nobody knows; null once the tool has moved on. */
+  readonly brought: number | null;
   /** Why a coordinate is not known any more, when a block that was not run or a fault that was told is the reason. */
   readonly lost: UnknownReason | null;
   /** An element that waits for the corner behind it. */
@@ -181,6 +183,7 @@ export const AT_START: Modal = {
 export const NOT_PLACED: Whereabouts = {
   at: NOWHERE,
   sure: { x: false, z: false },
+  brought: null,
   lost: null,
   held: null,
   last: null,

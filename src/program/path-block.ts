@@ -1,3 +1,4 @@
+import { boxAround } from "../kernel/box.ts";
 import { cutCorner, type CornerElement } from "../kernel/corner.ts";
 import { largestCorner } from "../kernel/contour.ts";
 import { issue } from "../kernel/issue.ts";
@@ -122,6 +123,16 @@ export function elementBetween(machine: Machine, block: PathBlock, from: Pt, to:
   return last;
 }
 
+/** A feed of which nobody knows where it begins or ends is not cut: it matters unless it surely ends beside the blank. */
+function cutFromNowhere(machine: Machine, to: Pt | null, index: number): void {
+  const { blank } = machine.now;
+  if (blank.length === 0) return;
+  const { left, right, high } = boxAround(blank);
+  if (to && (to.z < left || to.z > right || Math.abs(to.r) > high)) return;
+  machine.log.say(programIssue("startUnknown", "warning", {}), index);
+  machine.log.leaveUnproved(machine.blocks[index]?.raw.trim().replace(/^\/?\d+\s*/, "").slice(0, 60) ?? "", index);
+}
+
 /** One path block: L, C, CR, CT and the polar forms. */
 export function pathBlock(machine: Machine, block: PathBlock, index: number): void {
   const { words } = block;
@@ -131,11 +142,13 @@ export function pathBlock(machine: Machine, block: PathBlock, index: number): vo
   const target = targetOf(machine, block, index);
   if (!target) return takeFeed(machine, words.feed, index);
   const feed = blockFeed(machine, words.feed, index);
+  const { lost } = machine.place;
   standAt(machine, block, target);
   const to = machine.place.sure.x && machine.place.sure.z ? machine.tip : null;
   if (!from || !to || !machine.now.tool) {
     runHeldElement(machine);
-    machine.setPlace({ last: null });
+    machine.setPlace({ last: null, brought: to && feed === null ? index : null });
+    if (feed !== null && machine.now.tool && lost === null) cutFromNowhere(machine, to, index);
     return;
   }
   hold(machine, elementBetween(machine, block, from, to, index), feed, index);

@@ -34,7 +34,7 @@ const toolOf = (machine: Machine, held: Parameter, index: number) =>
 function unknownTool(machine: Machine): void {
   machine.setMill({ tool: "", radius: null });
   machine.known.setToolRadius(null);
-  machine.setPlace({ sure: { x: false, z: false }, last: null });
+  machine.setPlace({ sure: { x: false, z: false }, brought: null, last: null });
   machine.set({ compensation: "R0", tool: null, toolRefused: true, corrections: {} });
 }
 
@@ -51,7 +51,7 @@ function takeMill(machine: Machine, s: StatementOf<"toolCall">, wanted: number |
 function takeTool(machine: Machine, s: StatementOf<"toolCall">, wanted: number | string, index: number): void {
   const refused = machine.shop.refused?.get(Number(wanted));
   const tool = refused ? undefined : (find(machine.shop.tools, wanted) ?? drillIn(machine.shop.mills ?? [], wanted));
-  machine.setPlace({ sure: { x: false, z: false }, last: null });
+  machine.setPlace({ sure: { x: false, z: false }, brought: null, last: null });
   machine.set({ compensation: "R0", tool: tool ?? null, toolRefused: !tool, corrections: {} });
   if (refused && typeof wanted === "number") { for (const i of refused) machine.log.say(i, index); }
   else if (!tool && (machine.now.turning || turnsLater(machine, index)))

@@ -103,8 +103,10 @@ function damageBefore(
   }
   const damage = new Map<number, readonly StockFinding[]>();
   const ordered = [...new Set([...former.damage.keys(), ...again.keys()])].filter((i) => i < from.step).sort((a, b) => a - b);
+  const byBringing = (f: StockFinding) => f.block === former.input.steps[f.step]?.broughtBy;
   for (const i of ordered) {
-    const found = again.get(i) ?? former.damage.get(i)?.map((f) => ({ ...f, block: steps[i]?.block ?? f.block })) ?? [];
+    const blockOf = (f: StockFinding) => (byBringing(f) ? steps[i]?.broughtBy : steps[i]?.block) ?? f.block;
+    const found = again.get(i) ?? former.damage.get(i)?.map((f) => ({ ...f, block: blockOf(f) })) ?? [];
     if (found.length > 0) damage.set(i, found);
   }
   return damage;

@@ -53,6 +53,7 @@ export const SEVERITY: Readonly<Record<string, "error" | "warning" | "info">> = 
   nothingCut: "warning",
   airPasses: "info",
   notProved: "warning",
+  startUnknown: "warning",
   parameterForeign: "warning",
   tooManyPasses: "error",
   rapidInStock: "error",
@@ -137,6 +138,24 @@ export const expected: Readonly<Record<string, Expected>> = {
   "o02-820-face-X0": { says: "a face to X0 leaves nothing", ...clean, left: 0, hasNot: ["materialLeft"] },
   "b07-812-S-Z-farbehind": { says: "a start point in the air does not stand in the material", hasNot: ["startInMaterial"] },
   "i23-Q491neg": { says: "one range everywhere", hasNot: ["outOfRange"] },
+  "brought-into-stock": {
+    says: "the first rapid of a tool ends in material: it has run into it, wherever it came from",
+    rapidInStock: true,
+    has: { rapidInStock: 1 },
+    verdict: "faults",
+  },
+  "call-after-change": {
+    says: "a cycle called where nobody knows the start point is not proved",
+    has: { startUnknown: true, notProved: true },
+    mostErrors: 0,
+    verdict: "incomplete",
+  },
+  "cut-from-nowhere": {
+    says: "a feed from where nobody knows is not proved",
+    has: { startUnknown: 1, notProved: 1 },
+    mostErrors: 0,
+    verdict: "incomplete",
+  },
   "j10-820-lblbeforeM30": { says: "M30 is missing in front of the label: the cause, once", mostErrors: 1 },
   "r08-820-Q463-tiny": { says: "too many passes, at once", has: { tooManyPasses: true } },
 };
