@@ -115,7 +115,7 @@ function param<K extends Kind, T extends string>(
     incremental: o.incremental ?? false,
     ...(choices ? { choices } : {}),
     evidence: o.evidence ?? "A",
-    decimals: o.decimals ?? (kind === "angle" ? 4 : kind === "count" ? 0 : 3),
+    decimals: o.decimals ?? (kind === "angle" ? 4 : 3),
     reserved: o.reserved ?? false,
     shown: o.shown ?? "outline",
     place: o.place ?? "start",

@@ -16,6 +16,9 @@ export interface ThreadValues {
   readonly Q475: number;
 }
 
+/** Degrees. */
+const SQUARE = 90;
+
 /** How a taper may be dimensioned (Q464). */
 export const TAPER = { points: 0, endStartX: 1, endStartZ: 2, startEndX: 3, startEndZ: 4 } as const;
 
@@ -114,8 +117,15 @@ export function threadDimensions(
 export function taperEnds(v: TaperValues, start: Pt | null): { readonly from: Pt; readonly to: Pt; readonly issues: readonly Issue[] } {
   const [r1, r2] = [toRadius(v.Q491), toRadius(v.Q493)];
   const [from, to] = [pt(v.Q492, r1), pt(v.Q494, r2)];
+  // Square to the axis or beyond, a line never comes forward.
+  if (v.Q464 !== TAPER.points && Math.abs(v.Q469) >= SQUARE)
+    return { from, to, issues: [issue("taperImpossible", "error", { angle: v.Q469 }, "Q469")] };
   const slope = Math.tan(radians(v.Q469));
-  const found = (a: Pt, b: Pt) => ({ from: a, to: b, issues: [] });
+  const found = (a: Pt, b: Pt) => ({
+    from: a,
+    to: b,
+    issues: v.Q464 !== TAPER.points && Math.min(a.r, b.r) < 0 ? [issue("taperImpossible", "error", { angle: v.Q469 }, "Q469")] : [],
+  });
   const long = Math.abs(slope) < ROUND ? NaN : (r2 - r1) / slope;
   switch (v.Q464) {
     case TAPER.endStartZ:

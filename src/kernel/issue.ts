@@ -16,6 +16,7 @@ interface Data {
   badExpression: { text: string };
   unknownParameter: { name: string };
   outOfRange: { value: number; min: number; max: number; nearest?: number };
+  notWhole: { value: number; nearest?: number };
   notAChoice: { value: number; choices: readonly number[]; nearest?: number };
   /* values against each other */
   startEqualsEnd: { other: string; value: number; nearest?: number };

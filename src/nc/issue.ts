@@ -25,6 +25,8 @@ interface Data {
   blockNumberMissing: { expected: number };
   /** `~` on the last line of a block: the next line is not a continuation. */
   continuationOpen: {};
+  /** The text is a program in the other language of the controls, DIN/ISO, which is not read. */
+  isoProgram: {};
   /** The text does not end with END PGM, or does not start with BEGIN PGM. */
   frameMissing: { which: "BEGIN PGM" | "END PGM" };
 }

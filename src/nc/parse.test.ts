@@ -94,6 +94,13 @@ describe("findings have a place, and a fix where it is plain", () => {
     expect(issuesOf(parse("0 BEGIN PGM A MM\n3 M3\nM4\n4 END PGM A MM")).map((i) => i.code)).toEqual(["blockNumber", "blockNumberMissing"]);
     expect(issuesOf(parse("M3\n")).map((i) => i.code)).toEqual(["frameMissing", "frameMissing"]);
   });
+  test("a program in DIN/ISO is refused by its name, once; one such block in Klartext is that block's matter", () => {
+    const errors = (text: string) => issuesOf(parse(text)).filter((i) => i.severity === "error").map((i) => `${i.code}@${i.line}`);
+    expect(errors("%SHAFT G71 *\nN10 G30 G17 X+0 Y+0 Z-40 *\nN20 G812 Q215=+0 *\nN99999 %SHAFT G71 *\n")).toEqual(["isoProgram@1"]);
+    expect(errors("N10 G01 X+20 Z-5 F0.2\nN20 G79\n")).toEqual(["isoProgram@1"]);
+    expect(errors("0 BEGIN PGM A MM\n1 G812 Q215=+0\n2 END PGM A MM\n")).toEqual([]);
+    expect(errors("L X+5 Z-3 FMAX\nGRV RADIAL POS-20 BREADTH5 DEPTH3\n")).toEqual([]);
+  });
 });
 
 describe("spellings", () => {

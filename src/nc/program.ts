@@ -64,6 +64,10 @@ function places(raw: string, offsets: readonly number[]): { line: number; column
   });
 }
 
+/** A block of DIN/ISO: the frame (`%NAME G71`), or a G function that Klartext does not know. */
+const ISO = /^\s*(?:%\S+\s+G7[01](?!\d)|(?:N\d+\s*)?G\d{1,3}(?!\d))/i;
+const inIso = ({ raw, statement }: Block): boolean => statement.kind === "unknown" && ISO.test(raw);
+
 /** All findings of the reader, those between blocks included, in the order of the text. */
 export const issuesOf = (program: Program): NcIssue[] => [...eachIssue(program)];
 
@@ -78,7 +82,9 @@ export function* eachIssue({ blocks }: Program): Generator<NcIssue> {
     ...place,
     data: { which },
   });
-  if (blocks.find(said)?.statement.kind !== "begin") yield missing("BEGIN PGM", { line: 1, offset: 0 });
+  const isIso = !blocks.some((b) => b.statement.kind === "begin") && blocks.some(inIso);
+  if (isIso) yield { code: "isoProgram", severity: "error", line: 1, column: 1, offset: 0, length: 0, data: {} };
+  else if (blocks.find(said)?.statement.kind !== "begin") yield missing("BEGIN PGM", { line: 1, offset: 0 });
   const numbered = blocks.some((b) => b.number !== null);
   let [offset, line] = [0, 1];
   let expected: number | null = null;
@@ -106,5 +112,5 @@ export function* eachIssue({ blocks }: Program): Generator<NcIssue> {
     offset += b.raw.length;
     line += b.lines;
   }
-  if (blocks.findLast(said)?.statement.kind !== "end") yield missing("END PGM", { line: Math.max(1, line - 1), offset });
+  if (!isIso && blocks.findLast(said)?.statement.kind !== "end") yield missing("END PGM", { line: Math.max(1, line - 1), offset });
 }

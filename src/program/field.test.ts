@@ -113,6 +113,12 @@ describe("checkNumber", () => {
     expect(checkNumber({ id: "R", range: [0, 5] }, Infinity)?.data).toMatchObject({ nearest: 5 });
     expect(checkNumber({ id: "R", range: [0, 5] }, 5)).toBeNull();
   });
+  test("a count is whole", () => {
+    expect(checkNumber({ id: "Q475", kind: "count", range: [1, 500] }, 2.4)).toMatchObject({ code: "notWhole", data: { nearest: 2 } });
+    expect(checkNumber({ id: "Q475", kind: "count", range: [1, 500] }, 0.4)).toMatchObject({ code: "outOfRange", data: { nearest: 1 } });
+    expect(checkNumber({ id: "Q475", kind: "count", range: [1, 500] }, 3)).toBeNull();
+    expect(readText({ ...anyNumber, kind: "count", range: [1, 500], decimals: 3 }, "1,5").issue?.code).toBe("notWhole");
+  });
 });
 
 test.each([["75/2", "37.5"], ["10/3", "3.333333"], ["75", null], ["75/", null], ["", null]])("leaving a field, %j becomes %j",

@@ -49,10 +49,15 @@ export const kept = (n: number, decimals: number): number => Number(n.toFixed(de
 const nearestOf = (choices: readonly number[], n: number) =>
   choices.reduce((best, next) => (Math.abs(next - n) < Math.abs(best - n) ? next : best));
 
+/** What of a field says which numbers it takes. */
+type Taken = Pick<Field, "id" | "range" | "choices"> & Partial<Pick<Field, "kind">>;
+
 /** What is wrong with a number in a field, with the nearest one that it takes; null when it can be used. */
-export function checkNumber({ id, range: [min, max], choices }: Pick<Field, "id" | "range" | "choices">, n: number): Issue | null {
+export function checkNumber({ id, kind, range: [min, max], choices }: Taken, n: number): Issue | null {
   if (choices) return choices.includes(n) ? null : issue("notAChoice", "error", { value: n, choices, nearest: nearestOf(choices, n) }, id);
-  return n >= min && n <= max ? null : issue("outOfRange", "error", { value: n, min, max, nearest: Math.min(max, Math.max(min, n)) }, id);
+  const within = Math.min(max, Math.max(min, n));
+  if (!(n >= min && n <= max)) return issue("outOfRange", "error", { value: n, min, max, nearest: within }, id);
+  return kind === "count" && !Number.isInteger(n) ? issue("notWhole", "error", { value: n, nearest: Math.round(n) }, id) : null;
 }
 
 /** FAUTO and FMAX as typed: with or without the F, in any case. */

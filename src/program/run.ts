@@ -1,4 +1,5 @@
 import { cycleByNumber } from "../cycles/index.ts";
+import { issue } from "../kernel/issue.ts";
 import type { Block, Program } from "../nc/program.ts";
 import type { Statement, StatementOf, Words } from "../nc/statement.ts";
 import { blankBox, blankCylinder, blankFile, blankOfTurnData, blankRotation, cuboidOf, tellBox, tellMissing,
@@ -166,7 +167,7 @@ function mode(machine: Machine, wanted: "TURN" | "MILL", index: number): void {
   machine.setPlace({ last: null });
   if (machine.now.turning === (wanted === "TURN")) return;
   machine.set({ turning: wanted === "TURN", pole: null });
-  machine.setPlace({ sure: { x: false, z: false }, mill: NOWHERE });
+  machine.setPlace({ sure: { x: false, z: false }, brought: null, mill: NOWHERE });
   machine.millGuide.here = null;
 }
 
@@ -177,9 +178,14 @@ function callPattern(machine: Machine, how: string, index: number): void {
   machine.log.leaveUnproved(`CYCL CALL ${how}`, index);
 }
 
+/** Input range of a spindle speed, rpm. */
+const FASTEST_SPINDLE = 99_999.999;
+
 function spin(machine: Machine, s: StatementOf<"spin">, index: number): void {
   const read = (v: typeof s.speed) => (v === null ? null : machine.number(v, index));
   const [speed, cuttingSpeed, limit] = [read(s.speed), read(s.cuttingSpeed), read(s.limit)];
+  if (limit !== null && limit < 0)
+    machine.log.say(issue("outOfRange", "error", { value: limit, min: 0, max: FASTEST_SPINDLE }, "SMAX"), index);
   if (s.constantSurface && cuttingSpeed !== null && cuttingSpeed > 0) {
     machine.set({ spindle: { kind: "surface", cuttingSpeed, limit: Math.max(0, limit ?? 0) } });
   } else if (!s.constantSurface && speed !== null && speed > 0) machine.set({ spindle: { kind: "constant", speed } });

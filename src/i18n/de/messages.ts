@@ -33,6 +33,7 @@ export const messages = {
     unknownParameter: (d) => `${d.name} hat hier keinen Wert. Zahl eingeben.`,
     outOfRange: (d, w) =>
       `${w.value(d.value)} liegt außerhalb des Bereichs: ${w.value(d.min)} bis ${w.value(d.max)}.${nearest(d.nearest, w.value)}`,
+    notWhole: (d, w) => `${w.number(d.value)} ist keine ganze Zahl.${nearest(d.nearest, w.number)}`,
     notAChoice: (d, w) => `${w.number(d.value)} steht nicht zur Wahl (${d.choices.join(", ")}).${nearest(d.nearest, w.number)}`,
     startEqualsEnd: (d, w) => `Start und Ende sind gleich: auch ${d.other} ist ${w.value(d.value)}.${nearest(d.nearest, w.value)}`,
     startLevelWithEnd: (d, w) =>
@@ -192,6 +193,7 @@ export const messages = {
     blockNumber: (d) => `Satznummer ${d.found} passt nicht in die Reihenfolge; ${d.expected} wäre an der Reihe.`,
     blockNumberMissing: (d) => `Der Satz hat keine Nummer; ${d.expected} wäre an der Reihe.`,
     continuationOpen: () => "Die Zeile endet mit ~, aber es folgt keine Fortsetzung.",
+    isoProgram: () => "Das Programm ist in DIN/ISO geschrieben. Gelesen wird nur Klartext.",
     frameMissing: (d) => `Dem Programm fehlt ${d.which}.`,
 
     notSimulated: (d, w) => `${w.text(d.what)}: bleibt im Programm, wird nicht simuliert.`,

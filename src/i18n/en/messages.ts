@@ -34,6 +34,7 @@ export const messages = {
     badExpression: (d, w) => `“${w.text(d.text)}” cannot be calculated.`,
     unknownParameter: (d) => `${d.name} has no value here. Enter a number.`,
     outOfRange: (d, w) => `${w.value(d.value)} is out of range: ${w.value(d.min)} to ${w.value(d.max)}.${nearest(d.nearest, w.value)}`,
+    notWhole: (d, w) => `${w.number(d.value)} is not a whole number.${nearest(d.nearest, w.number)}`,
     notAChoice: (d, w) => `${w.number(d.value)} is not one of ${d.choices.join(", ")}.${nearest(d.nearest, w.number)}`,
     startEqualsEnd: (d, w) => `Start and end are the same: ${d.other} is ${w.value(d.value)} too.${nearest(d.nearest, w.value)}`,
     startLevelWithEnd: (d, w) =>
@@ -182,6 +183,7 @@ export const messages = {
     blockNumber: (d) => `Block number ${d.found} does not follow; ${d.expected} would.`,
     blockNumberMissing: (d) => `The block has no number; ${d.expected} would follow.`,
     continuationOpen: () => "The line ends in ~, but no continuation follows.",
+    isoProgram: () => "The program is written in DIN/ISO. Only Klartext is read.",
     frameMissing: (d) => `The program has no ${d.which}.`,
 
     notSimulated: (d, w) => `${w.text(d.what)}: kept, not simulated.`,

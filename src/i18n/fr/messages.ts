@@ -33,6 +33,7 @@ export const messages = {
     badExpression: (d, w) => `« ${w.text(d.text)} » ne peut pas être calculé.`,
     unknownParameter: (d) => `${d.name} n’a pas de valeur ici. Saisir un nombre.`,
     outOfRange: (d, w) => `${w.value(d.value)} est hors de la plage ${w.value(d.min)} à ${w.value(d.max)}.${nearest(d.nearest, w.value)}`,
+    notWhole: (d, w) => `${w.number(d.value)} n’est pas un nombre entier.${nearest(d.nearest, w.number)}`,
     notAChoice: (d, w) => `${w.number(d.value)} n’est pas un des choix ${d.choices.join(", ")}.${nearest(d.nearest, w.number)}`,
     startEqualsEnd: (d, w) => `Départ et fin sont identiques : ${d.other} vaut aussi ${w.value(d.value)}.${nearest(d.nearest, w.value)}`,
     startLevelWithEnd: (d, w) =>
@@ -188,6 +189,7 @@ export const messages = {
     blockNumber: (d) => `Le numéro de séquence ${d.found} ne suit pas ; ce serait ${d.expected}.`,
     blockNumberMissing: (d) => `La séquence n’a pas de numéro ; ce serait ${d.expected}.`,
     continuationOpen: () => "La ligne finit par ~, mais aucune suite n’est là.",
+    isoProgram: () => "Le programme est écrit en DIN/ISO. Seul le Klartext est lu.",
     frameMissing: (d) => `Il manque ${d.which} au programme.`,
 
     notSimulated: (d, w) => `${w.text(d.what)} : conservé, non simulé.`,

@@ -32,6 +32,7 @@ export const messages = {
     badExpression: (d, w) => `“${w.text(d.text)}”无法计算。`,
     unknownParameter: (d) => `${d.name}在此处没有值，请输入数字。`,
     outOfRange: (d, w) => `${w.value(d.value)}超出范围${w.value(d.min)}至${w.value(d.max)}。${nearest(d.nearest, w.value)}`,
+    notWhole: (d, w) => `${w.number(d.value)}不是整数。${nearest(d.nearest, w.number)}`,
     notAChoice: (d, w) => `${w.number(d.value)}不在可选值${d.choices.join("、")}中。${nearest(d.nearest, w.number)}`,
     startEqualsEnd: (d, w) => `起点与终点相同：${d.other}也是${w.value(d.value)}。${nearest(d.nearest, w.value)}`,
     startLevelWithEnd: (d, w) => `起点位于${d.axis} ${w.number(d.value)}，与轮廓终点相同：两者之间没有可加工的材料。`,
@@ -143,6 +144,7 @@ export const messages = {
     blockNumber: (d) => `程序段号${d.found}不连续，应为${d.expected}。`,
     blockNumberMissing: (d) => `该程序段没有编号，应为${d.expected}。`,
     continuationOpen: () => "该行以~结尾，但没有续行。",
+    isoProgram: () => "该程序采用 DIN/ISO 格式；只读取 Klartext 程序。",
     frameMissing: (d) => `程序缺少${d.which}。`,
 
     notSimulated: (d, w) => `${w.text(d.what)}：保留，不仿真。`,

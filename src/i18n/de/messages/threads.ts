@@ -20,7 +20,7 @@ export const threads = {
   runInBlocked: (d, w) =>
     `Wo der Anlauf beginnt, bei ${w.place(d.x, d.z)}, stünde das Werkzeug im Material.${nearest(d.nearest, w.number)}`,
   threadTooMany: (d, w) => `${w.number(d.turns)} Spindelumdrehungen in allen Schnitten sind mehr als ${w.number(d.most)}.`,
-  taperImpossible: (d, w) => `Ein Winkel von ${w.angle(d.angle)} führt nie von einem Durchmesser zum anderen.`,
+  taperImpossible: (d, w) => `Ein Winkel von ${w.angle(d.angle)} führt vom Anfang des Gewindes zu keinem Ende.`,
   threadFeedOverLimit: (d, w) =>
     `Drehzahl ${w.number(d.speed)} × Steigung ergibt ${w.number(d.feed)} mm/min, mehr als die Achse kann: ${w.number(d.most)}. Bis `
     + `${w.number(d.upTo)} 1/min kann sie folgen.`,

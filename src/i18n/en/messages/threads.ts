@@ -21,7 +21,7 @@ export const threads = {
   runInBlocked: (d, w) =>
     `Where the run-in begins, at ${w.place(d.x, d.z)}, the tool would stand in material.${nearest(d.nearest, w.number)}`,
   threadTooMany: (d, w) => `${w.number(d.turns)} turns of the spindle in all passes are more than ${w.number(d.most)}.`,
-  taperImpossible: (d, w) => `An angle of ${w.angle(d.angle)} never leads from the one diameter to the other.`,
+  taperImpossible: (d, w) => `An angle of ${w.angle(d.angle)} leads from the start of the thread to no end.`,
   threadFeedOverLimit: (d, w) =>
     `Speed ${w.number(d.speed)} × pitch is a feed of ${w.number(d.feed)} mm/min, more than the axis can: ${w.number(d.most)}. Up to `
     + `${w.number(d.upTo)} rpm it can follow.`,

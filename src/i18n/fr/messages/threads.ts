@@ -20,7 +20,7 @@ export const threads = {
   runInBlocked: (d, w) =>
     `Au début de l’engagement, en ${w.place(d.x, d.z)}, l’outil serait dans la matière.${nearest(d.nearest, w.number)}`,
   threadTooMany: (d, w) => `${w.number(d.turns)} tours de broche pour toutes les passes dépassent ${w.number(d.most)}.`,
-  taperImpossible: (d, w) => `Un angle de ${w.angle(d.angle)} ne mène jamais d’un diamètre à l’autre.`,
+  taperImpossible: (d, w) => `Un angle de ${w.angle(d.angle)} ne mène du début du filet à aucune fin.`,
   threadFeedOverLimit: (d, w) =>
     `Vitesse ${w.number(d.speed)} × pas donne ${w.number(d.feed)} mm/min, plus que l’axe ne peut : ${w.number(d.most)}. Jusqu’à `
     + `${w.number(d.upTo)} tr/min il peut suivre.`,

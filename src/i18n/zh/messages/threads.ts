@@ -17,7 +17,7 @@ export const threads = {
   threadTurnsBack: (d) => `螺纹必须从起点到终点沿${d.axis}单向前进：该轴与主轴同步。`,
   runInBlocked: (d, w) => `在导入段起点${w.place(d.x, d.z)}，刀具会位于材料中。${nearest(d.nearest, w.number)}`,
   threadTooMany: (d, w) => `所有走刀共${w.number(d.turns)}转主轴，超过${w.number(d.most)}。`,
-  taperImpossible: (d, w) => `角度${w.angle(d.angle)}无法从一个直径到达另一个直径。`,
+  taperImpossible: (d, w) => `角度${w.angle(d.angle)}无法从螺纹起点到达终点。`,
   threadFeedOverLimit: (d, w) =>
     `转速${w.number(d.speed)} × 螺距的进给为${w.number(d.feed)} mm/min，超过轴的能力${w.number(d.most)}。转速不超过${
       w.number(d.upTo)
