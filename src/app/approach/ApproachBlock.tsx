@@ -7,7 +7,7 @@ import { editProgram, useSession } from "../editor/session.ts";
 import { useShownBeside } from "../files/shown-file.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import type { FindingEntry } from "../findings/entry.ts";
-import { openWordOf, useOpenApproach } from "../guide/guide-place.ts";
+import { openWordOf, useGuidedBlock } from "../guide/guide-place.ts";
 import { useEditor } from "../store.ts";
 import { ApproachDialog } from "./ApproachDialog.tsx";
 import { isFresh, markFresh } from "./fresh-block.ts";
@@ -24,7 +24,7 @@ export function ApproachBlock({ problems }: { readonly problems: readonly Findin
   const work = useEditor((s) => s.work);
   const line = startLines(program)[index] ?? 0;
   const [begins] = useState(() => openWordOf(work, line));
-  const onOpen = useCallback((word: string | null) => useOpenApproach.setState({ block: { work, line, word } }), [work, line]);
+  const onOpen = useCallback((word: string | null) => useGuidedBlock.setState({ block: { work, line, word } }), [work, line]);
   const statement = program.blocks[index]?.statement;
   if (statement?.kind !== "approach") return null;
   return (

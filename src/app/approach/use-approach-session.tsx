@@ -3,7 +3,7 @@ import type { Texts } from "../../i18n/index.ts";
 import { formatNumber, formatSigned } from "../../i18n/number.ts";
 import { approachDraft, approachStatement, readApproach, SIDES, type ApproachDraft, type ApproachReading,
   type ApproachStatement } from "../../program/approach-draft.ts";
-import { approachFields, shapeOf, type ApproachField, type ApproachWord } from "../../program/approach-fields.ts";
+import { approachFields, type ApproachField, type ApproachWord } from "../../program/approach-fields.ts";
 import type { ApproachContext } from "../../program/approach-request.ts";
 import type { Prompt, PromptSession } from "../dialog/session.ts";
 import type { FindingEntry } from "../findings/entry.ts";
@@ -110,7 +110,7 @@ export function useApproachSession({ statement, context, typed, findings, pictur
       question: prompt,
       label,
       about,
-      page: ["guide", `${statement.departing ? "dep" : "appr"}-${shapeOf(statement.form).toLowerCase()}`, f.id],
+      page: ["guide", `${statement.departing ? "dep" : "appr"}-${statement.form.toLowerCase()}`, f.id],
       name: t.approach.value(letter, prompt),
       unit: unitText(t, f, context.unit !== 1),
       range: f.kind === "side" || f.kind === "functions" ? null : t.dialog.range(min ?? "", max ?? ""),

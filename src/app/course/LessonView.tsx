@@ -34,7 +34,13 @@ function useLesson(id: string): Lesson | null {
 }
 
 /** A page: its text beside the lathe, and what may be slid. */
-function PageOfLesson({ page, text, name }: { readonly page: LessonPageOf; readonly text: string; readonly name: string }) {
+function PageOfLesson({ page, text, before, name }: {
+  readonly page: LessonPageOf;
+  readonly text: string;
+  /** Texts of the pages before it. */
+  readonly before: readonly string[];
+  readonly name: string;
+}) {
   const t = useCourseTexts().picture;
   const { slide, program } = page;
   const [playback] = useState(() => createPlaybackStore(clock));
@@ -54,7 +60,7 @@ function PageOfLesson({ page, text, name }: { readonly page: LessonPageOf; reado
       </div>
       <div className="lesson-text">
         <section className="lesson-words" aria-label={name} aria-live="polite" aria-atomic="true">
-          <Paragraphs text={text} />
+          <Paragraphs text={text} before={before} />
         </section>
         {slide && <LessonSlide slide={slide} value={value} lines={lines} onSlide={(next) => setSlid({ key: page.key, value: next })} />}
         <LessonProgram lines={lines} playback={playback} open={read} onOpen={setRead} run={waits || !outcome ? null : outcome.run} />
@@ -133,7 +139,10 @@ function OpenLesson({ entry }: { readonly entry: LessonEntry }) {
       </header>
       <div className="lesson-body" data-tasks={!page}>
         {page && typeof at === "number"
-          ? <PageOfLesson page={page} text={words.pages[at - 1] ?? ""} name={t.pageOf(String(at), String(entry.pages))} />
+          ? (
+            <PageOfLesson page={page} text={words.pages[at - 1] ?? ""} before={words.pages.slice(0, at - 1)}
+              name={t.pageOf(String(at), String(entry.pages))} />
+          )
           : <LessonTasks lesson={lesson} entry={entry} aim={words.aim} />}
       </div>
       <footer className="lesson-foot">

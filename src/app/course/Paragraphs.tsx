@@ -1,4 +1,5 @@
 import { Fragment } from "react";
+import { Said, SaidOnPage } from "../guide/Said.tsx";
 import "./paragraphs.css";
 
 /** No line ends before a mark that French sets apart, nor behind its opening quote. */
@@ -7,17 +8,22 @@ const together = (text: string): string => text.replaceAll(/ (?=[?!:;Â»%])|(?<=Â
 /** A word in which a minus stands before a digit, such as Z-35: it would break behind the minus. */
 const NUMBER = /(\S*-\d\S*)/;
 
-/** A text of the course: its paragraphs, which empty lines part. */
-export function Paragraphs({ text }: { readonly text: string }) {
-  return (
-    <>
-      {text.split(/\n\s*\n/).map((each, i) => (
-        <p key={i}>
-          {together(each).split(NUMBER).map((piece, k) =>
-            NUMBER.test(piece) ? <span key={k} className="unbroken">{piece}</span> : <Fragment key={k}>{piece}</Fragment>
-          )}
-        </p>
-      ))}
-    </>
+/** A text in which no number breaks. */
+const unbroken = (text: string) =>
+  text.split(NUMBER).map((piece, k) =>
+    NUMBER.test(piece) ? <span key={k} className="unbroken">{piece}</span> : <Fragment key={k}>{piece}</Fragment>
   );
+
+interface Props {
+  readonly text: string;
+  /** Texts of the pages before: words of the glossary lead there where they are used first. Absent: none does. */
+  readonly before?: readonly string[];
+}
+
+/** A text of the course: its paragraphs, which empty lines part. */
+export function Paragraphs({ text, before }: Props) {
+  const paragraphs = text.split(/\n\s*\n/).map(together);
+  const said = (plain: boolean) =>
+    paragraphs.map((each, i) => <p key={i}>{plain ? unbroken(each) : <Said text={each} plain={unbroken} />}</p>);
+  return before ? <SaidOnPage texts={paragraphs} before={before}>{said(false)}</SaidOnPage> : said(true);
 }

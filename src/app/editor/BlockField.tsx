@@ -1,4 +1,4 @@
-import { useId, useRef, useState } from "react";
+import { useId, useRef, useState, type ReactNode } from "react";
 import type { Statement } from "../../nc/statement.ts";
 import { sumOf } from "../../program/field.ts";
 import { useNumberEntry } from "../dialog/use-number-entry.ts";
@@ -13,6 +13,8 @@ interface Props {
   readonly field: WordField;
   readonly statement: Statement;
   readonly change: (next: Statement, field: string) => void;
+  /** The way to its page of the guide. */
+  readonly more: ReactNode;
 }
 
 /** What was typed, and what the block said then: when the block says something else by now, that counts. */
@@ -22,7 +24,7 @@ interface Typed {
 }
 
 /** One word of a block. Each keystroke that can be read changes the text of the block; leaving the field ends the step of undo. */
-export function BlockField({ field, statement, change }: Props) {
+export function BlockField({ field, statement, change, more }: Props) {
   const t = useTexts().editor;
   const id = useId();
   const input = useRef<HTMLInputElement>(null);
@@ -51,8 +53,11 @@ export function BlockField({ field, statement, change }: Props) {
   if (field.choices) {
     const choices: Readonly<Record<string, string>> = t.choices;
     return (
-      <div className="block-field">
-        <label htmlFor={id}>{name}</label>
+      <div className="block-field" data-word={field.id}>
+        <span className="block-name">
+          <label htmlFor={id}>{name}</label>
+          {more}
+        </span>
         <select id={id} className="select" value={said} onChange={(event) => {
           closeStep();
           write(event.target.value);
@@ -67,8 +72,11 @@ export function BlockField({ field, statement, change }: Props) {
   }
   const { incremental } = field;
   return (
-    <div className={`block-field${field.wide ? " wide" : ""}`}>
-      <label htmlFor={id}>{name}</label>
+    <div className={`block-field${field.wide ? " wide" : ""}`} data-word={field.id}>
+      <span className="block-name">
+        <label htmlFor={id}>{name}</label>
+        {more}
+      </span>
       <span className="block-value">
         <input id={id} ref={input} type="text" className={`input${field.wide ? "" : " number"}`}
           inputMode={field.numeric ? "decimal" : "text"} {...(field.numeric && { "data-number": "words" })} autoComplete="off"

@@ -1,4 +1,4 @@
-import { Suspense } from "react";
+import { Suspense, useEffect, useRef } from "react";
 import { isKept } from "../../cycles/kept-cycles.ts";
 import { withBlock } from "../../nc/edit.ts";
 import { blockNumbers, startLines } from "../../nc/program.ts";
@@ -8,6 +8,7 @@ import type { FindingEntry } from "../findings/entry.ts";
 import { Icon } from "../Icon.tsx";
 import { CalledTool } from "../operations/CalledTool.tsx";
 import { DescribeCycle } from "../own/DescribeCycle.tsx";
+import { useGuidedBlock } from "../guide/guide-place.ts";
 import { useOutcome, type Outcome } from "../engine/outcome.ts";
 import { showFile, useShownBeside } from "../files/shown-file.ts";
 import { placeInFile } from "../issue-text.ts";
@@ -17,6 +18,8 @@ import { fileOf } from "../work.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { BlockField } from "./BlockField.tsx";
 import { fieldsOf } from "./block-fields.ts";
+import { kindOf } from "./block-kind.ts";
+import { BlockMore } from "./BlockMore.tsx";
 import { editProgram, openBlock, readWhole, useSession } from "./session.ts";
 
 /** Nothing offers a nearest value here. */
@@ -33,6 +36,14 @@ function definedElsewhere(outcome: Outcome | null, call: number | undefined) {
   return { file: found.definedFile, block: found.definedIn, line: found.definedLine };
 }
 
+/** Who comes back from the page of a word goes on in its field. */
+function backToWord(form: HTMLElement | null): void {
+  const { block } = useGuidedBlock.getState();
+  if (!form || !block?.word || block.work !== useEditor.getState().work) return;
+  useGuidedBlock.setState({ block: { ...block, word: null } });
+  form.querySelector<HTMLElement>(`[data-word="${CSS.escape(block.word)}"] :is(input, select)`)?.focus();
+}
+
 /** The dialog of a block that is no cycle of the catalogue: one field a word, made from the description of its kind. */
 export function BlockForm({ problems }: { readonly problems: readonly FindingEntry[] }) {
   const all = useTexts();
@@ -40,9 +51,12 @@ export function BlockForm({ problems }: { readonly problems: readonly FindingEnt
   const file = useShownBeside();
   const newest = useOutcome((s) => s.newest);
   const { reading: { program }, index } = useSession();
+  const form = useRef<HTMLDivElement>(null);
   const block = program.blocks[index];
+  useEffect(() => backToWord(form.current), []);
   if (!block) return null;
   const s = block.statement;
+  const line = startLines(program)[index] ?? 1, kind = kindOf(s);
   const change = (next: Statement, field: string) => editProgram(withBlock(program, index, next), `block ${index} ${field}`);
   const away = s.kind === "cycleCall" && file === null ? definedElsewhere(newest, blockNumbers(program)[index]) : null;
   const definition = s.kind === "cycleCall" && !away
@@ -50,7 +64,7 @@ export function BlockForm({ problems }: { readonly problems: readonly FindingEnt
     : -1;
   const numbers = definition >= 0 ? blockNumbers(program) : [];
   return (
-    <div className="block-form" role="form" aria-label={t.form}>
+    <div className="block-form" ref={form} role="form" aria-label={t.form}>
       <code className="number block-text">{block.raw.trimEnd()}</code>
       {(s.kind === "unknown" || (s.kind === "cycle" && isKept(s.cycle))) && !problems.some(({ issue }) => SAYS_SO.has(issue.code)) && (
         <p className="field-message info">
@@ -63,7 +77,10 @@ export function BlockForm({ problems }: { readonly problems: readonly FindingEnt
         </Suspense>
       )}
       {s.kind === "toolCall" && <CalledTool key={index} statement={s} change={(next) => change(next, "tool chosen")} />}
-      {fieldsOf(s).map((field) => <BlockField key={`${index} ${field.id}`} field={field} statement={s} change={change} />)}
+      {fieldsOf(s).map((field) => (
+        <BlockField key={`${index} ${field.id}`} field={field} statement={s} change={change}
+          more={kind !== "unknown" && kind !== "empty" && <BlockMore kind={kind} field={field} line={line} />} />
+      ))}
       {definition >= 0 && (
         <button type="button" className="button" onClick={() => openBlock(definition)}>
           {t.goToDefinition(String(numbers[definition] ?? 0))}

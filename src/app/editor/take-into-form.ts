@@ -13,6 +13,7 @@ export const writeIntoForm = (line: number, word: ApproachWord, size: number): v
     const index = startLines(program).indexOf(line), s = program.blocks[index]?.statement;
     if (s?.kind !== "approach") return program;
     const { plane, unit, parameters } = approachContext(program, index, null, parametersBefore(program, index));
-    const text = positionAsTyped(word === "CCA" ? size : size / unit);
-    return withBlock(program, index, approachStatement(s, plane, { ...approachDraft(s), [word]: text }, parameters));
+    const before = approachDraft(s), sign = /^I/i.exec(before[word] ?? "")?.[0] ?? "";
+    const text = sign + positionAsTyped(word === "CCA" || word === "PA" ? size : size / unit);
+    return withBlock(program, index, approachStatement(s, plane, { ...before, [word]: text }, parameters));
   });

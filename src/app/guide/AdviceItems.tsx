@@ -3,6 +3,7 @@ import type { Language } from "../../i18n/languages.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import { SPINDLE, type Advice } from "../../report/advice/advise.ts";
 import { useSettings } from "../settings/settings.ts";
+import { keepFocus } from "./keep-focus.ts";
 import { takeValue, useTaking } from "./take-value.ts";
 import { useAdviceTexts } from "./use-advice.ts";
 
@@ -42,7 +43,10 @@ export function AdviceItems({ cycle, advice }: { readonly cycle: number; readonl
               <b className="number">{at === SPINDLE ? t.spindle : at}</b> {adviceText(t, language, each)}
             </p>
             {better !== null && canTake(at) && (
-              <button type="button" className="button" onClick={() => void takeValue(cycle, at, better)}>
+              <button type="button" className="button" onClick={(event) => {
+                keepFocus(event.currentTarget, "main");
+                void takeValue(cycle, at, better);
+              }}>
                 {t.take(`${at === SPINDLE ? "" : `${at} = `}${formatNumber(language, better)}`)}
               </button>
             )}

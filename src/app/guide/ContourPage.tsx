@@ -4,6 +4,7 @@ import { newRow, type ContourRow } from "../../program/job.ts";
 import { segmentData } from "../../view/path.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
+import { Said, SaidList, SaidOnPage } from "./Said.tsx";
 import { useGuidePlaces } from "./use-guide-places.ts";
 import { useGuideTexts } from "./use-guide-texts.ts";
 
@@ -42,13 +43,17 @@ export function ContourPage() {
   const language = useSettings((s) => s.language);
   const sizes = [t.values.small, t.values.usual, t.values.large];
   return (
-    <>
+    <SaidOnPage texts={[words.about, places.lead, ...places.mistakes]}>
       <header className="guide-head">
         <h1>
           <span className="number prompt-q">LBL</span> {words.question}
         </h1>
-        <p>{words.about}</p>
-        <p>{places.lead}</p>
+        <p>
+          <Said text={words.about} />
+        </p>
+        <p>
+          <Said text={places.lead} />
+        </p>
         <p>{intro}</p>
       </header>
       {SIZED.map(([kind, values]) => (
@@ -87,8 +92,8 @@ export function ContourPage() {
       </section>
       <section className="guide-mistakes" aria-label={t.mistakes}>
         <h2>{t.mistakes}</h2>
-        <ul>{places.mistakes.map((sentence) => <li key={sentence}>{sentence}</li>)}</ul>
+        <SaidList texts={places.mistakes} />
       </section>
-    </>
+    </SaidOnPage>
   );
 }

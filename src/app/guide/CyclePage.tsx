@@ -2,6 +2,7 @@ import type { Cycle } from "../../cycles/define.ts";
 import { isRecalled } from "../../cycles/params.ts";
 import type { CycleNumber, ParamTextId } from "../../cycles/index.ts";
 import { useTexts } from "../settings/use-texts.ts";
+import { Said, SaidList, SaidOnPage } from "./Said.tsx";
 import { showGuide } from "./guide-place.ts";
 import { StepPlayer } from "./StepPlayer.tsx";
 import { useCycleRun } from "./use-cycle-run.ts";
@@ -28,12 +29,16 @@ export function CyclePage({ cycle }: { readonly cycle: Cycle }) {
   const { cycles, dialog, params } = useTexts();
   const words = cycles.of[cycle.number as CycleNumber];
   return (
-    <>
+    <SaidOnPage texts={[...words.description, ...words.notes]}>
       <header className="guide-head">
         <h1>
           <span className="number prompt-q">{cycle.number}</span> {words.name}
         </h1>
-        {words.description.map((sentence) => <p key={sentence}>{sentence}</p>)}
+        {words.description.map((sentence) => (
+          <p key={sentence}>
+            <Said text={sentence} />
+          </p>
+        ))}
         {isRecalled(cycle) && <p className="soft small">{dialog.recalled}</p>}
       </header>
       {!cycle.acts && <CycleSteps cycle={cycle} />}
@@ -51,7 +56,7 @@ export function CyclePage({ cycle }: { readonly cycle: Cycle }) {
           </ul>
         </section>
       )}
-      {words.notes.length > 0 && <ul className="guide-notes soft">{words.notes.map((note) => <li key={note}>{note}</li>)}</ul>}
-    </>
+      {words.notes.length > 0 && <SaidList texts={words.notes} className="guide-notes soft" />}
+    </SaidOnPage>
   );
 }

@@ -1,22 +1,25 @@
 import { useEffect, useRef } from "react";
 import { catalogue, cycleByNumber, type CycleNumber } from "../../cycles/index.ts";
 import { isRecalled } from "../../cycles/params.ts";
-import type { ApproachShape } from "../../kernel/approach.ts";
 import { Icon } from "../Icon.tsx";
 import { useOwnCycles } from "../own/own-reading.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { AdvicePage } from "./AdvicePage.tsx";
+import { BlockLinks, BlockPage } from "./BlockPage.tsx";
 import { ContourPage } from "./ContourPage.tsx";
 import { CyclePage } from "./CyclePage.tsx";
-import { FormLinks, FormPage } from "./FormPage.tsx";
+import { FormLinks, formOfPage, FormPage } from "./FormPage.tsx";
 import { GlossaryPage } from "./GlossaryPage.tsx";
 import { GuideButton } from "./GuideButton.tsx";
 import { hideGuide, showGuide, useGuidePlace, type GuidePath } from "./guide-place.ts";
 import { OwnCyclePage } from "./OwnCyclePage.tsx";
 import { ParameterPage } from "./ParameterPage.tsx";
 import { isSetupPage, SETUP_PAGES, type SetupPageId } from "./setup-variants.ts";
-import { SetupPlacePage, setupPageWords } from "./SetupPlacePage.tsx";
+import { setupPageWords } from "./setup-page-words.ts";
+import { SetupPlacePage } from "./SetupPlacePage.tsx";
+import { Taken } from "./Taken.tsx";
 import { useAdviceTexts } from "./use-advice.ts";
+import { useGuideBlocks } from "./use-guide-blocks.ts";
 import { useGuidePlaces } from "./use-guide-places.ts";
 import { useGuideTexts } from "./use-guide-texts.ts";
 import "./guide.css";
@@ -25,6 +28,7 @@ import "./guide.css";
 function CycleList() {
   const t = useGuideTexts();
   const places = useGuidePlaces();
+  const blocks = useGuideBlocks();
   const texts = useTexts();
   const own = [...useOwnCycles().values()];
   return (
@@ -66,6 +70,25 @@ function CycleList() {
         </GuideButton>
         <FormLinks />
       </ul>
+      <h2>{blocks.title}</h2>
+      <p className="soft">{blocks.lead}</p>
+      <ul className="guide-links">
+        <BlockLinks />
+      </ul>
+    </>
+  );
+}
+
+/** All blocks of a program, each leading to its own page. */
+function BlockList() {
+  const blocks = useGuideBlocks();
+  return (
+    <>
+      <h1>{blocks.title}</h1>
+      <p className="soft">{blocks.lead}</p>
+      <ul className="guide-links">
+        <BlockLinks />
+      </ul>
     </>
   );
 }
@@ -91,9 +114,9 @@ function Shown({ path: [page, first, second] }: { readonly path: GuidePath }) {
   if (first === "contour") return <ContourPage />;
   if (first === "setup")
     return isSetupPage(second ?? "") ? <SetupPlacePage key={second} id={second as SetupPageId} /> : <h1>{t.missing}</h1>;
-  const form = /^(appr|dep)-(lt|ln|ct|lct)$/.exec(first);
-  if (form)
-    return <FormPage key={first} shape={form[2]?.toUpperCase() as ApproachShape} departing={form[1] === "dep"} word={second ?? null} />;
+  if (first === "block") return second === undefined ? <BlockList /> : <BlockPage key={second} name={second} />;
+  const form = formOfPage(first);
+  if (form) return <FormPage key={first} {...form} word={second ?? null} />;
   return <OfCycle number={Number(first)} q={second} />;
 }
 
@@ -137,6 +160,7 @@ export function GuidePage() {
       <article className="guide-body">
         <Shown path={shown} />
       </article>
+      <Taken page={name} />
     </main>
   );
 }

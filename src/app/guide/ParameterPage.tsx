@@ -12,6 +12,7 @@ import { readJob } from "../reading.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { AdviceItems } from "./AdviceItems.tsx";
+import { Said, SaidList, SaidOnPage } from "./Said.tsx";
 import { showGuide } from "./guide-place.ts";
 import { guideSources } from "./guide-source.ts";
 import { StartingValues } from "./StartingValues.tsx";
@@ -126,9 +127,10 @@ export function ParameterPage({ cycle, q, param }: Props) {
   const at = all.indexOf(q), [before, after] = [all[at - 1], all[at + 1]];
   const [source] = guideSources(cycle);
   const read = source && readJob(source.job);
+  const said = [words.explanation, ...mistakes];
   const go = (other: string) => showGuide("guide", String(cycle.number), other);
   return (
-    <>
+    <SaidOnPage texts={said}>
       <header className="guide-head">
         <p className="soft">
           <span className="number">{cycle.number}</span> {cycles.of[cycle.number as CycleNumber].name}
@@ -136,7 +138,9 @@ export function ParameterPage({ cycle, q, param }: Props) {
         <h1>
           <span className="number prompt-q">{q}</span> {words.prompt}
         </h1>
-        <p>{words.explanation}</p>
+        <p>
+          <Said text={words.explanation} />
+        </p>
         <div className="guide-turns">
           <button type="button" className="button" disabled={!before} aria-label={before && t.previousLong(before)}
             onClick={() => before && go(before)}
@@ -165,7 +169,7 @@ export function ParameterPage({ cycle, q, param }: Props) {
       <div className="guide-columns">
         <section className="guide-mistakes" aria-label={t.mistakes}>
           <h2>{t.mistakes}</h2>
-          <ul>{mistakes.map((sentence) => <li key={sentence}>{sentence}</li>)}</ul>
+          <SaidList texts={mistakes} />
           <h2>{t.terms}</h2>
           <ul className="guide-terms">
             {termsOf(param).map((term) => (
@@ -179,6 +183,6 @@ export function ParameterPage({ cycle, q, param }: Props) {
         </section>
         {!cycle.acts && <ActsIn cycle={cycle} param={param} />}
       </div>
-    </>
+    </SaidOnPage>
   );
 }

@@ -1,5 +1,4 @@
 import { cuttingCycles, cycleByNumber } from "../../cycles/index.ts";
-import type { Texts } from "../../i18n/index.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import { never } from "../../kernel/never.ts";
 import { useOutcome } from "../engine/outcome.ts";
@@ -9,47 +8,16 @@ import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { useEditor } from "../store.ts";
 import { useToolList } from "../tools/work-tools.ts";
+import { Said, SaidList, SaidOnPage } from "./Said.tsx";
 import { showGuide } from "./guide-place.ts";
+import { setupPageWords } from "./setup-page-words.ts";
 import { SETUP_PAGES, type SetupPageId } from "./setup-variants.ts";
+import { takeSetup } from "./take-value.ts";
 import { StartingValues } from "./StartingValues.tsx";
 import { useGuidePlaces } from "./use-guide-places.ts";
 import { useGuideTexts } from "./use-guide-texts.ts";
 import { useTriedSetup } from "./use-tried-setup.ts";
 import { ValueCard } from "./ValueCard.tsx";
-
-/** How a place is written in front of a value, what it is called, and what it is measured in. */
-export function setupPageWords(
-  { setup: t }: Texts,
-  id: SetupPageId,
-): { readonly letter: string; readonly name: string; readonly unit: string } {
-  const { units } = t;
-  switch (id) {
-    case "blank.outside":
-      return { letter: "D", name: t.blank.outside, unit: units.diameter };
-    case "blank.bore":
-      return { letter: "DI", name: t.blank.bore, unit: units.diameter };
-    case "blank.length":
-      return { letter: "L", name: t.blank.length, unit: units.mm };
-    case "blank.allowance":
-      return { letter: "DIST", name: t.blank.allowance, unit: units.mm };
-    case "tool":
-      return { letter: "T", name: t.tool.title, unit: "" };
-    case "start.x":
-      return { letter: "X", name: t.start.x, unit: units.diameter };
-    case "start.z":
-      return { letter: "Z", name: t.start.z, unit: units.mm };
-    case "spindle.cuttingSpeed":
-      return { letter: "VC", name: t.spindle.cuttingSpeed, unit: units.cuttingSpeed };
-    case "spindle.limit":
-      return { letter: "SMAX", name: t.spindle.limit, unit: units.rpm };
-    case "spindle.speed":
-      return { letter: "S", name: t.spindle.speed, unit: units.rpm };
-    case "perRevolution":
-      return { letter: "M136", name: t.feed.perRevolution, unit: "" };
-    case "rapid":
-      return { letter: "FMAX", name: t.feed.rapid, unit: units.perMinute };
-  }
-}
 
 /** The cycle that the set-up is shown with: that of the open work, the first of a program, or the first that cuts. */
 function useShownCycle() {
@@ -67,6 +35,7 @@ function SetupPictures({ id }: { readonly id: SetupPageId }) {
   const language = useSettings((s) => s.language);
   const tools = useToolList();
   const cycle = useShownCycle();
+  const canTake = useEditor((s) => s.job?.cycle === cycle.number);
   const { made, working } = useTriedSetup(cycle, id);
   const { letter, unit } = setupPageWords(texts, id);
   const textOf = (value: number) => (id === "perRevolution" ? [places.off, places.on][value] ?? "" : formatNumber(language, value));
@@ -83,7 +52,10 @@ function SetupPictures({ id }: { readonly id: SetupPageId }) {
               <ValueCard key={tried.value} tried={tried} box={made.box} letter={letter} text={textOf(tried.value)} unit={unit} size={null}
                 whose={tried.isUsual ? (made.isOwn ? t.values.yours : t.values.printed) : null} meaning={id === "tool"
                 ? tools.find(({ T }) => T === tried.value)?.NAME
-                : undefined} take={null} />
+                : undefined} take={canTake && made.isOwn && !tried.isUsual
+                ? () =>
+                  takeSetup(id, tried.value, letter, id === "perRevolution" ? textOf(tried.value) : tried.value)
+                : null} />
             ))}
           </ol>
         </CycleInWork>
@@ -109,13 +81,15 @@ export function SetupPlacePage({ id }: { readonly id: SetupPageId }) {
     </button>
   );
   return (
-    <>
+    <SaidOnPage texts={[about, ...mistakes]}>
       <header className="guide-head">
         <p className="soft">{places.setup}</p>
         <h1>
           <span className="number prompt-q">{letter}</span> {name}
         </h1>
-        <p>{about}</p>
+        <p>
+          <Said text={about} />
+        </p>
         {unit !== "" && (
           <p className="soft">
             {t.unit}: <span className="number">{unit}</span>
@@ -127,8 +101,8 @@ export function SetupPlacePage({ id }: { readonly id: SetupPageId }) {
       <SetupPictures id={id} />
       <section className="guide-mistakes" aria-label={t.mistakes}>
         <h2>{t.mistakes}</h2>
-        <ul>{mistakes.map((sentence) => <li key={sentence}>{sentence}</li>)}</ul>
+        <SaidList texts={mistakes} />
       </section>
-    </>
+    </SaidOnPage>
   );
 }

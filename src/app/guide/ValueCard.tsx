@@ -8,6 +8,7 @@ import { NO_AREA } from "../effect/effect.ts";
 import { useIssueText } from "../issue-text.ts";
 import { useSettings } from "../settings/settings.ts";
 import { CutPicture } from "./CutPicture.tsx";
+import { keepFocus } from "./keep-focus.ts";
 import type { TriedOutcome } from "./tried.ts";
 import { useAdviceTexts } from "./use-advice.ts";
 import { useGuideTexts } from "./use-guide-texts.ts";
@@ -43,19 +44,21 @@ interface Props {
   readonly meaning?: ReactNode;
   /** Takes the value over into the work; null where it cannot go there. */
   readonly take: (() => void) | null;
+  /** All ways of the program are shown, not those of its cycles alone. */
+  readonly whole?: boolean;
 }
 
 /** One value with its picture and its numbers. */
-export function ValueCard({ tried, box, letter, text, unit, size, whose, meaning, take }: Props) {
+export function ValueCard({ tried, box, letter, text, unit, size, whose, meaning, take, whole = false }: Props) {
   const t = useGuideTexts();
   const advice = useAdviceTexts();
   const language = useSettings((s) => s.language);
   const issueText = useIssueText();
-  const { effect, change, outcome } = tried;
+  const { effect, change, outcome } = tried, { run } = outcome;
   const number = (n: number, decimals: number) => formatNumber(language, n, decimals);
   const facts: readonly (readonly [string, string])[] = [
-    [t.numbers.passes, number(effect.passes, 0)],
-    [t.numbers.infeed, t.millimetres(number(effect.infeed, 3))],
+    ...(run.operations.length === 0 ? [] : [[t.numbers.passes, number(effect.passes, 0)] as const]),
+    ...(run.operations.length !== 1 ? [] : [[t.numbers.infeed, t.millimetres(number(effect.infeed, 3))] as const]),
     [t.numbers.seconds, t.seconds(number(effect.seconds, 1))],
     [t.numbers.residual, t.area(number(effect.residual < NO_AREA ? 0 : effect.residual, 2))],
     ...(effect.rz === null ? [] : [[t.numbers.rz, t.microns(number(effect.rz, 1))] as const]),
@@ -69,7 +72,8 @@ export function ValueCard({ tried, box, letter, text, unit, size, whose, meaning
         {whose && <span className="small soft">{whose}</span>}
       </h3>
       {meaning && <p>{meaning}</p>}
-      <CutPicture outcome={outcome} box={box} stock={outcome.simulation.final} steps={outcome.run.steps.filter((s) => s.operation !== null)}
+      <CutPicture outcome={outcome} box={box} stock={outcome.simulation.final}
+        steps={whole ? run.steps : run.steps.filter((s) => s.operation !== null)}
         name={`${t.values.picture(letter, text)}. ${facts.map((fact) => fact.join(" ")).join(", ")}`} />
       <dl className="value-facts">
         {facts.map(([name, fact]) => (
@@ -80,7 +84,14 @@ export function ValueCard({ tried, box, letter, text, unit, size, whose, meaning
         ))}
       </dl>
       {(change || tried.isUsual) && <p className="value-change">{change ? changeText(t, language, change) : t.change.usual}</p>}
-      {take && <button type="button" className="button value-take" onClick={take}>{advice.take(`${letter} = ${text}`)}</button>}
+      {take && (
+        <button type="button" className="button value-take" onClick={(event) => {
+          keepFocus(event.currentTarget, "section");
+          take();
+        }}>
+          {advice.take(`${letter} = ${text}`)}
+        </button>
+      )}
       {issue && <p className={`field-message ${issue.severity}`}>{issueText(issue)}</p>}
     </li>
   );

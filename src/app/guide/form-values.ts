@@ -1,16 +1,23 @@
 import { approach, type Approach, type ApproachRequest } from "../../kernel/approach.ts";
+import type { PlaneSegment } from "../../kernel/plane.ts";
 import { rounded } from "../../kernel/units.ts";
+import type { ApproachForm } from "../../nc/statement.ts";
+import { readApproach, type ApproachDraft } from "../../program/approach-draft.ts";
+import { readyApproach, type ApproachContext } from "../../program/approach-request.ts";
 
 /** Words of APPR and DEP that a form is shown at three values of. */
-export type SizedWord = "LEN" | "R" | "CCA";
+export type SizedWord = "LEN" | "R" | "CCA" | PolarPlace;
+/** Words that name a point from the pole. */
+export type PolarPlace = "PR" | "PA";
 const FIELD = { LEN: "length", R: "radius", CCA: "centreAngle" } as const;
 
-/** A form with one of the values of a word. */
+/** A form with one of the values of a word. The contour begins in another point with another point PA. */
 export interface FormAtValue {
   readonly value: number;
   readonly isUsual: boolean;
   readonly request: ApproachRequest;
   readonly result: Approach;
+  readonly contour: readonly PlaneSegment[];
 }
 
 /** Shares of the usual value: a small and a large one. */
@@ -19,18 +26,57 @@ const MORE = 2.2;
 /** Most of a turn that an arc is shown with, degrees. */
 const MOST_ANGLE = 270;
 
-/** The words of a form that have a size. */
-export const sizedWords = ({ shape }: Pick<ApproachRequest, "shape">): readonly SizedWord[] =>
-  shape === "LCT" ? ["R"] : shape === "CT" ? ["R", "CCA"] : ["LEN"];
+/** How far the point moves beside the usual one: a share of its distance from the pole, degrees round it. */
+const NEARER_FARTHER = [0.7, 1.3];
+const ROUND_POLE = [-20, 20];
+
+/** The words of a form that have a size, those of a point that is given from the pole first. */
+export const sizedWords = (
+  { shape, departing }: Pick<ApproachRequest, "shape" | "departing">,
+  polar = false,
+): readonly SizedWord[] => [
+  ...(polar && (!departing || shape === "LCT") ? (["PR", "PA"] as const) : []),
+  ...(shape === "LCT" ? (["R"] as const) : shape === "CT" ? (["R", "CCA"] as const) : (["LEN"] as const)),
+];
+
+const isPolarPlace = (word: SizedWord): word is PolarPlace => word === "PR" || word === "PA";
+const shown = (value: number) => rounded(Number(value.toFixed(1)));
+
+/** A form with its point at other distances and angles from the pole. */
+function atPolarPlaces({ form, draft, context, request }: FormAt, word: PolarPlace): readonly FormAtValue[] {
+  const text = draft[word] ?? "", sign = /^I/i.exec(text)?.[0] ?? "", usual = Number(text.slice(sign.length));
+  if (text === "" || !Number.isFinite(usual)) return [];
+  const others = word === "PR" ? NEARER_FARTHER.map((by) => usual * by) : ROUND_POLE.map((by) => usual + by);
+  const values = [...new Set([usual, ...others.map(shown)])].toSorted((a, b) => a - b);
+  return values.flatMap((value) => {
+    const typed = { ...draft, [word]: `${sign}${value}` };
+    const { departing } = request, reading = readApproach({ form, departing }, context.plane, typed, context.parameters);
+    const ready = readyApproach(form, departing, reading, context);
+    if (!ready) return [];
+    // Sizes that the words do not hold are those of the form that is shown.
+    const changed = { ...request, ...ready.request };
+    return [{ value, isUsual: value === usual, request: changed, result: approach(changed), contour: ready.contour }];
+  });
+}
+
+/** What a form is shown at: its request and contour, and the words and the surroundings that they were read from. */
+export interface FormAt {
+  readonly form: ApproachForm;
+  readonly draft: ApproachDraft;
+  readonly context: ApproachContext;
+  readonly request: ApproachRequest;
+  readonly contour: readonly PlaneSegment[];
+}
 
 /** A form at a small, the usual and a large value of a word. */
-export function formAtValues(request: ApproachRequest, word: SizedWord): readonly FormAtValue[] {
-  const usual = request[FIELD[word]];
+export function formAtValues(at: FormAt, word: SizedWord): readonly FormAtValue[] {
+  if (isPolarPlace(word)) return atPolarPlaces(at, word);
+  const { request, contour } = at, usual = request[FIELD[word]];
   if (usual === undefined) return [];
   const most = word === "CCA" ? MOST_ANGLE : Infinity;
-  const values = [usual * LESS, usual, Math.min(most, usual * MORE)].map((value) => rounded(Number(value.toFixed(1))));
+  const values = [usual * LESS, usual, Math.min(most, usual * MORE)].map(shown);
   return [...new Set(values)].map((value) => {
     const changed: ApproachRequest = { ...request, [FIELD[word]]: value };
-    return { value, isUsual: value === usual, request: changed, result: approach(changed) };
+    return { value, isUsual: value === usual, request: changed, result: approach(changed), contour };
   });
 }

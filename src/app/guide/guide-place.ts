@@ -18,18 +18,18 @@ export interface OpenCall {
 
 export const useOpenCall = create<{ readonly call: OpenCall | null }>(() => ({ call: null }));
 
-/** The APPR or DEP block of a program whose prompts were open last, and the prompt that was. */
-export interface OpenApproach {
+/** The block of a program, no cycle, whose words were open last, and the one that its page of the guide was asked for. */
+export interface GuidedBlock {
   readonly work: string | null;
   /** Its line in the text, from 1. */
   readonly line: number;
   readonly word: string | null;
 }
 
-export const useOpenApproach = create<{ readonly block: OpenApproach | null }>(() => ({ block: null }));
+export const useGuidedBlock = create<{ readonly block: GuidedBlock | null }>(() => ({ block: null }));
 
-/** The prompt that was open in a block when its guide took its place. */
+/** The word that was open in a block when its guide took its place. */
 export function openWordOf(work: string | null, line: number): string | null {
-  const { block } = useOpenApproach.getState();
+  const { block } = useGuidedBlock.getState();
   return block?.work === work && block.line === line ? block.word : null;
 }

@@ -6,7 +6,10 @@ import { exampleJob, type SetJob } from "../../program/job.ts";
 import { run } from "../../program/run.ts";
 import { shippedTools } from "../../program/shipped-tools.ts";
 import { printedText } from "../printed.ts";
+import { forget, undo } from "../steps.ts";
+import { useEditor } from "../store.ts";
 import { SETUP_PAGES, setupVariants, type SetupPageId } from "./setup-variants.ts";
+import { takeSetup } from "./take-value.ts";
 
 const example = exampleJob(cuttingCycles[0] ?? never("no cycle"));
 const job: SetJob = {
@@ -46,5 +49,17 @@ test("every page shows two values at least, and each makes another program or an
     });
     expect(made.length, id).toBeGreaterThan(1);
     expect(new Set(made).size, id).toBe(made.length);
+  }
+});
+
+test("a value taken over is the one that its page showed, and one step of undo takes it back with its kind of speed", () => {
+  for (const id of SETUP_PAGES) {
+    useEditor.setState({ work: "w", job, program: null });
+    forget();
+    const other = setupVariants(id, job, shippedTools).find(({ isUsual }) => !isUsual) ?? never("one value only");
+    takeSetup(id, other.value, id, other.value);
+    expect(useEditor.getState().job, id).toEqual(other.job);
+    undo();
+    expect(useEditor.getState().job, id).toEqual(job);
   }
 });

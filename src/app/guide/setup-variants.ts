@@ -1,7 +1,7 @@
 import { noseRadius } from "../../kernel/insert.ts";
 import type { Tool } from "../../kernel/tool.ts";
 import { rounded } from "../../kernel/units.ts";
-import type { SetJob } from "../../program/job.ts";
+import type { Job, SetJob } from "../../program/job.ts";
 
 /** Prompts and fields of the set-up that have a page in the guide, in the order in which a setter has them. */
 export const SETUP_PAGES = [
@@ -44,13 +44,15 @@ const textAt = ({ blank, start, spindle, rapid }: SetJob, id: Numbered): string 
     rapid,
   })[id];
 
-/** The job with a number at a place; a speed that does not count with the present kind of speed brings its own kind. */
-function withNumber(job: SetJob, id: Numbered, value: number): SetJob {
+/** The job with another value at a place; a speed that does not count with the present kind of speed brings its own kind. */
+export function withSetupValue<J extends Job>(job: J, id: SetupPageId, value: number): J {
   const text = String(value);
   const [part, field = ""] = id.split(".");
+  if (id === "tool") return { ...job, tool: value };
+  if (id === "perRevolution") return { ...job, perRevolution: value !== 0 };
   if (part === "blank") return { ...job, blank: { ...job.blank, [field]: text } };
   if (part === "start") return { ...job, start: { ...job.start, [field]: text } };
-  if (part === "rapid") return { ...job, rapid: text };
+  if (id === "rapid") return { ...job, rapid: text };
   return { ...job, spindle: { ...job.spindle, mode: id === "spindle.speed" ? "constant" : "surface", [field]: text } };
 }
 
@@ -76,7 +78,7 @@ function beside(id: Numbered, usual: number, job: SetJob): readonly [number, num
 }
 
 /** Tools to compare with: of the same kind and orientation, with the nearest smaller and the nearest larger nose, or else the next ones. */
-function toolsBeside(tools: readonly Tool[], own: Tool): readonly Tool[] {
+export function toolsBeside(tools: readonly Tool[], own: Tool): readonly Tool[] {
   const kin = tools.filter(({ T, TYPE, TO }) => T !== own.T && TYPE === own.TYPE && TO === own.TO);
   const by = kin.toSorted((a, b) => noseRadius(a) - noseRadius(b));
   const smaller = by.findLast((tool) => noseRadius(tool) < noseRadius(own)), larger = by.find((tool) => noseRadius(tool) > noseRadius(own));
@@ -88,12 +90,12 @@ function toolsBeside(tools: readonly Tool[], own: Tool): readonly Tool[] {
 /** A job at a small, the usual and a large value of a place; tools beside the one that is called; M136 on and off. */
 export function setupVariants(id: SetupPageId, job: SetJob, tools: readonly Tool[]): readonly SetupVariant[] {
   if (id === "perRevolution")
-    return [true, false].map((on) => ({ value: Number(on), isUsual: on === job.perRevolution, job: { ...job, perRevolution: on } }));
+    return [true, false].map((on) => ({ value: Number(on), isUsual: on === job.perRevolution, job: withSetupValue(job, id, Number(on)) }));
   if (id === "tool") {
     const own = tools.find(({ T }) => T === job.tool);
     if (!own) return [];
     const all = [own, ...toolsBeside(tools, own)].toSorted((a, b) => noseRadius(a) - noseRadius(b));
-    return all.map(({ T }) => ({ value: T, isUsual: T === own.T, job: { ...job, tool: T } }));
+    return all.map(({ T }) => ({ value: T, isUsual: T === own.T, job: withSetupValue(job, id, T) }));
   }
   const usual = Number(textAt(job, id));
   if (!Number.isFinite(usual)) return [];
@@ -101,6 +103,6 @@ export function setupVariants(id: SetupPageId, job: SetJob, tools: readonly Tool
   return [...new Set(values)].toSorted((a, b) => a - b).map((value) => ({
     value,
     isUsual: value === usual,
-    job: withNumber(job, id, value),
+    job: withSetupValue(job, id, value),
   }));
 }

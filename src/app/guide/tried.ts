@@ -16,16 +16,17 @@ export interface TriedOutcome extends RanValue {
   readonly change: ShownChange | null;
 }
 
-/** Runs beside each other, in one box of the part; null where the usual one makes no path. */
-export function compared<
-  R extends RanValue,
->(ran: readonly R[]): { readonly tried: readonly (R & TriedOutcome)[]; readonly box: Box } | null {
-  const usual = ran.find((each) => each.isUsual && makesPath(each.outcome));
+/** Runs beside each other, in one box of the part; null where the usual one does not go, which is to make the path of a cycle. */
+export function compared<R extends RanValue>(
+  ran: readonly R[],
+  goes: (outcome: Outcome) => boolean = makesPath,
+): { readonly tried: readonly (R & TriedOutcome)[]; readonly box: Box } | null {
+  const usual = ran.find((each) => each.isUsual && goes(each.outcome));
   if (!usual) return null;
   const tried = ran.map((each) => ({
     ...each,
     effect: shownEffect(each.outcome),
-    change: each === usual || !makesPath(each.outcome) ? null : shownChange(each.outcome, usual.outcome),
+    change: each === usual || !goes(each.outcome) ? null : shownChange(each.outcome, usual.outcome),
   }));
   return { tried, box: shownBox(ran.map(({ outcome }) => outcome)) };
 }

@@ -2,4 +2,4 @@ import { loadGlossary } from "../../i18n/load-glossary.ts";
 import { laterTexts } from "../settings/later-texts.ts";
 
 /** The glossary in the screen language. */
-export const { useThem: useGlossary } = laterTexts(loadGlossary);
+export const { useThem: useGlossary, useThemSoon: useGlossarySoon } = laterTexts(loadGlossary);

@@ -60,6 +60,7 @@ export const guide = {
     finish: "Schlichten",
     watch: "Schritte ansehen",
   },
+  taken: (what: string, value: string) => `${what} = ${value} steht jetzt in Ihrer Arbeit.`,
   mistakes: "Häufige Fehler",
   terms: "Begriffe",
   steps: {
@@ -82,6 +83,8 @@ export const guide = {
     lead: "Die Begriffe des Drehens, wie Steuerung und App sie gebrauchen.",
     search: "Suchen",
     found: (n) => (n === 1 ? "1 Begriff" : `${n} Begriffe`),
+    used: "Wo es vorkommt",
+    lesson: (number, title) => `Lektion ${number}: ${title}`,
     none: "Kein solcher Begriff. Versuchen Sie einen Teil davon.",
   },
   missing: "Diese Seite gibt es in der Hilfe nicht.",

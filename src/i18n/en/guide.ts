@@ -61,6 +61,7 @@ export const guide = {
     finish: "Finishing",
     watch: "Watch the steps",
   },
+  taken: (what: string, value: string) => `${what} = ${value} is in your work now.`,
   mistakes: "Common mistakes",
   terms: "Words",
   steps: {
@@ -83,6 +84,8 @@ export const guide = {
     lead: "The words of turning as this app and the control use them.",
     search: "Search",
     found: (n: number) => (n === 1 ? "1 word" : `${n} words`),
+    used: "Where it is used",
+    lesson: (number: string, title: string) => `Lesson ${number}: ${title}`,
     none: "No such word. Try a part of it.",
   },
   missing: "There is no such page in the guide.",

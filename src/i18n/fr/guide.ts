@@ -61,6 +61,7 @@ export const guide: GuideTexts = typeset({
     finish: "Finition",
     watch: "Voir les étapes",
   },
+  taken: (what: string, value: string) => `${what} = ${value} est maintenant dans votre travail.`,
   mistakes: "Erreurs fréquentes",
   terms: "Termes",
   steps: {
@@ -83,6 +84,8 @@ export const guide: GuideTexts = typeset({
     lead: "Les termes du tournage tels que la commande et l’application les emploient.",
     search: "Chercher",
     found: (n) => (n === 1 ? "1 terme" : `${n} termes`),
+    used: "Où il est employé",
+    lesson: (number, title) => `Leçon ${number} : ${title}`,
     none: "Aucun terme de ce nom. Essayez-en une partie.",
   },
   missing: "Cette page n’existe pas dans l’aide.",

@@ -60,6 +60,7 @@ export const guide = {
     finish: "精加工",
     watch: "观看步骤",
   },
+  taken: (what: string, value: string) => `${what} = ${value} 已写入您的工作。`,
   mistakes: "常见错误",
   terms: "术语",
   steps: {
@@ -82,6 +83,8 @@ export const guide = {
     lead: "数控系统与本应用所用的车削术语。",
     search: "查找",
     found: (n) => `${n} 个术语`,
+    used: "用在何处",
+    lesson: (number, title) => `第 ${number} 课：${title}`,
     none: "没有该术语，请输入其中一部分。",
   },
   missing: "帮助中没有此页面。",
