@@ -15,7 +15,7 @@ import { HelpMarks } from "../help/HelpMarks.tsx";
 import { useIssueText } from "../issue-text.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
-import { formAtValues, sizedWords, type FormAtValue, type SizedWord } from "./form-values.ts";
+import { formAtValues, namedAt, sizedWords, type FormAtValue, type SizedWord } from "./form-values.ts";
 import { GuideButton } from "./GuideButton.tsx";
 import { Said, SaidList, SaidOnPage } from "./Said.tsx";
 import { keepFocus } from "./keep-focus.ts";
@@ -96,7 +96,7 @@ function FormValue({ word, form, source, frame, size }: CardProps) {
       camera: cameraFor(frame, SIZE, MARGIN),
     });
   }, [result, request, form.contour, source.rapidBefore, word, language, frame, working, tip]);
-  const named = isPolar(source.form) ? result.points[request.departing ? "PN" : "PA"] : undefined;
+  const named = isPolar(source.form) ? namedAt(form, source.context) : null;
   const text = formatNumber(language, value);
   const way = result.legs.reduce((sum, { segment }) => sum + plane.lengthOf(segment), 0);
   const points = Object.entries(result.points).map(([name, at]) => words.point(name, speech.point(at))).join(", ");

@@ -18,12 +18,12 @@ export function GlossaryPage({ term }: { readonly term: string | null }) {
   const [sought, seek] = useState("");
   const asked = useRef<HTMLDivElement>(null);
   useEffect(() => {
-    asked.current?.scrollIntoView?.({ block: "center" });
     asked.current?.focus();
   }, [term]);
   const all = TERMS.map((id) => ({ id, ...words[id] })).sort((a, b) => a.name.localeCompare(b.name, language));
   const found = all.filter(({ name, text }) => plain(`${name} ${text}`).includes(plain(sought.trim())));
   const byName = found.toSorted((a, b) => Number(plain(b.name).includes(plain(sought))) - Number(plain(a.name).includes(plain(sought))));
+  const shown = byName.toSorted((a, b) => Number(b.id === term) - Number(a.id === term));
   const onKey = (event: KeyboardEvent) => {
     const [first] = byName;
     if (event.key !== "Enter" || sought.trim() === "" || !first) return;
@@ -43,7 +43,7 @@ export function GlossaryPage({ term }: { readonly term: string | null }) {
         <p className="soft small" role="status">{found.length === 0 ? t.none : t.found(found.length)}</p>
       </header>
       <dl className="glossary-list">
-        {byName.map(({ id, name, text }) => (
+        {shown.map(({ id, name, text }) => (
           <div key={id} data-asked={id === term || undefined} {...(id === term && { ref: asked, tabIndex: -1 })}>
             <dt>
               {id === term

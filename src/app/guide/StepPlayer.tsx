@@ -1,4 +1,4 @@
-import { useEffect, useMemo, useState, type KeyboardEvent } from "react";
+import { useEffect, useMemo, useRef, useState, type KeyboardEvent } from "react";
 import type { Cycle } from "../../cycles/define.ts";
 import type { CycleNumber } from "../../cycles/index.ts";
 import { insertOutline } from "../../kernel/insert.ts";
@@ -79,9 +79,15 @@ export function StepPlayer({ cycle, run: { outcome, isOwn } }: { readonly cycle:
         ? { ...was, plays: "no" }
         : { ...was, seconds: was.seconds >= (times[was.index]?.lasts ?? 0) ? 0 : was.seconds, plays: how }
     );
+  const byKey = useRef(false), lists = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    if (byKey.current) lists.current?.querySelector("[aria-current]")?.scrollIntoView?.({ block: "nearest" });
+    byKey.current = false;
+  }, [index]);
   const onKey = (event: KeyboardEvent) => {
     const isButton = (event.target as HTMLElement).closest("button");
-    if (event.key === "ArrowRight" || event.key === "ArrowLeft") choose(other(pieces, index, event.key === "ArrowRight" ? 1 : -1));
+    byKey.current = event.key === "ArrowRight" || event.key === "ArrowLeft";
+    if (byKey.current) choose(other(pieces, index, event.key === "ArrowRight" ? 1 : -1));
     else if (event.key === " " && !isButton) toggle("one");
     else return;
     event.preventDefault();
@@ -132,7 +138,7 @@ export function StepPlayer({ cycle, run: { outcome, isOwn } }: { readonly cycle:
         </div>
         <p className="small soft">{isOwn ? t.own : t.example}</p>
       </div>
-      <div className="step-lists">
+      <div className="step-lists" ref={lists}>
         {(["rough", "finish"] as const).filter((run) => words[run].length > 0).map((run) => (
           <div key={run}>
             <h3>{acts[run]}</h3>

@@ -4,7 +4,7 @@ import type { ApproachForm } from "../../nc/statement.ts";
 import { isPolar, shapeOf } from "../../program/approach-fields.ts";
 import { wordsOfPoint, type ApproachContext } from "../../program/approach-request.ts";
 import { suggestedForms } from "../../view/approach/forms.ts";
-import { formAtValues, sizedWords, type FormAt } from "./form-values.ts";
+import { formAtValues, namedAt, sizedWords, type FormAt } from "./form-values.ts";
 
 const contour: readonly PlaneSegment[] = [{ kind: "line", from: { x: 3, y: 71 }, to: { x: 3, y: 5 } }, {
   kind: "line",
@@ -50,12 +50,12 @@ test("each of the eight forms is drawn at three values of each of its sizes, and
 
 test("a point from the pole lies at the distance and the angle that are shown", () => {
   for (const at of forms.filter(({ form, draft }) => isPolar(form) && draft.PR !== undefined)) {
-    for (const { value, result } of formAtValues(at, "PR")) {
-      const point = result.points[at.request.departing ? "PN" : "PA"] ?? { x: NaN, y: NaN };
+    for (const form of formAtValues(at, "PR")) {
+      const { value } = form, point = namedAt(form, at.context) ?? { x: NaN, y: NaN };
       expect(Math.hypot(point.x - pole.x, point.y - pole.y), nameOf(at)).toBeCloseTo(value, 6);
     }
-    for (const { value, result } of formAtValues(at, "PA")) {
-      const point = result.points[at.request.departing ? "PN" : "PA"] ?? { x: NaN, y: NaN };
+    for (const form of formAtValues(at, "PA")) {
+      const { value } = form, point = namedAt(form, at.context) ?? { x: NaN, y: NaN };
       const turned = (Math.atan2(point.y - pole.y, point.x - pole.x) * 180) / Math.PI - value;
       expect(Math.abs(Math.sin((turned * Math.PI) / 360)), nameOf(at)).toBeCloseTo(0, 6);
     }

@@ -1,5 +1,5 @@
 import { approach, type Approach, type ApproachRequest } from "../../kernel/approach.ts";
-import type { PlaneSegment } from "../../kernel/plane.ts";
+import { plane, type PlanePoint, type PlaneSegment } from "../../kernel/plane.ts";
 import { rounded } from "../../kernel/units.ts";
 import type { ApproachForm } from "../../nc/statement.ts";
 import { readApproach, type ApproachDraft } from "../../program/approach-draft.ts";
@@ -80,3 +80,7 @@ export function formAtValues(at: FormAt, word: SizedWord): readonly FormAtValue[
     return { value, isUsual: value === usual, request: changed, result: approach(changed), contour };
   });
 }
+
+/** The point that the block of a form names, as programmed: PA, or PN of a departure; null where it names none. */
+export const namedAt = ({ request: { departing, outside }, contour }: FormAtValue, { tip }: Pick<ApproachContext, "tip">): PlanePoint | null =>
+  departing ? outside && plane.sum(outside, tip) : contour[0]?.from ?? null;

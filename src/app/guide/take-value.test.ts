@@ -14,7 +14,7 @@ import { forget, undo } from "../steps.ts";
 import { useEditor } from "../store.ts";
 import { useOpenCall } from "./guide-place.ts";
 import { guideSources } from "./guide-source.ts";
-import { takeValue } from "./take-value.ts";
+import { takeIntoBlock, takeValue } from "./take-value.ts";
 
 const cycle = cycleByNumber(820) ?? never("no such cycle");
 const CONTOUR = [["0", "0"], ["23.7", "0"], ["23.7", "-11.3"], ["47.9", "-19.1"], ["47.9", "-33.3"]] as const;
@@ -60,5 +60,17 @@ test("a value goes into the open block as one step of undo, and nowhere where no
   await takeValue(820, "Q463", 2.3);
   useOpenCall.setState({ call: { work: "w", cycle: 820, line: line - 1 } });
   await takeValue(820, "Q463", 2.3);
+  expect(textNow()).toBe(text);
+});
+
+test("a text goes into a word of the block whose form was open, as one step of undo that is told, and nowhere else", async () => {
+  const at = text.split("\n").findIndex((each) => each.includes("TURNDATA SPIN")) + 1;
+  await takeIntoBlock(at, "spin", "speedLimit", "1370", "SMAX");
+  expect(lineOf(`${at - 1} FUNCTION TURNDATA SPIN`)).toContain("SMAX1370");
+  expect(textNow().split("\n").filter((each, i) => each !== text.split("\n")[i])).toHaveLength(1);
+  undo();
+  expect(textNow()).toBe(text);
+  await takeIntoBlock(at, "toolCall", "speed", "1370", "S");
+  await takeIntoBlock(at + 1, "spin", "speedLimit", "1370", "SMAX");
   expect(textNow()).toBe(text);
 });

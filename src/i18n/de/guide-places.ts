@@ -109,7 +109,7 @@ export const guidePlaces = {
       PE: "Steht im letzten Satz der Kontur.",
       PN: "Außerhalb: DEP LCT nennt ihn, die anderen rechnen ihn aus.",
     },
-    polar: "Sein Punkt ist vom Pol CC aus gegeben: durch den Abstand PR und den Winkel PA.",
+    polar: "Der Punkt ist vom Pol CC aus gegeben: durch den Abstand PR und den Winkel PA.",
     ownLead: "Gezeichnet an der Kontur Ihres Satzes.",
     sampleLead: "Gezeichnet an einer Ecke, mit einem Werkzeug von 8 mm Radius.",
     way: "Weg",

@@ -107,7 +107,7 @@ export const guidePlaces = {
       PE: "Stands in the last block of the contour.",
       PN: "Outside: DEP LCT names it, the others work it out.",
     },
-    polar: "Its point is given from the pole CC: by the distance PR and the angle PA.",
+    polar: "The point is given from the pole CC: by the distance PR and the angle PA.",
     ownLead: "Drawn at the contour of your block.",
     sampleLead: "Drawn at a corner, with a tool of 8 mm radius.",
     way: "Way",

@@ -109,7 +109,7 @@ export const guidePlaces: GuidePlacesTexts = typeset({
       PE: "Figure dans la dernière séquence du contour.",
       PN: "À l’extérieur : DEP LCT le nomme, les autres le calculent.",
     },
-    polar: "Son point est donné depuis le pôle CC : par la distance PR et l’angle PA.",
+    polar: "Le point est donné depuis le pôle CC : par la distance PR et l’angle PA.",
     ownLead: "Dessiné au contour de votre séquence.",
     sampleLead: "Dessiné à un angle, avec un outil de 8 mm de rayon.",
     way: "Trajet",

@@ -68,7 +68,7 @@ export const guidePlaces = {
       PE: "写在轮廓的最后一个程序段中。",
       PN: "在轮廓之外：DEP LCT 给出它，其他形式算出它。",
     },
-    polar: "其点由极点 CC 给出：距离 PR 和角度 PA。",
+    polar: "点由极点 CC 给出：距离 PR 和角度 PA。",
     ownLead: "画在您的程序段的轮廓上。",
     sampleLead: "画在一个拐角处，刀具半径 8 mm。",
     way: "行程",
