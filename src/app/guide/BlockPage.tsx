@@ -10,7 +10,7 @@ import { Icon } from "../Icon.tsx";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { blockSources } from "./block-source.ts";
-import { letterOf, ruleOf, wordTexts } from "./block-words.ts";
+import { blockLetter, blockRule, blockWordTexts } from "./block-words.ts";
 import { GuideButton } from "./GuideButton.tsx";
 import { showGuide, useGuidedBlock } from "./guide-place.ts";
 import { Said, SaidList, SaidOnPage } from "./Said.tsx";
@@ -32,7 +32,7 @@ export const blockPage = (
 
 /** What a field is called, without the letter that stands in front of it on its page. */
 function wordName({ editor: t }: Pick<Texts, "editor">, kind: BlockKind, { name, id }: Pick<WordField, "name" | "id">): string {
-  const letter = letterOf(kind, wordOfField({ id }));
+  const letter = blockLetter(kind, wordOfField({ id }));
   const full = typeof name === "string" ? t.fields[name] : t.fields.wordOf(name.word);
   return full.endsWith(` ${letter}`) ? full.slice(0, -letter.length - 1) : full === letter ? "" : full;
 }
@@ -52,7 +52,7 @@ function WordPictures({ kind, field }: Props) {
   const { made, working } = useTriedBlock(kind, word);
   const choices: Readonly<Record<string, string>> = editor.choices;
   const sizes = field.choices || made?.tried.length !== 3 ? [] : [t.values.small, t.values.usual, t.values.large];
-  const letter = letterOf(kind, word);
+  const letter = blockLetter(kind, word);
   return (
     <section className="guide-values" aria-label={t.values.title} aria-busy={working}>
       <h2>{t.values.title}</h2>
@@ -156,7 +156,7 @@ function OfBlock({ kind }: { readonly kind: PagedKind }) {
 function Words({ kind, source, but }: { readonly kind: BlockKind; readonly source: Statement; readonly but: string | null }) {
   const texts = useTexts();
   const blocks = useGuideBlocks();
-  const fields = fieldsOf(source).filter((field) => wordOfField(field) !== but && wordTexts(blocks, kind, wordOfField(field)));
+  const fields = fieldsOf(source).filter((field) => wordOfField(field) !== but && blockWordTexts(blocks, kind, wordOfField(field)));
   if (fields.length === 0) return null;
   return (
     <section aria-label={blocks.words}>
@@ -164,7 +164,7 @@ function Words({ kind, source, but }: { readonly kind: BlockKind; readonly sourc
       <ul className="guide-links">
         {fields.map((field) => (
           <GuideButton key={field.id} to={blockPage(kind, wordOfField(field))}>
-            <b className="number">{letterOf(kind, wordOfField(field))}</b> {wordName(texts, kind, field)}
+            <b className="number">{blockLetter(kind, wordOfField(field))}</b> {wordName(texts, kind, field)}
           </GuideButton>
         ))}
       </ul>
@@ -182,13 +182,13 @@ function OfWord({ kind, word }: { readonly kind: PagedKind; readonly word: strin
   const [source] = blockSources(kind, word);
   const all = source ? fieldsOf(source.statement) : [];
   const at = all.findIndex((each) => wordOfField(each) === word), field = all[at];
-  const said = wordTexts(blocks, kind, word, places);
+  const said = blockWordTexts(blocks, kind, word, places);
   if (!source || !field || !said) return <h1>{t.missing}</h1>;
-  const rules = [ruleOf(blocks, kind, word), blocks.kinds[kind].rule];
+  const rules = [blockRule(blocks, kind, word), blocks.kinds[kind].rule];
   const turn = (to: WordField | undefined, icon: "up" | "down", name: string, long: (name: string) => string) => (
     <button type="button" className="button" disabled={!to}
-      aria-label={to && long([letterOf(kind, wordOfField(to)), wordName(texts, kind, to)].join(" ").trim())}
-      onClick={() => to && showGuide(...blockPage(kind, wordOfField(to)))}
+      aria-label={to && long([blockLetter(kind, wordOfField(to)), wordName(texts, kind, to)].join(" ").trim())} onClick={() =>
+      to && showGuide(...blockPage(kind, wordOfField(to)))}
     >
       <Icon name={icon} /> {name}
     </button>
@@ -198,7 +198,7 @@ function OfWord({ kind, word }: { readonly kind: PagedKind; readonly word: strin
       <header className="guide-head">
         <p className="soft">{texts.editor.kinds[kind]}</p>
         <h1>
-          <span className="number prompt-q">{letterOf(kind, word)}</span> {wordName(texts, kind, field)}
+          <span className="number prompt-q">{blockLetter(kind, word)}</span> {wordName(texts, kind, field)}
         </h1>
         <p>
           <Said text={said.about} />

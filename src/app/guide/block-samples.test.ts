@@ -10,7 +10,7 @@ import { spreadOf, textsBeside, wordOfField } from "../editor/block-guide.ts";
 import type { BlockKind } from "../editor/block-kind.ts";
 import { palette } from "../editor/palette.ts";
 import { blockSources, textWith, type BlockSource } from "./block-source.ts";
-import { ruleOf, wordTexts } from "./block-words.ts";
+import { blockRule, blockWordTexts } from "./block-words.ts";
 
 const kinds = Object.keys(guideBlocks.kinds) as (keyof typeof guideBlocks.kinds & BlockKind)[];
 const ran = (text: string) => run(parse(text), { tools: shippedTools, rapid: 10_000 });
@@ -25,10 +25,11 @@ test("every kind of block that can be put in has its page, and every word in it 
   for (const { kind, make } of palette) {
     const statement = make?.("en");
     if (!statement || statement.kind === "approach") continue;
-    for (const field of fieldsOf(statement)) expect(wordTexts(guideBlocks, kind, wordOfField(field)), `${kind} ${field.id}`).not.toBeNull();
+    for (const field of fieldsOf(statement))
+      expect(blockWordTexts(guideBlocks, kind, wordOfField(field)), `${kind} ${field.id}`).not.toBeNull();
   }
   for (const id of Object.keys(guideBlocks.rules))
-    expect(ruleOf(guideBlocks, id.split(".")[0] as BlockKind, id.split(".").at(-1) ?? "")).not.toBe("");
+    expect(blockRule(guideBlocks, id.split(".")[0] as BlockKind, id.split(".").at(-1) ?? "")).not.toBe("");
 });
 
 test("a small and a large value of a word make another run than the usual one, which the control would take", () => {

@@ -88,8 +88,8 @@ const OTHERS: Partial<Record<BlockKind, readonly string[]>> = {
 /** Words that are shown in another sample than their block. */
 const OF_WORD: Readonly<Record<string, readonly string[]>> = {
   "L.compensation": cut("L X+42 Z+2 R0 FMAX", "> L X+46 Z-25 R0 F0.25"),
-  "spin.constantSurface": cut("> FUNCTION TURNDATA SPIN VCONST:ON VC:180 S800 SMAX2500", "L X+40 Z+1 FMAX", "L X+2 F0.2", "L Z+3 FMAX"),
-  "spin.speed": cut("> FUNCTION TURNDATA SPIN VCONST:OFF S800", ...CONE),
+  "spin.constantSurface": cut("> FUNCTION TURNDATA SPIN VCONST:ON VC:180 S790 SMAX2500", "L X+40 Z+1 FMAX", "L X+2 F0.2", "L Z+3 FMAX"),
+  "spin.speed": cut("> FUNCTION TURNDATA SPIN VCONST:OFF S790", ...CONE),
   "RND.feed": cut(...TO_CUT, "L Z-20", "> RND R6 F0.1", "L X+58"),
   "chamfer.feed": cut(...TO_CUT, "L Z-20", "> CHF 4 F0.1", "L X+58"),
   "CR.feed": cut(...TO_CUT, "> CR X+50 Z-20 R10 DR+ F0.2"),

@@ -28,7 +28,7 @@ const AXIS = /^[ABCUVW]$/;
 const entry = <T>(of: Readonly<Record<string, T>>, key: string): T | null => (Object.hasOwn(of, key) ? of[key] ?? null : null);
 
 /** What is said about a word in a kind of block; null where there is nothing. `places`: the pages of the set-up, where they are at hand. */
-export function wordTexts(t: GuideBlocksTexts, kind: BlockKind, word: string, places?: GuidePlacesTexts): WordTexts | null {
+export function blockWordTexts(t: GuideBlocksTexts, kind: BlockKind, word: string, places?: GuidePlacesTexts): WordTexts | null {
   const setup = OF_SETUP[`${kind}.${word}`];
   if (setup) return places?.places[setup] ?? { about: "", mistakes: [] };
   const common = COMMON.find(([of, form]) => of === kind && form.test(word))?.[2];
@@ -36,7 +36,7 @@ export function wordTexts(t: GuideBlocksTexts, kind: BlockKind, word: string, pl
 }
 
 /** The rule of the control for a word, where it has one of its own; empty where it has none. */
-export const ruleOf = (t: GuideBlocksTexts, kind: BlockKind, word: string): string =>
+export const blockRule = (t: GuideBlocksTexts, kind: BlockKind, word: string): string =>
   entry(t.rules, `${kind}.${word}`) ?? entry(t.rules, word) ?? "";
 
 /** How a word is written in the program, by the id of its field; words that are not written have none. */
@@ -70,5 +70,5 @@ const LETTERS: Readonly<Record<string, string>> = {
 };
 
 /** How a word of a block is written in front of its value; empty where only the block says it. */
-export const letterOf = (kind: BlockKind, word: string): string =>
+export const blockLetter = (kind: BlockKind, word: string): string =>
   LETTERS[`${kind}.${word}`] ?? LETTERS[word] ?? (/^[A-Z_]+\d*$/.test(word) ? word : "");

@@ -82,5 +82,7 @@ export function formAtValues(at: FormAt, word: SizedWord): readonly FormAtValue[
 }
 
 /** The point that the block of a form names, as programmed: PA, or PN of a departure; null where it names none. */
-export const namedAt = ({ request: { departing, outside }, contour }: FormAtValue, { tip }: Pick<ApproachContext, "tip">): PlanePoint | null =>
-  departing ? outside && plane.sum(outside, tip) : contour[0]?.from ?? null;
+export const namedAt = (
+  { request: { departing, outside }, contour }: FormAtValue,
+  { tip }: Pick<ApproachContext, "tip">,
+): PlanePoint | null => departing ? outside && plane.sum(outside, tip) : contour[0]?.from ?? null;

@@ -78,7 +78,7 @@ function beside(id: Numbered, usual: number, job: SetJob): readonly [number, num
 }
 
 /** Tools to compare with: of the same kind and orientation, with the nearest smaller and the nearest larger nose, or else the next ones. */
-export function toolsBeside(tools: readonly Tool[], own: Tool): readonly Tool[] {
+export function kindredTools(tools: readonly Tool[], own: Tool): readonly Tool[] {
   const kin = tools.filter(({ T, TYPE, TO }) => T !== own.T && TYPE === own.TYPE && TO === own.TO);
   const by = kin.toSorted((a, b) => noseRadius(a) - noseRadius(b));
   const smaller = by.findLast((tool) => noseRadius(tool) < noseRadius(own)), larger = by.find((tool) => noseRadius(tool) > noseRadius(own));
@@ -94,7 +94,7 @@ export function setupVariants(id: SetupPageId, job: SetJob, tools: readonly Tool
   if (id === "tool") {
     const own = tools.find(({ T }) => T === job.tool);
     if (!own) return [];
-    const all = [own, ...toolsBeside(tools, own)].toSorted((a, b) => noseRadius(a) - noseRadius(b));
+    const all = [own, ...kindredTools(tools, own)].toSorted((a, b) => noseRadius(a) - noseRadius(b));
     return all.map(({ T }) => ({ value: T, isUsual: T === own.T, job: withSetupValue(job, id, T) }));
   }
   const usual = Number(textAt(job, id));

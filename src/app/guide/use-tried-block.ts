@@ -9,7 +9,7 @@ import { useShownName } from "../files/shown-file.ts";
 import { useEditor } from "../store.ts";
 import { blockSources, fieldOfWord, textWith, type BlockSource } from "./block-source.ts";
 import { useGuidedBlock } from "./guide-place.ts";
-import { toolsBeside } from "./setup-variants.ts";
+import { kindredTools } from "./setup-variants.ts";
 import { compared, type RanValue, type TriedOutcome } from "./tried.ts";
 import { useMade, type MadeForPage } from "./use-made.ts";
 
@@ -32,7 +32,7 @@ function toolTexts(usual: string): readonly string[] {
   const { tools } = toolTable(), own = tools.find(({ T }) => String(T) === usual);
   if (!own) return [usual];
   const others = tools.filter(({ T, TO, RS }) => T !== own.T && TO === own.TO && RS !== own.RS).slice(0, MOST_OTHERS);
-  return [own, ...(others.length > 0 ? others : toolsBeside(tools, own))].map(({ T }) => String(T));
+  return [own, ...(others.length > 0 ? others : kindredTools(tools, own))].map(({ T }) => String(T));
 }
 
 /** Whether two runs are the same to who looks at them: path, time, blank and part. */
