@@ -9,6 +9,7 @@ import type { WordField } from "../editor/field.ts";
 import { Icon } from "../Icon.tsx";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
+import { useEditor } from "../store.ts";
 import { blockSources } from "./block-source.ts";
 import { blockLetter, blockRule, blockWordTexts } from "./block-words.ts";
 import { GuideButton } from "./GuideButton.tsx";
@@ -29,6 +30,12 @@ export const blockPage = (
   kind: BlockKind,
   word: string | null,
 ): readonly string[] => ["guide", "block", word === null ? kind : `${kind}.${word}`];
+
+/** Follows what blocks are shown at. */
+function useSources(): void {
+  useGuidedBlock();
+  useEditor((s) => s.program);
+}
 
 /** What a field is called, without the letter that stands in front of it on its page. */
 function wordName({ editor: t }: Pick<Texts, "editor">, kind: BlockKind, { name, id }: Pick<WordField, "name" | "id">): string {
@@ -128,6 +135,7 @@ function Functions() {
 function OfBlock({ kind }: { readonly kind: PagedKind }) {
   const blocks = useGuideBlocks();
   const { kinds: names } = useTexts().editor;
+  useSources();
   const [source] = blockSources(kind, null);
   const { about, rule, mistakes } = blocks.kinds[kind];
   return (
@@ -178,7 +186,7 @@ function OfWord({ kind, word }: { readonly kind: PagedKind; readonly word: strin
   const blocks = useGuideBlocks();
   const places = useGuidePlaces();
   const texts = useTexts();
-  useGuidedBlock();
+  useSources();
   const [source] = blockSources(kind, word);
   const all = source ? fieldsOf(source.statement) : [];
   const at = all.findIndex((each) => wordOfField(each) === word), field = all[at];
