@@ -14,6 +14,9 @@ const OTHER_WAYS: readonly { readonly id: string; readonly changes: readonly (re
   { id: "l22-clamp-shaft", changes: [["Q468=+0", "Q468=+1"]] },
   { id: "l18-finish-neck", changes: [["APPR LT X+40 Z+0 LEN2", "APPR CT X+40 Z+0 CCA60 R+3"], ["DEP LT LEN3", "DEP CT CCA90 R+2"]] },
   { id: "l18-finish-neck", changes: [["APPR LT X+40 Z+0 LEN2", "APPR LCT X+40 Z+0 R3"], ["DEP LT LEN3", "DEP LCT X+70 Z-26 R2"]] },
+  // The middle of a tolerance.
+  { id: "l20-diameter-as-radius", changes: [["Q493=+38 ", "Q493=+37.99 "]] },
+  { id: "l07-second-tool", changes: [["Q493=+42.8 ", "Q493=+42.795 "]] },
   { id: "l20-start-inside", changes: [["L X+79 Z-29.5", "L X+80 Z-33.5"]] },
   { id: "l20-rapid-into-work", changes: [["L X+84 Z-24 FMAX M303", "L X+100 Z-24 FMAX M303"]] },
   { id: "l17-way-out", changes: [["L X+39 FMAX", "L X+36 FMAX"]] },
