@@ -14,7 +14,7 @@ export const course = {
   openLesson: (n, title) => `Leçon ${n}, ${title}`,
   begin: "Commencer par la leçon 1",
   goOn: (n, title) => `Continuer : leçon ${n}, ${title}`,
-  passed: (n, of) => `${n} exercices réussis sur ${of}`,
+  passed: (n, of) => `Exercices réussis : ${n} sur ${of}`,
   allPassed: "Tous les exercices réussis",
   noTasks: "Pas d’exercice",
   read: "lue",
